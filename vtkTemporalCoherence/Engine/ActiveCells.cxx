@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ActiveCells.h"
+
+#include "Parallel.h"
+
+#include <algorithm>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+/// True if some sample of the range is inside one of the ascending isovalues and some is not.
+template <typename T>
+bool IsActive(const ValueRangePyramid::Range<T>& range, const std::vector<double>& isovalues)
+{
+  const double min = static_cast<double>(range.Min);
+  const double max = static_cast<double>(range.Max);
+  for (const double isovalue : isovalues)
+  {
+    if (isovalue > max)
+    {
+      return false;
+    }
+    if (isovalue > min)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+}
+
+void ActiveCells::Build(
+  const Field& field, const ValueRangePyramid& pyramid, const Surfaces& surfaces)
+{
+  this->Release();
+  const std::int64_t nodes = pyramid.NumberOfNodes();
+  this->Isovalues = surfaces.Isovalues;
+  std::sort(this->Isovalues.begin(), this->Isovalues.end());
+  this->Leaves.resize(static_cast<std::size_t>(nodes));
+  this->Slots.resize(static_cast<std::size_t>(nodes));
+
+  DispatchScalarType(field.Type,
+    [&](auto type)
+    {
+      using T = decltype(type);
+      ParallelFor(nodes, 64,
+        [&](std::int64_t node)
+        {
+          const auto* ranges = pyramid.LeavesOf<T>(node);
+          std::uint64_t leaves = 0;
+          for (int i = 0; i < ValueRangePyramid::LeavesPerNode; ++i)
+          {
+            leaves |= static_cast<std::uint64_t>(IsActive(ranges[i], this->Isovalues)) << i;
+          }
+          this->Leaves[static_cast<std::size_t>(node)] = leaves;
+        });
+    });
+
+  std::uint32_t slots = 0;
+  for (std::size_t node = 0; node < this->Leaves.size(); ++node)
+  {
+    this->Slots[node] = slots;
+    slots += this->Leaves[node] != 0;
+  }
+  this->NumberOfSlots = slots;
+  this->Cells = std::make_unique<std::atomic<std::uint64_t>[]>(
+    this->NumberOfSlots * ValueRangePyramid::LeavesPerNode);
+  this->Nodes = pyramid.NodeDimensions();
+}
+
+void ActiveCells::Release()
+{
+  this->Nodes = glm::ivec3(0);
+  this->Isovalues.clear();
+  this->Leaves.clear();
+  this->Slots.clear();
+  this->Cells.reset();
+  this->NumberOfSlots = 0;
+}
+
+std::size_t ActiveCells::MemoryInBytes() const
+{
+  return this->Leaves.capacity() * sizeof(std::uint64_t) +
+    this->Slots.capacity() * sizeof(std::uint32_t) +
+    this->NumberOfSlots * ValueRangePyramid::LeavesPerNode * sizeof(std::uint64_t);
+}
+
+}

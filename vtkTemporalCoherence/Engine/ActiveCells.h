@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_ActiveCells_h
+#define TemporalCoherence_ActiveCells_h
+
+#include "Field.h"
+#include "Surfaces.h"
+#include "ValueRangePyramid.h"
+
+#include <atomic>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace TemporalCoherence
+{
+
+/// The cells that a set of isovalues can pass through, as a tree of bits.
+///
+/// A cell is *active* if some of its eight samples are inside an isovalue and some are not; only
+/// there can a surface be. One 64-bit word for each node of the pyramid tells its active leaves,
+/// and one for each active leaf its active cells, so that a ray crosses 16 or 4 cells at a step
+/// where the word is empty and tests a cell without reading samples. The words of nodes are built
+/// for a set of isovalues from the pyramid alone; those of leaves are made when a ray first asks,
+/// which leaves out all that is hidden. Neither depends on the view.
+class ActiveCells
+{
+public:
+  static constexpr int LeafBits = ValueRangePyramid::LeafBits;
+  static constexpr int NodeBits = ValueRangePyramid::NodeBits;
+
+  /// Find the active leaves.
+  /// \throws std::bad_alloc, nothing being active then
+  void Build(const Field& field, const ValueRangePyramid& pyramid, const Surfaces& surfaces);
+
+  void Release();
+
+  const glm::ivec3& NodeDimensions() const { return this->Nodes; }
+
+  /// Position of the node of cell (i, j, k) in the list of nodes.
+  std::int64_t NodeOf(const glm::ivec3& cell) const
+  {
+    return (cell.x >> NodeBits) +
+      static_cast<std::int64_t>(this->Nodes.x) *
+      ((cell.y >> NodeBits) + static_cast<std::int64_t>(this->Nodes.y) * (cell.z >> NodeBits));
+  }
+
+  /// Position of a leaf within its node, and of a cell within its leaf: x + 4 y + 16 z.
+  static int LeafOf(const glm::ivec3& cell)
+  {
+    return ((cell.x >> LeafBits) & 3) | ((cell.y >> LeafBits) & 3) << 2 |
+      ((cell.z >> LeafBits) & 3) << 4;
+  }
+  static int BitOf(const glm::ivec3& cell)
+  {
+    return (cell.x & 3) | (cell.y & 3) << 2 | (cell.z & 3) << 4;
+  }
+
+  /// One bit for each active leaf of a node.
+  std::uint64_t LeavesOf(std::int64_t node) const
+  {
+    return this->Leaves[static_cast<std::size_t>(node)];
+  }
+
+  /// One bit for each active cell of the active leaf that holds `cell`. Safe from many threads:
+  /// who comes first computes it, who comes at the same time computes the same.
+  template <typename T>
+  std::uint64_t CellsOf(const TypedField<T>& field, std::int64_t node, const glm::ivec3& cell) const
+  {
+    std::atomic<std::uint64_t>& word =
+      this->Cells[static_cast<std::size_t>(this->Slots[static_cast<std::size_t>(node)]) *
+          ValueRangePyramid::LeavesPerNode +
+        static_cast<std::size_t>(LeafOf(cell))];
+    std::uint64_t cells = word.load(std::memory_order_relaxed);
+    if (cells == 0)
+    {
+      // An active leaf has an active cell, so that 0 can mean "not yet known".
+      cells = this->FindCells(field, cell & ~3);
+      word.store(cells, std::memory_order_relaxed);
+    }
+    return cells;
+  }
+
+  std::size_t MemoryInBytes() const;
+
+private:
+  template <typename T>
+  std::uint64_t FindCells(const TypedField<T>& field, const glm::ivec3& firstCell) const;
+
+  glm::ivec3 Nodes{ 0 };
+  std::vector<double> Isovalues; ///< ascending
+  std::vector<std::uint64_t> Leaves;
+  std::vector<std::uint32_t> Slots; ///< where the leaves of a node have their words in Cells
+  std::unique_ptr<std::atomic<std::uint64_t>[]> Cells;
+  std::size_t NumberOfSlots = 0;
+};
+
+template <typename T>
+std::uint64_t ActiveCells::FindCells(const TypedField<T>& field, const glm::ivec3& firstCell) const
+{
+  const glm::ivec3 samples = glm::min(field.Dimensions - firstCell, glm::ivec3(5));
+  std::uint64_t active = 0;
+  for (const double isovalue : this->Isovalues)
+  {
+    // Fold samples that are inside (any, all) along x, then y, then z: 4 bits a row, 16 a slice.
+    std::uint32_t anyBelow = 0, allBelow = 0;
+    for (int k = 0; k < samples.z; ++k)
+    {
+      std::uint32_t anySlice = 0, allSlice = 0, anyRow = 0, allRow = 0;
+      for (int j = 0; j < samples.y; ++j)
+      {
+        const T* row = field.At(firstCell + glm::ivec3(0, j, k));
+        std::uint32_t inside = 0;
+        for (int i = 0; i < samples.x; ++i)
+        {
+          const bool isInside = static_cast<double>(row[i * field.Strides.x]) >= isovalue;
+          inside |= static_cast<std::uint32_t>(isInside) << i;
+        }
+        const std::uint32_t any = inside | inside >> 1;
+        const std::uint32_t all = inside & inside >> 1;
+        if (j > 0)
+        {
+          anySlice |= ((any | anyRow) & 15u) << 4 * (j - 1);
+          allSlice |= (all & allRow & 15u) << 4 * (j - 1);
+        }
+        anyRow = any;
+        allRow = all;
+      }
+      if (k > 0)
+      {
+        const std::uint64_t mixed = (anySlice | anyBelow) & ~(allSlice & allBelow) & 0xffffu;
+        active |= mixed << 16 * (k - 1);
+      }
+      anyBelow = anySlice;
+      allBelow = allSlice;
+    }
+  }
+  // Rows of fewer than five samples have fewer than four cells.
+  const std::uint64_t cellsInRow = (1u << (samples.x - 1)) - 1u;
+  return active & (cellsInRow * 0x1111111111111111u);
+}
+
+}
+
+#endif

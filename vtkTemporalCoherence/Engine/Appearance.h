@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_Appearance_h
+#define TemporalCoherence_Appearance_h
+
+#include <glm/glm.hpp>
+
+#include <vector>
+
+namespace TemporalCoherence
+{
+
+/// One light in world coordinates; colours are multiplied by the light's intensity.
+struct Light
+{
+  bool Positional = false;
+  glm::dvec3 Position{ 0.0 };
+  glm::dvec3 Direction{ 0.0, 0.0, -1.0 }; ///< unit vector in which the light shines
+  glm::dvec3 Diffuse{ 1.0 };
+  glm::dvec3 Specular{ 1.0 };
+  double ConeAngle = 180.0;                ///< degrees from axis to rim; above 90: no spot
+  double Exponent = 1.0;                   ///< fall-off inside a spot's cone
+  glm::dvec3 Attenuation{ 1.0, 0.0, 0.0 }; ///< constant, linear, quadratic in distance
+};
+
+/// How hits become colours: VTK's Phong model, or the plain colour where `Shade` is false.
+struct Appearance
+{
+  std::vector<glm::dvec3> Colors; ///< RGB in [0, 1], one for each isovalue
+  bool Shade = false;
+  double Ambient = 0.1;
+  double Diffuse = 0.7;
+  double Specular = 0.2;
+  double SpecularPower = 10.0;
+  std::vector<Light> Lights;
+};
+
+inline bool operator==(const Light& a, const Light& b)
+{
+  return a.Positional == b.Positional && a.Position == b.Position && a.Direction == b.Direction &&
+    a.Diffuse == b.Diffuse && a.Specular == b.Specular && a.ConeAngle == b.ConeAngle &&
+    a.Exponent == b.Exponent && a.Attenuation == b.Attenuation;
+}
+
+inline bool operator==(const Appearance& a, const Appearance& b)
+{
+  return a.Colors == b.Colors && a.Shade == b.Shade && a.Ambient == b.Ambient &&
+    a.Diffuse == b.Diffuse && a.Specular == b.Specular && a.SpecularPower == b.SpecularPower &&
+    a.Lights == b.Lights;
+}
+
+}
+
+#endif

@@ -1,0 +1,247 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_CellRoot_h
+#define TemporalCoherence_CellRoot_h
+
+#include "Surfaces.h"
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+/// The first crossing of zero along a straight path through one cell.
+///
+/// All functions here are pure: the answer depends on the eight corner values and the path alone,
+/// not on how a ray came here. Values at a face are computed from the face's own four corners, bit
+/// by bit alike in both cells that share it, so that no surface is lost or met twice between cells.
+namespace TemporalCoherence
+{
+
+/// Differences from the isovalue at the corners of a cell, corner (x, y, z) at [x + 2 y + 4 z].
+template <typename Real>
+using Corners = std::array<Real, 8>;
+
+/// Ends of a path through a cell, in the cell's own coordinates [0, 1]^3.
+template <typename Real>
+struct CellPath
+{
+  std::array<Real, 3> Begin, End;
+};
+
+/// Weighted mean whose sign is that of a and b where they agree, and which is exactly a at 0 and
+/// exactly b at 1.
+template <typename Real>
+Real Mix(Real a, Real b, Real weightOfB)
+{
+  return (Real(1) - weightOfB) * a + weightOfB * b;
+}
+
+/// A cubic on [0, 1] by its Bernstein coefficients: it lies within their range.
+template <typename Real>
+using Cubic = std::array<Real, 4>;
+
+/// The trilinear interpolant along a path. Trilinear means affine in each coordinate, so that the
+/// Bernstein coefficients are the means of the values at the corners of the box around the path
+/// (its polar form): first at Begin, last at End.
+template <typename Real>
+Cubic<Real> CubicAlong(const Corners<Real>& v, const CellPath<Real>& path)
+{
+  // box[x + 2 y + 4 z]: the value where each coordinate is that of Begin (0) or End (1).
+  Corners<Real> alongX, alongXY, box;
+  for (std::size_t row = 0; row < 8; row += 2)
+  {
+    alongX[row] = Mix(v[row], v[row + 1], path.Begin[0]);
+    alongX[row + 1] = Mix(v[row], v[row + 1], path.End[0]);
+  }
+  for (std::size_t slice = 0; slice < 8; slice += 4)
+  {
+    for (std::size_t x = 0; x < 2; ++x)
+    {
+      const Real low = alongX[slice + x];
+      const Real high = alongX[slice + 2 + x];
+      alongXY[slice + x] = Mix(low, high, path.Begin[1]);
+      alongXY[slice + 2 + x] = Mix(low, high, path.End[1]);
+    }
+  }
+  for (std::size_t xy = 0; xy < 4; ++xy)
+  {
+    box[xy] = Mix(alongXY[xy], alongXY[4 + xy], path.Begin[2]);
+    box[4 + xy] = Mix(alongXY[xy], alongXY[4 + xy], path.End[2]);
+  }
+  constexpr Real third = Real(1) / Real(3);
+  return { box[0], (box[1] + box[2] + box[4]) * third, (box[6] + box[5] + box[3]) * third, box[7] };
+}
+
+/// The cubic's value, by repeated means: its sign is safe where the coefficients agree.
+template <typename Real>
+Real Evaluate(const Cubic<Real>& b, Real s)
+{
+  const Real q0 = Mix(b[0], b[1], s), q1 = Mix(b[1], b[2], s), q2 = Mix(b[2], b[3], s);
+  return Mix(Mix(q0, q1, s), Mix(q1, q2, s), s);
+}
+
+/// The crossing between low and high, where the cubic is known to change sides once: Newton's
+/// method, kept within the bracket by bisection.
+template <typename Real>
+Real RefineCrossing(const Cubic<Real>& b, Real low, Real high)
+{
+  constexpr int MostSteps = 32;
+  constexpr Real Tolerance = sizeof(Real) == 4 ? Real(1e-6) : Real(1e-12);
+
+  // Power form about 0, for values and slopes at the price of six operations.
+  const Real c0 = b[0];
+  const Real c1 = Real(3) * (b[1] - b[0]);
+  const Real c2 = Real(3) * ((b[2] - b[1]) - (b[1] - b[0]));
+  const Real c3 = (b[3] - b[0]) - Real(3) * (b[2] - b[1]);
+
+  const Real atLow = Evaluate(b, low);
+  const Real atHigh = Evaluate(b, high);
+  const bool insideLow = IsInside(atLow);
+  Real s = atHigh != atLow ? low + (high - low) * (atLow / (atLow - atHigh)) : low;
+  for (int step = 0; step < MostSteps; ++step)
+  {
+    const Real value = ((c3 * s + c2) * s + c1) * s + c0;
+    const Real slope = (Real(3) * c3 * s + Real(2) * c2) * s + c1;
+    (IsInside(value) == insideLow ? low : high) = s;
+    const Real distance = slope != Real(0) ? -value / slope : Real(2);
+    Real next = s + distance;
+    if (!(next > low && next < high))
+    {
+      if (std::abs(distance) <= Tolerance || high - low <= Tolerance)
+      {
+        break;
+      }
+      next = Real(0.5) * (low + high);
+    }
+    const Real moved = std::abs(next - s);
+    s = next;
+    if (moved <= Tolerance)
+    {
+      break;
+    }
+  }
+  return s;
+}
+
+/// Where the cubic turns, ascending; `count` of them within (0, 1).
+template <typename Real>
+std::array<Real, 2> TurningPoints(const Cubic<Real>& b, int& count)
+{
+  // A third of the derivative, a quadratic with the Bernstein coefficients d0, d1, d2.
+  const Real d0 = b[1] - b[0], d1 = b[2] - b[1], d2 = b[3] - b[2];
+  const Real a = (d2 - d1) - (d1 - d0), halfB = d1 - d0, c = d0;
+  std::array<Real, 2> points{};
+  count = 0;
+  const Real discriminant = halfB * halfB - a * c;
+  if (!(discriminant > Real(0)))
+  {
+    return points;
+  }
+  const Real q = -(halfB + std::copysign(std::sqrt(discriminant), halfB));
+  for (const auto& [numerator, denominator] : { std::pair{ c, q }, std::pair{ q, a } })
+  {
+    if (denominator != Real(0))
+    {
+      const Real s = numerator / denominator;
+      if (s > Real(0) && s < Real(1))
+      {
+        points[static_cast<std::size_t>(count++)] = s;
+      }
+    }
+  }
+  if (count == 2 && points[0] > points[1])
+  {
+    std::swap(points[0], points[1]);
+  }
+  return points;
+}
+
+/// Smallest s in [0, 1] where the cubic changes between inside and outside; false if it does not.
+template <typename Real>
+bool FirstCrossing(const Cubic<Real>& b, Real& s)
+{
+  // By Descartes' rule there are as many crossings as changes among the coefficients, or two or
+  // four fewer: with no change there is none, with one change there is one.
+  const bool begin = IsInside(b[0]);
+  const bool second = IsInside(b[1]), third = IsInside(b[2]), end = IsInside(b[3]);
+  const int changes = (begin != second) + (second != third) + (third != end);
+  if (changes == 0)
+  {
+    return false;
+  }
+  if (changes == 1)
+  {
+    s = RefineCrossing(b, Real(0), Real(1));
+    return true;
+  }
+
+  // Otherwise split at the turning points into monotone pieces (Marmitt et al. 2004).
+  int count = 0;
+  const std::array<Real, 2> turns = TurningPoints(b, count);
+  Real low = Real(0);
+  for (int i = 0; i < count; ++i)
+  {
+    const Real high = turns[static_cast<std::size_t>(i)];
+    if (IsInside(Evaluate(b, high)) != begin)
+    {
+      s = RefineCrossing(b, low, high);
+      return true;
+    }
+    low = high;
+  }
+  if (end != begin)
+  {
+    s = RefineCrossing(b, low, Real(1));
+    return true;
+  }
+  return false;
+}
+
+/// First crossing of the nearest sample's value along a path: a face between two samples, half way
+/// across the cell.
+/// \param midway share of the path at which it passes the middle of the cell, along each axis
+template <typename Real>
+bool FirstNearestCrossing(const Corners<Real>& corners, const CellPath<Real>& path,
+  const std::array<double, 3>& midway, double& s)
+{
+  std::size_t corner = 0;
+  std::array<int, 3> order{};
+  int passed = 0;
+  for (int a = 0; a < 3; ++a)
+  {
+    const auto i = static_cast<std::size_t>(a);
+    const bool fromHigh = path.Begin[i] >= Real(0.5);
+    corner |= static_cast<std::size_t>(fromHigh) << a;
+    if (fromHigh != (path.End[i] >= Real(0.5)))
+    {
+      // Insert into the ascending order of the middles that are passed.
+      int at = passed++;
+      for (; at > 0 &&
+           midway[static_cast<std::size_t>(order[static_cast<std::size_t>(at - 1)])] > midway[i];
+           --at)
+      {
+        order[static_cast<std::size_t>(at)] = order[static_cast<std::size_t>(at - 1)];
+      }
+      order[static_cast<std::size_t>(at)] = a;
+    }
+  }
+  const bool begin = IsInside(corners[corner]);
+  for (int i = 0; i < passed; ++i)
+  {
+    const int axis = order[static_cast<std::size_t>(i)];
+    corner ^= std::size_t(1) << axis;
+    if (IsInside(corners[corner]) != begin)
+    {
+      s = std::min(std::max(midway[static_cast<std::size_t>(axis)], 0.0), 1.0);
+      return true;
+    }
+  }
+  return false;
+}
+
+}
+
+#endif

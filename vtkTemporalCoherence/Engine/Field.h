@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_Field_h
+#define TemporalCoherence_Field_h
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <type_traits>
+
+namespace TemporalCoherence
+{
+
+/// The type of one sample in memory.
+enum class ScalarType : std::uint8_t
+{
+  Int8,
+  UInt8,
+  Int16,
+  UInt16,
+  Int32,
+  UInt32,
+  Int64,
+  UInt64,
+  Float32,
+  Float64
+};
+
+/// How the field continues between samples.
+enum class Interpolation : std::uint8_t
+{
+  Linear, ///< trilinear in each cell of eight samples
+  Nearest ///< the value of the nearest sample: the field is made of boxes around the samples
+};
+
+/// One component of a regular array of samples, seen in place: nothing is copied or owned.
+///
+/// Index space: sample (i, j, k) lies at the point (i, j, k); cell (i, j, k) is the box between the
+/// samples (i, j, k) and (i + 1, j + 1, k + 1). The field is defined on the box of all cells.
+struct Field
+{
+  const void* Samples = nullptr; ///< address of sample (0, 0, 0) of the chosen component
+  ScalarType Type = ScalarType::UInt8;
+  Interpolation Between = Interpolation::Linear;
+  glm::ivec3 Dimensions{ 0 };      ///< samples along each axis
+  glm::i64vec3 Strides{ 1, 0, 0 }; ///< scalars from one sample to the next along each axis
+  std::uint64_t Stamp = 0;         ///< differs whenever the samples may have changed
+
+  /// True where there is at least one cell to look into.
+  bool HasCells() const { return glm::all(glm::greaterThan(this->Dimensions, glm::ivec3(1))); }
+};
+
+inline bool operator==(const Field& a, const Field& b)
+{
+  return a.Samples == b.Samples && a.Type == b.Type && a.Between == b.Between &&
+    a.Dimensions == b.Dimensions && a.Strides == b.Strides && a.Stamp == b.Stamp;
+}
+
+/// Where the field lies in the world: index space to world coordinates and back.
+struct Placement
+{
+  glm::dmat4 WorldFromIndex{ 1.0 };
+  glm::dmat4 IndexFromWorld{ 1.0 };
+};
+
+inline bool operator==(const Placement& a, const Placement& b)
+{
+  return a.WorldFromIndex == b.WorldFromIndex;
+}
+
+/// The samples of a field with their type known.
+template <typename T>
+struct TypedField
+{
+  explicit TypedField(const Field& field)
+    : Samples(static_cast<const T*>(field.Samples))
+    , Dimensions(field.Dimensions)
+    , Strides(field.Strides)
+  {
+  }
+
+  const T* At(int i, int j, int k) const
+  {
+    return this->Samples + i * this->Strides.x + j * this->Strides.y + k * this->Strides.z;
+  }
+  const T* At(const glm::ivec3& s) const { return this->At(s.x, s.y, s.z); }
+
+  const T* Samples;
+  glm::ivec3 Dimensions;
+  glm::i64vec3 Strides;
+};
+
+/// The type the engine computes with: samples of 8 and 16 bits are exact in float, with 8 bits of
+/// the mantissa to spare for interpolation; all others need double.
+template <typename T>
+using RealOf = std::conditional_t<sizeof(T) <= 2, float, double>;
+
+/// Call `function(T{})` with T the C++ type of `type`.
+template <typename Function>
+decltype(auto) DispatchScalarType(ScalarType type, Function&& function)
+{
+  switch (type)
+  {
+    case ScalarType::Int8:
+      return function(std::int8_t{});
+    case ScalarType::UInt8:
+      return function(std::uint8_t{});
+    case ScalarType::Int16:
+      return function(std::int16_t{});
+    case ScalarType::UInt16:
+      return function(std::uint16_t{});
+    case ScalarType::Int32:
+      return function(std::int32_t{});
+    case ScalarType::UInt32:
+      return function(std::uint32_t{});
+    case ScalarType::Int64:
+      return function(std::int64_t{});
+    case ScalarType::UInt64:
+      return function(std::uint64_t{});
+    case ScalarType::Float32:
+      return function(float{});
+    case ScalarType::Float64:
+      break;
+  }
+  return function(double{});
+}
+
+}
+
+#endif

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_Frame_h
+#define TemporalCoherence_Frame_h
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace TemporalCoherence
+{
+
+/// What is known about a ray before (and how it was answered after) it is traced.
+enum class Answer : std::uint8_t
+{
+  DefiniteMiss, ///< known to meet nothing: not traced
+  DefiniteHit,  ///< the hit was known: not traced
+  PossibleHit   ///< traced through the field
+};
+
+/// A finished picture with all that is known about it, one value a pixel in each plane.
+/// Row 0 is the bottom row; pixel (x, y) is at [y * Size.x + x].
+struct Frame
+{
+  static constexpr std::int16_t NoSurface = -1;
+
+  glm::ivec2 Size{ 0 };
+  std::vector<float> Depth;            ///< t of the hit: world distance along the ray; or infinity
+  std::vector<glm::vec3> Normals;      ///< unit normal in the world, facing the viewer; or 0
+  std::vector<std::int16_t> Isovalues; ///< position of the hit isovalue in the list; or NoSurface
+  std::vector<std::uint8_t> Caps;      ///< 1 where a THRESHOLD solid is cut open, not met
+  std::vector<Answer> Answers;
+  std::vector<std::array<std::uint8_t, 4>> Colors; ///< RGBA; all 0 where nothing is hit
+
+  /// Give every plane room for `size` pixels; contents are not defined afterwards.
+  /// \throws std::bad_alloc, the frame then being empty
+  void Resize(const glm::ivec2& size)
+  {
+    if (size == this->Size)
+    {
+      return;
+    }
+    const std::size_t pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+    this->Size = glm::ivec2(0);
+    this->Depth.resize(pixels);
+    this->Normals.resize(pixels);
+    this->Isovalues.resize(pixels);
+    this->Caps.resize(pixels);
+    this->Answers.resize(pixels);
+    this->Colors.resize(pixels);
+    this->Size = size;
+  }
+
+  /// Forget the picture and free its memory.
+  void Release() { *this = Frame(); }
+
+  bool IsEmpty() const { return this->Depth.empty(); }
+};
+
+}
+
+#endif

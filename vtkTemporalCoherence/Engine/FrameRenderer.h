@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_FrameRenderer_h
+#define TemporalCoherence_FrameRenderer_h
+
+#include "ActiveCells.h"
+#include "Frame.h"
+#include "ReusePlan.h"
+#include "Shader.h"
+#include "TileBounds.h"
+#include "ValueRangePyramid.h"
+
+#include <cstdint>
+
+namespace TemporalCoherence
+{
+
+/// How the last frame was made and what it took.
+struct FrameStatistics
+{
+  Route Made = Route::Cold;
+  std::int64_t Rays = 0; ///< pixels; the sum of the next three
+  std::int64_t DefiniteHits = 0;
+  std::int64_t DefiniteMisses = 0;
+  std::int64_t PossibleHits = 0;
+  std::int64_t TracedRays = 0;
+  std::int64_t FieldSamples = 0; ///< samples read to find surfaces
+  double FrameTime = 0.0;        ///< seconds, all told
+  double TraceTime = 0.0;        ///< of these, structures and rays
+  double ShadeTime = 0.0;        ///< of these, normals and colours
+};
+
+/// Makes frames: asks the plan for a route, takes it, keeps what the next frame can use.
+class FrameRenderer
+{
+public:
+  struct Options
+  {
+    bool SpaceLeaping = true; ///< off: every cell on the way is read (the paper's plain ray caster)
+    ReuseSwitches Reuse;
+  };
+
+  /// Make the frame of `key`.
+  /// \pre the view has pixels; isovalues are finite; there is one colour for each isovalue
+  /// \throws std::bad_alloc, the last frame and its key then being as they were
+  void Render(const FrameKey& key, const Options& options);
+
+  /// The last frame, and the key it was made for. The frame is empty before the first one.
+  const Frame& LastFrame() const { return this->Front; }
+  const FrameKey& LastKey() const { return this->Key; }
+  const FrameStatistics& Statistics() const { return this->Counters; }
+
+  /// Forget the last frame and free all memory.
+  void Release();
+
+private:
+  Route ChooseRoute(const FrameKey& key, const Options& options) const;
+  void RenderCold(const FrameKey& key, const Options& options);
+  void PrepareStructures(const FrameKey& key, const Options& options);
+  void TraceTiles(const FrameKey& key, const Options& options, Frame& frame);
+  void ShadeTiles(const FrameKey& key, bool withNormals, Frame& frame);
+  void CountKnownHits();
+
+  Frame Front; ///< the last frame
+  Frame Back;  ///< the frame being made
+  FrameKey Key;
+  FrameStatistics Counters;
+
+  ValueRangePyramid Pyramid; ///< of PyramidField
+  Field PyramidField;
+  ActiveCells Active; ///< of ActiveField and ActiveSurfaces
+  Field ActiveField;
+  Surfaces ActiveSurfaces;
+  TileBounds Bounds;
+};
+
+}
+
+#endif

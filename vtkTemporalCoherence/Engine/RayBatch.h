@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_RayBatch_h
+#define TemporalCoherence_RayBatch_h
+
+#include "Field.h"
+#include "View.h"
+
+#include <array>
+
+namespace TemporalCoherence
+{
+
+/// The rays of one tile in index space, as arrays over rays, the form that kernels take.
+///
+/// A ray is Origin + t Direction with t the world distance, so that a t found in index space needs
+/// no conversion. [Begin, End] is where the ray runs inside the field's box and between the
+/// clipping planes: part of what the picture means. [WalkBegin, WalkEnd] within it is where a
+/// surface can be: it saves time and must not change the result.
+struct RayBatch
+{
+  static constexpr int Capacity = 64;
+  template <typename T>
+  using Array = std::array<T, Capacity>;
+
+  int Count = 0;
+  std::array<Array<double>, 3> Origin, Direction;
+  std::array<Array<double>, 3> Inverse; ///< 1 / Direction
+  Array<double> Begin, End, WalkBegin, WalkEnd;
+  Array<std::int32_t> Pixel; ///< position in the planes of the frame
+
+  bool IsEmpty(int ray) const
+  {
+    const auto i = static_cast<std::size_t>(ray);
+    return !(this->WalkBegin[i] <= this->WalkEnd[i]);
+  }
+};
+
+/// Where the rays found their surfaces, as arrays over rays.
+struct HitBatch
+{
+  RayBatch::Array<double> Depth;         ///< t, or infinity
+  RayBatch::Array<std::int16_t> Surface; ///< position in the list of isovalues, or Frame::NoSurface
+  RayBatch::Array<std::uint8_t> Cap;     ///< 1 where a solid is cut open
+  std::int64_t CellsRead = 0;            ///< cells whose eight samples were read
+};
+
+/// Set up the rays through the pixels first .. first + size - 1 of a view and clip them to the box
+/// of the field and to the clipping planes. The walk is the whole clipped ray.
+void SetUpRays(const View& view, const Placement& placement, const glm::ivec3& dimensions,
+  const glm::ivec2& first, const glm::ivec2& size, RayBatch& rays);
+
+}
+
+#endif

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ReusePlan.h"
+
+namespace TemporalCoherence
+{
+
+const char* NameOf(Route route)
+{
+  switch (route)
+  {
+    case Route::Cold:
+      return "Cold";
+    case Route::Redisplay:
+      return "Redisplay";
+    case Route::Reshade:
+      return "Reshade";
+    case Route::IsomapLookup:
+      return "IsomapLookup";
+    case Route::IsomapBuild:
+      return "IsomapBuild";
+    case Route::ThresholdHint:
+      return "ThresholdHint";
+    case Route::ImageCache:
+      return "ImageCache";
+  }
+  return "";
+}
+
+FrameChange CompareFrames(const FrameKey& last, const FrameKey& next)
+{
+  FrameChange change;
+  change.Data = !(last.Samples == next.Samples) || !(last.Where == next.Where);
+  change.View = !(last.Seen == next.Seen);
+  change.Surfaces = !(last.Sought == next.Sought);
+  change.Raised = change.Surfaces && last.Sought.Mode == next.Sought.Mode &&
+    last.Sought.Isovalues.size() == 1 && next.Sought.Isovalues.size() == 1 &&
+    next.Sought.Isovalues[0] > last.Sought.Isovalues[0];
+  change.Appearance = !(last.Look == next.Look);
+  return change;
+}
+
+Route PlanRoute(
+  const FrameKey& last, const FrameKey& next, const ReuseSwitches& switches, bool hasIsomap)
+{
+  const FrameChange change = CompareFrames(last, next);
+  if (change.Data)
+  {
+    return Route::Cold;
+  }
+  if (!change.View && !change.Surfaces)
+  {
+    return change.Appearance ? Route::Reshade : Route::Redisplay;
+  }
+  if (!change.View)
+  {
+    const bool sameMode = last.Sought.Mode == next.Sought.Mode;
+    if (!sameMode || next.Sought.Isovalues.empty())
+    {
+      return Route::Cold;
+    }
+    if (switches.Isomap)
+    {
+      return hasIsomap ? Route::IsomapLookup : Route::IsomapBuild;
+    }
+    return Route::ThresholdHint;
+  }
+  // A raised isovalue only shrinks a solid, so that what was free of it still is.
+  const bool canStartFromImage = !change.Surfaces || change.Raised;
+  return switches.ImageCache && canStartFromImage ? Route::ImageCache : Route::Cold;
+}
+
+}

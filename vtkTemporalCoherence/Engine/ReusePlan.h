@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_ReusePlan_h
+#define TemporalCoherence_ReusePlan_h
+
+#include "Appearance.h"
+#include "Field.h"
+#include "Surfaces.h"
+#include "View.h"
+
+#include <cstdint>
+
+namespace TemporalCoherence
+{
+
+/// How a whole frame is made.
+enum class Route : std::uint8_t
+{
+  Cold,          ///< every ray is traced, with no help from an earlier frame
+  Redisplay,     ///< nothing changed: the same picture
+  Reshade,       ///< only the appearance changed: stored hits get new colours
+  IsomapLookup,  ///< another isovalue in the same view, looked up in the isomap
+  IsomapBuild,   ///< the same, the isomap being built first
+  ThresholdHint, ///< the same without an isomap: the old hit bounds the search
+  ImageCache     ///< another view: the last picture tells where rays may start
+};
+
+/// The route's name as in the documentation, for example "Cold".
+const char* NameOf(Route route);
+
+/// Everything that a picture depends on, and nothing else: two frames with equal keys are equal.
+struct FrameKey
+{
+  Field Samples;
+  Placement Where;
+  View Seen;
+  Surfaces Sought;
+  Appearance Look;
+};
+
+/// What the user allows to be used again.
+struct ReuseSwitches
+{
+  bool ImageCache = true;
+  bool Isomap = true;
+};
+
+/// What changed between two frames, by part of the key.
+struct FrameChange
+{
+  bool Data = false; ///< samples, interpolation or their placement in the world
+  bool View = false;
+  bool Surfaces = false; ///< isovalues or mode
+  bool Raised = false;   ///< of the surfaces, only the one isovalue, and upwards
+  bool Appearance = false;
+};
+
+FrameChange CompareFrames(const FrameKey& last, const FrameKey& next);
+
+/// The best route from the last frame to the next one. It depends on the two keys alone, so that
+/// every decision can be tested without rendering.
+/// \param hasIsomap true if an isomap of this view covers the next isovalues
+Route PlanRoute(
+  const FrameKey& last, const FrameKey& next, const ReuseSwitches& switches, bool hasIsomap);
+
+}
+
+#endif

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_Surfaces_h
+#define TemporalCoherence_Surfaces_h
+
+#include "Field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace TemporalCoherence
+{
+
+/// Which crossings of an isovalue are its surface.
+enum class SurfaceMode : std::uint8_t
+{
+  Crossing, ///< the field passes the isovalue, either way; boundaries of the volume are not drawn
+  Threshold ///< the solid where field >= isovalue begins; cut open, it is capped
+};
+
+/// The surfaces to look for. The nearest one along a ray is drawn; order carries no meaning.
+struct Surfaces
+{
+  std::vector<double> Isovalues; ///< finite
+  SurfaceMode Mode = SurfaceMode::Crossing;
+};
+
+inline bool operator==(const Surfaces& a, const Surfaces& b)
+{
+  return a.Isovalues == b.Isovalues && a.Mode == b.Mode;
+}
+
+/// A sample is *inside* where its difference from the isovalue is not negative.
+template <typename Real>
+bool IsInside(Real difference)
+{
+  return difference >= Real(0);
+}
+
+/// Differences of samples from one isovalue, with the exact sign and full relative precision near
+/// the isovalue, in the type the engine computes with.
+///
+/// What is not finite stays harmless: differences are clamped to +-R, R being the largest
+/// difference of a finite sample, and NaN reads as -R, below every isovalue.
+template <typename T>
+class Difference
+{
+public:
+  using Real = RealOf<T>;
+
+  /// \param finiteRange smallest and largest finite sample of the field
+  Difference(double isovalue, const glm::dvec2& finiteRange)
+    : High(static_cast<Real>(isovalue))
+    , Low(static_cast<Real>(isovalue - static_cast<double>(High)))
+    , Limit(static_cast<Real>(Span(isovalue, finiteRange)))
+  {
+  }
+
+  Real operator()(T sample) const
+  {
+    // High and Low together are the isovalue to twice the precision of Real. The first difference
+    // is exact wherever the second one matters.
+    const Real difference = (static_cast<Real>(sample) - this->High) - this->Low;
+    if constexpr (std::is_floating_point_v<T>)
+    {
+      // Both comparisons are false for NaN.
+      const Real raised = difference > -this->Limit ? difference : -this->Limit;
+      return raised < this->Limit ? raised : this->Limit;
+    }
+    else
+    {
+      return difference;
+    }
+  }
+
+private:
+  // Wide enough for every finite sample, never zero, and finite itself.
+  static double Span(double isovalue, const glm::dvec2& range)
+  {
+    const double span = std::max(std::abs(isovalue - range.x), std::abs(range.y - isovalue));
+    return span > 0.0 ? std::min(span, 1e300) : 1.0;
+  }
+
+  Real High, Low, Limit;
+};
+
+}
+
+#endif

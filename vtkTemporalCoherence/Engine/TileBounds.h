@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_TileBounds_h
+#define TemporalCoherence_TileBounds_h
+
+#include "ActiveCells.h"
+#include "View.h"
+
+#include <limits>
+#include <vector>
+
+namespace TemporalCoherence
+{
+
+/// For each tile of 8 x 8 pixels, the distances between which all active leaves seen through it
+/// lie.
+///
+/// Every active leaf is projected and widens the range of the tiles it can touch. A tile that none
+/// touches sees no surface at all. The bounds are conservative: rays may start at Near and stop at
+/// Far without a change of the picture.
+class TileBounds
+{
+public:
+  static constexpr int TileBits = 3;
+  static constexpr int TileSize = 1 << TileBits; ///< pixels along an edge of a tile
+
+  /// Distances along the rays of a tile, in world units; empty if Near > Far.
+  struct Bounds
+  {
+    float Near = std::numeric_limits<float>::infinity();
+    float Far = -std::numeric_limits<float>::infinity();
+
+    bool IsEmpty() const { return !(this->Near <= this->Far); }
+  };
+
+  /// Tiles along each axis of a picture of `pixels`.
+  static glm::ivec2 TilesOf(const glm::ivec2& pixels) { return (pixels + TileSize - 1) / TileSize; }
+
+  /// \throws std::bad_alloc, the bounds then being unusable
+  void Build(const View& view, const Placement& placement, const ActiveCells& active);
+
+  const glm::ivec2& Tiles() const { return this->Size; }
+  const Bounds& At(int tile) const { return this->All[static_cast<std::size_t>(tile)]; }
+
+private:
+  glm::ivec2 Size{ 0 };
+  std::vector<Bounds> All;
+  std::vector<std::vector<Bounds>> Parts; ///< one picture of tiles for each part of the nodes
+};
+
+}
+
+#endif

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_AppearanceFromVolume_h
+#define TemporalCoherence_AppearanceFromVolume_h
+
+#include "Appearance.h"
+#include "Surfaces.h"
+
+#include <string>
+#include <vector>
+
+class vtkRenderer;
+class vtkVolumeProperty;
+
+namespace TemporalCoherence
+{
+
+/// The isovalues that a property shows: those of its list whose opacity is not 0.
+/// \param places gets the position in the property's list of each isovalue shown
+/// \param error  gets what is wrong and what to do about it
+/// \return false on error, for example if an isovalue is not a finite number
+bool FindIsovalues(vtkVolumeProperty* property, std::vector<double>& isovalues,
+  std::vector<int>& places, std::string& error);
+
+/// Colours at the isovalues, shading of the property and lights of the renderer.
+Appearance MakeAppearance(
+  vtkVolumeProperty* property, vtkRenderer* renderer, const std::vector<double>& isovalues);
+
+}
+
+#endif

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_FieldFromImage_h
+#define TemporalCoherence_FieldFromImage_h
+
+#include "Field.h"
+
+#include <string>
+
+class vtkDataArray;
+class vtkImageData;
+class vtkVolume;
+
+namespace TemporalCoherence
+{
+
+/// See one component of an image's point array as a field, in place.
+/// \param image     where the samples lie
+/// \param array     one tuple for each point of the image
+/// \param component of the array
+/// \param error     gets what is wrong and what to do about it
+/// \return false on error. An image without cells is no error: its field has none either.
+bool MakeField(
+  vtkImageData* image, vtkDataArray* array, int component, Field& field, std::string& error);
+
+/// Where the image lies in the world when drawn by the volume: origin, spacing, direction and first
+/// index of the image, then the transform of the volume.
+/// \return false on error, for example if a spacing or a scale is zero
+bool MakePlacement(
+  vtkImageData* image, vtkVolume* volume, Placement& placement, std::string& error);
+
+}
+
+#endif

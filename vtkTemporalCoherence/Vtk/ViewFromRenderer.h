@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_ViewFromRenderer_h
+#define TemporalCoherence_ViewFromRenderer_h
+
+#include "View.h"
+
+#include <string>
+
+class vtkRenderer;
+
+namespace TemporalCoherence
+{
+
+/// The view of the renderer's active camera in a picture of a given size.
+/// \param aspect width by height of what the camera sees
+/// \param error  gets what is wrong and what to do about it
+/// \return false on error
+bool MakeView(
+  vtkRenderer* renderer, const glm::ivec2& size, double aspect, View& view, std::string& error);
+
+}
+
+#endif

@@ -1,0 +1,61 @@
+# The module's sources, for both ways to build it (inside VTK, stand-alone).
+set(module_directory "${CMAKE_CURRENT_LIST_DIR}")
+find_package(glm REQUIRED)
+
+set(engine_files
+  ActiveCells
+  FrameRenderer
+  RayBatch
+  ReusePlan
+  Shader
+  SurfaceNormal
+  SurfaceTracer
+  TileBounds
+  ValueRangePyramid
+  View)
+list(TRANSFORM engine_files PREPEND "${module_directory}/Engine/")
+list(TRANSFORM engine_files APPEND ".cxx")
+
+set(bridge_files
+  AppearanceFromVolume
+  FieldFromImage
+  PicturePresenter
+  ViewFromRenderer)
+list(TRANSFORM bridge_files PREPEND "${module_directory}/Vtk/")
+list(TRANSFORM bridge_files APPEND ".cxx")
+
+# The engine is one object library: the module and the engine's own tests are made of it.
+add_library(TemporalCoherenceEngine OBJECT ${engine_files})
+target_compile_features(TemporalCoherenceEngine PUBLIC cxx_std_17)
+set_target_properties(TemporalCoherenceEngine PROPERTIES
+  POSITION_INDEPENDENT_CODE ON
+  CXX_VISIBILITY_PRESET hidden
+  VISIBILITY_INLINES_HIDDEN ON)
+target_include_directories(TemporalCoherenceEngine PUBLIC
+  "$<BUILD_INTERFACE:${module_directory}/Engine>")
+target_link_libraries(TemporalCoherenceEngine PUBLIC VTK::CommonCore glm::glm)
+
+vtk_module_add_module(VTK::TemporalCoherence
+  SOURCES
+    "${module_directory}/vtkTemporalCoherenceVolumeMapper.cxx"
+    ${bridge_files}
+    $<TARGET_OBJECTS:TemporalCoherenceEngine>
+  HEADERS
+    "${module_directory}/vtkTemporalCoherenceVolumeMapper.h")
+vtk_module_include(VTK::TemporalCoherence
+  PUBLIC
+    "$<BUILD_INTERFACE:${module_directory}>"
+  PRIVATE
+    "${module_directory}/Engine"
+    "${module_directory}/Vtk")
+vtk_module_compile_features(VTK::TemporalCoherence PUBLIC cxx_std_17)
+vtk_module_link(VTK::TemporalCoherence PRIVATE $<BUILD_INTERFACE:glm::glm>)
+
+# One answer for every compiler: a product and a sum are rounded twice, never fused, as values on the
+# faces between cells must be the same bits from both sides.
+foreach (part IN ITEMS TemporalCoherenceEngine TemporalCoherence)
+  target_compile_options("${part}" PRIVATE
+    $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-ffp-contract=off>
+    $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-Wall;-Wextra;-Wconversion>
+    $<$<AND:$<CXX_COMPILER_ID:GNU,Clang,AppleClang>,$<BOOL:${TEMPORAL_COHERENCE_WARNINGS_AS_ERRORS}>>:-Werror>)
+endforeach ()

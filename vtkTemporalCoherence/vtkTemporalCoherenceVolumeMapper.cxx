@@ -1,0 +1,456 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTemporalCoherenceVolumeMapper.h"
+
+#include "AppearanceFromVolume.h"
+#include "FieldFromImage.h"
+#include "FrameRenderer.h"
+#include "PicturePresenter.h"
+#include "ViewFromRenderer.h"
+
+#include "vtkCommand.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkObjectFactory.h"
+#include "vtkRenderer.h"
+#include "vtkTimerLog.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <new>
+#include <string>
+
+vtkStandardNewMacro(vtkTemporalCoherenceVolumeMapper);
+
+struct vtkTemporalCoherenceVolumeMapper::Internals
+{
+  TemporalCoherence::FrameRenderer Frames;
+  TemporalCoherence::PicturePresenter Presenter;
+  std::vector<int> IsovaluePlaces; ///< position in the property's list of each isovalue drawn
+  std::uint64_t Picture = 0;       ///< counts the different pictures
+  double PresentTime = 0.0;
+  std::string LastError; ///< reported already; empty after a frame without error
+
+  const TemporalCoherence::FrameStatistics& Statistics() const { return this->Frames.Statistics(); }
+};
+
+//------------------------------------------------------------------------------
+vtkTemporalCoherenceVolumeMapper::vtkTemporalCoherenceVolumeMapper()
+  : Internal(std::make_unique<Internals>())
+{
+  this->SetBlendModeToIsoSurface();
+}
+
+//------------------------------------------------------------------------------
+vtkTemporalCoherenceVolumeMapper::~vtkTemporalCoherenceVolumeMapper() = default;
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherenceVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
+{
+  this->InvokeEvent(vtkCommand::VolumeMapperRenderStartEvent, nullptr);
+  const double begin = vtkTimerLog::GetUniversalTime();
+
+  int width, height, x, y;
+  renderer->GetTiledSizeAndOrigin(&width, &height, &x, &y);
+  if (width > 0 && height > 0)
+  {
+    this->RenderFrame(renderer, volume, width, height);
+
+    // After an error this shows the last valid picture again.
+    const TemporalCoherence::Frame& frame = this->Internal->Frames.LastFrame();
+    if (frame.Size == glm::ivec2(width, height) && !renderer->GetSelector())
+    {
+      const double presentBegin = vtkTimerLog::GetUniversalTime();
+      std::string error;
+      if (!this->Internal->Presenter.Present(
+            renderer, frame, this->Internal->Frames.LastKey().Seen, this->Internal->Picture, error))
+      {
+        this->ReportOnce(error);
+      }
+      this->Internal->PresentTime = vtkTimerLog::GetUniversalTime() - presentBegin;
+    }
+  }
+
+  this->TimeToDraw = vtkTimerLog::GetUniversalTime() - begin;
+  this->InvokeEvent(vtkCommand::VolumeMapperRenderEndEvent, nullptr);
+}
+
+//------------------------------------------------------------------------------
+bool vtkTemporalCoherenceVolumeMapper::RenderFrame(
+  vtkRenderer* renderer, vtkVolume* volume, int width, int height)
+{
+  Internals& internal = *this->Internal;
+  internal.PresentTime = 0.0;
+
+  TemporalCoherence::FrameKey key;
+  std::vector<int> places;
+  std::string error;
+  if (!this->MakeFrameKey(renderer, volume, width, height, key, places, error))
+  {
+    this->ReportOnce(error);
+    return false;
+  }
+
+  TemporalCoherence::FrameRenderer::Options options;
+  options.SpaceLeaping = this->SpaceLeaping != 0;
+  options.Reuse.ImageCache = this->ImageCache != 0;
+  options.Reuse.Isomap = this->Isomap != 0;
+  try
+  {
+    internal.Frames.Render(key, options);
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->ReportOnce("There is not enough memory for a frame of " + std::to_string(width) + " x " +
+      std::to_string(height) + " pixels and the block ranges of " +
+      std::to_string(key.Samples.Dimensions.x) + " x " + std::to_string(key.Samples.Dimensions.y) +
+      " x " + std::to_string(key.Samples.Dimensions.z) +
+      " samples; free memory, or render a part of the volume (vtkExtractVOI) or fewer pixels.");
+    return false;
+  }
+  internal.IsovaluePlaces = places;
+  internal.Picture += internal.Statistics().Made != TemporalCoherence::Route::Redisplay;
+  internal.LastError.clear();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTemporalCoherenceVolumeMapper::MakeFrameKey(vtkRenderer* renderer, vtkVolume* volume,
+  int width, int height, TemporalCoherence::FrameKey& key, std::vector<int>& places,
+  std::string& error)
+{
+  vtkDataArray* array = nullptr;
+  vtkImageData* image = this->FindInput(array, error);
+  if (!image)
+  {
+    return false;
+  }
+
+  vtkVolumeProperty* property = volume->GetProperty();
+  if (!TemporalCoherence::FindIsovalues(property, key.Sought.Isovalues, places, error))
+  {
+    return false;
+  }
+  key.Sought.Mode = this->SurfaceMode == THRESHOLD ? TemporalCoherence::SurfaceMode::Threshold
+                                                   : TemporalCoherence::SurfaceMode::Crossing;
+
+  const glm::ivec2 size(width, height);
+  const double aspect = renderer->GetVTKWindow() ? renderer->GetTiledAspectRatio()
+                                                 : static_cast<double>(width) / height;
+  if (!TemporalCoherence::MakeView(renderer, size, aspect, key.Seen, error))
+  {
+    return false;
+  }
+  key.Look = TemporalCoherence::MakeAppearance(property, renderer, key.Sought.Isovalues);
+
+  // An image without points has no array either: an empty picture, as for images without cells.
+  if (image->GetNumberOfPoints() == 0)
+  {
+    return true;
+  }
+  const int component = this->VectorMode == COMPONENT ? this->VectorComponent : 0;
+  if (!TemporalCoherence::MakeField(image, array, component, key.Samples, error) ||
+    !TemporalCoherence::MakePlacement(image, volume, key.Where, error))
+  {
+    return false;
+  }
+  key.Samples.Between = property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION
+    ? TemporalCoherence::Interpolation::Nearest
+    : TemporalCoherence::Interpolation::Linear;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* vtkTemporalCoherenceVolumeMapper::FindInput(vtkDataArray*& array, std::string& error)
+{
+  if (this->GetBlendMode() != vtkVolumeMapper::ISOSURFACE_BLEND)
+  {
+    error = "Blend mode " + std::to_string(this->GetBlendMode()) +
+      " is not supported, only isosurfaces are; call SetBlendModeToIsoSurface().";
+    return nullptr;
+  }
+  vtkDataSet* input = this->GetInput();
+  if (!input)
+  {
+    error = "There is no input; give the mapper a vtkImageData with SetInputData or "
+            "SetInputConnection.";
+    return nullptr;
+  }
+  auto* image = vtkImageData::SafeDownCast(input);
+  if (!image)
+  {
+    error = std::string("The input is a ") + input->GetClassName() +
+      ", but only vtkImageData can be drawn; resample it with vtkResampleToImage.";
+    return nullptr;
+  }
+  if (image->GetNumberOfPoints() == 0)
+  {
+    return image;
+  }
+
+  int isCellArray = 0;
+  array = vtkAbstractMapper::GetScalars(
+    image, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, isCellArray);
+  if (!array)
+  {
+    const bool isSelected = this->ScalarMode == VTK_SCALAR_MODE_USE_POINT_FIELD_DATA ||
+      this->ScalarMode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA;
+    const std::string name = this->ArrayAccessMode == VTK_GET_ARRAY_BY_NAME
+      ? "named '" + std::string(this->ArrayName ? this->ArrayName : "") + "'"
+      : "number " + std::to_string(this->ArrayId);
+    error = isSelected ? "The input has no array " + name +
+        " where the scalar mode looks for it; choose one that is there with SelectScalarArray."
+                       : std::string("The input has no scalars; make an array active with "
+                                     "SetActiveScalars, or choose one with "
+                                     "SetScalarModeToUsePointFieldData and SelectScalarArray.");
+    return nullptr;
+  }
+  if (isCellArray)
+  {
+    error = "The scalars lie on cells, but only point arrays can be drawn; convert them with "
+            "vtkCellDataToPointData.";
+    return nullptr;
+  }
+  return image;
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherenceVolumeMapper::ReportOnce(const std::string& error)
+{
+  if (error != this->Internal->LastError)
+  {
+    this->Internal->LastError = error;
+    vtkErrorMacro(<< error);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkTemporalCoherenceVolumeMapper::RenderToImage(vtkRenderer* renderer, vtkVolume* volume,
+  int width, int height, vtkImageData* color, vtkImageData* depth)
+{
+  if (!renderer || !volume)
+  {
+    this->ReportOnce("RenderToImage needs a renderer and a volume; one of them is null.");
+    return false;
+  }
+  if (width < 1 || height < 1)
+  {
+    this->ReportOnce("A picture of " + std::to_string(width) + " x " + std::to_string(height) +
+      " pixels has none; give a width and a height of at least 1.");
+    return false;
+  }
+  if (this->GetNumberOfInputConnections(0) > 0)
+  {
+    this->Update();
+  }
+  if (!this->RenderFrame(renderer, volume, width, height))
+  {
+    return false;
+  }
+
+  const TemporalCoherence::Frame& frame = this->Internal->Frames.LastFrame();
+  if (color)
+  {
+    color->SetDimensions(width, height, 1);
+    color->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+    const std::uint8_t* from = frame.Colors.data()->data();
+    std::copy_n(
+      from, 4 * frame.Colors.size(), static_cast<unsigned char*>(color->GetScalarPointer()));
+  }
+  if (depth)
+  {
+    depth->SetDimensions(width, height, 1);
+    depth->AllocateScalars(VTK_FLOAT, 1);
+    std::copy_n(
+      frame.Depth.data(), frame.Depth.size(), static_cast<float*>(depth->GetScalarPointer()));
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTemporalCoherenceVolumeMapper::PickPixel(
+  int x, int y, double position[3], double normal[3], int* isovalueIndex)
+{
+  const TemporalCoherence::Frame& frame = this->Internal->Frames.LastFrame();
+  if (x < 0 || y < 0 || x >= frame.Size.x || y >= frame.Size.y)
+  {
+    return false;
+  }
+  const std::size_t pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.Size.x) +
+    static_cast<std::size_t>(x);
+  const int surface = frame.Isovalues[pixel];
+  if (surface == TemporalCoherence::Frame::NoSurface)
+  {
+    return false;
+  }
+  const TemporalCoherence::Ray ray = this->Internal->Frames.LastKey().Seen.RayThrough(x, y);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (position)
+    {
+      position[axis] =
+        ray.Origin[axis] + static_cast<double>(frame.Depth[pixel]) * ray.Direction[axis];
+    }
+    if (normal)
+    {
+      normal[axis] = static_cast<double>(frame.Normals[pixel][axis]);
+    }
+  }
+  if (isovalueIndex)
+  {
+    *isovalueIndex = this->Internal->IsovaluePlaces[static_cast<std::size_t>(surface)];
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTemporalCoherenceVolumeMapper::BuildIsomap(vtkRenderer*, vtkVolume*)
+{
+  return false;
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherenceVolumeMapper::ReleaseReuse()
+{
+  this->Internal->Frames.Release();
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherenceVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Internal->Presenter.ReleaseGraphicsResources(window);
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+int vtkTemporalCoherenceVolumeMapper::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (!this->Superclass::FillInputPortInformation(port, info))
+  {
+    return 0;
+  }
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkTemporalCoherenceVolumeMapper::GetRoute()
+{
+  return static_cast<int>(this->Internal->Statistics().Made);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkTemporalCoherenceVolumeMapper::GetRouteAsString()
+{
+  return TemporalCoherence::NameOf(this->Internal->Statistics().Made);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkTemporalCoherenceVolumeMapper::GetNumberOfRays()
+{
+  return this->Internal->Statistics().Rays;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkTemporalCoherenceVolumeMapper::GetNumberOfDefiniteHits()
+{
+  return this->Internal->Statistics().DefiniteHits;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkTemporalCoherenceVolumeMapper::GetNumberOfDefiniteMisses()
+{
+  return this->Internal->Statistics().DefiniteMisses;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkTemporalCoherenceVolumeMapper::GetNumberOfPossibleHits()
+{
+  return this->Internal->Statistics().PossibleHits;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkTemporalCoherenceVolumeMapper::GetNumberOfTracedRays()
+{
+  return this->Internal->Statistics().TracedRays;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkTemporalCoherenceVolumeMapper::GetNumberOfFieldSamples()
+{
+  return this->Internal->Statistics().FieldSamples;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkTemporalCoherenceVolumeMapper::GetIsomapMemory()
+{
+  return 0;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkTemporalCoherenceVolumeMapper::GetNumberOfIsomapKnots()
+{
+  return 0;
+}
+
+//------------------------------------------------------------------------------
+double vtkTemporalCoherenceVolumeMapper::GetFrameTime()
+{
+  return this->Internal->Statistics().FrameTime + this->Internal->PresentTime;
+}
+
+//------------------------------------------------------------------------------
+double vtkTemporalCoherenceVolumeMapper::GetTraceTime()
+{
+  return this->Internal->Statistics().TraceTime;
+}
+
+//------------------------------------------------------------------------------
+double vtkTemporalCoherenceVolumeMapper::GetQueryTime()
+{
+  return 0.0;
+}
+
+//------------------------------------------------------------------------------
+double vtkTemporalCoherenceVolumeMapper::GetIsomapBuildTime()
+{
+  return 0.0;
+}
+
+//------------------------------------------------------------------------------
+double vtkTemporalCoherenceVolumeMapper::GetShadeTime()
+{
+  return this->Internal->Statistics().ShadeTime;
+}
+
+//------------------------------------------------------------------------------
+double vtkTemporalCoherenceVolumeMapper::GetPresentTime()
+{
+  return this->Internal->PresentTime;
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherenceVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "SurfaceMode: " << (this->SurfaceMode == THRESHOLD ? "THRESHOLD" : "CROSSING")
+     << endl;
+  os << indent << "VectorMode: " << this->VectorMode << endl;
+  os << indent << "VectorComponent: " << this->VectorComponent << endl;
+  os << indent << "ImageCache: " << this->ImageCache << endl;
+  os << indent << "Isomap: " << this->Isomap << endl;
+  os << indent << "SpaceLeaping: " << this->SpaceLeaping << endl;
+  os << indent << "ColorByAnswer: " << this->ColorByAnswer << endl;
+  os << indent << "ReuseAccuracy: " << this->ReuseAccuracy << endl;
+  os << indent << "RefineWhenStill: " << this->RefineWhenStill << endl;
+  os << indent << "ImageCachePolicy: " << this->ImageCachePolicy << endl;
+  os << indent << "KeyImageInterval: " << this->KeyImageInterval << endl;
+  os << indent << "NumberOfCachedImages: " << this->NumberOfCachedImages << endl;
+  os << indent << "IsomapTolerance: " << this->IsomapTolerance << endl;
+  os << indent << "IsomapRange: " << this->IsomapRange[0] << ", " << this->IsomapRange[1] << endl;
+  os << indent << "IsomapMemoryLimit: " << this->IsomapMemoryLimit << endl;
+  os << indent << "IsomapShading: " << this->IsomapShading << endl;
+  os << indent << "Route: " << this->GetRouteAsString() << endl;
+}

@@ -1,0 +1,352 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkTemporalCoherenceVolumeMapper
+ * @brief   isosurfaces of images, ray cast on the CPU, using again what the last frame knew
+ *
+ * A drop-in for the volume mapper of a vtkVolume whose input is a vtkImageData. It draws the
+ * isosurfaces of `vtkVolumeProperty::GetIsoSurfaceValues()` (blend mode ISOSURFACE_BLEND, which it
+ * is constructed with), each in the colour that the property's colour transfer function has at the
+ * isovalue. Nothing is extracted: every pixel's ray is intersected with the trilinear (or
+ * nearest-neighbour) interpolant of the samples, exactly. The picture has a depth at every pixel,
+ * so that other props intersect it correctly, and is the same for any number of threads.
+ *
+ * Between two calls of Render() the mapper keeps the last picture and does only what the change
+ * asks for: the same picture again, new colours on known hits, or a cold frame. GetRoute() tells
+ * which.
+ *
+ * Opacity of the scalar opacity function at an isovalue: 0 leaves the isovalue out; any other
+ * value draws it opaque. A sample that is not a number counts as below every isovalue. Images with
+ * fewer than two samples along an axis have no cells: the picture is empty. The camera's clipping
+ * range clips the surfaces, as it clips any prop.
+ *
+ * A mistake gets one vtkErrorMacro with its value and remedy, repeated only after a frame without
+ * it; the last valid picture stays.
+ *
+ * Method: "Accelerating Volume Visualization by Exploiting Temporal Coherence" (image cache and
+ * isomap); intersection: Marmitt et al., "Fast and Accurate Ray-Voxel Intersection Techniques for
+ * Iso-Surface Ray Tracing", 2004.
+ *
+ * @sa vtkVolume vtkVolumeProperty vtkContourValues vtkGPUVolumeRayCastMapper
+ */
+
+#ifndef vtkTemporalCoherenceVolumeMapper_h
+#define vtkTemporalCoherenceVolumeMapper_h
+
+#include "vtkTemporalCoherenceModule.h" // For export macro
+#include "vtkVolumeMapper.h"
+
+#include <memory> // For std::unique_ptr
+#include <string> // For std::string
+#include <vector> // For std::vector
+
+namespace TemporalCoherence
+{
+struct FrameKey;
+}
+class vtkDataArray;
+class vtkImageData;
+class vtkRenderer;
+class vtkVolume;
+class vtkWindow;
+
+class VTKTEMPORALCOHERENCE_EXPORT vtkTemporalCoherenceVolumeMapper : public vtkVolumeMapper
+{
+public:
+  static vtkTemporalCoherenceVolumeMapper* New();
+  vtkTypeMacro(vtkTemporalCoherenceVolumeMapper, vtkVolumeMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum SurfaceModes
+  {
+    CROSSING = 0,
+    THRESHOLD = 1
+  };
+
+  ///@{
+  /**
+   * Which crossings of an isovalue are its surface.
+   *
+   * CROSSING (default), as in vtkGPUVolumeRayCastMapper: the first point along the ray where the
+   * field passes the isovalue, in either direction. Nothing is drawn where the boundary of the
+   * volume cuts through a solid.
+   *
+   * THRESHOLD, as in the paper: the first point where the field is at least the isovalue. A solid
+   * cut by the boundary of the volume or by the near clipping plane is capped; of several
+   * isovalues the cap shows the highest.
+   */
+  vtkSetClampMacro(SurfaceMode, int, CROSSING, THRESHOLD);
+  vtkGetMacro(SurfaceMode, int);
+  void SetSurfaceModeToCrossing() { this->SetSurfaceMode(CROSSING); }
+  void SetSurfaceModeToThreshold() { this->SetSurfaceMode(THRESHOLD); }
+  ///@}
+
+  enum VectorModes
+  {
+    DISABLED = -1,
+    COMPONENT = 1
+  };
+
+  ///@{
+  /**
+   * For arrays of several components: DISABLED (default) draws component 0, COMPONENT draws
+   * VectorComponent (default 0). Names and values are those of vtkSmartVolumeMapper.
+   */
+  vtkSetMacro(VectorMode, int);
+  vtkGetMacro(VectorMode, int);
+  vtkSetMacro(VectorComponent, int);
+  vtkGetMacro(VectorComponent, int);
+  ///@}
+
+  ///@{
+  /**
+   * Allow a moved camera to start from the last picture. Default: on. The route ImageCache is not
+   * built yet: a new view makes a cold frame either way.
+   */
+  vtkSetMacro(ImageCache, vtkTypeBool);
+  vtkGetMacro(ImageCache, vtkTypeBool);
+  vtkBooleanMacro(ImageCache, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Allow a new isovalue in the same view to be looked up in an isomap. Default: on. The route
+   * IsomapLookup is not built yet: a new isovalue makes a cold frame either way.
+   */
+  vtkSetMacro(Isomap, vtkTypeBool);
+  vtkGetMacro(Isomap, vtkTypeBool);
+  vtkBooleanMacro(Isomap, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Leap over blocks of cells whose range of values the isovalues are not in. Default: on. Off, a
+   * ray reads every cell on its way: the paper's plain ray caster, for comparison. The picture is
+   * the same.
+   */
+  vtkSetMacro(SpaceLeaping, vtkTypeBool);
+  vtkGetMacro(SpaceLeaping, vtkTypeBool);
+  vtkBooleanMacro(SpaceLeaping, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Paint yellow what the image cache did not serve (figure 8 of the paper). Default: off. It
+   * shows in frames of the route ImageCache only.
+   */
+  vtkSetMacro(ColorByAnswer, vtkTypeBool);
+  vtkGetMacro(ColorByAnswer, vtkTypeBool);
+  vtkBooleanMacro(ColorByAnswer, vtkTypeBool);
+  ///@}
+
+  enum ReuseAccuracies
+  {
+    BOUNDED = 0,
+    EXACT = 1,
+    PAPER = 2
+  };
+
+  ///@{
+  /**
+   * What a frame made from the image cache promises: BOUNDED (default), at most 0.01 % of the
+   * pixels differ from the cold picture, however many frames; EXACT, the cold picture; PAPER, as
+   * published. It concerns the route ImageCache.
+   */
+  vtkSetClampMacro(ReuseAccuracy, int, BOUNDED, PAPER);
+  vtkGetMacro(ReuseAccuracy, int);
+  void SetReuseAccuracyToBounded() { this->SetReuseAccuracy(BOUNDED); }
+  void SetReuseAccuracyToExact() { this->SetReuseAccuracy(EXACT); }
+  void SetReuseAccuracyToPaper() { this->SetReuseAccuracy(PAPER); }
+  ///@}
+
+  ///@{
+  /**
+   * Complete a picture from the image cache to the cold picture when the view repeats. Default:
+   * on.
+   */
+  vtkSetMacro(RefineWhenStill, vtkTypeBool);
+  vtkGetMacro(RefineWhenStill, vtkTypeBool);
+  vtkBooleanMacro(RefineWhenStill, vtkTypeBool);
+  ///@}
+
+  enum ImageCachePolicies
+  {
+    LATEST = 0,
+    KEY_IMAGE = 1
+  };
+
+  ///@{
+  /**
+   * Which pictures the image cache keeps: LATEST (default) the last one, KEY_IMAGE a cold one
+   * every KeyImageInterval frames (default 7, as in the paper). NumberOfCachedImages (default 1)
+   * may be kept; the nearest serves.
+   */
+  vtkSetClampMacro(ImageCachePolicy, int, LATEST, KEY_IMAGE);
+  vtkGetMacro(ImageCachePolicy, int);
+  void SetImageCachePolicyToLatest() { this->SetImageCachePolicy(LATEST); }
+  void SetImageCachePolicyToKeyImage() { this->SetImageCachePolicy(KEY_IMAGE); }
+  vtkSetClampMacro(KeyImageInterval, int, 1, VTK_INT_MAX);
+  vtkGetMacro(KeyImageInterval, int);
+  vtkSetClampMacro(NumberOfCachedImages, int, 1, VTK_INT_MAX);
+  vtkGetMacro(NumberOfCachedImages, int);
+  ///@}
+
+  ///@{
+  /**
+   * The isomap: how far a surface looked up may lie from the exact one, in voxels (default 0,
+   * exact); the range of isovalues it covers (default lo > hi: bands chosen around the present
+   * isovalue); the memory it may use, in MiB (default 256).
+   */
+  vtkSetClampMacro(IsomapTolerance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(IsomapTolerance, double);
+  vtkSetVector2Macro(IsomapRange, double);
+  vtkGetVector2Macro(IsomapRange, double);
+  vtkSetClampMacro(IsomapMemoryLimit, int, 0, VTK_INT_MAX);
+  vtkGetMacro(IsomapMemoryLimit, int);
+  ///@}
+
+  enum IsomapShadings
+  {
+    RESHADE = 0,
+    INTERPOLATE = 1
+  };
+
+  ///@{
+  /**
+   * Colours of surfaces looked up in the isomap: RESHADE (default) from the field, INTERPOLATE
+   * between stored ones, as in the paper.
+   */
+  vtkSetClampMacro(IsomapShading, int, RESHADE, INTERPOLATE);
+  vtkGetMacro(IsomapShading, int);
+  void SetIsomapShadingToReshade() { this->SetIsomapShading(RESHADE); }
+  void SetIsomapShadingToInterpolate() { this->SetIsomapShading(INTERPOLATE); }
+  ///@}
+
+  /**
+   * Build the isomap of the present view ahead of the first new isovalue.
+   * @return true if there is an isomap afterwards; isomaps are not built yet, so always false
+   */
+  bool BuildIsomap(vtkRenderer* renderer, vtkVolume* volume);
+
+  /**
+   * Forget pictures and structures kept for the next frame and free their memory. The next frame
+   * is cold.
+   */
+  void ReleaseReuse();
+
+  /**
+   * Render without a render window or an OpenGL context, on any machine.
+   *
+   * The renderer gives camera and lights (a headlight if it has none and creates lights
+   * automatically), the volume gives transform and property; neither has to be part of the other,
+   * and nothing but the volume is drawn. The picture becomes the last frame, as that of Render().
+   * @param renderer camera and lights
+   * @param volume   transform and property; its mapper is not looked at
+   * @param width    pixels in a row, at least 1
+   * @param height   rows, at least 1
+   * @param color    gets unsigned char RGBA; alpha is 255 on a surface, else all four are 0
+   * @param depth    gets float world distance along the ray, from the eye or, in a parallel
+   *                 projection, from the plane through the camera; infinity where nothing is hit.
+   *                 Either image may be null. Row 0 is the bottom row.
+   * @return false if there was an error; the images are then left alone
+   */
+  bool RenderToImage(vtkRenderer* renderer, vtkVolume* volume, int width, int height,
+    vtkImageData* color, vtkImageData* depth);
+
+  /**
+   * What the last frame shows at a pixel of the viewport; (0, 0) is at the lower left.
+   * @param position      world position of the surface
+   * @param normal        unit normal in the world, facing the viewer
+   * @param isovalueIndex position of the isovalue in vtkVolumeProperty::GetIsoSurfaceValues().
+   *                      Each of the three may be null.
+   * @return false if there is no surface, no such pixel or no frame; nothing is written then
+   */
+  bool PickPixel(int x, int y, double position[3], double normal[3], int* isovalueIndex);
+
+  ///@{
+  /**
+   * How the last frame was made: the position of the name in the list Cold, Redisplay, Reshade,
+   * IsomapLookup, IsomapBuild, ThresholdHint, ImageCache; and the name.
+   */
+  int GetRoute();
+  const char* GetRouteAsString();
+  ///@}
+
+  ///@{
+  /**
+   * Counters of the last frame. Rays (one a pixel) are the sum of definite hits and misses (known
+   * without tracing) and possible hits. Field samples are those read to find surfaces, eight a
+   * cell.
+   */
+  vtkIdType GetNumberOfRays();
+  vtkIdType GetNumberOfDefiniteHits();
+  vtkIdType GetNumberOfDefiniteMisses();
+  vtkIdType GetNumberOfPossibleHits();
+  vtkIdType GetNumberOfTracedRays();
+  vtkIdType GetNumberOfFieldSamples();
+  vtkIdType GetIsomapMemory();
+  vtkIdType GetNumberOfIsomapKnots();
+  ///@}
+
+  ///@{
+  /**
+   * Seconds that the last frame took: all told (showing it included), and by stage.
+   */
+  double GetFrameTime();
+  double GetTraceTime();
+  double GetQueryTime();
+  double GetIsomapBuildTime();
+  double GetShadeTime();
+  double GetPresentTime();
+  ///@}
+
+  /**
+   * WARNING: INTERNAL METHOD - NOT INTENDED FOR GENERAL USE
+   * Draw the volume into the renderer's window.
+   */
+  void Render(vtkRenderer* renderer, vtkVolume* volume) override;
+
+  /**
+   * WARNING: INTERNAL METHOD - NOT INTENDED FOR GENERAL USE
+   * Free textures and shaders. What is kept for the next frame stays.
+   */
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkTemporalCoherenceVolumeMapper();
+  ~vtkTemporalCoherenceVolumeMapper() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+
+private:
+  vtkTemporalCoherenceVolumeMapper(const vtkTemporalCoherenceVolumeMapper&) = delete;
+  void operator=(const vtkTemporalCoherenceVolumeMapper&) = delete;
+
+  bool RenderFrame(vtkRenderer* renderer, vtkVolume* volume, int width, int height);
+  bool MakeFrameKey(vtkRenderer* renderer, vtkVolume* volume, int width, int height,
+    TemporalCoherence::FrameKey& key, std::vector<int>& places, std::string& error);
+  vtkImageData* FindInput(vtkDataArray*& array, std::string& error);
+  void ReportOnce(const std::string& error);
+
+  int SurfaceMode = CROSSING;
+  int VectorMode = DISABLED;
+  int VectorComponent = 0;
+  vtkTypeBool ImageCache = 1;
+  vtkTypeBool Isomap = 1;
+  vtkTypeBool SpaceLeaping = 1;
+  vtkTypeBool ColorByAnswer = 0;
+  int ReuseAccuracy = BOUNDED;
+  vtkTypeBool RefineWhenStill = 1;
+  int ImageCachePolicy = LATEST;
+  int KeyImageInterval = 7;
+  int NumberOfCachedImages = 1;
+  double IsomapTolerance = 0.0;
+  double IsomapRange[2] = { 1.0, 0.0 };
+  int IsomapMemoryLimit = 256;
+  int IsomapShading = RESHADE;
+
+  struct Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif

@@ -100,7 +100,11 @@ Real RefineCrossing(const Cubic<Real>& b, Real low, Real high)
   const Real atLow = Evaluate(b, low);
   const Real atHigh = Evaluate(b, high);
   const bool insideLow = IsInside(atLow);
-  Real s = atHigh != atLow ? low + (high - low) * (atLow / (atLow - atHigh)) : low;
+
+  // Where the chord crosses, but away from the ends: an end may be a root itself (samples equal to
+  // the isovalue are common), and not the crossing that is sought.
+  const Real chord = atHigh != atLow ? atLow / (atLow - atHigh) : Real(0.5);
+  Real s = low + (high - low) * std::min(std::max(chord, Real(0.0625)), Real(0.9375));
   for (int step = 0; step < MostSteps; ++step)
   {
     const Real value = ((c3 * s + c2) * s + c1) * s + c0;

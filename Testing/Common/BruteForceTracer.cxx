@@ -1,0 +1,383 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BruteForceTracer.h"
+
+#include <vtkCamera.h>
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkMath.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkRenderer.h>
+#include <vtkVolume.h>
+#include <vtkVolumeProperty.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace
+{
+
+using Point = std::array<double, 3>;
+
+Point Transform(const std::array<double, 16>& m, const Point& p, double w)
+{
+  Point result;
+  for (std::size_t row = 0; row < 3; ++row)
+  {
+    result[row] =
+      m[4 * row] * p[0] + m[4 * row + 1] * p[1] + m[4 * row + 2] * p[2] + m[4 * row + 3] * w;
+  }
+  return result;
+}
+
+/// A distance along a ray, and the plane between cells that the ray passes there, if any.
+struct Stop
+{
+  double T;
+  int Axis = -1;
+  double Plane = 0.0;
+
+  bool operator<(const Stop& other) const { return this->T < other.T; }
+};
+
+Point Along(const Point& origin, const Point& direction, double t)
+{
+  return { origin[0] + t * direction[0], origin[1] + t * direction[1],
+    origin[2] + t * direction[2] };
+}
+
+/// The point at a stop, exactly on its plane: integer samples can make whole faces equal the
+/// isovalue, and a point beside such a face by rounding would not see it.
+Point At(const Point& origin, const Point& direction, const Stop& stop)
+{
+  Point point = Along(origin, direction, stop.T);
+  if (stop.Axis >= 0)
+  {
+    point[static_cast<std::size_t>(stop.Axis)] = stop.Plane;
+  }
+  return point;
+}
+
+std::array<double, 16> Elements(vtkMatrix4x4* matrix)
+{
+  std::array<double, 16> elements;
+  std::copy_n(matrix->GetData(), 16, elements.begin());
+  return elements;
+}
+
+}
+
+BruteForceTracer::BruteForceTracer(vtkImageData* image, vtkVolume* volume, int component)
+{
+  vtkDataArray* array = image->GetPointData()->GetScalars();
+  double largest = 0.0;
+  this->Samples.resize(static_cast<std::size_t>(image->GetNumberOfPoints()));
+  for (std::size_t i = 0; i < this->Samples.size(); ++i)
+  {
+    const double value = array->GetComponent(static_cast<vtkIdType>(i), component);
+    this->Samples[i] = value;
+    largest = std::isfinite(value) ? std::max(largest, std::abs(value)) : largest;
+  }
+  // Not a number: below every isovalue.
+  for (double& value : this->Samples)
+  {
+    value = std::isnan(value) ? -3.0 * largest - 1.0 : value;
+  }
+  image->GetDimensions(this->Dimensions.data());
+  this->IsNearest = volume->GetProperty()->GetInterpolationType() == VTK_NEAREST_INTERPOLATION;
+
+  // Corner by corner, so that no matrix of ours is trusted.
+  const int* extent = image->GetExtent();
+  vtkNew<vtkMatrix4x4> world;
+  vtkNew<vtkMatrix4x4> toVolume;
+  double corner[4][3];
+  for (int c = 0; c < 4; ++c)
+  {
+    const int ijk[3] = { extent[0] + (c == 1), extent[2] + (c == 2), extent[4] + (c == 3) };
+    image->TransformIndexToPhysicalPoint(ijk, corner[c]);
+  }
+  for (int row = 0; row < 3; ++row)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      toVolume->SetElement(row, axis, corner[axis + 1][row] - corner[0][row]);
+    }
+    toVolume->SetElement(row, 3, corner[0][row]);
+  }
+  volume->ComputeMatrix();
+  vtkMatrix4x4::Multiply4x4(volume->GetMatrix(), toVolume, world);
+  this->WorldFromIndex = Elements(world);
+  this->Voxel = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    this->Voxel = std::min(this->Voxel,
+      std::hypot(
+        world->GetElement(0, axis), world->GetElement(1, axis), world->GetElement(2, axis)));
+  }
+  world->Invert();
+  this->IndexFromWorld = Elements(world);
+}
+
+double BruteForceTracer::Sample(int i, int j, int k) const
+{
+  const auto nx = static_cast<std::size_t>(this->Dimensions[0]);
+  const auto ny = static_cast<std::size_t>(this->Dimensions[1]);
+  return this->Samples[(static_cast<std::size_t>(k) * ny + static_cast<std::size_t>(j)) * nx +
+    static_cast<std::size_t>(i)];
+}
+
+double BruteForceTracer::DifferenceAt(const Point& index, double isovalue) const
+{
+  std::array<int, 3> cell;
+  Point f;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    cell[a] = std::clamp(static_cast<int>(std::floor(index[a])), 0, this->Dimensions[a] - 2);
+    f[a] = std::clamp(index[a] - cell[a], 0.0, 1.0);
+    f[a] = this->IsNearest ? std::floor(f[a] + 0.5) : f[a];
+  }
+  double sum = 0.0;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const int x = corner & 1, y = corner >> 1 & 1, z = corner >> 2;
+    const double weight =
+      (x ? f[0] : 1.0 - f[0]) * (y ? f[1] : 1.0 - f[1]) * (z ? f[2] : 1.0 - f[2]);
+    // Differences first: where samples equal the isovalue, so does the field, to the last bit.
+    const double sample = this->Sample(cell[0] + x, cell[1] + y, cell[2] + z);
+    sum += weight > 0.0 ? weight * (sample - isovalue) : 0.0;
+  }
+  return sum;
+}
+
+Point BruteForceTracer::WorldNormalAt(const Point& world) const
+{
+  const Point index = Transform(this->IndexFromWorld, world, 1.0);
+  Point gradient;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    Point low = index, high = index;
+    low[a] -= 1.0;
+    high[a] += 1.0;
+    gradient[a] = 0.5 * (this->DifferenceAt(high, 0.0) - this->DifferenceAt(low, 0.0));
+  }
+  // Gradients go with the transposed inverse.
+  Point normal{};
+  for (std::size_t column = 0; column < 3; ++column)
+  {
+    for (std::size_t row = 0; row < 3; ++row)
+    {
+      normal[column] += this->IndexFromWorld[4 * row + column] * gradient[row];
+    }
+  }
+  vtkMath::Normalize(normal.data());
+  return normal;
+}
+
+/// First crossing within an interval in which the field along the ray is one cubic (or constant).
+bool BruteForceTracer::CrossesIn(const Point& origin, const Point& direction, double begin,
+  double end, double atBegin, double atEnd, double isovalue, double& t) const
+{
+  // A crossing of a cubic may hide between two of any finite number of samples; its turning points
+  // give it away. They come from the derivative of the cubic through four values.
+  const double h = (end - begin) / 3.0;
+  std::array<double, 4> v = { atBegin, 0.0, 0.0, atEnd };
+  for (std::size_t i = 1; i < 3; ++i)
+  {
+    v[i] =
+      this->DifferenceAt(Along(origin, direction, begin + static_cast<double>(i) * h), isovalue);
+  }
+  const double d1 = v[1] - v[0], d2 = v[2] - 2 * v[1] + v[0],
+               d3 = v[3] - 3 * v[2] + 3 * v[1] - v[0];
+  // v(u) = v0 + d1 u + d2 u (u - 1) / 2 + d3 u (u - 1) (u - 2) / 6, u in [0, 3]
+  const double a = d3 / 2, b = d2 - d3, c = d1 - d2 / 2 + d3 / 3;
+  std::vector<double> stops = { 0.0 };
+  const double discriminant = b * b - 4 * a * c;
+  if (discriminant > 0.0 && a != 0.0)
+  {
+    for (const double sign : { -1.0, 1.0 })
+    {
+      stops.push_back((-b + sign * std::sqrt(discriminant)) / (2 * a));
+    }
+  }
+  else if (a == 0.0 && b != 0.0)
+  {
+    stops.push_back(-c / b);
+  }
+  stops.push_back(3.0);
+  std::sort(stops.begin(), stops.end());
+
+  const bool inside = v[0] >= 0.0;
+  double low = begin;
+  for (const double stop : stops)
+  {
+    if (stop <= 0.0 || stop > 3.0)
+    {
+      continue;
+    }
+    double high = stop == 3.0 ? end : begin + stop * h;
+    const double value =
+      stop == 3.0 ? v[3] : this->DifferenceAt(Along(origin, direction, high), isovalue);
+    if ((value >= 0.0) != inside)
+    {
+      for (int step = 0; step < 60; ++step)
+      {
+        const double middle = 0.5 * (low + high);
+        const double at = this->DifferenceAt(Along(origin, direction, middle), isovalue);
+        ((at >= 0.0) == inside ? low : high) = middle;
+      }
+      t = 0.5 * (low + high);
+      return true;
+    }
+    low = high;
+  }
+  return false;
+}
+
+BruteForceTracer::Hit BruteForceTracer::Trace(
+  vtkRenderer* renderer, int x, int y, int width, int height) const
+{
+  const Hit miss{ std::numeric_limits<double>::infinity(), -1, {} };
+  vtkCamera* camera = renderer->GetActiveCamera();
+  vtkMatrix4x4* projection =
+    camera->GetCompositeProjectionTransformMatrix(static_cast<double>(width) / height, -1.0, 1.0);
+  vtkNew<vtkMatrix4x4> back;
+  vtkMatrix4x4::Invert(projection, back);
+  std::array<Point, 2> ends;
+  for (std::size_t e = 0; e < 2; ++e)
+  {
+    double p[4] = { 2.0 * (x + 0.5) / width - 1.0, 2.0 * (y + 0.5) / height - 1.0,
+      e == 0 ? -1.0 : 1.0, 1.0 };
+    back->MultiplyPoint(p, p);
+    ends[e] = { p[0] / p[3], p[1] / p[3], p[2] / p[3] };
+  }
+  Point eye, direction, forward;
+  camera->GetPosition(eye.data());
+  camera->GetDirectionOfProjection(forward.data());
+  vtkMath::Subtract(ends[1].data(), ends[0].data(), direction.data());
+  const double length = vtkMath::Normalize(direction.data());
+  // Distances count from the eye, or from the plane through a parallel camera.
+  Point toNear;
+  vtkMath::Subtract(ends[0].data(), eye.data(), toNear.data());
+  const double toBegin = camera->GetParallelProjection()
+    ? vtkMath::Dot(toNear.data(), forward.data()) / vtkMath::Dot(direction.data(), forward.data())
+    : vtkMath::Norm(toNear.data());
+
+  const Point origin = Transform(this->IndexFromWorld, ends[0], 1.0);
+  const Point step = Transform(this->IndexFromWorld, direction, 0.0);
+  double begin = 0.0, end = length;
+  int firstAxis = -1, lastAxis = -1;
+  double firstPlane = 0.0, lastPlane = 0.0;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    const double last = this->Dimensions[a] - 1;
+    if (step[a] == 0.0)
+    {
+      if (origin[a] < 0.0 || origin[a] > last)
+      {
+        return miss;
+      }
+      continue;
+    }
+    const bool isForward = step[a] > 0.0;
+    const double enter = ((isForward ? 0.0 : last) - origin[a]) / step[a];
+    const double leave = ((isForward ? last : 0.0) - origin[a]) / step[a];
+    if (enter > begin)
+    {
+      begin = enter;
+      firstAxis = static_cast<int>(a);
+      firstPlane = isForward ? 0.0 : last;
+    }
+    if (leave < end)
+    {
+      end = leave;
+      lastAxis = static_cast<int>(a);
+      lastPlane = isForward ? last : 0.0;
+    }
+  }
+  if (!(begin < end))
+  {
+    return miss;
+  }
+
+  const Stop first{ begin, firstAxis, firstPlane };
+  const auto hitAt = [&](double t, int isovalue) {
+    return Hit{ toBegin + t, isovalue, Along(ends[0], direction, t) };
+  };
+
+  if (this->IsThreshold)
+  {
+    int highest = -1;
+    for (std::size_t i = 0; i < this->Isovalues.size(); ++i)
+    {
+      if (this->DifferenceAt(At(origin, step, first), this->Isovalues[i]) >= 0.0 &&
+        (highest < 0 || this->Isovalues[i] > this->Isovalues[static_cast<std::size_t>(highest)]))
+      {
+        highest = static_cast<int>(i);
+      }
+    }
+    if (highest >= 0)
+    {
+      return hitAt(begin, highest);
+    }
+  }
+
+  // All planes on which the field along the ray stops being one polynomial.
+  std::vector<Stop> stops = { first, { end, lastAxis, lastPlane } };
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    for (int plane = 0; plane < 2 * this->Dimensions[a] - 1 && step[a] != 0.0; ++plane)
+    {
+      if (plane % 2 == 0 || this->IsNearest)
+      {
+        const double t = (0.5 * plane - origin[a]) / step[a];
+        if (t > begin && t < end)
+        {
+          stops.push_back({ t, static_cast<int>(a), 0.5 * plane });
+        }
+      }
+    }
+  }
+  std::sort(stops.begin(), stops.end());
+  for (std::size_t i = 0; i + 1 < stops.size(); ++i)
+  {
+    double nearest = std::numeric_limits<double>::infinity();
+    int surface = -1;
+    for (std::size_t s = 0; s < this->Isovalues.size(); ++s)
+    {
+      double t;
+      bool found;
+      if (this->IsNearest)
+      {
+        // Constant within the interval: compare with the interval before.
+        const double value = this->Isovalues[s];
+        const double here =
+          this->DifferenceAt(Along(origin, step, 0.5 * (stops[i].T + stops[i + 1].T)), value);
+        const double before = i == 0
+          ? here
+          : this->DifferenceAt(Along(origin, step, 0.5 * (stops[i - 1].T + stops[i].T)), value);
+        found = (here >= 0.0) != (before >= 0.0);
+        t = stops[i].T;
+      }
+      else
+      {
+        const double value = this->Isovalues[s];
+        found = this->CrossesIn(origin, step, stops[i].T, stops[i + 1].T,
+          this->DifferenceAt(At(origin, step, stops[i]), value),
+          this->DifferenceAt(At(origin, step, stops[i + 1]), value), value, t);
+      }
+      if (found && t < nearest)
+      {
+        nearest = t;
+        surface = static_cast<int>(s);
+      }
+    }
+    if (surface >= 0)
+    {
+      return hitAt(nearest, surface);
+    }
+  }
+  return miss;
+}

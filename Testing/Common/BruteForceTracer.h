@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Testing_BruteForceTracer_h
+#define Testing_BruteForceTracer_h
+
+#include <array>
+#include <vector>
+
+class vtkDataArray;
+class vtkImageData;
+class vtkMatrix4x4;
+class vtkRenderer;
+class vtkVolume;
+
+/// The truth that pictures are held against: every cell on the way of every ray, in double
+/// precision, with no structure and no code of the engine.
+class BruteForceTracer
+{
+public:
+  struct Hit
+  {
+    double Distance; ///< world distance along the ray; infinity if nothing is hit
+    int Isovalue;    ///< position in the list; -1 if nothing is hit
+    std::array<double, 3> Position;
+  };
+
+  /// \param image   point scalars, component `component`
+  /// \param volume  its transform and the interpolation of its property
+  BruteForceTracer(vtkImageData* image, vtkVolume* volume, int component = 0);
+
+  std::vector<double> Isovalues;
+  bool IsThreshold = false; ///< THRESHOLD, otherwise CROSSING
+
+  /// The hit seen at the centre of pixel (x, y) of a picture of width x height by the renderer's
+  /// camera.
+  Hit Trace(vtkRenderer* renderer, int x, int y, int width, int height) const;
+
+  /// Shortest edge of a voxel in the world.
+  double VoxelSize() const { return this->Voxel; }
+
+  /// The field minus an isovalue at a point in index space.
+  double DifferenceAt(const std::array<double, 3>& index, double isovalue) const;
+
+  /// Unit gradient in the world by central differences, not oriented.
+  std::array<double, 3> WorldNormalAt(const std::array<double, 3>& world) const;
+
+private:
+  double Sample(int i, int j, int k) const;
+  bool CrossesIn(const std::array<double, 3>& origin, const std::array<double, 3>& direction,
+    double begin, double end, double atBegin, double atEnd, double isovalue, double& t) const;
+
+  std::vector<double> Samples;
+  std::array<int, 3> Dimensions;
+  bool IsNearest;
+  std::array<double, 16> WorldFromIndex, IndexFromWorld;
+  double Voxel;
+};
+
+#endif

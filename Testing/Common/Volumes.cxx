@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Volumes.h"
+
+#include <vtkDataArray.h>
+#include <vtkMetaImageReader.h>
+#include <vtkNIFTIImageReader.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkSMPTools.h>
+#include <vtkStructuredPoints.h>
+#include <vtkStructuredPointsReader.h>
+#include <vtkXMLImageDataReader.h>
+#include <vtksys/SystemTools.hxx>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace Volumes
+{
+namespace
+{
+
+constexpr double Pi = 3.14159265358979323846;
+
+template <typename Reader>
+vtkSmartPointer<vtkImageData> Read(const std::string& path)
+{
+  vtkNew<Reader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  vtkImageData* image = reader->GetOutput();
+  return image;
+}
+
+bool EndsWith(const std::string& text, const std::string& end)
+{
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+}
+
+vtkSmartPointer<vtkImageData> FromFormula(
+  int n, int scalarType, const std::function<double(double, double, double)>& value)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(n, n, n);
+  const double step = 2.0 / (n - 1);
+  image->SetSpacing(step, step, step);
+  image->SetOrigin(-1.0, -1.0, -1.0);
+  image->AllocateScalars(scalarType, 1);
+  vtkDataArray* scalars = image->GetPointData()->GetScalars();
+  vtkSMPTools::For(0, n,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType k = begin; k < end; ++k)
+      {
+        for (vtkIdType j = 0; j < n; ++j)
+        {
+          for (vtkIdType i = 0; i < n; ++i)
+          {
+            scalars->SetComponent((k * n + j) * n + i, 0,
+              value(-1.0 + step * static_cast<double>(i), -1.0 + step * static_cast<double>(j),
+                -1.0 + step * static_cast<double>(k)));
+          }
+        }
+      }
+    });
+  return image;
+}
+
+vtkSmartPointer<vtkImageData> FourSpheres(int n)
+{
+  constexpr std::array<std::array<double, 3>, 4> centres = { { { -.4, -.4, -.2 }, { .45, -.3, .3 },
+    { -.3, .45, .35 }, { .35, .4, -.4 } } };
+  auto image = FromFormula(n, VTK_UNSIGNED_CHAR,
+    [&centres](double x, double y, double z)
+    {
+      double value = 0.0;
+      for (const std::array<double, 3>& c : centres)
+      {
+        value = std::max(value, 1.0 - std::hypot(x - c[0], y - c[1], z - c[2]) / 0.6);
+      }
+      return 255.0 * value;
+    });
+  image->SetSpacing(1.0, 1.0, 1.0);
+  return image;
+}
+
+vtkSmartPointer<vtkImageData> MarschnerLobb(int n)
+{
+  auto image = FromFormula(n, VTK_UNSIGNED_CHAR,
+    [](double x, double y, double z)
+    {
+      const double rho = std::cos(12.0 * Pi * std::cos(0.5 * Pi * std::hypot(x, y)));
+      return 255.0 * ((1.0 - std::sin(0.5 * Pi * z)) + 0.25 * (1.0 + rho)) / 2.5;
+    });
+  image->SetSpacing(1.0, 1.0, 1.0);
+  return image;
+}
+
+std::string DataDirectory()
+{
+  const char* named = std::getenv("TEMPORAL_COHERENCE_DATA");
+  return named ? named : TEMPORAL_COHERENCE_SOURCE_DIRECTORY "/../shared/data";
+}
+
+vtkSmartPointer<vtkImageData> Load(const std::string& name)
+{
+  const std::string::size_type digits = name.find_first_of("0123456789");
+  if (name.rfind("spheres", 0) == 0)
+  {
+    return FourSpheres(std::atoi(name.c_str() + digits));
+  }
+  if (name.rfind("marschner-lobb", 0) == 0)
+  {
+    return MarschnerLobb(std::atoi(name.c_str() + digits));
+  }
+  std::string path = DataDirectory() + "/" + name;
+  if (EndsWith(name, ".nii.gz"))
+  {
+    path = "/usr/share/mricron/templates/" + name;
+  }
+  if (!vtksys::SystemTools::FileExists(path, true))
+  {
+    return nullptr;
+  }
+  return EndsWith(name, ".vti") ? Read<vtkXMLImageDataReader>(path)
+    : EndsWith(name, ".mhd")    ? Read<vtkMetaImageReader>(path)
+    : EndsWith(name, ".nii.gz") ? Read<vtkNIFTIImageReader>(path)
+                                : Read<vtkStructuredPointsReader>(path);
+}
+
+}

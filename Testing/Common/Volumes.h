@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Testing_Volumes_h
+#define Testing_Volumes_h
+
+#include <vtkImageData.h>
+#include <vtkSmartPointer.h>
+
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+/// Volumes that tests and benchmarks look at: made by formula always, real ones when present.
+namespace Volumes
+{
+
+/// An image of n^3 samples of a VTK scalar type on [-1, 1]^3, spacing 2 / (n - 1).
+vtkSmartPointer<vtkImageData> FromFormula(
+  int n, int scalarType, const std::function<double(double, double, double)>& value);
+
+/// The paper's four spheres: 255 times the largest of 1 - d / 0.6 over four centres, as uchar with
+/// spacing 1; isovalue 100.
+vtkSmartPointer<vtkImageData> FourSpheres(int n);
+
+/// The signal of Marschner and Lobb 1994, times 255, as uchar with spacing 1; isovalue 128.
+vtkSmartPointer<vtkImageData> MarschnerLobb(int n);
+
+/// A volume and an isovalue worth looking at.
+struct Sample
+{
+  std::string Name; ///< a file below the data directory, or "spheres", "marschner-lobb" and a size
+  double Isovalue;
+};
+
+/// Folder of the real volumes: the environment's TEMPORAL_COHERENCE_DATA, else ../shared/data
+/// beside the sources.
+std::string DataDirectory();
+
+/// The volume of that name; null if it is a file and not there (or not readable).
+vtkSmartPointer<vtkImageData> Load(const std::string& name);
+
+}
+
+#endif

@@ -54,6 +54,7 @@ vtk_module_scan(
 vtk_module_build(
   MODULES ${modules}
   PACKAGE vtkTemporalCoherence
+  INSTALL_EXPORT vtkTemporalCoherence
   VERSION "${PROJECT_VERSION}"
   SOVERSION "${PROJECT_VERSION_MAJOR}"
   HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/vtkTemporalCoherence"

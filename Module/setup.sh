@@ -1,0 +1,165 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# From a fresh Debian machine to a built library: see usage() below.
+set -euo pipefail
+
+usage()
+{
+  cat <<'TEXT'
+Install what is missing and build vtkTemporalCoherence in Release mode.
+
+usage: Module/setup.sh [OPTIONS] [-- CMAKE_ARGUMENTS]
+
+  --with-tests         build the tests too, and install what they need
+  --with-example-data  install the MR head that Examples/run.sh shows; going without is no error
+  --packages-only      install packages, build nothing
+  --no-packages        build with what is there, install nothing
+  --help               show this text
+
+CMAKE_ARGUMENTS, for example -DVTK_DIR=..., are given to CMake when the build is configured.
+
+environment:
+  TEMPORAL_COHERENCE_BUILD        the build directory; default: build, in the repository
+  TEMPORAL_COHERENCE_CMAKE_FLAGS  further arguments for CMake, separated by spaces
+
+Packages are looked for and installed with Debian's apt, as root or through sudo, and only
+where some are missing. A build directory that is there already keeps its settings.
+TEXT
+}
+
+build_packages=(g++ cmake ninja-build libvtk9-dev libglm-dev)
+test_packages=(libgtest-dev xvfb xauth libgl1-mesa-dri)
+example_packages=(mricron-data)
+
+repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+build=${TEMPORAL_COHERENCE_BUILD:-$repository/build}
+log=$build/setup.log
+
+say() { printf '[set-up] %s\n' "$*"; }
+fail() { printf '[set-up] %s\n' "$*" >&2; exit 1; }
+
+# Names those of its arguments that Debian does not have installed.
+missing_packages()
+{
+  local package
+  for package in "$@"; do
+    dpkg-query -W -f '${db:Status-Abbrev}' "$package" 2>/dev/null | grep -q '^ii' ||
+      printf '%s ' "$package"
+  done
+}
+
+logged() { "$@" >>"$log" 2>&1; }
+
+fail_with_log()
+{
+  tail -n 40 "$log" >&2
+  fail "$*; all that was said is in $log"
+}
+
+# Says in one sentence why packages cannot be installed here; silent where they can.
+why_no_install()
+{
+  if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
+    printf 'This is not a Debian system'
+  elif [ "$(id -u)" -ne 0 ] && ! command -v sudo >/dev/null; then
+    printf 'You are not root and there is no sudo'
+  fi
+}
+
+install_packages() # NAMES...
+{
+  local apt_get=(env DEBIAN_FRONTEND=noninteractive apt-get)
+  if [ "$(id -u)" -ne 0 ]; then
+    apt_get=(sudo "${apt_get[@]}")
+  fi
+  say "Installing with apt-get, with all that they need: $*"
+  # Lists that cannot be brought up to date may still hold the packages.
+  logged "${apt_get[@]}" update || say "apt-get update failed; trying with the lists there are."
+  logged "${apt_get[@]}" install -y --no-install-recommends "$@"
+}
+
+ensure_packages()
+{
+  local needed=("${build_packages[@]}") missing why
+  if [ "$with_tests" = yes ]; then
+    needed+=("${test_packages[@]}")
+  fi
+  why=$(why_no_install)
+  if ! command -v dpkg-query >/dev/null; then
+    fail "$why: install a C++17 compiler, CMake 3.16 or later, Ninja, VTK 9.1 or later with its" \
+      "headers, and GLM (for tests also GoogleTest and Xvfb), then give --no-packages."
+  fi
+
+  read -ra missing <<<"$(missing_packages "${needed[@]}")"
+  if [ "${#missing[@]}" -gt 0 ]; then
+    [ -z "$why" ] || fail "$why: have these packages installed: ${missing[*]}"
+    install_packages "${missing[@]}" || fail_with_log "Could not install ${missing[*]}"
+  fi
+
+  read -ra missing <<<"$(missing_packages "${example_packages[@]}")"
+  if [ "$with_example_data" = yes ] && [ "${#missing[@]}" -gt 0 ]; then
+    if [ -n "$why" ] || ! install_packages "${missing[@]}"; then
+      say "Going on without the example volume of ${missing[*]}${why:+ ($why)}."
+    fi
+  fi
+}
+
+# The arguments a build directory was configured with are kept in it, to configure again only
+# when other ones are asked for.
+configure()
+{
+  local wanted=() record=$build/setup.arguments testing=OFF
+  if [ "$with_tests" = yes ]; then
+    testing=ON
+  fi
+  if [ "$with_tests" = yes ] || [ ! -f "$build/build.ninja" ]; then
+    wanted+=("-DBUILD_TESTING=$testing" "-DTEMPORAL_COHERENCE_BUILD_BENCHMARKS=$testing")
+  fi
+  # shellcheck disable=SC2206 # the flags are to be split at spaces
+  wanted+=(${TEMPORAL_COHERENCE_CMAKE_FLAGS:-} "$@")
+
+  if [ ! -f "$build/build.ninja" ]; then
+    wanted=(-G Ninja -DCMAKE_BUILD_TYPE=Release "${wanted[@]}")
+  elif [ "${#wanted[@]}" -eq 0 ] || [ "${wanted[*]}" = "$(cat "$record" 2>/dev/null)" ]; then
+    return 0
+  fi
+  say "Configuring in $build"
+  logged cmake -S "$repository" -B "$build" "${wanted[@]}" || fail_with_log "CMake could not configure"
+  printf '%s\n' "${wanted[*]}" | sed 's/^-G Ninja -DCMAKE_BUILD_TYPE=Release //' >"$record"
+}
+
+build_library()
+{
+  say "Building with $(nproc 2>/dev/null || echo 2) jobs (log: $log)"
+  local begin=$SECONDS
+  logged cmake --build "$build" --parallel || fail_with_log "The build failed"
+  say "Built in $((SECONDS - begin)) s: $build"
+}
+
+with_tests=no
+with_example_data=no
+packages=yes
+building=yes
+while [ $# -gt 0 ]; do
+  case $1 in
+    --with-tests) with_tests=yes ;;
+    --with-example-data) with_example_data=yes ;;
+    --packages-only) building=no ;;
+    --no-packages) packages=no ;;
+    --help | -h) usage; exit 0 ;;
+    --) shift; break ;;
+    *) fail "There is no option $1; --help lists those there are." ;;
+  esac
+  shift
+done
+
+if ! mkdir -p "$build" 2>/dev/null || ! : 2>/dev/null >"$log"; then
+  fail "Cannot write in $build; set TEMPORAL_COHERENCE_BUILD to a directory that you may write in."
+fi
+[ "$packages" = no ] || ensure_packages
+if [ "$building" = yes ]; then
+  configure "$@"
+  build_library
+fi

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Extraction_h
+#define Extraction_h
+
+#include <vtkType.h>
+
+class vtkImageData;
+
+// What VTK needs without the mapper, and without a GPU, for each new isovalue: all triangles of
+// the surface again.
+struct Extraction
+{
+  double Ms = 0.0;
+  vtkIdType Triangles = 0;
+  double Isovalue = 0.0;
+};
+
+// Times one run of vtkFlyingEdges3D, with the normals that shading needs.
+Extraction TimeExtraction(vtkImageData* image, double isovalue);
+
+#endif

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Report_h
+#define Report_h
+
+#include "Extraction.h"
+#include "Tour.h"
+
+#include <string>
+#include <vector>
+
+// A table on standard output: a row for each change and route.
+void PrintTable(const std::vector<FrameRecord>& records);
+
+// What the mapper's re-use gained, and against extracting the surface anew.
+void PrintGain(const std::vector<FrameRecord>& records, const Extraction& extraction);
+
+#endif

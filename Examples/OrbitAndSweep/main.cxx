@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Orbits around a volume's isosurface and sweeps its isovalue with
+// vtkTemporalCoherenceVolumeMapper: pictures, and a table of what each kind of change took.
+#include "Extraction.h"
+#include "Interactive.h"
+#include "Isovalue.h"
+#include "Options.h"
+#include "Pictures.h"
+#include "Report.h"
+#include "Scene.h"
+#include "Tour.h"
+#include "VolumeReader.h"
+
+#include <vtkSMPTools.h>
+
+#include <cstdio>
+#include <exception>
+
+namespace
+{
+
+void Describe(const Volume& volume, const IsovalueChoice& isovalue, const Options& options)
+{
+  int n[3];
+  volume.Image->GetDimensions(n);
+  std::printf("Volume: %s, %d x %d x %d %s, values %g to %g\n", volume.Name.c_str(), n[0], n[1],
+    n[2], volume.Image->GetScalarTypeAsString(), isovalue.Range[0], isovalue.Range[1]);
+  std::printf("Isovalue: %g%s\n", isovalue.Value,
+    isovalue.IsChosen ? " (chosen from the histogram; give one after the volume)" : "");
+  std::printf("Pictures: %d x %d pixels, %d threads\n", options.Width, options.Height,
+    vtkSMPTools::GetEstimatedNumberOfThreads());
+}
+
+void Run(const Options& options)
+{
+  const Volume volume = ReadVolume(options);
+  const IsovalueChoice isovalue = ChooseIsovalue(volume.Image, options.Isovalue);
+  Describe(volume, isovalue, options);
+  Scene scene(volume, isovalue, options);
+  if (options.Interactive)
+  {
+    RunInteractive(scene, isovalue, options);
+    return;
+  }
+
+  PictureBook book(options.OutputDirectory);
+  const std::vector<FrameRecord> records = RunTour(scene, isovalue, options, book);
+  book.WriteContactSheet();
+  const Extraction extraction = TimeExtraction(volume.Image, isovalue.Value);
+
+  PrintTable(records);
+  PrintGain(records, extraction);
+  std::printf("Pictures: %d in %s, all at a glance in %s\n", book.NumberOfPictures(),
+    options.OutputDirectory.c_str(), book.ContactSheet().c_str());
+}
+
+}
+
+int main(int argc, char* argv[])
+{
+  try
+  {
+    const Options options = ParseOptions(argc, argv);
+    if (options.Help)
+    {
+      std::fputs(HelpText(), stdout);
+      return 0;
+    }
+    Run(options);
+  }
+  catch (const UserError& mistake)
+  {
+    std::fflush(stdout);
+    std::fprintf(stderr, "OrbitAndSweep: %s\n", mistake.what());
+    return 1;
+  }
+  catch (const std::exception& failure)
+  {
+    std::fflush(stdout);
+    std::fprintf(stderr, "OrbitAndSweep: %s; try a smaller --size or volume.\n", failure.what());
+    return 1;
+  }
+  return 0;
+}

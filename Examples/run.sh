@@ -1,0 +1,98 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# The main job from nothing: set up, build, install, build the example, run it.
+set -euo pipefail
+
+usage()
+{
+  cat <<'TEXT'
+Show a volume's isosurface: pictures of an orbit and of a sweep of its isovalue, and what each took.
+
+usage: Examples/run.sh [VOLUME [ISOVALUE]] [OPTIONS]
+
+VOLUME is a file .vti .vtk .mhd .mha .nii .nii.gz .slc, a directory with a DICOM series, or, with
+--raw, a file of bare samples. Without VOLUME: a magnetic resonance image of a head from Debian's
+package mricron-data, or four generated spheres where that cannot be had.
+
+What is missing is installed with apt (see Module/setup.sh --help), vtkTemporalCoherence is built and
+installed into build/install, and Examples/OrbitAndSweep is built against what is installed there.
+
+  --no-packages          install no packages
+  --size WxH | N         pixels of a picture; default 1024
+  --frames N             frames of the orbit; default 30
+  --output DIR           where the pictures go; default ./pictures
+  --threshold            a solid, capped where the volume ends, instead of a surface
+  --from AXIS, --up AXIS where the viewer stands and which way is up, for example +y and +z
+  --raw NX,NY,NZ,TYPE[,SX,SY,SZ], --big-endian
+                         what a file of bare samples holds, for example 256,256,110,uchar,1,1,2
+  --quick                small pictures, few frames
+  --interactive          a window with a slider for the isovalue; needs a display
+  --help                 show this text; build/example/OrbitAndSweep --help tells all options
+TEXT
+}
+
+repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+export TEMPORAL_COHERENCE_BUILD=${TEMPORAL_COHERENCE_BUILD:-$repository/build}
+build=$TEMPORAL_COHERENCE_BUILD
+head_volume=/usr/share/mricron/templates/ch2.nii.gz
+head_isovalue=45 # skin
+
+# Options of the program that a value follows: the value is not the name of a volume.
+takes_value() { [[ $1 =~ ^--(size|frames|output|isovalue|from|up|raw|spheres|screenshot)$ ]]; }
+
+setup_options=()
+arguments=()
+volume=
+isovalue_given=no
+while [ $# -gt 0 ]; do
+  case $1 in
+    --help | -h) usage; exit 0 ;;
+    --no-packages) setup_options+=("$1") ;;
+    --spheres) volume=generated; arguments+=("$1") ;;
+    --isovalue) isovalue_given=yes; arguments+=("$1") ;;
+    -?*) arguments+=("$1") ;;
+    *) [ -n "$volume" ] || volume=$1; arguments+=("$1") ;;
+  esac
+  if takes_value "$1" && [ $# -gt 1 ]; then
+    arguments+=("$2")
+    shift
+  fi
+  shift
+done
+if [ -z "$volume" ]; then
+  setup_options+=(--with-example-data)
+fi
+
+"$repository/Module/setup.sh" "${setup_options[@]}"
+
+# With its output in a file, whose end is shown if the command fails.
+logged()
+{
+  if ! "$@" >>"$build/example.log" 2>&1; then
+    tail -n 40 "$build/example.log" >&2
+    printf '[example] Failed: %s; all that was said is in %s\n' "$1 $2" "$build/example.log" >&2
+    exit 1
+  fi
+}
+
+: >"$build/example.log"
+printf '[example] Installing into %s and building the example against it\n' "$build/install"
+logged cmake --install "$build" --prefix "$build/install"
+logged cmake -S "$repository/Examples/OrbitAndSweep" -B "$build/example" -G Ninja \
+  -DCMAKE_PREFIX_PATH="$build/install" -DCMAKE_BUILD_TYPE=Release
+logged cmake --build "$build/example" --parallel
+
+if [ -z "$volume" ]; then
+  [ "$isovalue_given" = yes ] || arguments+=(--isovalue)
+  if [ -r "$head_volume" ]; then
+    arguments=("$head_volume" "${arguments[@]}")
+    [ "$isovalue_given" = yes ] || arguments+=("$head_isovalue")
+  else
+    printf '[example] %s is not there (Debian package mricron-data): four generated spheres instead\n' \
+      "$head_volume"
+    [ "$isovalue_given" = yes ] || arguments+=(100)
+  fi
+fi
+exec "$build/example/OrbitAndSweep" "${arguments[@]}"

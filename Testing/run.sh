@@ -1,0 +1,71 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Build and run the tests, from nothing if need be.
+set -euo pipefail
+
+usage()
+{
+  cat <<'TEXT'
+Build vtkTemporalCoherence with its tests and run them on a display of their own.
+
+usage: Testing/run.sh [--no-packages] [CTEST_ARGUMENTS]
+
+  --no-packages    install no packages (see Module/setup.sh --help)
+  --help           show this text
+
+CTEST_ARGUMENTS go to ctest, for example -R Mapper, -j 2 or -V. The exit status is 0 only if
+tests ran and none failed.
+TEXT
+}
+
+repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+export TEMPORAL_COHERENCE_BUILD=${TEMPORAL_COHERENCE_BUILD:-$repository/build}
+build=$TEMPORAL_COHERENCE_BUILD
+log=$build/ctest.log
+
+setup_options=(--with-tests)
+ctest_arguments=()
+for argument in "$@"; do
+  case $argument in
+    --help | -h) usage; exit 0 ;;
+    --no-packages) setup_options+=("$argument") ;;
+    *) ctest_arguments+=("$argument") ;;
+  esac
+done
+
+"$repository/Module/setup.sh" "${setup_options[@]}"
+
+run_ctest()
+{
+  local command=(ctest --test-dir "$build" --output-on-failure --no-tests=error
+    "${ctest_arguments[@]}")
+  local started=$build/ctest.started attempt display
+  rm -f "$started"
+  # A number far from 99, where everybody begins: in a container, xvfb-run does not see a server
+  # of the machine around it, but clients of the same number would connect to that one.
+  for attempt in 1 2 3 4 5; do
+    display=$((200 + RANDOM % 700))
+    # shellcheck disable=SC2016 # expanded by the inner shell
+    xvfb-run --server-num="$display" --auto-servernum --server-args="-screen 0 1280x1024x24" \
+      bash -c 'touch "$0" && exec "$@"' "$started" "${command[@]}" && return 0
+    # What failed was the tests, not the display.
+    [ ! -f "$started" ] || return 1
+    printf '[tests] No X server at display %s (attempt %s of 5)\n' "$display" "$attempt"
+  done
+  return 1
+}
+
+begin=$SECONDS
+status=0
+run_ctest 2>&1 | tee "$log" || status=1
+
+summary=$(grep -E '^[0-9]+% tests passed' "$log" | tail -n 1 || true)
+if [ "$status" -eq 0 ] && [ -n "$summary" ]; then
+  printf '[tests] PASSED: %s, in %s s\n' "$summary" "$((SECONDS - begin))"
+else
+  printf '[tests] FAILED: %s, in %s s; all output is in %s\n' "${summary:-no test ran}" \
+    "$((SECONDS - begin))" "$log"
+  exit 1
+fi

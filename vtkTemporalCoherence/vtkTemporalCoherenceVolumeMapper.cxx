@@ -19,7 +19,7 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
-#include <new>
+#include <exception>
 #include <string>
 
 vtkStandardNewMacro(vtkTemporalCoherenceVolumeMapper);
@@ -101,7 +101,7 @@ bool vtkTemporalCoherenceVolumeMapper::RenderFrame(
   {
     internal.Frames.Render(key, options);
   }
-  catch (const std::bad_alloc&)
+  catch (const std::exception&) // bad_alloc, or length_error where a size has no number
   {
     this->ReportOnce("There is not enough memory for a frame of " + std::to_string(width) + " x " +
       std::to_string(height) + " pixels and the block ranges of " +

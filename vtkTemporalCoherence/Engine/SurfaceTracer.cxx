@@ -35,7 +35,7 @@ public:
       this->Origin[axis] = rays.Origin[a][ray];
       this->Direction[axis] = rays.Direction[a][ray];
       this->Inverse[axis] = rays.Inverse[a][ray];
-      this->Forward[axis] = this->Direction[axis] > 0.0 ? ~0 : 0;
+      this->Ahead[axis] = this->Direction[axis] > 0.0 ? 1 : 0;
       const double at = this->Origin[axis] + this->T * this->Direction[axis];
       this->Cell[axis] = Clamp(static_cast<int>(std::floor(at)), 0, cells[axis] - 1);
     }
@@ -52,30 +52,54 @@ public:
   bool LeaveBlock(int bits)
   {
     const int size = 1 << bits;
-    glm::ivec3 first;
-    double leave[3];
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      first[axis] = this->Cell[axis] & -size;
-      leave[axis] = this->Pass(axis, first[axis] + (this->Forward[axis] & size));
-    }
-    int exit = leave[1] < leave[0] ? 1 : 0;
-    exit = leave[2] < leave[exit] ? 2 : exit;
+    const glm::ivec3 first = this->Cell & -size;
+    const double leave[3] = { this->Pass(0, first.x + this->Ahead.x * size),
+      this->Pass(1, first.y + this->Ahead.y * size),
+      this->Pass(2, first.z + this->Ahead.z * size) };
+    const int exit = FirstOf(leave);
     this->T = leave[exit];
     if (!(this->T < this->End))
     {
       return false;
     }
-    if (bits > 0)
+    for (int axis = 0; axis < 3; ++axis)
     {
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        const double at = this->Origin[axis] + this->T * this->Direction[axis];
-        this->Cell[axis] = Clamp(static_cast<int>(at), first[axis], first[axis] + size - 1);
-      }
+      const double at = this->Origin[axis] + this->T * this->Direction[axis];
+      this->Cell[axis] = Clamp(static_cast<int>(at), first[axis], first[axis] + size - 1);
     }
-    this->Cell[exit] = this->Forward[exit] ? first[exit] + size : first[exit] - 1;
-    return static_cast<unsigned>(this->Cell[exit]) < static_cast<unsigned>(this->Cells[exit]);
+    this->Cell[exit] = this->Ahead[exit] ? first[exit] + size : first[exit] - 1;
+    return this->IsInGrid(exit);
+  }
+
+  /// Prepare for steps from cell to cell.
+  void BeginSteps()
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Next[axis] = this->Pass(axis, this->Cell[axis] + this->Ahead[axis]);
+    }
+  }
+
+  /// Go on to the next cell.
+  /// \return the axis along which the ray leaves the present cell, or -1 if the walk ends before
+  int Step()
+  {
+    const int exit = FirstOf(this->Next);
+    this->T = this->Next[exit];
+    if (!(this->T < this->End))
+    {
+      return -1;
+    }
+    const int ahead = this->Ahead[exit];
+    const int cell = this->Cell[exit] + 2 * ahead - 1;
+    this->Cell[exit] = cell;
+    this->Next[exit] = this->Pass(exit, cell + ahead);
+    return exit;
+  }
+
+  bool IsInGrid(int axis) const
+  {
+    return static_cast<unsigned>(this->Cell[axis]) < static_cast<unsigned>(this->Cells[axis]);
   }
 
   static int Clamp(int value, int low, int high)
@@ -84,12 +108,19 @@ public:
     return value > high ? high : value;
   }
 
+  static int FirstOf(const double distances[3])
+  {
+    const int first = distances[1] < distances[0] ? 1 : 0;
+    return distances[2] < distances[first] ? 2 : first;
+  }
+
   glm::ivec3 Cells; ///< number of cells along each axis
   glm::ivec3 Cell{ 0 };
-  glm::ivec3 Forward; ///< all bits set where the ray runs towards higher cells
+  glm::ivec3 Ahead; ///< 1 where the ray runs towards higher cells, else 0
   glm::dvec3 Origin, Direction, Inverse;
   double End;
-  double T; ///< where the walk stands
+  double T;       ///< where the walk stands
+  double Next[3]; ///< where the ray leaves the present cell along each axis, while stepping
 };
 
 /// The part of a ray within one cell.
@@ -102,7 +133,7 @@ struct CellPassage
     double enter[3], leave[3];
     for (int axis = 0; axis < 3; ++axis)
     {
-      const int ahead = walk.Forward[axis] & 1;
+      const int ahead = walk.Ahead[axis];
       enter[axis] = walk.Pass(axis, walk.Cell[axis] + 1 - ahead);
       leave[axis] = walk.Pass(axis, walk.Cell[axis] + ahead);
     }
@@ -116,7 +147,7 @@ struct CellPassage
     {
       // On a face the coordinate is exactly 0 or 1, as the neighbour across the face has it.
       const auto a = static_cast<std::size_t>(axis);
-      const Real ahead = static_cast<Real>(walk.Forward[axis] & 1);
+      const Real ahead = static_cast<Real>(walk.Ahead[axis]);
       this->Path.Begin[a] =
         this->Enter == enter[axis] ? Real(1) - ahead : At(walk, axis, this->Enter);
       this->Path.End[a] = this->Leave == leave[axis] ? ahead : At(walk, axis, this->Leave);
@@ -188,47 +219,71 @@ private:
   void Walk(const RayBatch& rays, std::size_t ray, Hit& hit, std::int64_t& cellsRead) const
   {
     CellWalk walk(rays, ray, this->Cells);
-    const ActiveCells* active = this->Scene.Active;
-    if (!active)
+    if (!this->Scene.Active)
     {
-      do
-      {
-        if (this->VisitCell(walk, rays, ray, hit, cellsRead))
-        {
-          return;
-        }
-      } while (walk.LeaveBlock(0));
+      this->WalkEveryCell(walk, rays, ray, hit, cellsRead);
       return;
     }
-
-    bool ahead = true;
-    while (ahead)
+    const ActiveCells& active = *this->Scene.Active;
+    bool isAhead = true;
+    while (isAhead)
     {
-      const std::int64_t node = active->NodeOf(walk.Cell);
-      const std::uint64_t leaves = active->LeavesOf(node);
+      const std::int64_t node = active.NodeOf(walk.Cell);
+      const std::uint64_t leaves = active.LeavesOf(node);
       if (leaves == 0)
       {
-        ahead = walk.LeaveBlock(ActiveCells::NodeBits);
+        isAhead = walk.LeaveBlock(ActiveCells::NodeBits);
       }
       else if (!(leaves >> ActiveCells::LeafOf(walk.Cell) & 1u))
       {
-        ahead = walk.LeaveBlock(ActiveCells::LeafBits);
+        isAhead = walk.LeaveBlock(ActiveCells::LeafBits);
       }
       else
       {
-        const std::uint64_t cells = active->CellsOf(this->Samples, node, walk.Cell);
-        const glm::ivec3 leaf = walk.Cell >> ActiveCells::LeafBits;
-        do
-        {
-          if (cells >> ActiveCells::BitOf(walk.Cell) & 1u &&
-            this->VisitCell(walk, rays, ray, hit, cellsRead))
-          {
-            return;
-          }
-          ahead = walk.LeaveBlock(0);
-        } while (ahead && walk.Cell >> ActiveCells::LeafBits == leaf);
+        const std::uint64_t cells = active.CellsOf(this->Samples, node, walk.Cell);
+        isAhead = this->WalkLeaf(cells, walk, rays, ray, hit, cellsRead);
       }
     }
+  }
+
+  void WalkEveryCell(CellWalk& walk, const RayBatch& rays, std::size_t ray, Hit& hit,
+    std::int64_t& cellsRead) const
+  {
+    walk.BeginSteps();
+    int exit;
+    do
+    {
+      if (this->VisitCell(walk, rays, ray, hit, cellsRead))
+      {
+        return;
+      }
+      exit = walk.Step();
+    } while (exit >= 0 && walk.IsInGrid(exit));
+  }
+
+  /// Visit the active cells of the present leaf that lie on the way.
+  /// \return true if the walk goes on behind the leaf
+  bool WalkLeaf(std::uint64_t cells, CellWalk& walk, const RayBatch& rays, std::size_t ray,
+    Hit& hit, std::int64_t& cellsRead) const
+  {
+    walk.BeginSteps();
+    int leaf;
+    int exit;
+    do
+    {
+      if (cells >> ActiveCells::BitOf(walk.Cell) & 1u &&
+        this->VisitCell(walk, rays, ray, hit, cellsRead))
+      {
+        return false;
+      }
+      leaf = ActiveCells::LeafOf(walk.Cell);
+      exit = walk.Step();
+      if (exit < 0)
+      {
+        return false;
+      }
+    } while (ActiveCells::LeafOf(walk.Cell) == leaf);
+    return walk.IsInGrid(exit);
   }
 
   /// Look for the nearest surface in the walk's cell; false if there is none.

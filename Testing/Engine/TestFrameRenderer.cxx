@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FrameRenderer.h"
+#include "Grid.h"
+
+#include <gtest/gtest.h>
+#include <vtkSMPTools.h>
+
+#include <cmath>
+#include <cstring>
+#include <new>
+
+namespace
+{
+
+using namespace TemporalCoherence;
+
+class FrameRendererTest : public ::testing::Test
+{
+protected:
+  FrameRendererTest()
+    : Samples(glm::ivec3(60, 50, 40))
+  {
+    this->Samples.Fill([](int i, int j, int k)
+      { return 120.0 + 100.0 * std::sin(0.2 * i) * std::cos(0.25 * j) * std::sin(0.3 * k); });
+    this->Key.Samples = this->Samples.Seen;
+    this->Key.Seen = LookAt(this->Samples.Seen.Dimensions, { 1.0, 2.0, 0.7 }, { 203, 117 });
+    this->Key.Sought.Isovalues = { 150.0, 90.0 };
+    this->Key.Look.Colors = { { 1.0, 0.5, 0.2 }, { 0.2, 0.5, 1.0 } };
+    this->Key.Look.Shade = true;
+    this->Key.Look.Lights = { Light() };
+  }
+
+  static bool AreIdentical(const Frame& a, const Frame& b)
+  {
+    const auto same = [](const auto& x, const auto& y)
+    { return x.size() == y.size() && !std::memcmp(x.data(), y.data(), x.size() * sizeof(x[0])); };
+    return a.Size == b.Size && same(a.Depth, b.Depth) && same(a.Normals, b.Normals) &&
+      same(a.Isovalues, b.Isovalues) && same(a.Caps, b.Caps) && same(a.Colors, b.Colors);
+  }
+
+  Frame Cold(const FrameRenderer::Options& options = {}) const
+  {
+    FrameRenderer renderer;
+    renderer.Render(this->Key, options);
+    EXPECT_EQ(renderer.Statistics().Made, Route::Cold);
+    return renderer.LastFrame();
+  }
+
+  Grid<std::uint8_t> Samples;
+  FrameKey Key;
+};
+
+TEST_F(FrameRendererTest, SamePictureForAnyNumberOfThreads)
+{
+  vtkSMPTools::Initialize(1);
+  const Frame one = this->Cold();
+  for (const int threads : { 2, 7 })
+  {
+    vtkSMPTools::Initialize(threads);
+    EXPECT_TRUE(AreIdentical(one, this->Cold())) << threads;
+  }
+  vtkSMPTools::Initialize(0);
+}
+
+TEST_F(FrameRendererTest, SpaceLeapingDoesNotChangeThePicture)
+{
+  FrameRenderer::Options plain;
+  plain.SpaceLeaping = false;
+  for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
+  {
+    this->Key.Sought.Mode = mode;
+    EXPECT_TRUE(AreIdentical(this->Cold(), this->Cold(plain)));
+    // From within the volume, where blocks reach behind the eye.
+    View inside = this->Key.Seen;
+    const glm::dvec3 eye(20.3, 21.0, 17.9);
+    ASSERT_TRUE(MakeView(glm::lookAt(eye, eye + glm::dvec3(1.0, 0.4, 0.2), glm::dvec3(0, 0, 1)),
+      glm::perspective(1.2, 1.5, 0.01, 200.0), false, { 0.01, 200.0 }, { 150, 100 },
+      this->Key.Seen));
+    EXPECT_TRUE(AreIdentical(this->Cold(), this->Cold(plain)));
+    this->Key.Seen = inside;
+  }
+}
+
+TEST_F(FrameRendererTest, RoutesGiveTheColdPicture)
+{
+  FrameRenderer renderer;
+  renderer.Render(this->Key, {});
+  EXPECT_EQ(renderer.Statistics().Made, Route::Cold);
+  EXPECT_GT(renderer.Statistics().TracedRays, 0);
+  EXPECT_GT(renderer.Statistics().FieldSamples, 0);
+
+  renderer.Render(this->Key, {});
+  EXPECT_EQ(renderer.Statistics().Made, Route::Redisplay);
+  EXPECT_EQ(renderer.Statistics().TracedRays, 0);
+  EXPECT_TRUE(AreIdentical(renderer.LastFrame(), this->Cold()));
+
+  this->Key.Look.Colors[1] = { 0.9, 0.1, 0.1 };
+  this->Key.Look.Ambient = 0.4;
+  renderer.Render(this->Key, {});
+  EXPECT_EQ(renderer.Statistics().Made, Route::Reshade);
+  EXPECT_EQ(renderer.Statistics().TracedRays, 0);
+  EXPECT_EQ(renderer.Statistics().FieldSamples, 0);
+  EXPECT_TRUE(AreIdentical(renderer.LastFrame(), this->Cold()));
+
+  this->Key.Sought.Isovalues[0] = 149.0;
+  renderer.Render(this->Key, {});
+  EXPECT_EQ(renderer.Statistics().Made, Route::Cold) << "the isomap is not built yet";
+  EXPECT_TRUE(AreIdentical(renderer.LastFrame(), this->Cold()));
+}
+
+TEST_F(FrameRendererTest, AnswersAddUpToRays)
+{
+  FrameRenderer renderer;
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    this->Key.Look.Ambient += frame == 2 ? 0.1 : 0.0;
+    renderer.Render(this->Key, {});
+    const FrameStatistics& s = renderer.Statistics();
+    EXPECT_EQ(s.Rays, 203 * 117);
+    EXPECT_EQ(s.DefiniteHits + s.DefiniteMisses + s.PossibleHits, s.Rays);
+    EXPECT_LE(s.TraceTime + s.ShadeTime, s.FrameTime);
+  }
+}
+
+TEST_F(FrameRendererTest, SamplesThatChangedAreReadAgain)
+{
+  FrameRenderer renderer;
+  renderer.Render(this->Key, {});
+  this->Samples.Fill([](int i, int, int) { return 4 * i; });
+  this->Key.Samples.Stamp = 2;
+  renderer.Render(this->Key, {});
+  EXPECT_EQ(renderer.Statistics().Made, Route::Cold);
+  EXPECT_TRUE(AreIdentical(renderer.LastFrame(), this->Cold()));
+}
+
+TEST_F(FrameRendererTest, WithoutMemoryTheLastFrameStays)
+{
+  FrameRenderer renderer;
+  renderer.Render(this->Key, {});
+  const Frame before = renderer.LastFrame();
+  FrameKey huge = this->Key;
+  huge.Samples.Dimensions = glm::ivec3(2000000000, 2000000, 2);
+  EXPECT_ANY_THROW(renderer.Render(huge, {}));
+  EXPECT_TRUE(AreIdentical(renderer.LastFrame(), before));
+  EXPECT_EQ(renderer.Statistics().Made, Route::Cold);
+  renderer.Render(this->Key, {});
+  EXPECT_EQ(renderer.Statistics().Made, Route::Redisplay);
+  this->Key.Seen = LookAt(this->Samples.Seen.Dimensions, { 1.0, 1.9, 0.7 }, { 203, 117 });
+  renderer.Render(this->Key, {});
+  EXPECT_TRUE(AreIdentical(renderer.LastFrame(), this->Cold()));
+}
+
+TEST_F(FrameRendererTest, NothingToSeeIsAnEmptyPicture)
+{
+  const auto isEmpty = [](const Frame& frame)
+  {
+    for (const std::array<std::uint8_t, 4>& color : frame.Colors)
+    {
+      if (color[3] != 0)
+      {
+        return false;
+      }
+    }
+    return !frame.IsEmpty();
+  };
+  this->Key.Sought.Isovalues = { 1000.0, -1000.0 };
+  EXPECT_TRUE(isEmpty(this->Cold()));
+  this->Key.Sought.Isovalues.clear();
+  this->Key.Look.Colors.clear();
+  EXPECT_TRUE(isEmpty(this->Cold()));
+  this->Key.Sought.Isovalues = { 100.0 };
+  this->Key.Look.Colors = { glm::dvec3(1.0) };
+  this->Key.Samples.Dimensions.z = 1;
+  EXPECT_TRUE(isEmpty(this->Cold()));
+}
+
+}

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ReusePlan.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+
+using namespace TemporalCoherence;
+
+FrameKey BaseKey()
+{
+  FrameKey key;
+  key.Samples.Dimensions = glm::ivec3(10);
+  key.Samples.Stamp = 1;
+  key.Seen.Size = glm::ivec2(100);
+  key.Sought.Isovalues = { 5.0 };
+  key.Look.Colors = { glm::dvec3(1.0) };
+  return key;
+}
+
+Route Plan(const FrameKey& next, const ReuseSwitches& switches = {}, bool hasIsomap = false)
+{
+  return PlanRoute(BaseKey(), next, switches, hasIsomap);
+}
+
+TEST(ReusePlan, NothingChanged)
+{
+  EXPECT_EQ(Plan(BaseKey()), Route::Redisplay);
+}
+
+TEST(ReusePlan, AppearanceChanged)
+{
+  FrameKey key = BaseKey();
+  key.Look.Colors[0].x = 0.5;
+  EXPECT_EQ(Plan(key), Route::Reshade);
+  key = BaseKey();
+  key.Look.Shade = true;
+  EXPECT_EQ(Plan(key), Route::Reshade);
+  key = BaseKey();
+  key.Look.Lights.push_back(Light());
+  EXPECT_EQ(Plan(key), Route::Reshade);
+}
+
+TEST(ReusePlan, DataChanged)
+{
+  FrameKey key = BaseKey();
+  key.Samples.Stamp = 2;
+  EXPECT_EQ(Plan(key), Route::Cold);
+  key = BaseKey();
+  key.Samples.Between = Interpolation::Nearest;
+  EXPECT_EQ(Plan(key), Route::Cold);
+  key = BaseKey();
+  key.Where.WorldFromIndex[3][0] = 1.0;
+  EXPECT_EQ(Plan(key), Route::Cold);
+}
+
+TEST(ReusePlan, IsovalueChangedInTheSameView)
+{
+  FrameKey key = BaseKey();
+  key.Sought.Isovalues[0] = 4.0;
+  EXPECT_EQ(Plan(key, {}, true), Route::IsomapLookup);
+  EXPECT_EQ(Plan(key, {}, false), Route::IsomapBuild);
+  ReuseSwitches noIsomap;
+  noIsomap.Isomap = false;
+  EXPECT_EQ(Plan(key, noIsomap), Route::ThresholdHint);
+  key.Sought.Mode = SurfaceMode::Threshold;
+  EXPECT_EQ(Plan(key), Route::Cold);
+  key = BaseKey();
+  key.Sought.Isovalues.clear();
+  EXPECT_EQ(Plan(key), Route::Cold);
+}
+
+TEST(ReusePlan, ViewChanged)
+{
+  FrameKey key = BaseKey();
+  key.Seen.ClipFromWorld[0][0] = 2.0;
+  EXPECT_EQ(Plan(key), Route::ImageCache);
+  ReuseSwitches noCache;
+  noCache.ImageCache = false;
+  EXPECT_EQ(Plan(key, noCache), Route::Cold);
+  key.Sought.Isovalues[0] = 6.0;
+  EXPECT_EQ(Plan(key), Route::ImageCache) << "raised";
+  key.Sought.Isovalues[0] = 4.0;
+  EXPECT_EQ(Plan(key), Route::Cold) << "lowered";
+}
+
+TEST(ReusePlan, RoutesHaveTheirNames)
+{
+  EXPECT_STREQ(NameOf(Route::Cold), "Cold");
+  EXPECT_STREQ(NameOf(Route::ImageCache), "ImageCache");
+  EXPECT_STREQ(NameOf(Route::ThresholdHint), "ThresholdHint");
+}
+
+}

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-// usage: DropIn [VOLUME.vti ISOVALUE]   An isosurface, drawn without a window: dropin.png
+// usage: DropIn [VOLUME.vti ISOVALUE]   An isosurface, drawn without a window into dropin.png
 #include <vtkColorTransferFunction.h>
 #include <vtkContourValues.h>
 #include <vtkImageData.h>
@@ -21,29 +21,24 @@ int main(int argc, char* argv[])
   wavelet->SetWholeExtent(-60, 60, -60, 60, -60, 60);
   vtkNew<vtkXMLImageDataReader> reader;
   reader->SetFileName(argc == 3 ? argv[1] : nullptr);
-  vtkAlgorithm* source = argc == 3 ? static_cast<vtkAlgorithm*>(reader) : wavelet;
+  const double isovalue = argc == 3 ? std::atof(argv[2]) : 150.0;
 
   // The drop-in: here stood vtkGPUVolumeRayCastMapper and SetBlendModeToIsoSurface.
   vtkNew<vtkTemporalCoherenceVolumeMapper> mapper;
-  mapper->SetInputConnection(source->GetOutputPort());
-
+  mapper->SetInputConnection(argc == 3 ? reader->GetOutputPort() : wavelet->GetOutputPort());
   vtkNew<vtkVolume> volume;
   volume->SetMapper(mapper);
-  const double isovalue = argc == 3 ? std::atof(argv[2]) : 150.0;
   volume->GetProperty()->GetIsoSurfaceValues()->SetValue(0, isovalue);
   volume->GetProperty()->GetRGBTransferFunction()->AddRGBPoint(isovalue, 0.95, 0.75, 0.45);
   volume->GetProperty()->SetInterpolationTypeToLinear();
   volume->GetProperty()->ShadeOn();
-
   vtkNew<vtkRenderer> renderer;
   renderer->AddVolume(volume);
   renderer->ResetCamera();
+
   // With a render window, vtkRenderWindow::Render() draws it as any volume; without one:
   vtkNew<vtkImageData> picture;
-  if (!mapper->RenderToImage(renderer, volume, 512, 512, picture, nullptr))
-  {
-    return EXIT_FAILURE;
-  }
+  const bool isDrawn = mapper->RenderToImage(renderer, volume, 512, 512, picture, nullptr);
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputData(picture);
   writer->SetFileName("dropin.png");

@@ -2,27 +2,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VolumeReader.h"
 
+#include "FourSpheres.h"
 #include "Options.h"
 
 #include <vtkDICOMImageReader.h>
 #include <vtkDataArray.h>
+#include <vtkDataSet.h>
 #include <vtkGenericDataObjectReader.h>
 #include <vtkImageReader2.h>
+#include <vtkLogger.h>
 #include <vtkMetaImageReader.h>
 #include <vtkNIFTIImageReader.h>
 #include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkOutputWindow.h>
 #include <vtkPointData.h>
 #include <vtkSLCReader.h>
-#include <vtkSMPTools.h>
 #include <vtkXMLImageDataReader.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
+#include <sstream>
 
 namespace
 {
@@ -31,21 +36,51 @@ namespace fs = std::filesystem;
 
 const char* const KnownSuffixes = ".vti, .vtk, .mhd, .mha, .nii, .nii.gz, .slc";
 
-// VTK's readers tell a broken file in several lines; our one sentence takes their place.
-class SilentVtk
+// Takes what VTK's readers say of a broken file, in several lines; our one sentence replaces it.
+class ErrorWindow : public vtkOutputWindow
 {
 public:
-  SilentVtk()
-    : Before(vtkObject::GetGlobalWarningDisplay())
+  static ErrorWindow* New();
+  vtkTypeMacro(ErrorWindow, vtkOutputWindow);
+  void DisplayText(const char*) override {}
+  void DisplayErrorText(const char*) override { this->HasErrors = true; }
+
+  bool HasErrors = false;
+};
+vtkStandardNewMacro(ErrorWindow);
+
+// While it lives, neither VTK nor the format libraries below it (MetaIO) write on the terminal.
+class Silence
+{
+public:
+  Silence()
+    : Before(vtkOutputWindow::GetInstance())
+    , Out(std::cout.rdbuf(this->Nowhere.rdbuf()))
+    , Err(std::cerr.rdbuf(this->Nowhere.rdbuf()))
   {
-    vtkObject::GlobalWarningDisplayOff();
+    vtkOutputWindow::SetInstance(this->Window);
+    // Errors go to the log as well as to the window.
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   }
-  ~SilentVtk() { vtkObject::SetGlobalWarningDisplay(this->Before); }
-  SilentVtk(const SilentVtk&) = delete;
-  SilentVtk& operator=(const SilentVtk&) = delete;
+  ~Silence()
+  {
+    vtkLogger::SetStderrVerbosity(this->LogBefore);
+    vtkOutputWindow::SetInstance(this->Before);
+    std::cout.rdbuf(this->Out);
+    std::cerr.rdbuf(this->Err);
+  }
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+
+  bool HeardErrors() const { return this->Window->HasErrors; }
 
 private:
-  int Before;
+  vtkNew<ErrorWindow> Window;
+  vtkSmartPointer<vtkOutputWindow> Before;
+  vtkLogger::Verbosity LogBefore = vtkLogger::GetCurrentVerbosityCutoff();
+  std::ostringstream Nowhere;
+  std::streambuf* Out;
+  std::streambuf* Err;
 };
 
 bool EndsWith(const std::string& text, const std::string& end)
@@ -60,27 +95,23 @@ std::string LowerCase(std::string text)
   return text;
 }
 
-UserError Unreadable(const std::string& path, const std::string& format)
+UserError Unreadable(const std::string& path)
 {
-  return UserError("'" + path + "' could not be read as " + format +
-    "; check that the file is whole and that its suffix tells its format.");
+  return UserError("'" + path +
+    "' could not be read as what its suffix says; check that the file is whole and of that "
+    "format.");
 }
 
 // For the readers of IOImage, which know their files by CanReadFile.
 template <typename Reader>
-vtkSmartPointer<vtkImageData> ReadImage(
-  Reader* reader, const std::string& path, const std::string& format)
+vtkSmartPointer<vtkImageData> ReadImage(Reader* reader, const std::string& path)
 {
   if (!reader->CanReadFile(path.c_str()))
   {
-    throw Unreadable(path, format);
+    throw Unreadable(path);
   }
   reader->SetFileName(path.c_str());
   reader->Update();
-  if (reader->GetErrorCode() != 0)
-  {
-    throw Unreadable(path, format);
-  }
   return reader->GetOutput();
 }
 
@@ -90,9 +121,9 @@ vtkSmartPointer<vtkImageData> ReadLegacy(const std::string& path)
   reader->SetFileName(path.c_str());
   reader->Update();
   vtkDataObject* output = reader->GetOutput();
-  if (!output || reader->GetErrorCode() != 0)
+  if (!vtkDataSet::SafeDownCast(output))
   {
-    throw Unreadable(path, "legacy VTK");
+    throw Unreadable(path);
   }
   auto* image = vtkImageData::SafeDownCast(output);
   if (!image)
@@ -159,7 +190,7 @@ Volume ReadNifti(const std::string& path)
 {
   Volume volume;
   vtkNew<vtkNIFTIImageReader> reader;
-  volume.Image = ReadImage(reader.Get(), path, "NIfTI");
+  volume.Image = ReadImage(reader.Get(), path);
   vtkMatrix4x4* placement =
     reader->GetSFormMatrix() ? reader->GetSFormMatrix() : reader->GetQFormMatrix();
   if (placement && std::abs(placement->Determinant()) > 0.0)
@@ -176,7 +207,7 @@ Volume ReadFile(const std::string& path)
   Volume volume;
   if (EndsWith(name, ".vti"))
   {
-    volume.Image = ReadImage(vtkNew<vtkXMLImageDataReader>().Get(), path, "a VTK XML image");
+    volume.Image = ReadImage(vtkNew<vtkXMLImageDataReader>().Get(), path);
   }
   else if (EndsWith(name, ".vtk"))
   {
@@ -184,7 +215,7 @@ Volume ReadFile(const std::string& path)
   }
   else if (EndsWith(name, ".mhd") || EndsWith(name, ".mha"))
   {
-    volume.Image = ReadImage(vtkNew<vtkMetaImageReader>().Get(), path, "a MetaImage");
+    volume.Image = ReadImage(vtkNew<vtkMetaImageReader>().Get(), path);
   }
   else if (EndsWith(name, ".nii") || EndsWith(name, ".nii.gz"))
   {
@@ -192,7 +223,7 @@ Volume ReadFile(const std::string& path)
   }
   else if (EndsWith(name, ".slc"))
   {
-    volume.Image = ReadImage(vtkNew<vtkSLCReader>().Get(), path, "SLC");
+    volume.Image = ReadImage(vtkNew<vtkSLCReader>().Get(), path);
   }
   else
   {
@@ -200,41 +231,6 @@ Volume ReadFile(const std::string& path)
       "; convert the volume, or describe it with --raw NX,NY,NZ,TYPE.");
   }
   return volume;
-}
-
-// The paper's volume: the value is 1 in the middle of a sphere, and 0 at 0.6 from it.
-vtkSmartPointer<vtkImageData> MakeSpheres(int samples)
-{
-  static const double centres[4][3] = { { -0.4, -0.4, -0.2 }, { 0.45, -0.3, 0.3 },
-    { -0.3, 0.45, 0.35 }, { 0.35, 0.4, -0.4 } };
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(samples, samples, samples);
-  image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
-  const double step = 2.0 / std::max(samples - 1, 1);
-  vtkSMPTools::For(0, samples,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType k = begin; k < end; ++k)
-      {
-        auto* sample =
-          static_cast<unsigned char*>(image->GetScalarPointer(0, 0, static_cast<int>(k)));
-        const double z = -1.0 + step * static_cast<double>(k);
-        for (int j = 0; j < samples; ++j)
-        {
-          for (int i = 0; i < samples; ++i, ++sample)
-          {
-            double value = 0.0;
-            for (const double* c : centres)
-            {
-              const double d = std::hypot(-1.0 + step * i - c[0], -1.0 + step * j - c[1], z - c[2]);
-              value = std::max(value, 1.0 - d / 0.6);
-            }
-            *sample = static_cast<unsigned char>(255.0 * value);
-          }
-        }
-      }
-    });
-  return image;
 }
 
 void CheckImage(vtkImageData* image, const std::string& name)
@@ -264,12 +260,12 @@ void CheckImage(vtkImageData* image, const std::string& name)
 
 Volume ReadVolume(const Options& options)
 {
-  const SilentVtk silent;
+  const Silence silence;
   const std::string& path = options.Volume;
   Volume volume;
   if (path.empty())
   {
-    volume.Image = MakeSpheres(options.Spheres);
+    volume.Image = MakeFourSpheres(options.Spheres);
     volume.Name = "four generated spheres";
     CheckImage(volume.Image, "The generated volume");
     return volume;
@@ -296,6 +292,10 @@ Volume ReadVolume(const Options& options)
   else
   {
     volume = ReadFile(path);
+  }
+  if (silence.HeardErrors())
+  {
+    throw Unreadable(path);
   }
   volume.Name = fs::path(path).filename().string();
   CheckImage(volume.Image, "'" + path + "'");

@@ -1,0 +1,114 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Installs a build, builds the examples against what was installed and nothing else, runs them and
+# looks at what they made. Called by ctest (see Examples.cmake) with
+#   BUILD CONFIGURATION    the build to install
+#   EXAMPLES SCRATCH       directories: the examples' sources; where all this happens
+#   CHECK_PICTURE          a program that fails for pictures that show nothing
+#   GENERATOR CXX_COMPILER C_COMPILER CXX_FLAGS VTK_DIR
+cmake_minimum_required(VERSION 3.16)
+
+set(prefix "${SCRATCH}/install")
+set(pictures "${SCRATCH}/pictures")
+
+# Runs a command that has to succeed.
+function (run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if (NOT result EQUAL 0)
+    message(FATAL_ERROR "Failed (${result}): ${ARGN}\n${output}")
+  endif ()
+endfunction ()
+
+# Only the prefix is cleared: unchanged examples are not compiled again.
+file(REMOVE_RECURSE "${prefix}" "${pictures}")
+file(MAKE_DIRECTORY "${pictures}")
+run("${CMAKE_COMMAND}" --install "${BUILD}" --config "${CONFIGURATION}" --prefix "${prefix}")
+
+foreach (example IN ITEMS DropIn OrbitAndSweep)
+  set(directory "${SCRATCH}/${example}")
+  run("${CMAKE_COMMAND}" -S "${EXAMPLES}/${example}" -B "${directory}" -G "${GENERATOR}"
+    "-DCMAKE_BUILD_TYPE=${CONFIGURATION}"
+    "-DCMAKE_C_COMPILER=${C_COMPILER}"
+    "-DCMAKE_CXX_COMPILER=${CXX_COMPILER}"
+    "-DCMAKE_CXX_FLAGS=${CXX_FLAGS}"
+    "-DCMAKE_PREFIX_PATH=${prefix}"
+    "-DVTK_DIR=${VTK_DIR}")
+  # Not the build tree's package, nor one that the machine has.
+  file(STRINGS "${directory}/CMakeCache.txt" found REGEX "^vtkTemporalCoherence_DIR:")
+  string(FIND "${found}" "=${prefix}/" position)
+  if (position EQUAL -1)
+    message(FATAL_ERROR "${example} was not built against ${prefix} but: ${found}")
+  endif ()
+  run("${CMAKE_COMMAND}" --build "${directory}" --config "${CONFIGURATION}")
+  message(STATUS "${example}: built against ${prefix}")
+endforeach ()
+
+# No display: the examples must not want one.
+unset(ENV{DISPLAY})
+find_program(drop_in DropIn PATHS "${SCRATCH}/DropIn" PATH_SUFFIXES "${CONFIGURATION}"
+  NO_DEFAULT_PATH REQUIRED)
+find_program(orbit_and_sweep OrbitAndSweep PATHS "${SCRATCH}/OrbitAndSweep"
+  PATH_SUFFIXES "${CONFIGURATION}" NO_DEFAULT_PATH REQUIRED)
+
+execute_process(COMMAND "${drop_in}" WORKING_DIRECTORY "${pictures}"
+  RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+if (NOT result EQUAL 0)
+  message(FATAL_ERROR "DropIn failed (${result}):\n${output}")
+endif ()
+
+execute_process(
+  COMMAND "${orbit_and_sweep}" --spheres 64 --isovalue 100 --quick --output "${pictures}/tour"
+  RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+message(STATUS "OrbitAndSweep said:\n${output}")
+if (NOT result EQUAL 0 OR NOT output MATCHES "orbit +[A-Za-z]+ +4 " OR
+  NOT output MATCHES "colour +Reshade " OR NOT output MATCHES "repeat +Redisplay " OR
+  NOT output MATCHES "vtkFlyingEdges3D")
+  message(FATAL_ERROR "OrbitAndSweep failed (${result}), or its table lacks a row")
+endif ()
+
+file(GLOB tour "${pictures}/tour/*.png")
+list(LENGTH tour count)
+# 4 of the orbit, 4 thresholds, 2 colours and the contact sheet.
+if (NOT count EQUAL 11)
+  message(FATAL_ERROR "OrbitAndSweep wrote ${count} pictures instead of 11: ${tour}")
+endif ()
+run("${CHECK_PICTURE}" "${pictures}/dropin.png" ${tour})
+
+# Wrong use: exit status 1, and one line that holds the given words.
+function (expect_refusal words)
+  execute_process(COMMAND "${orbit_and_sweep}" --quick --output "${pictures}/refused" ${ARGN}
+    RESULT_VARIABLE result OUTPUT_VARIABLE said ERROR_VARIABLE complaint)
+  string(REGEX MATCHALL "\n" lines "${complaint}")
+  list(LENGTH lines count)
+  string(FIND "${complaint}" "${words}" position)
+  if (NOT result EQUAL 1 OR NOT count EQUAL 1 OR position EQUAL -1)
+    message(FATAL_ERROR
+      "OrbitAndSweep ${ARGN}: expected exit status 1 and one line with '${words}', got ${result} "
+      "and:\n${complaint}")
+  endif ()
+endfunction ()
+
+file(WRITE "${SCRATCH}/short.raw" "12345")
+file(WRITE "${SCRATCH}/broken.vti" "This is no XML.")
+file(WRITE "${SCRATCH}/broken.vtk" "This is no legacy file.")
+file(WRITE "${SCRATCH}/broken.mhd" "ObjectType = Image")
+file(WRITE "${SCRATCH}/notes.txt" "This is no volume.")
+file(MAKE_DIRECTORY "${SCRATCH}/empty")
+expect_refusal("There is no file" "${SCRATCH}/missing.vti")
+expect_refusal("could not be read" "${SCRATCH}/broken.vti")
+expect_refusal("could not be read" "${SCRATCH}/broken.vtk")
+expect_refusal("could not be read" "${SCRATCH}/broken.mhd")
+expect_refusal("suffix" "${SCRATCH}/notes.txt")
+expect_refusal("no DICOM series" "${SCRATCH}/empty")
+expect_refusal("--raw tells of 8" "${SCRATCH}/short.raw" --raw 2,2,2,uchar)
+expect_refusal("--raw takes" "${SCRATCH}/short.raw" --raw 2,2,uchar)
+expect_refusal("isovalue is a number" "${SCRATCH}/short.raw" many)
+expect_refusal("outside the volume's values" --spheres 16 --isovalue 900)
+expect_refusal("--size takes" --spheres 16 --size 0x100)
+expect_refusal("--size takes" --spheres 16 --size big)
+expect_refusal("needs a value" --spheres 16 --size)
+expect_refusal("no option" --spheres 16 --sise 100)
+expect_refusal("needs a display" --spheres 16 --interactive)
+expect_refusal("cannot be made or written" --spheres 16 --output "${SCRATCH}/notes.txt/pictures")
+message(STATUS "Wrong use is refused in one sentence")

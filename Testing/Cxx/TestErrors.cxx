@@ -1,0 +1,266 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// A mistake gets one error with its value and remedy, the last valid picture stays, nothing
+// crashes.
+
+#include "Scene.h"
+#include "Volumes.h"
+
+#include <vtkBitArray.h>
+#include <vtkCellData.h>
+#include <vtkContourValues.h>
+#include <vtkDoubleArray.h>
+#include <vtkPiecewiseFunction.h>
+#include <vtkPointData.h>
+#include <vtkRectilinearGrid.h>
+#include <vtkTestErrorObserver.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <iostream>
+#include <limits>
+
+namespace
+{
+
+vtkSmartPointer<vtkImageData> Ball(int n = 20)
+{
+  return Volumes::FromFormula(n, VTK_UNSIGNED_CHAR,
+    [](double x, double y, double z) { return 200.0 - 100.0 * std::hypot(x, y, z); });
+}
+
+int Failures = 0;
+
+void Expect(bool condition, const std::string& what)
+{
+  if (!condition)
+  {
+    std::cerr << "FAILED: " << what << '\n';
+    ++Failures;
+  }
+}
+
+/// Spoil a scene that has a valid picture: one error that contains `word`, the old picture stays,
+/// and after `mend` the scene renders again.
+void ExpectError(const std::string& word, const std::function<void(Scene&)>& spoil,
+  const std::function<void(Scene&)>& mend = {}, int width = 60, int height = 60)
+{
+  vtkSmartPointer<vtkImageData> image = Ball();
+  Scene scene(image, { 130.0 });
+  scene.LookFrom(1.0, 2.0, 0.5);
+  vtkNew<vtkTest::ErrorObserver> observer;
+  scene.Mapper->AddObserver(vtkCommand::ErrorEvent, observer);
+  Expect(scene.Render(60, 60), word + ": valid before");
+  vtkNew<vtkImageData> color;
+  color->DeepCopy(scene.Color);
+
+  spoil(scene);
+  Expect(!scene.Render(width, height), word + ": refused");
+  Expect(observer->GetError() && observer->GetErrorMessage().find(word) != std::string::npos,
+    word + ": the message names it, but is: " + observer->GetErrorMessage());
+  Expect(AreIdentical(color, scene.Color), word + ": the images are left alone");
+  Expect(scene.Mapper->PickPixel(30, 30, nullptr, nullptr, nullptr),
+    word + ": the last picture can still be picked");
+
+  observer->Clear();
+  Expect(!scene.Render(width, height) && !observer->GetError(), word + ": said once only");
+  if (mend)
+  {
+    mend(scene);
+    Expect(scene.Render(60, 60) && !observer->GetError(), word + ": mended");
+    Expect(AreIdentical(color, scene.Color), word + ": the same picture again");
+  }
+}
+
+void TestInputs()
+{
+  ExpectError(
+    "no input",
+    [](Scene& scene) { scene.Mapper->SetInputData(static_cast<vtkImageData*>(nullptr)); },
+    [](Scene& scene) { scene.Mapper->SetInputData(Ball()); });
+  ExpectError(
+    "no scalars",
+    [](Scene& scene)
+    { vtkImageData::SafeDownCast(scene.Mapper->GetInput())->GetPointData()->Initialize(); },
+    [](Scene& scene) { scene.Mapper->SetInputData(Ball()); });
+  ExpectError(
+    "'pressure'",
+    [](Scene& scene)
+    {
+      scene.Mapper->SetScalarModeToUsePointFieldData();
+      scene.Mapper->SelectScalarArray("pressure");
+    },
+    [](Scene& scene) { scene.Mapper->SetScalarModeToDefault(); });
+  ExpectError(
+    "VectorComponent is 3",
+    [](Scene& scene)
+    {
+      scene.Mapper->SetVectorMode(vtkTemporalCoherenceVolumeMapper::COMPONENT);
+      scene.Mapper->SetVectorComponent(3);
+    },
+    [](Scene& scene) { scene.Mapper->SetVectorMode(vtkTemporalCoherenceVolumeMapper::DISABLED); });
+  ExpectError("VectorComponent is -1",
+    [](Scene& scene)
+    {
+      scene.Mapper->SetVectorMode(vtkTemporalCoherenceVolumeMapper::COMPONENT);
+      scene.Mapper->SetVectorComponent(-1);
+    });
+  ExpectError("tuples",
+    [](Scene& scene)
+    {
+      vtkNew<vtkDoubleArray> few;
+      few->SetNumberOfTuples(17);
+      vtkNew<vtkImageData> image;
+      image->SetDimensions(20, 20, 20);
+      image->GetPointData()->SetScalars(few);
+      scene.Mapper->SetInputData(image);
+    });
+  ExpectError("vtkBitArray",
+    [](Scene& scene)
+    {
+      vtkNew<vtkBitArray> bits;
+      bits->SetNumberOfTuples(8000);
+      vtkNew<vtkImageData> image;
+      image->SetDimensions(20, 20, 20);
+      image->GetPointData()->SetScalars(bits);
+      scene.Mapper->SetInputData(image);
+    });
+  ExpectError("cells",
+    [](Scene& scene)
+    {
+      vtkNew<vtkDoubleArray> values;
+      values->SetNumberOfTuples(19 * 19 * 19);
+      vtkNew<vtkImageData> image;
+      image->SetDimensions(20, 20, 20);
+      image->GetCellData()->SetScalars(values);
+      scene.Mapper->SetInputData(image);
+    });
+  ExpectError(
+    "Blend mode", [](Scene& scene) { scene.Mapper->SetBlendModeToComposite(); },
+    [](Scene& scene) { scene.Mapper->SetBlendModeToIsoSurface(); });
+}
+
+void TestGeometries()
+{
+  ExpectError("spacing (0, ",
+    [](Scene& scene)
+    { vtkImageData::SafeDownCast(scene.Mapper->GetInput())->SetSpacing(0.0, 0.1, 0.1); });
+  ExpectError(
+    "scale is 1, 0, 1", [](Scene& scene) { scene.Volume->SetScale(1.0, 0.0, 1.0); },
+    [](Scene& scene) { scene.Volume->SetScale(1.0); });
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  ExpectError("camera",
+    [](Scene& scene)
+    { scene.Renderer->GetActiveCamera()->SetClippingRange(1.0, 1.0 + 1e300 * 1e300); });
+  ExpectError("camera",
+    [nan](Scene& scene) { scene.Renderer->GetActiveCamera()->SetPosition(nan, 0.0, 0.0); });
+  ExpectError(
+    "0 x 60", [](Scene&) {}, [](Scene&) {}, 0, 60);
+  ExpectError(
+    "60 x -5", [](Scene&) {}, [](Scene&) {}, 60, -5);
+}
+
+void TestIsovalues()
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double bad : { nan, infinity, -infinity })
+  {
+    ExpectError(
+      "Isovalue 1 is",
+      [bad](Scene& scene) {
+        scene.SetIsovalues({ 130.0, bad });
+      },
+      [](Scene& scene) { scene.SetIsovalues({ 130.0 }); });
+  }
+  ExpectError(
+    "more than", [](Scene& scene) { scene.SetIsovalues(std::vector<double>(40000, 130.0)); });
+}
+
+void TestNullArguments()
+{
+  Scene scene(Ball(), { 130.0 });
+  vtkNew<vtkTest::ErrorObserver> observer;
+  scene.Mapper->AddObserver(vtkCommand::ErrorEvent, observer);
+  Expect(!scene.Mapper->PickPixel(0, 0, nullptr, nullptr, nullptr), "no frame yet");
+  Expect(
+    !scene.Mapper->RenderToImage(nullptr, scene.Volume, 9, 9, nullptr, nullptr), "no renderer");
+  Expect(
+    !scene.Mapper->RenderToImage(scene.Renderer, nullptr, 9, 9, nullptr, nullptr), "no volume");
+  Expect(observer->GetError(), "said");
+  Expect(scene.Mapper->RenderToImage(scene.Renderer, scene.Volume, 9, 9, nullptr, nullptr),
+    "images are optional");
+  for (const int outside : { -1, 9, 1000000 })
+  {
+    Expect(!scene.Mapper->PickPixel(outside, 3, nullptr, nullptr, nullptr), "no such pixel");
+    Expect(!scene.Mapper->PickPixel(3, outside, nullptr, nullptr, nullptr), "no such pixel");
+  }
+}
+
+/// What is empty, but no mistake.
+void TestEmptyPictures()
+{
+  const auto isEmpty = [](const std::string& what, const std::function<void(Scene&)>& arrange)
+  {
+    Scene scene(Ball(), { 130.0 });
+    scene.LookFrom(1.0, 2.0, 0.5);
+    vtkNew<vtkTest::ErrorObserver> observer;
+    scene.Mapper->AddObserver(vtkCommand::ErrorEvent, observer);
+    arrange(scene);
+    Expect(scene.Render(40, 30), what + ": rendered");
+    Expect(!observer->GetError(), what + ": no error, but: " + observer->GetErrorMessage());
+    bool empty = true;
+    for (int y = 0; y < 30; ++y)
+    {
+      for (int x = 0; x < 40; ++x)
+      {
+        empty &= scene.ColorAt(x, y)[3] == 0 && std::isinf(scene.DepthAt(x, y));
+      }
+    }
+    Expect(empty, what + ": an empty picture");
+  };
+  isEmpty("no isovalues", [](Scene& scene) { scene.SetIsovalues({}); });
+  isEmpty("isovalue beyond the data", [](Scene& scene) { scene.SetIsovalues({ 1e6 }); });
+  isEmpty("invisible isovalue",
+    [](Scene& scene)
+    {
+      vtkNew<vtkPiecewiseFunction> opacity;
+      opacity->AddPoint(0.0, 0.0);
+      scene.Volume->GetProperty()->SetScalarOpacity(opacity);
+    });
+  isEmpty(
+    "empty image", [](Scene& scene) { scene.Mapper->SetInputData(vtkNew<vtkImageData>().Get()); });
+  for (const auto& [x, y, z] : { std::array{ 1, 1, 1 }, { 9, 9, 1 }, { 1, 9, 9 }, { 9, 1, 1 } })
+  {
+    isEmpty("one slice or voxel",
+      [size = std::array{ x, y, z }](Scene& scene)
+      {
+        vtkNew<vtkImageData> image;
+        image->SetDimensions(size.data());
+        image->AllocateScalars(VTK_FLOAT, 1);
+        image->GetPointData()->GetScalars()->Fill(200.0);
+        scene.Mapper->SetInputData(image);
+        scene.Mapper->SetSurfaceModeToThreshold();
+      });
+  }
+  isEmpty("behind the camera",
+    [](Scene& scene)
+    {
+      scene.Renderer->GetActiveCamera()->SetPosition(50.0, 0.0, 0.0);
+      scene.Renderer->GetActiveCamera()->SetFocalPoint(60.0, 0.0, 0.0);
+    });
+}
+
+}
+
+int TestErrors(int, char*[])
+{
+  TestInputs();
+  TestGeometries();
+  TestIsovalues();
+  TestNullArguments();
+  TestEmptyPictures();
+  return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What samples may be: all scalar types, one of several components, arrays by name, component-wise
+// memory, values that are not numbers.
+
+#include "Scene.h"
+#include "Volumes.h"
+
+#include <vtkDataArray.h>
+#include <vtkFloatArray.h>
+#include <vtkPointData.h>
+#include <vtkSOADataArrayTemplate.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <limits>
+
+namespace
+{
+
+constexpr int N = 40;
+
+double Value(double x, double y, double z)
+{
+  return std::floor(50.0 + 45.0 * std::sin(3.0 * x + y) * std::cos(2.0 * z - y));
+}
+
+bool Expect(bool condition, const std::string& what)
+{
+  if (!condition)
+  {
+    std::cerr << "FAILED: " << what << '\n';
+  }
+  return condition;
+}
+
+/// The same whole numbers in every type: the same hits.
+bool TestTypes()
+{
+  bool passed = true;
+  Scene reference(Volumes::FromFormula(N, VTK_DOUBLE, Value), { 42.5 });
+  reference.LookFrom(1.0, -2.0, 0.6);
+  passed &= reference.Render(200, 200);
+  for (const int type : { VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT,
+         VTK_UNSIGNED_SHORT, VTK_INT, VTK_UNSIGNED_INT, VTK_LONG, VTK_UNSIGNED_LONG, VTK_LONG_LONG,
+         VTK_UNSIGNED_LONG_LONG, VTK_ID_TYPE, VTK_FLOAT })
+  {
+    vtkSmartPointer<vtkImageData> image = Volumes::FromFormula(N, type, Value);
+    Scene scene(image, { 42.5 });
+    scene.LookFrom(1.0, -2.0, 0.6);
+    passed &= scene.Render(200, 200);
+    int different = 0;
+    for (int y = 0; y < 200; ++y)
+    {
+      for (int x = 0; x < 200; ++x)
+      {
+        const float a = scene.DepthAt(x, y), b = reference.DepthAt(x, y);
+        different +=
+          std::isinf(a) != std::isinf(b) || (!std::isinf(a) && std::abs(a - b) > 1e-3f * 2.0f / N);
+      }
+    }
+    passed &= Expect(different <= 4,
+      std::string(image->GetScalarTypeAsString()) + ": " + std::to_string(different) +
+        " pixels differ from double");
+  }
+  return passed;
+}
+
+/// Small differences on a large offset need the full precision of the samples.
+bool TestOffsets()
+{
+  bool passed = true;
+  for (const int type : { VTK_FLOAT, VTK_DOUBLE, VTK_INT, VTK_LONG_LONG })
+  {
+    const double offset = type == VTK_FLOAT ? 1e5 : type == VTK_INT ? 2e9 : 1e12;
+    vtkSmartPointer<vtkImageData> image = Volumes::FromFormula(
+      N, type, [offset](double x, double y, double z) { return offset + Value(x, y, z); });
+    Scene scene(image, { offset + 42.3 });
+    scene.LookFrom(1.0, -2.0, 0.6);
+    BruteForceTracer truth(image, scene.Volume);
+    truth.Isovalues = { offset + 42.3 };
+    passed &= AgreesWithTruth(
+      std::string("large offset, ") + image->GetScalarTypeAsString(), scene, truth, 120, 120);
+  }
+  for (const double scale : { 1e-36, 1e-200, 1e30, 1e200 })
+  {
+    vtkSmartPointer<vtkImageData> image = Volumes::FromFormula(
+      N, VTK_DOUBLE, [scale](double x, double y, double z) { return scale * Value(x, y, z); });
+    Scene scene(image, { 42.3 * scale });
+    scene.LookFrom(1.0, -2.0, 0.6);
+    BruteForceTracer truth(image, scene.Volume);
+    truth.Isovalues = { 42.3 * scale };
+    passed &=
+      AgreesWithTruth("values times " + std::to_string(std::log10(scale)), scene, truth, 90, 90);
+    double normal[3] = { 0.0, 0.0, 0.0 };
+    passed &= Expect(!scene.Mapper->PickPixel(45, 45, nullptr, normal, nullptr) ||
+        std::abs(std::hypot(normal[0], normal[1], normal[2]) - 1.0) < 1e-5,
+      "the normal has unit length whatever the scale of the values");
+  }
+  return passed;
+}
+
+vtkSmartPointer<vtkDataArray> Components(vtkDataArray* array, vtkDataArray* into)
+{
+  into->SetNumberOfComponents(3);
+  into->SetNumberOfTuples(array->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    const double value = array->GetComponent(i, 0);
+    into->SetTuple3(i, -value, value, 2.0 * value);
+  }
+  into->SetName("three");
+  return into;
+}
+
+/// Component 1 of three holds the values, interleaved or not; the array is chosen by name.
+bool TestComponents()
+{
+  bool passed = true;
+  vtkSmartPointer<vtkImageData> image = Volumes::FromFormula(N, VTK_FLOAT, Value);
+  Scene reference(image, { 42.5 });
+  reference.LookFrom(1.0, -2.0, 0.6);
+  passed &= reference.Render(200, 200);
+
+  vtkNew<vtkFloatArray> interleaved;
+  vtkNew<vtkSOADataArrayTemplate<float>> separate;
+  for (vtkDataArray* array :
+    { static_cast<vtkDataArray*>(interleaved.Get()), static_cast<vtkDataArray*>(separate.Get()) })
+  {
+    vtkNew<vtkImageData> several;
+    several->CopyStructure(image);
+    several->GetPointData()->AddArray(Components(image->GetPointData()->GetScalars(), array));
+    Scene scene(several, { 42.5 });
+    scene.Mapper->SetScalarModeToUsePointFieldData();
+    scene.Mapper->SelectScalarArray("three");
+    scene.Mapper->SetVectorMode(vtkTemporalCoherenceVolumeMapper::COMPONENT);
+    scene.Mapper->SetVectorComponent(1);
+    scene.LookFrom(1.0, -2.0, 0.6);
+    passed &= Expect(scene.Render(200, 200), "rendered");
+    passed &= Expect(
+      AreIdentical(scene.Depth, reference.Depth) && AreIdentical(scene.Color, reference.Color),
+      std::string("component 1 of a ") + array->GetClassName());
+    scene.Mapper->SetVectorComponent(2);
+    passed &= Expect(scene.Render(200, 200) && !AreIdentical(scene.Depth, reference.Depth),
+      "another component is another picture");
+  }
+  return passed;
+}
+
+/// Not a number counts as below every isovalue, infinities as what they are.
+bool TestNotFinite()
+{
+  bool passed = true;
+  for (const int type : { VTK_FLOAT, VTK_DOUBLE })
+  {
+    vtkSmartPointer<vtkImageData> image =
+      Volumes::FromFormula(9, type, [](double, double, double) { return 5.0; });
+    vtkDataArray* scalars = image->GetPointData()->GetScalars();
+    Scene scene(image, { 3.0 });
+    scene.LookFrom(0.0, 0.0, 1.0);
+    passed &= scene.Render(99, 99);
+    passed &= Expect(std::isinf(scene.DepthAt(49, 49)), "5 everywhere: no crossing of 3");
+
+    scalars->SetComponent(4 * 81 + 4 * 9 + 4, 0, std::numeric_limits<double>::quiet_NaN());
+    image->Modified();
+    passed &= scene.Render(99, 99);
+    int isovalue = -1;
+    double position[3], normal[3];
+    passed &= Expect(scene.Mapper->PickPixel(49, 49, position, normal, &isovalue) &&
+        isovalue == 0 && position[2] > 0.0 && position[2] < 0.25,
+      "a surface around the sample that is not a number");
+    passed &= Expect(std::abs(std::hypot(normal[0], normal[1], normal[2]) - 1.0) < 1e-5,
+      "with a normal of unit length");
+
+    scene.SetIsovalues({ -1e20 });
+    passed &= scene.Render(99, 99);
+    passed &= Expect(
+      scene.Mapper->PickPixel(49, 49, nullptr, nullptr, nullptr), "it is below every isovalue");
+
+    scalars->SetComponent(4 * 81 + 4 * 9 + 4, 0, std::numeric_limits<double>::infinity());
+    image->Modified();
+    scene.SetIsovalues({ 1e20 });
+    passed &= scene.Render(99, 99);
+    passed &=
+      Expect(scene.Mapper->PickPixel(49, 49, position, normal, nullptr), "infinity is above 1e20");
+  }
+  return passed;
+}
+
+}
+
+int TestScalars(int, char*[])
+{
+  const bool types = TestTypes();
+  const bool offsets = TestOffsets();
+  const bool components = TestComponents();
+  const bool notFinite = TestNotFinite();
+  return types && offsets && components && notFinite ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -5,6 +5,7 @@
 #include "Isovalue.h"
 #include "Options.h"
 #include "Scene.h"
+#include "Silence.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkErrorCode.h>
@@ -61,19 +62,22 @@ void OnSlider(vtkObject* caller, unsigned long, void* clientData, void*)
   static_cast<Scene*>(clientData)->SetIsovalue(representation->GetValue());
 }
 
-// The line of text is drawn after the volume, so it tells of the very frame it stands in.
+// The line is drawn over the finished volume, so it can tell of the very frame it stands in.
 struct StatusLine
 {
-  vtkTemporalCoherenceVolumeMapper* Mapper;
+  Scene* Shown;
   vtkNew<vtkTextActor> Text;
 
   static void OnFrame(vtkObject*, unsigned long, void* clientData, void*)
   {
     auto* self = static_cast<StatusLine*>(clientData);
+    vtkTemporalCoherenceVolumeMapper* mapper = self->Shown->Mapper;
     char line[120];
-    std::snprintf(line, sizeof(line), "%s  %.1f ms", self->Mapper->GetRouteAsString(),
-      1000.0 * self->Mapper->GetFrameTime());
+    std::snprintf(line, sizeof(line), "%s  %.1f ms", mapper->GetRouteAsString(),
+      1000.0 * mapper->GetFrameTime());
     self->Text->SetInput(line);
+    // A text actor writes its picture at this stage, which is over for this frame.
+    self->Text->RenderOpaqueGeometry(self->Shown->Renderer);
   }
 };
 
@@ -108,7 +112,10 @@ void SaveScreenshot(vtkRenderWindow* window, const std::string& path)
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputConnection(grab->GetOutputPort());
   writer->SetFileName(path.c_str());
-  writer->Write();
+  {
+    const Silence silence;
+    writer->Write();
+  }
   if (writer->GetErrorCode() != vtkErrorCode::NoError)
   {
     throw UserError("'" + path + "' cannot be written; name another file with --screenshot.");
@@ -132,9 +139,11 @@ void RunInteractive(Scene& scene, const IsovalueChoice& isovalue, const Options&
   window->AddRenderer(scene.Renderer);
 
   StatusLine status;
-  status.Mapper = scene.Mapper;
+  status.Shown = &scene;
+  status.Text->SetInput("no frame yet");
   status.Text->GetTextProperty()->SetFontSize(18);
-  status.Text->SetPosition(12, options.Height - 32);
+  status.Text->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
+  status.Text->SetPosition(0.015, 0.945);
   scene.Renderer->AddViewProp(status.Text);
   vtkNew<vtkCallbackCommand> onFrame;
   onFrame->SetClientData(&status);

@@ -180,6 +180,10 @@ const std::map<std::string, Setting>& Settings()
 
 void TakePositional(const std::string& argument, int position, Options& options)
 {
+  if (argument.empty())
+  {
+    throw UserError("An argument is empty; name a volume, or leave it out for generated spheres.");
+  }
   if (position == 0)
   {
     options.Volume = argument;

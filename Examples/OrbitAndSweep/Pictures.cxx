@@ -3,6 +3,7 @@
 #include "Pictures.h"
 
 #include "Options.h"
+#include "Silence.h"
 
 #include <vtkErrorCode.h>
 #include <vtkImageAppend.h>
@@ -163,7 +164,10 @@ void PictureBook::Write(vtkImageData* rgb, const std::filesystem::path& path) co
   writer->SetInputData(rgb);
   writer->SetFileName(path.string().c_str());
   writer->SetCompressionLevel(3);
-  writer->Write();
+  {
+    const Silence silence;
+    writer->Write();
+  }
   if (writer->GetErrorCode() != vtkErrorCode::NoError)
   {
     throw UserError("'" + path.string() + "' could not be written (" +

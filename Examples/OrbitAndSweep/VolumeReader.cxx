@@ -4,18 +4,16 @@
 
 #include "FourSpheres.h"
 #include "Options.h"
+#include "Silence.h"
 
 #include <vtkDICOMImageReader.h>
 #include <vtkDataArray.h>
 #include <vtkDataSet.h>
 #include <vtkGenericDataObjectReader.h>
 #include <vtkImageReader2.h>
-#include <vtkLogger.h>
 #include <vtkMetaImageReader.h>
 #include <vtkNIFTIImageReader.h>
 #include <vtkNew.h>
-#include <vtkObjectFactory.h>
-#include <vtkOutputWindow.h>
 #include <vtkPointData.h>
 #include <vtkSLCReader.h>
 #include <vtkXMLImageDataReader.h>
@@ -26,8 +24,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <iostream>
-#include <sstream>
 
 namespace
 {
@@ -35,53 +31,6 @@ namespace
 namespace fs = std::filesystem;
 
 const char* const KnownSuffixes = ".vti, .vtk, .mhd, .mha, .nii, .nii.gz, .slc";
-
-// Takes what VTK's readers say of a broken file, in several lines; our one sentence replaces it.
-class ErrorWindow : public vtkOutputWindow
-{
-public:
-  static ErrorWindow* New();
-  vtkTypeMacro(ErrorWindow, vtkOutputWindow);
-  void DisplayText(const char*) override {}
-  void DisplayErrorText(const char*) override { this->HasErrors = true; }
-
-  bool HasErrors = false;
-};
-vtkStandardNewMacro(ErrorWindow);
-
-// While it lives, neither VTK nor the format libraries below it (MetaIO) write on the terminal.
-class Silence
-{
-public:
-  Silence()
-    : Before(vtkOutputWindow::GetInstance())
-    , Out(std::cout.rdbuf(this->Nowhere.rdbuf()))
-    , Err(std::cerr.rdbuf(this->Nowhere.rdbuf()))
-  {
-    vtkOutputWindow::SetInstance(this->Window);
-    // Errors go to the log as well as to the window.
-    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
-  }
-  ~Silence()
-  {
-    vtkLogger::SetStderrVerbosity(this->LogBefore);
-    vtkOutputWindow::SetInstance(this->Before);
-    std::cout.rdbuf(this->Out);
-    std::cerr.rdbuf(this->Err);
-  }
-  Silence(const Silence&) = delete;
-  Silence& operator=(const Silence&) = delete;
-
-  bool HeardErrors() const { return this->Window->HasErrors; }
-
-private:
-  vtkNew<ErrorWindow> Window;
-  vtkSmartPointer<vtkOutputWindow> Before;
-  vtkLogger::Verbosity LogBefore = vtkLogger::GetCurrentVerbosityCutoff();
-  std::ostringstream Nowhere;
-  std::streambuf* Out;
-  std::streambuf* Err;
-};
 
 bool EndsWith(const std::string& text, const std::string& end)
 {

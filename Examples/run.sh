@@ -63,6 +63,9 @@ while [ $# -gt 0 ]; do
 done
 if [ -z "$volume" ]; then
   setup_options+=(--with-example-data)
+elif [ "$volume" != generated ] && [ ! -e "$volume" ]; then
+  printf "[example] There is no file '%s'; check the path.\n" "$volume" >&2
+  exit 1
 fi
 
 "$repository/Module/setup.sh" "${setup_options[@]}"

@@ -81,7 +81,7 @@ void WriteCaption(vtkImageData* rgb, const std::string& caption)
 {
   vtkTextRenderer* writer = vtkTextRenderer::GetInstance();
   vtkNew<vtkTextProperty> style;
-  style->SetFontSize(12);
+  style->SetFontSize(11);
   style->SetColor(1.0, 1.0, 1.0);
   vtkNew<vtkImageData> text;
   int textSize[2] = { 0, 0 };

@@ -34,7 +34,7 @@ struct Tracing
   HitBatch Trace(const RayBatch& rays) const
   {
     HitBatch hits;
-    TraceSurfaces(this->Scene, rays, hits);
+    SurfaceTracer::Make(this->Scene)->Trace(rays, hits);
     return hits;
   }
 
@@ -106,7 +106,7 @@ void ExpectIndependenceOfTheWalk(
         TraceScene plain = tracing.Scene;
         plain.Active = nullptr;
         HitBatch plainHits;
-        TraceSurfaces(plain, rays, plainHits);
+        SurfaceTracer::Make(plain)->Trace(rays, plainHits);
 
         // Any walk that contains the hit must find it.
         for (std::size_t i = 0; i < 64; ++i)

@@ -10,6 +10,7 @@
 #include <atomic>
 #include <chrono>
 #include <limits>
+#include <memory>
 #include <utility>
 
 namespace TemporalCoherence
@@ -194,8 +195,8 @@ void FrameRenderer::TraceTiles(const FrameKey& key, const Options& options, Fram
   const bool hasSurfaces = key.Samples.HasCells() && !key.Sought.Isovalues.empty();
   const bool leaps = options.SpaceLeaping;
   const bool isSolid = key.Sought.Mode == SurfaceMode::Threshold;
-  const TraceScene scene{ key.Samples, key.Sought, this->Pyramid.FiniteRange(),
-    leaps ? &this->Active : nullptr };
+  const std::unique_ptr<SurfaceTracer> tracer = SurfaceTracer::Make(
+    { key.Samples, key.Sought, this->Pyramid.FiniteRange(), leaps ? &this->Active : nullptr });
 
   std::atomic<std::int64_t> traced{ 0 }, cellsRead{ 0 };
   ParallelFor(NumberOfTiles(frame.Size), TileGrain,
@@ -216,7 +217,7 @@ void FrameRenderer::TraceTiles(const FrameKey& key, const Options& options, Fram
       {
         NarrowWalks(this->Bounds.At(static_cast<int>(tile)), rays);
       }
-      TraceSurfaces(scene, rays, hits);
+      tracer->Trace(rays, hits);
       traced.fetch_add(StoreHits(rays, hits, frame), std::memory_order_relaxed);
       cellsRead.fetch_add(hits.CellsRead, std::memory_order_relaxed);
     });

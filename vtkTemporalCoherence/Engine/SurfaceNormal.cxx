@@ -10,63 +10,80 @@ namespace TemporalCoherence
 namespace
 {
 
-/// Central differences along one axis at two neighbouring samples: which samples to subtract, as
-/// offsets from the first of the two, and by what to multiply.
-struct AxisDifferences
+/// Central differences along one axis at the two samples of a cell's edge, one-sided at the ends of
+/// the field: offsets of the samples to subtract, from the first of the two, and what to multiply
+/// by.
+struct EdgeDifferences
 {
-  AxisDifferences(int sample, int samples, std::int64_t stride)
+  EdgeDifferences(int sample, int samples, std::int64_t step)
+    : Before(sample > 0 ? -step : 0)
+    , Step(step)
+    , Behind(sample + 2 < samples ? 2 * step : step)
+    , ScaleFirst(sample > 0 ? 0.5 : 1.0)
+    , ScaleSecond(sample + 2 < samples ? 0.5 : 1.0)
   {
-    for (int side = 0; side < 2; ++side)
-    {
-      const int at = sample + side;
-      const int low = std::max(at - 1, 0);
-      const int high = std::min(at + 1, samples - 1);
-      const auto i = static_cast<std::size_t>(side);
-      this->Low[i] = (low - sample) * stride;
-      this->High[i] = (high - sample) * stride;
-      this->Scale[i] = 1.0 / (high - low);
-    }
   }
 
-  std::array<std::int64_t, 2> Low, High;
-  std::array<double, 2> Scale;
+  std::int64_t Before, Step, Behind;
+  double ScaleFirst, ScaleSecond;
 };
+
+/// How far one sample is above another.
+template <typename T>
+double Rise(T from, T to, const Difference<T>& difference)
+{
+  if constexpr (std::is_floating_point_v<T>)
+  {
+    return difference(to) - difference(from); // finite, whatever the samples are
+  }
+  else
+  {
+    return static_cast<double>(static_cast<RealOf<T>>(to) - static_cast<RealOf<T>>(from));
+  }
+}
+
+double Interpolate(double a, double b, double weightOfB)
+{
+  return (1.0 - weightOfB) * a + weightOfB * b;
+}
+
+/// One component of the gradient: differences along an axis on the four edges of the cell that run
+/// along it, interpolated along the axis and then across it.
+template <typename T>
+double GradientAlong(const T* origin, const EdgeDifferences& along, double at, std::int64_t stepU,
+  double atU, std::int64_t stepV, double atV, const Difference<T>& difference)
+{
+  const auto onEdge = [&](const T* first)
+  {
+    const double atFirst =
+      along.ScaleFirst * Rise(first[along.Before], first[along.Step], difference);
+    const double atSecond = along.ScaleSecond * Rise(first[0], first[along.Behind], difference);
+    return Interpolate(atFirst, atSecond, at);
+  };
+  const double low = Interpolate(onEdge(origin), onEdge(origin + stepU), atU);
+  const double high = Interpolate(onEdge(origin + stepV), onEdge(origin + stepU + stepV), atU);
+  return Interpolate(low, high, atV);
+}
 
 template <typename T>
 glm::dvec3 GradientAt(const TypedField<T>& field, const Difference<T>& difference,
   Interpolation between, const glm::dvec3& point)
 {
-  const glm::ivec3 cell =
-    glm::clamp(glm::ivec3(glm::floor(point)), glm::ivec3(0), field.Dimensions - 2);
+  const glm::ivec3& n = field.Dimensions;
+  const glm::i64vec3& step = field.Strides;
+  const glm::ivec3 cell = glm::clamp(glm::ivec3(glm::floor(point)), glm::ivec3(0), n - 2);
   glm::dvec3 at = glm::clamp(point - glm::dvec3(cell), 0.0, 1.0);
   if (between == Interpolation::Nearest)
   {
     at = glm::floor(at + 0.5);
   }
   const T* origin = field.At(cell);
-  const glm::i64vec3& stride = field.Strides;
-  const AxisDifferences axes[3] = { { cell.x, field.Dimensions.x, stride.x },
-    { cell.y, field.Dimensions.y, stride.y }, { cell.z, field.Dimensions.z, stride.z } };
-
-  glm::dvec3 gradient(0.0);
-  for (std::size_t corner = 0; corner < 8; ++corner)
-  {
-    const std::size_t x = corner & 1, y = corner >> 1 & 1, z = corner >> 2;
-    const double weight =
-      (x ? at.x : 1.0 - at.x) * (y ? at.y : 1.0 - at.y) * (z ? at.z : 1.0 - at.z);
-    const std::int64_t toX = x ? stride.x : 0, toY = y ? stride.y : 0, toZ = z ? stride.z : 0;
-    const std::array<std::int64_t, 3> others = { toY + toZ, toX + toZ, toX + toY };
-    const std::array<std::size_t, 3> sides = { x, y, z };
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const AxisDifferences& along = axes[axis];
-      const std::size_t side = sides[static_cast<std::size_t>(axis)];
-      const T* row = origin + others[static_cast<std::size_t>(axis)];
-      const auto rise = difference(row[along.High[side]]) - difference(row[along.Low[side]]);
-      gradient[axis] += weight * along.Scale[side] * static_cast<double>(rise);
-    }
-  }
-  return gradient;
+  return { GradientAlong(origin, EdgeDifferences(cell.x, n.x, step.x), at.x, step.y, at.y, step.z,
+             at.z, difference),
+    GradientAlong(
+      origin, EdgeDifferences(cell.y, n.y, step.y), at.y, step.x, at.x, step.z, at.z, difference),
+    GradientAlong(
+      origin, EdgeDifferences(cell.z, n.z, step.z), at.z, step.x, at.x, step.y, at.y, difference) };
 }
 
 }

@@ -166,21 +166,25 @@ struct CellPassage
 };
 
 template <typename T, Interpolation Between>
-class Tracer
+class TypedTracer final : public SurfaceTracer
 {
 public:
   using Real = RealOf<T>;
 
-  explicit Tracer(const TraceScene& scene)
+  explicit TypedTracer(const TraceScene& scene)
     : Scene(scene)
     , Samples(scene.Samples)
     , Cells(scene.Samples.Dimensions - 1)
   {
     const glm::i64vec3& s = this->Samples.Strides;
+    for (const double isovalue : scene.Sought.Isovalues)
+    {
+      this->Differences.emplace_back(isovalue, scene.FiniteRange);
+    }
     this->CornerOffsets = { 0, s.x, s.y, s.x + s.y, s.z, s.x + s.z, s.y + s.z, s.x + s.y + s.z };
   }
 
-  void Trace(const RayBatch& rays, HitBatch& hits) const
+  void Trace(const RayBatch& rays, HitBatch& hits) const override
   {
     hits.CellsRead = 0;
     for (int i = 0; i < rays.Count; ++i)
@@ -210,11 +214,6 @@ private:
     std::int16_t Surface = Frame::NoSurface;
     std::uint8_t Cap = 0;
   };
-
-  Difference<T> DifferenceFrom(std::size_t surface) const
-  {
-    return { this->Scene.Sought.Isovalues[surface], this->Scene.FiniteRange };
-  }
 
   void Walk(const RayBatch& rays, std::size_t ray, Hit& hit, std::int64_t& cellsRead) const
   {
@@ -246,8 +245,8 @@ private:
     }
   }
 
-  void WalkEveryCell(CellWalk& walk, const RayBatch& rays, std::size_t ray, Hit& hit,
-    std::int64_t& cellsRead) const
+  void WalkEveryCell(
+    CellWalk& walk, const RayBatch& rays, std::size_t ray, Hit& hit, std::int64_t& cellsRead) const
   {
     walk.BeginSteps();
     int exit;
@@ -300,10 +299,10 @@ private:
 
     CellPassage<Real> passage;
     bool isSetUp = false;
-    for (std::size_t surface = 0; surface < this->Scene.Sought.Isovalues.size(); ++surface)
+    for (std::size_t surface = 0; surface < this->Differences.size(); ++surface)
     {
       Corners<Real> corners;
-      if (!this->Differ(samples, this->DifferenceFrom(surface), corners))
+      if (!this->Differ(samples, this->Differences[surface], corners))
       {
         continue;
       }
@@ -388,7 +387,7 @@ private:
     {
       const bool isHighest = hit.Surface == Frame::NoSurface ||
         isovalues[surface] > isovalues[static_cast<std::size_t>(hit.Surface)];
-      if (isHighest && this->IsInsideAt(origin, at, this->DifferenceFrom(surface)))
+      if (isHighest && this->IsInsideAt(origin, at, this->Differences[surface]))
       {
         hit = { rays.Begin[ray], static_cast<std::int16_t>(surface), 1 };
       }
@@ -417,28 +416,26 @@ private:
     }
   }
 
-  const TraceScene& Scene;
+  TraceScene Scene;
   TypedField<T> Samples;
-  glm::ivec3 Cells; ///< number of cells along each axis
+  std::vector<Difference<T>> Differences; ///< from each isovalue
+  glm::ivec3 Cells;                       ///< number of cells along each axis
   std::array<std::int64_t, 8> CornerOffsets;
 };
 
 }
 
-void TraceSurfaces(const TraceScene& scene, const RayBatch& rays, HitBatch& hits)
+std::unique_ptr<SurfaceTracer> SurfaceTracer::Make(const TraceScene& scene)
 {
-  DispatchScalarType(scene.Samples.Type,
-    [&](auto type)
+  return DispatchScalarType(scene.Samples.Type,
+    [&](auto type) -> std::unique_ptr<SurfaceTracer>
     {
       using T = decltype(type);
       if (scene.Samples.Between == Interpolation::Nearest)
       {
-        Tracer<T, Interpolation::Nearest>(scene).Trace(rays, hits);
+        return std::make_unique<TypedTracer<T, Interpolation::Nearest>>(scene);
       }
-      else
-      {
-        Tracer<T, Interpolation::Linear>(scene).Trace(rays, hits);
-      }
+      return std::make_unique<TypedTracer<T, Interpolation::Linear>>(scene);
     });
 }
 

@@ -8,6 +8,8 @@
 #include "RayBatch.h"
 #include "Surfaces.h"
 
+#include <memory>
+
 namespace TemporalCoherence
 {
 
@@ -20,12 +22,28 @@ struct TraceScene
   const ActiveCells* Active = nullptr; ///< null: no space leaping, every cell on the way is read
 };
 
-/// Find the first surface along each ray.
+/// Finds the first surface along each ray of a batch.
 ///
 /// A ray goes from cell to cell; in each cell that can hold a surface the first crossing is found
 /// exactly (CellRoot.h). The hit is the nearest over all isovalues. The result depends on the ray,
 /// its Begin and its End, and not on where the walk starts or what is leapt over.
-void TraceSurfaces(const TraceScene& scene, const RayBatch& rays, HitBatch& hits);
+class SurfaceTracer
+{
+public:
+  /// A tracer for the type of the scene's samples. The scene's structures must outlive it.
+  /// \throws std::bad_alloc
+  static std::unique_ptr<SurfaceTracer> Make(const TraceScene& scene);
+
+  virtual ~SurfaceTracer() = default;
+  SurfaceTracer(const SurfaceTracer&) = delete;
+  SurfaceTracer& operator=(const SurfaceTracer&) = delete;
+
+  /// Safe from many threads.
+  virtual void Trace(const RayBatch& rays, HitBatch& hits) const = 0;
+
+protected:
+  SurfaceTracer() = default;
+};
 
 }
 

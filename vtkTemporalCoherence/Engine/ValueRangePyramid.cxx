@@ -101,7 +101,8 @@ private:
   {
     T* min = this->Min.data();
     T* max = this->Max.data();
-    for (int i = 0; i < this->Columns; ++i)
+    const int columns = this->Columns; // a store of bytes might change the member
+    for (int i = 0; i < columns; ++i)
     {
       min[i] = row[i] < min[i] ? row[i] : min[i];
       max[i] = row[i] > max[i] ? row[i] : max[i];
@@ -115,12 +116,13 @@ private:
   // Comparisons with a NaN are false, so the loop above passed it over.
   void WidenByNotANumbers(const T* row)
   {
+    const int columns = this->Columns;
     int found = 0;
-    for (int i = 0; i < this->Columns; ++i)
+    for (int i = 0; i < columns; ++i)
     {
       found |= row[i] != row[i];
     }
-    for (int i = 0; found && i < this->Columns; ++i)
+    for (int i = 0; found && i < columns; ++i)
     {
       if (std::isnan(row[i]))
       {

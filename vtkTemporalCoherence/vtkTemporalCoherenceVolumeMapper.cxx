@@ -11,7 +11,6 @@
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
-#include "vtkInformation.h"
 #include "vtkObjectFactory.h"
 #include "vtkRenderer.h"
 #include "vtkTimerLog.h"
@@ -56,7 +55,7 @@ void vtkTemporalCoherenceVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* 
   renderer->GetTiledSizeAndOrigin(&width, &height, &x, &y);
   if (width > 0 && height > 0)
   {
-    this->RenderFrame(renderer, volume, width, height);
+    this->RenderFrame(renderer, volume, width, height, renderer->GetTiledAspectRatio());
 
     // After an error this shows the last valid picture again.
     const TemporalCoherence::Frame& frame = this->Internal->Frames.LastFrame();
@@ -79,7 +78,7 @@ void vtkTemporalCoherenceVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* 
 
 //------------------------------------------------------------------------------
 bool vtkTemporalCoherenceVolumeMapper::RenderFrame(
-  vtkRenderer* renderer, vtkVolume* volume, int width, int height)
+  vtkRenderer* renderer, vtkVolume* volume, int width, int height, double aspect)
 {
   Internals& internal = *this->Internal;
   internal.PresentTime = 0.0;
@@ -87,7 +86,7 @@ bool vtkTemporalCoherenceVolumeMapper::RenderFrame(
   TemporalCoherence::FrameKey key;
   std::vector<int> places;
   std::string error;
-  if (!this->MakeFrameKey(renderer, volume, width, height, key, places, error))
+  if (!this->MakeFrameKey(renderer, volume, width, height, aspect, key, places, error))
   {
     this->ReportOnce(error);
     return false;
@@ -118,7 +117,7 @@ bool vtkTemporalCoherenceVolumeMapper::RenderFrame(
 
 //------------------------------------------------------------------------------
 bool vtkTemporalCoherenceVolumeMapper::MakeFrameKey(vtkRenderer* renderer, vtkVolume* volume,
-  int width, int height, TemporalCoherence::FrameKey& key, std::vector<int>& places,
+  int width, int height, double aspect, TemporalCoherence::FrameKey& key, std::vector<int>& places,
   std::string& error)
 {
   vtkDataArray* array = nullptr;
@@ -136,10 +135,7 @@ bool vtkTemporalCoherenceVolumeMapper::MakeFrameKey(vtkRenderer* renderer, vtkVo
   key.Sought.Mode = this->SurfaceMode == THRESHOLD ? TemporalCoherence::SurfaceMode::Threshold
                                                    : TemporalCoherence::SurfaceMode::Crossing;
 
-  const glm::ivec2 size(width, height);
-  const double aspect = renderer->GetVTKWindow() ? renderer->GetTiledAspectRatio()
-                                                 : static_cast<double>(width) / height;
-  if (!TemporalCoherence::MakeView(renderer, size, aspect, key.Seen, error))
+  if (!TemporalCoherence::MakeView(renderer, { width, height }, aspect, key.Seen, error))
   {
     return false;
   }
@@ -245,7 +241,7 @@ bool vtkTemporalCoherenceVolumeMapper::RenderToImage(vtkRenderer* renderer, vtkV
   {
     this->Update();
   }
-  if (!this->RenderFrame(renderer, volume, width, height))
+  if (!this->RenderFrame(renderer, volume, width, height, static_cast<double>(width) / height))
   {
     return false;
   }
@@ -322,17 +318,6 @@ void vtkTemporalCoherenceVolumeMapper::ReleaseGraphicsResources(vtkWindow* windo
 {
   this->Internal->Presenter.ReleaseGraphicsResources(window);
   this->Superclass::ReleaseGraphicsResources(window);
-}
-
-//------------------------------------------------------------------------------
-int vtkTemporalCoherenceVolumeMapper::FillInputPortInformation(int port, vtkInformation* info)
-{
-  if (!this->Superclass::FillInputPortInformation(port, info))
-  {
-    return 0;
-  }
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
-  return 1;
 }
 
 //------------------------------------------------------------------------------

@@ -316,14 +316,12 @@ protected:
   vtkTemporalCoherenceVolumeMapper();
   ~vtkTemporalCoherenceVolumeMapper() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-
 private:
   vtkTemporalCoherenceVolumeMapper(const vtkTemporalCoherenceVolumeMapper&) = delete;
   void operator=(const vtkTemporalCoherenceVolumeMapper&) = delete;
 
-  bool RenderFrame(vtkRenderer* renderer, vtkVolume* volume, int width, int height);
-  bool MakeFrameKey(vtkRenderer* renderer, vtkVolume* volume, int width, int height,
+  bool RenderFrame(vtkRenderer* renderer, vtkVolume* volume, int width, int height, double aspect);
+  bool MakeFrameKey(vtkRenderer* renderer, vtkVolume* volume, int width, int height, double aspect,
     TemporalCoherence::FrameKey& key, std::vector<int>& places, std::string& error);
   vtkImageData* FindInput(vtkDataArray*& array, std::string& error);
   void ReportOnce(const std::string& error);

@@ -138,6 +138,10 @@ void TestInputs()
       scene.Mapper->SetInputData(image);
     });
   ExpectError(
+    "vtkRectilinearGrid",
+    [](Scene& scene) { scene.Mapper->SetInputData(vtkNew<vtkRectilinearGrid>().Get()); },
+    [](Scene& scene) { scene.Mapper->SetInputData(Ball()); });
+  ExpectError(
     "Blend mode", [](Scene& scene) { scene.Mapper->SetBlendModeToComposite(); },
     [](Scene& scene) { scene.Mapper->SetBlendModeToIsoSurface(); });
 }

@@ -82,6 +82,12 @@ void TestSamePicture()
     }
   }
   Expect(hits > 1000 && different == 0, std::to_string(different) + " channels differ");
+
+  // A picture of another shape than the window's has the shape it is asked for.
+  Scene alone(Volumes::FourSpheres(48), { 100.0 });
+  alone.LookFrom(1.0, 2.0, 0.5);
+  Expect(scene.Render(Size, Size / 2) && alone.Render(Size, Size / 2), "RenderToImage");
+  Expect(AreIdentical(scene.Depth, alone.Depth), "the window does not shape the picture");
 }
 
 /// A polygonal sphere half inside an isosurface sphere: at each pixel the nearer one is seen, up to

@@ -136,6 +136,7 @@ void MakeQuick(Options& options)
   options.SweepFrames = 4;
   options.ColorFrames = 2;
   options.RepeatFrames = 2;
+  options.FramesWithoutReuse = 2;
 }
 
 using Switch = void (*)(Options& options);

@@ -38,6 +38,7 @@ struct Options
   int SweepFrames = 12;
   int ColorFrames = 6;
   int RepeatFrames = 10;
+  int FramesWithoutReuse = 4; // three times in a tour
   std::string From; // "+y": the viewer's place, seen from the middle; empty: what suits the file
   std::string Up = "+z";
 

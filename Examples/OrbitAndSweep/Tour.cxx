@@ -121,13 +121,14 @@ void RenderFirst(Tour& tour, Scene& scene, int orbitFrames)
   tour.Render("first", "", 0, 1);
 }
 
-// What the rest of the tour is held against: views that no earlier picture may help with.
-void RenderWithoutReuse(Tour& tour, Scene& scene, int frames)
+// What the rest of the tour is held against: views that no earlier picture may help with. They
+// are taken in several places of the tour, so that all of it meets the same load of the machine.
+void RenderWithoutReuse(Tour& tour, Scene& scene, double lastAzimuth, int frames)
 {
   scene.Mapper->ImageCacheOff();
   for (int frame = 0; frame < frames; ++frame)
   {
-    scene.SetAzimuth(DegreesPerFrame * (frame + 1 - frames));
+    scene.SetAzimuth(lastAzimuth + DegreesPerFrame * (frame + 1 - frames));
     tour.Render(WithoutReuse, "", frame, frames);
   }
   scene.Mapper->ImageCacheOn();
@@ -184,10 +185,15 @@ std::vector<FrameRecord> RunTour(
 {
   Tour tour(scene, options, book);
   RenderFirst(tour, scene, options.OrbitFrames);
-  RenderWithoutReuse(tour, scene, options.RepeatFrames);
+  // Last, the view before the orbit's first, and then the orbit's last.
+  RenderWithoutReuse(
+    tour, scene, -DegreesPerFrame * options.OrbitFrames, options.FramesWithoutReuse);
   Orbit(tour, scene, options.OrbitFrames);
+  RenderWithoutReuse(tour, scene, 0.0, options.FramesWithoutReuse);
   Repeat(tour, options.RepeatFrames);
   ChangeColors(tour, scene, options.ColorFrames);
   Sweep(tour, scene, isovalue, options.SweepFrames);
+  scene.SetIsovalue(isovalue.Value);
+  RenderWithoutReuse(tour, scene, 0.0, options.FramesWithoutReuse);
   return tour.Records;
 }

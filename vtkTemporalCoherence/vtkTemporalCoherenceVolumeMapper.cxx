@@ -6,6 +6,7 @@
 #include "FieldFromImage.h"
 #include "FrameRenderer.h"
 #include "PicturePresenter.h"
+#include "Stopwatch.h"
 #include "ViewFromRenderer.h"
 
 #include "vtkCommand.h"
@@ -13,7 +14,6 @@
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 #include "vtkRenderer.h"
-#include "vtkTimerLog.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
@@ -49,31 +49,37 @@ vtkTemporalCoherenceVolumeMapper::~vtkTemporalCoherenceVolumeMapper() = default;
 void vtkTemporalCoherenceVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
   this->InvokeEvent(vtkCommand::VolumeMapperRenderStartEvent, nullptr);
-  const double begin = vtkTimerLog::GetUniversalTime();
-
-  int width, height, x, y;
-  renderer->GetTiledSizeAndOrigin(&width, &height, &x, &y);
-  if (width > 0 && height > 0)
+  this->TimeToDraw = 0.0;
   {
-    this->RenderFrame(renderer, volume, width, height, renderer->GetTiledAspectRatio());
-
-    // After an error this shows the last valid picture again.
-    const TemporalCoherence::Frame& frame = this->Internal->Frames.LastFrame();
-    if (frame.Size == glm::ivec2(width, height) && !renderer->GetSelector())
+    TemporalCoherence::Stopwatch watch(this->TimeToDraw);
+    int width, height, x, y;
+    renderer->GetTiledSizeAndOrigin(&width, &height, &x, &y);
+    if (width > 0 && height > 0)
     {
-      const double presentBegin = vtkTimerLog::GetUniversalTime();
-      std::string error;
-      if (!this->Internal->Presenter.Present(
-            renderer, frame, this->Internal->Frames.LastKey().Seen, this->Internal->Picture, error))
-      {
-        this->ReportOnce(error);
-      }
-      this->Internal->PresentTime = vtkTimerLog::GetUniversalTime() - presentBegin;
+      this->RenderFrame(renderer, volume, width, height, renderer->GetTiledAspectRatio());
+      this->PresentFrame(renderer, width, height);
     }
   }
-
-  this->TimeToDraw = vtkTimerLog::GetUniversalTime() - begin;
   this->InvokeEvent(vtkCommand::VolumeMapperRenderEndEvent, nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherenceVolumeMapper::PresentFrame(vtkRenderer* renderer, int width, int height)
+{
+  // After an error this shows the last valid picture again.
+  Internals& internal = *this->Internal;
+  const TemporalCoherence::Frame& frame = internal.Frames.LastFrame();
+  if (frame.Size != glm::ivec2(width, height) || renderer->GetSelector())
+  {
+    return;
+  }
+  TemporalCoherence::Stopwatch watch(internal.PresentTime);
+  std::string error;
+  if (!internal.Presenter.Present(
+        renderer, frame, internal.Frames.LastKey().Seen, internal.Picture, error))
+  {
+    this->ReportOnce(error);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -321,6 +321,7 @@ private:
   void operator=(const vtkTemporalCoherenceVolumeMapper&) = delete;
 
   bool RenderFrame(vtkRenderer* renderer, vtkVolume* volume, int width, int height, double aspect);
+  void PresentFrame(vtkRenderer* renderer, int width, int height);
   bool MakeFrameKey(vtkRenderer* renderer, vtkVolume* volume, int width, int height, double aspect,
     TemporalCoherence::FrameKey& key, std::vector<int>& places, std::string& error);
   vtkImageData* FindInput(vtkDataArray*& array, std::string& error);

@@ -4,11 +4,11 @@
 
 #include "Parallel.h"
 #include "RayBatch.h"
+#include "Stopwatch.h"
 #include "SurfaceTracer.h"
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -21,28 +21,6 @@ namespace
 /// Neighbouring tiles that one thread takes at a time: enough to share what they read, few enough
 /// to balance the load.
 constexpr std::int64_t TileGrain = 8;
-
-/// Adds the time of its life to a number of seconds.
-class Stopwatch
-{
-public:
-  explicit Stopwatch(double& seconds)
-    : Seconds(seconds)
-    , Begin(std::chrono::steady_clock::now())
-  {
-  }
-  ~Stopwatch()
-  {
-    const auto now = std::chrono::steady_clock::now();
-    this->Seconds += std::chrono::duration<double>(now - this->Begin).count();
-  }
-  Stopwatch(const Stopwatch&) = delete;
-  Stopwatch& operator=(const Stopwatch&) = delete;
-
-private:
-  double& Seconds;
-  std::chrono::steady_clock::time_point Begin;
-};
 
 PixelRect PixelsOfTile(const glm::ivec2& pixels, std::int64_t tile)
 {

@@ -56,12 +56,14 @@ vtk_module_build(
   PACKAGE vtkTemporalCoherence
   INSTALL_EXPORT vtkTemporalCoherence
   VERSION "${PROJECT_VERSION}"
-  SOVERSION "${PROJECT_VERSION_MAJOR}"
   HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/vtkTemporalCoherence"
   CMAKE_DESTINATION "${CMAKE_INSTALL_LIBDIR}/cmake/vtkTemporalCoherence"
   TEST_DIRECTORY_NAME "../Testing"
   TEST_INPUT_DATA_DIRECTORY "${CMAKE_SOURCE_DIR}/Testing/Data"
   TEST_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/Testing/Temporary")
+
+# Set here, because vtk_module_build takes a SOVERSION of 0 for none.
+set_target_properties(TemporalCoherence PROPERTIES SOVERSION "${PROJECT_VERSION_MAJOR}")
 
 if (TEMPORAL_COHERENCE_BUILD_BENCHMARKS)
   add_subdirectory(Testing/Benchmarks)

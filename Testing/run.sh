@@ -48,7 +48,7 @@ run_ctest()
   for attempt in 1 2 3 4 5; do
     display=$((200 + RANDOM % 700))
     # shellcheck disable=SC2016 # expanded by the inner shell
-    xvfb-run --server-num="$display" --auto-servernum --server-args="-screen 0 1280x1024x24" \
+    xvfb-run --server-num="$display" --auto-servernum --server-args="-screen 0 1280x1024x24 -noreset" \
       bash -c 'touch "$0" && exec "$@"' "$started" "${command[@]}" && return 0
     # What failed was the tests, not the display.
     [ ! -f "$started" ] || return 1

@@ -12,6 +12,7 @@
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
@@ -75,8 +76,18 @@ void vtkTemporalCoherenceVolumeMapper::PresentFrame(vtkRenderer* renderer, int w
   }
   TemporalCoherence::Stopwatch watch(internal.PresentTime);
   std::string error;
-  if (!internal.Presenter.Present(
-        renderer, frame, internal.Frames.LastKey().Seen, internal.Picture, error))
+  bool isShown = false;
+  try
+  {
+    isShown = internal.Presenter.Present(
+      renderer, frame, internal.Frames.LastKey().Seen, internal.Picture, error);
+  }
+  catch (const std::exception&)
+  {
+    error = "There is not enough memory to show a picture of " + std::to_string(width) + " x " +
+      std::to_string(height) + " pixels; free memory or make the window smaller.";
+  }
+  if (!isShown)
   {
     this->ReportOnce(error);
   }
@@ -252,23 +263,42 @@ bool vtkTemporalCoherenceVolumeMapper::RenderToImage(vtkRenderer* renderer, vtkV
     return false;
   }
 
-  const TemporalCoherence::Frame& frame = this->Internal->Frames.LastFrame();
-  if (color)
+  try
   {
-    color->SetDimensions(width, height, 1);
-    color->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
-    const std::uint8_t* from = frame.Colors.data()->data();
-    std::copy_n(
-      from, 4 * frame.Colors.size(), static_cast<unsigned char*>(color->GetScalarPointer()));
+    // Into images of our own first: the caller's are touched only when nothing can fail any more.
+    const TemporalCoherence::Frame& frame = this->Internal->Frames.LastFrame();
+    vtkNew<vtkImageData> colors, depths;
+    if (color)
+    {
+      colors->SetDimensions(width, height, 1);
+      colors->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+      std::copy_n(frame.Colors.data()->data(), 4 * frame.Colors.size(),
+        static_cast<unsigned char*>(colors->GetScalarPointer()));
+    }
+    if (depth)
+    {
+      depths->SetDimensions(width, height, 1);
+      depths->AllocateScalars(VTK_FLOAT, 1);
+      std::transform(frame.Depth.begin(), frame.Depth.end(),
+        static_cast<float*>(depths->GetScalarPointer()),
+        [](double t) { return static_cast<float>(t); });
+    }
+    if (color)
+    {
+      color->ShallowCopy(colors);
+    }
+    if (depth)
+    {
+      depth->ShallowCopy(depths);
+    }
+    return true;
   }
-  if (depth)
+  catch (const std::exception&)
   {
-    depth->SetDimensions(width, height, 1);
-    depth->AllocateScalars(VTK_FLOAT, 1);
-    std::copy_n(
-      frame.Depth.data(), frame.Depth.size(), static_cast<float*>(depth->GetScalarPointer()));
+    this->ReportOnce("There is not enough memory for images of " + std::to_string(width) + " x " +
+      std::to_string(height) + " pixels; free memory or ask for fewer pixels.");
+    return false;
   }
-  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -292,8 +322,7 @@ bool vtkTemporalCoherenceVolumeMapper::PickPixel(
   {
     if (position)
     {
-      position[axis] =
-        ray.Origin[axis] + static_cast<double>(frame.Depth[pixel]) * ray.Direction[axis];
+      position[axis] = ray.Origin[axis] + frame.Depth[pixel] * ray.Direction[axis];
     }
     if (normal)
     {

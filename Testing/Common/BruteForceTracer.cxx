@@ -195,16 +195,18 @@ bool BruteForceTracer::CrossesIn(const Point& origin, const Point& direction, do
   const double a = d3 / 2, b = d2 - d3, c = d1 - d2 / 2 + d3 / 3;
   std::vector<double> stops = { 0.0 };
   const double discriminant = b * b - 4 * a * c;
-  if (discriminant > 0.0 && a != 0.0)
+  if (discriminant > 0.0)
   {
-    for (const double sign : { -1.0, 1.0 })
+    // Without cancellation: the cubic may be all but quadratic.
+    const double q = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
+    if (a != 0.0)
     {
-      stops.push_back((-b + sign * std::sqrt(discriminant)) / (2 * a));
+      stops.push_back(q / a);
     }
-  }
-  else if (a == 0.0 && b != 0.0)
-  {
-    stops.push_back(-c / b);
+    if (q != 0.0)
+    {
+      stops.push_back(c / q);
+    }
   }
   stops.push_back(3.0);
   std::sort(stops.begin(), stops.end());

@@ -3,6 +3,7 @@
 #include "Scene.h"
 
 #include <vtkContourValues.h>
+#include <vtkMath.h>
 
 #include <algorithm>
 #include <cmath>
@@ -82,8 +83,14 @@ Agreement CompareWithTruth(const Scene& scene, const BruteForceTracer& truth, in
       }
       else if (isovalue >= 0)
       {
-        const double distance =
-          std::abs(static_cast<double>(scene.DepthAt(x, y)) - hit.Distance) / truth.VoxelSize();
+        double position[3];
+        scene.Mapper->PickPixel(x, y, position, nullptr, nullptr);
+        // The depth image is in single precision; what is picked is not.
+        const double rounding = 1e-7 * hit.Distance;
+        const double inDepth = std::abs(static_cast<double>(scene.DepthAt(x, y)) - hit.Distance);
+        const double inPosition =
+          std::sqrt(vtkMath::Distance2BetweenPoints(position, hit.Position.data()));
+        const double distance = std::max(inDepth - rounding, inPosition) / truth.VoxelSize();
         ++sum.Hits;
         sum.DistantHits += distance > 1e-3;
         sum.MaxDistance = std::max(sum.MaxDistance, distance);

@@ -11,6 +11,8 @@
 #include <vtkMatrix4x4.h>
 #include <vtkPointData.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <functional>
 
@@ -121,6 +123,15 @@ bool TestCameras()
       scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
       scene.Renderer->GetActiveCamera()->Zoom(1.7);
     });
+  agrees &= Check("wide away", // the depth image is in single precision: no farther
+    [](Scene& scene, vtkImageData*)
+    {
+      vtkCamera* camera = scene.Renderer->GetActiveCamera();
+      scene.LookFrom(1.0, 2.0, 0.4);
+      camera->Dolly(0.02);
+      camera->SetViewAngle(0.6);
+      scene.Renderer->ResetCameraClippingRange();
+    });
   agrees &= Check("inside the volume",
     [](Scene& scene, vtkImageData*)
     {
@@ -170,6 +181,22 @@ bool TestFields()
   bool agrees = true;
   agrees &= Check("several isovalues in any order",
     [](Scene& scene, vtkImageData*) { scene.LookFrom(1, 2, 3); }, { 85.0, 20.0, 88.0, 60.0 });
+  for (const double side : { 1.0, -1.0 })
+  {
+    // Cut faces whose samples equal the higher isovalue show it all over.
+    agrees &= Check("cut where samples equal an isovalue",
+      [side](Scene& scene, vtkImageData* image)
+      {
+        image->DeepCopy(Volumes::FromFormula(24, VTK_INT,
+          [](double x, double y, double z)
+          {
+            const double shell = std::max(std::abs(x), std::max(std::abs(y), std::abs(z)));
+            return shell > 0.99 ? 2.0 : static_cast<double>(std::sin(91.0 * x * y + z) > 0.0);
+          }));
+        scene.LookFrom(side, 2.0 * side, 0.7 * side);
+      },
+      { 1.0, 2.0 });
+  }
   agrees &= Check("nearest samples",
     [](Scene& scene, vtkImageData*)
     {

@@ -57,8 +57,7 @@ Errors ErrorsAt(int n)
         continue;
       }
       const Ray ray = key.Seen.RayThrough(x, y);
-      const glm::dvec3 point =
-        ray.Origin + static_cast<double>(frame.Depth[pixel]) * ray.Direction - centre;
+      const glm::dvec3 point = ray.Origin + frame.Depth[pixel] * ray.Direction - centre;
       errors.Position = std::max(errors.Position, std::abs(glm::length(point) - Radius));
       const double cosine = glm::dot(glm::normalize(point), glm::dvec3(frame.Normals[pixel]));
       errors.Normal = std::max(errors.Normal, std::acos(std::min(1.0, std::abs(cosine))));

@@ -28,7 +28,7 @@ struct Frame
   static constexpr std::int16_t NoSurface = -1;
 
   glm::ivec2 Size{ 0 };
-  std::vector<float> Depth;            ///< t of the hit: world distance along the ray; or infinity
+  std::vector<double> Depth;           ///< t of the hit: world distance along the ray; or infinity
   std::vector<glm::vec3> Normals;      ///< unit normal in the world, facing the viewer; or 0
   std::vector<std::int16_t> Isovalues; ///< position of the hit isovalue in the list; or NoSurface
   std::vector<std::uint8_t> Caps;      ///< 1 where a THRESHOLD solid is cut open, not met
@@ -57,7 +57,7 @@ struct Frame
   /// Forget the picture and free its memory.
   void Release() { *this = Frame(); }
 
-  bool IsEmpty() const { return this->Depth.empty(); }
+  bool IsEmpty() const { return this->Size.x == 0; }
 };
 
 }

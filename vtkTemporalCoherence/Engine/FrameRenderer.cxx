@@ -44,7 +44,7 @@ void FillWithMisses(const PixelRect& part, Frame& frame)
     const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.Size.x) +
       static_cast<std::size_t>(part.First.x);
     const auto count = static_cast<std::size_t>(part.Size.x);
-    std::fill_n(&frame.Depth[row], count, std::numeric_limits<float>::infinity());
+    std::fill_n(&frame.Depth[row], count, std::numeric_limits<double>::infinity());
     std::fill_n(&frame.Isovalues[row], count, Frame::NoSurface);
     std::fill_n(&frame.Caps[row], count, std::uint8_t(0));
     std::fill_n(&frame.Answers[row], count, Answer::DefiniteMiss);
@@ -71,7 +71,7 @@ int StoreHits(const RayBatch& rays, const HitBatch& hits, Frame& frame)
     const auto pixel = static_cast<std::size_t>(rays.Pixel[i]);
     const bool isTraced = rays.WalkBegin[i] < rays.WalkEnd[i] || hits.Cap[i];
     traced += isTraced;
-    frame.Depth[pixel] = static_cast<float>(hits.Depth[i]);
+    frame.Depth[pixel] = hits.Depth[i];
     frame.Isovalues[pixel] = hits.Surface[i];
     frame.Caps[pixel] = hits.Cap[i];
     frame.Answers[pixel] = isTraced ? Answer::PossibleHit : Answer::DefiniteMiss;

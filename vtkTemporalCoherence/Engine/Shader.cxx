@@ -125,7 +125,7 @@ void ComputeNormals(
         continue;
       }
       const Ray ray = view.RayThrough(x, y);
-      const glm::dvec3 world = ray.Origin + static_cast<double>(frame.Depth[pixel]) * ray.Direction;
+      const glm::dvec3 world = ray.Origin + frame.Depth[pixel] * ray.Direction;
       glm::dvec3 point(toIndex * glm::dvec4(world, 1.0));
       glm::dvec3 gradient;
       if (frame.Caps[pixel])
@@ -164,8 +164,7 @@ void ShadePixels(
       if (appearance.Shade)
       {
         const Ray ray = view.RayThrough(x, y);
-        const glm::dvec3 point =
-          ray.Origin + static_cast<double>(frame.Depth[pixel]) * ray.Direction;
+        const glm::dvec3 point = ray.Origin + frame.Depth[pixel] * ray.Direction;
         color = Phong(appearance, color, point, glm::dvec3(frame.Normals[pixel]), ray.Direction);
       }
       frame.Colors[pixel] = OpaqueColor(color);

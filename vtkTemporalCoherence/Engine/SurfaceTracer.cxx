@@ -377,8 +377,18 @@ private:
     for (int axis = 0; axis < 3; ++axis)
     {
       const auto a = static_cast<std::size_t>(axis);
+      const int last = this->Cells[axis] - 1;
+      const bool isForward = rays.Direction[a][ray] > 0.0;
+      const double face = isForward ? 0.0 : last + 1.0;
+      if ((face - rays.Origin[a][ray]) * rays.Inverse[a][ray] == rays.Begin[ray])
+      {
+        // The ray enters here: exactly on the face, whose samples may equal an isovalue.
+        cell[axis] = isForward ? 0 : last;
+        at[a] = isForward ? Real(0) : Real(1);
+        continue;
+      }
       const double x = rays.Origin[a][ray] + rays.Begin[ray] * rays.Direction[a][ray];
-      cell[axis] = CellWalk::Clamp(static_cast<int>(std::floor(x)), 0, this->Cells[axis] - 1);
+      cell[axis] = CellWalk::Clamp(static_cast<int>(std::floor(x)), 0, last);
       at[a] = static_cast<Real>(std::min(std::max(x - cell[axis], 0.0), 1.0));
     }
     const T* origin = this->Samples.At(cell);

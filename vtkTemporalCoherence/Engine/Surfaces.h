@@ -40,7 +40,8 @@ bool IsInside(Real difference)
 }
 
 /// Differences of samples from one isovalue, with the exact sign and full relative precision near
-/// the isovalue, in the type the engine computes with.
+/// the isovalue, in the type the engine computes with. (Integers beyond 2^53 are rounded to
+/// double.)
 ///
 /// What is not finite stays harmless: differences are clamped to +-R, R being the largest
 /// difference of a finite sample, and NaN reads as -R, below every isovalue.
@@ -52,9 +53,10 @@ public:
 
   /// \param finiteRange smallest and largest finite sample of the field
   Difference(double isovalue, const glm::dvec2& finiteRange)
-    : High(static_cast<Real>(isovalue))
-    , Low(static_cast<Real>(isovalue - static_cast<double>(High)))
-    , Limit(static_cast<Real>(Span(isovalue, finiteRange)))
+    : High(static_cast<Real>(std::min(std::max(isovalue, -Largest), Largest)))
+    , Low(static_cast<Real>(
+        std::abs(isovalue) < Largest ? isovalue - static_cast<double>(High) : 0.0))
+    , Limit(static_cast<Real>(std::min(Span(isovalue, finiteRange), Largest)))
   {
   }
 
@@ -80,8 +82,11 @@ private:
   static double Span(double isovalue, const glm::dvec2& range)
   {
     const double span = std::max(std::abs(isovalue - range.x), std::abs(range.y - isovalue));
-    return span > 0.0 ? std::min(span, 1e300) : 1.0;
+    return span > 0.0 ? span : 1.0;
   }
+
+  // Isovalues beyond it are beyond every sample, and stay so there.
+  static constexpr double Largest = sizeof(Real) == 4 ? 1e30 : 1e300;
 
   Real High, Low, Limit;
 };

@@ -31,7 +31,12 @@ bool MakeView(const glm::dmat4& viewFromWorld, const glm::dmat4& clipFromView, b
   view.Near = range.x;
   view.Far = range.y;
   view.ClipFromWorld = clipFromView * viewFromWorld;
-  view.Forward = glm::normalize(-glm::dvec3(RowOf(viewFromWorld, 2)));
+  const glm::dvec3 backward(RowOf(viewFromWorld, 2));
+  if (!IsFinite(backward) || !(glm::length(backward) > 0.0))
+  {
+    return false;
+  }
+  view.Forward = -glm::normalize(backward);
 
   // A point p is seen at (x, y) where it lies on two planes: (X - x W) p = 0 and (Y - y W) p = 0,
   // X, Y, W being rows of the matrix. The ray is where they meet. Its direction is the cross

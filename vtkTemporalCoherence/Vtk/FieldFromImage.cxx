@@ -86,6 +86,13 @@ std::string NameOf(vtkDataArray* array)
 double Flatness(const glm::dmat4& matrix)
 {
   const glm::dmat3 m(matrix);
+  for (int i = 0; i < 16; ++i)
+  {
+    if (!std::isfinite(matrix[i / 4][i % 4]))
+    {
+      return 0.0;
+    }
+  }
   const double edges = glm::length(m[0]) * glm::length(m[1]) * glm::length(m[2]);
   const double share = edges > 0.0 ? std::abs(glm::determinant(m)) / edges : 0.0;
   return std::isfinite(share) ? share : 0.0;
@@ -153,7 +160,6 @@ bool MakePlacement(vtkImageData* image, vtkVolume* volume, Placement& placement,
 
   volume->ComputeMatrix();
   placement.WorldFromIndex = MatrixFromVtk(volume->GetMatrix()) * physicalFromIndex;
-  placement.IndexFromWorld = glm::inverse(placement.WorldFromIndex);
   if (Flatness(placement.WorldFromIndex) < FlattestBox)
   {
     const double* scale = volume->GetScale();
@@ -162,6 +168,7 @@ bool MakePlacement(vtkImageData* image, vtkVolume* volume, Placement& placement,
     error = what.str();
     return false;
   }
+  placement.IndexFromWorld = glm::inverse(placement.WorldFromIndex);
   return true;
 }
 

@@ -61,8 +61,7 @@ void FindWindowDepths(const Frame& frame, const View& view, std::vector<float>& 
           continue;
         }
         const Ray ray = view.RayThrough(x, y);
-        const glm::dvec3 world =
-          ray.Origin + static_cast<double>(frame.Depth[pixel]) * ray.Direction;
+        const glm::dvec3 world = ray.Origin + frame.Depth[pixel] * ray.Direction;
         const glm::dvec4 clip = view.ClipFromWorld * glm::dvec4(world, 1.0);
         depths[pixel] =
           static_cast<float>(std::min(std::max(0.5 * clip.z / clip.w + 0.5, 0.0), 1.0));

@@ -83,6 +83,18 @@ void TestSamePicture()
   }
   Expect(hits > 1000 && different == 0, std::to_string(different) + " channels differ");
 
+  // Another picture is shown when there is one.
+  scene.SetIsovalues({ 250.0 });
+  window->Render();
+  const auto later = PixelsOf(window);
+  long changed = 0;
+  for (vtkIdType i = 0; i < later->GetNumberOfValues(); ++i)
+  {
+    changed += later->GetValue(i) != pixels->GetValue(i);
+  }
+  Expect(changed > 1000, "a new isovalue is seen in the window");
+  scene.SetIsovalues({ 100.0 });
+
   // A picture of another shape than the window's has the shape it is asked for.
   Scene alone(Volumes::FourSpheres(48), { 100.0 });
   alone.LookFrom(1.0, 2.0, 0.5);

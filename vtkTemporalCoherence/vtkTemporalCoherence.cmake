@@ -4,13 +4,17 @@ find_package(glm REQUIRED)
 
 set(engine_files
   ActiveCells
+  CachedDepths
   FrameRenderer
+  ImageCache
+  ImageQuery
   RayBatch
   ReusePlan
   Shader
   SurfaceNormal
   SurfaceTracer
   TileBounds
+  TileTracer
   ValueRangePyramid
   View)
 list(TRANSFORM engine_files PREPEND "${module_directory}/Engine/")

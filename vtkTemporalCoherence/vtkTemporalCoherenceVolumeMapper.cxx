@@ -36,6 +36,40 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
   const TemporalCoherence::FrameStatistics& Statistics() const { return this->Frames.Statistics(); }
 };
 
+namespace
+{
+
+TemporalCoherence::FrameRenderer::Options MakeOptions(vtkTemporalCoherenceVolumeMapper& mapper)
+{
+  using Mapper = vtkTemporalCoherenceVolumeMapper;
+  TemporalCoherence::FrameRenderer::Options options;
+  options.SpaceLeaping = mapper.GetSpaceLeaping() != 0;
+  options.Reuse.ImageCache = mapper.GetImageCache() != 0;
+  options.Reuse.Isomap = mapper.GetIsomap() != 0;
+  options.Reuse.RefineWhenStill = mapper.GetRefineWhenStill() != 0;
+  switch (mapper.GetReuseAccuracy())
+  {
+    case Mapper::EXACT:
+      options.Accuracy = TemporalCoherence::ReuseAccuracy::Exact;
+      break;
+    case Mapper::PAPER:
+      options.Accuracy = TemporalCoherence::ReuseAccuracy::Paper;
+      break;
+    default:
+      options.Accuracy = TemporalCoherence::ReuseAccuracy::Bounded;
+      break;
+  }
+  options.InterpolateColors = mapper.GetImageCacheShading() == Mapper::CACHE_INTERPOLATE;
+  options.Images.Policy = mapper.GetImageCachePolicy() == Mapper::KEY_IMAGE
+    ? TemporalCoherence::ImageCachePolicy::KeyImage
+    : TemporalCoherence::ImageCachePolicy::Latest;
+  options.Images.KeyImageInterval = mapper.GetKeyImageInterval();
+  options.Images.NumberOfImages = mapper.GetNumberOfCachedImages();
+  return options;
+}
+
+}
+
 //------------------------------------------------------------------------------
 vtkTemporalCoherenceVolumeMapper::vtkTemporalCoherenceVolumeMapper()
   : Internal(std::make_unique<Internals>())
@@ -109,13 +143,9 @@ bool vtkTemporalCoherenceVolumeMapper::RenderFrame(
     return false;
   }
 
-  TemporalCoherence::FrameRenderer::Options options;
-  options.SpaceLeaping = this->SpaceLeaping != 0;
-  options.Reuse.ImageCache = this->ImageCache != 0;
-  options.Reuse.Isomap = this->Isomap != 0;
   try
   {
-    internal.Frames.Render(key, options);
+    internal.Frames.Render(key, MakeOptions(*this));
   }
   catch (const std::exception&) // bad_alloc, or length_error where a size has no number
   {
@@ -157,6 +187,7 @@ bool vtkTemporalCoherenceVolumeMapper::MakeFrameKey(vtkRenderer* renderer, vtkVo
     return false;
   }
   key.Look = TemporalCoherence::MakeAppearance(property, renderer, key.Sought.Isovalues);
+  key.Look.ColorByAnswer = this->ColorByAnswer != 0;
 
   // An image without points has no array either: an empty picture, as for images without cells.
   if (image->GetNumberOfPoints() == 0)
@@ -430,7 +461,7 @@ double vtkTemporalCoherenceVolumeMapper::GetTraceTime()
 //------------------------------------------------------------------------------
 double vtkTemporalCoherenceVolumeMapper::GetQueryTime()
 {
-  return 0.0;
+  return this->Internal->Statistics().QueryTime;
 }
 
 //------------------------------------------------------------------------------
@@ -468,6 +499,7 @@ void vtkTemporalCoherenceVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ImageCachePolicy: " << this->ImageCachePolicy << endl;
   os << indent << "KeyImageInterval: " << this->KeyImageInterval << endl;
   os << indent << "NumberOfCachedImages: " << this->NumberOfCachedImages << endl;
+  os << indent << "ImageCacheShading: " << this->ImageCacheShading << endl;
   os << indent << "IsomapTolerance: " << this->IsomapTolerance << endl;
   os << indent << "IsomapRange: " << this->IsomapRange[0] << ", " << this->IsomapRange[1] << endl;
   os << indent << "IsomapMemoryLimit: " << this->IsomapMemoryLimit << endl;

@@ -100,8 +100,9 @@ public:
 
   ///@{
   /**
-   * Allow a moved camera to start from the last picture. Default: on. The route ImageCache is not
-   * built yet: a new view makes a cold frame either way.
+   * Allow a moved camera to start from a kept picture: rays leap over the space that it shows to be
+   * free, and those that stay in it are not traced at all. Default: on. Off, a new view makes a
+   * cold frame.
    */
   vtkSetMacro(ImageCache, vtkTypeBool);
   vtkGetMacro(ImageCache, vtkTypeBool);
@@ -131,8 +132,9 @@ public:
 
   ///@{
   /**
-   * Paint yellow what the image cache did not serve (figure 8 of the paper). Default: off. It
-   * shows in frames of the route ImageCache only.
+   * Paint yellow the surfaces that the image cache did not serve (figure 8 of the paper): those
+   * found by rays that were possible hits. Default: off. It shows in frames of the route ImageCache
+   * only, and stays while such a frame gets new colours.
    */
   vtkSetMacro(ColorByAnswer, vtkTypeBool);
   vtkGetMacro(ColorByAnswer, vtkTypeBool);
@@ -148,9 +150,19 @@ public:
 
   ///@{
   /**
-   * What a frame made from the image cache promises: BOUNDED (default), at most 0.01 % of the
-   * pixels differ from the cold picture, however many frames; EXACT, the cold picture; PAPER, as
-   * published. It concerns the route ImageCache.
+   * What a frame of the route ImageCache promises.
+   *
+   * BOUNDED (default): at most 0.01 % of the pixels differ from the cold picture (a surface here
+   * and none there, or more than a voxel apart) in the median frame and 0.05 % in any, however many
+   * frames are made from one another. Rays start one voxel before the nearest depth of the cached
+   * pixel and its neighbours, and are always traced from there. The picture is believed where its
+   * pixels are at most a voxel apart.
+   *
+   * EXACT: the cold picture, to the last bit. A picture between whose pixels anything may hide
+   * proves nothing, so this costs what a cold frame costs.
+   *
+   * PAPER: as published. A hit that the cached picture has is looked for within a voxel of it; what
+   * the picture shows to be free is believed. Silhouettes erode a little with every frame.
    */
   vtkSetClampMacro(ReuseAccuracy, int, BOUNDED, PAPER);
   vtkGetMacro(ReuseAccuracy, int);
@@ -161,8 +173,8 @@ public:
 
   ///@{
   /**
-   * Complete a picture from the image cache to the cold picture when the view repeats. Default:
-   * on.
+   * Complete a picture from the image cache to the cold picture, once, when the view repeats (by a
+   * frame of the route Cold). Default: on.
    */
   vtkSetMacro(RefineWhenStill, vtkTypeBool);
   vtkGetMacro(RefineWhenStill, vtkTypeBool);
@@ -177,9 +189,10 @@ public:
 
   ///@{
   /**
-   * Which pictures the image cache keeps: LATEST (default) the last one, KEY_IMAGE a cold one
-   * every KeyImageInterval frames (default 7, as in the paper). NumberOfCachedImages (default 1)
-   * may be kept; the nearest serves.
+   * Which pictures the image cache keeps: LATEST (default) every one, KEY_IMAGE a cold one that is
+   * made every KeyImageInterval frames (default 7, as in the paper). The latest
+   * NumberOfCachedImages (default 1) stay; the one whose view is nearest serves. Each takes 36
+   * bytes a pixel.
    */
   vtkSetClampMacro(ImageCachePolicy, int, LATEST, KEY_IMAGE);
   vtkGetMacro(ImageCachePolicy, int);
@@ -189,6 +202,24 @@ public:
   vtkGetMacro(KeyImageInterval, int);
   vtkSetClampMacro(NumberOfCachedImages, int, 1, VTK_INT_MAX);
   vtkGetMacro(NumberOfCachedImages, int);
+  ///@}
+
+  enum ImageCacheShadings
+  {
+    CACHE_RESHADE = 0,
+    CACHE_INTERPOLATE = 1
+  };
+
+  ///@{
+  /**
+   * Colours of definite hits with PAPER: RESHADE (default), from the field at the refined hit;
+   * INTERPOLATE, between those of the cached picture, whose light and blur then travel with it. New
+   * colours or lights, or ColorByAnswer, reshade.
+   */
+  vtkSetClampMacro(ImageCacheShading, int, CACHE_RESHADE, CACHE_INTERPOLATE);
+  vtkGetMacro(ImageCacheShading, int);
+  void SetImageCacheShadingToReshade() { this->SetImageCacheShading(CACHE_RESHADE); }
+  void SetImageCacheShadingToInterpolate() { this->SetImageCacheShading(CACHE_INTERPOLATE); }
   ///@}
 
   ///@{
@@ -274,9 +305,10 @@ public:
 
   ///@{
   /**
-   * Counters of the last frame. Rays (one a pixel) are the sum of definite hits and misses (known
-   * without tracing) and possible hits. Field samples are those read to find surfaces, eight a
-   * cell.
+   * Counters of the last frame. Rays (one a pixel) are the sum of definite misses (known to meet
+   * nothing), definite hits (known before, or found where the image cache told to look) and
+   * possible hits. Traced are those that were followed through the field, but not hits of PAPER
+   * that were only refined. Field samples are those read to find surfaces, eight a cell.
    */
   vtkIdType GetNumberOfRays();
   vtkIdType GetNumberOfDefiniteHits();
@@ -290,7 +322,8 @@ public:
 
   ///@{
   /**
-   * Seconds that the last frame took: all told (showing it included), and by stage.
+   * Seconds that the last frame took: all told (showing it included), and of these: structures and
+   * tracing, asking the image cache, building an isomap, shading, showing.
    */
   double GetFrameTime();
   double GetTraceTime();
@@ -339,6 +372,7 @@ private:
   int ImageCachePolicy = LATEST;
   int KeyImageInterval = 7;
   int NumberOfCachedImages = 1;
+  int ImageCacheShading = CACHE_RESHADE;
   double IsomapTolerance = 0.0;
   double IsomapRange[2] = { 1.0, 0.0 };
   int IsomapMemoryLimit = 256;

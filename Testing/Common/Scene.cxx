@@ -103,6 +103,7 @@ Agreement CompareWithTruth(const Scene& scene, const BruteForceTracer& truth, in
 bool AgreesWithTruth(const std::string& name, Scene& scene, const BruteForceTracer& truth,
   int width, int height, int stride)
 {
+  scene.Mapper->ReleaseReuse(); // the contract is that of a cold frame
   if (!scene.Render(width, height))
   {
     std::cerr << name << ": not rendered\n";

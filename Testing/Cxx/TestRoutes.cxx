@@ -67,6 +67,7 @@ void TestEachChange()
 {
   vtkSmartPointer<vtkImageData> image = Waves();
   Scene scene(image, { 200.0, -300.0 });
+  scene.Mapper->SetReuseAccuracyToExact();
   scene.LookFrom(1.0, 2.0, 0.5);
   vtkVolumeProperty* property = scene.Volume->GetProperty();
   vtkCamera* camera = scene.Renderer->GetActiveCamera();
@@ -95,7 +96,7 @@ void TestEachChange()
   property->SetInterpolationTypeToNearest();
   ExpectRoute(scene, "Cold", "interpolation");
   camera->Azimuth(10.0);
-  ExpectRoute(scene, "Cold", "camera");
+  ExpectRoute(scene, "ImageCache", "camera");
   scene.Volume->RotateX(5.0);
   ExpectRoute(scene, "Cold", "prop transform");
   scene.Mapper->SetSurfaceModeToThreshold();
@@ -132,6 +133,7 @@ void TestManyChanges()
 {
   vtkSmartPointer<vtkImageData> image = Waves();
   Scene scene(image, { 0.0 });
+  scene.Mapper->SetReuseAccuracyToExact();
   scene.LookFrom(1.0, 2.0, 0.5);
   vtkVolumeProperty* property = scene.Volume->GetProperty();
   std::mt19937 engine(5);

@@ -37,7 +37,7 @@ protected:
     const auto same = [](const auto& x, const auto& y)
     { return x.size() == y.size() && !std::memcmp(x.data(), y.data(), x.size() * sizeof(x[0])); };
     return a.Size == b.Size && same(a.Depth, b.Depth) && same(a.Normals, b.Normals) &&
-      same(a.Isovalues, b.Isovalues) && same(a.Caps, b.Caps) && same(a.Colors, b.Colors);
+      same(a.Isovalues, b.Isovalues) && same(a.Kinds, b.Kinds) && same(a.Colors, b.Colors);
   }
 
   Frame Cold(const FrameRenderer::Options& options = {}) const
@@ -152,7 +152,9 @@ TEST_F(FrameRendererTest, WithoutMemoryTheLastFrameStays)
   renderer.Render(this->Key, {});
   EXPECT_EQ(renderer.Statistics().Made, Route::Redisplay);
   this->Key.Seen = LookAt(this->Samples.Seen.Dimensions, { 1.0, 1.9, 0.7 }, { 203, 117 });
-  renderer.Render(this->Key, {});
+  FrameRenderer::Options cold;
+  cold.Reuse.ImageCache = false;
+  renderer.Render(this->Key, cold);
   EXPECT_TRUE(AreIdentical(renderer.LastFrame(), this->Cold()));
 }
 

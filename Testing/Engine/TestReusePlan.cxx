@@ -20,9 +20,10 @@ FrameKey BaseKey()
   return key;
 }
 
-Route Plan(const FrameKey& next, const ReuseSwitches& switches = {}, bool hasIsomap = false)
+Route Plan(
+  const FrameKey& next, const ReuseSwitches& switches = {}, const HeldForReuse& held = {})
 {
-  return PlanRoute(BaseKey(), next, switches, hasIsomap);
+  return PlanRoute(BaseKey(), next, switches, held);
 }
 
 TEST(ReusePlan, NothingChanged)
@@ -60,8 +61,10 @@ TEST(ReusePlan, IsovalueChangedInTheSameView)
 {
   FrameKey key = BaseKey();
   key.Sought.Isovalues[0] = 4.0;
-  EXPECT_EQ(Plan(key, {}, true), Route::IsomapLookup);
-  EXPECT_EQ(Plan(key, {}, false), Route::IsomapBuild);
+  HeldForReuse held;
+  EXPECT_EQ(Plan(key, {}, held), Route::IsomapBuild);
+  held.Isomap = true;
+  EXPECT_EQ(Plan(key, {}, held), Route::IsomapLookup);
   ReuseSwitches noIsomap;
   noIsomap.Isomap = false;
   EXPECT_EQ(Plan(key, noIsomap), Route::ThresholdHint);
@@ -76,14 +79,51 @@ TEST(ReusePlan, ViewChanged)
 {
   FrameKey key = BaseKey();
   key.Seen.ClipFromWorld[0][0] = 2.0;
-  EXPECT_EQ(Plan(key), Route::ImageCache);
+  HeldForReuse held;
+  EXPECT_EQ(Plan(key, {}, held), Route::Cold) << "no image";
+  held.Image = true;
+  EXPECT_EQ(Plan(key, {}, held), Route::ImageCache);
   ReuseSwitches noCache;
   noCache.ImageCache = false;
-  EXPECT_EQ(Plan(key, noCache), Route::Cold);
+  EXPECT_EQ(Plan(key, noCache, held), Route::Cold);
+}
+
+TEST(ReusePlan, WhatAnImageCanServe)
+{
+  FrameKey key = BaseKey();
+  key.Seen.ClipFromWorld[0][0] = 2.0;
+  EXPECT_TRUE(CanServe(BaseKey(), key));
+  key.Look.Shade = true;
+  EXPECT_TRUE(CanServe(BaseKey(), key));
   key.Sought.Isovalues[0] = 6.0;
-  EXPECT_EQ(Plan(key), Route::ImageCache) << "raised";
+  EXPECT_TRUE(CanServe(BaseKey(), key)) << "raised";
   key.Sought.Isovalues[0] = 4.0;
-  EXPECT_EQ(Plan(key), Route::Cold) << "lowered";
+  EXPECT_FALSE(CanServe(BaseKey(), key)) << "lowered";
+  key.Sought.Isovalues = { 6.0, 7.0 };
+  EXPECT_FALSE(CanServe(BaseKey(), key)) << "more than one";
+  key = BaseKey();
+  key.Sought.Mode = SurfaceMode::Threshold;
+  EXPECT_FALSE(CanServe(BaseKey(), key));
+  key = BaseKey();
+  key.Samples.Stamp = 2;
+  EXPECT_FALSE(CanServe(BaseKey(), key));
+  key = BaseKey();
+  key.Where.WorldFromIndex[0][0] = 2.0;
+  EXPECT_FALSE(CanServe(BaseKey(), key));
+}
+
+TEST(ReusePlan, RepeatedViewIsCompleted)
+{
+  HeldForReuse held;
+  held.IsExact = false;
+  FrameKey key = BaseKey();
+  EXPECT_EQ(Plan(key, {}, held), Route::Cold);
+  key.Look.Shade = true;
+  EXPECT_EQ(Plan(key, {}, held), Route::Cold);
+  ReuseSwitches asItIs;
+  asItIs.RefineWhenStill = false;
+  EXPECT_EQ(Plan(key, asItIs, held), Route::Reshade);
+  EXPECT_EQ(Plan(BaseKey(), asItIs, held), Route::Redisplay);
 }
 
 TEST(ReusePlan, RoutesHaveTheirNames)

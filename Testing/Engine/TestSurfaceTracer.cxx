@@ -82,7 +82,7 @@ void ExpectSame(const HitBatch& a, const HitBatch& b, std::size_t i)
 {
   EXPECT_EQ(a.Depth[i], b.Depth[i]);
   EXPECT_EQ(a.Surface[i], b.Surface[i]);
-  EXPECT_EQ(a.Cap[i], b.Cap[i]);
+  EXPECT_EQ(a.Kind[i], b.Kind[i]);
 }
 
 template <typename T>
@@ -173,7 +173,7 @@ TEST(SurfaceTracer, ThresholdCapsWhatIsCutOpen)
     {
       EXPECT_EQ(capped.Depth[i], rays.Begin[i]);
       EXPECT_EQ(capped.Surface[i], 1) << "the highest isovalue that the field reaches";
-      EXPECT_EQ(capped.Cap[i], 1);
+      EXPECT_EQ(capped.Kind[i], HitKind::Cap);
       ++caps;
     }
   }

@@ -33,6 +33,7 @@ struct Appearance
   double Specular = 0.2;
   double SpecularPower = 10.0;
   std::vector<Light> Lights;
+  bool ColorByAnswer = false; ///< yellow where a frame from the image cache was not served by it
 };
 
 inline bool operator==(const Light& a, const Light& b)
@@ -46,7 +47,7 @@ inline bool operator==(const Appearance& a, const Appearance& b)
 {
   return a.Colors == b.Colors && a.Shade == b.Shade && a.Ambient == b.Ambient &&
     a.Diffuse == b.Diffuse && a.Specular == b.Specular && a.SpecularPower == b.SpecularPower &&
-    a.Lights == b.Lights;
+    a.Lights == b.Lights && a.ColorByAnswer == b.ColorByAnswer;
 }
 
 }

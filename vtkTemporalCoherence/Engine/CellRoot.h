@@ -204,6 +204,15 @@ bool FirstCrossing(const Cubic<Real>& b, Real& s)
   return false;
 }
 
+/// The corner of a cell whose sample is nearest to a point; x + 2 y + 4 z.
+template <typename Real>
+std::size_t NearestCorner(const std::array<Real, 3>& at)
+{
+  return static_cast<std::size_t>(at[0] >= Real(0.5)) |
+    static_cast<std::size_t>(at[1] >= Real(0.5)) << 1 |
+    static_cast<std::size_t>(at[2] >= Real(0.5)) << 2;
+}
+
 /// First crossing of the nearest sample's value along a path: a face between two samples, half way
 /// across the cell.
 /// \param midway share of the path at which it passes the middle of the cell, along each axis
@@ -211,14 +220,13 @@ template <typename Real>
 bool FirstNearestCrossing(const Corners<Real>& corners, const CellPath<Real>& path,
   const std::array<double, 3>& midway, double& s)
 {
-  std::size_t corner = 0;
+  std::size_t corner = NearestCorner(path.Begin);
   std::array<int, 3> order{};
   int passed = 0;
   for (int a = 0; a < 3; ++a)
   {
     const auto i = static_cast<std::size_t>(a);
     const bool fromHigh = path.Begin[i] >= Real(0.5);
-    corner |= static_cast<std::size_t>(fromHigh) << a;
     if (fromHigh != (path.End[i] >= Real(0.5)))
     {
       // Insert into the ascending order of the middles that are passed.

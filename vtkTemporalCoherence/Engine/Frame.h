@@ -21,6 +21,15 @@ enum class Answer : std::uint8_t
   PossibleHit   ///< traced through the field
 };
 
+/// How a ray meets the surface that it hits.
+enum class HitKind : std::uint8_t
+{
+  None,
+  Enters, ///< the field rises to the isovalue: the ray comes from outside
+  Leaves, ///< the field falls below the isovalue: the ray comes from inside
+  Cap     ///< the ray begins inside a THRESHOLD solid, which is cut open there
+};
+
 /// A finished picture with all that is known about it, one value a pixel in each plane.
 /// Row 0 is the bottom row; pixel (x, y) is at [y * Size.x + x].
 struct Frame
@@ -31,9 +40,10 @@ struct Frame
   std::vector<double> Depth;           ///< t of the hit: world distance along the ray; or infinity
   std::vector<glm::vec3> Normals;      ///< unit normal in the world, facing the viewer; or 0
   std::vector<std::int16_t> Isovalues; ///< position of the hit isovalue in the list; or NoSurface
-  std::vector<std::uint8_t> Caps;      ///< 1 where a THRESHOLD solid is cut open, not met
+  std::vector<HitKind> Kinds;
   std::vector<Answer> Answers;
   std::vector<std::array<std::uint8_t, 4>> Colors; ///< RGBA; all 0 where nothing is hit
+  bool IsFromCache = false;                        ///< answers are those of a cached image
 
   /// Give every plane room for `size` pixels; contents are not defined afterwards.
   /// \throws std::bad_alloc, the frame then being empty
@@ -48,7 +58,7 @@ struct Frame
     this->Depth.resize(pixels);
     this->Normals.resize(pixels);
     this->Isovalues.resize(pixels);
-    this->Caps.resize(pixels);
+    this->Kinds.resize(pixels);
     this->Answers.resize(pixels);
     this->Colors.resize(pixels);
     this->Size = size;

@@ -36,47 +36,11 @@ std::int64_t NumberOfTiles(const glm::ivec2& pixels)
   return static_cast<std::int64_t>(tiles.x) * tiles.y;
 }
 
-/// A tile through which no surface can be seen.
-void FillWithMisses(const PixelRect& part, Frame& frame)
+/// True if the colours of a cached image are still those of its surfaces.
+bool HasColorsFor(const CachedImage& cached, const FrameKey& next)
 {
-  for (int y = part.First.y; y < part.First.y + part.Size.y; ++y)
-  {
-    const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.Size.x) +
-      static_cast<std::size_t>(part.First.x);
-    const auto count = static_cast<std::size_t>(part.Size.x);
-    std::fill_n(&frame.Depth[row], count, std::numeric_limits<double>::infinity());
-    std::fill_n(&frame.Isovalues[row], count, Frame::NoSurface);
-    std::fill_n(&frame.Caps[row], count, std::uint8_t(0));
-    std::fill_n(&frame.Answers[row], count, Answer::DefiniteMiss);
-  }
-}
-
-/// Narrow the walks of a tile's rays to its bounds.
-void NarrowWalks(const TileBounds::Bounds& bounds, RayBatch& rays)
-{
-  for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
-  {
-    rays.WalkBegin[i] = std::max(rays.WalkBegin[i], static_cast<double>(bounds.Near));
-    rays.WalkEnd[i] = std::min(rays.WalkEnd[i], static_cast<double>(bounds.Far));
-  }
-}
-
-/// Write the hits of a batch into the planes of a frame.
-/// \return the number of rays that were traced
-int StoreHits(const RayBatch& rays, const HitBatch& hits, Frame& frame)
-{
-  int traced = 0;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
-  {
-    const auto pixel = static_cast<std::size_t>(rays.Pixel[i]);
-    const bool isTraced = rays.WalkBegin[i] < rays.WalkEnd[i] || hits.Cap[i];
-    traced += isTraced;
-    frame.Depth[pixel] = hits.Depth[i];
-    frame.Isovalues[pixel] = hits.Surface[i];
-    frame.Caps[pixel] = hits.Cap[i];
-    frame.Answers[pixel] = isTraced ? Answer::PossibleHit : Answer::DefiniteMiss;
-  }
-  return traced;
+  return cached.Key.Look == next.Look && cached.Key.Sought == next.Sought &&
+    !next.Look.ColorByAnswer;
 }
 
 }
@@ -88,7 +52,8 @@ void FrameRenderer::Render(const FrameKey& key, const Options& options)
   try
   {
     Stopwatch watch(this->Counters.FrameTime);
-    this->Counters.Made = this->ChooseRoute(key, options);
+    const std::shared_ptr<CachedImage> nearest = this->Images.Find(key, options.Images);
+    this->Counters.Made = this->ChooseRoute(key, options, nearest);
     this->Counters.Rays = static_cast<std::int64_t>(key.Seen.Size.x) * key.Seen.Size.y;
     switch (this->Counters.Made)
     {
@@ -96,14 +61,17 @@ void FrameRenderer::Render(const FrameKey& key, const Options& options)
         this->CountKnownHits();
         break;
       case Route::Reshade:
-        this->ShadeTiles(key, false, this->Front);
+        this->ShadeTiles(key, false, true, this->Front->Picture);
+        this->Front->Key = key;
         this->CountKnownHits();
         break;
+      case Route::ImageCache:
+        this->MakeFrame(key, options, nearest.get());
+        break;
       default:
-        this->RenderCold(key, options);
+        this->MakeFrame(key, options, nullptr);
         break;
     }
-    this->Key = key;
   }
   catch (...)
   {
@@ -112,33 +80,67 @@ void FrameRenderer::Render(const FrameKey& key, const Options& options)
   }
 }
 
-Route FrameRenderer::ChooseRoute(const FrameKey& key, const Options& options) const
+Route FrameRenderer::ChooseRoute(
+  const FrameKey& key, const Options& options, const std::shared_ptr<CachedImage>& nearest) const
 {
-  if (this->Front.IsEmpty())
+  if (this->Front->Picture.IsEmpty())
   {
     return Route::Cold;
   }
-  switch (PlanRoute(this->Key, key, options.Reuse, false))
+  HeldForReuse held;
+  held.IsExact = this->Front->IsExact;
+  held.Image = nearest && ImageQuery::CanAsk(nearest->Key.Seen);
+  ReuseSwitches switches = options.Reuse;
+  switches.RefineWhenStill |= options.Accuracy == ReuseAccuracy::Exact || !switches.ImageCache;
+  const Route route = PlanRoute(this->Front->Key, key, switches, held);
+  switch (route)
   {
     case Route::Redisplay:
-      return Route::Redisplay;
     case Route::Reshade:
-      return Route::Reshade;
+    case Route::ImageCache:
+      return route;
     default:
       return Route::Cold; // the routes that are planned but not built yet
   }
 }
 
-void FrameRenderer::RenderCold(const FrameKey& key, const Options& options)
+/// Make a frame by tracing, from a cached image or, if that is null, cold.
+void FrameRenderer::MakeFrame(const FrameKey& key, const Options& options, CachedImage* cached)
 {
+  if (!this->Back)
+  {
+    this->Back = std::make_shared<CachedImage>();
+  }
+  CachedImage& made = *this->Back;
+  const bool isExact = !cached || options.Accuracy == ReuseAccuracy::Exact;
+  const bool interpolates = !isExact && options.Accuracy == ReuseAccuracy::Paper &&
+    options.InterpolateColors && HasColorsFor(*cached, key);
   {
     Stopwatch watch(this->Counters.TraceTime);
     this->PrepareStructures(key, options);
-    this->Back.Resize(key.Seen.Size);
-    this->TraceTiles(key, options, this->Back);
+    made.Picture.Resize(key.Seen.Size);
+    made.Picture.IsFromCache = cached != nullptr;
   }
-  this->ShadeTiles(key, true, this->Back);
+  std::unique_ptr<ImageQuery> query;
+  if (!isExact)
+  {
+    Stopwatch watch(this->Counters.QueryTime);
+    query = std::make_unique<ImageQuery>(*cached, key, options.Accuracy);
+  }
+  this->TraceTiles({ key, options.SpaceLeaping ? &this->Active : nullptr, &this->Bounds,
+                     this->Pyramid.FiniteRange(), query.get(), interpolates },
+    made.Picture);
+  this->ShadeTiles(key, true, !interpolates, made.Picture);
+
+  made.Key = key;
+  made.IsExact = isExact;
+  made.Depths.Clear();
   std::swap(this->Front, this->Back);
+  const std::shared_ptr<CachedImage> dropped = this->Images.Keep(this->Front, options.Images);
+  if (this->Images.Holds(this->Back))
+  {
+    this->Back = dropped;
+  }
 }
 
 void FrameRenderer::PrepareStructures(const FrameKey& key, const Options& options)
@@ -168,45 +170,41 @@ void FrameRenderer::PrepareStructures(const FrameKey& key, const Options& option
   this->Bounds.Build(key.Seen, key.Where, this->Active);
 }
 
-void FrameRenderer::TraceTiles(const FrameKey& key, const Options& options, Frame& frame)
+void FrameRenderer::TraceTiles(const TileScene& scene, Frame& frame)
 {
-  const bool hasSurfaces = key.Samples.HasCells() && !key.Sought.Isovalues.empty();
-  const bool leaps = options.SpaceLeaping;
-  const bool isSolid = key.Sought.Mode == SurfaceMode::Threshold;
-  const std::unique_ptr<SurfaceTracer> tracer = SurfaceTracer::Make(
-    { key.Samples, key.Sought, this->Pyramid.FiniteRange(), leaps ? &this->Active : nullptr });
-
-  std::atomic<std::int64_t> traced{ 0 }, cellsRead{ 0 };
-  ParallelFor(NumberOfTiles(frame.Size), TileGrain,
-    [&](std::int64_t tile)
-    {
-      const PixelRect part = PixelsOfTile(frame.Size, tile);
-      // A solid may be cut open where there is no active cell.
-      const bool canMiss = leaps && !isSolid && hasSurfaces;
-      if (!hasSurfaces || (canMiss && this->Bounds.At(static_cast<int>(tile)).IsEmpty()))
+  double seconds = 0.0;
+  std::atomic<std::int64_t> hits{ 0 }, misses{ 0 }, possible{ 0 }, traced{ 0 }, cells{ 0 };
+  std::atomic<std::int64_t> queryTime{ 0 }, tileTime{ 0 };
+  {
+    Stopwatch watch(seconds);
+    const TileTracer tracer(scene);
+    ParallelFor(NumberOfTiles(frame.Size), TileGrain,
+      [&](std::int64_t tile)
       {
-        FillWithMisses(part, frame);
-        return;
-      }
-      RayBatch rays;
-      HitBatch hits;
-      SetUpRays(key.Seen, key.Where, key.Samples.Dimensions, part.First, part.Size, rays);
-      if (leaps)
-      {
-        NarrowWalks(this->Bounds.At(static_cast<int>(tile)), rays);
-      }
-      tracer->Trace(rays, hits);
-      traced.fetch_add(StoreHits(rays, hits, frame), std::memory_order_relaxed);
-      cellsRead.fetch_add(hits.CellsRead, std::memory_order_relaxed);
-    });
-
+        const TraceCounts counts = tracer.Trace(tile, PixelsOfTile(frame.Size, tile), frame);
+        hits.fetch_add(counts.DefiniteHits, std::memory_order_relaxed);
+        misses.fetch_add(counts.DefiniteMisses, std::memory_order_relaxed);
+        possible.fetch_add(counts.PossibleHits, std::memory_order_relaxed);
+        traced.fetch_add(counts.TracedRays, std::memory_order_relaxed);
+        cells.fetch_add(counts.CellsRead, std::memory_order_relaxed);
+        queryTime.fetch_add(counts.QueryTime, std::memory_order_relaxed);
+        tileTime.fetch_add(counts.TileTime, std::memory_order_relaxed);
+      });
+  }
+  this->Counters.DefiniteHits = hits;
+  this->Counters.DefiniteMisses = misses;
+  this->Counters.PossibleHits = possible;
   this->Counters.TracedRays = traced;
-  this->Counters.PossibleHits = traced;
-  this->Counters.DefiniteMisses = this->Counters.Rays - traced;
-  this->Counters.FieldSamples = 8 * cellsRead;
+  this->Counters.FieldSamples = 8 * cells;
+  // Threads ask and trace tile by tile: the time of both is told apart by their shares.
+  const double queryShare =
+    tileTime > 0 ? static_cast<double>(queryTime) / static_cast<double>(tileTime) : 0.0;
+  this->Counters.QueryTime += queryShare * seconds;
+  this->Counters.TraceTime += (1.0 - queryShare) * seconds;
 }
 
-void FrameRenderer::ShadeTiles(const FrameKey& key, bool withNormals, Frame& frame)
+void FrameRenderer::ShadeTiles(
+  const FrameKey& key, bool withNormals, bool withDefiniteHits, Frame& frame)
 {
   Stopwatch watch(this->Counters.ShadeTime);
   const NormalSource source{ key.Samples, key.Where, key.Sought.Isovalues,
@@ -214,20 +212,21 @@ void FrameRenderer::ShadeTiles(const FrameKey& key, bool withNormals, Frame& fra
   ParallelFor(NumberOfTiles(frame.Size), TileGrain,
     [&](std::int64_t tile)
     {
-      const PixelRect part = PixelsOfTile(frame.Size, tile);
+      HitList hits;
+      GatherHits(key.Seen, PixelsOfTile(frame.Size, tile), withDefiniteHits, frame, hits);
       if (withNormals)
       {
-        ComputeNormals(source, key.Seen, part, frame);
+        ComputeNormals(source, hits, frame);
       }
-      ShadePixels(key.Look, key.Seen, part, frame);
+      ShadeHits(key.Look, hits, frame);
     });
 }
 
 /// Every pixel of a picture that is shown again is an answer known before.
 void FrameRenderer::CountKnownHits()
 {
-  this->Counters.DefiniteMisses =
-    std::count(this->Front.Isovalues.begin(), this->Front.Isovalues.end(), Frame::NoSurface);
+  const std::vector<std::int16_t>& isovalues = this->Front->Picture.Isovalues;
+  this->Counters.DefiniteMisses = std::count(isovalues.begin(), isovalues.end(), Frame::NoSurface);
   this->Counters.DefiniteHits = this->Counters.Rays - this->Counters.DefiniteMisses;
 }
 

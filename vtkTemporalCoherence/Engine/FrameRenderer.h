@@ -4,13 +4,14 @@
 #define TemporalCoherence_FrameRenderer_h
 
 #include "ActiveCells.h"
-#include "Frame.h"
+#include "ImageCache.h"
 #include "ReusePlan.h"
-#include "Shader.h"
 #include "TileBounds.h"
+#include "TileTracer.h"
 #include "ValueRangePyramid.h"
 
 #include <cstdint>
+#include <memory>
 
 namespace TemporalCoherence
 {
@@ -27,6 +28,7 @@ struct FrameStatistics
   std::int64_t FieldSamples = 0; ///< samples read to find surfaces
   double FrameTime = 0.0;        ///< seconds, all told
   double TraceTime = 0.0;        ///< of these, structures and rays
+  double QueryTime = 0.0;        ///< of these, asking the image cache
   double ShadeTime = 0.0;        ///< of these, normals and colours
 };
 
@@ -38,6 +40,9 @@ public:
   {
     bool SpaceLeaping = true; ///< off: every cell on the way is read (the paper's plain ray caster)
     ReuseSwitches Reuse;
+    ReuseAccuracy Accuracy = ReuseAccuracy::Bounded;
+    bool InterpolateColors = false; ///< PAPER's definite hits: from the cached image, not shaded
+    ImageCache::Options Images;
   };
 
   /// Make the frame of `key`.
@@ -46,24 +51,25 @@ public:
   void Render(const FrameKey& key, const Options& options);
 
   /// The last frame, and the key it was made for. The frame is empty before the first one.
-  const Frame& LastFrame() const { return this->Front; }
-  const FrameKey& LastKey() const { return this->Key; }
+  const Frame& LastFrame() const { return this->Front->Picture; }
+  const FrameKey& LastKey() const { return this->Front->Key; }
   const FrameStatistics& Statistics() const { return this->Counters; }
 
   /// Forget the last frame and free all memory.
   void Release();
 
 private:
-  Route ChooseRoute(const FrameKey& key, const Options& options) const;
-  void RenderCold(const FrameKey& key, const Options& options);
+  Route ChooseRoute(
+    const FrameKey& key, const Options& options, const std::shared_ptr<CachedImage>& nearest) const;
+  void MakeFrame(const FrameKey& key, const Options& options, CachedImage* cached);
   void PrepareStructures(const FrameKey& key, const Options& options);
-  void TraceTiles(const FrameKey& key, const Options& options, Frame& frame);
-  void ShadeTiles(const FrameKey& key, bool withNormals, Frame& frame);
+  void TraceTiles(const TileScene& scene, Frame& frame);
+  void ShadeTiles(const FrameKey& key, bool withNormals, bool withDefiniteHits, Frame& frame);
   void CountKnownHits();
 
-  Frame Front; ///< the last frame
-  Frame Back;  ///< the frame being made
-  FrameKey Key;
+  std::shared_ptr<CachedImage> Front = std::make_shared<CachedImage>(); ///< the last frame
+  std::shared_ptr<CachedImage> Back; ///< memory for the frame being made; or null
+  ImageCache Images;                 ///< what later frames may start from, Front among them
   FrameStatistics Counters;
 
   ValueRangePyramid Pyramid; ///< of PyramidField

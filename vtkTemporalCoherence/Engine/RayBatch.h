@@ -4,6 +4,7 @@
 #define TemporalCoherence_RayBatch_h
 
 #include "Field.h"
+#include "Frame.h"
 #include "View.h"
 
 #include <array>
@@ -41,8 +42,8 @@ struct HitBatch
 {
   RayBatch::Array<double> Depth;         ///< t, or infinity
   RayBatch::Array<std::int16_t> Surface; ///< position in the list of isovalues, or Frame::NoSurface
-  RayBatch::Array<std::uint8_t> Cap;     ///< 1 where a solid is cut open
-  std::int64_t CellsRead = 0;            ///< cells whose eight samples were read
+  RayBatch::Array<HitKind> Kind;
+  std::int64_t CellsRead = 0; ///< cells whose eight samples were read
 };
 
 /// Set up the rays through the pixels first .. first + size - 1 of a view and clip them to the box

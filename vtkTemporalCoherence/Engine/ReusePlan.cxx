@@ -40,8 +40,15 @@ FrameChange CompareFrames(const FrameKey& last, const FrameKey& next)
   return change;
 }
 
-Route PlanRoute(
-  const FrameKey& last, const FrameKey& next, const ReuseSwitches& switches, bool hasIsomap)
+bool CanServe(const FrameKey& cached, const FrameKey& next)
+{
+  // A raised isovalue only shrinks a solid, so that what was free of it still is.
+  const FrameChange change = CompareFrames(cached, next);
+  return !change.Data && (!change.Surfaces || change.Raised);
+}
+
+Route PlanRoute(const FrameKey& last, const FrameKey& next, const ReuseSwitches& switches,
+  const HeldForReuse& held)
 {
   const FrameChange change = CompareFrames(last, next);
   if (change.Data)
@@ -50,6 +57,10 @@ Route PlanRoute(
   }
   if (!change.View && !change.Surfaces)
   {
+    if (!held.IsExact && switches.RefineWhenStill)
+    {
+      return Route::Cold;
+    }
     return change.Appearance ? Route::Reshade : Route::Redisplay;
   }
   if (!change.View)
@@ -61,13 +72,11 @@ Route PlanRoute(
     }
     if (switches.Isomap)
     {
-      return hasIsomap ? Route::IsomapLookup : Route::IsomapBuild;
+      return held.Isomap ? Route::IsomapLookup : Route::IsomapBuild;
     }
     return Route::ThresholdHint;
   }
-  // A raised isovalue only shrinks a solid, so that what was free of it still is.
-  const bool canStartFromImage = !change.Surfaces || change.Raised;
-  return switches.ImageCache && canStartFromImage ? Route::ImageCache : Route::Cold;
+  return switches.ImageCache && held.Image ? Route::ImageCache : Route::Cold;
 }
 
 }

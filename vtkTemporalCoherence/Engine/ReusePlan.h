@@ -38,11 +38,28 @@ struct FrameKey
   Appearance Look;
 };
 
+/// What a frame made from the image cache promises.
+enum class ReuseAccuracy : std::uint8_t
+{
+  Bounded, ///< at most 0.01 % of the pixels differ from the cold picture, however many frames
+  Exact,   ///< the cold picture
+  Paper    ///< as published: silhouettes erode a little with every frame
+};
+
 /// What the user allows to be used again.
 struct ReuseSwitches
 {
   bool ImageCache = true;
   bool Isomap = true;
+  bool RefineWhenStill = true; ///< a view that repeats ends in the cold picture
+};
+
+/// What is at hand for the next frame.
+struct HeldForReuse
+{
+  bool IsExact = true; ///< the last picture is the cold picture of its key
+  bool Image = false;  ///< a cached image can serve
+  bool Isomap = false; ///< an isomap of this view covers the next isovalues
 };
 
 /// What changed between two frames, by part of the key.
@@ -57,11 +74,13 @@ struct FrameChange
 
 FrameChange CompareFrames(const FrameKey& last, const FrameKey& next);
 
-/// The best route from the last frame to the next one. It depends on the two keys alone, so that
+/// True if the picture made for `cached` tells where space is free of the surfaces of `next`.
+bool CanServe(const FrameKey& cached, const FrameKey& next);
+
+/// The best route from the last frame to the next one. It depends on its arguments alone, so that
 /// every decision can be tested without rendering.
-/// \param hasIsomap true if an isomap of this view covers the next isovalues
-Route PlanRoute(
-  const FrameKey& last, const FrameKey& next, const ReuseSwitches& switches, bool hasIsomap);
+Route PlanRoute(const FrameKey& last, const FrameKey& next, const ReuseSwitches& switches,
+  const HeldForReuse& held);
 
 }
 

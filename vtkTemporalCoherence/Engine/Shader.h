@@ -6,7 +6,10 @@
 #include "Appearance.h"
 #include "Field.h"
 #include "Frame.h"
+#include "RayBatch.h"
 #include "View.h"
+
+#include <array>
 
 namespace TemporalCoherence
 {
@@ -15,6 +18,18 @@ namespace TemporalCoherence
 struct PixelRect
 {
   glm::ivec2 First{ 0 }, Size{ 0 };
+};
+
+/// The hits of one tile, gathered into arrays.
+struct HitList
+{
+  template <typename T>
+  using Array = RayBatch::Array<T>;
+
+  int Count = 0;
+  Array<std::int32_t> Pixel;              ///< position in the planes of the frame
+  std::array<Array<double>, 3> Direction; ///< of the ray, unit length, in the world
+  std::array<Array<double>, 3> Point;     ///< of the hit, in the world
 };
 
 /// Where the hits of a picture get their normals from.
@@ -26,18 +41,22 @@ struct NormalSource
   glm::dvec2 FiniteRange{ 0.0 };
 };
 
-/// Fill the normals of a part of the frame from its depths. Pure: a frame's depths and surfaces
-/// decide its normals, whatever route made them.
-void ComputeNormals(
-  const NormalSource& source, const View& view, const PixelRect& part, Frame& frame);
+/// Gather the hits of a part of at most RayBatch::Capacity pixels, and clear normals and colours of
+/// the misses.
+/// \param withDefiniteHits false: leave those out, as their colours are known already
+void GatherHits(
+  const View& view, const PixelRect& part, bool withDefiniteHits, Frame& frame, HitList& hits);
 
-/// Fill the colours of a part of the frame from its depths and normals.
+/// Fill the normals of hits. Pure: a frame's depths and surfaces decide its normals, whatever route
+/// made them.
+void ComputeNormals(const NormalSource& source, const HitList& hits, Frame& frame);
+
+/// Fill the colours of hits from their positions and normals.
 ///
 /// VTK's Phong model: ambient light is the surface's own colour; each light adds a diffuse term
 /// max(0, N.L) and a specular term max(0, R.V)^power, R being the light mirrored at the normal
 /// (vtkVolumeShaderComposer of VTK 9.2 and later). Normals face the viewer, as for polygons.
-void ShadePixels(
-  const Appearance& appearance, const View& view, const PixelRect& part, Frame& frame);
+void ShadeHits(const Appearance& appearance, const HitList& hits, Frame& frame);
 
 }
 

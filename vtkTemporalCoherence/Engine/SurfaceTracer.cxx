@@ -203,7 +203,7 @@ public:
       }
       hits.Depth[ray] = hit.Depth;
       hits.Surface[ray] = hit.Surface;
-      hits.Cap[ray] = hit.Cap;
+      hits.Kind[ray] = hit.Kind;
     }
   }
 
@@ -212,7 +212,7 @@ private:
   {
     double Depth = Infinity;
     std::int16_t Surface = Frame::NoSurface;
-    std::uint8_t Cap = 0;
+    HitKind Kind = HitKind::None;
   };
 
   void Walk(const RayBatch& rays, std::size_t ray, Hit& hit, std::int64_t& cellsRead) const
@@ -312,9 +312,10 @@ private:
       }
       isSetUp = true;
       double t;
-      if (this->FindCrossing(walk, passage, corners, t) && t < hit.Depth)
+      const HitKind kind = this->FindCrossing(walk, passage, corners, t);
+      if (kind != HitKind::None && t < hit.Depth)
       {
-        hit = { t, static_cast<std::int16_t>(surface), 0 };
+        hit = { t, static_cast<std::int16_t>(surface), kind };
       }
     }
     return hit.Surface != Frame::NoSurface;
@@ -333,19 +334,22 @@ private:
     return inside != 0 && inside != 8;
   }
 
-  bool FindCrossing(const CellWalk& walk, const CellPassage<Real>& passage,
+  /// The first crossing in a cell. In a solid (THRESHOLD) that the walk began in, it is where the
+  /// ray enters the cell, and the ray "leaves".
+  HitKind FindCrossing(const CellWalk& walk, const CellPassage<Real>& passage,
     const Corners<Real>& corners, double& t) const
   {
     const double length = passage.Leave - passage.Enter;
+    bool isInside;
     if constexpr (Between == Interpolation::Linear)
     {
       const Cubic<Real> cubic = CubicAlong(corners, passage.Path);
+      isInside = IsInside(cubic[0]);
       Real s = Real(0);
-      const bool isInSolid =
-        this->Scene.Sought.Mode == SurfaceMode::Threshold && IsInside(cubic[0]);
+      const bool isInSolid = this->Scene.Sought.Mode == SurfaceMode::Threshold && isInside;
       if (!isInSolid && !FirstCrossing(cubic, s))
       {
-        return false;
+        return HitKind::None;
       }
       t = passage.Enter + static_cast<double>(s) * length;
     }
@@ -358,14 +362,15 @@ private:
         midway[static_cast<std::size_t>(axis)] =
           (middle * walk.Inverse[axis] - passage.Enter) / length;
       }
+      isInside = IsInside(corners[NearestCorner(passage.Path.Begin)]);
       double s;
       if (!FirstNearestCrossing(corners, passage.Path, midway, s))
       {
-        return false;
+        return HitKind::None;
       }
       t = passage.Enter + s * length;
     }
-    return true;
+    return isInside ? HitKind::Leaves : HitKind::Enters;
   }
 
   /// True if the field at the beginning of the ray is inside an isovalue. Of several that are, the
@@ -399,7 +404,7 @@ private:
         isovalues[surface] > isovalues[static_cast<std::size_t>(hit.Surface)];
       if (isHighest && this->IsInsideAt(origin, at, this->Differences[surface]))
       {
-        hit = { rays.Begin[ray], static_cast<std::int16_t>(surface), 1 };
+        hit = { rays.Begin[ray], static_cast<std::int16_t>(surface), HitKind::Cap };
       }
     }
     return hit.Surface != Frame::NoSurface;
@@ -410,10 +415,7 @@ private:
   {
     if constexpr (Between == Interpolation::Nearest)
     {
-      const std::size_t corner = static_cast<std::size_t>(at[0] >= Real(0.5)) |
-        static_cast<std::size_t>(at[1] >= Real(0.5)) << 1 |
-        static_cast<std::size_t>(at[2] >= Real(0.5)) << 2;
-      return IsInside(difference(origin[this->CornerOffsets[corner]]));
+      return IsInside(difference(origin[this->CornerOffsets[NearestCorner(at)]]));
     }
     else
     {

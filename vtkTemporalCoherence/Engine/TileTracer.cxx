@@ -1,0 +1,258 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TileTracer.h"
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+/// A surface found within so many voxels of where the image told to start counts as known.
+constexpr double NearStart = 2.0;
+
+std::int64_t Nanoseconds()
+{
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(
+    std::chrono::steady_clock::now().time_since_epoch())
+    .count();
+}
+
+/// A tile through which no surface can be seen.
+void FillWithMisses(const PixelRect& part, Frame& frame)
+{
+  for (int y = part.First.y; y < part.First.y + part.Size.y; ++y)
+  {
+    const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.Size.x) +
+      static_cast<std::size_t>(part.First.x);
+    const auto count = static_cast<std::size_t>(part.Size.x);
+    std::fill_n(&frame.Depth[row], count, Infinity);
+    std::fill_n(&frame.Isovalues[row], count, Frame::NoSurface);
+    std::fill_n(&frame.Kinds[row], count, HitKind::None);
+    std::fill_n(&frame.Answers[row], count, Answer::DefiniteMiss);
+  }
+}
+
+/// Narrow the walks of a tile's rays to its bounds.
+void NarrowByBounds(const TileBounds::Bounds& bounds, RayBatch& rays)
+{
+  for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
+  {
+    rays.WalkBegin[i] = std::max(rays.WalkBegin[i], static_cast<double>(bounds.Near));
+    rays.WalkEnd[i] = std::min(rays.WalkEnd[i], static_cast<double>(bounds.Far));
+  }
+}
+
+void StoreHit(
+  const RayBatch& rays, const HitBatch& hits, std::size_t ray, Answer answer, Frame& frame)
+{
+  const auto pixel = static_cast<std::size_t>(rays.Pixel[ray]);
+  frame.Depth[pixel] = hits.Depth[ray];
+  frame.Isovalues[pixel] = hits.Surface[ray];
+  frame.Kinds[pixel] = hits.Kind[ray];
+  frame.Answers[pixel] = answer;
+}
+
+void Count(Answer answer, TraceCounts& counts)
+{
+  counts.DefiniteHits += answer == Answer::DefiniteHit;
+  counts.DefiniteMisses += answer == Answer::DefiniteMiss;
+  counts.PossibleHits += answer == Answer::PossibleHit;
+}
+
+void AppendRay(const RayBatch& from, std::size_t ray, RayBatch& to)
+{
+  const auto at = static_cast<std::size_t>(to.Count++);
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    to.Origin[a][at] = from.Origin[a][ray];
+    to.Direction[a][at] = from.Direction[a][ray];
+    to.Inverse[a][at] = from.Inverse[a][ray];
+  }
+  to.Begin[at] = from.Begin[ray];
+  to.End[at] = from.End[ray];
+  to.WalkBegin[at] = from.WalkBegin[ray];
+  to.WalkEnd[at] = from.WalkEnd[ray];
+  to.Pixel[at] = from.Pixel[ray];
+}
+
+}
+
+TileTracer::TileTracer(const TileScene& scene)
+  : Scene(scene)
+  , HasSurfaces(scene.Key.Samples.HasCells() && !scene.Key.Sought.Isovalues.empty())
+  , IsSolid(scene.Key.Sought.Mode == SurfaceMode::Threshold)
+  , Tracer(
+      SurfaceTracer::Make({ scene.Key.Samples, scene.Key.Sought, scene.FiniteRange, scene.Active }))
+{
+}
+
+bool TileTracer::CanSkip(std::int64_t tile) const
+{
+  // A solid may be cut open where there is no active cell.
+  return !this->HasSurfaces ||
+    (this->Scene.Active && !this->IsSolid &&
+      this->Scene.Bounds->At(static_cast<int>(tile)).IsEmpty());
+}
+
+TraceCounts TileTracer::Trace(std::int64_t tile, const PixelRect& part, Frame& frame) const
+{
+  TraceCounts counts;
+  if (this->CanSkip(tile))
+  {
+    FillWithMisses(part, frame);
+    counts.DefiniteMisses = static_cast<std::int64_t>(part.Size.x) * part.Size.y;
+    return counts;
+  }
+  const FrameKey& key = this->Scene.Key;
+  RayBatch rays;
+  SetUpRays(key.Seen, key.Where, key.Samples.Dimensions, part.First, part.Size, rays);
+  if (this->Scene.Active)
+  {
+    NarrowByBounds(this->Scene.Bounds->At(static_cast<int>(tile)), rays);
+  }
+  if (this->Scene.Query)
+  {
+    this->TraceKnown(rays, frame, counts);
+  }
+  else
+  {
+    this->TraceCold(rays, frame, counts);
+  }
+  return counts;
+}
+
+void TileTracer::TraceCold(const RayBatch& rays, Frame& frame, TraceCounts& counts) const
+{
+  HitBatch hits;
+  this->Tracer->Trace(rays, hits);
+  counts.CellsRead += hits.CellsRead;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
+  {
+    const bool isTraced = rays.WalkBegin[i] < rays.WalkEnd[i] || hits.Kind[i] == HitKind::Cap;
+    const Answer answer = isTraced ? Answer::PossibleHit : Answer::DefiniteMiss;
+    counts.TracedRays += isTraced;
+    Count(answer, counts);
+    StoreHit(rays, hits, i, answer, frame);
+  }
+}
+
+void TileTracer::TraceKnown(RayBatch& rays, Frame& frame, TraceCounts& counts) const
+{
+  const ImageQuery& query = *this->Scene.Query;
+  const std::int64_t begin = Nanoseconds();
+  QueryBatch known;
+  query.Ask(rays, known);
+  counts.QueryTime += Nanoseconds() - begin;
+
+  const RayBatch::Array<double> walkBegin = rays.WalkBegin;
+  const RayBatch::Array<double> walkEnd = rays.WalkEnd;
+  this->NarrowByImage(known, rays);
+  HitBatch hits;
+  this->Tracer->Trace(rays, hits);
+  counts.CellsRead += hits.CellsRead;
+
+  RayBatch again;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
+  {
+    Answer answer = known.Answers[i];
+    if (answer == Answer::DefiniteHit && this->Scene.InterpolateColors)
+    {
+      query.Interpolate(known, i, static_cast<std::size_t>(rays.Pixel[i]), frame);
+    }
+    else if (this->IsWrong(known, hits, i) && known.Free[i] > walkBegin[i])
+    {
+      rays.WalkBegin[i] = hits.Kind[i] == HitKind::None ? known.Free[i] : walkBegin[i];
+      rays.WalkEnd[i] = walkEnd[i];
+      AppendRay(rays, i, again);
+      continue;
+    }
+    else
+    {
+      counts.TracedRays += hits.Kind[i] == HitKind::Cap || answer == Answer::PossibleHit;
+      answer = this->AnswerAfter(known, hits, i, known.Free[i] > walkBegin[i]);
+      StoreHit(rays, hits, i, answer, frame);
+    }
+    Count(answer, counts);
+  }
+  this->TraceAgain(again, frame, counts);
+  counts.TileTime += Nanoseconds() - begin;
+}
+
+/// Let each ray walk only where its answer leaves something to find.
+void TileTracer::NarrowByImage(const QueryBatch& known, RayBatch& rays) const
+{
+  const double voxel = this->Scene.Query->VoxelSize();
+  for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
+  {
+    switch (known.Answers[i])
+    {
+      case Answer::DefiniteMiss:
+        rays.WalkEnd[i] = rays.WalkBegin[i];
+        break;
+      case Answer::DefiniteHit:
+        rays.WalkBegin[i] = std::max(rays.WalkBegin[i], known.Hit[i] - voxel);
+        rays.WalkEnd[i] = this->Scene.InterpolateColors
+          ? rays.WalkBegin[i]
+          : std::min(rays.WalkEnd[i], known.Hit[i] + voxel);
+        break;
+      case Answer::PossibleHit:
+        rays.WalkBegin[i] = known.Free[i];
+        break;
+    }
+  }
+}
+
+/// True if a trace shows that the image was wrong about a ray: no surface where it has one, or a
+/// surface met from inside that it does not see from inside, so that the walk began behind another.
+bool TileTracer::IsWrong(const QueryBatch& known, const HitBatch& hits, std::size_t ray) const
+{
+  switch (hits.Kind[ray])
+  {
+    case HitKind::None:
+      return known.Answers[ray] == Answer::DefiniteHit;
+    case HitKind::Leaves:
+      return this->IsSolid || !this->Scene.Query->IsSeenFromInside(known.Pixel[ray]);
+    default:
+      return false;
+  }
+}
+
+Answer TileTracer::AnswerAfter(
+  const QueryBatch& known, const HitBatch& hits, std::size_t ray, bool isServed) const
+{
+  const Answer answer = known.Answers[ray];
+  if (hits.Kind[ray] == HitKind::Cap)
+  {
+    return Answer::PossibleHit;
+  }
+  const double near = NearStart * this->Scene.Query->VoxelSize();
+  const bool isFoundNear = this->Scene.Query->IsBounded() && answer == Answer::PossibleHit &&
+    isServed && hits.Depth[ray] - known.Free[ray] <= near;
+  return isFoundNear ? Answer::DefiniteHit : answer;
+}
+
+/// Trace rays about which the image was wrong.
+void TileTracer::TraceAgain(const RayBatch& rays, Frame& frame, TraceCounts& counts) const
+{
+  if (rays.Count == 0)
+  {
+    return;
+  }
+  HitBatch hits;
+  this->Tracer->Trace(rays, hits);
+  counts.CellsRead += hits.CellsRead;
+  counts.TracedRays += rays.Count;
+  counts.PossibleHits += rays.Count;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
+  {
+    StoreHit(rays, hits, i, Answer::PossibleHit, frame);
+  }
+}
+
+}

@@ -1,6 +1,7 @@
 # The module's sources, for both ways to build it (inside VTK, stand-alone).
 set(module_directory "${CMAKE_CURRENT_LIST_DIR}")
 find_package(glm REQUIRED)
+find_package(hwy REQUIRED)
 
 set(engine_files
   ActiveCells
@@ -8,6 +9,7 @@ set(engine_files
   FrameRenderer
   ImageCache
   ImageQuery
+  Kernels
   RayBatch
   ReusePlan
   Shader
@@ -37,7 +39,7 @@ set_target_properties(TemporalCoherenceEngine PROPERTIES
   VISIBILITY_INLINES_HIDDEN ON)
 target_include_directories(TemporalCoherenceEngine PUBLIC
   "$<BUILD_INTERFACE:${module_directory}/Engine>")
-target_link_libraries(TemporalCoherenceEngine PUBLIC VTK::CommonCore glm::glm)
+target_link_libraries(TemporalCoherenceEngine PUBLIC VTK::CommonCore glm::glm hwy::hwy)
 
 vtk_module_add_module(VTK::TemporalCoherence
   SOURCES
@@ -53,7 +55,7 @@ vtk_module_include(VTK::TemporalCoherence
     "${module_directory}/Engine"
     "${module_directory}/Vtk")
 vtk_module_compile_features(VTK::TemporalCoherence PUBLIC cxx_std_17)
-vtk_module_link(VTK::TemporalCoherence PRIVATE $<BUILD_INTERFACE:glm::glm>)
+vtk_module_link(VTK::TemporalCoherence PRIVATE $<BUILD_INTERFACE:glm::glm> $<BUILD_INTERFACE:hwy::hwy>)
 
 # One answer for every compiler: a product and a sum are rounded twice, never fused, as values on the
 # faces between cells must be the same bits from both sides.

@@ -9,7 +9,9 @@ set(engine_files
   FrameRenderer
   ImageCache
   ImageQuery
-  Kernels
+  KernelsCrossing
+  KernelsRays
+  KernelsShading
   RayBatch
   ReusePlan
   Shader

@@ -46,7 +46,7 @@ struct Tracing
 RayBatch RaysOfTile(const View& view, const glm::ivec3& dimensions, const glm::ivec2& tile)
 {
   RayBatch rays;
-  SetUpRays(view, Placement(), dimensions, 8 * tile, glm::ivec2(8), rays);
+  RaySource(view, Placement(), dimensions).SetUp(8 * tile, glm::ivec2(8), rays);
   return rays;
 }
 

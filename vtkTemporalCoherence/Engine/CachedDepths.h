@@ -64,7 +64,9 @@ struct CachedDepths
 /// \throws std::bad_alloc
 void MakeSurfaceDepths(const Frame& frame, const View& view, CachedDepths& depths);
 
-/// Fill depths.Guard: the nearest surface of the pixel and its eight neighbours, moved nearer.
+/// Fill depths.Guard. At edges it is the nearest surface of the pixel and its eight neighbours,
+/// moved nearer by the margin. Where the nine are one smooth surface, it is the nearest point that
+/// this surface has within the pixel, moved nearer by an eighth of the margin.
 /// \pre depths.HasSurface
 /// \throws std::bad_alloc
 void MakeGuardDepths(

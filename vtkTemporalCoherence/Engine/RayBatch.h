@@ -28,6 +28,7 @@ struct RayBatch
   std::array<Array<double>, 3> Origin, Direction;
   std::array<Array<double>, 3> Inverse; ///< 1 / Direction
   Array<double> Begin, End, WalkBegin, WalkEnd;
+  Array<double> PerDepth;    ///< t for each unit of depth along the optical axis
   Array<std::int32_t> Pixel; ///< position in the planes of the frame
 
   bool IsEmpty(int ray) const
@@ -46,10 +47,26 @@ struct HitBatch
   std::int64_t CellsRead = 0; ///< cells whose eight samples were read
 };
 
-/// Set up the rays through the pixels first .. first + size - 1 of a view and clip them to the box
-/// of the field and to the clipping planes. The walk is the whole clipped ray.
-void SetUpRays(const View& view, const Placement& placement, const glm::ivec3& dimensions,
-  const glm::ivec2& first, const glm::ivec2& size, RayBatch& rays);
+/// The rays of a view as seen from index space; made once for a frame.
+class RaySource
+{
+public:
+  RaySource(const View& view, const Placement& placement, const glm::ivec3& dimensions);
+
+  /// Set up the rays through the pixels first .. first + size - 1 and clip them to the box of the
+  /// field and to the clipping planes. The walk is the whole clipped ray.
+  void SetUp(const glm::ivec2& first, const glm::ivec2& size, RayBatch& rays) const;
+
+  /// A vector that is linear in normalised device coordinates: V[0] + x V[1] + y V[2].
+  using LinearVector = std::array<glm::dvec3, 3>;
+
+  glm::ivec2 Size;
+  glm::dvec3 Last; ///< highest corner of the field's box
+  double Near, Far;
+  LinearVector World;             ///< direction in the world, of any length
+  LinearVector Direction, Origin; ///< in index space, the direction as long as World
+  glm::dvec3 Forward;             ///< component of World along the optical axis, linear too
+};
 
 }
 

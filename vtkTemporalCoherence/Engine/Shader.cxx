@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shader.h"
 
+#include "KernelsShading.h"
 #include "SurfaceNormal.h"
 
 #include <algorithm>
@@ -23,25 +24,16 @@ constexpr double IntoNextBox = 1e-2;
 
 constexpr std::array<std::uint8_t, 4> Yellow = { 255, 255, 0, 255 };
 
+void Set(std::array<Array<double>, 3>& vectors, std::size_t i, const glm::dvec3& vector)
+{
+  vectors[0][i] = vector.x;
+  vectors[1][i] = vector.y;
+  vectors[2][i] = vector.z;
+}
+
 glm::dvec3 At(const std::array<Array<double>, 3>& vectors, std::size_t i)
 {
   return { vectors[0][i], vectors[1][i], vectors[2][i] };
-}
-
-/// Unit normal of a hit, facing the viewer. Where the field has no gradient the surface is taken to
-/// face the viewer.
-glm::vec3 FacingNormal(
-  const glm::dmat3& worldFromGradient, const glm::dvec3& gradient, const glm::dvec3& ray)
-{
-  const double largest =
-    std::max(std::abs(gradient.x), std::max(std::abs(gradient.y), std::abs(gradient.z)));
-  if (!(largest > 0.0))
-  {
-    return glm::vec3(-ray);
-  }
-  // Scaled first: squares of very small or large components would leave the range of numbers.
-  const glm::dvec3 normal = glm::normalize(worldFromGradient * (gradient / largest));
-  return glm::vec3(glm::dot(normal, ray) > 0.0 ? -normal : normal);
 }
 
 /// Fill normals of the hits on one isovalue.
@@ -50,10 +42,13 @@ void ComputeNormalsOf(
 {
   const glm::dmat4& toIndex = source.Where.IndexFromWorld;
   const glm::dmat3 toIndexDirection(toIndex);
-  const glm::dmat3 worldFromGradient = glm::transpose(toIndexDirection);
-  std::array<glm::dvec3, RayBatch::Capacity> points{}, gradients{};
+  const bool isNearest = source.Samples.Between == Interpolation::Nearest;
+  std::array<Array<double>, 3> points;
+  std::array<Array<double>, 3> caps;
   std::array<std::size_t, RayBatch::Capacity> list;
-  std::size_t count = 0;
+  Array<std::uint8_t> isCap;
+  ShadingKernels::FacingNormals normals;
+  normals.WorldFromGradient = glm::transpose(toIndexDirection);
   for (std::size_t i = 0; i < static_cast<std::size_t>(hits.Count); ++i)
   {
     const auto pixel = static_cast<std::size_t>(hits.Pixel[i]);
@@ -61,185 +56,116 @@ void ComputeNormalsOf(
     {
       continue;
     }
+    const std::size_t at = normals.Count++;
+    list[at] = pixel;
     glm::dvec3 point(toIndex * glm::dvec4(At(hits.Point, i), 1.0));
-    if (frame.Kinds[pixel] == HitKind::Cap)
+    isCap[at] = frame.Kinds[pixel] == HitKind::Cap;
+    if (isCap[at])
     {
-      const glm::dvec3 normal = BoxFaceNormal(point, source.Samples.Dimensions);
-      frame.Normals[pixel] = FacingNormal(worldFromGradient, normal, At(hits.Direction, i));
-      continue;
+      Set(caps, at, BoxFaceNormal(point, source.Samples.Dimensions));
     }
-    if (source.Samples.Between == Interpolation::Nearest)
+    else if (isNearest)
     {
       point += IntoNextBox * glm::normalize(toIndexDirection * At(hits.Direction, i));
     }
-    points[count] = point;
-    list[count++] = i;
+    Set(points, at, point);
+    Set(normals.Ray, at, At(hits.Direction, i));
   }
-  IndexGradients(source.Samples, source.FiniteRange, source.Isovalues[surface],
-    static_cast<int>(count), points.data(), gradients.data());
-  for (std::size_t j = 0; j < count; ++j)
+  if (normals.Count == 0)
   {
-    const auto pixel = static_cast<std::size_t>(hits.Pixel[list[j]]);
-    frame.Normals[pixel] =
-      FacingNormal(worldFromGradient, gradients[j], At(hits.Direction, list[j]));
-  }
-}
-
-/// Light as it arrives at the hits: directions to the light, and the share that arrives.
-struct IncidentLight
-{
-  IncidentLight(const Light& light, const HitList& hits)
-  {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(hits.Count); ++i)
-    {
-      glm::dvec3 toLight = -light.Direction;
-      this->Share[i] =
-        light.Positional ? static_cast<float>(ShareAt(light, At(hits.Point, i), toLight)) : 1.0f;
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        this->ToLight[static_cast<std::size_t>(axis)][i] = static_cast<float>(toLight[axis]);
-      }
-    }
-  }
-
-  /// What arrives of a positional light at a point, and the direction it comes from.
-  static double ShareAt(const Light& light, const glm::dvec3& point, glm::dvec3& toLight)
-  {
-    const glm::dvec3 fromLight = point - light.Position;
-    const double distance = glm::length(fromLight);
-    if (!(distance > 0.0))
-    {
-      return 0.0;
-    }
-    toLight = fromLight / -distance;
-    const double fading = light.Attenuation.x + light.Attenuation.y * distance +
-      light.Attenuation.z * distance * distance;
-    double share = fading > 0.0 ? 1.0 / fading : 1.0;
-    if (light.ConeAngle <= 90.0)
-    {
-      const double cosine = glm::dot(fromLight, light.Direction) / distance;
-      share *= cosine >= std::cos(light.ConeAngle * Pi / 180.0) && cosine > 0.0
-        ? std::pow(cosine, light.Exponent)
-        : 0.0;
-    }
-    return share;
-  }
-
-  std::array<Array<float>, 3> ToLight;
-  Array<float> Share;
-};
-
-/// Raise numbers in [0, 1] to a power.
-void Raise(double power, std::size_t count, Array<float>& values)
-{
-  constexpr double LargestWhole = 1024.0;
-  if (power != std::floor(power) || power < 1.0 || power > LargestWhole)
-  {
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      values[i] = std::pow(values[i], static_cast<float>(power));
-    }
     return;
   }
-  Array<float> result;
-  std::fill_n(result.begin(), count, 1.0f);
-  for (int whole = static_cast<int>(power); whole > 0; whole >>= 1)
+  IndexGradients(source.Samples, source.FiniteRange, source.Isovalues[surface],
+    static_cast<int>(normals.Count), points, normals.Gradient);
+  for (std::size_t i = 0; i < normals.Count; ++i)
   {
-    for (std::size_t i = 0; i < count; ++i)
+    if (isCap[i])
     {
-      result[i] *= whole & 1 ? values[i] : 1.0f;
-      values[i] *= values[i];
+      Set(normals.Gradient, i, At(caps, i));
     }
   }
-  values = result;
+  ShadingKernels::FindFacingNormals(normals);
+  for (std::size_t i = 0; i < normals.Count; ++i)
+  {
+    frame.Normals[list[i]] = { normals.Normal[0][i], normals.Normal[1][i], normals.Normal[2][i] };
+  }
 }
 
-/// Sums of light over the hits of a tile.
-class PhongSum
+/// What arrives of a positional light at a point, and the direction it comes from.
+double ShareAt(const Light& light, const glm::dvec3& point, glm::dvec3& toLight)
 {
-public:
-  PhongSum(const Appearance& appearance, const HitList& hits, const Frame& frame)
-    : Look(appearance)
-    , Count(static_cast<std::size_t>(hits.Count))
+  const glm::dvec3 fromLight = point - light.Position;
+  const double distance = glm::length(fromLight);
+  if (!(distance > 0.0))
   {
-    const auto ambient = static_cast<float>(appearance.Ambient);
-    for (std::size_t i = 0; i < this->Count; ++i)
+    return 0.0;
+  }
+  toLight = fromLight / -distance;
+  const double fading = light.Attenuation.x + light.Attenuation.y * distance +
+    light.Attenuation.z * distance * distance;
+  double share = fading > 0.0 ? 1.0 / fading : 1.0;
+  if (light.ConeAngle <= 90.0)
+  {
+    const double cosine = glm::dot(fromLight, light.Direction) / distance;
+    share *= cosine >= std::cos(light.ConeAngle * Pi / 180.0) && cosine > 0.0
+      ? std::pow(cosine, light.Exponent)
+      : 0.0;
+  }
+  return share;
+}
+
+/// Add the light that hits reflect.
+void AddLight(const Appearance& appearance, const Light& light, const HitList& hits,
+  ShadingKernels::PhongSums& sums)
+{
+  for (std::size_t i = 0; i < sums.Count; ++i)
+  {
+    glm::dvec3 toLight = -light.Direction;
+    sums.Share[i] =
+      light.Positional ? static_cast<float>(ShareAt(light, At(hits.Point, i), toLight)) : 1.0f;
+    for (std::size_t a = 0; a < 3; ++a)
     {
-      const auto pixel = static_cast<std::size_t>(hits.Pixel[i]);
-      const glm::vec3 color(appearance.Colors[static_cast<std::size_t>(frame.Isovalues[pixel])]);
-      for (std::size_t c = 0; c < 3; ++c)
-      {
-        const auto component = static_cast<int>(c);
-        this->Normal[c][i] = frame.Normals[pixel][component];
-        this->Ray[c][i] = static_cast<float>(hits.Direction[c][i]);
-        this->Color[c][i] = color[component];
-        this->Sum[c][i] = appearance.Shade ? ambient * color[component] : color[component];
-      }
+      sums.ToLight[a][i] = static_cast<float>(toLight[static_cast<int>(a)]);
     }
   }
-
-  void Add(const Light& light, const IncidentLight& incident)
+  for (std::size_t c = 0; c < 3; ++c)
   {
-    const auto& n = this->Normal;
-    const auto& l = incident.ToLight;
-    Array<float> cosine, mirrored;
-    for (std::size_t i = 0; i < this->Count; ++i)
+    const auto component = static_cast<int>(c);
+    sums.Diffuse[c] = static_cast<float>(appearance.Diffuse * light.Diffuse[component]);
+    sums.Specular[c] =
+      static_cast<float>(std::max(appearance.Specular, 0.0) * light.Specular[component]);
+  }
+  sums.Power = appearance.SpecularPower;
+  ShadingKernels::AddLight(sums);
+}
+
+/// What hits look like without light from anywhere.
+void BeginSums(const Appearance& appearance, const HitList& hits, const Frame& frame,
+  ShadingKernels::PhongSums& sums)
+{
+  const auto ambient = static_cast<float>(appearance.Shade ? appearance.Ambient : 1.0);
+  sums.Count = static_cast<std::size_t>(hits.Count);
+  for (std::size_t i = 0; i < sums.Count; ++i)
+  {
+    const auto pixel = static_cast<std::size_t>(hits.Pixel[i]);
+    const glm::vec3 color(appearance.Colors[static_cast<std::size_t>(frame.Isovalues[pixel])]);
+    for (std::size_t a = 0; a < 3; ++a)
     {
-      const float c = n[0][i] * l[0][i] + n[1][i] * l[1][i] + n[2][i] * l[2][i];
-      cosine[i] = c > 0.0f ? c : 0.0f;
-      float m = 0.0f;
-      for (std::size_t a = 0; a < 3; ++a)
-      {
-        m -= (2.0f * c * n[a][i] - l[a][i]) * this->Ray[a][i];
-      }
-      mirrored[i] = c > 0.0f && m > 0.0f ? std::min(m, 1.0f) : 0.0f;
-    }
-    const bool isSpecular = this->Look.Specular > 0.0;
-    if (isSpecular)
-    {
-      // 0 to the power of 0 is 1, but what is not lit does not shine.
-      const Array<float> lit = mirrored;
-      Raise(this->Look.SpecularPower, this->Count, mirrored);
-      for (std::size_t i = 0; i < this->Count; ++i)
-      {
-        mirrored[i] = lit[i] > 0.0f ? mirrored[i] : 0.0f;
-      }
-    }
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      const auto component = static_cast<int>(c);
-      const auto diffuse = static_cast<float>(this->Look.Diffuse * light.Diffuse[component]);
-      const auto specular =
-        isSpecular ? static_cast<float>(this->Look.Specular * light.Specular[component]) : 0.0f;
-      for (std::size_t i = 0; i < this->Count; ++i)
-      {
-        this->Sum[c][i] +=
-          incident.Share[i] * (diffuse * cosine[i] * this->Color[c][i] + specular * mirrored[i]);
-      }
+      const auto axis = static_cast<int>(a);
+      sums.Normal[a][i] = frame.Normals[pixel][axis];
+      sums.Ray[a][i] = static_cast<float>(hits.Direction[a][i]);
+      sums.Color[a][i] = color[axis];
+      sums.Sum[a][i] = ambient * color[axis];
     }
   }
-
-  /// The colour of a hit in bytes.
-  std::array<std::uint8_t, 4> ColorAt(std::size_t i) const
-  {
-    const auto byte = [](float value)
-    { return static_cast<std::uint8_t>(std::min(std::max(value, 0.0f), 1.0f) * 255.0f + 0.5f); };
-    return { byte(this->Sum[0][i]), byte(this->Sum[1][i]), byte(this->Sum[2][i]), 255 };
-  }
-
-private:
-  const Appearance& Look;
-  std::size_t Count;
-  std::array<Array<float>, 3> Normal, Ray, Color, Sum;
-};
+}
 
 }
 
 void GatherHits(
   const View& view, const PixelRect& part, bool withDefiniteHits, Frame& frame, HitList& hits)
 {
-  std::size_t count = 0;
-  Array<double> x, y;
+  ShadingKernels::RayPoints points;
   for (int row = part.First.y; row < part.First.y + part.Size.y; ++row)
   {
     for (int column = part.First.x; column < part.First.x + part.Size.x; ++column)
@@ -254,33 +180,21 @@ void GatherHits(
       else if (withDefiniteHits || frame.Answers[p] != Answer::DefiniteHit)
       {
         const glm::dvec2 centre = view.PixelCentre(column, row);
-        x[count] = centre.x;
-        y[count] = centre.y;
-        hits.Pixel[count++] = pixel;
+        points.X[points.Count] = centre.x;
+        points.Y[points.Count] = centre.y;
+        points.T[points.Count] = frame.Depth[p];
+        hits.Pixel[points.Count++] = pixel;
       }
     }
   }
-  hits.Count = static_cast<int>(count);
-  for (std::size_t i = 0; i < count; ++i)
+  hits.Count = static_cast<int>(points.Count);
+  if (points.Count > 0)
   {
-    const double t = frame.Depth[static_cast<std::size_t>(hits.Pixel[i])];
-    double direction[3];
-    double square = 0.0;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      direction[axis] =
-        view.Direction[axis] + x[i] * view.DirectionX[axis] + y[i] * view.DirectionY[axis];
-      square += direction[axis] * direction[axis];
-    }
-    const double perLength = 1.0 / std::sqrt(square);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const auto a = static_cast<std::size_t>(axis);
-      const double origin =
-        view.Origin[axis] + x[i] * view.OriginX[axis] + y[i] * view.OriginY[axis];
-      hits.Direction[a][i] = direction[axis] * perLength;
-      hits.Point[a][i] = origin + t * hits.Direction[a][i];
-    }
+    points.LinearDirection = { view.Direction, view.DirectionX, view.DirectionY };
+    points.LinearOrigin = { view.Origin, view.OriginX, view.OriginY };
+    ShadingKernels::FindRayPoints(points);
+    hits.Direction = points.Direction;
+    hits.Point = points.Point;
   }
 }
 
@@ -298,20 +212,26 @@ void ShadeHits(const Appearance& appearance, const HitList& hits, Frame& frame)
   {
     return;
   }
-  PhongSum sum(appearance, hits, frame);
+  ShadingKernels::PhongSums sums;
+  BeginSums(appearance, hits, frame, sums);
   if (appearance.Shade)
   {
     for (const Light& light : appearance.Lights)
     {
-      sum.Add(light, IncidentLight(light, hits));
+      AddLight(appearance, light, hits, sums);
     }
   }
+  std::array<Array<std::uint8_t>, 3> bytes;
+  ShadingKernels::RoundColors(sums, bytes);
   const bool isByAnswer = appearance.ColorByAnswer && frame.IsFromCache;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(hits.Count); ++i)
+  for (std::size_t i = 0; i < sums.Count; ++i)
   {
     const auto pixel = static_cast<std::size_t>(hits.Pixel[i]);
-    frame.Colors[pixel] =
-      isByAnswer && frame.Answers[pixel] == Answer::PossibleHit ? Yellow : sum.ColorAt(i);
+    frame.Colors[pixel] = { bytes[0][i], bytes[1][i], bytes[2][i], 255 };
+    if (isByAnswer && frame.Answers[pixel] == Answer::PossibleHit)
+    {
+      frame.Colors[pixel] = Yellow;
+    }
   }
 }
 

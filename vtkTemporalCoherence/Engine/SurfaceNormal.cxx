@@ -2,104 +2,110 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceNormal.h"
 
+#include "KernelsShading.h"
+#include "Surfaces.h"
+
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace TemporalCoherence
 {
 namespace
 {
 
-/// Central differences along one axis at the two samples of a cell's edge, one-sided at the ends of
-/// the field: offsets of the samples to subtract, from the first of the two, and what to multiply
-/// by.
-struct EdgeDifferences
+/// Gathers what central differences around points need.
+template <typename T>
+class SampleGatherer
 {
-  EdgeDifferences(int sample, int samples, std::int64_t step)
-    : Before(sample > 0 ? -step : 0)
-    , Step(step)
-    , Behind(sample + 2 < samples ? 2 * step : step)
-    , ScaleFirst(sample > 0 ? 0.5 : 1.0)
-    , ScaleSecond(sample + 2 < samples ? 0.5 : 1.0)
+public:
+  using Real = RealOf<T>;
+  using Batch = ShadingKernels::GradientBatch<Real>;
+
+  SampleGatherer(const Field& field, const glm::dvec2& finiteRange, double isovalue)
+    : Samples(field)
+    , IsNearest(field.Between == Interpolation::Nearest)
+    , FromIsovalue(isovalue, finiteRange)
+    , Steps{ field.Strides.x, field.Strides.y, field.Strides.z }
   {
   }
 
-  std::int64_t Before, Step, Behind;
-  double ScaleFirst, ScaleSecond;
+  void Gather(const glm::dvec3& point, std::size_t i, Batch& batch) const
+  {
+    const glm::ivec3& n = this->Samples.Dimensions;
+    const glm::ivec3 cell = glm::clamp(glm::ivec3(glm::floor(point)), glm::ivec3(0), n - 2);
+    glm::dvec3 at = glm::clamp(point - glm::dvec3(cell), 0.0, 1.0);
+    at = this->IsNearest ? glm::floor(at + 0.5) : at;
+
+    const T* const origin = this->Samples.At(cell);
+    for (std::size_t corner = 0; corner < 8; ++corner)
+    {
+      batch.Corner[corner][i] = this->Value(origin + (corner & 1u ? this->Steps[0] : 0) +
+        (corner & 2u ? this->Steps[1] : 0) + (corner & 4u ? this->Steps[2] : 0));
+    }
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      const auto axis = static_cast<int>(a);
+      // One-sided at the ends of the field.
+      const bool hasBefore = cell[axis] > 0;
+      const bool hasBehind = cell[axis] + 2 < n[axis];
+      const T* const before = origin - (hasBefore ? this->Steps[a] : 0);
+      const T* const behind = origin + (hasBehind ? 2 : 1) * this->Steps[a];
+      const std::int64_t u = this->Steps[a == 0 ? 1 : 0];
+      const std::int64_t v = this->Steps[a == 2 ? 1 : 2];
+      const std::int64_t edges[4] = { 0, u, v, u + v };
+      for (std::size_t edge = 0; edge < 4; ++edge)
+      {
+        batch.Before[a][edge][i] = this->Value(before + edges[edge]);
+        batch.Behind[a][edge][i] = this->Value(behind + edges[edge]);
+      }
+      batch.ScaleFirst[a][i] = hasBefore ? Real(0.5) : Real(1);
+      batch.ScaleSecond[a][i] = hasBehind ? Real(0.5) : Real(1);
+      batch.At[a][i] = static_cast<Real>(at[axis]);
+    }
+  }
+
+private:
+  /// A sample as a number whose differences are exact enough, and finite whatever the sample is.
+  Real Value(const T* sample) const
+  {
+    if constexpr (std::is_floating_point_v<T>)
+    {
+      return this->FromIsovalue(*sample);
+    }
+    else
+    {
+      return static_cast<Real>(*sample);
+    }
+  }
+
+  TypedField<T> Samples;
+  bool IsNearest;
+  Difference<T> FromIsovalue;
+  std::array<std::int64_t, 3> Steps;
 };
-
-/// How far one sample is above another.
-template <typename T>
-double Rise(T from, T to, const Difference<T>& difference)
-{
-  if constexpr (std::is_floating_point_v<T>)
-  {
-    return difference(to) - difference(from); // finite, whatever the samples are
-  }
-  else
-  {
-    return static_cast<double>(static_cast<RealOf<T>>(to) - static_cast<RealOf<T>>(from));
-  }
-}
-
-double Interpolate(double a, double b, double weightOfB)
-{
-  return (1.0 - weightOfB) * a + weightOfB * b;
-}
-
-/// One component of the gradient: differences along an axis on the four edges of the cell that run
-/// along it, interpolated along the axis and then across it.
-template <typename T>
-double GradientAlong(const T* origin, const EdgeDifferences& along, double at, std::int64_t stepU,
-  double atU, std::int64_t stepV, double atV, const Difference<T>& difference)
-{
-  const auto onEdge = [&](const T* first)
-  {
-    const double atFirst =
-      along.ScaleFirst * Rise(first[along.Before], first[along.Step], difference);
-    const double atSecond = along.ScaleSecond * Rise(first[0], first[along.Behind], difference);
-    return Interpolate(atFirst, atSecond, at);
-  };
-  const double low = Interpolate(onEdge(origin), onEdge(origin + stepU), atU);
-  const double high = Interpolate(onEdge(origin + stepV), onEdge(origin + stepU + stepV), atU);
-  return Interpolate(low, high, atV);
-}
-
-template <typename T>
-glm::dvec3 GradientAt(const TypedField<T>& field, const Difference<T>& difference,
-  Interpolation between, const glm::dvec3& point)
-{
-  const glm::ivec3& n = field.Dimensions;
-  const glm::i64vec3& step = field.Strides;
-  const glm::ivec3 cell = glm::clamp(glm::ivec3(glm::floor(point)), glm::ivec3(0), n - 2);
-  glm::dvec3 at = glm::clamp(point - glm::dvec3(cell), 0.0, 1.0);
-  if (between == Interpolation::Nearest)
-  {
-    at = glm::floor(at + 0.5);
-  }
-  const T* origin = field.At(cell);
-  return { GradientAlong(origin, EdgeDifferences(cell.x, n.x, step.x), at.x, step.y, at.y, step.z,
-             at.z, difference),
-    GradientAlong(
-      origin, EdgeDifferences(cell.y, n.y, step.y), at.y, step.x, at.x, step.z, at.z, difference),
-    GradientAlong(
-      origin, EdgeDifferences(cell.z, n.z, step.z), at.z, step.x, at.x, step.y, at.y, difference) };
-}
 
 }
 
 void IndexGradients(const Field& field, const glm::dvec2& finiteRange, double isovalue, int count,
-  const glm::dvec3* points, glm::dvec3* gradients)
+  const std::array<RayBatch::Array<double>, 3>& points,
+  std::array<RayBatch::Array<double>, 3>& gradients)
 {
   DispatchScalarType(field.Type,
     [&](auto type)
     {
       using T = decltype(type);
-      const TypedField<T> samples(field);
-      const Difference<T> difference(isovalue, finiteRange);
-      for (int i = 0; i < count; ++i)
+      const SampleGatherer<T> gatherer(field, finiteRange, isovalue);
+      typename SampleGatherer<T>::Batch batch;
+      batch.Count = static_cast<std::size_t>(count);
+      for (std::size_t i = 0; i < batch.Count; ++i)
       {
-        gradients[i] = GradientAt(samples, difference, field.Between, points[i]);
+        gatherer.Gather({ points[0][i], points[1][i], points[2][i] }, i, batch);
+      }
+      ShadingKernels::InterpolateGradients(batch);
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        std::copy_n(batch.Gradient[a].begin(), batch.Count, gradients[a].begin());
       }
     });
 }

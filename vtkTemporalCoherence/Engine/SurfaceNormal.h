@@ -4,6 +4,7 @@
 #define TemporalCoherence_SurfaceNormal_h
 
 #include "Field.h"
+#include "RayBatch.h"
 #include "Surfaces.h"
 
 #include <array>
@@ -11,17 +12,20 @@
 namespace TemporalCoherence
 {
 
-/// Normals of surfaces as arrays over hits.
+/// Gradients of the field at points, as arrays over hits.
 ///
 /// The gradient is that of central differences at the samples (one-sided at the boundary of the
 /// field), continued between samples as the field is: trilinearly, or from the nearest sample.
 /// \param field       samples
 /// \param finiteRange smallest and largest finite sample
 /// \param isovalue    differences from it are taken, so that samples which are not finite do no
-/// harm \param count       number of points \param points      positions in index space, within the
-/// field's box \param gradients   the gradient per index step, one for each point
+///                    harm
+/// \param count       number of points, at most RayBatch::Capacity
+/// \param points      positions in index space, within the field's box, by axis
+/// \param gradients   the gradient per index step, by axis
 void IndexGradients(const Field& field, const glm::dvec2& finiteRange, double isovalue, int count,
-  const glm::dvec3* points, glm::dvec3* gradients);
+  const std::array<RayBatch::Array<double>, 3>& points,
+  std::array<RayBatch::Array<double>, 3>& gradients);
 
 /// Outward normal, in index space, of the face of the box [0, dimensions - 1] that a point lies on.
 /// \return the zero vector if the point is not on a face

@@ -4,7 +4,7 @@
 
 #include "CellRoot.h"
 #include "CellWalk.h"
-#include "Kernels.h"
+#include "KernelsCrossing.h"
 
 #include <limits>
 

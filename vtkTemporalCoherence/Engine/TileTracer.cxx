@@ -85,6 +85,7 @@ void AppendRay(const RayBatch& from, std::size_t ray, RayBatch& to)
 
 TileTracer::TileTracer(const TileScene& scene)
   : Scene(scene)
+  , Rays(scene.Key.Seen, scene.Key.Where, scene.Key.Samples.Dimensions)
   , HasSurfaces(scene.Key.Samples.HasCells() && !scene.Key.Sought.Isovalues.empty())
   , IsSolid(scene.Key.Sought.Mode == SurfaceMode::Threshold)
   , Tracer(
@@ -109,9 +110,8 @@ TraceCounts TileTracer::Trace(std::int64_t tile, const PixelRect& part, Frame& f
     counts.DefiniteMisses = static_cast<std::int64_t>(part.Size.x) * part.Size.y;
     return counts;
   }
-  const FrameKey& key = this->Scene.Key;
   RayBatch rays;
-  SetUpRays(key.Seen, key.Where, key.Samples.Dimensions, part.First, part.Size, rays);
+  this->Rays.SetUp(part.First, part.Size, rays);
   if (this->Scene.Active)
   {
     NarrowByBounds(this->Scene.Bounds->At(static_cast<int>(tile)), rays);

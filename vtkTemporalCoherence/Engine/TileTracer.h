@@ -61,6 +61,7 @@ private:
   void TraceAgain(const RayBatch& rays, Frame& frame, TraceCounts& counts) const;
 
   TileScene Scene;
+  RaySource Rays;
   bool HasSurfaces;
   bool IsSolid;
   std::unique_ptr<SurfaceTracer> Tracer;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Kernels.h"
+#include "KernelsCrossing.h"
 
 #include "CellRoot.h"
 
@@ -9,7 +9,7 @@
 
 // This file is compiled once for each kind of vectors, and what runs is chosen by the machine.
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "Kernels.cxx"
+#define HWY_TARGET_INCLUDE "KernelsCrossing.cxx"
 #include <hwy/foreach_target.h>
 
 #include <hwy/highway.h>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef TemporalCoherence_Kernels_h
-#define TemporalCoherence_Kernels_h
+#ifndef TemporalCoherence_KernelsCrossing_h
+#define TemporalCoherence_KernelsCrossing_h
 
 #include "RayBatch.h"
 

@@ -5,11 +5,12 @@ find_package(hwy REQUIRED)
 
 set(engine_files
   ActiveCells
-  CachedDepths
   FrameRenderer
+  FreeSpace
   ImageCache
   ImageQuery
   KernelsCrossing
+  KernelsImage
   KernelsRays
   KernelsShading
   RayBatch

@@ -3,6 +3,8 @@
 #ifndef TemporalCoherence_Frame_h
 #define TemporalCoherence_Frame_h
 
+#include "Tiles.h"
+
 #include <glm/glm.hpp>
 
 #include <array>
@@ -38,12 +40,17 @@ struct Frame
 
   glm::ivec2 Size{ 0 };
   std::vector<double> Depth;           ///< t of the hit: world distance along the ray; or infinity
+  std::vector<float> Disparities;      ///< of the hit, or of a miss (Disparity.h)
   std::vector<glm::vec3> Normals;      ///< unit normal in the world, facing the viewer; or 0
   std::vector<std::int16_t> Isovalues; ///< position of the hit isovalue in the list; or NoSurface
   std::vector<HitKind> Kinds;
   std::vector<Answer> Answers;
   std::vector<std::array<std::uint8_t, 4>> Colors; ///< RGBA; all 0 where nothing is hit
   bool IsFromCache = false;                        ///< answers are those of a cached image
+
+  /// 1 for each tile whose planes are known to hold nothing but definite misses, so that nobody has
+  /// to look into it, or to write what is there already.
+  std::vector<std::uint8_t> ClearTiles;
 
   /// Give every plane room for `size` pixels; contents are not defined afterwards.
   /// \throws std::bad_alloc, the frame then being empty
@@ -56,11 +63,13 @@ struct Frame
     const std::size_t pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
     this->Size = glm::ivec2(0);
     this->Depth.resize(pixels);
+    this->Disparities.resize(pixels);
     this->Normals.resize(pixels);
     this->Isovalues.resize(pixels);
     this->Kinds.resize(pixels);
     this->Answers.resize(pixels);
     this->Colors.resize(pixels);
+    this->ClearTiles.assign(static_cast<std::size_t>(NumberOfTiles(size)), 0);
     this->Size = size;
   }
 

@@ -22,20 +22,6 @@ namespace
 /// to balance the load.
 constexpr std::int64_t TileGrain = 8;
 
-PixelRect PixelsOfTile(const glm::ivec2& pixels, std::int64_t tile)
-{
-  const int columns = TileBounds::TilesOf(pixels).x;
-  const glm::ivec2 first = TileBounds::TileSize *
-    glm::ivec2(static_cast<int>(tile % columns), static_cast<int>(tile / columns));
-  return { first, glm::min(glm::ivec2(TileBounds::TileSize), pixels - first) };
-}
-
-std::int64_t NumberOfTiles(const glm::ivec2& pixels)
-{
-  const glm::ivec2 tiles = TileBounds::TilesOf(pixels);
-  return static_cast<std::int64_t>(tiles.x) * tiles.y;
-}
-
 /// True if the colours of a cached image are still those of its surfaces.
 bool HasColorsFor(const CachedImage& cached, const FrameKey& next)
 {
@@ -119,6 +105,12 @@ void FrameRenderer::MakeFrame(const FrameKey& key, const Options& options, Cache
     Stopwatch watch(this->Counters.TraceTime);
     this->PrepareStructures(key, options);
     made.Picture.Resize(key.Seen.Size);
+    if (made.Key.Seen.Parallel != key.Seen.Parallel)
+    {
+      // The disparity of a miss is another one.
+      std::fill(made.Picture.ClearTiles.begin(), made.Picture.ClearTiles.end(), std::uint8_t(0));
+    }
+    made.Key = key;
     made.Picture.IsFromCache = cached != nullptr;
   }
   std::unique_ptr<ImageQuery> query;
@@ -132,9 +124,8 @@ void FrameRenderer::MakeFrame(const FrameKey& key, const Options& options, Cache
     made.Picture);
   this->ShadeTiles(key, true, !interpolates, made.Picture);
 
-  made.Key = key;
   made.IsExact = isExact;
-  made.Depths.Clear();
+  made.Free.Clear();
   std::swap(this->Front, this->Back);
   const std::shared_ptr<CachedImage> dropped = this->Images.Keep(this->Front, options.Images);
   if (this->Images.Holds(this->Back))
@@ -212,6 +203,10 @@ void FrameRenderer::ShadeTiles(
   ParallelFor(NumberOfTiles(frame.Size), TileGrain,
     [&](std::int64_t tile)
     {
+      if (frame.ClearTiles[static_cast<std::size_t>(tile)])
+      {
+        return;
+      }
       HitList hits;
       GatherHits(key.Seen, PixelsOfTile(frame.Size, tile), withDefiniteHits, frame, hits);
       if (withNormals)

@@ -3,8 +3,8 @@
 #ifndef TemporalCoherence_ImageCache_h
 #define TemporalCoherence_ImageCache_h
 
-#include "CachedDepths.h"
 #include "Frame.h"
+#include "FreeSpace.h"
 #include "ReusePlan.h"
 
 #include <cstdint>
@@ -14,13 +14,13 @@
 namespace TemporalCoherence
 {
 
-/// A finished picture, what it shows, and its depths as queries walk over them.
+/// A finished picture, what it shows, and the space that it shows to be free.
 struct CachedImage
 {
   FrameKey Key;
   Frame Picture;
   bool IsExact = true; ///< it is the cold picture of its key, to the last bit
-  CachedDepths Depths; ///< made when first asked for
+  FreeSpace Free;      ///< made when first asked for
 };
 
 /// Which pictures are kept for the next views.

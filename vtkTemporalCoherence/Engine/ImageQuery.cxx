@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ImageQuery.h"
 
+#include "Disparity.h"
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace TemporalCoherence
 {
@@ -45,77 +48,67 @@ double DepthOfSpacing(const View& view, double apart)
   return apart / spacing;
 }
 
+/// t at a point of a path.
+double DistanceAt(const PathBatch& paths, std::size_t ray, double at, bool isParallel)
+{
+  const double t0 = paths.T0[ray], t1 = paths.T1[ray];
+  if (isParallel)
+  {
+    return t0 + at * (t1 - t0);
+  }
+  // What is affine in the picture is t times disparity.
+  const double q0 = paths.Q0[ray], q1 = paths.Q1[ray];
+  return ((1.0 - at) * t0 * q0 + at * t1 * q1) / (q0 + at * (q1 - q0));
 }
 
-/// A ray in the cached image. Column, row and disparity are affine in `lambda`, which runs from 0
-/// to End.
-struct ImageQuery::Path
+/// Call visit(pixel, parameter on entry, disparity on entry, disparity on leaving) for each pixel
+/// on the way of a ray until it returns true.
+/// \return false if it never did
+template <typename Visit>
+bool WalkPixels(const PathBatch& paths, std::size_t ray, const glm::ivec2& size, const Visit& visit)
 {
-  double TAt(double lambda) const
+  const double u = paths.U[ray], v = paths.V[ray];
+  const double perU = paths.PerU[ray], perV = paths.PerV[ray];
+  const double q0 = paths.Q0[ray], perQ = paths.Q1[ray] - paths.Q0[ray];
+  const double end = paths.End[ray];
+  int x = static_cast<int>(u);
+  int y = static_cast<int>(v);
+  const int stepX = perU > 0.0 ? 1 : -1;
+  const int stepY = perV > 0.0 ? 1 : -1;
+  const double acrossX = perU != 0.0 ? 1.0 / std::abs(perU) : Infinity;
+  const double acrossY = perV != 0.0 ? 1.0 / std::abs(perV) : Infinity;
+  double nextX = perU != 0.0 ? (x + (perU > 0.0) - u) / perU : Infinity;
+  double nextY = perV != 0.0 ? (y + (perV > 0.0) - v) / perV : Infinity;
+  double at = 0.0;
+  double q = q0;
+  while (true)
   {
-    if (this->IsParallel)
+    const double next = std::min(std::min(nextX, nextY), end);
+    const double qNext = q0 + next * perQ;
+    if (visit(y * size.x + x, at, q, qNext))
     {
-      return this->T0 + lambda * (this->T1 - this->T0);
+      return true;
     }
-    return ((1.0 - lambda) * this->T0 * this->Q0 + lambda * this->T1 * this->Q1) /
-      this->QAt(lambda);
-  }
-  double QAt(double lambda) const { return this->Q0 + lambda * (this->Q1 - this->Q0); }
-
-  /// Call visit(pixel, lambda, disparity on entry, lambda, disparity on leaving) for each pixel on
-  /// the way until it returns true.
-  /// \return false if it never did
-  template <typename Visit>
-  bool Walk(const glm::ivec2& size, const Visit& visit) const
-  {
-    int x = std::min(static_cast<int>(this->U), size.x - 1);
-    int y = std::min(static_cast<int>(this->V), size.y - 1);
-    const int stepX = this->PerU > 0.0 ? 1 : -1;
-    const int stepY = this->PerV > 0.0 ? 1 : -1;
-    const double acrossX = this->PerU != 0.0 ? 1.0 / std::abs(this->PerU) : Infinity;
-    const double acrossY = this->PerV != 0.0 ? 1.0 / std::abs(this->PerV) : Infinity;
-    double nextX = this->PerU != 0.0 ? (x + (stepX + 1) / 2 - this->U) / this->PerU : Infinity;
-    double nextY = this->PerV != 0.0 ? (y + (stepY + 1) / 2 - this->V) / this->PerV : Infinity;
-    double lambda = 0.0;
-    double q = this->Q0;
-    while (true)
+    if (next >= end)
     {
-      const double next = std::min(std::min(nextX, nextY), this->End);
-      const double qNext = this->QAt(next);
-      if (visit(y * size.x + x, lambda, q, next, qNext))
-      {
-        return true;
-      }
-      if (next >= this->End)
-      {
-        return false;
-      }
-      lambda = next;
-      q = qNext;
-      if (nextX < nextY)
-      {
-        x += stepX;
-        nextX += acrossX;
-      }
-      else
-      {
-        y += stepY;
-        nextY += acrossY;
-      }
-      if (static_cast<unsigned>(x) >= static_cast<unsigned>(size.x) ||
-        static_cast<unsigned>(y) >= static_cast<unsigned>(size.y))
-      {
-        return false;
-      }
+      return false;
+    }
+    at = next;
+    q = qNext;
+    const bool isAcross = nextX < nextY;
+    x += isAcross ? stepX : 0;
+    y += isAcross ? 0 : stepY;
+    nextX += isAcross ? acrossX : 0.0;
+    nextY += isAcross ? 0.0 : acrossY;
+    if (static_cast<unsigned>(x) >= static_cast<unsigned>(size.x) ||
+      static_cast<unsigned>(y) >= static_cast<unsigned>(size.y))
+    {
+      return false;
     }
   }
+}
 
-  bool IsParallel;
-  double T0, T1; ///< distances along the ray at 0 and 1
-  double Q0, Q1; ///< disparities
-  double U, V, PerU, PerV;
-  double End;
-};
+}
 
 bool ImageQuery::CanAsk(const View& view)
 {
@@ -128,155 +121,82 @@ bool ImageQuery::CanAsk(const View& view)
 ImageQuery::ImageQuery(CachedImage& image, const FrameKey& next, ReuseAccuracy accuracy)
   : Image(image)
   , Accuracy(accuracy)
-  , IsParallel(image.Key.Seen.Parallel)
-  , Near(image.Key.Seen.Near)
 {
   const View& seen = image.Key.Seen;
   const glm::dmat4 clip = seen.ClipFromWorld * next.Where.WorldFromIndex;
   const glm::dvec4 forward(seen.Forward, -glm::dot(seen.Forward, seen.Position));
   const glm::dvec4 w = RowOf(clip, 3);
   // Divided by depth instead of w: the same for a perspective but for a factor.
-  const double perW = this->IsParallel
+  const double perW = seen.Parallel
     ? 1.0 / w.w
     : 1.0 / glm::dot(glm::dvec3(RowOf(seen.ClipFromWorld, 3)), seen.Forward);
-  this->RowU = 0.5 * seen.Size.x * perW * (RowOf(clip, 0) + w);
-  this->RowV = 0.5 * seen.Size.y * perW * (RowOf(clip, 1) + w);
-  this->RowZ = glm::transpose(next.Where.WorldFromIndex) * forward;
-
-  this->Far = seen.Far;
+  this->Projection.IsParallel = seen.Parallel;
+  this->Projection.Near = seen.Near;
+  this->Projection.Far = seen.Far;
+  this->Projection.Size = glm::dvec2(seen.Size);
+  this->Projection.RowU = 0.5 * seen.Size.x * perW * (RowOf(clip, 0) + w);
+  this->Projection.RowV = 0.5 * seen.Size.y * perW * (RowOf(clip, 1) + w);
+  this->Projection.RowZ = glm::transpose(next.Where.WorldFromIndex) * forward;
 
   const glm::dvec2 edges = VoxelEdges(next.Where);
   this->Voxel = edges.y;
-  if (!image.Depths.HasSurface)
-  {
-    MakeSurfaceDepths(image.Picture, seen, image.Depths);
-  }
-  // Of a raised isovalue only what was outside the old one is known to be free.
-  const bool isRaised =
-    !(image.Key.Sought == next.Sought) && next.Sought.Mode == SurfaceMode::Crossing;
+  const bool isRaised = !(image.Key.Sought == next.Sought);
   if (accuracy == ReuseAccuracy::Bounded || isRaised)
   {
-    const GuardOptions options{ edges.y, DepthOfSpacing(seen, FarthestApart * edges.x), isRaised };
-    if (!image.Depths.HasGuard || !(image.Depths.Guarded == options))
-    {
-      MakeGuardDepths(image.Picture, seen, options, image.Depths);
-    }
+    // For a raised isovalue the image gives starts only. What was inside the old isovalue may be
+    // outside the new one: a surface met from inside tells nothing.
     this->Accuracy = ReuseAccuracy::Bounded;
+    image.Free.Make(image.Picture, seen,
+      { edges.y, DepthOfSpacing(seen, FarthestApart * edges.x),
+        isRaised && next.Sought.Mode == SurfaceMode::Crossing });
   }
 }
 
 void ImageQuery::Ask(const RayBatch& rays, QueryBatch& known) const
 {
+  PathBatch paths;
+  ProjectWalks(this->Projection, rays, paths);
   for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
   {
-    known.Answers[i] = Answer::DefiniteMiss;
+    const bool isWalking = rays.WalkBegin[i] < rays.WalkEnd[i];
+    known.Answers[i] = isWalking ? Answer::PossibleHit : Answer::DefiniteMiss;
     known.Free[i] = rays.WalkBegin[i];
     known.Pixel[i] = -1;
-    if (!(rays.WalkBegin[i] < rays.WalkEnd[i]))
-    {
-      continue;
-    }
-    known.Answers[i] = Answer::PossibleHit;
-    Path path;
-    const PathKind kind = this->Project(rays, i, path);
-    if (kind == PathKind::Unknown)
+    if (!isWalking || paths.Kind[i] == PathKind::Unknown)
     {
       continue;
     }
     if (this->Accuracy == ReuseAccuracy::Bounded)
     {
-      this->FindFreeSpace(path, kind, i, known);
+      this->FindFreeSpace(paths, i, known);
     }
     else
     {
-      this->FindHit(path, kind, i, known);
+      this->FindHit(paths, i, known);
     }
   }
 }
 
-/// Project the walk of a ray into the cached image.
-/// \return Unknown if its beginning is not in what the image shows; Cut if only its end is not
-ImageQuery::PathKind ImageQuery::Project(const RayBatch& rays, std::size_t ray, Path& path) const
+void ImageQuery::FindFreeSpace(const PathBatch& paths, std::size_t ray, QueryBatch& known) const
 {
-  const auto along = [&](const glm::dvec4& row, double& begin, double& end)
-  {
-    const double origin = row.x * rays.Origin[0][ray] + row.y * rays.Origin[1][ray] +
-      row.z * rays.Origin[2][ray] + row.w;
-    const double per = row.x * rays.Direction[0][ray] + row.y * rays.Direction[1][ray] +
-      row.z * rays.Direction[2][ray];
-    begin = origin + rays.WalkBegin[ray] * per;
-    end = origin + rays.WalkEnd[ray] * per;
-  };
-  double z0, z1, u0, u1, v0, v1;
-  along(this->RowZ, z0, z1);
-  if (!(z0 >= this->Near && z0 <= this->Far) || !(z0 > 0.0 || this->IsParallel))
-  {
-    return PathKind::Unknown;
-  }
-  along(this->RowU, u0, u1);
-  along(this->RowV, v0, v1);
-  PathKind kind = PathKind::Whole;
-  path.T0 = rays.WalkBegin[ray];
-  path.T1 = rays.WalkEnd[ray];
-  if (z1 < this->Near || z1 > this->Far)
-  {
-    // Cut at the clipping plane.
-    const double last = z1 < this->Near ? this->Near : this->Far;
-    const double share = (last - z0) / (z1 - z0);
-    path.T1 = path.T0 + share * (path.T1 - path.T0);
-    z1 = last;
-    u1 = u0 + share * (u1 - u0);
-    v1 = v0 + share * (v1 - v0);
-    kind = PathKind::Cut;
-  }
-
-  path.IsParallel = this->IsParallel;
-  path.Q0 = DisparityOf(z0, this->IsParallel);
-  path.Q1 = DisparityOf(z1, this->IsParallel);
-  const double scale0 = this->IsParallel ? 1.0 : path.Q0;
-  const double scale1 = this->IsParallel ? 1.0 : path.Q1;
-  path.U = u0 * scale0;
-  path.V = v0 * scale0;
-  path.PerU = u1 * scale1 - path.U;
-  path.PerV = v1 * scale1 - path.V;
-  const glm::dvec2 size(this->Image.Picture.Size);
-  if (!(path.U >= 0.0 && path.U < size.x && path.V >= 0.0 && path.V < size.y))
-  {
-    return PathKind::Unknown;
-  }
-  path.End = 1.0;
-  const double leaveU = ((path.PerU > 0.0 ? size.x : 0.0) - path.U) / path.PerU;
-  const double leaveV = ((path.PerV > 0.0 ? size.y : 0.0) - path.V) / path.PerV;
-  const double leave =
-    std::min(path.PerU != 0.0 ? leaveU : Infinity, path.PerV != 0.0 ? leaveV : Infinity);
-  if (leave < 1.0)
-  {
-    path.End = leave;
-    kind = PathKind::Cut;
-  }
-  return kind;
-}
-
-void ImageQuery::FindFreeSpace(
-  const Path& path, PathKind kind, std::size_t ray, QueryBatch& known) const
-{
-  const float* const guard = this->Image.Depths.Guard.data();
-  double stop = path.End;
-  const bool isStopped = path.Walk(this->Image.Picture.Size,
-    [&](std::int32_t pixel, double lambda, double q, double, double qNext)
+  const float* const guard = this->Image.Free.Guard();
+  double stop = paths.End[ray];
+  const bool isStopped = WalkPixels(paths, ray, this->Image.Picture.Size,
+    [&](std::int32_t pixel, double at, double q, double qNext)
     {
       const double guarded = static_cast<double>(guard[pixel]);
       if (std::min(q, qNext) > guarded)
       {
         return false;
       }
-      stop = q > guarded ? (guarded - path.Q0) / (path.Q1 - path.Q0) : lambda;
+      stop = q > guarded ? (guarded - paths.Q0[ray]) / (paths.Q1[ray] - paths.Q0[ray]) : at;
       known.Pixel[ray] = pixel;
       return true;
     });
-  if (isStopped || kind == PathKind::Cut)
+  if (isStopped || paths.Kind[ray] == PathKind::Cut)
   {
-    known.Free[ray] = std::max(known.Free[ray], path.TAt(stop));
+    const double t = DistanceAt(paths, ray, stop, this->Projection.IsParallel);
+    known.Free[ray] = std::max(known.Free[ray], t);
   }
   else
   {
@@ -284,46 +204,48 @@ void ImageQuery::FindFreeSpace(
   }
 }
 
-void ImageQuery::FindHit(const Path& path, PathKind kind, std::size_t ray, QueryBatch& known) const
+void ImageQuery::FindHit(const PathBatch& paths, std::size_t ray, QueryBatch& known) const
 {
-  const float* const surface = this->Image.Depths.Surface.data();
-  double stop = path.End;
+  const bool isParallel = this->Projection.IsParallel;
+  const float* const surface = this->Image.Picture.Disparities.data();
+  double stop = paths.End[ray];
   double hit = -1.0;
-  double last = std::numeric_limits<double>::quiet_NaN(); // disparity of the predecessor's surface
-  const bool isStopped = path.Walk(this->Image.Picture.Size,
-    [&](std::int32_t pixel, double lambda, double q, double, double qNext)
+  double last = std::numeric_limits<double>::quiet_NaN(); // surface of the predecessor
+  const bool isStopped = WalkPixels(paths, ray, this->Image.Picture.Size,
+    [&](std::int32_t pixel, double at, double q, double qNext)
     {
       const double here = static_cast<double>(surface[pixel]);
-      const bool isFirst = std::isnan(last);
       if (std::min(q, qNext) > here)
       {
         last = here;
         return false;
       }
       const bool isInFront = q > here;
-      const double toLast =
-        std::abs(DepthOf(last, this->IsParallel) - DepthOf(here, this->IsParallel));
-      if (isFirst ? isInFront : toLast <= this->Voxel)
+      const bool isConnected = std::isnan(last)
+        ? isInFront
+        : std::abs(DepthOf(last, isParallel) - DepthOf(here, isParallel)) <= this->Voxel;
+      if (isConnected)
       {
-        hit = isInFront ? (here - path.Q0) / (path.Q1 - path.Q0) : lambda;
+        hit = isInFront ? (here - paths.Q0[ray]) / (paths.Q1[ray] - paths.Q0[ray]) : at;
       }
-      stop = lambda;
+      stop = at;
       known.Pixel[ray] = pixel;
       return true;
     });
-  if (hit >= 0.0)
-  {
-    known.Answers[ray] = Answer::DefiniteHit;
-    known.Hit[ray] = path.TAt(hit);
-    known.Column[ray] = path.U + hit * path.PerU;
-    known.Row[ray] = path.V + hit * path.PerV;
-  }
-  else if (!isStopped && kind == PathKind::Whole)
+  if (!isStopped && paths.Kind[ray] == PathKind::Whole)
   {
     known.Answers[ray] = Answer::DefiniteMiss;
     return;
   }
-  known.Free[ray] = std::max(known.Free[ray], path.TAt(stop));
+  const double t = DistanceAt(paths, ray, stop, isParallel);
+  known.Free[ray] = std::max(known.Free[ray], t);
+  if (hit >= 0.0)
+  {
+    known.Answers[ray] = Answer::DefiniteHit;
+    known.Hit[ray] = DistanceAt(paths, ray, hit, isParallel);
+    known.Column[ray] = paths.U[ray] + hit * paths.PerU[ray];
+    known.Row[ray] = paths.V[ray] + hit * paths.PerV[ray];
+  }
 }
 
 void ImageQuery::Interpolate(

@@ -4,6 +4,7 @@
 #define TemporalCoherence_ImageQuery_h
 
 #include "ImageCache.h"
+#include "KernelsImage.h"
 #include "RayBatch.h"
 
 namespace TemporalCoherence
@@ -63,23 +64,12 @@ public:
   void Interpolate(const QueryBatch& known, std::size_t ray, std::size_t pixel, Frame& frame) const;
 
 private:
-  struct Path;
-  enum class PathKind : std::uint8_t
-  {
-    Unknown,
-    Whole,
-    Cut
-  };
-  PathKind Project(const RayBatch& rays, std::size_t ray, Path& path) const;
-  void FindFreeSpace(const Path& path, PathKind kind, std::size_t ray, QueryBatch& known) const;
-  void FindHit(const Path& path, PathKind kind, std::size_t ray, QueryBatch& known) const;
+  void FindFreeSpace(const PathBatch& paths, std::size_t ray, QueryBatch& known) const;
+  void FindHit(const PathBatch& paths, std::size_t ray, QueryBatch& known) const;
 
   const CachedImage& Image;
   ReuseAccuracy Accuracy;
-  bool IsParallel;
-  glm::dvec4 RowU{ 0.0 }, RowV{ 0.0 },
-    RowZ{ 0.0 }; ///< index space to column, row (times depth), depth
-  double Near, Far = 0.0;
+  ImageProjection Projection;
   double Voxel = 0.0;
 };
 

@@ -7,18 +7,13 @@
 #include "Field.h"
 #include "Frame.h"
 #include "RayBatch.h"
+#include "Tiles.h"
 #include "View.h"
 
 #include <array>
 
 namespace TemporalCoherence
 {
-
-/// The part of a picture that a stage works on: pixels First .. First + Size - 1.
-struct PixelRect
-{
-  glm::ivec2 First{ 0 }, Size{ 0 };
-};
 
 /// The hits of one tile, gathered into arrays.
 struct HitList

@@ -111,10 +111,9 @@ private:
     {
       return false;
     }
-    first = glm::ivec2(glm::max(lowPixel, glm::dvec2(0.0))) >> TileBounds::TileBits;
-    last =
-      glm::min(glm::ivec2(glm::min(highPixel, glm::dvec2(this->Seen.Size))) >> TileBounds::TileBits,
-        this->Tiles - 1);
+    first = glm::ivec2(glm::max(lowPixel, glm::dvec2(0.0))) >> TileBits;
+    last = glm::min(
+      glm::ivec2(glm::min(highPixel, glm::dvec2(this->Seen.Size))) >> TileBits, this->Tiles - 1);
     return true;
   }
 

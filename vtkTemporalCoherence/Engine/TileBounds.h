@@ -4,6 +4,7 @@
 #define TemporalCoherence_TileBounds_h
 
 #include "ActiveCells.h"
+#include "Tiles.h"
 #include "View.h"
 
 #include <limits>
@@ -21,9 +22,6 @@ namespace TemporalCoherence
 class TileBounds
 {
 public:
-  static constexpr int TileBits = 3;
-  static constexpr int TileSize = 1 << TileBits; ///< pixels along an edge of a tile
-
   /// Distances along the rays of a tile, in world units; empty if Near > Far.
   struct Bounds
   {
@@ -32,9 +30,6 @@ public:
 
     bool IsEmpty() const { return !(this->Near <= this->Far); }
   };
-
-  /// Tiles along each axis of a picture of `pixels`.
-  static glm::ivec2 TilesOf(const glm::ivec2& pixels) { return (pixels + TileSize - 1) / TileSize; }
 
   /// \throws std::bad_alloc, the bounds then being unusable
   void Build(const View& view, const Placement& placement, const ActiveCells& active);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TileTracer.h"
 
+#include "Disparity.h"
+
 #include <algorithm>
 #include <chrono>
 #include <limits>
@@ -24,23 +26,37 @@ std::int64_t Nanoseconds()
 }
 
 /// A tile through which no surface can be seen.
-void FillWithMisses(const PixelRect& part, Frame& frame)
+void FillWithMisses(std::int64_t tile, const PixelRect& part, float miss, Frame& frame)
 {
+  std::uint8_t& isClear = frame.ClearTiles[static_cast<std::size_t>(tile)];
+  if (isClear)
+  {
+    return;
+  }
   for (int y = part.First.y; y < part.First.y + part.Size.y; ++y)
   {
     const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.Size.x) +
       static_cast<std::size_t>(part.First.x);
     const auto count = static_cast<std::size_t>(part.Size.x);
     std::fill_n(&frame.Depth[row], count, Infinity);
+    std::fill_n(&frame.Disparities[row], count, miss);
+    std::fill_n(&frame.Normals[row], count, glm::vec3(0.0f));
     std::fill_n(&frame.Isovalues[row], count, Frame::NoSurface);
     std::fill_n(&frame.Kinds[row], count, HitKind::None);
     std::fill_n(&frame.Answers[row], count, Answer::DefiniteMiss);
+    std::fill_n(&frame.Colors[row], count, std::array<std::uint8_t, 4>{ 0, 0, 0, 0 });
   }
+  isClear = 1;
 }
 
 /// Narrow the walks of a tile's rays to its bounds.
 void NarrowByBounds(const TileBounds::Bounds& bounds, RayBatch& rays)
 {
+  if (bounds.IsEmpty())
+  {
+    rays.WalkEnd = rays.WalkBegin;
+    return;
+  }
   for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
   {
     rays.WalkBegin[i] = std::max(rays.WalkBegin[i], static_cast<double>(bounds.Near));
@@ -48,11 +64,16 @@ void NarrowByBounds(const TileBounds::Bounds& bounds, RayBatch& rays)
   }
 }
 
-void StoreHit(
-  const RayBatch& rays, const HitBatch& hits, std::size_t ray, Answer answer, Frame& frame)
+/// Write what a ray found into the planes of a frame.
+void StoreHit(const RayBatch& rays, const HitBatch& hits, std::size_t ray, Answer answer,
+  bool isParallel, Frame& frame)
 {
   const auto pixel = static_cast<std::size_t>(rays.Pixel[ray]);
+  const double depth = hits.Depth[ray] / rays.PerDepth[ray];
   frame.Depth[pixel] = hits.Depth[ray];
+  frame.Disparities[pixel] =
+    static_cast<float>(hits.Surface[ray] == Frame::NoSurface ? DisparityOfMiss(isParallel)
+                                                             : DisparityOf(depth, isParallel));
   frame.Isovalues[pixel] = hits.Surface[ray];
   frame.Kinds[pixel] = hits.Kind[ray];
   frame.Answers[pixel] = answer;
@@ -74,6 +95,7 @@ void AppendRay(const RayBatch& from, std::size_t ray, RayBatch& to)
     to.Direction[a][at] = from.Direction[a][ray];
     to.Inverse[a][at] = from.Inverse[a][ray];
   }
+  to.PerDepth[at] = from.PerDepth[ray];
   to.Begin[at] = from.Begin[ray];
   to.End[at] = from.End[ray];
   to.WalkBegin[at] = from.WalkBegin[ray];
@@ -106,10 +128,12 @@ TraceCounts TileTracer::Trace(std::int64_t tile, const PixelRect& part, Frame& f
   TraceCounts counts;
   if (this->CanSkip(tile))
   {
-    FillWithMisses(part, frame);
+    const double miss = DisparityOfMiss(this->Scene.Key.Seen.Parallel);
+    FillWithMisses(tile, part, static_cast<float>(miss), frame);
     counts.DefiniteMisses = static_cast<std::int64_t>(part.Size.x) * part.Size.y;
     return counts;
   }
+  frame.ClearTiles[static_cast<std::size_t>(tile)] = 0;
   RayBatch rays;
   this->Rays.SetUp(part.First, part.Size, rays);
   if (this->Scene.Active)
@@ -138,7 +162,7 @@ void TileTracer::TraceCold(const RayBatch& rays, Frame& frame, TraceCounts& coun
     const Answer answer = isTraced ? Answer::PossibleHit : Answer::DefiniteMiss;
     counts.TracedRays += isTraced;
     Count(answer, counts);
-    StoreHit(rays, hits, i, answer, frame);
+    StoreHit(rays, hits, i, answer, this->Scene.Key.Seen.Parallel, frame);
   }
 }
 
@@ -163,7 +187,10 @@ void TileTracer::TraceKnown(RayBatch& rays, Frame& frame, TraceCounts& counts) c
     Answer answer = known.Answers[i];
     if (answer == Answer::DefiniteHit && this->Scene.InterpolateColors)
     {
-      query.Interpolate(known, i, static_cast<std::size_t>(rays.Pixel[i]), frame);
+      const auto pixel = static_cast<std::size_t>(rays.Pixel[i]);
+      query.Interpolate(known, i, pixel, frame);
+      frame.Disparities[pixel] = static_cast<float>(
+        DisparityOf(known.Hit[i] / rays.PerDepth[i], this->Scene.Key.Seen.Parallel));
     }
     else if (this->IsWrong(known, hits, i) && known.Free[i] > walkBegin[i])
     {
@@ -176,7 +203,7 @@ void TileTracer::TraceKnown(RayBatch& rays, Frame& frame, TraceCounts& counts) c
     {
       counts.TracedRays += hits.Kind[i] == HitKind::Cap || answer == Answer::PossibleHit;
       answer = this->AnswerAfter(known, hits, i, known.Free[i] > walkBegin[i]);
-      StoreHit(rays, hits, i, answer, frame);
+      StoreHit(rays, hits, i, answer, this->Scene.Key.Seen.Parallel, frame);
     }
     Count(answer, counts);
   }
@@ -251,7 +278,7 @@ void TileTracer::TraceAgain(const RayBatch& rays, Frame& frame, TraceCounts& cou
   counts.PossibleHits += rays.Count;
   for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
   {
-    StoreHit(rays, hits, i, Answer::PossibleHit, frame);
+    StoreHit(rays, hits, i, Answer::PossibleHit, this->Scene.Key.Seen.Parallel, frame);
   }
 }
 

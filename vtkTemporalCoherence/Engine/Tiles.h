@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_Tiles_h
+#define TemporalCoherence_Tiles_h
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+
+namespace TemporalCoherence
+{
+
+/// Pictures are worked on in tiles of 8 x 8 pixels, row by row from the lower left.
+constexpr int TileBits = 3;
+constexpr int TileSize = 1 << TileBits; ///< pixels along an edge of a tile
+
+/// The part of a picture that a stage works on: pixels First .. First + Size - 1.
+struct PixelRect
+{
+  glm::ivec2 First{ 0 }, Size{ 0 };
+};
+
+/// Tiles along each axis of a picture of `pixels`.
+inline glm::ivec2 TilesOf(const glm::ivec2& pixels)
+{
+  return (pixels + TileSize - 1) / TileSize;
+}
+
+inline std::int64_t NumberOfTiles(const glm::ivec2& pixels)
+{
+  const glm::ivec2 tiles = TilesOf(pixels);
+  return static_cast<std::int64_t>(tiles.x) * tiles.y;
+}
+
+inline PixelRect PixelsOfTile(const glm::ivec2& pixels, std::int64_t tile)
+{
+  const int columns = TilesOf(pixels).x;
+  const glm::ivec2 first =
+    TileSize * glm::ivec2(static_cast<int>(tile % columns), static_cast<int>(tile / columns));
+  return { first, glm::min(glm::ivec2(TileSize), pixels - first) };
+}
+
+}
+
+#endif

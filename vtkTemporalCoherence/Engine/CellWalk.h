@@ -6,50 +6,57 @@
 #include "ActiveCells.h"
 #include "RayBatch.h"
 
-#include <cmath>
-
 namespace TemporalCoherence
 {
 
-/// One ray on its way from cell to cell.
-///
-/// The distance at which the ray passes a plane between cells is always computed from the plane's
-/// position, never summed up on the way, so that each cell's part of the ray is the same however
-/// the ray got there.
+/// A ray in index space, by its place in a batch.
+struct BatchRay
+{
+  double Origin(int axis) const { return this->Rays.Origin[Index(axis)][this->Ray]; }
+  double Direction(int axis) const { return this->Rays.Direction[Index(axis)][this->Ray]; }
+
+  /// Distance at which the ray passes plane `plane` of an axis. It is always computed from the
+  /// plane's position, never summed up on the way, so that each cell's part of the ray is the same
+  /// however the ray got there.
+  double Pass(int axis, int plane) const
+  {
+    return (plane - this->Origin(axis)) * this->Rays.Inverse[Index(axis)][this->Ray];
+  }
+
+  /// Coordinate of the cell that the ray is in at t, kept within low and high.
+  int CellAt(int axis, double t, int low, int high) const
+  {
+    // Rounding towards 0 is rounding down, but below 0, where low is what counts.
+    const int cell = static_cast<int>(this->Origin(axis) + t * this->Direction(axis));
+    return cell < low ? low : (cell > high ? high : cell);
+  }
+
+  double WalkEnd() const { return this->Rays.WalkEnd[this->Ray]; }
+
+  static std::size_t Index(int axis) { return static_cast<std::size_t>(axis); }
+
+  const RayBatch& Rays;
+  std::size_t Ray;
+};
+
+/// Where a ray is on its way from cell to cell.
 class CellWalk
 {
 public:
-  /// Nowhere, until another walk is assigned.
+  /// Nowhere, until Begin is called.
   CellWalk() {}
 
   /// Stand in the first cell of a ray's walk.
-  CellWalk(const RayBatch& rays, std::size_t ray, const glm::ivec3& cells)
-    : Cells(cells)
-    , End(rays.WalkEnd[ray])
-    , T(rays.WalkBegin[ray])
+  void Begin(const BatchRay& ray, const glm::ivec3& cells)
   {
+    const double t = ray.Rays.WalkBegin[ray.Ray];
     for (int axis = 0; axis < 3; ++axis)
     {
-      const auto a = static_cast<std::size_t>(axis);
-      this->Origin[axis] = rays.Origin[a][ray];
-      this->Direction[axis] = rays.Direction[a][ray];
-      this->Inverse[axis] = rays.Inverse[a][ray];
-      this->Ahead[axis] = this->Direction[axis] > 0.0 ? 1 : 0;
+      this->Cell[axis] = ray.CellAt(axis, t, 0, cells[axis] - 1);
+      this->Ahead[axis] = ray.Direction(axis) > 0.0 ? 1 : 0;
     }
-    this->Cell = CellAt(rays, ray, this->T, cells);
-  }
-
-  /// The cell that a ray is in at t.
-  static glm::ivec3 CellAt(const RayBatch& rays, std::size_t ray, double t, const glm::ivec3& cells)
-  {
-    glm::ivec3 cell;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const auto a = static_cast<std::size_t>(axis);
-      const double at = rays.Origin[a][ray] + t * rays.Direction[a][ray];
-      cell[axis] = Clamp(static_cast<int>(std::floor(at)), 0, cells[axis] - 1);
-    }
-    return cell;
+    this->InLeaf = 0;
+    this->HasVisited = false;
   }
 
   /// The cell in which the walk stands.
@@ -58,11 +65,11 @@ public:
   /// Go on to the next active cell; the first call may stay where it is.
   /// \return false if the walk ends before
   template <typename T>
-  bool FindActive(const ActiveCells& active, const TypedField<T>& samples)
+  bool FindActive(const BatchRay& ray, const ActiveCells& active, const TypedField<T>& samples)
   {
     while (true)
     {
-      if (this->InLeaf == 0 && !this->FindActiveLeaf(active, samples))
+      if (this->InLeaf == 0 && !this->FindActiveLeaf(ray, active, samples))
       {
         return false;
       }
@@ -72,7 +79,7 @@ public:
       {
         if (this->HasVisited)
         {
-          const int exit = this->Step();
+          const int exit = this->Step(ray);
           if (exit < 0)
           {
             return false;
@@ -80,7 +87,7 @@ public:
           if (ActiveCells::LeafOf(this->Cell) != leaf)
           {
             this->InLeaf = 0;
-            if (!this->IsInGrid(exit))
+            if (!IsWithin(this->Cell[exit], samples.Dimensions[exit] - 1))
             {
               return false;
             }
@@ -98,28 +105,22 @@ public:
 
   /// Go on to the next cell, active or not; the first call stays where it is.
   /// \return false if the walk ends before
-  bool FindAny()
+  bool FindAny(const BatchRay& ray, const glm::ivec3& cells)
   {
     if (!this->HasVisited)
     {
-      this->BeginSteps();
+      this->BeginSteps(ray);
       this->HasVisited = true;
       return true;
     }
-    const int exit = this->Step();
-    return exit >= 0 && this->IsInGrid(exit);
+    const int exit = this->Step(ray);
+    return exit >= 0 && IsWithin(this->Cell[exit], cells[exit]);
   }
 
 private:
-  /// Distance at which the ray passes plane `plane` of an axis.
-  double Pass(int axis, int plane) const
-  {
-    return (plane - this->Origin[axis]) * this->Inverse[axis];
-  }
-
   /// Leap from block to block until one is an active leaf, and prepare to step through it.
   template <typename T>
-  bool FindActiveLeaf(const ActiveCells& active, const TypedField<T>& samples)
+  bool FindActiveLeaf(const BatchRay& ray, const ActiveCells& active, const TypedField<T>& samples)
   {
     while (true)
     {
@@ -129,10 +130,11 @@ private:
       {
         this->InLeaf = active.CellsOf(samples, node, this->Cell);
         this->HasVisited = false;
-        this->BeginSteps();
+        this->BeginSteps(ray);
         return true;
       }
-      if (!this->LeaveBlock(leaves == 0 ? ActiveCells::NodeBits : ActiveCells::LeafBits))
+      const int bits = leaves == 0 ? ActiveCells::NodeBits : ActiveCells::LeafBits;
+      if (!this->LeaveBlock(ray, bits, samples.Dimensions - 1))
       {
         return false;
       }
@@ -141,63 +143,54 @@ private:
 
   /// Go on behind the aligned block of 2^bits cells that holds the present cell.
   /// \return false if the walk ends before
-  bool LeaveBlock(int bits)
+  bool LeaveBlock(const BatchRay& ray, int bits, const glm::ivec3& cells)
   {
     const int size = 1 << bits;
     const glm::ivec3 first = this->Cell & -size;
-    const double leave[3] = { this->Pass(0, first.x + this->Ahead.x * size),
-      this->Pass(1, first.y + this->Ahead.y * size),
-      this->Pass(2, first.z + this->Ahead.z * size) };
+    const double leave[3] = { ray.Pass(0, first.x + this->Ahead[0] * size),
+      ray.Pass(1, first.y + this->Ahead[1] * size), ray.Pass(2, first.z + this->Ahead[2] * size) };
     const int exit = FirstOf(leave);
-    this->T = leave[exit];
-    if (!(this->T < this->End))
+    const double t = leave[exit];
+    if (!(t < ray.WalkEnd()))
     {
       return false;
     }
     for (int axis = 0; axis < 3; ++axis)
     {
-      const double at = this->Origin[axis] + this->T * this->Direction[axis];
-      this->Cell[axis] = Clamp(static_cast<int>(at), first[axis], first[axis] + size - 1);
+      this->Cell[axis] = ray.CellAt(axis, t, first[axis], first[axis] + size - 1);
     }
     this->Cell[exit] = this->Ahead[exit] ? first[exit] + size : first[exit] - 1;
-    return this->IsInGrid(exit);
+    return IsWithin(this->Cell[exit], cells[exit]);
   }
 
   /// Prepare for steps from cell to cell.
-  void BeginSteps()
+  void BeginSteps(const BatchRay& ray)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      this->Next[axis] = this->Pass(axis, this->Cell[axis] + this->Ahead[axis]);
+      this->Next[axis] = ray.Pass(axis, this->Cell[axis] + this->Ahead[axis]);
     }
   }
 
   /// Go on to the next cell.
   /// \return the axis along which the ray leaves the present cell, or -1 if the walk ends before
-  int Step()
+  int Step(const BatchRay& ray)
   {
     const int exit = FirstOf(this->Next);
-    this->T = this->Next[exit];
-    if (!(this->T < this->End))
+    if (!(this->Next[exit] < ray.WalkEnd()))
     {
       return -1;
     }
     const int ahead = this->Ahead[exit];
     const int cell = this->Cell[exit] + 2 * ahead - 1;
     this->Cell[exit] = cell;
-    this->Next[exit] = this->Pass(exit, cell + ahead);
+    this->Next[exit] = ray.Pass(exit, cell + ahead);
     return exit;
   }
 
-  bool IsInGrid(int axis) const
+  static bool IsWithin(int cell, int cells)
   {
-    return static_cast<unsigned>(this->Cell[axis]) < static_cast<unsigned>(this->Cells[axis]);
-  }
-
-  static int Clamp(int value, int low, int high)
-  {
-    value = value < low ? low : value;
-    return value > high ? high : value;
+    return static_cast<unsigned>(cell) < static_cast<unsigned>(cells);
   }
 
   static int FirstOf(const double distances[3])
@@ -206,15 +199,11 @@ private:
     return distances[2] < distances[first] ? 2 : first;
   }
 
-  glm::ivec3 Cells; ///< number of cells along each axis
   glm::ivec3 Cell;
-  glm::ivec3 Ahead; ///< 1 where the ray runs towards higher cells, else 0
-  glm::dvec3 Origin, Direction, Inverse;
-  double End;
-  double T;                 ///< where the walk stands
-  double Next[3];           ///< where the ray leaves the present cell along each axis
-  std::uint64_t InLeaf = 0; ///< active cells of the leaf stepped through; 0: in none
-  bool HasVisited = false;  ///< the present cell is done
+  glm::ivec3 Ahead;     ///< 1 where the ray runs towards higher cells, else 0
+  bool HasVisited;      ///< the present cell is done
+  std::uint64_t InLeaf; ///< active cells of the leaf stepped through; 0: in none
+  double Next[3];       ///< where the ray leaves the present cell along each axis
 };
 
 }

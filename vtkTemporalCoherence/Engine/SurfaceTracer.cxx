@@ -47,7 +47,7 @@ public:
       if (rays.Begin[ray] < rays.End[ray] && rays.WalkBegin[ray] < rays.WalkEnd[ray] &&
         hits.Kind[ray] == HitKind::None)
       {
-        progress.Walks[ray] = CellWalk(rays, ray, this->Cells);
+        progress.Walks[ray].Begin({ rays, ray }, this->Cells);
         progress.Live[progress.NumberOfLive++] = ray;
       }
     }
@@ -110,11 +110,12 @@ private:
     {
       const std::size_t ray = progress.Live[i];
       CellWalk& walk = progress.Walks[ray];
+      const BatchRay way{ progress.Rays, ray };
       bool isAhead, isFound;
       do
       {
-        isAhead =
-          this->Scene.Active ? walk.FindActive(*this->Scene.Active, this->Samples) : walk.FindAny();
+        isAhead = this->Scene.Active ? walk.FindActive(way, *this->Scene.Active, this->Samples)
+                                     : walk.FindAny(way, this->Cells);
         isFound = isAhead && this->Visit(walk.Here(), ray, progress);
       } while (isAhead && !isFound);
       if (isAhead)
@@ -239,7 +240,12 @@ private:
       {
         if (rays.Begin[ray] < rays.End[ray])
         {
-          const glm::ivec3 cell = CellWalk::CellAt(rays, ray, rays.Begin[ray], this->Cells);
+          const BatchRay way{ rays, ray };
+          glm::ivec3 cell;
+          for (int axis = 0; axis < 3; ++axis)
+          {
+            cell[axis] = way.CellAt(axis, rays.Begin[ray], 0, this->Cells[axis] - 1);
+          }
           Corners<Real> corners;
           this->Differ(this->Read(cell), this->Differences[surface], corners);
           this->Append(cell, corners, surface, ray, progress);

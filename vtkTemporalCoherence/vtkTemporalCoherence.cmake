@@ -28,6 +28,7 @@ list(TRANSFORM engine_files APPEND ".cxx")
 set(bridge_files
   AppearanceFromVolume
   FieldFromImage
+  ImageFromFrame
   PicturePresenter
   ViewFromRenderer)
 list(TRANSFORM bridge_files PREPEND "${module_directory}/Vtk/")

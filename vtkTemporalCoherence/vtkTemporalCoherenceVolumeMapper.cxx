@@ -5,6 +5,7 @@
 #include "AppearanceFromVolume.h"
 #include "FieldFromImage.h"
 #include "FrameRenderer.h"
+#include "ImageFromFrame.h"
 #include "PicturePresenter.h"
 #include "Stopwatch.h"
 #include "ViewFromRenderer.h"
@@ -296,32 +297,8 @@ bool vtkTemporalCoherenceVolumeMapper::RenderToImage(vtkRenderer* renderer, vtkV
 
   try
   {
-    // Into images of our own first: the caller's are touched only when nothing can fail any more.
     const TemporalCoherence::Frame& frame = this->Internal->Frames.LastFrame();
-    vtkNew<vtkImageData> colors, depths;
-    if (color)
-    {
-      colors->SetDimensions(width, height, 1);
-      colors->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
-      std::copy_n(frame.Colors.data()->data(), 4 * frame.Colors.size(),
-        static_cast<unsigned char*>(colors->GetScalarPointer()));
-    }
-    if (depth)
-    {
-      depths->SetDimensions(width, height, 1);
-      depths->AllocateScalars(VTK_FLOAT, 1);
-      std::transform(frame.Depth.begin(), frame.Depth.end(),
-        static_cast<float*>(depths->GetScalarPointer()),
-        [](double t) { return static_cast<float>(t); });
-    }
-    if (color)
-    {
-      color->ShallowCopy(colors);
-    }
-    if (depth)
-    {
-      depth->ShallowCopy(depths);
-    }
+    TemporalCoherence::WritePicture(frame, color, depth);
     return true;
   }
   catch (const std::exception&)

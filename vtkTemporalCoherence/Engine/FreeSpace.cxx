@@ -76,7 +76,12 @@ void FreeSpace::Make(const Frame& frame, const View& view, const Options& option
   {
     return;
   }
-  this->Disparities.resize(frame.Disparities.size());
+  const auto tiles = static_cast<std::size_t>(NumberOfTiles(frame.Size));
+  if (this->Disparities.size() != frame.Disparities.size() || this->Filled.size() != tiles)
+  {
+    this->Filled.assign(tiles, std::numeric_limits<float>::quiet_NaN());
+    this->Disparities.resize(frame.Disparities.size());
+  }
   const double miss = DisparityOfMiss(view.Parallel);
   GuardRule rule;
   rule.IsParallel = view.Parallel;
@@ -91,8 +96,15 @@ void FreeSpace::Make(const Frame& frame, const View& view, const Options& option
     [&](std::int64_t number)
     {
       const PixelRect part = PixelsOfTile(frame.Size, number);
+      const bool isClear = !options.OnlyEntered && IsClearAround(frame, number);
+      float& filled = this->Filled[static_cast<std::size_t>(number)];
+      if (isClear && filled == rule.Farthest)
+      {
+        return;
+      }
+      filled = isClear ? rule.Farthest : std::numeric_limits<float>::quiet_NaN();
       GuardTile tile;
-      if (!options.OnlyEntered && IsClearAround(frame, number))
+      if (isClear)
       {
         tile.Guard.fill(rule.Farthest);
       }

@@ -45,6 +45,7 @@ public:
 
 private:
   std::vector<float> Disparities;
+  std::vector<float> Filled; ///< for each tile, what all of its pixels have; or NaN
   Options MadeWith;
   bool IsMade = false;
 };

@@ -30,13 +30,51 @@ public:
   {
   }
 
-  void Gather(const glm::dvec3& point, std::size_t i, Batch& batch) const
+  /// Gather for point i of the batch, after those before it.
+  void Gather(const glm::dvec3& point, std::size_t i, Batch& batch)
+  {
+    // Rounding towards 0 is rounding down, but below 0, where there is no cell.
+    const glm::ivec3 cell =
+      glm::clamp(glm::ivec3(point), glm::ivec3(0), this->Samples.Dimensions - 2);
+    const glm::dvec3 in = glm::clamp(point - glm::dvec3(cell), 0.0, 1.0);
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      const double at = in[static_cast<int>(a)];
+      batch.At[a][i] = static_cast<Real>(this->IsNearest ? std::floor(at + 0.5) : at);
+    }
+    if (i > 0 && cell == this->LastCell)
+    {
+      Repeat(i, batch);
+      return;
+    }
+    this->LastCell = cell;
+    this->GatherCell(cell, i, batch);
+  }
+
+private:
+  /// What was gathered for the point before: neighbouring pixels often see the same cell.
+  static void Repeat(std::size_t i, Batch& batch)
+  {
+    const auto repeat = [i](auto& array) { array[i] = array[i - 1]; };
+    for (std::size_t corner = 0; corner < 8; ++corner)
+    {
+      repeat(batch.Corner[corner]);
+    }
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      for (std::size_t edge = 0; edge < 4; ++edge)
+      {
+        repeat(batch.Before[a][edge]);
+        repeat(batch.Behind[a][edge]);
+      }
+      repeat(batch.ScaleFirst[a]);
+      repeat(batch.ScaleSecond[a]);
+    }
+  }
+
+  void GatherCell(const glm::ivec3& cell, std::size_t i, Batch& batch) const
   {
     const glm::ivec3& n = this->Samples.Dimensions;
-    const glm::ivec3 cell = glm::clamp(glm::ivec3(glm::floor(point)), glm::ivec3(0), n - 2);
-    glm::dvec3 at = glm::clamp(point - glm::dvec3(cell), 0.0, 1.0);
-    at = this->IsNearest ? glm::floor(at + 0.5) : at;
-
     const T* const origin = this->Samples.At(cell);
     for (std::size_t corner = 0; corner < 8; ++corner)
     {
@@ -61,11 +99,9 @@ public:
       }
       batch.ScaleFirst[a][i] = hasBefore ? Real(0.5) : Real(1);
       batch.ScaleSecond[a][i] = hasBehind ? Real(0.5) : Real(1);
-      batch.At[a][i] = static_cast<Real>(at[axis]);
     }
   }
 
-private:
   /// A sample as a number whose differences are exact enough, and finite whatever the sample is.
   Real Value(const T* sample) const
   {
@@ -83,6 +119,7 @@ private:
   bool IsNearest;
   Difference<T> FromIsovalue;
   std::array<std::int64_t, 3> Steps;
+  glm::ivec3 LastCell{ 0 };
 };
 
 }
@@ -95,7 +132,7 @@ void IndexGradients(const Field& field, const glm::dvec2& finiteRange, double is
     [&](auto type)
     {
       using T = decltype(type);
-      const SampleGatherer<T> gatherer(field, finiteRange, isovalue);
+      SampleGatherer<T> gatherer(field, finiteRange, isovalue);
       typename SampleGatherer<T>::Batch batch;
       batch.Count = static_cast<std::size_t>(count);
       for (std::size_t i = 0; i < batch.Count; ++i)

@@ -26,6 +26,7 @@ public:
     , Samples(scene.Samples)
     , Cells(scene.Samples.Dimensions - 1)
     , IsSolid(scene.Sought.Mode == SurfaceMode::Threshold)
+    , AreCellsActive(scene.Active && scene.Sought.Isovalues.size() == 1)
   {
     const glm::i64vec3& s = this->Samples.Strides;
     for (const double isovalue : scene.Sought.Isovalues)
@@ -158,13 +159,20 @@ private:
 
   /// Differences of a cell's samples from an isovalue.
   /// \return false if all are on the same side
-  static bool Differ(
-    const std::array<T, 8>& samples, const Difference<T>& difference, Corners<Real>& corners)
+  bool Differ(
+    const std::array<T, 8>& samples, const Difference<T>& difference, Corners<Real>& corners) const
   {
-    int inside = 0;
     for (std::size_t i = 0; i < 8; ++i)
     {
       corners[i] = difference(samples[i]);
+    }
+    if (this->AreCellsActive)
+    {
+      return true;
+    }
+    int inside = 0;
+    for (std::size_t i = 0; i < 8; ++i)
+    {
       inside += IsInside(corners[i]);
     }
     return inside != 0 && inside != 8;
@@ -273,6 +281,7 @@ private:
   std::vector<Difference<T>> Differences; ///< from each isovalue
   glm::ivec3 Cells;                       ///< number of cells along each axis
   bool IsSolid;
+  bool AreCellsActive; ///< the one isovalue passes through every cell that is visited
   std::array<std::int64_t, 8> CornerOffsets;
 };
 

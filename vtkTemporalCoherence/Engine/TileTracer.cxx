@@ -64,16 +64,20 @@ void NarrowByBounds(const TileBounds::Bounds& bounds, RayBatch& rays)
   }
 }
 
+float DisparityOfHit(const RayBatch& rays, const HitBatch& hits, std::size_t ray, bool isParallel)
+{
+  const double depth = hits.Depth[ray] / rays.PerDepth[ray];
+  return static_cast<float>(hits.Surface[ray] == Frame::NoSurface ? DisparityOfMiss(isParallel)
+                                                                  : DisparityOf(depth, isParallel));
+}
+
 /// Write what a ray found into the planes of a frame.
 void StoreHit(const RayBatch& rays, const HitBatch& hits, std::size_t ray, Answer answer,
   bool isParallel, Frame& frame)
 {
   const auto pixel = static_cast<std::size_t>(rays.Pixel[ray]);
-  const double depth = hits.Depth[ray] / rays.PerDepth[ray];
   frame.Depth[pixel] = hits.Depth[ray];
-  frame.Disparities[pixel] =
-    static_cast<float>(hits.Surface[ray] == Frame::NoSurface ? DisparityOfMiss(isParallel)
-                                                             : DisparityOf(depth, isParallel));
+  frame.Disparities[pixel] = DisparityOfHit(rays, hits, ray, isParallel);
   frame.Isovalues[pixel] = hits.Surface[ray];
   frame.Kinds[pixel] = hits.Kind[ray];
   frame.Answers[pixel] = answer;

@@ -41,6 +41,7 @@ struct Frame
   glm::ivec2 Size{ 0 };
   std::vector<double> Depth;           ///< t of the hit: world distance along the ray; or infinity
   std::vector<float> Disparities;      ///< of the hit, or of a miss (Disparity.h)
+  std::vector<float> Contacts;         ///< disparity at which the ray first entered an active cell
   std::vector<glm::vec3> Normals;      ///< unit normal in the world, facing the viewer; or 0
   std::vector<std::int16_t> Isovalues; ///< position of the hit isovalue in the list; or NoSurface
   std::vector<HitKind> Kinds;
@@ -64,6 +65,7 @@ struct Frame
     this->Size = glm::ivec2(0);
     this->Depth.resize(pixels);
     this->Disparities.resize(pixels);
+    this->Contacts.resize(pixels);
     this->Normals.resize(pixels);
     this->Isovalues.resize(pixels);
     this->Kinds.resize(pixels);

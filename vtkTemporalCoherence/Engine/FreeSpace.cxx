@@ -14,36 +14,30 @@ namespace TemporalCoherence
 namespace
 {
 
-/// Neighbours of a smooth surface leave the plane through the pixel by at most this share of the
-/// margin in depth; the margin is then this share of itself.
-constexpr double SmoothBend = 0.25;
+// What a smooth surface is, in voxels of depth: neighbours leave the plane through the pixel by at
+// most LargestBend, and the surface is at most FarthestContact behind the first active cell. It is
+// taken to be SmoothMargin nearer.
+constexpr double LargestBend = 0.25;
+constexpr double FarthestContact = 2.0;
 constexpr double SmoothMargin = 0.125;
+constexpr double EdgeMargin = 1.0;
 
 constexpr std::int64_t TileGrain = 64;
 
-/// Gather the disparities of a tile and of the pixels around it.
-void GatherAround(
-  const Frame& frame, const PixelRect& part, float outside, bool onlyEntered, GuardTile& tile)
+/// Gather a plane around a tile, one pixel more on all sides.
+template <typename Read>
+void GatherAround(const Frame& frame, const PixelRect& part, float outside, const Read& read,
+  std::array<float, GuardTile::Width * GuardTile::Width>& around)
 {
-  for (int y = 0; y < GuardTile::Width; ++y)
+  around.fill(outside);
+  const glm::ivec2 first = glm::max(part.First - 1, glm::ivec2(0));
+  const glm::ivec2 end = glm::min(part.First + TileSize + 1, frame.Size);
+  for (int y = first.y; y < end.y; ++y)
   {
-    float* const out = &tile.Around[static_cast<std::size_t>(y * GuardTile::Width)];
-    const int row = part.First.y + y - 1;
-    const int begin = std::max(part.First.x - 1, 0);
-    const int end = std::min(part.First.x + TileSize + 1, frame.Size.x);
-    std::fill_n(out, GuardTile::Width, outside);
-    if (row < 0 || row >= frame.Size.y)
+    float* const row = &around[static_cast<std::size_t>((y - part.First.y + 1) * GuardTile::Width)];
+    for (int x = first.x; x < end.x; ++x)
     {
-      continue;
-    }
-    const auto first = static_cast<std::size_t>(row * frame.Size.x + begin);
-    float* const at = out + (begin - part.First.x + 1);
-    std::copy_n(&frame.Disparities[first], end - begin, at);
-    for (int x = 0; onlyEntered && x < end - begin; ++x)
-    {
-      at[x] = frame.Kinds[first + static_cast<std::size_t>(x)] == HitKind::Enters
-        ? at[x]
-        : std::numeric_limits<float>::infinity();
+      row[x - part.First.x + 1] = read(static_cast<std::size_t>(y * frame.Size.x + x));
     }
   }
 }
@@ -85,12 +79,15 @@ void FreeSpace::Make(const Frame& frame, const View& view, const Options& option
   const double miss = DisparityOfMiss(view.Parallel);
   GuardRule rule;
   rule.IsParallel = view.Parallel;
-  rule.Margin = static_cast<float>(options.Margin);
-  rule.SmoothMargin = static_cast<float>(SmoothMargin * options.Margin);
-  rule.LargestBend = static_cast<float>(SmoothBend * options.Margin);
-  rule.Farthest = static_cast<float>(std::isfinite(options.FarthestDepth)
-      ? DisparityOf(options.FarthestDepth, view.Parallel)
-      : miss);
+  rule.EdgeMargin = static_cast<float>(EdgeMargin * options.Voxel);
+  rule.SmoothMargin = static_cast<float>(SmoothMargin * options.Voxel);
+  rule.LargestBend = static_cast<float>(LargestBend * options.Voxel);
+  rule.FarthestContact = static_cast<float>(FarthestContact * options.Voxel);
+  rule.Spacing = static_cast<float>(options.Spacing);
+  const auto disparityOf = [&](double depth)
+  { return static_cast<float>(std::clamp(DisparityOf(depth, view.Parallel), -1e30, 1e30)); };
+  rule.Fine = disparityOf(options.FineDepth);
+  rule.Farthest = disparityOf(options.FarthestDepth);
 
   ParallelFor(NumberOfTiles(frame.Size), TileGrain,
     [&](std::int64_t number)
@@ -110,7 +107,15 @@ void FreeSpace::Make(const Frame& frame, const View& view, const Options& option
       }
       else
       {
-        GatherAround(frame, part, static_cast<float>(miss), options.OnlyEntered, tile);
+        const auto outside = static_cast<float>(miss);
+        const auto surfaceAt = [&](std::size_t pixel) { return frame.Disparities[pixel]; };
+        const auto contactAt = [&](std::size_t pixel)
+        {
+          const bool isKnown = !options.OnlyEntered || frame.Kinds[pixel] == HitKind::Enters;
+          return isKnown ? frame.Contacts[pixel] : std::numeric_limits<float>::infinity();
+        };
+        GatherAround(frame, part, outside, surfaceAt, tile.Surface);
+        GatherAround(frame, part, outside, contactAt, tile.Contact);
         MakeGuard(rule, tile);
       }
       for (int y = 0; y < part.Size.y; ++y)

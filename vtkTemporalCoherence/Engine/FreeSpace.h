@@ -15,21 +15,28 @@ namespace TemporalCoherence
 /// The space that a finished picture shows to be free of surfaces: for each pixel, in the order of
 /// the frame's planes, the disparity above which it is.
 ///
-/// At edges this is the nearest surface of the pixel and its eight neighbours, moved nearer by a
-/// margin. Where the nine are one smooth surface, it is the nearest point that this surface has
-/// within the pixel, moved nearer by an eighth of the margin.
+/// A surface can only be in active cells, and rays no farther apart than a cell miss none: space is
+/// free up to where the rays of the pixel and its eight neighbours first enter an active cell,
+/// whether or not they meet the surface there. That is about a voxel before it. Where the nine see
+/// one smooth surface right behind, space is free almost up to the nearest point that this surface
+/// has within the pixel.
 class FreeSpace
 {
 public:
   struct Options
   {
-    double Margin = 0.0;                                            ///< world units
-    double FarthestDepth = std::numeric_limits<double>::infinity(); ///< nothing is known behind
+    double Voxel = 0.0;   ///< longest edge in the world
+    double Spacing = 0.0; ///< of pixels in the world; for a perspective at depth 1
+    /// Depth up to which pixels are so fine that surfaces alone tell what is free.
+    double FineDepth = std::numeric_limits<double>::infinity();
+    /// Depth behind which pixels are too coarse to tell anything.
+    double FarthestDepth = std::numeric_limits<double>::infinity();
     bool OnlyEntered = false; ///< nothing is known where no surface was met from outside
 
     bool operator==(const Options& other) const
     {
-      return this->Margin == other.Margin && this->FarthestDepth == other.FarthestDepth &&
+      return this->Voxel == other.Voxel && this->Spacing == other.Spacing &&
+        this->FineDepth == other.FineDepth && this->FarthestDepth == other.FarthestDepth &&
         this->OnlyEntered == other.OnlyEntered;
     }
   };

@@ -15,9 +15,11 @@ namespace
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// Pixels of a cached image are believed where they are at most so many voxels (of the shortest
-/// edge) apart: between pixels farther apart whole features of the surface can hide.
-constexpr double FarthestApart = 1.0;
+/// How far apart the pixels of a cached image may be, in voxels (of the shortest edge), to tell
+/// what is free: by the surfaces that they see alone, since no feature worth a pixel hides between
+/// them; and at all, by the cells that their rays pass.
+constexpr double FineApart = 0.6;
+constexpr double FarthestApart = 2.0;
 
 glm::dvec4 RowOf(const glm::dmat4& m, int r)
 {
@@ -33,18 +35,23 @@ glm::dvec2 VoxelEdges(const Placement& where)
     std::max(lengths.x, std::max(lengths.y, lengths.z)) };
 }
 
+/// Distance between neighbouring pixels of a view in the world; for a perspective at depth 1.
+double SpacingOf(const View& view)
+{
+  const glm::dvec3& acrossX = view.Parallel ? view.OriginX : view.DirectionX;
+  const glm::dvec3& acrossY = view.Parallel ? view.OriginY : view.DirectionY;
+  const glm::dvec2 perPixel = 2.0 / glm::dvec2(view.Size);
+  return std::max(glm::length(acrossX) * perPixel.x, glm::length(acrossY) * perPixel.y);
+}
+
 /// Depth up to which the pixels of a view are at most `apart` from each other.
 double DepthOfSpacing(const View& view, double apart)
 {
-  const glm::dvec2 perPixel = 2.0 / glm::dvec2(view.Size);
+  const double spacing = SpacingOf(view);
   if (view.Parallel)
   {
-    const double spacing =
-      std::max(glm::length(view.OriginX) * perPixel.x, glm::length(view.OriginY) * perPixel.y);
     return spacing <= apart ? Infinity : -Infinity;
   }
-  const double spacing =
-    std::max(glm::length(view.DirectionX) * perPixel.x, glm::length(view.DirectionY) * perPixel.y);
   return apart / spacing;
 }
 
@@ -147,7 +154,8 @@ ImageQuery::ImageQuery(CachedImage& image, const FrameKey& next, ReuseAccuracy a
     // outside the new one: a surface met from inside tells nothing.
     this->Accuracy = ReuseAccuracy::Bounded;
     image.Free.Make(image.Picture, seen,
-      { edges.y, DepthOfSpacing(seen, FarthestApart * edges.x),
+      { edges.y, SpacingOf(seen), DepthOfSpacing(seen, FineApart * edges.x),
+        DepthOfSpacing(seen, FarthestApart * edges.x),
         isRaised && next.Sought.Mode == SurfaceMode::Crossing });
   }
 }

@@ -42,16 +42,16 @@ HWY_INLINE void StoreAs(V value, float* to)
   hn::StoreU(hn::DemoteTo(df, value), df, to);
 }
 
-/// Where each passage enters and leaves its cell: distances, and paths in the cell's coordinates.
+/// Where each passage leaves its cell, and its path in the cell's coordinates.
 template <typename Real>
 struct Paths
 {
-  RayBatch::Array<double> Enter, Leave;
+  RayBatch::Array<double> Leave;
   std::array<RayBatch::Array<Real>, 3> Begin, End;
 };
 
 template <typename Real>
-HWY_INLINE void SetUpPaths(const PassageBatch<Real>& in, std::size_t count, Paths<Real>& out)
+HWY_INLINE void SetUpPaths(PassageBatch<Real>& in, std::size_t count, Paths<Real>& out)
 {
   const hn::ScalableTag<double> d;
   using V = hn::Vec<decltype(d)>;
@@ -74,7 +74,7 @@ HWY_INLINE void SetUpPaths(const PassageBatch<Real>& in, std::size_t count, Path
       first = hn::Max(first, enter[a]);
       last = hn::Min(last, leave[a]);
     }
-    hn::StoreU(first, d, &out.Enter[i]);
+    hn::StoreU(first, d, &in.Enter[i]);
     hn::StoreU(last, d, &out.Leave[i]);
     for (std::size_t a = 0; a < 3; ++a)
     {
@@ -222,7 +222,7 @@ HWY_INLINE void FindAll(PassageBatch<Real>& passages, bool isSolid)
   FindShares(passages, paths, isSolid, shares.data());
   for (std::size_t i = 0; i < static_cast<std::size_t>(passages.Count); ++i)
   {
-    const double length = paths.Leave[i] - paths.Enter[i];
+    const double length = paths.Leave[i] - passages.Enter[i];
     Real share = shares[i];
     if (share == Real(SeveralChanges))
     {
@@ -240,7 +240,7 @@ HWY_INLINE void FindAll(PassageBatch<Real>& passages, bool isSolid)
       share = FirstCrossing(CubicAlong(corners, path), share) ? share : Real(NoCrossing);
     }
     const bool isFound = share >= Real(0) && length > 0.0;
-    passages.Distance[i] = isFound ? paths.Enter[i] + static_cast<double>(share) * length
+    passages.Distance[i] = isFound ? passages.Enter[i] + static_cast<double>(share) * length
                                    : std::numeric_limits<double>::infinity();
   }
 }
@@ -323,6 +323,7 @@ void FindOneByOne(PassageBatch<Real>& in, bool isSolid)
   {
     const Passage<Real> passage(in, i);
     const Cubic<Real> cubic = CubicAlong(passage.Values, passage.Path);
+    in.Enter[i] = passage.Enter;
     in.AtEntry[i] = cubic[0];
     Real share = Real(0);
     const bool begins = isSolid && IsInside(cubic[0]);
@@ -338,6 +339,7 @@ void FindNearest(PassageBatch<Real>& in)
   {
     const Passage<Real> passage(in, i);
     const double length = passage.Leave - passage.Enter;
+    in.Enter[i] = passage.Enter;
     in.AtEntry[i] = passage.Values[NearestCorner(passage.Path.Begin)];
     in.Distance[i] = Infinity;
     if (!(length > 0.0))

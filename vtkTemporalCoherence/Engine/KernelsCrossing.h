@@ -24,6 +24,7 @@ struct PassageBatch
   std::array<Array<double>, 3> Cell;                       ///< its first corner
   std::array<Array<Real>, 8> Corners; ///< differences from the isovalue, [x + 2 y + 4 z]
 
+  Array<double> Enter;    ///< found: t where the ray enters the cell
   Array<double> Distance; ///< found: t of the first crossing; infinity if there is none
   Array<Real> AtEntry;    ///< found: difference from the isovalue where the ray enters the cell
 };

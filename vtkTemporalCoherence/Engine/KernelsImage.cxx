@@ -3,6 +3,7 @@
 #include "KernelsImage.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -20,39 +21,69 @@ namespace TemporalCoherence
 namespace HWY_NAMESPACE
 {
 
+/// Largest of the three by three values around a place.
+HWY_INLINE float LargestAround(const float* below, const float* here, const float* above, int x)
+{
+  const float a = std::max(std::max(below[x], below[x + 1]), below[x + 2]);
+  const float b = std::max(std::max(here[x], here[x + 1]), here[x + 2]);
+  const float c = std::max(std::max(above[x], above[x + 1]), above[x + 2]);
+  return std::max(std::max(a, b), c);
+}
+
+/// Disparity of what is nearer by a length.
+HWY_INLINE float Nearer(float disparity, float length, bool isParallel)
+{
+  const float left = 1.0f - length * disparity;
+  const float nearer = left > 0.0f ? disparity / left : std::numeric_limits<float>::infinity();
+  return isParallel ? disparity + length : nearer;
+}
+
 void Guard(const GuardRule& rule, GuardTile& tile)
 {
-  constexpr float Infinity = std::numeric_limits<float>::infinity();
-  const float margin = rule.Margin, smoothMargin = rule.SmoothMargin;
-  const float largestBend = rule.LargestBend, farthest = rule.Farthest;
+  constexpr int Width = GuardTile::Width;
+  const float edgeMargin = rule.EdgeMargin, smoothMargin = rule.SmoothMargin;
+  const float largestBend = rule.LargestBend, farthestContact = rule.FarthestContact;
+  const float perSpacing = 1.0f / rule.Spacing;
+  const float fine = rule.Fine, farthest = rule.Farthest;
   const bool isParallel = rule.IsParallel;
+
+  // What each pixel alone tells, and how far its surface is behind its contact.
+  std::array<float, Width * Width> single, gap;
+  for (std::size_t i = 0; i < single.size(); ++i)
+  {
+    const float surface = tile.Surface[i], contact = tile.Contact[i];
+    const float moved = Nearer(surface, edgeMargin, isParallel);
+    const float perDepth = isParallel ? 1.0f : surface * surface;
+    gap[i] = contact >= fine ? 0.0f : contact - surface;
+    single[i] = gap[i] <= farthestContact * perDepth ? std::min(moved, contact) : contact;
+  }
   for (int y = 0; y < TileSize; ++y)
   {
-    const float* const below = tile.Around.data() + y * GuardTile::Width;
-    const float* const here = below + GuardTile::Width;
-    const float* const above = here + GuardTile::Width;
+    const std::size_t first = static_cast<std::size_t>(y * Width);
+    const float* const below = tile.Surface.data() + first;
+    const float *const here = below + Width, *const above = below + 2 * Width;
+    const float* const singles = single.data() + first;
+    const float* const gaps = gap.data() + first;
     float* const out = tile.Guard.data() + y * TileSize;
     for (int x = 0; x < TileSize; ++x)
     {
       const float c = here[x + 1];
-      const float a0 = here[x], b0 = here[x + 2], a1 = below[x], b1 = above[x + 2];
-      const float a2 = below[x + 1], b2 = above[x + 1], a3 = below[x + 2], b3 = above[x];
-      const float largest = std::max(std::max(std::max(a0, b0), std::max(a1, b1)),
-        std::max(std::max(std::max(a2, b2), std::max(a3, b3)), c));
-      const float smallest = std::min(std::min(std::min(a0, b0), std::min(a1, b1)),
-        std::min(std::min(std::min(a2, b2), std::min(a3, b3)), c));
-      const float bend =
-        std::max(std::max(std::abs((a0 - c) + (b0 - c)), std::abs((a1 - c) + (b1 - c))),
-          std::max(std::abs((a2 - c) + (b2 - c)), std::abs((a3 - c) + (b3 - c))));
+      const float bend = std::max(std::max(std::abs((here[x] - c) + (here[x + 2] - c)),
+                                    std::abs((below[x] - c) + (above[x + 2] - c))),
+        std::max(std::abs((below[x + 1] - c) + (above[x + 1] - c)),
+          std::abs((below[x + 2] - c) + (above[x] - c))));
+      const float largest = LargestAround(below, here, above, x);
+      const float widest = LargestAround(gaps, gaps + Width, gaps + 2 * Width, x);
+      const float edge = LargestAround(singles, singles + Width, singles + 2 * Width, x);
 
       // Disparity is affine on a plane, and half way to the neighbours are the pixel's corners.
-      const float perDepth = isParallel ? 1.0f : largest * smallest;
-      const bool isSmooth = bend <= largestBend * perDepth;
-      const float nearest = isSmooth ? 0.5f * (c + largest) : largest;
-      const float moved = isSmooth ? smoothMargin : margin;
-      const float left = 1.0f - moved * nearest;
-      const float nearer = left > 0.0f ? nearest / left : Infinity;
-      out[x] = std::max(isParallel ? nearest + moved : nearer, farthest);
+      const float perDepth = isParallel ? 1.0f : c * c;
+      const float steps = perSpacing * (largest - c);
+      const float slope = isParallel ? steps : steps / std::max(c, 1e-30f);
+      const bool isSmooth =
+        bend <= largestBend * perDepth && widest <= farthestContact * perDepth * (1.0f + slope);
+      const float smooth = Nearer(0.5f * (c + largest), smoothMargin, isParallel);
+      out[x] = std::max(isSmooth ? std::min(smooth, edge) : edge, farthest);
     }
   }
 }

@@ -12,23 +12,27 @@
 namespace TemporalCoherence
 {
 
-/// Disparities around a tile, with one pixel more on all sides, and the guard that is made of them.
+/// Disparities of surfaces and contacts around a tile, with one pixel more on all sides, and the
+/// guard that is made of them.
 struct GuardTile
 {
   static constexpr int Width = TileSize + 2;
 
-  std::array<float, Width * Width> Around;
+  std::array<float, Width * Width> Surface, Contact;
   std::array<float, TileSize * TileSize> Guard; ///< found
 };
 
-/// How guards are made (CachedDepths.h).
+/// How guards are made (FreeSpace.h); lengths are depths.
 struct GuardRule
 {
   bool IsParallel = false;
-  float Margin = 0.0f;       ///< of edges
-  float SmoothMargin = 0.0f; ///< of smooth surfaces
-  float LargestBend = 0.0f;  ///< depth by which neighbours of a smooth surface leave its plane
-  float Farthest = 0.0f;     ///< disparity behind which nothing is known
+  float EdgeMargin = 0.0f;      ///< by which surfaces at edges are taken to be nearer
+  float SmoothMargin = 0.0f;    ///< the same for smooth surfaces
+  float LargestBend = 0.0f;     ///< by which neighbours of a smooth surface leave its plane
+  float FarthestContact = 0.0f; ///< of a surface behind its first contact, met at a right angle
+  float Spacing = 0.0f;         ///< of pixels; for a perspective at depth 1
+  float Fine = 0.0f;     ///< disparity above which pixels are so fine that surfaces alone tell
+  float Farthest = 0.0f; ///< disparity below which nothing is known
 };
 void MakeGuard(const GuardRule& rule, GuardTile& tile);
 

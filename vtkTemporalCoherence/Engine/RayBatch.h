@@ -42,6 +42,7 @@ struct RayBatch
 struct HitBatch
 {
   RayBatch::Array<double> Depth;         ///< t, or infinity
+  RayBatch::Array<double> Contact;       ///< t where the first active cell is entered, or infinity
   RayBatch::Array<std::int16_t> Surface; ///< position in the list of isovalues, or Frame::NoSurface
   RayBatch::Array<HitKind> Kind;
   std::int64_t CellsRead = 0; ///< cells whose eight samples were read

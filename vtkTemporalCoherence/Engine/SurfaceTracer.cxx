@@ -6,6 +6,7 @@
 #include "CellWalk.h"
 #include "KernelsCrossing.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace TemporalCoherence
@@ -74,6 +75,7 @@ private:
       for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
       {
         hits.Depth[ray] = Infinity;
+        hits.Contact[ray] = Infinity;
         hits.Surface[ray] = Frame::NoSurface;
         hits.Kind[ray] = HitKind::None;
       }
@@ -212,6 +214,7 @@ private:
     for (std::size_t i = 0; i < static_cast<std::size_t>(passages.Count); ++i)
     {
       const std::size_t ray = progress.Owner[i];
+      progress.Hits.Contact[ray] = std::min(progress.Hits.Contact[ray], passages.Enter[i]);
       if (passages.Distance[i] < progress.Hits.Depth[ray])
       {
         progress.Hits.Depth[ray] = passages.Distance[i];
@@ -268,6 +271,7 @@ private:
         if (isHighest && IsInside(passages.AtEntry[i]))
         {
           hits.Depth[ray] = rays.Begin[ray];
+          hits.Contact[ray] = rays.Begin[ray];
           hits.Surface[ray] = static_cast<std::int16_t>(surface);
           hits.Kind[ray] = HitKind::Cap;
         }

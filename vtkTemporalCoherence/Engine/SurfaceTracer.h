@@ -26,7 +26,8 @@ struct TraceScene
 ///
 /// A ray goes from cell to cell; in each cell that can hold a surface the first crossing is found
 /// exactly (CellRoot.h). The hit is the nearest over all isovalues. The result depends on the ray,
-/// its Begin and its End, and not on where the walk starts or what is leapt over.
+/// its Begin and its End, and not on where the walk starts or what is leapt over. (The contact, the
+/// first cell on the walk that an isovalue passes through, does depend on where it starts.)
 class SurfaceTracer
 {
 public:

@@ -40,6 +40,7 @@ void FillWithMisses(std::int64_t tile, const PixelRect& part, float miss, Frame&
     const auto count = static_cast<std::size_t>(part.Size.x);
     std::fill_n(&frame.Depth[row], count, Infinity);
     std::fill_n(&frame.Disparities[row], count, miss);
+    std::fill_n(&frame.Contacts[row], count, miss);
     std::fill_n(&frame.Normals[row], count, glm::vec3(0.0f));
     std::fill_n(&frame.Isovalues[row], count, Frame::NoSurface);
     std::fill_n(&frame.Kinds[row], count, HitKind::None);
@@ -64,11 +65,11 @@ void NarrowByBounds(const TileBounds::Bounds& bounds, RayBatch& rays)
   }
 }
 
-float DisparityOfHit(const RayBatch& rays, const HitBatch& hits, std::size_t ray, bool isParallel)
+/// Disparity at a distance along a ray; that of a miss if it is infinite.
+float DisparityAt(const RayBatch& rays, std::size_t ray, double t, bool isParallel)
 {
-  const double depth = hits.Depth[ray] / rays.PerDepth[ray];
-  return static_cast<float>(hits.Surface[ray] == Frame::NoSurface ? DisparityOfMiss(isParallel)
-                                                                  : DisparityOf(depth, isParallel));
+  return static_cast<float>(
+    t == Infinity ? DisparityOfMiss(isParallel) : DisparityOf(t / rays.PerDepth[ray], isParallel));
 }
 
 /// Write what a ray found into the planes of a frame.
@@ -77,7 +78,8 @@ void StoreHit(const RayBatch& rays, const HitBatch& hits, std::size_t ray, Answe
 {
   const auto pixel = static_cast<std::size_t>(rays.Pixel[ray]);
   frame.Depth[pixel] = hits.Depth[ray];
-  frame.Disparities[pixel] = DisparityOfHit(rays, hits, ray, isParallel);
+  frame.Disparities[pixel] = DisparityAt(rays, ray, hits.Depth[ray], isParallel);
+  frame.Contacts[pixel] = DisparityAt(rays, ray, hits.Contact[ray], isParallel);
   frame.Isovalues[pixel] = hits.Surface[ray];
   frame.Kinds[pixel] = hits.Kind[ray];
   frame.Answers[pixel] = answer;
@@ -193,8 +195,8 @@ void TileTracer::TraceKnown(RayBatch& rays, Frame& frame, TraceCounts& counts) c
     {
       const auto pixel = static_cast<std::size_t>(rays.Pixel[i]);
       query.Interpolate(known, i, pixel, frame);
-      frame.Disparities[pixel] = static_cast<float>(
-        DisparityOf(known.Hit[i] / rays.PerDepth[i], this->Scene.Key.Seen.Parallel));
+      frame.Disparities[pixel] = DisparityAt(rays, i, known.Hit[i], this->Scene.Key.Seen.Parallel);
+      frame.Contacts[pixel] = frame.Disparities[pixel];
     }
     else if (this->IsWrong(known, hits, i) && known.Free[i] > walkBegin[i])
     {

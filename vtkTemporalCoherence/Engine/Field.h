@@ -46,6 +46,14 @@ struct Field
   glm::i64vec3 Strides{ 1, 0, 0 }; ///< scalars from one sample to the next along each axis
   std::uint64_t Stamp = 0;         ///< differs whenever the samples may have changed
 
+  /// True if the samples are too many for a processor's caches: it pays to send for them early.
+  bool IsLarge() const
+  {
+    constexpr std::int64_t Many = std::int64_t(1) << 25;
+    return static_cast<std::int64_t>(this->Dimensions.x) * this->Dimensions.y * this->Dimensions.z >
+      Many;
+  }
+
   /// True where there is at least one cell to look into.
   bool HasCells() const { return glm::all(glm::greaterThan(this->Dimensions, glm::ivec3(1))); }
 };

@@ -24,20 +24,35 @@ constexpr double EdgeMargin = 1.0;
 
 constexpr std::int64_t TileGrain = 64;
 
+using Around = std::array<float, GuardTile::Width * GuardTile::Width>;
+
 /// Gather a plane around a tile, one pixel more on all sides.
-template <typename Read>
-void GatherAround(const Frame& frame, const PixelRect& part, float outside, const Read& read,
-  std::array<float, GuardTile::Width * GuardTile::Width>& around)
+void GatherAround(const Frame& frame, const std::vector<float>& plane, const PixelRect& part,
+  float outside, Around& around)
 {
   around.fill(outside);
   const glm::ivec2 first = glm::max(part.First - 1, glm::ivec2(0));
   const glm::ivec2 end = glm::min(part.First + TileSize + 1, frame.Size);
-  for (int y = first.y; y < end.y; ++y)
+  const glm::ivec2 at = first - part.First + 1;
+  for (int y = 0; y < end.y - first.y; ++y)
   {
-    float* const row = &around[static_cast<std::size_t>((y - part.First.y + 1) * GuardTile::Width)];
-    for (int x = first.x; x < end.x; ++x)
+    std::copy_n(&plane[static_cast<std::size_t>((first.y + y) * frame.Size.x + first.x)],
+      end.x - first.x, &around[static_cast<std::size_t>((at.y + y) * GuardTile::Width + at.x)]);
+  }
+}
+
+/// Let nothing be known of pixels whose surface was not met from outside.
+void HideUnlessEntered(const Frame& frame, const PixelRect& part, Around& contacts)
+{
+  for (int i = 0; i < static_cast<int>(contacts.size()); ++i)
+  {
+    const glm::ivec2 at = part.First - 1 + glm::ivec2(i % GuardTile::Width, i / GuardTile::Width);
+    const bool isInFrame =
+      glm::all(glm::greaterThanEqual(at, glm::ivec2(0))) && glm::all(glm::lessThan(at, frame.Size));
+    if (isInFrame &&
+      frame.Kinds[static_cast<std::size_t>(at.y * frame.Size.x + at.x)] != HitKind::Enters)
     {
-      row[x - part.First.x + 1] = read(static_cast<std::size_t>(y * frame.Size.x + x));
+      contacts[static_cast<std::size_t>(i)] = std::numeric_limits<float>::infinity();
     }
   }
 }
@@ -108,14 +123,12 @@ void FreeSpace::Make(const Frame& frame, const View& view, const Options& option
       else
       {
         const auto outside = static_cast<float>(miss);
-        const auto surfaceAt = [&](std::size_t pixel) { return frame.Disparities[pixel]; };
-        const auto contactAt = [&](std::size_t pixel)
+        GatherAround(frame, frame.Disparities, part, outside, tile.Surface);
+        GatherAround(frame, frame.Contacts, part, outside, tile.Contact);
+        if (options.OnlyEntered)
         {
-          const bool isKnown = !options.OnlyEntered || frame.Kinds[pixel] == HitKind::Enters;
-          return isKnown ? frame.Contacts[pixel] : std::numeric_limits<float>::infinity();
-        };
-        GatherAround(frame, part, outside, surfaceAt, tile.Surface);
-        GatherAround(frame, part, outside, contactAt, tile.Contact);
+          HideUnlessEntered(frame, part, tile.Contact);
+        }
         MakeGuard(rule, tile);
       }
       for (int y = 0; y < part.Size.y; ++y)

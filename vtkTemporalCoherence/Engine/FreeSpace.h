@@ -52,7 +52,7 @@ public:
 
 private:
   std::vector<float> Disparities;
-  std::vector<float> Filled; ///< for each tile, what all of its pixels have; or NaN
+  std::vector<float> Filled; ///< by tile
   Options MadeWith;
   bool IsMade = false;
 };

@@ -5,6 +5,8 @@
 #include "KernelsShading.h"
 #include "Surfaces.h"
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 #include <cmath>
 #include <type_traits>
@@ -13,6 +15,9 @@ namespace TemporalCoherence
 {
 namespace
 {
+
+/// Points by which samples are sent for in advance.
+constexpr std::size_t Ahead = 6;
 
 /// Gathers what central differences around points need.
 template <typename T>
@@ -28,6 +33,20 @@ public:
     , FromIsovalue(isovalue, finiteRange)
     , Steps{ field.Strides.x, field.Strides.y, field.Strides.z }
   {
+  }
+
+  /// Send for the samples around a point.
+  void Prefetch(const glm::dvec3& point) const
+  {
+    const glm::ivec3 last = this->Samples.Dimensions - 1;
+    const glm::ivec3 cell = glm::clamp(glm::ivec3(point), glm::ivec3(0), last);
+    for (int k = std::max(cell.z - 1, 0); k <= std::min(cell.z + 2, last.z); ++k)
+    {
+      for (int j = std::max(cell.y - 1, 0); j <= std::min(cell.y + 2, last.y); ++j)
+      {
+        hwy::Prefetch(this->Samples.At(cell.x, j, k));
+      }
+    }
   }
 
   /// Gather for point i of the batch, after those before it.
@@ -137,6 +156,11 @@ void IndexGradients(const Field& field, const glm::dvec2& finiteRange, double is
       batch.Count = static_cast<std::size_t>(count);
       for (std::size_t i = 0; i < batch.Count; ++i)
       {
+        if (field.IsLarge())
+        {
+          const std::size_t later = std::min(i + Ahead, batch.Count - 1);
+          gatherer.Prefetch({ points[0][later], points[1][later], points[2][later] });
+        }
         gatherer.Gather({ points[0][i], points[1][i], points[2][i] }, i, batch);
       }
       ShadingKernels::InterpolateGradients(batch);

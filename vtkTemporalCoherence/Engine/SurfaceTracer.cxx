@@ -6,6 +6,8 @@
 #include "CellWalk.h"
 #include "KernelsCrossing.h"
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -27,6 +29,7 @@ public:
     , Samples(scene.Samples)
     , Cells(scene.Samples.Dimensions - 1)
     , IsSolid(scene.Sought.Mode == SurfaceMode::Threshold)
+    , IsLarge(scene.Samples.IsLarge())
     , AreCellsActive(scene.Active && scene.Sought.Isovalues.size() == 1)
   {
     const glm::i64vec3& s = this->Samples.Strides;
@@ -112,27 +115,55 @@ private:
     for (std::size_t i = 0; i < progress.NumberOfLive; ++i)
     {
       const std::size_t ray = progress.Live[i];
-      CellWalk& walk = progress.Walks[ray];
-      const BatchRay way{ progress.Rays, ray };
-      bool isAhead, isFound;
-      do
-      {
-        isAhead = this->Scene.Active ? walk.FindActive(way, *this->Scene.Active, this->Samples)
-                                     : walk.FindAny(way, this->Cells);
-        isFound = isAhead && this->Visit(walk.Here(), ray, progress);
-      } while (isAhead && !isFound);
-      if (isAhead)
+      if (this->Scene.Active ? this->AdvanceToActive(ray, progress)
+                             : this->AdvanceThroughAll(ray, progress))
       {
         progress.Live[left++] = ray;
       }
     }
     progress.NumberOfLive = left;
+    for (std::size_t i = 0; i < left && this->Scene.Active && this->IsLarge; ++i)
+    {
+      this->Visit(progress.Live[i], progress);
+    }
+  }
+
+  bool AdvanceToActive(std::size_t ray, Progress& progress) const
+  {
+    CellWalk& walk = progress.Walks[ray];
+    const bool isAhead =
+      walk.FindActive({ progress.Rays, ray }, *this->Scene.Active, this->Samples);
+    if (isAhead && !this->IsLarge)
+    {
+      this->Visit(ray, progress);
+    }
+    else if (isAhead)
+    {
+      // Visited when all rays are there: until then the samples are on their way.
+      const T* const origin = this->Samples.At(walk.Here());
+      hwy::Prefetch(origin);
+      hwy::Prefetch(origin + this->CornerOffsets[2]);
+      hwy::Prefetch(origin + this->CornerOffsets[4]);
+      hwy::Prefetch(origin + this->CornerOffsets[6]);
+    }
+    return isAhead;
+  }
+
+  bool AdvanceThroughAll(std::size_t ray, Progress& progress) const
+  {
+    bool isAhead;
+    do
+    {
+      isAhead = progress.Walks[ray].FindAny({ progress.Rays, ray }, this->Cells);
+    } while (isAhead && !this->Visit(ray, progress));
+    return isAhead;
   }
 
   /// Read a cell, and take note of the passages through it that must be searched.
   /// \return false if no isovalue passes through the cell
-  bool Visit(const glm::ivec3& cell, std::size_t ray, Progress& progress) const
+  bool Visit(std::size_t ray, Progress& progress) const
   {
+    const glm::ivec3& cell = progress.Walks[ray].Here();
     const std::array<T, 8> samples = this->Read(cell);
     ++progress.Hits.CellsRead;
     bool isFound = false;
@@ -285,6 +316,7 @@ private:
   std::vector<Difference<T>> Differences; ///< from each isovalue
   glm::ivec3 Cells;                       ///< number of cells along each axis
   bool IsSolid;
+  bool IsLarge;
   bool AreCellsActive; ///< the one isovalue passes through every cell that is visited
   std::array<std::int64_t, 8> CornerOffsets;
 };

@@ -68,8 +68,9 @@ void NarrowByBounds(const TileBounds::Bounds& bounds, RayBatch& rays)
 /// Disparity at a distance along a ray; that of a miss if it is infinite.
 float DisparityAt(const RayBatch& rays, std::size_t ray, double t, bool isParallel)
 {
+  const double perDepth = rays.PerDepth[ray];
   return static_cast<float>(
-    t == Infinity ? DisparityOfMiss(isParallel) : DisparityOf(t / rays.PerDepth[ray], isParallel));
+    isParallel ? std::max(-t / perDepth, DisparityOfMiss(true)) : perDepth / t);
 }
 
 /// Write what a ray found into the planes of a frame.
@@ -83,6 +84,12 @@ void StoreHit(const RayBatch& rays, const HitBatch& hits, std::size_t ray, Answe
   frame.Isovalues[pixel] = hits.Surface[ray];
   frame.Kinds[pixel] = hits.Kind[ray];
   frame.Answers[pixel] = answer;
+}
+
+bool AreMisses(const QueryBatch& known, int count)
+{
+  return std::all_of(known.Answers.begin(), known.Answers.begin() + count,
+    [](Answer answer) { return answer == Answer::DefiniteMiss; });
 }
 
 void Count(Answer answer, TraceCounts& counts)
@@ -131,29 +138,39 @@ bool TileTracer::CanSkip(std::int64_t tile) const
 
 TraceCounts TileTracer::Trace(std::int64_t tile, const PixelRect& part, Frame& frame) const
 {
+  const std::int64_t begin = this->Scene.Query ? Nanoseconds() : 0;
   TraceCounts counts;
-  if (this->CanSkip(tile))
+  RayBatch rays;
+  QueryBatch known;
+  bool isMiss = this->CanSkip(tile);
+  if (!isMiss)
+  {
+    this->Rays.SetUp(part.First, part.Size, rays);
+    if (this->Scene.Active)
+    {
+      NarrowByBounds(this->Scene.Bounds->At(static_cast<int>(tile)), rays);
+    }
+    if (this->Scene.Query)
+    {
+      const std::int64_t beginQuery = Nanoseconds();
+      this->Scene.Query->Ask(rays, known);
+      isMiss = !this->IsSolid && AreMisses(known, rays.Count);
+      counts.QueryTime = Nanoseconds() - beginQuery;
+    }
+  }
+  if (isMiss)
   {
     const double miss = DisparityOfMiss(this->Scene.Key.Seen.Parallel);
     FillWithMisses(tile, part, static_cast<float>(miss), frame);
     counts.DefiniteMisses = static_cast<std::int64_t>(part.Size.x) * part.Size.y;
-    return counts;
-  }
-  frame.ClearTiles[static_cast<std::size_t>(tile)] = 0;
-  RayBatch rays;
-  this->Rays.SetUp(part.First, part.Size, rays);
-  if (this->Scene.Active)
-  {
-    NarrowByBounds(this->Scene.Bounds->At(static_cast<int>(tile)), rays);
-  }
-  if (this->Scene.Query)
-  {
-    this->TraceKnown(rays, frame, counts);
   }
   else
   {
-    this->TraceCold(rays, frame, counts);
+    frame.ClearTiles[static_cast<std::size_t>(tile)] = 0;
+    this->Scene.Query ? this->TraceKnown(known, rays, frame, counts)
+                      : this->TraceCold(rays, frame, counts);
   }
+  counts.TileTime = this->Scene.Query ? Nanoseconds() - begin : 0;
   return counts;
 }
 
@@ -172,14 +189,9 @@ void TileTracer::TraceCold(const RayBatch& rays, Frame& frame, TraceCounts& coun
   }
 }
 
-void TileTracer::TraceKnown(RayBatch& rays, Frame& frame, TraceCounts& counts) const
+void TileTracer::TraceKnown(
+  const QueryBatch& known, RayBatch& rays, Frame& frame, TraceCounts& counts) const
 {
-  const ImageQuery& query = *this->Scene.Query;
-  const std::int64_t begin = Nanoseconds();
-  QueryBatch known;
-  query.Ask(rays, known);
-  counts.QueryTime += Nanoseconds() - begin;
-
   const RayBatch::Array<double> walkBegin = rays.WalkBegin;
   const RayBatch::Array<double> walkEnd = rays.WalkEnd;
   this->NarrowByImage(known, rays);
@@ -194,7 +206,7 @@ void TileTracer::TraceKnown(RayBatch& rays, Frame& frame, TraceCounts& counts) c
     if (answer == Answer::DefiniteHit && this->Scene.InterpolateColors)
     {
       const auto pixel = static_cast<std::size_t>(rays.Pixel[i]);
-      query.Interpolate(known, i, pixel, frame);
+      this->Scene.Query->Interpolate(known, i, pixel, frame);
       frame.Disparities[pixel] = DisparityAt(rays, i, known.Hit[i], this->Scene.Key.Seen.Parallel);
       frame.Contacts[pixel] = frame.Disparities[pixel];
     }
@@ -214,7 +226,6 @@ void TileTracer::TraceKnown(RayBatch& rays, Frame& frame, TraceCounts& counts) c
     Count(answer, counts);
   }
   this->TraceAgain(again, frame, counts);
-  counts.TileTime += Nanoseconds() - begin;
 }
 
 /// Let each ray walk only where its answer leaves something to find.

@@ -24,7 +24,7 @@ struct TraceCounts
   std::int64_t TracedRays = 0;
   std::int64_t CellsRead = 0;
   std::int64_t QueryTime = 0; ///< nanoseconds spent in asking the image
-  std::int64_t TileTime = 0;  ///< nanoseconds, that included
+  std::int64_t TileTime = 0;  ///< nanoseconds with that included, where an image is asked
 };
 
 /// What tiles are traced with; all of it must outlive the tracer.
@@ -53,7 +53,7 @@ public:
 private:
   bool CanSkip(std::int64_t tile) const;
   void TraceCold(const RayBatch& rays, Frame& frame, TraceCounts& counts) const;
-  void TraceKnown(RayBatch& rays, Frame& frame, TraceCounts& counts) const;
+  void TraceKnown(const QueryBatch& known, RayBatch& rays, Frame& frame, TraceCounts& counts) const;
   void NarrowByImage(const QueryBatch& known, RayBatch& rays) const;
   bool IsWrong(const QueryBatch& known, const HitBatch& hits, std::size_t ray) const;
   Answer AnswerAfter(

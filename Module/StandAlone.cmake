@@ -33,7 +33,14 @@ if (BUILD_TESTING OR TEMPORAL_COHERENCE_BUILD_BENCHMARKS)
     CommonSystem FiltersCore FiltersSources ImagingCore InteractionStyle IOImage IOLegacy IOXML
     RenderingVolumeOpenGL2 TestingCore TestingRendering)
 endif ()
-find_package(VTK 9.1 REQUIRED COMPONENTS ${vtk_components})
+set(vtk_chart_components)
+if (TEMPORAL_COHERENCE_BUILD_BENCHMARKS)
+  set(vtk_chart_components
+    ChartsCore IOExport RenderingContext2D RenderingContextOpenGL2 RenderingFreeType)
+endif ()
+find_package(VTK 9.1 REQUIRED
+  COMPONENTS ${vtk_components}
+  OPTIONAL_COMPONENTS ${vtk_chart_components})
 
 # Shared exactly when VTK is.
 get_target_property(vtk_library_type VTK::CommonCore TYPE)

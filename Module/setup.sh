@@ -29,7 +29,7 @@ where some are missing. A build directory that is there already keeps its settin
 TEXT
 }
 
-build_packages=(g++ cmake ninja-build libvtk9-dev libglm-dev)
+build_packages=(g++ cmake ninja-build libvtk9-dev libglm-dev libhwy-dev)
 test_packages=(libgtest-dev xvfb xauth libgl1-mesa-dri)
 example_packages=(mricron-data)
 

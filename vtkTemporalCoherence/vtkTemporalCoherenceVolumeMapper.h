@@ -154,9 +154,9 @@ public:
    *
    * BOUNDED (default): at most 0.01 % of the pixels differ from the cold picture (a surface here
    * and none there, or more than a voxel apart) in the median frame and 0.05 % in any, however many
-   * frames are made from one another. Rays start one voxel before the nearest depth of the cached
-   * pixel and its neighbours, and are always traced from there. The picture is believed where its
-   * pixels are at most a voxel apart.
+   * frames are made from one another. Rays start where the space that the cached picture shows to
+   * be free ends, a voxel before edges, and are always traced from there. A cached picture whose
+   * pixels are more than two voxels apart is not used.
    *
    * EXACT: the cold picture, to the last bit. A picture between whose pixels anything may hide
    * proves nothing, so this costs what a cold frame costs.
@@ -213,8 +213,8 @@ public:
   ///@{
   /**
    * Colours of definite hits with PAPER: RESHADE (default), from the field at the refined hit;
-   * INTERPOLATE, between those of the cached picture, whose light and blur then travel with it. New
-   * colours or lights, or ColorByAnswer, reshade.
+   * INTERPOLATE, between those of the cached picture, whose light and blur then travel with it; so
+   * does a light that is moved. New colours or other changes of light, and ColorByAnswer, reshade.
    */
   vtkSetClampMacro(ImageCacheShading, int, CACHE_RESHADE, CACHE_INTERPOLATE);
   vtkGetMacro(ImageCacheShading, int);

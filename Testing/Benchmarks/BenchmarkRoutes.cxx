@@ -1,41 +1,37 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Times every route on many volumes, and vtkFlyingEdges3D beside them in the same run.
-//
-//   BenchmarkRoutes [--size PIXELS] [--frames N] [--json FILE] [--window] [VOLUME ISOVALUE]...
-//
-// Prints a Markdown table. With --window the peer also draws its polygons in a render window.
+// Times every route on many volumes, and vtkFlyingEdges3D beside them in the same run. With
+// --window the peer also draws its polygons in a render window.
 
-#include "Volumes.h"
-#include "vtkTemporalCoherenceVolumeMapper.h"
+#include "CommandLine.h"
+#include "Measuring.h"
+#include "Report.h"
+#include "Stage.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
-#include <vtkColorTransferFunction.h>
 #include <vtkContourValues.h>
 #include <vtkFlyingEdges3D.h>
-#include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
-#include <vtkRenderer.h>
 #include <vtkSMPTools.h>
-#include <vtkVolume.h>
 #include <vtkVolumeProperty.h>
 
 #include <algorithm>
-#include <chrono>
-#include <cstdio>
-#include <cstdlib>
-#include <cstring>
+#include <exception>
+#include <iostream>
 #include <string>
 #include <vector>
 
 namespace
 {
+
+using Measuring::Median;
+using Measuring::TimeOf;
 
 struct Settings
 {
@@ -43,7 +39,10 @@ struct Settings
   int Frames = 20;
   bool Window = false;
   std::string Json;
-  std::vector<Volumes::Sample> Volumes;
+  std::vector<Volumes::Sample> Volumes = { { "spheres256", 100 }, { "marschner-lobb256", 128 },
+    { "marschner-lobb512", 128 }, { "engine.vti", 70 }, { "engine.vti", 180 }, { "brain.vti", 40 },
+    { "brain.vti", 90 }, { "cthead.vti", 600 }, { "bonsai.vti", 40 }, { "aneurism.vti", 60 },
+    { "heptane.vti", 60 }, { "isabel.vti", 20 }, { "homo.vti", 0.03 }, { "ch2better.nii.gz", 40 } };
 };
 
 /// One line of the table; times are medians in milliseconds.
@@ -64,102 +63,73 @@ struct Result
   double HitShare = 0.0;
 };
 
-double Now()
-{
-  return std::chrono::duration<double, std::milli>(
-    std::chrono::steady_clock::now().time_since_epoch())
-    .count();
-}
-
-template <typename Action>
-double TimeOf(const Action& action)
-{
-  const double begin = Now();
-  action();
-  return Now() - begin;
-}
-
-double Median(std::vector<double> values)
-{
-  std::sort(values.begin(), values.end());
-  return values.empty() ? 0.0 : values[values.size() / 2];
-}
-
 /// The isovalues of a sweep: small steps around the one of interest.
 double SweepIsovalue(const Result& result, const double range[2], int frame)
 {
   return result.Isovalue + 0.001 * (range[1] - range[0]) * (1 + frame % 5);
 }
 
-void SetUpProperty(vtkVolumeProperty* property, double isovalue)
+/// Every view is a new one, made with no help from the last.
+void TimeColdFrames(Stage& stage, Drawer& drawer, int frames, Result& result)
 {
-  vtkNew<vtkColorTransferFunction> color;
-  color->AddRGBPoint(isovalue, 0.9, 0.8, 0.7);
-  property->SetColor(color);
-  property->ShadeOn();
-  property->SetInterpolationTypeToLinear();
-  property->GetIsoSurfaceValues()->SetValue(0, isovalue);
+  result.First = drawer.Draw(stage);
+  drawer.Mapper->ImageCacheOff();
+  std::vector<double> cold, trace, shade;
+  for (int i = 0; i < frames; ++i)
+  {
+    stage.Orbit(2.0);
+    cold.push_back(drawer.Draw(stage));
+    trace.push_back(1e3 * drawer.Mapper->GetTraceTime());
+    shade.push_back(1e3 * drawer.Mapper->GetShadeTime());
+  }
+  drawer.Mapper->ImageCacheOn();
+  result.Cold = Median(cold);
+  result.Trace = Median(trace);
+  result.Shade = Median(shade);
+}
+
+/// The view stays; first only the light changes, then the isovalue.
+void TimeStillFrames(Stage& stage, Drawer& drawer, int frames, Result& result)
+{
+  vtkVolumeProperty* property = stage.Volume->GetProperty();
+  std::vector<double> threshold, reshade, redisplay;
+  for (int i = 0; i < frames; ++i)
+  {
+    redisplay.push_back(drawer.Draw(stage));
+    property->SetDiffuse(0.6 + 0.01 * i);
+    reshade.push_back(drawer.Draw(stage));
+  }
+  const double* range = stage.Image->GetScalarRange();
+  for (int i = 0; i < frames; ++i)
+  {
+    property->GetIsoSurfaceValues()->SetValue(0, SweepIsovalue(result, range, i));
+    threshold.push_back(drawer.Draw(stage));
+  }
+  result.Threshold = Median(threshold);
+  result.Reshade = Median(reshade);
+  result.Redisplay = Median(redisplay);
+}
+
+void TimePlainFrames(Stage& stage, Drawer& drawer, Result& result)
+{
+  drawer.Mapper->SpaceLeapingOff();
+  std::vector<double> plain;
+  for (int i = 0; i < 2; ++i)
+  {
+    drawer.Mapper->ReleaseReuse();
+    plain.push_back(drawer.Draw(stage));
+  }
+  result.PlainCold = *std::min_element(plain.begin(), plain.end());
 }
 
 void TimeMapper(vtkImageData* image, const Settings& settings, Result& result)
 {
-  vtkNew<vtkTemporalCoherenceVolumeMapper> mapper;
-  mapper->SetInputData(image);
-  vtkNew<vtkVolume> volume;
-  volume->SetMapper(mapper);
-  vtkVolumeProperty* property = volume->GetProperty();
-  SetUpProperty(property, result.Isovalue);
-  vtkNew<vtkRenderer> renderer;
-  renderer->AddVolume(volume);
-  renderer->GetActiveCamera()->SetPosition(-1.0, -2.0, 0.8);
-  renderer->GetActiveCamera()->SetViewUp(0.0, 0.0, 1.0);
-  renderer->ResetCamera();
-  const double* range = image->GetScalarRange();
-
-  vtkNew<vtkImageData> color, depth;
-  const auto frame = [&]
-  {
-    return TimeOf(
-      [&] { mapper->RenderToImage(renderer, volume, settings.Size, settings.Size, color, depth); });
-  };
-
-  result.First = frame();
-  std::vector<double> cold, trace, shade, threshold, reshade, redisplay, plain;
-  for (int i = 0; i < settings.Frames; ++i)
-  {
-    renderer->GetActiveCamera()->Azimuth(2.0);
-    renderer->ResetCameraClippingRange();
-    cold.push_back(frame());
-    trace.push_back(1e3 * mapper->GetTraceTime());
-    shade.push_back(1e3 * mapper->GetShadeTime());
-  }
-  for (int i = 0; i < settings.Frames; ++i)
-  {
-    redisplay.push_back(frame());
-    property->SetDiffuse(0.6 + 0.01 * i);
-    reshade.push_back(frame());
-  }
-  for (int i = 0; i < settings.Frames; ++i)
-  {
-    property->GetIsoSurfaceValues()->SetValue(0, SweepIsovalue(result, range, i));
-    threshold.push_back(frame());
-  }
-  const auto pixels = static_cast<double>(mapper->GetNumberOfRays());
-  frame();
-  result.HitShare = static_cast<double>(mapper->GetNumberOfDefiniteHits()) / pixels;
-  mapper->SpaceLeapingOff();
-  for (int i = 0; i < 2; ++i)
-  {
-    mapper->ReleaseReuse();
-    plain.push_back(frame());
-  }
-  result.Cold = Median(cold);
-  result.Trace = Median(trace);
-  result.Shade = Median(shade);
-  result.Threshold = Median(threshold);
-  result.Reshade = Median(reshade);
-  result.Redisplay = Median(redisplay);
-  result.PlainCold = *std::min_element(plain.begin(), plain.end());
+  Stage stage(image, result.Isovalue, settings.Size);
+  Drawer drawer(stage);
+  TimeColdFrames(stage, drawer, settings.Frames, result);
+  TimeStillFrames(stage, drawer, settings.Frames, result);
+  TimePlainFrames(stage, drawer, result);
+  result.HitShare = 0.01 * PercentHit(drawer);
 }
 
 void TimePolygons(vtkImageData* image, const Settings& settings, Result& result)
@@ -210,72 +180,69 @@ void TimePolygons(vtkImageData* image, const Settings& settings, Result& result)
   result.Polygons = Median(polygons);
 }
 
-bool ReadSettings(int argc, char* argv[], Settings& settings)
+void AddTo(JsonWriter& json, const Result& r)
 {
-  for (int i = 1; i < argc; ++i)
-  {
-    const bool hasNext = i + 1 < argc;
-    if (!std::strcmp(argv[i], "--window"))
-    {
-      settings.Window = true;
-    }
-    else if (!std::strcmp(argv[i], "--size") && hasNext)
-    {
-      settings.Size = std::atoi(argv[++i]);
-    }
-    else if (!std::strcmp(argv[i], "--frames") && hasNext)
-    {
-      settings.Frames = std::atoi(argv[++i]);
-    }
-    else if (!std::strcmp(argv[i], "--json") && hasNext)
-    {
-      settings.Json = argv[++i];
-    }
-    else if (argv[i][0] != '-' && hasNext)
-    {
-      settings.Volumes.push_back({ argv[i], std::atof(argv[i + 1]) });
-      ++i;
-    }
-    else
-    {
-      return false;
-    }
-  }
-  if (settings.Volumes.empty())
-  {
-    settings.Volumes = { { "spheres256", 100 }, { "marschner-lobb256", 128 },
-      { "marschner-lobb512", 128 }, { "engine.vti", 70 }, { "engine.vti", 180 },
-      { "brain.vti", 40 }, { "brain.vti", 90 }, { "cthead.vti", 600 }, { "bonsai.vti", 40 },
-      { "aneurism.vti", 60 }, { "heptane.vti", 60 }, { "isabel.vti", 20 }, { "homo.vti", 0.03 },
-      { "ch2better.nii.gz", 40 } };
-  }
-  return settings.Size > 0 && settings.Frames > 0;
+  json.OpenObject();
+  json.Add("volume", r.Name);
+  json.Add("isovalue", r.Isovalue);
+  json.Add("hitShare", r.HitShare);
+  json.Add("firstMs", r.First);
+  json.Add("coldMs", r.Cold);
+  json.Add("traceMs", r.Trace);
+  json.Add("shadeMs", r.Shade);
+  json.Add("thresholdMs", r.Threshold);
+  json.Add("reshadeMs", r.Reshade);
+  json.Add("redisplayMs", r.Redisplay);
+  json.Add("plainColdMs", r.PlainCold);
+  json.Add("extractionMs", r.Extraction);
+  json.Add("polygonsMs", r.Polygons);
+  json.Close();
 }
 
-void WriteJson(const Settings& settings, const std::vector<Result>& results)
+void PrintRow(const MarkdownTable& table, const Settings& settings, const Result& r)
 {
-  std::FILE* file = std::fopen(settings.Json.c_str(), "w");
-  if (!file)
+  const double peer = settings.Window ? r.Polygons : r.Extraction;
+  table.Row({ r.Name, Plain(r.Isovalue), Fixed(100.0 * r.HitShare, 0) + " %", Fixed(r.First, 0),
+    Fixed(r.Cold, 1), Fixed(r.Trace, 1) + " + " + Fixed(r.Shade, 1), Fixed(r.Threshold, 1),
+    Fixed(r.Reshade, 1), Fixed(r.Redisplay, 1), Fixed(r.PlainCold, 0), Fixed(r.Extraction, 0),
+    Fixed(r.Polygons, 0), Fixed(Measuring::Ratio(peer, r.Threshold), 1) });
+}
+
+/// False if there was no volume to measure.
+bool Report(const Settings& settings)
+{
+  std::cout << settings.Size << " x " << settings.Size << " pixels, "
+            << vtkSMPTools::GetEstimatedNumberOfThreads()
+            << " threads; medians in ms; polygons: vtkFlyingEdges3D"
+            << (settings.Window ? " + vtkPolyDataMapper" : ", extraction alone") << "\n\n";
+  const MarkdownTable table(
+    { "volume", "isovalue", "hit", "first", "cold", "(trace + shade)", "new isovalue", "Reshade",
+      "Redisplay", "plain cold", "extraction", "+ drawing", "polygons / new isovalue" });
+  JsonWriter json;
+  AddMachine(json, settings.Size);
+  json.OpenList("results");
+  bool isMeasured = false;
+  for (const Volumes::Sample& sample : settings.Volumes)
   {
-    std::fprintf(
-      stderr, "Cannot write %s; name a file in a folder that exists.\n", settings.Json.c_str());
-    return;
+    const vtkSmartPointer<vtkImageData> image = LoadOrTell(sample.Name);
+    if (!image)
+    {
+      continue;
+    }
+    Result result;
+    result.Name = sample.Name;
+    result.Isovalue = sample.Isovalue;
+    TimeMapper(image, settings, result);
+    TimePolygons(image, settings, result);
+    PrintRow(table, settings, result);
+    AddTo(json, result);
+    isMeasured = true;
   }
-  std::fprintf(file, "{\n  \"pixels\": %d,\n  \"threads\": %d,\n  \"results\": [\n", settings.Size,
-    vtkSMPTools::GetEstimatedNumberOfThreads());
-  for (const Result& r : results)
+  if (isMeasured && !settings.Json.empty())
   {
-    std::fprintf(file,
-      "    {\"volume\": \"%s\", \"isovalue\": %g, \"hitShare\": %.4f, \"firstMs\": %.2f, "
-      "\"coldMs\": %.2f, \"traceMs\": %.2f, \"shadeMs\": %.2f, \"thresholdMs\": %.2f, "
-      "\"reshadeMs\": %.2f, \"redisplayMs\": %.2f, \"plainColdMs\": %.2f, \"extractionMs\": %.2f, "
-      "\"polygonsMs\": %.2f}%s\n",
-      r.Name.c_str(), r.Isovalue, r.HitShare, r.First, r.Cold, r.Trace, r.Shade, r.Threshold,
-      r.Reshade, r.Redisplay, r.PlainCold, r.Extraction, r.Polygons,
-      &r == &results.back() ? "" : ",");
+    json.Write(settings.Json);
   }
-  std::fprintf(file, "  ]\n}\n");
-  std::fclose(file);
+  return isMeasured;
 }
 
 }
@@ -283,47 +250,28 @@ void WriteJson(const Settings& settings, const std::vector<Result>& results)
 int main(int argc, char* argv[])
 {
   Settings settings;
-  if (!ReadSettings(argc, argv, settings))
+  CommandLine options(
+    "BenchmarkRoutes", "Time every route, and vtkFlyingEdges3D beside them, as a Markdown table.");
+  options.Number("--size", "pixels of the picture in each direction", settings.Size);
+  options.Number("--frames", "frames of each route", settings.Frames);
+  options.Text("--json", "write all figures to this file too", settings.Json);
+  options.Flag("--window", "draw the peer's polygons too, in a render window", settings.Window);
+  options.Volumes(settings.Volumes);
+  if (!options.Read(argc, argv))
   {
-    std::fprintf(stderr,
-      "Usage: %s [--size PIXELS] [--frames N] [--json FILE] [--window] [VOLUME ISOVALUE]...\n",
-      argv[0]);
-    return 1;
+    return options.ExitStatus;
   }
-  std::printf("%d x %d pixels, %d threads; medians in ms; polygons: vtkFlyingEdges3D%s\n\n",
-    settings.Size, settings.Size, vtkSMPTools::GetEstimatedNumberOfThreads(),
-    settings.Window ? " + vtkPolyDataMapper" : ", extraction alone");
-  std::printf(
-    "| volume | isovalue | hit | first | cold | (trace + shade) | new isovalue | Reshade | "
-    "Redisplay | plain cold | extraction | + drawing | polygons / new isovalue |\n"
-    "|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
-  std::vector<Result> results;
-  for (const Volumes::Sample& sample : settings.Volumes)
+  try
   {
-    vtkSmartPointer<vtkImageData> image = Volumes::Load(sample.Name);
-    if (!image)
+    if (Report(settings))
     {
-      std::fprintf(stderr, "%s is not there: left out.\n", sample.Name.c_str());
-      continue;
+      return 0;
     }
-    Result r;
-    r.Name = sample.Name;
-    r.Isovalue = sample.Isovalue;
-    TimeMapper(image, settings, r);
-    TimePolygons(image, settings, r);
-    results.push_back(r);
-    const double peer = settings.Window ? r.Polygons : r.Extraction;
-    std::printf(
-      "| %s | %g | %.0f %% | %.0f | %.1f | %.1f + %.1f | %.1f | %.1f | %.1f | %.0f | %.0f | "
-      "%.0f | %.1f |\n",
-      r.Name.c_str(), r.Isovalue, 100.0 * r.HitShare, r.First, r.Cold, r.Trace, r.Shade,
-      r.Threshold, r.Reshade, r.Redisplay, r.PlainCold, r.Extraction, r.Polygons,
-      peer / r.Threshold);
-    std::fflush(stdout);
+    std::cerr << "Nothing was measured: name at least one volume that is there.\n";
   }
-  if (!settings.Json.empty())
+  catch (const std::exception& failure)
   {
-    WriteJson(settings, results);
+    std::cerr << failure.what() << '\n';
   }
-  return results.empty() ? 1 : 0;
+  return 1;
 }

@@ -6,6 +6,8 @@
 #include "ActiveCells.h"
 #include "RayBatch.h"
 
+#include <hwy/base.h>
+
 namespace TemporalCoherence
 {
 
@@ -143,7 +145,7 @@ private:
 
   /// Go on behind the aligned block of 2^bits cells that holds the present cell.
   /// \return false if the walk ends before
-  bool LeaveBlock(const BatchRay& ray, int bits, const glm::ivec3& cells)
+  HWY_INLINE bool LeaveBlock(const BatchRay& ray, int bits, const glm::ivec3& cells)
   {
     const int size = 1 << bits;
     const glm::ivec3 first = this->Cell & -size;
@@ -174,7 +176,7 @@ private:
 
   /// Go on to the next cell.
   /// \return the axis along which the ray leaves the present cell, or -1 if the walk ends before
-  int Step(const BatchRay& ray)
+  HWY_INLINE int Step(const BatchRay& ray)
   {
     const int exit = FirstOf(this->Next);
     if (!(this->Next[exit] < ray.WalkEnd()))

@@ -22,11 +22,21 @@ namespace
 /// to balance the load.
 constexpr std::int64_t TileGrain = 8;
 
-/// True if the colours of a cached image are still those of its surfaces.
+/// True if the colours of a cached image may be taken over: those of the same surfaces under the
+/// same lights, which may have moved, as a headlight moves with every view (the paper's choice).
 bool HasColorsFor(const CachedImage& cached, const FrameKey& next)
 {
-  return cached.Key.Look == next.Look && cached.Key.Sought == next.Sought &&
-    !next.Look.ColorByAnswer;
+  Appearance look = cached.Key.Look;
+  if (look.Lights.size() != next.Look.Lights.size())
+  {
+    return false;
+  }
+  for (std::size_t i = 0; i < look.Lights.size(); ++i)
+  {
+    look.Lights[i].Position = next.Look.Lights[i].Position;
+    look.Lights[i].Direction = next.Look.Lights[i].Direction;
+  }
+  return look == next.Look && cached.Key.Sought == next.Sought && !next.Look.ColorByAnswer;
 }
 
 }
@@ -75,7 +85,7 @@ Route FrameRenderer::ChooseRoute(
   }
   HeldForReuse held;
   held.IsExact = this->Front->IsExact;
-  held.Image = nearest && ImageQuery::CanAsk(nearest->Key.Seen);
+  held.Image = nearest && ImageQuery::CanAsk(nearest->Key, options.Accuracy);
   ReuseSwitches switches = options.Reuse;
   switches.RefineWhenStill |= options.Accuracy == ReuseAccuracy::Exact || !switches.ImageCache;
   const Route route = PlanRoute(this->Front->Key, key, switches, held);

@@ -117,12 +117,27 @@ bool WalkPixels(const PathBatch& paths, std::size_t ray, const glm::ivec2& size,
 
 }
 
-bool ImageQuery::CanAsk(const View& view)
+bool ImageQuery::CanAsk(const FrameKey& cached, ReuseAccuracy accuracy)
 {
+  const View& view = cached.Seen;
   const glm::dvec3 w(RowOf(view.ClipFromWorld, 3));
   const double along = glm::dot(w, view.Forward);
-  return view.Parallel ||
+  const bool isAlongAxis = view.Parallel ||
     (along > 0.0 && glm::length(w - along * view.Forward) <= 1e-9 * std::abs(along));
+  if (!isAlongAxis || accuracy != ReuseAccuracy::Bounded)
+  {
+    return isAlongAxis;
+  }
+  double nearest = Infinity;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const glm::dvec3 last(cached.Samples.Dimensions - 1);
+    const glm::dvec3 point = last * glm::dvec3(corner & 1, corner >> 1 & 1, corner >> 2);
+    const glm::dvec3 world(cached.Where.WorldFromIndex * glm::dvec4(point, 1.0));
+    nearest = std::min(nearest, glm::dot(view.Forward, world - view.Position));
+  }
+  const double shortest = VoxelEdges(cached.Where).x;
+  return std::max(nearest, view.Near) < DepthOfSpacing(view, FarthestApart * shortest);
 }
 
 ImageQuery::ImageQuery(CachedImage& image, const FrameKey& next, ReuseAccuracy accuracy)

@@ -22,10 +22,10 @@ struct QueryBatch
 
 /// Asks a cached image about the rays of another view (the paper, section 3).
 ///
-/// BOUNDED walks over the nearest depth among each pixel and its neighbours, moved one voxel
-/// nearer; its answers are definite misses and possible hits. PAPER walks over the depths
-/// themselves: passing behind a pixel's depth after passing in front of its predecessor's, the two
-/// within a voxel, is a definite hit; passing behind it otherwise is a possible one.
+/// BOUNDED walks over the space that the image shows to be free (FreeSpace.h); its answers are
+/// definite misses and possible hits. PAPER walks over the depths themselves: passing behind a
+/// pixel's depth after passing in front of its predecessor's, the two within a voxel, is a definite
+/// hit; passing behind it otherwise is a possible one.
 ///
 /// A ray is projected into the cached image and followed from pixel to pixel, from WalkBegin to
 /// WalkEnd, until it passes behind the pixel's depth, leaves the image, or ends. What is compared
@@ -35,14 +35,15 @@ struct QueryBatch
 class ImageQuery
 {
 public:
-  /// True if pictures of a view can be asked: what its perspective divides by is the depth along
-  /// its optical axis, as for every camera of VTK.
-  static bool CanAsk(const View& view);
+  /// True if asking a picture made for `cached` can tell anything: what its perspective divides by
+  /// is the depth along its optical axis, as for every camera of VTK, and (BOUNDED) its pixels are
+  /// fine enough at the near side of the field.
+  static bool CanAsk(const FrameKey& cached, ReuseAccuracy accuracy);
 
   /// \param image    makes its depths as they are needed, and must outlive the query
   /// \param next     the frame to be made
   /// \param accuracy Bounded or Paper
-  /// \pre CanServe(image.Key, next) and CanAsk(image.Key.Seen)
+  /// \pre CanServe(image.Key, next) and CanAsk(image.Key, accuracy)
   /// \throws std::bad_alloc
   ImageQuery(CachedImage& image, const FrameKey& next, ReuseAccuracy accuracy);
 

@@ -23,8 +23,8 @@ struct TraceCounts
   std::int64_t PossibleHits = 0;
   std::int64_t TracedRays = 0;
   std::int64_t CellsRead = 0;
-  std::int64_t QueryTime = 0; ///< nanoseconds spent in asking the image
-  std::int64_t TileTime = 0;  ///< nanoseconds with that included, where an image is asked
+  std::int64_t QueryTime = 0; ///< nanoseconds spent in asking the image, where it was timed
+  std::int64_t TileTime = 0;  ///< nanoseconds, with that included
 };
 
 /// What tiles are traced with; all of it must outlive the tracer.

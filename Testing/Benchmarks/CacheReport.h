@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Benchmarks_CacheReport_h
+#define Benchmarks_CacheReport_h
+
+#include "CacheScenarios.h"
+#include "Report.h"
+#include "Volumes.h"
+
+#include <string>
+#include <vector>
+
+/// Tables and JSON of what CacheScenarios measured.
+namespace CacheReport
+{
+
+/// One volume in one scenario.
+struct Result
+{
+  Volumes::Sample Volume;
+  std::string Scenario;
+  std::vector<CacheScenarios::Summary> Summaries; ///< a variant each, the cold one first
+};
+
+/// Cold time by cached time: volumes and accuracies down, scenarios across.
+void PrintRatios(const std::vector<Result>& results);
+
+/// Percent of the pixels that differ from cold, median and worst frame, in the same order.
+void PrintDifferences(const std::vector<Result>& results);
+
+/// All that was measured in one scenario.
+void PrintDetails(const std::vector<Result>& results, const std::string& scenario);
+
+void AddTo(JsonWriter& json, const std::vector<Result>& results);
+
+}
+
+#endif

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FigurePictures.h"
+
+#include <vtkImageAppend.h>
+#include <vtkImageBlend.h>
+#include <vtkImageChangeInformation.h>
+#include <vtkNew.h>
+#include <vtkStdString.h>
+#include <vtkTextProperty.h>
+#include <vtkTextRenderer.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace FigurePictures
+{
+namespace
+{
+
+constexpr std::array<unsigned char, 3> Ground = { 28, 33, 42 };
+/// The caption's letters are as high as this part of the picture.
+constexpr int CaptionPart = 28;
+constexpr int SmallestCaption = 14;
+constexpr int Dpi = 72;
+
+vtkSmartPointer<vtkImageData> GroundLike(vtkImageData* picture)
+{
+  auto ground = vtkSmartPointer<vtkImageData>::New();
+  ground->SetDimensions(picture->GetDimensions());
+  ground->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  auto* samples = static_cast<unsigned char*>(ground->GetScalarPointer());
+  const vtkIdType pixels = ground->GetNumberOfPoints();
+  for (vtkIdType i = 0; i < pixels; ++i, samples += Ground.size())
+  {
+    std::copy(Ground.begin(), Ground.end(), samples);
+  }
+  return ground;
+}
+
+/// The words as an RGBA image that begins at (margin, margin).
+vtkSmartPointer<vtkImageData> Written(const std::string& words, int size, int margin)
+{
+  vtkNew<vtkTextProperty> style;
+  style->SetFontSize(size);
+  style->SetColor(1.0, 1.0, 1.0);
+  vtkNew<vtkImageData> text;
+  std::array<int, 2> textSize = { 0, 0 };
+  vtkTextRenderer* writer = vtkTextRenderer::GetInstance();
+  if (!writer || !writer->RenderString(style, vtkStdString(words), text, textSize.data(), Dpi))
+  {
+    return nullptr;
+  }
+  vtkNew<vtkImageChangeInformation> place;
+  place->SetInputData(text);
+  place->SetOutputExtentStart(margin, margin, 0);
+  place->Update();
+  return place->GetOutput();
+}
+
+vtkSmartPointer<vtkImageData> Appended(
+  const std::vector<vtkSmartPointer<vtkImageData>>& images, int axis)
+{
+  vtkNew<vtkImageAppend> append;
+  append->SetAppendAxis(axis);
+  for (const vtkSmartPointer<vtkImageData>& image : images)
+  {
+    append->AddInputData(image);
+  }
+  append->Update();
+  return append->GetOutput();
+}
+
+}
+
+vtkSmartPointer<vtkImageData> WithCaption(vtkImageData* rgba, const std::string& caption)
+{
+  const int size = std::max(SmallestCaption, rgba->GetDimensions()[1] / CaptionPart);
+  vtkNew<vtkImageBlend> blend;
+  blend->AddInputData(GroundLike(rgba));
+  blend->AddInputData(rgba);
+  if (const vtkSmartPointer<vtkImageData> text = Written(caption, size, size / 2))
+  {
+    blend->AddInputData(text);
+  }
+  blend->Update();
+  return blend->GetOutput();
+}
+
+vtkSmartPointer<vtkImageData> Tile(
+  const std::vector<std::vector<vtkSmartPointer<vtkImageData>>>& rows)
+{
+  // Images are counted from the bottom.
+  std::vector<vtkSmartPointer<vtkImageData>> stack;
+  for (auto row = rows.rbegin(); row != rows.rend(); ++row)
+  {
+    stack.push_back(Appended(*row, 0));
+  }
+  return Appended(stack, 1);
+}
+
+}

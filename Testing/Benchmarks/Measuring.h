@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Benchmarks_Measuring_h
+#define Benchmarks_Measuring_h
+
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+#include <vector>
+
+/// Times and what is made of many of them.
+namespace Measuring
+{
+
+/// A measurement that cannot be made; the text is one sentence for the user.
+struct Failure : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+/// Milliseconds of wall time that an action takes.
+template <typename Action>
+double TimeOf(const Action& action)
+{
+  const auto begin = std::chrono::steady_clock::now();
+  action();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
+    .count();
+}
+
+/// The middle value, the upper one of two; 0 of none.
+inline double Median(std::vector<double> values)
+{
+  std::sort(values.begin(), values.end());
+  return values.empty() ? 0.0 : values[values.size() / 2];
+}
+
+/// The largest value; 0 of none.
+inline double Worst(const std::vector<double>& values)
+{
+  return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
+}
+
+/// The average; 0 of none.
+inline double Mean(const std::vector<double>& values)
+{
+  double sum = 0.0;
+  for (const double value : values)
+  {
+    sum += value;
+  }
+  return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
+}
+
+/// A quotient; 0 if there is nothing to divide by.
+inline double Ratio(double numerator, double denominator)
+{
+  return denominator == 0.0 ? 0.0 : numerator / denominator;
+}
+
+}
+
+#endif

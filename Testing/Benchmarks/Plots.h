@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Benchmarks_Plots_h
+#define Benchmarks_Plots_h
+
+#include <string>
+#include <utility>
+#include <vector>
+
+/// Charts as files, drawn by VTK's charts in an off-screen window.
+namespace Plots
+{
+
+struct Series
+{
+  std::string Name;
+  std::vector<double> X;
+  std::vector<double> Y;
+  int Color = 0; ///< 0 to 5
+  bool IsDashed = false;
+};
+
+/// Names for positions along an axis, in place of numbers.
+using Ticks = std::vector<std::pair<double, std::string>>;
+
+struct Chart
+{
+  std::string Title;
+  std::string XTitle;
+  std::string YTitle;
+  std::vector<::Plots::Series> Series;
+  bool IsBars = false; ///< bars side by side instead of lines
+  Ticks XTicks;        ///< none: numbers
+  Ticks YTicks;
+};
+
+/// Ask for a display before long measurements, not after.
+/// \throws Measuring::Failure if charts need one and there is none
+void RequireDisplay();
+
+/// Write the chart as PATH.png and PATH.svg.
+/// \throws Measuring::Failure if a file cannot be written
+void Write(const Chart& chart, const std::string& path);
+
+}
+
+#endif

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Benchmarks_Report_h
+#define Benchmarks_Report_h
+
+#include <string>
+#include <vector>
+
+/// A number with so many digits behind the point.
+std::string Fixed(double value, int digits);
+
+/// A number in as few digits as show it, such as an isovalue.
+std::string Plain(double value);
+
+/// A table in Markdown, printed line by line as it is measured.
+class MarkdownTable
+{
+public:
+  /// Print the head.
+  explicit MarkdownTable(const std::vector<std::string>& head);
+  void Row(const std::vector<std::string>& cells) const;
+};
+
+/// JSON text, written from front to end. Names are needed in objects and left out in lists.
+class JsonWriter
+{
+public:
+  JsonWriter() { this->OpenObject(); }
+
+  void OpenObject(const std::string& name = {}) { this->Open(name, '{', '}'); }
+  void OpenList(const std::string& name = {}) { this->Open(name, '[', ']'); }
+  void Close();
+
+  void Add(const std::string& name, double value);
+  void Add(const std::string& name, const std::string& value);
+
+  /// Close what is open and write the file.
+  /// \throws Measuring::Failure if the file cannot be written
+  void Write(const std::string& path);
+
+private:
+  void Open(const std::string& name, char open, char close);
+  void Begin(const std::string& name);
+
+  std::string Text;
+  std::string Ends; ///< closing brackets of what is open, innermost last
+  bool IsFirst = true;
+};
+
+/// Begin a report: picture size and threads, which all figures depend on.
+void AddMachine(JsonWriter& json, int size);
+
+#endif

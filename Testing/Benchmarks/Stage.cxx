@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Stage.h"
+
+#include "Measuring.h"
+
+#include <vtkCamera.h>
+#include <vtkColorTransferFunction.h>
+#include <vtkContourValues.h>
+#include <vtkMath.h>
+#include <vtkVolumeProperty.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iostream>
+#include <string>
+
+Stage::Stage(vtkImageData* image, double isovalue, int size)
+  : Size(size)
+  , Image(image)
+{
+  vtkNew<vtkColorTransferFunction> color;
+  color->AddRGBPoint(isovalue, 0.9, 0.8, 0.7);
+  vtkVolumeProperty* property = this->Volume->GetProperty();
+  property->SetColor(color);
+  property->ShadeOn();
+  property->SetInterpolationTypeToLinear();
+  property->GetIsoSurfaceValues()->SetValue(0, isovalue);
+  this->ResetView();
+}
+
+void Stage::ResetView()
+{
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  camera->SetFocalPoint(0.0, 0.0, 0.0);
+  camera->SetPosition(-1.0, -2.0, 0.8);
+  camera->SetViewUp(0.0, 0.0, 1.0);
+  this->Renderer->ResetCamera(this->Image->GetBounds());
+}
+
+void Stage::FitClippingRange()
+{
+  this->Renderer->ResetCameraClippingRange(this->Image->GetBounds());
+}
+
+void Stage::Orbit(double degrees)
+{
+  this->Renderer->GetActiveCamera()->Azimuth(degrees);
+  this->FitClippingRange();
+}
+
+void Stage::Approach(double factor)
+{
+  this->Renderer->GetActiveCamera()->Dolly(factor);
+  this->FitClippingRange();
+}
+
+void Stage::Pan(double share)
+{
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  double right[3];
+  vtkMath::Cross(camera->GetDirectionOfProjection(), camera->GetViewUp(), right);
+  vtkMath::Normalize(right);
+  const double angle = vtkMath::RadiansFromDegrees(camera->GetViewAngle());
+  const double step = share * 2.0 * camera->GetDistance() * std::tan(0.5 * angle);
+  double position[3], focus[3];
+  camera->GetPosition(position);
+  camera->GetFocalPoint(focus);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    position[axis] += step * right[axis];
+    focus[axis] += step * right[axis];
+  }
+  camera->SetPosition(position);
+  camera->SetFocalPoint(focus);
+  this->FitClippingRange();
+}
+
+double Stage::VoxelSize() const
+{
+  const double* spacing = this->Image->GetSpacing();
+  return std::min({ std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2]) });
+}
+
+Drawer::Drawer(const Stage& stage)
+{
+  this->Mapper->SetInputData(stage.Image);
+}
+
+double Drawer::Draw(const Stage& stage)
+{
+  bool isDrawn = false;
+  const double time = Measuring::TimeOf(
+    [&]
+    {
+      isDrawn = this->Mapper->RenderToImage(
+        stage.Renderer, stage.Volume, stage.Size, stage.Size, this->Color, this->Depth);
+    });
+  if (!isDrawn)
+  {
+    throw Measuring::Failure("The volume cannot be drawn: mend what the mapper reports above.");
+  }
+  return time;
+}
+
+bool Drawer::UsedImageCache() const
+{
+  return std::string(this->Mapper->GetRouteAsString()) == "ImageCache";
+}
+
+double PercentHit(const Drawer& drawer)
+{
+  const auto* depths = static_cast<const float*>(drawer.Depth->GetScalarPointer());
+  const vtkIdType pixels = drawer.Depth->GetNumberOfPoints();
+  const auto hits =
+    std::count_if(depths, depths + pixels, [](float depth) { return std::isfinite(depth); });
+  return 100.0 * static_cast<double>(hits) / static_cast<double>(pixels);
+}
+
+double PercentDifferent(const Drawer& a, const Drawer& b, const Stage& stage)
+{
+  const double voxel = stage.VoxelSize();
+  const auto* first = static_cast<const float*>(a.Depth->GetScalarPointer());
+  const auto* second = static_cast<const float*>(b.Depth->GetScalarPointer());
+  const auto pixels = static_cast<std::size_t>(a.Depth->GetNumberOfPoints());
+  std::size_t different = 0;
+  for (std::size_t i = 0; i < pixels; ++i)
+  {
+    const bool isHit = std::isfinite(first[i]);
+    const bool isFar = isHit && std::abs(static_cast<double>(first[i] - second[i])) > voxel;
+    different += isHit != std::isfinite(second[i]) || isFar ? 1 : 0;
+  }
+  return 100.0 * static_cast<double>(different) / static_cast<double>(pixels);
+}
+
+vtkSmartPointer<vtkImageData> LoadOrTell(const std::string& name)
+{
+  vtkSmartPointer<vtkImageData> image = Volumes::Load(name);
+  if (!image || image->GetNumberOfPoints() == 0)
+  {
+    std::cerr << name << " is left out: it cannot be read; name the folder of volumes (now "
+              << Volumes::DataDirectory()
+              << ") in TEMPORAL_COHERENCE_DATA, and for ch2 install mricron-data.\n";
+    return nullptr;
+  }
+  return image;
+}

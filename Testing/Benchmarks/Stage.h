@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Benchmarks_Stage_h
+#define Benchmarks_Stage_h
+
+#include "Volumes.h"
+#include "vtkTemporalCoherenceVolumeMapper.h"
+
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+#include <vtkVolume.h>
+
+/// A volume in front of a camera that moves, without a window. Several mappers may look at it in
+/// turn, so that each sees the same views.
+class Stage
+{
+public:
+  /// \param size pixels of the square picture in each direction
+  Stage(vtkImageData* image, double isovalue, int size);
+
+  /// Back to the view from the front, a little from above, that shows the whole volume.
+  void ResetView();
+  /// Around the volume.
+  void Orbit(double degrees);
+  /// Towards the volume: divide the distance by a factor.
+  void Approach(double factor);
+  /// To the right, camera and focal point, by a share of what the picture's width shows.
+  void Pan(double share);
+
+  /// The shortest distance between two samples, in the world.
+  double VoxelSize() const;
+
+  const int Size;
+  const vtkSmartPointer<vtkImageData> Image;
+  vtkNew<vtkVolume> Volume;
+  vtkNew<vtkRenderer> Renderer;
+
+private:
+  void FitClippingRange();
+};
+
+/// A mapper with its last picture.
+struct Drawer
+{
+  explicit Drawer(const Stage& stage);
+
+  /// Draw the stage; milliseconds.
+  /// \throws Measuring::Failure if the mapper cannot
+  double Draw(const Stage& stage);
+
+  /// True if the last picture was made from the image cache.
+  bool UsedImageCache() const;
+
+  vtkNew<vtkTemporalCoherenceVolumeMapper> Mapper;
+  vtkNew<vtkImageData> Color, Depth;
+};
+
+/// Share in percent of the last picture's pixels that show a surface.
+double PercentHit(const Drawer& drawer);
+
+/// Share in percent of the pixels that are hit in one picture and not in the other, or lie more
+/// than a voxel apart.
+double PercentDifferent(const Drawer& a, const Drawer& b, const Stage& stage);
+
+/// The volume of that name; if it is not there, null, and a sentence on the error stream.
+vtkSmartPointer<vtkImageData> LoadOrTell(const std::string& name);
+
+#endif

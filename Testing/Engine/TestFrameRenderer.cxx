@@ -114,6 +114,68 @@ TEST_F(FrameRendererTest, RoutesGiveTheColdPicture)
   EXPECT_TRUE(AreIdentical(renderer.LastFrame(), this->Cold()));
 }
 
+TEST_F(FrameRendererTest, ExactFramesOfAMovingCameraAreCold)
+{
+  FrameRenderer renderer;
+  FrameRenderer::Options exact;
+  exact.Accuracy = ReuseAccuracy::Exact;
+  for (int frame = 0; frame < 6; ++frame)
+  {
+    this->Key.Seen =
+      LookAt(this->Samples.Seen.Dimensions, { 1.0, 2.0 - 0.1 * frame, 0.7 }, { 203, 117 });
+    renderer.Render(this->Key, exact);
+    EXPECT_EQ(renderer.Statistics().Made, frame ? Route::ImageCache : Route::Cold);
+    EXPECT_TRUE(AreIdentical(renderer.LastFrame(), this->Cold()));
+  }
+  renderer.Render(this->Key, exact);
+  EXPECT_EQ(renderer.Statistics().Made, Route::Redisplay) << "it is the cold picture already";
+}
+
+TEST_F(FrameRendererTest, ARepeatedViewIsCompletedOnce)
+{
+  FrameRenderer renderer;
+  renderer.Render(this->Key, {});
+  this->Key.Seen = LookAt(this->Samples.Seen.Dimensions, { 1.0, 1.95, 0.7 }, { 203, 117 });
+  renderer.Render(this->Key, {});
+  EXPECT_EQ(renderer.Statistics().Made, Route::ImageCache);
+  EXPECT_GT(renderer.Statistics().DefiniteHits, 0);
+  renderer.Render(this->Key, {});
+  EXPECT_EQ(renderer.Statistics().Made, Route::Cold);
+  EXPECT_TRUE(AreIdentical(renderer.LastFrame(), this->Cold()));
+  renderer.Render(this->Key, {});
+  EXPECT_EQ(renderer.Statistics().Made, Route::Redisplay);
+  EXPECT_TRUE(AreIdentical(renderer.LastFrame(), this->Cold()));
+}
+
+TEST_F(FrameRendererTest, AWalkThatBeginsInASolidBeginsAgain)
+{
+  // Pictures that know nothing of the solid: rays start behind its surface and must find it.
+  this->Key.Sought.Mode = SurfaceMode::Threshold;
+  this->Key.Sought.Isovalues = { 150.0 };
+  this->Key.Look.Colors = { glm::dvec3(1.0) };
+  FrameRenderer renderer;
+  FrameRenderer::Options paper;
+  paper.Accuracy = ReuseAccuracy::Paper;
+  long different = 0, pixels = 0;
+  for (int frame = 0; frame < 10; ++frame)
+  {
+    this->Key.Seen =
+      LookAt(this->Samples.Seen.Dimensions, { 1.0, 2.0 - 0.3 * frame, 0.7 }, { 203, 117 });
+    renderer.Render(this->Key, paper);
+    const Frame cold = this->Cold();
+    for (std::size_t i = 0; i < cold.Depth.size(); ++i)
+    {
+      const bool isHit = cold.Isovalues[i] != Frame::NoSurface;
+      const bool isMet = renderer.LastFrame().Isovalues[i] != Frame::NoSurface;
+      // What is met is never the far side of a solid that was entered.
+      different += isHit && isMet && renderer.LastFrame().Depth[i] > cold.Depth[i] + 3.0;
+      pixels += isHit;
+    }
+  }
+  EXPECT_GT(pixels, 10000);
+  EXPECT_LT(different, pixels / 100);
+}
+
 TEST_F(FrameRendererTest, AnswersAddUpToRays)
 {
   FrameRenderer renderer;

@@ -20,8 +20,7 @@ FrameKey BaseKey()
   return key;
 }
 
-Route Plan(
-  const FrameKey& next, const ReuseSwitches& switches = {}, const HeldForReuse& held = {})
+Route Plan(const FrameKey& next, const ReuseSwitches& switches = {}, const HeldForReuse& held = {})
 {
   return PlanRoute(BaseKey(), next, switches, held);
 }

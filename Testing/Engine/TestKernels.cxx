@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CellRoot.h"
+#include "FrameRenderer.h"
+#include "Grid.h"
+#include "KernelsCrossing.h"
+
+#include <gtest/gtest.h>
+#include <hwy/targets.h>
+
+#include <cmath>
+#include <cstring>
+#include <random>
+
+namespace
+{
+
+using namespace TemporalCoherence;
+
+/// Runs the rest of a scope on one kind of vectors after the other.
+class EachTarget : public ::testing::Test
+{
+protected:
+  ~EachTarget() override { Choose(0); }
+
+  template <typename Check>
+  void ForEachTarget(const Check& check)
+  {
+    const std::int64_t all = hwy::SupportedTargets();
+    for (int bit = 0; bit < 63; ++bit)
+    {
+      const std::int64_t target = std::int64_t(1) << bit;
+      if (all & target)
+      {
+        Choose(target);
+        check(hwy::TargetName(target));
+      }
+    }
+    Choose(0);
+  }
+
+private:
+  /// \param target 0: whatever the machine has
+  static void Choose(std::int64_t target)
+  {
+    hwy::SetSupportedTargetsForTest(target);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  }
+};
+
+/// Passages of random rays through random cells, many of them with samples equal to the isovalue or
+/// with paths along faces.
+template <typename Real>
+PassageBatch<Real> RandomPassages(int count, std::mt19937& engine)
+{
+  std::uniform_real_distribution<double> inCell(0.0, 1.0), around(-1.0, 1.0);
+  std::uniform_int_distribution<int> small(-3, 3), place(0, 50);
+  PassageBatch<Real> passages;
+  passages.Count = count;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
+  {
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      const bool isAlongFace = small(engine) == 0;
+      const double cell = place(engine);
+      const double direction = isAlongFace ? 1e-15 : around(engine);
+      passages.Cell[a][i] = cell;
+      passages.Direction[a][i] = direction;
+      passages.Inverse[a][i] = 1.0 / direction;
+      passages.Origin[a][i] = cell + (isAlongFace ? 0.0 : inCell(engine) - 10.0 * direction);
+    }
+    passages.Begin[i] = small(engine) == 0 ? 10.1 : 0.0;
+    passages.End[i] = small(engine) == 0 ? 10.2 : 100.0;
+    for (std::size_t corner = 0; corner < 8; ++corner)
+    {
+      passages.Corners[corner][i] =
+        small(engine) == 0 ? Real(small(engine)) : static_cast<Real>(around(engine));
+    }
+  }
+  return passages;
+}
+
+template <typename T>
+bool AreIdentical(const T& a, const T& b, int count)
+{
+  return !std::memcmp(a.data(), b.data(), static_cast<std::size_t>(count) * sizeof(a[0]));
+}
+
+class KernelsCrossing : public EachTarget
+{
+protected:
+  template <typename Real>
+  void Compare()
+  {
+    std::mt19937 engine(11);
+    int found = 0;
+    for (int batch = 0; batch < 300; ++batch)
+    {
+      const int count = 1 + batch % RayBatch::Capacity;
+      const bool isSolid = batch % 3 == 0;
+      const PassageBatch<Real> passages = RandomPassages<Real>(count, engine);
+      PassageBatch<Real> reference = passages;
+      FindCrossingsOneByOne(reference, isSolid);
+      this->ForEachTarget(
+        [&](const char* target)
+        {
+          PassageBatch<Real> vectors = passages;
+          FindCrossings(vectors, isSolid);
+          EXPECT_TRUE(AreIdentical(vectors.Distance, reference.Distance, count)) << target;
+          EXPECT_TRUE(AreIdentical(vectors.Enter, reference.Enter, count)) << target;
+          EXPECT_TRUE(AreIdentical(vectors.AtEntry, reference.AtEntry, count)) << target;
+        });
+      for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
+      {
+        found += std::isfinite(reference.Distance[i]);
+      }
+    }
+    EXPECT_GT(found, 1000);
+  }
+};
+
+TEST_F(KernelsCrossing, VectorsFindTheSameBitsAsOneByOneFloat)
+{
+  this->Compare<float>();
+}
+
+TEST_F(KernelsCrossing, VectorsFindTheSameBitsAsOneByOneDouble)
+{
+  this->Compare<double>();
+}
+
+TEST_F(KernelsCrossing, CrossingsAreZeros)
+{
+  std::mt19937 engine(12);
+  PassageBatch<double> passages = RandomPassages<double>(RayBatch::Capacity, engine);
+  FindCrossings(passages, false);
+  for (std::size_t i = 0; i < RayBatch::Capacity; ++i)
+  {
+    if (!std::isfinite(passages.Distance[i]))
+    {
+      continue;
+    }
+    Corners<double> corners;
+    CellPath<double> at;
+    for (std::size_t corner = 0; corner < 8; ++corner)
+    {
+      corners[corner] = passages.Corners[corner][i];
+    }
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      at.Begin[a] = at.End[a] = passages.Origin[a][i] +
+        passages.Distance[i] * passages.Direction[a][i] - passages.Cell[a][i];
+    }
+    EXPECT_NEAR(CubicAlong(corners, at)[0], 0.0, 1e-9);
+  }
+}
+
+/// All kernels together.
+class KernelsFrame : public EachTarget
+{
+};
+
+TEST_F(KernelsFrame, EveryTargetMakesTheSameFrames)
+{
+  Grid<std::uint16_t> grid(glm::ivec3(40, 45, 50));
+  grid.Fill([](int i, int j, int k)
+    { return 1000.0 + 900.0 * std::sin(0.3 * i) * std::cos(0.2 * j) * std::sin(0.25 * k); });
+  FrameKey key;
+  key.Samples = grid.Seen;
+  key.Sought.Isovalues = { 1300.0, 800.0 };
+  key.Look.Colors = { glm::dvec3(1.0, 0.5, 0.2), glm::dvec3(0.2, 0.5, 1.0) };
+  key.Look.Shade = true;
+  key.Look.Lights = { Light() };
+  Frame first[2];
+  this->ForEachTarget(
+    [&](const char* target)
+    {
+      FrameRenderer renderer;
+      for (int frame = 0; frame < 2; ++frame)
+      {
+        // The second one is made from the first.
+        key.Seen = LookAt(grid.Seen.Dimensions, { 1.0, 0.7 + 0.02 * frame, 0.4 }, { 150, 130 });
+        renderer.Render(key, {});
+        const Frame& made = renderer.LastFrame();
+        if (first[frame].IsEmpty())
+        {
+          first[frame] = made;
+        }
+        const int pixels = 150 * 130;
+        EXPECT_TRUE(AreIdentical(made.Depth, first[frame].Depth, pixels)) << target;
+        EXPECT_TRUE(AreIdentical(made.Normals, first[frame].Normals, pixels)) << target;
+        EXPECT_TRUE(AreIdentical(made.Colors, first[frame].Colors, pixels)) << target;
+        EXPECT_TRUE(AreIdentical(made.Answers, first[frame].Answers, pixels)) << target;
+      }
+      EXPECT_EQ(renderer.Statistics().Made, Route::ImageCache);
+    });
+}
+
+}

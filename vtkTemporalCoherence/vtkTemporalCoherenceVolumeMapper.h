@@ -12,8 +12,8 @@
  * so that other props intersect it correctly, and is the same for any number of threads.
  *
  * Between two calls of Render() the mapper keeps the last picture and does only what the change
- * asks for: the same picture again, new colours on known hits, or a cold frame. GetRoute() tells
- * which.
+ * asks for: the same picture again, new colours on known hits, a moved view that starts from the
+ * last one (ReuseAccuracy tells how exactly), or a cold frame. GetRoute() tells which.
  *
  * Opacity of the scalar opacity function at an isovalue: 0 leaves the isovalue out; any other
  * value draws it opaque. A sample that is not a number counts as below every isovalue. Images with

@@ -48,7 +48,9 @@ void FrameRenderer::Render(const FrameKey& key, const Options& options)
   try
   {
     Stopwatch watch(this->Counters.FrameTime);
-    const std::shared_ptr<CachedImage> nearest = this->Images.Find(key, options.Images);
+    ImageCache::Options images = options.Images;
+    images.TakesEroded = options.Accuracy != ReuseAccuracy::Bounded;
+    const std::shared_ptr<CachedImage> nearest = this->Images.Find(key, images);
     this->Counters.Made = this->ChooseRoute(key, options, nearest);
     this->Counters.Rays = static_cast<std::int64_t>(key.Seen.Size.x) * key.Seen.Size.y;
     switch (this->Counters.Made)
@@ -135,6 +137,7 @@ void FrameRenderer::MakeFrame(const FrameKey& key, const Options& options, Cache
   this->ShadeTiles(key, true, !interpolates, made.Picture);
 
   made.IsExact = isExact;
+  made.IsEroded = !isExact && options.Accuracy == ReuseAccuracy::Paper;
   made.Free.Clear();
   std::swap(this->Front, this->Back);
   const std::shared_ptr<CachedImage> dropped = this->Images.Keep(this->Front, options.Images);

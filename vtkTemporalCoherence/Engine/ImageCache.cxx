@@ -20,7 +20,7 @@ std::shared_ptr<CachedImage> ImageCache::Find(const FrameKey& next, const Option
   double least = std::numeric_limits<double>::infinity();
   for (const std::shared_ptr<CachedImage>& image : this->Images)
   {
-    if (!CanServe(image->Key, next))
+    if (!CanServe(image->Key, next) || (image->IsEroded && !options.TakesEroded))
     {
       continue;
     }

@@ -19,8 +19,9 @@ struct CachedImage
 {
   FrameKey Key;
   Frame Picture;
-  bool IsExact = true; ///< it is the cold picture of its key, to the last bit
-  FreeSpace Free;      ///< made when first asked for
+  bool IsExact = true;   ///< it is the cold picture of its key, to the last bit
+  bool IsEroded = false; ///< made with PAPER, or from such a picture: surfaces may be missing
+  FreeSpace Free;        ///< made when first asked for
 };
 
 /// Which pictures are kept for the next views.
@@ -39,6 +40,7 @@ public:
     ImageCachePolicy Policy = ImageCachePolicy::Latest;
     int KeyImageInterval = 7; ///< frames from one key image to the next; at least 1
     int NumberOfImages = 1;   ///< at most so many are kept; at least 1
+    bool TakesEroded = true;  ///< pictures that promise nothing may serve
   };
 
   /// The kept image that can serve `next` and has the view nearest to it. Null if there is none,

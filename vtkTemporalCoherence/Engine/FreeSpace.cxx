@@ -41,20 +41,48 @@ void GatherAround(const Frame& frame, const std::vector<float>& plane, const Pix
   }
 }
 
+/// Call visit(place around the tile, pixel of the frame) for each pixel that there is.
+template <typename Visit>
+void VisitAround(const Frame& frame, const PixelRect& part, const Visit& visit)
+{
+  const glm::ivec2 first = glm::max(part.First - 1, glm::ivec2(0));
+  const glm::ivec2 end = glm::min(part.First + TileSize + 1, frame.Size);
+  for (int y = first.y; y < end.y; ++y)
+  {
+    for (int x = first.x; x < end.x; ++x)
+    {
+      const glm::ivec2 at = glm::ivec2(x, y) - part.First + 1;
+      visit(static_cast<std::size_t>(at.y * GuardTile::Width + at.x),
+        static_cast<std::size_t>(y * frame.Size.x + x));
+    }
+  }
+}
+
 /// Let nothing be known of pixels whose surface was not met from outside.
 void HideUnlessEntered(const Frame& frame, const PixelRect& part, Around& contacts)
 {
-  for (int i = 0; i < static_cast<int>(contacts.size()); ++i)
-  {
-    const glm::ivec2 at = part.First - 1 + glm::ivec2(i % GuardTile::Width, i / GuardTile::Width);
-    const bool isInFrame =
-      glm::all(glm::greaterThanEqual(at, glm::ivec2(0))) && glm::all(glm::lessThan(at, frame.Size));
-    if (isInFrame &&
-      frame.Kinds[static_cast<std::size_t>(at.y * frame.Size.x + at.x)] != HitKind::Enters)
+  VisitAround(frame, part,
+    [&](std::size_t at, std::size_t pixel)
     {
-      contacts[static_cast<std::size_t>(i)] = std::numeric_limits<float>::infinity();
-    }
-  }
+      if (frame.Kinds[pixel] != HitKind::Enters)
+      {
+        contacts[at] = std::numeric_limits<float>::infinity();
+      }
+    });
+}
+
+/// Disparities from which surfaces alone tell what is free.
+void GatherFine(const Frame& frame, const PixelRect& part, float fine, Around& fines)
+{
+  fines.fill(fine);
+  VisitAround(frame, part,
+    [&](std::size_t at, std::size_t pixel)
+    {
+      if (frame.Kinds[pixel] == HitKind::Leaves || frame.Kinds[pixel] == HitKind::Within)
+      {
+        fines[at] = std::numeric_limits<float>::infinity();
+      }
+    });
 }
 
 /// True if a tile and all around it are known to show nothing.
@@ -101,7 +129,7 @@ void FreeSpace::Make(const Frame& frame, const View& view, const Options& option
   rule.Spacing = static_cast<float>(options.Spacing);
   const auto disparityOf = [&](double depth)
   { return static_cast<float>(std::clamp(DisparityOf(depth, view.Parallel), -1e30, 1e30)); };
-  rule.Fine = disparityOf(options.FineDepth);
+  const float fine = disparityOf(options.FineDepth);
   rule.Farthest = disparityOf(options.FarthestDepth);
 
   ParallelFor(NumberOfTiles(frame.Size), TileGrain,
@@ -125,6 +153,7 @@ void FreeSpace::Make(const Frame& frame, const View& view, const Options& option
         const auto outside = static_cast<float>(miss);
         GatherAround(frame, frame.Disparities, part, outside, tile.Surface);
         GatherAround(frame, frame.Contacts, part, outside, tile.Contact);
+        GatherFine(frame, part, fine, tile.Fine);
         if (options.OnlyEntered)
         {
           HideUnlessEntered(frame, part, tile.Contact);

@@ -27,7 +27,9 @@ public:
   {
     double Voxel = 0.0;   ///< longest edge in the world
     double Spacing = 0.0; ///< of pixels in the world; for a perspective at depth 1
-    /// Depth up to which pixels are so fine that surfaces alone tell what is free.
+    /// Depth up to which pixels are so fine that surfaces alone tell what is free, where they are
+    /// met from outside. (A surface that the volume's boundary cuts open is a sheet without
+    /// thickness, which no ray meets along its edge; but on one side of it rays are inside.)
     double FineDepth = std::numeric_limits<double>::infinity();
     /// Depth behind which pixels are too coarse to tell anything.
     double FarthestDepth = std::numeric_limits<double>::infinity();

@@ -163,13 +163,15 @@ ImageQuery::ImageQuery(CachedImage& image, const FrameKey& next, ReuseAccuracy a
   const glm::dvec2 edges = VoxelEdges(next.Where);
   this->Voxel = edges.y;
   const bool isRaised = !(image.Key.Sought == next.Sought);
+  // A ray can be inside one of several isovalues and outside another: none is fine then.
+  const double fineApart = next.Sought.Isovalues.size() == 1 ? FineApart : 1e-30;
   if (accuracy == ReuseAccuracy::Bounded || isRaised)
   {
     // For a raised isovalue the image gives starts only. What was inside the old isovalue may be
     // outside the new one: a surface met from inside tells nothing.
     this->Accuracy = ReuseAccuracy::Bounded;
     image.Free.Make(image.Picture, seen,
-      { edges.y, SpacingOf(seen), DepthOfSpacing(seen, FineApart * edges.x),
+      { edges.y, SpacingOf(seen), DepthOfSpacing(seen, fineApart * edges.x),
         DepthOfSpacing(seen, FarthestApart * edges.x),
         isRaised && next.Sought.Mode == SurfaceMode::Crossing });
   }

@@ -44,7 +44,7 @@ void Guard(const GuardRule& rule, GuardTile& tile)
   const float edgeMargin = rule.EdgeMargin, smoothMargin = rule.SmoothMargin;
   const float largestBend = rule.LargestBend, farthestContact = rule.FarthestContact;
   const float perSpacing = 1.0f / rule.Spacing;
-  const float fine = rule.Fine, farthest = rule.Farthest;
+  const float farthest = rule.Farthest;
   const bool isParallel = rule.IsParallel;
 
   // What each pixel alone tells, and how far its surface is behind its contact.
@@ -54,7 +54,7 @@ void Guard(const GuardRule& rule, GuardTile& tile)
     const float surface = tile.Surface[i], contact = tile.Contact[i];
     const float moved = Nearer(surface, edgeMargin, isParallel);
     const float perDepth = isParallel ? 1.0f : surface * surface;
-    gap[i] = contact >= fine ? 0.0f : contact - surface;
+    gap[i] = contact >= tile.Fine[i] ? 0.0f : contact - surface;
     single[i] = gap[i] <= farthestContact * perDepth ? std::min(moved, contact) : contact;
   }
   for (int y = 0; y < TileSize; ++y)

@@ -19,6 +19,7 @@ struct GuardTile
   static constexpr int Width = TileSize + 2;
 
   std::array<float, Width * Width> Surface, Contact;
+  std::array<float, Width * Width> Fine; ///< from which on the surface alone tells what is free
   std::array<float, TileSize * TileSize> Guard; ///< found
 };
 
@@ -31,8 +32,7 @@ struct GuardRule
   float LargestBend = 0.0f;     ///< by which neighbours of a smooth surface leave its plane
   float FarthestContact = 0.0f; ///< of a surface behind its first contact, met at a right angle
   float Spacing = 0.0f;         ///< of pixels; for a perspective at depth 1
-  float Fine = 0.0f;     ///< disparity above which pixels are so fine that surfaces alone tell
-  float Farthest = 0.0f; ///< disparity below which nothing is known
+  float Farthest = 0.0f;        ///< disparity below which nothing is known
 };
 void MakeGuard(const GuardRule& rule, GuardTile& tile);
 

@@ -41,8 +41,9 @@ struct RayBatch
 /// Where the rays found their surfaces, as arrays over rays.
 struct HitBatch
 {
-  RayBatch::Array<double> Depth;         ///< t, or infinity
-  RayBatch::Array<double> Contact;       ///< t where the first active cell is entered, or infinity
+  RayBatch::Array<double> Depth;   ///< t, or infinity
+  RayBatch::Array<double> Contact; ///< t where the first active cell is entered, or infinity
+  RayBatch::Array<std::uint8_t> FromInside; ///< 1 if the ray is inside an isovalue at the contact
   RayBatch::Array<std::int16_t> Surface; ///< position in the list of isovalues, or Frame::NoSurface
   RayBatch::Array<HitKind> Kind;
   std::int64_t CellsRead = 0; ///< cells whose eight samples were read

@@ -79,6 +79,7 @@ private:
       {
         hits.Depth[ray] = Infinity;
         hits.Contact[ray] = Infinity;
+        hits.FromInside[ray] = 0;
         hits.Surface[ray] = Frame::NoSurface;
         hits.Kind[ray] = HitKind::None;
       }
@@ -245,7 +246,11 @@ private:
     for (std::size_t i = 0; i < static_cast<std::size_t>(passages.Count); ++i)
     {
       const std::size_t ray = progress.Owner[i];
-      progress.Hits.Contact[ray] = std::min(progress.Hits.Contact[ray], passages.Enter[i]);
+      if (passages.Enter[i] < progress.Hits.Contact[ray])
+      {
+        progress.Hits.Contact[ray] = passages.Enter[i];
+        progress.Hits.FromInside[ray] = IsInside(passages.AtEntry[i]);
+      }
       if (passages.Distance[i] < progress.Hits.Depth[ray])
       {
         progress.Hits.Depth[ray] = passages.Distance[i];

@@ -85,7 +85,8 @@ void StoreHit(const RayBatch& rays, const HitBatch& hits, std::size_t ray, Answe
   frame.Disparities[pixel] = DisparityAt(rays, ray, hits.Depth[ray], isParallel);
   frame.Contacts[pixel] = DisparityAt(rays, ray, hits.Contact[ray], isParallel);
   frame.Isovalues[pixel] = hits.Surface[ray];
-  frame.Kinds[pixel] = hits.Kind[ray];
+  frame.Kinds[pixel] =
+    hits.Kind[ray] == HitKind::None && hits.FromInside[ray] ? HitKind::Within : hits.Kind[ray];
   frame.Answers[pixel] = answer;
 }
 

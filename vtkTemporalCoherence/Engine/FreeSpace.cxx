@@ -22,6 +22,9 @@ constexpr double FarthestContact = 2.0;
 constexpr double SmoothMargin = 0.125;
 constexpr double EdgeMargin = 1.0;
 
+/// A disparity above all others, and still a number to compute with.
+constexpr float NearerThanAll = 1e30f;
+
 constexpr std::int64_t TileGrain = 64;
 
 using Around = std::array<float, GuardTile::Width * GuardTile::Width>;
@@ -59,14 +62,15 @@ void VisitAround(const Frame& frame, const PixelRect& part, const Visit& visit)
 }
 
 /// Let nothing be known of pixels whose surface was not met from outside.
-void HideUnlessEntered(const Frame& frame, const PixelRect& part, Around& contacts)
+void HideUnlessEntered(const Frame& frame, const PixelRect& part, GuardTile& tile)
 {
   VisitAround(frame, part,
     [&](std::size_t at, std::size_t pixel)
     {
       if (frame.Kinds[pixel] != HitKind::Enters)
       {
-        contacts[at] = std::numeric_limits<float>::infinity();
+        tile.Contact[at] = NearerThanAll;
+        tile.Fine[at] = std::numeric_limits<float>::infinity();
       }
     });
 }
@@ -156,7 +160,7 @@ void FreeSpace::Make(const Frame& frame, const View& view, const Options& option
         GatherFine(frame, part, fine, tile.Fine);
         if (options.OnlyEntered)
         {
-          HideUnlessEntered(frame, part, tile.Contact);
+          HideUnlessEntered(frame, part, tile);
         }
         MakeGuard(rule, tile);
       }

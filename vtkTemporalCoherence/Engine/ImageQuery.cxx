@@ -21,6 +21,10 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double FineApart = 0.6;
 constexpr double FarthestApart = 2.0;
 
+/// Cosine of the turn up to which surfaces alone can tell: films that are seen from their edge, and
+/// so hardly at all, are hardly seen after a small turn. 12 degrees.
+constexpr double SmallTurn = 0.978;
+
 glm::dvec4 RowOf(const glm::dmat4& m, int r)
 {
   return { m[0][r], m[1][r], m[2][r], m[3][r] };
@@ -53,6 +57,20 @@ double DepthOfSpacing(const View& view, double apart)
     return spacing <= apart ? Infinity : -Infinity;
   }
   return apart / spacing;
+}
+
+/// Cosine of the angle between the directions from which two views see the middle of a field.
+double CosineOfTurn(const FrameKey& a, const FrameKey& b)
+{
+  const glm::dvec3 centre(
+    a.Where.WorldFromIndex * glm::dvec4(0.5 * glm::dvec3(a.Samples.Dimensions - 1), 1.0));
+  const auto direction = [&](const View& view)
+  {
+    const glm::dvec3 to = view.Parallel ? view.Direction : centre - view.Position;
+    const double length = glm::length(to);
+    return length > 0.0 ? to / length : glm::dvec3(0.0);
+  };
+  return glm::dot(direction(a.Seen), direction(b.Seen));
 }
 
 /// t at a point of a path.
@@ -164,7 +182,9 @@ ImageQuery::ImageQuery(CachedImage& image, const FrameKey& next, ReuseAccuracy a
   this->Voxel = edges.y;
   const bool isRaised = !(image.Key.Sought == next.Sought);
   // A ray can be inside one of several isovalues and outside another: none is fine then.
-  const double fineApart = next.Sought.Isovalues.size() == 1 ? FineApart : 1e-30;
+  const bool canBeFine =
+    next.Sought.Isovalues.size() == 1 && CosineOfTurn(image.Key, next) >= SmallTurn;
+  const double fineApart = canBeFine ? FineApart : 1e-30;
   if (accuracy == ReuseAccuracy::Bounded || isRaised)
   {
     // For a raised isovalue the image gives starts only. What was inside the old isovalue may be

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ColdWitness.h"
+
+#include <vtkMath.h>
+#include <vtkMatrix4x4.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace
+{
+
+double ShortestEdge(vtkImageData* image, vtkVolume* volume)
+{
+  double shortest = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    double edge[3];
+    for (int row = 0; row < 3; ++row)
+    {
+      edge[row] = volume->GetMatrix()->GetElement(row, axis) * image->GetSpacing()[axis];
+    }
+    shortest = std::min(shortest, vtkMath::Norm(edge));
+  }
+  return shortest;
+}
+
+}
+
+bool ColdWitness::Draw(Scene& scene)
+{
+  this->Mapper->SetInputDataObject(scene.Mapper->GetInputDataObject(0, 0));
+  this->Mapper->SetSurfaceMode(scene.Mapper->GetSurfaceMode());
+  int size[3];
+  scene.Color->GetDimensions(size);
+  return this->Mapper->RenderToImage(
+    scene.Renderer, scene.Volume, size[0], size[1], this->Color, this->Depth);
+}
+
+vtkIdType ColdWitness::CountDifferent(const Scene& scene) const
+{
+  auto* image = vtkImageData::SafeDownCast(this->Mapper->GetInputDataObject(0, 0));
+  return this->Count(scene, ShortestEdge(image, scene.Volume));
+}
+
+vtkIdType ColdWitness::Count(const Scene& scene, double apart) const
+{
+  const auto* here = static_cast<const float*>(this->Depth->GetScalarPointer());
+  const auto* there = static_cast<const float*>(scene.Depth->GetScalarPointer());
+  const vtkIdType pixels = this->Depth->GetNumberOfPoints();
+  if (pixels != scene.Depth->GetNumberOfPoints())
+  {
+    return pixels;
+  }
+  vtkIdType different = 0;
+  for (vtkIdType i = 0; i < pixels; ++i)
+  {
+    const bool isHit = std::isfinite(here[i]);
+    const bool isFar =
+      isHit && apart >= 0.0 && static_cast<double>(std::abs(here[i] - there[i])) > apart;
+    different += isHit != std::isfinite(there[i]) || isFar ? 1 : 0;
+  }
+  return different;
+}
+
+bool IsRoute(Scene& scene, const std::string& route)
+{
+  return scene.Mapper->GetRouteAsString() == route;
+}

@@ -54,8 +54,10 @@ void Guard(const GuardRule& rule, GuardTile& tile)
     const float surface = tile.Surface[i], contact = tile.Contact[i];
     const float moved = Nearer(surface, edgeMargin, isParallel);
     const float perDepth = isParallel ? 1.0f : surface * surface;
-    gap[i] = contact >= tile.Fine[i] ? 0.0f : contact - surface;
-    single[i] = gap[i] <= farthestContact * perDepth ? std::min(moved, contact) : contact;
+    const bool isFine = contact >= tile.Fine[i];
+    gap[i] = isFine ? 0.0f : contact - surface;
+    const float near = gap[i] <= farthestContact * perDepth ? std::min(moved, contact) : contact;
+    single[i] = isFine ? moved : near;
   }
   for (int y = 0; y < TileSize; ++y)
   {

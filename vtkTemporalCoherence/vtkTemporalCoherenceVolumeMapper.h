@@ -156,7 +156,7 @@ public:
    * and none there, or more than a voxel apart) in the median frame and 0.05 % in any, however many
    * frames are made from one another. Rays start where the space that the cached picture shows to
    * be free ends, a voxel before edges, and are always traced from there. A cached picture whose
-   * pixels are more than two voxels apart is not used.
+   * pixels are more than two voxels apart, or that PAPER made, is not used: the frame is cold.
    *
    * EXACT: the cold picture, to the last bit. A picture between whose pixels anything may hide
    * proves nothing, so this costs what a cold frame costs.

@@ -5,6 +5,7 @@
 #include <vtkImageAppend.h>
 #include <vtkImageBlend.h>
 #include <vtkImageChangeInformation.h>
+#include <vtkImageShrink3D.h>
 #include <vtkNew.h>
 #include <vtkStdString.h>
 #include <vtkTextProperty.h>
@@ -22,6 +23,7 @@ namespace
 constexpr std::array<unsigned char, 3> Ground = { 28, 33, 42 };
 /// The caption's letters are as high as this part of the picture.
 constexpr int CaptionPart = 28;
+constexpr int WidestTile = 2048; ///< pixels
 constexpr int SmallestCaption = 14;
 constexpr int Dpi = 72;
 
@@ -72,6 +74,18 @@ vtkSmartPointer<vtkImageData> Appended(
   return append->GetOutput();
 }
 
+/// Not wider than a page can show.
+vtkSmartPointer<vtkImageData> Shrunk(vtkImageData* image)
+{
+  const int factor = (image->GetDimensions()[0] + WidestTile - 1) / WidestTile;
+  vtkNew<vtkImageShrink3D> shrink;
+  shrink->SetInputData(image);
+  shrink->SetShrinkFactors(factor, factor, 1);
+  shrink->MeanOn();
+  shrink->Update();
+  return shrink->GetOutput();
+}
+
 }
 
 vtkSmartPointer<vtkImageData> WithCaption(vtkImageData* rgba, const std::string& caption)
@@ -97,7 +111,7 @@ vtkSmartPointer<vtkImageData> Tile(
   {
     stack.push_back(Appended(*row, 0));
   }
-  return Appended(stack, 1);
+  return Shrunk(Appended(stack, 1));
 }
 
 }

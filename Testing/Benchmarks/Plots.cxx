@@ -26,6 +26,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdlib>
 
@@ -111,10 +112,14 @@ double Largest(const Chart& chart, std::vector<double> Series::*axis)
   return largest;
 }
 
-/// Numbers from 0 to at least the largest.
+/// Numbers from 0 to at least the largest, in steps of 1, 2 or 5 times a power of ten.
 Ticks NumberTicks(double largest)
 {
-  const double step = vtkAxis::NiceNumber(largest / MostTicks, true);
+  double step = std::pow(10.0, std::floor(std::log10(largest / MostTicks)));
+  for (const double factor : { 2.0, 2.5, 2.0 })
+  {
+    step *= largest > MostTicks * step ? factor : 1.0;
+  }
   Ticks ticks;
   for (int i = 0; ticks.empty() || ticks.back().first < largest; ++i)
   {

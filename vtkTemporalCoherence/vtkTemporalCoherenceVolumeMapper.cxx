@@ -138,6 +138,12 @@ bool vtkTemporalCoherenceVolumeMapper::RenderFrame(
   TemporalCoherence::FrameKey key;
   std::vector<int> places;
   std::string error;
+  if (static_cast<vtkTypeInt64>(width) * height > VTK_INT_MAX)
+  {
+    this->ReportOnce("A picture of " + std::to_string(width) + " x " + std::to_string(height) +
+      " pixels is too large; ask for at most " + std::to_string(VTK_INT_MAX) + " pixels.");
+    return false;
+  }
   if (!this->MakeFrameKey(renderer, volume, width, height, aspect, key, places, error))
   {
     this->ReportOnce(error);
@@ -154,7 +160,8 @@ bool vtkTemporalCoherenceVolumeMapper::RenderFrame(
       std::to_string(height) + " pixels and the block ranges of " +
       std::to_string(key.Samples.Dimensions.x) + " x " + std::to_string(key.Samples.Dimensions.y) +
       " x " + std::to_string(key.Samples.Dimensions.z) +
-      " samples; free memory, or render a part of the volume (vtkExtractVOI) or fewer pixels.");
+      " samples; free memory, keep fewer cached images, or render a part of the volume "
+      "(vtkExtractVOI) or fewer pixels.");
     return false;
   }
   internal.IsovaluePlaces = places;

@@ -191,8 +191,8 @@ public:
   /**
    * Which pictures the image cache keeps: LATEST (default) every one, KEY_IMAGE a cold one that is
    * made every KeyImageInterval frames (default 7, as in the paper). The latest
-   * NumberOfCachedImages (default 1) stay; the one whose view is nearest serves. Each takes 36
-   * bytes a pixel.
+   * NumberOfCachedImages (default 1, at most 64) stay; the one whose view is nearest serves. Each
+   * takes 36 bytes a pixel.
    */
   vtkSetClampMacro(ImageCachePolicy, int, LATEST, KEY_IMAGE);
   vtkGetMacro(ImageCachePolicy, int);
@@ -200,7 +200,7 @@ public:
   void SetImageCachePolicyToKeyImage() { this->SetImageCachePolicy(KEY_IMAGE); }
   vtkSetClampMacro(KeyImageInterval, int, 1, VTK_INT_MAX);
   vtkGetMacro(KeyImageInterval, int);
-  vtkSetClampMacro(NumberOfCachedImages, int, 1, VTK_INT_MAX);
+  vtkSetClampMacro(NumberOfCachedImages, int, 1, 64);
   vtkGetMacro(NumberOfCachedImages, int);
   ///@}
 

@@ -144,9 +144,9 @@ TEST_F(ImageQueryTest, ASmallTurnLeavesLittleToLookFor)
     [&](const RayBatch&, const QueryBatch& known, std::size_t i, double hit)
     {
       hits += hit < Infinity;
-      near += hit < Infinity && hit - known.Free[i] < 2.0;
+      near += hit < Infinity && hit - known.Free[i] < 2.5;
     });
-  EXPECT_GT(near, 0.75 * hits) << "starts are within two voxels of the hits";
+  EXPECT_GT(near, 0.75 * hits) << "starts are within two and a half voxels of the hits";
   EXPECT_LT(shares.Possible, 1.3 * hits) << "most misses are known";
 }
 

@@ -76,9 +76,6 @@ struct Frame
     this->Size = size;
   }
 
-  /// Forget the picture and free its memory.
-  void Release() { *this = Frame(); }
-
   bool IsEmpty() const { return this->Size.x == 0; }
 };
 

@@ -48,9 +48,12 @@ void FrameRenderer::Render(const FrameKey& key, const Options& options)
   try
   {
     Stopwatch watch(this->Counters.FrameTime);
-    ImageCache::Options images = options.Images;
-    images.TakesEroded = options.Accuracy != ReuseAccuracy::Bounded;
-    const std::shared_ptr<CachedImage> nearest = this->Images.Find(key, images);
+    const auto suits = [&](const CachedImage& image)
+    {
+      const bool isTooEroded = image.IsEroded && options.Accuracy == ReuseAccuracy::Bounded;
+      return !isTooEroded && ImageQuery::CanAsk(image.Key, options.Accuracy);
+    };
+    const std::shared_ptr<CachedImage> nearest = this->Images.Find(key, options.Images, suits);
     this->Counters.Made = this->ChooseRoute(key, options, nearest);
     this->Counters.Rays = static_cast<std::int64_t>(key.Seen.Size.x) * key.Seen.Size.y;
     switch (this->Counters.Made)
@@ -59,8 +62,8 @@ void FrameRenderer::Render(const FrameKey& key, const Options& options)
         this->CountKnownHits();
         break;
       case Route::Reshade:
-        this->ShadeTiles(key, false, true, this->Front->Picture);
         this->Front->Key = key;
+        this->ShadeTiles(key, false, true, this->Front->Picture);
         this->CountKnownHits();
         break;
       case Route::ImageCache:
@@ -87,7 +90,7 @@ Route FrameRenderer::ChooseRoute(
   }
   HeldForReuse held;
   held.IsExact = this->Front->IsExact;
-  held.Image = nearest && ImageQuery::CanAsk(nearest->Key, options.Accuracy);
+  held.Image = nearest != nullptr;
   ReuseSwitches switches = options.Reuse;
   switches.RefineWhenStill |= options.Accuracy == ReuseAccuracy::Exact || !switches.ImageCache;
   const Route route = PlanRoute(this->Front->Key, key, switches, held);
@@ -139,8 +142,8 @@ void FrameRenderer::MakeFrame(const FrameKey& key, const Options& options, Cache
   made.IsExact = isExact;
   made.IsEroded = !isExact && options.Accuracy == ReuseAccuracy::Paper;
   made.Free.Clear();
+  const std::shared_ptr<CachedImage> dropped = this->Images.Keep(this->Back, options.Images);
   std::swap(this->Front, this->Back);
-  const std::shared_ptr<CachedImage> dropped = this->Images.Keep(this->Front, options.Images);
   if (this->Images.Holds(this->Back))
   {
     this->Back = dropped;
@@ -168,8 +171,8 @@ void FrameRenderer::PrepareStructures(const FrameKey& key, const Options& option
   {
     this->ActiveField = Field();
     this->Active.Build(key.Samples, this->Pyramid, key.Sought);
-    this->ActiveField = key.Samples;
     this->ActiveSurfaces = key.Sought;
+    this->ActiveField = key.Samples;
   }
   this->Bounds.Build(key.Seen, key.Where, this->Active);
 }

@@ -20,7 +20,7 @@ namespace
 constexpr double LargestBend = 0.25;
 constexpr double FarthestContact = 2.0;
 constexpr double SmoothMargin = 0.125;
-constexpr double EdgeMargin = 1.0;
+constexpr double EdgeMargin = 1.5;
 
 /// A disparity above all others, and still a number to compute with.
 constexpr float NearerThanAll = 1e30f;
@@ -117,11 +117,13 @@ void FreeSpace::Make(const Frame& frame, const View& view, const Options& option
   {
     return;
   }
-  const auto tiles = static_cast<std::size_t>(NumberOfTiles(frame.Size));
-  if (this->Disparities.size() != frame.Disparities.size() || this->Filled.size() != tiles)
+  if (this->Size != frame.Size)
   {
-    this->Filled.assign(tiles, std::numeric_limits<float>::quiet_NaN());
+    this->Size = glm::ivec2(0);
     this->Disparities.resize(frame.Disparities.size());
+    this->Filled.assign(
+      static_cast<std::size_t>(NumberOfTiles(frame.Size)), std::numeric_limits<float>::quiet_NaN());
+    this->Size = frame.Size;
   }
   const double miss = DisparityOfMiss(view.Parallel);
   GuardRule rule;

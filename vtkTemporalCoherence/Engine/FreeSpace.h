@@ -55,6 +55,7 @@ public:
 private:
   std::vector<float> Disparities;
   std::vector<float> Filled; ///< by tile
+  glm::ivec2 Size{ 0 };
   Options MadeWith;
   bool IsMade = false;
 };

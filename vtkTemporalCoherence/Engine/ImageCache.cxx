@@ -8,7 +8,8 @@
 namespace TemporalCoherence
 {
 
-std::shared_ptr<CachedImage> ImageCache::Find(const FrameKey& next, const Options& options) const
+std::shared_ptr<CachedImage> ImageCache::Find(
+  const FrameKey& next, const Options& options, const Suits& suits) const
 {
   const bool isKeyDue = options.Policy == ImageCachePolicy::KeyImage &&
     this->FramesSinceKey + 1 >= options.KeyImageInterval;
@@ -20,7 +21,7 @@ std::shared_ptr<CachedImage> ImageCache::Find(const FrameKey& next, const Option
   double least = std::numeric_limits<double>::infinity();
   for (const std::shared_ptr<CachedImage>& image : this->Images)
   {
-    if (!CanServe(image->Key, next) || (image->IsEroded && !options.TakesEroded))
+    if (!CanServe(image->Key, next) || !suits(*image))
     {
       continue;
     }
@@ -42,28 +43,28 @@ std::shared_ptr<CachedImage> ImageCache::Keep(
     ++this->FramesSinceKey;
     return nullptr;
   }
-  this->FramesSinceKey = 0;
-
+  this->Images.reserve(this->Images.size() + 1); // the only thing that can fail comes first
   const auto isDropped = [&](const std::shared_ptr<CachedImage>& old)
   {
     const FrameChange change = CompareFrames(old->Key, image->Key);
     return change.Data || !(change.View || change.Surfaces);
   };
   std::shared_ptr<CachedImage> dropped;
+  const auto drop = [&](std::vector<std::shared_ptr<CachedImage>>::iterator old)
+  {
+    dropped = *old;
+    return this->Images.erase(old);
+  };
   for (auto old = this->Images.begin(); old != this->Images.end();)
   {
-    const bool isTooMuch = this->Images.end() - old >= options.NumberOfImages;
-    if (isTooMuch || isDropped(*old))
-    {
-      dropped = *old;
-      old = this->Images.erase(old);
-    }
-    else
-    {
-      ++old;
-    }
+    old = isDropped(*old) ? drop(old) : old + 1;
+  }
+  while (static_cast<int>(this->Images.size()) >= options.NumberOfImages)
+  {
+    drop(this->Images.begin());
   }
   this->Images.push_back(image);
+  this->FramesSinceKey = 0;
   return dropped;
 }
 

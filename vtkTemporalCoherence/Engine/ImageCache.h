@@ -8,6 +8,7 @@
 #include "ReusePlan.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -40,12 +41,15 @@ public:
     ImageCachePolicy Policy = ImageCachePolicy::Latest;
     int KeyImageInterval = 7; ///< frames from one key image to the next; at least 1
     int NumberOfImages = 1;   ///< at most so many are kept; at least 1
-    bool TakesEroded = true;  ///< pictures that promise nothing may serve
   };
 
   /// The kept image that can serve `next` and has the view nearest to it. Null if there is none,
   /// or if it is time for the next key image.
-  std::shared_ptr<CachedImage> Find(const FrameKey& next, const Options& options) const;
+  /// \param suits what else an image has to fulfil
+  using Suits = std::function<bool(const CachedImage&)>;
+  std::shared_ptr<CachedImage> Find(
+    const FrameKey& next, const Options& options,
+    const Suits& suits = [](const CachedImage&) { return true; }) const;
 
   /// Take note of a finished frame and keep it if the policy says so. What shows other data, or the
   /// same view and surfaces, is dropped, and what is too much, oldest first.

@@ -22,13 +22,8 @@ constexpr double FineApart = 0.6;
 constexpr double FarthestApart = 2.0;
 
 /// Cosine of the turn up to which surfaces alone can tell: films that are seen from their edge, and
-/// so hardly at all, are hardly seen after a small turn. 12 degrees.
-constexpr double SmallTurn = 0.978;
-
-glm::dvec4 RowOf(const glm::dmat4& m, int r)
-{
-  return { m[0][r], m[1][r], m[2][r], m[3][r] };
-}
+/// so hardly at all, are hardly seen after a small turn. 6 degrees.
+constexpr double SmallTurn = 0.9945;
 
 /// Shortest and longest edge of a voxel in the world.
 glm::dvec2 VoxelEdges(const Placement& where)
@@ -255,7 +250,8 @@ void ImageQuery::FindHit(const PathBatch& paths, std::size_t ray, QueryBatch& kn
   const float* const surface = this->Image.Picture.Disparities.data();
   double stop = paths.End[ray];
   double hit = -1.0;
-  double last = std::numeric_limits<double>::quiet_NaN(); // surface of the predecessor
+  double last = 0.0; // surface of the predecessor
+  bool isFirst = true;
   const bool isStopped = WalkPixels(paths, ray, this->Image.Picture.Size,
     [&](std::int32_t pixel, double at, double q, double qNext)
     {
@@ -263,12 +259,16 @@ void ImageQuery::FindHit(const PathBatch& paths, std::size_t ray, QueryBatch& kn
       if (std::min(q, qNext) > here)
       {
         last = here;
+        isFirst = false;
         return false;
       }
       const bool isInFront = q > here;
-      const bool isConnected = std::isnan(last)
-        ? isInFront
-        : std::abs(DepthOf(last, isParallel) - DepthOf(here, isParallel)) <= this->Voxel;
+      bool isConnected = isInFront; // to the ray's own beginning, in its first pixel
+      if (!isFirst)
+      {
+        isConnected = last > DisparityOfMiss(isParallel) &&
+          std::abs(DepthOf(last, isParallel) - DepthOf(here, isParallel)) <= this->Voxel;
+      }
       if (isConnected)
       {
         hit = isInFront ? (here - paths.Q0[ray]) / (paths.Q1[ray] - paths.Q0[ray]) : at;
@@ -335,6 +335,10 @@ void ImageQuery::Interpolate(
 
 bool ImageQuery::IsSeenFromInside(std::int32_t pixel) const
 {
+  if (pixel < 0)
+  {
+    return false; // the ray left the image
+  }
   const Frame& frame = this->Image.Picture;
   const int column = pixel % frame.Size.x;
   const int row = pixel / frame.Size.x;

@@ -53,7 +53,7 @@ struct Paths
 template <typename Real>
 HWY_INLINE void SetUpPaths(PassageBatch<Real>& in, std::size_t count, Paths<Real>& out)
 {
-  const hn::ScalableTag<double> d;
+  const hn::CappedTag<double, WidestVector / 2> d;
   using V = hn::Vec<decltype(d)>;
   const V zero = hn::Zero(d), one = hn::Set(d, 1.0);
   for (std::size_t i = 0; i < count; i += hn::Lanes(d))
@@ -184,7 +184,7 @@ template <typename Real>
 HWY_INLINE void FindShares(
   PassageBatch<Real>& passages, const Paths<Real>& paths, bool isSolid, Real* shares)
 {
-  const hn::ScalableTag<Real> d;
+  const hn::CappedTag<Real, WidestVector> d;
   using V = hn::Vec<decltype(d)>;
   using M = hn::Mask<decltype(d)>;
   const V zero = hn::Zero(d);
@@ -218,7 +218,10 @@ HWY_INLINE void FindAll(PassageBatch<Real>& passages, bool isSolid)
 {
   Paths<Real> paths;
   RayBatch::Array<Real> shares;
-  SetUpPaths(passages, static_cast<std::size_t>(passages.Count), paths);
+  // As far as the last vector of Real reaches, which holds more lanes than one of double.
+  const std::size_t lanes = hn::Lanes(hn::CappedTag<Real, WidestVector>());
+  const auto count = static_cast<std::size_t>(passages.Count);
+  SetUpPaths(passages, (count + lanes - 1) / lanes * lanes, paths);
   FindShares(passages, paths, isSolid, shares.data());
   for (std::size_t i = 0; i < static_cast<std::size_t>(passages.Count); ++i)
   {
@@ -365,9 +368,8 @@ void FindNearest(PassageBatch<Real>& in)
 template <typename Real>
 void FillLastVector(PassageBatch<Real>& in)
 {
-  constexpr std::size_t Widest = 16;
   const auto count = static_cast<std::size_t>(in.Count);
-  const std::size_t end = (count + Widest - 1) / Widest * Widest;
+  const std::size_t end = (count + WidestVector - 1) / WidestVector * WidestVector;
   const auto fill = [&](auto& array)
   {
     std::fill(array.begin() + static_cast<std::ptrdiff_t>(count),

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 // This file is compiled once for each kind of vectors, and what runs is chosen by the machine. The
 // loops are plain: the compiler turns them into vectors.
@@ -130,7 +131,7 @@ void FacingNormalsOf(FacingNormals& normals)
   {
     // Scaled first: squares of very small or large components would leave the range of numbers.
     const double largest = std::max(std::abs(gx[i]), std::max(std::abs(gy[i]), std::abs(gz[i])));
-    const bool isFlat = !(largest > 0.0);
+    const bool isFlat = !(largest >= std::numeric_limits<double>::min());
     const double scale = 1.0 / (isFlat ? 1.0 : largest);
     const double x = gx[i] * scale, y = gy[i] * scale, z = gz[i] * scale;
     const double wx = isFlat ? rx[i] : m00 * x + m10 * y + m20 * z;

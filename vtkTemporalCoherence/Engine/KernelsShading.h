@@ -36,14 +36,13 @@ struct GradientBatch
 void InterpolateGradients(GradientBatch<float>& batch);
 void InterpolateGradients(GradientBatch<double>& batch);
 
-/// Directions and points of rays t along.
-/// \param x,y        normalised device coordinates
-/// \param direction  linear in x, y: direction[0] + x direction[1] + y direction[2]; of any length
-/// \param origin     the same for the ray's origin
+/// Directions and points of rays, t along them.
 struct RayPoints
 {
   std::size_t Count = 0;
-  Array<double> X, Y, T;
+  Array<double> X, Y; ///< normalised device coordinates
+  Array<double> T;
+  /// Of any length, linear in X and Y: [0] + X [1] + Y [2].
   std::array<glm::dvec3, 3> LinearDirection, LinearOrigin;
   std::array<Array<double>, 3> Direction, Point; ///< found; directions have unit length
 };

@@ -30,12 +30,6 @@ struct RayBatch
   Array<double> Begin, End, WalkBegin, WalkEnd;
   Array<double> PerDepth;    ///< t for each unit of depth along the optical axis
   Array<std::int32_t> Pixel; ///< position in the planes of the frame
-
-  bool IsEmpty(int ray) const
-  {
-    const auto i = static_cast<std::size_t>(ray);
-    return !(this->WalkBegin[i] <= this->WalkEnd[i]);
-  }
 };
 
 /// Where the rays found their surfaces, as arrays over rays.
@@ -43,7 +37,7 @@ struct HitBatch
 {
   RayBatch::Array<double> Depth;   ///< t, or infinity
   RayBatch::Array<double> Contact; ///< t where the first active cell is entered, or infinity
-  RayBatch::Array<std::uint8_t> FromInside; ///< 1 if the ray is inside an isovalue at the contact
+  RayBatch::Array<std::uint8_t> FromInside; ///< 1 if the ray is inside the contact's isovalue there
   RayBatch::Array<std::int16_t> Surface; ///< position in the list of isovalues, or Frame::NoSurface
   RayBatch::Array<HitKind> Kind;
   std::int64_t CellsRead = 0; ///< cells whose eight samples were read

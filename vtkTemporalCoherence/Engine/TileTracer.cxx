@@ -215,7 +215,8 @@ void TileTracer::TraceKnown(
       frame.Disparities[pixel] = DisparityAt(rays, i, known.Hit[i], this->Scene.Key.Seen.Parallel);
       frame.Contacts[pixel] = frame.Disparities[pixel];
     }
-    else if (this->IsWrong(known, hits, i) && known.Free[i] > walkBegin[i])
+    else if ((rays.WalkBegin[i] > walkBegin[i] || rays.WalkEnd[i] < walkEnd[i]) &&
+      this->IsWrong(known, hits, i))
     {
       rays.WalkBegin[i] = hits.Kind[i] == HitKind::None ? known.Free[i] : walkBegin[i];
       rays.WalkEnd[i] = walkEnd[i];

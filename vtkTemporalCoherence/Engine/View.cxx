@@ -9,12 +9,6 @@ namespace TemporalCoherence
 namespace
 {
 
-// Row `r` of a matrix stored by columns, as the plane it is: normal in xyz, offset in w.
-glm::dvec4 RowOf(const glm::dmat4& m, int r)
-{
-  return { m[0][r], m[1][r], m[2][r], m[3][r] };
-}
-
 bool IsFinite(const glm::dvec3& v)
 {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);

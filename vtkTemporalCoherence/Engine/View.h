@@ -8,6 +8,12 @@
 namespace TemporalCoherence
 {
 
+/// Row `r` of a matrix stored by columns, as the plane it is: normal in xyz, offset in w.
+inline glm::dvec4 RowOf(const glm::dmat4& m, int r)
+{
+  return { m[0][r], m[1][r], m[2][r], m[3][r] };
+}
+
 /// A half line in the world; `Direction` has unit length, so that t is a world distance.
 struct Ray
 {

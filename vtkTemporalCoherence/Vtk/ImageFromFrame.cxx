@@ -49,6 +49,8 @@ void Return(vtkImageData* written, vtkImageData* image)
 {
   if (written == image)
   {
+    image->SetOrigin(0.0, 0.0, 0.0);
+    image->SetSpacing(1.0, 1.0, 1.0);
     image->GetPointData()->GetScalars()->Modified();
     image->Modified();
   }

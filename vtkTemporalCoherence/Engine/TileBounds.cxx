@@ -37,7 +37,7 @@ public:
     const double half = 0.5 * ValueRangePyramid::LeafSize;
     for (int axis = 0; axis < 3; ++axis)
     {
-      this->HalfEdges[axis] = half * this->ClipFromIndex[axis];
+      this->HalfEdges[static_cast<std::size_t>(axis)] = half * this->ClipFromIndex[axis];
     }
     for (int corner = 0; corner < 4; ++corner)
     {

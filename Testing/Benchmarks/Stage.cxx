@@ -3,6 +3,7 @@
 #include "Stage.h"
 
 #include "Measuring.h"
+#include "ShiftCamera.h"
 
 #include <vtkCamera.h>
 #include <vtkColorTransferFunction.h>
@@ -59,21 +60,8 @@ void Stage::Approach(double factor)
 void Stage::Pan(double share)
 {
   vtkCamera* camera = this->Renderer->GetActiveCamera();
-  double right[3];
-  vtkMath::Cross(camera->GetDirectionOfProjection(), camera->GetViewUp(), right);
-  vtkMath::Normalize(right);
   const double angle = vtkMath::RadiansFromDegrees(camera->GetViewAngle());
-  const double step = share * 2.0 * camera->GetDistance() * std::tan(0.5 * angle);
-  double position[3], focus[3];
-  camera->GetPosition(position);
-  camera->GetFocalPoint(focus);
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    position[axis] += step * right[axis];
-    focus[axis] += step * right[axis];
-  }
-  camera->SetPosition(position);
-  camera->SetFocalPoint(focus);
+  ShiftCamera(camera, share * 2.0 * camera->GetDistance() * std::tan(0.5 * angle));
   this->FitClippingRange();
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RandomViews.h"
 
+#include "ShiftCamera.h"
+
 #include <vtkMath.h>
 
 RandomViews::RandomViews(Scene& scene, unsigned seed, int size)
@@ -105,20 +107,7 @@ void RandomViews::GoInside()
 void RandomViews::Pan()
 {
   vtkCamera* camera = this->Target.Renderer->GetActiveCamera();
-  double right[3];
-  vtkMath::Cross(camera->GetDirectionOfProjection(), camera->GetViewUp(), right);
-  vtkMath::Normalize(right);
-  const double step = this->Between(-0.3, 0.3) * camera->GetDistance();
-  double position[3], focus[3];
-  camera->GetPosition(position);
-  camera->GetFocalPoint(focus);
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    position[axis] += step * right[axis];
-    focus[axis] += step * right[axis];
-  }
-  camera->SetPosition(position);
-  camera->SetFocalPoint(focus);
+  ShiftCamera(camera, this->Between(-0.3, 0.3) * camera->GetDistance());
 }
 
 void RandomViews::CutByNearPlane()

@@ -70,6 +70,13 @@ vtkSmartPointer<vtkImageData> FromFormula(
   return image;
 }
 
+vtkSmartPointer<vtkImageData> Waves()
+{
+  return Volumes::FromFormula(32, VTK_SHORT,
+    [](double x, double y, double z)
+    { return 1000.0 * (std::sin(5.0 * x) * std::cos(4.0 * y) + 0.7 * z); });
+}
+
 vtkSmartPointer<vtkImageData> FourSpheres(int n)
 {
   constexpr std::array<std::array<double, 3>, 4> centres = { { { -.4, -.4, -.2 }, { .45, -.3, .3 },

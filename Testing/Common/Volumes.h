@@ -26,6 +26,9 @@ vtkSmartPointer<vtkImageData> FourSpheres(int n);
 /// The signal of Marschner and Lobb 1994, times 255, as uchar with spacing 1; isovalue 128.
 vtkSmartPointer<vtkImageData> MarschnerLobb(int n);
 
+/// 32^3 shorts between -1700 and 1700: waves that the boundary of the volume cuts.
+vtkSmartPointer<vtkImageData> Waves();
+
 /// A volume and an isovalue worth looking at.
 struct Sample
 {

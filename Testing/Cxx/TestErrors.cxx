@@ -4,6 +4,7 @@
 // A mistake gets one error with its value and remedy, the last valid picture stays, nothing
 // crashes.
 
+#include "Expect.h"
 #include "Scene.h"
 #include "Volumes.h"
 
@@ -30,17 +31,6 @@ vtkSmartPointer<vtkImageData> Ball(int n = 20)
 {
   return Volumes::FromFormula(n, VTK_UNSIGNED_CHAR,
     [](double x, double y, double z) { return 200.0 - 100.0 * std::hypot(x, y, z); });
-}
-
-int Failures = 0;
-
-void Expect(bool condition, const std::string& what)
-{
-  if (!condition)
-  {
-    std::cerr << "FAILED: " << what << '\n';
-    ++Failures;
-  }
 }
 
 /// Spoil a scene that has a valid picture: one error that contains `word`, the old picture stays,

@@ -4,6 +4,7 @@
 // What frames made from the image cache promise: every picture is held against the cold one.
 
 #include "ColdWitness.h"
+#include "Expect.h"
 #include "RandomViews.h"
 #include "Volumes.h"
 
@@ -18,26 +19,8 @@
 namespace
 {
 
-int Failures = 0;
-
-void Expect(bool condition, const std::string& what)
-{
-  if (!condition)
-  {
-    std::cerr << "FAILED: " << what << '\n';
-    ++Failures;
-  }
-}
-
 constexpr double MedianShare = 1e-4; ///< of the pixels: 0.01 %
 constexpr double WorstShare = 5e-4;  ///< 0.05 %
-
-vtkSmartPointer<vtkImageData> Waves()
-{
-  return Volumes::FromFormula(32, VTK_SHORT,
-    [](double x, double y, double z)
-    { return 1000.0 * (std::sin(5.0 * x) * std::cos(4.0 * y) + 0.7 * z); });
-}
 
 vtkSmartPointer<vtkImageData> Noise()
 {
@@ -79,8 +62,8 @@ struct Subject
 std::vector<Subject> AllSubjects()
 {
   const std::vector<Subject> volumes = {
-    { "Waves", Waves(), { 200.0 } },
-    { "Waves", Waves(), { 200.0, -300.0, 650.0 } },
+    { "Waves", Volumes::Waves(), { 200.0 } },
+    { "Waves", Volumes::Waves(), { 200.0, -300.0, 650.0 } },
     { "spheres64", Volumes::Load("spheres64"), { 100.0 } },
     { "marschner-lobb100", Volumes::Load("marschner-lobb100"), { 128.0 } },
     { "Noise", Noise(), { 500.0 } },
@@ -182,7 +165,8 @@ void TestExactWithThreads()
     for (const int mode : { 0, 1 })
     {
       WalkExactly(
-        { std::to_string(threads) + " thread(s)", Waves(), { 200.0, -300.0 }, mode }, 9, 30);
+        { std::to_string(threads) + " thread(s)", Volumes::Waves(), { 200.0, -300.0 }, mode }, 9,
+        30);
     }
   }
   vtkSMPTools::Initialize(0);
@@ -225,7 +209,7 @@ void TestBoundedOrbits()
   for (const int mode : { 0, 1 })
   {
     Orbit({ "spheres64", Volumes::Load("spheres64"), { 100.0 }, mode }, 0.5, 150);
-    Orbit({ "Waves", Waves(), { 200.0, -300.0 }, mode }, 1.0, 150);
+    Orbit({ "Waves", Volumes::Waves(), { 200.0, -300.0 }, mode }, 1.0, 150);
     Orbit({ "marschner-lobb100", Volumes::Load("marschner-lobb100"), { 128.0 }, mode }, 5.0, 180);
   }
 }

@@ -5,6 +5,7 @@
 // what was true before.
 
 #include "ColdWitness.h"
+#include "Expect.h"
 #include "RandomViews.h"
 #include "Volumes.h"
 
@@ -22,24 +23,6 @@ namespace
 {
 
 using Mapper = vtkTemporalCoherenceVolumeMapper;
-
-int Failures = 0;
-
-void Expect(bool condition, const std::string& what)
-{
-  if (!condition)
-  {
-    std::cerr << "FAILED: " << what << '\n';
-    ++Failures;
-  }
-}
-
-vtkSmartPointer<vtkImageData> Waves()
-{
-  return Volumes::FromFormula(32, VTK_SHORT,
-    [](double x, double y, double z)
-    { return 1000.0 * (std::sin(5.0 * x) * std::cos(4.0 * y) + 0.7 * z); });
-}
 
 void Turn(Scene& scene, double degrees)
 {
@@ -59,7 +42,7 @@ void TestRefineWhenStill()
   ColdWitness cold;
   for (const int accuracy : { Mapper::BOUNDED, Mapper::PAPER })
   {
-    Scene scene(Waves(), { 200.0, -300.0 });
+    Scene scene(Volumes::Waves(), { 200.0, -300.0 });
     scene.Mapper->SetReuseAccuracy(accuracy);
     scene.LookFrom(1.0, 2.0, 0.5);
     ExpectRoute(scene, "Cold", "first");
@@ -83,7 +66,7 @@ void TestRefineWhenStill()
 
 void TestNoRefinement()
 {
-  Scene scene(Waves(), { 200.0, -300.0 });
+  Scene scene(Volumes::Waves(), { 200.0, -300.0 });
   scene.Mapper->SetReuseAccuracyToPaper();
   scene.Mapper->RefineWhenStillOff();
   scene.LookFrom(1.0, 2.0, 0.5);
@@ -108,7 +91,7 @@ void TestNoRefinement()
 
 void TestKeyImages()
 {
-  Scene scene(Waves(), { 200.0 });
+  Scene scene(Volumes::Waves(), { 200.0 });
   scene.Mapper->SetImageCachePolicyToKeyImage();
   scene.Mapper->SetKeyImageInterval(5);
   scene.LookFrom(1.0, 2.0, 0.5);
@@ -149,7 +132,7 @@ void TestCounters()
 {
   for (const int accuracy : { Mapper::BOUNDED, Mapper::EXACT, Mapper::PAPER })
   {
-    Scene scene(Waves(), { 200.0, -300.0 });
+    Scene scene(Volumes::Waves(), { 200.0, -300.0 });
     scene.Mapper->SetReuseAccuracy(accuracy);
     RandomViews views(scene, 3, 120);
     for (int step = 0; step < 40; ++step)
@@ -198,7 +181,7 @@ void TestColorByAnswer()
 {
   for (const int accuracy : { Mapper::BOUNDED, Mapper::PAPER })
   {
-    Scene scene(Waves(), { 200.0, -300.0 });
+    Scene scene(Volumes::Waves(), { 200.0, -300.0 });
     scene.Mapper->SetReuseAccuracy(accuracy);
     scene.Mapper->ColorByAnswerOn();
     scene.LookFrom(1.0, 2.0, 0.5);
@@ -329,7 +312,7 @@ void ExpectRefined(Scene& scene, RandomViews& views, ColdWitness& cold, const st
 /// Changes in random order, up to three at a time.
 void TestNeverStale(unsigned seed)
 {
-  vtkSmartPointer<vtkImageData> image = Waves();
+  vtkSmartPointer<vtkImageData> image = Volumes::Waves();
   Scene scene(image, { 0.0 });
   RandomViews views(scene, seed, 80);
   ColdWitness cold;

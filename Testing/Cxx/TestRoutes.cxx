@@ -3,6 +3,7 @@
 
 // What changed decides the route, and every route shows what a mapper without a past shows.
 
+#include "Expect.h"
 #include "Scene.h"
 #include "Volumes.h"
 
@@ -21,24 +22,6 @@
 
 namespace
 {
-
-int Failures = 0;
-
-void Expect(bool condition, const std::string& what)
-{
-  if (!condition)
-  {
-    std::cerr << "FAILED: " << what << '\n';
-    ++Failures;
-  }
-}
-
-vtkSmartPointer<vtkImageData> Waves()
-{
-  return Volumes::FromFormula(32, VTK_SHORT,
-    [](double x, double y, double z)
-    { return 1000.0 * (std::sin(5.0 * x) * std::cos(4.0 * y) + 0.7 * z); });
-}
 
 /// The picture of the scene by a new mapper.
 void ExpectFreshPicture(Scene& scene, const std::string& what)
@@ -65,7 +48,7 @@ void ExpectRoute(Scene& scene, const std::string& route, const std::string& what
 
 void TestEachChange()
 {
-  vtkSmartPointer<vtkImageData> image = Waves();
+  vtkSmartPointer<vtkImageData> image = Volumes::Waves();
   Scene scene(image, { 200.0, -300.0 });
   scene.Mapper->SetReuseAccuracyToExact();
   scene.LookFrom(1.0, 2.0, 0.5);
@@ -106,7 +89,7 @@ void TestEachChange()
   image->GetPointData()->GetScalars()->SetComponent(17000, 0, 30000);
   image->GetPointData()->GetScalars()->Modified();
   ExpectRoute(scene, "Cold", "samples");
-  scene.Mapper->SetInputData(Waves());
+  scene.Mapper->SetInputData(Volumes::Waves());
   ExpectRoute(scene, "Cold", "another image");
 
   // Ways to set isovalues that VTK's modification times do not tell of.
@@ -131,7 +114,7 @@ void TestEachChange()
 /// Changes in random order, several at a time.
 void TestManyChanges()
 {
-  vtkSmartPointer<vtkImageData> image = Waves();
+  vtkSmartPointer<vtkImageData> image = Volumes::Waves();
   Scene scene(image, { 0.0 });
   scene.Mapper->SetReuseAccuracyToExact();
   scene.LookFrom(1.0, 2.0, 0.5);
@@ -173,7 +156,7 @@ void TestManyChanges()
 
 void TestThreads()
 {
-  Scene scene(Waves(), { 200.0, -300.0 });
+  Scene scene(Volumes::Waves(), { 200.0, -300.0 });
   scene.LookFrom(1.0, 2.0, 0.5);
   vtkNew<vtkImageData> color, depth;
   // The backend of plain threads starts as many as it is told, whatever the machine has.
@@ -198,7 +181,7 @@ void TestThreads()
 
 void TestCounters()
 {
-  Scene scene(Waves(), { 0.0 });
+  Scene scene(Volumes::Waves(), { 0.0 });
   scene.LookFrom(1.0, 2.0, 0.5);
   vtkTemporalCoherenceVolumeMapper* mapper = scene.Mapper;
   for (int frame = 0; frame < 3; ++frame)

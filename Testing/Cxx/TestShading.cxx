@@ -4,6 +4,7 @@
 // Normals against brute force under transforms that treat them unlike points, and colours against
 // the Phong formula written out once more, light by light.
 
+#include "Expect.h"
 #include "Scene.h"
 #include "Volumes.h"
 
@@ -22,17 +23,6 @@ namespace
 {
 
 using Vector = std::array<double, 3>;
-
-int Failures = 0;
-
-void Expect(bool condition, const std::string& what)
-{
-  if (!condition)
-  {
-    std::cerr << "FAILED: " << what << '\n';
-    ++Failures;
-  }
-}
 
 Vector Minus(const Vector& a, const Vector& b)
 {

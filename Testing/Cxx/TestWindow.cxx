@@ -4,6 +4,7 @@
 // In a render window: the picture of RenderToImage, hidden by and hiding other props pixel by
 // pixel.
 
+#include "Expect.h"
 #include "Scene.h"
 #include "Volumes.h"
 
@@ -22,17 +23,6 @@ namespace
 {
 
 constexpr int Size = 300;
-int Failures = 0;
-
-void Expect(bool condition, const std::string& what)
-{
-  if (!condition)
-  {
-    std::cerr << "FAILED: " << what << '\n';
-    ++Failures;
-  }
-}
-
 vtkNew<vtkUnsignedCharArray> PixelsOf(vtkRenderWindow* window)
 {
   vtkNew<vtkUnsignedCharArray> pixels;

@@ -29,18 +29,24 @@ constexpr std::int64_t TileGrain = 64;
 
 using Around = std::array<float, GuardTile::Width * GuardTile::Width>;
 
+/// The pixels of a frame in and around a tile.
+PixelRect Surroundings(const Frame& frame, const PixelRect& part)
+{
+  const glm::ivec2 first = glm::max(part.First - 1, glm::ivec2(0));
+  return { first, glm::min(part.First + TileSize + 1, frame.Size) - first };
+}
+
 /// Gather a plane around a tile, one pixel more on all sides.
 void GatherAround(const Frame& frame, const std::vector<float>& plane, const PixelRect& part,
   float outside, Around& around)
 {
   around.fill(outside);
-  const glm::ivec2 first = glm::max(part.First - 1, glm::ivec2(0));
-  const glm::ivec2 end = glm::min(part.First + TileSize + 1, frame.Size);
-  const glm::ivec2 at = first - part.First + 1;
-  for (int y = 0; y < end.y - first.y; ++y)
+  const PixelRect rect = Surroundings(frame, part);
+  const glm::ivec2 at = rect.First - part.First + 1;
+  for (int y = 0; y < rect.Size.y; ++y)
   {
-    std::copy_n(&plane[static_cast<std::size_t>((first.y + y) * frame.Size.x + first.x)],
-      end.x - first.x, &around[static_cast<std::size_t>((at.y + y) * GuardTile::Width + at.x)]);
+    std::copy_n(&plane[static_cast<std::size_t>((rect.First.y + y) * frame.Size.x + rect.First.x)],
+      rect.Size.x, &around[static_cast<std::size_t>((at.y + y) * GuardTile::Width + at.x)]);
   }
 }
 
@@ -48,11 +54,10 @@ void GatherAround(const Frame& frame, const std::vector<float>& plane, const Pix
 template <typename Visit>
 void VisitAround(const Frame& frame, const PixelRect& part, const Visit& visit)
 {
-  const glm::ivec2 first = glm::max(part.First - 1, glm::ivec2(0));
-  const glm::ivec2 end = glm::min(part.First + TileSize + 1, frame.Size);
-  for (int y = first.y; y < end.y; ++y)
+  const PixelRect rect = Surroundings(frame, part);
+  for (int y = rect.First.y; y < rect.First.y + rect.Size.y; ++y)
   {
-    for (int x = first.x; x < end.x; ++x)
+    for (int x = rect.First.x; x < rect.First.x + rect.Size.x; ++x)
     {
       const glm::ivec2 at = glm::ivec2(x, y) - part.First + 1;
       visit(static_cast<std::size_t>(at.y * GuardTile::Width + at.x),

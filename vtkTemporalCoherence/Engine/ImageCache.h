@@ -21,7 +21,7 @@ struct CachedImage
   FrameKey Key;
   Frame Picture;
   bool IsExact = true;   ///< it is the cold picture of its key, to the last bit
-  bool IsEroded = false; ///< made with PAPER, or from such a picture: surfaces may be missing
+  bool IsEroded = false; ///< made with PAPER: surfaces may be missing
   FreeSpace Free;        ///< made when first asked for
 };
 
@@ -43,10 +43,11 @@ public:
     int NumberOfImages = 1;   ///< at most so many are kept; at least 1
   };
 
+  using Suits = std::function<bool(const CachedImage&)>;
+
   /// The kept image that can serve `next` and has the view nearest to it. Null if there is none,
   /// or if it is time for the next key image.
   /// \param suits what else an image has to fulfil
-  using Suits = std::function<bool(const CachedImage&)>;
   std::shared_ptr<CachedImage> Find(
     const FrameKey& next, const Options& options,
     const Suits& suits = [](const CachedImage&) { return true; }) const;
@@ -66,8 +67,8 @@ private:
 };
 
 /// How far two views of a field are from one another: the mean way that points of its box move in
-/// the picture, in normalised device coordinates. Points that only one of them sees count as moved
-/// across the whole picture.
+/// the picture, in normalised device coordinates. Points in front of only one of the eyes count as
+/// moved across the whole picture.
 double DistanceOfViews(const FrameKey& a, const FrameKey& b);
 
 }

@@ -176,15 +176,15 @@ ImageQuery::ImageQuery(CachedImage& image, const FrameKey& next, ReuseAccuracy a
   const glm::dvec2 edges = VoxelEdges(next.Where);
   this->Voxel = edges.y;
   const bool isRaised = !(image.Key.Sought == next.Sought);
-  // A ray can be inside one of several isovalues and outside another: none is fine then.
-  const bool canBeFine =
-    next.Sought.Isovalues.size() == 1 && CosineOfTurn(image.Key, next) >= SmallTurn;
-  const double fineApart = canBeFine ? FineApart : 1e-30;
   if (accuracy == ReuseAccuracy::Bounded || isRaised)
   {
     // For a raised isovalue the image gives starts only. What was inside the old isovalue may be
     // outside the new one: a surface met from inside tells nothing.
     this->Accuracy = ReuseAccuracy::Bounded;
+    // A ray can be inside one of several isovalues and outside another: none is fine then.
+    const bool canBeFine =
+      next.Sought.Isovalues.size() == 1 && CosineOfTurn(image.Key, next) >= SmallTurn;
+    const double fineApart = canBeFine ? FineApart : 1e-30;
     image.Free.Make(image.Picture, seen,
       { edges.y, SpacingOf(seen), DepthOfSpacing(seen, fineApart * edges.x),
         DepthOfSpacing(seen, FarthestApart * edges.x),

@@ -11,6 +11,7 @@ set(engine_files
   ImageQuery
   KernelsCrossing
   KernelsImage
+  KernelsRange
   KernelsRays
   KernelsShading
   RayBatch

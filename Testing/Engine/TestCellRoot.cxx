@@ -209,10 +209,10 @@ TEST(CellRoot, NearestCrossingIsHalfWay)
   const Corners<float> v = { -1.0f, 1.0f, -1.0f, 1.0f, -1.0f, 1.0f, -1.0f, 1.0f };
   const CellPath<float> path{ { 0.0f, 0.1f, 0.2f }, { 1.0f, 0.3f, 0.4f } };
   double s;
-  ASSERT_TRUE(FirstNearestCrossing(v, path, { 0.5, -1.0, -1.0 }, s));
+  ASSERT_TRUE(FirstNearestCrossing(v, FindNearestPath(path, { 0.5, -1.0, -1.0 }), s));
   EXPECT_DOUBLE_EQ(s, 0.5);
   const CellPath<float> beside{ { 0.0f, 0.1f, 0.2f }, { 0.4f, 0.3f, 0.4f } };
-  EXPECT_FALSE(FirstNearestCrossing(v, beside, { 1.25, -1.0, -1.0 }, s));
+  EXPECT_FALSE(FirstNearestCrossing(v, FindNearestPath(beside, { 1.25, -1.0, -1.0 }), s));
 }
 
 }

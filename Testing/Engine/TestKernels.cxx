@@ -4,6 +4,7 @@
 #include "FrameRenderer.h"
 #include "Grid.h"
 #include "KernelsCrossing.h"
+#include "KernelsRange.h"
 
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
@@ -118,6 +119,69 @@ protected:
     EXPECT_GT(found, 1000);
   }
 };
+
+class KernelsRange : public EachTarget
+{
+protected:
+  template <typename Real>
+  void Compare()
+  {
+    std::mt19937 engine(12);
+    for (int batch = 0; batch < 200; ++batch)
+    {
+      const int count = 1 + batch % RayBatch::Capacity;
+      const PassageBatch<Real> passages = RandomPassages<Real>(count, engine);
+      PassageBatch<Real> expected = passages;
+      RangeBatch<Real> reference;
+      FindRangesOneByOne(expected, reference);
+      this->ForEachTarget(
+        [&](const char* target)
+        {
+          PassageBatch<Real> vectors = passages;
+          RangeBatch<Real> ranges;
+          FindRanges(vectors, ranges);
+          EXPECT_TRUE(AreIdentical(vectors.Enter, expected.Enter, count)) << target;
+          EXPECT_TRUE(AreIdentical(ranges.Leave, reference.Leave, count)) << target;
+          EXPECT_TRUE(AreIdentical(ranges.Lowest, reference.Lowest, count)) << target;
+          EXPECT_TRUE(AreIdentical(ranges.Highest, reference.Highest, count)) << target;
+          for (std::size_t c = 0; c < 4; ++c)
+          {
+            EXPECT_TRUE(AreIdentical(ranges.Cubic[c], reference.Cubic[c], count)) << target;
+          }
+        });
+      for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
+      {
+        ExpectRange(reference, i);
+      }
+    }
+  }
+
+private:
+  /// The range is that of many points on the cubic.
+  template <typename Real>
+  static void ExpectRange(const RangeBatch<Real>& ranges, std::size_t i)
+  {
+    const Cubic<Real> cubic = { ranges.Cubic[0][i], ranges.Cubic[1][i], ranges.Cubic[2][i],
+      ranges.Cubic[3][i] };
+    Real lowest = cubic[0], highest = cubic[0];
+    for (int step = 0; step <= 1000; ++step)
+    {
+      const Real value = Evaluate(cubic, static_cast<Real>(step) / Real(1000));
+      lowest = std::min(lowest, value);
+      highest = std::max(highest, value);
+    }
+    EXPECT_GE(lowest, ranges.Lowest[i] - Real(1e-5));
+    EXPECT_LE(highest, ranges.Highest[i] + Real(1e-5));
+    EXPECT_NEAR(lowest, ranges.Lowest[i], 1e-4);
+    EXPECT_NEAR(highest, ranges.Highest[i], 1e-4);
+  }
+};
+
+TEST_F(KernelsRange, VectorsGiveTheBitsOfTheReference)
+{
+  this->Compare<float>();
+  this->Compare<double>();
+}
 
 TEST_F(KernelsCrossing, VectorsFindTheSameBitsAsOneByOneFloat)
 {

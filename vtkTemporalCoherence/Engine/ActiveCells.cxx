@@ -11,19 +11,19 @@ namespace TemporalCoherence
 namespace
 {
 
-/// True if some sample of the range is inside one of the ascending isovalues and some is not.
+/// True if an isovalue of one of the ascending bands passes between samples of the range.
 template <typename T>
-bool IsActive(const ValueRangePyramid::Range<T>& range, const std::vector<double>& isovalues)
+bool IsActive(const ValueRangePyramid::Range<T>& range, const std::vector<ValueBand>& bands)
 {
   const double min = static_cast<double>(range.Min);
   const double max = static_cast<double>(range.Max);
-  for (const double isovalue : isovalues)
+  for (const ValueBand& band : bands)
   {
-    if (isovalue > max)
+    if (band.Low > max)
     {
       return false;
     }
-    if (isovalue > min)
+    if (band.High > min)
     {
       return true;
     }
@@ -37,9 +37,26 @@ void ActiveCells::Build(
   const Field& field, const ValueRangePyramid& pyramid, const Surfaces& surfaces)
 {
   this->Release();
+  for (const double isovalue : surfaces.Isovalues)
+  {
+    this->Sought.push_back({ isovalue, isovalue });
+  }
+  std::sort(this->Sought.begin(), this->Sought.end(),
+    [](const ValueBand& a, const ValueBand& b) { return a.Low < b.Low; });
+  this->FindLeaves(field, pyramid);
+}
+
+void ActiveCells::Build(
+  const Field& field, const ValueRangePyramid& pyramid, const ValueBand& band)
+{
+  this->Release();
+  this->Sought = { band };
+  this->FindLeaves(field, pyramid);
+}
+
+void ActiveCells::FindLeaves(const Field& field, const ValueRangePyramid& pyramid)
+{
   const std::int64_t nodes = pyramid.NumberOfNodes();
-  this->Isovalues = surfaces.Isovalues;
-  std::sort(this->Isovalues.begin(), this->Isovalues.end());
   this->Leaves.resize(static_cast<std::size_t>(nodes));
   this->Slots.resize(static_cast<std::size_t>(nodes));
 
@@ -54,7 +71,7 @@ void ActiveCells::Build(
           std::uint64_t leaves = 0;
           for (int i = 0; i < ValueRangePyramid::LeavesPerNode; ++i)
           {
-            leaves |= static_cast<std::uint64_t>(IsActive(ranges[i], this->Isovalues)) << i;
+            leaves |= static_cast<std::uint64_t>(IsActive(ranges[i], this->Sought)) << i;
           }
           this->Leaves[static_cast<std::size_t>(node)] = leaves;
         });
@@ -75,7 +92,7 @@ void ActiveCells::Build(
 void ActiveCells::Release()
 {
   this->Nodes = glm::ivec3(0);
-  this->Isovalues.clear();
+  this->Sought.clear();
   this->Leaves.clear();
   this->Slots.clear();
   this->Cells.reset();

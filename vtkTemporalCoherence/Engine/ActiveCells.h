@@ -15,10 +15,11 @@
 namespace TemporalCoherence
 {
 
-/// The cells that a set of isovalues can pass through, as a tree of bits.
+/// The cells that a set of isovalues, or all isovalues of a band, can pass through, as a tree of bits.
 ///
 /// A cell is *active* if some of its eight samples are inside an isovalue and some are not; only
-/// there can a surface be. One 64-bit word for each node of the pyramid tells its active leaves,
+/// there can a surface be. For a band of isovalues: if some of its samples are at least the lowest
+/// and some are below the highest. One 64-bit word for each node of the pyramid tells its active leaves,
 /// and one for each active leaf its active cells, so that a ray crosses 16 or 4 cells at a step
 /// where the word is empty and tests a cell without reading samples. The words of nodes are built
 /// for a set of isovalues from the pyramid alone; those of leaves are made when a ray first asks,
@@ -32,6 +33,7 @@ public:
   /// Find the active leaves.
   /// \throws std::bad_alloc, nothing being active then
   void Build(const Field& field, const ValueRangePyramid& pyramid, const Surfaces& surfaces);
+  void Build(const Field& field, const ValueRangePyramid& pyramid, const ValueBand& band);
 
   void Release();
 
@@ -84,11 +86,26 @@ public:
   std::size_t MemoryInBytes() const;
 
 private:
+  void FindLeaves(const Field& field, const ValueRangePyramid& pyramid);
+
   template <typename T>
   std::uint64_t FindCells(const TypedField<T>& field, const glm::ivec3& firstCell) const;
 
+  /// One bit for each sample of a row that is inside.
+  template <typename T>
+  static std::uint32_t InsideOf(const T* row, std::int64_t stride, int count, double isovalue)
+  {
+    std::uint32_t inside = 0;
+    for (int i = 0; i < count; ++i)
+    {
+      const bool isInside = static_cast<double>(row[i * stride]) >= isovalue;
+      inside |= static_cast<std::uint32_t>(isInside) << i;
+    }
+    return inside;
+  }
+
   glm::ivec3 Nodes{ 0 };
-  std::vector<double> Isovalues; ///< ascending
+  std::vector<ValueBand> Sought; ///< ascending
   std::vector<std::uint64_t> Leaves;
   std::vector<std::uint32_t> Slots; ///< where the leaves of a node have their words in Cells
   std::unique_ptr<std::atomic<std::uint64_t>[]> Cells;
@@ -100,9 +117,12 @@ std::uint64_t ActiveCells::FindCells(const TypedField<T>& field, const glm::ivec
 {
   const glm::ivec3 samples = glm::min(field.Dimensions - firstCell, glm::ivec3(5));
   std::uint64_t active = 0;
-  for (const double isovalue : this->Isovalues)
+  for (const ValueBand& band : this->Sought)
   {
-    // Fold samples that are inside (any, all) along x, then y, then z: 4 bits a row, 16 a slice.
+    // Fold samples that are inside the lowest isovalue, and those inside the highest, along x, then
+    // y, then z: 4 bits a row, 16 a slice. A cell is active if any are inside the lowest and not
+    // all are inside the highest.
+    const bool isPoint = band.Low == band.High;
     std::uint32_t anyBelow = 0, allBelow = 0;
     for (int k = 0; k < samples.z; ++k)
     {
@@ -110,14 +130,11 @@ std::uint64_t ActiveCells::FindCells(const TypedField<T>& field, const glm::ivec
       for (int j = 0; j < samples.y; ++j)
       {
         const T* row = field.At(firstCell + glm::ivec3(0, j, k));
-        std::uint32_t inside = 0;
-        for (int i = 0; i < samples.x; ++i)
-        {
-          const bool isInside = static_cast<double>(row[i * field.Strides.x]) >= isovalue;
-          inside |= static_cast<std::uint32_t>(isInside) << i;
-        }
-        const std::uint32_t any = inside | inside >> 1;
-        const std::uint32_t all = inside & inside >> 1;
+        const std::uint32_t inLow = InsideOf(row, field.Strides.x, samples.x, band.Low);
+        const std::uint32_t inHigh =
+          isPoint ? inLow : InsideOf(row, field.Strides.x, samples.x, band.High);
+        const std::uint32_t any = inLow | inLow >> 1;
+        const std::uint32_t all = inHigh & inHigh >> 1;
         if (j > 0)
         {
           anySlice |= ((any | anyRow) & 15u) << 4 * (j - 1);

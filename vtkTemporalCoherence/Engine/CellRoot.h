@@ -213,41 +213,57 @@ std::size_t NearestCorner(const std::array<Real, 3>& at)
     static_cast<std::size_t>(at[2] >= Real(0.5)) << 2;
 }
 
-/// First crossing of the nearest sample's value along a path: a face between two samples, half way
-/// across the cell.
+/// The corners of a cell whose samples are the nearest one after the other along a path.
+struct NearestPath
+{
+  std::array<std::size_t, 4> Corners; ///< first that at the path's begin
+  std::array<double, 4> Shares;       ///< of the path, at which each becomes the nearest
+  std::size_t Count;
+};
+
 /// \param midway share of the path at which it passes the middle of the cell, along each axis
 template <typename Real>
-bool FirstNearestCrossing(const Corners<Real>& corners, const CellPath<Real>& path,
-  const std::array<double, 3>& midway, double& s)
+NearestPath FindNearestPath(const CellPath<Real>& path, const std::array<double, 3>& midway)
 {
-  std::size_t corner = NearestCorner(path.Begin);
-  std::array<int, 3> order{};
-  int passed = 0;
-  for (int a = 0; a < 3; ++a)
+  std::array<std::size_t, 3> order{};
+  std::size_t passed = 0;
+  for (std::size_t a = 0; a < 3; ++a)
   {
-    const auto i = static_cast<std::size_t>(a);
-    const bool fromHigh = path.Begin[i] >= Real(0.5);
-    if (fromHigh != (path.End[i] >= Real(0.5)))
+    const bool fromHigh = path.Begin[a] >= Real(0.5);
+    if (fromHigh != (path.End[a] >= Real(0.5)))
     {
       // Insert into the ascending order of the middles that are passed.
-      int at = passed++;
-      for (; at > 0 &&
-           midway[static_cast<std::size_t>(order[static_cast<std::size_t>(at - 1)])] > midway[i];
-           --at)
+      std::size_t at = passed++;
+      for (; at > 0 && midway[order[at - 1]] > midway[a]; --at)
       {
-        order[static_cast<std::size_t>(at)] = order[static_cast<std::size_t>(at - 1)];
+        order[at] = order[at - 1];
       }
-      order[static_cast<std::size_t>(at)] = a;
+      order[at] = a;
     }
   }
-  const bool begin = IsInside(corners[corner]);
-  for (int i = 0; i < passed; ++i)
+  NearestPath nearest;
+  nearest.Corners[0] = NearestCorner(path.Begin);
+  nearest.Shares[0] = 0.0;
+  nearest.Count = passed + 1;
+  for (std::size_t i = 0; i < passed; ++i)
   {
-    const int axis = order[static_cast<std::size_t>(i)];
-    corner ^= std::size_t(1) << axis;
-    if (IsInside(corners[corner]) != begin)
+    nearest.Corners[i + 1] = nearest.Corners[i] ^ std::size_t(1) << order[i];
+    nearest.Shares[i + 1] = std::min(std::max(midway[order[i]], 0.0), 1.0);
+  }
+  return nearest;
+}
+
+/// First crossing of the nearest sample's value along a path: a face between two samples, half way
+/// across the cell.
+template <typename Real>
+bool FirstNearestCrossing(const Corners<Real>& corners, const NearestPath& path, double& s)
+{
+  const bool begin = IsInside(corners[path.Corners[0]]);
+  for (std::size_t i = 1; i < path.Count; ++i)
+  {
+    if (IsInside(corners[path.Corners[i]]) != begin)
     {
-      s = std::min(std::max(midway[static_cast<std::size_t>(axis)], 0.0), 1.0);
+      s = path.Shares[i];
       return true;
     }
   }

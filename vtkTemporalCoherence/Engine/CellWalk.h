@@ -65,13 +65,15 @@ public:
   const glm::ivec3& Here() const { return this->Cell; }
 
   /// Go on to the next active cell; the first call may stay where it is.
+  /// \param isOfUse called as isOfUse(node, leaf): false if the leaf can be left out
   /// \return false if the walk ends before
-  template <typename T>
-  bool FindActive(const BatchRay& ray, const ActiveCells& active, const TypedField<T>& samples)
+  template <typename T, typename IsOfUse>
+  HWY_INLINE bool FindActive(const BatchRay& ray, const ActiveCells& active,
+    const TypedField<T>& samples, const IsOfUse& isOfUse)
   {
     while (true)
     {
-      if (this->InLeaf == 0 && !this->FindActiveLeaf(ray, active, samples))
+      if (this->InLeaf == 0 && !this->FindActiveLeaf(ray, active, samples, isOfUse))
       {
         return false;
       }
@@ -121,14 +123,16 @@ public:
 
 private:
   /// Leap from block to block until one is an active leaf, and prepare to step through it.
-  template <typename T>
-  bool FindActiveLeaf(const BatchRay& ray, const ActiveCells& active, const TypedField<T>& samples)
+  template <typename T, typename IsOfUse>
+  bool FindActiveLeaf(const BatchRay& ray, const ActiveCells& active,
+    const TypedField<T>& samples, const IsOfUse& isOfUse)
   {
     while (true)
     {
       const std::int64_t node = active.NodeOf(this->Cell);
       const std::uint64_t leaves = active.LeavesOf(node);
-      if (leaves >> ActiveCells::LeafOf(this->Cell) & 1u)
+      const int leaf = ActiveCells::LeafOf(this->Cell);
+      if ((leaves >> leaf & 1u) && isOfUse(node, leaf))
       {
         this->InLeaf = active.CellsOf(samples, node, this->Cell);
         this->HasVisited = false;

@@ -3,6 +3,7 @@
 #include "KernelsCrossing.h"
 
 #include "CellRoot.h"
+#include "Passage.h"
 
 #include <algorithm>
 #include <limits>
@@ -12,7 +13,7 @@
 #define HWY_TARGET_INCLUDE "KernelsCrossing.cxx"
 #include <hwy/foreach_target.h>
 
-#include <hwy/highway.h>
+#include "KernelsPassage-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace TemporalCoherence
@@ -21,115 +22,6 @@ namespace HWY_NAMESPACE
 {
 
 namespace hn = hwy::HWY_NAMESPACE;
-
-template <class V>
-HWY_INLINE V Mix(V a, V b, V weightOfB)
-{
-  const hn::DFromV<V> d;
-  return hn::Add(hn::Mul(hn::Sub(hn::Set(d, 1), weightOfB), a), hn::Mul(weightOfB, b));
-}
-
-/// Store doubles as Real.
-template <class V>
-HWY_INLINE void StoreAs(V value, double* to)
-{
-  hn::StoreU(value, hn::DFromV<V>(), to);
-}
-template <class V>
-HWY_INLINE void StoreAs(V value, float* to)
-{
-  const hn::Rebind<float, hn::DFromV<V>> df;
-  hn::StoreU(hn::DemoteTo(df, value), df, to);
-}
-
-/// Where each passage leaves its cell, and its path in the cell's coordinates.
-template <typename Real>
-struct Paths
-{
-  RayBatch::Array<double> Leave;
-  std::array<RayBatch::Array<Real>, 3> Begin, End;
-};
-
-template <typename Real>
-HWY_INLINE void SetUpPaths(PassageBatch<Real>& in, std::size_t count, Paths<Real>& out)
-{
-  const hn::CappedTag<double, WidestVector / 2> d;
-  using V = hn::Vec<decltype(d)>;
-  const V zero = hn::Zero(d), one = hn::Set(d, 1.0);
-  for (std::size_t i = 0; i < count; i += hn::Lanes(d))
-  {
-    V origin[3], direction[3], cell[3], ahead[3], enter[3], leave[3];
-    V first = hn::LoadU(d, &in.Begin[i]);
-    V last = hn::LoadU(d, &in.End[i]);
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      origin[a] = hn::LoadU(d, &in.Origin[a][i]);
-      direction[a] = hn::LoadU(d, &in.Direction[a][i]);
-      cell[a] = hn::LoadU(d, &in.Cell[a][i]);
-      const V inverse = hn::LoadU(d, &in.Inverse[a][i]);
-      ahead[a] = hn::IfThenElse(hn::Gt(direction[a], zero), one, zero);
-      const V behind = hn::Add(cell[a], hn::Sub(one, ahead[a]));
-      enter[a] = hn::Mul(hn::Sub(behind, origin[a]), inverse);
-      leave[a] = hn::Mul(hn::Sub(hn::Add(cell[a], ahead[a]), origin[a]), inverse);
-      first = hn::Max(first, enter[a]);
-      last = hn::Min(last, leave[a]);
-    }
-    hn::StoreU(first, d, &in.Enter[i]);
-    hn::StoreU(last, d, &out.Leave[i]);
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      // On a face the coordinate is exactly 0 or 1, as the neighbour across the face has it.
-      const auto at = [&](V t) HWY_ATTR
-      {
-        const V x = hn::Sub(hn::Add(origin[a], hn::Mul(t, direction[a])), cell[a]);
-        return hn::Min(hn::Max(x, zero), one);
-      };
-      const V begin = hn::IfThenElse(hn::Eq(first, enter[a]), hn::Sub(one, ahead[a]), at(first));
-      const V end = hn::IfThenElse(hn::Eq(last, leave[a]), ahead[a], at(last));
-      StoreAs(begin, &out.Begin[a][i]);
-      StoreAs(end, &out.End[a][i]);
-    }
-  }
-}
-
-/// CubicAlong of CellRoot.h.
-template <typename Real, class D, class V = hn::Vec<D>>
-HWY_INLINE void CubicsAlong(
-  D d, const PassageBatch<Real>& in, const Paths<Real>& paths, std::size_t i, V b[4])
-{
-  V v[8], alongX[8], alongXY[8], box[8];
-  for (std::size_t corner = 0; corner < 8; ++corner)
-  {
-    v[corner] = hn::LoadU(d, &in.Corners[corner][i]);
-  }
-  const V beginX = hn::LoadU(d, &paths.Begin[0][i]), endX = hn::LoadU(d, &paths.End[0][i]);
-  const V beginY = hn::LoadU(d, &paths.Begin[1][i]), endY = hn::LoadU(d, &paths.End[1][i]);
-  const V beginZ = hn::LoadU(d, &paths.Begin[2][i]), endZ = hn::LoadU(d, &paths.End[2][i]);
-  for (std::size_t row = 0; row < 8; row += 2)
-  {
-    alongX[row] = Mix(v[row], v[row + 1], beginX);
-    alongX[row + 1] = Mix(v[row], v[row + 1], endX);
-  }
-  for (std::size_t slice = 0; slice < 8; slice += 4)
-  {
-    for (std::size_t x = 0; x < 2; ++x)
-    {
-      const V low = alongX[slice + x], high = alongX[slice + 2 + x];
-      alongXY[slice + x] = Mix(low, high, beginY);
-      alongXY[slice + 2 + x] = Mix(low, high, endY);
-    }
-  }
-  for (std::size_t xy = 0; xy < 4; ++xy)
-  {
-    box[xy] = Mix(alongXY[xy], alongXY[4 + xy], beginZ);
-    box[4 + xy] = Mix(alongXY[xy], alongXY[4 + xy], endZ);
-  }
-  const V third = hn::Set(d, Real(1) / Real(3));
-  b[0] = box[0];
-  b[1] = hn::Mul(hn::Add(hn::Add(box[1], box[2]), box[4]), third);
-  b[2] = hn::Mul(hn::Add(hn::Add(box[6], box[5]), box[3]), third);
-  b[3] = box[7];
-}
 
 /// RefineCrossing of CellRoot.h on [0, 1], for the lanes in `live`.
 template <typename Real, class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
@@ -218,10 +110,7 @@ HWY_INLINE void FindAll(PassageBatch<Real>& passages, bool isSolid)
 {
   Paths<Real> paths;
   RayBatch::Array<Real> shares;
-  // As far as the last vector of Real reaches, which holds more lanes than one of double.
-  const std::size_t lanes = hn::Lanes(hn::CappedTag<Real, WidestVector>());
-  const auto count = static_cast<std::size_t>(passages.Count);
-  SetUpPaths(passages, (count + lanes - 1) / lanes * lanes, paths);
+  SetUpPaths(passages, FullVectors(passages), paths);
   FindShares(passages, paths, isSolid, shares.data());
   for (std::size_t i = 0; i < static_cast<std::size_t>(passages.Count); ++i)
   {
@@ -273,52 +162,6 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 /// Fewer passages than this are not worth a vector.
 constexpr int FewestForVectors = 3;
 
-/// One passage: where the ray enters and leaves its cell, and the path between.
-template <typename Real>
-struct Passage
-{
-  Passage(const PassageBatch<Real>& in, std::size_t i)
-    : Enter(in.Begin[i])
-    , Leave(in.End[i])
-  {
-    std::array<double, 3> enter, leave;
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      const double ahead = in.Direction[a][i] > 0.0 ? 1.0 : 0.0;
-      enter[a] = (in.Cell[a][i] + (1.0 - ahead) - in.Origin[a][i]) * in.Inverse[a][i];
-      leave[a] = (in.Cell[a][i] + ahead - in.Origin[a][i]) * in.Inverse[a][i];
-      this->Enter = std::max(this->Enter, enter[a]);
-      this->Leave = std::min(this->Leave, leave[a]);
-    }
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      // On a face the coordinate is exactly 0 or 1, as the neighbour across the face has it.
-      const auto at = [&](double t)
-      {
-        const double x = in.Origin[a][i] + t * in.Direction[a][i] - in.Cell[a][i];
-        return static_cast<Real>(std::min(std::max(x, 0.0), 1.0));
-      };
-      const Real ahead = in.Direction[a][i] > 0.0 ? Real(1) : Real(0);
-      this->Path.Begin[a] = this->Enter == enter[a] ? Real(1) - ahead : at(this->Enter);
-      this->Path.End[a] = this->Leave == leave[a] ? ahead : at(this->Leave);
-    }
-    for (std::size_t corner = 0; corner < 8; ++corner)
-    {
-      this->Values[corner] = in.Corners[corner][i];
-    }
-  }
-
-  /// t at a share of the path; infinity if the ray only touches the cell.
-  double DistanceAt(double share) const
-  {
-    return this->Enter < this->Leave ? this->Enter + share * (this->Leave - this->Enter) : Infinity;
-  }
-
-  double Enter, Leave;
-  CellPath<Real> Path;
-  Corners<Real> Values;
-};
-
 template <typename Real>
 void FindOneByOne(PassageBatch<Real>& in, bool isSolid)
 {
@@ -341,52 +184,15 @@ void FindNearest(PassageBatch<Real>& in)
   for (std::size_t i = 0; i < static_cast<std::size_t>(in.Count); ++i)
   {
     const Passage<Real> passage(in, i);
-    const double length = passage.Leave - passage.Enter;
     in.Enter[i] = passage.Enter;
     in.AtEntry[i] = passage.Values[NearestCorner(passage.Path.Begin)];
     in.Distance[i] = Infinity;
-    if (!(length > 0.0))
-    {
-      continue;
-    }
-    std::array<double, 3> midway;
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      const double middle = in.Cell[a][i] + 0.5 - in.Origin[a][i];
-      midway[a] = (middle * in.Inverse[a][i] - passage.Enter) / length;
-    }
     double share;
-    if (FirstNearestCrossing(passage.Values, passage.Path, midway, share))
+    if (passage.Enter < passage.Leave &&
+      FirstNearestCrossing(passage.Values, passage.Nearest(in, i), share))
     {
       in.Distance[i] = passage.DistanceAt(share);
     }
-  }
-}
-
-/// Repeat the last passage up to the end of the last vector, so that no lane holds what is not a
-/// number of ours.
-template <typename Real>
-void FillLastVector(PassageBatch<Real>& in)
-{
-  const auto count = static_cast<std::size_t>(in.Count);
-  const std::size_t end = (count + WidestVector - 1) / WidestVector * WidestVector;
-  const auto fill = [&](auto& array)
-  {
-    std::fill(array.begin() + static_cast<std::ptrdiff_t>(count),
-      array.begin() + static_cast<std::ptrdiff_t>(end), array[count - 1]);
-  };
-  for (std::size_t a = 0; a < 3; ++a)
-  {
-    fill(in.Origin[a]);
-    fill(in.Direction[a]);
-    fill(in.Inverse[a]);
-    fill(in.Cell[a]);
-  }
-  fill(in.Begin);
-  fill(in.End);
-  for (auto& corner : in.Corners)
-  {
-    fill(corner);
   }
 }
 

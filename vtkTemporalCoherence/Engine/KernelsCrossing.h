@@ -3,34 +3,10 @@
 #ifndef TemporalCoherence_KernelsCrossing_h
 #define TemporalCoherence_KernelsCrossing_h
 
-#include "RayBatch.h"
-
-#include <array>
+#include "PassageBatch.h"
 
 namespace TemporalCoherence
 {
-
-/// Lanes of the widest vectors that are used; the arrays are filled up to a multiple of it.
-constexpr std::size_t WidestVector = 16;
-
-/// Rays that pass through cells, as arrays over passages. `Real` is what the field's samples are
-/// computed in.
-template <typename Real>
-struct PassageBatch
-{
-  template <typename T>
-  using Array = RayBatch::Array<T>;
-
-  int Count = 0;
-  std::array<Array<double>, 3> Origin, Direction, Inverse; ///< of the ray, in index space
-  Array<double> Begin, End;                                ///< of the ray
-  std::array<Array<double>, 3> Cell;                       ///< its first corner
-  std::array<Array<Real>, 8> Corners; ///< differences from the isovalue, [x + 2 y + 4 z]
-
-  Array<double> Enter;    ///< found: t where the ray enters the cell
-  Array<double> Distance; ///< found: t of the first crossing; infinity if there is none
-  Array<Real> AtEntry;    ///< found: difference from the isovalue where the ray enters the cell
-};
 
 /// Find the first crossing of zero along each passage, exactly (CellRoot.h).
 ///

@@ -133,7 +133,8 @@ private:
   {
     CellWalk& walk = progress.Walks[ray];
     const bool isAhead =
-      walk.FindActive({ progress.Rays, ray }, *this->Scene.Active, this->Samples);
+      walk.FindActive({ progress.Rays, ray }, *this->Scene.Active, this->Samples,
+        [](std::int64_t, int) { return true; });
     if (isAhead && !this->IsLarge)
     {
       this->Visit(ray, progress);

@@ -32,6 +32,14 @@ inline bool operator==(const Surfaces& a, const Surfaces& b)
   return a.Isovalues == b.Isovalues && a.Mode == b.Mode;
 }
 
+/// Isovalues from Low to High, both included.
+struct ValueBand
+{
+  double Low, High;
+
+  bool Holds(double isovalue) const { return this->Low <= isovalue && isovalue <= this->High; }
+};
+
 /// A sample is *inside* where its difference from the isovalue is not negative.
 template <typename Real>
 bool IsInside(Real difference)

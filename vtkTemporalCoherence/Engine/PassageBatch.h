@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_PassageBatch_h
+#define TemporalCoherence_PassageBatch_h
+
+#include "RayBatch.h"
+
+#include <algorithm>
+#include <array>
+
+namespace TemporalCoherence
+{
+
+/// Lanes of the widest vectors that are used; the arrays are filled up to a multiple of it.
+constexpr std::size_t WidestVector = 16;
+
+/// Rays that pass through cells, as arrays over passages. `Real` is what the field's samples are
+/// computed in.
+template <typename Real>
+struct PassageBatch
+{
+  template <typename T>
+  using Array = RayBatch::Array<T>;
+
+  int Count = 0;
+  std::array<Array<double>, 3> Origin, Direction, Inverse; ///< of the ray, in index space
+  Array<double> Begin, End;                                ///< of the ray
+  std::array<Array<double>, 3> Cell;                       ///< its first corner
+  std::array<Array<Real>, 8> Corners; ///< differences from the isovalue, [x + 2 y + 4 z]
+
+  Array<double> Enter;    ///< found: t where the ray enters the cell
+  Array<double> Distance; ///< found: t of the first crossing; infinity if there is none
+  Array<Real> AtEntry;    ///< found: difference from the isovalue where the ray enters the cell
+};
+
+/// Repeat the last passage up to the end of the last vector, so that no lane holds what is not a
+/// number of ours.
+template <typename Real>
+inline void FillLastVector(PassageBatch<Real>& in)
+{
+  const auto count = static_cast<std::size_t>(in.Count);
+  const std::size_t end = (count + WidestVector - 1) / WidestVector * WidestVector;
+  const auto fill = [&](auto& array)
+  {
+    std::fill(array.begin() + static_cast<std::ptrdiff_t>(count),
+      array.begin() + static_cast<std::ptrdiff_t>(end), array[count - 1]);
+  };
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    fill(in.Origin[a]);
+    fill(in.Direction[a]);
+    fill(in.Inverse[a]);
+    fill(in.Cell[a]);
+  }
+  fill(in.Begin);
+  fill(in.End);
+  for (auto& corner : in.Corners)
+  {
+    fill(corner);
+  }
+}
+
+}
+
+#endif

@@ -5,10 +5,14 @@ find_package(hwy REQUIRED)
 
 set(engine_files
   ActiveCells
+  BandTracer
+  FramePlanes
   FrameRenderer
   FreeSpace
   ImageCache
   ImageQuery
+  Isomap
+  IsomapLookup
   KernelsCrossing
   KernelsImage
   KernelsRange

@@ -66,6 +66,8 @@ TemporalCoherence::FrameRenderer::Options MakeOptions(vtkTemporalCoherenceVolume
     : TemporalCoherence::ImageCachePolicy::Latest;
   options.Images.KeyImageInterval = mapper.GetKeyImageInterval();
   options.Images.NumberOfImages = mapper.GetNumberOfCachedImages();
+  options.Map.Range = { mapper.GetIsomapRange()[0], mapper.GetIsomapRange()[1] };
+  options.Map.MemoryLimit = static_cast<std::size_t>(mapper.GetIsomapMemoryLimit()) << 20;
   return options;
 }
 
@@ -421,13 +423,13 @@ vtkIdType vtkTemporalCoherenceVolumeMapper::GetNumberOfFieldSamples()
 //------------------------------------------------------------------------------
 vtkIdType vtkTemporalCoherenceVolumeMapper::GetIsomapMemory()
 {
-  return 0;
+  return static_cast<vtkIdType>(this->Internal->Frames.IsomapOfLastView().MemoryInBytes());
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkTemporalCoherenceVolumeMapper::GetNumberOfIsomapKnots()
 {
-  return 0;
+  return static_cast<vtkIdType>(this->Internal->Frames.IsomapOfLastView().NumberOfKnots());
 }
 
 //------------------------------------------------------------------------------
@@ -451,7 +453,7 @@ double vtkTemporalCoherenceVolumeMapper::GetQueryTime()
 //------------------------------------------------------------------------------
 double vtkTemporalCoherenceVolumeMapper::GetIsomapBuildTime()
 {
-  return 0.0;
+  return this->Internal->Statistics().IsomapBuildTime;
 }
 
 //------------------------------------------------------------------------------

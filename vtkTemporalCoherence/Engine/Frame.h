@@ -10,6 +10,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <new>
+#include <utility>
 #include <vector>
 
 namespace TemporalCoherence
@@ -33,6 +36,31 @@ enum class HitKind : std::uint8_t
   Within  ///< it meets none and passes active cells from inside, as far as is known
 };
 
+/// Allocates room without a value in it: the threads that make a picture are the first to touch it.
+template <typename T>
+struct RoomAllocator : std::allocator<T>
+{
+  template <typename U>
+  struct rebind
+  {
+    using other = RoomAllocator<U>;
+  };
+  template <typename U>
+  void construct(U* place) const
+  {
+    ::new (static_cast<void*>(place)) U;
+  }
+  template <typename U, typename... Arguments>
+  void construct(U* place, Arguments&&... arguments) const
+  {
+    ::new (static_cast<void*>(place)) U(std::forward<Arguments>(arguments)...);
+  }
+};
+
+/// One value for each pixel.
+template <typename T>
+using Plane = std::vector<T, RoomAllocator<T>>;
+
 /// A finished picture with all that is known about it, one value a pixel in each plane.
 /// Row 0 is the bottom row; pixel (x, y) is at [y * Size.x + x].
 struct Frame
@@ -40,14 +68,14 @@ struct Frame
   static constexpr std::int16_t NoSurface = -1;
 
   glm::ivec2 Size{ 0 };
-  std::vector<double> Depth;           ///< t of the hit: world distance along the ray; or infinity
-  std::vector<float> Disparities;      ///< of the hit, or of a miss (Disparity.h)
-  std::vector<float> Contacts;         ///< disparity at which the ray first entered an active cell
-  std::vector<glm::vec3> Normals;      ///< unit normal in the world, facing the viewer; or 0
-  std::vector<std::int16_t> Isovalues; ///< position of the hit isovalue in the list; or NoSurface
-  std::vector<HitKind> Kinds;
-  std::vector<Answer> Answers;
-  std::vector<std::array<std::uint8_t, 4>> Colors; ///< RGBA; all 0 where nothing is hit
+  Plane<double> Depth;           ///< t of the hit: world distance along the ray; or infinity
+  Plane<float> Disparities;      ///< of the hit, or of a miss (Disparity.h)
+  Plane<float> Contacts;         ///< disparity at which the ray first entered an active cell
+  Plane<glm::vec3> Normals;      ///< unit normal in the world, facing the viewer; or 0
+  Plane<std::int16_t> Isovalues; ///< position of the hit isovalue in the list; or NoSurface
+  Plane<HitKind> Kinds;
+  Plane<Answer> Answers;
+  Plane<std::array<std::uint8_t, 4>> Colors; ///< RGBA; all 0 where nothing is hit
   bool IsFromCache = false;                        ///< answers are those of a cached image
 
   /// 1 for each tile whose planes are known to hold nothing but definite misses, so that nobody has

@@ -2,16 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FrameRenderer.h"
 
+#include "IsomapLookup.h"
 #include "Parallel.h"
 #include "RayBatch.h"
 #include "Stopwatch.h"
 #include "SurfaceTracer.h"
 
 #include <algorithm>
-#include <atomic>
-#include <limits>
+#include <bitset>
 #include <memory>
+#include <mutex>
+#include <numeric>
 #include <utility>
+#include <vector>
 
 namespace TemporalCoherence
 {
@@ -21,6 +24,9 @@ namespace
 /// Neighbouring tiles that one thread takes at a time: enough to share what they read, few enough
 /// to balance the load.
 constexpr std::int64_t TileGrain = 8;
+
+/// Fewer rays than this are traced without space leaping.
+constexpr std::int64_t FewRays = 256;
 
 /// True if the colours of a cached image may be taken over: those of the same surfaces under the
 /// same lights, which may have moved, as a headlight moves with every view (the paper's choice).
@@ -41,10 +47,12 @@ bool HasColorsFor(const CachedImage& cached, const FrameKey& next)
 
 }
 
-void FrameRenderer::Render(const FrameKey& key, const Options& options)
+bool FrameRenderer::Render(
+  const FrameKey& key, const Options& options, const Isomap::ReportProgress& report)
 {
-  FrameStatistics before = this->Counters;
+  const FrameStatistics before = this->Counters;
   this->Counters = FrameStatistics();
+  bool isMade = false;
   try
   {
     Stopwatch watch(this->Counters.FrameTime);
@@ -56,28 +64,56 @@ void FrameRenderer::Render(const FrameKey& key, const Options& options)
     const std::shared_ptr<CachedImage> nearest = this->Images.Find(key, options.Images, suits);
     this->Counters.Made = this->ChooseRoute(key, options, nearest);
     this->Counters.Rays = static_cast<std::int64_t>(key.Seen.Size.x) * key.Seen.Size.y;
-    switch (this->Counters.Made)
-    {
-      case Route::Redisplay:
-        this->CountKnownHits();
-        break;
-      case Route::Reshade:
-        this->Front->Key = key;
-        this->ShadeTiles(key, false, true, this->Front->Picture);
-        this->CountKnownHits();
-        break;
-      case Route::ImageCache:
-        this->MakeFrame(key, options, nearest.get());
-        break;
-      default:
-        this->MakeFrame(key, options, nullptr);
-        break;
-    }
+    isMade = this->TakeRoute(key, options, nearest.get(), report);
   }
   catch (...)
   {
     this->Counters = before;
     throw;
+  }
+  if (!isMade)
+  {
+    this->Counters = before;
+  }
+  return isMade;
+}
+
+bool FrameRenderer::TakeRoute(const FrameKey& key, const Options& options, CachedImage* nearest,
+  const Isomap::ReportProgress& report)
+{
+  switch (this->Counters.Made)
+  {
+    case Route::Redisplay:
+      this->CountKnownHits();
+      return true;
+    case Route::Reshade:
+      this->Front->Key = key;
+      this->ShadeTiles(key, false, true, this->Front->Picture);
+      this->CountKnownHits();
+      return true;
+    case Route::IsomapBuild:
+      switch (this->BuildBands(key, options, report))
+      {
+        case Isomap::Outcome::Stopped:
+          return false;
+        case Isomap::Outcome::Built:
+          this->LookUpFrame(key, options);
+          return true;
+        case Isomap::Outcome::TooLarge:
+          break;
+      }
+      this->Counters.Made = Route::Cold;
+      this->TraceFrame(key, options, nullptr);
+      return true;
+    case Route::IsomapLookup:
+      this->LookUpFrame(key, options);
+      return true;
+    case Route::ImageCache:
+      this->TraceFrame(key, options, nearest);
+      return true;
+    default:
+      this->TraceFrame(key, options, nullptr);
+      return true;
   }
 }
 
@@ -91,6 +127,7 @@ Route FrameRenderer::ChooseRoute(
   HeldForReuse held;
   held.IsExact = this->Front->IsExact;
   held.Image = nearest != nullptr;
+  held.Isomap = this->Map.IsOf(key) && this->Map.Covers(key.Sought.Isovalues);
   ReuseSwitches switches = options.Reuse;
   switches.RefineWhenStill |= options.Accuracy == ReuseAccuracy::Exact || !switches.ImageCache;
   const Route route = PlanRoute(this->Front->Key, key, switches, held);
@@ -99,6 +136,8 @@ Route FrameRenderer::ChooseRoute(
     case Route::Redisplay:
     case Route::Reshade:
     case Route::ImageCache:
+    case Route::IsomapBuild:
+    case Route::IsomapLookup:
       return route;
     default:
       return Route::Cold; // the routes that are planned but not built yet
@@ -106,28 +145,21 @@ Route FrameRenderer::ChooseRoute(
 }
 
 /// Make a frame by tracing, from a cached image or, if that is null, cold.
-void FrameRenderer::MakeFrame(const FrameKey& key, const Options& options, CachedImage* cached)
+void FrameRenderer::TraceFrame(const FrameKey& key, const Options& options, CachedImage* cached)
 {
-  if (!this->Back)
-  {
-    this->Back = std::make_shared<CachedImage>();
-  }
-  CachedImage& made = *this->Back;
   const bool isExact = !cached || options.Accuracy == ReuseAccuracy::Exact;
   const bool interpolates = !isExact && options.Accuracy == ReuseAccuracy::Paper &&
     options.InterpolateColors && HasColorsFor(*cached, key);
   {
     Stopwatch watch(this->Counters.TraceTime);
-    this->PrepareStructures(key, options);
-    made.Picture.Resize(key.Seen.Size);
-    if (made.Key.Seen.Parallel != key.Seen.Parallel)
+    this->PreparePyramid(key);
+    if (options.SpaceLeaping)
     {
-      // The disparity of a miss is another one.
-      std::fill(made.Picture.ClearTiles.begin(), made.Picture.ClearTiles.end(), std::uint8_t(0));
+      this->PrepareActiveCells(key);
     }
-    made.Key = key;
-    made.Picture.IsFromCache = cached != nullptr;
+    this->BeginFrame(key);
   }
+  CachedImage& made = *this->Back;
   std::unique_ptr<ImageQuery> query;
   if (!isExact)
   {
@@ -138,10 +170,84 @@ void FrameRenderer::MakeFrame(const FrameKey& key, const Options& options, Cache
                      this->Pyramid.FiniteRange(), query.get(), interpolates },
     made.Picture);
   this->ShadeTiles(key, true, !interpolates, made.Picture);
-
+  made.Picture.IsFromCache = cached != nullptr;
   made.IsExact = isExact;
   made.IsEroded = !isExact && options.Accuracy == ReuseAccuracy::Paper;
-  made.Free.Clear();
+  this->FinishFrame(options);
+}
+
+/// Build the bands of the isomap that a frame needs and that are not there.
+Isomap::Outcome FrameRenderer::BuildBands(
+  const FrameKey& key, const Options& options, const Isomap::ReportProgress& report)
+{
+  Stopwatch watch(this->Counters.IsomapBuildTime);
+  this->PreparePyramid(key);
+  if (!this->Map.IsOf(key))
+  {
+    this->Map.Begin(key);
+  }
+  for (const double isovalue : key.Sought.Isovalues)
+  {
+    if (!this->Map.Use(isovalue))
+    {
+      const ValueBand band = options.Map.Range;
+      const Isomap::Outcome outcome =
+        this->Map.Build(band, this->Pyramid, options.Map.MemoryLimit, report);
+      if (outcome != Isomap::Outcome::Built)
+      {
+        return outcome;
+      }
+      this->Counters.FieldSamples += 8 * this->Map.Bands().back()->CellsRead;
+    }
+  }
+  // Room for one may have been made by dropping another.
+  return this->Map.Covers(key.Sought.Isovalues) ? Isomap::Outcome::Built
+                                                : Isomap::Outcome::TooLarge;
+}
+
+/// Make a frame from the isomap, which holds its isovalues.
+void FrameRenderer::LookUpFrame(const FrameKey& key, const Options& options)
+{
+  this->BeginFrame(key);
+  CachedImage& made = *this->Back;
+  std::vector<const Isomap::Band*> bands;
+  for (const double isovalue : key.Sought.Isovalues)
+  {
+    bands.push_back(this->Map.Use(isovalue));
+  }
+  std::vector<std::uint64_t> open(static_cast<std::size_t>(NumberOfTiles(key.Seen.Size)));
+  const IsomapLookup lookup(key, bands, this->Pyramid.FiniteRange());
+  this->CountTiles([&](std::int64_t tile, const PixelRect& part)
+    { return lookup.Look(tile, part, made.Picture, open[static_cast<std::size_t>(tile)]); });
+  this->TraceOpenRays(key, options, open, made.Picture);
+  this->ShadeTiles(key, true, true, made.Picture);
+  made.Picture.IsFromCache = false;
+  made.IsExact = true;
+  made.IsEroded = false;
+  this->FinishFrame(options);
+}
+
+/// Get room for a frame in Back.
+void FrameRenderer::BeginFrame(const FrameKey& key)
+{
+  if (!this->Back)
+  {
+    this->Back = std::make_shared<CachedImage>();
+  }
+  CachedImage& made = *this->Back;
+  made.Picture.Resize(key.Seen.Size);
+  if (made.Key.Seen.Parallel != key.Seen.Parallel)
+  {
+    // The disparity of a miss is another one.
+    std::fill(made.Picture.ClearTiles.begin(), made.Picture.ClearTiles.end(), std::uint8_t(0));
+  }
+  made.Key = key;
+}
+
+/// What is in Back is the last frame now.
+void FrameRenderer::FinishFrame(const Options& options)
+{
+  this->Back->Free.Clear();
   const std::shared_ptr<CachedImage> dropped = this->Images.Keep(this->Back, options.Images);
   std::swap(this->Front, this->Back);
   if (this->Images.Holds(this->Back))
@@ -150,20 +256,23 @@ void FrameRenderer::MakeFrame(const FrameKey& key, const Options& options, Cache
   }
 }
 
-void FrameRenderer::PrepareStructures(const FrameKey& key, const Options& options)
+/// The pyramid belongs to the data.
+void FrameRenderer::PreparePyramid(const FrameKey& key)
 {
-  if (!key.Samples.HasCells() || key.Sought.Isovalues.empty())
-  {
-    return;
-  }
-  if (this->Pyramid.IsEmpty() || !(this->PyramidField == key.Samples))
+  if (key.Samples.HasCells() && !key.Sought.Isovalues.empty() &&
+    (this->Pyramid.IsEmpty() || !(this->PyramidField == key.Samples)))
   {
     this->Active.Release();
     this->ActiveField = Field();
     this->Pyramid.Build(key.Samples);
     this->PyramidField = key.Samples;
   }
-  if (!options.SpaceLeaping)
+}
+
+/// Active cells belong to data and isovalues, the bounds of tiles to the frame.
+void FrameRenderer::PrepareActiveCells(const FrameKey& key)
+{
+  if (!key.Samples.HasCells() || key.Sought.Isovalues.empty())
   {
     return;
   }
@@ -177,37 +286,73 @@ void FrameRenderer::PrepareStructures(const FrameKey& key, const Options& option
   this->Bounds.Build(key.Seen, key.Where, this->Active);
 }
 
-void FrameRenderer::TraceTiles(const TileScene& scene, Frame& frame)
+/// Call work(tile, part) for each tile of the frame in Back, in parallel, and add up what it counts.
+template <typename Work>
+void FrameRenderer::CountTiles(const Work& work)
 {
   double seconds = 0.0;
-  std::atomic<std::int64_t> hits{ 0 }, misses{ 0 }, possible{ 0 }, traced{ 0 }, cells{ 0 };
-  std::atomic<std::int64_t> queryTime{ 0 }, tileTime{ 0 };
+  std::mutex guard;
+  TraceCounts sum;
+  const glm::ivec2& pixels = this->Back->Picture.Size;
   {
     Stopwatch watch(seconds);
-    const TileTracer tracer(scene);
-    ParallelFor(NumberOfTiles(frame.Size), TileGrain,
-      [&](std::int64_t tile)
+    ParallelForRanges(NumberOfTiles(pixels), TileGrain,
+      [&](std::int64_t begin, std::int64_t end)
       {
-        const TraceCounts counts = tracer.Trace(tile, PixelsOfTile(frame.Size, tile), frame);
-        hits.fetch_add(counts.DefiniteHits, std::memory_order_relaxed);
-        misses.fetch_add(counts.DefiniteMisses, std::memory_order_relaxed);
-        possible.fetch_add(counts.PossibleHits, std::memory_order_relaxed);
-        traced.fetch_add(counts.TracedRays, std::memory_order_relaxed);
-        cells.fetch_add(counts.CellsRead, std::memory_order_relaxed);
-        queryTime.fetch_add(counts.QueryTime, std::memory_order_relaxed);
-        tileTime.fetch_add(counts.TileTime, std::memory_order_relaxed);
+        TraceCounts counts;
+        for (std::int64_t tile = begin; tile < end; ++tile)
+        {
+          counts += work(tile, PixelsOfTile(pixels, tile));
+        }
+        const std::lock_guard<std::mutex> lock(guard);
+        sum += counts;
       });
   }
-  this->Counters.DefiniteHits = hits;
-  this->Counters.DefiniteMisses = misses;
-  this->Counters.PossibleHits = possible;
-  this->Counters.TracedRays = traced;
-  this->Counters.FieldSamples = 8 * cells;
+  this->Counters.DefiniteHits += sum.DefiniteHits;
+  this->Counters.DefiniteMisses += sum.DefiniteMisses;
+  this->Counters.PossibleHits += sum.PossibleHits;
+  this->Counters.TracedRays += sum.TracedRays;
+  this->Counters.FieldSamples += 8 * sum.CellsRead;
   // Threads ask and trace tile by tile: the time of both is told apart by their shares.
-  const double queryShare =
-    tileTime > 0 ? static_cast<double>(queryTime) / static_cast<double>(tileTime) : 0.0;
+  const double queryShare = sum.TileTime > 0
+    ? static_cast<double>(sum.QueryTime) / static_cast<double>(sum.TileTime)
+    : 0.0;
   this->Counters.QueryTime += queryShare * seconds;
   this->Counters.TraceTime += (1.0 - queryShare) * seconds;
+}
+
+void FrameRenderer::TraceTiles(const TileScene& scene, Frame& frame)
+{
+  const TileTracer tracer(scene);
+  this->CountTiles([&](std::int64_t tile, const PixelRect& part)
+    { return tracer.Trace(tile, part, frame); });
+}
+
+/// Trace the rays that an isomap leaves open: one bit each, tile by tile.
+void FrameRenderer::TraceOpenRays(const FrameKey& key, const Options& options,
+  const std::vector<std::uint64_t>& open, Frame& frame)
+{
+  const std::int64_t rays = std::accumulate(open.begin(), open.end(), std::int64_t(0),
+    [](std::int64_t sum, std::uint64_t tile)
+    { return sum + static_cast<std::int64_t>(std::bitset<64>(tile).count()); });
+  if (rays == 0)
+  {
+    return;
+  }
+  // A few rays are traced sooner than active cells are found.
+  const bool leaps = options.SpaceLeaping && rays > FewRays;
+  if (leaps)
+  {
+    this->PrepareActiveCells(key);
+  }
+  const TileTracer tracer(
+    { key, leaps ? &this->Active : nullptr, &this->Bounds, this->Pyramid.FiniteRange() });
+  this->CountTiles(
+    [&](std::int64_t tile, const PixelRect& part)
+    {
+      const std::uint64_t which = open[static_cast<std::size_t>(tile)];
+      return which != 0 ? tracer.TraceSome(tile, part, which, frame) : TraceCounts();
+    });
 }
 
 void FrameRenderer::ShadeTiles(
@@ -236,7 +381,7 @@ void FrameRenderer::ShadeTiles(
 /// Every pixel of a picture that is shown again is an answer known before.
 void FrameRenderer::CountKnownHits()
 {
-  const std::vector<std::int16_t>& isovalues = this->Front->Picture.Isovalues;
+  const Plane<std::int16_t>& isovalues = this->Front->Picture.Isovalues;
   this->Counters.DefiniteMisses = std::count(isovalues.begin(), isovalues.end(), Frame::NoSurface);
   this->Counters.DefiniteHits = this->Counters.Rays - this->Counters.DefiniteMisses;
 }

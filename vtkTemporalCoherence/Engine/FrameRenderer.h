@@ -5,6 +5,7 @@
 
 #include "ActiveCells.h"
 #include "ImageCache.h"
+#include "Isomap.h"
 #include "ReusePlan.h"
 #include "TileBounds.h"
 #include "TileTracer.h"
@@ -12,6 +13,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace TemporalCoherence
 {
@@ -25,10 +27,11 @@ struct FrameStatistics
   std::int64_t DefiniteMisses = 0;
   std::int64_t PossibleHits = 0;
   std::int64_t TracedRays = 0;
-  std::int64_t FieldSamples = 0; ///< samples read to find surfaces
+  std::int64_t FieldSamples = 0; ///< samples read to find surfaces and to build an isomap
   double FrameTime = 0.0;        ///< seconds, all told
   double TraceTime = 0.0;        ///< of these, structures and rays
   double QueryTime = 0.0;        ///< of these, asking the image cache
+  double IsomapBuildTime = 0.0;  ///< of these, building a band of the isomap
   double ShadeTime = 0.0;        ///< of these, normals and colours
 };
 
@@ -43,17 +46,24 @@ public:
     ReuseAccuracy Accuracy = ReuseAccuracy::Bounded;
     bool InterpolateColors = false; ///< PAPER's definite hits: from the cached image, not shaded
     ImageCache::Options Images;
+    Isomap::Options Map;
   };
 
   /// Make the frame of `key`.
   /// \pre the view has pixels; isovalues are finite; there is one colour for each isovalue
-  /// \throws std::bad_alloc, the last frame and its key then being as they were
-  void Render(const FrameKey& key, const Options& options);
+  /// \param report told how far the building of an isomap is; it may stop that
+  /// \return false if it was stopped, the last frame and its key then being as they were
+  /// \throws std::bad_alloc, likewise
+  bool Render(
+    const FrameKey& key, const Options& options, const Isomap::ReportProgress& report = {});
 
   /// The last frame, and the key it was made for. The frame is empty before the first one.
   const Frame& LastFrame() const { return this->Front->Picture; }
   const FrameKey& LastKey() const { return this->Front->Key; }
   const FrameStatistics& Statistics() const { return this->Counters; }
+
+  /// The isomap of the view in which isovalues last changed.
+  const Isomap& IsomapOfLastView() const { return this->Map; }
 
   /// Forget the last frame and free all memory.
   void Release();
@@ -61,15 +71,28 @@ public:
 private:
   Route ChooseRoute(
     const FrameKey& key, const Options& options, const std::shared_ptr<CachedImage>& nearest) const;
-  void MakeFrame(const FrameKey& key, const Options& options, CachedImage* cached);
-  void PrepareStructures(const FrameKey& key, const Options& options);
+  bool TakeRoute(const FrameKey& key, const Options& options, CachedImage* nearest,
+    const Isomap::ReportProgress& report);
+  void TraceFrame(const FrameKey& key, const Options& options, CachedImage* cached);
+  Isomap::Outcome BuildBands(
+    const FrameKey& key, const Options& options, const Isomap::ReportProgress& report);
+  void LookUpFrame(const FrameKey& key, const Options& options);
+  void BeginFrame(const FrameKey& key);
+  void FinishFrame(const Options& options);
+  void PreparePyramid(const FrameKey& key);
+  void PrepareActiveCells(const FrameKey& key);
+  template <typename Work>
+  void CountTiles(const Work& work);
   void TraceTiles(const TileScene& scene, Frame& frame);
+  void TraceOpenRays(const FrameKey& key, const Options& options,
+    const std::vector<std::uint64_t>& open, Frame& frame);
   void ShadeTiles(const FrameKey& key, bool withNormals, bool withDefiniteHits, Frame& frame);
   void CountKnownHits();
 
   std::shared_ptr<CachedImage> Front = std::make_shared<CachedImage>(); ///< the last frame
   std::shared_ptr<CachedImage> Back; ///< memory for the frame being made; or null
   ImageCache Images;                 ///< what later frames may start from, Front among them
+  Isomap Map;                        ///< of the view in which isovalues last changed
   FrameStatistics Counters;
 
   ValueRangePyramid Pyramid; ///< of PyramidField

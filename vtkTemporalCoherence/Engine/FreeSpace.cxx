@@ -37,7 +37,7 @@ PixelRect Surroundings(const Frame& frame, const PixelRect& part)
 }
 
 /// Gather a plane around a tile, one pixel more on all sides.
-void GatherAround(const Frame& frame, const std::vector<float>& plane, const PixelRect& part,
+void GatherAround(const Frame& frame, const Plane<float>& plane, const PixelRect& part,
   float outside, Around& around)
 {
   around.fill(outside);

@@ -10,21 +10,30 @@
 namespace TemporalCoherence
 {
 
-/// Call `work(i)` for each i in [0, count), in parallel and in no order, `grain` neighbouring ones
-/// at a time. The work must not throw and must not depend on the order.
+/// Call `work(begin, end)` for ranges that together are [0, count), in parallel and in no order, at
+/// least `grain` numbers at a time where there are so many. The work must not throw and must not
+/// depend on the order.
+template <typename Work>
+void ParallelForRanges(std::int64_t count, std::int64_t grain, const Work& work)
+{
+  if (count > 0)
+  {
+    vtkSMPTools::For(0, count, grain,
+      [&work](vtkIdType begin, vtkIdType end)
+      { work(static_cast<std::int64_t>(begin), static_cast<std::int64_t>(end)); });
+  }
+}
+
+/// Call `work(i)` for each i in [0, count), likewise.
 template <typename Work>
 void ParallelFor(std::int64_t count, std::int64_t grain, const Work& work)
 {
-  if (count <= 0)
-  {
-    return;
-  }
-  vtkSMPTools::For(0, count, grain,
-    [&work](vtkIdType begin, vtkIdType end)
+  ParallelForRanges(count, grain,
+    [&work](std::int64_t begin, std::int64_t end)
     {
-      for (vtkIdType i = begin; i < end; ++i)
+      for (std::int64_t i = begin; i < end; ++i)
       {
-        work(static_cast<std::int64_t>(i));
+        work(i);
       }
     });
 }

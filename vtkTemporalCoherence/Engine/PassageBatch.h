@@ -33,10 +33,31 @@ struct PassageBatch
   Array<Real> AtEntry;    ///< found: difference from the isovalue where the ray enters the cell
 };
 
+/// Append the passage of a ray through a cell.
+template <typename Real>
+void AppendPassage(const RayBatch& rays, std::size_t ray, const glm::ivec3& cell,
+  const std::array<Real, 8>& corners, PassageBatch<Real>& passages)
+{
+  const auto at = static_cast<std::size_t>(passages.Count++);
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    passages.Origin[a][at] = rays.Origin[a][ray];
+    passages.Direction[a][at] = rays.Direction[a][ray];
+    passages.Inverse[a][at] = rays.Inverse[a][ray];
+    passages.Cell[a][at] = cell[static_cast<int>(a)];
+  }
+  passages.Begin[at] = rays.Begin[ray];
+  passages.End[at] = rays.End[ray];
+  for (std::size_t corner = 0; corner < 8; ++corner)
+  {
+    passages.Corners[corner][at] = corners[corner];
+  }
+}
+
 /// Repeat the last passage up to the end of the last vector, so that no lane holds what is not a
 /// number of ours.
 template <typename Real>
-inline void FillLastVector(PassageBatch<Real>& in)
+void FillLastVector(PassageBatch<Real>& in)
 {
   const auto count = static_cast<std::size_t>(in.Count);
   const std::size_t end = (count + WidestVector - 1) / WidestVector * WidestVector;

@@ -7,7 +7,9 @@
 #include "Frame.h"
 #include "View.h"
 
+#include <algorithm>
 #include <array>
+#include <limits>
 
 namespace TemporalCoherence
 {
@@ -41,7 +43,22 @@ struct HitBatch
   RayBatch::Array<std::int16_t> Surface; ///< position in the list of isovalues, or Frame::NoSurface
   RayBatch::Array<HitKind> Kind;
   std::int64_t CellsRead = 0; ///< cells whose eight samples were read
+
+  /// Nothing is found for the first `count` rays.
+  void Clear(int count)
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    std::fill_n(this->Depth.begin(), count, infinity);
+    std::fill_n(this->Contact.begin(), count, infinity);
+    std::fill_n(this->FromInside.begin(), count, std::uint8_t(0));
+    std::fill_n(this->Surface.begin(), count, Frame::NoSurface);
+    std::fill_n(this->Kind.begin(), count, HitKind::None);
+    this->CellsRead = 0;
+  }
 };
+
+/// Append ray `ray` of one batch to another.
+void AppendRay(const RayBatch& from, std::size_t ray, RayBatch& to);
 
 /// The rays of a view as seen from index space; made once for a frame.
 class RaySource

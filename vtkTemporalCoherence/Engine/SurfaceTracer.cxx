@@ -3,20 +3,17 @@
 #include "SurfaceTracer.h"
 
 #include "CellRoot.h"
+#include "CellSamples.h"
 #include "CellWalk.h"
 #include "KernelsCrossing.h"
 
-#include <hwy/cache_control.h>
-
 #include <algorithm>
-#include <limits>
+#include <cmath>
 
 namespace TemporalCoherence
 {
 namespace
 {
-
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 template <typename T, Interpolation Between>
 class TypedTracer final : public SurfaceTracer
@@ -32,12 +29,10 @@ public:
     , IsLarge(scene.Samples.IsLarge())
     , AreCellsActive(scene.Active && scene.Sought.Isovalues.size() == 1)
   {
-    const glm::i64vec3& s = this->Samples.Strides;
     for (const double isovalue : scene.Sought.Isovalues)
     {
       this->Differences.emplace_back(isovalue, scene.FiniteRange);
     }
-    this->CornerOffsets = { 0, s.x, s.y, s.x + s.y, s.z, s.x + s.z, s.y + s.z, s.x + s.y + s.z };
   }
 
   void Trace(const RayBatch& rays, HitBatch& hits) const override
@@ -66,6 +61,23 @@ public:
     }
   }
 
+  std::uint64_t SearchCells(
+    const RayBatch& rays, const CellList& cells, HitBatch& hits) const override
+  {
+    PassageBatch<Real> passages;
+    SetPassages(rays, cells, passages);
+    this->ReadCorners(cells, passages);
+    hits.CellsRead += cells.Count;
+    this->FindInPassages(passages);
+    std::uint64_t missing = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(passages.Count); ++i)
+    {
+      missing |= static_cast<std::uint64_t>(!std::isfinite(passages.Distance[i])) << cells.Ray[i];
+      KeepNearest(passages, i, cells.Ray[i], static_cast<std::int16_t>(cells.Surface), hits);
+    }
+    return missing;
+  }
+
 private:
   /// The rays of a batch on their way.
   struct Progress
@@ -74,15 +86,7 @@ private:
       : Rays(rays)
       , Hits(hits)
     {
-      hits.CellsRead = 0;
-      for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
-      {
-        hits.Depth[ray] = Infinity;
-        hits.Contact[ray] = Infinity;
-        hits.FromInside[ray] = 0;
-        hits.Surface[ray] = Frame::NoSurface;
-        hits.Kind[ray] = HitKind::None;
-      }
+      hits.Clear(rays.Count);
     }
 
     void DropHits()
@@ -133,7 +137,7 @@ private:
   {
     CellWalk& walk = progress.Walks[ray];
     const bool isAhead =
-      walk.FindActive({ progress.Rays, ray }, *this->Scene.Active, this->Samples,
+      walk.FindActive({ progress.Rays, ray }, *this->Scene.Active, this->Samples.All(),
         [](std::int64_t, int) { return true; });
     if (isAhead && !this->IsLarge)
     {
@@ -142,11 +146,7 @@ private:
     else if (isAhead)
     {
       // Visited when all rays are there: until then the samples are on their way.
-      const T* const origin = this->Samples.At(walk.Here());
-      hwy::Prefetch(origin);
-      hwy::Prefetch(origin + this->CornerOffsets[2]);
-      hwy::Prefetch(origin + this->CornerOffsets[4]);
-      hwy::Prefetch(origin + this->CornerOffsets[6]);
+      this->Samples.Prefetch(walk.Here());
     }
     return isAhead;
   }
@@ -166,7 +166,7 @@ private:
   bool Visit(std::size_t ray, Progress& progress) const
   {
     const glm::ivec3& cell = progress.Walks[ray].Here();
-    const std::array<T, 8> samples = this->Read(cell);
+    const std::array<T, 8> samples = this->Samples.Read(cell);
     ++progress.Hits.CellsRead;
     bool isFound = false;
     for (std::size_t surface = 0; surface < this->Differences.size(); ++surface)
@@ -179,17 +179,6 @@ private:
       }
     }
     return isFound;
-  }
-
-  std::array<T, 8> Read(const glm::ivec3& cell) const
-  {
-    const T* origin = this->Samples.At(cell);
-    std::array<T, 8> samples;
-    for (std::size_t i = 0; i < 8; ++i)
-    {
-      samples[i] = origin[this->CornerOffsets[i]];
-    }
-    return samples;
   }
 
   /// Differences of a cell's samples from an isovalue.
@@ -221,20 +210,8 @@ private:
     {
       this->Search(progress);
     }
-    const auto at = static_cast<std::size_t>(passages.Count++);
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      passages.Origin[a][at] = progress.Rays.Origin[a][ray];
-      passages.Direction[a][at] = progress.Rays.Direction[a][ray];
-      passages.Inverse[a][at] = progress.Rays.Inverse[a][ray];
-      passages.Cell[a][at] = cell[static_cast<int>(a)];
-    }
-    passages.Begin[at] = progress.Rays.Begin[ray];
-    passages.End[at] = progress.Rays.End[ray];
-    for (std::size_t corner = 0; corner < 8; ++corner)
-    {
-      passages.Corners[corner][at] = corners[corner];
-    }
+    const auto at = static_cast<std::size_t>(passages.Count);
+    AppendPassage(progress.Rays, ray, cell, corners, passages);
     progress.Owner[at] = ray;
     progress.Surface[at] = static_cast<std::int16_t>(surface);
   }
@@ -252,14 +229,76 @@ private:
         progress.Hits.Contact[ray] = passages.Enter[i];
         progress.Hits.FromInside[ray] = IsInside(passages.AtEntry[i]);
       }
-      if (passages.Distance[i] < progress.Hits.Depth[ray])
-      {
-        progress.Hits.Depth[ray] = passages.Distance[i];
-        progress.Hits.Surface[ray] = progress.Surface[i];
-        progress.Hits.Kind[ray] = IsInside(passages.AtEntry[i]) ? HitKind::Leaves : HitKind::Enters;
-      }
+      KeepNearest(passages, i, ray, progress.Surface[i], progress.Hits);
     }
     passages.Count = 0;
+  }
+
+  /// The passages of rays through the given cells.
+  static void SetPassages(
+    const RayBatch& rays, const CellList& cells, PassageBatch<Real>& passages)
+  {
+    const auto count = static_cast<std::size_t>(cells.Count);
+    passages.Count = cells.Count;
+    const auto gather = [&](const auto& from, auto& to)
+    {
+      if (cells.Count == rays.Count)
+      {
+        to = from;
+        return;
+      }
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        to[i] = from[cells.Ray[i]];
+      }
+    };
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      gather(rays.Origin[a], passages.Origin[a]);
+      gather(rays.Direction[a], passages.Direction[a]);
+      gather(rays.Inverse[a], passages.Inverse[a]);
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        passages.Cell[a][i] = cells.Cell[i][static_cast<int>(a)];
+      }
+    }
+    gather(rays.Begin, passages.Begin);
+    gather(rays.End, passages.End);
+  }
+
+  /// The corners of the given cells as differences from the isovalue.
+  void ReadCorners(const CellList& cells, PassageBatch<Real>& passages) const
+  {
+    const auto count = static_cast<std::size_t>(cells.Count);
+    std::array<RayBatch::Array<T>, 8> samples;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const std::array<T, 8> corners = this->Samples.Read(cells.Cell[i]);
+      for (std::size_t corner = 0; corner < 8; ++corner)
+      {
+        samples[corner][i] = corners[corner];
+      }
+    }
+    const Difference<T> difference = this->Differences[cells.Surface];
+    for (std::size_t corner = 0; corner < 8; ++corner)
+    {
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        passages.Corners[corner][i] = difference(samples[corner][i]);
+      }
+    }
+  }
+
+  /// Make what was found in a passage the hit of its ray if it is nearer.
+  static void KeepNearest(const PassageBatch<Real>& passages, std::size_t i, std::size_t ray,
+    std::int16_t surface, HitBatch& hits)
+  {
+    if (passages.Distance[i] < hits.Depth[ray])
+    {
+      hits.Depth[ray] = passages.Distance[i];
+      hits.Surface[ray] = surface;
+      hits.Kind[ray] = IsInside(passages.AtEntry[i]) ? HitKind::Leaves : HitKind::Enters;
+    }
   }
 
   void FindInPassages(PassageBatch<Real>& passages) const
@@ -295,7 +334,7 @@ private:
             cell[axis] = way.CellAt(axis, rays.Begin[ray], 0, this->Cells[axis] - 1);
           }
           Corners<Real> corners;
-          this->Differ(this->Read(cell), this->Differences[surface], corners);
+          this->Differ(this->Samples.Read(cell), this->Differences[surface], corners);
           this->Append(cell, corners, surface, ray, progress);
         }
       }
@@ -318,13 +357,12 @@ private:
   }
 
   TraceScene Scene;
-  TypedField<T> Samples;
+  CellSamples<T> Samples;
   std::vector<Difference<T>> Differences; ///< from each isovalue
   glm::ivec3 Cells;                       ///< number of cells along each axis
   bool IsSolid;
   bool IsLarge;
   bool AreCellsActive; ///< the one isovalue passes through every cell that is visited
-  std::array<std::int64_t, 8> CornerOffsets;
 };
 
 }

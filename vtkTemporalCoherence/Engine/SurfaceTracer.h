@@ -22,6 +22,15 @@ struct TraceScene
   const ActiveCells* Active = nullptr; ///< null: no space leaping, every cell on the way is read
 };
 
+/// One cell for each of some rays of a batch.
+struct CellList
+{
+  std::size_t Surface = 0; ///< position in the list of isovalues
+  int Count = 0;
+  RayBatch::Array<std::size_t> Ray;
+  RayBatch::Array<glm::ivec3> Cell;
+};
+
 /// Finds the first surface along each ray of a batch.
 ///
 /// A ray goes from cell to cell; in each cell that can hold a surface the first crossing is found
@@ -41,6 +50,12 @@ public:
 
   /// Safe from many threads.
   virtual void Trace(const RayBatch& rays, HitBatch& hits) const = 0;
+
+  /// Look for one surface in the given cells only, and make what is found the hit of its ray where
+  /// it is nearer than the hit that the ray has. Contacts stay as they are. Safe from many threads.
+  /// \return one bit for each ray in whose cell it is not
+  virtual std::uint64_t SearchCells(
+    const RayBatch& rays, const CellList& cells, HitBatch& hits) const = 0;
 
 protected:
   SurfaceTracer() = default;

@@ -177,4 +177,19 @@ void TileBounds::Build(const View& view, const Placement& placement, const Activ
     });
 }
 
+void TileBounds::Narrow(std::int64_t tile, RayBatch& rays) const
+{
+  const Bounds& bounds = this->At(tile);
+  if (bounds.IsEmpty())
+  {
+    rays.WalkEnd = rays.WalkBegin;
+    return;
+  }
+  for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
+  {
+    rays.WalkBegin[i] = std::max(rays.WalkBegin[i], static_cast<double>(bounds.Near));
+    rays.WalkEnd[i] = std::min(rays.WalkEnd[i], static_cast<double>(bounds.Far));
+  }
+}
+
 }

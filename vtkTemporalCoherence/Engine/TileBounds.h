@@ -4,6 +4,7 @@
 #define TemporalCoherence_TileBounds_h
 
 #include "ActiveCells.h"
+#include "RayBatch.h"
 #include "Tiles.h"
 #include "View.h"
 
@@ -35,7 +36,10 @@ public:
   void Build(const View& view, const Placement& placement, const ActiveCells& active);
 
   const glm::ivec2& Tiles() const { return this->Size; }
-  const Bounds& At(int tile) const { return this->All[static_cast<std::size_t>(tile)]; }
+  const Bounds& At(std::int64_t tile) const { return this->All[static_cast<std::size_t>(tile)]; }
+
+  /// Narrow the walks of a tile's rays to its bounds.
+  void Narrow(std::int64_t tile, RayBatch& rays) const;
 
 private:
   glm::ivec2 Size{ 0 };

@@ -2,18 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TileTracer.h"
 
-#include "Disparity.h"
+#include "FramePlanes.h"
 
 #include <algorithm>
 #include <chrono>
-#include <limits>
 
 namespace TemporalCoherence
 {
 namespace
 {
-
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 /// A surface found within so many voxels of where the image told to start counts as known.
 constexpr double NearStart = 2.0;
@@ -28,68 +25,6 @@ std::int64_t Nanoseconds()
     .count();
 }
 
-/// A tile through which no surface can be seen.
-void FillWithMisses(std::int64_t tile, const PixelRect& part, float miss, Frame& frame)
-{
-  std::uint8_t& isClear = frame.ClearTiles[static_cast<std::size_t>(tile)];
-  if (isClear)
-  {
-    return;
-  }
-  for (int y = part.First.y; y < part.First.y + part.Size.y; ++y)
-  {
-    const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.Size.x) +
-      static_cast<std::size_t>(part.First.x);
-    const auto count = static_cast<std::size_t>(part.Size.x);
-    std::fill_n(&frame.Depth[row], count, Infinity);
-    std::fill_n(&frame.Disparities[row], count, miss);
-    std::fill_n(&frame.Contacts[row], count, miss);
-    std::fill_n(&frame.Normals[row], count, glm::vec3(0.0f));
-    std::fill_n(&frame.Isovalues[row], count, Frame::NoSurface);
-    std::fill_n(&frame.Kinds[row], count, HitKind::None);
-    std::fill_n(&frame.Answers[row], count, Answer::DefiniteMiss);
-    std::fill_n(&frame.Colors[row], count, std::array<std::uint8_t, 4>{ 0, 0, 0, 0 });
-  }
-  isClear = 1;
-}
-
-/// Narrow the walks of a tile's rays to its bounds.
-void NarrowByBounds(const TileBounds::Bounds& bounds, RayBatch& rays)
-{
-  if (bounds.IsEmpty())
-  {
-    rays.WalkEnd = rays.WalkBegin;
-    return;
-  }
-  for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
-  {
-    rays.WalkBegin[i] = std::max(rays.WalkBegin[i], static_cast<double>(bounds.Near));
-    rays.WalkEnd[i] = std::min(rays.WalkEnd[i], static_cast<double>(bounds.Far));
-  }
-}
-
-/// Disparity at a distance along a ray; that of a miss if it is infinite.
-float DisparityAt(const RayBatch& rays, std::size_t ray, double t, bool isParallel)
-{
-  const double perDepth = rays.PerDepth[ray];
-  return static_cast<float>(
-    isParallel ? std::max(-t / perDepth, DisparityOfMiss(true)) : perDepth / t);
-}
-
-/// Write what a ray found into the planes of a frame.
-void StoreHit(const RayBatch& rays, const HitBatch& hits, std::size_t ray, Answer answer,
-  bool isParallel, Frame& frame)
-{
-  const auto pixel = static_cast<std::size_t>(rays.Pixel[ray]);
-  frame.Depth[pixel] = hits.Depth[ray];
-  frame.Disparities[pixel] = DisparityAt(rays, ray, hits.Depth[ray], isParallel);
-  frame.Contacts[pixel] = DisparityAt(rays, ray, hits.Contact[ray], isParallel);
-  frame.Isovalues[pixel] = hits.Surface[ray];
-  frame.Kinds[pixel] =
-    hits.Kind[ray] == HitKind::None && hits.FromInside[ray] ? HitKind::Within : hits.Kind[ray];
-  frame.Answers[pixel] = answer;
-}
-
 bool AreMisses(const QueryBatch& known, int count)
 {
   return std::all_of(known.Answers.begin(), known.Answers.begin() + count,
@@ -101,23 +36,6 @@ void Count(Answer answer, TraceCounts& counts)
   counts.DefiniteHits += answer == Answer::DefiniteHit;
   counts.DefiniteMisses += answer == Answer::DefiniteMiss;
   counts.PossibleHits += answer == Answer::PossibleHit;
-}
-
-void AppendRay(const RayBatch& from, std::size_t ray, RayBatch& to)
-{
-  const auto at = static_cast<std::size_t>(to.Count++);
-  for (std::size_t a = 0; a < 3; ++a)
-  {
-    to.Origin[a][at] = from.Origin[a][ray];
-    to.Direction[a][at] = from.Direction[a][ray];
-    to.Inverse[a][at] = from.Inverse[a][ray];
-  }
-  to.PerDepth[at] = from.PerDepth[ray];
-  to.Begin[at] = from.Begin[ray];
-  to.End[at] = from.End[ray];
-  to.WalkBegin[at] = from.WalkBegin[ray];
-  to.WalkEnd[at] = from.WalkEnd[ray];
-  to.Pixel[at] = from.Pixel[ray];
 }
 
 }
@@ -137,7 +55,7 @@ bool TileTracer::CanSkip(std::int64_t tile) const
   // A solid may be cut open where there is no active cell.
   return !this->HasSurfaces ||
     (this->Scene.Active && !this->IsSolid &&
-      this->Scene.Bounds->At(static_cast<int>(tile)).IsEmpty());
+      this->Scene.Bounds->At(tile).IsEmpty());
 }
 
 TraceCounts TileTracer::Trace(std::int64_t tile, const PixelRect& part, Frame& frame) const
@@ -153,7 +71,7 @@ TraceCounts TileTracer::Trace(std::int64_t tile, const PixelRect& part, Frame& f
     this->Rays.SetUp(part.First, part.Size, rays);
     if (this->Scene.Active)
     {
-      NarrowByBounds(this->Scene.Bounds->At(static_cast<int>(tile)), rays);
+      this->Scene.Bounds->Narrow(tile, rays);
     }
     if (this->Scene.Query)
     {
@@ -165,8 +83,7 @@ TraceCounts TileTracer::Trace(std::int64_t tile, const PixelRect& part, Frame& f
   }
   if (isMiss)
   {
-    const double miss = DisparityOfMiss(this->Scene.Key.Seen.Parallel);
-    FillWithMisses(tile, part, static_cast<float>(miss), frame);
+    StoreMisses(tile, part, this->Scene.Key.Seen.Parallel, frame);
     counts.DefiniteMisses = static_cast<std::int64_t>(part.Size.x) * part.Size.y;
   }
   else
@@ -176,6 +93,27 @@ TraceCounts TileTracer::Trace(std::int64_t tile, const PixelRect& part, Frame& f
                       : this->TraceCold(rays, frame, counts);
   }
   counts.TileTime = isTimed ? Nanoseconds() - begin : 0;
+  return counts;
+}
+
+TraceCounts TileTracer::TraceSome(
+  std::int64_t tile, const PixelRect& part, std::uint64_t which, Frame& frame) const
+{
+  TraceCounts counts;
+  RayBatch all, rays;
+  this->Rays.SetUp(part.First, part.Size, all);
+  if (this->Scene.Active)
+  {
+    this->Scene.Bounds->Narrow(tile, all);
+  }
+  for (std::size_t i = 0; i < static_cast<std::size_t>(all.Count); ++i)
+  {
+    if (which >> i & 1u)
+    {
+      AppendRay(all, i, rays);
+    }
+  }
+  this->TraceCold(rays, frame, counts);
   return counts;
 }
 

@@ -3,6 +3,7 @@
 #ifndef TemporalCoherence_TileTracer_h
 #define TemporalCoherence_TileTracer_h
 
+#include "FramePlanes.h"
 #include "ImageQuery.h"
 #include "ReusePlan.h"
 #include "Shader.h"
@@ -14,18 +15,6 @@
 
 namespace TemporalCoherence
 {
-
-/// What the rays of some tiles came to.
-struct TraceCounts
-{
-  std::int64_t DefiniteHits = 0;
-  std::int64_t DefiniteMisses = 0;
-  std::int64_t PossibleHits = 0;
-  std::int64_t TracedRays = 0;
-  std::int64_t CellsRead = 0;
-  std::int64_t QueryTime = 0; ///< nanoseconds spent in asking the image, where it was timed
-  std::int64_t TileTime = 0;  ///< nanoseconds, with that included
-};
 
 /// What tiles are traced with; all of it must outlive the tracer.
 struct TileScene
@@ -49,6 +38,10 @@ public:
 
   /// Trace the rays through `part`, which is tile number `tile`. Safe from many threads.
   TraceCounts Trace(std::int64_t tile, const PixelRect& part, Frame& frame) const;
+
+  /// Trace some rays of a tile, one bit each, with no help from an image.
+  TraceCounts TraceSome(
+    std::int64_t tile, const PixelRect& part, std::uint64_t which, Frame& frame) const;
 
 private:
   bool CanSkip(std::int64_t tile) const;

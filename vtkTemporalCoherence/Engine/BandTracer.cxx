@@ -1,0 +1,358 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BandTracer.h"
+
+#include "CellRoot.h"
+#include "CellSamples.h"
+#include "CellWalk.h"
+#include "KernelsRange.h"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+template <typename T, Interpolation Between>
+class TypedBandTracer final : public BandTracer
+{
+public:
+  using Real = RealOf<T>;
+
+  explicit TypedBandTracer(const BandScene& scene)
+    : Scene(scene)
+    , Samples(scene.Samples)
+    , FromLowest(scene.Band.Low, scene.FiniteRange)
+    , Scale(scene.Band)
+    , Span(static_cast<Real>(this->Scale.Span))
+    , Cells(scene.Samples.Dimensions - 1)
+    , IsSolid(scene.Mode == SurfaceMode::Threshold)
+  {
+  }
+
+  std::int64_t Trace(const RayBatch& rays, TileKnots& knots) const override
+  {
+    Progress progress(rays);
+    if (this->IsSolid)
+    {
+      this->FindEntries(progress);
+    }
+    for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
+    {
+      if (rays.Begin[ray] < rays.End[ray] && rays.WalkBegin[ray] < rays.WalkEnd[ray] &&
+        !progress.IsDone(ray))
+      {
+        progress.Walks[ray].Begin({ rays, ray }, this->Cells);
+        progress.Live[progress.NumberOfLive++] = ray;
+      }
+    }
+    while (progress.NumberOfLive > 0)
+    {
+      this->AdvanceAll(progress);
+      this->Measure(progress);
+      this->TakeNote(progress);
+      progress.DropDone();
+    }
+    for (std::size_t course = 0; course < NumberOfCourses; ++course)
+    {
+      knots.Cells[course].Assign(progress.Knots[course]);
+    }
+    if (progress.HasEntries)
+    {
+      knots.Entries.assign(progress.Entries.begin(), progress.Entries.begin() + rays.Count);
+    }
+    return progress.CellsRead;
+  }
+
+private:
+  static constexpr Real Infinity = std::numeric_limits<Real>::infinity();
+  static constexpr std::size_t Rising = 0, Falling = 1;
+
+  /// How far a ray has come through the band on one course.
+  struct Reach
+  {
+    Real Path = -Infinity;   ///< progress of the field along the ray
+    Real Corner = -Infinity; ///< progress of the samples around it
+    BandScale::Key PathKey = 0, CornerKey = 0;
+    bool IsDone = false;
+  };
+
+  /// A cell as the two courses see it: progress of its samples.
+  struct CellReach
+  {
+    std::array<Real, NumberOfCourses> Corner;
+    Real Error;    ///< how far two ways to compute a value of the field may differ
+    bool IsFinite; ///< all its samples are
+  };
+
+  /// The rays of a tile on their way.
+  struct Progress
+  {
+    explicit Progress(const RayBatch& rays)
+      : Rays(rays)
+    {
+      this->Entries.fill(-std::numeric_limits<float>::infinity());
+      this->HasEntered.fill(false);
+    }
+
+    bool IsDone(std::size_t ray) const
+    {
+      return this->Reached[Rising][ray].IsDone && this->Reached[Falling][ray].IsDone;
+    }
+
+    void DropDone()
+    {
+      std::size_t left = 0;
+      for (std::size_t i = 0; i < this->NumberOfLive; ++i)
+      {
+        if (!this->IsDone(this->Live[i]))
+        {
+          this->Live[left++] = this->Live[i];
+        }
+      }
+      this->NumberOfLive = left;
+    }
+
+    const RayBatch& Rays;
+    std::array<CellWalk, RayBatch::Capacity> Walks;
+    std::array<std::size_t, RayBatch::Capacity> Live; ///< rays that are not done
+    std::size_t NumberOfLive = 0;
+
+    std::array<std::array<Reach, RayBatch::Capacity>, NumberOfCourses> Reached;
+    RayBatch::Array<bool> HasEntered; ///< where the ray begins is known
+    RayBatch::Array<float> Entries;
+    bool HasEntries = false; ///< some ray begins in the band or above
+
+    PassageBatch<Real> Passages; ///< through the cells to be measured
+    RangeBatch<Real> Ranges;
+    std::array<CellReach, RayBatch::Capacity> Corners; ///< of each passage
+    std::array<std::size_t, RayBatch::Capacity> Owner; ///< ray of each passage
+
+    std::array<std::vector<CellKnots::Row>, NumberOfCourses> Knots;
+    std::int64_t CellsRead = 0;
+  };
+
+  /// Take every live ray to the next cell that can bring it farther; rays whose walk ends are
+  /// dropped.
+  void AdvanceAll(Progress& progress) const
+  {
+    std::size_t left = 0;
+    for (std::size_t i = 0; i < progress.NumberOfLive; ++i)
+    {
+      const std::size_t ray = progress.Live[i];
+      if (this->Advance(ray, progress))
+      {
+        progress.Live[left++] = ray;
+      }
+    }
+    progress.NumberOfLive = left;
+  }
+
+  bool Advance(std::size_t ray, Progress& progress) const
+  {
+    const Reach& rising = progress.Reached[Rising][ray];
+    const Reach& falling = progress.Reached[Falling][ray];
+    const auto canBringOn = [&](Real highest, Real lowest)
+    {
+      return (!rising.IsDone && highest > rising.Path) ||
+        (!falling.IsDone && this->Span - lowest > falling.Path);
+    };
+    const auto isOfUse = [&](std::int64_t node, int leaf)
+    {
+      const auto& range = this->Scene.Pyramid->LeavesOf<T>(node)[leaf];
+      return canBringOn(this->FromLowest(range.Max), this->FromLowest(range.Min));
+    };
+    CellWalk& walk = progress.Walks[ray];
+    while (walk.FindActive(
+      { progress.Rays, ray }, *this->Scene.Active, this->Samples.All(), isOfUse))
+    {
+      Corners<Real> corners;
+      const CellReach reach = this->Read(walk.Here(), corners);
+      ++progress.CellsRead;
+      if (canBringOn(reach.Corner[Rising], this->Span - reach.Corner[Falling]))
+      {
+        this->Append(ray, walk.Here(), corners, reach, progress);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  CellReach Read(const glm::ivec3& cell, Corners<Real>& corners) const
+  {
+    const std::array<T, 8> samples = this->Samples.Read(cell);
+    CellReach reach{ {}, Real(0), true };
+    Real lowest = Infinity, highest = -Infinity;
+    for (std::size_t i = 0; i < 8; ++i)
+    {
+      corners[i] = this->FromLowest(samples[i]);
+      lowest = std::min(lowest, corners[i]);
+      highest = std::max(highest, corners[i]);
+    }
+    constexpr Real rounding = 16 * std::numeric_limits<Real>::epsilon();
+    reach.Error = rounding * (std::max(std::abs(lowest), std::abs(highest)) + this->Span);
+    if constexpr (std::is_floating_point_v<T>)
+    {
+      for (const T sample : samples)
+      {
+        if (!std::isfinite(sample))
+        {
+          // How far such a sample is from an isovalue depends on the isovalue: it may be anything.
+          reach.IsFinite = false;
+          (sample > T(0) ? highest : lowest) = sample > T(0) ? Infinity : -Infinity;
+        }
+      }
+    }
+    reach.Corner = { highest, this->Span - lowest };
+    return reach;
+  }
+
+  void Append(std::size_t ray, const glm::ivec3& cell, const Corners<Real>& corners,
+    const CellReach& reach, Progress& progress) const
+  {
+    const auto at = static_cast<std::size_t>(progress.Passages.Count);
+    AppendPassage(progress.Rays, ray, cell, corners, progress.Passages);
+    progress.Owner[at] = ray;
+    progress.Corners[at] = reach;
+  }
+
+  void Measure(Progress& progress) const
+  {
+    if constexpr (Between == Interpolation::Linear)
+    {
+      FindRanges(progress.Passages, progress.Ranges);
+    }
+    else
+    {
+      FindNearestRanges(progress.Passages, progress.Ranges);
+    }
+  }
+
+  /// Bring rays on by what was measured in their passages.
+  void TakeNote(Progress& progress) const
+  {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(progress.Passages.Count); ++i)
+    {
+      const std::size_t ray = progress.Owner[i];
+      if (!progress.HasEntered[ray])
+      {
+        this->Enter(ray, progress.Ranges.Cubic[0][i], progress.Corners[i].Error, progress);
+      }
+      const bool isTouched = !(progress.Passages.Enter[i] < progress.Ranges.Leave[i]);
+      const std::array<Real, NumberOfCourses> path = { progress.Ranges.Highest[i],
+        this->Span - progress.Ranges.Lowest[i] };
+      for (std::size_t course = 0; course < NumberOfCourses; ++course)
+      {
+        const CellReach& cell = progress.Corners[i];
+        Reach& reached = progress.Reached[course][ray];
+        if (!reached.IsDone)
+        {
+          const Real corner = cell.Corner[course];
+          this->BringOn(isTouched ? -Infinity : (cell.IsFinite ? path[course] : corner), corner,
+            cell.Error, reached);
+          this->Note(course, i, ray, reached, progress);
+        }
+      }
+    }
+    progress.Passages.Count = 0;
+  }
+
+  /// A ray begins with this difference from the band's lowest isovalue.
+  void Enter(std::size_t ray, Real entry, Real error, Progress& progress) const
+  {
+    progress.HasEntered[ray] = true;
+    if (entry + error >= Real(0))
+    {
+      progress.Entries[ray] = static_cast<float>(entry);
+      progress.HasEntries = true;
+    }
+    progress.Reached[Rising][ray].IsDone = entry - error > this->Span;
+    progress.Reached[Falling][ray].IsDone = this->IsSolid || entry + error < Real(0);
+  }
+
+  void BringOn(Real path, Real corner, Real error, Reach& reached) const
+  {
+    reached.Path = std::max(reached.Path, path);
+    reached.Corner = std::max(reached.Corner, corner);
+    reached.IsDone = reached.Path + error > this->Span;
+  }
+
+  /// Keep the cell of passage i as a knot if it brought the ray on.
+  void Note(
+    std::size_t course, std::size_t i, std::size_t ray, Reach& reached, Progress& progress) const
+  {
+    const double error = static_cast<double>(progress.Corners[i].Error);
+    const BandScale::Key path = this->Scale.KeyOf(static_cast<double>(reached.Path) + error);
+    const BandScale::Key corner =
+      std::max(path, this->Scale.KeyOf(static_cast<double>(reached.Corner)));
+    if (path > reached.PathKey || corner > reached.CornerKey)
+    {
+      reached.PathKey = path;
+      reached.CornerKey = corner;
+      CellIndex cell;
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        cell[a] = static_cast<std::uint16_t>(progress.Passages.Cell[a][i]);
+      }
+      progress.Knots[course].push_back({ ray, { path, corner, cell } });
+    }
+  }
+
+  /// Find out where in the band solids begin that rays begin in.
+  void FindEntries(Progress& progress) const
+  {
+    const RayBatch& rays = progress.Rays;
+    for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
+    {
+      if (rays.Begin[ray] < rays.End[ray])
+      {
+        const BatchRay way{ rays, ray };
+        glm::ivec3 cell;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          cell[axis] = way.CellAt(axis, rays.Begin[ray], 0, this->Cells[axis] - 1);
+        }
+        Corners<Real> corners;
+        const CellReach reach = this->Read(cell, corners);
+        this->Append(ray, cell, corners, reach, progress);
+      }
+    }
+    progress.CellsRead += progress.Passages.Count;
+    this->Measure(progress);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(progress.Passages.Count); ++i)
+    {
+      this->Enter(progress.Owner[i], progress.Ranges.Cubic[0][i], progress.Corners[i].Error,
+        progress);
+    }
+    progress.Passages.Count = 0;
+  }
+
+  BandScene Scene;
+  CellSamples<T> Samples;
+  Difference<T> FromLowest;
+  BandScale Scale;
+  Real Span;
+  glm::ivec3 Cells; ///< number of cells along each axis
+  bool IsSolid;
+};
+
+}
+
+std::unique_ptr<BandTracer> BandTracer::Make(const BandScene& scene)
+{
+  return DispatchScalarType(scene.Samples.Type,
+    [&](auto type) -> std::unique_ptr<BandTracer>
+    {
+      using T = decltype(type);
+      if (scene.Samples.Between == Interpolation::Nearest)
+      {
+        return std::make_unique<TypedBandTracer<T, Interpolation::Nearest>>(scene);
+      }
+      return std::make_unique<TypedBandTracer<T, Interpolation::Linear>>(scene);
+    });
+}
+
+}

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FramePlanes.h"
+
+#include "Disparity.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace TemporalCoherence
+{
+
+void StoreMisses(std::int64_t tile, const PixelRect& part, bool isParallel, Frame& frame)
+{
+  std::uint8_t& isClear = frame.ClearTiles[static_cast<std::size_t>(tile)];
+  if (isClear)
+  {
+    return;
+  }
+  const auto miss = static_cast<float>(DisparityOfMiss(isParallel));
+  for (int y = part.First.y; y < part.First.y + part.Size.y; ++y)
+  {
+    const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.Size.x) +
+      static_cast<std::size_t>(part.First.x);
+    const auto count = static_cast<std::size_t>(part.Size.x);
+    std::fill_n(&frame.Depth[row], count, std::numeric_limits<double>::infinity());
+    std::fill_n(&frame.Disparities[row], count, miss);
+    std::fill_n(&frame.Contacts[row], count, miss);
+    std::fill_n(&frame.Normals[row], count, glm::vec3(0.0f));
+    std::fill_n(&frame.Isovalues[row], count, Frame::NoSurface);
+    std::fill_n(&frame.Kinds[row], count, HitKind::None);
+    std::fill_n(&frame.Answers[row], count, Answer::DefiniteMiss);
+    std::fill_n(&frame.Colors[row], count, std::array<std::uint8_t, 4>{ 0, 0, 0, 0 });
+  }
+  isClear = 1;
+}
+
+float DisparityAt(const RayBatch& rays, std::size_t ray, double t, bool isParallel)
+{
+  const double perDepth = rays.PerDepth[ray];
+  return static_cast<float>(
+    isParallel ? std::max(-t / perDepth, DisparityOfMiss(true)) : perDepth / t);
+}
+
+void StoreHit(const RayBatch& rays, const HitBatch& hits, std::size_t ray, Answer answer,
+  bool isParallel, Frame& frame)
+{
+  const auto pixel = static_cast<std::size_t>(rays.Pixel[ray]);
+  frame.Depth[pixel] = hits.Depth[ray];
+  frame.Disparities[pixel] = DisparityAt(rays, ray, hits.Depth[ray], isParallel);
+  frame.Contacts[pixel] = DisparityAt(rays, ray, hits.Contact[ray], isParallel);
+  frame.Isovalues[pixel] = hits.Surface[ray];
+  frame.Kinds[pixel] =
+    hits.Kind[ray] == HitKind::None && hits.FromInside[ray] ? HitKind::Within : hits.Kind[ray];
+  frame.Answers[pixel] = answer;
+}
+
+void StoreHits(const RayBatch& rays, const HitBatch& hits,
+  const RayBatch::Array<Answer>& answers, bool isParallel, Frame& frame)
+{
+  const auto count = static_cast<std::size_t>(rays.Count);
+  RayBatch::Array<float> disparities, contacts;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    disparities[i] = DisparityAt(rays, i, hits.Depth[i], isParallel);
+    contacts[i] = DisparityAt(rays, i, hits.Contact[i], isParallel);
+  }
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const auto pixel = static_cast<std::size_t>(rays.Pixel[i]);
+    const bool isWithin = hits.Kind[i] == HitKind::None && hits.FromInside[i];
+    frame.Depth[pixel] = hits.Depth[i];
+    frame.Disparities[pixel] = disparities[i];
+    frame.Contacts[pixel] = contacts[i];
+    frame.Isovalues[pixel] = hits.Surface[i];
+    frame.Kinds[pixel] = isWithin ? HitKind::Within : hits.Kind[i];
+    frame.Answers[pixel] = answers[i];
+  }
+}
+
+}

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_Isomap_h
+#define TemporalCoherence_Isomap_h
+
+#include "Knots.h"
+#include "ReusePlan.h"
+#include "ValueRangePyramid.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace TemporalCoherence
+{
+
+/// For one view, where along each pixel's ray the field first passes each isovalue.
+///
+/// An isomap is made of bands of isovalues, each built when it is first needed.
+class Isomap
+{
+public:
+  struct Options
+  {
+    ValueBand Range{ 1.0, 0.0 };                     ///< isovalues of one band; none if Low > High
+    std::size_t MemoryLimit = std::size_t(256) << 20; ///< bytes that all bands may take
+  };
+
+  /// A band of isovalues of the view.
+  struct Band
+  {
+    ValueBand Values;
+    std::vector<TileKnots> Tiles; ///< by number of the tile
+    std::size_t Memory = 0;       ///< bytes
+    std::size_t NumberOfKnots = 0;
+    std::int64_t CellsRead = 0; ///< to build it
+    std::uint64_t LastUse = 0;
+  };
+
+  /// Called with the share of the work that is done; returns false to stop it.
+  using ReportProgress = std::function<bool(double)>;
+
+  enum class Outcome : std::uint8_t
+  {
+    Built,
+    Stopped, ///< by the report of its progress
+    TooLarge ///< the band alone would exceed the limit of memory
+  };
+
+  /// True if this is the isomap of the view, data and mode of a frame.
+  bool IsOf(const FrameKey& key) const;
+
+  /// Begin an empty isomap for a frame's view, data and mode.
+  void Begin(const FrameKey& key);
+
+  /// Trace a band and keep it. Bands that were not used for long are dropped where the limit asks
+  /// for it.
+  /// \param pyramid of the frame's field
+  /// \param limit   bytes that all bands may take
+  /// \throws std::bad_alloc, the isomap then being as it was, but for dropped bands
+  Outcome Build(const ValueBand& band, const ValueRangePyramid& pyramid, std::size_t limit,
+    const ReportProgress& report);
+
+  /// The band that holds an isovalue, or null; marks it as used.
+  const Band* Use(double isovalue);
+
+  /// True if there is a band for each isovalue.
+  bool Covers(const std::vector<double>& isovalues) const;
+
+  const std::vector<std::unique_ptr<Band>>& Bands() const { return this->Kept; }
+
+  /// True if a band was dropped because of the limit of memory.
+  bool HasDropped() const { return this->Dropped; }
+
+  std::size_t MemoryInBytes() const;
+  std::size_t NumberOfKnots() const;
+
+  void Release();
+
+private:
+  bool MakeRoom(std::size_t bytes, std::size_t limit);
+
+  FrameKey Key;
+  bool IsBegun = false;
+  bool Dropped = false;
+  std::uint64_t Uses = 0;
+  std::vector<std::unique_ptr<Band>> Kept;
+};
+
+}
+
+#endif

@@ -5,6 +5,7 @@ find_package(hwy REQUIRED)
 
 set(engine_files
   ActiveCells
+  BandPlan
   BandTracer
   FramePlanes
   FrameRenderer
@@ -18,6 +19,7 @@ set(engine_files
   KernelsRange
   KernelsRays
   KernelsShading
+  LeafHistogram
   RayBatch
   ReusePlan
   Shader

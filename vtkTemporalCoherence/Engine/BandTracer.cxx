@@ -135,6 +135,32 @@ private:
     std::int64_t CellsRead = 0;
   };
 
+  /// The ranges of samples in which a ray can come farther than it has.
+  struct UsefulRanges
+  {
+    bool CanBringOn(Real toRise, Real toFall) const
+    {
+      return (!this->Rises.IsDone && toRise > this->Rises.Path) ||
+        (!this->Falls.IsDone && toFall > this->Falls.Path);
+    }
+    bool IsOfUse(const ValueRangePyramid::Range<T>& range) const
+    {
+      return this->CanBringOn(
+        this->Tracer.FromLowest(range.Max), this->Tracer.Span - this->Tracer.FromLowest(range.Min));
+    }
+    bool IsNodeOfUse(std::int64_t node) const
+    {
+      return this->IsOfUse(this->Tracer.Scene.Pyramid->template NodeAt<T>(node));
+    }
+    bool IsLeafOfUse(std::int64_t node, int leaf) const
+    {
+      return this->IsOfUse(this->Tracer.Scene.Pyramid->template LeavesOf<T>(node)[leaf]);
+    }
+
+    const TypedBandTracer& Tracer;
+    const Reach &Rises, &Falls;
+  };
+
   /// Take every live ray to the next cell that can bring it farther; rays whose walk ends are
   /// dropped.
   void AdvanceAll(Progress& progress) const
@@ -153,26 +179,16 @@ private:
 
   bool Advance(std::size_t ray, Progress& progress) const
   {
-    const Reach& rising = progress.Reached[Rising][ray];
-    const Reach& falling = progress.Reached[Falling][ray];
-    const auto canBringOn = [&](Real highest, Real lowest)
-    {
-      return (!rising.IsDone && highest > rising.Path) ||
-        (!falling.IsDone && this->Span - lowest > falling.Path);
-    };
-    const auto isOfUse = [&](std::int64_t node, int leaf)
-    {
-      const auto& range = this->Scene.Pyramid->LeavesOf<T>(node)[leaf];
-      return canBringOn(this->FromLowest(range.Max), this->FromLowest(range.Min));
-    };
+    const UsefulRanges useful{ *this, progress.Reached[Rising][ray],
+      progress.Reached[Falling][ray] };
     CellWalk& walk = progress.Walks[ray];
     while (walk.FindActive(
-      { progress.Rays, ray }, *this->Scene.Active, this->Samples.All(), isOfUse))
+      { progress.Rays, ray }, *this->Scene.Active, this->Samples.All(), useful))
     {
       Corners<Real> corners;
       const CellReach reach = this->Read(walk.Here(), corners);
       ++progress.CellsRead;
-      if (canBringOn(reach.Corner[Rising], this->Span - reach.Corner[Falling]))
+      if (useful.CanBringOn(reach.Corner[Rising], reach.Corner[Falling]))
       {
         this->Append(ray, walk.Here(), corners, reach, progress);
         return true;
@@ -287,7 +303,7 @@ private:
     const double error = static_cast<double>(progress.Corners[i].Error);
     const BandScale::Key path = this->Scale.KeyOf(static_cast<double>(reached.Path) + error);
     const BandScale::Key corner =
-      std::max(path, this->Scale.KeyOf(static_cast<double>(reached.Corner)));
+      std::max(path, this->Scale.KeyOf(static_cast<double>(reached.Corner) + error));
     if (path > reached.PathKey || corner > reached.CornerKey)
     {
       reached.PathKey = path;

@@ -41,6 +41,13 @@ struct BatchRay
   std::size_t Ray;
 };
 
+/// Leaves out nothing that is active.
+struct TakeAll
+{
+  bool IsNodeOfUse(std::int64_t) const { return true; }
+  bool IsLeafOfUse(std::int64_t, int) const { return true; }
+};
+
 /// Where a ray is on its way from cell to cell.
 class CellWalk
 {
@@ -65,15 +72,15 @@ public:
   const glm::ivec3& Here() const { return this->Cell; }
 
   /// Go on to the next active cell; the first call may stay where it is.
-  /// \param isOfUse called as isOfUse(node, leaf): false if the leaf can be left out
+  /// \param filter has IsNodeOfUse(node) and IsLeafOfUse(node, leaf): false for what can be left out
   /// \return false if the walk ends before
-  template <typename T, typename IsOfUse>
+  template <typename T, typename Filter = TakeAll>
   HWY_INLINE bool FindActive(const BatchRay& ray, const ActiveCells& active,
-    const TypedField<T>& samples, const IsOfUse& isOfUse)
+    const TypedField<T>& samples, const Filter& filter = {})
   {
     while (true)
     {
-      if (this->InLeaf == 0 && !this->FindActiveLeaf(ray, active, samples, isOfUse))
+      if (this->InLeaf == 0 && !this->FindActiveLeaf(ray, active, samples, filter))
       {
         return false;
       }
@@ -123,23 +130,24 @@ public:
 
 private:
   /// Leap from block to block until one is an active leaf, and prepare to step through it.
-  template <typename T, typename IsOfUse>
+  template <typename T, typename Filter>
   bool FindActiveLeaf(const BatchRay& ray, const ActiveCells& active,
-    const TypedField<T>& samples, const IsOfUse& isOfUse)
+    const TypedField<T>& samples, const Filter& filter)
   {
     while (true)
     {
       const std::int64_t node = active.NodeOf(this->Cell);
       const std::uint64_t leaves = active.LeavesOf(node);
       const int leaf = ActiveCells::LeafOf(this->Cell);
-      if ((leaves >> leaf & 1u) && isOfUse(node, leaf))
+      if ((leaves >> leaf & 1u) && filter.IsLeafOfUse(node, leaf))
       {
         this->InLeaf = active.CellsOf(samples, node, this->Cell);
         this->HasVisited = false;
         this->BeginSteps(ray);
         return true;
       }
-      const int bits = leaves == 0 ? ActiveCells::NodeBits : ActiveCells::LeafBits;
+      const bool isEmpty = leaves == 0 || !filter.IsNodeOfUse(node);
+      const int bits = isEmpty ? ActiveCells::NodeBits : ActiveCells::LeafBits;
       if (!this->LeaveBlock(ray, bits, samples.Dimensions - 1))
       {
         return false;

@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <bitset>
+#include <cmath>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <numeric>
@@ -173,6 +175,7 @@ void FrameRenderer::TraceFrame(const FrameKey& key, const Options& options, Cach
   made.Picture.IsFromCache = cached != nullptr;
   made.IsExact = isExact;
   made.IsEroded = !isExact && options.Accuracy == ReuseAccuracy::Paper;
+  this->ColdCells = isExact ? this->Counters.FieldSamples / 8 : this->ColdCells;
   this->FinishFrame(options);
 }
 
@@ -185,24 +188,59 @@ Isomap::Outcome FrameRenderer::BuildBands(
   if (!this->Map.IsOf(key))
   {
     this->Map.Begin(key);
+    this->Plan = BandPlan();
+  }
+  Isomap::Start start;
+  const CachedImage& last = *this->Front;
+  if (last.IsExact && this->Map.IsOf(last.Key) && last.Key.Sought.Isovalues.size() == 1)
+  {
+    start = { &last.Picture, last.Key.Sought.Isovalues[0] };
   }
   for (const double isovalue : key.Sought.Isovalues)
   {
     if (!this->Map.Use(isovalue))
     {
-      const ValueBand band = options.Map.Range;
+      const ValueBand band = this->ChooseBand(isovalue, options);
       const Isomap::Outcome outcome =
-        this->Map.Build(band, this->Pyramid, options.Map.MemoryLimit, report);
+        this->Map.Build(band, this->Pyramid, start, options.Map.MemoryLimit, report);
       if (outcome != Isomap::Outcome::Built)
       {
         return outcome;
       }
-      this->Counters.FieldSamples += 8 * this->Map.Bands().back()->CellsRead;
+      const std::int64_t cells = this->Map.Bands().back()->CellsRead;
+      this->Counters.FieldSamples += 8 * cells;
+      this->Plan.Learn(cells, this->ColdCells);
     }
   }
   // Room for one may have been made by dropping another.
   return this->Map.Covers(key.Sought.Isovalues) ? Isomap::Outcome::Built
                                                 : Isomap::Outcome::TooLarge;
+}
+
+/// The band to build for an isovalue.
+ValueBand FrameRenderer::ChooseBand(double isovalue, const Options& options)
+{
+  const ValueBand gap = this->Map.GapAround(isovalue);
+  if (options.Map.Range.Holds(isovalue))
+  {
+    return { std::max(options.Map.Range.Low, gap.Low), std::min(options.Map.Range.High, gap.High) };
+  }
+  if (this->Leaves.IsEmpty())
+  {
+    this->Leaves.Build(this->PyramidField, this->Pyramid);
+  }
+  // Of several isovalues before, the nearest is the one that moved.
+  double before = isovalue;
+  double least = std::numeric_limits<double>::infinity();
+  for (const double old : this->Front->Key.Sought.Isovalues)
+  {
+    if (std::abs(old - isovalue) < least)
+    {
+      least = std::abs(old - isovalue);
+      before = old;
+    }
+  }
+  return this->Plan.Choose({ isovalue, before, gap }, this->Leaves);
 }
 
 /// Make a frame from the isomap, which holds its isovalues.
@@ -264,6 +302,7 @@ void FrameRenderer::PreparePyramid(const FrameKey& key)
   {
     this->Active.Release();
     this->ActiveField = Field();
+    this->Leaves.Release();
     this->Pyramid.Build(key.Samples);
     this->PyramidField = key.Samples;
   }

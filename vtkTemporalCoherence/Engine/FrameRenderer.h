@@ -4,8 +4,10 @@
 #define TemporalCoherence_FrameRenderer_h
 
 #include "ActiveCells.h"
+#include "BandPlan.h"
 #include "ImageCache.h"
 #include "Isomap.h"
+#include "LeafHistogram.h"
 #include "ReusePlan.h"
 #include "TileBounds.h"
 #include "TileTracer.h"
@@ -76,6 +78,7 @@ private:
   void TraceFrame(const FrameKey& key, const Options& options, CachedImage* cached);
   Isomap::Outcome BuildBands(
     const FrameKey& key, const Options& options, const Isomap::ReportProgress& report);
+  ValueBand ChooseBand(double isovalue, const Options& options);
   void LookUpFrame(const FrameKey& key, const Options& options);
   void BeginFrame(const FrameKey& key);
   void FinishFrame(const Options& options);
@@ -94,6 +97,10 @@ private:
   ImageCache Images;                 ///< what later frames may start from, Front among them
   Isomap Map;                        ///< of the view in which isovalues last changed
   FrameStatistics Counters;
+
+  BandPlan Plan;             ///< of the bands of Map
+  LeafHistogram Leaves;      ///< of Pyramid; made when first asked for
+  std::int64_t ColdCells = 0; ///< cells that the last cold frame read
 
   ValueRangePyramid Pyramid; ///< of PyramidField
   Field PyramidField;

@@ -3,11 +3,14 @@
 #include "Isomap.h"
 
 #include "BandTracer.h"
+#include "Disparity.h"
 #include "Parallel.h"
 #include "TileBounds.h"
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
+#include <limits>
 #include <new>
 
 namespace TemporalCoherence
@@ -20,6 +23,53 @@ constexpr std::int64_t TileGrain = 8;
 
 /// Tiles between two reports of progress.
 constexpr std::int64_t TilesPerReport = 1024;
+
+/// Disparities are stored in single precision: they are not trusted beyond this share.
+constexpr double DisparityError = 1e-6;
+
+/// Let rays that begin below a lower isovalue walk from where a picture of it shows them to touch
+/// what may lie above.
+void NarrowByPicture(const Frame& picture, bool isParallel, RayBatch& rays)
+{
+  for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
+  {
+    const auto pixel = static_cast<std::size_t>(rays.Pixel[i]);
+    const auto contact = static_cast<double>(picture.Contacts[pixel]);
+    const HitKind kind = picture.Kinds[pixel];
+    const bool isKnown = kind == HitKind::Enters ||
+      (kind == HitKind::None && contact != DisparityOfMiss(isParallel));
+    if (isKnown)
+    {
+      const double t = DepthOf(contact, isParallel) * rays.PerDepth[i];
+      rays.WalkBegin[i] = std::max(rays.WalkBegin[i], t - DisparityError * std::abs(t));
+    }
+  }
+}
+
+/// Let rays that begin below the band underneath walk from where they come to its end; those that
+/// do not come there have nowhere to go. (Rays that meet no cell of that band may begin above it.)
+void NarrowByBand(const TileKnots& knots, BandScale::Key end, RayBatch& rays)
+{
+  const CellKnots& table = knots.Cells[static_cast<std::size_t>(Course::Rising)];
+  for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count) && !table.IsEmpty(); ++i)
+  {
+    const bool beginsBelow = knots.Entries.empty() || !std::isfinite(knots.Entries[i]);
+    const std::size_t first = table.Begin(i), last = table.Begin(i + 1);
+    if (!beginsBelow || first == last)
+    {
+      continue;
+    }
+    const std::size_t knot = FirstOf(table.Get<1>(), first, last, end);
+    if (knot == last)
+    {
+      rays.WalkEnd[i] = rays.WalkBegin[i];
+    }
+    else
+    {
+      rays.WalkBegin[i] = std::max(rays.WalkBegin[i], EntryInto(table.Get<2>()[knot], rays, i));
+    }
+  }
+}
 
 }
 
@@ -44,10 +94,10 @@ void Isomap::Release()
 }
 
 Isomap::Outcome Isomap::Build(const ValueBand& band, const ValueRangePyramid& pyramid,
-  std::size_t limit, const ReportProgress& report)
+  const Start& start, std::size_t limit, const ReportProgress& report)
 {
   const std::int64_t tiles = NumberOfTiles(this->Key.Seen.Size);
-  auto built = std::make_unique<Band>();
+  const auto built = std::make_shared<Band>();
   built->Values = band;
   built->Tiles.resize(static_cast<std::size_t>(tiles));
   built->Memory = built->Tiles.size() * sizeof(TileKnots);
@@ -60,6 +110,11 @@ Isomap::Outcome Isomap::Build(const ValueBand& band, const ValueRangePyramid& py
   const bool isSolid = this->Key.Sought.Mode == SurfaceMode::Threshold;
   const auto tracer = BandTracer::Make(
     { this->Key.Samples, pyramid.FiniteRange(), &pyramid, &active, band, this->Key.Sought.Mode });
+
+  const auto below = std::find_if(this->Kept.begin(), this->Kept.end(),
+    [&](const auto& kept) { return kept->Values.High == band.Low; });
+  const std::shared_ptr<Band> underneath = below != this->Kept.end() ? *below : nullptr;
+  const bool hasStart = start.Picture && start.Isovalue <= band.Low;
 
   std::atomic<std::int64_t> memory{ 0 }, knots{ 0 }, cells{ 0 };
   std::atomic<bool> hasFailed{ false };
@@ -74,6 +129,16 @@ Isomap::Outcome Isomap::Build(const ValueBand& band, const ValueRangePyramid& py
     RayBatch rays;
     source.SetUp(part.First, part.Size, rays);
     bounds.Narrow(tile, rays);
+    if (underneath)
+    {
+      const BandScale scale(underneath->Values);
+      NarrowByBand(
+        underneath->Tiles[static_cast<std::size_t>(tile)], scale.KeyOf(scale.Span), rays);
+    }
+    else if (hasStart)
+    {
+      NarrowByPicture(*start.Picture, this->Key.Seen.Parallel, rays);
+    }
     try
     {
       TileKnots& to = built->Tiles[static_cast<std::size_t>(tile)];
@@ -108,7 +173,7 @@ Isomap::Outcome Isomap::Build(const ValueBand& band, const ValueRangePyramid& py
   }
   built->NumberOfKnots = static_cast<std::size_t>(knots);
   built->CellsRead = cells;
-  this->Kept.push_back(std::move(built));
+  this->Kept.push_back(built);
   this->Kept.back()->LastUse = ++this->Uses;
   return Outcome::Built;
 }
@@ -125,9 +190,27 @@ bool Isomap::MakeRoom(std::size_t bytes, std::size_t limit)
   return bytes <= limit;
 }
 
+ValueBand Isomap::GapAround(double isovalue) const
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  ValueBand gap{ -infinity, infinity };
+  for (const auto& band : this->Kept)
+  {
+    if (band->Values.High < isovalue)
+    {
+      gap.Low = std::max(gap.Low, band->Values.High);
+    }
+    else
+    {
+      gap.High = std::min(gap.High, band->Values.Low);
+    }
+  }
+  return gap;
+}
+
 const Isomap::Band* Isomap::Use(double isovalue)
 {
-  for (const std::unique_ptr<Band>& band : this->Kept)
+  for (const std::shared_ptr<Band>& band : this->Kept)
   {
     if (band->Values.Holds(isovalue))
     {
@@ -151,7 +234,7 @@ bool Isomap::Covers(const std::vector<double>& isovalues) const
 std::size_t Isomap::MemoryInBytes() const
 {
   std::size_t bytes = 0;
-  for (const std::unique_ptr<Band>& band : this->Kept)
+  for (const std::shared_ptr<Band>& band : this->Kept)
   {
     bytes += band->Memory;
   }
@@ -161,7 +244,7 @@ std::size_t Isomap::MemoryInBytes() const
 std::size_t Isomap::NumberOfKnots() const
 {
   std::size_t knots = 0;
-  for (const std::unique_ptr<Band>& band : this->Kept)
+  for (const std::shared_ptr<Band>& band : this->Kept)
   {
     knots += band->NumberOfKnots;
   }

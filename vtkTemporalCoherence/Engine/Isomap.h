@@ -55,13 +55,24 @@ public:
   /// Begin an empty isomap for a frame's view, data and mode.
   void Begin(const FrameKey& key);
 
+  /// Where a band may begin: at what the picture of a lower isovalue shows.
+  struct Start
+  {
+    const Frame* Picture = nullptr; ///< exact, of the same view; null: there is none
+    double Isovalue = 0.0;
+  };
+
   /// Trace a band and keep it. Bands that were not used for long are dropped where the limit asks
   /// for it.
   /// \param pyramid of the frame's field
   /// \param limit   bytes that all bands may take
   /// \throws std::bad_alloc, the isomap then being as it was, but for dropped bands
-  Outcome Build(const ValueBand& band, const ValueRangePyramid& pyramid, std::size_t limit,
-    const ReportProgress& report);
+  Outcome Build(const ValueBand& band, const ValueRangePyramid& pyramid, const Start& start,
+    std::size_t limit, const ReportProgress& report);
+
+  /// The isovalues around one without a band for which there is no band either; infinite where all
+  /// are.
+  ValueBand GapAround(double isovalue) const;
 
   /// The band that holds an isovalue, or null; marks it as used.
   const Band* Use(double isovalue);
@@ -69,7 +80,7 @@ public:
   /// True if there is a band for each isovalue.
   bool Covers(const std::vector<double>& isovalues) const;
 
-  const std::vector<std::unique_ptr<Band>>& Bands() const { return this->Kept; }
+  const std::vector<std::shared_ptr<Band>>& Bands() const { return this->Kept; }
 
   /// True if a band was dropped because of the limit of memory.
   bool HasDropped() const { return this->Dropped; }
@@ -86,7 +97,7 @@ private:
   bool IsBegun = false;
   bool Dropped = false;
   std::uint64_t Uses = 0;
-  std::vector<std::unique_ptr<Band>> Kept;
+  std::vector<std::shared_ptr<Band>> Kept;
 };
 
 }

@@ -137,8 +137,7 @@ private:
   {
     CellWalk& walk = progress.Walks[ray];
     const bool isAhead =
-      walk.FindActive({ progress.Rays, ray }, *this->Scene.Active, this->Samples.All(),
-        [](std::int64_t, int) { return true; });
+      walk.FindActive({ progress.Rays, ray }, *this->Scene.Active, this->Samples.All());
     if (isAhead && !this->IsLarge)
     {
       this->Visit(ray, progress);

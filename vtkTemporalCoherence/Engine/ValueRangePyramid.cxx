@@ -167,21 +167,29 @@ void BuildLeaves(const TypedField<T>& field, const glm::ivec3& nodes, Range<T>* 
     });
 }
 
-/// Smallest and largest finite sample, read from the leaves; where leaves hold what is not finite,
-/// from all samples.
+/// The range of everything in `count` ranges, of which some may be empty.
 template <typename T>
-glm::dvec2 FindFiniteRange(const TypedField<T>& field, const Range<T>* leaves, std::int64_t count)
+Range<T> RangeOf(const Range<T>* ranges, std::int64_t count)
 {
-  Range<T> range = EmptyRange<T>();
-  bool finite = true;
+  Range<T> all = EmptyRange<T>();
   for (std::int64_t i = 0; i < count; ++i)
   {
-    if (leaves[i].Min <= leaves[i].Max)
+    if (ranges[i].Min <= ranges[i].Max)
     {
-      range.Min = std::min(range.Min, leaves[i].Min);
-      range.Max = std::max(range.Max, leaves[i].Max);
+      all.Min = std::min(all.Min, ranges[i].Min);
+      all.Max = std::max(all.Max, ranges[i].Max);
     }
   }
+  return all;
+}
+
+/// Smallest and largest finite sample, read from the nodes; where nodes hold what is not finite,
+/// from all samples.
+template <typename T>
+glm::dvec2 FindFiniteRange(const TypedField<T>& field, const Range<T>* nodes, std::int64_t count)
+{
+  Range<T> range = RangeOf(nodes, count);
+  bool finite = true;
   if constexpr (std::is_floating_point_v<T>)
   {
     finite = std::isfinite(range.Min) && std::isfinite(range.Max);
@@ -217,18 +225,20 @@ void ValueRangePyramid::Build(const Field& field)
 {
   this->Release();
   const glm::ivec3 nodes = (field.Dimensions - 1 + (NodeSize - 1)) / NodeSize;
-  const std::int64_t leaves =
-    static_cast<std::int64_t>(nodes.x) * nodes.y * nodes.z * LeavesPerNode;
+  const std::int64_t count = static_cast<std::int64_t>(nodes.x) * nodes.y * nodes.z;
   DispatchScalarType(field.Type,
     [&](auto type)
     {
       using T = decltype(type);
-      this->Bytes.resize(static_cast<std::size_t>(leaves) * sizeof(Range<T>));
+      this->Bytes.resize(static_cast<std::size_t>(count * (LeavesPerNode + 1)) * sizeof(Range<T>));
       this->Nodes = nodes;
       auto* ranges = reinterpret_cast<Range<T>*>(this->Bytes.data());
       const TypedField<T> samples(field);
       BuildLeaves(samples, nodes, ranges);
-      this->Finite = FindFiniteRange(samples, ranges, leaves);
+      Range<T>* const ofNodes = ranges + count * LeavesPerNode;
+      ParallelFor(count, 256, [&](std::int64_t node)
+        { ofNodes[node] = RangeOf(ranges + node * LeavesPerNode, LeavesPerNode); });
+      this->Finite = FindFiniteRange(samples, ofNodes, count);
     });
 }
 

@@ -57,13 +57,20 @@ public:
     return reinterpret_cast<const Range<T>*>(this->Bytes.data()) + node * LeavesPerNode;
   }
 
+  /// Range of all leaves of a node.
+  template <typename T>
+  const Range<T>& NodeAt(std::int64_t node) const
+  {
+    return *(this->LeavesOf<T>(this->NumberOfNodes()) + node);
+  }
+
   /// Smallest and largest finite sample of the whole field; {0, 0} if there is none.
   const glm::dvec2& FiniteRange() const { return this->Finite; }
 
   std::size_t MemoryInBytes() const { return this->Bytes.size(); }
 
 private:
-  std::vector<std::byte> Bytes;
+  std::vector<std::byte> Bytes; ///< the leaves of all nodes, and then the nodes
   glm::ivec3 Nodes{ 0 };
   glm::dvec2 Finite{ 0.0 };
 };

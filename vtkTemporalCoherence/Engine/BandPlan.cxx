@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BandPlan.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+/// Width of the first band, as a share of the range of values: about a step of a slider.
+constexpr double FirstWidth = 1.0 / 256.0;
+
+/// Leaves that a band may pass through beyond those of its isovalue, as a share of these: the first,
+/// and any. Rays read many more cells of these leaves than they would for one isovalue.
+constexpr double FirstGrowth = 0.03, MostGrowth = 0.1;
+
+constexpr int MostHalvings = 8;
+
+/// Cells that building a band should read, in units of those that a cold frame reads. Two thirds of
+/// a cold frame's time go into finding the first of them, so that this is twice its time.
+constexpr double EnoughCells = 2.5;
+
+}
+
+ValueBand BandPlan::Choose(const Wish& wish, const LeafHistogram& leaves) const
+{
+  const double c = wish.Isovalue;
+  const double ahead = wish.Before > c ? -1.0 : 1.0;
+  const auto bandOf = [&](double width)
+  { return ValueBand{ std::min(c, c + ahead * width), std::max(c, c + ahead * width) }; };
+
+  const double growth = std::min(FirstGrowth * this->Stretch, MostGrowth);
+  const double allowed = (1.0 + growth) * leaves.ShareOf({ c, c });
+  double width = FirstWidth * this->Stretch * leaves.Range();
+  for (int halving = 0; halving < MostHalvings && leaves.ShareOf(bandOf(width)) > allowed; ++halving)
+  {
+    width *= 0.5;
+  }
+
+  // Behind, the band goes back to what is there already, or a little way.
+  ValueBand band = bandOf(width);
+  (ahead > 0.0 ? band.Low : band.High) -= ahead * 0.25 * width;
+  const double edge = ahead > 0.0 ? wish.Gap.Low : wish.Gap.High;
+  const double behind = std::abs(wish.Before - edge) <= width ? edge : wish.Before;
+  if (std::abs(c - behind) <= width)
+  {
+    (ahead > 0.0 ? band.Low : band.High) = behind;
+  }
+  return { std::max(band.Low, wish.Gap.Low), std::min(band.High, wish.Gap.High) };
+}
+
+void BandPlan::Learn(std::int64_t cellsRead, std::int64_t coldCells)
+{
+  const double cells =
+    static_cast<double>(cellsRead) / static_cast<double>(std::max<std::int64_t>(coldCells, 1));
+  this->Stretch *= std::min(std::max(EnoughCells / cells, 0.25), 2.0);
+}
+
+}

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_LeafHistogram_h
+#define TemporalCoherence_LeafHistogram_h
+
+#include "Field.h"
+#include "Surfaces.h"
+#include "ValueRangePyramid.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace TemporalCoherence
+{
+
+/// How many leaves of a pyramid the isovalues of a band pass through: what tracing it may cost.
+class LeafHistogram
+{
+public:
+  /// Count leaves by their smallest and largest sample. Of many leaves only some are looked at.
+  /// \throws std::bad_alloc, the histogram then being empty
+  void Build(const Field& field, const ValueRangePyramid& pyramid);
+
+  void Release();
+
+  bool IsEmpty() const { return this->MinAtLeast.empty(); }
+
+  /// Largest minus smallest finite sample.
+  double Range() const { return this->Span; }
+
+  /// Share of all leaves through which some isovalue of the band passes, 0 to 1.
+  double ShareOf(const ValueBand& band) const;
+
+private:
+  static constexpr int Bins = 4096;
+
+  double BinOf(double value) const;
+
+  double Low = 0.0, Span = 0.0, BinsPerUnit = 0.0;
+  std::vector<double> MinAtLeast, MaxAtLeast; ///< share of leaves, by bin
+};
+
+}
+
+#endif

@@ -15,6 +15,7 @@
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
@@ -33,6 +34,7 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
   std::uint64_t Picture = 0;       ///< counts the different pictures
   double PresentTime = 0.0;
   std::string LastError; ///< reported already; empty after a frame without error
+  bool HasWarned = false; ///< of the limit of memory
 
   const TemporalCoherence::FrameStatistics& Statistics() const { return this->Frames.Statistics(); }
 };
@@ -154,7 +156,17 @@ bool vtkTemporalCoherenceVolumeMapper::RenderFrame(
 
   try
   {
-    internal.Frames.Render(key, MakeOptions(*this));
+    const bool isMade = internal.Frames.Render(key, MakeOptions(*this),
+      [&](double progress)
+      {
+        this->InvokeEvent(vtkCommand::VolumeMapperRenderProgressEvent, &progress);
+        return this->MayGoOn(renderer);
+      });
+    if (!isMade)
+    {
+      return false;
+    }
+    this->WarnOfIsomapLimit(false);
   }
   catch (const std::exception&) // bad_alloc, or length_error where a size has no number
   {
@@ -354,14 +366,85 @@ bool vtkTemporalCoherenceVolumeMapper::PickPixel(
 }
 
 //------------------------------------------------------------------------------
-bool vtkTemporalCoherenceVolumeMapper::BuildIsomap(vtkRenderer*, vtkVolume*)
+bool vtkTemporalCoherenceVolumeMapper::BuildIsomap(vtkRenderer* renderer, vtkVolume* volume)
 {
-  return false;
+  if (!renderer || !volume)
+  {
+    this->ReportOnce("BuildIsomap needs a renderer and a volume; one of them is null.");
+    return false;
+  }
+  Internals& internal = *this->Internal;
+  glm::ivec2 size = internal.Frames.LastFrame().Size;
+  double aspect = size.y > 0 ? static_cast<double>(size.x) / size.y : 1.0;
+  if (renderer->GetRenderWindow())
+  {
+    int x, y;
+    renderer->GetTiledSizeAndOrigin(&size.x, &size.y, &x, &y);
+    aspect = renderer->GetTiledAspectRatio();
+  }
+  if (size.x < 1 || size.y < 1)
+  {
+    this->ReportOnce("The size of the picture is not known; give the renderer a render window or "
+                     "render a frame before BuildIsomap.");
+    return false;
+  }
+  if (this->GetNumberOfInputConnections(0) > 0)
+  {
+    this->Update();
+  }
+
+  TemporalCoherence::FrameKey key;
+  std::vector<int> places;
+  std::string error;
+  if (!this->MakeFrameKey(renderer, volume, size.x, size.y, aspect, key, places, error))
+  {
+    this->ReportOnce(error);
+    return false;
+  }
+  try
+  {
+    const auto outcome = internal.Frames.BuildIsomap(key, MakeOptions(*this),
+      [&](double progress)
+      {
+        this->UpdateProgress(progress);
+        return this->MayGoOn(renderer);
+      });
+    this->WarnOfIsomapLimit(outcome == TemporalCoherence::Isomap::Outcome::TooLarge);
+    return outcome == TemporalCoherence::Isomap::Outcome::Built;
+  }
+  catch (const std::exception&)
+  {
+    this->ReportOnce("There is not enough memory for an isomap; free memory, or set an IsomapRange "
+                     "that is narrower.");
+    return false;
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkTemporalCoherenceVolumeMapper::MayGoOn(vtkRenderer* renderer)
+{
+  vtkRenderWindow* window = renderer->GetRenderWindow();
+  return !this->GetAbortExecute() && !(window && window->CheckAbortStatus());
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherenceVolumeMapper::WarnOfIsomapLimit(bool isTooLarge)
+{
+  Internals& internal = *this->Internal;
+  if (internal.HasWarned || !(isTooLarge || internal.Frames.IsomapOfLastView().HasDropped()))
+  {
+    return;
+  }
+  internal.HasWarned = true;
+  vtkWarningMacro("The isomap of this view does not fit IsomapMemoryLimit (" << this->IsomapMemoryLimit
+    << " MiB): what was used least is built again when it is needed. Raise the limit, or set a "
+       "narrower IsomapRange or a larger IsomapTolerance.");
 }
 
 //------------------------------------------------------------------------------
 void vtkTemporalCoherenceVolumeMapper::ReleaseReuse()
 {
+  this->Internal->HasWarned = false;
   this->Internal->Frames.Release();
 }
 

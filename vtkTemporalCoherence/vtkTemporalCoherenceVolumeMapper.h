@@ -111,8 +111,10 @@ public:
 
   ///@{
   /**
-   * Allow a new isovalue in the same view to be looked up in an isomap. Default: on. The route
-   * IsomapLookup is not built yet: a new isovalue makes a cold frame either way.
+   * Allow a new isovalue in the same view to be looked up in an isomap, which knows where each
+   * pixel's ray first passes each isovalue. Default: on. It is built when isovalues first change in
+   * a view, a band of isovalues at a time. Off, the last hit of a ray bounds the search for the next
+   * (route ThresholdHint). The picture is the same.
    */
   vtkSetMacro(Isomap, vtkTypeBool);
   vtkGetMacro(Isomap, vtkTypeBool);
@@ -224,9 +226,16 @@ public:
 
   ///@{
   /**
-   * The isomap: how far a surface looked up may lie from the exact one, in voxels (default 0,
-   * exact); the range of isovalues it covers (default lo > hi: bands chosen around the present
-   * isovalue); the memory it may use, in MiB (default 256).
+   * How the isomap is built.
+   *
+   * IsomapTolerance: how far a surface looked up may lie from the exact one, in voxels (the smallest
+   * spacing). Default: 0, the cold picture to the last bit.
+   *
+   * IsomapRange: isovalues to build it for at once. Default: lo > hi, bands around the present
+   * isovalue that take about as long as a cold frame; outside of a given range, too.
+   *
+   * IsomapMemoryLimit: what it may use, in MiB. Default: 256. The bands used least are dropped, with
+   * a warning once; 0 is as IsomapOff().
    */
   vtkSetClampMacro(IsomapTolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(IsomapTolerance, double);
@@ -254,8 +263,11 @@ public:
   ///@}
 
   /**
-   * Build the isomap of the present view ahead of the first new isovalue.
-   * @return true if there is an isomap afterwards; isomaps are not built yet, so always false
+   * Build the isomap of the present view ahead of the first new isovalue: IsomapRange if it holds the
+   * isovalues, else a band around each. The view is that of the renderer's window; without a window
+   * its size is that of the last frame. Sends ProgressEvent with the share of a band that is done;
+   * stops when the render window or SetAbortExecute() asks for it. The last frame stays.
+   * @return true if there is an isomap for the present isovalues afterwards
    */
   bool BuildIsomap(vtkRenderer* renderer, vtkVolume* volume);
 
@@ -359,6 +371,8 @@ private:
     TemporalCoherence::FrameKey& key, std::vector<int>& places, std::string& error);
   vtkImageData* FindInput(vtkDataArray*& array, std::string& error);
   void ReportOnce(const std::string& error);
+  bool MayGoOn(vtkRenderer* renderer);
+  void WarnOfIsomapLimit(bool isTooLarge);
 
   int SurfaceMode = CROSSING;
   int VectorMode = DISABLED;

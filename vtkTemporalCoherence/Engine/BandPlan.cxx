@@ -14,8 +14,8 @@ namespace
 constexpr double FirstWidth = 1.0 / 256.0;
 
 /// Leaves that a band may pass through beyond those of its isovalue, as a share of these: the first,
-/// and any. Rays read many more cells of these leaves than they would for one isovalue.
-constexpr double FirstGrowth = 0.03, MostGrowth = 0.1;
+/// and later ones. Rays read many more cells of these leaves than they would for one isovalue.
+constexpr double FirstGrowth = 0.03, Growth = 0.1;
 
 constexpr int MostHalvings = 8;
 
@@ -29,12 +29,16 @@ ValueBand BandPlan::Choose(const Wish& wish, const LeafHistogram& leaves) const
 {
   const double c = wish.Isovalue;
   const double ahead = wish.Before > c ? -1.0 : 1.0;
+  const bool isBothWays = wish.Before == c;
   const auto bandOf = [&](double width)
-  { return ValueBand{ std::min(c, c + ahead * width), std::max(c, c + ahead * width) }; };
+  {
+    const double other = isBothWays ? c - ahead * width : c;
+    return ValueBand{ std::min(other, c + ahead * width), std::max(other, c + ahead * width) };
+  };
 
-  const double growth = std::min(FirstGrowth * this->Stretch, MostGrowth);
-  const double allowed = (1.0 + growth) * leaves.ShareOf({ c, c });
-  double width = FirstWidth * this->Stretch * leaves.Range();
+  const bool isFirst = this->Width == 0.0;
+  const double allowed = (1.0 + (isFirst ? FirstGrowth : Growth)) * leaves.ShareOf({ c, c });
+  double width = isFirst ? FirstWidth * leaves.Range() : this->Width;
   for (int halving = 0; halving < MostHalvings && leaves.ShareOf(bandOf(width)) > allowed; ++halving)
   {
     width *= 0.5;
@@ -42,21 +46,26 @@ ValueBand BandPlan::Choose(const Wish& wish, const LeafHistogram& leaves) const
 
   // Behind, the band goes back to what is there already, or a little way.
   ValueBand band = bandOf(width);
-  (ahead > 0.0 ? band.Low : band.High) -= ahead * 0.25 * width;
+  if (!isBothWays)
+  {
+    (ahead > 0.0 ? band.Low : band.High) -= ahead * 0.25 * width;
+  }
   const double edge = ahead > 0.0 ? wish.Gap.Low : wish.Gap.High;
   const double behind = std::abs(wish.Before - edge) <= width ? edge : wish.Before;
-  if (std::abs(c - behind) <= width)
+  if (!isBothWays && std::abs(c - behind) <= width)
   {
     (ahead > 0.0 ? band.Low : band.High) = behind;
   }
   return { std::max(band.Low, wish.Gap.Low), std::min(band.High, wish.Gap.High) };
 }
 
-void BandPlan::Learn(std::int64_t cellsRead, std::int64_t coldCells)
+void BandPlan::Learn(const ValueBand& band, std::int64_t cellsRead, std::int64_t coldCells)
 {
   const double cells =
     static_cast<double>(cellsRead) / static_cast<double>(std::max<std::int64_t>(coldCells, 1));
-  this->Stretch *= std::min(std::max(EnoughCells / cells, 0.25), 2.0);
+  // A band that only fills a gap tells little.
+  const double width = std::max(band.High - band.Low, 0.5 * this->Width);
+  this->Width = width * std::min(std::max(EnoughCells / std::max(cells, 0.01), 0.25), 2.0);
 }
 
 }

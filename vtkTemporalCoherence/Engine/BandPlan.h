@@ -20,7 +20,8 @@ public:
   struct Wish
   {
     double Isovalue; ///< it must hold
-    double Before;   ///< the isovalue before it: isovalues are expected to go on in this direction
+    double Before;   ///< the isovalue before it: isovalues are expected to go on in this direction,
+                     ///< or, if it is the same, in both
     ValueBand Gap;   ///< isovalues around it for which there is no band yet
   };
 
@@ -30,13 +31,13 @@ public:
   /// Learn from a band that was built: the next may be up to twice as wide, or narrower.
   /// \param cellsRead to build it
   /// \param coldCells that a frame without an isomap reads
-  void Learn(std::int64_t cellsRead, std::int64_t coldCells);
+  void Learn(const ValueBand& band, std::int64_t cellsRead, std::int64_t coldCells);
 
-  /// The next band will be half as wide: the last one took too much memory.
-  void Shorten() { this->Stretch *= 0.5; }
+  /// The next band will be much narrower than this one, which took too much time or memory.
+  void Shorten(const ValueBand& band) { this->Width = 0.25 * (band.High - band.Low); }
 
 private:
-  double Stretch = 1.0; ///< of bands, over the first
+  double Width = 0.0; ///< to try next; 0: no band was built yet
 };
 
 }

@@ -9,6 +9,13 @@
 
 namespace TemporalCoherence
 {
+namespace
+{
+
+/// Disparities are stored in single precision: they are not trusted beyond this share.
+constexpr double DisparityError = 1e-6;
+
+}
 
 void StoreMisses(std::int64_t tile, const PixelRect& part, bool isParallel, Frame& frame)
 {
@@ -75,6 +82,23 @@ void StoreHits(const RayBatch& rays, const HitBatch& hits,
     frame.Isovalues[pixel] = hits.Surface[i];
     frame.Kinds[pixel] = isWithin ? HitKind::Within : hits.Kind[i];
     frame.Answers[pixel] = answers[i];
+  }
+}
+
+void BeginAtContacts(const Frame& picture, bool isParallel, RayBatch& rays)
+{
+  for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
+  {
+    const auto pixel = static_cast<std::size_t>(rays.Pixel[i]);
+    const auto contact = static_cast<double>(picture.Contacts[pixel]);
+    const HitKind kind = picture.Kinds[pixel];
+    const bool isKnown = kind == HitKind::Enters ||
+      (kind == HitKind::None && contact != DisparityOfMiss(isParallel));
+    if (isKnown)
+    {
+      const double t = DepthOf(contact, isParallel) * rays.PerDepth[i];
+      rays.WalkBegin[i] = std::max(rays.WalkBegin[i], t - DisparityError * std::abs(t));
+    }
   }
 }
 

@@ -30,6 +30,11 @@ constexpr std::int64_t TileGrain = 8;
 /// Fewer rays than this are traced without space leaping.
 constexpr std::int64_t FewRays = 256;
 
+/// Cells that a band chosen by us may read, in units of those of a cold frame: three times its time,
+/// as most of that goes into finding the first cell. And how often a narrower band is tried.
+constexpr double MostCells = 4.0;
+constexpr int MostAttempts = 4;
+
 /// True if the colours of a cached image may be taken over: those of the same surfaces under the
 /// same lights, which may have moved, as a headlight moves with every view (the paper's choice).
 bool HasColorsFor(const CachedImage& cached, const FrameKey& next)
@@ -80,6 +85,14 @@ bool FrameRenderer::Render(
   return isMade;
 }
 
+Isomap::Outcome FrameRenderer::BuildIsomap(
+  const FrameKey& key, const Options& options, const Isomap::ReportProgress& report)
+{
+  const bool isPossible = !key.Sought.Isovalues.empty() && Isomap::CanHold(key.Samples);
+  this->Counters.IsomapBuildTime = 0.0;
+  return isPossible ? this->BuildBands(key, options, report) : Isomap::Outcome::TooLarge;
+}
+
 bool FrameRenderer::TakeRoute(const FrameKey& key, const Options& options, CachedImage* nearest,
   const Isomap::ReportProgress& report)
 {
@@ -101,10 +114,11 @@ bool FrameRenderer::TakeRoute(const FrameKey& key, const Options& options, Cache
         case Isomap::Outcome::Built:
           this->LookUpFrame(key, options);
           return true;
-        case Isomap::Outcome::TooLarge:
+        default:
           break;
       }
-      this->Counters.Made = Route::Cold;
+      this->Counters.Made = PlanRoute(
+        this->Front->Key, key, options.Reuse, { this->Front->IsExact, false, false, false });
       this->TraceFrame(key, options, nullptr);
       return true;
     case Route::IsomapLookup:
@@ -129,24 +143,15 @@ Route FrameRenderer::ChooseRoute(
   HeldForReuse held;
   held.IsExact = this->Front->IsExact;
   held.Image = nearest != nullptr;
+  held.CanBuildIsomap = options.Map.MemoryLimit > 0 && Isomap::CanHold(key.Samples);
   held.Isomap = this->Map.IsOf(key) && this->Map.Covers(key.Sought.Isovalues);
   ReuseSwitches switches = options.Reuse;
   switches.RefineWhenStill |= options.Accuracy == ReuseAccuracy::Exact || !switches.ImageCache;
-  const Route route = PlanRoute(this->Front->Key, key, switches, held);
-  switch (route)
-  {
-    case Route::Redisplay:
-    case Route::Reshade:
-    case Route::ImageCache:
-    case Route::IsomapBuild:
-    case Route::IsomapLookup:
-      return route;
-    default:
-      return Route::Cold; // the routes that are planned but not built yet
-  }
+  return PlanRoute(this->Front->Key, key, switches, held);
 }
 
-/// Make a frame by tracing, from a cached image or, if that is null, cold.
+/// Make a frame by tracing: from a cached image; or, on that route, with the last picture's hits as
+/// hints; or cold.
 void FrameRenderer::TraceFrame(const FrameKey& key, const Options& options, CachedImage* cached)
 {
   const bool isExact = !cached || options.Accuracy == ReuseAccuracy::Exact;
@@ -168,14 +173,19 @@ void FrameRenderer::TraceFrame(const FrameKey& key, const Options& options, Cach
     Stopwatch watch(this->Counters.QueryTime);
     query = std::make_unique<ImageQuery>(*cached, key, options.Accuracy);
   }
-  this->TraceTiles({ key, options.SpaceLeaping ? &this->Active : nullptr, &this->Bounds,
-                     this->Pyramid.FiniteRange(), query.get(), interpolates },
-    made.Picture);
+  TileScene scene{ key, options.SpaceLeaping ? &this->Active : nullptr, &this->Bounds,
+    this->Pyramid.FiniteRange(), query.get(), interpolates };
+  if (this->Counters.Made == Route::ThresholdHint)
+  {
+    scene.Before = &this->Front->Picture;
+    scene.IsRaised = CompareFrames(this->Front->Key, key).Raised;
+  }
+  this->TraceTiles(scene, made.Picture);
   this->ShadeTiles(key, true, !interpolates, made.Picture);
   made.Picture.IsFromCache = cached != nullptr;
   made.IsExact = isExact;
   made.IsEroded = !isExact && options.Accuracy == ReuseAccuracy::Paper;
-  this->ColdCells = isExact ? this->Counters.FieldSamples / 8 : this->ColdCells;
+  this->ColdCells = this->Counters.Made == Route::Cold ? this->Counters.FieldSamples / 8 : this->ColdCells;
   this->FinishFrame(options);
 }
 
@@ -200,21 +210,48 @@ Isomap::Outcome FrameRenderer::BuildBands(
   {
     if (!this->Map.Use(isovalue))
     {
-      const ValueBand band = this->ChooseBand(isovalue, options);
-      const Isomap::Outcome outcome =
-        this->Map.Build(band, this->Pyramid, start, options.Map.MemoryLimit, report);
+      const Isomap::Outcome outcome = this->BuildBand(isovalue, start, options, report);
       if (outcome != Isomap::Outcome::Built)
       {
         return outcome;
       }
-      const std::int64_t cells = this->Map.Bands().back()->CellsRead;
-      this->Counters.FieldSamples += 8 * cells;
-      this->Plan.Learn(cells, this->ColdCells);
     }
   }
   // Room for one may have been made by dropping another.
   return this->Map.Covers(key.Sought.Isovalues) ? Isomap::Outcome::Built
                                                 : Isomap::Outcome::TooLarge;
+}
+
+/// Build a band for an isovalue, a narrower one where the first choice turns out to be too costly.
+Isomap::Outcome FrameRenderer::BuildBand(double isovalue, const Isomap::Start& start,
+  const Options& options, const Isomap::ReportProgress& report)
+{
+  Isomap::Outcome outcome = Isomap::Outcome::TooCostly;
+  for (int attempt = 0; attempt < MostAttempts; ++attempt)
+  {
+    const bool isLast = attempt + 1 == MostAttempts || options.Map.Range.Holds(isovalue);
+    const Isomap::Limits limits{ options.Map.MemoryLimit,
+      isLast ? std::numeric_limits<double>::infinity()
+             : MostCells * static_cast<double>(this->ColdCells) };
+    const ValueBand band = this->ChooseBand(isovalue, options);
+    outcome = this->Map.Build(band, this->Pyramid, start, limits, report);
+    switch (outcome)
+    {
+      case Isomap::Outcome::Built:
+      {
+        const std::int64_t cells = this->Map.Bands().back()->CellsRead;
+        this->Counters.FieldSamples += 8 * cells;
+        this->Plan.Learn(band, cells, this->ColdCells);
+        return outcome;
+      }
+      case Isomap::Outcome::Stopped:
+        return outcome;
+      default:
+        this->Plan.Shorten(band);
+        break;
+    }
+  }
+  return outcome;
 }
 
 /// The band to build for an isovalue.

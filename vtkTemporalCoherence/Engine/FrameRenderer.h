@@ -59,6 +59,11 @@ public:
   bool Render(
     const FrameKey& key, const Options& options, const Isomap::ReportProgress& report = {});
 
+  /// Build the bands of an isomap that `key` needs, ahead of its frame. The last frame stays.
+  /// \throws std::bad_alloc
+  Isomap::Outcome BuildIsomap(
+    const FrameKey& key, const Options& options, const Isomap::ReportProgress& report = {});
+
   /// The last frame, and the key it was made for. The frame is empty before the first one.
   const Frame& LastFrame() const { return this->Front->Picture; }
   const FrameKey& LastKey() const { return this->Front->Key; }
@@ -78,6 +83,8 @@ private:
   void TraceFrame(const FrameKey& key, const Options& options, CachedImage* cached);
   Isomap::Outcome BuildBands(
     const FrameKey& key, const Options& options, const Isomap::ReportProgress& report);
+  Isomap::Outcome BuildBand(double isovalue, const Isomap::Start& start, const Options& options,
+    const Isomap::ReportProgress& report);
   ValueBand ChooseBand(double isovalue, const Options& options);
   void LookUpFrame(const FrameKey& key, const Options& options);
   void BeginFrame(const FrameKey& key);

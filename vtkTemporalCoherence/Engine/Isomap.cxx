@@ -3,7 +3,7 @@
 #include "Isomap.h"
 
 #include "BandTracer.h"
-#include "Disparity.h"
+#include "FramePlanes.h"
 #include "Parallel.h"
 #include "TileBounds.h"
 
@@ -21,30 +21,8 @@ namespace
 /// Neighbouring tiles that one thread takes at a time.
 constexpr std::int64_t TileGrain = 8;
 
-/// Tiles between two reports of progress.
-constexpr std::int64_t TilesPerReport = 1024;
-
-/// Disparities are stored in single precision: they are not trusted beyond this share.
-constexpr double DisparityError = 1e-6;
-
-/// Let rays that begin below a lower isovalue walk from where a picture of it shows them to touch
-/// what may lie above.
-void NarrowByPicture(const Frame& picture, bool isParallel, RayBatch& rays)
-{
-  for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
-  {
-    const auto pixel = static_cast<std::size_t>(rays.Pixel[i]);
-    const auto contact = static_cast<double>(picture.Contacts[pixel]);
-    const HitKind kind = picture.Kinds[pixel];
-    const bool isKnown = kind == HitKind::Enters ||
-      (kind == HitKind::None && contact != DisparityOfMiss(isParallel));
-    if (isKnown)
-    {
-      const double t = DepthOf(contact, isParallel) * rays.PerDepth[i];
-      rays.WalkBegin[i] = std::max(rays.WalkBegin[i], t - DisparityError * std::abs(t));
-    }
-  }
-}
+/// Parts in which a band is built, each spread over the whole picture, with a report after each.
+constexpr std::int64_t NumberOfParts = 16;
 
 /// Let rays that begin below the band underneath walk from where they come to its end; those that
 /// do not come there have nowhere to go. (Rays that meet no cell of that band may begin above it.)
@@ -73,6 +51,12 @@ void NarrowByBand(const TileKnots& knots, BandScale::Key end, RayBatch& rays)
 
 }
 
+bool Isomap::CanHold(const Field& field)
+{
+  constexpr int largest = std::numeric_limits<CellIndex::value_type>::max();
+  return field.HasCells() && glm::all(glm::lessThanEqual(field.Dimensions, glm::ivec3(largest)));
+}
+
 bool Isomap::IsOf(const FrameKey& key) const
 {
   return this->IsBegun && this->Key.Samples == key.Samples && this->Key.Where == key.Where &&
@@ -94,7 +78,7 @@ void Isomap::Release()
 }
 
 Isomap::Outcome Isomap::Build(const ValueBand& band, const ValueRangePyramid& pyramid,
-  const Start& start, std::size_t limit, const ReportProgress& report)
+  const Start& start, const Limits& limits, const ReportProgress& report)
 {
   const std::int64_t tiles = NumberOfTiles(this->Key.Seen.Size);
   const auto built = std::make_shared<Band>();
@@ -137,7 +121,7 @@ Isomap::Outcome Isomap::Build(const ValueBand& band, const ValueRangePyramid& py
     }
     else if (hasStart)
     {
-      NarrowByPicture(*start.Picture, this->Key.Seen.Parallel, rays);
+      BeginAtContacts(*start.Picture, this->Key.Seen.Parallel, rays);
     }
     try
     {
@@ -153,20 +137,33 @@ Isomap::Outcome Isomap::Build(const ValueBand& band, const ValueRangePyramid& py
     }
   };
   const std::size_t fixed = built->Memory;
-  for (std::int64_t first = 0; first < tiles; first += TilesPerReport)
+  const std::int64_t groups = (tiles + TileGrain - 1) / TileGrain;
+  for (std::int64_t part = 0; part < NumberOfParts; ++part)
   {
-    const std::int64_t count = std::min(TilesPerReport, tiles - first);
-    ParallelFor(count, TileGrain, [&](std::int64_t i) { traceTile(first + i); });
+    ParallelFor((groups - part + NumberOfParts - 1) / NumberOfParts, 1,
+      [&](std::int64_t i)
+      {
+        const std::int64_t first = (part + i * NumberOfParts) * TileGrain;
+        for (std::int64_t tile = first; tile < std::min(first + TileGrain, tiles); ++tile)
+        {
+          traceTile(tile);
+        }
+      });
     built->Memory = fixed + static_cast<std::size_t>(memory);
+    const double done = static_cast<double>(part + 1) / NumberOfParts;
     if (hasFailed)
     {
       throw std::bad_alloc();
     }
-    if (!this->MakeRoom(built->Memory, limit))
+    if (!this->MakeRoom(built->Memory, limits.Memory))
     {
       return Outcome::TooLarge;
     }
-    if (report && !report(static_cast<double>(first + count) / static_cast<double>(tiles)))
+    if (static_cast<double>(cells) > limits.Cells * done)
+    {
+      return Outcome::TooCostly;
+    }
+    if (report && !report(done))
     {
       return Outcome::Stopped;
     }

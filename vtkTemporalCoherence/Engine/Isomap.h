@@ -45,9 +45,20 @@ public:
   enum class Outcome : std::uint8_t
   {
     Built,
-    Stopped, ///< by the report of its progress
-    TooLarge ///< the band alone would exceed the limit of memory
+    Stopped,  ///< by the report of its progress
+    TooLarge, ///< the band alone would exceed the limit of memory
+    TooCostly ///< it would read too many cells
   };
+
+  /// What a band may cost.
+  struct Limits
+  {
+    std::size_t Memory; ///< bytes that all bands may take
+    double Cells;       ///< that may be read; an estimate after a part of them decides
+  };
+
+  /// True if the cells of a field have numbers that fit the knots.
+  static bool CanHold(const Field& field);
 
   /// True if this is the isomap of the view, data and mode of a frame.
   bool IsOf(const FrameKey& key) const;
@@ -62,13 +73,12 @@ public:
     double Isovalue = 0.0;
   };
 
-  /// Trace a band and keep it. Bands that were not used for long are dropped where the limit asks
-  /// for it.
+  /// Trace a band and keep it. Bands that were not used for long are dropped where the limit of
+  /// memory asks for it.
   /// \param pyramid of the frame's field
-  /// \param limit   bytes that all bands may take
   /// \throws std::bad_alloc, the isomap then being as it was, but for dropped bands
   Outcome Build(const ValueBand& band, const ValueRangePyramid& pyramid, const Start& start,
-    std::size_t limit, const ReportProgress& report);
+    const Limits& limits, const ReportProgress& report);
 
   /// The isovalues around one without a band for which there is no band either; infinite where all
   /// are.

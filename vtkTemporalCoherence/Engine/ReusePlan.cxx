@@ -51,32 +51,36 @@ Route PlanRoute(const FrameKey& last, const FrameKey& next, const ReuseSwitches&
   const HeldForReuse& held)
 {
   const FrameChange change = CompareFrames(last, next);
-  if (change.Data)
+  const bool isSame = !change.Data && !change.View && !change.Surfaces;
+  if (isSame && (held.IsExact || !switches.RefineWhenStill))
+  {
+    return change.Appearance ? Route::Reshade : Route::Redisplay;
+  }
+  // An isomap gives the cold picture, wherever the last frame was.
+  if (switches.Isomap && held.Isomap && !next.Sought.Isovalues.empty())
+  {
+    return Route::IsomapLookup;
+  }
+  if (change.Data || isSame)
   {
     return Route::Cold;
   }
-  if (!change.View && !change.Surfaces)
+  if (change.View)
   {
-    if (!held.IsExact && switches.RefineWhenStill)
-    {
-      return Route::Cold;
-    }
-    return change.Appearance ? Route::Reshade : Route::Redisplay;
+    return switches.ImageCache && held.Image ? Route::ImageCache : Route::Cold;
   }
-  if (!change.View)
+  const std::size_t isovalues = next.Sought.Isovalues.size();
+  if (last.Sought.Mode != next.Sought.Mode || isovalues == 0)
   {
-    const bool sameMode = last.Sought.Mode == next.Sought.Mode;
-    if (!sameMode || next.Sought.Isovalues.empty())
-    {
-      return Route::Cold;
-    }
-    if (switches.Isomap)
-    {
-      return held.Isomap ? Route::IsomapLookup : Route::IsomapBuild;
-    }
-    return Route::ThresholdHint;
+    return Route::Cold;
   }
-  return switches.ImageCache && held.Image ? Route::ImageCache : Route::Cold;
+  if (switches.Isomap && held.CanBuildIsomap)
+  {
+    return Route::IsomapBuild;
+  }
+  // A hint is one isovalue's hit for another.
+  const bool isOneForOne = last.Sought.Isovalues.size() == 1 && isovalues == 1;
+  return held.IsExact && isOneForOne ? Route::ThresholdHint : Route::Cold;
 }
 
 }

@@ -59,7 +59,8 @@ struct HeldForReuse
 {
   bool IsExact = true; ///< the last picture is the cold picture of its key
   bool Image = false;  ///< a cached image can serve
-  bool Isomap = false; ///< an isomap of this view covers the next isovalues
+  bool Isomap = false;        ///< an isomap of this view covers the next isovalues
+  bool CanBuildIsomap = true; ///< data and memory allow one
 };
 
 /// What changed between two frames, by part of the key.

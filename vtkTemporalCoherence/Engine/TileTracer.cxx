@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 namespace TemporalCoherence
 {
@@ -14,6 +15,9 @@ namespace
 
 /// A surface found within so many voxels of where the image told to start counts as known.
 constexpr double NearStart = 2.0;
+
+/// Share of a depth by which a walk to it goes farther, so that its cell is not left out.
+constexpr double DepthError = 1e-9;
 
 /// One of so many tiles is timed: the clock costs as much as a ray.
 constexpr std::int64_t TimedTiles = 7;
@@ -89,8 +93,18 @@ TraceCounts TileTracer::Trace(std::int64_t tile, const PixelRect& part, Frame& f
   else
   {
     frame.ClearTiles[static_cast<std::size_t>(tile)] = 0;
-    this->Scene.Query ? this->TraceKnown(known, rays, frame, counts)
-                      : this->TraceCold(rays, frame, counts);
+    if (this->Scene.Query)
+    {
+      this->TraceKnown(known, rays, frame, counts);
+    }
+    else if (this->Scene.Before)
+    {
+      this->TraceHinted(rays, frame, counts);
+    }
+    else
+    {
+      this->TraceCold(rays, frame, counts);
+    }
   }
   counts.TileTime = isTimed ? Nanoseconds() - begin : 0;
   return counts;
@@ -124,12 +138,58 @@ void TileTracer::TraceCold(const RayBatch& rays, Frame& frame, TraceCounts& coun
   counts.CellsRead += hits.CellsRead;
   for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
   {
-    const bool isTraced = rays.WalkBegin[i] < rays.WalkEnd[i] || hits.Kind[i] == HitKind::Cap;
-    const Answer answer = isTraced ? Answer::PossibleHit : Answer::DefiniteMiss;
-    counts.TracedRays += isTraced;
-    Count(answer, counts);
-    StoreHit(rays, hits, i, answer, this->Scene.Key.Seen.Parallel, frame);
+    this->StoreTraced(rays, hits, i, frame, counts);
   }
+}
+
+/// Store what a ray found of which nothing was known before.
+void TileTracer::StoreTraced(const RayBatch& rays, const HitBatch& hits, std::size_t ray,
+  Frame& frame, TraceCounts& counts) const
+{
+  const bool isTraced = rays.WalkBegin[ray] < rays.WalkEnd[ray] || hits.Kind[ray] == HitKind::Cap;
+  const Answer answer = isTraced ? Answer::PossibleHit : Answer::DefiniteMiss;
+  counts.TracedRays += isTraced;
+  Count(answer, counts);
+  StoreHit(rays, hits, ray, answer, this->Scene.Key.Seen.Parallel, frame);
+}
+
+/// As an isovalue rises, the hit of a ray that begins below it moves away; as it falls, it comes
+/// nearer, unless the ray now begins above it.
+void TileTracer::TraceHinted(RayBatch& rays, Frame& frame, TraceCounts& counts) const
+{
+  const RayBatch::Array<double> walkEnd = rays.WalkEnd;
+  const Frame& before = *this->Scene.Before;
+  if (this->Scene.IsRaised)
+  {
+    BeginAtContacts(before, this->Scene.Key.Seen.Parallel, rays);
+  }
+  else
+  {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
+    {
+      const auto pixel = static_cast<std::size_t>(rays.Pixel[i]);
+      if (before.Kinds[pixel] == HitKind::Enters)
+      {
+        const double t = before.Depth[pixel];
+        rays.WalkEnd[i] = std::min(rays.WalkEnd[i], t + DepthError * std::abs(t));
+      }
+    }
+  }
+  HitBatch hits;
+  this->Tracer->Trace(rays, hits);
+  counts.CellsRead += hits.CellsRead;
+  RayBatch again;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
+  {
+    if (rays.WalkEnd[i] < walkEnd[i] && hits.Kind[i] == HitKind::None)
+    {
+      rays.WalkEnd[i] = walkEnd[i];
+      AppendRay(rays, i, again);
+      continue;
+    }
+    this->StoreTraced(rays, hits, i, frame, counts);
+  }
+  this->TraceAgain(again, frame, counts);
 }
 
 void TileTracer::TraceKnown(

@@ -25,10 +25,12 @@ struct TileScene
   glm::dvec2 FiniteRange{ 0.0 };
   const ImageQuery* Query = nullptr; ///< null: a cold frame
   bool InterpolateColors = false;    ///< definite hits take what the cached image has
+  const Frame* Before = nullptr; ///< exact picture of the same view and another isovalue; or null
+  bool IsRaised = false;         ///< that isovalue is lower
 };
 
 /// Takes the rays of one tile from their set-up to the planes of the frame: the walk narrowed by
-/// the tile's bounds and by what a cached image knows, the trace, and a second trace where that
+/// the tile's bounds and by what a cached image or the last picture knows, the trace, and a second trace where that
 /// turned out wrong.
 class TileTracer
 {
@@ -46,6 +48,9 @@ public:
 private:
   bool CanSkip(std::int64_t tile) const;
   void TraceCold(const RayBatch& rays, Frame& frame, TraceCounts& counts) const;
+  void StoreTraced(const RayBatch& rays, const HitBatch& hits, std::size_t ray, Frame& frame,
+    TraceCounts& counts) const;
+  void TraceHinted(RayBatch& rays, Frame& frame, TraceCounts& counts) const;
   void TraceKnown(const QueryBatch& known, RayBatch& rays, Frame& frame, TraceCounts& counts) const;
   void NarrowByImage(const QueryBatch& known, RayBatch& rays) const;
   bool IsWrong(const QueryBatch& known, const HitBatch& hits, std::size_t ray) const;

@@ -107,11 +107,6 @@ TEST_F(FrameRendererTest, RoutesGiveTheColdPicture)
   EXPECT_EQ(renderer.Statistics().TracedRays, 0);
   EXPECT_EQ(renderer.Statistics().FieldSamples, 0);
   EXPECT_TRUE(AreIdentical(renderer.LastFrame(), this->Cold()));
-
-  this->Key.Sought.Isovalues[0] = 149.0;
-  renderer.Render(this->Key, {});
-  EXPECT_EQ(renderer.Statistics().Made, Route::Cold) << "the isomap is not built yet";
-  EXPECT_TRUE(AreIdentical(renderer.LastFrame(), this->Cold()));
 }
 
 TEST_F(FrameRendererTest, ExactFramesOfAMovingCameraAreCold)

@@ -67,6 +67,13 @@ TEST(ReusePlan, IsovalueChangedInTheSameView)
   ReuseSwitches noIsomap;
   noIsomap.Isomap = false;
   EXPECT_EQ(Plan(key, noIsomap), Route::ThresholdHint);
+  held.Isomap = held.CanBuildIsomap = false;
+  EXPECT_EQ(Plan(key, {}, held), Route::ThresholdHint);
+  held.IsExact = false;
+  EXPECT_EQ(Plan(key, {}, held), Route::Cold) << "hits that are not exact are no hints";
+  key.Sought.Isovalues = { 4.0, 6.0 };
+  EXPECT_EQ(Plan(key, noIsomap), Route::Cold) << "nor are those of other surfaces";
+  key.Sought.Isovalues = { 4.0 };
   key.Sought.Mode = SurfaceMode::Threshold;
   EXPECT_EQ(Plan(key), Route::Cold);
   key = BaseKey();
@@ -85,6 +92,17 @@ TEST(ReusePlan, ViewChanged)
   ReuseSwitches noCache;
   noCache.ImageCache = false;
   EXPECT_EQ(Plan(key, noCache, held), Route::Cold);
+}
+
+TEST(ReusePlan, AnIsomapServesWhateverTheLastFrameWas)
+{
+  HeldForReuse held;
+  held.Isomap = held.Image = true;
+  FrameKey key = BaseKey();
+  key.Seen.ClipFromWorld[0][0] = 2.0;
+  EXPECT_EQ(Plan(key, {}, held), Route::IsomapLookup) << "back in its view";
+  held.IsExact = false;
+  EXPECT_EQ(Plan(BaseKey(), {}, held), Route::IsomapLookup) << "to complete a repeated view";
 }
 
 TEST(ReusePlan, WhatAnImageCanServe)

@@ -87,16 +87,17 @@ void StoreHits(const RayBatch& rays, const HitBatch& hits,
 
 void BeginAtContacts(const Frame& picture, bool isParallel, RayBatch& rays)
 {
+  const auto miss = static_cast<float>(DisparityOfMiss(isParallel));
   for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
   {
     const auto pixel = static_cast<std::size_t>(rays.Pixel[i]);
-    const auto contact = static_cast<double>(picture.Contacts[pixel]);
+    const float contact = picture.Contacts[pixel];
     const HitKind kind = picture.Kinds[pixel];
     const bool isKnown = kind == HitKind::Enters ||
-      (kind == HitKind::None && contact != DisparityOfMiss(isParallel));
+      (kind == HitKind::None && contact != miss);
     if (isKnown)
     {
-      const double t = DepthOf(contact, isParallel) * rays.PerDepth[i];
+      const double t = DepthOf(static_cast<double>(contact), isParallel) * rays.PerDepth[i];
       rays.WalkBegin[i] = std::max(rays.WalkBegin[i], t - DisparityError * std::abs(t));
     }
   }

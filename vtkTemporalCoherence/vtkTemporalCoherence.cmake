@@ -19,6 +19,8 @@ set(engine_files
   KernelsRange
   KernelsRays
   KernelsShading
+  KnotCollector
+  Knots
   LeafHistogram
   RayBatch
   ReusePlan

@@ -69,6 +69,8 @@ TemporalCoherence::FrameRenderer::Options MakeOptions(vtkTemporalCoherenceVolume
   options.Images.KeyImageInterval = mapper.GetKeyImageInterval();
   options.Images.NumberOfImages = mapper.GetNumberOfCachedImages();
   options.Map.Range = { mapper.GetIsomapRange()[0], mapper.GetIsomapRange()[1] };
+  options.Map.Tolerance = mapper.GetIsomapTolerance();
+  options.Map.HasNormals = mapper.GetIsomapShading() == Mapper::INTERPOLATE;
   options.Map.MemoryLimit = static_cast<std::size_t>(mapper.GetIsomapMemoryLimit()) << 20;
   return options;
 }

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <vector>
 
 namespace TemporalCoherence
 {
@@ -35,7 +34,8 @@ public:
 
   std::int64_t Trace(const RayBatch& rays, TileKnots& knots) const override
   {
-    Progress progress(rays);
+    Progress progress(
+      rays, this->Scene.Form, -4.0 * ErrorIn(this->Scene.Band, this->Scene.FiniteRange));
     if (this->IsSolid)
     {
       this->FindEntries(progress);
@@ -56,10 +56,8 @@ public:
       this->TakeNote(progress);
       progress.DropDone();
     }
-    for (std::size_t course = 0; course < NumberOfCourses; ++course)
-    {
-      knots.Cells[course].Assign(progress.Knots[course]);
-    }
+    progress.Knots.HandOver(this->Scene.Samples, this->Scene.FiniteRange, this->Scene.Band.Low,
+      this->Scene.Where, knots);
     if (progress.HasEntries)
     {
       knots.Entries.assign(progress.Entries.begin(), progress.Entries.begin() + rays.Count);
@@ -91,8 +89,9 @@ private:
   /// The rays of a tile on their way.
   struct Progress
   {
-    explicit Progress(const RayBatch& rays)
+    Progress(const RayBatch& rays, const KnotForm& form, double floor)
       : Rays(rays)
+      , Knots(rays, form, floor)
     {
       this->Entries.fill(-std::numeric_limits<float>::infinity());
       this->HasEntered.fill(false);
@@ -131,7 +130,7 @@ private:
     std::array<CellReach, RayBatch::Capacity> Corners; ///< of each passage
     std::array<std::size_t, RayBatch::Capacity> Owner; ///< ray of each passage
 
-    std::array<std::vector<CellKnots::Row>, NumberOfCourses> Knots;
+    KnotCollector Knots;
     std::int64_t CellsRead = 0;
   };
 
@@ -258,18 +257,32 @@ private:
         this->Enter(ray, progress.Ranges.Cubic[0][i], progress.Corners[i].Error, progress);
       }
       const bool isTouched = !(progress.Passages.Enter[i] < progress.Ranges.Leave[i]);
+      const CellReach& cell = progress.Corners[i];
       const std::array<Real, NumberOfCourses> path = { progress.Ranges.Highest[i],
         this->Span - progress.Ranges.Lowest[i] };
       for (std::size_t course = 0; course < NumberOfCourses; ++course)
       {
-        const CellReach& cell = progress.Corners[i];
         Reach& reached = progress.Reached[course][ray];
-        if (!reached.IsDone)
+        if (reached.IsDone)
         {
-          const Real corner = cell.Corner[course];
-          this->BringOn(isTouched ? -Infinity : (cell.IsFinite ? path[course] : corner), corner,
-            cell.Error, reached);
-          this->Note(course, i, ray, reached, progress);
+          continue;
+        }
+        const Real corner = cell.Corner[course];
+        this->BringOn(isTouched ? -Infinity : (cell.IsFinite ? path[course] : corner), corner,
+          cell.Error, reached);
+        if (!progress.Knots.IsFitted())
+        {
+          this->NoteCell(course, i, ray, reached, progress);
+        }
+        else if (!cell.IsFinite)
+        {
+          progress.Knots.GiveUp(ray);
+          reached.IsDone = true;
+        }
+        else if (!isTouched)
+        {
+          progress.Knots.Follow(course, ray, this->CubicOf(course, i, progress),
+            progress.Passages.Enter[i], progress.Ranges.Leave[i]);
         }
       }
     }
@@ -297,7 +310,7 @@ private:
   }
 
   /// Keep the cell of passage i as a knot if it brought the ray on.
-  void Note(
+  void NoteCell(
     std::size_t course, std::size_t i, std::size_t ray, Reach& reached, Progress& progress) const
   {
     const double error = static_cast<double>(progress.Corners[i].Error);
@@ -313,8 +326,43 @@ private:
       {
         cell[a] = static_cast<std::uint16_t>(progress.Passages.Cell[a][i]);
       }
-      progress.Knots[course].push_back({ ray, { path, corner, cell } });
+      const double distance =
+        this->Scene.Form.HasNormals ? this->FarthestAt(course, i, progress) : 0.0;
+      progress.Knots.AddCell(course, ray, path, corner, cell, distance);
     }
+  }
+
+  /// Progress along passage i, which is rising on its course.
+  Cubic<double> CubicOf(std::size_t course, std::size_t i, const Progress& progress) const
+  {
+    Cubic<double> cubic;
+    for (std::size_t c = 0; c < 4; ++c)
+    {
+      cubic[c] = this->Scale.Progress(
+        static_cast<Course>(course), static_cast<double>(progress.Ranges.Cubic[c][i]));
+    }
+    return cubic;
+  }
+
+  /// Distance at which the field comes farthest in passage i.
+  double FarthestAt(std::size_t course, std::size_t i, const Progress& progress) const
+  {
+    const double enter = progress.Passages.Enter[i], leave = progress.Ranges.Leave[i];
+    const Cubic<double> cubic = this->CubicOf(course, i, progress);
+    int count = 0;
+    const std::array<double, 2> turns = TurningPoints(cubic, count);
+    double farthest = cubic[3] >= cubic[0] ? 1.0 : 0.0;
+    double highest = std::max(cubic[0], cubic[3]);
+    for (int turn = 0; turn < count && Between == Interpolation::Linear; ++turn)
+    {
+      const double s = turns[static_cast<std::size_t>(turn)];
+      if (Evaluate(cubic, s) > highest)
+      {
+        highest = Evaluate(cubic, s);
+        farthest = s;
+      }
+    }
+    return enter + farthest * std::max(leave - enter, 0.0);
   }
 
   /// Find out where in the band solids begin that rays begin in.

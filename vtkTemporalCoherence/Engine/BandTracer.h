@@ -5,6 +5,7 @@
 
 #include "ActiveCells.h"
 #include "Field.h"
+#include "KnotCollector.h"
 #include "Knots.h"
 #include "RayBatch.h"
 #include "Surfaces.h"
@@ -25,6 +26,8 @@ struct BandScene
   const ActiveCells* Active = nullptr; ///< of the band
   ValueBand Band;
   SurfaceMode Mode = SurfaceMode::Crossing;
+  KnotForm Form{};
+  Placement Where{}; ///< for normals
 };
 
 /// Follows rays through the cells of a band of isovalues and takes note of where each isovalue is

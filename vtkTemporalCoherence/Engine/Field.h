@@ -71,6 +71,14 @@ struct Placement
   glm::dmat4 IndexFromWorld{ 1.0 };
 };
 
+/// Lengths of the shortest and the longest edge of a cell in the world.
+inline glm::dvec2 VoxelEdges(const Placement& where)
+{
+  const glm::dmat3 edges(where.WorldFromIndex);
+  const double x = glm::length(edges[0]), y = glm::length(edges[1]), z = glm::length(edges[2]);
+  return { glm::min(x, glm::min(y, z)), glm::max(x, glm::max(y, z)) };
+}
+
 inline bool operator==(const Placement& a, const Placement& b)
 {
   return a.WorldFromIndex == b.WorldFromIndex;

@@ -103,7 +103,7 @@ bool FrameRenderer::TakeRoute(const FrameKey& key, const Options& options, Cache
       return true;
     case Route::Reshade:
       this->Front->Key = key;
-      this->ShadeTiles(key, false, true, this->Front->Picture);
+      this->ShadeTiles(key, HitSet::None, HitSet::All, this->Front->Picture);
       this->CountKnownHits();
       return true;
     case Route::IsomapBuild:
@@ -118,7 +118,7 @@ bool FrameRenderer::TakeRoute(const FrameKey& key, const Options& options, Cache
           break;
       }
       this->Counters.Made = PlanRoute(
-        this->Front->Key, key, options.Reuse, { this->Front->IsExact, false, false, false });
+        this->Front->Key, key, options.Reuse, { this->Front->IsExact, false, false, true, false });
       this->TraceFrame(key, options, nullptr);
       return true;
     case Route::IsomapLookup:
@@ -144,7 +144,8 @@ Route FrameRenderer::ChooseRoute(
   held.IsExact = this->Front->IsExact;
   held.Image = nearest != nullptr;
   held.CanBuildIsomap = options.Map.MemoryLimit > 0 && Isomap::CanHold(key.Samples);
-  held.Isomap = this->Map.IsOf(key) && this->Map.Covers(key.Sought.Isovalues);
+  held.IsIsomapExact = this->Map.Tolerance() == 0.0 && !options.Map.HasNormals;
+  held.Isomap = this->Map.IsOf(key, options.Map) && this->Map.Covers(key.Sought.Isovalues);
   ReuseSwitches switches = options.Reuse;
   switches.RefineWhenStill |= options.Accuracy == ReuseAccuracy::Exact || !switches.ImageCache;
   return PlanRoute(this->Front->Key, key, switches, held);
@@ -181,7 +182,8 @@ void FrameRenderer::TraceFrame(const FrameKey& key, const Options& options, Cach
     scene.IsRaised = CompareFrames(this->Front->Key, key).Raised;
   }
   this->TraceTiles(scene, made.Picture);
-  this->ShadeTiles(key, true, !interpolates, made.Picture);
+  const HitSet hits = interpolates ? HitSet::NotDefinite : HitSet::All;
+  this->ShadeTiles(key, hits, hits, made.Picture);
   made.Picture.IsFromCache = cached != nullptr;
   made.IsExact = isExact;
   made.IsEroded = !isExact && options.Accuracy == ReuseAccuracy::Paper;
@@ -195,14 +197,14 @@ Isomap::Outcome FrameRenderer::BuildBands(
 {
   Stopwatch watch(this->Counters.IsomapBuildTime);
   this->PreparePyramid(key);
-  if (!this->Map.IsOf(key))
+  if (!this->Map.IsOf(key, options.Map))
   {
-    this->Map.Begin(key);
+    this->Map.Begin(key, options.Map);
     this->Plan = BandPlan();
   }
   Isomap::Start start;
   const CachedImage& last = *this->Front;
-  if (last.IsExact && this->Map.IsOf(last.Key) && last.Key.Sought.Isovalues.size() == 1)
+  if (last.IsExact && this->Map.IsOf(last.Key, options.Map) && last.Key.Sought.Isovalues.size() == 1)
   {
     start = { &last.Picture, last.Key.Sought.Isovalues[0] };
   }
@@ -291,14 +293,15 @@ void FrameRenderer::LookUpFrame(const FrameKey& key, const Options& options)
     bands.push_back(this->Map.Use(isovalue));
   }
   std::vector<std::uint64_t> open(static_cast<std::size_t>(NumberOfTiles(key.Seen.Size)));
-  const IsomapLookup lookup(key, bands, this->Pyramid.FiniteRange());
+  const IsomapLookup lookup(key, bands, this->Map.Tolerance(), this->Pyramid.FiniteRange());
   this->CountTiles([&](std::int64_t tile, const PixelRect& part)
     { return lookup.Look(tile, part, made.Picture, open[static_cast<std::size_t>(tile)]); });
   this->TraceOpenRays(key, options, open, made.Picture);
-  this->ShadeTiles(key, true, true, made.Picture);
+  this->ShadeTiles(
+    key, options.Map.HasNormals ? HitSet::NotDefinite : HitSet::All, HitSet::All, made.Picture);
   made.Picture.IsFromCache = false;
-  made.IsExact = true;
-  made.IsEroded = false;
+  made.IsExact = this->Map.Tolerance() == 0.0 && !options.Map.HasNormals;
+  made.IsEroded = this->Map.Tolerance() > 0.0;
   this->FinishFrame(options);
 }
 
@@ -432,7 +435,7 @@ void FrameRenderer::TraceOpenRays(const FrameKey& key, const Options& options,
 }
 
 void FrameRenderer::ShadeTiles(
-  const FrameKey& key, bool withNormals, bool withDefiniteHits, Frame& frame)
+  const FrameKey& key, HitSet normalsOf, HitSet colorsOf, Frame& frame)
 {
   Stopwatch watch(this->Counters.ShadeTime);
   const NormalSource source{ key.Samples, key.Where, key.Sought.Isovalues,
@@ -444,11 +447,16 @@ void FrameRenderer::ShadeTiles(
       {
         return;
       }
+      const PixelRect part = PixelsOfTile(frame.Size, tile);
       HitList hits;
-      GatherHits(key.Seen, PixelsOfTile(frame.Size, tile), withDefiniteHits, frame, hits);
-      if (withNormals)
+      if (normalsOf != HitSet::None)
       {
+        GatherHits(key.Seen, part, normalsOf == HitSet::All, frame, hits);
         ComputeNormals(source, hits, frame);
+      }
+      if (colorsOf != normalsOf)
+      {
+        GatherHits(key.Seen, part, colorsOf == HitSet::All, frame, hits);
       }
       ShadeHits(key.Look, hits, frame);
     });

@@ -76,6 +76,14 @@ public:
   void Release();
 
 private:
+  /// Which hits of a picture are worked on.
+  enum class HitSet : std::uint8_t
+  {
+    None,
+    NotDefinite, ///< not those that were known before
+    All
+  };
+
   Route ChooseRoute(
     const FrameKey& key, const Options& options, const std::shared_ptr<CachedImage>& nearest) const;
   bool TakeRoute(const FrameKey& key, const Options& options, CachedImage* nearest,
@@ -96,7 +104,7 @@ private:
   void TraceTiles(const TileScene& scene, Frame& frame);
   void TraceOpenRays(const FrameKey& key, const Options& options,
     const std::vector<std::uint64_t>& open, Frame& frame);
-  void ShadeTiles(const FrameKey& key, bool withNormals, bool withDefiniteHits, Frame& frame);
+  void ShadeTiles(const FrameKey& key, HitSet normalsOf, HitSet colorsOf, Frame& frame);
   void CountKnownHits();
 
   std::shared_ptr<CachedImage> Front = std::make_shared<CachedImage>(); ///< the last frame

@@ -25,15 +25,6 @@ constexpr double FarthestApart = 2.0;
 /// so hardly at all, are hardly seen after a small turn. 6 degrees.
 constexpr double SmallTurn = 0.9945;
 
-/// Shortest and longest edge of a voxel in the world.
-glm::dvec2 VoxelEdges(const Placement& where)
-{
-  const glm::dmat3 edges(where.WorldFromIndex);
-  const glm::dvec3 lengths(glm::length(edges[0]), glm::length(edges[1]), glm::length(edges[2]));
-  return { std::min(lengths.x, std::min(lengths.y, lengths.z)),
-    std::max(lengths.x, std::max(lengths.y, lengths.z)) };
-}
-
 /// Distance between neighbouring pixels of a view in the world; for a perspective at depth 1.
 double SpacingOf(const View& view)
 {

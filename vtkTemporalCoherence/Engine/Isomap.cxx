@@ -26,9 +26,10 @@ constexpr std::int64_t NumberOfParts = 16;
 
 /// Let rays that begin below the band underneath walk from where they come to its end; those that
 /// do not come there have nowhere to go. (Rays that meet no cell of that band may begin above it.)
-void NarrowByBand(const TileKnots& knots, BandScale::Key end, RayBatch& rays)
+void NarrowByCells(const TileKnots& knots, const BandScale& scale, RayBatch& rays)
 {
   const CellKnots& table = knots.Cells[static_cast<std::size_t>(Course::Rising)];
+  const BandScale::Key end = scale.KeyOf(scale.Span);
   for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count) && !table.IsEmpty(); ++i)
   {
     const bool beginsBelow = knots.Entries.empty() || !std::isfinite(knots.Entries[i]);
@@ -49,6 +50,34 @@ void NarrowByBand(const TileKnots& knots, BandScale::Key end, RayBatch& rays)
   }
 }
 
+/// The same by fitted knots.
+void NarrowByFit(
+  const TileKnots& knots, const BandScale& scale, double tolerance, RayBatch& rays)
+{
+  constexpr float error = 1e-5f; // of progress
+  const FittedKnots& table = knots.Fitted[static_cast<std::size_t>(Course::Rising)];
+  const auto span = static_cast<float>(scale.Span);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count) && !table.IsEmpty(); ++i)
+  {
+    const bool beginsBelow = knots.Entries.empty() || !std::isfinite(knots.Entries[i]);
+    const std::size_t first = table.Begin(i), last = table.Begin(i + 1);
+    if (!beginsBelow || first == last || (knots.Untold >> i & 1u))
+    {
+      continue;
+    }
+    const float* const progress = table.Get<0>();
+    if (progress[last - 1] < span - error * span)
+    {
+      rays.WalkEnd[i] = rays.WalkBegin[i];
+      continue;
+    }
+    const auto end = std::lower_bound(progress + first, progress + last, span - error * span);
+    const std::size_t before = std::max(static_cast<std::size_t>(end - progress), first + 1) - 1;
+    const double t = static_cast<double>(table.Get<1>()[before]) + rays.Begin[i];
+    rays.WalkBegin[i] = std::max(rays.WalkBegin[i], t - 2.0 * tolerance);
+  }
+}
+
 }
 
 bool Isomap::CanHold(const Field& field)
@@ -57,16 +86,29 @@ bool Isomap::CanHold(const Field& field)
   return field.HasCells() && glm::all(glm::lessThanEqual(field.Dimensions, glm::ivec3(largest)));
 }
 
-bool Isomap::IsOf(const FrameKey& key) const
+namespace
 {
-  return this->IsBegun && this->Key.Samples == key.Samples && this->Key.Where == key.Where &&
+
+KnotForm FormOf(const FrameKey& key, const Isomap::Options& options)
+{
+  // Faces between nearest samples are where they are.
+  const bool isFitted = options.Tolerance > 0.0 && key.Samples.Between == Interpolation::Linear;
+  return { isFitted ? options.Tolerance * VoxelEdges(key.Where).x : 0.0, options.HasNormals };
+}
+
+}
+
+bool Isomap::IsOf(const FrameKey& key, const Options& options) const
+{
+  return this->IsBegun && this->Form == FormOf(key, options) && this->Key.Samples == key.Samples && this->Key.Where == key.Where &&
     this->Key.Seen == key.Seen && this->Key.Sought.Mode == key.Sought.Mode;
 }
 
-void Isomap::Begin(const FrameKey& key)
+void Isomap::Begin(const FrameKey& key, const Options& options)
 {
   this->Release();
   this->Key = key;
+  this->Form = FormOf(key, options);
   this->IsBegun = true;
 }
 
@@ -83,6 +125,7 @@ Isomap::Outcome Isomap::Build(const ValueBand& band, const ValueRangePyramid& py
   const std::int64_t tiles = NumberOfTiles(this->Key.Seen.Size);
   const auto built = std::make_shared<Band>();
   built->Values = band;
+  built->HasNormals = this->Form.HasNormals;
   built->Tiles.resize(static_cast<std::size_t>(tiles));
   built->Memory = built->Tiles.size() * sizeof(TileKnots);
 
@@ -93,7 +136,8 @@ Isomap::Outcome Isomap::Build(const ValueBand& band, const ValueRangePyramid& py
   const RaySource source(this->Key.Seen, this->Key.Where, this->Key.Samples.Dimensions);
   const bool isSolid = this->Key.Sought.Mode == SurfaceMode::Threshold;
   const auto tracer = BandTracer::Make(
-    { this->Key.Samples, pyramid.FiniteRange(), &pyramid, &active, band, this->Key.Sought.Mode });
+    { this->Key.Samples, pyramid.FiniteRange(), &pyramid, &active, band, this->Key.Sought.Mode,
+      this->Form, this->Key.Where });
 
   const auto below = std::find_if(this->Kept.begin(), this->Kept.end(),
     [&](const auto& kept) { return kept->Values.High == band.Low; });
@@ -116,8 +160,9 @@ Isomap::Outcome Isomap::Build(const ValueBand& band, const ValueRangePyramid& py
     if (underneath)
     {
       const BandScale scale(underneath->Values);
-      NarrowByBand(
-        underneath->Tiles[static_cast<std::size_t>(tile)], scale.KeyOf(scale.Span), rays);
+      const TileKnots& knots = underneath->Tiles[static_cast<std::size_t>(tile)];
+      NarrowByCells(knots, scale, rays);
+      NarrowByFit(knots, scale, this->Form.Tolerance, rays);
     }
     else if (hasStart)
     {

@@ -3,6 +3,7 @@
 #ifndef TemporalCoherence_Isomap_h
 #define TemporalCoherence_Isomap_h
 
+#include "KnotCollector.h"
 #include "Knots.h"
 #include "ReusePlan.h"
 #include "ValueRangePyramid.h"
@@ -26,12 +27,15 @@ public:
   {
     ValueBand Range{ 1.0, 0.0 };                     ///< isovalues of one band; none if Low > High
     std::size_t MemoryLimit = std::size_t(256) << 20; ///< bytes that all bands may take
+    double Tolerance = 0.0;  ///< distance by which looked-up surfaces may be wrong, in voxels
+    bool HasNormals = false; ///< keep normals, to interpolate between them
   };
 
   /// A band of isovalues of the view.
   struct Band
   {
     ValueBand Values;
+    bool HasNormals = false;
     std::vector<TileKnots> Tiles; ///< by number of the tile
     std::size_t Memory = 0;       ///< bytes
     std::size_t NumberOfKnots = 0;
@@ -60,11 +64,14 @@ public:
   /// True if the cells of a field have numbers that fit the knots.
   static bool CanHold(const Field& field);
 
-  /// True if this is the isomap of the view, data and mode of a frame.
-  bool IsOf(const FrameKey& key) const;
+  /// True if this is the isomap of the view, data and mode of a frame, made as the options ask for.
+  bool IsOf(const FrameKey& key, const Options& options) const;
 
   /// Begin an empty isomap for a frame's view, data and mode.
-  void Begin(const FrameKey& key);
+  void Begin(const FrameKey& key, const Options& options);
+
+  /// Distance by which looked-up surfaces may be wrong; 0: they are exact.
+  double Tolerance() const { return this->Form.Tolerance; }
 
   /// Where a band may begin: at what the picture of a lower isovalue shows.
   struct Start
@@ -104,6 +111,7 @@ private:
   bool MakeRoom(std::size_t bytes, std::size_t limit);
 
   FrameKey Key;
+  KnotForm Form;
   bool IsBegun = false;
   bool Dropped = false;
   std::uint64_t Uses = 0;

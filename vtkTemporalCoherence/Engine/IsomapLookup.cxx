@@ -8,10 +8,51 @@
 
 namespace TemporalCoherence
 {
+namespace
+{
+
+std::uint64_t Bit(std::size_t ray)
+{
+  return std::uint64_t(1) << ray;
+}
+
+/// A mean of the normals of two knots.
+glm::vec3 MixNormals(const PackedNormal& a, const PackedNormal& b, float weightOfB)
+{
+  const auto unpack = [](const PackedNormal& n) { return glm::vec3(n[0], n[1], n[2]); };
+  return glm::mix(unpack(a), unpack(b), weightOfB);
+}
+
+/// True if a ray that leaves one cell can enter the other.
+bool AreNeighbors(const CellIndex& a, const CellIndex& b)
+{
+  return std::abs(a[0] - b[0]) + std::abs(a[1] - b[1]) + std::abs(a[2] - b[2]) <= 1;
+}
+
+/// The normal at a key between the last knot and this one; only that of this knot where the ray
+/// went back between them.
+glm::vec3 NormalInCells(const CellKnots& table, const PackedNormal* normals, std::size_t first,
+  std::size_t knot, BandScale::Key key)
+{
+  const CellIndex* const cells = table.Get<2>();
+  if (knot == first || !AreNeighbors(cells[knot - 1], cells[knot]))
+  {
+    return MixNormals(normals[knot], normals[knot], 0.0f);
+  }
+  const BandScale::Key* const paths = table.Get<0>();
+  const int way = paths[knot] - paths[knot - 1];
+  const float share =
+    way > 0 ? static_cast<float>(key - paths[knot - 1]) / static_cast<float>(way) : 1.0f;
+  return MixNormals(normals[knot - 1], normals[knot], share);
+}
+
+}
 
 IsomapLookup::IsomapLookup(const FrameKey& key, const std::vector<const Isomap::Band*>& bands,
-  const glm::dvec2& finiteRange)
+  double tolerance, const glm::dvec2& finiteRange)
   : Key(key)
+  , Tolerance(tolerance)
+  , HasNormals(!bands.empty() && bands[0]->HasNormals)
   , Rays(key.Seen, key.Where, key.Samples.Dimensions)
   , Tracer(SurfaceTracer::Make({ key.Samples, key.Sought, finiteRange, nullptr }))
 {
@@ -19,15 +60,13 @@ IsomapLookup::IsomapLookup(const FrameKey& key, const std::vector<const Isomap::
   {
     const ValueBand& values = bands[surface]->Values;
     const BandScale scale(values);
-    const double difference = key.Sought.Isovalues[surface] - values.Low;
-    const double largest =
-      std::max(std::abs(finiteRange.x - values.Low), std::abs(finiteRange.y - values.Low));
-    Sought sought{ bands[surface], {}, difference,
-      32.0 * std::numeric_limits<float>::epsilon() * (largest + scale.Span) };
+    Sought sought{ bands[surface], {}, {}, ErrorIn(values, finiteRange) };
     for (const Course course : { Course::Rising, Course::Falling })
     {
-      sought.Key[static_cast<std::size_t>(course)] =
-        scale.KeyOf(scale.Progress(course, difference));
+      const double progress =
+        scale.Progress(course, key.Sought.Isovalues[surface] - values.Low);
+      sought.Progress[static_cast<std::size_t>(course)] = progress;
+      sought.Key[static_cast<std::size_t>(course)] = scale.KeyOf(progress);
     }
     this->Isovalues.push_back(sought);
   }
@@ -49,64 +88,105 @@ TraceCounts IsomapLookup::Look(
   }
   frame.ClearTiles[static_cast<std::size_t>(tile)] = 0;
   RayBatch rays;
-  HitBatch hits;
   this->Rays.SetUp(part.First, part.Size, rays);
-  hits.Clear(rays.Count);
+  Found found;
+  found.Hits.Clear(rays.Count);
   for (std::size_t surface = 0; surface < this->Isovalues.size(); ++surface)
   {
-    open |= this->LookFor(surface, tile, rays, hits);
+    this->LookFor(surface, tile, rays, found);
   }
-  counts.CellsRead = hits.CellsRead;
+  open = found.Open;
+  counts.CellsRead = found.Hits.CellsRead;
   RayBatch::Array<Answer> answers;
   for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
   {
+    const HitKind kind = found.Hits.Kind[i];
     const bool isKnown = !(open >> i & 1u);
-    const bool isHit = hits.Kind[i] != HitKind::None;
-    counts.DefiniteHits += isKnown && isHit;
-    counts.DefiniteMisses += isKnown && !isHit;
-    answers[i] = isHit ? Answer::DefiniteHit : Answer::DefiniteMiss;
+    counts.DefiniteMisses += isKnown && kind == HitKind::None;
+    counts.PossibleHits += isKnown && kind == HitKind::Cap;
+    counts.DefiniteHits += isKnown && kind != HitKind::None && kind != HitKind::Cap;
+    answers[i] = kind == HitKind::None ? Answer::DefiniteMiss
+      : kind == HitKind::Cap           ? Answer::PossibleHit
+                                       : Answer::DefiniteHit;
   }
-  StoreHits(rays, hits, answers, this->Key.Seen.Parallel, frame);
+  StoreHits(rays, found.Hits, answers, this->Key.Seen.Parallel, frame);
+  if (this->HasNormals)
+  {
+    this->StoreNormals(rays, found, frame);
+  }
   return counts;
 }
 
-std::uint64_t IsomapLookup::LookFor(
-  std::size_t surface, std::int64_t tile, const RayBatch& rays, HitBatch& hits) const
+void IsomapLookup::LookFor(
+  std::size_t surface, std::int64_t tile, const RayBatch& rays, Found& found) const
+{
+  const TileKnots& knots =
+    this->Isovalues[surface].Band->Tiles[static_cast<std::size_t>(tile)];
+  RayBatch::Array<std::uint8_t> courses;
+  const std::uint64_t which = this->BeginOn(surface, knots, rays, courses, found);
+  if (this->Tolerance > 0.0)
+  {
+    this->LookInFit(surface, which, courses, rays, knots, found);
+  }
+  else
+  {
+    this->LookInCells(surface, which, courses, rays, knots, found);
+  }
+}
+
+/// Find out on which course each ray comes to an isovalue.
+/// \return one bit for each ray that is to be looked up; the others are capped or open
+std::uint64_t IsomapLookup::BeginOn(std::size_t surface, const TileKnots& knots,
+  const RayBatch& rays, RayBatch::Array<std::uint8_t>& courses, Found& found) const
+{
+  const auto rising = static_cast<std::size_t>(Course::Rising);
+  const auto falling = static_cast<std::size_t>(Course::Falling);
+  const Sought& sought = this->Isovalues[surface];
+  found.Open |= knots.Untold;
+  courses.fill(static_cast<std::uint8_t>(rising));
+  std::uint64_t which = ~knots.Untold;
+  for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count) && !knots.Entries.empty();
+       ++ray)
+  {
+    const double ahead = sought.Progress[rising] - static_cast<double>(knots.Entries[ray]);
+    if (std::abs(ahead) <= sought.Error)
+    {
+      found.Open |= Bit(ray);
+      which &= ~Bit(ray);
+    }
+    else if (ahead < 0.0 && this->Key.Sought.Mode == SurfaceMode::Threshold)
+    {
+      this->Cap(surface, ray, rays, found.Hits);
+      which &= ~Bit(ray);
+    }
+    else if (ahead < 0.0)
+    {
+      courses[ray] = static_cast<std::uint8_t>(falling);
+    }
+  }
+  return which;
+}
+
+void IsomapLookup::LookInCells(std::size_t surface, std::uint64_t which,
+  const RayBatch::Array<std::uint8_t>& courses, const RayBatch& rays, const TileKnots& knots,
+  Found& found) const
 {
   const Sought& sought = this->Isovalues[surface];
-  const TileKnots& knots = sought.Band->Tiles[static_cast<std::size_t>(tile)];
-  std::uint64_t open = 0;
+  HitBatch& hits = found.Hits;
   CellList cells;
   cells.Surface = surface;
+  RayBatch::Array<glm::vec3> normals;
   for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
   {
-    std::size_t course = static_cast<std::size_t>(Course::Rising);
-    if (!knots.Entries.empty())
-    {
-      const double ahead = sought.Difference - static_cast<double>(knots.Entries[ray]);
-      if (std::abs(ahead) <= sought.EntryError)
-      {
-        open |= std::uint64_t(1) << ray;
-        continue;
-      }
-      if (ahead < 0.0)
-      {
-        course = static_cast<std::size_t>(Course::Falling);
-        if (this->Key.Sought.Mode == SurfaceMode::Threshold)
-        {
-          this->Cap(surface, ray, rays, hits);
-          continue;
-        }
-      }
-    }
+    const std::size_t course = courses[ray];
     const CellKnots& table = knots.Cells[course];
-    if (table.IsEmpty())
+    if (!(which >> ray & 1u) || table.IsEmpty())
     {
       continue;
     }
     const BandScale::Key key = sought.Key[course];
-    const std::size_t end = table.Begin(ray + 1);
-    const std::size_t contact = FirstOf(table.Get<1>(), table.Begin(ray), end, key);
+    const std::size_t begin = table.Begin(ray), end = table.Begin(ray + 1);
+    const std::size_t contact = FirstOf(table.Get<1>(), begin, end, key);
     if (contact == end)
     {
       continue;
@@ -124,9 +204,60 @@ std::uint64_t IsomapLookup::LookFor(
       const auto at = static_cast<std::size_t>(cells.Count++);
       cells.Ray[at] = ray;
       cells.Cell[at] = glm::ivec3(indices[hit][0], indices[hit][1], indices[hit][2]);
+      if (this->HasNormals)
+      {
+        normals[at] =
+          NormalInCells(table, knots.Normals[course].Get<0>(), begin, hit, key);
+      }
     }
   }
-  return open | this->Tracer->SearchCells(rays, cells, hits);
+  found.Open |= this->Tracer->SearchCells(rays, cells, hits);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(cells.Count) && this->HasNormals; ++i)
+  {
+    if (hits.Surface[cells.Ray[i]] == static_cast<int>(surface))
+    {
+      found.Normals[cells.Ray[i]] = normals[i];
+    }
+  }
+}
+
+void IsomapLookup::LookInFit(std::size_t surface, std::uint64_t which,
+  const RayBatch::Array<std::uint8_t>& courses, const RayBatch& rays, const TileKnots& knots,
+  Found& found) const
+{
+  const Sought& sought = this->Isovalues[surface];
+  HitBatch& hits = found.Hits;
+  for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
+  {
+    const std::size_t course = courses[ray];
+    const FittedKnots& table = knots.Fitted[course];
+    if (!(which >> ray & 1u) || table.IsEmpty() || table.Begin(ray) == table.Begin(ray + 1))
+    {
+      continue;
+    }
+    FitPoint point;
+    const FitAnswer answer =
+      FindInFit(table, ray, sought.Progress[course], sought.Error, this->Tolerance, point);
+    if (answer == FitAnswer::Unsure)
+    {
+      found.Open |= Bit(ray);
+    }
+    else if (answer == FitAnswer::Reached &&
+      rays.Begin[ray] + point.Distance < hits.Depth[ray])
+    {
+      hits.Depth[ray] = rays.Begin[ray] + point.Distance;
+      hits.Contact[ray] = hits.Depth[ray];
+      hits.FromInside[ray] = course == static_cast<std::size_t>(Course::Falling);
+      hits.Surface[ray] = static_cast<std::int16_t>(surface);
+      hits.Kind[ray] = hits.FromInside[ray] ? HitKind::Leaves : HitKind::Enters;
+      if (this->HasNormals)
+      {
+        const PackedNormal* const normals = knots.Normals[course].Get<0>();
+        found.Normals[ray] =
+          MixNormals(normals[point.Before], normals[point.Knot], point.Share);
+      }
+    }
+  }
 }
 
 /// The ray begins in a solid. Of several the one of the highest isovalue is seen.
@@ -143,6 +274,26 @@ void IsomapLookup::Cap(
     hits.FromInside[ray] = 0;
     hits.Surface[ray] = static_cast<std::int16_t>(surface);
     hits.Kind[ray] = HitKind::Cap;
+  }
+}
+
+/// Normals face the viewer.
+void IsomapLookup::StoreNormals(const RayBatch& rays, const Found& found, Frame& frame) const
+{
+  const int width = this->Key.Seen.Size.x;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
+  {
+    const HitKind kind = found.Hits.Kind[i];
+    if (kind == HitKind::Enters || kind == HitKind::Leaves)
+    {
+      const std::int32_t pixel = rays.Pixel[i];
+      const glm::vec3 along(
+        this->Key.Seen.RayThrough(pixel % width, pixel / width).Direction);
+      const float length = glm::length(found.Normals[i]);
+      const glm::vec3 normal = length > 0.0f ? found.Normals[i] / length : -along;
+      frame.Normals[static_cast<std::size_t>(pixel)] =
+        glm::dot(normal, along) > 0.0f ? -normal : normal;
+    }
   }
 }
 

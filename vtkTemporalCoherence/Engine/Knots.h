@@ -57,6 +57,11 @@ struct BandScale
   double Low, Span, KeysPerUnit;
 };
 
+/// How exactly a difference from a band's lowest isovalue is known that was computed, or is stored,
+/// in single precision.
+/// \param finiteRange smallest and largest finite sample
+double ErrorIn(const ValueBand& band, const glm::dvec2& finiteRange);
+
 /// The cells in which a ray comes farther through the band than before, in order along the ray: the
 /// first whose path key is that of an isovalue or more holds the ray's crossing of it, and the
 /// first whose corner key is, is the first that the isovalue passes through at all.
@@ -94,29 +99,79 @@ inline std::size_t FirstOf(
   return begin;
 }
 
-/// What the rays of a tile know about the isovalues of a band.
+/// Knots of a function from progress to distance that is nowhere farther than a tolerance from the
+/// distance at which a ray first comes to that progress; straight between knots. Two knots of one
+/// progress are a jump.
+///
+/// Columns: progress, distance from where the ray begins.
+using FittedKnots = RayTable<float, float>;
+
+/// What fitted knots tell of a progress.
+enum class FitAnswer : std::uint8_t
+{
+  Missed,  ///< the ray does not come there
+  Reached, ///< it does
+  Unsure   ///< too close to a jump or to the ray's end to tell, or the piece is too steep
+};
+
+/// A point between knots.
+struct FitPoint
+{
+  double Distance; ///< from where the ray begins
+  std::size_t Before, Knot;
+  float Share; ///< of the way from Before to Knot
+};
+
+/// Find where a ray comes to a progress. \pre the ray has knots
+/// \param error     how exactly progress is known
+/// \param tolerance distance by which the point may be wrong
+FitAnswer FindInFit(const FittedKnots& table, std::size_t ray, double progress, double error,
+  double tolerance, FitPoint& point);
+
+/// Unit normals in the world, in units of 1 / LargestNormal, one for each knot: where the field has
+/// the knot's progress.
+using PackedNormal = std::array<std::int16_t, 3>;
+using KnotNormals = RayTable<PackedNormal>;
+constexpr float LargestNormal = 32767.0f;
+
+/// What the rays of a tile know about the isovalues of a band, for each course.
 struct TileKnots
 {
-  std::array<CellKnots, NumberOfCourses> Cells;
+  std::array<CellKnots, NumberOfCourses> Cells;    ///< for exact look-ups
+  std::array<FittedKnots, NumberOfCourses> Fitted; ///< or for those with a tolerance
+  std::array<KnotNormals, NumberOfCourses> Normals; ///< of the knots, if they are wanted
 
   /// The field's difference from the band's lowest isovalue where the rays begin; -infinity where
   /// it is below the band. Empty: it is for all rays.
   std::vector<float> Entries;
 
+  /// One bit for each ray of which nothing can be told: it meets samples that are not finite.
+  std::uint64_t Untold = 0;
+
   bool IsEmpty() const
   {
-    return this->Cells[0].IsEmpty() && this->Cells[1].IsEmpty() && this->Entries.empty();
+    return this->NumberOfKnots() == 0 && this->Entries.empty() && this->Untold == 0;
   }
 
   std::size_t NumberOfKnots() const
   {
-    return this->Cells[0].NumberOfRows() + this->Cells[1].NumberOfRows();
+    std::size_t knots = 0;
+    for (std::size_t course = 0; course < NumberOfCourses; ++course)
+    {
+      knots += this->Cells[course].NumberOfRows() + this->Fitted[course].NumberOfRows();
+    }
+    return knots;
   }
 
   std::size_t MemoryInBytes() const
   {
-    return this->Cells[0].MemoryInBytes() + this->Cells[1].MemoryInBytes() +
-      this->Entries.capacity() * sizeof(float);
+    std::size_t bytes = this->Entries.capacity() * sizeof(float);
+    for (std::size_t course = 0; course < NumberOfCourses; ++course)
+    {
+      bytes += this->Cells[course].MemoryInBytes() + this->Fitted[course].MemoryInBytes() +
+        this->Normals[course].MemoryInBytes();
+    }
+    return bytes;
   }
 };
 

@@ -56,8 +56,9 @@ Route PlanRoute(const FrameKey& last, const FrameKey& next, const ReuseSwitches&
   {
     return change.Appearance ? Route::Reshade : Route::Redisplay;
   }
-  // An isomap gives the cold picture, wherever the last frame was.
-  if (switches.Isomap && held.Isomap && !next.Sought.Isovalues.empty())
+  // An isomap serves wherever the last frame was, but does not complete what is not exact itself.
+  if (switches.Isomap && held.Isomap && !next.Sought.Isovalues.empty() &&
+    (!isSame || held.IsIsomapExact))
   {
     return Route::IsomapLookup;
   }

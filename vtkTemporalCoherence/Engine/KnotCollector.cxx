@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "KnotCollector.h"
+
+#include "SurfaceNormal.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+/// Share of the tolerance that fits may take; the rest is for rounding.
+constexpr double FitShare = 0.9;
+
+PackedNormal Pack(const glm::dvec3& normal)
+{
+  const double length = glm::length(normal);
+  const double scale = length > 0.0 ? static_cast<double>(LargestNormal) / length : 0.0;
+  PackedNormal packed;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    packed[a] = static_cast<std::int16_t>(std::lround(normal[static_cast<int>(a)] * scale));
+  }
+  return packed;
+}
+
+}
+
+KnotCollector::KnotCollector(const RayBatch& rays, const KnotForm& form, double floor)
+  : Rays(rays)
+  , Form(form)
+  , Floor(floor)
+  , Fits(form.Tolerance > 0.0 ? NumberOfCourses * RayBatch::Capacity : 0)
+{
+}
+
+void KnotCollector::AddCell(std::size_t course, std::size_t ray, BandScale::Key path,
+  BandScale::Key corner, const CellIndex& cell, double distance)
+{
+  this->Cells[course].push_back({ ray, { path, corner, cell } });
+  if (this->Form.HasNormals)
+  {
+    this->Places[course].push_back(
+      { ray, static_cast<float>(distance - this->Rays.Begin[ray]) });
+  }
+}
+
+void KnotCollector::Follow(std::size_t course, std::size_t ray, const Cubic<double>& progress,
+  double enter, double leave)
+{
+  this->Fits[course * RayBatch::Capacity + ray].Follow(progress, enter, leave, this->Floor,
+    FitShare * this->Form.Tolerance, [&](const Knot& knot) { this->AddKnot(course, ray, knot); });
+}
+
+void KnotCollector::AddKnot(std::size_t course, std::size_t ray, const Knot& knot)
+{
+  const auto distance = static_cast<float>(knot.Distance - this->Rays.Begin[ray]);
+  this->Fitted[course].push_back({ ray, { static_cast<float>(knot.Progress), distance } });
+  if (this->Form.HasNormals)
+  {
+    this->Places[course].push_back({ ray, distance });
+  }
+}
+
+void KnotCollector::HandOver(const Field& field, const glm::dvec2& finiteRange, double reference,
+  const Placement& where, TileKnots& knots)
+{
+  for (std::size_t fit = 0; fit < this->Fits.size(); ++fit)
+  {
+    const std::size_t course = fit / RayBatch::Capacity, ray = fit % RayBatch::Capacity;
+    this->Fits[fit].Finish([&](const Knot& knot) { this->AddKnot(course, ray, knot); });
+  }
+  const glm::dmat3 toWorld = glm::transpose(glm::dmat3(where.IndexFromWorld));
+  for (std::size_t course = 0; course < NumberOfCourses; ++course)
+  {
+    knots.Cells[course].Assign(this->Cells[course]);
+    knots.Fitted[course].Assign(this->Fitted[course]);
+
+    const std::vector<Place>& places = this->Places[course];
+    std::vector<KnotNormals::Row> normals;
+    for (std::size_t first = 0; first < places.size(); first += RayBatch::Capacity)
+    {
+      const std::size_t count = std::min<std::size_t>(RayBatch::Capacity, places.size() - first);
+      std::array<RayBatch::Array<double>, 3> points, gradients;
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        const auto [ray, distance] = places[first + i];
+        const double t = this->Rays.Begin[ray] + static_cast<double>(distance);
+        for (std::size_t a = 0; a < 3; ++a)
+        {
+          const double last = field.Dimensions[static_cast<int>(a)] - 1;
+          const double at = this->Rays.Origin[a][ray] + t * this->Rays.Direction[a][ray];
+          points[a][i] = std::min(std::max(at, 0.0), last);
+        }
+      }
+      IndexGradients(field, finiteRange, reference, static_cast<int>(count), points, gradients);
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        const glm::dvec3 gradient(gradients[0][i], gradients[1][i], gradients[2][i]);
+        normals.push_back({ places[first + i].Ray, { Pack(toWorld * gradient) } });
+      }
+    }
+    knots.Normals[course].Assign(normals);
+  }
+  knots.Untold = this->Untold;
+}
+
+}

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_KnotCollector_h
+#define TemporalCoherence_KnotCollector_h
+
+#include "Field.h"
+#include "KnotFit.h"
+#include "Knots.h"
+#include "RayBatch.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace TemporalCoherence
+{
+
+/// How knots are kept.
+struct KnotForm
+{
+  double Tolerance = 0.0; ///< distance by which they may be wrong; 0: they are cells. Only those of
+                          ///< linear interpolation are fitted
+  bool HasNormals = false;
+};
+
+inline bool operator==(const KnotForm& a, const KnotForm& b)
+{
+  return a.Tolerance == b.Tolerance && a.HasNormals == b.HasNormals;
+}
+
+/// Collects the knots of the rays of a tile, in whatever order the rays come, and hands them over
+/// ray by ray.
+class KnotCollector
+{
+public:
+  /// \param floor progress below which fitted knots are not wanted; a little before the band, so
+  ///              that what happens at its first isovalue can be told
+  KnotCollector(const RayBatch& rays, const KnotForm& form, double floor);
+
+  bool IsFitted() const { return this->Form.Tolerance > 0.0; }
+
+  /// The next cell in which a ray comes farther.
+  /// \param distance at which it comes farthest there, for the normal
+  void AddCell(std::size_t course, std::size_t ray, BandScale::Key path, BandScale::Key corner,
+    const CellIndex& cell, double distance);
+
+  /// The next way of a ray through a cell, to be fitted.
+  /// \param progress along the way from `enter` to `leave`, by Bernstein coefficients
+  void Follow(std::size_t course, std::size_t ray, const Cubic<double>& progress, double enter,
+    double leave);
+
+  /// Nothing can be told of a ray.
+  void GiveUp(std::size_t ray) { this->Untold |= std::uint64_t(1) << ray; }
+
+  /// Hand over all knots; the collector is of no use after that.
+  /// \param field, finiteRange, reference, where for normals: the field, its smallest and largest
+  ///        finite sample, a value within the band, and where the field lies
+  /// \throws std::bad_alloc
+  void HandOver(const Field& field, const glm::dvec2& finiteRange, double reference,
+    const Placement& where, TileKnots& knots);
+
+private:
+  /// Where normals are wanted: distance along a ray, by knot.
+  struct Place
+  {
+    std::size_t Ray;
+    float Distance;
+  };
+
+  void AddKnot(std::size_t course, std::size_t ray, const Knot& knot);
+
+  const RayBatch& Rays;
+  KnotForm Form;
+  double Floor;
+  std::array<std::vector<CellKnots::Row>, NumberOfCourses> Cells;
+  std::vector<KnotFit> Fits; ///< of each ray on each course
+  std::array<std::vector<FittedKnots::Row>, NumberOfCourses> Fitted;
+  std::array<std::vector<Place>, NumberOfCourses> Places;
+  std::uint64_t Untold = 0;
+};
+
+}
+
+#endif

@@ -369,7 +369,7 @@ template <typename Real>
 void FillLastVector(PassageBatch<Real>& in)
 {
   const auto count = static_cast<std::size_t>(in.Count);
-  const std::size_t end = (count + WidestVector - 1) / WidestVector * WidestVector;
+  const std::size_t end = WholeVectors(count);
   const auto fill = [&](auto& array)
   {
     std::fill(array.begin() + static_cast<std::ptrdiff_t>(count),

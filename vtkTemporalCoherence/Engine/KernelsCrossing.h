@@ -10,9 +10,6 @@
 namespace TemporalCoherence
 {
 
-/// Lanes of the widest vectors that are used; the arrays are filled up to a multiple of it.
-constexpr std::size_t WidestVector = 16;
-
 /// Rays that pass through cells, as arrays over passages. `Real` is what the field's samples are
 /// computed in.
 template <typename Real>

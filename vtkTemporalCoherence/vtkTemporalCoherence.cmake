@@ -10,6 +10,7 @@ set(engine_files
   ImageCache
   ImageQuery
   KernelsCrossing
+  KernelsGradients
   KernelsImage
   KernelsRays
   KernelsShading

@@ -15,6 +15,7 @@ set(engine_files
   Isomap
   IsomapLookup
   KernelsCrossing
+  KernelsGradients
   KernelsImage
   KernelsRange
   KernelsRays

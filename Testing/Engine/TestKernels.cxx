@@ -1,53 +1,21 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CellRoot.h"
+#include "EachTarget.h"
 #include "FrameRenderer.h"
 #include "Grid.h"
 #include "KernelsCrossing.h"
 #include "KernelsRange.h"
 
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <cmath>
-#include <cstring>
 #include <random>
 
 namespace
 {
 
 using namespace TemporalCoherence;
-
-/// Runs the rest of a scope on one kind of vectors after the other.
-class EachTarget : public ::testing::Test
-{
-protected:
-  ~EachTarget() override { Choose(0); }
-
-  template <typename Check>
-  void ForEachTarget(const Check& check)
-  {
-    const std::int64_t all = hwy::SupportedTargets();
-    for (int bit = 0; bit < 63; ++bit)
-    {
-      const std::int64_t target = std::int64_t(1) << bit;
-      if (all & target)
-      {
-        Choose(target);
-        check(hwy::TargetName(target));
-      }
-    }
-    Choose(0);
-  }
-
-private:
-  /// \param target 0: whatever the machine has
-  static void Choose(std::int64_t target)
-  {
-    hwy::SetSupportedTargetsForTest(target);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-  }
-};
 
 /// Passages of random rays through random cells, many of them with samples equal to the isovalue or
 /// with paths along faces.
@@ -79,12 +47,6 @@ PassageBatch<Real> RandomPassages(int count, std::mt19937& engine)
     }
   }
   return passages;
-}
-
-template <typename T>
-bool AreIdentical(const T& a, const T& b, int count)
-{
-  return !std::memcmp(a.data(), b.data(), static_cast<std::size_t>(count) * sizeof(a[0]));
 }
 
 class KernelsCrossing : public EachTarget

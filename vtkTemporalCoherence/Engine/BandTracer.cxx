@@ -34,8 +34,7 @@ public:
 
   std::int64_t Trace(const RayBatch& rays, TileKnots& knots) const override
   {
-    Progress progress(
-      rays, this->Scene.Form, -4.0 * ErrorIn(this->Scene.Band, this->Scene.FiniteRange));
+    Progress progress(rays, this->Scene);
     if (this->IsSolid)
     {
       this->FindEntries(progress);
@@ -56,8 +55,8 @@ public:
       this->TakeNote(progress);
       progress.DropDone();
     }
-    progress.Knots.HandOver(this->Scene.Samples, this->Scene.FiniteRange, this->Scene.Band.Low,
-      this->Scene.Where, knots);
+    progress.Knots.HandOver(
+      this->Scene.Samples, this->Scene.FiniteRange, this->Scene.Where, knots);
     if (progress.HasEntries)
     {
       knots.Entries.assign(progress.Entries.begin(), progress.Entries.begin() + rays.Count);
@@ -89,9 +88,9 @@ private:
   /// The rays of a tile on their way.
   struct Progress
   {
-    Progress(const RayBatch& rays, const KnotForm& form, double floor)
+    Progress(const RayBatch& rays, const BandScene& scene)
       : Rays(rays)
-      , Knots(rays, form, floor)
+      , Knots(rays, scene.Form, scene.Band.Low, -4.0 * ErrorIn(scene.Band, scene.FiniteRange))
     {
       this->Entries.fill(-std::numeric_limits<float>::infinity());
       this->HasEntered.fill(false);

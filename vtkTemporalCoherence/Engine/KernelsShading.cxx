@@ -6,8 +6,7 @@
 #include <cmath>
 #include <limits>
 
-// This file is compiled once for each kind of vectors, and what runs is chosen by the machine. The
-// loops are plain: the compiler turns them into vectors.
+// This file is compiled once for each kind of vectors, and what runs is chosen by the machine.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "KernelsShading.cxx"
 #include <hwy/foreach_target.h>
@@ -22,201 +21,189 @@ namespace ShadingKernels
 namespace HWY_NAMESPACE
 {
 
-template <typename Real>
-HWY_INLINE Real Mix(Real a, Real b, Real weightOfB)
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Doubles = hn::CappedTag<double, WidestVector / 2>;
+using Floats = hn::CappedTag<float, WidestVector>;
+
+template <class V>
+HWY_INLINE V Dot(V ax, V ay, V az, V bx, V by, V bz)
 {
-  return (Real(1) - weightOfB) * a + weightOfB * b;
+  return hn::Add(hn::Add(hn::Mul(ax, bx), hn::Mul(ay, by)), hn::Mul(az, bz));
 }
 
-/// One component of the gradients: differences along an axis on the four edges of the cell that run
-/// along it, interpolated along the axis and then across it.
-template <std::size_t Axis, typename Real>
-HWY_INLINE void InterpolateAlong(GradientBatch<Real>& batch)
+void RayPointsOf(RayPoints& rays)
 {
-  constexpr std::size_t Step = std::size_t(1) << Axis; // from a corner to the next along the axis
-  constexpr std::size_t U = Axis == 0 ? 1 : 0;
-  constexpr std::size_t V = Axis == 2 ? 1 : 2;
-  constexpr std::size_t StepU = std::size_t(1) << U;
-  constexpr std::size_t StepV = std::size_t(1) << V;
-  const Real* const at = batch.At[Axis].data();
-  const Real* const atU = batch.At[U].data();
-  const Real* const atV = batch.At[V].data();
-  const Real* const scaleFirst = batch.ScaleFirst[Axis].data();
-  const Real* const scaleSecond = batch.ScaleSecond[Axis].data();
-  double* const out = batch.Gradient[Axis].data();
-  const auto& corner = batch.Corner;
-  const auto& before = batch.Before[Axis];
-  const auto& behind = batch.Behind[Axis];
-  for (std::size_t i = 0; i < batch.Count; ++i)
+  const Doubles d;
+  const hn::Rebind<float, Doubles> df;
+  using V = hn::Vec<Doubles>;
+  const V one = hn::Set(d, 1.0);
+  for (std::size_t i = 0; i < rays.Count; i += hn::Lanes(d))
   {
-    const auto onEdge = [&](std::size_t edge, std::size_t first)
+    const V x = hn::LoadU(d, &rays.X[i]), y = hn::LoadU(d, &rays.Y[i]);
+    const V t = hn::LoadU(d, &rays.T[i]);
+    const auto at = [&](const std::array<glm::dvec3, 3>& linear, int axis) HWY_ATTR
     {
-      const Real atFirst = scaleFirst[i] * (corner[first + Step][i] - before[edge][i]);
-      const Real atSecond = scaleSecond[i] * (behind[edge][i] - corner[first][i]);
-      return Mix(atFirst, atSecond, at[i]);
+      const V inX = hn::Add(hn::Set(d, linear[0][axis]), hn::Mul(x, hn::Set(d, linear[1][axis])));
+      return hn::Add(inX, hn::Mul(y, hn::Set(d, linear[2][axis])));
     };
-    const Real low = Mix(onEdge(0, 0), onEdge(1, StepU), atU[i]);
-    const Real high = Mix(onEdge(2, StepV), onEdge(3, StepU + StepV), atU[i]);
-    out[i] = static_cast<double>(Mix(low, high, atV[i]));
-  }
-}
-
-void GradientsFloat(GradientBatch<float>& batch)
-{
-  InterpolateAlong<0>(batch);
-  InterpolateAlong<1>(batch);
-  InterpolateAlong<2>(batch);
-}
-
-void GradientsDouble(GradientBatch<double>& batch)
-{
-  InterpolateAlong<0>(batch);
-  InterpolateAlong<1>(batch);
-  InterpolateAlong<2>(batch);
-}
-
-void RayPointsOf(RayPoints& points)
-{
-  const std::size_t count = points.Count;
-  const double *const x = points.X.data(), *const y = points.Y.data(), *const t = points.T.data();
-  Array<double> square;
-  std::fill_n(square.begin(), count, 0.0);
-  for (std::size_t a = 0; a < 3; ++a)
-  {
-    const auto axis = static_cast<int>(a);
-    const double centre = points.LinearDirection[0][axis];
-    const double perX = points.LinearDirection[1][axis], perY = points.LinearDirection[2][axis];
-    double* const direction = points.Direction[a].data();
-    for (std::size_t i = 0; i < count; ++i)
+    const V dx = at(rays.LinearDirection, 0), dy = at(rays.LinearDirection, 1),
+            dz = at(rays.LinearDirection, 2);
+    const V perLength = hn::Div(one, hn::Sqrt(Dot(dx, dy, dz, dx, dy, dz)));
+    const V unit[3] = { hn::Mul(dx, perLength), hn::Mul(dy, perLength), hn::Mul(dz, perLength) };
+    for (std::size_t a = 0; a < 3; ++a)
     {
-      direction[i] = centre + x[i] * perX + y[i] * perY;
-      square[i] += direction[i] * direction[i];
-    }
-  }
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    square[i] = 1.0 / std::sqrt(square[i]);
-  }
-  for (std::size_t a = 0; a < 3; ++a)
-  {
-    const auto axis = static_cast<int>(a);
-    const double centre = points.LinearOrigin[0][axis];
-    const double perX = points.LinearOrigin[1][axis], perY = points.LinearOrigin[2][axis];
-    double* const direction = points.Direction[a].data();
-    double* const point = points.Point[a].data();
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      direction[i] *= square[i];
-      point[i] = centre + x[i] * perX + y[i] * perY + t[i] * direction[i];
+      const V origin = at(rays.LinearOrigin, static_cast<int>(a));
+      hn::StoreU(unit[a], d, &rays.Direction[a][i]);
+      hn::StoreU(hn::DemoteTo(df, unit[a]), df, &rays.FloatDirection[a][i]);
+      hn::StoreU(hn::Add(origin, hn::Mul(t, unit[a])), d, &rays.Point[a][i]);
     }
   }
 }
 
-void FacingNormalsOf(FacingNormals& normals)
+void FacingNormalsOf(std::size_t count, const glm::dmat3& m,
+  const std::array<Array<double>, 3>& gradients, const std::array<Array<double>, 3>& rays,
+  Array<std::array<float, 3>>& normals)
 {
-  const glm::dmat3& m = normals.WorldFromGradient;
-  const double m00 = m[0][0], m10 = m[1][0], m20 = m[2][0];
-  const double m01 = m[0][1], m11 = m[1][1], m21 = m[2][1];
-  const double m02 = m[0][2], m12 = m[1][2], m22 = m[2][2];
-  const double* const gx = normals.Gradient[0].data();
-  const double* const gy = normals.Gradient[1].data();
-  const double* const gz = normals.Gradient[2].data();
-  const double* const rx = normals.Ray[0].data();
-  const double* const ry = normals.Ray[1].data();
-  const double* const rz = normals.Ray[2].data();
-  float* const nx = normals.Normal[0].data();
-  float* const ny = normals.Normal[1].data();
-  float* const nz = normals.Normal[2].data();
-  for (std::size_t i = 0; i < normals.Count; ++i)
+  const Doubles d;
+  const hn::Rebind<float, Doubles> df;
+  using V = hn::Vec<Doubles>;
+  const V zero = hn::Zero(d), one = hn::Set(d, 1.0);
+  const V smallest = hn::Set(d, std::numeric_limits<double>::min());
+  for (std::size_t i = 0; i < count; i += hn::Lanes(d))
   {
+    const V gx = hn::LoadU(d, &gradients[0][i]), gy = hn::LoadU(d, &gradients[1][i]),
+            gz = hn::LoadU(d, &gradients[2][i]);
+    const V rx = hn::LoadU(d, &rays[0][i]), ry = hn::LoadU(d, &rays[1][i]),
+            rz = hn::LoadU(d, &rays[2][i]);
     // Scaled first: squares of very small or large components would leave the range of numbers.
-    const double largest = std::max(std::abs(gx[i]), std::max(std::abs(gy[i]), std::abs(gz[i])));
-    const bool isFlat = !(largest >= std::numeric_limits<double>::min());
-    const double scale = 1.0 / (isFlat ? 1.0 : largest);
-    const double x = gx[i] * scale, y = gy[i] * scale, z = gz[i] * scale;
-    const double wx = isFlat ? rx[i] : m00 * x + m10 * y + m20 * z;
-    const double wy = isFlat ? ry[i] : m01 * x + m11 * y + m21 * z;
-    const double wz = isFlat ? rz[i] : m02 * x + m12 * y + m22 * z;
-    const double along = wx * rx[i] + wy * ry[i] + wz * rz[i];
-    const double perLength = 1.0 / std::sqrt(wx * wx + wy * wy + wz * wz);
-    const double facing = along > 0.0 ? -perLength : perLength;
-    nx[i] = static_cast<float>(facing * wx);
-    ny[i] = static_cast<float>(facing * wy);
-    nz[i] = static_cast<float>(facing * wz);
+    const V largest = hn::Max(hn::Abs(gx), hn::Max(hn::Abs(gy), hn::Abs(gz)));
+    const auto isSteep = hn::Ge(largest, smallest);
+    const V scale = hn::Div(one, hn::IfThenElse(isSteep, largest, one));
+    const V x = hn::Mul(gx, scale), y = hn::Mul(gy, scale), z = hn::Mul(gz, scale);
+    const auto inWorld = [&](int axis) HWY_ATTR {
+      return Dot(hn::Set(d, m[0][axis]), hn::Set(d, m[1][axis]), hn::Set(d, m[2][axis]), x, y, z);
+    };
+    const V wx = hn::IfThenElse(isSteep, inWorld(0), rx);
+    const V wy = hn::IfThenElse(isSteep, inWorld(1), ry);
+    const V wz = hn::IfThenElse(isSteep, inWorld(2), rz);
+    const V perLength = hn::Div(one, hn::Sqrt(Dot(wx, wy, wz, wx, wy, wz)));
+    const auto isAway = hn::Gt(Dot(wx, wy, wz, rx, ry, rz), zero);
+    const V facing = hn::IfThenElse(isAway, hn::Neg(perLength), perLength);
+    hn::StoreInterleaved3(hn::DemoteTo(df, hn::Mul(facing, wx)),
+      hn::DemoteTo(df, hn::Mul(facing, wy)), hn::DemoteTo(df, hn::Mul(facing, wz)), df,
+      normals[i].data());
   }
 }
 
-/// Raise numbers in [0, 1] to a power; what is 0 stays 0.
-HWY_INLINE void Raise(double power, std::size_t count, float* values)
+/// Raises numbers in [0, 1] to a power; what is 0 stays 0.
+class Raiser
 {
-  constexpr double LargestWhole = 1024.0;
-  if (power != std::floor(power) || power < 1.0 || power > LargestWhole)
+public:
+  explicit Raiser(double power)
+    : Power(static_cast<float>(power))
+    , Whole(power == std::floor(power) && power >= 1.0 && power <= LargestWhole
+          ? static_cast<int>(power)
+          : 0)
   {
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      values[i] = values[i] > 0.0f ? std::pow(values[i], static_cast<float>(power)) : 0.0f;
-    }
-    return;
   }
-  Array<float> result;
-  std::fill_n(result.begin(), count, 1.0f);
-  for (int whole = static_cast<int>(power); whole > 0; whole >>= 1)
+
+  HWY_INLINE hn::Vec<Floats> operator()(hn::Vec<Floats> base) const
   {
-    const bool isOdd = (whole & 1) != 0;
-    for (std::size_t i = 0; i < count; ++i)
+    const Floats d;
+    if (this->Whole == 0)
     {
-      result[i] *= isOdd ? values[i] : 1.0f;
-      values[i] *= values[i];
+      return this->RaiseOneByOne(base);
+    }
+    hn::Vec<Floats> result = hn::Set(d, 1.0f);
+    for (int rest = this->Whole; rest > 0; rest >>= 1)
+    {
+      result = (rest & 1) != 0 ? hn::Mul(result, base) : result;
+      base = hn::Mul(base, base);
+    }
+    return result;
+  }
+
+private:
+  static constexpr double LargestWhole = 1024.0;
+
+  hn::Vec<Floats> RaiseOneByOne(hn::Vec<Floats> base) const
+  {
+    const Floats d;
+    std::array<float, WidestVector> values;
+    hn::StoreU(base, d, values.data());
+    for (std::size_t i = 0; i < hn::Lanes(d); ++i)
+    {
+      values[i] = values[i] > 0.0f ? std::pow(values[i], this->Power) : 0.0f;
+    }
+    return hn::LoadU(d, values.data());
+  }
+
+  float Power;
+  int Whole; ///< the power if it is a whole number that squares reach soon; else 0
+};
+
+void AddLightTo(const RayPoints& rays, PhongSums& sums)
+{
+  const Floats d;
+  using V = hn::Vec<Floats>;
+  const V zero = hn::Zero(d), one = hn::Set(d, 1.0f), two = hn::Set(d, 2.0f);
+  const Raiser raise(sums.Power);
+  const bool isShiny =
+    sums.Specular[0] != 0.0f || sums.Specular[1] != 0.0f || sums.Specular[2] != 0.0f;
+  for (std::size_t i = 0; i < sums.Count; i += hn::Lanes(d))
+  {
+    const auto toLight = [&](std::size_t a) HWY_ATTR
+    { return sums.IsPositional ? hn::LoadU(d, &sums.ToLight[a][i]) : hn::Set(d, sums.Toward[a]); };
+    const V lx = toLight(0), ly = toLight(1), lz = toLight(2);
+    const V share = sums.IsPositional ? hn::LoadU(d, &sums.Share[i]) : one;
+    V nx, ny, nz;
+    hn::LoadInterleaved3(d, sums.Normal[i].data(), nx, ny, nz);
+    const V c = Dot(nx, ny, nz, lx, ly, lz);
+    const auto isLit = hn::Gt(c, zero);
+    const V cosine = hn::IfThenElseZero(isLit, c);
+    V shine = zero;
+    if (isShiny)
+    {
+      const V rx = hn::LoadU(d, &rays.FloatDirection[0][i]),
+              ry = hn::LoadU(d, &rays.FloatDirection[1][i]),
+              rz = hn::LoadU(d, &rays.FloatDirection[2][i]);
+      const V twice = hn::Mul(two, c);
+      const V m = Dot(hn::Sub(lx, hn::Mul(twice, nx)), hn::Sub(ly, hn::Mul(twice, ny)),
+        hn::Sub(lz, hn::Mul(twice, nz)), rx, ry, rz);
+      const auto isMirrored = hn::And(isLit, hn::Gt(m, zero));
+      shine = raise(hn::Min(hn::IfThenElseZero(isMirrored, m), one));
+    }
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      const V diffuse =
+        hn::Mul(hn::Mul(hn::Set(d, sums.Diffuse[a]), cosine), hn::LoadU(d, &sums.Color[a][i]));
+      const V light = hn::Add(diffuse, hn::Mul(hn::Set(d, sums.Specular[a]), shine));
+      const V sum = hn::Add(hn::LoadU(d, &sums.Sum[a][i]), hn::Mul(share, light));
+      hn::StoreU(sum, d, &sums.Sum[a][i]);
     }
   }
-  std::copy_n(result.begin(), count, values);
 }
 
-void AddLightTo(PhongSums& sums)
+void ColorsOf(const PhongSums& sums, Array<std::array<std::uint8_t, 4>>& colors)
 {
-  const std::size_t count = sums.Count;
-  const float *const nx = sums.Normal[0].data(), *const ny = sums.Normal[1].data(),
-                     *const nz = sums.Normal[2].data();
-  const float *const lx = sums.ToLight[0].data(), *const ly = sums.ToLight[1].data(),
-                     *const lz = sums.ToLight[2].data();
-  const float *const rx = sums.Ray[0].data(), *const ry = sums.Ray[1].data(),
-                     *const rz = sums.Ray[2].data();
-  const float* const share = sums.Share.data();
-  Array<float> cosine, mirrored;
-  for (std::size_t i = 0; i < count; ++i)
+  const Floats d;
+  const hn::Rebind<std::int32_t, Floats> di;
+  const hn::Rebind<std::uint8_t, Floats> db;
+  using V = hn::Vec<Floats>;
+  const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
+  const V largest = hn::Set(d, 255.0f), half = hn::Set(d, 0.5f);
+  for (std::size_t i = 0; i < sums.Count; i += hn::Lanes(d))
   {
-    const float c = nx[i] * lx[i] + ny[i] * ly[i] + nz[i] * lz[i];
-    const float m = (lx[i] - 2.0f * c * nx[i]) * rx[i] + (ly[i] - 2.0f * c * ny[i]) * ry[i] +
-      (lz[i] - 2.0f * c * nz[i]) * rz[i];
-    cosine[i] = c > 0.0f ? c : 0.0f;
-    const float shining = m > 0.0f ? m : 0.0f;
-    mirrored[i] = c > 0.0f ? (shining < 1.0f ? shining : 1.0f) : 0.0f;
-  }
-  Raise(sums.Power, count, mirrored.data());
-  for (std::size_t c = 0; c < 3; ++c)
-  {
-    const float diffuse = sums.Diffuse[c], specular = sums.Specular[c];
-    const float* const color = sums.Color[c].data();
-    float* const sum = sums.Sum[c].data();
-    for (std::size_t i = 0; i < count; ++i)
+    const auto bytes = [&](std::size_t a) HWY_ATTR
     {
-      sum[i] += share[i] * (diffuse * cosine[i] * color[i] + specular * mirrored[i]);
-    }
-  }
-}
-
-void BytesOf(const PhongSums& sums, std::array<Array<std::uint8_t>, 3>& bytes)
-{
-  for (std::size_t c = 0; c < 3; ++c)
-  {
-    const float* const sum = sums.Sum[c].data();
-    std::uint8_t* const out = bytes[c].data();
-    for (std::size_t i = 0; i < sums.Count; ++i)
-    {
-      const float raised = sum[i] > 0.0f ? sum[i] : 0.0f;
-      const float clamped = raised < 1.0f ? raised : 1.0f;
-      out[i] = static_cast<std::uint8_t>(static_cast<int>(clamped * 255.0f + 0.5f));
-    }
+      const V sum = hn::LoadU(d, &sums.Sum[a][i]);
+      const V raised = hn::IfThenElse(hn::Gt(sum, zero), sum, zero);
+      const V clamped = hn::IfThenElse(hn::Lt(raised, one), raised, one);
+      return hn::DemoteTo(db, hn::ConvertTo(di, hn::Add(hn::Mul(clamped, largest), half)));
+    };
+    hn::StoreInterleaved4(
+      bytes(0), bytes(1), bytes(2), hn::Set(db, std::uint8_t(255)), db, colors[i].data());
   }
 }
 
@@ -231,41 +218,31 @@ namespace TemporalCoherence
 namespace ShadingKernels
 {
 
-HWY_EXPORT(GradientsFloat);
-HWY_EXPORT(GradientsDouble);
 HWY_EXPORT(RayPointsOf);
 HWY_EXPORT(FacingNormalsOf);
 HWY_EXPORT(AddLightTo);
-HWY_EXPORT(BytesOf);
+HWY_EXPORT(ColorsOf);
 
-void InterpolateGradients(GradientBatch<float>& batch)
+void FindRayPoints(RayPoints& rays)
 {
-  HWY_DYNAMIC_DISPATCH(GradientsFloat)(batch);
+  HWY_DYNAMIC_DISPATCH(RayPointsOf)(rays);
 }
 
-void InterpolateGradients(GradientBatch<double>& batch)
+void FindFacingNormals(std::size_t count, const glm::dmat3& worldFromGradient,
+  const std::array<Array<double>, 3>& gradients, const std::array<Array<double>, 3>& rays,
+  Array<std::array<float, 3>>& normals)
 {
-  HWY_DYNAMIC_DISPATCH(GradientsDouble)(batch);
+  HWY_DYNAMIC_DISPATCH(FacingNormalsOf)(count, worldFromGradient, gradients, rays, normals);
 }
 
-void FindRayPoints(RayPoints& points)
+void AddLight(const RayPoints& rays, PhongSums& sums)
 {
-  HWY_DYNAMIC_DISPATCH(RayPointsOf)(points);
+  HWY_DYNAMIC_DISPATCH(AddLightTo)(rays, sums);
 }
 
-void FindFacingNormals(FacingNormals& normals)
+void RoundColors(const PhongSums& sums, Array<std::array<std::uint8_t, 4>>& colors)
 {
-  HWY_DYNAMIC_DISPATCH(FacingNormalsOf)(normals);
-}
-
-void AddLight(PhongSums& sums)
-{
-  HWY_DYNAMIC_DISPATCH(AddLightTo)(sums);
-}
-
-void RoundColors(const PhongSums& sums, std::array<Array<std::uint8_t>, 3>& bytes)
-{
-  HWY_DYNAMIC_DISPATCH(BytesOf)(sums, bytes);
+  HWY_DYNAMIC_DISPATCH(ColorsOf)(sums, colors);
 }
 
 }

@@ -29,9 +29,11 @@ PackedNormal Pack(const glm::dvec3& normal)
 
 }
 
-KnotCollector::KnotCollector(const RayBatch& rays, const KnotForm& form, double floor)
+KnotCollector::KnotCollector(const RayBatch& rays, const KnotForm& form, double reference,
+  double floor)
   : Rays(rays)
   , Form(form)
+  , Reference(reference)
   , Floor(floor)
   , Fits(form.Tolerance > 0.0 ? NumberOfCourses * RayBatch::Capacity : 0)
 {
@@ -65,7 +67,7 @@ void KnotCollector::AddKnot(std::size_t course, std::size_t ray, const Knot& kno
   }
 }
 
-void KnotCollector::HandOver(const Field& field, const glm::dvec2& finiteRange, double reference,
+void KnotCollector::HandOver(const Field& field, const glm::dvec2& finiteRange,
   const Placement& where, TileKnots& knots)
 {
   for (std::size_t fit = 0; fit < this->Fits.size(); ++fit)
@@ -73,39 +75,50 @@ void KnotCollector::HandOver(const Field& field, const glm::dvec2& finiteRange, 
     const std::size_t course = fit / RayBatch::Capacity, ray = fit % RayBatch::Capacity;
     this->Fits[fit].Finish([&](const Knot& knot) { this->AddKnot(course, ray, knot); });
   }
-  const glm::dmat3 toWorld = glm::transpose(glm::dmat3(where.IndexFromWorld));
   for (std::size_t course = 0; course < NumberOfCourses; ++course)
   {
     knots.Cells[course].Assign(this->Cells[course]);
     knots.Fitted[course].Assign(this->Fitted[course]);
 
-    const std::vector<Place>& places = this->Places[course];
     std::vector<KnotNormals::Row> normals;
-    for (std::size_t first = 0; first < places.size(); first += RayBatch::Capacity)
+    for (std::size_t first = 0; first < this->Places[course].size(); first += RayBatch::Capacity)
     {
-      const std::size_t count = std::min<std::size_t>(RayBatch::Capacity, places.size() - first);
-      std::array<RayBatch::Array<double>, 3> points, gradients;
-      for (std::size_t i = 0; i < count; ++i)
-      {
-        const auto [ray, distance] = places[first + i];
-        const double t = this->Rays.Begin[ray] + static_cast<double>(distance);
-        for (std::size_t a = 0; a < 3; ++a)
-        {
-          const double last = field.Dimensions[static_cast<int>(a)] - 1;
-          const double at = this->Rays.Origin[a][ray] + t * this->Rays.Direction[a][ray];
-          points[a][i] = std::min(std::max(at, 0.0), last);
-        }
-      }
-      IndexGradients(field, finiteRange, reference, static_cast<int>(count), points, gradients);
-      for (std::size_t i = 0; i < count; ++i)
-      {
-        const glm::dvec3 gradient(gradients[0][i], gradients[1][i], gradients[2][i]);
-        normals.push_back({ places[first + i].Ray, { Pack(toWorld * gradient) } });
-      }
+      const std::size_t count =
+        std::min<std::size_t>(RayBatch::Capacity, this->Places[course].size() - first);
+      this->FindNormals(&this->Places[course][first], count, field, finiteRange, where, normals);
     }
     knots.Normals[course].Assign(normals);
   }
   knots.Untold = this->Untold;
+}
+
+/// Append the normals of some knots.
+void KnotCollector::FindNormals(const Place* places, std::size_t count, const Field& field,
+  const glm::dvec2& finiteRange, const Placement& where, std::vector<KnotNormals::Row>& normals) const
+{
+  std::array<RayBatch::Array<double>, 3> points, directions, gradients;
+  RayBatch::Array<std::int16_t> surfaces{};
+  for (std::size_t i = 0; i < WholeVectors(count); ++i)
+  {
+    const auto [ray, distance] = places[std::min(i, count - 1)];
+    const double t = this->Rays.Begin[ray] + static_cast<double>(distance);
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      const double last = field.Dimensions[static_cast<int>(a)] - 1;
+      const double at = this->Rays.Origin[a][ray] + t * this->Rays.Direction[a][ray];
+      points[a][i] = std::min(std::max(at, 0.0), last);
+      directions[a][i] = this->Rays.Direction[a][ray];
+    }
+  }
+  const std::vector<double> reference = { this->Reference };
+  const GradientQuery inIndexSpace{ field, glm::dmat4(1.0), finiteRange, &reference };
+  IndexGradients(inIndexSpace, count, points, directions, surfaces, gradients);
+  const glm::dmat3 toWorld = glm::transpose(glm::dmat3(where.IndexFromWorld));
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const glm::dvec3 gradient(gradients[0][i], gradients[1][i], gradients[2][i]);
+    normals.push_back({ places[i].Ray, { Pack(toWorld * gradient) } });
+  }
 }
 
 }

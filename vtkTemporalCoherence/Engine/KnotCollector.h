@@ -33,9 +33,10 @@ inline bool operator==(const KnotForm& a, const KnotForm& b)
 class KnotCollector
 {
 public:
+  /// \param reference a value within the band
   /// \param floor progress below which fitted knots are not wanted; a little before the band, so
   ///              that what happens at its first isovalue can be told
-  KnotCollector(const RayBatch& rays, const KnotForm& form, double floor);
+  KnotCollector(const RayBatch& rays, const KnotForm& form, double reference, double floor);
 
   bool IsFitted() const { return this->Form.Tolerance > 0.0; }
 
@@ -53,11 +54,11 @@ public:
   void GiveUp(std::size_t ray) { this->Untold |= std::uint64_t(1) << ray; }
 
   /// Hand over all knots; the collector is of no use after that.
-  /// \param field, finiteRange, reference, where for normals: the field, its smallest and largest
-  ///        finite sample, a value within the band, and where the field lies
+  /// \param field, finiteRange, where for normals: the field, its smallest and largest finite
+  ///        sample, and where it lies
   /// \throws std::bad_alloc
-  void HandOver(const Field& field, const glm::dvec2& finiteRange, double reference,
-    const Placement& where, TileKnots& knots);
+  void HandOver(const Field& field, const glm::dvec2& finiteRange, const Placement& where,
+    TileKnots& knots);
 
 private:
   /// Where normals are wanted: distance along a ray, by knot.
@@ -68,10 +69,13 @@ private:
   };
 
   void AddKnot(std::size_t course, std::size_t ray, const Knot& knot);
+  void FindNormals(const Place* places, std::size_t count, const Field& field,
+    const glm::dvec2& finiteRange, const Placement& where,
+    std::vector<KnotNormals::Row>& normals) const;
 
   const RayBatch& Rays;
   KnotForm Form;
-  double Floor;
+  double Reference, Floor;
   std::array<std::vector<CellKnots::Row>, NumberOfCourses> Cells;
   std::vector<KnotFit> Fits; ///< of each ray on each course
   std::array<std::vector<FittedKnots::Row>, NumberOfCourses> Fitted;

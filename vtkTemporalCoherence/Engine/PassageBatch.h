@@ -11,9 +11,6 @@
 namespace TemporalCoherence
 {
 
-/// Lanes of the widest vectors that are used; the arrays are filled up to a multiple of it.
-constexpr std::size_t WidestVector = 16;
-
 /// Rays that pass through cells, as arrays over passages. `Real` is what the field's samples are
 /// computed in.
 template <typename Real>
@@ -60,7 +57,7 @@ template <typename Real>
 void FillLastVector(PassageBatch<Real>& in)
 {
   const auto count = static_cast<std::size_t>(in.Count);
-  const std::size_t end = (count + WidestVector - 1) / WidestVector * WidestVector;
+  const std::size_t end = WholeVectors(count);
   const auto fill = [&](auto& array)
   {
     std::fill(array.begin() + static_cast<std::ptrdiff_t>(count),

@@ -14,6 +14,16 @@
 namespace TemporalCoherence
 {
 
+/// Lanes of the widest vectors that are used. Kernels may read and write arrays up to the end of
+/// the last vector: what they read there must be numbers, what they write means nothing.
+constexpr std::size_t WidestVector = 16;
+
+/// Elements of the whole vectors that hold `count` of them.
+constexpr std::size_t WholeVectors(std::size_t count)
+{
+  return (count + WidestVector - 1) / WidestVector * WidestVector;
+}
+
 /// The rays of one tile in index space, as arrays over rays, the form that kernels take.
 ///
 /// A ray is Origin + t Direction with t the world distance, so that a t found in index space needs

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shader.h"
 
-#include "KernelsShading.h"
 #include "SurfaceNormal.h"
 
 #include <algorithm>
@@ -18,10 +17,6 @@ using Array = HitList::Array<T>;
 
 constexpr double Pi = 3.14159265358979323846;
 
-/// Share of a voxel by which a nearest-neighbour hit is moved on, from a face between two samples
-/// into the box of the sample that the ray enters.
-constexpr double IntoNextBox = 1e-2;
-
 constexpr std::array<std::uint8_t, 4> Yellow = { 255, 255, 0, 255 };
 
 void Set(std::array<Array<double>, 3>& vectors, std::size_t i, const glm::dvec3& vector)
@@ -36,59 +31,27 @@ glm::dvec3 At(const std::array<Array<double>, 3>& vectors, std::size_t i)
   return { vectors[0][i], vectors[1][i], vectors[2][i] };
 }
 
-/// Fill normals of the hits on one isovalue.
-void ComputeNormalsOf(
-  std::size_t surface, const NormalSource& source, const HitList& hits, Frame& frame)
+/// Where a solid is cut open, take the normal of the face of the volume for the gradient.
+void TakeFacesAtCaps(const NormalSource& source, const HitList& hits, const Frame& frame,
+  std::array<Array<double>, 3>& gradients)
 {
-  const glm::dmat4& toIndex = source.Where.IndexFromWorld;
-  const glm::dmat3 toIndexDirection(toIndex);
-  const bool isNearest = source.Samples.Between == Interpolation::Nearest;
-  std::array<Array<double>, 3> points;
-  std::array<Array<double>, 3> caps;
-  std::array<std::size_t, RayBatch::Capacity> list;
-  Array<std::uint8_t> isCap;
-  ShadingKernels::FacingNormals normals;
-  normals.WorldFromGradient = glm::transpose(toIndexDirection);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(hits.Count); ++i)
+  for (std::size_t i = 0; i < hits.Rays.Count; ++i)
   {
-    const auto pixel = static_cast<std::size_t>(hits.Pixel[i]);
-    if (static_cast<std::size_t>(frame.Isovalues[pixel]) != surface)
+    if (frame.Kinds[static_cast<std::size_t>(hits.Pixel[i])] == HitKind::Cap)
     {
-      continue;
-    }
-    const std::size_t at = normals.Count++;
-    list[at] = pixel;
-    glm::dvec3 point(toIndex * glm::dvec4(At(hits.Point, i), 1.0));
-    isCap[at] = frame.Kinds[pixel] == HitKind::Cap;
-    if (isCap[at])
-    {
-      Set(caps, at, BoxFaceNormal(point, source.Samples.Dimensions));
-    }
-    else if (isNearest)
-    {
-      point += IntoNextBox * glm::normalize(toIndexDirection * At(hits.Direction, i));
-    }
-    Set(points, at, point);
-    Set(normals.Ray, at, At(hits.Direction, i));
-  }
-  if (normals.Count == 0)
-  {
-    return;
-  }
-  IndexGradients(source.Samples, source.FiniteRange, source.Isovalues[surface],
-    static_cast<int>(normals.Count), points, normals.Gradient);
-  for (std::size_t i = 0; i < normals.Count; ++i)
-  {
-    if (isCap[i])
-    {
-      Set(normals.Gradient, i, At(caps, i));
+      const glm::dvec3 point(source.Where.IndexFromWorld * glm::dvec4(At(hits.Rays.Point, i), 1.0));
+      Set(gradients, i, BoxFaceNormal(point, source.Samples.Dimensions));
     }
   }
-  ShadingKernels::FindFacingNormals(normals);
-  for (std::size_t i = 0; i < normals.Count; ++i)
-  {
-    frame.Normals[list[i]] = { normals.Normal[0][i], normals.Normal[1][i], normals.Normal[2][i] };
-  }
+}
+
+/// Repeat the last element up to the end of the last vector, so that no lane holds what is not a
+/// number.
+template <typename T>
+void FillLastVector(std::size_t count, Array<T>& array)
+{
+  std::fill(array.begin() + static_cast<std::ptrdiff_t>(count),
+    array.begin() + static_cast<std::ptrdiff_t>(WholeVectors(count)), array[count - 1]);
 }
 
 /// What arrives of a positional light at a point, and the direction it comes from.
@@ -118,25 +81,34 @@ double ShareAt(const Light& light, const glm::dvec3& point, glm::dvec3& toLight)
 void AddLight(const Appearance& appearance, const Light& light, const HitList& hits,
   ShadingKernels::PhongSums& sums)
 {
-  for (std::size_t i = 0; i < sums.Count; ++i)
+  sums.IsPositional = light.Positional;
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    const auto component = static_cast<int>(c);
+    sums.Toward[c] = static_cast<float>(-light.Direction[component]);
+    sums.Diffuse[c] = static_cast<float>(appearance.Diffuse * light.Diffuse[component]);
+    sums.Specular[c] =
+      static_cast<float>(std::max(appearance.Specular, 0.0) * light.Specular[component]);
+  }
+  for (std::size_t i = 0; i < sums.Count && light.Positional; ++i)
   {
     glm::dvec3 toLight = -light.Direction;
-    sums.Share[i] =
-      light.Positional ? static_cast<float>(ShareAt(light, At(hits.Point, i), toLight)) : 1.0f;
+    sums.Share[i] = static_cast<float>(ShareAt(light, At(hits.Rays.Point, i), toLight));
     for (std::size_t a = 0; a < 3; ++a)
     {
       sums.ToLight[a][i] = static_cast<float>(toLight[static_cast<int>(a)]);
     }
   }
-  for (std::size_t c = 0; c < 3; ++c)
+  if (light.Positional)
   {
-    const auto component = static_cast<int>(c);
-    sums.Diffuse[c] = static_cast<float>(appearance.Diffuse * light.Diffuse[component]);
-    sums.Specular[c] =
-      static_cast<float>(std::max(appearance.Specular, 0.0) * light.Specular[component]);
+    FillLastVector(sums.Count, sums.Share);
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      FillLastVector(sums.Count, sums.ToLight[a]);
+    }
   }
   sums.Power = appearance.SpecularPower;
-  ShadingKernels::AddLight(sums);
+  ShadingKernels::AddLight(hits.Rays, sums);
 }
 
 /// What hits look like without light from anywhere.
@@ -144,71 +116,198 @@ void BeginSums(const Appearance& appearance, const HitList& hits, const Frame& f
   ShadingKernels::PhongSums& sums)
 {
   const auto ambient = static_cast<float>(appearance.Shade ? appearance.Ambient : 1.0);
-  sums.Count = static_cast<std::size_t>(hits.Count);
+  sums.Count = hits.Rays.Count;
   for (std::size_t i = 0; i < sums.Count; ++i)
   {
-    const auto pixel = static_cast<std::size_t>(hits.Pixel[i]);
-    const glm::vec3 color(appearance.Colors[static_cast<std::size_t>(frame.Isovalues[pixel])]);
-    for (std::size_t a = 0; a < 3; ++a)
+    const glm::vec3& normal = frame.Normals[static_cast<std::size_t>(hits.Pixel[i])];
+    sums.Normal[i] = { normal.x, normal.y, normal.z };
+  }
+  FillLastVector(sums.Count, sums.Normal);
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    const auto axis = static_cast<int>(a);
+    if (appearance.Colors.size() == 1)
     {
-      const auto axis = static_cast<int>(a);
-      sums.Normal[a][i] = frame.Normals[pixel][axis];
-      sums.Ray[a][i] = static_cast<float>(hits.Direction[a][i]);
-      sums.Color[a][i] = color[axis];
-      sums.Sum[a][i] = ambient * color[axis];
+      std::fill_n(sums.Color[a].begin(), WholeVectors(sums.Count),
+        static_cast<float>(appearance.Colors[0][axis]));
+    }
+    else
+    {
+      for (std::size_t i = 0; i < sums.Count; ++i)
+      {
+        const glm::dvec3& color = appearance.Colors[static_cast<std::size_t>(hits.Surface[i])];
+        sums.Color[a][i] = static_cast<float>(color[axis]);
+      }
+      FillLastVector(sums.Count, sums.Color[a]);
+    }
+    for (std::size_t i = 0; i < WholeVectors(sums.Count); ++i)
+    {
+      sums.Sum[a][i] = ambient * sums.Color[a][i];
     }
   }
 }
+
+/// Normalised device coordinates of the columns and rows of a part.
+struct PixelCentres
+{
+  PixelCentres(const View& view, const PixelRect& part)
+  {
+    for (int column = 0; column < part.Size.x; ++column)
+    {
+      this->X[static_cast<std::size_t>(column)] = view.PixelCentre(part.First.x + column, 0).x;
+    }
+    for (int row = 0; row < part.Size.y; ++row)
+    {
+      this->Y[static_cast<std::size_t>(row)] = view.PixelCentre(0, part.First.y + row).y;
+    }
+  }
+
+  Array<double> X, Y;
+};
+
+/// Sorts the pixels of a part into hits and misses, row by row.
+class PixelSorter
+{
+public:
+  PixelSorter(bool withDefiniteHits, Frame& frame, HitList& hits)
+    : WithDefiniteHits(withDefiniteHits)
+    , Planes(frame)
+    , Hits(hits)
+  {
+    hits.Rays.Count = 0;
+  }
+
+  /// Sort the pixels [first, first + count) of a row.
+  void Sort(std::size_t first, std::size_t count, const double* x, double y)
+  {
+    const std::int16_t* const surfaces = &this->Planes.Isovalues[first];
+    if (count == TileSize && this->WithDefiniteHits)
+    {
+      // Most rows are full or empty.
+      int hitCount = 0;
+      for (std::size_t i = 0; i < TileSize; ++i)
+      {
+        hitCount += surfaces[i] != Frame::NoSurface ? 1 : 0;
+      }
+      if (hitCount == TileSize)
+      {
+        this->TakeRow(first, x, y);
+        return;
+      }
+      if (hitCount == 0)
+      {
+        std::fill_n(&this->Planes.Normals[first], TileSize, glm::vec3(0.0f));
+        std::fill_n(&this->Planes.Colors[first], TileSize, NoColor);
+        return;
+      }
+    }
+    this->SortRow(first, count, x, y);
+  }
+
+private:
+  static constexpr std::array<std::uint8_t, 4> NoColor = { 0, 0, 0, 0 };
+
+  /// Take a row of hits.
+  void TakeRow(std::size_t first, const double* x, double y)
+  {
+    const std::size_t at = this->Hits.Rays.Count;
+    for (std::size_t i = 0; i < TileSize; ++i)
+    {
+      this->Hits.Pixel[at + i] = static_cast<std::int32_t>(first + i);
+      this->Hits.Surface[at + i] = this->Planes.Isovalues[first + i];
+      this->Hits.Rays.X[at + i] = x[i];
+      this->Hits.Rays.Y[at + i] = y;
+      this->Hits.Rays.T[at + i] = this->Planes.Depth[first + i];
+    }
+    this->Hits.Rays.Count = at + TileSize;
+  }
+
+  /// Sort a row of hits and misses.
+  void SortRow(std::size_t first, std::size_t count, const double* x, double y)
+  {
+    Array<std::size_t> misses;
+    std::size_t hitCount = this->Hits.Rays.Count, missCount = 0;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      // Without branches, as nobody could foretell them at silhouettes: every pixel is written to
+      // the end of both lists, and at most one of them grows.
+      const std::size_t pixel = first + i;
+      const bool isMiss = this->Planes.Isovalues[pixel] == Frame::NoSurface;
+      const bool isKnown =
+        !this->WithDefiniteHits && this->Planes.Answers[pixel] == Answer::DefiniteHit;
+      this->Hits.Pixel[hitCount] = static_cast<std::int32_t>(pixel);
+      this->Hits.Surface[hitCount] = this->Planes.Isovalues[pixel];
+      this->Hits.Rays.X[hitCount] = x[i];
+      this->Hits.Rays.Y[hitCount] = y;
+      this->Hits.Rays.T[hitCount] = this->Planes.Depth[pixel];
+      misses[missCount] = pixel;
+      hitCount += isMiss || isKnown ? 0 : 1;
+      missCount += isMiss ? 1 : 0;
+    }
+    this->Hits.Rays.Count = hitCount;
+    for (std::size_t i = 0; i < missCount; ++i)
+    {
+      this->Planes.Normals[misses[i]] = glm::vec3(0.0f);
+      this->Planes.Colors[misses[i]] = NoColor;
+    }
+  }
+
+  bool WithDefiniteHits;
+  Frame& Planes;
+  HitList& Hits;
+};
 
 }
 
 void GatherHits(
   const View& view, const PixelRect& part, bool withDefiniteHits, Frame& frame, HitList& hits)
 {
-  ShadingKernels::RayPoints points;
-  for (int row = part.First.y; row < part.First.y + part.Size.y; ++row)
+  const PixelCentres centres(view, part);
+  PixelSorter sorter(withDefiniteHits, frame, hits);
+  for (int row = 0; row < part.Size.y; ++row)
   {
-    for (int column = part.First.x; column < part.First.x + part.Size.x; ++column)
-    {
-      const int pixel = row * frame.Size.x + column;
-      const auto p = static_cast<std::size_t>(pixel);
-      if (frame.Isovalues[p] == Frame::NoSurface)
-      {
-        frame.Normals[p] = glm::vec3(0.0f);
-        frame.Colors[p] = { 0, 0, 0, 0 };
-      }
-      else if (withDefiniteHits || frame.Answers[p] != Answer::DefiniteHit)
-      {
-        const glm::dvec2 centre = view.PixelCentre(column, row);
-        points.X[points.Count] = centre.x;
-        points.Y[points.Count] = centre.y;
-        points.T[points.Count] = frame.Depth[p];
-        hits.Pixel[points.Count++] = pixel;
-      }
-    }
+    const int first = (part.First.y + row) * frame.Size.x + part.First.x;
+    sorter.Sort(static_cast<std::size_t>(first), static_cast<std::size_t>(part.Size.x),
+      centres.X.data(), centres.Y[static_cast<std::size_t>(row)]);
   }
-  hits.Count = static_cast<int>(points.Count);
-  if (points.Count > 0)
+  ShadingKernels::RayPoints& rays = hits.Rays;
+  if (rays.Count > 0)
   {
-    points.LinearDirection = { view.Direction, view.DirectionX, view.DirectionY };
-    points.LinearOrigin = { view.Origin, view.OriginX, view.OriginY };
-    ShadingKernels::FindRayPoints(points);
-    hits.Direction = points.Direction;
-    hits.Point = points.Point;
+    FillLastVector(rays.Count, rays.X);
+    FillLastVector(rays.Count, rays.Y);
+    FillLastVector(rays.Count, rays.T);
+    rays.LinearDirection = { view.Direction, view.DirectionX, view.DirectionY };
+    rays.LinearOrigin = { view.Origin, view.OriginX, view.OriginY };
+    ShadingKernels::FindRayPoints(rays);
   }
 }
 
 void ComputeNormals(const NormalSource& source, const HitList& hits, Frame& frame)
 {
-  for (std::size_t surface = 0; surface < source.Isovalues.size() && hits.Count > 0; ++surface)
+  if (hits.Rays.Count == 0)
   {
-    ComputeNormalsOf(surface, source, hits, frame);
+    return;
+  }
+  const auto count = hits.Rays.Count;
+  std::array<Array<double>, 3> gradients;
+  Array<std::array<float, 3>> normals;
+  IndexGradients(
+    { source.Samples, source.Where.IndexFromWorld, source.FiniteRange, &source.Isovalues }, count,
+    hits.Rays.Point, hits.Rays.Direction, hits.Surface, gradients);
+  TakeFacesAtCaps(source, hits, frame, gradients);
+  const glm::dmat3 worldFromGradient = glm::transpose(glm::dmat3(source.Where.IndexFromWorld));
+  ShadingKernels::FindFacingNormals(
+    count, worldFromGradient, gradients, hits.Rays.Direction, normals);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    frame.Normals[static_cast<std::size_t>(hits.Pixel[i])] = { normals[i][0], normals[i][1],
+      normals[i][2] };
   }
 }
 
 void ShadeHits(const Appearance& appearance, const HitList& hits, Frame& frame)
 {
-  if (hits.Count == 0)
+  if (hits.Rays.Count == 0)
   {
     return;
   }
@@ -221,16 +320,21 @@ void ShadeHits(const Appearance& appearance, const HitList& hits, Frame& frame)
       AddLight(appearance, light, hits, sums);
     }
   }
-  std::array<Array<std::uint8_t>, 3> bytes;
-  ShadingKernels::RoundColors(sums, bytes);
-  const bool isByAnswer = appearance.ColorByAnswer && frame.IsFromCache;
+  Array<std::array<std::uint8_t, 4>> colors;
+  ShadingKernels::RoundColors(sums, colors);
   for (std::size_t i = 0; i < sums.Count; ++i)
   {
-    const auto pixel = static_cast<std::size_t>(hits.Pixel[i]);
-    frame.Colors[pixel] = { bytes[0][i], bytes[1][i], bytes[2][i], 255 };
-    if (isByAnswer && frame.Answers[pixel] == Answer::PossibleHit)
+    frame.Colors[static_cast<std::size_t>(hits.Pixel[i])] = colors[i];
+  }
+  if (appearance.ColorByAnswer && frame.IsFromCache)
+  {
+    for (std::size_t i = 0; i < sums.Count; ++i)
     {
-      frame.Colors[pixel] = Yellow;
+      const auto pixel = static_cast<std::size_t>(hits.Pixel[i]);
+      if (frame.Answers[pixel] == Answer::PossibleHit)
+      {
+        frame.Colors[pixel] = Yellow;
+      }
     }
   }
 }

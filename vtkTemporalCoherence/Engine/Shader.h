@@ -6,6 +6,7 @@
 #include "Appearance.h"
 #include "Field.h"
 #include "Frame.h"
+#include "KernelsShading.h"
 #include "RayBatch.h"
 #include "Tiles.h"
 #include "View.h"
@@ -21,10 +22,9 @@ struct HitList
   template <typename T>
   using Array = RayBatch::Array<T>;
 
-  int Count = 0;
-  Array<std::int32_t> Pixel;              ///< position in the planes of the frame
-  std::array<Array<double>, 3> Direction; ///< of the ray, unit length, in the world
-  std::array<Array<double>, 3> Point;     ///< of the hit, in the world
+  Array<std::int32_t> Pixel;      ///< position in the planes of the frame
+  Array<std::int16_t> Surface;    ///< position in the list of isovalues
+  ShadingKernels::RayPoints Rays; ///< and the hits on them, in the world
 };
 
 /// Where the hits of a picture get their normals from.

@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceNormal.h"
 
-#include "KernelsShading.h"
+#include "KernelsGradients.h"
 #include "Surfaces.h"
 
 #include <hwy/cache_control.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <limits>
 #include <type_traits>
 
 namespace TemporalCoherence
@@ -19,155 +21,191 @@ namespace
 /// Points by which samples are sent for in advance.
 constexpr std::size_t Ahead = 6;
 
-/// Gathers what central differences around points need.
+/// Gathers the rows of samples that central differences around points need.
 template <typename T>
-class SampleGatherer
+class RowGatherer
 {
 public:
-  using Real = RealOf<T>;
-  using Batch = ShadingKernels::GradientBatch<Real>;
+  using Kept = GradientKernels::KeptAs<T>;
+  using Rows = GradientKernels::RowBatch<Kept>;
+  using Points = GradientKernels::CellPoints<RealOf<T>>;
 
-  SampleGatherer(const Field& field, const glm::dvec2& finiteRange, double isovalue)
+  explicit RowGatherer(const Field& field)
     : Samples(field)
-    , IsNearest(field.Between == Interpolation::Nearest)
-    , FromIsovalue(isovalue, finiteRange)
-    , Steps{ field.Strides.x, field.Strides.y, field.Strides.z }
+    , IsLarge(field.IsLarge())
   {
   }
 
-  /// Send for the samples around a point.
-  void Prefetch(const glm::dvec3& point) const
+  void Gather(const Points& points, Rows& rows) const
   {
-    const glm::ivec3 last = this->Samples.Dimensions - 1;
-    const glm::ivec3 cell = glm::clamp(glm::ivec3(point), glm::ivec3(0), last);
+    ClearLastVector(points.Count, rows);
+    // A copy: samples may be of a type whose stores could change anything that is not local.
+    const TypedField<T> samples = this->Samples;
+    const bool isLarge = this->IsLarge;
+    const bool isPacked = std::is_same_v<T, Kept> && samples.Strides.x == 1;
+    for (std::size_t i = 0; i < points.Count; ++i)
+    {
+      if (isLarge)
+      {
+        Prefetch(samples, CellOf(points, std::min(i + Ahead, points.Count - 1)));
+      }
+      const glm::ivec3 cell = CellOf(points, i);
+      if (isPacked && IsInner(cell, samples.Dimensions))
+      {
+        CopyRows(samples.At(cell), samples.Strides.y, samples.Strides.z, i, rows);
+      }
+      else
+      {
+        KeepSamples(samples, cell, i, rows);
+      }
+    }
+  }
+
+private:
+  static glm::ivec3 CellOf(const Points& points, std::size_t i)
+  {
+    return { points.Cell[0][i], points.Cell[1][i], points.Cell[2][i] };
+  }
+
+  /// Send for the samples around a cell.
+  static void Prefetch(const TypedField<T>& samples, const glm::ivec3& cell)
+  {
+    const glm::ivec3 last = samples.Dimensions - 1;
     for (int k = std::max(cell.z - 1, 0); k <= std::min(cell.z + 2, last.z); ++k)
     {
       for (int j = std::max(cell.y - 1, 0); j <= std::min(cell.y + 2, last.y); ++j)
       {
-        hwy::Prefetch(this->Samples.At(cell.x, j, k));
+        hwy::Prefetch(samples.At(cell.x, j, k));
       }
     }
   }
 
-  /// Gather for point i of the batch, after those before it.
-  void Gather(const glm::dvec3& point, std::size_t i, Batch& batch)
+  /// So that no lane holds what is not a number.
+  static void ClearLastVector(std::size_t count, Rows& rows)
   {
-    // Rounding towards 0 is rounding down, but below 0, where there is no cell.
-    const glm::ivec3 cell =
-      glm::clamp(glm::ivec3(point), glm::ivec3(0), this->Samples.Dimensions - 2);
-    const glm::dvec3 in = glm::clamp(point - glm::dvec3(cell), 0.0, 1.0);
-    for (std::size_t a = 0; a < 3; ++a)
+    const auto begin = static_cast<std::ptrdiff_t>(WholeVectors(count) - WidestVector);
+    for (auto& along : rows.Along)
     {
-      const double at = in[static_cast<int>(a)];
-      batch.At[a][i] = static_cast<Real>(this->IsNearest ? std::floor(at + 0.5) : at);
+      std::fill_n(along.begin() + begin, WidestVector, std::array<Kept, 4>());
     }
-    if (i > 0 && cell == this->LastCell)
+    for (auto& beside : rows.Beside)
     {
-      Repeat(i, batch);
-      return;
-    }
-    this->LastCell = cell;
-    this->GatherCell(cell, i, batch);
-  }
-
-private:
-  /// What was gathered for the point before: neighbouring pixels often see the same cell.
-  static void Repeat(std::size_t i, Batch& batch)
-  {
-    const auto repeat = [i](auto& array) { array[i] = array[i - 1]; };
-    for (std::size_t corner = 0; corner < 8; ++corner)
-    {
-      repeat(batch.Corner[corner]);
-    }
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      for (std::size_t edge = 0; edge < 4; ++edge)
-      {
-        repeat(batch.Before[a][edge]);
-        repeat(batch.Behind[a][edge]);
-      }
-      repeat(batch.ScaleFirst[a]);
-      repeat(batch.ScaleSecond[a]);
+      std::fill_n(beside.begin() + begin, WidestVector, std::array<Kept, 2>());
     }
   }
 
-  void GatherCell(const glm::ivec3& cell, std::size_t i, Batch& batch) const
+  /// True if there are samples before and behind a cell along every axis.
+  static bool IsInner(const glm::ivec3& cell, const glm::ivec3& samples)
   {
-    const glm::ivec3& n = this->Samples.Dimensions;
-    const T* const origin = this->Samples.At(cell);
-    for (std::size_t corner = 0; corner < 8; ++corner)
-    {
-      batch.Corner[corner][i] = this->Value(origin + (corner & 1u ? this->Steps[0] : 0) +
-        (corner & 2u ? this->Steps[1] : 0) + (corner & 4u ? this->Steps[2] : 0));
-    }
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      const auto axis = static_cast<int>(a);
-      // One-sided at the ends of the field.
-      const bool hasBefore = cell[axis] > 0;
-      const bool hasBehind = cell[axis] + 2 < n[axis];
-      const T* const before = origin - (hasBefore ? this->Steps[a] : 0);
-      const T* const behind = origin + (hasBehind ? 2 : 1) * this->Steps[a];
-      const std::int64_t u = this->Steps[a == 0 ? 1 : 0];
-      const std::int64_t v = this->Steps[a == 2 ? 1 : 2];
-      const std::int64_t edges[4] = { 0, u, v, u + v };
-      for (std::size_t edge = 0; edge < 4; ++edge)
-      {
-        batch.Before[a][edge][i] = this->Value(before + edges[edge]);
-        batch.Behind[a][edge][i] = this->Value(behind + edges[edge]);
-      }
-      batch.ScaleFirst[a][i] = hasBefore ? Real(0.5) : Real(1);
-      batch.ScaleSecond[a][i] = hasBehind ? Real(0.5) : Real(1);
-    }
+    return cell.x > 0 && cell.x + 2 < samples.x && cell.y > 0 && cell.y + 2 < samples.y &&
+      cell.z > 0 && cell.z + 2 < samples.z;
   }
 
-  /// A sample as a number whose differences are exact enough, and finite whatever the sample is.
-  Real Value(const T* sample) const
+  /// Keep the samples around an inner cell whose rows lie in memory as they are kept.
+  static void CopyRows(const T* origin, std::int64_t y, std::int64_t z, std::size_t i, Rows& rows)
   {
-    if constexpr (std::is_floating_point_v<T>)
+    const auto copyFour = [i, &rows](std::size_t row, const T* from)
+    { std::memcpy(&rows.Along[row][i], from - 1, 4 * sizeof(T)); };
+    const auto copyTwo = [i, &rows](std::size_t row, const T* from)
+    { std::memcpy(&rows.Beside[row][i], from, 2 * sizeof(T)); };
+    copyFour(0, origin);
+    copyFour(1, origin + y);
+    copyFour(2, origin + z);
+    copyFour(3, origin + y + z);
+    copyTwo(0, origin - y);
+    copyTwo(1, origin - y + z);
+    copyTwo(2, origin + 2 * y);
+    copyTwo(3, origin + 2 * y + z);
+    copyTwo(4, origin - z);
+    copyTwo(5, origin + y - z);
+    copyTwo(6, origin + 2 * z);
+    copyTwo(7, origin + y + 2 * z);
+  }
+
+  /// Keep the samples around any cell, one by one. Beyond the ends of the field those at the ends
+  /// are repeated: differences are one-sided there.
+  static void KeepSamples(
+    const TypedField<T>& samples, const glm::ivec3& cell, std::size_t i, Rows& rows)
+  {
+    const T* const origin = samples.At(cell);
+    const std::int64_t x = samples.Strides.x, y = samples.Strides.y, z = samples.Strides.z;
+    glm::i64vec3 before, behind;
+    for (int a = 0; a < 3; ++a)
     {
-      return this->FromIsovalue(*sample);
+      before[a] = cell[a] > 0 ? -samples.Strides[a] : 0;
+      behind[a] = (cell[a] + 2 < samples.Dimensions[a] ? 2 : 1) * samples.Strides[a];
     }
-    else
+    const auto keepFour = [&](std::size_t row, const T* from)
     {
-      return static_cast<Real>(*sample);
+      rows.Along[row][i] = { static_cast<Kept>(from[before.x]), static_cast<Kept>(from[0]),
+        static_cast<Kept>(from[x]), static_cast<Kept>(from[behind.x]) };
+    };
+    const auto keepTwo = [&](std::size_t row, const T* from) {
+      rows.Beside[row][i] = { static_cast<Kept>(from[0]), static_cast<Kept>(from[x]) };
+    };
+    for (std::size_t edge = 0; edge < 4; ++edge)
+    {
+      keepFour(edge, origin + (edge & 1u ? y : 0) + (edge & 2u ? z : 0));
+    }
+    for (std::size_t side = 0; side < 2; ++side)
+    {
+      keepTwo(side, origin + before.y + (side ? z : 0));
+      keepTwo(2 + side, origin + behind.y + (side ? z : 0));
+      keepTwo(4 + side, origin + before.z + (side ? y : 0));
+      keepTwo(6 + side, origin + behind.z + (side ? y : 0));
     }
   }
 
   TypedField<T> Samples;
-  bool IsNearest;
-  Difference<T> FromIsovalue;
-  std::array<std::int64_t, 3> Steps;
-  glm::ivec3 LastCell{ 0 };
+  bool IsLarge;
 };
+
+/// What differences from the isovalues are made of. Integers are finite: theirs are taken from 0.
+template <typename T, typename Rows>
+void SetIsovalues(const GradientQuery& query, std::size_t count,
+  const RayBatch::Array<std::int16_t>& surfaces, Rows& rows)
+{
+  std::array<double, 3> parts = { 0.0, 0.0, std::numeric_limits<double>::max() };
+  for (std::size_t i = 0; i < WholeVectors(count); ++i)
+  {
+    if constexpr (std::is_floating_point_v<T>)
+    {
+      if (i < count && (i == 0 || surfaces[i] != surfaces[i - 1]))
+      {
+        const double isovalue = (*query.Isovalues)[static_cast<std::size_t>(surfaces[i])];
+        parts = Difference<T>(isovalue, query.FiniteRange).Parts();
+      }
+    }
+    rows.High[i] = parts[0];
+    rows.Low[i] = parts[1];
+    rows.Limit[i] = parts[2];
+  }
+}
 
 }
 
-void IndexGradients(const Field& field, const glm::dvec2& finiteRange, double isovalue, int count,
+void IndexGradients(const GradientQuery& query, std::size_t count,
   const std::array<RayBatch::Array<double>, 3>& points,
-  std::array<RayBatch::Array<double>, 3>& gradients)
+  const std::array<RayBatch::Array<double>, 3>& directions,
+  const RayBatch::Array<std::int16_t>& surfaces, std::array<RayBatch::Array<double>, 3>& gradients)
 {
+  const Field& field = query.Samples;
   DispatchScalarType(field.Type,
     [&](auto type)
     {
       using T = decltype(type);
-      SampleGatherer<T> gatherer(field, finiteRange, isovalue);
-      typename SampleGatherer<T>::Batch batch;
-      batch.Count = static_cast<std::size_t>(count);
-      for (std::size_t i = 0; i < batch.Count; ++i)
+      typename RowGatherer<T>::Points inCells;
+      inCells.Count = count;
+      GradientKernels::FindCells(
+        { query.IndexFromWorld, field.Dimensions, field.Between == Interpolation::Nearest },
+        directions, points, inCells);
+      typename RowGatherer<T>::Rows rows;
+      RowGatherer<T>(field).Gather(inCells, rows);
+      if constexpr (sizeof(T) > 2)
       {
-        if (field.IsLarge())
-        {
-          const std::size_t later = std::min(i + Ahead, batch.Count - 1);
-          gatherer.Prefetch({ points[0][later], points[1][later], points[2][later] });
-        }
-        gatherer.Gather({ points[0][i], points[1][i], points[2][i] }, i, batch);
+        SetIsovalues<T>(query, count, surfaces, rows);
       }
-      ShadingKernels::InterpolateGradients(batch);
-      for (std::size_t a = 0; a < 3; ++a)
-      {
-        std::copy_n(batch.Gradient[a].begin(), batch.Count, gradients[a].begin());
-      }
+      GradientKernels::InterpolateGradients(field.Dimensions, inCells, rows, gradients);
     });
 }
 

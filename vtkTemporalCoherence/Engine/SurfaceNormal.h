@@ -8,24 +8,33 @@
 #include "Surfaces.h"
 
 #include <array>
+#include <vector>
 
 namespace TemporalCoherence
 {
 
-/// Gradients of the field at points, as arrays over hits.
+/// Gradients of the field at the hits of a tile.
 ///
 /// The gradient is that of central differences at the samples (one-sided at the boundary of the
 /// field), continued between samples as the field is: trilinearly, or from the nearest sample.
-/// \param field       samples
-/// \param finiteRange smallest and largest finite sample
-/// \param isovalue    differences from it are taken, so that samples which are not finite do no
-///                    harm
-/// \param count       number of points, at most RayBatch::Capacity
-/// \param points      positions in index space, within the field's box, by axis
-/// \param gradients   the gradient per index step, by axis
-void IndexGradients(const Field& field, const glm::dvec2& finiteRange, double isovalue, int count,
+struct GradientQuery
+{
+  Field Samples;
+  glm::dmat4 IndexFromWorld{ 1.0 };
+  glm::dvec2 FiniteRange{ 0.0 }; ///< smallest and largest finite sample
+  /// Differences from them are taken, so that samples which are not finite do no harm.
+  const std::vector<double>* Isovalues = nullptr;
+};
+
+/// \param count      at least 1
+/// \param points     in the world, to the end of the last vector
+/// \param directions of the rays, to the end of the last vector
+/// \param surfaces   positions in the list of isovalues
+/// \param gradients  found: per index step, by axis
+void IndexGradients(const GradientQuery& query, std::size_t count,
   const std::array<RayBatch::Array<double>, 3>& points,
-  std::array<RayBatch::Array<double>, 3>& gradients);
+  const std::array<RayBatch::Array<double>, 3>& directions,
+  const RayBatch::Array<std::int16_t>& surfaces, std::array<RayBatch::Array<double>, 3>& gradients);
 
 /// Outward normal, in index space, of the face of the box [0, dimensions - 1] that a point lies on.
 /// \return the zero vector if the point is not on a face

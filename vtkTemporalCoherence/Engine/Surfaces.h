@@ -6,6 +6,7 @@
 #include "Field.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -67,6 +68,9 @@ public:
     , Limit(static_cast<Real>(std::min(Span(isovalue, finiteRange), Largest)))
   {
   }
+
+  /// The isovalue, as the sum of two numbers, and the largest difference from it.
+  std::array<Real, 3> Parts() const { return { this->High, this->Low, this->Limit }; }
 
   Real operator()(T sample) const
   {

@@ -29,6 +29,7 @@ set(engine_files
   SurfaceNormal
   SurfaceTracer
   TileBounds
+  TileShader
   TileTracer
   ValueRangePyramid
   View)

@@ -19,8 +19,9 @@ struct TraceCounts
   std::int64_t PossibleHits = 0;
   std::int64_t TracedRays = 0;
   std::int64_t CellsRead = 0;
-  std::int64_t QueryTime = 0; ///< nanoseconds spent in asking the image, where it was timed
-  std::int64_t TileTime = 0;  ///< nanoseconds, with that included
+  std::int64_t QueryTime = 0; ///< nanoseconds spent in asking an image, in tiles that were timed
+  std::int64_t ShadeTime = 0; ///< and in shading
+  std::int64_t TileTime = 0;  ///< and all told
 
   TraceCounts& operator+=(const TraceCounts& other)
   {
@@ -30,6 +31,7 @@ struct TraceCounts
     this->TracedRays += other.TracedRays;
     this->CellsRead += other.CellsRead;
     this->QueryTime += other.QueryTime;
+    this->ShadeTime += other.ShadeTime;
     this->TileTime += other.TileTime;
     return *this;
   }

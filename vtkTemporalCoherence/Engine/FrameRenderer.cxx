@@ -7,6 +7,7 @@
 #include "RayBatch.h"
 #include "Stopwatch.h"
 #include "SurfaceTracer.h"
+#include "TileTimer.h"
 
 #include <algorithm>
 #include <bitset>
@@ -103,7 +104,7 @@ bool FrameRenderer::TakeRoute(const FrameKey& key, const Options& options, Cache
       return true;
     case Route::Reshade:
       this->Front->Key = key;
-      this->ShadeTiles(key, HitSet::None, HitSet::All, this->Front->Picture);
+      this->ShadeAgain();
       this->CountKnownHits();
       return true;
     case Route::IsomapBuild:
@@ -181,9 +182,16 @@ void FrameRenderer::TraceFrame(const FrameKey& key, const Options& options, Cach
     scene.Before = &this->Front->Picture;
     scene.IsRaised = CompareFrames(this->Front->Key, key).Raised;
   }
-  this->TraceTiles(scene, made.Picture);
   const HitSet hits = interpolates ? HitSet::NotDefinite : HitSet::All;
-  this->ShadeTiles(key, hits, hits, made.Picture);
+  const TileTracer tracer(scene);
+  const TileShader shader(key, this->Pyramid.FiniteRange(), hits, hits);
+  this->CountTiles(made.Picture,
+    [&](std::int64_t tile, const PixelRect& part)
+    {
+      TraceCounts counts = tracer.Trace(tile, part, made.Picture);
+      shader.Shade(tile, part, made.Picture, counts);
+      return counts;
+    });
   made.Picture.IsFromCache = cached != nullptr;
   made.IsExact = isExact;
   made.IsEroded = !isExact && options.Accuracy == ReuseAccuracy::Paper;
@@ -294,11 +302,20 @@ void FrameRenderer::LookUpFrame(const FrameKey& key, const Options& options)
   }
   std::vector<std::uint64_t> open(static_cast<std::size_t>(NumberOfTiles(key.Seen.Size)));
   const IsomapLookup lookup(key, bands, this->Map.Tolerance(), this->Pyramid.FiniteRange());
-  this->CountTiles([&](std::int64_t tile, const PixelRect& part)
-    { return lookup.Look(tile, part, made.Picture, open[static_cast<std::size_t>(tile)]); });
-  this->TraceOpenRays(key, options, open, made.Picture);
-  this->ShadeTiles(
-    key, options.Map.HasNormals ? HitSet::NotDefinite : HitSet::All, HitSet::All, made.Picture);
+  const TileShader shader(key, this->Pyramid.FiniteRange(),
+    options.Map.HasNormals ? HitSet::NotDefinite : HitSet::All, HitSet::All);
+  this->CountTiles(made.Picture,
+    [&](std::int64_t tile, const PixelRect& part)
+    {
+      std::uint64_t& left = open[static_cast<std::size_t>(tile)];
+      TraceCounts counts = lookup.Look(tile, part, made.Picture, left);
+      if (left == 0)
+      {
+        shader.Shade(tile, part, made.Picture, counts);
+      }
+      return counts;
+    });
+  this->TraceOpenRays(key, options, open, shader, made.Picture);
   made.Picture.IsFromCache = false;
   made.IsExact = this->Map.Tolerance() == 0.0 && !options.Map.HasNormals;
   made.IsEroded = this->Map.Tolerance() > 0.0;
@@ -365,23 +382,27 @@ void FrameRenderer::PrepareActiveCells(const FrameKey& key)
   this->Bounds.Build(key.Seen, key.Where, this->Active);
 }
 
-/// Call work(tile, part) for each tile of the frame in Back, in parallel, and add up what it counts.
+/// Call work(tile, part) for each tile of a frame, in parallel, and add up what it counts.
 template <typename Work>
-void FrameRenderer::CountTiles(const Work& work)
+void FrameRenderer::CountTiles(const Frame& frame, const Work& work)
 {
   double seconds = 0.0;
   std::mutex guard;
   TraceCounts sum;
-  const glm::ivec2& pixels = this->Back->Picture.Size;
   {
     Stopwatch watch(seconds);
-    ParallelForRanges(NumberOfTiles(pixels), TileGrain,
+    ParallelForRanges(NumberOfTiles(frame.Size), TileGrain,
       [&](std::int64_t begin, std::int64_t end)
       {
         TraceCounts counts;
         for (std::int64_t tile = begin; tile < end; ++tile)
         {
-          counts += work(tile, PixelsOfTile(pixels, tile));
+          std::int64_t nanoseconds = 0;
+          {
+            const TileTimer timer(tile, nanoseconds);
+            counts += work(tile, PixelsOfTile(frame.Size, tile));
+          }
+          counts.TileTime += nanoseconds;
         }
         const std::lock_guard<std::mutex> lock(guard);
         sum += counts;
@@ -392,24 +413,33 @@ void FrameRenderer::CountTiles(const Work& work)
   this->Counters.PossibleHits += sum.PossibleHits;
   this->Counters.TracedRays += sum.TracedRays;
   this->Counters.FieldSamples += 8 * sum.CellsRead;
-  // Threads ask and trace tile by tile: the time of both is told apart by their shares.
-  const double queryShare = sum.TileTime > 0
-    ? static_cast<double>(sum.QueryTime) / static_cast<double>(sum.TileTime)
-    : 0.0;
-  this->Counters.QueryTime += queryShare * seconds;
-  this->Counters.TraceTime += (1.0 - queryShare) * seconds;
+  // Threads ask, trace and shade tile by tile: the times are told apart by their shares.
+  const auto shareOf = [&](std::int64_t time)
+  { return sum.TileTime > 0 ? static_cast<double>(time) / static_cast<double>(sum.TileTime) : 0.0; };
+  const double query = shareOf(sum.QueryTime), shade = shareOf(sum.ShadeTime);
+  this->Counters.QueryTime += query * seconds;
+  this->Counters.ShadeTime += shade * seconds;
+  this->Counters.TraceTime += (1.0 - query - shade) * seconds;
 }
 
-void FrameRenderer::TraceTiles(const TileScene& scene, Frame& frame)
+/// Shade the last frame again, all whose hits are known.
+void FrameRenderer::ShadeAgain()
 {
-  const TileTracer tracer(scene);
-  this->CountTiles([&](std::int64_t tile, const PixelRect& part)
-    { return tracer.Trace(tile, part, frame); });
+  Stopwatch watch(this->Counters.ShadeTime);
+  Frame& frame = this->Front->Picture;
+  const TileShader shader(
+    this->Front->Key, this->Pyramid.FiniteRange(), HitSet::None, HitSet::All);
+  ParallelFor(NumberOfTiles(frame.Size), TileGrain,
+    [&](std::int64_t tile)
+    {
+      TraceCounts counts;
+      shader.Shade(tile, PixelsOfTile(frame.Size, tile), frame, counts);
+    });
 }
 
-/// Trace the rays that an isomap leaves open: one bit each, tile by tile.
+/// Trace the rays that an isomap leaves open, one bit each, tile by tile, and shade these tiles.
 void FrameRenderer::TraceOpenRays(const FrameKey& key, const Options& options,
-  const std::vector<std::uint64_t>& open, Frame& frame)
+  const std::vector<std::uint64_t>& open, const TileShader& shader, Frame& frame)
 {
   const std::int64_t rays = std::accumulate(open.begin(), open.end(), std::int64_t(0),
     [](std::int64_t sum, std::uint64_t tile)
@@ -426,39 +456,17 @@ void FrameRenderer::TraceOpenRays(const FrameKey& key, const Options& options,
   }
   const TileTracer tracer(
     { key, leaps ? &this->Active : nullptr, &this->Bounds, this->Pyramid.FiniteRange() });
-  this->CountTiles(
+  this->CountTiles(frame,
     [&](std::int64_t tile, const PixelRect& part)
     {
+      TraceCounts counts;
       const std::uint64_t which = open[static_cast<std::size_t>(tile)];
-      return which != 0 ? tracer.TraceSome(tile, part, which, frame) : TraceCounts();
-    });
-}
-
-void FrameRenderer::ShadeTiles(
-  const FrameKey& key, HitSet normalsOf, HitSet colorsOf, Frame& frame)
-{
-  Stopwatch watch(this->Counters.ShadeTime);
-  const NormalSource source{ key.Samples, key.Where, key.Sought.Isovalues,
-    this->Pyramid.FiniteRange() };
-  ParallelFor(NumberOfTiles(frame.Size), TileGrain,
-    [&](std::int64_t tile)
-    {
-      if (frame.ClearTiles[static_cast<std::size_t>(tile)])
+      if (which != 0)
       {
-        return;
+        counts = tracer.TraceSome(tile, part, which, frame);
+        shader.Shade(tile, part, frame, counts);
       }
-      const PixelRect part = PixelsOfTile(frame.Size, tile);
-      HitList hits;
-      if (normalsOf != HitSet::None)
-      {
-        GatherHits(key.Seen, part, normalsOf == HitSet::All, frame, hits);
-        ComputeNormals(source, hits, frame);
-      }
-      if (colorsOf != normalsOf)
-      {
-        GatherHits(key.Seen, part, colorsOf == HitSet::All, frame, hits);
-      }
-      ShadeHits(key.Look, hits, frame);
+      return counts;
     });
 }
 

@@ -10,6 +10,7 @@
 #include "LeafHistogram.h"
 #include "ReusePlan.h"
 #include "TileBounds.h"
+#include "TileShader.h"
 #include "TileTracer.h"
 #include "ValueRangePyramid.h"
 
@@ -76,14 +77,6 @@ public:
   void Release();
 
 private:
-  /// Which hits of a picture are worked on.
-  enum class HitSet : std::uint8_t
-  {
-    None,
-    NotDefinite, ///< not those that were known before
-    All
-  };
-
   Route ChooseRoute(
     const FrameKey& key, const Options& options, const std::shared_ptr<CachedImage>& nearest) const;
   bool TakeRoute(const FrameKey& key, const Options& options, CachedImage* nearest,
@@ -100,11 +93,10 @@ private:
   void PreparePyramid(const FrameKey& key);
   void PrepareActiveCells(const FrameKey& key);
   template <typename Work>
-  void CountTiles(const Work& work);
-  void TraceTiles(const TileScene& scene, Frame& frame);
+  void CountTiles(const Frame& frame, const Work& work);
   void TraceOpenRays(const FrameKey& key, const Options& options,
-    const std::vector<std::uint64_t>& open, Frame& frame);
-  void ShadeTiles(const FrameKey& key, HitSet normalsOf, HitSet colorsOf, Frame& frame);
+    const std::vector<std::uint64_t>& open, const TileShader& shader, Frame& frame);
+  void ShadeAgain();
   void CountKnownHits();
 
   std::shared_ptr<CachedImage> Front = std::make_shared<CachedImage>(); ///< the last frame

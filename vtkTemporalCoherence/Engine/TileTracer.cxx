@@ -3,9 +3,9 @@
 #include "TileTracer.h"
 
 #include "FramePlanes.h"
+#include "TileTimer.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace TemporalCoherence
@@ -18,16 +18,6 @@ constexpr double NearStart = 2.0;
 
 /// Share of a depth by which a walk to it goes farther, so that its cell is not left out.
 constexpr double DepthError = 1e-9;
-
-/// One of so many tiles is timed: the clock costs as much as a ray.
-constexpr std::int64_t TimedTiles = 7;
-
-std::int64_t Nanoseconds()
-{
-  return std::chrono::duration_cast<std::chrono::nanoseconds>(
-    std::chrono::steady_clock::now().time_since_epoch())
-    .count();
-}
 
 bool AreMisses(const QueryBatch& known, int count)
 {
@@ -64,8 +54,6 @@ bool TileTracer::CanSkip(std::int64_t tile) const
 
 TraceCounts TileTracer::Trace(std::int64_t tile, const PixelRect& part, Frame& frame) const
 {
-  const bool isTimed = this->Scene.Query && tile % TimedTiles == 0;
-  const std::int64_t begin = isTimed ? Nanoseconds() : 0;
   TraceCounts counts;
   RayBatch rays;
   QueryBatch known;
@@ -79,10 +67,9 @@ TraceCounts TileTracer::Trace(std::int64_t tile, const PixelRect& part, Frame& f
     }
     if (this->Scene.Query)
     {
-      const std::int64_t beginQuery = isTimed ? Nanoseconds() : 0;
+      const TileTimer timer(tile, counts.QueryTime);
       this->Scene.Query->Ask(rays, known);
       isMiss = !this->IsSolid && AreMisses(known, rays.Count);
-      counts.QueryTime = isTimed ? Nanoseconds() - beginQuery : 0;
     }
   }
   if (isMiss)
@@ -106,7 +93,6 @@ TraceCounts TileTracer::Trace(std::int64_t tile, const PixelRect& part, Frame& f
       this->TraceCold(rays, frame, counts);
     }
   }
-  counts.TileTime = isTimed ? Nanoseconds() - begin : 0;
   return counts;
 }
 

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TileShader.h"
+
+#include "TileTimer.h"
+
+namespace TemporalCoherence
+{
+
+TileShader::TileShader(
+  const FrameKey& key, const glm::dvec2& finiteRange, HitSet normalsOf, HitSet colorsOf)
+  : Key(key)
+  , Source{ key.Samples, key.Where, key.Sought.Isovalues, finiteRange }
+  , NormalsOf(normalsOf)
+  , ColorsOf(colorsOf)
+{
+}
+
+void TileShader::Shade(
+  std::int64_t tile, const PixelRect& part, Frame& frame, TraceCounts& counts) const
+{
+  if (frame.ClearTiles[static_cast<std::size_t>(tile)])
+  {
+    return;
+  }
+  const TileTimer timer(tile, counts.ShadeTime);
+  HitList hits;
+  if (this->NormalsOf != HitSet::None)
+  {
+    GatherHits(this->Key.Seen, part, this->NormalsOf == HitSet::All, frame, hits);
+    ComputeNormals(this->Source, hits, frame);
+  }
+  if (this->ColorsOf != this->NormalsOf)
+  {
+    GatherHits(this->Key.Seen, part, this->ColorsOf == HitSet::All, frame, hits);
+  }
+  ShadeHits(this->Key.Look, hits, frame);
+}
+
+}

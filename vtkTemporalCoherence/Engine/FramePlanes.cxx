@@ -67,21 +67,31 @@ void StoreHits(const RayBatch& rays, const HitBatch& hits,
 {
   const auto count = static_cast<std::size_t>(rays.Count);
   RayBatch::Array<float> disparities, contacts;
+  RayBatch::Array<HitKind> kinds;
   for (std::size_t i = 0; i < count; ++i)
   {
     disparities[i] = DisparityAt(rays, i, hits.Depth[i], isParallel);
     contacts[i] = DisparityAt(rays, i, hits.Contact[i], isParallel);
-  }
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const auto pixel = static_cast<std::size_t>(rays.Pixel[i]);
     const bool isWithin = hits.Kind[i] == HitKind::None && hits.FromInside[i];
-    frame.Depth[pixel] = hits.Depth[i];
-    frame.Disparities[pixel] = disparities[i];
-    frame.Contacts[pixel] = contacts[i];
-    frame.Isovalues[pixel] = hits.Surface[i];
-    frame.Kinds[pixel] = isWithin ? HitKind::Within : hits.Kind[i];
-    frame.Answers[pixel] = answers[i];
+    kinds[i] = isWithin ? HitKind::Within : hits.Kind[i];
+  }
+  // Row by row, as long as pixels follow one another.
+  for (std::size_t first = 0; first < count;)
+  {
+    std::size_t length = 1;
+    while (first + length < count && length < TileSize &&
+      rays.Pixel[first + length] == rays.Pixel[first] + static_cast<std::int32_t>(length))
+    {
+      ++length;
+    }
+    const auto pixel = static_cast<std::size_t>(rays.Pixel[first]);
+    std::copy_n(&hits.Depth[first], length, &frame.Depth[pixel]);
+    std::copy_n(&disparities[first], length, &frame.Disparities[pixel]);
+    std::copy_n(&contacts[first], length, &frame.Contacts[pixel]);
+    std::copy_n(&hits.Surface[first], length, &frame.Isovalues[pixel]);
+    std::copy_n(&kinds[first], length, &frame.Kinds[pixel]);
+    std::copy_n(&answers[first], length, &frame.Answers[pixel]);
+    first += length;
   }
 }
 

@@ -192,18 +192,25 @@ void IsomapLookup::LookInCells(std::size_t surface, std::uint64_t which,
       continue;
     }
     const CellIndex* const indices = table.Get<2>();
-    const double enter = EntryInto(indices[contact], rays, ray);
-    if (enter < hits.Contact[ray])
-    {
-      hits.Contact[ray] = enter;
-      hits.FromInside[ray] = course == static_cast<std::size_t>(Course::Falling);
-    }
     const std::size_t hit = FirstOf(table.Get<0>(), contact, end, key);
+    if (hit != contact)
+    {
+      const double enter = EntryInto(indices[contact], rays, ray);
+      if (enter < hits.Contact[ray])
+      {
+        hits.Contact[ray] = enter;
+        hits.FromInside[ray] = course == static_cast<std::size_t>(Course::Falling);
+      }
+    }
     if (hit != end)
     {
       const auto at = static_cast<std::size_t>(cells.Count++);
-      cells.Ray[at] = ray;
-      cells.Cell[at] = glm::ivec3(indices[hit][0], indices[hit][1], indices[hit][2]);
+      cells.Ray[at] = static_cast<std::uint8_t>(ray);
+      cells.IsContact[at] = hit == contact;
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        cells.Cell[a][at] = indices[hit][a];
+      }
       if (this->HasNormals)
       {
         normals[at] =

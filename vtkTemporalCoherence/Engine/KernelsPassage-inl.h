@@ -59,14 +59,14 @@ HWY_INLINE void SetUpPaths(PassageBatch<Real>& in, std::size_t count, Paths<Real
   for (std::size_t i = 0; i < count; i += hn::Lanes(d))
   {
     V origin[3], direction[3], cell[3], ahead[3], enter[3], leave[3];
-    V first = hn::LoadU(d, &in.Begin[i]);
-    V last = hn::LoadU(d, &in.End[i]);
+    V first = hn::LoadU(d, in.BeginOf() + i);
+    V last = hn::LoadU(d, in.EndOf() + i);
     for (std::size_t a = 0; a < 3; ++a)
     {
-      origin[a] = hn::LoadU(d, &in.Origin[a][i]);
-      direction[a] = hn::LoadU(d, &in.Direction[a][i]);
+      origin[a] = hn::LoadU(d, in.OriginOf(a) + i);
+      direction[a] = hn::LoadU(d, in.DirectionOf(a) + i);
       cell[a] = hn::LoadU(d, &in.Cell[a][i]);
-      const V inverse = hn::LoadU(d, &in.Inverse[a][i]);
+      const V inverse = hn::LoadU(d, in.InverseOf(a) + i);
       ahead[a] = hn::IfThenElse(hn::Gt(direction[a], zero), one, zero);
       const V behind = hn::Add(cell[a], hn::Sub(one, ahead[a]));
       enter[a] = hn::Mul(hn::Sub(behind, origin[a]), inverse);

@@ -18,15 +18,15 @@ template <typename Real>
 struct Passage
 {
   Passage(const PassageBatch<Real>& in, std::size_t i)
-    : Enter(in.Begin[i])
-    , Leave(in.End[i])
+    : Enter(in.BeginOf()[i])
+    , Leave(in.EndOf()[i])
   {
     std::array<double, 3> enter, leave;
     for (std::size_t a = 0; a < 3; ++a)
     {
-      const double ahead = in.Direction[a][i] > 0.0 ? 1.0 : 0.0;
-      enter[a] = (in.Cell[a][i] + (1.0 - ahead) - in.Origin[a][i]) * in.Inverse[a][i];
-      leave[a] = (in.Cell[a][i] + ahead - in.Origin[a][i]) * in.Inverse[a][i];
+      const double ahead = in.DirectionOf(a)[i] > 0.0 ? 1.0 : 0.0;
+      enter[a] = (in.Cell[a][i] + (1.0 - ahead) - in.OriginOf(a)[i]) * in.InverseOf(a)[i];
+      leave[a] = (in.Cell[a][i] + ahead - in.OriginOf(a)[i]) * in.InverseOf(a)[i];
       this->Enter = std::max(this->Enter, enter[a]);
       this->Leave = std::min(this->Leave, leave[a]);
     }
@@ -35,10 +35,10 @@ struct Passage
       // On a face the coordinate is exactly 0 or 1, as the neighbour across the face has it.
       const auto at = [&](double t)
       {
-        const double x = in.Origin[a][i] + t * in.Direction[a][i] - in.Cell[a][i];
+        const double x = in.OriginOf(a)[i] + t * in.DirectionOf(a)[i] - in.Cell[a][i];
         return static_cast<Real>(std::min(std::max(x, 0.0), 1.0));
       };
-      const Real ahead = in.Direction[a][i] > 0.0 ? Real(1) : Real(0);
+      const Real ahead = in.DirectionOf(a)[i] > 0.0 ? Real(1) : Real(0);
       this->Path.Begin[a] = this->Enter == enter[a] ? Real(1) - ahead : at(this->Enter);
       this->Path.End[a] = this->Leave == leave[a] ? ahead : at(this->Leave);
     }
@@ -60,8 +60,8 @@ struct Passage
     std::array<double, 3> midway;
     for (std::size_t a = 0; a < 3; ++a)
     {
-      const double middle = in.Cell[a][i] + 0.5 - in.Origin[a][i];
-      midway[a] = (middle * in.Inverse[a][i] - this->Enter) / (this->Leave - this->Enter);
+      const double middle = in.Cell[a][i] + 0.5 - in.OriginOf(a)[i];
+      midway[a] = (middle * in.InverseOf(a)[i] - this->Enter) / (this->Leave - this->Enter);
     }
     return FindNearestPath(this->Path, midway);
   }

@@ -20,14 +20,34 @@ struct PassageBatch
   using Array = RayBatch::Array<T>;
 
   int Count = 0;
-  std::array<Array<double>, 3> Origin, Direction, Inverse; ///< of the ray, in index space
-  Array<double> Begin, End;                                ///< of the ray
+
+  /// Of the rays, in index space, unless the passages are those of all rays of a full batch, one
+  /// each.
+  std::array<Array<double>, 3> Origin, Direction, Inverse;
+  Array<double> Begin, End;
+  const RayBatch* All = nullptr;
+
   std::array<Array<double>, 3> Cell;                       ///< its first corner
   std::array<Array<Real>, 8> Corners; ///< differences from the isovalue, [x + 2 y + 4 z]
 
   Array<double> Enter;    ///< found: t where the ray enters the cell
   Array<double> Distance; ///< found: t of the first crossing; infinity if there is none
   Array<Real> AtEntry;    ///< found: difference from the isovalue where the ray enters the cell
+
+  const double* OriginOf(std::size_t axis) const
+  {
+    return (this->All ? this->All->Origin : this->Origin)[axis].data();
+  }
+  const double* DirectionOf(std::size_t axis) const
+  {
+    return (this->All ? this->All->Direction : this->Direction)[axis].data();
+  }
+  const double* InverseOf(std::size_t axis) const
+  {
+    return (this->All ? this->All->Inverse : this->Inverse)[axis].data();
+  }
+  const double* BeginOf() const { return (this->All ? this->All->Begin : this->Begin).data(); }
+  const double* EndOf() const { return (this->All ? this->All->End : this->End).data(); }
 };
 
 /// Append the passage of a ray through a cell.
@@ -56,6 +76,10 @@ void AppendPassage(const RayBatch& rays, std::size_t ray, const glm::ivec3& cell
 template <typename Real>
 void FillLastVector(PassageBatch<Real>& in)
 {
+  if (in.Count == RayBatch::Capacity)
+  {
+    return;
+  }
   const auto count = static_cast<std::size_t>(in.Count);
   const std::size_t end = WholeVectors(count);
   const auto fill = [&](auto& array)

@@ -72,8 +72,14 @@ public:
     std::uint64_t missing = 0;
     for (std::size_t i = 0; i < static_cast<std::size_t>(passages.Count); ++i)
     {
-      missing |= static_cast<std::uint64_t>(!std::isfinite(passages.Distance[i])) << cells.Ray[i];
-      KeepNearest(passages, i, cells.Ray[i], static_cast<std::int16_t>(cells.Surface), hits);
+      const std::size_t ray = cells.Ray[i];
+      if (cells.IsContact[i] && passages.Enter[i] < hits.Contact[ray])
+      {
+        hits.Contact[ray] = passages.Enter[i];
+        hits.FromInside[ray] = IsInside(passages.AtEntry[i]);
+      }
+      missing |= static_cast<std::uint64_t>(!std::isfinite(passages.Distance[i])) << ray;
+      KeepNearest(passages, i, ray, static_cast<std::int16_t>(cells.Surface), hits);
     }
     return missing;
   }
@@ -239,13 +245,17 @@ private:
   {
     const auto count = static_cast<std::size_t>(cells.Count);
     passages.Count = cells.Count;
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      std::copy_n(cells.Cell[a].begin(), count, passages.Cell[a].begin());
+    }
+    if (cells.Count == RayBatch::Capacity)
+    {
+      passages.All = &rays;
+      return;
+    }
     const auto gather = [&](const auto& from, auto& to)
     {
-      if (cells.Count == rays.Count)
-      {
-        to = from;
-        return;
-      }
       for (std::size_t i = 0; i < count; ++i)
       {
         to[i] = from[cells.Ray[i]];
@@ -256,10 +266,6 @@ private:
       gather(rays.Origin[a], passages.Origin[a]);
       gather(rays.Direction[a], passages.Direction[a]);
       gather(rays.Inverse[a], passages.Inverse[a]);
-      for (std::size_t i = 0; i < count; ++i)
-      {
-        passages.Cell[a][i] = cells.Cell[i][static_cast<int>(a)];
-      }
     }
     gather(rays.Begin, passages.Begin);
     gather(rays.End, passages.End);
@@ -272,7 +278,8 @@ private:
     std::array<RayBatch::Array<T>, 8> samples;
     for (std::size_t i = 0; i < count; ++i)
     {
-      const std::array<T, 8> corners = this->Samples.Read(cells.Cell[i]);
+      const std::array<T, 8> corners =
+        this->Samples.Read({ cells.Cell[0][i], cells.Cell[1][i], cells.Cell[2][i] });
       for (std::size_t corner = 0; corner < 8; ++corner)
       {
         samples[corner][i] = corners[corner];

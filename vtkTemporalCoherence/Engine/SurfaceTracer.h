@@ -27,8 +27,9 @@ struct CellList
 {
   std::size_t Surface = 0; ///< position in the list of isovalues
   int Count = 0;
-  RayBatch::Array<std::size_t> Ray;
-  RayBatch::Array<glm::ivec3> Cell;
+  RayBatch::Array<std::uint8_t> Ray; ///< ascending
+  std::array<RayBatch::Array<std::int32_t>, 3> Cell;
+  RayBatch::Array<std::uint8_t> IsContact; ///< 1: it is the first that the isovalue passes through
 };
 
 /// Finds the first surface along each ray of a batch.
@@ -52,7 +53,7 @@ public:
   virtual void Trace(const RayBatch& rays, HitBatch& hits) const = 0;
 
   /// Look for one surface in the given cells only, and make what is found the hit of its ray where
-  /// it is nearer than the hit that the ray has. Contacts stay as they are. Safe from many threads.
+  /// it is nearer than the hit that the ray has; likewise contacts. Safe from many threads.
   /// \return one bit for each ray in whose cell it is not
   virtual std::uint64_t SearchCells(
     const RayBatch& rays, const CellList& cells, HitBatch& hits) const = 0;

@@ -13,6 +13,7 @@ set(engine_files
   ImageCache
   ImageQuery
   Isomap
+  IsomapBuilder
   IsomapLookup
   KernelsCrossing
   KernelsGradients

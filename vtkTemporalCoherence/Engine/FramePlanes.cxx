@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <type_traits>
 
 namespace TemporalCoherence
 {
@@ -75,15 +76,8 @@ void StoreHits(const RayBatch& rays, const HitBatch& hits,
     const bool isWithin = hits.Kind[i] == HitKind::None && hits.FromInside[i];
     kinds[i] = isWithin ? HitKind::Within : hits.Kind[i];
   }
-  // Row by row, as long as pixels follow one another.
-  for (std::size_t first = 0; first < count;)
+  const auto copy = [&](std::size_t first, auto length)
   {
-    std::size_t length = 1;
-    while (first + length < count && length < TileSize &&
-      rays.Pixel[first + length] == rays.Pixel[first] + static_cast<std::int32_t>(length))
-    {
-      ++length;
-    }
     const auto pixel = static_cast<std::size_t>(rays.Pixel[first]);
     std::copy_n(&hits.Depth[first], length, &frame.Depth[pixel]);
     std::copy_n(&disparities[first], length, &frame.Disparities[pixel]);
@@ -91,7 +85,19 @@ void StoreHits(const RayBatch& rays, const HitBatch& hits,
     std::copy_n(&hits.Surface[first], length, &frame.Isovalues[pixel]);
     std::copy_n(&kinds[first], length, &frame.Kinds[pixel]);
     std::copy_n(&answers[first], length, &frame.Answers[pixel]);
-    first += length;
+  };
+  if (rays.Count == RayBatch::Capacity)
+  {
+    // A whole tile: rows of a length that the compiler knows.
+    for (std::size_t row = 0; row < count; row += TileSize)
+    {
+      copy(row, std::integral_constant<int, TileSize>());
+    }
+    return;
+  }
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    copy(i, std::integral_constant<int, 1>());
   }
 }
 

@@ -46,7 +46,7 @@ void StoreMisses(std::int64_t tile, const PixelRect& part, bool isParallel, Fram
 void StoreHit(const RayBatch& rays, const HitBatch& hits, std::size_t ray, Answer answer,
   bool isParallel, Frame& frame);
 
-/// Write what all rays of a batch found, likewise.
+/// Write what all rays of a tile found, likewise. A full batch is a whole tile, row by row.
 void StoreHits(const RayBatch& rays, const HitBatch& hits,
   const RayBatch::Array<Answer>& answers, bool isParallel, Frame& frame);
 

@@ -11,8 +11,6 @@
 
 #include <algorithm>
 #include <bitset>
-#include <cmath>
-#include <limits>
 #include <memory>
 #include <mutex>
 #include <numeric>
@@ -30,11 +28,6 @@ constexpr std::int64_t TileGrain = 8;
 
 /// Fewer rays than this are traced without space leaping.
 constexpr std::int64_t FewRays = 256;
-
-/// Cells that a band chosen by us may read, in units of those of a cold frame: three times its time,
-/// as most of that goes into finding the first cell. And how often a narrower band is tried.
-constexpr double MostCells = 4.0;
-constexpr int MostAttempts = 4;
 
 /// True if the colours of a cached image may be taken over: those of the same surfaces under the
 /// same lights, which may have moved, as a headlight moves with every view (the paper's choice).
@@ -89,7 +82,8 @@ bool FrameRenderer::Render(
 Isomap::Outcome FrameRenderer::BuildIsomap(
   const FrameKey& key, const Options& options, const Isomap::ReportProgress& report)
 {
-  const bool isPossible = !key.Sought.Isovalues.empty() && Isomap::CanHold(key.Samples);
+  const bool isPossible =
+    !key.Sought.Isovalues.empty() && this->Map.CanBuild(key, options.Map);
   this->Counters.IsomapBuildTime = 0.0;
   return isPossible ? this->BuildBands(key, options, report) : Isomap::Outcome::TooLarge;
 }
@@ -144,9 +138,9 @@ Route FrameRenderer::ChooseRoute(
   HeldForReuse held;
   held.IsExact = this->Front->IsExact;
   held.Image = nearest != nullptr;
-  held.CanBuildIsomap = options.Map.MemoryLimit > 0 && Isomap::CanHold(key.Samples);
-  held.IsIsomapExact = this->Map.Tolerance() == 0.0 && !options.Map.HasNormals;
-  held.Isomap = this->Map.IsOf(key, options.Map) && this->Map.Covers(key.Sought.Isovalues);
+  held.CanBuildIsomap = this->Map.CanBuild(key, options.Map);
+  held.IsIsomapExact = this->Map.Built().Tolerance() == 0.0 && !options.Map.HasNormals;
+  held.Isomap = this->Map.Covers(key, options.Map);
   ReuseSwitches switches = options.Reuse;
   switches.RefineWhenStill |= options.Accuracy == ReuseAccuracy::Exact || !switches.ImageCache;
   return PlanRoute(this->Front->Key, key, switches, held);
@@ -205,89 +199,10 @@ Isomap::Outcome FrameRenderer::BuildBands(
 {
   Stopwatch watch(this->Counters.IsomapBuildTime);
   this->PreparePyramid(key);
-  if (!this->Map.IsOf(key, options.Map))
-  {
-    this->Map.Begin(key, options.Map);
-    this->Plan = BandPlan();
-  }
-  Isomap::Start start;
-  const CachedImage& last = *this->Front;
-  if (last.IsExact && this->Map.IsOf(last.Key, options.Map) && last.Key.Sought.Isovalues.size() == 1)
-  {
-    start = { &last.Picture, last.Key.Sought.Isovalues[0] };
-  }
-  for (const double isovalue : key.Sought.Isovalues)
-  {
-    if (!this->Map.Use(isovalue))
-    {
-      const Isomap::Outcome outcome = this->BuildBand(isovalue, start, options, report);
-      if (outcome != Isomap::Outcome::Built)
-      {
-        return outcome;
-      }
-    }
-  }
-  // Room for one may have been made by dropping another.
-  return this->Map.Covers(key.Sought.Isovalues) ? Isomap::Outcome::Built
-                                                : Isomap::Outcome::TooLarge;
-}
-
-/// Build a band for an isovalue, a narrower one where the first choice turns out to be too costly.
-Isomap::Outcome FrameRenderer::BuildBand(double isovalue, const Isomap::Start& start,
-  const Options& options, const Isomap::ReportProgress& report)
-{
-  Isomap::Outcome outcome = Isomap::Outcome::TooCostly;
-  for (int attempt = 0; attempt < MostAttempts; ++attempt)
-  {
-    const bool isLast = attempt + 1 == MostAttempts || options.Map.Range.Holds(isovalue);
-    const Isomap::Limits limits{ options.Map.MemoryLimit,
-      isLast ? std::numeric_limits<double>::infinity()
-             : MostCells * static_cast<double>(this->ColdCells) };
-    const ValueBand band = this->ChooseBand(isovalue, options);
-    outcome = this->Map.Build(band, this->Pyramid, start, limits, report);
-    switch (outcome)
-    {
-      case Isomap::Outcome::Built:
-      {
-        const std::int64_t cells = this->Map.Bands().back()->CellsRead;
-        this->Counters.FieldSamples += 8 * cells;
-        this->Plan.Learn(band, cells, this->ColdCells);
-        return outcome;
-      }
-      case Isomap::Outcome::Stopped:
-        return outcome;
-      default:
-        this->Plan.Shorten(band);
-        break;
-    }
-  }
+  const Isomap::Outcome outcome = this->Map.Build(
+    key, options.Map, *this->Front, this->Pyramid, this->ColdCells, report);
+  this->Counters.FieldSamples += 8 * this->Map.CellsRead();
   return outcome;
-}
-
-/// The band to build for an isovalue.
-ValueBand FrameRenderer::ChooseBand(double isovalue, const Options& options)
-{
-  const ValueBand gap = this->Map.GapAround(isovalue);
-  if (options.Map.Range.Holds(isovalue))
-  {
-    return { std::max(options.Map.Range.Low, gap.Low), std::min(options.Map.Range.High, gap.High) };
-  }
-  if (this->Leaves.IsEmpty())
-  {
-    this->Leaves.Build(this->PyramidField, this->Pyramid);
-  }
-  // Of several isovalues before, the nearest is the one that moved.
-  double before = isovalue;
-  double least = std::numeric_limits<double>::infinity();
-  for (const double old : this->Front->Key.Sought.Isovalues)
-  {
-    if (std::abs(old - isovalue) < least)
-    {
-      least = std::abs(old - isovalue);
-      before = old;
-    }
-  }
-  return this->Plan.Choose({ isovalue, before, gap }, this->Leaves);
 }
 
 /// Make a frame from the isomap, which holds its isovalues.
@@ -295,13 +210,10 @@ void FrameRenderer::LookUpFrame(const FrameKey& key, const Options& options)
 {
   this->BeginFrame(key);
   CachedImage& made = *this->Back;
-  std::vector<const Isomap::Band*> bands;
-  for (const double isovalue : key.Sought.Isovalues)
-  {
-    bands.push_back(this->Map.Use(isovalue));
-  }
   std::vector<std::uint64_t> open(static_cast<std::size_t>(NumberOfTiles(key.Seen.Size)));
-  const IsomapLookup lookup(key, bands, this->Map.Tolerance(), this->Pyramid.FiniteRange());
+  const Isomap& map = this->Map.Built();
+  const IsomapLookup lookup(
+    key, this->Map.BandsFor(key), map.Tolerance(), this->Pyramid.FiniteRange());
   const TileShader shader(key, this->Pyramid.FiniteRange(),
     options.Map.HasNormals ? HitSet::NotDefinite : HitSet::All, HitSet::All);
   this->CountTiles(made.Picture,
@@ -317,8 +229,8 @@ void FrameRenderer::LookUpFrame(const FrameKey& key, const Options& options)
     });
   this->TraceOpenRays(key, options, open, shader, made.Picture);
   made.Picture.IsFromCache = false;
-  made.IsExact = this->Map.Tolerance() == 0.0 && !options.Map.HasNormals;
-  made.IsEroded = this->Map.Tolerance() > 0.0;
+  made.IsExact = map.Tolerance() == 0.0 && !options.Map.HasNormals;
+  made.IsEroded = map.Tolerance() > 0.0;
   this->FinishFrame(options);
 }
 
@@ -359,7 +271,7 @@ void FrameRenderer::PreparePyramid(const FrameKey& key)
   {
     this->Active.Release();
     this->ActiveField = Field();
-    this->Leaves.Release();
+    this->Map.Release();
     this->Pyramid.Build(key.Samples);
     this->PyramidField = key.Samples;
   }

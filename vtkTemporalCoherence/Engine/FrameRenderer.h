@@ -4,10 +4,9 @@
 #define TemporalCoherence_FrameRenderer_h
 
 #include "ActiveCells.h"
-#include "BandPlan.h"
 #include "ImageCache.h"
 #include "Isomap.h"
-#include "LeafHistogram.h"
+#include "IsomapBuilder.h"
 #include "ReusePlan.h"
 #include "TileBounds.h"
 #include "TileShader.h"
@@ -71,7 +70,7 @@ public:
   const FrameStatistics& Statistics() const { return this->Counters; }
 
   /// The isomap of the view in which isovalues last changed.
-  const Isomap& IsomapOfLastView() const { return this->Map; }
+  const Isomap& IsomapOfLastView() const { return this->Map.Built(); }
 
   /// Forget the last frame and free all memory.
   void Release();
@@ -84,9 +83,6 @@ private:
   void TraceFrame(const FrameKey& key, const Options& options, CachedImage* cached);
   Isomap::Outcome BuildBands(
     const FrameKey& key, const Options& options, const Isomap::ReportProgress& report);
-  Isomap::Outcome BuildBand(double isovalue, const Isomap::Start& start, const Options& options,
-    const Isomap::ReportProgress& report);
-  ValueBand ChooseBand(double isovalue, const Options& options);
   void LookUpFrame(const FrameKey& key, const Options& options);
   void BeginFrame(const FrameKey& key);
   void FinishFrame(const Options& options);
@@ -102,12 +98,9 @@ private:
   std::shared_ptr<CachedImage> Front = std::make_shared<CachedImage>(); ///< the last frame
   std::shared_ptr<CachedImage> Back; ///< memory for the frame being made; or null
   ImageCache Images;                 ///< what later frames may start from, Front among them
-  Isomap Map;                        ///< of the view in which isovalues last changed
+  IsomapBuilder Map;                 ///< of the view in which isovalues last changed
+  std::int64_t ColdCells = 0;        ///< cells that the last cold frame read
   FrameStatistics Counters;
-
-  BandPlan Plan;             ///< of the bands of Map
-  LeafHistogram Leaves;      ///< of Pyramid; made when first asked for
-  std::int64_t ColdCells = 0; ///< cells that the last cold frame read
 
   ValueRangePyramid Pyramid; ///< of PyramidField
   Field PyramidField;

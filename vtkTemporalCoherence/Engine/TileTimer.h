@@ -30,7 +30,7 @@ public:
   TileTimer& operator=(const TileTimer&) = delete;
 
 private:
-  static constexpr std::int64_t TimedTiles = 7;
+  static constexpr std::int64_t TimedTiles = 31;
 
   static std::int64_t Now()
   {

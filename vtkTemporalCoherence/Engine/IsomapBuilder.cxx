@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "IsomapBuilder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+/// Cells that a band chosen by us may read, in units of those of a cold frame: three times its time,
+/// as most of that goes into finding the first cell. And how often a narrower band is tried.
+constexpr double MostCells = 4.0;
+constexpr int MostAttempts = 4;
+
+}
+
+bool IsomapBuilder::CanBuild(const FrameKey& key, const Isomap::Options& options) const
+{
+  const bool hasFailed = this->IsTooLarge && this->Map.IsOf(key, options);
+  return options.MemoryLimit > 0 && Isomap::CanHold(key.Samples) && !hasFailed;
+}
+
+Isomap::Outcome IsomapBuilder::Build(const FrameKey& key, const Isomap::Options& options,
+  const CachedImage& last, const ValueRangePyramid& pyramid, std::int64_t coldCells,
+  const Isomap::ReportProgress& report)
+{
+  if (!this->Map.IsOf(key, options))
+  {
+    this->Map.Begin(key, options);
+    this->Plan = BandPlan();
+    this->IsTooLarge = false;
+  }
+  if (!(this->LeavesField == key.Samples))
+  {
+    this->LeavesField = Field();
+    this->Leaves.Build(key.Samples, pyramid);
+    this->LeavesField = key.Samples;
+  }
+  this->Cells = 0;
+  Context context{ options, last.Key.Sought.Isovalues, {}, pyramid, coldCells, report };
+  if (last.IsExact && this->Map.IsOf(last.Key, options) && last.Key.Sought.Isovalues.size() == 1)
+  {
+    context.Start = { &last.Picture, last.Key.Sought.Isovalues[0] };
+  }
+  for (const double isovalue : key.Sought.Isovalues)
+  {
+    if (!this->Map.Use(isovalue))
+    {
+      const Isomap::Outcome outcome = this->BuildFor(isovalue, context);
+      if (outcome != Isomap::Outcome::Built)
+      {
+        return outcome;
+      }
+    }
+  }
+  // Room for one band may have been made by dropping another.
+  this->IsTooLarge = !this->Map.Covers(key.Sought.Isovalues);
+  return this->IsTooLarge ? Isomap::Outcome::TooLarge : Isomap::Outcome::Built;
+}
+
+/// Build a band for an isovalue, a narrower one where the first choice turns out to be too costly.
+Isomap::Outcome IsomapBuilder::BuildFor(double isovalue, const Context& context)
+{
+  const ValueBand& range = context.Options.Range;
+  Isomap::Outcome outcome = Isomap::Outcome::TooLarge;
+  for (int attempt = 0; attempt < MostAttempts; ++attempt)
+  {
+    // What the user asks for may take as long as it takes.
+    const bool isAsked = attempt == 0 && range.Holds(isovalue);
+    const bool isLimited = !isAsked && attempt + 1 < MostAttempts;
+    const double mostCells = MostCells * static_cast<double>(context.ColdCells);
+    const Isomap::Limits limits{ context.Options.MemoryLimit,
+      isLimited ? mostCells : std::numeric_limits<double>::infinity() };
+    const ValueBand gap = this->Map.GapAround(isovalue);
+    const ValueBand band = isAsked
+      ? ValueBand{ std::max(range.Low, gap.Low), std::min(range.High, gap.High) }
+      : this->Choose(isovalue, context);
+    outcome = this->Map.Build(band, context.Pyramid, context.Start, limits, context.Report);
+    if (outcome == Isomap::Outcome::Built)
+    {
+      const std::int64_t cells = this->Map.Bands().back()->CellsRead;
+      this->Cells += cells;
+      if (!isAsked)
+      {
+        this->Plan.Learn(band, cells, context.ColdCells);
+      }
+      return outcome;
+    }
+    if (outcome == Isomap::Outcome::Stopped)
+    {
+      return outcome;
+    }
+    if (!isAsked)
+    {
+      this->Plan.Shorten(band);
+    }
+  }
+  this->IsTooLarge = true;
+  return outcome;
+}
+
+/// The band to build for an isovalue.
+ValueBand IsomapBuilder::Choose(double isovalue, const Context& context) const
+{
+  // Of several isovalues before, the nearest is the one that moved.
+  double before = isovalue;
+  double least = std::numeric_limits<double>::infinity();
+  for (const double old : context.IsovaluesBefore)
+  {
+    if (std::abs(old - isovalue) < least)
+    {
+      least = std::abs(old - isovalue);
+      before = old;
+    }
+  }
+  return this->Plan.Choose({ isovalue, before, this->Map.GapAround(isovalue) }, this->Leaves);
+}
+
+std::vector<const Isomap::Band*> IsomapBuilder::BandsFor(const FrameKey& key)
+{
+  std::vector<const Isomap::Band*> bands;
+  for (const double isovalue : key.Sought.Isovalues)
+  {
+    bands.push_back(this->Map.Use(isovalue));
+  }
+  return bands;
+}
+
+}

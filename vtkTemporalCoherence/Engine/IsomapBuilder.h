@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_IsomapBuilder_h
+#define TemporalCoherence_IsomapBuilder_h
+
+#include "BandPlan.h"
+#include "ImageCache.h"
+#include "Isomap.h"
+#include "LeafHistogram.h"
+#include "ReusePlan.h"
+#include "ValueRangePyramid.h"
+
+#include <cstdint>
+
+namespace TemporalCoherence
+{
+
+/// Builds the isomap of one view, band by band as isovalues ask for them.
+class IsomapBuilder
+{
+public:
+  /// The isomap of the view in which isovalues last changed.
+  const Isomap& Built() const { return this->Map; }
+
+  /// True if there is a band for each isovalue of a frame.
+  bool Covers(const FrameKey& key, const Isomap::Options& options) const
+  {
+    return this->Map.IsOf(key, options) && this->Map.Covers(key.Sought.Isovalues);
+  }
+
+  /// True if it makes sense to try.
+  bool CanBuild(const FrameKey& key, const Isomap::Options& options) const;
+
+  /// Build the bands that a frame needs and that are not there.
+  /// \param last      the last frame: where isovalues come from, and where rays may start
+  /// \param coldCells that a frame without an isomap reads
+  /// \throws std::bad_alloc
+  Isomap::Outcome Build(const FrameKey& key, const Isomap::Options& options,
+    const CachedImage& last, const ValueRangePyramid& pyramid, std::int64_t coldCells,
+    const Isomap::ReportProgress& report);
+
+  /// Cells that the last call of Build read.
+  std::int64_t CellsRead() const { return this->Cells; }
+
+  /// The bands for the isovalues of a frame, which they cover.
+  std::vector<const Isomap::Band*> BandsFor(const FrameKey& key);
+
+  /// The data is another one.
+  void Release() { *this = IsomapBuilder(); }
+
+private:
+  /// What a band is built with.
+  struct Context
+  {
+    const Isomap::Options& Options;
+    const std::vector<double>& IsovaluesBefore;
+    Isomap::Start Start;
+    const ValueRangePyramid& Pyramid;
+    std::int64_t ColdCells;
+    const Isomap::ReportProgress& Report;
+  };
+
+  Isomap::Outcome BuildFor(double isovalue, const Context& context);
+  ValueBand Choose(double isovalue, const Context& context) const;
+
+  Isomap Map;
+  BandPlan Plan;
+  LeafHistogram Leaves; ///< of the field's pyramid
+  Field LeavesField;
+  bool IsTooLarge = false; ///< not even a narrow band fits the limit of memory
+  std::int64_t Cells = 0;
+};
+
+}
+
+#endif

@@ -128,4 +128,132 @@ TEST_F(IsomapTest, SeveralIsovalues)
   }
 }
 
+TEST_F(IsomapTest, FirstABandIsBuiltThenLookedUp)
+{
+  Grid<std::uint8_t> bytes(glm::ivec3(60, 50, 40));
+  bytes.Fill(Waves);
+  FrameKey key = KeyOf(bytes);
+  this->Options.Map.Range = { 100.0, 140.0 };
+  this->Show(key, { 120.0 });
+  EXPECT_EQ(this->Renderer.Statistics().Made, Route::Cold);
+  this->Show(key, { 121.0 });
+  EXPECT_EQ(this->Renderer.Statistics().Made, Route::IsomapBuild);
+  EXPECT_GT(this->Renderer.IsomapOfLastView().NumberOfKnots(), 0u);
+  for (const double isovalue : { 100.0, 140.0, 119.5 })
+  {
+    this->Show(key, { isovalue });
+    EXPECT_EQ(this->Renderer.Statistics().Made, Route::IsomapLookup);
+  }
+  this->Show(key, { 141.0 });
+  EXPECT_EQ(this->Renderer.Statistics().Made, Route::IsomapBuild) << "outside of the range";
+
+  // A view that comes back finds its isomap; other data does not.
+  const View seen = key.Seen;
+  key.Seen = LookAt(bytes.Seen.Dimensions, { 1.0, 1.5, 0.7 }, { 93, 71 });
+  ASSERT_TRUE(this->Renderer.Render(key, this->Options));
+  key.Seen = seen;
+  this->Show(key, { 110.0 });
+  EXPECT_EQ(this->Renderer.Statistics().Made, Route::IsomapLookup);
+  bytes.At(30, 25, 20) = 250;
+  key.Samples.Stamp = 2;
+  this->Show(key, { 111.0 });
+  EXPECT_EQ(this->Renderer.Statistics().Made, Route::Cold);
+}
+
+TEST_F(IsomapTest, ATooSmallLimitOfMemoryLeavesTheHint)
+{
+  Grid<std::uint8_t> bytes(glm::ivec3(60, 50, 40));
+  bytes.Fill(Waves);
+  FrameKey key = KeyOf(bytes);
+  this->Options.Map.MemoryLimit = 100;
+  for (const double isovalue : { 120.0, 121.0, 122.0, 110.0, 60.0, 180.0 })
+  {
+    this->Show(key, { isovalue });
+    EXPECT_LE(this->Renderer.IsomapOfLastView().MemoryInBytes(), 100u);
+  }
+  EXPECT_EQ(this->Renderer.Statistics().Made, Route::ThresholdHint);
+}
+
+TEST_F(IsomapTest, ABuildThatIsStoppedLeavesTheLastFrame)
+{
+  Grid<std::uint8_t> bytes(glm::ivec3(60, 50, 40));
+  bytes.Fill(Waves);
+  FrameKey key = KeyOf(bytes);
+  this->Show(key, { 120.0 });
+  const Frame before = this->Renderer.LastFrame();
+  key.Sought.Isovalues = { 121.0 };
+  EXPECT_FALSE(this->Renderer.Render(key, this->Options, [](double) { return false; }));
+  EXPECT_TRUE(AreIdentical(this->Renderer.LastFrame().Depth, before.Depth));
+  EXPECT_EQ(this->Renderer.LastKey().Sought.Isovalues[0], 120.0);
+  this->Show(key, { 121.0 });
+}
+
+TEST_F(IsomapTest, WithAToleranceSurfacesAreThatNear)
+{
+  Grid<std::uint8_t> bytes(glm::ivec3(60, 50, 40));
+  bytes.Fill(Waves);
+  Grid<float> noise(glm::ivec3(20, 21, 22));
+  noise.FillRandomly(20.0, 220.0, 3);
+  for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
+  {
+    for (FrameKey key : { KeyOf(bytes), KeyOf(noise) })
+    {
+      key.Sought.Mode = mode;
+      for (const double tolerance : { 0.05, 0.3, 1.0 })
+      {
+        this->Options.Map.Tolerance = tolerance;
+        for (const double isovalue : { 120.0, 121.0, 118.0, 90.0, 91.0, 160.0, 155.0, 30.0, 210.0 })
+        {
+          key.Sought.Isovalues = { isovalue };
+          key.Look.Colors.assign(1, glm::dvec3(0.9, 0.6, 0.3));
+          ASSERT_TRUE(this->Renderer.Render(key, this->Options));
+          FrameRenderer cold;
+          cold.Render(key, {});
+          const Frame &made = this->Renderer.LastFrame(), &truth = cold.LastFrame();
+          for (std::size_t i = 0; i < truth.Depth.size(); ++i)
+          {
+            ASSERT_EQ(made.Isovalues[i], truth.Isovalues[i]) << i << " at " << isovalue;
+            if (std::isfinite(truth.Depth[i]))
+            {
+              ASSERT_NEAR(made.Depth[i], truth.Depth[i], tolerance) << i << " at " << isovalue;
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST_F(IsomapTest, InterpolatedNormalsAreNearThoseOfTheField)
+{
+  Grid<std::uint8_t> bytes(glm::ivec3(60, 50, 40));
+  bytes.Fill(Waves);
+  FrameKey key = KeyOf(bytes);
+  this->Options.Map.HasNormals = true;
+  for (const double tolerance : { 0.0, 0.2 })
+  {
+    this->Options.Map.Tolerance = tolerance;
+    for (const double isovalue : { 120.0, 121.0, 124.0, 100.0 })
+    {
+      key.Sought.Isovalues = { isovalue };
+      key.Look.Colors.assign(1, glm::dvec3(0.9, 0.6, 0.3));
+      ASSERT_TRUE(this->Renderer.Render(key, this->Options));
+      FrameRenderer cold;
+      cold.Render(key, {});
+      const Frame &made = this->Renderer.LastFrame(), &truth = cold.LastFrame();
+      double sum = 0.0;
+      int hits = 0;
+      for (std::size_t i = 0; i < truth.Depth.size(); ++i)
+      {
+        if (truth.Isovalues[i] != Frame::NoSurface)
+        {
+          sum += static_cast<double>(glm::dot(made.Normals[i], truth.Normals[i]));
+          ++hits;
+        }
+      }
+      EXPECT_GT(sum / hits, 0.97) << "mean cosine at " << isovalue << " tolerance " << tolerance;
+    }
+  }
+}
+
 }

@@ -13,7 +13,8 @@
  *
  * Between two calls of Render() the mapper keeps the last picture and does only what the change
  * asks for: the same picture again, new colours on known hits, a moved view that starts from the
- * last one (ReuseAccuracy tells how exactly), or a cold frame. GetRoute() tells which.
+ * last one (ReuseAccuracy tells how exactly), a new isovalue that is looked up in an isomap of the
+ * view (built when isovalues first change), or a cold frame. GetRoute() tells which.
  *
  * Opacity of the scalar opacity function at an isovalue: 0 leaves the isovalue out; any other
  * value draws it opaque. A sample that is not a number counts as below every isovalue. Images with
@@ -175,8 +176,8 @@ public:
 
   ///@{
   /**
-   * Complete a picture from the image cache to the cold picture, once, when the view repeats (by a
-   * frame of the route Cold). Default: on.
+   * Complete a picture that is not exact (from the image cache, or from an isomap with a tolerance or
+   * with interpolated normals) to the cold picture, once, when the view repeats. Default: on.
    */
   vtkSetMacro(RefineWhenStill, vtkTypeBool);
   vtkGetMacro(RefineWhenStill, vtkTypeBool);
@@ -253,8 +254,9 @@ public:
 
   ///@{
   /**
-   * Colours of surfaces looked up in the isomap: RESHADE (default) from the field, INTERPOLATE
-   * between stored ones, as in the paper.
+   * Normals of surfaces looked up in the isomap: RESHADE (default), from the field; INTERPOLATE,
+   * between normals that are stored where the isomap has knots, as the paper does with colours. That
+   * is cheaper, but knots may lie voxels apart; a repeated view is completed (RefineWhenStill).
    */
   vtkSetClampMacro(IsomapShading, int, RESHADE, INTERPOLATE);
   vtkGetMacro(IsomapShading, int);
@@ -318,9 +320,10 @@ public:
   ///@{
   /**
    * Counters of the last frame. Rays (one a pixel) are the sum of definite misses (known to meet
-   * nothing), definite hits (known before, or found where the image cache told to look) and
-   * possible hits. Traced are those that were followed through the field, but not hits of PAPER
-   * that were only refined. Field samples are those read to find surfaces, eight a cell.
+   * nothing), definite hits (known before, or found where the image cache or the isomap told to
+   * look) and possible hits. Traced are those that were followed through the field, but not hits of PAPER
+   * that were only refined. Field samples are those read to find surfaces and to build an isomap, eight a
+   * cell. Memory (bytes) and knots are those of the isomap that is kept.
    */
   vtkIdType GetNumberOfRays();
   vtkIdType GetNumberOfDefiniteHits();
@@ -335,7 +338,7 @@ public:
   ///@{
   /**
    * Seconds that the last frame took: all told (showing it included), and of these: structures and
-   * tracing, asking the image cache, building an isomap, shading, showing.
+   * tracing or looking up, asking the image cache, building an isomap, shading, showing.
    */
   double GetFrameTime();
   double GetTraceTime();

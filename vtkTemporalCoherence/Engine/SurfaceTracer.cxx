@@ -275,11 +275,17 @@ private:
   void ReadCorners(const CellList& cells, PassageBatch<Real>& passages) const
   {
     const auto count = static_cast<std::size_t>(cells.Count);
+    const auto cellAt = [&cells](std::size_t i)
+    { return glm::ivec3(cells.Cell[0][i], cells.Cell[1][i], cells.Cell[2][i]); };
+    for (std::size_t i = 0; i < count && this->IsLarge; ++i)
+    {
+      // Most of these cells will hold hits, which are shaded next.
+      this->Samples.PrefetchAround(cellAt(i));
+    }
     std::array<RayBatch::Array<T>, 8> samples;
     for (std::size_t i = 0; i < count; ++i)
     {
-      const std::array<T, 8> corners =
-        this->Samples.Read({ cells.Cell[0][i], cells.Cell[1][i], cells.Cell[2][i] });
+      const std::array<T, 8> corners = this->Samples.Read(cellAt(i));
       for (std::size_t corner = 0; corner < 8; ++corner)
       {
         samples[corner][i] = corners[corner];

@@ -8,14 +8,12 @@
 #include "CacheScenarios.h"
 #include "CommandLine.h"
 #include "Drift.h"
+#include "Growth.h"
 #include "Measuring.h"
 #include "Report.h"
 #include "Stage.h"
 
-#include <vtkSMPTools.h>
-
 #include <algorithm>
-#include <exception>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -83,50 +81,22 @@ bool ReportScenarios(const Settings& settings, JsonWriter& json)
   return true;
 }
 
-/// Where growth begins, samples a side.
-constexpr int SmallestGrowth = 128;
-
-/// The same object at 128^3 samples and twice as many in each direction until the largest.
+/// The same object with more and more samples.
 void ReportGrowth(const Settings& settings, JsonWriter& json)
 {
   using namespace CacheScenarios;
-  if (settings.Largest < SmallestGrowth)
-  {
-    throw Measuring::Failure("Give --largest a number of at least " + Plain(SmallestGrowth) + ".");
-  }
   const std::vector<Variant> variants = { AllVariants()[0], AllVariants()[1] };
-  std::cout
-    << "An orbit of 2 degrees a frame; medians in ms, and by what a doubling multiplies\n\n";
-  const MarkdownTable table({ "object", "samples", "cold", "growth", "BOUNDED", "growth" });
-  json.OpenList("growth");
-  for (const Volumes::Sample& object :
-    { Volumes::Sample{ "spheres", 100 }, Volumes::Sample{ "marschner-lobb", 128 } })
-  {
-    double lastCold = 0.0;
-    double lastCached = 0.0;
-    for (int n = SmallestGrowth; n <= settings.Largest; n *= 2)
+  std::cout << "An orbit of 2 degrees a frame; ";
+  Growth::Report(
+    { { "cold", "coldMs" }, { "BOUNDED", "boundedMs" }, { "", "framesFromCachePercent" } },
+    settings.Size, settings.Largest,
+    [&](Stage& stage) -> std::vector<double>
     {
-      Stage stage(Volumes::Load(object.Name + std::to_string(n)), object.Isovalue, settings.Size);
       const std::vector<Summary> summaries = Run(stage, Orbit(2.0), variants, settings.Frames);
-      const double cold = summaries[0].Medians[FrameMs];
-      const double cached = summaries[1].Medians[FrameMs];
-      const auto growth = [n](double now, double last)
-      { return n == SmallestGrowth ? "-" : Fixed(Measuring::Ratio(now, last), 2); };
-      table.Row({ object.Name, Plain(n) + "^3", Fixed(cold, 1), growth(cold, lastCold),
-        Fixed(cached, 1), growth(cached, lastCached) });
-      json.OpenObject();
-      json.Add("object", object.Name);
-      json.Add("samplesASide", n);
-      json.Add("coldMs", cold);
-      json.Add("boundedMs", cached);
-      json.Add("framesFromCachePercent", summaries[1].FramesFromCache);
-      json.Close();
-      lastCold = cold;
-      lastCached = cached;
-    }
-  }
-  json.Close();
-  std::cout << '\n';
+      return { summaries[0].Medians[FrameMs], summaries[1].Medians[FrameMs],
+        summaries[1].FramesFromCache };
+    },
+    json);
 }
 
 bool ReportDrift(const Settings& settings, JsonWriter& json)
@@ -155,31 +125,17 @@ bool ReportDrift(const Settings& settings, JsonWriter& json)
 }
 
 /// False if nothing was measured.
-bool Report(const Settings& settings)
+bool Report(const Settings& settings, JsonWriter& json)
 {
-  std::cout << settings.Size << " x " << settings.Size << " pixels, "
-            << vtkSMPTools::GetEstimatedNumberOfThreads() << " threads\n\n";
-  JsonWriter json;
-  AddMachine(json, settings.Size);
-  bool isMeasured = false;
+  if (!settings.Growth && !settings.Drift)
+  {
+    return ReportScenarios(settings, json);
+  }
   if (settings.Growth)
   {
     ReportGrowth(settings, json);
-    isMeasured = true;
   }
-  if (settings.Drift)
-  {
-    isMeasured = ReportDrift(settings, json) || isMeasured;
-  }
-  if (!settings.Growth && !settings.Drift)
-  {
-    isMeasured = ReportScenarios(settings, json);
-  }
-  if (isMeasured && !settings.Json.empty())
-  {
-    json.Write(settings.Json);
-  }
-  return isMeasured;
+  return (settings.Drift && ReportDrift(settings, json)) || settings.Growth;
 }
 
 }
@@ -197,21 +153,10 @@ int main(int argc, char* argv[])
   options.Flag("--drift", "instead: errors over many frames, first volume", settings.Drift);
   options.Number("--drift-frames", "how many", settings.DriftFrames);
   options.Volumes(settings.Volumes);
-  if (!options.Read(argc, argv))
-  {
-    return options.ExitStatus;
-  }
-  try
-  {
-    if (Report(settings))
+  return options.Run(argc, argv,
+    [&]
     {
-      return 0;
-    }
-    std::cerr << "Nothing was measured: name a volume that is there.\n";
-  }
-  catch (const std::exception& failure)
-  {
-    std::cerr << failure.what() << '\n';
-  }
-  return 1;
+      return MakeReport(
+        settings.Size, settings.Json, [&](JsonWriter& json) { return Report(settings, json); });
+    });
 }

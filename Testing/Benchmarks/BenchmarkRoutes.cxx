@@ -18,11 +18,9 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
-#include <vtkSMPTools.h>
 #include <vtkVolumeProperty.h>
 
 #include <algorithm>
-#include <exception>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -209,17 +207,13 @@ void PrintRow(const MarkdownTable& table, const Settings& settings, const Result
 }
 
 /// False if there was no volume to measure.
-bool Report(const Settings& settings)
+bool Report(const Settings& settings, JsonWriter& json)
 {
-  std::cout << settings.Size << " x " << settings.Size << " pixels, "
-            << vtkSMPTools::GetEstimatedNumberOfThreads()
-            << " threads; medians in ms; polygons: vtkFlyingEdges3D"
+  std::cout << "Medians in ms; polygons: vtkFlyingEdges3D"
             << (settings.Window ? " + vtkPolyDataMapper" : ", extraction alone") << "\n\n";
   const MarkdownTable table(
     { "volume", "isovalue", "hit", "first", "cold", "(trace + shade)", "new isovalue", "Reshade",
       "Redisplay", "plain cold", "extraction", "+ drawing", "polygons / new isovalue" });
-  JsonWriter json;
-  AddMachine(json, settings.Size);
   json.OpenList("results");
   bool isMeasured = false;
   for (const Volumes::Sample& sample : settings.Volumes)
@@ -238,10 +232,7 @@ bool Report(const Settings& settings)
     AddTo(json, result);
     isMeasured = true;
   }
-  if (isMeasured && !settings.Json.empty())
-  {
-    json.Write(settings.Json);
-  }
+  json.Close();
   return isMeasured;
 }
 
@@ -257,21 +248,10 @@ int main(int argc, char* argv[])
   options.Text("--json", "write all figures to this file too", settings.Json);
   options.Flag("--window", "draw the peer's polygons too, in a render window", settings.Window);
   options.Volumes(settings.Volumes);
-  if (!options.Read(argc, argv))
-  {
-    return options.ExitStatus;
-  }
-  try
-  {
-    if (Report(settings))
+  return options.Run(argc, argv,
+    [&]
     {
-      return 0;
-    }
-    std::cerr << "Nothing was measured: name at least one volume that is there.\n";
-  }
-  catch (const std::exception& failure)
-  {
-    std::cerr << failure.what() << '\n';
-  }
-  return 1;
+      return MakeReport(
+        settings.Size, settings.Json, [&](JsonWriter& json) { return Report(settings, json); });
+    });
 }

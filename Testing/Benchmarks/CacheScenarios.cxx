@@ -157,7 +157,7 @@ std::vector<Summary> Run(
     {
       const double different = PercentDifferent(runner.Draws, runners.front().Draws, stage);
       runner.Frames.push_back(Measure(runner.Draws.Mapper, runner.LastMs, different));
-      runner.NumberFromCache += runner.Draws.UsedImageCache() ? 1 : 0;
+      runner.NumberFromCache += runner.Draws.Route() == "ImageCache" ? 1 : 0;
     }
   }
   std::vector<Summary> summaries;

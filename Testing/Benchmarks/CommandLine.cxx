@@ -3,6 +3,7 @@
 #include "CommandLine.h"
 
 #include <cstddef>
+#include <exception>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
@@ -142,4 +143,25 @@ bool CommandLine::Read(int argc, char* argv[])
     *this->Wanted = this->Given;
   }
   return true;
+}
+
+int CommandLine::Run(int argc, char* argv[], const std::function<bool()>& measure)
+{
+  if (!this->Read(argc, argv))
+  {
+    return this->ExitStatus;
+  }
+  try
+  {
+    if (measure())
+    {
+      return 0;
+    }
+    this->Mistake("Nothing was measured: name a volume that is there.");
+  }
+  catch (const std::exception& failure)
+  {
+    this->Mistake(failure.what());
+  }
+  return this->ExitStatus;
 }

@@ -22,11 +22,10 @@ public:
   /// Accept pairs of VOLUME and ISOVALUE; without any, `volumes` keeps what it holds.
   void Volumes(std::vector<Volumes::Sample>& volumes);
 
-  /// Fill the values in. After --help or a mistake, which is told in one sentence, it returns
-  /// false, and the program is to end with ExitStatus.
-  bool Read(int argc, char* argv[]);
-
-  int ExitStatus = 0;
+  /// A whole program: read the options, then measure. What goes wrong is told in one sentence.
+  /// \param measure false if there was nothing to measure
+  /// \return the exit status
+  int Run(int argc, char* argv[], const std::function<bool()>& measure);
 
 private:
   struct Option
@@ -37,11 +36,14 @@ private:
     std::function<bool(const std::string&)> Take; ///< false if it cannot be such a value
   };
 
+  /// False after --help or a mistake, which is told in one sentence.
+  bool Read(int argc, char* argv[]);
   void PrintHelp() const;
   bool Mistake(const std::string& sentence);
   bool ReadOption(const std::vector<std::string>& arguments, std::size_t& at);
   bool ReadVolume(const std::vector<std::string>& arguments, std::size_t& at);
 
+  int ExitStatus = 0;
   std::string Program;
   std::string Purpose;
   std::vector<Option> Options;

@@ -138,16 +138,6 @@ std::vector<double> KeyImageTimesOf(
   return times;
 }
 
-void AddTo(JsonWriter& json, const std::string& name, const std::vector<double>& values)
-{
-  json.OpenList(name);
-  for (const double value : values)
-  {
-    json.Add("", value);
-  }
-  json.Close();
-}
-
 std::vector<double> Counted(std::size_t n)
 {
   std::vector<double> numbers(n);
@@ -262,7 +252,7 @@ void KeyImageTimes(const Settings& settings, JsonWriter& json)
       json.OpenObject();
       json.Add("technique", technique.File);
       json.Add("volume", subject.Name);
-      AddTo(json, "frameMs", times);
+      json.Add("frameMs", times);
       json.Close();
     }
     Plots::Write(chart, settings.Output + "/figure6-" + technique.File);

@@ -1,19 +1,20 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Makes figures 5, 6 and 8 of the paper again, and a plot of the error over many frames, as PNG and
-// SVG. Charts are drawn by VTK and need a display, such as xvfb-run -a gives.
+// Makes figures 5 to 9 of the paper again, and plots of the error over many frames and of what
+// isomaps cost, as PNG and SVG. Charts are drawn by VTK and need a display, such as xvfb-run -a
+// gives.
 
 #include "CommandLine.h"
+#include "Display.h"
 #include "Figures.h"
+#include "IsomapFigures.h"
 #include "Measuring.h"
-#include "Plots.h"
 #include "Report.h"
 
 #include <vtksys/SystemTools.hxx>
 
 #include <algorithm>
-#include <exception>
 #include <iostream>
 
 namespace
@@ -23,19 +24,29 @@ constexpr int QuickSize = 256;
 constexpr int QuickFrames = 5;
 constexpr int QuickDriftFrames = 120;
 
-void MakeFigures(const Figures::Settings& settings)
+void MakeFigures(Figures::Settings settings)
 {
+  if (settings.Output.empty())
+  {
+    throw Measuring::Failure("Give --output and a folder for the figures.");
+  }
+  RequireDisplay();
   if (!vtksys::SystemTools::MakeDirectory(settings.Output))
   {
     throw Measuring::Failure(
       "Cannot make the folder " + settings.Output + ": name one that can be written in.");
   }
+  settings.Subjects = Figures::LoadSubjects();
   JsonWriter json;
   AddMachine(json, settings.Size);
   Figures::AverageTimes(settings, json);
   Figures::KeyImageTimes(settings, json);
   Figures::AnswersInColor(settings, json);
   Figures::DriftOverTime(settings, json);
+  IsomapFigures::ThresholdTimes(settings, json);
+  IsomapFigures::TwoThresholds(settings, json);
+  IsomapFigures::CostOfWidth(settings, json);
+  IsomapFigures::CostOfTolerance(settings, json);
   json.Write(settings.Output + "/figures.json");
   std::cout << "The figures are in " << settings.Output << '\n';
 }
@@ -47,35 +58,20 @@ int main(int argc, char* argv[])
   Figures::Settings settings;
   bool isQuick = false;
   CommandLine options("PaperFigures",
-    "Make figures 5, 6 and 8 of the paper again, and a plot of the error over many frames.");
+    "Make figures 5 to 9 of the paper again, and plots of errors and of the isomap's costs.");
   options.Text("--output", "folder for figures (PNG, SVG) and figures.json", settings.Output);
   options.Number("--size", "pixels of the picture in each direction", settings.Size);
   options.Flag("--quick", "256 pixels and few frames", isQuick);
-  if (!options.Read(argc, argv))
-  {
-    return options.ExitStatus;
-  }
-  if (settings.Output.empty())
-  {
-    std::cerr << "PaperFigures: Give --output and a folder for the figures.\n";
-    return 1;
-  }
-  if (isQuick)
-  {
-    settings.Size = std::min(settings.Size, QuickSize);
-    settings.Frames = QuickFrames;
-    settings.DriftFrames = QuickDriftFrames;
-  }
-  try
-  {
-    Plots::RequireDisplay();
-    settings.Subjects = Figures::LoadSubjects();
-    MakeFigures(settings);
-    return 0;
-  }
-  catch (const std::exception& failure)
-  {
-    std::cerr << failure.what() << '\n';
-  }
-  return 1;
+  return options.Run(argc, argv,
+    [&]
+    {
+      if (isQuick)
+      {
+        settings.Size = std::min(settings.Size, QuickSize);
+        settings.Frames = QuickFrames;
+        settings.DriftFrames = QuickDriftFrames;
+      }
+      MakeFigures(settings);
+      return true;
+    });
 }

@@ -28,7 +28,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdlib>
 
 namespace Plots
 {
@@ -204,16 +203,6 @@ void WriteSvg(vtkRenderWindow* window, const std::string& file)
   }
 }
 
-}
-
-void RequireDisplay()
-{
-  const vtkNew<vtkRenderWindow> window;
-  if (window->IsA("vtkXOpenGLRenderWindow") && !std::getenv("DISPLAY"))
-  {
-    throw Measuring::Failure(
-      "There is no display to draw charts on: put xvfb-run -a in front of the command.");
-  }
 }
 
 void Write(const Chart& chart, const std::string& path)

@@ -34,10 +34,6 @@ struct Chart
   Ticks YTicks;
 };
 
-/// Ask for a display before long measurements, not after.
-/// \throws Measuring::Failure if charts need one and there is none
-void RequireDisplay();
-
 /// Write the chart as PATH.png and PATH.svg.
 /// \throws Measuring::Failure if a file cannot be written
 void Write(const Chart& chart, const std::string& path);

@@ -104,6 +104,16 @@ void JsonWriter::Add(const std::string& name, const std::string& value)
   this->Text += Quoted(value);
 }
 
+void JsonWriter::Add(const std::string& name, const std::vector<double>& values)
+{
+  this->OpenList(name);
+  for (const double value : values)
+  {
+    this->Add("", value);
+  }
+  this->Close();
+}
+
 void JsonWriter::Write(const std::string& path)
 {
   while (!this->Ends.empty())
@@ -123,4 +133,18 @@ void AddMachine(JsonWriter& json, int size)
 {
   json.Add("pixels", size);
   json.Add("threads", vtkSMPTools::GetEstimatedNumberOfThreads());
+}
+
+bool MakeReport(int size, const std::string& file, const std::function<bool(JsonWriter&)>& measure)
+{
+  std::cout << size << " x " << size << " pixels, " << vtkSMPTools::GetEstimatedNumberOfThreads()
+            << " threads\n\n";
+  JsonWriter json;
+  AddMachine(json, size);
+  const bool isMeasured = measure(json);
+  if (isMeasured && !file.empty())
+  {
+    json.Write(file);
+  }
+  return isMeasured;
 }

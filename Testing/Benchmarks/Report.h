@@ -3,6 +3,7 @@
 #ifndef Benchmarks_Report_h
 #define Benchmarks_Report_h
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,7 @@ public:
 
   void Add(const std::string& name, double value);
   void Add(const std::string& name, const std::string& value);
+  void Add(const std::string& name, const std::vector<double>& values);
 
   /// Close what is open and write the file.
   /// \throws Measuring::Failure if the file cannot be written
@@ -49,5 +51,11 @@ private:
 
 /// Begin a report: picture size and threads, which all figures depend on.
 void AddMachine(JsonWriter& json, int size);
+
+/// A whole report: begin it on the output and in JSON, measure, and write the JSON.
+/// \param file    none: no JSON
+/// \param measure false if nothing was measured
+/// \return what `measure` does
+bool MakeReport(int size, const std::string& file, const std::function<bool(JsonWriter&)>& measure);
 
 #endif

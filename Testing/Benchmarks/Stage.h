@@ -12,6 +12,8 @@
 #include <vtkSmartPointer.h>
 #include <vtkVolume.h>
 
+#include <string>
+
 /// A volume in front of a camera that moves, without a window. Several mappers may look at it in
 /// turn, so that each sees the same views.
 class Stage
@@ -28,6 +30,16 @@ public:
   void Approach(double factor);
   /// To the right, camera and focal point, by a share of what the picture's width shows.
   void Pan(double share);
+
+  /// Another isovalue, in the same colour.
+  void SetIsovalue(double isovalue);
+  double Isovalue() const;
+
+  /// A share of the range of values, for example as a step from one isovalue to the next.
+  double ShareOfRange(double share) const;
+
+  /// The isovalue at a share of the range of values.
+  double IsovalueAt(double share) const;
 
   /// The shortest distance between two samples, in the world.
   double VoxelSize() const;
@@ -50,8 +62,13 @@ struct Drawer
   /// \throws Measuring::Failure if the mapper cannot
   double Draw(const Stage& stage);
 
-  /// True if the last picture was made from the image cache.
-  bool UsedImageCache() const;
+  /// Draw the stage cold, with the isovalue's structures made anew, but not those of the data;
+  /// milliseconds. This is what a new isovalue costs if nothing is known of the last one.
+  /// \throws Measuring::Failure if the mapper cannot
+  double DrawCold(Stage& stage);
+
+  /// The name of the route that made the last picture.
+  std::string Route() const { return this->Mapper->GetRouteAsString(); }
 
   vtkNew<vtkTemporalCoherenceVolumeMapper> Mapper;
   vtkNew<vtkImageData> Color, Depth;
@@ -63,6 +80,12 @@ double PercentHit(const Drawer& drawer);
 /// Share in percent of the pixels that are hit in one picture and not in the other, or lie more
 /// than a voxel apart.
 double PercentDifferent(const Drawer& a, const Drawer& b, const Stage& stage);
+
+/// The largest distance between surfaces that both pictures show at a pixel, in voxels.
+double VoxelsApart(const Drawer& a, const Drawer& b, const Stage& stage);
+
+/// True if two pictures are the same to the last bit, in colour and depth.
+bool AreIdentical(const Drawer& a, const Drawer& b);
 
 /// The volume of that name; if it is not there, null, and a sentence on the error stream.
 vtkSmartPointer<vtkImageData> LoadOrTell(const std::string& name);

@@ -8,8 +8,8 @@ set -euo pipefail
 usage()
 {
   cat <<'TEXT'
-Build vtkTemporalCoherence and measure it: every route, the image cache, how times grow with the
-data, and the paper's figures.
+Build vtkTemporalCoherence and measure it: every route, the image cache, the isomap, how times grow
+with the data, and the paper's figures.
 
 usage: Testing/Benchmarks/run.sh [--quick] [--output FOLDER] [--no-packages]
 
@@ -50,11 +50,13 @@ done
 
 routes=(--window --frames 12)
 cache=()
+isomap=(--window)
 growth=(--frames 20)
 figures=()
 if [ "$quick" = yes ]; then
   routes=(--window --size 256 --frames 3 spheres256 100 engine.vti 70)
   cache=(--size 256 --frames 6)
+  isomap=(--window --size 256 --frames 6 --steps 40 spheres128 100 engine.vti 70)
   growth=(--size 256 --frames 6 --largest 256)
   figures=(--quick)
 fi
@@ -104,7 +106,10 @@ output=$(cd "$output" && pwd)
 measure "Every route" routes BenchmarkRoutes "${routes[@]}" --json "$output/routes.json"
 measure "The image cache" image-cache BenchmarkImageCache "${cache[@]}" \
   --json "$output/image-cache.json"
+measure "The isomap" isomap BenchmarkIsomap "${isomap[@]}" --json "$output/isomap.json"
 measure "Growth" growth BenchmarkImageCache --growth "${growth[@]}" --json "$output/growth.json"
+measure "Growth of the isomap" growth-isomap BenchmarkIsomap --growth "${growth[@]}" \
+  --json "$output/growth-isomap.json"
 if [ -x "$build/bin/PaperFigures" ]; then
   measure "The paper's figures" figures PaperFigures "${figures[@]}" --output "$output/figures"
 else

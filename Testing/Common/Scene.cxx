@@ -50,16 +50,6 @@ bool Scene::Render(int width, int height)
     this->Renderer, this->Volume, width, height, this->Color, this->Depth);
 }
 
-bool AreIdentical(vtkImageData* a, vtkImageData* b)
-{
-  const auto bytes = static_cast<std::size_t>(a->GetNumberOfPoints()) *
-    static_cast<std::size_t>(a->GetNumberOfScalarComponents() * a->GetScalarSize());
-  return a->GetNumberOfPoints() == b->GetNumberOfPoints() &&
-    a->GetScalarType() == b->GetScalarType() &&
-    a->GetNumberOfScalarComponents() == b->GetNumberOfScalarComponents() &&
-    std::memcmp(a->GetScalarPointer(), b->GetScalarPointer(), bytes) == 0;
-}
-
 Agreement CompareWithTruth(const Scene& scene, const BruteForceTracer& truth, int stride)
 {
   int dimensions[3];

@@ -3,6 +3,7 @@
 #ifndef Testing_Scene_h
 #define Testing_Scene_h
 
+#include "AreIdentical.h"
 #include "BruteForceTracer.h"
 #include "vtkTemporalCoherenceVolumeMapper.h"
 
@@ -46,9 +47,6 @@ struct Scene
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkImageData> Color, Depth;
 };
-
-/// True if both have the same size, type and bytes.
-bool AreIdentical(vtkImageData* a, vtkImageData* b);
 
 /// How a picture compares with the truth.
 struct Agreement

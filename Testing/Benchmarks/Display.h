@@ -1,0 +1,10 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Benchmarks_Display_h
+#define Benchmarks_Display_h
+
+/// Ask for a display before long measurements, not after.
+/// \throws Measuring::Failure if windows need one and there is none
+void RequireDisplay();
+
+#endif

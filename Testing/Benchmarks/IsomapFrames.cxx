@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "IsomapFrames.h"
+
+#include "Measuring.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace IsomapFrames
+{
+namespace
+{
+
+constexpr double Degrees = 2.0; ///< of the orbit, a frame
+/// The plain ray caster is slow: it gets fewer frames.
+constexpr int FewestPlainFrames = 3;
+/// New mappers whose first step is measured.
+constexpr int NumberOfFirstSteps = 3;
+constexpr double FirstStep = 1.0 / 256.0; ///< of the range of values: one of 8 bits
+/// Where in the first step later isovalues lie: none is the last one again.
+constexpr std::array<double, 5> WithinFirstStep = { 0.2, 0.8, 0.4, 1.0, 0.6 };
+
+double PerPixel(vtkIdType number, const Stage& stage)
+{
+  return static_cast<double>(number) / (static_cast<double>(stage.Size) * stage.Size);
+}
+
+/// Frames of a moving camera, made with no help from the last; the first is not measured.
+double ColdTime(Stage& stage, bool spaceLeaping, int frames)
+{
+  stage.ResetView();
+  Drawer drawer(stage);
+  drawer.Mapper->ImageCacheOff();
+  drawer.Mapper->SetSpaceLeaping(spaceLeaping);
+  drawer.Draw(stage);
+  std::vector<double> times;
+  for (int frame = 0; frame < frames; ++frame)
+  {
+    stage.Orbit(Degrees);
+    times.push_back(drawer.Draw(stage));
+  }
+  stage.ResetView();
+  return Measuring::Median(times);
+}
+
+/// The first new isovalue of new mappers.
+double FirstStepTime(Stage& stage, double isovalue, double step)
+{
+  std::vector<double> times;
+  for (int i = 0; i < NumberOfFirstSteps; ++i)
+  {
+    Drawer drawer(stage);
+    stage.SetIsovalue(isovalue);
+    drawer.Draw(stage);
+    stage.SetIsovalue(isovalue + step);
+    times.push_back(drawer.Draw(stage));
+  }
+  stage.SetIsovalue(isovalue);
+  return Measuring::Median(times);
+}
+
+/// Isovalues that one step has made known, and the same ones by hints; drawn in turn.
+void MeasureLaterSteps(Stage& stage, double isovalue, double step, int frames, Times& times)
+{
+  Drawer lookup(stage), hint(stage);
+  hint.Mapper->IsomapOff();
+  lookup.Draw(stage);
+  hint.Draw(stage);
+  stage.SetIsovalue(isovalue + step);
+  lookup.Draw(stage);
+  hint.Draw(stage);
+  times.BytesAPixel = BytesAPixel(lookup, stage);
+  std::vector<double> lookups, traces, shades, hints;
+  for (int frame = 0; frame < frames; ++frame)
+  {
+    const auto at = static_cast<std::size_t>(frame) % WithinFirstStep.size();
+    stage.SetIsovalue(isovalue + WithinFirstStep[at] * step);
+    hints.push_back(hint.Draw(stage));
+    const double time = lookup.Draw(stage);
+    if (lookup.Route() == "IsomapLookup")
+    {
+      lookups.push_back(time);
+      traces.push_back(1e3 * lookup.Mapper->GetTraceTime());
+      shades.push_back(1e3 * lookup.Mapper->GetShadeTime());
+    }
+  }
+  stage.SetIsovalue(isovalue);
+  times.Hint = Measuring::Median(hints);
+  times.Lookup = Measuring::Median(lookups);
+  times.LookupTrace = Measuring::Median(traces);
+  times.LookupShade = Measuring::Median(shades);
+}
+
+}
+
+Times Measure(Stage& stage, int frames)
+{
+  const double isovalue = stage.Isovalue();
+  const double step = stage.ShareOfRange(FirstStep);
+  Times times;
+  times.Cold = ColdTime(stage, true, frames);
+  times.Plain = ColdTime(stage, false, std::max(FewestPlainFrames, frames / 10));
+  times.FirstUp = FirstStepTime(stage, isovalue, step);
+  times.FirstDown = FirstStepTime(stage, isovalue, -step);
+  MeasureLaterSteps(stage, isovalue, step, frames, times);
+  return times;
+}
+
+double BytesAPixel(const Drawer& drawer, const Stage& stage)
+{
+  return PerPixel(drawer.Mapper->GetIsomapMemory(), stage);
+}
+
+double KnotsAPixel(const Drawer& drawer, const Stage& stage)
+{
+  return PerPixel(drawer.Mapper->GetNumberOfIsomapKnots(), stage);
+}
+
+}

@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "IsomapReport.h"
+
+#include "Measuring.h"
+
+#include <functional>
+#include <iostream>
+
+namespace IsomapReport
+{
+namespace
+{
+
+using IsomapMaps::Map;
+using Measuring::Ratio;
+using Cells = std::vector<std::string>;
+
+Cells Row(const Result& result, const Cells& cells)
+{
+  Cells row = { result.Volume.Name, Plain(result.Volume.Isovalue) };
+  row.insert(row.end(), cells.begin(), cells.end());
+  return row;
+}
+
+/// A row for each volume, a column for each of its maps.
+void PrintMaps(const std::vector<Result>& results, std::vector<Map> Result::*maps,
+  const std::function<std::string(const Map&)>& nameOf,
+  const std::function<std::string(const Map&)>& cellOf)
+{
+  Cells head = { "volume", "isovalue" };
+  for (const Map& map : results.front().*maps)
+  {
+    head.push_back(nameOf(map));
+  }
+  const MarkdownTable table(head);
+  for (const Result& result : results)
+  {
+    Cells cells;
+    for (const Map& map : result.*maps)
+    {
+      cells.push_back(map.IsBuilt ? cellOf(map) : "too large");
+    }
+    table.Row(Row(result, cells));
+  }
+}
+
+void AddTo(JsonWriter& json, const IsomapFrames::Times& times)
+{
+  json.OpenObject("frames");
+  json.Add("coldMs", times.Cold);
+  json.Add("plainColdMs", times.Plain);
+  json.Add("thresholdHintMs", times.Hint);
+  json.Add("firstStepUpMs", times.FirstUp);
+  json.Add("firstStepDownMs", times.FirstDown);
+  json.Add("lookupMs", times.Lookup);
+  json.Add("lookupTraceMs", times.LookupTrace);
+  json.Add("lookupShadeMs", times.LookupShade);
+  json.Add("bytesAPixel", times.BytesAPixel);
+  json.Close();
+}
+
+void AddTo(JsonWriter& json, const std::vector<IsomapDrags::Summary>& drags)
+{
+  json.OpenList("drags");
+  for (const IsomapDrags::Summary& drag : drags)
+  {
+    json.OpenObject();
+    json.Add("drag", drag.Course);
+    json.Add("steps", drag.Steps);
+    json.Add("framesThatBuiltPercent", drag.PercentBuilt);
+    json.Add("medianMs", drag.MedianMs);
+    json.Add("meanMs", drag.MeanMs);
+    json.Add("worstMs", drag.WorstMs);
+    json.Add("worstByCold", drag.WorstByCold);
+    json.Add("worstAtIsovalue", drag.WorstAt);
+    json.Add("coldMs", drag.ColdMs);
+    json.Add("meanByCold", drag.MeanByCold);
+    json.Add("bytesAPixel", drag.BytesAPixel);
+    json.Add("differentPictures", drag.Different);
+    json.Close();
+  }
+  json.Close();
+}
+
+void AddTo(JsonWriter& json, const IsomapWindow::Times& times)
+{
+  json.OpenObject("window");
+  json.Add("lookupMs", times.Lookup);
+  json.Add("presentMs", times.Present);
+  json.Add("reshadeMs", times.Reshade);
+  json.Add("pictureMs", times.Picture);
+  json.Close();
+}
+
+}
+
+void PrintFrames(const std::vector<Result>& results)
+{
+  const MarkdownTable table({ "volume", "isovalue", "cold", "plain cold", "hint", "first up",
+    "first down", "look-up", "(trace + shade)", "cold / look-up", "plain / look-up",
+    "first up / cold", "first down / cold", "bytes a pixel" });
+  for (const Result& result : results)
+  {
+    const IsomapFrames::Times& t = result.Frames;
+    table.Row(Row(result,
+      { Fixed(t.Cold, 1), Fixed(t.Plain, 0), Fixed(t.Hint, 1), Fixed(t.FirstUp, 1),
+        Fixed(t.FirstDown, 1), Fixed(t.Lookup, 1),
+        Fixed(t.LookupTrace, 1) + " + " + Fixed(t.LookupShade, 1),
+        Fixed(Ratio(t.Cold, t.Lookup), 2), Fixed(Ratio(t.Plain, t.Lookup), 1),
+        Fixed(Ratio(t.FirstUp, t.Cold), 2), Fixed(Ratio(t.FirstDown, t.Cold), 2),
+        Fixed(t.BytesAPixel, 1) }));
+  }
+}
+
+void PrintDrags(const std::vector<Result>& results)
+{
+  const MarkdownTable table({ "volume", "isovalue", "drag", "frames", "building %", "median",
+    "mean", "cold median", "mean / cold", "worst", "worst / cold there", "at isovalue",
+    "bytes a pixel", "not the cold picture" });
+  for (const Result& result : results)
+  {
+    for (const IsomapDrags::Summary& d : result.Drags)
+    {
+      table.Row(Row(result,
+        { d.Course, Plain(d.Steps), Fixed(d.PercentBuilt, 1), Fixed(d.MedianMs, 1),
+          Fixed(d.MeanMs, 1), Fixed(d.ColdMs, 1), Fixed(d.MeanByCold, 2), Fixed(d.WorstMs, 1),
+          Fixed(d.WorstByCold, 2), Plain(d.WorstAt), Fixed(d.BytesAPixel, 1),
+          Plain(d.Different) }));
+    }
+  }
+}
+
+void PrintWholeMaps(const std::vector<Result>& results)
+{
+  const MarkdownTable table({ "volume", "isovalue", "cold", "build", "build / cold",
+    "bytes a pixel", "knots a pixel", "look-up", "cold of the same", "cold / look-up" });
+  for (const Result& result : results)
+  {
+    const Map& m = result.Widths.back();
+    table.Row(Row(result,
+      { Fixed(m.ColdMs, 1), m.IsBuilt ? Fixed(m.BuildMs, 0) : "too large",
+        Fixed(Ratio(m.BuildMs, m.ColdMs), 1), Fixed(m.BytesAPixel, 1), Fixed(m.KnotsAPixel, 2),
+        Fixed(m.LookupMs, 1), Fixed(m.LookupColdMs, 1),
+        Fixed(Ratio(m.LookupColdMs, m.LookupMs), 2) }));
+  }
+}
+
+void PrintWidths(const std::vector<Result>& results)
+{
+  std::cout << "Maps by their share of the range: build time by a cold frame's / bytes a pixel\n\n";
+  PrintMaps(
+    results, &Result::Widths, [](const Map& m) { return Plain(100.0 * m.Width) + " %"; },
+    [](const Map& m)
+    { return Fixed(Ratio(m.BuildMs, m.ColdMs), 2) + " / " + Fixed(m.BytesAPixel, 1); });
+  std::cout << '\n';
+}
+
+void PrintTolerances(const std::vector<Result>& results)
+{
+  std::cout << "Whole maps by tolerance: bytes a pixel / farthest surface, in voxels\n\n";
+  PrintMaps(
+    results, &Result::Tolerances, [](const Map& m) { return Plain(m.Tolerance); },
+    [](const Map& m) { return Fixed(m.BytesAPixel, 1) + " / " + Fixed(m.VoxelsApart, 3); });
+  std::cout << '\n';
+}
+
+void PrintWindows(const std::vector<Result>& results)
+{
+  const MarkdownTable table({ "volume", "isovalue", "look-up", "(showing)", "Reshade",
+    "any picture", "look-up / any picture" });
+  for (const Result& result : results)
+  {
+    const IsomapWindow::Times& t = result.Window;
+    table.Row(Row(result,
+      { Fixed(t.Lookup, 1), Fixed(t.Present, 1), Fixed(t.Reshade, 1), Fixed(t.Picture, 1),
+        Fixed(Ratio(t.Lookup, t.Picture), 2) }));
+  }
+}
+
+void AddTo(JsonWriter& json, const std::string& name, const std::vector<Map>& maps)
+{
+  json.OpenList(name);
+  for (const Map& map : maps)
+  {
+    json.OpenObject();
+    json.Add("shareOfRange", map.Width);
+    json.Add("toleranceVoxels", map.Tolerance);
+    json.Add("isBuilt", map.IsBuilt ? 1.0 : 0.0);
+    json.Add("coldMs", map.ColdMs);
+    json.Add("buildMs", map.BuildMs);
+    json.Add("bytesAPixel", map.BytesAPixel);
+    json.Add("knotsAPixel", map.KnotsAPixel);
+    json.Add("lookupMs", map.LookupMs);
+    json.Add("lookupColdMs", map.LookupColdMs);
+    json.Add("voxelsApart", map.VoxelsApart);
+    json.Add("differentPixelsPercent", map.PercentDifferent);
+    json.Close();
+  }
+  json.Close();
+}
+
+void AddTo(JsonWriter& json, const std::vector<Result>& results)
+{
+  json.OpenList("volumes");
+  for (const Result& result : results)
+  {
+    json.OpenObject();
+    json.Add("volume", result.Volume.Name);
+    json.Add("isovalue", result.Volume.Isovalue);
+    AddTo(json, result.Frames);
+    AddTo(json, result.Drags);
+    AddTo(json, "widths", result.Widths);
+    AddTo(json, "tolerances", result.Tolerances);
+    AddTo(json, result.Window);
+    json.Close();
+  }
+  json.Close();
+}
+
+}

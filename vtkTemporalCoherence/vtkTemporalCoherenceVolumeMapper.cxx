@@ -33,7 +33,7 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
   std::vector<int> IsovaluePlaces; ///< position in the property's list of each isovalue drawn
   std::uint64_t Picture = 0;       ///< counts the different pictures
   double PresentTime = 0.0;
-  std::string LastError; ///< reported already; empty after a frame without error
+  std::string LastError;  ///< reported already; empty after a frame without error
   bool HasWarned = false; ///< of the limit of memory
 
   const TemporalCoherence::FrameStatistics& Statistics() const { return this->Frames.Statistics(); }
@@ -438,7 +438,8 @@ void vtkTemporalCoherenceVolumeMapper::WarnOfIsomapLimit(bool isTooLarge)
     return;
   }
   internal.HasWarned = true;
-  vtkWarningMacro("The isomap of this view does not fit IsomapMemoryLimit (" << this->IsomapMemoryLimit
+  vtkWarningMacro("The isomap of this view does not fit IsomapMemoryLimit ("
+    << this->IsomapMemoryLimit
     << " MiB): what was used least is built again when it is needed. Raise the limit, or set a "
        "narrower IsomapRange or a larger IsomapTolerance.");
 }

@@ -114,8 +114,8 @@ public:
   /**
    * Allow a new isovalue in the same view to be looked up in an isomap, which knows where each
    * pixel's ray first passes each isovalue. Default: on. It is built when isovalues first change in
-   * a view, a band of isovalues at a time. Off, the last hit of a ray bounds the search for the next
-   * (route ThresholdHint). The picture is the same.
+   * a view, a band of isovalues at a time. Off, the last hit of a ray bounds the search for the
+   * next (route ThresholdHint). The picture is the same.
    */
   vtkSetMacro(Isomap, vtkTypeBool);
   vtkGetMacro(Isomap, vtkTypeBool);
@@ -176,8 +176,8 @@ public:
 
   ///@{
   /**
-   * Complete a picture that is not exact (from the image cache, or from an isomap with a tolerance or
-   * with interpolated normals) to the cold picture, once, when the view repeats. Default: on.
+   * Complete a picture that is not exact (from the image cache, or from an isomap with a tolerance
+   * or with interpolated normals) to the cold picture, once, when the view repeats. Default: on.
    */
   vtkSetMacro(RefineWhenStill, vtkTypeBool);
   vtkGetMacro(RefineWhenStill, vtkTypeBool);
@@ -229,14 +229,14 @@ public:
   /**
    * How the isomap is built.
    *
-   * IsomapTolerance: how far a surface looked up may lie from the exact one, in voxels (the smallest
-   * spacing). Default: 0, the cold picture to the last bit.
+   * IsomapTolerance: how far a surface looked up may lie from the exact one, in voxels (the
+   * smallest spacing). Default: 0, the cold picture to the last bit.
    *
    * IsomapRange: isovalues to build it for at once. Default: lo > hi, bands around the present
    * isovalue that take about as long as a cold frame; outside of a given range, too.
    *
-   * IsomapMemoryLimit: what it may use, in MiB. Default: 256. The bands used least are dropped, with
-   * a warning once; 0 is as IsomapOff().
+   * IsomapMemoryLimit: what it may use, in MiB. Default: 256. The bands used least are dropped,
+   * with a warning once; 0 is as IsomapOff().
    */
   vtkSetClampMacro(IsomapTolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(IsomapTolerance, double);
@@ -255,8 +255,9 @@ public:
   ///@{
   /**
    * Normals of surfaces looked up in the isomap: RESHADE (default), from the field; INTERPOLATE,
-   * between normals that are stored where the isomap has knots, as the paper does with colours. That
-   * is cheaper, but knots may lie voxels apart; a repeated view is completed (RefineWhenStill).
+   * between normals that are stored where the isomap has knots, as the paper does with colours.
+   * That is cheaper, but knots may lie voxels apart; a repeated view is completed
+   * (RefineWhenStill).
    */
   vtkSetClampMacro(IsomapShading, int, RESHADE, INTERPOLATE);
   vtkGetMacro(IsomapShading, int);
@@ -265,10 +266,10 @@ public:
   ///@}
 
   /**
-   * Build the isomap of the present view ahead of the first new isovalue: IsomapRange if it holds the
-   * isovalues, else a band around each. The view is that of the renderer's window; without a window
-   * its size is that of the last frame. Sends ProgressEvent with the share of a band that is done;
-   * stops when the render window or SetAbortExecute() asks for it. The last frame stays.
+   * Build the isomap of the present view ahead of the first new isovalue: IsomapRange if it holds
+   * the isovalues, else a band around each. The view is that of the renderer's window; without a
+   * window its size is that of the last frame. Sends ProgressEvent with the share of a band that is
+   * done; stops when the render window or SetAbortExecute() asks for it. The last frame stays.
    * @return true if there is an isomap for the present isovalues afterwards
    */
   bool BuildIsomap(vtkRenderer* renderer, vtkVolume* volume);
@@ -321,9 +322,9 @@ public:
   /**
    * Counters of the last frame. Rays (one a pixel) are the sum of definite misses (known to meet
    * nothing), definite hits (known before, or found where the image cache or the isomap told to
-   * look) and possible hits. Traced are those that were followed through the field, but not hits of PAPER
-   * that were only refined. Field samples are those read to find surfaces and to build an isomap, eight a
-   * cell. Memory (bytes) and knots are those of the isomap that is kept.
+   * look) and possible hits. Traced are those that were followed through the field, but not hits of
+   * PAPER that were only refined. Field samples are those read to find surfaces and to build an
+   * isomap, eight a cell. Memory (bytes) and knots are those of the isomap that is kept.
    */
   vtkIdType GetNumberOfRays();
   vtkIdType GetNumberOfDefiniteHits();

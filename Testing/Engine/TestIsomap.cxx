@@ -72,8 +72,8 @@ protected:
   void Sweep(FrameKey& key, double low, double high)
   {
     const double range = high - low;
-    for (const double share : { 0.5, 0.51, 0.52, 0.6, 0.55, 0.49, 0.4, 0.1, 0.11, 0.9, 0.95, 0.0, 1.0,
-           -0.1, 1.1, 0.5, 0.3, 0.31 })
+    for (const double share : { 0.5, 0.51, 0.52, 0.6, 0.55, 0.49, 0.4, 0.1, 0.11, 0.9, 0.95, 0.0,
+           1.0, -0.1, 1.1, 0.5, 0.3, 0.31 })
     {
       this->Show(key, { low + share * range });
     }
@@ -102,9 +102,9 @@ TEST_F(IsomapTest, IsTheColdPictureForAnyIsovalue)
     {
       for (FrameKey key : { KeyOf(bytes), KeyOf(floats, true), KeyOf(noise) })
       {
-        SCOPED_TRACE(testing::Message() << "type " << static_cast<int>(key.Samples.Type) << " mode "
-                                        << static_cast<int>(mode) << " between "
-                                        << static_cast<int>(between));
+        SCOPED_TRACE(testing::Message()
+          << "type " << static_cast<int>(key.Samples.Type) << " mode " << static_cast<int>(mode)
+          << " between " << static_cast<int>(between));
         key.Sought.Mode = mode;
         key.Samples.Between = between;
         this->Sweep(key, 20.0, 220.0);

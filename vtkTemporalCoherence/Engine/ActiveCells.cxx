@@ -46,8 +46,7 @@ void ActiveCells::Build(
   this->FindLeaves(field, pyramid);
 }
 
-void ActiveCells::Build(
-  const Field& field, const ValueRangePyramid& pyramid, const ValueBand& band)
+void ActiveCells::Build(const Field& field, const ValueRangePyramid& pyramid, const ValueBand& band)
 {
   this->Release();
   this->Sought = { band };

@@ -15,15 +15,16 @@
 namespace TemporalCoherence
 {
 
-/// The cells that a set of isovalues, or all isovalues of a band, can pass through, as a tree of bits.
+/// The cells that a set of isovalues, or all isovalues of a band, can pass through, as a tree of
+/// bits.
 ///
 /// A cell is *active* if some of its eight samples are inside an isovalue and some are not; only
 /// there can a surface be. For a band of isovalues: if some of its samples are at least the lowest
-/// and some are below the highest. One 64-bit word for each node of the pyramid tells its active leaves,
-/// and one for each active leaf its active cells, so that a ray crosses 16 or 4 cells at a step
-/// where the word is empty and tests a cell without reading samples. The words of nodes are built
-/// for a set of isovalues from the pyramid alone; those of leaves are made when a ray first asks,
-/// which leaves out all that is hidden. Neither depends on the view.
+/// and some are below the highest. One 64-bit word for each node of the pyramid tells its active
+/// leaves, and one for each active leaf its active cells, so that a ray crosses 16 or 4 cells at a
+/// step where the word is empty and tests a cell without reading samples. The words of nodes are
+/// built for a set of isovalues from the pyramid alone; those of leaves are made when a ray first
+/// asks, which leaves out all that is hidden. Neither depends on the view.
 class ActiveCells
 {
 public:

@@ -13,8 +13,9 @@ namespace
 /// Width of the first band, as a share of the range of values: about a step of a slider.
 constexpr double FirstWidth = 1.0 / 256.0;
 
-/// Leaves that a band may pass through beyond those of its isovalue, as a share of these: the first,
-/// and later ones. Rays read many more cells of these leaves than they would for one isovalue.
+/// Leaves that a band may pass through beyond those of its isovalue, as a share of these: the
+/// first, and later ones. Rays read many more cells of these leaves than they would for one
+/// isovalue.
 constexpr double FirstGrowth = 0.03, Growth = 0.1;
 
 constexpr int MostHalvings = 8;
@@ -39,7 +40,8 @@ ValueBand BandPlan::Choose(const Wish& wish, const LeafHistogram& leaves) const
   const bool isFirst = this->Width == 0.0;
   const double allowed = (1.0 + (isFirst ? FirstGrowth : Growth)) * leaves.ShareOf({ c, c });
   double width = isFirst ? FirstWidth * leaves.Range() : this->Width;
-  for (int halving = 0; halving < MostHalvings && leaves.ShareOf(bandOf(width)) > allowed; ++halving)
+  for (int halving = 0; halving < MostHalvings && leaves.ShareOf(bandOf(width)) > allowed;
+       ++halving)
   {
     width *= 0.5;
   }

@@ -22,7 +22,8 @@ public:
   using Real = RealOf<T>;
 
   explicit TypedBandTracer(const BandScene& scene)
-    : Scene(scene)
+    : BandTracer(scene.Form)
+    , Scene(scene)
     , Samples(scene.Samples)
     , FromLowest(scene.Band.Low, scene.FiniteRange)
     , Scale(scene.Band)
@@ -55,8 +56,7 @@ public:
       this->TakeNote(progress);
       progress.DropDone();
     }
-    progress.Knots.HandOver(
-      this->Scene.Samples, this->Scene.FiniteRange, this->Scene.Where, knots);
+    progress.Knots.HandOver(this->Scene.Samples, this->Scene.FiniteRange, this->Scene.Where, knots);
     if (progress.HasEntries)
     {
       knots.Entries.assign(progress.Entries.begin(), progress.Entries.begin() + rays.Count);
@@ -180,8 +180,8 @@ private:
     const UsefulRanges useful{ *this, progress.Reached[Rising][ray],
       progress.Reached[Falling][ray] };
     CellWalk& walk = progress.Walks[ray];
-    while (walk.FindActive(
-      { progress.Rays, ray }, *this->Scene.Active, this->Samples.All(), useful))
+    while (
+      walk.FindActive({ progress.Rays, ray }, *this->Scene.Active, this->Samples.All(), useful))
     {
       Corners<Real> corners;
       const CellReach reach = this->Read(walk.Here(), corners);
@@ -387,8 +387,8 @@ private:
     this->Measure(progress);
     for (std::size_t i = 0; i < static_cast<std::size_t>(progress.Passages.Count); ++i)
     {
-      this->Enter(progress.Owner[i], progress.Ranges.Cubic[0][i], progress.Corners[i].Error,
-        progress);
+      this->Enter(
+        progress.Owner[i], progress.Ranges.Cubic[0][i], progress.Corners[i].Error, progress);
     }
     progress.Passages.Count = 0;
   }

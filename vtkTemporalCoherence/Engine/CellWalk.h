@@ -72,8 +72,8 @@ public:
   const glm::ivec3& Here() const { return this->Cell; }
 
   /// Go on to the next active cell; the first call may stay where it is.
-  /// \param filter has IsNodeOfUse(node) and IsLeafOfUse(node, leaf): false for what can be left out
-  /// \return false if the walk ends before
+  /// \param filter has IsNodeOfUse(node) and IsLeafOfUse(node, leaf): false for what can be left
+  /// out \return false if the walk ends before
   template <typename T, typename Filter = TakeAll>
   HWY_INLINE bool FindActive(const BatchRay& ray, const ActiveCells& active,
     const TypedField<T>& samples, const Filter& filter = {})
@@ -131,8 +131,8 @@ public:
 private:
   /// Leap from block to block until one is an active leaf, and prepare to step through it.
   template <typename T, typename Filter>
-  bool FindActiveLeaf(const BatchRay& ray, const ActiveCells& active,
-    const TypedField<T>& samples, const Filter& filter)
+  bool FindActiveLeaf(const BatchRay& ray, const ActiveCells& active, const TypedField<T>& samples,
+    const Filter& filter)
   {
     while (true)
     {

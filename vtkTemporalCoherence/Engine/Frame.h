@@ -76,7 +76,7 @@ struct Frame
   Plane<HitKind> Kinds;
   Plane<Answer> Answers;
   Plane<std::array<std::uint8_t, 4>> Colors; ///< RGBA; all 0 where nothing is hit
-  bool IsFromCache = false;                        ///< answers are those of a cached image
+  bool IsFromCache = false;                  ///< answers are those of a cached image
 
   /// 1 for each tile whose planes are known to hold nothing but definite misses, so that nobody has
   /// to look into it, or to write what is there already.

@@ -63,8 +63,8 @@ void StoreHit(const RayBatch& rays, const HitBatch& hits, std::size_t ray, Answe
   frame.Answers[pixel] = answer;
 }
 
-void StoreHits(const RayBatch& rays, const HitBatch& hits,
-  const RayBatch::Array<Answer>& answers, bool isParallel, Frame& frame)
+void StoreHits(const RayBatch& rays, const HitBatch& hits, const RayBatch::Array<Answer>& answers,
+  bool isParallel, Frame& frame)
 {
   const auto count = static_cast<std::size_t>(rays.Count);
   RayBatch::Array<float> disparities, contacts;
@@ -109,8 +109,7 @@ void BeginAtContacts(const Frame& picture, bool isParallel, RayBatch& rays)
     const auto pixel = static_cast<std::size_t>(rays.Pixel[i]);
     const float contact = picture.Contacts[pixel];
     const HitKind kind = picture.Kinds[pixel];
-    const bool isKnown = kind == HitKind::Enters ||
-      (kind == HitKind::None && contact != miss);
+    const bool isKnown = kind == HitKind::Enters || (kind == HitKind::None && contact != miss);
     if (isKnown)
     {
       const double t = DepthOf(static_cast<double>(contact), isParallel) * rays.PerDepth[i];

@@ -47,8 +47,8 @@ void StoreHit(const RayBatch& rays, const HitBatch& hits, std::size_t ray, Answe
   bool isParallel, Frame& frame);
 
 /// Write what all rays of a tile found, likewise. A full batch is a whole tile, row by row.
-void StoreHits(const RayBatch& rays, const HitBatch& hits,
-  const RayBatch::Array<Answer>& answers, bool isParallel, Frame& frame);
+void StoreHits(const RayBatch& rays, const HitBatch& hits, const RayBatch::Array<Answer>& answers,
+  bool isParallel, Frame& frame);
 
 /// Let the rays of a batch walk from where an exact picture of a lower isovalue shows them to come
 /// to it from below: before that they do not meet what lies above.

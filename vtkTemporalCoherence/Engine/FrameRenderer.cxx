@@ -82,8 +82,7 @@ bool FrameRenderer::Render(
 Isomap::Outcome FrameRenderer::BuildIsomap(
   const FrameKey& key, const Options& options, const Isomap::ReportProgress& report)
 {
-  const bool isPossible =
-    !key.Sought.Isovalues.empty() && this->Map.CanBuild(key, options.Map);
+  const bool isPossible = !key.Sought.Isovalues.empty() && this->Map.CanBuild(key, options.Map);
   this->Counters.IsomapBuildTime = 0.0;
   return isPossible ? this->BuildBands(key, options, report) : Isomap::Outcome::TooLarge;
 }
@@ -189,7 +188,8 @@ void FrameRenderer::TraceFrame(const FrameKey& key, const Options& options, Cach
   made.Picture.IsFromCache = cached != nullptr;
   made.IsExact = isExact;
   made.IsEroded = !isExact && options.Accuracy == ReuseAccuracy::Paper;
-  this->ColdCells = this->Counters.Made == Route::Cold ? this->Counters.FieldSamples / 8 : this->ColdCells;
+  this->ColdCells =
+    this->Counters.Made == Route::Cold ? this->Counters.FieldSamples / 8 : this->ColdCells;
   this->FinishFrame(options);
 }
 
@@ -199,8 +199,8 @@ Isomap::Outcome FrameRenderer::BuildBands(
 {
   Stopwatch watch(this->Counters.IsomapBuildTime);
   this->PreparePyramid(key);
-  const Isomap::Outcome outcome = this->Map.Build(
-    key, options.Map, *this->Front, this->Pyramid, this->ColdCells, report);
+  const Isomap::Outcome outcome =
+    this->Map.Build(key, options.Map, *this->Front, this->Pyramid, this->ColdCells, report);
   this->Counters.FieldSamples += 8 * this->Map.CellsRead();
   return outcome;
 }
@@ -326,8 +326,9 @@ void FrameRenderer::CountTiles(const Frame& frame, const Work& work)
   this->Counters.TracedRays += sum.TracedRays;
   this->Counters.FieldSamples += 8 * sum.CellsRead;
   // Threads ask, trace and shade tile by tile: the times are told apart by their shares.
-  const auto shareOf = [&](std::int64_t time)
-  { return sum.TileTime > 0 ? static_cast<double>(time) / static_cast<double>(sum.TileTime) : 0.0; };
+  const auto shareOf = [&](std::int64_t time) {
+    return sum.TileTime > 0 ? static_cast<double>(time) / static_cast<double>(sum.TileTime) : 0.0;
+  };
   const double query = shareOf(sum.QueryTime), shade = shareOf(sum.ShadeTime);
   this->Counters.QueryTime += query * seconds;
   this->Counters.ShadeTime += shade * seconds;
@@ -339,8 +340,7 @@ void FrameRenderer::ShadeAgain()
 {
   Stopwatch watch(this->Counters.ShadeTime);
   Frame& frame = this->Front->Picture;
-  const TileShader shader(
-    this->Front->Key, this->Pyramid.FiniteRange(), HitSet::None, HitSet::All);
+  const TileShader shader(this->Front->Key, this->Pyramid.FiniteRange(), HitSet::None, HitSet::All);
   ParallelFor(NumberOfTiles(frame.Size), TileGrain,
     [&](std::int64_t tile)
     {

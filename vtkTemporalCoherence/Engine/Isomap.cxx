@@ -51,8 +51,7 @@ void NarrowByCells(const TileKnots& knots, const BandScale& scale, RayBatch& ray
 }
 
 /// The same by fitted knots.
-void NarrowByFit(
-  const TileKnots& knots, const BandScale& scale, double tolerance, RayBatch& rays)
+void NarrowByFit(const TileKnots& knots, const BandScale& scale, double tolerance, RayBatch& rays)
 {
   constexpr float error = 1e-5f; // of progress
   const FittedKnots& table = knots.Fitted[static_cast<std::size_t>(Course::Rising)];
@@ -100,8 +99,9 @@ KnotForm FormOf(const FrameKey& key, const Isomap::Options& options)
 
 bool Isomap::IsOf(const FrameKey& key, const Options& options) const
 {
-  return this->IsBegun && this->Form == FormOf(key, options) && this->Key.Samples == key.Samples && this->Key.Where == key.Where &&
-    this->Key.Seen == key.Seen && this->Key.Sought.Mode == key.Sought.Mode;
+  return this->IsBegun && this->Form == FormOf(key, options) && this->Key.Samples == key.Samples &&
+    this->Key.Where == key.Where && this->Key.Seen == key.Seen &&
+    this->Key.Sought.Mode == key.Sought.Mode;
 }
 
 void Isomap::Begin(const FrameKey& key, const Options& options)
@@ -119,6 +119,80 @@ void Isomap::Release()
   this->Dropped = false;
 }
 
+/// What a band is built from, and how far it is.
+struct Isomap::BandSource
+{
+  BandSource(
+    const Isomap& map, const ValueBand& band, const ValueRangePyramid& pyramid, const Start& start)
+    : Key(map.Key)
+    , From(start)
+    , Rays(map.Key.Seen, map.Key.Where, map.Key.Samples.Dimensions)
+  {
+    this->Active.Build(map.Key.Samples, pyramid, band);
+    this->Bounds.Build(map.Key.Seen, map.Key.Where, this->Active);
+    this->Tracer = BandTracer::Make({ map.Key.Samples, pyramid.FiniteRange(), &pyramid,
+      &this->Active, band, map.Key.Sought.Mode, map.Form, map.Key.Where });
+    for (const std::shared_ptr<Band>& kept : map.Kept)
+    {
+      if (kept->Values.High == band.Low)
+      {
+        this->Underneath = kept;
+      }
+    }
+    if (!start.Picture || start.Isovalue > band.Low)
+    {
+      this->From.Picture = nullptr;
+    }
+  }
+
+  /// Trace the rays of a tile. Safe from many threads, out of which no exception comes.
+  void Trace(std::int64_t tile, TileKnots& knots)
+  {
+    // A solid may be cut open where there is no active cell.
+    if (this->Key.Sought.Mode == SurfaceMode::Crossing && this->Bounds.At(tile).IsEmpty())
+    {
+      return;
+    }
+    const PixelRect part = PixelsOfTile(this->Key.Seen.Size, tile);
+    RayBatch rays;
+    this->Rays.SetUp(part.First, part.Size, rays);
+    this->Bounds.Narrow(tile, rays);
+    if (this->Underneath)
+    {
+      const TileKnots& below = this->Underneath->Tiles[static_cast<std::size_t>(tile)];
+      const BandScale scale(this->Underneath->Values);
+      NarrowByCells(below, scale, rays);
+      NarrowByFit(below, scale, this->Tracer->Form().Tolerance, rays);
+    }
+    else if (this->From.Picture)
+    {
+      BeginAtContacts(*this->From.Picture, this->Key.Seen.Parallel, rays);
+    }
+    try
+    {
+      this->Cells.fetch_add(this->Tracer->Trace(rays, knots), std::memory_order_relaxed);
+      this->Memory.fetch_add(knots.MemoryInBytes(), std::memory_order_relaxed);
+      this->Knots.fetch_add(knots.NumberOfKnots(), std::memory_order_relaxed);
+    }
+    catch (const std::bad_alloc&)
+    {
+      this->HasFailed = true;
+    }
+  }
+
+  const FrameKey& Key;
+  Start From;
+  RaySource Rays;
+  ActiveCells Active;
+  TileBounds Bounds;
+  std::unique_ptr<BandTracer> Tracer;
+  std::shared_ptr<const Band> Underneath; ///< the band that ends where this one begins
+
+  std::atomic<std::int64_t> Cells{ 0 };
+  std::atomic<std::size_t> Memory{ 0 }, Knots{ 0 };
+  std::atomic<bool> HasFailed{ false };
+};
+
 Isomap::Outcome Isomap::Build(const ValueBand& band, const ValueRangePyramid& pyramid,
   const Start& start, const Limits& limits, const ReportProgress& report)
 {
@@ -127,61 +201,9 @@ Isomap::Outcome Isomap::Build(const ValueBand& band, const ValueRangePyramid& py
   built->Values = band;
   built->HasNormals = this->Form.HasNormals;
   built->Tiles.resize(static_cast<std::size_t>(tiles));
-  built->Memory = built->Tiles.size() * sizeof(TileKnots);
+  const std::size_t fixed = built->Tiles.size() * sizeof(TileKnots);
 
-  ActiveCells active;
-  active.Build(this->Key.Samples, pyramid, band);
-  TileBounds bounds;
-  bounds.Build(this->Key.Seen, this->Key.Where, active);
-  const RaySource source(this->Key.Seen, this->Key.Where, this->Key.Samples.Dimensions);
-  const bool isSolid = this->Key.Sought.Mode == SurfaceMode::Threshold;
-  const auto tracer = BandTracer::Make(
-    { this->Key.Samples, pyramid.FiniteRange(), &pyramid, &active, band, this->Key.Sought.Mode,
-      this->Form, this->Key.Where });
-
-  const auto below = std::find_if(this->Kept.begin(), this->Kept.end(),
-    [&](const auto& kept) { return kept->Values.High == band.Low; });
-  const std::shared_ptr<Band> underneath = below != this->Kept.end() ? *below : nullptr;
-  const bool hasStart = start.Picture && start.Isovalue <= band.Low;
-
-  std::atomic<std::int64_t> memory{ 0 }, knots{ 0 }, cells{ 0 };
-  std::atomic<bool> hasFailed{ false };
-  const auto traceTile = [&](std::int64_t tile)
-  {
-    // A solid may be cut open where there is no active cell.
-    if (!isSolid && bounds.At(tile).IsEmpty())
-    {
-      return;
-    }
-    const PixelRect part = PixelsOfTile(this->Key.Seen.Size, tile);
-    RayBatch rays;
-    source.SetUp(part.First, part.Size, rays);
-    bounds.Narrow(tile, rays);
-    if (underneath)
-    {
-      const BandScale scale(underneath->Values);
-      const TileKnots& knots = underneath->Tiles[static_cast<std::size_t>(tile)];
-      NarrowByCells(knots, scale, rays);
-      NarrowByFit(knots, scale, this->Form.Tolerance, rays);
-    }
-    else if (hasStart)
-    {
-      BeginAtContacts(*start.Picture, this->Key.Seen.Parallel, rays);
-    }
-    try
-    {
-      TileKnots& to = built->Tiles[static_cast<std::size_t>(tile)];
-      cells.fetch_add(tracer->Trace(rays, to), std::memory_order_relaxed);
-      memory.fetch_add(
-        static_cast<std::int64_t>(to.MemoryInBytes()), std::memory_order_relaxed);
-      knots.fetch_add(static_cast<std::int64_t>(to.NumberOfKnots()), std::memory_order_relaxed);
-    }
-    catch (const std::bad_alloc&)
-    {
-      hasFailed = true; // exceptions do not leave a thread
-    }
-  };
-  const std::size_t fixed = built->Memory;
+  BandSource source(*this, band, pyramid, start);
   const std::int64_t groups = (tiles + TileGrain - 1) / TileGrain;
   for (std::int64_t part = 0; part < NumberOfParts; ++part)
   {
@@ -191,20 +213,20 @@ Isomap::Outcome Isomap::Build(const ValueBand& band, const ValueRangePyramid& py
         const std::int64_t first = (part + i * NumberOfParts) * TileGrain;
         for (std::int64_t tile = first; tile < std::min(first + TileGrain, tiles); ++tile)
         {
-          traceTile(tile);
+          source.Trace(tile, built->Tiles[static_cast<std::size_t>(tile)]);
         }
       });
-    built->Memory = fixed + static_cast<std::size_t>(memory);
-    const double done = static_cast<double>(part + 1) / NumberOfParts;
-    if (hasFailed)
+    if (source.HasFailed)
     {
       throw std::bad_alloc();
     }
+    const double done = static_cast<double>(part + 1) / NumberOfParts;
+    built->Memory = fixed + source.Memory;
     if (!this->MakeRoom(built->Memory, limits.Memory))
     {
       return Outcome::TooLarge;
     }
-    if (static_cast<double>(cells) > limits.Cells * done)
+    if (static_cast<double>(source.Cells) > limits.Cells * done)
     {
       return Outcome::TooCostly;
     }
@@ -213,10 +235,10 @@ Isomap::Outcome Isomap::Build(const ValueBand& band, const ValueRangePyramid& py
       return Outcome::Stopped;
     }
   }
-  built->NumberOfKnots = static_cast<std::size_t>(knots);
-  built->CellsRead = cells;
+  built->NumberOfKnots = source.Knots;
+  built->CellsRead = source.Cells;
+  built->LastUse = ++this->Uses;
   this->Kept.push_back(built);
-  this->Kept.back()->LastUse = ++this->Uses;
   return Outcome::Built;
 }
 

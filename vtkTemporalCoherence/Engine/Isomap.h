@@ -25,7 +25,7 @@ class Isomap
 public:
   struct Options
   {
-    ValueBand Range{ 1.0, 0.0 };                     ///< isovalues of one band; none if Low > High
+    ValueBand Range{ 1.0, 0.0 };                      ///< isovalues of one band; none if Low > High
     std::size_t MemoryLimit = std::size_t(256) << 20; ///< bytes that all bands may take
     double Tolerance = 0.0;  ///< distance by which looked-up surfaces may be wrong, in voxels
     bool HasNormals = false; ///< keep normals, to interpolate between them
@@ -108,6 +108,8 @@ public:
   void Release();
 
 private:
+  struct BandSource;
+
   bool MakeRoom(std::size_t bytes, std::size_t limit);
 
   FrameKey Key;

@@ -11,8 +11,8 @@ namespace TemporalCoherence
 namespace
 {
 
-/// Cells that a band chosen by us may read, in units of those of a cold frame: three times its time,
-/// as most of that goes into finding the first cell. And how often a narrower band is tried.
+/// Cells that a band chosen by us may read, in units of those of a cold frame: three times its
+/// time, as most of that goes into finding the first cell. And how often a narrower band is tried.
 constexpr double MostCells = 4.0;
 constexpr int MostAttempts = 4;
 

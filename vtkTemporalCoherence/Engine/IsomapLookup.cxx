@@ -63,8 +63,7 @@ IsomapLookup::IsomapLookup(const FrameKey& key, const std::vector<const Isomap::
     Sought sought{ bands[surface], {}, {}, ErrorIn(values, finiteRange) };
     for (const Course course : { Course::Rising, Course::Falling })
     {
-      const double progress =
-        scale.Progress(course, key.Sought.Isovalues[surface] - values.Low);
+      const double progress = scale.Progress(course, key.Sought.Isovalues[surface] - values.Low);
       sought.Progress[static_cast<std::size_t>(course)] = progress;
       sought.Key[static_cast<std::size_t>(course)] = scale.KeyOf(progress);
     }
@@ -120,8 +119,7 @@ TraceCounts IsomapLookup::Look(
 void IsomapLookup::LookFor(
   std::size_t surface, std::int64_t tile, const RayBatch& rays, Found& found) const
 {
-  const TileKnots& knots =
-    this->Isovalues[surface].Band->Tiles[static_cast<std::size_t>(tile)];
+  const TileKnots& knots = this->Isovalues[surface].Band->Tiles[static_cast<std::size_t>(tile)];
   RayBatch::Array<std::uint8_t> courses;
   const std::uint64_t which = this->BeginOn(surface, knots, rays, courses, found);
   if (this->Tolerance > 0.0)
@@ -213,8 +211,7 @@ void IsomapLookup::LookInCells(std::size_t surface, std::uint64_t which,
       }
       if (this->HasNormals)
       {
-        normals[at] =
-          NormalInCells(table, knots.Normals[course].Get<0>(), begin, hit, key);
+        normals[at] = NormalInCells(table, knots.Normals[course].Get<0>(), begin, hit, key);
       }
     }
   }
@@ -249,8 +246,7 @@ void IsomapLookup::LookInFit(std::size_t surface, std::uint64_t which,
     {
       found.Open |= Bit(ray);
     }
-    else if (answer == FitAnswer::Reached &&
-      rays.Begin[ray] + point.Distance < hits.Depth[ray])
+    else if (answer == FitAnswer::Reached && rays.Begin[ray] + point.Distance < hits.Depth[ray])
     {
       hits.Depth[ray] = rays.Begin[ray] + point.Distance;
       hits.Contact[ray] = hits.Depth[ray];
@@ -260,8 +256,7 @@ void IsomapLookup::LookInFit(std::size_t surface, std::uint64_t which,
       if (this->HasNormals)
       {
         const PackedNormal* const normals = knots.Normals[course].Get<0>();
-        found.Normals[ray] =
-          MixNormals(normals[point.Before], normals[point.Knot], point.Share);
+        found.Normals[ray] = MixNormals(normals[point.Before], normals[point.Knot], point.Share);
       }
     }
   }
@@ -294,8 +289,7 @@ void IsomapLookup::StoreNormals(const RayBatch& rays, const Found& found, Frame&
     if (kind == HitKind::Enters || kind == HitKind::Leaves)
     {
       const std::int32_t pixel = rays.Pixel[i];
-      const glm::vec3 along(
-        this->Key.Seen.RayThrough(pixel % width, pixel / width).Direction);
+      const glm::vec3 along(this->Key.Seen.RayThrough(pixel % width, pixel / width).Direction);
       const float length = glm::length(found.Normals[i]);
       const glm::vec3 normal = length > 0.0f ? found.Normals[i] / length : -along;
       frame.Normals[static_cast<std::size_t>(pixel)] =

@@ -24,8 +24,8 @@ public:
   /// \param finiteRange smallest and largest finite sample
   /// All of it must outlive this.
   /// \throws std::bad_alloc
-  IsomapLookup(const FrameKey& key, const std::vector<const Isomap::Band*>& bands,
-    double tolerance, const glm::dvec2& finiteRange);
+  IsomapLookup(const FrameKey& key, const std::vector<const Isomap::Band*>& bands, double tolerance,
+    const glm::dvec2& finiteRange);
 
   /// Look up the rays through `part`, which is tile number `tile`, and write their planes: definite
   /// hits and misses, and caps, which are possible hits. Where knots have normals, those of
@@ -53,8 +53,7 @@ private:
     RayBatch::Array<glm::vec3> Normals;
   };
 
-  void LookFor(
-    std::size_t surface, std::int64_t tile, const RayBatch& rays, Found& found) const;
+  void LookFor(std::size_t surface, std::int64_t tile, const RayBatch& rays, Found& found) const;
   std::uint64_t BeginOn(std::size_t surface, const TileKnots& knots, const RayBatch& rays,
     RayBatch::Array<std::uint8_t>& courses, Found& found) const;
   void LookInCells(std::size_t surface, std::uint64_t which,

@@ -68,8 +68,8 @@ HWY_INLINE void FindAll(PassageBatch<Real>& passages, RangeBatch<Real>& ranges)
     V lowest = hn::Min(b[0], b[3]), highest = hn::Max(b[0], b[3]);
     // A cubic lies within the range of its coefficients: it can only leave that of its ends where
     // one of the others does.
-    const auto isBeyond = hn::Or(hn::Gt(hn::Max(b[1], b[2]), highest),
-      hn::Lt(hn::Min(b[1], b[2]), lowest));
+    const auto isBeyond =
+      hn::Or(hn::Gt(hn::Max(b[1], b[2]), highest), hn::Lt(hn::Min(b[1], b[2]), lowest));
     if (!hn::AllFalse(d, isBeyond))
     {
       WidenByTurns(d, b, isBeyond, lowest, highest);
@@ -114,8 +114,8 @@ void FindOneByOne(PassageBatch<Real>& in, RangeBatch<Real>& out)
     out.Leave[i] = passage.Leave;
     out.Lowest[i] = std::min(cubic[0], cubic[3]);
     out.Highest[i] = std::max(cubic[0], cubic[3]);
-    const bool isBeyond = std::max(cubic[1], cubic[2]) > out.Highest[i] ||
-      std::min(cubic[1], cubic[2]) < out.Lowest[i];
+    const bool isBeyond =
+      std::max(cubic[1], cubic[2]) > out.Highest[i] || std::min(cubic[1], cubic[2]) < out.Lowest[i];
     int count = 0;
     const std::array<Real, 2> turns =
       isBeyond ? TurningPoints(cubic, count) : std::array<Real, 2>{};
@@ -141,8 +141,8 @@ void FindNearest(PassageBatch<Real>& in, RangeBatch<Real>& out)
     in.Enter[i] = passage.Enter;
     out.Leave[i] = passage.Leave;
     const bool passes = passage.Enter < passage.Leave;
-    const NearestPath path = passes ? passage.Nearest(in, i)
-                                    : NearestPath{ { NearestCorner(passage.Path.Begin) }, {}, 1 };
+    const NearestPath path =
+      passes ? passage.Nearest(in, i) : NearestPath{ { NearestCorner(passage.Path.Begin) }, {}, 1 };
     out.Cubic[0][i] = passage.Values[path.Corners[0]];
     out.Cubic[3][i] = passage.Values[path.Corners[path.Count - 1]];
     out.Lowest[i] = out.Highest[i] = out.Cubic[0][i];

@@ -15,9 +15,9 @@ struct RangeBatch
   template <typename T>
   using Array = RayBatch::Array<T>;
 
-  Array<double> Leave;               ///< t where the ray leaves the cell
-  std::array<Array<Real>, 4> Cubic;  ///< Bernstein coefficients of the field from Enter to Leave
-  Array<Real> Lowest, Highest;       ///< of the field from Enter to Leave
+  Array<double> Leave;              ///< t where the ray leaves the cell
+  std::array<Array<Real>, 4> Cubic; ///< Bernstein coefficients of the field from Enter to Leave
+  Array<Real> Lowest, Highest;      ///< of the field from Enter to Leave
 };
 
 /// Find the lowest and the highest value that the field has along each passage, and where the ray

@@ -29,8 +29,8 @@ PackedNormal Pack(const glm::dvec3& normal)
 
 }
 
-KnotCollector::KnotCollector(const RayBatch& rays, const KnotForm& form, double reference,
-  double floor)
+KnotCollector::KnotCollector(
+  const RayBatch& rays, const KnotForm& form, double reference, double floor)
   : Rays(rays)
   , Form(form)
   , Reference(reference)
@@ -45,13 +45,12 @@ void KnotCollector::AddCell(std::size_t course, std::size_t ray, BandScale::Key 
   this->Cells[course].push_back({ ray, { path, corner, cell } });
   if (this->Form.HasNormals)
   {
-    this->Places[course].push_back(
-      { ray, static_cast<float>(distance - this->Rays.Begin[ray]) });
+    this->Places[course].push_back({ ray, static_cast<float>(distance - this->Rays.Begin[ray]) });
   }
 }
 
-void KnotCollector::Follow(std::size_t course, std::size_t ray, const Cubic<double>& progress,
-  double enter, double leave)
+void KnotCollector::Follow(
+  std::size_t course, std::size_t ray, const Cubic<double>& progress, double enter, double leave)
 {
   this->Fits[course * RayBatch::Capacity + ray].Follow(progress, enter, leave, this->Floor,
     FitShare * this->Form.Tolerance, [&](const Knot& knot) { this->AddKnot(course, ray, knot); });
@@ -67,8 +66,8 @@ void KnotCollector::AddKnot(std::size_t course, std::size_t ray, const Knot& kno
   }
 }
 
-void KnotCollector::HandOver(const Field& field, const glm::dvec2& finiteRange,
-  const Placement& where, TileKnots& knots)
+void KnotCollector::HandOver(
+  const Field& field, const glm::dvec2& finiteRange, const Placement& where, TileKnots& knots)
 {
   for (std::size_t fit = 0; fit < this->Fits.size(); ++fit)
   {
@@ -94,7 +93,8 @@ void KnotCollector::HandOver(const Field& field, const glm::dvec2& finiteRange,
 
 /// Append the normals of some knots.
 void KnotCollector::FindNormals(const Place* places, std::size_t count, const Field& field,
-  const glm::dvec2& finiteRange, const Placement& where, std::vector<KnotNormals::Row>& normals) const
+  const glm::dvec2& finiteRange, const Placement& where,
+  std::vector<KnotNormals::Row>& normals) const
 {
   std::array<RayBatch::Array<double>, 3> points, directions, gradients;
   RayBatch::Array<std::int16_t> surfaces{};

@@ -47,8 +47,8 @@ public:
 
   /// The next way of a ray through a cell, to be fitted.
   /// \param progress along the way from `enter` to `leave`, by Bernstein coefficients
-  void Follow(std::size_t course, std::size_t ray, const Cubic<double>& progress, double enter,
-    double leave);
+  void Follow(
+    std::size_t course, std::size_t ray, const Cubic<double>& progress, double enter, double leave);
 
   /// Nothing can be told of a ray.
   void GiveUp(std::size_t ray) { this->Untold |= std::uint64_t(1) << ray; }
@@ -57,8 +57,8 @@ public:
   /// \param field, finiteRange, where for normals: the field, its smallest and largest finite
   ///        sample, and where it lies
   /// \throws std::bad_alloc
-  void HandOver(const Field& field, const glm::dvec2& finiteRange, const Placement& where,
-    TileKnots& knots);
+  void HandOver(
+    const Field& field, const glm::dvec2& finiteRange, const Placement& where, TileKnots& knots);
 
 private:
   /// Where normals are wanted: distance along a ray, by knot.

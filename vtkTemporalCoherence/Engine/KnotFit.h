@@ -183,8 +183,8 @@ private:
 
   bool HasBegun = false;
   double Reached = 0.0; ///< highest progress so far
-  Knot First{};                                              ///< of the present piece
-  Knot End{};                                                ///< so far, if it has one
+  Knot First{};         ///< of the present piece
+  Knot End{};           ///< so far, if it has one
   bool IsOpen = false, HasEnd = false;
   double LowestSlope = 0.0, HighestSlope = 0.0; ///< of distance over progress
 };

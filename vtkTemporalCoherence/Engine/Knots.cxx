@@ -25,8 +25,7 @@ FitAnswer FindInFit(const FittedKnots& table, std::size_t ray, double progress, 
   const auto isJump = [&](std::size_t knot)
   { return knot == begin || knot == end || values[knot - 1] == values[knot]; };
 
-  const auto found =
-    std::lower_bound(values + begin, values + end, static_cast<float>(progress));
+  const auto found = std::lower_bound(values + begin, values + end, static_cast<float>(progress));
   const auto knot = static_cast<std::size_t>(found - values);
   if (knot == end)
   {
@@ -34,8 +33,7 @@ FitAnswer FindInFit(const FittedKnots& table, std::size_t ray, double progress, 
   }
   // A jump is sure only where rounding cannot have moved the progress across it.
   const bool isCloseBehind = isJump(knot + 1) && at(knot) - progress <= error;
-  const bool isCloseBefore =
-    knot > begin && isJump(knot - 1) && progress - at(knot - 1) <= error;
+  const bool isCloseBefore = knot > begin && isJump(knot - 1) && progress - at(knot - 1) <= error;
   if (isCloseBehind || isCloseBefore)
   {
     return FitAnswer::Unsure;
@@ -45,7 +43,8 @@ FitAnswer FindInFit(const FittedKnots& table, std::size_t ray, double progress, 
     return FitAnswer::Unsure;
   }
   constexpr double rounding = 0.05; // share of the tolerance that may go into it
-  const double way = static_cast<double>(distances[knot]) - static_cast<double>(distances[knot - 1]);
+  const double way =
+    static_cast<double>(distances[knot]) - static_cast<double>(distances[knot - 1]);
   const double gained = at(knot) - at(knot - 1);
   if (!(way * error <= rounding * tolerance * gained))
   {

@@ -137,8 +137,8 @@ constexpr float LargestNormal = 32767.0f;
 /// What the rays of a tile know about the isovalues of a band, for each course.
 struct TileKnots
 {
-  std::array<CellKnots, NumberOfCourses> Cells;    ///< for exact look-ups
-  std::array<FittedKnots, NumberOfCourses> Fitted; ///< or for those with a tolerance
+  std::array<CellKnots, NumberOfCourses> Cells;     ///< for exact look-ups
+  std::array<FittedKnots, NumberOfCourses> Fitted;  ///< or for those with a tolerance
   std::array<KnotNormals, NumberOfCourses> Normals; ///< of the knots, if they are wanted
 
   /// The field's difference from the band's lowest isovalue where the rays begin; -infinity where

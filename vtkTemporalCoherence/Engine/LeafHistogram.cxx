@@ -74,7 +74,8 @@ void LeafHistogram::Release()
 
 double LeafHistogram::BinOf(double value) const
 {
-  return std::min(std::max((value - this->Low) * this->BinsPerUnit, 0.0), static_cast<double>(Bins));
+  return std::min(
+    std::max((value - this->Low) * this->BinsPerUnit, 0.0), static_cast<double>(Bins));
 }
 
 double LeafHistogram::ShareOf(const ValueBand& band) const

@@ -51,7 +51,8 @@ struct Passage
   /// t at a share of the path; infinity if the ray only touches the cell.
   double DistanceAt(double share) const
   {
-    return this->Enter < this->Leave ? this->Enter + share * (this->Leave - this->Enter) : std::numeric_limits<double>::infinity();
+    return this->Enter < this->Leave ? this->Enter + share * (this->Leave - this->Enter)
+                                     : std::numeric_limits<double>::infinity();
   }
 
   /// The nearest samples along passage i.

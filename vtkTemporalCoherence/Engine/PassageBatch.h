@@ -27,7 +27,7 @@ struct PassageBatch
   Array<double> Begin, End;
   const RayBatch* All = nullptr;
 
-  std::array<Array<double>, 3> Cell;                       ///< its first corner
+  std::array<Array<double>, 3> Cell;  ///< its first corner
   std::array<Array<Real>, 8> Corners; ///< differences from the isovalue, [x + 2 y + 4 z]
 
   Array<double> Enter;    ///< found: t where the ray enters the cell

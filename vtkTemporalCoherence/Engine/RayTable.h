@@ -68,10 +68,7 @@ public:
 
   std::size_t NumberOfRows() const { return this->Bytes ? this->Begin(RayBatch::Capacity) : 0; }
 
-  std::size_t MemoryInBytes() const
-  {
-    return this->Bytes ? SizeFor(this->NumberOfRows()) : 0;
-  }
+  std::size_t MemoryInBytes() const { return this->Bytes ? SizeFor(this->NumberOfRows()) : 0; }
 
   /// \pre the table is not empty
   template <std::size_t Column>
@@ -104,8 +101,7 @@ private:
   }
 
   template <std::size_t... Column>
-  void Put(
-    std::size_t row, const std::tuple<Columns...>& values, std::index_sequence<Column...>)
+  void Put(std::size_t row, const std::tuple<Columns...>& values, std::index_sequence<Column...>)
   {
     ((const_cast<TypeOf<Column>*>(this->template Get<Column>())[row] = std::get<Column>(values)),
       ...);

@@ -57,8 +57,8 @@ struct ReuseSwitches
 /// What is at hand for the next frame.
 struct HeldForReuse
 {
-  bool IsExact = true; ///< the last picture is the cold picture of its key
-  bool Image = false;  ///< a cached image can serve
+  bool IsExact = true;        ///< the last picture is the cold picture of its key
+  bool Image = false;         ///< a cached image can serve
   bool Isomap = false;        ///< an isomap of this view covers the next isovalues
   bool IsIsomapExact = true;  ///< it gives the cold picture
   bool CanBuildIsomap = true; ///< data and memory allow one

@@ -240,8 +240,7 @@ private:
   }
 
   /// The passages of rays through the given cells.
-  static void SetPassages(
-    const RayBatch& rays, const CellList& cells, PassageBatch<Real>& passages)
+  static void SetPassages(const RayBatch& rays, const CellList& cells, PassageBatch<Real>& passages)
   {
     const auto count = static_cast<std::size_t>(cells.Count);
     passages.Count = cells.Count;

@@ -26,8 +26,7 @@ class TileShader
 public:
   /// \param finiteRange smallest and largest finite sample
   /// The key must outlive the shader.
-  TileShader(
-    const FrameKey& key, const glm::dvec2& finiteRange, HitSet normalsOf, HitSet colorsOf);
+  TileShader(const FrameKey& key, const glm::dvec2& finiteRange, HitSet normalsOf, HitSet colorsOf);
 
   /// Shade `part`, which is tile number `tile`. Safe from many threads.
   void Shade(std::int64_t tile, const PixelRect& part, Frame& frame, TraceCounts& counts) const;

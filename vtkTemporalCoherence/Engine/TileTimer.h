@@ -9,8 +9,8 @@
 namespace TemporalCoherence
 {
 
-/// Adds the time of its life to a number of nanoseconds, for one of some tiles: what the stages of a
-/// frame take is told from a sample, as the clock costs as much as a ray.
+/// Adds the time of its life to a number of nanoseconds, for one of some tiles: what the stages of
+/// a frame take is told from a sample, as the clock costs as much as a ray.
 class TileTimer
 {
 public:

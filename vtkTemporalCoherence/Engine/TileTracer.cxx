@@ -48,8 +48,7 @@ bool TileTracer::CanSkip(std::int64_t tile) const
 {
   // A solid may be cut open where there is no active cell.
   return !this->HasSurfaces ||
-    (this->Scene.Active && !this->IsSolid &&
-      this->Scene.Bounds->At(tile).IsEmpty());
+    (this->Scene.Active && !this->IsSolid && this->Scene.Bounds->At(tile).IsEmpty());
 }
 
 TraceCounts TileTracer::Trace(std::int64_t tile, const PixelRect& part, Frame& frame) const

@@ -30,8 +30,8 @@ struct TileScene
 };
 
 /// Takes the rays of one tile from their set-up to the planes of the frame: the walk narrowed by
-/// the tile's bounds and by what a cached image or the last picture knows, the trace, and a second trace where that
-/// turned out wrong.
+/// the tile's bounds and by what a cached image or the last picture knows, the trace, and a second
+/// trace where that turned out wrong.
 class TileTracer
 {
 public:

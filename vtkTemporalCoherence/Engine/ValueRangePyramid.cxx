@@ -236,7 +236,8 @@ void ValueRangePyramid::Build(const Field& field)
       const TypedField<T> samples(field);
       BuildLeaves(samples, nodes, ranges);
       Range<T>* const ofNodes = ranges + count * LeavesPerNode;
-      ParallelFor(count, 256, [&](std::int64_t node)
+      ParallelFor(count, 256,
+        [&](std::int64_t node)
         { ofNodes[node] = RangeOf(ranges + node * LeavesPerNode, LeavesPerNode); });
       this->Finite = FindFiniteRange(samples, ofNodes, count);
     });

@@ -126,12 +126,14 @@ void RenderFirst(Tour& tour, Scene& scene, int orbitFrames)
 void RenderWithoutReuse(Tour& tour, Scene& scene, double lastAzimuth, int frames)
 {
   scene.Mapper->ImageCacheOff();
+  scene.Mapper->IsomapOff();
   for (int frame = 0; frame < frames; ++frame)
   {
     scene.SetAzimuth(lastAzimuth + DegreesPerFrame * (frame + 1 - frames));
     tour.Render(WithoutReuse, "", frame, frames);
   }
   scene.Mapper->ImageCacheOn();
+  scene.Mapper->IsomapOn();
 }
 
 // Ends in front, where all that follows is seen from.

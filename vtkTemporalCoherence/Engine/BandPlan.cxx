@@ -13,16 +13,19 @@ namespace
 /// Width of the first band, as a share of the range of values: about a step of a slider.
 constexpr double FirstWidth = 1.0 / 256.0;
 
-/// Leaves that a band may pass through beyond those of its isovalue, as a share of these: the
-/// first, and later ones. Rays read many more cells of these leaves than they would for one
-/// isovalue.
-constexpr double FirstGrowth = 0.03, Growth = 0.1;
-
+/// Leaves that a band may pass through beyond those of its isovalue, as a share of these: the first,
+/// and later ones. Rays read many more cells of these leaves than they would for one isovalue.
+constexpr double FirstGrowth = 0.03, Growth = 1.0;
 constexpr int MostHalvings = 8;
 
 /// Cells that building a band should read, in units of those that a cold frame reads. Two thirds of
-/// a cold frame's time go into finding the first of them, so that this is twice its time.
+/// a cold frame's time go into finding the first of them, so that this is less than twice its time.
 constexpr double EnoughCells = 2.5;
+
+/// A band that does not hold the next isovalues is not worth its cost: steps that the first band
+/// and later ones hold ahead. Changes of more than a share of the range are no steps of a drag.
+constexpr double FirstSteps = 1.0, Steps = 2.5;
+constexpr double LargestStep = 1.0 / 20.0;
 
 }
 
@@ -46,6 +49,8 @@ ValueBand BandPlan::Choose(const Wish& wish, const LeafHistogram& leaves) const
     width *= 0.5;
   }
 
+  width = std::max(width, this->LeastWidth(wish, leaves));
+
   // Behind, the band goes back to what is there already, or a little way.
   ValueBand band = bandOf(width);
   if (!isBothWays)
@@ -59,6 +64,13 @@ ValueBand BandPlan::Choose(const Wish& wish, const LeafHistogram& leaves) const
     (ahead > 0.0 ? band.Low : band.High) = behind;
   }
   return { std::max(band.Low, wish.Gap.Low), std::min(band.High, wish.Gap.High) };
+}
+
+double BandPlan::LeastWidth(const Wish& wish, const LeafHistogram& leaves) const
+{
+  const double step = std::abs(wish.Isovalue - wish.Before);
+  return step > LargestStep * leaves.Range() ? 0.0
+                                             : step * (this->Width == 0.0 ? FirstSteps : Steps);
 }
 
 void BandPlan::Learn(const ValueBand& band, std::int64_t cellsRead, std::int64_t coldCells)

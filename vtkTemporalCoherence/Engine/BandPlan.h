@@ -28,6 +28,9 @@ public:
   /// A band for a wish, within its gap, by what is known of the field.
   ValueBand Choose(const Wish& wish, const LeafHistogram& leaves) const;
 
+  /// What a band must reach ahead of its isovalue to be of use.
+  double LeastWidth(const Wish& wish, const LeafHistogram& leaves) const;
+
   /// Learn from a band that was built: the next may be up to twice as wide, or narrower.
   /// \param cellsRead to build it
   /// \param coldCells that a frame without an isomap reads

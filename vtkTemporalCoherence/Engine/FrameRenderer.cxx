@@ -82,7 +82,7 @@ bool FrameRenderer::Render(
 Isomap::Outcome FrameRenderer::BuildIsomap(
   const FrameKey& key, const Options& options, const Isomap::ReportProgress& report)
 {
-  const bool isPossible = !key.Sought.Isovalues.empty() && this->Map.CanBuild(key, options.Map);
+  const bool isPossible = !key.Sought.Isovalues.empty() && this->Map.CanBuild(key, options.Map, key);
   this->Counters.IsomapBuildTime = 0.0;
   return isPossible ? this->BuildBands(key, options, report) : Isomap::Outcome::TooLarge;
 }
@@ -128,7 +128,7 @@ bool FrameRenderer::TakeRoute(const FrameKey& key, const Options& options, Cache
 }
 
 Route FrameRenderer::ChooseRoute(
-  const FrameKey& key, const Options& options, const std::shared_ptr<CachedImage>& nearest) const
+  const FrameKey& key, const Options& options, const std::shared_ptr<CachedImage>& nearest)
 {
   if (this->Front->Picture.IsEmpty())
   {
@@ -137,7 +137,7 @@ Route FrameRenderer::ChooseRoute(
   HeldForReuse held;
   held.IsExact = this->Front->IsExact;
   held.Image = nearest != nullptr;
-  held.CanBuildIsomap = this->Map.CanBuild(key, options.Map);
+  held.CanBuildIsomap = this->Map.CanBuild(key, options.Map, this->Front->Key);
   held.IsIsomapExact = this->Map.Built().Tolerance() == 0.0 && !options.Map.HasNormals;
   held.Isomap = this->Map.Covers(key, options.Map);
   ReuseSwitches switches = options.Reuse;

@@ -16,12 +16,32 @@ namespace
 constexpr double MostCells = 4.0;
 constexpr int MostAttempts = 4;
 
+/// By how much a width that was too costly grows with every frame that does without.
+constexpr double Forgetting = 1.2;
+
 }
 
-bool IsomapBuilder::CanBuild(const FrameKey& key, const Isomap::Options& options) const
+bool IsomapBuilder::CanBuild(
+  const FrameKey& key, const Isomap::Options& options, const FrameKey& last)
 {
-  const bool hasFailed = this->IsTooLarge && this->Map.IsOf(key, options);
-  return options.MemoryLimit > 0 && Isomap::CanHold(key.Samples) && !hasFailed;
+  if (options.MemoryLimit == 0 || !Isomap::CanHold(key.Samples))
+  {
+    return false;
+  }
+  if (!this->Map.IsOf(key, options))
+  {
+    return true;
+  }
+  const bool isTooCostly =
+    std::any_of(key.Sought.Isovalues.begin(), key.Sought.Isovalues.end(),
+      [&](double isovalue)
+      {
+        const BandPlan::Wish wish = this->WishFor(isovalue, last.Sought.Isovalues);
+        return this->Plan.LeastWidth(wish, this->Leaves) >= this->TooWide;
+      });
+  // What was too costly here may not be a little farther on.
+  this->TooWide *= isTooCostly ? Forgetting : 1.0;
+  return !this->IsTooLarge && !isTooCostly;
 }
 
 Isomap::Outcome IsomapBuilder::Build(const FrameKey& key, const Isomap::Options& options,
@@ -33,6 +53,7 @@ Isomap::Outcome IsomapBuilder::Build(const FrameKey& key, const Isomap::Options&
     this->Map.Begin(key, options);
     this->Plan = BandPlan();
     this->IsTooLarge = false;
+    this->TooWide = Forever;
   }
   if (!(this->LeavesField == key.Samples))
   {
@@ -75,10 +96,10 @@ Isomap::Outcome IsomapBuilder::BuildFor(double isovalue, const Context& context)
     const double mostCells = MostCells * static_cast<double>(context.ColdCells);
     const Isomap::Limits limits{ context.Options.MemoryLimit,
       isLimited ? mostCells : std::numeric_limits<double>::infinity() };
-    const ValueBand gap = this->Map.GapAround(isovalue);
+    const BandPlan::Wish wish = this->WishFor(isovalue, context.IsovaluesBefore);
     const ValueBand band = isAsked
-      ? ValueBand{ std::max(range.Low, gap.Low), std::min(range.High, gap.High) }
-      : this->Choose(isovalue, context);
+      ? ValueBand{ std::max(range.Low, wish.Gap.Low), std::min(range.High, wish.Gap.High) }
+      : this->Plan.Choose(wish, this->Leaves);
     outcome = this->Map.Build(band, context.Pyramid, context.Start, limits, context.Report);
     if (outcome == Isomap::Outcome::Built)
     {
@@ -94,30 +115,29 @@ Isomap::Outcome IsomapBuilder::BuildFor(double isovalue, const Context& context)
     {
       return outcome;
     }
+    const double least = this->Plan.LeastWidth(wish, this->Leaves);
+    if (outcome == Isomap::Outcome::TooCostly && least > 0.4 * (band.High - band.Low))
+    {
+      this->TooWide = least;
+      return outcome;
+    }
     if (!isAsked)
     {
       this->Plan.Shorten(band);
     }
   }
-  this->IsTooLarge = true;
+  this->IsTooLarge = outcome == Isomap::Outcome::TooLarge;
   return outcome;
 }
 
-/// The band to build for an isovalue.
-ValueBand IsomapBuilder::Choose(double isovalue, const Context& context) const
+/// What a band is wanted for.
+BandPlan::Wish IsomapBuilder::WishFor(double isovalue, const std::vector<double>& before) const
 {
   // Of several isovalues before, the nearest is the one that moved.
-  double before = isovalue;
-  double least = std::numeric_limits<double>::infinity();
-  for (const double old : context.IsovaluesBefore)
-  {
-    if (std::abs(old - isovalue) < least)
-    {
-      least = std::abs(old - isovalue);
-      before = old;
-    }
-  }
-  return this->Plan.Choose({ isovalue, before, this->Map.GapAround(isovalue) }, this->Leaves);
+  const auto nearest = std::min_element(before.begin(), before.end(),
+    [isovalue](double a, double b) { return std::abs(a - isovalue) < std::abs(b - isovalue); });
+  return { isovalue, nearest != before.end() ? *nearest : isovalue,
+    this->Map.GapAround(isovalue) };
 }
 
 std::vector<const Isomap::Band*> IsomapBuilder::BandsFor(const FrameKey& key)

@@ -11,6 +11,8 @@
 #include "ValueRangePyramid.h"
 
 #include <cstdint>
+#include <limits>
+#include <vector>
 
 namespace TemporalCoherence
 {
@@ -29,7 +31,9 @@ public:
   }
 
   /// True if it makes sense to try.
-  bool CanBuild(const FrameKey& key, const Isomap::Options& options) const;
+  /// \param last the last frame
+  bool CanBuild(
+    const FrameKey& key, const Isomap::Options& options, const FrameKey& last);
 
   /// Build the bands that a frame needs and that are not there.
   /// \param last      the last frame: where isovalues come from, and where rays may start
@@ -49,6 +53,8 @@ public:
   void Release() { *this = IsomapBuilder(); }
 
 private:
+  static constexpr double Forever = std::numeric_limits<double>::infinity();
+
   /// What a band is built with.
   struct Context
   {
@@ -61,13 +67,14 @@ private:
   };
 
   Isomap::Outcome BuildFor(double isovalue, const Context& context);
-  ValueBand Choose(double isovalue, const Context& context) const;
+  BandPlan::Wish WishFor(double isovalue, const std::vector<double>& before) const;
 
   Isomap Map;
   BandPlan Plan;
   LeafHistogram Leaves; ///< of the field's pyramid
   Field LeavesField;
-  bool IsTooLarge = false; ///< not even a narrow band fits the limit of memory
+  bool IsTooLarge = false;  ///< not even a narrow band fits the limit of memory
+  double TooWide = Forever; ///< a band that must reach so far ahead was too costly just now
   std::int64_t Cells = 0;
 };
 

@@ -33,16 +33,20 @@ bool ColdWitness::Draw(Scene& scene)
 {
   this->Mapper->SetInputDataObject(scene.Mapper->GetInputDataObject(0, 0));
   this->Mapper->SetSurfaceMode(scene.Mapper->GetSurfaceMode());
+  this->Mapper->SetVectorMode(scene.Mapper->GetVectorMode());
+  this->Mapper->SetVectorComponent(scene.Mapper->GetVectorComponent());
+  this->Mapper->ReleaseReuse();
   int size[3];
   scene.Color->GetDimensions(size);
   return this->Mapper->RenderToImage(
-    scene.Renderer, scene.Volume, size[0], size[1], this->Color, this->Depth);
+           scene.Renderer, scene.Volume, size[0], size[1], this->Color, this->Depth) &&
+    std::string(this->Mapper->GetRouteAsString()) == "Cold";
 }
 
-vtkIdType ColdWitness::CountDifferent(const Scene& scene) const
+vtkIdType ColdWitness::CountDifferent(const Scene& scene, double voxels) const
 {
   auto* image = vtkImageData::SafeDownCast(this->Mapper->GetInputDataObject(0, 0));
-  return this->Count(scene, ShortestEdge(image, scene.Volume));
+  return this->Count(scene, voxels * ShortestEdge(image, scene.Volume));
 }
 
 vtkIdType ColdWitness::Count(const Scene& scene, double apart) const

@@ -7,14 +7,13 @@
 
 #include <string>
 
-/// A mapper without an image cache that draws what a scene shows: the picture that frames made from
-/// the image cache are held against.
+/// A mapper without a past that draws what a scene shows: the picture that frames made with the
+/// help of earlier ones are held against.
 class ColdWitness
 {
 public:
-  ColdWitness() { this->Mapper->ImageCacheOff(); }
-
   /// Draw the scene in the size of its last picture.
+  /// \return true if it was drawn, by a cold frame
   bool Draw(Scene& scene);
 
   /// True if the scene's last picture is the one drawn, to the last bit.
@@ -28,8 +27,9 @@ public:
   /// Pixels where the scene's last picture has a surface and this one none or the other way round.
   vtkIdType CountOtherSilhouettes(const Scene& scene) const { return this->Count(scene, -1.0); }
 
-  /// Those, and pixels where surfaces are more than a voxel apart (its shortest edge in the world).
-  vtkIdType CountDifferent(const Scene& scene) const;
+  /// Those, and pixels where surfaces are more than some voxels apart (shortest edges in the
+  /// world).
+  vtkIdType CountDifferent(const Scene& scene, double voxels = 1.0) const;
 
   vtkNew<vtkTemporalCoherenceVolumeMapper> Mapper;
   vtkNew<vtkImageData> Color, Depth;

@@ -77,6 +77,17 @@ vtkSmartPointer<vtkImageData> Waves()
     { return 1000.0 * (std::sin(5.0 * x) * std::cos(4.0 * y) + 0.7 * z); });
 }
 
+vtkSmartPointer<vtkImageData> Noise(int n, int scalarType, double low, double high)
+{
+  // Samples are made in parallel, in no order: each must be a function of its place.
+  return FromFormula(n, scalarType,
+    [low, high](double x, double y, double z)
+    {
+      const double place = std::sin(12.9898 * x + 78.233 * y + 37.719 * z) * 43758.5453;
+      return low + (high - low) * (place - std::floor(place));
+    });
+}
+
 vtkSmartPointer<vtkImageData> FourSpheres(int n)
 {
   constexpr std::array<std::array<double, 3>, 4> centres = { { { -.4, -.4, -.2 }, { .45, -.3, .3 },

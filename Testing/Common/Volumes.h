@@ -29,6 +29,9 @@ vtkSmartPointer<vtkImageData> MarschnerLobb(int n);
 /// 32^3 shorts between -1700 and 1700: waves that the boundary of the volume cuts.
 vtkSmartPointer<vtkImageData> Waves();
 
+/// n^3 samples between `low` and `high` that have nothing to do with one another.
+vtkSmartPointer<vtkImageData> Noise(int n, int scalarType, double low, double high);
+
 /// A volume and an isovalue worth looking at.
 struct Sample
 {

@@ -6,57 +6,19 @@
 #include "ColdWitness.h"
 #include "Expect.h"
 #include "RandomViews.h"
+#include "Subject.h"
 #include "Volumes.h"
 
 #include <vtkSMPTools.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
-#include <iostream>
-#include <random>
 
 namespace
 {
 
 constexpr double MedianShare = 1e-4; ///< of the pixels: 0.01 %
 constexpr double WorstShare = 5e-4;  ///< 0.05 %
-
-vtkSmartPointer<vtkImageData> Noise()
-{
-  // Samples are made in parallel, in no order: each must be a function of its place.
-  return Volumes::FromFormula(12, VTK_SHORT,
-    [](double x, double y, double z)
-    {
-      const double place = std::sin(12.9898 * x + 78.233 * y + 37.719 * z) * 43758.5453;
-      return 2001.0 * (place - std::floor(place)) - 1000.0;
-    });
-}
-
-/// A volume, isovalues and a mode.
-struct Subject
-{
-  std::string Name;
-  vtkSmartPointer<vtkImageData> Image;
-  std::vector<double> Isovalues;
-  int Mode = vtkTemporalCoherenceVolumeMapper::CROSSING;
-  bool IsNearest = false;
-
-  std::string Describe() const
-  {
-    return this->Name +
-      (this->Mode == vtkTemporalCoherenceVolumeMapper::CROSSING ? ", CROSSING" : ", THRESHOLD") +
-      (this->IsNearest ? ", nearest" : "") + ", " + std::to_string(this->Isovalues.size()) +
-      " isovalue(s)";
-  }
-
-  void Prepare(Scene& scene) const
-  {
-    scene.Mapper->SetSurfaceMode(this->Mode);
-    scene.Volume->GetProperty()->SetInterpolationType(
-      this->IsNearest ? VTK_NEAREST_INTERPOLATION : VTK_LINEAR_INTERPOLATION);
-  }
-};
 
 /// Every volume in both modes.
 std::vector<Subject> AllSubjects()
@@ -66,7 +28,7 @@ std::vector<Subject> AllSubjects()
     { "Waves", Volumes::Waves(), { 200.0, -300.0, 650.0 } },
     { "spheres64", Volumes::Load("spheres64"), { 100.0 } },
     { "marschner-lobb100", Volumes::Load("marschner-lobb100"), { 128.0 } },
-    { "Noise", Noise(), { 500.0 } },
+    { "Noise", Volumes::Noise(12, VTK_SHORT, -1000.0, 1001.0), { 500.0 } },
     { "engine", Volumes::Load("engine.vti"), { 80.0 } },
   };
   std::vector<Subject> subjects;

@@ -1,23 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// When frames are made from the image cache, what they tell of themselves, and that none ever shows
-// what was true before.
+// When frames are made from the image cache, and what they tell of themselves.
 
 #include "ColdWitness.h"
 #include "Expect.h"
 #include "RandomViews.h"
 #include "Volumes.h"
 
-#include <vtkDataArray.h>
-#include <vtkLight.h>
-#include <vtkPointData.h>
-
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <functional>
-#include <iostream>
 
 namespace
 {
@@ -198,160 +190,6 @@ void TestColorByAnswer()
   }
 }
 
-/// Something to change. What is changed of the data makes every kept picture worthless.
-struct Change
-{
-  bool IsOfData;
-  std::function<void()> Make;
-};
-
-void AddLight(Scene& scene, RandomViews& views)
-{
-  vtkNew<vtkLight> light;
-  light->SetLightTypeToSceneLight();
-  light->SetPosition(views.Between(-3.0, 3.0), views.Between(-3.0, 3.0), 3.0);
-  light->SetIntensity(0.3);
-  scene.Renderer->RemoveAllLights();
-  scene.Renderer->AddLight(light);
-}
-
-std::vector<Change> ChangesOfScene(Scene& scene, vtkImageData* image, RandomViews& views)
-{
-  vtkVolumeProperty* property = scene.Volume->GetProperty();
-  return {
-    { true,
-      [=, &views]
-      {
-        vtkDataArray* scalars = image->GetPointData()->GetScalars();
-        const vtkIdType at = views.Pick(31000);
-        for (vtkIdType i = at; i < at + 400; ++i)
-        {
-          scalars->SetComponent(i, 0, 1000.0 * views.Pick(3) - 500.0);
-        }
-        scalars->Modified();
-      } },
-    { true, [=, &views] { image->SetOrigin(views.Between(-2.0, 0.0), -1.0, -1.0); } },
-    { true, [=, &views] { image->SetSpacing(views.Between(0.05, 0.08), 0.065, 0.065); } },
-    { true, [&] { scene.Volume->RotateX(views.Between(1.0, 30.0)); } },
-    { true, [&] { scene.Volume->SetScale(1.0, views.Between(0.8, 1.2), 1.0); } },
-    { true, [=] { property->SetInterpolationType(1 - property->GetInterpolationType()); } },
-    // A picture of the same mode may still be kept.
-    { false, [&] { scene.Mapper->SetSurfaceMode(1 - scene.Mapper->GetSurfaceMode()); } },
-    { false, [&] { scene.SetIsovalues({ views.Between(-900.0, 900.0) }); } },
-    { false,
-      [&] {
-        scene.SetIsovalues({ views.Between(0.0, 500.0), views.Between(-500.0, 0.0) });
-      } },
-    { false, [=] { property->SetAmbient(property->GetAmbient() > 0.3 ? 0.1 : 0.5); } },
-    { false,
-      [=, &views]
-      {
-        property->GetRGBTransferFunction()->AddRGBPoint(
-          views.Between(-500.0, 500.0), 0.1, views.Between(0.0, 1.0), 0.9);
-      } },
-    { false, [&] { AddLight(scene, views); } },
-  };
-}
-
-std::vector<Change> ChangesOfView(Scene& scene, RandomViews& views)
-{
-  const auto move = [&] { views.Move(); };
-  const auto project = [&scene]
-  {
-    vtkCamera* camera = scene.Renderer->GetActiveCamera();
-    camera->SetParallelProjection(1 - camera->GetParallelProjection());
-  };
-  return { { false, move }, { false, move }, { false, move }, { false, move }, { false, move },
-    { false, move }, { false, project }, { false, [&] { views.Resize(); } }, { false, [] {} } };
-}
-
-std::vector<Change> ChangesOfSettings(Mapper* mapper, RandomViews& views)
-{
-  return {
-    { false, [=] { mapper->SetSpaceLeaping(1 - mapper->GetSpaceLeaping()); } },
-    { false, [=, &views] { mapper->SetImageCache(views.Pick(4) != 0); } },
-    { false, [=, &views] { mapper->SetReuseAccuracy(views.Pick(3)); } },
-    { false, [=, &views] { mapper->SetImageCachePolicy(views.Pick(2)); } },
-    { false, [=, &views] { mapper->SetNumberOfCachedImages(1 + views.Pick(4)); } },
-    { false, [=, &views] { mapper->SetKeyImageInterval(1 + views.Pick(6)); } },
-    { false, [=, &views] { mapper->SetImageCacheShading(views.Pick(2)); } },
-    { false, [=] { mapper->SetColorByAnswer(1 - mapper->GetColorByAnswer()); } },
-  };
-}
-
-/// Hold a frame against what its accuracy and route promise.
-void ExpectPromise(Scene& scene, ColdWitness& cold, const std::string& what)
-{
-  Mapper* mapper = scene.Mapper;
-  Expect(cold.Draw(scene), what + ": rendered cold");
-  const bool isFromCache = IsRoute(scene, "ImageCache");
-  if (!isFromCache || mapper->GetReuseAccuracy() == Mapper::EXACT)
-  {
-    Expect(cold.IsDepthIdentical(scene), what + ": not the cold depths");
-    Expect(
-      mapper->GetColorByAnswer() || cold.IsColorIdentical(scene), what + ": not the cold colours");
-  }
-  else if (mapper->GetReuseAccuracy() == Mapper::BOUNDED)
-  {
-    const vtkIdType different = cold.CountDifferent(scene);
-    const auto pixels = static_cast<double>(scene.Depth->GetNumberOfPoints());
-    Expect(static_cast<double>(different) <= 5e-4 * pixels + 3.0,
-      what + ": BOUNDED, " + std::to_string(different) + " pixels differ");
-  }
-}
-
-/// A view that repeats ends in the cold picture.
-void ExpectRefined(Scene& scene, RandomViews& views, ColdWitness& cold, const std::string& what)
-{
-  Expect(views.Render(), what + ": rendered again");
-  Expect(cold.IsDepthIdentical(scene) &&
-      (scene.Mapper->GetColorByAnswer() || cold.IsColorIdentical(scene)),
-    what + ": not the cold picture when rendered again");
-}
-
-/// Changes in random order, up to three at a time.
-void TestNeverStale(unsigned seed)
-{
-  vtkSmartPointer<vtkImageData> image = Volumes::Waves();
-  Scene scene(image, { 0.0 });
-  RandomViews views(scene, seed, 80);
-  ColdWitness cold;
-  const std::vector<Change> ofScene = ChangesOfScene(scene, image, views);
-  const std::vector<Change> ofView = ChangesOfView(scene, views);
-  const std::vector<Change> ofSettings = ChangesOfSettings(scene.Mapper, views);
-  int fromCache = 0;
-  for (int step = 0; step < 500; ++step)
-  {
-    const std::string what = "seed " + std::to_string(seed) + ", step " + std::to_string(step);
-    bool isOfData = step == 0;
-    const auto makeOne = [&](const std::vector<Change>& changes)
-    {
-      const Change& change =
-        changes[static_cast<std::size_t>(views.Pick(static_cast<int>(changes.size())))];
-      change.Make();
-      isOfData = isOfData || change.IsOfData;
-    };
-    makeOne(ofView);
-    if (views.Pick(3) == 0)
-    {
-      makeOne(ofScene);
-    }
-    if (views.Pick(4) == 0)
-    {
-      makeOne(ofSettings);
-    }
-    Expect(views.Render(), what + ": rendered");
-    Expect(!isOfData || IsRoute(scene, "Cold"), what + ": other data are not drawn cold");
-    ExpectPromise(scene, cold, what);
-    fromCache += IsRoute(scene, "ImageCache");
-    if (views.Pick(8) == 0)
-    {
-      ExpectRefined(scene, views, cold, what);
-    }
-  }
-  Expect(fromCache > 100, "only " + std::to_string(fromCache) + " frames are from the cache");
-}
-
 }
 
 int TestImageCacheFrames(int, char*[])
@@ -362,7 +200,5 @@ int TestImageCacheFrames(int, char*[])
   TestSeveralImages();
   TestCounters();
   TestColorByAnswer();
-  TestNeverStale(7);
-  TestNeverStale(8);
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

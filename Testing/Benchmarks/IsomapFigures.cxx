@@ -30,7 +30,7 @@ using Figures::Subject;
 using IsomapMaps::Map;
 using IsomapReport::Result;
 
-constexpr int NumberOfThresholds = 12;
+constexpr std::size_t NumberOfThresholds = 12;
 constexpr double ThresholdStep = 0.02; ///< of the range of values
 /// Of figure 9, in values of 8 bits, whose range the paper's thresholds are shares of.
 constexpr std::array<double, 2> PaperThresholds = { 0.16, 0.22 };
@@ -73,7 +73,7 @@ std::vector<double> ThresholdTimesOf(
       Measuring::TimeOf([&] { drawer.Mapper->BuildIsomap(stage.Renderer, stage.Volume); }));
   }
   // By default the first threshold builds a band.
-  for (int i = 1; i <= NumberOfThresholds; ++i)
+  for (int i = 1; times.size() < NumberOfThresholds + 2; ++i)
   {
     stage.SetIsovalue(subject.Isovalue + stage.ShareOfRange(i * ThresholdStep));
     times.push_back(drawer.Draw(stage));
@@ -88,9 +88,10 @@ Plots::Chart ThresholdTimesChart(const Technique& technique)
   chart.XTitle = "A picture without an isomap, building it, and one threshold after the other";
   chart.YTitle = "Milliseconds";
   chart.XTicks = { { 0, "without" }, { 1, "building" } };
-  for (int i = 1; i <= NumberOfThresholds; ++i)
+  for (std::size_t i = 1; i <= NumberOfThresholds; ++i)
   {
-    chart.XTicks.emplace_back(i + 1, Plain(i));
+    const auto number = static_cast<double>(i);
+    chart.XTicks.emplace_back(number + 1.0, Plain(number));
   }
   return chart;
 }

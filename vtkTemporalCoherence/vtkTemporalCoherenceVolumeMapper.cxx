@@ -75,6 +75,13 @@ TemporalCoherence::FrameRenderer::Options MakeOptions(vtkTemporalCoherenceVolume
   return options;
 }
 
+/// False if the renderer's window asks to stop.
+bool MayGoOn(vtkRenderer* renderer)
+{
+  vtkRenderWindow* window = renderer->GetRenderWindow();
+  return !(window && window->CheckAbortStatus());
+}
+
 }
 
 //------------------------------------------------------------------------------
@@ -162,7 +169,7 @@ bool vtkTemporalCoherenceVolumeMapper::RenderFrame(
       [&](double progress)
       {
         this->InvokeEvent(vtkCommand::VolumeMapperRenderProgressEvent, &progress);
-        return this->MayGoOn(renderer);
+        return MayGoOn(renderer);
       });
     if (!isMade)
     {
@@ -405,11 +412,14 @@ bool vtkTemporalCoherenceVolumeMapper::BuildIsomap(vtkRenderer* renderer, vtkVol
   }
   try
   {
+    this->SetAbortExecute(0);
+    double farthest = 0.0; // a band that turns out too costly is begun again, narrower
     const auto outcome = internal.Frames.BuildIsomap(key, MakeOptions(*this),
       [&](double progress)
       {
-        this->UpdateProgress(progress);
-        return this->MayGoOn(renderer);
+        farthest = std::max(farthest, progress);
+        this->UpdateProgress(farthest);
+        return !this->GetAbortExecute() && MayGoOn(renderer);
       });
     this->WarnOfIsomapLimit(outcome == TemporalCoherence::Isomap::Outcome::TooLarge);
     return outcome == TemporalCoherence::Isomap::Outcome::Built;
@@ -423,17 +433,11 @@ bool vtkTemporalCoherenceVolumeMapper::BuildIsomap(vtkRenderer* renderer, vtkVol
 }
 
 //------------------------------------------------------------------------------
-bool vtkTemporalCoherenceVolumeMapper::MayGoOn(vtkRenderer* renderer)
-{
-  vtkRenderWindow* window = renderer->GetRenderWindow();
-  return !this->GetAbortExecute() && !(window && window->CheckAbortStatus());
-}
-
-//------------------------------------------------------------------------------
 void vtkTemporalCoherenceVolumeMapper::WarnOfIsomapLimit(bool isTooLarge)
 {
   Internals& internal = *this->Internal;
-  if (internal.HasWarned || !(isTooLarge || internal.Frames.IsomapOfLastView().HasDropped()))
+  if (internal.HasWarned || this->IsomapMemoryLimit == 0 ||
+    !(isTooLarge || internal.Frames.IsomapOfLastView().HasDropped()))
   {
     return;
   }

@@ -375,7 +375,6 @@ private:
     TemporalCoherence::FrameKey& key, std::vector<int>& places, std::string& error);
   vtkImageData* FindInput(vtkDataArray*& array, std::string& error);
   void ReportOnce(const std::string& error);
-  bool MayGoOn(vtkRenderer* renderer);
   void WarnOfIsomapLimit(bool isTooLarge);
 
   int SurfaceMode = CROSSING;

@@ -13,14 +13,15 @@ namespace
 /// Width of the first band, as a share of the range of values: about a step of a slider.
 constexpr double FirstWidth = 1.0 / 256.0;
 
-/// Leaves that a band may pass through beyond those of its isovalue, as a share of these: the first,
-/// and later ones. Rays read many more cells of these leaves than they would for one isovalue.
+/// Leaves that a band may pass through beyond those of its isovalue, as a share of these: the
+/// first, and later ones. Rays read many more cells of these leaves than they would for one
+/// isovalue.
 constexpr double FirstGrowth = 0.03, Growth = 1.0;
 constexpr int MostHalvings = 8;
 
 /// Cells that building a band should read, in units of those that a cold frame reads. Two thirds of
 /// a cold frame's time go into finding the first of them, so that this is less than twice its time.
-constexpr double EnoughCells = 2.5;
+constexpr double EnoughCells = 2.2;
 
 /// A band that does not hold the next isovalues is not worth its cost: steps that the first band
 /// and later ones hold ahead. Changes of more than a share of the range are no steps of a drag.

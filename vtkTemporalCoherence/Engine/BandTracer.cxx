@@ -253,7 +253,7 @@ private:
       const std::size_t ray = progress.Owner[i];
       if (!progress.HasEntered[ray])
       {
-        this->Enter(ray, progress.Ranges.Cubic[0][i], progress.Corners[i].Error, progress);
+        this->EnterBy(i, ray, progress);
       }
       const bool isTouched = !(progress.Passages.Enter[i] < progress.Ranges.Leave[i]);
       const CellReach& cell = progress.Corners[i];
@@ -286,6 +286,17 @@ private:
       }
     }
     progress.Passages.Count = 0;
+  }
+
+  /// A ray begins in passage i. What is not finite there is another value for each isovalue.
+  void EnterBy(std::size_t i, std::size_t ray, Progress& progress) const
+  {
+    this->Enter(ray, progress.Ranges.Cubic[0][i], progress.Corners[i].Error, progress);
+    if (!progress.Corners[i].IsFinite)
+    {
+      progress.Knots.GiveUp(ray);
+      progress.Reached[Rising][ray].IsDone = progress.Reached[Falling][ray].IsDone = true;
+    }
   }
 
   /// A ray begins with this difference from the band's lowest isovalue.
@@ -387,8 +398,7 @@ private:
     this->Measure(progress);
     for (std::size_t i = 0; i < static_cast<std::size_t>(progress.Passages.Count); ++i)
     {
-      this->Enter(
-        progress.Owner[i], progress.Ranges.Cubic[0][i], progress.Corners[i].Error, progress);
+      this->EnterBy(i, progress.Owner[i], progress);
     }
     progress.Passages.Count = 0;
   }

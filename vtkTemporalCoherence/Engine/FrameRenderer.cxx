@@ -62,6 +62,7 @@ bool FrameRenderer::Render(
       const bool isTooEroded = image.IsEroded && options.Accuracy == ReuseAccuracy::Bounded;
       return !isTooEroded && ImageQuery::CanAsk(image.Key, options.Accuracy);
     };
+    this->Map.Trim(options.Map.MemoryLimit);
     const std::shared_ptr<CachedImage> nearest = this->Images.Find(key, options.Images, suits);
     this->Counters.Made = this->ChooseRoute(key, options, nearest);
     this->Counters.Rays = static_cast<std::int64_t>(key.Seen.Size.x) * key.Seen.Size.y;
@@ -82,9 +83,10 @@ bool FrameRenderer::Render(
 Isomap::Outcome FrameRenderer::BuildIsomap(
   const FrameKey& key, const Options& options, const Isomap::ReportProgress& report)
 {
-  const bool isPossible = !key.Sought.Isovalues.empty() && this->Map.CanBuild(key, options.Map, key);
+  const bool isPossible =
+    !key.Sought.Isovalues.empty() && this->Map.CanBuild(key, options.Map, key);
   this->Counters.IsomapBuildTime = 0.0;
-  return isPossible ? this->BuildBands(key, options, report) : Isomap::Outcome::TooLarge;
+  return isPossible ? this->BuildBands(key, options, report) : Isomap::Outcome::Impossible;
 }
 
 bool FrameRenderer::TakeRoute(const FrameKey& key, const Options& options, CachedImage* nearest,
@@ -162,6 +164,7 @@ void FrameRenderer::TraceFrame(const FrameKey& key, const Options& options, Cach
     this->BeginFrame(key);
   }
   CachedImage& made = *this->Back;
+  made.Picture.IsFromCache = cached != nullptr;
   std::unique_ptr<ImageQuery> query;
   if (!isExact)
   {
@@ -185,11 +188,12 @@ void FrameRenderer::TraceFrame(const FrameKey& key, const Options& options, Cach
       shader.Shade(tile, part, made.Picture, counts);
       return counts;
     });
-  made.Picture.IsFromCache = cached != nullptr;
   made.IsExact = isExact;
   made.IsEroded = !isExact && options.Accuracy == ReuseAccuracy::Paper;
-  this->ColdCells =
-    this->Counters.Made == Route::Cold ? this->Counters.FieldSamples / 8 : this->ColdCells;
+  if (this->Counters.Made == Route::Cold || this->Counters.Made == Route::ThresholdHint)
+  {
+    this->Cold = { this->Counters.FieldSamples / 8, key.Sought };
+  }
   this->FinishFrame(options);
 }
 
@@ -200,7 +204,7 @@ Isomap::Outcome FrameRenderer::BuildBands(
   Stopwatch watch(this->Counters.IsomapBuildTime);
   this->PreparePyramid(key);
   const Isomap::Outcome outcome =
-    this->Map.Build(key, options.Map, *this->Front, this->Pyramid, this->ColdCells, report);
+    this->Map.Build(key, options.Map, *this->Front, this->Pyramid, this->Cold, report);
   this->Counters.FieldSamples += 8 * this->Map.CellsRead();
   return outcome;
 }
@@ -210,6 +214,7 @@ void FrameRenderer::LookUpFrame(const FrameKey& key, const Options& options)
 {
   this->BeginFrame(key);
   CachedImage& made = *this->Back;
+  made.Picture.IsFromCache = false;
   std::vector<std::uint64_t> open(static_cast<std::size_t>(NumberOfTiles(key.Seen.Size)));
   const Isomap& map = this->Map.Built();
   const IsomapLookup lookup(
@@ -228,7 +233,6 @@ void FrameRenderer::LookUpFrame(const FrameKey& key, const Options& options)
       return counts;
     });
   this->TraceOpenRays(key, options, open, shader, made.Picture);
-  made.Picture.IsFromCache = false;
   made.IsExact = map.Tolerance() == 0.0 && !options.Map.HasNormals;
   made.IsEroded = map.Tolerance() > 0.0;
   this->FinishFrame(options);

@@ -99,7 +99,7 @@ private:
   std::shared_ptr<CachedImage> Back; ///< memory for the frame being made; or null
   ImageCache Images;                 ///< what later frames may start from, Front among them
   IsomapBuilder Map;                 ///< of the view in which isovalues last changed
-  std::int64_t ColdCells = 0;        ///< cells that the last cold frame read
+  IsomapBuilder::ColdFrame Cold;     ///< what the last one took
   FrameStatistics Counters;
 
   ValueRangePyramid Pyramid; ///< of PyramidField

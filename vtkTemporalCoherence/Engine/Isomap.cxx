@@ -34,7 +34,7 @@ void NarrowByCells(const TileKnots& knots, const BandScale& scale, RayBatch& ray
   {
     const bool beginsBelow = knots.Entries.empty() || !std::isfinite(knots.Entries[i]);
     const std::size_t first = table.Begin(i), last = table.Begin(i + 1);
-    if (!beginsBelow || first == last)
+    if (!beginsBelow || first == last || (knots.Untold >> i & 1u))
     {
       continue;
     }

@@ -49,9 +49,10 @@ public:
   enum class Outcome : std::uint8_t
   {
     Built,
-    Stopped,  ///< by the report of its progress
-    TooLarge, ///< the band alone would exceed the limit of memory
-    TooCostly ///< it would read too many cells
+    Stopped,   ///< by the report of its progress
+    TooLarge,  ///< the band alone would exceed the limit of memory
+    TooCostly, ///< it would read too many cells
+    Impossible ///< there are no isovalues, no cells, or too many cells
   };
 
   /// What a band may cost.
@@ -90,6 +91,9 @@ public:
   /// The isovalues around one without a band for which there is no band either; infinite where all
   /// are.
   ValueBand GapAround(double isovalue) const;
+
+  /// Drop bands until they take no more than this.
+  void Trim(std::size_t limit) { this->MakeRoom(0, limit); }
 
   /// The band that holds an isovalue, or null; marks it as used.
   const Band* Use(double isovalue);

@@ -13,7 +13,7 @@ namespace
 
 /// Cells that a band chosen by us may read, in units of those of a cold frame: three times its
 /// time, as most of that goes into finding the first cell. And how often a narrower band is tried.
-constexpr double MostCells = 4.0;
+constexpr double MostCells = 3.5;
 constexpr int MostAttempts = 4;
 
 /// By how much a width that was too costly grows with every frame that does without.
@@ -32,20 +32,19 @@ bool IsomapBuilder::CanBuild(
   {
     return true;
   }
-  const bool isTooCostly =
-    std::any_of(key.Sought.Isovalues.begin(), key.Sought.Isovalues.end(),
-      [&](double isovalue)
-      {
-        const BandPlan::Wish wish = this->WishFor(isovalue, last.Sought.Isovalues);
-        return this->Plan.LeastWidth(wish, this->Leaves) >= this->TooWide;
-      });
+  const bool isTooCostly = std::any_of(key.Sought.Isovalues.begin(), key.Sought.Isovalues.end(),
+    [&](double isovalue)
+    {
+      const BandPlan::Wish wish = this->WishFor(isovalue, last.Sought.Isovalues);
+      return this->Plan.LeastWidth(wish, this->Leaves) >= this->TooWide;
+    });
   // What was too costly here may not be a little farther on.
   this->TooWide *= isTooCostly ? Forgetting : 1.0;
   return !this->IsTooLarge && !isTooCostly;
 }
 
 Isomap::Outcome IsomapBuilder::Build(const FrameKey& key, const Isomap::Options& options,
-  const CachedImage& last, const ValueRangePyramid& pyramid, std::int64_t coldCells,
+  const CachedImage& last, const ValueRangePyramid& pyramid, const ColdFrame& cold,
   const Isomap::ReportProgress& report)
 {
   if (!this->Map.IsOf(key, options))
@@ -62,7 +61,7 @@ Isomap::Outcome IsomapBuilder::Build(const FrameKey& key, const Isomap::Options&
     this->LeavesField = key.Samples;
   }
   this->Cells = 0;
-  Context context{ options, last.Key.Sought.Isovalues, {}, pyramid, coldCells, report };
+  Context context{ options, last.Key.Sought.Isovalues, {}, pyramid, cold, report };
   if (last.IsExact && this->Map.IsOf(last.Key, options) && last.Key.Sought.Isovalues.size() == 1)
   {
     context.Start = { &last.Picture, last.Key.Sought.Isovalues[0] };
@@ -83,19 +82,34 @@ Isomap::Outcome IsomapBuilder::Build(const FrameKey& key, const Isomap::Options&
   return this->IsTooLarge ? Isomap::Outcome::TooLarge : Isomap::Outcome::Built;
 }
 
+/// Cells that a cold frame of an isovalue probably reads: by what one of another took, and the
+/// leaves through which the two pass.
+std::int64_t IsomapBuilder::ColdCellsAt(double isovalue, const ColdFrame& cold) const
+{
+  double before = 0.0;
+  for (const double old : cold.Sought.Isovalues)
+  {
+    before += this->Leaves.ShareOf({ old, old });
+  }
+  const double now = this->Leaves.ShareOf({ isovalue, isovalue });
+  const double ratio = before > 0.0 ? std::min(std::max(now / before, 0.1), 10.0) : 1.0;
+  return static_cast<std::int64_t>(ratio * static_cast<double>(cold.CellsRead)) + 1;
+}
+
 /// Build a band for an isovalue, a narrower one where the first choice turns out to be too costly.
 Isomap::Outcome IsomapBuilder::BuildFor(double isovalue, const Context& context)
 {
   const ValueBand& range = context.Options.Range;
+  const std::int64_t coldCells = this->ColdCellsAt(isovalue, context.Cold);
   Isomap::Outcome outcome = Isomap::Outcome::TooLarge;
   for (int attempt = 0; attempt < MostAttempts; ++attempt)
   {
     // What the user asks for may take as long as it takes.
     const bool isAsked = attempt == 0 && range.Holds(isovalue);
     const bool isLimited = !isAsked && attempt + 1 < MostAttempts;
-    const double mostCells = MostCells * static_cast<double>(context.ColdCells);
     const Isomap::Limits limits{ context.Options.MemoryLimit,
-      isLimited ? mostCells : std::numeric_limits<double>::infinity() };
+      isLimited ? MostCells * static_cast<double>(coldCells)
+                : std::numeric_limits<double>::infinity() };
     const BandPlan::Wish wish = this->WishFor(isovalue, context.IsovaluesBefore);
     const ValueBand band = isAsked
       ? ValueBand{ std::max(range.Low, wish.Gap.Low), std::min(range.High, wish.Gap.High) }
@@ -107,7 +121,7 @@ Isomap::Outcome IsomapBuilder::BuildFor(double isovalue, const Context& context)
       this->Cells += cells;
       if (!isAsked)
       {
-        this->Plan.Learn(band, cells, context.ColdCells);
+        this->Plan.Learn(band, cells, coldCells);
       }
       return outcome;
     }
@@ -136,8 +150,7 @@ BandPlan::Wish IsomapBuilder::WishFor(double isovalue, const std::vector<double>
   // Of several isovalues before, the nearest is the one that moved.
   const auto nearest = std::min_element(before.begin(), before.end(),
     [isovalue](double a, double b) { return std::abs(a - isovalue) < std::abs(b - isovalue); });
-  return { isovalue, nearest != before.end() ? *nearest : isovalue,
-    this->Map.GapAround(isovalue) };
+  return { isovalue, nearest != before.end() ? *nearest : isovalue, this->Map.GapAround(isovalue) };
 }
 
 std::vector<const Isomap::Band*> IsomapBuilder::BandsFor(const FrameKey& key)

@@ -32,15 +32,20 @@ public:
 
   /// True if it makes sense to try.
   /// \param last the last frame
-  bool CanBuild(
-    const FrameKey& key, const Isomap::Options& options, const FrameKey& last);
+  bool CanBuild(const FrameKey& key, const Isomap::Options& options, const FrameKey& last);
+
+  /// What a frame without an isomap took.
+  struct ColdFrame
+  {
+    std::int64_t CellsRead = 0;
+    Surfaces Sought;
+  };
 
   /// Build the bands that a frame needs and that are not there.
-  /// \param last      the last frame: where isovalues come from, and where rays may start
-  /// \param coldCells that a frame without an isomap reads
+  /// \param last the last frame: where isovalues come from, and where rays may start
   /// \throws std::bad_alloc
   Isomap::Outcome Build(const FrameKey& key, const Isomap::Options& options,
-    const CachedImage& last, const ValueRangePyramid& pyramid, std::int64_t coldCells,
+    const CachedImage& last, const ValueRangePyramid& pyramid, const ColdFrame& cold,
     const Isomap::ReportProgress& report);
 
   /// Cells that the last call of Build read.
@@ -48,6 +53,9 @@ public:
 
   /// The bands for the isovalues of a frame, which they cover.
   std::vector<const Isomap::Band*> BandsFor(const FrameKey& key);
+
+  /// Drop bands until they take no more than so many bytes.
+  void Trim(std::size_t limit) { this->Map.Trim(limit); }
 
   /// The data is another one.
   void Release() { *this = IsomapBuilder(); }
@@ -62,10 +70,11 @@ private:
     const std::vector<double>& IsovaluesBefore;
     Isomap::Start Start;
     const ValueRangePyramid& Pyramid;
-    std::int64_t ColdCells;
+    const ColdFrame& Cold;
     const Isomap::ReportProgress& Report;
   };
 
+  std::int64_t ColdCellsAt(double isovalue, const ColdFrame& cold) const;
   Isomap::Outcome BuildFor(double isovalue, const Context& context);
   BandPlan::Wish WishFor(double isovalue, const std::vector<double>& before) const;
 

@@ -51,6 +51,10 @@ struct BandScale
     {
       return 0;
     }
+    if (std::isinf(progress))
+    {
+      return static_cast<Key>(LargestKey); // times 0 keys per unit it is not a number
+    }
     return static_cast<Key>(std::min(1.0 + std::ceil(progress * this->KeysPerUnit), LargestKey));
   }
 

@@ -23,14 +23,14 @@ constexpr int MostHalvings = 8;
 /// a cold frame's time go into finding the first of them, so that this is less than twice its time.
 constexpr double EnoughCells = 2.2;
 
-/// A band that does not hold the next isovalues is not worth its cost: steps that the first band
+/// A band that does not hold the next isovalues is hardly worth its cost: steps that the first band
 /// and later ones hold ahead. Changes of more than a share of the range are no steps of a drag.
 constexpr double FirstSteps = 1.0, Steps = 2.5;
 constexpr double LargestStep = 1.0 / 20.0;
 
 }
 
-ValueBand BandPlan::Choose(const Wish& wish, const LeafHistogram& leaves) const
+ValueBand BandPlan::Choose(const Wish& wish, const LeafHistogram& leaves, bool isAhead) const
 {
   const double c = wish.Isovalue;
   const double ahead = wish.Before > c ? -1.0 : 1.0;
@@ -50,7 +50,7 @@ ValueBand BandPlan::Choose(const Wish& wish, const LeafHistogram& leaves) const
     width *= 0.5;
   }
 
-  width = std::max(width, this->LeastWidth(wish, leaves));
+  width = std::max(width, isAhead ? this->WidthAhead(wish, leaves) : 0.0);
 
   // Behind, the band goes back to what is there already, or a little way.
   ValueBand band = bandOf(width);
@@ -67,7 +67,8 @@ ValueBand BandPlan::Choose(const Wish& wish, const LeafHistogram& leaves) const
   return { std::max(band.Low, wish.Gap.Low), std::min(band.High, wish.Gap.High) };
 }
 
-double BandPlan::LeastWidth(const Wish& wish, const LeafHistogram& leaves) const
+/// What holds the next isovalues.
+double BandPlan::WidthAhead(const Wish& wish, const LeafHistogram& leaves) const
 {
   const double step = std::abs(wish.Isovalue - wish.Before);
   return step > LargestStep * leaves.Range() ? 0.0

@@ -26,10 +26,8 @@ public:
   };
 
   /// A band for a wish, within its gap, by what is known of the field.
-  ValueBand Choose(const Wish& wish, const LeafHistogram& leaves) const;
-
-  /// What a band must reach ahead of its isovalue to be of use.
-  double LeastWidth(const Wish& wish, const LeafHistogram& leaves) const;
+  /// \param isAhead it is to hold the next isovalues, too, if they come as the last ones did
+  ValueBand Choose(const Wish& wish, const LeafHistogram& leaves, bool isAhead) const;
 
   /// Learn from a band that was built: the next may be up to twice as wide, or narrower.
   /// \param cellsRead to build it
@@ -40,6 +38,8 @@ public:
   void Shorten(const ValueBand& band) { this->Width = 0.25 * (band.High - band.Low); }
 
 private:
+  double WidthAhead(const Wish& wish, const LeafHistogram& leaves) const;
+
   double Width = 0.0; ///< to try next; 0: no band was built yet
 };
 

@@ -83,8 +83,7 @@ bool FrameRenderer::Render(
 Isomap::Outcome FrameRenderer::BuildIsomap(
   const FrameKey& key, const Options& options, const Isomap::ReportProgress& report)
 {
-  const bool isPossible =
-    !key.Sought.Isovalues.empty() && this->Map.CanBuild(key, options.Map, key);
+  const bool isPossible = !key.Sought.Isovalues.empty() && this->Map.CanBuild(key, options.Map);
   this->Counters.IsomapBuildTime = 0.0;
   return isPossible ? this->BuildBands(key, options, report) : Isomap::Outcome::Impossible;
 }
@@ -130,7 +129,7 @@ bool FrameRenderer::TakeRoute(const FrameKey& key, const Options& options, Cache
 }
 
 Route FrameRenderer::ChooseRoute(
-  const FrameKey& key, const Options& options, const std::shared_ptr<CachedImage>& nearest)
+  const FrameKey& key, const Options& options, const std::shared_ptr<CachedImage>& nearest) const
 {
   if (this->Front->Picture.IsEmpty())
   {
@@ -139,7 +138,7 @@ Route FrameRenderer::ChooseRoute(
   HeldForReuse held;
   held.IsExact = this->Front->IsExact;
   held.Image = nearest != nullptr;
-  held.CanBuildIsomap = this->Map.CanBuild(key, options.Map, this->Front->Key);
+  held.CanBuildIsomap = this->Map.CanBuild(key, options.Map);
   held.IsIsomapExact = this->Map.Built().Tolerance() == 0.0 && !options.Map.HasNormals;
   held.Isomap = this->Map.Covers(key, options.Map);
   ReuseSwitches switches = options.Reuse;

@@ -77,7 +77,7 @@ public:
 
 private:
   Route ChooseRoute(
-    const FrameKey& key, const Options& options, const std::shared_ptr<CachedImage>& nearest);
+    const FrameKey& key, const Options& options, const std::shared_ptr<CachedImage>& nearest) const;
   bool TakeRoute(const FrameKey& key, const Options& options, CachedImage* nearest,
     const Isomap::ReportProgress& report);
   void TraceFrame(const FrameKey& key, const Options& options, CachedImage* cached);

@@ -16,31 +16,12 @@ namespace
 constexpr double MostCells = 3.5;
 constexpr int MostAttempts = 4;
 
-/// By how much a width that was too costly grows with every frame that does without.
-constexpr double Forgetting = 1.2;
-
 }
 
-bool IsomapBuilder::CanBuild(
-  const FrameKey& key, const Isomap::Options& options, const FrameKey& last)
+bool IsomapBuilder::CanBuild(const FrameKey& key, const Isomap::Options& options) const
 {
-  if (options.MemoryLimit == 0 || !Isomap::CanHold(key.Samples))
-  {
-    return false;
-  }
-  if (!this->Map.IsOf(key, options))
-  {
-    return true;
-  }
-  const bool isTooCostly = std::any_of(key.Sought.Isovalues.begin(), key.Sought.Isovalues.end(),
-    [&](double isovalue)
-    {
-      const BandPlan::Wish wish = this->WishFor(isovalue, last.Sought.Isovalues);
-      return this->Plan.LeastWidth(wish, this->Leaves) >= this->TooWide;
-    });
-  // What was too costly here may not be a little farther on.
-  this->TooWide *= isTooCostly ? Forgetting : 1.0;
-  return !this->IsTooLarge && !isTooCostly;
+  const bool hasFailed = this->IsTooLarge && this->Map.IsOf(key, options);
+  return options.MemoryLimit > 0 && Isomap::CanHold(key.Samples) && !hasFailed;
 }
 
 Isomap::Outcome IsomapBuilder::Build(const FrameKey& key, const Isomap::Options& options,
@@ -52,7 +33,6 @@ Isomap::Outcome IsomapBuilder::Build(const FrameKey& key, const Isomap::Options&
     this->Map.Begin(key, options);
     this->Plan = BandPlan();
     this->IsTooLarge = false;
-    this->TooWide = Forever;
   }
   if (!(this->LeavesField == key.Samples))
   {
@@ -113,7 +93,7 @@ Isomap::Outcome IsomapBuilder::BuildFor(double isovalue, const Context& context)
     const BandPlan::Wish wish = this->WishFor(isovalue, context.IsovaluesBefore);
     const ValueBand band = isAsked
       ? ValueBand{ std::max(range.Low, wish.Gap.Low), std::min(range.High, wish.Gap.High) }
-      : this->Plan.Choose(wish, this->Leaves);
+      : this->Plan.Choose(wish, this->Leaves, attempt == 0);
     outcome = this->Map.Build(band, context.Pyramid, context.Start, limits, context.Report);
     if (outcome == Isomap::Outcome::Built)
     {
@@ -129,18 +109,12 @@ Isomap::Outcome IsomapBuilder::BuildFor(double isovalue, const Context& context)
     {
       return outcome;
     }
-    const double least = this->Plan.LeastWidth(wish, this->Leaves);
-    if (outcome == Isomap::Outcome::TooCostly && least > 0.4 * (band.High - band.Low))
-    {
-      this->TooWide = least;
-      return outcome;
-    }
     if (!isAsked)
     {
       this->Plan.Shorten(band);
     }
   }
-  this->IsTooLarge = outcome == Isomap::Outcome::TooLarge;
+  this->IsTooLarge = true;
   return outcome;
 }
 

@@ -11,7 +11,6 @@
 #include "ValueRangePyramid.h"
 
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 namespace TemporalCoherence
@@ -31,8 +30,7 @@ public:
   }
 
   /// True if it makes sense to try.
-  /// \param last the last frame
-  bool CanBuild(const FrameKey& key, const Isomap::Options& options, const FrameKey& last);
+  bool CanBuild(const FrameKey& key, const Isomap::Options& options) const;
 
   /// What a frame without an isomap took.
   struct ColdFrame
@@ -61,8 +59,6 @@ public:
   void Release() { *this = IsomapBuilder(); }
 
 private:
-  static constexpr double Forever = std::numeric_limits<double>::infinity();
-
   /// What a band is built with.
   struct Context
   {
@@ -82,8 +78,7 @@ private:
   BandPlan Plan;
   LeafHistogram Leaves; ///< of the field's pyramid
   Field LeavesField;
-  bool IsTooLarge = false;  ///< not even a narrow band fits the limit of memory
-  double TooWide = Forever; ///< a band that must reach so far ahead was too costly just now
+  bool IsTooLarge = false; ///< not even a narrow band fits the limit of memory
   std::int64_t Cells = 0;
 };
 

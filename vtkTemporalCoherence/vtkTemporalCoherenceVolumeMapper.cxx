@@ -175,7 +175,7 @@ bool vtkTemporalCoherenceVolumeMapper::RenderFrame(
     {
       return false;
     }
-    this->WarnOfIsomapLimit(false);
+    this->WarnOfIsomapLimit(internal.Frames.IsIsomapTooLarge());
   }
   catch (const std::exception&) // bad_alloc, or length_error where a size has no number
   {

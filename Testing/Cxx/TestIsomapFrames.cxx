@@ -247,7 +247,7 @@ void TestOrbitAfterLookup()
   Waves waves(200, 160);
   waves.Expect("Cold", "orbit, first");
   waves.Expect(250.0, "IsomapBuild", "orbit, built");
-  waves.Expect(200.0, "IsomapBuild", "orbit, built below");
+  waves.Expect(120.0, "IsomapBuild", "orbit, built below");
   waves.Expect(250.0, "IsomapLookup", "orbit, looked up");
   for (int frame = 0; frame < 90; ++frame)
   {

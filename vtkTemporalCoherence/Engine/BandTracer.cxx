@@ -22,11 +22,10 @@ public:
   using Real = RealOf<T>;
 
   explicit TypedBandTracer(const BandScene& scene)
-    : BandTracer(scene.Form)
-    , Scene(scene)
+    : Scene(scene)
     , Samples(scene.Samples)
     , FromLowest(scene.Band.Low, scene.FiniteRange)
-    , Scale(scene.Band)
+    , Scale(scene.Band, scene.FiniteRange)
     , Span(static_cast<Real>(this->Scale.Span))
     , Cells(scene.Samples.Dimensions - 1)
     , IsSolid(scene.Mode == SurfaceMode::Threshold)
@@ -35,7 +34,7 @@ public:
 
   std::int64_t Trace(const RayBatch& rays, TileKnots& knots) const override
   {
-    Progress progress(rays, this->Scene);
+    Progress progress(rays, this->Scene.Form, this->Scale);
     if (this->IsSolid)
     {
       this->FindEntries(progress);
@@ -88,9 +87,9 @@ private:
   /// The rays of a tile on their way.
   struct Progress
   {
-    Progress(const RayBatch& rays, const BandScene& scene)
+    Progress(const RayBatch& rays, const KnotForm& form, const BandScale& scale)
       : Rays(rays)
-      , Knots(rays, scene.Form, scene.Band.Low, -4.0 * ErrorIn(scene.Band, scene.FiniteRange))
+      , Knots(rays, form, scale)
     {
       this->Entries.fill(-std::numeric_limits<float>::infinity());
       this->HasEntered.fill(false);
@@ -143,8 +142,15 @@ private:
     }
     bool IsOfUse(const ValueRangePyramid::Range<T>& range) const
     {
-      return this->CanBringOn(
-        this->Tracer.FromLowest(range.Max), this->Tracer.Span - this->Tracer.FromLowest(range.Min));
+      Real highest = this->Tracer.FromLowest(range.Max);
+      Real lowest = this->Tracer.FromLowest(range.Min);
+      if constexpr (std::is_floating_point_v<T>)
+      {
+        // As for cells: what is not finite may be anything.
+        highest = std::isfinite(range.Max) ? highest : Infinity;
+        lowest = std::isfinite(range.Min) ? lowest : -Infinity;
+      }
+      return this->CanBringOn(highest, this->Tracer.Span - lowest);
     }
     bool IsNodeOfUse(std::int64_t node) const
     {
@@ -305,7 +311,7 @@ private:
     progress.HasEntered[ray] = true;
     if (entry + error >= Real(0))
     {
-      progress.Entries[ray] = static_cast<float>(entry);
+      progress.Entries[ray] = this->Scale.Stored(static_cast<double>(entry));
       progress.HasEntries = true;
     }
     progress.Reached[Rising][ray].IsDone = entry - error > this->Span;
@@ -359,17 +365,20 @@ private:
   {
     const double enter = progress.Passages.Enter[i], leave = progress.Ranges.Leave[i];
     const Cubic<double> cubic = this->CubicOf(course, i, progress);
-    int count = 0;
-    const std::array<double, 2> turns = TurningPoints(cubic, count);
     double farthest = cubic[3] >= cubic[0] ? 1.0 : 0.0;
-    double highest = std::max(cubic[0], cubic[3]);
-    for (int turn = 0; turn < count && Between == Interpolation::Linear; ++turn)
+    if constexpr (Between == Interpolation::Linear)
     {
-      const double s = turns[static_cast<std::size_t>(turn)];
-      if (Evaluate(cubic, s) > highest)
+      int count = 0;
+      const std::array<double, 2> turns = TurningPoints(cubic, count);
+      double highest = std::max(cubic[0], cubic[3]);
+      for (int turn = 0; turn < count; ++turn)
       {
-        highest = Evaluate(cubic, s);
-        farthest = s;
+        const double s = turns[static_cast<std::size_t>(turn)];
+        if (Evaluate(cubic, s) > highest)
+        {
+          highest = Evaluate(cubic, s);
+          farthest = s;
+        }
       }
     }
     return enter + farthest * std::max(leave - enter, 0.0);

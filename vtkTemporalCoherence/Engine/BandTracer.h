@@ -52,17 +52,8 @@ public:
   /// \throws std::bad_alloc
   virtual std::int64_t Trace(const RayBatch& rays, TileKnots& knots) const = 0;
 
-  /// How it keeps knots.
-  const KnotForm& Form() const { return this->Kept; }
-
 protected:
-  explicit BandTracer(const KnotForm& form)
-    : Kept(form)
-  {
-  }
-
-private:
-  KnotForm Kept;
+  BandTracer() = default;
 };
 
 }

@@ -13,6 +13,7 @@
 #include <bitset>
 #include <memory>
 #include <mutex>
+#include <new>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -28,6 +29,11 @@ constexpr std::int64_t TileGrain = 8;
 
 /// Fewer rays than this are traced without space leaping.
 constexpr std::int64_t FewRays = 256;
+
+KnotForm FormAskedFor(const Isomap::Options& options)
+{
+  return { options.Tolerance, options.HasNormals };
+}
 
 /// True if the colours of a cached image may be taken over: those of the same surfaces under the
 /// same lights, which may have moved, as a headlight moves with every view (the paper's choice).
@@ -85,6 +91,8 @@ Isomap::Outcome FrameRenderer::BuildIsomap(
 {
   const bool isPossible = !key.Sought.Isovalues.empty() && this->Map.CanBuild(key, options.Map);
   this->Counters.IsomapBuildTime = 0.0;
+  this->PreparePyramid(key);
+  this->Map.DropNarrowBands(key, options.Map, this->Pyramid);
   return isPossible ? this->BuildBands(key, options, report) : Isomap::Outcome::Impossible;
 }
 
@@ -142,6 +150,8 @@ Route FrameRenderer::ChooseRoute(
   held.IsIsomapExact = this->Map.Built().Tolerance() == 0.0 && !options.Map.HasNormals;
   held.Isomap = this->Map.Covers(key, options.Map);
   ReuseSwitches switches = options.Reuse;
+  // A picture that is as near as an isomap told is not what is asked for of another.
+  switches.RefineWhenStill |= !(this->FrontForm == FormAskedFor(options.Map));
   switches.RefineWhenStill |= options.Accuracy == ReuseAccuracy::Exact || !switches.ImageCache;
   return PlanRoute(this->Front->Key, key, switches, held);
 }
@@ -189,6 +199,7 @@ void FrameRenderer::TraceFrame(const FrameKey& key, const Options& options, Cach
     });
   made.IsExact = isExact;
   made.IsEroded = !isExact && options.Accuracy == ReuseAccuracy::Paper;
+  this->FrontForm = FormAskedFor(options.Map);
   if (this->Counters.Made == Route::Cold || this->Counters.Made == Route::ThresholdHint)
   {
     this->Cold = { this->Counters.FieldSamples / 8, key.Sought };
@@ -202,9 +213,16 @@ Isomap::Outcome FrameRenderer::BuildBands(
 {
   Stopwatch watch(this->Counters.IsomapBuildTime);
   this->PreparePyramid(key);
-  const Isomap::Outcome outcome =
-    this->Map.Build(key, options.Map, *this->Front, this->Pyramid, this->Cold, report);
-  this->Counters.FieldSamples += 8 * this->Map.CellsRead();
+  Isomap::Outcome outcome = Isomap::Outcome::TooLarge;
+  try
+  {
+    outcome = this->Map.Build(key, options.Map, *this->Front, this->Pyramid, this->Cold, report);
+    this->Counters.FieldSamples += 8 * this->Map.CellsRead();
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->Map.GiveUp(); // there may be memory for a frame without it
+  }
   return outcome;
 }
 
@@ -234,6 +252,7 @@ void FrameRenderer::LookUpFrame(const FrameKey& key, const Options& options)
   this->TraceOpenRays(key, options, open, shader, made.Picture);
   made.IsExact = map.Tolerance() == 0.0 && !options.Map.HasNormals;
   made.IsEroded = map.Tolerance() > 0.0;
+  this->FrontForm = FormAskedFor(options.Map);
   this->FinishFrame(options);
 }
 

@@ -72,6 +72,9 @@ public:
   /// The isomap of the view in which isovalues last changed.
   const Isomap& IsomapOfLastView() const { return this->Map.Built(); }
 
+  /// True if the isomap that was needed last does not fit the limit of memory.
+  bool IsIsomapTooLarge() const { return this->Map.IsTooLarge(); }
+
   /// Forget the last frame and free all memory.
   void Release();
 
@@ -98,6 +101,7 @@ private:
   std::shared_ptr<CachedImage> Front = std::make_shared<CachedImage>(); ///< the last frame
   std::shared_ptr<CachedImage> Back; ///< memory for the frame being made; or null
   ImageCache Images;                 ///< what later frames may start from, Front among them
+  KnotForm FrontForm;                ///< asked for when it was made
   IsomapBuilder Map;                 ///< of the view in which isovalues last changed
   IsomapBuilder::ColdFrame Cold;     ///< what the last one took
   FrameStatistics Counters;

@@ -24,6 +24,9 @@ constexpr std::int64_t TileGrain = 8;
 /// Parts in which a band is built, each spread over the whole picture, with a report after each.
 constexpr std::int64_t NumberOfParts = 16;
 
+/// Where a ray begins that begins below a band.
+constexpr float NotInBand = -std::numeric_limits<float>::infinity();
+
 /// Let rays that begin below the band underneath walk from where they come to its end; those that
 /// do not come there have nowhere to go. (Rays that meet no cell of that band may begin above it.)
 void NarrowByCells(const TileKnots& knots, const BandScale& scale, RayBatch& rays)
@@ -32,13 +35,13 @@ void NarrowByCells(const TileKnots& knots, const BandScale& scale, RayBatch& ray
   const BandScale::Key end = scale.KeyOf(scale.Span);
   for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count) && !table.IsEmpty(); ++i)
   {
-    const bool beginsBelow = knots.Entries.empty() || !std::isfinite(knots.Entries[i]);
+    const bool beginsBelow = knots.Entries.empty() || knots.Entries[i] == NotInBand;
     const std::size_t first = table.Begin(i), last = table.Begin(i + 1);
     if (!beginsBelow || first == last || (knots.Untold >> i & 1u))
     {
       continue;
     }
-    const std::size_t knot = FirstOf(table.Get<1>(), first, last, end);
+    const std::size_t knot = FirstNotBelow(table.Get<1>(), first, last, end);
     if (knot == last)
     {
       rays.WalkEnd[i] = rays.WalkBegin[i];
@@ -53,24 +56,23 @@ void NarrowByCells(const TileKnots& knots, const BandScale& scale, RayBatch& ray
 /// The same by fitted knots.
 void NarrowByFit(const TileKnots& knots, const BandScale& scale, double tolerance, RayBatch& rays)
 {
-  constexpr float error = 1e-5f; // of progress
   const FittedKnots& table = knots.Fitted[static_cast<std::size_t>(Course::Rising)];
-  const auto span = static_cast<float>(scale.Span);
+  const float span = scale.Stored(scale.Span) - 2.0f * static_cast<float>(BandScale::StoredError);
   for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count) && !table.IsEmpty(); ++i)
   {
-    const bool beginsBelow = knots.Entries.empty() || !std::isfinite(knots.Entries[i]);
+    const bool beginsBelow = knots.Entries.empty() || knots.Entries[i] == NotInBand;
     const std::size_t first = table.Begin(i), last = table.Begin(i + 1);
     if (!beginsBelow || first == last || (knots.Untold >> i & 1u))
     {
       continue;
     }
     const float* const progress = table.Get<0>();
-    if (progress[last - 1] < span - error * span)
+    if (progress[last - 1] < span)
     {
       rays.WalkEnd[i] = rays.WalkBegin[i];
       continue;
     }
-    const auto end = std::lower_bound(progress + first, progress + last, span - error * span);
+    const auto end = std::lower_bound(progress + first, progress + last, span);
     const std::size_t before = std::max(static_cast<std::size_t>(end - progress), first + 1) - 1;
     const double t = static_cast<double>(table.Get<1>()[before]) + rays.Begin[i];
     rays.WalkBegin[i] = std::max(rays.WalkBegin[i], t - 2.0 * tolerance);
@@ -90,7 +92,7 @@ namespace
 
 KnotForm FormOf(const FrameKey& key, const Isomap::Options& options)
 {
-  // Faces between nearest samples are where they are.
+  // Where the field is that of the nearest sample, distances are no curves to be fitted.
   const bool isFitted = options.Tolerance > 0.0 && key.Samples.Between == Interpolation::Linear;
   return { isFitted ? options.Tolerance * VoxelEdges(key.Where).x : 0.0, options.HasNormals };
 }
@@ -125,6 +127,8 @@ struct Isomap::BandSource
   BandSource(
     const Isomap& map, const ValueBand& band, const ValueRangePyramid& pyramid, const Start& start)
     : Key(map.Key)
+    , Form(map.Form)
+    , FiniteRange(pyramid.FiniteRange())
     , From(start)
     , Rays(map.Key.Seen, map.Key.Where, map.Key.Samples.Dimensions)
   {
@@ -160,9 +164,9 @@ struct Isomap::BandSource
     if (this->Underneath)
     {
       const TileKnots& below = this->Underneath->Tiles[static_cast<std::size_t>(tile)];
-      const BandScale scale(this->Underneath->Values);
+      const BandScale scale(this->Underneath->Values, this->FiniteRange);
       NarrowByCells(below, scale, rays);
-      NarrowByFit(below, scale, this->Tracer->Form().Tolerance, rays);
+      NarrowByFit(below, scale, this->Form.Tolerance, rays);
     }
     else if (this->From.Picture)
     {
@@ -181,6 +185,8 @@ struct Isomap::BandSource
   }
 
   const FrameKey& Key;
+  KnotForm Form;
+  glm::dvec2 FiniteRange;
   Start From;
   RaySource Rays;
   ActiveCells Active;
@@ -243,15 +249,20 @@ Isomap::Outcome Isomap::Build(const ValueBand& band, const ValueRangePyramid& py
 }
 
 /// Drop the bands not used for longest until there is room for so many bytes more.
+/// \return false, dropping nothing, if there never will be
 bool Isomap::MakeRoom(std::size_t bytes, std::size_t limit)
 {
+  if (bytes > limit)
+  {
+    return false;
+  }
   while (!this->Kept.empty() && this->MemoryInBytes() + bytes > limit)
   {
     this->Kept.erase(std::min_element(this->Kept.begin(), this->Kept.end(),
       [](const auto& a, const auto& b) { return a->LastUse < b->LastUse; }));
     this->Dropped = true;
   }
-  return bytes <= limit;
+  return true;
 }
 
 ValueBand Isomap::GapAround(double isovalue) const

@@ -16,11 +16,21 @@ namespace
 constexpr double MostCells = 3.5;
 constexpr int MostAttempts = 4;
 
+/// The band that the user asks for, if it holds an isovalue, without what lies beyond the samples:
+/// there is nothing to be found.
+ValueBand RangeAskedFor(
+  const Isomap::Options& options, const ValueRangePyramid& pyramid, double isovalue)
+{
+  const glm::dvec2& samples = pyramid.FiniteRange();
+  return { std::max(options.Range.Low, std::min(samples.x, isovalue)),
+    std::min(options.Range.High, std::max(samples.y, isovalue)) };
+}
+
 }
 
 bool IsomapBuilder::CanBuild(const FrameKey& key, const Isomap::Options& options) const
 {
-  const bool hasFailed = this->IsTooLarge && this->Map.IsOf(key, options);
+  const bool hasFailed = this->FailedLimit >= options.MemoryLimit && this->Map.IsOf(key, options);
   return options.MemoryLimit > 0 && Isomap::CanHold(key.Samples) && !hasFailed;
 }
 
@@ -32,7 +42,7 @@ Isomap::Outcome IsomapBuilder::Build(const FrameKey& key, const Isomap::Options&
   {
     this->Map.Begin(key, options);
     this->Plan = BandPlan();
-    this->IsTooLarge = false;
+    this->FailedLimit = 0;
   }
   if (!(this->LeavesField == key.Samples))
   {
@@ -58,8 +68,9 @@ Isomap::Outcome IsomapBuilder::Build(const FrameKey& key, const Isomap::Options&
     }
   }
   // Room for one band may have been made by dropping another.
-  this->IsTooLarge = !this->Map.Covers(key.Sought.Isovalues);
-  return this->IsTooLarge ? Isomap::Outcome::TooLarge : Isomap::Outcome::Built;
+  const bool fits = this->Map.Covers(key.Sought.Isovalues);
+  this->FailedLimit = fits ? 0 : options.MemoryLimit;
+  return fits ? Isomap::Outcome::Built : Isomap::Outcome::TooLarge;
 }
 
 /// Cells that a cold frame of an isovalue probably reads: by what one of another took, and the
@@ -79,7 +90,7 @@ std::int64_t IsomapBuilder::ColdCellsAt(double isovalue, const ColdFrame& cold) 
 /// Build a band for an isovalue, a narrower one where the first choice turns out to be too costly.
 Isomap::Outcome IsomapBuilder::BuildFor(double isovalue, const Context& context)
 {
-  const ValueBand& range = context.Options.Range;
+  const ValueBand range = RangeAskedFor(context.Options, context.Pyramid, isovalue);
   const std::int64_t coldCells = this->ColdCellsAt(isovalue, context.Cold);
   Isomap::Outcome outcome = Isomap::Outcome::TooLarge;
   for (int attempt = 0; attempt < MostAttempts; ++attempt)
@@ -114,7 +125,7 @@ Isomap::Outcome IsomapBuilder::BuildFor(double isovalue, const Context& context)
       this->Plan.Shorten(band);
     }
   }
-  this->IsTooLarge = true;
+  this->FailedLimit = context.Options.MemoryLimit;
   return outcome;
 }
 
@@ -125,6 +136,24 @@ BandPlan::Wish IsomapBuilder::WishFor(double isovalue, const std::vector<double>
   const auto nearest = std::min_element(before.begin(), before.end(),
     [isovalue](double a, double b) { return std::abs(a - isovalue) < std::abs(b - isovalue); });
   return { isovalue, nearest != before.end() ? *nearest : isovalue, this->Map.GapAround(isovalue) };
+}
+
+void IsomapBuilder::DropNarrowBands(
+  const FrameKey& key, const Isomap::Options& options, const ValueRangePyramid& pyramid)
+{
+  const std::vector<double>& isovalues = key.Sought.Isovalues;
+  const bool isNarrow = this->Covers(key, options) &&
+    std::any_of(isovalues.begin(), isovalues.end(),
+      [&](double isovalue)
+      {
+        const ValueBand range = RangeAskedFor(options, pyramid, isovalue);
+        const ValueBand& held = this->Map.Use(isovalue)->Values;
+        return range.Holds(isovalue) && !(held.Holds(range.Low) && held.Holds(range.High));
+      });
+  if (isNarrow)
+  {
+    this->Map.Begin(key, options);
+  }
 }
 
 std::vector<const Isomap::Band*> IsomapBuilder::BandsFor(const FrameKey& key)

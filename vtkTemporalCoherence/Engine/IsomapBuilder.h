@@ -10,7 +10,9 @@
 #include "ReusePlan.h"
 #include "ValueRangePyramid.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace TemporalCoherence
@@ -52,6 +54,16 @@ public:
   /// The bands for the isovalues of a frame, which they cover.
   std::vector<const Isomap::Band*> BandsFor(const FrameKey& key);
 
+  /// True if the limit of memory was too low for the bands that were needed last.
+  bool IsTooLarge() const { return this->FailedLimit > 0; }
+
+  /// No more bands for this view: there is not enough memory.
+  void GiveUp() { this->FailedLimit = std::numeric_limits<std::size_t>::max(); }
+
+  /// Begin anew if the bands that hold the isovalues of a frame do not hold the range asked for.
+  void DropNarrowBands(
+    const FrameKey& key, const Isomap::Options& options, const ValueRangePyramid& pyramid);
+
   /// Drop bands until they take no more than so many bytes.
   void Trim(std::size_t limit) { this->Map.Trim(limit); }
 
@@ -78,7 +90,7 @@ private:
   BandPlan Plan;
   LeafHistogram Leaves; ///< of the field's pyramid
   Field LeavesField;
-  bool IsTooLarge = false; ///< not even a narrow band fits the limit of memory
+  std::size_t FailedLimit = 0; ///< of memory, which not even a narrow band fitted
   std::int64_t Cells = 0;
 };
 

@@ -59,12 +59,13 @@ IsomapLookup::IsomapLookup(const FrameKey& key, const std::vector<const Isomap::
   for (std::size_t surface = 0; surface < bands.size(); ++surface)
   {
     const ValueBand& values = bands[surface]->Values;
-    const BandScale scale(values);
-    Sought sought{ bands[surface], {}, {}, ErrorIn(values, finiteRange) };
+    const BandScale scale(values, finiteRange);
+    Sought sought{ bands[surface], {}, {} };
     for (const Course course : { Course::Rising, Course::Falling })
     {
       const double progress = scale.Progress(course, key.Sought.Isovalues[surface] - values.Low);
-      sought.Progress[static_cast<std::size_t>(course)] = progress;
+      sought.Progress[static_cast<std::size_t>(course)] =
+        scale.Unit > 0.0 ? progress / scale.Unit : 0.0;
       sought.Key[static_cast<std::size_t>(course)] = scale.KeyOf(progress);
     }
     this->Isovalues.push_back(sought);
@@ -147,7 +148,7 @@ std::uint64_t IsomapLookup::BeginOn(std::size_t surface, const TileKnots& knots,
        ++ray)
   {
     const double ahead = sought.Progress[rising] - static_cast<double>(knots.Entries[ray]);
-    if (std::abs(ahead) <= sought.Error)
+    if (std::abs(ahead) <= BandScale::StoredError)
     {
       found.Open |= Bit(ray);
       which &= ~Bit(ray);
@@ -184,13 +185,13 @@ void IsomapLookup::LookInCells(std::size_t surface, std::uint64_t which,
     }
     const BandScale::Key key = sought.Key[course];
     const std::size_t begin = table.Begin(ray), end = table.Begin(ray + 1);
-    const std::size_t contact = FirstOf(table.Get<1>(), begin, end, key);
+    const std::size_t contact = FirstNotBelow(table.Get<1>(), begin, end, key);
     if (contact == end)
     {
       continue;
     }
     const CellIndex* const indices = table.Get<2>();
-    const std::size_t hit = FirstOf(table.Get<0>(), contact, end, key);
+    const std::size_t hit = FirstNotBelow(table.Get<0>(), contact, end, key);
     if (hit != contact)
     {
       const double enter = EntryInto(indices[contact], rays, ray);
@@ -240,8 +241,7 @@ void IsomapLookup::LookInFit(std::size_t surface, std::uint64_t which,
       continue;
     }
     FitPoint point;
-    const FitAnswer answer =
-      FindInFit(table, ray, sought.Progress[course], sought.Error, this->Tolerance, point);
+    const FitAnswer answer = FindInFit(table, ray, sought.Progress[course], this->Tolerance, point);
     if (answer == FitAnswer::Unsure)
     {
       found.Open |= Bit(ray);

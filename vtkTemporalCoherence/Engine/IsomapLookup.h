@@ -41,8 +41,7 @@ private:
   {
     const Isomap::Band* Band;
     std::array<BandScale::Key, NumberOfCourses> Key; ///< of the isovalue, on each course
-    std::array<double, NumberOfCourses> Progress;
-    double Error; ///< how exactly progress is known that is stored in single precision
+    std::array<double, NumberOfCourses> Progress;    ///< likewise, as it is stored
   };
 
   /// What is looked up in a tile.

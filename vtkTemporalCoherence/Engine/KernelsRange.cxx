@@ -145,6 +145,8 @@ void FindNearest(PassageBatch<Real>& in, RangeBatch<Real>& out)
       passes ? passage.Nearest(in, i) : NearestPath{ { NearestCorner(passage.Path.Begin) }, {}, 1 };
     out.Cubic[0][i] = passage.Values[path.Corners[0]];
     out.Cubic[3][i] = passage.Values[path.Corners[path.Count - 1]];
+    out.Cubic[1][i] = out.Cubic[0][i];
+    out.Cubic[2][i] = out.Cubic[3][i];
     out.Lowest[i] = out.Highest[i] = out.Cubic[0][i];
     for (std::size_t step = 1; step < path.Count; ++step)
     {

@@ -32,8 +32,8 @@ void FindRanges(PassageBatch<double>& passages, RangeBatch<double>& ranges);
 void FindRangesOneByOne(PassageBatch<float>& passages, RangeBatch<float>& ranges);
 void FindRangesOneByOne(PassageBatch<double>& passages, RangeBatch<double>& ranges);
 
-/// The same for the value of the nearest sample instead of the trilinear interpolant. Of the cubic
-/// the first and the last coefficient are set: the values where the ray enters and leaves.
+/// The same for the value of the nearest sample instead of the trilinear interpolant. Of the
+/// cubic only the first and the last coefficient mean something: the values at the ends.
 void FindNearestRanges(PassageBatch<float>& passages, RangeBatch<float>& ranges);
 void FindNearestRanges(PassageBatch<double>& passages, RangeBatch<double>& ranges);
 

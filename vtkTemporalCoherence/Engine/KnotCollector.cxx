@@ -29,12 +29,10 @@ PackedNormal Pack(const glm::dvec3& normal)
 
 }
 
-KnotCollector::KnotCollector(
-  const RayBatch& rays, const KnotForm& form, double reference, double floor)
+KnotCollector::KnotCollector(const RayBatch& rays, const KnotForm& form, const BandScale& scale)
   : Rays(rays)
   , Form(form)
-  , Reference(reference)
-  , Floor(floor)
+  , Scale(scale)
   , Fits(form.Tolerance > 0.0 ? NumberOfCourses * RayBatch::Capacity : 0)
 {
 }
@@ -52,14 +50,16 @@ void KnotCollector::AddCell(std::size_t course, std::size_t ray, BandScale::Key 
 void KnotCollector::Follow(
   std::size_t course, std::size_t ray, const Cubic<double>& progress, double enter, double leave)
 {
-  this->Fits[course * RayBatch::Capacity + ray].Follow(progress, enter, leave, this->Floor,
+  // A little before the band, so that what happens at its first isovalue can be told.
+  const double floor = -4.0 * BandScale::StoredError * this->Scale.Unit;
+  this->Fits[course * RayBatch::Capacity + ray].Follow(progress, enter, leave, floor,
     FitShare * this->Form.Tolerance, [&](const Knot& knot) { this->AddKnot(course, ray, knot); });
 }
 
 void KnotCollector::AddKnot(std::size_t course, std::size_t ray, const Knot& knot)
 {
   const auto distance = static_cast<float>(knot.Distance - this->Rays.Begin[ray]);
-  this->Fitted[course].push_back({ ray, { static_cast<float>(knot.Progress), distance } });
+  this->Fitted[course].push_back({ ray, { this->Scale.Stored(knot.Progress), distance } });
   if (this->Form.HasNormals)
   {
     this->Places[course].push_back({ ray, distance });
@@ -110,7 +110,7 @@ void KnotCollector::FindNormals(const Place* places, std::size_t count, const Fi
       directions[a][i] = this->Rays.Direction[a][ray];
     }
   }
-  const std::vector<double> reference = { this->Reference };
+  const std::vector<double> reference = { this->Scale.Low };
   const GradientQuery inIndexSpace{ field, glm::dmat4(1.0), finiteRange, &reference };
   IndexGradients(inIndexSpace, count, points, directions, surfaces, gradients);
   const glm::dmat3 toWorld = glm::transpose(glm::dmat3(where.IndexFromWorld));

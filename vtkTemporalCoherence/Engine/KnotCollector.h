@@ -33,10 +33,7 @@ inline bool operator==(const KnotForm& a, const KnotForm& b)
 class KnotCollector
 {
 public:
-  /// \param reference a value within the band
-  /// \param floor progress below which fitted knots are not wanted; a little before the band, so
-  ///              that what happens at its first isovalue can be told
-  KnotCollector(const RayBatch& rays, const KnotForm& form, double reference, double floor);
+  KnotCollector(const RayBatch& rays, const KnotForm& form, const BandScale& scale);
 
   bool IsFitted() const { return this->Form.Tolerance > 0.0; }
 
@@ -75,7 +72,7 @@ private:
 
   const RayBatch& Rays;
   KnotForm Form;
-  double Reference, Floor;
+  BandScale Scale;
   std::array<std::vector<CellKnots::Row>, NumberOfCourses> Cells;
   std::vector<KnotFit> Fits; ///< of each ray on each course
   std::array<std::vector<FittedKnots::Row>, NumberOfCourses> Fitted;

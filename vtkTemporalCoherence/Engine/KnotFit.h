@@ -81,21 +81,23 @@ public:
   }
 
 private:
-  static constexpr int MostHalvings = 8;
+  /// More make no difference in double precision.
+  static constexpr int MostHalvings = 40;
 
   /// A rising way goes on, or a new one begins, at a knot.
   template <typename Emit>
   void Begin(const Knot& knot, const Emit& emit)
   {
-    const Knot& last = this->HasEnd ? this->End : this->First;
+    const Knot last = this->HasEnd ? this->End : this->First;
     const double slack = 1e-9 * std::abs(knot.Distance);
     if (this->IsOpen && knot.Distance <= last.Distance + slack)
     {
       return;
     }
+    const Knot start{ this->IsOpen ? last.Progress : knot.Progress, knot.Distance };
     this->Finish(emit);
-    emit(knot);
-    this->Open(knot);
+    emit(start);
+    this->Open(start);
   }
 
   void Open(const Knot& knot)
@@ -112,7 +114,8 @@ private:
   void Add(const Cubic<double>& cubic, double begin, double end, double enter, double length,
     double tolerance, int halvings, const Emit& emit)
   {
-    if (halvings > 0 && ErrorOfChord(cubic, begin, end, length) > 0.5 * tolerance)
+    if (halvings > 0 && (end - begin) * length > 0.5 * tolerance &&
+      ErrorOfChord(cubic, begin, end, length) > 0.5 * tolerance)
     {
       const double middle = 0.5 * (begin + end);
       this->Add(cubic, begin, middle, enter, length, tolerance, halvings - 1, emit);

@@ -2,59 +2,66 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Knots.h"
 
-#include <limits>
-
 namespace TemporalCoherence
 {
-
-double ErrorIn(const ValueBand& band, const glm::dvec2& finiteRange)
+namespace
 {
-  constexpr double rounding = 32.0 * std::numeric_limits<float>::epsilon();
-  const double largest =
-    std::max(std::abs(finiteRange.x - band.Low), std::abs(finiteRange.y - band.Low));
-  return rounding * (largest + (band.High - band.Low));
+
+/// Share of the tolerance that may go into how exactly progress is known.
+constexpr double LargestDoubt = 0.1;
+
+/// The fitted function of one ray.
+struct FittedRay
+{
+  /// The first knot that is not before a progress.
+  std::size_t KnotOf(double progress) const
+  {
+    return static_cast<std::size_t>(
+      std::lower_bound(this->Progress + this->Begin, this->Progress + this->End, progress,
+        [](float knot, double sought) { return static_cast<double>(knot) < sought; }) -
+      this->Progress);
+  }
+
+  /// \pre there is a knot before that one
+  double ShareOf(double progress, std::size_t knot) const
+  {
+    const auto from = static_cast<double>(this->Progress[knot - 1]);
+    return (progress - from) / (static_cast<double>(this->Progress[knot]) - from);
+  }
+  double DistanceOf(double progress, std::size_t knot) const
+  {
+    const auto from = static_cast<double>(this->Distance[knot - 1]);
+    return from +
+      this->ShareOf(progress, knot) * (static_cast<double>(this->Distance[knot]) - from);
+  }
+
+  const float *Progress, *Distance;
+  std::size_t Begin, End;
+};
+
 }
 
-FitAnswer FindInFit(const FittedKnots& table, std::size_t ray, double progress, double error,
-  double tolerance, FitPoint& point)
+FitAnswer FindInFit(
+  const FittedKnots& table, std::size_t ray, double progress, double tolerance, FitPoint& point)
 {
-  const std::size_t begin = table.Begin(ray), end = table.Begin(ray + 1);
-  const float* const values = table.Get<0>();
-  const float* const distances = table.Get<1>();
-  const auto at = [values](std::size_t knot) { return static_cast<double>(values[knot]); };
-  const auto isJump = [&](std::size_t knot)
-  { return knot == begin || knot == end || values[knot - 1] == values[knot]; };
-
-  const auto found = std::lower_bound(values + begin, values + end, static_cast<float>(progress));
-  const auto knot = static_cast<std::size_t>(found - values);
-  if (knot == end)
+  const FittedRay fit{ table.Get<0>(), table.Get<1>(), table.Begin(ray), table.Begin(ray + 1) };
+  const double lowest = progress - BandScale::StoredError;
+  const double highest = progress + BandScale::StoredError;
+  const std::size_t first = fit.KnotOf(lowest), last = fit.KnotOf(highest);
+  if (first == fit.End)
   {
-    return progress - at(end - 1) <= error ? FitAnswer::Unsure : FitAnswer::Missed;
+    return FitAnswer::Missed;
   }
-  // A jump is sure only where rounding cannot have moved the progress across it.
-  const bool isCloseBehind = isJump(knot + 1) && at(knot) - progress <= error;
-  const bool isCloseBefore = knot > begin && isJump(knot - 1) && progress - at(knot - 1) <= error;
-  if (isCloseBehind || isCloseBefore)
+  // Whatever happens within the error - jumps, plateaus, the ray's end - can be seen at its ends.
+  if (first == fit.Begin || last == fit.End ||
+    !(fit.DistanceOf(highest, last) - fit.DistanceOf(lowest, first) <= LargestDoubt * tolerance))
   {
     return FitAnswer::Unsure;
   }
-  if (knot == begin)
-  {
-    return FitAnswer::Unsure;
-  }
-  constexpr double rounding = 0.05; // share of the tolerance that may go into it
-  const double way =
-    static_cast<double>(distances[knot]) - static_cast<double>(distances[knot - 1]);
-  const double gained = at(knot) - at(knot - 1);
-  if (!(way * error <= rounding * tolerance * gained))
-  {
-    return FitAnswer::Unsure;
-  }
-  const double share = std::min(std::max((progress - at(knot - 1)) / gained, 0.0), 1.0);
-  point.Distance = static_cast<double>(distances[knot - 1]) + share * way;
-  point.Before = knot - 1;
-  point.Knot = knot;
-  point.Share = static_cast<float>(share);
+  point.Knot = fit.KnotOf(progress);
+  point.Before = point.Knot - 1;
+  point.Share = static_cast<float>(fit.ShareOf(progress, point.Knot));
+  point.Distance = fit.DistanceOf(progress, point.Knot);
   return FitAnswer::Reached;
 }
 

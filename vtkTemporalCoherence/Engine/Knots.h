@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace TemporalCoherence
@@ -27,10 +28,12 @@ constexpr std::size_t NumberOfCourses = 2;
 /// ray that has come to progress p has passed all isovalues up to p.
 struct BandScale
 {
-  explicit BandScale(const ValueBand& band)
+  /// \param finiteRange smallest and largest finite sample of the field
+  BandScale(const ValueBand& band, const glm::dvec2& finiteRange)
     : Low(band.Low)
     , Span(band.High - band.Low)
-    , KeysPerUnit(this->Span > 0.0 ? (LargestKey - 2) / this->Span : 0.0)
+    , Unit(std::max(std::abs(finiteRange.x - band.Low), std::abs(finiteRange.y - band.Low)) +
+        this->Span)
   {
   }
 
@@ -51,20 +54,24 @@ struct BandScale
     {
       return 0;
     }
-    if (std::isinf(progress))
+    if (progress > this->Span)
     {
-      return static_cast<Key>(LargestKey); // times 0 keys per unit it is not a number
+      return static_cast<Key>(LargestKey);
     }
-    return static_cast<Key>(std::min(1.0 + std::ceil(progress * this->KeysPerUnit), LargestKey));
+    const double share = this->Span > 0.0 ? progress / this->Span : 0.0;
+    return static_cast<Key>(1.0 + std::ceil(share * (LargestKey - 2.0)));
   }
 
-  double Low, Span, KeysPerUnit;
-};
+  /// Progress and differences are stored in single precision as shares of the largest difference
+  /// there is, and so exactly are they known.
+  float Stored(double progress) const
+  {
+    return this->Unit > 0.0 ? static_cast<float>(progress / this->Unit) : 0.0f;
+  }
+  static constexpr double StoredError = 32.0 * std::numeric_limits<float>::epsilon();
 
-/// How exactly a difference from a band's lowest isovalue is known that was computed, or is stored,
-/// in single precision.
-/// \param finiteRange smallest and largest finite sample
-double ErrorIn(const ValueBand& band, const glm::dvec2& finiteRange);
+  double Low, Span, Unit;
+};
 
 /// The cells in which a ray comes farther through the band than before, in order along the ray: the
 /// first whose path key is that of an isovalue or more holds the ray's crossing of it, and the
@@ -88,7 +95,7 @@ inline double EntryInto(const CellIndex& cell, const RayBatch& rays, std::size_t
 }
 
 /// The first of the ascending keys begin .. end - 1 that is not below a key.
-inline std::size_t FirstOf(
+inline std::size_t FirstNotBelow(
   const BandScale::Key* keys, std::size_t begin, std::size_t end, BandScale::Key key)
 {
   constexpr std::size_t FewKnots = 8;
@@ -107,7 +114,7 @@ inline std::size_t FirstOf(
 /// distance at which a ray first comes to that progress; straight between knots. Two knots of one
 /// progress are a jump.
 ///
-/// Columns: progress, distance from where the ray begins.
+/// Columns: progress as it is stored, distance from where the ray begins.
 using FittedKnots = RayTable<float, float>;
 
 /// What fitted knots tell of a progress.
@@ -115,7 +122,7 @@ enum class FitAnswer : std::uint8_t
 {
   Missed,  ///< the ray does not come there
   Reached, ///< it does
-  Unsure   ///< too close to a jump or to the ray's end to tell, or the piece is too steep
+  Unsure   ///< too close to a jump or to the ray's end to tell, or too steep there
 };
 
 /// A point between knots.
@@ -127,10 +134,10 @@ struct FitPoint
 };
 
 /// Find where a ray comes to a progress. \pre the ray has knots
-/// \param error     how exactly progress is known
+/// \param progress  as it is stored
 /// \param tolerance distance by which the point may be wrong
-FitAnswer FindInFit(const FittedKnots& table, std::size_t ray, double progress, double error,
-  double tolerance, FitPoint& point);
+FitAnswer FindInFit(
+  const FittedKnots& table, std::size_t ray, double progress, double tolerance, FitPoint& point);
 
 /// Unit normals in the world, in units of 1 / LargestNormal, one for each knot: where the field has
 /// the knot's progress.
@@ -145,8 +152,8 @@ struct TileKnots
   std::array<FittedKnots, NumberOfCourses> Fitted;  ///< or for those with a tolerance
   std::array<KnotNormals, NumberOfCourses> Normals; ///< of the knots, if they are wanted
 
-  /// The field's difference from the band's lowest isovalue where the rays begin; -infinity where
-  /// it is below the band. Empty: it is for all rays.
+  /// The field's difference from the band's lowest isovalue where the rays begin, as it is stored;
+  /// -infinity where it is below the band. Empty: it is for all rays.
   std::vector<float> Entries;
 
   /// One bit for each ray of which nothing can be told: it meets samples that are not finite.

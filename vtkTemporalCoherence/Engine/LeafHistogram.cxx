@@ -34,7 +34,6 @@ void LeafHistogram::Build(const Field& field, const ValueRangePyramid& pyramid)
   const glm::dvec2& range = pyramid.FiniteRange();
   this->Low = range.x;
   this->Span = range.y - range.x;
-  this->BinsPerUnit = this->Span > 0.0 ? Bins / this->Span : 0.0;
   std::vector<std::int64_t> mins(Bins), maxs(Bins);
   std::int64_t all = 0;
   const std::int64_t nodes = pyramid.NumberOfNodes();
@@ -74,8 +73,12 @@ void LeafHistogram::Release()
 
 double LeafHistogram::BinOf(double value) const
 {
-  return std::min(
-    std::max((value - this->Low) * this->BinsPerUnit, 0.0), static_cast<double>(Bins));
+  if (!(value > this->Low))
+  {
+    return 0.0; // what is not a number, too
+  }
+  const double share = (std::min(value, this->Low + this->Span) - this->Low) / this->Span;
+  return share <= 1.0 ? share * Bins : Bins;
 }
 
 double LeafHistogram::ShareOf(const ValueBand& band) const

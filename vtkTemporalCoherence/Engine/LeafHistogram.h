@@ -36,7 +36,7 @@ private:
 
   double BinOf(double value) const;
 
-  double Low = 0.0, Span = 0.0, BinsPerUnit = 0.0;
+  double Low = 0.0, Span = 0.0;
   std::vector<double> MinAtLeast, MaxAtLeast; ///< share of leaves, by bin
 };
 

@@ -42,11 +42,10 @@ FrameChange CompareFrames(const FrameKey& last, const FrameKey& next)
 
 bool CanServe(const FrameKey& cached, const FrameKey& next)
 {
-  // A raised isovalue only shrinks a solid, so that what was free of it still is. Between the pixels
-  // of a picture of another size hides too much.
+  // A raised isovalue only shrinks a solid, so that what was free of it still is. Between the
+  // pixels of a picture of another size hides too much.
   const FrameChange change = CompareFrames(cached, next);
-  return !change.Data && (!change.Surfaces || change.Raised) &&
-    cached.Seen.Size == next.Seen.Size;
+  return !change.Data && (!change.Surfaces || change.Raised) && cached.Seen.Size == next.Seen.Size;
 }
 
 Route PlanRoute(const FrameKey& last, const FrameKey& next, const ReuseSwitches& switches,

@@ -256,4 +256,103 @@ TEST_F(IsomapTest, InterpolatedNormalsAreNearThoseOfTheField)
   }
 }
 
+TEST_F(IsomapTest, InfiniteSamplesBehindSaturatedOnes)
+{
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  Grid<float> grid(glm::ivec3(30, 30, 30));
+  grid.Fill(
+    [](int i, int j, int k)
+    {
+      const double distance = glm::length(glm::dvec3(i, j, k) - 14.5);
+      return distance < 5.0 ? static_cast<double>(infinity) : distance < 9.0 ? 100.0 : 0.0;
+    });
+  for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
+  {
+    FrameKey key = KeyOf(grid);
+    key.Sought.Mode = mode;
+    this->Options.Map.Range = { 0.0, 200.0 };
+    for (const double isovalue : { 50.0, 60.0, 150.0, 101.0, 100.0, 0.0 })
+    {
+      this->Show(key, { isovalue });
+    }
+  }
+}
+
+TEST_F(IsomapTest, AnyMagnitudeOfSamples)
+{
+  std::uint64_t stamp = 0;
+  for (const double scale : { 1e290, 1e40, 1e-43, 1e-300 })
+  {
+    Grid<double> grid(glm::ivec3(25, 24, 23));
+    grid.Seen.Stamp = ++stamp;
+    grid.Fill([scale](int i, int j, int k) { return scale * (Waves(i, j, k) - 120.0); });
+    for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
+    {
+      FrameKey key = KeyOf(grid);
+      key.Sought.Mode = mode;
+      for (const double share : { 0.0, 1.0, 5.0, -3.0, 40.0, 39.0 })
+      {
+        this->Show(key, { scale * share });
+      }
+    }
+  }
+}
+
+TEST_F(IsomapTest, ConstantDataWithHoles)
+{
+  Grid<float> grid(glm::ivec3(20, 20, 20));
+  grid.Fill([](int, int, int) { return 1.0; });
+  grid.At(10, 10, 10) = std::numeric_limits<float>::quiet_NaN();
+  grid.At(5, 12, 10) = std::numeric_limits<float>::infinity();
+  FrameKey key = KeyOf(grid);
+  for (const double isovalue : { 0.5, 0.6, 1.0, 1.5, 2.0, -1.0 })
+  {
+    this->Show(key, { isovalue });
+  }
+}
+
+TEST_F(IsomapTest, ALimitThatIsRaisedIsUsed)
+{
+  Grid<std::uint8_t> bytes(glm::ivec3(60, 50, 40));
+  bytes.Fill(Waves);
+  FrameKey key = KeyOf(bytes);
+  this->Options.Map.MemoryLimit = 100;
+  this->Show(key, { 120.0 });
+  this->Show(key, { 121.0 });
+  EXPECT_EQ(this->Renderer.Statistics().Made, Route::ThresholdHint);
+  this->Options.Map.MemoryLimit = std::size_t(64) << 20;
+  this->Show(key, { 122.0 });
+  EXPECT_EQ(this->Renderer.Statistics().Made, Route::IsomapBuild);
+}
+
+TEST_F(IsomapTest, PlateausWithATolerance)
+{
+  // Values of five levels: isovalues on a level are where a ray leaves a plateau, not where it
+  // comes to it.
+  Grid<std::uint8_t> grid(glm::ivec3(24, 24, 24));
+  grid.Fill([](int i, int j, int k) { return 98 + 2 * ((i / 3 + j / 4 + k / 5) % 5); });
+  FrameKey key = KeyOf(grid);
+  for (const double tolerance : { 0.1, 5e-4 })
+  {
+    this->Options.Map.Tolerance = tolerance;
+    for (const double isovalue : { 101.0, 102.0, 101.5, 100.0, 104.0, 105.9 })
+    {
+      key.Sought.Isovalues = { isovalue };
+      key.Look.Colors.assign(1, glm::dvec3(0.9, 0.6, 0.3));
+      ASSERT_TRUE(this->Renderer.Render(key, this->Options));
+      FrameRenderer cold;
+      cold.Render(key, {});
+      for (std::size_t i = 0; i < cold.LastFrame().Depth.size(); ++i)
+      {
+        const double truth = cold.LastFrame().Depth[i], made = this->Renderer.LastFrame().Depth[i];
+        ASSERT_EQ(std::isfinite(made), std::isfinite(truth)) << i << " at " << isovalue;
+        if (std::isfinite(truth))
+        {
+          ASSERT_NEAR(made, truth, tolerance) << i << " at " << isovalue;
+        }
+      }
+    }
+  }
+}
+
 }

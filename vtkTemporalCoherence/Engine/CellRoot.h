@@ -130,12 +130,12 @@ Real RefineCrossing(const Cubic<Real>& b, Real low, Real high)
   return s;
 }
 
-/// Where the cubic turns, ascending; `count` of them within (0, 1).
+/// Where a cubic with these steps between its coefficients turns, ascending; `count` of them within
+/// (0, 1).
 template <typename Real>
-std::array<Real, 2> TurningPoints(const Cubic<Real>& b, int& count)
+std::array<Real, 2> TurningPoints(Real d0, Real d1, Real d2, int& count)
 {
-  // A third of the derivative, a quadratic with the Bernstein coefficients d0, d1, d2.
-  const Real d0 = b[1] - b[0], d1 = b[2] - b[1], d2 = b[3] - b[2];
+  // The steps are the Bernstein coefficients of a third of the derivative, a quadratic.
   const Real a = (d2 - d1) - (d1 - d0), halfB = d1 - d0, c = d0;
   std::array<Real, 2> points{};
   count = 0;
@@ -161,6 +161,12 @@ std::array<Real, 2> TurningPoints(const Cubic<Real>& b, int& count)
     std::swap(points[0], points[1]);
   }
   return points;
+}
+
+template <typename Real>
+std::array<Real, 2> TurningPoints(const Cubic<Real>& b, int& count)
+{
+  return TurningPoints(b[1] - b[0], b[2] - b[1], b[3] - b[2], count);
 }
 
 /// Smallest s in [0, 1] where the cubic changes between inside and outside; false if it does not.

@@ -5,6 +5,7 @@
 #include "Passage.h"
 
 #include <algorithm>
+#include <cmath>
 
 // This file is compiled once for each kind of vectors, and what runs is chosen by the machine.
 #undef HWY_TARGET_INCLUDE
@@ -33,7 +34,13 @@ template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
 HWY_INLINE void WidenByTurns(D d, const V b[4], M live, V& lowest, V& highest)
 {
   const V zero = hn::Zero(d), one = hn::Set(d, 1);
-  const V d0 = hn::Sub(b[1], b[0]), d1 = hn::Sub(b[2], b[1]), d2 = hn::Sub(b[3], b[2]);
+  V d0 = hn::Sub(b[1], b[0]), d1 = hn::Sub(b[2], b[1]), d2 = hn::Sub(b[3], b[2]);
+  // As shares of the largest, so that squares neither overflow nor vanish.
+  const V largest = hn::Max(hn::Abs(d0), hn::Max(hn::Abs(d1), hn::Abs(d2)));
+  const V unit = hn::IfThenElse(hn::Gt(largest, zero), largest, one);
+  d0 = hn::Div(d0, unit);
+  d1 = hn::Div(d1, unit);
+  d2 = hn::Div(d2, unit);
   const V halfB = hn::Sub(d1, d0), a = hn::Sub(hn::Sub(d2, d1), halfB);
   const V discriminant = hn::Sub(hn::Mul(halfB, halfB), hn::Mul(a, d0));
   const M turns = hn::And(live, hn::Gt(discriminant, zero));
@@ -117,8 +124,13 @@ void FindOneByOne(PassageBatch<Real>& in, RangeBatch<Real>& out)
     const bool isBeyond =
       std::max(cubic[1], cubic[2]) > out.Highest[i] || std::min(cubic[1], cubic[2]) < out.Lowest[i];
     int count = 0;
-    const std::array<Real, 2> turns =
-      isBeyond ? TurningPoints(cubic, count) : std::array<Real, 2>{};
+    std::array<Real, 2> turns{};
+    if (isBeyond)
+    {
+      const Real d0 = cubic[1] - cubic[0], d1 = cubic[2] - cubic[1], d2 = cubic[3] - cubic[2];
+      const Real largest = std::max(std::abs(d0), std::max(std::abs(d1), std::abs(d2)));
+      turns = TurningPoints(d0 / largest, d1 / largest, d2 / largest, count);
+    }
     for (int turn = 0; turn < count; ++turn)
     {
       const Real value = Evaluate(cubic, turns[static_cast<std::size_t>(turn)]);

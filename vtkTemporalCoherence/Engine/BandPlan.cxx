@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace TemporalCoherence
 {
@@ -18,6 +19,9 @@ constexpr double FirstWidth = 1.0 / 256.0;
 /// isovalue.
 constexpr double FirstGrowth = 0.03, Growth = 1.0;
 constexpr int MostHalvings = 8;
+
+/// Bands that hold little but their isovalue after one that was too costly.
+constexpr int CarefulBands = 5;
 
 /// Cells that building a band should read, in units of those that a cold frame reads. Two thirds of
 /// a cold frame's time go into finding the first of them, so that this is less than twice its time.
@@ -50,7 +54,7 @@ ValueBand BandPlan::Choose(const Wish& wish, const LeafHistogram& leaves, bool i
     width *= 0.5;
   }
 
-  width = std::max(width, isAhead ? this->WidthAhead(wish, leaves) : 0.0);
+  width = std::max(width, isAhead && this->Careful == 0 ? this->WidthAhead(wish, leaves) : 0.0);
 
   // Behind, the band goes back to what is there already, or a little way.
   ValueBand band = bandOf(width);
@@ -75,10 +79,22 @@ double BandPlan::WidthAhead(const Wish& wish, const LeafHistogram& leaves) const
                                              : step * (this->Width == 0.0 ? FirstSteps : Steps);
 }
 
+void BandPlan::Shorten()
+{
+  this->Width = std::numeric_limits<double>::min();
+  this->Careful = CarefulBands;
+}
+
 void BandPlan::Learn(const ValueBand& band, std::int64_t cellsRead, std::int64_t coldCells)
 {
   const double cells =
     static_cast<double>(cellsRead) / static_cast<double>(std::max<std::int64_t>(coldCells, 1));
+  if (this->Careful > 0)
+  {
+    --this->Careful;
+    this->Width = this->Careful > 0 ? this->Width : 0.0; // begin again
+    return;
+  }
   // A band that only fills a gap tells little.
   const double width = std::max(band.High - band.Low, 0.5 * this->Width);
   this->Width = width * std::min(std::max(EnoughCells / std::max(cells, 0.01), 0.25), 2.0);

@@ -34,13 +34,15 @@ public:
   /// \param coldCells that a frame without an isomap reads
   void Learn(const ValueBand& band, std::int64_t cellsRead, std::int64_t coldCells);
 
-  /// The next band will be much narrower than this one, which took too much time or memory.
-  void Shorten(const ValueBand& band) { this->Width = 0.25 * (band.High - band.Low); }
+  /// A band took too much time or memory: the next is as narrow as can be, and some after it do not
+  /// look ahead.
+  void Shorten();
 
 private:
   double WidthAhead(const Wish& wish, const LeafHistogram& leaves) const;
 
   double Width = 0.0; ///< to try next; 0: no band was built yet
+  int Careful = 0;    ///< bands that will not look ahead
 };
 
 }

@@ -13,8 +13,8 @@ namespace
 
 /// Cells that a band chosen by us may read, in units of those of a cold frame: three times its
 /// time, as most of that goes into finding the first cell. And how often a narrower band is tried.
-constexpr double MostCells = 3.5;
-constexpr int MostAttempts = 4;
+constexpr double MostCells = 3.0;
+constexpr int MostAttempts = 2;
 
 /// The band that the user asks for, if it holds an isovalue, without what lies beyond the samples:
 /// there is nothing to be found.
@@ -122,7 +122,7 @@ Isomap::Outcome IsomapBuilder::BuildFor(double isovalue, const Context& context)
     }
     if (!isAsked)
     {
-      this->Plan.Shorten(band);
+      this->Plan.Shorten();
     }
   }
   this->FailedLimit = context.Options.MemoryLimit;

@@ -120,8 +120,8 @@ std::vector<double> SweepAround(const IsovalueChoice& isovalue, int count)
 {
   const double width = isovalue.Range[1] - isovalue.Range[0];
   const double margin = 0.01 * width;
-  const double begin = std::max(isovalue.Value - 0.1 * width, isovalue.Range[0] + margin);
-  const double end = std::min(isovalue.Value + 0.25 * width, isovalue.Range[1] - margin);
+  const double begin = std::max(isovalue.Value - 0.03 * width, isovalue.Range[0] + margin);
+  const double end = std::min(isovalue.Value + 0.07 * width, isovalue.Range[1] - margin);
   std::vector<double> values;
   for (int i = 0; i < count; ++i)
   {

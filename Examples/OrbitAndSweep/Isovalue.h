@@ -18,7 +18,7 @@ struct IsovalueChoice
 // The isovalue asked for, or one chosen from the histogram. Throws UserError if it meets nothing.
 IsovalueChoice ChooseIsovalue(vtkImageData* image, const std::optional<double>& given);
 
-// Isovalues around one: from a tenth of the range below it to a quarter above, inside the range.
+// Isovalues around one: as a slider is dragged: 3 % of the range below to 7 % above, inside it.
 std::vector<double> SweepAround(const IsovalueChoice& isovalue, int count);
 
 #endif

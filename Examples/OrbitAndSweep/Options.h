@@ -35,7 +35,7 @@ struct Options
   int Width = 1024;
   int Height = 1024;
   int OrbitFrames = 30;
-  int SweepFrames = 12;
+  int SweepFrames = 24;
   int ColorFrames = 6;
   int RepeatFrames = 10;
   int FramesWithoutReuse = 4; // three times in a tour

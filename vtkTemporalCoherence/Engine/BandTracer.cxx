@@ -335,6 +335,8 @@ private:
       std::max(path, this->Scale.KeyOf(static_cast<double>(reached.Corner) + error));
     if (path > reached.PathKey || corner > reached.CornerKey)
     {
+      // The normal of a ray's first knot stands for the whole cell, others for where it is left.
+      const bool isFirst = reached.PathKey == 0;
       reached.PathKey = path;
       reached.CornerKey = corner;
       CellIndex cell;
@@ -342,8 +344,9 @@ private:
       {
         cell[a] = static_cast<std::uint16_t>(progress.Passages.Cell[a][i]);
       }
-      const double distance =
+      const double farthest =
         this->Scene.Form.HasNormals ? this->FarthestAt(course, i, progress) : 0.0;
+      const double distance = isFirst ? 0.5 * (progress.Passages.Enter[i] + farthest) : farthest;
       progress.Knots.AddCell(course, ray, path, corner, cell, distance);
     }
   }

@@ -38,7 +38,7 @@ void RayPointsOf(RayPoints& rays)
   const hn::Rebind<float, Doubles> df;
   using V = hn::Vec<Doubles>;
   const V one = hn::Set(d, 1.0);
-  for (std::size_t i = 0; i < rays.Count; i += hn::Lanes(d))
+  for (std::size_t i = 0; i < WholeVectors(rays.Count); i += hn::Lanes(d))
   {
     const V x = hn::LoadU(d, &rays.X[i]), y = hn::LoadU(d, &rays.Y[i]);
     const V t = hn::LoadU(d, &rays.T[i]);

@@ -9,6 +9,7 @@
 #include "Expect.h"
 #include "Volumes.h"
 
+#include <vtkFloatingPointExceptions.h>
 #include <vtkRenderWindow.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtksys/SystemTools.hxx>
@@ -229,6 +230,8 @@ void TestNothingToBuild()
 
 int TestIsomapBuild(int, char*[])
 {
+  // The software rasteriser behind some windows divides by zero by itself.
+  vtkFloatingPointExceptions::Disable();
   TestProgress();
   TestStoppedAhead();
   TestStoppedInWindow();

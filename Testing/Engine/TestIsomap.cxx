@@ -55,14 +55,20 @@ protected:
     return key;
   }
 
-  void Show(FrameKey& key, const std::vector<double>& isovalues)
+  /// Render isovalues as they come, and cold.
+  void RenderBoth(FrameKey& key, const std::vector<double>& isovalues, FrameRenderer& cold)
   {
     key.Sought.Isovalues = isovalues;
     key.Look.Colors.assign(isovalues.size(), glm::dvec3(0.9, 0.6, 0.3));
     ASSERT_TRUE(this->Renderer.Render(key, this->Options));
-    FrameRenderer cold;
     cold.Render(key, {});
     ASSERT_EQ(cold.Statistics().Made, Route::Cold);
+  }
+
+  void Show(FrameKey& key, const std::vector<double>& isovalues)
+  {
+    FrameRenderer cold;
+    ASSERT_NO_FATAL_FAILURE(this->RenderBoth(key, isovalues, cold));
     SCOPED_TRACE(testing::Message()
       << "isovalue " << isovalues[0] << " route " << NameOf(this->Renderer.Statistics().Made));
     ExpectColdPlanes(this->Renderer.LastFrame(), cold.LastFrame());
@@ -204,11 +210,8 @@ TEST_F(IsomapTest, WithAToleranceSurfacesAreThatNear)
         this->Options.Map.Tolerance = tolerance;
         for (const double isovalue : { 120.0, 121.0, 118.0, 90.0, 91.0, 160.0, 155.0, 30.0, 210.0 })
         {
-          key.Sought.Isovalues = { isovalue };
-          key.Look.Colors.assign(1, glm::dvec3(0.9, 0.6, 0.3));
-          ASSERT_TRUE(this->Renderer.Render(key, this->Options));
           FrameRenderer cold;
-          cold.Render(key, {});
+          ASSERT_NO_FATAL_FAILURE(this->RenderBoth(key, { isovalue }, cold));
           const Frame &made = this->Renderer.LastFrame(), &truth = cold.LastFrame();
           for (std::size_t i = 0; i < truth.Depth.size(); ++i)
           {
@@ -235,11 +238,8 @@ TEST_F(IsomapTest, InterpolatedNormalsAreNearThoseOfTheField)
     this->Options.Map.Tolerance = tolerance;
     for (const double isovalue : { 120.0, 121.0, 124.0, 100.0 })
     {
-      key.Sought.Isovalues = { isovalue };
-      key.Look.Colors.assign(1, glm::dvec3(0.9, 0.6, 0.3));
-      ASSERT_TRUE(this->Renderer.Render(key, this->Options));
       FrameRenderer cold;
-      cold.Render(key, {});
+      ASSERT_NO_FATAL_FAILURE(this->RenderBoth(key, { isovalue }, cold));
       const Frame &made = this->Renderer.LastFrame(), &truth = cold.LastFrame();
       double sum = 0.0;
       int hits = 0;
@@ -337,11 +337,8 @@ TEST_F(IsomapTest, PlateausWithATolerance)
     this->Options.Map.Tolerance = tolerance;
     for (const double isovalue : { 101.0, 102.0, 101.5, 100.0, 104.0, 105.9 })
     {
-      key.Sought.Isovalues = { isovalue };
-      key.Look.Colors.assign(1, glm::dvec3(0.9, 0.6, 0.3));
-      ASSERT_TRUE(this->Renderer.Render(key, this->Options));
       FrameRenderer cold;
-      cold.Render(key, {});
+      ASSERT_NO_FATAL_FAILURE(this->RenderBoth(key, { isovalue }, cold));
       for (std::size_t i = 0; i < cold.LastFrame().Depth.size(); ++i)
       {
         const double truth = cold.LastFrame().Depth[i], made = this->Renderer.LastFrame().Depth[i];

@@ -39,21 +39,14 @@ public:
     {
       this->FindEntries(progress);
     }
-    for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
+    progress.Live.Begin(rays, this->Cells, [&](std::size_t ray) { return !progress.IsDone(ray); });
+    while (progress.Live.Count > 0)
     {
-      if (rays.Begin[ray] < rays.End[ray] && rays.WalkBegin[ray] < rays.WalkEnd[ray] &&
-        !progress.IsDone(ray))
-      {
-        progress.Walks[ray].Begin({ rays, ray }, this->Cells);
-        progress.Live[progress.NumberOfLive++] = ray;
-      }
-    }
-    while (progress.NumberOfLive > 0)
-    {
-      this->AdvanceAll(progress);
+      // To the next cells that can bring the rays farther.
+      progress.Live.Keep([&](std::size_t ray) { return this->Advance(ray, progress); });
       this->Measure(progress);
       this->TakeNote(progress);
-      progress.DropDone();
+      progress.Live.Keep([&](std::size_t ray) { return !progress.IsDone(ray); });
     }
     progress.Knots.HandOver(this->Scene.Samples, this->Scene.FiniteRange, this->Scene.Where, knots);
     if (progress.HasEntries)
@@ -100,23 +93,8 @@ private:
       return this->Reached[Rising][ray].IsDone && this->Reached[Falling][ray].IsDone;
     }
 
-    void DropDone()
-    {
-      std::size_t left = 0;
-      for (std::size_t i = 0; i < this->NumberOfLive; ++i)
-      {
-        if (!this->IsDone(this->Live[i]))
-        {
-          this->Live[left++] = this->Live[i];
-        }
-      }
-      this->NumberOfLive = left;
-    }
-
     const RayBatch& Rays;
-    std::array<CellWalk, RayBatch::Capacity> Walks;
-    std::array<std::size_t, RayBatch::Capacity> Live; ///< rays that are not done
-    std::size_t NumberOfLive = 0;
+    LiveRays Live;
 
     std::array<std::array<Reach, RayBatch::Capacity>, NumberOfCourses> Reached;
     RayBatch::Array<bool> HasEntered; ///< where the ray begins is known
@@ -165,27 +143,13 @@ private:
     const Reach &Rises, &Falls;
   };
 
-  /// Take every live ray to the next cell that can bring it farther; rays whose walk ends are
-  /// dropped.
-  void AdvanceAll(Progress& progress) const
-  {
-    std::size_t left = 0;
-    for (std::size_t i = 0; i < progress.NumberOfLive; ++i)
-    {
-      const std::size_t ray = progress.Live[i];
-      if (this->Advance(ray, progress))
-      {
-        progress.Live[left++] = ray;
-      }
-    }
-    progress.NumberOfLive = left;
-  }
-
+  /// Take a ray to the next cell that can bring it farther.
+  /// \return false if its walk ends before
   bool Advance(std::size_t ray, Progress& progress) const
   {
     const UsefulRanges useful{ *this, progress.Reached[Rising][ray],
       progress.Reached[Falling][ray] };
-    CellWalk& walk = progress.Walks[ray];
+    CellWalk& walk = progress.Live.Walks[ray];
     while (
       walk.FindActive({ progress.Rays, ray }, *this->Scene.Active, this->Samples.All(), useful))
     {
@@ -395,12 +359,7 @@ private:
     {
       if (rays.Begin[ray] < rays.End[ray])
       {
-        const BatchRay way{ rays, ray };
-        glm::ivec3 cell;
-        for (int axis = 0; axis < 3; ++axis)
-        {
-          cell[axis] = way.CellAt(axis, rays.Begin[ray], 0, this->Cells[axis] - 1);
-        }
+        const glm::ivec3 cell = BatchRay{ rays, ray }.CellAt(rays.Begin[ray], this->Cells);
         Corners<Real> corners;
         const CellReach reach = this->Read(cell, corners);
         this->Append(ray, cell, corners, reach, progress);

@@ -13,6 +13,20 @@
 namespace TemporalCoherence
 {
 
+/// Send for the samples of a cell and those around it that gradients in it need.
+template <typename T>
+void PrefetchAround(const TypedField<T>& samples, const glm::ivec3& cell)
+{
+  const glm::ivec3 last = samples.Dimensions - 1;
+  for (int k = std::max(cell.z - 1, 0); k <= std::min(cell.z + 2, last.z); ++k)
+  {
+    for (int j = std::max(cell.y - 1, 0); j <= std::min(cell.y + 2, last.y); ++j)
+    {
+      hwy::Prefetch(samples.At(cell.x, j, k));
+    }
+  }
+}
+
 /// Reads the samples at the corners of cells.
 template <typename T>
 class CellSamples
@@ -47,19 +61,6 @@ public:
     hwy::Prefetch(origin + this->CornerOffsets[2]);
     hwy::Prefetch(origin + this->CornerOffsets[4]);
     hwy::Prefetch(origin + this->CornerOffsets[6]);
-  }
-
-  /// Send for the samples of a cell and those around it that gradients in it need.
-  void PrefetchAround(const glm::ivec3& cell) const
-  {
-    const glm::ivec3 last = this->Samples.Dimensions - 1;
-    for (int k = std::max(cell.z - 1, 0); k <= std::min(cell.z + 2, last.z); ++k)
-    {
-      for (int j = std::max(cell.y - 1, 0); j <= std::min(cell.y + 2, last.y); ++j)
-      {
-        hwy::Prefetch(this->Samples.At(cell.x, j, k));
-      }
-    }
   }
 
 private:

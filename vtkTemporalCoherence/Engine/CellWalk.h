@@ -33,6 +33,13 @@ struct BatchRay
     return cell < low ? low : (cell > high ? high : cell);
   }
 
+  /// The cell that the ray is in at t, within a field of so many cells.
+  glm::ivec3 CellAt(double t, const glm::ivec3& cells) const
+  {
+    return { this->CellAt(0, t, 0, cells.x - 1), this->CellAt(1, t, 0, cells.y - 1),
+      this->CellAt(2, t, 0, cells.z - 1) };
+  }
+
   double WalkEnd() const { return this->Rays.WalkEnd[this->Ray]; }
 
   static std::size_t Index(int axis) { return static_cast<std::size_t>(axis); }
@@ -58,10 +65,9 @@ public:
   /// Stand in the first cell of a ray's walk.
   void Begin(const BatchRay& ray, const glm::ivec3& cells)
   {
-    const double t = ray.Rays.WalkBegin[ray.Ray];
+    this->Cell = ray.CellAt(ray.Rays.WalkBegin[ray.Ray], cells);
     for (int axis = 0; axis < 3; ++axis)
     {
-      this->Cell[axis] = ray.CellAt(axis, t, 0, cells[axis] - 1);
       this->Ahead[axis] = ray.Direction(axis) > 0.0 ? 1 : 0;
     }
     this->InLeaf = 0;
@@ -218,6 +224,45 @@ private:
   bool HasVisited;      ///< the present cell is done
   std::uint64_t InLeaf; ///< active cells of the leaf stepped through; 0: in none
   double Next[3];       ///< where the ray leaves the present cell along each axis
+};
+
+/// The rays of a batch that are on their way.
+struct LiveRays
+{
+  /// Begin the walks of those rays that have somewhere to go and that are wanted.
+  template <typename IsWanted>
+  void Begin(const RayBatch& rays, const glm::ivec3& cells, const IsWanted& isWanted)
+  {
+    for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
+    {
+      if (rays.Begin[ray] < rays.End[ray] && rays.WalkBegin[ray] < rays.WalkEnd[ray] &&
+        isWanted(ray))
+      {
+        this->Walks[ray].Begin({ rays, ray }, cells);
+        this->Rays[this->Count++] = ray;
+      }
+    }
+  }
+
+  /// Drop the rays for which `keeps` is false.
+  template <typename Keeps>
+  HWY_INLINE void Keep(const Keeps& keeps)
+  {
+    std::size_t left = 0;
+    for (std::size_t i = 0; i < this->Count; ++i)
+    {
+      const std::size_t ray = this->Rays[i];
+      if (keeps(ray))
+      {
+        this->Rays[left++] = ray;
+      }
+    }
+    this->Count = left;
+  }
+
+  std::array<CellWalk, RayBatch::Capacity> Walks;   ///< of each ray of the batch
+  std::array<std::size_t, RayBatch::Capacity> Rays; ///< those on their way
+  std::size_t Count = 0;
 };
 
 }

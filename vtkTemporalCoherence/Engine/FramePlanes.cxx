@@ -16,6 +16,12 @@ namespace
 /// Disparities are stored in single precision: they are not trusted beyond this share.
 constexpr double DisparityError = 1e-6;
 
+/// How a ray met what it met, as frames tell it.
+HitKind KindOf(const HitBatch& hits, std::size_t ray)
+{
+  return hits.Kind[ray] == HitKind::None && hits.FromInside[ray] ? HitKind::Within : hits.Kind[ray];
+}
+
 }
 
 void StoreMisses(std::int64_t tile, const PixelRect& part, bool isParallel, Frame& frame)
@@ -58,8 +64,7 @@ void StoreHit(const RayBatch& rays, const HitBatch& hits, std::size_t ray, Answe
   frame.Disparities[pixel] = DisparityAt(rays, ray, hits.Depth[ray], isParallel);
   frame.Contacts[pixel] = DisparityAt(rays, ray, hits.Contact[ray], isParallel);
   frame.Isovalues[pixel] = hits.Surface[ray];
-  frame.Kinds[pixel] =
-    hits.Kind[ray] == HitKind::None && hits.FromInside[ray] ? HitKind::Within : hits.Kind[ray];
+  frame.Kinds[pixel] = KindOf(hits, ray);
   frame.Answers[pixel] = answer;
 }
 
@@ -73,8 +78,7 @@ void StoreHits(const RayBatch& rays, const HitBatch& hits, const RayBatch::Array
   {
     disparities[i] = DisparityAt(rays, i, hits.Depth[i], isParallel);
     contacts[i] = DisparityAt(rays, i, hits.Contact[i], isParallel);
-    const bool isWithin = hits.Kind[i] == HitKind::None && hits.FromInside[i];
-    kinds[i] = isWithin ? HitKind::Within : hits.Kind[i];
+    kinds[i] = KindOf(hits, i);
   }
   const auto copy = [&](std::size_t first, auto length)
   {

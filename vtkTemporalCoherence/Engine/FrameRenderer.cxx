@@ -70,7 +70,7 @@ bool FrameRenderer::Render(
     };
     this->Map.Trim(options.Map.MemoryLimit);
     const std::shared_ptr<CachedImage> nearest = this->Images.Find(key, options.Images, suits);
-    this->Counters.Made = this->ChooseRoute(key, options, nearest);
+    this->Counters.Made = this->ChooseRoute(key, options, nearest.get());
     this->Counters.Rays = static_cast<std::int64_t>(key.Seen.Size.x) * key.Seen.Size.y;
     isMade = this->TakeRoute(key, options, nearest.get(), report);
   }
@@ -120,8 +120,8 @@ bool FrameRenderer::TakeRoute(const FrameKey& key, const Options& options, Cache
         default:
           break;
       }
-      this->Counters.Made = PlanRoute(
-        this->Front->Key, key, options.Reuse, { this->Front->IsExact, false, false, true, false });
+      // Now that it is known to be impossible, the next best.
+      this->Counters.Made = this->ChooseRoute(key, options, nearest);
       this->TraceFrame(key, options, nullptr);
       return true;
     case Route::IsomapLookup:
@@ -137,7 +137,7 @@ bool FrameRenderer::TakeRoute(const FrameKey& key, const Options& options, Cache
 }
 
 Route FrameRenderer::ChooseRoute(
-  const FrameKey& key, const Options& options, const std::shared_ptr<CachedImage>& nearest) const
+  const FrameKey& key, const Options& options, const CachedImage* nearest) const
 {
   if (this->Front->Picture.IsEmpty())
   {

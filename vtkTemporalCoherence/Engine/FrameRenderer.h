@@ -79,8 +79,7 @@ public:
   void Release();
 
 private:
-  Route ChooseRoute(
-    const FrameKey& key, const Options& options, const std::shared_ptr<CachedImage>& nearest) const;
+  Route ChooseRoute(const FrameKey& key, const Options& options, const CachedImage* nearest) const;
   bool TakeRoute(const FrameKey& key, const Options& options, CachedImage* nearest,
     const Isomap::ReportProgress& report);
   void TraceFrame(const FrameKey& key, const Options& options, CachedImage* cached);

@@ -44,11 +44,9 @@ Isomap::Outcome IsomapBuilder::Build(const FrameKey& key, const Isomap::Options&
     this->Plan = BandPlan();
     this->FailedLimit = 0;
   }
-  if (!(this->LeavesField == key.Samples))
+  if (this->Leaves.IsEmpty())
   {
-    this->LeavesField = Field();
     this->Leaves.Build(key.Samples, pyramid);
-    this->LeavesField = key.Samples;
   }
   this->Cells = 0;
   Context context{ options, last.Key.Sought.Isovalues, {}, pyramid, cold, report };

@@ -88,8 +88,7 @@ private:
 
   Isomap Map;
   BandPlan Plan;
-  LeafHistogram Leaves; ///< of the field's pyramid
-  Field LeavesField;
+  LeafHistogram Leaves;        ///< of the data's pyramid; made when first asked for
   std::size_t FailedLimit = 0; ///< of memory, which not even a narrow band fitted
   std::int64_t Cells = 0;
 };

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceNormal.h"
 
+#include "CellSamples.h"
 #include "KernelsGradients.h"
 #include "Surfaces.h"
-
-#include <hwy/cache_control.h>
 
 #include <algorithm>
 #include <cmath>
@@ -47,7 +46,7 @@ public:
     {
       if (isLarge)
       {
-        Prefetch(samples, CellOf(points, std::min(i + Ahead, points.Count - 1)));
+        PrefetchAround(samples, CellOf(points, std::min(i + Ahead, points.Count - 1)));
       }
       const glm::ivec3 cell = CellOf(points, i);
       if (isPacked && IsInner(cell, samples.Dimensions))
@@ -65,19 +64,6 @@ private:
   static glm::ivec3 CellOf(const Points& points, std::size_t i)
   {
     return { points.Cell[0][i], points.Cell[1][i], points.Cell[2][i] };
-  }
-
-  /// Send for the samples around a cell.
-  static void Prefetch(const TypedField<T>& samples, const glm::ivec3& cell)
-  {
-    const glm::ivec3 last = samples.Dimensions - 1;
-    for (int k = std::max(cell.z - 1, 0); k <= std::min(cell.z + 2, last.z); ++k)
-    {
-      for (int j = std::max(cell.y - 1, 0); j <= std::min(cell.y + 2, last.y); ++j)
-      {
-        hwy::Prefetch(samples.At(cell.x, j, k));
-      }
-    }
   }
 
   /// So that no lane holds what is not a number.

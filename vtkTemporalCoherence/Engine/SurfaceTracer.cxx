@@ -42,22 +42,15 @@ public:
     {
       this->FindCaps(progress);
     }
-    for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
-    {
-      if (rays.Begin[ray] < rays.End[ray] && rays.WalkBegin[ray] < rays.WalkEnd[ray] &&
-        hits.Kind[ray] == HitKind::None)
-      {
-        progress.Walks[ray].Begin({ rays, ray }, this->Cells);
-        progress.Live[progress.NumberOfLive++] = ray;
-      }
-    }
+    const auto hasNoHit = [&hits](std::size_t ray) { return hits.Kind[ray] == HitKind::None; };
+    progress.Live.Begin(rays, this->Cells, hasNoHit);
     // In each round every ray that has not hit yet goes to the next cell that can hold a surface,
     // and all these cells are searched together.
-    while (progress.NumberOfLive > 0)
+    while (progress.Live.Count > 0)
     {
       this->AdvanceAll(progress);
       this->Search(progress);
-      progress.DropHits();
+      progress.Live.Keep(hasNoHit);
     }
   }
 
@@ -95,24 +88,9 @@ private:
       hits.Clear(rays.Count);
     }
 
-    void DropHits()
-    {
-      std::size_t left = 0;
-      for (std::size_t i = 0; i < this->NumberOfLive; ++i)
-      {
-        if (this->Hits.Kind[this->Live[i]] == HitKind::None)
-        {
-          this->Live[left++] = this->Live[i];
-        }
-      }
-      this->NumberOfLive = left;
-    }
-
     const RayBatch& Rays;
     HitBatch& Hits;
-    std::array<CellWalk, RayBatch::Capacity> Walks;
-    std::array<std::size_t, RayBatch::Capacity> Live; ///< rays without a hit
-    std::size_t NumberOfLive = 0;
+    LiveRays Live; ///< rays without a hit
 
     PassageBatch<Real> Passages;                       ///< through the cells to be searched
     std::array<std::size_t, RayBatch::Capacity> Owner; ///< ray of each passage
@@ -122,26 +100,21 @@ private:
   /// Take every live ray to the next cell to be searched; rays whose walk ends are dropped.
   void AdvanceAll(Progress& progress) const
   {
-    std::size_t left = 0;
-    for (std::size_t i = 0; i < progress.NumberOfLive; ++i)
-    {
-      const std::size_t ray = progress.Live[i];
-      if (this->Scene.Active ? this->AdvanceToActive(ray, progress)
-                             : this->AdvanceThroughAll(ray, progress))
+    progress.Live.Keep(
+      [&](std::size_t ray)
       {
-        progress.Live[left++] = ray;
-      }
-    }
-    progress.NumberOfLive = left;
-    for (std::size_t i = 0; i < left && this->Scene.Active && this->IsLarge; ++i)
+        return this->Scene.Active ? this->AdvanceToActive(ray, progress)
+                                  : this->AdvanceThroughAll(ray, progress);
+      });
+    for (std::size_t i = 0; i < progress.Live.Count && this->Scene.Active && this->IsLarge; ++i)
     {
-      this->Visit(progress.Live[i], progress);
+      this->Visit(progress.Live.Rays[i], progress);
     }
   }
 
   bool AdvanceToActive(std::size_t ray, Progress& progress) const
   {
-    CellWalk& walk = progress.Walks[ray];
+    CellWalk& walk = progress.Live.Walks[ray];
     const bool isAhead =
       walk.FindActive({ progress.Rays, ray }, *this->Scene.Active, this->Samples.All());
     if (isAhead && !this->IsLarge)
@@ -161,7 +134,7 @@ private:
     bool isAhead;
     do
     {
-      isAhead = progress.Walks[ray].FindAny({ progress.Rays, ray }, this->Cells);
+      isAhead = progress.Live.Walks[ray].FindAny({ progress.Rays, ray }, this->Cells);
     } while (isAhead && !this->Visit(ray, progress));
     return isAhead;
   }
@@ -170,7 +143,7 @@ private:
   /// \return false if no isovalue passes through the cell
   bool Visit(std::size_t ray, Progress& progress) const
   {
-    const glm::ivec3& cell = progress.Walks[ray].Here();
+    const glm::ivec3& cell = progress.Live.Walks[ray].Here();
     const std::array<T, 8> samples = this->Samples.Read(cell);
     ++progress.Hits.CellsRead;
     bool isFound = false;
@@ -279,7 +252,7 @@ private:
     for (std::size_t i = 0; i < count && this->IsLarge; ++i)
     {
       // Most of these cells will hold hits, which are shaded next.
-      this->Samples.PrefetchAround(cellAt(i));
+      PrefetchAround(this->Samples.All(), cellAt(i));
     }
     std::array<RayBatch::Array<T>, 8> samples;
     for (std::size_t i = 0; i < count; ++i)
@@ -338,12 +311,7 @@ private:
       {
         if (rays.Begin[ray] < rays.End[ray])
         {
-          const BatchRay way{ rays, ray };
-          glm::ivec3 cell;
-          for (int axis = 0; axis < 3; ++axis)
-          {
-            cell[axis] = way.CellAt(axis, rays.Begin[ray], 0, this->Cells[axis] - 1);
-          }
+          const glm::ivec3 cell = BatchRay{ rays, ray }.CellAt(rays.Begin[ray], this->Cells);
           Corners<Real> corners;
           this->Differ(this->Samples.Read(cell), this->Differences[surface], corners);
           this->Append(cell, corners, surface, ray, progress);

@@ -21,6 +21,7 @@ set(engine_files
   KernelsRange
   KernelsRays
   KernelsShading
+  KernelsWalk
   KnotCollector
   Knots
   LeafHistogram

@@ -56,8 +56,7 @@ void ActiveCells::Build(const Field& field, const ValueRangePyramid& pyramid, co
 void ActiveCells::FindLeaves(const Field& field, const ValueRangePyramid& pyramid)
 {
   const std::int64_t nodes = pyramid.NumberOfNodes();
-  this->Leaves.resize(static_cast<std::size_t>(nodes));
-  this->Slots.resize(static_cast<std::size_t>(nodes));
+  this->NodeWords.resize(static_cast<std::size_t>(2 * nodes));
 
   DispatchScalarType(field.Type,
     [&](auto type)
@@ -72,37 +71,33 @@ void ActiveCells::FindLeaves(const Field& field, const ValueRangePyramid& pyrami
           {
             leaves |= static_cast<std::uint64_t>(IsActive(ranges[i], this->Sought)) << i;
           }
-          this->Leaves[static_cast<std::size_t>(node)] = leaves;
+          this->NodeWords[static_cast<std::size_t>(2 * node)] = leaves;
         });
     });
 
-  std::uint32_t slots = 0;
-  for (std::size_t node = 0; node < this->Leaves.size(); ++node)
+  std::uint64_t words = 0;
+  for (std::size_t node = 0; node < this->NodeWords.size(); node += 2)
   {
-    this->Slots[node] = slots;
-    slots += this->Leaves[node] != 0;
+    this->NodeWords[node + 1] = words;
+    words += this->NodeWords[node] != 0 ? ValueRangePyramid::LeavesPerNode : 0;
   }
-  this->NumberOfSlots = slots;
-  this->Cells = std::make_unique<std::atomic<std::uint64_t>[]>(
-    this->NumberOfSlots * ValueRangePyramid::LeavesPerNode);
-  this->Nodes = pyramid.NodeDimensions();
+  this->NumberOfLeafWords = words;
+  this->LeafWords = std::make_unique<std::atomic<std::uint64_t>[]>(words);
+  this->Dimensions = pyramid.NodeDimensions();
 }
 
 void ActiveCells::Release()
 {
-  this->Nodes = glm::ivec3(0);
+  this->Dimensions = glm::ivec3(0);
   this->Sought.clear();
-  this->Leaves.clear();
-  this->Slots.clear();
-  this->Cells.reset();
-  this->NumberOfSlots = 0;
+  this->NodeWords.clear();
+  this->LeafWords.reset();
+  this->NumberOfLeafWords = 0;
 }
 
 std::size_t ActiveCells::MemoryInBytes() const
 {
-  return this->Leaves.capacity() * sizeof(std::uint64_t) +
-    this->Slots.capacity() * sizeof(std::uint32_t) +
-    this->NumberOfSlots * ValueRangePyramid::LeavesPerNode * sizeof(std::uint64_t);
+  return sizeof(std::uint64_t) * (this->NodeWords.capacity() + this->NumberOfLeafWords);
 }
 
 }

@@ -30,6 +30,8 @@ class ActiveCells
 public:
   static constexpr int LeafBits = ValueRangePyramid::LeafBits;
   static constexpr int NodeBits = ValueRangePyramid::NodeBits;
+  static constexpr int LeafSize = ValueRangePyramid::LeafSize;
+  static constexpr int NodeSize = ValueRangePyramid::NodeSize;
 
   /// Find the active leaves.
   /// \throws std::bad_alloc, nothing being active then
@@ -38,14 +40,14 @@ public:
 
   void Release();
 
-  const glm::ivec3& NodeDimensions() const { return this->Nodes; }
+  const glm::ivec3& NodeDimensions() const { return this->Dimensions; }
 
   /// Position of the node of cell (i, j, k) in the list of nodes.
   std::int64_t NodeOf(const glm::ivec3& cell) const
   {
     return (cell.x >> NodeBits) +
-      static_cast<std::int64_t>(this->Nodes.x) *
-      ((cell.y >> NodeBits) + static_cast<std::int64_t>(this->Nodes.y) * (cell.z >> NodeBits));
+      static_cast<std::int64_t>(this->Dimensions.x) *
+      ((cell.y >> NodeBits) + static_cast<std::int64_t>(this->Dimensions.y) * (cell.z >> NodeBits));
   }
 
   /// Position of a leaf within its node, and of a cell within its leaf: x + 4 y + 16 z.
@@ -62,7 +64,7 @@ public:
   /// One bit for each active leaf of a node.
   std::uint64_t LeavesOf(std::int64_t node) const
   {
-    return this->Leaves[static_cast<std::size_t>(node)];
+    return this->NodeWords[static_cast<std::size_t>(2 * node)];
   }
 
   /// One bit for each active cell of the active leaf that holds `cell`. Safe from many threads:
@@ -71,8 +73,7 @@ public:
   std::uint64_t CellsOf(const TypedField<T>& field, std::int64_t node, const glm::ivec3& cell) const
   {
     std::atomic<std::uint64_t>& word =
-      this->Cells[static_cast<std::size_t>(this->Slots[static_cast<std::size_t>(node)]) *
-          ValueRangePyramid::LeavesPerNode +
+      this->LeafWords[this->NodeWords[static_cast<std::size_t>(2 * node + 1)] +
         static_cast<std::size_t>(LeafOf(cell))];
     std::uint64_t cells = word.load(std::memory_order_relaxed);
     if (cells == 0)
@@ -82,6 +83,18 @@ public:
       word.store(cells, std::memory_order_relaxed);
     }
     return cells;
+  }
+
+  /// The same words for kernels: of each node its leaves, and where the words of its leaves begin
+  /// in the other list; there, 0 is a leaf's word that is not known yet. Words are read and written
+  /// at once.
+  const std::uint64_t* Nodes() const { return this->NodeWords.data(); }
+  const std::uint64_t* Cells() const
+  {
+    static_assert(sizeof(std::atomic<std::uint64_t>) == sizeof(std::uint64_t) &&
+        std::atomic<std::uint64_t>::is_always_lock_free,
+      "an atomic word is a word");
+    return reinterpret_cast<const std::uint64_t*>(this->LeafWords.get());
   }
 
   std::size_t MemoryInBytes() const;
@@ -105,12 +118,11 @@ private:
     return inside;
   }
 
-  glm::ivec3 Nodes{ 0 };
-  std::vector<ValueBand> Sought; ///< ascending
-  std::vector<std::uint64_t> Leaves;
-  std::vector<std::uint32_t> Slots; ///< where the leaves of a node have their words in Cells
-  std::unique_ptr<std::atomic<std::uint64_t>[]> Cells;
-  std::size_t NumberOfSlots = 0;
+  glm::ivec3 Dimensions{ 0 };           ///< in nodes
+  std::vector<ValueBand> Sought;        ///< ascending
+  std::vector<std::uint64_t> NodeWords; ///< leaves of a node, and where their words begin
+  std::unique_ptr<std::atomic<std::uint64_t>[]> LeafWords;
+  std::size_t NumberOfLeafWords = 0;
 };
 
 template <typename T>

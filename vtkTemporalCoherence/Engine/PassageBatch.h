@@ -21,8 +21,8 @@ struct PassageBatch
 
   int Count = 0;
 
-  /// Of the rays, in index space, unless the passages are those of all rays of a full batch, one
-  /// each.
+  /// Of the rays, in index space, unless the passages are those of all rays of a batch, one each,
+  /// which are numbers up to the end of their last vector.
   std::array<Array<double>, 3> Origin, Direction, Inverse;
   Array<double> Begin, End;
   const RayBatch* All = nullptr;
@@ -89,13 +89,19 @@ void FillLastVector(PassageBatch<Real>& in)
   };
   for (std::size_t a = 0; a < 3; ++a)
   {
+    fill(in.Cell[a]);
+  }
+  for (std::size_t a = 0; a < 3 && !in.All; ++a)
+  {
     fill(in.Origin[a]);
     fill(in.Direction[a]);
     fill(in.Inverse[a]);
-    fill(in.Cell[a]);
   }
-  fill(in.Begin);
-  fill(in.End);
+  if (!in.All)
+  {
+    fill(in.Begin);
+    fill(in.End);
+  }
   for (auto& corner : in.Corners)
   {
     fill(corner);

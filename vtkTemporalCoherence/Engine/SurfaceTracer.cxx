@@ -6,6 +6,7 @@
 #include "CellSamples.h"
 #include "CellWalk.h"
 #include "KernelsCrossing.h"
+#include "KernelsWalk.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +17,9 @@ namespace
 {
 
 template <typename T, Interpolation Between>
-class TypedTracer final : public SurfaceTracer
+class TypedTracer final
+  : public SurfaceTracer
+  , private LeafSource
 {
 public:
   using Real = RealOf<T>;
@@ -37,20 +40,18 @@ public:
 
   void Trace(const RayBatch& rays, HitBatch& hits) const override
   {
-    Progress progress(rays, hits);
+    hits.Clear(rays.Count);
     if (this->IsSolid)
     {
-      this->FindCaps(progress);
+      this->FindCaps(rays, hits);
     }
-    const auto hasNoHit = [&hits](std::size_t ray) { return hits.Kind[ray] == HitKind::None; };
-    progress.Live.Begin(rays, this->Cells, hasNoHit);
-    // In each round every ray that has not hit yet goes to the next cell that can hold a surface,
-    // and all these cells are searched together.
-    while (progress.Live.Count > 0)
+    if (this->Scene.Active)
     {
-      this->AdvanceAll(progress);
-      this->Search(progress);
-      progress.Live.Keep(hasNoHit);
+      this->TraceActive(rays, hits);
+    }
+    else
+    {
+      this->TraceAll(rays, hits);
     }
   }
 
@@ -59,17 +60,16 @@ public:
   {
     PassageBatch<Real> passages;
     SetPassages(rays, cells, passages);
-    this->ReadCorners(cells, passages);
+    this->ReadCorners(this->Differences[cells.Surface], true, passages);
     hits.CellsRead += cells.Count;
     this->FindInPassages(passages);
     std::uint64_t missing = 0;
     for (std::size_t i = 0; i < static_cast<std::size_t>(passages.Count); ++i)
     {
       const std::size_t ray = cells.Ray[i];
-      if (cells.IsContact[i] && passages.Enter[i] < hits.Contact[ray])
+      if (cells.IsContact[i])
       {
-        hits.Contact[ray] = passages.Enter[i];
-        hits.FromInside[ray] = IsInside(passages.AtEntry[i]);
+        KeepContact(passages, i, ray, hits);
       }
       missing |= static_cast<std::uint64_t>(!std::isfinite(passages.Distance[i])) << ray;
       KeepNearest(passages, i, ray, static_cast<std::int16_t>(cells.Surface), hits);
@@ -78,81 +78,131 @@ public:
   }
 
 private:
-  /// The rays of a batch on their way.
-  struct Progress
+  /// Passages to be searched, each of a ray that may have others.
+  struct Search
   {
-    Progress(const RayBatch& rays, HitBatch& hits)
-      : Rays(rays)
-      , Hits(hits)
-    {
-      hits.Clear(rays.Count);
-    }
-
-    const RayBatch& Rays;
-    HitBatch& Hits;
-    LiveRays Live; ///< rays without a hit
-
-    PassageBatch<Real> Passages;                       ///< through the cells to be searched
-    std::array<std::size_t, RayBatch::Capacity> Owner; ///< ray of each passage
-    std::array<std::int16_t, RayBatch::Capacity> Surface;
+    PassageBatch<Real> Passages;
+    RayBatch::Array<std::size_t> Ray; ///< in the batch that is traced
+    RayBatch::Array<std::int16_t> Surface;
   };
 
-  /// Take every live ray to the next cell to be searched; rays whose walk ends are dropped.
-  void AdvanceAll(Progress& progress) const
+  std::uint64_t CellsOf(std::int64_t node, const glm::ivec3& cell) const override
   {
-    progress.Live.Keep(
-      [&](std::size_t ray)
+    return this->Scene.Active->CellsOf(this->Samples.All(), node, cell);
+  }
+
+  /// True if a ray has somewhere to go and no hit yet.
+  static bool IsWanted(const RayBatch& rays, const HitBatch& hits, std::size_t ray)
+  {
+    return rays.Begin[ray] < rays.End[ray] && rays.WalkBegin[ray] < rays.WalkEnd[ray] &&
+      hits.Kind[ray] == HitKind::None;
+  }
+
+  /// From active cell to active cell: in each round every ray that has not hit yet goes to the
+  /// next, and all these cells are searched together.
+  void TraceActive(const RayBatch& rays, HitBatch& hits) const
+  {
+    std::uint64_t wanted = 0;
+    for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
+    {
+      wanted |= static_cast<std::uint64_t>(IsWanted(rays, hits, ray)) << ray;
+    }
+    RayWalks walks(rays, wanted);
+    PassageBatch<Real> passages;
+    passages.All = &walks.Rays;
+    while (walks.Rays.Count > 0)
+    {
+      FindActiveCells({ *this->Scene.Active, *this, this->Cells }, walks);
+      hits.CellsRead += walks.Rays.Count;
+      if (this->AreCellsActive)
       {
-        return this->Scene.Active ? this->AdvanceToActive(ray, progress)
-                                  : this->AdvanceThroughAll(ray, progress);
-      });
-    for (std::size_t i = 0; i < progress.Live.Count && this->Scene.Active && this->IsLarge; ++i)
-    {
-      this->Visit(progress.Live.Rays[i], progress);
+        this->SearchAll(walks, passages, hits);
+      }
+      else
+      {
+        this->SearchEach(walks, hits);
+      }
     }
   }
 
-  bool AdvanceToActive(std::size_t ray, Progress& progress) const
+  /// Search the cells that rays have gone to, through all of which the one isovalue passes.
+  void SearchAll(RayWalks& walks, PassageBatch<Real>& passages, HitBatch& hits) const
   {
-    CellWalk& walk = progress.Live.Walks[ray];
-    const bool isAhead =
-      walk.FindActive({ progress.Rays, ray }, *this->Scene.Active, this->Samples.All());
-    if (isAhead && !this->IsLarge)
+    passages.Count = walks.Rays.Count;
+    passages.Cell = walks.Cell;
+    this->ReadCorners(this->Differences[0], false, passages);
+    this->FindInPassages(passages);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(passages.Count); ++i)
     {
-      this->Visit(ray, progress);
+      const auto ray = static_cast<std::size_t>(walks.From[i]);
+      KeepContact(passages, i, ray, hits);
+      KeepNearest(passages, i, ray, 0, hits);
     }
-    else if (isAhead)
-    {
-      // Visited when all rays are there: until then the samples are on their way.
-      this->Samples.Prefetch(walk.Here());
-    }
-    return isAhead;
+    walks.Distance = passages.Distance;
   }
 
-  bool AdvanceThroughAll(std::size_t ray, Progress& progress) const
+  /// Search the cells that rays have gone to, each for those isovalues that pass through it.
+  void SearchEach(RayWalks& walks, HitBatch& hits) const
   {
-    bool isAhead;
-    do
+    Search search;
+    const auto count = static_cast<std::size_t>(walks.Rays.Count);
+    for (std::size_t i = 0; i < count; ++i)
     {
-      isAhead = progress.Live.Walks[ray].FindAny({ progress.Rays, ray }, this->Cells);
-    } while (isAhead && !this->Visit(ray, progress));
-    return isAhead;
+      const glm::ivec3 cell(walks.Cell[0][i], walks.Cell[1][i], walks.Cell[2][i]);
+      this->Visit(walks.Rays, i, cell, static_cast<std::size_t>(walks.From[i]), search, hits);
+    }
+    this->Finish(search, hits);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      walks.Distance[i] = hits.Depth[static_cast<std::size_t>(walks.From[i])];
+    }
   }
 
-  /// Read a cell, and take note of the passages through it that must be searched.
+  /// From cell to cell, all of which are read.
+  void TraceAll(const RayBatch& rays, HitBatch& hits) const
+  {
+    LiveRays live;
+    live.Begin(rays, this->Cells, [&](std::size_t ray) { return IsWanted(rays, hits, ray); });
+    Search search;
+    while (live.Count > 0)
+    {
+      live.Keep(
+        [&](std::size_t ray)
+        {
+          CellWalk& walk = live.Walks[ray];
+          bool isAhead;
+          do
+          {
+            isAhead = walk.FindAny({ rays, ray }, this->Cells);
+            hits.CellsRead += isAhead;
+          } while (isAhead && !this->Visit(rays, ray, walk.Here(), ray, search, hits));
+          return isAhead;
+        });
+      this->Finish(search, hits);
+      live.Keep([&](std::size_t ray) { return hits.Kind[ray] == HitKind::None; });
+    }
+  }
+
+  /// Read a cell, and take note of the passages of a ray through it that must be searched.
   /// \return false if no isovalue passes through the cell
-  bool Visit(std::size_t ray, Progress& progress) const
+  bool Visit(const RayBatch& rays, std::size_t place, const glm::ivec3& cell, std::size_t ray,
+    Search& search, HitBatch& hits) const
   {
-    const glm::ivec3& cell = progress.Live.Walks[ray].Here();
     const std::array<T, 8> samples = this->Samples.Read(cell);
-    ++progress.Hits.CellsRead;
     bool isFound = false;
     for (std::size_t surface = 0; surface < this->Differences.size(); ++surface)
     {
       Corners<Real> corners;
       if (this->Differ(samples, this->Differences[surface], corners))
       {
-        this->Append(cell, corners, surface, ray, progress);
+        if (search.Passages.Count == RayBatch::Capacity)
+        {
+          this->Finish(search, hits);
+        }
+        const auto at = static_cast<std::size_t>(search.Passages.Count);
+        AppendPassage(rays, place, cell, corners, search.Passages);
+        search.Ray[at] = ray;
+        search.Surface[at] = static_cast<std::int16_t>(surface);
         isFound = true;
       }
     }
@@ -180,34 +230,15 @@ private:
     return inside != 0 && inside != 8;
   }
 
-  void Append(const glm::ivec3& cell, const Corners<Real>& corners, std::size_t surface,
-    std::size_t ray, Progress& progress) const
-  {
-    PassageBatch<Real>& passages = progress.Passages;
-    if (passages.Count == RayBatch::Capacity)
-    {
-      this->Search(progress);
-    }
-    const auto at = static_cast<std::size_t>(passages.Count);
-    AppendPassage(progress.Rays, ray, cell, corners, passages);
-    progress.Owner[at] = ray;
-    progress.Surface[at] = static_cast<std::int16_t>(surface);
-  }
-
   /// Search all noted passages; of several surfaces along a ray the nearest is its hit.
-  void Search(Progress& progress) const
+  void Finish(Search& search, HitBatch& hits) const
   {
-    PassageBatch<Real>& passages = progress.Passages;
+    PassageBatch<Real>& passages = search.Passages;
     this->FindInPassages(passages);
     for (std::size_t i = 0; i < static_cast<std::size_t>(passages.Count); ++i)
     {
-      const std::size_t ray = progress.Owner[i];
-      if (passages.Enter[i] < progress.Hits.Contact[ray])
-      {
-        progress.Hits.Contact[ray] = passages.Enter[i];
-        progress.Hits.FromInside[ray] = IsInside(passages.AtEntry[i]);
-      }
-      KeepNearest(passages, i, ray, progress.Surface[i], progress.Hits);
+      KeepContact(passages, i, search.Ray[i], hits);
+      KeepNearest(passages, i, search.Ray[i], search.Surface[i], hits);
     }
     passages.Count = 0;
   }
@@ -243,16 +274,24 @@ private:
     gather(rays.End, passages.End);
   }
 
-  /// The corners of the given cells as differences from the isovalue.
-  void ReadCorners(const CellList& cells, PassageBatch<Real>& passages) const
+  /// Read the corners of the passages' cells, as differences from an isovalue.
+  /// \param forNormals most of these cells will hold hits, which are shaded next
+  void ReadCorners(
+    const Difference<T>& difference, bool forNormals, PassageBatch<Real>& passages) const
   {
-    const auto count = static_cast<std::size_t>(cells.Count);
-    const auto cellAt = [&cells](std::size_t i)
-    { return glm::ivec3(cells.Cell[0][i], cells.Cell[1][i], cells.Cell[2][i]); };
+    const auto count = static_cast<std::size_t>(passages.Count);
+    const auto cellAt = [&passages](std::size_t i)
+    { return glm::ivec3(passages.Cell[0][i], passages.Cell[1][i], passages.Cell[2][i]); };
     for (std::size_t i = 0; i < count && this->IsLarge; ++i)
     {
-      // Most of these cells will hold hits, which are shaded next.
-      PrefetchAround(this->Samples.All(), cellAt(i));
+      if (forNormals)
+      {
+        PrefetchAround(this->Samples.All(), cellAt(i));
+      }
+      else
+      {
+        this->Samples.Prefetch(cellAt(i));
+      }
     }
     std::array<RayBatch::Array<T>, 8> samples;
     for (std::size_t i = 0; i < count; ++i)
@@ -263,13 +302,23 @@ private:
         samples[corner][i] = corners[corner];
       }
     }
-    const Difference<T> difference = this->Differences[cells.Surface];
     for (std::size_t corner = 0; corner < 8; ++corner)
     {
       for (std::size_t i = 0; i < count; ++i)
       {
         passages.Corners[corner][i] = difference(samples[corner][i]);
       }
+    }
+  }
+
+  /// Make the beginning of a passage the contact of its ray if it is nearer.
+  static void KeepContact(
+    const PassageBatch<Real>& passages, std::size_t i, std::size_t ray, HitBatch& hits)
+  {
+    if (passages.Enter[i] < hits.Contact[ray])
+    {
+      hits.Contact[ray] = passages.Enter[i];
+      hits.FromInside[ray] = IsInside(passages.AtEntry[i]);
     }
   }
 
@@ -299,14 +348,13 @@ private:
 
   /// A solid that a ray begins in is capped there. Of several isovalues the highest is the one
   /// that is seen.
-  void FindCaps(Progress& progress) const
+  void FindCaps(const RayBatch& rays, HitBatch& hits) const
   {
     const std::vector<double>& isovalues = this->Scene.Sought.Isovalues;
-    const RayBatch& rays = progress.Rays;
-    HitBatch& hits = progress.Hits;
+    Search search;
+    PassageBatch<Real>& passages = search.Passages;
     for (std::size_t surface = 0; surface < isovalues.size(); ++surface)
     {
-      PassageBatch<Real>& passages = progress.Passages;
       for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
       {
         if (rays.Begin[ray] < rays.End[ray])
@@ -314,13 +362,14 @@ private:
           const glm::ivec3 cell = BatchRay{ rays, ray }.CellAt(rays.Begin[ray], this->Cells);
           Corners<Real> corners;
           this->Differ(this->Samples.Read(cell), this->Differences[surface], corners);
-          this->Append(cell, corners, surface, ray, progress);
+          search.Ray[static_cast<std::size_t>(passages.Count)] = ray;
+          AppendPassage(rays, ray, cell, corners, passages);
         }
       }
       this->FindInPassages(passages);
       for (std::size_t i = 0; i < static_cast<std::size_t>(passages.Count); ++i)
       {
-        const std::size_t ray = progress.Owner[i];
+        const std::size_t ray = search.Ray[i];
         const bool isHighest = hits.Surface[ray] == Frame::NoSurface ||
           isovalues[surface] > isovalues[static_cast<std::size_t>(hits.Surface[ray])];
         if (isHighest && IsInside(passages.AtEntry[i]))

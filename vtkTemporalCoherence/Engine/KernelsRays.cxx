@@ -3,10 +3,8 @@
 #include "KernelsRays.h"
 
 #include <algorithm>
-#include <cmath>
 
-// This file is compiled once for each kind of vectors, and what runs is chosen by the machine. The
-// loops are plain: the compiler turns them into vectors.
+// This file is compiled once for each kind of vectors, and what runs is chosen by the machine.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "KernelsRays.cxx"
 #include <hwy/foreach_target.h>
@@ -18,6 +16,11 @@ namespace TemporalCoherence
 {
 namespace HWY_NAMESPACE
 {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Doubles = hn::CappedTag<double, WidestVector / 2>;
+using V = hn::Vec<Doubles>;
 
 /// A direction component smaller than this share of the largest one is replaced by it, with its
 /// sign, so that its inverse is finite. Over the 1e4 cells of a large volume the ray then strays by
@@ -41,88 +44,75 @@ inline void SetPixels(const RaySource& source, const glm::ivec2& first, const gl
   }
 }
 
-inline void Interpolate(const RaySource::LinearVector& vector, int axis, std::size_t count,
-  const double* x, const double* y, double* out)
+/// A component of a linear vector.
+HWY_INLINE V At(const RaySource::LinearVector& vector, int axis, V x, V y)
 {
-  const double centre = vector[0][axis], perX = vector[1][axis], perY = vector[2][axis];
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    out[i] = centre + x[i] * perX + y[i] * perY;
-  }
+  const Doubles d;
+  const V centre = hn::Set(d, vector[0][axis]);
+  const V perX = hn::Set(d, vector[1][axis]), perY = hn::Set(d, vector[2][axis]);
+  return hn::Add(hn::Add(centre, hn::Mul(x, perX)), hn::Mul(y, perY));
 }
 
-inline void SetDirections(const double* length, std::size_t count, RayBatch& rays)
+/// Set up a vector of rays, from their normalised device coordinates.
+HWY_INLINE void SetUpVector(const RaySource& source, V x, V y, std::size_t i, RayBatch& rays)
 {
-  double *const dx = rays.Direction[0].data(), *const dy = rays.Direction[1].data(),
-                *const dz = rays.Direction[2].data();
-  RayBatch::Array<double> smallest;
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const double perLength = 1.0 / length[i];
-    dx[i] *= perLength;
-    dy[i] *= perLength;
-    dz[i] *= perLength;
-    smallest[i] =
-      SmallestShare * std::max(std::abs(dx[i]), std::max(std::abs(dy[i]), std::abs(dz[i])));
-  }
-  for (std::size_t a = 0; a < 3; ++a)
-  {
-    double* const direction = rays.Direction[a].data();
-    double* const inverse = rays.Inverse[a].data();
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      const double least = std::copysign(smallest[i], direction[i]);
-      direction[i] = std::abs(direction[i]) < smallest[i] ? least : direction[i];
-      inverse[i] = 1.0 / direction[i];
-    }
-  }
-}
+  const Doubles d;
+  const V one = hn::Set(d, 1.0), zero = hn::Zero(d);
+  const V wx = At(source.World, 0, x, y), wy = At(source.World, 1, x, y);
+  const V wz = At(source.World, 2, x, y);
+  const V length = hn::Sqrt(hn::Add(hn::Add(hn::Mul(wx, wx), hn::Mul(wy, wy)), hn::Mul(wz, wz)));
+  const V forward =
+    hn::Add(hn::Add(hn::Set(d, source.Forward.x), hn::Mul(x, hn::Set(d, source.Forward.y))),
+      hn::Mul(y, hn::Set(d, source.Forward.z)));
+  const V perDepth = hn::Div(length, forward);
+  V begin = hn::Mul(hn::Set(d, source.Near), perDepth);
+  V end = hn::Mul(hn::Set(d, source.Far), perDepth);
 
-/// Clip rays to the box; the planes are the faces of its first and last cells.
-inline void ClipToBox(const glm::dvec3& corner, std::size_t count, RayBatch& rays)
-{
-  for (std::size_t a = 0; a < 3; ++a)
+  const V perLength = hn::Div(one, length);
+  V direction[3];
+  for (int axis = 0; axis < 3; ++axis)
   {
-    const double last = corner[static_cast<int>(a)];
-    const double* const origin = rays.Origin[a].data();
-    const double* const inverse = rays.Inverse[a].data();
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      const double toFirst = (0.0 - origin[i]) * inverse[i];
-      const double toLast = (last - origin[i]) * inverse[i];
-      rays.Begin[i] = std::max(rays.Begin[i], std::min(toFirst, toLast));
-      rays.End[i] = std::min(rays.End[i], std::max(toFirst, toLast));
-    }
+    direction[axis] = hn::Mul(At(source.Direction, axis, x, y), perLength);
   }
+  const V largest =
+    hn::Max(hn::Abs(direction[0]), hn::Max(hn::Abs(direction[1]), hn::Abs(direction[2])));
+  const V smallest = hn::Mul(hn::Set(d, SmallestShare), largest);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto a = static_cast<std::size_t>(axis);
+    const V least = hn::CopySign(smallest, direction[a]);
+    const V along = hn::IfThenElse(hn::Lt(hn::Abs(direction[a]), smallest), least, direction[a]);
+    const V inverse = hn::Div(one, along);
+    const V origin = At(source.Origin, axis, x, y);
+    // The planes of the box are the faces of its first and last cells.
+    const V toFirst = hn::Mul(hn::Sub(zero, origin), inverse);
+    const V toLast = hn::Mul(hn::Sub(hn::Set(d, source.Last[axis]), origin), inverse);
+    begin = hn::Max(begin, hn::Min(toFirst, toLast));
+    end = hn::Min(end, hn::Max(toFirst, toLast));
+    hn::StoreU(origin, d, &rays.Origin[a][i]);
+    hn::StoreU(along, d, &rays.Direction[a][i]);
+    hn::StoreU(inverse, d, &rays.Inverse[a][i]);
+  }
+  hn::StoreU(perDepth, d, &rays.PerDepth[i]);
+  hn::StoreU(begin, d, &rays.Begin[i]);
+  hn::StoreU(begin, d, &rays.WalkBegin[i]);
+  hn::StoreU(end, d, &rays.End[i]);
+  hn::StoreU(end, d, &rays.WalkEnd[i]);
 }
 
 void SetUp(const RaySource& source, const glm::ivec2& first, const glm::ivec2& size, RayBatch& rays)
 {
+  const Doubles d;
   const auto count = static_cast<std::size_t>(size.x * size.y);
   rays.Count = static_cast<int>(count);
-  RayBatch::Array<double> x, y, wx, wy, wz, length;
+  RayBatch::Array<double> x, y;
   SetPixels(source, first, size, x.data(), y.data(), rays);
-  Interpolate(source.World, 0, count, x.data(), y.data(), wx.data());
-  Interpolate(source.World, 1, count, x.data(), y.data(), wy.data());
-  Interpolate(source.World, 2, count, x.data(), y.data(), wz.data());
-  for (int axis = 0; axis < 3; ++axis)
+  std::fill(x.begin() + static_cast<std::ptrdiff_t>(count), x.end(), x[0]);
+  std::fill(y.begin() + static_cast<std::ptrdiff_t>(count), y.end(), y[0]);
+  for (std::size_t i = 0; i < WholeVectors(count); i += hn::Lanes(d))
   {
-    const auto a = static_cast<std::size_t>(axis);
-    Interpolate(source.Origin, axis, count, x.data(), y.data(), rays.Origin[a].data());
-    Interpolate(source.Direction, axis, count, x.data(), y.data(), rays.Direction[a].data());
+    SetUpVector(source, hn::LoadU(d, &x[i]), hn::LoadU(d, &y[i]), i, rays);
   }
-  const double forward = source.Forward.x, forwardX = source.Forward.y, forwardY = source.Forward.z;
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    length[i] = std::sqrt(wx[i] * wx[i] + wy[i] * wy[i] + wz[i] * wz[i]);
-    rays.PerDepth[i] = length[i] / (forward + x[i] * forwardX + y[i] * forwardY);
-    rays.Begin[i] = source.Near * rays.PerDepth[i];
-    rays.End[i] = source.Far * rays.PerDepth[i];
-  }
-  SetDirections(length.data(), count, rays);
-  ClipToBox(source.Last, count, rays);
-  rays.WalkBegin = rays.Begin;
-  rays.WalkEnd = rays.End;
 }
 
 }

@@ -18,6 +18,7 @@ set(engine_files
   KernelsCrossing
   KernelsGradients
   KernelsImage
+  KernelsPyramid
   KernelsRange
   KernelsRays
   KernelsShading

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "EachTarget.h"
 #include "Grid.h"
 #include "ValueRangePyramid.h"
 
@@ -12,10 +13,11 @@ namespace
 
 using TemporalCoherence::ValueRangePyramid;
 
-/// Every leaf of the pyramid against the samples of its cells, one by one.
+/// Every leaf and node of the pyramid against the samples of its cells, one by one.
 template <typename T>
-void ExpectRanges(Grid<T>& grid)
+void ExpectRanges(Grid<T>& grid, const char* target)
 {
+  SCOPED_TRACE(target);
   ValueRangePyramid pyramid;
   pyramid.Build(grid.Seen);
   const glm::ivec3 n = grid.Seen.Dimensions;
@@ -26,6 +28,7 @@ void ExpectRanges(Grid<T>& grid)
     const auto* leaves = pyramid.LeavesOf<T>(node);
     const glm::ivec3 first =
       16 * glm::ivec3(node % nodes.x, node / nodes.x % nodes.y, node / nodes.x / nodes.y);
+    T lowest = std::numeric_limits<T>::max(), highest = std::numeric_limits<T>::lowest();
     for (int leaf = 0; leaf < 64; ++leaf)
     {
       const glm::ivec3 begin = first + 4 * glm::ivec3(leaf & 3, leaf >> 2 & 3, leaf >> 4);
@@ -46,15 +49,24 @@ void ExpectRanges(Grid<T>& grid)
           }
         }
       }
-      EXPECT_EQ(leaves[leaf].Min, min);
-      EXPECT_EQ(leaves[leaf].Max, max);
+      ASSERT_EQ(leaves[leaf].Min, min);
+      ASSERT_EQ(leaves[leaf].Max, max);
+      lowest = std::min(lowest, min);
+      highest = std::max(highest, max);
     }
+    ASSERT_EQ(pyramid.NodeAt<T>(node).Min, lowest);
+    ASSERT_EQ(pyramid.NodeAt<T>(node).Max, highest);
   }
 }
 
 template <typename T>
-class ValueRangePyramidOf : public ::testing::Test
+class ValueRangePyramidOf : public EachTarget
 {
+protected:
+  void ExpectRangesOnEachTarget(Grid<T>& grid)
+  {
+    this->ForEachTarget([&](const char* target) { ExpectRanges(grid, target); });
+  }
 };
 using AllTypes = ::testing::Types<std::int8_t, std::uint8_t, std::int16_t, std::uint16_t,
   std::int32_t, std::uint32_t, std::int64_t, std::uint64_t, float, double>;
@@ -64,11 +76,12 @@ TYPED_TEST(ValueRangePyramidOf, HoldsTheRangesOfItsCells)
 {
   const double low = std::is_signed_v<TypeParam> ? -100.0 : 0.0;
   for (const glm::ivec3 dimensions :
-    { glm::ivec3(2, 2, 2), glm::ivec3(5, 6, 17), glm::ivec3(67, 18, 33), glm::ivec3(130, 3, 2) })
+    { glm::ivec3(2, 2, 2), glm::ivec3(5, 6, 17), glm::ivec3(67, 18, 33), glm::ivec3(4, 99, 6),
+      glm::ivec3(2111, 3, 2), glm::ivec3(257, 66, 7) })
   {
     Grid<TypeParam> grid(dimensions);
     grid.FillRandomly(low, 100.0, 3);
-    ExpectRanges(grid);
+    this->ExpectRangesOnEachTarget(grid);
   }
 }
 
@@ -76,23 +89,32 @@ TYPED_TEST(ValueRangePyramidOf, SeesOneComponentOfSeveral)
 {
   Grid<TypeParam> grid(glm::ivec3(20, 9, 7), 3, 1);
   grid.FillRandomly(0.0, 100.0, 4);
-  ExpectRanges(grid);
+  this->ExpectRangesOnEachTarget(grid);
 }
 
-TEST(ValueRangePyramid, NotANumberIsBelowEverything)
+class NotANumber : public EachTarget
 {
-  Grid<float> grid(glm::ivec3(9, 9, 9));
+};
+
+TEST_F(NotANumber, IsBelowEverything)
+{
+  Grid<float> grid(glm::ivec3(99, 9, 9));
   grid.FillRandomly(1.0, 2.0, 5);
   grid.At(1, 2, 3) = std::numeric_limits<float>::quiet_NaN();
   grid.At(7, 7, 7) = std::numeric_limits<float>::infinity();
-  ValueRangePyramid pyramid;
-  pyramid.Build(grid.Seen);
-  const auto* leaves = pyramid.LeavesOf<float>(0);
-  EXPECT_EQ(leaves[0].Min, -std::numeric_limits<float>::infinity());
-  EXPECT_LE(leaves[0].Max, 2.0f);
-  EXPECT_EQ(leaves[1 + 4 + 16].Max, std::numeric_limits<float>::infinity());
-  EXPECT_GE(pyramid.FiniteRange().x, 1.0);
-  EXPECT_LE(pyramid.FiniteRange().y, 2.0);
+  this->ForEachTarget(
+    [&](const char* target)
+    {
+      SCOPED_TRACE(target);
+      ValueRangePyramid pyramid;
+      pyramid.Build(grid.Seen);
+      const auto* leaves = pyramid.LeavesOf<float>(0);
+      EXPECT_EQ(leaves[0].Min, -std::numeric_limits<float>::infinity());
+      EXPECT_LE(leaves[0].Max, 2.0f);
+      EXPECT_EQ(leaves[1 + 4 + 16].Max, std::numeric_limits<float>::infinity());
+      EXPECT_GE(pyramid.FiniteRange().x, 1.0);
+      EXPECT_LE(pyramid.FiniteRange().y, 2.0);
+    });
 }
 
 TEST(ValueRangePyramid, IsNotThereWithoutMemory)

@@ -3,6 +3,7 @@
 #ifndef TemporalCoherence_Frame_h
 #define TemporalCoherence_Frame_h
 
+#include "RoomAllocator.h"
 #include "Tiles.h"
 
 #include <glm/glm.hpp>
@@ -10,9 +11,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
-#include <new>
-#include <utility>
 #include <vector>
 
 namespace TemporalCoherence
@@ -34,27 +32,6 @@ enum class HitKind : std::uint8_t
   Leaves, ///< the field falls below the isovalue: the ray comes from inside
   Cap,    ///< the ray begins inside a THRESHOLD solid, which is cut open there
   Within  ///< it meets none and passes active cells from inside, as far as is known
-};
-
-/// Allocates room without a value in it: the threads that make a picture are the first to touch it.
-template <typename T>
-struct RoomAllocator : std::allocator<T>
-{
-  template <typename U>
-  struct rebind
-  {
-    using other = RoomAllocator<U>;
-  };
-  template <typename U>
-  void construct(U* place) const
-  {
-    ::new (static_cast<void*>(place)) U;
-  }
-  template <typename U, typename... Arguments>
-  void construct(U* place, Arguments&&... arguments) const
-  {
-    ::new (static_cast<void*>(place)) U(std::forward<Arguments>(arguments)...);
-  }
 };
 
 /// One value for each pixel.

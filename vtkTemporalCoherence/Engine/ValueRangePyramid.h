@@ -4,8 +4,11 @@
 #define TemporalCoherence_ValueRangePyramid_h
 
 #include "Field.h"
+#include "RoomAllocator.h"
 
 #include <cstddef>
+#include <limits>
+#include <type_traits>
 #include <vector>
 
 namespace TemporalCoherence
@@ -32,6 +35,27 @@ public:
   {
     T Min, Max;
   };
+
+  /// What no sample has widened yet.
+  template <typename T>
+  static constexpr Range<T> Empty()
+  {
+    using Limits = std::numeric_limits<T>;
+    if constexpr (std::is_floating_point_v<T>)
+    {
+      return { Limits::infinity(), -Limits::infinity() };
+    }
+    else
+    {
+      return { Limits::max(), Limits::lowest() };
+    }
+  }
+
+  /// Nodes along each axis of a field of so many samples.
+  static glm::ivec3 NodesFor(const glm::ivec3& samples)
+  {
+    return (samples - 1 + (NodeSize - 1)) / NodeSize;
+  }
 
   /// Read the whole field once, in parallel.
   /// \pre field.HasCells()
@@ -70,7 +94,8 @@ public:
   std::size_t MemoryInBytes() const { return this->Bytes.size(); }
 
 private:
-  std::vector<std::byte> Bytes; ///< the leaves of all nodes, and then the nodes
+  std::vector<std::byte, RoomAllocator<std::byte>>
+    Bytes; ///< the leaves of all nodes, and then the nodes
   glm::ivec3 Nodes{ 0 };
   glm::dvec2 Finite{ 0.0 };
 };

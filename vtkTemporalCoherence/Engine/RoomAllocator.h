@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_RoomAllocator_h
+#define TemporalCoherence_RoomAllocator_h
+
+#include <memory>
+#include <new>
+#include <utility>
+
+namespace TemporalCoherence
+{
+
+/// Allocates room without a value in it: the threads that fill it are the
+/// first to touch it.
+template <typename T>
+struct RoomAllocator : std::allocator<T>
+{
+  template <typename U>
+  struct rebind
+  {
+    using other = RoomAllocator<U>;
+  };
+  template <typename U>
+  void construct(U* place) const
+  {
+    ::new (static_cast<void*>(place)) U;
+  }
+  template <typename U, typename... Arguments>
+  void construct(U* place, Arguments&&... arguments) const
+  {
+    ::new (static_cast<void*>(place)) U(std::forward<Arguments>(arguments)...);
+  }
+};
+
+}
+
+#endif

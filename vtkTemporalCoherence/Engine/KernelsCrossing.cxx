@@ -72,14 +72,16 @@ HWY_INLINE V RefineCrossings(D d, const V b[4], M live)
 constexpr int NoCrossing = -1;
 constexpr int SeveralChanges = -2;
 
+/// \return true if some passages are to be looked at one by one
 template <typename Real>
-HWY_INLINE void FindShares(
+HWY_INLINE bool FindShares(
   PassageBatch<Real>& passages, const Paths<Real>& paths, bool isSolid, Real* shares)
 {
   const hn::CappedTag<Real, WidestVector> d;
   using V = hn::Vec<decltype(d)>;
   using M = hn::Mask<decltype(d)>;
   const V zero = hn::Zero(d);
+  M several = hn::Lt(zero, zero);
   for (std::size_t i = 0; i < static_cast<std::size_t>(passages.Count); i += hn::Lanes(d))
   {
     V b[4];
@@ -100,9 +102,41 @@ HWY_INLINE void FindShares(
     {
       share = hn::IfThenElse(live, RefineCrossings<Real>(d, b, live), share);
     }
+    several = hn::Or(several, hn::AndNot(begins, hn::AndNot(one, any)));
     hn::StoreU(hn::IfThenElse(begins, zero, share), d, shares + i);
     hn::StoreU(b[0], d, &passages.AtEntry[i]);
   }
+  return !hn::AllFalse(d, several);
+}
+
+/// Passage i, one by one, whose cubic changes its sign several times.
+template <typename Real>
+HWY_INLINE Real FindShare(
+  const PassageBatch<Real>& passages, const Paths<Real>& paths, std::size_t i)
+{
+  Corners<Real> corners;
+  CellPath<Real> path;
+  for (std::size_t corner = 0; corner < 8; ++corner)
+  {
+    corners[corner] = passages.Corners[corner][i];
+  }
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    path.Begin[a] = paths.Begin[a][i];
+    path.End[a] = paths.End[a][i];
+  }
+  Real share;
+  return FirstCrossing(CubicAlong(corners, path), share) ? share : Real(NoCrossing);
+}
+
+HWY_INLINE hn::Vec<hn::CappedTag<double, WidestVector / 2>> LoadAsDoubles(const float* from)
+{
+  const hn::CappedTag<double, WidestVector / 2> d;
+  return hn::PromoteTo(d, hn::LoadU(hn::Rebind<float, decltype(d)>(), from));
+}
+HWY_INLINE hn::Vec<hn::CappedTag<double, WidestVector / 2>> LoadAsDoubles(const double* from)
+{
+  return hn::LoadU(hn::CappedTag<double, WidestVector / 2>(), from);
 }
 
 template <typename Real>
@@ -111,29 +145,27 @@ HWY_INLINE void FindAll(PassageBatch<Real>& passages, bool isSolid)
   Paths<Real> paths;
   RayBatch::Array<Real> shares;
   SetUpPaths(passages, FullVectors(passages), paths);
-  FindShares(passages, paths, isSolid, shares.data());
-  for (std::size_t i = 0; i < static_cast<std::size_t>(passages.Count); ++i)
+  if (FindShares(passages, paths, isSolid, shares.data()))
   {
-    const double length = paths.Leave[i] - passages.Enter[i];
-    Real share = shares[i];
-    if (share == Real(SeveralChanges))
+    for (std::size_t i = 0; i < static_cast<std::size_t>(passages.Count); ++i)
     {
-      Corners<Real> corners;
-      CellPath<Real> path;
-      for (std::size_t corner = 0; corner < 8; ++corner)
+      if (shares[i] == Real(SeveralChanges))
       {
-        corners[corner] = passages.Corners[corner][i];
+        shares[i] = FindShare(passages, paths, i);
       }
-      for (std::size_t a = 0; a < 3; ++a)
-      {
-        path.Begin[a] = paths.Begin[a][i];
-        path.End[a] = paths.End[a][i];
-      }
-      share = FirstCrossing(CubicAlong(corners, path), share) ? share : Real(NoCrossing);
     }
-    const bool isFound = share >= Real(0) && length > 0.0;
-    passages.Distance[i] = isFound ? passages.Enter[i] + static_cast<double>(share) * length
-                                   : std::numeric_limits<double>::infinity();
+  }
+  const hn::CappedTag<double, WidestVector / 2> d;
+  const auto zero = hn::Zero(d);
+  const auto infinity = hn::Set(d, std::numeric_limits<double>::infinity());
+  for (std::size_t i = 0; i < static_cast<std::size_t>(passages.Count); i += hn::Lanes(d))
+  {
+    const auto share = LoadAsDoubles(&shares[i]);
+    const auto enter = hn::LoadU(d, &passages.Enter[i]);
+    const auto length = hn::Sub(hn::LoadU(d, &paths.Leave[i]), enter);
+    const auto isFound = hn::And(hn::Ge(share, zero), hn::Gt(length, zero));
+    const auto distance = hn::Add(enter, hn::Mul(share, length));
+    hn::StoreU(hn::IfThenElse(isFound, distance, infinity), d, &passages.Distance[i]);
   }
 }
 

@@ -128,17 +128,21 @@ private:
   /// Search the cells that rays have gone to, through all of which the one isovalue passes.
   void SearchAll(RayWalks& walks, PassageBatch<Real>& passages, HitBatch& hits) const
   {
+    const auto count = static_cast<std::size_t>(walks.Rays.Count);
     passages.Count = walks.Rays.Count;
-    passages.Cell = walks.Cell;
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      std::copy_n(walks.Cell[a].begin(), count, passages.Cell[a].begin());
+    }
     this->ReadCorners(this->Differences[0], false, passages);
     this->FindInPassages(passages);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(passages.Count); ++i)
+    for (std::size_t i = 0; i < count; ++i)
     {
       const auto ray = static_cast<std::size_t>(walks.From[i]);
       KeepContact(passages, i, ray, hits);
       KeepNearest(passages, i, ray, 0, hits);
     }
-    walks.Distance = passages.Distance;
+    std::copy_n(passages.Distance.begin(), count, walks.Distance.begin());
   }
 
   /// Search the cells that rays have gone to, each for those isovalues that pass through it.

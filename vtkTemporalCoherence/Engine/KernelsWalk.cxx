@@ -319,16 +319,32 @@ RayWalks::RayWalks(const RayBatch& rays, std::uint64_t which)
   }
 }
 
+namespace
+{
+
+std::size_t FirstZeroBit(std::uint64_t word)
+{
+  std::size_t bit = 0;
+  while (word >> bit & 1u)
+  {
+    ++bit;
+  }
+  return bit;
+}
+
+}
+
 void FindActiveCells(const WalkScene& scene, RayWalks& walks)
 {
   const std::uint64_t found = HWY_DYNAMIC_DISPATCH(FindActive)(scene, walks);
   walks.HasBegun = true;
   RayBatch& rays = walks.Rays;
+  const auto before = static_cast<std::size_t>(rays.Count);
   std::size_t count = 0;
-  RayBatch::Array<std::size_t> kept;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
+  RayBatch::Array<std::uint8_t> kept;
+  for (std::size_t i = 0; i < before; ++i)
   {
-    kept[count] = i;
+    kept[count] = static_cast<std::uint8_t>(i);
     count += found >> i & 1u;
   }
   rays.Count = static_cast<int>(count);
@@ -339,9 +355,11 @@ void FindActiveCells(const WalkScene& scene, RayWalks& walks)
   // Kernels that work on these rays must find numbers up to the end of the last vector.
   std::fill(&kept[count], kept.data() + WholeVectors(count), kept[count - 1]);
   count = WholeVectors(count);
+  // Rays in front of the first that is dropped stay where they are.
+  const std::size_t first = FirstZeroBit(found);
   const auto keep = [&](auto& array)
   {
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = first; i < count; ++i)
     {
       array[i] = array[kept[i]];
     }

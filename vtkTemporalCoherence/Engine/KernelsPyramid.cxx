@@ -75,7 +75,7 @@ public:
   /// \param leaves of the first node, in this row and slice; those beyond the last cell are empty
   HWY_INLINE void Fold(int columns, int nodes, Range<T>* leaves)
   {
-    const hn::ScalableTag<T> d;
+    const hn::CappedTag<T, MostLanes> d;
     constexpr Range<T> empty = ValueRangePyramid::Empty<T>();
     const int known = (columns - 1 + LeafSize - 1) / LeafSize;
     std::array<T, MostLeaves> min, max;
@@ -99,8 +99,9 @@ public:
 
 private:
   static constexpr int LeafSize = ValueRangePyramid::LeafSize;
-  static constexpr std::size_t Lanes = HWY_MAX_BYTES / sizeof(T);
-  static constexpr std::size_t MostLeaves = MostCells / LeafSize + Lanes;
+  /// Interleaving wider vectors costs more than it saves.
+  static constexpr std::size_t MostLanes = 32 / sizeof(T);
+  static constexpr std::size_t MostLeaves = MostCells / LeafSize + MostLanes;
   using Columns = std::array<T, LeafSize*(MostLeaves + 1)>;
 
   template <class D>
@@ -131,7 +132,7 @@ private:
   static HWY_INLINE void FoldColumns(int count, int known, T neutral, const Operation& fold,
     Columns& columns, std::array<T, MostLeaves>& leaves)
   {
-    const hn::ScalableTag<T> d;
+    const hn::CappedTag<T, MostLanes> d;
     const auto lanes = static_cast<int>(hn::Lanes(d));
     const int whole = (known + lanes - 1) / lanes * lanes;
     std::fill(columns.begin() + count, columns.begin() + 4 * whole + 1, neutral);

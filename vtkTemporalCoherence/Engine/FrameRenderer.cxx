@@ -89,11 +89,14 @@ bool FrameRenderer::Render(
 Isomap::Outcome FrameRenderer::BuildIsomap(
   const FrameKey& key, const Options& options, const Isomap::ReportProgress& report)
 {
-  const bool isPossible = !key.Sought.Isovalues.empty() && this->Map.CanBuild(key, options.Map);
   this->Counters.IsomapBuildTime = 0.0;
+  if (key.Sought.Isovalues.empty() || !this->Map.CanBuild(key, options.Map))
+  {
+    return Isomap::Outcome::Impossible;
+  }
   this->PreparePyramid(key);
   this->Map.DropNarrowBands(key, options.Map, this->Pyramid);
-  return isPossible ? this->BuildBands(key, options, report) : Isomap::Outcome::Impossible;
+  return this->BuildBands(key, options, report);
 }
 
 bool FrameRenderer::TakeRoute(const FrameKey& key, const Options& options, CachedImage* nearest,

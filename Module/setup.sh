@@ -30,7 +30,7 @@ TEXT
 }
 
 build_packages=(g++ cmake ninja-build libvtk9-dev libglm-dev libhwy-dev)
-test_packages=(libgtest-dev xvfb xauth libgl1-mesa-dri)
+test_packages=(libbenchmark-dev libgtest-dev xvfb xauth libgl1-mesa-dri)
 example_packages=(mricron-data)
 
 repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -89,7 +89,7 @@ ensure_packages()
   why=$(why_no_install)
   if ! command -v dpkg-query >/dev/null; then
     fail "$why: install a C++17 compiler, CMake 3.16 or later, Ninja, VTK 9.1 or later with its" \
-      "headers, and GLM (for tests also GoogleTest and Xvfb), then give --no-packages."
+      "headers, and GLM (for tests also GoogleTest, Google Benchmark and Xvfb), then give --no-packages."
   fi
 
   read -ra missing <<<"$(missing_packages "${needed[@]}")"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CommandLine.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <exception>
 #include <iomanip>
@@ -20,6 +21,23 @@ bool ReadNumber(const std::string& text, Number& number)
   return stream >> number && stream.eof();
 }
 
+/// The sentence that tells what an option needs.
+std::string NeedOf(const std::string& name, const std::string& need, const std::string& given)
+{
+  return name + " needs " + need + " behind it" + (given.empty() ? "." : ", not '" + given + "'.");
+}
+
+std::vector<std::string> SplitAtCommas(const std::string& text)
+{
+  std::vector<std::string> parts;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, ',');)
+  {
+    parts.push_back(part);
+  }
+  return parts;
+}
+
 }
 
 CommandLine::CommandLine(const std::string& program, const std::string& purpose)
@@ -30,36 +48,68 @@ CommandLine::CommandLine(const std::string& program, const std::string& purpose)
 
 void CommandLine::Flag(const std::string& name, const std::string& meaning, bool& value)
 {
-  this->Options.push_back(
-    { name, "", meaning, [&value](const std::string&) { return value = true; } });
+  const auto take = [&value](const std::string&)
+  {
+    value = true;
+    return std::string();
+  };
+  this->Options.push_back({ name, "", meaning, take });
 }
 
-void CommandLine::Number(const std::string& name, const std::string& meaning, int& value)
+void CommandLine::Number(
+  const std::string& name, const std::string& meaning, int& value, int smallest, int largest)
 {
-  const auto take = [&value](const std::string& text)
-  { return ReadNumber(text, value) && value >= 1; };
+  const std::string need = "a whole number of at least " + std::to_string(smallest) +
+    (largest < std::numeric_limits<int>::max() ? " and at most " + std::to_string(largest) : "");
+  const auto take = [=, &value](const std::string& text)
+  {
+    return ReadNumber(text, value) && value >= smallest && value <= largest
+      ? std::string()
+      : NeedOf(name, need, text);
+  };
   this->Options.push_back({ name, "NUMBER", meaning, take });
 }
 
 void CommandLine::Text(const std::string& name, const std::string& meaning, std::string& value)
 {
-  const auto take = [&value](const std::string& text)
+  const auto take = [name, &value](const std::string& text)
   {
     value = text;
-    return !text.empty();
+    return text.empty() ? NeedOf(name, "a path", text) : std::string();
   };
   this->Options.push_back({ name, "PATH", meaning, take });
 }
 
+void CommandLine::Choices(const std::string& name, const std::string& meaning,
+  const std::string& noun, const std::vector<Choice>& choices, std::vector<std::string>& chosen)
+{
+  this->Noun = noun;
+  this->AllChoices = choices;
+  const auto take = [name, noun, choices, &chosen](const std::string& text)
+  {
+    chosen = SplitAtCommas(text);
+    for (const std::string& one : chosen)
+    {
+      if (std::none_of(choices.begin(), choices.end(),
+            [&one](const Choice& choice) { return choice.Name == one; }))
+      {
+        return "There is no " + noun + " '" + one + "'; --help lists those there are.";
+      }
+    }
+    return chosen.empty() ? NeedOf(name, "the name of a " + noun, text) : std::string();
+  };
+  this->Options.push_back({ name, "NAME,...", meaning, take });
+}
+
 void CommandLine::Volumes(std::vector<::Volumes::Sample>& volumes)
 {
-  this->Wanted = &volumes;
+  this->Given = &volumes;
 }
 
 void CommandLine::PrintHelp() const
 {
   std::cout << this->Purpose << "\n\nusage: " << this->Program << " [OPTIONS]"
-            << (this->Wanted ? " [VOLUME ISOVALUE]..." : "") << "\n\n";
+            << (this->Given ? " [VOLUME ISOVALUE]..." : "") << "\n\n";
   for (const Option& option : this->Options)
   {
     std::cout << "  " << std::left << std::setw(NameWidth) << option.Name + " " + option.Value
@@ -67,16 +117,18 @@ void CommandLine::PrintHelp() const
   }
   std::cout << "  " << std::setw(NameWidth) << "--help"
             << "show this text\n";
-  if (this->Wanted)
+  if (!this->AllChoices.empty())
   {
-    std::cout
-      << "\nVOLUME is spheres or marschner-lobb with a number of samples behind it, as "
-         "spheres256,\nor a file in the folder that TEMPORAL_COHERENCE_DATA names. Default:";
-    for (const ::Volumes::Sample& sample : *this->Wanted)
+    std::cout << "\n" << this->Noun << "s:\n";
+    for (const Choice& choice : this->AllChoices)
     {
-      std::cout << ' ' << sample.Name << ' ' << sample.Isovalue;
+      std::cout << "  " << std::setw(NameWidth) << choice.Name << choice.Meaning << '\n';
     }
-    std::cout << '\n';
+  }
+  if (this->Given)
+  {
+    std::cout << "\nVOLUME is spheres or marschner-lobb with a number of samples behind it, as "
+                 "spheres256,\nor a file in the folder that TEMPORAL_COHERENCE_DATA names.\n";
   }
 }
 
@@ -98,10 +150,8 @@ bool CommandLine::ReadOption(const std::vector<std::string>& arguments, std::siz
     }
     const bool hasValue = !option.Value.empty();
     const std::string value = hasValue && at + 1 < arguments.size() ? arguments[++at] : "";
-    return option.Take(value) ||
-      this->Mistake(name + " needs " +
-        (option.Value == "NUMBER" ? "a whole number of at least 1" : "a path") + " behind it" +
-        (value.empty() ? "." : ", not '" + value + "'."));
+    const std::string mistake = option.Take(value);
+    return mistake.empty() || this->Mistake(mistake);
   }
   return this->Mistake("There is no option " + name + "; --help lists those there are.");
 }
@@ -110,7 +160,7 @@ bool CommandLine::ReadVolume(const std::vector<std::string>& arguments, std::siz
 {
   const std::string& name = arguments[at];
   double isovalue = 0.0;
-  if (!this->Wanted)
+  if (!this->Given)
   {
     return this->Mistake("Volumes are not chosen here: leave '" + name + "' out.");
   }
@@ -118,7 +168,7 @@ bool CommandLine::ReadVolume(const std::vector<std::string>& arguments, std::siz
   {
     return this->Mistake("Give a number behind " + name + ": its isovalue.");
   }
-  this->Given.push_back({ name, isovalue });
+  this->Given->push_back({ name, isovalue });
   return true;
 }
 
@@ -138,10 +188,6 @@ bool CommandLine::Read(int argc, char* argv[])
       return false;
     }
   }
-  if (!this->Given.empty())
-  {
-    *this->Wanted = this->Given;
-  }
   return true;
 }
 
@@ -157,7 +203,7 @@ int CommandLine::Run(int argc, char* argv[], const std::function<bool()>& measur
     {
       return 0;
     }
-    this->Mistake("Nothing was measured: name a volume that is there.");
+    this->Mistake("Nothing was measured, for the reasons above.");
   }
   catch (const std::exception& failure)
   {

@@ -6,6 +6,7 @@
 #include "Volumes.h"
 
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -16,10 +17,20 @@ public:
   CommandLine(const std::string& program, const std::string& purpose);
 
   void Flag(const std::string& name, const std::string& meaning, bool& value);
-  /// A whole number of at least 1.
-  void Number(const std::string& name, const std::string& meaning, int& value);
+  /// A whole number between two, both included.
+  void Number(const std::string& name, const std::string& meaning, int& value, int smallest = 1,
+    int largest = std::numeric_limits<int>::max());
   void Text(const std::string& name, const std::string& meaning, std::string& value);
-  /// Accept pairs of VOLUME and ISOVALUE; without any, `volumes` keeps what it holds.
+  /// Something that can be chosen by its name.
+  struct Choice
+  {
+    std::string Name, Meaning;
+  };
+  /// One or more of some choices, by names with commas between them.
+  /// \param noun what a choice is called
+  void Choices(const std::string& name, const std::string& meaning, const std::string& noun,
+    const std::vector<Choice>& choices, std::vector<std::string>& chosen);
+  /// Accept pairs of VOLUME and ISOVALUE.
   void Volumes(std::vector<Volumes::Sample>& volumes);
 
   /// A whole program: read the options, then measure. What goes wrong is told in one sentence.
@@ -33,7 +44,8 @@ private:
     std::string Name;
     std::string Value; ///< what the help calls the value; empty for a flag
     std::string Meaning;
-    std::function<bool(const std::string&)> Take; ///< false if it cannot be such a value
+    /// What is wrong with a value, as one sentence; empty if it is taken.
+    std::function<std::string(const std::string&)> Take;
   };
 
   /// False after --help or a mistake, which is told in one sentence.
@@ -47,8 +59,9 @@ private:
   std::string Program;
   std::string Purpose;
   std::vector<Option> Options;
-  std::vector<::Volumes::Sample>* Wanted = nullptr;
-  std::vector<::Volumes::Sample> Given;
+  std::string Noun; ///< of choices
+  std::vector<Choice> AllChoices;
+  std::vector<::Volumes::Sample>* Given = nullptr;
 };
 
 #endif

@@ -8,13 +8,36 @@
 #include <vtkRenderWindow.h>
 
 #include <cstdlib>
+#include <iostream>
+
+namespace
+{
+
+bool HasDisplay()
+{
+  const vtkNew<vtkRenderWindow> window;
+  return !window->IsA("vtkXOpenGLRenderWindow") || std::getenv("DISPLAY");
+}
+
+}
 
 void RequireDisplay()
 {
-  const vtkNew<vtkRenderWindow> window;
-  if (window->IsA("vtkXOpenGLRenderWindow") && !std::getenv("DISPLAY"))
+  if (!HasDisplay())
   {
     throw Measuring::Failure(
       "There is no display to draw on: put xvfb-run -a in front of the command.");
   }
+}
+
+bool HasDisplayOrTell(const std::string& whatIsLeftOut)
+{
+  if (!HasDisplay())
+  {
+    std::cerr << whatIsLeftOut
+              << " left out: there is no display to draw on; put xvfb-run -a in front of the "
+                 "command.\n";
+    return false;
+  }
+  return true;
 }

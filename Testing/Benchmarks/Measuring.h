@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <stdexcept>
 #include <vector>
 
@@ -18,6 +19,9 @@ struct Failure : std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
+/// Stands for a figure that there is not; tables show "-" for it, JSON null.
+constexpr double None = std::numeric_limits<double>::quiet_NaN();
+
 /// Milliseconds of wall time that an action takes.
 template <typename Action>
 double TimeOf(const Action& action)
@@ -28,11 +32,11 @@ double TimeOf(const Action& action)
     .count();
 }
 
-/// The middle value, the upper one of two; 0 of none.
+/// The middle value, the upper one of two; None of none.
 inline double Median(std::vector<double> values)
 {
   std::sort(values.begin(), values.end());
-  return values.empty() ? 0.0 : values[values.size() / 2];
+  return values.empty() ? None : values[values.size() / 2];
 }
 
 /// The largest value; 0 of none.

@@ -33,6 +33,10 @@ std::string Quoted(const std::string& text)
 
 std::string Fixed(double value, int digits)
 {
+  if (!std::isfinite(value))
+  {
+    return "-";
+  }
   std::ostringstream text;
   text << std::fixed << std::setprecision(digits) << value;
   return text.str();
@@ -114,14 +118,15 @@ void JsonWriter::Add(const std::string& name, const std::vector<double>& values)
   this->Close();
 }
 
-void JsonWriter::Write(const std::string& path)
+void JsonWriter::Write(const std::string& path) const
 {
-  while (!this->Ends.empty())
+  JsonWriter whole = *this;
+  while (!whole.Ends.empty())
   {
-    this->Close();
+    whole.Close();
   }
   std::ofstream file(path);
-  file << this->Text << '\n';
+  file << whole.Text << '\n';
   if (!file.flush())
   {
     throw Measuring::Failure(
@@ -133,18 +138,5 @@ void AddMachine(JsonWriter& json, int size)
 {
   json.Add("pixels", size);
   json.Add("threads", vtkSMPTools::GetEstimatedNumberOfThreads());
-}
-
-bool MakeReport(int size, const std::string& file, const std::function<bool(JsonWriter&)>& measure)
-{
-  std::cout << size << " x " << size << " pixels, " << vtkSMPTools::GetEstimatedNumberOfThreads()
-            << " threads\n\n";
-  JsonWriter json;
-  AddMachine(json, size);
-  const bool isMeasured = measure(json);
-  if (isMeasured && !file.empty())
-  {
-    json.Write(file);
-  }
-  return isMeasured;
+  json.Add("threadsBy", std::string(vtkSMPTools::GetBackend()));
 }

@@ -3,11 +3,10 @@
 #ifndef Benchmarks_Report_h
 #define Benchmarks_Report_h
 
-#include <functional>
 #include <string>
 #include <vector>
 
-/// A number with so many digits behind the point.
+/// A number with so many digits behind the point; "-" if it is none.
 std::string Fixed(double value, int digits);
 
 /// A number in as few digits as show it, such as an isovalue.
@@ -36,9 +35,9 @@ public:
   void Add(const std::string& name, const std::string& value);
   void Add(const std::string& name, const std::vector<double>& values);
 
-  /// Close what is open and write the file.
+  /// Write the file, with what is open closed there. The text can go on afterwards.
   /// \throws Measuring::Failure if the file cannot be written
-  void Write(const std::string& path);
+  void Write(const std::string& path) const;
 
 private:
   void Open(const std::string& name, char open, char close);
@@ -51,11 +50,5 @@ private:
 
 /// Begin a report: picture size and threads, which all figures depend on.
 void AddMachine(JsonWriter& json, int size);
-
-/// A whole report: begin it on the output and in JSON, measure, and write the JSON.
-/// \param file    none: no JSON
-/// \param measure false if nothing was measured
-/// \return what `measure` does
-bool MakeReport(int size, const std::string& file, const std::function<bool(JsonWriter&)>& measure);
 
 #endif

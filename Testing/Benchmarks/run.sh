@@ -8,8 +8,8 @@ set -euo pipefail
 usage()
 {
   cat <<'TEXT'
-Build vtkTemporalCoherence and measure it: every route, the image cache, the isomap, how times grow
-with the data, and the paper's figures.
+Build vtkTemporalCoherence and measure it: all scenarios of the program Benchmark (its --help tells
+them), single kernels, and the paper's figures.
 
 usage: Testing/Benchmarks/run.sh [--quick] [--output FOLDER] [--no-packages]
 
@@ -48,16 +48,12 @@ while [ $# -gt 0 ]; do
   shift
 done
 
-routes=(--window --frames 12)
-cache=()
-isomap=(--window)
-growth=(--frames 20)
+scenarios=()
+kernels=()
 figures=()
 if [ "$quick" = yes ]; then
-  routes=(--window --size 256 --frames 3 spheres256 100 engine.vti 70)
-  cache=(--size 256 --frames 6)
-  isomap=(--window --size 256 --frames 6 --steps 40 spheres128 100 engine.vti 70)
-  growth=(--size 256 --frames 6 --largest 256)
+  scenarios=(--quick)
+  kernels=(--benchmark_min_time=0.01)
   figures=(--quick)
 fi
 
@@ -90,7 +86,7 @@ with_display() # COMMAND...
 # Runs a program; what it prints goes into a file too.
 measure() # TITLE FILE PROGRAM ARGUMENTS...
 {
-  local title=$1 file=$output/$2.md program=$3 begin=$SECONDS
+  local title=$1 file=$output/$2 program=$3 begin=$SECONDS
   shift 3
   say "$title: $program $*"
   with_display "$build/bin/$program" "$@" | tee "$file" ||
@@ -103,16 +99,16 @@ mkdir -p "$output" 2>/dev/null ||
   fail "Cannot make the folder $output; name one that can be written in with --output."
 output=$(cd "$output" && pwd)
 
-measure "Every route" routes BenchmarkRoutes "${routes[@]}" --json "$output/routes.json"
-measure "The image cache" image-cache BenchmarkImageCache "${cache[@]}" \
-  --json "$output/image-cache.json"
-measure "The isomap" isomap BenchmarkIsomap "${isomap[@]}" --json "$output/isomap.json"
-measure "Growth" growth BenchmarkImageCache --growth "${growth[@]}" --json "$output/growth.json"
-measure "Growth of the isomap" growth-isomap BenchmarkIsomap --growth "${growth[@]}" \
-  --json "$output/growth-isomap.json"
+measure "All scenarios" benchmark.md Benchmark "${scenarios[@]}" --json "$output/benchmark.json"
+if [ -x "$build/bin/BenchmarkKernels" ]; then
+  measure "Single kernels" kernels.txt BenchmarkKernels "${kernels[@]}" \
+    --benchmark_out="$output/kernels.json" --benchmark_out_format=json
+else
+  say "Single kernels are left out: there is no Google Benchmark."
+fi
 if [ -x "$build/bin/PaperFigures" ]; then
-  measure "The paper's figures" figures PaperFigures "${figures[@]}" --output "$output/figures"
+  measure "The paper's figures" figures.md PaperFigures "${figures[@]}" --output "$output/figures"
 else
   say "The paper's figures are left out: this VTK has no charts."
 fi
-say "Tables (.md), JSON and the folder of figures are in $output"
+say "Tables (.md, .txt), JSON and the folder of figures are in $output"

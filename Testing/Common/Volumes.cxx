@@ -34,6 +34,18 @@ vtkSmartPointer<vtkImageData> Read(const std::string& path)
   return image;
 }
 
+/// Samples a side of a volume made by formula, from a name such as "spheres256"; 0 if the name is
+/// not of that kind, or the size not one that can be made.
+int SizeBehind(const std::string& kind, const std::string& name)
+{
+  constexpr std::size_t mostDigits = 4;
+  const std::string digits = name.rfind(kind, 0) == 0 ? name.substr(kind.size()) : "";
+  const bool isNumber = !digits.empty() && digits.size() <= mostDigits &&
+    digits.find_first_not_of("0123456789") == std::string::npos;
+  const int size = isNumber ? std::atoi(digits.c_str()) : 0;
+  return size >= 2 && size <= LargestSize ? size : 0;
+}
+
 bool EndsWith(const std::string& text, const std::string& end)
 {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
@@ -126,14 +138,13 @@ std::string DataDirectory()
 
 vtkSmartPointer<vtkImageData> Load(const std::string& name)
 {
-  const std::string::size_type digits = name.find_first_of("0123456789");
-  if (name.rfind("spheres", 0) == 0)
+  if (const int size = SizeBehind("spheres", name))
   {
-    return FourSpheres(std::atoi(name.c_str() + digits));
+    return FourSpheres(size);
   }
-  if (name.rfind("marschner-lobb", 0) == 0)
+  if (const int size = SizeBehind("marschner-lobb", name))
   {
-    return MarschnerLobb(std::atoi(name.c_str() + digits));
+    return MarschnerLobb(size);
   }
   std::string path = DataDirectory() + "/" + name;
   if (EndsWith(name, ".nii.gz"))

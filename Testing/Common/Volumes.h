@@ -39,6 +39,9 @@ struct Sample
   double Isovalue;
 };
 
+/// The most samples a side of a volume that is loaded by the name of its formula.
+constexpr int LargestSize = 2048;
+
 /// Folder of the real volumes: the environment's TEMPORAL_COHERENCE_DATA, else ../shared/data
 /// beside the sources.
 std::string DataDirectory();

@@ -3,40 +3,25 @@
 #ifndef Testing_EachTarget_h
 #define Testing_EachTarget_h
 
+#include "VectorTarget.h"
+
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <cstdint>
 #include <cstring>
 
-/// Runs the rest of a scope on one kind of vectors after the other.
+/// Runs a check on one kind of vectors after the other.
 class EachTarget : public ::testing::Test
 {
 protected:
-  ~EachTarget() override { Choose(0); }
-
   template <typename Check>
   void ForEachTarget(const Check& check)
   {
-    const std::int64_t all = hwy::SupportedTargets();
-    for (int bit = 0; bit < 63; ++bit)
+    for (const std::int64_t target : VectorTarget::All())
     {
-      const std::int64_t target = std::int64_t(1) << bit;
-      if (all & target)
-      {
-        Choose(target);
-        check(hwy::TargetName(target));
-      }
+      const VectorTarget chosen(target);
+      check(hwy::TargetName(target));
     }
-    Choose(0);
-  }
-
-private:
-  /// \param target 0: whatever the machine has
-  static void Choose(std::int64_t target)
-  {
-    hwy::SetSupportedTargetsForTest(target);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
   }
 };
 

@@ -6,7 +6,6 @@
 #include "IsomapDrags.h"
 #include "IsomapFrames.h"
 #include "IsomapMaps.h"
-#include "IsomapWindow.h"
 #include "Report.h"
 #include "Volumes.h"
 
@@ -25,7 +24,6 @@ struct Result
   std::vector<IsomapDrags::Summary> Drags;
   std::vector<IsomapMaps::Map> Widths; ///< the last is of the whole range
   std::vector<IsomapMaps::Map> Tolerances;
-  IsomapWindow::Times Window; ///< zeros if no window was asked for
 };
 
 void PrintFrames(const std::vector<Result>& results);
@@ -33,7 +31,6 @@ void PrintDrags(const std::vector<Result>& results);
 void PrintWholeMaps(const std::vector<Result>& results);
 void PrintWidths(const std::vector<Result>& results);
 void PrintTolerances(const std::vector<Result>& results);
-void PrintWindows(const std::vector<Result>& results);
 
 /// A list of maps.
 void AddTo(JsonWriter& json, const std::string& name, const std::vector<IsomapMaps::Map>& maps);

@@ -97,16 +97,22 @@ void MeasureLaterSteps(Stage& stage, double isovalue, double step, int frames, T
 
 }
 
-Times Measure(Stage& stage, int frames)
+Times MeasureStepUp(Stage& stage, int frames)
 {
   const double isovalue = stage.Isovalue();
   const double step = stage.ShareOfRange(FirstStep);
   Times times;
+  times.FirstUp = FirstStepTime(stage, isovalue, step);
+  MeasureLaterSteps(stage, isovalue, step, frames, times);
+  return times;
+}
+
+Times Measure(Stage& stage, int frames)
+{
+  Times times = MeasureStepUp(stage, frames);
+  times.FirstDown = FirstStepTime(stage, stage.Isovalue(), -stage.ShareOfRange(FirstStep));
   times.Cold = ColdTime(stage, true, frames);
   times.Plain = ColdTime(stage, false, std::max(FewestPlainFrames, frames / 10));
-  times.FirstUp = FirstStepTime(stage, isovalue, step);
-  times.FirstDown = FirstStepTime(stage, isovalue, -step);
-  MeasureLaterSteps(stage, isovalue, step, frames, times);
   return times;
 }
 

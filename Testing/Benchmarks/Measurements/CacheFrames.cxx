@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "CacheScenarios.h"
+#include "CacheFrames.h"
 
 #include "Measuring.h"
 #include "Report.h"
@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <deque>
 
-namespace CacheScenarios
+namespace CacheFrames
 {
 namespace
 {
@@ -49,12 +49,12 @@ Measures Measure(Mapper* mapper, double frameMs, double differentPixels)
 /// A variant at work.
 struct Runner
 {
-  Runner(const Stage& stage, const Scenario& scenario, const Variant& variant)
+  Runner(const Stage& stage, const Motion& motion, const Variant& variant)
     : Draws(stage)
     , Name(variant.Name)
   {
     this->Draws.Mapper->RefineWhenStillOff();
-    this->Draws.Mapper->SetSpaceLeaping(scenario.SpaceLeaping);
+    this->Draws.Mapper->SetSpaceLeaping(motion.SpaceLeaping);
     variant.Set(this->Draws.Mapper);
     this->Draws.Draw(stage);
   }
@@ -117,18 +117,18 @@ const std::vector<Variant>& AllVariants()
   return variants;
 }
 
-Scenario Orbit(double degrees)
+Motion Orbit(double degrees)
 {
   return { "orbit " + Plain(degrees), [degrees](Stage& stage, int, int) { stage.Orbit(degrees); } };
 }
 
-std::vector<Scenario> AllScenarios()
+std::vector<Motion> AllMotions()
 {
   const auto zoom = [](Stage& stage, int frame, int frames)
   { stage.Approach(DirectionOf(frame, frames) > 0 ? 1.02 : 1.0 / 1.02); };
   const auto pan = [](Stage& stage, int frame, int frames)
   { stage.Pan(0.01 * DirectionOf(frame, frames)); };
-  Scenario plainOrbit = Orbit(2.0);
+  Motion plainOrbit = Orbit(2.0);
   plainOrbit.Name += " plain";
   plainOrbit.SpaceLeaping = false;
   return { Orbit(0.5), Orbit(1.0), Orbit(2.0), Orbit(5.0), { "zoom", zoom }, { "pan", pan },
@@ -136,17 +136,17 @@ std::vector<Scenario> AllScenarios()
 }
 
 std::vector<Summary> Run(
-  Stage& stage, const Scenario& scenario, const std::vector<Variant>& variants, int frames)
+  Stage& stage, const Motion& motion, const std::vector<Variant>& variants, int frames)
 {
   stage.ResetView();
   std::deque<Runner> runners;
   for (const Variant& variant : variants)
   {
-    runners.emplace_back(stage, scenario, variant);
+    runners.emplace_back(stage, motion, variant);
   }
   for (int frame = 0; frame < frames; ++frame)
   {
-    scenario.Move(stage, frame, frames);
+    motion.Move(stage, frame, frames);
     // Each begins in turn, so that none always finds the samples in the processor's cache.
     for (std::size_t i = 0; i < runners.size(); ++i)
     {

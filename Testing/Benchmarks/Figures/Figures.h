@@ -29,6 +29,7 @@ struct Settings
   int Size = 1024; ///< pixels of a picture in each direction
   int Frames = 20; ///< of which figure 5 shows the average
   int DriftFrames = 720;
+  int Largest = 512;  ///< samples a side where growth ends
   std::string Output; ///< folder
   std::vector<Subject> Subjects;
 };

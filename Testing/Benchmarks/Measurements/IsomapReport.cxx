@@ -83,16 +83,6 @@ void AddTo(JsonWriter& json, const std::vector<IsomapDrags::Summary>& drags)
   json.Close();
 }
 
-void AddTo(JsonWriter& json, const IsomapWindow::Times& times)
-{
-  json.OpenObject("window");
-  json.Add("lookupMs", times.Lookup);
-  json.Add("presentMs", times.Present);
-  json.Add("reshadeMs", times.Reshade);
-  json.Add("pictureMs", times.Picture);
-  json.Close();
-}
-
 }
 
 void PrintFrames(const std::vector<Result>& results)
@@ -165,19 +155,6 @@ void PrintTolerances(const std::vector<Result>& results)
   std::cout << '\n';
 }
 
-void PrintWindows(const std::vector<Result>& results)
-{
-  const MarkdownTable table({ "volume", "isovalue", "look-up", "(showing)", "Reshade",
-    "any picture", "look-up / any picture" });
-  for (const Result& result : results)
-  {
-    const IsomapWindow::Times& t = result.Window;
-    table.Row(Row(result,
-      { Fixed(t.Lookup, 1), Fixed(t.Present, 1), Fixed(t.Reshade, 1), Fixed(t.Picture, 1),
-        Fixed(Ratio(t.Lookup, t.Picture), 2) }));
-  }
-}
-
 void AddTo(JsonWriter& json, const std::string& name, const std::vector<Map>& maps)
 {
   json.OpenList(name);
@@ -212,7 +189,6 @@ void AddTo(JsonWriter& json, const std::vector<Result>& results)
     AddTo(json, result.Drags);
     AddTo(json, "widths", result.Widths);
     AddTo(json, "tolerances", result.Tolerances);
-    AddTo(json, result.Window);
     json.Close();
   }
   json.Close();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef Benchmarks_CacheScenarios_h
-#define Benchmarks_CacheScenarios_h
+#ifndef Benchmarks_CacheFrames_h
+#define Benchmarks_CacheFrames_h
 
 #include "Stage.h"
 
@@ -12,7 +12,7 @@
 #include <vector>
 
 /// A moving camera, drawn cold and from the image cache at each of its accuracies.
-namespace CacheScenarios
+namespace CacheFrames
 {
 
 /// What is measured of every frame.
@@ -46,19 +46,19 @@ struct Variant
 const std::vector<Variant>& AllVariants();
 
 /// How the camera moves from frame to frame.
-struct Scenario
+struct Motion
 {
   std::string Name;
   std::function<void(Stage&, int frame, int frames)> Move;
   bool SpaceLeaping = true;
 };
 
-Scenario Orbit(double degrees);
+Motion Orbit(double degrees);
 
 /// The orbits, the zoom and the pan; and last the orbit of 2 degrees without space leaping.
-std::vector<Scenario> AllScenarios();
+std::vector<Motion> AllMotions();
 
-/// One variant in one scenario.
+/// One variant in one motion.
 struct Summary
 {
   std::string Variant;
@@ -70,7 +70,7 @@ struct Summary
 /// A summary of each variant. Every view is drawn by all of them, so that ratios are from one run;
 /// the first view, which fills the caches, is not measured.
 std::vector<Summary> Run(
-  Stage& stage, const Scenario& scenario, const std::vector<Variant>& variants, int frames);
+  Stage& stage, const Motion& motion, const std::vector<Variant>& variants, int frames);
 
 }
 

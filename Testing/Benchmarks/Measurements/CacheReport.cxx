@@ -12,7 +12,7 @@ namespace CacheReport
 namespace
 {
 
-using namespace CacheScenarios;
+using namespace CacheFrames;
 
 double SpeedUp(const Result& result, const Summary& summary)
 {
@@ -24,9 +24,9 @@ bool AreOfSameVolume(const Result& a, const Result& b)
   return a.Volume.Name == b.Volume.Name && a.Volume.Isovalue == b.Volume.Isovalue;
 }
 
-/// A row for each volume and cached variant, a column for each scenario. The results of a volume
-/// follow each other, and all volumes have the same scenarios.
-void PrintScenarios(const std::vector<Result>& results,
+/// A row for each volume and cached variant, a column for each motion. The results of a volume
+/// follow each other, and all volumes have the same motions.
+void PrintMotions(const std::vector<Result>& results,
   const std::function<std::string(const Result&, const Summary&)>& cellOf)
 {
   std::vector<std::string> head = { "volume", "isovalue", "accuracy" };
@@ -34,19 +34,19 @@ void PrintScenarios(const std::vector<Result>& results,
   {
     if (AreOfSameVolume(result, results.front()))
     {
-      head.push_back(result.Scenario);
+      head.push_back(result.Motion);
     }
   }
-  const std::size_t scenarios = head.size() - 3;
+  const std::size_t motions = head.size() - 3;
   const MarkdownTable table(head);
-  for (std::size_t first = 0; first < results.size(); first += scenarios)
+  for (std::size_t first = 0; first < results.size(); first += motions)
   {
     const Result& volume = results[first];
     for (std::size_t v = 1; v < volume.Summaries.size(); ++v)
     {
       std::vector<std::string> cells = { volume.Volume.Name, Plain(volume.Volume.Isovalue),
         volume.Summaries[v].Variant };
-      for (std::size_t s = 0; s < scenarios; ++s)
+      for (std::size_t s = 0; s < motions; ++s)
       {
         const Result& result = results[first + s];
         cells.push_back(cellOf(result, result.Summaries[v]));
@@ -60,14 +60,14 @@ void PrintScenarios(const std::vector<Result>& results,
 
 void PrintRatios(const std::vector<Result>& results)
 {
-  PrintScenarios(results,
+  PrintMotions(results,
     [](const Result& result, const Summary& summary)
     { return Fixed(SpeedUp(result, summary), 2); });
 }
 
 void PrintDifferences(const std::vector<Result>& results)
 {
-  PrintScenarios(results,
+  PrintMotions(results,
     [](const Result&, const Summary& summary)
     {
       return Fixed(summary.Medians[DifferentPixels], 4) + " / " +
@@ -75,14 +75,14 @@ void PrintDifferences(const std::vector<Result>& results)
     });
 }
 
-void PrintDetails(const std::vector<Result>& results, const std::string& scenario)
+void PrintDetails(const std::vector<Result>& results, const std::string& motion)
 {
   const MarkdownTable table({ "volume", "isovalue", "frames", "ms", "cold / ms", "query", "trace",
     "shade", "hit %", "miss %", "possible %", "samples a ray", "a traced ray",
     "different % (median / worst)", "from cache %" });
   for (const Result& result : results)
   {
-    if (result.Scenario != scenario)
+    if (result.Motion != motion)
     {
       continue;
     }
@@ -102,7 +102,7 @@ void PrintDetails(const std::vector<Result>& results, const std::string& scenari
 
 void AddTo(JsonWriter& json, const std::vector<Result>& results)
 {
-  json.OpenList("scenarios");
+  json.OpenList("motions");
   for (const Result& result : results)
   {
     for (const Summary& summary : result.Summaries)
@@ -110,7 +110,7 @@ void AddTo(JsonWriter& json, const std::vector<Result>& results)
       json.OpenObject();
       json.Add("volume", result.Volume.Name);
       json.Add("isovalue", result.Volume.Isovalue);
-      json.Add("scenario", result.Scenario);
+      json.Add("motion", result.Motion);
       json.Add("frames", summary.Variant);
       json.Add("coldByThis", SpeedUp(result, summary));
       for (std::size_t i = 0; i < NumberOfQuantities; ++i)

@@ -19,7 +19,7 @@ struct Times
   /// down. Its band of the isomap is built.
   double FirstUp = 0.0;
   double FirstDown = 0.0;
-  double Lookup = 0.0; ///< isovalues within that first step up
+  double Lookup = 0.0; ///< isovalues within that first step up; None if none is looked up
   double LookupTrace = 0.0;
   double LookupShade = 0.0;
   double BytesAPixel = 0.0; ///< of the first band up
@@ -27,6 +27,9 @@ struct Times
 
 /// The stage's camera moves, its isovalue comes back.
 Times Measure(Stage& stage, int frames);
+
+/// The same in the stage's view and upwards only: no cold and no plain frames, no step down.
+Times MeasureStepUp(Stage& stage, int frames);
 
 /// Bytes of a mapper's isomap by the pixels of the stage's picture.
 double BytesAPixel(const Drawer& drawer, const Stage& stage);

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Measures the mapper, scenario by scenario: prints Markdown tables and writes all figures into one
+// JSON file.
+
+#include "CommandLine.h"
+#include "GrowthSteps.h"
+#include "Report.h"
+#include "Scenario.h"
+
+#include <vtkSMPTools.h>
+
+#include <algorithm>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+/// What is small and short with --quick, unless another number is given.
+constexpr int QuickSize = 256;
+constexpr int QuickSteps = 40;
+constexpr int QuickLargest = 256;
+
+/// Options; numbers that were not given are 0.
+struct Asked
+{
+  std::vector<std::string> Scenarios;
+  bool IsQuick = false;
+  int Size = 0;
+  int Frames = 0;
+  int Steps = 0;
+  int Largest = 0;
+  std::string Json;
+  std::vector<Volumes::Sample> Volumes;
+};
+
+Settings SettingsOf(const Asked& asked)
+{
+  const auto choose = [&asked](int given, int quick, int usual) {
+    return given > 0 ? given : asked.IsQuick ? quick : usual;
+  };
+  Settings settings;
+  settings.IsQuick = asked.IsQuick;
+  settings.Size = choose(asked.Size, QuickSize, settings.Size);
+  settings.Frames = asked.Frames;
+  settings.Steps = choose(asked.Steps, QuickSteps, settings.Steps);
+  settings.Largest = choose(asked.Largest, QuickLargest, settings.Largest);
+  settings.Volumes = asked.Volumes;
+  return settings;
+}
+
+/// The file holds what was measured so far, whatever becomes of the rest.
+void Save(const JsonWriter& json, const std::string& file)
+{
+  if (!file.empty())
+  {
+    json.Write(file);
+  }
+}
+
+/// False if nothing was measured.
+bool RunScenarios(const Asked& asked)
+{
+  const Settings settings = SettingsOf(asked);
+  std::cout << settings.Size << " x " << settings.Size << " pixels, "
+            << vtkSMPTools::GetEstimatedNumberOfThreads() << " threads\n\n";
+  JsonWriter json;
+  AddMachine(json, settings.Size);
+  Save(json, asked.Json);
+  bool isMeasured = false;
+  for (const Scenario& scenario : Scenarios::All())
+  {
+    if (!asked.Scenarios.empty() &&
+      std::find(asked.Scenarios.begin(), asked.Scenarios.end(), scenario.Name) ==
+        asked.Scenarios.end())
+    {
+      continue;
+    }
+    std::cerr << scenario.Name << std::endl;
+    std::cout << "## " << scenario.Name << "\n\n" << scenario.Purpose << "\n\n";
+    json.OpenObject(scenario.Name);
+    isMeasured = scenario.Run(settings, json) || isMeasured;
+    json.Close();
+    std::cout << '\n';
+    Save(json, asked.Json);
+  }
+  return isMeasured;
+}
+
+std::vector<CommandLine::Choice> ScenarioChoices()
+{
+  std::vector<CommandLine::Choice> choices;
+  for (const Scenario& scenario : Scenarios::All())
+  {
+    choices.push_back({ scenario.Name, scenario.Purpose });
+  }
+  return choices;
+}
+
+}
+
+int main(int argc, char* argv[])
+{
+  Asked asked;
+  CommandLine options("Benchmark",
+    "Measure the mapper, as Markdown tables. What needs a window is left out without a display.\n"
+    "Each scenario has its own volumes, unless some are named.");
+  options.Choices(
+    "--scenarios", "only these (all)", "scenario", ScenarioChoices(), asked.Scenarios);
+  options.Flag("--quick", "small pictures, few frames and volumes: a minute", asked.IsQuick);
+  options.Number("--size", "pixels of a picture in each direction (1024)", asked.Size);
+  options.Number("--frames", "frames of each kind (each scenario's own)", asked.Frames);
+  options.Number("--steps", "isovalues of a drag, scenario isomap (200)", asked.Steps);
+  options.Number("--largest", "samples a side where growth ends (512)", asked.Largest,
+    GrowthSteps::Smallest, Volumes::LargestSize);
+  options.Text("--json", "write all figures to this file too", asked.Json);
+  options.Volumes(asked.Volumes);
+  return options.Run(argc, argv, [&asked] { return RunScenarios(asked); });
+}

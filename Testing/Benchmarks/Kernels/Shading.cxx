@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Hits of a tile become colours.
+
+#include "KernelBenchmarks.h"
+#include "KernelScene.h"
+#include "KernelsGradients.h"
+#include "KernelsShading.h"
+#include "SurfaceNormal.h"
+
+namespace
+{
+
+using namespace TemporalCoherence;
+using namespace TemporalCoherence::ShadingKernels;
+
+using Vectors = std::array<Array<double>, 3>;
+
+/// A full tile at every stage of its shading.
+struct ShadedTile
+{
+  RayPoints Rays;
+  Vectors Gradients;
+  PhongSums Sums;
+};
+
+template <typename T>
+GradientQuery QueryOf(const KernelScene<T>& scene)
+{
+  return { scene.Key.Samples, glm::dmat4(1.0), scene.Scene.FiniteRange,
+    &scene.Key.Sought.Isovalues };
+}
+
+RayBatch::Array<std::int16_t> FirstSurface()
+{
+  RayBatch::Array<std::int16_t> surfaces;
+  surfaces.fill(0);
+  return surfaces;
+}
+
+template <typename T>
+std::vector<ShadedTile> ShadedTilesOf(const KernelScene<T>& scene)
+{
+  const View& view = scene.Key.Seen;
+  std::vector<ShadedTile> tiles;
+  for (const auto& full : scene.FullTiles)
+  {
+    ShadedTile tile;
+    tile.Rays.Count = tile.Sums.Count = RayBatch::Capacity;
+    tile.Rays.LinearDirection = { view.Direction, view.DirectionX, view.DirectionY };
+    tile.Rays.LinearOrigin = { view.Origin, view.OriginX, view.OriginY };
+    tile.Rays.T = full.Hits.Depth;
+    for (int i = 0; i < RayBatch::Capacity; ++i)
+    {
+      const auto ray = static_cast<std::size_t>(i);
+      const glm::ivec2 pixel = full.Part.First + glm::ivec2(i % TileSize, i / TileSize);
+      const glm::dvec2 at = view.PixelCentre(pixel.x, pixel.y);
+      tile.Rays.X[ray] = at.x;
+      tile.Rays.Y[ray] = at.y;
+    }
+    FindRayPoints(tile.Rays);
+    IndexGradients(QueryOf(scene), RayBatch::Capacity, tile.Rays.Point, tile.Rays.Direction,
+      FirstSurface(), tile.Gradients);
+    FindFacingNormals(
+      RayBatch::Capacity, glm::dmat3(1.0), tile.Gradients, tile.Rays.Direction, tile.Sums.Normal);
+    tile.Sums.Toward = { 0.6f, 0.0f, 0.8f };
+    tile.Sums.Diffuse = { 0.7f, 0.7f, 0.7f };
+    tile.Sums.Specular = { 0.2f, 0.2f, 0.2f };
+    tile.Sums.Power = 10.0;
+    for (std::size_t channel = 0; channel < 3; ++channel)
+    {
+      tile.Sums.Color[channel].fill(0.8f);
+      tile.Sums.Sum[channel].fill(0.1f);
+    }
+    tiles.push_back(tile);
+  }
+  return tiles;
+}
+
+/// Register a kernel that works on tiles as they are in shading.
+template <typename T, typename Kernel>
+void Register(const std::string& name, const Kernel& kernel)
+{
+  KernelBenchmarks::ForEachTarget(name,
+    [kernel](benchmark::State& state)
+    {
+      auto tiles = ShadedTilesOf(SceneOf<T>());
+      KernelBenchmarks::RunOnTiles(state, tiles, kernel);
+    });
+}
+
+template <typename T>
+void RegisterGradients(const std::string& type)
+{
+  Register<T>("FindCells/" + type,
+    [](ShadedTile& tile)
+    {
+      const GradientKernels::CellSpace space{ glm::dmat4(1.0),
+        SceneOf<T>().Key.Samples.Dimensions };
+      GradientKernels::CellPoints<RealOf<T>> found;
+      found.Count = RayBatch::Capacity;
+      FindCells(space, tile.Rays.Direction, tile.Rays.Point, found);
+      benchmark::DoNotOptimize(found);
+    });
+  Register<T>("IndexGradients/" + type,
+    [surfaces = FirstSurface()](ShadedTile& tile)
+    {
+      IndexGradients(QueryOf(SceneOf<T>()), RayBatch::Capacity, tile.Rays.Point,
+        tile.Rays.Direction, surfaces, tile.Gradients);
+    });
+}
+
+}
+
+void KernelBenchmarks::RegisterShading()
+{
+  RegisterGradients<std::uint8_t>("bytes");
+  RegisterGradients<float>("floats");
+  Register<std::uint8_t>("FindRayPoints", [](ShadedTile& tile) { FindRayPoints(tile.Rays); });
+  Register<std::uint8_t>("FindFacingNormals",
+    [](ShadedTile& tile)
+    {
+      FindFacingNormals(
+        RayBatch::Capacity, glm::dmat3(1.0), tile.Gradients, tile.Rays.Direction, tile.Sums.Normal);
+    });
+  Register<std::uint8_t>("AddLight", [](ShadedTile& tile) { AddLight(tile.Rays, tile.Sums); });
+  Register<std::uint8_t>("RoundColors",
+    [](ShadedTile& tile)
+    {
+      Array<std::array<std::uint8_t, 4>> colors;
+      RoundColors(tile.Sums, colors);
+      benchmark::DoNotOptimize(colors);
+    });
+}

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// New isovalues in a still view, one by one and dragged, beside cold frames; and what maps cost.
+
+#include "IsomapDrags.h"
+#include "IsomapFrames.h"
+#include "IsomapMaps.h"
+#include "IsomapReport.h"
+#include "Scenario.h"
+
+#include <iostream>
+
+namespace
+{
+
+constexpr int UsualFrames = 40;
+
+IsomapReport::Result Measure(
+  const Volumes::Sample& volume, Stage& stage, int frames, const Settings& settings)
+{
+  IsomapReport::Result result;
+  result.Volume = volume;
+  result.Frames = IsomapFrames::Measure(stage, frames);
+  for (const IsomapDrags::Course& course : IsomapDrags::AllCourses(stage, settings.Steps))
+  {
+    result.Drags.push_back(IsomapDrags::Run(stage, course));
+  }
+  result.Widths = IsomapMaps::MeasureWidths(stage);
+  result.Tolerances = IsomapMaps::MeasureTolerances(stage);
+  return result;
+}
+
+bool Run(const Settings& settings, JsonWriter& json)
+{
+  const int frames = settings.FramesOr(UsualFrames);
+  std::vector<IsomapReport::Result> results;
+  if (!ForEachStage(settings.VolumesOr({ { "engine.vti", 70 }, { "engine.vti", 180 },
+                      { "brain.vti", 40 }, { "brain.vti", 90 }, { "bonsai.vti", 40 },
+                      { "ch2better.nii.gz", 40 }, { "spheres128", 100 }, { "spheres256", 100 },
+                      { "spheres512", 100 }, { "marschner-lobb128", 128 },
+                      { "marschner-lobb256", 128 }, { "marschner-lobb512", 128 } }),
+        settings.Size,
+        [&](const Volumes::Sample& volume, Stage& stage)
+        { results.push_back(Measure(volume, stage, frames, settings)); }))
+  {
+    return false;
+  }
+  std::cout << "One frame; medians in ms (plain: without space leaping)\n\n";
+  IsomapReport::PrintFrames(results);
+  std::cout << "\nDrags of the isovalue; times in ms\n\n";
+  IsomapReport::PrintDrags(results);
+  std::cout << "\nA map of the whole range of values; times in ms\n\n";
+  IsomapReport::PrintWholeMaps(results);
+  std::cout << '\n';
+  IsomapReport::PrintWidths(results);
+  IsomapReport::PrintTolerances(results);
+  IsomapReport::AddTo(json, results);
+  return true;
+}
+
+}
+
+Scenario Scenarios::Isomap()
+{
+  return { "isomap", "new isovalues in a still view, dragged too, and what isomaps cost", Run };
+}

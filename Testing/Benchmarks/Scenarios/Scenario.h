@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Benchmarks_Scenario_h
+#define Benchmarks_Scenario_h
+
+#include "Report.h"
+#include "Stage.h"
+#include "Volumes.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+/// What the user asks of all scenarios.
+struct Settings
+{
+  bool IsQuick = false;                 ///< only to see that all works
+  int Size = 1024;                      ///< pixels of a picture in each direction
+  int Frames = 0;                       ///< 0: each scenario's own number
+  int Steps = 200;                      ///< isovalues of a drag
+  int Largest = 512;                    ///< samples a side where growth ends
+  std::vector<Volumes::Sample> Volumes; ///< none: each scenario's own
+
+  /// Frames of each kind, of a scenario that usually draws so many.
+  int FramesOr(int usual) const;
+
+  /// Volumes of a scenario that usually looks at these.
+  std::vector<::Volumes::Sample> VolumesOr(const std::vector<::Volumes::Sample>& usual) const;
+};
+
+/// A question to the mapper, answered by tables and figures.
+struct Scenario
+{
+  std::string Name;
+  std::string Purpose; ///< a line of the help
+
+  /// Measure, print tables, and add the figures to the object that is open in the report.
+  /// \return false if nothing was measured, the reason being told on the error stream
+  std::function<bool(const Settings&, JsonWriter&)> Run;
+};
+
+/// Measure volumes one after the other; those that are not there are left out.
+/// \return false if none was there
+bool ForEachStage(const std::vector<Volumes::Sample>& volumes, int size,
+  const std::function<void(const Volumes::Sample&, Stage&)>& measure);
+
+/// The same, and an object for each volume in the report's list "volumes", open while it is
+/// measured.
+/// \param usual the volumes of the scenario, if the settings name none
+bool ReportVolumes(const Settings& settings, const std::vector<Volumes::Sample>& usual,
+  JsonWriter& json, const std::function<void(const Volumes::Sample&, Stage&)>& measure);
+
+/// Volumes of scenarios that look at everything, and of those for which a few are enough.
+const std::vector<Volumes::Sample>& ManyVolumes();
+const std::vector<Volumes::Sample>& FewVolumes();
+
+namespace Scenarios
+{
+
+Scenario Routes();
+Scenario Peers();
+Scenario ImageCache();
+Scenario Drift();
+Scenario Isomap();
+Scenario Growth();
+Scenario Threads();
+Scenario Vectors();
+Scenario Structures();
+Scenario Window();
+
+/// All of these, in the order in which they are run.
+std::vector<Scenario> All();
+
+}
+
+#endif

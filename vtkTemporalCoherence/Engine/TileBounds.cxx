@@ -24,49 +24,103 @@ constexpr double Margin = 1.0 / 64;
 /// Share of a distance by which bounds are widened, since they are stored in single precision.
 constexpr double Slack = 1e-6;
 
-/// Projects leaves of one size into tiles.
-class LeafProjector
+/// Half the width in pixels of nodes that are projected as one box instead of leaf by leaf: such
+/// boxes are as small in the picture as leaves of other volumes.
+constexpr double SmallNode = 10.0;
+
+/// A box of cells.
+struct Box
+{
+  glm::dvec3 Centre, Half; ///< half its edges
+};
+
+/// The box of the first cells .. first + cells - 1 of each axis.
+Box BoxOf(const glm::ivec3& first, const glm::ivec3& cells)
+{
+  const glm::dvec3 half = 0.5 * glm::dvec3(cells);
+  return { glm::dvec3(first) + half, half };
+}
+
+/// The box around the leaves of a node of which a word tells, in leaves: first leaf and size.
+std::array<glm::ivec3, 2> LeavesAround(std::uint64_t leaves)
+{
+  glm::ivec3 first(3), last(0);
+  for (int leaf = 0; leaf < ValueRangePyramid::LeavesPerNode && leaves >> leaf; ++leaf)
+  {
+    if (leaves >> leaf & 1u)
+    {
+      const glm::ivec3 place(leaf & 3, leaf >> 2 & 3, leaf >> 4);
+      first = glm::min(first, place);
+      last = glm::max(last, place);
+    }
+  }
+  return { first, last - first + 1 };
+}
+
+/// Projects boxes of cells into tiles.
+class BoxProjector
 {
 public:
-  LeafProjector(const View& view, const Placement& placement, const glm::ivec2& tiles)
+  BoxProjector(const View& view, const Placement& placement, const glm::ivec2& tiles)
     : Seen(view)
     , Tiles(tiles)
     , ClipFromIndex(view.ClipFromWorld * placement.WorldFromIndex)
     , WorldFromIndex(placement.WorldFromIndex)
   {
-    const double half = 0.5 * ValueRangePyramid::LeafSize;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      this->HalfEdges[static_cast<std::size_t>(axis)] = half * this->ClipFromIndex[axis];
-    }
-    for (int corner = 0; corner < 4; ++corner)
-    {
-      const glm::dvec3 diagonal(half, corner & 1 ? half : -half, corner & 2 ? half : -half);
-      this->Radius =
-        std::max(this->Radius, glm::length(glm::dmat3(this->WorldFromIndex) * diagonal));
-    }
     if (view.Parallel)
     {
       // Rays begin on the plane through the camera, which they may meet at an angle.
       const double cosine = glm::dot(view.Forward, glm::normalize(view.Direction));
       this->ParallelDepth = view.Forward / cosine;
-      this->Radius /= cosine;
+      this->PerRadius = 1.0 / cosine;
     }
+    this->LeafRadius = this->RadiusOf(glm::dvec3(0.5 * ValueRangePyramid::LeafSize));
   }
 
-  void Widen(const glm::ivec3& firstCell, std::vector<Bounds>& bounds) const
+  /// Radius of the sphere around a box, as a distance along rays.
+  double RadiusOf(const glm::dvec3& half) const
   {
-    const glm::dvec3 centre = glm::dvec3(firstCell) + 0.5 * ValueRangePyramid::LeafSize;
-    const glm::dvec3 world(this->WorldFromIndex * glm::dvec4(centre, 1.0));
+    double radius = 0.0;
+    for (int corner = 0; corner < 4; ++corner)
+    {
+      const glm::dvec3 diagonal(
+        half.x, corner & 1 ? half.y : -half.y, corner & 2 ? half.z : -half.z);
+      radius = std::max(radius, glm::length(glm::dmat3(this->WorldFromIndex) * diagonal));
+    }
+    return radius * this->PerRadius;
+  }
+
+  /// True if a box is small in the picture.
+  bool IsSmall(const Box& box) const
+  {
+    const double w = (this->ClipFromIndex * glm::dvec4(box.Centre, 1.0)).w;
+    glm::dvec2 extent(0.0);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      extent += box.Half[axis] * glm::abs(glm::dvec2(this->ClipFromIndex[axis]));
+    }
+    const glm::dvec2 pixels = 0.5 * extent * glm::dvec2(this->Seen.Size);
+    return pixels.x < SmallNode * w && pixels.y < SmallNode * w;
+  }
+
+  void WidenByLeaf(const glm::ivec3& firstCell, std::vector<Bounds>& bounds) const
+  {
+    this->Widen(
+      BoxOf(firstCell, glm::ivec3(ValueRangePyramid::LeafSize)), this->LeafRadius, bounds);
+  }
+
+  void Widen(const Box& box, double radius, std::vector<Bounds>& bounds) const
+  {
+    const glm::dvec3 world(this->WorldFromIndex * glm::dvec4(box.Centre, 1.0));
     const double distance = this->Seen.Parallel
       ? glm::dot(this->ParallelDepth, world - this->Seen.Position)
       : glm::length(world - this->Seen.Position);
-    const double slack = Slack * std::abs(distance) + Slack * this->Radius;
-    const float near = static_cast<float>(distance - this->Radius - slack);
-    const float far = static_cast<float>(distance + this->Radius + slack);
+    const double slack = Slack * std::abs(distance) + Slack * radius;
+    const float near = static_cast<float>(distance - radius - slack);
+    const float far = static_cast<float>(distance + radius + slack);
 
     glm::ivec2 first, last;
-    if (!this->FindTiles(this->ClipFromIndex * glm::dvec4(centre, 1.0), first, last))
+    if (!this->FindTiles(box, first, last))
     {
       return;
     }
@@ -82,19 +136,21 @@ public:
   }
 
 private:
-  /// Tiles that the leaf around a clip-space point can touch; false if there are none.
-  bool FindTiles(const glm::dvec4& centre, glm::ivec2& first, glm::ivec2& last) const
+  /// Tiles that a box can touch; false if there are none.
+  bool FindTiles(const Box& box, glm::ivec2& first, glm::ivec2& last) const
   {
+    const glm::dvec4 centre = this->ClipFromIndex * glm::dvec4(box.Centre, 1.0);
+    const std::array<glm::dvec4, 3> half = { box.Half.x * this->ClipFromIndex[0],
+      box.Half.y * this->ClipFromIndex[1], box.Half.z * this->ClipFromIndex[2] };
     glm::dvec2 low(std::numeric_limits<double>::infinity());
     glm::dvec2 high(-std::numeric_limits<double>::infinity());
     for (int corner = 0; corner < 8; ++corner)
     {
-      const glm::dvec4 clip = centre + (corner & 1 ? this->HalfEdges[0] : -this->HalfEdges[0]) +
-        (corner & 2 ? this->HalfEdges[1] : -this->HalfEdges[1]) +
-        (corner & 4 ? this->HalfEdges[2] : -this->HalfEdges[2]);
+      const glm::dvec4 clip = centre + (corner & 1 ? half[0] : -half[0]) +
+        (corner & 2 ? half[1] : -half[1]) + (corner & 4 ? half[2] : -half[2]);
       if (!(clip.w > 0.0))
       {
-        // A leaf that reaches behind the eye can be seen anywhere.
+        // A box that reaches behind the eye can be seen anywhere.
         first = glm::ivec2(0);
         last = this->Tiles - 1;
         return true;
@@ -120,12 +176,34 @@ private:
   const View& Seen;
   glm::ivec2 Tiles;
   glm::dmat4 ClipFromIndex, WorldFromIndex;
-  std::array<glm::dvec4, 3> HalfEdges;
-  double Radius = 0.0; ///< of the sphere around a leaf, as a distance along rays
+  double PerRadius = 1.0; ///< distance along rays for a distance in the world
+  double LeafRadius;
   glm::dvec3 ParallelDepth{
     0.0
   }; ///< dot product with a vector from the camera: t of a parallel ray
 };
+
+/// Widen bounds by the active leaves of a node.
+void WidenByNode(const BoxProjector& projector, const glm::ivec3& firstCell, std::uint64_t leaves,
+  std::vector<Bounds>& bounds)
+{
+  constexpr int size = ValueRangePyramid::LeafSize;
+  if (projector.IsSmall(BoxOf(firstCell, glm::ivec3(ValueRangePyramid::NodeSize))))
+  {
+    const std::array<glm::ivec3, 2> around = LeavesAround(leaves);
+    const Box box = BoxOf(firstCell + size * around[0], size * around[1]);
+    projector.Widen(box, projector.RadiusOf(box.Half), bounds);
+    return;
+  }
+  for (int leaf = 0; leaf < ValueRangePyramid::LeavesPerNode && leaves >> leaf; ++leaf)
+  {
+    if (leaves >> leaf & 1u)
+    {
+      const glm::ivec3 inNode(leaf & 3, leaf >> 2 & 3, leaf >> 4);
+      projector.WidenByLeaf(firstCell + size * inNode, bounds);
+    }
+  }
+}
 
 }
 
@@ -141,25 +219,21 @@ void TileBounds::Build(const View& view, const Placement& placement, const Activ
     part.assign(tiles, Bounds());
   }
 
-  const LeafProjector projector(view, placement, this->Size);
+  const BoxProjector projector(view, placement, this->Size);
   const glm::ivec3 nodes = active.NodeDimensions();
   const std::int64_t count = static_cast<std::int64_t>(nodes.x) * nodes.y * nodes.z;
   ParallelFor(NumberOfParts, 1,
     [&](std::int64_t part)
     {
+      std::vector<Bounds>& bounds = this->Parts[static_cast<std::size_t>(part)];
       for (std::int64_t node = part; node < count; node += NumberOfParts)
       {
-        const glm::ivec3 firstCell = ValueRangePyramid::NodeSize *
-          glm::ivec3(node % nodes.x, node / nodes.x % nodes.y, node / nodes.x / nodes.y);
         const std::uint64_t leaves = active.LeavesOf(node);
-        for (int leaf = 0; leaf < ValueRangePyramid::LeavesPerNode && leaves >> leaf; ++leaf)
+        if (leaves != 0)
         {
-          if (leaves >> leaf & 1u)
-          {
-            const glm::ivec3 inNode(leaf & 3, leaf >> 2 & 3, leaf >> 4);
-            projector.Widen(firstCell + ValueRangePyramid::LeafSize * inNode,
-              this->Parts[static_cast<std::size_t>(part)]);
-          }
+          const glm::ivec3 place(
+            node % nodes.x, node / nodes.x % nodes.y, node / nodes.x / nodes.y);
+          WidenByNode(projector, ValueRangePyramid::NodeSize * place, leaves, bounds);
         }
       }
     });

@@ -89,7 +89,8 @@ ensure_packages()
   why=$(why_no_install)
   if ! command -v dpkg-query >/dev/null; then
     fail "$why: install a C++17 compiler, CMake 3.16 or later, Ninja, VTK 9.1 or later with its" \
-      "headers, and GLM (for tests also GoogleTest, Google Benchmark and Xvfb), then give --no-packages."
+      "headers, GLM and Highway (for tests also GoogleTest, Google Benchmark and Xvfb), then give" \
+      "--no-packages."
   fi
 
   read -ra missing <<<"$(missing_packages "${needed[@]}")"

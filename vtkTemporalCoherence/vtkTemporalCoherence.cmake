@@ -44,7 +44,8 @@ set(bridge_files
   FieldFromImage
   ImageFromFrame
   PicturePresenter
-  ViewFromRenderer)
+  ViewFromRenderer
+  WindowPicture)
 list(TRANSFORM bridge_files PREPEND "${module_directory}/Vtk/")
 list(TRANSFORM bridge_files APPEND ".cxx")
 
@@ -55,6 +56,9 @@ set_target_properties(TemporalCoherenceEngine PROPERTIES
   POSITION_INDEPENDENT_CODE ON
   CXX_VISIBILITY_PRESET hidden
   VISIBILITY_INLINES_HIDDEN ON)
+# Vectors whose size is not known when they are compiled cannot be kept in arrays, as kernels do.
+target_compile_definitions(TemporalCoherenceEngine PUBLIC
+  "HWY_DISABLED_TARGETS=(HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128|HWY_RVV)")
 target_include_directories(TemporalCoherenceEngine PUBLIC
   "$<BUILD_INTERFACE:${module_directory}/Engine>")
 target_link_libraries(TemporalCoherenceEngine PUBLIC VTK::CommonCore glm::glm hwy::hwy)

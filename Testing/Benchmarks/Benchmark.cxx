@@ -6,6 +6,7 @@
 
 #include "CommandLine.h"
 #include "GrowthSteps.h"
+#include "Measuring.h"
 #include "Report.h"
 #include "Scenario.h"
 
@@ -52,7 +53,7 @@ Settings SettingsOf(const Asked& asked)
   return settings;
 }
 
-/// The file holds what was measured so far, whatever becomes of the rest.
+/// The file holds the scenarios measured so far, whatever becomes of the rest.
 void Save(const JsonWriter& json, const std::string& file)
 {
   if (!file.empty())
@@ -61,7 +62,32 @@ void Save(const JsonWriter& json, const std::string& file)
   }
 }
 
+/// Run one scenario. What goes wrong is told in a sentence, and others may follow.
+/// \return false if something went wrong
+bool RunScenario(
+  const Scenario& scenario, const Settings& settings, JsonWriter& json, bool& isMeasured)
+{
+  std::cerr << scenario.Name << std::endl;
+  std::cout << "## " << scenario.Name << "\n\n" << scenario.Purpose << "\n\n";
+  const std::size_t depth = json.Depth();
+  bool isRight = true;
+  json.OpenObject(scenario.Name);
+  try
+  {
+    isMeasured = scenario.Run(settings, json) || isMeasured;
+  }
+  catch (const Measuring::Failure& failure)
+  {
+    std::cerr << scenario.Name << ": " << failure.what() << std::endl;
+    isRight = false;
+  }
+  json.CloseTo(depth);
+  std::cout << '\n';
+  return isRight;
+}
+
 /// False if nothing was measured.
+/// \throws Measuring::Failure if something went wrong
 bool RunScenarios(const Asked& asked)
 {
   const Settings settings = SettingsOf(asked);
@@ -70,7 +96,7 @@ bool RunScenarios(const Asked& asked)
   JsonWriter json;
   AddMachine(json, settings.Size);
   Save(json, asked.Json);
-  bool isMeasured = false;
+  bool isMeasured = false, areRight = true;
   for (const Scenario& scenario : Scenarios::All())
   {
     if (!asked.Scenarios.empty() &&
@@ -79,13 +105,12 @@ bool RunScenarios(const Asked& asked)
     {
       continue;
     }
-    std::cerr << scenario.Name << std::endl;
-    std::cout << "## " << scenario.Name << "\n\n" << scenario.Purpose << "\n\n";
-    json.OpenObject(scenario.Name);
-    isMeasured = scenario.Run(settings, json) || isMeasured;
-    json.Close();
-    std::cout << '\n';
+    areRight = RunScenario(scenario, settings, json, isMeasured) && areRight;
     Save(json, asked.Json);
+  }
+  if (!areRight)
+  {
+    throw Measuring::Failure("Not everything could be measured, for the reasons above.");
   }
   return isMeasured;
 }

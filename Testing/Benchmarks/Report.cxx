@@ -96,6 +96,14 @@ void JsonWriter::Close()
   this->IsFirst = false;
 }
 
+void JsonWriter::CloseTo(std::size_t depth)
+{
+  while (this->Ends.size() > depth)
+  {
+    this->Close();
+  }
+}
+
 void JsonWriter::Add(const std::string& name, double value)
 {
   this->Begin(name);

@@ -31,6 +31,10 @@ public:
   void OpenList(const std::string& name = {}) { this->Open(name, '[', ']'); }
   void Close();
 
+  /// Brackets that are open, and closing all that were opened since there were so many.
+  std::size_t Depth() const { return this->Ends.size(); }
+  void CloseTo(std::size_t depth);
+
   void Add(const std::string& name, double value);
   void Add(const std::string& name, const std::string& value);
   void Add(const std::string& name, const std::vector<double>& values);

@@ -38,9 +38,8 @@ public:
   /// A share of the range of values, for example as a step from one isovalue to the next.
   double ShareOfRange(double share) const;
 
-  /// By what isovalue `frame` of a sweep is above the first: small steps, one after the other and
-  /// then back.
-  double SweepStep(int frame) const { return this->ShareOfRange(0.001 * (1 + frame % 5)); }
+  /// By what isovalue `frame` of a sweep is above the first: small steps, one after the other.
+  double SweepStep(int frame) const { return this->ShareOfRange(0.0005 * (1 + frame)); }
 
   /// The isovalue at a share of the range of values.
   double IsovalueAt(double share) const;

@@ -20,7 +20,7 @@ usage: Testing/Benchmarks/run.sh [--quick] [--output FOLDER] [--no-packages]
 
 Volumes are looked for in the folder that TEMPORAL_COHERENCE_DATA names; those that are not there
 are left out. Nothing else should run meanwhile. Without DISPLAY, charts and windows are drawn on
-a display of their own. The exit status is 0 only if all was measured.
+a display of their own. The exit status is not 0 if a program fails.
 TEXT
 }
 

@@ -184,16 +184,18 @@ TEST_F(KernelsCrossing, CrossingsAreZeros)
 /// All kernels together.
 class KernelsFrame : public EachTarget
 {
+protected:
+  void Compare(const std::vector<double>& isovalues);
 };
 
-TEST_F(KernelsFrame, EveryTargetMakesTheSameFrames)
+void KernelsFrame::Compare(const std::vector<double>& isovalues)
 {
   Grid<std::uint16_t> grid(glm::ivec3(40, 45, 50));
   grid.Fill([](int i, int j, int k)
     { return 1000.0 + 900.0 * std::sin(0.3 * i) * std::cos(0.2 * j) * std::sin(0.25 * k); });
   FrameKey key;
   key.Samples = grid.Seen;
-  key.Sought.Isovalues = { 1300.0, 800.0 };
+  key.Sought.Isovalues = isovalues;
   key.Look.Colors = { glm::dvec3(1.0, 0.5, 0.2), glm::dvec3(0.2, 0.5, 1.0) };
   key.Look.Shade = true;
   key.Look.Lights = { Light() };
@@ -220,6 +222,16 @@ TEST_F(KernelsFrame, EveryTargetMakesTheSameFrames)
       }
       EXPECT_EQ(renderer.Statistics().Made, Route::ImageCache);
     });
+}
+
+TEST_F(KernelsFrame, EveryTargetMakesTheSameFrames)
+{
+  this->Compare({ 1300.0 });
+}
+
+TEST_F(KernelsFrame, EveryTargetMakesTheSameFramesOfSeveralIsovalues)
+{
+  this->Compare({ 1300.0, 800.0 });
 }
 
 }

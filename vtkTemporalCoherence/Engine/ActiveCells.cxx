@@ -81,8 +81,8 @@ void ActiveCells::FindLeaves(const Field& field, const ValueRangePyramid& pyrami
     this->NodeWords[node + 1] = words;
     words += this->NodeWords[node] != 0 ? ValueRangePyramid::LeavesPerNode : 0;
   }
-  this->NumberOfLeafWords = words;
   this->LeafWords = std::make_unique<std::atomic<std::uint64_t>[]>(words);
+  this->NumberOfLeafWords = words;
   this->Dimensions = pyramid.NodeDimensions();
 }
 
@@ -90,7 +90,7 @@ void ActiveCells::Release()
 {
   this->Dimensions = glm::ivec3(0);
   this->Sought.clear();
-  this->NodeWords.clear();
+  std::vector<std::uint64_t>().swap(this->NodeWords);
   this->LeafWords.reset();
   this->NumberOfLeafWords = 0;
 }

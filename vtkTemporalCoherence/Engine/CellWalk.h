@@ -48,7 +48,7 @@ struct BatchRay
   std::size_t Ray;
 };
 
-/// Leaves out nothing that is active.
+/// Leaves out nothing that is active: the walks that KernelsWalk makes, one by one.
 struct TakeAll
 {
   bool IsNodeOfUse(std::int64_t) const { return true; }

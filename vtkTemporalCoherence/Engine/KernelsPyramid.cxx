@@ -266,7 +266,7 @@ HWY_NOINLINE void ScanRows(
   const Field& field, const glm::ivec2& first, int rows, Range<T>* nodes, Range<T>* leaves)
 {
   constexpr int most = ColumnRanges<T>::MostCells / ValueRangePyramid::NodeSize;
-  constexpr int leavesPerNode = ValueRangePyramid::LeavesPerNode;
+  constexpr std::int64_t leavesPerNode = ValueRangePyramid::LeavesPerNode;
   const int inRow = ValueRangePyramid::NodesFor(field.Dimensions).x;
   LeafScanner<T> scanner(field);
   for (int x = 0; x < inRow; x += most)
@@ -274,7 +274,7 @@ HWY_NOINLINE void ScanRows(
     scanner.Scan(ValueRangePyramid::NodeSize * glm::ivec3(x, first.x, first.y),
       { std::min(most, inRow - x), rows }, inRow * leavesPerNode, leaves + x * leavesPerNode);
   }
-  for (int node = 0; node < inRow * rows; ++node)
+  for (std::int64_t node = 0; node < static_cast<std::int64_t>(inRow) * rows; ++node)
   {
     nodes[node] = RangeOfNode(leaves + node * leavesPerNode);
   }

@@ -64,10 +64,10 @@ HWY_INLINE std::uint64_t BitsOfMask(M mask)
 template <int from>
 HWY_INLINE W PlaceOf(const W cell[3])
 {
-  const W two = hn::Set(Words(), 3u);
-  const W x = hn::And(hn::ShiftRight<from>(cell[0]), two);
-  const W y = hn::And(hn::ShiftRight<from>(cell[1]), two);
-  const W z = hn::And(hn::ShiftRight<from>(cell[2]), two);
+  const W lowestTwo = hn::Set(Words(), 3u);
+  const W x = hn::And(hn::ShiftRight<from>(cell[0]), lowestTwo);
+  const W y = hn::And(hn::ShiftRight<from>(cell[1]), lowestTwo);
+  const W z = hn::And(hn::ShiftRight<from>(cell[2]), lowestTwo);
   return hn::Or(x, hn::Or(hn::ShiftLeft<2>(y), hn::ShiftLeft<4>(z)));
 }
 

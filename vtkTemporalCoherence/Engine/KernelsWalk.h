@@ -33,10 +33,13 @@ struct RayWalks
   /// Begin the walks of some rays of a batch.
   RayWalks(const RayBatch& rays, std::uint64_t which);
 
-  RayBatch Rays;                               ///< those on their way, in order
+  /// Those on their way, in order; PerDepth, WalkBegin and Pixel are of use only before the first
+  /// is dropped.
+  RayBatch Rays;
   RayBatch::Array<std::int64_t> From;          ///< place in the batch that each comes from
   std::array<RayBatch::Array<double>, 3> Cell; ///< where each stands
-  RayBatch::Array<double> Distance;            ///< t of what each has found there, or infinity
+  /// t of what each has found there, or infinity: to be told before they go on.
+  RayBatch::Array<double> Distance;
   bool HasBegun = false;
 };
 

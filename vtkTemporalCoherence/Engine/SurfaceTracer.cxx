@@ -150,10 +150,15 @@ private:
   {
     Search search;
     const auto count = static_cast<std::size_t>(walks.Rays.Count);
+    const auto cellAt = [&walks](std::size_t i)
+    { return glm::ivec3(walks.Cell[0][i], walks.Cell[1][i], walks.Cell[2][i]); };
+    for (std::size_t i = 0; i < count && this->IsLarge; ++i)
+    {
+      this->Samples.Prefetch(cellAt(i));
+    }
     for (std::size_t i = 0; i < count; ++i)
     {
-      const glm::ivec3 cell(walks.Cell[0][i], walks.Cell[1][i], walks.Cell[2][i]);
-      this->Visit(walks.Rays, i, cell, static_cast<std::size_t>(walks.From[i]), search, hits);
+      this->Visit(walks.Rays, i, cellAt(i), static_cast<std::size_t>(walks.From[i]), search, hits);
     }
     this->Finish(search, hits);
     for (std::size_t i = 0; i < count; ++i)
@@ -166,7 +171,7 @@ private:
   void TraceAll(const RayBatch& rays, HitBatch& hits) const
   {
     LiveRays live;
-    live.Begin(rays, this->Cells, [&](std::size_t ray) { return IsWanted(rays, hits, ray); });
+    live.Begin(rays, this->Cells, [&](std::size_t ray) { return hits.Kind[ray] == HitKind::None; });
     Search search;
     while (live.Count > 0)
     {

@@ -17,7 +17,8 @@ namespace TemporalCoherence
 /// For each tile of 8 x 8 pixels, the distances between which all active leaves seen through it
 /// lie.
 ///
-/// Every active leaf is projected and widens the range of the tiles it can touch. A tile that none
+/// Every active leaf, or the box around those of a node that is small in the picture, is projected
+/// and widens the range of the tiles it can touch. A tile that none
 /// touches sees no surface at all. The bounds are conservative: rays may start at Near and stop at
 /// Far without a change of the picture.
 class TileBounds

@@ -110,7 +110,7 @@ void ValueRangePyramid::Build(const Field& field)
 
 void ValueRangePyramid::Release()
 {
-  this->Bytes = {};
+  Room().swap(this->Bytes);
   this->Nodes = glm::ivec3(0);
   this->Finite = glm::dvec2(0.0);
 }

@@ -91,11 +91,12 @@ public:
   /// Smallest and largest finite sample of the whole field; {0, 0} if there is none.
   const glm::dvec2& FiniteRange() const { return this->Finite; }
 
-  std::size_t MemoryInBytes() const { return this->Bytes.size(); }
+  std::size_t MemoryInBytes() const { return this->Bytes.capacity(); }
 
 private:
-  std::vector<std::byte, RoomAllocator<std::byte>>
-    Bytes; ///< the leaves of all nodes, and then the nodes
+  using Room = std::vector<std::byte, RoomAllocator<std::byte>>;
+
+  Room Bytes; ///< the leaves of all nodes, and then the nodes
   glm::ivec3 Nodes{ 0 };
   glm::dvec2 Finite{ 0.0 };
 };

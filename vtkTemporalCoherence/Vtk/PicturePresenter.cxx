@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PicturePresenter.h"
 
-#include "Parallel.h"
-
 #include <vtkNew.h>
 #include <vtkOpenGLQuadHelper.h>
 #include <vtkOpenGLRenderUtilities.h>
@@ -14,8 +12,6 @@
 #include <vtkShaderProgram.h>
 #include <vtkTextureObject.h>
 
-#include <algorithm>
-
 namespace TemporalCoherence
 {
 namespace
@@ -25,6 +21,7 @@ namespace
 // of VTK.
 constexpr unsigned int GlDepthTest = 0x0B71;
 constexpr unsigned int GlBlend = 0x0BE2;
+constexpr unsigned int GlViewport = 0x0BA2;
 constexpr unsigned int GlLessOrEqual = 0x0203;
 constexpr unsigned char GlTrue = 1;
 
@@ -42,31 +39,16 @@ std::string FragmentShader()
   return source;
 }
 
-/// What the depth buffer holds for each hit of a frame: 0 at the near plane, 1 at the far plane.
-void FindWindowDepths(const Frame& frame, const View& view, std::vector<float>& depths)
+/// Let the quad cover only a part of a picture that fills the viewport.
+void ShrinkViewport(vtkOpenGLState* state, const glm::ivec2& size, const PixelRect& part)
 {
-  depths.resize(frame.Depth.size());
-  ParallelFor(frame.Size.y, 8,
-    [&](std::int64_t row)
-    {
-      const int y = static_cast<int>(row);
-      for (int x = 0; x < frame.Size.x; ++x)
-      {
-        const std::size_t pixel =
-          static_cast<std::size_t>(row) * static_cast<std::size_t>(frame.Size.x) +
-          static_cast<std::size_t>(x);
-        if (frame.Isovalues[pixel] == Frame::NoSurface)
-        {
-          depths[pixel] = 1.0f;
-          continue;
-        }
-        const Ray ray = view.RayThrough(x, y);
-        const glm::dvec3 world = ray.Origin + frame.Depth[pixel] * ray.Direction;
-        const glm::dvec4 clip = view.ClipFromWorld * glm::dvec4(world, 1.0);
-        depths[pixel] =
-          static_cast<float>(std::min(std::max(0.5 * clip.z / clip.w + 0.5, 0.0), 1.0));
-      }
-    });
+  int viewport[4];
+  state->vtkglGetIntegerv(GlViewport, viewport);
+  const glm::ivec2 whole(viewport[2], viewport[3]);
+  const glm::ivec2 first = part.First * whole / size;
+  const glm::ivec2 end = (part.First + part.Size) * whole / size;
+  state->vtkglViewport(
+    viewport[0] + first.x, viewport[1] + first.y, end.x - first.x, end.y - first.y);
 }
 
 }
@@ -78,6 +60,8 @@ struct PicturePresenter::Resources
   vtkNew<vtkTextureObject> Color;
   vtkNew<vtkTextureObject> Depth;
   std::uint64_t Picture = 0; ///< the one in the textures
+  glm::ivec2 Size{ 0 };      ///< of the whole picture
+  PixelRect Rect;            ///< the part of it in the textures
 };
 
 PicturePresenter::PicturePresenter() = default;
@@ -126,14 +110,21 @@ bool PicturePresenter::Present(vtkRenderer* renderer, const Frame& frame, const 
   vtkTextureObject* depth = this->OpenGL->Depth;
   if (this->OpenGL->Picture != picture)
   {
-    FindWindowDepths(frame, view, this->WindowDepth);
-    const auto width = static_cast<unsigned int>(frame.Size.x);
-    const auto height = static_cast<unsigned int>(frame.Size.y);
-    // VTK copies from the pointers, which it takes as not const.
-    color->Create2DFromRaw(
-      width, height, 4, VTK_UNSIGNED_CHAR, const_cast<std::uint8_t*>(frame.Colors.data()->data()));
-    depth->Create2DFromRaw(width, height, 1, VTK_FLOAT, this->WindowDepth.data());
+    this->Shown.Assign(frame, view);
     this->OpenGL->Picture = picture;
+    this->OpenGL->Size = frame.Size;
+    this->OpenGL->Rect = this->Shown.Rect;
+    if (!this->Shown.Colors.empty())
+    {
+      const auto width = static_cast<unsigned int>(this->Shown.Rect.Size.x);
+      const auto height = static_cast<unsigned int>(this->Shown.Rect.Size.y);
+      color->Create2DFromRaw(width, height, 4, VTK_UNSIGNED_CHAR, this->Shown.Colors.data());
+      depth->Create2DFromRaw(width, height, 1, VTK_FLOAT, this->Shown.Depths.data());
+    }
+  }
+  if (this->OpenGL->Rect.Size.x == 0)
+  {
+    return true;
   }
 
   vtkOpenGLState* state = window->GetState();
@@ -141,6 +132,8 @@ bool PicturePresenter::Present(vtkRenderer* renderer, const Frame& frame, const 
   vtkOpenGLState::ScopedglEnableDisable keepBlend(state, GlBlend);
   vtkOpenGLState::ScopedglDepthFunc keepDepthFunction(state);
   vtkOpenGLState::ScopedglDepthMask keepDepthMask(state);
+  vtkOpenGLState::ScopedglViewport keepViewport(state);
+  ShrinkViewport(state, this->OpenGL->Size, this->OpenGL->Rect);
   state->vtkglEnable(GlDepthTest);
   state->vtkglDepthFunc(GlLessOrEqual);
   state->vtkglDepthMask(GlTrue);

@@ -3,13 +3,11 @@
 #ifndef TemporalCoherence_PicturePresenter_h
 #define TemporalCoherence_PicturePresenter_h
 
-#include "Frame.h"
-#include "View.h"
+#include "WindowPicture.h"
 
 #include <cstdint>
 #include <memory>
 #include <string>
-#include <vector>
 
 class vtkRenderer;
 class vtkWindow;
@@ -18,7 +16,8 @@ namespace TemporalCoherence
 {
 
 /// Draws a finished frame into the renderer's window: colour and depth as two textures on one quad,
-/// so that surfaces and other props hide each other pixel by pixel.
+/// so that surfaces and other props hide each other pixel by pixel. Only the rectangle that holds
+/// hits is uploaded and drawn, and only a picture that differs from the last is uploaded.
 class PicturePresenter
 {
 public:
@@ -35,7 +34,7 @@ public:
 private:
   struct Resources;
   std::unique_ptr<Resources> OpenGL; ///< null while nothing is held in a context
-  std::vector<float> WindowDepth;    ///< depth buffer values of the picture, kept for their memory
+  WindowPicture Shown;               ///< kept for its memory
 };
 
 }

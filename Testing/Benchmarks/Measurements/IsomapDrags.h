@@ -13,8 +13,6 @@
 namespace IsomapDrags
 {
 
-constexpr int LongRun = 200; ///< steps
-
 /// Isovalues one after the other; the first is where the drag begins.
 struct Course
 {

@@ -22,9 +22,18 @@ constexpr double Degrees = 2.0; ///< of the orbit, a frame
 constexpr int FewestFrames = 3;
 constexpr int FewestGpuFrames = 2;
 
+/// How many frames a way has, and how many of them are drawn.
+struct Way
+{
+  /// The first frame that is drawn, then every so many.
+  int Stride() const { return std::max(1, this->Frames / this->Drawn); }
+
+  int Frames, Drawn;
+};
+
 /// New views around the stage, and then new isovalues in the last one. A first frame, which makes
 /// what all others need, is not measured.
-void TimeFrames(Stage& stage, int frames, const std::function<void(double)>& setIsovalue,
+void TimeFrames(Stage& stage, const Way& way, const std::function<void(double)>& setIsovalue,
   const std::function<double()>& draw, Times& times)
 {
   const double isovalue = stage.Isovalue();
@@ -32,14 +41,14 @@ void TimeFrames(Stage& stage, int frames, const std::function<void(double)>& set
   stage.ResetView();
   setIsovalue(isovalue);
   draw();
-  for (int frame = 0; frame < frames; ++frame)
+  for (int frame = way.Stride(); frame <= way.Frames; frame += way.Stride())
   {
-    stage.Orbit(Degrees);
+    stage.Orbit(Degrees * way.Stride());
     views.push_back(draw());
   }
-  for (int frame = 0; frame < frames; ++frame)
+  for (int frame = way.Stride(); frame <= way.Frames; frame += way.Stride())
   {
-    setIsovalue(isovalue + stage.SweepStep(frame));
+    setIsovalue(isovalue + stage.SweepStep(frame - 1));
     isovalues.push_back(draw());
   }
   setIsovalue(isovalue);
@@ -47,20 +56,20 @@ void TimeFrames(Stage& stage, int frames, const std::function<void(double)>& set
   times.NewIsovalue = Measuring::Median(isovalues);
 }
 
-Times OursWithoutWindow(Stage& stage, int frames)
+Times OursWithoutWindow(Stage& stage, const Way& way)
 {
   Times times{ "vtkTemporalCoherenceVolumeMapper, no window", true, stage.Size };
   Drawer drawer(stage);
   drawer.Mapper->ImageCacheOff();
   TimeFrames(
-    stage, frames, [&stage](double isovalue) { stage.SetIsovalue(isovalue); },
+    stage, way, [&stage](double isovalue) { stage.SetIsovalue(isovalue); },
     [&] { return drawer.Draw(stage); }, times);
   times.PercentDrawn = PercentHit(drawer);
   return times;
 }
 
 /// Triangles that nobody draws.
-Times Extraction(Stage& stage, int frames)
+Times Extraction(Stage& stage, const Way& way)
 {
   Times times{ "vtkFlyingEdges3D, not drawn", false, stage.Size };
   vtkNew<vtkFlyingEdges3D> contour;
@@ -68,14 +77,14 @@ Times Extraction(Stage& stage, int frames)
   contour->ComputeNormalsOn();
   contour->ComputeScalarsOff();
   TimeFrames(
-    stage, frames, [&contour](double isovalue) { contour->SetValue(0, isovalue); },
+    stage, way, [&contour](double isovalue) { contour->SetValue(0, isovalue); },
     [&contour] { return Measuring::TimeOf([&contour] { contour->Update(); }); }, times);
   times.NewView = None;
   times.PercentDrawn = None;
   return times;
 }
 
-Times InWindow(Stage& stage, int frames, bool hasWindow, const Peers::Peer& peer)
+Times InWindow(Stage& stage, const Way& way, bool hasWindow, const Peers::Peer& peer)
 {
   Times times{ peer.Name, false, stage.Size, None, None, None };
   if (hasWindow)
@@ -83,16 +92,16 @@ Times InWindow(Stage& stage, int frames, bool hasWindow, const Peers::Peer& peer
     stage.Renderer->AddViewProp(peer.Prop);
     OffScreenWindow window(stage.Renderer, stage.Size);
     TimeFrames(
-      stage, frames, peer.SetIsovalue, [&window] { return window.Draw(); }, times);
+      stage, way, peer.SetIsovalue, [&window] { return window.Draw(); }, times);
     times.PercentDrawn = window.PercentDrawn();
     stage.Renderer->RemoveViewProp(peer.Prop);
   }
   return times;
 }
 
-Times OursInWindow(Stage& stage, int frames, bool hasWindow)
+Times OursInWindow(Stage& stage, const Way& way, bool hasWindow)
 {
-  Times times = InWindow(stage, frames, hasWindow, Peers::Ours(stage));
+  Times times = InWindow(stage, way, hasWindow, Peers::Ours(stage));
   times.IsOurs = true;
   return times;
 }
@@ -101,14 +110,14 @@ Times OursInWindow(Stage& stage, int frames, bool hasWindow)
 
 std::vector<Times> Measure(Stage& stage, int frames, bool hasWindow)
 {
-  const int fewer = std::max(FewestFrames, frames / 4);
+  const Way all{ frames, frames };
+  const Way some{ frames, std::min(frames, std::max(FewestFrames, frames / 4)) };
+  const Way fewest{ frames, std::min(frames, FewestGpuFrames) };
   Stage small(stage.Image, stage.Isovalue(), std::min(stage.Size, SmallSize));
-  return { OursWithoutWindow(stage, frames), Extraction(stage, fewer),
-    OursInWindow(stage, frames, hasWindow),
-    InWindow(stage, fewer, hasWindow, Peers::Polygons(stage)),
-    InWindow(stage, fewer, hasWindow, Peers::FixedPoint(stage)),
-    OursInWindow(small, frames, hasWindow),
-    InWindow(small, FewestGpuFrames, hasWindow, Peers::Gpu(small)) };
+  return { OursWithoutWindow(stage, all), Extraction(stage, some),
+    OursInWindow(stage, all, hasWindow), InWindow(stage, some, hasWindow, Peers::Polygons(stage)),
+    InWindow(stage, some, hasWindow, Peers::FixedPoint(stage)), OursInWindow(small, all, hasWindow),
+    InWindow(small, fewest, hasWindow, Peers::Gpu(small)) };
 }
 
 }

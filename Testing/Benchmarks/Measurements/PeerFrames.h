@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-/// The mapper beside what VTK has to draw an isosurface without it: the same view, the same new
-/// views and the same new isovalues.
+/// The mapper beside what VTK has to draw an isosurface without it: the same way around the volume
+/// and the same isovalues, of which slower peers draw every few.
 namespace PeerFrames
 {
 

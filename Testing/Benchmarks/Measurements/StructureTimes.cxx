@@ -81,8 +81,15 @@ void MeasureIsomap(Stage& stage, int frames, Times& times)
   {
     Drawer drawer(stage);
     drawer.Draw(stage);
-    builds.push_back(
-      Measuring::TimeOf([&] { drawer.Mapper->BuildIsomap(stage.Renderer, stage.Volume); }));
+    bool isBuilt = false;
+    const double time = Measuring::TimeOf(
+      [&] { isBuilt = drawer.Mapper->BuildIsomap(stage.Renderer, stage.Volume); });
+    if (!isBuilt)
+    {
+      times.Isomap = times.IsomapBytes = Measuring::None;
+      return;
+    }
+    builds.push_back(time);
     times.IsomapBytes = static_cast<double>(drawer.Mapper->GetIsomapMemory());
   }
   times.Isomap = Measuring::Median(builds);

@@ -18,7 +18,7 @@ struct Times
 {
   double Cold = 0.0;             ///< an orbit of 2 degrees a frame
   double ColdShade = 0.0;        ///< of that, shading
-  double Cached = 0.0;           ///< the same orbit, from the image cache (BOUNDED)
+  double Cached = 0.0;           ///< the same orbit, from the image cache (BOUNDED), or None
   double PercentFromCache = 0.0; ///< of these frames
   double First = 0.0;            ///< the first new isovalue in a view, which builds a band
   double Lookup = 0.0;           ///< one that is looked up

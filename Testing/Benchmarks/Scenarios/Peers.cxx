@@ -32,8 +32,9 @@ bool Run(const Settings& settings, JsonWriter& json)
 {
   const bool hasWindow = HasDisplayOrTell("Peers that draw in a window are");
   const int frames = settings.FramesOr(UsualFrames);
-  std::cout << "Medians in ms; new view: ours is a cold frame, polygons are only drawn; / ours: by "
-               "the line of ours before\n\n";
+  std::cout
+    << "Medians in ms; new view: ours is a cold frame, polygons are only drawn; new "
+       "isovalue: ours is looked up, but for the first; / ours: by the line of ours before\n\n";
   const MarkdownTable table({ "volume", "isovalue", "who", "pixels", "drawn %", "new view",
     "/ ours", "new isovalue", "/ ours" });
   const auto measure = [&](const Volumes::Sample& volume, Stage& stage)

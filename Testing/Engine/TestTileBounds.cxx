@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Grid.h"
+#include "SurfaceTracer.h"
+#include "TileBounds.h"
+
+#include <glm/gtc/matrix_inverse.hpp>
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace
+{
+
+using namespace TemporalCoherence;
+
+/// Sheared, mirrored and stretched, as a user's matrix may be.
+Placement RandomPlacement(std::mt19937& engine)
+{
+  std::uniform_real_distribution<double> entry(-0.4, 0.4);
+  glm::dmat4 matrix(1.0);
+  for (int column = 0; column < 3; ++column)
+  {
+    for (int row = 0; row < 3; ++row)
+    {
+      matrix[column][row] += entry(engine);
+    }
+    matrix[3][column] = 10.0 * entry(engine);
+  }
+  matrix[0] *= engine() % 2 ? 1.0 : -1.5;
+  return { matrix, glm::inverse(matrix) };
+}
+
+/// From outside, or from within the volume.
+View RandomView(
+  const glm::dvec3& centre, double radius, const glm::ivec2& size, std::mt19937& engine)
+{
+  std::uniform_real_distribution<double> entry(-1.0, 1.0);
+  const glm::dvec3 from =
+    glm::normalize(glm::dvec3(entry(engine), entry(engine), 0.5 + entry(engine)));
+  const double distance = engine() % 3 == 0 ? 0.3 * radius : 3.0 * radius;
+  const bool isParallel = engine() % 2 == 0;
+  const glm::dvec2 range(0.05 * radius, 6.0 * radius);
+  glm::dmat4 projection = isParallel
+    ? glm::ortho(-radius, radius, -radius, radius, range.x, range.y)
+    : glm::perspective(0.7, static_cast<double>(size.x) / size.y, range.x, range.y);
+  if (isParallel && engine() % 2)
+  {
+    projection[2][0] = 0.4 * projection[0][0]; // rays at an angle to the optical axis
+  }
+  View view;
+  EXPECT_TRUE(MakeView(glm::lookAt(centre + distance * from, centre, glm::dvec3(0.1, 1.0, 0.2)),
+    projection, isParallel, range, size, view));
+  return view;
+}
+
+/// Every hit lies within the bounds of its tile, whether its node is projected as one box (small
+/// pictures) or leaf by leaf (large ones).
+TEST(TileBounds, HoldAllHits)
+{
+  Grid<std::uint8_t> grid(glm::ivec3(50, 41, 37));
+  grid.Fill([](int i, int j, int k)
+    { return 100.0 + 80.0 * std::sin(0.3 * i + 0.2 * j) * std::cos(0.4 * k); });
+  const Surfaces sought{ { 150.0 }, SurfaceMode::Crossing };
+  ValueRangePyramid pyramid;
+  pyramid.Build(grid.Seen);
+  ActiveCells active;
+  active.Build(grid.Seen, pyramid, sought);
+  const auto tracer = SurfaceTracer::Make({ grid.Seen, sought, pyramid.FiniteRange(), nullptr });
+  std::mt19937 engine(21);
+  int hitCount = 0, emptyCount = 0;
+  for (int round = 0; round < 60; ++round)
+  {
+    const glm::ivec2 size = round % 2 ? glm::ivec2(45, 37) : glm::ivec2(300, 170);
+    const Placement placement = RandomPlacement(engine);
+    const glm::dvec3 centre(
+      placement.WorldFromIndex * glm::dvec4(0.5 * glm::dvec3(grid.Seen.Dimensions - 1), 1.0));
+    const View view = RandomView(centre, 40.0, size, engine);
+    TileBounds bounds;
+    bounds.Build(view, placement, active);
+    const RaySource source(view, placement, grid.Seen.Dimensions);
+    for (std::int64_t tile = 0; tile < NumberOfTiles(size); tile += round % 2 ? 1 : 7)
+    {
+      const PixelRect part = PixelsOfTile(size, tile);
+      RayBatch rays;
+      HitBatch hits;
+      source.SetUp(part.First, part.Size, rays);
+      tracer->Trace(rays, hits);
+      const TileBounds::Bounds& range = bounds.At(tile);
+      emptyCount += range.IsEmpty();
+      for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
+      {
+        if (hits.Kind[i] != HitKind::None)
+        {
+          ASSERT_GE(hits.Depth[i], static_cast<double>(range.Near)) << round << ' ' << tile;
+          ASSERT_LE(hits.Depth[i], static_cast<double>(range.Far)) << round << ' ' << tile;
+          ++hitCount;
+        }
+      }
+    }
+  }
+  EXPECT_GT(hitCount, 10000);
+  EXPECT_GT(emptyCount, 1000);
+}
+
+}

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_WindowPicture_h
+#define TemporalCoherence_WindowPicture_h
+
+#include "Frame.h"
+#include "View.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace TemporalCoherence
+{
+
+/// A frame as a window takes it: the rectangle with all its hits, row by row from below.
+struct WindowPicture
+{
+  /// Take over a frame.
+  /// \throws std::bad_alloc
+  void Assign(const Frame& frame, const View& view);
+
+  PixelRect Rect;                                  ///< whole tiles; empty where nothing is hit
+  std::vector<std::array<std::uint8_t, 4>> Colors; ///< RGBA; all 0 where nothing is hit
+  std::vector<float>
+    Depths; ///< values of the depth buffer: 0 at the near plane, 1 at the far plane
+};
+
+}
+
+#endif

@@ -7,6 +7,7 @@
 #include "Scene.h"
 
 #include <vtkContourValues.h>
+#include <vtkFloatingPointExceptions.h>
 #include <vtkPiecewiseFunction.h>
 #include <vtkRTAnalyticSource.h>
 #include <vtkRenderWindow.h>
@@ -17,6 +18,8 @@
 
 int TestIsosurfaceScenario(int, char*[])
 {
+  // The software rasteriser behind some windows divides by zero by itself.
+  vtkFloatingPointExceptions::Disable();
   vtkNew<vtkRTAnalyticSource> data;
   data->SetWholeExtent(-100, 100, -100, 100, -100, 100);
   vtkNew<vtkTemporalCoherenceVolumeMapper> mapper;

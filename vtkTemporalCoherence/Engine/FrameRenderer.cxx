@@ -235,7 +235,7 @@ void FrameRenderer::LookUpFrame(const FrameKey& key, const Options& options)
   this->BeginFrame(key);
   CachedImage& made = *this->Back;
   made.Picture.IsFromCache = false;
-  std::vector<std::uint64_t> open(static_cast<std::size_t>(NumberOfTiles(key.Seen.Size)));
+  this->OpenRays.resize(static_cast<std::size_t>(NumberOfTiles(key.Seen.Size)));
   const Isomap& map = this->Map.Built();
   const IsomapLookup lookup(
     key, this->Map.BandsFor(key), map.Tolerance(), this->Pyramid.FiniteRange());
@@ -244,7 +244,7 @@ void FrameRenderer::LookUpFrame(const FrameKey& key, const Options& options)
   this->CountTiles(made.Picture,
     [&](std::int64_t tile, const PixelRect& part)
     {
-      std::uint64_t& left = open[static_cast<std::size_t>(tile)];
+      std::uint64_t& left = this->OpenRays[static_cast<std::size_t>(tile)];
       TraceCounts counts = lookup.Look(tile, part, made.Picture, left);
       if (left == 0)
       {
@@ -252,7 +252,7 @@ void FrameRenderer::LookUpFrame(const FrameKey& key, const Options& options)
       }
       return counts;
     });
-  this->TraceOpenRays(key, options, open, shader, made.Picture);
+  this->TraceOpenRays(key, options, shader, made.Picture);
   made.IsExact = map.Tolerance() == 0.0 && !options.Map.HasNormals;
   made.IsEroded = map.Tolerance() > 0.0;
   this->FrontForm = FormAskedFor(options.Map);
@@ -375,9 +375,10 @@ void FrameRenderer::ShadeAgain()
 }
 
 /// Trace the rays that an isomap leaves open, one bit each, tile by tile, and shade these tiles.
-void FrameRenderer::TraceOpenRays(const FrameKey& key, const Options& options,
-  const std::vector<std::uint64_t>& open, const TileShader& shader, Frame& frame)
+void FrameRenderer::TraceOpenRays(
+  const FrameKey& key, const Options& options, const TileShader& shader, Frame& frame)
 {
+  const std::vector<std::uint64_t>& open = this->OpenRays;
   const std::int64_t rays = std::accumulate(open.begin(), open.end(), std::int64_t(0),
     [](std::int64_t sum, std::uint64_t tile)
     { return sum + static_cast<std::int64_t>(std::bitset<64>(tile).count()); });

@@ -92,17 +92,18 @@ private:
   void PrepareActiveCells(const FrameKey& key);
   template <typename Work>
   void CountTiles(const Frame& frame, const Work& work);
-  void TraceOpenRays(const FrameKey& key, const Options& options,
-    const std::vector<std::uint64_t>& open, const TileShader& shader, Frame& frame);
+  void TraceOpenRays(
+    const FrameKey& key, const Options& options, const TileShader& shader, Frame& frame);
   void ShadeAgain();
   void CountKnownHits();
 
   std::shared_ptr<CachedImage> Front = std::make_shared<CachedImage>(); ///< the last frame
-  std::shared_ptr<CachedImage> Back; ///< memory for the frame being made; or null
-  ImageCache Images;                 ///< what later frames may start from, Front among them
-  KnotForm FrontForm;                ///< asked for when it was made
-  IsomapBuilder Map;                 ///< of the view in which isovalues last changed
-  IsomapBuilder::ColdFrame Cold;     ///< what the last one took
+  std::shared_ptr<CachedImage> Back;   ///< memory for the frame being made; or null
+  ImageCache Images;                   ///< what later frames may start from, Front among them
+  KnotForm FrontForm;                  ///< asked for when it was made
+  IsomapBuilder Map;                   ///< of the view in which isovalues last changed
+  IsomapBuilder::ColdFrame Cold;       ///< what the last one took
+  std::vector<std::uint64_t> OpenRays; ///< of each tile, those that the isomap leaves to be traced
   FrameStatistics Counters;
 
   ValueRangePyramid Pyramid; ///< of PyramidField

@@ -86,8 +86,8 @@ public:
   }
 
   /// The same words for kernels: of each node its leaves, and where the words of its leaves begin
-  /// in the other list; there, 0 is a leaf's word that is not known yet. Each word is
-  /// read and written in one access.
+  /// in the other list; there, 0 is a leaf's word that is not known yet. Each word is read and
+  /// written in one access.
   const std::uint64_t* Nodes() const { return this->NodeWords.data(); }
   const std::uint64_t* Cells() const
   {

@@ -78,8 +78,8 @@ public:
   const glm::ivec3& Here() const { return this->Cell; }
 
   /// Go on to the next active cell; the first call may stay where it is.
-  /// \param filter has IsNodeOfUse(node) and IsLeafOfUse(node, leaf): false for what can be left
-  /// out \return false if the walk ends before
+  /// \param filter has IsNodeOfUse(node) and IsLeafOfUse(node, leaf): false for what is left out
+  /// \return false if the walk ends before
   template <typename T, typename Filter = TakeAll>
   HWY_INLINE bool FindActive(const BatchRay& ray, const ActiveCells& active,
     const TypedField<T>& samples, const Filter& filter = {})
@@ -235,8 +235,7 @@ struct LiveRays
   {
     for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
     {
-      if (rays.Begin[ray] < rays.End[ray] && rays.WalkBegin[ray] < rays.WalkEnd[ray] &&
-        isWanted(ray))
+      if (rays.HasWalk(ray) && isWanted(ray))
       {
         this->Walks[ray].Begin({ rays, ray }, cells);
         this->Rays[this->Count++] = ray;

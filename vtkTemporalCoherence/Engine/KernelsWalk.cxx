@@ -319,21 +319,6 @@ RayWalks::RayWalks(const RayBatch& rays, std::uint64_t which)
   }
 }
 
-namespace
-{
-
-std::size_t FirstZeroBit(std::uint64_t word)
-{
-  std::size_t bit = 0;
-  while (word >> bit & 1u)
-  {
-    ++bit;
-  }
-  return bit;
-}
-
-}
-
 void FindActiveCells(const WalkScene& scene, RayWalks& walks)
 {
   const std::uint64_t found = HWY_DYNAMIC_DISPATCH(FindActive)(scene, walks);
@@ -356,7 +341,7 @@ void FindActiveCells(const WalkScene& scene, RayWalks& walks)
   std::fill(&kept[count], kept.data() + WholeVectors(count), kept[count - 1]);
   count = WholeVectors(count);
   // Rays in front of the first that is dropped stay where they are.
-  const std::size_t first = FirstZeroBit(found);
+  const std::size_t first = hwy::Num0BitsBelowLS1Bit_Nonzero64(~found);
   const auto keep = [&](auto& array)
   {
     for (std::size_t i = first; i < count; ++i)

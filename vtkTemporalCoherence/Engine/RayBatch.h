@@ -42,6 +42,12 @@ struct RayBatch
   Array<double> Begin, End, WalkBegin, WalkEnd;
   Array<double> PerDepth;    ///< t for each unit of depth along the optical axis
   Array<std::int32_t> Pixel; ///< position in the planes of the frame
+
+  /// True if a ray runs through the field, and a surface can be somewhere on it.
+  bool HasWalk(std::size_t ray) const
+  {
+    return this->Begin[ray] < this->End[ray] && this->WalkBegin[ray] < this->WalkEnd[ray];
+  }
 };
 
 /// Where the rays found their surfaces, as arrays over rays.

@@ -91,13 +91,6 @@ private:
     return this->Scene.Active->CellsOf(this->Samples.All(), node, cell);
   }
 
-  /// True if a ray has somewhere to go and no hit yet.
-  static bool IsWanted(const RayBatch& rays, const HitBatch& hits, std::size_t ray)
-  {
-    return rays.Begin[ray] < rays.End[ray] && rays.WalkBegin[ray] < rays.WalkEnd[ray] &&
-      hits.Kind[ray] == HitKind::None;
-  }
-
   /// From active cell to active cell: in each round every ray that has not hit yet goes to the
   /// next, and all these cells are searched together.
   void TraceActive(const RayBatch& rays, HitBatch& hits) const
@@ -105,7 +98,8 @@ private:
     std::uint64_t wanted = 0;
     for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
     {
-      wanted |= static_cast<std::uint64_t>(IsWanted(rays, hits, ray)) << ray;
+      const bool isWanted = rays.HasWalk(ray) && hits.Kind[ray] == HitKind::None;
+      wanted |= static_cast<std::uint64_t>(isWanted) << ray;
     }
     RayWalks walks(rays, wanted);
     PassageBatch<Real> passages;

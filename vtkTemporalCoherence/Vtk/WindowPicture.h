@@ -22,8 +22,7 @@ struct WindowPicture
 
   PixelRect Rect;                                  ///< whole tiles; empty where nothing is hit
   std::vector<std::array<std::uint8_t, 4>> Colors; ///< RGBA; all 0 where nothing is hit
-  std::vector<float>
-    Depths; ///< values of the depth buffer: 0 at the near plane, 1 at the far plane
+  std::vector<float> Depths; ///< of the depth buffer: 0 at the near plane, 1 at the far plane
 };
 
 }

@@ -27,6 +27,8 @@ set(engine_files
   Knots
   LeafHistogram
   RayBatch
+  RaySource
+  Region
   ReusePlan
   Shader
   SurfaceNormal
@@ -44,6 +46,7 @@ set(bridge_files
   FieldFromImage
   ImageFromFrame
   PicturePresenter
+  RegionFromMapper
   ViewFromRenderer
   WindowPicture)
 list(TRANSFORM bridge_files PREPEND "${module_directory}/Vtk/")

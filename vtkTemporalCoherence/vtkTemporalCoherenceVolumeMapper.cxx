@@ -7,6 +7,7 @@
 #include "FrameRenderer.h"
 #include "ImageFromFrame.h"
 #include "PicturePresenter.h"
+#include "RegionFromMapper.h"
 #include "Stopwatch.h"
 #include "ViewFromRenderer.h"
 
@@ -227,7 +228,8 @@ bool vtkTemporalCoherenceVolumeMapper::MakeFrameKey(vtkRenderer* renderer, vtkVo
   }
   const int component = this->VectorMode == COMPONENT ? this->VectorComponent : 0;
   if (!TemporalCoherence::MakeField(image, array, component, key.Samples, error) ||
-    !TemporalCoherence::MakePlacement(image, volume, key.Where, error))
+    !TemporalCoherence::MakePlacement(image, volume, key.Where, error) ||
+    !TemporalCoherence::MakeRegion(this, TemporalCoherence::AxesOf(image), key.Kept, error))
   {
     return false;
   }

@@ -238,10 +238,9 @@ bool BruteForceTracer::CrossesIn(const Point& origin, const Point& direction, do
   return false;
 }
 
-BruteForceTracer::Hit BruteForceTracer::Trace(
-  vtkRenderer* renderer, int x, int y, int width, int height) const
+BruteForceTracer::Line BruteForceTracer::LineThrough(
+  vtkRenderer* renderer, int x, int y, int width, int height)
 {
-  const Hit miss{ std::numeric_limits<double>::infinity(), -1, {} };
   vtkCamera* camera = renderer->GetActiveCamera();
   vtkMatrix4x4* projection =
     camera->GetCompositeProjectionTransformMatrix(static_cast<double>(width) / height, -1.0, 1.0);
@@ -266,10 +265,26 @@ BruteForceTracer::Hit BruteForceTracer::Trace(
   const double toBegin = camera->GetParallelProjection()
     ? vtkMath::Dot(toNear.data(), forward.data()) / vtkMath::Dot(direction.data(), forward.data())
     : vtkMath::Norm(toNear.data());
+  return { Along(ends[0], direction, -toBegin), direction, toBegin, toBegin + length };
+}
 
-  const Point origin = Transform(this->IndexFromWorld, ends[0], 1.0);
-  const Point step = Transform(this->IndexFromWorld, direction, 0.0);
-  double begin = 0.0, end = length;
+BruteForceTracer::Hit BruteForceTracer::Trace(
+  vtkRenderer* renderer, int x, int y, int width, int height) const
+{
+  return this->Trace(LineThrough(renderer, x, y, width, height));
+}
+
+Point BruteForceTracer::IndexOf(const Point& world) const
+{
+  return Transform(this->IndexFromWorld, world, 1.0);
+}
+
+BruteForceTracer::Hit BruteForceTracer::Trace(const Line& line) const
+{
+  const Hit miss{ std::numeric_limits<double>::infinity(), -1, {} };
+  const Point origin = Transform(this->IndexFromWorld, line.Origin, 1.0);
+  const Point step = Transform(this->IndexFromWorld, line.Direction, 0.0);
+  double begin = line.Begin, end = line.End;
   int firstAxis = -1, lastAxis = -1;
   double firstPlane = 0.0, lastPlane = 0.0;
   for (std::size_t a = 0; a < 3; ++a)
@@ -306,7 +321,7 @@ BruteForceTracer::Hit BruteForceTracer::Trace(
 
   const Stop first{ begin, firstAxis, firstPlane };
   const auto hitAt = [&](double t, int isovalue) {
-    return Hit{ toBegin + t, isovalue, Along(ends[0], direction, t) };
+    return Hit{ t, isovalue, Along(line.Origin, line.Direction, t) };
   };
 
   if (this->IsThreshold)

@@ -31,6 +31,24 @@ public:
   std::vector<double> Isovalues;
   bool IsThreshold = false; ///< THRESHOLD, otherwise CROSSING
 
+  /// A piece of a line in the world.
+  struct Line
+  {
+    std::array<double, 3> Origin, Direction; ///< the direction has unit length
+    double Begin, End;                       ///< distances from the origin
+  };
+
+  /// The line of sight through the centre of pixel (x, y) of a picture of width x height, between
+  /// the clipping planes of the renderer's camera. It starts at the eye, or on the plane through a
+  /// parallel camera.
+  static Line LineThrough(vtkRenderer* renderer, int x, int y, int width, int height);
+
+  /// The first hit on a line.
+  Hit Trace(const Line& line) const;
+
+  /// A point of the world in index space.
+  std::array<double, 3> IndexOf(const std::array<double, 3>& world) const;
+
   /// The hit seen at the centre of pixel (x, y) of a picture of width x height by the renderer's
   /// camera.
   Hit Trace(vtkRenderer* renderer, int x, int y, int width, int height) const;

@@ -35,6 +35,10 @@ bool ColdWitness::Draw(Scene& scene)
   this->Mapper->SetSurfaceMode(scene.Mapper->GetSurfaceMode());
   this->Mapper->SetVectorMode(scene.Mapper->GetVectorMode());
   this->Mapper->SetVectorComponent(scene.Mapper->GetVectorComponent());
+  this->Mapper->SetCropping(scene.Mapper->GetCropping());
+  this->Mapper->SetCroppingRegionPlanes(scene.Mapper->GetCroppingRegionPlanes());
+  this->Mapper->SetCroppingRegionFlags(scene.Mapper->GetCroppingRegionFlags());
+  this->Mapper->SetClippingPlanes(scene.Mapper->GetClippingPlanes());
   this->Mapper->ReleaseReuse();
   int size[3];
   scene.Color->GetDimensions(size);

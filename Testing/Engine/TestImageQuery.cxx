@@ -3,6 +3,7 @@
 #include "FrameRenderer.h"
 #include "Grid.h"
 #include "ImageQuery.h"
+#include "RaySource.h"
 
 #include <gtest/gtest.h>
 

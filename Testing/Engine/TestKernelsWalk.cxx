@@ -4,6 +4,7 @@
 #include "EachTarget.h"
 #include "Grid.h"
 #include "KernelsWalk.h"
+#include "RaySource.h"
 
 #include <gtest/gtest.h>
 

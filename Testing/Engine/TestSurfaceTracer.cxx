@@ -3,6 +3,7 @@
 #include "ActiveCells.h"
 #include "Frame.h"
 #include "Grid.h"
+#include "RaySource.h"
 #include "SurfaceTracer.h"
 
 #include <gtest/gtest.h>

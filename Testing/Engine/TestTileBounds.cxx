@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Grid.h"
+#include "RaySource.h"
 #include "SurfaceTracer.h"
 #include "TileBounds.h"
 

@@ -5,6 +5,7 @@
 #include "BandTracer.h"
 #include "FramePlanes.h"
 #include "Parallel.h"
+#include "RaySource.h"
 #include "TileBounds.h"
 
 #include <algorithm>
@@ -102,7 +103,7 @@ KnotForm FormOf(const FrameKey& key, const Isomap::Options& options)
 bool Isomap::IsOf(const FrameKey& key, const Options& options) const
 {
   return this->IsBegun && this->Form == FormOf(key, options) && this->Key.Samples == key.Samples &&
-    this->Key.Where == key.Where && this->Key.Seen == key.Seen &&
+    this->Key.Where == key.Where && this->Key.Kept == key.Kept && this->Key.Seen == key.Seen &&
     this->Key.Sought.Mode == key.Sought.Mode;
 }
 
@@ -130,7 +131,7 @@ struct Isomap::BandSource
     , Form(map.Form)
     , FiniteRange(pyramid.FiniteRange())
     , From(start)
-    , Rays(map.Key.Seen, map.Key.Where, map.Key.Samples.Dimensions)
+    , Rays(map.Key.Seen, map.Key.Where, map.Key.Samples.Dimensions, map.Key.Kept)
   {
     this->Active.Build(map.Key.Samples, pyramid, band);
     this->Bounds.Build(map.Key.Seen, map.Key.Where, this->Active);

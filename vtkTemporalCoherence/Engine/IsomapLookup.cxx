@@ -53,7 +53,7 @@ IsomapLookup::IsomapLookup(const FrameKey& key, const std::vector<const Isomap::
   : Key(key)
   , Tolerance(tolerance)
   , HasNormals(!bands.empty() && bands[0]->HasNormals)
-  , Rays(key.Seen, key.Where, key.Samples.Dimensions)
+  , Rays(key.Seen, key.Where, key.Samples.Dimensions, key.Kept)
   , Tracer(SurfaceTracer::Make({ key.Samples, key.Sought, finiteRange, nullptr }))
 {
   for (std::size_t surface = 0; surface < bands.size(); ++surface)

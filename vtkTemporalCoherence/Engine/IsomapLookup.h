@@ -6,6 +6,7 @@
 #include "FramePlanes.h"
 #include "Isomap.h"
 #include "RayBatch.h"
+#include "RaySource.h"
 #include "SurfaceTracer.h"
 
 #include <cstdint>

@@ -3,7 +3,7 @@
 #ifndef TemporalCoherence_KernelsRays_h
 #define TemporalCoherence_KernelsRays_h
 
-#include "RayBatch.h"
+#include "RaySource.h"
 
 namespace TemporalCoherence
 {

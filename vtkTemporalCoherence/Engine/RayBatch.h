@@ -5,7 +5,6 @@
 
 #include "Field.h"
 #include "Frame.h"
-#include "View.h"
 
 #include <algorithm>
 #include <array>
@@ -75,27 +74,6 @@ struct HitBatch
 
 /// Append ray `ray` of one batch to another.
 void AppendRay(const RayBatch& from, std::size_t ray, RayBatch& to);
-
-/// The rays of a view as seen from index space; made once for a frame.
-class RaySource
-{
-public:
-  RaySource(const View& view, const Placement& placement, const glm::ivec3& dimensions);
-
-  /// Set up the rays through the pixels first .. first + size - 1 and clip them to the box of the
-  /// field and to the clipping planes. The walk is the whole clipped ray.
-  void SetUp(const glm::ivec2& first, const glm::ivec2& size, RayBatch& rays) const;
-
-  /// A vector that is linear in normalised device coordinates: V[0] + x V[1] + y V[2].
-  using LinearVector = std::array<glm::dvec3, 3>;
-
-  glm::ivec2 Size;
-  glm::dvec3 Last; ///< highest corner of the field's box
-  double Near, Far;
-  LinearVector World;             ///< direction in the world, of any length
-  LinearVector Direction, Origin; ///< in index space, the direction as long as World
-  glm::dvec3 Forward;             ///< component of World along the optical axis, linear too
-};
 
 }
 

@@ -30,10 +30,12 @@ const char* NameOf(Route route)
 FrameChange CompareFrames(const FrameKey& last, const FrameKey& next)
 {
   FrameChange change;
-  change.Data = !(last.Samples == next.Samples) || !(last.Where == next.Where);
+  change.Data =
+    !(last.Samples == next.Samples) || !(last.Where == next.Where) || !(last.Kept == next.Kept);
   change.View = !(last.Seen == next.Seen);
   change.Surfaces = !(last.Sought == next.Sought);
-  change.Raised = change.Surfaces && last.Sought.Mode == next.Sought.Mode &&
+  // A ray that comes back to the region may do so inside: its first hit tells nothing of that.
+  change.Raised = change.Surfaces && next.Kept.IsConvex() && last.Sought.Mode == next.Sought.Mode &&
     last.Sought.Isovalues.size() == 1 && next.Sought.Isovalues.size() == 1 &&
     next.Sought.Isovalues[0] > last.Sought.Isovalues[0];
   change.Appearance = !(last.Look == next.Look);
@@ -82,7 +84,7 @@ Route PlanRoute(const FrameKey& last, const FrameKey& next, const ReuseSwitches&
   }
   // A hint is one isovalue's hit for another.
   const bool isOneForOne = last.Sought.Isovalues.size() == 1 && isovalues == 1;
-  return held.IsExact && isOneForOne ? Route::ThresholdHint : Route::Cold;
+  return held.IsExact && isOneForOne && next.Kept.IsConvex() ? Route::ThresholdHint : Route::Cold;
 }
 
 }

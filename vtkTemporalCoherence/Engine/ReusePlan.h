@@ -5,6 +5,7 @@
 
 #include "Appearance.h"
 #include "Field.h"
+#include "Region.h"
 #include "Surfaces.h"
 #include "View.h"
 
@@ -33,6 +34,7 @@ struct FrameKey
 {
   Field Samples;
   Placement Where;
+  Region Kept;
   View Seen;
   Surfaces Sought;
   Appearance Look;
@@ -67,7 +69,7 @@ struct HeldForReuse
 /// What changed between two frames, by part of the key.
 struct FrameChange
 {
-  bool Data = false; ///< samples, interpolation or their placement in the world
+  bool Data = false; ///< samples, interpolation, their placement in the world, what is cut off
   bool View = false;
   bool Surfaces = false; ///< isovalues or mode
   bool Raised = false;   ///< of the surfaces, only the one isovalue, and upwards

@@ -8,6 +8,7 @@
 #include "Frame.h"
 #include "KernelsShading.h"
 #include "RayBatch.h"
+#include "Region.h"
 #include "Tiles.h"
 #include "View.h"
 
@@ -32,6 +33,7 @@ struct NormalSource
 {
   Field Samples;
   Placement Where;
+  std::vector<glm::dvec4> Cuts; ///< planes that cut solids open: RegionCutter::Planes
   std::vector<double> Isovalues;
   glm::dvec2 FiniteRange{ 0.0 };
 };

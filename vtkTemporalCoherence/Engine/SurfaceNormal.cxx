@@ -195,24 +195,4 @@ void IndexGradients(const GradientQuery& query, std::size_t count,
     });
 }
 
-glm::dvec3 BoxFaceNormal(const glm::dvec3& point, const glm::ivec3& dimensions)
-{
-  constexpr double Tolerance = 1e-3; // cells: what remains of a depth in single precision
-  glm::dvec3 normal(0.0);
-  double nearest = Tolerance;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double toLow = std::abs(point[axis]);
-    const double toHigh = std::abs(point[axis] - (dimensions[axis] - 1));
-    const double distance = std::min(toLow, toHigh);
-    if (distance < nearest)
-    {
-      nearest = distance;
-      normal = glm::dvec3(0.0);
-      normal[axis] = toLow < toHigh ? -1.0 : 1.0;
-    }
-  }
-  return normal;
-}
-
 }

@@ -36,10 +36,6 @@ void IndexGradients(const GradientQuery& query, std::size_t count,
   const std::array<RayBatch::Array<double>, 3>& directions,
   const RayBatch::Array<std::int16_t>& surfaces, std::array<RayBatch::Array<double>, 3>& gradients);
 
-/// Outward normal, in index space, of the face of the box [0, dimensions - 1] that a point lies on.
-/// \return the zero vector if the point is not on a face
-glm::dvec3 BoxFaceNormal(const glm::dvec3& point, const glm::ivec3& dimensions);
-
 }
 
 #endif

@@ -10,7 +10,8 @@ namespace TemporalCoherence
 TileShader::TileShader(
   const FrameKey& key, const glm::dvec2& finiteRange, HitSet normalsOf, HitSet colorsOf)
   : Key(key)
-  , Source{ key.Samples, key.Where, key.Sought.Isovalues, finiteRange }
+  , Source{ key.Samples, key.Where, RegionCutter(key.Kept, key.Where).Planes(),
+    key.Sought.Isovalues, finiteRange }
   , NormalsOf(normalsOf)
   , ColorsOf(colorsOf)
 {

@@ -25,6 +25,19 @@ bool AreMisses(const QueryBatch& known, int count)
     [](Answer answer) { return answer == Answer::DefiniteMiss; });
 }
 
+/// Make what a later piece of a ray found its own.
+void TakeHit(const HitBatch& found, std::size_t i, std::size_t ray, HitBatch& hits)
+{
+  hits.Depth[ray] = found.Depth[i];
+  hits.Surface[ray] = found.Surface[i];
+  hits.Kind[ray] = found.Kind[i];
+  if (found.Contact[i] < hits.Contact[ray])
+  {
+    hits.Contact[ray] = found.Contact[i];
+    hits.FromInside[ray] = found.FromInside[i];
+  }
+}
+
 void Count(Answer answer, TraceCounts& counts)
 {
   counts.DefiniteHits += answer == Answer::DefiniteHit;
@@ -36,7 +49,7 @@ void Count(Answer answer, TraceCounts& counts)
 
 TileTracer::TileTracer(const TileScene& scene)
   : Scene(scene)
-  , Rays(scene.Key.Seen, scene.Key.Where, scene.Key.Samples.Dimensions)
+  , Rays(scene.Key.Seen, scene.Key.Where, scene.Key.Samples.Dimensions, scene.Key.Kept)
   , HasSurfaces(scene.Key.Samples.HasCells() && !scene.Key.Sought.Isovalues.empty())
   , IsSolid(scene.Key.Sought.Mode == SurfaceMode::Threshold)
   , Tracer(
@@ -116,10 +129,64 @@ TraceCounts TileTracer::TraceSome(
   return counts;
 }
 
+/// Find the first surface along each ray, in what the region leaves of it.
+void TileTracer::Find(const RayBatch& rays, HitBatch& hits) const
+{
+  if (this->Rays.Cut.HasPieces())
+  {
+    this->FindInPieces(rays, hits);
+  }
+  else
+  {
+    this->Tracer->Trace(rays, hits);
+  }
+}
+
+/// Rays that are in the region, leave it and come back: piece by piece, until there is a hit.
+void TileTracer::FindInPieces(const RayBatch& rays, HitBatch& hits) const
+{
+  const auto count = static_cast<std::size_t>(rays.Count);
+  hits.Clear(rays.Count);
+  RayBatch::Array<RegionCutter::Pieces> pieces;
+  for (std::size_t ray = 0; ray < count; ++ray)
+  {
+    pieces[ray] = this->Rays.Cut.PiecesOf(rays, ray);
+  }
+  for (std::size_t piece = 0; piece < RegionCutter::MostPieces; ++piece)
+  {
+    RayBatch part;
+    RayBatch::Array<std::size_t> owners;
+    for (std::size_t ray = 0; ray < count; ++ray)
+    {
+      if (piece < pieces[ray].Count && hits.Kind[ray] == HitKind::None)
+      {
+        const glm::dvec2& ends = pieces[ray].Ends[piece];
+        const auto at = static_cast<std::size_t>(part.Count);
+        owners[at] = ray;
+        AppendRay(rays, ray, part);
+        part.Begin[at] = ends.x;
+        part.End[at] = ends.y;
+        part.WalkBegin[at] = std::max(rays.WalkBegin[ray], ends.x);
+        part.WalkEnd[at] = std::min(rays.WalkEnd[ray], ends.y);
+      }
+    }
+    if (part.Count > 0)
+    {
+      HitBatch found;
+      this->Tracer->Trace(part, found);
+      for (std::size_t i = 0; i < static_cast<std::size_t>(part.Count); ++i)
+      {
+        TakeHit(found, i, owners[i], hits);
+      }
+      hits.CellsRead += found.CellsRead;
+    }
+  }
+}
+
 void TileTracer::TraceCold(const RayBatch& rays, Frame& frame, TraceCounts& counts) const
 {
   HitBatch hits;
-  this->Tracer->Trace(rays, hits);
+  this->Find(rays, hits);
   counts.CellsRead += hits.CellsRead;
   for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
   {
@@ -161,7 +228,7 @@ void TileTracer::TraceHinted(RayBatch& rays, Frame& frame, TraceCounts& counts) 
     }
   }
   HitBatch hits;
-  this->Tracer->Trace(rays, hits);
+  this->Find(rays, hits);
   counts.CellsRead += hits.CellsRead;
   RayBatch again;
   for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
@@ -184,7 +251,7 @@ void TileTracer::TraceKnown(
   const RayBatch::Array<double> walkEnd = rays.WalkEnd;
   this->NarrowByImage(known, rays);
   HitBatch hits;
-  this->Tracer->Trace(rays, hits);
+  this->Find(rays, hits);
   counts.CellsRead += hits.CellsRead;
 
   RayBatch again;
@@ -278,7 +345,7 @@ void TileTracer::TraceAgain(const RayBatch& rays, Frame& frame, TraceCounts& cou
     return;
   }
   HitBatch hits;
-  this->Tracer->Trace(rays, hits);
+  this->Find(rays, hits);
   counts.CellsRead += hits.CellsRead;
   counts.TracedRays += rays.Count;
   counts.PossibleHits += rays.Count;

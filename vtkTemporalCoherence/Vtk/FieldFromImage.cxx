@@ -172,4 +172,16 @@ bool MakePlacement(vtkImageData* image, vtkVolume* volume, Placement& placement,
   return true;
 }
 
+ImageAxes AxesOf(vtkImageData* image)
+{
+  const int* extent = image->GetExtent();
+  ImageAxes axes;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    axes.Step[axis] = image->GetSpacing()[axis];
+    axes.First[axis] = image->GetOrigin()[axis] + extent[2 * axis] * axes.Step[axis];
+  }
+  return axes;
+}
+
 }

@@ -4,6 +4,7 @@
 #define TemporalCoherence_FieldFromImage_h
 
 #include "Field.h"
+#include "RegionFromMapper.h"
 
 #include <string>
 
@@ -28,6 +29,9 @@ bool MakeField(
 /// \return false on error, for example if a spacing or a scale is zero
 bool MakePlacement(
   vtkImageData* image, vtkVolume* volume, Placement& placement, std::string& error);
+
+/// Where the image's samples lie along its own axes: origin, spacing and first index.
+ImageAxes AxesOf(vtkImageData* image);
 
 }
 

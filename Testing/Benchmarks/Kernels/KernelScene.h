@@ -6,6 +6,7 @@
 #include "ActiveCells.h"
 #include "Grid.h"
 #include "ReusePlan.h"
+#include "RaySource.h"
 #include "SurfaceTracer.h"
 #include "Tiles.h"
 #include "ValueRangePyramid.h"

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_RegionFromMapper_h
+#define TemporalCoherence_RegionFromMapper_h
+
+#include "Region.h"
+
+#include <string>
+
+class vtkVolumeMapper;
+
+namespace TemporalCoherence
+{
+
+/// The coordinates of samples along the axes of an image: sample i of an axis lies at
+/// First + i Step.
+struct ImageAxes
+{
+  glm::dvec3 First{ 0.0 }, Step{ 1.0 };
+};
+
+/// What a mapper's clipping planes, which lie in the world, and its cropping leave of a field.
+/// Cropping planes are meant as vtkVolumeMapper says, along the axes of the image with its origin
+/// and spacing in mind.
+/// \param error gets what is wrong and what to do about it
+/// \return false on error
+bool MakeRegion(vtkVolumeMapper* mapper, const ImageAxes& axes, Region& region, std::string& error);
+
+}
+
+#endif

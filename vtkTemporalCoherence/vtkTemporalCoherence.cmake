@@ -25,6 +25,7 @@ set(engine_files
   KernelsWalk
   KnotCollector
   Knots
+  LayerTracer
   LeafHistogram
   RayBatch
   RaySource
@@ -34,6 +35,7 @@ set(engine_files
   SurfaceNormal
   SurfaceTracer
   TileBounds
+  TileCompositor
   TileShader
   TileTracer
   ValueRangePyramid

@@ -207,7 +207,7 @@ bool vtkTemporalCoherenceVolumeMapper::MakeFrameKey(vtkRenderer* renderer, vtkVo
   }
 
   vtkVolumeProperty* property = volume->GetProperty();
-  if (!TemporalCoherence::FindIsovalues(property, key.Sought.Isovalues, places, error))
+  if (!TemporalCoherence::FindSurfaces(property, key.Sought, places, error))
   {
     return false;
   }
@@ -226,6 +226,8 @@ bool vtkTemporalCoherenceVolumeMapper::MakeFrameKey(vtkRenderer* renderer, vtkVo
   {
     return true;
   }
+  key.Sought.BySteepness = TemporalCoherence::MakeGradientOpacity(
+    property, glm::abs(TemporalCoherence::AxesOf(image).Step));
   const int component = this->VectorMode == COMPONENT ? this->VectorComponent : 0;
   if (!TemporalCoherence::MakeField(image, array, component, key.Samples, error) ||
     !TemporalCoherence::MakePlacement(image, volume, key.Where, error) ||

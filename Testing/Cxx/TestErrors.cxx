@@ -23,6 +23,7 @@
 #include <functional>
 #include <iostream>
 #include <limits>
+#include <numeric>
 
 namespace
 {
@@ -170,8 +171,13 @@ void TestIsovalues()
       },
       [](Scene& scene) { scene.SetIsovalues({ 130.0 }); });
   }
-  ExpectError(
-    "more than", [](Scene& scene) { scene.SetIsovalues(std::vector<double>(40000, 130.0)); });
+  ExpectError("more than",
+    [](Scene& scene)
+    {
+      std::vector<double> isovalues(40000);
+      std::iota(isovalues.begin(), isovalues.end(), 0.0);
+      scene.SetIsovalues(isovalues);
+    });
 }
 
 void TestNullArguments()

@@ -169,9 +169,10 @@ std::array<Real, 2> TurningPoints(const Cubic<Real>& b, int& count)
   return TurningPoints(b[1] - b[0], b[2] - b[1], b[3] - b[2], count);
 }
 
-/// Smallest s in [0, 1] where the cubic changes between inside and outside; false if it does not.
-template <typename Real>
-bool FirstCrossing(const Cubic<Real>& b, Real& s)
+/// Call visit(s) for each s in [0, 1] where the cubic changes between inside and outside,
+/// ascending, until it returns true.
+template <typename Real, typename Visit>
+void VisitCrossings(const Cubic<Real>& b, const Visit& visit)
 {
   // By Descartes' rule there are as many crossings as changes among the coefficients, or two or
   // four fewer: with no change there is none, with one change there is one.
@@ -180,34 +181,51 @@ bool FirstCrossing(const Cubic<Real>& b, Real& s)
   const int changes = (begin != second) + (second != third) + (third != end);
   if (changes == 0)
   {
-    return false;
+    return;
   }
   if (changes == 1)
   {
-    s = RefineCrossing(b, Real(0), Real(1));
-    return true;
+    visit(RefineCrossing(b, Real(0), Real(1)));
+    return;
   }
 
   // Otherwise split at the turning points into monotone pieces (Marmitt et al. 2004).
   int count = 0;
   const std::array<Real, 2> turns = TurningPoints(b, count);
   Real low = Real(0);
+  bool side = begin;
   for (int i = 0; i < count; ++i)
   {
     const Real high = turns[static_cast<std::size_t>(i)];
-    if (IsInside(Evaluate(b, high)) != begin)
+    if (IsInside(Evaluate(b, high)) != side)
     {
-      s = RefineCrossing(b, low, high);
-      return true;
+      if (visit(RefineCrossing(b, low, high)))
+      {
+        return;
+      }
+      side = !side;
     }
     low = high;
   }
-  if (end != begin)
+  if (end != side)
   {
-    s = RefineCrossing(b, low, Real(1));
-    return true;
+    visit(RefineCrossing(b, low, Real(1)));
   }
-  return false;
+}
+
+/// Smallest s in [0, 1] where the cubic changes between inside and outside; false if it does not.
+template <typename Real>
+bool FirstCrossing(const Cubic<Real>& b, Real& s)
+{
+  bool isFound = false;
+  VisitCrossings(b,
+    [&](Real at)
+    {
+      s = at;
+      isFound = true;
+      return true;
+    });
+  return isFound;
 }
 
 /// The corner of a cell whose sample is nearest to a point; x + 2 y + 4 z.
@@ -259,21 +277,36 @@ NearestPath FindNearestPath(const CellPath<Real>& path, const std::array<double,
   return nearest;
 }
 
-/// First crossing of the nearest sample's value along a path: a face between two samples, half way
+/// Call visit(share) for each share of a path at which the nearest sample's value changes between
+/// inside and outside, ascending, until it returns true: faces between two samples, half way
 /// across the cell.
+template <typename Real, typename Visit>
+void VisitNearestCrossings(
+  const Corners<Real>& corners, const NearestPath& path, const Visit& visit)
+{
+  for (std::size_t i = 1; i < path.Count; ++i)
+  {
+    if (IsInside(corners[path.Corners[i]]) != IsInside(corners[path.Corners[i - 1]]) &&
+      visit(path.Shares[i]))
+    {
+      return;
+    }
+  }
+}
+
+/// First crossing of the nearest sample's value along a path.
 template <typename Real>
 bool FirstNearestCrossing(const Corners<Real>& corners, const NearestPath& path, double& s)
 {
-  const bool begin = IsInside(corners[path.Corners[0]]);
-  for (std::size_t i = 1; i < path.Count; ++i)
-  {
-    if (IsInside(corners[path.Corners[i]]) != begin)
+  bool isFound = false;
+  VisitNearestCrossings(corners, path,
+    [&](double share)
     {
-      s = path.Shares[i];
+      s = share;
+      isFound = true;
       return true;
-    }
-  }
-  return false;
+    });
+  return isFound;
 }
 
 }

@@ -34,6 +34,15 @@ enum class HitKind : std::uint8_t
   Within  ///< it meets none and passes active cells from inside, as far as is known
 };
 
+/// A surface that a ray meets, seen or seen through.
+struct LayerHit
+{
+  double Depth;       ///< t
+  std::int32_t Pixel; ///< position in the planes
+  std::int16_t Isovalue;
+  HitKind Kind;
+};
+
 /// One value for each pixel.
 template <typename T>
 using Plane = std::vector<T, RoomAllocator<T>>;
@@ -52,8 +61,13 @@ struct Frame
   Plane<std::int16_t> Isovalues; ///< position of the hit isovalue in the list; or NoSurface
   Plane<HitKind> Kinds;
   Plane<Answer> Answers;
-  Plane<std::array<std::uint8_t, 4>> Colors; ///< RGBA; all 0 where nothing is hit
+  Plane<std::array<std::uint8_t, 4>> Colors; ///< RGBA, multiplied by A; 0 where nothing is hit
   bool IsFromCache = false;                  ///< answers are those of a cached image
+
+  /// Where surfaces are translucent: all that were seen through each tile, round by round from
+  /// front to back, by pixel in each round. Else empty. Colours are then those of all of them over
+  /// one another; depth, normal and isovalue are those of the first.
+  std::vector<std::vector<LayerHit>> Layers;
 
   /// 1 for each tile whose planes are known to hold nothing but definite misses, so that nobody has
   /// to look into it, or to write what is there already.

@@ -165,7 +165,7 @@ void FrameRenderer::TraceFrame(const FrameKey& key, const Options& options, Cach
 {
   const bool isExact = !cached || options.Accuracy == ReuseAccuracy::Exact;
   const bool interpolates = !isExact && options.Accuracy == ReuseAccuracy::Paper &&
-    options.InterpolateColors && HasColorsFor(*cached, key);
+    options.InterpolateColors && HasColorsFor(*cached, key) && !key.Sought.IsTranslucent();
   {
     Stopwatch watch(this->Counters.TraceTime);
     this->PreparePyramid(key);
@@ -183,8 +183,9 @@ void FrameRenderer::TraceFrame(const FrameKey& key, const Options& options, Cach
     Stopwatch watch(this->Counters.QueryTime);
     query = std::make_unique<ImageQuery>(*cached, key, options.Accuracy);
   }
-  TileScene scene{ key, options.SpaceLeaping ? &this->Active : nullptr, &this->Bounds,
-    this->Pyramid.FiniteRange(), query.get(), interpolates };
+  const LeapedSpace space{ options.SpaceLeaping ? &this->Active : nullptr, &this->Bounds };
+  TileScene scene{ key, space.Active, space.Bounds, this->Pyramid.FiniteRange(), query.get(),
+    interpolates };
   if (this->Counters.Made == Route::ThresholdHint)
   {
     scene.Before = &this->Front->Picture;
@@ -192,7 +193,7 @@ void FrameRenderer::TraceFrame(const FrameKey& key, const Options& options, Cach
   }
   const HitSet hits = interpolates ? HitSet::NotDefinite : HitSet::All;
   const TileTracer tracer(scene);
-  const TileShader shader(key, this->Pyramid.FiniteRange(), hits, hits);
+  const TileShader shader(key, this->Pyramid.FiniteRange(), space, hits, hits);
   this->CountTiles(made.Picture,
     [&](std::int64_t tile, const PixelRect& part)
     {
@@ -237,9 +238,16 @@ void FrameRenderer::LookUpFrame(const FrameKey& key, const Options& options)
   made.Picture.IsFromCache = false;
   this->OpenRays.resize(static_cast<std::size_t>(NumberOfTiles(key.Seen.Size)));
   const Isomap& map = this->Map.Built();
+  const bool leaps = options.SpaceLeaping && key.Sought.IsTranslucent();
+  if (leaps)
+  {
+    Stopwatch watch(this->Counters.TraceTime);
+    this->PrepareActiveCells(key);
+  }
   const IsomapLookup lookup(
     key, this->Map.BandsFor(key), map.Tolerance(), this->Pyramid.FiniteRange());
   const TileShader shader(key, this->Pyramid.FiniteRange(),
+    { leaps ? &this->Active : nullptr, &this->Bounds },
     options.Map.HasNormals ? HitSet::NotDefinite : HitSet::All, HitSet::All);
   this->CountTiles(made.Picture,
     [&](std::int64_t tile, const PixelRect& part)
@@ -268,6 +276,7 @@ void FrameRenderer::BeginFrame(const FrameKey& key)
   }
   CachedImage& made = *this->Back;
   made.Picture.Resize(key.Seen.Size);
+  made.Picture.Layers.resize(key.Sought.IsTranslucent() ? made.Picture.ClearTiles.size() : 0);
   if (made.Key.Seen.Parallel != key.Seen.Parallel)
   {
     // The disparity of a miss is another one.
@@ -365,7 +374,8 @@ void FrameRenderer::ShadeAgain()
 {
   Stopwatch watch(this->Counters.ShadeTime);
   Frame& frame = this->Front->Picture;
-  const TileShader shader(this->Front->Key, this->Pyramid.FiniteRange(), HitSet::None, HitSet::All);
+  const TileShader shader(
+    this->Front->Key, this->Pyramid.FiniteRange(), {}, HitSet::None, HitSet::All);
   ParallelFor(NumberOfTiles(frame.Size), TileGrain,
     [&](std::int64_t tile)
     {

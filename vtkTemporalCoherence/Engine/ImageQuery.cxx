@@ -166,7 +166,7 @@ ImageQuery::ImageQuery(CachedImage& image, const FrameKey& next, ReuseAccuracy a
 
   const glm::dvec2 edges = VoxelEdges(next.Where);
   this->Voxel = edges.y;
-  const bool isRaised = !(image.Key.Sought == next.Sought);
+  const bool isRaised = !AreMetAlike(image.Key.Sought, next.Sought);
   if (accuracy == ReuseAccuracy::Bounded || isRaised)
   {
     // For a raised isovalue the image gives starts only. What was inside the old isovalue may be

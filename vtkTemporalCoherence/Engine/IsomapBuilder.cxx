@@ -32,7 +32,7 @@ bool IsomapBuilder::CanBuild(const FrameKey& key, const Isomap::Options& options
 {
   const bool hasFailed = this->FailedLimit >= options.MemoryLimit && this->Map.IsOf(key, options);
   return options.MemoryLimit > 0 && Isomap::CanHold(key.Samples) && key.Kept.IsConvex() &&
-    !hasFailed;
+    !IsTooCoarse(key, options) && !hasFailed;
 }
 
 Isomap::Outcome IsomapBuilder::Build(const FrameKey& key, const Isomap::Options& options,

@@ -28,7 +28,8 @@ public:
   /// True if there is a band for each isovalue of a frame.
   bool Covers(const FrameKey& key, const Isomap::Options& options) const
   {
-    return this->Map.IsOf(key, options) && this->Map.Covers(key.Sought.Isovalues);
+    return this->Map.IsOf(key, options) && this->Map.Covers(key.Sought.Isovalues) &&
+      !IsTooCoarse(key, options);
   }
 
   /// True if it makes sense to try.
@@ -81,6 +82,12 @@ private:
     const ColdFrame& Cold;
     const Isomap::ReportProgress& Report;
   };
+
+  /// True if surfaces behind those that are looked up could not be told from them.
+  static bool IsTooCoarse(const FrameKey& key, const Isomap::Options& options)
+  {
+    return options.Tolerance > 0.0 && key.Sought.IsTranslucent();
+  }
 
   std::int64_t ColdCellsAt(double isovalue, const ColdFrame& cold) const;
   Isomap::Outcome BuildFor(double isovalue, const Context& context);

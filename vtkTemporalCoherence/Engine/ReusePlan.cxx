@@ -33,7 +33,8 @@ FrameChange CompareFrames(const FrameKey& last, const FrameKey& next)
   change.Data =
     !(last.Samples == next.Samples) || !(last.Where == next.Where) || !(last.Kept == next.Kept);
   change.View = !(last.Seen == next.Seen);
-  change.Surfaces = !(last.Sought == next.Sought);
+  change.Surfaces = !AreMetAlike(last.Sought, next.Sought);
+  change.Opacity = !change.Surfaces && !(last.Sought == next.Sought);
   // A ray that comes back to the region may do so inside: its first hit tells nothing of that.
   change.Raised = change.Surfaces && next.Kept.IsConvex() && last.Sought.Mode == next.Sought.Mode &&
     last.Sought.Isovalues.size() == 1 && next.Sought.Isovalues.size() == 1 &&
@@ -54,7 +55,7 @@ Route PlanRoute(const FrameKey& last, const FrameKey& next, const ReuseSwitches&
   const HeldForReuse& held)
 {
   const FrameChange change = CompareFrames(last, next);
-  const bool isSame = !change.Data && !change.View && !change.Surfaces;
+  const bool isSame = !change.Data && !change.View && !change.Surfaces && !change.Opacity;
   if (isSame && (held.IsExact || !switches.RefineWhenStill))
   {
     return change.Appearance ? Route::Reshade : Route::Redisplay;
@@ -74,7 +75,7 @@ Route PlanRoute(const FrameKey& last, const FrameKey& next, const ReuseSwitches&
     return switches.ImageCache && held.Image ? Route::ImageCache : Route::Cold;
   }
   const std::size_t isovalues = next.Sought.Isovalues.size();
-  if (last.Sought.Mode != next.Sought.Mode || isovalues == 0)
+  if (last.Sought.Mode != next.Sought.Mode || isovalues == 0 || change.Opacity)
   {
     return Route::Cold;
   }

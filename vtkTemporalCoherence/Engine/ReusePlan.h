@@ -72,7 +72,8 @@ struct FrameChange
   bool Data = false; ///< samples, interpolation, their placement in the world, what is cut off
   bool View = false;
   bool Surfaces = false; ///< isovalues or mode
-  bool Raised = false;   ///< of the surfaces, only the one isovalue, and upwards
+  bool Opacity = false;
+  bool Raised = false; ///< of the surfaces, only the one isovalue, and upwards
   bool Appearance = false;
 };
 

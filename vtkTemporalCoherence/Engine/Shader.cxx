@@ -62,12 +62,12 @@ glm::dvec3 CapNormal(const glm::dvec3& point, const NormalSource& source)
 }
 
 /// Where a solid is cut open, take the normal of the plane that cuts it for the gradient.
-void TakeFacesAtCaps(const NormalSource& source, const HitList& hits, const Frame& frame,
-  std::array<Array<double>, 3>& gradients)
+void TakeFacesAtCaps(
+  const NormalSource& source, const HitList& hits, std::array<Array<double>, 3>& gradients)
 {
   for (std::size_t i = 0; i < hits.Rays.Count; ++i)
   {
-    if (frame.Kinds[static_cast<std::size_t>(hits.Pixel[i])] == HitKind::Cap)
+    if (hits.Kind[i] == HitKind::Cap)
     {
       const glm::dvec3 point(source.Where.IndexFromWorld * glm::dvec4(At(hits.Rays.Point, i), 1.0));
       Set(gradients, i, CapNormal(point, source));
@@ -142,16 +142,11 @@ void AddLight(const Appearance& appearance, const Light& light, const HitList& h
 }
 
 /// What hits look like without light from anywhere.
-void BeginSums(const Appearance& appearance, const HitList& hits, const Frame& frame,
-  ShadingKernels::PhongSums& sums)
+void BeginSums(const Appearance& appearance, const HitList& hits, ShadingKernels::PhongSums& sums)
 {
   const auto ambient = static_cast<float>(appearance.Shade ? appearance.Ambient : 1.0);
   sums.Count = hits.Rays.Count;
-  for (std::size_t i = 0; i < sums.Count; ++i)
-  {
-    const glm::vec3& normal = frame.Normals[static_cast<std::size_t>(hits.Pixel[i])];
-    sums.Normal[i] = { normal.x, normal.y, normal.z };
-  }
+  std::copy_n(hits.Normal.begin(), sums.Count, sums.Normal.begin());
   FillLastVector(sums.Count, sums.Normal);
   for (std::size_t a = 0; a < 3; ++a)
   {
@@ -245,6 +240,7 @@ private:
     {
       this->Hits.Pixel[at + i] = static_cast<std::int32_t>(first + i);
       this->Hits.Surface[at + i] = this->Planes.Isovalues[first + i];
+      this->Hits.Kind[at + i] = this->Planes.Kinds[first + i];
       this->Hits.Rays.X[at + i] = x[i];
       this->Hits.Rays.Y[at + i] = y;
       this->Hits.Rays.T[at + i] = this->Planes.Depth[first + i];
@@ -267,6 +263,7 @@ private:
         !this->WithDefiniteHits && this->Planes.Answers[pixel] == Answer::DefiniteHit;
       this->Hits.Pixel[hitCount] = static_cast<std::int32_t>(pixel);
       this->Hits.Surface[hitCount] = this->Planes.Isovalues[pixel];
+      this->Hits.Kind[hitCount] = this->Planes.Kinds[pixel];
       this->Hits.Rays.X[hitCount] = x[i];
       this->Hits.Rays.Y[hitCount] = y;
       this->Hits.Rays.T[hitCount] = this->Planes.Depth[pixel];
@@ -300,6 +297,11 @@ void GatherHits(
     sorter.Sort(static_cast<std::size_t>(first), static_cast<std::size_t>(part.Size.x),
       centres.X.data(), centres.Y[static_cast<std::size_t>(row)]);
   }
+  FindHitPoints(view, hits);
+}
+
+void FindHitPoints(const View& view, HitList& hits)
+{
   ShadingKernels::RayPoints& rays = hits.Rays;
   if (rays.Count > 0)
   {
@@ -312,7 +314,8 @@ void GatherHits(
   }
 }
 
-void ComputeNormals(const NormalSource& source, const HitList& hits, Frame& frame)
+void ComputeNormals(
+  const NormalSource& source, HitList& hits, std::array<Array<double>, 3>* gradientsFound)
 {
   if (hits.Rays.Count == 0)
   {
@@ -320,18 +323,46 @@ void ComputeNormals(const NormalSource& source, const HitList& hits, Frame& fram
   }
   const auto count = hits.Rays.Count;
   std::array<Array<double>, 3> gradients;
-  Array<std::array<float, 3>> normals;
   IndexGradients(
     { source.Samples, source.Where.IndexFromWorld, source.FiniteRange, &source.Isovalues }, count,
     hits.Rays.Point, hits.Rays.Direction, hits.Surface, gradients);
-  TakeFacesAtCaps(source, hits, frame, gradients);
+  if (gradientsFound)
+  {
+    *gradientsFound = gradients;
+  }
+  TakeFacesAtCaps(source, hits, gradients);
   const glm::dmat3 worldFromGradient = glm::transpose(glm::dmat3(source.Where.IndexFromWorld));
   ShadingKernels::FindFacingNormals(
-    count, worldFromGradient, gradients, hits.Rays.Direction, normals);
-  for (std::size_t i = 0; i < count; ++i)
+    count, worldFromGradient, gradients, hits.Rays.Direction, hits.Normal);
+}
+
+void StoreNormals(const HitList& hits, Frame& frame)
+{
+  for (std::size_t i = 0; i < hits.Rays.Count; ++i)
   {
-    frame.Normals[static_cast<std::size_t>(hits.Pixel[i])] = { normals[i][0], normals[i][1],
-      normals[i][2] };
+    const std::array<float, 3>& normal = hits.Normal[i];
+    frame.Normals[static_cast<std::size_t>(hits.Pixel[i])] = { normal[0], normal[1], normal[2] };
+  }
+}
+
+void LoadNormals(const Frame& frame, HitList& hits)
+{
+  for (std::size_t i = 0; i < hits.Rays.Count; ++i)
+  {
+    const glm::vec3& normal = frame.Normals[static_cast<std::size_t>(hits.Pixel[i])];
+    hits.Normal[i] = { normal.x, normal.y, normal.z };
+  }
+}
+
+void SumLight(const Appearance& appearance, const HitList& hits, ShadingKernels::PhongSums& sums)
+{
+  BeginSums(appearance, hits, sums);
+  if (appearance.Shade)
+  {
+    for (const Light& light : appearance.Lights)
+    {
+      AddLight(appearance, light, hits, sums);
+    }
   }
 }
 
@@ -342,29 +373,28 @@ void ShadeHits(const Appearance& appearance, const HitList& hits, Frame& frame)
     return;
   }
   ShadingKernels::PhongSums sums;
-  BeginSums(appearance, hits, frame, sums);
-  if (appearance.Shade)
-  {
-    for (const Light& light : appearance.Lights)
-    {
-      AddLight(appearance, light, hits, sums);
-    }
-  }
+  SumLight(appearance, hits, sums);
   Array<std::array<std::uint8_t, 4>> colors;
   ShadingKernels::RoundColors(sums, colors);
   for (std::size_t i = 0; i < sums.Count; ++i)
   {
     frame.Colors[static_cast<std::size_t>(hits.Pixel[i])] = colors[i];
   }
-  if (appearance.ColorByAnswer && frame.IsFromCache)
+  PaintAnswers(appearance, hits, frame);
+}
+
+void PaintAnswers(const Appearance& appearance, const HitList& hits, Frame& frame)
+{
+  if (!appearance.ColorByAnswer || !frame.IsFromCache)
   {
-    for (std::size_t i = 0; i < sums.Count; ++i)
+    return;
+  }
+  for (std::size_t i = 0; i < hits.Rays.Count; ++i)
+  {
+    const auto pixel = static_cast<std::size_t>(hits.Pixel[i]);
+    if (frame.Answers[pixel] == Answer::PossibleHit)
     {
-      const auto pixel = static_cast<std::size_t>(hits.Pixel[i]);
-      if (frame.Answers[pixel] == Answer::PossibleHit)
-      {
-        frame.Colors[pixel] = Yellow;
-      }
+      frame.Colors[pixel] = Yellow;
     }
   }
 }

@@ -23,9 +23,11 @@ struct HitList
   template <typename T>
   using Array = RayBatch::Array<T>;
 
-  Array<std::int32_t> Pixel;      ///< position in the planes of the frame
-  Array<std::int16_t> Surface;    ///< position in the list of isovalues
+  Array<std::int32_t> Pixel;   ///< position in the planes of the frame
+  Array<std::int16_t> Surface; ///< position in the list of isovalues
+  Array<HitKind> Kind;
   ShadingKernels::RayPoints Rays; ///< and the hits on them, in the world
+  Array<std::array<float, 3>> Normal;
 };
 
 /// Where the hits of a picture get their normals from.
@@ -44,16 +46,30 @@ struct NormalSource
 void GatherHits(
   const View& view, const PixelRect& part, bool withDefiniteHits, Frame& frame, HitList& hits);
 
-/// Fill the normals of hits. Pure: a frame's depths and surfaces decide its normals, whatever route
-/// made them.
-void ComputeNormals(const NormalSource& source, const HitList& hits, Frame& frame);
+/// Find the points of the hits of a list on the rays of a view, once it has pixels and distances.
+void FindHitPoints(const View& view, HitList& hits);
 
-/// Fill the colours of hits from their positions and normals.
+/// Fill the normals of hits. Pure: depths and surfaces decide normals, whatever route made them.
+/// \param gradients gets the gradients of the field, per index step; may be null
+void ComputeNormals(const NormalSource& source, HitList& hits,
+  std::array<RayBatch::Array<double>, 3>* gradients = nullptr);
+
+/// Copy the normals of hits to and from the planes of a frame.
+void StoreNormals(const HitList& hits, Frame& frame);
+void LoadNormals(const Frame& frame, HitList& hits);
+
+/// Find the colours of hits from their positions and normals.
 ///
 /// VTK's Phong model: ambient light is the surface's own colour; each light adds a diffuse term
 /// max(0, N.L) and a specular term max(0, R.V)^power, R being the light mirrored at the normal
 /// (vtkVolumeShaderComposer of VTK 9.2 and later). Normals face the viewer, as for polygons.
+void SumLight(const Appearance& appearance, const HitList& hits, ShadingKernels::PhongSums& sums);
+
+/// The same, to the colours of a frame: opaque, and yellow where the appearance asks for it.
 void ShadeHits(const Appearance& appearance, const HitList& hits, Frame& frame);
+
+/// Paint the pixels of hits that a cached image did not serve, if the appearance asks for it.
+void PaintAnswers(const Appearance& appearance, const HitList& hits, Frame& frame);
 
 }
 

@@ -5,6 +5,7 @@
 #include "CellRoot.h"
 #include "CellSamples.h"
 #include "CellWalk.h"
+#include "HitOrder.h"
 #include "KernelsCrossing.h"
 #include "KernelsWalk.h"
 
@@ -72,7 +73,7 @@ public:
         KeepContact(passages, i, ray, hits);
       }
       missing |= static_cast<std::uint64_t>(!std::isfinite(passages.Distance[i])) << ray;
-      KeepNearest(passages, i, ray, static_cast<std::int16_t>(cells.Surface), hits);
+      this->KeepFirst(passages, i, ray, static_cast<std::int16_t>(cells.Surface), hits);
     }
     return missing;
   }
@@ -241,7 +242,7 @@ private:
     for (std::size_t i = 0; i < static_cast<std::size_t>(passages.Count); ++i)
     {
       KeepContact(passages, i, search.Ray[i], hits);
-      KeepNearest(passages, i, search.Ray[i], search.Surface[i], hits);
+      this->KeepFirst(passages, i, search.Ray[i], search.Surface[i], hits);
     }
     passages.Count = 0;
   }
@@ -335,6 +336,26 @@ private:
       hits.Surface[ray] = surface;
       hits.Kind[ray] = IsInside(passages.AtEntry[i]) ? HitKind::Leaves : HitKind::Enters;
     }
+  }
+
+  /// The same for one of several isovalues, some of which may be met at the same distance.
+  void KeepFirst(const PassageBatch<Real>& passages, std::size_t i, std::size_t ray,
+    std::int16_t surface, HitBatch& hits) const
+  {
+    if (passages.Distance[i] == hits.Depth[ray] && hits.Surface[ray] != Frame::NoSurface)
+    {
+      const auto isovalueOf = [this](std::int16_t of)
+      { return this->Scene.Sought.Isovalues[static_cast<std::size_t>(of)]; };
+      const HitKind kind = IsInside(passages.AtEntry[i]) ? HitKind::Leaves : HitKind::Enters;
+      if (IsInFront({ hits.Depth[ray], kind, isovalueOf(surface) },
+            { hits.Depth[ray], hits.Kind[ray], isovalueOf(hits.Surface[ray]) }))
+      {
+        hits.Surface[ray] = surface;
+        hits.Kind[ray] = kind;
+      }
+      return;
+    }
+    KeepNearest(passages, i, ray, surface, hits);
   }
 
   void FindInPassages(PassageBatch<Real>& passages) const

@@ -6,8 +6,10 @@
 #include "FramePlanes.h"
 #include "ReusePlan.h"
 #include "Shader.h"
+#include "TileCompositor.h"
 
 #include <cstdint>
+#include <memory>
 
 namespace TemporalCoherence
 {
@@ -20,13 +22,16 @@ enum class HitSet : std::uint8_t
   All
 };
 
-/// Gives the hits of tiles their normals and colours.
+/// Gives the hits of tiles their normals and colours, and those of what shines through them.
 class TileShader
 {
 public:
   /// \param finiteRange smallest and largest finite sample
+  /// \param space       where translucent surfaces are looked for
   /// The key must outlive the shader.
-  TileShader(const FrameKey& key, const glm::dvec2& finiteRange, HitSet normalsOf, HitSet colorsOf);
+  /// \throws std::bad_alloc
+  TileShader(const FrameKey& key, const glm::dvec2& finiteRange, const LeapedSpace& space,
+    HitSet normalsOf, HitSet colorsOf);
 
   /// Shade `part`, which is tile number `tile`. Safe from many threads.
   void Shade(std::int64_t tile, const PixelRect& part, Frame& frame, TraceCounts& counts) const;
@@ -35,6 +40,7 @@ private:
   const FrameKey& Key;
   NormalSource Source;
   HitSet NormalsOf, ColorsOf;
+  std::unique_ptr<TileCompositor> Compositor; ///< null: all surfaces are opaque
 };
 
 }

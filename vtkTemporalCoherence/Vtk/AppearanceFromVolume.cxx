@@ -12,8 +12,10 @@
 #include <vtkRenderer.h>
 #include <vtkVolumeProperty.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <sstream>
 
 namespace TemporalCoherence
@@ -92,13 +94,16 @@ glm::dvec3 ColorAt(vtkVolumeProperty* property, double value)
 
 }
 
-bool FindIsovalues(vtkVolumeProperty* property, std::vector<double>& isovalues,
-  std::vector<int>& places, std::string& error)
+bool FindSurfaces(
+  vtkVolumeProperty* property, Surfaces& surfaces, std::vector<int>& places, std::string& error)
 {
+  std::vector<double>& isovalues = surfaces.Isovalues;
   isovalues.clear();
+  surfaces.Opacities.clear();
   places.clear();
   vtkContourValues* list = property->GetIsoSurfaceValues();
   const int count = list->GetNumberOfContours();
+  std::set<double> found;
   for (int i = 0; i < count; ++i)
   {
     const double isovalue = list->GetValue(i);
@@ -118,13 +123,61 @@ bool FindIsovalues(vtkVolumeProperty* property, std::vector<double>& isovalues,
       error = what.str();
       return false;
     }
-    if (property->GetScalarOpacity()->GetValue(isovalue) > 0.0)
+    const double opacity = property->GetScalarOpacity()->GetValue(isovalue);
+    if (opacity > 0.0 && found.insert(isovalue).second)
     {
       isovalues.push_back(isovalue);
+      surfaces.Opacities.push_back(std::min(opacity, 1.0));
       places.push_back(i);
     }
   }
+  const auto isOpaque = [](double opacity) { return opacity == 1.0; };
+  if (std::all_of(surfaces.Opacities.begin(), surfaces.Opacities.end(), isOpaque))
+  {
+    surfaces.Opacities.clear();
+  }
   return true;
+}
+
+GradientOpacity MakeGradientOpacity(vtkVolumeProperty* property, const glm::dvec3& distances)
+{
+  // Nodes are joined by straight lines, but for those with a midpoint or a sharpness of their own.
+  constexpr int ManyNodes = 4096;
+  GradientOpacity made;
+  if (property->GetDisableGradientOpacity() || !property->HasGradientOpacity())
+  {
+    return made;
+  }
+  vtkPiecewiseFunction* function = property->GetGradientOpacity();
+  bool isStraight = true;
+  for (int i = 0; i < function->GetSize(); ++i)
+  {
+    double node[4]; // position, value, midpoint, sharpness
+    function->GetNodeValue(i, node);
+    isStraight = isStraight && node[2] == 0.5 && node[3] == 0.0;
+    made.Nodes.emplace_back(node[0], node[1]);
+  }
+  if (!isStraight)
+  {
+    const double first = made.Nodes.front().x, last = made.Nodes.back().x;
+    made.Nodes.clear();
+    for (int i = 0; i < ManyNodes; ++i)
+    {
+      const double at = first + (last - first) * i / (ManyNodes - 1);
+      made.Nodes.emplace_back(at, function->GetValue(at));
+    }
+  }
+  for (glm::dvec2& node : made.Nodes)
+  {
+    node.y = std::min(std::max(node.y, 0.0), 1.0);
+  }
+  if (std::all_of(
+        made.Nodes.begin(), made.Nodes.end(), [](const glm::dvec2& node) { return node.y == 1.0; }))
+  {
+    made.Nodes.clear();
+  }
+  made.PerStep = (distances.x + distances.y + distances.z) / 3.0 / distances;
+  return made;
 }
 
 Appearance MakeAppearance(

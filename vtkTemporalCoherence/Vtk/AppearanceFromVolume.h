@@ -15,12 +15,17 @@ class vtkVolumeProperty;
 namespace TemporalCoherence
 {
 
-/// The isovalues that a property shows: those of its list whose opacity is not 0.
-/// \param places gets the position in the property's list of each isovalue shown
+/// The isovalues that a property shows, with their opacities: those of its list whose opacity is
+/// not 0, each once. \param places gets the position in the property's list of each isovalue shown
 /// \param error  gets what is wrong and what to do about it
 /// \return false on error, for example if an isovalue is not a finite number
-bool FindIsovalues(vtkVolumeProperty* property, std::vector<double>& isovalues,
-  std::vector<int>& places, std::string& error);
+bool FindSurfaces(
+  vtkVolumeProperty* property, Surfaces& surfaces, std::vector<int>& places, std::string& error);
+
+/// What the property's gradient opacity multiplies opacities with.
+/// \param distances of neighbouring samples along each axis of index space, in the volume's own
+///                  coordinates
+GradientOpacity MakeGradientOpacity(vtkVolumeProperty* property, const glm::dvec3& distances);
 
 /// Colours at the isovalues, shading of the property and lights of the renderer.
 Appearance MakeAppearance(

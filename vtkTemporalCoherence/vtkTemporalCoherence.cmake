@@ -7,9 +7,11 @@ set(engine_files
   ActiveCells
   BandPlan
   BandTracer
+  CapNormal
   FramePlanes
   FrameRenderer
   FreeSpace
+  HiddenCells
   ImageCache
   ImageQuery
   Isomap
@@ -46,6 +48,7 @@ list(TRANSFORM engine_files APPEND ".cxx")
 set(bridge_files
   AppearanceFromVolume
   FieldFromImage
+  HiddenCellsFromImage
   ImageFromFrame
   PicturePresenter
   RegionFromMapper

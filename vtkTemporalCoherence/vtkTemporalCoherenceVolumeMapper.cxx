@@ -5,6 +5,7 @@
 #include "AppearanceFromVolume.h"
 #include "FieldFromImage.h"
 #include "FrameRenderer.h"
+#include "HiddenCellsFromImage.h"
 #include "ImageFromFrame.h"
 #include "PicturePresenter.h"
 #include "RegionFromMapper.h"
@@ -31,6 +32,7 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
 {
   TemporalCoherence::FrameRenderer Frames;
   TemporalCoherence::PicturePresenter Presenter;
+  TemporalCoherence::HiddenCellsOfImage Hidden;
   std::vector<int> IsovaluePlaces; ///< position in the property's list of each isovalue drawn
   std::uint64_t Picture = 0;       ///< counts the different pictures
   double PresentTime = 0.0;
@@ -230,6 +232,7 @@ bool vtkTemporalCoherenceVolumeMapper::MakeFrameKey(vtkRenderer* renderer, vtkVo
     property, glm::abs(TemporalCoherence::AxesOf(image).Step));
   const int component = this->VectorMode == COMPONENT ? this->VectorComponent : 0;
   if (!TemporalCoherence::MakeField(image, array, component, key.Samples, error) ||
+    !this->Internal->Hidden.Find(image, false, key.Samples.Hidden, error) ||
     !TemporalCoherence::MakePlacement(image, volume, key.Where, error) ||
     !TemporalCoherence::MakeRegion(this, TemporalCoherence::AxesOf(image), key.Kept, error))
   {
@@ -456,6 +459,7 @@ void vtkTemporalCoherenceVolumeMapper::WarnOfIsomapLimit(bool isTooLarge)
 void vtkTemporalCoherenceVolumeMapper::ReleaseReuse()
 {
   this->Internal->HasWarned = false;
+  this->Internal->Hidden.Release();
   this->Internal->Frames.Release();
 }
 

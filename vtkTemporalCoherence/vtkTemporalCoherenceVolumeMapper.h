@@ -21,6 +21,13 @@
  * fewer than two samples along an axis have no cells: the picture is empty. The camera's clipping
  * range clips the surfaces, as it clips any prop.
  *
+ * Ghost arrays ("vtkGhostType", as vtkUniformGrid::BlankPoint and BlankCell write them) hide cells:
+ * those with HIDDENCELL, REFINEDCELL or DUPLICATECELL, and those with a corner that is a
+ * HIDDENPOINT. No surface is found in a hidden cell. Its samples still serve the cells beside it.
+ * There are no isomaps of images that have hidden cells: a new isovalue is bounded by the last hit,
+ * or makes a cold frame. After a change of a ghost array call its Modified(), which BlankPoint and
+ * BlankCell do not.
+ *
  * A mistake gets one vtkErrorMacro with its value and remedy, repeated only after a frame without
  * it; the last valid picture stays.
  *
@@ -73,8 +80,8 @@ public:
    * volume cuts through a solid.
    *
    * THRESHOLD, as in the paper: the first point where the field is at least the isovalue. A solid
-   * cut by the boundary of the volume or by the near clipping plane is capped; of several
-   * isovalues the cap shows the highest.
+   * cut by the boundary of the volume, by the near clipping plane, or where hidden cells end, is
+   * capped; of several isovalues the cap shows the highest.
    */
   vtkSetClampMacro(SurfaceMode, int, CROSSING, THRESHOLD);
   vtkGetMacro(SurfaceMode, int);

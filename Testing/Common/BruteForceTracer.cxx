@@ -3,7 +3,9 @@
 #include "BruteForceTracer.h"
 
 #include <vtkCamera.h>
+#include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkDataSetAttributes.h>
 #include <vtkImageData.h>
 #include <vtkMath.h>
 #include <vtkMatrix4x4.h>
@@ -16,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace
 {
@@ -87,6 +90,7 @@ BruteForceTracer::BruteForceTracer(vtkImageData* image, vtkVolume* volume, int c
     value = std::isnan(value) ? -3.0 * largest - 1.0 : value;
   }
   image->GetDimensions(this->Dimensions.data());
+  this->FindHidden(image);
   this->IsNearest = volume->GetProperty()->GetInterpolationType() == VTK_NEAREST_INTERPOLATION;
 
   // Corner by corner, so that no matrix of ours is trusted.
@@ -119,6 +123,70 @@ BruteForceTracer::BruteForceTracer(vtkImageData* image, vtkVolume* volume, int c
   }
   world->Invert();
   this->IndexFromWorld = Elements(world);
+}
+
+void BruteForceTracer::FindHidden(vtkImageData* image)
+{
+  using Attributes = vtkDataSetAttributes;
+  vtkDataArray* ofCells = image->GetCellData()->GetArray(Attributes::GhostArrayName());
+  vtkDataArray* ofPoints = image->GetPointData()->GetArray(Attributes::GhostArrayName());
+  if (!ofCells && !ofPoints)
+  {
+    return;
+  }
+  vtkIdType cell = 0;
+  for (int k = 0; k < this->Dimensions[2] - 1; ++k)
+  {
+    for (int j = 0; j < this->Dimensions[1] - 1; ++j)
+    {
+      for (int i = 0; i < this->Dimensions[0] - 1; ++i, ++cell)
+      {
+        const int flag = ofCells ? static_cast<int>(ofCells->GetComponent(cell, 0)) : 0;
+        bool isHidden =
+          (flag & (Attributes::HIDDENCELL | Attributes::REFINEDCELL | Attributes::DUPLICATECELL)) !=
+          0;
+        for (int corner = 0; corner < 8 && ofPoints; ++corner)
+        {
+          const vtkIdType row = (k + (corner >> 2)) * this->Dimensions[1] + j + (corner >> 1 & 1);
+          const vtkIdType point = row * this->Dimensions[0] + i + (corner & 1);
+          const int flagOfPoint = static_cast<int>(ofPoints->GetComponent(point, 0));
+          isHidden = isHidden || (flagOfPoint & Attributes::HIDDENPOINT) != 0;
+        }
+        this->Hidden.push_back(isHidden);
+      }
+    }
+  }
+}
+
+/// True if a point is in a hidden cell.
+bool BruteForceTracer::IsHidden(const Point& index) const
+{
+  if (this->Hidden.empty())
+  {
+    return false;
+  }
+  std::array<int, 3> cell;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    cell[a] = std::clamp(static_cast<int>(std::floor(index[a])), 0, this->Dimensions[a] - 2);
+  }
+  return this->Hidden[static_cast<std::size_t>(
+    (cell[2] * (this->Dimensions[1] - 1) + cell[1]) * (this->Dimensions[0] - 1) + cell[0])];
+}
+
+/// The highest isovalue that the field reaches at a point; -1 if there is none.
+int BruteForceTracer::HighestInside(const Point& index) const
+{
+  int highest = -1;
+  for (std::size_t i = 0; i < this->Isovalues.size(); ++i)
+  {
+    if (this->DifferenceAt(index, this->Isovalues[i]) >= 0.0 &&
+      (highest < 0 || this->Isovalues[i] > this->Isovalues[static_cast<std::size_t>(highest)]))
+    {
+      highest = static_cast<int>(i);
+    }
+  }
+  return highest;
 }
 
 double BruteForceTracer::Sample(int i, int j, int k) const
@@ -324,23 +392,6 @@ BruteForceTracer::Hit BruteForceTracer::Trace(const Line& line) const
     return Hit{ t, isovalue, Along(line.Origin, line.Direction, t) };
   };
 
-  if (this->IsThreshold)
-  {
-    int highest = -1;
-    for (std::size_t i = 0; i < this->Isovalues.size(); ++i)
-    {
-      if (this->DifferenceAt(At(origin, step, first), this->Isovalues[i]) >= 0.0 &&
-        (highest < 0 || this->Isovalues[i] > this->Isovalues[static_cast<std::size_t>(highest)]))
-      {
-        highest = static_cast<int>(i);
-      }
-    }
-    if (highest >= 0)
-    {
-      return hitAt(begin, highest);
-    }
-  }
-
   // All planes on which the field along the ray stops being one polynomial.
   std::vector<Stop> stops = { first, { end, lastAxis, lastPlane } };
   for (std::size_t a = 0; a < 3; ++a)
@@ -358,8 +409,30 @@ BruteForceTracer::Hit BruteForceTracer::Trace(const Line& line) const
     }
   }
   std::sort(stops.begin(), stops.end());
+  const auto midway = [&](std::size_t i)
+  { return Along(origin, step, 0.5 * (stops[i].T + stops[i + 1].T)); };
+  bool isCutOpen = true; // where the ray begins, and behind hidden cells
+  const std::size_t none = stops.size();
+  std::size_t last = none; // interval before
   for (std::size_t i = 0; i + 1 < stops.size(); ++i)
   {
+    // What a ray touches in a point hides nothing and shows nothing.
+    if (!this->Hidden.empty() && !(stops[i].T < stops[i + 1].T))
+    {
+      continue;
+    }
+    const std::size_t previous = std::exchange(last, i);
+    if (this->IsHidden(midway(i)))
+    {
+      isCutOpen = true;
+      continue;
+    }
+    const bool isCap = std::exchange(isCutOpen, false) && this->IsThreshold;
+    const int highest = isCap ? this->HighestInside(At(origin, step, stops[i])) : -1;
+    if (highest >= 0)
+    {
+      return hitAt(stops[i].T, highest);
+    }
     double nearest = std::numeric_limits<double>::infinity();
     int surface = -1;
     for (std::size_t s = 0; s < this->Isovalues.size(); ++s)
@@ -370,11 +443,8 @@ BruteForceTracer::Hit BruteForceTracer::Trace(const Line& line) const
       {
         // Constant within the interval: compare with the interval before.
         const double value = this->Isovalues[s];
-        const double here =
-          this->DifferenceAt(Along(origin, step, 0.5 * (stops[i].T + stops[i + 1].T)), value);
-        const double before = i == 0
-          ? here
-          : this->DifferenceAt(Along(origin, step, 0.5 * (stops[i - 1].T + stops[i].T)), value);
+        const double here = this->DifferenceAt(midway(i), value);
+        const double before = previous == none ? here : this->DifferenceAt(midway(previous), value);
         found = (here >= 0.0) != (before >= 0.0);
         t = stops[i].T;
       }

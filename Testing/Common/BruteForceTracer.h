@@ -24,7 +24,7 @@ public:
     std::array<double, 3> Position;
   };
 
-  /// \param image   point scalars, component `component`
+  /// \param image   point scalars, component `component`, and the ghost arrays that hide cells
   /// \param volume  its transform and the interpolation of its property
   BruteForceTracer(vtkImageData* image, vtkVolume* volume, int component = 0);
 
@@ -63,11 +63,15 @@ public:
   std::array<double, 3> WorldNormalAt(const std::array<double, 3>& world) const;
 
 private:
+  void FindHidden(vtkImageData* image);
+  bool IsHidden(const std::array<double, 3>& index) const;
+  int HighestInside(const std::array<double, 3>& index) const;
   double Sample(int i, int j, int k) const;
   bool CrossesIn(const std::array<double, 3>& origin, const std::array<double, 3>& direction,
     double begin, double end, double atBegin, double atEnd, double isovalue, double& t) const;
 
   std::vector<double> Samples;
+  std::vector<bool> Hidden; ///< of each cell; empty where the image has no ghost arrays
   std::array<int, 3> Dimensions;
   bool IsNearest;
   std::array<double, 16> WorldFromIndex, IndexFromWorld;

@@ -3,9 +3,11 @@
 #include "RandomChanges.h"
 
 #include "Expect.h"
+#include "Ghosts.h"
 
 #include <vtkContourValues.h>
 #include <vtkDataArray.h>
+#include <vtkDataSetAttributes.h>
 #include <vtkLight.h>
 #include <vtkPointData.h>
 
@@ -156,6 +158,23 @@ std::vector<Change> ChangesOfIsomap(Scene& scene, RandomViews& views)
     { false, [=, &views] { mapper->SetIsomapTolerance(views.Pick(2) ? 0.0 : 0.2); } },
     { false, [=, &views] { mapper->SetIsomapShading(views.Pick(2)); } },
     { false, [mapper, &scene] { mapper->BuildIsomap(scene.Renderer, scene.Volume); } },
+  };
+}
+
+std::vector<Change> ChangesOfGhosts(vtkImageData* image, RandomViews& views)
+{
+  const auto seed = [&views] { return static_cast<unsigned>(views.Pick(1000)); };
+  return {
+    { true, [=, &views] { Ghosts::HideCells(image, views.Between(0.01, 0.6), seed()); } },
+    { true, [=, &views] { Ghosts::HidePoints(image, views.Between(0.001, 0.05), seed()); } },
+    { true,
+      [=, &views]
+      {
+        const int beyond = views.Pick(20);
+        Ghosts::FlagCells(image,
+          [=](int i, int j, int) { return i + j < beyond ? vtkDataSetAttributes::HIDDENCELL : 0; });
+      } },
+    { false, [=] { Ghosts::Remove(image); } },
   };
 }
 

@@ -33,6 +33,9 @@ std::vector<Change> ChangesOfImageCache(Scene& scene, RandomViews& views);
 /// What it lets them set of the isomap.
 std::vector<Change> ChangesOfIsomap(Scene& scene, RandomViews& views);
 
+/// Other cells and points are hidden, or none. An image that has ghost arrays may lose them.
+std::vector<Change> ChangesOfGhosts(vtkImageData* image, RandomViews& views);
+
 /// Hold a frame against what its route, accuracy and tolerance promise.
 void ExpectPromise(Scene& scene, ColdWitness& cold, const std::string& what);
 

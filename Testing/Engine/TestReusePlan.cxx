@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "HiddenCells.h"
 #include "ReusePlan.h"
 
 #include <gtest/gtest.h>
@@ -54,6 +55,29 @@ TEST(ReusePlan, DataChanged)
   key = BaseKey();
   key.Where.WorldFromIndex[3][0] = 1.0;
   EXPECT_EQ(Plan(key), Route::Cold);
+}
+
+TEST(ReusePlan, HitsBesideHiddenCellsAreNoHintsForHigherIsovaluesUnlessSolid)
+{
+  const std::vector<std::uint8_t> flags(9 * 9 * 9, 1);
+  FrameKey last = BaseKey();
+  last.Samples.Hidden = HiddenCells::Make(last.Samples.Dimensions, { flags.data(), 1, nullptr, 0 });
+  EXPECT_EQ(Plan(last), Route::Cold) << "other data";
+  ReuseSwitches noIsomap;
+  noIsomap.Isomap = false;
+  for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
+  {
+    last.Sought.Mode = mode;
+    FrameKey next = last;
+    EXPECT_EQ(PlanRoute(last, next, noIsomap, {}), Route::Redisplay);
+    EXPECT_TRUE(CanServe(last, next));
+    next.Sought.Isovalues[0] += 1.0;
+    const bool isSolid = mode == SurfaceMode::Threshold;
+    EXPECT_EQ(PlanRoute(last, next, noIsomap, {}), isSolid ? Route::ThresholdHint : Route::Cold);
+    EXPECT_EQ(CanServe(last, next), isSolid);
+    next.Sought.Isovalues[0] -= 2.0;
+    EXPECT_EQ(PlanRoute(last, next, noIsomap, {}), Route::ThresholdHint);
+  }
 }
 
 TEST(ReusePlan, IsovalueChangedInTheSameView)

@@ -3,6 +3,7 @@
 #include "ActiveCells.h"
 #include "Frame.h"
 #include "Grid.h"
+#include "HiddenCells.h"
 #include "RaySource.h"
 #include "SurfaceTracer.h"
 
@@ -150,6 +151,44 @@ TEST(SurfaceTracer, ResultDoesNotDependOnTheWalk)
       ExpectIndependenceOfTheWalk(smooth, { 60.0, 180.0 }, mode);
       ExpectIndependenceOfTheWalk(noise, { 2.0 }, mode);
       ExpectIndependenceOfTheWalk(noise, { 2.5 }, mode);
+      ExpectIndependenceOfTheWalk(doubles, { 0.7 }, mode);
+    }
+  }
+}
+
+/// Hide cells here and there, and every cell of some blocks.
+template <typename T>
+void HideSome(Grid<T>& grid)
+{
+  const glm::ivec3 cells = grid.Seen.Dimensions - 1;
+  std::mt19937 engine(4);
+  std::vector<std::uint8_t> flags;
+  for (int i = 0; i < cells.x * cells.y * cells.z; ++i)
+  {
+    const glm::ivec3 cell(i % cells.x, i / cells.x % cells.y, i / cells.x / cells.y);
+    const glm::ivec3 block = cell / 7;
+    flags.push_back((block.x + block.y + block.z) % 3 == 0 || engine() % 9 == 0);
+  }
+  grid.Seen.Hidden = HiddenCells::Make(grid.Seen.Dimensions, { flags.data(), 1, nullptr, 0 });
+}
+
+TEST(SurfaceTracer, ResultBesideHiddenCellsDoesNotDependOnTheWalk)
+{
+  Grid<std::uint8_t> smooth(glm::ivec3(50, 41, 37));
+  smooth.Fill([](int i, int j, int k)
+    { return 120.0 + 100.0 * std::sin(0.4 * i) * std::cos(0.3 * j + 0.2 * k); });
+  HideSome(smooth);
+  Grid<double> doubles(glm::ivec3(20, 21, 22));
+  doubles.FillRandomly(-1.0, 1.0, 10);
+  HideSome(doubles);
+  for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
+  {
+    for (const Interpolation between : { Interpolation::Linear, Interpolation::Nearest })
+    {
+      smooth.Seen.Between = doubles.Seen.Between = between;
+      ExpectIndependenceOfTheWalk(smooth, { 120.0 }, mode);
+      ExpectIndependenceOfTheWalk(smooth, { 60.0, 180.0 }, mode);
+      ExpectIndependenceOfTheWalk(smooth, { 10.0 }, mode);
       ExpectIndependenceOfTheWalk(doubles, { 0.7 }, mode);
     }
   }

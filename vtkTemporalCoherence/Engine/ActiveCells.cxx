@@ -43,6 +43,7 @@ void ActiveCells::Build(
   }
   std::sort(this->Sought.begin(), this->Sought.end(),
     [](const ValueBand& a, const ValueBand& b) { return a.Low < b.Low; });
+  this->IsCapped = field.Hidden && surfaces.Mode == SurfaceMode::Threshold;
   this->FindLeaves(field, pyramid);
 }
 
@@ -53,10 +54,41 @@ void ActiveCells::Build(const Field& field, const ValueRangePyramid& pyramid, co
   this->FindLeaves(field, pyramid);
 }
 
+/// The active leaves of a node where cells are hidden. Each has an active cell, which the range of
+/// its samples does not tell there.
+/// \param firstCell of the node
+/// \param ranges    of its leaves
+/// \param leaves    those that would be active if no cell were hidden
+template <typename T>
+std::uint64_t ActiveCells::FindVisibleLeaves(const TypedField<T>& field,
+  const glm::ivec3& firstCell, const ValueRangePyramid::Range<T>* ranges,
+  std::uint64_t leaves) const
+{
+  for (int i = 0; i < ValueRangePyramid::LeavesPerNode; ++i)
+  {
+    const glm::ivec3 first = firstCell + LeafSize * glm::ivec3(i & 3, i >> 2 & 3, i >> 4);
+    const std::uint64_t leaf = std::uint64_t(1) << i;
+    const bool isActive = (leaves & leaf) != 0;
+    const bool canBeCapped = this->IsCapped && !this->Sought.empty() &&
+      static_cast<double>(ranges[i].Max) >= this->Sought.front().Low;
+    // Most leaves are far from hidden cells.
+    const bool isPlain = isActive ? this->Hidden->LeafAt(first) == 0
+                                  : !canBeCapped || this->Hidden->Around(first) == 0;
+    if (isPlain || glm::any(glm::greaterThanEqual(first, field.Dimensions - 1)))
+    {
+      continue;
+    }
+    leaves = this->FindCells(field, first) != 0 ? leaves | leaf : leaves & ~leaf;
+  }
+  return leaves;
+}
+
 void ActiveCells::FindLeaves(const Field& field, const ValueRangePyramid& pyramid)
 {
   const std::int64_t nodes = pyramid.NumberOfNodes();
+  const glm::ivec3& along = pyramid.NodeDimensions();
   this->NodeWords.resize(static_cast<std::size_t>(2 * nodes));
+  this->Hidden = field.Hidden;
 
   DispatchScalarType(field.Type,
     [&](auto type)
@@ -70,6 +102,13 @@ void ActiveCells::FindLeaves(const Field& field, const ValueRangePyramid& pyrami
           for (int i = 0; i < ValueRangePyramid::LeavesPerNode; ++i)
           {
             leaves |= static_cast<std::uint64_t>(IsActive(ranges[i], this->Sought)) << i;
+          }
+          if (this->Hidden)
+          {
+            const glm::ivec3 place(
+              node % along.x, node / along.x % along.y, node / along.x / along.y);
+            leaves =
+              this->FindVisibleLeaves(TypedField<T>(field), NodeSize * place, ranges, leaves);
           }
           this->NodeWords[static_cast<std::size_t>(2 * node)] = leaves;
         });
@@ -93,6 +132,8 @@ void ActiveCells::Release()
   std::vector<std::uint64_t>().swap(this->NodeWords);
   this->LeafWords.reset();
   this->NumberOfLeafWords = 0;
+  this->Hidden.reset();
+  this->IsCapped = false;
 }
 
 std::size_t ActiveCells::MemoryInBytes() const

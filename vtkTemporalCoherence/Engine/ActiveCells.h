@@ -4,6 +4,7 @@
 #define TemporalCoherence_ActiveCells_h
 
 #include "Field.h"
+#include "HiddenCells.h"
 #include "Surfaces.h"
 #include "ValueRangePyramid.h"
 
@@ -20,11 +21,13 @@ namespace TemporalCoherence
 ///
 /// A cell is *active* if some of its eight samples are inside an isovalue and some are not; only
 /// there can a surface be. For a band of isovalues: if some of its samples are at least the lowest
-/// and some are below the highest. One 64-bit word for each node of the pyramid tells its active
-/// leaves, and one for each active leaf its active cells, so that a ray crosses 16 or 4 cells at a
-/// step where the word is empty and tests a cell without reading samples. The words of nodes are
-/// built for a set of isovalues from the pyramid alone; those of leaves are made when a ray first
-/// asks, which leaves out all that is hidden. Neither depends on the view.
+/// and some are below the highest. Hidden cells are not active; but where they cut open a THRESHOLD
+/// solid, all cells that touch them are, unless they are outside: there it is capped. One 64-bit
+/// word for each node of the pyramid tells its active leaves, and one for each active leaf its
+/// active cells, so that a ray crosses 16 or 4 cells at a step where the word is empty and tests a
+/// cell without reading samples. The words of nodes are built for a set of isovalues from the
+/// pyramid alone; those of leaves are made when a ray first asks, which leaves out all that is
+/// hidden. Neither depends on the view.
 class ActiveCells
 {
 public:
@@ -103,7 +106,15 @@ private:
   void FindLeaves(const Field& field, const ValueRangePyramid& pyramid);
 
   template <typename T>
+  std::uint64_t FindVisibleLeaves(const TypedField<T>& field, const glm::ivec3& firstCell,
+    const ValueRangePyramid::Range<T>* ranges, std::uint64_t leaves) const;
+
+  template <typename T>
   std::uint64_t FindCells(const TypedField<T>& field, const glm::ivec3& firstCell) const;
+
+  template <typename T>
+  std::uint64_t WithoutHidden(
+    const TypedField<T>& field, const glm::ivec3& firstCell, std::uint64_t active) const;
 
   /// One bit for each sample of a row that is inside.
   template <typename T>
@@ -123,6 +134,8 @@ private:
   std::vector<std::uint64_t> NodeWords; ///< leaves of a node, and where their words begin
   std::unique_ptr<std::atomic<std::uint64_t>[]> LeafWords;
   std::size_t NumberOfLeafWords = 0;
+  std::shared_ptr<const HiddenCells> Hidden; ///< null for none
+  bool IsCapped = false;                     ///< where hidden cells cut it open
 };
 
 template <typename T>
@@ -167,7 +180,43 @@ std::uint64_t ActiveCells::FindCells(const TypedField<T>& field, const glm::ivec
   }
   // Rows of fewer than five samples have fewer than four cells.
   const std::uint64_t cellsInRow = (1u << (samples.x - 1)) - 1u;
-  return active & (cellsInRow * 0x1111111111111111u);
+  active &= cellsInRow * 0x1111111111111111u;
+  return this->Hidden ? this->WithoutHidden(field, firstCell, active) : active;
+}
+
+/// The active cells of a leaf, given those that would be if none were hidden.
+template <typename T>
+std::uint64_t ActiveCells::WithoutHidden(
+  const TypedField<T>& field, const glm::ivec3& firstCell, std::uint64_t active) const
+{
+  const std::uint64_t hidden = this->Hidden->LeafAt(firstCell);
+  const std::uint64_t beside = this->IsCapped ? this->Hidden->Around(firstCell) & ~hidden : 0;
+  if (beside == 0)
+  {
+    return active & ~hidden;
+  }
+  // Cells with a sample inside the lowest isovalue.
+  const glm::ivec3 samples = glm::min(field.Dimensions - firstCell, glm::ivec3(5));
+  const std::uint32_t cellsInRow = (1u << (samples.x - 1)) - 1u;
+  std::uint64_t inside = 0;
+  for (int k = 0; k < samples.z; ++k)
+  {
+    for (int j = 0; j < samples.y; ++j)
+    {
+      const T* row = field.At(firstCell + glm::ivec3(0, j, k));
+      const std::uint32_t bits =
+        InsideOf(row, field.Strides.x, samples.x, this->Sought.front().Low);
+      const std::uint64_t alongX = (bits | bits >> 1) & cellsInRow;
+      for (int z = k > 0 ? k - 1 : 0; z <= k && z < samples.z - 1; ++z)
+      {
+        for (int y = j > 0 ? j - 1 : 0; y <= j && y < samples.y - 1; ++y)
+        {
+          inside |= alongX << (4 * y + 16 * z);
+        }
+      }
+    }
+  }
+  return (active & ~hidden) | (inside & beside);
 }
 
 }

@@ -6,10 +6,13 @@
 #include <glm/glm.hpp>
 
 #include <cstdint>
+#include <memory>
 #include <type_traits>
 
 namespace TemporalCoherence
 {
+
+class HiddenCells;
 
 /// The type of one sample in memory.
 enum class ScalarType : std::uint8_t
@@ -45,6 +48,8 @@ struct Field
   glm::ivec3 Dimensions{ 0 };      ///< samples along each axis
   glm::i64vec3 Strides{ 1, 0, 0 }; ///< scalars from one sample to the next along each axis
   std::uint64_t Stamp = 0;         ///< differs whenever the samples may have changed
+  /// Cells that hold no surface, whatever their samples; null for none.
+  std::shared_ptr<const HiddenCells> Hidden;
 
   /// True if the samples are too many for a processor's caches: it pays to send for them early.
   bool IsLarge() const
@@ -61,7 +66,8 @@ struct Field
 inline bool operator==(const Field& a, const Field& b)
 {
   return a.Samples == b.Samples && a.Type == b.Type && a.Between == b.Between &&
-    a.Dimensions == b.Dimensions && a.Strides == b.Strides && a.Stamp == b.Stamp;
+    a.Dimensions == b.Dimensions && a.Strides == b.Strides && a.Stamp == b.Stamp &&
+    a.Hidden == b.Hidden;
 }
 
 /// Where the field lies in the world: index space to world coordinates and back.

@@ -21,6 +21,9 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double FineApart = 0.6;
 constexpr double FarthestApart = 2.0;
 
+/// The same where cells are hidden: what is left of a surface can be as small as a cell.
+constexpr double FarthestApartBesideHidden = 1.0;
+
 /// Cosine of the turn up to which surfaces alone can tell: films that are seen from their edge, and
 /// so hardly at all, are hardly seen after a small turn. 6 degrees.
 constexpr double SmallTurn = 0.9945;
@@ -43,6 +46,11 @@ double DepthOfSpacing(const View& view, double apart)
     return spacing <= apart ? Infinity : -Infinity;
   }
   return apart / spacing;
+}
+
+double FarthestApartFor(const Field& samples)
+{
+  return samples.Hidden ? FarthestApartBesideHidden : FarthestApart;
 }
 
 /// Cosine of the angle between the directions from which two views see the middle of a field.
@@ -141,7 +149,8 @@ bool ImageQuery::CanAsk(const FrameKey& cached, ReuseAccuracy accuracy)
     nearest = std::min(nearest, glm::dot(view.Forward, world - view.Position));
   }
   const double shortest = VoxelEdges(cached.Where).x;
-  return std::max(nearest, view.Near) < DepthOfSpacing(view, FarthestApart * shortest);
+  return std::max(nearest, view.Near) <
+    DepthOfSpacing(view, FarthestApartFor(cached.Samples) * shortest);
 }
 
 ImageQuery::ImageQuery(CachedImage& image, const FrameKey& next, ReuseAccuracy accuracy)
@@ -172,13 +181,14 @@ ImageQuery::ImageQuery(CachedImage& image, const FrameKey& next, ReuseAccuracy a
     // For a raised isovalue the image gives starts only. What was inside the old isovalue may be
     // outside the new one: a surface met from inside tells nothing.
     this->Accuracy = ReuseAccuracy::Bounded;
-    // A ray can be inside one of several isovalues and outside another: none is fine then.
-    const bool canBeFine =
-      next.Sought.Isovalues.size() == 1 && CosineOfTurn(image.Key, next) >= SmallTurn;
+    // A ray can be inside one of several isovalues and outside another: none is fine then. Hidden
+    // cells leave films of surfaces that are inside nothing.
+    const bool canBeFine = next.Sought.Isovalues.size() == 1 && !next.Samples.Hidden &&
+      CosineOfTurn(image.Key, next) >= SmallTurn;
     const double fineApart = canBeFine ? FineApart : 1e-30;
     image.Free.Make(image.Picture, seen,
       { edges.y, SpacingOf(seen), DepthOfSpacing(seen, fineApart * edges.x),
-        DepthOfSpacing(seen, FarthestApart * edges.x),
+        DepthOfSpacing(seen, FarthestApartFor(next.Samples) * edges.x),
         isRaised && next.Sought.Mode == SurfaceMode::Crossing });
   }
 }

@@ -85,7 +85,9 @@ void NarrowByFit(const TileKnots& knots, const BandScale& scale, double toleranc
 bool Isomap::CanHold(const Field& field)
 {
   constexpr int largest = std::numeric_limits<CellIndex::value_type>::max();
-  return field.HasCells() && glm::all(glm::lessThanEqual(field.Dimensions, glm::ivec3(largest)));
+  // Along a ray that hidden cells interrupt, isovalues are not met in their order.
+  return field.HasCells() && !field.Hidden &&
+    glm::all(glm::lessThanEqual(field.Dimensions, glm::ivec3(largest)));
 }
 
 namespace

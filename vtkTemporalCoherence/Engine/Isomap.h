@@ -52,7 +52,7 @@ public:
     Stopped,   ///< by the report of its progress
     TooLarge,  ///< the band alone would exceed the limit of memory
     TooCostly, ///< it would read too many cells
-    Impossible ///< there are no isovalues, no cells, or too many cells
+    Impossible ///< there are no isovalues, no cells, too many cells, or hidden ones
   };
 
   /// What a band may cost.
@@ -62,7 +62,7 @@ public:
     double Cells;       ///< that may be read; an estimate after a part of them decides
   };
 
-  /// True if the cells of a field have numbers that fit the knots.
+  /// True if the cells of a field have numbers that fit the knots, and none is hidden.
   static bool CanHold(const Field& field);
 
   /// True if this is the isomap of the view, data and mode of a frame, made as the options ask for.

@@ -4,6 +4,7 @@
 
 #include "CellSamples.h"
 #include "CellWalk.h"
+#include "HiddenPassage.h"
 #include "HitOrder.h"
 #include "Passage.h"
 
@@ -103,11 +104,20 @@ private:
     }
   }
 
+  bool IsHidden(const glm::ivec3& cell) const
+  {
+    return this->Scene.Samples.Hidden && this->Scene.Samples.Hidden->IsHidden(cell);
+  }
+
   /// Solids that are cut open where the ray begins.
   void FindCap(const RayBatch& rays, std::size_t ray, const FoundSurface& last,
     PassageBatch<Real>& room, FoundSurface& next) const
   {
     const glm::ivec3 cell = BatchRay{ rays, ray }.CellAt(rays.Begin[ray], this->Cells);
+    if (this->IsHidden(cell))
+    {
+      return;
+    }
     for (std::size_t surface = 0; surface < this->Differences.size(); ++surface)
     {
       const Passage<Real> passage =
@@ -134,8 +144,11 @@ private:
       (this->Scene.Active ? walk.FindActive(line, *this->Scene.Active, this->Samples.All())
                           : walk.FindAny(line, this->Cells)))
     {
-      ++hits.CellsRead;
-      this->Search(rays, ray, walk.Here(), last, room, next);
+      if (!this->IsHidden(walk.Here()))
+      {
+        ++hits.CellsRead;
+        this->Search(rays, ray, walk.Here(), last, room, next);
+      }
     }
   }
 
@@ -148,6 +161,11 @@ private:
     {
       const Passage<Real> passage = this->PassageOf(rays, ray, cell, samples, surface, room);
       bool isInside = IsInside(this->AtEntry(passage));
+      if (isInside && this->IsSolid && this->Scene.Samples.Hidden &&
+        ComesFromHidden(room, 0, passage.Enter, *this->Scene.Samples.Hidden))
+      {
+        this->Consider(passage.Enter, HitKind::Cap, surface, last, next);
+      }
       const auto consider = [&](double share)
       {
         isInside = !isInside;

@@ -4,6 +4,19 @@
 
 namespace TemporalCoherence
 {
+namespace
+{
+
+/// True if no surface of a higher isovalue is met before those of a lower one, from outside. With
+/// CROSSING a ray may come out of hidden cells inside the lower one, having met no surface; and so
+/// may one that leaves the region and comes back.
+bool AreHitsOrdered(const FrameKey& key)
+{
+  return key.Kept.IsConvex() &&
+    (!key.Samples.Hidden || key.Sought.Mode == SurfaceMode::Threshold);
+}
+
+}
 
 const char* NameOf(Route route)
 {
@@ -35,8 +48,7 @@ FrameChange CompareFrames(const FrameKey& last, const FrameKey& next)
   change.View = !(last.Seen == next.Seen);
   change.Surfaces = !AreMetAlike(last.Sought, next.Sought);
   change.Opacity = !change.Surfaces && !(last.Sought == next.Sought);
-  // A ray that comes back to the region may do so inside: its first hit tells nothing of that.
-  change.Raised = change.Surfaces && next.Kept.IsConvex() && last.Sought.Mode == next.Sought.Mode &&
+  change.Raised = change.Surfaces && last.Sought.Mode == next.Sought.Mode &&
     last.Sought.Isovalues.size() == 1 && next.Sought.Isovalues.size() == 1 &&
     next.Sought.Isovalues[0] > last.Sought.Isovalues[0];
   change.Appearance = !(last.Look == next.Look);
@@ -48,7 +60,8 @@ bool CanServe(const FrameKey& cached, const FrameKey& next)
   // A raised isovalue only shrinks a solid, so that what was free of it still is. Between the
   // pixels of a picture of another size hides too much.
   const FrameChange change = CompareFrames(cached, next);
-  return !change.Data && (!change.Surfaces || change.Raised) && cached.Seen.Size == next.Seen.Size;
+  return !change.Data && (!change.Surfaces || (change.Raised && AreHitsOrdered(next))) &&
+    cached.Seen.Size == next.Seen.Size;
 }
 
 Route PlanRoute(const FrameKey& last, const FrameKey& next, const ReuseSwitches& switches,
@@ -85,7 +98,8 @@ Route PlanRoute(const FrameKey& last, const FrameKey& next, const ReuseSwitches&
   }
   // A hint is one isovalue's hit for another.
   const bool isOneForOne = last.Sought.Isovalues.size() == 1 && isovalues == 1;
-  return held.IsExact && isOneForOne && next.Kept.IsConvex() ? Route::ThresholdHint : Route::Cold;
+  const bool isHint = isOneForOne && (!change.Raised || AreHitsOrdered(next));
+  return held.IsExact && isHint ? Route::ThresholdHint : Route::Cold;
 }
 
 }

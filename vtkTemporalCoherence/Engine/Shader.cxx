@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shader.h"
 
+#include "CapNormal.h"
 #include "SurfaceNormal.h"
 
 #include <algorithm>
@@ -31,36 +32,6 @@ glm::dvec3 At(const std::array<Array<double>, 3>& vectors, std::size_t i)
   return { vectors[0][i], vectors[1][i], vectors[2][i] };
 }
 
-/// Normal, in index space, of the plane that cuts a solid open at a point: a face of the field or
-/// a plane of the region; 0 if it is neither.
-glm::dvec3 CapNormal(const glm::dvec3& point, const NormalSource& source)
-{
-  const auto consider = [&](
-                          const glm::dvec3& normal, double offset, double& nearest, glm::dvec3& cap)
-  {
-    const double distance = std::abs(glm::dot(normal, point) + offset);
-    if (distance < nearest)
-    {
-      nearest = distance;
-      cap = normal;
-    }
-  };
-  double nearest = 1e-3; // cells: what remains of a depth in single precision
-  glm::dvec3 cap(0.0);
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    glm::dvec3 normal(0.0);
-    normal[axis] = 1.0;
-    consider(normal, 0.0, nearest, cap);
-    consider(normal, 1.0 - source.Samples.Dimensions[axis], nearest, cap);
-  }
-  for (const glm::dvec4& plane : source.Cuts)
-  {
-    consider(glm::dvec3(plane), plane.w, nearest, cap);
-  }
-  return cap;
-}
-
 /// Where a solid is cut open, take the normal of the plane that cuts it for the gradient.
 void TakeFacesAtCaps(
   const NormalSource& source, const HitList& hits, std::array<Array<double>, 3>& gradients)
@@ -70,7 +41,9 @@ void TakeFacesAtCaps(
     if (hits.Kind[i] == HitKind::Cap)
     {
       const glm::dvec3 point(source.Where.IndexFromWorld * glm::dvec4(At(hits.Rays.Point, i), 1.0));
-      Set(gradients, i, CapNormal(point, source));
+      const glm::dvec3 direction(
+        source.Where.IndexFromWorld * glm::dvec4(At(hits.Rays.Direction, i), 0.0));
+      Set(gradients, i, CapNormal(point, direction, source.Samples, source.Cuts));
     }
   }
 }

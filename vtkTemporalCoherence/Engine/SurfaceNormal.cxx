@@ -3,6 +3,7 @@
 #include "SurfaceNormal.h"
 
 #include "CellSamples.h"
+#include "HiddenCells.h"
 #include "KernelsGradients.h"
 #include "Surfaces.h"
 

@@ -5,6 +5,7 @@
 #include "CellRoot.h"
 #include "CellSamples.h"
 #include "CellWalk.h"
+#include "HiddenPassage.h"
 #include "HitOrder.h"
 #include "KernelsCrossing.h"
 #include "KernelsWalk.h"
@@ -32,6 +33,7 @@ public:
     , IsSolid(scene.Sought.Mode == SurfaceMode::Threshold)
     , IsLarge(scene.Samples.IsLarge())
     , AreCellsActive(scene.Active && scene.Sought.Isovalues.size() == 1)
+    , Hidden(scene.Samples.Hidden.get())
   {
     for (const double isovalue : scene.Sought.Isovalues)
     {
@@ -137,6 +139,10 @@ private:
       KeepContact(passages, i, ray, hits);
       KeepNearest(passages, i, ray, 0, hits);
     }
+    for (std::size_t i = 0; i < count && this->IsCapped(); ++i)
+    {
+      this->CapBehindHidden(passages, i, static_cast<std::size_t>(walks.From[i]), 0, hits);
+    }
     std::copy_n(passages.Distance.begin(), count, walks.Distance.begin());
   }
 
@@ -188,10 +194,14 @@ private:
   }
 
   /// Read a cell, and take note of the passages of a ray through it that must be searched.
-  /// \return false if no isovalue passes through the cell
+  /// \return false if no isovalue passes through the cell, or it is hidden
   bool Visit(const RayBatch& rays, std::size_t place, const glm::ivec3& cell, std::size_t ray,
     Search& search, HitBatch& hits) const
   {
+    if (this->Hidden && this->Hidden->IsHidden(cell))
+    {
+      return false;
+    }
     const std::array<T, 8> samples = this->Samples.Read(cell);
     bool isFound = false;
     for (std::size_t surface = 0; surface < this->Differences.size(); ++surface)
@@ -214,7 +224,7 @@ private:
   }
 
   /// Differences of a cell's samples from an isovalue.
-  /// \return false if all are on the same side
+  /// \return false if all are on the same side, so that there is no surface
   bool Differ(
     const std::array<T, 8>& samples, const Difference<T>& difference, Corners<Real>& corners) const
   {
@@ -231,7 +241,7 @@ private:
     {
       inside += IsInside(corners[i]);
     }
-    return inside != 0 && inside != 8;
+    return inside != 0 && (inside != 8 || this->IsCapped());
   }
 
   /// Search all noted passages; of several surfaces along a ray the nearest is its hit.
@@ -243,6 +253,10 @@ private:
     {
       KeepContact(passages, i, search.Ray[i], hits);
       this->KeepFirst(passages, i, search.Ray[i], search.Surface[i], hits);
+      if (this->IsCapped())
+      {
+        this->CapBehindHidden(passages, i, search.Ray[i], search.Surface[i], hits);
+      }
     }
     passages.Count = 0;
   }
@@ -358,6 +372,30 @@ private:
     KeepNearest(passages, i, ray, surface, hits);
   }
 
+  /// True if hidden cells may cut a solid open.
+  bool IsCapped() const { return this->Hidden && this->IsSolid; }
+
+  /// A solid that a ray is inside of where it leaves hidden cells is capped there. Of several
+  /// isovalues the highest is the one that is seen.
+  void CapBehindHidden(PassageBatch<Real>& passages, std::size_t i, std::size_t ray,
+    std::int16_t surface, HitBatch& hits) const
+  {
+    const double t = passages.Enter[i];
+    const std::vector<double>& isovalues = this->Scene.Sought.Isovalues;
+    const bool isNext = t < hits.Depth[ray] ||
+      (t == hits.Depth[ray] &&
+        (hits.Kind[ray] != HitKind::Cap ||
+          isovalues[static_cast<std::size_t>(surface)] >
+            isovalues[static_cast<std::size_t>(hits.Surface[ray])]));
+    if (isNext && IsInside(passages.AtEntry[i]) && ComesFromHidden(passages, i, t, *this->Hidden))
+    {
+      passages.Distance[i] = t;
+      hits.Depth[ray] = t;
+      hits.Surface[ray] = surface;
+      hits.Kind[ray] = HitKind::Cap;
+    }
+  }
+
   void FindInPassages(PassageBatch<Real>& passages) const
   {
     if constexpr (Between == Interpolation::Linear)
@@ -384,6 +422,10 @@ private:
         if (rays.Begin[ray] < rays.End[ray])
         {
           const glm::ivec3 cell = BatchRay{ rays, ray }.CellAt(rays.Begin[ray], this->Cells);
+          if (this->Hidden && this->Hidden->IsHidden(cell))
+          {
+            continue;
+          }
           Corners<Real> corners;
           this->Differ(this->Samples.Read(cell), this->Differences[surface], corners);
           search.Ray[static_cast<std::size_t>(passages.Count)] = ray;
@@ -414,7 +456,8 @@ private:
   glm::ivec3 Cells;                       ///< number of cells along each axis
   bool IsSolid;
   bool IsLarge;
-  bool AreCellsActive; ///< the one isovalue passes through every cell that is visited
+  bool AreCellsActive;       ///< the one isovalue passes through every cell that is visited
+  const HiddenCells* Hidden; ///< null for none
 };
 
 }

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Testing_Ghosts_h
+#define Testing_Ghosts_h
+
+#include <functional>
+
+class vtkImageData;
+
+/// Ghost arrays, which hide cells of images.
+namespace Ghosts
+{
+
+/// Chooses the flag of a cell or point (i, j, k) of an image.
+using ChooseFlag = std::function<int(int, int, int)>;
+
+/// Give an image's cells, or points, a new ghost array.
+void FlagCells(vtkImageData* image, const ChooseFlag& flag);
+void FlagPoints(vtkImageData* image, const ChooseFlag& flag);
+
+/// Hide each cell with a chance, by any of the bits that do, among bits that do not.
+void HideCells(vtkImageData* image, double chance, unsigned seed);
+
+/// Hide each point with a chance; any may be a duplicate.
+void HidePoints(vtkImageData* image, double chance, unsigned seed);
+
+/// Take both ghost arrays away.
+void Remove(vtkImageData* image);
+
+}
+
+#endif

@@ -47,11 +47,18 @@ list(TRANSFORM engine_files APPEND ".cxx")
 
 set(bridge_files
   AppearanceFromVolume
+  BlockCopy
   FieldFromImage
   HiddenCellsFromImage
   ImageFromFrame
+  ImageLattice
+  InputFromMapper
+  MergedBlocks
   PicturePresenter
   RegionFromMapper
+  SamplesOfArray
+  ScalarChoice
+  VectorMagnitude
   ViewFromRenderer
   WindowPicture)
 list(TRANSFORM bridge_files PREPEND "${module_directory}/Vtk/")

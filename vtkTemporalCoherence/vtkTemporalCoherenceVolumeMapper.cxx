@@ -7,14 +7,17 @@
 #include "FrameRenderer.h"
 #include "HiddenCellsFromImage.h"
 #include "ImageFromFrame.h"
+#include "InputFromMapper.h"
 #include "PicturePresenter.h"
 #include "RegionFromMapper.h"
 #include "Stopwatch.h"
 #include "ViewFromRenderer.h"
 
 #include "vtkCommand.h"
-#include "vtkDataArray.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkRenderWindow.h"
@@ -30,6 +33,7 @@ vtkStandardNewMacro(vtkTemporalCoherenceVolumeMapper);
 
 struct vtkTemporalCoherenceVolumeMapper::Internals
 {
+  TemporalCoherence::InputFromMapper Input;
   TemporalCoherence::FrameRenderer Frames;
   TemporalCoherence::PicturePresenter Presenter;
   TemporalCoherence::HiddenCellsOfImage Hidden;
@@ -78,6 +82,26 @@ TemporalCoherence::FrameRenderer::Options MakeOptions(vtkTemporalCoherenceVolume
   return options;
 }
 
+TemporalCoherence::VectorChoice MakeVectorChoice(vtkTemporalCoherenceVolumeMapper& mapper)
+{
+  using Modes = TemporalCoherence::VectorChoice::Modes;
+  TemporalCoherence::VectorChoice choice;
+  choice.Component = mapper.GetVectorComponent();
+  switch (mapper.GetVectorMode())
+  {
+    case vtkTemporalCoherenceVolumeMapper::MAGNITUDE:
+      choice.Mode = Modes::Magnitude;
+      break;
+    case vtkTemporalCoherenceVolumeMapper::COMPONENT:
+      choice.Mode = Modes::Component;
+      break;
+    default:
+      choice.Mode = Modes::Property;
+      break;
+  }
+  return choice;
+}
+
 /// False if the renderer's window asks to stop.
 bool MayGoOn(vtkRenderer* renderer)
 {
@@ -96,6 +120,34 @@ vtkTemporalCoherenceVolumeMapper::vtkTemporalCoherenceVolumeMapper()
 
 //------------------------------------------------------------------------------
 vtkTemporalCoherenceVolumeMapper::~vtkTemporalCoherenceVolumeMapper() = default;
+
+//------------------------------------------------------------------------------
+int vtkTemporalCoherenceVolumeMapper::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (!this->Superclass::FillInputPortInformation(port, info))
+  {
+    return 0;
+  }
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+double* vtkTemporalCoherenceVolumeMapper::GetBounds()
+{
+  auto* blocks = vtkCompositeDataSet::SafeDownCast(this->GetDataObjectInput());
+  if (!blocks)
+  {
+    return this->Superclass::GetBounds();
+  }
+  this->Update();
+  blocks->GetBounds(this->Bounds);
+  if (this->Bounds[0] > this->Bounds[1])
+  {
+    vtkMath::UninitializeBounds(this->Bounds);
+  }
+  return this->Bounds;
+}
 
 //------------------------------------------------------------------------------
 void vtkTemporalCoherenceVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
@@ -201,15 +253,10 @@ bool vtkTemporalCoherenceVolumeMapper::MakeFrameKey(vtkRenderer* renderer, vtkVo
   int width, int height, double aspect, TemporalCoherence::FrameKey& key, std::vector<int>& places,
   std::string& error)
 {
-  vtkDataArray* array = nullptr;
-  vtkImageData* image = this->FindInput(array, error);
-  if (!image)
-  {
-    return false;
-  }
-
   vtkVolumeProperty* property = volume->GetProperty();
-  if (!TemporalCoherence::FindSurfaces(property, key.Sought, places, error))
+  TemporalCoherence::MapperInput input;
+  if (!this->Internal->Input.Find(this, property, MakeVectorChoice(*this), input, error) ||
+    !TemporalCoherence::FindSurfaces(property, input.Look, key.Sought, places, error))
   {
     return false;
   }
@@ -220,21 +267,24 @@ bool vtkTemporalCoherenceVolumeMapper::MakeFrameKey(vtkRenderer* renderer, vtkVo
   {
     return false;
   }
-  key.Look = TemporalCoherence::MakeAppearance(property, renderer, key.Sought.Isovalues);
+  key.Look =
+    TemporalCoherence::MakeAppearance(property, input.Look, renderer, key.Sought.Isovalues);
   key.Look.ColorByAnswer = this->ColorByAnswer != 0;
 
   // An image without points has no array either: an empty picture, as for images without cells.
-  if (image->GetNumberOfPoints() == 0)
+  if (!input.Array)
   {
     return true;
   }
-  key.Sought.BySteepness = TemporalCoherence::MakeGradientOpacity(
-    property, glm::abs(TemporalCoherence::AxesOf(image).Step));
-  const int component = this->VectorMode == COMPONENT ? this->VectorComponent : 0;
-  if (!TemporalCoherence::MakeField(image, array, component, key.Samples, error) ||
-    !this->Internal->Hidden.Find(image, false, key.Samples.Hidden, error) ||
-    !TemporalCoherence::MakePlacement(image, volume, key.Where, error) ||
-    !TemporalCoherence::MakeRegion(this, TemporalCoherence::AxesOf(image), key.Kept, error))
+  const TemporalCoherence::ImageAxes axes =
+    TemporalCoherence::AxesOf(input.Image, input.OnCells);
+  key.Sought.BySteepness =
+    TemporalCoherence::MakeGradientOpacity(property, input.Look, glm::abs(axes.Step));
+  if (!TemporalCoherence::MakeField(
+        input.Image, input.Array, input.OnCells, input.Component, key.Samples, error) ||
+    !this->Internal->Hidden.Find(input.Image, input.OnCells, key.Samples.Hidden, error) ||
+    !TemporalCoherence::MakePlacement(input.Image, input.OnCells, volume, key.Where, error) ||
+    !TemporalCoherence::MakeRegion(this, axes, key.Kept, error))
   {
     return false;
   }
@@ -242,60 +292,6 @@ bool vtkTemporalCoherenceVolumeMapper::MakeFrameKey(vtkRenderer* renderer, vtkVo
     ? TemporalCoherence::Interpolation::Nearest
     : TemporalCoherence::Interpolation::Linear;
   return true;
-}
-
-//------------------------------------------------------------------------------
-vtkImageData* vtkTemporalCoherenceVolumeMapper::FindInput(vtkDataArray*& array, std::string& error)
-{
-  if (this->GetBlendMode() != vtkVolumeMapper::ISOSURFACE_BLEND)
-  {
-    error = "Blend mode " + std::to_string(this->GetBlendMode()) +
-      " is not supported, only isosurfaces are; call SetBlendModeToIsoSurface().";
-    return nullptr;
-  }
-  vtkDataSet* input = this->GetInput();
-  if (!input)
-  {
-    error = "There is no input; give the mapper a vtkImageData with SetInputData or "
-            "SetInputConnection.";
-    return nullptr;
-  }
-  auto* image = vtkImageData::SafeDownCast(input);
-  if (!image)
-  {
-    error = std::string("The input is a ") + input->GetClassName() +
-      ", but only vtkImageData can be drawn; resample it with vtkResampleToImage.";
-    return nullptr;
-  }
-  if (image->GetNumberOfPoints() == 0)
-  {
-    return image;
-  }
-
-  int isCellArray = 0;
-  array = vtkAbstractMapper::GetScalars(
-    image, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, isCellArray);
-  if (!array)
-  {
-    const bool isSelected = this->ScalarMode == VTK_SCALAR_MODE_USE_POINT_FIELD_DATA ||
-      this->ScalarMode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA;
-    const std::string name = this->ArrayAccessMode == VTK_GET_ARRAY_BY_NAME
-      ? "named '" + std::string(this->ArrayName ? this->ArrayName : "") + "'"
-      : "number " + std::to_string(this->ArrayId);
-    error = isSelected ? "The input has no array " + name +
-        " where the scalar mode looks for it; choose one that is there with SelectScalarArray."
-                       : std::string("The input has no scalars; make an array active with "
-                                     "SetActiveScalars, or choose one with "
-                                     "SetScalarModeToUsePointFieldData and SelectScalarArray.");
-    return nullptr;
-  }
-  if (isCellArray)
-  {
-    error = "The scalars lie on cells, but only point arrays can be drawn; convert them with "
-            "vtkCellDataToPointData.";
-    return nullptr;
-  }
-  return image;
 }
 
 //------------------------------------------------------------------------------
@@ -461,6 +457,7 @@ void vtkTemporalCoherenceVolumeMapper::ReleaseReuse()
   this->Internal->HasWarned = false;
   this->Internal->Hidden.Release();
   this->Internal->Frames.Release();
+  this->Internal->Input.Release();
 }
 
 //------------------------------------------------------------------------------

@@ -4,12 +4,13 @@
  * @class   vtkTemporalCoherenceVolumeMapper
  * @brief   isosurfaces of images, ray cast on the CPU, using again what the last frame knew
  *
- * A drop-in for the volume mapper of a vtkVolume whose input is a vtkImageData. It draws the
- * isosurfaces of `vtkVolumeProperty::GetIsoSurfaceValues()` (blend mode ISOSURFACE_BLEND, which it
- * is constructed with), each in the colour that the property's colour transfer function has at the
- * isovalue. Nothing is extracted: every pixel's ray is intersected with the trilinear (or
- * nearest-neighbour) interpolant of the samples, exactly. The picture has a depth at every pixel,
- * so that other props intersect it correctly, and is the same for any number of threads.
+ * A drop-in for the volume mapper of a vtkVolume whose input is a vtkImageData, or several of them
+ * as blocks. It draws the isosurfaces of `vtkVolumeProperty::GetIsoSurfaceValues()` (blend mode
+ * ISOSURFACE_BLEND, which it is constructed with), each in the colour that the property's colour
+ * transfer function has at the isovalue. Nothing is extracted: every pixel's ray is intersected
+ * with the trilinear (or nearest-neighbour) interpolant of the samples, exactly. The picture has a
+ * depth at every pixel, so that other props intersect it correctly, and is the same for any number
+ * of threads.
  *
  * Between two calls of Render() the mapper keeps the last picture and does only what the change
  * asks for: the same picture again, new colours on known hits, a moved view that starts from the
@@ -20,6 +21,15 @@
  * value draws it opaque. A sample that is not a number counts as below every isovalue. Images with
  * fewer than two samples along an axis have no cells: the picture is empty. The camera's clipping
  * range clips the surfaces, as it clips any prop.
+ *
+ * Scalars are those of points or cells, chosen as for any mapper (ScalarMode, SelectScalarArray).
+ * One of a cell is a sample at the cell's centre; the field ends at the outermost centres.
+ *
+ * Blocks (vtkMultiBlockDataSet, vtkPartitionedDataSetCollection or another vtkDataObjectTree of
+ * vtkImageData or vtkUniformGrid; SetInputDataObject or SetInputConnection) lie on one lattice:
+ * the same spacing and direction, origins whole steps apart. They are copied into one image, once
+ * and when one of them changes, so that there are no seams. Nothing is drawn in cells that no
+ * block has, owns (vtkGhostType) and shows. Blocks without the chosen array are left out.
  *
  * Ghost arrays ("vtkGhostType", as vtkUniformGrid::BlankPoint and BlankCell write them) hide cells:
  * those with HIDDENCELL, REFINEDCELL or DUPLICATECELL, and those with a corner that is a
@@ -52,7 +62,6 @@ namespace TemporalCoherence
 {
 struct FrameKey;
 }
-class vtkDataArray;
 class vtkImageData;
 class vtkRenderer;
 class vtkVolume;
@@ -92,16 +101,29 @@ public:
   enum VectorModes
   {
     DISABLED = -1,
+    MAGNITUDE = 0,
     COMPONENT = 1
   };
 
   ///@{
   /**
-   * For arrays of several components: DISABLED (default) draws component 0, COMPONENT draws
-   * VectorComponent (default 0). Names and values are those of vtkSmartVolumeMapper.
+   * Which scalar of an array of several components is drawn. Names and values are those of
+   * vtkSmartVolumeMapper.
+   *
+   * DISABLED (default), what the volume's property says, as vtkGPUVolumeRayCastMapper takes it for
+   * isosurfaces: of independent components (vtkVolumeProperty::IndependentComponentsOn, the
+   * default) the one of the largest component weight, the first of equal ones, with the transfer
+   * functions and the shading that the property has for it; of dependent ones, component 0.
+   *
+   * MAGNITUDE: the Euclidean length of the tuples, computed anew when the array changes. An array
+   * of one component is drawn as it is. COMPONENT: VectorComponent (default 0; an error if the
+   * array has no such component). Both take the property's first transfer functions and shading.
    */
-  vtkSetMacro(VectorMode, int);
+  vtkSetClampMacro(VectorMode, int, DISABLED, COMPONENT);
   vtkGetMacro(VectorMode, int);
+  void SetVectorModeToDisabled() { this->SetVectorMode(DISABLED); }
+  void SetVectorModeToMagnitude() { this->SetVectorMode(MAGNITUDE); }
+  void SetVectorModeToComponent() { this->SetVectorMode(COMPONENT); }
   vtkSetMacro(VectorComponent, int);
   vtkGetMacro(VectorComponent, int);
   ///@}
@@ -356,6 +378,14 @@ public:
   double GetPresentTime();
   ///@}
 
+  ///@{
+  /**
+   * Bounds of the input in its own coordinates; those of all blocks together.
+   */
+  double* GetBounds() VTK_SIZEHINT(6) override;
+  void GetBounds(double bounds[6]) override { this->Superclass::GetBounds(bounds); }
+  ///@}
+
   /**
    * WARNING: INTERNAL METHOD - NOT INTENDED FOR GENERAL USE
    * Draw the volume into the renderer's window.
@@ -372,6 +402,8 @@ protected:
   vtkTemporalCoherenceVolumeMapper();
   ~vtkTemporalCoherenceVolumeMapper() override;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+
 private:
   vtkTemporalCoherenceVolumeMapper(const vtkTemporalCoherenceVolumeMapper&) = delete;
   void operator=(const vtkTemporalCoherenceVolumeMapper&) = delete;
@@ -380,7 +412,6 @@ private:
   void PresentFrame(vtkRenderer* renderer, int width, int height);
   bool MakeFrameKey(vtkRenderer* renderer, vtkVolume* volume, int width, int height, double aspect,
     TemporalCoherence::FrameKey& key, std::vector<int>& places, std::string& error);
-  vtkImageData* FindInput(vtkDataArray*& array, std::string& error);
   void ReportOnce(const std::string& error);
   void WarnOfIsomapLimit(bool isTooLarge);
 

@@ -73,11 +73,12 @@ std::array<double, 16> Elements(vtkMatrix4x4* matrix)
 
 }
 
-BruteForceTracer::BruteForceTracer(vtkImageData* image, vtkVolume* volume, int component)
+BruteForceTracer::BruteForceTracer(
+  vtkImageData* image, vtkVolume* volume, int component, vtkDataArray* cells)
 {
-  vtkDataArray* array = image->GetPointData()->GetScalars();
+  vtkDataArray* array = cells ? cells : image->GetPointData()->GetScalars();
   double largest = 0.0;
-  this->Samples.resize(static_cast<std::size_t>(image->GetNumberOfPoints()));
+  this->Samples.resize(static_cast<std::size_t>(array->GetNumberOfTuples()));
   for (std::size_t i = 0; i < this->Samples.size(); ++i)
   {
     const double value = array->GetComponent(static_cast<vtkIdType>(i), component);
@@ -90,7 +91,11 @@ BruteForceTracer::BruteForceTracer(vtkImageData* image, vtkVolume* volume, int c
     value = std::isnan(value) ? -3.0 * largest - 1.0 : value;
   }
   image->GetDimensions(this->Dimensions.data());
-  this->FindHidden(image);
+  this->FindHidden(image, cells != nullptr);
+  for (int& samples : this->Dimensions)
+  {
+    samples -= cells != nullptr;
+  }
   this->IsNearest = volume->GetProperty()->GetInterpolationType() == VTK_NEAREST_INTERPOLATION;
 
   // Corner by corner, so that no matrix of ours is trusted.
@@ -102,6 +107,21 @@ BruteForceTracer::BruteForceTracer(vtkImageData* image, vtkVolume* volume, int c
   {
     const int ijk[3] = { extent[0] + (c == 1), extent[2] + (c == 2), extent[4] + (c == 3) };
     image->TransformIndexToPhysicalPoint(ijk, corner[c]);
+  }
+  if (cells)
+  {
+    // The first sample lies half a step along every axis from the first corner.
+    double centre[3];
+    const double first[3] = { extent[0] + 0.5, extent[2] + 0.5, extent[4] + 0.5 };
+    image->TransformContinuousIndexToPhysicalPoint(first, centre);
+    for (int row = 0; row < 3; ++row)
+    {
+      const double shift = centre[row] - corner[0][row];
+      for (auto& point : corner)
+      {
+        point[row] += shift;
+      }
+    }
   }
   for (int row = 0; row < 3; ++row)
   {
@@ -125,7 +145,7 @@ BruteForceTracer::BruteForceTracer(vtkImageData* image, vtkVolume* volume, int c
   this->IndexFromWorld = Elements(world);
 }
 
-void BruteForceTracer::FindHidden(vtkImageData* image)
+void BruteForceTracer::FindHidden(vtkImageData* image, bool areSamplesCells)
 {
   using Attributes = vtkDataSetAttributes;
   vtkDataArray* ofCells = image->GetCellData()->GetArray(Attributes::GhostArrayName());
@@ -142,15 +162,43 @@ void BruteForceTracer::FindHidden(vtkImageData* image)
       for (int i = 0; i < this->Dimensions[0] - 1; ++i, ++cell)
       {
         const int flag = ofCells ? static_cast<int>(ofCells->GetComponent(cell, 0)) : 0;
+        const int notOfThisPiece = areSamplesCells ? 0 : Attributes::DUPLICATECELL;
         bool isHidden =
-          (flag & (Attributes::HIDDENCELL | Attributes::REFINEDCELL | Attributes::DUPLICATECELL)) !=
-          0;
+          (flag & (Attributes::HIDDENCELL | Attributes::REFINEDCELL | notOfThisPiece)) != 0;
         for (int corner = 0; corner < 8 && ofPoints; ++corner)
         {
           const vtkIdType row = (k + (corner >> 2)) * this->Dimensions[1] + j + (corner >> 1 & 1);
           const vtkIdType point = row * this->Dimensions[0] + i + (corner & 1);
           const int flagOfPoint = static_cast<int>(ofPoints->GetComponent(point, 0));
           isHidden = isHidden || (flagOfPoint & Attributes::HIDDENPOINT) != 0;
+        }
+        this->Hidden.push_back(isHidden);
+      }
+    }
+  }
+  if (areSamplesCells)
+  {
+    this->HideAroundSamples();
+  }
+}
+
+/// From hidden samples, the cells of the image, to the cells between them.
+void BruteForceTracer::HideAroundSamples()
+{
+  const std::vector<bool> samples = this->Hidden;
+  const int nx = this->Dimensions[0] - 1, ny = this->Dimensions[1] - 1;
+  this->Hidden.clear();
+  for (int k = 0; k < this->Dimensions[2] - 2; ++k)
+  {
+    for (int j = 0; j < ny - 1; ++j)
+    {
+      for (int i = 0; i < nx - 1; ++i)
+      {
+        bool isHidden = false;
+        for (int corner = 0; corner < 8; ++corner)
+        {
+          const int row = (k + (corner >> 2)) * ny + j + (corner >> 1 & 1);
+          isHidden = isHidden || samples[static_cast<std::size_t>(row * nx + i + (corner & 1))];
         }
         this->Hidden.push_back(isHidden);
       }

@@ -24,9 +24,12 @@ public:
     std::array<double, 3> Position;
   };
 
-  /// \param image   point scalars, component `component`, and the ghost arrays that hide cells
-  /// \param volume  its transform and the interpolation of its property
-  BruteForceTracer(vtkImageData* image, vtkVolume* volume, int component = 0);
+  /// \param image     where the samples lie, and the ghost arrays that hide cells
+  /// \param volume    its transform and the interpolation of its property
+  /// \param component of the array
+  /// \param cells     one tuple for each cell, at its centre; if null, the point scalars
+  BruteForceTracer(
+    vtkImageData* image, vtkVolume* volume, int component = 0, vtkDataArray* cells = nullptr);
 
   std::vector<double> Isovalues;
   bool IsThreshold = false; ///< THRESHOLD, otherwise CROSSING
@@ -63,7 +66,8 @@ public:
   std::array<double, 3> WorldNormalAt(const std::array<double, 3>& world) const;
 
 private:
-  void FindHidden(vtkImageData* image);
+  void FindHidden(vtkImageData* image, bool areSamplesCells);
+  void HideAroundSamples();
   bool IsHidden(const std::array<double, 3>& index) const;
   int HighestInside(const std::array<double, 3>& index) const;
   double Sample(int i, int j, int k) const;

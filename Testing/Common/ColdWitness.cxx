@@ -39,6 +39,10 @@ bool ColdWitness::Draw(Scene& scene)
   this->Mapper->SetCroppingRegionPlanes(scene.Mapper->GetCroppingRegionPlanes());
   this->Mapper->SetCroppingRegionFlags(scene.Mapper->GetCroppingRegionFlags());
   this->Mapper->SetClippingPlanes(scene.Mapper->GetClippingPlanes());
+  this->Mapper->SetScalarMode(scene.Mapper->GetScalarMode());
+  this->Mapper->SelectScalarArray(scene.Mapper->GetArrayId());
+  this->Mapper->SelectScalarArray(scene.Mapper->GetArrayName());
+  this->Mapper->SetArrayAccessMode(scene.Mapper->GetArrayAccessMode());
   this->Mapper->ReleaseReuse();
   int size[3];
   scene.Color->GetDimensions(size);

@@ -119,14 +119,14 @@ void TestInputs()
       image->GetPointData()->SetScalars(bits);
       scene.Mapper->SetInputData(image);
     });
-  ExpectError("cells",
+  ExpectError("19 tuples, but the image has 6859 cells",
     [](Scene& scene)
     {
-      vtkNew<vtkDoubleArray> values;
-      values->SetNumberOfTuples(19 * 19 * 19);
+      vtkNew<vtkDoubleArray> few;
+      few->SetNumberOfTuples(19);
       vtkNew<vtkImageData> image;
       image->SetDimensions(20, 20, 20);
-      image->GetCellData()->SetScalars(values);
+      image->GetCellData()->SetScalars(few);
       scene.Mapper->SetInputData(image);
     });
   ExpectError(

@@ -13,8 +13,8 @@ namespace
 
 /// True if a ray that passes a plane across an axis comes from outside of the field or from a
 /// hidden cell.
-bool ComesFromNothing(const glm::dvec3& point, double plane, int axis, bool isForward,
-  const Field& field)
+bool ComesFromNothing(
+  const glm::dvec3& point, double plane, int axis, bool isForward, const Field& field)
 {
   const glm::ivec3 last = field.Dimensions - 2;
   glm::ivec3 before = glm::clamp(glm::ivec3(glm::floor(point)), glm::ivec3(0), last);

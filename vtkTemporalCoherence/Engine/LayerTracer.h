@@ -14,8 +14,8 @@ namespace TemporalCoherence
 /// Finds the surfaces behind the first one along rays, one by one from front to back.
 ///
 /// With CROSSING every crossing of every isovalue is a surface; with THRESHOLD, where a solid is
-/// entered, and all solids that are cut open where the ray begins or leaves hidden cells. Which comes next depends on the
-/// ray and the surface it is at alone.
+/// entered, and all solids that are cut open where the ray begins or leaves hidden cells. Which
+/// comes next depends on the ray and the surface it is at alone.
 class LayerTracer
 {
 public:

@@ -12,8 +12,7 @@ namespace
 /// may one that leaves the region and comes back.
 bool AreHitsOrdered(const FrameKey& key)
 {
-  return key.Kept.IsConvex() &&
-    (!key.Samples.Hidden || key.Sought.Mode == SurfaceMode::Threshold);
+  return key.Kept.IsConvex() && (!key.Samples.Hidden || key.Sought.Mode == SurfaceMode::Threshold);
 }
 
 }

@@ -78,24 +78,24 @@ std::vector<Light> FindLights(vtkRenderer* renderer)
   return lights;
 }
 
-glm::dvec3 ColorAt(vtkVolumeProperty* property, double value)
+glm::dvec3 ColorAt(vtkVolumeProperty* property, int component, double value)
 {
   glm::dvec3 color;
-  if (property->GetColorChannels() == 3)
+  if (property->GetColorChannels(component) == 3)
   {
-    property->GetRGBTransferFunction()->GetColor(value, &color.x);
+    property->GetRGBTransferFunction(component)->GetColor(value, &color.x);
   }
   else
   {
-    color = glm::dvec3(property->GetGrayTransferFunction()->GetValue(value));
+    color = glm::dvec3(property->GetGrayTransferFunction(component)->GetValue(value));
   }
   return color;
 }
 
 }
 
-bool FindSurfaces(
-  vtkVolumeProperty* property, Surfaces& surfaces, std::vector<int>& places, std::string& error)
+bool FindSurfaces(vtkVolumeProperty* property, int component, Surfaces& surfaces,
+  std::vector<int>& places, std::string& error)
 {
   std::vector<double>& isovalues = surfaces.Isovalues;
   isovalues.clear();
@@ -123,7 +123,7 @@ bool FindSurfaces(
       error = what.str();
       return false;
     }
-    const double opacity = property->GetScalarOpacity()->GetValue(isovalue);
+    const double opacity = property->GetScalarOpacity(component)->GetValue(isovalue);
     if (opacity > 0.0 && found.insert(isovalue).second)
     {
       isovalues.push_back(isovalue);
@@ -139,16 +139,17 @@ bool FindSurfaces(
   return true;
 }
 
-GradientOpacity MakeGradientOpacity(vtkVolumeProperty* property, const glm::dvec3& distances)
+GradientOpacity MakeGradientOpacity(
+  vtkVolumeProperty* property, int component, const glm::dvec3& distances)
 {
   // Nodes are joined by straight lines, but for those with a midpoint or a sharpness of their own.
   constexpr int ManyNodes = 4096;
   GradientOpacity made;
-  if (property->GetDisableGradientOpacity() || !property->HasGradientOpacity())
+  if (property->GetDisableGradientOpacity(component) || !property->HasGradientOpacity(component))
   {
     return made;
   }
-  vtkPiecewiseFunction* function = property->GetGradientOpacity();
+  vtkPiecewiseFunction* function = property->GetGradientOpacity(component);
   bool isStraight = true;
   for (int i = 0; i < function->GetSize(); ++i)
   {
@@ -180,21 +181,21 @@ GradientOpacity MakeGradientOpacity(vtkVolumeProperty* property, const glm::dvec
   return made;
 }
 
-Appearance MakeAppearance(
-  vtkVolumeProperty* property, vtkRenderer* renderer, const std::vector<double>& isovalues)
+Appearance MakeAppearance(vtkVolumeProperty* property, int component, vtkRenderer* renderer,
+  const std::vector<double>& isovalues)
 {
   Appearance appearance;
   for (const double isovalue : isovalues)
   {
-    appearance.Colors.push_back(ColorAt(property, isovalue));
+    appearance.Colors.push_back(ColorAt(property, component, isovalue));
   }
   appearance.Shade = property->GetShade() != 0;
   if (appearance.Shade)
   {
-    appearance.Ambient = property->GetAmbient();
-    appearance.Diffuse = property->GetDiffuse();
-    appearance.Specular = property->GetSpecular();
-    appearance.SpecularPower = property->GetSpecularPower();
+    appearance.Ambient = property->GetAmbient(component);
+    appearance.Diffuse = property->GetDiffuse(component);
+    appearance.Specular = property->GetSpecular(component);
+    appearance.SpecularPower = property->GetSpecularPower(component);
     appearance.Lights = FindLights(renderer);
   }
   return appearance;

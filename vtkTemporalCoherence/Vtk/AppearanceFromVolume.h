@@ -16,20 +16,23 @@ namespace TemporalCoherence
 {
 
 /// The isovalues that a property shows, with their opacities: those of its list whose opacity is
-/// not 0, each once. \param places gets the position in the property's list of each isovalue shown
-/// \param error  gets what is wrong and what to do about it
+/// not 0, each once.
+/// \param component of the property whose opacity counts
+/// \param places    gets the position in the property's list of each isovalue shown
+/// \param error     gets what is wrong and what to do about it
 /// \return false on error, for example if an isovalue is not a finite number
-bool FindSurfaces(
-  vtkVolumeProperty* property, Surfaces& surfaces, std::vector<int>& places, std::string& error);
+bool FindSurfaces(vtkVolumeProperty* property, int component, Surfaces& surfaces,
+  std::vector<int>& places, std::string& error);
 
-/// What the property's gradient opacity multiplies opacities with.
+/// What the gradient opacity of a component of the property multiplies opacities with.
 /// \param distances of neighbouring samples along each axis of index space, in the volume's own
 ///                  coordinates
-GradientOpacity MakeGradientOpacity(vtkVolumeProperty* property, const glm::dvec3& distances);
+GradientOpacity MakeGradientOpacity(
+  vtkVolumeProperty* property, int component, const glm::dvec3& distances);
 
-/// Colours at the isovalues, shading of the property and lights of the renderer.
-Appearance MakeAppearance(
-  vtkVolumeProperty* property, vtkRenderer* renderer, const std::vector<double>& isovalues);
+/// Colours at the isovalues, shading of a component of the property and lights of the renderer.
+Appearance MakeAppearance(vtkVolumeProperty* property, int component, vtkRenderer* renderer,
+  const std::vector<double>& isovalues);
 
 }
 

@@ -3,10 +3,10 @@
 #include "FieldFromImage.h"
 
 #include "MatrixFromVtk.h"
+#include "SamplesOfArray.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
-#include <vtkSOADataArrayTemplate.h>
 #include <vtkVolume.h>
 
 #include <algorithm>
@@ -22,164 +22,156 @@ namespace
 /// with the same edges.
 constexpr double FlattestBox = 1e-12;
 
-template <typename T>
-constexpr ScalarType ScalarTypeOf()
+bool IsFinite(const glm::dmat4& matrix)
 {
-  if constexpr (std::is_floating_point_v<T>)
+  for (int i = 0; i < 16; ++i)
   {
-    return sizeof(T) == 4 ? ScalarType::Float32 : ScalarType::Float64;
-  }
-  else if constexpr (std::is_signed_v<T>)
-  {
-    return sizeof(T) == 1 ? ScalarType::Int8
-      : sizeof(T) == 2    ? ScalarType::Int16
-      : sizeof(T) == 4    ? ScalarType::Int32
-                          : ScalarType::Int64;
-  }
-  else
-  {
-    return sizeof(T) == 1 ? ScalarType::UInt8
-      : sizeof(T) == 2    ? ScalarType::UInt16
-      : sizeof(T) == 4    ? ScalarType::UInt32
-                          : ScalarType::UInt64;
-  }
-}
-
-/// First sample of a component and the step to the next tuple; false if it cannot be seen in place.
-template <typename T>
-bool FindSamples(vtkDataArray* array, int component, const void*& samples, std::int64_t& step)
-{
-  if (auto* perComponent = vtkSOADataArrayTemplate<T>::FastDownCast(array))
-  {
-    samples = perComponent->GetComponentArrayPointer(component);
-    step = 1;
-    return true;
-  }
-  if (array->HasStandardMemoryLayout())
-  {
-    samples = static_cast<const T*>(array->GetVoidPointer(0)) + component;
-    step = array->GetNumberOfComponents();
-    return true;
-  }
-  return false;
-}
-
-bool FindSamples(
-  vtkDataArray* array, int component, ScalarType& type, const void*& samples, std::int64_t& step)
-{
-  switch (array->GetDataType())
-  {
-    vtkTemplateMacro(type = ScalarTypeOf<VTK_TT>();
-                     return FindSamples<VTK_TT>(array, component, samples, step));
-    default:
+    if (!std::isfinite(matrix[i / 4][i % 4]))
+    {
       return false;
+    }
   }
-}
-
-std::string NameOf(vtkDataArray* array)
-{
-  const char* name = array->GetName();
-  return name ? "'" + std::string(name) + "'" : std::string("(unnamed)");
+  return true;
 }
 
 /// Share of the volume that a matrix leaves of a box with the same edges; 0 if it is singular.
 double Flatness(const glm::dmat4& matrix)
 {
   const glm::dmat3 m(matrix);
-  for (int i = 0; i < 16; ++i)
-  {
-    if (!std::isfinite(matrix[i / 4][i % 4]))
-    {
-      return 0.0;
-    }
-  }
   const double edges = glm::length(m[0]) * glm::length(m[1]) * glm::length(m[2]);
   const double share = edges > 0.0 ? std::abs(glm::determinant(m)) / edges : 0.0;
   return std::isfinite(share) ? share : 0.0;
 }
 
-}
-
-bool MakeField(
-  vtkImageData* image, vtkDataArray* array, int component, Field& field, std::string& error)
-{
-  std::ostringstream what;
-  int dimensions[3];
-  image->GetDimensions(dimensions);
-  const vtkIdType points = image->GetNumberOfPoints();
-  field = Field();
-  if (component < 0 || component >= array->GetNumberOfComponents())
-  {
-    what << "VectorComponent is " << component << ", but array " << NameOf(array) << " has "
-         << array->GetNumberOfComponents() << " component(s); set one from 0 to "
-         << array->GetNumberOfComponents() - 1 << ".";
-  }
-  else if (array->GetNumberOfTuples() < points)
-  {
-    what << "Array " << NameOf(array) << " has " << array->GetNumberOfTuples()
-         << " tuples, but the image has " << points << " points; give it one tuple for each point.";
-  }
-  else
-  {
-    std::int64_t step = 1;
-    if (FindSamples(array, component, field.Type, field.Samples, step))
-    {
-      field.Dimensions = glm::ivec3(dimensions[0], dimensions[1], dimensions[2]);
-      field.Strides = glm::i64vec3(step, step * dimensions[0],
-        step * dimensions[0] * static_cast<std::int64_t>(dimensions[1]));
-      field.Stamp = std::max(image->GetMTime(), array->GetMTime());
-      return true;
-    }
-    what
-      << "Array " << NameOf(array) << " is a " << array->GetClassName()
-      << ", whose samples cannot be read in place; copy it into an array of numbers, for example "
-         "with vtkFloatArray::DeepCopy or vtkImageCast.";
-  }
-  error = what.str();
-  return false;
-}
-
-bool MakePlacement(vtkImageData* image, vtkVolume* volume, Placement& placement, std::string& error)
+/// From the indices of samples, counted from the first one, to where the image says that they lie.
+bool PlaceImage(
+  vtkImageData* image, bool onCells, glm::dmat4& physicalFromIndex, std::string& error)
 {
   const int* extent = image->GetExtent();
   glm::dmat4 toFirst(1.0);
   toFirst[3] = glm::dvec4(extent[0], extent[2], extent[4], 1.0);
-  const glm::dmat4 physicalFromIndex = MatrixFromVtk(image->GetIndexToPhysicalMatrix()) * toFirst;
-
-  std::ostringstream what;
-  if (Flatness(physicalFromIndex) < FlattestBox)
+  if (onCells)
   {
-    const double* spacing = image->GetSpacing();
+    toFirst[3] += glm::dvec4(0.5, 0.5, 0.5, 0.0); // a cell's value lies at its centre
+  }
+  physicalFromIndex = MatrixFromVtk(image->GetIndexToPhysicalMatrix()) * toFirst;
+
+  const double* spacing = image->GetSpacing();
+  const double* origin = image->GetOrigin();
+  std::ostringstream what;
+  if (!IsFinite(physicalFromIndex))
+  {
+    what << "The image's spacing (" << spacing[0] << ", " << spacing[1] << ", " << spacing[2]
+         << "), its origin (" << origin[0] << ", " << origin[1] << ", " << origin[2]
+         << ") or its direction matrix is not finite; set finite numbers.";
+  }
+  else if (Flatness(physicalFromIndex) < FlattestBox)
+  {
     what
       << "The image's spacing (" << spacing[0] << ", " << spacing[1] << ", " << spacing[2]
       << ") or its direction matrix flattens it; set a spacing other than 0 along every axis and "
          "an invertible direction matrix.";
-    error = what.str();
-    return false;
   }
+  error = what.str();
+  return error.empty();
+}
 
+/// Add the volume's transform to where the image lies.
+bool PlaceVolume(vtkVolume* volume, Placement& placement, std::string& error)
+{
   volume->ComputeMatrix();
-  placement.WorldFromIndex = MatrixFromVtk(volume->GetMatrix()) * physicalFromIndex;
-  if (Flatness(placement.WorldFromIndex) < FlattestBox)
+  vtkMatrix4x4* matrix = volume->GetMatrix();
+  placement.WorldFromIndex = MatrixFromVtk(matrix) * placement.WorldFromIndex;
+
+  const double* scale = volume->GetScale();
+  const double* last = matrix->GetData() + 12;
+  std::ostringstream what;
+  if (!IsFinite(MatrixFromVtk(matrix)) || !IsFinite(placement.WorldFromIndex))
   {
-    const double* scale = volume->GetScale();
+    what << "The transform of the volume is not finite (its scale is " << scale[0] << ", "
+         << scale[1] << ", " << scale[2]
+         << "); give it a position, orientation, scale and user matrix of finite numbers.";
+  }
+  else if (last[0] != 0.0 || last[1] != 0.0 || last[2] != 0.0 || last[3] != 1.0)
+  {
+    what << "The last row of the volume's matrix is (" << last[0] << ", " << last[1] << ", "
+         << last[2] << ", " << last[3]
+         << "), a projection; give it a user matrix whose last row is (0, 0, 0, 1).";
+  }
+  else if (Flatness(placement.WorldFromIndex) < FlattestBox)
+  {
     what << "The transform of the volume is singular (its scale is " << scale[0] << ", " << scale[1]
          << ", " << scale[2] << "); give it a scale other than 0 and an invertible user matrix.";
-    error = what.str();
+  }
+  error = what.str();
+  if (!error.empty())
+  {
     return false;
   }
   placement.IndexFromWorld = glm::inverse(placement.WorldFromIndex);
   return true;
 }
 
-ImageAxes AxesOf(vtkImageData* image)
+}
+
+bool MakeField(vtkImageData* image, vtkDataArray* array, bool onCells, int component, Field& field,
+  std::string& error)
+{
+  const vtkIdType tuples = onCells ? image->GetNumberOfCells() : image->GetNumberOfPoints();
+  field = Field();
+  std::ostringstream what;
+  if (component < 0 || component >= array->GetNumberOfComponents())
+  {
+    what << "VectorComponent is " << component << ", but array " << NameOf(array) << " has "
+         << array->GetNumberOfComponents() << " component(s); set one from 0 to "
+         << array->GetNumberOfComponents() - 1 << ".";
+  }
+  else if (array->GetNumberOfTuples() < tuples)
+  {
+    const char* place = onCells ? "cell" : "point";
+    what << "Array " << NameOf(array) << " has " << array->GetNumberOfTuples()
+         << " tuples, but the image has " << tuples << ' ' << place
+         << "s; give it one tuple for each " << place << '.';
+  }
+  if (!what.str().empty())
+  {
+    error = what.str();
+    return false;
+  }
+
+  ArraySamples samples;
+  if (!FindSamples(array, component, samples, error))
+  {
+    return false;
+  }
+  glm::ivec3 dimensions;
+  image->GetDimensions(&dimensions.x);
+  field.Dimensions = onCells ? glm::max(dimensions - 1, 1) : dimensions;
+  field.Samples = samples.First;
+  field.Type = samples.Type;
+  field.Strides.x = samples.Step;
+  field.Strides.y = field.Strides.x * field.Dimensions.x;
+  field.Strides.z = field.Strides.y * field.Dimensions.y;
+  field.Stamp = std::max(image->GetMTime(), array->GetMTime());
+  return true;
+}
+
+bool MakePlacement(
+  vtkImageData* image, bool onCells, vtkVolume* volume, Placement& placement, std::string& error)
+{
+  return PlaceImage(image, onCells, placement.WorldFromIndex, error) &&
+    PlaceVolume(volume, placement, error);
+}
+
+ImageAxes AxesOf(vtkImageData* image, bool onCells)
 {
   const int* extent = image->GetExtent();
   ImageAxes axes;
   for (int axis = 0; axis < 3; ++axis)
   {
     axes.Step[axis] = image->GetSpacing()[axis];
-    axes.First[axis] = image->GetOrigin()[axis] + extent[2 * axis] * axes.Step[axis];
+    axes.First[axis] =
+      image->GetOrigin()[axis] + (extent[2 * axis] + (onCells ? 0.5 : 0.0)) * axes.Step[axis];
   }
   return axes;
 }

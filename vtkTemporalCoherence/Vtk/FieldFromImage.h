@@ -15,23 +15,26 @@ class vtkVolume;
 namespace TemporalCoherence
 {
 
-/// See one component of an image's point array as a field, in place.
+/// See one component of an array of an image as a field, in place.
 /// \param image     where the samples lie
-/// \param array     one tuple for each point of the image
+/// \param array     one tuple for each point, or for each cell, of the image
+/// \param onCells   one sample at the centre of each cell; the field is the box between centres
 /// \param component of the array
 /// \param error     gets what is wrong and what to do about it
-/// \return false on error. An image without cells is no error: its field has none either.
-bool MakeField(
-  vtkImageData* image, vtkDataArray* array, int component, Field& field, std::string& error);
+/// \return false on error. An image with fewer than two samples along an axis is no error: its
+///         field has no cells.
+bool MakeField(vtkImageData* image, vtkDataArray* array, bool onCells, int component, Field& field,
+  std::string& error);
 
-/// Where the image lies in the world when drawn by the volume: origin, spacing, direction and first
-/// index of the image, then the transform of the volume.
+/// Where the samples lie in the world when drawn by the volume: origin, spacing, direction and
+/// first index of the image, then the transform of the volume.
 /// \return false on error, for example if a spacing or a scale is zero
 bool MakePlacement(
-  vtkImageData* image, vtkVolume* volume, Placement& placement, std::string& error);
+  vtkImageData* image, bool onCells, vtkVolume* volume, Placement& placement, std::string& error);
 
 /// Where the image's samples lie along its own axes: origin, spacing and first index.
-ImageAxes AxesOf(vtkImageData* image);
+/// \param onCells samples lie at the centres of the image's cells
+ImageAxes AxesOf(vtkImageData* image, bool onCells);
 
 }
 

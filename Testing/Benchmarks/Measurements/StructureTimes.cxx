@@ -62,7 +62,7 @@ Field FieldOf(vtkImageData* image)
 {
   Field field;
   std::string error;
-  if (!MakeField(image, image->GetPointData()->GetScalars(), 0, field, error))
+  if (!MakeField(image, image->GetPointData()->GetScalars(), false, 0, field, error))
   {
     throw Measuring::Failure(error);
   }

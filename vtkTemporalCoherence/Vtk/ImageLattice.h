@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_ImageLattice_h
+#define TemporalCoherence_ImageLattice_h
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <string>
+
+class vtkImageData;
+
+namespace TemporalCoherence
+{
+
+/// Points of a lattice from First to Last, both included.
+struct LatticeBox
+{
+  glm::i64vec3 First{ 0 }, Last{ -1 };
+
+  glm::i64vec3 Points() const { return this->Last - this->First + std::int64_t(1); }
+};
+
+/// Where an image lies on the lattice of another one, whose indices count.
+/// \param why gets what of the two does not agree
+/// \return false if spacing or direction differ, or the origins are not whole steps apart
+bool PlaceOnLattice(
+  vtkImageData* lattice, vtkImageData* image, LatticeBox& place, std::string& why);
+
+}
+
+#endif

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SamplesOfArray.h"
+
+#include <vtkDataArray.h>
+#include <vtkSOADataArrayTemplate.h>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+template <typename T>
+constexpr ScalarType ScalarTypeOf()
+{
+  if constexpr (std::is_floating_point_v<T>)
+  {
+    return sizeof(T) == 4 ? ScalarType::Float32 : ScalarType::Float64;
+  }
+  else if constexpr (std::is_signed_v<T>)
+  {
+    return sizeof(T) == 1 ? ScalarType::Int8
+      : sizeof(T) == 2    ? ScalarType::Int16
+      : sizeof(T) == 4    ? ScalarType::Int32
+                          : ScalarType::Int64;
+  }
+  else
+  {
+    return sizeof(T) == 1 ? ScalarType::UInt8
+      : sizeof(T) == 2    ? ScalarType::UInt16
+      : sizeof(T) == 4    ? ScalarType::UInt32
+                          : ScalarType::UInt64;
+  }
+}
+
+template <typename T>
+bool FindTypedSamples(vtkDataArray* array, int component, ArraySamples& samples)
+{
+  samples.Type = ScalarTypeOf<T>();
+  if (auto* perComponent = vtkSOADataArrayTemplate<T>::FastDownCast(array))
+  {
+    samples.First = perComponent->GetComponentArrayPointer(component);
+    samples.Step = 1;
+    return true;
+  }
+  if (array->HasStandardMemoryLayout())
+  {
+    samples.First = static_cast<const T*>(array->GetVoidPointer(0)) + component;
+    samples.Step = array->GetNumberOfComponents();
+    return true;
+  }
+  return false;
+}
+
+bool FindSamplesOfAnyType(vtkDataArray* array, int component, ArraySamples& samples)
+{
+  switch (array->GetDataType())
+  {
+    vtkTemplateMacro(return FindTypedSamples<VTK_TT>(array, component, samples));
+    default:
+      return false;
+  }
+}
+
+}
+
+bool FindSamples(vtkDataArray* array, int component, ArraySamples& samples, std::string& error)
+{
+  if (FindSamplesOfAnyType(array, component, samples))
+  {
+    return true;
+  }
+  error = "Array " + NameOf(array) + " is a " + array->GetClassName() +
+    ", whose samples cannot be read in place; copy it into an array of numbers, for example with "
+    "vtkFloatArray::DeepCopy or vtkImageCast.";
+  return false;
+}
+
+std::string NameOf(vtkDataArray* array)
+{
+  const char* name = array->GetName();
+  return name ? "'" + std::string(name) + "'" : std::string("(unnamed)");
+}
+
+}

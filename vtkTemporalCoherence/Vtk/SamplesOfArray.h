@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_SamplesOfArray_h
+#define TemporalCoherence_SamplesOfArray_h
+
+#include "Field.h"
+
+#include <cstdint>
+#include <string>
+
+class vtkDataArray;
+
+namespace TemporalCoherence
+{
+
+/// Samples of one component of an array, seen in place.
+struct ArraySamples
+{
+  const void* First = nullptr;
+  ScalarType Type = ScalarType::UInt8;
+  std::int64_t Step = 1; ///< scalars from one tuple to the next
+};
+
+/// \pre the array has the component
+/// \param error gets what is wrong and what to do about it
+/// \return false if the samples do not lie in memory at equal steps
+bool FindSamples(vtkDataArray* array, int component, ArraySamples& samples, std::string& error);
+
+/// The array's name in quotation marks, for errors.
+std::string NameOf(vtkDataArray* array);
+
+}
+
+#endif

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_ScalarChoice_h
+#define TemporalCoherence_ScalarChoice_h
+
+#include <string>
+
+class vtkDataArray;
+class vtkDataSet;
+class vtkVolumeMapper;
+
+namespace TemporalCoherence
+{
+
+/// The array that the user of a mapper chose: scalar mode and, for field data, its name or number.
+struct ScalarChoice
+{
+  int Mode = 0; ///< VTK_SCALAR_MODE_...
+  bool IsByName = false;
+  int Number = -1;
+  std::string Name;
+};
+
+ScalarChoice ChoiceOf(vtkVolumeMapper* mapper);
+
+/// What a data set has for a choice.
+struct ChosenScalars
+{
+  vtkDataArray* Array = nullptr; ///< null if there is none
+  bool OnCells = false;
+};
+
+ChosenScalars FindScalars(vtkDataSet* dataSet, const ScalarChoice& choice);
+
+/// Why there are no scalars for a choice, and what to do about it.
+std::string WhyThereAreNoScalars(const ScalarChoice& choice);
+
+}
+
+#endif

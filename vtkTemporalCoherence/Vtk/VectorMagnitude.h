@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_VectorMagnitude_h
+#define TemporalCoherence_VectorMagnitude_h
+
+#include <vtkDataArray.h>
+#include <vtkSmartPointer.h>
+#include <vtkType.h>
+
+#include <string>
+
+namespace TemporalCoherence
+{
+
+/// The Euclidean length of each tuple of an array, computed once.
+///
+/// It is computed in double precision and kept as float, or as double where samples are double or
+/// integers of 32 bits and more.
+class VectorMagnitude
+{
+public:
+  /// \param stamp differs whenever the tuples may have changed
+  /// \param error gets what is wrong and what to do about it
+  /// \return the array of lengths, which this object owns; null on error
+  vtkDataArray* Of(vtkDataArray* vectors, vtkMTimeType stamp, std::string& error);
+
+  void Release() { *this = VectorMagnitude(); }
+
+private:
+  vtkSmartPointer<vtkDataArray> Lengths;
+  vtkDataArray* Vectors = nullptr; ///< compared only: it may be gone
+  vtkMTimeType Stamp = 0;
+};
+
+}
+
+#endif

@@ -29,10 +29,12 @@ set(engine_files
   Knots
   LayerTracer
   LeafHistogram
+  LineTracer
   RayBatch
   RaySource
   Region
   ReusePlan
+  SampleDistance
   Shader
   SurfaceNormal
   SurfaceTracer
@@ -55,6 +57,7 @@ set(bridge_files
   InputFromMapper
   MergedBlocks
   PicturePresenter
+  PointsFromFrame
   RegionFromMapper
   SamplesOfArray
   ScalarChoice
@@ -80,10 +83,12 @@ target_link_libraries(TemporalCoherenceEngine PUBLIC VTK::CommonCore glm::glm hw
 
 vtk_module_add_module(VTK::TemporalCoherence
   SOURCES
+    "${module_directory}/vtkTemporalCoherencePicker.cxx"
     "${module_directory}/vtkTemporalCoherenceVolumeMapper.cxx"
     ${bridge_files}
     $<TARGET_OBJECTS:TemporalCoherenceEngine>
   HEADERS
+    "${module_directory}/vtkTemporalCoherencePicker.h"
     "${module_directory}/vtkTemporalCoherenceVolumeMapper.h")
 vtk_module_include(VTK::TemporalCoherence
   PUBLIC

@@ -8,8 +8,11 @@
 #include "HiddenCellsFromImage.h"
 #include "ImageFromFrame.h"
 #include "InputFromMapper.h"
+#include "LineTracer.h"
 #include "PicturePresenter.h"
+#include "PointsFromFrame.h"
 #include "RegionFromMapper.h"
+#include "SampleDistance.h"
 #include "Stopwatch.h"
 #include "ViewFromRenderer.h"
 
@@ -20,13 +23,16 @@
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
+#include <sstream>
 #include <string>
 
 vtkStandardNewMacro(vtkTemporalCoherenceVolumeMapper);
@@ -38,12 +44,28 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
   TemporalCoherence::PicturePresenter Presenter;
   TemporalCoherence::HiddenCellsOfImage Hidden;
   std::vector<int> IsovaluePlaces; ///< position in the property's list of each isovalue drawn
-  std::uint64_t Picture = 0;       ///< counts the different pictures
+  glm::ivec2 PictureSize{ 0 };     ///< pixels that the last frame fills, which may have fewer rays
+  TemporalCoherence::SampleDistanceChooser Distances;
+  std::uint64_t Picture = 0; ///< counts the different pictures
   double PresentTime = 0.0;
   std::string LastError;  ///< reported already; empty after a frame without error
   bool HasWarned = false; ///< of the limit of memory
+  bool IsBusy = false;    ///< observers of a frame that is being made may call anything
 
   const TemporalCoherence::FrameStatistics& Statistics() const { return this->Frames.Statistics(); }
+
+  /// Remember what rays take, if the last frame had any traced or looked up.
+  void Learn(double allowed)
+  {
+    const TemporalCoherence::FrameStatistics& last = this->Statistics();
+    if (last.Made != TemporalCoherence::Route::Redisplay &&
+      last.Made != TemporalCoherence::Route::Reshade)
+    {
+      // The next frames in the view need not build an isomap again.
+      this->Distances.Learn(
+        this->Frames.LastFrame().Size, last.FrameTime - last.IsomapBuildTime, allowed);
+    }
+  }
 };
 
 namespace
@@ -102,12 +124,35 @@ TemporalCoherence::VectorChoice MakeVectorChoice(vtkTemporalCoherenceVolumeMappe
   return choice;
 }
 
-/// False if the renderer's window asks to stop.
-bool MayGoOn(vtkRenderer* renderer)
+/// False if the window asks to stop.
+bool MayGoOn(vtkRenderWindow* window)
 {
-  vtkRenderWindow* window = renderer->GetRenderWindow();
   return !(window && window->CheckAbortStatus());
 }
+
+/// True if somebody wants to know how far a frame is, or may stop it.
+bool IsHeard(vtkTemporalCoherenceVolumeMapper& mapper, vtkRenderWindow* window)
+{
+  return mapper.HasObserver(vtkCommand::VolumeMapperRenderProgressEvent) ||
+    (window && (window->GetAbortRender() || window->HasObserver(vtkCommand::AbortCheckEvent)));
+}
+
+/// Sets a flag for as long as it lives.
+class Busy
+{
+public:
+  explicit Busy(bool& flag)
+    : Flag(flag)
+  {
+    flag = true;
+  }
+  ~Busy() { this->Flag = false; }
+  Busy(const Busy&) = delete;
+  Busy& operator=(const Busy&) = delete;
+
+private:
+  bool& Flag;
+};
 
 }
 
@@ -152,6 +197,10 @@ double* vtkTemporalCoherenceVolumeMapper::GetBounds()
 //------------------------------------------------------------------------------
 void vtkTemporalCoherenceVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
+  if (this->IsBusy("Render"))
+  {
+    return;
+  }
   this->InvokeEvent(vtkCommand::VolumeMapperRenderStartEvent, nullptr);
   this->TimeToDraw = 0.0;
   {
@@ -160,11 +209,36 @@ void vtkTemporalCoherenceVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* 
     renderer->GetTiledSizeAndOrigin(&width, &height, &x, &y);
     if (width > 0 && height > 0)
     {
-      this->RenderFrame(renderer, volume, width, height, renderer->GetTiledAspectRatio());
+      this->RenderForWindow(renderer, volume, width, height);
       this->PresentFrame(renderer, width, height);
     }
   }
   this->InvokeEvent(vtkCommand::VolumeMapperRenderEndEvent, nullptr);
+}
+
+//------------------------------------------------------------------------------
+/// Make a frame for a window, as coarse as is wished.
+void vtkTemporalCoherenceVolumeMapper::RenderForWindow(
+  vtkRenderer* renderer, vtkVolume* volume, int width, int height)
+{
+  Internals& internal = *this->Internal;
+  const glm::ivec2 pixels(width, height);
+  const double allowed = volume->GetAllocatedRenderTime();
+  if (this->AutoAdjustSampleDistances)
+  {
+    // What is chosen can be asked for, as of other mappers, but is no modification.
+    this->ImageSampleDistance = static_cast<float>(
+      internal.Distances.Choose(pixels, allowed, static_cast<double>(this->ImageSampleDistance),
+        { this->MinimumImageSampleDistance, this->MaximumImageSampleDistance }));
+  }
+  const glm::ivec2 rays =
+    TemporalCoherence::RaysFor(pixels, static_cast<double>(this->ImageSampleDistance));
+  if (this->RenderFrame(renderer, volume, rays.x, rays.y, renderer->GetTiledAspectRatio(),
+        renderer->GetRenderWindow()))
+  {
+    internal.PictureSize = pixels;
+    internal.Learn(allowed);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -173,7 +247,8 @@ void vtkTemporalCoherenceVolumeMapper::PresentFrame(vtkRenderer* renderer, int w
   // After an error this shows the last valid picture again.
   Internals& internal = *this->Internal;
   const TemporalCoherence::Frame& frame = internal.Frames.LastFrame();
-  if (frame.Size != glm::ivec2(width, height) || renderer->GetSelector())
+  if (frame.IsEmpty() || internal.PictureSize != glm::ivec2(width, height) ||
+    renderer->GetSelector())
   {
     return;
   }
@@ -197,8 +272,8 @@ void vtkTemporalCoherenceVolumeMapper::PresentFrame(vtkRenderer* renderer, int w
 }
 
 //------------------------------------------------------------------------------
-bool vtkTemporalCoherenceVolumeMapper::RenderFrame(
-  vtkRenderer* renderer, vtkVolume* volume, int width, int height, double aspect)
+bool vtkTemporalCoherenceVolumeMapper::RenderFrame(vtkRenderer* renderer, vtkVolume* volume,
+  int width, int height, double aspect, vtkRenderWindow* window)
 {
   Internals& internal = *this->Internal;
   internal.PresentTime = 0.0;
@@ -220,16 +295,22 @@ bool vtkTemporalCoherenceVolumeMapper::RenderFrame(
 
   try
   {
-    const bool isMade = internal.Frames.Render(key, MakeOptions(*this),
-      [&](double progress)
-      {
-        this->InvokeEvent(vtkCommand::VolumeMapperRenderProgressEvent, &progress);
-        return MayGoOn(renderer);
-      });
-    if (!isMade)
+    const Busy busy(internal.IsBusy);
+    TemporalCoherence::FrameRenderer::Options options = MakeOptions(*this);
+    options.ReportsTiles = IsHeard(*this, window);
+    double farthest = 0.0; // a band that turns out too costly is begun again, narrower
+    const auto tell = [&](double progress)
+    {
+      farthest = std::max(farthest, progress);
+      double told = farthest;
+      this->InvokeEvent(vtkCommand::VolumeMapperRenderProgressEvent, &told);
+      return window ? MayGoOn(window) : !this->GetAbortExecute();
+    };
+    if (!internal.Frames.Render(key, options, tell))
     {
       return false;
     }
+    tell(1.0);
     this->WarnOfIsomapLimit(internal.Frames.IsIsomapTooLarge());
   }
   catch (const std::exception&) // bad_alloc, or length_error where a size has no number
@@ -263,21 +344,23 @@ bool vtkTemporalCoherenceVolumeMapper::MakeFrameKey(vtkRenderer* renderer, vtkVo
   key.Sought.Mode = this->SurfaceMode == THRESHOLD ? TemporalCoherence::SurfaceMode::Threshold
                                                    : TemporalCoherence::SurfaceMode::Crossing;
 
-  if (!TemporalCoherence::MakeView(renderer, { width, height }, aspect, key.Seen, error))
+  if (renderer)
   {
-    return false;
+    if (!TemporalCoherence::MakeView(renderer, { width, height }, aspect, key.Seen, error))
+    {
+      return false;
+    }
+    key.Look =
+      TemporalCoherence::MakeAppearance(property, input.Look, renderer, key.Sought.Isovalues);
+    key.Look.ColorByAnswer = this->ColorByAnswer != 0;
   }
-  key.Look =
-    TemporalCoherence::MakeAppearance(property, input.Look, renderer, key.Sought.Isovalues);
-  key.Look.ColorByAnswer = this->ColorByAnswer != 0;
 
   // An image without points has no array either: an empty picture, as for images without cells.
   if (!input.Array)
   {
     return true;
   }
-  const TemporalCoherence::ImageAxes axes =
-    TemporalCoherence::AxesOf(input.Image, input.OnCells);
+  const TemporalCoherence::ImageAxes axes = TemporalCoherence::AxesOf(input.Image, input.OnCells);
   key.Sought.BySteepness =
     TemporalCoherence::MakeGradientOpacity(property, input.Look, glm::abs(axes.Step));
   if (!TemporalCoherence::MakeField(
@@ -295,6 +378,19 @@ bool vtkTemporalCoherenceVolumeMapper::MakeFrameKey(vtkRenderer* renderer, vtkVo
 }
 
 //------------------------------------------------------------------------------
+/// True, with an error, if a frame or an isomap is being made: what it is made with must stay.
+bool vtkTemporalCoherenceVolumeMapper::IsBusy(const char* method)
+{
+  if (this->Internal->IsBusy)
+  {
+    this->ReportOnce(std::string(method) +
+      " was called by an observer while a frame or an isomap " +
+      "is being made; call it after VolumeMapperRenderEndEvent or BuildIsomap.");
+  }
+  return this->Internal->IsBusy;
+}
+
+//------------------------------------------------------------------------------
 void vtkTemporalCoherenceVolumeMapper::ReportOnce(const std::string& error)
 {
   if (error != this->Internal->LastError)
@@ -308,6 +404,19 @@ void vtkTemporalCoherenceVolumeMapper::ReportOnce(const std::string& error)
 bool vtkTemporalCoherenceVolumeMapper::RenderToImage(vtkRenderer* renderer, vtkVolume* volume,
   int width, int height, vtkImageData* color, vtkImageData* depth)
 {
+  return this->RenderToImage(
+    renderer, volume, width, height, color, depth, nullptr, nullptr, nullptr);
+}
+
+//------------------------------------------------------------------------------
+bool vtkTemporalCoherenceVolumeMapper::RenderToImage(vtkRenderer* renderer, vtkVolume* volume,
+  int width, int height, vtkImageData* color, vtkImageData* depth, vtkImageData* normals,
+  vtkImageData* isovalueIndex, vtkImageData* answer)
+{
+  if (this->IsBusy("RenderToImage"))
+  {
+    return false;
+  }
   if (!renderer || !volume)
   {
     this->ReportOnce("RenderToImage needs a renderer and a volume; one of them is null.");
@@ -323,21 +432,60 @@ bool vtkTemporalCoherenceVolumeMapper::RenderToImage(vtkRenderer* renderer, vtkV
   {
     this->Update();
   }
-  if (!this->RenderFrame(renderer, volume, width, height, static_cast<double>(width) / height))
+  this->SetAbortExecute(0);
+  this->InvokeEvent(vtkCommand::VolumeMapperRenderStartEvent, nullptr);
+  const bool isMade = this->RenderFrame(
+    renderer, volume, width, height, static_cast<double>(width) / height, nullptr);
+  if (isMade)
+  {
+    this->Internal->PictureSize = glm::ivec2(width, height);
+    this->Internal->Learn(VTK_DOUBLE_MAX);
+  }
+  this->InvokeEvent(vtkCommand::VolumeMapperRenderEndEvent, nullptr);
+  return isMade && this->GetLastFrame(color, depth, normals, isovalueIndex, answer);
+}
+
+//------------------------------------------------------------------------------
+bool vtkTemporalCoherenceVolumeMapper::GetLastFrame(vtkImageData* color, vtkImageData* depth,
+  vtkImageData* normals, vtkImageData* isovalueIndex, vtkImageData* answer)
+{
+  const TemporalCoherence::Frame& frame = this->Internal->Frames.LastFrame();
+  if (frame.IsEmpty())
   {
     return false;
   }
-
   try
   {
-    const TemporalCoherence::Frame& frame = this->Internal->Frames.LastFrame();
-    TemporalCoherence::WritePicture(frame, color, depth);
+    TemporalCoherence::WritePicture(
+      frame, this->Internal->IsovaluePlaces, { color, depth, normals, isovalueIndex, answer });
     return true;
   }
   catch (const std::exception&)
   {
-    this->ReportOnce("There is not enough memory for images of " + std::to_string(width) + " x " +
-      std::to_string(height) + " pixels; free memory or ask for fewer pixels.");
+    this->ReportOnce("There is not enough memory for images of " + std::to_string(frame.Size.x) +
+      " x " + std::to_string(frame.Size.y) + " pixels; free memory or ask for fewer pixels.");
+    return false;
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkTemporalCoherenceVolumeMapper::GetVisibleSurface(vtkPolyData* points)
+{
+  const TemporalCoherence::FrameRenderer& frames = this->Internal->Frames;
+  if (!points || frames.LastFrame().IsEmpty())
+  {
+    return false;
+  }
+  try
+  {
+    TemporalCoherence::WritePoints(
+      frames.LastFrame(), frames.LastKey(), this->Internal->IsovaluePlaces, points);
+    return true;
+  }
+  catch (const std::exception&)
+  {
+    this->ReportOnce("There is not enough memory for the points of the visible surface; free "
+                     "memory or render fewer pixels.");
     return false;
   }
 }
@@ -347,9 +495,17 @@ bool vtkTemporalCoherenceVolumeMapper::PickPixel(
   int x, int y, double position[3], double normal[3], int* isovalueIndex)
 {
   const TemporalCoherence::Frame& frame = this->Internal->Frames.LastFrame();
-  if (x < 0 || y < 0 || x >= frame.Size.x || y >= frame.Size.y)
+  const glm::ivec2 pixels = this->Internal->PictureSize;
+  if (frame.IsEmpty() || x < 0 || y < 0 || x >= pixels.x || y >= pixels.y)
   {
     return false;
+  }
+  if (frame.Size != pixels)
+  {
+    // A coarse frame: the ray that the pixel shows.
+    const glm::dvec2 rays = (glm::dvec2(x, y) + 0.5) / glm::dvec2(pixels) * glm::dvec2(frame.Size);
+    x = std::min(static_cast<int>(rays.x), frame.Size.x - 1);
+    y = std::min(static_cast<int>(rays.y), frame.Size.y - 1);
   }
   const std::size_t pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.Size.x) +
     static_cast<std::size_t>(x);
@@ -378,8 +534,81 @@ bool vtkTemporalCoherenceVolumeMapper::PickPixel(
 }
 
 //------------------------------------------------------------------------------
+bool vtkTemporalCoherenceVolumeMapper::IntersectWithLine(vtkVolume* volume, const double p1[3],
+  const double p2[3], double& t, double position[3], double normal[3], int* isovalueIndex)
+{
+  if (this->IsBusy("IntersectWithLine"))
+  {
+    return false;
+  }
+  if (!volume)
+  {
+    this->ReportOnce("IntersectWithLine needs a volume, but it is null.");
+    return false;
+  }
+  const glm::dvec3 begin(p1[0], p1[1], p1[2]), end(p2[0], p2[1], p2[2]);
+  const double length = glm::distance(begin, end);
+  if (!(length > 0.0) || !std::isfinite(length))
+  {
+    std::ostringstream what;
+    what << "There is no line from (" << p1[0] << ", " << p1[1] << ", " << p1[2] << ") to ("
+         << p2[0] << ", " << p2[1] << ", " << p2[2] << "); give it two finite ends that differ.";
+    this->ReportOnce(what.str());
+    return false;
+  }
+  if (this->GetNumberOfInputConnections(0) > 0)
+  {
+    this->Update();
+  }
+  TemporalCoherence::FrameKey key;
+  std::vector<int> places;
+  std::string error;
+  if (!this->MakeFrameKey(nullptr, volume, 1, 1, 1.0, key, places, error))
+  {
+    this->ReportOnce(error);
+    return false;
+  }
+  try
+  {
+    const auto hit =
+      TemporalCoherence::TraceLine(key, this->Internal->Frames.FiniteRangeOf(key), begin, end);
+    if (!hit)
+    {
+      return false;
+    }
+    t = hit->Distance / length;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      if (position)
+      {
+        position[axis] = hit->Position[axis];
+      }
+      if (normal)
+      {
+        normal[axis] = hit->Normal[axis];
+      }
+    }
+    if (isovalueIndex)
+    {
+      *isovalueIndex = places[static_cast<std::size_t>(hit->Surface)];
+    }
+    return true;
+  }
+  catch (const std::exception&)
+  {
+    this->ReportOnce("There is not enough memory for the block ranges of the input; free memory, "
+                     "or pick in a part of the volume (vtkExtractVOI).");
+    return false;
+  }
+}
+
+//------------------------------------------------------------------------------
 bool vtkTemporalCoherenceVolumeMapper::BuildIsomap(vtkRenderer* renderer, vtkVolume* volume)
 {
+  if (this->IsBusy("BuildIsomap"))
+  {
+    return false;
+  }
   if (!renderer || !volume)
   {
     this->ReportOnce("BuildIsomap needs a renderer and a volume; one of them is null.");
@@ -392,6 +621,9 @@ bool vtkTemporalCoherenceVolumeMapper::BuildIsomap(vtkRenderer* renderer, vtkVol
   {
     int x, y;
     renderer->GetTiledSizeAndOrigin(&size.x, &size.y, &x, &y);
+    const float distance = this->AutoAdjustSampleDistances ? this->MinimumImageSampleDistance
+                                                           : this->ImageSampleDistance;
+    size = TemporalCoherence::RaysFor(size, static_cast<double>(distance));
     aspect = renderer->GetTiledAspectRatio();
   }
   if (size.x < 1 || size.y < 1)
@@ -416,13 +648,14 @@ bool vtkTemporalCoherenceVolumeMapper::BuildIsomap(vtkRenderer* renderer, vtkVol
   try
   {
     this->SetAbortExecute(0);
+    const Busy busy(internal.IsBusy);
     double farthest = 0.0; // a band that turns out too costly is begun again, narrower
     const auto outcome = internal.Frames.BuildIsomap(key, MakeOptions(*this),
       [&](double progress)
       {
         farthest = std::max(farthest, progress);
         this->UpdateProgress(farthest);
-        return !this->GetAbortExecute() && MayGoOn(renderer);
+        return !this->GetAbortExecute() && MayGoOn(renderer->GetRenderWindow());
       });
     this->WarnOfIsomapLimit(outcome == TemporalCoherence::Isomap::Outcome::TooLarge);
     return outcome == TemporalCoherence::Isomap::Outcome::Built;
@@ -454,6 +687,10 @@ void vtkTemporalCoherenceVolumeMapper::WarnOfIsomapLimit(bool isTooLarge)
 //------------------------------------------------------------------------------
 void vtkTemporalCoherenceVolumeMapper::ReleaseReuse()
 {
+  if (this->IsBusy("ReleaseReuse"))
+  {
+    return;
+  }
   this->Internal->HasWarned = false;
   this->Internal->Hidden.Release();
   this->Internal->Frames.Release();
@@ -585,5 +822,9 @@ void vtkTemporalCoherenceVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "IsomapRange: " << this->IsomapRange[0] << ", " << this->IsomapRange[1] << endl;
   os << indent << "IsomapMemoryLimit: " << this->IsomapMemoryLimit << endl;
   os << indent << "IsomapShading: " << this->IsomapShading << endl;
+  os << indent << "ImageSampleDistance: " << this->ImageSampleDistance << endl;
+  os << indent << "MinimumImageSampleDistance: " << this->MinimumImageSampleDistance << endl;
+  os << indent << "MaximumImageSampleDistance: " << this->MaximumImageSampleDistance << endl;
+  os << indent << "AutoAdjustSampleDistances: " << this->AutoAdjustSampleDistances << endl;
   os << indent << "Route: " << this->GetRouteAsString() << endl;
 }

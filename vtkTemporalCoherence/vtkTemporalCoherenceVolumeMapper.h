@@ -38,6 +38,14 @@
  * or makes a cold frame. After a change of a ghost array call its Modified(), which BlankPoint and
  * BlankCell do not.
  *
+ * Events: VolumeMapperRenderStartEvent, VolumeMapperRenderProgressEvent with the share of the frame
+ * that is done (a double from 0 to 1, never less than before) and VolumeMapperRenderEndEvent, in
+ * Render() and RenderToImage(). A frame stops where the render window's CheckAbortStatus() says so,
+ * which costs nothing as long as nobody observes AbortCheckEvent or progress; the one of
+ * RenderToImage() where an observer of progress calls SetAbortExecute(1). That is no error: the
+ * last picture stays, and the next call makes the frame. Observers must not draw, build or release
+ * with this mapper while it makes a frame.
+ *
  * A mistake gets one vtkErrorMacro with its value and remedy, repeated only after a frame without
  * it; the last valid picture stays.
  *
@@ -63,6 +71,8 @@ namespace TemporalCoherence
 struct FrameKey;
 }
 class vtkImageData;
+class vtkPolyData;
+class vtkRenderWindow;
 class vtkRenderer;
 class vtkVolume;
 class vtkWindow;
@@ -294,6 +304,34 @@ public:
   void SetIsomapShadingToInterpolate() { this->SetIsomapShading(INTERPOLATE); }
   ///@}
 
+  ///@{
+  /**
+   * Coarser frames in windows. The names are those of vtkFixedPointVolumeRayCastMapper.
+   *
+   * ImageSampleDistance: pixels from one ray to the next along each axis, 1 to 100. Default: 1, a
+   * ray a pixel. Pixels without a ray show that of their neighbour.
+   *
+   * AutoAdjustSampleDistances: choose ImageSampleDistance for each frame between
+   * MinimumImageSampleDistance (default 1) and MaximumImageSampleDistance (default 10), so that
+   * what the last frames took for each ray fits into vtkVolume::GetAllocatedRenderTime(), which
+   * follows from vtkRenderWindow::SetDesiredUpdateRate(): interactors set a high rate while one
+   * drags, and a low one for the still picture. Default: off (there it is on), since frames
+   * are seldom too slow, and a frame of another size than the one before cannot use it again.
+   *
+   * The images of RenderToImage() are never coarser. PickPixel() takes pixels of the window in
+   * coarse frames, too; GetLastFrame() and GetVisibleSurface() give a value for each ray.
+   */
+  vtkSetClampMacro(ImageSampleDistance, float, 1.0f, 100.0f);
+  vtkGetMacro(ImageSampleDistance, float);
+  vtkSetClampMacro(MinimumImageSampleDistance, float, 1.0f, 100.0f);
+  vtkGetMacro(MinimumImageSampleDistance, float);
+  vtkSetClampMacro(MaximumImageSampleDistance, float, 1.0f, 100.0f);
+  vtkGetMacro(MaximumImageSampleDistance, float);
+  vtkSetClampMacro(AutoAdjustSampleDistances, vtkTypeBool, 0, 1);
+  vtkGetMacro(AutoAdjustSampleDistances, vtkTypeBool);
+  vtkBooleanMacro(AutoAdjustSampleDistances, vtkTypeBool);
+  ///@}
+
   /**
    * Build the isomap of the present view ahead of the first new isovalue: IsomapRange if it holds
    * the isovalues, else a band around each. The view is that of the renderer's window; without a
@@ -323,13 +361,45 @@ public:
    * @param depth    gets float world distance along the ray, from the eye or, in a parallel
    *                 projection, from the plane through the camera; infinity where nothing is hit.
    *                 Either image may be null. Row 0 is the bottom row.
-   * @return false if there was an error; the images are then left alone
+   * @return false if there was an error or it was stopped; the images are then left alone
    */
   bool RenderToImage(vtkRenderer* renderer, vtkVolume* volume, int width, int height,
     vtkImageData* color, vtkImageData* depth);
 
   /**
-   * What the last frame shows at a pixel of the viewport; (0, 0) is at the lower left.
+   * The same, and what else is known of each pixel.
+   * @param normals       gets three floats: the unit normal in the world, facing the viewer; 0
+   * @param isovalueIndex gets int: position of the isovalue in
+   *                      vtkVolumeProperty::GetIsoSurfaceValues(); -1
+   * @param answer        gets unsigned char: how the ray was answered when the picture was made, by
+   *                      a definite miss (0), a definite hit (1) or as a possible hit (2). The
+   * values in the end are those where nothing is hit. Any image may be null; the others must
+   * differ. Their scalars are named Color, Depth, Normals, IsovalueIndex and Answer.
+   */
+  bool RenderToImage(vtkRenderer* renderer, vtkVolume* volume, int width, int height,
+    vtkImageData* color, vtkImageData* depth, vtkImageData* normals, vtkImageData* isovalueIndex,
+    vtkImageData* answer);
+
+  /**
+   * The last frame, whether it was made for a window or an image, as images: see RenderToImage.
+   * @return false if there is no frame, or not enough memory; the images are then left alone
+   */
+  bool GetLastFrame(vtkImageData* color, vtkImageData* depth, vtkImageData* normals,
+    vtkImageData* isovalueIndex, vtkImageData* answer);
+
+  /**
+   * The surface that the last frame shows, as points: one, and a vertex, for each pixel that shows
+   * a surface.
+   * @param points gets world positions (double) and the point arrays Normals (float, the active
+   *               normals: unit, in the world, facing the viewer), Isovalue (double), IsovalueIndex
+   *               (int, its position in vtkVolumeProperty::GetIsoSurfaceValues()) and Color
+   *               (unsigned char RGBA, the active scalars)
+   * @return false if there is no frame, or not enough memory; `points` is then left alone
+   */
+  bool GetVisibleSurface(vtkPolyData* points);
+
+  /**
+   * What the last frame shows at a pixel of the viewport or image; (0, 0) is at the lower left.
    * @param position      world position of the surface
    * @param normal        unit normal in the world, facing the viewer
    * @param isovalueIndex position of the isovalue in vtkVolumeProperty::GetIsoSurfaceValues().
@@ -337,6 +407,23 @@ public:
    * @return false if there is no surface, no such pixel or no frame; nothing is written then
    */
   bool PickPixel(int x, int y, double position[3], double normal[3], int* isovalueIndex);
+
+  /**
+   * The first surface on the line from p1 to p2: what a frame shows whose ray this is. Neither a
+   * frame nor a window is needed, and the last frame stays. The first call or frame for new data
+   * reads all of it once.
+   * @param volume        transform and property; its mapper is not looked at
+   * @param p1            world position where the line begins, as a ray does at the near plane
+   * @param p2            world position where it ends; any but p1
+   * @param t             share of the way from p1 to p2 at which the surface is met
+   * @param position      world position of the surface
+   * @param normal        unit normal in the world, facing p1
+   * @param isovalueIndex position of the isovalue in vtkVolumeProperty::GetIsoSurfaceValues().
+   *                      Each of the last three may be null.
+   * @return false if there is no surface or there was an error; nothing is written then
+   */
+  bool IntersectWithLine(vtkVolume* volume, const double p1[3], const double p2[3], double& t,
+    double position[3], double normal[3], int* isovalueIndex);
 
   ///@{
   /**
@@ -349,11 +436,12 @@ public:
 
   ///@{
   /**
-   * Counters of the last frame. Rays (one a pixel) are the sum of definite misses (known to meet
-   * nothing), definite hits (known before, or found where the image cache or the isomap told to
-   * look) and possible hits. Traced are those that were followed through the field, but not hits of
-   * PAPER that were only refined. Field samples are those read to find surfaces and to build an
-   * isomap, eight a cell. Memory (bytes) and knots are those of the isomap that is kept.
+   * Counters of the last frame. Rays (one a pixel, fewer in coarse frames) are the sum of definite
+   * misses (known to meet nothing), definite hits (known before, or found where the image cache or
+   * the isomap told to look) and possible hits. Traced are those that were followed through the
+   * field, but not hits of PAPER that were only refined. Field samples are those read to find
+   * surfaces and to build an isomap, eight a cell. Memory (bytes) and knots are those of the isomap
+   * that is kept.
    */
   vtkIdType GetNumberOfRays();
   vtkIdType GetNumberOfDefiniteHits();
@@ -408,8 +496,12 @@ private:
   vtkTemporalCoherenceVolumeMapper(const vtkTemporalCoherenceVolumeMapper&) = delete;
   void operator=(const vtkTemporalCoherenceVolumeMapper&) = delete;
 
-  bool RenderFrame(vtkRenderer* renderer, vtkVolume* volume, int width, int height, double aspect);
+  bool RenderFrame(vtkRenderer* renderer, vtkVolume* volume, int width, int height, double aspect,
+    vtkRenderWindow* window);
+  bool IsBusy(const char* method);
+  void RenderForWindow(vtkRenderer* renderer, vtkVolume* volume, int width, int height);
   void PresentFrame(vtkRenderer* renderer, int width, int height);
+  /// Without a renderer, view and appearance are left out.
   bool MakeFrameKey(vtkRenderer* renderer, vtkVolume* volume, int width, int height, double aspect,
     TemporalCoherence::FrameKey& key, std::vector<int>& places, std::string& error);
   void ReportOnce(const std::string& error);
@@ -432,6 +524,10 @@ private:
   double IsomapRange[2] = { 1.0, 0.0 };
   int IsomapMemoryLimit = 256;
   int IsomapShading = RESHADE;
+  float ImageSampleDistance = 1.0f;
+  float MinimumImageSampleDistance = 1.0f;
+  float MaximumImageSampleDistance = 10.0f;
+  vtkTypeBool AutoAdjustSampleDistances = 0;
 
   struct Internals;
   std::unique_ptr<Internals> Internal;

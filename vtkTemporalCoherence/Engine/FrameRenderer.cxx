@@ -30,6 +30,24 @@ constexpr std::int64_t TileGrain = 8;
 /// Fewer rays than this are traced without space leaping.
 constexpr std::int64_t FewRays = 256;
 
+/// The most parts that tiles are worked on in where somebody wants to know, and the fewest tiles of
+/// one: between parts threads wait for each other.
+constexpr std::int64_t MostParts = 32;
+constexpr std::int64_t SmallestPart = 16 * TileGrain;
+
+/// Part of the progress of a frame that is the building of an isomap, where it has to be built.
+constexpr double ShareOfBuilding = 0.9;
+
+/// Progress in one part of a frame, as progress of the frame.
+Isomap::ReportProgress ReportOf(const Isomap::ReportProgress& frame, double begin, double end)
+{
+  if (!frame)
+  {
+    return {};
+  }
+  return [frame, begin, end](double progress) { return frame(begin + progress * (end - begin)); };
+}
+
 KnotForm FormAskedFor(const Isomap::Options& options)
 {
   return { options.Tolerance, options.HasNormals };
@@ -102,6 +120,8 @@ Isomap::Outcome FrameRenderer::BuildIsomap(
 bool FrameRenderer::TakeRoute(const FrameKey& key, const Options& options, CachedImage* nearest,
   const Isomap::ReportProgress& report)
 {
+  const Isomap::ReportProgress tiles = options.ReportsTiles ? report : Isomap::ReportProgress();
+  const Isomap::ReportProgress afterBuilding = ReportOf(tiles, ShareOfBuilding, 1.0);
   switch (this->Counters.Made)
   {
     case Route::Redisplay:
@@ -113,29 +133,24 @@ bool FrameRenderer::TakeRoute(const FrameKey& key, const Options& options, Cache
       this->CountKnownHits();
       return true;
     case Route::IsomapBuild:
-      switch (this->BuildBands(key, options, report))
+      switch (this->BuildBands(key, options, ReportOf(report, 0.0, ShareOfBuilding)))
       {
         case Isomap::Outcome::Stopped:
           return false;
         case Isomap::Outcome::Built:
-          this->LookUpFrame(key, options);
-          return true;
+          return this->LookUpFrame(key, options, afterBuilding);
         default:
           break;
       }
       // Now that it is known to be impossible, the next best.
       this->Counters.Made = this->ChooseRoute(key, options, nearest);
-      this->TraceFrame(key, options, nullptr);
-      return true;
+      return this->TraceFrame(key, options, nullptr, afterBuilding);
     case Route::IsomapLookup:
-      this->LookUpFrame(key, options);
-      return true;
+      return this->LookUpFrame(key, options, tiles);
     case Route::ImageCache:
-      this->TraceFrame(key, options, nearest);
-      return true;
+      return this->TraceFrame(key, options, nearest, tiles);
     default:
-      this->TraceFrame(key, options, nullptr);
-      return true;
+      return this->TraceFrame(key, options, nullptr, tiles);
   }
 }
 
@@ -161,7 +176,9 @@ Route FrameRenderer::ChooseRoute(
 
 /// Make a frame by tracing: from a cached image; or, on that route, with the last picture's hits as
 /// hints; or cold.
-void FrameRenderer::TraceFrame(const FrameKey& key, const Options& options, CachedImage* cached)
+/// \return false if it was stopped, as all that make frames do
+bool FrameRenderer::TraceFrame(const FrameKey& key, const Options& options, CachedImage* cached,
+  const Isomap::ReportProgress& report)
 {
   const bool isExact = !cached || options.Accuracy == ReuseAccuracy::Exact;
   const bool interpolates = !isExact && options.Accuracy == ReuseAccuracy::Paper &&
@@ -194,13 +211,17 @@ void FrameRenderer::TraceFrame(const FrameKey& key, const Options& options, Cach
   const HitSet hits = interpolates ? HitSet::NotDefinite : HitSet::All;
   const TileTracer tracer(scene);
   const TileShader shader(key, this->Pyramid.FiniteRange(), space, hits, hits);
-  this->CountTiles(made.Picture,
+  const bool isMade = this->CountTiles(made.Picture, report,
     [&](std::int64_t tile, const PixelRect& part)
     {
       TraceCounts counts = tracer.Trace(tile, part, made.Picture);
       shader.Shade(tile, part, made.Picture, counts);
       return counts;
     });
+  if (!isMade)
+  {
+    return false;
+  }
   made.IsExact = isExact;
   made.IsEroded = !isExact && options.Accuracy == ReuseAccuracy::Paper;
   this->FrontForm = FormAskedFor(options.Map);
@@ -209,6 +230,7 @@ void FrameRenderer::TraceFrame(const FrameKey& key, const Options& options, Cach
     this->Cold = { this->Counters.FieldSamples / 8, key.Sought };
   }
   this->FinishFrame(options);
+  return true;
 }
 
 /// Build the bands of the isomap that a frame needs and that are not there.
@@ -231,7 +253,8 @@ Isomap::Outcome FrameRenderer::BuildBands(
 }
 
 /// Make a frame from the isomap, which holds its isovalues.
-void FrameRenderer::LookUpFrame(const FrameKey& key, const Options& options)
+bool FrameRenderer::LookUpFrame(
+  const FrameKey& key, const Options& options, const Isomap::ReportProgress& report)
 {
   this->BeginFrame(key);
   CachedImage& made = *this->Back;
@@ -249,7 +272,7 @@ void FrameRenderer::LookUpFrame(const FrameKey& key, const Options& options)
   const TileShader shader(key, this->Pyramid.FiniteRange(),
     { leaps ? &this->Active : nullptr, &this->Bounds },
     options.Map.HasNormals ? HitSet::NotDefinite : HitSet::All, HitSet::All);
-  this->CountTiles(made.Picture,
+  const bool isLookedUp = this->CountTiles(made.Picture, ReportOf(report, 0.0, 0.5),
     [&](std::int64_t tile, const PixelRect& part)
     {
       std::uint64_t& left = this->OpenRays[static_cast<std::size_t>(tile)];
@@ -260,11 +283,16 @@ void FrameRenderer::LookUpFrame(const FrameKey& key, const Options& options)
       }
       return counts;
     });
-  this->TraceOpenRays(key, options, shader, made.Picture);
+  if (!isLookedUp ||
+    !this->TraceOpenRays(key, options, shader, made.Picture, ReportOf(report, 0.5, 1.0)))
+  {
+    return false;
+  }
   made.IsExact = map.Tolerance() == 0.0 && !options.Map.HasNormals;
   made.IsEroded = map.Tolerance() > 0.0;
   this->FrontForm = FormAskedFor(options.Map);
   this->FinishFrame(options);
+  return true;
 }
 
 /// Get room for a frame in Back.
@@ -311,6 +339,12 @@ void FrameRenderer::PreparePyramid(const FrameKey& key)
   }
 }
 
+glm::dvec2 FrameRenderer::FiniteRangeOf(const FrameKey& key)
+{
+  this->PreparePyramid(key);
+  return this->Pyramid.FiniteRange();
+}
+
 /// Active cells belong to data and isovalues, the bounds of tiles to the frame.
 void FrameRenderer::PrepareActiveCells(const FrameKey& key)
 {
@@ -328,20 +362,30 @@ void FrameRenderer::PrepareActiveCells(const FrameKey& key)
   this->Bounds.Build(key.Seen, key.Where, this->Active);
 }
 
-/// Call work(tile, part) for each tile of a frame, in parallel, and add up what it counts.
+/// Call work(tile, part) for each tile of a frame, in parallel, and add up what it counts. With a
+/// report, in parts.
+/// \return false if the report stopped it
 template <typename Work>
-void FrameRenderer::CountTiles(const Frame& frame, const Work& work)
+bool FrameRenderer::CountTiles(
+  const Frame& frame, const Isomap::ReportProgress& report, const Work& work)
 {
   double seconds = 0.0;
   std::mutex guard;
   TraceCounts sum;
+  const std::int64_t tiles = NumberOfTiles(frame.Size);
+  const std::int64_t inPart = report ? std::max(tiles / MostParts, SmallestPart) : tiles;
+  for (std::int64_t first = 0; first < tiles; first += inPart)
   {
+    if (report && !report(static_cast<double>(first) / static_cast<double>(tiles)))
+    {
+      return false;
+    }
     Stopwatch watch(seconds);
-    ParallelForRanges(NumberOfTiles(frame.Size), TileGrain,
+    ParallelForRanges(std::min(inPart, tiles - first), TileGrain,
       [&](std::int64_t begin, std::int64_t end)
       {
         TraceCounts counts;
-        for (std::int64_t tile = begin; tile < end; ++tile)
+        for (std::int64_t tile = first + begin; tile < first + end; ++tile)
         {
           std::int64_t nanoseconds = 0;
           {
@@ -367,6 +411,7 @@ void FrameRenderer::CountTiles(const Frame& frame, const Work& work)
   this->Counters.QueryTime += query * seconds;
   this->Counters.ShadeTime += shade * seconds;
   this->Counters.TraceTime += (1.0 - query - shade) * seconds;
+  return true;
 }
 
 /// Shade the last frame again, all whose hits are known.
@@ -385,8 +430,8 @@ void FrameRenderer::ShadeAgain()
 }
 
 /// Trace the rays that an isomap leaves open, one bit each, tile by tile, and shade these tiles.
-void FrameRenderer::TraceOpenRays(
-  const FrameKey& key, const Options& options, const TileShader& shader, Frame& frame)
+bool FrameRenderer::TraceOpenRays(const FrameKey& key, const Options& options,
+  const TileShader& shader, Frame& frame, const Isomap::ReportProgress& report)
 {
   const std::vector<std::uint64_t>& open = this->OpenRays;
   const std::int64_t rays = std::accumulate(open.begin(), open.end(), std::int64_t(0),
@@ -394,7 +439,7 @@ void FrameRenderer::TraceOpenRays(
     { return sum + static_cast<std::int64_t>(std::bitset<64>(tile).count()); });
   if (rays == 0)
   {
-    return;
+    return true;
   }
   // A few rays are traced sooner than active cells are found.
   const bool leaps = options.SpaceLeaping && rays > FewRays;
@@ -404,7 +449,7 @@ void FrameRenderer::TraceOpenRays(
   }
   const TileTracer tracer(
     { key, leaps ? &this->Active : nullptr, &this->Bounds, this->Pyramid.FiniteRange() });
-  this->CountTiles(frame,
+  return this->CountTiles(frame, report,
     [&](std::int64_t tile, const PixelRect& part)
     {
       TraceCounts counts;

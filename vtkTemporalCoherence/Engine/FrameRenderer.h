@@ -49,11 +49,13 @@ public:
     bool InterpolateColors = false; ///< PAPER's definite hits: from the cached image, not shaded
     ImageCache::Options Images;
     Isomap::Options Map;
+    bool ReportsTiles = false; ///< tiles are worked on in parts, too, with a report before each
   };
 
   /// Make the frame of `key`.
   /// \pre the view has pixels; isovalues are finite; there is one colour for each isovalue
-  /// \param report told how far the building of an isomap is; it may stop that
+  /// \param report told how far the frame is, in this thread; it may stop it. From 0 to 1, but the
+  ///               building of an isomap may fall back.
   /// \return false if it was stopped, the last frame and its key then being as they were
   /// \throws std::bad_alloc, likewise
   bool Render(
@@ -69,6 +71,11 @@ public:
   const FrameKey& LastKey() const { return this->Front->Key; }
   const FrameStatistics& Statistics() const { return this->Counters; }
 
+  /// Smallest and largest finite sample of the data of `key`, from the structure that its next
+  /// frame needs as well. Not defined where there are no cells or no isovalues. \throws
+  /// std::bad_alloc
+  glm::dvec2 FiniteRangeOf(const FrameKey& key);
+
   /// The isomap of the view in which isovalues last changed.
   const Isomap& IsomapOfLastView() const { return this->Map.Built(); }
 
@@ -82,18 +89,20 @@ private:
   Route ChooseRoute(const FrameKey& key, const Options& options, const CachedImage* nearest) const;
   bool TakeRoute(const FrameKey& key, const Options& options, CachedImage* nearest,
     const Isomap::ReportProgress& report);
-  void TraceFrame(const FrameKey& key, const Options& options, CachedImage* cached);
+  bool TraceFrame(const FrameKey& key, const Options& options, CachedImage* cached,
+    const Isomap::ReportProgress& report);
   Isomap::Outcome BuildBands(
     const FrameKey& key, const Options& options, const Isomap::ReportProgress& report);
-  void LookUpFrame(const FrameKey& key, const Options& options);
+  bool LookUpFrame(
+    const FrameKey& key, const Options& options, const Isomap::ReportProgress& report);
   void BeginFrame(const FrameKey& key);
   void FinishFrame(const Options& options);
   void PreparePyramid(const FrameKey& key);
   void PrepareActiveCells(const FrameKey& key);
   template <typename Work>
-  void CountTiles(const Frame& frame, const Work& work);
-  void TraceOpenRays(
-    const FrameKey& key, const Options& options, const TileShader& shader, Frame& frame);
+  bool CountTiles(const Frame& frame, const Isomap::ReportProgress& report, const Work& work);
+  bool TraceOpenRays(const FrameKey& key, const Options& options, const TileShader& shader,
+    Frame& frame, const Isomap::ReportProgress& report);
   void ShadeAgain();
   void CountKnownHits();
 

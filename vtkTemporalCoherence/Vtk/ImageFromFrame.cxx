@@ -45,55 +45,100 @@ vtkSmartPointer<vtkImageData> Room(
   return room;
 }
 
-void Return(vtkImageData* written, vtkImageData* image)
+/// An image on its way to be filled.
+struct Target
 {
-  if (written == image)
+  /// All memory is taken here: the caller's image is touched only when nothing can fail any more.
+  Target(vtkImageData* image, const glm::ivec2& size, int type, int components, const char* name)
+    : Image(image)
+    , Written(Room(image, size, type, components))
+    , Name(name)
   {
-    image->SetOrigin(0.0, 0.0, 0.0);
-    image->SetSpacing(1.0, 1.0, 1.0);
-    image->GetPointData()->GetScalars()->Modified();
-    image->Modified();
   }
-  else
+
+  /// First value of a pixel's; null if there is no image.
+  template <typename T>
+  T* At(std::int64_t pixel) const
   {
-    image->ShallowCopy(written);
+    vtkDataArray* scalars = this->Written ? this->Written->GetPointData()->GetScalars() : nullptr;
+    return scalars
+      ? static_cast<T*>(scalars->GetVoidPointer(0)) + pixel * scalars->GetNumberOfComponents()
+      : nullptr;
   }
-}
+
+  void Return() const
+  {
+    if (!this->Image)
+    {
+      return;
+    }
+    this->Written->GetPointData()->GetScalars()->SetName(this->Name);
+    if (this->Written == this->Image)
+    {
+      this->Image->SetOrigin(0.0, 0.0, 0.0);
+      this->Image->SetSpacing(1.0, 1.0, 1.0);
+      this->Image->GetPointData()->GetScalars()->Modified();
+      this->Image->Modified();
+    }
+    else
+    {
+      this->Image->ShallowCopy(this->Written);
+    }
+  }
+
+  vtkImageData* Image;
+  vtkSmartPointer<vtkImageData> Written;
+  const char* Name;
+};
 
 }
 
-void WritePicture(const Frame& frame, vtkImageData* color, vtkImageData* depth)
+void WritePicture(const Frame& frame, const std::vector<int>& places, const PictureImages& images)
 {
-  // All memory first: the caller's images are touched only when nothing can fail any more.
-  const vtkSmartPointer<vtkImageData> colors = Room(color, frame.Size, VTK_UNSIGNED_CHAR, 4);
-  const vtkSmartPointer<vtkImageData> depths = Room(depth, frame.Size, VTK_FLOAT, 1);
-  auto* bytes = colors ? static_cast<unsigned char*>(colors->GetScalarPointer()) : nullptr;
-  auto* distances = depths ? static_cast<float*>(depths->GetScalarPointer()) : nullptr;
+  const glm::ivec2 size = frame.Size;
+  const Target colors(images.Color, size, VTK_UNSIGNED_CHAR, 4, "Color");
+  const Target depths(images.Depth, size, VTK_FLOAT, 1, "Depth");
+  const Target normals(images.Normals, size, VTK_FLOAT, 3, "Normals");
+  const Target isovalues(images.Isovalues, size, VTK_INT, 1, "IsovalueIndex");
+  const Target answers(images.Answers, size, VTK_UNSIGNED_CHAR, 1, "Answer");
+  const auto placeOf = [&](std::int16_t surface)
+  { return surface == Frame::NoSurface ? -1 : places[static_cast<std::size_t>(surface)]; };
 
   const auto pixels = static_cast<std::int64_t>(frame.Depth.size());
-  ParallelFor((pixels + PixelGrain - 1) / PixelGrain, 1,
-    [&](std::int64_t part)
+  ParallelForRanges(pixels, PixelGrain,
+    [&](std::int64_t begin, std::int64_t end)
     {
-      const std::int64_t begin = part * PixelGrain;
-      const std::int64_t end = std::min(begin + PixelGrain, pixels);
-      if (bytes)
+      if (auto* bytes = colors.At<unsigned char>(begin))
       {
-        std::copy_n(frame.Colors[static_cast<std::size_t>(begin)].data(), 4 * (end - begin),
-          bytes + 4 * begin);
+        std::copy_n(frame.Colors[static_cast<std::size_t>(begin)].data(), 4 * (end - begin), bytes);
       }
-      if (distances)
+      if (auto* distances = depths.At<float>(begin))
       {
-        std::transform(frame.Depth.begin() + begin, frame.Depth.begin() + end, distances + begin,
+        std::transform(frame.Depth.begin() + begin, frame.Depth.begin() + end, distances,
           [](double t) { return static_cast<float>(t); });
       }
+      if (auto* vectors = normals.At<float>(begin))
+      {
+        for (std::int64_t pixel = begin; pixel < end; ++pixel, vectors += 3)
+        {
+          const glm::vec3& normal = frame.Normals[static_cast<std::size_t>(pixel)];
+          std::copy_n(&normal.x, 3, vectors);
+        }
+      }
+      if (auto* indices = isovalues.At<int>(begin))
+      {
+        std::transform(
+          frame.Isovalues.begin() + begin, frame.Isovalues.begin() + end, indices, placeOf);
+      }
+      if (auto* numbers = answers.At<unsigned char>(begin))
+      {
+        std::transform(frame.Answers.begin() + begin, frame.Answers.begin() + end, numbers,
+          [](Answer answer) { return static_cast<unsigned char>(answer); });
+      }
     });
-  if (color)
+  for (const Target* target : { &colors, &depths, &normals, &isovalues, &answers })
   {
-    Return(colors, color);
-  }
-  if (depth)
-  {
-    Return(depths, depth);
+    target->Return();
   }
 }
 

@@ -5,17 +5,29 @@
 
 #include "Frame.h"
 
+#include <vector>
+
 class vtkImageData;
 
 namespace TemporalCoherence
 {
 
-/// Copy a frame into images; either may be null. Images that have the size and type already, and
-/// share their scalars with nobody, keep their memory.
-/// \param color gets unsigned char RGBA
-/// \param depth gets float distances along the rays, infinity where nothing is hit
+/// Images that take the planes of a frame, each another one or null.
+struct PictureImages
+{
+  vtkImageData* Color = nullptr;   ///< unsigned char RGBA
+  vtkImageData* Depth = nullptr;   ///< float distance along the ray, infinity where nothing is hit
+  vtkImageData* Normals = nullptr; ///< three floats, 0 where nothing is hit
+  vtkImageData* Isovalues =
+    nullptr;                       ///< int position in the property's list, -1 where nothing is hit
+  vtkImageData* Answers = nullptr; ///< unsigned char, the numbers of Answer
+};
+
+/// Copy a frame into images. Those that have the size and type already, and share their scalars
+/// with nobody, keep their memory.
+/// \param places position in the property's list of each isovalue of the frame
 /// \throws std::bad_alloc, the images then being as they were
-void WritePicture(const Frame& frame, vtkImageData* color, vtkImageData* depth);
+void WritePicture(const Frame& frame, const std::vector<int>& places, const PictureImages& images);
 
 }
 

@@ -1,0 +1,216 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTemporalCoherencePicker.h"
+
+#include "vtkTemporalCoherenceVolumeMapper.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkLODProp3D.h"
+#include "vtkMath.h"
+#include "vtkMatrix3x3.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkStructuredData.h"
+#include "vtkTransform.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkTemporalCoherencePicker);
+
+namespace
+{
+
+vtkVolumeProperty* PropertyOf(vtkProp3D* prop)
+{
+  vtkVolumeProperty* property = nullptr;
+  if (auto* volume = vtkVolume::SafeDownCast(prop))
+  {
+    property = volume->GetProperty();
+  }
+  else if (auto* levels = vtkLODProp3D::SafeDownCast(prop))
+  {
+    levels->GetLODProperty(levels->GetPickLODID(), &property);
+  }
+  return property;
+}
+
+/// The cell of an axis that a coordinate lies in, and where in it. What rounding left outside
+/// counts as on the border.
+int FindCell(vtkDataArray* axis, double x, double& share)
+{
+  const vtkIdType last = axis->GetNumberOfTuples() - 2;
+  const bool rises = axis->GetComponent(0, 0) <= axis->GetComponent(last + 1, 0);
+  vtkIdType cell = 0;
+  while (cell < last && (axis->GetComponent(cell + 1, 0) <= x) == rises)
+  {
+    ++cell;
+  }
+  const double first = axis->GetComponent(cell, 0), next = axis->GetComponent(cell + 1, 0);
+  share = first == next ? 0.0 : std::min(std::max((x - first) / (next - first), 0.0), 1.0);
+  return static_cast<int>(cell);
+}
+
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherencePicker::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "IsovalueIndex: " << this->IsovalueIndex << endl;
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherencePicker::ResetPickInfo()
+{
+  this->Superclass::ResetPickInfo();
+  this->IsovalueIndex = -1;
+}
+
+//------------------------------------------------------------------------------
+double vtkTemporalCoherencePicker::IntersectVolumeWithLine(const double p1[3], const double p2[3],
+  double t1, double t2, vtkProp3D* prop, vtkAbstractVolumeMapper* mapper)
+{
+  auto* surfaces = vtkTemporalCoherenceVolumeMapper::SafeDownCast(mapper);
+  const bool picksCropping = surfaces && this->PickCroppingPlanes && surfaces->GetCropping();
+  vtkVolumeProperty* property = surfaces ? PropertyOf(prop) : nullptr;
+  if (!property || picksCropping)
+  {
+    return this->Superclass::IntersectVolumeWithLine(p1, p2, t1, t2, prop, mapper);
+  }
+  if (!(t1 < t2))
+  {
+    return VTK_DOUBLE_MAX;
+  }
+
+  // The prop may be a part of an assembly, or a level of detail: what is traced is a volume that
+  // lies where the picker was told that the prop is.
+  vtkNew<vtkVolume> volume;
+  vtkNew<vtkMatrix4x4> matrix;
+  matrix->DeepCopy(this->Transform->GetMatrix());
+  volume->SetUserMatrix(matrix);
+  volume->SetProperty(property);
+  double begin[3], end[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    begin[i] = p1[i] + t1 * (p2[i] - p1[i]);
+    end[i] = p1[i] + t2 * (p2[i] - p1[i]);
+  }
+  this->Transform->TransformPoint(begin, begin);
+  this->Transform->TransformPoint(end, end);
+  double share, normal[3];
+  int isovalueIndex;
+  if (!surfaces->IntersectWithLine(volume, begin, end, share, nullptr, normal, &isovalueIndex))
+  {
+    return VTK_DOUBLE_MAX;
+  }
+  const double t = t1 + share * (t2 - t1);
+  if (!(t < this->GlobalTMin))
+  {
+    return t; // something else is nearer
+  }
+
+  this->ResetPickInfo();
+  this->Mapper = mapper;
+  this->IsovalueIndex = isovalueIndex;
+  for (int i = 0; i < 3; ++i)
+  {
+    this->MapperPosition[i] = p1[i] + t * (p2[i] - p1[i]);
+    // Back to the mapper's coordinates: normals go by the transposed inverse.
+    this->MapperNormal[i] = matrix->GetElement(0, i) * normal[0] +
+      matrix->GetElement(1, i) * normal[1] + matrix->GetElement(2, i) * normal[2];
+  }
+  vtkMath::Normalize(this->MapperNormal);
+  if (vtkDataSet* data = surfaces->GetDataSetInput())
+  {
+    this->DataSet = data;
+    this->SetDataPickInfo(data);
+  }
+  this->CroppingPlaneId = this->FindCroppingPlane(surfaces, p1, p2, t1, t2, t);
+  return t;
+}
+
+//------------------------------------------------------------------------------
+/// Tell where in the data the mapper's position is.
+void vtkTemporalCoherencePicker::SetDataPickInfo(vtkDataSet* data)
+{
+  if (auto* image = vtkImageData::SafeDownCast(data))
+  {
+    double index[3];
+    image->TransformPhysicalPointToContinuousIndex(this->MapperPosition, index);
+    this->SetImageDataPickInfo(index, image->GetExtent());
+    return;
+  }
+  auto* grid = vtkRectilinearGrid::SafeDownCast(data);
+  if (!grid || grid->GetNumberOfCells() == 0 || grid->GetDataDimension() != 3)
+  {
+    return;
+  }
+  vtkDataArray* axes[3] = { grid->GetXCoordinates(), grid->GetYCoordinates(),
+    grid->GetZCoordinates() };
+  int extent[6];
+  grid->GetExtent(extent);
+  for (int i = 0; i < 3; ++i)
+  {
+    this->CellIJK[i] = extent[2 * i] + FindCell(axes[i], this->MapperPosition[i], this->PCoords[i]);
+    this->PointIJK[i] = this->CellIJK[i] + (this->PCoords[i] >= 0.5);
+  }
+  this->PointId = vtkStructuredData::ComputePointIdForExtent(extent, this->PointIJK);
+  this->CellId = vtkStructuredData::ComputeCellIdForExtent(extent, this->CellIJK);
+  this->SubId = 0;
+}
+
+//------------------------------------------------------------------------------
+/// The cropping plane that the line passes through before it comes to the hit; or -1.
+int vtkTemporalCoherencePicker::FindCroppingPlane(vtkTemporalCoherenceVolumeMapper* mapper,
+  const double p1[3], const double p2[3], double t1, double t2, double tHit)
+{
+  auto* image = vtkImageData::SafeDownCast(mapper->GetDataSetInput());
+  if (!image || !mapper->GetCropping())
+  {
+    return -1;
+  }
+  // Cropping planes are planes of the mapper's coordinates, along its axes, as the box is that
+  // vtkVolumePicker walks through: an image with a direction matrix is not walked through so.
+  if (!image->GetDirectionMatrix()->IsIdentity())
+  {
+    return -1;
+  }
+  double begin[3], end[3], bounds[6];
+  image->TransformPhysicalPointToContinuousIndex(p1, begin);
+  image->TransformPhysicalPointToContinuousIndex(p2, end);
+  const double* planes = mapper->GetCroppingRegionPlanes();
+  const double* origin = image->GetOrigin();
+  const double* spacing = image->GetSpacing();
+  const int* extent = image->GetExtent();
+  for (int i = 0; i < 3; ++i)
+  {
+    const double a = (planes[2 * i] - origin[i]) / spacing[i];
+    const double b = (planes[2 * i + 1] - origin[i]) / spacing[i];
+    bounds[2 * i] = std::max(std::min(a, b), static_cast<double>(extent[2 * i]));
+    bounds[2 * i + 1] = std::min(std::max(a, b), static_cast<double>(extent[2 * i + 1]));
+    if (bounds[2 * i] > bounds[2 * i + 1])
+    {
+      return -1;
+    }
+  }
+
+  constexpr int MostSegments = 16; // the superclass has no more
+  int extentPlane, segments = 0, planeIds[MostSegments];
+  double from[MostSegments], to[MostSegments], entry[MostSegments];
+  vtkVolumePicker::ClipLineWithCroppingRegion(bounds, extent, mapper->GetCroppingRegionFlags(),
+    begin, end, t1, t2, extentPlane, segments, from, to, entry, planeIds);
+  for (int i = 0; i < segments; ++i)
+  {
+    constexpr double tolerance = 1e-9; // the hit may lie on the plane itself
+    if (from[i] - tolerance <= tHit && tHit <= to[i] + tolerance)
+    {
+      return entry[i] > t1 ? planeIds[i] : -1;
+    }
+  }
+  return -1;
+}

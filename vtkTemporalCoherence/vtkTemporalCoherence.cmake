@@ -8,6 +8,7 @@ set(engine_files
   BandPlan
   BandTracer
   CapNormal
+  FieldStructures
   FramePlanes
   FrameRenderer
   FreeSpace
@@ -56,12 +57,15 @@ set(bridge_files
   ImageLattice
   InputFromMapper
   MergedBlocks
+  PassOutput
   PicturePresenter
   PointsFromFrame
   RegionFromMapper
   SamplesOfArray
   ScalarChoice
+  SelectionPass
   VectorMagnitude
+  ViewerStates
   ViewFromRenderer
   WindowPicture)
 list(TRANSFORM bridge_files PREPEND "${module_directory}/Vtk/")
@@ -84,11 +88,13 @@ target_link_libraries(TemporalCoherenceEngine PUBLIC VTK::CommonCore glm::glm hw
 vtk_module_add_module(VTK::TemporalCoherence
   SOURCES
     "${module_directory}/vtkTemporalCoherencePicker.cxx"
+    "${module_directory}/vtkTemporalCoherenceVolume.cxx"
     "${module_directory}/vtkTemporalCoherenceVolumeMapper.cxx"
     ${bridge_files}
     $<TARGET_OBJECTS:TemporalCoherenceEngine>
   HEADERS
     "${module_directory}/vtkTemporalCoherencePicker.h"
+    "${module_directory}/vtkTemporalCoherenceVolume.h"
     "${module_directory}/vtkTemporalCoherenceVolumeMapper.h")
 vtk_module_include(VTK::TemporalCoherence
   PUBLIC

@@ -9,12 +9,13 @@
 #include "ImageFromFrame.h"
 #include "InputFromMapper.h"
 #include "LineTracer.h"
-#include "PicturePresenter.h"
 #include "PointsFromFrame.h"
 #include "RegionFromMapper.h"
 #include "SampleDistance.h"
+#include "SelectionPass.h"
 #include "Stopwatch.h"
 #include "ViewFromRenderer.h"
+#include "ViewerStates.h"
 
 #include "vtkCommand.h"
 #include "vtkCompositeDataSet.h"
@@ -40,19 +41,24 @@ vtkStandardNewMacro(vtkTemporalCoherenceVolumeMapper);
 struct vtkTemporalCoherenceVolumeMapper::Internals
 {
   TemporalCoherence::InputFromMapper Input;
-  TemporalCoherence::FrameRenderer Frames;
-  TemporalCoherence::PicturePresenter Presenter;
   TemporalCoherence::HiddenCellsOfImage Hidden;
-  std::vector<int> IsovaluePlaces; ///< position in the property's list of each isovalue drawn
-  glm::ivec2 PictureSize{ 0 };     ///< pixels that the last frame fills, which may have fewer rays
+  TemporalCoherence::ViewerStates Viewers;
+  std::shared_ptr<TemporalCoherence::ViewerState> Last = Viewers.MakeState(); ///< made a frame
+  std::shared_ptr<TemporalCoherence::ViewerState> Mapped = Last; ///< asked for an isomap or a frame
   TemporalCoherence::SampleDistanceChooser Distances;
-  std::uint64_t Picture = 0; ///< counts the different pictures
   double PresentTime = 0.0;
   std::string LastError;  ///< reported already; empty after a frame without error
   bool HasWarned = false; ///< of the limit of memory
   bool IsBusy = false;    ///< observers of a frame that is being made may call anything
 
-  const TemporalCoherence::FrameStatistics& Statistics() const { return this->Frames.Statistics(); }
+  const TemporalCoherence::FrameStatistics& Statistics() const
+  {
+    return this->Last->Frames.Statistics();
+  }
+  const TemporalCoherence::Isomap& LastIsomap() const
+  {
+    return this->Mapped->Frames.IsomapOfLastView();
+  }
 
   /// Remember what rays take, if the last frame had any traced or looked up.
   void Learn(double allowed)
@@ -63,7 +69,7 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
     {
       // The next frames in the view need not build an isomap again.
       this->Distances.Learn(
-        this->Frames.LastFrame().Size, last.FrameTime - last.IsomapBuildTime, allowed);
+        this->Last->Frames.LastFrame().Size, last.FrameTime - last.IsomapBuildTime, allowed);
     }
   }
 };
@@ -205,12 +211,11 @@ void vtkTemporalCoherenceVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* 
   this->TimeToDraw = 0.0;
   {
     TemporalCoherence::Stopwatch watch(this->TimeToDraw);
-    int width, height, x, y;
-    renderer->GetTiledSizeAndOrigin(&width, &height, &x, &y);
-    if (width > 0 && height > 0)
+    const glm::ivec2 size = TemporalCoherence::PictureSizeOf(renderer);
+    if (size.x > 0 && size.y > 0)
     {
-      this->RenderForWindow(renderer, volume, width, height);
-      this->PresentFrame(renderer, width, height);
+      this->RenderForWindow(renderer, volume, size.x, size.y);
+      this->PresentFrame(renderer, volume, size.x, size.y);
     }
   }
   this->InvokeEvent(vtkCommand::VolumeMapperRenderEndEvent, nullptr);
@@ -236,19 +241,20 @@ void vtkTemporalCoherenceVolumeMapper::RenderForWindow(
   if (this->RenderFrame(renderer, volume, rays.x, rays.y, renderer->GetTiledAspectRatio(),
         renderer->GetRenderWindow()))
   {
-    internal.PictureSize = pixels;
+    internal.Last->PictureSize = pixels;
     internal.Learn(allowed);
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkTemporalCoherenceVolumeMapper::PresentFrame(vtkRenderer* renderer, int width, int height)
+void vtkTemporalCoherenceVolumeMapper::PresentFrame(
+  vtkRenderer* renderer, vtkVolume* volume, int width, int height)
 {
   // After an error this shows the last valid picture again.
   Internals& internal = *this->Internal;
-  const TemporalCoherence::Frame& frame = internal.Frames.LastFrame();
-  if (frame.IsEmpty() || internal.PictureSize != glm::ivec2(width, height) ||
-    renderer->GetSelector())
+  const auto state = internal.Viewers.Find(TemporalCoherence::Viewer::Of(renderer, volume));
+  if (!state || state->Frames.LastFrame().IsEmpty() ||
+    state->PictureSize != glm::ivec2(width, height))
   {
     return;
   }
@@ -257,8 +263,10 @@ void vtkTemporalCoherenceVolumeMapper::PresentFrame(vtkRenderer* renderer, int w
   bool isShown = false;
   try
   {
-    isShown = internal.Presenter.Present(
-      renderer, frame, internal.Frames.LastKey().Seen, internal.Picture, error);
+    isShown = renderer->GetSelector()
+      ? TemporalCoherence::PresentToSelector(renderer, volume, this->GetInput(), *state, error)
+      : state->Presenter.Present(renderer, volume, state->Frames.LastFrame(),
+          state->Frames.LastKey().Seen, state->Picture, error);
   }
   catch (const std::exception&)
   {
@@ -293,9 +301,11 @@ bool vtkTemporalCoherenceVolumeMapper::RenderFrame(vtkRenderer* renderer, vtkVol
     return false;
   }
 
+  std::shared_ptr<TemporalCoherence::ViewerState> state;
   try
   {
     const Busy busy(internal.IsBusy);
+    state = internal.Viewers.Serve(TemporalCoherence::Viewer::Of(renderer, volume));
     TemporalCoherence::FrameRenderer::Options options = MakeOptions(*this);
     options.ReportsTiles = IsHeard(*this, window);
     double farthest = 0.0; // a band that turns out too costly is begun again, narrower
@@ -306,12 +316,13 @@ bool vtkTemporalCoherenceVolumeMapper::RenderFrame(vtkRenderer* renderer, vtkVol
       this->InvokeEvent(vtkCommand::VolumeMapperRenderProgressEvent, &told);
       return window ? MayGoOn(window) : !this->GetAbortExecute();
     };
-    if (!internal.Frames.Render(key, options, tell))
+    if (!state->Frames.Render(key, options, tell))
     {
       return false;
     }
+    internal.Last = internal.Mapped = state;
     tell(1.0);
-    this->WarnOfIsomapLimit(internal.Frames.IsIsomapTooLarge());
+    this->WarnOfIsomapLimit(state->Frames.IsIsomapTooLarge());
   }
   catch (const std::exception&) // bad_alloc, or length_error where a size has no number
   {
@@ -323,8 +334,8 @@ bool vtkTemporalCoherenceVolumeMapper::RenderFrame(vtkRenderer* renderer, vtkVol
       "(vtkExtractVOI) or fewer pixels.");
     return false;
   }
-  internal.IsovaluePlaces = places;
-  internal.Picture += internal.Statistics().Made != TemporalCoherence::Route::Redisplay;
+  state->IsovaluePlaces = places;
+  state->Picture += internal.Statistics().Made != TemporalCoherence::Route::Redisplay;
   internal.LastError.clear();
   return true;
 }
@@ -438,7 +449,7 @@ bool vtkTemporalCoherenceVolumeMapper::RenderToImage(vtkRenderer* renderer, vtkV
     renderer, volume, width, height, static_cast<double>(width) / height, nullptr);
   if (isMade)
   {
-    this->Internal->PictureSize = glm::ivec2(width, height);
+    this->Internal->Last->PictureSize = glm::ivec2(width, height);
     this->Internal->Learn(VTK_DOUBLE_MAX);
   }
   this->InvokeEvent(vtkCommand::VolumeMapperRenderEndEvent, nullptr);
@@ -449,15 +460,15 @@ bool vtkTemporalCoherenceVolumeMapper::RenderToImage(vtkRenderer* renderer, vtkV
 bool vtkTemporalCoherenceVolumeMapper::GetLastFrame(vtkImageData* color, vtkImageData* depth,
   vtkImageData* normals, vtkImageData* isovalueIndex, vtkImageData* answer)
 {
-  const TemporalCoherence::Frame& frame = this->Internal->Frames.LastFrame();
+  const TemporalCoherence::Frame& frame = this->Internal->Last->Frames.LastFrame();
   if (frame.IsEmpty())
   {
     return false;
   }
   try
   {
-    TemporalCoherence::WritePicture(
-      frame, this->Internal->IsovaluePlaces, { color, depth, normals, isovalueIndex, answer });
+    TemporalCoherence::WritePicture(frame, this->Internal->Last->IsovaluePlaces,
+      { color, depth, normals, isovalueIndex, answer });
     return true;
   }
   catch (const std::exception&)
@@ -471,7 +482,7 @@ bool vtkTemporalCoherenceVolumeMapper::GetLastFrame(vtkImageData* color, vtkImag
 //------------------------------------------------------------------------------
 bool vtkTemporalCoherenceVolumeMapper::GetVisibleSurface(vtkPolyData* points)
 {
-  const TemporalCoherence::FrameRenderer& frames = this->Internal->Frames;
+  const TemporalCoherence::FrameRenderer& frames = this->Internal->Last->Frames;
   if (!points || frames.LastFrame().IsEmpty())
   {
     return false;
@@ -479,7 +490,7 @@ bool vtkTemporalCoherenceVolumeMapper::GetVisibleSurface(vtkPolyData* points)
   try
   {
     TemporalCoherence::WritePoints(
-      frames.LastFrame(), frames.LastKey(), this->Internal->IsovaluePlaces, points);
+      frames.LastFrame(), frames.LastKey(), this->Internal->Last->IsovaluePlaces, points);
     return true;
   }
   catch (const std::exception&)
@@ -494,8 +505,8 @@ bool vtkTemporalCoherenceVolumeMapper::GetVisibleSurface(vtkPolyData* points)
 bool vtkTemporalCoherenceVolumeMapper::PickPixel(
   int x, int y, double position[3], double normal[3], int* isovalueIndex)
 {
-  const TemporalCoherence::Frame& frame = this->Internal->Frames.LastFrame();
-  const glm::ivec2 pixels = this->Internal->PictureSize;
+  const TemporalCoherence::Frame& frame = this->Internal->Last->Frames.LastFrame();
+  const glm::ivec2 pixels = this->Internal->Last->PictureSize;
   if (frame.IsEmpty() || x < 0 || y < 0 || x >= pixels.x || y >= pixels.y)
   {
     return false;
@@ -514,7 +525,7 @@ bool vtkTemporalCoherenceVolumeMapper::PickPixel(
   {
     return false;
   }
-  const TemporalCoherence::Ray ray = this->Internal->Frames.LastKey().Seen.RayThrough(x, y);
+  const TemporalCoherence::Ray ray = this->Internal->Last->Frames.LastKey().Seen.RayThrough(x, y);
   for (int axis = 0; axis < 3; ++axis)
   {
     if (position)
@@ -528,7 +539,7 @@ bool vtkTemporalCoherenceVolumeMapper::PickPixel(
   }
   if (isovalueIndex)
   {
-    *isovalueIndex = this->Internal->IsovaluePlaces[static_cast<std::size_t>(surface)];
+    *isovalueIndex = this->Internal->Last->IsovaluePlaces[static_cast<std::size_t>(surface)];
   }
   return true;
 }
@@ -570,8 +581,8 @@ bool vtkTemporalCoherenceVolumeMapper::IntersectWithLine(vtkVolume* volume, cons
   }
   try
   {
-    const auto hit =
-      TemporalCoherence::TraceLine(key, this->Internal->Frames.FiniteRangeOf(key), begin, end);
+    const auto hit = TemporalCoherence::TraceLine(
+      key, this->Internal->Last->Frames.FiniteRangeOf(key), begin, end);
     if (!hit)
     {
       return false;
@@ -615,7 +626,7 @@ bool vtkTemporalCoherenceVolumeMapper::BuildIsomap(vtkRenderer* renderer, vtkVol
     return false;
   }
   Internals& internal = *this->Internal;
-  glm::ivec2 size = internal.Frames.LastFrame().Size;
+  glm::ivec2 size = internal.Last->Frames.LastFrame().Size;
   double aspect = size.y > 0 ? static_cast<double>(size.x) / size.y : 1.0;
   if (renderer->GetRenderWindow())
   {
@@ -650,7 +661,8 @@ bool vtkTemporalCoherenceVolumeMapper::BuildIsomap(vtkRenderer* renderer, vtkVol
     this->SetAbortExecute(0);
     const Busy busy(internal.IsBusy);
     double farthest = 0.0; // a band that turns out too costly is begun again, narrower
-    const auto outcome = internal.Frames.BuildIsomap(key, MakeOptions(*this),
+    internal.Mapped = internal.Viewers.Serve(TemporalCoherence::Viewer::Of(renderer, volume));
+    const auto outcome = internal.Mapped->Frames.BuildIsomap(key, MakeOptions(*this),
       [&](double progress)
       {
         farthest = std::max(farthest, progress);
@@ -673,7 +685,7 @@ void vtkTemporalCoherenceVolumeMapper::WarnOfIsomapLimit(bool isTooLarge)
 {
   Internals& internal = *this->Internal;
   if (internal.HasWarned || this->IsomapMemoryLimit == 0 ||
-    !(isTooLarge || internal.Frames.IsomapOfLastView().HasDropped()))
+    !(isTooLarge || internal.LastIsomap().HasDropped()))
   {
     return;
   }
@@ -691,17 +703,28 @@ void vtkTemporalCoherenceVolumeMapper::ReleaseReuse()
   {
     return;
   }
-  this->Internal->HasWarned = false;
-  this->Internal->Hidden.Release();
-  this->Internal->Frames.Release();
-  this->Internal->Input.Release();
+  Internals& internal = *this->Internal;
+  internal.HasWarned = false;
+  internal.Hidden.Release();
+  internal.Input.Release();
+  internal.Viewers = TemporalCoherence::ViewerStates();
+  internal.Last = internal.Mapped = internal.Viewers.MakeState();
 }
 
 //------------------------------------------------------------------------------
 void vtkTemporalCoherenceVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->Internal->Presenter.ReleaseGraphicsResources(window);
+  this->Internal->Viewers.ReleaseGraphicsResources(window);
   this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+bool vtkTemporalCoherenceVolumeMapper::IsOpaque(vtkVolume* volume)
+{
+  TemporalCoherence::MapperInput input;
+  std::string error; // the next frame tells of it
+  this->Internal->Input.Find(this, volume->GetProperty(), MakeVectorChoice(*this), input, error);
+  return TemporalCoherence::IsOpaque(volume->GetProperty(), input.Look);
 }
 
 //------------------------------------------------------------------------------
@@ -755,13 +778,13 @@ vtkIdType vtkTemporalCoherenceVolumeMapper::GetNumberOfFieldSamples()
 //------------------------------------------------------------------------------
 vtkIdType vtkTemporalCoherenceVolumeMapper::GetIsomapMemory()
 {
-  return static_cast<vtkIdType>(this->Internal->Frames.IsomapOfLastView().MemoryInBytes());
+  return static_cast<vtkIdType>(this->Internal->LastIsomap().MemoryInBytes());
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkTemporalCoherenceVolumeMapper::GetNumberOfIsomapKnots()
 {
-  return static_cast<vtkIdType>(this->Internal->Frames.IsomapOfLastView().NumberOfKnots());
+  return static_cast<vtkIdType>(this->Internal->LastIsomap().NumberOfKnots());
 }
 
 //------------------------------------------------------------------------------
@@ -785,7 +808,7 @@ double vtkTemporalCoherenceVolumeMapper::GetQueryTime()
 //------------------------------------------------------------------------------
 double vtkTemporalCoherenceVolumeMapper::GetIsomapBuildTime()
 {
-  return this->Internal->Statistics().IsomapBuildTime;
+  return this->Internal->Mapped->Frames.Statistics().IsomapBuildTime;
 }
 
 //------------------------------------------------------------------------------

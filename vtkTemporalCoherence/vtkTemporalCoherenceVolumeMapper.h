@@ -46,6 +46,16 @@
  * last picture stays, and the next call makes the frame. Observers must not draw, build or release
  * with this mapper while it makes a frame.
  *
+ * What is kept is kept for each viewer: a renderer, a volume, a camera and an eye. So one mapper
+ * may serve several windows, views or eyes. The four viewers served last are remembered, each with
+ * two pictures (36 bytes a pixel each; more where NumberOfCachedImages is), what its window shows
+ * (8 bytes a pixel, and as much in a texture) and an isomap; what belongs to data and isovalues
+ * alone is there once. Counters, times and PickPixel() are those of the last frame of any viewer.
+ *
+ * vtkVolume draws after translucent polygons; vtkTemporalCoherenceVolume before them, where
+ * surfaces are opaque. Hardware selectors (vtkHardwareSelector, vtkPropPicker) find a volume where
+ * its surfaces are seen, with the point nearest to the hit or the cell around it.
+ *
  * A mistake gets one vtkErrorMacro with its value and remedy, repeated only after a frame without
  * it; the last valid picture stays.
  *
@@ -53,7 +63,8 @@
  * isomap); intersection: Marmitt et al., "Fast and Accurate Ray-Voxel Intersection Techniques for
  * Iso-Surface Ray Tracing", 2004.
  *
- * @sa vtkVolume vtkVolumeProperty vtkContourValues vtkGPUVolumeRayCastMapper
+ * @sa vtkTemporalCoherenceVolume vtkVolume vtkVolumeProperty vtkContourValues
+ * vtkGPUVolumeRayCastMapper
  */
 
 #ifndef vtkTemporalCoherenceVolumeMapper_h
@@ -274,8 +285,8 @@ public:
    * IsomapRange: isovalues to build it for at once. Default: lo > hi, bands around the present
    * isovalue that take about as long as a cold frame; outside of a given range, too.
    *
-   * IsomapMemoryLimit: what it may use, in MiB. Default: 256. The bands used least are dropped,
-   * with a warning once; 0 is as IsomapOff().
+   * IsomapMemoryLimit: what it may use for each viewer, in MiB. Default: 256. The bands used least
+   * are dropped, with a warning once; 0 is as IsomapOff().
    */
   vtkSetClampMacro(IsomapTolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(IsomapTolerance, double);
@@ -475,6 +486,12 @@ public:
   ///@}
 
   /**
+   * True if all that is shown of a volume with this mapper is opaque: no isovalue has a scalar
+   * opacity between 0 and 1, and there is no gradient opacity.
+   */
+  bool IsOpaque(vtkVolume* volume);
+
+  /**
    * WARNING: INTERNAL METHOD - NOT INTENDED FOR GENERAL USE
    * Draw the volume into the renderer's window.
    */
@@ -482,7 +499,8 @@ public:
 
   /**
    * WARNING: INTERNAL METHOD - NOT INTENDED FOR GENERAL USE
-   * Free textures and shaders. What is kept for the next frame stays.
+   * Free textures and shaders of a window (of all, if it is null). What is kept for the next frame
+   * stays.
    */
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
@@ -500,7 +518,7 @@ private:
     vtkRenderWindow* window);
   bool IsBusy(const char* method);
   void RenderForWindow(vtkRenderer* renderer, vtkVolume* volume, int width, int height);
-  void PresentFrame(vtkRenderer* renderer, int width, int height);
+  void PresentFrame(vtkRenderer* renderer, vtkVolume* volume, int width, int height);
   /// Without a renderer, view and appearance are left out.
   bool MakeFrameKey(vtkRenderer* renderer, vtkVolume* volume, int width, int height, double aspect,
     TemporalCoherence::FrameKey& key, std::vector<int>& places, std::string& error);

@@ -113,7 +113,7 @@ Isomap::Outcome FrameRenderer::BuildIsomap(
     return Isomap::Outcome::Impossible;
   }
   this->PreparePyramid(key);
-  this->Map.DropNarrowBands(key, options.Map, this->Pyramid);
+  this->Map.DropNarrowBands(key, options.Map, this->Pyramid());
   return this->BuildBands(key, options, report);
 }
 
@@ -128,6 +128,7 @@ bool FrameRenderer::TakeRoute(const FrameKey& key, const Options& options, Cache
       this->CountKnownHits();
       return true;
     case Route::Reshade:
+      this->PreparePyramid(key); // which a frame of other data that failed may have let go
       this->Front->Key = key;
       this->ShadeAgain();
       this->CountKnownHits();
@@ -200,8 +201,8 @@ bool FrameRenderer::TraceFrame(const FrameKey& key, const Options& options, Cach
     Stopwatch watch(this->Counters.QueryTime);
     query = std::make_unique<ImageQuery>(*cached, key, options.Accuracy);
   }
-  const LeapedSpace space{ options.SpaceLeaping ? &this->Active : nullptr, &this->Bounds };
-  TileScene scene{ key, space.Active, space.Bounds, this->Pyramid.FiniteRange(), query.get(),
+  const LeapedSpace space{ options.SpaceLeaping ? &this->Cells->Active : nullptr, &this->Bounds };
+  TileScene scene{ key, space.Active, space.Bounds, this->Pyramid().FiniteRange(), query.get(),
     interpolates };
   if (this->Counters.Made == Route::ThresholdHint)
   {
@@ -210,7 +211,7 @@ bool FrameRenderer::TraceFrame(const FrameKey& key, const Options& options, Cach
   }
   const HitSet hits = interpolates ? HitSet::NotDefinite : HitSet::All;
   const TileTracer tracer(scene);
-  const TileShader shader(key, this->Pyramid.FiniteRange(), space, hits, hits);
+  const TileShader shader(key, this->Pyramid().FiniteRange(), space, hits, hits);
   const bool isMade = this->CountTiles(made.Picture, report,
     [&](std::int64_t tile, const PixelRect& part)
     {
@@ -242,7 +243,7 @@ Isomap::Outcome FrameRenderer::BuildBands(
   Isomap::Outcome outcome = Isomap::Outcome::TooLarge;
   try
   {
-    outcome = this->Map.Build(key, options.Map, *this->Front, this->Pyramid, this->Cold, report);
+    outcome = this->Map.Build(key, options.Map, *this->Front, this->Pyramid(), this->Cold, report);
     this->Counters.FieldSamples += 8 * this->Map.CellsRead();
   }
   catch (const std::bad_alloc&)
@@ -268,9 +269,9 @@ bool FrameRenderer::LookUpFrame(
     this->PrepareActiveCells(key);
   }
   const IsomapLookup lookup(
-    key, this->Map.BandsFor(key), map.Tolerance(), this->Pyramid.FiniteRange());
-  const TileShader shader(key, this->Pyramid.FiniteRange(),
-    { leaps ? &this->Active : nullptr, &this->Bounds },
+    key, this->Map.BandsFor(key), map.Tolerance(), this->Pyramid().FiniteRange());
+  const TileShader shader(key, this->Pyramid().FiniteRange(),
+    { leaps ? &this->Cells->Active : nullptr, &this->Bounds },
     options.Map.HasNormals ? HitSet::NotDefinite : HitSet::All, HitSet::All);
   const bool isLookedUp = this->CountTiles(made.Picture, ReportOf(report, 0.0, 0.5),
     [&](std::int64_t tile, const PixelRect& part)
@@ -325,24 +326,22 @@ void FrameRenderer::FinishFrame(const Options& options)
   }
 }
 
-/// The pyramid belongs to the data.
+/// Value ranges belong to the data.
 void FrameRenderer::PreparePyramid(const FrameKey& key)
 {
   if (key.Samples.HasCells() && !key.Sought.Isovalues.empty() &&
-    (this->Pyramid.IsEmpty() || !(this->PyramidField == key.Samples)))
+    !(this->Ranges->Samples == key.Samples))
   {
-    this->Active.Release();
-    this->ActiveField = Field();
+    this->Cells = std::make_shared<const SurfaceCells>();
     this->Map.Release();
-    this->Pyramid.Build(key.Samples);
-    this->PyramidField = key.Samples;
+    this->Shared->Provide(key.Samples, this->Ranges);
   }
 }
 
 glm::dvec2 FrameRenderer::FiniteRangeOf(const FrameKey& key)
 {
   this->PreparePyramid(key);
-  return this->Pyramid.FiniteRange();
+  return this->Pyramid().FiniteRange();
 }
 
 /// Active cells belong to data and isovalues, the bounds of tiles to the frame.
@@ -352,14 +351,11 @@ void FrameRenderer::PrepareActiveCells(const FrameKey& key)
   {
     return;
   }
-  if (!(this->ActiveField == key.Samples) || !(this->ActiveSurfaces == key.Sought))
+  if (!(this->Cells->Samples == key.Samples) || !AreMetAlike(this->Cells->Sought, key.Sought))
   {
-    this->ActiveField = Field();
-    this->Active.Build(key.Samples, this->Pyramid, key.Sought);
-    this->ActiveSurfaces = key.Sought;
-    this->ActiveField = key.Samples;
+    this->Shared->Provide(*this->Ranges, key.Sought, this->Cells);
   }
-  this->Bounds.Build(key.Seen, key.Where, this->Active);
+  this->Bounds.Build(key.Seen, key.Where, this->Cells->Active);
 }
 
 /// Call work(tile, part) for each tile of a frame, in parallel, and add up what it counts. With a
@@ -420,7 +416,7 @@ void FrameRenderer::ShadeAgain()
   Stopwatch watch(this->Counters.ShadeTime);
   Frame& frame = this->Front->Picture;
   const TileShader shader(
-    this->Front->Key, this->Pyramid.FiniteRange(), {}, HitSet::None, HitSet::All);
+    this->Front->Key, this->Pyramid().FiniteRange(), {}, HitSet::None, HitSet::All);
   ParallelFor(NumberOfTiles(frame.Size), TileGrain,
     [&](std::int64_t tile)
     {
@@ -448,7 +444,7 @@ bool FrameRenderer::TraceOpenRays(const FrameKey& key, const Options& options,
     this->PrepareActiveCells(key);
   }
   const TileTracer tracer(
-    { key, leaps ? &this->Active : nullptr, &this->Bounds, this->Pyramid.FiniteRange() });
+    { key, leaps ? &this->Cells->Active : nullptr, &this->Bounds, this->Pyramid().FiniteRange() });
   return this->CountTiles(frame, report,
     [&](std::int64_t tile, const PixelRect& part)
     {
@@ -473,7 +469,7 @@ void FrameRenderer::CountKnownHits()
 
 void FrameRenderer::Release()
 {
-  *this = FrameRenderer();
+  *this = FrameRenderer(this->Shared);
 }
 
 }

@@ -3,7 +3,7 @@
 #ifndef TemporalCoherence_FrameRenderer_h
 #define TemporalCoherence_FrameRenderer_h
 
-#include "ActiveCells.h"
+#include "FieldStructures.h"
 #include "ImageCache.h"
 #include "Isomap.h"
 #include "IsomapBuilder.h"
@@ -11,10 +11,10 @@
 #include "TileBounds.h"
 #include "TileShader.h"
 #include "TileTracer.h"
-#include "ValueRangePyramid.h"
 
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace TemporalCoherence
@@ -52,6 +52,13 @@ public:
     bool ReportsTiles = false; ///< tiles are worked on in parts, too, with a report before each
   };
 
+  /// \param shared where to get structures that other renderers of the same data may have
+  explicit FrameRenderer(
+    std::shared_ptr<FieldStructures> shared = std::make_shared<FieldStructures>())
+    : Shared(std::move(shared))
+  {
+  }
+
   /// Make the frame of `key`.
   /// \pre the view has pixels; isovalues are finite; there is one colour for each isovalue
   /// \param report told how far the frame is, in this thread; it may stop it. From 0 to 1, but the
@@ -82,7 +89,7 @@ public:
   /// True if the isomap that was needed last does not fit the limit of memory.
   bool IsIsomapTooLarge() const { return this->Map.IsTooLarge(); }
 
-  /// Forget the last frame and free all memory.
+  /// Forget the last frame and free all memory that is not shared.
   void Release();
 
 private:
@@ -105,6 +112,7 @@ private:
     Frame& frame, const Isomap::ReportProgress& report);
   void ShadeAgain();
   void CountKnownHits();
+  const ValueRangePyramid& Pyramid() const { return this->Ranges->Pyramid; }
 
   std::shared_ptr<CachedImage> Front = std::make_shared<CachedImage>(); ///< the last frame
   std::shared_ptr<CachedImage> Back;   ///< memory for the frame being made; or null
@@ -115,11 +123,9 @@ private:
   std::vector<std::uint64_t> OpenRays; ///< of each tile, those that the isomap leaves to be traced
   FrameStatistics Counters;
 
-  ValueRangePyramid Pyramid; ///< of PyramidField
-  Field PyramidField;
-  ActiveCells Active; ///< of ActiveField and ActiveSurfaces
-  Field ActiveField;
-  Surfaces ActiveSurfaces;
+  std::shared_ptr<FieldStructures> Shared;
+  std::shared_ptr<const FieldRanges> Ranges = std::make_shared<const FieldRanges>();
+  std::shared_ptr<const SurfaceCells> Cells = std::make_shared<const SurfaceCells>();
   TileBounds Bounds;
 };
 

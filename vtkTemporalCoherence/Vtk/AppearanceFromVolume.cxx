@@ -181,6 +181,15 @@ GradientOpacity MakeGradientOpacity(
   return made;
 }
 
+bool IsOpaque(vtkVolumeProperty* property, int component)
+{
+  Surfaces surfaces;
+  std::vector<int> places;
+  std::string error;
+  return FindSurfaces(property, component, surfaces, places, error) && surfaces.Opacities.empty() &&
+    MakeGradientOpacity(property, component, glm::dvec3(1.0)).Nodes.empty();
+}
+
 Appearance MakeAppearance(vtkVolumeProperty* property, int component, vtkRenderer* renderer,
   const std::vector<double>& isovalues)
 {

@@ -30,6 +30,10 @@ bool FindSurfaces(vtkVolumeProperty* property, int component, Surfaces& surfaces
 GradientOpacity MakeGradientOpacity(
   vtkVolumeProperty* property, int component, const glm::dvec3& distances);
 
+/// True if nothing can be seen through a surface that a component of a property shows, whatever the
+/// gradient.
+bool IsOpaque(vtkVolumeProperty* property, int component);
+
 /// Colours at the isovalues, shading of a component of the property and lights of the renderer.
 Appearance MakeAppearance(vtkVolumeProperty* property, int component, vtkRenderer* renderer,
   const std::vector<double>& isovalues);

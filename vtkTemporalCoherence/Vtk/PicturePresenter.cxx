@@ -11,6 +11,9 @@
 #include <vtkRenderer.h>
 #include <vtkShaderProgram.h>
 #include <vtkTextureObject.h>
+#include <vtkWeakPointer.h>
+
+#include <array>
 
 namespace TemporalCoherence
 {
@@ -23,19 +26,25 @@ constexpr unsigned int GlDepthTest = 0x0B71;
 constexpr unsigned int GlBlend = 0x0BE2;
 constexpr unsigned int GlViewport = 0x0BA2;
 constexpr unsigned int GlLessOrEqual = 0x0203;
+constexpr unsigned int GlOne = 1;
+constexpr unsigned int GlOneMinusSourceAlpha = 0x0303;
 constexpr unsigned char GlTrue = 1;
+constexpr unsigned char GlFalse = 0;
 
-std::string FragmentShader()
+std::string FragmentShader(PassOutput output)
 {
   std::string source = vtkOpenGLRenderUtilities::GetFullScreenQuadFragmentShaderTemplate();
   vtkShaderProgram::Substitute(source, "//VTK::FSQ::Decl",
     "uniform sampler2D colorTexture;\n"
-    "uniform sampler2D depthTexture;\n");
+    "uniform sampler2D depthTexture;\n"
+    "uniform int isOpaquePart;\n" +
+      DeclarationsOf(output));
   vtkShaderProgram::Substitute(source, "//VTK::FSQ::Impl",
     "vec4 color = texture(colorTexture, texCoord);\n"
-    "if (color.a == 0.0) { discard; }\n"
-    "gl_FragData[0] = color;\n"
-    "gl_FragDepth = texture(depthTexture, texCoord).r;\n");
+    "if (color.a == 0.0 || (color.a == 1.0) != (isOpaquePart != 0)) { discard; }\n"
+    "float depth = texture(depthTexture, texCoord).r;\n"
+    "gl_FragDepth = depth;\n" +
+      StatementsOf(output));
   return source;
 }
 
@@ -51,24 +60,103 @@ void ShrinkViewport(vtkOpenGLState* state, const glm::ivec2& size, const PixelRe
     viewport[0] + first.x, viewport[1] + first.y, end.x - first.x, end.y - first.y);
 }
 
+void PrepareTexture(vtkTextureObject* texture, vtkOpenGLRenderWindow* window)
+{
+  texture->SetContext(window);
+  texture->SetMinificationFilter(vtkTextureObject::Nearest);
+  texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+}
+
 }
 
 struct PicturePresenter::Resources
 {
-  vtkOpenGLRenderWindow* Window = nullptr;
-  std::unique_ptr<vtkOpenGLQuadHelper> Quad;
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
+  std::array<std::unique_ptr<vtkOpenGLQuadHelper>, NumberOfPassOutputs> Quads; ///< or null
+  vtkOpenGLQuadHelper* Quad = nullptr; ///< the one that draws now
   vtkNew<vtkTextureObject> Color;
   vtkNew<vtkTextureObject> Depth;
-  std::uint64_t Picture = 0; ///< the one in the textures
-  glm::ivec2 Size{ 0 };      ///< of the whole picture
-  PixelRect Rect;            ///< the part of it in the textures
+  vtkNew<vtkTextureObject> Normal;  ///< in the world, for passes that ask for it
+  std::uint64_t Picture = 0;        ///< the one in the textures
+  std::uint64_t NormalsPicture = 0; ///< the one in the texture of normals
+  glm::ivec2 Size{ 0 };             ///< of the whole picture
+  PixelRect Rect;                   ///< the part of it in the textures
 };
 
 PicturePresenter::PicturePresenter() = default;
 PicturePresenter::~PicturePresenter() = default;
 
-bool PicturePresenter::Present(vtkRenderer* renderer, const Frame& frame, const View& view,
-  std::uint64_t picture, std::string& error)
+bool PicturePresenter::Present(vtkRenderer* renderer, vtkVolume* volume, const Frame& frame,
+  const View& view, std::uint64_t picture, std::string& error)
+{
+  const PassOutput output = volume ? OutputFor(volume) : PassOutput::Color;
+  if (!this->Prepare(renderer, frame, view, picture, output, error))
+  {
+    return false;
+  }
+  const PixelRect& rect = this->OpenGL->Rect;
+  if (rect.Size.x == 0)
+  {
+    return true;
+  }
+  const glm::vec2 size(frame.Size);
+  SetUniforms(output, this->OpenGL->Quad->Program, renderer, volume, glm::vec2(rect.First) / size,
+    glm::vec2(rect.Size) / size);
+  if (output == PassOutput::Occluder)
+  {
+    this->UploadNormals(frame);
+    this->OpenGL->Normal->Activate();
+    this->OpenGL->Quad->Program->SetUniformi(
+      "normalTexture", this->OpenGL->Normal->GetTextureUnit());
+  }
+  this->Draw(this->OpenGL->Color, this->Shown.HasOpaque, this->Shown.HasTranslucent);
+  if (output == PassOutput::Occluder)
+  {
+    this->OpenGL->Normal->Deactivate();
+  }
+  return true;
+}
+
+bool PicturePresenter::PresentColors(vtkRenderer* renderer, const Frame& frame, const View& view,
+  std::uint64_t picture, const std::vector<PixelColor>& colors, std::string& error)
+{
+  if (!this->Prepare(renderer, frame, view, picture, PassOutput::Color, error))
+  {
+    return false;
+  }
+  const PixelRect& rect = this->OpenGL->Rect;
+  if (rect.Size.x == 0)
+  {
+    return true;
+  }
+  std::vector<PixelColor> part(this->Shown.Colors.size());
+  for (int y = 0; y < rect.Size.y; ++y)
+  {
+    for (int x = 0; x < rect.Size.x; ++x)
+    {
+      const auto to = static_cast<std::size_t>(y) * static_cast<std::size_t>(rect.Size.x) +
+        static_cast<std::size_t>(x);
+      const auto from =
+        static_cast<std::size_t>(rect.First.y + y) * static_cast<std::size_t>(frame.Size.x) +
+        static_cast<std::size_t>(rect.First.x + x);
+      if (this->Shown.Colors[to][3] != 0)
+      {
+        part[to] = colors[from];
+        part[to][3] = 255;
+      }
+    }
+  }
+  vtkNew<vtkTextureObject> texture;
+  PrepareTexture(texture, this->OpenGL->Window);
+  texture->Create2DFromRaw(static_cast<unsigned int>(rect.Size.x),
+    static_cast<unsigned int>(rect.Size.y), 4, VTK_UNSIGNED_CHAR, part.data());
+  this->Draw(texture, true, false);
+  return true;
+}
+
+/// Make the quad, and put the picture into its textures.
+bool PicturePresenter::Prepare(vtkRenderer* renderer, const Frame& frame, const View& view,
+  std::uint64_t picture, PassOutput output, std::string& error)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetVTKWindow());
   if (!window)
@@ -79,35 +167,34 @@ bool PicturePresenter::Present(vtkRenderer* renderer, const Frame& frame, const 
   }
   if (this->OpenGL && this->OpenGL->Window != window)
   {
-    this->ReleaseGraphicsResources(this->OpenGL->Window);
+    this->OpenGL.reset();
   }
   if (!this->OpenGL)
   {
     this->OpenGL = std::make_unique<Resources>();
     this->OpenGL->Window = window;
-    for (vtkTextureObject* texture : { this->OpenGL->Color.Get(), this->OpenGL->Depth.Get() })
-    {
-      texture->SetContext(window);
-      texture->SetMinificationFilter(vtkTextureObject::Nearest);
-      texture->SetMagnificationFilter(vtkTextureObject::Nearest);
-    }
-    this->OpenGL->Quad = std::make_unique<vtkOpenGLQuadHelper>(window,
-      vtkOpenGLRenderUtilities::GetFullScreenQuadVertexShader().c_str(), FragmentShader().c_str(),
-      "");
+    PrepareTexture(this->OpenGL->Color, window);
+    PrepareTexture(this->OpenGL->Depth, window);
+    PrepareTexture(this->OpenGL->Normal, window);
+  }
+  auto& quad = this->OpenGL->Quads[static_cast<std::size_t>(output)];
+  if (quad)
+  {
+    window->GetShaderCache()->ReadyShaderProgram(quad->Program);
   }
   else
   {
-    window->GetShaderCache()->ReadyShaderProgram(this->OpenGL->Quad->Program);
+    quad = std::make_unique<vtkOpenGLQuadHelper>(window,
+      vtkOpenGLRenderUtilities::GetFullScreenQuadVertexShader().c_str(),
+      FragmentShader(output).c_str(), "");
   }
-  vtkShaderProgram* program = this->OpenGL->Quad->Program;
-  if (!program || !program->GetCompiled())
+  this->OpenGL->Quad = quad.get();
+  if (!this->OpenGL->Quad->Program || !this->OpenGL->Quad->Program->GetCompiled())
   {
     error = "The shader that shows the picture does not compile on this OpenGL.";
     return false;
   }
 
-  vtkTextureObject* color = this->OpenGL->Color;
-  vtkTextureObject* depth = this->OpenGL->Depth;
   if (this->OpenGL->Picture != picture)
   {
     this->Shown.Assign(frame, view);
@@ -118,43 +205,76 @@ bool PicturePresenter::Present(vtkRenderer* renderer, const Frame& frame, const 
     {
       const auto width = static_cast<unsigned int>(this->Shown.Rect.Size.x);
       const auto height = static_cast<unsigned int>(this->Shown.Rect.Size.y);
-      color->Create2DFromRaw(width, height, 4, VTK_UNSIGNED_CHAR, this->Shown.Colors.data());
-      depth->Create2DFromRaw(width, height, 1, VTK_FLOAT, this->Shown.Depths.data());
+      this->OpenGL->Color->Create2DFromRaw(
+        width, height, 4, VTK_UNSIGNED_CHAR, this->Shown.Colors.data());
+      this->OpenGL->Depth->Create2DFromRaw(width, height, 1, VTK_FLOAT, this->Shown.Depths.data());
     }
   }
-  if (this->OpenGL->Rect.Size.x == 0)
-  {
-    return true;
-  }
+  return true;
+}
 
-  vtkOpenGLState* state = window->GetState();
+void PicturePresenter::UploadNormals(const Frame& frame)
+{
+  if (this->OpenGL->NormalsPicture == this->OpenGL->Picture)
+  {
+    return;
+  }
+  const PixelRect& rect = this->OpenGL->Rect;
+  std::vector<glm::vec3> normals;
+  normals.reserve(this->Shown.Colors.size());
+  for (int y = rect.First.y; y < rect.First.y + rect.Size.y; ++y)
+  {
+    const auto row = frame.Normals.begin() + static_cast<std::ptrdiff_t>(y) * frame.Size.x;
+    normals.insert(normals.end(), row + rect.First.x, row + rect.First.x + rect.Size.x);
+  }
+  this->OpenGL->Normal->Create2DFromRaw(static_cast<unsigned int>(rect.Size.x),
+    static_cast<unsigned int>(rect.Size.y), 3, VTK_FLOAT, normals.data());
+  this->OpenGL->NormalsPicture = this->OpenGL->Picture;
+}
+
+/// Draw the hits, opaque ones, translucent ones or both, in the colours of a texture.
+void PicturePresenter::Draw(vtkTextureObject* color, bool isOpaque, bool isTranslucent)
+{
+  vtkOpenGLState* state = this->OpenGL->Window->GetState();
   vtkOpenGLState::ScopedglEnableDisable keepDepthTest(state, GlDepthTest);
   vtkOpenGLState::ScopedglEnableDisable keepBlend(state, GlBlend);
+  vtkOpenGLState::ScopedglBlendFuncSeparate keepBlendFunction(state);
   vtkOpenGLState::ScopedglDepthFunc keepDepthFunction(state);
   vtkOpenGLState::ScopedglDepthMask keepDepthMask(state);
   vtkOpenGLState::ScopedglViewport keepViewport(state);
   ShrinkViewport(state, this->OpenGL->Size, this->OpenGL->Rect);
   state->vtkglEnable(GlDepthTest);
   state->vtkglDepthFunc(GlLessOrEqual);
-  state->vtkglDepthMask(GlTrue);
-  state->vtkglDisable(GlBlend);
 
+  vtkShaderProgram* program = this->OpenGL->Quad->Program;
+  vtkTextureObject* depth = this->OpenGL->Depth;
   color->Activate();
   depth->Activate();
   program->SetUniformi("colorTexture", color->GetTextureUnit());
   program->SetUniformi("depthTexture", depth->GetTextureUnit());
-  this->OpenGL->Quad->Render();
+  if (isOpaque)
+  {
+    state->vtkglDepthMask(GlTrue);
+    state->vtkglDisable(GlBlend);
+    program->SetUniformi("isOpaquePart", 1);
+    this->OpenGL->Quad->Render();
+  }
+  if (isTranslucent)
+  {
+    state->vtkglDepthMask(GlFalse);
+    state->vtkglEnable(GlBlend);
+    state->vtkglBlendFuncSeparate(GlOne, GlOneMinusSourceAlpha, GlOne, GlOneMinusSourceAlpha);
+    program->SetUniformi("isOpaquePart", 0);
+    this->OpenGL->Quad->Render();
+  }
   depth->Deactivate();
   color->Deactivate();
-  return true;
 }
 
 void PicturePresenter::ReleaseGraphicsResources(vtkWindow* window)
 {
-  if (this->OpenGL)
+  if (this->OpenGL && (!window || this->OpenGL->Window == window))
   {
-    this->OpenGL->Color->ReleaseGraphicsResources(window);
-    this->OpenGL->Depth->ReleaseGraphicsResources(window);
     this->OpenGL.reset();
   }
 }

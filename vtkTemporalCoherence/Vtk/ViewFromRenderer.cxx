@@ -5,12 +5,31 @@
 #include "MatrixFromVtk.h"
 
 #include <vtkCamera.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLState.h>
 #include <vtkRenderer.h>
 
 #include <sstream>
 
 namespace TemporalCoherence
 {
+
+glm::ivec2 PictureSizeOf(vtkRenderer* renderer)
+{
+  glm::ivec2 size, origin;
+  renderer->GetTiledSizeAndOrigin(&size.x, &size.y, &origin.x, &origin.y);
+  if (auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()))
+  {
+    constexpr unsigned int GlViewport = 0x0BA2;
+    glm::ivec4 viewport(0);
+    window->GetState()->vtkglGetIntegerv(GlViewport, &viewport.x);
+    if (size.x > 0 && size.y > 0 && viewport.z > 0 && viewport.w > 0)
+    {
+      size = { viewport.z, viewport.w };
+    }
+  }
+  return size;
+}
 
 bool MakeView(
   vtkRenderer* renderer, const glm::ivec2& size, double aspect, View& view, std::string& error)

@@ -5,6 +5,7 @@
 #include "Parallel.h"
 
 #include <algorithm>
+#include <atomic>
 #include <mutex>
 
 namespace TemporalCoherence
@@ -81,6 +82,16 @@ float WindowDepthOf(const View& view, const glm::ivec2& pixel, double t)
   return static_cast<float>(std::min(std::max(0.5 * clip.z / clip.w + 0.5, 0.0), 1.0));
 }
 
+bool IsOpaque(const PixelColor& color)
+{
+  return color[3] == 255;
+}
+
+bool IsTranslucent(const PixelColor& color)
+{
+  return color[3] != 0 && color[3] != 255;
+}
+
 }
 
 void WindowPicture::Assign(const Frame& frame, const View& view)
@@ -89,13 +100,23 @@ void WindowPicture::Assign(const Frame& frame, const View& view)
   const auto width = static_cast<std::size_t>(this->Rect.Size.x);
   this->Colors.resize(width * static_cast<std::size_t>(this->Rect.Size.y));
   this->Depths.resize(this->Colors.size());
+  std::atomic<bool> hasOpaque(false), hasTranslucent(false);
   ParallelFor(this->Rect.Size.y, RowGrain * TileSize,
     [&](std::int64_t row)
     {
       const glm::ivec2 first = this->Rect.First + glm::ivec2(0, row);
       const std::size_t from = PlaceOf(frame, first.x, first.y);
       const std::size_t to = static_cast<std::size_t>(row) * width;
-      std::copy_n(&frame.Colors[from], width, &this->Colors[to]);
+      const PixelColor* const colors = &frame.Colors[from];
+      std::copy_n(colors, width, &this->Colors[to]);
+      if (!hasOpaque && std::any_of(colors, colors + width, IsOpaque))
+      {
+        hasOpaque = true;
+      }
+      if (!hasTranslucent && std::any_of(colors, colors + width, IsTranslucent))
+      {
+        hasTranslucent = true;
+      }
       for (int x = 0; x < this->Rect.Size.x; ++x)
       {
         const auto column = static_cast<std::size_t>(x);
@@ -104,6 +125,8 @@ void WindowPicture::Assign(const Frame& frame, const View& view)
           : WindowDepthOf(view, first + glm::ivec2(x, 0), frame.Depth[from + column]);
       }
     });
+  this->HasOpaque = hasOpaque;
+  this->HasTranslucent = hasTranslucent;
 }
 
 }

@@ -13,6 +13,9 @@
 namespace TemporalCoherence
 {
 
+/// RGBA.
+using PixelColor = std::array<std::uint8_t, 4>;
+
 /// A frame as a window takes it: the rectangle with all its hits, row by row from below.
 struct WindowPicture
 {
@@ -20,9 +23,11 @@ struct WindowPicture
   /// \throws std::bad_alloc
   void Assign(const Frame& frame, const View& view);
 
-  PixelRect Rect;                                  ///< whole tiles; empty where nothing is hit
-  std::vector<std::array<std::uint8_t, 4>> Colors; ///< RGBA; all 0 where nothing is hit
-  std::vector<float> Depths; ///< of the depth buffer: 0 at the near plane, 1 at the far plane
+  PixelRect Rect;                 ///< whole tiles; empty where nothing is hit
+  std::vector<PixelColor> Colors; ///< premultiplied; all 0 where nothing is hit
+  std::vector<float> Depths;      ///< of the depth buffer: 0 at the near plane, 1 at the far plane
+  bool HasOpaque = false;
+  bool HasTranslucent = false; ///< hits that let shine through what is behind them
 };
 
 }

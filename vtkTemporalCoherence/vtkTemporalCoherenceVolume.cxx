@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTemporalCoherenceVolume.h"
+
+#include "vtkTemporalCoherenceVolumeMapper.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkTemporalCoherenceVolume);
+
+//------------------------------------------------------------------------------
+int vtkTemporalCoherenceVolume::RenderOpaqueGeometry(vtkViewport* viewport)
+{
+  // vtkVolume draws nothing here, and everything in its volumetric pass.
+  return this->HasOpaqueGeometry() ? this->Superclass::RenderVolumetricGeometry(viewport) : 0;
+}
+
+//------------------------------------------------------------------------------
+int vtkTemporalCoherenceVolume::RenderVolumetricGeometry(vtkViewport* viewport)
+{
+  return this->HasOpaqueGeometry() ? 0 : this->Superclass::RenderVolumetricGeometry(viewport);
+}
+
+//------------------------------------------------------------------------------
+vtkTypeBool vtkTemporalCoherenceVolume::HasOpaqueGeometry()
+{
+  auto* mapper = vtkTemporalCoherenceVolumeMapper::SafeDownCast(this->Mapper);
+  return mapper && mapper->IsOpaque(this);
+}
+
+//------------------------------------------------------------------------------
+vtkTypeBool vtkTemporalCoherenceVolume::HasTranslucentPolygonalGeometry()
+{
+  return 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherenceVolume::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}

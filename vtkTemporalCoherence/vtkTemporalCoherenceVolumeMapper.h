@@ -56,6 +56,14 @@
  * surfaces are opaque. Hardware selectors (vtkHardwareSelector, vtkPropPicker) find a volume where
  * its surfaces are seen, with the point nearest to the hit or the cell around it.
  *
+ * Light is that of VTK's Phong model, with the mirrored light, as on volumes since VTK 9.2, for any
+ * number of lights of the renderer that are on. If none is, the renderer creates a headlight, and
+ * with AutomaticLightCreationOff surfaces are lit evenly, by ambient + diffuse, as polygons are.
+ * Lights' ambient colours have no effect, as on polygons. With TwoSidedLightingOff of the renderer
+ * a surface is lit only on its outside, the side of lower values, as by vtkGPUVolumeRayCastMapper.
+ * Transfer functions in two dimensions have no meaning for isosurfaces: SetTransferFunctionMode is
+ * ignored, and colour and opacity are those of the functions of the scalar.
+ *
  * A mistake gets one vtkErrorMacro with its value and remedy, repeated only after a frame without
  * it; the last valid picture stays.
  *

@@ -63,6 +63,7 @@ std::vector<Change> ChangesOfScene(Scene& scene, vtkImageData* image, RandomView
           views.Between(-500.0, 500.0), 0.1, views.Between(0.0, 1.0), 0.9);
       } },
     { false, [&] { AddLight(scene, views); } },
+    { false, [&] { scene.Renderer->SetTwoSidedLighting(views.Pick(2)); } },
   };
 }
 

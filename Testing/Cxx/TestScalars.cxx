@@ -13,10 +13,12 @@
 #include <vtkPointData.h>
 #include <vtkSOADataArrayTemplate.h>
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <limits>
+#include <vector>
 
 namespace
 {
@@ -116,6 +118,26 @@ vtkSmartPointer<vtkDataArray> Components(vtkDataArray* array, vtkDataArray* into
   return into;
 }
 
+/// The components of an array in memory of their own. (Since VTK 9.3, an array of separate
+/// components that was filled value by value keeps them together.)
+vtkSmartPointer<vtkDataArray> InOwnMemory(
+  vtkDataArray* tuples, std::array<std::vector<float>, 3>& memory)
+{
+  const auto separate = vtkSmartPointer<vtkSOADataArrayTemplate<float>>::New();
+  separate->SetNumberOfComponents(3);
+  separate->SetName(tuples->GetName());
+  for (int c = 0; c < 3; ++c)
+  {
+    std::vector<float>& values = memory[static_cast<std::size_t>(c)];
+    for (vtkIdType i = 0; i < tuples->GetNumberOfTuples(); ++i)
+    {
+      values.push_back(static_cast<float>(tuples->GetComponent(i, c)));
+    }
+    separate->SetArray(c, values.data(), tuples->GetNumberOfTuples(), true, true);
+  }
+  return separate;
+}
+
 /// Component 1 of three holds the values, interleaved or not; the array is chosen by name.
 bool TestComponents()
 {
@@ -127,12 +149,16 @@ bool TestComponents()
 
   vtkNew<vtkFloatArray> interleaved;
   vtkNew<vtkSOADataArrayTemplate<float>> separate;
-  for (vtkDataArray* array :
-    { static_cast<vtkDataArray*>(interleaved.Get()), static_cast<vtkDataArray*>(separate.Get()) })
+  vtkDataArray* values = image->GetPointData()->GetScalars();
+  std::array<std::vector<float>, 3> memory;
+  const auto own = InOwnMemory(Components(values, vtkNew<vtkFloatArray>()), memory);
+  const std::vector<vtkSmartPointer<vtkDataArray>> arrays = { Components(values, interleaved),
+    Components(values, separate), own };
+  for (vtkDataArray* array : arrays)
   {
     vtkNew<vtkImageData> several;
     several->CopyStructure(image);
-    several->GetPointData()->AddArray(Components(image->GetPointData()->GetScalars(), array));
+    several->GetPointData()->AddArray(array);
     Scene scene(several, { 42.5 });
     scene.Mapper->SetScalarModeToUsePointFieldData();
     scene.Mapper->SelectScalarArray("three");

@@ -64,7 +64,7 @@ Vector LightOf(vtkLight* light, vtkVolumeProperty* property, const Vector& color
     const double* a = light->GetAttenuationValues();
     share /= a[0] + a[1] * distance + a[2] * distance * distance;
     const double cosine = -Dot(toLight, axis);
-    if (light->GetConeAngle() <= 90.0)
+    if (light->GetConeAngle() < 90.0)
     {
       const bool isInCone = cosine >= std::cos(vtkMath::RadiansFromDegrees(light->GetConeAngle()));
       share *= isInCone ? std::pow(cosine, light->GetExponent()) : 0.0;
@@ -107,9 +107,11 @@ void ExpectPhong(Scene& scene, const std::vector<vtkLight*>& lights, const std::
         continue;
       }
       Vector expected;
+      // Without a light, surfaces are lit evenly, as polygons are.
+      const double even = lights.empty() ? property->GetDiffuse() : 0.0;
       for (std::size_t c = 0; c < 3; ++c)
       {
-        expected[c] = property->GetAmbient() * color[c];
+        expected[c] = (property->GetAmbient() + even) * color[c];
       }
       for (vtkLight* light : lights)
       {
@@ -132,6 +134,46 @@ void ExpectPhong(Scene& scene, const std::vector<vtkLight*>& lights, const std::
   Expect(wrong == 0, what + ": " + std::to_string(wrong) + " channels differ from the formula");
 }
 
+/// Lights that are all off are none: then too a headlight is created, or surfaces are lit evenly.
+void TestLightsThatAreOff(Scene& scene, vtkLight* headlight)
+{
+  vtkNew<vtkLight> off;
+  off->SetLightTypeToSceneLight();
+  off->PositionalOn();
+  off->SwitchOff();
+  scene.Renderer->AddLight(off);
+  ExpectPhong(scene, {}, "a light that is off");
+  scene.Renderer->AutomaticLightCreationOn();
+  ExpectPhong(scene, { headlight }, "a light that is off, and the headlight created instead");
+  scene.Renderer->AutomaticLightCreationOff();
+  scene.Renderer->RemoveLight(off);
+}
+
+/// A headlight alone is at the camera, even if it does not follow it; beside another light it is
+/// not.
+void TestLonelyHeadlight(Scene& scene)
+{
+  vtkNew<vtkLight> left, atCamera, other;
+  left->SetLightTypeToHeadlight();
+  left->SetPosition(0.0, 0.0, 5.0);
+  left->SetIntensity(0.9);
+  left->SetColor(1.0, 0.9, 0.8);
+  atCamera->DeepCopy(left);
+  atCamera->SetPosition(scene.Renderer->GetActiveCamera()->GetPosition());
+  atCamera->SetFocalPoint(scene.Renderer->GetActiveCamera()->GetFocalPoint());
+  other->SetLightTypeToSceneLight();
+  other->SetPosition(3.0, 0.0, 0.0);
+  other->SetIntensity(0.3);
+  scene.Renderer->LightFollowCameraOff();
+  scene.Renderer->AddLight(left);
+  ExpectPhong(scene, { atCamera }, "a headlight left behind");
+  scene.Renderer->AddLight(other);
+  ExpectPhong(scene, { left, other }, "a headlight left behind, and another light");
+  scene.Renderer->LightFollowCameraOn();
+  ExpectPhong(scene, { atCamera, other }, "a headlight that follows, and another light");
+  scene.Renderer->RemoveAllLights();
+}
+
 void TestLights()
 {
   Scene scene(Ball(), { 0.3 });
@@ -152,6 +194,8 @@ void TestLights()
   ExpectPhong(scene, { headlight }, "the headlight that a renderer would create");
   scene.Renderer->AutomaticLightCreationOff();
   ExpectPhong(scene, {}, "no light");
+  TestLightsThatAreOff(scene, headlight);
+  TestLonelyHeadlight(scene);
 
   vtkNew<vtkLight> sun, lamp, spot, off;
   for (vtkLight* light : { sun.Get(), lamp.Get(), spot.Get(), off.Get() })
@@ -177,9 +221,61 @@ void TestLights()
   scene.Renderer->AddLight(lamp);
   scene.Renderer->AddLight(off);
   ExpectPhong(scene, { sun, lamp }, "and a lamp");
+  lamp->SetConeAngle(90.0);
+  ExpectPhong(scene, { sun, lamp }, "a lamp with a cone of 90 degrees");
   scene.Renderer->AddLight(spot);
   ExpectPhong(scene, { sun, lamp, spot }, "and a spot");
   Expect(std::string(scene.Mapper->GetRouteAsString()) == "Reshade", "lights only shade again");
+}
+
+/// Without two-sided lighting a ball is lit by its outside: unlit where it is seen from inside by a
+/// headlight, and by a light behind its wall as from outside.
+void TestOneSided()
+{
+  Scene scene(Ball(), { 0.3 });
+  scene.Volume->GetProperty()->SetAmbient(0.2);
+  scene.Volume->GetProperty()->SetDiffuse(0.7);
+  scene.Volume->GetProperty()->SetSpecular(0.0);
+  vtkCamera* camera = scene.Renderer->GetActiveCamera();
+  camera->SetPosition(0.0, 0.0, 0.0);
+  camera->SetFocalPoint(0.0, 0.0, -1.0);
+  camera->SetClippingRange(0.01, 10.0);
+  const auto red = [&]
+  {
+    Expect(scene.Render(40, 40), "rendered");
+    return static_cast<double>(scene.ColorAt(20, 20)[0]);
+  };
+  const auto isNear = [](double a, double b) { return std::abs(a - b) < 1.0; };
+  const double full = 255.0 * 0.9;
+  Expect(isNear(red(), 0.9 * full), "two-sided: lit from inside");
+  scene.Renderer->TwoSidedLightingOff();
+  Expect(isNear(red(), 0.2 * full), "one-sided: not lit from inside");
+  Expect(std::string(scene.Mapper->GetRouteAsString()) == "Reshade", "only shaded again");
+  vtkNew<vtkLight> behind;
+  behind->SetLightTypeToSceneLight();
+  behind->SetPosition(0.0, 0.0, -5.0);
+  behind->SetFocalPoint(0.0, 0.0, 0.0);
+  scene.Renderer->AddLight(behind);
+  Expect(isNear(red(), 0.9 * full), "one-sided: lit by what shines on the outside");
+  scene.Renderer->TwoSidedLightingOn();
+  Expect(isNear(red(), 0.2 * full), "two-sided: in the shade");
+  double normal[3];
+  Expect(scene.Mapper->PickPixel(20, 20, nullptr, normal, nullptr) && normal[2] > 0.99,
+    "the normal that is picked faces the viewer always");
+
+  // From outside there is no difference, nor is there for the cap of a solid.
+  for (const int mode :
+    { vtkTemporalCoherenceVolumeMapper::CROSSING, vtkTemporalCoherenceVolumeMapper::THRESHOLD })
+  {
+    Scene outside(Ball(), { mode == vtkTemporalCoherenceVolumeMapper::CROSSING ? 0.3 : -0.2 });
+    outside.Mapper->SetSurfaceMode(mode);
+    outside.LookFrom(1.0, -2.0, 0.5);
+    Expect(outside.Render(100, 100), "rendered");
+    vtkNew<vtkImageData> twoSided;
+    twoSided->DeepCopy(outside.Color);
+    outside.Renderer->TwoSidedLightingOff();
+    Expect(outside.Render(100, 100) && AreIdentical(twoSided, outside.Color), "seen from outside");
+  }
 }
 
 void TestNormals()
@@ -235,6 +331,7 @@ void TestPlaces()
 int TestShading(int, char*[])
 {
   TestLights();
+  TestOneSided();
   TestNormals();
   TestPlaces();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -68,6 +68,31 @@ TEST_F(FrameRendererTest, SamePictureForAnyNumberOfThreads)
   vtkSMPTools::SetBackend(backend.c_str());
 }
 
+TEST_F(FrameRendererTest, OneSidedLightingTurnsWhatIsSeenFromInside)
+{
+  // From where the light comes, so that two-sided lighting leaves nothing in the dark.
+  this->Key.Look.Lights[0].Direction = -glm::normalize(glm::dvec3(1.0, 2.0, 0.7));
+  FrameRenderer renderer;
+  renderer.Render(this->Key, {});
+  const Frame twoSided = renderer.LastFrame();
+  this->Key.Look.TwoSided = false;
+  renderer.Render(this->Key, {});
+  EXPECT_EQ(renderer.Statistics().Made, Route::Reshade);
+  const Frame& oneSided = renderer.LastFrame();
+  EXPECT_TRUE(AreIdentical(oneSided, this->Cold()));
+  int darkened = 0;
+  for (std::size_t i = 0; i < oneSided.Kinds.size(); ++i)
+  {
+    EXPECT_EQ(oneSided.Normals[i], twoSided.Normals[i]);
+    if (oneSided.Kinds[i] != HitKind::Leaves)
+    {
+      EXPECT_EQ(oneSided.Colors[i], twoSided.Colors[i]);
+    }
+    darkened += oneSided.Colors[i][0] < twoSided.Colors[i][0];
+  }
+  EXPECT_GT(darkened, 1000);
+}
+
 TEST_F(FrameRendererTest, SpaceLeapingDoesNotChangeThePicture)
 {
   FrameRenderer::Options plain;

@@ -42,6 +42,9 @@ TEST(ReusePlan, AppearanceChanged)
   key = BaseKey();
   key.Look.Lights.push_back(Light());
   EXPECT_EQ(Plan(key), Route::Reshade);
+  key = BaseKey();
+  key.Look.TwoSided = false;
+  EXPECT_EQ(Plan(key), Route::Reshade);
 }
 
 TEST(ReusePlan, DataChanged)

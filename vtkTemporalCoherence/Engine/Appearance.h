@@ -18,7 +18,7 @@ struct Light
   glm::dvec3 Direction{ 0.0, 0.0, -1.0 }; ///< unit vector in which the light shines
   glm::dvec3 Diffuse{ 1.0 };
   glm::dvec3 Specular{ 1.0 };
-  double ConeAngle = 180.0;                ///< degrees from axis to rim; above 90: no spot
+  double ConeAngle = 180.0;                ///< degrees from axis to rim; 90 or more: no spot
   double Exponent = 1.0;                   ///< fall-off inside a spot's cone
   glm::dvec3 Attenuation{ 1.0, 0.0, 0.0 }; ///< constant, linear, quadratic in distance
 };
@@ -33,6 +33,9 @@ struct Appearance
   double Specular = 0.2;
   double SpecularPower = 10.0;
   std::vector<Light> Lights;
+  /// A surface is lit on the side that is seen. False: only on its outside, which is the side of
+  /// lower values, from wherever it is seen.
+  bool TwoSided = true;
   bool ColorByAnswer = false; ///< yellow where a frame from the image cache was not served by it
 };
 
@@ -47,7 +50,7 @@ inline bool operator==(const Appearance& a, const Appearance& b)
 {
   return a.Colors == b.Colors && a.Shade == b.Shade && a.Ambient == b.Ambient &&
     a.Diffuse == b.Diffuse && a.Specular == b.Specular && a.SpecularPower == b.SpecularPower &&
-    a.Lights == b.Lights && a.ColorByAnswer == b.ColorByAnswer;
+    a.Lights == b.Lights && a.TwoSided == b.TwoSided && a.ColorByAnswer == b.ColorByAnswer;
 }
 
 }

@@ -70,7 +70,7 @@ double ShareAt(const Light& light, const glm::dvec3& point, glm::dvec3& toLight)
   const double fading = light.Attenuation.x + light.Attenuation.y * distance +
     light.Attenuation.z * distance * distance;
   double share = fading > 0.0 ? 1.0 / fading : 1.0;
-  if (light.ConeAngle <= 90.0)
+  if (light.ConeAngle < 90.0)
   {
     const double cosine = glm::dot(fromLight, light.Direction) / distance;
     share *= cosine >= std::cos(light.ConeAngle * Pi / 180.0) && cosine > 0.0
@@ -114,12 +114,31 @@ void AddLight(const Appearance& appearance, const Light& light, const HitList& h
   ShadingKernels::AddLight(hits.Rays, sums);
 }
 
+/// Turn the normals of surfaces that are seen from inside, which face the viewer, to the outside.
+void TurnOutside(const HitList& hits, ShadingKernels::PhongSums& sums)
+{
+  for (std::size_t i = 0; i < sums.Count; ++i)
+  {
+    if (hits.Kind[i] == HitKind::Leaves)
+    {
+      for (float& component : sums.Normal[i])
+      {
+        component = -component;
+      }
+    }
+  }
+}
+
 /// What hits look like without light from anywhere.
 void BeginSums(const Appearance& appearance, const HitList& hits, ShadingKernels::PhongSums& sums)
 {
   const auto ambient = static_cast<float>(appearance.Shade ? appearance.Ambient : 1.0);
   sums.Count = hits.Rays.Count;
   std::copy_n(hits.Normal.begin(), sums.Count, sums.Normal.begin());
+  if (!appearance.TwoSided)
+  {
+    TurnOutside(hits, sums);
+  }
   FillLastVector(sums.Count, sums.Normal);
   for (std::size_t a = 0; a < 3; ++a)
   {

@@ -62,7 +62,8 @@ void LoadNormals(const Frame& frame, HitList& hits);
 ///
 /// VTK's Phong model: ambient light is the surface's own colour; each light adds a diffuse term
 /// max(0, N.L) and a specular term max(0, R.V)^power, R being the light mirrored at the normal
-/// (vtkVolumeShaderComposer of VTK 9.2 and later). Normals face the viewer, as for polygons.
+/// (vtkVolumeShaderComposer of VTK 9.2 and later). Normals face the viewer, as for polygons; where
+/// lighting is not two-sided they face outside.
 void SumLight(const Appearance& appearance, const HitList& hits, ShadingKernels::PhongSums& sums);
 
 /// The same, to the colours of a frame: opaque, and yellow where the appearance asks for it.

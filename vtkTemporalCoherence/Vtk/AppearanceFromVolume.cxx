@@ -51,6 +51,7 @@ Light MakeLight(vtkLight* source)
   return light;
 }
 
+/// The lights that are on, as the renderer finds them when it draws into a window.
 std::vector<Light> FindLights(vtkRenderer* renderer)
 {
   std::vector<Light> lights;
@@ -61,19 +62,23 @@ std::vector<Light> FindLights(vtkRenderer* renderer)
   vtkLightCollection* sources = renderer->GetLights();
   vtkCollectionSimpleIterator at;
   sources->InitTraversal(at);
+  bool areHeadlights = true;
   while (vtkLight* source = sources->GetNextLight(at))
   {
     if (source->GetSwitch())
     {
       lights.push_back(MakeLight(source));
+      areHeadlights = areHeadlights && source->LightTypeIsHeadlight() && !source->GetPositional();
     }
   }
-  if (sources->GetNumberOfItems() == 0 && renderer->GetAutomaticLightCreation())
+  if (lights.empty() && renderer->GetAutomaticLightCreation())
   {
-    // What the renderer would add when it renders into a window.
-    Light headlight;
-    headlight.Direction = ToVec(renderer->GetActiveCamera()->GetDirectionOfProjection());
-    lights.push_back(headlight);
+    lights.emplace_back();
+  }
+  if (lights.size() == 1 && areHeadlights)
+  {
+    // Alone, it is where the camera is, even if it was left behind (LightFollowCameraOff).
+    lights.front().Direction = ToVec(renderer->GetActiveCamera()->GetDirectionOfProjection());
   }
   return lights;
 }
@@ -206,6 +211,12 @@ Appearance MakeAppearance(vtkVolumeProperty* property, int component, vtkRendere
     appearance.Specular = property->GetSpecular(component);
     appearance.SpecularPower = property->GetSpecularPower(component);
     appearance.Lights = FindLights(renderer);
+    appearance.TwoSided = renderer->GetTwoSidedLighting() != 0;
+    if (appearance.Lights.empty())
+    {
+      // What polygons look like without a light: lit evenly, and not black.
+      appearance.Ambient += appearance.Diffuse;
+    }
   }
   return appearance;
 }

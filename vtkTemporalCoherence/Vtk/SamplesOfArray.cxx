@@ -33,14 +33,31 @@ constexpr ScalarType ScalarTypeOf()
   }
 }
 
+/// The samples of a component where they lie by themselves; null where the array keeps whole tuples
+/// after all, as many do from VTK 9.3 on: it tells that by an error only.
+template <typename T>
+const T* OwnComponent(vtkSOADataArrayTemplate<T>* array, int component)
+{
+  const int showsErrors = vtkObject::GetGlobalWarningDisplay();
+  vtkObject::GlobalWarningDisplayOff();
+  const T* samples = array->GetComponentArrayPointer(component);
+  vtkObject::SetGlobalWarningDisplay(showsErrors);
+  return samples;
+}
+
 template <typename T>
 bool FindTypedSamples(vtkDataArray* array, int component, ArraySamples& samples)
 {
   samples.Type = ScalarTypeOf<T>();
   if (auto* perComponent = vtkSOADataArrayTemplate<T>::FastDownCast(array))
   {
-    samples.First = perComponent->GetComponentArrayPointer(component);
+    samples.First = OwnComponent(perComponent, component);
     samples.Step = 1;
+    if (samples.First == nullptr)
+    {
+      samples.First = static_cast<const T*>(array->GetVoidPointer(0)) + component;
+      samples.Step = array->GetNumberOfComponents();
+    }
     return true;
   }
   if (array->HasStandardMemoryLayout())

@@ -12,6 +12,8 @@ set(engine_files
   FramePlanes
   FrameRenderer
   FreeSpace
+  GradedGradients
+  GradedTracer
   HiddenCells
   ImageCache
   ImageQuery
@@ -55,6 +57,7 @@ set(bridge_files
   HiddenCellsFromImage
   ImageFromFrame
   ImageLattice
+  ImageOfGrid
   InputFromMapper
   MergedBlocks
   PassOutput

@@ -382,6 +382,7 @@ bool vtkTemporalCoherenceVolumeMapper::MakeFrameKey(vtkRenderer* renderer, vtkVo
   {
     return false;
   }
+  key.Samples.Grid = input.Grid;
   key.Samples.Between = property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION
     ? TemporalCoherence::Interpolation::Nearest
     : TemporalCoherence::Interpolation::Linear;

@@ -31,6 +31,13 @@
  * and when one of them changes, so that there are no seams. Nothing is drawn in cells that no
  * block has, owns (vtkGhostType) and shows. Blocks without the chosen array are left out.
  *
+ * The input may be a vtkRectilinearGrid, too. Its coordinates ascend or descend, strictly; they are
+ * read in every frame, so that changes need not be told. Each cell is trilinear, the faces of
+ * nearest-neighbour interpolation lie half way between samples, and normals are those of central
+ * differences by the distances between samples. A grid has no isomap: a new isovalue in the same
+ * view takes the route ThresholdHint. Where all cells are alike (to 1e-5 of one), the grid is drawn
+ * as the image that it is.
+ *
  * Ghost arrays ("vtkGhostType", as vtkUniformGrid::BlankPoint and BlankCell write them) hide cells:
  * those with HIDDENCELL, REFINEDCELL or DUPLICATECELL, and those with a corner that is a
  * HIDDENPOINT. No surface is found in a hidden cell. Its samples still serve the cells beside it.
@@ -356,7 +363,8 @@ public:
    * the isovalues, else a band around each. The view is that of the renderer's window; without a
    * window its size is that of the last frame. Sends ProgressEvent with the share of a band that is
    * done; stops when the render window or SetAbortExecute() asks for it. The last frame stays.
-   * @return true if there is an isomap for the present isovalues afterwards
+   * @return true if there is an isomap for the present isovalues afterwards; there is none of a
+   *         rectilinear grid whose cells are not all alike
    */
   bool BuildIsomap(vtkRenderer* renderer, vtkVolume* volume);
 

@@ -11,6 +11,7 @@
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkRectilinearGrid.h>
 #include <vtkRenderer.h>
 #include <vtkVolume.h>
 #include <vtkVolumeProperty.h>
@@ -76,27 +77,17 @@ std::array<double, 16> Elements(vtkMatrix4x4* matrix)
 BruteForceTracer::BruteForceTracer(
   vtkImageData* image, vtkVolume* volume, int component, vtkDataArray* cells)
 {
-  vtkDataArray* array = cells ? cells : image->GetPointData()->GetScalars();
-  double largest = 0.0;
-  this->Samples.resize(static_cast<std::size_t>(array->GetNumberOfTuples()));
-  for (std::size_t i = 0; i < this->Samples.size(); ++i)
-  {
-    const double value = array->GetComponent(static_cast<vtkIdType>(i), component);
-    this->Samples[i] = value;
-    largest = std::isfinite(value) ? std::max(largest, std::abs(value)) : largest;
-  }
-  // Not a number: below every isovalue.
-  for (double& value : this->Samples)
-  {
-    value = std::isnan(value) ? -3.0 * largest - 1.0 : value;
-  }
   image->GetDimensions(this->Dimensions.data());
   this->FindHidden(image, cells != nullptr);
-  for (int& samples : this->Dimensions)
-  {
-    samples -= cells != nullptr;
-  }
+  this->SetSamples(cells ? cells : image->GetPointData()->GetScalars(), component, cells);
   this->IsNearest = volume->GetProperty()->GetInterpolationType() == VTK_NEAREST_INTERPOLATION;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    for (int i = 0; i < this->Dimensions[a]; ++i)
+    {
+      this->Planes[a].push_back(i);
+    }
+  }
 
   // Corner by corner, so that no matrix of ours is trusted.
   const int* extent = image->GetExtent();
@@ -133,23 +124,97 @@ BruteForceTracer::BruteForceTracer(
   }
   volume->ComputeMatrix();
   vtkMatrix4x4::Multiply4x4(volume->GetMatrix(), toVolume, world);
+  this->SetPlacement(world);
+}
+
+BruteForceTracer::BruteForceTracer(
+  vtkRectilinearGrid* grid, vtkVolume* volume, int component, vtkDataArray* cells)
+{
+  grid->GetDimensions(this->Dimensions.data());
+  this->FindHidden(grid, cells != nullptr);
+  this->SetSamples(cells ? cells : grid->GetPointData()->GetScalars(), component, cells);
+  this->IsNearest = volume->GetProperty()->GetInterpolationType() == VTK_NEAREST_INTERPOLATION;
+  vtkDataArray* coordinates[3] = { grid->GetXCoordinates(), grid->GetYCoordinates(),
+    grid->GetZCoordinates() };
+  vtkNew<vtkMatrix4x4> toVolume;
+  vtkNew<vtkMatrix4x4> world;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    // From the first plane on: far from the origin small distances would drown.
+    std::vector<double>& planes = this->Planes[a];
+    for (vtkIdType i = 0; i < this->Dimensions[a]; ++i)
+    {
+      const double here = coordinates[a]->GetTuple1(i);
+      planes.push_back(cells ? 0.5 * (here + coordinates[a]->GetTuple1(i + 1)) : here);
+    }
+    this->IsDescending[a] = planes.front() > planes.back();
+    std::sort(planes.begin(), planes.end());
+    const double origin = planes.front();
+    toVolume->SetElement(static_cast<int>(a), 3, origin);
+    for (double& plane : planes)
+    {
+      plane -= origin;
+    }
+  }
+  volume->ComputeMatrix();
+  vtkMatrix4x4::Multiply4x4(volume->GetMatrix(), toVolume, world);
+  this->SetPlacement(world);
+}
+
+void BruteForceTracer::SetSamples(vtkDataArray* array, int component, bool onCells)
+{
+  for (int& samples : this->Dimensions)
+  {
+    samples -= onCells;
+  }
+  double largest = 0.0;
+  this->Samples.resize(static_cast<std::size_t>(this->Dimensions[0]) *
+    static_cast<std::size_t>(this->Dimensions[1]) * static_cast<std::size_t>(this->Dimensions[2]));
+  for (std::size_t i = 0; i < this->Samples.size(); ++i)
+  {
+    const double value = array->GetComponent(static_cast<vtkIdType>(i), component);
+    this->Samples[i] = value;
+    largest = std::isfinite(value) ? std::max(largest, std::abs(value)) : largest;
+  }
+  // Not a number: below every isovalue.
+  for (double& value : this->Samples)
+  {
+    value = std::isnan(value) ? -3.0 * largest - 1.0 : value;
+  }
+}
+
+void BruteForceTracer::SetPlacement(vtkMatrix4x4* world)
+{
   this->WorldFromIndex = Elements(world);
   this->Voxel = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3; ++axis)
   {
-    this->Voxel = std::min(this->Voxel,
-      std::hypot(
-        world->GetElement(0, axis), world->GetElement(1, axis), world->GetElement(2, axis)));
+    const std::vector<double>& planes = this->Planes[static_cast<std::size_t>(axis)];
+    const double unit = std::hypot(
+      world->GetElement(0, axis), world->GetElement(1, axis), world->GetElement(2, axis));
+    for (std::size_t i = 1; i < planes.size(); ++i)
+    {
+      this->Voxel = std::min(this->Voxel, unit * (planes[i] - planes[i - 1]));
+    }
   }
-  world->Invert();
-  this->IndexFromWorld = Elements(world);
+  vtkNew<vtkMatrix4x4> back;
+  vtkMatrix4x4::Invert(world, back);
+  this->IndexFromWorld = Elements(back);
 }
 
-void BruteForceTracer::FindHidden(vtkImageData* image, bool areSamplesCells)
+/// The cell that a coordinate lies in, or the nearest one.
+int BruteForceTracer::CellOf(std::size_t axis, double at) const
+{
+  const std::vector<double>& planes = this->Planes[axis];
+  const auto above = std::upper_bound(planes.begin(), planes.end(), at);
+  return std::clamp(static_cast<int>(above - planes.begin()) - 1, 0, this->Dimensions[axis] - 2);
+}
+
+void BruteForceTracer::FindHidden(vtkDataSet* data, bool areSamplesCells)
 {
   using Attributes = vtkDataSetAttributes;
-  vtkDataArray* ofCells = image->GetCellData()->GetArray(Attributes::GhostArrayName());
-  vtkDataArray* ofPoints = image->GetPointData()->GetArray(Attributes::GhostArrayName());
+  vtkDataArray* ofCells = data->GetCellData()->GetArray(Attributes::GhostArrayName());
+  vtkDataArray* ofPoints = data->GetPointData()->GetArray(Attributes::GhostArrayName());
   if (!ofCells && !ofPoints)
   {
     return;
@@ -216,7 +281,8 @@ bool BruteForceTracer::IsHidden(const Point& index) const
   std::array<int, 3> cell;
   for (std::size_t a = 0; a < 3; ++a)
   {
-    cell[a] = std::clamp(static_cast<int>(std::floor(index[a])), 0, this->Dimensions[a] - 2);
+    cell[a] = this->CellOf(a, index[a]);
+    cell[a] = this->IsDescending[a] ? this->Dimensions[a] - 2 - cell[a] : cell[a];
   }
   return this->Hidden[static_cast<std::size_t>(
     (cell[2] * (this->Dimensions[1] - 1) + cell[1]) * (this->Dimensions[0] - 1) + cell[0])];
@@ -239,6 +305,9 @@ int BruteForceTracer::HighestInside(const Point& index) const
 
 double BruteForceTracer::Sample(int i, int j, int k) const
 {
+  i = this->IsDescending[0] ? this->Dimensions[0] - 1 - i : i;
+  j = this->IsDescending[1] ? this->Dimensions[1] - 1 - j : j;
+  k = this->IsDescending[2] ? this->Dimensions[2] - 1 - k : k;
   const auto nx = static_cast<std::size_t>(this->Dimensions[0]);
   const auto ny = static_cast<std::size_t>(this->Dimensions[1]);
   return this->Samples[(static_cast<std::size_t>(k) * ny + static_cast<std::size_t>(j)) * nx +
@@ -251,8 +320,9 @@ double BruteForceTracer::DifferenceAt(const Point& index, double isovalue) const
   Point f;
   for (std::size_t a = 0; a < 3; ++a)
   {
-    cell[a] = std::clamp(static_cast<int>(std::floor(index[a])), 0, this->Dimensions[a] - 2);
-    f[a] = std::clamp(index[a] - cell[a], 0.0, 1.0);
+    cell[a] = this->CellOf(a, index[a]);
+    const double* plane = &this->Planes[a][static_cast<std::size_t>(cell[a])];
+    f[a] = std::clamp((index[a] - plane[0]) / (plane[1] - plane[0]), 0.0, 1.0);
     f[a] = this->IsNearest ? std::floor(f[a] + 0.5) : f[a];
   }
   double sum = 0.0;
@@ -271,13 +341,36 @@ double BruteForceTracer::DifferenceAt(const Point& index, double isovalue) const
 Point BruteForceTracer::WorldNormalAt(const Point& world) const
 {
   const Point index = Transform(this->IndexFromWorld, world, 1.0);
-  Point gradient;
+  std::array<int, 3> cell;
+  Point f;
   for (std::size_t a = 0; a < 3; ++a)
   {
-    Point low = index, high = index;
-    low[a] -= 1.0;
-    high[a] += 1.0;
-    gradient[a] = 0.5 * (this->DifferenceAt(high, 0.0) - this->DifferenceAt(low, 0.0));
+    cell[a] = this->CellOf(a, index[a]);
+    const double* plane = &this->Planes[a][static_cast<std::size_t>(cell[a])];
+    f[a] = std::clamp((index[a] - plane[0]) / (plane[1] - plane[0]), 0.0, 1.0);
+  }
+  Point gradient{};
+  for (std::size_t corner = 0; corner < 8; ++corner)
+  {
+    double weight = 1.0;
+    std::array<int, 3> at;
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      const int isHigh = static_cast<int>(corner >> a & 1u);
+      at[a] = cell[a] + isHigh;
+      weight *= isHigh ? f[a] : 1.0 - f[a];
+    }
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      std::array<int, 3> low = at, high = at;
+      low[a] = std::max(at[a] - 1, 0);
+      high[a] = std::min(at[a] + 1, this->Dimensions[a] - 1);
+      const double distance = this->Planes[a][static_cast<std::size_t>(high[a])] -
+        this->Planes[a][static_cast<std::size_t>(low[a])];
+      const double difference =
+        this->Sample(high[0], high[1], high[2]) - this->Sample(low[0], low[1], low[2]);
+      gradient[a] += weight * difference / distance;
+    }
   }
   // Gradients go with the transposed inverse.
   Point normal{};
@@ -405,7 +498,7 @@ BruteForceTracer::Hit BruteForceTracer::Trace(const Line& line) const
   double firstPlane = 0.0, lastPlane = 0.0;
   for (std::size_t a = 0; a < 3; ++a)
   {
-    const double last = this->Dimensions[a] - 1;
+    const double last = this->Planes[a].back();
     if (step[a] == 0.0)
     {
       if (origin[a] < 0.0 || origin[a] > last)
@@ -444,15 +537,21 @@ BruteForceTracer::Hit BruteForceTracer::Trace(const Line& line) const
   std::vector<Stop> stops = { first, { end, lastAxis, lastPlane } };
   for (std::size_t a = 0; a < 3; ++a)
   {
-    for (int plane = 0; plane < 2 * this->Dimensions[a] - 1 && step[a] != 0.0; ++plane)
+    const std::vector<double>& planes = this->Planes[a];
+    const auto stopAt = [&](double plane)
     {
-      if (plane % 2 == 0 || this->IsNearest)
+      const double t = (plane - origin[a]) / step[a];
+      if (t > begin && t < end)
       {
-        const double t = (0.5 * plane - origin[a]) / step[a];
-        if (t > begin && t < end)
-        {
-          stops.push_back({ t, static_cast<int>(a), 0.5 * plane });
-        }
+        stops.push_back({ t, static_cast<int>(a), plane });
+      }
+    };
+    for (std::size_t i = 0; i < planes.size() && step[a] != 0.0; ++i)
+    {
+      stopAt(planes[i]);
+      if (this->IsNearest && i + 1 < planes.size())
+      {
+        stopAt(0.5 * (planes[i] + planes[i + 1]));
       }
     }
   }
@@ -486,7 +585,7 @@ BruteForceTracer::Hit BruteForceTracer::Trace(const Line& line) const
     for (std::size_t s = 0; s < this->Isovalues.size(); ++s)
     {
       double t;
-      bool found;
+      bool found, isFirst = false;
       if (this->IsNearest)
       {
         // Constant within the interval: compare with the interval before.
@@ -495,6 +594,9 @@ BruteForceTracer::Hit BruteForceTracer::Trace(const Line& line) const
         const double before = previous == none ? here : this->DifferenceAt(midway(previous), value);
         found = (here >= 0.0) != (before >= 0.0);
         t = stops[i].T;
+        // A jump passes all values between, upwards from the lowest, downwards from the highest.
+        isFirst = surface >= 0 && t == nearest &&
+          (here >= 0.0) == (value < this->Isovalues[static_cast<std::size_t>(surface)]);
       }
       else
       {
@@ -503,7 +605,7 @@ BruteForceTracer::Hit BruteForceTracer::Trace(const Line& line) const
           this->DifferenceAt(At(origin, step, stops[i]), value),
           this->DifferenceAt(At(origin, step, stops[i + 1]), value), value, t);
       }
-      if (found && t < nearest)
+      if (found && (t < nearest || isFirst))
       {
         nearest = t;
         surface = static_cast<int>(s);

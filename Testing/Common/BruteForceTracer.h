@@ -7,8 +7,10 @@
 #include <vector>
 
 class vtkDataArray;
+class vtkDataSet;
 class vtkImageData;
 class vtkMatrix4x4;
+class vtkRectilinearGrid;
 class vtkRenderer;
 class vtkVolume;
 
@@ -30,6 +32,10 @@ public:
   /// \param cells     one tuple for each cell, at its centre; if null, the point scalars
   BruteForceTracer(
     vtkImageData* image, vtkVolume* volume, int component = 0, vtkDataArray* cells = nullptr);
+
+  /// The same for a grid, in whose index space samples lie at its coordinates.
+  BruteForceTracer(
+    vtkRectilinearGrid* grid, vtkVolume* volume, int component = 0, vtkDataArray* cells = nullptr);
 
   std::vector<double> Isovalues;
   bool IsThreshold = false; ///< THRESHOLD, otherwise CROSSING
@@ -62,11 +68,14 @@ public:
   /// The field minus an isovalue at a point in index space.
   double DifferenceAt(const std::array<double, 3>& index, double isovalue) const;
 
-  /// Unit gradient in the world by central differences, not oriented.
+  /// Unit gradient in the world by central differences, one-sided at the boundary; not oriented.
   std::array<double, 3> WorldNormalAt(const std::array<double, 3>& world) const;
 
 private:
-  void FindHidden(vtkImageData* image, bool areSamplesCells);
+  void SetSamples(vtkDataArray* array, int component, bool onCells);
+  void SetPlacement(vtkMatrix4x4* world);
+  int CellOf(std::size_t axis, double at) const;
+  void FindHidden(vtkDataSet* data, bool areSamplesCells);
   void HideAroundSamples();
   bool IsHidden(const std::array<double, 3>& index) const;
   int HighestInside(const std::array<double, 3>& index) const;
@@ -75,6 +84,8 @@ private:
     double begin, double end, double atBegin, double atEnd, double isovalue, double& t) const;
 
   std::vector<double> Samples;
+  std::array<std::vector<double>, 3> Planes; ///< where samples lie in index space, ascending
+  std::array<bool, 3> IsDescending{};        ///< the last sample lies in the first plane
   std::vector<bool> Hidden; ///< of each cell; empty where the image has no ghost arrays
   std::array<int, 3> Dimensions;
   bool IsNearest;

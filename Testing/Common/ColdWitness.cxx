@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ColdWitness.h"
 
+#include <vtkDataArray.h>
 #include <vtkMath.h>
 #include <vtkMatrix4x4.h>
+#include <vtkRectilinearGrid.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +14,26 @@
 namespace
 {
 
-double ShortestEdge(vtkImageData* image, vtkVolume* volume)
+/// Shortest distance between neighbouring samples along an axis.
+double SpacingOf(vtkDataObject* data, int axis)
+{
+  auto* grid = vtkRectilinearGrid::SafeDownCast(data);
+  if (!grid)
+  {
+    return vtkImageData::SafeDownCast(data)->GetSpacing()[axis];
+  }
+  vtkDataArray* coordinates[3] = { grid->GetXCoordinates(), grid->GetYCoordinates(),
+    grid->GetZCoordinates() };
+  double shortest = std::numeric_limits<double>::infinity();
+  for (vtkIdType i = 1; i < coordinates[axis]->GetNumberOfTuples(); ++i)
+  {
+    const double step = coordinates[axis]->GetTuple1(i) - coordinates[axis]->GetTuple1(i - 1);
+    shortest = std::min(shortest, std::abs(step));
+  }
+  return shortest;
+}
+
+double ShortestEdge(vtkDataObject* data, vtkVolume* volume)
 {
   double shortest = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3; ++axis)
@@ -20,7 +41,7 @@ double ShortestEdge(vtkImageData* image, vtkVolume* volume)
     double edge[3];
     for (int row = 0; row < 3; ++row)
     {
-      edge[row] = volume->GetMatrix()->GetElement(row, axis) * image->GetSpacing()[axis];
+      edge[row] = volume->GetMatrix()->GetElement(row, axis) * SpacingOf(data, axis);
     }
     shortest = std::min(shortest, vtkMath::Norm(edge));
   }
@@ -53,8 +74,8 @@ bool ColdWitness::Draw(Scene& scene)
 
 vtkIdType ColdWitness::CountDifferent(const Scene& scene, double voxels) const
 {
-  auto* image = vtkImageData::SafeDownCast(this->Mapper->GetInputDataObject(0, 0));
-  return this->Count(scene, voxels * ShortestEdge(image, scene.Volume));
+  vtkDataObject* data = this->Mapper->GetInputDataObject(0, 0);
+  return this->Count(scene, voxels * ShortestEdge(data, scene.Volume));
 }
 
 vtkIdType ColdWitness::Count(const Scene& scene, double apart) const

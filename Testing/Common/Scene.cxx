@@ -10,9 +10,9 @@
 #include <cstring>
 #include <iostream>
 
-Scene::Scene(vtkImageData* image, const std::vector<double>& isovalues)
+Scene::Scene(vtkDataSet* data, const std::vector<double>& isovalues)
 {
-  this->Mapper->SetInputData(image);
+  this->Mapper->SetInputDataObject(data);
   this->Volume->SetMapper(this->Mapper);
   vtkVolumeProperty* property = this->Volume->GetProperty();
   property->SetInterpolationTypeToLinear();

@@ -21,9 +21,9 @@
 /// A volume before a camera, without a window: what most tests render.
 struct Scene
 {
-  /// \param image     may be null
+  /// \param data      may be null
   /// \param isovalues replace the property's list
-  Scene(vtkImageData* image, const std::vector<double>& isovalues);
+  Scene(vtkDataSet* data, const std::vector<double>& isovalues);
 
   void SetIsovalues(const std::vector<double>& isovalues);
 

@@ -15,7 +15,7 @@
 #include <vtkFloatingPointExceptions.h>
 #include <vtkPiecewiseFunction.h>
 #include <vtkPointData.h>
-#include <vtkRectilinearGrid.h>
+#include <vtkPolyData.h>
 #include <vtkTestErrorObserver.h>
 
 #include <cmath>
@@ -130,8 +130,8 @@ void TestInputs()
       scene.Mapper->SetInputData(image);
     });
   ExpectError(
-    "vtkRectilinearGrid",
-    [](Scene& scene) { scene.Mapper->SetInputData(vtkNew<vtkRectilinearGrid>().Get()); },
+    "vtkPolyData",
+    [](Scene& scene) { scene.Mapper->SetInputDataObject(vtkNew<vtkPolyData>().Get()); },
     [](Scene& scene) { scene.Mapper->SetInputData(Ball()); });
   ExpectError(
     "Blend mode", [](Scene& scene) { scene.Mapper->SetBlendModeToComposite(); },

@@ -6,15 +6,20 @@
 
 #include "ColdWitness.h"
 #include "Expect.h"
+#include "Ghosts.h"
 #include "Sweep.h"
 #include "Volumes.h"
 
+#include <vtkCellData.h>
 #include <vtkContourValues.h>
+#include <vtkDoubleArray.h>
 #include <vtkMath.h>
 #include <vtkPiecewiseFunction.h>
 #include <vtkPlane.h>
 #include <vtkPlaneCollection.h>
+#include <vtkPointData.h>
 #include <vtkRTAnalyticSource.h>
+#include <vtkRectilinearGrid.h>
 
 #include <algorithm>
 #include <cmath>
@@ -57,9 +62,11 @@ struct Layer
 class Compositor
 {
 public:
-  Compositor(Scene& scene, vtkImageData* image)
+  /// \param data a vtkImageData or a vtkRectilinearGrid
+  template <typename DataSet>
+  Compositor(Scene& scene, DataSet* data)
     : Of(scene)
-    , Truth(image, scene.Volume)
+    , Truth(data, scene.Volume)
   {
     vtkContourValues* list = scene.Volume->GetProperty()->GetIsoSurfaceValues();
     for (int i = 0; i < list->GetNumberOfContours(); ++i)
@@ -68,7 +75,7 @@ public:
     }
     for (int axis = 0; axis < 3; ++axis)
     {
-      this->Last[static_cast<std::size_t>(axis)] = image->GetDimensions()[axis] - 1.0;
+      this->Last[static_cast<std::size_t>(axis)] = data->GetDimensions()[axis] - 1.0;
     }
   }
 
@@ -326,12 +333,52 @@ void TestFields()
         scene.LookFrom(0.9, 0.7, 0.4);
         const std::string name = "noise of type " + std::to_string(type) +
           (nearest ? ", nearest" : "") + (threshold ? ", THRESHOLD" : ", CROSSING");
-        ExpectComposite(name, scene, Compositor(scene, image), 60, 50);
+        ExpectComposite(name, scene, Compositor(scene, image.Get()), 60, 50);
         vtkNew<vtkPlane> plane;
         plane->SetOrigin(0.1, 0.0, 0.0);
         plane->SetNormal(-1.0, -0.3, 0.2);
         scene.Mapper->AddClippingPlane(plane);
-        ExpectComposite(name + ", clipped", scene, Compositor(scene, image), 60, 50);
+        ExpectComposite(name + ", clipped", scene, Compositor(scene, image.Get()), 60, 50);
+      }
+    }
+  }
+}
+
+/// Cells of all sizes, some of them hidden.
+void TestGrids()
+{
+  for (const bool nearest : { false, true })
+  {
+    for (const bool threshold : { false, true })
+    {
+      vtkSmartPointer<vtkImageData> noise = Volumes::Noise(9, VTK_SHORT, 0.0, 100.0);
+      vtkNew<vtkRectilinearGrid> grid;
+      grid->SetDimensions(9, 9, 9);
+      vtkNew<vtkDoubleArray> coordinates;
+      for (int i = 0; i < 9; ++i)
+      {
+        coordinates->InsertNextValue(0.01 * (i * i * i + 10 * i));
+      }
+      grid->SetXCoordinates(coordinates);
+      grid->SetYCoordinates(coordinates);
+      grid->SetZCoordinates(coordinates);
+      grid->GetPointData()->SetScalars(noise->GetPointData()->GetScalars());
+      Scene scene(grid, { 50.5, 80.25, 30.75 });
+      SetColors(scene,
+        { { 30.75, 0.1, 0.3, 0.9, 0.15 }, { 50.5, 0.8, 0.3, 0.2, 0.3 },
+          { 80.25, 0.2, 0.9, 0.1, 0.5 } });
+      scene.Volume->GetProperty()->ShadeOff();
+      scene.Volume->GetProperty()->SetInterpolationType(nearest ? 0 : 1);
+      scene.Mapper->SetSurfaceMode(threshold);
+      scene.LookFrom(0.9, 0.7, 0.4);
+      const std::string name = std::string("grid") + (nearest ? ", nearest" : "") +
+        (threshold ? ", THRESHOLD" : ", CROSSING");
+      ExpectComposite(name, scene, Compositor(scene, grid.Get()), 60, 50);
+      if (!threshold)
+      {
+        Ghosts::HideCells(noise, 0.1, 5);
+        grid->GetCellData()->ShallowCopy(noise->GetCellData());
+        ExpectComposite(name + ", cells hidden", scene, Compositor(scene, grid.Get()), 60, 50);
       }
     }
   }
@@ -352,7 +399,7 @@ void TestGradientOpacity()
   bySteepness->AddPoint(1.2, 1.0);
   scene.Volume->GetProperty()->SetGradientOpacity(bySteepness);
   scene.LookFrom(0.1, 0.2, 1.0);
-  Compositor compositor(scene, image);
+  Compositor compositor(scene, image.Get());
   compositor.OpacityBySteepness = [](double g) { return std::clamp((g - 0.8) / 0.4, 0.0, 1.0); };
   ExpectComposite("gradient opacity", scene, compositor);
   int clear = 0;
@@ -440,6 +487,7 @@ int TestTranslucent(int, char*[])
 {
   TestWavelet();
   TestFields();
+  TestGrids();
   TestGradientOpacity();
   TestRoutes();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -53,7 +53,7 @@ Visits VisitOneByOne(const RayBatch& rays, const ActiveCells& active, const Fiel
     if (rays.WalkBegin[ray] < rays.WalkEnd[ray])
     {
       CellWalk walk;
-      walk.Begin({ rays, ray }, field.Dimensions - 1);
+      walk.Begin(BatchRay{ rays, ray }, field.Dimensions - 1);
       while (walk.FindActive(BatchRay{ rays, ray }, active, samples))
       {
         visits[ray].push_back(walk.Here());

@@ -150,8 +150,8 @@ private:
     const UsefulRanges useful{ *this, progress.Reached[Rising][ray],
       progress.Reached[Falling][ray] };
     CellWalk& walk = progress.Live.Walks[ray];
-    while (
-      walk.FindActive({ progress.Rays, ray }, *this->Scene.Active, this->Samples.All(), useful))
+    while (walk.FindActive(
+      BatchRay{ progress.Rays, ray }, *this->Scene.Active, this->Samples.All(), useful))
     {
       Corners<Real> corners;
       const CellReach reach = this->Read(walk.Here(), corners);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CapNormal.h"
 
+#include "GridCoordinates.h"
 #include "HiddenCells.h"
 
 #include <cmath>
@@ -11,15 +12,46 @@ namespace TemporalCoherence
 namespace
 {
 
+/// The plane between cells, across an axis, that is nearest to a coordinate.
+int NearestPlane(const Field& field, int axis, double at)
+{
+  if (!field.Grid)
+  {
+    return static_cast<int>(std::round(at));
+  }
+  const int cell = field.Grid->CellOf(axis, at);
+  const double toLow = at - field.Grid->At(axis, cell);
+  const double toHigh = field.Grid->At(axis, cell + 1) - at;
+  return toHigh < toLow ? cell + 1 : cell;
+}
+
+/// Where a plane between cells lies.
+double PlaneAt(const Field& field, int axis, int plane)
+{
+  const bool isInside = plane >= 0 && plane < field.Dimensions[axis];
+  return field.Grid && isInside ? field.Grid->At(axis, plane) : plane;
+}
+
+/// The cell that a point lies in, or the nearest one.
+glm::ivec3 CellOf(const Field& field, const glm::dvec3& point)
+{
+  glm::ivec3 cell;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    cell[axis] = field.Grid ? field.Grid->CellOf(axis, point[axis])
+                            : static_cast<int>(std::floor(point[axis]));
+  }
+  return glm::clamp(cell, glm::ivec3(0), field.Dimensions - 2);
+}
+
 /// True if a ray that passes a plane across an axis comes from outside of the field or from a
 /// hidden cell.
 bool ComesFromNothing(
-  const glm::dvec3& point, double plane, int axis, bool isForward, const Field& field)
+  const glm::dvec3& point, int plane, int axis, bool isForward, const Field& field)
 {
-  const glm::ivec3 last = field.Dimensions - 2;
-  glm::ivec3 before = glm::clamp(glm::ivec3(glm::floor(point)), glm::ivec3(0), last);
-  before[axis] = static_cast<int>(plane) - (isForward ? 1 : 0);
-  const bool isOutside = before[axis] < 0 || before[axis] > last[axis];
+  glm::ivec3 before = CellOf(field, point);
+  before[axis] = plane - (isForward ? 1 : 0);
+  const bool isOutside = before[axis] < 0 || before[axis] > field.Dimensions[axis] - 2;
   return isOutside || (field.Hidden && field.Hidden->IsHidden(before));
 }
 
@@ -30,30 +62,26 @@ glm::dvec3 CapNormal(const glm::dvec3& point, const glm::dvec3& direction, const
 {
   double nearest = 1e-3; // cells: what remains of a depth in single precision
   glm::dvec3 cap(0.0);
-  const auto consider = [&](double distance, const glm::dvec3& normal)
-  {
-    nearest = distance;
-    cap = normal;
-  };
   for (int axis = 0; axis < 3; ++axis)
   {
-    const double plane = std::round(point[axis]);
-    const double distance = std::abs(point[axis] - plane);
+    const int plane = NearestPlane(field, axis, point[axis]);
+    const double distance = std::abs(point[axis] - PlaneAt(field, axis, plane));
     if (distance < nearest && direction[axis] != 0.0 &&
       ComesFromNothing(point, plane, axis, direction[axis] > 0.0, field))
     {
-      glm::dvec3 normal(0.0);
-      normal[axis] = direction[axis] > 0.0 ? -1.0 : 1.0;
-      consider(distance, normal);
+      nearest = distance;
+      cap = glm::dvec3(0.0);
+      cap[axis] = direction[axis] > 0.0 ? -1.0 : 1.0;
     }
   }
   for (const glm::dvec4& cut : cuts)
   {
-    const double distance = std::abs(glm::dot(glm::dvec3(cut), point) + cut.w);
+    const glm::dvec3 normal(cut);
+    const double distance = std::abs(glm::dot(normal, point) + cut.w);
     if (distance < nearest)
     {
-      const glm::dvec3 normal(cut);
-      consider(distance, glm::dot(normal, direction) > 0.0 ? -normal : normal);
+      nearest = distance;
+      cap = glm::dot(normal, direction) > 0.0 ? -normal : normal;
     }
   }
   return cap;

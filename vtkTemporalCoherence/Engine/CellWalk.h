@@ -55,7 +55,8 @@ struct TakeAll
   bool IsLeafOfUse(std::int64_t, int) const { return true; }
 };
 
-/// Where a ray is on its way from cell to cell.
+/// Where a ray is on its way from cell to cell. The ray is a BatchRay, or a GradedRay where cells
+/// are not all alike.
 class CellWalk
 {
 public:
@@ -63,7 +64,8 @@ public:
   CellWalk() {}
 
   /// Stand in the first cell of a ray's walk.
-  void Begin(const BatchRay& ray, const glm::ivec3& cells)
+  template <typename WalkingRay>
+  void Begin(const WalkingRay& ray, const glm::ivec3& cells)
   {
     this->Cell = ray.CellAt(ray.Rays.WalkBegin[ray.Ray], cells);
     for (int axis = 0; axis < 3; ++axis)
@@ -80,8 +82,8 @@ public:
   /// Go on to the next active cell; the first call may stay where it is.
   /// \param filter has IsNodeOfUse(node) and IsLeafOfUse(node, leaf): false for what is left out
   /// \return false if the walk ends before
-  template <typename T, typename Filter = TakeAll>
-  HWY_INLINE bool FindActive(const BatchRay& ray, const ActiveCells& active,
+  template <typename WalkingRay, typename T, typename Filter = TakeAll>
+  HWY_INLINE bool FindActive(const WalkingRay& ray, const ActiveCells& active,
     const TypedField<T>& samples, const Filter& filter = {})
   {
     while (true)
@@ -122,7 +124,8 @@ public:
 
   /// Go on to the next cell, active or not; the first call stays where it is.
   /// \return false if the walk ends before
-  bool FindAny(const BatchRay& ray, const glm::ivec3& cells)
+  template <typename WalkingRay>
+  bool FindAny(const WalkingRay& ray, const glm::ivec3& cells)
   {
     if (!this->HasVisited)
     {
@@ -136,9 +139,9 @@ public:
 
 private:
   /// Leap from block to block until one is an active leaf, and prepare to step through it.
-  template <typename T, typename Filter>
-  bool FindActiveLeaf(const BatchRay& ray, const ActiveCells& active, const TypedField<T>& samples,
-    const Filter& filter)
+  template <typename WalkingRay, typename T, typename Filter>
+  bool FindActiveLeaf(const WalkingRay& ray, const ActiveCells& active,
+    const TypedField<T>& samples, const Filter& filter)
   {
     while (true)
     {
@@ -163,7 +166,8 @@ private:
 
   /// Go on behind the aligned block of 2^bits cells that holds the present cell.
   /// \return false if the walk ends before
-  HWY_INLINE bool LeaveBlock(const BatchRay& ray, int bits, const glm::ivec3& cells)
+  template <typename WalkingRay>
+  HWY_INLINE bool LeaveBlock(const WalkingRay& ray, int bits, const glm::ivec3& cells)
   {
     const int size = 1 << bits;
     const glm::ivec3 first = this->Cell & -size;
@@ -184,7 +188,8 @@ private:
   }
 
   /// Prepare for steps from cell to cell.
-  void BeginSteps(const BatchRay& ray)
+  template <typename WalkingRay>
+  void BeginSteps(const WalkingRay& ray)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -194,7 +199,8 @@ private:
 
   /// Go on to the next cell.
   /// \return the axis along which the ray leaves the present cell, or -1 if the walk ends before
-  HWY_INLINE int Step(const BatchRay& ray)
+  template <typename WalkingRay>
+  HWY_INLINE int Step(const WalkingRay& ray)
   {
     const int exit = FirstOf(this->Next);
     if (!(this->Next[exit] < ray.WalkEnd()))
@@ -237,7 +243,7 @@ struct LiveRays
     {
       if (rays.HasWalk(ray) && isWanted(ray))
       {
-        this->Walks[ray].Begin({ rays, ray }, cells);
+        this->Walks[ray].Begin(BatchRay{ rays, ray }, cells);
         this->Rays[this->Count++] = ray;
       }
     }

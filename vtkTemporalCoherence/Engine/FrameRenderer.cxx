@@ -355,7 +355,7 @@ void FrameRenderer::PrepareActiveCells(const FrameKey& key)
   {
     this->Shared->Provide(*this->Ranges, key.Sought, this->Cells);
   }
-  this->Bounds.Build(key.Seen, key.Where, this->Cells->Active);
+  this->Bounds.Build(key.Seen, key.Where, this->Cells->Active, key.Samples.Grid.get());
 }
 
 /// Call work(tile, part) for each tile of a frame, in parallel, and add up what it counts. With a

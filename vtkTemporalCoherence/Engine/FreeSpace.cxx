@@ -134,9 +134,9 @@ void FreeSpace::Make(const Frame& frame, const View& view, const Options& option
   GuardRule rule;
   rule.IsParallel = view.Parallel;
   rule.EdgeMargin = static_cast<float>(EdgeMargin * options.Voxel);
-  rule.SmoothMargin = static_cast<float>(SmoothMargin * options.Voxel);
-  rule.LargestBend = static_cast<float>(LargestBend * options.Voxel);
-  rule.FarthestContact = static_cast<float>(FarthestContact * options.Voxel);
+  rule.SmoothMargin = static_cast<float>(SmoothMargin * options.Bend);
+  rule.LargestBend = static_cast<float>(LargestBend * options.Bend);
+  rule.FarthestContact = static_cast<float>(FarthestContact * options.Bend);
   rule.Spacing = static_cast<float>(options.Spacing);
   const auto disparityOf = [&](double depth)
   { return static_cast<float>(std::clamp(DisparityOf(depth, view.Parallel), -1e30, 1e30)); };

@@ -26,6 +26,7 @@ public:
   struct Options
   {
     double Voxel = 0.0;   ///< longest edge in the world
+    double Bend = 0.0;    ///< the edge in units of which smooth surfaces bend
     double Spacing = 0.0; ///< of pixels in the world; for a perspective at depth 1
     /// Depth up to which pixels are so fine that surfaces alone tell what is free, where they are
     /// met from outside. (A surface that the volume's boundary cuts open is a sheet without
@@ -37,9 +38,9 @@ public:
 
     bool operator==(const Options& other) const
     {
-      return this->Voxel == other.Voxel && this->Spacing == other.Spacing &&
-        this->FineDepth == other.FineDepth && this->FarthestDepth == other.FarthestDepth &&
-        this->OnlyEntered == other.OnlyEntered;
+      return this->Voxel == other.Voxel && this->Bend == other.Bend &&
+        this->Spacing == other.Spacing && this->FineDepth == other.FineDepth &&
+        this->FarthestDepth == other.FarthestDepth && this->OnlyEntered == other.OnlyEntered;
     }
   };
 

@@ -86,7 +86,7 @@ bool Isomap::CanHold(const Field& field)
 {
   constexpr int largest = std::numeric_limits<CellIndex::value_type>::max();
   // Along a ray that hidden cells interrupt, isovalues are not met in their order.
-  return field.HasCells() && !field.Hidden &&
+  return field.HasCells() && !field.Grid && !field.Hidden &&
     glm::all(glm::lessThanEqual(field.Dimensions, glm::ivec3(largest)));
 }
 

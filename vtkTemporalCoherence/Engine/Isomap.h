@@ -62,7 +62,8 @@ public:
     double Cells;       ///< that may be read; an estimate after a part of them decides
   };
 
-  /// True if the cells of a field have numbers that fit the knots, and none is hidden.
+  /// True if the cells of a field have numbers that fit the knots, are all alike, and none is
+  /// hidden.
   static bool CanHold(const Field& field);
 
   /// True if this is the isomap of the view, data and mode of a frame, made as the options ask for.

@@ -4,6 +4,7 @@
 
 #include "CellSamples.h"
 #include "CellWalk.h"
+#include "GradedPassage.h"
 #include "HiddenPassage.h"
 #include "HitOrder.h"
 #include "Passage.h"
@@ -26,14 +27,102 @@ struct FoundSurface
   std::int16_t Surface = Frame::NoSurface;
 };
 
-template <typename T, Interpolation Between>
+/// How rays go through the cells of an image.
+template <typename T>
+struct UniformCells
+{
+  using Value = T; ///< what differences from isovalues are taken of
+  using Real = RealOf<T>;
+
+  explicit UniformCells(const Field&) {}
+
+  BatchRay RayOf(const RayBatch& rays, std::size_t ray) const { return { rays, ray }; }
+
+  /// The part of a ray in one cell.
+  struct Part
+  {
+    Part(const BatchRay& ray, const glm::ivec3& cell)
+      : Passages(BatchOf(ray, cell))
+      , Passed(this->Passages, 0)
+    {
+    }
+
+    bool HasLength() const { return this->Passed.Enter < this->Passed.Leave; }
+    double Enter() const { return this->Passed.Enter; }
+    double DistanceAt(double share) const { return this->Passed.DistanceAt(share); }
+    const CellPath<Real>& Path() const { return this->Passed.Path; }
+    NearestPath Nearest() const { return this->Passed.Nearest(this->Passages, 0); }
+    bool ComesFrom(const HiddenCells& hidden) const
+    {
+      return ComesFromHidden(this->Passages, 0, this->Passed.Enter, hidden);
+    }
+
+  private:
+    static PassageBatch<Real> BatchOf(const BatchRay& ray, const glm::ivec3& cell)
+    {
+      PassageBatch<Real> passages;
+      AppendPassage(ray.Rays, ray.Ray, cell, Corners<Real>(), passages);
+      return passages;
+    }
+
+    PassageBatch<Real> Passages;
+    Passage<Real> Passed;
+  };
+};
+
+/// The same for a graded field.
+template <typename T>
+struct GradedCells
+{
+  using Value = double;
+  using Real = double;
+
+  explicit GradedCells(const Field& field)
+    : Grid(*field.Grid)
+  {
+  }
+
+  GradedRay RayOf(const RayBatch& rays, std::size_t ray) const { return { rays, ray, this->Grid }; }
+
+  struct Part
+  {
+    Part(const GradedRay& ray, const glm::ivec3& cell)
+      : Line(ray)
+      , Cell(cell)
+      , Passed(ray, cell)
+    {
+    }
+
+    bool HasLength() const { return this->Passed.HasLength(); }
+    double Enter() const { return this->Passed.Enter; }
+    double DistanceAt(double share) const { return this->Passed.DistanceAt(share); }
+    const CellPath<double>& Path() const { return this->Passed.Path; }
+    NearestPath Nearest() const { return this->Passed.Nearest(); }
+    bool ComesFrom(const HiddenCells& hidden) const
+    {
+      return this->HasLength() && ComesFromHidden(this->Line, this->Cell, this->Enter(), hidden);
+    }
+
+  private:
+    GradedRay Line;
+    glm::ivec3 Cell;
+    GradedPassage Passed;
+  };
+
+  const GridCoordinates& Grid;
+};
+
+template <typename T, typename Geometry, Interpolation Between>
 class TypedLayerTracer final : public LayerTracer
 {
 public:
-  using Real = RealOf<T>;
+  using Real = typename Geometry::Real;
+  using Value = typename Geometry::Value;
+  using Part = typename Geometry::Part;
 
   explicit TypedLayerTracer(const TraceScene& scene)
     : Scene(scene)
+    , Cut(scene.Samples)
     , Samples(scene.Samples)
     , Cells(scene.Samples.Dimensions - 1)
     , IsSolid(scene.Sought.Mode == SurfaceMode::Threshold)
@@ -47,7 +136,6 @@ public:
   void FindNext(const RayBatch& rays, HitBatch& hits) const override
   {
     RayBatch rest = rays;
-    PassageBatch<Real> room;
     for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
     {
       FoundSurface next;
@@ -56,12 +144,12 @@ public:
       {
         if (this->IsSolid && last.Met.Distance <= rays.Begin[ray])
         {
-          this->FindCap(rays, ray, last, room, next);
+          this->FindCap(rays, ray, last, next);
         }
         if (next.Surface == Frame::NoSurface)
         {
           rest.WalkBegin[ray] = std::max(rays.WalkBegin[ray], last.Met.Distance);
-          this->Walk(rest, ray, last, room, next, hits);
+          this->Walk(rest, ray, last, next, hits);
         }
       }
       hits.Depth[ray] = next.Met.Distance;
@@ -110,19 +198,20 @@ private:
   }
 
   /// Solids that are cut open where the ray begins.
-  void FindCap(const RayBatch& rays, std::size_t ray, const FoundSurface& last,
-    PassageBatch<Real>& room, FoundSurface& next) const
+  void FindCap(
+    const RayBatch& rays, std::size_t ray, const FoundSurface& last, FoundSurface& next) const
   {
-    const glm::ivec3 cell = BatchRay{ rays, ray }.CellAt(rays.Begin[ray], this->Cells);
+    const auto line = this->Cut.RayOf(rays, ray);
+    const glm::ivec3 cell = line.CellAt(rays.Begin[ray], this->Cells);
     if (this->IsHidden(cell))
     {
       return;
     }
+    const Part part(line, cell);
+    const std::array<T, 8> samples = this->Samples.Read(cell);
     for (std::size_t surface = 0; surface < this->Differences.size(); ++surface)
     {
-      const Passage<Real> passage =
-        this->PassageOf(rays, ray, cell, this->Samples.Read(cell), surface, room);
-      if (IsInside(this->AtEntry(passage)))
+      if (IsInside(AtEntry(this->Differ(samples, surface), part)))
       {
         this->Consider(rays.Begin[ray], HitKind::Cap, surface, last, next);
       }
@@ -130,14 +219,14 @@ private:
   }
 
   /// From cell to cell until there is a surface behind the last one.
-  void Walk(const RayBatch& rays, std::size_t ray, const FoundSurface& last,
-    PassageBatch<Real>& room, FoundSurface& next, HitBatch& hits) const
+  void Walk(const RayBatch& rays, std::size_t ray, const FoundSurface& last, FoundSurface& next,
+    HitBatch& hits) const
   {
     if (!rays.HasWalk(ray))
     {
       return;
     }
-    const BatchRay line{ rays, ray };
+    const auto line = this->Cut.RayOf(rays, ray);
     CellWalk walk;
     walk.Begin(line, this->Cells);
     while (next.Surface == Frame::NoSurface &&
@@ -147,87 +236,92 @@ private:
       if (!this->IsHidden(walk.Here()))
       {
         ++hits.CellsRead;
-        this->Search(rays, ray, walk.Here(), last, room, next);
+        this->Search(Part(line, walk.Here()), this->Samples.Read(walk.Here()), last, next);
       }
     }
   }
 
   /// All surfaces in a cell.
-  void Search(const RayBatch& rays, std::size_t ray, const glm::ivec3& cell,
-    const FoundSurface& last, PassageBatch<Real>& room, FoundSurface& next) const
+  void Search(const Part& part, const std::array<T, 8>& samples, const FoundSurface& last,
+    FoundSurface& next) const
   {
-    const std::array<T, 8> samples = this->Samples.Read(cell);
+    const bool isBehindHidden =
+      this->IsSolid && this->Scene.Samples.Hidden && part.ComesFrom(*this->Scene.Samples.Hidden);
     for (std::size_t surface = 0; surface < this->Differences.size(); ++surface)
     {
-      const Passage<Real> passage = this->PassageOf(rays, ray, cell, samples, surface, room);
-      bool isInside = IsInside(this->AtEntry(passage));
-      if (isInside && this->IsSolid && this->Scene.Samples.Hidden &&
-        ComesFromHidden(room, 0, passage.Enter, *this->Scene.Samples.Hidden))
+      const Corners<Real> corners = this->Differ(samples, surface);
+      bool isInside = IsInside(AtEntry(corners, part));
+      if (isInside && isBehindHidden)
       {
-        this->Consider(passage.Enter, HitKind::Cap, surface, last, next);
+        this->Consider(part.Enter(), HitKind::Cap, surface, last, next);
       }
       const auto consider = [&](double share)
       {
         isInside = !isInside;
         if (isInside || !this->IsSolid)
         {
-          this->Consider(passage.DistanceAt(share), isInside ? HitKind::Enters : HitKind::Leaves,
+          this->Consider(part.DistanceAt(share), isInside ? HitKind::Enters : HitKind::Leaves,
             surface, last, next);
         }
         return false;
       };
       if constexpr (Between == Interpolation::Linear)
       {
-        VisitCrossings(CubicAlong(passage.Values, passage.Path),
+        VisitCrossings(CubicAlong(corners, part.Path()),
           [&](Real share) { return consider(static_cast<double>(share)); });
       }
-      else if (passage.Enter < passage.Leave)
+      else if (part.HasLength())
       {
-        VisitNearestCrossings(passage.Values, passage.Nearest(room, 0), consider);
+        VisitNearestCrossings(corners, part.Nearest(), consider);
       }
     }
   }
 
-  Passage<Real> PassageOf(const RayBatch& rays, std::size_t ray, const glm::ivec3& cell,
-    const std::array<T, 8>& samples, std::size_t surface, PassageBatch<Real>& room) const
+  Corners<Real> Differ(const std::array<T, 8>& samples, std::size_t surface) const
   {
     Corners<Real> corners;
     for (std::size_t i = 0; i < 8; ++i)
     {
-      corners[i] = this->Differences[surface](samples[i]);
+      corners[i] = this->Differences[surface](static_cast<Value>(samples[i]));
     }
-    room.Count = 0;
-    AppendPassage(rays, ray, cell, corners, room);
-    return Passage<Real>(room, 0);
+    return corners;
   }
 
   /// Difference from the isovalue where the ray enters the cell.
-  static Real AtEntry(const Passage<Real>& passage)
+  static Real AtEntry(const Corners<Real>& corners, const Part& part)
   {
-    return Between == Interpolation::Linear ? CubicAlong(passage.Values, passage.Path)[0]
-                                            : passage.Values[NearestCorner(passage.Path.Begin)];
+    return Between == Interpolation::Linear ? CubicAlong(corners, part.Path())[0]
+                                            : corners[NearestCorner(part.Path().Begin)];
   }
 
   TraceScene Scene;
+  Geometry Cut; ///< of rays into cells
   CellSamples<T> Samples;
-  std::vector<Difference<T>> Differences; ///< from each isovalue
-  glm::ivec3 Cells;                       ///< number of cells along each axis
+  std::vector<Difference<Value>> Differences; ///< from each isovalue
+  glm::ivec3 Cells;                           ///< number of cells along each axis
   bool IsSolid;
 };
+
+template <typename T, typename Geometry>
+std::unique_ptr<LayerTracer> MakeTyped(const TraceScene& scene)
+{
+  if (scene.Samples.Between == Interpolation::Nearest)
+  {
+    return std::make_unique<TypedLayerTracer<T, Geometry, Interpolation::Nearest>>(scene);
+  }
+  return std::make_unique<TypedLayerTracer<T, Geometry, Interpolation::Linear>>(scene);
+}
 
 }
 
 std::unique_ptr<LayerTracer> LayerTracer::Make(const TraceScene& scene)
 {
   return DispatchScalarType(scene.Samples.Type,
-    [&](auto type) -> std::unique_ptr<LayerTracer>
+    [&](auto type)
     {
       using T = decltype(type);
-      if (scene.Samples.Between == Interpolation::Nearest)
-      {
-        return std::make_unique<TypedLayerTracer<T, Interpolation::Nearest>>(scene);
-      }
-      return std::make_unique<TypedLayerTracer<T, Interpolation::Linear>>(scene);
+      return scene.Samples.Grid ? MakeTyped<T, GradedCells<T>>(scene)
+                                : MakeTyped<T, UniformCells<T>>(scene);
     });
 }
 

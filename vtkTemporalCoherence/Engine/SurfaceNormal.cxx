@@ -3,6 +3,7 @@
 #include "SurfaceNormal.h"
 
 #include "CellSamples.h"
+#include "GradedGradients.h"
 #include "HiddenCells.h"
 #include "KernelsGradients.h"
 #include "Surfaces.h"
@@ -177,6 +178,11 @@ void IndexGradients(const GradientQuery& query, std::size_t count,
   const RayBatch::Array<std::int16_t>& surfaces, std::array<RayBatch::Array<double>, 3>& gradients)
 {
   const Field& field = query.Samples;
+  if (field.Grid)
+  {
+    GradedGradients(query, count, points, directions, surfaces, gradients);
+    return;
+  }
   DispatchScalarType(field.Type,
     [&](auto type)
     {

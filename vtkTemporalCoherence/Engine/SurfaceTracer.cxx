@@ -5,6 +5,7 @@
 #include "CellRoot.h"
 #include "CellSamples.h"
 #include "CellWalk.h"
+#include "GradedTracer.h"
 #include "HiddenPassage.h"
 #include "HitOrder.h"
 #include "KernelsCrossing.h"
@@ -183,7 +184,7 @@ private:
           bool isAhead;
           do
           {
-            isAhead = walk.FindAny({ rays, ray }, this->Cells);
+            isAhead = walk.FindAny(BatchRay{ rays, ray }, this->Cells);
             hits.CellsRead += isAhead;
           } while (isAhead && !this->Visit(rays, ray, walk.Here(), ray, search, hits));
           return isAhead;
@@ -464,6 +465,10 @@ private:
 
 std::unique_ptr<SurfaceTracer> SurfaceTracer::Make(const TraceScene& scene)
 {
+  if (scene.Samples.Grid)
+  {
+    return MakeGradedTracer(scene);
+  }
   return DispatchScalarType(scene.Samples.Type,
     [&](auto type) -> std::unique_ptr<SurfaceTracer>
     {

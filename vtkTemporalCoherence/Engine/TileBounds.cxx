@@ -34,13 +34,6 @@ struct Box
   glm::dvec3 Centre, Half; ///< half its edges
 };
 
-/// The box of the first cells .. first + cells - 1 of each axis.
-Box BoxOf(const glm::ivec3& first, const glm::ivec3& cells)
-{
-  const glm::dvec3 half = 0.5 * glm::dvec3(cells);
-  return { glm::dvec3(first) + half, half };
-}
-
 /// The box around the leaves of a node of which a word tells, in leaves: first leaf and size.
 std::array<glm::ivec3, 2> LeavesAround(std::uint64_t leaves)
 {
@@ -61,9 +54,11 @@ std::array<glm::ivec3, 2> LeavesAround(std::uint64_t leaves)
 class BoxProjector
 {
 public:
-  BoxProjector(const View& view, const Placement& placement, const glm::ivec2& tiles)
+  BoxProjector(const View& view, const Placement& placement, const glm::ivec2& tiles,
+    const GridCoordinates* grid)
     : Seen(view)
     , Tiles(tiles)
+    , Grid(grid)
     , ClipFromIndex(view.ClipFromWorld * placement.WorldFromIndex)
     , WorldFromIndex(placement.WorldFromIndex)
   {
@@ -75,6 +70,23 @@ public:
       this->PerRadius = 1.0 / cosine;
     }
     this->LeafRadius = this->RadiusOf(glm::dvec3(0.5 * ValueRangePyramid::LeafSize));
+  }
+
+  /// The box of the cells first .. first + cells - 1 of each axis.
+  Box BoxOf(const glm::ivec3& first, const glm::ivec3& cells) const
+  {
+    if (this->Grid)
+    {
+      glm::dvec3 low, high;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        low[axis] = this->Grid->At(axis, first[axis]);
+        high[axis] = this->Grid->At(axis, first[axis] + cells[axis]);
+      }
+      return { 0.5 * (low + high), 0.5 * (high - low) };
+    }
+    const glm::dvec3 half = 0.5 * glm::dvec3(cells);
+    return { glm::dvec3(first) + half, half };
   }
 
   /// Radius of the sphere around a box, as a distance along rays.
@@ -105,8 +117,8 @@ public:
 
   void WidenByLeaf(const glm::ivec3& firstCell, std::vector<Bounds>& bounds) const
   {
-    this->Widen(
-      BoxOf(firstCell, glm::ivec3(ValueRangePyramid::LeafSize)), this->LeafRadius, bounds);
+    const Box box = this->BoxOf(firstCell, glm::ivec3(ValueRangePyramid::LeafSize));
+    this->Widen(box, this->Grid ? this->RadiusOf(box.Half) : this->LeafRadius, bounds);
   }
 
   void Widen(const Box& box, double radius, std::vector<Bounds>& bounds) const
@@ -175,6 +187,7 @@ private:
 
   const View& Seen;
   glm::ivec2 Tiles;
+  const GridCoordinates* Grid; ///< null: cells are all alike
   glm::dmat4 ClipFromIndex, WorldFromIndex;
   double PerRadius = 1.0; ///< distance along rays for a distance in the world
   double LeafRadius;
@@ -188,10 +201,10 @@ void WidenByNode(const BoxProjector& projector, const glm::ivec3& firstCell, std
   std::vector<Bounds>& bounds)
 {
   constexpr int size = ValueRangePyramid::LeafSize;
-  if (projector.IsSmall(BoxOf(firstCell, glm::ivec3(ValueRangePyramid::NodeSize))))
+  if (projector.IsSmall(projector.BoxOf(firstCell, glm::ivec3(ValueRangePyramid::NodeSize))))
   {
     const std::array<glm::ivec3, 2> around = LeavesAround(leaves);
-    const Box box = BoxOf(firstCell + size * around[0], size * around[1]);
+    const Box box = projector.BoxOf(firstCell + size * around[0], size * around[1]);
     projector.Widen(box, projector.RadiusOf(box.Half), bounds);
     return;
   }
@@ -207,7 +220,8 @@ void WidenByNode(const BoxProjector& projector, const glm::ivec3& firstCell, std
 
 }
 
-void TileBounds::Build(const View& view, const Placement& placement, const ActiveCells& active)
+void TileBounds::Build(const View& view, const Placement& placement, const ActiveCells& active,
+  const GridCoordinates* grid)
 {
   this->Size = TilesOf(view.Size);
   const std::size_t tiles =
@@ -219,7 +233,7 @@ void TileBounds::Build(const View& view, const Placement& placement, const Activ
     part.assign(tiles, Bounds());
   }
 
-  const BoxProjector projector(view, placement, this->Size);
+  const BoxProjector projector(view, placement, this->Size, grid);
   const glm::ivec3 nodes = active.NodeDimensions();
   const std::int64_t count = static_cast<std::int64_t>(nodes.x) * nodes.y * nodes.z;
   ParallelFor(NumberOfParts, 1,

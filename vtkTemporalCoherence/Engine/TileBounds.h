@@ -33,8 +33,10 @@ public:
     bool IsEmpty() const { return !(this->Near <= this->Far); }
   };
 
+  /// \param grid of a graded field, or null
   /// \throws std::bad_alloc, the bounds then being unusable
-  void Build(const View& view, const Placement& placement, const ActiveCells& active);
+  void Build(const View& view, const Placement& placement, const ActiveCells& active,
+    const GridCoordinates* grid = nullptr);
 
   const glm::ivec2& Tiles() const { return this->Size; }
   const Bounds& At(std::int64_t tile) const { return this->All[static_cast<std::size_t>(tile)]; }

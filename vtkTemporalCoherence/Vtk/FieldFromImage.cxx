@@ -170,8 +170,8 @@ ImageAxes AxesOf(vtkImageData* image, bool onCells)
   for (int axis = 0; axis < 3; ++axis)
   {
     axes.Step[axis] = image->GetSpacing()[axis];
-    axes.First[axis] =
-      image->GetOrigin()[axis] + (extent[2 * axis] + (onCells ? 0.5 : 0.0)) * axes.Step[axis];
+    const double first = extent[2 * axis] + (onCells ? 0.5 : 0.0);
+    axes.First[axis] = image->GetOrigin()[axis] + first * axes.Step[axis];
   }
   return axes;
 }

@@ -7,6 +7,7 @@
 #include <vtkDataArray.h>
 #include <vtkDataObjectTree.h>
 #include <vtkImageData.h>
+#include <vtkRectilinearGrid.h>
 #include <vtkVolumeMapper.h>
 #include <vtkVolumeProperty.h>
 
@@ -59,18 +60,22 @@ bool InputFromMapper::Find(vtkVolumeMapper* mapper, vtkVolumeProperty* property,
   }
 }
 
+/// Find the image, or what is seen as one, and the array that is drawn.
 bool InputFromMapper::FindImage(vtkVolumeMapper* mapper, MapperInput& input, std::string& error)
 {
   vtkDataObject* object = mapper->GetDataObjectInput();
   if (!object)
   {
-    error = "There is no input; give the mapper a vtkImageData with SetInputData or "
-            "SetInputConnection.";
+    error = "There is no input; give the mapper a vtkImageData or a vtkRectilinearGrid with "
+            "SetInputData or SetInputConnection.";
     return false;
   }
   const ScalarChoice choice = ChoiceOf(mapper);
   ChosenScalars scalars;
-  if (auto* tree = vtkDataObjectTree::SafeDownCast(object))
+  auto* tree = vtkDataObjectTree::SafeDownCast(object);
+  auto* grid = vtkRectilinearGrid::SafeDownCast(object);
+  input.Image = vtkImageData::SafeDownCast(object);
+  if (tree)
   {
     if (!this->Blocks.Merge(tree, choice, error))
     {
@@ -79,26 +84,37 @@ bool InputFromMapper::FindImage(vtkVolumeMapper* mapper, MapperInput& input, std
     input.Image = this->Blocks.Image();
     scalars = this->Blocks.Scalars();
   }
-  else if (auto* image = vtkImageData::SafeDownCast(object))
+  else if (input.Image || grid)
   {
     this->Blocks.Release();
-    input.Image = image;
-    scalars = FindScalars(image, choice);
+    scalars = FindScalars(vtkDataSet::SafeDownCast(object), choice);
   }
   else
   {
     error = std::string("The input is a ") + object->GetClassName() +
-      ", but only vtkImageData and blocks of them can be drawn; resample it with "
-      "vtkResampleToImage.";
+      ", but only vtkImageData, blocks of them and vtkRectilinearGrid can be drawn; resample it "
+      "with vtkResampleToImage.";
     return false;
   }
-  if (!scalars.Array && input.Image->GetNumberOfPoints() > 0)
+  vtkDataSet* dataSet = grid ? static_cast<vtkDataSet*>(grid) : input.Image;
+  if (!scalars.Array && dataSet->GetNumberOfPoints() > 0)
   {
     error = WhyThereAreNoScalars(choice);
     return false;
   }
-  input.Array = input.Image->GetNumberOfPoints() > 0 ? scalars.Array : nullptr;
+  input.Array = dataSet->GetNumberOfPoints() > 0 ? scalars.Array : nullptr;
   input.OnCells = scalars.OnCells;
+  if (!grid)
+  {
+    this->Grid.Release();
+    return true;
+  }
+  if (!this->Grid.See(grid, input.OnCells, error))
+  {
+    return false;
+  }
+  input.Image = this->Grid.Image();
+  input.Grid = this->Grid.Coordinates();
   return true;
 }
 
@@ -133,6 +149,7 @@ void InputFromMapper::Release()
 {
   this->Blocks.Release();
   this->Magnitude.Release();
+  this->Grid.Release();
 }
 
 }

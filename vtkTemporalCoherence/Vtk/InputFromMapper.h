@@ -3,6 +3,7 @@
 #ifndef TemporalCoherence_InputFromMapper_h
 #define TemporalCoherence_InputFromMapper_h
 
+#include "ImageOfGrid.h"
 #include "MergedBlocks.h"
 #include "VectorMagnitude.h"
 
@@ -33,11 +34,12 @@ struct VectorChoice
 /// What a mapper is to draw.
 struct MapperInput
 {
-  vtkImageData* Image = nullptr;
+  vtkImageData* Image = nullptr; ///< a rectilinear grid, too, is seen as one
   vtkDataArray* Array = nullptr; ///< null if the image has no points: there is nothing to draw
   bool OnCells = false;          ///< one tuple for each cell, otherwise for each point
   int Component = 0;             ///< of the array
   int Look = 0;                  ///< component of the property that gives colour and shading
+  std::shared_ptr<const GridCoordinates> Grid; ///< where samples lie; null: where the image says
 };
 
 /// Finds what a mapper is to draw, and keeps what has to be computed for that.
@@ -59,6 +61,7 @@ private:
 
   MergedBlocks Blocks;
   VectorMagnitude Magnitude;
+  ImageOfGrid Grid;
 };
 
 }

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_GridCoordinates_h
+#define TemporalCoherence_GridCoordinates_h
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <vector>
+
+namespace TemporalCoherence
+{
+
+/// Where the samples of a graded field (a rectilinear grid) lie in index space.
+///
+/// The box of the field is that of an image of the same dimensions, so that everything which knows
+/// boxes and planes only is the same for both; but inside, samples lie at these coordinates and not
+/// at whole numbers. The unit along an axis is the mean distance between samples.
+struct GridCoordinates
+{
+  /// Strictly ascending; the first is 0 and the last the number of cells.
+  std::array<std::vector<double>, 3> Along;
+
+  const std::vector<double>& Of(int axis) const
+  {
+    return this->Along[static_cast<std::size_t>(axis)];
+  }
+
+  /// Coordinate of sample `i`; beyond the last one that of the last.
+  double At(int axis, int i) const
+  {
+    const std::vector<double>& all = this->Of(axis);
+    return all[std::min(static_cast<std::size_t>(i), all.size() - 1)];
+  }
+
+  /// The cell that holds a coordinate, or the nearest one.
+  int CellOf(int axis, double coordinate) const
+  {
+    const std::vector<double>& all = this->Of(axis);
+    const auto above = std::upper_bound(all.begin() + 1, all.end() - 1, coordinate);
+    return static_cast<int>(above - all.begin()) - 1;
+  }
+
+  /// Lengths of the shortest and of the longest edge of a cell along an axis.
+  glm::dvec2 Edges(int axis) const
+  {
+    const std::vector<double>& all = this->Of(axis);
+    glm::dvec2 edges(std::numeric_limits<double>::infinity(), 0.0);
+    for (std::size_t i = 1; i < all.size(); ++i)
+    {
+      edges = { std::min(edges.x, all[i] - all[i - 1]), std::max(edges.y, all[i] - all[i - 1]) };
+    }
+    return edges;
+  }
+};
+
+inline bool AreSame(
+  const std::shared_ptr<const GridCoordinates>& a, const std::shared_ptr<const GridCoordinates>& b)
+{
+  return a == b || (a && b && a->Along == b->Along);
+}
+
+}
+
+#endif

@@ -4,8 +4,8 @@
  * @class   vtkTemporalCoherenceVolumeMapper
  * @brief   isosurfaces of images, ray cast on the CPU, using again what the last frame knew
  *
- * A drop-in for the volume mapper of a vtkVolume whose input is a vtkImageData, or several of them
- * as blocks. It draws the isosurfaces of `vtkVolumeProperty::GetIsoSurfaceValues()` (blend mode
+ * A drop-in for the volume mapper of a vtkVolume whose input is a vtkImageData, several of them as
+ * blocks, or a vtkRectilinearGrid. It draws the isosurfaces of `vtkVolumeProperty::GetIsoSurfaceValues()` (blend mode
  * ISOSURFACE_BLEND, which it is constructed with), each in the colour that the property's colour
  * transfer function has at the isovalue. Nothing is extracted: every pixel's ray is intersected
  * with the trilinear (or nearest-neighbour) interpolant of the samples, exactly. The picture has a
@@ -17,10 +17,19 @@
  * last one (ReuseAccuracy tells how exactly), a new isovalue that is looked up in an isomap of the
  * view (built when isovalues first change), or a cold frame. GetRoute() tells which.
  *
- * Opacity of the scalar opacity function at an isovalue: 0 leaves the isovalue out; any other
- * value draws it opaque. A sample that is not a number counts as below every isovalue. Images with
- * fewer than two samples along an axis have no cells: the picture is empty. The camera's clipping
- * range clips the surfaces, as it clips any prop.
+ * Opacity is that of the scalar opacity function at the isovalue, with no regard to distances, times
+ * that of the gradient opacity function at the steepness of the field (per mean distance of
+ * samples). 0 leaves the isovalue out. Through translucent surfaces others are seen: with CROSSING
+ * all that the ray passes, with THRESHOLD each entry into a solid. They are laid over one another
+ * from front to back, whatever their order in the list, until less than 1/512 shines through. Depth
+ * and picks are those of the first surface that can be seen. Equal isovalues count once.
+ *
+ * Cropping (all 27 regions; planes along the axes of the image) and the mapper's clipping planes (in
+ * the world, any number) cut surfaces off; with THRESHOLD solids are capped there.
+ *
+ * A sample that is not a number counts as below every isovalue. Images with fewer than two samples
+ * along an axis have no cells: the picture is empty. The camera's clipping range clips the surfaces,
+ * as it clips any prop.
  *
  * Scalars are those of points or cells, chosen as for any mapper (ScalarMode, SelectScalarArray).
  * One of a cell is a sample at the cell's centre; the field ends at the outermost centres.
@@ -125,8 +134,9 @@ public:
    * volume cuts through a solid.
    *
    * THRESHOLD, as in the paper: the first point where the field is at least the isovalue. A solid
-   * cut by the boundary of the volume, by the near clipping plane, or where hidden cells end, is
-   * capped; of several isovalues the cap shows the highest.
+   * cut by the boundary of the volume, by the near plane, a clipping or cropping plane, or where
+   * hidden cells end, is capped, with the normal of what cuts it (at the near plane: facing the
+   * viewer); of several isovalues the cap shows the highest.
    */
   vtkSetClampMacro(SurfaceMode, int, CROSSING, THRESHOLD);
   vtkGetMacro(SurfaceMode, int);
@@ -384,7 +394,8 @@ public:
    * @param volume   transform and property; its mapper is not looked at
    * @param width    pixels in a row, at least 1
    * @param height   rows, at least 1
-   * @param color    gets unsigned char RGBA; alpha is 255 on a surface, else all four are 0
+   * @param color    gets unsigned char RGBA, multiplied by alpha, as volume mappers blend it: alpha
+   *                 is 255 where nothing shines through the surfaces, 0 where there is none
    * @param depth    gets float world distance along the ray, from the eye or, in a parallel
    *                 projection, from the plane through the camera; infinity where nothing is hit.
    *                 Either image may be null. Row 0 is the bottom row.

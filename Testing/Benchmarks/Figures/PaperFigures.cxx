@@ -7,6 +7,7 @@
 
 #include "CommandLine.h"
 #include "Display.h"
+#include "FeatureFigures.h"
 #include "Figures.h"
 #include "GrowthFigures.h"
 #include "IsomapFigures.h"
@@ -49,6 +50,7 @@ void MakeFigures(Figures::Settings settings)
   IsomapFigures::TwoThresholds(settings, json);
   IsomapFigures::CostOfWidth(settings, json);
   IsomapFigures::CostOfTolerance(settings, json);
+  FeatureFigures::SeenThroughAndCutOpen(settings);
   GrowthFigures::TimesByVoxels(settings, json);
   GrowthFigures::SpeedUpByThreads(settings, json);
   json.Write(settings.Output + "/figures.json");

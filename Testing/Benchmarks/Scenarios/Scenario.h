@@ -67,6 +67,7 @@ Scenario Threads();
 Scenario Vectors();
 Scenario Structures();
 Scenario Window();
+Scenario Features();
 
 /// All of these, in the order in which they are run.
 std::vector<Scenario> All();

@@ -13,6 +13,7 @@
 #include <vtkPlane.h>
 #include <vtkVolumeProperty.h>
 
+#include <algorithm>
 #include <array>
 
 namespace FeatureFigures
@@ -30,7 +31,20 @@ struct Shell
 
 /// What is outside is clear, what is inside opaque.
 constexpr std::array<Shell, 3> Shells = { { { 0.0, 0.45, 0.65, 0.95, 0.25 },
-  { 0.12, 0.95, 0.85, 0.45, 0.45 }, { 0.3, 0.9, 0.35, 0.25, 1.0 } } };
+  { 0.15, 0.95, 0.85, 0.45, 0.3 }, { 0.45, 0.9, 0.35, 0.25, 1.0 } } };
+
+/// Colours that are not multiplied by alpha, as image files have them.
+void Divide(vtkImageData* rgba)
+{
+  auto* pixel = static_cast<unsigned char*>(rgba->GetScalarPointer());
+  for (vtkIdType i = 0; i < rgba->GetNumberOfPoints(); ++i, pixel += 4)
+  {
+    for (int c = 0; c < 3 && pixel[3] > 0; ++c)
+    {
+      pixel[c] = static_cast<unsigned char>(std::min(255 * pixel[c] / pixel[3], 255));
+    }
+  }
+}
 
 vtkSmartPointer<vtkImageData> Translucent(Stage& stage)
 {
@@ -51,7 +65,8 @@ vtkSmartPointer<vtkImageData> Translucent(Stage& stage)
   property->SetScalarOpacity(opacity);
   Drawer drawer(stage);
   drawer.Draw(stage);
-  return FigurePictures::WithCaption(drawer.Color, "opacities 0.25, 0.45 and 1");
+  Divide(drawer.Color);
+  return FigurePictures::WithCaption(drawer.Color, "opacities 0.25, 0.3 and 1");
 }
 
 vtkSmartPointer<vtkImageData> CutOpen(Stage& stage)
@@ -75,6 +90,10 @@ void SeenThroughAndCutOpen(const Figures::Settings& settings)
   std::vector<vtkSmartPointer<vtkImageData>> translucent, open;
   for (const Figures::Subject& subject : settings.Subjects)
   {
+    if (subject.Name.find("doubled") != std::string::npos)
+    {
+      continue; // it looks like the other
+    }
     Stage clear(subject.Image, subject.Isovalue, settings.Size);
     clear.Approach(Closeness);
     translucent.push_back(Translucent(clear));

@@ -59,11 +59,14 @@ set(bridge_files
   ImageLattice
   ImageOfGrid
   InputFromMapper
+  MapperFrames
   MergedBlocks
   PassOutput
   PicturePresenter
+  PixelHit
   PointsFromFrame
   RegionFromMapper
+  RequestFromMapper
   SamplesOfArray
   ScalarChoice
   SelectionPass
@@ -90,9 +93,11 @@ target_link_libraries(TemporalCoherenceEngine PUBLIC VTK::CommonCore glm::glm hw
 
 vtk_module_add_module(VTK::TemporalCoherence
   SOURCES
+    "${module_directory}/SettingsFromMapper.cxx"
     "${module_directory}/vtkTemporalCoherencePicker.cxx"
     "${module_directory}/vtkTemporalCoherenceVolume.cxx"
     "${module_directory}/vtkTemporalCoherenceVolumeMapper.cxx"
+    "${module_directory}/vtkTemporalCoherenceVolumeMapperStatistics.cxx"
     ${bridge_files}
     $<TARGET_OBJECTS:TemporalCoherenceEngine>
   HEADERS

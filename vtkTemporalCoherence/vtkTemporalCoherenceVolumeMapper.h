@@ -99,12 +99,7 @@
 
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
-#include <vector> // For std::vector
 
-namespace TemporalCoherence
-{
-struct FrameKey;
-}
 class vtkImageData;
 class vtkPolyData;
 class vtkRenderWindow;
@@ -545,10 +540,6 @@ private:
     vtkRenderWindow* window);
   bool IsBusy(const char* method);
   void RenderForWindow(vtkRenderer* renderer, vtkVolume* volume, int width, int height);
-  void PresentFrame(vtkRenderer* renderer, vtkVolume* volume, int width, int height);
-  /// Without a renderer, view and appearance are left out.
-  bool MakeFrameKey(vtkRenderer* renderer, vtkVolume* volume, int width, int height, double aspect,
-    TemporalCoherence::FrameKey& key, std::vector<int>& places, std::string& error);
   void ReportOnce(const std::string& error);
   void WarnOfIsomapLimit(bool isTooLarge);
 

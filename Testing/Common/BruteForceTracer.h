@@ -3,13 +3,13 @@
 #ifndef Testing_BruteForceTracer_h
 #define Testing_BruteForceTracer_h
 
+#include "BruteForceField.h"
+
 #include <array>
 #include <vector>
 
 class vtkDataArray;
-class vtkDataSet;
 class vtkImageData;
-class vtkMatrix4x4;
 class vtkRectilinearGrid;
 class vtkRenderer;
 class vtkVolume;
@@ -26,17 +26,13 @@ public:
     std::array<double, 3> Position;
   };
 
-  /// \param image     where the samples lie, and the ghost arrays that hide cells
-  /// \param volume    its transform and the interpolation of its property
-  /// \param component of the array
-  /// \param cells     one tuple for each cell, at its centre; if null, the point scalars
+  /// The arguments are those of the field.
   BruteForceTracer(
     vtkImageData* image, vtkVolume* volume, int component = 0, vtkDataArray* cells = nullptr);
-
-  /// The same for a grid, in whose index space samples lie at its coordinates.
   BruteForceTracer(
     vtkRectilinearGrid* grid, vtkVolume* volume, int component = 0, vtkDataArray* cells = nullptr);
 
+  BruteForceField Field;
   std::vector<double> Isovalues;
   bool IsThreshold = false; ///< THRESHOLD, otherwise CROSSING
 
@@ -55,42 +51,9 @@ public:
   /// The first hit on a line.
   Hit Trace(const Line& line) const;
 
-  /// A point of the world in index space.
-  std::array<double, 3> IndexOf(const std::array<double, 3>& world) const;
-
   /// The hit seen at the centre of pixel (x, y) of a picture of width x height by the renderer's
   /// camera.
   Hit Trace(vtkRenderer* renderer, int x, int y, int width, int height) const;
-
-  /// Shortest edge of a voxel in the world.
-  double VoxelSize() const { return this->Voxel; }
-
-  /// The field minus an isovalue at a point in index space.
-  double DifferenceAt(const std::array<double, 3>& index, double isovalue) const;
-
-  /// Unit gradient in the world by central differences, one-sided at the boundary; not oriented.
-  std::array<double, 3> WorldNormalAt(const std::array<double, 3>& world) const;
-
-private:
-  void SetSamples(vtkDataArray* array, int component, bool onCells);
-  void SetPlacement(vtkMatrix4x4* world);
-  int CellOf(std::size_t axis, double at) const;
-  void FindHidden(vtkDataSet* data, bool areSamplesCells);
-  void HideAroundSamples();
-  bool IsHidden(const std::array<double, 3>& index) const;
-  int HighestInside(const std::array<double, 3>& index) const;
-  double Sample(int i, int j, int k) const;
-  bool CrossesIn(const std::array<double, 3>& origin, const std::array<double, 3>& direction,
-    double begin, double end, double atBegin, double atEnd, double isovalue, double& t) const;
-
-  std::vector<double> Samples;
-  std::array<std::vector<double>, 3> Planes; ///< where samples lie in index space, ascending
-  std::array<bool, 3> IsDescending{};        ///< the last sample lies in the first plane
-  std::vector<bool> Hidden; ///< of each cell; empty where the image has no ghost arrays
-  std::array<int, 3> Dimensions;
-  bool IsNearest;
-  std::array<double, 16> WorldFromIndex, IndexFromWorld;
-  double Voxel;
 };
 
 #endif

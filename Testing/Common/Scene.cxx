@@ -80,7 +80,7 @@ Agreement CompareWithTruth(const Scene& scene, const BruteForceTracer& truth, in
         const double inDepth = std::abs(static_cast<double>(scene.DepthAt(x, y)) - hit.Distance);
         const double inPosition =
           std::sqrt(vtkMath::Distance2BetweenPoints(position, hit.Position.data()));
-        const double distance = std::max(inDepth - rounding, inPosition) / truth.VoxelSize();
+        const double distance = std::max(inDepth - rounding, inPosition) / truth.Field.VoxelSize();
         ++sum.Hits;
         sum.DistantHits += distance > 1e-3;
         sum.MaxDistance = std::max(sum.MaxDistance, distance);

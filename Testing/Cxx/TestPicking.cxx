@@ -87,7 +87,7 @@ void ExpectLinesHitPixels(const std::string& what, Scene& scene, const BruteForc
       {
         ++hits;
         const double length = DistanceOf(line.Near.data(), line.Far.data());
-        const double near = 1e-3 * truth.VoxelSize();
+        const double near = 1e-3 * truth.Field.VoxelSize();
         distant += DistanceOf(position, seenPosition) > near ||
           DistanceOf(position, hit.Position.data()) > near ||
           DistanceOf(normal, seenNormal) > 1e-3 ||

@@ -239,7 +239,7 @@ void TestNormals()
         const double into = isLinear ? 0.0 : 1e-4 * away;
         const std::array<double, 3> at = { position[0] - into * toEye[0],
           position[1] - into * toEye[1], position[2] - into * toEye[2] };
-        const std::array<double, 3> expected = truth.WorldNormalAt(at);
+        const std::array<double, 3> expected = truth.Field.WorldNormalAt(at);
         const double cosine = std::abs(vtkMath::Dot(normal, expected.data()));
         ++hits;
         wrong += (isLinear && cosine < 0.99999) || vtkMath::Dot(normal, toEye) < -1e-6;

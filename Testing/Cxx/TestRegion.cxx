@@ -66,7 +66,7 @@ public:
     {
       return true;
     }
-    const Point index = this->Truth.IndexOf(world);
+    const Point index = this->Truth.Field.IndexOf(world);
     int region = 0, step = 1;
     for (std::size_t a = 0; a < 3; ++a)
     {
@@ -132,7 +132,7 @@ private:
       double point[3] = { world[0], world[1], world[2] };
       distances.push_back(planes->GetItem(i)->EvaluateFunction(point));
     }
-    const Point index = this->Truth.IndexOf(world);
+    const Point index = this->Truth.Field.IndexOf(world);
     for (std::size_t i = 0; i < 6 && this->Of->GetCropping(); ++i)
     {
       distances.push_back(this->First[i / 2] + this->Step[i / 2] * index[i / 2] -
@@ -168,7 +168,7 @@ void ExpectTruth(const std::string& name, Scene& scene, vtkImageData* image)
       {
         ++hits;
         distant += std::sqrt(vtkMath::Distance2BetweenPoints(
-                     position.data(), hit.Position.data())) > 1e-3 * truth.VoxelSize();
+                     position.data(), hit.Position.data())) > 1e-3 * truth.Field.VoxelSize();
       }
     }
   }

@@ -301,7 +301,7 @@ void TestNormals()
       Vector point, normal;
       if (scene.Mapper->PickPixel(x, y, point.data(), normal.data(), nullptr))
       {
-        wrong += std::abs(Dot(normal, truth.WorldNormalAt(point))) < 0.99999;
+        wrong += std::abs(Dot(normal, truth.Field.WorldNormalAt(point))) < 0.99999;
         wrong += Dot(normal, Minus(eye, point)) < -1e-6;
         ++hits;
       }

@@ -125,7 +125,7 @@ private:
   std::vector<Layer> LayersOf(const BruteForceTracer::Line& line)
   {
     const bool isSolid = this->Of.Mapper->GetSurfaceMode() == Mapper::THRESHOLD;
-    const double step = 1e-9 * this->Truth.VoxelSize();
+    const double step = 1e-9 * this->Truth.Field.VoxelSize();
     std::vector<Layer> layers;
     for (const double isovalue : this->Isovalues)
     {
@@ -142,8 +142,8 @@ private:
       while (hit.Isovalue >= 0)
       {
         const bool enters =
-          this->Truth.DifferenceAt(
-            this->Truth.IndexOf(PointOn(line, hit.Distance + 2e3 * step)), isovalue) >= 0.0;
+          this->Truth.Field.DifferenceAt(
+            this->Truth.Field.IndexOf(PointOn(line, hit.Distance + 2e3 * step)), isovalue) >= 0.0;
         if (enters || !isSolid)
         {
           layers.push_back({ hit.Distance, enters ? 1 : 2, isovalue });
@@ -198,7 +198,7 @@ private:
   /// volume whose axes are those of the world, with samples as far apart along all of them.
   Point GradientAt(const Point& world) const
   {
-    const Point index = this->Truth.IndexOf(world);
+    const Point index = this->Truth.Field.IndexOf(world);
     Point gradient{};
     for (int corner = 0; corner < 8; ++corner)
     {
@@ -217,7 +217,8 @@ private:
         before[a] = std::max(sample[a] - 1.0, 0.0);
         behind[a] = std::min(sample[a] + 1.0, this->Last[a]);
         gradient[a] += weight *
-          (this->Truth.DifferenceAt(behind, 0.0) - this->Truth.DifferenceAt(before, 0.0)) /
+          (this->Truth.Field.DifferenceAt(behind, 0.0) -
+            this->Truth.Field.DifferenceAt(before, 0.0)) /
           (behind[a] - before[a]);
       }
     }

@@ -34,13 +34,13 @@ struct SurfaceCells
 class FieldStructures
 {
 public:
-  /// Let go of what `held` is and make it the ranges of `field`. It is empty, never null, after an
-  /// exception.
+  /// Make `held` the ranges of `field`. What it was is let go first; after an exception it is
+  /// empty, never null.
   /// \pre field.HasCells()
   /// \throws std::bad_alloc
   void Provide(const Field& field, std::shared_ptr<const FieldRanges>& held);
 
-  /// The same for active cells, from the ranges of their field.
+  /// The same for the cells that `sought` can pass through, from the ranges of their field.
   void Provide(
     const FieldRanges& ranges, const Surfaces& sought, std::shared_ptr<const SurfaceCells>& held);
 

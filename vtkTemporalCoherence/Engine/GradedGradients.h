@@ -3,14 +3,20 @@
 #ifndef TemporalCoherence_GradedGradients_h
 #define TemporalCoherence_GradedGradients_h
 
+#include "RayBatch.h"
 #include "SurfaceNormal.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
 
 namespace TemporalCoherence
 {
 
 /// IndexGradients for a field whose samples lie at coordinates: differences are divided by the
 /// distance between the samples that they are taken of, as vtkRectilinearSynchronizedTemplates
-/// does. \pre query.Samples.Grid
+/// does.
+/// \pre query.Samples.Grid
 void GradedGradients(const GradientQuery& query, std::size_t count,
   const std::array<RayBatch::Array<double>, 3>& points,
   const std::array<RayBatch::Array<double>, 3>& directions,

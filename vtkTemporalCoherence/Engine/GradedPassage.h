@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <limits>
 
 namespace TemporalCoherence
@@ -123,7 +124,9 @@ struct GradedPassage
   std::array<double, 3> Middle; ///< t at which the ray passes the middle of the cell, by axis
 };
 
-/// True if a ray that enters a cell there comes from a hidden cell.
+/// True if a ray comes from a hidden cell (for uniform fields: HiddenPassage.h).
+/// \param enter t where it enters `cell`
+/// \pre the ray does more than to touch it
 inline bool ComesFromHidden(
   const GradedRay& ray, const glm::ivec3& cell, double enter, const HiddenCells& hidden)
 {

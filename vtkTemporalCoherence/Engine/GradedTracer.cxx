@@ -182,12 +182,8 @@ private:
     std::size_t surface, HitBatch& hits) const
   {
     const std::vector<double>& isovalues = this->Scene.Sought.Isovalues;
-    const std::int16_t other = hits.Surface[ray.Ray];
-    const bool isNext = enter < hits.Depth[ray.Ray] ||
-      (enter == hits.Depth[ray.Ray] &&
-        (hits.Kind[ray.Ray] != HitKind::Cap ||
-          isovalues[surface] > isovalues[static_cast<std::size_t>(other)]));
-    if (isNext && ComesFromHidden(ray, cell, enter, *this->Hidden))
+    if (IsInFrontOfHit({ enter, HitKind::Cap, isovalues[surface] }, hits, ray.Ray, isovalues) &&
+      ComesFromHidden(ray, cell, enter, *this->Hidden))
     {
       hits.Depth[ray.Ray] = enter;
       hits.Surface[ray.Ray] = static_cast<std::int16_t>(surface);
@@ -214,12 +210,9 @@ private:
       return;
     }
     const std::vector<double>& isovalues = this->Scene.Sought.Isovalues;
-    const std::int16_t other = hits.Surface[ray];
     const MetSurface met{ found.Distance,
       IsInside(found.AtEntry) ? HitKind::Leaves : HitKind::Enters, isovalues[surface] };
-    if (other == Frame::NoSurface ||
-      IsInFront(
-        met, { hits.Depth[ray], hits.Kind[ray], isovalues[static_cast<std::size_t>(other)] }))
+    if (IsInFrontOfHit(met, hits, ray, isovalues))
     {
       hits.Depth[ray] = found.Distance;
       hits.Surface[ray] = static_cast<std::int16_t>(surface);

@@ -5,6 +5,8 @@
 
 #include "SurfaceTracer.h"
 
+#include <memory>
+
 namespace TemporalCoherence
 {
 

@@ -7,6 +7,7 @@
 #include "PassageBatch.h"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace TemporalCoherence
 {

@@ -4,8 +4,11 @@
 #define TemporalCoherence_HitOrder_h
 
 #include "Frame.h"
+#include "RayBatch.h"
 
+#include <cstddef>
 #include <tuple>
+#include <vector>
 
 namespace TemporalCoherence
 {
@@ -31,6 +34,15 @@ inline bool IsInFront(const MetSurface& a, const MetSurface& b)
     return std::tuple(surface.Distance, rank, rank == 1 ? surface.Isovalue : -surface.Isovalue);
   };
   return placeOf(a) < placeOf(b);
+}
+
+/// True if a ray of a batch meets a surface before what it has hit, if it has hit anything.
+inline bool IsInFrontOfHit(const MetSurface& met, const HitBatch& hits, std::size_t ray,
+  const std::vector<double>& isovalues)
+{
+  const std::int16_t hit = hits.Surface[ray];
+  return hit == Frame::NoSurface ||
+    IsInFront(met, { hits.Depth[ray], hits.Kind[ray], isovalues[static_cast<std::size_t>(hit)] });
 }
 
 }

@@ -122,7 +122,7 @@ public:
 
   explicit TypedLayerTracer(const TraceScene& scene)
     : Scene(scene)
-    , Cut(scene.Samples)
+    , Shape(scene.Samples)
     , Samples(scene.Samples)
     , Cells(scene.Samples.Dimensions - 1)
     , IsSolid(scene.Sought.Mode == SurfaceMode::Threshold)
@@ -201,7 +201,7 @@ private:
   void FindCap(
     const RayBatch& rays, std::size_t ray, const FoundSurface& last, FoundSurface& next) const
   {
-    const auto line = this->Cut.RayOf(rays, ray);
+    const auto line = this->Shape.RayOf(rays, ray);
     const glm::ivec3 cell = line.CellAt(rays.Begin[ray], this->Cells);
     if (this->IsHidden(cell))
     {
@@ -226,7 +226,7 @@ private:
     {
       return;
     }
-    const auto line = this->Cut.RayOf(rays, ray);
+    const auto line = this->Shape.RayOf(rays, ray);
     CellWalk walk;
     walk.Begin(line, this->Cells);
     while (next.Surface == Frame::NoSurface &&
@@ -295,7 +295,7 @@ private:
   }
 
   TraceScene Scene;
-  Geometry Cut; ///< of rays into cells
+  Geometry Shape; ///< of the cells
   CellSamples<T> Samples;
   std::vector<Difference<Value>> Differences; ///< from each isovalue
   glm::ivec3 Cells;                           ///< number of cells along each axis

@@ -3,9 +3,12 @@
 #ifndef TemporalCoherence_RaySource_h
 #define TemporalCoherence_RaySource_h
 
+#include "Field.h"
 #include "RayBatch.h"
 #include "Region.h"
 #include "View.h"
+
+#include <glm/glm.hpp>
 
 #include <array>
 

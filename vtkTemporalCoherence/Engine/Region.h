@@ -20,8 +20,7 @@ struct Region
 {
   static constexpr std::uint32_t AllBoxes = (1u << 27) - 1u;
 
-  /// Clipping planes in the world, normal and offset: what is kept has dot(normal, p) + offset >=
-  /// 0.
+  /// Clipping planes in the world, normal and offset: dot(normal, p) + offset >= 0 is kept.
   std::vector<glm::dvec4> Clips;
 
   /// Cropping planes in index space, the lower and the upper one along each axis, divide the field
@@ -42,7 +41,7 @@ bool operator==(const Region& a, const Region& b);
 class RegionCutter
 {
 public:
-  /// The region is that of a field which lies somewhere.
+  /// \param placement of the field that the region is a part of
   RegionCutter(const Region& region, const Placement& placement);
 
   bool IsWhole() const { return this->Kept.IsWhole(); }

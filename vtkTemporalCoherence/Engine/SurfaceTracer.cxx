@@ -383,12 +383,9 @@ private:
   {
     const double t = passages.Enter[i];
     const std::vector<double>& isovalues = this->Scene.Sought.Isovalues;
-    const bool isNext = t < hits.Depth[ray] ||
-      (t == hits.Depth[ray] &&
-        (hits.Kind[ray] != HitKind::Cap ||
-          isovalues[static_cast<std::size_t>(surface)] >
-            isovalues[static_cast<std::size_t>(hits.Surface[ray])]));
-    if (isNext && IsInside(passages.AtEntry[i]) && ComesFromHidden(passages, i, t, *this->Hidden))
+    const MetSurface cap{ t, HitKind::Cap, isovalues[static_cast<std::size_t>(surface)] };
+    if (IsInFrontOfHit(cap, hits, ray, isovalues) && IsInside(passages.AtEntry[i]) &&
+      ComesFromHidden(passages, i, t, *this->Hidden))
     {
       passages.Distance[i] = t;
       hits.Depth[ray] = t;

@@ -3,6 +3,8 @@
 #ifndef TemporalCoherence_TileCompositor_h
 #define TemporalCoherence_TileCompositor_h
 
+#include "ActiveCells.h"
+#include "Frame.h"
 #include "FramePlanes.h"
 #include "LayerTracer.h"
 #include "RaySource.h"

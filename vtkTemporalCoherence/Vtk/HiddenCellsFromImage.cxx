@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HiddenCellsFromImage.h"
 
+#include "GhostArray.h"
+
 #include <vtkCellData.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkImageData.h>
@@ -21,19 +23,10 @@ constexpr std::uint8_t NotToBeShown =
   vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
 constexpr std::uint8_t NotOfThisPiece = vtkDataSetAttributes::DUPLICATECELL;
 
-/// The ghost array of points or cells; null if there is none.
-vtkUnsignedCharArray* GhostsOf(vtkDataSetAttributes* attributes)
+/// \return false if there is a ghost array that does not tell one value for each point or cell
+bool IsUsable(vtkUnsignedCharArray* ghosts, vtkIdType count, const char* places, std::string& error)
 {
-  // What the data set itself answers may be that of an array which was replaced.
-  return vtkUnsignedCharArray::SafeDownCast(
-    attributes->GetArray(vtkDataSetAttributes::GhostArrayName()));
-}
-
-/// \return false if a ghost array does not tell one value for each point or cell
-bool HasValueForEach(
-  vtkUnsignedCharArray* ghosts, vtkIdType count, const char* places, std::string& error)
-{
-  if (!ghosts || (ghosts->GetNumberOfTuples() >= count && ghosts->GetNumberOfComponents() == 1))
+  if (!ghosts || HasOneForEach(ghosts, count))
   {
     return true;
   }
@@ -102,8 +95,8 @@ bool HiddenCellsOfImage::Find(vtkImageData* image, bool samplesAreCells,
   hidden = nullptr;
   vtkUnsignedCharArray* const ofCells = GhostsOf(image->GetCellData());
   vtkUnsignedCharArray* const ofPoints = GhostsOf(image->GetPointData());
-  if (!HasValueForEach(ofCells, image->GetNumberOfCells(), "cells", error) ||
-    !HasValueForEach(ofPoints, image->GetNumberOfPoints(), "points", error))
+  if (!IsUsable(ofCells, image->GetNumberOfCells(), "cells", error) ||
+    !IsUsable(ofPoints, image->GetNumberOfPoints(), "points", error))
   {
     return false;
   }

@@ -3,6 +3,7 @@
 #include "MergedBlocks.h"
 
 #include "BlockCopy.h"
+#include "GhostArray.h"
 
 #include <vtkAbstractMapper.h>
 #include <vtkCellData.h>
@@ -192,13 +193,11 @@ bool FitBlocks(
   return true;
 }
 
-const std::uint8_t* GhostsOf(vtkDataSetAttributes* data, vtkIdType count)
+/// The flags of points or cells; null if there is not one for each.
+const std::uint8_t* FlagsOf(vtkDataSetAttributes* attributes, vtkIdType count)
 {
-  auto* ghosts =
-    vtkUnsignedCharArray::SafeDownCast(data->GetArray(vtkDataSetAttributes::GhostArrayName()));
-  return ghosts && ghosts->GetNumberOfComponents() == 1 && ghosts->GetNumberOfTuples() >= count
-    ? ghosts->GetPointer(0)
-    : nullptr;
+  vtkUnsignedCharArray* ghosts = GhostsOf(attributes);
+  return ghosts && HasOneForEach(ghosts, count) ? ghosts->GetPointer(0) : nullptr;
 }
 
 bool MakeSource(
@@ -206,8 +205,8 @@ bool MakeSource(
 {
   source.First = block.Place.First - whole.First;
   source.Points = block.Place.Points();
-  source.PointGhosts = GhostsOf(block.Image->GetPointData(), block.Image->GetNumberOfPoints());
-  source.CellGhosts = GhostsOf(block.Image->GetCellData(), block.Image->GetNumberOfCells());
+  source.PointGhosts = FlagsOf(block.Image->GetPointData(), block.Image->GetNumberOfPoints());
+  source.CellGhosts = FlagsOf(block.Image->GetCellData(), block.Image->GetNumberOfCells());
   source.Components.resize(static_cast<std::size_t>(block.Array->GetNumberOfComponents()));
   for (std::size_t c = 0; c < source.Components.size(); ++c)
   {

@@ -3,6 +3,7 @@
 #include "PointsFromFrame.h"
 
 #include "Parallel.h"
+#include "PixelHit.h"
 
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
@@ -26,11 +27,6 @@ namespace
 /// Rows that a thread takes at a time.
 constexpr std::int64_t RowGrain = 16;
 
-std::size_t BeginOfRow(const Frame& frame, std::int64_t row)
-{
-  return static_cast<std::size_t>(row) * static_cast<std::size_t>(frame.Size.x);
-}
-
 /// Hits in the rows before each row, and at last in all.
 std::vector<vtkIdType> CountHits(const Frame& frame)
 {
@@ -38,7 +34,8 @@ std::vector<vtkIdType> CountHits(const Frame& frame)
   ParallelFor(frame.Size.y, RowGrain,
     [&](std::int64_t row)
     {
-      const std::int16_t* const first = frame.Isovalues.data() + BeginOfRow(frame, row);
+      const std::int16_t* const first =
+        frame.Isovalues.data() + IndexOfPixel(frame, 0, static_cast<int>(row));
       before[static_cast<std::size_t>(row) + 1] =
         frame.Size.x - std::count(first, first + frame.Size.x, Frame::NoSurface);
     });
@@ -93,19 +90,20 @@ void WritePoints(
   ParallelFor(frame.Size.y, RowGrain,
     [&](std::int64_t row)
     {
+      const int y = static_cast<int>(row);
       vtkIdType at = before[static_cast<std::size_t>(row)];
       for (int x = 0; x < frame.Size.x; ++x)
       {
-        const std::size_t pixel = BeginOfRow(frame, row) + static_cast<std::size_t>(x);
+        const std::size_t pixel = IndexOfPixel(frame, x, y);
         if (frame.Isovalues[pixel] == Frame::NoSurface)
         {
           continue;
         }
         const auto surface = static_cast<std::size_t>(frame.Isovalues[pixel]);
-        const Ray ray = key.Seen.RayThrough(x, static_cast<int>(row));
+        const glm::dvec3 position = PositionOfHit(frame, key.Seen, x, y);
         for (int axis = 0; axis < 3; ++axis)
         {
-          positions[3 * at + axis] = ray.Origin[axis] + frame.Depth[pixel] * ray.Direction[axis];
+          positions[3 * at + axis] = position[axis];
           normals[3 * at + axis] = frame.Normals[pixel][axis];
         }
         isovalues[at] = key.Sought.Isovalues[surface];

@@ -3,6 +3,7 @@
 #include "SelectionPass.h"
 
 #include "MatrixFromVtk.h"
+#include "PixelHit.h"
 
 #include <vtkDataSet.h>
 #include <vtkHardwareSelector.h>
@@ -68,15 +69,17 @@ std::vector<PixelColor> MakeNumbers(const Frame& frame, const View& view, vtkVol
   }
   volume->ComputeMatrix();
   const glm::dmat4 dataFromWorld = glm::inverse(MatrixFromVtk(volume->GetMatrix()));
-  for (std::size_t pixel = 0; pixel < colors.size(); ++pixel)
+  for (int y = 0; y < frame.Size.y; ++y)
   {
-    if (frame.Isovalues[pixel] != Frame::NoSurface)
+    for (int x = 0; x < frame.Size.x; ++x)
     {
-      const auto width = static_cast<std::size_t>(frame.Size.x);
-      const Ray ray =
-        view.RayThrough(static_cast<int>(pixel % width), static_cast<int>(pixel / width));
-      const glm::dvec4 place(ray.Origin + frame.Depth[pixel] * ray.Direction, 1.0);
-      colors[pixel] = ColorOf(NumberAt(data, glm::dvec3(dataFromWorld * place), isPoint) >> shift);
+      const std::size_t pixel = IndexOfPixel(frame, x, y);
+      if (frame.Isovalues[pixel] != Frame::NoSurface)
+      {
+        const glm::dvec4 place(PositionOfHit(frame, view, x, y), 1.0);
+        colors[pixel] =
+          ColorOf(NumberAt(data, glm::dvec3(dataFromWorld * place), isPoint) >> shift);
+      }
     }
   }
   return colors;

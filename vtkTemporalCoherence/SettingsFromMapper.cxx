@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SettingsFromMapper.h"
+
+#include "vtkTemporalCoherenceVolumeMapper.h"
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+using Mapper = vtkTemporalCoherenceVolumeMapper;
+
+VectorChoice VectorsOf(Mapper* mapper)
+{
+  using Modes = VectorChoice::Modes;
+  switch (mapper->GetVectorMode())
+  {
+    case Mapper::MAGNITUDE:
+      return { Modes::Magnitude, mapper->GetVectorComponent() };
+    case Mapper::COMPONENT:
+      return { Modes::Component, mapper->GetVectorComponent() };
+    default:
+      return { Modes::Property, mapper->GetVectorComponent() };
+  }
+}
+
+ReuseAccuracy AccuracyOf(Mapper* mapper)
+{
+  switch (mapper->GetReuseAccuracy())
+  {
+    case Mapper::EXACT:
+      return ReuseAccuracy::Exact;
+    case Mapper::PAPER:
+      return ReuseAccuracy::Paper;
+    default:
+      return ReuseAccuracy::Bounded;
+  }
+}
+
+}
+
+PictureSettings SettingsOf(Mapper* mapper)
+{
+  PictureSettings settings;
+  settings.Vectors = VectorsOf(mapper);
+  settings.Mode =
+    mapper->GetSurfaceMode() == Mapper::THRESHOLD ? SurfaceMode::Threshold : SurfaceMode::Crossing;
+  settings.ColorByAnswer = mapper->GetColorByAnswer() != 0;
+  return settings;
+}
+
+FrameRenderer::Options OptionsOf(Mapper* mapper)
+{
+  FrameRenderer::Options options;
+  options.SpaceLeaping = mapper->GetSpaceLeaping() != 0;
+  options.Reuse.ImageCache = mapper->GetImageCache() != 0;
+  options.Reuse.Isomap = mapper->GetIsomap() != 0;
+  options.Reuse.RefineWhenStill = mapper->GetRefineWhenStill() != 0;
+  options.Accuracy = AccuracyOf(mapper);
+  options.InterpolateColors = mapper->GetImageCacheShading() == Mapper::CACHE_INTERPOLATE;
+  options.Images.Policy = mapper->GetImageCachePolicy() == Mapper::KEY_IMAGE
+    ? ImageCachePolicy::KeyImage
+    : ImageCachePolicy::Latest;
+  options.Images.KeyImageInterval = mapper->GetKeyImageInterval();
+  options.Images.NumberOfImages = mapper->GetNumberOfCachedImages();
+  options.Map.Range = { mapper->GetIsomapRange()[0], mapper->GetIsomapRange()[1] };
+  options.Map.Tolerance = mapper->GetIsomapTolerance();
+  options.Map.HasNormals = mapper->GetIsomapShading() == Mapper::INTERPOLATE;
+  options.Map.MemoryLimit = static_cast<std::size_t>(mapper->GetIsomapMemoryLimit()) << 20;
+  return options;
+}
+
+}

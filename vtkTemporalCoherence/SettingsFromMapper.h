@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_SettingsFromMapper_h
+#define TemporalCoherence_SettingsFromMapper_h
+
+#include "FrameRenderer.h"
+#include "RequestFromMapper.h"
+
+class vtkTemporalCoherenceVolumeMapper;
+
+namespace TemporalCoherence
+{
+
+/// The mapper's own settings that its pictures depend on.
+PictureSettings SettingsOf(vtkTemporalCoherenceVolumeMapper* mapper);
+
+/// Its settings of how frames are made. Tiles are not reported.
+FrameRenderer::Options OptionsOf(vtkTemporalCoherenceVolumeMapper* mapper);
+
+}
+
+#endif

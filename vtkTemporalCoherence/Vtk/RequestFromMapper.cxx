@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RequestFromMapper.h"
+
+#include "AppearanceFromVolume.h"
+#include "FieldFromImage.h"
+#include "RegionFromMapper.h"
+#include "ViewFromRenderer.h"
+
+#include <vtkVolume.h>
+#include <vtkVolumeMapper.h>
+#include <vtkVolumeProperty.h>
+
+namespace TemporalCoherence
+{
+
+bool RequestFromMapper::Make(vtkVolumeMapper* mapper, const PictureSettings& settings,
+  vtkVolume* volume, const FrameSight& sight, FrameRequest& request, std::string& error)
+{
+  vtkVolumeProperty* property = volume->GetProperty();
+  FrameKey& key = request.Key;
+  MapperInput input;
+  if (!this->Input.Find(mapper, property, settings.Vectors, input, error) ||
+    !FindSurfaces(property, input.Look, key.Sought, request.IsovaluePlaces, error))
+  {
+    return false;
+  }
+  key.Sought.Mode = settings.Mode;
+
+  if (sight.Renderer)
+  {
+    if (!MakeView(sight.Renderer, sight.Size, sight.Aspect, key.Seen, error))
+    {
+      return false;
+    }
+    key.Look = MakeAppearance(property, input.Look, sight.Renderer, key.Sought.Isovalues);
+    key.Look.ColorByAnswer = settings.ColorByAnswer;
+  }
+
+  // An image without points has no array either: an empty picture, as for images without cells.
+  return !input.Array || this->MakeScene(mapper, volume, input, key, error);
+}
+
+/// The samples, and where they lie and are kept.
+bool RequestFromMapper::MakeScene(vtkVolumeMapper* mapper, vtkVolume* volume,
+  const MapperInput& input, FrameKey& key, std::string& error)
+{
+  vtkVolumeProperty* property = volume->GetProperty();
+  const ImageAxes axes = AxesOf(input.Image, input.OnCells);
+  key.Sought.BySteepness = MakeGradientOpacity(property, input.Look, glm::abs(axes.Step));
+  if (!MakeField(input.Image, input.Array, input.OnCells, input.Component, key.Samples, error) ||
+    !this->Hidden.Find(input.Image, input.OnCells, key.Samples.Hidden, error) ||
+    !MakePlacement(input.Image, input.OnCells, volume, key.Where, error) ||
+    !MakeRegion(mapper, axes, key.Kept, error))
+  {
+    return false;
+  }
+  key.Samples.Grid = input.Grid;
+  key.Samples.Between = property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION
+    ? Interpolation::Nearest
+    : Interpolation::Linear;
+  return true;
+}
+
+bool RequestFromMapper::IsOpaque(
+  vtkVolumeMapper* mapper, const PictureSettings& settings, vtkVolume* volume)
+{
+  MapperInput input;
+  std::string error; // the next frame tells of it
+  this->Input.Find(mapper, volume->GetProperty(), settings.Vectors, input, error);
+  return TemporalCoherence::IsOpaque(volume->GetProperty(), input.Look);
+}
+
+void RequestFromMapper::Release()
+{
+  this->Input.Release();
+  this->Hidden.Release();
+}
+
+}

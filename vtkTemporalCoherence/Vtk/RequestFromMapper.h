@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_RequestFromMapper_h
+#define TemporalCoherence_RequestFromMapper_h
+
+#include "HiddenCellsFromImage.h"
+#include "InputFromMapper.h"
+#include "ReusePlan.h"
+
+#include <string>
+#include <vector>
+
+class vtkRenderer;
+class vtkVolume;
+class vtkVolumeMapper;
+
+namespace TemporalCoherence
+{
+
+/// What a picture depends on of a mapper's settings, beyond those that every volume mapper has.
+struct PictureSettings
+{
+  VectorChoice Vectors;
+  SurfaceMode Mode = SurfaceMode::Crossing;
+  bool ColorByAnswer = false;
+};
+
+/// Who sees a frame, and how large it is.
+struct FrameSight
+{
+  vtkRenderer* Renderer = nullptr; ///< null: nobody; view and appearance are left out
+  glm::ivec2 Size{ 1 };            ///< rays along each axis
+  double Aspect = 1.0;             ///< width by height of what the camera sees
+};
+
+/// A frame that is asked for.
+struct FrameRequest
+{
+  FrameKey Key;
+  std::vector<int> IsovaluePlaces; ///< position in the property's list of each isovalue of the key
+};
+
+/// Reads from a mapper, a volume and a renderer everything that a frame depends on, and keeps what
+/// has to be computed of the input for that.
+class RequestFromMapper
+{
+public:
+  /// \param error gets what is wrong and what to do about it
+  /// \return false on error. An input without points is none: its frame is empty.
+  bool Make(vtkVolumeMapper* mapper, const PictureSettings& settings, vtkVolume* volume,
+    const FrameSight& sight, FrameRequest& request, std::string& error);
+
+  /// True if nothing can be seen through the surfaces that a mapper shows.
+  bool IsOpaque(vtkVolumeMapper* mapper, const PictureSettings& settings, vtkVolume* volume);
+
+  /// Forget what was computed.
+  void Release();
+
+private:
+  bool MakeScene(vtkVolumeMapper* mapper, vtkVolume* volume, const MapperInput& input,
+    FrameKey& key, std::string& error);
+
+  InputFromMapper Input;
+  HiddenCellsOfImage Hidden;
+};
+
+}
+
+#endif

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkTemporalCoherenceVolumeMapperInternals_h
+#define vtkTemporalCoherenceVolumeMapperInternals_h
+
+#include "MapperFrames.h"
+#include "RequestFromMapper.h"
+#include "SampleDistance.h"
+#include "vtkTemporalCoherenceVolumeMapper.h"
+
+#include <string>
+
+/// What a mapper holds besides its settings.
+struct vtkTemporalCoherenceVolumeMapper::Internals
+{
+  TemporalCoherence::RequestFromMapper Requests;
+  TemporalCoherence::MapperFrames Frames;
+  TemporalCoherence::SampleDistanceChooser Distances;
+  std::string LastError;  ///< reported already; empty after a frame without error
+  bool HasWarned = false; ///< of the limit of memory
+  bool IsBusy = false;    ///< observers of a frame that is being made may call anything
+
+  /// Remember what rays take, if the last frame had any traced or looked up.
+  void Learn(double allowed)
+  {
+    const TemporalCoherence::FrameStatistics& last = this->Frames.Statistics();
+    if (last.Made != TemporalCoherence::Route::Redisplay &&
+      last.Made != TemporalCoherence::Route::Reshade)
+    {
+      // The next frames in the view need not build an isomap again.
+      this->Distances.Learn(
+        this->Frames.LastSize(), last.FrameTime - last.IsomapBuildTime, allowed);
+    }
+  }
+};
+
+#endif

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What the mapper tells of its last frame in numbers, and of itself.
+#include "vtkTemporalCoherenceVolumeMapper.h"
+
+#include "vtkTemporalCoherenceVolumeMapperInternals.h"
+
+//------------------------------------------------------------------------------
+int vtkTemporalCoherenceVolumeMapper::GetRoute()
+{
+  return static_cast<int>(this->Internal->Frames.Statistics().Made);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkTemporalCoherenceVolumeMapper::GetRouteAsString()
+{
+  return TemporalCoherence::NameOf(this->Internal->Frames.Statistics().Made);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkTemporalCoherenceVolumeMapper::GetNumberOfRays()
+{
+  return this->Internal->Frames.Statistics().Rays;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkTemporalCoherenceVolumeMapper::GetNumberOfDefiniteHits()
+{
+  return this->Internal->Frames.Statistics().DefiniteHits;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkTemporalCoherenceVolumeMapper::GetNumberOfDefiniteMisses()
+{
+  return this->Internal->Frames.Statistics().DefiniteMisses;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkTemporalCoherenceVolumeMapper::GetNumberOfPossibleHits()
+{
+  return this->Internal->Frames.Statistics().PossibleHits;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkTemporalCoherenceVolumeMapper::GetNumberOfTracedRays()
+{
+  return this->Internal->Frames.Statistics().TracedRays;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkTemporalCoherenceVolumeMapper::GetNumberOfFieldSamples()
+{
+  return this->Internal->Frames.Statistics().FieldSamples;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkTemporalCoherenceVolumeMapper::GetIsomapMemory()
+{
+  return static_cast<vtkIdType>(this->Internal->Frames.LastIsomap().MemoryInBytes());
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkTemporalCoherenceVolumeMapper::GetNumberOfIsomapKnots()
+{
+  return static_cast<vtkIdType>(this->Internal->Frames.LastIsomap().NumberOfKnots());
+}
+
+//------------------------------------------------------------------------------
+double vtkTemporalCoherenceVolumeMapper::GetFrameTime()
+{
+  return this->Internal->Frames.Statistics().FrameTime + this->Internal->Frames.PresentTime();
+}
+
+//------------------------------------------------------------------------------
+double vtkTemporalCoherenceVolumeMapper::GetTraceTime()
+{
+  return this->Internal->Frames.Statistics().TraceTime;
+}
+
+//------------------------------------------------------------------------------
+double vtkTemporalCoherenceVolumeMapper::GetQueryTime()
+{
+  return this->Internal->Frames.Statistics().QueryTime;
+}
+
+//------------------------------------------------------------------------------
+double vtkTemporalCoherenceVolumeMapper::GetIsomapBuildTime()
+{
+  return this->Internal->Frames.IsomapBuildTime();
+}
+
+//------------------------------------------------------------------------------
+double vtkTemporalCoherenceVolumeMapper::GetShadeTime()
+{
+  return this->Internal->Frames.Statistics().ShadeTime;
+}
+
+//------------------------------------------------------------------------------
+double vtkTemporalCoherenceVolumeMapper::GetPresentTime()
+{
+  return this->Internal->Frames.PresentTime();
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherenceVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "SurfaceMode: " << (this->SurfaceMode == THRESHOLD ? "THRESHOLD" : "CROSSING")
+     << endl;
+  os << indent << "VectorMode: " << this->VectorMode << endl;
+  os << indent << "VectorComponent: " << this->VectorComponent << endl;
+  os << indent << "ImageCache: " << this->ImageCache << endl;
+  os << indent << "Isomap: " << this->Isomap << endl;
+  os << indent << "SpaceLeaping: " << this->SpaceLeaping << endl;
+  os << indent << "ColorByAnswer: " << this->ColorByAnswer << endl;
+  os << indent << "ReuseAccuracy: " << this->ReuseAccuracy << endl;
+  os << indent << "RefineWhenStill: " << this->RefineWhenStill << endl;
+  os << indent << "ImageCachePolicy: " << this->ImageCachePolicy << endl;
+  os << indent << "KeyImageInterval: " << this->KeyImageInterval << endl;
+  os << indent << "NumberOfCachedImages: " << this->NumberOfCachedImages << endl;
+  os << indent << "ImageCacheShading: " << this->ImageCacheShading << endl;
+  os << indent << "IsomapTolerance: " << this->IsomapTolerance << endl;
+  os << indent << "IsomapRange: " << this->IsomapRange[0] << ", " << this->IsomapRange[1] << endl;
+  os << indent << "IsomapMemoryLimit: " << this->IsomapMemoryLimit << endl;
+  os << indent << "IsomapShading: " << this->IsomapShading << endl;
+  os << indent << "ImageSampleDistance: " << this->ImageSampleDistance << endl;
+  os << indent << "MinimumImageSampleDistance: " << this->MinimumImageSampleDistance << endl;
+  os << indent << "MaximumImageSampleDistance: " << this->MaximumImageSampleDistance << endl;
+  os << indent << "AutoAdjustSampleDistances: " << this->AutoAdjustSampleDistances << endl;
+  os << indent << "Route: " << this->GetRouteAsString() << endl;
+}

@@ -53,12 +53,14 @@ list(TRANSFORM engine_files APPEND ".cxx")
 set(bridge_files
   AppearanceFromVolume
   BlockCopy
+  DepthReader
   FieldFromImage
   HiddenCellsFromImage
   ImageFromFrame
   ImageLattice
   ImageOfGrid
   InputFromMapper
+  LayerCut
   MapperFrames
   MergedBlocks
   PassOutput

@@ -41,6 +41,9 @@ struct LayerHit
   std::int32_t Pixel; ///< position in the planes
   std::int16_t Isovalue;
   HitKind Kind;
+  /// What the pixel shows if nothing behind is seen: RGBA, multiplied by A. That of the last layer
+  /// is the pixel's colour.
+  std::array<std::uint8_t, 4> Color{};
 };
 
 /// One value for each pixel.

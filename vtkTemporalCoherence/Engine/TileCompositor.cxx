@@ -88,6 +88,14 @@ public:
   /// True if what lies behind a pixel's surfaces can be seen.
   bool IsOpen(std::int32_t pixel) const { return this->Through[this->PlaceOf(pixel)] > 0.0f; }
 
+  /// What a pixel shows, if nothing else is laid under its surfaces.
+  std::array<std::uint8_t, 4> ColorOf(std::int32_t pixel) const
+  {
+    const std::size_t at = this->PlaceOf(pixel);
+    return { RoundToByte(this->Color[0][at]), RoundToByte(this->Color[1][at]),
+      RoundToByte(this->Color[2][at]), RoundToByte(1.0f - this->Through[at]) };
+  }
+
   /// Write colours. A pixel none of whose surfaces can be seen shows none.
   void Finish()
   {
@@ -97,11 +105,8 @@ public:
       {
         const glm::ivec2 place = this->Part.First + glm::ivec2(x, y);
         const std::int32_t pixel = place.y * this->Planes.Size.x + place.x;
-        const std::size_t at = this->PlaceOf(pixel);
-        this->Planes.Colors[static_cast<std::size_t>(pixel)] = { RoundToByte(this->Color[0][at]),
-          RoundToByte(this->Color[1][at]), RoundToByte(this->Color[2][at]),
-          RoundToByte(1.0f - this->Through[at]) };
-        if (this->Through[at] == 1.0f)
+        this->Planes.Colors[static_cast<std::size_t>(pixel)] = this->ColorOf(pixel);
+        if (this->Through[this->PlaceOf(pixel)] == 1.0f)
         {
           this->Planes.Depth[static_cast<std::size_t>(pixel)] =
             std::numeric_limits<double>::infinity();
@@ -177,6 +182,7 @@ void TileCompositor::Composite(
     HitList layer;
     layer.Rays.Count = 0;
     const auto count = static_cast<std::size_t>(rays.Count);
+    const std::size_t begin = layers.size();
     for (std::size_t ray = 0; ray < count; ++ray)
     {
       if (hits.Surface[ray] != Frame::NoSurface)
@@ -185,7 +191,7 @@ void TileCompositor::Composite(
         AppendHit(layers.back(), frame, this->Key.Seen, layer);
       }
     }
-    this->AddLayer(layer, canvas);
+    this->AddLayer(layer, layers.data() + begin, canvas);
     if (isFirst)
     {
       first = layer;
@@ -213,7 +219,7 @@ void TileCompositor::Composite(
 
 void TileCompositor::CompositeAgain(std::int64_t tile, const PixelRect& part, Frame& frame) const
 {
-  const std::vector<LayerHit>& layers = frame.Layers[static_cast<std::size_t>(tile)];
+  std::vector<LayerHit>& layers = frame.Layers[static_cast<std::size_t>(tile)];
   if (frame.ClearTiles[static_cast<std::size_t>(tile)])
   {
     return;
@@ -231,7 +237,7 @@ void TileCompositor::CompositeAgain(std::int64_t tile, const PixelRect& part, Fr
     {
       AppendHit(layers[i], frame, this->Key.Seen, layer);
     }
-    this->AddLayer(layer, canvas);
+    this->AddLayer(layer, &layers[begin], canvas);
     if (begin == 0)
     {
       first = layer;
@@ -242,8 +248,8 @@ void TileCompositor::CompositeAgain(std::int64_t tile, const PixelRect& part, Fr
   PaintAnswers(this->Key.Look, first, frame);
 }
 
-/// Shade a layer and lay it under those that are there.
-void TileCompositor::AddLayer(HitList& layer, Canvas& canvas) const
+/// Shade a layer, which is `hits` as the frame has them, and lay it under those that are there.
+void TileCompositor::AddLayer(HitList& layer, LayerHit* hits, Canvas& canvas) const
 {
   if (layer.Rays.Count == 0)
   {
@@ -266,6 +272,7 @@ void TileCompositor::AddLayer(HitList& layer, Canvas& canvas) const
     }
     canvas.Add(
       layer, i, { sums.Sum[0][i], sums.Sum[1][i], sums.Sum[2][i] }, static_cast<float>(alpha));
+    hits[i].Color = canvas.ColorOf(layer.Pixel[i]);
   }
 }
 

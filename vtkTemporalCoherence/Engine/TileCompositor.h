@@ -47,7 +47,7 @@ private:
   void SetUp(std::int64_t tile, const PixelRect& part, const Frame& frame, RayBatch& rays,
     HitBatch& hits) const;
   void FindNext(const RayBatch& rays, HitBatch& hits) const;
-  void AddLayer(HitList& layer, Canvas& canvas) const;
+  void AddLayer(HitList& layer, LayerHit* hits, Canvas& canvas) const;
 
   const FrameKey& Key;
   const NormalSource& Source;

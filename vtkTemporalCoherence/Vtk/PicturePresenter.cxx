@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PicturePresenter.h"
 
+#include "DepthReader.h"
+#include "LayerCut.h"
+
 #include <vtkNew.h>
 #include <vtkOpenGLQuadHelper.h>
 #include <vtkOpenGLRenderUtilities.h>
@@ -48,16 +51,15 @@ std::string FragmentShader(PassOutput output)
   return source;
 }
 
-/// Let the quad cover only a part of a picture that fills the viewport.
-void ShrinkViewport(vtkOpenGLState* state, const glm::ivec2& size, const PixelRect& part)
+/// Where in the window a part is of a picture that fills the viewport.
+PixelRect InWindow(vtkOpenGLState* state, const glm::ivec2& size, const PixelRect& part)
 {
   int viewport[4];
   state->vtkglGetIntegerv(GlViewport, viewport);
   const glm::ivec2 whole(viewport[2], viewport[3]);
   const glm::ivec2 first = part.First * whole / size;
   const glm::ivec2 end = (part.First + part.Size) * whole / size;
-  state->vtkglViewport(
-    viewport[0] + first.x, viewport[1] + first.y, end.x - first.x, end.y - first.y);
+  return { glm::ivec2(viewport[0], viewport[1]) + first, end - first };
 }
 
 void PrepareTexture(vtkTextureObject* texture, vtkOpenGLRenderWindow* window)
@@ -76,6 +78,7 @@ struct PicturePresenter::Resources
   vtkOpenGLQuadHelper* Quad = nullptr; ///< the one that draws now
   vtkNew<vtkTextureObject> Color;
   vtkNew<vtkTextureObject> Depth;
+  vtkNew<vtkTextureObject> Cut;     ///< colours where other things lie among the layers
   vtkNew<vtkTextureObject> Normal;  ///< in the world, for passes that ask for it
   std::uint64_t Picture = 0;        ///< the one in the textures
   std::uint64_t NormalsPicture = 0; ///< the one in the texture of normals
@@ -99,6 +102,7 @@ bool PicturePresenter::Present(vtkRenderer* renderer, vtkVolume* volume, const F
   {
     return true;
   }
+  const bool isCut = this->Shown.HasLayers && this->CutLayers(frame, view);
   const glm::vec2 size(frame.Size);
   SetUniforms(output, this->OpenGL->Quad->Program, renderer, volume, glm::vec2(rect.First) / size,
     glm::vec2(rect.Size) / size);
@@ -109,7 +113,14 @@ bool PicturePresenter::Present(vtkRenderer* renderer, vtkVolume* volume, const F
     this->OpenGL->Quad->Program->SetUniformi(
       "normalTexture", this->OpenGL->Normal->GetTextureUnit());
   }
-  this->Draw(this->OpenGL->Color, this->Shown.HasOpaque, this->Shown.HasTranslucent);
+  if (isCut)
+  {
+    this->Draw(this->OpenGL->Cut, this->Shown.HasOpaque, true);
+  }
+  else
+  {
+    this->Draw(this->OpenGL->Color, this->Shown.HasOpaque, this->Shown.HasTranslucent);
+  }
   if (output == PassOutput::Occluder)
   {
     this->OpenGL->Normal->Deactivate();
@@ -175,6 +186,7 @@ bool PicturePresenter::Prepare(vtkRenderer* renderer, const Frame& frame, const 
     this->OpenGL->Window = window;
     PrepareTexture(this->OpenGL->Color, window);
     PrepareTexture(this->OpenGL->Depth, window);
+    PrepareTexture(this->OpenGL->Cut, window);
     PrepareTexture(this->OpenGL->Normal, window);
   }
   auto& quad = this->OpenGL->Quads[static_cast<std::size_t>(output)];
@@ -213,6 +225,30 @@ bool PicturePresenter::Prepare(vtkRenderer* renderer, const Frame& frame, const 
   return true;
 }
 
+/// Put the picture's colours into the texture Cut, without those layers that lie behind what is in
+/// the window.
+/// \return false if there is no need to, or no way
+bool PicturePresenter::CutLayers(const Frame& frame, const View& view)
+{
+  vtkOpenGLRenderWindow* window = this->OpenGL->Window;
+  const PixelRect target = InWindow(window->GetState(), this->OpenGL->Size, this->OpenGL->Rect);
+  if (target.Size.x <= 0 || target.Size.y <= 0)
+  {
+    return false;
+  }
+  const bool isRead = ReadDepths(window, target, this->Depths);
+  // Some windows take a program of their own to read depths.
+  window->GetShaderCache()->ReadyShaderProgram(this->OpenGL->Quad->Program);
+  if (!isRead ||
+    !CutLayersAt(this->Depths, target.Size, this->Shown.Rect, frame, view, this->CutColors))
+  {
+    return false;
+  }
+  this->OpenGL->Cut->Create2DFromRaw(static_cast<unsigned int>(target.Size.x),
+    static_cast<unsigned int>(target.Size.y), 4, VTK_UNSIGNED_CHAR, this->CutColors.data());
+  return true;
+}
+
 void PicturePresenter::UploadNormals(const Frame& frame)
 {
   if (this->OpenGL->NormalsPicture == this->OpenGL->Picture)
@@ -242,7 +278,8 @@ void PicturePresenter::Draw(vtkTextureObject* color, bool isOpaque, bool isTrans
   vtkOpenGLState::ScopedglDepthFunc keepDepthFunction(state);
   vtkOpenGLState::ScopedglDepthMask keepDepthMask(state);
   vtkOpenGLState::ScopedglViewport keepViewport(state);
-  ShrinkViewport(state, this->OpenGL->Size, this->OpenGL->Rect);
+  const PixelRect target = InWindow(state, this->OpenGL->Size, this->OpenGL->Rect);
+  state->vtkglViewport(target.First.x, target.First.y, target.Size.x, target.Size.y);
   state->vtkglEnable(GlDepthTest);
   state->vtkglDepthFunc(GlLessOrEqual);
 

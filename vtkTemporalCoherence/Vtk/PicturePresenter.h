@@ -24,7 +24,8 @@ namespace TemporalCoherence
 /// hits is uploaded and drawn, and only a picture that differs from the last is uploaded.
 ///
 /// Opaque hits are drawn with their depths. Translucent ones are blended over what is in the
-/// window, where that is not nearer, and leave no depth.
+/// window, where that is not nearer, and leave no depth; where something in the window lies between
+/// translucent layers, those before it.
 class PicturePresenter
 {
 public:
@@ -49,11 +50,14 @@ private:
   struct Resources;
   bool Prepare(vtkRenderer* renderer, const Frame& frame, const View& view, std::uint64_t picture,
     PassOutput output, std::string& error);
+  bool CutLayers(const Frame& frame, const View& view);
   void UploadNormals(const Frame& frame);
   void Draw(vtkTextureObject* color, bool isOpaque, bool isTranslucent);
 
   std::unique_ptr<Resources> OpenGL; ///< null while nothing is held in a context
-  WindowPicture Shown;               ///< kept for its memory
+  WindowPicture Shown;               ///< kept for its memory, as are these
+  std::vector<float> Depths;
+  std::vector<PixelColor> CutColors;
 };
 
 }

@@ -74,14 +74,6 @@ PixelRect FindHits(const Frame& frame)
   return { first * TileSize, end - first * TileSize };
 }
 
-/// What the depth buffer holds for a hit.
-float WindowDepthOf(const View& view, const glm::ivec2& pixel, double t)
-{
-  const Ray ray = view.RayThrough(pixel.x, pixel.y);
-  const glm::dvec4 clip = view.ClipFromWorld * glm::dvec4(ray.Origin + t * ray.Direction, 1.0);
-  return static_cast<float>(std::min(std::max(0.5 * clip.z / clip.w + 0.5, 0.0), 1.0));
-}
-
 bool IsOpaque(const PixelColor& color)
 {
   return color[3] == 255;
@@ -92,6 +84,20 @@ bool IsTranslucent(const PixelColor& color)
   return color[3] != 0 && color[3] != 255;
 }
 
+/// True if a pixel of a tile has more than one layer: where a second round begins anew.
+bool HasSecondRound(const std::vector<LayerHit>& layers)
+{
+  return std::adjacent_find(layers.begin(), layers.end(),
+           [](const LayerHit& a, const LayerHit& b) { return b.Pixel <= a.Pixel; }) != layers.end();
+}
+
+}
+
+float WindowDepthOf(const View& view, const glm::ivec2& pixel, double t)
+{
+  const Ray ray = view.RayThrough(pixel.x, pixel.y);
+  const glm::dvec4 clip = view.ClipFromWorld * glm::dvec4(ray.Origin + t * ray.Direction, 1.0);
+  return static_cast<float>(std::min(std::max(0.5 * clip.z / clip.w + 0.5, 0.0), 1.0));
 }
 
 void WindowPicture::Assign(const Frame& frame, const View& view)
@@ -127,6 +133,7 @@ void WindowPicture::Assign(const Frame& frame, const View& view)
     });
   this->HasOpaque = hasOpaque;
   this->HasTranslucent = hasTranslucent;
+  this->HasLayers = std::any_of(frame.Layers.begin(), frame.Layers.end(), HasSecondRound);
 }
 
 }

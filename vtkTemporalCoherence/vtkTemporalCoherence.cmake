@@ -8,6 +8,7 @@ set(engine_files
   BandPlan
   BandTracer
   CapNormal
+  FieldFingerprint
   FieldStructures
   FramePlanes
   FrameRenderer
@@ -37,6 +38,7 @@ set(engine_files
   RaySource
   Region
   ReusePlan
+  SampleComparer
   SampleDistance
   Shader
   SurfaceNormal

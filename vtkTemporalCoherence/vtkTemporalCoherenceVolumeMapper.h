@@ -172,8 +172,9 @@ public:
   ///@{
   /**
    * Allow a moved camera to start from a kept picture: rays leap over the space that it shows to be
-   * free, and those that stay in it are not traced at all. Default: on. Off, a new view makes a
-   * cold frame.
+   * free, and those that stay in it are not traced at all. And allow the picture of another time
+   * step to copy that of the last one where no sample that changed can be seen. Default: on. Off, a
+   * new view and a new time step make a cold frame (but one with the same numbers changes nothing).
    */
   vtkSetMacro(ImageCache, vtkTypeBool);
   vtkGetMacro(ImageCache, vtkTypeBool);

@@ -3,9 +3,12 @@
 #include "ColdWitness.h"
 
 #include <vtkDataArray.h>
+#include <vtkDataObjectTree.h>
+#include <vtkDataObjectTreeIterator.h>
 #include <vtkMath.h>
 #include <vtkMatrix4x4.h>
 #include <vtkRectilinearGrid.h>
+#include <vtkSmartPointer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,13 +17,26 @@
 namespace
 {
 
+/// The first of blocks, which are all alike.
+vtkDataObject* FirstOf(vtkDataObject* data)
+{
+  auto* tree = vtkDataObjectTree::SafeDownCast(data);
+  if (!tree)
+  {
+    return data;
+  }
+  const auto leaves = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(tree->NewTreeIterator());
+  leaves->InitTraversal();
+  return leaves->GetCurrentDataObject();
+}
+
 /// Shortest distance between neighbouring samples along an axis.
 double SpacingOf(vtkDataObject* data, int axis)
 {
   auto* grid = vtkRectilinearGrid::SafeDownCast(data);
   if (!grid)
   {
-    return vtkImageData::SafeDownCast(data)->GetSpacing()[axis];
+    return vtkImageData::SafeDownCast(FirstOf(data))->GetSpacing()[axis];
   }
   vtkDataArray* coordinates[3] = { grid->GetXCoordinates(), grid->GetYCoordinates(),
     grid->GetZCoordinates() };

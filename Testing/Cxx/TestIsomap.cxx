@@ -12,6 +12,7 @@
 #include <vtkSMPTools.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 
 namespace
@@ -79,7 +80,7 @@ std::vector<std::vector<double>> ListsOf(const Subject& subject)
   {
     lists.push_back(permuted);
   } while (std::next_permutation(permuted.begin(), permuted.end()));
-  for (const std::size_t added : { 3, 50, 31, 59, 0 })
+  for (const std::size_t added : std::array<std::size_t, 5>{ 3, 50, 31, 59, 0 })
   {
     permuted.push_back(low[added]);
     lists.push_back(permuted);

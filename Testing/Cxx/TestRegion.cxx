@@ -6,6 +6,7 @@
 
 #include "ColdWitness.h"
 #include "Expect.h"
+#include "KeptParts.h"
 #include "Sweep.h"
 #include "Volumes.h"
 
@@ -17,7 +18,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <limits>
 
 namespace
 {
@@ -35,124 +35,13 @@ void AddPlane(Mapper* mapper, const Point& origin, const Point& normal)
   mapper->AddClippingPlane(plane);
 }
 
-/// Says by itself which points of the world a mapper keeps.
-class Keeper
-{
-public:
-  Keeper(Scene& scene, vtkImageData* image, const BruteForceTracer& truth)
-    : Of(scene.Mapper)
-    , Truth(truth)
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const auto a = static_cast<std::size_t>(axis);
-      this->Step[a] = image->GetSpacing()[axis];
-      this->First[a] = image->GetOrigin()[axis] + image->GetExtent()[2 * axis] * this->Step[a];
-    }
-  }
-
-  bool Keeps(const Point& world) const
-  {
-    vtkPlaneCollection* planes = this->Of->GetClippingPlanes();
-    for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
-    {
-      double point[3] = { world[0], world[1], world[2] };
-      if (planes->GetItem(i)->EvaluateFunction(point) < 0.0)
-      {
-        return false;
-      }
-    }
-    if (!this->Of->GetCropping())
-    {
-      return true;
-    }
-    const Point index = this->Truth.Field.IndexOf(world);
-    int region = 0, step = 1;
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      const double x = this->First[a] + this->Step[a] * index[a];
-      const double* planes6 = this->Of->GetCroppingRegionPlanes() + 2 * a;
-      region += step * (x < planes6[0] ? 0 : x < planes6[1] ? 1 : 2);
-      step *= 3;
-    }
-    return this->Of->GetCroppingRegionFlags() >> region & 1;
-  }
-
-  /// The first hit on what is kept of a line, which is cut wherever it passes a plane.
-  BruteForceTracer::Hit Trace(const BruteForceTracer::Line& line) const
-  {
-    std::vector<double> stops = { line.Begin, line.End };
-    const std::vector<double> atBegin = this->PlanesAt(PointOn(line, line.Begin));
-    const std::vector<double> atEnd = this->PlanesAt(PointOn(line, line.End));
-    for (std::size_t i = 0; i < atBegin.size(); ++i)
-    {
-      if ((atBegin[i] < 0.0) != (atEnd[i] < 0.0))
-      {
-        const double share = atBegin[i] / (atBegin[i] - atEnd[i]);
-        stops.push_back(line.Begin + share * (line.End - line.Begin));
-      }
-    }
-    std::sort(stops.begin(), stops.end());
-    BruteForceTracer::Hit hit{ std::numeric_limits<double>::infinity(), -1, {} };
-    for (std::size_t i = 0, begin = 0; i + 1 < stops.size() && hit.Isovalue < 0; ++i)
-    {
-      // Pieces that touch are one: a solid that goes on is not capped between them.
-      const auto isKept = [&](std::size_t piece)
-      {
-        return piece + 1 < stops.size() &&
-          this->Keeps(PointOn(line, 0.5 * (stops[piece] + stops[piece + 1])));
-      };
-      begin = i > 0 && isKept(i - 1) ? begin : i;
-      if (isKept(i) && !isKept(i + 1))
-      {
-        hit = this->Truth.Trace({ line.Origin, line.Direction, stops[begin], stops[i + 1] });
-      }
-    }
-    return hit;
-  }
-
-private:
-  static Point PointOn(const BruteForceTracer::Line& line, double t)
-  {
-    Point p;
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      p[a] = line.Origin[a] + t * line.Direction[a];
-    }
-    return p;
-  }
-
-  /// How far a point is from each plane, with a sign.
-  std::vector<double> PlanesAt(const Point& world) const
-  {
-    std::vector<double> distances;
-    vtkPlaneCollection* planes = this->Of->GetClippingPlanes();
-    for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
-    {
-      double point[3] = { world[0], world[1], world[2] };
-      distances.push_back(planes->GetItem(i)->EvaluateFunction(point));
-    }
-    const Point index = this->Truth.Field.IndexOf(world);
-    for (std::size_t i = 0; i < 6 && this->Of->GetCropping(); ++i)
-    {
-      distances.push_back(this->First[i / 2] + this->Step[i / 2] * index[i / 2] -
-        this->Of->GetCroppingRegionPlanes()[i]);
-    }
-    return distances;
-  }
-
-  Mapper* Of;
-  const BruteForceTracer& Truth;
-  Point First, Step;
-};
-
 /// Hold a scene's picture against brute force.
 void ExpectTruth(const std::string& name, Scene& scene, vtkImageData* image)
 {
   BruteForceTracer truth(image, scene.Volume);
   truth.Isovalues = { scene.Volume->GetProperty()->GetIsoSurfaceValues()->GetValue(0) };
   truth.IsThreshold = scene.Mapper->GetSurfaceMode() == Mapper::THRESHOLD;
-  const Keeper keeper(scene, image, truth);
+  const KeptParts kept(scene.Mapper, scene.Volume);
   Expect(scene.Render(Width, Height), name + ": rendered");
   int wrong = 0, distant = 0, hits = 0;
   for (int y = 0; y < Height; ++y)
@@ -160,7 +49,7 @@ void ExpectTruth(const std::string& name, Scene& scene, vtkImageData* image)
     for (int x = 0; x < Width; ++x)
     {
       const BruteForceTracer::Hit hit =
-        keeper.Trace(BruteForceTracer::LineThrough(scene.Renderer, x, y, Width, Height));
+        kept.Trace(truth, BruteForceTracer::LineThrough(scene.Renderer, x, y, Width, Height));
       Point position;
       const bool isHit = scene.Mapper->PickPixel(x, y, position.data(), nullptr, nullptr);
       wrong += isHit != (hit.Isovalue >= 0);

@@ -97,7 +97,7 @@ void TestEachChange()
   ExpectRoute(scene, "Cold", "image origin");
   image->GetPointData()->GetScalars()->SetComponent(17000, 0, 30000);
   image->GetPointData()->GetScalars()->Modified();
-  ExpectRoute(scene, "Cold", "samples");
+  ExpectRoute(scene, "ImageCache", "one sample: most tiles do not see it");
   scene.Mapper->SetInputData(Volumes::Waves());
   ExpectRoute(scene, "Cold", "another image");
 

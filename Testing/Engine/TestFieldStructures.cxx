@@ -43,7 +43,7 @@ TEST_F(FieldStructuresTest, WhoAsksForTheSameGetsTheSame)
   std::shared_ptr<const FieldRanges> one, two;
   this->Shared.Provide(this->Samples.Seen, one);
   this->Shared.Provide(this->Samples.Seen, two);
-  EXPECT_FALSE(one->Pyramid.IsEmpty());
+  EXPECT_FALSE(one->Pyramid->IsEmpty());
   EXPECT_EQ(one, two);
 
   Surfaces low, high;
@@ -55,7 +55,7 @@ TEST_F(FieldStructuresTest, WhoAsksForTheSameGetsTheSame)
   this->Shared.Provide(*one, high, others);
   EXPECT_EQ(cells, same);
   EXPECT_NE(cells, others);
-  EXPECT_GT(cells->Active.MemoryInBytes(), 0u);
+  EXPECT_GT(cells->Active->MemoryInBytes(), 0u);
 
   // Who holds the old keeps the old.
   Field later = this->Samples.Seen;

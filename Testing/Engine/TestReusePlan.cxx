@@ -170,6 +170,52 @@ TEST(ReusePlan, RepeatedViewIsCompleted)
   EXPECT_EQ(Plan(BaseKey(), asItIs, held), Route::Redisplay);
 }
 
+TEST(ReusePlan, OtherSamplesThatFewTilesCanSee)
+{
+  FrameKey key = BaseKey();
+  key.Samples.Stamp = 2;
+  HeldForReuse held;
+  held.ShareToTrace = 0.5;
+  EXPECT_TRUE(CompareFrames(BaseKey(), key).Samples);
+  EXPECT_EQ(Plan(key, {}, held), Route::ImageCache);
+  EXPECT_FALSE(CanServe(BaseKey(), key)) << "to start rays from";
+  held.ShareToTrace = 0.51;
+  EXPECT_EQ(Plan(key, {}, held), Route::Cold) << "too many tiles";
+  held.ShareToTrace = 0.0;
+  ReuseSwitches noCache;
+  noCache.ImageCache = false;
+  EXPECT_EQ(Plan(key, noCache, held), Route::Cold);
+  held.IsExact = false;
+  EXPECT_EQ(Plan(key, {}, held), Route::Cold) << "what is copied must be exact";
+  held.IsExact = true;
+  const auto expectCold = [&](const FrameKey& next, const char* what)
+  { EXPECT_EQ(Plan(next, {}, held), Route::Cold) << what; };
+  FrameKey other = key;
+  other.Seen.ClipFromWorld[0][0] = 2.0;
+  expectCold(other, "view");
+  other = key;
+  other.Sought.Isovalues[0] = 6.0;
+  expectCold(other, "surfaces");
+  other = key;
+  other.Sought.Opacities = { 0.5 };
+  expectCold(other, "opacity");
+  other = key;
+  other.Look.Shade = true;
+  expectCold(other, "appearance");
+  other = key;
+  other.Where.WorldFromIndex[3][0] = 1.0;
+  expectCold(other, "placement");
+  other = key;
+  other.Samples.Between = Interpolation::Nearest;
+  expectCold(other, "interpolation");
+  other = key;
+  other.Samples.Dimensions.x = 11;
+  expectCold(other, "dimensions");
+  FrameKey last = BaseKey();
+  last.Look.ColorByAnswer = key.Look.ColorByAnswer = true;
+  EXPECT_EQ(PlanRoute(last, key, {}, held), Route::Cold) << "colours of answers";
+}
+
 TEST(ReusePlan, RoutesHaveTheirNames)
 {
   EXPECT_STREQ(NameOf(Route::Cold), "Cold");

@@ -8,6 +8,8 @@
 #include <glm/gtc/matrix_inverse.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <limits>
 #include <random>
 
 namespace
@@ -102,6 +104,63 @@ TEST(TileBounds, HoldAllHits)
   }
   EXPECT_GT(hitCount, 10000);
   EXPECT_GT(emptyCount, 1000);
+}
+
+/// True if a ray passes a box of cells that is not smaller than a point.
+bool Passes(const glm::dvec3& origin, const glm::dvec3& direction, const CellBox& box)
+{
+  double begin = 0.0, end = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double low = (box.First[axis] - origin[axis]) / direction[axis];
+    const double high = (box.First[axis] + box.Size[axis] - origin[axis]) / direction[axis];
+    begin = std::max(begin, std::min(low, high));
+    end = std::min(end, std::max(low, high));
+  }
+  return begin <= end;
+}
+
+/// Whatever rays pass a box go through tiles that are found.
+TEST(TileBounds, FindTilesOfBoxes)
+{
+  std::mt19937 engine(22);
+  const glm::ivec3 cells(50, 41, 37);
+  int passed = 0, left = 0;
+  for (int round = 0; round < 200; ++round)
+  {
+    const glm::ivec2 size(93, 70);
+    const Placement placement = RandomPlacement(engine);
+    const glm::dvec3 centre(placement.WorldFromIndex * glm::dvec4(0.5 * glm::dvec3(cells), 1.0));
+    const View view = RandomView(centre, 40.0, size, engine);
+    std::vector<CellBox> boxes(1 + round % 3);
+    for (CellBox& box : boxes)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        box.First[axis] = static_cast<int>(engine() % static_cast<unsigned>(cells[axis] - 1));
+        box.Size[axis] = 1 + static_cast<int>(engine() % 8);
+      }
+    }
+    const std::vector<std::uint8_t> found = FindTiles(view, placement, boxes);
+    ASSERT_EQ(static_cast<std::int64_t>(found.size()), NumberOfTiles(size));
+    for (int y = 0; y < size.y; ++y)
+    {
+      for (int x = 0; x < size.x; ++x)
+      {
+        const Ray ray = view.RayThrough(x, y);
+        const glm::dvec3 origin(placement.IndexFromWorld * glm::dvec4(ray.Origin, 1.0));
+        const glm::dvec3 direction(placement.IndexFromWorld * glm::dvec4(ray.Direction, 0.0));
+        const bool isFound = found[static_cast<std::size_t>(y / 8 * 12 + x / 8)] != 0;
+        const bool passes = std::any_of(boxes.begin(), boxes.end(),
+          [&](const CellBox& box) { return Passes(origin, direction, box); });
+        ASSERT_TRUE(isFound || !passes) << round << ": " << x << ", " << y;
+        passed += passes;
+        left += !isFound;
+      }
+    }
+  }
+  EXPECT_GT(passed, 10000);
+  EXPECT_GT(left, 200000);
 }
 
 }

@@ -39,7 +39,9 @@ void FieldStructures::Provide(const Field& field, std::shared_ptr<const FieldRan
   if (!found)
   {
     const auto made = std::make_shared<FieldRanges>();
-    made->Pyramid.Build(field);
+    const auto pyramid = std::make_shared<ValueRangePyramid>();
+    pyramid->Build(field);
+    made->Pyramid = pyramid;
     made->Samples = field;
     found = made;
     this->Ranges.push_back(found);
@@ -57,10 +59,49 @@ void FieldStructures::Provide(
   if (!found)
   {
     const auto made = std::make_shared<SurfaceCells>();
-    made->Active.Build(ranges.Samples, ranges.Pyramid, sought);
+    const auto active = std::make_shared<ActiveCells>();
+    active->Build(ranges.Samples, *ranges.Pyramid, sought);
+    made->Active = active;
     made->Samples = ranges.Samples;
     made->Sought = sought;
     found = made;
+    this->Cells.push_back(found);
+  }
+  held = found;
+}
+
+void FieldStructures::Provide(const Field& field, std::shared_ptr<const FieldFingerprint>& held)
+{
+  auto found =
+    FindHeld(this->Prints, [&](const FieldFingerprint& print) { return print.Samples == field; });
+  if (!found)
+  {
+    found = std::make_shared<const FieldFingerprint>(FingerprintOf(field));
+    this->Prints.push_back(found);
+  }
+  held = found;
+}
+
+void FieldStructures::MoveTo(const Field& field, std::shared_ptr<const FieldRanges>& held)
+{
+  auto found =
+    FindHeld(this->Ranges, [&](const FieldRanges& ranges) { return ranges.Samples == field; });
+  if (!found)
+  {
+    found = std::make_shared<const FieldRanges>(FieldRanges{ field, held->Pyramid });
+    this->Ranges.push_back(found);
+  }
+  held = found;
+}
+
+void FieldStructures::MoveTo(const Field& field, std::shared_ptr<const SurfaceCells>& held)
+{
+  auto found = FindHeld(this->Cells,
+    [&](const SurfaceCells& cells)
+    { return cells.Samples == field && AreMetAlike(cells.Sought, held->Sought); });
+  if (!found)
+  {
+    found = std::make_shared<const SurfaceCells>(SurfaceCells{ field, held->Sought, held->Active });
     this->Cells.push_back(found);
   }
   held = found;

@@ -5,6 +5,7 @@
 
 #include "ActiveCells.h"
 #include "Field.h"
+#include "FieldFingerprint.h"
 #include "Surfaces.h"
 #include "ValueRangePyramid.h"
 
@@ -18,7 +19,8 @@ namespace TemporalCoherence
 struct FieldRanges
 {
   Field Samples;
-  ValueRangePyramid Pyramid;
+  /// Also that of others whose samples are equal.
+  std::shared_ptr<const ValueRangePyramid> Pyramid = std::make_shared<const ValueRangePyramid>();
 };
 
 /// The cells of a field that surfaces can pass through.
@@ -26,7 +28,7 @@ struct SurfaceCells
 {
   Field Samples;
   Surfaces Sought;
-  ActiveCells Active;
+  std::shared_ptr<const ActiveCells> Active = std::make_shared<const ActiveCells>();
 };
 
 /// The structures in which there is no view, shared by all who look at the same data: each is built
@@ -44,9 +46,18 @@ public:
   void Provide(
     const FieldRanges& ranges, const Surfaces& sought, std::shared_ptr<const SurfaceCells>& held);
 
+  /// The same for fingerprints; on an exception, `held` stays.
+  void Provide(const Field& field, std::shared_ptr<const FieldFingerprint>& held);
+
+  /// Let what is held be that of `field`, whose samples are equal to those that it was made from,
+  /// but lie elsewhere. On an exception, it stays.
+  void MoveTo(const Field& field, std::shared_ptr<const FieldRanges>& held);
+  void MoveTo(const Field& field, std::shared_ptr<const SurfaceCells>& held);
+
 private:
   std::vector<std::weak_ptr<const FieldRanges>> Ranges; ///< those that somebody holds
   std::vector<std::weak_ptr<const SurfaceCells>> Cells;
+  std::vector<std::weak_ptr<const FieldFingerprint>> Prints;
 };
 
 }

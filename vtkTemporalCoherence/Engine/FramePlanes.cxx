@@ -49,6 +49,47 @@ void StoreMisses(std::int64_t tile, const PixelRect& part, bool isParallel, Fram
   isClear = 1;
 }
 
+TraceCounts CopyTile(
+  std::int64_t tile, const PixelRect& part, const Frame& from, bool isParallel, Frame& frame)
+{
+  TraceCounts counts;
+  const auto place = static_cast<std::size_t>(tile);
+  if (!frame.Layers.empty())
+  {
+    frame.Layers[place] = from.Layers[place];
+  }
+  if (from.ClearTiles[place])
+  {
+    StoreMisses(tile, part, isParallel, frame);
+    counts.DefiniteMisses = static_cast<std::int64_t>(part.Size.x) * part.Size.y;
+    return counts;
+  }
+  frame.ClearTiles[place] = 0;
+  for (int y = part.First.y; y < part.First.y + part.Size.y; ++y)
+  {
+    const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.Size.x) +
+      static_cast<std::size_t>(part.First.x);
+    const auto count = static_cast<std::size_t>(part.Size.x);
+    const auto copy = [&](const auto& source, auto& target)
+    { std::copy_n(&source[row], count, &target[row]); };
+    copy(from.Depth, frame.Depth);
+    copy(from.Disparities, frame.Disparities);
+    copy(from.Contacts, frame.Contacts);
+    copy(from.Normals, frame.Normals);
+    copy(from.Isovalues, frame.Isovalues);
+    copy(from.Kinds, frame.Kinds);
+    copy(from.Colors, frame.Colors);
+    for (std::size_t pixel = row; pixel < row + count; ++pixel)
+    {
+      const bool isHit = from.Isovalues[pixel] != Frame::NoSurface;
+      frame.Answers[pixel] = isHit ? Answer::DefiniteHit : Answer::DefiniteMiss;
+      counts.DefiniteHits += isHit;
+      counts.DefiniteMisses += !isHit;
+    }
+  }
+  return counts;
+}
+
 float DisparityAt(const RayBatch& rays, std::size_t ray, double t, bool isParallel)
 {
   const double perDepth = rays.PerDepth[ray];

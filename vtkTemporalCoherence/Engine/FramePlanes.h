@@ -42,6 +42,10 @@ struct TraceCounts
 /// \param isParallel kind of the projection
 void StoreMisses(std::int64_t tile, const PixelRect& part, bool isParallel, Frame& frame);
 
+/// Copy a tile from an exact picture that shows the same there. Its answers are known then.
+TraceCounts CopyTile(
+  std::int64_t tile, const PixelRect& part, const Frame& from, bool isParallel, Frame& frame);
+
 /// Write what a ray of a batch found into the planes of a frame.
 void StoreHit(const RayBatch& rays, const HitBatch& hits, std::size_t ray, Answer answer,
   bool isParallel, Frame& frame);

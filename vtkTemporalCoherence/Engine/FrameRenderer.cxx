@@ -87,6 +87,10 @@ bool FrameRenderer::Render(
       return !isTooEroded && ImageQuery::CanAsk(image.Key, options.Accuracy);
     };
     this->Map.Trim(options.Map.MemoryLimit);
+    {
+      Stopwatch comparing(this->Counters.TraceTime);
+      this->CompareSamples(key);
+    }
     const std::shared_ptr<CachedImage> nearest = this->Images.Find(key, options.Images, suits);
     this->Counters.Made = this->ChooseRoute(key, options, nearest.get());
     this->Counters.Rays = static_cast<std::int64_t>(key.Seen.Size.x) * key.Seen.Size.y;
@@ -112,6 +116,7 @@ Isomap::Outcome FrameRenderer::BuildIsomap(
   {
     return Isomap::Outcome::Impossible;
   }
+  this->CompareSamples(key);
   this->PreparePyramid(key);
   this->Map.DropNarrowBands(key, options.Map, this->Pyramid());
   return this->BuildBands(key, options, report);
@@ -149,7 +154,9 @@ bool FrameRenderer::TakeRoute(const FrameKey& key, const Options& options, Cache
     case Route::IsomapLookup:
       return this->LookUpFrame(key, options, tiles);
     case Route::ImageCache:
-      return this->TraceFrame(key, options, nearest, tiles);
+      // Of other samples, no image tells but the last one, where they are not seen.
+      return this->TraceFrame(
+        key, options, CompareFrames(this->Front->Key, key).Data ? nullptr : nearest, tiles);
     default:
       return this->TraceFrame(key, options, nullptr, tiles);
   }
@@ -168,6 +175,7 @@ Route FrameRenderer::ChooseRoute(
   held.CanBuildIsomap = this->Map.CanBuild(key, options.Map);
   held.IsIsomapExact = this->Map.Built().Tolerance() == 0.0 && !options.Map.HasNormals;
   held.Isomap = this->Map.Covers(key, options.Map);
+  held.ShareToTrace = this->Steps.ShareToTrace();
   ReuseSwitches switches = options.Reuse;
   // A picture that is as near as an isomap told is not what is asked for of another.
   switches.RefineWhenStill |= !(this->FrontForm == FormAskedFor(options.Map));
@@ -175,8 +183,8 @@ Route FrameRenderer::ChooseRoute(
   return PlanRoute(this->Front->Key, key, switches, held);
 }
 
-/// Make a frame by tracing: from a cached image; or, on that route, with the last picture's hits as
-/// hints; or cold.
+/// Make a frame by tracing: from a cached image, or, on that route without one, where the last
+/// picture cannot be copied; or, on that route, with the last picture's hits as hints; or cold.
 /// \return false if it was stopped, as all that make frames do
 bool FrameRenderer::TraceFrame(const FrameKey& key, const Options& options, CachedImage* cached,
   const Isomap::ReportProgress& report)
@@ -194,14 +202,17 @@ bool FrameRenderer::TraceFrame(const FrameKey& key, const Options& options, Cach
     this->BeginFrame(key);
   }
   CachedImage& made = *this->Back;
-  made.Picture.IsFromCache = cached != nullptr;
+  const bool isFromCache = this->Counters.Made == Route::ImageCache;
+  const bool isCopied = isFromCache && !cached;
+  made.Picture.IsFromCache = isFromCache;
   std::unique_ptr<ImageQuery> query;
   if (!isExact)
   {
     Stopwatch watch(this->Counters.QueryTime);
     query = std::make_unique<ImageQuery>(*cached, key, options.Accuracy);
   }
-  const LeapedSpace space{ options.SpaceLeaping ? &this->Cells->Active : nullptr, &this->Bounds };
+  const LeapedSpace space{ options.SpaceLeaping ? this->Cells->Active.get() : nullptr,
+    &this->Bounds };
   TileScene scene{ key, space.Active, space.Bounds, this->Pyramid().FiniteRange(), query.get(),
     interpolates };
   if (this->Counters.Made == Route::ThresholdHint)
@@ -215,6 +226,10 @@ bool FrameRenderer::TraceFrame(const FrameKey& key, const Options& options, Cach
   const bool isMade = this->CountTiles(made.Picture, report,
     [&](std::int64_t tile, const PixelRect& part)
     {
+      if (isCopied && this->Steps.CanCopy(tile))
+      {
+        return CopyTile(tile, part, this->Front->Picture, key.Seen.Parallel, made.Picture);
+      }
       TraceCounts counts = tracer.Trace(tile, part, made.Picture);
       shader.Shade(tile, part, made.Picture, counts);
       return counts;
@@ -271,7 +286,7 @@ bool FrameRenderer::LookUpFrame(
   const IsomapLookup lookup(
     key, this->Map.BandsFor(key), map.Tolerance(), this->Pyramid().FiniteRange());
   const TileShader shader(key, this->Pyramid().FiniteRange(),
-    { leaps ? &this->Cells->Active : nullptr, &this->Bounds },
+    { leaps ? this->Cells->Active.get() : nullptr, &this->Bounds },
     options.Map.HasNormals ? HitSet::NotDefinite : HitSet::All, HitSet::All);
   const bool isLookedUp = this->CountTiles(made.Picture, ReportOf(report, 0.0, 0.5),
     [&](std::int64_t tile, const PixelRect& part)
@@ -324,6 +339,47 @@ void FrameRenderer::FinishFrame(const Options& options)
   {
     this->Back = dropped;
   }
+  this->Steps.Take(this->Front->Key.Samples, *this->Ranges);
+}
+
+/// Find out what changed in samples that are not those of the last frame.
+void FrameRenderer::CompareSamples(const FrameKey& key)
+{
+  const FrameChange change = CompareFrames(this->Front->Key, key);
+  switch (this->Steps.Compare(this->Front->Key.Samples, key.Samples, *this->Shared))
+  {
+    case SampleComparer::Result::Equal:
+      this->MoveTo(key.Samples);
+      break;
+    case SampleComparer::Result::Different:
+      if (change.Samples && !change.View && !key.Sought.Isovalues.empty())
+      {
+        this->PreparePyramid(key);
+        this->Steps.FindTilesToTrace(key.Seen, key.Where, *this->Ranges);
+      }
+      break;
+    default:
+      break;
+  }
+}
+
+/// The samples of the last frame are equal to those of a field, which lie elsewhere: they may not
+/// be read any more where they were.
+void FrameRenderer::MoveTo(const Field& field)
+{
+  const Field before = this->Front->Key.Samples;
+  if (this->Ranges->Samples == before)
+  {
+    this->Shared->MoveTo(field, this->Ranges);
+  }
+  if (this->Cells->Samples == before)
+  {
+    this->Shared->MoveTo(field, this->Cells);
+  }
+  this->Map.MoveTo(field, before);
+  this->Images.MoveTo(field, before);
+  this->Front->Key.Samples = field;
+  this->Steps.TakeEqual();
 }
 
 /// Value ranges belong to the data.
@@ -340,6 +396,7 @@ void FrameRenderer::PreparePyramid(const FrameKey& key)
 
 glm::dvec2 FrameRenderer::FiniteRangeOf(const FrameKey& key)
 {
+  this->CompareSamples(key);
   this->PreparePyramid(key);
   return this->Pyramid().FiniteRange();
 }
@@ -355,7 +412,7 @@ void FrameRenderer::PrepareActiveCells(const FrameKey& key)
   {
     this->Shared->Provide(*this->Ranges, key.Sought, this->Cells);
   }
-  this->Bounds.Build(key.Seen, key.Where, this->Cells->Active, key.Samples.Grid.get());
+  this->Bounds.Build(key.Seen, key.Where, *this->Cells->Active, key.Samples.Grid.get());
 }
 
 /// Call work(tile, part) for each tile of a frame, in parallel, and add up what it counts. With a
@@ -443,8 +500,8 @@ bool FrameRenderer::TraceOpenRays(const FrameKey& key, const Options& options,
   {
     this->PrepareActiveCells(key);
   }
-  const TileTracer tracer(
-    { key, leaps ? &this->Cells->Active : nullptr, &this->Bounds, this->Pyramid().FiniteRange() });
+  const TileTracer tracer({ key, leaps ? this->Cells->Active.get() : nullptr, &this->Bounds,
+    this->Pyramid().FiniteRange() });
   return this->CountTiles(frame, report,
     [&](std::int64_t tile, const PixelRect& part)
     {

@@ -8,6 +8,7 @@
 #include "Isomap.h"
 #include "IsomapBuilder.h"
 #include "ReusePlan.h"
+#include "SampleComparer.h"
 #include "TileBounds.h"
 #include "TileShader.h"
 #include "TileTracer.h"
@@ -104,6 +105,8 @@ private:
     const FrameKey& key, const Options& options, const Isomap::ReportProgress& report);
   void BeginFrame(const FrameKey& key);
   void FinishFrame(const Options& options);
+  void CompareSamples(const FrameKey& key);
+  void MoveTo(const Field& field);
   void PreparePyramid(const FrameKey& key);
   void PrepareActiveCells(const FrameKey& key);
   template <typename Work>
@@ -112,7 +115,7 @@ private:
     Frame& frame, const Isomap::ReportProgress& report);
   void ShadeAgain();
   void CountKnownHits();
-  const ValueRangePyramid& Pyramid() const { return this->Ranges->Pyramid; }
+  const ValueRangePyramid& Pyramid() const { return *this->Ranges->Pyramid; }
 
   std::shared_ptr<CachedImage> Front = std::make_shared<CachedImage>(); ///< the last frame
   std::shared_ptr<CachedImage> Back;   ///< memory for the frame being made; or null
@@ -127,6 +130,7 @@ private:
   std::shared_ptr<const FieldRanges> Ranges = std::make_shared<const FieldRanges>();
   std::shared_ptr<const SurfaceCells> Cells = std::make_shared<const SurfaceCells>();
   TileBounds Bounds;
+  SampleComparer Steps; ///< from the samples of the last frame to those of the next
 };
 
 }

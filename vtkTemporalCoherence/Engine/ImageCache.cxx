@@ -68,6 +68,17 @@ std::shared_ptr<CachedImage> ImageCache::Keep(
   return dropped;
 }
 
+void ImageCache::MoveTo(const Field& now, const Field& before)
+{
+  for (const std::shared_ptr<CachedImage>& image : this->Images)
+  {
+    if (image->Key.Samples == before)
+    {
+      image->Key.Samples = now;
+    }
+  }
+}
+
 bool ImageCache::Holds(const std::shared_ptr<CachedImage>& image) const
 {
   return std::find(this->Images.begin(), this->Images.end(), image) != this->Images.end();

@@ -58,6 +58,9 @@ public:
   std::shared_ptr<CachedImage> Keep(
     const std::shared_ptr<CachedImage>& image, const Options& options);
 
+  /// Samples are equal to those of the field `before`, but lie elsewhere now.
+  void MoveTo(const Field& now, const Field& before);
+
   /// True if the image is among those kept.
   bool Holds(const std::shared_ptr<CachedImage>& image) const;
 

@@ -117,6 +117,14 @@ void Isomap::Begin(const FrameKey& key, const Options& options)
   this->IsBegun = true;
 }
 
+void Isomap::MoveTo(const Field& now, const Field& before)
+{
+  if (this->Key.Samples == before)
+  {
+    this->Key.Samples = now;
+  }
+}
+
 void Isomap::Release()
 {
   this->Kept.clear();

@@ -72,6 +72,9 @@ public:
   /// Begin an empty isomap for a frame's view, data and mode.
   void Begin(const FrameKey& key, const Options& options);
 
+  /// Samples are equal to those of the field `before`, but lie elsewhere now.
+  void MoveTo(const Field& now, const Field& before);
+
   /// Distance by which looked-up surfaces may be wrong; 0: they are exact.
   double Tolerance() const { return this->Form.Tolerance; }
 

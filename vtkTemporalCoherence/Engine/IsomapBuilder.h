@@ -68,6 +68,9 @@ public:
   /// Drop bands until they take no more than so many bytes.
   void Trim(std::size_t limit) { this->Map.Trim(limit); }
 
+  /// Samples are equal to those of the field `before`, but lie elsewhere now.
+  void MoveTo(const Field& now, const Field& before) { this->Map.MoveTo(now, before); }
+
   /// The data is another one.
   void Release() { *this = IsomapBuilder(); }
 

@@ -2,10 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReusePlan.h"
 
+#include "FieldFingerprint.h"
+
 namespace TemporalCoherence
 {
 namespace
 {
+
+/// Where more of the tiles can see samples that changed, the rest is not worth its copy.
+constexpr double MostToTrace = 0.5;
 
 /// True if no surface of a higher isovalue is met before those of a lower one, from outside. With
 /// CROSSING a ray may come out of hidden cells inside the lower one, having met no surface; and so
@@ -13,6 +18,15 @@ namespace
 bool AreHitsOrdered(const FrameKey& key)
 {
   return key.Kept.IsConvex() && (!key.Samples.Hidden || key.Sought.Mode == SurfaceMode::Threshold);
+}
+
+/// True if parts of the last picture are parts of the next one, to the last bit. Colours of answers
+/// are not: they would have to be those of a copy.
+bool CanCopy(const FrameChange& change, const FrameKey& next, const HeldForReuse& held)
+{
+  return change.Samples && !change.View && !change.Surfaces && !change.Opacity &&
+    !change.Appearance && !next.Look.ColorByAnswer && held.IsExact &&
+    held.ShareToTrace <= MostToTrace;
 }
 
 }
@@ -44,6 +58,8 @@ FrameChange CompareFrames(const FrameKey& last, const FrameKey& next)
   FrameChange change;
   change.Data =
     !(last.Samples == next.Samples) || !(last.Where == next.Where) || !(last.Kept == next.Kept);
+  change.Samples = change.Data && last.Where == next.Where && last.Kept == next.Kept &&
+    AreAlike(last.Samples, next.Samples);
   change.View = !(last.Seen == next.Seen);
   change.Surfaces = !AreMetAlike(last.Sought, next.Sought);
   change.Opacity = !change.Surfaces && !(last.Sought == next.Sought);
@@ -80,7 +96,7 @@ Route PlanRoute(const FrameKey& last, const FrameKey& next, const ReuseSwitches&
   }
   if (change.Data || isSame)
   {
-    return Route::Cold;
+    return switches.ImageCache && CanCopy(change, next, held) ? Route::ImageCache : Route::Cold;
   }
   if (change.View)
   {

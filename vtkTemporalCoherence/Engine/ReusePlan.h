@@ -23,7 +23,8 @@ enum class Route : std::uint8_t
   IsomapLookup,  ///< another isovalue in the same view, looked up in the isomap
   IsomapBuild,   ///< the same, the isomap being built first
   ThresholdHint, ///< the same without an isomap: the old hit bounds the search
-  ImageCache     ///< another view: the last picture tells where rays may start
+  ImageCache     ///< another view: the last picture tells where rays may start; or other samples:
+                 ///< it is copied where they are not seen
 };
 
 /// The route's name as in the documentation, for example "Cold".
@@ -64,12 +65,14 @@ struct HeldForReuse
   bool Isomap = false;        ///< an isomap of this view covers the next isovalues
   bool IsIsomapExact = true;  ///< it gives the cold picture
   bool CanBuildIsomap = true; ///< data and memory allow one
+  double ShareToTrace = 1.0;  ///< of the tiles, where nothing but samples changed
 };
 
 /// What changed between two frames, by part of the key.
 struct FrameChange
 {
-  bool Data = false; ///< samples, interpolation, their placement in the world, what is cut off
+  bool Data = false;    ///< samples, interpolation, their placement in the world, what is cut off
+  bool Samples = false; ///< of the data, only values of samples
   bool View = false;
   bool Surfaces = false; ///< isovalues or mode
   bool Opacity = false;

@@ -147,7 +147,6 @@ public:
     }
   }
 
-private:
   /// Tiles that a box can touch; false if there are none.
   bool FindTiles(const Box& box, glm::ivec2& first, glm::ivec2& last) const
   {
@@ -185,6 +184,7 @@ private:
     return true;
   }
 
+private:
   const View& Seen;
   glm::ivec2 Tiles;
   const GridCoordinates* Grid; ///< null: cells are all alike
@@ -218,6 +218,26 @@ void WidenByNode(const BoxProjector& projector, const glm::ivec3& firstCell, std
   }
 }
 
+}
+
+std::vector<std::uint8_t> FindTiles(
+  const View& view, const Placement& placement, const std::vector<CellBox>& boxes)
+{
+  const glm::ivec2 tiles = TilesOf(view.Size);
+  const BoxProjector projector(view, placement, tiles, nullptr);
+  std::vector<std::uint8_t> touched(static_cast<std::size_t>(NumberOfTiles(view.Size)), 0);
+  for (const CellBox& box : boxes)
+  {
+    glm::ivec2 first, last;
+    if (projector.FindTiles(projector.BoxOf(box.First, box.Size), first, last))
+    {
+      for (int y = first.y; y <= last.y; ++y)
+      {
+        std::fill_n(touched.begin() + y * tiles.x + first.x, last.x - first.x + 1, std::uint8_t(1));
+      }
+    }
+  }
+  return touched;
 }
 
 void TileBounds::Build(const View& view, const Placement& placement, const ActiveCells& active,

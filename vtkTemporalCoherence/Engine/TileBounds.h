@@ -8,11 +8,23 @@
 #include "Tiles.h"
 #include "View.h"
 
+#include <cstdint>
 #include <limits>
 #include <vector>
 
 namespace TemporalCoherence
 {
+
+/// The cells First .. First + Size - 1.
+struct CellBox
+{
+  glm::ivec3 First{ 0 }, Size{ 0 };
+};
+
+/// 1 for each tile of a view through which a ray may pass one of the boxes, else 0.
+/// \throws std::bad_alloc
+std::vector<std::uint8_t> FindTiles(
+  const View& view, const Placement& placement, const std::vector<CellBox>& boxes);
 
 /// For each tile of 8 x 8 pixels, the distances between which all active leaves seen through it
 /// lie.

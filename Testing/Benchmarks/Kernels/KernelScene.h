@@ -5,8 +5,8 @@
 
 #include "ActiveCells.h"
 #include "Grid.h"
-#include "ReusePlan.h"
 #include "RaySource.h"
+#include "ReusePlan.h"
 #include "SurfaceTracer.h"
 #include "Tiles.h"
 #include "ValueRangePyramid.h"

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Testing_FeatureWalk_h
+#define Testing_FeatureWalk_h
+
+#include "EventCounter.h"
+#include "ManyInputs.h"
+#include "Sweep.h"
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+/// How often each route was taken while a feature was on.
+using RoutesOfFeatures = std::map<std::string, Sweep::Routes>;
+
+/// How many of a hundred steps make a change of each kind.
+struct Habits
+{
+  int View, Isovalues, Look, Lists, Opacity, Region, Inputs, Volume, ImageCache, Isomap;
+};
+
+/// A scene on its way through features and steps, each frame held against what its route promises.
+class FeatureWalk
+{
+public:
+  explicit FeatureWalk(unsigned seed);
+
+  /// Choose features anew, then make steps.
+  void Go(const Habits& habits, int steps);
+
+  /// Nothing is left of features that are switched off.
+  void ComeHome();
+
+  RoutesOfFeatures Counted;
+  int Stopped = 0, Lines = 0, LinesHit = 0, OtherLines = 0;
+  std::vector<double> Shares; ///< of pixels that differ, of each frame that is BOUNDED
+
+private:
+  std::string Where() const;
+  void MakeOneOf(std::size_t kind);
+  void Arrange();
+  void ChangeSome(const Habits& habits);
+  void Step();
+  void StopSometimes();
+  void ExpectSameColors();
+  void ExpectSameSurfaces();
+  vtkIdType CountHits() const;
+  void ExpectSameLines();
+  void ExpectOnePicture();
+  std::set<std::string> Features() const;
+
+  unsigned Seed;
+  Scene Shown{ nullptr, { 0.0 } };
+  RandomViews Views;
+  ManyInputs Inputs;
+  EventCounter Warnings; // limits of memory are reached on purpose
+  std::vector<std::vector<Change>> Kinds;
+  ColdWitness Cold;
+  vtkSmartPointer<vtkCamera> OtherCamera;
+  int Steps = 0;
+};
+
+#endif

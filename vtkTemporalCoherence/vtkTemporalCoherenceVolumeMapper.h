@@ -5,31 +5,31 @@
  * @brief   isosurfaces of images, ray cast on the CPU, using again what the last frame knew
  *
  * A drop-in for the volume mapper of a vtkVolume whose input is a vtkImageData, several of them as
- * blocks, or a vtkRectilinearGrid. It draws the isosurfaces of `vtkVolumeProperty::GetIsoSurfaceValues()` (blend mode
- * ISOSURFACE_BLEND, which it is constructed with), each in the colour that the property's colour
- * transfer function has at the isovalue. Nothing is extracted: every pixel's ray is intersected
- * with the trilinear (or nearest-neighbour) interpolant of the samples, exactly. The picture has a
- * depth at every pixel, so that other props intersect it correctly, and is the same for any number
- * of threads.
+ * blocks, or a vtkRectilinearGrid. It draws the isosurfaces of
+ * `vtkVolumeProperty::GetIsoSurfaceValues()` (blend mode ISOSURFACE_BLEND, which it is constructed
+ * with), each in the colour that the property's colour transfer function has at the isovalue.
+ * Nothing is extracted: every pixel's ray is intersected with the trilinear (or nearest-neighbour)
+ * interpolant of the samples, exactly. The picture has a depth at every pixel, so that other props
+ * intersect it correctly, and is the same for any number of threads.
  *
  * Between two calls of Render() the mapper keeps the last picture and does only what the change
  * asks for: the same picture again, new colours on known hits, a moved view that starts from the
  * last one (ReuseAccuracy tells how exactly), a new isovalue that is looked up in an isomap of the
  * view (built when isovalues first change), or a cold frame. GetRoute() tells which.
  *
- * Opacity is that of the scalar opacity function at the isovalue, with no regard to distances, times
- * that of the gradient opacity function at the steepness of the field (per mean distance of
+ * Opacity is that of the scalar opacity function at the isovalue, with no regard to distances,
+ * times that of the gradient opacity function at the steepness of the field (per mean distance of
  * samples). 0 leaves the isovalue out. Through translucent surfaces others are seen: with CROSSING
  * all that the ray passes, with THRESHOLD each entry into a solid. They are laid over one another
  * from front to back, whatever their order in the list, until less than 1/512 shines through. Depth
  * and picks are those of the first surface that can be seen. Equal isovalues count once.
  *
- * Cropping (all 27 regions; planes along the axes of the image) and the mapper's clipping planes (in
- * the world, any number) cut surfaces off; with THRESHOLD solids are capped there.
+ * Cropping (all 27 regions; planes along the axes of the image) and the mapper's clipping planes
+ * (in the world, any number) cut surfaces off; with THRESHOLD solids are capped there.
  *
  * A sample that is not a number counts as below every isovalue. Images with fewer than two samples
- * along an axis have no cells: the picture is empty. The camera's clipping range clips the surfaces,
- * as it clips any prop.
+ * along an axis have no cells: the picture is empty. The camera's clipping range clips the
+ * surfaces, as it clips any prop.
  *
  * Scalars are those of points or cells, chosen as for any mapper (ScalarMode, SelectScalarArray).
  * One of a cell is a sample at the cell's centre; the field ends at the outermost centres.

@@ -182,7 +182,8 @@ Compositor::Point Compositor::GradientAt(const Point& world) const
       before[a] = std::max(sample[a] - 1.0, 0.0);
       behind[a] = std::min(sample[a] + 1.0, this->Last[a]);
       gradient[a] += weight *
-        (this->Truth.Field.DifferenceAt(behind, 0.0) - this->Truth.Field.DifferenceAt(before, 0.0)) /
+        (this->Truth.Field.DifferenceAt(behind, 0.0) -
+          this->Truth.Field.DifferenceAt(before, 0.0)) /
         (behind[a] - before[a]);
     }
   }

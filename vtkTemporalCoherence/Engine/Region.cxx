@@ -164,9 +164,8 @@ RegionCutter::Pieces RegionCutter::PiecesOf(const RayBatch& rays, std::size_t ra
   {
     return pieces;
   }
-  std::array<double, 8> stops;
-  std::size_t count = 0;
-  stops[count++] = begin;
+  std::array<double, 8> stops{ begin };
+  std::size_t count = 1;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     for (int side = 0; side < 2; ++side)
@@ -174,12 +173,17 @@ RegionCutter::Pieces RegionCutter::PiecesOf(const RayBatch& rays, std::size_t ra
       const double t = PassOf(rays, ray, axis, this->Kept.Crops[axis][side]);
       if (t > begin && t < end)
       {
-        stops[count++] = t;
+        // Into its place among those that are there.
+        std::size_t at = count++;
+        for (; stops[at - 1] > t; --at)
+        {
+          stops[at] = stops[at - 1];
+        }
+        stops[at] = t;
       }
     }
   }
   stops[count++] = end;
-  std::sort(stops.begin(), stops.begin() + static_cast<std::ptrdiff_t>(count));
   for (std::size_t i = 0; i + 1 < count; ++i)
   {
     const double middle = 0.5 * (stops[i] + stops[i + 1]);

@@ -250,7 +250,22 @@ private:
     for (std::size_t surface = 0; surface < this->Differences.size(); ++surface)
     {
       const Corners<Real> corners = this->Differ(samples, surface);
-      bool isInside = IsInside(AtEntry(corners, part));
+      const auto inside = std::count_if(corners.begin(), corners.end(), IsInside<Real>);
+      if (inside == 0 || (inside == 8 && !isBehindHidden))
+      {
+        continue; // all on one side
+      }
+      Cubic<Real> cubic;
+      bool isInside;
+      if constexpr (Between == Interpolation::Linear)
+      {
+        cubic = CubicAlong(corners, part.Path());
+        isInside = IsInside(cubic[0]);
+      }
+      else
+      {
+        isInside = IsInside(AtEntry(corners, part));
+      }
       if (isInside && isBehindHidden)
       {
         this->Consider(part.Enter(), HitKind::Cap, surface, last, next);
@@ -267,8 +282,7 @@ private:
       };
       if constexpr (Between == Interpolation::Linear)
       {
-        VisitCrossings(CubicAlong(corners, part.Path()),
-          [&](Real share) { return consider(static_cast<double>(share)); });
+        VisitCrossings(cubic, [&](Real share) { return consider(static_cast<double>(share)); });
       }
       else if (part.HasLength())
       {

@@ -211,3 +211,39 @@ void ExpectRefined(Scene& scene, RandomViews& views, ColdWitness& cold, const st
       (scene.Mapper->GetColorByAnswer() || cold.IsColorIdentical(scene)),
     what + ": not the cold picture when rendered again");
 }
+
+Sweep::Routes Wander(Scene& scene, RandomViews& views, const std::vector<KindOfChange>& kinds,
+  const std::string& name, int steps)
+{
+  ColdWitness cold;
+  Sweep::Routes routes;
+  Expect(views.Render(), "rendered first");
+  for (int step = 0; step < steps; ++step)
+  {
+    const std::string what = name + ", step " + std::to_string(step);
+    bool isOfData = false;
+    for (const auto& [often, changes] : kinds)
+    {
+      if (views.Pick(12) < often)
+      {
+        const auto which = static_cast<std::size_t>(views.Pick(static_cast<int>(changes.size())));
+        changes[which].Make();
+        isOfData = isOfData || changes[which].IsOfData;
+      }
+    }
+    Expect(views.Render(), what + ": rendered");
+    // What is as it was before the last frame may have an isomap still. Where other samples are not
+    // seen, the last picture is copied.
+    const bool isCopied = isOfData && IsRoute(scene, "ImageCache");
+    Expect(!isOfData || isCopied || IsRoute(scene, "Cold") || IsRoute(scene, "IsomapLookup"),
+      what + ": other data are drawn by " + scene.Mapper->GetRouteAsString());
+    ExpectPromise(scene, cold, what);
+    Expect(!isCopied || cold.IsIdentical(scene), what + ": copied, but not the cold picture");
+    ++routes[scene.Mapper->GetRouteAsString()];
+    if (views.Pick(8) == 0)
+    {
+      ExpectRefined(scene, views, cold, what);
+    }
+  }
+  return routes;
+}

@@ -5,9 +5,11 @@
 
 #include "ColdWitness.h"
 #include "RandomViews.h"
+#include "Sweep.h"
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// Something to change. What is changed of the data makes every kept picture worthless.
@@ -42,5 +44,14 @@ void ExpectPromise(Scene& scene, ColdWitness& cold, const std::string& what);
 /// A view that repeats ends in the cold picture.
 /// \pre the witness has drawn it
 void ExpectRefined(Scene& scene, RandomViews& views, ColdWitness& cold, const std::string& what);
+
+/// Changes of one kind, and how many of twelve steps make one of them.
+using KindOfChange = std::pair<int, std::vector<Change>>;
+
+/// Make changes in random order, at most one of each kind at a time, and hold every frame against
+/// what its route promises.
+/// \return how often each route was taken
+Sweep::Routes Wander(Scene& scene, RandomViews& views, const std::vector<KindOfChange>& kinds,
+  const std::string& name, int steps);
 
 #endif

@@ -396,10 +396,9 @@ void TestRandomChanges(unsigned seed, int steps)
   vtkSmartPointer<vtkImageData> image = Volumes::Waves();
   Scene scene(image, { 0.0 });
   RandomViews views(scene, seed, 80);
-  ColdWitness cold;
   const EventCounter warnings(scene.Mapper, vtkCommand::WarningEvent);
   Ghosts::HideCells(image, 0.3, seed);
-  const std::vector<std::pair<int, std::vector<Change>>> kinds = {
+  const std::vector<KindOfChange> kinds = {
     { 8, ChangesOfView(scene, views) },
     { 1, ChangesOfScene(scene, image, views) },
     { 5, ChangesOfIsovalues(scene, views) },
@@ -407,34 +406,7 @@ void TestRandomChanges(unsigned seed, int steps)
     { 1, ChangesOfIsomap(scene, views) },
     { 1, ChangesOfGhosts(image, views) },
   };
-  Sweep::Routes routes;
-  Expect(views.Render(), "rendered first");
-  for (int step = 0; step < steps; ++step)
-  {
-    const std::string what = "seed " + std::to_string(seed) + ", step " + std::to_string(step);
-    bool isOfData = false;
-    for (const auto& [often, changes] : kinds)
-    {
-      if (views.Pick(12) < often)
-      {
-        const auto which = static_cast<std::size_t>(views.Pick(static_cast<int>(changes.size())));
-        changes[which].Make();
-        isOfData = isOfData || changes[which].IsOfData;
-      }
-    }
-    Expect(views.Render(), what + ": rendered");
-    // Where nothing is hidden and other samples are not seen, the last picture is copied.
-    const bool isCopied = isOfData && IsRoute(scene, "ImageCache");
-    Expect(!isOfData || isCopied || IsRoute(scene, "Cold") || IsRoute(scene, "IsomapLookup"),
-      what + ": other data are drawn by " + scene.Mapper->GetRouteAsString());
-    ExpectPromise(scene, cold, what);
-    Expect(!isCopied || cold.IsIdentical(scene), what + ": copied, but not the cold picture");
-    ++routes[scene.Mapper->GetRouteAsString()];
-    if (views.Pick(8) == 0)
-    {
-      ExpectRefined(scene, views, cold, what);
-    }
-  }
+  const Sweep::Routes routes = Wander(scene, views, kinds, "seed " + std::to_string(seed), steps);
   for (const auto& [route, count] : routes)
   {
     std::cout << "random changes, seed " << seed << ": " << route << ' ' << count << '\n';

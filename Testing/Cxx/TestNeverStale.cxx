@@ -28,46 +28,16 @@ Sweep::Routes Wander(unsigned seed, const Habits& habits, int steps)
   vtkSmartPointer<vtkImageData> image = Volumes::Waves();
   Scene scene(image, { 0.0 });
   RandomViews views(scene, seed, 80);
-  ColdWitness cold;
   // Limits of memory are reached on purpose.
   const EventCounter warnings(scene.Mapper, vtkCommand::WarningEvent);
-  const std::vector<std::pair<int, std::vector<Change>>> kinds = {
+  const std::vector<KindOfChange> kinds = {
     { habits.View, ChangesOfView(scene, views) },
     { habits.Scene, ChangesOfScene(scene, image, views) },
     { habits.Isovalues, ChangesOfIsovalues(scene, views) },
     { habits.ImageCache, ChangesOfImageCache(scene, views) },
     { habits.Isomap, ChangesOfIsomap(scene, views) },
   };
-  Sweep::Routes routes;
-  Expect(views.Render(), "rendered first");
-  for (int step = 0; step < steps; ++step)
-  {
-    const std::string what = "seed " + std::to_string(seed) + ", step " + std::to_string(step);
-    bool isOfData = false;
-    for (const auto& [often, changes] : kinds)
-    {
-      if (views.Pick(12) < often)
-      {
-        const auto which = static_cast<std::size_t>(views.Pick(static_cast<int>(changes.size())));
-        changes[which].Make();
-        isOfData = isOfData || changes[which].IsOfData;
-      }
-    }
-    Expect(views.Render(), what + ": rendered");
-    // What is as it was before the last frame may have an isomap still.
-    // Where other samples are not seen, the last picture is copied.
-    const bool isCopied = isOfData && IsRoute(scene, "ImageCache");
-    Expect(!isOfData || isCopied || IsRoute(scene, "Cold") || IsRoute(scene, "IsomapLookup"),
-      what + ": other data are drawn by " + scene.Mapper->GetRouteAsString());
-    ExpectPromise(scene, cold, what);
-    Expect(!isCopied || cold.IsIdentical(scene), what + ": copied, but not the cold picture");
-    ++routes[scene.Mapper->GetRouteAsString()];
-    if (views.Pick(8) == 0)
-    {
-      ExpectRefined(scene, views, cold, what);
-    }
-  }
-  return routes;
+  return Wander(scene, views, kinds, "seed " + std::to_string(seed), steps);
 }
 
 void ExpectAtLeast(

@@ -345,19 +345,21 @@ void FrameRenderer::FinishFrame(const Options& options)
 /// Find out what changed in samples that are not those of the last frame.
 void FrameRenderer::CompareSamples(const FrameKey& key)
 {
-  const FrameChange change = CompareFrames(this->Front->Key, key);
   switch (this->Steps.Compare(this->Front->Key.Samples, key.Samples, *this->Shared))
   {
     case SampleComparer::Result::Equal:
       this->MoveTo(key.Samples);
       break;
     case SampleComparer::Result::Different:
+    {
+      const FrameChange change = CompareFrames(this->Front->Key, key);
       if (change.Samples && !change.View && !key.Sought.Isovalues.empty())
       {
         this->PreparePyramid(key);
         this->Steps.FindTilesToTrace(key.Seen, key.Where, *this->Ranges);
       }
       break;
+    }
     default:
       break;
   }

@@ -5,6 +5,7 @@
 // crashes.
 
 #include "Expect.h"
+#include "Mistake.h"
 #include "Scene.h"
 #include "Volumes.h"
 
@@ -42,27 +43,13 @@ void ExpectError(const std::string& word, const std::function<void(Scene&)>& spo
   vtkSmartPointer<vtkImageData> image = Ball();
   Scene scene(image, { 130.0 });
   scene.LookFrom(1.0, 2.0, 0.5);
-  vtkNew<vtkTest::ErrorObserver> observer;
-  scene.Mapper->AddObserver(vtkCommand::ErrorEvent, observer);
-  Expect(scene.Render(60, 60), word + ": valid before");
-  vtkNew<vtkImageData> color;
-  color->DeepCopy(scene.Color);
-
+  Mistake mistake(scene, word);
   spoil(scene);
-  Expect(!scene.Render(width, height), word + ": refused");
-  Expect(observer->GetError() && observer->GetErrorMessage().find(word) != std::string::npos,
-    word + ": the message names it, but is: " + observer->GetErrorMessage());
-  Expect(AreIdentical(color, scene.Color), word + ": the images are left alone");
-  Expect(scene.Mapper->PickPixel(30, 30, nullptr, nullptr, nullptr),
-    word + ": the last picture can still be picked");
-
-  observer->Clear();
-  Expect(!scene.Render(width, height) && !observer->GetError(), word + ": said once only");
+  mistake.ExpectRefused(width, height);
   if (mend)
   {
     mend(scene);
-    Expect(scene.Render(60, 60) && !observer->GetError(), word + ": mended");
-    Expect(AreIdentical(color, scene.Color), word + ": the same picture again");
+    mistake.ExpectMended();
   }
 }
 

@@ -5,6 +5,7 @@
 // VectorMode and by the volume's property. What is not held against brute force is held against a
 // plain image of the same samples, to the last bit.
 
+#include "Mistake.h"
 #include "PlainImages.h"
 
 #include <vtkCellData.h>
@@ -245,17 +246,9 @@ void ExpectError(const std::string& word, const std::function<void(Scene&)>& spo
   image->GetFieldData()->AddArray(points);
   Scene scene(image, { 60.0 });
   scene.LookFrom(1.0, 2.0, 0.5);
-  vtkNew<vtkTest::ErrorObserver> observer;
-  scene.Mapper->AddObserver(vtkCommand::ErrorEvent, observer);
-  Expect(scene.Render(60, 60), word + ": valid before");
-  vtkNew<vtkImageData> color;
-  color->DeepCopy(scene.Color);
+  Mistake mistake(scene, word);
   spoil(scene);
-  Expect(!scene.Render(60, 60), word + ": refused");
-  Expect(observer->GetError() && observer->GetErrorMessage().find(word) != std::string::npos,
-    word + ": the message names it, but is: " + observer->GetErrorMessage());
-  observer->Clear();
-  Expect(!scene.Render(60, 60) && !observer->GetError(), word + ": said once only");
+  mistake.ExpectRefused();
   scene.Mapper->SetInputData(image);
   scene.Mapper->SetScalarModeToDefault();
   scene.Mapper->SetVectorModeToDisabled();
@@ -263,7 +256,7 @@ void ExpectError(const std::string& word, const std::function<void(Scene&)>& spo
   scene.Volume->SetScale(1.0);
   image->SetSpacing(0.0625, 0.0625, 0.0625);
   image->SetOrigin(-1.0, -1.0, -1.0);
-  Expect(scene.Render(60, 60) && AreIdentical(color, scene.Color), word + ": mended");
+  mistake.ExpectMended();
 }
 
 void TestMistakes()

@@ -7,6 +7,7 @@
 #include "ColdWitness.h"
 #include "Expect.h"
 #include "Grids.h"
+#include "Mistake.h"
 #include "RandomChanges.h"
 #include "RandomViews.h"
 #include "Scene.h"
@@ -17,7 +18,6 @@
 #include <vtkFloatingPointExceptions.h>
 #include <vtkPointData.h>
 #include <vtkSMPTools.h>
-#include <vtkTestErrorObserver.h>
 
 #include <algorithm>
 #include <cmath>
@@ -236,23 +236,13 @@ void TestErrors()
     Grid grid = Grids::FromFormula(RandomCoordinates(6.0), VTK_FLOAT, BlobAt);
     Scene scene(grid, { 70.0 });
     scene.LookFrom(1.0, 2.0, 0.5);
-    vtkNew<vtkTest::ErrorObserver> observer;
-    scene.Mapper->AddObserver(vtkCommand::ErrorEvent, observer);
-    Expect(scene.Render(60, 60), word + ": valid before");
-    vtkNew<vtkImageData> color;
-    color->DeepCopy(scene.Color);
+    Mistake mistake(scene, word);
     spoil(grid);
-    Expect(!scene.Render(60, 60), word + ": refused");
-    Expect(observer->GetErrorMessage().find(word) != std::string::npos,
-      word + ": the message names it, but is: " + observer->GetErrorMessage());
-    Expect(observer->GetErrorMessage().find("vtkRectilinearGrid::Set") != std::string::npos,
+    mistake.ExpectRefused();
+    Expect(mistake.Message.find("vtkRectilinearGrid::Set") != std::string::npos,
       word + ": the message tells what to do");
-    Expect(scene.Mapper->PickPixel(30, 30, nullptr, nullptr, nullptr), word + ": picture stays");
-    observer->Clear();
-    Expect(!scene.Render(60, 60) && !observer->GetError(), word + ": said once only");
     scene.Mapper->SetInputData(Grids::FromFormula(RandomCoordinates(6.0), VTK_FLOAT, BlobAt).Get());
-    Expect(scene.Render(60, 60) && !observer->GetError() && AreIdentical(color, scene.Color),
-      word + ": mended");
+    mistake.ExpectMended();
   };
   const auto put = [](int axis, int i, double value)
   {

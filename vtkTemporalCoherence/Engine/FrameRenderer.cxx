@@ -3,16 +3,12 @@
 #include "FrameRenderer.h"
 
 #include "IsomapLookup.h"
-#include "Parallel.h"
-#include "RayBatch.h"
 #include "Stopwatch.h"
-#include "SurfaceTracer.h"
-#include "TileTimer.h"
+#include "TileLoop.h"
 
 #include <algorithm>
 #include <bitset>
 #include <memory>
-#include <mutex>
 #include <new>
 #include <numeric>
 #include <utility>
@@ -23,17 +19,8 @@ namespace TemporalCoherence
 namespace
 {
 
-/// Neighbouring tiles that one thread takes at a time: enough to share what they read, few enough
-/// to balance the load.
-constexpr std::int64_t TileGrain = 8;
-
 /// Fewer rays than this are traced without space leaping.
 constexpr std::int64_t FewRays = 256;
-
-/// The most parts that tiles are worked on in where somebody wants to know, and the fewest tiles of
-/// one: between parts threads wait for each other.
-constexpr std::int64_t MostParts = 32;
-constexpr std::int64_t SmallestPart = 16 * TileGrain;
 
 /// Part of the progress of a frame that is the building of an isomap, where it has to be built.
 constexpr double ShareOfBuilding = 0.9;
@@ -223,7 +210,7 @@ bool FrameRenderer::TraceFrame(const FrameKey& key, const Options& options, Cach
   const HitSet hits = interpolates ? HitSet::NotDefinite : HitSet::All;
   const TileTracer tracer(scene);
   const TileShader shader(key, this->Pyramid().FiniteRange(), space, hits, hits);
-  const bool isMade = this->CountTiles(made.Picture, report,
+  const bool isMade = CountTiles(key.Seen.Size, report, this->Counters,
     [&](std::int64_t tile, const PixelRect& part)
     {
       if (isCopied && this->Steps.CanCopy(tile))
@@ -288,7 +275,7 @@ bool FrameRenderer::LookUpFrame(
   const TileShader shader(key, this->Pyramid().FiniteRange(),
     { leaps ? this->Cells->Active.get() : nullptr, &this->Bounds },
     options.Map.HasNormals ? HitSet::NotDefinite : HitSet::All, HitSet::All);
-  const bool isLookedUp = this->CountTiles(made.Picture, ReportOf(report, 0.0, 0.5),
+  const bool isLookedUp = CountTiles(key.Seen.Size, ReportOf(report, 0.0, 0.5), this->Counters,
     [&](std::int64_t tile, const PixelRect& part)
     {
       std::uint64_t& left = this->OpenRays[static_cast<std::size_t>(tile)];
@@ -417,58 +404,6 @@ void FrameRenderer::PrepareActiveCells(const FrameKey& key)
   this->Bounds.Build(key.Seen, key.Where, *this->Cells->Active, key.Samples.Grid.get());
 }
 
-/// Call work(tile, part) for each tile of a frame, in parallel, and add up what it counts. With a
-/// report, in parts.
-/// \return false if the report stopped it
-template <typename Work>
-bool FrameRenderer::CountTiles(
-  const Frame& frame, const Isomap::ReportProgress& report, const Work& work)
-{
-  double seconds = 0.0;
-  std::mutex guard;
-  TraceCounts sum;
-  const std::int64_t tiles = NumberOfTiles(frame.Size);
-  const std::int64_t inPart = report ? std::max(tiles / MostParts, SmallestPart) : tiles;
-  for (std::int64_t first = 0; first < tiles; first += inPart)
-  {
-    if (report && !report(static_cast<double>(first) / static_cast<double>(tiles)))
-    {
-      return false;
-    }
-    Stopwatch watch(seconds);
-    ParallelForRanges(std::min(inPart, tiles - first), TileGrain,
-      [&](std::int64_t begin, std::int64_t end)
-      {
-        TraceCounts counts;
-        for (std::int64_t tile = first + begin; tile < first + end; ++tile)
-        {
-          std::int64_t nanoseconds = 0;
-          {
-            const TileTimer timer(tile, nanoseconds);
-            counts += work(tile, PixelsOfTile(frame.Size, tile));
-          }
-          counts.TileTime += nanoseconds;
-        }
-        const std::lock_guard<std::mutex> lock(guard);
-        sum += counts;
-      });
-  }
-  this->Counters.DefiniteHits += sum.DefiniteHits;
-  this->Counters.DefiniteMisses += sum.DefiniteMisses;
-  this->Counters.PossibleHits += sum.PossibleHits;
-  this->Counters.TracedRays += sum.TracedRays;
-  this->Counters.FieldSamples += 8 * sum.CellsRead;
-  // Threads ask, trace and shade tile by tile: the times are told apart by their shares.
-  const auto shareOf = [&](std::int64_t time) {
-    return sum.TileTime > 0 ? static_cast<double>(time) / static_cast<double>(sum.TileTime) : 0.0;
-  };
-  const double query = shareOf(sum.QueryTime), shade = shareOf(sum.ShadeTime);
-  this->Counters.QueryTime += query * seconds;
-  this->Counters.ShadeTime += shade * seconds;
-  this->Counters.TraceTime += (1.0 - query - shade) * seconds;
-  return true;
-}
-
 /// Shade the last frame again, all whose hits are known.
 void FrameRenderer::ShadeAgain()
 {
@@ -504,7 +439,7 @@ bool FrameRenderer::TraceOpenRays(const FrameKey& key, const Options& options,
   }
   const TileTracer tracer({ key, leaps ? this->Cells->Active.get() : nullptr, &this->Bounds,
     this->Pyramid().FiniteRange() });
-  return this->CountTiles(frame, report,
+  return CountTiles(frame.Size, report, this->Counters,
     [&](std::int64_t tile, const PixelRect& part)
     {
       TraceCounts counts;

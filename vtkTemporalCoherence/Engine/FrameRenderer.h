@@ -4,6 +4,7 @@
 #define TemporalCoherence_FrameRenderer_h
 
 #include "FieldStructures.h"
+#include "FrameStatistics.h"
 #include "ImageCache.h"
 #include "Isomap.h"
 #include "IsomapBuilder.h"
@@ -20,23 +21,6 @@
 
 namespace TemporalCoherence
 {
-
-/// How the last frame was made and what it took.
-struct FrameStatistics
-{
-  Route Made = Route::Cold;
-  std::int64_t Rays = 0; ///< pixels; the sum of the next three
-  std::int64_t DefiniteHits = 0;
-  std::int64_t DefiniteMisses = 0;
-  std::int64_t PossibleHits = 0;
-  std::int64_t TracedRays = 0;
-  std::int64_t FieldSamples = 0; ///< samples read to find surfaces and to build an isomap
-  double FrameTime = 0.0;        ///< seconds, all told
-  double TraceTime = 0.0;        ///< of these, structures and rays
-  double QueryTime = 0.0;        ///< of these, asking the image cache
-  double IsomapBuildTime = 0.0;  ///< of these, building a band of the isomap
-  double ShadeTime = 0.0;        ///< of these, normals and colours
-};
 
 /// Makes frames: asks the plan for a route, takes it, keeps what the next frame can use.
 class FrameRenderer
@@ -109,8 +93,6 @@ private:
   void MoveTo(const Field& field);
   void PreparePyramid(const FrameKey& key);
   void PrepareActiveCells(const FrameKey& key);
-  template <typename Work>
-  bool CountTiles(const Frame& frame, const Isomap::ReportProgress& report, const Work& work);
   bool TraceOpenRays(const FrameKey& key, const Options& options, const TileShader& shader,
     Frame& frame, const Isomap::ReportProgress& report);
   void ShadeAgain();

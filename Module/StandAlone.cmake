@@ -30,7 +30,7 @@ set(vtk_components
   RenderingCore RenderingOpenGL2 RenderingVolume)
 if (BUILD_TESTING OR TEMPORAL_COHERENCE_BUILD_BENCHMARKS)
   list(APPEND vtk_components
-    CommonSystem FiltersCore FiltersSources ImagingCore InteractionStyle IOImage IOLegacy IOXML
+    CommonSystem FiltersCore FiltersGeometry FiltersSources ImagingCore InteractionStyle IOImage IOLegacy IOXML
     RenderingVolumeOpenGL2 TestingCore TestingRendering)
 endif ()
 set(vtk_chart_components)
@@ -72,25 +72,31 @@ vtk_module_build(
 # Set here, because vtk_module_build takes a SOVERSION of 0 for none.
 set_target_properties(TemporalCoherence PROPERTIES SOVERSION "${PROJECT_VERSION_MAJOR}")
 
+include("${CMAKE_SOURCE_DIR}/Module/Python/Python.cmake")
+
 if (TEMPORAL_COHERENCE_BUILD_BENCHMARKS)
   add_subdirectory(Testing/Benchmarks)
 endif ()
 
 include(CMakePackageConfigHelpers)
 set(package_directory "${CMAKE_INSTALL_LIBDIR}/cmake/vtkTemporalCoherence")
+# Beside the targets of the build, so that find_package works with a build directory, too.
+set(package_build_directory "${CMAKE_BINARY_DIR}/${package_directory}")
 configure_package_config_file(
   "${CMAKE_SOURCE_DIR}/Module/vtkTemporalCoherenceConfig.cmake.in"
-  "${CMAKE_BINARY_DIR}/vtkTemporalCoherenceConfig.cmake"
+  "${package_build_directory}/vtkTemporalCoherenceConfig.cmake"
   INSTALL_DESTINATION "${package_directory}")
 write_basic_package_version_file(
-  "${CMAKE_BINARY_DIR}/vtkTemporalCoherenceConfigVersion.cmake"
+  "${package_build_directory}/vtkTemporalCoherenceConfigVersion.cmake"
   COMPATIBILITY SameMinorVersion)
 install(
   FILES
-    "${CMAKE_BINARY_DIR}/vtkTemporalCoherenceConfig.cmake"
-    "${CMAKE_BINARY_DIR}/vtkTemporalCoherenceConfigVersion.cmake"
+    "${package_build_directory}/vtkTemporalCoherenceConfig.cmake"
+    "${package_build_directory}/vtkTemporalCoherenceConfigVersion.cmake"
   DESTINATION "${package_directory}"
   COMPONENT development)
 install(FILES "${CMAKE_SOURCE_DIR}/LICENSE"
   DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/doc/vtkTemporalCoherence"
-  COMPONENT development)
+  COMPONENT license)
+
+include("${CMAKE_SOURCE_DIR}/Module/Packaging.cmake")

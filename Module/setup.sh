@@ -13,6 +13,7 @@ Install what is missing and build vtkTemporalCoherence in Release mode.
 usage: Module/setup.sh [OPTIONS] [-- CMAKE_ARGUMENTS]
 
   --with-tests         build the tests too, and install what they need
+  --with-packaging     install what Module/package.sh needs
   --with-example-data  install the MR head that Examples/run.sh shows; going without is no error
   --packages-only      install packages, build nothing
   --no-packages        build with what is there, install nothing
@@ -29,8 +30,10 @@ where some are missing. A build directory that is there already keeps its settin
 TEXT
 }
 
-build_packages=(g++ cmake ninja-build libvtk9-dev libglm-dev libhwy-dev)
-test_packages=(libbenchmark-dev libgtest-dev xvfb xauth libgl1-mesa-dri)
+build_packages=(g++ cmake ninja-build libvtk9-dev libglm-dev libhwy-dev
+  libpython3-dev python3-vtk9 python3-numpy)
+test_packages=(libbenchmark-dev libgtest-dev xvfb xauth libgl1-mesa-dri python3-pil xdotool)
+packaging_packages=(dpkg-dev file)
 example_packages=(mricron-data)
 
 repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -86,11 +89,15 @@ ensure_packages()
   if [ "$with_tests" = yes ]; then
     needed+=("${test_packages[@]}")
   fi
+  # One of the tests makes packages.
+  if [ "$with_tests" = yes ] || [ "$with_packaging" = yes ]; then
+    needed+=("${packaging_packages[@]}")
+  fi
   why=$(why_no_install)
   if ! command -v dpkg-query >/dev/null; then
     fail "$why: install a C++17 compiler, CMake 3.16 or later, Ninja, VTK 9.1 or later with its" \
-      "headers, GLM and Highway (for tests also GoogleTest, Google Benchmark and Xvfb), then give" \
-      "--no-packages."
+      "headers, GLM and Highway (for Python also its headers, VTK's modules and NumPy, for tests" \
+      "GoogleTest, Google Benchmark, Xvfb and xdotool), then give --no-packages."
   fi
 
   read -ra missing <<<"$(missing_packages "${needed[@]}")"
@@ -140,12 +147,14 @@ build_library()
 }
 
 with_tests=no
+with_packaging=no
 with_example_data=no
 packages=yes
 building=yes
 while [ $# -gt 0 ]; do
   case $1 in
     --with-tests) with_tests=yes ;;
+    --with-packaging) with_packaging=yes ;;
     --with-example-data) with_example_data=yes ;;
     --packages-only) building=no ;;
     --no-packages) packages=no ;;

@@ -35,7 +35,7 @@ public:
   vtkTypeMacro(vtkTemporalCoherenceVolume, vtkVolume);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
+  //@{
   /**
    * WARNING: INTERNAL METHOD - NOT INTENDED FOR GENERAL USE
    * Draw in the pass that what is shown belongs to, and in no other. Never translucent polygons.
@@ -44,7 +44,7 @@ public:
   int RenderVolumetricGeometry(vtkViewport* viewport) override;
   vtkTypeBool HasOpaqueGeometry() override;
   vtkTypeBool HasTranslucentPolygonalGeometry() override;
-  ///@}
+  //@}
 
 protected:
   vtkTemporalCoherenceVolume() = default;

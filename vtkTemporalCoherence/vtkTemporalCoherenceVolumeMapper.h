@@ -120,7 +120,7 @@ public:
     THRESHOLD = 1
   };
 
-  ///@{
+  //@{
   /**
    * Which crossings of an isovalue are its surface.
    *
@@ -137,7 +137,7 @@ public:
   vtkGetMacro(SurfaceMode, int);
   void SetSurfaceModeToCrossing() { this->SetSurfaceMode(CROSSING); }
   void SetSurfaceModeToThreshold() { this->SetSurfaceMode(THRESHOLD); }
-  ///@}
+  //@}
 
   enum VectorModes
   {
@@ -146,7 +146,7 @@ public:
     COMPONENT = 1
   };
 
-  ///@{
+  //@{
   /**
    * Which scalar of an array of several components is drawn. Names and values are those of
    * vtkSmartVolumeMapper.
@@ -167,9 +167,9 @@ public:
   void SetVectorModeToComponent() { this->SetVectorMode(COMPONENT); }
   vtkSetMacro(VectorComponent, int);
   vtkGetMacro(VectorComponent, int);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Allow a moved camera to start from a kept picture: rays leap over the space that it shows to be
    * free, and those that stay in it are not traced at all. And allow the picture of another time
@@ -179,9 +179,9 @@ public:
   vtkSetMacro(ImageCache, vtkTypeBool);
   vtkGetMacro(ImageCache, vtkTypeBool);
   vtkBooleanMacro(ImageCache, vtkTypeBool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Allow a new isovalue in the same view to be looked up in an isomap, which knows where each
    * pixel's ray first passes each isovalue. Default: on. It is built when isovalues first change in
@@ -191,9 +191,9 @@ public:
   vtkSetMacro(Isomap, vtkTypeBool);
   vtkGetMacro(Isomap, vtkTypeBool);
   vtkBooleanMacro(Isomap, vtkTypeBool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Leap over blocks of cells whose range of values the isovalues are not in. Default: on. Off, a
    * ray reads every cell on its way: the paper's plain ray caster, for comparison. The picture is
@@ -202,9 +202,9 @@ public:
   vtkSetMacro(SpaceLeaping, vtkTypeBool);
   vtkGetMacro(SpaceLeaping, vtkTypeBool);
   vtkBooleanMacro(SpaceLeaping, vtkTypeBool);
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Paint yellow the surfaces that the image cache did not serve (figure 8 of the paper): those
    * found by rays that were possible hits. Default: off. It shows in frames of the route ImageCache
@@ -213,7 +213,7 @@ public:
   vtkSetMacro(ColorByAnswer, vtkTypeBool);
   vtkGetMacro(ColorByAnswer, vtkTypeBool);
   vtkBooleanMacro(ColorByAnswer, vtkTypeBool);
-  ///@}
+  //@}
 
   enum ReuseAccuracies
   {
@@ -222,7 +222,7 @@ public:
     PAPER = 2
   };
 
-  ///@{
+  //@{
   /**
    * What a frame of the route ImageCache promises.
    *
@@ -243,9 +243,9 @@ public:
   void SetReuseAccuracyToBounded() { this->SetReuseAccuracy(BOUNDED); }
   void SetReuseAccuracyToExact() { this->SetReuseAccuracy(EXACT); }
   void SetReuseAccuracyToPaper() { this->SetReuseAccuracy(PAPER); }
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Complete a picture that is not exact (from the image cache, or from an isomap with a tolerance
    * or with interpolated normals) to the cold picture, once, when the view repeats. Default: on.
@@ -253,7 +253,7 @@ public:
   vtkSetMacro(RefineWhenStill, vtkTypeBool);
   vtkGetMacro(RefineWhenStill, vtkTypeBool);
   vtkBooleanMacro(RefineWhenStill, vtkTypeBool);
-  ///@}
+  //@}
 
   enum ImageCachePolicies
   {
@@ -261,7 +261,7 @@ public:
     KEY_IMAGE = 1
   };
 
-  ///@{
+  //@{
   /**
    * Which pictures the image cache keeps: LATEST (default) every one, KEY_IMAGE a cold one that is
    * made every KeyImageInterval frames (default 7, as in the paper). The latest
@@ -276,7 +276,7 @@ public:
   vtkGetMacro(KeyImageInterval, int);
   vtkSetClampMacro(NumberOfCachedImages, int, 1, 64);
   vtkGetMacro(NumberOfCachedImages, int);
-  ///@}
+  //@}
 
   enum ImageCacheShadings
   {
@@ -284,7 +284,7 @@ public:
     CACHE_INTERPOLATE = 1
   };
 
-  ///@{
+  //@{
   /**
    * Colours of definite hits with PAPER: RESHADE (default), from the field at the refined hit;
    * INTERPOLATE, between those of the cached picture, whose light and blur then travel with it; so
@@ -294,9 +294,9 @@ public:
   vtkGetMacro(ImageCacheShading, int);
   void SetImageCacheShadingToReshade() { this->SetImageCacheShading(CACHE_RESHADE); }
   void SetImageCacheShadingToInterpolate() { this->SetImageCacheShading(CACHE_INTERPOLATE); }
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * How the isomap is built.
    *
@@ -315,7 +315,7 @@ public:
   vtkGetVector2Macro(IsomapRange, double);
   vtkSetClampMacro(IsomapMemoryLimit, int, 0, VTK_INT_MAX);
   vtkGetMacro(IsomapMemoryLimit, int);
-  ///@}
+  //@}
 
   enum IsomapShadings
   {
@@ -323,7 +323,7 @@ public:
     INTERPOLATE = 1
   };
 
-  ///@{
+  //@{
   /**
    * Normals of surfaces looked up in the isomap: RESHADE (default), from the field; INTERPOLATE,
    * between normals that are stored where the isomap has knots, as the paper does with colours.
@@ -334,9 +334,9 @@ public:
   vtkGetMacro(IsomapShading, int);
   void SetIsomapShadingToReshade() { this->SetIsomapShading(RESHADE); }
   void SetIsomapShadingToInterpolate() { this->SetIsomapShading(INTERPOLATE); }
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Coarser frames in windows. The names are those of vtkFixedPointVolumeRayCastMapper.
    *
@@ -362,7 +362,7 @@ public:
   vtkSetClampMacro(AutoAdjustSampleDistances, vtkTypeBool, 0, 1);
   vtkGetMacro(AutoAdjustSampleDistances, vtkTypeBool);
   vtkBooleanMacro(AutoAdjustSampleDistances, vtkTypeBool);
-  ///@}
+  //@}
 
   /**
    * Build the isomap of the present view ahead of the first new isovalue: IsomapRange if it holds
@@ -459,16 +459,16 @@ public:
   bool IntersectWithLine(vtkVolume* volume, const double p1[3], const double p2[3], double& t,
     double position[3], double normal[3], int* isovalueIndex);
 
-  ///@{
+  //@{
   /**
    * How the last frame was made: the position of the name in the list Cold, Redisplay, Reshade,
    * IsomapLookup, IsomapBuild, ThresholdHint, ImageCache; and the name.
    */
   int GetRoute();
   const char* GetRouteAsString();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Counters of the last frame. Rays (one a pixel, fewer in coarse frames) are the sum of definite
    * misses (known to meet nothing), definite hits (known before, or found where the image cache or
@@ -485,9 +485,9 @@ public:
   vtkIdType GetNumberOfFieldSamples();
   vtkIdType GetIsomapMemory();
   vtkIdType GetNumberOfIsomapKnots();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Seconds that the last frame took: all told (showing it included), and of these: structures and
    * tracing or looking up, asking the image cache, building an isomap, shading, showing.
@@ -498,15 +498,15 @@ public:
   double GetIsomapBuildTime();
   double GetShadeTime();
   double GetPresentTime();
-  ///@}
+  //@}
 
-  ///@{
+  //@{
   /**
    * Bounds of the input in its own coordinates; those of all blocks together.
    */
   double* GetBounds() VTK_SIZEHINT(6) override;
   void GetBounds(double bounds[6]) override { this->Superclass::GetBounds(bounds); }
-  ///@}
+  //@}
 
   /**
    * True if all that is shown of a volume with this mapper is opaque: no isovalue has a scalar

@@ -1,0 +1,190 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the examples share: volumes from files and a generated one, and how mistakes are told."""
+
+from __future__ import annotations
+
+import argparse
+import contextlib
+import os
+import pathlib
+import sys
+from typing import Callable, Iterator
+
+try:
+    import numpy
+    from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
+    from vtkmodules.vtkCommonDataModel import vtkImageData
+    from vtkmodules.vtkIOImage import vtkMetaImageReader, vtkNIFTIImageReader, vtkSLCReader
+    from vtkmodules.vtkIOLegacy import vtkStructuredPointsReader
+    from vtkmodules.vtkIOXML import vtkXMLImageDataReader
+    from vtkTemporalCoherence import numpy_to_image
+except ImportError as missing:
+    sys.exit(
+        f"{pathlib.Path(sys.argv[0]).name}: {missing}: install Debian's python3-numpy and the "
+        f"package python3-vtktemporalcoherence, and use /usr/bin/python3.")
+
+READERS = {
+    ".vti": vtkXMLImageDataReader,
+    ".vtk": vtkStructuredPointsReader,
+    ".mhd": vtkMetaImageReader,
+    ".mha": vtkMetaImageReader,
+    ".nii": vtkNIFTIImageReader,
+    ".nii.gz": vtkNIFTIImageReader,
+    ".slc": vtkSLCReader,
+}
+SUFFIXES = ", ".join([".npy", *READERS])
+
+
+class UserError(Exception):
+    """A mistake of the user: one sentence that says what to do."""
+
+
+class Arguments(argparse.ArgumentParser):
+    """A command line whose mistakes are told in one sentence."""
+
+    def error(self, message):
+        raise UserError(f"{message}; --help tells what can be given.")
+
+
+def run(main: Callable[[], None]) -> None:
+    """Run a program: exit status 0, or 1 and one line for a mistake of the user."""
+    try:
+        main()
+    except UserError as error:
+        sys.exit(f"{pathlib.Path(sys.argv[0]).name}: {error}")
+    except KeyboardInterrupt:
+        pass
+
+
+def add_volume_arguments(arguments: argparse.ArgumentParser) -> None:
+    arguments.add_argument(
+        "volume", nargs="?",
+        help=f"a file {SUFFIXES} (an array [z, y, x]); default: four generated spheres")
+    arguments.add_argument("--array", help="the point array to draw; default: the file's scalars")
+
+
+def number_from(least: int) -> Callable[[str], int]:
+    """A type of argument: whole numbers, none below the least."""
+    def convert(text: str) -> int:
+        if not text.isdecimal() or int(text) < least:
+            raise argparse.ArgumentTypeError(f"'{text}' is no whole number from {least} on")
+        return int(text)
+    return convert
+
+
+def size_of(text: str) -> tuple[int, int]:
+    """A type of argument: width and height in pixels."""
+    parts = text.split("x")
+    if len(parts) != 2 or not all(part.isdecimal() and 0 < int(part) < 16384 for part in parts):
+        raise argparse.ArgumentTypeError(f"'{text}' is no size as 640x480, at most 16383x16383")
+    return int(parts[0]), int(parts[1])
+
+
+def volume_of(arguments: argparse.Namespace) -> vtkImageData:
+    """The volume that a command line asks for."""
+    if arguments.volume is None:
+        image = make_spheres(128)
+    else:
+        image = read_volume(arguments.volume)
+    choose_array(image, arguments.array, arguments.volume or "The generated volume")
+    return image
+
+
+def make_spheres(samples: int) -> vtkImageData:
+    """Four spheres that grow together: 255 in their centres, 0 outside, samples^3 bytes."""
+    centres = [(-0.4, -0.4, -0.2), (0.45, -0.3, 0.3), (-0.3, 0.45, 0.35), (0.35, 0.4, -0.4)]
+    radius = 0.6
+    axis = numpy.linspace(-1.0, 1.0, samples, dtype=numpy.float32)
+    z, y, x = axis[:, None, None], axis[:, None], axis
+    nearest = numpy.sqrt(numpy.min(
+        [(x - cx) ** 2 + (y - cy) ** 2 + (z - cz) ** 2 for cx, cy, cz in centres], axis=0))
+    values = 255.0 * numpy.clip(1.0 - nearest / radius, 0.0, 1.0)
+    return numpy_to_image(values.astype(numpy.uint8))
+
+
+def read_volume(path: str) -> vtkImageData:
+    if not os.path.exists(path):
+        raise UserError(f"There is no file '{path}': check the path.")
+    if path.lower().endswith(".npy"):
+        return _read_array(path)
+    suffix = next((suffix for suffix in READERS if path.lower().endswith(suffix)), None)
+    if suffix is None:
+        raise UserError(f"The suffix of '{path}' is none of {SUFFIXES}: convert the volume.")
+    reader = READERS[suffix]()
+    reader.SetFileName(path)
+    with _errors_of_vtk() as errors:
+        reader.Update()
+    image = reader.GetOutput()
+    if errors() or image.GetNumberOfPoints() == 0:
+        raise UserError(
+            f"'{path}' could not be read as an image: check that it is a whole file of the format "
+            f"that its suffix tells.")
+    return image
+
+
+def choose_array(image: vtkImageData, name: str | None, what: str) -> None:
+    """Make an array the active scalars: the named one, else those of the file, else the first."""
+    if min(image.GetDimensions()) < 2:
+        raise UserError(
+            f"{what} has {' x '.join(map(str, image.GetDimensions()))} samples: a volume needs at "
+            f"least 2 along each axis.")
+    points = image.GetPointData()
+    names = [points.GetArrayName(index) for index in range(points.GetNumberOfArrays())]
+    if not names:
+        raise UserError(
+            f"{what} has no arrays on its points: make some of cell data with "
+            f"vtkCellDataToPointData.")
+    if name is None:
+        name = points.GetScalars().GetName() if points.GetScalars() else names[0]
+    if name not in names:
+        raise UserError(f"{what} has no array '{name}': choose one of {', '.join(names)}.")
+    points.SetActiveScalars(name)
+
+
+def value_range(image: vtkImageData) -> tuple[float, float]:
+    """The least and the greatest number among the scalars; an error if there is no surface."""
+    low, high = image.GetPointData().GetScalars().GetFiniteRange(0)
+    if not low < high:
+        raise UserError(
+            "The samples of the volume are all the same or no numbers, so that it has no "
+            "isosurface: choose another volume or array.")
+    return low, high
+
+
+def check_isovalue(isovalue: float, limits: tuple[float, float]) -> None:
+    low, high = limits
+    if not low <= isovalue <= high:
+        raise UserError(
+            f"Isovalue {isovalue:g} is outside of the volume's values: choose one from {low:g} to "
+            f"{high:g}.")
+
+
+def _read_array(path: str) -> vtkImageData:
+    try:
+        # Mapped, not read: what a big array has is loaded when it is looked at.
+        return numpy_to_image(numpy.load(path, mmap_mode="r"))
+    except (OSError, ValueError, TypeError) as error:
+        reason = " ".join(str(error).split()).rstrip(".")
+        raise UserError(f"'{path}' could not be read as a NumPy volume: {reason}.") from error
+
+
+@contextlib.contextmanager
+def _errors_of_vtk() -> Iterator[Callable[[], bool]]:
+    """Keep VTK and its libraries silent, and tell whether there were errors."""
+    window, before = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
+    vtkOutputWindow.SetInstance(window)
+    sys.stdout.flush()
+    kept = [os.dup(stream) for stream in (1, 2)]
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    try:
+        for stream in (1, 2):
+            os.dup2(nowhere, stream)
+        # vtkDataReader tells of a file that ends too early by a warning.
+        yield lambda: any(word in window.GetOutput() for word in ("ERROR:", "Generic Warning:"))
+    finally:
+        for stream, copy in zip((1, 2), kept):
+            os.dup2(copy, stream)
+            os.close(copy)
+        os.close(nowhere)
+        vtkOutputWindow.SetInstance(before)

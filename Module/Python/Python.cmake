@@ -1,0 +1,103 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# The Python package vtkTemporalCoherence: the wrapped classes and some pure Python. It is made in
+# python/ of the build directory, and installed where VTK's Python looks below the prefix.
+
+# Functions, as finding VTK a second time must not change what the build knows of it.
+function (find_python_of_vtk)
+  set(why)
+  set(vtk_modules "${VTK_PREFIX_PATH}/${VTK_PYTHONPATH}")
+  if (NOT BUILD_SHARED_LIBS)
+    set(why "VTK's libraries are static")
+  elseif (NOT VTK_WRAP_PYTHON)
+    set(why "VTK was built without Python")
+  else ()
+    find_package(VTK QUIET COMPONENTS Python WrappingPythonCore)
+    if (NOT VTK_FOUND OR NOT Python3_FOUND)
+      set(why "there are no development files of Python (Debian: libpython3-dev)")
+    else ()
+      execute_process(
+        COMMAND "${CMAKE_COMMAND}" -E env "PYTHONPATH=${vtk_modules}"
+          "${Python3_EXECUTABLE}" -c "import vtkmodules.vtkRenderingVolume"
+        RESULT_VARIABLE result OUTPUT_QUIET ERROR_QUIET)
+      if (NOT result EQUAL 0)
+        set(why "${Python3_EXECUTABLE} has no vtkmodules (Debian: python3-vtk9)")
+      endif ()
+    endif ()
+  endif ()
+  set(why_no_python "${why}" PARENT_SCOPE)
+  set(vtk_python "${Python3_EXECUTABLE}" PARENT_SCOPE)
+  set(vtk_python_abi "${Python3_SOABI}" PARENT_SCOPE)
+  set(vtk_python_modules "${vtk_modules}" PARENT_SCOPE)
+endfunction ()
+
+# Where that Python looks below the prefix, relative to it.
+function (find_python_directory result)
+  set(script [[
+import site, sys
+below = sys.argv[1].rstrip("/") + "/"
+known = [path for path in site.getsitepackages() if path.startswith(below + "lib")]
+other = "{}lib/python{}.{}/site-packages".format(below, *sys.version_info)
+print((known + [other])[0][len(below):])
+]])
+  execute_process(
+    COMMAND "${vtk_python}" -c "${script}" "${CMAKE_INSTALL_PREFIX}"
+    OUTPUT_VARIABLE directory OUTPUT_STRIP_TRAILING_WHITESPACE)
+  set("${result}" "${directory}" PARENT_SCOPE)
+endfunction ()
+
+find_python_of_vtk()
+if (why_no_python AND NOT DEFINED CACHE{TEMPORAL_COHERENCE_WRAP_PYTHON})
+  # Not kept: once what is missing is there, the next configuration finds it.
+  message(STATUS "The Python package is left out: ${why_no_python}")
+  set(TEMPORAL_COHERENCE_WRAP_PYTHON OFF)
+else ()
+  option(TEMPORAL_COHERENCE_WRAP_PYTHON "Build the Python package" ON)
+endif ()
+if (NOT TEMPORAL_COHERENCE_WRAP_PYTHON)
+  return ()
+endif ()
+if (why_no_python)
+  message(FATAL_ERROR
+    "The Python package cannot be built, as ${why_no_python}: install what is missing or give "
+    "-DTEMPORAL_COHERENCE_WRAP_PYTHON=OFF.")
+endif ()
+
+find_python_directory(default_python_directory)
+set(TEMPORAL_COHERENCE_PYTHON_DIRECTORY "${default_python_directory}"
+  CACHE STRING "Where the Python package is installed, relative to the prefix")
+if (IS_ABSOLUTE "${TEMPORAL_COHERENCE_PYTHON_DIRECTORY}")
+  message(FATAL_ERROR
+    "TEMPORAL_COHERENCE_PYTHON_DIRECTORY is ${TEMPORAL_COHERENCE_PYTHON_DIRECTORY}: give it relative "
+    "to the prefix, as ${default_python_directory}.")
+endif ()
+
+vtk_module_wrap_python(
+  MODULES VTK::TemporalCoherence
+  TARGET vtkTemporalCoherence::Python
+  PYTHON_PACKAGE vtkTemporalCoherence
+  MODULE_DESTINATION "${TEMPORAL_COHERENCE_PYTHON_DIRECTORY}"
+  LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+  INSTALL_HEADERS OFF
+  BUILD_STATIC OFF
+  SOABI "${vtk_python_abi}"
+  COMPONENT python)
+
+# What is imported from the build directory does not lie as deep there as in an installation.
+set(python_build_directory "${CMAKE_BINARY_DIR}/python")
+set_target_properties(vtkTemporalCoherencePython PROPERTIES
+  LIBRARY_OUTPUT_DIRECTORY "${python_build_directory}/vtkTemporalCoherence")
+
+foreach (file IN ITEMS __init__.py mapper_support.py numpy_support.py)
+  configure_file("${CMAKE_CURRENT_LIST_DIR}/vtkTemporalCoherence/${file}"
+    "${python_build_directory}/vtkTemporalCoherence/${file}" COPYONLY)
+  install(
+    FILES "${CMAKE_CURRENT_LIST_DIR}/vtkTemporalCoherence/${file}"
+    DESTINATION "${TEMPORAL_COHERENCE_PYTHON_DIRECTORY}/vtkTemporalCoherence"
+    COMPONENT python)
+endforeach ()
+
+if (BUILD_TESTING)
+  add_subdirectory("${CMAKE_SOURCE_DIR}/Testing/Python" Testing/Python)
+endif ()

@@ -1,0 +1,52 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Isosurfaces of VTK images, ray cast on the CPU, using again what the last frame knew.
+
+    from vtkTemporalCoherence import vtkTemporalCoherenceVolumeMapper
+    mapper = vtkTemporalCoherenceVolumeMapper()    # was: vtkGPUVolumeRayCastMapper()
+
+The mapper goes into a vtkVolume as any other and draws the isosurfaces of
+volume.GetProperty().GetIsoSurfaceValues(); help(vtkTemporalCoherenceVolumeMapper) tells the rest.
+
+    replace_mapper         put it into a vtkVolume that has another mapper
+    numpy_to_image         a volume from a NumPy array
+    render                 a picture as NumPy arrays, without a window or display
+    planes, Planes         what the last frame knows of its pixels, as NumPy arrays
+    write_png              a picture into a file
+
+The last four are those of vtkTemporalCoherence.numpy_support; only they need NumPy.
+"""
+
+# What the wrapped classes take and return, and what makes vtkRenderer a renderer. No display is
+# needed for that.
+import vtkmodules.vtkCommonDataModel  # noqa: F401
+import vtkmodules.vtkCommonMisc  # noqa: F401
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
+
+from .mapper_support import replace_mapper
+from .vtkTemporalCoherence import (
+    vtkTemporalCoherencePicker,
+    vtkTemporalCoherenceVolume,
+    vtkTemporalCoherenceVolumeMapper,
+)
+
+_OF_NUMPY_SUPPORT = ("Planes", "numpy_to_image", "planes", "render", "write_png")
+
+__all__ = [
+    "replace_mapper",
+    "vtkTemporalCoherencePicker",
+    "vtkTemporalCoherenceVolume",
+    "vtkTemporalCoherenceVolumeMapper",
+    *_OF_NUMPY_SUPPORT,
+]
+
+
+def __getattr__(name):
+    if name not in _OF_NUMPY_SUPPORT:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    from . import numpy_support
+    return getattr(numpy_support, name)
+
+
+def __dir__():
+    return sorted({*globals(), *__all__})

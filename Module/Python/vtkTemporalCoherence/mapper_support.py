@@ -1,0 +1,59 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""From another volume mapper to vtkTemporalCoherenceVolumeMapper."""
+
+from __future__ import annotations
+
+from typing import Iterable
+
+from vtkmodules.vtkRenderingCore import vtkVolume
+from vtkmodules.vtkRenderingVolume import vtkVolumeMapper
+
+from .vtkTemporalCoherence import vtkTemporalCoherenceVolumeMapper
+
+
+def replace_mapper(
+    volume: vtkVolume, isovalues: Iterable[float] | None = None
+) -> vtkTemporalCoherenceVolumeMapper:
+    """Have a volume drawn by a new vtkTemporalCoherenceVolumeMapper, and return that mapper.
+
+    volume     its mapper is another vtkVolumeMapper, for example PyVista's. The new mapper takes
+               over its input, choice of scalars, cropping and clipping planes
+    isovalues  in the unit of the scalars that the mapper has as input, which other libraries may
+               have scaled. None: those that the volume's property has
+
+    Raises TypeError if there is no such mapper.
+    """
+    old = volume.GetMapper() if isinstance(volume, vtkVolume) else None
+    if not isinstance(old, vtkVolumeMapper):
+        raise TypeError(
+            "The mapper of a vtkVolume can be replaced where it has one that is a vtkVolumeMapper: "
+            "set one with volume.SetMapper().")
+    mapper = vtkTemporalCoherenceVolumeMapper()
+    if old.GetNumberOfInputConnections(0) > 0:
+        mapper.SetInputConnection(old.GetInputConnection(0, 0))
+    _copy_scalar_choice(old, mapper)
+    mapper.SetCropping(old.GetCropping())
+    mapper.SetCroppingRegionPlanes(old.GetCroppingRegionPlanes())
+    mapper.SetCroppingRegionFlags(old.GetCroppingRegionFlags())
+    if old.GetClippingPlanes():
+        mapper.SetClippingPlanes(old.GetClippingPlanes())
+    volume.SetMapper(mapper)
+
+    if isovalues is not None:
+        contours = volume.GetProperty().GetIsoSurfaceValues()
+        contours.SetNumberOfContours(0)
+        for index, isovalue in enumerate(isovalues):
+            contours.SetValue(index, isovalue)
+    return mapper
+
+
+def _copy_scalar_choice(old: vtkVolumeMapper, new: vtkTemporalCoherenceVolumeMapper) -> None:
+    getattr(new, "SetScalarModeTo" + old.GetScalarModeAsString())()
+    name = old.GetArrayName()
+    new.SelectScalarArray(old.GetArrayId() if name is None else name)
+    new.SetArrayAccessMode(old.GetArrayAccessMode())
+    # vtkSmartVolumeMapper has these by the same names and values.
+    if hasattr(old, "GetVectorMode"):
+        new.SetVectorMode(old.GetVectorMode())
+        new.SetVectorComponent(old.GetVectorComponent())

@@ -1,0 +1,266 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""NumPy arrays in and out: volumes from arrays, pictures and what is known of their pixels.
+
+    image = numpy_to_image(array, spacing=(0.5, 0.5, 2.0))   # shares the array's memory
+    mapper.SetInputData(image)
+    picture = render(volume, size=(640, 480))                # neither window nor display
+    picture.color.shape, picture.depth.shape                 # (480, 640, 4), (480, 640)
+    write_png("picture.png", picture.color)
+
+Row 0 of a picture is its bottom row, as everywhere in VTK: plane[y, x] belongs to the pixel of
+mapper.PickPixel(x, y, ...). The view plane[::-1] begins with the top row, as Pillow and Matplotlib
+want it.
+"""
+
+from __future__ import annotations
+
+import operator
+import os
+from typing import BinaryIO, Iterable, NamedTuple, Sequence
+
+try:
+    import numpy
+except ImportError as error:
+    raise ImportError("NumPy is missing: install it (Debian: python3-numpy).") from error
+from vtkmodules.util.misc import calldata_type
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.vtkConstants import VTK_SIGNED_CHAR, VTK_STRING
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkRenderingCore import vtkRenderer, vtkVolume
+
+from .vtkTemporalCoherence import vtkTemporalCoherenceVolumeMapper
+
+__all__ = ["Planes", "numpy_to_image", "planes", "render", "write_png"]
+
+
+class Planes(NamedTuple):
+    """What a frame knows of its pixels, an array for each plane; None for one not asked for.
+
+    color            (height, width, 4) uint8: RGBA, the colours multiplied by alpha; alpha is 0
+                     where nothing is hit
+    depth            (height, width) float32: distance along the pixel's ray in world units, from
+                     the eye or, in a parallel projection, from the plane through the camera;
+                     infinity where nothing is hit
+    normals          (height, width, 3) float32: unit normals in the world, facing the viewer; 0
+                     where nothing is hit
+    isovalue_index   (height, width) int32: position of the isovalue in
+                     vtkVolumeProperty.GetIsoSurfaceValues(); -1 where nothing is hit
+    answer           (height, width) uint8: whether the pixel's ray was a definite miss (0), a
+                     definite hit (1) or a possible hit (2) when the picture was made
+
+    Row 0 is the bottom row. The arrays belong to the caller: they stay as they are when the mapper
+    makes another frame or is deleted.
+    """
+
+    color: numpy.ndarray | None = None
+    depth: numpy.ndarray | None = None
+    normals: numpy.ndarray | None = None
+    isovalue_index: numpy.ndarray | None = None
+    answer: numpy.ndarray | None = None
+
+
+def numpy_to_image(
+    array: numpy.ndarray,
+    spacing: Sequence[float] = (1.0, 1.0, 1.0),
+    origin: Sequence[float] = (0.0, 0.0, 0.0),
+    name: str = "scalars",
+) -> vtkImageData:
+    """Make an image whose point scalars are an array.
+
+    array    (nz, ny, nx), or (nz, ny, nx, components): VTK's x runs fastest, as in the arrays of
+             SimpleITK. Of an array that is indexed [x, y, z] give array.T.
+    spacing  distance of samples, and
+    origin   place of the sample [0, 0, 0], both in the order x, y, z and in world units
+    name     name of the scalars
+
+    The image shares the array's memory, and keeps it, if the array is C-contiguous and its numbers
+    are such as VTK has; else it gets a copy: of bool as uint8, of float16 as float32. When you have
+    written to the array, call image.GetPointData().GetScalars().Modified().
+
+    Raises TypeError if these are no real numbers of at most 64 bits in an array, ValueError if they
+    do not lie along three axes.
+    """
+    if not isinstance(array, numpy.ndarray):
+        raise TypeError(
+            f"A volume must be a NumPy array, not {type(array).__name__}: use numpy.asarray().")
+    if array.ndim not in (3, 4) or array.size == 0:
+        raise ValueError(
+            f"A volume must have the shape (nz, ny, nx) or (nz, ny, nx, components), not "
+            f"{array.shape}: reshape the array.")
+    image = _image(array, array.shape[2::-1], array.shape[3:], name)
+    image.SetSpacing(spacing)
+    image.SetOrigin(origin)
+    return image
+
+
+def planes(
+    mapper: vtkTemporalCoherenceVolumeMapper, names: Iterable[str] = Planes._fields
+) -> Planes:
+    """Get the last frame of a mapper, whether it was made for a window or by render().
+
+    names    which planes; the others are None
+
+    In coarse frames (ImageSampleDistance above 1) arrays have a value for each ray.
+
+    Raises TypeError for what is no such mapper, ValueError if there is no frame or no such plane.
+    """
+    _check_mapper(mapper)
+    images = {name: vtkImageData() for name in _checked_names(names)}
+    with _Errors(mapper) as errors:
+        is_done = mapper.GetLastFrame(*(images.get(name) for name in Planes._fields))
+    errors.give_up_unless(
+        is_done, "The mapper has made no frame yet: call render() or Render() first.")
+    return Planes(**{name: _plane(image) for name, image in images.items()})
+
+
+def render(
+    volume: vtkVolume,
+    renderer: vtkRenderer | None = None,
+    size: tuple[int, int] = (512, 512),
+    names: Iterable[str] = Planes._fields,
+) -> Planes:
+    """Make a picture of a volume without a window, a display or OpenGL.
+
+    volume    its mapper must be a vtkTemporalCoherenceVolumeMapper
+    renderer  gives camera and lights. None: one that looks at the whole volume along the z axis
+    size      width and height in pixels
+    names     which planes are wanted; the others are None
+
+    The mapper re-uses the last picture of the same renderer, camera and volume: keep the renderer
+    for a series of pictures. One that has no camera yet is made to look at the whole volume.
+
+    Raises TypeError for what is no volume with such a mapper, ValueError with the mapper's own
+    message if it cannot make the picture, or if there is no such plane.
+    """
+    if not isinstance(volume, vtkVolume):
+        raise TypeError(f"render() draws a vtkVolume, not {type(volume).__name__}.")
+    mapper = volume.GetMapper()
+    _check_mapper(mapper)
+    names = _checked_names(names)
+    try:
+        width, height = (operator.index(pixels) for pixels in size)
+    except (TypeError, ValueError):
+        raise TypeError(
+            f"The size must be two whole numbers (width, height), not {size!r}.") from None
+    with _Errors(mapper) as errors:
+        renderer = renderer or vtkRenderer()
+        if not renderer.IsActiveCameraCreated():
+            renderer.ResetCamera(volume.GetBounds())
+        is_done = mapper.RenderToImage(renderer, volume, width, height, None, None)
+    errors.give_up_unless(is_done, "The picture was stopped before it was complete: call it again.")
+    return planes(mapper, names)
+
+
+def write_png(
+    file: str | os.PathLike | BinaryIO,
+    color: numpy.ndarray,
+    background: Sequence[float] = (0.0, 0.0, 0.0),
+) -> None:
+    """Write the plane `color` of a picture as PNG.
+
+    file        a path, or an object with write(bytes)
+    color       (height, width, 4) uint8, as from render(): the row written last is row 0
+    background  red, green and blue, 0 to 1, of what is seen where the surfaces are not opaque
+
+    Raises TypeError for another array, OSError if the file cannot be written.
+    """
+    if color.dtype != numpy.uint8 or color.ndim != 3 or color.shape[2] != 4:
+        raise TypeError(
+            f"A picture must be uint8 of the shape (height, width, 4), not {color.dtype} of "
+            f"{color.shape}: give the plane color of render().")
+    behind = (255 - color[..., 3:]) * numpy.asarray(background, numpy.float32)
+    pixels = numpy.rint(color[..., :3] + behind).astype(numpy.uint8)
+
+    writer = vtkPNGWriter()
+    writer.SetInputData(_image(pixels, (*pixels.shape[1::-1], 1), (3,), "Color"))
+    writer.WriteToMemoryOn()
+    writer.Write()
+    data = memoryview(writer.GetResult())
+    if hasattr(file, "write"):
+        file.write(data)
+    else:
+        with open(file, "wb") as opened:
+            opened.write(data)
+
+
+class _Errors:
+    """Hears a mapper's errors, which would be printed otherwise, while it is entered."""
+
+    def __init__(self, mapper: vtkTemporalCoherenceVolumeMapper) -> None:
+        self._mapper = mapper
+
+    def __enter__(self) -> _Errors:
+        @calldata_type(VTK_STRING)
+        def hear(mapper, _event, text):
+            # "ERROR: In FILE, line NUMBER", and in the next line "CLASS (ADDRESS): SENTENCE".
+            mapper.last_error = text.partition("): ")[2].strip() or text.strip()
+
+        self._observer = self._mapper.AddObserver("ErrorEvent", hear)
+        return self
+
+    def __exit__(self, *_) -> None:
+        self._mapper.RemoveObserver(self._observer)
+
+    def give_up_unless(self, is_done: bool, otherwise: str) -> None:
+        """Raise the mapper's error, or else the given sentence, where something is not done."""
+        if is_done:
+            self._mapper.last_error = None
+        else:
+            # A mistake that is repeated is told once, so the sentence may be from an earlier call.
+            raise ValueError(getattr(self._mapper, "last_error", None) or otherwise)
+
+
+def _check_mapper(mapper) -> None:
+    if not isinstance(mapper, vtkTemporalCoherenceVolumeMapper):
+        raise TypeError(
+            f"The mapper must be a vtkTemporalCoherenceVolumeMapper, not {type(mapper).__name__}: "
+            f"set one with volume.SetMapper().")
+
+
+def _checked_names(names: Iterable[str]) -> tuple[str, ...]:
+    names = tuple(names)
+    for name in names:
+        if name not in Planes._fields:
+            raise ValueError(f"There is no plane {name!r}, only {', '.join(Planes._fields)}.")
+    return names
+
+
+def _image(
+    array: numpy.ndarray, dimensions: Sequence[int], components: tuple[int, ...], name: str
+) -> vtkImageData:
+    scalars = numpy.ascontiguousarray(array, _vtk_dtype(array.dtype)).reshape(-1, *components)
+    # VTK's char has a sign on some machines only.
+    vtk_type = VTK_SIGNED_CHAR if scalars.dtype == numpy.int8 else None
+    vtk_scalars = numpy_to_vtk(scalars, array_type=vtk_type)
+    # The NumPy array has to live as long as the VTK array, so the latter is given an observer that
+    # holds it. Python attributes, as numpy_to_vtk uses, outlive the VTK array until VTK's wrappers
+    # happen to tidy up, and with them what may be a very large volume.
+    vtk_scalars.AddObserver("UserEvent", lambda *_: scalars)
+    vars(vtk_scalars).pop("_numpy_reference", None)
+    vtk_scalars.SetName(name)
+    image = vtkImageData()
+    image.SetDimensions(dimensions)
+    image.GetPointData().SetScalars(vtk_scalars)
+    return image
+
+
+def _vtk_dtype(dtype: numpy.dtype) -> numpy.dtype:
+    """The type among VTK's that holds all numbers of a type."""
+    if dtype.kind == "b":
+        return numpy.dtype(numpy.uint8)
+    if dtype.kind == "f" and dtype.itemsize == 2:
+        return numpy.dtype(numpy.float32)
+    if dtype.kind not in "iuf" or dtype.itemsize > 8:
+        raise TypeError(
+            f"A volume must hold real numbers of at most 64 bits, not {dtype}: convert it, for "
+            f"example by array.astype(numpy.float32).")
+    return dtype.newbyteorder("=")
+
+
+def _plane(image: vtkImageData) -> numpy.ndarray:
+    """The scalars of an image as rows, in the memory of the VTK array, which they keep."""
+    width, height, _ = image.GetDimensions()
+    scalars = vtk_to_numpy(image.GetPointData().GetScalars())
+    return scalars.reshape(height, width, *scalars.shape[1:])

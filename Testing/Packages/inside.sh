@@ -1,0 +1,126 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# What run.sh does inside of the system: everything below /test, which run.sh put there.
+set -euo pipefail
+
+library=$(cd /test/packages && find . -name 'libvtktemporalcoherence[0-9]*' -printf '%f' | sed 's/_.*//')
+development=libvtktemporalcoherence-dev
+python=python3-vtktemporalcoherence
+logs=/test/logs
+mkdir -p "$logs" /test/results
+unset DISPLAY WAYLAND_DISPLAY
+
+say() { printf '[packages] %s\n' "$*"; }
+fail() { printf '[packages] %s\n' "$*" >&2; exit 1; }
+
+# Runs a command that has to succeed, with its output in a log of that name.
+logged() # NAME COMMAND...
+{
+  local log=$logs/$1.log
+  shift
+  "$@" >"$log" 2>&1 </dev/null || { tail -n 30 "$log" >&2; fail "failed: $*"; }
+}
+
+apt() { DEBIAN_FRONTEND=noninteractive apt-get -y --no-install-recommends "$@"; }
+
+install() # NAME PACKAGES...
+{
+  local begin=$SECONDS before now
+  before=$(dpkg-query -W | wc -l)
+  logged "install-$1" apt install "${@:2}"
+  now=$(dpkg-query -W | wc -l)
+  say "Installed ${*:2}: $((now - before)) packages, $((SECONDS - begin)) s"
+}
+
+check_pictures() # COUNT FILES...
+{
+  logged pictures python3 /test/Testing/Packages/check_pictures.py "$@"
+}
+
+test_python()
+{
+  install python "/test/packages/$library"_*.deb "/test/packages/$python"_*.deb
+  [ ! -e /usr/include/vtkTemporalCoherence ] || fail "headers were installed with the Python package"
+  logged python-import python3 -c '
+from vtkTemporalCoherence import vtkTemporalCoherenceVolumeMapper
+mapper = vtkTemporalCoherenceVolumeMapper()
+print(mapper.GetClassName(), mapper.GetRouteAsString())'
+  say "Python imports the package"
+
+  # What others import is a part of them.
+  local example name directory test
+  for example in /test/Examples/Python/*.py; do
+    name=$(basename "$example" .py)
+    ! grep -q "^from $name import" /test/Examples/Python/*.py || continue
+    directory=/test/results/$name
+    mkdir -p "$directory"
+    (cd "$directory" && logged "python-$name" python3 "$example")
+    find "$directory" -type f -size +1k | grep -q . || fail "$name wrote nothing"
+    say "Examples/Python/$name.py: it runs"
+  done
+  check_pictures 2 /test/results/drop_in/*.png /test/results/render_server/pictures/*.png
+  # The tests put directories before those of PYTHONPATH; here it has to name none of ours.
+  for test in Arrays Examples Frames Names; do
+    logged "python-Test$test" env PYTHONPATH=/nowhere python3 "/test/Testing/Python/Test$test.py"
+    say "Testing/Python/Test$test.py: $(tail -n 1 "$logs/python-Test$test.log")"
+  done
+}
+
+build_example() # NAME
+{
+  logged "configure-$1" cmake -S "/test/Examples/$1" -B "/test/build/$1" -G Ninja
+  logged "build-$1" cmake --build "/test/build/$1"
+}
+
+test_development()
+{
+  install development "/test/packages/$development"_*.deb g++ cmake ninja-build
+  ! dpkg-query -W libglm-dev libhwy-dev >"$logs/private.log" 2>&1 ||
+    fail "the development package brings what only the library itself is built with"
+
+  build_example DropIn
+  mkdir -p /test/results/DropIn
+  (cd /test/results/DropIn && logged run-DropIn /test/build/DropIn/DropIn)
+  check_pictures 1 /test/results/DropIn/*.png
+  say "Examples/DropIn: built and run"
+
+  build_example OrbitAndSweep
+  logged run-OrbitAndSweep /test/build/OrbitAndSweep/OrbitAndSweep \
+    --spheres 64 --isovalue 100 --quick --output /test/results/OrbitAndSweep
+  check_pictures 11 /test/results/OrbitAndSweep/*.png
+  say "Examples/OrbitAndSweep: built and run"
+}
+
+test_wrong_version()
+{
+  local log=$logs/wrong-version.log version
+  # shellcheck disable=SC2016 # expanded by dpkg
+  version=$(dpkg-query -W -f '${Version}' "$development")
+  if cmake -S /test/Testing/Packages/Consumer -B /test/build/Consumer -DWANTED_VERSION=99.1 >"$log" 2>&1; then
+    fail "a program that wants version 99.1 was given ${version%-*}"
+  fi
+  if ! grep -q 'requested version "99.1"' "$log" || ! grep -q "version: ${version%-*}" "$log"; then
+    fail "a program that wants version 99.1 is not told which there is; see $log"
+  fi
+  say "A program that wants another version is told which there is"
+}
+
+test_purge()
+{
+  local left
+  logged purge apt purge "$development" "$python" "$library"
+  ldconfig
+  left=$(find / -xdev -ipath '*temporalcoherence*' -not -path '/test/*' -not -path '/proc/*')
+  [ -z "$left" ] || fail "left after purging: $left"
+  [ -z "$(dpkg-query -W '*temporalcoherence*' 2>/dev/null | grep . || true)" ] ||
+    fail "dpkg still knows: $(dpkg-query -W '*temporalcoherence*')"
+  say "Purged without a trace"
+}
+
+logged update apt update
+test_python
+test_development
+test_wrong_version
+test_purge

@@ -1,0 +1,401 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The examples run without a display, show what they should, and refuse in one sentence."""
+
+import concurrent.futures
+import contextlib
+import glob
+import http.client
+import itertools
+import math
+import os
+import pathlib
+import re
+import signal
+import socket
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import numpy
+from spheres import SAMPLES, distances, image_of
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
+from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
+
+EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "Examples" / "Python"
+PROGRAMS = ("threshold_sweep.py", "render_server.py")
+
+
+def read_png(data=None, path=None):
+    """The pixels of a PNG, row 0 at the bottom."""
+    reader = vtkPNGReader()
+    if data is not None:
+        reader.SetMemoryBuffer(data)
+        reader.SetMemoryBufferLength(len(data))
+    else:
+        reader.SetFileName(str(path))
+    reader.Update()
+    width, height, _ = reader.GetOutput().GetDimensions()
+    return vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(height, width, 3)
+
+
+class Example(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.assertNotIn("DISPLAY", os.environ)
+
+    def command(self, program, *arguments):
+        return [sys.executable, str(EXAMPLES / program), *map(str, arguments)]
+
+    def run_example(self, program, *arguments, **environment):
+        return subprocess.run(
+            self.command(program, *arguments), cwd=self.folder, capture_output=True, text=True,
+            env={**os.environ, **environment}, check=False)
+
+    def run_well(self, program, *arguments):
+        done = self.run_example(program, *arguments)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        return done.stdout
+
+    def assert_refused(self, words, program, *arguments, **environment):
+        done = self.run_example(program, *arguments, **environment)
+        self.assertEqual(done.returncode, 1, done)
+        self.assertRegex(done.stderr, words)
+        self.assertTrue(done.stderr.startswith(program + ": "), done.stderr)
+        self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+        self.assertTrue(done.stderr.endswith(".\n"), done.stderr)
+
+    def save_sphere(self, centre=(0.0, 0.0, 0.0)):
+        """A sphere as a .npy file; with spacing 1 its radius is (1 - isovalue) * 32."""
+        path = self.folder / "sphere.npy"
+        numpy.save(path, distances(centre))
+        return path
+
+    def assert_shows_sphere(self, pixels, isovalue):
+        """The example's camera sees the volume's own sphere at its view angle of 30 degrees."""
+        radius = (1.0 - isovalue) * (SAMPLES - 1) / 2.0
+        distance = math.sqrt(3.0) * (SAMPLES - 1) / 2.0 / math.sin(math.radians(15.0))
+        sine = radius / distance
+        tangent = sine / math.sqrt(1.0 - sine * sine) / math.tan(math.radians(15.0))
+        height, width, _ = pixels.shape
+        expected = tangent * height / 2.0
+        y, x = numpy.nonzero(pixels.any(axis=2))
+        self.assertAlmostEqual(math.sqrt(len(x) / math.pi), expected, delta=0.5)
+        self.assertAlmostEqual(x.mean(), (width - 1) / 2.0, delta=0.5)
+        self.assertAlmostEqual(y.mean(), (height - 1) / 2.0, delta=0.5)
+
+
+def middle(pixels):
+    """Where in a picture the surface is, as shares of its width and height."""
+    y, x = numpy.nonzero(pixels.any(axis=2))
+    return x.mean() / pixels.shape[1], y.mean() / pixels.shape[0]
+
+
+class DropIn(Example):
+    def test_picture(self):
+        self.assertEqual(self.run_well("drop_in.py"), "")
+        pixels = read_png(path=self.folder / "drop_in.png")
+        self.assertEqual(pixels.shape, (512, 512, 3))
+        share = pixels.any(axis=2).mean()
+        self.assertTrue(0.1 < share < 0.9, share)
+        self.assertGreater(len(numpy.unique(pixels)), 50)
+
+    def test_has_12_lines(self):
+        lines = (EXAMPLES / "drop_in.py").read_text(encoding="utf-8").splitlines()
+        self.assertEqual(len([line for line in lines if line and not line.startswith("#")]), 12)
+
+
+class ThresholdSweep(Example):
+    def test_pictures_and_reuse(self):
+        said = self.run_well(
+            "threshold_sweep.py", self.save_sphere(), "--from", 0.3, "--to", 0.7, "--frames", 5,
+            "--size", "300x200", "--output", "frames")
+        for frame, isovalue in enumerate((0.3, 0.4, 0.5, 0.6, 0.7)):
+            pixels = read_png(path=self.folder / "frames" / f"frame-{frame:04}.png")
+            self.assertEqual(pixels.shape, (200, 300, 3))
+            self.assert_shows_sphere(pixels, isovalue)
+        self.assertEqual(len(glob.glob(str(self.folder / "frames" / "*"))), 5)
+        self.assertEqual(
+            re.findall(r"^ +\d +(\S+) +(\w+) +[\d.]+$", said, re.MULTILINE),
+            [("0.3", "Cold"), ("0.4", "IsomapBuild"), ("0.5", "IsomapLookup"),
+             ("0.6", "IsomapLookup"), ("0.7", "IsomapLookup")])
+        self.assertRegex(said, r"IsomapLookup +3 frames, median +[\d.]+ ms\nsaved as frames\n$")
+
+    def test_downwards(self):
+        said = self.run_well(
+            "threshold_sweep.py", "--from", 200, "--to", 100, "--frames", 3, "--size", "64x64",
+            "--output", "frames")
+        self.assertEqual(
+            re.findall(r"Cold|Isomap\w+", said)[:3], ["Cold", "IsomapBuild", "IsomapLookup"])
+
+    def test_theora(self):
+        self.run_well("threshold_sweep.py", "--frames", 3, "--size", "101x67", "--output", "a.ogv")
+        data = (self.folder / "a.ogv").read_bytes()
+        self.assertTrue(data.startswith(b"OggS") and b"theora" in data[:200])
+        self.assertGreater(len(data), 2000)
+
+    def test_gif(self):
+        try:
+            from PIL import Image
+        except ImportError:
+            self.skipTest("Pillow is not there (Debian: python3-pil).")
+        self.run_well(
+            "threshold_sweep.py", self.save_sphere(), "--from", 0.3, "--to", 0.7, "--frames", 3,
+            "--size", "200x200", "--output", "a.gif")
+        with Image.open(self.folder / "a.gif") as animation:
+            self.assertEqual(animation.n_frames, 3)
+            for frame, isovalue in enumerate((0.3, 0.5, 0.7)):
+                animation.seek(frame)
+                self.assert_shows_sphere(numpy.asarray(animation.convert("RGB")), isovalue)
+
+        self.run_well(
+            "threshold_sweep.py", self.save_sphere((0.0, 0.0, 0.5)), "--frames", 2, "--from", 0.7,
+            "--to", 0.8, "--output", "upper.gif")
+        with Image.open(self.folder / "upper.gif") as animation:
+            # Pillow's row 0 is the top one, and z points up.
+            self.assertLess(middle(numpy.asarray(animation.convert("RGB")))[1], 0.45)
+
+    def test_gif_without_pillow(self):
+        (self.folder / "PIL.py").write_text("raise ImportError\n", encoding="utf-8")
+        self.assert_refused(
+            "Pillow, which is missing: install it", "threshold_sweep.py", "--output", "a.gif",
+            PYTHONPATH=os.pathsep.join([str(self.folder), os.environ["PYTHONPATH"]]))
+
+    def test_mistakes(self):
+        for words, arguments in (
+                ("'a.mp4'|'.mp4' are not written here", ["--output", "a.mp4"]),
+                ("cannot be written", ["--output", "/nowhere/a.ogv"]),
+                ("cannot be written", ["--output", "/proc/nowhere"]),
+                ("Isovalue 300 is outside .* from 0 to 2", ["--to", "300"]),
+                ("Isovalue nan is outside", ["--from", "nan"]),
+                ("--frames: '1' is no whole number from 2 on", ["--frames", "1"]),
+                ("--rate: '0' is no whole number from 1 on", ["--rate", "0"]),
+                ("--size: '0x10' is no size", ["--size", "0x10"]),
+                ("--size: 'big' is no size", ["--size", "big"]),
+                ("invalid float value", ["--from", "much"]),
+                ("Azimuth inf is no angle: give degrees", ["--azimuth", "inf"]),
+                ("unrecognized arguments: --sise", ["--sise", "3"])):
+            self.assert_refused(words, "threshold_sweep.py", *arguments)
+
+
+class Volumes(Example):
+    """Files that both programs read."""
+
+    def test_formats(self):
+        image = image_of(distances())
+        writer = vtkXMLImageDataWriter()
+        writer.SetInputData(image)
+        writer.SetFileName(str(self.folder / "sphere.vti"))
+        writer.Write()
+        self.run_well("render_server.py", "sphere.vti", "--isovalue", 0.5, "--azimuth", 0)
+        array = self.save_sphere()
+        self.run_well(
+            "render_server.py", array, "--isovalue", 0.5, "--azimuth", 0, "--output", "other")
+        of_image, of_array = (
+            read_png(path=self.folder / folder / "isovalue0.5_azimuth0.png")
+            for folder in ("pictures", "other"))
+        self.assert_shows_sphere(of_array, 0.5)
+        # One has another spacing and origin, but is seen from as far away in its own units.
+        self.assertLess((of_array.any(axis=2) != of_image.any(axis=2)).sum(), 20)
+
+    def test_arrays_by_name(self):
+        image = image_of(distances())
+        other = numpy.ascontiguousarray(distances()[::-1] * 100.0)
+        scalars = image_of(other).GetPointData().GetScalars()
+        scalars.SetName("other")
+        image.GetPointData().AddArray(scalars)
+        writer = vtkXMLImageDataWriter()
+        writer.SetInputData(image)
+        writer.SetFileName(str(self.folder / "two.vti"))
+        writer.Write()
+        self.run_well("render_server.py", "two.vti", "--array", "other", "--isovalue", 50)
+        self.assert_refused(
+            "'pressure': choose one of scalars, other", "render_server.py", "two.vti", "--array",
+            "pressure")
+
+    def test_mistakes(self):
+        (self.folder / "broken.vti").write_text("This is no XML.")
+        (self.folder / "broken.vtk").write_text("This is no legacy file.")
+        (self.folder / "broken.mhd").write_text("ObjectType = Image")
+        (self.folder / "broken.nii").write_text("This is no NIfTI.")
+        (self.folder / "broken.slc").write_text("This is no SLC.")
+        (self.folder / "broken.npy").write_text("This is no array.")
+        (self.folder / "notes.txt").write_text("This is no volume.")
+        (self.folder / "folder.vti").mkdir()
+        numpy.save(self.folder / "flat.npy", numpy.zeros((5, 5)))
+        numpy.save(self.folder / "slice.npy", numpy.zeros((1, 5, 5)))
+        numpy.save(self.folder / "even.npy", numpy.full((5, 5, 5), 7.0))
+        numpy.save(self.folder / "nan.npy", numpy.full((5, 5, 5), numpy.nan))
+        numpy.save(self.folder / "complex.npy", numpy.zeros((5, 5, 5), complex))
+        numpy.save(self.folder / "objects.npy", numpy.full((5, 5, 5), None))
+        for program, (words, arguments) in zip(itertools.cycle(PROGRAMS), (
+                ("There is no file 'missing.vti': check the path", ["missing.vti"]),
+                ("'broken.vti' could not be read as an image: check", ["broken.vti"]),
+                ("'broken.vtk' could not be read as an image", ["broken.vtk"]),
+                ("'broken.mhd' could not be read as an image", ["broken.mhd"]),
+                ("'broken.nii' could not be read as an image", ["broken.nii"]),
+                ("'broken.slc' could not be read as an image", ["broken.slc"]),
+                ("'broken.npy' could not be read as a NumPy volume", ["broken.npy"]),
+                ("'folder.vti' could not be read", ["folder.vti"]),
+                ("suffix of 'notes.txt' is none of .npy", ["notes.txt"]),
+                (r"'flat.npy'.*shape .*, not \(5, 5\): reshape", ["flat.npy"]),
+                ("slice.npy has 5 x 5 x 1 samples", ["slice.npy"]),
+                ("all the same or no numbers.*choose", ["even.npy"]),
+                ("all the same or no numbers.*choose", ["nan.npy"]),
+                ("real numbers", ["complex.npy"]),
+                ("'objects.npy' could not be read", ["objects.npy"]),
+                ("has no array 'pressure': choose one of scalars", ["--array", "pressure"]))):
+            self.assert_refused(words, program, *arguments)
+
+
+class RenderServer(Example):
+    @contextlib.contextmanager
+    def server(self, *arguments):
+        """A server that runs; its port."""
+        process = subprocess.Popen(
+            self.command("render_server.py", *arguments, "--serve", 0), cwd=self.folder,
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        try:
+            said = process.stdout.readline()
+            match = re.fullmatch(r"Serving http://127.0.0.1:(\d+)/ until Ctrl\+C\n", said)
+            self.assertTrue(match, said)
+            yield int(match[1])
+        finally:
+            process.send_signal(signal.SIGINT)
+            _, complaints = process.communicate(timeout=30)
+        self.assertEqual((process.returncode, complaints), (0, ""))
+
+    def get(self, port, address, status=200):
+        connection = http.client.HTTPConnection("127.0.0.1", port, timeout=60)
+        with contextlib.closing(connection):
+            connection.request("GET", address)
+            answer = connection.getresponse()
+            body = answer.read()
+        self.assertEqual(answer.status, status, body[:200])
+        route = (answer.getheader("Server-Timing") or "").partition(";dur=")[0]
+        return body, answer.getheader("Content-Type"), route
+
+    def test_pictures(self):
+        said = self.run_well(
+            "render_server.py", "--isovalue", 0.3, "--isovalue", 0.6, "--azimuth", 0, "--azimuth",
+            90, "--size", 150, "--output", "a/b", self.save_sphere())
+        self.assertEqual(len(said.splitlines()), 4)
+        for isovalue in (0.3, 0.6):
+            for azimuth in (0, 90):
+                path = self.folder / "a" / "b" / f"isovalue{isovalue}_azimuth{azimuth}.png"
+                self.assert_shows_sphere(read_png(path=path), isovalue)
+
+    def test_z_is_up_and_azimuth_0_looks_along_y(self):
+        self.run_well(
+            "render_server.py", self.save_sphere((0.4, 0.0, 0.5)), "--isovalue", 0.7,
+            "--azimuth", 0, "--azimuth", 90, "--azimuth", 180)
+        for azimuth, side in ((0, 1), (90, 0), (180, -1)):
+            x, y = middle(
+                read_png(path=self.folder / "pictures" / f"isovalue0.7_azimuth{azimuth}.png"))
+            self.assertGreater(y, 0.55)
+            self.assertEqual(int(x > 0.55) - int(x < 0.45), side)
+
+    def test_serves_and_reuses(self):
+        with self.server(self.save_sphere()) as port:
+            page, content_type, _ = self.get(port, "/")
+            self.assertTrue(content_type.startswith("text/html"))
+            self.assertIn(b'type="range"', page)
+
+            routes = []
+            for isovalue in (0.5, 0.5, 0.499, 0.5, 0.499):
+                png, content_type, route = self.get(
+                    port, f"/picture.png?isovalue={isovalue}&azimuth=0&size=200")
+                self.assertEqual(content_type, "image/png")
+                self.assert_shows_sphere(read_png(png), isovalue)
+                routes.append(route)
+            self.assertEqual(routes[:3], ["Cold", "Redisplay", "IsomapBuild"])
+            self.assertEqual(routes[-1], "IsomapLookup")
+            turned, _, route = self.get(port, "/picture.png?isovalue=0.499&azimuth=2&size=200")
+            self.assertEqual(route, "ImageCache")
+            self.assert_shows_sphere(read_png(turned), 0.499)
+            self.assertEqual(read_png(self.get(port, "/picture.png")[0]).shape, (512, 512, 3))
+
+    def test_bad_requests(self):
+        with self.server() as port:
+            for words, query in (
+                    ("'much' is no number: give one", "isovalue=much"),
+                    ("'' is no number", "isovalue="),
+                    ("Isovalue 900 is outside .*: choose one from 0 to", "isovalue=900"),
+                    ("Isovalue nan is outside", "isovalue=nan"),
+                    ("Azimuth inf is no angle: give degrees", "azimuth=inf"),
+                    ("Size 0 .*choose one from 1 to 2048 pixels", "size=0"),
+                    ("Size 4096 is not possible", "size=4096"),
+                    ("'1e2' is no number", "size=1e2"),
+                    ("no parameter 'isovlue': give isovalue", "isovlue=3")):
+                body, content_type, _ = self.get(port, "/picture.png?" + query, status=400)
+                self.assertRegex(body.decode(), words)
+                self.assertEqual(body.count(b"\n"), 1)
+                self.assertTrue(content_type.startswith("text/plain"))
+            self.get(port, "/secrets", status=404)
+            with socket.create_connection(("127.0.0.1", port)) as connection:
+                connection.sendall(b"Hello?\r\n\r\n")
+                self.assertRegex(connection.recv(1000), rb"Bad request .*\.\n$")
+            self.assertGreater(len(self.get(port, "/picture.png?size=64")[0]), 500)
+
+    def test_several_callers_at_once(self):
+        with self.server(self.save_sphere()) as port:
+            # A browser's connection that asks for nothing holds nobody up, and one that does not
+            # wait for the answer does no harm.
+            idle = socket.create_connection(("127.0.0.1", port))
+            for _ in range(3):
+                with socket.create_connection(("127.0.0.1", port)) as gone:
+                    reset = struct.pack("ii", 1, 0)
+                    gone.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, reset)
+                    gone.sendall(b"GET /picture.png?size=1000 HTTP/1.0\r\n\r\n")
+            isovalues = [0.3, 0.4, 0.5, 0.6] * 3
+            with concurrent.futures.ThreadPoolExecutor(4) as callers:
+                pictures = callers.map(
+                    lambda isovalue: self.get(
+                        port, f"/picture.png?isovalue={isovalue}&size=100")[0], isovalues)
+                for isovalue, png in zip(isovalues, pictures):
+                    self.assert_shows_sphere(read_png(png), isovalue)
+            idle.close()
+
+    def test_mistakes(self):
+        with self.server() as port:
+            self.assert_refused(
+                f"Port {port} .*: choose another", "render_server.py", "--serve", port)
+        (self.folder / "file").touch()
+        for words, arguments in (
+                ("Isovalue 900 is outside", ["--isovalue", "30", "--isovalue", "900"]),
+                ("Size 4096 is not possible: choose", ["--size", "4096"]),
+                ("Azimuth nan is no angle: give degrees", ["--azimuth", "nan"]),
+                ("--serve: 'http' is no whole number", ["--serve", "http"]),
+                ("cannot be listened at", ["--serve", "70000"]),
+                ("cannot be listened at", ["--serve", "0", "--host", "256.0.0.1"]),
+                ("'file/a' cannot be written", ["--output", "file/a"])):
+            self.assert_refused(words, "render_server.py", *arguments)
+
+
+class MissingPackages(Example):
+    def test_are_named(self):
+        paths = os.pathsep.join([str(self.folder), os.environ["PYTHONPATH"]])
+        for name, program in itertools.product(("numpy", "vtkTemporalCoherence"), PROGRAMS):
+            stub = self.folder / (name + ".py")
+            stub.write_text(f"raise ImportError('There is no {name}')\n", encoding="utf-8")
+            self.assert_refused(
+                f"There is no {name}: install .*python3-numpy .*python3-vtktemporalcoherence",
+                program, PYTHONPATH=paths)
+            stub.unlink()
+
+
+class Help(Example):
+    def test_tells_of_every_option(self):
+        for program in PROGRAMS:
+            said = self.run_well(program, "--help")
+            for option in ("--array", "--size", "--azimuth", "--output"):
+                self.assertIn(option, said)
+
+
+if __name__ == "__main__":
+    unittest.main()

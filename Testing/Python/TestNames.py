@@ -1,0 +1,158 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The names that other people's code uses are there, do what they say and are explained."""
+
+import subprocess
+import sys
+import unittest
+
+import vtkTemporalCoherence
+from vtkmodules.vtkRenderingVolume import vtkVolumeMapper
+from vtkTemporalCoherence import (
+    vtkTemporalCoherencePicker, vtkTemporalCoherenceVolume, vtkTemporalCoherenceVolumeMapper)
+
+CLASSES = (
+    vtkTemporalCoherencePicker, vtkTemporalCoherenceVolume, vtkTemporalCoherenceVolumeMapper)
+
+# Set...To..., the value that Get... returns then, and the constant of that value.
+CHOICES = {
+    "SurfaceMode": {"Crossing": "CROSSING", "Threshold": "THRESHOLD"},
+    "VectorMode": {"Disabled": "DISABLED", "Magnitude": "MAGNITUDE", "Component": "COMPONENT"},
+    "ReuseAccuracy": {"Bounded": "BOUNDED", "Exact": "EXACT", "Paper": "PAPER"},
+    "ImageCachePolicy": {"Latest": "LATEST", "KeyImage": "KEY_IMAGE"},
+    "ImageCacheShading": {"Reshade": "CACHE_RESHADE", "Interpolate": "CACHE_INTERPOLATE"},
+    "IsomapShading": {"Reshade": "RESHADE", "Interpolate": "INTERPOLATE"},
+}
+CONSTANTS = {
+    "CROSSING": 0, "THRESHOLD": 1, "DISABLED": -1, "MAGNITUDE": 0, "COMPONENT": 1, "BOUNDED": 0,
+    "EXACT": 1, "PAPER": 2, "LATEST": 0, "KEY_IMAGE": 1, "CACHE_RESHADE": 0,
+    "CACHE_INTERPOLATE": 1, "RESHADE": 0, "INTERPOLATE": 1,
+}
+SWITCHES = {
+    "ImageCache": 1, "Isomap": 1, "SpaceLeaping": 1, "RefineWhenStill": 1, "ColorByAnswer": 0,
+    "AutoAdjustSampleDistances": 0,
+}
+NUMBERS = {
+    "KeyImageInterval": (7, 3), "NumberOfCachedImages": (1, 4), "IsomapTolerance": (0.0, 0.25),
+    "IsomapMemoryLimit": (256, 64), "IsomapRange": ((1.0, 0.0), (10.0, 20.0)),
+    "VectorComponent": (0, 2), "ImageSampleDistance": (1.0, 2.0),
+    "MinimumImageSampleDistance": (1.0, 2.0), "MaximumImageSampleDistance": (10.0, 4.0),
+}
+STATISTICS = (
+    "Route", "NumberOfRays", "NumberOfDefiniteHits", "NumberOfDefiniteMisses",
+    "NumberOfPossibleHits", "NumberOfTracedRays", "NumberOfFieldSamples", "IsomapMemory",
+    "NumberOfIsomapKnots", "FrameTime", "TraceTime", "QueryTime", "IsomapBuildTime", "ShadeTime",
+    "PresentTime",
+)
+ACTIONS = (
+    "BuildIsomap", "GetLastFrame", "GetVisibleSurface", "IntersectWithLine", "PickPixel",
+    "ReleaseReuse", "RenderToImage", "IsOpaque",
+)
+
+
+def explanation(name, member):
+    """The text of a docstring below the signatures."""
+    text = member.__doc__ or ""
+    return " ".join(
+        line for line in text.splitlines()
+        if name + "(" not in line and not line.strip().startswith("->")).strip()
+
+
+class Names(unittest.TestCase):
+    def setUp(self):
+        self.mapper = vtkTemporalCoherenceVolumeMapper()
+
+    def test_is_a_volume_mapper_of_isosurfaces(self):
+        self.assertIsInstance(self.mapper, vtkVolumeMapper)
+        self.assertEqual(self.mapper.GetBlendMode(), vtkVolumeMapper.ISOSURFACE_BLEND)
+
+    def test_constants(self):
+        for name, value in CONSTANTS.items():
+            self.assertEqual(getattr(vtkTemporalCoherenceVolumeMapper, name), value, name)
+
+    def test_choices(self):
+        for setting, choices in CHOICES.items():
+            get = getattr(self.mapper, "Get" + setting)
+            self.assertEqual(get(), CONSTANTS[next(iter(choices.values()))], setting)
+            for choice, constant in reversed(choices.items()):
+                getattr(self.mapper, f"Set{setting}To{choice}")()
+                self.assertEqual(get(), CONSTANTS[constant], setting)
+
+    def test_switches(self):
+        for setting, default in SWITCHES.items():
+            get = getattr(self.mapper, "Get" + setting)
+            self.assertEqual(get(), default, setting)
+            getattr(self.mapper, setting + "Off")()
+            self.assertEqual(get(), 0, setting)
+            getattr(self.mapper, setting + "On")()
+            self.assertEqual(get(), 1, setting)
+            getattr(self.mapper, "Set" + setting)(0)
+            self.assertEqual(get(), 0, setting)
+
+    def test_numbers(self):
+        for setting, (default, other) in NUMBERS.items():
+            get = getattr(self.mapper, "Get" + setting)
+            self.assertEqual(get(), default, setting)
+            values = other if isinstance(other, tuple) else (other,)
+            getattr(self.mapper, "Set" + setting)(*values)
+            self.assertEqual(get(), other, setting)
+
+    def test_statistics_before_the_first_frame(self):
+        for name in STATISTICS:
+            self.assertEqual(getattr(self.mapper, "Get" + name)(), 0, name)
+        self.assertEqual(self.mapper.GetRouteAsString(), "Cold")
+
+    def test_actions_are_wrapped(self):
+        for name in ACTIONS:
+            self.assertTrue(callable(getattr(self.mapper, name)), name)
+
+    def test_every_method_is_explained(self):
+        for wrapped in CLASSES:
+            self.assertGreater(len(explanation(wrapped.__name__, wrapped)), 200)
+            for name, member in vars(wrapped).items():
+                # These two come with vtkTypeMacro, which has no text in VTK's classes either.
+                if name.startswith("_") or isinstance(member, (int, type)) or name in (
+                        "NewInstance", "SafeDownCast"):
+                    continue
+                self.assertGreater(
+                    len(explanation(name, member)), 30,
+                    f"{wrapped.__name__}.{name}: a group of methods begins with //@{{, as VTK's "
+                    f"wrappers do not know ///@{{")
+
+    def test_every_function_is_explained(self):
+        for name in vtkTemporalCoherence.__all__:
+            self.assertGreater(len(getattr(vtkTemporalCoherence, name).__doc__), 100, name)
+            self.assertIn(name, dir(vtkTemporalCoherence))
+        with self.assertRaisesRegex(AttributeError, "no attribute 'rendr'"):
+            vtkTemporalCoherence.rendr
+
+
+class Imports(unittest.TestCase):
+    def run_alone(self, *lines):
+        """Lines of a program of its own, which imports nothing but what they do."""
+        done = subprocess.run(
+            [sys.executable, "-c", "\n".join(lines)], capture_output=True, text=True, check=False)
+        self.assertEqual(done.stderr, "")
+        return done.stdout.strip()
+
+    def test_renderers_are_those_of_opengl(self):
+        self.assertEqual(self.run_alone(
+            "from vtkTemporalCoherence import *",
+            "from vtkmodules.vtkRenderingCore import vtkRenderer, vtkVolume",
+            "print(vtkRenderer().GetClassName(),"
+            " type(vtkVolume().GetProperty().GetIsoSurfaceValues()).__name__)"),
+            "vtkOpenGLRenderer vtkContourValues")
+
+    def test_without_numpy(self):
+        self.assertEqual(self.run_alone(
+            "import sys",
+            "sys.modules['numpy'] = None",
+            "import vtkTemporalCoherence",
+            "print(vtkTemporalCoherence.vtkTemporalCoherenceVolumeMapper().GetRoute())",
+            "try: vtkTemporalCoherence.render",
+            "except ImportError as error: print(error)"),
+            "0\nNumPy is missing: install it (Debian: python3-numpy).")
+
+
+if __name__ == "__main__":
+    unittest.main()

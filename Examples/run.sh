@@ -17,7 +17,8 @@ VOLUME is a file .vti .vtk .mhd .mha .nii .nii.gz .slc, a directory with a DICOM
 package mricron-data, or four generated spheres where that cannot be had.
 
 What is missing is installed with apt (see Module/setup.sh --help), vtkTemporalCoherence is built and
-installed into build/install, and Examples/OrbitAndSweep is built against what is installed there.
+installed into build/install, and Examples/OrbitAndSweep (with --explore: Examples/Explorer) is built
+against what is installed there.
 
   --no-packages          install no packages
   --size WxH | N         pixels of a picture; default 1024
@@ -28,8 +29,9 @@ installed into build/install, and Examples/OrbitAndSweep is built against what i
   --raw NX,NY,NZ,TYPE[,SX,SY,SZ], --big-endian
                          what a file of bare samples holds, for example 256,256,110,uchar,1,1,2
   --quick                small pictures, few frames
-  --interactive          a window with a slider for the isovalue; needs a display
-  --help                 show this text; build/example/OrbitAndSweep --help tells all options
+  --explore              a window to look around in instead of pictures; needs a display
+  --help                 show this text; that of build/examples/OrbitAndSweep/OrbitAndSweep and
+                         build/examples/Explorer/Explorer tells all options
 TEXT
 }
 
@@ -40,8 +42,12 @@ head_volume=/usr/share/mricron/templates/ch2.nii.gz
 head_isovalue=45 # skin
 
 # Options of the program that a value follows: the value is not the name of a volume.
-takes_value() { [[ $1 =~ ^--(size|frames|output|isovalue|from|up|raw|spheres|screenshot)$ ]]; }
+takes_value()
+{
+  [[ $1 =~ ^--(size|frames|output|isovalue|from|up|raw|spheres|session|log|screenshot|measure-drag)$ ]]
+}
 
+program=OrbitAndSweep
 setup_options=()
 arguments=()
 volume=
@@ -50,6 +56,8 @@ while [ $# -gt 0 ]; do
   case $1 in
     --help | -h) usage; exit 0 ;;
     --no-packages) setup_options+=("$1") ;;
+    --explore | --interactive) program=Explorer ;;
+    --session) volume=of_session; arguments+=("$1") ;;
     --spheres) volume=generated; arguments+=("$1") ;;
     --isovalue) isovalue_given=yes; arguments+=("$1") ;;
     -?*) arguments+=("$1") ;;
@@ -63,7 +71,7 @@ while [ $# -gt 0 ]; do
 done
 if [ -z "$volume" ]; then
   setup_options+=(--with-example-data)
-elif [ "$volume" != generated ] && [ ! -e "$volume" ]; then
+elif [[ $volume != generated && $volume != of_session && ! -e $volume ]]; then
   printf "[example] There is no file '%s'; check the path.\n" "$volume" >&2
   exit 1
 fi
@@ -81,11 +89,12 @@ logged()
 }
 
 : >"$build/example.log"
-printf '[example] Installing into %s and building the example against it\n' "$build/install"
+directory=$build/examples/$program
+printf '[example] Installing into %s and building %s against it\n' "$build/install" "$program"
 logged cmake --install "$build" --prefix "$build/install"
-logged cmake -S "$repository/Examples/OrbitAndSweep" -B "$build/example" -G Ninja \
+logged cmake -S "$repository/Examples/$program" -B "$directory" -G Ninja \
   -DCMAKE_PREFIX_PATH="$build/install" -DCMAKE_BUILD_TYPE=Release
-logged cmake --build "$build/example" --parallel
+logged cmake --build "$directory" --parallel
 
 if [ -z "$volume" ]; then
   [ "$isovalue_given" = yes ] || arguments+=(--isovalue)
@@ -98,4 +107,4 @@ if [ -z "$volume" ]; then
     [ "$isovalue_given" = yes ] || arguments+=(100)
   fi
 fi
-exec "$build/example/OrbitAndSweep" "${arguments[@]}"
+exec "$directory/$program" "${arguments[@]}"

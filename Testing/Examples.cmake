@@ -23,5 +23,19 @@ add_test(NAME ExamplesAgainstInstall
     "-DCXX_FLAGS=${CMAKE_CXX_FLAGS}"
     "-DVTK_DIR=${VTK_DIR}"
     -P "${CMAKE_CURRENT_LIST_DIR}/RunExamples.cmake")
-# Building two programs takes most of it.
-set_tests_properties(ExamplesAgainstInstall PROPERTIES TIMEOUT 600)
+# Building three programs takes most of it.
+set_tests_properties(ExamplesAgainstInstall PROPERTIES TIMEOUT 900 FIXTURES_SETUP BuiltExamples)
+
+# The Explorer that was built there, used by mouse and keys.
+find_package(X11)
+if (X11_FOUND)
+  add_executable(DropFile "${CMAKE_CURRENT_LIST_DIR}/Explorer/DropFile.cxx")
+  target_include_directories(DropFile PRIVATE ${X11_INCLUDE_DIR})
+  target_link_libraries(DropFile PRIVATE ${X11_X11_LIB})
+  target_compile_features(DropFile PRIVATE cxx_std_17)
+  add_test(NAME ExplorerByHand
+    COMMAND "${CMAKE_CURRENT_LIST_DIR}/Explorer/run.sh"
+      "${CMAKE_BINARY_DIR}/Testing/Examples/Explorer/Explorer" "$<TARGET_FILE:CheckPicture>"
+      "$<TARGET_FILE:DropFile>" "${CMAKE_BINARY_DIR}/Testing/Explorer")
+  set_tests_properties(ExplorerByHand PROPERTIES TIMEOUT 900 FIXTURES_REQUIRED BuiltExamples)
+endif ()

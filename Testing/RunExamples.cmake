@@ -25,7 +25,7 @@ file(REMOVE_RECURSE "${prefix}" "${pictures}")
 file(MAKE_DIRECTORY "${pictures}")
 run("${CMAKE_COMMAND}" --install "${BUILD}" --config "${CONFIGURATION}" --prefix "${prefix}")
 
-foreach (example IN ITEMS DropIn OrbitAndSweep)
+foreach (example IN ITEMS DropIn OrbitAndSweep Explorer)
   set(directory "${SCRATCH}/${example}")
   run("${CMAKE_COMMAND}" -S "${EXAMPLES}/${example}" -B "${directory}" -G "${GENERATOR}"
     "-DCMAKE_BUILD_TYPE=${CONFIGURATION}"
@@ -47,6 +47,8 @@ endforeach ()
 # No display: the examples must not want one.
 unset(ENV{DISPLAY})
 find_program(drop_in DropIn PATHS "${SCRATCH}/DropIn" PATH_SUFFIXES "${CONFIGURATION}"
+  NO_DEFAULT_PATH REQUIRED)
+find_program(explorer Explorer PATHS "${SCRATCH}/Explorer" PATH_SUFFIXES "${CONFIGURATION}"
   NO_DEFAULT_PATH REQUIRED)
 find_program(orbit_and_sweep OrbitAndSweep PATHS "${SCRATCH}/OrbitAndSweep"
   PATH_SUFFIXES "${CONFIGURATION}" NO_DEFAULT_PATH REQUIRED)
@@ -76,18 +78,21 @@ endif ()
 run("${CHECK_PICTURE}" "${pictures}/dropin.png" ${tour})
 
 # Wrong use: exit status 1, and one line that holds the given words.
-function (expect_refusal words)
-  execute_process(COMMAND "${orbit_and_sweep}" --quick --output "${pictures}/refused" ${ARGN}
+function (expect_refusal_of command words)
+  execute_process(COMMAND ${command} ${ARGN}
     RESULT_VARIABLE result OUTPUT_VARIABLE said ERROR_VARIABLE complaint)
   string(REGEX MATCHALL "\n" lines "${complaint}")
   list(LENGTH lines count)
   string(FIND "${complaint}" "${words}" position)
   if (NOT result EQUAL 1 OR NOT count EQUAL 1 OR position EQUAL -1)
     message(FATAL_ERROR
-      "OrbitAndSweep ${ARGN}: expected exit status 1 and one line with '${words}', got ${result} "
+      "${command} ${ARGN}: expected exit status 1 and one line with '${words}', got ${result} "
       "and:\n${complaint}")
   endif ()
 endfunction ()
+macro (expect_refusal words)
+  expect_refusal_of("${orbit_and_sweep};--quick;--output;${pictures}/refused" "${words}" ${ARGN})
+endmacro ()
 
 file(WRITE "${SCRATCH}/short.raw" "12345")
 file(WRITE "${SCRATCH}/broken.vti" "This is no XML.")
@@ -109,6 +114,9 @@ expect_refusal("--size takes" --spheres 16 --size 0x100)
 expect_refusal("--size takes" --spheres 16 --size big)
 expect_refusal("needs a value" --spheres 16 --size)
 expect_refusal("no option" --spheres 16 --sise 100)
-expect_refusal("needs a display" --spheres 16 --interactive)
 expect_refusal("cannot be made or written" --spheres 16 --output "${SCRATCH}/notes.txt/pictures")
+expect_refusal_of("${explorer}" "needs a display" --spheres 16)
+expect_refusal_of("${explorer}" "There is no session" --session "${SCRATCH}/missing.session")
+expect_refusal_of("${explorer}" "no session of this program" --session "${SCRATCH}/notes.txt")
+expect_refusal_of("${explorer}" "--measure-drag takes" --measure-drag none)
 message(STATUS "Wrong use is refused in one sentence")

@@ -2,14 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pictures.h"
 
-#include "Options.h"
-#include "Silence.h"
+#include "Picture.h"
+#include "UserError.h"
 
-#include <vtkErrorCode.h>
 #include <vtkImageAppend.h>
 #include <vtkImageResize.h>
 #include <vtkNew.h>
-#include <vtkPNGWriter.h>
 #include <vtkStdString.h>
 #include <vtkTextProperty.h>
 #include <vtkTextRenderer.h>
@@ -25,6 +23,7 @@ namespace
 constexpr int Columns = 6;
 constexpr int ThumbnailWidth = 256;
 constexpr int CaptionDpi = 72;
+const char* const Remedy = "name another directory with --output";
 
 // Two rows of the orbit, one of every other part.
 int CellsOf(const std::string& part)
@@ -32,37 +31,9 @@ int CellsOf(const std::string& part)
   return part == "orbit" ? 2 * Columns : Columns;
 }
 
-// A grey of the evening sky, lighter towards the ground.
-std::array<double, 3> BackgroundAt(double heightShare)
-{
-  return { 74.0 - 46.0 * heightShare, 82.0 - 49.0 * heightShare, 96.0 - 54.0 * heightShare };
-}
-
-// The picture in front of the background; its alpha is 0 or 255, or between on edges.
-vtkSmartPointer<vtkImageData> OnBackground(vtkImageData* rgba)
-{
-  int dimensions[3];
-  rgba->GetDimensions(dimensions);
-  auto rgb = vtkSmartPointer<vtkImageData>::New();
-  rgb->SetDimensions(dimensions);
-  rgb->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  const auto* from = static_cast<const unsigned char*>(rgba->GetScalarPointer());
-  auto* to = static_cast<unsigned char*>(rgb->GetScalarPointer());
-  for (int y = 0; y < dimensions[1]; ++y)
-  {
-    const std::array<double, 3> back = BackgroundAt((y + 0.5) / dimensions[1]);
-    for (int x = 0; x < dimensions[0]; ++x, from += 4, to += 3)
-    {
-      const double alpha = from[3] / 255.0;
-      for (std::size_t c = 0; c < 3; ++c)
-      {
-        to[c] = static_cast<unsigned char>(
-          std::lround(alpha * static_cast<double>(from[c]) + (1.0 - alpha) * back[c]));
-      }
-    }
-  }
-  return rgb;
-}
+// Greys of the evening sky.
+constexpr std::array<double, 3> Ground = { 74.0, 82.0, 96.0 };
+constexpr std::array<double, 3> Sky = { 28.0, 33.0, 42.0 };
 
 vtkSmartPointer<vtkImageData> Resized(vtkImageData* image, int width)
 {
@@ -158,31 +129,13 @@ std::string PictureBook::ContactSheet() const
   return (this->Directory / "contact-sheet.png").string();
 }
 
-void PictureBook::Write(vtkImageData* rgb, const std::filesystem::path& path) const
-{
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputData(rgb);
-  writer->SetFileName(path.string().c_str());
-  writer->SetCompressionLevel(3);
-  {
-    const Silence silence;
-    writer->Write();
-  }
-  if (writer->GetErrorCode() != vtkErrorCode::NoError)
-  {
-    throw UserError("'" + path.string() + "' could not be written (" +
-      vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode()) +
-      "); make room, or name another directory with --output.");
-  }
-}
-
 void PictureBook::Add(
   vtkImageData* picture, const std::string& part, int frame, int frames, const std::string& caption)
 {
-  const vtkSmartPointer<vtkImageData> rgb = OnBackground(picture);
+  const vtkSmartPointer<vtkImageData> rgb = OnBackground(picture, Ground, Sky);
   std::string number = std::to_string(frame);
   number.insert(0, 3 - std::min<std::size_t>(3, number.size()), '0');
-  this->Write(rgb, this->Directory / (part + "_" + number + ".png"));
+  WritePng(rgb, (this->Directory / (part + "_" + number + ".png")).string(), Remedy);
   ++this->Written;
 
   // Evenly spread over the part: a frame goes in where the cell's number changes.
@@ -219,5 +172,5 @@ void PictureBook::WriteContactSheet() const
   }
   // Images are counted from the bottom.
   std::reverse(rows.begin(), rows.end());
-  this->Write(Appended(rows, 1), this->ContactSheet());
+  WritePng(Appended(rows, 1), this->ContactSheet(), Remedy);
 }

@@ -30,8 +30,6 @@ public:
   std::string ContactSheet() const;
 
 private:
-  void Write(vtkImageData* rgb, const std::filesystem::path& path) const;
-
   std::filesystem::path Directory;
   int Written = 0;
   std::vector<std::string> Parts; // in the order of the sheet

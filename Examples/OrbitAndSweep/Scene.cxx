@@ -3,62 +3,14 @@
 #include "Scene.h"
 
 #include "Isovalue.h"
+#include "Light.h"
 #include "Options.h"
 #include "VolumeReader.h"
 
-#include <vtkCamera.h>
 #include <vtkColorTransferFunction.h>
 #include <vtkContourValues.h>
-#include <vtkLight.h>
-#include <vtkMath.h>
 #include <vtkPiecewiseFunction.h>
 #include <vtkVolumeProperty.h>
-
-#include <cmath>
-
-namespace
-{
-
-// Slightly from above: more of the shape is seen than in a level view.
-constexpr double ElevationDegrees = 6.0;
-
-// ResetCamera fits the sphere around the volume's box; few objects fill its corners.
-constexpr double ZoomBeyondFit = 1.25;
-
-std::array<double, 3> AxisVector(const std::string& axis)
-{
-  std::array<double, 3> vector = { 0.0, 0.0, 0.0 };
-  vector[static_cast<std::size_t>(axis[1] - 'x')] = axis[0] == '-' ? -1.0 : 1.0;
-  return vector;
-}
-
-// From the upper left behind the viewer, so that shapes show; and weakly from the viewer.
-void AddLights(vtkRenderer* renderer)
-{
-  vtkNew<vtkLight> key;
-  key->SetLightTypeToCameraLight();
-  key->SetPosition(-0.5, 0.6, 1.0);
-  key->SetFocalPoint(0.0, 0.0, 0.0);
-  key->SetIntensity(0.9);
-  renderer->AddLight(key);
-
-  vtkNew<vtkLight> fill;
-  fill->SetLightTypeToHeadlight();
-  fill->SetIntensity(0.25);
-  renderer->AddLight(fill);
-}
-
-void SetUpShading(vtkVolumeProperty* property)
-{
-  property->SetInterpolationTypeToLinear();
-  property->ShadeOn();
-  property->SetAmbient(0.15);
-  property->SetDiffuse(0.8);
-  property->SetSpecular(0.25);
-  property->SetSpecularPower(20.0);
-}
-
-}
 
 Scene::Scene(const Volume& source, const IsovalueChoice& isovalue, const Options& options)
 {
@@ -74,7 +26,8 @@ Scene::Scene(const Volume& source, const IsovalueChoice& isovalue, const Options
     this->Actor->SetUserMatrix(source.Placement);
   }
   vtkVolumeProperty* property = this->Actor->GetProperty();
-  SetUpShading(property);
+  property->SetInterpolationTypeToLinear();
+  SetSatinShading(property);
   vtkNew<vtkPiecewiseFunction> opaque;
   opaque->AddPoint(isovalue.Range[0], 1.0);
   opaque->AddPoint(isovalue.Range[1], 1.0);
@@ -86,20 +39,9 @@ Scene::Scene(const Volume& source, const IsovalueChoice& isovalue, const Options
   this->SetIsovalue(isovalue.Value);
 
   this->Renderer->AddVolume(this->Actor);
-  AddLights(this->Renderer);
-  this->Up = AxisVector(options.Up);
-  std::string from = options.From.empty() ? source.From : options.From;
-  if (from[1] == options.Up[1])
-  {
-    from = "+z";
-  }
-  this->From = AxisVector(from);
-
-  this->Renderer->ResetCamera(this->Actor->GetBounds());
-  vtkCamera* camera = this->Renderer->GetActiveCamera();
-  camera->GetFocalPoint(this->Middle.data());
-  this->Distance = camera->GetDistance();
-  camera->Zoom(ZoomBeyondFit);
+  AddStudioLights(this->Renderer);
+  this->Around = Viewpoint(this->Renderer, this->Actor->GetBounds(),
+    options.From.empty() ? source.From : options.From, options.Up);
   this->SetAzimuth(0.0);
 }
 
@@ -120,20 +62,5 @@ void Scene::SetLowColor(double red, double green, double blue)
 
 void Scene::SetAzimuth(double degrees)
 {
-  const double azimuth = vtkMath::RadiansFromDegrees(degrees);
-  const double elevation = vtkMath::RadiansFromDegrees(ElevationDegrees);
-  double side[3];
-  vtkMath::Cross(this->Up.data(), this->From.data(), side);
-  double position[3];
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    const double level = std::cos(azimuth) * this->From[axis] + std::sin(azimuth) * side[axis];
-    position[axis] = this->Middle[axis] +
-      this->Distance * (std::cos(elevation) * level + std::sin(elevation) * this->Up[axis]);
-  }
-  vtkCamera* camera = this->Renderer->GetActiveCamera();
-  camera->SetPosition(position);
-  camera->SetFocalPoint(this->Middle.data());
-  camera->SetViewUp(this->Up.data());
-  this->Renderer->ResetCameraClippingRange(this->Actor->GetBounds());
+  this->Around.PlaceCamera(this->Renderer, degrees);
 }

@@ -3,6 +3,8 @@
 #ifndef Scene_h
 #define Scene_h
 
+#include "Viewpoint.h"
+
 #include <vtkNew.h>
 #include <vtkRenderer.h>
 #include <vtkTemporalCoherenceVolumeMapper.h>
@@ -14,7 +16,7 @@ struct IsovalueChoice;
 struct Options;
 struct Volume;
 
-// One volume, one mapper, one camera: the same whether a window shows it or not.
+// One volume, one mapper, one camera.
 class Scene
 {
 public:
@@ -34,10 +36,7 @@ public:
   vtkNew<vtkRenderer> Renderer;
 
 private:
-  std::array<double, 3> From;
-  std::array<double, 3> Up;
-  std::array<double, 3> Middle;
-  double Distance = 1.0;
+  Viewpoint Around;
   std::array<double, 3> ColorValues; // values at which colours are given: low, middle, high
 };
 

@@ -6,11 +6,13 @@
 #include "Options.h"
 #include "Pictures.h"
 #include "Scene.h"
+#include "UserError.h"
 
 #include <vtkImageData.h>
 #include <vtkMath.h>
 #include <vtkTimerLog.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <iomanip>
@@ -145,6 +147,21 @@ void Orbit(Tour& tour, Scene& scene, int frames)
     scene.SetAzimuth(azimuth);
     tour.Render("orbit", Caption("", azimuth, " deg"), frame, frames);
   }
+}
+
+// Isovalues around one: as a slider is dragged: 3 % of the range below to 7 % above, inside it.
+std::vector<double> SweepAround(const IsovalueChoice& isovalue, int count)
+{
+  const double width = isovalue.Range[1] - isovalue.Range[0];
+  const double margin = 0.01 * width;
+  const double begin = std::max(isovalue.Value - 0.03 * width, isovalue.Range[0] + margin);
+  const double end = std::min(isovalue.Value + 0.07 * width, isovalue.Range[1] - margin);
+  std::vector<double> values;
+  for (int i = 0; i < count; ++i)
+  {
+    values.push_back(begin + (end - begin) * i / std::max(count - 1, 1));
+  }
+  return values;
 }
 
 void Sweep(Tour& tour, Scene& scene, const IsovalueChoice& isovalue, int frames)

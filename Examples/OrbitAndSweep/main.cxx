@@ -3,13 +3,14 @@
 // Orbits around a volume's isosurface and sweeps its isovalue with
 // vtkTemporalCoherenceVolumeMapper: pictures, and a table of what each kind of change took.
 #include "Extraction.h"
-#include "Interactive.h"
+#include "Histogram.h"
 #include "Isovalue.h"
 #include "Options.h"
 #include "Pictures.h"
 #include "Report.h"
 #include "Scene.h"
 #include "Tour.h"
+#include "UserError.h"
 #include "VolumeReader.h"
 
 #include <vtkSMPTools.h>
@@ -34,16 +35,10 @@ void Describe(const Volume& volume, const IsovalueChoice& isovalue, const Option
 
 void Run(const Options& options)
 {
-  const Volume volume = ReadVolume(options);
-  const IsovalueChoice isovalue = ChooseIsovalue(volume.Image, options.Isovalue);
+  const Volume volume = ReadVolume(options.Source);
+  const IsovalueChoice isovalue = ChooseIsovalue(CountSamples(volume.Image), options.Isovalue);
   Describe(volume, isovalue, options);
   Scene scene(volume, isovalue, options);
-  if (options.Interactive)
-  {
-    RunInteractive(scene, isovalue, options);
-    return;
-  }
-
   PictureBook book(options.OutputDirectory);
   const std::vector<FrameRecord> records = RunTour(scene, isovalue, options, book);
   book.WriteContactSheet();
@@ -64,7 +59,7 @@ int main(int argc, char* argv[])
     const Options options = ParseOptions(argc, argv);
     if (options.Help)
     {
-      std::fputs(HelpText(), stdout);
+      std::fputs(HelpText().c_str(), stdout);
       return 0;
     }
     Run(options);

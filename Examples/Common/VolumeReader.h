@@ -3,13 +3,14 @@
 #ifndef VolumeReader_h
 #define VolumeReader_h
 
+#include "VolumeSource.h"
+
 #include <vtkImageData.h>
 #include <vtkMatrix4x4.h>
 #include <vtkSmartPointer.h>
 
+#include <functional>
 #include <string>
-
-struct Options;
 
 struct Volume
 {
@@ -19,7 +20,13 @@ struct Volume
   std::string From = "-y";                 // the viewer's place that suits this kind of file
 };
 
-// The volume that the options name, read by VTK's readers, or generated. Throws UserError.
-Volume ReadVolume(const Options& options);
+// Is told the share that is read, from 0 to 1; false stops the reading.
+using ReadingProgress = std::function<bool(double share)>;
+
+// The volume, read by VTK's readers, or generated. Throws UserError.
+Volume ReadVolume(const VolumeSource& source, const ReadingProgress& progress = {});
+
+// Whether the name ends as that of a volume that is read; says nothing of what is in the file.
+bool HasVolumeSuffix(const std::string& path);
 
 #endif

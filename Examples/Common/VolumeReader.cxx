@@ -3,9 +3,11 @@
 #include "VolumeReader.h"
 
 #include "FourSpheres.h"
-#include "Options.h"
 #include "Silence.h"
+#include "UserError.h"
 
+#include <vtkAlgorithm.h>
+#include <vtkCallbackCommand.h>
 #include <vtkDICOMImageReader.h>
 #include <vtkDataArray.h>
 #include <vtkDataSet.h>
@@ -19,6 +21,7 @@
 #include <vtkXMLImageDataReader.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <cstdint>
@@ -30,7 +33,64 @@ namespace
 
 namespace fs = std::filesystem;
 
-const char* const KnownSuffixes = ".vti, .vtk, .mhd, .mha, .nii, .nii.gz, .slc";
+constexpr std::array<const char*, 7> KnownSuffixes = { ".vti", ".vtk", ".mhd", ".mha", ".nii",
+  ".nii.gz", ".slc" };
+
+std::string ListOfSuffixes()
+{
+  std::string list;
+  for (const char* suffix : KnownSuffixes)
+  {
+    list += std::string(list.empty() ? "" : ", ") + suffix;
+  }
+  return list;
+}
+
+// Passes a reader's progress on, and what is answered back.
+class Watch
+{
+public:
+  Watch(vtkAlgorithm* reader, const ReadingProgress& progress)
+    : Reader(reader)
+    , Progress(progress)
+  {
+    if (this->Progress)
+    {
+      this->Command->SetClientData(this);
+      this->Command->SetCallback(&Watch::OnProgress);
+      this->Reader->AddObserver(vtkCommand::ProgressEvent, this->Command);
+    }
+  }
+  ~Watch() { this->Reader->RemoveObserver(this->Command); }
+  Watch(const Watch&) = delete;
+  Watch& operator=(const Watch&) = delete;
+
+  // Reads the file. Throws UserError if it was stopped.
+  void Update(const std::string& path)
+  {
+    this->Reader->Update();
+    if (this->IsStopped)
+    {
+      throw UserError("Reading '" + path + "' was stopped; open it again to read all of it.");
+    }
+  }
+
+private:
+  static void OnProgress(vtkObject*, unsigned long, void* clientData, void* callData)
+  {
+    auto* self = static_cast<Watch*>(clientData);
+    if (!self->IsStopped && !self->Progress(*static_cast<double*>(callData)))
+    {
+      self->IsStopped = true;
+      self->Reader->SetAbortExecute(1);
+    }
+  }
+
+  vtkAlgorithm* Reader;
+  const ReadingProgress& Progress;
+  vtkNew<vtkCallbackCommand> Command;
+  bool IsStopped = false;
+};
 
 bool EndsWith(const std::string& text, const std::string& end)
 {
@@ -53,22 +113,23 @@ UserError Unreadable(const std::string& path)
 
 // For the readers of IOImage, which know their files by CanReadFile.
 template <typename Reader>
-vtkSmartPointer<vtkImageData> ReadImage(Reader* reader, const std::string& path)
+vtkSmartPointer<vtkImageData> ReadImage(
+  Reader* reader, const std::string& path, const ReadingProgress& progress)
 {
   if (!reader->CanReadFile(path.c_str()))
   {
     throw Unreadable(path);
   }
   reader->SetFileName(path.c_str());
-  reader->Update();
+  Watch(reader, progress).Update(path);
   return reader->GetOutput();
 }
 
-vtkSmartPointer<vtkImageData> ReadLegacy(const std::string& path)
+vtkSmartPointer<vtkImageData> ReadLegacy(const std::string& path, const ReadingProgress& progress)
 {
   vtkNew<vtkGenericDataObjectReader> reader;
   reader->SetFileName(path.c_str());
-  reader->Update();
+  Watch(reader, progress).Update(path);
   vtkDataObject* output = reader->GetOutput();
   if (!vtkDataSet::SafeDownCast(output))
   {
@@ -83,11 +144,11 @@ vtkSmartPointer<vtkImageData> ReadLegacy(const std::string& path)
   return image;
 }
 
-vtkSmartPointer<vtkImageData> ReadDicom(const std::string& path)
+vtkSmartPointer<vtkImageData> ReadDicom(const std::string& path, const ReadingProgress& progress)
 {
   vtkNew<vtkDICOMImageReader> reader;
   reader->SetDirectoryName(path.c_str());
-  reader->Update();
+  Watch(reader, progress).Update(path);
   // A directory without a series leaves no file to name.
   if (reader->GetErrorCode() != 0 || reader->GetOutput()->GetNumberOfPoints() < 2)
   {
@@ -97,8 +158,8 @@ vtkSmartPointer<vtkImageData> ReadDicom(const std::string& path)
   return reader->GetOutput();
 }
 
-vtkSmartPointer<vtkImageData> ReadRaw(
-  const std::string& path, const RawLayout& layout, bool isBigEndian)
+vtkSmartPointer<vtkImageData> ReadRaw(const std::string& path, const RawLayout& layout,
+  bool isBigEndian, const ReadingProgress& progress)
 {
   std::uintmax_t wanted =
     static_cast<std::uintmax_t>(vtkDataArray::GetDataTypeSize(layout.ScalarType));
@@ -130,16 +191,16 @@ vtkSmartPointer<vtkImageData> ReadRaw(
   {
     reader->SetDataByteOrderToLittleEndian();
   }
-  reader->Update();
+  Watch(reader, progress).Update(path);
   return reader->GetOutput();
 }
 
 // A header may place the samples among the patient's axes: the scanner's (q) or a template's (s).
-Volume ReadNifti(const std::string& path)
+Volume ReadNifti(const std::string& path, const ReadingProgress& progress)
 {
   Volume volume;
   vtkNew<vtkNIFTIImageReader> reader;
-  volume.Image = ReadImage(reader.Get(), path);
+  volume.Image = ReadImage(reader.Get(), path, progress);
   vtkMatrix4x4* placement =
     reader->GetSFormMatrix() ? reader->GetSFormMatrix() : reader->GetQFormMatrix();
   if (placement && std::abs(placement->Determinant()) > 0.0)
@@ -150,33 +211,33 @@ Volume ReadNifti(const std::string& path)
   return volume;
 }
 
-Volume ReadFile(const std::string& path)
+Volume ReadFile(const std::string& path, const ReadingProgress& progress)
 {
   const std::string name = LowerCase(path);
   Volume volume;
   if (EndsWith(name, ".vti"))
   {
-    volume.Image = ReadImage(vtkNew<vtkXMLImageDataReader>().Get(), path);
+    volume.Image = ReadImage(vtkNew<vtkXMLImageDataReader>().Get(), path, progress);
   }
   else if (EndsWith(name, ".vtk"))
   {
-    volume.Image = ReadLegacy(path);
+    volume.Image = ReadLegacy(path, progress);
   }
   else if (EndsWith(name, ".mhd") || EndsWith(name, ".mha"))
   {
-    volume.Image = ReadImage(vtkNew<vtkMetaImageReader>().Get(), path);
+    volume.Image = ReadImage(vtkNew<vtkMetaImageReader>().Get(), path, progress);
   }
   else if (EndsWith(name, ".nii") || EndsWith(name, ".nii.gz"))
   {
-    volume = ReadNifti(path);
+    volume = ReadNifti(path, progress);
   }
   else if (EndsWith(name, ".slc"))
   {
-    volume.Image = ReadImage(vtkNew<vtkSLCReader>().Get(), path);
+    volume.Image = ReadImage(vtkNew<vtkSLCReader>().Get(), path, progress);
   }
   else
   {
-    throw UserError("The suffix of '" + path + "' is none of " + KnownSuffixes +
+    throw UserError("The suffix of '" + path + "' is none of " + ListOfSuffixes() +
       "; convert the volume, or describe it with --raw NX,NY,NZ,TYPE.");
   }
   return volume;
@@ -207,14 +268,21 @@ void CheckImage(vtkImageData* image, const std::string& name)
 
 }
 
-Volume ReadVolume(const Options& options)
+bool HasVolumeSuffix(const std::string& path)
+{
+  const std::string name = LowerCase(path);
+  return std::any_of(KnownSuffixes.begin(), KnownSuffixes.end(),
+    [&name](const char* suffix) { return EndsWith(name, suffix); });
+}
+
+Volume ReadVolume(const VolumeSource& source, const ReadingProgress& progress)
 {
   const Silence silence;
-  const std::string& path = options.Volume;
+  const std::string& path = source.Path;
   Volume volume;
   if (path.empty())
   {
-    volume.Image = MakeFourSpheres(options.Spheres);
+    volume.Image = MakeFourSpheres(source.Spheres);
     volume.Name = "four generated spheres";
     CheckImage(volume.Image, "The generated volume");
     return volume;
@@ -227,20 +295,20 @@ Volume ReadVolume(const Options& options)
   }
   if (fs::is_directory(path, error))
   {
-    volume.Image = ReadDicom(path);
+    volume.Image = ReadDicom(path, progress);
     volume.From = "+y";
   }
   else if (!std::ifstream(path))
   {
     throw UserError("'" + path + "' may not be read; check its permissions.");
   }
-  else if (options.Raw)
+  else if (source.Raw)
   {
-    volume.Image = ReadRaw(path, *options.Raw, options.BigEndian);
+    volume.Image = ReadRaw(path, *source.Raw, source.BigEndian, progress);
   }
   else
   {
-    volume = ReadFile(path);
+    volume = ReadFile(path, progress);
   }
   if (silence.HeardErrors())
   {

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef VolumeSource_h
+#define VolumeSource_h
+
+#include <array>
+#include <optional>
+#include <string>
+
+// What a file of bare samples does not tell itself.
+struct RawLayout
+{
+  std::array<int, 3> Dimensions = { 0, 0, 0 };
+  std::array<double, 3> Spacing = { 1.0, 1.0, 1.0 };
+  int ScalarType = 0; // VTK_UNSIGNED_CHAR, ...
+};
+
+// Where a volume comes from.
+struct VolumeSource
+{
+  std::string Path;  // file or directory; empty: the generated spheres
+  int Spheres = 256; // samples along an axis of the generated volume
+  std::optional<RawLayout> Raw;
+  bool BigEndian = false; // of raw samples
+};
+
+#endif

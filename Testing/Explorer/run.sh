@@ -1,0 +1,463 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Uses the Explorer by mouse and keys as a person does, on a display of its own.
+set -euo pipefail
+
+usage()
+{
+  cat <<'TEXT'
+Use the Explorer by mouse and keys, and check what it says of each frame and what it writes.
+
+usage: Testing/Explorer/run.sh EXPLORER CHECK_PICTURE DROP_FILE SCRATCH
+
+  EXPLORER         the program, Examples/Explorer
+  CHECK_PICTURE    the program that fails for pictures that show nothing
+  DROP_FILE        the program that drops a file on a window
+  SCRATCH          a directory that is emptied and written in
+  --help           show this text
+
+Needs Xvfb, xdotool and perl; nothing is installed. With TEMPORAL_COHERENCE_DATA the drag is over
+engine.vti of that directory, else over generated spheres. What a frame took is printed, not
+checked. Takes half a minute.
+TEXT
+}
+
+case ${1:-} in --help | -h) usage; exit 0 ;; esac
+if [ $# -ne 4 ]; then
+  usage >&2
+  exit 1
+fi
+explorer=$(realpath "$1")
+check_picture=$(realpath "$2")
+drop_file=$(realpath "$3")
+mkdir -p "$4"
+scratch=$(realpath "$4")
+patience=60 # seconds until something that has not happened is a failure
+
+say() { printf '[explorer] %s\n' "$*"; }
+fail()
+{
+  say "FAILED: $*"
+  for file in "$scratch"/*.log "$scratch"/*.out; do
+    [ ! -e "$file" ] || { printf -- '--- %s, its end:\n' "$file"; tail -n 15 "$file"; }
+  done
+  exit 1
+}
+for tool in Xvfb xdotool perl; do
+  command -v "$tool" >/dev/null || fail "there is no $tool; Module/setup.sh --with-tests installs it"
+done
+
+# --- A display, and a program on it -------------------------------------------------------------
+
+server=
+program=
+stop_all()
+{
+  [ -z "$program" ] || kill "$program" 2>/dev/null || true
+  [ -z "$server" ] || kill "$server" 2>/dev/null || true
+}
+trap stop_all EXIT
+
+# A number that nobody has: in a container, servers of the machine around it may not be seen, but
+# clients would connect to them.
+start_display()
+{
+  local attempt number
+  for attempt in 1 2 3 4 5; do
+    number=$((1000 + RANDOM % 8000))
+    rm -f "$scratch/display"
+    Xvfb ":$number" -screen 0 1280x1024x24 -noreset -displayfd 3 3>"$scratch/display" 2>/dev/null &
+    server=$!
+    for _ in $(seq 100); do
+      if [ -s "$scratch/display" ]; then
+        export DISPLAY=:$number
+        return 0
+      fi
+      kill -0 "$server" 2>/dev/null || break
+      sleep 0.1
+    done
+    kill "$server" 2>/dev/null || true
+    say "No X server at display $number (attempt $attempt of 5)"
+  done
+  fail "no X server could be started"
+}
+
+log=
+# Starts the program with these arguments; its log has the first one's name.
+start() # NAME ARGUMENTS...
+{
+  log=$scratch/$1.log
+  local output=$scratch/$1.out
+  shift
+  : >"$log"
+  (cd "$scratch/files" && exec "$explorer" --log "$log" --size 900x700 "$@") >"$output" 2>&1 &
+  program=$!
+  expect '^frame 1 '
+  # The keyboard follows the pointer into the window.
+  xdotool mousemove 1200 1000 mousemove 300 250
+  settle
+}
+
+expect_end()
+{
+  local status=0
+  wait "$program" || status=$?
+  program=
+  [ "$status" -eq 0 ] || fail "the program ended with status $status"
+}
+
+# --- Looking at the log -------------------------------------------------------------------------
+
+lines() { wc -l <"$log"; }
+
+# Waits for a line after the first FROM ones.
+expect() # PATTERN [FROM]
+{
+  local from=${2:-0} waited=0
+  until tail -n "+$((from + 1))" "$log" | grep -qE "$1"; do
+    kill -0 "$program" 2>/dev/null || fail "the program ended; '$1' was expected"
+    [ "$waited" -lt $((patience * 20)) ] || fail "'$1' was expected and did not come"
+    sleep 0.05
+    waited=$((waited + 1))
+  done
+}
+
+# Waits until nothing is written any more.
+settle()
+{
+  local before=-1
+  while [ "$before" -ne "$(lines)" ]; do
+    before=$(lines)
+    sleep 0.25
+  done
+}
+
+last_frame() { grep '^frame' "$log" | tail -n 1; }
+field() { sed -E "s/.* $1 ([^ ]+).*/\\1/"; } # of a frame's line
+place() { grep -F "place $1 " "$log" | tail -n 1 | sed -E 's/.* ([0-9]+) ([0-9]+)$/\1 \2/'; }
+
+# --- Hands --------------------------------------------------------------------------------------
+
+# A key; then the log has such a line that it had not before.
+key() # KEY PATTERN
+{
+  local from
+  from=$(lines)
+  xdotool key "$1"
+  expect "$2" "$from"
+}
+
+click() # NAME PATTERN [BUTTON]
+{
+  local from x y
+  from=$(lines)
+  read -r x y <<<"$(place "$1")"
+  [ -n "$x" ] || fail "$1 has no place in the window"
+  xdotool mousemove "$x" "$y" click "${3:-1}"
+  expect "$2" "$from"
+}
+
+# Turns the view, waiting for each frame.
+orbit() # STEPS
+{
+  local step from x=300
+  xdotool mousemove "$x" 250 mousedown 1
+  for step in $(seq "$1"); do
+    from=$(lines)
+    xdotool mousemove $((x + 4 * step)) $((250 + step))
+    expect '^frame' "$from"
+  done
+  xdotool mouseup 1
+  settle
+}
+
+saved() { grep '^said Saved .*png$' "$log" | tail -n 1 | sed 's/^said Saved //'; }
+width_of() { od -An -tu1 -j16 -N4 "$1" | awk '{ print (($1 * 256 + $2) * 256 + $3) * 256 + $4 }'; }
+
+# A picture of what is seen: $picture.
+take_picture()
+{
+  key s '^said Saved .*png$'
+  picture=$scratch/files/$(saved)
+  "$check_picture" "$picture" >/dev/null || fail "the picture $picture shows nothing"
+  settle
+}
+
+# --- What is checked ----------------------------------------------------------------------------
+
+make_files()
+{
+  rm -rf "$scratch"/*
+  mkdir -p "$scratch/files"
+  # A ball of 24^3 samples.
+  perl -e 'for $k (0..23) { for $j (0..23) { for $i (0..23) {
+    $d = sqrt(($i-11.5)**2 + ($j-11.5)**2 + ($k-11.5)**2);
+    print pack("C", $d > 12 ? 0 : 240 - 20 * $d); } } }' >"$scratch/files/ball.raw"
+  printf 'ObjectType = Image\nNDims = 3\nDimSize = 24 24 24\nElementType = MET_UCHAR\nElementDataFile = ball.raw\n' \
+    >"$scratch/files/ball.mhd"
+  printf 'This is no XML.' >"$scratch/files/broken.vti"
+}
+
+check_refusals()
+{
+  local said
+  refused() # WORDS ARGUMENTS...
+  {
+    local words=$1 status=0
+    shift
+    said=$("$explorer" "$@" 2>&1 >/dev/null) || status=$?
+    if [ "$status" -ne 1 ] || [ "$(wc -l <<<"$said")" -ne 1 ] || ! grep -qF -e "$words" <<<"$said"; then
+      fail "$*: one line with '$words' and status 1 were expected, not $status and: $said"
+    fi
+  }
+  refused 'There is no file' "$scratch/missing.vti"
+  refused 'could not be read' "$scratch/files/broken.vti"
+  refused 'outside the volume' --spheres 16 --isovalue 900
+  refused 'cannot be written' --spheres 16 --log "$scratch/no/log"
+  printf '# vtkTemporalCoherence Explorer session 1\nspheres = 16\naccuracy = perfect\n' >"$scratch/bad.session"
+  refused 'Line 3' --session "$scratch/bad.session"
+  DISPLAY=:99999 refused 'cannot be opened' --spheres 16
+  say "Wrong use is refused in one sentence"
+}
+
+check_help()
+{
+  key question '^help on'
+  key question '^help off'
+  key F1 '^frame' # has no use; clears the message
+}
+
+# A hundred steps, a pixel or more each; every one shows another isovalue, looked up.
+check_drag()
+{
+  local x0 x1 y step from begin
+  read -r x0 y <<<"$(place isovalue-least)"
+  read -r x1 y <<<"$(place isovalue-greatest)"
+  begin=$((x0 + (x1 - x0) / 4))
+  from=$(lines)
+  xdotool mousemove "$begin" "$y" mousedown 1
+  expect '^frame' "$from"
+  settle
+  local first
+  first=$(lines)
+  for step in $(seq 100); do
+    from=$(lines)
+    xdotool mousemove $((begin + step * (x1 - x0) / 200)) "$y"
+    expect '^frame' "$from"
+  done
+  xdotool mouseup 1
+  settle
+  tail -n "+$((first + 1))" "$log" | grep '^frame' | head -n 100 >"$scratch/drag"
+  local values looked_up median
+  values=$(field isovalue <"$scratch/drag" | sort -gu | wc -l)
+  looked_up=$(grep -c 'route IsomapLookup' "$scratch/drag") || true
+  median=$(field ms <"$scratch/drag" | sort -g | sed -n 50p)
+  [ "$values" -eq 100 ] || fail "100 steps of the slider showed $values isovalues"
+  field isovalue <"$scratch/drag" | sort -gc || fail "the isovalues do not follow the slider"
+  [ "$looked_up" -eq 100 ] || fail "only $looked_up of 100 isovalues were looked up"
+  say "Slider: 100 steps, 100 isovalues, all looked up; median frame $median ms (not checked)"
+}
+
+check_arrows()
+{
+  local before after
+  before=$(last_frame | field isovalue)
+  key Right '^frame'
+  key shift+Right '^frame'
+  after=$(last_frame | field isovalue)
+  # 11 of 256 steps over the range of the values.
+  awk -v a="$before" -v b="$after" 'BEGIN { exit !(b > a) }' ||
+    fail "the arrow keys moved the isovalue from $before to $after"
+  key Left '^frame'
+}
+
+check_orbit()
+{
+  local from cached
+  from=$(lines)
+  orbit 20
+  cached=$(tail -n "+$((from + 1))" "$log" | grep -c 'route ImageCache') || true
+  [ "$cached" -ge 18 ] || fail "only $cached of 20 frames of an orbit came from the image cache"
+  say "Orbit: $cached of 20 frames from the image cache, then completed"
+}
+
+# Every value of a choice by key, and back to the first.
+turn_all() # KEY NAME VALUES...
+{
+  local k=$1 name=$2 value
+  shift 2
+  for value in "${@:2}" "$1"; do
+    key "$k" "^$name $value"
+    settle
+  done
+}
+
+check_choices()
+{
+  turn_all p palette tissue ivory steel ember viridis cool-warm
+  [ "$(last_frame | field route)" = Reshade ] || fail "new colours cast rays: $(last_frame)"
+  turn_all m material satin matt glossy flat
+  turn_all l light studio head side rim
+  turn_all v surface crossing solid
+  turn_all a accuracy bounded exact paper
+  turn_all c image-cache on off
+  turn_all i isomap on off
+  turn_all j leaping on off
+  turn_all k map-ahead on off
+  turn_all x scale 1 2 4
+  turn_all f film png ogv
+  click palette '^palette ivory'
+  click palette '^palette tissue' 3
+  click light '^light head'
+  key shift+l '^light studio'
+  # Without the image cache an orbit is cold.
+  key c '^image-cache off'
+  orbit 3
+  tail -n 8 "$log" | grep -q 'route Cold' || fail "with the image cache off a new view was not cold"
+  key c '^image-cache on'
+  say "All choices turn by key, those tried by mouse"
+}
+
+# Yellow is seen in pictures that the image cache helped with.
+check_yellow()
+{
+  orbit 2
+  key y '^answers on'
+  orbit 3
+  take_picture
+  cp "$picture" "$scratch/yellow.png"
+  key y '^answers off'
+  settle
+  take_picture
+  ! cmp -s "$picture" "$scratch/yellow.png" || fail "the yellow overlay cannot be seen"
+}
+
+check_pictures()
+{
+  local width
+  take_picture
+  width=$(width_of "$picture")
+  key x '^scale 2'
+  take_picture
+  [ "$(width_of "$picture")" -eq $((2 * width)) ] || fail "a picture of scale 2 is not twice as wide"
+  key shift+x '^scale 1'
+  # The window itself, with the panels.
+  key S '^said Saved .*png$'
+  [ "$(width_of "$scratch/files/$(saved)")" -eq 900 ] || fail "a picture of the window has another size"
+  settle
+}
+
+check_recording()
+{
+  local count
+  key r '^said Recording'
+  orbit 8
+  key r '^said Recorded'
+  count=$(find "$scratch/files/recording-0001" -name 'frame-*.png' | wc -l)
+  [ "$count" -ge 8 ] || fail "a recording of 8 frames has $count"
+  "$check_picture" "$scratch"/files/recording-0001/*.png >/dev/null || fail "recorded pictures show nothing"
+  key f '^film ogv'
+  key r '^said (Recording|This VTK cannot)'
+  if ! tail -n 3 "$log" | grep -q 'This VTK cannot'; then
+    orbit 8
+    key r '^said Recorded'
+    [ "$(head -c 4 "$scratch/files/recording-0001.ogv")" = OggS ] || fail "the film is no Ogg file"
+  fi
+  key f '^film png'
+  say "Recorded $count pictures and a film"
+}
+
+check_map()
+{
+  orbit 2
+  key b '^said The isomap'
+  tail -n 3 "$log" | grep -q 'is built' || fail "the isomap was not built"
+  # Escape may come when all is done.
+  local attempt from
+  for attempt in 1 2 3 4 5; do
+    orbit 2
+    from=$(lines)
+    xdotool key --delay 0 b key --delay 0 Escape
+    expect '^said The isomap' "$from"
+    if tail -n "+$((from + 1))" "$log" | grep -q 'was stopped'; then
+      say "An isomap is built ahead, and stopped by Escape"
+      return
+    fi
+  done
+  fail "Escape did not stop the isomap in $attempt attempts"
+}
+
+check_opening()
+{
+  local from
+  key o '^files on'
+  click ball.mhd '^opened ball.mhd'
+  settle
+  key o '^files on'
+  # The list begins with the way up; ball.mhd is selected.
+  key Down '^frame'
+  key Return "^said '.*broken.vti' could not be read"
+  expect '^frame' "$(($(lines) - 3))"
+  from=$(lines)
+  orbit 2
+  tail -n "+$((from + 1))" "$log" | grep -q '^frame' || fail "after a bad file nothing is drawn any more"
+  key o '^files on'
+  key Escape '^files off'
+  from=$(lines)
+  "$drop_file" "$scratch/files/ball.mhd" 300 250 || fail "a file could not be dropped"
+  expect '^opened ball.mhd' "$from"
+  settle
+  say "Files open by list, by keys and by dropping; a bad one leaves what was shown"
+}
+
+# Everything in a state of its own, kept, and found again by another process.
+check_session()
+{
+  key p '^palette ivory'
+  key l '^light head'
+  key v '^surface solid'
+  orbit 5
+  key w '^said Saved explorer.session'
+  settle
+  take_picture
+  cp "$picture" "$scratch/before.png"
+  cp "$scratch/files/explorer.session" "$scratch/before.session"
+  key h '^frame'
+  key z '^opened'
+  key q '^quit'
+  expect_end
+
+  start second --session explorer.session
+  take_picture
+  cmp "$picture" "$scratch/before.png" || fail "a restored session shows another picture"
+  key w '^said Saved explorer.session'
+  cmp "$scratch/files/explorer.session" "$scratch/before.session" ||
+    fail "a restored session is saved as another one"
+  key q '^quit'
+  expect_end
+  say "A session restored in another process shows the same picture, byte for byte"
+}
+
+make_files
+start_display
+check_refusals
+volume=(--spheres 128)
+if [ -r "${TEMPORAL_COHERENCE_DATA:-}/engine.vti" ]; then
+  volume=("$TEMPORAL_COHERENCE_DATA/engine.vti")
+fi
+start first "${volume[@]}"
+check_help
+check_drag
+check_arrows
+check_orbit
+check_choices
+check_yellow
+check_pictures
+check_recording
+check_map
+check_opening
+check_session
+"$explorer" "${volume[@]}" --measure-drag 100 || fail "the drag could not be measured"
+say "PASSED in $SECONDS s"

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef DistributedPart_h
+#define DistributedPart_h
+
+#include "vtkBoundingBox.h"
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+class vtkDataArray;
+class vtkDataObject;
+class vtkDataSet;
+class vtkMultiProcessController;
+
+/// A point or cell array, by name; without a name none.
+struct ArrayChoice
+{
+  std::string Name;
+  bool IsOnCells = false;
+
+  vtkDataArray* In(vtkDataSet* dataSet) const;
+};
+
+/// What a process has to know of its part of a distributed volume, and of the whole.
+struct DistributedPart
+{
+  using Interval = std::array<double, 2>;
+  static constexpr Interval Nothing{ { 1.0, -1.0 } };
+
+  vtkBoundingBox Owned;         ///< in the world: what this process draws
+  vtkBoundingBox Whole;         ///< in the world: what all processes draw
+  bool IsCut = false;           ///< samples reach beyond what is drawn, without a ghost array
+  vtkBoundingBox Crop;          ///< if it is cut: where, along the axes of the image
+  std::vector<Interval> Ranges; ///< finite values of each component in all processes
+  Interval Lengths = Nothing;   ///< of its tuples
+
+  /// The data is delivered, and may be kept for an animation: so is what describes it.
+  void WriteTo(vtkDataObject* data) const;
+  static DistributedPart ReadFrom(vtkDataObject* data);
+};
+
+/// The data sets of a data object: itself, or its leaves.
+std::vector<vtkDataSet*> DataSetsOf(vtkDataObject* data);
+
+/// Layers of cells beyond the own: one for gradients, and one more for scalars of cells, whose
+/// samples lie half a cell farther inside.
+constexpr int NumberOfGhostLayers = 2;
+
+/// A copy, as shallow as can be, that has ghost cells wherever another process goes on.
+/// All processes call this together.
+vtkSmartPointer<vtkDataObject> WithGhostCells(
+  vtkDataObject* input, vtkMultiProcessController* controller);
+
+/// Describe the part of this process. Ghost arrays that tell of nothing but layers around a box are
+/// taken away: a box is cut off more cheaply, and has isomaps.
+/// All processes call this together.
+DistributedPart Describe(
+  vtkDataObject* data, const ArrayChoice& choice, vtkMultiProcessController* controller);
+
+#endif

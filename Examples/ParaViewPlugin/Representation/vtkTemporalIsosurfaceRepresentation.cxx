@@ -1,0 +1,457 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTemporalIsosurfaceRepresentation.h"
+
+#include "DistributedPart.h"
+
+#include "vtkCellData.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkCommand.h"
+#include "vtkContourValues.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMath.h"
+#include "vtkMultiProcessController.h"
+#include "vtkObjectFactory.h"
+#include "vtkOutlineSource.h"
+#include "vtkPVRenderView.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkRenderer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTemporalCoherenceVolumeMapper.h"
+#include "vtkTemporalIsosurfaceActor.h"
+#include "vtkTextActor.h"
+#include "vtkTextProperty.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <iomanip>
+#include <set>
+#include <sstream>
+
+vtkStandardNewMacro(vtkTemporalIsosurfaceRepresentation);
+
+namespace
+{
+
+constexpr vtkIdType NumberOfRoutes = 7;
+
+/// Arrays of numbers that could be drawn.
+std::vector<vtkDataArray*> ArraysIn(vtkDataSetAttributes* attributes)
+{
+  std::vector<vtkDataArray*> arrays;
+  for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = attributes->GetArray(i);
+    const char* name = array ? array->GetName() : nullptr;
+    if (name && std::string(name) != vtkDataSetAttributes::GhostArrayName())
+    {
+      arrays.push_back(array);
+    }
+  }
+  return arrays;
+}
+
+/// The scalars that a data set calls its own, or the first numbers that it has.
+ArrayChoice FirstScalars(vtkDataSet* dataSet)
+{
+  for (const bool onCells : { false, true })
+  {
+    vtkDataSetAttributes* attributes = onCells
+      ? static_cast<vtkDataSetAttributes*>(dataSet->GetCellData())
+      : dataSet->GetPointData();
+    vtkDataArray* found = attributes->GetScalars();
+    const std::vector<vtkDataArray*> arrays = ArraysIn(attributes);
+    if (!(found && found->GetName()) && !arrays.empty())
+    {
+      found = arrays.front();
+    }
+    if (found && found->GetName())
+    {
+      return { found->GetName(), onCells };
+    }
+  }
+  return {};
+}
+
+/// The names of the arrays that could be chosen, for a message.
+std::string NamesIn(vtkDataObject* data)
+{
+  std::set<std::string> names;
+  for (vtkDataSet* dataSet : DataSetsOf(data))
+  {
+    for (const int association : { vtkDataObject::POINT, vtkDataObject::CELL })
+    {
+      for (vtkDataArray* array : ArraysIn(dataSet->GetAttributes(association)))
+      {
+        names.insert(std::string("('") + (association == vtkDataObject::CELL ? "CELLS" : "POINTS") +
+          "', '" + array->GetName() + "')");
+      }
+    }
+  }
+  std::string text;
+  for (const std::string& name : names)
+  {
+    text += (text.empty() ? "" : ", ") + name;
+  }
+  return text;
+}
+
+void AssignValues(vtkDoubleArray* to, const double* begin, std::size_t count)
+{
+  to->SetNumberOfTuples(static_cast<vtkIdType>(count));
+  std::copy_n(begin, count, to->GetPointer(0));
+}
+
+}
+
+//------------------------------------------------------------------------------
+vtkTemporalIsosurfaceRepresentation::vtkTemporalIsosurfaceRepresentation()
+{
+  const auto mapper = vtkSmartPointer<vtkTemporalCoherenceVolumeMapper>::New();
+  mapper->AddObserver(vtkCommand::VolumeMapperRenderEndEvent, this,
+    &vtkTemporalIsosurfaceRepresentation::TakeStatistics);
+  this->VolumeMapper = mapper;
+  this->Actor = vtkSmartPointer<vtkTemporalIsosurfaceActor>::New();
+  this->Actor->SetProperty(this->Property);
+  this->Actor->SetLODMapper(this->OutlineMapper);
+  this->Property->SetShade(1);
+  this->Property->SetInterpolationTypeToLinear();
+  this->RouteCounts->SetNumberOfTuples(NumberOfRoutes);
+  this->RouteCounts->Fill(0);
+  this->SetSolidColor(1.0, 1.0, 1.0);
+  this->SetOpacity(1.0);
+  this->StatisticsText->SetVisibility(0);
+  this->StatisticsText->SetPosition(10.0, 10.0);
+  this->StatisticsText->GetTextProperty()->SetFontSize(16);
+  this->StatisticsText->GetTextProperty()->ShadowOn();
+}
+
+//------------------------------------------------------------------------------
+vtkTemporalIsosurfaceRepresentation::~vtkTemporalIsosurfaceRepresentation() = default;
+
+//------------------------------------------------------------------------------
+vtkTemporalCoherenceVolumeMapper* vtkTemporalIsosurfaceRepresentation::GetMapper()
+{
+  return static_cast<vtkTemporalCoherenceVolumeMapper*>(this->VolumeMapper.Get());
+}
+
+//------------------------------------------------------------------------------
+/// After each frame of the mapper. Texts are drawn after it, so that they tell of the same frame.
+void vtkTemporalIsosurfaceRepresentation::TakeStatistics()
+{
+  vtkTemporalCoherenceVolumeMapper* mapper = this->GetMapper();
+  const vtkIdType route = mapper->GetRoute();
+  this->RouteCounts->SetValue(route, this->RouteCounts->GetValue(route) + 1);
+  if (this->ShowStatistics)
+  {
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(1) << mapper->GetRouteAsString() << ", "
+         << this->GetFrameMilliseconds() << " ms\n"
+         << mapper->GetNumberOfTracedRays() << " of " << mapper->GetNumberOfRays()
+         << " rays traced\nisomap " << static_cast<double>(mapper->GetIsomapMemory()) / (1 << 20)
+         << " MiB";
+    this->StatisticsText->SetInput(text.str().c_str());
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkTemporalIsosurfaceRepresentation::AddToView(vtkView* view)
+{
+  auto* renderView = vtkPVRenderView::SafeDownCast(view);
+  if (renderView)
+  {
+    renderView->GetNonCompositedRenderer()->AddActor(this->StatisticsText);
+  }
+  return this->Superclass::AddToView(view);
+}
+
+//------------------------------------------------------------------------------
+bool vtkTemporalIsosurfaceRepresentation::RemoveFromView(vtkView* view)
+{
+  auto* renderView = vtkPVRenderView::SafeDownCast(view);
+  if (renderView)
+  {
+    renderView->GetNonCompositedRenderer()->RemoveActor(this->StatisticsText);
+  }
+  return this->Superclass::RemoveFromView(view);
+}
+
+//------------------------------------------------------------------------------
+int vtkTemporalIsosurfaceRepresentation::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (!this->Superclass::RequestUpdateExtent(request, inputVector, outputVector))
+  {
+    return 0;
+  }
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  vtkInformation* input = inputVector[0]->GetInformationObject(0);
+  if (input && controller && controller->GetNumberOfProcesses() > 1)
+  {
+    input->Set(
+      vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), NumberOfGhostLayers);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkTemporalIsosurfaceRepresentation::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  this->DataSize = 0;
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  vtkDataObject* input = inputVector[0]->GetNumberOfInformationObjects() == 1
+    ? vtkDataObject::GetData(inputVector[0], 0)
+    : nullptr;
+  DistributedPart part;
+  if (input)
+  {
+    this->Cache = WithGhostCells(input, controller);
+    part = Describe(this->Cache, this->ChooseArray(input), controller);
+    part.WriteTo(this->Cache);
+    this->DataSize = this->Cache->GetActualMemorySize();
+    this->Actor->SetEnableLOD(0);
+  }
+  else
+  {
+    // A process without data, as a client is: it shows the outline.
+    this->Cache = vtkSmartPointer<vtkPartitionedDataSet>::New();
+    this->VolumeMapper->RemoveAllInputs();
+    this->Actor->SetEnableLOD(1);
+  }
+  vtkMath::UninitializeBounds(this->DataBounds);
+  if (part.Owned.IsValid())
+  {
+    part.Owned.GetBounds(this->DataBounds);
+  }
+  this->OutlineSource->SetBounds(this->DataBounds);
+  this->OutlineSource->Update();
+  // What the direct superclass adds is done above.
+  return this->vtkVolumeRepresentation::RequestData(request, inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
+int vtkTemporalIsosurfaceRepresentation::ProcessViewRequest(
+  vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
+{
+  if (!this->Superclass::ProcessViewRequest(request, inInfo, outInfo))
+  {
+    return 0;
+  }
+  if (request == vtkPVView::REQUEST_UPDATE())
+  {
+    // Opaque surfaces have depths, by which pictures can be put together in any order.
+    outInfo->Set(vtkPVRenderView::NEED_ORDERED_COMPOSITING(), this->IsTranslucent() ? 1 : 0);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTemporalIsosurfaceRepresentation::IsTranslucent()
+{
+  return this->UseOpacityFunction || this->Opacity < 1.0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTemporalIsosurfaceRepresentation::IsColoredByArray()
+{
+  vtkInformation* info = this->GetInputArrayInformation(0);
+  const char* name = info ? info->Get(vtkDataObject::FIELD_NAME()) : nullptr;
+  return name && name[0];
+}
+
+//------------------------------------------------------------------------------
+ArrayChoice vtkTemporalIsosurfaceRepresentation::ChooseArray(vtkDataObject* data)
+{
+  if (this->IsColoredByArray())
+  {
+    vtkInformation* info = this->GetInputArrayInformation(0);
+    return { info->Get(vtkDataObject::FIELD_NAME()),
+      info->Get(vtkDataObject::FIELD_ASSOCIATION()) == vtkDataObject::FIELD_ASSOCIATION_CELLS };
+  }
+  for (vtkDataSet* dataSet : DataSetsOf(data))
+  {
+    const ArrayChoice choice = FirstScalars(dataSet);
+    if (!choice.Name.empty())
+    {
+      return choice;
+    }
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalIsosurfaceRepresentation::UpdateMapperParameters()
+{
+  this->Superclass::UpdateMapperParameters();
+  vtkDataObject* data = this->VolumeMapper->GetDataObjectInput();
+  if (!data)
+  {
+    return;
+  }
+  const ArrayChoice choice = this->ChooseArray(data);
+  const DistributedPart part = DistributedPart::ReadFrom(data);
+  const std::vector<vtkDataSet*> dataSets = DataSetsOf(data);
+  this->Actor->SetVisibility(std::any_of(dataSets.begin(), dataSets.end(),
+    [&](vtkDataSet* dataSet) { return choice.In(dataSet) != nullptr; }));
+  this->ShowScalars(choice);
+  this->ShowColors();
+  this->ShowRegion(part);
+  if (part.Ranges.empty() && part.Whole.IsValid())
+  {
+    const std::string names = NamesIn(data);
+    this->ReportOnce(choice.Name.empty()
+        ? "The input has no array of numbers; give it one, for example with the filter Calculator."
+        : std::string("The input has no ") + (choice.IsOnCells ? "cell" : "point") + " array '" +
+          choice.Name + "'; choose one that it has with ColorBy: " + names + ".");
+    return;
+  }
+  std::string mistake = this->ShowIsovalues(this->RangeOfScalars(part), choice.Name);
+  if (mistake.empty() && part.IsCut && this->IsTranslucent() &&
+    this->GetMapper()->GetSurfaceMode() == vtkTemporalCoherenceVolumeMapper::THRESHOLD)
+  {
+    mistake =
+      "Translucent solids show where processes' parts are cut; choose the SurfaceMode Crossing, "
+      "or an Opacity of 1 without UseOpacityFunction.";
+  }
+  this->ReportOnce(mistake);
+}
+
+//------------------------------------------------------------------------------
+/// Choose array and component; without a lookup table that tells, lengths are drawn of tuples.
+void vtkTemporalIsosurfaceRepresentation::ShowScalars(const ArrayChoice& choice)
+{
+  vtkTemporalCoherenceVolumeMapper* mapper = this->GetMapper();
+  mapper->SelectScalarArray(choice.Name.c_str());
+  mapper->SetScalarMode(
+    choice.IsOnCells ? VTK_SCALAR_MODE_USE_CELL_FIELD_DATA : VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
+  const bool isComponent = this->Table && this->IsColoredByArray() &&
+    this->Table->GetVectorMode() == vtkScalarsToColors::COMPONENT;
+  mapper->SetVectorComponent(isComponent ? this->Table->GetVectorComponent() : 0);
+  mapper->SetVectorMode(isComponent ? vtkTemporalCoherenceVolumeMapper::COMPONENT
+                                    : vtkTemporalCoherenceVolumeMapper::MAGNITUDE);
+}
+
+//------------------------------------------------------------------------------
+std::array<double, 2> vtkTemporalIsosurfaceRepresentation::RangeOfScalars(
+  const DistributedPart& part)
+{
+  vtkTemporalCoherenceVolumeMapper* mapper = this->GetMapper();
+  const auto component = static_cast<std::size_t>(mapper->GetVectorComponent());
+  if (part.Ranges.size() == 1)
+  {
+    return part.Ranges.front();
+  }
+  return mapper->GetVectorMode() == vtkTemporalCoherenceVolumeMapper::COMPONENT &&
+      component < part.Ranges.size()
+    ? part.Ranges[component]
+    : part.Lengths;
+}
+
+//------------------------------------------------------------------------------
+/// \return a sentence about isovalues that no process has; empty if there are none
+std::string vtkTemporalIsosurfaceRepresentation::ShowIsovalues(
+  const std::array<double, 2>& range, const std::string& name)
+{
+  std::vector<double> isovalues = this->Isovalues.empty() ? this->VolumeIsovalues : this->Isovalues;
+  const bool isKnown = range[0] <= range[1];
+  if (isovalues.empty() && isKnown)
+  {
+    isovalues.push_back(0.5 * (range[0] + range[1]));
+  }
+  vtkContourValues* contours = this->Property->GetIsoSurfaceValues();
+  contours->SetNumberOfContours(static_cast<int>(isovalues.size()));
+  std::ostringstream outside;
+  for (std::size_t i = 0; i < isovalues.size(); ++i)
+  {
+    contours->SetValue(static_cast<int>(i), isovalues[i]);
+    if (isKnown && !(isovalues[i] >= range[0] && isovalues[i] <= range[1]))
+    {
+      outside << (outside.str().empty() ? "" : ", ") << isovalues[i];
+    }
+  }
+  AssignValues(this->ShownIsovalues, isovalues.data(), isovalues.size());
+  AssignValues(this->ScalarRange, range.data(), isKnown ? 2 : 0);
+
+  std::ostringstream message;
+  if (!outside.str().empty())
+  {
+    message << "No isosurface of '" << name << "' has the isovalue " << outside.str()
+            << "; give Isovalues between " << range[0] << " and " << range[1] << ".";
+  }
+  return message.str();
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalIsosurfaceRepresentation::ShowColors()
+{
+  const bool hasTable = this->Table && this->IsColoredByArray();
+  this->Property->SetColor(hasTable ? this->Table.Get() : this->SolidColor.Get());
+  const bool usesFunction = this->UseOpacityFunction && this->OpacityFunction;
+  this->Property->SetScalarOpacity(
+    usesFunction ? this->OpacityFunction.Get() : this->ConstantOpacity.Get());
+}
+
+//------------------------------------------------------------------------------
+/// Draw this process's part of the box that the user left.
+void vtkTemporalIsosurfaceRepresentation::ShowRegion(const DistributedPart& part)
+{
+  if (this->Crops || part.IsCut)
+  {
+    double planes[6];
+    for (int i = 0; i < 6; ++i)
+    {
+      const double own = part.Crop.GetBound(i);
+      const double users =
+        this->CroppingOrigin[i / 2] + part.Whole.GetBound(i) * this->CroppingScale[i / 2];
+      const double inner = i % 2 ? std::min(own, users) : std::max(own, users);
+      planes[i] = this->Crops && part.IsCut ? inner : this->Crops ? users : own;
+    }
+    this->VolumeMapper->SetCroppingRegionPlanes(planes);
+  }
+  this->VolumeMapper->SetCropping(this->Crops || part.IsCut);
+}
+
+//------------------------------------------------------------------------------
+/// Say a sentence once, in one process; an empty one says that all is well.
+void vtkTemporalIsosurfaceRepresentation::ReportOnce(const std::string& message)
+{
+  if (message == this->LastMessage)
+  {
+    return;
+  }
+  this->LastMessage = message;
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  if (!message.empty() && (!controller || controller->GetLocalProcessId() == 0))
+  {
+    vtkWarningMacro(<< message);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalIsosurfaceRepresentation::SetInputArrayToProcess(
+  int index, int port, int connection, int association, const char* name)
+{
+  const vtkMTimeType before = this->GetMTime();
+  this->Superclass::SetInputArrayToProcess(index, port, connection, association, name);
+  if (this->GetMTime() > before)
+  {
+    this->MarkModified(); // the values in all processes are asked for again
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalIsosurfaceRepresentation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "UseOpacityFunction: " << this->UseOpacityFunction << "\n";
+  os << indent << "Opacity: " << this->Opacity << "\n";
+  os << indent << "Mapper:\n";
+  this->VolumeMapper->PrintSelf(os, indent.GetNextIndent());
+}

@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkTemporalIsosurfaceRepresentation
+ * @brief   ParaView's representation "Temporal Isosurface" of images and rectilinear grids
+ *
+ * It draws with a vtkTemporalCoherenceVolumeMapper: a vtkImageData, a vtkRectilinearGrid, or all
+ * images of a composite data set together, as blocks of one lattice. The scalars are the array that
+ * is chosen for colouring; where none is, the active scalars, in a solid colour.
+ *
+ * In a distributed run each process draws its own part, cut where that of another begins, with
+ * ghost cells beyond the cut so that gradients go on. If surfaces are opaque, processes'
+ * pictures are put together by depth; else in the order of the parts.
+ */
+
+#ifndef vtkTemporalIsosurfaceRepresentation_h
+#define vtkTemporalIsosurfaceRepresentation_h
+
+#include "vtkImageVolumeRepresentation.h"
+#include "vtkNew.h"          // For vtkNew
+#include "vtkSmartPointer.h" // For vtkSmartPointer
+
+#include <array>  // For std::array
+#include <string> // For std::string
+#include <vector> // For std::vector
+
+class vtkColorTransferFunction;
+class vtkDoubleArray;
+class vtkIdTypeArray;
+class vtkPiecewiseFunction;
+class vtkTemporalCoherenceVolumeMapper;
+class vtkTextActor;
+struct ArrayChoice;
+struct DistributedPart;
+
+class vtkTemporalIsosurfaceRepresentation : public vtkImageVolumeRepresentation
+{
+public:
+  static vtkTemporalIsosurfaceRepresentation* New();
+  vtkTypeMacro(vtkTemporalIsosurfaceRepresentation, vtkImageVolumeRepresentation);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  int ProcessViewRequest(
+    vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
+
+  /**
+   * Choose the array to draw and to colour by.
+   */
+  using Superclass::SetInputArrayToProcess;
+  void SetInputArrayToProcess(
+    int index, int port, int connection, int association, const char* name) override;
+
+  ///@{
+  /**
+   * What is drawn: these isovalues; if there are none, those that the volume representation has for
+   * its own isosurfaces; if there are none either, the middle of the values.
+   */
+  void SetNumberOfIsovalues(int number);
+  void SetIsovalue(int i, double value);
+  void SetNumberOfIsosurfaces(int number);
+  void SetIsosurfaceValue(int i, double value);
+  ///@}
+
+  ///@{
+  /**
+   * Colour is that of the lookup table at the isovalue; without an array to colour by, this one.
+   * Opacity is one number, or (UseOpacityFunction) that of the opacity function at the isovalue.
+   */
+  void SetColor(vtkColorTransferFunction* table);
+  void SetSolidColor(double red, double green, double blue);
+  void SetScalarOpacity(vtkPiecewiseFunction* function);
+  void SetOpacity(double opacity);
+  void SetUseOpacityFunction(bool uses);
+  ///@}
+
+  /**
+   * Cut off what is outside of a box: that of CroppingOrigin and CroppingScale, which are meant for
+   * the bounds of the whole volume.
+   */
+  void SetCropping(int crops);
+
+  ///@{
+  /**
+   * See vtkTemporalCoherenceVolumeMapper.
+   */
+  void SetSurfaceMode(int mode);
+  void SetReuseAccuracy(int accuracy);
+  void SetImageCache(bool on);
+  void SetIsomap(bool on);
+  void SetIsomapTolerance(double voxels);
+  void SetIsomapRange(double lowest, double highest);
+  void SetIsomapMemoryLimit(int mebibytes);
+  void SetRefineWhenStill(bool on);
+  void SetColorByAnswer(bool on);
+  ///@}
+
+  /**
+   * Write a line about the last frame into the view.
+   */
+  void SetShowStatistics(bool shows);
+
+  /**
+   * Hides the line of statistics, too.
+   */
+  void SetVisibility(bool visible) override;
+
+  ///@{
+  /**
+   * The last frame of this process: its route, the milliseconds it took, its counters, and the
+   * bytes of the isomap that is kept.
+   */
+  const char* GetRoute();
+  double GetFrameMilliseconds();
+  vtkIdType GetNumberOfRays();
+  vtkIdType GetNumberOfTracedRays();
+  vtkIdType GetNumberOfDefiniteHits();
+  vtkIdType GetNumberOfPossibleHits();
+  vtkIdType GetIsomapMemory();
+  ///@}
+
+  /**
+   * How many frames took each route, since this was made: Cold, Redisplay, Reshade, IsomapLookup,
+   * IsomapBuild, ThresholdHint, ImageCache.
+   */
+  vtkIdTypeArray* GetRouteCounts();
+
+  ///@{
+  /**
+   * The isovalues that the last frame was made for, and the least and the largest value of the
+   * scalars in all processes.
+   */
+  vtkDoubleArray* GetShownIsovalues();
+  vtkDoubleArray* GetScalarRange();
+  ///@}
+
+protected:
+  vtkTemporalIsosurfaceRepresentation();
+  ~vtkTemporalIsosurfaceRepresentation() override;
+
+  bool AddToView(vtkView* view) override;
+  bool RemoveFromView(vtkView* view) override;
+
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  void UpdateMapperParameters() override;
+
+private:
+  vtkTemporalIsosurfaceRepresentation(const vtkTemporalIsosurfaceRepresentation&) = delete;
+  void operator=(const vtkTemporalIsosurfaceRepresentation&) = delete;
+
+  vtkTemporalCoherenceVolumeMapper* GetMapper();
+  bool IsTranslucent();
+  bool IsColoredByArray();
+  ArrayChoice ChooseArray(vtkDataObject* data);
+  std::array<double, 2> RangeOfScalars(const DistributedPart& part);
+  void ShowScalars(const ArrayChoice& choice);
+  std::string ShowIsovalues(const std::array<double, 2>& range, const std::string& name);
+  void ShowColors();
+  void ShowRegion(const DistributedPart& part);
+  void ReportOnce(const std::string& message);
+  void TakeStatistics();
+
+  std::vector<double> Isovalues;
+  std::vector<double> VolumeIsovalues;
+  vtkSmartPointer<vtkColorTransferFunction> Table;
+  vtkSmartPointer<vtkPiecewiseFunction> OpacityFunction;
+  vtkNew<vtkColorTransferFunction> SolidColor;
+  vtkNew<vtkPiecewiseFunction> ConstantOpacity;
+  double Opacity = 1.0;
+  bool UseOpacityFunction = false;
+  bool Crops = false;
+  std::string LastMessage; ///< reported already
+  bool ShowStatistics = false;
+  vtkNew<vtkTextActor> StatisticsText;
+  vtkNew<vtkIdTypeArray> RouteCounts;
+  vtkNew<vtkDoubleArray> ShownIsovalues;
+  vtkNew<vtkDoubleArray> ScalarRange;
+};
+
+#endif

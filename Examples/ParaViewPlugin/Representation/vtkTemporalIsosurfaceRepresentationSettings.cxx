@@ -1,0 +1,226 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTemporalIsosurfaceRepresentation.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkTemporalCoherenceVolumeMapper.h"
+#include "vtkTextActor.h"
+
+#include <algorithm>
+
+namespace
+{
+
+/// Lists arrive value by value.
+void SetAt(std::vector<double>& values, int i, double value)
+{
+  const auto place = static_cast<std::size_t>(std::max(i, 0));
+  values.resize(std::max(values.size(), place + 1));
+  values[place] = value;
+}
+
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalIsosurfaceRepresentation::SetNumberOfIsovalues(int number)
+{
+  this->Isovalues.resize(static_cast<std::size_t>(std::max(number, 0)));
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalIsosurfaceRepresentation::SetIsovalue(int i, double value)
+{
+  SetAt(this->Isovalues, i, value);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalIsosurfaceRepresentation::SetNumberOfIsosurfaces(int number)
+{
+  this->VolumeIsovalues.resize(static_cast<std::size_t>(std::max(number, 0)));
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalIsosurfaceRepresentation::SetIsosurfaceValue(int i, double value)
+{
+  SetAt(this->VolumeIsovalues, i, value);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalIsosurfaceRepresentation::SetColor(vtkColorTransferFunction* table)
+{
+  this->Table = table;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalIsosurfaceRepresentation::SetSolidColor(double red, double green, double blue)
+{
+  this->SolidColor->RemoveAllPoints();
+  this->SolidColor->AddRGBPoint(0.0, red, green, blue);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalIsosurfaceRepresentation::SetScalarOpacity(vtkPiecewiseFunction* function)
+{
+  this->OpacityFunction = function;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalIsosurfaceRepresentation::SetOpacity(double opacity)
+{
+  this->Opacity = opacity;
+  this->ConstantOpacity->RemoveAllPoints();
+  this->ConstantOpacity->AddPoint(0.0, opacity);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalIsosurfaceRepresentation::SetUseOpacityFunction(bool uses)
+{
+  this->UseOpacityFunction = uses;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalIsosurfaceRepresentation::SetCropping(int crops)
+{
+  this->Crops = crops != 0;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalIsosurfaceRepresentation::SetSurfaceMode(int mode)
+{
+  this->GetMapper()->SetSurfaceMode(mode);
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalIsosurfaceRepresentation::SetReuseAccuracy(int accuracy)
+{
+  this->GetMapper()->SetReuseAccuracy(accuracy);
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalIsosurfaceRepresentation::SetImageCache(bool on)
+{
+  this->GetMapper()->SetImageCache(on);
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalIsosurfaceRepresentation::SetIsomap(bool on)
+{
+  this->GetMapper()->SetIsomap(on);
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalIsosurfaceRepresentation::SetIsomapTolerance(double voxels)
+{
+  this->GetMapper()->SetIsomapTolerance(voxels);
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalIsosurfaceRepresentation::SetIsomapRange(double lowest, double highest)
+{
+  this->GetMapper()->SetIsomapRange(lowest, highest);
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalIsosurfaceRepresentation::SetIsomapMemoryLimit(int mebibytes)
+{
+  this->GetMapper()->SetIsomapMemoryLimit(mebibytes);
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalIsosurfaceRepresentation::SetRefineWhenStill(bool on)
+{
+  this->GetMapper()->SetRefineWhenStill(on);
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalIsosurfaceRepresentation::SetColorByAnswer(bool on)
+{
+  this->GetMapper()->SetColorByAnswer(on);
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalIsosurfaceRepresentation::SetShowStatistics(bool shows)
+{
+  this->ShowStatistics = shows;
+  this->StatisticsText->SetVisibility(shows && this->GetVisibility());
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalIsosurfaceRepresentation::SetVisibility(bool visible)
+{
+  this->Superclass::SetVisibility(visible);
+  this->StatisticsText->SetVisibility(visible && this->ShowStatistics);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkTemporalIsosurfaceRepresentation::GetRoute()
+{
+  return this->GetMapper()->GetRouteAsString();
+}
+
+//------------------------------------------------------------------------------
+double vtkTemporalIsosurfaceRepresentation::GetFrameMilliseconds()
+{
+  return 1000.0 * this->GetMapper()->GetFrameTime();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkTemporalIsosurfaceRepresentation::GetNumberOfRays()
+{
+  return this->GetMapper()->GetNumberOfRays();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkTemporalIsosurfaceRepresentation::GetNumberOfTracedRays()
+{
+  return this->GetMapper()->GetNumberOfTracedRays();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkTemporalIsosurfaceRepresentation::GetNumberOfDefiniteHits()
+{
+  return this->GetMapper()->GetNumberOfDefiniteHits();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkTemporalIsosurfaceRepresentation::GetNumberOfPossibleHits()
+{
+  return this->GetMapper()->GetNumberOfPossibleHits();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkTemporalIsosurfaceRepresentation::GetIsomapMemory()
+{
+  return this->GetMapper()->GetIsomapMemory();
+}
+
+//------------------------------------------------------------------------------
+vtkIdTypeArray* vtkTemporalIsosurfaceRepresentation::GetRouteCounts()
+{
+  return this->RouteCounts;
+}
+
+//------------------------------------------------------------------------------
+vtkDoubleArray* vtkTemporalIsosurfaceRepresentation::GetShownIsovalues()
+{
+  return this->ShownIsovalues;
+}
+
+//------------------------------------------------------------------------------
+vtkDoubleArray* vtkTemporalIsosurfaceRepresentation::GetScalarRange()
+{
+  return this->ScalarRange;
+}

@@ -1,0 +1,94 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What tests of the plugin share: a view, checks that print a line each, pictures as arrays."""
+
+import os
+
+import numpy as np
+from paraview.simple import *  # noqa: F401,F403 as ParaView's own scripts do
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
+
+LoadPlugin(os.environ["TEMPORAL_ISOSURFACE_PLUGIN"], remote=False, ns=globals())
+
+ROUTES = ("Cold", "Redisplay", "Reshade", "IsomapLookup", "IsomapBuild", "ThresholdHint",
+          "ImageCache")
+
+
+def check(is_right, what, found=""):
+    """Print a line that run.sh counts."""
+    print(f"{'passed' if is_right else 'FAILED'}: {what}{f' ({found})' if found != '' else ''}",
+          flush=True)
+
+
+def make_view(size=(400, 400)):
+    """A black view without anything that smooths or decorates the picture."""
+    view = CreateView("RenderView")
+    view.ViewSize = list(size)
+    view.OrientationAxesVisibility = 0
+    view.UseFXAA = 0
+    view.UseColorPaletteForBackground = 0
+    view.BackgroundColorMode = "Single Color"
+    view.Background = [0.0, 0.0, 0.0]
+    return view
+
+
+def make_wavelet(last=20):
+    """ParaView's analytic image, with 2 * last + 1 points along each axis."""
+    return Wavelet(WholeExtent=[-last, last] * 3)
+
+
+def show(source, view, isovalues):
+    """Show a source as a Temporal Isosurface in white."""
+    display = Show(source, view)
+    display.Representation = "Temporal Isosurface"
+    display.ColorArrayName = [None, ""]
+    display.DiffuseColor = [1.0, 1.0, 1.0]
+    display.Isovalues = isovalues
+    return display
+
+
+def look_from(view, azimuth=30.0, elevation=25.0, zoom=1.4):
+    """Look at all that is shown."""
+    camera = view.GetActiveCamera()
+    camera.SetPosition(0.0, 0.0, 1.0)
+    camera.SetFocalPoint(0.0, 0.0, 0.0)
+    camera.SetViewUp(0.0, 1.0, 0.0)
+    camera.Azimuth(azimuth)
+    camera.Elevation(elevation)
+    view.ResetCamera()
+    camera.Zoom(zoom)
+
+
+def statistic(display, name):
+    """A property that tells of the last frame."""
+    display.UpdatePropertyInformation()
+    return display.GetPropertyValue(name)
+
+
+def route_counts(display):
+    """How many frames took each route so far."""
+    return dict(zip(ROUTES, statistic(display, "RouteCounts")))
+
+
+def read_picture(path):
+    """Rows from the bottom, columns, red green blue, as integers."""
+    reader = vtkPNGReader()
+    reader.SetFileName(path)
+    reader.Update()
+    image = reader.GetOutput()
+    width, height, _ = image.GetDimensions()
+    colors = vtk_to_numpy(image.GetPointData().GetScalars())
+    return colors.reshape(height, width, -1)[:, :, :3].astype(int)
+
+
+def take_picture(view, name):
+    """Save what the view shows, and give it back."""
+    path = os.path.join(os.environ["TEMPORAL_ISOSURFACE_OUTPUT"], name + ".png")
+    SaveScreenshot(path, view, ImageResolution=list(view.ViewSize))
+    return read_picture(path)
+
+
+def count_different(a, b, tolerance=0):
+    """Pixels in which two pictures differ by more than a tolerance in any colour."""
+    return int((np.abs(a - b).max(axis=2) > tolerance).sum())

@@ -1,0 +1,153 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Each property of the panel reaches the mapper, and shows."""
+
+import numpy as np
+
+from Stage import (ColorBy, GetColorTransferFunction, GetOpacityTransferFunction, Render, Show,
+                   check, count_different, look_from, make_view, make_wavelet, show, statistic,
+                   take_picture)
+
+RANGE = (34.01525497436, 286.34109497070)  # of the wavelet's values
+
+
+def test_defaults():
+    """One line, and the middle of the values is shown; two, and a script for volumes is switched."""
+    view = make_view()
+    source = make_wavelet()
+    display = Show(source, view)
+    display.Representation = "Temporal Isosurface"
+    look_from(view)
+    Render(view)
+    check(np.allclose(statistic(display, "ScalarRange"), RANGE), "default: the range is the array's",
+          statistic(display, "ScalarRange"))
+    check(np.isclose(statistic(display, "ShownIsovalues"), np.mean(RANGE)),
+          "default: the isovalue is the middle", statistic(display, "ShownIsovalues"))
+    check((take_picture(view, "default") > 0).any(), "default: there is a picture without ColorBy")
+    check(statistic(display, "NumberOfRays") == 400 * 400, "statistics: a ray a pixel")
+    check(statistic(display, "FrameMilliseconds") > 0.0, "statistics: milliseconds",
+          f"{statistic(display, 'FrameMilliseconds'):.3f}")
+
+    volume = Show(source, make_view())
+    volume.Representation = "Volume"
+    volume.BlendMode = "Isosurface"
+    volume.IsosurfaceValues = [120.0, 200.0]
+    volume.Representation = "Temporal Isosurface"  # the line that switches
+    Render()
+    check(list(statistic(volume, "ShownIsovalues")) == [120.0, 200.0],
+          "drop-in: the isovalues of the representation Volume are shown")
+
+
+def test_looks(view, display):
+    """Colours and opacities."""
+    solid = take_picture(view, "solid-color")
+    ColorBy(display, ("POINTS", "RTData"))
+    table = GetColorTransferFunction("RTData")
+    table.RGBPoints = [0.0, 0.0, 0.0, 1.0, 300.0, 1.0, 0.0, 0.0]
+    table.ColorSpace = "RGB"
+    display.Ambient, display.Diffuse = 1.0, 0.0
+    color = take_picture(view, "table-color").max(axis=(0, 1))
+    check(abs(color[0] - 127.5) < 2 and color[1] == 0 and abs(color[2] - 127.5) < 2,
+          "colour: that of the lookup table at the isovalue", f"{color} at 150 of 300")
+    display.Ambient, display.Diffuse = 0.0, 1.0
+    display.Opacity = 0.5
+    half = take_picture(view, "half-opaque")
+    check(0.4 * solid.max() < half.max() < 0.95 * solid.max(), "opacity: one for all", half.max())
+    display.Opacity = 1.0
+    GetOpacityTransferFunction("RTData").Points = [0.0, 0.0, 0.5, 0.0, 300.0, 0.0, 0.5, 0.0]
+    display.UseOpacityFunction = 1
+    nothing = take_picture(view, "opacity-function")
+    check(nothing.max() == 0, "opacity: that of the opacity function where it is asked for")
+    display.UseOpacityFunction = 0
+    ColorBy(display, None)
+    check(count_different(take_picture(view, "solid-again"), solid) == 0,
+          "colour: a solid one without an array")
+
+
+def test_settings(view, display):
+    """What steers the mapper."""
+    crossing = take_picture(view, "crossing")
+    display.SurfaceMode = "Threshold"
+    check(count_different(take_picture(view, "threshold"), crossing) > 0,
+          "SurfaceMode: solids are closed where the volume ends")
+    display.SurfaceMode = "Crossing"
+
+    display.UseCropping, display.CroppingScale = 1, [0.5, 1.0, 1.0]
+    cropped = (take_picture(view, "cropped") > 0).any(axis=2).sum()
+    check(0 < cropped < (crossing > 0).any(axis=2).sum(), "UseCropping: a box is left",
+          f"{cropped} pixels")
+    display.UseCropping, display.CroppingScale = 0, [1.0, 1.0, 1.0]
+
+    display.RefineWhenStill, display.ColorByAnswer = 0, 1
+    Render(view)
+    view.GetActiveCamera().Azimuth(4.0)
+    picture = take_picture(view, "answers")
+    yellow = ((picture[:, :, 0] > 60) & (picture[:, :, 2] == 0)).sum()
+    check(yellow > 0, "ColorByAnswer: what the cache did not know is yellow", f"{yellow} pixels")
+    display.RefineWhenStill, display.ColorByAnswer = 1, 0
+
+    plain = take_picture(view, "without-statistics")
+    display.ShowStatistics = 1
+    Render(view)
+    written = count_different(take_picture(view, "with-statistics"), plain)
+    check(written > 100, "ShowStatistics: a line is written", f"{written} pixels")
+    display.ShowStatistics = 0
+    check(count_different(take_picture(view, "without-again"), plain) == 0,
+          "ShowStatistics: and taken away")
+
+    def route_after(change):
+        change()
+        Render(view)
+        return statistic(display, "Route")
+
+    def turn():
+        view.GetActiveCamera().Azimuth(1.0)
+
+    display.ImageCache = 0
+    check(route_after(turn) == "Cold", "ImageCache: off, a new view is cold")
+    display.ImageCache, display.ReuseAccuracy = 1, "Exact"
+    Render(view)
+    turn()
+    Render(view)
+    traced = statistic(display, "NumberOfTracedRays")
+    display.ReuseAccuracy = "Paper"
+    Render(view)
+    turn()
+    Render(view)
+    check(statistic(display, "NumberOfTracedRays") < traced, "ReuseAccuracy: PAPER traces less than EXACT",
+          f"{statistic(display, 'NumberOfTracedRays')} and {traced} rays")
+    display.ReuseAccuracy = "Bounded"
+    Render(view)
+    Render(view)
+    display.Isomap = 0
+    check(route_after(lambda: setattr(display, "Isovalues", [152.0])) == "ThresholdHint",
+          "Isomap: off, the last hits bound the search", statistic(display, "Route"))
+    display.Isomap, display.IsomapMemoryLimit = 1, 0
+    check(route_after(lambda: setattr(display, "Isovalues", [154.0])) == "ThresholdHint",
+          "IsomapMemoryLimit: 0 is no isomap", statistic(display, "Route"))
+    display.IsomapMemoryLimit, display.IsomapRange, display.IsomapTolerance = 256, [150, 170], 0.1
+    check(route_after(lambda: setattr(display, "Isovalues", [156.0])) == "IsomapBuild",
+          "IsomapRange: it is built at once", statistic(display, "Route"))
+    check(route_after(lambda: setattr(display, "Isovalues", [168.0])) == "IsomapLookup",
+          "IsomapRange: and all of it is looked up", statistic(display, "Route"))
+    memory = statistic(display, "IsomapMemory")
+    display.IsomapTolerance = 0.0
+    route_after(lambda: setattr(display, "Isovalues", [157.0]))
+    check(statistic(display, "IsomapMemory") != memory, "IsomapTolerance: another one, another map",
+          f"{memory} and {statistic(display, 'IsomapMemory')} bytes")
+
+
+def main():
+    """All properties."""
+    test_defaults()
+    view = make_view()
+    display = show(make_wavelet(), view, [150.0])
+    look_from(view)
+    Render(view)
+    test_looks(view, display)
+    test_settings(view, display)
+    check(list(statistic(display, "RouteCounts"))[6] > 0, "RouteCounts: frames of each route",
+          list(statistic(display, "RouteCounts")))
+
+
+main()

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Measures the mapper, scenario by scenario: prints Markdown tables and writes all figures into one
-// JSON file.
+// JSON file; draws plots of some.
 
 #include "CommandLine.h"
+#include "Display.h"
 #include "GrowthSteps.h"
 #include "Measuring.h"
 #include "Report.h"
@@ -35,6 +36,7 @@ struct Asked
   int Steps = 0;
   int Largest = 0;
   std::string Json;
+  std::string Plots;
   std::vector<Volumes::Sample> Volumes;
 };
 
@@ -50,6 +52,7 @@ Settings SettingsOf(const Asked& asked)
   settings.Steps = choose(asked.Steps, QuickSteps, settings.Steps);
   settings.Largest = choose(asked.Largest, QuickLargest, settings.Largest);
   settings.Volumes = asked.Volumes;
+  settings.Plots = asked.Plots;
   return settings;
 }
 
@@ -91,6 +94,11 @@ bool RunScenario(
 bool RunScenarios(const Asked& asked)
 {
   const Settings settings = SettingsOf(asked);
+  if (!settings.Plots.empty())
+  {
+    RequireDisplay();
+    RequireFolder(settings.Plots);
+  }
   std::cout << settings.Size << " x " << settings.Size << " pixels, "
             << vtkSMPTools::GetEstimatedNumberOfThreads() << " threads\n\n";
   JsonWriter json;
@@ -142,6 +150,7 @@ int main(int argc, char* argv[])
   options.Number("--largest", "samples a side where growth ends (512)", asked.Largest,
     GrowthSteps::Smallest, Volumes::LargestSize);
   options.Text("--json", "write all figures to this file too", asked.Json);
+  options.Text("--plots", "draw plots of some scenarios into this folder", asked.Plots);
   options.Volumes(asked.Volumes);
   return options.Run(argc, argv, [&asked] { return RunScenarios(asked); });
 }

@@ -5,6 +5,7 @@
 #include "Measuring.h"
 
 #include <vtkSMPTools.h>
+#include <vtksys/SystemTools.hxx>
 
 #include <cmath>
 #include <fstream>
@@ -47,6 +48,16 @@ std::string Plain(double value)
   std::ostringstream text;
   text << std::setprecision(7) << value;
   return text.str();
+}
+
+PagePart::PagePart(const std::string& name)
+{
+  std::cout << "<!-- made: " << name << " -->\n\n";
+}
+
+PagePart::~PagePart()
+{
+  std::cout << "\n<!-- end -->\n" << std::endl;
 }
 
 MarkdownTable::MarkdownTable(const std::vector<std::string>& head)
@@ -139,6 +150,15 @@ void JsonWriter::Write(const std::string& path) const
   {
     throw Measuring::Failure(
       "Cannot write " + path + ": name a file in a folder that exists and has room.");
+  }
+}
+
+void RequireFolder(const std::string& path)
+{
+  if (!vtksys::SystemTools::MakeDirectory(path))
+  {
+    throw Measuring::Failure(
+      "Cannot make the folder " + path + ": name one that can be written in.");
   }
 }
 

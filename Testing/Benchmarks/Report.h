@@ -21,6 +21,17 @@ public:
   void Row(const std::vector<std::string>& cells) const;
 };
 
+/// A part of a page that a program has made: what is printed while it is there stands between two
+/// comments, and takes the place of the part of that name in the page (Documentation/gallery.sh).
+class PagePart
+{
+public:
+  explicit PagePart(const std::string& name);
+  ~PagePart();
+  PagePart(const PagePart&) = delete;
+  PagePart& operator=(const PagePart&) = delete;
+};
+
 /// JSON text, written from front to end. Names are needed in objects and left out in lists.
 class JsonWriter
 {
@@ -51,6 +62,10 @@ private:
   std::string Ends; ///< closing brackets of what is open, innermost last
   bool IsFirst = true;
 };
+
+/// Make a folder that something is to be written into.
+/// \throws Measuring::Failure if it cannot be made
+void RequireFolder(const std::string& path);
 
 /// Begin a report: picture size and threads, which all figures depend on.
 void AddMachine(JsonWriter& json, int size);

@@ -9,18 +9,23 @@ usage()
 {
   cat <<'TEXT'
 Build vtkTemporalCoherence and measure it: all scenarios of the program Benchmark (its --help tells
-them), single kernels, and the paper's figures.
+them) with plots of some, and single kernels: what Documentation/Performance.md tells. Pictures and
+the paper's figures are made by Documentation/gallery.sh, which calls this with --only.
 
-usage: Testing/Benchmarks/run.sh [--quick] [--output FOLDER] [--no-packages]
+usage: Testing/Benchmarks/run.sh [--only PART,...] [--quick] [--output FOLDER] [--no-packages]
 
+  --only PART,...  of scenarios, kernels (these two are the default), figures (those of the paper),
+                   pictures (routes and features)
   --quick          small pictures and few frames: a minute, to see that all works
-  --output FOLDER  where tables, JSON and figures go; default: benchmarks, in the build directory
+  --output FOLDER  where tables, JSON, plots and pictures go; default: benchmarks, in the build
+                   directory
   --no-packages    install no packages (see Module/setup.sh --help)
+  --built          build nothing: the build directory is up to date
   --help           show this text
 
 Volumes are looked for in the folder that TEMPORAL_COHERENCE_DATA names; those that are not there
-are left out. Nothing else should run meanwhile. Without DISPLAY, charts and windows are drawn on
-a display of their own. The exit status is not 0 if a program fails.
+are left out, or others shown in their place. Nothing else should run meanwhile. Without DISPLAY,
+charts and windows are drawn on a display of their own. The exit status is not 0 if a program fails.
 TEXT
 }
 
@@ -28,16 +33,25 @@ repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 export TEMPORAL_COHERENCE_BUILD=${TEMPORAL_COHERENCE_BUILD:-$repository/build}
 build=$TEMPORAL_COHERENCE_BUILD
 output=$build/benchmarks
+# shellcheck source-path=SCRIPTDIR source=../Common/Display.sh
+. "$repository/Testing/Common/Display.sh"
 
 say() { printf '[benchmarks] %s\n' "$*"; }
 fail() { printf '[benchmarks] %s\n' "$*" >&2; exit 1; }
 
 setup_options=(--with-tests)
-quick=no
+quick=()
+built=no
+parts=scenarios,kernels
 while [ $# -gt 0 ]; do
   case $1 in
     --help | -h) usage; exit 0 ;;
-    --quick) quick=yes ;;
+    --quick) quick=("$1") ;;
+    --built) built=yes ;;
+    --only)
+      [ $# -gt 1 ] || fail "--only needs names of parts behind it."
+      parts=$2
+      shift ;;
     --no-packages) setup_options+=("$1") ;;
     --output)
       [ $# -gt 1 ] || fail "--output needs a folder behind it."
@@ -48,40 +62,11 @@ while [ $# -gt 0 ]; do
   shift
 done
 
-scenarios=()
-kernels=()
-figures=()
-if [ "$quick" = yes ]; then
-  scenarios=(--quick)
-  kernels=(--benchmark_min_time=0.01)
-  figures=(--quick)
-fi
-
-# On the display there is, or on one of its own.
-with_display() # COMMAND...
-{
-  local started=$output/started attempt display
-  if [ -n "${DISPLAY:-}" ]; then
-    "$@"
-    return
-  fi
-  rm -f "$started"
-  # A number far from 99, where everybody begins: in a container, xvfb-run does not see a server
-  # of the machine around it, but clients of the same number would connect to that one.
-  for attempt in 1 2 3 4 5; do
-    display=$((200 + RANDOM % 700))
-    # shellcheck disable=SC2016 # expanded by the inner shell
-    xvfb-run --server-num="$display" --auto-servernum --server-args="-screen 0 1280x1024x24 -noreset" \
-      bash -c 'touch "$0" && exec "$@"' "$started" "$@" && rm -f "$started" && return 0
-    # What failed was the program, not the display.
-    if [ -f "$started" ]; then
-      rm -f "$started"
-      return 1
-    fi
-    say "No X server at display $display (attempt $attempt of 5)" >&2
-  done
-  return 1
-}
+for part in ${parts//,/ }; do
+  [[ $part =~ ^(scenarios|kernels|figures|pictures)$ ]] ||
+    fail "There is no part $part; --help lists those there are."
+done
+asked_for() { [[ ,$parts, == *,$1,* ]]; }
 
 # Runs a program; what it prints goes into a file too.
 measure() # TITLE FILE PROGRAM ARGUMENTS...
@@ -94,21 +79,31 @@ measure() # TITLE FILE PROGRAM ARGUMENTS...
   say "$title: done in $((SECONDS - begin)) s"
 }
 
-"$repository/Module/setup.sh" "${setup_options[@]}"
+[ "$built" = yes ] || "$repository/Module/setup.sh" "${setup_options[@]}"
 mkdir -p "$output" 2>/dev/null ||
   fail "Cannot make the folder $output; name one that can be written in with --output."
 output=$(cd "$output" && pwd)
 
-measure "All scenarios" benchmark.md Benchmark "${scenarios[@]}" --json "$output/benchmark.json"
-if [ -x "$build/bin/BenchmarkKernels" ]; then
-  measure "Single kernels" kernels.txt BenchmarkKernels "${kernels[@]}" \
+charts=yes
+if [ ! -x "$build/bin/PaperFigures" ]; then
+  charts=no
+  say "Plots, figures and pictures are left out: this VTK has no charts."
+fi
+if asked_for scenarios; then
+  plots=(--plots "$output")
+  [ "$charts" = yes ] || plots=()
+  measure "All scenarios" benchmark.md Benchmark "${quick[@]}" --json "$output/benchmark.json" "${plots[@]}"
+fi
+if asked_for kernels && [ -x "$build/bin/BenchmarkKernels" ]; then
+  measure "Single kernels" kernels.txt BenchmarkKernels ${quick:+--benchmark_min_time=0.01} \
     --benchmark_out="$output/kernels.json" --benchmark_out_format=json
-else
+elif asked_for kernels; then
   say "Single kernels are left out: there is no Google Benchmark."
 fi
-if [ -x "$build/bin/PaperFigures" ]; then
-  measure "The paper's figures" figures.md PaperFigures "${figures[@]}" --output "$output/figures"
-else
-  say "The paper's figures are left out: this VTK has no charts."
+if asked_for figures && [ "$charts" = yes ]; then
+  measure "The paper's figures" figures.md PaperFigures "${quick[@]}" --output "$output"
 fi
-say "Tables (.md, .txt), JSON and the folder of figures are in $output"
+if asked_for pictures && [ "$charts" = yes ]; then
+  measure "Routes and features" pictures.md GalleryPictures "${quick[@]}" --output "$output"
+fi
+say "Tables (.md, .txt), JSON, plots and pictures are in $output"

@@ -7,9 +7,11 @@
 #include <vtkImageChangeInformation.h>
 #include <vtkImageShrink3D.h>
 #include <vtkNew.h>
+#include <vtkRenderWindow.h>
 #include <vtkStdString.h>
 #include <vtkTextProperty.h>
 #include <vtkTextRenderer.h>
+#include <vtkWindowToImageFilter.h>
 
 #include <algorithm>
 #include <array>
@@ -20,10 +22,9 @@ namespace FigurePictures
 namespace
 {
 
-constexpr std::array<unsigned char, 3> Ground = { 28, 33, 42 };
 /// The caption's letters are as high as this part of the picture.
 constexpr int CaptionPart = 28;
-constexpr int WidestTile = 2048; ///< pixels
+constexpr int WidestFigure = 1000; ///< pixels a page can show
 constexpr int SmallestCaption = 14;
 constexpr int Dpi = 72;
 
@@ -74,18 +75,34 @@ vtkSmartPointer<vtkImageData> Appended(
   return append->GetOutput();
 }
 
-/// Not wider than a page can show.
-vtkSmartPointer<vtkImageData> Shrunk(vtkImageData* image)
+}
+
+vtkSmartPointer<vtkImageData> Grabbed(vtkRenderWindow* window)
 {
-  const int factor = (image->GetDimensions()[0] + WidestTile - 1) / WidestTile;
+  vtkNew<vtkWindowToImageFilter> grab;
+  grab->SetInput(window);
+  grab->ReadFrontBufferOff();
+  grab->Update();
+  return grab->GetOutput();
+}
+
+vtkSmartPointer<vtkImageData> Shrunk(vtkImageData* picture, int factor)
+{
   vtkNew<vtkImageShrink3D> shrink;
-  shrink->SetInputData(image);
+  shrink->SetInputData(picture);
   shrink->SetShrinkFactors(factor, factor, 1);
   shrink->MeanOn();
   shrink->Update();
   return shrink->GetOutput();
 }
 
+vtkSmartPointer<vtkImageData> OnGround(vtkImageData* rgba)
+{
+  vtkNew<vtkImageBlend> blend;
+  blend->AddInputData(GroundLike(rgba));
+  blend->AddInputData(rgba);
+  blend->Update();
+  return blend->GetOutput();
 }
 
 vtkSmartPointer<vtkImageData> WithCaption(vtkImageData* rgba, const std::string& caption)
@@ -111,7 +128,8 @@ vtkSmartPointer<vtkImageData> Tile(
   {
     stack.push_back(Appended(*row, 0));
   }
-  return Shrunk(Appended(stack, 1));
+  const vtkSmartPointer<vtkImageData> figure = Appended(stack, 1);
+  return Shrunk(figure, (figure->GetDimensions()[0] + WidestFigure - 1) / WidestFigure);
 }
 
 }

@@ -6,12 +6,27 @@
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>
 
+#include <array>
 #include <string>
 #include <vector>
+
+class vtkRenderWindow;
 
 /// Pictures put together into a figure, by VTK's image filters.
 namespace FigurePictures
 {
+
+/// The dark colour behind all pictures.
+constexpr std::array<unsigned char, 3> Ground = { 28, 33, 42 };
+
+/// What a window shows.
+vtkSmartPointer<vtkImageData> Grabbed(vtkRenderWindow* window);
+
+/// Means of squares of so many pixels a side.
+vtkSmartPointer<vtkImageData> Shrunk(vtkImageData* picture, int factor);
+
+/// A picture of the mapper (RGBA) in front of the ground.
+vtkSmartPointer<vtkImageData> OnGround(vtkImageData* rgba);
 
 /// A picture of the mapper (RGBA) in front of a dark ground, with a caption at the lower left.
 vtkSmartPointer<vtkImageData> WithCaption(vtkImageData* rgba, const std::string& caption);

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Figures.h"
 
-#include "Drift.h"
 #include "FigurePictures.h"
 #include "Measuring.h"
+#include "PaperNumbers.h"
 #include "Plots.h"
 #include "PngFile.h"
 #include "Stage.h"
@@ -18,7 +18,6 @@
 #include <array>
 #include <cmath>
 #include <iostream>
-#include <utility>
 
 namespace Figures
 {
@@ -27,7 +26,7 @@ namespace
 
 constexpr double Degrees = 2.0; ///< of the orbit, a frame
 constexpr double DegreesToNextPicture = 8.0;
-constexpr double Closeness = 1.4; ///< of figure 8, by which the volumes fill the pictures
+constexpr int SmallSize = 64; ///< samples a side of the only volume of a quick look
 constexpr int KeyInterval = 7;
 constexpr int KeyFrames = 28;
 
@@ -36,6 +35,7 @@ struct Technique
 {
   std::string File;
   std::string Title;
+  std::string Short;
   bool IsPaper = false;
 
   void Set(vtkTemporalCoherenceVolumeMapper* mapper) const
@@ -50,8 +50,8 @@ struct Technique
 const std::array<Technique, 2>& Techniques()
 {
   static const std::array<Technique, 2> techniques = {
-    Technique{ "paper", "as in the paper (PAPER, plain ray caster)", true },
-    Technique{ "bounded", "as by default (BOUNDED, space leaping)", false }
+    Technique{ "paper", "as in the paper (PAPER, plain ray caster)", "as in the paper", true },
+    Technique{ "bounded", "as by default (BOUNDED, space leaping)", "by default", false }
   };
   return techniques;
 }
@@ -78,9 +78,17 @@ std::string SizeOf(vtkImageData* image)
   return Plain(size[0]) + "x" + Plain(size[1]) + "x" + Plain(size[2]);
 }
 
-/// Mean times of a frame, cold and cached, drawn in turn.
-std::pair<double, double> AverageTimesOf(
-  const Subject& subject, const Technique& technique, const Settings& settings)
+/// Mean milliseconds of a frame.
+struct Average
+{
+  double Cold = 0.0;
+  double Cached = 0.0;
+
+  double SpeedUp() const { return Measuring::Ratio(this->Cold, this->Cached); }
+};
+
+/// Cold and cached, drawn in turn.
+Average AverageTimesOf(const Subject& subject, const Technique& technique, const Settings& settings)
 {
   Stage stage(subject.Image, subject.Isovalue, settings.Size);
   Drawer cold(stage), cached(stage);
@@ -99,20 +107,109 @@ std::pair<double, double> AverageTimesOf(
   return { Measuring::Mean(coldTimes), Measuring::Mean(cachedTimes) };
 }
 
-Plots::Chart AverageTimesChart(const Settings& settings, const Technique& technique)
+void AddBar(Plots::Series& bars, std::size_t subject, double height)
+{
+  bars.X.push_back(static_cast<double>(subject));
+  bars.Y.push_back(height);
+}
+
+/// Bars for each subject.
+Plots::Chart BarChart(
+  const Settings& settings, const std::string& title, const std::string& heights)
 {
   Plots::Chart chart;
-  chart.Title = "Figure 5: average time of a frame, " + technique.Title;
+  chart.Title = title;
   chart.XTitle = "Volume";
-  chart.YTitle = "Milliseconds a frame";
+  chart.YTitle = heights;
   chart.IsBars = true;
-  chart.Series = { { "without image cache", {}, {}, 0 }, { "latest image as cache", {}, {}, 1 } };
   for (std::size_t i = 0; i < settings.Subjects.size(); ++i)
   {
-    const Subject& subject = settings.Subjects[i];
-    chart.XTicks.emplace_back(static_cast<double>(i), subject.Name);
+    chart.XTicks.emplace_back(static_cast<double>(i), settings.Subjects[i].Name);
   }
   return chart;
+}
+
+Plots::Chart AverageTimesChart(
+  const Settings& settings, const Technique& technique, const std::vector<Average>& averages)
+{
+  Plots::Chart chart = BarChart(
+    settings, "Figure 5: average time of a frame, " + technique.Title, "Milliseconds a frame");
+  chart.Series = { { "without image cache", {}, {}, 0 }, { "latest image as cache", {}, {}, 1 } };
+  for (std::size_t i = 0; i < averages.size(); ++i)
+  {
+    AddBar(chart.Series[0], i, averages[i].Cold);
+    AddBar(chart.Series[1], i, averages[i].Cached);
+  }
+  return chart;
+}
+
+/// What the paper says of a subject; null if it has no numbers of it.
+const PaperNumbers::CachedPicture* PaperOf(const Subject& subject)
+{
+  const auto& all = PaperNumbers::CachedPictures;
+  const auto* found = std::find_if(all.begin(), all.end(),
+    [&subject](const auto& picture) { return subject.Name.rfind(picture.Volume, 0) == 0; });
+  return found == all.end() ? nullptr : found;
+}
+
+/// Times without the cache by those with it: the paper's and those of each technique.
+Plots::Chart SpeedUpChart(const Settings& settings, const std::vector<std::vector<Average>>& all)
+{
+  Plots::Chart chart = BarChart(settings, "Figure 5: what the latest image as cache gains",
+    "Time without image cache by time with it");
+  for (std::size_t technique = 0; technique < all.size(); ++technique)
+  {
+    Plots::Series bars;
+    bars.Name = Techniques()[technique].Title;
+    bars.Color = static_cast<int>(technique);
+    for (std::size_t i = 0; i < all[technique].size(); ++i)
+    {
+      AddBar(bars, i, all[technique][i].SpeedUp());
+    }
+    chart.Series.push_back(bars);
+  }
+  Plots::Series paper;
+  paper.Name = "the paper (50 to 15 s, 75 to 20 s)";
+  paper.Color = static_cast<int>(all.size());
+  for (std::size_t i = 0; i < settings.Subjects.size(); ++i)
+  {
+    const PaperNumbers::CachedPicture* picture = PaperOf(settings.Subjects[i]);
+    AddBar(paper, i, picture ? picture->WithoutCache / picture->WithCache : 0.0);
+  }
+  chart.Series.push_back(paper);
+  return chart;
+}
+
+void PrintAverages(const Settings& settings, const std::vector<std::vector<Average>>& all)
+{
+  const PagePart part("figure5");
+  std::cout << Plain(Degrees) << " degrees a frame, means of " << settings.Frames << " frames, "
+            << settings.Size << " x " << settings.Size << " pixels.\n\n";
+  std::vector<std::string> head = { "volume", "paper: without cache", "latest image", "gain" };
+  for (const Technique& technique : Techniques())
+  {
+    const std::vector<std::string> columns = { technique.Short + ": without cache", "latest image",
+      "gain" };
+    head.insert(head.end(), columns.begin(), columns.end());
+  }
+  const MarkdownTable table(head);
+  for (std::size_t i = 0; i < settings.Subjects.size(); ++i)
+  {
+    std::vector<std::string> cells = { settings.Subjects[i].Name, "-", "-",
+      PaperNumbers::UsualSpeedUp };
+    if (const PaperNumbers::CachedPicture* picture = PaperOf(settings.Subjects[i]))
+    {
+      cells = { settings.Subjects[i].Name, Plain(picture->WithoutCache) + " s",
+        Plain(picture->WithCache) + " s", Fixed(picture->WithoutCache / picture->WithCache, 1) };
+    }
+    for (const std::vector<Average>& averages : all)
+    {
+      cells.push_back(Fixed(averages[i].Cold, 1) + " ms");
+      cells.push_back(Fixed(averages[i].Cached, 1) + " ms");
+      cells.push_back(Fixed(averages[i].SpeedUp(), 1));
+    }
+    table.Row(cells);
+  }
 }
 
 /// Times of frame after frame with key images. A first round, which builds the structures that
@@ -148,92 +245,74 @@ std::vector<double> Counted(std::size_t n)
   return numbers;
 }
 
-/// Ticks at powers of ten from one below a single pixel, which stands for none, to above the
-/// worst.
-Plots::Ticks DecadeTicks(double worst, int size)
-{
-  const double onePixel = 100.0 / (static_cast<double>(size) * size);
-  const int none = static_cast<int>(std::floor(std::log10(onePixel)));
-  const int top = std::max(none + 1, static_cast<int>(std::ceil(std::log10(worst + onePixel))));
-  Plots::Ticks ticks = { { none, "none" } };
-  for (int power = none + 1; power <= top; ++power)
-  {
-    ticks.emplace_back(power, Fixed(std::pow(10.0, power), std::max(0, -power)) + " %");
-  }
-  return ticks;
 }
 
-/// A colour for each speed, solid for PAPER and dashed for BOUNDED.
-Plots::Series LogarithmOf(const Drift::Course& course, int color, double none)
+void SetUp(Stage& stage, const Subject& subject, const Look::Color& color)
 {
-  Plots::Series series;
-  series.Name = course.Accuracy + ", " + Fixed(course.Degrees, 1) + " degrees";
-  series.Color = color;
-  series.IsDashed = course.Accuracy == "BOUNDED";
-  for (std::size_t i = 0; i < course.Frames.size(); ++i)
-  {
-    const double different = course.Different[i];
-    series.X.push_back(course.Frames[i]);
-    series.Y.push_back(different > 0.0 ? std::max(none, std::log10(different)) : none);
-  }
-  return series;
+  Look::AddLights(stage.Renderer);
+  Look::Show(stage.Volume->GetProperty(), { { subject.Isovalue, color } });
+  Look::PointCamera(stage.Renderer, stage.Image->GetBounds(), subject.View);
 }
 
-}
-
-std::vector<Subject> LoadSubjects()
+std::vector<Subject> LoadSubjects(bool onlySmall)
 {
+  const Look::View brainView = { { -1.0, -0.6, 0.9 }, { 0.0, -1.0, 0.0 }, 1.7 };
+  const Look::View engineView = { { 1.0, -1.4, 0.9 }, { 0.0, 0.0, 1.0 }, 1.6 };
   std::vector<Subject> subjects;
-  const auto add = [&subjects](const std::string& name, vtkImageData* image, double isovalue) {
-    subjects.push_back({ name + " " + SizeOf(image), image, isovalue });
+  const auto add = [&subjects](const std::string& name, vtkImageData* image, double isovalue,
+                     const Look::View& view) {
+    subjects.push_back({ name + " " + SizeOf(image), image, isovalue, view, true });
   };
+  if (onlySmall)
+  {
+    add("four spheres", Volumes::FourSpheres(SmallSize), 100, {});
+    return subjects;
+  }
   if (const vtkSmartPointer<vtkImageData> brain = LoadOrTell("brain.vti"))
   {
-    add("brain", brain, 40);
-    add("brain doubled", Doubled(brain), 40);
+    add("brain", brain, 40, brainView);
+    add("brain doubled", Doubled(brain), 40, brainView);
+    subjects.back().IsPictured = false;
   }
   if (const vtkSmartPointer<vtkImageData> engine = LoadOrTell("engine.vti"))
   {
-    add("engine", engine, 70);
+    add("engine", engine, 70, engineView);
   }
-  add("four spheres", Volumes::FourSpheres(256), 100);
+  add("four spheres", Volumes::FourSpheres(256), 100, {});
   return subjects;
 }
 
 void AverageTimes(const Settings& settings, JsonWriter& json)
 {
-  std::cout << "Figure 5: average ms of a frame, " << Degrees << " degrees a frame\n\n";
-  const MarkdownTable table({ "frames", "volume", "without cache", "latest image", "ratio" });
+  std::vector<std::vector<Average>> all;
   json.OpenList("figure5");
   for (const Technique& technique : Techniques())
   {
-    Plots::Chart chart = AverageTimesChart(settings, technique);
-    for (std::size_t i = 0; i < settings.Subjects.size(); ++i)
+    all.emplace_back();
+    for (const Subject& subject : settings.Subjects)
     {
-      const Subject& subject = settings.Subjects[i];
-      const auto [cold, cached] = AverageTimesOf(subject, technique, settings);
-      chart.Series[0].X.push_back(static_cast<double>(i));
-      chart.Series[0].Y.push_back(cold);
-      chart.Series[1].X.push_back(static_cast<double>(i));
-      chart.Series[1].Y.push_back(cached);
-      table.Row({ technique.File, subject.Name, Fixed(cold, 1), Fixed(cached, 1),
-        Fixed(Measuring::Ratio(cold, cached), 2) });
+      const Average average = AverageTimesOf(subject, technique, settings);
+      all.back().push_back(average);
       json.OpenObject();
       json.Add("technique", technique.File);
       json.Add("volume", subject.Name);
-      json.Add("coldMs", cold);
-      json.Add("cachedMs", cached);
+      json.Add("coldMs", average.Cold);
+      json.Add("cachedMs", average.Cached);
       json.Close();
     }
-    Plots::Write(chart, settings.Output + "/figure5-" + technique.File);
+    Plots::Write(AverageTimesChart(settings, technique, all.back()),
+      settings.Output + "/figure5-" + technique.File);
   }
   json.Close();
-  std::cout << '\n';
+  PrintAverages(settings, all);
+  Plots::Write(SpeedUpChart(settings, all), settings.Output + "/figure5");
 }
 
 void KeyImageTimes(const Settings& settings, JsonWriter& json)
 {
-  std::cout << "Figure 6: ms of a frame, key images every " << KeyInterval << " frames\n\n";
+  const PagePart part("figure6");
+  std::cout << "A key image every " << KeyInterval << " frames, " << Plain(Degrees)
+            << " degrees a frame; ms of a frame.\n\n";
   const MarkdownTable table({ "frames", "volume", "median", "slowest" });
   json.OpenList("figure6");
   for (const Technique& technique : Techniques())
@@ -247,7 +326,7 @@ void KeyImageTimes(const Settings& settings, JsonWriter& json)
       const std::vector<double> times = KeyImageTimesOf(subject, technique, settings);
       chart.Series.push_back(
         { subject.Name, Counted(times.size()), times, static_cast<int>(chart.Series.size()) });
-      table.Row({ technique.File, subject.Name, Fixed(Measuring::Median(times), 1),
+      table.Row({ technique.Short, subject.Name, Fixed(Measuring::Median(times), 1),
         Fixed(Measuring::Worst(times), 1) });
       json.OpenObject();
       json.Add("technique", technique.File);
@@ -258,36 +337,35 @@ void KeyImageTimes(const Settings& settings, JsonWriter& json)
     Plots::Write(chart, settings.Output + "/figure6-" + technique.File);
   }
   json.Close();
-  std::cout << '\n';
 }
 
 void AnswersInColor(const Settings& settings, JsonWriter& json)
 {
-  std::cout << "Figure 8: the next picture, " << DegreesToNextPicture << " degrees on\n\n";
+  const PagePart part("figure8");
   const MarkdownTable table({ "volume", "rays not served by the cache" });
   json.OpenList("figure8");
   std::vector<vtkSmartPointer<vtkImageData>> caches, next;
   for (const Subject& subject : settings.Subjects)
   {
     Stage stage(subject.Image, subject.Isovalue, settings.Size);
-    // Blue, which yellow stands out from.
-    vtkNew<vtkColorTransferFunction> blue;
-    blue->AddRGBPoint(subject.Isovalue, 0.55, 0.68, 0.88);
-    stage.Volume->GetProperty()->SetColor(blue);
+    SetUp(stage, subject, Look::Steel); // which yellow stands out from
     Drawer drawer(stage);
     Techniques()[0].Set(drawer.Mapper);
     drawer.Mapper->ColorByAnswerOn();
-    stage.Approach(Closeness);
     drawer.Draw(stage);
-    caches.push_back(FigurePictures::WithCaption(drawer.Color, subject.Name));
+    const auto cache = FigurePictures::WithCaption(drawer.Color, subject.Name);
     stage.Orbit(DegreesToNextPicture);
     drawer.Draw(stage);
     const double traced = 100.0 *
       Measuring::Ratio(static_cast<double>(drawer.Mapper->GetNumberOfPossibleHits()),
         static_cast<double>(drawer.Mapper->GetNumberOfRays()));
     const std::string share = Fixed(traced, 1) + " %";
-    next.push_back(FigurePictures::WithCaption(
-      drawer.Color, Plain(DegreesToNextPicture) + " degrees on, " + share + " traced"));
+    if (subject.IsPictured)
+    {
+      caches.push_back(cache);
+      next.push_back(FigurePictures::WithCaption(
+        drawer.Color, Plain(DegreesToNextPicture) + " degrees on, " + share + " not served"));
+    }
     table.Row({ subject.Name, share });
     json.OpenObject();
     json.Add("volume", subject.Name);
@@ -295,39 +373,7 @@ void AnswersInColor(const Settings& settings, JsonWriter& json)
     json.Close();
   }
   json.Close();
-  std::cout << '\n';
   WritePng(FigurePictures::Tile({ caches, next }), settings.Output + "/figure8.png");
-}
-
-void DriftOverTime(const Settings& settings, JsonWriter& json)
-{
-  // The engine, or what there is.
-  const auto engine = std::find_if(settings.Subjects.begin(), settings.Subjects.end(),
-    [](const Subject& subject) { return subject.Name.rfind("engine", 0) == 0; });
-  const Subject& subject = engine == settings.Subjects.end() ? settings.Subjects.back() : *engine;
-  Stage stage(subject.Image, subject.Isovalue, settings.Size);
-  const std::vector<Drift::Course> courses = Drift::Run(stage, settings.DriftFrames);
-  std::cout << "Drift: percent of the pixels that differ from cold, " << subject.Name << "\n\n";
-  Drift::PrintTable(courses);
-  std::cout << '\n';
-  Drift::AddTo(json, courses);
-
-  Plots::Chart chart;
-  chart.Title = "Drift of pictures each made from the last: " + subject.Name;
-  chart.XTitle = "Frame";
-  chart.YTitle = "Pixels that differ from the cold picture";
-  double worst = 0.0;
-  for (const Drift::Course& course : courses)
-  {
-    worst = std::max(worst, Measuring::Worst(course.Different));
-  }
-  chart.YTicks = DecadeTicks(worst, settings.Size);
-  for (const Drift::Course& course : courses)
-  {
-    const int color = static_cast<int>(chart.Series.size() / 2);
-    chart.Series.push_back(LogarithmOf(course, color, chart.YTicks.front().first));
-  }
-  Plots::Write(chart, settings.Output + "/drift");
 }
 
 }

@@ -4,8 +4,8 @@
 
 #include "FigurePictures.h"
 #include "IsomapMaps.h"
-#include "IsomapReport.h"
 #include "Measuring.h"
+#include "PaperNumbers.h"
 #include "Plots.h"
 #include "PngFile.h"
 #include "Stage.h"
@@ -14,7 +14,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <iostream>
 #include <numeric>
 #include <string>
@@ -27,30 +26,30 @@ namespace
 
 using Figures::Settings;
 using Figures::Subject;
-using IsomapMaps::Map;
-using IsomapReport::Result;
 
 constexpr std::size_t NumberOfThresholds = 12;
 constexpr double ThresholdStep = 0.02; ///< of the range of values
 /// Of figure 9, in values of 8 bits, whose range the paper's thresholds are shares of.
 constexpr std::array<double, 2> PaperThresholds = { 0.16, 0.22 };
+constexpr int PaperColor = 2;
+/// Of which figure 7 shows times beside the paper's: the brain in both of its sizes.
+constexpr std::size_t SubjectsBeside = 2;
 constexpr double LargestByte = 255.0;
-constexpr double Closeness = 1.4; ///< of figure 9, by which the volumes fill the pictures
 
 /// How isomaps are made: as in the paper, or as by default here.
 struct Technique
 {
   std::string File;
   std::string Title;
+  std::string Short;
   bool IsPaper = false;
 };
 
 const std::array<Technique, 2>& Techniques()
 {
   static const std::array<Technique, 2> techniques = {
-    Technique{
-      "paper", "as in the paper (all values; there 35-40 s, then 40-75 s, then 1-1.5 s)", true },
-    Technique{ "default", "as by default (bands, space leaping, exact)", false }
+    Technique{ "paper", "as in the paper (all values, plain ray caster)", "as in the paper", true },
+    Technique{ "default", "as by default (bands, space leaping, exact)", "by default", false }
   };
   return techniques;
 }
@@ -81,12 +80,12 @@ std::vector<double> ThresholdTimesOf(
   return times;
 }
 
-Plots::Chart ThresholdTimesChart(const Technique& technique)
+Plots::Chart ThresholdTimesChart(const std::string& title, const std::string& unit)
 {
   Plots::Chart chart;
-  chart.Title = "Figure 7: isomap, " + technique.Title;
+  chart.Title = "Figure 7: isomap, " + title;
   chart.XTitle = "A picture without an isomap, building it, and one threshold after the other";
-  chart.YTitle = "Milliseconds";
+  chart.YTitle = unit;
   chart.XTicks = { { 0, "without" }, { 1, "building" } };
   for (std::size_t i = 1; i <= NumberOfThresholds; ++i)
   {
@@ -96,173 +95,143 @@ Plots::Chart ThresholdTimesChart(const Technique& technique)
   return chart;
 }
 
-/// Ticks at 1, 2 and 5 times powers of ten, at their logarithms, from below the smallest to above
-/// the largest value.
-Plots::Ticks LogarithmicTicks(double smallest, double largest)
+/// Where the pictures stand in such charts.
+std::vector<double> Pictures()
 {
-  Plots::Ticks ticks;
-  for (double decade = std::pow(10.0, std::floor(std::log10(smallest)));; decade *= 10.0)
-  {
-    for (const double factor : { 1.0, 2.0, 5.0 })
-    {
-      const double value = factor * decade;
-      if (value <= smallest)
-      {
-        ticks.clear();
-      }
-      ticks.emplace_back(std::log10(value), Plain(value));
-      if (value >= largest && ticks.size() > 1)
-      {
-        return ticks;
-      }
-    }
-  }
+  std::vector<double> pictures(NumberOfThresholds + 2);
+  std::iota(pictures.begin(), pictures.end(), 0.0);
+  return pictures;
 }
 
-/// A quantity of maps, and what its chart is called.
-struct Quantity
+/// Lines through the shortest and the longest times that the paper tells.
+void AddPaper(Plots::Chart& chart)
 {
-  std::string Title, Axis;
-  std::function<double(const Map&)> Of;
-};
-
-void AddLine(Plots::Chart& chart, const std::string& name, const std::vector<Map>& maps,
-  const std::function<double(const Map&)>& x, const std::function<double(const Map&)>& y)
-{
-  Plots::Series series;
-  series.Name = name;
-  series.Color = static_cast<int>(chart.Series.size());
-  for (const Map& map : maps)
+  using namespace PaperNumbers;
+  const auto add = [&chart](const std::string& name, double Seconds::*end)
   {
-    if (map.IsBuilt)
-    {
-      series.X.push_back(x(map));
-      series.Y.push_back(y(map));
-    }
-  }
-  chart.Series.push_back(series);
+    std::vector<double> seconds(NumberOfThresholds + 2, Threshold.*end);
+    seconds[0] = WithoutIsomap.*end;
+    seconds[1] = BuildingIsomap.*end;
+    chart.Series.push_back({ name, Pictures(), seconds, PaperColor, end == &Seconds::To });
+  };
+  add("the paper, at least", &Seconds::From);
+  add("the paper, at most", &Seconds::To);
 }
 
-/// Heights become logarithms.
-void SetLogarithmicHeights(Plots::Chart& chart)
+/// A line of one technique, in seconds.
+void AddBeside(Plots::Chart& chart, const Technique& technique, const Plots::Series& milliseconds)
 {
-  std::vector<double> heights;
-  for (Plots::Series& series : chart.Series)
+  Plots::Series line = milliseconds;
+  line.Name = technique.Short + ", " + milliseconds.Name;
+  line.Color = technique.IsPaper ? 0 : 1;
+  line.IsDashed = milliseconds.Color % 2 != 0;
+  for (double& y : line.Y)
   {
-    heights.insert(heights.end(), series.Y.begin(), series.Y.end());
-    std::transform(
-      series.Y.begin(), series.Y.end(), series.Y.begin(), [](double y) { return std::log10(y); });
+    y *= 1e-3;
   }
-  const auto [smallest, largest] = std::minmax_element(heights.begin(), heights.end());
-  chart.YTicks = LogarithmicTicks(*smallest, *largest);
+  chart.Series.push_back(line);
 }
 
-/// Both axes of such charts are logarithmic; widths begin at the narrowest band.
-Plots::Chart WidthChart(const Quantity& quantity, const std::vector<Result>& results)
+void PrintPaper(const MarkdownTable& table)
 {
-  Plots::Chart chart;
-  chart.Title = quantity.Title;
-  chart.XTitle = "Share of the range of values";
-  chart.YTitle = quantity.Axis;
-  const std::vector<Map>& maps = results.front().Widths;
-  const double narrowest = maps.front().Width;
-  const auto position = [narrowest](const Map& map) { return std::log10(map.Width / narrowest); };
-  for (const Map& map : maps)
-  {
-    chart.XTicks.emplace_back(position(map), Plain(100.0 * map.Width) + " %");
-  }
-  for (const Result& result : results)
-  {
-    AddLine(chart, result.Volume.Name, result.Widths, position, quantity.Of);
-  }
-  SetLogarithmicHeights(chart);
-  return chart;
+  using namespace PaperNumbers;
+  const auto text = [](const Seconds& seconds)
+  { return Plain(seconds.From) + "-" + Plain(seconds.To) + " s"; };
+  table.Row({ "the paper", "all", text(WithoutIsomap), text(BuildingIsomap), "1-2", text(Threshold),
+    "-", "30" });
 }
 
-/// Measure maps of all subjects, and add them to the report.
-std::vector<Result> MeasureMaps(const Settings& settings, std::vector<Map> Result::*maps,
-  std::vector<Map> (*measure)(Stage&), const std::string& name, JsonWriter& json)
+/// Times of ThresholdTimesOf.
+void PrintThresholds(const MarkdownTable& table, const std::string& technique,
+  const std::string& volume, const std::vector<double>& times)
 {
-  std::vector<Result> results;
-  json.OpenList(name);
-  for (const Subject& subject : settings.Subjects)
+  const std::vector<double> thresholds(times.begin() + 2, times.end());
+  const double median = Measuring::Median(thresholds);
+  table.Row({ technique, volume, Fixed(times[0], 1) + " ms", Fixed(times[1], 1) + " ms",
+    Fixed(Measuring::Ratio(times[1], times[0]), 1), Fixed(median, 1) + " ms",
+    Fixed(Measuring::Worst(thresholds), 1) + " ms", Fixed(Measuring::Ratio(times[0], median), 1) });
+}
+
+/// Median of drawing one threshold after the other; the first is seen in the end.
+double TimeOfThreshold(Stage& stage, Drawer& drawer, double threshold, double other)
+{
+  constexpr int draws = 5;
+  std::vector<double> times;
+  while (times.size() < draws)
   {
-    Stage stage(subject.Image, subject.Isovalue, settings.Size);
-    Result result;
-    result.Volume = { subject.Name, subject.Isovalue };
-    result.*maps = measure(stage);
-    json.OpenObject();
-    json.Add("volume", subject.Name);
-    IsomapReport::AddTo(json, "maps", result.*maps);
-    json.Close();
-    results.push_back(result);
+    stage.SetIsovalue(LargestByte * other);
+    drawer.Draw(stage);
+    stage.SetIsovalue(LargestByte * threshold);
+    times.push_back(drawer.Draw(stage));
   }
-  json.Close();
-  return results;
+  return Measuring::Median(times);
 }
 
 }
 
 void ThresholdTimes(const Settings& settings, JsonWriter& json)
 {
-  std::cout << "Figure 7: ms of a picture; thresholds in steps of " << Plain(100.0 * ThresholdStep)
-            << " % of the range of values\n\n";
-  const MarkdownTable table(
-    { "isomap", "volume", "no isomap", "isomap", "median threshold", "slowest threshold" });
+  const PagePart part("figure7");
+  std::cout << "Thresholds in steps of " << Plain(100.0 * ThresholdStep)
+            << " % of the range of values.\n\n";
+  const MarkdownTable table({ "isomap", "volume", "no isomap", "isomap built", "/ no isomap",
+    "median threshold", "slowest threshold", "no isomap / threshold" });
+  PrintPaper(table);
   json.OpenList("figure7");
+  Plots::Chart beside = ThresholdTimesChart("the paper's seconds and ours", "Seconds");
+  AddPaper(beside);
   for (const Technique& technique : Techniques())
   {
-    Plots::Chart chart = ThresholdTimesChart(technique);
+    Plots::Chart chart = ThresholdTimesChart(technique.Title, "Milliseconds");
     for (const Subject& subject : settings.Subjects)
     {
       const std::vector<double> times = ThresholdTimesOf(subject, technique, settings);
-      std::vector<double> pictures(times.size());
-      std::iota(pictures.begin(), pictures.end(), 0.0);
       chart.Series.push_back(
-        { subject.Name, pictures, times, static_cast<int>(chart.Series.size()) });
-      const std::vector<double> thresholds(times.begin() + 2, times.end());
-      table.Row({ technique.File, subject.Name, Fixed(times[0], 1), Fixed(times[1], 1),
-        Fixed(Measuring::Median(thresholds), 1), Fixed(Measuring::Worst(thresholds), 1) });
+        { subject.Name, Pictures(), times, static_cast<int>(chart.Series.size()) });
+      if (chart.Series.size() <= SubjectsBeside)
+      {
+        AddBeside(beside, technique, chart.Series.back());
+      }
+      PrintThresholds(table, technique.Short, subject.Name, times);
       json.OpenObject();
       json.Add("technique", technique.File);
       json.Add("volume", subject.Name);
       json.Add("frameMs", times);
       json.Close();
     }
-    SetLogarithmicHeights(chart);
+    Plots::SetLogarithmicHeights(chart);
     Plots::Write(chart, settings.Output + "/figure7-" + technique.File);
   }
   json.Close();
-  std::cout << '\n';
+  Plots::SetLogarithmicHeights(beside);
+  Plots::Write(beside, settings.Output + "/figure7");
 }
 
 void TwoThresholds(const Settings& settings, JsonWriter& json)
 {
-  std::cout << "Figure 9: two thresholds from one isomap\n\n";
+  const PagePart part("figure9");
   const MarkdownTable table({ "volume", "threshold", "isovalue", "route", "ms" });
   json.OpenList("figure9");
-  // Rows are to be of one length.
-  const std::size_t picturesInRow = settings.Subjects.size() % 2 == 0 ? 4 : 2;
-  std::vector<std::vector<vtkSmartPointer<vtkImageData>>> rows;
+  std::vector<std::vector<vtkSmartPointer<vtkImageData>>> rows(PaperThresholds.size());
   for (const Subject& subject : settings.Subjects)
   {
     Stage stage(subject.Image, subject.Isovalue, settings.Size);
-    stage.Approach(Closeness);
+    Figures::SetUp(stage, subject, Look::Skin);
     Drawer drawer(stage);
     drawer.Mapper->SetIsomapRange(stage.IsovalueAt(0.0), stage.IsovalueAt(1.0));
     drawer.Mapper->SetIsomapMemoryLimit(IsomapMaps::LargeMemoryLimit);
     drawer.Draw(stage);
     drawer.Mapper->BuildIsomap(stage.Renderer, stage.Volume);
-    if (rows.empty() || rows.back().size() == picturesInRow)
+    for (std::size_t i = 0; i < PaperThresholds.size(); ++i)
     {
-      rows.emplace_back();
-    }
-    for (const double threshold : PaperThresholds)
-    {
-      stage.SetIsovalue(LargestByte * threshold);
-      const double time = drawer.Draw(stage);
-      rows.back().push_back(
-        FigurePictures::WithCaption(drawer.Color, subject.Name + ": " + Plain(threshold)));
+      const double threshold = PaperThresholds[i];
+      const double time =
+        TimeOfThreshold(stage, drawer, threshold, PaperThresholds[PaperThresholds.size() - 1 - i]);
+      if (subject.IsPictured)
+      {
+        rows[i].push_back(
+          FigurePictures::WithCaption(drawer.Color, subject.Name + ": " + Plain(threshold)));
+      }
       table.Row({ subject.Name, Plain(threshold), Plain(stage.Isovalue()), drawer.Route(),
         Fixed(time, 1) });
       json.OpenObject();
@@ -274,40 +243,7 @@ void TwoThresholds(const Settings& settings, JsonWriter& json)
     }
   }
   json.Close();
-  std::cout << '\n';
   WritePng(FigurePictures::Tile(rows), settings.Output + "/figure9.png");
-}
-
-void CostOfWidth(const Settings& settings, JsonWriter& json)
-{
-  const std::vector<Result> results =
-    MeasureMaps(settings, &Result::Widths, IsomapMaps::MeasureWidths, "isomapWidths", json);
-  IsomapReport::PrintWidths(results);
-  const auto build = [](const Map& map) { return Measuring::Ratio(map.BuildMs, map.ColdMs); };
-  const auto memory = [](const Map& map) { return map.BytesAPixel; };
-  Plots::Write(
-    WidthChart({ "Building an isomap", "Build time by that of a cold frame", build }, results),
-    settings.Output + "/isomap-build");
-  Plots::Write(WidthChart({ "Memory of an isomap", "Bytes a pixel", memory }, results),
-    settings.Output + "/isomap-memory");
-}
-
-void CostOfTolerance(const Settings& settings, JsonWriter& json)
-{
-  const std::vector<Result> results = MeasureMaps(
-    settings, &Result::Tolerances, IsomapMaps::MeasureTolerances, "isomapTolerances", json);
-  IsomapReport::PrintTolerances(results);
-  Plots::Chart chart;
-  chart.Title = "Memory of an isomap of all values";
-  chart.XTitle = "Tolerance in voxels";
-  chart.YTitle = "Bytes a pixel";
-  for (const Result& result : results)
-  {
-    AddLine(
-      chart, result.Volume.Name, result.Tolerances, [](const Map& map) { return map.Tolerance; },
-      [](const Map& map) { return map.BytesAPixel; });
-  }
-  Plots::Write(chart, settings.Output + "/isomap-tolerance");
 }
 
 }

@@ -6,7 +6,7 @@
 #include "Figures.h"
 #include "Report.h"
 
-/// The paper's figures of the isomap, and what maps cost. As in Figures, each function prints its
+/// The paper's figures of the isomap. As in Figures, each function prints its
 /// numbers as a table, adds them to the report and writes its files into the output folder.
 namespace IsomapFigures
 {
@@ -17,12 +17,6 @@ void ThresholdTimes(const Figures::Settings& settings, JsonWriter& json);
 
 /// Figure 9: two thresholds from one isomap.
 void TwoThresholds(const Figures::Settings& settings, JsonWriter& json);
-
-/// Time and memory of a map by its share of the range of values.
-void CostOfWidth(const Figures::Settings& settings, JsonWriter& json);
-
-/// Memory of a map of all values by its tolerance.
-void CostOfTolerance(const Figures::Settings& settings, JsonWriter& json);
 
 }
 

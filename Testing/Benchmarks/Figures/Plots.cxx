@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Plots.h"
 
+#include "FigurePictures.h"
 #include "Measuring.h"
 #include "PngFile.h"
 #include "Report.h"
@@ -21,7 +22,6 @@
 #include <vtkStringArray.h>
 #include <vtkTable.h>
 #include <vtkTextProperty.h>
-#include <vtkWindowToImageFilter.h>
 #include <vtksys/SystemTools.hxx>
 
 #include <algorithm>
@@ -51,8 +51,8 @@ constexpr double SmallestTop = 1e-3;
 constexpr double HeightByWidth = 0.65;
 
 /// Okabe and Ito's colours, told apart by all eyes.
-constexpr std::array<std::array<unsigned char, 3>, 6> Colors = { { { 0, 114, 178 }, { 213, 94, 0 },
-  { 0, 158, 115 }, { 204, 121, 167 }, { 86, 180, 233 }, { 230, 159, 0 } } };
+constexpr std::array<std::array<unsigned char, 3>, NumberOfColors> Colors = { { { 0, 114, 178 },
+  { 213, 94, 0 }, { 0, 158, 115 }, { 204, 121, 167 }, { 86, 180, 233 }, { 230, 159, 0 } } };
 
 vtkSmartPointer<vtkTable> TableOf(const Series& series)
 {
@@ -222,11 +222,7 @@ void Write(const Chart& chart, const std::string& path)
   window->AddRenderer(renderer);
   window->Render();
 
-  vtkNew<vtkWindowToImageFilter> grab;
-  grab->SetInput(window);
-  grab->ReadFrontBufferOff();
-  grab->Update();
-  WritePng(grab->GetOutput(), path + ".png");
+  WritePng(FigurePictures::Grabbed(window), path + ".png");
   WriteSvg(window, path + ".svg");
 }
 

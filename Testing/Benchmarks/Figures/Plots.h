@@ -11,12 +11,14 @@
 namespace Plots
 {
 
+constexpr int NumberOfColors = 6;
+
 struct Series
 {
   std::string Name;
   std::vector<double> X;
   std::vector<double> Y;
-  int Color = 0; ///< 0 to 5
+  int Color = 0; ///< less than NumberOfColors
   bool IsDashed = false;
 };
 
@@ -33,6 +35,9 @@ struct Chart
   Ticks XTicks;        ///< none: numbers
   Ticks YTicks;
 };
+
+/// Heights become their logarithms, with ticks at 1, 2 and 5 times powers of ten.
+void SetLogarithmicHeights(Chart& chart);
 
 /// Write the chart as PATH.png and PATH.svg.
 /// \throws Measuring::Failure if a file cannot be written

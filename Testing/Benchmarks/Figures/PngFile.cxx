@@ -9,11 +9,19 @@
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
 
+namespace
+{
+
+constexpr int SmallestFile = 9; ///< of zlib's levels
+
+}
+
 void WritePng(vtkImageData* image, const std::string& file)
 {
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputData(image);
   writer->SetFileName(file.c_str());
+  writer->SetCompressionLevel(SmallestFile);
   writer->Write();
   if (writer->GetErrorCode() != vtkErrorCode::NoError)
   {

@@ -5,6 +5,7 @@
 
 #include "Drift.h"
 
+#include "DriftPlot.h"
 #include "Scenario.h"
 
 #include <algorithm>
@@ -27,6 +28,10 @@ bool Run(const Settings& settings, JsonWriter& json)
     Drift::PrintTable(courses);
     std::cout << '\n';
     Drift::AddTo(json, courses);
+    if (!settings.Plots.empty())
+    {
+      PlotDrift(courses, volume.Name, settings.Size, settings.Plots + "/drift");
+    }
   };
   return ReportVolumes(settings, { { "engine.vti", 70 } }, json, measure);
 }

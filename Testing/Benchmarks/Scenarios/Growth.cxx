@@ -3,6 +3,7 @@
 
 // How times and memory grow with the data and with the picture.
 
+#include "GrowthPlots.h"
 #include "GrowthSteps.h"
 #include "Scenario.h"
 
@@ -23,6 +24,10 @@ bool Run(const Settings& settings, JsonWriter& json)
   std::cout << "\nWhat the mapper adds to the memory of the process, beside the volume, in MiB\n\n";
   GrowthSteps::PrintMemory(voxels);
   GrowthSteps::AddTo(json, "voxels", voxels);
+  if (!settings.Plots.empty())
+  {
+    GrowthPlots::TimesByVoxels(voxels, settings.Plots + "/growth");
+  }
 
   const std::vector<GrowthSteps::Step> pixels = GrowthSteps::MeasurePixels(settings.Size, frames);
   std::cout << "\nFour times the pixels\n\n";

@@ -6,6 +6,7 @@
 #include "IsomapDrags.h"
 #include "IsomapFrames.h"
 #include "IsomapMaps.h"
+#include "IsomapPlots.h"
 #include "IsomapReport.h"
 #include "Scenario.h"
 
@@ -56,6 +57,10 @@ bool Run(const Settings& settings, JsonWriter& json)
   IsomapReport::PrintWidths(results);
   IsomapReport::PrintTolerances(results);
   IsomapReport::AddTo(json, results);
+  if (!settings.Plots.empty())
+  {
+    IsomapPlots::Write(results, settings.Plots);
+  }
   return true;
 }
 

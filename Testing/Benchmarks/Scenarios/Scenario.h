@@ -20,6 +20,7 @@ struct Settings
   int Steps = 200;                      ///< isovalues of a drag
   int Largest = 512;                    ///< samples a side where growth ends
   std::vector<Volumes::Sample> Volumes; ///< none: each scenario's own
+  std::string Plots;                    ///< folder for plots; empty: none are made
 
   /// Frames of each kind, of a scenario that usually draws so many.
   int FramesOr(int usual) const;

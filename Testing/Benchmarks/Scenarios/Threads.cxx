@@ -3,6 +3,7 @@
 
 // What more threads gain.
 
+#include "GrowthPlots.h"
 #include "Scenario.h"
 #include "ThreadFrames.h"
 
@@ -19,6 +20,7 @@ bool Run(const Settings& settings, JsonWriter& json)
   std::cout << "Medians in ms, and how many times as long one thread takes\n\n";
   const MarkdownTable table =
     TypicalFrames::BeginComparison({ "volume", "isovalue", "threads", "by" });
+  std::vector<GrowthPlots::VolumeThreads> volumes;
   const auto measure = [&](const Volumes::Sample& volume, Stage& stage)
   {
     const std::vector<ThreadFrames::Times> all = ThreadFrames::Measure(stage, frames);
@@ -29,8 +31,14 @@ bool Run(const Settings& settings, JsonWriter& json)
         t.Frames);
     }
     ThreadFrames::AddTo(json, all);
+    volumes.emplace_back(volume.Name, all);
   };
-  return ReportVolumes(settings, FewVolumes(), json, measure);
+  const bool isMeasured = ReportVolumes(settings, FewVolumes(), json, measure);
+  if (!settings.Plots.empty())
+  {
+    GrowthPlots::SpeedUpByThreads(volumes, settings.Plots + "/threads");
+  }
+  return isMeasured;
 }
 
 }

@@ -1,22 +1,19 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "GrowthFigures.h"
+#include "GrowthPlots.h"
 
-#include "GrowthSteps.h"
 #include "Measuring.h"
 #include "Plots.h"
-#include "Stage.h"
-#include "ThreadFrames.h"
+#include "Report.h"
 #include "TypicalFrames.h"
 
-#include <vtkSMPTools.h>
-
+#include <algorithm>
 #include <array>
-#include <iostream>
+#include <cstddef>
 #include <string>
 #include <vector>
 
-namespace GrowthFigures
+namespace GrowthPlots
 {
 namespace
 {
@@ -69,20 +66,18 @@ Plots::Series LineOf(
 
 }
 
-void TimesByVoxels(const Figures::Settings& settings, JsonWriter& json)
+void TimesByVoxels(const std::vector<GrowthSteps::Step>& steps, const std::string& path)
 {
-  const std::vector<GrowthSteps::Step> steps =
-    GrowthSteps::MeasureVoxels(settings.Size, settings.Largest, settings.Frames);
-  std::cout << "Growth with the samples: ms of a frame\n\n";
-  GrowthSteps::PrintTimes(steps);
-  std::cout << '\n';
-  GrowthSteps::AddTo(json, "growth", steps);
-
   Plots::Chart chart;
   chart.Title = "Times with more and more samples of the same object";
   chart.XTitle = "Samples";
   chart.YTitle = "Milliseconds a frame";
-  for (int n = GrowthSteps::Smallest; n <= settings.Largest; n *= 2)
+  int largest = 0;
+  for (const GrowthSteps::Step& step : steps)
+  {
+    largest = std::max(largest, step.SamplesASide);
+  }
+  for (int n = GrowthSteps::Smallest; n <= largest; n *= 2)
   {
     chart.XTicks.emplace_back(static_cast<double>(chart.XTicks.size()), Plain(n) + "^3");
   }
@@ -94,51 +89,35 @@ void TimesByVoxels(const Figures::Settings& settings, JsonWriter& json)
       chart.Series.back().IsDashed = object != "spheres";
     }
   }
-  Plots::Write(chart, settings.Output + "/growth");
+  Plots::Write(chart, path);
 }
 
-void SpeedUpByThreads(const Figures::Settings& settings, JsonWriter& json)
+void SpeedUpByThreads(const std::vector<VolumeThreads>& volumes, const std::string& path)
 {
-  if (vtkSMPTools::GetEstimatedNumberOfThreads() < 2)
-  {
-    return;
-  }
   Plots::Chart chart;
   chart.Title = "Speed-up by threads";
   chart.XTitle = "Threads";
   chart.YTitle = "Time of one thread by that of so many";
-  std::cout << "Threads: ms of a frame\n\n";
-  const MarkdownTable table = TypicalFrames::BeginComparison({ "volume", "threads", "by" });
-  json.OpenList("threads");
-  for (const Figures::Subject& subject : settings.Subjects)
+  for (const auto& [name, all] : volumes)
   {
-    Stage stage(subject.Image, subject.Isovalue, settings.Size);
-    const std::vector<ThreadFrames::Times> all = ThreadFrames::Measure(stage, settings.Frames);
-    for (const ThreadFrames::Times& times : all)
-    {
-      TypicalFrames::PrintComparison(table, { subject.Name, Plain(times.Threads), times.Backend },
-        all.front().Frames, times.Frames);
-    }
-    json.OpenObject();
-    json.Add("volume", subject.Name);
-    ThreadFrames::AddTo(json, all);
-    json.Close();
     const int color = static_cast<int>(chart.Series.size() / 2);
     constexpr std::array<std::size_t, 2> coldAndLookup = { 0, 2 };
     for (const std::size_t kind : coldAndLookup)
     {
-      chart.Series.push_back(LineOf(subject.Name, kind, all));
+      chart.Series.push_back(LineOf(name, kind, all));
       chart.Series.back().Color = color;
       chart.Series.back().IsDashed = kind != coldAndLookup.front();
     }
   }
-  json.Close();
-  std::cout << '\n';
+  if (chart.Series.empty() || chart.Series.front().X.size() < 2)
+  {
+    return;
+  }
   for (const double threads : chart.Series.front().X)
   {
     chart.XTicks.emplace_back(threads, Plain(threads));
   }
-  Plots::Write(chart, settings.Output + "/threads");
+  Plots::Write(chart, path);
 }
 
 }

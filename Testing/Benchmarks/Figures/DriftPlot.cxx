@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DriftPlot.h"
+
+#include "Measuring.h"
+#include "Plots.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+
+/// Ticks at powers of ten from one below a single pixel, which stands for none, to above the
+/// worst.
+Plots::Ticks DecadeTicks(double worst, int size)
+{
+  const double onePixel = 100.0 / (static_cast<double>(size) * size);
+  const int none = static_cast<int>(std::floor(std::log10(onePixel)));
+  const int top = std::max(none + 1, static_cast<int>(std::ceil(std::log10(worst + onePixel))));
+  Plots::Ticks ticks = { { none, "none" } };
+  for (int power = none + 1; power <= top; ++power)
+  {
+    ticks.emplace_back(power, Fixed(std::pow(10.0, power), std::max(0, -power)) + " %");
+  }
+  return ticks;
+}
+
+/// A colour for each speed, solid for PAPER and dashed for BOUNDED.
+Plots::Series LogarithmOf(const Drift::Course& course, int color, double none)
+{
+  Plots::Series series;
+  series.Name = course.Accuracy + ", " + Fixed(course.Degrees, 1) + " degrees";
+  series.Color = color;
+  series.IsDashed = course.Accuracy == "BOUNDED";
+  for (std::size_t i = 0; i < course.Frames.size(); ++i)
+  {
+    const double different = course.Different[i];
+    series.X.push_back(course.Frames[i]);
+    series.Y.push_back(different > 0.0 ? std::max(none, std::log10(different)) : none);
+  }
+  return series;
+}
+
+}
+
+void PlotDrift(const std::vector<Drift::Course>& courses, const std::string& volume, int size,
+  const std::string& path)
+{
+  Plots::Chart chart;
+  chart.Title = "Drift of pictures each made from the last: " + volume;
+  chart.XTitle = "Frame";
+  chart.YTitle = "Pixels that differ from the cold picture";
+  double worst = 0.0;
+  for (const Drift::Course& course : courses)
+  {
+    worst = std::max(worst, Measuring::Worst(course.Different));
+  }
+  chart.YTicks = DecadeTicks(worst, size);
+  for (const Drift::Course& course : courses)
+  {
+    const int color = static_cast<int>(chart.Series.size() / 2);
+    chart.Series.push_back(LogarithmOf(course, color, chart.YTicks.front().first));
+  }
+  Plots::Write(chart, path);
+}

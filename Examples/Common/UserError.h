@@ -3,6 +3,7 @@
 #ifndef UserError_h
 #define UserError_h
 
+#include <functional>
 #include <stdexcept>
 
 // A mistake of the user's: one sentence that names it and says what to do.
@@ -11,5 +12,9 @@ class UserError : public std::runtime_error
 public:
   using std::runtime_error::runtime_error;
 };
+
+// Run a program. Returns its exit status: 0, or 1 after one line for a mistake of the user's or a
+// failure.
+int RunProgram(const char* name, const std::function<void()>& program);
 
 #endif

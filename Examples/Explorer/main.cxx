@@ -9,7 +9,6 @@
 #include "UserError.h"
 
 #include <cstdio>
-#include <exception>
 
 namespace
 {
@@ -62,27 +61,15 @@ void Run(const Options& options)
 
 int main(int argc, char* argv[])
 {
-  try
-  {
-    const Options options = ParseOptions(argc, argv);
-    if (options.Help)
+  return RunProgram("Explorer",
+    [&]
     {
-      std::fputs(HelpText().c_str(), stdout);
-      return 0;
-    }
-    Run(options);
-  }
-  catch (const UserError& mistake)
-  {
-    std::fflush(stdout);
-    std::fprintf(stderr, "Explorer: %s\n", mistake.what());
-    return 1;
-  }
-  catch (const std::exception& failure)
-  {
-    std::fflush(stdout);
-    std::fprintf(stderr, "Explorer: %s; try a smaller --size or volume.\n", failure.what());
-    return 1;
-  }
-  return 0;
+      const Options options = ParseOptions(argc, argv);
+      if (options.Help)
+      {
+        std::fputs(HelpText().c_str(), stdout);
+        return;
+      }
+      Run(options);
+    });
 }

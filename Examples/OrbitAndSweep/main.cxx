@@ -16,7 +16,6 @@
 #include <vtkSMPTools.h>
 
 #include <cstdio>
-#include <exception>
 
 namespace
 {
@@ -54,27 +53,15 @@ void Run(const Options& options)
 
 int main(int argc, char* argv[])
 {
-  try
-  {
-    const Options options = ParseOptions(argc, argv);
-    if (options.Help)
+  return RunProgram("OrbitAndSweep",
+    [&]
     {
-      std::fputs(HelpText().c_str(), stdout);
-      return 0;
-    }
-    Run(options);
-  }
-  catch (const UserError& mistake)
-  {
-    std::fflush(stdout);
-    std::fprintf(stderr, "OrbitAndSweep: %s\n", mistake.what());
-    return 1;
-  }
-  catch (const std::exception& failure)
-  {
-    std::fflush(stdout);
-    std::fprintf(stderr, "OrbitAndSweep: %s; try a smaller --size or volume.\n", failure.what());
-    return 1;
-  }
-  return 0;
+      const Options options = ParseOptions(argc, argv);
+      if (options.Help)
+      {
+        std::fputs(HelpText().c_str(), stdout);
+        return;
+      }
+      Run(options);
+    });
 }

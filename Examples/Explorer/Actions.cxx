@@ -15,7 +15,7 @@ const std::vector<Action>& AllActions()
     { Do::Save, "save", "Save", 'w', "save the session" },
     { Do::Restore, "restore", "Restore", 'z', "restore the saved session" },
     { Do::ResetView, "reset", "Reset view", 'h', "see all of the volume" },
-    { Do::Help, "help", "Keys", '?', "show or hide these lines" },
+    { Do::Help, "help", "Keys", '?', "show or hide these lines; also F1" },
     { Do::Quit, "quit", "", 'q', "end" },
   };
   return actions;

@@ -7,6 +7,8 @@
 #include <vtkRenderWindowInteractor.h>
 #include <vtkStringArray.h>
 
+#include <cctype>
+
 vtkStandardNewMacro(Style);
 
 int Style::X() const
@@ -111,9 +113,21 @@ void Style::OnMouseWheelBackward()
 
 void Style::OnKeyPress()
 {
-  const char* name = this->Interactor->GetKeySym();
-  this->By->Key(
-    name ? name : "", this->Interactor->GetKeyCode(), this->Interactor->GetShiftKey() != 0);
+  const char* sym = this->Interactor->GetKeySym();
+  const std::string name = sym ? sym : "";
+  const bool hasShift = this->Interactor->GetShiftKey() != 0;
+  // Since VTK 9.3, X11 windows tell the key and not the character: "s" for "S", and "/", on many
+  // keyboards, for "?".
+  char character = this->Interactor->GetKeyCode();
+  if (hasShift)
+  {
+    character = static_cast<char>(std::toupper(static_cast<unsigned char>(character)));
+  }
+  if (name == "F1" || name == "slash")
+  {
+    character = '?';
+  }
+  this->By->Key(name, character, hasShift);
 }
 
 void Style::OnDropFiles(vtkStringArray* paths)

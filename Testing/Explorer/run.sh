@@ -225,7 +225,7 @@ check_refusals()
 check_help()
 {
   key question '^help on'
-  key question '^help off'
+  key F1 '^help off'
   key F1 '^frame' # has no use; clears the message
 }
 

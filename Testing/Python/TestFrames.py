@@ -234,10 +234,24 @@ class Mistakes(unittest.TestCase):
     def test_no_such_plane(self):
         with self.assertRaisesRegex(ValueError, "no plane 'colour', only color, depth"):
             render(self.volume, names=["colour"])
+        with self.assertRaisesRegex(TypeError, "by their names, not by None"):
+            render(self.volume, names=None)
+
+    def test_one_plane_by_its_name(self):
+        only = render(self.volume, self.renderer, (20, 10), names="depth")
+        self.assertEqual(only.depth.shape, (10, 20))
+        self.assertIsNone(only.color)
+
+    def test_no_renderer(self):
+        with self.assertRaisesRegex(TypeError, "from a vtkRenderer, not str: give one, or None"):
+            render(self.volume, "renderer")
 
     def test_sizes(self):
         for wrong in ((0, 100), (100, -1)):
             with self.assertRaisesRegex(ValueError, "give a width and a height of at least 1"):
+                render(self.volume, self.renderer, wrong)
+        for wrong in ((100000, 100000), (2**40, 1)):
+            with self.assertRaisesRegex(ValueError, "too large"):
                 render(self.volume, self.renderer, wrong)
         for wrong in (100, (100,), (100, 100, 100), (1.5, 100), "ab"):
             with self.assertRaisesRegex(TypeError, "two whole numbers"):
@@ -278,6 +292,13 @@ class Png(unittest.TestCase):
         for wrong in (self.color[0], self.color[..., :3], self.color.astype(float)):
             with self.assertRaisesRegex(TypeError, "give the plane color"):
                 write_png(io.BytesIO(), wrong)
+        with self.assertRaisesRegex(TypeError, "must be a NumPy array, not NoneType"):
+            write_png(io.BytesIO(), None)
+        with self.assertRaisesRegex(ValueError, "has no pixels"):
+            write_png(io.BytesIO(), self.color[:0])
+        for wrong in ("red", (1.0, 1.0), (5.0, 0.0, 0.0), 1.0, None):
+            with self.assertRaisesRegex(ValueError, "three numbers from 0 to 1"):
+                write_png(io.BytesIO(), self.color, background=wrong)
 
 
 if __name__ == "__main__":

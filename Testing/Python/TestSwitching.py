@@ -239,6 +239,15 @@ class Replacing(unittest.TestCase):
         for wrong in (vtkVolume(), None, vtkSmartVolumeMapper()):
             with self.assertRaisesRegex(TypeError, "set one with volume.SetMapper"):
                 replace_mapper(wrong)
+        mapper = vtkSmartVolumeMapper()
+        volume = self.volume_with(mapper)
+        replace_mapper(volume, [20.0])
+        volume.SetMapper(mapper)
+        for wrong in (5.0, ["a"], "skin", [10.0, None]):
+            with self.assertRaisesRegex(TypeError, "must be numbers in a list"):
+                replace_mapper(volume, wrong)
+            self.assertIs(volume.GetMapper(), mapper)
+            self.assertEqual(self.isovalues_of(volume), [20.0])
 
 
 if __name__ == "__main__":

@@ -22,13 +22,21 @@ def replace_mapper(
     isovalues  in the unit of the scalars that the mapper has as input, which other libraries may
                have scaled. None: those that the volume's property has
 
-    Raises TypeError if there is no such mapper.
+    Raises TypeError if there is no such mapper or these are no numbers; the volume is then left
+    as it is.
     """
     old = volume.GetMapper() if isinstance(volume, vtkVolume) else None
     if not isinstance(old, vtkVolumeMapper):
         raise TypeError(
             "The mapper of a vtkVolume can be replaced where it has one that is a vtkVolumeMapper: "
             "set one with volume.SetMapper().")
+    if isovalues is not None:
+        try:
+            isovalues = [float(isovalue) for isovalue in isovalues]
+        except (TypeError, ValueError):
+            raise TypeError(
+                f"Isovalues must be numbers in a list, not {isovalues!r}: give for example [150.0]."
+            ) from None
     mapper = vtkTemporalCoherenceVolumeMapper()
     if old.GetNumberOfInputConnections(0) > 0:
         mapper.SetInputConnection(old.GetInputConnection(0, 0))

@@ -25,7 +25,7 @@ except ImportError as error:
     raise ImportError("NumPy is missing: install it (Debian: python3-numpy).") from error
 from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.util.vtkConstants import VTK_SIGNED_CHAR, VTK_STRING
+from vtkmodules.util.vtkConstants import VTK_INT_MAX, VTK_SIGNED_CHAR, VTK_STRING
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkVolume
@@ -100,7 +100,7 @@ def planes(
 ) -> Planes:
     """Get the last frame of a mapper, whether it was made for a window or by render().
 
-    names    which planes; the others are None
+    names    which planes, or which one; the others are None
 
     In coarse frames (ImageSampleDistance above 1) arrays have a value for each ray.
 
@@ -126,7 +126,7 @@ def render(
     volume    its mapper must be a vtkTemporalCoherenceVolumeMapper
     renderer  gives camera and lights. None: one that looks at the whole volume along the z axis
     size      width and height in pixels
-    names     which planes are wanted; the others are None
+    names     which planes are wanted, or which one; the others are None
 
     The mapper re-uses the last picture of the same renderer, camera and volume: keep the renderer
     for a series of pictures. One that has no camera yet is made to look at the whole volume.
@@ -139,11 +139,17 @@ def render(
     mapper = volume.GetMapper()
     _check_mapper(mapper)
     names = _checked_names(names)
+    if renderer is not None and not isinstance(renderer, vtkRenderer):
+        raise TypeError(
+            f"render() takes camera and lights from a vtkRenderer, not "
+            f"{type(renderer).__name__}: give one, or None.")
     try:
         width, height = (operator.index(pixels) for pixels in size)
     except (TypeError, ValueError):
         raise TypeError(
             f"The size must be two whole numbers (width, height), not {size!r}.") from None
+    if max(abs(width), abs(height)) > VTK_INT_MAX:
+        raise ValueError(f"A picture of {width} x {height} pixels is too large: ask for fewer.")
     with _Errors(mapper) as errors:
         renderer = renderer or vtkRenderer()
         if not renderer.IsActiveCameraCreated():
@@ -164,12 +170,29 @@ def write_png(
     color       (height, width, 4) uint8, as from render(): the row written last is row 0
     background  red, green and blue, 0 to 1, of what is seen where the surfaces are not opaque
 
-    Raises TypeError for another array, OSError if the file cannot be written.
+    Raises TypeError for another array, ValueError for an empty one or a background that is no
+    colour, OSError if the file cannot be written.
     """
+    if not isinstance(color, numpy.ndarray):
+        raise TypeError(
+            f"A picture must be a NumPy array, not {type(color).__name__}: give the plane color of "
+            f"render().")
     if color.dtype != numpy.uint8 or color.ndim != 3 or color.shape[2] != 4:
         raise TypeError(
             f"A picture must be uint8 of the shape (height, width, 4), not {color.dtype} of "
             f"{color.shape}: give the plane color of render().")
+    if color.size == 0:
+        # libpng ends the process for such a picture.
+        raise ValueError(
+            f"A picture of the shape {color.shape} has no pixels: give one of at least 1 x 1.")
+    try:
+        is_color = all(0.0 <= part <= 1.0 for part in background) and len(background) == 3
+    except TypeError:
+        is_color = False
+    if not is_color:
+        raise ValueError(
+            f"The background must be three numbers from 0 to 1, not {background!r}: give red, "
+            f"green and blue.")
     behind = (255 - color[..., 3:]) * numpy.asarray(background, numpy.float32)
     pixels = numpy.rint(color[..., :3] + behind).astype(numpy.uint8)
 
@@ -220,7 +243,12 @@ def _check_mapper(mapper) -> None:
 
 
 def _checked_names(names: Iterable[str]) -> tuple[str, ...]:
-    names = tuple(names)
+    try:
+        names = (names,) if isinstance(names, str) else tuple(names)
+    except TypeError:
+        raise TypeError(
+            f"The planes must be given by their names, not by {names!r}: choose of "
+            f"{', '.join(Planes._fields)}.") from None
     for name in names:
         if name not in Planes._fields:
             raise ValueError(f"There is no plane {name!r}, only {', '.join(Planes._fields)}.")

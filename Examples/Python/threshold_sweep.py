@@ -10,8 +10,10 @@ again: the table has the route and the milliseconds of each frame.
 from __future__ import annotations
 
 import argparse
+import contextlib
 import os
 import statistics
+from typing import Iterator
 
 # First, as it tells what is missing.
 from volumes import (
@@ -88,17 +90,24 @@ class Gif:
             duration=self._milliseconds, loop=0)
 
 
+@contextlib.contextmanager
+def writing(path: str) -> Iterator[None]:
+    """Tells what goes wrong meanwhile as a mistake in --output."""
+    try:
+        yield
+    except OSError as error:
+        raise UserError(
+            f"'{path}' cannot be written ({error.strerror}): choose another --output.") from error
+
+
 def animation(path: str, rate: int) -> Folder | Theora | Gif:
     kinds = {".ogv": Theora, ".gif": Gif, "": Folder}
     suffix = os.path.splitext(path)[1].lower()
     if suffix not in kinds:
         raise UserError(
             f"Animations '{suffix}' are not written here: name a file .ogv or .gif, or a folder.")
-    try:
+    with writing(path):
         return kinds[suffix](path, rate)
-    except OSError as error:
-        raise UserError(
-            f"'{path}' cannot be written ({error.strerror}): choose another --output.") from error
 
 
 def parse() -> argparse.Namespace:
@@ -117,7 +126,7 @@ def parse() -> argparse.Namespace:
     arguments.add_argument(
         "--azimuth", type=float, default=30.0, help="degrees around the z axis; default: 30")
     arguments.add_argument(
-        "--rate", type=number_from(1), default=15, help="frames per second; default: 15")
+        "--rate", type=number_from(1, 100), default=15, help="frames per second; default: 15")
     arguments.add_argument(
         "--output", default="threshold_sweep.ogv",
         help="a file .ogv (written by VTK) or .gif (by Pillow), or a folder for PNGs; "
@@ -142,11 +151,13 @@ def main() -> None:
     print("frame  isovalue  route              ms")
     for frame, isovalue in enumerate(numpy.linspace(first, last, given.frames)):
         picture = scene.picture(isovalue, given.azimuth, given.size)
-        output.add(picture.color)
+        with writing(given.output):
+            output.add(picture.color)
         route, taken = scene.how()
         milliseconds.setdefault(route, []).append(taken)
         print(f"{frame:5}  {isovalue:8.6g}  {route:14}  {taken:5.1f}")
-    output.close()
+    with writing(given.output):
+        output.close()
 
     for route, taken in milliseconds.items():
         print(f"{route:14}  {len(taken):4} frames, median {statistics.median(taken):6.1f} ms")

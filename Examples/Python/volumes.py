@@ -55,6 +55,10 @@ def run(main: Callable[[], None]) -> None:
         sys.exit(f"{pathlib.Path(sys.argv[0]).name}: {error}")
     except KeyboardInterrupt:
         pass
+    except BrokenPipeError:
+        # Who reads what is printed has gone, as head does; the interpreter is not to print more.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        sys.exit(1)
 
 
 def add_volume_arguments(arguments: argparse.ArgumentParser) -> None:
@@ -64,11 +68,11 @@ def add_volume_arguments(arguments: argparse.ArgumentParser) -> None:
     arguments.add_argument("--array", help="the point array to draw; default: the file's scalars")
 
 
-def number_from(least: int) -> Callable[[str], int]:
-    """A type of argument: whole numbers, none below the least."""
+def number_from(least: int, most: int = 1000000) -> Callable[[str], int]:
+    """A type of argument: whole numbers, none below the least or above the most."""
     def convert(text: str) -> int:
-        if not text.isdecimal() or int(text) < least:
-            raise argparse.ArgumentTypeError(f"'{text}' is no whole number from {least} on")
+        if not text.isdecimal() or not least <= int(text) <= most:
+            raise argparse.ArgumentTypeError(f"'{text}' is no whole number from {least} to {most}")
         return int(text)
     return convert
 

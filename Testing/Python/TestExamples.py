@@ -173,14 +173,32 @@ class ThresholdSweep(Example):
                 ("cannot be written", ["--output", "/proc/nowhere"]),
                 ("Isovalue 300 is outside .* from 0 to 2", ["--to", "300"]),
                 ("Isovalue nan is outside", ["--from", "nan"]),
-                ("--frames: '1' is no whole number from 2 on", ["--frames", "1"]),
-                ("--rate: '0' is no whole number from 1 on", ["--rate", "0"]),
+                ("--frames: '1' is no whole number from 2 to 1000000", ["--frames", "1"]),
+                ("--frames: '9{20}' is no whole number from 2", ["--frames", "9" * 20]),
+                ("--rate: '0' is no whole number from 1 to 100", ["--rate", "0"]),
+                ("--rate: '101' is no whole number from 1 to 100", ["--rate", "101"]),
                 ("--size: '0x10' is no size", ["--size", "0x10"]),
                 ("--size: 'big' is no size", ["--size", "big"]),
                 ("invalid float value", ["--from", "much"]),
                 ("Azimuth inf is no angle: give degrees", ["--azimuth", "inf"]),
                 ("unrecognized arguments: --sise", ["--sise", "3"])):
             self.assert_refused(words, "threshold_sweep.py", *arguments)
+
+    def test_a_frame_cannot_be_written(self):
+        (self.folder / "frames" / "frame-0000.png").mkdir(parents=True)
+        self.assert_refused(
+            "'frames' cannot be written .*: choose another --output", "threshold_sweep.py",
+            self.save_sphere(), "--output", "frames", "--frames", 2, "--size", "20x10")
+
+    def test_nobody_reads_what_is_printed(self):
+        command = self.command(
+            "threshold_sweep.py", self.save_sphere(), "--frames", 2, "--size", "20x10")
+        reader, writer = os.pipe()
+        os.close(reader)
+        done = subprocess.run(
+            command, cwd=self.folder, stdout=writer, stderr=subprocess.PIPE, text=True, check=False)
+        os.close(writer)
+        self.assertEqual((done.returncode, done.stderr), (1, ""))
 
 
 class Volumes(Example):

@@ -231,6 +231,10 @@ void CommandLine::Parse(const std::vector<std::string>& arguments)
     }
   }
   const CommonOptions& o = this->Options;
+  if (o.Source.Raw && o.Source.Path.empty())
+  {
+    throw UserError("--raw tells what a file of bare samples holds; name that file, too.");
+  }
   if (!o.From.empty() && o.From[1] == o.Up[1])
   {
     throw UserError(

@@ -10,6 +10,7 @@
 #include <vtkImageData.h>
 #include <vtkPointData.h>
 
+#include <cmath>
 #include <cstddef>
 #include <sstream>
 
@@ -44,6 +45,19 @@ Histogram CountSamples(vtkImageData* image)
   Histogram histogram;
   vtkDataArray* array = image->GetPointData()->GetScalars();
   array->GetFiniteRange(histogram.Range.data(), 0);
+  if (histogram.Range[0] > histogram.Range[1])
+  {
+    throw UserError("No sample of the volume is a number: it has no isosurface; choose another "
+                    "volume, or another type for --raw.");
+  }
+  if (!std::isfinite(histogram.Range[1] - histogram.Range[0]))
+  {
+    std::ostringstream what;
+    what << "The volume's values, " << histogram.Range[0] << " to " << histogram.Range[1]
+         << ", lie too far apart to choose an isovalue between them; scale them down, or choose "
+            "another type for --raw.";
+    throw UserError(what.str());
+  }
   if (!(histogram.Range[0] < histogram.Range[1]))
   {
     std::ostringstream what;

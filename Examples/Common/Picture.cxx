@@ -9,8 +9,11 @@
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
 
+#include <cerrno>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
+#include <fstream>
 
 namespace
 {
@@ -48,6 +51,13 @@ vtkSmartPointer<vtkImageData> OnBackground(
 
 void WritePng(vtkImageData* picture, const std::string& path, const std::string& remedy)
 {
+  // VTK takes any error in opening a file for a full disk.
+  errno = 0;
+  if (!std::ofstream(path, std::ios::binary))
+  {
+    throw UserError(
+      "'" + path + "' could not be written (" + std::strerror(errno) + "); " + remedy + ".");
+  }
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputData(picture);
   writer->SetFileName(path.c_str());

@@ -40,7 +40,7 @@ output=$build/pictures
 prefix=${TEMPORAL_COHERENCE_PARAVIEW:-}
 if [ -z "$prefix" ]; then
   prefix=/opt/paraview
-  [ -x "$prefix/usr/bin/pvbatch" ] || mkdir -p "$prefix" 2>/dev/null ||
+  [ -x "$prefix/usr/bin/pvbatch" ] || { mkdir -p "$prefix" 2>/dev/null && [ -w "$prefix" ]; } ||
     prefix=/var/tmp/vtkTemporalCoherence-paraview
 fi
 
@@ -253,7 +253,8 @@ measure()
     said=$build/Measure-$processes.txt
     pvbatch "$processes" --sym "$here/Measure.py" >"$said" 2>&1 || true
     grep -o 'figures.*' "$said" | sort -k3n |
-      awk '{ printf "%9d %4d %9d %6d %6d %12d %5d %7d\n", $2, $3, $4, $5, $6, $7, $8, $9 }'
+      awk '{ printf "%9d %4d %9d %6d %6d %12d %5d %7d\n", $2, $3, $4, $5, $6, $7, $8, $9 }' ||
+      fail "Measure.py gave no figures of $processes process(es); see $said"
   done
 }
 
@@ -307,4 +308,5 @@ fi
 
 say "$passed checks passed, $failed failed, in $((SECONDS - begin)) s; pictures are in $output"
 [ "$failed" -eq 0 ] || fail "$failed checks"
+[ "$passed" -gt 0 ] || fail "there was no check"
 say "PASSED"

@@ -2,17 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Picture.h"
 
-#include "Silence.h"
 #include "UserError.h"
 
-#include <vtkErrorCode.h>
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <cerrno>
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 
 namespace
@@ -51,25 +52,26 @@ vtkSmartPointer<vtkImageData> OnBackground(
 
 void WritePng(vtkImageData* picture, const std::string& path, const std::string& remedy)
 {
-  // VTK takes any error in opening a file for a full disk.
-  errno = 0;
-  if (!std::ofstream(path, std::ios::binary))
-  {
-    throw UserError(
-      "'" + path + "' could not be written (" + std::strerror(errno) + "); " + remedy + ".");
-  }
+  // Not by VTK: it takes any error for a full disk, of which libpng prints lines of its own.
   vtkNew<vtkPNGWriter> writer;
   writer->SetInputData(picture);
-  writer->SetFileName(path.c_str());
   writer->SetCompressionLevel(CompressionLevel);
+  writer->WriteToMemoryOn();
+  writer->Write();
+  vtkUnsignedCharArray* const png = writer->GetResult();
+  errno = 0;
+  std::ofstream file(path, std::ios::binary);
+  const bool isOpen = file.is_open();
+  file.write(reinterpret_cast<const char*>(png->GetPointer(0)), png->GetNumberOfValues());
+  file.close();
+  if (!file)
   {
-    const Silence silence;
-    writer->Write();
-  }
-  if (writer->GetErrorCode() != vtkErrorCode::NoError)
-  {
-    throw UserError("'" + path + "' could not be written (" +
-      vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode()) + "); make room, or " + remedy +
-      ".");
+    const std::string reason = errno ? std::strerror(errno) : "it ends too early";
+    if (isOpen && std::filesystem::is_regular_file(path))
+    {
+      std::remove(path.c_str());
+    }
+    throw UserError(
+      "'" + path + "' could not be written (" + reason + "); make room, or " + remedy + ".");
   }
 }

@@ -216,6 +216,7 @@ check_refusals()
   refused 'could not be read' "$scratch/files/broken.vti"
   refused 'outside the volume' --spheres 16 --isovalue 900
   refused 'cannot be written' --spheres 16 --log "$scratch/no/log"
+  refused 'No such file or directory' --spheres 16 --screenshot "$scratch/no/picture.png"
   printf '# vtkTemporalCoherence Explorer session 1\nspheres = 16\naccuracy = perfect\n' >"$scratch/bad.session"
   refused 'Line 3' --session "$scratch/bad.session"
   DISPLAY=:99999 refused 'cannot be opened' --spheres 16

@@ -36,7 +36,9 @@ TEXT
 }
 
 repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-export TEMPORAL_COHERENCE_BUILD=${TEMPORAL_COHERENCE_BUILD:-$repository/build}
+# Not relative: CMake looks for packages below other directories.
+TEMPORAL_COHERENCE_BUILD=$(realpath -m "${TEMPORAL_COHERENCE_BUILD:-$repository/build}")
+export TEMPORAL_COHERENCE_BUILD
 build=$TEMPORAL_COHERENCE_BUILD
 head_volume=/usr/share/mricron/templates/ch2.nii.gz
 head_isovalue=45 # skin

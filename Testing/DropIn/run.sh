@@ -30,7 +30,9 @@ TEXT
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 repository=$(cd "$here/../.." && pwd)
-export TEMPORAL_COHERENCE_BUILD=${TEMPORAL_COHERENCE_BUILD:-$repository/build}
+# Not relative: CMake looks for packages below other directories.
+TEMPORAL_COHERENCE_BUILD=$(realpath -m "${TEMPORAL_COHERENCE_BUILD:-$repository/build}")
+export TEMPORAL_COHERENCE_BUILD
 build=$TEMPORAL_COHERENCE_BUILD
 work=$build/dropin
 output=$work

@@ -131,7 +131,7 @@ void vtkTemporalCoherenceVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* 
   {
     return;
   }
-  this->InvokeEvent(vtkCommand::VolumeMapperRenderStartEvent, nullptr);
+  this->TellStart();
   this->TimeToDraw = 0.0;
   {
     TemporalCoherence::Stopwatch watch(this->TimeToDraw);
@@ -231,6 +231,14 @@ bool vtkTemporalCoherenceVolumeMapper::IsBusy(const char* method)
 }
 
 //------------------------------------------------------------------------------
+/// A frame begins: observers may change settings, but not begin another one.
+void vtkTemporalCoherenceVolumeMapper::TellStart()
+{
+  const Busy busy(this->Internal->IsBusy);
+  this->InvokeEvent(vtkCommand::VolumeMapperRenderStartEvent, nullptr);
+}
+
+//------------------------------------------------------------------------------
 /// Report an error, if there is one, other than the last.
 void vtkTemporalCoherenceVolumeMapper::ReportOnce(const std::string& error)
 {
@@ -239,6 +247,52 @@ void vtkTemporalCoherenceVolumeMapper::ReportOnce(const std::string& error)
     this->Internal->LastError = error;
     vtkErrorMacro(<< error);
   }
+}
+
+//------------------------------------------------------------------------------
+/// Set a setting to the nearest value that it may have.
+template <typename T>
+void vtkTemporalCoherenceVolumeMapper::SetWithin(
+  const char* name, T value, double low, double high, T& setting)
+{
+  if (std::isnan(value))
+  {
+    this->ReportOnce(std::string(name) + " was set to what is no number and stays " +
+      std::to_string(setting) + "; set one from " + std::to_string(low) + " on.");
+    return;
+  }
+  value = static_cast<T>(std::min(std::max(static_cast<double>(value), low), high));
+  if (value != setting)
+  {
+    setting = value;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherenceVolumeMapper::SetIsomapTolerance(double voxels)
+{
+  this->SetWithin("IsomapTolerance", voxels, 0.0, VTK_DOUBLE_MAX, this->IsomapTolerance);
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherenceVolumeMapper::SetImageSampleDistance(float pixels)
+{
+  this->SetWithin("ImageSampleDistance", pixels, 1.0, 100.0, this->ImageSampleDistance);
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherenceVolumeMapper::SetMinimumImageSampleDistance(float pixels)
+{
+  this->SetWithin(
+    "MinimumImageSampleDistance", pixels, 1.0, 100.0, this->MinimumImageSampleDistance);
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherenceVolumeMapper::SetMaximumImageSampleDistance(float pixels)
+{
+  this->SetWithin(
+    "MaximumImageSampleDistance", pixels, 1.0, 100.0, this->MaximumImageSampleDistance);
 }
 
 //------------------------------------------------------------------------------
@@ -274,7 +328,7 @@ bool vtkTemporalCoherenceVolumeMapper::RenderToImage(vtkRenderer* renderer, vtkV
     this->Update();
   }
   this->SetAbortExecute(0);
-  this->InvokeEvent(vtkCommand::VolumeMapperRenderStartEvent, nullptr);
+  this->TellStart();
   const bool isMade = this->RenderFrame(
     renderer, volume, width, height, static_cast<double>(width) / height, nullptr);
   if (isMade)

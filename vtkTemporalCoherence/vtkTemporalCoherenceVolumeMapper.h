@@ -309,7 +309,7 @@ public:
    * IsomapMemoryLimit: what it may use for each viewer, in MiB. Default: 256. The bands used least
    * are dropped, with a warning once; 0 is as IsomapOff().
    */
-  vtkSetClampMacro(IsomapTolerance, double, 0.0, VTK_DOUBLE_MAX);
+  virtual void SetIsomapTolerance(double voxels);
   vtkGetMacro(IsomapTolerance, double);
   vtkSetVector2Macro(IsomapRange, double);
   vtkGetVector2Macro(IsomapRange, double);
@@ -353,11 +353,11 @@ public:
    * The images of RenderToImage() are never coarser. PickPixel() takes pixels of the window in
    * coarse frames, too; GetLastFrame() and GetVisibleSurface() give a value for each ray.
    */
-  vtkSetClampMacro(ImageSampleDistance, float, 1.0f, 100.0f);
+  virtual void SetImageSampleDistance(float pixels);
   vtkGetMacro(ImageSampleDistance, float);
-  vtkSetClampMacro(MinimumImageSampleDistance, float, 1.0f, 100.0f);
+  virtual void SetMinimumImageSampleDistance(float pixels);
   vtkGetMacro(MinimumImageSampleDistance, float);
-  vtkSetClampMacro(MaximumImageSampleDistance, float, 1.0f, 100.0f);
+  virtual void SetMaximumImageSampleDistance(float pixels);
   vtkGetMacro(MaximumImageSampleDistance, float);
   vtkSetClampMacro(AutoAdjustSampleDistances, vtkTypeBool, 0, 1);
   vtkGetMacro(AutoAdjustSampleDistances, vtkTypeBool);
@@ -540,9 +540,12 @@ private:
   bool RenderFrame(vtkRenderer* renderer, vtkVolume* volume, int width, int height, double aspect,
     vtkRenderWindow* window);
   bool IsBusy(const char* method);
+  void TellStart();
   void RenderForWindow(vtkRenderer* renderer, vtkVolume* volume, int width, int height);
   void ReportOnce(const std::string& error);
   void WarnOfIsomapLimit(bool isTooLarge);
+  template <typename T>
+  void SetWithin(const char* name, T value, double low, double high, T& setting);
 
   int SurfaceMode = CROSSING;
   int VectorMode = DISABLED;

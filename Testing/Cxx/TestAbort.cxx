@@ -27,13 +27,15 @@ namespace
 
 constexpr int Size = 300; // enough for several parts
 
-/// Writes down the events of frames, and may do something at each report.
+/// Writes down the events of frames, and may do something at each report and each start.
 class Recorder
 {
 public:
-  explicit Recorder(vtkTemporalCoherenceVolumeMapper* mapper, std::function<void()> atReport = {})
+  explicit Recorder(vtkTemporalCoherenceVolumeMapper* mapper, std::function<void()> atReport = {},
+    std::function<void()> atStart = {})
     : Mapper(mapper)
     , AtReport(std::move(atReport))
+    , AtStart(std::move(atStart))
   {
     for (const unsigned long event : { vtkCommand::VolumeMapperRenderStartEvent,
            vtkCommand::VolumeMapperRenderProgressEvent, vtkCommand::VolumeMapperRenderEndEvent })
@@ -67,6 +69,10 @@ private:
     if (event == vtkCommand::VolumeMapperRenderStartEvent)
     {
       this->IsInOrder &= this->Starts++ == this->Ends;
+      if (this->AtStart)
+      {
+        this->AtStart();
+      }
     }
     else if (event == vtkCommand::VolumeMapperRenderEndEvent)
     {
@@ -86,7 +92,7 @@ private:
   }
 
   vtkTemporalCoherenceVolumeMapper* Mapper;
-  std::function<void()> AtReport;
+  std::function<void()> AtReport, AtStart;
   std::vector<unsigned long> Tags;
 };
 
@@ -309,21 +315,26 @@ void TestBusy()
   };
   for (const auto& [name, call] : calls)
   {
-    stage.Turn();
-    observer->Clear();
+    for (const bool isAtStart : { false, true })
     {
-      bool isDone = false;
-      const auto& callNow = call;
-      const Recorder recorder(stage.Mapper, [&] { isDone |= callNow(); });
-      stage.Window->Render();
-      Expect(!isDone, name + ": refused");
+      stage.Turn();
+      observer->Clear();
+      {
+        bool isDone = false;
+        const auto& callNow = call;
+        const std::function<void()> action = [&] { isDone |= callNow(); };
+        const Recorder recorder(
+          stage.Mapper, isAtStart ? nullptr : action, isAtStart ? action : nullptr);
+        stage.Window->Render();
+        Expect(!isDone, name + ": refused");
+      }
+      Expect(observer->GetError() &&
+          observer->GetErrorMessage().find(name + " was called") != std::string::npos,
+        name + ": said so");
+      ColdWitness witness;
+      Expect(stage.Render(Size, Size) && witness.Draw(stage) && witness.CountDifferent(stage) < 10,
+        name + ": the frame is right");
     }
-    Expect(observer->GetError() &&
-        observer->GetErrorMessage().find(name + " was called") != std::string::npos,
-      name + ": said so");
-    ColdWitness witness;
-    Expect(stage.Render(Size, Size) && witness.Draw(stage) && witness.CountDifferent(stage) < 10,
-      name + ": the frame is right");
   }
 }
 

@@ -14,6 +14,7 @@
 #include <vtkContourValues.h>
 #include <vtkDoubleArray.h>
 #include <vtkFloatingPointExceptions.h>
+#include <vtkMatrix4x4.h>
 #include <vtkPiecewiseFunction.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -133,6 +134,15 @@ void TestGeometries()
   ExpectError(
     "scale is 1, 0, 1", [](Scene& scene) { scene.Volume->SetScale(1.0, 0.0, 1.0); },
     [](Scene& scene) { scene.Volume->SetScale(1.0); });
+  ExpectError(
+    "scale is 0, 1, 1",
+    [](Scene& scene)
+    {
+      vtkNew<vtkMatrix4x4> flat;
+      flat->SetElement(0, 0, 0.0);
+      scene.Volume->SetUserMatrix(flat);
+    },
+    [](Scene& scene) { scene.Volume->SetUserMatrix(nullptr); });
   const double nan = std::numeric_limits<double>::quiet_NaN();
   ExpectError("camera",
     [](Scene& scene)
@@ -243,6 +253,31 @@ void TestEmptyPictures()
 
 }
 
+/// Settings that are no numbers are refused, and stay as they are.
+void TestSettings()
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  Scene scene(Ball(), { 130.0 });
+  vtkNew<vtkTest::ErrorObserver> observer;
+  scene.Mapper->AddObserver(vtkCommand::ErrorEvent, observer);
+  const auto expectRefused = [&](const std::string& name)
+  {
+    Expect(observer->GetError() &&
+        observer->GetErrorMessage().find(name + " was set to what is no number") !=
+          std::string::npos,
+      name + ": said so");
+    observer->Clear();
+  };
+  scene.Mapper->SetIsomapTolerance(0.5);
+  scene.Mapper->SetIsomapTolerance(nan);
+  expectRefused("IsomapTolerance");
+  Expect(scene.Mapper->GetIsomapTolerance() == 0.5, "the tolerance stays");
+  scene.Mapper->SetImageSampleDistance(200.0f);
+  scene.Mapper->SetImageSampleDistance(static_cast<float>(nan));
+  expectRefused("ImageSampleDistance");
+  Expect(scene.Mapper->GetImageSampleDistance() == 100.0f, "the distance stays");
+}
+
 int TestErrors(int, char*[])
 {
   // The Debug driver traps operations on what is not a number, which is what is tested here.
@@ -252,5 +287,6 @@ int TestErrors(int, char*[])
   TestIsovalues();
   TestNullArguments();
   TestEmptyPictures();
+  TestSettings();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -81,12 +81,15 @@ bool PlaceVolume(vtkVolume* volume, Placement& placement, std::string& error)
 {
   volume->ComputeMatrix();
   vtkMatrix4x4* matrix = volume->GetMatrix();
-  placement.WorldFromIndex = MatrixFromVtk(matrix) * placement.WorldFromIndex;
+  const glm::dmat4 transform = MatrixFromVtk(matrix);
+  placement.WorldFromIndex = transform * placement.WorldFromIndex;
 
-  const double* scale = volume->GetScale();
+  // That of the prop and of its user matrix together.
+  const glm::dvec3 scale(
+    glm::length(transform[0]), glm::length(transform[1]), glm::length(transform[2]));
   const double* last = matrix->GetData() + 12;
   std::ostringstream what;
-  if (!IsFinite(MatrixFromVtk(matrix)) || !IsFinite(placement.WorldFromIndex))
+  if (!IsFinite(transform) || !IsFinite(placement.WorldFromIndex))
   {
     what << "The transform of the volume is not finite (its scale is " << scale[0] << ", "
          << scale[1] << ", " << scale[2]

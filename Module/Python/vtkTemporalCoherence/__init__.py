@@ -15,6 +15,13 @@ volume.GetProperty().GetIsoSurfaceValues(); help(vtkTemporalCoherenceVolumeMappe
     write_png              a picture into a file
 
 The last four are those of vtkTemporalCoherence.numpy_support; only they need NumPy.
+
+Arguments that the wrapped methods fill are lists, but for t, which is a reference:
+
+    position, normal, index = [0.0] * 3, [0.0] * 3, [-1]
+    if mapper.PickPixel(x, y, position, normal, index): ...
+    t = vtkmodules.vtkCommonCore.reference(0.0)
+    if mapper.IntersectWithLine(volume, p1, p2, t, position, normal, index): ...
 """
 
 # What the wrapped classes take and return, and what makes vtkRenderer a renderer. No display is

@@ -170,7 +170,7 @@ def write(
             for isovalue in isovalues:
                 png, route, milliseconds = pictures.picture(isovalue, azimuth, given.size)
                 path = os.path.join(
-                    given.output, f"isovalue{isovalue:g}_azimuth{azimuth:g}.png")
+                    given.output, f"isovalue{isovalue:.12g}_azimuth{azimuth:.12g}.png")
                 with open(path, "wb") as file:
                     file.write(png)
                 print(f"{path}  {route}, {milliseconds:.1f} ms")

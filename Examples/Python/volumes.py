@@ -110,6 +110,8 @@ def make_spheres(samples: int) -> vtkImageData:
 def read_volume(path: str) -> vtkImageData:
     if not os.path.exists(path):
         raise UserError(f"There is no file '{path}': check the path.")
+    if not os.access(path, os.R_OK):
+        raise UserError(f"'{path}' may not be read by you: change its permissions.")
     if path.lower().endswith(".npy"):
         return _read_array(path)
     suffix = next((suffix for suffix in READERS if path.lower().endswith(suffix)), None)

@@ -189,7 +189,7 @@ take_picture()
 
 make_files()
 {
-  rm -rf "$scratch"/*
+  rm -rf "${scratch:?}"/*
   mkdir -p "$scratch/files"
   # A ball of 24^3 samples.
   perl -e 'for $k (0..23) { for $j (0..23) { for $i (0..23) {

@@ -91,6 +91,13 @@ test_development()
     --spheres 64 --isovalue 100 --quick --output /test/results/OrbitAndSweep
   check_pictures 11 /test/results/OrbitAndSweep/*.png
   say "Examples/OrbitAndSweep: built and run"
+
+  # It draws in a window, which there is none of here, and says so.
+  build_example Explorer
+  ! /test/build/Explorer/Explorer --spheres 16 >"$logs/run-Explorer.log" 2>&1 ||
+    fail "the Explorer finds a display where there is none"
+  [ "$(wc -l <"$logs/run-Explorer.log")" -eq 1 ] || fail "the Explorer needs more than a sentence to say so"
+  say "Examples/Explorer: built; $(cat "$logs/run-Explorer.log")"
 }
 
 test_wrong_version()

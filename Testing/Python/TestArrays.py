@@ -89,6 +89,8 @@ class Volumes(unittest.TestCase):
         for wrong in ([[[0.0]]], vtkImageData(), None):
             with self.assertRaisesRegex(TypeError, r"must be a NumPy array, .*numpy.asarray\(\)"):
                 numpy_to_image(wrong)
+        with self.assertRaisesRegex(TypeError, r"masked array: give array.filled"):
+            numpy_to_image(numpy.ma.zeros((2, 2, 2)))
         for wrong in (numpy.zeros(8), numpy.zeros((2, 2)), numpy.zeros((2,) * 5),
                       numpy.zeros((2, 0, 2))):
             with self.assertRaisesRegex(ValueError, r"must have the shape .*reshape"):

@@ -79,12 +79,16 @@ def numpy_to_image(
     are such as VTK has; else it gets a copy: of bool as uint8, of float16 as float32. When you have
     written to the array, call image.GetPointData().GetScalars().Modified().
 
-    Raises TypeError if these are no real numbers of at most 64 bits in an array, ValueError if they
-    do not lie along three axes.
+    Raises TypeError if these are no real numbers of at most 64 bits in an array without a mask,
+    ValueError if they do not lie along three axes.
     """
     if not isinstance(array, numpy.ndarray):
         raise TypeError(
             f"A volume must be a NumPy array, not {type(array).__name__}: use numpy.asarray().")
+    if isinstance(array, numpy.ma.MaskedArray):
+        raise TypeError(
+            "A volume must not be a masked array: give array.filled(value), for floats with NaN, "
+            "which is below every isovalue.")
     if array.ndim not in (3, 4) or array.size == 0:
         raise ValueError(
             f"A volume must have the shape (nz, ny, nx) or (nz, ny, nx, components), not "

@@ -227,7 +227,7 @@ check_help()
 {
   key question '^help on'
   key F1 '^help off'
-  key F1 '^frame' # has no use; clears the message
+  key F2 '^frame' # has no use; clears the message
 }
 
 # A hundred steps, a pixel or more each; every one shows another isovalue, looked up.

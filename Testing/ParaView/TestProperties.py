@@ -4,7 +4,7 @@
 
 import numpy as np
 
-from Stage import (ColorBy, GetColorTransferFunction, GetOpacityTransferFunction, Render, Show,
+from Stage import (ColorBy, Gradient, GetColorTransferFunction, GetOpacityTransferFunction, Render, Show,
                    check, count_different, look_from, make_view, make_wavelet, show, statistic,
                    take_picture)
 
@@ -36,6 +36,28 @@ def test_defaults():
     Render()
     check(list(statistic(volume, "ShownIsovalues")) == [120.0, 200.0],
           "drop-in: the isovalues of the representation Volume are shown")
+
+
+def test_isovalues_left_out():
+    """Where no isovalue is given, one is shown that the array has, also after another one is chosen."""
+    view = make_view()
+    gradient = Gradient(Input=make_wavelet(), ScalarArray=["POINTS", "RTData"])
+    display = Show(gradient, view)
+    display.Representation = "Temporal Isosurface"
+    look_from(view)
+    Render(view)
+    ColorBy(display, ("POINTS", "Gradient", "Magnitude"))
+    Render(view)
+    range_of_lengths = statistic(display, "ScalarRange")
+    check(np.isclose(statistic(display, "ShownIsovalues"), np.mean(range_of_lengths)),
+          "default: of another array, the isovalue is the middle of that one",
+          f"{statistic(display, 'ShownIsovalues')} of {range_of_lengths}")
+    check((take_picture(view, "default-gradient") > 0).any(),
+          "default: there is a picture of another array")
+    display.IsosurfaceValues = [5.0, 10.0]
+    Render(view)
+    check(list(statistic(display, "ShownIsovalues")) == [5.0, 10.0],
+          "drop-in: isovalues that fit the other array are shown")
 
 
 def test_looks(view, display):
@@ -140,6 +162,7 @@ def test_settings(view, display):
 def main():
     """All properties."""
     test_defaults()
+    test_isovalues_left_out()
     view = make_view()
     display = show(make_wavelet(), view, [150.0])
     look_from(view)

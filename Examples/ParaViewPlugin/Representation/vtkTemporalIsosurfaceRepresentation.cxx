@@ -355,16 +355,30 @@ std::array<double, 2> vtkTemporalIsosurfaceRepresentation::RangeOfScalars(
 }
 
 //------------------------------------------------------------------------------
+/// ParaView sets the volume representation's isovalues without being asked, to the middle of an
+/// array that need not be the one that is drawn: they count only where they fit it.
+/// \param range of the values; first larger than second if it is not known
+std::vector<double> vtkTemporalIsosurfaceRepresentation::ChooseIsovalues(
+  const std::array<double, 2>& range)
+{
+  if (!this->Isovalues.empty())
+  {
+    return this->Isovalues;
+  }
+  const bool isKnown = range[0] <= range[1];
+  const bool fits = std::any_of(this->VolumeIsovalues.begin(), this->VolumeIsovalues.end(),
+    [&](double isovalue) { return isovalue >= range[0] && isovalue <= range[1]; });
+  return isKnown && !fits ? std::vector<double>{ 0.5 * (range[0] + range[1]) }
+                          : this->VolumeIsovalues;
+}
+
+//------------------------------------------------------------------------------
 /// \return a sentence about isovalues that no process has; empty if there are none
 std::string vtkTemporalIsosurfaceRepresentation::ShowIsovalues(
   const std::array<double, 2>& range, const std::string& name)
 {
-  std::vector<double> isovalues = this->Isovalues.empty() ? this->VolumeIsovalues : this->Isovalues;
+  const std::vector<double> isovalues = this->ChooseIsovalues(range);
   const bool isKnown = range[0] <= range[1];
-  if (isovalues.empty() && isKnown)
-  {
-    isovalues.push_back(0.5 * (range[0] + range[1]));
-  }
   vtkContourValues* contours = this->Property->GetIsoSurfaceValues();
   contours->SetNumberOfContours(static_cast<int>(isovalues.size()));
   std::ostringstream outside;

@@ -53,7 +53,8 @@ public:
   ///@{
   /**
    * What is drawn: these isovalues; if there are none, those that the volume representation has for
-   * its own isosurfaces; if there are none either, the middle of the values.
+   * its own isosurfaces, if at least one lies in the range of the values; else the middle of the
+   * values.
    */
   void SetNumberOfIsovalues(int number);
   void SetIsovalue(int i, double value);
@@ -156,6 +157,7 @@ private:
   ArrayChoice ChooseArray(vtkDataObject* data);
   std::array<double, 2> RangeOfScalars(const DistributedPart& part);
   void ShowScalars(const ArrayChoice& choice);
+  std::vector<double> ChooseIsovalues(const std::array<double, 2>& range);
   std::string ShowIsovalues(const std::array<double, 2>& range, const std::string& name);
   void ShowColors();
   void ShowRegion(const DistributedPart& part);

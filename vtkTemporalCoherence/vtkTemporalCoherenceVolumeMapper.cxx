@@ -133,24 +133,26 @@ void vtkTemporalCoherenceVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* 
   }
   this->TellStart();
   this->TimeToDraw = 0.0;
+  bool isMade = false;
   {
     TemporalCoherence::Stopwatch watch(this->TimeToDraw);
     const glm::ivec2 size = TemporalCoherence::PictureSizeOf(renderer);
     if (size.x > 0 && size.y > 0)
     {
       std::string error;
-      this->RenderForWindow(renderer, volume, size.x, size.y);
+      isMade = this->RenderForWindow(renderer, volume, size.x, size.y);
       // After an error this shows the last valid picture again.
       this->Internal->Frames.Present(renderer, volume, size, this->GetInput(), error);
       this->ReportOnce(error);
     }
   }
-  this->InvokeEvent(vtkCommand::VolumeMapperRenderEndEvent, nullptr);
+  this->InvokeEvent(vtkCommand::VolumeMapperRenderEndEvent, &isMade);
 }
 
 //------------------------------------------------------------------------------
 /// Make a frame for a window, as coarse as is wished.
-void vtkTemporalCoherenceVolumeMapper::RenderForWindow(
+/// \return false if it is not made
+bool vtkTemporalCoherenceVolumeMapper::RenderForWindow(
   vtkRenderer* renderer, vtkVolume* volume, int width, int height)
 {
   Internals& internal = *this->Internal;
@@ -165,12 +167,14 @@ void vtkTemporalCoherenceVolumeMapper::RenderForWindow(
   }
   const glm::ivec2 rays =
     TemporalCoherence::RaysFor(pixels, static_cast<double>(this->ImageSampleDistance));
-  if (this->RenderFrame(renderer, volume, rays.x, rays.y, renderer->GetTiledAspectRatio(),
-        renderer->GetRenderWindow()))
+  const bool isMade = this->RenderFrame(
+    renderer, volume, rays.x, rays.y, renderer->GetTiledAspectRatio(), renderer->GetRenderWindow());
+  if (isMade)
   {
     internal.Frames.SetPictureSize(pixels);
     internal.Learn(allowed);
   }
+  return isMade;
 }
 
 //------------------------------------------------------------------------------
@@ -329,14 +333,14 @@ bool vtkTemporalCoherenceVolumeMapper::RenderToImage(vtkRenderer* renderer, vtkV
   }
   this->SetAbortExecute(0);
   this->TellStart();
-  const bool isMade = this->RenderFrame(
+  bool isMade = this->RenderFrame(
     renderer, volume, width, height, static_cast<double>(width) / height, nullptr);
   if (isMade)
   {
     this->Internal->Frames.SetPictureSize({ width, height });
     this->Internal->Learn(VTK_DOUBLE_MAX);
   }
-  this->InvokeEvent(vtkCommand::VolumeMapperRenderEndEvent, nullptr);
+  this->InvokeEvent(vtkCommand::VolumeMapperRenderEndEvent, &isMade);
   return isMade && this->GetLastFrame(color, depth, normals, isovalueIndex, answer);
 }
 

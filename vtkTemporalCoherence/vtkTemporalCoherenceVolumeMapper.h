@@ -55,7 +55,8 @@
  * BlankCell do not.
  *
  * Events: VolumeMapperRenderStartEvent, VolumeMapperRenderProgressEvent with the share of the frame
- * that is done (a double from 0 to 1, never less than before) and VolumeMapperRenderEndEvent, in
+ * that is done (a double from 0 to 1, never less than before) and VolumeMapperRenderEndEvent with
+ * whether the frame was made (a bool; false after an error or a stop, the last one then stays), in
  * Render() and RenderToImage(). A frame stops where the render window's CheckAbortStatus() says so,
  * which costs nothing as long as nobody observes AbortCheckEvent or progress; the one of
  * RenderToImage() where an observer of progress calls SetAbortExecute(1). That is no error: the
@@ -541,7 +542,7 @@ private:
     vtkRenderWindow* window);
   bool IsBusy(const char* method);
   void TellStart();
-  void RenderForWindow(vtkRenderer* renderer, vtkVolume* volume, int width, int height);
+  bool RenderForWindow(vtkRenderer* renderer, vtkVolume* volume, int width, int height);
   void ReportOnce(const std::string& error);
   void WarnOfIsomapLimit(bool isTooLarge);
   template <typename T>

@@ -61,6 +61,7 @@ public:
 
   int Starts = 0, Ends = 0;
   bool IsInOrder = true;
+  bool IsMade = false; ///< as the last end tells
   std::vector<double> Progress;
 
 private:
@@ -77,6 +78,7 @@ private:
     else if (event == vtkCommand::VolumeMapperRenderEndEvent)
     {
       this->IsInOrder &= ++this->Ends == this->Starts;
+      this->IsMade = *static_cast<bool*>(data);
     }
     else
     {
@@ -156,7 +158,7 @@ void TestEvents()
     stage.Window->Render();
     Expect(IsRoute(stage, step.Route),
       step.Route + ": taken, but it was " + stage.Mapper->GetRouteAsString());
-    Expect(recorder.IsOneFrame() && recorder.Progress.back() == 1.0,
+    Expect(recorder.IsOneFrame() && recorder.Progress.back() == 1.0 && recorder.IsMade,
       step.Route + ": start, progress, end");
     Expect(recorder.Progress.size() > 5,
       step.Route + ": in parts, " + std::to_string(recorder.Progress.size()));
@@ -164,10 +166,17 @@ void TestEvents()
   }
   const Recorder again(stage.Mapper);
   stage.Window->Render();
-  Expect(IsRoute(stage, "Redisplay") && again.IsOneFrame(), "a picture that is shown again");
+  Expect(IsRoute(stage, "Redisplay") && again.IsOneFrame() && again.IsMade,
+    "a picture that is shown again");
   const Recorder image(stage.Mapper);
   stage.Turn();
-  Expect(stage.Render(Size, Size) && image.IsOneFrame(), "an image is a frame, too");
+  Expect(
+    stage.Render(Size, Size) && image.IsOneFrame() && image.IsMade, "an image is a frame, too");
+  const Recorder failed(stage.Mapper);
+  EventCounter errors(stage.Mapper, vtkCommand::ErrorEvent);
+  stage.Volume->SetScale(0.0, 1.0, 1.0);
+  stage.Window->Render();
+  Expect(errors.Count == 1 && failed.Ends == 1 && !failed.IsMade, "one that fails ends, too");
 }
 
 /// Observers and parts make no difference to the picture.
@@ -217,7 +226,8 @@ void TestStopped()
         stage.Window->Render();
         Expect(stage.Window->GetAbortRender() != 0 && recorder.Progress.size() == stopAt + 1,
           what + ": stopped there");
-        Expect(recorder.IsOneFrame() && recorder.Progress.back() < 1.0, what + ": events");
+        Expect(recorder.IsOneFrame() && recorder.Progress.back() < 1.0 && !recorder.IsMade,
+          what + ": events");
       }
       Expect(IsLastFrame(stage, color, depth) && IsRoute(stage, route) &&
           stage.Mapper->GetNumberOfFieldSamples() == samples,
@@ -277,7 +287,7 @@ void TestImages()
   stage.Volume->RotateZ(5.0);
   {
     const Recorder recorder(stage.Mapper, [&] { stage.Mapper->SetAbortExecute(1); });
-    Expect(!stage.Render(Size, Size), "stopped by SetAbortExecute");
+    Expect(!stage.Render(Size, Size) && !recorder.IsMade, "stopped by SetAbortExecute");
   }
   Expect(AreIdentical(stage.Color, color) && AreIdentical(stage.Depth, depth) &&
       IsLastFrame(stage, color, depth),

@@ -5,7 +5,7 @@
 import os
 
 from Stage import (ColorBy, Hide, ProgrammableSource, Render, Show, look_from,
-                   make_view, make_wavelet, show, take_picture)
+                   make_view, make_wavelet, show, statistic, take_picture)
 
 NO_ARRAYS = """
 self.GetOutputDataObject(0).SetDimensions(5, 5, 5)
@@ -51,6 +51,15 @@ def main():
     for azimuth in (1.0, 1.0):
         view.GetActiveCamera().Azimuth(azimuth)
         Render(view)
+
+    begin("flat")
+    display.Isovalues, display.Scale = [150.0], [1.0, 0.0, 1.0]
+    before = list(statistic(display, "RouteCounts"))
+    for azimuth in (1.0, 1.0):
+        view.GetActiveCamera().Azimuth(azimuth)
+        Render(view)
+    say(f"counted: {list(statistic(display, 'RouteCounts')) != before}")
+    display.Scale = [1.0, 1.0, 1.0]
 
     begin("array")
     display.Isovalues = [150.0]

@@ -227,6 +227,10 @@ check_wrong_use() # PROCESSES
   pvbatch "$1" "$here/WrongUse.py" >"$said" 2>&1 || true
   check "wrong use, $1 process(es): an isovalue outside of the data" says_once "$said" isovalue \
     "No isosurface of 'RTData' has the isovalue 1500; give Isovalues between 34.0153 and 286.341."
+  check "wrong use, $1 process(es): a scale of 0" says_each "$said" flat \
+    "The transform of the volume is singular"
+  check "wrong use, $1 process(es): frames that failed are not counted" \
+    grep -q '^counted: False' "$said"
   check "wrong use, $1 process(es): a wrong name of an array" says_once "$said" array \
     "The input has no point array 'Nonsense'; choose one that it has with ColorBy: ('POINTS', 'RTData')."
   [ "$1" -eq 1 ] ||

@@ -143,8 +143,13 @@ vtkTemporalCoherenceVolumeMapper* vtkTemporalIsosurfaceRepresentation::GetMapper
 
 //------------------------------------------------------------------------------
 /// After each frame of the mapper. Texts are drawn after it, so that they tell of the same frame.
-void vtkTemporalIsosurfaceRepresentation::TakeStatistics()
+/// After one that failed, all numbers are still those of the last.
+void vtkTemporalIsosurfaceRepresentation::TakeStatistics(vtkObject*, unsigned long, void* isMade)
 {
+  if (!*static_cast<const bool*>(isMade))
+  {
+    return;
+  }
   vtkTemporalCoherenceVolumeMapper* mapper = this->GetMapper();
   const vtkIdType route = mapper->GetRoute();
   this->RouteCounts->SetValue(route, this->RouteCounts->GetValue(route) + 1);

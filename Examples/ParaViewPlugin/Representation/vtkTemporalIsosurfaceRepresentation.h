@@ -121,7 +121,7 @@ public:
 
   /**
    * How many frames took each route, since this was made: Cold, Redisplay, Reshade, IsomapLookup,
-   * IsomapBuild, ThresholdHint, ImageCache.
+   * IsomapBuild, ThresholdHint, ImageCache. Frames that failed are not counted.
    */
   vtkIdTypeArray* GetRouteCounts();
 
@@ -162,7 +162,7 @@ private:
   void ShowColors();
   void ShowRegion(const DistributedPart& part);
   void ReportOnce(const std::string& message);
-  void TakeStatistics();
+  void TakeStatistics(vtkObject* mapper, unsigned long event, void* isMade);
 
   std::vector<double> Isovalues;
   std::vector<double> VolumeIsovalues;

@@ -52,6 +52,13 @@ def main():
         view.GetActiveCamera().Azimuth(azimuth)
         Render(view)
 
+    begin("no number")
+    display.Isovalues = [float("nan"), 150.0, float("inf")]
+    for azimuth in (1.0, 1.0):
+        view.GetActiveCamera().Azimuth(azimuth)
+        Render(view)
+    say(f"shown: {statistic(display, 'ShownIsovalues')}")
+
     begin("flat")
     display.Isovalues, display.Scale = [150.0], [1.0, 0.0, 1.0]
     before = list(statistic(display, "RouteCounts"))

@@ -227,6 +227,9 @@ check_wrong_use() # PROCESSES
   pvbatch "$1" "$here/WrongUse.py" >"$said" 2>&1 || true
   check "wrong use, $1 process(es): an isovalue outside of the data" says_once "$said" isovalue \
     "No isosurface of 'RTData' has the isovalue 1500; give Isovalues between 34.0153 and 286.341."
+  check "wrong use, $1 process(es): isovalues that are no numbers" says_once "$said" 'no number' \
+    "No isosurface of 'RTData' has the isovalue nan, inf; give Isovalues between 34.0153 and 286.341."
+  check "wrong use, $1 process(es): the others are shown" grep -qx 'shown: 150.0' "$said"
   check "wrong use, $1 process(es): a scale of 0" says_each "$said" flat \
     "The transform of the volume is singular"
   check "wrong use, $1 process(es): frames that failed are not counted" \

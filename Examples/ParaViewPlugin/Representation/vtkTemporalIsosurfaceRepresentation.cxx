@@ -30,6 +30,7 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <set>
 #include <sstream>
@@ -382,27 +383,43 @@ std::vector<double> vtkTemporalIsosurfaceRepresentation::ChooseIsovalues(
 std::string vtkTemporalIsosurfaceRepresentation::ShowIsovalues(
   const std::array<double, 2>& range, const std::string& name)
 {
-  const std::vector<double> isovalues = this->ChooseIsovalues(range);
   const bool isKnown = range[0] <= range[1];
-  vtkContourValues* contours = this->Property->GetIsoSurfaceValues();
-  contours->SetNumberOfContours(static_cast<int>(isovalues.size()));
+  std::vector<double> shown;
   std::ostringstream outside;
-  for (std::size_t i = 0; i < isovalues.size(); ++i)
+  for (const double isovalue : this->ChooseIsovalues(range))
   {
-    contours->SetValue(static_cast<int>(i), isovalues[i]);
-    if (isKnown && !(isovalues[i] >= range[0] && isovalues[i] <= range[1]))
+    const bool isFinite = std::isfinite(isovalue);
+    if (isFinite)
     {
-      outside << (outside.str().empty() ? "" : ", ") << isovalues[i];
+      shown.push_back(isovalue);
+    }
+    if (!isFinite || (isKnown && !(isovalue >= range[0] && isovalue <= range[1])))
+    {
+      outside << (outside.str().empty() ? "" : ", ") << isovalue;
     }
   }
-  AssignValues(this->ShownIsovalues, isovalues.data(), isovalues.size());
+  // What is not finite would be an error of the mapper, beside the message that this returns.
+  vtkContourValues* contours = this->Property->GetIsoSurfaceValues();
+  contours->SetNumberOfContours(static_cast<int>(shown.size()));
+  for (std::size_t i = 0; i < shown.size(); ++i)
+  {
+    contours->SetValue(static_cast<int>(i), shown[i]);
+  }
+  AssignValues(this->ShownIsovalues, shown.data(), shown.size());
   AssignValues(this->ScalarRange, range.data(), isKnown ? 2 : 0);
 
   std::ostringstream message;
   if (!outside.str().empty())
   {
-    message << "No isosurface of '" << name << "' has the isovalue " << outside.str()
-            << "; give Isovalues between " << range[0] << " and " << range[1] << ".";
+    message << "No isosurface of '" << name << "' has the isovalue " << outside.str() << "; give ";
+    if (isKnown)
+    {
+      message << "Isovalues between " << range[0] << " and " << range[1] << ".";
+    }
+    else
+    {
+      message << "finite Isovalues.";
+    }
   }
   return message.str();
 }

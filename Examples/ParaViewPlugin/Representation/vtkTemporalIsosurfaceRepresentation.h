@@ -54,7 +54,7 @@ public:
   /**
    * What is drawn: these isovalues; if there are none, those that the volume representation has for
    * its own isosurfaces, if at least one lies in the range of the values; else the middle of the
-   * values.
+   * values. Isovalues that are not finite numbers are left out, with a message.
    */
   void SetNumberOfIsovalues(int number);
   void SetIsovalue(int i, double value);

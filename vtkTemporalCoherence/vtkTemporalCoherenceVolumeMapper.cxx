@@ -254,52 +254,6 @@ void vtkTemporalCoherenceVolumeMapper::ReportOnce(const std::string& error)
 }
 
 //------------------------------------------------------------------------------
-/// Set a setting to the nearest value that it may have.
-template <typename T>
-void vtkTemporalCoherenceVolumeMapper::SetWithin(
-  const char* name, T value, double low, double high, T& setting)
-{
-  if (std::isnan(value))
-  {
-    this->ReportOnce(std::string(name) + " was set to what is no number and stays " +
-      std::to_string(setting) + "; set one from " + std::to_string(low) + " on.");
-    return;
-  }
-  value = static_cast<T>(std::min(std::max(static_cast<double>(value), low), high));
-  if (value != setting)
-  {
-    setting = value;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkTemporalCoherenceVolumeMapper::SetIsomapTolerance(double voxels)
-{
-  this->SetWithin("IsomapTolerance", voxels, 0.0, VTK_DOUBLE_MAX, this->IsomapTolerance);
-}
-
-//------------------------------------------------------------------------------
-void vtkTemporalCoherenceVolumeMapper::SetImageSampleDistance(float pixels)
-{
-  this->SetWithin("ImageSampleDistance", pixels, 1.0, 100.0, this->ImageSampleDistance);
-}
-
-//------------------------------------------------------------------------------
-void vtkTemporalCoherenceVolumeMapper::SetMinimumImageSampleDistance(float pixels)
-{
-  this->SetWithin(
-    "MinimumImageSampleDistance", pixels, 1.0, 100.0, this->MinimumImageSampleDistance);
-}
-
-//------------------------------------------------------------------------------
-void vtkTemporalCoherenceVolumeMapper::SetMaximumImageSampleDistance(float pixels)
-{
-  this->SetWithin(
-    "MaximumImageSampleDistance", pixels, 1.0, 100.0, this->MaximumImageSampleDistance);
-}
-
-//------------------------------------------------------------------------------
 bool vtkTemporalCoherenceVolumeMapper::RenderToImage(vtkRenderer* renderer, vtkVolume* volume,
   int width, int height, vtkImageData* color, vtkImageData* depth)
 {

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Settings that have to be numbers.
+#include "vtkTemporalCoherenceVolumeMapper.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+//------------------------------------------------------------------------------
+/// Set a setting to the nearest value that it may have.
+template <typename T>
+void vtkTemporalCoherenceVolumeMapper::SetWithin(
+  const char* name, T value, double low, double high, T& setting)
+{
+  if (std::isnan(value))
+  {
+    this->ReportOnce(std::string(name) + " was set to what is no number and stays " +
+      std::to_string(setting) + "; set one from " + std::to_string(low) + " on.");
+    return;
+  }
+  value = static_cast<T>(std::min(std::max(static_cast<double>(value), low), high));
+  if (value != setting)
+  {
+    setting = value;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherenceVolumeMapper::SetIsomapTolerance(double voxels)
+{
+  this->SetWithin("IsomapTolerance", voxels, 0.0, VTK_DOUBLE_MAX, this->IsomapTolerance);
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherenceVolumeMapper::SetImageSampleDistance(float pixels)
+{
+  this->SetWithin("ImageSampleDistance", pixels, 1.0, 100.0, this->ImageSampleDistance);
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherenceVolumeMapper::SetMinimumImageSampleDistance(float pixels)
+{
+  this->SetWithin(
+    "MinimumImageSampleDistance", pixels, 1.0, 100.0, this->MinimumImageSampleDistance);
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherenceVolumeMapper::SetMaximumImageSampleDistance(float pixels)
+{
+  this->SetWithin(
+    "MaximumImageSampleDistance", pixels, 1.0, 100.0, this->MaximumImageSampleDistance);
+}

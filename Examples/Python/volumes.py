@@ -51,6 +51,7 @@ def run(main: Callable[[], None]) -> None:
     """Run a program: exit status 0, or 1 and one line for a mistake of the user."""
     try:
         main()
+        sys.stdout.flush()
     except UserError as error:
         sys.exit(f"{pathlib.Path(sys.argv[0]).name}: {error}")
     except KeyboardInterrupt:

@@ -275,9 +275,11 @@ class RenderServer(Example):
     @contextlib.contextmanager
     def server(self, *arguments):
         """A server that runs; its port."""
+        # Shells have what they start in the background ignore Ctrl+C.
         process = subprocess.Popen(
             self.command("render_server.py", *arguments, "--serve", 0), cwd=self.folder,
-            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+            preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
         try:
             said = process.stdout.readline()
             match = re.fullmatch(r"Serving http://127.0.0.1:(\d+)/ until Ctrl\+C\n", said)

@@ -24,6 +24,8 @@ repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 export TEMPORAL_COHERENCE_BUILD=${TEMPORAL_COHERENCE_BUILD:-$repository/build}
 build=$TEMPORAL_COHERENCE_BUILD
 log=$build/ctest.log
+# shellcheck source-path=SCRIPTDIR source=Common/Display.sh
+. "$repository/Testing/Common/Display.sh"
 
 setup_options=(--with-tests)
 ctest_arguments=()
@@ -37,29 +39,10 @@ done
 
 "$repository/Module/setup.sh" "${setup_options[@]}"
 
-run_ctest()
-{
-  local command=(ctest --test-dir "$build" --output-on-failure --no-tests=error
-    "${ctest_arguments[@]}")
-  local started=$build/ctest.started attempt display
-  rm -f "$started"
-  # A number far from 99, where everybody begins: in a container, xvfb-run does not see a server
-  # of the machine around it, but clients of the same number would connect to that one.
-  for attempt in 1 2 3 4 5; do
-    display=$((200 + RANDOM % 700))
-    # shellcheck disable=SC2016 # expanded by the inner shell
-    xvfb-run --server-num="$display" --auto-servernum --server-args="-screen 0 1280x1024x24 -noreset" \
-      bash -c 'touch "$0" && exec "$@"' "$started" "${command[@]}" && return 0
-    # What failed was the tests, not the display.
-    [ ! -f "$started" ] || return 1
-    printf '[tests] No X server at display %s (attempt %s of 5)\n' "$display" "$attempt"
-  done
-  return 1
-}
-
 begin=$SECONDS
 status=0
-run_ctest 2>&1 | tee "$log" || status=1
+on_own_display ctest --test-dir "$build" --output-on-failure --no-tests=error \
+  "${ctest_arguments[@]}" 2>&1 | tee "$log" || status=1
 
 summary=$(grep -E '^[0-9]+% tests passed' "$log" | tail -n 1 || true)
 if [ "$status" -eq 0 ] && [ -n "$summary" ]; then

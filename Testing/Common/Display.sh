@@ -4,14 +4,10 @@
 #
 # Sourced by scripts whose programs draw in windows.
 
-# Run a command on the display there is, or on one of its own.
-with_display() # COMMAND...
+# Run a command on a display of its own.
+on_own_display() # COMMAND...
 {
   local started attempt display
-  if [ -n "${DISPLAY:-}" ]; then
-    "$@"
-    return
-  fi
   if ! command -v xvfb-run >/dev/null; then
     printf 'There is no display to draw on: install xvfb, or set DISPLAY.\n' >&2
     return 1
@@ -32,4 +28,14 @@ with_display() # COMMAND...
     printf 'No X server at display %s (attempt %s of 5)\n' "$display" "$attempt" >&2
   done
   return 1
+}
+
+# Run a command on the display there is, or on one of its own.
+with_display() # COMMAND...
+{
+  if [ -n "${DISPLAY:-}" ]; then
+    "$@"
+  else
+    on_own_display "$@"
+  fi
 }

@@ -6,7 +6,7 @@
 
 #include "ColdWitness.h"
 #include "Expect.h"
-#include "KeptParts.h"
+#include "ExpectTruth.h"
 #include "Sweep.h"
 #include "Volumes.h"
 
@@ -36,34 +36,12 @@ void AddPlane(Mapper* mapper, const Point& origin, const Point& normal)
 }
 
 /// Hold a scene's picture against brute force.
-void ExpectTruth(const std::string& name, Scene& scene, vtkImageData* image)
+void ExpectTruthOf(const std::string& name, Scene& scene, vtkImageData* image)
 {
   BruteForceTracer truth(image, scene.Volume);
   truth.Isovalues = { scene.Volume->GetProperty()->GetIsoSurfaceValues()->GetValue(0) };
   truth.IsThreshold = scene.Mapper->GetSurfaceMode() == Mapper::THRESHOLD;
-  const KeptParts kept(scene.Mapper, scene.Volume);
-  Expect(scene.Render(Width, Height), name + ": rendered");
-  int wrong = 0, distant = 0, hits = 0;
-  for (int y = 0; y < Height; ++y)
-  {
-    for (int x = 0; x < Width; ++x)
-    {
-      const BruteForceTracer::Hit hit =
-        kept.Trace(truth, BruteForceTracer::LineThrough(scene.Renderer, x, y, Width, Height));
-      Point position;
-      const bool isHit = scene.Mapper->PickPixel(x, y, position.data(), nullptr, nullptr);
-      wrong += isHit != (hit.Isovalue >= 0);
-      if (isHit && hit.Isovalue >= 0)
-      {
-        ++hits;
-        distant += std::sqrt(vtkMath::Distance2BetweenPoints(
-                     position.data(), hit.Position.data())) > 1e-3 * truth.Field.VoxelSize();
-      }
-    }
-  }
-  Expect(wrong <= 1 && distant <= 1,
-    name + ": " + std::to_string(wrong) + " pixels and " + std::to_string(distant) +
-      " depths differ from the truth of " + std::to_string(hits) + " hits");
+  ExpectTruth(name, scene, truth, Width, Height);
 }
 
 vtkSmartPointer<vtkImageData> Onion(int n)
@@ -91,14 +69,14 @@ void TestPlanes()
       const std::string name =
         std::string(threshold ? "THRESHOLD" : "CROSSING") + (nearest ? ", nearest" : "");
       AddPlane(scene.Mapper, { 0.3, 0.0, 0.0 }, { -1.0, 0.1, 0.2 });
-      ExpectTruth("one plane, " + name, scene, image);
+      ExpectTruthOf("one plane, " + name, scene, image);
       AddPlane(scene.Mapper, { 0.0, 0.2, 0.0 }, { 0.2, -2.0, 0.3 });
       AddPlane(scene.Mapper, { 0.0, 0.0, -0.6 }, { 0.0, 0.0, 0.5 });
-      ExpectTruth("three planes, " + name, scene, image);
+      ExpectTruthOf("three planes, " + name, scene, image);
       scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
-      ExpectTruth("three planes, parallel, " + name, scene, image);
+      ExpectTruthOf("three planes, parallel, " + name, scene, image);
       scene.Mapper->RemoveAllClippingPlanes();
-      ExpectTruth("planes taken away, " + name, scene, image);
+      ExpectTruthOf("planes taken away, " + name, scene, image);
       AddPlane(scene.Mapper, { 9.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 });
       Expect(scene.Render(Width, Height), "rendered");
       Expect(!scene.Mapper->PickPixel(Width / 2, Height / 2, nullptr, nullptr, nullptr),
@@ -130,7 +108,7 @@ void TestCropping()
     for (const int flag : flags)
     {
       scene.Mapper->SetCroppingRegionFlags(flag);
-      ExpectTruth((threshold ? "THRESHOLD, flags " : "CROSSING, flags ") + std::to_string(flag),
+      ExpectTruthOf((threshold ? "THRESHOLD, flags " : "CROSSING, flags ") + std::to_string(flag),
         scene, image);
     }
     // Inside, with clipping planes as well.
@@ -140,7 +118,7 @@ void TestCropping()
     camera->SetPosition(-0.2, 0.1, 0.0);
     camera->SetFocalPoint(1.0, 0.3, 0.2);
     camera->SetClippingRange(0.01, 10.0);
-    ExpectTruth("inside the volume", scene, image);
+    ExpectTruthOf("inside the volume", scene, image);
   }
 }
 

@@ -255,7 +255,7 @@ void TestLargestNumbers()
   stage.Property->SetSpecular(1e6);
   stage.Lamp->SetIntensity(1e18);
   stage.Lamp->SetDiffuseColor(1e3, 1e3, 1e3);
-  stage.Lamp->SetAttenuationValues(0.0, 0.0, 1e-30);
+  stage.Lamp->SetAttenuationValues(0.0, 0.0, 1e-300);
   stage.Lamp->SetConeAngle(180.0);
   Expect(stage.Drawn.Render(60, 60), "the brightest light");
   Expect(stage.Drawn.ColorAt(30, 30)[0] == 255, "it shines");

@@ -212,6 +212,36 @@ void TestViewports()
   window->Render();
 }
 
+/// A window that is closed and opened again shows to all its viewers what it showed.
+void TestClosedAndOpened()
+{
+  Scene left(Ball(31), { -0.5 }), right(nullptr, { -0.5 });
+  right.Volume->SetMapper(left.Mapper);
+  left.LookFrom(1.0, 2.0, 0.5);
+  right.LookFrom(-1.0, 1.0, 2.0);
+  left.Renderer->SetViewport(0.0, 0.0, 0.5, 1.0);
+  right.Renderer->SetViewport(0.5, 0.0, 1.0, 1.0);
+  vtkNew<vtkRenderWindow> window;
+  window->SetMultiSamples(0);
+  window->SetSize(2 * Size, Size);
+  window->AddRenderer(left.Renderer);
+  window->AddRenderer(right.Renderer);
+  window->Render();
+  const auto before = PixelsOf(window);
+  Expect(before->GetPointer(4 * (Size / 2 * 2 * Size + Size / 2))[0] > 40, "a ball at the left");
+  Expect(before->GetPointer(4 * (Size / 2 * 2 * Size + 3 * Size / 2))[0] > 40, "and at the right");
+  window->Finalize();
+  window->Render();
+  Expect(std::string(left.Mapper->GetRouteAsString()) == "Redisplay", "no ray is traced again");
+  const auto after = PixelsOf(window);
+  long different = 0;
+  for (vtkIdType i = 0; i < before->GetNumberOfValues(); ++i)
+  {
+    different += before->GetValue(i) != after->GetValue(i);
+  }
+  Expect(different == 0, std::to_string(different) + " values differ after the window was closed");
+}
+
 }
 
 int TestWindow(int, char*[])
@@ -221,5 +251,6 @@ int TestWindow(int, char*[])
   TestSamePicture();
   TestMutualHiding();
   TestViewports();
+  TestClosedAndOpened();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -106,6 +106,8 @@ def scale_constant(code, match):
 
 
 def drop_margin(code, match):
+    if not re.search(r"\d", match.group(1)):
+        return []
     return [(match.span(1), f"0.0 * ({match.group(1)})"), (match.span(1), f"8.0 * ({match.group(1)})")]
 
 

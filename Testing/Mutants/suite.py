@@ -9,7 +9,6 @@ import re
 import resource
 import signal
 import subprocess
-import time
 
 ENGINE = "TemporalCoherenceEngineTests"
 MAPPER = "vtkTemporalCoherenceCxxTests"
@@ -17,8 +16,10 @@ MAPPER = "vtkTemporalCoherenceCxxTests"
 # A mutant that asks for more than this is stopped, before the machine is out of memory.
 MOST_BYTES = 16 << 30
 
-# A test that takes this many times what it takes without a mutant hangs.
-PATIENCE, SECONDS_MORE = 10, 60
+# A test hangs that takes this many times the processor time that it takes without a mutant, or, where
+# it waits for something, that much of the clock's.
+PATIENCE, SECONDS_MORE = 10, 30
+WAITING = 10
 
 
 @dataclasses.dataclass
@@ -29,26 +30,29 @@ class Test:
     program: str
     command: list
     folder: str
-    seconds: float = 0.0  # what it takes without a mutant
+    seconds: float = 0.0  # of processor time, without a mutant
     kills: int = 0
 
 
-def limit_resources():
-    resource.setrlimit(resource.RLIMIT_AS, (MOST_BYTES, MOST_BYTES))
-    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-
-
 def run(command, folder, limit):
-    """What a program says, and how it ended: passed, failed or hung."""
+    """What a program says, how it ended (passed, failed or hung), and the processor time it took."""
+    def limit_resources():
+        resource.setrlimit(resource.RLIMIT_AS, (MOST_BYTES, MOST_BYTES))
+        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+        resource.setrlimit(resource.RLIMIT_CPU, (limit, limit + 1))
+
+    used = lambda: sum(resource.getrusage(resource.RUSAGE_CHILDREN)[:2])
+    before = used()
     with subprocess.Popen(
             command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
             errors="replace", start_new_session=True, preexec_fn=limit_resources) as process:
         try:
-            output, _ = process.communicate(timeout=limit)
-            return output, "passed" if process.returncode == 0 else "failed"
+            output, _ = process.communicate(timeout=WAITING * limit)
+            ends = {0: "passed", -signal.SIGXCPU: "hung"}
+            return output, ends.get(process.returncode, "failed"), used() - before
         except subprocess.TimeoutExpired:
             os.killpg(process.pid, signal.SIGKILL)
-            return process.communicate()[0], "hung"
+            return process.communicate()[0], "hung", used() - before
 
 
 def find_engine_tests(build):
@@ -80,11 +84,10 @@ def measure(tests, record):
     """Run tests without a mutant for the time that each takes; those known already are not run."""
     for test in tests:
         if test.name not in record:
-            begin = time.monotonic()
-            output, end = run(test.command, test.folder, 1800)
+            output, end, seconds = run(test.command, test.folder, 600)
             if end != "passed":
                 raise RuntimeError(f"{test.name} {end} without a mutant:\n{output[-4000:]}")
-            record[test.name] = round(time.monotonic() - begin, 2)
+            record[test.name] = round(seconds, 2)
         test.seconds = record[test.name]
 
 
@@ -92,7 +95,7 @@ def first_failure(tests):
     """The test that a mutant does not pass and how it ended, or None. Those that are quick and
     have caught others come first."""
     for test in sorted(tests, key=lambda test: (test.seconds + 0.2) / (1 + test.kills)):
-        _, end = run(test.command, test.folder, PATIENCE * test.seconds + SECONDS_MORE)
+        _, end, _ = run(test.command, test.folder, int(PATIENCE * test.seconds) + SECONDS_MORE)
         if end != "passed":
             test.kills += 1
             return test, end

@@ -85,8 +85,10 @@ def try_mutant(mutant, copy, engine_tests, mapper_tests):
             if copy.make(program):
                 return "refused", "the compiler"
             if failure := suite.first_failure(tests):
-                test, end = failure
-                return ("hung" if end == "hung" else "killed"), test.name
+                test, end, output = failure
+                is_checked = "Assertion '" in output
+                by = f"the standard library's checks in {test.name}" if is_checked else test.name
+                return ("hung" if end == "hung" else "killed"), by
         return "survived", ""
     finally:
         copy.restore(mutant)
@@ -163,7 +165,7 @@ def main():
             times.write_text(json.dumps(record, indent=1))
         for earlier in results.all.values():
             for test in engine_tests + mapper_tests:
-                test.kills += earlier["by"] == test.name
+                test.kills += earlier["by"].endswith(test.name)
     for number, mutant in enumerate(todo, 1):
         begin = time.monotonic()
         state, by = try_mutant(mutant, copy, engine_tests, mapper_tests)

@@ -92,11 +92,11 @@ def measure(tests, record):
 
 
 def first_failure(tests):
-    """The test that a mutant does not pass and how it ended, or None. Those that are quick and
-    have caught others come first."""
+    """The test that a mutant does not pass, how it ended and what it said, or None. Those that are
+    quick and have caught others come first."""
     for test in sorted(tests, key=lambda test: (test.seconds + 0.2) / (1 + test.kills)):
-        _, end, _ = run(test.command, test.folder, int(PATIENCE * test.seconds) + SECONDS_MORE)
+        output, end, _ = run(test.command, test.folder, int(PATIENCE * test.seconds) + SECONDS_MORE)
         if end != "passed":
             test.kills += 1
-            return test, end
+            return test, end, output
     return None

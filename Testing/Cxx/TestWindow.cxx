@@ -10,6 +10,7 @@
 
 #include <vtkActor.h>
 #include <vtkFloatingPointExceptions.h>
+#include <vtkOpenGLRenderWindow.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
@@ -212,6 +213,64 @@ void TestViewports()
   window->Render();
 }
 
+/// What is held in the context of a window goes when it is asked to, or when the window is closed,
+/// for all viewers, and comes back with the next picture.
+void TestRelease()
+{
+  Scene left(Ball(31), { -0.5 }), right(nullptr, { -0.5 });
+  right.Volume->SetMapper(left.Mapper);
+  left.LookFrom(1.0, 2.0, 0.5);
+  right.LookFrom(-1.0, 1.0, 2.0);
+  left.Renderer->SetViewport(0.0, 0.0, 0.5, 1.0);
+  right.Renderer->SetViewport(0.5, 0.0, 1.0, 1.0);
+  vtkNew<vtkRenderWindow> window, other;
+  window->SetMultiSamples(0);
+  window->SetSize(2 * Size, Size);
+  window->AddRenderer(left.Renderer);
+  window->AddRenderer(right.Renderer);
+  const auto countHeld = [&]
+  { return vtkOpenGLRenderWindow::SafeDownCast(window)->Resources.size(); };
+  left.Volume->VisibilityOff();
+  right.Volume->VisibilityOff();
+  window->Render();
+  const std::size_t without = countHeld();
+  left.Volume->VisibilityOn();
+  window->Render();
+  const std::size_t withOne = countHeld();
+  right.Volume->VisibilityOn();
+  window->Render();
+  const std::size_t withTwo = countHeld();
+  Expect(without < withOne && withOne < withTwo, "each viewer holds something");
+  const auto before = PixelsOf(window);
+  Expect(before->GetPointer(4 * (Size / 2 * 2 * Size + Size / 2))[0] > 40, "a ball at the left");
+  Expect(before->GetPointer(4 * (Size / 2 * 2 * Size + 3 * Size / 2))[0] > 40, "and at the right");
+  const auto expectSame = [&](const std::string& after)
+  {
+    window->Render();
+    Expect(
+      std::string(left.Mapper->GetRouteAsString()) == "Redisplay", "no ray is traced " + after);
+    const auto pixels = PixelsOf(window);
+    long different = 0;
+    for (vtkIdType i = 0; i < before->GetNumberOfValues(); ++i)
+    {
+      different += before->GetValue(i) != pixels->GetValue(i);
+    }
+    Expect(different == 0, std::to_string(different) + " values differ " + after);
+  };
+
+  left.Mapper->ReleaseGraphicsResources(other);
+  Expect(countHeld() == withTwo, "another window's are not this one's");
+  left.Mapper->ReleaseGraphicsResources(window);
+  Expect(countHeld() == without, "nothing is held after it was released");
+  expectSame("after it was released");
+  Expect(countHeld() == withTwo, "what is needed comes back");
+  left.Mapper->ReleaseGraphicsResources(nullptr);
+  Expect(countHeld() == without, "nothing is held in any window");
+  expectSame("after all was released");
+  window->Finalize();
+  expectSame("after the window was closed");
+}
+
 }
 
 int TestWindow(int, char*[])
@@ -221,5 +280,6 @@ int TestWindow(int, char*[])
   TestSamePicture();
   TestMutualHiding();
   TestViewports();
+  TestRelease();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

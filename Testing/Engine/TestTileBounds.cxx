@@ -106,6 +106,103 @@ TEST(TileBounds, HoldAllHits)
   EXPECT_GT(emptyCount, 1000);
 }
 
+/// Rays that meet the plane of the picture at any angle up to 60 degrees, or come from an eye.
+View ShearedView(
+  const glm::dvec3& centre, double radius, const glm::ivec2& size, std::mt19937& engine)
+{
+  std::uniform_real_distribution<double> entry(-1.0, 1.0);
+  const bool isParallel = engine() % 4 != 0;
+  glm::dmat4 projection = glm::perspective(0.7, 1.0, 0.1 * radius, 6.0 * radius);
+  if (isParallel)
+  {
+    projection = glm::ortho(-radius, radius, -radius, radius, 0.1 * radius, 6.0 * radius);
+    projection[2][0] = 1.2 * entry(engine) * projection[0][0];
+    projection[2][1] = 1.2 * entry(engine) * projection[1][1];
+    // What is at the centre stays there.
+    projection[3][0] = 3.0 * radius * projection[2][0];
+    projection[3][1] = 3.0 * radius * projection[2][1];
+  }
+  const glm::dvec3 from =
+    glm::normalize(glm::dvec3(entry(engine), entry(engine), 1.0 + entry(engine)));
+  View view;
+  EXPECT_TRUE(MakeView(glm::lookAt(centre + 3.0 * radius * from, centre, glm::dvec3(0.1, 1.0, 0.2)),
+    projection, isParallel, { 0.1 * radius, 6.0 * radius }, size, view));
+  return view;
+}
+
+/// The first cells of the active leaves.
+std::vector<glm::ivec3> LeavesOf(const ActiveCells& active)
+{
+  std::vector<glm::ivec3> leaves;
+  const glm::ivec3 nodes = active.NodeDimensions();
+  for (int node = 0; node < nodes.x * nodes.y * nodes.z; ++node)
+  {
+    const glm::ivec3 place(node % nodes.x, node / nodes.x % nodes.y, node / nodes.x / nodes.y);
+    for (int leaf = 0; leaf < ValueRangePyramid::LeavesPerNode; ++leaf)
+    {
+      if (active.LeavesOf(node) >> leaf & 1u)
+      {
+        leaves.push_back(ValueRangePyramid::NodeSize * place +
+          ValueRangePyramid::LeafSize * glm::ivec3(leaf & 3, leaf >> 2 & 3, leaf >> 4));
+      }
+    }
+  }
+  return leaves;
+}
+
+/// The corners of active leaves are within the bounds of the tiles that show them, at the distance
+/// along the ray that shows them.
+TEST(TileBounds, HoldTheCornersOfActiveLeaves)
+{
+  std::mt19937 engine(23);
+  Grid<std::uint8_t> grid(glm::ivec3(50, 41, 37));
+  grid.Fill([&](int, int, int) { return engine() % 2000 == 0 ? 255 : 0; });
+  const Surfaces sought{ { 100.0 }, SurfaceMode::Crossing };
+  ValueRangePyramid pyramid;
+  pyramid.Build(grid.Seen);
+  ActiveCells active;
+  active.Build(grid.Seen, pyramid, sought);
+  const std::vector<glm::ivec3> leaves = LeavesOf(active);
+  ASSERT_GT(leaves.size(), 30u);
+  int seen = 0;
+  for (int round = 0; round < 80; ++round)
+  {
+    const glm::ivec2 size = round % 2 ? glm::ivec2(45, 37) : glm::ivec2(500, 410);
+    const Placement placement = RandomPlacement(engine);
+    const glm::dvec3 centre(
+      placement.WorldFromIndex * glm::dvec4(0.5 * glm::dvec3(grid.Seen.Dimensions - 1), 1.0));
+    const View view = ShearedView(centre, 40.0, size, engine);
+    TileBounds bounds;
+    bounds.Build(view, placement, active);
+    for (const glm::ivec3& leaf : leaves)
+    {
+      for (int corner = 0; corner < 8; ++corner)
+      {
+        const glm::ivec3 offset(corner & 1, corner >> 1 & 1, corner >> 2);
+        const glm::dvec3 point(
+          placement.WorldFromIndex * glm::dvec4(glm::dvec3(leaf + 4 * offset), 1.0));
+        const glm::dvec4 clip = view.ClipFromWorld * glm::dvec4(point, 1.0);
+        const glm::dvec2 place = glm::dvec2(clip) / clip.w;
+        if (clip.w <= 0.0 || std::abs(place.x) >= 1.0 || std::abs(place.y) >= 1.0)
+        {
+          continue;
+        }
+        const glm::dvec3 origin = view.Origin + place.x * view.OriginX + place.y * view.OriginY;
+        const glm::dvec3 direction =
+          glm::normalize(view.Direction + place.x * view.DirectionX + place.y * view.DirectionY);
+        const double t = glm::dot(point - origin, direction);
+        ASSERT_NEAR(glm::length(origin + t * direction - point), 0.0, 1e-9);
+        const glm::ivec2 tile = glm::ivec2(0.5 * (place + 1.0) * glm::dvec2(size)) / TileSize;
+        const TileBounds::Bounds& range = bounds.At(tile.y * bounds.Tiles().x + tile.x);
+        ASSERT_LE(static_cast<double>(range.Near), t) << round;
+        ASSERT_GE(static_cast<double>(range.Far), t) << round;
+        ++seen;
+      }
+    }
+  }
+  EXPECT_GT(seen, 10000);
+}
+
 /// True if a ray passes a box of cells that is not smaller than a point.
 bool Passes(const glm::dvec3& origin, const glm::dvec3& direction, const CellBox& box)
 {

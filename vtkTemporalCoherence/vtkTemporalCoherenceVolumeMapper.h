@@ -95,12 +95,14 @@
 #ifndef vtkTemporalCoherenceVolumeMapper_h
 #define vtkTemporalCoherenceVolumeMapper_h
 
+#include "vtkTemporalCoherenceCompatibility.h"
 #include "vtkTemporalCoherenceModule.h" // For export macro
 #include "vtkVolumeMapper.h"
 
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
 class vtkPolyData;
 class vtkRenderWindow;
@@ -108,7 +110,8 @@ class vtkRenderer;
 class vtkVolume;
 class vtkWindow;
 
-class VTKTEMPORALCOHERENCE_EXPORT vtkTemporalCoherenceVolumeMapper : public vtkVolumeMapper
+class VTKTEMPORALCOHERENCE_EXPORT VTK_MARSHALAUTO vtkTemporalCoherenceVolumeMapper
+  : public vtkVolumeMapper
 {
 public:
   static vtkTemporalCoherenceVolumeMapper* New();
@@ -573,5 +576,6 @@ private:
   struct Internals;
   std::unique_ptr<Internals> Internal;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -70,7 +70,7 @@ vtk_module_build(
   TEST_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/Testing/Temporary")
 
 # Set here, because vtk_module_build takes a SOVERSION of 0 for none.
-set_target_properties(TemporalCoherence PROPERTIES SOVERSION "${PROJECT_VERSION_MAJOR}")
+vtk_module_set_properties(VTK::TemporalCoherence SOVERSION "${PROJECT_VERSION_MAJOR}")
 
 include("${CMAKE_SOURCE_DIR}/Module/Python/Python.cmake")
 

@@ -74,6 +74,7 @@ set(contents_of_libvtktemporalcoherence-dev
   "${cmake_directory}/vtkTemporalCoherenceConfig.cmake"
   "${cmake_directory}/vtkTemporalCoherenceConfigVersion.cmake"
   include/vtkTemporalCoherence/vtkTemporalCoherenceModule.h
+  include/vtkTemporalCoherence/vtkTemporalCoherenceCompatibility.h
   include/vtkTemporalCoherence/vtkTemporalCoherencePicker.h
   include/vtkTemporalCoherence/vtkTemporalCoherenceVolume.h
   include/vtkTemporalCoherence/vtkTemporalCoherenceVolumeMapper.h)

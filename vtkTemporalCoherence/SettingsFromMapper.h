@@ -5,8 +5,11 @@
 
 #include "FrameRenderer.h"
 #include "RequestFromMapper.h"
+#include "vtkTemporalCoherenceCompatibility.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkTemporalCoherenceVolumeMapper;
+VTK_ABI_NAMESPACE_END
 
 namespace TemporalCoherence
 {

@@ -107,6 +107,8 @@ vtk_module_add_module(VTK::TemporalCoherence
     "${module_directory}/vtkTemporalCoherenceVolumeMapperStatistics.cxx"
     ${bridge_files}
     $<TARGET_OBJECTS:TemporalCoherenceEngine>
+  NOWRAP_HEADERS
+    "${module_directory}/vtkTemporalCoherenceCompatibility.h"
   HEADERS
     "${module_directory}/vtkTemporalCoherencePicker.h"
     "${module_directory}/vtkTemporalCoherenceVolume.h"
@@ -122,9 +124,14 @@ vtk_module_link(VTK::TemporalCoherence PRIVATE $<BUILD_INTERFACE:glm::glm> $<BUI
 
 # One answer for every compiler: a product and a sum are rounded twice, never fused, as values on the
 # faces between cells must be the same bits from both sides.
-foreach (part IN ITEMS TemporalCoherenceEngine TemporalCoherence)
-  target_compile_options("${part}" PRIVATE
-    $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-ffp-contract=off>
+set(compile_options
+  $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-ffp-contract=off>)
+# Inside VTK its own warnings are asked for: ours would be given for its headers, too.
+if (PROJECT_NAME STREQUAL "vtkTemporalCoherence")
+  list(APPEND compile_options
     $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-Wall;-Wextra;-Wconversion>
     $<$<AND:$<CXX_COMPILER_ID:GNU,Clang,AppleClang>,$<BOOL:${TEMPORAL_COHERENCE_WARNINGS_AS_ERRORS}>>:-Werror>)
-endforeach ()
+endif ()
+target_compile_options(TemporalCoherenceEngine PRIVATE ${compile_options})
+# By the module's name: that of its target differs between versions of VTK.
+vtk_module_compile_options(VTK::TemporalCoherence PRIVATE ${compile_options})

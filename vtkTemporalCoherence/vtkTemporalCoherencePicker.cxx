@@ -20,6 +20,7 @@
 
 #include <algorithm>
 
+VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkTemporalCoherencePicker);
 
 namespace
@@ -214,3 +215,4 @@ int vtkTemporalCoherencePicker::FindCroppingPlane(vtkTemporalCoherenceVolumeMapp
   }
   return -1;
 }
+VTK_ABI_NAMESPACE_END

@@ -30,9 +30,11 @@
 #ifndef vtkTemporalCoherencePicker_h
 #define vtkTemporalCoherencePicker_h
 
+#include "vtkTemporalCoherenceCompatibility.h"
 #include "vtkTemporalCoherenceModule.h" // For export macro
 #include "vtkVolumePicker.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataSet;
 class vtkTemporalCoherenceVolumeMapper;
 class vtkVolumeProperty;
@@ -69,5 +71,6 @@ private:
 
   int IsovalueIndex = -1;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -6,6 +6,7 @@
 
 #include "vtkObjectFactory.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkTemporalCoherenceVolume);
 
 //------------------------------------------------------------------------------
@@ -39,3 +40,4 @@ void vtkTemporalCoherenceVolume::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
 }
+VTK_ABI_NAMESPACE_END

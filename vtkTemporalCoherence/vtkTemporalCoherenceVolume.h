@@ -25,10 +25,12 @@
 #ifndef vtkTemporalCoherenceVolume_h
 #define vtkTemporalCoherenceVolume_h
 
+#include "vtkTemporalCoherenceCompatibility.h"
 #include "vtkTemporalCoherenceModule.h" // For export macro
 #include "vtkVolume.h"
 
-class VTKTEMPORALCOHERENCE_EXPORT vtkTemporalCoherenceVolume : public vtkVolume
+VTK_ABI_NAMESPACE_BEGIN
+class VTKTEMPORALCOHERENCE_EXPORT VTK_MARSHALAUTO vtkTemporalCoherenceVolume : public vtkVolume
 {
 public:
   static vtkTemporalCoherenceVolume* New();
@@ -54,5 +56,6 @@ private:
   vtkTemporalCoherenceVolume(const vtkTemporalCoherenceVolume&) = delete;
   void operator=(const vtkTemporalCoherenceVolume&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

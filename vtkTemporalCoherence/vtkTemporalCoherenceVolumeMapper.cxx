@@ -22,6 +22,7 @@
 #include <sstream>
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkTemporalCoherenceVolumeMapper);
 
 namespace
@@ -493,3 +494,4 @@ bool vtkTemporalCoherenceVolumeMapper::IsOpaque(vtkVolume* volume)
 {
   return this->Internal->Requests.IsOpaque(this, TemporalCoherence::SettingsOf(this), volume);
 }
+VTK_ABI_NAMESPACE_END

@@ -102,12 +102,14 @@
 #ifndef vtkTemporalCoherenceVolumeMapper_h
 #define vtkTemporalCoherenceVolumeMapper_h
 
+#include "vtkTemporalCoherenceCompatibility.h"
 #include "vtkTemporalCoherenceModule.h" // For export macro
 #include "vtkVolumeMapper.h"
 
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
 class vtkPolyData;
 class vtkRenderWindow;
@@ -115,7 +117,8 @@ class vtkRenderer;
 class vtkVolume;
 class vtkWindow;
 
-class VTKTEMPORALCOHERENCE_EXPORT vtkTemporalCoherenceVolumeMapper : public vtkVolumeMapper
+class VTKTEMPORALCOHERENCE_EXPORT VTK_MARSHALAUTO vtkTemporalCoherenceVolumeMapper
+  : public vtkVolumeMapper
 {
 public:
   static vtkTemporalCoherenceVolumeMapper* New();
@@ -582,5 +585,6 @@ private:
   struct Internals;
   std::unique_ptr<Internals> Internal;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -10,6 +10,7 @@
 
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 /// What a mapper holds besides its settings.
 struct vtkTemporalCoherenceVolumeMapper::Internals
 {
@@ -33,5 +34,6 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
     }
   }
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
 /// Set a setting to the nearest value that it may have.
 template <typename T>
@@ -53,3 +54,4 @@ void vtkTemporalCoherenceVolumeMapper::SetMaximumImageSampleDistance(float pixel
   this->SetWithin(
     "MaximumImageSampleDistance", pixels, 1.0, 100.0, this->MaximumImageSampleDistance);
 }
+VTK_ABI_NAMESPACE_END

@@ -5,6 +5,7 @@
 
 #include "vtkTemporalCoherenceVolumeMapperInternals.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
 int vtkTemporalCoherenceVolumeMapper::GetRoute()
 {
@@ -129,3 +130,4 @@ void vtkTemporalCoherenceVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AutoAdjustSampleDistances: " << this->AutoAdjustSampleDistances << endl;
   os << indent << "Route: " << this->GetRouteAsString() << endl;
 }
+VTK_ABI_NAMESPACE_END

@@ -3,15 +3,19 @@
 #ifndef Testing_BruteForceField_h
 #define Testing_BruteForceField_h
 
+#include "vtkTemporalCoherenceCompatibility.h"
+
 #include <array>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
 class vtkDataSet;
 class vtkImageData;
 class vtkMatrix4x4;
 class vtkRectilinearGrid;
 class vtkVolume;
+VTK_ABI_NAMESPACE_END
 
 /// The field that a volume shows, in double precision and with no code of the engine: its samples,
 /// where they lie, which cells are hidden, and what is between the samples.

@@ -4,15 +4,18 @@
 #define Testing_BruteForceTracer_h
 
 #include "BruteForceField.h"
+#include "vtkTemporalCoherenceCompatibility.h"
 
 #include <array>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
 class vtkImageData;
 class vtkRectilinearGrid;
 class vtkRenderer;
 class vtkVolume;
+VTK_ABI_NAMESPACE_END
 
 /// The truth that pictures are held against: every cell on the way of every ray, in double
 /// precision, with no structure and no code of the engine.

@@ -3,9 +3,13 @@
 #ifndef Testing_Ghosts_h
 #define Testing_Ghosts_h
 
+#include "vtkTemporalCoherenceCompatibility.h"
+
 #include <functional>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
+VTK_ABI_NAMESPACE_END
 
 /// Ghost arrays, which hide cells of images.
 namespace Ghosts

@@ -3,6 +3,8 @@
 #ifndef Testing_Grids_h
 #define Testing_Grids_h
 
+#include "vtkTemporalCoherenceCompatibility.h"
+
 #include <vtkRectilinearGrid.h>
 #include <vtkSmartPointer.h>
 #include <vtkType.h>
@@ -11,7 +13,9 @@
 #include <functional>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
+VTK_ABI_NAMESPACE_END
 
 /// Rectilinear grids that tests look at.
 namespace Grids

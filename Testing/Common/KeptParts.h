@@ -4,12 +4,15 @@
 #define Testing_KeptParts_h
 
 #include "BruteForceTracer.h"
+#include "vtkTemporalCoherenceCompatibility.h"
 
 #include <array>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkVolume;
 class vtkVolumeMapper;
+VTK_ABI_NAMESPACE_END
 
 /// Says by itself what clipping planes and cropping of a mapper keep of lines in the world.
 class KeptParts

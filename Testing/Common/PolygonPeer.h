@@ -3,6 +3,8 @@
 #ifndef Testing_PolygonPeer_h
 #define Testing_PolygonPeer_h
 
+#include "vtkTemporalCoherenceCompatibility.h"
+
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkRenderWindow.h>
@@ -14,8 +16,10 @@
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkActor;
 class vtkDataSet;
+VTK_ABI_NAMESPACE_END
 
 /// What a window shows.
 struct WindowPixels

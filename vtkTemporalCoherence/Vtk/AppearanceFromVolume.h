@@ -5,12 +5,15 @@
 
 #include "Appearance.h"
 #include "Surfaces.h"
+#include "vtkTemporalCoherenceCompatibility.h"
 
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkRenderer;
 class vtkVolumeProperty;
+VTK_ABI_NAMESPACE_END
 
 namespace TemporalCoherence
 {

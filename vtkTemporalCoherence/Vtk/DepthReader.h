@@ -4,10 +4,13 @@
 #define TemporalCoherence_DepthReader_h
 
 #include "Tiles.h"
+#include "vtkTemporalCoherenceCompatibility.h"
 
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLRenderWindow;
+VTK_ABI_NAMESPACE_END
 
 namespace TemporalCoherence
 {

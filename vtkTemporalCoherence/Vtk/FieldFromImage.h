@@ -5,12 +5,15 @@
 
 #include "Field.h"
 #include "RegionFromMapper.h"
+#include "vtkTemporalCoherenceCompatibility.h"
 
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
 class vtkImageData;
 class vtkVolume;
+VTK_ABI_NAMESPACE_END
 
 namespace TemporalCoherence
 {

@@ -4,6 +4,7 @@
 #define TemporalCoherence_HiddenCellsFromImage_h
 
 #include "HiddenCells.h"
+#include "vtkTemporalCoherenceCompatibility.h"
 
 #include <vtkType.h>
 
@@ -11,8 +12,10 @@
 #include <memory>
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
 class vtkUnsignedCharArray;
+VTK_ABI_NAMESPACE_END
 
 namespace TemporalCoherence
 {

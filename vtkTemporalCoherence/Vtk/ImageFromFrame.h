@@ -4,10 +4,13 @@
 #define TemporalCoherence_ImageFromFrame_h
 
 #include "Frame.h"
+#include "vtkTemporalCoherenceCompatibility.h"
 
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
+VTK_ABI_NAMESPACE_END
 
 namespace TemporalCoherence
 {

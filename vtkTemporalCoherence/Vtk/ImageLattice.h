@@ -3,12 +3,16 @@
 #ifndef TemporalCoherence_ImageLattice_h
 #define TemporalCoherence_ImageLattice_h
 
+#include "vtkTemporalCoherenceCompatibility.h"
+
 #include <glm/glm.hpp>
 
 #include <cstdint>
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
+VTK_ABI_NAMESPACE_END
 
 namespace TemporalCoherence
 {

@@ -4,6 +4,7 @@
 #define TemporalCoherence_ImageOfGrid_h
 
 #include "GridCoordinates.h"
+#include "vtkTemporalCoherenceCompatibility.h"
 
 #include <vtkSmartPointer.h>
 #include <vtkType.h>
@@ -11,8 +12,10 @@
 #include <memory>
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
 class vtkRectilinearGrid;
+VTK_ABI_NAMESPACE_END
 
 namespace TemporalCoherence
 {

@@ -6,13 +6,16 @@
 #include "ImageOfGrid.h"
 #include "MergedBlocks.h"
 #include "VectorMagnitude.h"
+#include "vtkTemporalCoherenceCompatibility.h"
 
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
 class vtkImageData;
 class vtkVolumeMapper;
 class vtkVolumeProperty;
+VTK_ABI_NAMESPACE_END
 
 namespace TemporalCoherence
 {

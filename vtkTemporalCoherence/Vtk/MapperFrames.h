@@ -8,16 +8,19 @@
 #include "PixelHit.h"
 #include "RequestFromMapper.h"
 #include "ViewerStates.h"
+#include "vtkTemporalCoherenceCompatibility.h"
 
 #include <memory>
 #include <optional>
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataSet;
 class vtkPolyData;
 class vtkRenderer;
 class vtkVolume;
 class vtkWindow;
+VTK_ABI_NAMESPACE_END
 
 namespace TemporalCoherence
 {

@@ -5,6 +5,7 @@
 
 #include "ImageLattice.h"
 #include "ScalarChoice.h"
+#include "vtkTemporalCoherenceCompatibility.h"
 
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>
@@ -12,8 +13,10 @@
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
 class vtkDataObjectTree;
+VTK_ABI_NAMESPACE_END
 
 namespace TemporalCoherence
 {

@@ -3,14 +3,18 @@
 #ifndef TemporalCoherence_PassOutput_h
 #define TemporalCoherence_PassOutput_h
 
+#include "vtkTemporalCoherenceCompatibility.h"
+
 #include <glm/glm.hpp>
 
 #include <cstdint>
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkRenderer;
 class vtkShaderProgram;
 class vtkVolume;
+VTK_ABI_NAMESPACE_END
 
 namespace TemporalCoherence
 {

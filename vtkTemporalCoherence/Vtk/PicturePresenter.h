@@ -5,16 +5,19 @@
 
 #include "PassOutput.h"
 #include "WindowPicture.h"
+#include "vtkTemporalCoherenceCompatibility.h"
 
 #include <cstdint>
 #include <memory>
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLRenderWindow;
 class vtkRenderer;
 class vtkTextureObject;
 class vtkVolume;
 class vtkWindow;
+VTK_ABI_NAMESPACE_END
 
 namespace TemporalCoherence
 {

@@ -5,10 +5,13 @@
 
 #include "Frame.h"
 #include "ReusePlan.h"
+#include "vtkTemporalCoherenceCompatibility.h"
 
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkPolyData;
+VTK_ABI_NAMESPACE_END
 
 namespace TemporalCoherence
 {

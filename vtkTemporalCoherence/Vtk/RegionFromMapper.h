@@ -4,10 +4,13 @@
 #define TemporalCoherence_RegionFromMapper_h
 
 #include "Region.h"
+#include "vtkTemporalCoherenceCompatibility.h"
 
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkVolumeMapper;
+VTK_ABI_NAMESPACE_END
 
 namespace TemporalCoherence
 {

@@ -6,13 +6,16 @@
 #include "HiddenCellsFromImage.h"
 #include "InputFromMapper.h"
 #include "ReusePlan.h"
+#include "vtkTemporalCoherenceCompatibility.h"
 
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkRenderer;
 class vtkVolume;
 class vtkVolumeMapper;
+VTK_ABI_NAMESPACE_END
 
 namespace TemporalCoherence
 {

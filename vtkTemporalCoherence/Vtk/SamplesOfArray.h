@@ -4,11 +4,14 @@
 #define TemporalCoherence_SamplesOfArray_h
 
 #include "Field.h"
+#include "vtkTemporalCoherenceCompatibility.h"
 
 #include <cstdint>
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
+VTK_ABI_NAMESPACE_END
 
 namespace TemporalCoherence
 {

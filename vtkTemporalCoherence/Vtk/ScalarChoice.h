@@ -3,11 +3,15 @@
 #ifndef TemporalCoherence_ScalarChoice_h
 #define TemporalCoherence_ScalarChoice_h
 
+#include "vtkTemporalCoherenceCompatibility.h"
+
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
 class vtkDataSet;
 class vtkVolumeMapper;
+VTK_ABI_NAMESPACE_END
 
 namespace TemporalCoherence
 {

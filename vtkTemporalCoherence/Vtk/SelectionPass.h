@@ -4,12 +4,15 @@
 #define TemporalCoherence_SelectionPass_h
 
 #include "ViewerStates.h"
+#include "vtkTemporalCoherenceCompatibility.h"
 
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataSet;
 class vtkRenderer;
 class vtkVolume;
+VTK_ABI_NAMESPACE_END
 
 namespace TemporalCoherence
 {

@@ -4,10 +4,13 @@
 #define TemporalCoherence_ViewFromRenderer_h
 
 #include "View.h"
+#include "vtkTemporalCoherenceCompatibility.h"
 
 #include <string>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkRenderer;
+VTK_ABI_NAMESPACE_END
 
 namespace TemporalCoherence
 {

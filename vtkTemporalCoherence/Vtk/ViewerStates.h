@@ -6,6 +6,7 @@
 #include "FieldStructures.h"
 #include "FrameRenderer.h"
 #include "PicturePresenter.h"
+#include "vtkTemporalCoherenceCompatibility.h"
 
 #include <vtkCamera.h>
 #include <vtkRenderer.h>
@@ -18,7 +19,9 @@
 #include <utility>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkWindow;
+VTK_ABI_NAMESPACE_END
 
 namespace TemporalCoherence
 {

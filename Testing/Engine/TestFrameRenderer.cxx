@@ -6,9 +6,11 @@
 #include <gtest/gtest.h>
 #include <vtkSMPTools.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <new>
+#include <set>
 #include <string>
 
 namespace
@@ -207,6 +209,39 @@ TEST_F(FrameRendererTest, AnswersAddUpToRays)
     EXPECT_EQ(s.Rays, 203 * 117);
     EXPECT_EQ(s.DefiniteHits + s.DefiniteMisses + s.PossibleHits, s.Rays);
     EXPECT_LE(s.TraceTime + s.ShadeTime, s.FrameTime);
+  }
+}
+
+TEST_F(FrameRendererTest, AnswersAreCountedOnEveryRoute)
+{
+  for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
+  {
+    for (const bool hasIsomap : { false, true })
+    {
+      FrameRenderer::Options options;
+      options.Reuse.Isomap = hasIsomap;
+      this->Key.Sought = { { 110.0 }, mode };
+      this->Key.Look.Colors = { { 1.0, 0.5, 0.2 } };
+      FrameRenderer renderer;
+      std::set<Route> routes;
+      for (int frame = 0; frame < 8; ++frame)
+      {
+        this->Key.Sought.Isovalues[0] += frame % 4 ? 2.0 : 0.0;
+        this->Key.Seen = LookAt(
+          this->Samples.Seen.Dimensions, { 1.0, 2.0 - 0.05 * (frame / 4), 0.7 }, { 203, 117 });
+        renderer.Render(this->Key, options);
+        const FrameStatistics& counted = renderer.Statistics();
+        routes.insert(counted.Made);
+        const Plane<Answer>& answers = renderer.LastFrame().Answers;
+        const auto count = [&](Answer answer)
+        { return std::count(answers.begin(), answers.end(), answer); };
+        EXPECT_EQ(counted.DefiniteMisses, count(Answer::DefiniteMiss)) << NameOf(counted.Made);
+        EXPECT_EQ(counted.DefiniteHits, count(Answer::DefiniteHit)) << NameOf(counted.Made);
+        EXPECT_EQ(counted.PossibleHits, count(Answer::PossibleHit)) << NameOf(counted.Made);
+      }
+      EXPECT_EQ(routes.count(Route::ImageCache), 1u);
+      EXPECT_EQ(routes.count(hasIsomap ? Route::IsomapBuild : Route::ThresholdHint), 1u);
+    }
   }
 }
 

@@ -342,6 +342,28 @@ TEST(Graded, EdgesOfVoxels)
   EXPECT_EQ(VoxelEdges(grid.Seen, where), glm::dvec2(1.0, 3.0));
 }
 
+TEST(Graded, CoordinatesOfSamplesAndCells)
+{
+  GridCoordinates grid;
+  const std::vector<double> all{ 0.0, 0.25, 1.0, 3.0, 3.5 };
+  grid.Along = { std::vector{ 0.0, 1.0 }, all, std::vector{ 0.0, 1.0 } };
+  for (int i = 0; i < 12; ++i)
+  {
+    EXPECT_EQ(grid.At(1, i), all[static_cast<std::size_t>(std::min(i, 4))]) << i;
+  }
+  for (double coordinate = -1.0; coordinate <= 5.0; coordinate += 0.125)
+  {
+    // A plane between cells belongs to the one behind it.
+    int cell = 0;
+    while (cell < 3 && coordinate >= all[static_cast<std::size_t>(cell + 1)])
+    {
+      ++cell;
+    }
+    EXPECT_EQ(grid.CellOf(1, coordinate), cell) << coordinate;
+    EXPECT_EQ(grid.CellOf(0, coordinate), 0) << coordinate;
+  }
+}
+
 TEST(Graded, FieldsDifferByTheirCoordinates)
 {
   Grid<float> grid(glm::ivec3(3, 4, 2));

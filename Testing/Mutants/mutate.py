@@ -3,6 +3,7 @@
 """Which small changes of the engine do the tests notice? run.sh --help says more."""
 
 import argparse
+import fcntl
 import json
 import pathlib
 import sys
@@ -15,6 +16,7 @@ import tree
 
 HERE = pathlib.Path(__file__).resolve().parent
 EXCUSED = ("equivalent", "speed")
+QUICK = 8.0  # seconds that a quick test takes at most
 
 
 def read_options():
@@ -24,7 +26,8 @@ def read_options():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--named", action="store_true")
     parser.add_argument("--again", action="append", default=[],
-                        choices=["survived", "killed", "hung", "refused", "all"])
+                        choices=["survived", "doubtful", "killed", "hung", "refused", "all"])
+    parser.add_argument("--quick", action="store_true")
     parser.add_argument("--judged", action="store_true")
     parser.add_argument("--list", action="store_true")
     parser.add_argument("--jobs", type=int, default=2)
@@ -62,8 +65,10 @@ class Results:
                 record = json.loads(line)
                 self.all[record["name"]] = record
 
-    def is_known(self, mutant, again):
+    def is_known(self, mutant, again, is_quick):
         record = self.all.get(mutant.name)
+        if record and record["state"] == "doubtful" and not is_quick:
+            return False
         return bool(record) and record["context"] == mutant.context and \
             record["put"] == mutant.put and not {record["state"], "all"} & set(again)
 
@@ -76,20 +81,22 @@ class Results:
         return record
 
 
-def try_mutant(mutant, copy, engine_tests, mapper_tests):
-    """Build a mutant and run tests until one notices: its state, and who noticed."""
+def try_mutant(mutant, copy, engine_tests, mapper_tests, is_quick):
+    """Build a mutant and run tests until one notices: its state, and who noticed. Where it gets past
+    quick tests alone, it is doubtful."""
     copy.plant(mutant)
     try:
         programs = [(suite.ENGINE, engine_tests), (suite.MAPPER, mapper_tests)]
         for program, tests in programs[mutant.file.startswith("Vtk/"):]:
             if copy.make(program):
                 return "refused", "the compiler"
-            if failure := suite.first_failure(tests):
+            quick = [test for test in tests if test.seconds <= QUICK]
+            if failure := suite.first_failure(quick if is_quick else tests):
                 test, end, output = failure
                 is_checked = "Assertion '" in output
                 by = f"the standard library's checks in {test.name}" if is_checked else test.name
                 return ("hung" if end == "hung" else "killed"), by
-        return "survived", ""
+        return ("doubtful" if is_quick else "survived"), ""
     finally:
         copy.restore(mutant)
 
@@ -97,7 +104,7 @@ def try_mutant(mutant, copy, engine_tests, mapper_tests):
 def verdict_on(record, judged):
     """The state of a mutant, with the judgement of those that survived."""
     entry = judged.get(record["name"])
-    if record["state"] == "survived" and entry:
+    if record["state"] in ("survived", "doubtful") and entry:
         return entry["verdict"]
     return record["state"]
 
@@ -126,7 +133,7 @@ def report(mutants, results, judged):
     print(f"\n[mutants] {counts}")
     print(f"[mutants] score: {killed} of {compiled - excused} killed, {share:.1f} %; "
           f"{excused} change nothing but speed, {count.get('refused', 0)} do not compile")
-    return count.get("survived", 0) == 0 and not wrong
+    return not wrong and not count.get("survived", 0) and not count.get("doubtful", 0)
 
 
 def main():
@@ -144,13 +151,21 @@ def main():
         return
     judged = read_judged()
     options.place.mkdir(parents=True, exist_ok=True)
+    guard = (options.place / "lock").open("w")
+    try:
+        fcntl.flock(guard, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:
+        sys.exit(f"[mutants] Another run works in {options.place}; wait until it ends.")
     results = Results(options.place / "results.jsonl")
     again = list(options.again) + (["all"] if options.names else [])
-    todo = [m for m in mutants if not results.is_known(m, again)
+    todo = [m for m in mutants if not results.is_known(m, again, options.quick)
             and (options.judged or options.names or m.name not in judged)]
     for mutant in mutants:
         if mutant.name in judged and mutant not in todo and mutant.name not in results.all:
             results.all[mutant.name] = {"name": mutant.name, "state": "survived", "by": ""}
+
+    # A header is built into many files: such mutants wait until the others have been seen.
+    todo.sort(key=lambda mutant: mutant.kind != "named" and mutant.file.endswith(".h"))
 
     if todo:
         print(f"[mutants] {len(todo)} to try, {len(mutants) - len(todo)} known; building in {copy.copy}")
@@ -168,7 +183,7 @@ def main():
                 test.kills += earlier["by"].endswith(test.name)
     for number, mutant in enumerate(todo, 1):
         begin = time.monotonic()
-        state, by = try_mutant(mutant, copy, engine_tests, mapper_tests)
+        state, by = try_mutant(mutant, copy, engine_tests, mapper_tests, options.quick)
         made = results.add(mutant, state, by, time.monotonic() - begin)
         print(f"[mutants] {number}/{len(todo)} {mutant.name} ({mutant.file}:{mutant.line}, "
               f"{mutant.change()[:60]}): {state}{' by ' + by if by else ''}, {made['seconds']} s")

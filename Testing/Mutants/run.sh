@@ -16,7 +16,9 @@ usage: Testing/Mutants/run.sh [OPTIONS] [NAMES]
   --named         only the mutants of named.toml
   --random N      and N that are drawn from all comparisons, margins, indices, ...; default: 60
   --seed S        which ones; default: 1
-  --again STATE   try those again that survived, or were killed, hung or refused; or all
+  --quick         leave out tests that take long; what gets past the others is doubtful, and tried
+                  again without this option
+  --again STATE   try those again that survived, or were killed, hung, refused or doubtful; or all
   --judged        try those too that judged.toml knows to change nothing but speed
   --jobs N        for the compiler; default: 2
   --list          name the mutants, try none

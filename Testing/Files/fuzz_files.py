@@ -110,7 +110,7 @@ class Campaign:
             status, memory, said = self._opener.open(way, path, original.layout)
             self.opened += 1
             self.pictures += status == 0
-            wrong = what_is_wrong(status, said, [original.main] if original.layout else names)
+            wrong = what_is_wrong(status, said, [original.main, "--raw takes"] if original.layout else names)
             if number == 0:
                 self._needed[kind, way] = memory
                 wrong = wrong or ("the whole file is refused" if status and "grid" not in kind else "")

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cctype>
 #include <climits>
+#include <cmath>
 #include <fstream>
 #include <map>
 #include <sstream>
@@ -18,19 +19,89 @@ namespace
 constexpr std::size_t MostHeader = 4096; // bytes, up to the dimensions
 constexpr std::size_t MostLine = 255;    // characters, as VTK's reader has it
 
+const std::map<std::string, double> BytesOfType = { { "bit", 0.125 }, { "char", 1.0 },
+  { "signed_char", 1.0 }, { "unsigned_char", 1.0 }, { "short", 2.0 }, { "unsigned_short", 2.0 },
+  { "int", 4.0 }, { "unsigned_int", 4.0 }, { "vtkidtype", 4.0 }, { "long", 8.0 },
+  { "unsigned_long", 8.0 }, { "vtktypeint64", 8.0 }, { "vtktypeuint64", 8.0 }, { "float", 4.0 },
+  { "double", 8.0 } };
+
 const std::map<std::string, std::string> ClassOf = { { "structured_grid", "vtkStructuredGrid" },
   { "rectilinear_grid", "vtkRectilinearGrid" }, { "polydata", "vtkPolyData" },
   { "unstructured_grid", "vtkUnstructuredGrid" }, { "field", "vtkDataObject" } };
 
+std::string LowerCase(std::string text)
+{
+  std::transform(text.begin(), text.end(), text.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+// The arrays that follow the word FIELD: the reader takes their sizes without asking whether they
+// are numbers.
+void CheckField(const std::string& path, std::streamoff at, bool isBinary, double there)
+{
+  std::ifstream in(path, std::ios::binary);
+  in.seekg(at);
+  const auto next = [&in]
+  {
+    std::string word;
+    in.width(256);
+    in >> word;
+    return word;
+  };
+  next();
+  next(); // its name
+  long long arrays = 0, components = 0, tuples = 0;
+  const bool hasArrays = IsWhole(next(), 1, static_cast<long long>(there), arrays);
+  std::string name = next();
+  for (long long i = 0; hasArrays && i < arrays; ++i)
+  {
+    if (name == "METADATA")
+    {
+      std::string line;
+      std::getline(in, line); // that word's own
+      while (std::getline(in, line) && !line.empty())
+      {
+      }
+      name = next();
+    }
+    if (name != "NULL_ARRAY")
+    {
+      if (!IsWhole(next(), 0, 100000, components) || !IsWhole(next(), 0, LLONG_MAX, tuples) ||
+        static_cast<double>(components) * static_cast<double>(tuples) > 8.0 * there)
+      {
+        throw Damaged(path, "it tells of no sizes of an array in FIELD");
+      }
+      const auto bytes = BytesOfType.find(LowerCase(next()));
+      const long long values = components * tuples;
+      if (isBinary && bytes != BytesOfType.end())
+      {
+        std::string line;
+        std::getline(in, line);
+        in.seekg(
+          static_cast<std::streamoff>(std::ceil(static_cast<double>(values) * bytes->second)),
+          std::ios::cur);
+      }
+      for (long long value = 0; !isBinary && value < values && in; ++value)
+      {
+        next();
+      }
+    }
+    name = next();
+  }
+}
+
 // Where VTK's reader takes memory, or begins anew, as often as a number says that follows.
-void CheckCounts(const std::string& path, double there)
+void CheckCounts(const std::string& path, bool isBinary, double there)
 {
   constexpr std::size_t Chunk = 1 << 20, Longest = 600; // bytes
   std::ifstream file(path, std::ios::binary);
   std::string text;
+  std::streamoff begin = 0; // of the text, in the file
   while (file)
   {
     // What was at the end may go on.
+    begin += static_cast<std::streamoff>(text.size() - std::min(text.size(), Longest));
     text.erase(0, text.size() - std::min(text.size(), Longest));
     const std::size_t before = text.size();
     text.resize(before + Chunk);
@@ -51,16 +122,13 @@ void CheckCounts(const std::string& path, double there)
         {
           throw Damaged(path, "it tells of " + count + " entries of " + keyword);
         }
+        if (word == "FIELD")
+        {
+          CheckField(path, begin + static_cast<std::streamoff>(at), isBinary, there);
+        }
       }
     }
   }
-}
-
-std::string LowerCase(std::string text)
-{
-  std::transform(text.begin(), text.end(), text.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
 }
 
 }
@@ -97,7 +165,7 @@ void CheckLegacyFile(const std::string& path)
     throw Damaged(path, "its header tells of no dataset");
   }
   const auto there = static_cast<double>(SizeOf(path));
-  CheckCounts(path, there);
+  CheckCounts(path, LowerCase(encoding) == "binary", there);
   for (std::string word; in >> word;)
   {
     std::string size;

@@ -264,14 +264,9 @@ private:
       throw Damaged(this->Path, "it ends before the size of an array");
     }
     std::array<double, 3> numbers{};
-    for (std::size_t i = 0; i < most; ++i)
+    for (std::size_t i = 0; i < most && wanted > 0.0; ++i)
     {
-      for (std::size_t j = 0; j < this->HeaderSize && wanted > 0.0; ++j)
-      {
-        const std::size_t place = this->IsBig ? j : this->HeaderSize - 1 - j;
-        numbers[i] =
-          256.0 * numbers[i] + static_cast<unsigned char>(bytes[i * this->HeaderSize + place]);
-      }
+      numbers[i] = this->NumberAt(bytes, i);
     }
     const double blocks = numbers[0], size = numbers[1], last = numbers[2];
     const double there = this->Compressor.empty() ? blocks
@@ -288,6 +283,36 @@ private:
       what << "an array of it should have " << wanted << " bytes, but has " << there;
       throw Damaged(this->Path, what.str());
     }
+    if (wanted > 0.0 && !this->Compressor.empty())
+    {
+      this->LookAtBlocks(at, isRaw, static_cast<std::size_t>(blocks));
+    }
+  }
+
+  void LookAtBlocks(std::size_t at, bool isRaw, std::size_t blocks)
+  {
+    const std::string bytes = Decoded(this->Text, at, (blocks + 3) * this->HeaderSize, isRaw);
+    double sum = 0.0;
+    for (std::size_t block = 3; (block + 1) * this->HeaderSize <= bytes.size(); ++block)
+    {
+      sum += this->NumberAt(bytes, block);
+    }
+    if (sum > this->Size)
+    {
+      throw Damaged(this->Path, "its compressed blocks are larger than it is");
+    }
+  }
+
+  // Of those that precede an array.
+  double NumberAt(const std::string& bytes, std::size_t i) const
+  {
+    double number = 0.0;
+    for (std::size_t j = 0; j < this->HeaderSize; ++j)
+    {
+      const std::size_t place = this->IsBig ? j : this->HeaderSize - 1 - j;
+      number = 256.0 * number + static_cast<unsigned char>(bytes[i * this->HeaderSize + place]);
+    }
+    return number;
   }
 
   bool IsCount(const Element& element, const char* name, long long least, long long most,

@@ -22,6 +22,7 @@ from mistakes import UserError, quoted
 
 MOST_BY_DEFLATION = 1032  # zlib: "Maximum Compression Factor"
 MOST_BYTES = 1 << 24  # of a file that are searched for a header
+MOST_SIZES = 1 << 18  # bytes of the sizes that precede an array
 MOST_VALUE = 200  # characters of a value; MetaIO copies them into 255
 
 COMPRESSORS = {
@@ -52,14 +53,14 @@ def check_header(path: str) -> None:
     check = next(check for suffix, check in checks.items() if name.endswith(suffix))
     try:
         check(pathlib.Path(path))
-    except (Damage, OSError) as damage:
+    except (Damage, OSError, ValueError) as damage:
         raise UserError(
             f"{quoted(path)} could not be read as an image: {_sentence_of(damage)}; check that it is "
             f"a whole file of the format that its suffix tells.") from damage
 
 
 def _sentence_of(damage: Exception) -> str:
-    return damage.strerror or "it ends early" if isinstance(damage, OSError) else str(damage)
+    return getattr(damage, "strerror", None) or str(damage)
 
 
 def _whole(text: str, least: int, most: int = 2**31 - 1) -> int:
@@ -94,10 +95,10 @@ class _Array:
     def __init__(self, text: bytes, at: int, is_raw: bool, code: str) -> None:
         size = struct.calcsize(code)
         if is_raw:
-            data = text[at:at + 3 * size]
+            data = text[at:at + MOST_SIZES]
         else:
-            word = re.match(rb"[A-Za-z0-9+/=\s]*", text[at:at + 200])[0]
-            digits = re.sub(rb"[\s=].*", b"", word.lstrip(), flags=re.S)[:32]
+            word = re.match(rb"\s*[A-Za-z0-9+/]*", text[at:at + MOST_SIZES])[0]
+            digits = re.sub(rb"[\s=].*", b"", word.lstrip(), flags=re.S)
             data = base64.b64decode(digits[:len(digits) // 4 * 4])
         count = len(data) // size
         self.numbers = struct.unpack(code[0] + str(count) + code[1], data[:count * size])
@@ -112,6 +113,10 @@ class _Array:
         if blocks < 1 or size < 1 or last > size:
             return math.nan
         return (blocks - 1) * size + last if last else blocks * size
+
+    def bytes_of_blocks(self) -> int:
+        """Of those that precede the blocks: all of them."""
+        return sum(self.numbers[3:3 + self.numbers[0]])
 
 
 def _points_of(extent: str | None) -> tuple[int, int]:
@@ -171,6 +176,8 @@ def _check_vti(path: pathlib.Path) -> None:
                 array = _Array(text, element.end(), False, code)
             if array.bytes(compressor is not None) != wanted:
                 raise Damage(f"an array of it does not have the {wanted} bytes that it should")
+            if compressor and array.bytes_of_blocks() > size:
+                raise Damage("its compressed blocks are larger than it is")
 
 
 # --- Others -------------------------------------------------------------------------------------
@@ -206,9 +213,16 @@ def _check_counts(path: pathlib.Path, is_binary: bool) -> None:
                 rb"(?:FIELD\s+\S{1,255}|INFORMATION|LOOKUP_TABLE\s+\S{1,255})\s+(\d{1,40})", text):
             if int(found[1]) > size / 4:
                 raise Damage(f"it tells of {int(found[1])} entries")
+        for found in re.finditer(rb"FIELD\s+\S{1,255}\s+[1-9]\d{0,40}\s+", text):
+            if not re.match(
+                    rb"NULL_ARRAY|\S{1,255}\s+\d{1,6}\s+\d{1,18}\s+[A-Za-z]",
+                    text[found.end():found.end() + 600]):
+                raise Damage("it tells of no sizes of an array in FIELD")
         for found in re.finditer(
-                rb"\S{1,255}[ \t]+(\d{1,40})[ \t]+(\d{1,40})[ \t]+([A-Za-z_0-9]{1,20})\s*?\n", text):
+                rb"\s(-?\d{1,40})\s+(-?\d{1,40})\s+([A-Za-z][A-Za-z_0-9]{2,19})\s", text):
             each = sizes.get(found[3].lower(), 0) if is_binary else 1
+            if (int(found[1]) < 0 or int(found[2]) < 0) and found[3].lower() in sizes:
+                raise Damage("it has an array with less than no values")
             _require(int(found[1]) * int(found[2]) * each, size)
 
 

@@ -9,6 +9,7 @@ import contextlib
 import os
 import pathlib
 import sys
+import warnings
 from typing import Callable, Iterator
 
 from headers import check_header
@@ -69,9 +70,13 @@ def volume_of(arguments: argparse.Namespace) -> vtkImageData:
         image = make_spheres(128)
     else:
         image = read_volume(arguments.volume)
-    what = "The generated volume" if arguments.volume is None else quoted(arguments.volume)
-    choose_array(image, arguments.array, what)
+    choose_array(image, arguments.array, name_of(arguments))
     return image
+
+
+def name_of(arguments: argparse.Namespace) -> str:
+    """What messages call the volume."""
+    return "The generated volume" if arguments.volume is None else quoted(arguments.volume)
 
 
 def make_spheres(samples: int) -> vtkImageData:
@@ -158,7 +163,7 @@ def _check_place(image: vtkImageData, what: str) -> None:
             f"them in its header.")
 
 
-def value_range(image: vtkImageData, what: str = "the volume") -> tuple[float, float]:
+def value_range(image: vtkImageData, what: str) -> tuple[float, float]:
     """The least and the greatest number among the scalars; an error if there is no surface."""
     low, high = image.GetPointData().GetScalars().GetFiniteRange(0)
     if not low < high:
@@ -179,10 +184,18 @@ def check_isovalue(isovalue: float, limits: tuple[float, float]) -> None:
 def _read_array(path: str) -> vtkImageData:
     try:
         # Mapped, not read: what a big array has is loaded when it is looked at.
-        return numpy_to_image(numpy.load(path, mmap_mode="r"))
+        with numpy.errstate(all="ignore"), warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            return numpy_to_image(numpy.load(path, mmap_mode="r"))
     except Exception as error:  # pylint: disable=broad-except # NumPy's are of many kinds
         reason = " ".join(str(error).split()).rstrip(".")
         raise UserError(f"{quoted(path)} could not be read as a NumPy volume: {reason}.") from error
+
+
+def _has_errors(said: str | bytes) -> bool:
+    # What VTK cites of a file may be no UTF-8.
+    text = said.decode("latin-1") if isinstance(said, bytes) else said
+    return any(word in text for word in ("ERROR:", "Generic Warning:"))
 
 
 @contextlib.contextmanager
@@ -197,7 +210,7 @@ def _errors_of_vtk() -> Iterator[Callable[[], bool]]:
         for stream in (1, 2):
             os.dup2(nowhere, stream)
         # vtkDataReader tells of a file that ends too early by a warning.
-        yield lambda: any(word in window.GetOutput() for word in ("ERROR:", "Generic Warning:"))
+        yield lambda: _has_errors(window.GetOutput())
     finally:
         for stream, copy in zip((1, 2), kept):
             os.dup2(copy, stream)

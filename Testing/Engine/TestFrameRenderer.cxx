@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <map>
 #include <new>
 #include <set>
 #include <string>
@@ -242,6 +243,27 @@ TEST_F(FrameRendererTest, AnswersAreCountedOnEveryRoute)
       EXPECT_EQ(routes.count(Route::ImageCache), 1u);
       EXPECT_EQ(routes.count(hasIsomap ? Route::IsomapBuild : Route::ThresholdHint), 1u);
     }
+  }
+}
+
+TEST_F(FrameRendererTest, LayersEndWhereNothingShinesThrough)
+{
+  for (const double opacity : { 0.99, 0.997, 0.999 })
+  {
+    this->Key.Sought.Opacities = { opacity, opacity };
+    const Frame frame = this->Cold();
+    std::map<std::int32_t, int> layers;
+    int most = 0;
+    for (const std::vector<LayerHit>& tile : frame.Layers)
+    {
+      for (const LayerHit& layer : tile)
+      {
+        most = std::max(most, ++layers[layer.Pixel]);
+      }
+    }
+    EXPECT_GT(layers.size(), 1000u);
+    // Less than half a step of a colour, 1 / 512, cannot be told from nothing.
+    EXPECT_EQ(most, 1.0 - opacity < 1.0 / 512.0 ? 1 : 2) << opacity;
   }
 }
 

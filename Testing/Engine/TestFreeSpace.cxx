@@ -8,10 +8,12 @@
 #include "Disparity.h"
 #include "FreeSpace.h"
 #include "Grid.h"
+#include "KernelsImage.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <functional>
 #include <limits>
@@ -103,6 +105,26 @@ double GuardedDepth(const std::function<double(int, int)>& depth, double contact
   FreeSpace space;
   space.Make(frame, LookAt(glm::ivec3(20), { 1.0, 2.0, 0.7 }, Size, true), options);
   return -static_cast<double>(space.Guard()[PlaceOf(12, 11)]);
+}
+
+/// Vectors end where the tile does.
+TEST(FreeSpace, NothingIsWrittenBehindATile)
+{
+  struct
+  {
+    GuardTile Tile;
+    std::array<float, 32> Behind;
+  } all;
+  all.Tile.Surface.fill(0.1f);
+  all.Tile.Contact.fill(0.2f);
+  all.Tile.Fine.fill(1.0f);
+  all.Tile.Guard.fill(-1.0f);
+  all.Behind.fill(-2.0f);
+  GuardRule rule;
+  rule.Spacing = 1.0f;
+  MakeGuard(rule, all.Tile);
+  EXPECT_EQ(std::count(all.Tile.Guard.begin(), all.Tile.Guard.end(), -1.0f), 0);
+  EXPECT_EQ(std::count(all.Behind.begin(), all.Behind.end(), -2.0f), 32);
 }
 
 TEST(FreeSpace, APlaneIsFreeAlmostUpToIt)

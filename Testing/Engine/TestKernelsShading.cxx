@@ -279,10 +279,16 @@ TEST_F(KernelsShading, NormalsFaceTheViewer)
   Vectors gradients, rays;
   for (std::size_t i = 0; i < RayBatch::Capacity; ++i)
   {
-    // From none at all to those whose squares are no numbers.
+    // From none at all to those whose squares are no numbers, some along an axis.
     const double length =
       i % 8 == 0 ? 0.0 : std::pow(10.0, 12.0 * static_cast<double>(i % 40) - 240.0);
-    const glm::dvec3 gradient = length * RandomDirection(engine), ray = RandomDirection(engine);
+    glm::dvec3 towards = RandomDirection(engine);
+    if (i % 8 < 4)
+    {
+      towards = glm::dvec3(0.0);
+      towards[static_cast<int>(i % 3)] = i % 2 ? 1.0 : -1.0;
+    }
+    const glm::dvec3 gradient = length * towards, ray = RandomDirection(engine);
     for (std::size_t a = 0; a < 3; ++a)
     {
       gradients[a][i] = gradient[static_cast<int>(a)];

@@ -15,6 +15,8 @@ namespace
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t MostPreamble = 136; // bytes, up to the word that tells that it is DICOM
+
 using Tag = std::uint32_t; // group and element
 
 constexpr Tag TransferSyntax = 0x00020010, Interpretation = 0x00280004, Rows = 0x00280010,
@@ -54,7 +56,7 @@ class Walk
 public:
   explicit Walk(const std::string& path)
     : Path(path)
-    , Bytes(BytesOf(path))
+    , Bytes(BytesOf(path, MostPreamble))
   {
   }
 
@@ -73,6 +75,7 @@ public:
     {
       return false;
     }
+    this->Bytes = BytesOf(this->Path);
     while (this->At < this->Bytes.size())
     {
       this->Take(slice);
@@ -196,7 +199,7 @@ private:
   }
 
   const std::string& Path;
-  const std::string Bytes;
+  std::string Bytes;
   std::size_t At = 0;
   std::set<Tag> Found;
   bool HasPixels = false;
@@ -212,10 +215,11 @@ void CheckDicomFiles(const std::string& directory)
   for (const fs::directory_entry& entry : fs::directory_iterator(directory, error))
   {
     const std::string path = entry.path().string();
-    if (!entry.is_regular_file(error))
+    if (entry.is_directory(error))
     {
       continue;
     }
+    SizeOf(path); // throws if it is no regular file, which the reader would open, too
     Slice slice;
     if (!Walk(path).Find(slice))
     {

@@ -73,8 +73,12 @@ void CheckField(const std::string& path, std::streamoff at, bool isBinary, doubl
         throw Damaged(path, "it tells of no sizes of an array in FIELD");
       }
       const auto bytes = BytesOfType.find(LowerCase(next()));
+      if (bytes == BytesOfType.end())
+      {
+        return; // of strings only the reader knows how many bytes they have
+      }
       const long long values = components * tuples;
-      if (isBinary && bytes != BytesOfType.end())
+      if (isBinary)
       {
         std::string line;
         std::getline(in, line);

@@ -112,12 +112,19 @@ private:
   std::map<std::string, std::string> Fields;
 };
 
-double SizeOfAll(const std::vector<std::string>& names, const fs::path& directory)
+// Of the files of samples that a header names.
+double SizeOfAll(const std::vector<std::string>& names, const std::string& header)
 {
   double size = 0.0;
   for (const std::string& name : names)
   {
-    size += static_cast<double>(SizeOf((directory / name).string()));
+    const fs::path path = fs::path(header).parent_path() / name;
+    std::error_code error;
+    if (!fs::is_regular_file(path, error))
+    {
+      throw Damaged(header, "its file of samples " + Quoted(name) + " is not there");
+    }
+    size += static_cast<double>(SizeOf(path.string()));
   }
   return size;
 }
@@ -147,7 +154,6 @@ std::vector<std::string> Numbered(const std::string& path, const std::vector<std
 // Bytes that may hold samples.
 double BytesThere(const std::string& path, const Header& header)
 {
-  const fs::path directory = fs::path(path).parent_path();
   const std::string& file = header.Text("ElementDataFile");
   const std::vector<std::string> words = WordsOf(file);
   if (words.empty())
@@ -163,13 +169,13 @@ double BytesThere(const std::string& path, const Header& header)
     std::vector<std::string> names;
     std::copy_if(header.Rest.begin(), header.Rest.end(), std::back_inserter(names),
       [](const std::string& name) { return !name.empty(); });
-    return SizeOfAll(names, directory);
+    return SizeOfAll(names, path);
   }
   if (file.find('%') != std::string::npos)
   {
-    return SizeOfAll(Numbered(path, words), directory);
+    return SizeOfAll(Numbered(path, words), path);
   }
-  return SizeOfAll({ file }, directory);
+  return SizeOfAll({ file }, path);
 }
 
 }

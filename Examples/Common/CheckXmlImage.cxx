@@ -53,7 +53,7 @@ public:
   bool Next(Element& element)
   {
     const std::size_t begin = this->Text.find('<', this->At);
-    const std::size_t end = this->Text.find('>', begin);
+    const std::size_t end = this->EndOf(begin);
     if (end == std::string::npos)
     {
       return false;
@@ -83,6 +83,18 @@ public:
   }
 
 private:
+  // The first > that is no part of an attribute.
+  std::size_t EndOf(std::size_t begin) const
+  {
+    std::size_t at = this->Text.find_first_of("\"'>", begin);
+    while (at != std::string::npos && this->Text[at] != '>')
+    {
+      at = this->Text.find(this->Text[at], at + 1);
+      at = at == std::string::npos ? at : this->Text.find_first_of("\"'>", at + 1);
+    }
+    return at;
+  }
+
   const std::string& Text;
   std::size_t At = 0;
 };

@@ -280,13 +280,14 @@ void CheckImage(vtkImageData* image, const std::string& name)
 }
 
 // Cameras are placed by the box of the samples: it must be one that numbers can tell of.
-void CheckPlace(const Volume& volume, const std::string& name)
+// \param placement may be null
+void CheckPlace(vtkImageData* image, vtkMatrix4x4* placement, const std::string& name)
 {
   constexpr double Largest = 1e15, Farthest = 1e9, Flattest = 1e-6;
   vtkNew<vtkMatrix4x4> place;
-  vtkMatrix4x4::Multiply4x4(volume.Placement ? volume.Placement.Get() : place.Get(),
-    volume.Image->GetIndexToPhysicalMatrix(), place);
-  const int* extent = volume.Image->GetExtent();
+  vtkMatrix4x4::Multiply4x4(
+    placement ? placement : place.Get(), image->GetIndexToPhysicalMatrix(), place);
+  const int* extent = image->GetExtent();
   std::array<vtkVector3d, 3> edges;
   vtkVector3d corner;
   double shortest = Largest, longest = 0.0;
@@ -347,6 +348,11 @@ Volume ReadPath(const VolumeSource& source, const ReadingProgress& progress)
     volume.Image = ReadDicom(path, progress);
     volume.From = "+y";
   }
+  else if (!fs::is_regular_file(path, error))
+  {
+    // To open others may take for ever.
+    throw UserError(Quoted(path) + " could not be read: it is no file; name one.");
+  }
   else if (!std::ifstream(path))
   {
     throw UserError(Quoted(path) + " may not be read; check its permissions.");
@@ -365,7 +371,8 @@ Volume ReadPath(const VolumeSource& source, const ReadingProgress& progress)
   }
   volume.Name = Printable(fs::path(path).filename().string());
   CheckImage(volume.Image, Quoted(path));
-  CheckPlace(volume, Quoted(path));
+  CheckPlace(volume.Image, nullptr, Quoted(path));
+  CheckPlace(volume.Image, volume.Placement, Quoted(path));
   return volume;
 }
 

@@ -193,7 +193,10 @@ void WriteSession(const Session& session, const std::string& path)
 
 Session ReadSession(const std::string& path)
 {
-  std::ifstream file(path);
+  // Others may never end.
+  std::error_code error;
+  const bool isFile = fs::is_regular_file(path, error);
+  std::ifstream file(isFile ? path : "");
   std::string line;
   if (!file)
   {

@@ -134,7 +134,7 @@ def _check_vti(path: pathlib.Path) -> None:
     markup = text[:appended.start()] if appended else text
     compressor, code, place = None, "<I", ""
     points = cells = 0
-    for element in re.finditer(rb"<(\w+)((?:\s[^<>]*)?)>", markup):
+    for element in re.finditer(rb"<(\w+)((?:[^<>\"']|\"[^\"]*\"|'[^']*')*)>", markup):
         name = element[1].decode()
         attributes = {
             key.decode(): value.decode("utf-8", "replace")

@@ -94,6 +94,8 @@ def make_spheres(samples: int) -> vtkImageData:
 def read_volume(path: str) -> vtkImageData:
     if not os.path.exists(path):
         raise UserError(f"There is no file {quoted(path)}: check the path.")
+    if not os.path.isfile(path):
+        raise UserError(f"{quoted(path)} could not be read: it is no file.")
     if not os.access(path, os.R_OK):
         raise UserError(f"{quoted(path)} may not be read by you: change its permissions.")
     if path.lower().endswith(".npy"):

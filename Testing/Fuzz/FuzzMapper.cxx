@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The seeded fuzzer: runs of bytes made from seeds, or kept in files, each step held against a
+// mapper without a past.
+
+#include "Bytes.h"
+#include "Report.h"
+#include "Run.h"
+#include "Story.h"
+#include "Watchdog.h"
+
+#include <vtkObject.h>
+#include <vtkSMPTools.h>
+
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+const char* const Usage = R"(Fuzz vtkTemporalCoherenceVolumeMapper.
+
+usage: FuzzMapper [OPTIONS] [FILE...]
+
+  FILE             replay the bytes of a file, or of all files of a folder
+  --seed N         replay the run of a seed; with --steps the first seed (default 1)
+  --steps N        make runs of one seed after the other until so many steps are made
+  --tell           print what is done, in words (always, where a single run fails)
+  --save FOLDER    write the bytes of runs that fail to a file there
+  --keep-going     do not stop at the first run that fails
+  --expect-all     fail if a route was not reached
+  --patience S     seconds that a step may take (default 20)
+)";
+
+struct Options
+{
+  std::vector<std::string> Files;
+  std::uint64_t Seed = 1;
+  long Steps = 0;
+  unsigned Patience = 20;
+  bool KeepGoing = false, ExpectAll = false, IsOneSeed = false;
+};
+
+bool Parse(int argc, char* argv[], Options& options)
+{
+  for (int i = 1; i < argc; ++i)
+  {
+    const std::string argument = argv[i];
+    const bool hasValue = i + 1 < argc;
+    if (argument == "--tell")
+    {
+      Fuzz::Story::IsTold() = true;
+    }
+    else if (argument == "--keep-going")
+    {
+      options.KeepGoing = true;
+    }
+    else if (argument == "--expect-all")
+    {
+      options.ExpectAll = true;
+    }
+    else if (argument == "--seed" && hasValue)
+    {
+      options.Seed = std::stoull(argv[++i]);
+      options.IsOneSeed = true;
+    }
+    else if (argument == "--steps" && hasValue)
+    {
+      options.Steps = std::stol(argv[++i]);
+    }
+    else if (argument == "--patience" && hasValue)
+    {
+      options.Patience = static_cast<unsigned>(std::stoul(argv[++i]));
+    }
+    else if (argument == "--save" && hasValue)
+    {
+      Fuzz::Report::SaveTo(argv[++i]);
+    }
+    else if (argument.rfind("--", 0) == 0)
+    {
+      return false;
+    }
+    else if (std::filesystem::is_directory(argument))
+    {
+      for (const auto& entry : std::filesystem::directory_iterator(argument))
+      {
+        options.Files.push_back(entry.path().string());
+      }
+    }
+    else
+    {
+      options.Files.push_back(argument);
+    }
+  }
+  return true;
+}
+
+/// \return false if the run fails
+bool Make(const std::vector<std::uint8_t>& bytes, const std::string& name, Fuzz::Tally& tally)
+{
+  Fuzz::Report::Begin(bytes, name, tally);
+  try
+  {
+    Fuzz::Run(bytes, tally);
+    return true;
+  }
+  catch (const std::exception& failure)
+  {
+    Fuzz::Report::TellFailure(failure.what());
+  }
+  catch (...)
+  {
+    Fuzz::Report::TellFailure("something was thrown");
+  }
+  return false;
+}
+
+}
+
+int main(int argc, char* argv[])
+{
+  Options options;
+  if (!Parse(argc, argv, options) || (options.Files.empty() && options.Steps == 0 && !options.IsOneSeed))
+  {
+    std::cout << Usage;
+    return EXIT_FAILURE;
+  }
+  // Steps are so small that threads would only wait for each other.
+  vtkSMPTools::SetBackend("Sequential");
+  Fuzz::Report::TellCrashes();
+  Fuzz::Watchdog::Release(options.Patience, Fuzz::Report::TellHang);
+
+  Fuzz::Tally tally;
+  int failures = 0;
+  for (const std::string& file : options.Files)
+  {
+    std::ifstream stream(file, std::ios::binary);
+    const std::vector<char> bytes{ std::istreambuf_iterator<char>(stream), {} };
+    if (!stream)
+    {
+      std::cerr << "Cannot read " << file << '\n';
+      return EXIT_FAILURE;
+    }
+    failures += !Make({ bytes.begin(), bytes.end() }, file, tally);
+  }
+  std::uint64_t seed = options.Seed;
+  const bool isSeeded = options.Steps > 0 || options.IsOneSeed;
+  while (isSeeded && (failures == 0 || options.KeepGoing))
+  {
+    failures += !Make(Fuzz::Bytes::FromSeed(seed, Fuzz::BytesOfSeed),
+      "--seed " + std::to_string(seed), tally);
+    ++seed;
+    if (tally.Steps >= options.Steps)
+    {
+      break;
+    }
+  }
+  return Fuzz::Report::Finish(tally, failures, options.ExpectAll) ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -104,6 +104,8 @@ int vtkTemporalCoherenceVolumeMapper::FillInputPortInformation(int port, vtkInfo
     return 0;
   }
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
+  // What cannot be drawn is refused by the mapper, in one sentence, and not by the pipeline in two.
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
   return 1;
 }
 

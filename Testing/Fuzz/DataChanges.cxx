@@ -70,13 +70,12 @@ void WriteSamples(World& world)
   const int told = world.From.Pick(12);
   if (told == 11)
   {
-    world.IsUntold = true;
+    world.IsUntold = true; // see Acts
     Story::Tell("  nobody is told");
   }
   else
   {
     told % 2 ? image->Modified() : scalars->Modified();
-    world.IsUntold = false;
   }
 }
 
@@ -97,7 +96,6 @@ void WriteFewSamples(World& world)
     Story::Tell("  sample ", at, " is ", value);
   }
   scalars->Modified();
-  world.IsUntold = false;
 }
 
 void MoveImage(World& world)
@@ -189,6 +187,7 @@ void ChangeArrays(World& world)
       if (scalars)
       {
         scalars->Resize(scalars->GetNumberOfTuples() / 2);
+        scalars->Modified();
         Story::Tell("  half of the samples are gone");
       }
       break;
@@ -196,6 +195,7 @@ void ChangeArrays(World& world)
       if (scalars)
       {
         scalars->Initialize();
+        scalars->Modified();
         Story::Tell("  all samples are gone");
       }
       break;

@@ -7,12 +7,14 @@
 #include "Bytes.h"
 #include "Report.h"
 #include "Run.h"
+#include "Shrink.h"
 #include "Story.h"
 #include "Watchdog.h"
 
 #include <vtkObject.h>
 #include <vtkSMPTools.h>
 
+#include <cctype>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
@@ -34,6 +36,8 @@ usage: FuzzMapper [OPTIONS] [FILE...]
   --steps N        make runs of one seed after the other until so many steps are made
   --tell           print what is done, in words (always, where a single run fails)
   --save FOLDER    write the bytes of runs that fail to a file there
+  --shrink FILE    write the shortest and dullest bytes that fail in the same way to a file
+  --crashes        what is shrunk crashes or hangs
   --keep-going     do not stop at the first run that fails
   --expect-all     fail if a route was not reached
   --patience S     seconds that a step may take (default 20)
@@ -42,10 +46,11 @@ usage: FuzzMapper [OPTIONS] [FILE...]
 struct Options
 {
   std::vector<std::string> Files;
+  std::string ShrinkTo;
   std::uint64_t Seed = 1;
   long Steps = 0;
   unsigned Patience = 20;
-  bool KeepGoing = false, ExpectAll = false, IsOneSeed = false;
+  bool KeepGoing = false, ExpectAll = false, IsOneSeed = false, Crashes = false;
 };
 
 bool Parse(int argc, char* argv[], Options& options)
@@ -61,6 +66,10 @@ bool Parse(int argc, char* argv[], Options& options)
     else if (argument == "--keep-going")
     {
       options.KeepGoing = true;
+    }
+    else if (argument == "--crashes")
+    {
+      options.Crashes = true;
     }
     else if (argument == "--expect-all")
     {
@@ -78,6 +87,10 @@ bool Parse(int argc, char* argv[], Options& options)
     else if (argument == "--patience" && hasValue)
     {
       options.Patience = static_cast<unsigned>(std::stoul(argv[++i]));
+    }
+    else if (argument == "--shrink" && hasValue)
+    {
+      options.ShrinkTo = argv[++i];
     }
     else if (argument == "--save" && hasValue)
     {
@@ -122,6 +135,57 @@ bool Make(const std::vector<std::uint8_t>& bytes, const std::string& name, Fuzz:
   return false;
 }
 
+using Run = std::vector<std::uint8_t>;
+
+/// What is the same of two failures: their words, without numbers.
+std::string KindOf(const std::string& why)
+{
+  std::string kind;
+  for (const char letter : why.substr(0, 60))
+  {
+    kind += std::isalpha(static_cast<unsigned char>(letter)) ? std::string(1, letter) : "";
+  }
+  return kind.substr(0, 28);
+}
+
+/// Why a run fails; empty if it does not.
+std::string WhyFails(const Run& bytes)
+{
+  Fuzz::Tally tally;
+  try
+  {
+    Fuzz::Run(bytes, tally);
+    return {};
+  }
+  catch (const std::exception& failure)
+  {
+    return failure.what();
+  }
+}
+
+void ShrinkTo(const std::string& file, const Run& bytes, bool crashes)
+{
+  // Who asks why a crash happens crashes.
+  const std::string kind = crashes ? "" : KindOf(WhyFails(bytes));
+  Fuzz::Watchdog::Rest();
+  const Run shrunk = Fuzz::Shrink(bytes,
+    [&](const Run& some)
+    {
+      const std::string why = WhyFails(some);
+      return !crashes && !why.empty() && KindOf(why) == kind;
+    });
+  std::ofstream(file, std::ios::binary)
+    .write(reinterpret_cast<const char*>(shrunk.data()), static_cast<std::streamsize>(shrunk.size()));
+  std::cout << bytes.size() << " bytes shrunk to " << shrunk.size() << ": " << file << '\n';
+}
+
+Run BytesOf(const std::string& file)
+{
+  std::ifstream stream(file, std::ios::binary);
+  const std::vector<char> bytes{ std::istreambuf_iterator<char>(stream), {} };
+  return { bytes.begin(), bytes.end() };
+}
+
 }
 
 int main(int argc, char* argv[])
@@ -137,18 +201,19 @@ int main(int argc, char* argv[])
   Fuzz::Report::TellCrashes();
   Fuzz::Watchdog::Release(options.Patience, Fuzz::Report::TellHang);
 
+  if (!options.ShrinkTo.empty())
+  {
+    ShrinkTo(options.ShrinkTo,
+      options.Files.empty() ? Fuzz::Bytes::FromSeed(options.Seed, Fuzz::BytesOfSeed)
+                            : BytesOf(options.Files.front()),
+      options.Crashes);
+    return EXIT_SUCCESS;
+  }
   Fuzz::Tally tally;
   int failures = 0;
   for (const std::string& file : options.Files)
   {
-    std::ifstream stream(file, std::ios::binary);
-    const std::vector<char> bytes{ std::istreambuf_iterator<char>(stream), {} };
-    if (!stream)
-    {
-      std::cerr << "Cannot read " << file << '\n';
-      return EXIT_FAILURE;
-    }
-    failures += !Make({ bytes.begin(), bytes.end() }, file, tally);
+    failures += !Make(BytesOf(file), file, tally);
   }
   std::uint64_t seed = options.Seed;
   const bool isSeeded = options.Steps > 0 || options.IsOneSeed;

@@ -249,7 +249,6 @@ void Show(World& world, vtkDataObject* data)
       world.Shelf.erase(world.Shelf.begin());
     }
   }
-  world.IsUntold = false;
 }
 
 }

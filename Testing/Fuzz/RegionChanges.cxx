@@ -132,9 +132,10 @@ void NoClips(World& world)
 void TurnVolume(World& world)
 {
   vtkVolume* volume = world.Volume();
-  volume->RotateX(world.From.Number(-40.0, 40.0));
-  volume->RotateZ(world.From.Number(-40.0, 40.0));
-  Story::Tell("  the volume turned");
+  const double x = world.From.Number(-40.0, 40.0), z = world.From.Number(-40.0, 40.0);
+  volume->RotateX(x);
+  volume->RotateZ(z);
+  Story::Tell("  the volume turned by ", x, ", ", z);
 }
 
 void PlaceVolume(World& world)

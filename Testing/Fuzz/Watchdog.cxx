@@ -39,5 +39,10 @@ void Feed()
   }
 }
 
+void Rest()
+{
+  alarm(0);
+}
+
 }
 }

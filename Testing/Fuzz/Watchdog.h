@@ -17,6 +17,9 @@ void Release(unsigned seconds, void (*bark)());
 /// A step begins.
 void Feed();
 
+/// No step is made for a while.
+void Rest();
+
 }
 
 }

@@ -63,9 +63,11 @@ struct World
   double Low = 0.0, High = 100.0; ///< where isovalues are worth asking for
   bool IsTame = true;             ///< no number of the scene is wild
 
-  // Since the last frame.
-  bool IsViewChanged = true;
-  bool IsUntold = false; ///< samples were written and nobody was told
+  bool IsViewChanged = true; ///< since the last frame
+
+  /// Samples were written and nobody was told: what frames show means nothing until the mapper has
+  /// forgotten them.
+  bool IsUntold = false;
 };
 
 /// A kind of change, and how often it is made in runs of each theme.

@@ -13,11 +13,14 @@
 #include <vtkCellData.h>
 #include <vtkContourValues.h>
 #include <vtkDoubleArray.h>
+#include <vtkExecutive.h>
 #include <vtkFloatingPointExceptions.h>
 #include <vtkMatrix4x4.h>
+#include <vtkOverlappingAMR.h>
 #include <vtkPiecewiseFunction.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkTable.h>
 #include <vtkTestErrorObserver.h>
 
 #include <cmath>
@@ -121,6 +124,22 @@ void TestInputs()
     "vtkPolyData",
     [](Scene& scene) { scene.Mapper->SetInputDataObject(vtkNew<vtkPolyData>().Get()); },
     [](Scene& scene) { scene.Mapper->SetInputData(Ball()); });
+  // Nor has the pipeline anything to say.
+  for (const vtkSmartPointer<vtkDataObject>& object :
+    { vtkSmartPointer<vtkDataObject>(vtkSmartPointer<vtkTable>::New()),
+      vtkSmartPointer<vtkDataObject>(vtkSmartPointer<vtkOverlappingAMR>::New()) })
+  {
+    vtkNew<vtkTest::ErrorObserver> pipeline;
+    ExpectError(
+      object->GetClassName(),
+      [&](Scene& scene)
+      {
+        scene.Mapper->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, pipeline);
+        scene.Mapper->SetInputDataObject(object);
+      },
+      [](Scene& scene) { scene.Mapper->SetInputData(Ball()); });
+    Expect(!pipeline->GetError(), "said twice: " + pipeline->GetErrorMessage());
+  }
   ExpectError(
     "Blend mode", [](Scene& scene) { scene.Mapper->SetBlendModeToComposite(); },
     [](Scene& scene) { scene.Mapper->SetBlendModeToIsoSurface(); });

@@ -108,13 +108,13 @@ void PickPixels(World& world, Oracle& oracle)
   last.Depth->GetDimensions(size);
   for (int i = 0; i < 6; ++i)
   {
-    const int x = world.From.Pick(size[0] + 1) - world.From.OneIn(20), y = world.From.Pick(size[1] + 1);
+    const int x = world.From.Pick(size[0] + 1) - world.From.OneIn(20),
+              y = world.From.Pick(size[1] + 1);
     double position[3] = { 0.0, 0.0, 0.0 }, normal[3];
     int isovalue = -7;
     const bool isHit = world.Subject->PickPixel(x, y, position, normal, &isovalue);
     const bool isInside = x >= 0 && y >= 0 && x < size[0] && y < size[1];
-    const int shown =
-      isInside ? *static_cast<int*>(last.Isovalues->GetScalarPointer(x, y, 0)) : -1;
+    const int shown = isInside ? *static_cast<int*>(last.Isovalues->GetScalarPointer(x, y, 0)) : -1;
     Require(isHit == (shown >= 0) && isovalue == (isHit ? shown : -7),
       "pixel " + std::to_string(x) + ", " + std::to_string(y) + " shows isovalue " +
         std::to_string(shown) + ", but picked is " + std::to_string(isovalue));
@@ -126,7 +126,8 @@ void FindVisibleSurface(World& world, Oracle& oracle)
 {
   vtkNew<vtkPolyData> points;
   const bool isThere = world.Subject->GetVisibleSurface(points);
-  Require(isThere == !oracle.Last().IsEmpty() || oracle.IsLastRefused(), "GetVisibleSurface and the last frame");
+  Require(isThere == !oracle.Last().IsEmpty() || oracle.IsLastRefused(),
+    "GetVisibleSurface and the last frame");
   if (isThere && !oracle.Last().IsEmpty())
   {
     Require(points->GetNumberOfPoints() == oracle.Last().CountHits() &&
@@ -147,13 +148,15 @@ void MeetLine(World& world, Oracle& oracle)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      const bool isThere = std::isfinite(bounds[2 * axis]) && bounds[2 * axis] <= bounds[2 * axis + 1];
-      const double low = isThere ? bounds[2 * axis] : -1.0, high = isThere ? bounds[2 * axis + 1] : 9.0;
+      const bool isThere =
+        std::isfinite(bounds[2 * axis]) && bounds[2 * axis] <= bounds[2 * axis + 1];
+      const double low = isThere ? bounds[2 * axis] : -1.0,
+                   high = isThere ? bounds[2 * axis + 1] : 9.0;
       end[axis] = from.IsWild() ? from.Wild() : low + from.Between(-0.5, 1.5) * (high - low);
     }
   }
-  Story::Tell("  a line from ", ends[0][0], ", ", ends[0][1], ", ", ends[0][2], " to ", ends[1][0], ", ",
-    ends[1][1], ", ", ends[1][2]);
+  Story::Tell("  a line from ", ends[0][0], ", ", ends[0][1], ", ", ends[0][2], " to ", ends[1][0],
+    ", ", ends[1][1], ", ", ends[1][2]);
   const auto fresh = oracle.MakeFresh();
   const Ear ear(fresh);
   struct Met
@@ -166,8 +169,8 @@ void MeetLine(World& world, Oracle& oracle)
   Mapper* mappers[2] = { world.Subject, fresh };
   for (int i = 0; i < 2; ++i)
   {
-    met[i].Is = mappers[i]->IntersectWithLine(world.Volume(), ends[0], ends[1], met[i].T,
-      met[i].Position, met[i].Normal, &met[i].Isovalue);
+    met[i].Is = mappers[i]->IntersectWithLine(
+      world.Volume(), ends[0], ends[1], met[i].T, met[i].Position, met[i].Normal, &met[i].Isovalue);
   }
   oracle.ExpectOneErrorAtMost("IntersectWithLine");
   Require(ear.Errors <= 1 && !(ear.Errors == 1 && met[1].Is), "IntersectWithLine: " + ear.Text);

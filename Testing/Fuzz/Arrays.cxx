@@ -102,7 +102,8 @@ private:
   double Plain(double x, double y, double z)
   {
     const double ball = 100.0 - 90.0 * std::sqrt(x * x + y * y + z * z);
-    const double waves = 50.0 + 25.0 * std::sin(5.0 * x + this->Phase) * std::cos(4.0 * y) + 20.0 * z;
+    const double waves =
+      50.0 + 25.0 * std::sin(5.0 * x + this->Phase) * std::cos(4.0 * y) + 20.0 * z;
     switch (this->Kind)
     {
       case 0:
@@ -248,8 +249,8 @@ void AddGhosts(World& world, vtkDataSetAttributes* attributes, vtkIdType count)
   attributes->RemoveArray(vtkDataSetAttributes::GhostArrayName());
   attributes->AddArray(array);
   Story::Tell("  a ghost array of ", array->GetClassName(), " for ", count, ": ",
-    array->GetNumberOfTuples(), " x ", array->GetNumberOfComponents(), ", share ", chance, ", bits ",
-    bits);
+    array->GetNumberOfTuples(), " x ", array->GetNumberOfComponents(), ", share ", chance,
+    ", bits ", bits);
 }
 
 void Survey(World& world, vtkDataArray* array)

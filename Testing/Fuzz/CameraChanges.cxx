@@ -28,7 +28,8 @@ void LookAlongAxis(World& world)
 {
   const int axis = world.From.Pick(6);
   const double sign = axis < 3 ? 1.0 : -1.0;
-  LookFrom(world, axis % 3 == 0 ? sign : 0.0, axis % 3 == 1 ? sign : 0.0, axis % 3 == 2 ? sign : 0.0);
+  LookFrom(
+    world, axis % 3 == 0 ? sign : 0.0, axis % 3 == 1 ? sign : 0.0, axis % 3 == 2 ? sign : 0.0);
 }
 
 /// As people turn volumes.
@@ -110,7 +111,8 @@ void Place(World& world)
   {
     world.Renderer()->ResetCameraClippingRange();
   }
-  Story::Tell("  camera at ", p[0], ", ", p[1], ", ", p[2], " looks to ", f[0], ", ", f[1], ", ", f[2]);
+  Story::Tell(
+    "  camera at ", p[0], ", ", p[1], ", ", p[2], " looks to ", f[0], ", ", f[1], ", ", f[2]);
 }
 
 /// Into the volume, through a wide lens.
@@ -119,7 +121,8 @@ void GoInside(World& world)
   vtkCamera* camera = world.Camera();
   double f[3];
   camera->GetFocalPoint(f);
-  camera->SetPosition(f[0] + world.From.Between(-1.0, 1.0), f[1] + world.From.Between(0.1, 1.0), f[2]);
+  camera->SetPosition(
+    f[0] + world.From.Between(-1.0, 1.0), f[1] + world.From.Between(0.1, 1.0), f[2]);
   camera->SetClippingRange(0.01, 100.0);
   Story::Tell("  inside");
 }
@@ -161,8 +164,8 @@ void ChangeLens(World& world)
       camera->SetWindowCenter(0.0, 0.0);
       break;
   }
-  Story::Tell("  lens: parallel ", camera->GetParallelProjection(), ", angle ", camera->GetViewAngle(),
-    ", scale ", camera->GetParallelScale());
+  Story::Tell("  lens: parallel ", camera->GetParallelProjection(), ", angle ",
+    camera->GetViewAngle(), ", scale ", camera->GetParallelScale());
 }
 
 void ChangeRange(World& world)

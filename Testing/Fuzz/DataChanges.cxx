@@ -89,8 +89,8 @@ void WriteFewSamples(World& world)
   }
   for (int i = world.From.Pick(4); i >= 0; --i)
   {
-    const vtkIdType at = world.From.Pick(
-      static_cast<int>(std::min<vtkIdType>(scalars->GetNumberOfTuples(), 1 << 20)));
+    const vtkIdType at =
+      world.From.Pick(static_cast<int>(std::min<vtkIdType>(scalars->GetNumberOfTuples(), 1 << 20)));
     const double value = world.From.Between(world.Low, world.High);
     scalars->SetComponent(at, 0, value);
     Story::Tell("  sample ", at, " is ", value);
@@ -132,9 +132,8 @@ void ChangeGhosts(World& world)
     return;
   }
   const bool ofCells = world.From.OneIn(2);
-  vtkDataSetAttributes* attributes = ofCells
-    ? static_cast<vtkDataSetAttributes*>(data->GetCellData())
-    : data->GetPointData();
+  vtkDataSetAttributes* attributes =
+    ofCells ? static_cast<vtkDataSetAttributes*>(data->GetCellData()) : data->GetPointData();
   if (world.From.OneIn(3))
   {
     attributes->RemoveArray(vtkDataSetAttributes::GhostArrayName());
@@ -142,7 +141,8 @@ void ChangeGhosts(World& world)
   }
   else
   {
-    Arrays::AddGhosts(world, attributes, ofCells ? data->GetNumberOfCells() : data->GetNumberOfPoints());
+    Arrays::AddGhosts(
+      world, attributes, ofCells ? data->GetNumberOfCells() : data->GetNumberOfPoints());
   }
 }
 
@@ -221,8 +221,8 @@ void ChangeCoordinates(World& world)
   {
     const int last = static_cast<int>(along->GetNumberOfTuples()) - 1;
     const int at = world.From.Pick(last + 1);
-    const double value = world.From.OneIn(2) ? along->GetComponent(at, 0) + 0.25
-                                             : world.From.Number(-5.0, 5.0);
+    const double value =
+      world.From.OneIn(2) ? along->GetComponent(at, 0) + 0.25 : world.From.Number(-5.0, 5.0);
     if (along->GetDataType() == VTK_DOUBLE)
     {
       along->SetComponent(at, 0, value);

@@ -175,7 +175,8 @@ void ShrinkTo(const std::string& file, const Run& bytes, bool crashes)
       return !crashes && !why.empty() && KindOf(why) == kind;
     });
   std::ofstream(file, std::ios::binary)
-    .write(reinterpret_cast<const char*>(shrunk.data()), static_cast<std::streamsize>(shrunk.size()));
+    .write(
+      reinterpret_cast<const char*>(shrunk.data()), static_cast<std::streamsize>(shrunk.size()));
   std::cout << bytes.size() << " bytes shrunk to " << shrunk.size() << ": " << file << '\n';
 }
 
@@ -191,7 +192,8 @@ Run BytesOf(const std::string& file)
 int main(int argc, char* argv[])
 {
   Options options;
-  if (!Parse(argc, argv, options) || (options.Files.empty() && options.Steps == 0 && !options.IsOneSeed))
+  if (!Parse(argc, argv, options) ||
+    (options.Files.empty() && options.Steps == 0 && !options.IsOneSeed))
   {
     std::cout << Usage;
     return EXIT_FAILURE;
@@ -219,8 +221,8 @@ int main(int argc, char* argv[])
   const bool isSeeded = options.Steps > 0 || options.IsOneSeed;
   while (isSeeded && (failures == 0 || options.KeepGoing))
   {
-    failures += !Make(Fuzz::Bytes::FromSeed(seed, Fuzz::BytesOfSeed),
-      "--seed " + std::to_string(seed), tally);
+    failures += !Make(
+      Fuzz::Bytes::FromSeed(seed, Fuzz::BytesOfSeed), "--seed " + std::to_string(seed), tally);
     ++seed;
     if (tally.Steps >= options.Steps)
     {

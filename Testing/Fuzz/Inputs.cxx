@@ -169,7 +169,8 @@ vtkSmartPointer<vtkImageData> MakeImage(World& world)
       extent.Of[2 * axis + 1] = from.OneOf(huge);
     }
     image->SetExtent(extent.Of);
-    Story::Tell("  which claims to reach to ", extent.Of[1], ", ", extent.Of[3], ", ", extent.Of[5]);
+    Story::Tell(
+      "  which claims to reach to ", extent.Of[1], ", ", extent.Of[3], ", ", extent.Of[5]);
   }
   else
   {

@@ -124,7 +124,8 @@ void Interrupt(World& world, Oracle& oracle, Tally& tally)
   Mapper* mapper = world.Subject;
   if (from.OneIn(4))
   {
-    // An isomap that is stopped. (Its progress falls where the pipeline has reported its own before.)
+    // An isomap that is stopped. (Its progress falls where the pipeline has reported its own
+    // before.)
     const Meddler stopper(
       mapper, vtkCommand::ProgressEvent, from.Pick(12), [&] { mapper->SetAbortExecute(1); });
     mapper->BuildIsomap(world.Renderer(), world.Volume());
@@ -142,8 +143,7 @@ void Interrupt(World& world, Oracle& oracle, Tally& tally)
     Picture none;
     bool isMade = false, isStopped = false;
     {
-      const Meddler stopper(
-        mapper, events[0], report, [&] { mapper->SetAbortExecute(1); });
+      const Meddler stopper(mapper, events[0], report, [&] { mapper->SetAbortExecute(1); });
       isMade = none.Render(world, mapper);
       isStopped = stopper.IsDone;
       Require(stopper.IsRising, "the progress of a frame falls");
@@ -200,7 +200,8 @@ void AskInVain(World& world, Oracle& oracle)
   switch (from.Pick(10))
   {
     case 0:
-      Require(!mapper->RenderToImage(nullptr, world.Volume(), 9, 9, nullptr, nullptr), "no renderer");
+      Require(
+        !mapper->RenderToImage(nullptr, world.Volume(), 9, 9, nullptr, nullptr), "no renderer");
       break;
     case 1:
       Require(!mapper->RenderToImage(world.Renderer(), nullptr, 9, 9, image, nullptr), "no volume");
@@ -209,10 +210,12 @@ void AskInVain(World& world, Oracle& oracle)
       Require(!mapper->BuildIsomap(nullptr, world.Volume()), "no renderer");
       break;
     case 3:
-      Require(!mapper->IntersectWithLine(world.Volume(), p1, p1, t, nullptr, nullptr, nullptr), "no line");
+      Require(!mapper->IntersectWithLine(world.Volume(), p1, p1, t, nullptr, nullptr, nullptr),
+        "no line");
       break;
     case 4:
-      Require(!mapper->IntersectWithLine(nullptr, p1, p1, t, nullptr, nullptr, nullptr), "no volume");
+      Require(
+        !mapper->IntersectWithLine(nullptr, p1, p1, t, nullptr, nullptr, nullptr), "no volume");
       break;
     case 5:
       mapper->SetIsomapTolerance(nan);

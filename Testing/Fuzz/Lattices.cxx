@@ -201,7 +201,8 @@ vtkSmartPointer<vtkDataObject> MakeBlock(World& world, vtkImageData* first)
   {
     Arrays::AddGhosts(world, block->GetCellData(), block->GetNumberOfCells());
   }
-  Story::Tell("  a block shifted by ", shift, " along axis ", axis, byOrigin ? ", by its origin" : "");
+  Story::Tell(
+    "  a block shifted by ", shift, " along axis ", axis, byOrigin ? ", by its origin" : "");
   return block;
 }
 
@@ -214,9 +215,7 @@ vtkSmartPointer<vtkDataObject> MakeBlocks(World& world)
   const vtkSmartPointer<vtkImageData> first = MakeImage(world);
   const int count = from.Pick(4);
   const auto image = [&](int i)
-  {
-    return i == 0 ? vtkSmartPointer<vtkDataObject>(first) : MakeBlock(world, first);
-  };
+  { return i == 0 ? vtkSmartPointer<vtkDataObject>(first) : MakeBlock(world, first); };
   if (first->GetNumberOfPoints() < 0 || first->GetNumberOfPoints() > 100000)
   {
     return first;

@@ -30,8 +30,8 @@ void SetUp(World& world, vtkLight* light)
   light->SetDiffuseColor(LookNumber(from, 0.0, 1.0), 1.0, 0.5);
   light->SetSpecularColor(1.0, LookNumber(from, 0.0, 1.0), 0.5);
   light->SetSwitch(!from.OneIn(6));
-  Story::Tell("  a light, intensity ", light->GetIntensity(), ", positional ", light->GetPositional(),
-    ", cone ", light->GetConeAngle(), ", exponent ", light->GetExponent());
+  Story::Tell("  a light, intensity ", light->GetIntensity(), ", positional ",
+    light->GetPositional(), ", cone ", light->GetConeAngle(), ", exponent ", light->GetExponent());
 }
 
 void AddLight(World& world)

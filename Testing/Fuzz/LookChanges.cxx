@@ -79,7 +79,8 @@ void NextNumber(World& world)
   std::vector<double> isovalues = Now(world);
   if (!isovalues.empty())
   {
-    isovalues[0] = ValueNumber(std::nextafter(isovalues[0], world.From.OneIn(2) ? world.Low : world.High));
+    isovalues[0] =
+      ValueNumber(std::nextafter(isovalues[0], world.From.OneIn(2) ? world.Low : world.High));
     SetIsovalues(world, isovalues);
   }
 }
@@ -201,9 +202,9 @@ void SetMaterial(World& world)
   property->SetDiffuse(component, LookNumber(from, 0.0, 1.0));
   property->SetSpecular(component, LookNumber(from, 0.0, 1.0));
   property->SetSpecularPower(component, LookNumber(from, 0.0, 80.0));
-  Story::Tell("  shade ", property->GetShade(component), ", ambient ", property->GetAmbient(component),
-    ", diffuse ", property->GetDiffuse(component), ", specular ", property->GetSpecular(component),
-    " ^ ", property->GetSpecularPower(component));
+  Story::Tell("  shade ", property->GetShade(component), ", ambient ",
+    property->GetAmbient(component), ", diffuse ", property->GetDiffuse(component), ", specular ",
+    property->GetSpecular(component), " ^ ", property->GetSpecularPower(component));
 }
 
 void SetComponents(World& world)

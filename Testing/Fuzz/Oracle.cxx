@@ -6,8 +6,8 @@
 #include <vtkDataArray.h>
 #include <vtkMatrix3x3.h>
 #include <vtkMatrix4x4.h>
-#include <vtkPointData.h>
 #include <vtkPlaneCollection.h>
+#include <vtkPointData.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,8 +24,7 @@ class Events
 public:
   explicit Events(Mapper* mapper)
     : Of(mapper)
-    , Tags{ mapper->AddObserver(
-              vtkCommand::VolumeMapperRenderStartEvent, this, &Events::HearStart),
+    , Tags{ mapper->AddObserver(vtkCommand::VolumeMapperRenderStartEvent, this, &Events::HearStart),
       mapper->AddObserver(vtkCommand::VolumeMapperRenderEndEvent, this, &Events::HearEnd) }
   {
   }
@@ -126,7 +125,8 @@ void Oracle::TakeFrame(const Picture& made)
 void Oracle::ExpectErrorsAtMost(int most, const std::string& call)
 {
   const int errors = this->Subject->Errors - this->Heard;
-  Require(errors <= most, call + ": " + std::to_string(errors) + " errors, the last: " + this->Subject->Text);
+  Require(errors <= most,
+    call + ": " + std::to_string(errors) + " errors, the last: " + this->Subject->Text);
   if (errors > 0)
   {
     Require(this->Subject->Text != this->LastError, call + " says again: " + this->LastError);
@@ -144,7 +144,8 @@ void Oracle::ExpectLastPicture(const std::string& after)
 {
   Picture now;
   const bool isThere = now.Fetch(this->Of.Subject);
-  Require(isThere == this->HasFrame, after + ": the last picture is " + (isThere ? "there" : "gone"));
+  Require(
+    isThere == this->HasFrame, after + ": the last picture is " + (isThere ? "there" : "gone"));
   if (isThere)
   {
     const std::string difference = now.Difference(this->Shown, true, true);
@@ -169,8 +170,7 @@ void Oracle::CheckFrame()
       "events: " + std::to_string(events.Starts) + " starts, " + std::to_string(events.Ends) +
         " ends, the last " + (events.IsMade ? "made" : "not made"));
   }
-  Require(Silence::Fall().Errors == foreign,
-    "an error of another object: " + Silence::Fall().Text);
+  Require(Silence::Fall().Errors == foreign, "an error of another object: " + Silence::Fall().Text);
 
   const auto fresh = this->MakeFresh();
   const Ear witness(fresh);
@@ -190,8 +190,8 @@ void Oracle::CheckFrame()
     const bool isSaid = errors == 1 && this->Subject->Text == witness.Text;
     const bool isSaidBefore = errors == 0 && this->LastError == witness.Text;
     Require((isSaid && this->LastError != witness.Text) || isSaidBefore,
-      std::to_string(errors) + " errors: " + this->Subject->Text + "; without a past: " + witness.Text +
-        "; before: " + this->LastError);
+      std::to_string(errors) + " errors: " + this->Subject->Text +
+        "; without a past: " + witness.Text + "; before: " + this->LastError);
     this->LastError = witness.Text;
     Require(next.Color->GetPointData()->GetScalars() == nullptr, "a refused frame writes images");
     this->ExpectLastPicture("after a refusal");
@@ -213,7 +213,8 @@ void Oracle::CompareCounters()
   const vtkIdType sum = subject->GetNumberOfDefiniteHits() + subject->GetNumberOfDefiniteMisses() +
     subject->GetNumberOfPossibleHits();
   Require(rays == this->Shown.CountPixels(), "the number of rays is " + std::to_string(rays));
-  Require(rays == sum, "of " + std::to_string(rays) + " rays " + std::to_string(sum) + " are counted");
+  Require(
+    rays == sum, "of " + std::to_string(rays) + " rays " + std::to_string(sum) + " are counted");
 }
 
 /// By the route, and what settings promise of it.
@@ -244,9 +245,9 @@ void Oracle::Compare(const Picture& cold)
   const int isovalues = world.Property()->GetIsoSurfaceValues()->GetNumberOfContours();
   for (const Picture* picture : { &cold, static_cast<const Picture*>(&this->Shown) })
   {
-    const std::string nonsense = picture->Nonsense(isovalues, world.From.Wildness == 0 && world.IsTame);
-    Require(nonsense.empty(),
-      (picture == &cold ? "cold" : route) + ": " + nonsense);
+    const std::string nonsense =
+      picture->Nonsense(isovalues, world.From.Wildness == 0 && world.IsTame);
+    Require(nonsense.empty(), (picture == &cold ? "cold" : route) + ": " + nonsense);
   }
   if (cold.CountHits() > 0)
   {
@@ -293,8 +294,8 @@ void Oracle::ComparePromise(const Picture& cold)
         static_cast<double>(this->Shown.CountDifferent(cold, 1.001 * tolerance * edge));
     }
   }
-  else if (route == "ImageCache" && subject->GetReuseAccuracy() == Mapper::BOUNDED && world.IsTame &&
-    world.From.Wildness == 0 && edge > 0.0)
+  else if (route == "ImageCache" && subject->GetReuseAccuracy() == Mapper::BOUNDED &&
+    world.IsTame && world.From.Wildness == 0 && edge > 0.0)
   {
     const auto others = static_cast<double>(this->Shown.CountDifferent(cold, edge));
     this->Sum.BoundedPixels += pixels;
@@ -335,7 +336,8 @@ double Oracle::ShortestEdge() const
 
 void Oracle::CheckRefined()
 {
-  if (this->IsRefused || this->IsExact || this->Of.IsUntold || !this->Of.Subject->GetRefineWhenStill())
+  if (this->IsRefused || this->IsExact || this->Of.IsUntold ||
+    !this->Of.Subject->GetRefineWhenStill())
   {
     return;
   }

@@ -32,7 +32,8 @@ std::string FirstOf(const char* name, vtkImageData* a, vtkImageData* b)
   for (vtkIdType pixel = 0; pixel < a->GetNumberOfPoints(); ++pixel)
   {
     const vtkIdType first = pixel * components;
-    if (std::memcmp(here + first, there + first, sizeof(T) * static_cast<std::size_t>(components)) != 0 &&
+    if (std::memcmp(
+          here + first, there + first, sizeof(T) * static_cast<std::size_t>(components)) != 0 &&
       ++count == 1)
     {
       const int width = a->GetDimensions()[0];

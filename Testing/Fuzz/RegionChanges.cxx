@@ -52,7 +52,9 @@ void CropFlags(World& world)
   Bytes& from = world.From;
   const int named[] = { VTK_CROP_SUBVOLUME, VTK_CROP_FENCE, VTK_CROP_INVERTED_FENCE, VTK_CROP_CROSS,
     VTK_CROP_INVERTED_CROSS, 0x7ffffff, 0x7ffffff ^ VTK_CROP_SUBVOLUME, 0 };
-  const int flags = from.OneIn(3) ? from.Pick(0x8000000) : from.IsWild() ? from.WildInt() : from.OneOf(named);
+  const int flags = from.OneIn(3) ? from.Pick(0x8000000)
+    : from.IsWild()               ? from.WildInt()
+                                  : from.OneOf(named);
   world.Subject->SetCroppingRegionFlags(flags);
   Story::Tell("  cropping flags ", flags);
 }

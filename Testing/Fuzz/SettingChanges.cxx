@@ -23,7 +23,8 @@ void SurfaceMode(World& world)
 void Vectors(World& world)
 {
   world.Subject->SetVectorMode(world.From.Pick(3) - 1);
-  world.Subject->SetVectorComponent(world.From.IsWild() ? world.From.WildInt() : world.From.Pick(3));
+  world.Subject->SetVectorComponent(
+    world.From.IsWild() ? world.From.WildInt() : world.From.Pick(3));
   Story::Tell("  vector mode ", world.Subject->GetVectorMode(), ", component ",
     world.Subject->GetVectorComponent());
 }
@@ -45,8 +46,9 @@ void Scalars(World& world)
   {
     world.Subject->SelectScalarArray(from.OneOf(names));
   }
-  Story::Tell("  scalar mode ", world.Subject->GetScalarMode(), ", array ", world.Subject->GetArrayId(),
-    " ", world.Subject->GetArrayName() ? world.Subject->GetArrayName() : "(null)");
+  Story::Tell("  scalar mode ", world.Subject->GetScalarMode(), ", array ",
+    world.Subject->GetArrayId(), " ",
+    world.Subject->GetArrayName() ? world.Subject->GetArrayName() : "(null)");
 }
 
 void DefaultScalars(World& world)
@@ -124,11 +126,14 @@ void Isomap(World& world)
       const double low = world.Low + from.Between(-0.2, 1.0) * (world.High - world.Low);
       const double high = low + from.Between(-0.1, 0.5) * (world.High - world.Low);
       const bool isWild = from.IsWild();
-      mapper->SetIsomapRange(isWild ? ValueNumber(from.Wild()) : low, isWild ? ValueNumber(from.Wild()) : high);
+      mapper->SetIsomapRange(
+        isWild ? ValueNumber(from.Wild()) : low, isWild ? ValueNumber(from.Wild()) : high);
       break;
     }
     case 2:
-      mapper->SetIsomapMemoryLimit(from.IsWild() ? from.WildInt() : from.OneIn(3) ? from.Pick(3) : 256);
+      mapper->SetIsomapMemoryLimit(from.IsWild() ? from.WildInt()
+          : from.OneIn(3)                        ? from.Pick(3)
+                                                 : 256);
       break;
     case 3:
       mapper->SetIsomapShading(from.OneIn(4));
@@ -166,8 +171,7 @@ void Coarseness(World& world)
   const auto distance = [&]
   {
     const double number = from.Number(1.0, 4.0);
-    return std::isnan(number) ? 1.0f
-      : static_cast<float>(std::min(std::max(number, -1e30), 1e30));
+    return std::isnan(number) ? 1.0f : static_cast<float>(std::min(std::max(number, -1e30), 1e30));
   };
   world.Subject->SetImageSampleDistance(distance());
   world.Subject->SetMinimumImageSampleDistance(distance());

@@ -65,7 +65,8 @@ std::vector<std::uint8_t> Shrink(
         else
         {
           Run dull = bytes;
-          std::fill_n(dull.begin() + static_cast<std::ptrdiff_t>(at - length), length, std::uint8_t(0));
+          std::fill_n(
+            dull.begin() + static_cast<std::ptrdiff_t>(at - length), length, std::uint8_t(0));
           isShrunk = accept(dull) || isShrunk;
         }
         at = std::min(at, bytes.size());

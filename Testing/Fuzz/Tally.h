@@ -13,12 +13,13 @@ namespace Fuzz
 struct Tally
 {
   long Runs = 0, Steps = 0;
-  long Refused = 0;                       ///< frames
-  long Seen = 0;                          ///< frames that show a surface
-  std::map<std::string, long> Routes;     ///< frames of each, which show a surface
-  std::map<std::string, long> Acts;       ///< what else was asked of the mapper
-  std::map<std::string, long> Errors;     ///< by their first words
-  double BoundedPixels = 0, BoundedOthers = 0; ///< of tame frames by BOUNDED: all, and those that differ
+  long Refused = 0;                   ///< frames
+  long Seen = 0;                      ///< frames that show a surface
+  std::map<std::string, long> Routes; ///< frames of each, which show a surface
+  std::map<std::string, long> Acts;   ///< what else was asked of the mapper
+  std::map<std::string, long> Errors; ///< by their first words
+  double BoundedPixels = 0,
+         BoundedOthers = 0; ///< of tame frames by BOUNDED: all, and those that differ
   double TolerantPixels = 0, TolerantOthers = 0; ///< the same of look-ups with a tolerance
 };
 

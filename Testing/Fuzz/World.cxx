@@ -45,9 +45,8 @@ vtkImageData* World::Image() const
   }
   const auto leaves = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(tree->NewTreeIterator());
   leaves->InitTraversal();
-  return leaves->IsDoneWithTraversal()
-    ? nullptr
-    : vtkImageData::SafeDownCast(leaves->GetCurrentDataObject());
+  return leaves->IsDoneWithTraversal() ? nullptr
+                                       : vtkImageData::SafeDownCast(leaves->GetCurrentDataObject());
 }
 
 void World::MakeSane()
@@ -92,8 +91,8 @@ void World::MakeSane()
   this->Width = 8 + this->From.Pick(33);
   this->Height = 8 + this->From.Pick(33);
   Story::Tell("  ", this->Width, " x ", this->Height, " pixels");
-  Changes::LookFrom(
-    *this, this->From.Between(-1.0, 1.0), this->From.Between(-1.0, 1.0), this->From.Between(-1.0, 1.0));
+  Changes::LookFrom(*this, this->From.Between(-1.0, 1.0), this->From.Between(-1.0, 1.0),
+    this->From.Between(-1.0, 1.0));
   if (this->From.OneIn(5))
   {
     this->Camera()->ParallelProjectionOn();

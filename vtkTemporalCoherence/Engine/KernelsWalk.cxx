@@ -3,6 +3,7 @@
 #include "KernelsWalk.h"
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 #include <numeric>
 
@@ -77,6 +78,38 @@ HWY_INLINE M HasBit(W word, W place)
   const Words du;
   const W bit = hn::And(hn::Shr(word, place), hn::Set(du, 1u));
   return hn::RebindMask(Doubles(), hn::Ne(bit, hn::Zero(du)));
+}
+
+/// Words that other threads may be writing, which must be read in one access each.
+HWY_INLINE W LoadShared(const std::atomic<std::uint64_t>* words, W at)
+{
+  const Words du;
+#if HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX2
+  // An instruction of the machine, which reads each aligned word at once; the language, which has
+  // no gathering, would only know it as eight reads in a row, at a price that can be measured.
+  static_assert(sizeof(std::atomic<std::uint64_t>) == sizeof(std::uint64_t) &&
+      std::atomic<std::uint64_t>::is_always_lock_free,
+    "an atomic word is a word");
+  const auto* const plain = reinterpret_cast<const std::uint64_t*>(words);
+  return hn::GatherIndex(du, plain, hn::BitCast(Integers(), at));
+#else
+  // Elsewhere Highway would gather by plain reads, which other threads' stores may not meet.
+  const auto load = [words](std::uint64_t place) HWY_ATTR
+  { return words[place].load(std::memory_order_relaxed); };
+  constexpr std::size_t lanes = WidestVector / 2;
+  std::uint64_t places[lanes];
+  hn::StoreU(at, du, places);
+  if (hn::Lanes(du) == 1)
+  {
+    return hn::Set(du, load(places[0]));
+  }
+  std::uint64_t loaded[lanes];
+  for (std::size_t i = 0; i < hn::Lanes(du); ++i)
+  {
+    loaded[i] = load(places[i]);
+  }
+  return hn::LoadU(du, loaded);
+#endif
 }
 
 /// Have leaves' words made that are not known yet.
@@ -224,7 +257,7 @@ private:
     const ActiveCells& active = this->Scene.Active;
     const W first = this->WordsAt(active.Nodes() + 1, node);
     const W word = hn::IfThenElseZero(hn::RebindMask(du, inLeaf), hn::Add(first, leaf));
-    W cells = hn::GatherIndex(du, active.Cells(), hn::BitCast(Integers(), word));
+    W cells = LoadShared(active.Cells(), word);
     const M isNew = hn::And(inLeaf, hn::RebindMask(Doubles(), hn::Eq(cells, hn::Zero(du))));
     if (!hn::AllFalse(Doubles(), isNew))
     {

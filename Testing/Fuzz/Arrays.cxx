@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Arrays.h"
 
-#include "KnownDefects.h"
-
 #include <vtkBitArray.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkFloatArray.h>
@@ -81,9 +79,9 @@ public:
     }
     else if (world.From.IsWild())
     {
-      this->Scale = ValueNumber(std::ldexp(1.0, world.From.Pick(2000) - 1000));
+      this->Scale = std::ldexp(1.0, world.From.Pick(2000) - 1000);
     }
-    this->Odd = ValueNumber(world.From.Wild());
+    this->Odd = world.From.Wild();
     world.IsTame = world.IsTame && this->Share == 0.0 && std::abs(this->Scale) < 1e4;
   }
 
@@ -91,7 +89,7 @@ public:
   {
     if (this->Share > 0.0 && this->Random() < this->Share)
     {
-      return this->Random() < 0.5 ? this->Odd : ValueNumber(this->From.Wild());
+      return this->Random() < 0.5 ? this->Odd : this->From.Wild();
     }
     return this->Scale * this->Plain(x, y, z);
   }

@@ -10,11 +10,13 @@
 #include "Shrink.h"
 #include "Story.h"
 #include "Watchdog.h"
+#include "Windows.h"
 
 #include <vtkObject.h>
 #include <vtkSMPTools.h>
 
 #include <cctype>
+#include <chrono>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
@@ -34,6 +36,8 @@ usage: FuzzMapper [OPTIONS] [FILE...]
   FILE             replay the bytes of a file, or of all files of a folder
   --seed N         replay the run of a seed; with --steps the first seed (default 1)
   --steps N        make runs of one seed after the other until so many steps are made
+  --windows        in render windows, on the display
+  --seconds S      make runs of one seed after the other for so long
   --tell           print what is done, in words (always, where a single run fails)
   --save FOLDER    write the bytes of runs that fail to a file there
   --shrink FILE    write the shortest and dullest bytes that fail in the same way to a file
@@ -43,12 +47,19 @@ usage: FuzzMapper [OPTIONS] [FILE...]
   --patience S     seconds that a step may take (default 20)
 )";
 
+/// Of images, or of windows.
+void (*MakeRun)(const std::vector<std::uint8_t>&, Fuzz::Tally&) = Fuzz::Run;
+
+/// What ctest takes for a test that cannot run here.
+constexpr int SkippedStatus = 125;
+
 struct Options
 {
   std::vector<std::string> Files;
   std::string ShrinkTo;
   std::uint64_t Seed = 1;
   long Steps = 0;
+  double Seconds = 0.0;
   unsigned Patience = 20;
   bool KeepGoing = false, ExpectAll = false, IsOneSeed = false, Crashes = false;
 };
@@ -67,6 +78,10 @@ bool Parse(int argc, char* argv[], Options& options)
     {
       options.KeepGoing = true;
     }
+    else if (argument == "--windows")
+    {
+      MakeRun = Fuzz::Windows::Run;
+    }
     else if (argument == "--crashes")
     {
       options.Crashes = true;
@@ -83,6 +98,10 @@ bool Parse(int argc, char* argv[], Options& options)
     else if (argument == "--steps" && hasValue)
     {
       options.Steps = std::stol(argv[++i]);
+    }
+    else if (argument == "--seconds" && hasValue)
+    {
+      options.Seconds = std::stod(argv[++i]);
     }
     else if (argument == "--patience" && hasValue)
     {
@@ -121,7 +140,7 @@ bool Make(const std::vector<std::uint8_t>& bytes, const std::string& name, Fuzz:
   Fuzz::Report::Begin(bytes, name, tally);
   try
   {
-    Fuzz::Run(bytes, tally);
+    MakeRun(bytes, tally);
     return true;
   }
   catch (const std::exception& failure)
@@ -154,7 +173,7 @@ std::string WhyFails(const Run& bytes)
   Fuzz::Tally tally;
   try
   {
-    Fuzz::Run(bytes, tally);
+    MakeRun(bytes, tally);
     return {};
   }
   catch (const std::exception& failure)
@@ -193,10 +212,15 @@ int main(int argc, char* argv[])
 {
   Options options;
   if (!Parse(argc, argv, options) ||
-    (options.Files.empty() && options.Steps == 0 && !options.IsOneSeed))
+    (options.Files.empty() && options.Steps == 0 && options.Seconds == 0.0 && !options.IsOneSeed))
   {
     std::cout << Usage;
     return EXIT_FAILURE;
+  }
+  if (MakeRun == Fuzz::Windows::Run && !Fuzz::Windows::AreThere())
+  {
+    std::cout << "SKIPPED: there is no display\n";
+    return SkippedStatus;
   }
   // Steps are so small that threads would only wait for each other.
   vtkSMPTools::SetBackend("Sequential");
@@ -218,13 +242,15 @@ int main(int argc, char* argv[])
     failures += !Make(BytesOf(file), file, tally);
   }
   std::uint64_t seed = options.Seed;
-  const bool isSeeded = options.Steps > 0 || options.IsOneSeed;
+  const bool isSeeded = options.Steps > 0 || options.Seconds > 0.0 || options.IsOneSeed;
+  const auto begin = std::chrono::steady_clock::now();
   while (isSeeded && (failures == 0 || options.KeepGoing))
   {
     failures += !Make(
       Fuzz::Bytes::FromSeed(seed, Fuzz::BytesOfSeed), "--seed " + std::to_string(seed), tally);
     ++seed;
-    if (tally.Steps >= options.Steps)
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
+    if (tally.Steps >= options.Steps && spent.count() >= options.Seconds)
     {
       break;
     }

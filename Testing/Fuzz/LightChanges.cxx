@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Changes.h"
 
-#include "KnownDefects.h"
-
 #include <vtkLight.h>
 #include <vtkLightCollection.h>
 #include <vtkNew.h>
@@ -19,16 +17,15 @@ void SetUp(World& world, vtkLight* light)
 {
   Bytes& from = world.From;
   light->SetLightType(1 + from.Pick(3));
-  light->SetPosition(LookNumber(from, -5.0, 5.0), LookNumber(from, -5.0, 5.0), 3.0);
-  light->SetFocalPoint(LookNumber(from, -1.0, 1.0), 0.0, 0.0);
-  light->SetIntensity(LookNumber(from, 0.0, 1.0));
+  light->SetPosition(from.Number(-5.0, 5.0), from.Number(-5.0, 5.0), 3.0);
+  light->SetFocalPoint(from.Number(-1.0, 1.0), 0.0, 0.0);
+  light->SetIntensity(from.Number(0.0, 1.0));
   light->SetPositional(from.Pick(2));
-  light->SetConeAngle(LookNumber(from, 5.0, 100.0));
-  light->SetExponent(LookNumber(from, 0.0, 5.0));
-  light->SetAttenuationValues(
-    LookNumber(from, 0.0, 1.0), LookNumber(from, 0.0, 1.0), LookNumber(from, 0.0, 0.2));
-  light->SetDiffuseColor(LookNumber(from, 0.0, 1.0), 1.0, 0.5);
-  light->SetSpecularColor(1.0, LookNumber(from, 0.0, 1.0), 0.5);
+  light->SetConeAngle(from.Number(5.0, 100.0));
+  light->SetExponent(from.Number(0.0, 5.0));
+  light->SetAttenuationValues(from.Number(0.0, 1.0), from.Number(0.0, 1.0), from.Number(0.0, 0.2));
+  light->SetDiffuseColor(from.Number(0.0, 1.0), 1.0, 0.5);
+  light->SetSpecularColor(1.0, from.Number(0.0, 1.0), 0.5);
   light->SetSwitch(!from.OneIn(6));
   Story::Tell("  a light, intensity ", light->GetIntensity(), ", positional ",
     light->GetPositional(), ", cone ", light->GetConeAngle(), ", exponent ", light->GetExponent());

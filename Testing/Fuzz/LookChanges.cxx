@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Changes.h"
 
-#include "KnownDefects.h"
-
 #include <vtkColorTransferFunction.h>
 #include <vtkContourValues.h>
 #include <vtkNew.h>
@@ -26,7 +24,7 @@ double AnIsovalue(World& world)
   const double value = world.Low + from.Between(-0.05, 1.05) * range;
   if (from.IsWild())
   {
-    return ValueNumber(from.Wild());
+    return from.Wild();
   }
   switch (from.Pick(6))
   {
@@ -65,7 +63,6 @@ void SmallStep(World& world)
   for (double& isovalue : isovalues)
   {
     isovalue += world.From.OneIn(2) ? -step : step;
-    isovalue = ValueNumber(isovalue);
     if (!world.From.OneIn(3))
     {
       break;
@@ -79,8 +76,7 @@ void NextNumber(World& world)
   std::vector<double> isovalues = Now(world);
   if (!isovalues.empty())
   {
-    isovalues[0] =
-      ValueNumber(std::nextafter(isovalues[0], world.From.OneIn(2) ? world.Low : world.High));
+    isovalues[0] = std::nextafter(isovalues[0], world.From.OneIn(2) ? world.Low : world.High);
     SetIsovalues(world, isovalues);
   }
 }
@@ -117,7 +113,7 @@ void SetOpacities(World& world)
   for (int i = 0; i < many; ++i)
   {
     const double at = world.Low + from.Between(-0.2, 1.2) * (world.High - world.Low);
-    const double value = from.IsWild() ? LookNumber(from, -1.0, 2.0) : from.OneOf(usual);
+    const double value = from.IsWild() ? from.Number(-1.0, 2.0) : from.OneOf(usual);
     if (from.OneIn(8))
     {
       opacity->AddPoint(at, value, from.Between(0.0, 1.0), from.Between(0.0, 1.0));
@@ -153,8 +149,8 @@ void SetGradientOpacities(World& world)
   const double steep = (world.High - world.Low) * from.Between(0.0, 1.0);
   for (int i = from.Pick(4); i > 0; --i)
   {
-    const double at = LookNumber(from, 0.0, 1.0) * steep;
-    const double value = LookNumber(from, 0.0, 1.0);
+    const double at = from.Number(0.0, 1.0) * steep;
+    const double value = from.Number(0.0, 1.0);
     if (from.OneIn(4))
     {
       opacity->AddPoint(at, value, from.Between(0.0, 1.0), from.Between(0.0, 1.0));
@@ -178,7 +174,7 @@ void SetColors(World& world)
   {
     vtkNew<vtkPiecewiseFunction> gray;
     gray->AddPoint(world.Low, from.Between(0.0, 1.0));
-    gray->AddPoint(world.High, LookNumber(from, 0.0, 1.0));
+    gray->AddPoint(world.High, from.Number(0.0, 1.0));
     property->SetColor(component, gray);
     return;
   }
@@ -186,7 +182,7 @@ void SetColors(World& world)
   for (int i = from.Pick(4); i > 0; --i)
   {
     const double at = world.Low + from.Between(0.0, 1.0) * (world.High - world.Low);
-    color->AddRGBPoint(at, LookNumber(from, 0.0, 1.0), from.Between(0.0, 1.0), 0.5);
+    color->AddRGBPoint(at, from.Number(0.0, 1.0), from.Between(0.0, 1.0), 0.5);
   }
   color->SetColorSpace(from.Pick(4));
   property->SetColor(component, color);
@@ -198,10 +194,10 @@ void SetMaterial(World& world)
   vtkVolumeProperty* property = world.Property();
   const int component = from.OneIn(5) ? from.Pick(4) : 0;
   property->SetShade(component, from.Pick(4) != 0);
-  property->SetAmbient(component, LookNumber(from, 0.0, 1.0));
-  property->SetDiffuse(component, LookNumber(from, 0.0, 1.0));
-  property->SetSpecular(component, LookNumber(from, 0.0, 1.0));
-  property->SetSpecularPower(component, LookNumber(from, 0.0, 80.0));
+  property->SetAmbient(component, from.Number(0.0, 1.0));
+  property->SetDiffuse(component, from.Number(0.0, 1.0));
+  property->SetSpecular(component, from.Number(0.0, 1.0));
+  property->SetSpecularPower(component, from.Number(0.0, 80.0));
   Story::Tell("  shade ", property->GetShade(component), ", ambient ",
     property->GetAmbient(component), ", diffuse ", property->GetDiffuse(component), ", specular ",
     property->GetSpecular(component), " ^ ", property->GetSpecularPower(component));

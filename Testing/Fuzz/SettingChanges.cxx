@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Changes.h"
 
-#include "KnownDefects.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -107,9 +105,7 @@ double ATolerance(World& world)
 {
   Bytes& from = world.From;
   const double usual[] = { 0.0, 0.0, 0.0, 0.1, 0.5, 2.0 };
-  const double tolerance = from.IsWild() ? from.Wild() : from.OneOf(usual);
-  const bool isTiny = tolerance > 0.0 && tolerance < 1e-3;
-  return isTiny && !KnownDefects::AreNumbersMended ? 0.01 : tolerance;
+  return from.IsWild() ? from.Wild() : from.OneOf(usual);
 }
 
 void Isomap(World& world)
@@ -126,8 +122,7 @@ void Isomap(World& world)
       const double low = world.Low + from.Between(-0.2, 1.0) * (world.High - world.Low);
       const double high = low + from.Between(-0.1, 0.5) * (world.High - world.Low);
       const bool isWild = from.IsWild();
-      mapper->SetIsomapRange(
-        isWild ? ValueNumber(from.Wild()) : low, isWild ? ValueNumber(from.Wild()) : high);
+      mapper->SetIsomapRange(isWild ? from.Wild() : low, isWild ? from.Wild() : high);
       break;
     }
     case 2:

@@ -94,6 +94,26 @@ void TestFarAway()
   Expect(hits > 1000, "something is seen far away: " + std::to_string(hits));
 }
 
+/// Where products of lengths are no numbers any more nothing need be seen, but nothing breaks.
+void TestBeyondNumbers()
+{
+  for (const double far : { 1e120, 1e200, 1e300, 1.7976931348623157e308 })
+  {
+    const vtkSmartPointer<vtkImageData> image = Volumes::Noise(9, VTK_UNSIGNED_CHAR, 0.0, 200.0);
+    image->SetSpacing(1.0, 1.0, 1.0);
+    Scene scene(image, { 100.0 });
+    scene.LookFrom(1.0, -2.0, 0.4);
+    for (const bool isParallel : { false, true })
+    {
+      scene.Renderer->GetActiveCamera()->SetParallelProjection(isParallel);
+      image->SetOrigin(0.0, far, 0.0);
+      ExpectSameByLeaping(scene, std::to_string(std::log10(far)) + " away");
+      image->SetOrigin(-far, far, 0.5 * far);
+      ExpectSameByLeaping(scene, std::to_string(std::log10(far)) + " away along all axes");
+    }
+  }
+}
+
 }
 
 int TestExtremes(int, char*[])
@@ -102,5 +122,6 @@ int TestExtremes(int, char*[])
   vtkFloatingPointExceptions::Disable();
   TestLongEdges();
   TestFarAway();
+  TestBeyondNumbers();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -208,6 +208,11 @@ private:
     };
     const glm::dvec4 world = sizes(this->WorldFromIndex) * cells;
     this->ClipError = Rounding * (sizes(this->Seen.ClipFromWorld) * world);
+    if (!std::isfinite(this->ClipError.x + this->ClipError.y))
+    {
+      // What leaves the range of numbers can be seen anywhere.
+      this->ClipError.w = std::numeric_limits<double>::infinity();
+    }
     const glm::dvec3 reach = glm::dvec3(world) + glm::abs(this->Seen.Position);
     this->DistanceError = Rounding * this->PerRadius * (reach.x + reach.y + reach.z) +
       static_cast<double>(std::numeric_limits<float>::min());

@@ -207,6 +207,17 @@ void TestNullArguments()
   Expect(
     !scene.Mapper->RenderToImage(scene.Renderer, nullptr, 9, 9, nullptr, nullptr), "no volume");
   Expect(observer->GetError(), "said");
+  observer->Clear();
+  scene.Mapper->Render(nullptr, scene.Volume);
+  Expect(observer->GetError(), "said that a window needs a renderer");
+  observer->Clear();
+  double t;
+  const double end[3] = { 1.0, 2.0, 3.0 };
+  Expect(
+    !scene.Mapper->IntersectWithLine(scene.Volume, nullptr, end, t, nullptr, nullptr, nullptr) &&
+      observer->GetError(),
+    "no line");
+  Expect(scene.Mapper->IsOpaque(nullptr), "nothing hides nothing");
   Expect(scene.Mapper->RenderToImage(scene.Renderer, scene.Volume, 9, 9, nullptr, nullptr),
     "images are optional");
   for (const int outside : { -1, 9, 1000000 })

@@ -48,7 +48,10 @@ void ReplaceMapper(World& world, Oracle& oracle)
 void ReplaceVolume(World& world)
 {
   const auto next = vtkSmartPointer<vtkVolume>::New();
-  next->SetMapper(world.Subject);
+  if (!world.From.OneIn(4))
+  {
+    next->SetMapper(world.Subject); // which RenderToImage does not look at
+  }
   next->SetProperty(world.Property());
   for (const auto& renderer : world.Renderers)
   {

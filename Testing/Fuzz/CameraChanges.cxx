@@ -271,6 +271,11 @@ void Resize(World& world)
 
 void NewCamera(World& world)
 {
+  if (world.From.OneIn(3))
+  {
+    world.Renderer()->SetActiveCamera(nullptr); // the renderer makes one when it is asked for it
+    return;
+  }
   world.Renderer()->SetActiveCamera(vtkSmartPointer<vtkCamera>::New());
   LookFrom(world, 1.0, -0.7, 0.4);
 }

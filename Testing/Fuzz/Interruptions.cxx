@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Acts.h"
 
+#include "Inputs.h"
+
 #include <vtkPolyData.h>
 
 #include <cmath>
@@ -90,8 +92,17 @@ void DoWhatIsAllowed(World& world)
   Mapper* mapper = world.Subject;
   vtkNew<vtkImageData> color;
   vtkNew<vtkPolyData> points;
-  switch (world.From.Pick(6))
+  switch (world.From.Pick(8))
   {
+    case 6:
+      mapper->SetInputDataObject(nullptr);
+      mapper->IsOpaque(world.Volume());
+      break;
+    case 7:
+      mapper->SetInputDataObject(Inputs::MakeAny(world));
+      mapper->GetBounds();
+      mapper->ReleaseGraphicsResources(nullptr);
+      break;
     case 0:
       mapper->GetLastFrame(color, nullptr, nullptr, nullptr, nullptr);
       break;

@@ -4,6 +4,7 @@
 
 #include <vtkLight.h>
 #include <vtkLightCollection.h>
+#include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 
 namespace Fuzz
@@ -26,6 +27,12 @@ void SetUp(World& world, vtkLight* light)
   light->SetAttenuationValues(from.Number(0.0, 1.0), from.Number(0.0, 1.0), from.Number(0.0, 0.2));
   light->SetDiffuseColor(from.Number(0.0, 1.0), 1.0, 0.5);
   light->SetSpecularColor(1.0, from.Number(0.0, 1.0), 0.5);
+  if (from.OneIn(8))
+  {
+    vtkNew<vtkMatrix4x4> matrix;
+    matrix->SetElement(from.Pick(4), from.Pick(4), from.Number(-1.0, 2.0));
+    light->SetTransformMatrix(matrix);
+  }
   light->SetSwitch(!from.OneIn(6));
   Story::Tell("  a light, intensity ", light->GetIntensity(), ", positional ",
     light->GetPositional(), ", cone ", light->GetConeAngle(), ", exponent ", light->GetExponent());

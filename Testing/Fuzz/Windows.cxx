@@ -46,8 +46,12 @@ public:
   void Change()
   {
     Bytes& from = this->Of.From;
-    switch (from.Pick(14))
+    switch (from.Pick(15))
     {
+      case 13:
+        this->Window->SetTileScale(1 + from.Pick(3), 1 + from.Pick(2));
+        this->Window->SetTileViewport(0.0, 0.0, from.Between(0.3, 1.0), 1.0);
+        break;
       case 0:
         this->Window->SetSize(1 + from.Pick(60), 1 + from.Pick(60));
         break;

@@ -7,6 +7,9 @@
 #include "InputFromMapper.h"
 #include "ReusePlan.h"
 
+#include <vtkDataArray.h>
+#include <vtkSmartPointer.h>
+
 #include <string>
 #include <vector>
 
@@ -38,6 +41,9 @@ struct FrameRequest
 {
   FrameKey Key;
   std::vector<int> IsovaluePlaces; ///< position in the property's list of each isovalue of the key
+
+  /// The samples, so that they stay where observers give the mapper another input meanwhile.
+  vtkSmartPointer<vtkDataArray> Read;
 };
 
 /// Reads from a mapper, a volume and a renderer everything that a frame depends on, and keeps what

@@ -6,6 +6,8 @@
 #include "FrameRenderer.h"
 #include "Grid.h"
 
+#include <vtkSMPTools.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +17,12 @@
 #include <limits>
 #include <memory>
 #include <random>
+#include <string>
 #include <vector>
+
+#if defined(__SSE2__)
+#include <xmmintrin.h>
+#endif
 
 // Samples and isovalues as large and as small as numbers get, beside 0, infinities and NaN: which
 // side of an isovalue a sample is on is never lost, whatever the type, the kind of vectors, the
@@ -432,5 +439,79 @@ TEST_F(ExtremeValues, AnIsomapOfAllThereIs)
     }
   }
 }
+
+/// From so far away that points on a ray are rounded to anywhere.
+TEST_F(ExtremeValues, CamerasFarAway)
+{
+  Grid<std::uint8_t> ball(glm::ivec3(22, 23, 24));
+  ball.Fill([](int i, int j, int k)
+    { return 20.0 * glm::length(glm::dvec3(i - 10.5, j - 11.0, k - 11.5)); });
+  for (const double distance : { 1e3, 1e10, 1e16, 1e20, 1e30, 1e100 })
+  {
+    FrameKey key = KeyOf(ball, { 1.0, 2.0, 0.7 }, { 40, 30 });
+    SetIsovalues(key, { 120.0 });
+    const glm::dvec3 centre = 0.5 * glm::dvec3(ball.Seen.Dimensions - 1);
+    const glm::dvec3 eye = centre + distance * glm::normalize(glm::dvec3(1.0, 2.0, 0.7));
+    const double near = 0.5 * distance, far = 2.0 * distance;
+    if (!MakeView(glm::lookAt(eye, centre, glm::dvec3(0.0, 0.0, 1.0)),
+          glm::ortho(-20.0, 20.0, -15.0, 15.0, near, far), true, { near, far }, { 40, 30 },
+          key.Seen))
+    {
+      continue;
+    }
+    SCOPED_TRACE(distance);
+    FrameRenderer plain;
+    RenderPlainly(key, plain);
+    this->ForEachTarget(
+      [&](const char* target)
+      {
+        FrameRenderer leaping;
+        ASSERT_TRUE(leaping.Render(key, {}));
+        if (distance < 1e12)
+        {
+          ExpectSame(leaping.LastFrame(), plain.LastFrame(), target);
+        }
+      });
+  }
+}
+
+#if defined(__SSE2__)
+/// A host that was linked with -ffast-math may have denormal numbers taken for 0, for all of us.
+class DenormalsAreZero
+{
+public:
+  DenormalsAreZero()
+    : Before(_mm_getcsr())
+  {
+    constexpr unsigned int flushToZero = 0x8000, denormalsAreZero = 0x0040;
+    _mm_setcsr(this->Before | flushToZero | denormalsAreZero);
+  }
+  ~DenormalsAreZero() { _mm_setcsr(this->Before); }
+  DenormalsAreZero(const DenormalsAreZero&) = delete;
+  void operator=(const DenormalsAreZero&) = delete;
+
+private:
+  unsigned int Before;
+};
+
+TEST_F(ExtremeValues, RoutesAgreeWhereDenormalsAreZero)
+{
+  // In this thread alone.
+  const std::string before = vtkSMPTools::GetBackend();
+  vtkSMPTools::SetBackend("Sequential");
+  {
+    const DenormalsAreZero here;
+    for (unsigned int seed = 1; seed <= 40 && !HasFailure(); ++seed)
+    {
+      this->TryAll<std::uint8_t>(seed);
+      this->TryAll<std::int16_t>(seed);
+      this->TryAll<std::int64_t>(seed);
+      this->TryAll<float>(seed);
+      this->TryAll<double>(seed);
+    }
+  }
+  vtkSMPTools::SetBackend(before.c_str());
+}
+#endif
 
 }

@@ -68,7 +68,10 @@ ValueBand BandPlan::Choose(const Wish& wish, const LeafHistogram& leaves, bool i
   {
     (ahead > 0.0 ? band.Low : band.High) = behind;
   }
-  return { std::max(band.Low, wish.Gap.Low), std::min(band.High, wish.Gap.High) };
+  // A width may have been too large for a number.
+  constexpr double most = std::numeric_limits<double>::max();
+  return { std::max({ band.Low, wish.Gap.Low, -most }),
+    std::min({ band.High, wish.Gap.High, most }) };
 }
 
 /// What holds the next isovalues.
@@ -96,7 +99,8 @@ void BandPlan::Learn(const ValueBand& band, std::int64_t cellsRead, std::int64_t
     return;
   }
   // A band that only fills a gap tells little.
-  const double width = std::max(band.High - band.Low, 0.5 * this->Width);
+  const double width = std::min(
+    std::max(band.High - band.Low, 0.5 * this->Width), 0.25 * std::numeric_limits<double>::max());
   this->Width = width * std::min(std::max(EnoughCells / std::max(cells, 0.01), 0.25), 2.0);
 }
 

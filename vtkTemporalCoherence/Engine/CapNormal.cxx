@@ -17,7 +17,7 @@ int NearestPlane(const Field& field, int axis, double at)
 {
   if (!field.Grid)
   {
-    return static_cast<int>(std::round(at));
+    return static_cast<int>(std::round(glm::clamp(at, -1.0, field.Dimensions[axis] + 0.0)));
   }
   const int cell = field.Grid->CellOf(axis, at);
   const double toLow = at - field.Grid->At(axis, cell);
@@ -38,10 +38,11 @@ glm::ivec3 CellOf(const Field& field, const glm::dvec3& point)
   glm::ivec3 cell;
   for (int axis = 0; axis < 3; ++axis)
   {
+    const double last = field.Dimensions[axis] - 2;
     cell[axis] = field.Grid ? field.Grid->CellOf(axis, point[axis])
-                            : static_cast<int>(std::floor(point[axis]));
+                            : static_cast<int>(std::floor(glm::clamp(point[axis], 0.0, last)));
   }
-  return glm::clamp(cell, glm::ivec3(0), field.Dimensions - 2);
+  return cell;
 }
 
 /// True if a ray that passes a plane across an axis comes from outside of the field or from a

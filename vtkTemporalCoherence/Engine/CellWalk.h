@@ -28,9 +28,10 @@ struct BatchRay
   /// Coordinate of the cell that the ray is in at t, kept within low and high.
   int CellAt(int axis, double t, int low, int high) const
   {
-    // Rounding towards 0 is rounding down, but below 0, where low is what counts.
-    const int cell = static_cast<int>(this->Origin(axis) + t * this->Direction(axis));
-    return cell < low ? low : (cell > high ? high : cell);
+    // Seen from very far away a point may be rounded to anywhere: it is kept within before it is a
+    // whole number. Rounding towards 0 is rounding down where it is not below low.
+    const double x = this->Origin(axis) + t * this->Direction(axis);
+    return !(x > low) ? low : (x < high ? static_cast<int>(x) : high);
   }
 
   /// The cell that the ray is in at t, within a field of so many cells.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace TemporalCoherence
 {
@@ -14,12 +15,19 @@ namespace
 
 PackedNormal Pack(const glm::dvec3& normal)
 {
-  const double length = glm::length(normal);
-  const double scale = length > 0.0 ? static_cast<double>(LargestNormal) / length : 0.0;
-  PackedNormal packed;
+  // Scaled first: squares of very small or large components would leave the range of numbers.
+  const double largest =
+    std::max(std::abs(normal.x), std::max(std::abs(normal.y), std::abs(normal.z)));
+  PackedNormal packed{};
+  if (!(largest >= std::numeric_limits<double>::min() && std::isfinite(largest)))
+  {
+    return packed;
+  }
+  const glm::dvec3 unit = glm::normalize(normal / largest);
   for (std::size_t a = 0; a < 3; ++a)
   {
-    packed[a] = static_cast<std::int16_t>(std::lround(normal[static_cast<int>(a)] * scale));
+    const double component = unit[static_cast<int>(a)] * static_cast<double>(LargestNormal);
+    packed[a] = static_cast<std::int16_t>(std::lround(component));
   }
   return packed;
 }

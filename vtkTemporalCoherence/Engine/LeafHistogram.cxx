@@ -33,7 +33,7 @@ void LeafHistogram::Build(const Field& field, const ValueRangePyramid& pyramid)
   this->Release();
   const glm::dvec2& range = pyramid.FiniteRange();
   this->Low = range.x;
-  this->Span = range.y - range.x;
+  this->High = range.y;
   std::vector<std::int64_t> mins(Bins), maxs(Bins);
   std::int64_t all = 0;
   const std::int64_t nodes = pyramid.NumberOfNodes();
@@ -77,7 +77,8 @@ double LeafHistogram::BinOf(double value) const
   {
     return 0.0; // what is not a number, too
   }
-  const double share = (std::min(value, this->Low + this->Span) - this->Low) / this->Span;
+  // By halves: the range of values may be too large for a number.
+  const double share = (0.5 * value - 0.5 * this->Low) / (0.5 * this->High - 0.5 * this->Low);
   return share <= 1.0 ? share * Bins : Bins;
 }
 

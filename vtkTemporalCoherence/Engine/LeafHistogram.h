@@ -7,7 +7,9 @@
 #include "Surfaces.h"
 #include "ValueRangePyramid.h"
 
+#include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace TemporalCoherence
@@ -25,8 +27,11 @@ public:
 
   bool IsEmpty() const { return this->MinAtLeast.empty(); }
 
-  /// Largest minus smallest finite sample.
-  double Range() const { return this->Span; }
+  /// Largest minus smallest finite sample, or the largest number if that is too large for one.
+  double Range() const
+  {
+    return std::min(this->High - this->Low, std::numeric_limits<double>::max());
+  }
 
   /// Share of all leaves through which some isovalue of the band passes, 0 to 1.
   double ShareOf(const ValueBand& band) const;
@@ -36,7 +41,7 @@ private:
 
   double BinOf(double value) const;
 
-  double Low = 0.0, Span = 0.0;
+  double Low = 0.0, High = 0.0;               ///< smallest and largest finite sample
   std::vector<double> MinAtLeast, MaxAtLeast; ///< share of leaves, by bin
 };
 

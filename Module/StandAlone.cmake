@@ -31,7 +31,7 @@ set(vtk_components
 if (BUILD_TESTING OR TEMPORAL_COHERENCE_BUILD_BENCHMARKS)
   list(APPEND vtk_components
     CommonSystem FiltersCore FiltersGeometry FiltersSources ImagingCore InteractionStyle IOImage IOLegacy IOXML
-    RenderingVolumeOpenGL2 TestingCore TestingRendering)
+    RenderingVolumeOpenGL2 TestingCore TestingRendering zlib)
 endif ()
 set(vtk_chart_components)
 if (TEMPORAL_COHERENCE_BUILD_BENCHMARKS)

@@ -29,3 +29,12 @@ foreach (library IN ITEMS DrawInExplorer DrawInOrbitAndSweep)
   vtk_module_autoinit(TARGETS "${library}" MODULES ${VTK_LIBRARIES})
   target_link_libraries(OpenFiles PRIVATE "${library}")
 endforeach ()
+
+# A few broken files of each format; run.sh opens as many as one likes.
+find_package(Python3 COMPONENTS Interpreter)
+if (Python3_Interpreter_FOUND)
+  add_test(NAME Files-Cxx
+    COMMAND "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_LIST_DIR}/Files/fuzz_files.py"
+      --opener "$<TARGET_FILE:OpenFiles>" --count 4
+      --scratch "${CMAKE_BINARY_DIR}/Testing/Files/cxx")
+endif ()

@@ -40,20 +40,20 @@ struct Counter
 
 }
 
-Histogram CountSamples(vtkImageData* image)
+Histogram CountSamples(vtkImageData* image, const std::string& name)
 {
   Histogram histogram;
   vtkDataArray* array = image->GetPointData()->GetScalars();
   array->GetFiniteRange(histogram.Range.data(), 0);
   if (histogram.Range[0] > histogram.Range[1])
   {
-    throw UserError("No sample of the volume is a number: it has no isosurface; choose another "
-                    "volume, or another type for --raw.");
+    throw UserError("No sample of " + name +
+      " is a number: it has no isosurface; choose another volume, or another type for --raw.");
   }
   if (!std::isfinite(histogram.Range[1] - histogram.Range[0]))
   {
     std::ostringstream what;
-    what << "The volume's values, " << histogram.Range[0] << " to " << histogram.Range[1]
+    what << "The values of " << name << ", " << histogram.Range[0] << " to " << histogram.Range[1]
          << ", lie too far apart to choose an isovalue between them; scale them down, or choose "
             "another type for --raw.";
     throw UserError(what.str());
@@ -61,7 +61,7 @@ Histogram CountSamples(vtkImageData* image)
   if (!(histogram.Range[0] < histogram.Range[1]))
   {
     std::ostringstream what;
-    what << "All samples of the volume have the value " << histogram.Range[0]
+    what << "All samples of " << name << " have the value " << histogram.Range[0]
          << ": it has no isosurface; choose another volume, or another type for --raw.";
     throw UserError(what.str());
   }

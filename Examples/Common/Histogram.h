@@ -4,6 +4,7 @@
 #define Histogram_h
 
 #include <array>
+#include <string>
 #include <vector>
 
 class vtkImageData;
@@ -17,6 +18,7 @@ struct Histogram
 };
 
 // Throws UserError if all samples are the same.
-Histogram CountSamples(vtkImageData* image);
+// \param name of the volume, for messages
+Histogram CountSamples(vtkImageData* image, const std::string& name);
 
 #endif

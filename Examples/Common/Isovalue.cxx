@@ -64,7 +64,8 @@ double ValueBetweenClasses(const Histogram& histogram)
 
 }
 
-IsovalueChoice ChooseIsovalue(const Histogram& histogram, const std::optional<double>& given)
+IsovalueChoice ChooseIsovalue(
+  const Histogram& histogram, const std::optional<double>& given, const std::string& name)
 {
   IsovalueChoice choice;
   choice.Range = histogram.Range;
@@ -73,8 +74,8 @@ IsovalueChoice ChooseIsovalue(const Histogram& histogram, const std::optional<do
   if (choice.Value < choice.Range[0] || choice.Value > choice.Range[1])
   {
     std::ostringstream what;
-    what << "Isovalue " << choice.Value << " lies outside the volume's values, " << choice.Range[0]
-         << " to " << choice.Range[1]
+    what << "Isovalue " << choice.Value << " lies outside the values of " << name << ", "
+         << choice.Range[0] << " to " << choice.Range[1]
          << ": nothing would be drawn; choose one between, for example "
          << ValueBetweenClasses(histogram) << ".";
     throw UserError(what.str());

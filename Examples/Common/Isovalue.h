@@ -5,6 +5,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 
 struct Histogram;
 
@@ -16,6 +17,8 @@ struct IsovalueChoice
 };
 
 // The isovalue asked for, or one chosen from the histogram. Throws UserError if it meets nothing.
-IsovalueChoice ChooseIsovalue(const Histogram& histogram, const std::optional<double>& given);
+// \param name of the volume, for messages
+IsovalueChoice ChooseIsovalue(
+  const Histogram& histogram, const std::optional<double>& given, const std::string& name);
 
 #endif

@@ -48,9 +48,12 @@ Character CharacterAt(const std::string& text, std::size_t at)
 bool IsHarmless(std::uint32_t character)
 {
   const bool isControl = character < 0x20 || (character >= 0x7f && character < 0xa0);
-  const bool isDirection = character == 0x061c || character == 0x200e || character == 0x200f ||
-    (character >= 0x2028 && character <= 0x202e) || (character >= 0x2066 && character <= 0x2069);
-  return !isControl && !isDirection;
+  // Invisible ones, and those that end lines or reverse the direction of writing.
+  const bool isFormat = character == 0x00ad || character == 0x061c || character == 0xfeff ||
+    (character >= 0x200b && character <= 0x200f) || (character >= 0x2028 && character <= 0x202e) ||
+    (character >= 0x2060 && character <= 0x206f) || (character >= 0xfff9 && character <= 0xfffc) ||
+    (character >= 0xe0000 && character <= 0xe0fff);
+  return !isControl && !isFormat;
 }
 
 void AppendBytes(const std::string& text, std::size_t begin, std::size_t size, std::string& to)

@@ -2,23 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VolumeReader.h"
 
+#include "FileCheck.h"
 #include "FourSpheres.h"
 #include "Quoted.h"
 #include "Silence.h"
 #include "UserError.h"
 
 #include <vtkAlgorithm.h>
+#include <vtkBitArray.h>
 #include <vtkCallbackCommand.h>
 #include <vtkDICOMImageReader.h>
 #include <vtkDataArray.h>
-#include <vtkDataSet.h>
-#include <vtkGenericDataObjectReader.h>
 #include <vtkImageReader2.h>
 #include <vtkMetaImageReader.h>
 #include <vtkNIFTIImageReader.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkSLCReader.h>
+#include <vtkStructuredPoints.h>
+#include <vtkStructuredPointsReader.h>
+#include <vtkVector.h>
 #include <vtkXMLImageDataReader.h>
 
 #include <algorithm>
@@ -28,6 +31,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <new>
+#include <sstream>
 
 namespace
 {
@@ -128,25 +133,15 @@ vtkSmartPointer<vtkImageData> ReadImage(
 
 vtkSmartPointer<vtkImageData> ReadLegacy(const std::string& path, const ReadingProgress& progress)
 {
-  vtkNew<vtkGenericDataObjectReader> reader;
+  vtkNew<vtkStructuredPointsReader> reader;
   reader->SetFileName(path.c_str());
   Watch(reader, progress).Update(path);
-  vtkDataObject* output = reader->GetOutput();
-  if (!vtkDataSet::SafeDownCast(output))
-  {
-    throw Unreadable(path);
-  }
-  auto* image = vtkImageData::SafeDownCast(output);
-  if (!image)
-  {
-    throw UserError(Quoted(path) + " holds a " + output->GetClassName() +
-      ", not an image; resample it with vtkResampleToImage and save it as .vti.");
-  }
-  return image;
+  return reader->GetOutput();
 }
 
 vtkSmartPointer<vtkImageData> ReadDicom(const std::string& path, const ReadingProgress& progress)
 {
+  CheckDicomFiles(path);
   vtkNew<vtkDICOMImageReader> reader;
   reader->SetDirectoryName(path.c_str());
   Watch(reader, progress).Update(path);
@@ -162,17 +157,19 @@ vtkSmartPointer<vtkImageData> ReadDicom(const std::string& path, const ReadingPr
 vtkSmartPointer<vtkImageData> ReadRaw(const std::string& path, const RawLayout& layout,
   bool isBigEndian, const ReadingProgress& progress)
 {
-  std::uintmax_t wanted =
-    static_cast<std::uintmax_t>(vtkDataArray::GetDataTypeSize(layout.ScalarType));
+  double wanted = static_cast<double>(vtkDataArray::GetDataTypeSize(layout.ScalarType));
   for (const int n : layout.Dimensions)
   {
-    wanted *= static_cast<std::uintmax_t>(n);
+    wanted *= static_cast<double>(n);
   }
-  const std::uintmax_t there = fs::file_size(path);
-  if (there != wanted)
+  const std::uintmax_t there = SizeOf(path);
+  if (static_cast<double>(there) != wanted)
   {
-    throw UserError(Quoted(path) + " has " + std::to_string(there) + " bytes, but --raw tells of " +
-      std::to_string(wanted) + "; correct the dimensions or the type.");
+    std::ostringstream what;
+    what.precision(15);
+    what << Quoted(path) << " has " << there << " bytes, but --raw tells of " << wanted
+         << "; correct the dimensions or the type.";
+    throw UserError(what.str());
   }
   vtkNew<vtkImageReader2> reader;
   reader->SetFileName(path.c_str());
@@ -218,22 +215,27 @@ Volume ReadFile(const std::string& path, const ReadingProgress& progress)
   Volume volume;
   if (EndsWith(name, ".vti"))
   {
+    CheckXmlImage(path);
     volume.Image = ReadImage(vtkNew<vtkXMLImageDataReader>().Get(), path, progress);
   }
   else if (EndsWith(name, ".vtk"))
   {
+    CheckLegacyFile(path);
     volume.Image = ReadLegacy(path, progress);
   }
   else if (EndsWith(name, ".mhd") || EndsWith(name, ".mha"))
   {
+    CheckMetaImage(path);
     volume.Image = ReadImage(vtkNew<vtkMetaImageReader>().Get(), path, progress);
   }
   else if (EndsWith(name, ".nii") || EndsWith(name, ".nii.gz"))
   {
+    CheckNifti(path);
     volume = ReadNifti(path, progress);
   }
   else if (EndsWith(name, ".slc"))
   {
+    CheckSlc(path);
     volume.Image = ReadImage(vtkNew<vtkSLCReader>().Get(), path, progress);
   }
   else
@@ -255,15 +257,65 @@ void CheckImage(vtkImageData* image, const std::string& name)
       " samples; a volume needs at least 2 along each axis.");
   }
   vtkPointData* points = image->GetPointData();
-  if (!points->GetScalars())
+  // Some arrays have no name, and some no numbers.
+  for (int i = 0; i < points->GetNumberOfArrays() && !points->GetScalars(); ++i)
   {
-    vtkDataArray* first = points->GetArray(0);
-    if (!first)
+    points->SetActiveAttribute(i, vtkDataSetAttributes::SCALARS);
+  }
+  vtkDataArray* scalars = points->GetScalars();
+  if (!scalars)
+  {
+    throw UserError(
+      name + " has no scalars at its points; cell data become such with vtkCellDataToPointData.");
+  }
+  if (scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
+  {
+    throw UserError(name + " has " + std::to_string(scalars->GetNumberOfTuples()) + " scalars at " +
+      std::to_string(image->GetNumberOfPoints()) + " points; check that the file is whole.");
+  }
+  if (vtkBitArray::SafeDownCast(scalars))
+  {
+    throw UserError(name + " has samples of one bit; convert them with vtkImageCast.");
+  }
+}
+
+// Cameras are placed by the box of the samples: it must be one that numbers can tell of.
+void CheckPlace(const Volume& volume, const std::string& name)
+{
+  constexpr double Largest = 1e15, Farthest = 1e9, Flattest = 1e-6;
+  vtkNew<vtkMatrix4x4> place;
+  vtkMatrix4x4::Multiply4x4(volume.Placement ? volume.Placement.Get() : place.Get(),
+    volume.Image->GetIndexToPhysicalMatrix(), place);
+  const int* extent = volume.Image->GetExtent();
+  std::array<vtkVector3d, 3> edges;
+  vtkVector3d corner;
+  double shortest = Largest, longest = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    corner[i] = place->GetElement(i, 3);
+    for (int axis = 0; axis < 3; ++axis)
     {
-      throw UserError(
-        name + " has no scalars at its points; cell data become such with vtkCellDataToPointData.");
+      const double step = place->GetElement(i, axis);
+      corner[i] += step * extent[2 * axis];
+      edges[static_cast<std::size_t>(axis)][i] = step * (extent[2 * axis + 1] - extent[2 * axis]);
     }
-    points->SetActiveScalars(first->GetName());
+  }
+  bool areNumbers = corner.Norm() <= Largest;
+  for (const vtkVector3d& edge : edges)
+  {
+    areNumbers = areNumbers && edge.Norm() <= Largest;
+    shortest = std::min(shortest, edge.Norm());
+    longest = std::max(longest, edge.Norm());
+  }
+  // Of edges as long as the volume's, at right angles, it would be 1.
+  const double upright = std::abs(edges[0].Cross(edges[1]).Dot(edges[2])) /
+    (edges[0].Norm() * edges[1].Norm() * edges[2].Norm());
+  if (!areNumbers || !(shortest >= 1.0 / Largest) || !(shortest >= Flattest * longest) ||
+    !(upright >= Flattest) || !(corner.Norm() <= Farthest * longest))
+  {
+    throw UserError(name +
+      " has a spacing, an origin or a direction with which it cannot be seen; correct them in its "
+      "header.");
   }
 }
 
@@ -276,18 +328,14 @@ bool HasVolumeSuffix(const std::string& path)
     [&name](const char* suffix) { return EndsWith(name, suffix); });
 }
 
-Volume ReadVolume(const VolumeSource& source, const ReadingProgress& progress)
+namespace
+{
+
+Volume ReadPath(const VolumeSource& source, const ReadingProgress& progress)
 {
   const Silence silence;
   const std::string& path = source.Path;
   Volume volume;
-  if (path.empty())
-  {
-    volume.Image = MakeFourSpheres(source.Spheres);
-    volume.Name = "four generated spheres";
-    CheckImage(volume.Image, "The generated volume");
-    return volume;
-  }
 
   std::error_code error;
   if (!fs::exists(path, error))
@@ -317,5 +365,38 @@ Volume ReadVolume(const VolumeSource& source, const ReadingProgress& progress)
   }
   volume.Name = Printable(fs::path(path).filename().string());
   CheckImage(volume.Image, Quoted(path));
+  CheckPlace(volume, Quoted(path));
   return volume;
+}
+
+}
+
+Volume ReadVolume(const VolumeSource& source, const ReadingProgress& progress)
+{
+  if (source.Path.empty())
+  {
+    Volume volume;
+    volume.Image = MakeFourSpheres(source.Spheres);
+    volume.Name = "four generated spheres";
+    CheckImage(volume.Image, "The generated volume");
+    return volume;
+  }
+  try
+  {
+    return ReadPath(source, progress);
+  }
+  catch (const UserError&)
+  {
+    throw;
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw UserError(Quoted(source.Path) +
+      " takes more memory than there is; check that the file is whole, or choose a smaller one.");
+  }
+  catch (const std::exception&)
+  {
+    // Readers throw where a header leads them astray.
+    throw Unreadable(source.Path);
+  }
 }

@@ -3,6 +3,7 @@
 #include "Model.h"
 
 #include "Isovalue.h"
+#include "Quoted.h"
 
 #include <algorithm>
 #include <sstream>
@@ -26,8 +27,9 @@ void Model::Open(const Session& session)
   Volume volume = ReadVolume(session.Source,
     [this, &path](double share)
     { return !this->Report || this->Report("Reading " + path, share); });
-  Histogram samples = CountSamples(volume.Image);
-  const IsovalueChoice isovalue = ChooseIsovalue(samples, session.Isovalue);
+  const std::string name = Quoted(volume.Name);
+  Histogram samples = CountSamples(volume.Image, name);
+  const IsovalueChoice isovalue = ChooseIsovalue(samples, session.Isovalue, name);
 
   // Nothing can go wrong from here on.
   this->Shown = std::move(volume);

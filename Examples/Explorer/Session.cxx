@@ -6,6 +6,9 @@
 #include "Quoted.h"
 #include "UserError.h"
 
+#include <vtkVector.h>
+#include <vtkVectorOperators.h>
+
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
@@ -123,12 +126,19 @@ void TakeLine(const std::string& line, const std::map<std::string, Taker>& taker
   taker->second(session, Trimmed(line.substr(equals + 1)));
 }
 
-// A view without a direction would draw nothing.
+// A view without a direction would draw nothing, nor would one from where numbers end.
 bool IsUsable(const CameraState& camera)
 {
-  return camera.Position != camera.FocalPoint &&
-    camera.ViewUp != std::array<double, 3>{ 0.0, 0.0, 0.0 } && camera.ViewAngle > 0.0 &&
-    camera.ViewAngle < 180.0;
+  constexpr double Farthest = 1e15, Nearest = 1e-9;
+  const vtkVector3d position(camera.Position.data()), focus(camera.FocalPoint.data()),
+    up(camera.ViewUp.data());
+  const vtkVector3d direction = focus - position;
+  const double distance = direction.Norm();
+  return position.Norm() < Farthest && focus.Norm() < Farthest && up.Norm() < Farthest &&
+    up.Norm() > 1.0 / Farthest && distance > 1.0 / Farthest &&
+    distance > Nearest * (position.Norm() + focus.Norm()) &&
+    direction.Cross(up).Norm() > Nearest * distance * up.Norm() && camera.ViewAngle > 1e-5 &&
+    camera.ViewAngle < 179.0;
 }
 
 }

@@ -36,7 +36,9 @@ void Describe(const Volume& volume, const IsovalueChoice& isovalue, const Option
 void Run(const Options& options)
 {
   const Volume volume = ReadVolume(options.Source);
-  const IsovalueChoice isovalue = ChooseIsovalue(CountSamples(volume.Image), options.Isovalue);
+  const std::string name = Quoted(volume.Name);
+  const IsovalueChoice isovalue =
+    ChooseIsovalue(CountSamples(volume.Image, name), options.Isovalue, name);
   Describe(volume, isovalue, options);
   Scene scene(volume, isovalue, options);
   PictureBook book(options.OutputDirectory);

@@ -21,7 +21,7 @@ import urllib.parse
 
 from mistakes import Arguments, UserError, printable, quoted, run
 # Before other packages, as it tells what is missing.
-from volumes import add_volume_arguments, check_isovalue, number_from, volume_of
+from volumes import add_volume_arguments, check_isovalue, name_of, number_from, volume_of
 
 from scene import Scene
 from vtkTemporalCoherence import write_png
@@ -205,7 +205,7 @@ def parse() -> argparse.Namespace:
 def main() -> None:
     given = parse()
     check_size(given.size)
-    scene = Scene(volume_of(given))
+    scene = Scene(volume_of(given), name_of(given))
     isovalues = given.isovalue or [sum(scene.limits) / 2.0]
     azimuths = given.azimuth or [30.0]
     for isovalue in isovalues:

@@ -22,8 +22,8 @@ class Scene:
     Attributes: mapper; limits, the least and the greatest value of the volume.
     """
 
-    def __init__(self, image: vtkImageData) -> None:
-        self.limits = value_range(image)
+    def __init__(self, image: vtkImageData, what: str = "the volume") -> None:
+        self.limits = value_range(image, what)
         self.mapper = vtkTemporalCoherenceVolumeMapper()
         self.mapper.SetInputData(image)
         self._volume = vtkVolume()

@@ -17,7 +17,7 @@ from typing import Iterator
 
 from mistakes import Arguments, UserError, printable, quoted, run
 # Before other packages, as it tells what is missing.
-from volumes import add_volume_arguments, check_isovalue, number_from, size_of, volume_of
+from volumes import add_volume_arguments, check_isovalue, name_of, number_from, size_of, volume_of
 
 import numpy
 from scene import Scene
@@ -135,7 +135,7 @@ def parse() -> argparse.Namespace:
 
 def main() -> None:
     given = parse()
-    scene = Scene(volume_of(given))
+    scene = Scene(volume_of(given), name_of(given))
     low, high = scene.limits
     first = low + 0.1 * (high - low) if given.first is None else given.first
     last = high - 0.1 * (high - low) if given.last is None else given.last

@@ -9,8 +9,10 @@ import contextlib
 import os
 import pathlib
 import sys
+import warnings
 from typing import Callable, Iterator
 
+from headers import check_header
 from mistakes import UserError, printable, quoted, shortened
 
 try:
@@ -68,9 +70,13 @@ def volume_of(arguments: argparse.Namespace) -> vtkImageData:
         image = make_spheres(128)
     else:
         image = read_volume(arguments.volume)
-    what = "The generated volume" if arguments.volume is None else quoted(arguments.volume)
-    choose_array(image, arguments.array, what)
+    choose_array(image, arguments.array, name_of(arguments))
     return image
+
+
+def name_of(arguments: argparse.Namespace) -> str:
+    """What messages call the volume."""
+    return "The generated volume" if arguments.volume is None else quoted(arguments.volume)
 
 
 def make_spheres(samples: int) -> vtkImageData:
@@ -95,6 +101,7 @@ def read_volume(path: str) -> vtkImageData:
     suffix = next((suffix for suffix in READERS if path.lower().endswith(suffix)), None)
     if suffix is None:
         raise UserError(f"The suffix of {quoted(path)} is none of {SUFFIXES}: convert the volume.")
+    check_header(path)
     reader = READERS[suffix]()
     reader.SetFileName(path)
     with _errors_of_vtk() as errors:
@@ -128,15 +135,41 @@ def choose_array(image: vtkImageData, name: str | None, what: str) -> None:
         there = shortened(printable(", ".join(arrays)))
         raise UserError(f"{what} has no array {quoted(name)}: choose one of {there}.")
     points.SetActiveAttribute(arrays[name], vtkDataSetAttributes.SCALARS)
+    scalars = points.GetScalars()
+    if not scalars or scalars.GetNumberOfTuples() != image.GetNumberOfPoints() or \
+            scalars.IsA("vtkBitArray"):
+        raise UserError(
+            f"{what} has no number for each of its points in {quoted(name)}: check that it is whole.")
+    _check_place(image, what)
 
 
-def value_range(image: vtkImageData) -> tuple[float, float]:
+def _check_place(image: vtkImageData, what: str) -> None:
+    """The camera is placed by the box of the samples: it must be one that numbers can tell of."""
+    largest, farthest, flattest = 1e15, 1e9, 1e-6
+    matrix = image.GetIndexToPhysicalMatrix()
+    extent = image.GetExtent()
+    steps = numpy.array([[matrix.GetElement(i, j) for j in range(4)] for i in range(3)])
+    with numpy.errstate(all="ignore"):
+        edges = steps[:, :3] * [extent[1] - extent[0], extent[3] - extent[2], extent[5] - extent[4]]
+        corner = numpy.linalg.norm(steps[:, 3] + steps[:, :3] @ extent[::2])
+        lengths = numpy.linalg.norm(edges, axis=0)
+        upright = abs(numpy.linalg.det(edges / lengths)) if numpy.isfinite(edges).all() and \
+            lengths.all() else 0.0
+    if not (corner <= largest and 1.0 / largest <= lengths.min() and lengths.max() <= largest and
+            lengths.min() >= flattest * lengths.max() and upright >= flattest and
+            corner <= farthest * lengths.max()):
+        raise UserError(
+            f"{what} has a spacing, an origin or a direction with which it cannot be seen: correct "
+            f"them in its header.")
+
+
+def value_range(image: vtkImageData, what: str) -> tuple[float, float]:
     """The least and the greatest number among the scalars; an error if there is no surface."""
     low, high = image.GetPointData().GetScalars().GetFiniteRange(0)
     if not low < high:
         raise UserError(
-            "The samples of the volume are all the same or no numbers, so that it has no "
-            "isosurface: choose another volume or array.")
+            f"The samples of {what} are all the same or no numbers, so that it has no isosurface: "
+            f"choose another volume or array.")
     return low, high
 
 
@@ -151,10 +184,18 @@ def check_isovalue(isovalue: float, limits: tuple[float, float]) -> None:
 def _read_array(path: str) -> vtkImageData:
     try:
         # Mapped, not read: what a big array has is loaded when it is looked at.
-        return numpy_to_image(numpy.load(path, mmap_mode="r"))
-    except (OSError, ValueError, TypeError) as error:
+        with numpy.errstate(all="ignore"), warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            return numpy_to_image(numpy.load(path, mmap_mode="r"))
+    except Exception as error:  # pylint: disable=broad-except # NumPy's are of many kinds
         reason = " ".join(str(error).split()).rstrip(".")
         raise UserError(f"{quoted(path)} could not be read as a NumPy volume: {reason}.") from error
+
+
+def _has_errors(said: str | bytes) -> bool:
+    # What VTK cites of a file may be no UTF-8.
+    text = said.decode("latin-1") if isinstance(said, bytes) else said
+    return any(word in text for word in ("ERROR:", "Generic Warning:"))
 
 
 @contextlib.contextmanager
@@ -169,7 +210,7 @@ def _errors_of_vtk() -> Iterator[Callable[[], bool]]:
         for stream in (1, 2):
             os.dup2(nowhere, stream)
         # vtkDataReader tells of a file that ends too early by a warning.
-        yield lambda: any(word in window.GetOutput() for word in ("ERROR:", "Generic Warning:"))
+        yield lambda: _has_errors(window.GetOutput())
     finally:
         for stream, copy in zip((1, 2), kept):
             os.dup2(copy, stream)

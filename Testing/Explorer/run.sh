@@ -217,7 +217,7 @@ check_refusals()
   }
   refused 'There is no file' "$scratch/missing.vti"
   refused 'could not be read' "$scratch/files/broken.vti"
-  refused 'outside the volume' --spheres 16 --isovalue 900
+  refused 'outside the values of' --spheres 16 --isovalue 900
   refused 'cannot be written' --spheres 16 --log "$scratch/no/log"
   refused 'No such file or directory' --spheres 16 --screenshot "$scratch/no/picture.png"
   printf '# vtkTemporalCoherence Explorer session 1\nspheres = 16\naccuracy = perfect\n' >"$scratch/bad.session"

@@ -23,8 +23,7 @@ void Draw(const Session& session)
   std::string complaint;
   vtkNew<vtkCallbackCommand> onError;
   onError->SetClientData(&complaint);
-  onError->SetCallback(
-    [](vtkObject*, unsigned long, void* to, void* message)
+  onError->SetCallback([](vtkObject*, unsigned long, void* to, void* message)
     { *static_cast<std::string*>(to) = static_cast<const char*>(message); });
   model.View.Mapper->AddObserver(vtkCommand::ErrorEvent, onError);
   vtkVolumeCollection* volumes = model.View.Renderer->GetVolumes();

@@ -6,6 +6,7 @@
 #include "Histogram.h"
 #include "Isovalue.h"
 #include "Options.h"
+#include "Quoted.h"
 #include "Scene.h"
 #include "UserError.h"
 #include "VolumeReader.h"
@@ -23,7 +24,8 @@ void DrawInOrbitAndSweep(const VolumeSource& source)
 {
   const Options options;
   const Volume volume = ReadVolume(source);
-  const IsovalueChoice isovalue = ChooseIsovalue(CountSamples(volume.Image), {});
+  const std::string name = Quoted(volume.Name);
+  const IsovalueChoice isovalue = ChooseIsovalue(CountSamples(volume.Image, name), {}, name);
   Scene scene(volume, isovalue, options);
   vtkNew<vtkImageData> picture;
   for (const double degrees : { 0.0, 2.0 })

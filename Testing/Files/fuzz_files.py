@@ -18,11 +18,13 @@ import subprocess
 import sys
 import tempfile
 import time
+import unicodedata
 
 from mutations import Mutator
 from originals import ORIGINALS, Original
 
-MOST_KIB = 256 * 1024  # beyond what a whole file takes: files here are small
+MOST_GROWTH = 1.5  # of memory, beside the whole file
+MOST_KIB = 256 * 1024  # and beyond that
 MOST_CHARACTERS = 1500
 SEEDS = pathlib.Path(__file__).parent / "seeds.txt"
 
@@ -59,14 +61,36 @@ def write(original: Original, folder: pathlib.Path) -> pathlib.Path:
     return folder / original.main if original.main else folder
 
 
+def original_of(path: str) -> Original:
+    """A volume's file as it is, and, of a header, the file of its samples."""
+    main = pathlib.Path(path)
+    files = {main.name: main.read_bytes()}
+    samples = main.with_suffix(".raw")
+    if main.suffix == ".mhd" and samples.exists():
+        files[samples.name] = samples.read_bytes()
+    return Original(main.name, files)
+
+
 def broken(kind: str, number: int) -> Original:
     """Number 0 is whole."""
+    if kind not in ORIGINALS:
+        original = original_of(kind)
+        if number:
+            Mutator(number, kind).break_files(original)
+        return original
     if number == 0:
         return ORIGINALS[kind](lambda value: value)
     mutator = Mutator(number, kind)
     original = ORIGINALS[kind](mutator.twist)
     mutator.break_files(original)
     return original
+
+
+def is_harmless(text: str) -> bool:
+    """No terminal obeys anything of it."""
+    return not any(unicodedata.category(c) in ("Cc", "Cs", "Zl", "Zp") or
+                   unicodedata.bidirectional(c) in ("LRE", "RLE", "LRO", "RLO", "PDF", "LRI", "RLI",
+                                                    "FSI", "PDI") for c in text)
 
 
 def what_is_wrong(status: int, said: str, names: list[str]) -> str:
@@ -82,7 +106,7 @@ def what_is_wrong(status: int, said: str, names: list[str]) -> str:
     sentence = said[:-1]
     if not said.endswith(".\n") or "\n" in sentence:
         return "it says no single sentence"
-    if not sentence.isprintable() or len(sentence) > MOST_CHARACTERS:
+    if not is_harmless(sentence) or len(sentence) > MOST_CHARACTERS:
         return "the sentence cannot be printed"
     if not any(name in sentence for name in names):
         return "the sentence names no file"
@@ -110,18 +134,18 @@ class Campaign:
             status, memory, said = self._opener.open(way, path, original.layout)
             self.opened += 1
             self.pictures += status == 0
-            wrong = what_is_wrong(status, said, [original.main] if original.layout else names)
+            wrong = what_is_wrong(status, said, [original.main, "--raw takes"] if original.layout else names)
             if number == 0:
                 self._needed[kind, way] = memory
                 wrong = wrong or ("the whole file is refused" if status and "grid" not in kind else "")
-            elif memory > self._needed.get((kind, way), 0) + MOST_KIB:
+            elif memory > self._needed.get((kind, way), 0) * MOST_GROWTH + MOST_KIB:
                 wrong = wrong or f"it takes {memory >> 10} MiB"
             if wrong:
                 self._tell(kind, number, way, wrong, said)
 
     def _tell(self, kind: str, number: int, way: str, wrong: str, said: str) -> None:
         self.found += 1
-        kept = self._kept / f"{kind}-{number}"
+        kept = self._kept / f"{kind.replace(os.sep, '_')}-{number}"
         shutil.copytree(self._folder, kept, dirs_exist_ok=True)
         last = said.strip().replace("\n", " | ")[:300]
         print(f"FAILED: {kind} {number}, opened as {way}: {wrong} [{last}] ({kept})", flush=True)
@@ -142,6 +166,8 @@ def main() -> None:
     arguments.add_argument("--first", type=int, default=1, help="the number of the first of them")
     arguments.add_argument(
         "--kinds", default="", help=f"of {', '.join(ORIGINALS)}; default: what the ways can open")
+    arguments.add_argument(
+        "--files", nargs="*", default=[], help="break these, instead of the small ones")
     arguments.add_argument("--scratch", help="a folder to write in; what is found stays there")
     given = arguments.parse_args()
 
@@ -149,6 +175,7 @@ def main() -> None:
     unknown = {"npy"} if "python" not in ways else {
         kind for kind in ORIGINALS if kind in ("session", "raw") or kind.startswith("dicom")}
     kinds = given.kinds.split(",") if given.kinds else [k for k in ORIGINALS if k not in unknown]
+    kinds = given.files or kinds
     scratch = pathlib.Path(given.scratch or tempfile.mkdtemp()).resolve()
     scratch.mkdir(parents=True, exist_ok=True)
     opener = Opener(shlex.split(given.opener), ways, scratch)

@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FileCheck.h"
+
+#include "Quoted.h"
+
+#include <algorithm>
+#include <cctype>
+#include <climits>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <vector>
+
+namespace
+{
+
+constexpr std::size_t MostHeader = 4096; // bytes, up to the dimensions
+constexpr std::size_t MostLine = 255;    // characters, as VTK's reader has it
+
+const std::map<std::string, double> BytesOfType = { { "bit", 0.125 }, { "char", 1.0 },
+  { "signed_char", 1.0 }, { "unsigned_char", 1.0 }, { "short", 2.0 }, { "unsigned_short", 2.0 },
+  { "int", 4.0 }, { "unsigned_int", 4.0 }, { "vtkidtype", 4.0 }, { "long", 8.0 },
+  { "unsigned_long", 8.0 }, { "vtktypeint64", 8.0 }, { "vtktypeuint64", 8.0 }, { "float", 4.0 },
+  { "double", 8.0 } };
+
+const std::map<std::string, std::string> ClassOf = { { "structured_grid", "vtkStructuredGrid" },
+  { "rectilinear_grid", "vtkRectilinearGrid" }, { "polydata", "vtkPolyData" },
+  { "unstructured_grid", "vtkUnstructuredGrid" }, { "field", "vtkDataObject" } };
+
+std::string LowerCase(std::string text)
+{
+  std::transform(text.begin(), text.end(), text.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+// The arrays that follow the word FIELD: the reader takes their sizes without asking whether they
+// are numbers.
+void CheckField(const std::string& path, std::streamoff at, bool isBinary, double there)
+{
+  std::ifstream in(path, std::ios::binary);
+  in.seekg(at);
+  const auto next = [&in]
+  {
+    std::string word;
+    in.width(256);
+    in >> word;
+    return word;
+  };
+  next();
+  next(); // its name
+  long long arrays = 0, components = 0, tuples = 0;
+  const bool hasArrays = IsWhole(next(), 1, static_cast<long long>(there), arrays);
+  std::string name = next();
+  for (long long i = 0; hasArrays && i < arrays; ++i)
+  {
+    if (name == "METADATA")
+    {
+      std::string line;
+      std::getline(in, line); // that word's own
+      while (std::getline(in, line) && !line.empty())
+      {
+      }
+      name = next();
+    }
+    if (name != "NULL_ARRAY")
+    {
+      if (!IsWhole(next(), 0, 100000, components) || !IsWhole(next(), 0, LLONG_MAX, tuples) ||
+        static_cast<double>(components) * static_cast<double>(tuples) > 8.0 * there)
+      {
+        throw Damaged(path, "it tells of no sizes of an array in FIELD");
+      }
+      const auto bytes = BytesOfType.find(LowerCase(next()));
+      const long long values = components * tuples;
+      if (isBinary && bytes != BytesOfType.end())
+      {
+        std::string line;
+        std::getline(in, line);
+        in.seekg(
+          static_cast<std::streamoff>(std::ceil(static_cast<double>(values) * bytes->second)),
+          std::ios::cur);
+      }
+      for (long long value = 0; !isBinary && value < values && in; ++value)
+      {
+        next();
+      }
+    }
+    name = next();
+  }
+}
+
+// Where VTK's reader takes memory, or begins anew, as often as a number says that follows.
+void CheckCounts(const std::string& path, bool isBinary, double there)
+{
+  constexpr std::size_t Chunk = 1 << 20, Longest = 600; // bytes
+  std::ifstream file(path, std::ios::binary);
+  std::string text;
+  std::streamoff begin = 0; // of the text, in the file
+  while (file)
+  {
+    // What was at the end may go on.
+    begin += static_cast<std::streamoff>(text.size() - std::min(text.size(), Longest));
+    text.erase(0, text.size() - std::min(text.size(), Longest));
+    const std::size_t before = text.size();
+    text.resize(before + Chunk);
+    file.read(&text[before], Chunk);
+    text.resize(before + static_cast<std::size_t>(file.gcount()));
+    for (const char* keyword : { "FIELD", "INFORMATION", "LOOKUP_TABLE" })
+    {
+      for (std::size_t at = text.find(keyword); at != std::string::npos;
+           at = text.find(keyword, at + 1))
+      {
+        std::istringstream in(text.substr(at, Longest));
+        std::string word, name, count;
+        in >> word >> (word == "INFORMATION" ? count : name) >> count;
+        long long number = 0;
+        // Each takes some characters.
+        if (word == keyword && IsWhole(count, LLONG_MIN, LLONG_MAX, number) &&
+          static_cast<double>(number) > there / 4.0)
+        {
+          throw Damaged(path, "it tells of " + count + " entries of " + keyword);
+        }
+        if (word == "FIELD")
+        {
+          CheckField(path, begin + static_cast<std::streamoff>(at), isBinary, there);
+        }
+      }
+    }
+  }
+}
+
+}
+
+void CheckLegacyFile(const std::string& path)
+{
+  std::istringstream in(BytesOf(path, MostHeader));
+  std::string line, kind;
+  std::getline(in, line);
+  if (line.compare(0, 14, "# vtk DataFile") != 0 || line.size() > MostLine)
+  {
+    throw Damaged(path, "it does not begin as VTK's files do");
+  }
+  std::getline(in, line); // its title
+  if (line.size() > MostLine)
+  {
+    throw Damaged(path, "its title is too long");
+  }
+  std::string encoding, keyword;
+  in >> encoding >> keyword >> kind;
+  kind = LowerCase(kind);
+  if (LowerCase(keyword) == "field")
+  {
+    kind = "field";
+  }
+  const auto other = ClassOf.find(kind);
+  if (other != ClassOf.end())
+  {
+    throw UserError(Quoted(path) + " holds a " + other->second +
+      ", not an image; resample it with vtkResampleToImage and save it as .vti.");
+  }
+  if (LowerCase(keyword) != "dataset" || kind != "structured_points")
+  {
+    throw Damaged(path, "its header tells of no dataset");
+  }
+  const auto there = static_cast<double>(SizeOf(path));
+  CheckCounts(path, LowerCase(encoding) == "binary", there);
+  for (std::string word; in >> word;)
+  {
+    std::string size;
+    if (LowerCase(word) == "point_data" || LowerCase(word) == "cell_data")
+    {
+      break;
+    }
+    if (LowerCase(word) == "dimensions")
+    {
+      double samples = 1.0;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        long long number = 0;
+        if (!(in >> size) || !IsWhole(size, 1, INT_MAX, number))
+        {
+          throw Damaged(path, "its dimensions are no numbers");
+        }
+        samples *= static_cast<double>(number);
+      }
+      // There are samples of one bit.
+      RequireSamples(path, samples, 0.125, there);
+    }
+  }
+}

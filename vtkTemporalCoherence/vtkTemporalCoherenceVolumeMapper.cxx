@@ -105,6 +105,8 @@ int vtkTemporalCoherenceVolumeMapper::FillInputPortInformation(int port, vtkInfo
     return 0;
   }
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObjectTree");
+  // What cannot be drawn is refused by the mapper, in one sentence, and not by the pipeline in two.
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
   return 1;
 }
 
@@ -130,6 +132,11 @@ void vtkTemporalCoherenceVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* 
 {
   if (this->IsBusy("Render"))
   {
+    return;
+  }
+  if (!renderer || !volume)
+  {
+    this->ReportOnce("Render needs a renderer and a volume; one of them is null.");
     return;
   }
   this->TellStart();
@@ -295,8 +302,10 @@ bool vtkTemporalCoherenceVolumeMapper::RenderToImage(vtkRenderer* renderer, vtkV
     this->Internal->Frames.SetPictureSize({ width, height });
     this->Internal->Learn(VTK_DOUBLE_MAX);
   }
+  // Before observers hear of it, who may draw the next one.
+  const bool isWritten = isMade && this->GetLastFrame(color, depth, normals, isovalueIndex, answer);
   this->InvokeEvent(vtkCommand::VolumeMapperRenderEndEvent, &isMade);
-  return isMade && this->GetLastFrame(color, depth, normals, isovalueIndex, answer);
+  return isWritten;
 }
 
 //------------------------------------------------------------------------------
@@ -346,9 +355,9 @@ bool vtkTemporalCoherenceVolumeMapper::IntersectWithLine(vtkVolume* volume, cons
   {
     return false;
   }
-  if (!volume)
+  if (!volume || !p1 || !p2)
   {
-    this->ReportOnce("IntersectWithLine needs a volume, but it is null.");
+    this->ReportOnce("IntersectWithLine needs a volume and two ends; one of them is null.");
     return false;
   }
   const glm::dvec3 begin(p1[0], p1[1], p1[2]), end(p2[0], p2[1], p2[2]);
@@ -492,6 +501,7 @@ void vtkTemporalCoherenceVolumeMapper::ReleaseGraphicsResources(vtkWindow* windo
 //------------------------------------------------------------------------------
 bool vtkTemporalCoherenceVolumeMapper::IsOpaque(vtkVolume* volume)
 {
-  return this->Internal->Requests.IsOpaque(this, TemporalCoherence::SettingsOf(this), volume);
+  return !volume ||
+    this->Internal->Requests.IsOpaque(this, TemporalCoherence::SettingsOf(this), volume);
 }
 VTK_ABI_NAMESPACE_END

@@ -13,11 +13,14 @@
 #include <vtkCellData.h>
 #include <vtkContourValues.h>
 #include <vtkDoubleArray.h>
+#include <vtkExecutive.h>
 #include <vtkFloatingPointExceptions.h>
 #include <vtkMatrix4x4.h>
+#include <vtkOverlappingAMR.h>
 #include <vtkPiecewiseFunction.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
+#include <vtkTable.h>
 #include <vtkTestErrorObserver.h>
 
 #include <cmath>
@@ -121,6 +124,22 @@ void TestInputs()
     "vtkPolyData",
     [](Scene& scene) { scene.Mapper->SetInputDataObject(vtkNew<vtkPolyData>().Get()); },
     [](Scene& scene) { scene.Mapper->SetInputData(Ball()); });
+  // Nor has the pipeline anything to say.
+  for (const vtkSmartPointer<vtkDataObject>& object :
+    { vtkSmartPointer<vtkDataObject>(vtkSmartPointer<vtkTable>::New()),
+      vtkSmartPointer<vtkDataObject>(vtkSmartPointer<vtkOverlappingAMR>::New()) })
+  {
+    vtkNew<vtkTest::ErrorObserver> pipeline;
+    ExpectError(
+      object->GetClassName(),
+      [&](Scene& scene)
+      {
+        scene.Mapper->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, pipeline);
+        scene.Mapper->SetInputDataObject(object);
+      },
+      [](Scene& scene) { scene.Mapper->SetInputData(Ball()); });
+    Expect(!pipeline->GetError(), "said twice: " + pipeline->GetErrorMessage());
+  }
   ExpectError(
     "Blend mode", [](Scene& scene) { scene.Mapper->SetBlendModeToComposite(); },
     [](Scene& scene) { scene.Mapper->SetBlendModeToIsoSurface(); });
@@ -188,6 +207,17 @@ void TestNullArguments()
   Expect(
     !scene.Mapper->RenderToImage(scene.Renderer, nullptr, 9, 9, nullptr, nullptr), "no volume");
   Expect(observer->GetError(), "said");
+  observer->Clear();
+  scene.Mapper->Render(nullptr, scene.Volume);
+  Expect(observer->GetError(), "said that a window needs a renderer");
+  observer->Clear();
+  double t;
+  const double end[3] = { 1.0, 2.0, 3.0 };
+  Expect(
+    !scene.Mapper->IntersectWithLine(scene.Volume, nullptr, end, t, nullptr, nullptr, nullptr) &&
+      observer->GetError(),
+    "no line");
+  Expect(scene.Mapper->IsOpaque(nullptr), "nothing hides nothing");
   Expect(scene.Mapper->RenderToImage(scene.Renderer, scene.Volume, 9, 9, nullptr, nullptr),
     "images are optional");
   for (const int outside : { -1, 9, 1000000 })

@@ -24,6 +24,11 @@ constexpr double Margin = 1.0 / 64;
 /// Share of a distance by which bounds are widened, since they are stored in single precision.
 constexpr double Slack = 1e-6;
 
+/// Share of the largest terms of a sum by which rounding may move it, and the ray that it is held
+/// against: not much where terms are as large as the sum, but they cancel out in long thin cells,
+/// and far away from the origin.
+constexpr double Rounding = 64.0 * std::numeric_limits<double>::epsilon();
+
 /// Half the width in pixels of nodes that are projected as one box instead of leaf by leaf: such
 /// boxes are as small in the picture as leaves of other volumes.
 constexpr double SmallNode = 10.0;
@@ -54,8 +59,9 @@ std::array<glm::ivec3, 2> LeavesAround(std::uint64_t leaves)
 class BoxProjector
 {
 public:
+  /// \param cells along each axis, from which all boxes are
   BoxProjector(const View& view, const Placement& placement, const glm::ivec2& tiles,
-    const GridCoordinates* grid)
+    const glm::ivec3& cells, const GridCoordinates* grid)
     : Seen(view)
     , Tiles(tiles)
     , Grid(grid)
@@ -70,6 +76,7 @@ public:
       this->PerRadius = 1.0 / cosine;
     }
     this->LeafRadius = this->RadiusOf(glm::dvec3(0.5 * ValueRangePyramid::LeafSize));
+    this->FindErrors(glm::dvec4(cells, 1.0));
   }
 
   /// The box of the cells first .. first + cells - 1 of each axis.
@@ -127,9 +134,9 @@ public:
     const double distance = this->Seen.Parallel
       ? glm::dot(this->ParallelDepth, world - this->Seen.Position)
       : glm::length(world - this->Seen.Position);
-    const double slack = Slack * std::abs(distance) + Slack * radius;
-    const float near = static_cast<float>(distance - radius - slack);
-    const float far = static_cast<float>(distance + radius + slack);
+    const double slack = Slack * std::abs(distance) + Slack * radius + this->DistanceError;
+    const float near = Below(distance - radius - slack);
+    const float far = -Below(-(distance + radius + slack));
 
     glm::ivec2 first, last;
     if (!this->FindTiles(box, first, last))
@@ -155,11 +162,12 @@ public:
       box.Half.y * this->ClipFromIndex[1], box.Half.z * this->ClipFromIndex[2] };
     glm::dvec2 low(std::numeric_limits<double>::infinity());
     glm::dvec2 high(-std::numeric_limits<double>::infinity());
+    double nearest = std::numeric_limits<double>::infinity();
     for (int corner = 0; corner < 8; ++corner)
     {
       const glm::dvec4 clip = centre + (corner & 1 ? half[0] : -half[0]) +
         (corner & 2 ? half[1] : -half[1]) + (corner & 4 ? half[2] : -half[2]);
-      if (!(clip.w > 0.0))
+      if (!(clip.w > this->ClipError.w))
       {
         // A box that reaches behind the eye can be seen anywhere.
         first = glm::ivec2(0);
@@ -169,10 +177,15 @@ public:
       const glm::dvec2 point = glm::dvec2(clip) / clip.w;
       low = glm::min(low, point);
       high = glm::max(high, point);
+      nearest = std::min(nearest, clip.w);
     }
+    const glm::dvec2 farthest = glm::max(glm::abs(low), glm::abs(high));
+    const glm::dvec2 error =
+      (glm::dvec2(this->ClipError) + farthest * this->ClipError.w) / (nearest - this->ClipError.w);
     const glm::dvec2 scale = 0.5 * glm::dvec2(this->Seen.Size);
-    const glm::dvec2 lowPixel = (low + 1.0) * scale - Margin;
-    const glm::dvec2 highPixel = (high + 1.0) * scale + Margin;
+    const glm::dvec2 margin = Margin + scale * error;
+    const glm::dvec2 lowPixel = (low + 1.0) * scale - margin;
+    const glm::dvec2 highPixel = (high + 1.0) * scale + margin;
     if (lowPixel.x >= this->Seen.Size.x || lowPixel.y >= this->Seen.Size.y || highPixel.x < 0.0 ||
       highPixel.y < 0.0)
     {
@@ -185,12 +198,43 @@ public:
   }
 
 private:
+  /// How far rounding may move what is projected.
+  void FindErrors(const glm::dvec4& cells)
+  {
+    const auto sizes = [](const glm::dmat4& matrix)
+    {
+      return glm::dmat4(
+        glm::abs(matrix[0]), glm::abs(matrix[1]), glm::abs(matrix[2]), glm::abs(matrix[3]));
+    };
+    const glm::dvec4 world = sizes(this->WorldFromIndex) * cells;
+    this->ClipError = Rounding * (sizes(this->Seen.ClipFromWorld) * world);
+    if (!std::isfinite(this->ClipError.x + this->ClipError.y))
+    {
+      // What leaves the range of numbers can be seen anywhere.
+      this->ClipError.w = std::numeric_limits<double>::infinity();
+    }
+    const glm::dvec3 reach = glm::dvec3(world) + glm::abs(this->Seen.Position);
+    this->DistanceError = Rounding * this->PerRadius * (reach.x + reach.y + reach.z) +
+      static_cast<double>(std::numeric_limits<float>::min());
+  }
+
+  /// A number in single precision that is not above another but for rounding, which slack allows
+  /// for; what is no number is below all.
+  static float Below(double number)
+  {
+    constexpr auto Largest = static_cast<double>(std::numeric_limits<float>::max());
+    return number >= -Largest ? static_cast<float>(std::min(number, Largest))
+                              : -std::numeric_limits<float>::infinity();
+  }
+
   const View& Seen;
   glm::ivec2 Tiles;
   const GridCoordinates* Grid; ///< null: cells are all alike
   glm::dmat4 ClipFromIndex, WorldFromIndex;
   double PerRadius = 1.0; ///< distance along rays for a distance in the world
   double LeafRadius;
+  glm::dvec4 ClipError{ 0.0 };
+  double DistanceError = 0.0;
   glm::dvec3 ParallelDepth{
     0.0
   }; ///< dot product with a vector from the camera: t of a parallel ray
@@ -224,7 +268,12 @@ std::vector<std::uint8_t> FindTiles(
   const View& view, const Placement& placement, const std::vector<CellBox>& boxes)
 {
   const glm::ivec2 tiles = TilesOf(view.Size);
-  const BoxProjector projector(view, placement, tiles, nullptr);
+  glm::ivec3 cells(0);
+  for (const CellBox& box : boxes)
+  {
+    cells = glm::max(cells, box.First + box.Size);
+  }
+  const BoxProjector projector(view, placement, tiles, cells, nullptr);
   std::vector<std::uint8_t> touched(static_cast<std::size_t>(NumberOfTiles(view.Size)), 0);
   for (const CellBox& box : boxes)
   {
@@ -253,8 +302,9 @@ void TileBounds::Build(const View& view, const Placement& placement, const Activ
     part.assign(tiles, Bounds());
   }
 
-  const BoxProjector projector(view, placement, this->Size, grid);
   const glm::ivec3 nodes = active.NodeDimensions();
+  const BoxProjector projector(
+    view, placement, this->Size, ValueRangePyramid::NodeSize * nodes, grid);
   const std::int64_t count = static_cast<std::int64_t>(nodes.x) * nodes.y * nodes.z;
   ParallelFor(NumberOfParts, 1,
     [&](std::int64_t part)

@@ -26,6 +26,7 @@ bool RequestFromMapper::Make(vtkVolumeMapper* mapper, const PictureSettings& set
     return false;
   }
   key.Sought.Mode = settings.Mode;
+  request.Read = input.Array;
 
   if (sight.Renderer)
   {

@@ -8,6 +8,9 @@
 #include "ReusePlan.h"
 #include "vtkTemporalCoherenceCompatibility.h"
 
+#include <vtkDataArray.h>
+#include <vtkSmartPointer.h>
+
 #include <string>
 #include <vector>
 
@@ -41,6 +44,9 @@ struct FrameRequest
 {
   FrameKey Key;
   std::vector<int> IsovaluePlaces; ///< position in the property's list of each isovalue of the key
+
+  /// The samples, so that they stay where observers give the mapper another input meanwhile.
+  vtkSmartPointer<vtkDataArray> Read;
 };
 
 /// Reads from a mapper, a volume and a renderer everything that a frame depends on, and keeps what

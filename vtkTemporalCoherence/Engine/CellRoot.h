@@ -135,6 +135,19 @@ Real RefineCrossing(const Cubic<Real>& b, Real low, Real high)
 template <typename Real>
 std::array<Real, 2> TurningPoints(Real d0, Real d1, Real d2, int& count)
 {
+  // Squares of huge steps are infinite, those of tiny ones 0. Times a power of two, these steps
+  // turn at the same points.
+  constexpr Real Huge = sizeof(Real) == 4 ? Real(0x1p+56) : Real(0x1p+504), Tiny = Real(1) / Huge;
+  const Real largest = std::max({ std::abs(d0), std::abs(d1), std::abs(d2) });
+  if (largest < Tiny || (largest > Huge && std::isfinite(largest)))
+  {
+    int exponent = 0;
+    std::frexp(largest, &exponent);
+    d0 = std::ldexp(d0, -exponent);
+    d1 = std::ldexp(d1, -exponent);
+    d2 = std::ldexp(d2, -exponent);
+  }
+
   // The steps are the Bernstein coefficients of a third of the derivative, a quadratic.
   const Real a = (d2 - d1) - (d1 - d0), halfB = d1 - d0, c = d0;
   std::array<Real, 2> points{};

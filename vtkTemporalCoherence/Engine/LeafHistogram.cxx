@@ -77,6 +77,10 @@ double LeafHistogram::BinOf(double value) const
   {
     return 0.0; // what is not a number, too
   }
+  if (this->Span == 0.0)
+  {
+    return Bins; // all samples are Low
+  }
   const double share = (std::min(value, this->Low + this->Span) - this->Low) / this->Span;
   return share <= 1.0 ? share * Bins : Bins;
 }

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "WindowLoad.h"
+
+#include "OffScreen.h"
+#include "Volumes.h"
+
+#include <vtkActor.h>
+#include <vtkFlyingEdges3D.h>
+#include <vtkPiecewiseFunction.h>
+#include <vtkPolyDataMapper.h>
+
+namespace
+{
+
+constexpr int Size = 96; ///< of a window, in pixels
+
+vtkSmartPointer<vtkProp> MakePolygons(vtkImageData* image)
+{
+  vtkNew<vtkFlyingEdges3D> contour;
+  contour->SetInputData(image);
+  contour->SetValue(0, 200.0);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(contour->GetOutputPort());
+  mapper->ScalarVisibilityOff();
+  const auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  return actor;
+}
+
+/// Opaque, or with surfaces behind one another, for which the depth buffer is read back.
+vtkSmartPointer<vtkProp> MakeVolume(vtkImageData* image, bool isOpaque)
+{
+  Scene scene(image, { 200.0 });
+  if (!isOpaque)
+  {
+    scene.SetIsovalues({ 200.0, -300.0 });
+    vtkNew<vtkPiecewiseFunction> opacity;
+    opacity->AddPoint(0.0, 0.4);
+    scene.Volume->GetProperty()->SetScalarOpacity(opacity);
+  }
+  return scene.Volume.Get();
+}
+
+}
+
+WindowLoad::WindowLoad(Contents contents)
+  : Shown(contents)
+  , Image(Volumes::Waves())
+  , Always(contents == Mappers ? MakeVolume(Image, true) : MakePolygons(Image))
+{
+}
+
+void WindowLoad::AddProps(vtkRenderer* renderer)
+{
+  renderer->AddViewProp(this->Always);
+  // The other one lies beside it, and both are seen.
+  const vtkSmartPointer<vtkProp> own = this->Shown == Mappers
+    ? MakeVolume(this->Image, this->Windows % 2 == 0)
+    : MakePolygons(this->Image);
+  vtkProp3D::SafeDownCast(own)->SetPosition(2.2, 0.0, 0.0);
+  renderer->AddViewProp(own);
+  renderer->ResetCamera();
+}
+
+bool WindowLoad::DoOnce()
+{
+  vtkNew<vtkRenderer> renderer;
+  this->AddProps(renderer);
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(1);
+  OpenWindow(window, renderer, Size, Size);
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    window->Render();
+    renderer->GetActiveCamera()->Azimuth(3.0);
+  }
+  const vtkNew<vtkUnsignedCharArray> pixels = PixelsOf(window);
+  int drawn = 0;
+  for (vtkIdType i = 0; i < pixels->GetNumberOfTuples(); ++i)
+  {
+    drawn += pixels->GetComponent(i, 0) > 0.0 ? 1 : 0;
+  }
+  ++this->Windows;
+  this->Drawn += drawn > Size * Size / 20 ? 1 : 0;
+  return this->Drawn == this->Windows;
+}
+
+std::string WindowLoad::Describe() const
+{
+  return std::to_string(this->Drawn) + " of " + std::to_string(this->Windows) + " showed something";
+}

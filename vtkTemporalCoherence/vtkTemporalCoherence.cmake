@@ -63,6 +63,7 @@ set(bridge_files
   ImageOfGrid
   InputFromMapper
   LayerCut
+  LightsFromRenderer
   MapperFrames
   MergedBlocks
   PassOutput
@@ -74,6 +75,7 @@ set(bridge_files
   SamplesOfArray
   ScalarChoice
   SelectionPass
+  SettingCheck
   VectorMagnitude
   ViewerStates
   ViewFromRenderer

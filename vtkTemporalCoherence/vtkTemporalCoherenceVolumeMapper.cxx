@@ -408,9 +408,19 @@ bool vtkTemporalCoherenceVolumeMapper::BuildIsomap(vtkRenderer* renderer, vtkVol
                      "render a frame before BuildIsomap.");
     return false;
   }
+  // Who asks to stop while the input is updated is heard, too.
+  this->SetAbortExecute(0);
   if (this->GetNumberOfInputConnections(0) > 0)
   {
+    // Nothing is built yet, whatever the pipeline says.
+    const double shift = this->GetProgressShift(), scale = this->GetProgressScale();
+    this->SetProgressShiftScale(shift, 0.0);
     this->Update();
+    this->SetProgressShiftScale(shift, scale);
+  }
+  if (this->GetAbortExecute())
+  {
+    return false;
   }
 
   TemporalCoherence::FrameRequest request;
@@ -424,7 +434,6 @@ bool vtkTemporalCoherenceVolumeMapper::BuildIsomap(vtkRenderer* renderer, vtkVol
   using Outcome = TemporalCoherence::Isomap::Outcome;
   Outcome outcome = Outcome::Impossible;
   {
-    this->SetAbortExecute(0);
     const Busy busy(internal.IsBusy);
     outcome = internal.Frames.BuildIsomap(
       TemporalCoherence::Viewer::Of(renderer, volume), request, TemporalCoherence::OptionsOf(this),

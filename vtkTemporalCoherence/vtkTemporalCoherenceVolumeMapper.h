@@ -81,6 +81,13 @@
  * Transfer functions in two dimensions have no meaning for isosurfaces: SetTransferFunctionMode is
  * ignored, and colour and opacity are those of the functions of the scalar.
  *
+ * What surfaces look like is told by finite numbers; others are mistakes, as are absurd ones, whose
+ * products would leave the range of floats: ambient, diffuse and specular beyond +-1e6, a specular
+ * power outside 0 to 1e6, colours beyond +-1000 (what is shown is clamped to [0, 1]), opacities
+ * beyond +-1e6 (clamped, too); of lights, an intensity beyond +-1e18, attenuations beyond +-1e30,
+ * an exponent outside 0 to 128, a cone angle beyond +-1e6 degrees, a position or focal point beyond
+ * +-1e38. Settings without effect, as those of lights that are off, may be anything.
+ *
  * A mistake gets one vtkErrorMacro with its value and remedy, repeated only after a frame without
  * it; the last valid picture stays.
  *

@@ -35,9 +35,9 @@ struct Build
   static void OnProgress(vtkObject*, unsigned long, void* clientData, void* callData)
   {
     auto* self = static_cast<Build*>(clientData);
-    if (!self->IsStopped && !self->Progress(*static_cast<double*>(callData)))
+    self->IsStopped = self->IsStopped || !self->Progress(*static_cast<double*>(callData));
+    if (self->IsStopped)
     {
-      self->IsStopped = true;
       self->Mapper->SetAbortExecute(1);
     }
   }

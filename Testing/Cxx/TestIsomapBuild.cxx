@@ -14,6 +14,7 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtksys/SystemTools.hxx>
 
+#include <algorithm>
 #include <cstdlib>
 #include <functional>
 #include <vector>
@@ -112,6 +113,37 @@ void TestStoppedAhead()
   scene.SetIsovalues({ 230.0 });
   ExpectCold(scene, "IsomapBuild", "after it was stopped");
   Expect(scene.Mapper->BuildIsomap(scene.Renderer, scene.Volume), "not stopped any more");
+}
+
+/// The first to tell of progress is the pipeline, before anything is built: it can be stopped
+/// there, too, and what is told does not fall.
+void TestStoppedAtOnce()
+{
+  Scene scene(Volumes::Waves(), { 200.0 });
+  scene.LookFrom(1.0, 2.0, 0.5);
+  ExpectCold(scene, "Cold", "to be stopped at once");
+  std::vector<double> progress;
+  const auto build = [&](bool isStopped)
+  {
+    progress.clear();
+    const Listener listener(scene.Mapper, vtkCommand::ProgressEvent,
+      [&]
+      {
+        progress.push_back(scene.Mapper->GetProgress());
+        if (isStopped && progress.size() == 1)
+        {
+          scene.Mapper->SetAbortExecute(1);
+        }
+      });
+    scene.Mapper->SetIsomapRange(-1700.0, 1700.0);
+    scene.Mapper->Modified(); // so that the pipeline has something to do
+    return scene.Mapper->BuildIsomap(scene.Renderer, scene.Volume);
+  };
+  Expect(!build(true), "stopped at once, but built");
+  Expect(scene.Mapper->GetIsomapMemory() == 0, "stopped at once: a part of an isomap is kept");
+  Expect(build(false), "after it was stopped at once: not built");
+  Expect(std::is_sorted(progress.begin(), progress.end()) && progress.back() == 1.0,
+    "progress of a pipeline and a build: it falls");
 }
 
 /// A frame that was stopped leaves the picture before; the next one is right.
@@ -234,6 +266,7 @@ int TestIsomapBuild(int, char*[])
   vtkFloatingPointExceptions::Disable();
   TestProgress();
   TestStoppedAhead();
+  TestStoppedAtOnce();
   TestStoppedInWindow();
   TestMistakes();
   TestNothingToBuild();

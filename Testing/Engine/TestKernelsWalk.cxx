@@ -8,8 +8,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -164,6 +166,47 @@ private:
     return visited;
   }
 };
+
+/// Words of leaves are made by whoever asks first, while others read them: what thread sanitizer
+/// looks at here, on every kind of vectors.
+TEST_F(KernelsWalk, ManyThreadsMayAskForTheSameLeaves)
+{
+  Grid<std::uint8_t> noise(glm::ivec3(37, 18, 22));
+  noise.FillRandomly(0.0, 20.0, 5);
+  ValueRangePyramid pyramid;
+  pyramid.Build(noise.Seen);
+  const Surfaces sought{ { 18.5 }, SurfaceMode::Crossing };
+  const View view = LookAt(noise.Seen.Dimensions, glm::dvec3(-1.0, -2.0, 0.8), { 8, 8 });
+  RayBatch rays;
+  RaySource(view, Placement(), noise.Seen.Dimensions).SetUp({ 0, 0 }, { 8, 8 }, rays);
+  ActiveCells alone;
+  alone.Build(noise.Seen, pyramid, sought);
+  const Visits expected = VisitOneByOne<std::uint8_t>(rays, alone, noise.Seen);
+  this->ForEachTarget(
+    [&](const char* target)
+    {
+      for (int round = 0; round < 20; ++round)
+      {
+        ActiveCells active;
+        active.Build(noise.Seen, pyramid, sought);
+        std::array<Visits, 4> visits;
+        std::vector<std::thread> threads;
+        for (Visits& found : visits)
+        {
+          threads.emplace_back(
+            [&] { found = VisitInVectors<std::uint8_t>(rays, active, noise.Seen, 0); });
+        }
+        for (std::thread& thread : threads)
+        {
+          thread.join();
+        }
+        for (const Visits& found : visits)
+        {
+          EXPECT_EQ(found, expected) << target;
+        }
+      }
+    });
+}
 
 TEST_F(KernelsWalk, VisitsTheCellsOfAWalk)
 {

@@ -89,16 +89,10 @@ public:
   }
 
   /// The same words for kernels: of each node its leaves, and where the words of its leaves begin
-  /// in the other list; there, 0 is a leaf's word that is not known yet. Each word is read and
-  /// written in one access.
+  /// in the other list; there, 0 is a leaf's word that is not known yet, and other threads may be
+  /// writing: no word of it is ever read but as an atomic one.
   const std::uint64_t* Nodes() const { return this->NodeWords.data(); }
-  const std::uint64_t* Cells() const
-  {
-    static_assert(sizeof(std::atomic<std::uint64_t>) == sizeof(std::uint64_t) &&
-        std::atomic<std::uint64_t>::is_always_lock_free,
-      "an atomic word is a word");
-    return reinterpret_cast<const std::uint64_t*>(this->LeafWords.get());
-  }
+  const std::atomic<std::uint64_t>* Cells() const { return this->LeafWords.get(); }
 
   std::size_t MemoryInBytes() const;
 

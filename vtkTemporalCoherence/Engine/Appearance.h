@@ -23,7 +23,9 @@ struct Light
   glm::dvec3 Attenuation{ 1.0, 0.0, 0.0 }; ///< constant, linear, quadratic in distance
 };
 
-/// How hits become colours: VTK's Phong model, or the plain colour where `Shade` is false.
+/// How hits become colours: VTK's Phong model, or the plain colour where `Shade` is false. All
+/// numbers are finite, and no product of a colour, a coefficient and a light leaves the range of
+/// floats.
 struct Appearance
 {
   std::vector<glm::dvec3> Colors; ///< RGB in [0, 1], one for each isovalue

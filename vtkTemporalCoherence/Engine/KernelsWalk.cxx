@@ -3,6 +3,7 @@
 #include "KernelsWalk.h"
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 #include <numeric>
 
@@ -77,6 +78,21 @@ HWY_INLINE M HasBit(W word, W place)
   const Words du;
   const W bit = hn::And(hn::Shr(word, place), hn::Set(du, 1u));
   return hn::RebindMask(Doubles(), hn::Ne(bit, hn::Zero(du)));
+}
+
+/// Words that other threads may be writing: each is read in one access of the language's own, as
+/// nothing tells how a vector's gathering reads.
+HWY_INLINE W LoadShared(const std::atomic<std::uint64_t>* words, W at)
+{
+  constexpr std::size_t lanes = WidestVector / 2;
+  std::uint64_t places[lanes];
+  std::uint64_t loaded[lanes];
+  hn::StoreU(at, Words(), places);
+  for (std::size_t i = 0; i < hn::Lanes(Words()); ++i)
+  {
+    loaded[i] = words[places[i]].load(std::memory_order_relaxed);
+  }
+  return hn::LoadU(Words(), loaded);
 }
 
 /// Have leaves' words made that are not known yet.
@@ -224,7 +240,7 @@ private:
     const ActiveCells& active = this->Scene.Active;
     const W first = this->WordsAt(active.Nodes() + 1, node);
     const W word = hn::IfThenElseZero(hn::RebindMask(du, inLeaf), hn::Add(first, leaf));
-    W cells = hn::GatherIndex(du, active.Cells(), hn::BitCast(Integers(), word));
+    W cells = LoadShared(active.Cells(), word);
     const M isNew = hn::And(inLeaf, hn::RebindMask(Doubles(), hn::Eq(cells, hn::Zero(du))));
     if (!hn::AllFalse(Doubles(), isNew))
     {

@@ -80,6 +80,19 @@ double ShareAt(const Light& light, const glm::dvec3& point, glm::dvec3& toLight)
   return share;
 }
 
+/// The largest share of a light that keeps sums of its terms far within the range of floats,
+/// however near the light is to a surface.
+double LargestShare(const ShadingKernels::PhongSums& sums)
+{
+  constexpr double LargestTerm = 1e30;
+  float brightest = 1.0f;
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    brightest = std::max({ brightest, std::abs(sums.Diffuse[c]), std::abs(sums.Specular[c]) });
+  }
+  return LargestTerm / static_cast<double>(brightest);
+}
+
 /// Add the light that hits reflect.
 void AddLight(const Appearance& appearance, const Light& light, const HitList& hits,
   ShadingKernels::PhongSums& sums)
@@ -93,10 +106,12 @@ void AddLight(const Appearance& appearance, const Light& light, const HitList& h
     sums.Specular[c] =
       static_cast<float>(std::max(appearance.Specular, 0.0) * light.Specular[component]);
   }
+  const double most = LargestShare(sums);
   for (std::size_t i = 0; i < sums.Count && light.Positional; ++i)
   {
     glm::dvec3 toLight = -light.Direction;
-    sums.Share[i] = static_cast<float>(ShareAt(light, At(hits.Rays.Point, i), toLight));
+    const double share = ShareAt(light, At(hits.Rays.Point, i), toLight);
+    sums.Share[i] = static_cast<float>(std::min(share, most));
     for (std::size_t a = 0; a < 3; ++a)
     {
       sums.ToLight[a][i] = static_cast<float>(toLight[static_cast<int>(a)]);

@@ -16,9 +16,10 @@ using Array = RayBatch::Array<T>;
 /// What shines through less than this cannot be told from nothing: half a step of a colour.
 constexpr float Opaque = 1.0f / 512.0f;
 
+/// What is not a number counts as 0: it has no byte.
 float ClampToOne(float value)
 {
-  return std::min(std::max(value, 0.0f), 1.0f);
+  return value > 0.0f ? std::min(value, 1.0f) : 0.0f;
 }
 
 std::uint8_t RoundToByte(float value)

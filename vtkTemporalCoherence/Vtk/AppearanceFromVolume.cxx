@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AppearanceFromVolume.h"
 
-#include <vtkCamera.h>
-#include <vtkCollection.h>
+#include "LightsFromRenderer.h"
+#include "SettingCheck.h"
+
 #include <vtkColorTransferFunction.h>
 #include <vtkContourValues.h>
-#include <vtkLight.h>
-#include <vtkLightCollection.h>
 #include <vtkPiecewiseFunction.h>
 #include <vtkRenderer.h>
 #include <vtkVolumeProperty.h>
@@ -23,66 +22,6 @@ namespace TemporalCoherence
 namespace
 {
 
-glm::dvec3 ToVec(const double* v)
-{
-  return { v[0], v[1], v[2] };
-}
-
-glm::dvec3 UnitOrZero(const glm::dvec3& v)
-{
-  const double length = glm::length(v);
-  return length > 0.0 ? v / length : glm::dvec3(0.0);
-}
-
-Light MakeLight(vtkLight* source)
-{
-  Light light;
-  double position[3], focus[3];
-  source->GetTransformedPosition(position);
-  source->GetTransformedFocalPoint(focus);
-  light.Positional = source->GetPositional() != 0;
-  light.Position = ToVec(position);
-  light.Direction = UnitOrZero(ToVec(focus) - ToVec(position));
-  light.Diffuse = source->GetIntensity() * ToVec(source->GetDiffuseColor());
-  light.Specular = source->GetIntensity() * ToVec(source->GetSpecularColor());
-  light.ConeAngle = source->GetConeAngle();
-  light.Exponent = source->GetExponent();
-  light.Attenuation = ToVec(source->GetAttenuationValues());
-  return light;
-}
-
-/// The lights that are on, as the renderer finds them when it draws into a window.
-std::vector<Light> FindLights(vtkRenderer* renderer)
-{
-  std::vector<Light> lights;
-  if (renderer->GetLightFollowCamera())
-  {
-    renderer->UpdateLightsGeometryToFollowCamera();
-  }
-  vtkLightCollection* sources = renderer->GetLights();
-  vtkCollectionSimpleIterator at;
-  sources->InitTraversal(at);
-  bool areHeadlights = true;
-  while (vtkLight* source = sources->GetNextLight(at))
-  {
-    if (source->GetSwitch())
-    {
-      lights.push_back(MakeLight(source));
-      areHeadlights = areHeadlights && source->LightTypeIsHeadlight() && !source->GetPositional();
-    }
-  }
-  if (lights.empty() && renderer->GetAutomaticLightCreation())
-  {
-    lights.emplace_back();
-  }
-  if (lights.size() == 1 && areHeadlights)
-  {
-    // Alone, it is where the camera is, even if it was left behind (LightFollowCameraOff).
-    lights.front().Direction = ToVec(renderer->GetActiveCamera()->GetDirectionOfProjection());
-  }
-  return lights;
-}
-
 glm::dvec3 ColorAt(vtkVolumeProperty* property, int component, double value)
 {
   glm::dvec3 color;
@@ -95,6 +34,47 @@ glm::dvec3 ColorAt(vtkVolumeProperty* property, int component, double value)
     color = glm::dvec3(property->GetGrayTransferFunction(component)->GetValue(value));
   }
   return color;
+}
+
+/// Where a transfer function has a value, in words.
+std::string At(double isovalue)
+{
+  std::ostringstream where;
+  where << "at isovalue " << isovalue;
+  return where.str();
+}
+
+bool FindColors(vtkVolumeProperty* property, int component, const std::vector<double>& isovalues,
+  std::vector<glm::dvec3>& colors, std::string& error)
+{
+  for (const double isovalue : isovalues)
+  {
+    const glm::dvec3 color = ColorAt(property, component, isovalue);
+    for (int channel = 0; channel < 3; ++channel)
+    {
+      if (!Allowed::Color.Holds(color[channel]))
+      {
+        SettingCheck check("the volume's property", error);
+        check("Colour " + At(isovalue), color[channel], Allowed::Color,
+          property->GetColorChannels(component) == 3 ? "GetRGBTransferFunction()->AddRGBPoint"
+                                                     : "GetGrayTransferFunction()->AddPoint");
+        return false;
+      }
+    }
+    colors.push_back(color);
+  }
+  return true;
+}
+
+void CheckNode(int i, const double node[4], SettingCheck& check)
+{
+  const char* const remedy = "GetGradientOpacity()->SetNodeValue or AddPoint";
+  const std::string name = " of node " + std::to_string(i) + " of the gradient opacity";
+  const NumberRange share = { 0.0, 1.0 };
+  check("Position" + name, node[0], Allowed::Steepness, remedy);
+  check("Value" + name, node[1], Allowed::Opacity, remedy);
+  check("Midpoint" + name, node[2], share, remedy);
+  check("Sharpness" + name, node[3], share, remedy);
 }
 
 }
@@ -129,6 +109,13 @@ bool FindSurfaces(vtkVolumeProperty* property, int component, Surfaces& surfaces
       return false;
     }
     const double opacity = property->GetScalarOpacity(component)->GetValue(isovalue);
+    if (!Allowed::Opacity.Holds(opacity))
+    {
+      SettingCheck check("the volume's property", error);
+      check("Scalar opacity " + At(isovalue), opacity, Allowed::Opacity,
+        "GetScalarOpacity()->AddPoint");
+      return false;
+    }
     if (opacity > 0.0 && found.insert(isovalue).second)
     {
       isovalues.push_back(isovalue);
@@ -144,17 +131,18 @@ bool FindSurfaces(vtkVolumeProperty* property, int component, Surfaces& surfaces
   return true;
 }
 
-GradientOpacity MakeGradientOpacity(
-  vtkVolumeProperty* property, int component, const glm::dvec3& distances)
+bool MakeGradientOpacity(vtkVolumeProperty* property, int component, const glm::dvec3& distances,
+  GradientOpacity& made, std::string& error)
 {
   // Nodes are joined by straight lines, but for those with a midpoint or a sharpness of their own.
   constexpr int ManyNodes = 4096;
-  GradientOpacity made;
+  made.Nodes.clear();
   if (property->GetDisableGradientOpacity(component) || !property->HasGradientOpacity(component))
   {
-    return made;
+    return true;
   }
   vtkPiecewiseFunction* function = property->GetGradientOpacity(component);
+  SettingCheck check("the volume's property", error);
   bool isStraight = true;
   for (int i = 0; i < function->GetSize(); ++i)
   {
@@ -162,6 +150,11 @@ GradientOpacity MakeGradientOpacity(
     function->GetNodeValue(i, node);
     isStraight = isStraight && node[2] == 0.5 && node[3] == 0.0;
     made.Nodes.emplace_back(node[0], node[1]);
+    CheckNode(i, node, check);
+  }
+  if (!check.HasPassed())
+  {
+    return false;
   }
   if (!isStraight)
   {
@@ -183,42 +176,52 @@ GradientOpacity MakeGradientOpacity(
     made.Nodes.clear();
   }
   made.PerStep = (distances.x + distances.y + distances.z) / 3.0 / distances;
-  return made;
+  return true;
 }
 
 bool IsOpaque(vtkVolumeProperty* property, int component)
 {
   Surfaces surfaces;
+  GradientOpacity bySteepness;
   std::vector<int> places;
   std::string error;
   return FindSurfaces(property, component, surfaces, places, error) && surfaces.Opacities.empty() &&
-    MakeGradientOpacity(property, component, glm::dvec3(1.0)).Nodes.empty();
+    MakeGradientOpacity(property, component, glm::dvec3(1.0), bySteepness, error) &&
+    bySteepness.Nodes.empty();
 }
 
-Appearance MakeAppearance(vtkVolumeProperty* property, int component, vtkRenderer* renderer,
-  const std::vector<double>& isovalues)
+bool MakeAppearance(vtkVolumeProperty* property, int component, vtkRenderer* renderer,
+  const std::vector<double>& isovalues, Appearance& appearance, std::string& error)
 {
-  Appearance appearance;
-  for (const double isovalue : isovalues)
-  {
-    appearance.Colors.push_back(ColorAt(property, component, isovalue));
-  }
   appearance.Shade = property->GetShade() != 0;
-  if (appearance.Shade)
+  if (!FindColors(property, component, isovalues, appearance.Colors, error))
   {
-    appearance.Ambient = property->GetAmbient(component);
-    appearance.Diffuse = property->GetDiffuse(component);
-    appearance.Specular = property->GetSpecular(component);
-    appearance.SpecularPower = property->GetSpecularPower(component);
-    appearance.Lights = FindLights(renderer);
-    appearance.TwoSided = renderer->GetTwoSidedLighting() != 0;
-    if (appearance.Lights.empty())
-    {
-      // What polygons look like without a light: lit evenly, and not black.
-      appearance.Ambient += appearance.Diffuse;
-    }
+    return false;
   }
-  return appearance;
+  if (!appearance.Shade)
+  {
+    return true;
+  }
+  appearance.Ambient = property->GetAmbient(component);
+  appearance.Diffuse = property->GetDiffuse(component);
+  appearance.Specular = property->GetSpecular(component);
+  appearance.SpecularPower = property->GetSpecularPower(component);
+  SettingCheck check("the volume's property", error);
+  check("Ambient", appearance.Ambient, Allowed::Coefficient, "SetAmbient");
+  check("Diffuse", appearance.Diffuse, Allowed::Coefficient, "SetDiffuse");
+  check("Specular", appearance.Specular, Allowed::Coefficient, "SetSpecular");
+  check("Specular power", appearance.SpecularPower, Allowed::SpecularPower, "SetSpecularPower");
+  if (!check.HasPassed() || !FindLights(renderer, appearance.Lights, error))
+  {
+    return false;
+  }
+  appearance.TwoSided = renderer->GetTwoSidedLighting() != 0;
+  if (appearance.Lights.empty())
+  {
+    // What polygons look like without a light: lit evenly, and not black.
+    appearance.Ambient += appearance.Diffuse;
+  }
+  return true;
 }
 
 }

@@ -20,23 +20,29 @@ namespace TemporalCoherence
 /// \param component of the property whose opacity counts
 /// \param places    gets the position in the property's list of each isovalue shown
 /// \param error     gets what is wrong and what to do about it
-/// \return false on error, for example if an isovalue is not a finite number
+/// \return false on error, for example if an isovalue or an opacity is not a finite number
 bool FindSurfaces(vtkVolumeProperty* property, int component, Surfaces& surfaces,
   std::vector<int>& places, std::string& error);
 
 /// What the gradient opacity of a component of the property multiplies opacities with.
 /// \param distances of neighbouring samples along each axis of index space, in the volume's own
 ///                  coordinates
-GradientOpacity MakeGradientOpacity(
-  vtkVolumeProperty* property, int component, const glm::dvec3& distances);
+/// \param error    gets what is wrong and what to do about it
+/// \return false on error, for example if a node is not a number
+bool MakeGradientOpacity(vtkVolumeProperty* property, int component, const glm::dvec3& distances,
+  GradientOpacity& made, std::string& error);
 
 /// True if nothing can be seen through a surface that a component of a property shows, whatever the
 /// gradient.
 bool IsOpaque(vtkVolumeProperty* property, int component);
 
 /// Colours at the isovalues, shading of a component of the property and lights of the renderer.
-Appearance MakeAppearance(vtkVolumeProperty* property, int component, vtkRenderer* renderer,
-  const std::vector<double>& isovalues);
+/// Only what the picture depends on is looked at: shading that is off may be anything.
+/// \param appearance is empty before
+/// \param error      gets what is wrong and what to do about it
+/// \return false on error, for example if a colour is not a number
+bool MakeAppearance(vtkVolumeProperty* property, int component, vtkRenderer* renderer,
+  const std::vector<double>& isovalues, Appearance& appearance, std::string& error);
 
 }
 

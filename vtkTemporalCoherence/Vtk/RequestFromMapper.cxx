@@ -29,11 +29,12 @@ bool RequestFromMapper::Make(vtkVolumeMapper* mapper, const PictureSettings& set
 
   if (sight.Renderer)
   {
-    if (!MakeView(sight.Renderer, sight.Size, sight.Aspect, key.Seen, error))
+    key.Look = {};
+    if (!MakeView(sight.Renderer, sight.Size, sight.Aspect, key.Seen, error) ||
+      !MakeAppearance(property, input.Look, sight.Renderer, key.Sought.Isovalues, key.Look, error))
     {
       return false;
     }
-    key.Look = MakeAppearance(property, input.Look, sight.Renderer, key.Sought.Isovalues);
     key.Look.ColorByAnswer = settings.ColorByAnswer;
   }
 
@@ -47,8 +48,9 @@ bool RequestFromMapper::MakeScene(vtkVolumeMapper* mapper, vtkVolume* volume,
 {
   vtkVolumeProperty* property = volume->GetProperty();
   const ImageAxes axes = AxesOf(input.Image, input.OnCells);
-  key.Sought.BySteepness = MakeGradientOpacity(property, input.Look, glm::abs(axes.Step));
-  if (!MakeField(input.Image, input.Array, input.OnCells, input.Component, key.Samples, error) ||
+  if (!MakeGradientOpacity(
+        property, input.Look, glm::abs(axes.Step), key.Sought.BySteepness, error) ||
+    !MakeField(input.Image, input.Array, input.OnCells, input.Component, key.Samples, error) ||
     !this->Hidden.Find(input.Image, input.OnCells, key.Samples.Hidden, error) ||
     !MakePlacement(input.Image, input.OnCells, volume, key.Where, error) ||
     !MakeRegion(mapper, axes, key.Kept, error))

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_LightsFromRenderer_h
+#define TemporalCoherence_LightsFromRenderer_h
+
+#include "Appearance.h"
+
+#include <string>
+#include <vector>
+
+class vtkRenderer;
+
+namespace TemporalCoherence
+{
+
+/// The lights that are on, as the renderer finds them when it draws into a window.
+/// \param error gets what is wrong and what to do about it
+/// \return false on error, for example if an intensity is not a number
+bool FindLights(vtkRenderer* renderer, std::vector<Light>& lights, std::string& error);
+
+}
+
+#endif

@@ -41,7 +41,7 @@ const char* const Usage =
   "  --frames N    small frames of one mapper over all features; default: 100000\n"
   "  --mappers N   mappers that are made, used and deleted; default: 2000\n"
   "  --windows N   windows that are opened and closed; default: 300. They need a display\n"
-  "  --control     as many windows that show VTK's polygons, to compare with\n"
+  "  --control     as many windows with a software mapper of VTK, to compare with\n"
   "  --unjudged    small numbers: tell of memory, but judge only what was reached\n"
   "  --leak BYTES  lose so much in each round, to see that it is told\n"
   "  --help        show this text\n\n"
@@ -166,10 +166,10 @@ int main(int argc, char* argv[])
   }
   else
   {
-    soak("windows", WindowLoad(WindowLoad::Mappers), options.Windows);
+    soak("windows", WindowLoad(WindowLoad::Ours), options.Windows);
     if (options.IsControlled)
     {
-      soak("polygons", WindowLoad(WindowLoad::Polygons), options.Windows);
+      soak("control", WindowLoad(WindowLoad::OfVtk), options.Windows);
     }
   }
   if (!wrong.empty())

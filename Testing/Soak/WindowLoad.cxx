@@ -5,27 +5,26 @@
 #include "OffScreen.h"
 #include "Volumes.h"
 
-#include <vtkActor.h>
-#include <vtkFlyingEdges3D.h>
+#include <vtkFixedPointVolumeRayCastMapper.h>
 #include <vtkPiecewiseFunction.h>
-#include <vtkPolyDataMapper.h>
 
 namespace
 {
 
 constexpr int Size = 96; ///< of a window, in pixels
 
-vtkSmartPointer<vtkProp> MakePolygons(vtkImageData* image)
+/// Like ours, it makes its pictures on the CPU and shows them as a texture.
+vtkSmartPointer<vtkProp> MakeOther(vtkImageData* image)
 {
-  vtkNew<vtkFlyingEdges3D> contour;
-  contour->SetInputData(image);
-  contour->SetValue(0, 200.0);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(contour->GetOutputPort());
-  mapper->ScalarVisibilityOff();
-  const auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
-  return actor;
+  vtkNew<vtkFixedPointVolumeRayCastMapper> mapper;
+  mapper->SetInputData(image);
+  vtkNew<vtkPiecewiseFunction> opacity;
+  opacity->AddPoint(100.0, 0.0);
+  opacity->AddPoint(200.0, 0.8);
+  const auto volume = vtkSmartPointer<vtkVolume>::New();
+  volume->SetMapper(mapper);
+  volume->GetProperty()->SetScalarOpacity(opacity);
+  return volume;
 }
 
 /// Opaque, or with surfaces behind one another, for which the depth buffer is read back.
@@ -47,7 +46,7 @@ vtkSmartPointer<vtkProp> MakeVolume(vtkImageData* image, bool isOpaque)
 WindowLoad::WindowLoad(Contents contents)
   : Shown(contents)
   , Image(Volumes::Waves())
-  , Always(contents == Mappers ? MakeVolume(Image, true) : MakePolygons(Image))
+  , Always(contents == Ours ? MakeVolume(Image, true) : MakeOther(Image))
 {
 }
 
@@ -55,9 +54,8 @@ void WindowLoad::AddProps(vtkRenderer* renderer)
 {
   renderer->AddViewProp(this->Always);
   // The other one lies beside it, and both are seen.
-  const vtkSmartPointer<vtkProp> own = this->Shown == Mappers
-    ? MakeVolume(this->Image, this->Windows % 2 == 0)
-    : MakePolygons(this->Image);
+  const vtkSmartPointer<vtkProp> own =
+    this->Shown == Ours ? MakeVolume(this->Image, this->Windows % 2 == 0) : MakeOther(this->Image);
   vtkProp3D::SafeDownCast(own)->SetPosition(2.2, 0.0, 0.0);
   renderer->AddViewProp(own);
   renderer->ResetCamera();

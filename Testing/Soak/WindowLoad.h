@@ -6,10 +6,7 @@
 #include "Load.h"
 #include "Scene.h"
 
-#include <vtkAbstractMapper3D.h>
 #include <vtkSmartPointer.h>
-
-#include <functional>
 
 /// Windows that are opened, drawn in and closed. Each shows a volume of its own and one that was in
 /// all the windows before.
@@ -19,8 +16,8 @@ public:
   /// What windows show.
   enum Contents
   {
-    Mappers,  ///< ours
-    Polygons, ///< of VTK alone, to compare with: what grows is not ours
+    Ours,
+    OfVtk ///< vtkFixedPointVolumeRayCastMapper's, to compare with: what grows is not ours
   };
   explicit WindowLoad(Contents contents);
   bool DoOnce() override;

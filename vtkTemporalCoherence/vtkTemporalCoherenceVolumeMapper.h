@@ -309,7 +309,9 @@ public:
    * How the isomap is built.
    *
    * IsomapTolerance: how far a surface looked up may lie from the exact one, in voxels (the
-   * smallest spacing). Default: 0, the cold picture to the last bit.
+   * smallest spacing). Default: 0, the cold picture to the last bit. Below 0.001, or the 1.6
+   * millionth part of the volume's longest diagonal if that is more, counts as 0: distances are
+   * kept in single precision and could not be told as exactly.
    *
    * IsomapRange: isovalues to build it for at once. Default: lo > hi, bands around the present
    * isovalue that take about as long as a cold frame; outside of a given range, too.

@@ -332,7 +332,7 @@ TEST_F(IsomapTest, PlateausWithATolerance)
   Grid<std::uint8_t> grid(glm::ivec3(24, 24, 24));
   grid.Fill([](int i, int j, int k) { return 98 + 2 * ((i / 3 + j / 4 + k / 5) % 5); });
   FrameKey key = KeyOf(grid);
-  for (const double tolerance : { 0.1, 5e-4 })
+  for (const double tolerance : { 0.1, 2e-3 })
   {
     this->Options.Map.Tolerance = tolerance;
     for (const double isovalue : { 101.0, 102.0, 101.5, 100.0, 104.0, 105.9 })
@@ -349,6 +349,63 @@ TEST_F(IsomapTest, PlateausWithATolerance)
         }
       }
     }
+  }
+}
+
+TEST_F(IsomapTest, ATooFineToleranceCountsAsNone)
+{
+  Grid<std::uint8_t> bytes(glm::ivec3(60, 50, 40));
+  bytes.Fill(Waves);
+  FrameKey key = KeyOf(bytes);
+  for (const double tolerance : { 5e-4, 1e-8, 1e-16, std::numeric_limits<double>::denorm_min() })
+  {
+    this->Renderer = FrameRenderer();
+    this->Options.Map.Tolerance = tolerance;
+    for (const double isovalue : { 120.0, 121.0, 121.3, 90.0 })
+    {
+      this->Show(key, { isovalue });
+    }
+    EXPECT_EQ(this->Renderer.IsomapOfLastView().Tolerance(), 0.0);
+    // What is shown is what would be asked for without a tolerance, too.
+    this->Options.Map.Tolerance = 0.0;
+    this->Show(key, { 90.0 });
+    EXPECT_EQ(this->Renderer.Statistics().Made, Route::Redisplay);
+  }
+  this->Options.Map.Tolerance = Isomap::FinestTolerance;
+  FrameRenderer cold;
+  ASSERT_NO_FATAL_FAILURE(this->RenderBoth(key, { 130.0 }, cold));
+  EXPECT_NE(this->Renderer.IsomapOfLastView().Tolerance(), 0.0);
+}
+
+/// Tolerances just above the finest one are kept, and cost what can be paid, in noise and where the
+/// field is steep.
+TEST_F(IsomapTest, TheFinestToleranceIsBoundedInMemory)
+{
+  Grid<float> noise(glm::ivec3(20, 21, 22));
+  noise.FillRandomly(20.0, 220.0, 3);
+  Grid<float> steep(glm::ivec3(20, 21, 22));
+  steep.Fill([](int i, int, int k) { return std::pow(10.0, 2.0 * i - 0.1 * k); });
+  for (FrameKey key : { KeyOf(noise), KeyOf(steep) })
+  {
+    this->Renderer = FrameRenderer();
+    this->Options.Map.Tolerance = Isomap::FinestTolerance;
+    this->Options.Map.Range = { 0.0, 1e30 };
+    for (const double isovalue : { 120.0, 121.0, 30.0, 210.0 })
+    {
+      FrameRenderer cold;
+      ASSERT_NO_FATAL_FAILURE(this->RenderBoth(key, { isovalue }, cold));
+      const Frame &made = this->Renderer.LastFrame(), &truth = cold.LastFrame();
+      for (std::size_t i = 0; i < truth.Depth.size(); ++i)
+      {
+        ASSERT_EQ(made.Isovalues[i], truth.Isovalues[i]) << i << " at " << isovalue;
+        if (std::isfinite(truth.Depth[i]))
+        {
+          ASSERT_NEAR(made.Depth[i], truth.Depth[i], Isomap::FinestTolerance);
+        }
+      }
+    }
+    // A kilobyte and a half for each ray.
+    EXPECT_LT(this->Renderer.IsomapOfLastView().MemoryInBytes(), std::size_t(1536) * 93 * 71);
   }
 }
 

@@ -4,6 +4,7 @@
 // What vectors make of hits is held, to the last bit, against the same formulas written out one by
 // one.
 
+#include "Difference.h"
 #include "EachTarget.h"
 #include "Grid.h"
 #include "KernelsShading.h"
@@ -77,7 +78,7 @@ private:
     const T value = *this->Samples.At(sample);
     if constexpr (std::is_floating_point_v<T>)
     {
-      return this->FromIsovalue(value);
+      return this->FromIsovalue.Unscaled(this->FromIsovalue(value));
     }
     return static_cast<Real>(value);
   }

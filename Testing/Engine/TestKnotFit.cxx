@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 #include <vector>
 
@@ -37,7 +38,7 @@ struct Way
   std::vector<Cubic<double>> Cells;
 };
 
-std::vector<Knot> FitOf(const Way& way, double tolerance)
+std::vector<Knot> FitOf(const Way& way, double tolerance, double resolution = 0.0)
 {
   std::vector<Knot> knots;
   const auto emit = [&](const Knot& knot) { knots.push_back(knot); };
@@ -45,7 +46,7 @@ std::vector<Knot> FitOf(const Way& way, double tolerance)
   for (std::size_t cell = 0; cell < way.Cells.size(); ++cell)
   {
     const auto enter = static_cast<double>(cell);
-    fit.Follow(way.Cells[cell], enter, enter + 1.0, -0.1, tolerance, emit);
+    fit.Follow(way.Cells[cell], enter, enter + 1.0, { -0.1, tolerance, resolution }, emit);
   }
   fit.Finish(emit);
   return knots;
@@ -123,6 +124,30 @@ TEST(KnotFit, ALargerToleranceTakesFewerKnots)
     coarse += FitOf(way, 1.0).size();
   }
   EXPECT_LT(coarse, fine / 2);
+}
+
+/// Tolerances far below what can be told apart: what cannot be used is not kept, so that there is
+/// an end to it.
+TEST(KnotFit, AnyToleranceTakesABoundedNumberOfKnots)
+{
+  constexpr double resolution = 1e-4;
+  const Way way(1, 4);
+  std::size_t before = FitOf(way, 1e-4, resolution).size();
+  for (const double tolerance : { 1e-6, 1e-8, 1e-12, 1e-16, 0.0 })
+  {
+    const std::size_t knots = FitOf(way, tolerance, resolution).size();
+    EXPECT_GE(knots, before) << tolerance;
+    EXPECT_LT(knots, 8.0 * 2.0 / resolution) << tolerance;
+    before = knots;
+  }
+}
+
+TEST(KnotFit, APlateauIsNotCutIntoPieces)
+{
+  // It rises by what rounding adds.
+  Way way(0, 0);
+  way.Cells = { { 0.5, 0.5, 0.5, std::nextafter(0.5, 1.0) } };
+  EXPECT_LE(FitOf(way, 1e-3, 1e-6).size(), 3u);
 }
 
 }

@@ -90,7 +90,7 @@ public:
 
   /// The same words for kernels: of each node its leaves, and where the words of its leaves begin
   /// in the other list; there, 0 is a leaf's word that is not known yet, and other threads may be
-  /// writing: no word of it is ever read but as an atomic one.
+  /// writing.
   const std::uint64_t* Nodes() const { return this->NodeWords.data(); }
   const std::atomic<std::uint64_t>* Cells() const { return this->LeafWords.get(); }
 

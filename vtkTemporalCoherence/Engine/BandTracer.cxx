@@ -5,6 +5,7 @@
 #include "CellRoot.h"
 #include "CellSamples.h"
 #include "CellWalk.h"
+#include "Difference.h"
 #include "KernelsRange.h"
 
 #include <algorithm>
@@ -24,8 +25,8 @@ public:
   explicit TypedBandTracer(const BandScene& scene)
     : Scene(scene)
     , Samples(scene.Samples)
-    , FromLowest(scene.Band.Low, scene.FiniteRange)
-    , Scale(scene.Band, scene.FiniteRange)
+    , Scale(scene.Samples.Type, scene.Band, scene.FiniteRange)
+    , FromLowest(scene.Band.Low, scene.FiniteRange, Scale.Isovalues)
     , Span(static_cast<Real>(this->Scale.Span))
     , Cells(scene.Samples.Dimensions - 1)
     , IsSolid(scene.Mode == SurfaceMode::Threshold)
@@ -40,7 +41,7 @@ public:
       this->FindEntries(progress);
     }
     progress.Live.Begin(rays, this->Cells, [&](std::size_t ray) { return !progress.IsDone(ray); });
-    while (progress.Live.Count > 0)
+    while (progress.Live.Count > 0 && progress.Knots.MemoryInBytes() <= this->Scene.MemoryLimit)
     {
       // To the next cells that can bring the rays farther.
       progress.Live.Keep([&](std::size_t ray) { return this->Advance(ray, progress); });
@@ -376,8 +377,8 @@ private:
 
   BandScene Scene;
   CellSamples<T> Samples;
-  Difference<T> FromLowest;
   BandScale Scale;
+  Difference<T> FromLowest;
   Real Span;
   glm::ivec3 Cells; ///< number of cells along each axis
   bool IsSolid;

@@ -11,7 +11,9 @@
 #include "Surfaces.h"
 #include "ValueRangePyramid.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 
 namespace TemporalCoherence
@@ -28,6 +30,8 @@ struct BandScene
   SurfaceMode Mode = SurfaceMode::Crossing;
   KnotForm Form{};
   Placement Where{}; ///< for normals
+  /// Bytes of knots after which a tile is given up: they are too many for the whole band.
+  std::size_t MemoryLimit = std::numeric_limits<std::size_t>::max();
 };
 
 /// Follows rays through the cells of a band of isovalues and takes note of where each isovalue is
@@ -47,7 +51,8 @@ public:
   BandTracer(const BandTracer&) = delete;
   BandTracer& operator=(const BandTracer&) = delete;
 
-  /// Trace the rays of a tile. Safe from many threads.
+  /// Trace the rays of a tile. Safe from many threads. Where the knots take more than the limit,
+  /// some are missing.
   /// \return number of cells whose samples were read
   /// \throws std::bad_alloc
   virtual std::int64_t Trace(const RayBatch& rays, TileKnots& knots) const = 0;

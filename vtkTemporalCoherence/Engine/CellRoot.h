@@ -130,28 +130,24 @@ Real RefineCrossing(const Cubic<Real>& b, Real low, Real high)
   return s;
 }
 
-/// Where a cubic with these steps between its coefficients turns, ascending; `count` of them within
-/// (0, 1).
+/// Where a cubic turns, ascending; `count` of them within (0, 1).
 template <typename Real>
-std::array<Real, 2> TurningPoints(Real d0, Real d1, Real d2, int& count)
+std::array<Real, 2> TurningPoints(const Cubic<Real>& b, int& count)
 {
-  // Squares of huge steps are infinite, those of tiny ones 0. Times a power of two, these steps
-  // turn at the same points.
-  constexpr Real Huge = sizeof(Real) == 4 ? Real(0x1p+56) : Real(0x1p+504), Tiny = Real(1) / Huge;
-  const Real largest = std::max({ std::abs(d0), std::abs(d1), std::abs(d2) });
-  if (largest < Tiny || (largest > Huge && std::isfinite(largest)))
-  {
-    int exponent = 0;
-    std::frexp(largest, &exponent);
-    d0 = std::ldexp(d0, -exponent);
-    d1 = std::ldexp(d1, -exponent);
-    d2 = std::ldexp(d2, -exponent);
-  }
-
-  // The steps are the Bernstein coefficients of a third of the derivative, a quadratic.
-  const Real a = (d2 - d1) - (d1 - d0), halfB = d1 - d0, c = d0;
+  // The steps are the Bernstein coefficients of a third of the derivative, a quadratic. As shares
+  // of the largest, so that squares neither overflow nor vanish.
+  Real d0 = b[1] - b[0], d1 = b[2] - b[1], d2 = b[3] - b[2];
+  const Real largest = std::max(std::abs(d0), std::max(std::abs(d1), std::abs(d2)));
   std::array<Real, 2> points{};
   count = 0;
+  if (!(largest > Real(0)))
+  {
+    return points;
+  }
+  d0 /= largest;
+  d1 /= largest;
+  d2 /= largest;
+  const Real a = (d2 - d1) - (d1 - d0), halfB = d1 - d0, c = d0;
   const Real discriminant = halfB * halfB - a * c;
   if (!(discriminant > Real(0)))
   {
@@ -174,12 +170,6 @@ std::array<Real, 2> TurningPoints(Real d0, Real d1, Real d2, int& count)
     std::swap(points[0], points[1]);
   }
   return points;
-}
-
-template <typename Real>
-std::array<Real, 2> TurningPoints(const Cubic<Real>& b, int& count)
-{
-  return TurningPoints(b[1] - b[0], b[2] - b[1], b[3] - b[2], count);
 }
 
 /// Call visit(s) for each s in [0, 1] where the cubic changes between inside and outside,

@@ -35,11 +35,6 @@ Isomap::ReportProgress ReportOf(const Isomap::ReportProgress& frame, double begi
   return [frame, begin, end](double progress) { return frame(begin + progress * (end - begin)); };
 }
 
-KnotForm FormAskedFor(const Isomap::Options& options)
-{
-  return { options.Tolerance, options.HasNormals };
-}
-
 /// True if the colours of a cached image may be taken over: those of the same surfaces under the
 /// same lights, which may have moved, as a headlight moves with every view (the paper's choice).
 bool HasColorsFor(const CachedImage& cached, const FrameKey& next)
@@ -165,7 +160,7 @@ Route FrameRenderer::ChooseRoute(
   held.ShareToTrace = this->Steps.ShareToTrace();
   ReuseSwitches switches = options.Reuse;
   // A picture that is as near as an isomap told is not what is asked for of another.
-  switches.RefineWhenStill |= !(this->FrontForm == FormAskedFor(options.Map));
+  switches.RefineWhenStill |= !(this->FrontForm == Isomap::FormFor(key, options.Map));
   switches.RefineWhenStill |= options.Accuracy == ReuseAccuracy::Exact || !switches.ImageCache;
   return PlanRoute(this->Front->Key, key, switches, held);
 }
@@ -227,7 +222,7 @@ bool FrameRenderer::TraceFrame(const FrameKey& key, const Options& options, Cach
   }
   made.IsExact = isExact;
   made.IsEroded = !isExact && options.Accuracy == ReuseAccuracy::Paper;
-  this->FrontForm = FormAskedFor(options.Map);
+  this->FrontForm = Isomap::FormFor(key, options.Map);
   if (this->Counters.Made == Route::Cold || this->Counters.Made == Route::ThresholdHint)
   {
     this->Cold = { this->Counters.FieldSamples / 8, key.Sought };
@@ -293,7 +288,7 @@ bool FrameRenderer::LookUpFrame(
   }
   made.IsExact = map.Tolerance() == 0.0 && !options.Map.HasNormals;
   made.IsEroded = map.Tolerance() > 0.0;
-  this->FrontForm = FormAskedFor(options.Map);
+  this->FrontForm = Isomap::FormFor(key, options.Map);
   this->FinishFrame(options);
   return true;
 }

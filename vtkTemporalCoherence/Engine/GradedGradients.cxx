@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GradedGradients.h"
 
+#include "Difference.h"
 #include "GridCoordinates.h"
 
 #include <algorithm>
@@ -55,6 +56,8 @@ public:
     , FromIsovalue(difference)
   {
   }
+
+  double Unscaled(double difference) const { return this->FromIsovalue.Unscaled(difference); }
 
   /// Per unit of index space, interpolated between the corners of the cell.
   glm::dvec3 At(const CellPoint& point) const
@@ -122,7 +125,7 @@ void GradedGradients(const GradientQuery& query, std::size_t count,
           finder.At(FindCell(query.Samples, point, turn * at(directions, i)));
         for (std::size_t a = 0; a < 3; ++a)
         {
-          gradients[a][i] = gradient[static_cast<int>(a)];
+          gradients[a][i] = finder.Unscaled(gradient[static_cast<int>(a)]);
         }
       }
     });

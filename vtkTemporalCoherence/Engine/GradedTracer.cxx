@@ -5,6 +5,7 @@
 #include "CellRoot.h"
 #include "CellSamples.h"
 #include "CellWalk.h"
+#include "Difference.h"
 #include "GradedPassage.h"
 #include "HitOrder.h"
 

@@ -10,9 +10,11 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <new>
+#include <numeric>
 
 namespace TemporalCoherence
 {
@@ -90,21 +92,32 @@ bool Isomap::CanHold(const Field& field)
     glm::all(glm::lessThanEqual(field.Dimensions, glm::ivec3(largest)));
 }
 
-namespace
+double Isomap::SmallestTolerance(const Field& field, const Placement& where)
 {
-
-KnotForm FormOf(const FrameKey& key, const Isomap::Options& options)
-{
-  // Where the field is that of the nearest sample, distances are no curves to be fitted.
-  const bool isFitted = options.Tolerance > 0.0 && key.Samples.Between == Interpolation::Linear;
-  return { isFitted ? options.Tolerance * VoxelEdges(key.Where).x : 0.0, options.HasNormals };
+  const glm::dmat3 edges(where.WorldFromIndex);
+  const glm::dvec3 cells(field.Dimensions - 1);
+  double longest = 0.0;
+  for (const glm::dvec3 side : { glm::dvec3(1.0, 1.0, 1.0), glm::dvec3(-1.0, 1.0, 1.0),
+         glm::dvec3(1.0, -1.0, 1.0), glm::dvec3(1.0, 1.0, -1.0) })
+  {
+    longest = std::max(longest, glm::length(edges * (side * cells)));
+  }
+  constexpr double rounding = 0.5 * std::numeric_limits<float>::epsilon();
+  const double kept = rounding * longest / (1.0 - FitShare);
+  return std::max(FinestTolerance, kept / VoxelEdges(where).x);
 }
 
+KnotForm Isomap::FormFor(const FrameKey& key, const Options& options)
+{
+  // Where the field is that of the nearest sample, distances are no curves to be fitted.
+  const bool isFitted = key.Samples.Between == Interpolation::Linear && options.Tolerance > 0.0 &&
+    options.Tolerance >= SmallestTolerance(key.Samples, key.Where);
+  return { isFitted ? options.Tolerance * VoxelEdges(key.Where).x : 0.0, options.HasNormals };
 }
 
 bool Isomap::IsOf(const FrameKey& key, const Options& options) const
 {
-  return this->IsBegun && this->Form == FormOf(key, options) && this->Key.Samples == key.Samples &&
+  return this->IsBegun && this->Form == FormFor(key, options) && this->Key.Samples == key.Samples &&
     this->Key.Where == key.Where && this->Key.Kept == key.Kept && this->Key.Seen == key.Seen &&
     this->Key.Sought.Mode == key.Sought.Mode;
 }
@@ -113,7 +126,7 @@ void Isomap::Begin(const FrameKey& key, const Options& options)
 {
   this->Release();
   this->Key = key;
-  this->Form = FormOf(key, options);
+  this->Form = FormFor(key, options);
   this->IsBegun = true;
 }
 
@@ -135,8 +148,8 @@ void Isomap::Release()
 /// What a band is built from, and how far it is.
 struct Isomap::BandSource
 {
-  BandSource(
-    const Isomap& map, const ValueBand& band, const ValueRangePyramid& pyramid, const Start& start)
+  BandSource(const Isomap& map, const ValueBand& band, const ValueRangePyramid& pyramid,
+    const Start& start, std::size_t memoryLimit)
     : Key(map.Key)
     , Form(map.Form)
     , FiniteRange(pyramid.FiniteRange())
@@ -146,7 +159,7 @@ struct Isomap::BandSource
     this->Active.Build(map.Key.Samples, pyramid, band);
     this->Bounds.Build(map.Key.Seen, map.Key.Where, this->Active);
     this->Tracer = BandTracer::Make({ map.Key.Samples, pyramid.FiniteRange(), &pyramid,
-      &this->Active, band, map.Key.Sought.Mode, map.Form, map.Key.Where });
+      &this->Active, band, map.Key.Sought.Mode, map.Form, map.Key.Where, memoryLimit });
     for (const std::shared_ptr<Band>& kept : map.Kept)
     {
       if (kept->Values.High == band.Low)
@@ -160,8 +173,35 @@ struct Isomap::BandSource
     }
   }
 
+  /// Work begins or goes on, until what there is so far has taken so much.
+  void Begin(const Limits& upTo)
+  {
+    this->UpTo = upTo;
+    this->Since = std::chrono::steady_clock::now();
+    this->HasEnough = false;
+  }
+
+  /// True if no further tile is to be begun.
+  bool IsInterrupted() const { return this->HasEnough.load(std::memory_order_relaxed); }
+
   /// Trace the rays of a tile. Safe from many threads, out of which no exception comes.
   void Trace(std::int64_t tile, TileKnots& knots)
+  {
+    this->TraceRays(tile, knots);
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - this->Since;
+    if (this->Memory > this->UpTo.Memory || static_cast<double>(this->Cells) > this->UpTo.Cells ||
+      this->HasFailed || taken.count() > this->UpTo.Patience)
+    {
+      this->HasEnough = true;
+    }
+  }
+
+  std::atomic<std::int64_t> Cells{ 0 };
+  std::atomic<std::size_t> Memory{ 0 }, Knots{ 0 };
+  std::atomic<bool> HasFailed{ false };
+
+private:
+  void TraceRays(std::int64_t tile, TileKnots& knots)
   {
     // A solid may be cut open where there is no active cell.
     if (this->Key.Sought.Mode == SurfaceMode::Crossing && this->Bounds.At(tile).IsEmpty())
@@ -175,7 +215,7 @@ struct Isomap::BandSource
     if (this->Underneath)
     {
       const TileKnots& below = this->Underneath->Tiles[static_cast<std::size_t>(tile)];
-      const BandScale scale(this->Underneath->Values, this->FiniteRange);
+      const BandScale scale(this->Key.Samples.Type, this->Underneath->Values, this->FiniteRange);
       NarrowByCells(below, scale, rays);
       NarrowByFit(below, scale, this->Form.Tolerance, rays);
     }
@@ -205,52 +245,86 @@ struct Isomap::BandSource
   std::unique_ptr<BandTracer> Tracer;
   std::shared_ptr<const Band> Underneath; ///< the band that ends where this one begins
 
-  std::atomic<std::int64_t> Cells{ 0 };
-  std::atomic<std::size_t> Memory{ 0 }, Knots{ 0 };
-  std::atomic<bool> HasFailed{ false };
+  Limits UpTo{ 0, 0.0 };
+  std::chrono::steady_clock::time_point Since;
+  std::atomic<bool> HasEnough{ false };
 };
+
+namespace
+{
+
+/// What is left of a limit.
+std::size_t RoomFor(std::size_t limit, std::size_t taken)
+{
+  return limit > taken ? limit - taken : 0;
+}
+
+}
 
 Isomap::Outcome Isomap::Build(const ValueBand& band, const ValueRangePyramid& pyramid,
   const Start& start, const Limits& limits, const ReportProgress& report)
 {
   const std::int64_t tiles = NumberOfTiles(this->Key.Seen.Size);
+  const std::size_t fixed = static_cast<std::size_t>(tiles) * sizeof(TileKnots);
+  if (!this->MakeRoom(fixed, limits.Memory))
+  {
+    return Outcome::TooLarge;
+  }
   const auto built = std::make_shared<Band>();
   built->Values = band;
   built->HasNormals = this->Form.HasNormals;
   built->Tiles.resize(static_cast<std::size_t>(tiles));
-  const std::size_t fixed = built->Tiles.size() * sizeof(TileKnots);
 
-  BandSource source(*this, band, pyramid, start);
+  BandSource source(*this, band, pyramid, start, limits.Memory);
   const std::int64_t groups = (tiles + TileGrain - 1) / TileGrain;
+  std::int64_t tilesBefore = 0;
   for (std::int64_t part = 0; part < NumberOfParts; ++part)
   {
-    ParallelFor((groups - part + NumberOfParts - 1) / NumberOfParts, 1,
-      [&](std::int64_t i)
-      {
-        const std::int64_t first = (part + i * NumberOfParts) * TileGrain;
-        for (std::int64_t tile = first; tile < std::min(first + TileGrain, tiles); ++tile)
+    const std::int64_t groupsInPart = (groups - part + NumberOfParts - 1) / NumberOfParts;
+    std::vector<std::uint8_t> tilesDone(static_cast<std::size_t>(groupsInPart), 0);
+    bool isWhole = false;
+    while (!isWhole)
+    {
+      // A part that takes long, or too much, is interrupted, and goes on after the questions.
+      source.Begin({ RoomFor(limits.Memory, this->MemoryInBytes() + fixed), limits.Cells,
+        report ? limits.Patience : std::numeric_limits<double>::infinity() });
+      ParallelFor(groupsInPart, 1,
+        [&](std::int64_t i)
         {
-          source.Trace(tile, built->Tiles[static_cast<std::size_t>(tile)]);
-        }
-      });
-    if (source.HasFailed)
-    {
-      throw std::bad_alloc();
+          std::uint8_t& done = tilesDone[static_cast<std::size_t>(i)];
+          const std::int64_t first = (part + i * NumberOfParts) * TileGrain;
+          const std::int64_t count = std::min(TileGrain, tiles - first);
+          for (; done < count && !source.IsInterrupted(); ++done)
+          {
+            const std::int64_t tile = first + done;
+            source.Trace(tile, built->Tiles[static_cast<std::size_t>(tile)]);
+          }
+        });
+      isWhole = !source.IsInterrupted();
+      if (source.HasFailed)
+      {
+        throw std::bad_alloc();
+      }
+      built->Memory = fixed + source.Memory;
+      if (!this->MakeRoom(built->Memory, limits.Memory))
+      {
+        return Outcome::TooLarge;
+      }
+      // Only whole parts, which are spread over the picture, foretell what is to come.
+      const double whole = static_cast<double>(part + 1) / NumberOfParts;
+      if (static_cast<double>(source.Cells) > limits.Cells * (isWhole ? whole : 1.0))
+      {
+        return Outcome::TooCostly;
+      }
+      const std::int64_t inPart = std::accumulate(tilesDone.begin(), tilesDone.end(), tilesBefore);
+      const double done = static_cast<double>(inPart) / static_cast<double>(tiles);
+      const double least = static_cast<double>(part) / NumberOfParts;
+      if (report && !report(isWhole ? whole : std::min(std::max(done, least), whole)))
+      {
+        return Outcome::Stopped;
+      }
     }
-    const double done = static_cast<double>(part + 1) / NumberOfParts;
-    built->Memory = fixed + source.Memory;
-    if (!this->MakeRoom(built->Memory, limits.Memory))
-    {
-      return Outcome::TooLarge;
-    }
-    if (static_cast<double>(source.Cells) > limits.Cells * done)
-    {
-      return Outcome::TooCostly;
-    }
-    if (report && !report(done))
-    {
-      return Outcome::Stopped;
-    }
+    tilesBefore = std::accumulate(tilesDone.begin(), tilesDone.end(), tilesBefore);
   }
   built->NumberOfKnots = source.Knots;
   built->CellsRead = source.Cells;

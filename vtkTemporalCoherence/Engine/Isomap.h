@@ -27,7 +27,8 @@ public:
   {
     ValueBand Range{ 1.0, 0.0 };                      ///< isovalues of one band; none if Low > High
     std::size_t MemoryLimit = std::size_t(256) << 20; ///< bytes that all bands may take
-    double Tolerance = 0.0;  ///< distance by which looked-up surfaces may be wrong, in voxels
+    double Tolerance = 0.0;  ///< distance by which looked-up surfaces may be wrong, in voxels; one
+                             ///< that is too small to be kept counts as 0
     bool HasNormals = false; ///< keep normals, to interpolate between them
   };
 
@@ -58,9 +59,23 @@ public:
   /// What a band may cost.
   struct Limits
   {
-    std::size_t Memory; ///< bytes that all bands may take
-    double Cells;       ///< that may be read; an estimate after a part of them decides
+    std::size_t Memory;     ///< bytes that all bands may take
+    double Cells;           ///< that may be read; an estimate after a part of them decides
+    double Patience = 0.05; ///< seconds from one report to the next, but for the tiles in work then
   };
+
+  /// Tolerances below this, in voxels, count as 0. Distances are kept in single precision, which
+  /// may take a tenth of the tolerance: that is enough for rays as long as the longest diagonal of
+  /// a cube of 960 voxels, and where they are longer, SmallestTolerance of a field is larger. Finer
+  /// ones would gain nothing either: below some 2e-5 voxels not even the steepest surface could be
+  /// told, as progress is kept to BandScale::StoredError, and every ray that hits would be traced.
+  static constexpr double FinestTolerance = 1e-3;
+
+  /// The same for the rays through a field.
+  static double SmallestTolerance(const Field& field, const Placement& where);
+
+  /// How the knots for a frame are kept.
+  static KnotForm FormFor(const FrameKey& key, const Options& options);
 
   /// True if the cells of a field have numbers that fit the knots, are all alike, and none is
   /// hidden.

@@ -89,7 +89,7 @@ private:
   /// True if surfaces behind those that are looked up could not be told from them.
   static bool IsTooCoarse(const FrameKey& key, const Isomap::Options& options)
   {
-    return options.Tolerance > 0.0 && key.Sought.IsTranslucent();
+    return Isomap::FormFor(key, options).Tolerance > 0.0 && key.Sought.IsTranslucent();
   }
 
   std::int64_t ColdCellsAt(double isovalue, const ColdFrame& cold) const;

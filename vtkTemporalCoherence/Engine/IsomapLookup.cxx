@@ -59,11 +59,12 @@ IsomapLookup::IsomapLookup(const FrameKey& key, const std::vector<const Isomap::
   for (std::size_t surface = 0; surface < bands.size(); ++surface)
   {
     const ValueBand& values = bands[surface]->Values;
-    const BandScale scale(values, finiteRange);
+    const BandScale scale(key.Samples.Type, values, finiteRange);
     Sought sought{ bands[surface], {}, {} };
     for (const Course course : { Course::Rising, Course::Falling })
     {
-      const double progress = scale.Progress(course, key.Sought.Isovalues[surface] - values.Low);
+      const double progress =
+        scale.Progress(course, scale.DifferenceOf(key.Sought.Isovalues[surface]));
       sought.Progress[static_cast<std::size_t>(course)] =
         scale.Unit > 0.0 ? progress / scale.Unit : 0.0;
       sought.Key[static_cast<std::size_t>(course)] = scale.KeyOf(progress);

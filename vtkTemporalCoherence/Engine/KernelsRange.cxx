@@ -127,9 +127,7 @@ void FindOneByOne(PassageBatch<Real>& in, RangeBatch<Real>& out)
     std::array<Real, 2> turns{};
     if (isBeyond)
     {
-      const Real d0 = cubic[1] - cubic[0], d1 = cubic[2] - cubic[1], d2 = cubic[3] - cubic[2];
-      const Real largest = std::max(std::abs(d0), std::max(std::abs(d1), std::abs(d2)));
-      turns = TurningPoints(d0 / largest, d1 / largest, d2 / largest, count);
+      turns = TurningPoints(cubic, count);
     }
     for (int turn = 0; turn < count; ++turn)
     {

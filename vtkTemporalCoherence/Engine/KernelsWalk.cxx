@@ -80,19 +80,36 @@ HWY_INLINE M HasBit(W word, W place)
   return hn::RebindMask(Doubles(), hn::Ne(bit, hn::Zero(du)));
 }
 
-/// Words that other threads may be writing: each is read in one access of the language's own, as
-/// nothing tells how a vector's gathering reads.
+/// Words that other threads may be writing, which must be read in one access each.
 HWY_INLINE W LoadShared(const std::atomic<std::uint64_t>* words, W at)
 {
+  const Words du;
+#if HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX2
+  // An instruction of the machine, which reads each aligned word at once; the language, which has
+  // no gathering, would only know it as eight reads in a row, at a price that can be measured.
+  static_assert(sizeof(std::atomic<std::uint64_t>) == sizeof(std::uint64_t) &&
+      std::atomic<std::uint64_t>::is_always_lock_free,
+    "an atomic word is a word");
+  const auto* const plain = reinterpret_cast<const std::uint64_t*>(words);
+  return hn::GatherIndex(du, plain, hn::BitCast(Integers(), at));
+#else
+  // Elsewhere Highway would gather by plain reads, which other threads' stores may not meet.
+  const auto load = [words](std::uint64_t place) HWY_ATTR
+  { return words[place].load(std::memory_order_relaxed); };
   constexpr std::size_t lanes = WidestVector / 2;
   std::uint64_t places[lanes];
-  std::uint64_t loaded[lanes];
-  hn::StoreU(at, Words(), places);
-  for (std::size_t i = 0; i < hn::Lanes(Words()); ++i)
+  hn::StoreU(at, du, places);
+  if (hn::Lanes(du) == 1)
   {
-    loaded[i] = words[places[i]].load(std::memory_order_relaxed);
+    return hn::Set(du, load(places[0]));
   }
-  return hn::LoadU(Words(), loaded);
+  std::uint64_t loaded[lanes];
+  for (std::size_t i = 0; i < hn::Lanes(du); ++i)
+  {
+    loaded[i] = load(places[i]);
+  }
+  return hn::LoadU(du, loaded);
+#endif
 }
 
 /// Have leaves' words made that are not known yet.

@@ -12,9 +12,6 @@ namespace TemporalCoherence
 namespace
 {
 
-/// Share of the tolerance that fits may take; the rest is for rounding.
-constexpr double FitShare = 0.9;
-
 PackedNormal Pack(const glm::dvec3& normal)
 {
   const double length = glm::length(normal);
@@ -51,9 +48,10 @@ void KnotCollector::Follow(
   std::size_t course, std::size_t ray, const Cubic<double>& progress, double enter, double leave)
 {
   // A little before the band, so that what happens at its first isovalue can be told.
-  const double floor = -4.0 * BandScale::StoredError * this->Scale.Unit;
-  this->Fits[course * RayBatch::Capacity + ray].Follow(progress, enter, leave, floor,
-    FitShare * this->Form.Tolerance, [&](const Knot& knot) { this->AddKnot(course, ray, knot); });
+  const double resolution = BandScale::StoredError * this->Scale.Unit;
+  const KnotFit::Wanted wanted{ -4.0 * resolution, FitShare * this->Form.Tolerance, resolution };
+  this->Fits[course * RayBatch::Capacity + ray].Follow(
+    progress, enter, leave, wanted, [&](const Knot& knot) { this->AddKnot(course, ray, knot); });
 }
 
 void KnotCollector::AddKnot(std::size_t course, std::size_t ray, const Knot& knot)

@@ -15,6 +15,9 @@
 namespace TemporalCoherence
 {
 
+/// Share of the tolerance that fits may take; the rest is for rounding.
+constexpr double FitShare = 0.9;
+
 /// How knots are kept.
 struct KnotForm
 {
@@ -46,6 +49,18 @@ public:
   /// \param progress along the way from `enter` to `leave`, by Bernstein coefficients
   void Follow(
     std::size_t course, std::size_t ray, const Cubic<double>& progress, double enter, double leave);
+
+  /// What the knots so far will take, without normals.
+  std::size_t MemoryInBytes() const
+  {
+    std::size_t bytes = 0;
+    for (std::size_t course = 0; course < NumberOfCourses; ++course)
+    {
+      bytes += this->Cells[course].size() * CellKnots::BytesPerRow +
+        this->Fitted[course].size() * FittedKnots::BytesPerRow;
+    }
+    return bytes;
+  }
 
   /// Nothing can be told of a ray.
   void GiveUp(std::size_t ray) { this->Untold |= std::uint64_t(1) << ray; }

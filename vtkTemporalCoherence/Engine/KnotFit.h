@@ -26,18 +26,31 @@ struct Knot
 /// one. Pieces never reach across it. Half of the tolerance is for replacing curves by chords, half
 /// for joining chords into longer pieces; the cone of slopes that pass every chord's end closely
 /// enough is kept while pieces grow.
+///
+/// Who looks up knows progress to a resolution only, and cannot use what lies that near together
+/// unless it is as near in distance. So a chord that gains no more than that is not halved: where
+/// it is long, no answer will be taken from it. Hence the number of knots of a ray is bounded by
+/// what there is to be told apart, whatever the tolerance.
 class KnotFit
 {
 public:
+  /// What a fit is to tell.
+  struct Wanted
+  {
+    double Floor;      ///< below this progress the function is not wanted
+    double Tolerance;  ///< distance by which it may be wrong
+    double Resolution; ///< progress that who looks up cannot tell apart
+  };
+
   /// Go on through a cell.
   /// \param cubic     progress along the way from `enter` to `leave`, by Bernstein coefficients
-  /// \param floor     below this progress the function is not wanted
-  /// \param tolerance distance
+  /// \param wanted    what is
   /// \param emit      called with each knot that is final
   template <typename Emit>
-  void Follow(const Cubic<double>& cubic, double enter, double leave, double floor,
-    double tolerance, const Emit& emit)
+  void Follow(
+    const Cubic<double>& cubic, double enter, double leave, const Wanted& wanted, const Emit& emit)
   {
+    const double floor = wanted.Floor;
     if (!this->HasBegun)
     {
       this->Reached = cubic[0];
@@ -62,7 +75,7 @@ public:
         {
           const double length = leave - enter;
           this->Begin({ std::max(lowest, Evaluate(cubic, from)), enter + from * length }, emit);
-          this->Add(cubic, from, end, enter, length, tolerance, MostHalvings, emit);
+          this->Add({ cubic, enter, length }, from, end, wanted, MostHalvings, emit);
         }
       }
       begin = end;
@@ -109,20 +122,42 @@ private:
     this->HighestSlope = std::numeric_limits<double>::infinity();
   }
 
-  /// Add the rising part [begin, end] of a cubic, by halves where it is too curved for one chord.
-  template <typename Emit>
-  void Add(const Cubic<double>& cubic, double begin, double end, double enter, double length,
-    double tolerance, int halvings, const Emit& emit)
+  /// A way through a cell.
+  struct Way
   {
-    if (halvings > 0 && (end - begin) * length > 0.5 * tolerance &&
-      ErrorOfChord(cubic, begin, end, length) > 0.5 * tolerance)
+    const Cubic<double>& Progress;
+    double Enter, Length;
+  };
+
+  /// Add the rising part [begin, end] of a way, by halves where it is too curved for one chord.
+  template <typename Emit>
+  void Add(
+    const Way& way, double begin, double end, const Wanted& wanted, int halvings, const Emit& emit)
+  {
+    if (halvings > 0 && IsTooCurved(way, begin, end, wanted))
     {
       const double middle = 0.5 * (begin + end);
-      this->Add(cubic, begin, middle, enter, length, tolerance, halvings - 1, emit);
-      this->Add(cubic, middle, end, enter, length, tolerance, halvings - 1, emit);
+      this->Add(way, begin, middle, wanted, halvings - 1, emit);
+      this->Add(way, middle, end, wanted, halvings - 1, emit);
       return;
     }
-    this->Append({ Evaluate(cubic, end), enter + end * length }, 0.5 * tolerance, emit);
+    this->Append(
+      { Evaluate(way.Progress, end), way.Enter + end * way.Length }, 0.5 * wanted.Tolerance, emit);
+  }
+
+  /// True if a part of a way is to be halved.
+  static bool IsTooCurved(const Way& way, double begin, double end, const Wanted& wanted)
+  {
+    const double length = (end - begin) * way.Length;
+    if (!(length > 0.5 * wanted.Tolerance))
+    {
+      return false;
+    }
+    const Cubic<double> part = PartOf(way.Progress, begin, end);
+    const double gained = part[3] - part[0];
+    // Shorter ones, too, could be joined with others to a piece that is steep enough to be used.
+    const bool isOfUse = gained > wanted.Resolution || length < 2.0 * wanted.Tolerance;
+    return isOfUse && ErrorOfChord(part, gained, length) > 0.5 * wanted.Tolerance;
   }
 
   /// Append the end of a chord to the present piece, or to a new one if that is too crooked then.
@@ -149,19 +184,17 @@ private:
     this->HasEnd = true;
   }
 
-  /// How far, in distance, a part of a cubic is at most from the chord between its ends: their
-  /// difference is a cubic too, and lies within its own coefficients.
-  static double ErrorOfChord(const Cubic<double>& cubic, double begin, double end, double length)
+  /// How far, in distance, a cubic is at most from the chord between its ends: their difference is
+  /// a cubic too, and lies within its own coefficients.
+  static double ErrorOfChord(const Cubic<double>& part, double gained, double length)
   {
-    const Cubic<double> part = PartOf(cubic, begin, end);
-    const double gained = part[3] - part[0];
     if (!(gained > 0.0))
     {
-      return (end - begin) * length;
+      return length;
     }
     const double first = 1.0 / 3.0 - (part[1] - part[0]) / gained;
     const double second = 2.0 / 3.0 - (part[2] - part[0]) / gained;
-    return std::max(std::abs(first), std::abs(second)) * (end - begin) * length;
+    return std::max(std::abs(first), std::abs(second)) * length;
   }
 
   /// A part of a cubic, by its polar form.

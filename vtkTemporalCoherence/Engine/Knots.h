@@ -3,6 +3,7 @@
 #ifndef TemporalCoherence_Knots_h
 #define TemporalCoherence_Knots_h
 
+#include "Difference.h"
 #include "RayTable.h"
 #include "Surfaces.h"
 
@@ -28,13 +29,20 @@ constexpr std::size_t NumberOfCourses = 2;
 /// ray that has come to progress p has passed all isovalues up to p.
 struct BandScale
 {
+  /// \param samples     type of the field's samples
   /// \param finiteRange smallest and largest finite sample of the field
-  BandScale(const ValueBand& band, const glm::dvec2& finiteRange)
-    : Low(band.Low)
-    , Span(band.High - band.Low)
-    , Unit(std::max(std::abs(finiteRange.x - band.Low), std::abs(finiteRange.y - band.Low)) +
-        this->Span)
+  BandScale(ScalarType samples, const ValueBand& band, const glm::dvec2& finiteRange)
+    : Isovalues(IsovalueScale::For(samples, band, finiteRange))
+    , Low(band.Low)
+    , Span(this->DifferenceOf(band.High))
+    , Unit(this->Isovalues.LargestFrom(band.Low, finiteRange) + this->Span)
   {
+  }
+
+  /// Difference of an isovalue of the band from its lowest one.
+  double DifferenceOf(double isovalue) const
+  {
+    return this->Isovalues.Scaled(isovalue) - this->Isovalues.Scaled(this->Low);
   }
 
   /// Progress at a difference from the band's lowest isovalue.
@@ -70,7 +78,9 @@ struct BandScale
   }
   static constexpr double StoredError = 32.0 * std::numeric_limits<float>::epsilon();
 
-  double Low, Span, Unit;
+  IsovalueScale Isovalues; ///< of which differences and progress have their unit
+  double Low;              ///< lowest isovalue of the band
+  double Span, Unit;
 };
 
 /// The cells in which a ray comes farther through the band than before, in order along the ray: the

@@ -4,6 +4,7 @@
 
 #include "CellSamples.h"
 #include "CellWalk.h"
+#include "Difference.h"
 #include "GradedPassage.h"
 #include "HiddenPassage.h"
 #include "HitOrder.h"

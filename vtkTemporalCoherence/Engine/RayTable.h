@@ -25,6 +25,8 @@ public:
   template <std::size_t Column>
   using TypeOf = std::tuple_element_t<Column, std::tuple<Columns...>>;
 
+  static constexpr std::size_t BytesPerRow = (sizeof(Columns) + ...);
+
   /// A row and the ray of the batch that it belongs to.
   struct Row
   {
@@ -80,10 +82,7 @@ public:
 private:
   using Offsets = std::array<std::uint32_t, RayBatch::Capacity + 1>;
 
-  static std::size_t SizeFor(std::size_t rows)
-  {
-    return sizeof(Offsets) + rows * (sizeof(Columns) + ...);
-  }
+  static std::size_t SizeFor(std::size_t rows) { return sizeof(Offsets) + rows * BytesPerRow; }
 
   Offsets& Begins() { return *reinterpret_cast<Offsets*>(this->Bytes.get()); }
 

@@ -3,6 +3,7 @@
 #include "SurfaceNormal.h"
 
 #include "CellSamples.h"
+#include "Difference.h"
 #include "GradedGradients.h"
 #include "HiddenCells.h"
 #include "KernelsGradients.h"

@@ -6,8 +6,6 @@
 #include "Field.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -89,61 +87,6 @@ bool IsInside(Real difference)
 {
   return difference >= Real(0);
 }
-
-/// Differences of samples from one isovalue, with the exact sign and full relative precision near
-/// the isovalue, in the type the engine computes with. (Integers beyond 2^53 are rounded to
-/// double.)
-///
-/// What is not finite stays harmless: differences are clamped to +-R, R being the largest
-/// difference of a finite sample, and NaN reads as -R, below every isovalue.
-template <typename T>
-class Difference
-{
-public:
-  using Real = RealOf<T>;
-
-  /// \param finiteRange smallest and largest finite sample of the field
-  Difference(double isovalue, const glm::dvec2& finiteRange)
-    : High(static_cast<Real>(std::min(std::max(isovalue, -Largest), Largest)))
-    , Low(static_cast<Real>(
-        std::abs(isovalue) < Largest ? isovalue - static_cast<double>(High) : 0.0))
-    , Limit(static_cast<Real>(std::min(Span(isovalue, finiteRange), Largest)))
-  {
-  }
-
-  /// The isovalue, as the sum of two numbers, and the largest difference from it.
-  std::array<Real, 3> Parts() const { return { this->High, this->Low, this->Limit }; }
-
-  Real operator()(T sample) const
-  {
-    // High and Low together are the isovalue to twice the precision of Real. The first difference
-    // is exact wherever the second one matters.
-    const Real difference = (static_cast<Real>(sample) - this->High) - this->Low;
-    if constexpr (std::is_floating_point_v<T>)
-    {
-      // Both comparisons are false for NaN.
-      const Real raised = difference > -this->Limit ? difference : -this->Limit;
-      return raised < this->Limit ? raised : this->Limit;
-    }
-    else
-    {
-      return difference;
-    }
-  }
-
-private:
-  // Wide enough for every finite sample, never zero, and finite itself.
-  static double Span(double isovalue, const glm::dvec2& range)
-  {
-    const double span = std::max(std::abs(isovalue - range.x), std::abs(range.y - isovalue));
-    return span > 0.0 ? span : 1.0;
-  }
-
-  // Isovalues beyond it are beyond every sample, and stay so there.
-  static constexpr double Largest = sizeof(Real) == 4 ? 1e30 : 1e300;
-
-  Real High, Low, Limit;
-};
 
 }
 

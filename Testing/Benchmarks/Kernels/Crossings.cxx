@@ -3,6 +3,7 @@
 
 // Passages of rays through cells.
 
+#include "Difference.h"
 #include "KernelBenchmarks.h"
 #include "KernelScene.h"
 #include "KernelsCrossing.h"

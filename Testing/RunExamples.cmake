@@ -77,22 +77,27 @@ if (NOT count EQUAL 11)
 endif ()
 run("${CHECK_PICTURE}" "${pictures}/dropin.png" ${tour})
 
-# Wrong use: exit status 1, and one line that holds the given words.
+# Wrong use: exit status 1, and one line of a size to read that holds the given words, and nothing
+# that a terminal would obey.
+string(ASCII 27 escape)
 function (expect_refusal_of command words)
   execute_process(COMMAND ${command} ${ARGN}
     RESULT_VARIABLE result OUTPUT_VARIABLE said ERROR_VARIABLE complaint)
   string(REGEX MATCHALL "\n" lines "${complaint}")
   list(LENGTH lines count)
   string(FIND "${complaint}" "${words}" position)
-  if (NOT result EQUAL 1 OR NOT count EQUAL 1 OR position EQUAL -1)
+  string(LENGTH "${complaint}" length)
+  string(FIND "${complaint}" "${escape}" control)
+  if (NOT result EQUAL 1 OR NOT count EQUAL 1 OR position EQUAL -1 OR length GREATER 1500 OR
+    NOT control EQUAL -1)
     message(FATAL_ERROR
       "${command} ${ARGN}: expected exit status 1 and one line with '${words}', got ${result} "
       "and:\n${complaint}")
   endif ()
 endfunction ()
-macro (expect_refusal words)
+function (expect_refusal words)
   expect_refusal_of("${orbit_and_sweep};--quick;--output;${pictures}/refused" "${words}" ${ARGN})
-endmacro ()
+endfunction ()
 
 file(WRITE "${SCRATCH}/short.raw" "12345")
 file(WRITE "${SCRATCH}/broken.vti" "This is no XML.")
@@ -120,4 +125,16 @@ expect_refusal_of("${explorer}" "needs a display" --spheres 16)
 expect_refusal_of("${explorer}" "There is no session" --session "${SCRATCH}/missing.session")
 expect_refusal_of("${explorer}" "no session of this program" --session "${SCRATCH}/notes.txt")
 expect_refusal_of("${explorer}" "--measure-drag takes" --measure-drag none)
+# What is cited is shown, not obeyed.
+set(obeyed "${escape}[2J${escape}c")
+string(REPEAT "long" 10000 long)
+file(WRITE "${SCRATCH}/obeyed.session"
+  "# vtkTemporalCoherence Explorer session 1\n${obeyed} = 1\n")
+file(WRITE "${SCRATCH}/long.session" "# vtkTemporalCoherence Explorer session 1\n${long} = 1\n")
+expect_refusal("There is no file '${SCRATCH}/a\\x1b[2J\\x1bc.vti'" "${SCRATCH}/a${obeyed}.vti")
+expect_refusal("not '\\x1b[2J\\x1bc'" --spheres 16 --size "${obeyed}")
+expect_refusal("There is no option '--\\x1b" "--${obeyed}")
+expect_refusal("isovalue is a number" "${SCRATCH}/short.raw" "${long}")
+expect_refusal_of("${explorer}" "understood: '\\x1b[2J" --session "${SCRATCH}/obeyed.session")
+expect_refusal_of("${explorer}" " ... " --session "${SCRATCH}/long.session")
 message(STATUS "Wrong use is refused in one sentence")

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CommandLine.h"
 
+#include "Quoted.h"
 #include "UserError.h"
 
 #include <vtkType.h>
@@ -46,8 +47,8 @@ double ParseIsovalue(const std::string& text)
   double value = 0.0;
   if (!IsNumber(text, value))
   {
-    throw UserError("The isovalue is a number in the unit of the volume's samples, not '" + text +
-      "'; leave it out to have one chosen.");
+    throw UserError("The isovalue is a number in the unit of the volume's samples, not " +
+      Quoted(text) + "; leave it out to have one chosen.");
   }
   return value;
 }
@@ -61,7 +62,7 @@ void ParseSize(const std::string& text, CommonOptions& options)
     !IsCount(parts.back(), most, options.Height) || text.back() == 'x')
   {
     throw UserError("--size takes pixels as WIDTHxHEIGHT or as one number, each from 1 to " +
-      std::to_string(most) + ", for example 1024x768, not '" + text + "'.");
+      std::to_string(most) + ", for example 1024x768, not " + Quoted(text) + ".");
   }
 }
 
@@ -79,7 +80,7 @@ std::string ParseAxis(const std::string& option, const std::string& text)
   const std::string axis = text.size() == 1 ? "+" + text : text;
   if (axis.size() != 2 || (axis[0] != '+' && axis[0] != '-') || axis[1] < 'x' || axis[1] > 'z')
   {
-    throw UserError(option + " takes one of +x, -x, +y, -y, +z, -z, not '" + text + "'.");
+    throw UserError(option + " takes one of +x, -x, +y, -y, +z, -z, not " + Quoted(text) + ".");
   }
   return axis;
 }
@@ -104,8 +105,8 @@ int ParseCount(const std::string& option, const std::string& text, int most)
   int count = 0;
   if (!IsCount(text, most, count))
   {
-    throw UserError(
-      option + " takes a whole number from 1 to " + std::to_string(most) + ", not '" + text + "'.");
+    throw UserError(option + " takes a whole number from 1 to " + std::to_string(most) + ", not " +
+      Quoted(text) + ".");
   }
   return count;
 }
@@ -128,8 +129,8 @@ RawLayout ParseRaw(const std::string& text)
   {
     throw UserError("--raw takes NX,NY,NZ,TYPE[,SX,SY,SZ] with one of the types uchar, char, "
                     "ushort, short, uint, int, float, double, for example 256,256,110,uchar,1,1,2, "
-                    "not '" +
-      text + "'.");
+                    "not " +
+      Quoted(text) + ".");
   }
   layout.ScalarType = ScalarTypes().at(parts[3]);
   return layout;
@@ -197,8 +198,8 @@ void CommandLine::TakePositional(const std::string& argument, int position)
   }
   else
   {
-    throw UserError("There is no use for '" + argument +
-      "': a volume and an isovalue are all that is taken without an option; see --help.");
+    throw UserError("There is no use for " + Quoted(argument) +
+      ": a volume and an isovalue are all that is taken without an option; see --help.");
   }
 }
 
@@ -227,7 +228,7 @@ void CommandLine::Parse(const std::vector<std::string>& arguments)
     }
     else
     {
-      throw UserError("There is no option " + argument + "; --help lists those there are.");
+      throw UserError("There is no option " + Quoted(argument) + "; --help lists those there are.");
     }
   }
   const CommonOptions& o = this->Options;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Picture.h"
 
+#include "Quoted.h"
 #include "UserError.h"
 
 #include <vtkNew.h>
@@ -72,6 +73,6 @@ void WritePng(vtkImageData* picture, const std::string& path, const std::string&
       std::remove(path.c_str());
     }
     throw UserError(
-      "'" + path + "' could not be written (" + reason + "); make room, or " + remedy + ".");
+      Quoted(path) + " could not be written (" + reason + "); make room, or " + remedy + ".");
   }
 }

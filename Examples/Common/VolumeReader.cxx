@@ -3,6 +3,7 @@
 #include "VolumeReader.h"
 
 #include "FourSpheres.h"
+#include "Quoted.h"
 #include "Silence.h"
 #include "UserError.h"
 
@@ -71,7 +72,7 @@ public:
     this->Reader->Update();
     if (this->IsStopped)
     {
-      throw UserError("Reading '" + path + "' was stopped; open it again to read all of it.");
+      throw UserError("Reading " + Quoted(path) + " was stopped; open it again to read all of it.");
     }
   }
 
@@ -106,8 +107,8 @@ std::string LowerCase(std::string text)
 
 UserError Unreadable(const std::string& path)
 {
-  return UserError("'" + path +
-    "' could not be read as what its suffix says; check that the file is whole and of that "
+  return UserError(Quoted(path) +
+    " could not be read as what its suffix says; check that the file is whole and of that "
     "format.");
 }
 
@@ -138,7 +139,7 @@ vtkSmartPointer<vtkImageData> ReadLegacy(const std::string& path, const ReadingP
   auto* image = vtkImageData::SafeDownCast(output);
   if (!image)
   {
-    throw UserError("'" + path + "' holds a " + output->GetClassName() +
+    throw UserError(Quoted(path) + " holds a " + output->GetClassName() +
       ", not an image; resample it with vtkResampleToImage and save it as .vti.");
   }
   return image;
@@ -152,8 +153,8 @@ vtkSmartPointer<vtkImageData> ReadDicom(const std::string& path, const ReadingPr
   // A directory without a series leaves no file to name.
   if (reader->GetErrorCode() != 0 || reader->GetOutput()->GetNumberOfPoints() < 2)
   {
-    throw UserError("The directory '" + path +
-      "' holds no DICOM series that VTK reads; name the directory with the slices themselves.");
+    throw UserError("The directory " + Quoted(path) +
+      " holds no DICOM series that VTK reads; name the directory with the slices themselves.");
   }
   return reader->GetOutput();
 }
@@ -170,7 +171,7 @@ vtkSmartPointer<vtkImageData> ReadRaw(const std::string& path, const RawLayout& 
   const std::uintmax_t there = fs::file_size(path);
   if (there != wanted)
   {
-    throw UserError("'" + path + "' has " + std::to_string(there) + " bytes, but --raw tells of " +
+    throw UserError(Quoted(path) + " has " + std::to_string(there) + " bytes, but --raw tells of " +
       std::to_string(wanted) + "; correct the dimensions or the type.");
   }
   vtkNew<vtkImageReader2> reader;
@@ -237,7 +238,7 @@ Volume ReadFile(const std::string& path, const ReadingProgress& progress)
   }
   else
   {
-    throw UserError("The suffix of '" + path + "' is none of " + ListOfSuffixes() +
+    throw UserError("The suffix of " + Quoted(path) + " is none of " + ListOfSuffixes() +
       "; convert the volume, or describe it with --raw NX,NY,NZ,TYPE.");
   }
   return volume;
@@ -291,7 +292,7 @@ Volume ReadVolume(const VolumeSource& source, const ReadingProgress& progress)
   std::error_code error;
   if (!fs::exists(path, error))
   {
-    throw UserError("There is no file '" + path + "'; check the path.");
+    throw UserError("There is no file " + Quoted(path) + "; check the path.");
   }
   if (fs::is_directory(path, error))
   {
@@ -300,7 +301,7 @@ Volume ReadVolume(const VolumeSource& source, const ReadingProgress& progress)
   }
   else if (!std::ifstream(path))
   {
-    throw UserError("'" + path + "' may not be read; check its permissions.");
+    throw UserError(Quoted(path) + " may not be read; check its permissions.");
   }
   else if (source.Raw)
   {
@@ -314,7 +315,7 @@ Volume ReadVolume(const VolumeSource& source, const ReadingProgress& progress)
   {
     throw Unreadable(path);
   }
-  volume.Name = fs::path(path).filename().string();
-  CheckImage(volume.Image, "'" + path + "'");
+  volume.Name = Printable(fs::path(path).filename().string());
+  CheckImage(volume.Image, Quoted(path));
   return volume;
 }

@@ -16,7 +16,7 @@ struct Volume
 {
   vtkSmartPointer<vtkImageData> Image;
   vtkSmartPointer<vtkMatrix4x4> Placement; // from the image's space to the patient's; may be null
-  std::string Name;                        // for people: the file's name
+  std::string Name;                        // for people: the file's name, printable
   std::string From = "-y";                 // the viewer's place that suits this kind of file
 };
 

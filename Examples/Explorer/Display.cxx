@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Display.h"
 
+#include "Quoted.h"
 #include "UserError.h"
 
 #include <cstdlib>
@@ -25,8 +26,8 @@ void CheckDisplay()
   Display* display = XOpenDisplay(name);
   if (!display)
   {
-    throw UserError("A window needs a display, but '" + std::string(name) +
-      "' (DISPLAY) cannot be opened; set DISPLAY to one that runs, or make pictures with "
+    throw UserError("A window needs a display, but " + Quoted(std::string(name)) +
+      " (DISPLAY) cannot be opened; set DISPLAY to one that runs, or make pictures with "
       "Examples/OrbitAndSweep, which needs none.");
   }
   XCloseDisplay(display);

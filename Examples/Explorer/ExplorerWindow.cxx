@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ExplorerWindow.h"
 
+#include "Quoted.h"
 #include "UserError.h"
 
 #include <vtkTimerLog.h>
@@ -98,8 +99,9 @@ void ExplorerWindow::Run()
   }
 }
 
-void ExplorerWindow::Say(const std::string& sentence, bool isWarning)
+void ExplorerWindow::Say(const std::string& said, bool isWarning)
 {
+  const std::string sentence = Printable(said);
   this->Parts.Say(sentence, isWarning);
   this->Log.Said(sentence);
   std::fprintf(
@@ -113,13 +115,9 @@ void ExplorerWindow::Try(const std::function<void()>& action)
   {
     action();
   }
-  catch (const UserError& mistake)
-  {
-    this->Say(mistake.what(), true);
-  }
   catch (const std::exception& failure)
   {
-    this->Say(std::string(failure.what()) + "; try a smaller volume or window.", true);
+    this->Say(SentenceOf(failure), true);
   }
   this->Parts.Switches.Invalidate();
   this->Parts.Isovalue.Invalidate();

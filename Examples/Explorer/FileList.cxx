@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FileList.h"
 
+#include "Quoted.h"
 #include "Session.h"
 #include "UserError.h"
 #include "VolumeReader.h"
@@ -27,8 +28,8 @@ void FileList::Go(const fs::path& directory)
   fs::directory_iterator iterator(where, fs::directory_options::skip_permission_denied, error);
   if (error)
   {
-    throw UserError("The directory '" + directory.string() +
-      "' cannot be read; check the path and its permissions.");
+    throw UserError("The directory " + Quoted(directory.string()) +
+      " cannot be read; check the path and its permissions.");
   }
   std::vector<Entry> directories, files;
   bool hasSlices = false;

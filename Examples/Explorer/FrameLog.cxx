@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FrameLog.h"
 
+#include "Quoted.h"
 #include "UserError.h"
 #include "VolumeView.h"
 
@@ -14,7 +15,7 @@ FrameLog::FrameLog(const std::string& path)
   this->File.open(path);
   if (!this->File)
   {
-    throw UserError("'" + path + "' cannot be written; name another file with --log.");
+    throw UserError(Quoted(path) + " cannot be written; name another file with --log.");
   }
 }
 
@@ -32,10 +33,10 @@ void FrameLog::Said(const std::string& sentence)
 
 void FrameLog::Place(const std::string& name, int x, int y)
 {
-  this->File << "place " << name << ' ' << x << ' ' << y << std::endl;
+  this->File << "place " << Printable(name) << ' ' << x << ' ' << y << std::endl;
 }
 
 void FrameLog::Event(const std::string& name, const std::string& value)
 {
-  this->File << name << ' ' << value << std::endl;
+  this->File << name << ' ' << Printable(value) << std::endl;
 }

@@ -18,7 +18,7 @@ void Call(vtkObject*, unsigned long, void* window, void*)
 }
 
 // The last line of a message of VTK's, which is the sentence itself.
-std::string SentenceOf(const char* message)
+std::string SentenceOfVtk(const char* message)
 {
   const std::string text = message ? message : "";
   const std::size_t begin = text.find("): ");
@@ -54,7 +54,7 @@ void ExplorerWindow::ObserveFrames()
       [](vtkObject*, unsigned long, void* window, void* message)
       {
         static_cast<ExplorerWindow*>(window)->Say(
-          SentenceOf(static_cast<const char*>(message)), true);
+          SentenceOfVtk(static_cast<const char*>(message)), true);
       });
   }
 }
@@ -139,6 +139,8 @@ void ExplorerWindow::KeyInList(const std::string& name)
 
 void ExplorerWindow::Key(const std::string& name, char character, bool hasShift)
 {
+  // What was done by hand before has been dealt with: scripts may go on.
+  this->Log.Event(this->Busy ? "key-while-busy" : "key", name);
   if (this->Busy)
   {
     this->IsStopped = this->IsStopped || name == "Escape";

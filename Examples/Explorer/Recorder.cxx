@@ -3,6 +3,7 @@
 #include "Recorder.h"
 
 #include "Picture.h"
+#include "Quoted.h"
 #include "Silence.h"
 #include "UserError.h"
 
@@ -86,8 +87,8 @@ struct Recorder::FilmWriter : Recorder::Writer
     this->Film->Write();
     if (this->Film->GetError() != 0 || silence.HeardErrors())
     {
-      throw UserError("The film '" + this->Path.string() +
-        "' could not be written; make room, or " + Remedy + ".");
+      throw UserError("The film " + Quoted(this->Path.string()) +
+        " could not be written; make room, or " + Remedy + ".");
     }
   }
 

@@ -3,6 +3,7 @@
 #include "Session.h"
 
 #include "CommandLine.h"
+#include "Quoted.h"
 #include "UserError.h"
 
 #include <algorithm>
@@ -175,8 +176,8 @@ void WriteSession(const Session& session, const std::string& path)
   file.close();
   if (!file)
   {
-    throw UserError("The session '" + path +
-      "' could not be written; name a file in a directory that you may write in with --session.");
+    throw UserError("The session " + Quoted(path) +
+      " could not be written; name a file in a directory that you may write in with --session.");
   }
 }
 
@@ -186,12 +187,12 @@ Session ReadSession(const std::string& path)
   std::string line;
   if (!file)
   {
-    throw UserError("There is no session '" + path + "' that can be read; check the path.");
+    throw UserError("There is no session " + Quoted(path) + " that can be read; check the path.");
   }
   if (!std::getline(file, line) || Trimmed(line) != FirstLine)
   {
-    throw UserError("'" + path + "' is no session of this program: its first line is not '" +
-      FirstLine + "'; open one that the Explorer saved.");
+    throw UserError(Quoted(path) + " is no session of this program: its first line is not " +
+      Quoted(FirstLine) + "; open one that the Explorer saved.");
   }
   Session session;
   const std::map<std::string, Taker> takers = Takers();
@@ -208,14 +209,14 @@ Session ReadSession(const std::string& path)
     }
     catch (const std::exception&)
     {
-      throw UserError("Line " + std::to_string(number) + " of the session '" + path +
-        "' cannot be understood: '" + line + "'; correct it or take it out.");
+      throw UserError("Line " + std::to_string(number) + " of the session " + Quoted(path) +
+        " cannot be understood: " + Quoted(line) + "; correct it or take it out.");
     }
   }
   if (session.Camera && !IsUsable(*session.Camera))
   {
-    throw UserError("The camera of the session '" + path +
-      "' looks nowhere; correct its lines, or take them out to see all of the volume.");
+    throw UserError("The camera of the session " + Quoted(path) +
+      " looks nowhere; correct its lines, or take them out to see all of the volume.");
   }
   return session;
 }

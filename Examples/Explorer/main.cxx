@@ -6,6 +6,7 @@
 #include "ExplorerWindow.h"
 #include "Options.h"
 #include "Picture.h"
+#include "Quoted.h"
 #include "UserError.h"
 
 #include <cstdio>
@@ -45,7 +46,7 @@ void Run(const Options& options)
   {
     window.Render();
     WritePng(window.PictureOfWindow(), options.Screenshot, "name another file with --screenshot");
-    std::printf("Screenshot: %s\n", options.Screenshot.c_str());
+    std::printf("Screenshot: %s\n", Printable(options.Screenshot).c_str());
   }
   else if (options.MeasuredDrag > 0)
   {

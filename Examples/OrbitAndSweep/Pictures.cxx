@@ -3,6 +3,7 @@
 #include "Pictures.h"
 
 #include "Picture.h"
+#include "Quoted.h"
 #include "UserError.h"
 
 #include <vtkImageAppend.h>
@@ -119,8 +120,8 @@ PictureBook::PictureBook(const std::string& directory)
   const std::filesystem::path trial = this->Directory / "contact-sheet.png";
   if (error || !std::ofstream(trial))
   {
-    throw UserError("The directory '" + directory +
-      "' cannot be made or written in; name another with --output.");
+    throw UserError("The directory " + Quoted(directory) +
+      " cannot be made or written in; name another with --output.");
   }
 }
 

@@ -7,6 +7,7 @@
 #include "Isovalue.h"
 #include "Options.h"
 #include "Pictures.h"
+#include "Quoted.h"
 #include "Report.h"
 #include "Scene.h"
 #include "Tour.h"
@@ -46,7 +47,7 @@ void Run(const Options& options)
   PrintTable(records);
   PrintGain(records, extraction);
   std::printf("Pictures: %d in %s, all at a glance in %s\n", book.NumberOfPictures(),
-    options.OutputDirectory.c_str(), book.ContactSheet().c_str());
+    Printable(options.OutputDirectory).c_str(), Printable(book.ContactSheet()).c_str());
 }
 
 }

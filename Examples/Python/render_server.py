@@ -19,9 +19,9 @@ import os
 import threading
 import urllib.parse
 
-# First, as it tells what is missing.
-from volumes import (
-    Arguments, UserError, add_volume_arguments, check_isovalue, number_from, run, volume_of)
+from mistakes import Arguments, UserError, printable, quoted, run
+# Before other packages, as it tells what is missing.
+from volumes import add_volume_arguments, check_isovalue, number_from, volume_of
 
 from scene import Scene
 from vtkTemporalCoherence import write_png
@@ -99,11 +99,11 @@ class Pictures:
         wanted = dict(self._defaults)
         for name, text in urllib.parse.parse_qsl(query, keep_blank_values=True):
             if name not in wanted:
-                raise UserError(f"There is no parameter '{name}': give {', '.join(wanted)}.")
+                raise UserError(f"There is no parameter {quoted(name)}: give {', '.join(wanted)}.")
             try:
                 wanted[name] = int(text) if name == "size" else float(text)
             except ValueError:
-                raise UserError(f"The {name} '{text}' is no number: give one.") from None
+                raise UserError(f"The {name} {quoted(text)} is no number: give one.") from None
         check_size(wanted["size"])
         return self.picture(**wanted)
 
@@ -153,9 +153,9 @@ def serve(pictures: Pictures, host: str, port: int) -> None:
     try:
         # A thread for each connection, as browsers open some that they do not use.
         server = http.server.ThreadingHTTPServer((host, port), handler_of(pictures))
-    except (OSError, OverflowError) as error:
+    except (OSError, OverflowError, UnicodeError) as error:
         raise UserError(
-            f"Port {port} of {host} cannot be listened at ({error}): choose another.") from error
+            f"Port {port} of {quoted(host)} cannot be listened at ({error}): choose another.") from error
     with server:
         print(f"Serving http://{host}:{server.server_port}/ until Ctrl+C", flush=True)
         server.serve_forever()
@@ -173,10 +173,10 @@ def write(
                     given.output, f"isovalue{isovalue:.12g}_azimuth{azimuth:.12g}.png")
                 with open(path, "wb") as file:
                     file.write(png)
-                print(f"{path}  {route}, {milliseconds:.1f} ms")
+                print(f"{printable(path)}  {route}, {milliseconds:.1f} ms")
     except OSError as error:
         raise UserError(
-            f"'{given.output}' cannot be written ({error.strerror}): choose another --output."
+            f"{quoted(given.output)} cannot be written ({error.strerror}): choose another --output."
         ) from error
 
 

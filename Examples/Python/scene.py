@@ -10,7 +10,8 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkVolume
 from vtkTemporalCoherence import Planes, render, vtkTemporalCoherenceVolumeMapper
 
-from volumes import UserError, check_isovalue, value_range
+from mistakes import UserError
+from volumes import check_isovalue, value_range
 
 COLOR = (0.95, 0.75, 0.45)
 

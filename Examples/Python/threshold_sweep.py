@@ -15,10 +15,9 @@ import os
 import statistics
 from typing import Iterator
 
-# First, as it tells what is missing.
-from volumes import (
-    Arguments, UserError, add_volume_arguments, check_isovalue, number_from, run, size_of,
-    volume_of)
+from mistakes import Arguments, UserError, printable, quoted, run
+# Before other packages, as it tells what is missing.
+from volumes import add_volume_arguments, check_isovalue, number_from, size_of, volume_of
 
 import numpy
 from scene import Scene
@@ -97,7 +96,7 @@ def writing(path: str) -> Iterator[None]:
         yield
     except OSError as error:
         raise UserError(
-            f"'{path}' cannot be written ({error.strerror}): choose another --output.") from error
+            f"{quoted(path)} cannot be written ({error.strerror}): choose another --output.") from error
 
 
 def animation(path: str, rate: int) -> Folder | Theora | Gif:
@@ -105,7 +104,7 @@ def animation(path: str, rate: int) -> Folder | Theora | Gif:
     suffix = os.path.splitext(path)[1].lower()
     if suffix not in kinds:
         raise UserError(
-            f"Animations '{suffix}' are not written here: name a file .ogv or .gif, or a folder.")
+            f"Animations {quoted(suffix)} are not written here: name a file .ogv or .gif, or a folder.")
     with writing(path):
         return kinds[suffix](path, rate)
 
@@ -161,7 +160,7 @@ def main() -> None:
 
     for route, taken in milliseconds.items():
         print(f"{route:14}  {len(taken):4} frames, median {statistics.median(taken):6.1f} ms")
-    print(f"saved as {given.output}")
+    print(f"saved as {printable(given.output)}")
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the examples share: volumes from files and a generated one, and how mistakes are told."""
+"""What the examples share: volumes from files, and a generated one."""
 
 from __future__ import annotations
 
@@ -11,10 +11,12 @@ import pathlib
 import sys
 from typing import Callable, Iterator
 
+from mistakes import UserError, printable, quoted, shortened
+
 try:
     import numpy
     from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
-    from vtkmodules.vtkCommonDataModel import vtkImageData
+    from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkImageData
     from vtkmodules.vtkIOImage import vtkMetaImageReader, vtkNIFTIImageReader, vtkSLCReader
     from vtkmodules.vtkIOLegacy import vtkStructuredPointsReader
     from vtkmodules.vtkIOXML import vtkXMLImageDataReader
@@ -36,32 +38,6 @@ READERS = {
 SUFFIXES = ", ".join([".npy", *READERS])
 
 
-class UserError(Exception):
-    """A mistake of the user: one sentence that says what to do."""
-
-
-class Arguments(argparse.ArgumentParser):
-    """A command line whose mistakes are told in one sentence."""
-
-    def error(self, message):
-        raise UserError(f"{message}; --help tells what can be given.")
-
-
-def run(main: Callable[[], None]) -> None:
-    """Run a program: exit status 0, or 1 and one line for a mistake of the user."""
-    try:
-        main()
-        sys.stdout.flush()
-    except UserError as error:
-        sys.exit(f"{pathlib.Path(sys.argv[0]).name}: {error}")
-    except KeyboardInterrupt:
-        pass
-    except BrokenPipeError:
-        # Who reads what is printed has gone, as head does; the interpreter is not to print more.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        sys.exit(1)
-
-
 def add_volume_arguments(arguments: argparse.ArgumentParser) -> None:
     arguments.add_argument(
         "volume", nargs="?",
@@ -73,7 +49,7 @@ def number_from(least: int, most: int = 1000000) -> Callable[[str], int]:
     """A type of argument: whole numbers, none below the least or above the most."""
     def convert(text: str) -> int:
         if not text.isdecimal() or not least <= int(text) <= most:
-            raise argparse.ArgumentTypeError(f"'{text}' is no whole number from {least} to {most}")
+            raise argparse.ArgumentTypeError(f"{quoted(text)} is no whole number from {least} to {most}")
         return int(text)
     return convert
 
@@ -82,7 +58,7 @@ def size_of(text: str) -> tuple[int, int]:
     """A type of argument: width and height in pixels."""
     parts = text.split("x")
     if len(parts) != 2 or not all(part.isdecimal() and 0 < int(part) < 16384 for part in parts):
-        raise argparse.ArgumentTypeError(f"'{text}' is no size as 640x480, at most 16383x16383")
+        raise argparse.ArgumentTypeError(f"{quoted(text)} is no size as 640x480, at most 16383x16383")
     return int(parts[0]), int(parts[1])
 
 
@@ -92,7 +68,8 @@ def volume_of(arguments: argparse.Namespace) -> vtkImageData:
         image = make_spheres(128)
     else:
         image = read_volume(arguments.volume)
-    choose_array(image, arguments.array, arguments.volume or "The generated volume")
+    what = "The generated volume" if arguments.volume is None else quoted(arguments.volume)
+    choose_array(image, arguments.array, what)
     return image
 
 
@@ -110,14 +87,14 @@ def make_spheres(samples: int) -> vtkImageData:
 
 def read_volume(path: str) -> vtkImageData:
     if not os.path.exists(path):
-        raise UserError(f"There is no file '{path}': check the path.")
+        raise UserError(f"There is no file {quoted(path)}: check the path.")
     if not os.access(path, os.R_OK):
-        raise UserError(f"'{path}' may not be read by you: change its permissions.")
+        raise UserError(f"{quoted(path)} may not be read by you: change its permissions.")
     if path.lower().endswith(".npy"):
         return _read_array(path)
     suffix = next((suffix for suffix in READERS if path.lower().endswith(suffix)), None)
     if suffix is None:
-        raise UserError(f"The suffix of '{path}' is none of {SUFFIXES}: convert the volume.")
+        raise UserError(f"The suffix of {quoted(path)} is none of {SUFFIXES}: convert the volume.")
     reader = READERS[suffix]()
     reader.SetFileName(path)
     with _errors_of_vtk() as errors:
@@ -125,7 +102,7 @@ def read_volume(path: str) -> vtkImageData:
     image = reader.GetOutput()
     if errors() or image.GetNumberOfPoints() == 0:
         raise UserError(
-            f"'{path}' could not be read as an image: check that it is a whole file of the format "
+            f"{quoted(path)} could not be read as an image: check that it is a whole file of the format "
             f"that its suffix tells.")
     return image
 
@@ -137,16 +114,20 @@ def choose_array(image: vtkImageData, name: str | None, what: str) -> None:
             f"{what} has {' x '.join(map(str, image.GetDimensions()))} samples: a volume needs at "
             f"least 2 along each axis.")
     points = image.GetPointData()
-    names = [points.GetArrayName(index) for index in range(points.GetNumberOfArrays())]
-    if not names:
+    # Some have no name, and some are no numbers.
+    arrays = {points.GetArrayName(index) or "": index
+              for index in range(points.GetNumberOfArrays()) if points.GetArray(index)}
+    if not arrays:
         raise UserError(
             f"{what} has no arrays on its points: make some of cell data with "
             f"vtkCellDataToPointData.")
     if name is None:
-        name = points.GetScalars().GetName() if points.GetScalars() else names[0]
-    if name not in names:
-        raise UserError(f"{what} has no array '{name}': choose one of {', '.join(names)}.")
-    points.SetActiveScalars(name)
+        scalars = points.GetScalars()
+        name = scalars.GetName() or "" if scalars else next(iter(arrays))
+    if name not in arrays:
+        there = shortened(printable(", ".join(arrays)))
+        raise UserError(f"{what} has no array {quoted(name)}: choose one of {there}.")
+    points.SetActiveAttribute(arrays[name], vtkDataSetAttributes.SCALARS)
 
 
 def value_range(image: vtkImageData) -> tuple[float, float]:
@@ -173,7 +154,7 @@ def _read_array(path: str) -> vtkImageData:
         return numpy_to_image(numpy.load(path, mmap_mode="r"))
     except (OSError, ValueError, TypeError) as error:
         reason = " ".join(str(error).split()).rstrip(".")
-        raise UserError(f"'{path}' could not be read as a NumPy volume: {reason}.") from error
+        raise UserError(f"{quoted(path)} could not be read as a NumPy volume: {reason}.") from error
 
 
 @contextlib.contextmanager

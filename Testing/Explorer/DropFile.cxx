@@ -17,7 +17,7 @@ namespace
 {
 
 constexpr long Version = 5;
-constexpr int Attempts = 1000; // of 10 ms
+constexpr int Attempts = 12000; // of 10 ms
 
 class Source
 {

@@ -153,8 +153,9 @@ start_display()
   Xvfb -displayfd 3 -noreset -nolisten tcp -screen 0 1280x1024x24 3>"$number" 2>>"$log" &
   display_process=$!
   trap 'kill "$display_process" 2>/dev/null || true; rm -rf "${downloads:-}"' EXIT
-  for _ in $(seq 50); do
+  for _ in $(seq 600); do
     [ ! -s "$number" ] || break
+    kill -0 "$display_process" 2>/dev/null || break
     sleep 0.2
   done
   [ -s "$number" ] || fail "Xvfb did not start; what it said is in $log"

@@ -69,6 +69,9 @@ class Example(unittest.TestCase):
         self.assertTrue(done.stderr.startswith(program + ": "), done.stderr)
         self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
         self.assertTrue(done.stderr.endswith(".\n"), done.stderr)
+        # A terminal obeys nothing of it, and it can be read.
+        self.assertTrue(done.stderr[:-1].isprintable(), done.stderr)
+        self.assertLess(len(done.stderr), 1500)
 
     def save_sphere(self, centre=(0.0, 0.0, 0.0)):
         """A sphere as a .npy file; with spacing 1 its radius is (1 - isovalue) * 32."""
@@ -262,12 +265,16 @@ class Volumes(Example):
                 ("'folder.vti' could not be read", ["folder.vti"]),
                 ("suffix of 'notes.txt' is none of .npy", ["notes.txt"]),
                 (r"'flat.npy'.*shape .*, not \(5, 5\): reshape", ["flat.npy"]),
-                ("slice.npy has 5 x 5 x 1 samples", ["slice.npy"]),
+                ("'slice.npy' has 5 x 5 x 1 samples", ["slice.npy"]),
                 ("all the same or no numbers.*choose", ["even.npy"]),
                 ("all the same or no numbers.*choose", ["nan.npy"]),
                 ("real numbers", ["complex.npy"]),
                 ("'objects.npy' could not be read", ["objects.npy"]),
-                ("has no array 'pressure': choose one of scalars", ["--array", "pressure"]))):
+                ("has no array 'pressure': choose one of scalars", ["--array", "pressure"]),
+                (r"no file '\\x1b\[2J\\xff.vti'", [b"\x1b[2J\xff.vti".decode("utf-8", "surrogateescape")]),
+                (r"unrecognized arguments: --\\x1b", ["--\x1b[2J"]),
+                (r"no array '\\x1b\[2J", ["--array", "\x1b[2J"]),
+                (r"no array 'long.* \.\.\. .*long'", ["--array", 9999 * "long"]))):
             self.assert_refused(words, program, *arguments)
 
 
@@ -287,11 +294,11 @@ class RenderServer(Example):
             yield int(match[1])
         finally:
             process.send_signal(signal.SIGINT)
-            _, complaints = process.communicate(timeout=30)
+            _, complaints = process.communicate(timeout=120)
         self.assertEqual((process.returncode, complaints), (0, ""))
 
     def get(self, port, address, status=200):
-        connection = http.client.HTTPConnection("127.0.0.1", port, timeout=60)
+        connection = http.client.HTTPConnection("127.0.0.1", port, timeout=120)
         with contextlib.closing(connection):
             connection.request("GET", address)
             answer = connection.getresponse()

@@ -1,0 +1,31 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Broken files, opened by the examples' own parts. Included by the directory of tests, where
+# CMAKE_CURRENT_LIST_DIR is this one.
+if (NOT UNIX)
+  return () # a process of its own for each file
+endif ()
+set(examples "${CMAKE_CURRENT_LIST_DIR}/../Examples")
+add_subdirectory("${examples}/Common" Files/ExamplesCommon)
+
+# The programs have headers of the same names, so each way has a library of its own.
+add_library(DrawInExplorer STATIC
+  "${CMAKE_CURRENT_LIST_DIR}/Files/DrawInExplorer.cxx"
+  "${examples}/Explorer/Appearance.cxx"
+  "${examples}/Explorer/Choices.cxx"
+  "${examples}/Explorer/Model.cxx"
+  "${examples}/Explorer/Session.cxx"
+  "${examples}/Explorer/VolumeView.cxx")
+target_include_directories(DrawInExplorer PRIVATE "${examples}/Explorer")
+add_library(DrawInOrbitAndSweep STATIC
+  "${CMAKE_CURRENT_LIST_DIR}/Files/DrawInOrbitAndSweep.cxx"
+  "${examples}/OrbitAndSweep/Extraction.cxx"
+  "${examples}/OrbitAndSweep/Scene.cxx")
+target_include_directories(DrawInOrbitAndSweep PRIVATE "${examples}/OrbitAndSweep")
+add_executable(OpenFiles "${CMAKE_CURRENT_LIST_DIR}/Files/OpenFiles.cxx")
+foreach (library IN ITEMS DrawInExplorer DrawInOrbitAndSweep)
+  target_link_libraries("${library}" PUBLIC ExamplesCommon VTK::TemporalCoherence)
+  vtk_module_autoinit(TARGETS "${library}" MODULES ${VTK_LIBRARIES})
+  target_link_libraries(OpenFiles PRIVATE "${library}")
+endforeach ()

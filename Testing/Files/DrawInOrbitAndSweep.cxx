@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Draw.h"
+
+#include "Extraction.h"
+#include "Histogram.h"
+#include "Isovalue.h"
+#include "Options.h"
+#include "Scene.h"
+#include "UserError.h"
+#include "VolumeReader.h"
+
+#include <vtkImageData.h>
+
+namespace
+{
+
+constexpr int Size = 40; // pixels of a side
+
+}
+
+void DrawInOrbitAndSweep(const VolumeSource& source)
+{
+  const Options options;
+  const Volume volume = ReadVolume(source);
+  const IsovalueChoice isovalue = ChooseIsovalue(CountSamples(volume.Image), {});
+  Scene scene(volume, isovalue, options);
+  vtkNew<vtkImageData> picture;
+  for (const double degrees : { 0.0, 2.0 })
+  {
+    scene.SetAzimuth(degrees);
+    if (!scene.Mapper->RenderToImage(scene.Renderer, scene.Actor, Size, Size, picture, nullptr))
+    {
+      throw UserError("The mapper could not draw the volume; its message above says what to do.");
+    }
+  }
+  TimeExtraction(volume.Image, isovalue.Value);
+}

@@ -1,0 +1,385 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Small volumes in all formats that the examples open, written without VTK, the same everywhere.
+
+Each writer takes a twist: a function through which each number of a header goes on its way into the
+file, and which makes it another one where a broken file is wanted.
+"""
+
+from __future__ import annotations
+
+import base64
+import lzma
+import math
+import struct
+import zlib
+from dataclasses import dataclass, field
+from typing import Callable
+
+SIZE = (9, 8, 7)
+Twist = Callable[[object], object]
+
+
+@dataclass
+class Original:
+    """Files of one volume: main is the one that is opened, or "" for the folder of all."""
+    main: str
+    files: dict[str, bytes]
+    layout: str = ""  # what --raw takes
+    way: str = ""  # "session": opened as a session
+    words: list[bytes] = field(default_factory=list)  # that mean something in this format
+
+
+def ball() -> list[float]:
+    """Values from 0 to about 200, highest in the middle."""
+    nx, ny, nz = SIZE
+    return [
+        max(0.0, 200.0 - 50.0 * math.dist((i, j, k), ((nx - 1) / 2, (ny - 1) / 2, (nz - 1) / 2)))
+        for k in range(nz) for j in range(ny) for i in range(nx)]
+
+
+def packed(code: str) -> bytes:
+    values = ball()
+    return struct.pack(
+        f"{code[0]}{len(values)}{code[1]}",
+        *(values if code[1] in "fd" else [round(value) for value in values]))
+
+
+def whole(value: object, bits: int, is_signed: bool = False) -> int:
+    """What a field of so many bits makes of a number."""
+    number = int(value) if isinstance(value, (int, float)) and math.isfinite(value) else 0
+    number &= (1 << bits) - 1
+    return number - (1 << bits) if is_signed and number >> (bits - 1) else number
+
+
+# --- VTK's XML ----------------------------------------------------------------------------------
+
+def stored_lz4(data: bytes) -> bytes:
+    """An LZ4 block that holds all bytes as they are."""
+    block = bytearray([min(len(data), 15) << 4])
+    rest = len(data) - 15
+    while rest >= 0:
+        block.append(min(rest, 255))
+        rest -= 255
+    return bytes(block) + data
+
+
+COMPRESSORS = {
+    "vtkZLibDataCompressor": zlib.compress,
+    "vtkLZ4DataCompressor": stored_lz4,
+    "vtkLZMADataCompressor": lambda data: lzma.compress(data, check=lzma.CHECK_CRC32),
+}
+
+
+def with_header(data: bytes, compressor: str, code: str, twist: Twist) -> tuple[bytes, bytes]:
+    """Header and data of an array as VTK's XML files have them."""
+    bits = 8 * struct.calcsize(code)
+
+    def numbers(*values):
+        return b"".join(struct.pack("<" + code, whole(twist(value), bits)) for value in values)
+
+    if not compressor:
+        return numbers(len(data)), data
+    size = 200
+    blocks = [COMPRESSORS[compressor](data[at:at + size]) for at in range(0, len(data), size)]
+    header = numbers(len(blocks), size, len(data) % size, *map(len, blocks))
+    return header, b"".join(blocks)
+
+
+def vti(kind: str, compressor: str = "", code: str = "<B", name: str = "UInt8",
+        header: str = "UInt32") -> Callable[[Twist], Original]:
+    def write(twist: Twist) -> Original:
+        nx, ny, nz = SIZE
+        t = twist
+        data = packed(code)
+        head, body = with_header(data, compressor, "I" if header == "UInt32" else "Q", t)
+        extent = f"0 {t(nx - 1)} 0 {t(ny - 1)} 0 {t(nz - 1)}"
+        array, appended = "", b""
+        if kind == "ascii":
+            content = " ".join(map(str, struct.unpack(f"{code[0]}{nx * ny * nz}{code[1]}", data)))
+            array = f'format="ascii">{content}</DataArray>'
+        elif kind == "binary":
+            content = base64.b64encode(head).decode() + base64.b64encode(body).decode() \
+                if compressor else base64.b64encode(head + body).decode()
+            array = f'format="binary">{content}</DataArray>'
+        else:
+            array = f'format="appended" offset="{t(0)}"/>'
+            raw = kind == "raw"
+            appended = head + body if raw else base64.b64encode(head) + base64.b64encode(body) \
+                if compressor else base64.b64encode(head + body)
+            appended = b'<AppendedData encoding="%s">_' % (b"raw" if raw else b"base64") + \
+                appended + b"</AppendedData>\n"
+        text = f"""<?xml version="1.0"?>
+<VTKFile type="ImageData" version="{t(1)}.0" byte_order="LittleEndian" header_type="{header}"\
+{f' compressor="{compressor}"' if compressor else ""}>
+<ImageData WholeExtent="{extent}" Origin="{t(1.5)} {t(0)} {t(-2)}" Spacing="{t(1)} {t(0.5)} {t(2)}" \
+Direction="{t(1)} {t(0)} {t(0)} {t(0)} {t(1)} {t(0)} {t(0)} {t(0)} {t(1)}">
+<Piece Extent="{extent}">
+<PointData Scalars="ball">
+<DataArray type="{name}" Name="ball" NumberOfComponents="{t(1)}" RangeMin="{t(0)}" \
+RangeMax="{t(200)}" {array}
+</PointData>
+<CellData>
+</CellData>
+</Piece>
+</ImageData>
+""".encode() + appended + b"</VTKFile>\n"
+        return Original("a.vti", {"a.vti": text}, words=[
+            b"UInt8", b"Int64", b"Float64", b"String", b"Bit", b"ascii", b"binary", b"appended",
+            b"raw", b"base64", b"ImageData", b"PolyData", b"UInt64", b"UInt32", b"BigEndian",
+            b"LittleEndian", b"vtkZLibDataCompressor", b"vtkLZ4DataCompressor",
+            b"vtkLZMADataCompressor", b"CellData", b"PointData", b"FieldData", b"DataArray", b"Piece",
+            b"InformationKey", b"Scalars"])
+    return write
+
+
+# --- VTK's legacy format ------------------------------------------------------------------------
+
+def legacy(binary: bool, dataset: str = "STRUCTURED_POINTS") -> Callable[[Twist], Original]:
+    def write(twist: Twist) -> Original:
+        nx, ny, nz = SIZE
+        t = twist
+        data = packed(">h") if binary else " ".join(
+            map(str, struct.unpack(f">{nx * ny * nz}h", packed(">h")))).encode()
+        text = f"# vtk DataFile Version {t(3)}.0\na ball\n{'BINARY' if binary else 'ASCII'}\n" \
+            f"DATASET {dataset}\nDIMENSIONS {t(nx)} {t(ny)} {t(nz)}\n".encode()
+        if dataset == "STRUCTURED_POINTS":
+            text += f"SPACING {t(1)} {t(0.5)} {t(2)}\nORIGIN {t(1.5)} {t(0)} {t(-2)}\n".encode()
+        else:
+            for axis, count in zip("XYZ", SIZE):
+                text += f"{axis}_COORDINATES {t(count)} float\n".encode()
+                text += struct.pack(f">{count}f", *range(count)) if binary else \
+                    " ".join(map(str, range(count))).encode()
+                text += b"\n"
+        text += f"POINT_DATA {t(nx * ny * nz)}\nSCALARS ball short {t(1)}\nLOOKUP_TABLE default\n" \
+            .encode() + data + b"\nMETADATA\nINFORMATION 0\n\n"
+        text += f"FIELD FieldData {t(1)}\nmore {t(1)} {t(2)} int\n".encode()
+        text += struct.pack(">2i", 3, 4) if binary else b"3 4"
+        return Original("a.vtk", {"a.vtk": text + b"\n"}, words=[
+            b"STRUCTURED_POINTS", b"RECTILINEAR_GRID", b"UNSTRUCTURED_GRID", b"POLYDATA", b"FIELD",
+            b"STRUCTURED_GRID", b"BINARY", b"ASCII", b"SCALARS", b"VECTORS", b"TENSORS", b"LOOKUP_TABLE",
+            b"COLOR_SCALARS", b"POINT_DATA", b"CELL_DATA", b"DIMENSIONS", b"METADATA", b"INFORMATION",
+            b"short", b"double", b"bit", b"char", b"string", b"vtkIdType", b"NORMALS", b"GLOBAL_IDS",
+            b"TEXTURE_COORDINATES", b"NAME", b"LOCATION", b"DATA", b"COMPONENT_NAMES", b"EXTENT"])
+    return write
+
+
+# --- MetaImage ----------------------------------------------------------------------------------
+
+def meta(local: bool, compressed: bool = False) -> Callable[[Twist], Original]:
+    def write(twist: Twist) -> Original:
+        nx, ny, nz = SIZE
+        t = twist
+        data = packed("<h")
+        stored = zlib.compress(data) if compressed else data
+        text = f"""ObjectType = Image
+NDims = {t(3)}
+BinaryData = True
+BinaryDataByteOrderMSB = False
+CompressedData = {compressed}
+""" + (f"CompressedDataSize = {t(len(stored))}\n" if compressed else "") + f"""\
+TransformMatrix = {t(1)} {t(0)} {t(0)} {t(0)} {t(1)} {t(0)} {t(0)} {t(0)} {t(1)}
+Offset = {t(1.5)} {t(0)} {t(-2)}
+CenterOfRotation = {t(0)} 0 0
+AnatomicalOrientation = RAI
+ElementSpacing = {t(1)} {t(0.5)} {t(2)}
+HeaderSize = {t(-1 if local and not compressed else 0)}
+ElementNumberOfChannels = {t(1)}
+DimSize = {t(nx)} {t(ny)} {t(nz)}
+ElementType = MET_SHORT
+ElementDataFile = {"LOCAL" if local else "a.raw"}
+"""
+        words = [
+            b"MET_UCHAR", b"MET_DOUBLE", b"MET_STRING", b"MET_OTHER", b"MET_LONG_LONG",
+            b"MET_USHORT_ARRAY", b"MET_FLOAT_MATRIX", b"True", b"False", b"LOCAL", b"Local", b"LIST",
+            b"LIST 2", b"a%02d.raw 1 3 1", b"a.raw", b"/dev/zero", b".", b"Image", b"Scene", b"Tube",
+            b"ObjectSubType", b"ElementToIntensityFunctionSlope", b"ElementMin", b"ElementSize",
+            b"DimSize", b"NDims", b"ElementSpacing", b"Position", b"Orientation", b"Modality",
+            b"SequenceID", b"ElementNumberOfChannels"]
+        if local:
+            return Original("a.mha", {"a.mha": text.encode() + stored}, words=words)
+        return Original("a.mhd", {"a.mhd": text.encode(), "a.raw": stored}, words=words)
+    return write
+
+
+# --- NIfTI --------------------------------------------------------------------------------------
+
+def nifti(zipped: bool, version: int = 1) -> Callable[[Twist], Original]:
+    def write(twist: Twist) -> Original:
+        t = twist
+
+        def i(bits, *values):
+            code = {16: "h", 32: "i", 64: "q"}[bits]
+            return b"".join(
+                struct.pack("<" + code, whole(t(value), bits, True)) for value in values)
+
+        def r(code, *values):
+            made = b""
+            for value in values:
+                try:
+                    made += struct.pack("<" + code, float(t(value)))
+                except (OverflowError, ValueError):
+                    made += struct.pack("<" + code, math.inf)
+            return made
+
+        dims = (3, *SIZE, 1, 1, 1, 1)
+        if version == 1:
+            head = i(32, 348) + bytes(36) + i(16, *dims) + r("f", 0, 0, 0) + i(16, 0, 4, 16, 0)
+            head += r("f", 1, 1, 0.5, 2, 0, 0, 0, 0) + r("f", 352, 1, 0) + i(16, 0) + b"\0\2"
+            head += r("f", 0, 0, 0, 0) + bytes(8 + 80 + 24) + i(16, 1, 1)
+            head += r("f", 0, 0, 0, 1.5, 0, -2) + r("f", 1, 0, 0, 1.5, 0, .5, 0, 0, 0, 0, 2, -2)
+            head += bytes(16) + b"n+1\0" + bytes(4)
+        else:
+            head = i(32, 540) + b"n+2\0\r\n\032\n" + i(16, 4, 16) + i(64, *dims) + r("d", 0, 0, 0)
+            head += r("d", 1, 1, 0.5, 2, 0, 0, 0, 0) + i(64, 544) + r("d", 1, 0, 0, 0, 0, 0)
+            head += i(64, 0, 0) + bytes(80 + 24) + i(32, 1, 1) + r("d", 0, 0, 0, 1.5, 0, -2)
+            head += r("d", 1, 0, 0, 1.5, 0, .5, 0, 0, 0, 0, 2, -2) + i(32, 0, 2, 0, 0, 0)
+            head += bytes(540 - len(head)) + bytes(4)
+        data = head + packed("<h")
+        name = "a.nii.gz" if zipped else "a.nii"
+        return Original(name, {name: zlib.compress(data, wbits=31) if zipped else data})
+    return write
+
+
+# --- SLC ----------------------------------------------------------------------------------------
+
+def slc(compressed: bool) -> Callable[[Twist], Original]:
+    def write(twist: Twist) -> Original:
+        t = twist
+        nx, ny, nz = SIZE
+        data = packed("<B")
+        text = f"{t(11111)}\n{t(nx)} {t(ny)} {t(nz)} {t(8)}\n{t(1)} {t(0.5)} {t(2)}\n" \
+            f"{t(0)} {t(0)} {t(0)}\n{t(1 if compressed else 0)}\n{t(4)} {t(3)} X".encode() + bytes(36)
+        for k in range(nz):
+            plane = data[k * nx * ny:(k + 1) * nx * ny]
+            if compressed:
+                # Runs that are copied (0x80 + length), and repeated (length).
+                coded = bytes([0x80 + 40]) + plane[:40]
+                coded += b"".join(bytes([1, value]) for value in plane[40:]) + b"\0"
+                plane = f"{t(len(coded))} X".encode() + coded
+            text += plane
+        return Original("a.slc", {"a.slc": text}, words=[b"X", b" ", b"\n"])
+    return write
+
+
+# --- DICOM --------------------------------------------------------------------------------------
+
+def dicom(implicit: bool) -> Callable[[Twist], Original]:
+    def write(twist: Twist) -> Original:
+        t = twist
+        nx, ny, nz = SIZE
+
+        def element(group, tag, kind, value):
+            value = value if isinstance(value, bytes) else str(value).encode()
+            value += b"\0" * (len(value) % 2)
+            head = struct.pack("<HH", group, tag)
+            if implicit and group != 2:
+                return head + struct.pack("<I", whole(t(len(value)), 32)) + value
+            if kind in ("OW", "OB"):
+                return head + kind.encode() + bytes(2) + struct.pack(
+                    "<I", whole(t(len(value)), 32)) + value
+            return head + kind.encode() + struct.pack("<H", whole(t(len(value)), 16)) + value
+
+        def us(value):
+            return struct.pack("<H", whole(t(value), 16))
+
+        data = packed("<H")
+        files = {}
+        for k in range(nz):
+            syntax = "1.2.840.10008.1.2" + ("" if implicit else ".1")
+            meta_group = element(2, 0x10, "UI", syntax) + element(2, 0x12, "UI", "1.2.3")
+            content = bytes(128) + b"DICM" + element(2, 0, "UL", struct.pack(
+                "<I", whole(t(len(meta_group)), 32))) + meta_group
+            for tag in (
+                    (0x08, 0x60, "CS", "MR"), (0x10, 0x10, "PN", "ball"),
+                    (0x18, 0x50, "DS", t(2)), (0x20, 0x0d, "UI", "1.2.3"),
+                    (0x20, 0x0e, "UI", "1.2.3.4"), (0x20, 0x13, "IS", t(k + 1)),
+                    (0x20, 0x32, "DS", f"{t(0)}\\{t(0)}\\{t(2 * k)}"),
+                    (0x20, 0x37, "DS", f"{t(1)}\\{t(0)}\\{t(0)}\\{t(0)}\\{t(1)}\\{t(0)}"),
+                    (0x28, 0x02, "US", us(1)), (0x28, 0x04, "CS", "MONOCHROME2"),
+                    (0x28, 0x10, "US", us(ny)), (0x28, 0x11, "US", us(nx)),
+                    (0x28, 0x30, "DS", f"{t(1)}\\{t(0.5)}"), (0x28, 0x100, "US", us(16)),
+                    (0x28, 0x101, "US", us(16)), (0x28, 0x102, "US", us(15)),
+                    (0x28, 0x103, "US", us(0)), (0x28, 0x1052, "DS", t(0)), (0x28, 0x1053, "DS", t(1)),
+                    (0x7fe0, 0x10, "OW", data[2 * k * nx * ny:2 * (k + 1) * nx * ny])):
+                content += element(*tag)
+            files[f"{k}.dcm"] = content
+        return Original("", files, words=[
+            b"US", b"OW", b"SQ", b"UN", b"DS", b"1.2.840.10008.1.2", b"1.2.840.10008.1.2.2",
+            b"1.2.840.10008.1.2.4.50", struct.pack("<HHI", 0xfffe, 0xe000, 0xffffffff)])
+    return write
+
+
+# --- Others -------------------------------------------------------------------------------------
+
+def raw(twist: Twist) -> Original:
+    t = twist
+    nx, ny, nz = SIZE
+    return Original(
+        "a.raw", {"a.raw": packed("<h")},
+        f"{t(nx)},{t(ny)},{t(nz)},short,{t(1)},{t(0.5)},{t(2)}")
+
+
+def session(twist: Twist) -> Original:
+    t = twist
+    text = f"""# vtkTemporalCoherence Explorer session 1
+volume = files/a.mha
+isovalue = {t(120)}
+camera-position = {t(20)} {t(-30)} {t(15)}
+camera-focal-point = {t(4)} {t(3)} {t(3)}
+camera-view-up = {t(0)} {t(0)} {t(1)}
+camera-view-angle = {t(30)}
+palette = tissue
+material = satin
+light = studio
+surface = crossing
+accuracy = bounded
+image-cache = on
+isomap = on
+leaping = on
+"""
+    files = {"a.session": text.encode(), "a.mha": meta(True)(lambda value: value).files["a.mha"]}
+    return Original("a.session", files, way="session", words=[
+        b"spheres", b"raw", b"9,8,7,short", b"volume", b"on", b"off", b"solid", b"exact", b"/",
+        b"isovalue", b"camera-position", b"camera-view-up", b"big-endian"])
+
+
+def npy(twist: Twist) -> Original:
+    t = twist
+    nx, ny, nz = SIZE
+    head = f"{{'descr': '<i{t(2)}', 'fortran_order': False, 'shape': ({t(nz)}, {t(ny)}, {t(nx)}), }}"
+    head = head.ljust(117) + "\n"
+    data = b"\x93NUMPY\1\0" + struct.pack("<H", whole(t(len(head)), 16)) + head.encode()
+    return Original("a.npy", {"a.npy": data + packed("<h")}, words=[
+        b"<f4", b">f8", b"|O", b"<U9", b"<M8[s]", b"True", b"False", b"shape", b"()", b"|b1", b"<c8"])
+
+
+ORIGINALS: dict[str, Callable[[Twist], Original]] = {
+    "vti-ascii": vti("ascii"),
+    "vti-binary": vti("binary", code="<h", name="Int16"),
+    "vti-binary-zlib": vti("binary", "vtkZLibDataCompressor", "<f", "Float32"),
+    "vti-base64": vti("base64", header="UInt64"),
+    "vti-base64-zlib": vti("base64", "vtkZLibDataCompressor", header="UInt64"),
+    "vti-raw": vti("raw", code="<d", name="Float64"),
+    "vti-raw-zlib": vti("raw", "vtkZLibDataCompressor", "<H", "UInt16"),
+    "vti-raw-lz4": vti("raw", "vtkLZ4DataCompressor"),
+    "vti-raw-lzma": vti("raw", "vtkLZMADataCompressor", header="UInt64"),
+    "vtk-ascii": legacy(False),
+    "vtk-binary": legacy(True),
+    "vtk-grid-ascii": legacy(False, "RECTILINEAR_GRID"),
+    "vtk-grid-binary": legacy(True, "RECTILINEAR_GRID"),
+    "mhd": meta(False),
+    "mhd-zlib": meta(False, True),
+    "mha": meta(True),
+    "mha-zlib": meta(True, True),
+    "nii": nifti(False),
+    "nii-2": nifti(False, 2),
+    "nii-gz": nifti(True),
+    "slc": slc(False),
+    "slc-runs": slc(True),
+    "dicom": dicom(False),
+    "dicom-implicit": dicom(True),
+    "raw": raw,
+    "session": session,
+    "npy": npy,
+}

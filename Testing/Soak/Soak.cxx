@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Does memory stay flat? Frames over all features, mappers and windows again and again, with the
-// resident memory of the process at ten stages of each. A tenth of each is its warm-up: caches of
+// resident memory of the process at ten stages of each. The first tenth is the warm-up: caches of
 // mappers, of VTK and of OpenGL fill. From there to the end memory may grow by 5 %.
 
 #include "FrameLoad.h"
@@ -12,11 +12,13 @@
 
 #include <vtkRenderWindow.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -109,7 +111,11 @@ Options ReadOptions(int argc, char* argv[])
 std::string Soak(const std::string& name, Load& load, long many, const Options& options)
 {
   static std::vector<std::unique_ptr<char[]>> leaked;
-  double warm = 0.0, now = 0.0;
+  // What a frame keeps differs from frame to frame: of the rounds before a stage the least counts,
+  // which is what stays.
+  const long stage = (many + 9) / 10, watched = std::max(many / 100, 1L),
+             step = (watched + 19) / 20;
+  double warm = 0.0, now = 0.0, least = std::numeric_limits<double>::infinity();
   for (long i = 1; i <= many; ++i)
   {
     if (!load.DoOnce())
@@ -120,18 +126,24 @@ std::string Soak(const std::string& name, Load& load, long many, const Options& 
     {
       leaked.push_back(std::make_unique<char[]>(static_cast<std::size_t>(options.Leak)));
     }
-    // Ten stages, and one early.
-    if (i * 10 / many != (i - 1) * 10 / many || i == (many + 99) / 100)
+    const long left = i == many ? 0 : stage - 1 - (i - 1) % stage;
+    if (left < watched && left % step == 0)
     {
-      now = ProcessMemory::Resident();
-      warm = warm == 0.0 && i * 10 >= many ? now : warm;
+      const double resident = ProcessMemory::Resident();
+      least = resident >= least ? least : resident;
+    }
+    if (left == 0)
+    {
+      now = least;
+      warm = i == stage ? now : warm;
+      least = std::numeric_limits<double>::infinity();
       std::printf("| %-8s | %7ld | %13.1f |\n", name.c_str(), i, now / MiB);
       std::fflush(stdout);
     }
   }
   const double growth = (now - warm) / warm;
-  std::printf("\n%s: %+.2f %% from %ld to %ld; %s\n\n", name.c_str(), 100.0 * growth,
-    (many + 9) / 10, many, load.Describe().c_str());
+  std::printf("\n%s: %+.2f %% from %ld to %ld; %s\n\n", name.c_str(), 100.0 * growth, stage, many,
+    load.Describe().c_str());
   if (!load.HasReachedAll())
   {
     return name + ": not everything was reached";

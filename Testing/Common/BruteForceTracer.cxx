@@ -119,8 +119,19 @@ std::vector<Stop> FindStops(
 }
 
 /// Where a cubic, given by its values at 0, 1, 2 and 3, turns; and 3, its end. Ascending.
-std::vector<double> TurningPoints(const std::array<double, 4>& v)
+std::vector<double> TurningPoints(std::array<double, 4> v)
 {
+  // Times a number: squares of huge values are infinite, those of tiny ones 0.
+  const double largest = std::abs(*std::max_element(
+    v.begin(), v.end(), [](double x, double y) { return std::abs(x) < std::abs(y); }));
+  if (std::isnormal(largest))
+  {
+    const int exponent = std::ilogb(largest);
+    for (double& value : v)
+    {
+      value = std::ldexp(value, -exponent);
+    }
+  }
   const double d1 = v[1] - v[0], d2 = v[2] - 2 * v[1] + v[0],
                d3 = v[3] - 3 * v[2] + 3 * v[1] - v[0];
   // v(u) = v0 + d1 u + d2 u (u - 1) / 2 + d3 u (u - 1) (u - 2) / 6, u in [0, 3]

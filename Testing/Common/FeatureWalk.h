@@ -3,26 +3,18 @@
 #ifndef Testing_FeatureWalk_h
 #define Testing_FeatureWalk_h
 
-#include "EventCounter.h"
-#include "ManyInputs.h"
+#include "ChangingScene.h"
 #include "Sweep.h"
 
 #include <map>
-#include <set>
 #include <string>
 #include <vector>
 
 /// How often each route was taken while a feature was on.
 using RoutesOfFeatures = std::map<std::string, Sweep::Routes>;
 
-/// How many of a hundred steps make a change of each kind.
-struct Habits
-{
-  int View, Isovalues, Look, Lists, Opacity, Region, Inputs, Volume, ImageCache, Isomap;
-};
-
 /// A scene on its way through features and steps, each frame held against what its route promises.
-class FeatureWalk
+class FeatureWalk : private ChangingScene
 {
 public:
   explicit FeatureWalk(unsigned seed);
@@ -39,9 +31,6 @@ public:
 
 private:
   std::string Where() const;
-  void MakeOneOf(std::size_t kind);
-  void Arrange();
-  void ChangeSome(const Habits& habits);
   void Step();
   void StopSometimes();
   void ExpectSameColors();
@@ -49,16 +38,9 @@ private:
   vtkIdType CountHits() const;
   void ExpectSameLines();
   void ExpectOnePicture();
-  std::set<std::string> Features() const;
 
   unsigned Seed;
-  Scene Shown{ nullptr, { 0.0 } };
-  RandomViews Views;
-  ManyInputs Inputs;
-  EventCounter Warnings; // limits of memory are reached on purpose
-  std::vector<std::vector<Change>> Kinds;
   ColdWitness Cold;
-  vtkSmartPointer<vtkCamera> OtherCamera;
   int Steps = 0;
 };
 

@@ -163,9 +163,10 @@ void TestGeometries()
     },
     [](Scene& scene) { scene.Volume->SetUserMatrix(nullptr); });
   const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
   ExpectError("camera",
-    [](Scene& scene)
-    { scene.Renderer->GetActiveCamera()->SetClippingRange(1.0, 1.0 + 1e300 * 1e300); });
+    [infinity](Scene& scene)
+    { scene.Renderer->GetActiveCamera()->SetClippingRange(1.0, infinity); });
   ExpectError("camera",
     [nan](Scene& scene) { scene.Renderer->GetActiveCamera()->SetPosition(nan, 0.0, 0.0); });
   ExpectError(

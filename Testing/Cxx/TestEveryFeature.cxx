@@ -15,11 +15,6 @@
 namespace
 {
 
-constexpr Habits MovingOn = { 85, 4, 8, 2, 3, 3, 3, 2, 4, 0 };
-constexpr Habits StandingStill = { 6, 85, 8, 2, 2, 2, 2, 2, 1, 3 };
-constexpr Habits Dressing = { 4, 6, 80, 1, 4, 2, 1, 1, 1, 1 };
-constexpr Habits Restless = { 40, 40, 20, 15, 20, 25, 25, 15, 15, 10 };
-
 /// Each feature has met each route that it allows.
 void ExpectEnough(RoutesOfFeatures& counted)
 {

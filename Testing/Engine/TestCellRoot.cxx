@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
+#include <vector>
 
 namespace
 {
@@ -116,6 +118,41 @@ TEST(CellRoot, FirstCrossingIsThatOfDenseSampling)
   }
   EXPECT_GT(found, 500);
   EXPECT_GT(doubles, 20) << "no double crossing was tried";
+}
+
+/// Neither squares that are infinite nor squares that are 0 hide a pair of crossings.
+TEST(CellRoot, AnyMagnitudeOfValues)
+{
+  RandomCells cells;
+  int several = 0;
+  for (int trial = 0; trial < 2000; ++trial)
+  {
+    const Corners<double> v = cells.NextCorners(false);
+    const CellPath<double> path = cells.NextPath();
+    const auto crossingsOf = [&](int exponent)
+    {
+      Corners<double> scaled;
+      for (std::size_t i = 0; i < 8; ++i)
+      {
+        scaled[i] = std::ldexp(v[i], exponent);
+      }
+      std::vector<double> crossings;
+      VisitCrossings(CubicAlong(scaled, path),
+        [&](double s)
+        {
+          crossings.push_back(s);
+          return false;
+        });
+      return crossings;
+    };
+    const std::vector<double> expected = crossingsOf(0);
+    several += expected.size() > 1;
+    for (const int exponent : { -900, -600, 600, 1000 })
+    {
+      ASSERT_EQ(crossingsOf(exponent), expected) << trial << ", 2^" << exponent;
+    }
+  }
+  EXPECT_GT(several, 20) << "no double crossing was tried";
 }
 
 TEST(CellRoot, SingleAndDoublePrecisionAgree)

@@ -77,9 +77,13 @@ double LeafHistogram::BinOf(double value) const
   {
     return 0.0; // what is not a number, too
   }
+  if (value >= this->High)
+  {
+    return Bins;
+  }
   // By halves: the range of values may be too large for a number.
   const double share = (0.5 * value - 0.5 * this->Low) / (0.5 * this->High - 0.5 * this->Low);
-  return share <= 1.0 ? share * Bins : Bins;
+  return std::min(share, 1.0) * Bins;
 }
 
 double LeafHistogram::ShareOf(const ValueBand& band) const

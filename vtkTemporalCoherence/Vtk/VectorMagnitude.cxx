@@ -20,7 +20,10 @@ namespace
 
 constexpr std::int64_t TupleGrain = 1 << 14;
 
-/// The length of a vector whose sum of squares is not a normal number.
+/// Squares of numbers beyond these, or their sums, may be infinite or lose digits.
+constexpr double SmallestSquared = 0x1p-500, LargestSquared = 0x1p+500;
+
+/// The length of a vector of any size.
 double ScaledLength(const double* vector, std::size_t components)
 {
   double largest = 0.0, sum = 0.0;
@@ -43,6 +46,16 @@ double ScaledLength(const double* vector, std::size_t components)
   return largest * std::sqrt(sum);
 }
 
+double PlainLength(const double* vector, std::size_t components)
+{
+  double sum = 0.0;
+  for (std::size_t c = 0; c < components; ++c)
+  {
+    sum += vector[c] * vector[c];
+  }
+  return std::sqrt(sum);
+}
+
 template <typename T, typename Length>
 void ComputeLengths(const std::vector<ArraySamples>& components, std::int64_t count, Length* to)
 {
@@ -52,15 +65,16 @@ void ComputeLengths(const std::vector<ArraySamples>& components, std::int64_t co
       std::vector<double> vector(components.size());
       for (std::int64_t i = begin; i < end; ++i)
       {
-        double sum = 0.0;
+        double largest = 0.0;
         for (std::size_t c = 0; c < components.size(); ++c)
         {
           const T* first = static_cast<const T*>(components[c].First);
           vector[c] = static_cast<double>(first[i * components[c].Step]);
-          sum += vector[c] * vector[c];
+          largest = std::max(largest, std::abs(vector[c]));
         }
-        to[i] = static_cast<Length>(
-          std::isnormal(sum) ? std::sqrt(sum) : ScaledLength(vector.data(), vector.size()));
+        const bool isUsual = largest >= SmallestSquared && largest <= LargestSquared;
+        to[i] = static_cast<Length>(isUsual ? PlainLength(vector.data(), vector.size())
+                                            : ScaledLength(vector.data(), vector.size()));
       }
     });
 }

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef Benchmarks_ProcessMemory_h
-#define Benchmarks_ProcessMemory_h
+#ifndef Testing_ProcessMemory_h
+#define Testing_ProcessMemory_h
 
-/// Memory of this process in bytes, as Linux tells it; Measuring::None on other systems.
+/// Memory of this process in bytes, as Linux tells it; not a number on other systems.
 namespace ProcessMemory
 {
 

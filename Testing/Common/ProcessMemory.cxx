@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ProcessMemory.h"
 
-#include "Measuring.h"
-
 #include <fstream>
 #include <limits>
 #include <string>
@@ -30,7 +28,7 @@ double ReadStatus(const std::string& name)
     }
     status.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
   }
-  return Measuring::None;
+  return std::numeric_limits<double>::quiet_NaN();
 }
 
 }

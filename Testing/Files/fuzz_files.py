@@ -129,7 +129,8 @@ class Campaign:
         """Open a file, and tell of what is wrong with the answer."""
         original = broken(kind, number)
         path = write(original, self._folder)
-        names = [*original.files, self._folder.name]
+        # A broken session may name any file as its volume: that is the one to be told of.
+        names = ["'"] if original.way == "session" else [*original.files, self._folder.name]
         for way in [original.way] if original.way else self._opener.ways:
             status, memory, said = self._opener.open(way, path, original.layout)
             self.opened += 1

@@ -168,6 +168,8 @@ void TestGeometries()
     [infinity](Scene& scene)
     { scene.Renderer->GetActiveCamera()->SetClippingRange(1.0, infinity); });
   ExpectError("camera",
+    [](Scene& scene) { scene.Renderer->GetActiveCamera()->SetClippingRange(-9.0, -1.0); });
+  ExpectError("camera",
     [nan](Scene& scene) { scene.Renderer->GetActiveCamera()->SetPosition(nan, 0.0, 0.0); });
   ExpectError(
     "0 x 60", [](Scene&) {}, [](Scene&) {}, 0, 60);

@@ -8,7 +8,9 @@
 #include "Volumes.h"
 
 #include <vtkFloatingPointExceptions.h>
+#include <vtkPiecewiseFunction.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -114,6 +116,43 @@ void TestBeyondNumbers()
   }
 }
 
+/// A clipping range that begins behind the eye shows nothing behind it.
+void TestBehindTheEye()
+{
+  Scene scene(Volumes::Noise(9, VTK_UNSIGNED_CHAR, 0.0, 200.0), { 100.0 });
+  scene.LookFrom(1.0, -2.0, 0.4);
+  vtkCamera* camera = scene.Renderer->GetActiveCamera();
+  camera->SetPosition(camera->GetFocalPoint()); // inside
+  camera->SetFocalPoint(0.9, 0.1, 0.2);
+  camera->SetClippingRange(-1e196, 100.0);
+  Expect(ExpectSameByLeaping(scene, "from behind the eye on") > 100, "something is seen inside");
+  const auto* depths = static_cast<const float*>(scene.Depth->GetScalarPointer());
+  Expect(std::all_of(depths, depths + scene.Depth->GetNumberOfPoints(),
+           [](float depth) { return depth >= 0.0f; }),
+    "nothing is behind the eye");
+}
+
+/// Surfaces that are too faint to be seen have no colour, not even that of their answer.
+void TestTooFaint()
+{
+  Scene scene(Volumes::Noise(12, VTK_UNSIGNED_CHAR, 0.0, 200.0), { 100.0 });
+  scene.LookFrom(1.0, -2.0, 0.4);
+  vtkNew<vtkPiecewiseFunction> opacity;
+  opacity->AddPoint(0.0, 1e-38);
+  scene.Volume->GetProperty()->SetScalarOpacity(opacity);
+  scene.Mapper->ColorByAnswerOn();
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    scene.Renderer->GetActiveCamera()->Azimuth(1.0);
+    Expect(scene.Render(60, 60), "rendered");
+  }
+  Expect(IsRoute(scene, "ImageCache"), "from a cached image");
+  const auto* colors = static_cast<const unsigned char*>(scene.Color->GetScalarPointer());
+  Expect(std::count(colors, colors + 4 * scene.Color->GetNumberOfPoints(), 0) ==
+      4 * scene.Color->GetNumberOfPoints(),
+    "nothing is painted where nothing is seen");
+}
+
 }
 
 int TestExtremes(int, char*[])
@@ -123,5 +162,7 @@ int TestExtremes(int, char*[])
   TestLongEdges();
   TestFarAway();
   TestBeyondNumbers();
+  TestBehindTheEye();
+  TestTooFaint();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

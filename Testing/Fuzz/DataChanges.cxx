@@ -39,7 +39,7 @@ void EarlierInput(World& world)
 void NextTimeStep(World& world)
 {
   vtkImageData* image = world.Image();
-  if (!image || image->GetNumberOfPoints() > 100000)
+  if (!image || image->GetNumberOfPoints() < 0 || image->GetNumberOfPoints() > 100000)
   {
     return;
   }
@@ -151,7 +151,7 @@ void ChangeArrays(World& world)
 {
   Bytes& from = world.From;
   vtkDataSet* data = DataSetOf(world);
-  if (!data || data->GetNumberOfPoints() > 100000)
+  if (!data || data->GetNumberOfPoints() < 0 || data->GetNumberOfPoints() > 100000)
   {
     return;
   }

@@ -81,6 +81,15 @@ void NextNumber(World& world)
   }
 }
 
+void MakeOpaque(World& world)
+{
+  vtkNew<vtkPiecewiseFunction> opacity;
+  opacity->AddPoint(0.0, 1.0);
+  world.Property()->SetScalarOpacity(opacity);
+  world.Property()->DisableGradientOpacityOn();
+  Story::Tell("  opaque");
+}
+
 void SeveralIsovalues(World& world)
 {
   std::vector<double> isovalues;
@@ -88,6 +97,11 @@ void SeveralIsovalues(World& world)
   if (world.From.OneIn(40))
   {
     many = world.From.OneIn(20) ? 40000 : 100;
+    if (many > 100)
+    {
+      // Layers of thousands of isovalues take as long as they are many; here they are too many.
+      MakeOpaque(world);
+    }
   }
   for (int i = 0; i < many && i < 8; ++i)
   {
@@ -125,15 +139,6 @@ void SetOpacities(World& world)
     Story::Tell("  opacity at ", at, ": ", value);
   }
   world.Property()->SetScalarOpacity(opacity);
-}
-
-void MakeOpaque(World& world)
-{
-  vtkNew<vtkPiecewiseFunction> opacity;
-  opacity->AddPoint(0.0, 1.0);
-  world.Property()->SetScalarOpacity(opacity);
-  world.Property()->DisableGradientOpacityOn();
-  Story::Tell("  opaque");
 }
 
 void SetGradientOpacities(World& world)

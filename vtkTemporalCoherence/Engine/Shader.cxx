@@ -399,7 +399,8 @@ void PaintAnswers(const Appearance& appearance, const HitList& hits, Frame& fram
   for (std::size_t i = 0; i < hits.Rays.Count; ++i)
   {
     const auto pixel = static_cast<std::size_t>(hits.Pixel[i]);
-    if (frame.Answers[pixel] == Answer::PossibleHit)
+    // Where all that is met is too faint to be seen, there is nothing to paint.
+    if (frame.Answers[pixel] == Answer::PossibleHit && frame.Isovalues[pixel] != Frame::NoSurface)
     {
       frame.Colors[pixel] = Yellow;
     }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "View.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace TemporalCoherence
@@ -22,7 +23,8 @@ bool MakeView(const glm::dmat4& viewFromWorld, const glm::dmat4& clipFromView, b
   view = View();
   view.Size = size;
   view.Parallel = parallel;
-  view.Near = range.x;
+  // A perspective has nothing behind the eye.
+  view.Near = parallel ? range.x : std::max(range.x, 0.0);
   view.Far = range.y;
   view.ClipFromWorld = clipFromView * viewFromWorld;
   const glm::dvec3 backward(RowOf(viewFromWorld, 2));

@@ -51,7 +51,8 @@ bool MakeView(
          << ", parallel scale " << camera->GetParallelScale() << ", clipping range " << range[0]
          << " to " << range[1]
          << "; set a focal point away from the position, a view up across that direction, a view "
-            "angle and a parallel scale above 0.";
+            "angle and a parallel scale above 0, and a clipping range that begins before it ends, "
+            "in a perspective before the eye.";
     error = what.str();
   }
   return isMade;

@@ -219,12 +219,13 @@ engine_tests() # KIND PROGRAM FILTER FLAGS
   local kind=$1 program=$2 begin=$SECONDS status=0
   prepare "$kind"
   build=$build-engine
+  mkdir -p "$build"
   say "Building $program with $kind in $build"
   { cmake -S "$repository" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=None -DBUILD_TESTING=ON \
       -DTEMPORAL_COHERENCE_BUILD_BENCHMARKS=OFF -DTEMPORAL_COHERENCE_WRAP_PYTHON=OFF \
       "-DCMAKE_CXX_FLAGS=$(flags_of "$kind") $4" &&
-    cmake --build "$build" --target "$program"; } >"$build.log" 2>&1 ||
-    { tail -n 40 "$build.log" >&2; fail "The build failed; all that was said is in $build.log"; }
+    cmake --build "$build" --target "$program"; } >"$build/build.log" 2>&1 ||
+    { tail -n 40 "$build/build.log" >&2; fail "The build failed; all that was said is in $build/build.log"; }
   say "Built in $((SECONDS - begin)) s"
   watched "$kind" "$build/bin/$program" --gtest_brief=1 "--gtest_filter=$3" || status=1
   no_reports || status=1

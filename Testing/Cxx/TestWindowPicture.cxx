@@ -23,6 +23,12 @@ namespace
 
 using namespace TemporalCoherence;
 
+/// A whole number from 0 to n - 1.
+int Below(std::mt19937& engine, int n)
+{
+  return static_cast<int>(engine() % static_cast<unsigned int>(n));
+}
+
 /// Looks from z = 1 down to z = -1.
 View ViewOf(const glm::ivec2& size)
 {
@@ -112,17 +118,15 @@ void TestRectangles()
   std::mt19937 engine(31);
   for (int round = 0; round < 400; ++round)
   {
-    const glm::ivec2 size(1 + engine() % 45, 1 + engine() % 45);
+    const glm::ivec2 size(1 + Below(engine, 45), 1 + Below(engine, 45));
     Frame frame = EmptyFrame(size);
-    const unsigned int kinds = engine() % 3;
-    for (unsigned int hit = engine() % 5; hit > 0; --hit)
+    const int kinds = Below(engine, 3);
+    for (int hit = Below(engine, 5); hit > 0; --hit)
     {
-      const unsigned int alpha =
-        kinds == 0 || (kinds == 1 && engine() % 2) ? 255 : 1 + engine() % 254;
-      SetHit(frame,
-        { engine() % static_cast<unsigned int>(size.x),
-          engine() % static_cast<unsigned int>(size.y) },
-        0.1 + 0.001 * (engine() % 1800), { 1, 2, 3, static_cast<std::uint8_t>(alpha) });
+      const bool isOpaque = kinds == 0 || (kinds == 1 && Below(engine, 2) == 0);
+      const int alpha = isOpaque ? 255 : 1 + Below(engine, 254);
+      SetHit(frame, { Below(engine, size.x), Below(engine, size.y) },
+        0.1 + 0.001 * Below(engine, 1800), { 1, 2, 3, static_cast<std::uint8_t>(alpha) });
     }
     ExpectPicture(frame, "round " + std::to_string(round));
   }
@@ -144,10 +148,9 @@ Frame FrameOfLayers(const glm::ivec2& size, std::mt19937& engine)
   for (std::int64_t tile = 0; tile < NumberOfTiles(size); ++tile)
   {
     const PixelRect part = PixelsOfTile(size, tile);
-    std::vector<unsigned int> counts(static_cast<std::size_t>(part.Size.x * part.Size.y));
-    std::generate(
-      counts.begin(), counts.end(), [&] { return static_cast<unsigned int>(engine() % 4); });
-    for (unsigned int layer = 0; layer < 3; ++layer)
+    std::vector<int> counts(static_cast<std::size_t>(part.Size.x * part.Size.y));
+    std::generate(counts.begin(), counts.end(), [&] { return Below(engine, 4); });
+    for (int layer = 0; layer < 3; ++layer)
     {
       for (std::size_t i = 0; i < counts.size(); ++i)
       {
@@ -157,9 +160,10 @@ Frame FrameOfLayers(const glm::ivec2& size, std::mt19937& engine)
         }
         const glm::ivec2 pixel = part.First +
           glm::ivec2(static_cast<int>(i) % part.Size.x, static_cast<int>(i) / part.Size.x);
-        const double t = 0.3 + 0.5 * layer + 0.001 * (engine() % 400);
-        const PixelColor color{ static_cast<std::uint8_t>(engine() % 50),
-          static_cast<std::uint8_t>(engine() % 50), 7, static_cast<std::uint8_t>(60 + 60 * layer) };
+        const double t = 0.3 + 0.5 * layer + 0.001 * Below(engine, 400);
+        const PixelColor color{ static_cast<std::uint8_t>(Below(engine, 50)),
+          static_cast<std::uint8_t>(Below(engine, 50)), 7,
+          static_cast<std::uint8_t>(60 + 60 * layer) };
         frame.Layers[static_cast<std::size_t>(tile)].push_back(
           { t, static_cast<std::int32_t>(PlaceOf(frame, pixel)), 0, HitKind::Enters, color });
         if (layer == 0)
@@ -198,7 +202,7 @@ void TestCuts()
   int cuts = 0, wholes = 0;
   for (int round = 0; round < 60; ++round)
   {
-    const glm::ivec2 size(10 + engine() % 20, 10 + engine() % 20);
+    const glm::ivec2 size(10 + Below(engine, 20), 10 + Below(engine, 20));
     const Frame frame = FrameOfLayers(size, engine);
     const View view = ViewOf(size);
     WindowPicture picture;
@@ -212,7 +216,7 @@ void TestCuts()
     {
       for (float& depth : depths)
       {
-        depth = engine() % 2 ? 1.0f : 0.001f * static_cast<float>(engine() % 1000);
+        depth = Below(engine, 2) ? 1.0f : 0.001f * static_cast<float>(Below(engine, 1000));
       }
     }
     std::vector<PixelColor> colors;

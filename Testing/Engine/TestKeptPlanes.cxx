@@ -178,7 +178,7 @@ TEST_F(KeptPlanes, NothingOfAnEarlierFrameStays)
   std::uniform_real_distribution<double> entry(-1.0, 1.0);
   for (int step = 0; step < 120; ++step)
   {
-    const unsigned int change = engine() % 6;
+    const auto change = static_cast<int>(engine() % 6);
     switch (change)
     {
       case 0:

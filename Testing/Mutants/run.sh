@@ -22,6 +22,7 @@ usage: Testing/Mutants/run.sh [OPTIONS] [NAMES]
   --judged        try those too that judged.toml knows to change nothing but speed
   --jobs N        for the compiler; default: 2
   --list          name the mutants, try none
+  --report        print what is known of them, try none
   --no-packages   install no packages (see Module/setup.sh --help)
   --help          show this text
 

@@ -32,10 +32,11 @@ class Test:
     folder: str
     seconds: float = 0.0  # of processor time, without a mutant
     kills: int = 0
+    refused: tuple = ()  # what a test that passes does not say, such as VTK's errors
 
 
-def run(command, folder, limit):
-    """What a program says, how it ended (passed, failed or hung), and the processor time it took."""
+def run(test, limit):
+    """What a test says, how it ended (passed, failed or hung), and the processor time it took."""
     def limit_resources():
         resource.setrlimit(resource.RLIMIT_AS, (MOST_BYTES, MOST_BYTES))
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
@@ -44,12 +45,15 @@ def run(command, folder, limit):
     used = lambda: sum(resource.getrusage(resource.RUSAGE_CHILDREN)[:2])
     before = used()
     with subprocess.Popen(
-            command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+            test.command, cwd=test.folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
             errors="replace", start_new_session=True, preexec_fn=limit_resources) as process:
         try:
             output, _ = process.communicate(timeout=WAITING * limit)
             ends = {0: "passed", -signal.SIGXCPU: "hung"}
-            return output, ends.get(process.returncode, "failed"), used() - before
+            end = ends.get(process.returncode, "failed")
+            if end == "passed" and any(re.search(pattern, output) for pattern in test.refused):
+                end = "failed"
+            return output, end, used() - before
         except subprocess.TimeoutExpired:
             os.killpg(process.pid, signal.SIGKILL)
             return process.communicate()[0], "hung", used() - before
@@ -76,7 +80,8 @@ def find_mapper_tests(build):
         if any(part.endswith(MAPPER) for part in command):
             properties = {p["name"]: p["value"] for p in entry.get("properties", [])}
             tests.append(Test(entry["name"].split("-")[-1], MAPPER, command,
-                              properties.get("WORKING_DIRECTORY", str(build))))
+                              properties.get("WORKING_DIRECTORY", str(build)),
+                              refused=tuple(properties.get("FAIL_REGULAR_EXPRESSION", ()))))
     return tests
 
 
@@ -84,7 +89,7 @@ def measure(tests, record):
     """Run tests without a mutant for the time that each takes; those known already are not run."""
     for test in tests:
         if test.name not in record:
-            output, end, seconds = run(test.command, test.folder, 600)
+            output, end, seconds = run(test, 600)
             if end != "passed":
                 raise RuntimeError(f"{test.name} {end} without a mutant:\n{output[-4000:]}")
             record[test.name] = round(seconds, 2)
@@ -95,7 +100,7 @@ def first_failure(tests):
     """The test that a mutant does not pass, how it ended and what it said, or None. Those that are
     quick and have caught others come first."""
     for test in sorted(tests, key=lambda test: (test.seconds + 0.2) / (1 + test.kills)):
-        output, end, _ = run(test.command, test.folder, int(PATIENCE * test.seconds) + SECONDS_MORE)
+        output, end, _ = run(test, int(PATIENCE * test.seconds) + SECONDS_MORE)
         if end != "passed":
             test.kills += 1
             return test, end, output

@@ -13,6 +13,7 @@
 #include <vtkPropPicker.h>
 #include <vtkRenderWindow.h>
 #include <vtkSelection.h>
+#include <vtkVolumeCollection.h>
 
 #include <cstdlib>
 
@@ -46,7 +47,9 @@ public:
   void Change()
   {
     Bytes& from = this->Of.From;
-    switch (from.Pick(15))
+    const int kind = from.Pick(15);
+    Story::Tell("  in way ", kind);
+    switch (kind)
     {
       case 13:
         this->Window->SetTileScale(1 + from.Pick(3), 1 + from.Pick(2));
@@ -123,13 +126,28 @@ private:
   World& Of;
 };
 
+/// True if a window shows one picture, and all of it: what an eye or a tile sees is known only
+/// while it is drawn.
+bool IsWhole(vtkRenderWindow* window)
+{
+  const int* tiles = window ? window->GetTileScale() : nullptr;
+  return window && !window->GetStereoRender() && tiles[0] == 1 && tiles[1] == 1;
+}
+
+/// True if a renderer shows a volume and no other.
+bool IsAlone(vtkRenderer* renderer, vtkVolume* volume)
+{
+  return renderer->HasViewProp(volume) && renderer->GetVolumes()->GetNumberOfItems() == 1;
+}
+
 /// What the mapper shows in a window is what it draws into an image.
 void CompareWithImage(World& world, const Oracle& oracle, Tally& tally)
 {
   Picture shown, cold;
   if (world.IsUntold || !shown.Fetch(world.Subject) ||
     std::string(world.Subject->GetRouteAsString()) != "Cold" ||
-    world.Subject->GetImageSampleDistance() != 1.0f)
+    world.Subject->GetImageSampleDistance() != 1.0f ||
+    !IsWhole(world.Renderer()->GetRenderWindow()) || !IsAlone(world.Renderer(), world.Volume()))
   {
     return;
   }

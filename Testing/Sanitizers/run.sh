@@ -110,24 +110,32 @@ preload_of() # KIND
 }
 real_library() { readlink -f "$("$compiler" -print-file-name="$1")"; }
 
-# Runs a command with the sanitizer's options; reports go into files.
-watched() # KIND COMMAND...
+# Sets `environment` to the sanitizer's options; reports go into files.
+set_environment() # KIND
 {
-  local kind=$1 options="log_path=$reports/report"
-  shift
-  case $kind in
+  local options="log_path=$reports/report"
+  case $1 in
     traps)
-      env "TRAP_BELOW=$build" "TRAP_REPORTS=$reports" "LD_PRELOAD=$build/libTrapFloatingPoint.so" "$@" ;;
+      environment=("TRAP_BELOW=$build" "TRAP_REPORTS=$reports" "LD_PRELOAD=$build/libTrapFloatingPoint.so") ;;
     thread)
       # VTK is not instrumented. Memory that it alone touches is not ours to judge, but its locks
       # and threads are seen. TBB's are not, as they are made of atomics.
-      env "TSAN_OPTIONS=$options:exitcode=66:history_size=4:second_deadlock_stack=1:ignore_noninstrumented_modules=1:suppressions=$here/thread.supp" \
-        VTK_SMP_BACKEND_IN_USE=STDThread VTK_SMP_MAX_THREADS=4 "$@" ;;
+      environment=("TSAN_OPTIONS=$options:exitcode=66:history_size=4:second_deadlock_stack=1:ignore_noninstrumented_modules=1:suppressions=$here/thread.supp"
+        VTK_SMP_BACKEND_IN_USE=STDThread VTK_SMP_MAX_THREADS=4) ;;
     *)
-      env "ASAN_OPTIONS=$options:detect_stack_use_after_return=1:strict_string_checks=1:check_initialization_order=1" \
-        "LSAN_OPTIONS=suppressions=$here/leaks.supp:print_suppressions=0" \
-        "UBSAN_OPTIONS=$options:print_stacktrace=1" "$@" ;;
+      environment=("ASAN_OPTIONS=$options:detect_stack_use_after_return=1:strict_string_checks=1:check_initialization_order=1"
+        "LSAN_OPTIONS=suppressions=$here/leaks.supp:print_suppressions=0"
+        "UBSAN_OPTIONS=$options:print_stacktrace=1") ;;
   esac
+}
+
+# Runs a program with the sanitizer's options.
+watched() # KIND COMMAND...
+{
+  local environment=()
+  set_environment "$1"
+  shift
+  env "${environment[@]}" "$@"
 }
 
 number_of_reports() { find "$reports" -type f -size +0 | wc -l; }
@@ -189,7 +197,7 @@ no_reports()
 
 whole_suite() # KIND CTEST_ARGUMENTS...
 {
-  local kind=$1 begin=$SECONDS log summary python=() status=0
+  local kind=$1 begin=$SECONDS log summary python=() environment=() status=0
   shift
   prepare "$kind"
   log=$build/ctest.log
@@ -201,7 +209,8 @@ whole_suite() # KIND CTEST_ARGUMENTS...
     -DCMAKE_BUILD_TYPE=None "-DCMAKE_CXX_FLAGS=$(flags_of "$kind")" \
     "-DTEMPORAL_COHERENCE_PYTHON_ENVIRONMENT=$(IFS=';'; printf '%s' "${python[*]}")"
   # Packages are made of releases.
-  watched "$kind" on_own_display ctest --test-dir "$build" --output-on-failure --no-tests=error \
+  set_environment "$kind"
+  on_own_display env "${environment[@]}" ctest --test-dir "$build" --output-on-failure --no-tests=error \
     --timeout 7200 -E PackagesOfBuild "$@" 2>&1 | tee "$log" || status=1
   no_reports || status=1
   summary=$(grep -E '^[0-9]+% tests passed' "$log" | tail -n 1 || true)

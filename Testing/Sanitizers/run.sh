@@ -123,7 +123,8 @@ set_environment() # KIND
       environment=("TSAN_OPTIONS=$options:exitcode=66:history_size=4:second_deadlock_stack=1:ignore_noninstrumented_modules=1:suppressions=$here/thread.supp"
         VTK_SMP_BACKEND_IN_USE=STDThread VTK_SMP_MAX_THREADS=4) ;;
     *)
-      environment=("ASAN_OPTIONS=$options:detect_stack_use_after_return=1:strict_string_checks=1:check_initialization_order=1"
+      environment=("LD_PRELOAD=$build/libKeepLoaded.so"
+        "ASAN_OPTIONS=$options:verify_asan_link_order=0:detect_stack_use_after_return=1:strict_string_checks=1:check_initialization_order=1"
         "LSAN_OPTIONS=suppressions=$here/leaks.supp:print_suppressions=0"
         "UBSAN_OPTIONS=$options:print_stacktrace=1") ;;
   esac
@@ -168,16 +169,22 @@ show_awake() # KIND
   say "$1 is awake: $(faults_of "$1") reported."
 }
 
+# Makes a library to preload of the file of its name.
+preload() # NAME
+{
+  "$compiler" -std=c++17 -O1 -g -Wall -Wextra -shared -fPIC -o "$build/lib$1.so" "$here/$1.cxx" -ldl -pthread
+}
+
 prepare() # KIND
 {
   build=$builds-${1/,/-}
   reports=$build/reports
   mkdir -p "$build" 2>/dev/null ||
     fail "Cannot write in $build; set TEMPORAL_COHERENCE_BUILD to what you may write in."
-  if [ "$1" = traps ]; then
-    "$compiler" -std=c++17 -O1 -g -Wall -Wextra -shared -fPIC -o "$build/libTrapFloatingPoint.so" \
-      "$here/TrapFloatingPoint.cxx" -ldl -pthread
-  fi
+  case $1 in
+    traps) preload TrapFloatingPoint ;;
+    address* | undefined) preload KeepLoaded ;;
+  esac
   show_awake "$1"
 }
 

@@ -197,6 +197,21 @@ void TestIsovalues()
       std::iota(isovalues.begin(), isovalues.end(), 0.0);
       scene.SetIsovalues(isovalues);
     });
+  ExpectError(
+    "1025 translucent isovalues",
+    [](Scene& scene)
+    {
+      std::vector<double> isovalues(1025);
+      std::iota(isovalues.begin(), isovalues.end(), 0.0);
+      scene.SetIsovalues(isovalues);
+      scene.Volume->GetProperty()->GetScalarOpacity()->AddPoint(0.0, 0.5);
+    },
+    [](Scene& scene)
+    {
+      scene.Volume->GetProperty()->GetScalarOpacity()->RemoveAllPoints();
+      scene.Volume->GetProperty()->GetScalarOpacity()->AddPoint(0.0, 1.0);
+      scene.SetIsovalues({ 130.0 });
+    });
 }
 
 void TestNullArguments()

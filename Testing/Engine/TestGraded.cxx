@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 // Fields whose samples lie at coordinates.
 
@@ -287,6 +288,43 @@ TEST(Graded, GradientsAreThoseOfTheWorld)
       for (std::size_t a = 0; a < 3; ++a)
       {
         EXPECT_NEAR(gradients[a][i], slope[static_cast<int>(a)], 1e-3);
+      }
+    }
+  }
+}
+
+/// Differences of the largest numbers, and over short edges, have no number: gradients end before.
+TEST(Graded, GradientsOfTheLargestSamplesAreNumbers)
+{
+  constexpr double largest = std::numeric_limits<double>::max();
+  Grid<double> grid(glm::ivec3(6, 7, 5));
+  std::mt19937 engine(9);
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  for (double& sample : grid.Samples)
+  {
+    sample = share(engine) < 0.5 ? -largest : largest;
+  }
+  const std::vector<double> isovalues{ 1.0 };
+  for (const double ratio : { 50.0, 1e8 })
+  {
+    grid.Seen.Grid = Graded(grid.Seen.Dimensions, ratio, 3);
+    std::array<RayBatch::Array<double>, 3> points, directions, gradients;
+    RayBatch::Array<std::int16_t> surfaces{};
+    for (std::size_t i = 0; i < 64; ++i)
+    {
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        points[a][i] = share(engine) * (grid.Seen.Dimensions[static_cast<int>(a)] - 1);
+        directions[a][i] = share(engine) - 0.5;
+      }
+    }
+    IndexGradients({ grid.Seen, glm::dmat4(1.0), { -largest, largest }, &isovalues }, 64, points,
+      directions, surfaces, gradients);
+    for (std::size_t i = 0; i < 64; ++i)
+    {
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        EXPECT_TRUE(std::isfinite(gradients[a][i])) << ratio << ", hit " << i;
       }
     }
   }

@@ -320,6 +320,49 @@ TEST_F(KernelsShading, NormalsFaceTheViewer)
     });
 }
 
+/// Edges of cells may be so short or so long that squares of them are no numbers.
+TEST_F(KernelsShading, NormalsHaveUnitLengthWhateverTheEdges)
+{
+  const std::array<glm::dvec3, 6> edges = { glm::dvec3(1e200), glm::dvec3(1e-200),
+    glm::dvec3(1e307, 1e307, 1e307), glm::dvec3(1e200, 1.0, 1.0), glm::dvec3(1e-200, 1.0, 1e-150),
+    glm::dvec3(1e300, 1e-300, 1.0) };
+  this->ForEachTarget(
+    [&](const char* target)
+    {
+      for (const glm::dvec3& edge : edges)
+      {
+        std::mt19937 engine(7);
+        Vectors gradients, rays;
+        for (std::size_t i = 0; i < RayBatch::Capacity; ++i)
+        {
+          glm::dvec3 gradient = RandomDirection(engine);
+          const glm::dvec3 ray = RandomDirection(engine);
+          for (int a = 0; a < 3 && i % 4 < 3; ++a)
+          {
+            gradient[a] = a == static_cast<int>(i % 4) ? 1.0 : 0.0;
+          }
+          for (std::size_t a = 0; a < 3; ++a)
+          {
+            gradients[a][i] = gradient[static_cast<int>(a)];
+            rays[a][i] = ray[static_cast<int>(a)];
+          }
+        }
+        glm::dmat3 m(0.0);
+        m[0].x = edge.x;
+        m[1].y = edge.y;
+        m[2].z = edge.z;
+        Array<std::array<float, 3>> normals;
+        FindFacingNormals(RayBatch::Capacity, m, gradients, rays, normals);
+        for (std::size_t i = 0; i < RayBatch::Capacity; ++i)
+        {
+          const glm::dvec3 n(normals[i][0], normals[i][1], normals[i][2]);
+          EXPECT_NEAR(glm::length(n), 1.0, 1e-6) << target << ", " << edge.x << ", hit " << i;
+          EXPECT_LE(n.x * rays[0][i] + n.y * rays[1][i] + n.z * rays[2][i], 1e-6) << target;
+        }
+      }
+    });
+}
+
 /// What AddLight and RoundColors make of one hit.
 std::array<std::uint8_t, 4> ColorReference(
   const PhongSums& sums, const RayPoints& rays, std::size_t i)

@@ -97,11 +97,6 @@ void SeveralIsovalues(World& world)
   if (world.From.OneIn(40))
   {
     many = world.From.OneIn(20) ? 40000 : 100;
-    if (many > 100)
-    {
-      // Layers of thousands of isovalues take as long as they are many; here they are too many.
-      MakeOpaque(world);
-    }
   }
   for (int i = 0; i < many && i < 8; ++i)
   {

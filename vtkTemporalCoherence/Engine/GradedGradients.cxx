@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace TemporalCoherence
 {
@@ -16,6 +17,13 @@ namespace
 /// Share of a cell by which a nearest-neighbour hit is moved on, from a face between two samples
 /// into the box of the sample that the ray enters.
 constexpr double IntoNextBox = 1e-2;
+
+/// Gradients end here, so that sums of a few of them are numbers.
+double Bounded(double gradient)
+{
+  constexpr double largest = std::numeric_limits<double>::max() / 8.0;
+  return std::min(std::max(gradient, -largest), largest);
+}
 
 /// A point in the cell that holds it.
 struct CellPoint
@@ -57,7 +65,10 @@ public:
   {
   }
 
-  double Unscaled(double difference) const { return this->FromIsovalue.Unscaled(difference); }
+  double Unscaled(double difference) const
+  {
+    return Bounded(this->FromIsovalue.Unscaled(difference));
+  }
 
   /// Per unit of index space, interpolated between the corners of the cell.
   glm::dvec3 At(const CellPoint& point) const
@@ -87,7 +98,7 @@ private:
       before[axis] = std::max(sample[axis] - 1, 0);
       behind[axis] = std::min(sample[axis] + 1, this->Samples.Dimensions[axis] - 1);
       const double distance = this->Grid.At(axis, behind[axis]) - this->Grid.At(axis, before[axis]);
-      gradient[axis] = (this->ValueAt(behind) - this->ValueAt(before)) / distance;
+      gradient[axis] = Bounded((this->ValueAt(behind) - this->ValueAt(before)) / distance);
     }
     return gradient;
   }

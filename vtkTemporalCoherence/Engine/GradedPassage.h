@@ -48,6 +48,12 @@ struct GradedRay
     return low;
   }
 
+  /// The same for walks.
+  int WalkFrom(int axis, double t, int low, int high) const
+  {
+    return this->CellAt(axis, t, low, high);
+  }
+
   glm::ivec3 CellAt(double t, const glm::ivec3& cells) const
   {
     return { this->CellAt(0, t, 0, cells.x - 1), this->CellAt(1, t, 0, cells.y - 1),

@@ -23,6 +23,9 @@ namespace HWY_NAMESPACE
 
 namespace hn = hwy::HWY_NAMESPACE;
 
+/// Squares of shorter vectors may vanish.
+constexpr double TooShortToSquare = 1e-140;
+
 using Doubles = hn::CappedTag<double, WidestVector / 2>;
 using Floats = hn::CappedTag<float, WidestVector>;
 
@@ -84,9 +87,15 @@ void FacingNormalsOf(std::size_t count, const glm::dmat3& m,
     const auto inWorld = [&](int axis) HWY_ATTR {
       return Dot(hn::Set(d, m[0][axis]), hn::Set(d, m[1][axis]), hn::Set(d, m[2][axis]), x, y, z);
     };
-    const V wx = hn::IfThenElse(isSteep, inWorld(0), rx);
-    const V wy = hn::IfThenElse(isSteep, inWorld(1), ry);
-    const V wz = hn::IfThenElse(isSteep, inWorld(2), rz);
+    const V nx = inWorld(0), ny = inWorld(1), nz = inWorld(2);
+    // The same once more, but only where it is needed: others keep all of their digits.
+    const V longest = hn::Max(hn::Abs(nx), hn::Max(hn::Abs(ny), hn::Abs(nz)));
+    const auto hasNormal = hn::And(isSteep, hn::Ge(longest, smallest));
+    const auto isFarFromOne = hn::And(hasNormal, hn::Lt(longest, hn::Set(d, TooShortToSquare)));
+    const V closer = hn::Div(one, hn::IfThenElse(isFarFromOne, longest, one));
+    const V wx = hn::IfThenElse(hasNormal, hn::Mul(nx, closer), rx);
+    const V wy = hn::IfThenElse(hasNormal, hn::Mul(ny, closer), ry);
+    const V wz = hn::IfThenElse(hasNormal, hn::Mul(nz, closer), rz);
     const V perLength = hn::Div(one, hn::Sqrt(Dot(wx, wy, wz, wx, wy, wz)));
     const auto isAway = hn::Gt(Dot(wx, wy, wz, rx, ry, rz), zero);
     const V facing = hn::IfThenElse(isAway, hn::Neg(perLength), perLength);
@@ -232,7 +241,20 @@ void FindFacingNormals(std::size_t count, const glm::dmat3& worldFromGradient,
   const std::array<Array<double>, 3>& gradients, const std::array<Array<double>, 3>& rays,
   Array<std::array<float, 3>>& normals)
 {
-  HWY_DYNAMIC_DISPATCH(FacingNormalsOf)(count, worldFromGradient, gradients, rays, normals);
+  // Lengths do not matter. A power of two takes the largest number of the matrix to 1 and changes
+  // no digit.
+  double largest = 0.0;
+  for (int i = 0; i < 9; ++i)
+  {
+    largest = std::max(largest, std::abs(worldFromGradient[i / 3][i % 3]));
+  }
+  glm::dmat3 matrix = worldFromGradient;
+  const int exponent = largest > 0.0 ? -std::ilogb(largest) : 0;
+  for (int i = 0; i < 9; ++i)
+  {
+    matrix[i / 3][i % 3] = std::ldexp(matrix[i / 3][i % 3], exponent);
+  }
+  HWY_DYNAMIC_DISPATCH(FacingNormalsOf)(count, matrix, gradients, rays, normals);
 }
 
 void AddLight(const RayPoints& rays, PhongSums& sums)

@@ -11,7 +11,10 @@
 #include "Passage.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace TemporalCoherence
@@ -128,10 +131,15 @@ public:
     , Cells(scene.Samples.Dimensions - 1)
     , IsSolid(scene.Sought.Mode == SurfaceMode::Threshold)
   {
-    for (const double isovalue : scene.Sought.Isovalues)
+    const std::vector<double>& isovalues = scene.Sought.Isovalues;
+    for (const double isovalue : isovalues)
     {
       this->Differences.emplace_back(isovalue, scene.FiniteRange);
     }
+    this->Ascending.resize(isovalues.size());
+    std::iota(this->Ascending.begin(), this->Ascending.end(), std::size_t(0));
+    std::sort(this->Ascending.begin(), this->Ascending.end(),
+      [&](std::size_t a, std::size_t b) { return isovalues[a] < isovalues[b]; });
   }
 
   void FindNext(const RayBatch& rays, HitBatch& hits) const override
@@ -198,6 +206,28 @@ private:
     return this->Scene.Samples.Hidden && this->Scene.Samples.Hidden->IsHidden(cell);
   }
 
+  /// Places in Ascending of the isovalues that a cell may pass: from its smallest sample on, or
+  /// from all that are less, too, up to its largest. Samples that are not numbers are below all.
+  std::pair<std::size_t, std::size_t> FindPassed(
+    const std::array<T, 8>& samples, bool withLess) const
+  {
+    double low = Infinity, high = -Infinity;
+    for (const T sample : samples)
+    {
+      const double value = static_cast<double>(sample);
+      const double ranked = value == value ? value : -Infinity;
+      low = std::min(low, ranked);
+      high = std::max(high, ranked);
+    }
+    const auto placeOf = [&](double value, auto isBefore)
+    {
+      const auto found = std::partition_point(this->Ascending.begin(), this->Ascending.end(),
+        [&](std::size_t i) { return isBefore(this->Scene.Sought.Isovalues[i], value); });
+      return static_cast<std::size_t>(found - this->Ascending.begin());
+    };
+    return { withLess ? 0 : placeOf(low, std::less<>()), placeOf(high, std::less_equal<>()) };
+  }
+
   /// Solids that are cut open where the ray begins.
   void FindCap(
     const RayBatch& rays, std::size_t ray, const FoundSurface& last, FoundSurface& next) const
@@ -210,8 +240,10 @@ private:
     }
     const Part part(line, cell);
     const std::array<T, 8> samples = this->Samples.Read(cell);
-    for (std::size_t surface = 0; surface < this->Differences.size(); ++surface)
+    const auto [first, behind] = this->FindPassed(samples, true);
+    for (std::size_t place = first; place < behind; ++place)
     {
+      const std::size_t surface = this->Ascending[place];
       if (IsInside(AtEntry(this->Differ(samples, surface), part)))
       {
         this->Consider(rays.Begin[ray], HitKind::Cap, surface, last, next);
@@ -248,8 +280,10 @@ private:
   {
     const bool isBehindHidden =
       this->IsSolid && this->Scene.Samples.Hidden && part.ComesFrom(*this->Scene.Samples.Hidden);
-    for (std::size_t surface = 0; surface < this->Differences.size(); ++surface)
+    const auto [first, behind] = this->FindPassed(samples, isBehindHidden);
+    for (std::size_t place = first; place < behind; ++place)
     {
+      const std::size_t surface = this->Ascending[place];
       const Corners<Real> corners = this->Differ(samples, surface);
       const auto inside = std::count_if(corners.begin(), corners.end(), IsInside<Real>);
       if (inside == 0 || (inside == 8 && !isBehindHidden))
@@ -313,6 +347,7 @@ private:
   Geometry Shape; ///< of the cells
   CellSamples<T> Samples;
   std::vector<Difference<Value>> Differences; ///< from each isovalue
+  std::vector<std::size_t> Ascending;         ///< places of the isovalues, by their values
   glm::ivec3 Cells;                           ///< number of cells along each axis
   bool IsSolid;
 };

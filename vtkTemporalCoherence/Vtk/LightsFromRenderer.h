@@ -4,11 +4,14 @@
 #define TemporalCoherence_LightsFromRenderer_h
 
 #include "Appearance.h"
+#include "vtkTemporalCoherenceCompatibility.h"
 
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkRenderer;
+VTK_ABI_NAMESPACE_END
 
 namespace TemporalCoherence
 {

@@ -43,6 +43,27 @@ bool RequestFromMapper::Make(vtkVolumeMapper* mapper, const PictureSettings& set
   return !input.Array || this->MakeScene(mapper, volume, input, key, error);
 }
 
+namespace
+{
+
+/// \return false if there are too many surfaces behind one another to look for
+bool AreFewEnough(const Surfaces& surfaces, std::string& error)
+{
+  constexpr std::size_t most = 1024;
+  const std::size_t count = surfaces.Isovalues.size();
+  if (!surfaces.IsTranslucent() || count <= most)
+  {
+    return true;
+  }
+  error = "There are " + std::to_string(count) + " translucent isovalues, more than the " +
+    std::to_string(most) +
+    " that can be drawn; shorten the list with SetNumberOfContours, or make them opaque with "
+    "GetScalarOpacity and DisableGradientOpacityOn.";
+  return false;
+}
+
+}
+
 /// The samples, and where they lie and are kept.
 bool RequestFromMapper::MakeScene(vtkVolumeMapper* mapper, vtkVolume* volume,
   const MapperInput& input, FrameKey& key, std::string& error)
@@ -51,6 +72,7 @@ bool RequestFromMapper::MakeScene(vtkVolumeMapper* mapper, vtkVolume* volume,
   const ImageAxes axes = AxesOf(input.Image, input.OnCells);
   if (!MakeGradientOpacity(
         property, input.Look, glm::abs(axes.Step), key.Sought.BySteepness, error) ||
+    !AreFewEnough(key.Sought, error) ||
     !MakeField(input.Image, input.Array, input.OnCells, input.Component, key.Samples, error) ||
     !this->Hidden.Find(input.Image, input.OnCells, key.Samples.Hidden, error) ||
     !MakePlacement(input.Image, input.OnCells, volume, key.Where, error) ||

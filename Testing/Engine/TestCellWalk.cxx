@@ -39,7 +39,7 @@ TEST(CellWalk, BeginsBehindNoPlaneThatIsStillAhead)
     for (int axis = 0; axis < 3; ++axis)
     {
       const int behind = ray.Direction(axis) > 0.0 ? 0 : 1;
-      const int cell = ray.WalkFrom(axis, t, 0, cells - 1);
+      const int cell = ray.WalkFrom(axis, t, cells);
       const bool isFirst = cell == (behind ? cells - 1 : 0);
       EXPECT_TRUE(isFirst || ray.Pass(axis, cell + behind) <= t)
         << "cell " << cell << ", direction " << ray.Direction(axis);

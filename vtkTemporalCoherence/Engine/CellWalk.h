@@ -8,24 +8,10 @@
 
 #include <hwy/base.h>
 
-#include <cmath>
-#include <limits>
+#include <algorithm>
 
 namespace TemporalCoherence
 {
-
-/// The origin of a ray along an axis, moved back by more than points on it are wrong by.
-///
-/// Cells are told by the distances of their planes. A point may be rounded across a plane that the
-/// ray, nearly along it, passes much later only: the cell behind would have no part of the ray
-/// before that. A cell too early does no harm, as the walk leaves it at once.
-inline double StartBefore(double origin, double direction)
-{
-  constexpr double rounding = 16.0 * std::numeric_limits<double>::epsilon();
-  constexpr double mostCells = 1 << 20; // points that matter lie within the field
-  const double back = rounding * (std::abs(origin) + mostCells);
-  return direction > 0.0 ? origin - back : (direction < 0.0 ? origin + back : origin);
-}
 
 /// A ray in index space, by its place in a batch.
 struct BatchRay
@@ -44,14 +30,22 @@ struct BatchRay
   /// Coordinate of the cell that the ray is in at t, kept within low and high.
   int CellAt(int axis, double t, int low, int high) const
   {
-    return CellOf(this->Origin(axis) + t * this->Direction(axis), low, high);
+    // Seen from very far away a point may be rounded to anywhere: it is kept within before it is a
+    // whole number. Rounding towards 0 is rounding down where it is not below low.
+    const double x = this->Origin(axis) + t * this->Direction(axis);
+    return !(x > low) ? low : (x < high ? static_cast<int>(x) : high);
   }
 
-  /// The same, or the cell before it, for walks.
-  int WalkFrom(int axis, double t, int low, int high) const
+  /// Where a walk begins: by the distances of planes, as cells are told by them. A point may be
+  /// rounded across a plane that the ray, nearly along it, passes much later; the cell behind has
+  /// no part of the ray before that.
+  int WalkFrom(int axis, double t, int cells) const
   {
+    const int cell = this->CellAt(axis, t, 0, cells - 1);
     const double direction = this->Direction(axis);
-    return CellOf(StartBefore(this->Origin(axis), direction) + t * direction, low, high);
+    const int before = direction > 0.0 ? cell - 1 : cell + 1;
+    const bool isAhead = direction != 0.0 && this->Pass(axis, std::max(cell, before)) > t;
+    return isAhead && before >= 0 && before < cells ? before : cell;
   }
 
   /// The cell that the ray is in at t, within a field of so many cells.
@@ -64,13 +58,6 @@ struct BatchRay
   double WalkEnd() const { return this->Rays.WalkEnd[this->Ray]; }
 
   static std::size_t Index(int axis) { return static_cast<std::size_t>(axis); }
-
-  static int CellOf(double x, int low, int high)
-  {
-    // Seen from very far away a point may be rounded to anywhere: it is kept within before it is a
-    // whole number. Rounding towards 0 is rounding down where it is not below low.
-    return !(x > low) ? low : (x < high ? static_cast<int>(x) : high);
-  }
 
   const RayBatch& Rays;
   std::size_t Ray;
@@ -98,7 +85,7 @@ public:
     const double begin = ray.Rays.WalkBegin[ray.Ray];
     for (int axis = 0; axis < 3; ++axis)
     {
-      this->Cell[axis] = ray.WalkFrom(axis, begin, 0, cells[axis] - 1);
+      this->Cell[axis] = ray.WalkFrom(axis, begin, cells[axis]);
       this->Ahead[axis] = ray.Direction(axis) > 0.0 ? 1 : 0;
     }
     this->InLeaf = 0;
@@ -210,7 +197,7 @@ private:
     }
     for (int axis = 0; axis < 3; ++axis)
     {
-      this->Cell[axis] = ray.WalkFrom(axis, t, first[axis], first[axis] + size - 1);
+      this->Cell[axis] = ray.CellAt(axis, t, first[axis], first[axis] + size - 1);
     }
     this->Cell[exit] = this->Ahead[exit] ? first[exit] + size : first[exit] - 1;
     return IsWithin(this->Cell[exit], cells[exit]);

@@ -49,10 +49,7 @@ struct GradedRay
   }
 
   /// The same for walks.
-  int WalkFrom(int axis, double t, int low, int high) const
-  {
-    return this->CellAt(axis, t, low, high);
-  }
+  int WalkFrom(int axis, double t, int cells) const { return this->CellAt(axis, t, 0, cells - 1); }
 
   glm::ivec3 CellAt(double t, const glm::ivec3& cells) const
   {

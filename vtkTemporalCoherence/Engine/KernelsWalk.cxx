@@ -155,7 +155,6 @@ public:
       this->Direction[a] = load(rays.Direction[a]);
       this->Inverse[a] = load(rays.Inverse[a]);
       this->Ahead[a] = hn::Gt(this->Direction[a], Zero());
-      this->Before[a] = StartOf(this->Origin[a], this->Direction[a]);
       this->Last[a] = hn::Set(Doubles(), scene.Cells[static_cast<int>(a)] - 1);
     }
     if (walks.HasBegun)
@@ -175,7 +174,7 @@ public:
       const V begin = load(rays.WalkBegin);
       for (std::size_t a = 0; a < 3; ++a)
       {
-        this->Cell[a] = this->WalkFrom(a, begin, Zero(), this->Last[a]);
+        this->Cell[a] = this->WalkFrom(a, begin);
       }
     }
   }
@@ -216,22 +215,22 @@ private:
   static HWY_INLINE V Zero() { return hn::Zero(Doubles()); }
   static HWY_INLINE V One() { return hn::Set(Doubles(), 1.0); }
 
-  /// BatchRay::WalkFrom.
-  HWY_INLINE V WalkFrom(std::size_t axis, V t, V low, V high) const
+  /// BatchRay::CellAt.
+  HWY_INLINE V CellAt(std::size_t axis, V t, V low, V high) const
   {
-    const V x = hn::Add(this->Before[axis], hn::Mul(t, this->Direction[axis]));
+    const V x = hn::Add(this->Origin[axis], hn::Mul(t, this->Direction[axis]));
     return hn::Min(hn::Max(hn::Trunc(x), low), high);
   }
 
-  /// StartBefore.
-  static HWY_INLINE V StartOf(V origin, V direction)
+  /// BatchRay::WalkFrom.
+  HWY_INLINE V WalkFrom(std::size_t axis, V t) const
   {
-    const Doubles d;
-    const V rounding = hn::Set(d, 16.0 * std::numeric_limits<double>::epsilon());
-    const V back = hn::Mul(rounding, hn::Add(hn::Abs(origin), hn::Set(d, 1 << 20)));
-    const V signedBack = hn::IfThenElse(hn::Gt(direction, Zero()), hn::Neg(back),
-      hn::IfThenElseZero(hn::Lt(direction, Zero()), back));
-    return hn::Add(origin, signedBack);
+    const V cell = this->CellAt(axis, t, Zero(), this->Last[axis]);
+    const V before = hn::IfThenElse(this->Ahead[axis], hn::Sub(cell, One()), hn::Add(cell, One()));
+    const V pass = hn::Mul(hn::Sub(hn::Max(cell, before), this->Origin[axis]), this->Inverse[axis]);
+    const M isAhead = hn::And(hn::Ne(this->Direction[axis], Zero()), hn::Gt(pass, t));
+    const M isThere = hn::And(hn::Ge(before, Zero()), hn::Le(before, this->Last[axis]));
+    return hn::IfThenElse(hn::And(isAhead, isThere), before, cell);
   }
 
   /// Where the words of the nodes begin that hold the cells.
@@ -306,7 +305,7 @@ private:
     this->Live = hn::And(this->Live, hn::And(hn::Lt(t, this->End), isInside));
     for (std::size_t a = 0; a < 3; ++a)
     {
-      const V at = this->WalkFrom(a, t, first[a], hn::Add(first[a], below));
+      const V at = this->CellAt(a, t, first[a], hn::Add(first[a], below));
       const V to = hn::IfThenElse(exits[a], next, at);
       this->Cell[a] = hn::IfThenElse(this->Live, to, this->Cell[a]);
     }
@@ -314,7 +313,7 @@ private:
 
   const WalkScene& Scene;
   M Live;
-  V Origin[3], Before[3], Direction[3], Inverse[3], End, Last[3], Cell[3];
+  V Origin[3], Direction[3], Inverse[3], End, Last[3], Cell[3];
   M Ahead[3]; ///< the ray runs towards higher cells
 };
 

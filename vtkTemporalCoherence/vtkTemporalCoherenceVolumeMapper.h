@@ -82,12 +82,14 @@
  * Transfer functions in two dimensions have no meaning for isosurfaces: SetTransferFunctionMode is
  * ignored, and colour and opacity are those of the functions of the scalar.
  *
- * What surfaces look like is told by finite numbers; others are mistakes, as are absurd ones, whose
- * products would leave the range of floats: ambient, diffuse and specular beyond +-1e6, a specular
- * power outside 0 to 1e6, colours beyond +-1000 (what is shown is clamped to [0, 1]), opacities
- * beyond +-1e6 (clamped, too); of lights, an intensity beyond +-1e18, attenuations beyond +-1e30,
- * an exponent outside 0 to 128, a cone angle beyond +-1e6 degrees, a position or focal point beyond
- * +-1e38. Settings without effect, as those of lights that are off, may be anything.
+ * Numbers of the appearance must be finite and within these bounds; otherwise the frame is refused:
+ * ambient, diffuse and specular -1e6 to 1e6, specular power 0 to 1e6, colours -1000 to 1000 (what
+ * is shown is clamped to [0, 1]), opacities -1e6 to 1e6 (clamped, too); of nodes of the gradient
+ * opacity, a position from -1e100 to 1e100, a value from -1e6 to 1e6, midpoint and sharpness 0 to
+ * 1; of lights, an intensity from -1e18 to 1e18, attenuations -1e30 to 1e30, an exponent from 0 to
+ * 128, a cone angle from -1e6 to 1e6 degrees, positions and focal points -1e38 to 1e38. Their
+ * products stay within the range of floats. Settings without effect, as those of lights that are
+ * off, may be anything.
  *
  * A mistake gets one vtkErrorMacro with its value and remedy, repeated only after a frame without
  * it; the last valid picture stays.
@@ -313,9 +315,9 @@ public:
    * How the isomap is built.
    *
    * IsomapTolerance: how far a surface looked up may lie from the exact one, in voxels (the
-   * smallest spacing). Default: 0, the cold picture to the last bit. Below 0.001, or the 1.6
-   * millionth part of the volume's longest diagonal if that is more, counts as 0: distances are
-   * kept in single precision and could not be told as exactly.
+   * smallest spacing). Default: 0, the cold picture to the last bit. A tolerance below 0.001
+   * counts as 0. In very long volumes that bound is higher: 6e-7 of the longest diagonal. Distances
+   * are kept in single precision and cannot be told more exactly.
    *
    * IsomapRange: isovalues to build it for at once. Default: lo > hi, bands around the present
    * isovalue that take about as long as a cold frame; outside of a given range, too.

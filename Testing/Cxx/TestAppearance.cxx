@@ -82,6 +82,17 @@ void ExpectRefused(const std::string& setting, const std::vector<double>& values
   }
 }
 
+/// A number just outside is told apart from the bound.
+void TestDigits()
+{
+  Stage stage;
+  Mistake mistake(stage.Drawn, "Diffuse colour of light 0");
+  stage.Lamp->SetDiffuseColor(1.0, 1000.0001, 1.0);
+  mistake.ExpectRefused();
+  Expect(mistake.Message.find("between -1000 and 1000, got 1000.0001;") != std::string::npos,
+    "the message has the digits that matter, but is: " + mistake.Message);
+}
+
 void TestShading()
 {
   const std::vector<double> bad = { NotANumber, Infinity, -Infinity, 1e300, -1e300 };
@@ -277,6 +288,7 @@ int TestAppearance(int, char*[])
 {
   // The Debug driver traps operations on what is not a number, which is what is tested here.
   vtkFloatingPointExceptions::Disable();
+  TestDigits();
   TestShading();
   TestLights();
   TestTransferFunctions();

@@ -4,6 +4,7 @@
 // Observers do odd things while a frame is made: it is the frame that was asked for.
 
 #include "Expect.h"
+#include "Meddler.h"
 #include "Scene.h"
 #include "Volumes.h"
 
@@ -12,42 +13,10 @@
 #include <vtkPointData.h>
 
 #include <cstdlib>
-#include <functional>
 #include <vector>
 
 namespace
 {
-
-/// Does something at an event, once.
-class Meddler
-{
-public:
-  Meddler(vtkObject* object, unsigned long event, std::function<void()> act)
-    : Of(object)
-    , Act(std::move(act))
-    , Tag(object->AddObserver(event, this, &Meddler::Hear))
-  {
-  }
-  ~Meddler() { this->Of->RemoveObserver(this->Tag); }
-  Meddler(const Meddler&) = delete;
-  Meddler& operator=(const Meddler&) = delete;
-
-  bool IsDone = false;
-
-private:
-  void Hear()
-  {
-    if (!this->IsDone)
-    {
-      this->IsDone = true;
-      this->Act();
-    }
-  }
-
-  vtkSmartPointer<vtkObject> Of;
-  std::function<void()> Act;
-  unsigned long Tag;
-};
 
 vtkSmartPointer<vtkImageData> Noise()
 {
@@ -64,7 +33,7 @@ void TestOtherInput()
   Scene scene(Noise(), { 100.0 });
   scene.Renderer->SetActiveCamera(usual.Renderer->GetActiveCamera());
   std::vector<vtkSmartPointer<vtkImageData>> others; // take the memory that may have become free
-  const Meddler meddler(scene.Mapper, vtkCommand::VolumeMapperRenderProgressEvent,
+  const Meddler meddler(scene.Mapper, vtkCommand::VolumeMapperRenderProgressEvent, 0,
     [&]
     {
       scene.Mapper->SetInputData(Volumes::Noise(5, VTK_FLOAT, 0.0, 1.0));
@@ -86,7 +55,7 @@ void TestNextFrame()
   Scene scene(Noise(), { 100.0 });
   scene.LookFrom(1.0, 2.0, 0.5);
   vtkNew<vtkImageData> small;
-  const Meddler meddler(scene.Mapper, vtkCommand::VolumeMapperRenderEndEvent,
+  const Meddler meddler(scene.Mapper, vtkCommand::VolumeMapperRenderEndEvent, 0,
     [&] { scene.Mapper->RenderToImage(scene.Renderer, scene.Volume, 8, 7, small, nullptr); });
   Expect(scene.Render(60, 60) && meddler.IsDone, "rendered");
   Expect(small->GetNumberOfPoints() == 56, "and the next frame");

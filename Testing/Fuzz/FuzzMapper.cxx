@@ -23,6 +23,7 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -43,7 +44,7 @@ usage: FuzzMapper [OPTIONS] [FILE...]
   --shrink FILE    write the shortest and dullest bytes that fail in the same way to a file
   --crashes        what is shrunk crashes or hangs
   --keep-going     do not stop at the first run that fails
-  --expect-all     fail if a route was not reached
+  --expect-all     fail if a route was not reached, or too many pixels differ where some may
   --patience S     seconds that a step may take (default 20)
 )";
 
@@ -63,6 +64,22 @@ struct Options
   unsigned Patience = 20;
   bool KeepGoing = false, ExpectAll = false, IsOneSeed = false, Crashes = false;
 };
+
+/// The number behind an option; ends the program where there is none.
+template <class Number>
+Number ToNumber(const std::string& option, const std::string& text)
+{
+  std::istringstream stream(text);
+  Number number{};
+  const bool isNumber = !text.empty() && std::isdigit(static_cast<unsigned char>(text.front())) &&
+    stream >> number && stream.peek() == std::istringstream::traits_type::eof();
+  if (!isNumber)
+  {
+    std::cerr << option << " takes a number that is not negative, got \"" << text << "\".\n";
+    std::exit(2);
+  }
+  return number;
+}
 
 bool Parse(int argc, char* argv[], Options& options)
 {
@@ -92,20 +109,20 @@ bool Parse(int argc, char* argv[], Options& options)
     }
     else if (argument == "--seed" && hasValue)
     {
-      options.Seed = std::stoull(argv[++i]);
+      options.Seed = ToNumber<std::uint64_t>(argument, argv[++i]);
       options.IsOneSeed = true;
     }
     else if (argument == "--steps" && hasValue)
     {
-      options.Steps = std::stol(argv[++i]);
+      options.Steps = ToNumber<long>(argument, argv[++i]);
     }
     else if (argument == "--seconds" && hasValue)
     {
-      options.Seconds = std::stod(argv[++i]);
+      options.Seconds = ToNumber<double>(argument, argv[++i]);
     }
     else if (argument == "--patience" && hasValue)
     {
-      options.Patience = static_cast<unsigned>(std::stoul(argv[++i]));
+      options.Patience = ToNumber<unsigned>(argument, argv[++i]);
     }
     else if (argument == "--shrink" && hasValue)
     {

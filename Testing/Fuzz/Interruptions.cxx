@@ -3,11 +3,11 @@
 #include "Acts.h"
 
 #include "Inputs.h"
+#include "Meddler.h"
 
 #include <vtkPolyData.h>
 
 #include <cmath>
-#include <functional>
 #include <limits>
 
 namespace Fuzz
@@ -16,46 +16,6 @@ namespace Acts
 {
 namespace
 {
-
-/// Does something at a report of progress, once.
-class Meddler
-{
-public:
-  Meddler(vtkObject* object, unsigned long event, int report, std::function<void()> act)
-    : Of(object)
-    , Left(report)
-    , Act(std::move(act))
-    , Tag(object->AddObserver(event, this, &Meddler::Hear))
-  {
-  }
-  ~Meddler() { this->Of->RemoveObserver(this->Tag); }
-  Meddler(const Meddler&) = delete;
-  Meddler& operator=(const Meddler&) = delete;
-
-  double Before = 0.0;
-  bool IsRising = true, IsDone = false;
-
-private:
-  void Hear(vtkObject*, unsigned long, void* progress)
-  {
-    if (progress)
-    {
-      const double now = *static_cast<double*>(progress);
-      this->IsRising = this->IsRising && now >= this->Before && now <= 1.0;
-      this->Before = now;
-    }
-    if (this->Left-- == 0)
-    {
-      this->IsDone = true;
-      this->Act();
-    }
-  }
-
-  vtkSmartPointer<vtkObject> Of;
-  int Left;
-  std::function<void()> Act;
-  unsigned long Tag;
-};
 
 /// What observers must not do: it is refused.
 void DoWhatIsForbidden(World& world)
@@ -146,15 +106,13 @@ void Interrupt(World& world, Oracle& oracle, Tally& tally)
   }
   const int report = from.Pick(from.OneIn(3) ? 40 : 6);
   const int kind = from.Pick(3);
-  const unsigned long events[] = { vtkCommand::VolumeMapperRenderProgressEvent,
-    vtkCommand::VolumeMapperRenderProgressEvent, vtkCommand::VolumeMapperRenderProgressEvent,
-    vtkCommand::VolumeMapperRenderEndEvent };
+  const unsigned long event = vtkCommand::VolumeMapperRenderProgressEvent;
   if (kind == 0)
   {
     Picture none;
     bool isMade = false, isStopped = false;
     {
-      const Meddler stopper(mapper, events[0], report, [&] { mapper->SetAbortExecute(1); });
+      const Meddler stopper(mapper, event, report, [&] { mapper->SetAbortExecute(1); });
       isMade = none.Render(world, mapper);
       isStopped = stopper.IsDone;
       Require(stopper.IsRising, "the progress of a frame falls");
@@ -180,7 +138,7 @@ void Interrupt(World& world, Oracle& oracle, Tally& tally)
   Picture picture;
   bool isMade = false, isForbidden = false;
   {
-    const Meddler meddler(mapper, events[kind], report,
+    const Meddler meddler(mapper, event, report,
       [&]
       {
         isForbidden = kind == 2;

@@ -49,10 +49,8 @@ public:
 
   const Picture& Last() const { return this->Shown; }
   bool IsLastRefused() const { return this->IsRefused; }
-  bool IsLastExact() const { return this->IsExact; }
 
 private:
-  std::string RefusalOf(int errors, const std::string& before) const;
   void Compare(const Picture& cold);
   void CompareCounters();
   bool IsPromisedExact() const;

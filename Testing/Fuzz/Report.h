@@ -31,7 +31,7 @@ void TellCrashes();
 /// In a signal handler: the run hangs.
 void TellHang();
 
-/// \param expectsAll every route has to be reached, and promises of shares kept
+/// \param expectsAll every route has to be reached, and few pixels differ where some may
 /// \return true if all is well
 bool Finish(const Tally& tally, int failures, bool expectsAll);
 

@@ -55,7 +55,7 @@ done
 
 sanitizers=address,undefined,float-cast-overflow
 sanitizer_flags="-O1 -g1 -fno-omit-frame-pointer -fsanitize=$sanitizers -fno-sanitize-recover=all"
-target=FuzzMapper
+targets=(FuzzMapper)
 case $kind in
   plain)
     build=${TEMPORAL_COHERENCE_BUILD:-$repository/build}
@@ -72,7 +72,8 @@ case $kind in
     arguments=(-DCMAKE_BUILD_TYPE=None -DCMAKE_C_COMPILER=clang -DCMAKE_CXX_COMPILER=clang++
       "-DCMAKE_CXX_FLAGS=$sanitizer_flags -fsanitize=fuzzer-no-link -fno-sanitize=vptr"
       -DTEMPORAL_COHERENCE_BUILD_FUZZER=ON)
-    target=GuidedFuzzer
+    # What the one finds the other replays in words.
+    targets=(GuidedFuzzer FuzzMapper)
     ;;
 esac
 
@@ -84,8 +85,8 @@ if [ ! -f "$build/build.ninja" ]; then
     -DTEMPORAL_COHERENCE_BUILD_BENCHMARKS=OFF "${arguments[@]}" >"$build.log" 2>&1 ||
     { tail -n 20 "$build.log" >&2; printf '[fuzz] CMake could not configure.\n' >&2; exit 1; }
 fi
-printf '[fuzz] Building %s in %s\n' "$target" "$build"
-cmake --build "$build" --target "$target" >"$build/fuzz-build.log" 2>&1 ||
+printf '[fuzz] Building %s in %s\n' "${targets[*]}" "$build"
+cmake --build "$build" --target "${targets[@]}" >"$build/fuzz-build.log" 2>&1 ||
   { tail -n 40 "$build/fuzz-build.log" >&2; printf '[fuzz] The build failed.\n' >&2; exit 1; }
 
 failures=$build/fuzz-failures

@@ -8,7 +8,6 @@ import json
 import pathlib
 import sys
 import time
-import tomllib
 
 import sites
 import suite
@@ -38,7 +37,7 @@ def read_options():
 
 def choose(options, copy):
     """The mutants that are asked for."""
-    named = sites.read_named(HERE / "named.toml", copy.read)
+    named = sites.read_named(HERE / "named.json", copy.read)
     all_sites = [m for file in copy.sources() for m in sites.find_sites(file, copy.read(file))]
     if options.names:
         there = {mutant.name: mutant for mutant in named + all_sites}
@@ -51,7 +50,7 @@ def choose(options, copy):
 
 def read_judged():
     """What was judged by hand, by name of the mutant."""
-    judged = tomllib.loads((HERE / "judged.toml").read_text()).get("judged", [])
+    judged = json.loads((HERE / "judged.json").read_text(encoding="utf-8"))["judged"]
     return {entry["name"]: entry for entry in judged}
 
 
@@ -111,12 +110,13 @@ def verdict_on(record, judged):
 
 
 def report(mutants, results, judged):
-    """Print a table and the score. True if nothing that matters got through."""
-    count = {}
+    """Print a table and the score. True if all were tried and nothing that matters got through."""
+    count, untried = {}, 0
     print("\n| mutant | line | change | verdict | by |\n|---|---|---|---|---|")
     for mutant in mutants:
         record = results.all.get(mutant.name)
         if not record:
+            untried += 1
             continue
         verdict = verdict_on(record, judged)
         count[verdict] = count.get(verdict, 0) + 1
@@ -134,7 +134,9 @@ def report(mutants, results, judged):
     print(f"\n[mutants] {counts}")
     print(f"[mutants] score: {killed} of {compiled - excused} killed, {share:.1f} %; "
           f"{excused} change nothing but speed, {count.get('refused', 0)} do not compile")
-    return not wrong and not count.get("survived", 0) and not count.get("doubtful", 0)
+    if untried:
+        print(f"[mutants] {untried} of {len(mutants)} were not tried")
+    return not (wrong or untried or count.get("survived", 0) or count.get("doubtful", 0))
 
 
 def main():

@@ -13,13 +13,13 @@ Make small changes to the engine, mutants, and tell which of them no test notice
 usage: Testing/Mutants/run.sh [OPTIONS] [NAMES]
 
   NAMES           only these mutants, whatever is known of them (see --list)
-  --named         only the mutants of named.toml
+  --named         only the mutants of named.json
   --random N      and N that are drawn from all comparisons, margins, indices, ...; default: 60
   --seed S        which ones; default: 1
   --quick         leave out tests that take long; what gets past the others is doubtful, and tried
                   again without this option
   --again STATE   try those again that survived, or were killed, hung, refused or doubtful; or all
-  --judged        try those too that judged.toml knows to change nothing but speed
+  --judged        try those too that judged.json knows to change nothing but speed
   --jobs N        for the compiler; default: 2
   --list          name the mutants, try none
   --report        print what is known of them, try none
@@ -34,7 +34,7 @@ hours on two cores; ccache, where it is installed, makes what changes back free.
 environment:
   TEMPORAL_COHERENCE_BUILD   the build directory; default: build, in the repository
 
-The exit status is 0 only if every mutant was killed, or judged in judged.toml.
+The exit status is 0 only if every mutant was tried and killed, or is judged in judged.json.
 TEXT
 }
 

@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Small changes to a source: the named ones of named.toml, and those that a seed draws."""
+"""Small changes to a source: the named ones of named.json, and those that a seed draws."""
 
 import dataclasses
 import hashlib
+import json
 import re
-import tomllib
 
 
 class NoSuchSource(Exception):
@@ -46,7 +46,8 @@ def text_of_line_at(text, place):
 def read_named(path, read):
     """The mutants of a table. `read` gives the text of a source."""
     mutants = []
-    for entry in tomllib.loads(path.read_text())["mutant"]:
+    groups = json.loads(path.read_text(encoding="utf-8"))["groups"]
+    for entry in (mutant for group in groups for mutant in group["mutants"]):
         text, find = read(entry["file"]), entry["find"]
         if text.count(find) != 1:
             raise NoSuchSource(

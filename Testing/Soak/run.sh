@@ -46,6 +46,12 @@ done
 [ "$built" = yes ] || "$repository/Module/setup.sh" "${setup_options[@]}"
 begin=$SECONDS
 status=0
-on_own_display "$build/bin/Soak" "${soak_arguments[@]}" | tee "$build/soak.md" || status=1
-printf '[soak] done in %s s; the table is in %s\n' "$((SECONDS - begin))" "$build/soak.md"
+# The program's verdict comes last, once, and with what the script knows.
+on_own_display "$build/bin/Soak" "${soak_arguments[@]}" | tee "$build/soak.md" | sed -u '/^\[soak\]/d' || status=1
+verdict=$(grep '^\[soak\] ' "$build/soak.md" | tail -n 1) || verdict=
+case $status$verdict in
+  '0[soak] PASSED'* | '1[soak] FAILED'*) ;;
+  *) status=1; verdict='[soak] FAILED: the program did not end well' ;;
+esac
+printf '%s; %s s, the table is in %s\n' "$verdict" "$((SECONDS - begin))" "$build/soak.md"
 exit "$status"

@@ -54,8 +54,8 @@ bool FindColors(vtkVolumeProperty* property, int component, const std::vector<do
     {
       if (!Allowed::Color.Holds(color[channel]))
       {
-        SettingCheck check("the volume's property", error);
-        check("Colour " + At(isovalue), color[channel], Allowed::Color,
+        SettingCheck check({ "the volume's property" }, error);
+        check(("Colour " + At(isovalue)).c_str(), color[channel], Allowed::Color,
           property->GetColorChannels(component) == 3 ? "GetRGBTransferFunction()->AddRGBPoint"
                                                      : "GetGrayTransferFunction()->AddPoint");
         return false;
@@ -66,15 +66,16 @@ bool FindColors(vtkVolumeProperty* property, int component, const std::vector<do
   return true;
 }
 
-void CheckNode(int i, const double node[4], SettingCheck& check)
+bool CheckNode(int i, const double node[4], std::string& error)
 {
   const char* const remedy = "GetGradientOpacity()->SetNodeValue or AddPoint";
-  const std::string name = " of node " + std::to_string(i) + " of the gradient opacity";
   const NumberRange share = { 0.0, 1.0 };
-  check("Position" + name, node[0], Allowed::Steepness, remedy);
-  check("Value" + name, node[1], Allowed::Opacity, remedy);
-  check("Midpoint" + name, node[2], share, remedy);
-  check("Sharpness" + name, node[3], share, remedy);
+  SettingCheck check({ "node", i, "the gradient opacity of the volume's property" }, error);
+  check("Position", node[0], Allowed::Steepness, remedy);
+  check("Value", node[1], Allowed::Opacity, remedy);
+  check("Midpoint", node[2], share, remedy);
+  check("Sharpness", node[3], share, remedy);
+  return check.HasPassed();
 }
 
 }
@@ -111,8 +112,8 @@ bool FindSurfaces(vtkVolumeProperty* property, int component, Surfaces& surfaces
     const double opacity = property->GetScalarOpacity(component)->GetValue(isovalue);
     if (!Allowed::Opacity.Holds(opacity))
     {
-      SettingCheck check("the volume's property", error);
-      check("Scalar opacity " + At(isovalue), opacity, Allowed::Opacity,
+      SettingCheck check({ "the volume's property" }, error);
+      check(("Scalar opacity " + At(isovalue)).c_str(), opacity, Allowed::Opacity,
         "GetScalarOpacity()->AddPoint");
       return false;
     }
@@ -142,7 +143,6 @@ bool MakeGradientOpacity(vtkVolumeProperty* property, int component, const glm::
     return true;
   }
   vtkPiecewiseFunction* function = property->GetGradientOpacity(component);
-  SettingCheck check("the volume's property", error);
   bool isStraight = true;
   for (int i = 0; i < function->GetSize(); ++i)
   {
@@ -150,11 +150,10 @@ bool MakeGradientOpacity(vtkVolumeProperty* property, int component, const glm::
     function->GetNodeValue(i, node);
     isStraight = isStraight && node[2] == 0.5 && node[3] == 0.0;
     made.Nodes.emplace_back(node[0], node[1]);
-    CheckNode(i, node, check);
-  }
-  if (!check.HasPassed())
-  {
-    return false;
+    if (!CheckNode(i, node, error))
+    {
+      return false;
+    }
   }
   if (!isStraight)
   {
@@ -206,7 +205,7 @@ bool MakeAppearance(vtkVolumeProperty* property, int component, vtkRenderer* ren
   appearance.Diffuse = property->GetDiffuse(component);
   appearance.Specular = property->GetSpecular(component);
   appearance.SpecularPower = property->GetSpecularPower(component);
-  SettingCheck check("the volume's property", error);
+  SettingCheck check({ "the volume's property" }, error);
   check("Ambient", appearance.Ambient, Allowed::Coefficient, "SetAmbient");
   check("Diffuse", appearance.Diffuse, Allowed::Coefficient, "SetDiffuse");
   check("Specular", appearance.Specular, Allowed::Coefficient, "SetSpecular");

@@ -32,7 +32,7 @@ bool CheckLight(vtkLight* source, int place, std::string& error)
   double position[3], focus[3];
   source->GetTransformedPosition(position);
   source->GetTransformedFocalPoint(focus);
-  SettingCheck check("light " + std::to_string(place) + " of the renderer", error);
+  SettingCheck check({ "light", place, "the renderer" }, error);
   check("Intensity", source->GetIntensity(), Allowed::Intensity, "vtkLight::SetIntensity");
   check("Diffuse colour", source->GetDiffuseColor(), Allowed::Color, "vtkLight::SetDiffuseColor");
   check(

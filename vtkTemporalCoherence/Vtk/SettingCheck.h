@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <string>
-#include <utility>
 
 namespace TemporalCoherence
 {
@@ -37,30 +36,36 @@ constexpr NumberRange Degrees = { -1e6, 1e6 };
 constexpr NumberRange Place = { -1e38, 1e38 };
 }
 
+/// Whose settings they are, in the user's words. No text is made of it before one is refused.
+struct SettingOwner
+{
+  const char* Name;    ///< "the volume's property", or where there are many, such as "light"
+  int Place = -1;      ///< which of them
+  const char* Of = ""; ///< whose they are, "the renderer"
+};
+
 /// Refuses settings of one object that are no numbers, or absurd ones; tells of the first of them.
 class SettingCheck
 {
 public:
-  /// \param owner whose settings they are, in the user's words
   /// \param error gets what is wrong and what to do about it; must outlive this
-  SettingCheck(std::string owner, std::string& error)
-    : Owner(std::move(owner))
+  SettingCheck(const SettingOwner& owner, std::string& error)
+    : Owner(owner)
     , Error(error)
   {
   }
 
   /// \param remedy what to call with another number
-  void operator()(
-    const std::string& setting, double value, const NumberRange& range, const std::string& remedy);
+  void operator()(const char* setting, double value, const NumberRange& range, const char* remedy);
 
   /// The same for three numbers.
-  void operator()(const std::string& setting, const double* values, const NumberRange& range,
-    const std::string& remedy);
+  void operator()(
+    const char* setting, const double* values, const NumberRange& range, const char* remedy);
 
   bool HasPassed() const { return this->Passed; }
 
 private:
-  std::string Owner;
+  SettingOwner Owner;
   std::string& Error;
   bool Passed = true;
 };

@@ -51,8 +51,9 @@ bool MakeView(
          << ", parallel scale " << camera->GetParallelScale() << ", clipping range " << range[0]
          << " to " << range[1]
          << "; set a focal point away from the position, a view up across that direction, a view "
-            "angle and a parallel scale above 0, and a clipping range that begins before it ends, "
-            "in a perspective before the eye.";
+            "angle and a parallel scale above 0, and a clipping range whose far end is beyond its "
+            "near "
+            "end and, in a perspective, in front of the camera.";
     error = what.str();
   }
   return isMade;

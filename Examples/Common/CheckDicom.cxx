@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -22,12 +23,12 @@ using Tag = std::uint32_t; // group and element
 constexpr Tag TransferSyntax = 0x00020010, Interpretation = 0x00280004, Rows = 0x00280010,
               Columns = 0x00280011, Bits = 0x00280100, Pixels = 0x7fe00010, Series = 0x0020000e,
               Position = 0x00200032, Orientation = 0x00200037, Offset = 0x00281052,
-              Slope = 0x00281053;
+              Slope = 0x00281053, Number = 0x00200013, Location = 0x00201041;
 
 // What VTK's parser looks into, without looking whether it is there: text, and 16 bits.
 const std::set<Tag> Texts = { 0x00100010, 0x00180050, 0x00181120, TransferSyntax, 0x0020000d,
-  Series, 0x00200010, 0x00200013, Position, Orientation, 0x00201041, Interpretation, 0x00280030,
-  Offset, Slope };
+  Series, 0x00200010, Number, Position, Orientation, Location, Interpretation, 0x00280030, Offset,
+  Slope };
 const std::set<Tag> Words = { Rows, Columns, Bits, 0x00280103 };
 
 // What slices of one volume have in common.
@@ -36,6 +37,8 @@ struct Slice
   unsigned Rows = 0, Columns = 0, Bits = 0;
   double Components = 1.0, Bytes = 0.0;
   double Slope = 1.0, Offset = 0.0; // of values
+  std::set<Tag> Found;
+  std::set<std::string> Series; // several in an index of others
 
   // VTK's reader makes these floats.
   bool HasFractions() const
@@ -80,17 +83,11 @@ public:
     {
       this->Take(slice);
     }
-    if (this->Found.count(Pixels) == 0 || this->Found.count(Rows) == 0 ||
-      this->Found.count(Columns) == 0 || this->Found.count(Bits) == 0 ||
-      this->Found.count(Series) == 0 || this->Found.count(Interpretation) == 0)
-    {
-      throw Damaged(this->Path, "it has no pixels, or does not tell what they are");
-    }
     return true;
   }
 
 private:
-  unsigned Number(std::size_t at, std::size_t bytes) const
+  unsigned NumberAt(std::size_t at, std::size_t bytes) const
   {
     unsigned number = 0;
     for (std::size_t i = bytes; i-- > 0;)
@@ -119,16 +116,17 @@ private:
     {
       this->Require(8);
       this->At += 8;
-      return this->Number(this->At - 4, 4);
+      return this->NumberAt(this->At - 4, 4);
     }
     this->At += 4;
-    return shorts.count(kind) == 1 ? this->Number(this->At - 2, 2) : this->Number(this->At - 4, 4);
+    return shorts.count(kind) == 1 ? this->NumberAt(this->At - 2, 2)
+                                   : this->NumberAt(this->At - 4, 4);
   }
 
   void Take(Slice& slice)
   {
     this->Require(8);
-    const Tag tag = this->Number(this->At, 2) << 16 | this->Number(this->At + 2, 2);
+    const Tag tag = this->NumberAt(this->At, 2) << 16 | this->NumberAt(this->At + 2, 2);
     this->At += 4;
     const unsigned length = this->Length();
     const bool isText = Texts.count(tag) == 1, isWord = Words.count(tag) == 1;
@@ -147,12 +145,12 @@ private:
 
   void Keep(Tag tag, unsigned length, Slice& slice)
   {
-    this->Found.insert(tag);
+    slice.Found.insert(tag);
     const std::string text =
       Texts.count(tag) == 1 ? std::string(this->Bytes.substr(this->At, length).c_str()) : "";
     if (Words.count(tag) == 1)
     {
-      const unsigned number = this->Number(this->At, 2);
+      const unsigned number = this->NumberAt(this->At, 2);
       slice.Rows = tag == Rows ? number : slice.Rows;
       slice.Columns = tag == Columns ? number : slice.Columns;
       slice.Bits = tag == Bits ? number : slice.Bits;
@@ -162,6 +160,10 @@ private:
       throw Damaged(this->Path,
         "its transfer syntax is " + Quoted(text) +
           ", which is not read here; convert it to one in little endian without compression");
+    }
+    else if (tag == Series)
+    {
+      slice.Series.insert(text);
     }
     else if (tag == Interpretation)
     {
@@ -201,16 +203,51 @@ private:
   const std::string& Path;
   std::string Bytes;
   std::size_t At = 0;
-  std::set<Tag> Found;
   bool HasPixels = false;
 };
+
+// A slice of the series that is read.
+void CheckSlice(const std::string& path, const Slice& slice)
+{
+  for (const Tag tag : { Pixels, Rows, Columns, Bits, Interpretation })
+  {
+    if (slice.Found.count(tag) == 0)
+    {
+      throw UserError(Quoted(path) +
+        " belongs to the first DICOM series of the directory, which is the one that is read, but "
+        "it "
+        "has no pixels, or does not tell what they are; move what is no slice elsewhere.");
+    }
+  }
+  const double pixels = static_cast<double>(slice.Rows) * slice.Columns * slice.Components;
+  if ((slice.Bits != 8 && slice.Bits != 16) || pixels < 1.0)
+  {
+    throw Damaged(path,
+      "it has " + std::to_string(slice.Columns) + " x " + std::to_string(slice.Rows) +
+        " pixels of " + std::to_string(slice.Bits) + " bits");
+  }
+  RequireSamples(path, pixels, slice.Bits / 8.0, slice.Bytes);
+}
+
+// Of another series, whose numbers VTK's parser keeps if it comes last: they must not make another
+// volume of the slices. Reports tell of none of them.
+bool IsHarmless(const Slice& other, const Slice& first)
+{
+  const auto isLike = [&other](Tag tag, bool isEqual)
+  { return other.Found.count(tag) == 0 || isEqual; };
+  return isLike(Rows, other.Rows == first.Rows) &&
+    isLike(Columns, other.Columns == first.Columns) && isLike(Bits, other.Bits == first.Bits) &&
+    isLike(Interpretation, other.Components == first.Components) &&
+    isLike(Slope, other.HasFractions() == first.HasFractions()) &&
+    isLike(Offset, other.HasFractions() == first.HasFractions());
+}
 
 }
 
 void CheckDicomFiles(const std::string& directory)
 {
-  Slice first;
-  bool hasSlices = false;
+  std::map<std::string, Slice> slices; // by path
+  std::set<std::string> series;
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(directory, error))
   {
@@ -221,23 +258,43 @@ void CheckDicomFiles(const std::string& directory)
     }
     SizeOf(path); // throws if it is no regular file, which the reader would open, too
     Slice slice;
-    if (!Walk(path).Find(slice))
+    if (Walk(path).Find(slice))
     {
-      continue;
+      series.insert(slice.Series.begin(), slice.Series.end());
+      slices.emplace(path, slice);
     }
-    const double pixels = static_cast<double>(slice.Rows) * slice.Columns * slice.Components;
-    if ((slice.Bits != 8 && slice.Bits != 16) || pixels < 1.0)
+  }
+  // VTK's reader takes the first series.
+  const Slice* first = nullptr;
+  bool hasOrder = false;
+  for (const auto& [path, slice] : slices)
+  {
+    if (!series.empty() && slice.Series.count(*series.begin()) == 1)
     {
-      throw Damaged(path,
-        "it has " + std::to_string(slice.Columns) + " x " + std::to_string(slice.Rows) +
-          " pixels of " + std::to_string(slice.Bits) + " bits");
+      CheckSlice(path, slice);
+      if (first && !slice.IsLike(*first))
+      {
+        throw Damaged(path, "its slice is of another kind than others of the directory");
+      }
+      first = &slice;
+      for (const Tag tag : { Number, Location, Position, Orientation })
+      {
+        hasOrder = hasOrder || slice.Found.count(tag) == 1;
+      }
     }
-    RequireSamples(path, pixels, slice.Bits / 8.0, slice.Bytes);
-    if (hasSlices && !slice.IsLike(first))
+  }
+  // Without an order it takes all files.
+  if (!slices.empty() && (!first || !hasOrder))
+  {
+    throw Damaged(slices.begin()->first, "it tells of no series, or of no place in it");
+  }
+  for (const auto& [path, slice] : slices)
+  {
+    if (first && !IsHarmless(slice, *first))
     {
-      throw Damaged(path, "its slice is of another kind than others of the directory");
+      throw UserError(Quoted(path) +
+        " is of another DICOM series than the one that is read, and of another kind; move it "
+        "elsewhere.");
     }
-    first = slice;
-    hasSlices = true;
   }
 }

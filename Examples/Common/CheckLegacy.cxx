@@ -95,6 +95,21 @@ void CheckField(const std::string& path, std::streamoff at, bool isBinary, doubl
   }
 }
 
+// The table's name belongs to SCALARS: samples follow it, not the size of a table.
+bool IsOfScalars(const std::string& before)
+{
+  std::istringstream in(before);
+  std::vector<std::string> words;
+  for (std::string word; in >> word;)
+  {
+    words.push_back(LowerCase(word));
+  }
+  // A name, a type, and maybe a number of components stand between.
+  const std::size_t count = words.size();
+  return (count >= 3 && words[count - 3] == "scalars") ||
+    (count >= 4 && words[count - 4] == "scalars");
+}
+
 // Where VTK's reader takes memory, or begins anew, as often as a number says that follows.
 void CheckCounts(const std::string& path, bool isBinary, double there)
 {
@@ -105,20 +120,31 @@ void CheckCounts(const std::string& path, bool isBinary, double there)
   while (file)
   {
     // What was at the end may go on.
-    begin += static_cast<std::streamoff>(text.size() - std::min(text.size(), Longest));
-    text.erase(0, text.size() - std::min(text.size(), Longest));
-    const std::size_t before = text.size();
-    text.resize(before + Chunk);
-    file.read(&text[before], Chunk);
-    text.resize(before + static_cast<std::size_t>(file.gcount()));
+    const std::size_t kept = std::min(text.size(), 2 * Longest);
+    begin += static_cast<std::streamoff>(text.size() - kept);
+    text.erase(0, text.size() - kept);
+    text.resize(kept + Chunk);
+    file.read(&text[kept], Chunk);
+    text.resize(kept + static_cast<std::size_t>(file.gcount()));
     for (const char* keyword : { "FIELD", "INFORMATION", "LOOKUP_TABLE" })
     {
-      for (std::size_t at = text.find(keyword); at != std::string::npos;
+      // What begins before that was looked at with the text before.
+      for (std::size_t at = text.find(keyword, begin > 0 ? Longest : 0); at != std::string::npos;
            at = text.find(keyword, at + 1))
       {
         std::istringstream in(text.substr(at, Longest));
         std::string word, name, count;
-        in >> word >> (word == "INFORMATION" ? count : name) >> count;
+        in >> word;
+        if (word != "INFORMATION")
+        {
+          in >> name;
+        }
+        in >> count;
+        const std::size_t before = std::min(at, Longest);
+        if (word == "LOOKUP_TABLE" && IsOfScalars(text.substr(at - before, before)))
+        {
+          continue;
+        }
         long long number = 0;
         // Each takes some characters.
         if (word == keyword && IsWhole(count, LLONG_MIN, LLONG_MAX, number) &&

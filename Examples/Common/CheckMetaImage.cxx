@@ -8,9 +8,9 @@
 #include <climits>
 #include <cstdio>
 #include <filesystem>
-#include <iterator>
 #include <map>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <vector>
 
@@ -20,7 +20,20 @@ namespace
 namespace fs = std::filesystem;
 
 constexpr std::size_t MostHeader = 1 << 16; // bytes
-constexpr std::size_t MostValue = 200;      // characters of a value; MetaIO copies them into 255
+constexpr std::size_t MostValue = 200;      // characters of a text that MetaIO copies into 255
+constexpr std::size_t MostLine = 400;       // of any value that MetaIO knows; it has room for 500
+constexpr std::size_t MostUnknown = 32000;  // of other values, which MetaIO keeps in 32768
+
+// The fields that MetaIO knows.
+const std::set<std::string> Texts = { "AcquisitionDate", "AnatomicalOrientation", "BinaryData",
+  "BinaryDataByteOrderMSB", "Comment", "CompressedData", "DistanceUnits", "ElementByteOrderMSB",
+  "ElementDataFile", "ElementType", "Modality", "Name", "ObjectSubType", "ObjectType" };
+const std::set<std::string> Numbers = { "CenterOfRotation", "Color", "CompressedDataSize",
+  "DimSize", "ElementDirection", "ElementMax", "ElementMin", "ElementNBits",
+  "ElementNumberOfChannels", "ElementOrigin", "ElementSize", "ElementSpacing",
+  "ElementToIntensityFunctionOffset", "ElementToIntensityFunctionSlope", "FileFormatVersion",
+  "HeaderSize", "ID", "ImagePosition", "NDims", "Offset", "Orientation", "Origin", "ParentID",
+  "Position", "Rotation", "SequenceID", "TransformMatrix" };
 
 const std::map<std::string, double> BytesOfType = { { "MET_CHAR", 1.0 }, { "MET_UCHAR", 1.0 },
   { "MET_SHORT", 2.0 }, { "MET_USHORT", 2.0 }, { "MET_INT", 4.0 }, { "MET_UINT", 4.0 },
@@ -62,10 +75,6 @@ public:
       throw Damaged(path, "its header has no line ElementDataFile");
     }
     this->End = in.good() ? static_cast<double>(in.tellg()) : static_cast<double>(SizeOf(path));
-    while (std::getline(in, line))
-    {
-      this->Rest.push_back(Trimmed(line));
-    }
   }
 
   const std::string& Text(const std::string& key) const
@@ -86,23 +95,26 @@ public:
     return number;
   }
 
-  double End = 0.0;              // where the samples of a file of one's own begin
-  std::vector<std::string> Rest; // the first lines after the header
+  double End = 0.0; // where the samples of a file of one's own begin, or a list of files
 
 private:
   void Take(const std::string& line)
   {
-    const std::size_t equals = line.find('=');
+    const std::size_t equals = line.find_first_of("=:"); // MetaIO takes both
     const std::string key = Trimmed(line.substr(0, equals));
     const bool isEmpty = Trimmed(line).empty();
-    const std::string value = equals == std::string::npos ? "" : Trimmed(line.substr(equals + 1));
-    const bool isText = value.find_first_not_of("0123456789+-.eE \t") != std::string::npos;
-    if ((!isEmpty && equals == std::string::npos) || (isText && value.size() > MostValue) ||
-      value.size() > 2 * MostValue || Printable(key) != key || key.size() > MostValue)
+    const std::size_t begin = line.find_first_not_of("=: \t", equals);
+    const std::string value = begin == std::string::npos ? "" : Trimmed(line.substr(begin));
+    const bool isKnown = Texts.count(key) == 1 || Numbers.count(key) == 1;
+    const bool isText =
+      Texts.count(key) == 1 && value.find_first_not_of("0123456789+-.eE \t") != std::string::npos;
+    const std::size_t most = isText ? MostValue : isKnown ? MostLine : MostUnknown;
+    if ((!isEmpty && equals == std::string::npos) || value.size() > most || Printable(key) != key ||
+      key.size() > MostValue)
     {
       throw Damaged(this->Path, "its header has the line " + Quoted(line));
     }
-    if (!isEmpty && !this->Fields.emplace(key, value).second)
+    if (!isEmpty && !this->Fields.emplace(key, value).second && isKnown)
     {
       throw Damaged(this->Path, "its header has two lines " + Quoted(key));
     }
@@ -166,9 +178,15 @@ double BytesThere(const std::string& path, const Header& header)
   }
   if (words[0].compare(0, 4, "LIST") == 0)
   {
+    std::istringstream in(BytesOf(path).substr(static_cast<std::size_t>(header.End)));
     std::vector<std::string> names;
-    std::copy_if(header.Rest.begin(), header.Rest.end(), std::back_inserter(names),
-      [](const std::string& name) { return !name.empty(); });
+    for (std::string line; std::getline(in, line);)
+    {
+      if (!Trimmed(line).empty())
+      {
+        names.push_back(Trimmed(line));
+      }
+    }
     return SizeOfAll(names, path);
   }
   if (file.find('%') != std::string::npos)
@@ -203,7 +221,8 @@ void CheckMetaImage(const std::string& path)
       "its header tells of " + Quoted(header.Text("NDims")) + " axes with " +
         Quoted(header.Text("DimSize")) + " samples");
   }
-  const auto type = BytesOfType.find(header.Text("ElementType"));
+  const std::string& said = header.Text("ElementType");
+  const auto type = BytesOfType.find(said.substr(0, said.rfind("_ARRAY")));
   if (type == BytesOfType.end())
   {
     throw Damaged(path, "its samples are " + Quoted(header.Text("ElementType")));

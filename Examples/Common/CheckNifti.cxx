@@ -84,10 +84,12 @@ void CheckNifti(const std::string& path)
   {
     throw Damaged(path, "it does not begin with a header of NIfTI");
   }
-  const auto type = BytesOfType.find(header.At<std::int16_t>(layout->Type));
+  const int said = header.At<std::int16_t>(layout->Type);
+  const auto type = BytesOfType.find(said);
   if (type == BytesOfType.end())
   {
-    throw Damaged(path, "its header tells of no type of samples");
+    throw Damaged(
+      path, "its samples are of type " + std::to_string(said) + ", which is not read here");
   }
   const auto dim = [&](std::size_t i)
   {

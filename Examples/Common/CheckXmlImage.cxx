@@ -236,15 +236,17 @@ private:
       : this->Place == "CellData"                   ? this->Cells
                                                     : this->Points;
     const double values = count * static_cast<double>(components);
-    const std::string format = element["format"];
-    const bool isCompressed = !this->Compressor.empty() && format != "ascii";
-    RequireSamples(this->Path, values, format == "ascii" ? 1.0 : type->second, this->Size,
+    // As VTK's reader has it: what is neither appended nor binary is text.
+    const bool isInline =
+      element["format"] != "appended" && element.Attributes.count("offset") == 0;
+    const bool isText = isInline && element["format"] != "binary";
+    const bool isCompressed = !this->Compressor.empty() && !isText;
+    RequireSamples(this->Path, values, isText ? 1.0 : type->second, this->Size,
       isCompressed ? Compressors.at(this->Compressor) : 1.0);
-    if (format == "ascii" || type->first == "String")
+    if (isText || type->first == "String")
     {
       return;
     }
-    const bool isInline = format != "appended";
     std::size_t at = element.End;
     if (!isInline)
     {
@@ -259,18 +261,21 @@ private:
     {
       ++at;
     }
-    if (at < MostHeader)
-    {
-      this->LookAtSizes(at, !isInline && this->IsRaw, std::ceil(values * type->second));
-    }
+    this->LookAtSizes(at, !isInline && this->IsRaw, std::ceil(values * type->second));
   }
 
   // How many bytes an array has, in blocks if it is compressed, as it says before them.
   void LookAtSizes(std::size_t at, bool isRaw, double wanted)
   {
     const std::size_t most = this->Compressor.empty() ? 1 : 3;
-    const std::string bytes = Decoded(this->Text, at, most * this->HeaderSize, isRaw);
-    if (bytes.size() < most * this->HeaderSize && wanted > 0.0)
+    const std::size_t needed = most * this->HeaderSize;
+    const std::size_t characters = isRaw ? needed : (needed + 2) / 3 * 4;
+    if (at + characters > this->Text.size() && static_cast<double>(this->Text.size()) < this->Size)
+    {
+      return; // behind what is looked at
+    }
+    const std::string bytes = Decoded(this->Text, at, needed, isRaw);
+    if (bytes.size() < needed && wanted > 0.0)
     {
       // Without blocks there are no sizes of them.
       throw Damaged(this->Path, "it ends before the size of an array");

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 UserError Damaged(const std::string& path, const std::string& reason)
 {
   return UserError(Quoted(path) + " could not be read: " + reason +
-    "; check that the file is whole and of the format that its suffix tells.");
+    "; check that the file is whole and of the right format.");
 }
 
 void RequireSamples(
@@ -51,7 +51,7 @@ std::string BytesOf(const std::string& path, std::uintmax_t most)
   std::ifstream file(path, std::ios::binary);
   if (!file.read(bytes.data(), static_cast<std::streamsize>(bytes.size())) && !bytes.empty())
   {
-    throw Damaged(path, "it ends before its end");
+    throw Damaged(path, "it could not be read to its end");
   }
   return bytes;
 }

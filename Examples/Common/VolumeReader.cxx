@@ -275,7 +275,7 @@ void CheckImage(vtkImageData* image, const std::string& name)
   }
   if (vtkBitArray::SafeDownCast(scalars))
   {
-    throw UserError(name + " has samples of one bit; convert them with vtkImageCast.");
+    throw UserError(name + " has samples of one bit; save them with 8 bits or more.");
   }
 }
 

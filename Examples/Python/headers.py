@@ -23,7 +23,9 @@ from mistakes import UserError, quoted
 MOST_BY_DEFLATION = 1032  # zlib: "Maximum Compression Factor"
 MOST_BYTES = 1 << 24  # of a file that are searched for a header
 MOST_SIZES = 1 << 18  # bytes of the sizes that precede an array
-MOST_VALUE = 200  # characters of a value; MetaIO copies them into 255
+MOST_VALUE = 200  # characters of a text that MetaIO copies into 255
+MOST_LINE = 400  # characters of any value that MetaIO knows; it reads them into 500
+MOST_UNKNOWN = 32000  # characters of other values, which MetaIO keeps in 32768
 
 COMPRESSORS = {
     None: 1, "vtkZLibDataCompressor": MOST_BY_DEFLATION, "vtkLZ4DataCompressor": 256,
@@ -35,6 +37,17 @@ META_TYPES = {
     "MET_CHAR": 1, "MET_UCHAR": 1, "MET_SHORT": 2, "MET_USHORT": 2, "MET_INT": 4, "MET_UINT": 4,
     "MET_LONG": 4, "MET_ULONG": 4, "MET_LONG_LONG": 8, "MET_ULONG_LONG": 8, "MET_FLOAT": 4,
     "MET_DOUBLE": 8}
+# The fields that MetaIO knows.
+META_TEXTS = {
+    "AcquisitionDate", "AnatomicalOrientation", "BinaryData", "BinaryDataByteOrderMSB", "Comment",
+    "CompressedData", "DistanceUnits", "ElementByteOrderMSB", "ElementDataFile", "ElementType",
+    "Modality", "Name", "ObjectSubType", "ObjectType"}
+META_NUMBERS = {
+    "CenterOfRotation", "Color", "CompressedDataSize", "DimSize", "ElementDirection", "ElementMax",
+    "ElementMin", "ElementNBits", "ElementNumberOfChannels", "ElementOrigin", "ElementSize",
+    "ElementSpacing", "ElementToIntensityFunctionOffset", "ElementToIntensityFunctionSlope",
+    "FileFormatVersion", "HeaderSize", "ID", "ImagePosition", "NDims", "Offset", "Orientation",
+    "Origin", "ParentID", "Position", "Rotation", "SequenceID", "TransformMatrix"}
 NIFTI_TYPES = {
     2: 1, 4: 2, 8: 4, 16: 4, 32: 8, 64: 8, 128: 3, 256: 1, 512: 2, 768: 4, 1024: 8, 1280: 8, 1792: 16,
     2304: 4}
@@ -160,20 +173,25 @@ def _check_vti(path: pathlib.Path) -> None:
                 "CellData": cells, "FieldData": _whole(attributes.get("NumberOfTuples", "0"), 0)}.get(
                     place, points)
             wanted = math.ceil(values * XML_TYPES[attributes["type"]])
-            is_text = attributes.get("format") == "ascii"
+            # As VTK's reader has it: what is neither appended nor binary is text.
+            is_appended = attributes.get("format") == "appended" or "offset" in attributes
+            is_text = not is_appended and attributes.get("format") != "binary"
             _require(
                 values if is_text else wanted, size * (1 if is_text else COMPRESSORS[compressor]))
             if is_text or attributes["type"] == "String" or not wanted:
                 continue
-            if attributes.get("format") == "appended":
+            begin, is_raw = element.end(), False
+            if is_appended:
                 offset = _whole(attributes.get("offset", "0"), 0, size)
                 if not appended:
                     raise Damage("its appended data are not there")
-                array = _Array(text, appended.end() + offset, b"raw" in appended[1], code)
-                if appended.end() + offset > MOST_BYTES - 100:
-                    continue
-            else:
-                array = _Array(text, element.end(), False, code)
+                begin, is_raw = appended.end() + offset, b"raw" in appended[1]
+            elif space := re.compile(rb"\s+").match(text, begin):
+                begin = space.end()
+            # Three sizes of 64 bits, in base 64, have 32 characters.
+            if begin + 32 > len(text) and len(text) < size:
+                continue  # behind what is looked at
+            array = _Array(text, begin, is_raw, code)
             if array.bytes(compressor is not None) != wanted:
                 raise Damage(f"an array of it does not have the {wanted} bytes that it should")
             if compressor and array.bytes_of_blocks() > size:
@@ -206,24 +224,47 @@ def _check_counts(path: pathlib.Path, is_binary: bool) -> None:
     size = _size_of(path)
     sizes = {
         b"bit": 0.125, b"unsigned_char": 1, b"char": 1, b"short": 2, b"unsigned_short": 2, b"int": 4,
-        b"unsigned_int": 4, b"float": 4, b"long": 8, b"unsigned_long": 8, b"vtkidtype": 8,
-        b"double": 8, b"string": 1, b"vtktypeint64": 8, b"vtktypeuint64": 8}
+        b"unsigned_int": 4, b"float": 4, b"signed_char": 1, b"long": 8, b"unsigned_long": 8, b"vtkidtype": 8,
+        b"double": 8, b"vtktypeint64": 8, b"vtktypeuint64": 8}
     with open(path, "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as text:
         for found in re.finditer(
-                rb"(?:FIELD\s+\S{1,255}|INFORMATION|LOOKUP_TABLE\s+\S{1,255})\s+(\d{1,40})", text):
-            if int(found[1]) > size / 4:
-                raise Damage(f"it tells of {int(found[1])} entries")
-        for found in re.finditer(rb"FIELD\s+\S{1,255}\s+[1-9]\d{0,40}\s+", text):
-            if not re.match(
-                    rb"NULL_ARRAY|\S{1,255}\s+\d{1,6}\s+\d{1,18}\s+[A-Za-z]",
-                    text[found.end():found.end() + 600]):
-                raise Damage("it tells of no sizes of an array in FIELD")
-        for found in re.finditer(
-                rb"\s(-?\d{1,40})\s+(-?\d{1,40})\s+([A-Za-z][A-Za-z_0-9]{2,19})\s", text):
-            each = sizes.get(found[3].lower(), 0) if is_binary else 1
-            if (int(found[1]) < 0 or int(found[2]) < 0) and found[3].lower() in sizes:
-                raise Damage("it has an array with less than no values")
-            _require(int(found[1]) * int(found[2]) * each, size)
+                rb"(FIELD\s+\S{1,255}|INFORMATION|LOOKUP_TABLE\s+\S{1,255})\s+(\d{1,40})", text):
+            # The table's name may belong to SCALARS: samples follow it, not the size of a table.
+            before = text[max(found.start() - 600, 0):found.start()].lower().split()[-4:]
+            is_of_scalars = found[1].startswith(b"LOOKUP") and b"scalars" in before[:-2]
+            if int(found[2]) > size / 4 and not is_of_scalars:
+                raise Damage(f"it tells of {int(found[2])} entries")
+        for found in re.finditer(rb"FIELD\s+\S{1,255}\s+([1-9]\d{0,17})\s+", text):
+            _check_field(text, found.end(), int(found[1]), sizes, is_binary)
+
+
+def _check_field(
+        text: mmap.mmap, at: int, arrays: int, sizes: dict[bytes, float], is_binary: bool) -> None:
+    """The arrays of FIELD, whose sizes VTK's reader takes as they are."""
+    word = re.compile(rb"\s*(\S{1,255})")
+    for _ in range(arrays):
+        metadata = re.compile(rb"\s*METADATA[^\n]*\n(?:[^\n]+\n)*\n?").match(text, at)
+        at = metadata.end() if metadata else at
+        if null := re.compile(rb"\s*NULL_ARRAY(?=\s)").match(text, at):
+            at = null.end()
+            continue
+        found = re.compile(
+            rb"\s*\S{1,255}\s+(\d{1,6})\s+(\d{1,18})\s+([A-Za-z]\S{0,254})").match(text, at)
+        values = int(found[1]) * int(found[2]) if found else math.inf
+        if values > 8 * len(text):
+            raise Damage("it tells of no sizes of an array in FIELD")
+        each = sizes.get(found[3].lower())
+        if not each:
+            return  # of strings only the reader knows how many bytes they have
+        at = found.end()
+        if is_binary:
+            at = text.find(b"\n", at) + 1 + math.ceil(values * each)
+            _require(at, len(text))
+        for _ in range(0 if is_binary else values):
+            value = word.match(text, at)
+            if not value:
+                raise Damage("it ends within an array in FIELD")
+            at = value.end()
 
 
 def _check_meta(path: pathlib.Path) -> None:
@@ -233,10 +274,13 @@ def _check_meta(path: pathlib.Path) -> None:
     while "ElementDataFile" not in fields:
         line, newline, _ = head[end:].partition(b"\n")
         end += len(line) + len(newline)
-        key, equals, value = (part.strip() for part in line.decode("latin-1").partition("="))
-        is_text = re.search(r"[^-+0-9.eE \t]", value)
-        if line.strip() and not (equals and key.isprintable()) or len(key) > MOST_VALUE or \
-                len(value) > (MOST_VALUE if is_text else 2 * MOST_VALUE) or key and key in fields:
+        # MetaIO takes ":" for "=", too.
+        key, *rest = (part.strip() for part in re.split("[=:]", line.decode("latin-1"), maxsplit=1))
+        value = rest[0].lstrip("=: \t") if rest else ""
+        most = MOST_VALUE if key in META_TEXTS and re.search(r"[^-+0-9.eE \t]", value) else \
+            MOST_LINE if key in META_TEXTS | META_NUMBERS else MOST_UNKNOWN
+        if line.strip() and not (rest and key.isprintable()) or len(key) > MOST_VALUE or \
+                len(value) > most or key in fields and key in META_TEXTS | META_NUMBERS:
             raise Damage(f"its header has the line {quoted(line.decode('latin-1'))}")
         if key:
             fields[key] = value
@@ -244,7 +288,8 @@ def _check_meta(path: pathlib.Path) -> None:
             break
     axes = _whole(fields.get("NDims", ""), 2, 3)
     sizes = [_whole(size, 1) for size in fields.get("DimSize", "").split()]
-    if len(sizes) != axes or fields.get("ElementType") not in META_TYPES:
+    kind = fields.get("ElementType", "").removesuffix("_ARRAY")
+    if len(sizes) != axes or kind not in META_TYPES:
         raise Damage("its header does not tell of samples along each axis, or not of their type")
     channels = _whole(fields.get("ElementNumberOfChannels") or "1", 1, 1000)
     there = _bytes_of_samples(path, fields.get("ElementDataFile", ""), head, end)
@@ -252,7 +297,7 @@ def _check_meta(path: pathlib.Path) -> None:
         _whole(fields.get(key) or "0", -1, there)
     is_compressed = fields.get("CompressedData", "")[:1] in ("T", "t", "1")
     is_text = fields.get("BinaryData", "")[:1] in ("F", "f", "0")
-    wanted = math.prod(sizes) * channels * (1 if is_text else META_TYPES[fields["ElementType"]])
+    wanted = math.prod(sizes) * channels * (1 if is_text else META_TYPES[kind])
     _require(wanted, there * (MOST_BY_DEFLATION if is_compressed else 1))
 
 
@@ -264,7 +309,8 @@ def _bytes_of_samples(path: pathlib.Path, file: str, head: bytes, end: int) -> i
     if words[0] in ("LOCAL", "Local", "local"):
         return _size_of(path) - end
     if words[0].startswith("LIST"):
-        names = [line.strip() for line in head[end:].decode("latin-1").split("\n")]
+        rest = _bytes_of(path, _size_of(path))[end:]
+        names = [line.strip() for line in rest.decode("latin-1").split("\n")]
     elif "%" in file:
         # The pattern goes to printf.
         if len(words) != 4 or not re.fullmatch(r"[^%]*%0?[0-9]{0,2}d[^%]*", words[0]):

@@ -133,6 +133,13 @@ RangeMax="{t(200)}" {array}
     return write
 
 
+def vti_without_format(twist: Twist) -> Original:
+    """Text, which is what VTK takes then."""
+    original = vti("ascii")(twist)
+    original.files["a.vti"] = original.files["a.vti"].replace(b' format="ascii"', b"", 1)
+    return original
+
+
 # --- VTK's legacy format ------------------------------------------------------------------------
 
 def legacy(binary: bool, dataset: str = "STRUCTURED_POINTS") -> Callable[[Twist], Original]:
@@ -162,6 +169,20 @@ def legacy(binary: bool, dataset: str = "STRUCTURED_POINTS") -> Callable[[Twist]
             b"short", b"double", b"bit", b"char", b"string", b"vtkIdType", b"NORMALS", b"GLOBAL_IDS",
             b"TEXTURE_COORDINATES", b"NAME", b"LOCATION", b"DATA", b"COMPONENT_NAMES", b"EXTENT"])
     return write
+
+
+def legacy_large(twist: Twist) -> Original:
+    """Numbers that are no counts, though they are larger than the file, and two arrays."""
+    t = twist
+    values = " ".join(str(1000000 + 100 * round(value)) for value in ball())
+    text = f"# vtk DataFile Version {t(3)}.0\na ball\nASCII\nDATASET STRUCTURED_POINTS\n" \
+        f"DIMENSIONS {' '.join(str(t(n)) for n in SIZE)}\nORIGIN 0 0 0\n" \
+        f"SPACING {t(1000)} {t(1000)} {t(1000)}\nPOINT_DATA {t(math.prod(SIZE))}\n" \
+        f"SCALARS ball int {t(1)}\nLOOKUP_TABLE default\n{values}\n" \
+        f"SCALARS more int\nLOOKUP_TABLE default\n{values}\n" \
+        f"VECTORS steps int\n{' '.join(3 * [values])}\n"
+    return Original("a.vtk", {"a.vtk": text.encode()}, words=[
+        b"SCALARS", b"VECTORS", b"LOOKUP_TABLE", b"POINT_DATA", b"FIELD", b"SPACING"])
 
 
 # --- MetaImage ----------------------------------------------------------------------------------
@@ -200,6 +221,31 @@ ElementDataFile = {"LOCAL" if local else "a.raw"}
             return Original("a.mha", {"a.mha": text.encode() + stored}, words=words)
         return Original("a.mhd", {"a.mhd": text.encode(), "a.raw": stored}, words=words)
     return write
+
+
+def meta_wordy(twist: Twist) -> Original:
+    """What MetaIO reads, though it seldom writes it."""
+    original = meta(True)(twist)
+    text = original.files["a.mha"]
+    for old, new in (
+            (b"NDims = ", b"NDims : "), (b"MET_SHORT\n", b"MET_SHORT_ARRAY\n"),
+            (b"ElementDataFile", b"0008|2111 = " + 40 * b"a comment " + b"\nElementDataFile")):
+        text = text.replace(old, new, 1)
+    original.files["a.mha"] = text
+    return original
+
+
+def meta_list(twist: Twist) -> Original:
+    """A slice is a file; the list of their names is longer than a header may be."""
+    nx, ny, nz = SIZE
+    head, _ = meta(True)(twist).files["a.mha"].split(b"HeaderSize", 1)
+    head += f"DimSize = {nx} {ny} {twist(nz)}\nElementType = MET_SHORT\n".encode()
+    data, files = packed("<h"), {}
+    for k in range(nz):
+        files[f"{k}.raw"] = data[2 * k * nx * ny:2 * (k + 1) * nx * ny]
+    names = b"".join(name.encode() + b" " * 12000 + b"\n" for name in files)
+    files["a.mhd"] = head + b"ElementDataFile = LIST\n" + names
+    return Original("a.mhd", files, words=[b"LIST", b"LIST 2", b"0.raw", b"DimSize"])
 
 
 # --- NIfTI --------------------------------------------------------------------------------------
@@ -310,6 +356,15 @@ def dicom(implicit: bool) -> Callable[[Twist], Original]:
     return write
 
 
+def dicom_with_report(twist: Twist) -> Original:
+    """A file of another series, which has no pixels, among the slices."""
+    original = dicom(False)(twist)
+    report = dicom(False)(lambda value: value).files["0.dcm"]
+    at = report.index(struct.pack("<HH", 0x28, 2))
+    original.files["9.dcm"] = report[:at].replace(b"1.2.3.4\0", b"1.2.3.9\0")
+    return original
+
+
 # --- Others -------------------------------------------------------------------------------------
 
 def raw(twist: Twist) -> Original:
@@ -356,6 +411,7 @@ def npy(twist: Twist) -> Original:
 
 ORIGINALS: dict[str, Callable[[Twist], Original]] = {
     "vti-ascii": vti("ascii"),
+    "vti-no-format": vti_without_format,
     "vti-binary": vti("binary", code="<h", name="Int16"),
     "vti-binary-zlib": vti("binary", "vtkZLibDataCompressor", "<f", "Float32"),
     "vti-base64": vti("base64", header="UInt64"),
@@ -366,12 +422,15 @@ ORIGINALS: dict[str, Callable[[Twist], Original]] = {
     "vti-raw-lzma": vti("raw", "vtkLZMADataCompressor", header="UInt64"),
     "vtk-ascii": legacy(False),
     "vtk-binary": legacy(True),
+    "vtk-large": legacy_large,
     "vtk-grid-ascii": legacy(False, "RECTILINEAR_GRID"),
     "vtk-grid-binary": legacy(True, "RECTILINEAR_GRID"),
     "mhd": meta(False),
     "mhd-zlib": meta(False, True),
     "mha": meta(True),
     "mha-zlib": meta(True, True),
+    "mha-wordy": meta_wordy,
+    "mhd-list": meta_list,
     "nii": nifti(False),
     "nii-2": nifti(False, 2),
     "nii-gz": nifti(True),
@@ -379,6 +438,7 @@ ORIGINALS: dict[str, Callable[[Twist], Original]] = {
     "slc-runs": slc(True),
     "dicom": dicom(False),
     "dicom-implicit": dicom(True),
+    "dicom-report": dicom_with_report,
     "raw": raw,
     "session": session,
     "npy": npy,

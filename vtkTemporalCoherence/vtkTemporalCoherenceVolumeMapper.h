@@ -22,8 +22,8 @@
  * samples). 0 leaves the isovalue out. Through translucent surfaces others are seen: with CROSSING
  * all that the ray passes, with THRESHOLD each entry into a solid. They are laid over one another
  * from front to back, whatever their order in the list, until less than 1/512 shines through. Depth
- * and picks are those of the first surface that can be seen. Equal isovalues count once. There may be
- * 32767 isovalues, 1024 where some are translucent.
+ * and picks are those of the first surface that can be seen. Equal isovalues count once. There may
+ * be 32767 isovalues, 1024 where some are translucent.
  *
  * Cropping (all 27 regions; planes along the axes of the image) and the mapper's clipping planes
  * (in the world, any number) cut surfaces off; with THRESHOLD solids are capped there.

@@ -94,6 +94,20 @@ double Waves(int i, int j, int k)
   return 120.0 + 100.0 * std::sin(0.2 * i) * std::cos(0.25 * j) * std::sin(0.3 * k);
 }
 
+/// The isovalues of a picture are those of the cold one, and no surface is farther from it than a
+/// tolerance.
+void ExpectWithin(const Frame& made, const Frame& truth, double tolerance)
+{
+  for (std::size_t i = 0; i < truth.Depth.size(); ++i)
+  {
+    ASSERT_EQ(made.Isovalues[i], truth.Isovalues[i]) << i;
+    if (std::isfinite(truth.Depth[i]))
+    {
+      ASSERT_NEAR(made.Depth[i], truth.Depth[i], tolerance) << i;
+    }
+  }
+}
+
 TEST_F(IsomapTest, IsTheColdPictureForAnyIsovalue)
 {
   Grid<std::uint8_t> bytes(glm::ivec3(60, 50, 40));
@@ -212,15 +226,9 @@ TEST_F(IsomapTest, WithAToleranceSurfacesAreThatNear)
         {
           FrameRenderer cold;
           ASSERT_NO_FATAL_FAILURE(this->RenderBoth(key, { isovalue }, cold));
-          const Frame &made = this->Renderer.LastFrame(), &truth = cold.LastFrame();
-          for (std::size_t i = 0; i < truth.Depth.size(); ++i)
-          {
-            ASSERT_EQ(made.Isovalues[i], truth.Isovalues[i]) << i << " at " << isovalue;
-            if (std::isfinite(truth.Depth[i]))
-            {
-              ASSERT_NEAR(made.Depth[i], truth.Depth[i], tolerance) << i << " at " << isovalue;
-            }
-          }
+          SCOPED_TRACE(testing::Message() << "isovalue " << isovalue);
+          ASSERT_NO_FATAL_FAILURE(
+            ExpectWithin(this->Renderer.LastFrame(), cold.LastFrame(), tolerance));
         }
       }
     }
@@ -394,15 +402,9 @@ TEST_F(IsomapTest, TheFinestToleranceIsBoundedInMemory)
     {
       FrameRenderer cold;
       ASSERT_NO_FATAL_FAILURE(this->RenderBoth(key, { isovalue }, cold));
-      const Frame &made = this->Renderer.LastFrame(), &truth = cold.LastFrame();
-      for (std::size_t i = 0; i < truth.Depth.size(); ++i)
-      {
-        ASSERT_EQ(made.Isovalues[i], truth.Isovalues[i]) << i << " at " << isovalue;
-        if (std::isfinite(truth.Depth[i]))
-        {
-          ASSERT_NEAR(made.Depth[i], truth.Depth[i], Isomap::FinestTolerance);
-        }
-      }
+      SCOPED_TRACE(testing::Message() << "isovalue " << isovalue);
+      ASSERT_NO_FATAL_FAILURE(
+        ExpectWithin(this->Renderer.LastFrame(), cold.LastFrame(), Isomap::FinestTolerance));
     }
     // A kilobyte and a half for each ray.
     EXPECT_LT(this->Renderer.IsomapOfLastView().MemoryInBytes(), std::size_t(1536) * 93 * 71);

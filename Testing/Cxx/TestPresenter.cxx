@@ -90,7 +90,7 @@ public:
     vtkCamera* camera = renderer->GetActiveCamera();
     View view;
     MakeView(MatrixFromVtk(camera->GetModelViewTransformMatrix()),
-      MatrixFromVtk(camera->GetProjectionTransformMatrix(1.0, -1.0, 1.0)), true, { 0.1, 2.0 },
+      MatrixFromVtk(camera->GetProjectionTransformMatrix(1.0, -1.0, 1.0)), { 0.1, 2.0 },
       { Size, Size }, view);
 
     Frame frame;

@@ -35,7 +35,7 @@ View ViewOf(const glm::ivec2& size)
   View view;
   const bool isMade =
     MakeView(glm::lookAt(glm::dvec3(0.0, 0.0, 1.0), glm::dvec3(0.0), glm::dvec3(0.0, 1.0, 0.0)),
-      glm::ortho(-1.0, 1.0, -1.0, 1.0, 0.0, 2.0), true, { 0.0, 2.0 }, size, view);
+      glm::ortho(-1.0, 1.0, -1.0, 1.0, 0.0, 2.0), { 0.0, 2.0 }, size, view);
   Expect(isMade, "a view");
   return view;
 }

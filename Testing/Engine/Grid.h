@@ -90,8 +90,7 @@ inline TemporalCoherence::View LookAt(const glm::ivec3& dimensions, const glm::d
     ? glm::ortho(-radius, radius, -radius, radius, near, far)
     : glm::perspective(2.0 * std::asin(1.0 / 3.0), static_cast<double>(size.x) / size.y, near, far);
   TemporalCoherence::View view;
-  TemporalCoherence::MakeView(
-    glm::lookAt(eye, centre, up), projection, parallel, { near, far }, size, view);
+  TemporalCoherence::MakeView(glm::lookAt(eye, centre, up), projection, { near, far }, size, view);
   return view;
 }
 

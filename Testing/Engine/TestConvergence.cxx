@@ -37,8 +37,8 @@ Errors ErrorsAt(int n)
   key.Where.IndexFromWorld = glm::inverse(key.Where.WorldFromIndex);
   const glm::dmat4 camera =
     glm::lookAt(glm::dvec3(2.0, -3.0, 1.5), glm::dvec3(0.0), glm::dvec3(0.0, 0.0, 1.0));
-  EXPECT_TRUE(MakeView(
-    camera, glm::perspective(0.6, 1.0, 1.0, 10.0), false, { 1.0, 10.0 }, { 128, 128 }, key.Seen));
+  EXPECT_TRUE(
+    MakeView(camera, glm::perspective(0.6, 1.0, 1.0, 10.0), { 1.0, 10.0 }, { 128, 128 }, key.Seen));
   key.Sought.Isovalues = { -Radius };
   key.Look.Colors = { glm::dvec3(1.0) };
 

@@ -109,8 +109,7 @@ TEST_F(FrameRendererTest, SpaceLeapingDoesNotChangeThePicture)
     View inside = this->Key.Seen;
     const glm::dvec3 eye(20.3, 21.0, 17.9);
     ASSERT_TRUE(MakeView(glm::lookAt(eye, eye + glm::dvec3(1.0, 0.4, 0.2), glm::dvec3(0, 0, 1)),
-      glm::perspective(1.2, 1.5, 0.01, 200.0), false, { 0.01, 200.0 }, { 150, 100 },
-      this->Key.Seen));
+      glm::perspective(1.2, 1.5, 0.01, 200.0), { 0.01, 200.0 }, { 150, 100 }, this->Key.Seen));
     EXPECT_TRUE(AreIdentical(this->Cold(), this->Cold(plain)));
     this->Key.Seen = inside;
   }

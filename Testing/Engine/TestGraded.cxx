@@ -473,7 +473,7 @@ TEST_F(GradedFrames, SpaceLeapingDoesNotChangeThePicture)
       }
       const glm::dvec3 eye(20.3, 21.0, 17.9);
       ASSERT_TRUE(MakeView(glm::lookAt(eye, eye + glm::dvec3(1.0, 0.4, 0.2), glm::dvec3(0, 0, 1)),
-        glm::perspective(1.2, 1.5, 0.01, 200.0), false, { 0.01, 200.0 }, size, this->Key.Seen));
+        glm::perspective(1.2, 1.5, 0.01, 200.0), { 0.01, 200.0 }, size, this->Key.Seen));
       this->ExpectLeapingChangesNothing();
     }
   }

@@ -157,12 +157,12 @@ TEST_F(ImageQueryTest, FromInsideAndBehindNothingIsKnown)
   View inside, opposite;
   const glm::dmat4 lens = glm::perspective(1.2, 1.0, 0.01, 200.0);
   ASSERT_TRUE(MakeView(glm::lookAt(glm::dvec3(20.0, 30.0, 22.0), glm::dvec3(0.0), { 0, 0, 1 }),
-    lens, false, { 0.01, 200.0 }, { 90, 90 }, inside));
+    lens, { 0.01, 200.0 }, { 90, 90 }, inside));
   this->ExpectFree(image, inside);
 
   // Looking back from where the old eye was: all of it is behind the old eye.
   const glm::dvec3 eye = image.Key.Seen.Position;
-  ASSERT_TRUE(MakeView(glm::lookAt(eye, eye + glm::dvec3(1.0, 0.0, 0.0), { 0, 0, 1 }), lens, false,
+  ASSERT_TRUE(MakeView(glm::lookAt(eye, eye + glm::dvec3(1.0, 0.0, 0.0), { 0, 0, 1 }), lens,
     { 0.01, 200.0 }, { 90, 90 }, opposite));
   this->ExpectFree(image, opposite);
 }
@@ -173,7 +173,7 @@ TEST_F(ImageQueryTest, RaysThatBeginOutsideTheImageStartThere)
   View narrow;
   const glm::dvec3 eye = this->Centre + glm::dvec3(100.0, 0.0, 0.0);
   ASSERT_TRUE(MakeView(glm::lookAt(eye, this->Centre, { 0, 0, 1 }),
-    glm::perspective(0.06, 1.0, 20.0, 200.0), false, { 20.0, 200.0 }, { 160, 160 }, narrow));
+    glm::perspective(0.06, 1.0, 20.0, 200.0), { 20.0, 200.0 }, { 160, 160 }, narrow));
   CachedImage image = this->PictureOf(narrow);
   const Shares shares = this->ExpectFree(image, this->Look({ 1.0, 0.0, 0.0 }));
   EXPECT_GT(shares.Possible, 0.3 * 160 * 160);

@@ -53,35 +53,55 @@ View RandomView(
   }
   View view;
   EXPECT_TRUE(MakeView(glm::lookAt(centre + distance * from, centre, glm::dvec3(0.1, 1.0, 0.2)),
-    projection, isParallel, range, size, view));
+    projection, range, size, view));
   return view;
 }
+
+/// A field with the structures of which bounds are made.
+struct Scene
+{
+  template <typename Formula>
+  Scene(double isovalue, const Formula& formula)
+    : Samples(glm::ivec3(50, 41, 37))
+    , Sought{ { isovalue }, SurfaceMode::Crossing }
+  {
+    this->Samples.Fill(formula);
+    this->Pyramid.Build(this->Samples.Seen);
+    this->Active.Build(this->Samples.Seen, this->Pyramid, this->Sought);
+  }
+
+  glm::dvec3 CentreAt(const Placement& placement) const
+  {
+    const glm::dvec3 last(this->Samples.Seen.Dimensions - 1);
+    return glm::dvec3(placement.WorldFromIndex * glm::dvec4(0.5 * last, 1.0));
+  }
+
+  Grid<std::uint8_t> Samples;
+  Surfaces Sought;
+  ValueRangePyramid Pyramid;
+  ActiveCells Active;
+};
 
 /// Every hit lies within the bounds of its tile, whether its node is projected as one box (small
 /// pictures) or leaf by leaf (large ones).
 TEST(TileBounds, HoldAllHits)
 {
-  Grid<std::uint8_t> grid(glm::ivec3(50, 41, 37));
-  grid.Fill([](int i, int j, int k)
+  const Scene scene(150.0,
+    [](int i, int j, int k)
     { return 100.0 + 80.0 * std::sin(0.3 * i + 0.2 * j) * std::cos(0.4 * k); });
-  const Surfaces sought{ { 150.0 }, SurfaceMode::Crossing };
-  ValueRangePyramid pyramid;
-  pyramid.Build(grid.Seen);
-  ActiveCells active;
-  active.Build(grid.Seen, pyramid, sought);
-  const auto tracer = SurfaceTracer::Make({ grid.Seen, sought, pyramid.FiniteRange(), nullptr });
+  const glm::ivec3& dimensions = scene.Samples.Seen.Dimensions;
+  const auto tracer =
+    SurfaceTracer::Make({ scene.Samples.Seen, scene.Sought, scene.Pyramid.FiniteRange(), nullptr });
   std::mt19937 engine(21);
   int hitCount = 0, emptyCount = 0;
   for (int round = 0; round < 60; ++round)
   {
     const glm::ivec2 size = round % 2 ? glm::ivec2(45, 37) : glm::ivec2(300, 170);
     const Placement placement = RandomPlacement(engine);
-    const glm::dvec3 centre(
-      placement.WorldFromIndex * glm::dvec4(0.5 * glm::dvec3(grid.Seen.Dimensions - 1), 1.0));
-    const View view = RandomView(centre, 40.0, size, engine);
+    const View view = RandomView(scene.CentreAt(placement), 40.0, size, engine);
     TileBounds bounds;
-    bounds.Build(view, placement, active);
-    const RaySource source(view, placement, grid.Seen.Dimensions);
+    bounds.Build(view, placement, scene.Active);
+    const RaySource source(view, placement, dimensions);
     for (std::int64_t tile = 0; tile < NumberOfTiles(size); tile += round % 2 ? 1 : 7)
     {
       const PixelRect part = PixelsOfTile(size, tile);
@@ -124,9 +144,23 @@ View ShearedView(
   }
   const glm::dvec3 from =
     glm::normalize(glm::dvec3(entry(engine), entry(engine), 1.0 + entry(engine)));
+  // A transform of the user's: parallel rays may come from an eye by it.
+  glm::dmat4 transform(1.0);
+  if (engine() % 2)
+  {
+    for (int column = 0; column < 3; ++column)
+    {
+      for (int row = 0; row < 3; ++row)
+      {
+        transform[column][row] += 0.3 * entry(engine);
+      }
+    }
+    transform[2][3] = engine() % 2 ? 0.1 * entry(engine) / radius : 0.0;
+  }
   View view;
-  EXPECT_TRUE(MakeView(glm::lookAt(centre + 3.0 * radius * from, centre, glm::dvec3(0.1, 1.0, 0.2)),
-    projection, isParallel, { 0.1 * radius, 6.0 * radius }, size, view));
+  EXPECT_TRUE(MakeView(
+    transform * glm::lookAt(centre + 3.0 * radius * from, centre, glm::dvec3(0.1, 1.0, 0.2)),
+    projection, { 0.1 * radius, 6.0 * radius }, size, view));
   return view;
 }
 
@@ -155,25 +189,17 @@ std::vector<glm::ivec3> LeavesOf(const ActiveCells& active)
 TEST(TileBounds, HoldTheCornersOfActiveLeaves)
 {
   std::mt19937 engine(23);
-  Grid<std::uint8_t> grid(glm::ivec3(50, 41, 37));
-  grid.Fill([&](int, int, int) { return engine() % 2000 == 0 ? 255 : 0; });
-  const Surfaces sought{ { 100.0 }, SurfaceMode::Crossing };
-  ValueRangePyramid pyramid;
-  pyramid.Build(grid.Seen);
-  ActiveCells active;
-  active.Build(grid.Seen, pyramid, sought);
-  const std::vector<glm::ivec3> leaves = LeavesOf(active);
+  const Scene scene(100.0, [&](int, int, int) { return engine() % 2000 == 0 ? 255 : 0; });
+  const std::vector<glm::ivec3> leaves = LeavesOf(scene.Active);
   ASSERT_GT(leaves.size(), 30u);
   int seen = 0;
   for (int round = 0; round < 80; ++round)
   {
     const glm::ivec2 size = round % 2 ? glm::ivec2(45, 37) : glm::ivec2(500, 410);
     const Placement placement = RandomPlacement(engine);
-    const glm::dvec3 centre(
-      placement.WorldFromIndex * glm::dvec4(0.5 * glm::dvec3(grid.Seen.Dimensions - 1), 1.0));
-    const View view = ShearedView(centre, 40.0, size, engine);
+    const View view = ShearedView(scene.CentreAt(placement), 40.0, size, engine);
     TileBounds bounds;
-    bounds.Build(view, placement, active);
+    bounds.Build(view, placement, scene.Active);
     for (const glm::ivec3& leaf : leaves)
     {
       for (int corner = 0; corner < 8; ++corner)
@@ -192,6 +218,10 @@ TEST(TileBounds, HoldTheCornersOfActiveLeaves)
           glm::normalize(view.Direction + place.x * view.DirectionX + place.y * view.DirectionY);
         const double t = glm::dot(point - origin, direction);
         ASSERT_NEAR(glm::length(origin + t * direction - point), 0.0, 1e-9);
+        if (!view.Parallel && t < 0.0)
+        {
+          continue; // behind the eye
+        }
         const glm::ivec2 tile = glm::ivec2(0.5 * (place + 1.0) * glm::dvec2(size)) / TileSize;
         const TileBounds::Bounds& range = bounds.At(tile.y * bounds.Tiles().x + tile.x);
         ASSERT_LE(static_cast<double>(range.Near), t) << round;

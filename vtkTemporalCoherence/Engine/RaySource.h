@@ -15,7 +15,8 @@
 namespace TemporalCoherence
 {
 
-/// The rays of a view as seen from index space; made once for a frame.
+/// The rays of a view as seen from index space; made once for a frame. From more than 2^44 voxels
+/// away they see nothing.
 class RaySource
 {
 public:

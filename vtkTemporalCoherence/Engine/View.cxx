@@ -17,15 +17,11 @@ bool IsFinite(const glm::dvec3& v)
 
 }
 
-bool MakeView(const glm::dmat4& viewFromWorld, const glm::dmat4& clipFromView, bool parallel,
+bool MakeView(const glm::dmat4& viewFromWorld, const glm::dmat4& clipFromView,
   const glm::dvec2& range, const glm::ivec2& size, View& view)
 {
   view = View();
   view.Size = size;
-  view.Parallel = parallel;
-  // A perspective has nothing behind the eye.
-  view.Near = parallel ? range.x : std::max(range.x, 0.0);
-  view.Far = range.y;
   view.ClipFromWorld = clipFromView * viewFromWorld;
   const glm::dvec3 backward(RowOf(viewFromWorld, 2));
   if (!IsFinite(backward) || !(glm::length(backward) > 0.0))
@@ -41,6 +37,12 @@ bool MakeView(const glm::dmat4& viewFromWorld, const glm::dmat4& clipFromView, b
   const glm::dvec4 rowY = RowOf(view.ClipFromWorld, 1);
   const glm::dvec4 rowW = RowOf(view.ClipFromWorld, 3);
   const glm::dvec3 X(rowX), Y(rowY), W(rowW);
+  // Rays meet in an eye if the divisor of the projection changes from point to point.
+  view.Parallel = W == glm::dvec3(0.0);
+  // Camera coordinates may be scaled; a perspective has nothing behind the eye.
+  const glm::dvec2 distances = range / glm::length(backward);
+  view.Near = view.Parallel ? distances.x : std::max(distances.x, 0.0);
+  view.Far = distances.y;
   view.Direction = glm::cross(X, Y);
   view.DirectionX = -glm::cross(W, Y);
   view.DirectionY = -glm::cross(X, W);
@@ -57,9 +59,7 @@ bool MakeView(const glm::dmat4& viewFromWorld, const glm::dmat4& clipFromView, b
 
   // Where rays begin: three planes meet in a point. For a perspective these are X = Y = W = 0, for
   // a parallel view X = x W, Y = y W (W being constant) and the plane through the camera.
-  const glm::dvec3 camera =
-    -(glm::transpose(glm::dmat3(viewFromWorld)) * glm::dvec3(viewFromWorld[3]));
-  const glm::dvec3 third = parallel ? view.Forward : W;
+  const glm::dvec3 third = view.Parallel ? backward : W;
   const double volume = glm::dot(X, glm::cross(Y, third));
   if (!(std::abs(volume) > 0.0))
   {
@@ -68,10 +68,10 @@ bool MakeView(const glm::dmat4& viewFromWorld, const glm::dmat4& clipFromView, b
   const glm::dvec3 perX = glm::cross(Y, third) / volume;
   const glm::dvec3 perY = glm::cross(third, X) / volume;
   const glm::dvec3 perThird = glm::cross(X, Y) / volume;
-  const double thirdOffset = parallel ? -glm::dot(view.Forward, camera) : rowW.w;
+  const double thirdOffset = view.Parallel ? viewFromWorld[3][2] : rowW.w;
   view.Origin = -(rowX.w * perX + rowY.w * perY + thirdOffset * perThird);
   view.Position = view.Origin;
-  if (parallel)
+  if (view.Parallel)
   {
     view.OriginX = rowW.w * perX;
     view.OriginY = rowW.w * perY;

@@ -54,14 +54,13 @@ struct View
   }
 };
 
-/// Build a view from the matrices of a camera.
-/// \param viewFromWorld to camera coordinates: the camera at the origin looks along -z
-/// \param clipFromView  projection matrix, to OpenGL clip coordinates
-/// \param parallel      true for a parallel projection
-/// \param range         world distances of the near and the far clipping plane
-/// \param size          viewport in pixels
-/// \return false if the matrices are degenerate: some pixel would have no ray
-bool MakeView(const glm::dmat4& viewFromWorld, const glm::dmat4& clipFromView, bool parallel,
+/// Build a view from the matrices of a camera. They alone tell whether it is parallel: what a
+/// camera calls parallel may end in a perspective by a transform of the user's. \param
+/// viewFromWorld to camera coordinates: the camera at the origin looks along -z \param clipFromView
+/// projection matrix, to OpenGL clip coordinates \param range         distances of the near and the
+/// far clipping plane, in camera coordinates \param size          viewport in pixels \return false
+/// if the matrices are degenerate: some pixel would have no ray
+bool MakeView(const glm::dmat4& viewFromWorld, const glm::dmat4& clipFromView,
   const glm::dvec2& range, const glm::ivec2& size, View& view);
 
 /// True if both show every world point at the same pixel.

@@ -37,8 +37,8 @@ bool MakeView(
   vtkCamera* camera = renderer->GetActiveCamera();
   const double* range = camera->GetClippingRange();
   const bool isMade = MakeView(MatrixFromVtk(camera->GetModelViewTransformMatrix()),
-    MatrixFromVtk(camera->GetProjectionTransformMatrix(aspect, -1.0, 1.0)),
-    camera->GetParallelProjection() != 0, { range[0], range[1] }, size, view);
+    MatrixFromVtk(camera->GetProjectionTransformMatrix(aspect, -1.0, 1.0)), { range[0], range[1] },
+    size, view);
   if (!isMade)
   {
     const double* p = camera->GetPosition();

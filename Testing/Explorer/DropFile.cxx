@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // usage: DropFile PATH X Y   Drops a file on the window at a place of the screen, as a file manager
 // does: the source's side of "Drag-and-Drop Protocol for the X Window System" (XDND), version 5.
-// Fails if the window does not take it within ten seconds.
+// Fails if the window does not take it within two minutes.
 #include <X11/Xatom.h>
 #include <X11/Xlib.h>
 #include <unistd.h>
@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <initializer_list>
+#include <memory>
 #include <string>
 
 namespace
@@ -112,21 +113,22 @@ private:
 
 int main(int argc, char* argv[])
 {
-  Display* display = argc == 4 ? XOpenDisplay(nullptr) : nullptr;
+  const std::unique_ptr<Display, int (*)(Display*)> display(
+    argc == 4 ? XOpenDisplay(nullptr) : nullptr, XCloseDisplay);
   if (!display)
   {
     std::fprintf(stderr, "usage: DropFile PATH X Y, with a display\n");
     return 1;
   }
   const int x = std::atoi(argv[2]), y = std::atoi(argv[3]);
-  const Window root = DefaultRootWindow(display);
+  const Window root = DefaultRootWindow(display.get());
   Window target = None;
   int xThere = 0, yThere = 0;
-  XTranslateCoordinates(display, root, root, x, y, &xThere, &yThere, &target);
+  XTranslateCoordinates(display.get(), root, root, x, y, &xThere, &yThere, &target);
   if (target == None)
   {
     std::fprintf(stderr, "There is no window at %d, %d\n", x, y);
     return 1;
   }
-  return Source(display, target, argv[1]).Drop(x, y) ? 0 : 1;
+  return Source(display.get(), target, argv[1]).Drop(x, y) ? 0 : 1;
 }

@@ -53,6 +53,13 @@ private:
   std::array<unsigned long, 2> Tags;
 };
 
+/// What messages that differ in names and numbers have in common: how they begin.
+std::string KindOf(const std::string& message)
+{
+  constexpr std::size_t longest = 48;
+  return message.substr(0, std::min(message.find_first_of("0123456789(:;,"), longest));
+}
+
 }
 
 void Require(bool isHeld, const std::string& what)
@@ -185,7 +192,7 @@ void Oracle::CheckFrame()
   if (!isMade)
   {
     ++this->Sum.Refused;
-    ++this->Sum.Errors[witness.Text.substr(0, 24)];
+    ++this->Sum.Errors[KindOf(witness.Text)];
     Require(witness.Errors == 1, "a refusal with " + std::to_string(witness.Errors) + " errors");
     const bool isSaid = errors == 1 && this->Subject->Text == witness.Text;
     const bool isSaidBefore = errors == 0 && this->LastError == witness.Text;

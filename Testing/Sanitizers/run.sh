@@ -34,8 +34,9 @@ environment:
                                   build-thread; default: build, in the repository
   TEMPORAL_COHERENCE_CMAKE_FLAGS  further arguments for CMake, separated by spaces
 
-It takes GCC (Debian's package g++ has all run-time libraries). With Clang traps report what the program
-does not do, as it moves divisions before the conditions that they depend on.
+It takes GCC, whose Debian package g++ has all run-time libraries: g++ where CXX is another compiler.
+With Clang traps would report what the program does not do, as it moves divisions before the
+conditions that they depend on.
 TEXT
 }
 
@@ -49,6 +50,7 @@ say() { printf '[sanitizers] %s\n' "$*"; }
 fail() { printf '[sanitizers] %s\n' "$*" >&2; exit 1; }
 
 setup_options=(--with-tests)
+read -ra cmake_flags <<<"${TEMPORAL_COHERENCE_CMAKE_FLAGS:-}"
 kind=
 while [ $# -gt 0 ]; do
   case $1 in
@@ -64,8 +66,13 @@ done
 [ "$(uname -sm)" = "Linux x86_64" ] || [ "$kind" != traps ] || fail "traps take Linux on x86-64."
 
 compiler=${CXX:-c++}
-[[ $("$compiler" --version 2>/dev/null) == *"Free Software Foundation"* ]] ||
-  fail "$compiler is not GCC: set CXX to a g++."
+is_gcc() { [[ $("$compiler" --version 2>/dev/null) == *"Free Software Foundation"* ]]; }
+if ! is_gcc; then
+  say "$compiler is not GCC; taking g++."
+  compiler=g++
+  is_gcc || fail "There is no GCC: install g++, or set CXX to one."
+fi
+export CXX=$compiler
 
 # Assertions are on, those of the standard library, too.
 common_flags="-O1 -g1 -fno-omit-frame-pointer -D_GLIBCXX_ASSERTIONS"
@@ -239,7 +246,7 @@ engine_tests() # KIND PROGRAM FILTER FLAGS
   say "Building $program with $kind in $build"
   { cmake -S "$repository" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=None -DBUILD_TESTING=ON \
       -DTEMPORAL_COHERENCE_BUILD_BENCHMARKS=OFF -DTEMPORAL_COHERENCE_WRAP_PYTHON=OFF \
-      "-DCMAKE_CXX_FLAGS=$(flags_of "$kind") $4" &&
+      "-DCMAKE_CXX_FLAGS=$(flags_of "$kind") $4" "${cmake_flags[@]}" &&
     cmake --build "$build" --target "$program"; } >"$build/build.log" 2>&1 ||
     { tail -n 40 "$build/build.log" >&2; fail "The build failed; all that was said is in $build/build.log"; }
   say "Built in $((SECONDS - begin)) s"

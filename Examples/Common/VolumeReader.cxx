@@ -280,17 +280,40 @@ void CheckImage(vtkImageData* image, const std::string& name)
 }
 
 // Cameras are placed by the box of the samples: it must be one that numbers can tell of.
+// \param corner of the box
+// \param edges from there
+bool CanBeSeen(const vtkVector3d& corner, const std::array<vtkVector3d, 3>& edges)
+{
+  constexpr double Largest = 1e15, Farthest = 1e9, Flattest = 1e-6;
+  for (const vtkVector3d& v : { corner, edges[0], edges[1], edges[2] })
+  {
+    // False for what is no number, too.
+    if (!(std::abs(v[0]) <= Largest && std::abs(v[1]) <= Largest && std::abs(v[2]) <= Largest))
+    {
+      return false;
+    }
+  }
+  const std::array<double, 3> lengths = { edges[0].Norm(), edges[1].Norm(), edges[2].Norm() };
+  const auto [shortest, longest] = std::minmax_element(lengths.begin(), lengths.end());
+  if (!(*shortest >= std::max(1.0 / Largest, Flattest * *longest)))
+  {
+    return false;
+  }
+  // Of edges at right angles it would be 1.
+  const double upright =
+    std::abs(edges[0].Cross(edges[1]).Dot(edges[2])) / (lengths[0] * lengths[1] * lengths[2]);
+  return upright >= Flattest && corner.Norm() <= Farthest * *longest;
+}
+
 // \param placement may be null
 void CheckPlace(vtkImageData* image, vtkMatrix4x4* placement, const std::string& name)
 {
-  constexpr double Largest = 1e15, Farthest = 1e9, Flattest = 1e-6;
   vtkNew<vtkMatrix4x4> place;
   vtkMatrix4x4::Multiply4x4(
     placement ? placement : place.Get(), image->GetIndexToPhysicalMatrix(), place);
   const int* extent = image->GetExtent();
   std::array<vtkVector3d, 3> edges;
   vtkVector3d corner;
-  double shortest = Largest, longest = 0.0;
   for (int i = 0; i < 3; ++i)
   {
     corner[i] = place->GetElement(i, 3);
@@ -301,18 +324,7 @@ void CheckPlace(vtkImageData* image, vtkMatrix4x4* placement, const std::string&
       edges[static_cast<std::size_t>(axis)][i] = step * (extent[2 * axis + 1] - extent[2 * axis]);
     }
   }
-  bool areNumbers = corner.Norm() <= Largest;
-  for (const vtkVector3d& edge : edges)
-  {
-    areNumbers = areNumbers && edge.Norm() <= Largest;
-    shortest = std::min(shortest, edge.Norm());
-    longest = std::max(longest, edge.Norm());
-  }
-  // Of edges as long as the volume's, at right angles, it would be 1.
-  const double upright = std::abs(edges[0].Cross(edges[1]).Dot(edges[2])) /
-    (edges[0].Norm() * edges[1].Norm() * edges[2].Norm());
-  if (!areNumbers || !(shortest >= 1.0 / Largest) || !(shortest >= Flattest * longest) ||
-    !(upright >= Flattest) || !(corner.Norm() <= Farthest * longest))
+  if (!CanBeSeen(corner, edges))
   {
     throw UserError(name +
       " has a spacing, an origin or a direction with which it cannot be seen; correct them in its "

@@ -138,8 +138,12 @@ void FreeSpace::Make(const Frame& frame, const View& view, const Options& option
   rule.LargestBend = static_cast<float>(LargestBend * options.Bend);
   rule.FarthestContact = static_cast<float>(FarthestContact * options.Bend);
   rule.Spacing = static_cast<float>(options.Spacing);
+  // Of what is at the camera, too, a number to compute with.
   const auto disparityOf = [&](double depth)
-  { return static_cast<float>(std::clamp(DisparityOf(depth, view.Parallel), -1e30, 1e30)); };
+  {
+    const double away = view.Parallel ? depth : std::max(depth, 1e-30);
+    return static_cast<float>(std::clamp(DisparityOf(away, view.Parallel), -1e30, 1e30));
+  };
   const float fine = disparityOf(options.FineDepth);
   rule.Farthest = disparityOf(options.FarthestDepth);
 

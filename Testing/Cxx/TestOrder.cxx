@@ -288,6 +288,7 @@ void TestAmbientOcclusion(bool isPlainVolume)
   scene.Iso.Renderer->AddActor(isPlainVolume ? ofPlain : ofSphere);
   scene.Window->Render();
   const auto withPolygons = PixelsOf(scene.Window);
+  occlusion->ReleaseGraphicsResources(scene.Window);
   scene.Iso.Renderer->SetPass(nullptr);
   scene.Window->Render();
   const auto withoutPass = PixelsOf(scene.Window);

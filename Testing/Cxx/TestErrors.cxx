@@ -120,6 +120,17 @@ void TestInputs()
       image->GetCellData()->SetScalars(few);
       scene.Mapper->SetInputData(image);
     });
+  // So many points that VTK's number of them overflows, and is less than that of tuples.
+  ExpectError("400 tuples, but the image has 9223372036854775807 points",
+    [](Scene& scene)
+    {
+      vtkNew<vtkDoubleArray> few;
+      few->SetNumberOfTuples(400);
+      vtkNew<vtkImageData> image;
+      image->SetExtent(0, 2147483645, 0, 65535, 0, 2147483645);
+      image->GetPointData()->SetScalars(few);
+      scene.Mapper->SetInputData(image);
+    });
   ExpectError(
     "vtkPolyData",
     [](Scene& scene) { scene.Mapper->SetInputDataObject(vtkNew<vtkPolyData>().Get()); },

@@ -120,7 +120,7 @@ bool PlaceVolume(vtkVolume* volume, Placement& placement, std::string& error)
 bool MakeField(vtkImageData* image, vtkDataArray* array, bool onCells, int component, Field& field,
   std::string& error)
 {
-  const vtkIdType tuples = onCells ? image->GetNumberOfCells() : image->GetNumberOfPoints();
+  const vtkIdType tuples = CountSamples(image, onCells);
   field = Field();
   std::ostringstream what;
   if (component < 0 || component >= array->GetNumberOfComponents())

@@ -3,6 +3,7 @@
 #include "HiddenCellsFromImage.h"
 
 #include "GhostArray.h"
+#include "SamplesOfArray.h"
 
 #include <vtkCellData.h>
 #include <vtkDataSetAttributes.h>
@@ -95,8 +96,8 @@ bool HiddenCellsOfImage::Find(vtkImageData* image, bool samplesAreCells,
   hidden = nullptr;
   vtkUnsignedCharArray* const ofCells = GhostsOf(image->GetCellData());
   vtkUnsignedCharArray* const ofPoints = GhostsOf(image->GetPointData());
-  if (!IsUsable(ofCells, image->GetNumberOfCells(), "cells", error) ||
-    !IsUsable(ofPoints, image->GetNumberOfPoints(), "points", error))
+  if (!IsUsable(ofCells, CountSamples(image, true), "cells", error) ||
+    !IsUsable(ofPoints, CountSamples(image, false), "points", error))
   {
     return false;
   }

@@ -97,12 +97,12 @@ bool InputFromMapper::FindImage(vtkVolumeMapper* mapper, MapperInput& input, std
     return false;
   }
   vtkDataSet* dataSet = grid ? static_cast<vtkDataSet*>(grid) : input.Image;
-  if (!scalars.Array && dataSet->GetNumberOfPoints() > 0)
+  if (!scalars.Array && dataSet->GetNumberOfPoints() != 0)
   {
     error = WhyThereAreNoScalars(choice);
     return false;
   }
-  input.Array = dataSet->GetNumberOfPoints() > 0 ? scalars.Array : nullptr;
+  input.Array = dataSet->GetNumberOfPoints() != 0 ? scalars.Array : nullptr;
   input.OnCells = scalars.OnCells;
   if (!grid)
   {

@@ -4,6 +4,7 @@
 
 #include "BlockCopy.h"
 #include "GhostArray.h"
+#include "SamplesOfArray.h"
 
 #include <vtkAbstractMapper.h>
 #include <vtkCellData.h>
@@ -122,8 +123,7 @@ std::string Describe(vtkDataArray* array)
 bool FitsArray(
   const Block& first, const Block& block, const ScalarChoice& choice, std::string& error)
 {
-  const vtkIdType tuples =
-    IsOnCells(choice) ? block.Image->GetNumberOfCells() : block.Image->GetNumberOfPoints();
+  const vtkIdType tuples = CountSamples(block.Image, IsOnCells(choice));
   const bool isByNumber = (choice.Mode == VTK_SCALAR_MODE_USE_POINT_FIELD_DATA ||
                             choice.Mode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA) &&
     !choice.IsByName;
@@ -205,8 +205,8 @@ bool MakeSource(
 {
   source.First = block.Place.First - whole.First;
   source.Points = block.Place.Points();
-  source.PointGhosts = FlagsOf(block.Image->GetPointData(), block.Image->GetNumberOfPoints());
-  source.CellGhosts = FlagsOf(block.Image->GetCellData(), block.Image->GetNumberOfCells());
+  source.PointGhosts = FlagsOf(block.Image->GetPointData(), CountSamples(block.Image, false));
+  source.CellGhosts = FlagsOf(block.Image->GetCellData(), CountSamples(block.Image, true));
   source.Components.resize(static_cast<std::size_t>(block.Array->GetNumberOfComponents()));
   for (std::size_t c = 0; c < source.Components.size(); ++c)
   {

@@ -3,7 +3,11 @@
 #include "SamplesOfArray.h"
 
 #include <vtkDataArray.h>
+#include <vtkImageData.h>
 #include <vtkSOADataArrayTemplate.h>
+
+#include <algorithm>
+#include <limits>
 
 namespace TemporalCoherence
 {
@@ -91,6 +95,27 @@ bool FindSamples(vtkDataArray* array, int component, ArraySamples& samples, std:
     ", whose samples cannot be read in place; copy it into an array of numbers, for example with "
     "vtkFloatArray::DeepCopy or vtkImageCast.";
   return false;
+}
+
+std::int64_t CountSamples(vtkImageData* image, bool onCells)
+{
+  constexpr double most = 1e18;
+  const int* extent = image->GetExtent();
+  double points = 1.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double along = static_cast<double>(extent[2 * axis + 1]) - extent[2 * axis] + 1.0;
+    if (along > std::numeric_limits<int>::max())
+    {
+      return std::numeric_limits<std::int64_t>::max();
+    }
+    points *= std::max(along, 0.0);
+  }
+  if (points > most)
+  {
+    return std::numeric_limits<std::int64_t>::max();
+  }
+  return onCells ? image->GetNumberOfCells() : image->GetNumberOfPoints();
 }
 
 std::string NameOf(vtkDataArray* array)

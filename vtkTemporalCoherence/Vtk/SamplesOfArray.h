@@ -11,6 +11,7 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
+class vtkImageData;
 VTK_ABI_NAMESPACE_END
 
 namespace TemporalCoherence
@@ -28,6 +29,14 @@ struct ArraySamples
 /// \param error gets what is wrong and what to do about it
 /// \return false if the samples do not lie in memory at equal steps
 bool FindSamples(vtkDataArray* array, int component, ArraySamples& samples, std::string& error);
+
+/// Cells or points of an image. Of an extent that claims more than can be counted, which VTK does not
+/// notice, it is the largest number, so that no array has enough tuples.
+std::int64_t CountSamples(vtkImageData* image, bool onCells);
+
+/// Cells or points of an image. Of an extent that claims more than can be counted, which VTK does not
+/// notice, it is the largest number, so that no array has enough tuples.
+std::int64_t CountSamples(vtkImageData* image, bool onCells);
 
 /// The array's name in quotation marks, for errors.
 std::string NameOf(vtkDataArray* array);

@@ -123,14 +123,14 @@ set_environment() # KIND
   local options="log_path=$reports/report"
   case $1 in
     traps)
-      environment=("TRAP_BELOW=$build" "TRAP_REPORTS=$reports" "LD_PRELOAD=$build/libTrapFloatingPoint.so") ;;
+      environment=("TRAP_BELOW=$build" "TRAP_REPORTS=$reports" "LD_PRELOAD=$preloads/libTrapFloatingPoint.so") ;;
     thread)
       # VTK is not instrumented. Memory that it alone touches is not ours to judge, but its locks
       # and threads are seen. TBB's are not, as they are made of atomics.
       environment=("TSAN_OPTIONS=$options:exitcode=66:history_size=4:second_deadlock_stack=1:ignore_noninstrumented_modules=1:suppressions=$here/thread.supp"
         VTK_SMP_BACKEND_IN_USE=STDThread VTK_SMP_MAX_THREADS=4) ;;
     *)
-      environment=("LD_PRELOAD=$build/libKeepLoaded.so"
+      environment=("LD_PRELOAD=$preloads/libKeepLoaded.so"
         "ASAN_OPTIONS=$options:verify_asan_link_order=0:detect_stack_use_after_return=1:strict_string_checks=1:check_initialization_order=1"
         "LSAN_OPTIONS=suppressions=$here/leaks.supp:print_suppressions=0"
         "UBSAN_OPTIONS=$options:print_stacktrace=1") ;;
@@ -176,16 +176,20 @@ show_awake() # KIND
   say "$1 is awake: $(faults_of "$1") reported."
 }
 
-# Makes a library to preload of the file of its name.
+# Makes a library to preload of the file of its name. It does not lie in the build directory, as a
+# test looks for what is loaded from there.
 preload() # NAME
 {
-  "$compiler" -std=c++17 -O1 -g -Wall -Wextra -shared -fPIC -o "$build/lib$1.so" "$here/$1.cxx" -ldl -pthread
+  mkdir -p "$preloads"
+  "$compiler" -std=c++17 -O1 -g -Wall -Wextra -shared -fPIC -o "$preloads/lib$1.so" \
+    "$here/$1.cxx" -ldl -pthread
 }
 
 prepare() # KIND
 {
   build=$builds-${1/,/-}
   reports=$build/reports
+  preloads=$build-preload
   mkdir -p "$build" 2>/dev/null ||
     fail "Cannot write in $build; set TEMPORAL_COHERENCE_BUILD to what you may write in."
   case $1 in

@@ -47,6 +47,7 @@ PictureSettings SettingsOf(Mapper* mapper)
   settings.Mode =
     mapper->GetSurfaceMode() == Mapper::THRESHOLD ? SurfaceMode::Threshold : SurfaceMode::Crossing;
   settings.ColorByAnswer = mapper->GetColorByAnswer() != 0;
+  settings.DepthPass = mapper->GetUseDepthPass() ? mapper->GetDepthPassContourValues() : nullptr;
   return settings;
 }
 

@@ -55,6 +55,7 @@ list(TRANSFORM engine_files APPEND ".cxx")
 set(bridge_files
   AppearanceFromVolume
   BlockCopy
+  BufferImages
   DepthReader
   FieldFromImage
   HiddenCellsFromImage
@@ -100,6 +101,7 @@ target_link_libraries(TemporalCoherenceEngine PUBLIC VTK::CommonCore glm::glm hw
 vtk_module_add_module(VTK::TemporalCoherence
   SOURCES
     "${module_directory}/SettingsFromMapper.cxx"
+    "${module_directory}/vtkTemporalCoherenceDropInMapper.cxx"
     "${module_directory}/vtkTemporalCoherencePicker.cxx"
     "${module_directory}/vtkTemporalCoherenceVolume.cxx"
     "${module_directory}/vtkTemporalCoherenceVolumeMapper.cxx"
@@ -110,6 +112,7 @@ vtk_module_add_module(VTK::TemporalCoherence
   NOWRAP_HEADERS
     "${module_directory}/vtkTemporalCoherenceCompatibility.h"
   HEADERS
+    "${module_directory}/vtkTemporalCoherenceDropInMapper.h"
     "${module_directory}/vtkTemporalCoherencePicker.h"
     "${module_directory}/vtkTemporalCoherenceVolume.h"
     "${module_directory}/vtkTemporalCoherenceVolumeMapper.h")

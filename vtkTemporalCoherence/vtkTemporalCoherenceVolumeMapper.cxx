@@ -92,6 +92,7 @@ vtkTemporalCoherenceVolumeMapper::vtkTemporalCoherenceVolumeMapper()
   : Internal(std::make_unique<Internals>())
 {
   this->SetBlendModeToIsoSurface();
+  this->AutoAdjustSampleDistances = 0;
 }
 
 //------------------------------------------------------------------------------
@@ -149,8 +150,11 @@ void vtkTemporalCoherenceVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* 
     {
       std::string error;
       isMade = this->RenderForWindow(renderer, volume, size.x, size.y);
-      // After an error this shows the last valid picture again.
-      this->Internal->Frames.Present(renderer, volume, size, this->GetInput(), error);
+      if (!this->GetRenderToImage())
+      {
+        // After an error this shows the last valid picture again.
+        this->Internal->Frames.Present(renderer, volume, size, this->GetInput(), error);
+      }
       this->ReportOnce(error);
     }
   }
@@ -317,6 +321,23 @@ bool vtkTemporalCoherenceVolumeMapper::GetLastFrame(vtkImageData* color, vtkImag
     this->Internal->Frames.WriteImages({ color, depth, normals, isovalueIndex, answer }, error);
   this->ReportOnce(error);
   return isThere;
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherenceVolumeMapper::GetColorImage(vtkImageData* image)
+{
+  std::string error;
+  this->Internal->Frames.WriteBufferColors(image, error);
+  this->ReportOnce(error);
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherenceVolumeMapper::GetDepthImage(vtkImageData* image)
+{
+  std::string error;
+  this->Internal->Frames.WriteBufferDepths(
+    image, this->GetDepthImageScalarType(), this->GetClampDepthToBackface() != 0, error);
+  this->ReportOnce(error);
 }
 
 //------------------------------------------------------------------------------

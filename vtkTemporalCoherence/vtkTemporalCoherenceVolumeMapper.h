@@ -8,9 +8,13 @@
  * blocks, or a vtkRectilinearGrid. It draws the isosurfaces of
  * `vtkVolumeProperty::GetIsoSurfaceValues()` (blend mode ISOSURFACE_BLEND, which it is constructed
  * with), each in the colour that the property's colour transfer function has at the isovalue.
- * Nothing is extracted: every pixel's ray is intersected with the trilinear (or nearest-neighbour)
- * interpolant of the samples, exactly. The picture has a depth at every pixel, so that other props
- * intersect it correctly, and is the same for any number of threads.
+ * (After UseDepthPassOn() they are those of GetDepthPassContourValues() where that list has not
+ * been touched: it is empty, or the single 0 that it is constructed with.) Other blend modes are
+ * refused. It is a vtkGPUVolumeRayCastMapper whose interface it has, but it needs no GPU, and of
+ * these settings it heeds only those that are told of here: vtkTemporalCoherenceDropInMapper lists
+ * the others. Nothing is extracted: every pixel's ray is intersected with the trilinear (or
+ * nearest-neighbour) interpolant of the samples, exactly. The picture has a depth at every pixel,
+ * so that other props intersect it correctly, and is the same for any number of threads.
  *
  * Between two calls of Render() the mapper keeps the last picture and does only what the change
  * asks for: the same picture again, new colours on known hits, a moved view that starts from the
@@ -98,16 +102,15 @@
  * isomap); intersection: Marmitt et al., "Fast and Accurate Ray-Voxel Intersection Techniques for
  * Iso-Surface Ray Tracing", 2004.
  *
- * @sa vtkTemporalCoherenceVolume vtkVolume vtkVolumeProperty vtkContourValues
- * vtkGPUVolumeRayCastMapper
+ * @sa vtkTemporalCoherenceDropInMapper vtkTemporalCoherenceVolume vtkVolume vtkVolumeProperty
+ * vtkContourValues vtkGPUVolumeRayCastMapper
  */
 
 #ifndef vtkTemporalCoherenceVolumeMapper_h
 #define vtkTemporalCoherenceVolumeMapper_h
 
-#include "vtkTemporalCoherenceCompatibility.h"
+#include "vtkTemporalCoherenceDropInMapper.h"
 #include "vtkTemporalCoherenceModule.h" // For export macro
-#include "vtkVolumeMapper.h"
 
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
@@ -121,11 +124,11 @@ class vtkVolume;
 class vtkWindow;
 
 class VTKTEMPORALCOHERENCE_EXPORT VTK_MARSHALAUTO vtkTemporalCoherenceVolumeMapper
-  : public vtkVolumeMapper
+  : public vtkTemporalCoherenceDropInMapper
 {
 public:
   static vtkTemporalCoherenceVolumeMapper* New();
-  vtkTypeMacro(vtkTemporalCoherenceVolumeMapper, vtkVolumeMapper);
+  vtkTypeMacro(vtkTemporalCoherenceVolumeMapper, vtkTemporalCoherenceDropInMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum SurfaceModes
@@ -354,30 +357,25 @@ public:
 
   //@{
   /**
-   * Coarser frames in windows. The names are those of vtkFixedPointVolumeRayCastMapper.
+   * Coarser frames in windows, as of vtkGPUVolumeRayCastMapper.
    *
-   * ImageSampleDistance: pixels from one ray to the next along each axis, 1 to 100. Default: 1, a
-   * ray a pixel. Pixels without a ray show that of their neighbour.
+   * ImageSampleDistance: pixels from one ray to the next along each axis, 0.1 to 100. Default: 1, a
+   * ray a pixel, and so is less than 1 as yet. Pixels without a ray show that of their neighbour.
    *
    * AutoAdjustSampleDistances: choose ImageSampleDistance for each frame between
    * MinimumImageSampleDistance (default 1) and MaximumImageSampleDistance (default 10), so that
    * what the last frames took for each ray fits into vtkVolume::GetAllocatedRenderTime(), which
    * follows from vtkRenderWindow::SetDesiredUpdateRate(): interactors set a high rate while one
-   * drags, and a low one for the still picture. Default: off (there it is on), since frames
-   * are seldom too slow, and a frame of another size than the one before cannot use it again.
+   * drags, and a low one for the still picture. Default: off (in VTK's mappers it is on), since
+   * frames are seldom too slow, and a frame of another size than the one before cannot use it
+   * again.
    *
    * The images of RenderToImage() are never coarser. PickPixel() takes pixels of the window in
    * coarse frames, too; GetLastFrame() and GetVisibleSurface() give a value for each ray.
    */
-  virtual void SetImageSampleDistance(float pixels);
-  vtkGetMacro(ImageSampleDistance, float);
-  virtual void SetMinimumImageSampleDistance(float pixels);
-  vtkGetMacro(MinimumImageSampleDistance, float);
-  virtual void SetMaximumImageSampleDistance(float pixels);
-  vtkGetMacro(MaximumImageSampleDistance, float);
-  vtkSetClampMacro(AutoAdjustSampleDistances, vtkTypeBool, 0, 1);
-  vtkGetMacro(AutoAdjustSampleDistances, vtkTypeBool);
-  vtkBooleanMacro(AutoAdjustSampleDistances, vtkTypeBool);
+  void SetImageSampleDistance(float pixels) override;
+  void SetMinimumImageSampleDistance(float pixels) override;
+  void SetMaximumImageSampleDistance(float pixels) override;
   //@}
 
   /**
@@ -429,6 +427,23 @@ public:
   bool RenderToImage(vtkRenderer* renderer, vtkVolume* volume, int width, int height,
     vtkImageData* color, vtkImageData* depth, vtkImageData* normals, vtkImageData* isovalueIndex,
     vtkImageData* answer);
+
+  //@{
+  /**
+   * The last frame as vtkGPUVolumeRayCastMapper gives it. After RenderToImageOn() Render() makes
+   * frames only for that, and draws nothing into its window.
+   *
+   * GetColorImage: unsigned char RGBA, multiplied by alpha; where nothing is hit, white of alpha 0.
+   *
+   * GetDepthImage: what a depth buffer holds, 0 at the near plane and 1 at the far plane; where
+   * nothing is hit, 1, or (ClampDepthToBackfaceOn()) where the ray leaves the volume. It is float,
+   * or after SetDepthImageScalarTypeToUnsignedChar() or ...Short() a share of 255 or 65535.
+   *
+   * An image is left alone if there is no frame, or not enough memory.
+   */
+  void GetColorImage(vtkImageData* image) override;
+  void GetDepthImage(vtkImageData* image) override;
+  //@}
 
   /**
    * The last frame, whether it was made for a window or an image, as images: see RenderToImage.
@@ -580,10 +595,6 @@ private:
   double IsomapRange[2] = { 1.0, 0.0 };
   int IsomapMemoryLimit = 256;
   int IsomapShading = RESHADE;
-  float ImageSampleDistance = 1.0f;
-  float MinimumImageSampleDistance = 1.0f;
-  float MaximumImageSampleDistance = 10.0f;
-  vtkTypeBool AutoAdjustSampleDistances = 0;
 
   struct Internals;
   std::unique_ptr<Internals> Internal;

@@ -38,20 +38,20 @@ void vtkTemporalCoherenceVolumeMapper::SetIsomapTolerance(double voxels)
 //------------------------------------------------------------------------------
 void vtkTemporalCoherenceVolumeMapper::SetImageSampleDistance(float pixels)
 {
-  this->SetWithin("ImageSampleDistance", pixels, 1.0, 100.0, this->ImageSampleDistance);
+  this->SetWithin("ImageSampleDistance", pixels, 0.1, 100.0, this->ImageSampleDistance);
 }
 
 //------------------------------------------------------------------------------
 void vtkTemporalCoherenceVolumeMapper::SetMinimumImageSampleDistance(float pixels)
 {
   this->SetWithin(
-    "MinimumImageSampleDistance", pixels, 1.0, 100.0, this->MinimumImageSampleDistance);
+    "MinimumImageSampleDistance", pixels, 0.1, 100.0, this->MinimumImageSampleDistance);
 }
 
 //------------------------------------------------------------------------------
 void vtkTemporalCoherenceVolumeMapper::SetMaximumImageSampleDistance(float pixels)
 {
   this->SetWithin(
-    "MaximumImageSampleDistance", pixels, 1.0, 100.0, this->MaximumImageSampleDistance);
+    "MaximumImageSampleDistance", pixels, 0.1, 100.0, this->MaximumImageSampleDistance);
 }
 VTK_ABI_NAMESPACE_END

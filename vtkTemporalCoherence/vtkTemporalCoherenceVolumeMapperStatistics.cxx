@@ -124,10 +124,6 @@ void vtkTemporalCoherenceVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "IsomapRange: " << this->IsomapRange[0] << ", " << this->IsomapRange[1] << endl;
   os << indent << "IsomapMemoryLimit: " << this->IsomapMemoryLimit << endl;
   os << indent << "IsomapShading: " << this->IsomapShading << endl;
-  os << indent << "ImageSampleDistance: " << this->ImageSampleDistance << endl;
-  os << indent << "MinimumImageSampleDistance: " << this->MinimumImageSampleDistance << endl;
-  os << indent << "MaximumImageSampleDistance: " << this->MaximumImageSampleDistance << endl;
-  os << indent << "AutoAdjustSampleDistances: " << this->AutoAdjustSampleDistances << endl;
   os << indent << "Route: " << this->GetRouteAsString() << endl;
 }
 VTK_ABI_NAMESPACE_END

@@ -80,14 +80,21 @@ bool CheckNode(int i, const double node[4], std::string& error)
 
 }
 
-bool FindSurfaces(vtkVolumeProperty* property, int component, Surfaces& surfaces,
-  std::vector<int>& places, std::string& error)
+vtkContourValues* ChooseIsovalues(vtkVolumeProperty* property, vtkContourValues* other)
+{
+  vtkContourValues* const own = property->GetIsoSurfaceValues();
+  const int count = own->GetNumberOfContours();
+  const bool isUntouched = count == 0 || (count == 1 && own->GetValue(0) == 0.0);
+  return other && isUntouched ? other : own;
+}
+
+bool FindSurfaces(vtkContourValues* list, vtkVolumeProperty* property, int component,
+  Surfaces& surfaces, std::vector<int>& places, std::string& error)
 {
   std::vector<double>& isovalues = surfaces.Isovalues;
   isovalues.clear();
   surfaces.Opacities.clear();
   places.clear();
-  vtkContourValues* list = property->GetIsoSurfaceValues();
   const int count = list->GetNumberOfContours();
   std::set<double> found;
   for (int i = 0; i < count; ++i)
@@ -178,13 +185,14 @@ bool MakeGradientOpacity(vtkVolumeProperty* property, int component, const glm::
   return true;
 }
 
-bool IsOpaque(vtkVolumeProperty* property, int component)
+bool IsOpaque(vtkContourValues* list, vtkVolumeProperty* property, int component)
 {
   Surfaces surfaces;
   GradientOpacity bySteepness;
   std::vector<int> places;
   std::string error;
-  return FindSurfaces(property, component, surfaces, places, error) && surfaces.Opacities.empty() &&
+  return FindSurfaces(list, property, component, surfaces, places, error) &&
+    surfaces.Opacities.empty() &&
     MakeGradientOpacity(property, component, glm::dvec3(1.0), bySteepness, error) &&
     bySteepness.Nodes.empty();
 }

@@ -42,7 +42,9 @@ bool InputFromMapper::Find(vtkVolumeMapper* mapper, vtkVolumeProperty* property,
   if (mapper->GetBlendMode() != vtkVolumeMapper::ISOSURFACE_BLEND)
   {
     error = "Blend mode " + std::to_string(mapper->GetBlendMode()) +
-      " is not supported, only isosurfaces are; call SetBlendModeToIsoSurface().";
+      " is not supported, only isosurfaces are; call SetBlendModeToIsoSurface(), or take "
+      "vtkGPUVolumeRayCastMapper, which draws the others, and isosurfaces by this mapper after "
+      "vtkTemporalCoherenceObjectFactory::Register().";
     return false;
   }
   try
@@ -69,6 +71,16 @@ bool InputFromMapper::FindImage(vtkVolumeMapper* mapper, MapperInput& input, std
     error = "There is no input; give the mapper a vtkImageData or a vtkRectilinearGrid with "
             "SetInputData or SetInputConnection.";
     return false;
+  }
+  for (int port = 1; port < mapper->GetNumberOfInputPorts(); ++port)
+  {
+    if (mapper->GetNumberOfInputConnections(port) > 0)
+    {
+      error = "There is an input at port " + std::to_string(port) +
+        ", but only that of port 0 can be drawn; give each input a mapper and a vtkVolume of its "
+        "own, or take vtkGPUVolumeRayCastMapper.";
+      return false;
+    }
   }
   const ScalarChoice choice = ChoiceOf(mapper);
   ChosenScalars scalars;

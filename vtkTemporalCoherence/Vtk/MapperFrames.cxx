@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MapperFrames.h"
 
+#include "BufferImages.h"
 #include "PointsFromFrame.h"
 #include "SelectionPass.h"
 #include "Stopwatch.h"
@@ -114,16 +115,21 @@ void MapperFrames::Present(vtkRenderer* renderer, vtkVolume* volume, const glm::
   }
 }
 
-bool MapperFrames::WriteImages(const PictureImages& images, std::string& error) const
+namespace
 {
-  const Frame& frame = this->Last->Frames.LastFrame();
+
+/// Write images of a frame.
+/// \return false if there is no frame, or on error
+template <typename Writer>
+bool WriteImagesOf(const Frame& frame, const Writer& write, std::string& error)
+{
   if (frame.IsEmpty())
   {
     return false;
   }
   try
   {
-    WritePicture(frame, this->Last->IsovaluePlaces, images);
+    write();
     return true;
   }
   catch (const std::exception&)
@@ -132,6 +138,34 @@ bool MapperFrames::WriteImages(const PictureImages& images, std::string& error) 
       " pixels; free memory or ask for fewer pixels.";
     return false;
   }
+}
+
+}
+
+bool MapperFrames::WriteImages(const PictureImages& images, std::string& error) const
+{
+  const Frame& frame = this->Last->Frames.LastFrame();
+  return WriteImagesOf(
+    frame, [&]() { WritePicture(frame, this->Last->IsovaluePlaces, images); }, error);
+}
+
+bool MapperFrames::WriteBufferColors(vtkImageData* image, std::string& error) const
+{
+  const Frame& frame = this->Last->Frames.LastFrame();
+  return image &&
+    WriteImagesOf(
+      frame, [&]() { WriteColors(frame, image); }, error);
+}
+
+bool MapperFrames::WriteBufferDepths(
+  vtkImageData* image, int scalarType, bool endsAtBox, std::string& error) const
+{
+  const FrameRenderer& frames = this->Last->Frames;
+  return image &&
+    WriteImagesOf(
+      frames.LastFrame(),
+      [&]() { WriteDepths(frames.LastFrame(), frames.LastKey(), scalarType, endsAtBox, image); },
+      error);
 }
 
 bool MapperFrames::WriteSurface(vtkPolyData* points, std::string& error) const

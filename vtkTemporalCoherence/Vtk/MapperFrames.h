@@ -59,6 +59,12 @@ public:
   /// \return false if there is none, or on error
   bool WriteImages(const PictureImages& images, std::string& error) const;
 
+  /// Copy the last frame into an image as the buffers of a window hold it; see BufferImages.h.
+  /// \return false if there is none, or on error
+  bool WriteBufferColors(vtkImageData* image, std::string& error) const;
+  bool WriteBufferDepths(
+    vtkImageData* image, int scalarType, bool endsAtBox, std::string& error) const;
+
   /// Make points of the hits of the last frame.
   /// \return false if there is none, or on error
   bool WriteSurface(vtkPolyData* points, std::string& error) const;

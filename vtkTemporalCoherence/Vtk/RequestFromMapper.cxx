@@ -7,6 +7,7 @@
 #include "RegionFromMapper.h"
 #include "ViewFromRenderer.h"
 
+#include <vtkMultiVolume.h>
 #include <vtkVolume.h>
 #include <vtkVolumeMapper.h>
 #include <vtkVolumeProperty.h>
@@ -17,11 +18,18 @@ namespace TemporalCoherence
 bool RequestFromMapper::Make(vtkVolumeMapper* mapper, const PictureSettings& settings,
   vtkVolume* volume, const FrameSight& sight, FrameRequest& request, std::string& error)
 {
+  if (vtkMultiVolume::SafeDownCast(volume))
+  {
+    error = "The volumes of a vtkMultiVolume cannot be drawn together; give each a vtkVolume and a "
+            "mapper of its own, or take vtkGPUVolumeRayCastMapper.";
+    return false;
+  }
   vtkVolumeProperty* property = volume->GetProperty();
   FrameKey& key = request.Key;
   MapperInput input;
   if (!this->Input.Find(mapper, property, settings.Vectors, input, error) ||
-    !FindSurfaces(property, input.Look, key.Sought, request.IsovaluePlaces, error))
+    !FindSurfaces(ChooseIsovalues(property, settings.DepthPass), property, input.Look, key.Sought,
+      request.IsovaluePlaces, error))
   {
     return false;
   }
@@ -90,10 +98,16 @@ bool RequestFromMapper::MakeScene(vtkVolumeMapper* mapper, vtkVolume* volume,
 bool RequestFromMapper::IsOpaque(
   vtkVolumeMapper* mapper, const PictureSettings& settings, vtkVolume* volume)
 {
+  vtkVolumeProperty* property = volume->GetProperty();
+  if (!property)
+  {
+    return true; // an empty vtkMultiVolume
+  }
   MapperInput input;
   std::string error; // the next frame tells of it
-  this->Input.Find(mapper, volume->GetProperty(), settings.Vectors, input, error);
-  return TemporalCoherence::IsOpaque(volume->GetProperty(), input.Look);
+  this->Input.Find(mapper, property, settings.Vectors, input, error);
+  return TemporalCoherence::IsOpaque(
+    ChooseIsovalues(property, settings.DepthPass), property, input.Look);
 }
 
 void RequestFromMapper::Release()

@@ -15,6 +15,7 @@
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkContourValues;
 class vtkRenderer;
 class vtkVolume;
 class vtkVolumeMapper;
@@ -29,6 +30,7 @@ struct PictureSettings
   VectorChoice Vectors;
   SurfaceMode Mode = SurfaceMode::Crossing;
   bool ColorByAnswer = false;
+  vtkContourValues* DepthPass = nullptr; ///< isovalues where the property has none; or null
 };
 
 /// Who sees a frame, and how large it is.
@@ -43,7 +45,7 @@ struct FrameSight
 struct FrameRequest
 {
   FrameKey Key;
-  std::vector<int> IsovaluePlaces; ///< position in the property's list of each isovalue of the key
+  std::vector<int> IsovaluePlaces; ///< position in their list of the key's isovalues
 
   /// The samples, so that they stay where observers give the mapper another input meanwhile.
   vtkSmartPointer<vtkDataArray> Read;

@@ -47,6 +47,8 @@ PictureSettings SettingsOf(Mapper* mapper)
   settings.Mode =
     mapper->GetSurfaceMode() == Mapper::THRESHOLD ? SurfaceMode::Threshold : SurfaceMode::Crossing;
   settings.ColorByAnswer = mapper->GetColorByAnswer() != 0;
+  settings.ColorWindow = static_cast<double>(mapper->GetFinalColorWindow());
+  settings.ColorLevel = static_cast<double>(mapper->GetFinalColorLevel());
   settings.DepthPass = mapper->GetUseDepthPass() ? mapper->GetDepthPassContourValues() : nullptr;
   return settings;
 }

@@ -16,7 +16,7 @@
  * LockSampleDistanceToInputSpacing, UseJittering, MaxMemoryInBytes, MaxMemoryFraction,
  * ReportProgress, Transfer2DYAxisArray, GlobalIlluminationReach, VolumetricScatteringBlending,
  * ComputeNormalFromOpacity, ColorRangeType, ScalarOpacityRangeType, GradientOpacityRangeType, and
- * as yet MaskInput, MaskType, MaskBlendFactor, FinalColorWindow and FinalColorLevel.
+ * as yet MaskInput, MaskType and MaskBlendFactor.
  *
  * @sa vtkTemporalCoherenceVolumeMapper vtkGPUVolumeRayCastMapper
  */

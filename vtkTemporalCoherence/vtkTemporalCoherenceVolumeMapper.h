@@ -83,6 +83,8 @@
  * with AutomaticLightCreationOff surfaces are lit evenly, by ambient + diffuse, as polygons are.
  * Lights' ambient colours have no effect, as on polygons. With TwoSidedLightingOff of the renderer
  * a surface is lit only on its outside, the side of lower values, as by vtkGPUVolumeRayCastMapper.
+ * Of the colours that light makes, the window of FinalColorWindow around FinalColorLevel is spread
+ * over all (default: 1 around 0.5, all of them), as vtkGPUVolumeRayCastMapper does.
  * Transfer functions in two dimensions have no meaning for isosurfaces: SetTransferFunctionMode is
  * ignored, and colour and opacity are those of the functions of the scalar.
  *
@@ -90,7 +92,8 @@
  * ambient, diffuse and specular -1e6 to 1e6, specular power 0 to 1e6, colours -1000 to 1000 (what
  * is shown is clamped to [0, 1]), opacities -1e6 to 1e6 (clamped, too); of nodes of the gradient
  * opacity, a position from -1e100 to 1e100, a value from -1e6 to 1e6, midpoint and sharpness 0 to
- * 1; of lights, an intensity from -1e18 to 1e18, attenuations -1e30 to 1e30, an exponent from 0 to
+ * 1; of FinalColorWindow and FinalColorLevel -1e4 to 1e4, the window no narrower than 1e-4; of
+ * lights, an intensity from -1e18 to 1e18, attenuations -1e30 to 1e30, an exponent from 0 to
  * 128, a cone angle from -1e6 to 1e6 degrees, positions and focal points -1e38 to 1e38. Their
  * products stay within the range of floats. Settings without effect, as those of lights that are
  * off, may be anything.

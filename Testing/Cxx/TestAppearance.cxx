@@ -248,6 +248,58 @@ void TestWithoutEffect()
     "another component", [](Stage& stage) { stage.Property->SetSpecular(1, NotANumber); });
 }
 
+/// FinalColorWindow and FinalColorLevel, on opaque and on translucent surfaces.
+void TestColorWindow()
+{
+  ExpectRefused(
+    "FinalColorWindow of the mapper", { NotANumber, Infinity, 65536.0 }, 1.0,
+    [](Stage& stage, double value)
+    { stage.Drawn.Mapper->SetFinalColorWindow(static_cast<float>(value)); },
+    "SetFinalColorWindow");
+  ExpectRefused(
+    "FinalColorLevel of the mapper", { NotANumber, -Infinity, 65536.0 }, 0.5,
+    [](Stage& stage, double value)
+    { stage.Drawn.Mapper->SetFinalColorLevel(static_cast<float>(value)); },
+    "SetFinalColorLevel");
+
+  for (const float narrow : { 0.0f, 1e-20f, -1e-6f })
+  {
+    Stage stage;
+    Mistake mistake(stage.Drawn, "FinalColorWindow of the mapper must not be nearer to 0");
+    stage.Drawn.Mapper->SetFinalColorWindow(narrow);
+    mistake.ExpectRefused();
+    stage.Drawn.Mapper->SetFinalColorWindow(1.0f);
+    mistake.ExpectMended();
+  }
+
+  Stage stage;
+  stage.Property->ShadeOff();
+  stage.Property->GetRGBTransferFunction()->RemoveAllPoints();
+  stage.Property->GetRGBTransferFunction()->AddRGBPoint(130.0, 0.2, 0.3, 0.9);
+  const auto expect = [&](const std::array<int, 4>& color, const std::string& name)
+  {
+    Expect(stage.Drawn.Render(60, 60), name + ": rendered");
+    const unsigned char* shown = stage.Drawn.ColorAt(30, 30);
+    for (std::size_t c = 0; c < 4; ++c)
+    {
+      Expect(std::abs(shown[c] - color[c]) <= 1,
+        name + ": channel " + std::to_string(c) + " is " + std::to_string(shown[c]));
+    }
+  };
+  expect({ 51, 77, 230, 255 }, "all colours");
+  stage.Drawn.Mapper->SetFinalColorWindow(0.5f);
+  stage.Drawn.Mapper->SetFinalColorLevel(0.25f);
+  expect({ 102, 153, 255, 255 }, "the darker half of them");
+  Expect(std::string(stage.Drawn.Mapper->GetRouteAsString()) == "Reshade", "traced again");
+  stage.Drawn.Mapper->SetFinalColorWindow(-1.0f);
+  stage.Drawn.Mapper->SetFinalColorLevel(0.5f);
+  expect({ 204, 179, 26, 255 }, "turned round");
+  stage.Drawn.Mapper->SetSurfaceModeToThreshold();
+  stage.Property->GetScalarOpacity()->RemoveAllPoints();
+  stage.Property->GetScalarOpacity()->AddPoint(130.0, 0.5);
+  expect({ 102, 89, 13, 128 }, "turned round, translucent");
+}
+
 /// Where the brightest light that there may be does not shine, ambient light is seen; where it
 /// does, its colour.
 void TestLargestNumbers()
@@ -293,6 +345,7 @@ int TestAppearance(int, char*[])
   TestLights();
   TestTransferFunctions();
   TestWithoutEffect();
+  TestColorWindow();
   TestLargestNumbers();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -103,6 +103,8 @@ vtkSmartPointer<Mapper> Oracle::MakeFresh() const
   fresh->SelectScalarArray(subject->GetArrayId());
   fresh->SelectScalarArray(subject->GetArrayName());
   fresh->SetArrayAccessMode(subject->GetArrayAccessMode());
+  fresh->SetFinalColorWindow(subject->GetFinalColorWindow());
+  fresh->SetFinalColorLevel(subject->GetFinalColorLevel());
   fresh->SetColorByAnswer(subject->GetColorByAnswer());
   fresh->ImageCacheOff();
   fresh->IsomapOff();

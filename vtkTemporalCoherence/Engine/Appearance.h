@@ -38,6 +38,8 @@ struct Appearance
   /// A surface is lit on the side that is seen. False: only on its outside, which is the side of
   /// lower values, from wherever it is seen.
   bool TwoSided = true;
+  /// Of what light makes of a colour: scale * colour + shift is shown, clamped to [0, 1].
+  double ColorScale = 1.0, ColorShift = 0.0;
   bool ColorByAnswer = false; ///< yellow where a frame from the image cache was not served by it
 };
 
@@ -52,7 +54,8 @@ inline bool operator==(const Appearance& a, const Appearance& b)
 {
   return a.Colors == b.Colors && a.Shade == b.Shade && a.Ambient == b.Ambient &&
     a.Diffuse == b.Diffuse && a.Specular == b.Specular && a.SpecularPower == b.SpecularPower &&
-    a.Lights == b.Lights && a.TwoSided == b.TwoSided && a.ColorByAnswer == b.ColorByAnswer;
+    a.Lights == b.Lights && a.TwoSided == b.TwoSided && a.ColorScale == b.ColorScale &&
+    a.ColorShift == b.ColorShift && a.ColorByAnswer == b.ColorByAnswer;
 }
 
 }

@@ -179,6 +179,19 @@ void BeginSums(const Appearance& appearance, const HitList& hits, ShadingKernels
   }
 }
 
+/// The last thing that is done to colours.
+void ScaleSums(const Appearance& appearance, ShadingKernels::PhongSums& sums)
+{
+  const auto scale = static_cast<float>(appearance.ColorScale);
+  const auto shift = static_cast<float>(appearance.ColorShift);
+  for (Array<float>& channel : sums.Sum)
+  {
+    std::transform(channel.begin(),
+      channel.begin() + static_cast<std::ptrdiff_t>(WholeVectors(sums.Count)), channel.begin(),
+      [=](float sum) { return scale * sum + shift; });
+  }
+}
+
 /// Normalised device coordinates of the columns and rows of a part.
 struct PixelCentres
 {
@@ -370,6 +383,10 @@ void SumLight(const Appearance& appearance, const HitList& hits, ShadingKernels:
     {
       AddLight(appearance, light, hits, sums);
     }
+  }
+  if (appearance.ColorScale != 1.0 || appearance.ColorShift != 0.0)
+  {
+    ScaleSums(appearance, sums);
   }
 }
 

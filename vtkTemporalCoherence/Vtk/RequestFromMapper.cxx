@@ -5,6 +5,7 @@
 #include "AppearanceFromVolume.h"
 #include "FieldFromImage.h"
 #include "RegionFromMapper.h"
+#include "SettingCheck.h"
 #include "ViewFromRenderer.h"
 
 #include <vtkMultiVolume.h>
@@ -12,8 +13,41 @@
 #include <vtkVolumeMapper.h>
 #include <vtkVolumeProperty.h>
 
+#include <cmath>
+#include <sstream>
+
 namespace TemporalCoherence
 {
+
+namespace
+{
+
+/// Spread the colours of a window over all.
+/// \return false if no colours can be spread so
+bool SpreadColors(const PictureSettings& settings, Appearance& look, std::string& error)
+{
+  SettingCheck check({ "the mapper" }, error);
+  check("FinalColorWindow", settings.ColorWindow, Allowed::ColorWindow, "SetFinalColorWindow");
+  check("FinalColorLevel", settings.ColorLevel, Allowed::ColorWindow, "SetFinalColorLevel");
+  if (!check.HasPassed())
+  {
+    return false;
+  }
+  if (std::abs(settings.ColorWindow) < 1.0 / Allowed::ColorWindow.High)
+  {
+    std::ostringstream what;
+    what << "FinalColorWindow of the mapper must not be nearer to 0 than "
+         << 1.0 / Allowed::ColorWindow.High << ", got " << settings.ColorWindow
+         << "; call SetFinalColorWindow with 1, for all colours.";
+    error = what.str();
+    return false;
+  }
+  look.ColorScale = 1.0 / settings.ColorWindow;
+  look.ColorShift = 0.5 - settings.ColorLevel / settings.ColorWindow;
+  return true;
+}
+
+}
 
 bool RequestFromMapper::Make(vtkVolumeMapper* mapper, const PictureSettings& settings,
   vtkVolume* volume, const FrameSight& sight, FrameRequest& request, std::string& error)
@@ -40,7 +74,9 @@ bool RequestFromMapper::Make(vtkVolumeMapper* mapper, const PictureSettings& set
   {
     key.Look = {};
     if (!MakeView(sight.Renderer, sight.Size, sight.Aspect, key.Seen, error) ||
-      !MakeAppearance(property, input.Look, sight.Renderer, key.Sought.Isovalues, key.Look, error))
+      !MakeAppearance(
+        property, input.Look, sight.Renderer, key.Sought.Isovalues, key.Look, error) ||
+      !SpreadColors(settings, key.Look, error))
     {
       return false;
     }

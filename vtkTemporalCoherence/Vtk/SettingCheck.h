@@ -27,6 +27,7 @@ namespace Allowed
 constexpr NumberRange Coefficient = { -1e6, 1e6 }; ///< ambient, diffuse, specular
 constexpr NumberRange SpecularPower = { 0.0, 1e6 };
 constexpr NumberRange Color = { -1e3, 1e3 };
+constexpr NumberRange ColorWindow = { -1e4, 1e4 };
 constexpr NumberRange Opacity = { -1e6, 1e6 }; ///< counts as clamped to [0, 1]
 constexpr NumberRange Steepness = { -1e100, 1e100 };
 constexpr NumberRange Intensity = { -1e18, 1e18 };

@@ -52,9 +52,12 @@ void CheckField(const std::string& path, std::streamoff at, bool isBinary, doubl
   next();
   next(); // its name
   long long arrays = 0, components = 0, tuples = 0;
-  const bool hasArrays = IsWhole(next(), 1, static_cast<long long>(there), arrays);
+  if (!IsWhole(next(), 0, static_cast<long long>(there), arrays))
+  {
+    throw Damaged(path, "it tells of no number of arrays in FIELD");
+  }
   std::string name = next();
-  for (long long i = 0; hasArrays && i < arrays; ++i)
+  for (long long i = 0; i < arrays; ++i)
   {
     if (name == "METADATA")
     {
@@ -110,8 +113,13 @@ bool IsOfScalars(const std::string& before)
     (count >= 4 && words[count - 4] == "scalars");
 }
 
-// Where VTK's reader takes memory, or begins anew, as often as a number says that follows.
-void CheckCounts(const std::string& path, bool isBinary, double there)
+// Keywords by which words there is a number by which VTK's reader takes memory, or begins anew so
+// often.
+const std::map<std::string, int> Counted = { { "FIELD", 1 }, { "INFORMATION", 0 },
+  { "LOOKUP_TABLE", 1 }, { "SCALARS", 2 }, { "COLOR_SCALARS", 1 }, { "TEXTURE_COORDINATES", 1 } };
+
+// \param titleEnd what comes before are no keywords
+void CheckCounts(const std::string& path, std::streamoff titleEnd, bool isBinary, double there)
 {
   constexpr std::size_t Chunk = 1 << 20, Longest = 600; // bytes
   std::ifstream file(path, std::ios::binary);
@@ -126,18 +134,18 @@ void CheckCounts(const std::string& path, bool isBinary, double there)
     text.resize(kept + Chunk);
     file.read(&text[kept], Chunk);
     text.resize(kept + static_cast<std::size_t>(file.gcount()));
-    for (const char* keyword : { "FIELD", "INFORMATION", "LOOKUP_TABLE" })
+    for (const auto& [keyword, wordsBefore] : Counted)
     {
       // What begins before that was looked at with the text before.
       for (std::size_t at = text.find(keyword, begin > 0 ? Longest : 0); at != std::string::npos;
            at = text.find(keyword, at + 1))
       {
         std::istringstream in(text.substr(at, Longest));
-        std::string word, name, count;
+        std::string word, other, count;
         in >> word;
-        if (word != "INFORMATION")
+        for (int i = 0; i < wordsBefore; ++i)
         {
-          in >> name;
+          in >> other;
         }
         in >> count;
         const std::size_t before = std::min(at, Longest);
@@ -145,14 +153,21 @@ void CheckCounts(const std::string& path, bool isBinary, double there)
         {
           continue;
         }
+        if (word == "SCALARS" && at > 0 && text[at - 1] == '_')
+        {
+          continue; // COLOR_SCALARS
+        }
         long long number = 0;
+        const bool isCounted = IsWhole(count, LLONG_MIN, LLONG_MAX, number);
         // Each takes some characters.
-        if (word == keyword && IsWhole(count, LLONG_MIN, LLONG_MAX, number) &&
-          static_cast<double>(number) > there / 4.0)
+        if (word == keyword && isCounted && static_cast<double>(number) > there / 4.0)
         {
           throw Damaged(path, "it tells of " + count + " entries of " + keyword);
         }
-        if (word == "FIELD")
+        // Within a line it may be a name.
+        const bool isLine = at > 0 && text[at - 1] == '\n';
+        if (word == "FIELD" && (isLine || isCounted) &&
+          begin + static_cast<std::streamoff>(at) >= titleEnd)
         {
           CheckField(path, begin + static_cast<std::streamoff>(at), isBinary, there);
         }
@@ -177,6 +192,7 @@ void CheckLegacyFile(const std::string& path)
   {
     throw Damaged(path, "its title is too long");
   }
+  const std::streamoff titleEnd = in.tellg();
   std::string encoding, keyword;
   in >> encoding >> keyword >> kind;
   kind = LowerCase(kind);
@@ -195,7 +211,7 @@ void CheckLegacyFile(const std::string& path)
     throw Damaged(path, "its header tells of no dataset");
   }
   const auto there = static_cast<double>(SizeOf(path));
-  CheckCounts(path, LowerCase(encoding) == "binary", there);
+  CheckCounts(path, titleEnd, LowerCase(encoding) == "binary", there);
   for (std::string word; in >> word;)
   {
     std::string size;

@@ -16,6 +16,7 @@
 namespace
 {
 
+constexpr double LeastShare = 4096.0;       // of an extent that pieces hold, as 1 in so many
 constexpr std::size_t MostHeader = 1 << 24; // bytes of a file that are searched for elements
 
 const std::map<std::string, double> BytesOfType = { { "Int8", 1.0 }, { "UInt8", 1.0 },
@@ -153,6 +154,11 @@ public:
     {
       this->Look(element);
     }
+    // Of a part of a distributed image it may be little.
+    if (this->WholePoints > LeastShare * this->PiecePoints)
+    {
+      throw Damaged(this->Path, "its pieces hold next to nothing of its extent");
+    }
   }
 
 private:
@@ -166,10 +172,12 @@ private:
     else if (name == "ImageData")
     {
       this->PointsOf(element["WholeExtent"]);
+      this->WholePoints = this->Points;
     }
     else if (name == "Piece")
     {
       this->PointsOf(element["Extent"]);
+      this->PiecePoints += this->Points;
     }
     else if (name == "PointData" || name == "CellData" || name == "FieldData")
     {
@@ -348,6 +356,7 @@ private:
   std::size_t HeaderSize = 4; // bytes of a size
   std::string Compressor, Place;
   double Points = 0.0, Cells = 0.0; // of the piece that is looked at
+  double WholePoints = 0.0, PiecePoints = 0.0;
 };
 
 }

@@ -25,6 +25,7 @@ MOST_BYTES = 1 << 24  # of a file that are searched for a header
 MOST_SIZES = 1 << 18  # bytes of the sizes that precede an array
 MOST_VALUE = 200  # characters of a text that MetaIO copies into 255
 MOST_LINE = 400  # characters of any value that MetaIO knows; it reads them into 500
+LEAST_SHARE = 4096  # of an extent that pieces of a .vti hold, as 1 in so many
 MOST_UNKNOWN = 32000  # characters of other values, which MetaIO keeps in 32768
 
 COMPRESSORS = {
@@ -146,7 +147,7 @@ def _check_vti(path: pathlib.Path) -> None:
     appended = re.search(rb"<AppendedData([^>]*)>\s*_", text)
     markup = text[:appended.start()] if appended else text
     compressor, code, place = None, "<I", ""
-    points = cells = 0
+    points = cells = whole = pieces = 0
     for element in re.finditer(rb"<(\w+)((?:[^<>\"']|\"[^\"]*\"|'[^']*')*)>", markup):
         name = element[1].decode()
         attributes = {
@@ -163,6 +164,7 @@ def _check_vti(path: pathlib.Path) -> None:
         elif name in ("ImageData", "Piece"):
             points, cells = _points_of(
                 attributes.get("WholeExtent" if name == "ImageData" else "Extent"))
+            whole, pieces = (points, pieces) if name == "ImageData" else (whole, pieces + points)
             _require(points / 8, size * COMPRESSORS[compressor])
         elif name in ("PointData", "CellData", "FieldData"):
             place = name
@@ -196,6 +198,9 @@ def _check_vti(path: pathlib.Path) -> None:
                 raise Damage(f"an array of it does not have the {wanted} bytes that it should")
             if compressor and array.bytes_of_blocks() > size:
                 raise Damage("its compressed blocks are larger than it is")
+    # Of a part of a distributed image it may be little.
+    if whole > LEAST_SHARE * pieces:
+        raise Damage("its pieces hold next to nothing of its extent")
 
 
 # --- Others -------------------------------------------------------------------------------------
@@ -228,12 +233,16 @@ def _check_counts(path: pathlib.Path, is_binary: bool) -> None:
         b"double": 8, b"vtktypeint64": 8, b"vtktypeuint64": 8}
     with open(path, "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as text:
         for found in re.finditer(
-                rb"(FIELD\s+\S{1,255}|INFORMATION|LOOKUP_TABLE\s+\S{1,255})\s+(\d{1,40})", text):
+                rb"(FIELD\s+\S{1,255}|INFORMATION|LOOKUP_TABLE\s+\S{1,255}|\bSCALARS\s+\S{1,255}\s+\S{1,255}|"
+                rb"(?:COLOR_SCALARS|TEXTURE_COORDINATES)\s+\S{1,255})\s+(\d{1,40})", text):
             # The table's name may belong to SCALARS: samples follow it, not the size of a table.
             before = text[max(found.start() - 600, 0):found.start()].lower().split()[-4:]
             is_of_scalars = found[1].startswith(b"LOOKUP") and b"scalars" in before[:-2]
             if int(found[2]) > size / 4 and not is_of_scalars:
                 raise Damage(f"it tells of {int(found[2])} entries")
+        title_end = text.find(b"\n", text.find(b"\n") + 1)
+        if re.compile(rb"\nFIELD\s+\S{1,255}\s+[^\s\d]").search(text, title_end):
+            raise Damage("it tells of no number of arrays in FIELD")
         for found in re.finditer(rb"FIELD\s+\S{1,255}\s+([1-9]\d{0,17})\s+", text):
             _check_field(text, found.end(), int(found[1]), sizes, is_binary)
 

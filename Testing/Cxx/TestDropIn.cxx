@@ -4,6 +4,7 @@
 // A program for one of VTK's volume mappers needs to change nothing but the name of the class: what
 // it sets is kept, and what has no meaning here changes no picture.
 
+#include "EventCounter.h"
 #include "Expect.h"
 #include "Mistake.h"
 #include "OffScreen.h"
@@ -12,6 +13,7 @@
 
 #include <vtkContourValues.h>
 #include <vtkFixedPointVolumeRayCastMapper.h>
+#include <vtkFloatArray.h>
 #include <vtkFloatingPointExceptions.h>
 #include <vtkGPUVolumeRayCastMapper.h>
 #include <vtkMultiBlockDataSet.h>
@@ -20,6 +22,7 @@
 #include <vtkSmartVolumeMapper.h>
 #include <vtkTrivialProducer.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -28,6 +31,13 @@ namespace
 {
 
 constexpr int Size = 80;
+
+/// A ball of radius 0.5 in a box from -1 to 1, at the isovalue -0.5.
+vtkSmartPointer<vtkImageData> Ball()
+{
+  return Volumes::FromFormula(
+    33, VTK_FLOAT, [](double x, double y, double z) { return -std::hypot(x, y, z); });
+}
 
 /// Set by every name that VTK's mapper of class T has, and returned.
 #define EXPECT_KEPT(Setting, value)                                                                \
@@ -164,7 +174,7 @@ void TestWithoutEffect()
   mapper->LockSampleDistanceToInputSpacingOn();
   mapper->UseJitteringOn();
   mapper->SetMaxMemoryInBytes(1);
-  mapper->ReportProgressOff();
+  mapper->SetReportProgress(false);
   mapper->SetRequestedRenderModeToOSPRay();
   mapper->SetInterpolationModeToNearestNeighbor();
   mapper->SetInteractiveUpdateRate(1e-10);
@@ -181,10 +191,7 @@ void TestWithoutEffect()
 /// end of the volume or 1.
 void TestBufferImages()
 {
-  // A ball of radius 0.5 in a box from -1 to 1.
-  Scene scene(Volumes::FromFormula(
-                33, VTK_FLOAT, [](double x, double y, double z) { return -std::hypot(x, y, z); }),
-    { -0.5 });
+  Scene scene(Ball(), { -0.5 });
   scene.LookFrom(0.0, 0.0, 1.0);
   vtkNew<vtkRenderWindow> window;
   OpenWindow(window, scene.Renderer, Size, Size);
@@ -270,9 +277,9 @@ void TestDepthPass()
 /// What is not drawn is refused in one sentence that names who draws it.
 void TestRefusals()
 {
-  const auto data = Volumes::FourSpheres(24);
+  const auto data = Ball();
   {
-    Scene scene(data, { 100.0 });
+    Scene scene(data, { -0.5 });
     Mistake mistake(scene, "vtkGPUVolumeRayCastMapper");
     scene.Mapper->SetBlendModeToMaximumIntensity();
     mistake.ExpectRefused();
@@ -280,7 +287,7 @@ void TestRefusals()
     mistake.ExpectMended();
   }
   {
-    Scene scene(data, { 100.0 });
+    Scene scene(data, { -0.5 });
     Mistake mistake(scene, "There is an input at port 1");
     vtkNew<vtkTrivialProducer> producer;
     producer->SetOutput(data);
@@ -289,9 +296,10 @@ void TestRefusals()
     scene.Mapper->RemoveInputConnection(1, 0);
     mistake.ExpectMended();
   }
-  Scene scene(data, { 100.0 });
+  Scene scene(data, { -0.5 });
   vtkNew<vtkTest::ErrorObserver> observer;
   scene.Mapper->AddObserver(vtkCommand::ErrorEvent, observer);
+  const EventCounter errors(scene.Mapper, vtkCommand::ErrorEvent);
   vtkNew<vtkMultiVolume> several;
   Expect(scene.Mapper->IsOpaque(several), "no volume hides nothing");
   several->SetMapper(scene.Mapper);
@@ -302,8 +310,8 @@ void TestRefusals()
   OpenWindow(window, scene.Renderer, Size, Size);
   window->Render();
   window->Render();
-  Expect(observer->GetError() && observer->GetNumberOfErrors() == 1 &&
-      observer->GetErrorMessage().find("vtkMultiVolume") != std::string::npos,
+  Expect(
+    errors.Count == 1 && observer->GetErrorMessage().find("vtkMultiVolume") != std::string::npos,
     "vtkMultiVolume is refused once");
 }
 
@@ -312,12 +320,14 @@ void TestBlocksBehindTheSuperclass()
 {
   vtkNew<vtkTemporalCoherenceVolumeMapper> mapper;
   vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, Volumes::FourSpheres(8));
+  const auto block = Ball();
+  blocks->SetBlock(0, block);
   mapper->SetInputDataObject(blocks);
   Expect(mapper->GetInput() == nullptr && mapper->GetInputCount() == 1, "blocks are no data set");
   vtkGPUVolumeRayCastMapper* base = mapper;
   Expect(base->GetBoundsFromPort(0) != nullptr, "bounds of what has no points");
-  Expect(mapper->GetBounds()[0] == -1.0 && mapper->GetBounds()[1] == 1.0, "bounds of the blocks");
+  Expect(std::equal(block->GetBounds(), block->GetBounds() + 6, mapper->GetBounds()),
+    "bounds of the blocks");
 }
 
 }

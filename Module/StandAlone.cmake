@@ -27,11 +27,11 @@ include(CTest)
 # Always by component: without components, VTK's package asks for Qt.
 set(vtk_components
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonMisc CommonTransforms
-  RenderingCore RenderingOpenGL2 RenderingVolume)
+  RenderingCore RenderingOpenGL2 RenderingVolume RenderingVolumeOpenGL2)
 if (BUILD_TESTING OR TEMPORAL_COHERENCE_BUILD_BENCHMARKS)
   list(APPEND vtk_components
     CommonSystem FiltersCore FiltersGeometry FiltersSources ImagingCore InteractionStyle IOImage IOLegacy IOXML
-    RenderingVolumeOpenGL2 TestingCore TestingRendering zlib)
+    TestingCore TestingRendering zlib)
 endif ()
 set(vtk_chart_components)
 if (TEMPORAL_COHERENCE_BUILD_BENCHMARKS)
@@ -72,6 +72,7 @@ vtk_module_build(
 # Set here, because vtk_module_build takes a SOVERSION of 0 for none.
 vtk_module_set_properties(VTK::TemporalCoherence SOVERSION "${PROJECT_VERSION_MAJOR}")
 
+include("${CMAKE_SOURCE_DIR}/Module/Autoload/Autoload.cmake")
 include("${CMAKE_SOURCE_DIR}/Module/Python/Python.cmake")
 
 if (TEMPORAL_COHERENCE_BUILD_BENCHMARKS)

@@ -65,7 +65,8 @@ set(library "libvtktemporalcoherence${major}")
 set(cmake_directory "${LIBRARY_DIRECTORY}/cmake/vtkTemporalCoherence")
 set("contents_of_${library}"
   "${LIBRARY_DIRECTORY}/libvtkTemporalCoherence.so.${VERSION}"
-  "${LIBRARY_DIRECTORY}/libvtkTemporalCoherence.so.${major}")
+  "${LIBRARY_DIRECTORY}/libvtkTemporalCoherence.so.${major}"
+  "${LIBRARY_DIRECTORY}/vtkTemporalCoherence/autoload/vtkTemporalCoherenceAutoload.so")
 set(contents_of_libvtktemporalcoherence-dev
   "${LIBRARY_DIRECTORY}/libvtkTemporalCoherence.so"
   "${LIBRARY_DIRECTORY}/vtk/hierarchy/vtkTemporalCoherence/vtkTemporalCoherence-hierarchy.txt"
@@ -75,6 +76,9 @@ set(contents_of_libvtktemporalcoherence-dev
   "${cmake_directory}/vtkTemporalCoherenceConfigVersion.cmake"
   include/vtkTemporalCoherence/vtkTemporalCoherenceModule.h
   include/vtkTemporalCoherence/vtkTemporalCoherenceCompatibility.h
+  include/vtkTemporalCoherence/vtkTemporalCoherenceDropInMapper.h
+  include/vtkTemporalCoherence/vtkTemporalCoherenceGPUVolumeRayCastMapper.h
+  include/vtkTemporalCoherence/vtkTemporalCoherenceObjectFactory.h
   include/vtkTemporalCoherence/vtkTemporalCoherencePicker.h
   include/vtkTemporalCoherence/vtkTemporalCoherenceVolume.h
   include/vtkTemporalCoherence/vtkTemporalCoherenceVolumeMapper.h)

@@ -100,8 +100,11 @@ target_link_libraries(TemporalCoherenceEngine PUBLIC VTK::CommonCore glm::glm hw
 
 vtk_module_add_module(VTK::TemporalCoherence
   SOURCES
+    "${module_directory}/GpuMapperSettings.cxx"
     "${module_directory}/SettingsFromMapper.cxx"
     "${module_directory}/vtkTemporalCoherenceDropInMapper.cxx"
+    "${module_directory}/vtkTemporalCoherenceGPUVolumeRayCastMapper.cxx"
+    "${module_directory}/vtkTemporalCoherenceObjectFactory.cxx"
     "${module_directory}/vtkTemporalCoherencePicker.cxx"
     "${module_directory}/vtkTemporalCoherenceVolume.cxx"
     "${module_directory}/vtkTemporalCoherenceVolumeMapper.cxx"
@@ -113,6 +116,8 @@ vtk_module_add_module(VTK::TemporalCoherence
     "${module_directory}/vtkTemporalCoherenceCompatibility.h"
   HEADERS
     "${module_directory}/vtkTemporalCoherenceDropInMapper.h"
+    "${module_directory}/vtkTemporalCoherenceGPUVolumeRayCastMapper.h"
+    "${module_directory}/vtkTemporalCoherenceObjectFactory.h"
     "${module_directory}/vtkTemporalCoherencePicker.h"
     "${module_directory}/vtkTemporalCoherenceVolume.h"
     "${module_directory}/vtkTemporalCoherenceVolumeMapper.h")

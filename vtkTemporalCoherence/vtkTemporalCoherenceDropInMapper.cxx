@@ -2,16 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTemporalCoherenceDropInMapper.h"
 
-#include "vtkAutoInit.h"
 #include "vtkDataSet.h"
 #include "vtkImageData.h"
 #include "vtkMultiThreader.h"
 
 #include <algorithm>
-
-// The superclass asks for a vtkGPUInfoList when it is constructed. That class comes from this
-// module, which a program that draws nothing has no reason to initialise.
-VTK_MODULE_INIT(vtkRenderingOpenGL2)
 
 VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------

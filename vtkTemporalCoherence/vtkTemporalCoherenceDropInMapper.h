@@ -88,11 +88,14 @@ public:
    * VTK_RESLICE_LINEAR or VTK_RESLICE_CUBIC (default); and whether it does so (LowResMode, default
    * 0). Without effect: no volume is made smaller.
    */
-  vtkSetClampMacro(InterpolationMode, int, 0, 3);
+  vtkSetClampMacro(InterpolationMode, int, VTK_NEAREST_INTERPOLATION, VTK_CUBIC_INTERPOLATION);
   vtkGetMacro(InterpolationMode, int);
-  void SetInterpolationModeToNearestNeighbor() { this->SetInterpolationMode(0); }
-  void SetInterpolationModeToLinear() { this->SetInterpolationMode(1); }
-  void SetInterpolationModeToCubic() { this->SetInterpolationMode(3); }
+  void SetInterpolationModeToNearestNeighbor()
+  {
+    this->SetInterpolationMode(VTK_NEAREST_INTERPOLATION);
+  }
+  void SetInterpolationModeToLinear() { this->SetInterpolationMode(VTK_LINEAR_INTERPOLATION); }
+  void SetInterpolationModeToCubic() { this->SetInterpolationMode(VTK_CUBIC_INTERPOLATION); }
   enum LowResModeType
   {
     LowResModeDisabled = 0,
@@ -207,7 +210,7 @@ private:
   void operator=(const vtkTemporalCoherenceDropInMapper&) = delete;
 
   int RequestedRenderMode = DefaultRenderMode;
-  int InterpolationMode = 3;
+  int InterpolationMode = VTK_CUBIC_INTERPOLATION;
   int LowResMode = LowResModeDisabled;
   double InteractiveUpdateRate = 1.0;
   vtkTypeBool InteractiveAdjustSampleDistances = 1;

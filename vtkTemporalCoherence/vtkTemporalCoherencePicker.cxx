@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTemporalCoherencePicker.h"
 
+#include "vtkTemporalCoherenceGPUVolumeRayCastMapper.h"
 #include "vtkTemporalCoherenceVolumeMapper.h"
 
 #include "vtkDataArray.h"
@@ -25,6 +26,16 @@ vtkStandardNewMacro(vtkTemporalCoherencePicker);
 
 namespace
 {
+
+/// The mapper of isosurfaces that a mapper is or holds; null if it shows something else.
+vtkTemporalCoherenceVolumeMapper* SurfacesOf(vtkAbstractVolumeMapper* mapper)
+{
+  if (auto* holder = vtkTemporalCoherenceGPUVolumeRayCastMapper::SafeDownCast(mapper))
+  {
+    return holder->GetDrewIsosurfaces() ? holder->GetIsosurfaceMapper() : nullptr;
+  }
+  return vtkTemporalCoherenceVolumeMapper::SafeDownCast(mapper);
+}
 
 vtkVolumeProperty* PropertyOf(vtkProp3D* prop)
 {
@@ -76,7 +87,7 @@ void vtkTemporalCoherencePicker::ResetPickInfo()
 double vtkTemporalCoherencePicker::IntersectVolumeWithLine(const double p1[3], const double p2[3],
   double t1, double t2, vtkProp3D* prop, vtkAbstractVolumeMapper* mapper)
 {
-  auto* surfaces = vtkTemporalCoherenceVolumeMapper::SafeDownCast(mapper);
+  vtkTemporalCoherenceVolumeMapper* const surfaces = SurfacesOf(mapper);
   const bool picksCropping = surfaces && this->PickCroppingPlanes && surfaces->GetCropping();
   vtkVolumeProperty* property = surfaces ? PropertyOf(prop) : nullptr;
   if (!property || picksCropping)

@@ -234,6 +234,21 @@ bool vtkTemporalCoherenceVolumeMapper::RenderFrame(vtkRenderer* renderer, vtkVol
 }
 
 //------------------------------------------------------------------------------
+/// What the error of a frame for a window would be; empty if it can be made.
+std::string vtkTemporalCoherenceVolumeMapper::WhyRefused(vtkRenderer* renderer, vtkVolume* volume)
+{
+  std::string error;
+  if (!this->Internal->IsBusy) // else Render() tells
+  {
+    const glm::ivec2 size = glm::max(TemporalCoherence::PictureSizeOf(renderer), 1);
+    TemporalCoherence::FrameRequest request;
+    this->Internal->Requests.Make(this, TemporalCoherence::SettingsOf(this), volume,
+      { renderer, size, renderer->GetTiledAspectRatio() }, request, error);
+  }
+  return error;
+}
+
+//------------------------------------------------------------------------------
 /// True, with an error, if a frame or an isomap is being made: what it is made with must stay.
 bool vtkTemporalCoherenceVolumeMapper::IsBusy(const char* method)
 {

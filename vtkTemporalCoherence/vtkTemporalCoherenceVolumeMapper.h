@@ -571,6 +571,10 @@ private:
   vtkTemporalCoherenceVolumeMapper(const vtkTemporalCoherenceVolumeMapper&) = delete;
   void operator=(const vtkTemporalCoherenceVolumeMapper&) = delete;
 
+  // Asks before it draws whether a frame would be refused.
+  friend class vtkTemporalCoherenceGPUVolumeRayCastMapper;
+  std::string WhyRefused(vtkRenderer* renderer, vtkVolume* volume);
+
   bool RenderFrame(vtkRenderer* renderer, vtkVolume* volume, int width, int height, double aspect,
     vtkRenderWindow* window);
   bool IsBusy(const char* method);

@@ -89,7 +89,7 @@ set(python_build_directory "${CMAKE_BINARY_DIR}/python")
 set_target_properties(vtkTemporalCoherencePython PROPERTIES
   LIBRARY_OUTPUT_DIRECTORY "${python_build_directory}/vtkTemporalCoherence")
 
-foreach (file IN ITEMS __init__.py mapper_support.py numpy_support.py)
+foreach (file IN ITEMS __init__.py everywhere.py mapper_support.py numpy_support.py)
   configure_file("${CMAKE_CURRENT_LIST_DIR}/vtkTemporalCoherence/${file}"
     "${python_build_directory}/vtkTemporalCoherence/${file}" COPYONLY)
   install(

@@ -9,10 +9,14 @@ import unittest
 import vtkTemporalCoherence
 from vtkmodules.vtkRenderingVolume import vtkVolumeMapper
 from vtkTemporalCoherence import (
-    vtkTemporalCoherencePicker, vtkTemporalCoherenceVolume, vtkTemporalCoherenceVolumeMapper)
+    vtkTemporalCoherenceDropInMapper, vtkTemporalCoherenceGPUVolumeRayCastMapper,
+    vtkTemporalCoherenceObjectFactory, vtkTemporalCoherencePicker, vtkTemporalCoherenceVolume,
+    vtkTemporalCoherenceVolumeMapper)
 
 CLASSES = (
-    vtkTemporalCoherencePicker, vtkTemporalCoherenceVolume, vtkTemporalCoherenceVolumeMapper)
+    vtkTemporalCoherenceDropInMapper, vtkTemporalCoherenceGPUVolumeRayCastMapper,
+    vtkTemporalCoherenceObjectFactory, vtkTemporalCoherencePicker, vtkTemporalCoherenceVolume,
+    vtkTemporalCoherenceVolumeMapper)
 
 # Set...To..., the value that Get... returns then, and the constant of that value.
 CHOICES = {

@@ -44,7 +44,7 @@ bool InputFromMapper::Find(vtkVolumeMapper* mapper, vtkVolumeProperty* property,
     error = "Blend mode " + std::to_string(mapper->GetBlendMode()) +
       " is not supported, only isosurfaces are; call SetBlendModeToIsoSurface(), or take "
       "vtkGPUVolumeRayCastMapper, which draws the others, and isosurfaces by this mapper after "
-      "vtkTemporalCoherenceObjectFactory::Register().";
+      "vtkTemporalCoherenceObjectFactory::UseEverywhere().";
     return false;
   }
   try

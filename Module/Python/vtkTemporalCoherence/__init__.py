@@ -8,6 +8,7 @@
 The mapper goes into a vtkVolume as any other and draws the isosurfaces of
 volume.GetProperty().GetIsoSurfaceValues(); help(vtkTemporalCoherenceVolumeMapper) tells the rest.
 
+    use_everywhere         let it draw the isosurfaces of VTK's own mappers, made from now on
     replace_mapper         put it into a vtkVolume that has another mapper
     numpy_to_image         a volume from a NumPy array
     render                 a picture as NumPy arrays, without a window or display
@@ -30,8 +31,12 @@ import vtkmodules.vtkCommonDataModel  # noqa: F401
 import vtkmodules.vtkCommonMisc  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 
+from .everywhere import use_everywhere
 from .mapper_support import replace_mapper
 from .vtkTemporalCoherence import (
+    vtkTemporalCoherenceDropInMapper,
+    vtkTemporalCoherenceGPUVolumeRayCastMapper,
+    vtkTemporalCoherenceObjectFactory,
     vtkTemporalCoherencePicker,
     vtkTemporalCoherenceVolume,
     vtkTemporalCoherenceVolumeMapper,
@@ -41,6 +46,10 @@ _OF_NUMPY_SUPPORT = ("Planes", "numpy_to_image", "planes", "render", "write_png"
 
 __all__ = [
     "replace_mapper",
+    "use_everywhere",
+    "vtkTemporalCoherenceDropInMapper",
+    "vtkTemporalCoherenceGPUVolumeRayCastMapper",
+    "vtkTemporalCoherenceObjectFactory",
     "vtkTemporalCoherencePicker",
     "vtkTemporalCoherenceVolume",
     "vtkTemporalCoherenceVolumeMapper",

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "GpuMapperSettings.h"
+
+#include "vtkTemporalCoherenceVolumeMapper.h"
+
+#include <vtkAlgorithmOutput.h>
+#include <vtkMultiVolume.h>
+#include <vtkPlaneCollection.h>
+#include <vtkShaderProperty.h>
+#include <vtkVolume.h>
+#include <vtkVolumeProperty.h>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+bool HasShaders(vtkVolume* volume)
+{
+  vtkShaderProperty* shaders = volume->GetShaderProperty();
+  return shaders->HasVertexShaderCode() || shaders->HasFragmentShaderCode() ||
+    shaders->HasGeometryShaderCode() || shaders->GetNumberOfShaderReplacements() > 0;
+}
+
+bool HasSeveralInputs(vtkGPUVolumeRayCastMapper* mapper)
+{
+  for (int port = 1; port < mapper->GetNumberOfInputPorts(); ++port)
+  {
+    if (mapper->GetNumberOfInputConnections(port) > 0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// True if light is scattered, or if the gradient of the opacity makes normals.
+bool IsCloudy(vtkGPUVolumeRayCastMapper* mapper)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
+  return mapper->GetGlobalIlluminationReach() > 0.0f ||
+    mapper->GetVolumetricScatteringBlending() > 0.0f || mapper->GetComputeNormalFromOpacity();
+#else
+  static_cast<void>(mapper);
+  return false;
+#endif
+}
+
+void HandOverScalarChoice(vtkGPUVolumeRayCastMapper* from, vtkTemporalCoherenceVolumeMapper* to)
+{
+  to->SetScalarMode(from->GetScalarMode());
+  if (from->GetArrayAccessMode() == VTK_GET_ARRAY_BY_NAME)
+  {
+    to->SelectScalarArray(from->GetArrayName());
+  }
+  else
+  {
+    to->SelectScalarArray(from->GetArrayId());
+  }
+}
+
+}
+
+std::string WhyNotIsosurfaces(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* volume)
+{
+  if (mapper->GetBlendMode() != vtkVolumeMapper::ISOSURFACE_BLEND)
+  {
+    return "the blend mode is not ISOSURFACE_BLEND";
+  }
+  if (vtkMultiVolume::SafeDownCast(volume) || HasSeveralInputs(mapper))
+  {
+    return "there are several inputs";
+  }
+  if (mapper->GetMaskInput())
+  {
+    return "there is a mask";
+  }
+  if (volume->GetProperty()->GetTransferFunctionMode() != vtkVolumeProperty::TF_1D)
+  {
+    return "transfer functions have two dimensions";
+  }
+  if (HasShaders(volume))
+  {
+    return "the volume has shaders of the user's";
+  }
+  if (mapper->GetFinalColorWindow() != 1.0f || mapper->GetFinalColorLevel() != 0.5f)
+  {
+    return "FinalColorWindow or FinalColorLevel is set";
+  }
+  if (mapper->GetImageSampleDistance() < 1.0f)
+  {
+    return "ImageSampleDistance is below 1";
+  }
+  if (IsCloudy(mapper))
+  {
+    return "light is scattered, or normals are those of the opacity";
+  }
+  if (mapper->GetRenderToImage())
+  {
+    return "RenderToImage is on";
+  }
+  return std::string();
+}
+
+void HandOver(vtkGPUVolumeRayCastMapper* from, vtkTemporalCoherenceVolumeMapper* to)
+{
+  vtkAlgorithmOutput* const input =
+    from->GetNumberOfInputConnections(0) > 0 ? from->GetInputConnection(0, 0) : nullptr;
+  vtkAlgorithmOutput* const last =
+    to->GetNumberOfInputConnections(0) > 0 ? to->GetInputConnection(0, 0) : nullptr;
+  if (input != last)
+  {
+    to->SetInputConnection(input);
+  }
+  HandOverScalarChoice(from, to);
+  to->SetClippingPlanes(from->GetClippingPlanes());
+  to->SetCropping(from->GetCropping());
+  to->SetCroppingRegionPlanes(from->GetCroppingRegionPlanes());
+  to->SetCroppingRegionFlags(from->GetCroppingRegionFlags());
+  to->SetBlendMode(from->GetBlendMode());
+  to->SetAutoAdjustSampleDistances(from->GetAutoAdjustSampleDistances());
+  to->SetMinimumImageSampleDistance(from->GetMinimumImageSampleDistance());
+  to->SetMaximumImageSampleDistance(from->GetMaximumImageSampleDistance());
+  if (!from->GetAutoAdjustSampleDistances())
+  {
+    to->SetImageSampleDistance(from->GetImageSampleDistance());
+  }
+}
+
+}

@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTemporalCoherenceGPUVolumeRayCastMapper.h"
+
+#include "GpuMapperSettings.h"
+#include "vtkTemporalCoherenceVolumeMapper.h"
+
+#include "vtkCommand.h"
+#include "vtkEventForwarderCommand.h"
+#include "vtkLogger.h"
+#include "vtkObjectFactory.h"
+#include "vtkVolume.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <mutex>
+
+VTK_ABI_NAMESPACE_BEGIN
+vtkStandardNewMacro(vtkTemporalCoherenceGPUVolumeRayCastMapper);
+
+namespace
+{
+
+/// False if the user's environment says so.
+bool IsAllowedByEnvironment()
+{
+  const char* const value = std::getenv("VTK_TEMPORAL_COHERENCE");
+  std::string word = value ? value : "";
+  std::transform(word.begin(), word.end(), word.begin(),
+    [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return word != "OFF" && word != "NO" && word != "FALSE" && word != "0";
+}
+
+/// Write a line into VTK's log, unless it is the last that was written: a volume of many blocks has
+/// a mapper for each.
+void LogOnce(const std::string& line)
+{
+  static std::mutex guard;
+  static std::string last;
+  const std::lock_guard<std::mutex> lock(guard);
+  if (line != last)
+  {
+    last = line;
+    vtkLog(INFO, << line);
+  }
+}
+
+}
+
+//------------------------------------------------------------------------------
+vtkTemporalCoherenceGPUVolumeRayCastMapper::vtkTemporalCoherenceGPUVolumeRayCastMapper()
+  : TemporalCoherence(IsAllowedByEnvironment())
+{
+  this->Forwarder->SetTarget(this);
+  this->Isosurfaces->AddObserver(vtkCommand::VolumeMapperRenderStartEvent, this->Forwarder);
+  this->Isosurfaces->AddObserver(vtkCommand::VolumeMapperRenderEndEvent, this->Forwarder);
+}
+
+//------------------------------------------------------------------------------
+vtkTemporalCoherenceGPUVolumeRayCastMapper::~vtkTemporalCoherenceGPUVolumeRayCastMapper()
+{
+  // Others may hold the mapper for longer.
+  this->Isosurfaces->RemoveObserver(this->Forwarder);
+  this->Forwarder->SetTarget(nullptr);
+}
+
+//------------------------------------------------------------------------------
+vtkTemporalCoherenceVolumeMapper* vtkTemporalCoherenceGPUVolumeRayCastMapper::GetIsosurfaceMapper()
+{
+  return this->Isosurfaces;
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherenceGPUVolumeRayCastMapper::GetReductionRatio(double ratio[3])
+{
+  if (this->TemporalCoherence && this->BlendMode == ISOSURFACE_BLEND)
+  {
+    std::fill_n(ratio, 3, 1.0);
+    return;
+  }
+  this->Superclass::GetReductionRatio(ratio);
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherenceGPUVolumeRayCastMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
+{
+  const std::string why = this->WhySuperclassDraws(renderer, volume);
+  if (why.empty())
+  {
+    this->TellWhoDraws(Drawer::Isosurfaces, "the blend mode is ISOSURFACE_BLEND");
+    this->Isosurfaces->Render(renderer, volume);
+    this->TimeToDraw = this->Isosurfaces->GetTimeToDraw();
+    return;
+  }
+  this->TellWhoDraws(Drawer::Superclass, why);
+  // It adjusts its samples by what its own last frame took.
+  this->TimeToDraw = this->SuperclassTimeToDraw;
+  this->Superclass::Render(renderer, volume);
+  this->SuperclassTimeToDraw = this->TimeToDraw;
+}
+
+//------------------------------------------------------------------------------
+/// Empty if the superclass does not draw: then the mapper of isosurfaces is ready to.
+std::string vtkTemporalCoherenceGPUVolumeRayCastMapper::WhySuperclassDraws(
+  vtkRenderer* renderer, vtkVolume* volume)
+{
+  if (!this->TemporalCoherence)
+  {
+    return "TemporalCoherence is off";
+  }
+  if (!renderer || !volume || this->GeneratingCanonicalView)
+  {
+    return "the call is no frame of a window";
+  }
+  const std::string why = TemporalCoherence::WhyNotIsosurfaces(this, volume);
+  if (!why.empty())
+  {
+    return why;
+  }
+  this->PrepareIsosurfaces();
+  return this->Isosurfaces->WhyRefused(renderer, volume);
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherenceGPUVolumeRayCastMapper::PrepareIsosurfaces()
+{
+  if (this->GetNumberOfInputConnections(0) > 0)
+  {
+    this->GetInputAlgorithm(0, 0)->Update();
+  }
+  TemporalCoherence::HandOver(this, this->Isosurfaces);
+  this->ForwardEvents();
+}
+
+//------------------------------------------------------------------------------
+/// Events that somebody's observing changes what is done are forwarded only where somebody does.
+void vtkTemporalCoherenceGPUVolumeRayCastMapper::ForwardEvents()
+{
+  for (const unsigned long event : { vtkCommand::VolumeMapperRenderProgressEvent,
+         vtkCommand::ErrorEvent, vtkCommand::WarningEvent })
+  {
+    const bool isWanted = this->HasObserver(event) != 0;
+    const bool isForwarded = this->Isosurfaces->HasObserver(event, this->Forwarder) != 0;
+    if (isWanted && !isForwarded)
+    {
+      this->Isosurfaces->AddObserver(event, this->Forwarder);
+    }
+    else if (!isWanted && isForwarded)
+    {
+      this->Isosurfaces->RemoveObservers(event, this->Forwarder);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherenceGPUVolumeRayCastMapper::TellWhoDraws(
+  Drawer drawer, const std::string& reason)
+{
+  this->Reason = reason;
+  if (this->DrawnBy != drawer)
+  {
+    this->DrawnBy = drawer;
+    const char* const name = drawer == Drawer::Isosurfaces ? "vtkTemporalCoherenceVolumeMapper"
+                                                           : "vtkOpenGLGPUVolumeRayCastMapper";
+    LogOnce(std::string("A volume is drawn by ") + name + ", since " + reason);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherenceGPUVolumeRayCastMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Isosurfaces->ReleaseGraphicsResources(window);
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherenceGPUVolumeRayCastMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const char* const names[] = { "(none)", "vtkTemporalCoherenceVolumeMapper",
+    "vtkOpenGLGPUVolumeRayCastMapper" };
+  os << indent << "TemporalCoherence: " << this->TemporalCoherence << endl;
+  os << indent << "Drawn by: " << names[static_cast<int>(this->DrawnBy)] << endl;
+  os << indent << "Since: " << this->Reason << endl;
+  os << indent << "Isosurface mapper:" << endl;
+  this->Isosurfaces->PrintSelf(os, indent.GetNextIndent());
+}
+VTK_ABI_NAMESPACE_END

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTemporalCoherenceObjectFactory.h"
+
+#include "vtkTemporalCoherenceGPUVolumeRayCastMapper.h"
+
+#include "vtkNew.h"
+#include "vtkObjectFactoryCollection.h"
+#include "vtkSmartPointer.h"
+#include "vtkVersion.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+vtkStandardNewMacro(vtkTemporalCoherenceObjectFactory);
+
+namespace
+{
+
+VTK_CREATE_CREATE_FUNCTION(vtkTemporalCoherenceGPUVolumeRayCastMapper)
+
+vtkTemporalCoherenceObjectFactory* FindRegistered()
+{
+  vtkObjectFactoryCollection* factories = vtkObjectFactory::GetRegisteredFactories();
+  for (int i = 0; i < factories->GetNumberOfItems(); ++i)
+  {
+    if (auto* factory =
+          vtkTemporalCoherenceObjectFactory::SafeDownCast(factories->GetItemAsObject(i)))
+    {
+      return factory;
+    }
+  }
+  return nullptr;
+}
+
+}
+
+//------------------------------------------------------------------------------
+vtkTemporalCoherenceObjectFactory::vtkTemporalCoherenceObjectFactory()
+{
+  this->RegisterOverride("vtkGPUVolumeRayCastMapper", "vtkTemporalCoherenceGPUVolumeRayCastMapper",
+    "Isosurfaces by temporal coherence, everything else by OpenGL", 1,
+    vtkObjectFactoryCreatevtkTemporalCoherenceGPUVolumeRayCastMapper);
+}
+
+//------------------------------------------------------------------------------
+vtkTemporalCoherenceObjectFactory::~vtkTemporalCoherenceObjectFactory() = default;
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherenceObjectFactory::UseEverywhere()
+{
+  if (IsUsed())
+  {
+    return;
+  }
+  vtkNew<vtkTemporalCoherenceObjectFactory> factory;
+  vtkObjectFactory::RegisterFactory(factory);
+  // The first that has an override is the one that is asked, and VTK's own is registered already.
+  vtkObjectFactoryCollection* factories = vtkObjectFactory::GetRegisteredFactories();
+  if (factories->GetNumberOfItems() > 1) // nothing can be inserted into an empty list
+  {
+    factories->RemoveItem(factory);
+    factories->InsertItem(-1, factory);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherenceObjectFactory::UseNowhere()
+{
+  while (vtkTemporalCoherenceObjectFactory* factory = FindRegistered())
+  {
+    vtkObjectFactory::UnRegisterFactory(factory);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkTemporalCoherenceObjectFactory::IsUsed()
+{
+  return FindRegistered() != nullptr;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkTemporalCoherenceObjectFactory::GetVTKSourceVersion() VTK_FUTURE_CONST
+{
+  return VTK_SOURCE_VERSION;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkTemporalCoherenceObjectFactory::GetDescription() VTK_FUTURE_CONST
+{
+  return "vtkTemporalCoherence: isosurfaces of volumes that re-use the last frame";
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherenceObjectFactory::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}
+VTK_ABI_NAMESPACE_END

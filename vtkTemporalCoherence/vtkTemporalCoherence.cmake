@@ -62,6 +62,7 @@ set(bridge_files
   ImageLattice
   ImageOfGrid
   InputFromMapper
+  IsovalueCheck
   LayerCut
   LightsFromRenderer
   MapperFrames

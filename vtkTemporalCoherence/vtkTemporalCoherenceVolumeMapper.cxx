@@ -222,6 +222,10 @@ bool vtkTemporalCoherenceVolumeMapper::RenderFrame(vtkRenderer* renderer, vtkVol
     if (isMade)
     {
       this->WarnOfIsomapLimit(internal.Frames.IsIsomapTooLarge());
+      if (this->WarnOfIsovalues)
+      {
+        this->Warn(internal.CheckIsovalues({ this, volume, renderer }, request.Key));
+      }
       internal.LastError.clear();
     }
   }
@@ -476,6 +480,16 @@ void vtkTemporalCoherenceVolumeMapper::WarnOfIsomapLimit(bool isTooLarge)
     << this->IsomapMemoryLimit
     << " MiB): what was used least is built again when it is needed. Raise the limit, or set a "
        "narrower IsomapRange or a larger IsomapTolerance.");
+}
+
+//------------------------------------------------------------------------------
+/// Say a warning, if there is one.
+void vtkTemporalCoherenceVolumeMapper::Warn(const std::string& warning)
+{
+  if (!warning.empty())
+  {
+    vtkWarningMacro(<< warning);
+  }
 }
 
 //------------------------------------------------------------------------------

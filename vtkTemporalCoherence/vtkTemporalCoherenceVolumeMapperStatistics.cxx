@@ -128,6 +128,7 @@ void vtkTemporalCoherenceVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MinimumImageSampleDistance: " << this->MinimumImageSampleDistance << endl;
   os << indent << "MaximumImageSampleDistance: " << this->MaximumImageSampleDistance << endl;
   os << indent << "AutoAdjustSampleDistances: " << this->AutoAdjustSampleDistances << endl;
+  os << indent << "WarnOfIsovalues: " << this->WarnOfIsovalues << endl;
   os << indent << "Route: " << this->GetRouteAsString() << endl;
 }
 VTK_ABI_NAMESPACE_END

@@ -13,10 +13,27 @@
 
 namespace TemporalCoherence
 {
+namespace
+{
+
+/// A vtkMultiVolume has a property and a transform for each input of its mapper, and may have none
+/// of its own.
+bool IsOfSeveral(vtkVolume* volume)
+{
+  return volume->IsA("vtkMultiVolume") != 0;
+}
+
+}
 
 bool RequestFromMapper::Make(vtkVolumeMapper* mapper, const PictureSettings& settings,
   vtkVolume* volume, const FrameSight& sight, FrameRequest& request, std::string& error)
 {
+  if (IsOfSeveral(volume))
+  {
+    error = "A vtkMultiVolume cannot be drawn by this mapper; give each volume a vtkVolume and a "
+            "mapper of its own in the same renderer, where they hide one another by their depths.";
+    return false;
+  }
   vtkVolumeProperty* property = volume->GetProperty();
   FrameKey& key = request.Key;
   MapperInput input;
@@ -90,6 +107,10 @@ bool RequestFromMapper::MakeScene(vtkVolumeMapper* mapper, vtkVolume* volume,
 bool RequestFromMapper::IsOpaque(
   vtkVolumeMapper* mapper, const PictureSettings& settings, vtkVolume* volume)
 {
+  if (IsOfSeveral(volume))
+  {
+    return true; // nothing is shown
+  }
   MapperInput input;
   std::string error; // the next frame tells of it
   this->Input.Find(mapper, volume->GetProperty(), settings.Vectors, input, error);

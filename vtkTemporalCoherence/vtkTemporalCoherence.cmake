@@ -68,6 +68,9 @@ set(bridge_files
   MapperFrames
   MergedBlocks
   PassOutput
+  PeeledLayers
+  PeelingPass
+  PeelPresenter
   PicturePresenter
   PixelHit
   PointsFromFrame

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTemporalCoherenceVolumeMapper.h"
 
+#include "PeelingPass.h"
 #include "SettingsFromMapper.h"
 #include "Stopwatch.h"
 #include "ViewFromRenderer.h"
@@ -137,6 +138,15 @@ void vtkTemporalCoherenceVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* 
   if (!renderer || !volume)
   {
     this->ReportOnce("Render needs a renderer and a volume; one of them is null.");
+    return;
+  }
+  if (TemporalCoherence::IsPeeledAgain(volume))
+  {
+    // The picture is made; the next slab of it is drawn.
+    std::string error;
+    this->Internal->Frames.Present(
+      renderer, volume, TemporalCoherence::PictureSizeOf(renderer), this->GetInput(), error);
+    this->ReportOnce(error);
     return;
   }
   this->TellStart();

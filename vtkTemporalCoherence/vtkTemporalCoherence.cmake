@@ -63,11 +63,15 @@ set(bridge_files
   ImageLattice
   ImageOfGrid
   InputFromMapper
+  IsovalueCheck
   LayerCut
   LightsFromRenderer
   MapperFrames
   MergedBlocks
   PassOutput
+  PeeledLayers
+  PeelingPass
+  PeelPresenter
   PicturePresenter
   PixelHit
   PointsFromFrame

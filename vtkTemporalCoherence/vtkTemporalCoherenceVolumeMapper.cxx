@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTemporalCoherenceVolumeMapper.h"
 
+#include "PeelingPass.h"
 #include "SettingsFromMapper.h"
 #include "Stopwatch.h"
 #include "ViewFromRenderer.h"
@@ -140,6 +141,15 @@ void vtkTemporalCoherenceVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* 
     this->ReportOnce("Render needs a renderer and a volume; one of them is null.");
     return;
   }
+  if (TemporalCoherence::IsPeeledAgain(volume))
+  {
+    // The picture is made; the next slab of it is drawn.
+    std::string error;
+    this->Internal->Frames.Present(
+      renderer, volume, TemporalCoherence::PictureSizeOf(renderer), this->GetInput(), error);
+    this->ReportOnce(error);
+    return;
+  }
   this->TellStart();
   this->TimeToDraw = 0.0;
   bool isMade = false;
@@ -226,6 +236,10 @@ bool vtkTemporalCoherenceVolumeMapper::RenderFrame(vtkRenderer* renderer, vtkVol
     if (isMade)
     {
       this->WarnOfIsomapLimit(internal.Frames.IsIsomapTooLarge());
+      if (this->WarnOfIsovalues)
+      {
+        this->Warn(internal.CheckIsovalues({ this, volume, renderer }, request.Key));
+      }
       internal.LastError.clear();
     }
   }
@@ -512,6 +526,16 @@ void vtkTemporalCoherenceVolumeMapper::WarnOfIsomapLimit(bool isTooLarge)
     << this->IsomapMemoryLimit
     << " MiB): what was used least is built again when it is needed. Raise the limit, or set a "
        "narrower IsomapRange or a larger IsomapTolerance.");
+}
+
+//------------------------------------------------------------------------------
+/// Say a warning, if there is one.
+void vtkTemporalCoherenceVolumeMapper::Warn(const std::string& warning)
+{
+  if (!warning.empty())
+  {
+    vtkWarningMacro(<< warning);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -381,6 +381,19 @@ public:
   void SetMaximumImageSampleDistance(float pixels) override;
   //@}
 
+  //@{
+  /**
+   * Warn, once until it is cured, where all isovalues lie outside the range of the samples, so that
+   * there is nothing to see: as with the one isovalue of 0 that a new property has. There is no
+   * warning where the mapper draws a part of a volume, as far as it can know: a piece of what the
+   * pipeline has, an image with duplicate cells or points, a block, or one of several volumes with
+   * the same property. Default: on.
+   */
+  vtkSetClampMacro(WarnOfIsovalues, vtkTypeBool, 0, 1);
+  vtkGetMacro(WarnOfIsovalues, vtkTypeBool);
+  vtkBooleanMacro(WarnOfIsovalues, vtkTypeBool);
+  //@}
+
   /**
    * Build the isomap of the present view ahead of the first new isovalue: IsomapRange if it holds
    * the isovalues, else a band around each. The view is that of the renderer's window; without a
@@ -582,6 +595,7 @@ private:
   bool RenderForWindow(vtkRenderer* renderer, vtkVolume* volume, int width, int height);
   void ReportOnce(const std::string& error);
   void WarnOfIsomapLimit(bool isTooLarge);
+  void Warn(const std::string& warning);
   template <typename T>
   void SetWithin(const char* name, T value, double low, double high, T& setting);
 
@@ -602,6 +616,7 @@ private:
   double IsomapRange[2] = { 1.0, 0.0 };
   int IsomapMemoryLimit = 256;
   int IsomapShading = RESHADE;
+  vtkTypeBool WarnOfIsovalues = 1;
 
   struct Internals;
   std::unique_ptr<Internals> Internal;

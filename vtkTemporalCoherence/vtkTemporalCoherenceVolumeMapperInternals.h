@@ -3,6 +3,7 @@
 #ifndef vtkTemporalCoherenceVolumeMapperInternals_h
 #define vtkTemporalCoherenceVolumeMapperInternals_h
 
+#include "IsovalueCheck.h"
 #include "MapperFrames.h"
 #include "RequestFromMapper.h"
 #include "SampleDistance.h"
@@ -17,9 +18,18 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
   TemporalCoherence::RequestFromMapper Requests;
   TemporalCoherence::MapperFrames Frames;
   TemporalCoherence::SampleDistanceChooser Distances;
+  TemporalCoherence::IsovalueCheck Isovalues;
   std::string LastError;  ///< reported already; empty after a frame without error
   bool HasWarned = false; ///< of the limit of memory
   bool IsBusy = false;    ///< observers of a frame that is being made may call anything
+
+  /// What is to be told of the isovalues of the last frame; or nothing.
+  std::string CheckIsovalues(
+    const TemporalCoherence::DrawnVolume& drawn, const TemporalCoherence::FrameKey& key)
+  {
+    return key.Samples.HasCells() ? this->Isovalues.Check(drawn, key, this->Frames.LastRanges())
+                                  : std::string();
+  }
 
   /// Remember what rays take, if the last frame had any traced or looked up.
   void Learn(double allowed)

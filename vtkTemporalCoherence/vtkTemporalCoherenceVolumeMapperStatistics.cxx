@@ -124,6 +124,7 @@ void vtkTemporalCoherenceVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "IsomapRange: " << this->IsomapRange[0] << ", " << this->IsomapRange[1] << endl;
   os << indent << "IsomapMemoryLimit: " << this->IsomapMemoryLimit << endl;
   os << indent << "IsomapShading: " << this->IsomapShading << endl;
+  os << indent << "WarnOfIsovalues: " << this->WarnOfIsovalues << endl;
   os << indent << "Route: " << this->GetRouteAsString() << endl;
 }
 VTK_ABI_NAMESPACE_END

@@ -198,9 +198,9 @@ void BruteForceField::FindHidden(vtkDataSet* data, bool areSamplesCells)
       for (int i = 0; i < this->Dimensions[0] - 1; ++i, ++cell)
       {
         const int flag = ofCells ? static_cast<int>(ofCells->GetComponent(cell, 0)) : 0;
-        const int notOfThisPiece = areSamplesCells ? 0 : Attributes::DUPLICATECELL;
-        bool isHidden =
-          (flag & (Attributes::HIDDENCELL | Attributes::REFINEDCELL | notOfThisPiece)) != 0;
+        constexpr int hiding =
+          Attributes::HIDDENCELL | Attributes::REFINEDCELL | Attributes::DUPLICATECELL;
+        bool isHidden = (flag & hiding) != 0;
         for (int corner = 0; corner < 8 && ofPoints; ++corner)
         {
           const vtkIdType row = (k + (corner >> 2)) * this->Dimensions[1] + j + (corner >> 1 & 1);

@@ -152,6 +152,20 @@ void TestDuplicates()
     tree->SetBlock(isFirst ? 1 : 0, high);
     ExpectSame("the owner's values", tree, whole);
   }
+
+  // Cells that only others own are not seen, whether samples are those of points or of cells.
+  const Extent foreign = { 0, 40, 0, 40, 16, 40 };
+  const Image alone = Part(whole, { 0, N - 1, 0, N - 1, 0, 20 });
+  vtkNew<vtkMultiBlockDataSet> tree;
+  tree->SetBlock(0, Marked(alone, foreign, vtkDataSetAttributes::DUPLICATECELL));
+  const Image hidden = Marked(alone, foreign, vtkDataSetAttributes::HIDDENCELL);
+  ExpectSame("points of duplicate cells", tree, hidden);
+  ExpectSame("scalars of duplicate cells", tree, hidden,
+    [](Scene& scene)
+    {
+      scene.Mapper->SetScalarModeToUseCellFieldData();
+      scene.Mapper->SelectScalarArray("of cells");
+    });
 }
 
 }

@@ -4,6 +4,7 @@
 // A mistake gets one error with its value and remedy, the last valid picture stays, nothing
 // crashes.
 
+#include "EventCounter.h"
 #include "Expect.h"
 #include "Mistake.h"
 #include "Scene.h"
@@ -16,6 +17,7 @@
 #include <vtkExecutive.h>
 #include <vtkFloatingPointExceptions.h>
 #include <vtkMatrix4x4.h>
+#include <vtkMultiVolume.h>
 #include <vtkOverlappingAMR.h>
 #include <vtkPiecewiseFunction.h>
 #include <vtkPointData.h>
@@ -256,6 +258,35 @@ void TestNullArguments()
   }
 }
 
+/// Several volumes in one prop are refused in one sentence, which tells how it is done.
+void TestMultiVolume()
+{
+  Scene scene(Ball(), { 130.0 });
+  scene.LookFrom(1.0, 2.0, 0.5);
+  Expect(scene.Render(60, 60), "before a vtkMultiVolume");
+  vtkNew<vtkMultiVolume> several;
+  several->SetMapper(scene.Mapper);
+  EventCounter errors(scene.Mapper, vtkCommand::ErrorEvent);
+  vtkNew<vtkTest::ErrorObserver> observer;
+  scene.Mapper->AddObserver(vtkCommand::ErrorEvent, observer);
+  for (const bool hasVolume : { false, true }) // without, it has no property either
+  {
+    several->SetVolume(hasVolume ? scene.Volume.Get() : nullptr, 0);
+    for (int i = 0; i < 2; ++i)
+    {
+      Expect(!scene.Mapper->RenderToImage(scene.Renderer, several, 60, 60, nullptr, nullptr),
+        "vtkMultiVolume: drawn");
+    }
+    Expect(scene.Mapper->IsOpaque(several), "vtkMultiVolume: nothing hides nothing");
+  }
+  Expect(errors.Count == 1, "vtkMultiVolume: " + std::to_string(errors.Count) + " errors");
+  const std::string message = observer->GetErrorMessage();
+  Expect(message.find("vtkMultiVolume") != std::string::npos &&
+      message.find("a vtkVolume and a mapper of its own") != std::string::npos,
+    "vtkMultiVolume: " + message);
+  Expect(scene.Render(60, 60), "after a vtkMultiVolume");
+}
+
 /// What is empty, but no mistake.
 void TestEmptyPictures()
 {
@@ -345,6 +376,7 @@ int TestErrors(int, char*[])
   TestGeometries();
   TestIsovalues();
   TestNullArguments();
+  TestMultiVolume();
   TestEmptyPictures();
   TestSettings();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;

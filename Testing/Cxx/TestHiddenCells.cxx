@@ -5,6 +5,7 @@
 
 #include "EventCounter.h"
 #include "Expect.h"
+#include "ExpectSame.h"
 #include "Ghosts.h"
 #include "RandomChanges.h"
 #include "Subject.h"
@@ -14,6 +15,7 @@
 #include <vtkCellData.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkPointData.h>
+#include <vtkPointDataToCellData.h>
 #include <vtkRTAnalyticSource.h>
 #include <vtkSMPTools.h>
 #include <vtkUniformGrid.h>
@@ -185,6 +187,65 @@ vtkSmartPointer<vtkImageData> BlankedGrid()
     }
   }
   return grid;
+}
+
+/// That of TestGPURayCastVolumeGhostArraysCellData.
+vtkSmartPointer<vtkImageData> CellsWithGhosts()
+{
+  vtkNew<vtkRTAnalyticSource> wavelet;
+  wavelet->SetWholeExtent(-31, 32, -31, 32, -31, 32);
+  wavelet->SetCenter(0.0, 0.0, 0.0);
+  vtkNew<vtkPointDataToCellData> toCells;
+  toCells->SetInputConnection(wavelet->GetOutputPort());
+  toCells->Update();
+  vtkSmartPointer<vtkImageData> image = toCells->GetImageDataOutput();
+  Ghosts::FlagCells(image,
+    [](int i, int j, int k)
+    {
+      const bool isInBlock = j >= 15 && j < 47 && i >= 21 && i < 42;
+      const int flag = i > 31 && k < 31 ? Attributes::DUPLICATECELL
+        : k > 31                        ? Attributes::REFINEDCELL
+                                        : Attributes::HIDDENCELL;
+      return isInBlock ? flag : 0;
+    });
+  Ghosts::FlagPoints(image,
+    [](int i, int j, int k)
+    {
+      const bool isInBlock = k < 31 && j >= 15 && j < 47 && i >= 48;
+      return isInBlock ? (j > 31 ? Attributes::DUPLICATEPOINT : Attributes::HIDDENPOINT) : 0;
+    });
+  return image;
+}
+
+/// Scalars of cells: what is another piece's is hidden as what is hidden itself.
+void TestDuplicateCells()
+{
+  const vtkSmartPointer<vtkImageData> image = CellsWithGhosts();
+  vtkNew<vtkImageData> hidden;
+  hidden->DeepCopy(image);
+  auto* flags = vtkUnsignedCharArray::SafeDownCast(
+    hidden->GetCellData()->GetArray(Attributes::GhostArrayName()));
+  for (vtkIdType i = 0; i < flags->GetNumberOfTuples(); ++i)
+  {
+    flags->SetValue(i, flags->GetValue(i) ? Attributes::HIDDENCELL : 0);
+  }
+  for (const int mode : { Mapper::CROSSING, Mapper::THRESHOLD })
+  {
+    for (const bool isNearest : { false, true })
+    {
+      const Subject subject = { "cells with ghosts", image, { 157.0, 100.0 }, mode, isNearest };
+      Scene scene(image, subject.Isovalues), reference(hidden, subject.Isovalues);
+      subject.Prepare(scene);
+      subject.Prepare(reference);
+      scene.LookFrom(0.1, -0.2, -1.0); // on the side with duplicates
+      BruteForceTracer truth(image, scene.Volume, 0, image->GetCellData()->GetScalars());
+      truth.Isovalues = subject.Isovalues;
+      truth.IsThreshold = mode == Mapper::THRESHOLD;
+      const std::string what = subject.Describe();
+      Expect(AgreesWithTruth(what, scene, truth, 90, 70), what);
+      ExpectSame(what + ", duplicate or hidden", scene, reference, 90);
+    }
+  }
 }
 
 void TestScenesOfVtk()
@@ -419,6 +480,7 @@ int TestHiddenCells(int, char*[])
 {
   TestCold();
   TestScenesOfVtk();
+  TestDuplicateCells();
   TestNormals();
   TestNothingHidden();
   TestChanges();

@@ -115,6 +115,8 @@ TEST_F(NotANumber, IsBelowEverything)
       EXPECT_EQ(leaves[1 + 4 + 16].Max, std::numeric_limits<float>::infinity());
       EXPECT_GE(pyramid.FiniteRange().x, 1.0);
       EXPECT_LE(pyramid.FiniteRange().y, 2.0);
+      EXPECT_EQ(pyramid.WholeRange().x, -std::numeric_limits<double>::infinity());
+      EXPECT_EQ(pyramid.WholeRange().y, std::numeric_limits<double>::infinity());
     });
 }
 

@@ -34,7 +34,7 @@ CONSTANTS = {
 }
 SWITCHES = {
     "ImageCache": 1, "Isomap": 1, "SpaceLeaping": 1, "RefineWhenStill": 1, "ColorByAnswer": 0,
-    "AutoAdjustSampleDistances": 0,
+    "AutoAdjustSampleDistances": 0, "WarnOfIsovalues": 1,
 }
 NUMBERS = {
     "KeyImageInterval": (7, 3), "NumberOfCachedImages": (1, 4), "IsomapTolerance": (0.0, 0.25),

@@ -68,6 +68,10 @@ public:
   /// std::bad_alloc
   glm::dvec2 FiniteRangeOf(const FrameKey& key);
 
+  /// The value ranges that the last frame was made with; not defined where it has no cells or no
+  /// isovalues.
+  const ValueRangePyramid& LastRanges() const { return this->Pyramid(); }
+
   /// The isomap of the view in which isovalues last changed.
   const Isomap& IsomapOfLastView() const { return this->Map.Built(); }
 

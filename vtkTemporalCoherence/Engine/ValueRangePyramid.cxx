@@ -51,6 +51,19 @@ bool IsFinite(const Range<T>& range)
     std::isfinite(static_cast<double>(range.Max));
 }
 
+/// The range of all samples of nodes.
+template <typename T>
+glm::dvec2 WholeRangeOf(const Range<T>* nodes, std::int64_t count)
+{
+  Range<T> all = ValueRangePyramid::Empty<T>();
+  for (std::int64_t node = 0; node < count; ++node)
+  {
+    all.Min = std::min(all.Min, nodes[node].Min);
+    all.Max = std::max(all.Max, nodes[node].Max);
+  }
+  return { static_cast<double>(all.Min), static_cast<double>(all.Max) };
+}
+
 /// The range of the finite samples of rows of nodes.
 /// \param first y and z of the first row
 /// \param size  nodes along x, and rows along y
@@ -105,6 +118,7 @@ void ValueRangePyramid::Build(const Field& field)
       this->Finite = finite.Min <= finite.Max
         ? glm::dvec2(static_cast<double>(finite.Min), static_cast<double>(finite.Max))
         : glm::dvec2(0.0);
+      this->Whole = WholeRangeOf(ofNodes, count);
     });
 }
 
@@ -112,7 +126,7 @@ void ValueRangePyramid::Release()
 {
   Room().swap(this->Bytes);
   this->Nodes = glm::ivec3(0);
-  this->Finite = glm::dvec2(0.0);
+  this->Finite = this->Whole = glm::dvec2(0.0);
 }
 
 }

@@ -91,6 +91,10 @@ public:
   /// Smallest and largest finite sample of the whole field; {0, 0} if there is none.
   const glm::dvec2& FiniteRange() const { return this->Finite; }
 
+  /// Smallest and largest of all samples, infinities among them; one that is not a number counts as
+  /// -infinity. {0, 0} before ranges are built.
+  const glm::dvec2& WholeRange() const { return this->Whole; }
+
   std::size_t MemoryInBytes() const { return this->Bytes.capacity(); }
 
 private:
@@ -98,7 +102,7 @@ private:
 
   Room Bytes; ///< the leaves of all nodes, and then the nodes
   glm::ivec3 Nodes{ 0 };
-  glm::dvec2 Finite{ 0.0 };
+  glm::dvec2 Finite{ 0.0 }, Whole{ 0.0 };
 };
 
 }

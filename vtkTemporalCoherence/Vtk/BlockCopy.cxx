@@ -147,8 +147,7 @@ public:
         bool isHere = false;
         for (std::int64_t i = begin; i < end; ++i)
         {
-          const std::uint8_t rank = this->Ranks[static_cast<std::size_t>(i)];
-          const bool isHidden = rank != Own && rank != Duplicate;
+          const bool isHidden = this->Ranks[static_cast<std::size_t>(i)] != Own;
           this->Target.CellGhosts[i] = isHidden ? Ghosts::HIDDENCELL : 0;
           isHere = isHere || isHidden;
         }

@@ -33,9 +33,9 @@ struct BlockTarget
 /// Copy blocks of samples of one type into one array, in parallel.
 ///
 /// Of several blocks that hold a sample, one gives it that owns it, else one that has a duplicate,
-/// else one in which it is hidden; of equal ones, the first. A cell of points is seen if a block
-/// owns and shows it; a cell with a sample, if the block that gives the sample shows it. Samples of
-/// no block continue those beside them, so that gradients at the rim are one-sided differences.
+/// else one in which it is hidden; of equal ones, the first. A cell is seen if a block owns and
+/// shows it, whether samples are those of points or of cells. Samples of no block continue those
+/// beside them, so that gradients at the rim are one-sided differences.
 /// \pre all blocks lie in the target, with the same type and number of components
 /// \return true if there are hidden cells
 bool CopyBlocks(const std::vector<BlockSource>& blocks, const BlockTarget& target);

@@ -20,9 +20,8 @@ namespace TemporalCoherence
 namespace
 {
 
-constexpr std::uint8_t NotToBeShown =
-  vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
-constexpr std::uint8_t NotOfThisPiece = vtkDataSetAttributes::DUPLICATECELL;
+constexpr std::uint8_t NotToBeShown = vtkDataSetAttributes::HIDDENCELL |
+  vtkDataSetAttributes::REFINEDCELL | vtkDataSetAttributes::DUPLICATECELL;
 
 /// \return false if there is a ghost array that does not tell one value for each point or cell
 bool IsUsable(vtkUnsignedCharArray* ghosts, vtkIdType count, const char* places, std::string& error)
@@ -122,8 +121,8 @@ bool HiddenCellsOfImage::Find(vtkImageData* image, bool samplesAreCells,
     {
       this->Made = samplesAreCells
         ? MakeBetweenCells(points, cells, samples)
-        : HiddenCells::Make(points,
-            { cells, NotToBeShown | NotOfThisPiece, samples, vtkDataSetAttributes::HIDDENPOINT });
+        : HiddenCells::Make(
+            points, { cells, NotToBeShown, samples, vtkDataSetAttributes::HIDDENPOINT });
     }
     catch (const std::exception&)
     {

@@ -30,8 +30,7 @@ class HiddenCellsOfImage
 public:
   /// Find the hidden cells of the field that is made of an image.
   /// \param samplesAreCells the field's samples are the image's cells, and its cells lie between
-  ///                        their centres: those around a hidden cell of the image are hidden;
-  ///                        duplicates are samples as good as any
+  ///                        their centres: those around a hidden cell of the image are hidden
   /// \param hidden          found; null if nothing is hidden
   /// \param error           gets what is wrong and what to do about it
   /// \return false on error

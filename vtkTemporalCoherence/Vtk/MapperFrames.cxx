@@ -102,6 +102,11 @@ void MapperFrames::Present(vtkRenderer* renderer, vtkVolume* volume, const glm::
     {
       PresentToSelector(renderer, volume, data, *state, error);
     }
+    else if (const auto pass = PeelingPass::Of(volume))
+    {
+      state->Peels.Present(*pass, renderer, volume, state->Frames.LastFrame(),
+        state->Frames.LastKey().Seen, error);
+    }
     else
     {
       state->Presenter.Present(renderer, volume, state->Frames.LastFrame(),

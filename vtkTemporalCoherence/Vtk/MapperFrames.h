@@ -85,6 +85,9 @@ public:
   /// Rays of the last frame along each axis; 0 if there is none.
   const glm::ivec2& LastSize() const { return this->Last->Frames.LastFrame().Size; }
 
+  /// Of the samples of the last frame; not defined where it has no cells or no isovalues.
+  const ValueRangePyramid& LastRanges() const { return this->Last->Frames.LastRanges(); }
+
   /// Of the last frame.
   const FrameStatistics& Statistics() const { return this->Last->Frames.Statistics(); }
 

@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PassOutput.h"
 
-#include <vtkInformation.h>
-#include <vtkInformationObjectBaseVectorKey.h>
+#include "FindPass.h"
+
 #include <vtkMatrix3x3.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkOpenGLCamera.h>
-#include <vtkOpenGLRenderPass.h>
 #include <vtkRenderer.h>
 #include <vtkSSAOPass.h>
 #include <vtkShaderProgram.h>
@@ -18,29 +17,6 @@
 
 namespace TemporalCoherence
 {
-namespace
-{
-
-/// The render pass of a class that draws a prop now, or null.
-template <typename Pass>
-Pass* FindPass(vtkProp* prop)
-{
-  vtkInformation* keys = prop->GetPropertyKeys();
-  auto* const passes = vtkOpenGLRenderPass::RenderPasses();
-  if (keys && keys->Has(passes))
-  {
-    for (int i = 0; i < passes->Length(keys); ++i)
-    {
-      if (auto* pass = Pass::SafeDownCast(passes->Get(keys, i)))
-      {
-        return pass;
-      }
-    }
-  }
-  return nullptr;
-}
-
-}
 
 PassOutput OutputFor(vtkVolume* volume)
 {

@@ -8,7 +8,6 @@
 #include "SettingCheck.h"
 #include "ViewFromRenderer.h"
 
-#include <vtkMultiVolume.h>
 #include <vtkVolume.h>
 #include <vtkVolumeMapper.h>
 #include <vtkVolumeProperty.h>
@@ -18,9 +17,15 @@
 
 namespace TemporalCoherence
 {
-
 namespace
 {
+
+/// A vtkMultiVolume has a property and a transform for each input of its mapper, and may have none
+/// of its own.
+bool IsOfSeveral(vtkVolume* volume)
+{
+  return volume->IsA("vtkMultiVolume") != 0;
+}
 
 /// Spread the colours of a window over all.
 /// \return false if no colours can be spread so
@@ -52,10 +57,10 @@ bool SpreadColors(const PictureSettings& settings, Appearance& look, std::string
 bool RequestFromMapper::Make(vtkVolumeMapper* mapper, const PictureSettings& settings,
   vtkVolume* volume, const FrameSight& sight, FrameRequest& request, std::string& error)
 {
-  if (vtkMultiVolume::SafeDownCast(volume))
+  if (IsOfSeveral(volume))
   {
-    error = "The volumes of a vtkMultiVolume cannot be drawn together; give each a vtkVolume and a "
-            "mapper of its own, or take vtkGPUVolumeRayCastMapper.";
+    error = "A vtkMultiVolume cannot be drawn by this mapper; give each volume a vtkVolume and a "
+            "mapper of its own in the same renderer, where they hide one another by their depths.";
     return false;
   }
   vtkVolumeProperty* property = volume->GetProperty();
@@ -134,10 +139,9 @@ bool RequestFromMapper::MakeScene(vtkVolumeMapper* mapper, vtkVolume* volume,
 bool RequestFromMapper::IsOpaque(
   vtkVolumeMapper* mapper, const PictureSettings& settings, vtkVolume* volume)
 {
-  vtkVolumeProperty* property = volume->GetProperty();
-  if (!property)
+  if (IsOfSeveral(volume))
   {
-    return true; // an empty vtkMultiVolume
+    return true; // nothing is shown
   }
   MapperInput input;
   std::string error; // the next frame tells of it

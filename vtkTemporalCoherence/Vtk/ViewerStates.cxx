@@ -72,6 +72,7 @@ void ViewerStates::ReleaseGraphicsResources(vtkWindow* window)
   for (const std::shared_ptr<ViewerState>& state : this->States)
   {
     state->Presenter.ReleaseGraphicsResources(window);
+    state->Peels.ReleaseGraphicsResources(window);
   }
 }
 

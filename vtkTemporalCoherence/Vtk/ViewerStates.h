@@ -5,6 +5,7 @@
 
 #include "FieldStructures.h"
 #include "FrameRenderer.h"
+#include "PeelPresenter.h"
 #include "PicturePresenter.h"
 #include "vtkTemporalCoherenceCompatibility.h"
 
@@ -49,6 +50,7 @@ struct ViewerState
   Viewer Of;
   FrameRenderer Frames;
   PicturePresenter Presenter;
+  PeelPresenter Peels;
   std::vector<int> IsovaluePlaces; ///< position in the property's list of each isovalue drawn
   glm::ivec2 PictureSize{ 0 };     ///< pixels that the last frame fills, which may have fewer rays
   std::uint64_t Picture = 0;       ///< counts the different pictures

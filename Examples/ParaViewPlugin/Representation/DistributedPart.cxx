@@ -228,6 +228,25 @@ void FindOwnedPart(const std::vector<vtkDataSet*>& dataSets, DistributedPart& pa
   }
 }
 
+/// Let cells that another process draws serve as samples. The mapper hides all that is between a
+/// hidden cell and its neighbours: between processes there would be a gap.
+void ShowDuplicates(vtkDataSet* dataSet)
+{
+  vtkUnsignedCharArray* const ghosts = GhostsOf(dataSet->GetCellData());
+  if (!ghosts)
+  {
+    return;
+  }
+  vtkNew<vtkUnsignedCharArray> shown; // the other one is shared with the input
+  shown->DeepCopy(ghosts);
+  for (vtkIdType i = 0; i < shown->GetNumberOfValues(); ++i)
+  {
+    const int others = ghosts->GetValue(i) & ~vtkDataSetAttributes::DUPLICATECELL;
+    shown->SetValue(i, static_cast<unsigned char>(others));
+  }
+  dataSet->GetCellData()->AddArray(shown);
+}
+
 void AddRanges(vtkDataArray* array, DistributedPart& part)
 {
   const auto merge = [](DistributedPart::Interval& to, const double from[2])
@@ -407,6 +426,10 @@ DistributedPart Describe(
     if (vtkDataArray* array = choice.In(dataSet))
     {
       AddRanges(array, part);
+    }
+    if (choice.IsOnCells)
+    {
+      ShowDuplicates(dataSet);
     }
   }
   Reduce(part, controller);

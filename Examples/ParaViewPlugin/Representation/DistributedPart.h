@@ -55,7 +55,8 @@ vtkSmartPointer<vtkDataObject> WithGhostCells(
   vtkDataObject* input, vtkMultiProcessController* controller);
 
 /// Describe the part of this process. Ghost arrays that tell of nothing but layers around a box are
-/// taken away: a box is cut off more cheaply, and has isomaps.
+/// taken away: a box is cut off more cheaply, and has isomaps. Where scalars of cells are chosen,
+/// cells of other processes are samples as good as any.
 /// All processes call this together.
 DistributedPart Describe(
   vtkDataObject* data, const ArrayChoice& choice, vtkMultiProcessController* controller);

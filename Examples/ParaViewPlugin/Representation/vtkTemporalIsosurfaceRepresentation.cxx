@@ -117,6 +117,7 @@ vtkTemporalIsosurfaceRepresentation::vtkTemporalIsosurfaceRepresentation()
   const auto mapper = vtkSmartPointer<vtkTemporalCoherenceVolumeMapper>::New();
   mapper->AddObserver(vtkCommand::VolumeMapperRenderEndEvent, this,
     &vtkTemporalIsosurfaceRepresentation::TakeStatistics);
+  mapper->WarnOfIsovaluesOff(); // it knows one process's samples: see ShowIsovalues
   this->VolumeMapper = mapper;
   this->Actor = vtkSmartPointer<vtkTemporalIsosurfaceActor>::New();
   this->Actor->SetProperty(this->Property);

@@ -1,0 +1,285 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PeelPresenter.h"
+
+#include "PeeledLayers.h"
+
+#include <vtkInformation.h>
+#include <vtkInformationObjectBaseKey.h>
+#include <vtkNew.h>
+#include <vtkObject.h>
+#include <vtkObjectFactory.h>
+#include <vtkOpenGLQuadHelper.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLShaderCache.h>
+#include <vtkOpenGLState.h>
+#include <vtkRenderer.h>
+#include <vtkShaderProgram.h>
+#include <vtkSmartPointer.h>
+#include <vtkTextureObject.h>
+#include <vtkWeakPointer.h>
+
+#include <map>
+#include <vector>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+// Enumerants of OpenGL 1.1, named here because the header that has them differs between versions
+// of VTK.
+constexpr unsigned int GlCullFace = 0x0B44;
+constexpr unsigned int GlDepthTest = 0x0B71;
+constexpr unsigned int GlViewport = 0x0BA2;
+constexpr unsigned int GlBlend = 0x0BE2;
+constexpr unsigned int GlMaxTextureSize = 0x0D33;
+
+/// Layers in a row of the textures that hold them.
+constexpr std::size_t RowOfLayers = 4096;
+
+constexpr const char* Declarations = "uniform sampler2D layersTexture;\n"
+                                     "uniform sampler2D depthTexture;\n"
+                                     "uniform sampler2D colorTexture;\n"
+                                     "vec3 layers;\n";
+
+/// A pixel's layers: where in a row of textures the first one is, in which row, and how many.
+constexpr const char* Color = "  vec4 seen = vec4(0.0);\n"
+                              "  for (int i = 0; i < int(layers.z); ++i)\n"
+                              "  {\n"
+                              "    int at = int(layers.x) + i;\n"
+                              "    ivec2 place = ivec2(at % 4096, int(layers.y) + at / 4096);\n"
+                              "    float depth = texelFetch(depthTexture, place, 0).r;\n"
+                              "    if (depth >= zEnd) { break; }\n"
+                              "    if (depth >= zStart)\n"
+                              "    {\n"
+                              "      seen += (1.0 - seen.a) * texelFetch(colorTexture, place, 0);\n"
+                              "    }\n"
+                              "  }\n"
+                              "  return seen;\n";
+
+/// Other volumes' colours stay where there is no surface.
+constexpr const char* Begin = "  layers = texture2D(layersTexture, texCoord).xyz;\n"
+                              "  if (layers.z == 0.0) { discard; }\n";
+
+/// What the volumes of a renderer show in a picture that is being peeled. It is kept by the
+/// renderer.
+class PeeledPicture : public vtkObject
+{
+public:
+  static PeeledPicture* New();
+  vtkTypeMacro(PeeledPicture, vtkObject);
+
+  static vtkSmartPointer<PeeledPicture> Of(vtkRenderer* renderer);
+
+  /// True if this is what a pass draws.
+  bool Is(const PeelingPass& pass) const
+  {
+    return this->Pass == pass.Identity() && this->Time == pass.Time();
+  }
+
+  PeeledLayers Layers;
+  const void* Pass = nullptr;
+  vtkMTimeType Time = 0;
+  const void* Last = nullptr; ///< who added to it last
+};
+
+vtkStandardNewMacro(PeeledPicture);
+
+vtkSmartPointer<PeeledPicture> PeeledPicture::Of(vtkRenderer* renderer)
+{
+  static vtkInformationObjectBaseKey* const key =
+    vtkInformationObjectBaseKey::MakeKey("PEELED_PICTURE", "vtkTemporalCoherenceVolumeMapper");
+  vtkInformation* about = renderer->GetInformation();
+  if (!about)
+  {
+    const auto made = vtkSmartPointer<vtkInformation>::New();
+    renderer->SetInformation(made);
+    about = made;
+  }
+  vtkSmartPointer<PeeledPicture> picture = PeeledPicture::SafeDownCast(about->Get(key));
+  if (!picture)
+  {
+    picture = vtkSmartPointer<PeeledPicture>::New();
+    about->Set(key, picture);
+  }
+  return picture;
+}
+
+std::string ShaderOf(const PeelingPass& pass)
+{
+  std::string source = pass.FragmentShader();
+  vtkShaderProgram::Substitute(source, "//PeeledDeclarations", Declarations);
+  vtkShaderProgram::Substitute(source, "//PeeledColor", Color);
+  vtkShaderProgram::Substitute(source, "void main()\n{\n", std::string("void main()\n{\n") + Begin);
+  return source;
+}
+
+void PrepareTexture(vtkTextureObject* texture, vtkOpenGLRenderWindow* window)
+{
+  texture->SetContext(window);
+  texture->SetMinificationFilter(vtkTextureObject::Nearest);
+  texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+}
+
+}
+
+struct PeelPresenter::Resources
+{
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
+  std::map<std::string, std::unique_ptr<vtkOpenGLQuadHelper>> Quads; ///< by shader
+  vtkNew<vtkTextureObject> Layers;                                   ///< where each pixel's are
+  vtkNew<vtkTextureObject> Depths, Colors;                           ///< of the layers
+  bool HasLayers = false;
+
+  /// \return false if there are more layers than textures can have
+  bool Upload(const PeeledLayers& layers);
+};
+
+bool PeelPresenter::Resources::Upload(const PeeledLayers& layers)
+{
+  this->HasLayers = !layers.All().empty();
+  if (!this->HasLayers)
+  {
+    return true;
+  }
+  const std::size_t rows = (layers.All().size() + RowOfLayers - 1) / RowOfLayers;
+  int most = 0;
+  this->Window->GetState()->vtkglGetIntegerv(GlMaxTextureSize, &most);
+  if (rows > static_cast<std::size_t>(most))
+  {
+    return false;
+  }
+  std::vector<float> places, depths(rows * RowOfLayers);
+  std::vector<PixelColor> colors(rows * RowOfLayers);
+  const std::vector<std::size_t>& begins = layers.Begins();
+  places.reserve(3 * begins.size());
+  for (std::size_t pixel = 0; pixel + 1 < begins.size(); ++pixel)
+  {
+    places.push_back(static_cast<float>(begins[pixel] % RowOfLayers));
+    places.push_back(static_cast<float>(begins[pixel] / RowOfLayers));
+    places.push_back(static_cast<float>(begins[pixel + 1] - begins[pixel]));
+  }
+  for (std::size_t i = 0; i < layers.All().size(); ++i)
+  {
+    depths[i] = layers.All()[i].Depth;
+    colors[i] = layers.All()[i].Color;
+  }
+  const glm::uvec2 size(layers.Size());
+  const auto width = static_cast<unsigned int>(RowOfLayers),
+             height = static_cast<unsigned int>(rows);
+  this->Layers->Create2DFromRaw(size.x, size.y, 3, VTK_FLOAT, places.data());
+  this->Depths->Create2DFromRaw(width, height, 1, VTK_FLOAT, depths.data());
+  this->Colors->Create2DFromRaw(width, height, 4, VTK_UNSIGNED_CHAR, colors.data());
+  return true;
+}
+
+PeelPresenter::PeelPresenter() = default;
+PeelPresenter::~PeelPresenter() = default;
+
+bool PeelPresenter::Present(const PeelingPass& pass, vtkRenderer* renderer, vtkVolume* volume,
+  const Frame& frame, const View& view, std::string& error)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetVTKWindow());
+  if (!window || !pass.IsKnown())
+  {
+    error = "This render pass peels volumes in a way that is not known here; use a "
+            "vtkTemporalCoherenceVolume with opaque surfaces, or UseDepthPeelingForVolumesOff().";
+    return false;
+  }
+  if (!this->OpenGL || this->OpenGL->Window != window)
+  {
+    this->OpenGL = std::make_unique<Resources>();
+    this->OpenGL->Window = window;
+    PrepareTexture(this->OpenGL->Layers, window);
+    PrepareTexture(this->OpenGL->Depths, window);
+    PrepareTexture(this->OpenGL->Colors, window);
+  }
+  const auto picture = PeeledPicture::Of(renderer);
+  if (pass.IsFirst())
+  {
+    int viewport[4];
+    window->GetState()->vtkglGetIntegerv(GlViewport, viewport);
+    if (!picture->Is(pass))
+    {
+      picture->Pass = pass.Identity();
+      picture->Time = pass.Time();
+      picture->Layers.Clear({ viewport[2], viewport[3] });
+    }
+    picture->Layers.Add(frame, view);
+    picture->Last = this;
+    if (!this->OpenGL->Upload(picture->Layers))
+    {
+      picture->Last = nullptr;
+      error = "There are more surfaces behind one another, " +
+        std::to_string(picture->Layers.All().size()) +
+        " in all pixels together, than textures of this OpenGL can hold; make the window smaller, "
+        "or use a vtkTemporalCoherenceVolume with opaque surfaces.";
+      return false;
+    }
+  }
+  else if (picture->Last != this)
+  {
+    return true;
+  }
+  return !this->OpenGL->HasLayers || this->Draw(pass, volume, error);
+}
+
+bool PeelPresenter::Draw(const PeelingPass& pass, vtkVolume* volume, std::string& error)
+{
+  vtkOpenGLRenderWindow* window = this->OpenGL->Window;
+  const std::string source = ShaderOf(pass);
+  auto& quad = this->OpenGL->Quads[source];
+  if (quad)
+  {
+    window->GetShaderCache()->ReadyShaderProgram(quad->Program);
+  }
+  else
+  {
+    quad = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, source.c_str(), "");
+  }
+  vtkShaderProgram* program = quad->Program;
+  if (!program || !program->GetCompiled())
+  {
+    error = "The shader that shows surfaces between translucent polygons does not compile on this "
+            "OpenGL; use a vtkTemporalCoherenceVolume with opaque surfaces.";
+    return false;
+  }
+
+  vtkOpenGLState* state = window->GetState();
+  vtkOpenGLState::ScopedglEnableDisable keepDepthTest(state, GlDepthTest);
+  vtkOpenGLState::ScopedglEnableDisable keepBlend(state, GlBlend);
+  vtkOpenGLState::ScopedglEnableDisable keepCullFace(state, GlCullFace);
+  state->vtkglDisable(GlDepthTest);
+  state->vtkglDisable(GlCullFace);
+  if (!pass.IsBlended())
+  {
+    state->vtkglDisable(GlBlend);
+  }
+  int viewport[4];
+  state->vtkglGetIntegerv(GlViewport, viewport);
+  pass.SetUniforms(program, volume, viewport[2], viewport[3]);
+  const auto bind = [&](const char* name, vtkTextureObject* texture)
+  {
+    texture->Activate();
+    program->SetUniformi(name, texture->GetTextureUnit());
+  };
+  bind("layersTexture", this->OpenGL->Layers);
+  bind("depthTexture", this->OpenGL->Depths);
+  bind("colorTexture", this->OpenGL->Colors);
+  quad->Render();
+  this->OpenGL->Colors->Deactivate();
+  this->OpenGL->Depths->Deactivate();
+  this->OpenGL->Layers->Deactivate();
+  return true;
+}
+
+void PeelPresenter::ReleaseGraphicsResources(vtkWindow* window)
+{
+  if (this->OpenGL && (!window || this->OpenGL->Window == window))
+  {
+    this->OpenGL.reset();
+  }
+}
+
+}

@@ -186,6 +186,13 @@ public:
     const glm::dvec2 margin = Margin + scale * error;
     const glm::dvec2 lowPixel = (low + 1.0) * scale - margin;
     const glm::dvec2 highPixel = (high + 1.0) * scale + margin;
+    if (!std::isfinite(lowPixel.x + lowPixel.y + highPixel.x + highPixel.y))
+    {
+      // What leaves the range of numbers can be seen anywhere.
+      first = glm::ivec2(0);
+      last = this->Tiles - 1;
+      return true;
+    }
     if (lowPixel.x >= this->Seen.Size.x || lowPixel.y >= this->Seen.Size.y || highPixel.x < 0.0 ||
       highPixel.y < 0.0)
     {

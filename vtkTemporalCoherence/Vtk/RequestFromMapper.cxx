@@ -143,6 +143,7 @@ bool RequestFromMapper::IsOpaque(
   {
     return true; // nothing is shown
   }
+  vtkVolumeProperty* property = volume->GetProperty();
   MapperInput input;
   std::string error; // the next frame tells of it
   this->Input.Find(mapper, property, settings.Vectors, input, error);

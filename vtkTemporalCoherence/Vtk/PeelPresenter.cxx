@@ -222,6 +222,10 @@ bool PeelPresenter::Present(const PeelingPass& pass, vtkRenderer* renderer, vtkV
   {
     return true;
   }
+  else
+  {
+    picture->Layers = PeeledLayers(); // nobody adds to them any more
+  }
   return !this->OpenGL->HasLayers || this->Draw(pass, volume, error);
 }
 

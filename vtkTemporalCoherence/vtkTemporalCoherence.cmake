@@ -69,6 +69,7 @@ set(bridge_files
   MergedBlocks
   PassOutput
   PeeledLayers
+  PeeledPicture
   PeelingPass
   PeelPresenter
   PicturePresenter

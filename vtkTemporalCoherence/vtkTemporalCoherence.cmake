@@ -70,6 +70,7 @@ set(bridge_files
   MergedBlocks
   PassOutput
   PeeledLayers
+  PeeledPicture
   PeelingPass
   PeelPresenter
   PicturePresenter

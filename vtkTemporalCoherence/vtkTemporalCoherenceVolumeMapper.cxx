@@ -159,11 +159,16 @@ void vtkTemporalCoherenceVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* 
     if (size.x > 0 && size.y > 0)
     {
       std::string error;
+      const std::string lastError = this->Internal->LastError;
       isMade = this->RenderForWindow(renderer, volume, size.x, size.y);
       if (!this->GetRenderToImage())
       {
         // After an error this shows the last valid picture again.
         this->Internal->Frames.Present(renderer, volume, size, this->GetInput(), error);
+      }
+      if (isMade && error == lastError)
+      {
+        this->Internal->LastError = lastError; // the frame was made as before, and not shown
       }
       this->ReportOnce(error);
     }

@@ -75,7 +75,9 @@
  * alone is there once. Counters, times and PickPixel() are those of the last frame of any viewer.
  *
  * vtkVolume draws after translucent polygons; vtkTemporalCoherenceVolume before them, where
- * surfaces are opaque. Hardware selectors (vtkHardwareSelector, vtkPropPicker) find a volume where
+ * surfaces are opaque. Where the renderer peels volumes (UseDepthPeelingForVolumes, or a
+ * vtkDualDepthPeelingPass with a volumetric pass) the surfaces of both, opaque or translucent, are
+ * seen in their place among translucent polygons and those of other volumes of this mapper. Hardware selectors (vtkHardwareSelector, vtkPropPicker) find a volume where
  * its surfaces are seen, with the point nearest to the hit or the cell around it.
  *
  * Light is that of VTK's Phong model, with the mirrored light, as on volumes since VTK 9.2, for any

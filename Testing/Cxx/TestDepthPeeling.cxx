@@ -2,282 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Volumes among translucent polygons under depth peeling: every pixel shows what is seen there from
-// front to back, as arithmetic says, and once more as polygons show it.
+// front to back, as arithmetic says.
 
-#include "EventCounter.h"
-#include "Expect.h"
-#include "OffScreen.h"
-#include "PolygonPeer.h"
-#include "Scene.h"
-#include "Volumes.h"
-#include "vtkTemporalCoherenceVolume.h"
+#include "PlateStack.h"
 
-#include <vtkActor.h>
-#include <vtkCameraPass.h>
-#include <vtkContourValues.h>
-#include <vtkDepthPeelingPass.h>
-#include <vtkDualDepthPeelingPass.h>
-#include <vtkFloatArray.h>
 #include <vtkFloatingPointExceptions.h>
-#include <vtkInformation.h>
-#include <vtkPiecewiseFunction.h>
-#include <vtkPlaneSource.h>
-#include <vtkPointData.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkProperty.h>
-#include <vtkRenderStepsPass.h>
-#include <vtkSphereSource.h>
-#include <vtkTranslucentPass.h>
-#include <vtkVolumetricPass.h>
+#include <vtkObjectFactory.h>
+#include <vtkTestErrorObserver.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdlib>
-#include <memory>
 #include <random>
-#include <string>
-#include <vector>
 
 namespace
 {
 
-constexpr int Size = 96; ///< of windows
-using Color = std::array<double, 3>;
-constexpr Color Background{ 0.2, 0.2, 0.2 };
-
-/// A rectangle at a height, which is what an isosurface or a polygon looks like from above.
-struct Plate
-{
-  double Height = 0.0;
-  std::array<double, 4> Place{ -1.0, 1.0, -1.0, 1.0 }; ///< least and largest x, and y
-  Color Paint{ 1.0, 1.0, 1.0 };
-  double Opacity = 1.0;
-
-  bool Covers(double x, double y) const
-  {
-    return x > this->Place[0] && x < this->Place[1] && y > this->Place[2] && y < this->Place[3];
-  }
-  bool IsBeside(double x, double y) const
-  {
-    constexpr double pixel = 3.0 / Size;
-    return std::abs(x - this->Place[0]) < pixel || std::abs(x - this->Place[1]) < pixel ||
-      std::abs(y - this->Place[2]) < pixel || std::abs(y - this->Place[3]) < pixel;
-  }
-};
-
-/// Plates under one another, over the background.
-Color Seen(std::vector<Plate> plates, double x, double y, const Color& below = Background)
-{
-  std::sort(plates.begin(), plates.end(),
-    [](const Plate& a, const Plate& b) { return a.Height < b.Height; });
-  Color seen = below;
-  for (const Plate& plate : plates)
-  {
-    for (std::size_t c = 0; c < 3 && plate.Covers(x, y); ++c)
-    {
-      seen[c] = plate.Opacity * plate.Paint[c] + (1.0 - plate.Opacity) * seen[c];
-    }
-  }
-  return seen;
-}
-
-/// A volume whose isosurfaces are plates of one place.
-struct Pile
-{
-  Pile(const std::vector<Plate>& plates, bool isOwnProp)
-    : Plates(plates)
-    , Prop(isOwnProp
-          ? vtkSmartPointer<vtkVolume>(vtkSmartPointer<vtkTemporalCoherenceVolume>::New())
-          : vtkSmartPointer<vtkVolume>::New())
-  {
-    const std::array<double, 4>& place = plates.front().Place;
-    vtkNew<vtkImageData> image;
-    image->SetDimensions(3, 3, 21);
-    image->SetOrigin(place[0], place[2], -1.0);
-    image->SetSpacing((place[1] - place[0]) / 2, (place[3] - place[2]) / 2, 0.1);
-    image->AllocateScalars(VTK_FLOAT, 1);
-    for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
-    {
-      image->GetPointData()->GetScalars()->SetComponent(i, 0, image->GetPoint(i)[2]);
-    }
-    this->Mapper->SetInputData(image);
-    this->Prop->SetMapper(this->Mapper);
-    vtkVolumeProperty* property = this->Prop->GetProperty();
-    vtkNew<vtkColorTransferFunction> color;
-    vtkNew<vtkPiecewiseFunction> opacity;
-    property->GetIsoSurfaceValues()->SetNumberOfContours(static_cast<int>(plates.size()));
-    for (std::size_t i = 0; i < plates.size(); ++i)
-    {
-      const Plate& plate = plates[i];
-      property->GetIsoSurfaceValues()->SetValue(static_cast<int>(i), plate.Height);
-      color->AddRGBPoint(plate.Height, plate.Paint[0], plate.Paint[1], plate.Paint[2]);
-      opacity->AddPoint(plate.Height, plate.Opacity);
-    }
-    property->SetColor(color);
-    property->SetScalarOpacity(opacity);
-    property->SetInterpolationTypeToLinear();
-  }
-
-  std::vector<Plate> Plates;
-  vtkSmartPointer<vtkVolume> Prop;
-  vtkNew<vtkTemporalCoherenceVolumeMapper> Mapper;
-};
-
-/// Who peels.
-enum class Peeler
-{
-  Renderer,     ///< its own pass, volumes among the polygons
-  PolygonsOnly, ///< its own pass, without UseDepthPeelingForVolumes
-  OwnDualPass,  ///< the same passes, as a user puts them together
-  OwnSinglePass,
-};
-
-/// Piles and polygons, seen from above: x and y from -1 to 1.
-class StackScene
-{
-public:
-  explicit StackScene(Peeler peeler, const std::array<double, 4>& viewport = { 0.0, 0.0, 1.0, 1.0 })
-    : How(peeler)
-  {
-    this->Renderer->SetBackground(Background[0], Background[1], Background[2]);
-    this->Renderer->SetViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
-    vtkCamera* camera = this->Renderer->GetActiveCamera();
-    camera->SetPosition(0.0, 0.0, 5.0);
-    camera->SetFocalPoint(0.0, 0.0, 0.0);
-    camera->ParallelProjectionOn();
-    camera->SetParallelScale(1.0);
-    camera->SetClippingRange(3.0, 7.0);
-    this->Window->SetAlphaBitPlanes(1);
-    OpenWindow(this->Window, this->Renderer,
-      static_cast<int>(std::lround(Size / (viewport[2] - viewport[0]))),
-      static_cast<int>(std::lround(Size / (viewport[3] - viewport[1]))));
-    this->SetPasses();
-  }
-
-  void AddPolygon(const Plate& plate)
-  {
-    vtkNew<vtkPlaneSource> plane;
-    plane->SetOrigin(plate.Place[0], plate.Place[2], plate.Height);
-    plane->SetPoint1(plate.Place[1], plate.Place[2], plate.Height);
-    plane->SetPoint2(plate.Place[0], plate.Place[3], plate.Height);
-    vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputConnection(plane->GetOutputPort());
-    vtkNew<vtkActor> actor;
-    actor->SetMapper(mapper);
-    actor->GetProperty()->LightingOff();
-    actor->GetProperty()->SetColor(plate.Paint[0], plate.Paint[1], plate.Paint[2]);
-    actor->GetProperty()->SetOpacity(plate.Opacity);
-    this->Renderer->AddActor(actor);
-    this->Polygons.push_back(plate);
-  }
-
-  Pile& AddPile(const std::vector<Plate>& plates, bool isOwnProp)
-  {
-    this->Piles.push_back(std::make_unique<Pile>(plates, isOwnProp));
-    this->Errors.push_back(
-      std::make_unique<EventCounter>(this->Piles.back()->Mapper.Get(), vtkCommand::ErrorEvent));
-    this->Renderer->AddVolume(this->Piles.back()->Prop);
-    return *this->Piles.back();
-  }
-
-  /// The colour of the middle of a pixel.
-  Color ExpectedAt(double x, double y) const
-  {
-    std::vector<Plate> all = this->Polygons;
-    for (const auto& pile : this->Piles)
-    {
-      all.insert(all.end(), pile->Plates.begin(), pile->Plates.end());
-    }
-    return Seen(all, x, y);
-  }
-
-  /// Draw, and hold all pixels that are not at an edge against what is expected.
-  void ExpectOrder(const std::string& what, double tolerance)
-  {
-    this->Window->Render();
-    const int left = static_cast<int>(this->Renderer->GetOrigin()[0]);
-    const int below = static_cast<int>(this->Renderer->GetOrigin()[1]);
-    const auto pixels = PixelsOf(this->Window, left, below, left + Size - 1, below + Size - 1);
-    int wrong = 0, seen = 0;
-    double largest = 0.0;
-    for (int row = 0; row < Size; ++row)
-    {
-      for (int column = 0; column < Size; ++column)
-      {
-        const double x = 2.0 * (column + 0.5) / Size - 1.0, y = 2.0 * (row + 0.5) / Size - 1.0;
-        if (this->IsEdge(x, y))
-        {
-          continue;
-        }
-        ++seen;
-        const Color expected = this->ExpectedAt(x, y);
-        double difference = 0.0;
-        for (int c = 0; c < 3; ++c)
-        {
-          difference = std::max(difference,
-            std::abs(pixels->GetValue(4 * (row * Size + column) + c) -
-              255.0 * expected[static_cast<std::size_t>(c)]));
-        }
-        largest = std::max(largest, difference);
-        wrong += difference > tolerance;
-      }
-    }
-    Expect(seen > Size * Size / 8 && wrong == 0,
-      what + ": " + std::to_string(wrong) + " of " + std::to_string(seen) +
-        " pixels are wrong, by up to " + std::to_string(largest) + " / 255");
-    for (const auto& errors : this->Errors)
-    {
-      Expect(errors->Count == 0, what + ": an error");
-    }
-  }
-
-  vtkNew<vtkRenderer> Renderer;
-  vtkNew<vtkRenderWindow> Window;
-  std::vector<Plate> Polygons;
-  std::vector<std::unique_ptr<Pile>> Piles;
-
-private:
-  void SetPasses()
-  {
-    const bool isOwn = this->How == Peeler::OwnDualPass || this->How == Peeler::OwnSinglePass;
-    if (!isOwn)
-    {
-      this->Renderer->SetUseDepthPeeling(1);
-      this->Renderer->SetUseDepthPeelingForVolumes(this->How == Peeler::Renderer);
-      this->Renderer->SetMaximumNumberOfPeels(20);
-      this->Renderer->SetOcclusionRatio(0.0);
-      return;
-    }
-    vtkNew<vtkRenderStepsPass> steps;
-    vtkNew<vtkTranslucentPass> polygons;
-    vtkSmartPointer<vtkDepthPeelingPass> peels = vtkSmartPointer<vtkDepthPeelingPass>::New();
-    if (this->How == Peeler::OwnDualPass)
-    {
-      const auto dual = vtkSmartPointer<vtkDualDepthPeelingPass>::New();
-      vtkNew<vtkVolumetricPass> volumes;
-      dual->SetVolumetricPass(volumes);
-      steps->SetVolumetricPass(nullptr);
-      peels = dual;
-    }
-    peels->SetTranslucentPass(polygons);
-    peels->SetMaximumNumberOfPeels(20);
-    peels->SetOcclusionRatio(0.0);
-    steps->SetTranslucentPass(peels);
-    this->Renderer->SetPass(steps);
-  }
-
-  bool IsEdge(double x, double y) const
-  {
-    const auto isBeside = [=](const Plate& plate) { return plate.IsBeside(x, y); };
-    return std::any_of(this->Polygons.begin(), this->Polygons.end(), isBeside) ||
-      std::any_of(this->Piles.begin(), this->Piles.end(),
-        [&](const auto& pile) { return isBeside(pile->Plates.front()); });
-  }
-
-  Peeler How;
-  std::vector<std::unique_ptr<EventCounter>> Errors;
-};
+using namespace PlateStack;
 
 /// Random plates.
 class Painter
@@ -356,6 +95,150 @@ void TestAnyOrder(Peeler peeler, const std::string& name)
   }
 }
 
+/// Where only polygons are peeled, volumes are drawn as ever: a plain vtkVolume after them, an
+/// opaque vtkTemporalCoherenceVolume in its place.
+void TestOnlyPolygonsPeeled(Peeler peeler, const std::string& name)
+{
+  for (unsigned seed = 1; seed <= 12; ++seed)
+  {
+    Painter painter(seed);
+    const bool isOpaque = seed % 2 == 0, isOwnProp = seed % 4 == 0;
+    StackScene scene(peeler);
+    scene.AreVolumesLast = !isOwnProp;
+    for (int i = 0; i < 3; ++i)
+    {
+      scene.AddPolygon(painter.Any(painter.Number(0.2, 0.9)));
+    }
+    scene.AddPolygon(painter.Any(1.0));
+    scene.AddPile(painter.AnyPile(isOpaque), isOwnProp);
+    scene.ExpectOrder(name + ", seed " + std::to_string(seed) +
+        (isOpaque ? ", opaque" : ", translucent") + (isOwnProp ? ", own prop" : ", vtkVolume"),
+      5.0);
+  }
+}
+
+/// One opaque surface between two panes.
+void AddSandwich(StackScene& scene, double opacity = 1.0)
+{
+  scene.AddPolygon({ 0.5, { -0.7, 0.4, -0.7, 0.7 }, { 1.0, 0.0, 0.0 }, 0.5 });
+  scene.AddPolygon({ -0.5, { -0.4, 0.9, -0.7, 0.7 }, { 0.0, 0.0, 1.0 }, 0.5 });
+  scene.AddPile({ { 0.03, { -0.8, 0.7, -0.9, 0.5 }, { 0.1, 0.9, 0.2 }, opacity } }, false);
+}
+
+/// However often a picture is drawn, it is made once: or a moved view would be completed at once.
+void TestOneFrame()
+{
+  StackScene scene(Peeler::Renderer);
+  AddSandwich(scene);
+  vtkTemporalCoherenceVolumeMapper* mapper = scene.Piles.front()->Mapper;
+  const EventCounter starts(mapper, vtkCommand::VolumeMapperRenderStartEvent);
+  const EventCounter ends(mapper, vtkCommand::VolumeMapperRenderEndEvent);
+  scene.ExpectOrder("a sandwich", 3.0);
+  scene.Renderer->GetActiveCamera()->Azimuth(2.0);
+  scene.Window->Render();
+  Expect(std::string(mapper->GetRouteAsString()) == "ImageCache",
+    std::string("a moved view: the route is ") + mapper->GetRouteAsString());
+  scene.Window->Render();
+  Expect(std::string(mapper->GetRouteAsString()) == "Cold",
+    std::string("a still view: the route is ") + mapper->GetRouteAsString());
+  scene.Renderer->GetActiveCamera()->Azimuth(-2.0);
+  scene.ExpectOrder("back again", 3.0);
+  Expect(starts.Count == 4 && ends.Count == 4,
+    std::to_string(starts.Count) + " frames were begun and " + std::to_string(ends.Count) +
+      " ended for 4 pictures");
+}
+
+void TestSpecialCases()
+{
+  // Without translucent polygons nothing is peeled.
+  StackScene alone(Peeler::Renderer);
+  alone.AddPile({ { 0.03, { -0.8, 0.7, -0.9, 0.5 }, { 0.1, 0.9, 0.2 }, 0.5 } }, false);
+  alone.ExpectOrder("no polygons", 3.0);
+
+  StackScene coarse(Peeler::Renderer);
+  coarse.Edge = 12.0 / Size;
+  AddSandwich(coarse, 0.6);
+  coarse.Piles.front()->Mapper->SetImageSampleDistance(3.0f);
+  coarse.ExpectOrder("a coarse picture", 4.0);
+
+  // More surfaces and panes than peels: those that are left are blended in some order.
+  StackScene few(Peeler::Renderer);
+  AddSandwich(few);
+  few.AddPolygon({ 0.7, { -0.7, 0.4, -0.7, 0.7 }, { 1.0, 1.0, 0.0 }, 0.5 });
+  few.Renderer->SetMaximumNumberOfPeels(1);
+  few.ExpectOrder("one peel, panes before the surface", 3.0);
+
+  // A mistake: the last picture stays.
+  StackScene spoilt(Peeler::Renderer);
+  AddSandwich(spoilt);
+  spoilt.ExpectOrder("before a mistake", 3.0);
+  const EventCounter errors(spoilt.Piles.front()->Mapper.Get(), vtkCommand::ErrorEvent);
+  spoilt.Piles.front()->Mapper->SetBlendModeToComposite();
+  spoilt.Window->Render();
+  spoilt.Window->Render();
+  Expect(errors.Count == 1, "a mistake: " + std::to_string(errors.Count) + " errors");
+  spoilt.Piles.front()->Mapper->SetBlendModeToIsoSurface();
+  spoilt.ForgetErrors();
+  spoilt.ExpectOrder("after a mistake", 3.0);
+
+  // What is held in a window is let go, and made again; also in another window.
+  StackScene moved(Peeler::Renderer);
+  AddSandwich(moved, 0.5);
+  moved.ExpectOrder("held", 4.0);
+  moved.Piles.front()->Mapper->ReleaseGraphicsResources(moved.Window);
+  moved.ExpectOrder("released", 4.0);
+  moved.Window->Finalize();
+  moved.ExpectOrder("a new context", 4.0);
+}
+
+/// A pass that leaves the shaders of volumes alone, as one might that is not known.
+class UnknownPass : public vtkDualDepthPeelingPass
+{
+public:
+  static UnknownPass* New();
+  vtkTypeMacro(UnknownPass, vtkDualDepthPeelingPass);
+
+  bool PreReplaceShaderValues(
+    std::string&, std::string&, std::string&, vtkAbstractMapper*, vtkProp*) override
+  {
+    return true;
+  }
+};
+vtkStandardNewMacro(UnknownPass);
+
+/// It gets one message, which tells what to use.
+void TestUnknownPass()
+{
+  StackScene scene(Peeler::Renderer);
+  AddSandwich(scene);
+  vtkNew<vtkRenderStepsPass> steps;
+  vtkNew<vtkTranslucentPass> polygons;
+  vtkNew<vtkVolumetricPass> volumes;
+  vtkNew<UnknownPass> unknown;
+  unknown->SetTranslucentPass(polygons);
+  unknown->SetVolumetricPass(volumes);
+  steps->SetTranslucentPass(unknown);
+  steps->SetVolumetricPass(nullptr);
+  scene.Renderer->SetPass(steps);
+  vtkNew<vtkTest::ErrorObserver> observer;
+  vtkTemporalCoherenceVolumeMapper* mapper = scene.Piles.front()->Mapper;
+  mapper->AddObserver(vtkCommand::ErrorEvent, observer);
+  const EventCounter errors(mapper, vtkCommand::ErrorEvent);
+  for (int i = 0; i < 3; ++i)
+  {
+    scene.Renderer->GetActiveCamera()->Azimuth(1.0);
+    scene.Window->Render();
+  }
+  const std::string message = observer->GetErrorMessage();
+  Expect(errors.Count == 1, "an unknown pass: " + std::to_string(errors.Count) + " errors");
+  Expect(message.find("vtkTemporalCoherenceVolume with") != std::string::npos,
+    "an unknown pass: " + message);
+  scene.Renderer->GetActiveCamera()->Azimuth(-3.0);
+  scene.Renderer->SetPass(nullptr);
+  scene.ForgetErrors();
+  scene.ExpectOrder("after an unknown pass", 3.0);
+}
+
 }
 
 int TestDepthPeeling(int, char*[])
@@ -363,5 +246,10 @@ int TestDepthPeeling(int, char*[])
   vtkFloatingPointExceptions::Disable();
   TestAnyOrder(Peeler::Renderer, "UseDepthPeelingForVolumes");
   TestAnyOrder(Peeler::OwnDualPass, "vtkDualDepthPeelingPass");
+  TestOnlyPolygonsPeeled(Peeler::PolygonsOnly, "without UseDepthPeelingForVolumes");
+  TestOnlyPolygonsPeeled(Peeler::OwnSinglePass, "vtkDepthPeelingPass");
+  TestOneFrame();
+  TestSpecialCases();
+  TestUnknownPass();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

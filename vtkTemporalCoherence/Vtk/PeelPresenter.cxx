@@ -2,20 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PeelPresenter.h"
 
-#include "PeeledLayers.h"
+#include "PeeledPicture.h"
 
-#include <vtkInformation.h>
-#include <vtkInformationObjectBaseKey.h>
 #include <vtkNew.h>
-#include <vtkObject.h>
-#include <vtkObjectFactory.h>
 #include <vtkOpenGLQuadHelper.h>
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLShaderCache.h>
 #include <vtkOpenGLState.h>
 #include <vtkRenderer.h>
 #include <vtkShaderProgram.h>
-#include <vtkSmartPointer.h>
 #include <vtkTextureObject.h>
 #include <vtkWeakPointer.h>
 
@@ -62,50 +57,6 @@ constexpr const char* Color = "  vec4 seen = vec4(0.0);\n"
 constexpr const char* Begin = "  layers = texture2D(layersTexture, texCoord).xyz;\n"
                               "  if (layers.z == 0.0) { discard; }\n";
 
-/// What the volumes of a renderer show in a picture that is being peeled. It is kept by the
-/// renderer.
-class PeeledPicture : public vtkObject
-{
-public:
-  static PeeledPicture* New();
-  vtkTypeMacro(PeeledPicture, vtkObject);
-
-  static vtkSmartPointer<PeeledPicture> Of(vtkRenderer* renderer);
-
-  /// True if this is what a pass draws.
-  bool Is(const PeelingPass& pass) const
-  {
-    return this->Pass == pass.Identity() && this->Time == pass.Time();
-  }
-
-  PeeledLayers Layers;
-  const void* Pass = nullptr;
-  vtkMTimeType Time = 0;
-  const void* Last = nullptr; ///< who added to it last
-};
-
-vtkStandardNewMacro(PeeledPicture);
-
-vtkSmartPointer<PeeledPicture> PeeledPicture::Of(vtkRenderer* renderer)
-{
-  static vtkInformationObjectBaseKey* const key =
-    vtkInformationObjectBaseKey::MakeKey("PEELED_PICTURE", "vtkTemporalCoherenceVolumeMapper");
-  vtkInformation* about = renderer->GetInformation();
-  if (!about)
-  {
-    const auto made = vtkSmartPointer<vtkInformation>::New();
-    renderer->SetInformation(made);
-    about = made;
-  }
-  vtkSmartPointer<PeeledPicture> picture = PeeledPicture::SafeDownCast(about->Get(key));
-  if (!picture)
-  {
-    picture = vtkSmartPointer<PeeledPicture>::New();
-    about->Set(key, picture);
-  }
-  return picture;
-}
-
 std::string ShaderOf(const PeelingPass& pass)
 {
   std::string source = pass.FragmentShader();
@@ -138,8 +89,8 @@ struct PeelPresenter::Resources
 
 bool PeelPresenter::Resources::Upload(const PeeledLayers& layers)
 {
-  this->HasLayers = !layers.All().empty();
-  if (!this->HasLayers)
+  this->HasLayers = false;
+  if (layers.All().empty())
   {
     return true;
   }
@@ -171,6 +122,7 @@ bool PeelPresenter::Resources::Upload(const PeeledLayers& layers)
   this->Layers->Create2DFromRaw(size.x, size.y, 3, VTK_FLOAT, places.data());
   this->Depths->Create2DFromRaw(width, height, 1, VTK_FLOAT, depths.data());
   this->Colors->Create2DFromRaw(width, height, 4, VTK_UNSIGNED_CHAR, colors.data());
+  this->HasLayers = true;
   return true;
 }
 
@@ -200,25 +152,21 @@ bool PeelPresenter::Present(const PeelingPass& pass, vtkRenderer* renderer, vtkV
   {
     int viewport[4];
     window->GetState()->vtkglGetIntegerv(GlViewport, viewport);
-    if (!picture->Is(pass))
+    picture->Add(pass, this, { viewport[2], viewport[3] }, frame, view);
+    if (!this->OpenGL->Upload(picture->Layers()))
     {
-      picture->Pass = pass.Identity();
-      picture->Time = pass.Time();
-      picture->Layers.Clear({ viewport[2], viewport[3] });
-    }
-    picture->Layers.Add(frame, view);
-    picture->Last = this;
-    if (!this->OpenGL->Upload(picture->Layers))
-    {
-      picture->Last = nullptr;
       error = "There are more surfaces behind one another, " +
-        std::to_string(picture->Layers.All().size()) +
+        std::to_string(picture->Layers().All().size()) +
         " in all pixels together, than textures of this OpenGL can hold; make the window smaller, "
         "or use a vtkTemporalCoherenceVolume with opaque surfaces.";
       return false;
     }
   }
-  else if (picture->Last != this)
+  else if (picture->IsDrawnBy(this))
+  {
+    picture->ReleaseLayers();
+  }
+  else
   {
     return true;
   }
@@ -230,11 +178,7 @@ bool PeelPresenter::Draw(const PeelingPass& pass, vtkVolume* volume, std::string
   vtkOpenGLRenderWindow* window = this->OpenGL->Window;
   const std::string source = ShaderOf(pass);
   auto& quad = this->OpenGL->Quads[source];
-  if (quad)
-  {
-    window->GetShaderCache()->ReadyShaderProgram(quad->Program);
-  }
-  else
+  if (!quad)
   {
     quad = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, source.c_str(), "");
   }
@@ -245,6 +189,7 @@ bool PeelPresenter::Draw(const PeelingPass& pass, vtkVolume* volume, std::string
             "OpenGL; use a vtkTemporalCoherenceVolume with opaque surfaces.";
     return false;
   }
+  window->GetShaderCache()->ReadyShaderProgram(program);
 
   vtkOpenGLState* state = window->GetState();
   vtkOpenGLState::ScopedglEnableDisable keepDepthTest(state, GlDepthTest);

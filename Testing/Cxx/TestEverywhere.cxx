@@ -104,6 +104,17 @@ bool AreSame(vtkUnsignedCharArray* a, vtkUnsignedCharArray* b)
       a->GetPointer(0), b->GetPointer(0), static_cast<std::size_t>(a->GetNumberOfValues())) == 0;
 }
 
+/// Pixels that are not black.
+int CountSeen(vtkUnsignedCharArray* pixels)
+{
+  int seen = 0;
+  for (vtkIdType i = 0; i < pixels->GetNumberOfValues(); i += 4)
+  {
+    seen += pixels->GetValue(i) + pixels->GetValue(i + 1) + pixels->GetValue(i + 2) > 0;
+  }
+  return seen;
+}
+
 template <typename T>
 vtkSmartPointer<T> Made()
 {
@@ -190,6 +201,7 @@ void TestSwitching()
     expected.Mapper->SetBlendMode(blend);
     Expect(AreSame(picture, expected.Draw()),
       "frame " + std::to_string(i) + " in blend mode " + std::to_string(blend));
+    Expect(CountSeen(picture) > 300, "something is seen in frame " + std::to_string(i));
     Expect(door.Door()->GetDrewIsosurfaces() == isIsosurface, "who drew is told");
     if (isIsosurface)
     {
@@ -268,6 +280,12 @@ void TestWhatIsLeftToVtk()
   { return vtkGPUVolumeRayCastMapper::SafeDownCast(stage.Mapper); };
   ExpectLeftToVtk("the blend mode is not ISOSURFACE_BLEND",
     [](Stage& stage) { stage.Mapper->SetBlendModeToMaximumIntensity(); });
+  ExpectLeftToVtk("peeled by depth",
+    [](Stage& stage)
+    {
+      stage.Renderer->UseDepthPeelingOn();
+      stage.Renderer->UseDepthPeelingForVolumesOn();
+    });
   ExpectLeftToVtk("there is a mask",
     [&](Stage& stage)
     {

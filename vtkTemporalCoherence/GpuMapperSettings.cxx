@@ -7,6 +7,7 @@
 #include <vtkAlgorithmOutput.h>
 #include <vtkMultiVolume.h>
 #include <vtkPlaneCollection.h>
+#include <vtkRenderer.h>
 #include <vtkShaderProperty.h>
 #include <vtkVolume.h>
 #include <vtkVolumeProperty.h>
@@ -62,7 +63,8 @@ void HandOverScalarChoice(vtkGPUVolumeRayCastMapper* from, vtkTemporalCoherenceV
 
 }
 
-std::string WhyNotIsosurfaces(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* volume)
+std::string WhyNotIsosurfaces(
+  vtkGPUVolumeRayCastMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
 {
   if (mapper->GetBlendMode() != vtkVolumeMapper::ISOSURFACE_BLEND)
   {
@@ -71,6 +73,10 @@ std::string WhyNotIsosurfaces(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* volu
   if (vtkMultiVolume::SafeDownCast(volume) || HasSeveralInputs(mapper))
   {
     return "there are several inputs";
+  }
+  if (renderer->GetUseDepthPeeling() && renderer->GetUseDepthPeelingForVolumes())
+  {
+    return "volumes are peeled by depth";
   }
   if (mapper->GetMaskInput())
   {

@@ -9,6 +9,7 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkGPUVolumeRayCastMapper;
+class vtkRenderer;
 class vtkTemporalCoherenceVolumeMapper;
 class vtkVolume;
 VTK_ABI_NAMESPACE_END
@@ -18,7 +19,8 @@ namespace TemporalCoherence
 
 /// Why what a GPU mapper is to draw is nothing for vtkTemporalCoherenceVolumeMapper, as the end of
 /// a sentence; empty if it may be.
-std::string WhyNotIsosurfaces(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* volume);
+std::string WhyNotIsosurfaces(
+  vtkGPUVolumeRayCastMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
 
 /// Give a mapper the input and all settings of another that have an effect on it. Nothing is
 /// modified that is the same already.

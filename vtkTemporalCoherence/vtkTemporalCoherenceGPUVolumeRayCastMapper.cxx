@@ -113,7 +113,7 @@ std::string vtkTemporalCoherenceGPUVolumeRayCastMapper::WhySuperclassDraws(
   {
     return "the call is no frame of a window";
   }
-  const std::string why = TemporalCoherence::WhyNotIsosurfaces(this, volume);
+  const std::string why = TemporalCoherence::WhyNotIsosurfaces(this, renderer, volume);
   if (!why.empty())
   {
     return why;

@@ -451,7 +451,7 @@ public:
    * The last frame as vtkGPUVolumeRayCastMapper gives it. After RenderToImageOn() Render() makes
    * frames only for that, and draws nothing into its window.
    *
-   * GetColorImage: unsigned char RGBA, multiplied by alpha; where nothing is hit, white of alpha 0.
+   * GetColorImage: RGBA bytes, multiplied by alpha; no hit: 0, or beside the box 255, 255, 255, 0.
    *
    * GetDepthImage: what a depth buffer holds, 0 at the near plane and 1 at the far plane; where
    * nothing is hit, 1, or (ClampDepthToBackfaceOn()) where the ray leaves the volume. It is float,

@@ -239,8 +239,10 @@ void TestBufferImages()
       }
       else
       {
-        Expect(pixel[0] == 255 && pixel[1] == 255 && pixel[2] == 255 && pixel[3] == 0,
-          "transparent white where nothing is hit");
+        const unsigned char expected = clamped == 1.0f ? 255 : 0;
+        Expect(
+          pixel[0] == expected && pixel[1] == expected && pixel[2] == expected && pixel[3] == 0,
+          "nothing where nothing is hit, transparent white beside the volume");
         Expect(z == 1.0f, "the far end where nothing is hit");
       }
     }

@@ -104,6 +104,17 @@ bool AreSame(vtkUnsignedCharArray* a, vtkUnsignedCharArray* b)
       a->GetPointer(0), b->GetPointer(0), static_cast<std::size_t>(a->GetNumberOfValues())) == 0;
 }
 
+/// Pixels that are not black.
+int CountSeen(vtkUnsignedCharArray* pixels)
+{
+  int seen = 0;
+  for (vtkIdType i = 0; i < pixels->GetNumberOfValues(); i += 4)
+  {
+    seen += pixels->GetValue(i) + pixels->GetValue(i + 1) + pixels->GetValue(i + 2) > 0;
+  }
+  return seen;
+}
+
 template <typename T>
 vtkSmartPointer<T> Made()
 {
@@ -175,7 +186,7 @@ void TestSwitching()
   vtk.Renderer->SetActiveCamera(camera);
   ours.Renderer->SetActiveCamera(camera);
   std::mt19937 random(16);
-  int isosurfaces = 0;
+  int isosurfaces = 0, shown = 0;
   for (int i = 0; i < 100; ++i)
   {
     const int mode = std::uniform_int_distribution<int>(0, 8)(random);
@@ -190,6 +201,7 @@ void TestSwitching()
     expected.Mapper->SetBlendMode(blend);
     Expect(AreSame(picture, expected.Draw()),
       "frame " + std::to_string(i) + " in blend mode " + std::to_string(blend));
+    shown += CountSeen(picture) > 300;
     Expect(door.Door()->GetDrewIsosurfaces() == isIsosurface, "who drew is told");
     if (isIsosurface)
     {
@@ -198,7 +210,7 @@ void TestSwitching()
       Expect(door.Route() == mapper->GetRouteAsString(), "the route is that of our mapper alone");
     }
   }
-  Expect(isosurfaces > 20 && isosurfaces < 80, "both drew");
+  Expect(isosurfaces > 20 && isosurfaces < 80 && shown > 60, "both drew, and something was seen");
 }
 
 /// What the last frame knew serves the next, whoever hands the settings over.
@@ -268,6 +280,12 @@ void TestWhatIsLeftToVtk()
   { return vtkGPUVolumeRayCastMapper::SafeDownCast(stage.Mapper); };
   ExpectLeftToVtk("the blend mode is not ISOSURFACE_BLEND",
     [](Stage& stage) { stage.Mapper->SetBlendModeToMaximumIntensity(); });
+  ExpectLeftToVtk("peeled by depth",
+    [](Stage& stage)
+    {
+      stage.Renderer->UseDepthPeelingOn();
+      stage.Renderer->UseDepthPeelingForVolumesOn();
+    });
   ExpectLeftToVtk("there is a mask",
     [&](Stage& stage)
     {

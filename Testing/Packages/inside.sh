@@ -49,6 +49,14 @@ mapper = vtkTemporalCoherenceVolumeMapper()
 print(mapper.GetClassName(), mapper.GetRouteAsString())'
   say "Python imports the package"
 
+  local autoload
+  autoload=$(dirname "$(dpkg -L "$library" | grep '/autoload/.*[.]so$')")
+  logged autoload env VTK_AUTOLOAD_PATH="$autoload" python3 -c '
+from vtkmodules.all import vtkGPUVolumeRayCastMapper
+name = vtkGPUVolumeRayCastMapper().GetClassName()
+assert name == "vtkTemporalCoherenceGPUVolumeRayCastMapper", name'
+  say "VTK loads the mapper of $autoload by itself"
+
   # What others import is a part of them.
   local example name directory test
   for example in /test/Examples/Python/*.py; do

@@ -81,13 +81,17 @@ T ShareOf(float depth)
 
 }
 
-void WriteColors(const Frame& frame, vtkImageData* image)
+void WriteColors(const Frame& frame, const FrameKey& key, vtkImageData* image)
 {
   constexpr PixelColor white = { 255, 255, 255, 0 };
   WriteImage<unsigned char, 4>(
     frame.Size, VTK_UNSIGNED_CHAR, "Color",
-    [&](std::size_t pixel, int, int)
-    { return frame.Isovalues[pixel] == Frame::NoSurface ? white : frame.Colors[pixel]; },
+    [&](std::size_t pixel, int x, int y)
+    {
+      const bool isBeside = frame.Isovalues[pixel] == Frame::NoSurface &&
+        !std::isfinite(EndAtBox(key.Seen.RayThrough(x, y), key));
+      return isBeside ? white : frame.Colors[pixel];
+    },
     image);
 }
 

@@ -156,10 +156,11 @@ bool MapperFrames::WriteImages(const PictureImages& images, std::string& error) 
 
 bool MapperFrames::WriteBufferColors(vtkImageData* image, std::string& error) const
 {
-  const Frame& frame = this->Last->Frames.LastFrame();
+  const FrameRenderer& frames = this->Last->Frames;
   return image &&
     WriteImagesOf(
-      frame, [&]() { WriteColors(frame, image); }, error);
+      frames.LastFrame(), [&]() { WriteColors(frames.LastFrame(), frames.LastKey(), image); },
+      error);
 }
 
 bool MapperFrames::WriteBufferDepths(

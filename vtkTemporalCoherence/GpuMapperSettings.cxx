@@ -90,10 +90,6 @@ std::string WhyNotIsosurfaces(
   {
     return "the volume has shaders of the user's";
   }
-  if (mapper->GetFinalColorWindow() != 1.0f || mapper->GetFinalColorLevel() != 0.5f)
-  {
-    return "FinalColorWindow or FinalColorLevel is set";
-  }
   if (mapper->GetImageSampleDistance() < 1.0f)
   {
     return "ImageSampleDistance is below 1";
@@ -124,6 +120,8 @@ void HandOver(vtkGPUVolumeRayCastMapper* from, vtkTemporalCoherenceVolumeMapper*
   to->SetCropping(from->GetCropping());
   to->SetCroppingRegionPlanes(from->GetCroppingRegionPlanes());
   to->SetCroppingRegionFlags(from->GetCroppingRegionFlags());
+  to->SetFinalColorWindow(from->GetFinalColorWindow());
+  to->SetFinalColorLevel(from->GetFinalColorLevel());
   to->SetBlendMode(from->GetBlendMode());
   to->SetAutoAdjustSampleDistances(from->GetAutoAdjustSampleDistances());
   to->SetMinimumImageSampleDistance(from->GetMinimumImageSampleDistance());

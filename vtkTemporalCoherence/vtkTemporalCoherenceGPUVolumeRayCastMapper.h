@@ -15,8 +15,7 @@
  * vtkOpenGLGPUVolumeRayCastMapper draws all other blend modes, and isosurfaces of several inputs
  * (vtkMultiVolume), with a mask, in a renderer that peels volumes by depth
  * (UseDepthPeelingForVolumes), with shaders of the user's (vtkShaderProperty), with transfer
- * functions in two dimensions, with another FinalColorWindow or FinalColorLevel than 1 and 0.5,
- * with an ImageSampleDistance below 1, with scattered light or normals of the opacity (VTK >= 9.2),
+ * functions in two dimensions, with an ImageSampleDistance below 1, with scattered light or normals of the opacity (VTK >= 9.2),
  * after RenderToImageOn() (whose textures it gives), and of input or settings that
  * vtkTemporalCoherenceVolumeMapper refuses.
  *

@@ -312,7 +312,6 @@ void TestWhatIsLeftToVtk()
       std::fill_n(static_cast<float*>(table->GetScalarPointer()), 64, 0.5f);
       stage.Volume->GetProperty()->SetTransferFunction2D(table);
     });
-  ExpectLeftToVtk("FinalColorWindow", [&](Stage& stage) { gpu(stage)->SetFinalColorWindow(0.5f); });
   ExpectLeftToVtk("ImageSampleDistance is below 1",
     [&](Stage& stage) { gpu(stage)->SetImageSampleDistance(0.5f); });
   ExpectLeftToVtk("RenderToImage is on", [&](Stage& stage) { gpu(stage)->RenderToImageOn(); });

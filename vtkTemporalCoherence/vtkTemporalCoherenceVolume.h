@@ -5,9 +5,9 @@
  * @brief   a vtkVolume whose opaque isosurfaces are drawn with the opaque props
  *
  * vtkVolume draws after all translucent polygons. That suits fog, but not an opaque isosurface: a
- * translucent polygon in front of it is covered, one behind it is drawn in vain, and depth peeling,
- * vtkSSAOPass and vtkShadowMapPass, which work on what the opaque pass has drawn, do not know of
- * it.
+ * translucent polygon in front of it is covered, one behind it is drawn in vain, and vtkSSAOPass
+ * and vtkShadowMapPass, which work on what the opaque pass has drawn, do not know of it; nor does
+ * depth peeling, unless it peels volumes, too (vtkRenderer::UseDepthPeelingForVolumes).
  *
  * This prop draws in the opaque pass where its mapper is a vtkTemporalCoherenceVolumeMapper that
  * shows nothing but opaque isosurfaces: those whose scalar opacity is 1 (or 0, which leaves them

@@ -154,8 +154,11 @@ std::string IsovalueCheck::Check(
         [&](double isovalue) { return IsMet(isovalue, key.Sought.Mode, all); }))
   {
     story.IsTold = false;
-    story.Met = isovalues;
-    story.MetBy = data;
+    if (story.Met != isovalues || story.MetBy != data)
+    {
+      story.Met = isovalues;
+      story.MetBy = data;
+    }
     return "";
   }
   const bool wereMet = story.MetBy && story.MetBy == data && story.Met == isovalues;

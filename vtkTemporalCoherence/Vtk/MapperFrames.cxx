@@ -104,8 +104,8 @@ void MapperFrames::Present(vtkRenderer* renderer, vtkVolume* volume, const glm::
     }
     else if (const auto pass = PeelingPass::Of(volume))
     {
-      state->Peels.Present(*pass, renderer, volume, state->Frames.LastFrame(),
-        state->Frames.LastKey().Seen, error);
+      state->Peels.Present(
+        *pass, renderer, volume, state->Frames.LastFrame(), state->Frames.LastKey().Seen, error);
     }
     else
     {

@@ -77,8 +77,9 @@
  * vtkVolume draws after translucent polygons; vtkTemporalCoherenceVolume before them, where
  * surfaces are opaque. Where the renderer peels volumes (UseDepthPeelingForVolumes, or a
  * vtkDualDepthPeelingPass with a volumetric pass) the surfaces of both, opaque or translucent, are
- * seen in their place among translucent polygons and those of other volumes of this mapper. Hardware selectors (vtkHardwareSelector, vtkPropPicker) find a volume where
- * its surfaces are seen, with the point nearest to the hit or the cell around it.
+ * seen in their place among translucent polygons and those of other volumes of this mapper.
+ * Hardware selectors (vtkHardwareSelector, vtkPropPicker) find a volume where its surfaces are
+ * seen, with the point nearest to the hit or the cell around it.
  *
  * Light is that of VTK's Phong model, with the mirrored light, as on volumes since VTK 9.2, for any
  * number of lights of the renderer that are on. If none is, the renderer creates a headlight, and

@@ -31,7 +31,7 @@ struct PictureSettings
   SurfaceMode Mode = SurfaceMode::Crossing;
   bool ColorByAnswer = false;
   double ColorWindow = 1.0, ColorLevel = 0.5; ///< shown are colours level +- window / 2
-  vtkContourValues* DepthPass = nullptr; ///< isovalues where the property has none; or null
+  vtkContourValues* DepthPass = nullptr;      ///< isovalues where the property has none; or null
 };
 
 /// Who sees a frame, and how large it is.

@@ -30,12 +30,8 @@ struct ArraySamples
 /// \return false if the samples do not lie in memory at equal steps
 bool FindSamples(vtkDataArray* array, int component, ArraySamples& samples, std::string& error);
 
-/// Cells or points of an image. Of an extent that claims more than can be counted, which VTK does not
-/// notice, it is the largest number, so that no array has enough tuples.
-std::int64_t CountSamples(vtkImageData* image, bool onCells);
-
-/// Cells or points of an image. Of an extent that claims more than can be counted, which VTK does not
-/// notice, it is the largest number, so that no array has enough tuples.
+/// Cells or points of an image. Of an extent that claims more than can be counted, which VTK does
+/// not notice, it is the largest number, so that no array has enough tuples.
 std::int64_t CountSamples(vtkImageData* image, bool onCells);
 
 /// The array's name in quotation marks, for errors.

@@ -8,6 +8,7 @@
 #include "SampleDistance.h"
 #include "vtkTemporalCoherenceVolumeMapper.h"
 
+#include <algorithm>
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -20,6 +21,15 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
   std::string LastError;  ///< reported already; empty after a frame without error
   bool HasWarned = false; ///< of the limit of memory
   bool IsBusy = false;    ///< observers of a frame that is being made may call anything
+
+  /// \param to null if nobody wants it
+  static void CopyTo(double* to, const glm::dvec3& from)
+  {
+    if (to)
+    {
+      std::copy_n(&from.x, 3, to);
+    }
+  }
 
   /// Remember what rays take, if the last frame had any traced or looked up.
   void Learn(double allowed)

@@ -113,6 +113,7 @@ vtk_module_add_module(VTK::TemporalCoherence
     "${module_directory}/vtkTemporalCoherencePicker.cxx"
     "${module_directory}/vtkTemporalCoherenceVolume.cxx"
     "${module_directory}/vtkTemporalCoherenceVolumeMapper.cxx"
+    "${module_directory}/vtkTemporalCoherenceVolumeMapperLastFrame.cxx"
     "${module_directory}/vtkTemporalCoherenceVolumeMapperSettings.cxx"
     "${module_directory}/vtkTemporalCoherenceVolumeMapperStatistics.cxx"
     ${bridge_files}

@@ -17,7 +17,6 @@
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <sstream>
@@ -75,15 +74,6 @@ TemporalCoherence::FrameSight FinestSight(
     : mapper.GetImageSampleDistance();
   return { renderer, TemporalCoherence::RaysFor(size, static_cast<double>(distance)),
     renderer->GetTiledAspectRatio() };
-}
-
-/// \param to null if nobody wants it
-void CopyTo(double* to, const glm::dvec3& from)
-{
-  if (to)
-  {
-    std::copy_n(&from.x, 3, to);
-  }
 }
 
 }
@@ -347,62 +337,6 @@ bool vtkTemporalCoherenceVolumeMapper::RenderToImage(vtkRenderer* renderer, vtkV
 }
 
 //------------------------------------------------------------------------------
-bool vtkTemporalCoherenceVolumeMapper::GetLastFrame(vtkImageData* color, vtkImageData* depth,
-  vtkImageData* normals, vtkImageData* isovalueIndex, vtkImageData* answer)
-{
-  std::string error;
-  const bool isThere =
-    this->Internal->Frames.WriteImages({ color, depth, normals, isovalueIndex, answer }, error);
-  this->ReportOnce(error);
-  return isThere;
-}
-
-//------------------------------------------------------------------------------
-void vtkTemporalCoherenceVolumeMapper::GetColorImage(vtkImageData* image)
-{
-  std::string error;
-  this->Internal->Frames.WriteBufferColors(image, error);
-  this->ReportOnce(error);
-}
-
-//------------------------------------------------------------------------------
-void vtkTemporalCoherenceVolumeMapper::GetDepthImage(vtkImageData* image)
-{
-  std::string error;
-  this->Internal->Frames.WriteBufferDepths(
-    image, this->GetDepthImageScalarType(), this->GetClampDepthToBackface() != 0, error);
-  this->ReportOnce(error);
-}
-
-//------------------------------------------------------------------------------
-bool vtkTemporalCoherenceVolumeMapper::GetVisibleSurface(vtkPolyData* points)
-{
-  std::string error;
-  const bool isThere = points && this->Internal->Frames.WriteSurface(points, error);
-  this->ReportOnce(error);
-  return isThere;
-}
-
-//------------------------------------------------------------------------------
-bool vtkTemporalCoherenceVolumeMapper::PickPixel(
-  int x, int y, double position[3], double normal[3], int* isovalueIndex)
-{
-  const TemporalCoherence::MapperFrames& frames = this->Internal->Frames;
-  const auto hit = frames.FindHit(x, y);
-  if (!hit)
-  {
-    return false;
-  }
-  CopyTo(position, hit->Position);
-  CopyTo(normal, hit->Normal);
-  if (isovalueIndex)
-  {
-    *isovalueIndex = frames.PlaceOf(hit->Surface);
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
 bool vtkTemporalCoherenceVolumeMapper::IntersectWithLine(vtkVolume* volume, const double p1[3],
   const double p2[3], double& t, double position[3], double normal[3], int* isovalueIndex)
 {
@@ -443,8 +377,8 @@ bool vtkTemporalCoherenceVolumeMapper::IntersectWithLine(vtkVolume* volume, cons
     return false;
   }
   t = hit->Distance / length;
-  CopyTo(position, hit->Position);
-  CopyTo(normal, hit->Normal);
+  Internals::CopyTo(position, hit->Position);
+  Internals::CopyTo(normal, hit->Normal);
   if (isovalueIndex)
   {
     *isovalueIndex = request.IsovaluePlaces[static_cast<std::size_t>(hit->Surface)];

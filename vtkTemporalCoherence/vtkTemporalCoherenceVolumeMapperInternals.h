@@ -24,14 +24,14 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
   bool HasWarned = false; ///< of the limit of memory
   bool IsBusy = false;    ///< observers of a frame that is being made may call anything
 
-<<<<<<< HEAD
   /// What is to be told of the isovalues of the last frame; or nothing.
   std::string CheckIsovalues(
     const TemporalCoherence::DrawnVolume& drawn, const TemporalCoherence::FrameKey& key)
   {
     return key.Samples.HasCells() ? this->Isovalues.Check(drawn, key, this->Frames.LastRanges())
                                   : std::string();
-=======
+  }
+
   /// \param to null if nobody wants it
   static void CopyTo(double* to, const glm::dvec3& from)
   {
@@ -39,7 +39,6 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
     {
       std::copy_n(&from.x, 3, to);
     }
->>>>>>> doors
   }
 
   /// Remember what rays take, if the last frame had any traced or looked up.

@@ -197,10 +197,28 @@ private:
     }
     for (int axis = 0; axis < 3; ++axis)
     {
-      this->Cell[axis] = ray.CellAt(axis, t, first[axis], first[axis] + size - 1);
+      this->Cell[axis] = this->Land(ray, axis, exit, t, { first[axis], first[axis] + size - 1 });
     }
     this->Cell[exit] = this->Ahead[exit] ? first[exit] + size : first[exit] - 1;
     return IsWithin(this->Cell[exit], cells[exit]);
+  }
+
+  /// The cell along an axis in which steps from cell to cell would be when they leave a block by
+  /// axis `exit` at t. A point may be rounded across a plane that the ray passes before or after.
+  /// \param ends lowest and highest cell of the block along the axis
+  template <typename WalkingRay>
+  int Land(const WalkingRay& ray, int axis, int exit, double t, const glm::ivec2& ends) const
+  {
+    const int ahead = this->Ahead[axis], step = 2 * ahead - 1;
+    const int first = ahead ? ends.x : ends.y, last = ahead ? ends.y : ends.x;
+    const int cell = ray.CellAt(axis, t, ends.x, ends.y);
+    const double enter = ray.Pass(axis, cell + 1 - ahead), leave = ray.Pass(axis, cell + ahead);
+    // Of planes that are passed at once, that of the lowest axis is the first.
+    if (cell != first && (axis > exit ? enter >= t : enter > t))
+    {
+      return cell - step;
+    }
+    return cell != last && (axis < exit ? leave <= t : leave < t) ? cell + step : cell;
   }
 
   /// Prepare for steps from cell to cell.

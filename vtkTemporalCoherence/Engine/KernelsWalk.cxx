@@ -30,6 +30,9 @@ using W = hn::Vec<Words>;
 using I = hn::Vec<Integers>;
 using M = hn::Mask<Doubles>;
 
+/// Share of the largest coordinate on its way by which a point may be off by rounding.
+constexpr double Rounding = 16.0 * std::numeric_limits<double>::epsilon();
+
 /// With this added, a double of a whole number in [0, 2^52) holds the number's bits lowest.
 constexpr double ToBits = 4503599627370496.0;
 
@@ -156,6 +159,8 @@ public:
       this->Inverse[a] = load(rays.Inverse[a]);
       this->Ahead[a] = hn::Gt(this->Direction[a], Zero());
       this->Last[a] = hn::Set(Doubles(), scene.Cells[static_cast<int>(a)] - 1);
+      const V farthest = hn::Add(hn::Abs(this->Origin[a]), hn::Add(this->Last[a], One()));
+      this->Margin[a] = hn::Mul(hn::Set(Doubles(), Rounding), farthest);
     }
     if (walks.HasBegun)
     {
@@ -220,6 +225,28 @@ private:
   {
     const V x = hn::Add(this->Origin[axis], hn::Mul(t, this->Direction[axis]));
     return hn::Min(hn::Max(hn::Trunc(x), low), high);
+  }
+
+  /// CellWalk::Land.
+  HWY_NOINLINE V Land(std::size_t a, V t, V cell, V low, V high, const M exits[3]) const
+  {
+    const M never = hn::Lt(Zero(), Zero());
+    const M isBehindExit = a == 0 ? never : a == 1 ? exits[0] : hn::Or(exits[0], exits[1]);
+    const M isBeforeExit = a == 0 ? hn::Or(exits[1], exits[2]) : a == 1 ? exits[2] : never;
+    const M ahead = this->Ahead[a];
+    const V above = hn::Add(cell, One()), below = hn::Sub(cell, One());
+    const V ofCell = hn::Mul(hn::Sub(cell, this->Origin[a]), this->Inverse[a]);
+    const V ofAbove = hn::Mul(hn::Sub(above, this->Origin[a]), this->Inverse[a]);
+    const V enter = hn::IfThenElse(ahead, ofCell, ofAbove);
+    const V leave = hn::IfThenElse(ahead, ofAbove, ofCell);
+    const M isFirst = hn::Eq(cell, hn::IfThenElse(ahead, low, high));
+    const M isLast = hn::Eq(cell, hn::IfThenElse(ahead, high, low));
+    const M isNotYet = hn::Or(hn::Gt(enter, t), hn::And(isBehindExit, hn::Eq(enter, t)));
+    const M isPassed = hn::Or(hn::Lt(leave, t), hn::And(isBeforeExit, hn::Eq(leave, t)));
+    const V back = hn::IfThenElse(ahead, below, above);
+    const V on = hn::IfThenElse(ahead, above, below);
+    const V kept = hn::IfThenElse(hn::AndNot(isLast, isPassed), on, cell);
+    return hn::IfThenElse(hn::AndNot(isFirst, isNotYet), back, kept);
   }
 
   /// BatchRay::WalkFrom.
@@ -303,9 +330,21 @@ private:
       hn::IfThenElse(isZ, this->Last[2], hn::IfThenElse(isY, this->Last[1], this->Last[0]));
     const M isInside = hn::And(hn::Ge(next, Zero()), hn::Le(next, last));
     this->Live = hn::And(this->Live, hn::And(hn::Lt(t, this->End), isInside));
+    const M isLeap = hn::And(this->Live, hn::Gt(below, Zero()));
     for (std::size_t a = 0; a < 3; ++a)
     {
-      const V at = this->CellAt(a, t, first[a], hn::Add(first[a], below));
+      const V x = hn::Add(this->Origin[a], hn::Mul(t, this->Direction[a]));
+      const V whole = hn::Trunc(x);
+      const V high = hn::Add(first[a], below);
+      V at = hn::Min(hn::Max(whole, first[a]), high);
+      // Only a point next to a plane may be rounded across it.
+      const V share = hn::Sub(x, whole);
+      const M isNext =
+        hn::Or(hn::Lt(share, this->Margin[a]), hn::Gt(share, hn::Sub(One(), this->Margin[a])));
+      if (!hn::AllFalse(Doubles(), hn::And(hn::AndNot(exits[a], isNext), isLeap)))
+      {
+        at = this->Land(a, t, at, first[a], high, exits);
+      }
       const V to = hn::IfThenElse(exits[a], next, at);
       this->Cell[a] = hn::IfThenElse(this->Live, to, this->Cell[a]);
     }
@@ -314,7 +353,8 @@ private:
   const WalkScene& Scene;
   M Live;
   V Origin[3], Direction[3], Inverse[3], End, Last[3], Cell[3];
-  M Ahead[3]; ///< the ray runs towards higher cells
+  V Margin[3]; ///< how near to a plane a point may be that is rounded across it
+  M Ahead[3];  ///< the ray runs towards higher cells
 };
 
 /// Find the next active cell of each ray.

@@ -99,11 +99,12 @@ remote_value() # GIT_REPOSITORY|GIT_TAG
   sed -n "s/^ *$1 \(.*\)$/\1/p" "$remote_file"
 }
 
-# What is the same keeps its time, so that it is not built again. Hidden files are git's.
+# What is the same keeps its time, so that it is not built again.
 copy_vtk()
 {
   mkdir -p "$source"
-  cp --archive --update --reflink=auto "$vtk_source"/* "$source"
+  find "$vtk_source" -mindepth 1 -maxdepth 1 ! -name .git \
+    -exec cp --archive --update --reflink=auto --target-directory="$source" {} +
   [ -d "$module/.git" ] || rm -rf "$module"
   cp "$remote_file" "$source/Remote/"
 }

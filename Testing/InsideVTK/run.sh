@@ -145,7 +145,8 @@ test_modules()
 # all other modules need.
 configure() # CMAKE_ARGUMENTS
 {
-  local arguments=(-DVTK_BUILD_ALL_MODULES=OFF -DVTK_BUILD_TESTING=DEFAULT -DVTK_ENABLE_WRAPPING=OFF
+  local arguments=(-DVTK_ENABLE_REMOTE_MODULES=ON
+    -DVTK_BUILD_ALL_MODULES=OFF -DVTK_BUILD_TESTING=DEFAULT -DVTK_ENABLE_WRAPPING=OFF
     -DCMAKE_EXPORT_COMPILE_COMMANDS=ON
     -DVTK_MODULE_ENABLE_VTK_TemporalCoherence=YES) name
   for name in "${groups[@]}"; do

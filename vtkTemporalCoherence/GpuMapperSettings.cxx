@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GpuMapperSettings.h"
 
+#include "InputFromMapper.h"
 #include "vtkTemporalCoherenceVolumeMapper.h"
 
 #include <vtkAlgorithmOutput.h>
@@ -22,18 +23,6 @@ bool HasShaders(vtkVolume* volume)
   vtkShaderProperty* shaders = volume->GetShaderProperty();
   return shaders->HasVertexShaderCode() || shaders->HasFragmentShaderCode() ||
     shaders->HasGeometryShaderCode() || shaders->GetNumberOfShaderReplacements() > 0;
-}
-
-bool HasSeveralInputs(vtkGPUVolumeRayCastMapper* mapper)
-{
-  for (int port = 1; port < mapper->GetNumberOfInputPorts(); ++port)
-  {
-    if (mapper->GetNumberOfInputConnections(port) > 0)
-    {
-      return true;
-    }
-  }
-  return false;
 }
 
 /// True if light is scattered, or if the gradient of the opacity makes normals.
@@ -70,7 +59,7 @@ std::string WhyNotIsosurfaces(
   {
     return "the blend mode is not ISOSURFACE_BLEND";
   }
-  if (vtkMultiVolume::SafeDownCast(volume) || HasSeveralInputs(mapper))
+  if (vtkMultiVolume::SafeDownCast(volume) || OtherInputPort(mapper) > 0)
   {
     return "there are several inputs";
   }

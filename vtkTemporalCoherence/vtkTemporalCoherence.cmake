@@ -68,6 +68,7 @@ set(bridge_files
   LightsFromRenderer
   MapperFrames
   MergedBlocks
+  OpenGLWindow
   PassOutput
   PeeledLayers
   PeeledPicture
@@ -114,6 +115,7 @@ vtk_module_add_module(VTK::TemporalCoherence
     "${module_directory}/vtkTemporalCoherenceVolume.cxx"
     "${module_directory}/vtkTemporalCoherenceVolumeMapper.cxx"
     "${module_directory}/vtkTemporalCoherenceVolumeMapperLastFrame.cxx"
+    "${module_directory}/vtkTemporalCoherenceVolumeMapperPicking.cxx"
     "${module_directory}/vtkTemporalCoherenceVolumeMapperSettings.cxx"
     "${module_directory}/vtkTemporalCoherenceVolumeMapperStatistics.cxx"
     ${bridge_files}

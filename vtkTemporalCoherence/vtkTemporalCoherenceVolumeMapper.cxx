@@ -17,9 +17,6 @@
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
 
-#include <cmath>
-#include <optional>
-#include <sstream>
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -334,56 +331,6 @@ bool vtkTemporalCoherenceVolumeMapper::RenderToImage(vtkRenderer* renderer, vtkV
   const bool isWritten = isMade && this->GetLastFrame(color, depth, normals, isovalueIndex, answer);
   this->InvokeEvent(vtkCommand::VolumeMapperRenderEndEvent, &isMade);
   return isWritten;
-}
-
-//------------------------------------------------------------------------------
-bool vtkTemporalCoherenceVolumeMapper::IntersectWithLine(vtkVolume* volume, const double p1[3],
-  const double p2[3], double& t, double position[3], double normal[3], int* isovalueIndex)
-{
-  if (this->IsBusy("IntersectWithLine"))
-  {
-    return false;
-  }
-  if (!volume || !p1 || !p2)
-  {
-    this->ReportOnce("IntersectWithLine needs a volume and two ends; one of them is null.");
-    return false;
-  }
-  const glm::dvec3 begin(p1[0], p1[1], p1[2]), end(p2[0], p2[1], p2[2]);
-  const double length = glm::distance(begin, end);
-  if (!(length > 0.0) || !std::isfinite(length))
-  {
-    std::ostringstream what;
-    what << "There is no line from (" << p1[0] << ", " << p1[1] << ", " << p1[2] << ") to ("
-         << p2[0] << ", " << p2[1] << ", " << p2[2] << "); give it two finite ends that differ.";
-    this->ReportOnce(what.str());
-    return false;
-  }
-  if (this->GetNumberOfInputConnections(0) > 0)
-  {
-    this->Update();
-  }
-  TemporalCoherence::FrameRequest request;
-  std::string error;
-  std::optional<TemporalCoherence::LineHit> hit;
-  if (this->Internal->Requests.Make(
-        this, TemporalCoherence::SettingsOf(this), volume, {}, request, error))
-  {
-    hit = this->Internal->Frames.FindHit(request, begin, end, error);
-  }
-  this->ReportOnce(error);
-  if (!hit)
-  {
-    return false;
-  }
-  t = hit->Distance / length;
-  Internals::CopyTo(position, hit->Position);
-  Internals::CopyTo(normal, hit->Normal);
-  if (isovalueIndex)
-  {
-    *isovalueIndex = request.IsovaluePlaces[static_cast<std::size_t>(hit->Surface)];
-  }
-  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -9,7 +9,6 @@
 #include "SampleDistance.h"
 #include "vtkTemporalCoherenceVolumeMapper.h"
 
-#include <algorithm>
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -30,15 +29,6 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
   {
     return key.Samples.HasCells() ? this->Isovalues.Check(drawn, key, this->Frames.LastRanges())
                                   : std::string();
-  }
-
-  /// \param to null if nobody wants it
-  static void CopyTo(double* to, const glm::dvec3& from)
-  {
-    if (to)
-    {
-      std::copy_n(&from.x, 3, to);
-    }
   }
 
   /// Remember what rays take, if the last frame had any traced or looked up.

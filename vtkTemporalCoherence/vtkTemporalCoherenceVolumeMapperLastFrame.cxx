@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The last frame as images, as points, and pixel by pixel.
+// The last frame as images and as points.
 #include "vtkTemporalCoherenceVolumeMapper.h"
 
 #include "vtkTemporalCoherenceVolumeMapperInternals.h"
@@ -44,24 +44,5 @@ bool vtkTemporalCoherenceVolumeMapper::GetVisibleSurface(vtkPolyData* points)
   const bool isThere = points && this->Internal->Frames.WriteSurface(points, error);
   this->ReportOnce(error);
   return isThere;
-}
-
-//------------------------------------------------------------------------------
-bool vtkTemporalCoherenceVolumeMapper::PickPixel(
-  int x, int y, double position[3], double normal[3], int* isovalueIndex)
-{
-  const TemporalCoherence::MapperFrames& frames = this->Internal->Frames;
-  const auto hit = frames.FindHit(x, y);
-  if (!hit)
-  {
-    return false;
-  }
-  Internals::CopyTo(position, hit->Position);
-  Internals::CopyTo(normal, hit->Normal);
-  if (isovalueIndex)
-  {
-    *isovalueIndex = frames.PlaceOf(hit->Surface);
-  }
-  return true;
 }
 VTK_ABI_NAMESPACE_END

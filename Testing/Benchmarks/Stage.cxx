@@ -184,8 +184,9 @@ vtkSmartPointer<vtkImageData> LoadOrTell(const std::string& name)
   vtkSmartPointer<vtkImageData> image = Volumes::Load(name);
   if (!image || image->GetNumberOfPoints() == 0)
   {
+    const std::string folder = Volumes::DataDirectory();
     std::cerr << name << " is left out: it cannot be read; name the folder of volumes (now "
-              << Volumes::DataDirectory()
+              << (folder.empty() ? "none" : folder)
               << ") in TEMPORAL_COHERENCE_DATA, and for ch2 install mricron-data.\n";
     return nullptr;
   }

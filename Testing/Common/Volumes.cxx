@@ -133,7 +133,7 @@ vtkSmartPointer<vtkImageData> MarschnerLobb(int n)
 std::string DataDirectory()
 {
   const char* named = std::getenv("TEMPORAL_COHERENCE_DATA");
-  return named ? named : TEMPORAL_COHERENCE_SOURCE_DIRECTORY "/../shared/data";
+  return named ? named : "";
 }
 
 vtkSmartPointer<vtkImageData> Load(const std::string& name)
@@ -146,12 +146,10 @@ vtkSmartPointer<vtkImageData> Load(const std::string& name)
   {
     return MarschnerLobb(size);
   }
-  std::string path = DataDirectory() + "/" + name;
-  if (EndsWith(name, ".nii.gz"))
-  {
-    path = "/usr/share/mricron/templates/" + name;
-  }
-  if (!vtksys::SystemTools::FileExists(path, true))
+  const std::string folder =
+    EndsWith(name, ".nii.gz") ? "/usr/share/mricron/templates" : DataDirectory();
+  const std::string path = folder + "/" + name;
+  if (folder.empty() || !vtksys::SystemTools::FileExists(path, true))
   {
     return nullptr;
   }

@@ -42,8 +42,7 @@ struct Sample
 /// The most samples a side of a volume that is loaded by the name of its formula.
 constexpr int LargestSize = 2048;
 
-/// Folder of the real volumes: the environment's TEMPORAL_COHERENCE_DATA, else ../shared/data
-/// beside the sources.
+/// Folder of the real volumes: the environment's TEMPORAL_COHERENCE_DATA; empty if that is not set.
 std::string DataDirectory();
 
 /// The volume of that name; null if it is a file and not there (or not readable).

@@ -137,6 +137,21 @@ void TestCold()
   }
 }
 
+/// Flag a block of cells and one of points as VTK's tests of ghost arrays do.
+/// \param flagOf gets i and k of a cell in its block
+void FlagBlocks(vtkImageData* image, const std::function<int(int, int)>& flagOf)
+{
+  const auto isInBlock = [](int j) { return j >= 15 && j < 47; };
+  Ghosts::FlagCells(image,
+    [&](int i, int j, int k) { return isInBlock(j) && i >= 21 && i < 42 ? flagOf(i, k) : 0; });
+  Ghosts::FlagPoints(image,
+    [&](int i, int j, int k)
+    {
+      const int flag = j > 31 ? Attributes::DUPLICATEPOINT : Attributes::HIDDENPOINT;
+      return isInBlock(j) && k < 31 && i >= 48 ? flag : 0;
+    });
+}
+
 /// The scene of VTK's TestGPURayCastVolumeGhostArrays, a quarter as large.
 vtkSmartPointer<vtkImageData> WaveletWithGhosts()
 {
@@ -145,21 +160,11 @@ vtkSmartPointer<vtkImageData> WaveletWithGhosts()
   wavelet->SetCenter(0.0, 0.0, 0.0);
   wavelet->Update();
   vtkSmartPointer<vtkImageData> image = wavelet->GetOutput();
-  Ghosts::FlagCells(image,
-    [](int i, int j, int k)
+  FlagBlocks(image,
+    [](int i, int k)
     {
-      const bool isInBlock = j >= 15 && j < 47 && i >= 21 && i < 42;
-      const int flag = k > 31 ? Attributes::REFINEDCELL
-        : i > 31              ? Attributes::DUPLICATECELL
-                              : Attributes::HIDDENCELL;
-      return isInBlock ? flag : 0;
-    });
-  Ghosts::FlagPoints(image,
-    [](int i, int j, int k)
-    {
-      const bool isInBlock = k < 31 && j >= 15 && j < 47 && i >= 48;
-      const int flag = j > 31 ? Attributes::DUPLICATEPOINT : Attributes::HIDDENPOINT;
-      return isInBlock ? flag : 0;
+      const int flag = i > 31 ? Attributes::DUPLICATECELL : Attributes::HIDDENCELL;
+      return k > 31 ? Attributes::REFINEDCELL : flag;
     });
   return image;
 }
@@ -199,20 +204,11 @@ vtkSmartPointer<vtkImageData> CellsWithGhosts()
   toCells->SetInputConnection(wavelet->GetOutputPort());
   toCells->Update();
   vtkSmartPointer<vtkImageData> image = toCells->GetImageDataOutput();
-  Ghosts::FlagCells(image,
-    [](int i, int j, int k)
+  FlagBlocks(image,
+    [](int i, int k)
     {
-      const bool isInBlock = j >= 15 && j < 47 && i >= 21 && i < 42;
-      const int flag = i > 31 && k < 31 ? Attributes::DUPLICATECELL
-        : k > 31                        ? Attributes::REFINEDCELL
-                                        : Attributes::HIDDENCELL;
-      return isInBlock ? flag : 0;
-    });
-  Ghosts::FlagPoints(image,
-    [](int i, int j, int k)
-    {
-      const bool isInBlock = k < 31 && j >= 15 && j < 47 && i >= 48;
-      return isInBlock ? (j > 31 ? Attributes::DUPLICATEPOINT : Attributes::HIDDENPOINT) : 0;
+      const int flag = i > 31 && k < 31 ? Attributes::DUPLICATECELL : Attributes::HIDDENCELL;
+      return k > 31 ? Attributes::REFINEDCELL : flag;
     });
   return image;
 }

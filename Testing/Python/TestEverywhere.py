@@ -17,14 +17,12 @@ import unittest
 
 import numpy
 import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkRenderingVolume import vtkGPUVolumeRayCastMapper
+from scripts import SHOW_VOLUME, pixels_of
 from vtkTemporalCoherence import use_everywhere
 
 AUTOLOAD_PATH = os.environ["TEMPORAL_COHERENCE_AUTOLOAD"]
 VTK_PYTHONPATH = os.environ["TEMPORAL_COHERENCE_VTK_PYTHONPATH"]
-SIZE = 300
 
 BEGINNING = """\
 import sys
@@ -59,7 +57,7 @@ mapper = vtkMultiBlockVolumeMapper()
 mapper.SetInputDataObject(blocks)
 """
 
-ENDING = """\
+LOOK = """\
 if sys.argv[1] == "isosurface":
     mapper.SetBlendModeToIsoSurface()
 volume = vtkVolume()
@@ -73,20 +71,6 @@ appearance.GetRGBTransferFunction().AddRGBPoint(276.0, 0.9, 0.7, 0.4)
 if sys.argv[1] == "composite":
     appearance.GetScalarOpacity().AddPoint(37.0, 0.0)
     appearance.GetScalarOpacity().AddPoint(276.0, 0.5)
-renderer = vtkRenderer()
-renderer.AddVolume(volume)
-window = vtkRenderWindow()
-window.SetOffScreenRendering(1)
-window.SetMultiSamples(0)
-window.SetSize(300, 300)
-window.AddRenderer(renderer)
-window.Render()
-picture = vtkWindowToImageFilter()
-picture.SetInput(window)
-writer = vtkPNGWriter()
-writer.SetFileName(sys.argv[2])
-writer.SetInputConnection(picture.GetOutputPort())
-writer.Write()
 """
 
 SCRIPTS = {
@@ -118,16 +102,12 @@ class UnchangedScripts(unittest.TestCase):
             name: value for name, value in os.environ.items()
             if not name.startswith(("PYTHONPATH", "VTK_AUTOLOAD_PATH", "VTK_TEMPORAL"))}
         done = subprocess.run(
-            [sys.executable, "-c", BEGINNING + SCRIPTS[mapper] + ENDING, blend, self.path],
+            [sys.executable, "-c", BEGINNING + SCRIPTS[mapper] + LOOK + SHOW_VOLUME, blend, self.path],
             env={**surroundings, "PYTHONPATH": VTK_PYTHONPATH, **environment},
             check=True, capture_output=True, text=True)
         with open(self.path, "rb") as file:
             data = file.read()
-        reader = vtkPNGReader()
-        reader.SetFileName(self.path)
-        reader.Update()
-        pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
-        return data, pixels[:, :3].reshape(SIZE, SIZE, 3).astype(int), done.stderr
+        return data, pixels_of(self.path), done.stderr
 
     def test_isosurfaces(self):
         for mapper in SCRIPTS:

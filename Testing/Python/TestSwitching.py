@@ -13,13 +13,12 @@ import tempfile
 import unittest
 
 import numpy
-from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPlane
-from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 from vtkmodules.vtkRenderingCore import vtkVolume
 from vtkmodules.vtkRenderingVolume import vtkFixedPointVolumeRayCastMapper
 from vtkmodules.vtkRenderingVolumeOpenGL2 import vtkSmartVolumeMapper
+from scripts import SHOW_VOLUME, pixels_of
 from vtkTemporalCoherence import render, replace_mapper, vtkTemporalCoherenceVolumeMapper
 
 PLAIN_VTK = """\
@@ -44,21 +43,7 @@ appearance.SetInterpolationTypeToLinear()
 appearance.GetIsoSurfaceValues().SetValue(0, 150.0)
 appearance.GetRGBTransferFunction().AddRGBPoint(150.0, 0.9, 0.7, 0.4)
 appearance.ShadeOn()
-renderer = vtkRenderer()
-renderer.AddVolume(volume)
-window = vtkRenderWindow()
-window.SetOffScreenRendering(1)
-window.SetMultiSamples(0)
-window.SetSize(300, 300)
-window.AddRenderer(renderer)
-window.Render()
-picture = vtkWindowToImageFilter()
-picture.SetInput(window)
-writer = vtkPNGWriter()
-writer.SetFileName(sys.argv[1])
-writer.SetInputConnection(picture.GetOutputPort())
-writer.Write()
-"""
+""" + SHOW_VOLUME
 
 PLAIN_VTK_CHANGES = {
     "from vtkmodules.vtkRenderingVolume import vtkGPUVolumeRayCastMapper":
@@ -155,12 +140,9 @@ class Scripts(unittest.TestCase):
         path = os.path.join(self.folder, "picture.png")
         subprocess.run(
             [sys.executable, "-c", script, path], cwd=self.folder, check=True)
-        reader = vtkPNGReader()
-        reader.SetFileName(path)
-        reader.Update()
-        pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
+        pixels = pixels_of(path)
         os.remove(path)
-        return pixels[:, :3].reshape(300, 300, 3).astype(int)
+        return pixels
 
     def assert_two_lines_show_the_same(self, script, changes):
         ours = changed(script, changes)

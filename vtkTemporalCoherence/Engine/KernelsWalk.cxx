@@ -227,6 +227,15 @@ private:
     return hn::Min(hn::Max(hn::Trunc(x), low), high);
   }
 
+  /// Only a point next to a plane between cells may be rounded across it.
+  HWY_INLINE M IsNextToPlane(std::size_t axis, V t) const
+  {
+    const V x = hn::Add(this->Origin[axis], hn::Mul(t, this->Direction[axis]));
+    const V share = hn::Sub(x, hn::Trunc(x));
+    return hn::Or(
+      hn::Lt(share, this->Margin[axis]), hn::Gt(share, hn::Sub(One(), this->Margin[axis])));
+  }
+
   /// CellWalk::Land.
   HWY_NOINLINE V Land(std::size_t a, V t, V cell, V low, V high, const M exits[3]) const
   {
@@ -333,15 +342,10 @@ private:
     const M isLeap = hn::And(this->Live, hn::Gt(below, Zero()));
     for (std::size_t a = 0; a < 3; ++a)
     {
-      const V x = hn::Add(this->Origin[a], hn::Mul(t, this->Direction[a]));
-      const V whole = hn::Trunc(x);
       const V high = hn::Add(first[a], below);
-      V at = hn::Min(hn::Max(whole, first[a]), high);
-      // Only a point next to a plane may be rounded across it.
-      const V share = hn::Sub(x, whole);
-      const M isNext =
-        hn::Or(hn::Lt(share, this->Margin[a]), hn::Gt(share, hn::Sub(One(), this->Margin[a])));
-      if (!hn::AllFalse(Doubles(), hn::And(hn::AndNot(exits[a], isNext), isLeap)))
+      V at = this->CellAt(a, t, first[a], high);
+      const M isNext = hn::AndNot(exits[a], this->IsNextToPlane(a, t));
+      if (!hn::AllFalse(Doubles(), hn::And(isNext, isLeap)))
       {
         at = this->Land(a, t, at, first[a], high, exits);
       }

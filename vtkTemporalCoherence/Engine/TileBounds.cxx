@@ -154,9 +154,12 @@ public:
     }
   }
 
-  /// Tiles that a box can touch; false if there are none.
+  /// Tiles that a box can touch: all where it reaches behind the eye, or where what is computed
+  /// leaves the range of numbers; false if there are none.
   bool FindTiles(const Box& box, glm::ivec2& first, glm::ivec2& last) const
   {
+    first = glm::ivec2(0);
+    last = this->Tiles - 1;
     const glm::dvec4 centre = this->ClipFromIndex * glm::dvec4(box.Centre, 1.0);
     const std::array<glm::dvec4, 3> half = { box.Half.x * this->ClipFromIndex[0],
       box.Half.y * this->ClipFromIndex[1], box.Half.z * this->ClipFromIndex[2] };
@@ -169,9 +172,6 @@ public:
         (corner & 2 ? half[1] : -half[1]) + (corner & 4 ? half[2] : -half[2]);
       if (!(clip.w > this->ClipError.w))
       {
-        // A box that reaches behind the eye can be seen anywhere.
-        first = glm::ivec2(0);
-        last = this->Tiles - 1;
         return true;
       }
       const glm::dvec2 point = glm::dvec2(clip) / clip.w;
@@ -188,9 +188,6 @@ public:
     const glm::dvec2 highPixel = (high + 1.0) * scale + margin;
     if (!std::isfinite(lowPixel.x + lowPixel.y + highPixel.x + highPixel.y))
     {
-      // What leaves the range of numbers can be seen anywhere.
-      first = glm::ivec2(0);
-      last = this->Tiles - 1;
       return true;
     }
     if (lowPixel.x >= this->Seen.Size.x || lowPixel.y >= this->Seen.Size.y || highPixel.x < 0.0 ||
@@ -215,11 +212,6 @@ private:
     };
     const glm::dvec4 world = sizes(this->WorldFromIndex) * cells;
     this->ClipError = Rounding * (sizes(this->Seen.ClipFromWorld) * world);
-    if (!std::isfinite(this->ClipError.x + this->ClipError.y))
-    {
-      // What leaves the range of numbers can be seen anywhere.
-      this->ClipError.w = std::numeric_limits<double>::infinity();
-    }
     const glm::dvec3 reach = glm::dvec3(world) + glm::abs(this->Seen.Position);
     this->DistanceError = Rounding * this->PerRadius * (reach.x + reach.y + reach.z) +
       static_cast<double>(std::numeric_limits<float>::min());

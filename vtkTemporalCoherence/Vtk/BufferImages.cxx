@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace TemporalCoherence
 {
@@ -72,11 +73,18 @@ double EndAtBox(const Ray& ray, const FrameKey& key)
   return isInside ? end : std::numeric_limits<double>::infinity();
 }
 
-/// A share of the largest number of a type.
+/// A depth as a number of a type: a share of the largest integer, or the depth itself.
 template <typename T>
-T ShareOf(float depth)
+T NumberOf(float depth)
 {
-  return static_cast<T>(std::lround(depth * static_cast<float>(std::numeric_limits<T>::max())));
+  if constexpr (std::is_integral_v<T>)
+  {
+    return static_cast<T>(std::lround(depth * static_cast<float>(std::numeric_limits<T>::max())));
+  }
+  else
+  {
+    return depth;
+  }
 }
 
 }
@@ -107,27 +115,23 @@ void WriteDepths(
     }
     return std::isfinite(t) ? WindowDepthOf(key.Seen, { x, y }, t) : 1.0f;
   };
-  const char* const name = "Depth";
+  const auto write = [&](auto zero, int type)
+  {
+    using T = decltype(zero);
+    WriteImage<T, 1>(
+      frame.Size, type, "Depth",
+      [&](std::size_t pixel, int x, int y)
+      { return std::array{ NumberOf<T>(depthOf(pixel, x, y)) }; },
+      image);
+  };
   switch (scalarType)
   {
     case VTK_UNSIGNED_CHAR:
-      WriteImage<unsigned char, 1>(
-        frame.Size, scalarType, name,
-        [&](std::size_t pixel, int x, int y)
-        { return std::array{ ShareOf<unsigned char>(depthOf(pixel, x, y)) }; },
-        image);
-      break;
+      return write(static_cast<unsigned char>(0), scalarType);
     case VTK_UNSIGNED_SHORT:
-      WriteImage<unsigned short, 1>(
-        frame.Size, scalarType, name,
-        [&](std::size_t pixel, int x, int y)
-        { return std::array{ ShareOf<unsigned short>(depthOf(pixel, x, y)) }; },
-        image);
-      break;
+      return write(static_cast<unsigned short>(0), scalarType);
     default:
-      WriteImage<float, 1>(
-        frame.Size, VTK_FLOAT, name,
-        [&](std::size_t pixel, int x, int y) { return std::array{ depthOf(pixel, x, y) }; }, image);
+      return write(0.0f, VTK_FLOAT);
   }
 }
 

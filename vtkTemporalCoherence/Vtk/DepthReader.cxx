@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DepthReader.h"
 
+#include "OpenGLWindow.h"
+
 #include <vtkNew.h>
 #include <vtkOpenGLFramebufferObject.h>
 #include <vtkOpenGLRenderWindow.h>
@@ -15,21 +17,13 @@ namespace TemporalCoherence
 namespace
 {
 
-// Enumerants of OpenGL, named here because the header that has them differs between versions of
-// VTK.
-constexpr unsigned int GlScissorTest = 0x0C11;
-constexpr unsigned int GlFloat = 0x1406;
-constexpr unsigned int GlDepthComponent = 0x1902;
-constexpr unsigned int GlSamples = 0x80A9;
-constexpr unsigned int GlReadFramebuffer = 0x8CA8;
-
 /// Read from a framebuffer that a render pass draws into.
 bool ReadFramebuffer(vtkOpenGLRenderWindow* window, unsigned int framebuffer, const PixelRect& rect,
   std::vector<float>& depths)
 {
   vtkOpenGLState* state = window->GetState();
   int samples = 0;
-  state->vtkglGetIntegerv(GlSamples, &samples);
+  state->vtkglGetIntegerv(Gl::Samples, &samples);
   if (samples > 1)
   {
     return false; // its format, which a copy with one sample must have, is not known
@@ -39,9 +33,9 @@ bool ReadFramebuffer(vtkOpenGLRenderWindow* window, unsigned int framebuffer, co
   const glm::ivec2 last = rect.First + rect.Size - 1;
   std::array<int, 4> extent{ rect.First.x, last.x, rect.First.y, last.y };
   state->PushReadFramebufferBinding();
-  state->vtkglBindFramebuffer(GlReadFramebuffer, framebuffer);
-  vtkOpenGLFramebufferObject::Download(extent.data(), VTK_FLOAT, 1, static_cast<int>(GlFloat),
-    static_cast<int>(GlDepthComponent), buffer);
+  state->vtkglBindFramebuffer(Gl::ReadFramebuffer, framebuffer);
+  vtkOpenGLFramebufferObject::Download(extent.data(), VTK_FLOAT, 1, static_cast<int>(Gl::Float),
+    static_cast<int>(Gl::DepthComponent), buffer);
   state->PopReadFramebufferBinding();
   std::array<unsigned int, 2> size{ static_cast<unsigned int>(rect.Size.x),
     static_cast<unsigned int>(rect.Size.y) };
@@ -62,7 +56,7 @@ bool ReadDepths(vtkOpenGLRenderWindow* window, const PixelRect& rect, std::vecto
   }
   // The window knows how to copy its own, where that is multisampled.
   vtkOpenGLState* state = window->GetState();
-  vtkOpenGLState::ScopedglEnableDisable keepScissorTest(state, GlScissorTest);
+  vtkOpenGLState::ScopedglEnableDisable keepScissorTest(state, Gl::ScissorTest);
   vtkOpenGLState::ScopedglViewport keepViewport(state);
   vtkOpenGLState::ScopedglScissor keepScissor(state);
   const glm::ivec2 last = rect.First + rect.Size - 1;

@@ -35,6 +35,18 @@ int HeaviestComponent(vtkVolumeProperty* property, int components)
 
 }
 
+int OtherInputPort(vtkVolumeMapper* mapper)
+{
+  for (int port = 1; port < mapper->GetNumberOfInputPorts(); ++port)
+  {
+    if (mapper->GetNumberOfInputConnections(port) > 0)
+    {
+      return port;
+    }
+  }
+  return 0;
+}
+
 bool InputFromMapper::Find(vtkVolumeMapper* mapper, vtkVolumeProperty* property,
   const VectorChoice& vectors, MapperInput& input, std::string& error)
 {
@@ -72,15 +84,12 @@ bool InputFromMapper::FindImage(vtkVolumeMapper* mapper, MapperInput& input, std
             "SetInputData or SetInputConnection.";
     return false;
   }
-  for (int port = 1; port < mapper->GetNumberOfInputPorts(); ++port)
+  if (const int port = OtherInputPort(mapper))
   {
-    if (mapper->GetNumberOfInputConnections(port) > 0)
-    {
-      error = "There is an input at port " + std::to_string(port) +
-        ", but only that of port 0 can be drawn; give each input a mapper and a vtkVolume of its "
-        "own, or take vtkGPUVolumeRayCastMapper.";
-      return false;
-    }
+    error = "There is an input at port " + std::to_string(port) +
+      ", but only that of port 0 can be drawn; give each input a mapper and a vtkVolume of its "
+      "own, or take vtkGPUVolumeRayCastMapper.";
+    return false;
   }
   const ScalarChoice choice = ChoiceOf(mapper);
   ChosenScalars scalars;

@@ -45,6 +45,9 @@ struct MapperInput
   std::shared_ptr<const GridCoordinates> Grid; ///< where samples lie; null: where the image says
 };
 
+/// The first port but that of the volume that has an input; 0 if there is none.
+int OtherInputPort(vtkVolumeMapper* mapper);
+
 /// Finds what a mapper is to draw, and keeps what has to be computed for that.
 class InputFromMapper
 {

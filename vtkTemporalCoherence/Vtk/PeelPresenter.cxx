@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PeelPresenter.h"
 
+#include "OpenGLWindow.h"
 #include "PeeledPicture.h"
 
 #include <vtkNew.h>
@@ -22,14 +23,6 @@ namespace TemporalCoherence
 namespace
 {
 
-// Enumerants of OpenGL 1.1, named here because the header that has them differs between versions
-// of VTK.
-constexpr unsigned int GlCullFace = 0x0B44;
-constexpr unsigned int GlDepthTest = 0x0B71;
-constexpr unsigned int GlViewport = 0x0BA2;
-constexpr unsigned int GlBlend = 0x0BE2;
-constexpr unsigned int GlMaxTextureSize = 0x0D33;
-
 /// Layers in a row of the textures that hold them.
 constexpr std::size_t RowOfLayers = 4096;
 
@@ -43,7 +36,7 @@ constexpr const char* Color = "  vec4 seen = vec4(0.0);\n"
                               "  for (int i = 0; i < int(layers.z); ++i)\n"
                               "  {\n"
                               "    int at = int(layers.x) + i;\n"
-                              "    ivec2 place = ivec2(at % 4096, int(layers.y) + at / 4096);\n"
+                              "    ivec2 place = ivec2(at % row, int(layers.y) + at / row);\n"
                               "    float depth = texelFetch(depthTexture, place, 0).r;\n"
                               "    if (depth >= zEnd) { break; }\n"
                               "    if (depth >= zStart)\n"
@@ -60,17 +53,11 @@ constexpr const char* Begin = "  layers = texture2D(layersTexture, texCoord).xyz
 std::string ShaderOf(const PeelingPass& pass)
 {
   std::string source = pass.FragmentShader();
-  vtkShaderProgram::Substitute(source, "//PeeledDeclarations", Declarations);
+  vtkShaderProgram::Substitute(source, "//PeeledDeclarations",
+    Declarations + ("const int row = " + std::to_string(RowOfLayers) + ";\n"));
   vtkShaderProgram::Substitute(source, "//PeeledColor", Color);
   vtkShaderProgram::Substitute(source, "void main()\n{\n", std::string("void main()\n{\n") + Begin);
   return source;
-}
-
-void PrepareTexture(vtkTextureObject* texture, vtkOpenGLRenderWindow* window)
-{
-  texture->SetContext(window);
-  texture->SetMinificationFilter(vtkTextureObject::Nearest);
-  texture->SetMagnificationFilter(vtkTextureObject::Nearest);
 }
 
 }
@@ -96,7 +83,7 @@ bool PeelPresenter::Resources::Upload(const PeeledLayers& layers)
   }
   const std::size_t rows = (layers.All().size() + RowOfLayers - 1) / RowOfLayers;
   int most = 0;
-  this->Window->GetState()->vtkglGetIntegerv(GlMaxTextureSize, &most);
+  this->Window->GetState()->vtkglGetIntegerv(Gl::MaxTextureSize, &most);
   if (rows > static_cast<std::size_t>(most))
   {
     return false;
@@ -150,9 +137,7 @@ bool PeelPresenter::Present(const PeelingPass& pass, vtkRenderer* renderer, vtkV
   const auto picture = PeeledPicture::Of(renderer);
   if (pass.IsFirst())
   {
-    int viewport[4];
-    window->GetState()->vtkglGetIntegerv(GlViewport, viewport);
-    picture->Add(pass, this, { viewport[2], viewport[3] }, frame, view);
+    picture->Add(pass, this, ViewportOf(window).Size, frame, view);
     if (!this->OpenGL->Upload(picture->Layers()))
     {
       error = "There are more surfaces behind one another, " +
@@ -192,18 +177,17 @@ bool PeelPresenter::Draw(const PeelingPass& pass, vtkVolume* volume, std::string
   window->GetShaderCache()->ReadyShaderProgram(program);
 
   vtkOpenGLState* state = window->GetState();
-  vtkOpenGLState::ScopedglEnableDisable keepDepthTest(state, GlDepthTest);
-  vtkOpenGLState::ScopedglEnableDisable keepBlend(state, GlBlend);
-  vtkOpenGLState::ScopedglEnableDisable keepCullFace(state, GlCullFace);
-  state->vtkglDisable(GlDepthTest);
-  state->vtkglDisable(GlCullFace);
+  vtkOpenGLState::ScopedglEnableDisable keepDepthTest(state, Gl::DepthTest);
+  vtkOpenGLState::ScopedglEnableDisable keepBlend(state, Gl::Blend);
+  vtkOpenGLState::ScopedglEnableDisable keepCullFace(state, Gl::CullFace);
+  state->vtkglDisable(Gl::DepthTest);
+  state->vtkglDisable(Gl::CullFace);
   if (!pass.IsBlended())
   {
-    state->vtkglDisable(GlBlend);
+    state->vtkglDisable(Gl::Blend);
   }
-  int viewport[4];
-  state->vtkglGetIntegerv(GlViewport, viewport);
-  pass.SetUniforms(program, volume, viewport[2], viewport[3]);
+  const glm::ivec2 size = ViewportOf(window).Size;
+  pass.SetUniforms(program, volume, size.x, size.y);
   const auto bind = [&](const char* name, vtkTextureObject* texture)
   {
     texture->Activate();

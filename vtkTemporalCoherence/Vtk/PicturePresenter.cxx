@@ -4,6 +4,7 @@
 
 #include "DepthReader.h"
 #include "LayerCut.h"
+#include "OpenGLWindow.h"
 
 #include <vtkNew.h>
 #include <vtkOpenGLQuadHelper.h>
@@ -23,17 +24,6 @@ namespace TemporalCoherence
 namespace
 {
 
-// Enumerants of OpenGL 1.1, named here because the header that has them differs between versions
-// of VTK.
-constexpr unsigned int GlDepthTest = 0x0B71;
-constexpr unsigned int GlBlend = 0x0BE2;
-constexpr unsigned int GlViewport = 0x0BA2;
-constexpr unsigned int GlLessOrEqual = 0x0203;
-constexpr unsigned int GlOne = 1;
-constexpr unsigned int GlOneMinusSourceAlpha = 0x0303;
-constexpr unsigned char GlTrue = 1;
-constexpr unsigned char GlFalse = 0;
-
 std::string FragmentShader(PassOutput output)
 {
   std::string source = vtkOpenGLRenderUtilities::GetFullScreenQuadFragmentShaderTemplate();
@@ -52,21 +42,12 @@ std::string FragmentShader(PassOutput output)
 }
 
 /// Where in the window a part is of a picture that fills the viewport.
-PixelRect InWindow(vtkOpenGLState* state, const glm::ivec2& size, const PixelRect& part)
+PixelRect InWindow(vtkOpenGLRenderWindow* window, const glm::ivec2& size, const PixelRect& part)
 {
-  int viewport[4];
-  state->vtkglGetIntegerv(GlViewport, viewport);
-  const glm::ivec2 whole(viewport[2], viewport[3]);
-  const glm::ivec2 first = part.First * whole / size;
-  const glm::ivec2 end = (part.First + part.Size) * whole / size;
-  return { glm::ivec2(viewport[0], viewport[1]) + first, end - first };
-}
-
-void PrepareTexture(vtkTextureObject* texture, vtkOpenGLRenderWindow* window)
-{
-  texture->SetContext(window);
-  texture->SetMinificationFilter(vtkTextureObject::Nearest);
-  texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+  const PixelRect viewport = ViewportOf(window);
+  const glm::ivec2 first = part.First * viewport.Size / size;
+  const glm::ivec2 end = (part.First + part.Size) * viewport.Size / size;
+  return { viewport.First + first, end - first };
 }
 
 }
@@ -231,7 +212,7 @@ bool PicturePresenter::Prepare(vtkRenderer* renderer, const Frame& frame, const 
 bool PicturePresenter::CutLayers(const Frame& frame, const View& view)
 {
   vtkOpenGLRenderWindow* window = this->OpenGL->Window;
-  const PixelRect target = InWindow(window->GetState(), this->OpenGL->Size, this->OpenGL->Rect);
+  const PixelRect target = InWindow(window, this->OpenGL->Size, this->OpenGL->Rect);
   if (target.Size.x <= 0 || target.Size.y <= 0)
   {
     return false;
@@ -272,16 +253,16 @@ void PicturePresenter::UploadNormals(const Frame& frame)
 void PicturePresenter::Draw(vtkTextureObject* color, bool isOpaque, bool isTranslucent)
 {
   vtkOpenGLState* state = this->OpenGL->Window->GetState();
-  vtkOpenGLState::ScopedglEnableDisable keepDepthTest(state, GlDepthTest);
-  vtkOpenGLState::ScopedglEnableDisable keepBlend(state, GlBlend);
+  vtkOpenGLState::ScopedglEnableDisable keepDepthTest(state, Gl::DepthTest);
+  vtkOpenGLState::ScopedglEnableDisable keepBlend(state, Gl::Blend);
   vtkOpenGLState::ScopedglBlendFuncSeparate keepBlendFunction(state);
   vtkOpenGLState::ScopedglDepthFunc keepDepthFunction(state);
   vtkOpenGLState::ScopedglDepthMask keepDepthMask(state);
   vtkOpenGLState::ScopedglViewport keepViewport(state);
-  const PixelRect target = InWindow(state, this->OpenGL->Size, this->OpenGL->Rect);
+  const PixelRect target = InWindow(this->OpenGL->Window, this->OpenGL->Size, this->OpenGL->Rect);
   state->vtkglViewport(target.First.x, target.First.y, target.Size.x, target.Size.y);
-  state->vtkglEnable(GlDepthTest);
-  state->vtkglDepthFunc(GlLessOrEqual);
+  state->vtkglEnable(Gl::DepthTest);
+  state->vtkglDepthFunc(Gl::LessOrEqual);
 
   vtkShaderProgram* program = this->OpenGL->Quad->Program;
   vtkTextureObject* depth = this->OpenGL->Depth;
@@ -291,16 +272,17 @@ void PicturePresenter::Draw(vtkTextureObject* color, bool isOpaque, bool isTrans
   program->SetUniformi("depthTexture", depth->GetTextureUnit());
   if (isOpaque)
   {
-    state->vtkglDepthMask(GlTrue);
-    state->vtkglDisable(GlBlend);
+    state->vtkglDepthMask(Gl::True);
+    state->vtkglDisable(Gl::Blend);
     program->SetUniformi("isOpaquePart", 1);
     this->OpenGL->Quad->Render();
   }
   if (isTranslucent)
   {
-    state->vtkglDepthMask(GlFalse);
-    state->vtkglEnable(GlBlend);
-    state->vtkglBlendFuncSeparate(GlOne, GlOneMinusSourceAlpha, GlOne, GlOneMinusSourceAlpha);
+    state->vtkglDepthMask(Gl::False);
+    state->vtkglEnable(Gl::Blend);
+    state->vtkglBlendFuncSeparate(
+      Gl::One, Gl::OneMinusSourceAlpha, Gl::One, Gl::OneMinusSourceAlpha);
     program->SetUniformi("isOpaquePart", 0);
     this->OpenGL->Quad->Render();
   }

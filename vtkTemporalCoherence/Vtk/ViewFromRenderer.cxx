@@ -3,10 +3,10 @@
 #include "ViewFromRenderer.h"
 
 #include "MatrixFromVtk.h"
+#include "OpenGLWindow.h"
 
 #include <vtkCamera.h>
 #include <vtkOpenGLRenderWindow.h>
-#include <vtkOpenGLState.h>
 #include <vtkRenderer.h>
 
 #include <sstream>
@@ -20,12 +20,10 @@ glm::ivec2 PictureSizeOf(vtkRenderer* renderer)
   renderer->GetTiledSizeAndOrigin(&size.x, &size.y, &origin.x, &origin.y);
   if (auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()))
   {
-    constexpr unsigned int GlViewport = 0x0BA2;
-    glm::ivec4 viewport(0);
-    window->GetState()->vtkglGetIntegerv(GlViewport, &viewport.x);
-    if (size.x > 0 && size.y > 0 && viewport.z > 0 && viewport.w > 0)
+    const glm::ivec2 viewport = ViewportOf(window).Size;
+    if (size.x > 0 && size.y > 0 && viewport.x > 0 && viewport.y > 0)
     {
-      size = { viewport.z, viewport.w };
+      size = viewport;
     }
   }
   return size;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GpuMapperSettings.h"
 
-#include "InputFromMapper.h"
+#include "Input/InputFromMapper.h"
 #include "vtkTemporalCoherenceVolumeMapper.h"
 
 #include <vtkAlgorithmOutput.h>

@@ -3,8 +3,8 @@
 #ifndef TemporalCoherence_SettingsFromMapper_h
 #define TemporalCoherence_SettingsFromMapper_h
 
-#include "FrameRenderer.h"
-#include "RequestFromMapper.h"
+#include "Render/FrameRenderer.h"
+#include "Request/RequestFromMapper.h"
 #include "vtkTemporalCoherenceCompatibility.h"
 
 VTK_ABI_NAMESPACE_BEGIN

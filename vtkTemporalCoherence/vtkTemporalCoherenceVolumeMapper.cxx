@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTemporalCoherenceVolumeMapper.h"
 
-#include "PeelingPass.h"
+#include "Request/ViewFromRenderer.h"
+#include "Scene/Stopwatch.h"
 #include "SettingsFromMapper.h"
-#include "Stopwatch.h"
-#include "ViewFromRenderer.h"
+#include "Window/PeelingPass.h"
 #include "vtkTemporalCoherenceVolumeMapperInternals.h"
 
 #include "vtkCommand.h"

@@ -3,10 +3,10 @@
 #ifndef vtkTemporalCoherenceVolumeMapperInternals_h
 #define vtkTemporalCoherenceVolumeMapperInternals_h
 
-#include "IsovalueCheck.h"
-#include "MapperFrames.h"
-#include "RequestFromMapper.h"
-#include "SampleDistance.h"
+#include "Frames/MapperFrames.h"
+#include "Render/SampleDistance.h"
+#include "Request/IsovalueCheck.h"
+#include "Request/RequestFromMapper.h"
 #include "vtkTemporalCoherenceVolumeMapper.h"
 
 #include <string>

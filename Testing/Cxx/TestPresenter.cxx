@@ -6,8 +6,8 @@
 // which it leaves as it was; and in other windows.
 
 #include "Expect.h"
-#include "MatrixFromVtk.h"
-#include "PicturePresenter.h"
+#include "Input/MatrixFromVtk.h"
+#include "Window/PicturePresenter.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>

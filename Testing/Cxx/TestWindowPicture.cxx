@@ -6,8 +6,8 @@
 // them. Frames are made at random and held against loops over all pixels.
 
 #include "Expect.h"
-#include "LayerCut.h"
-#include "WindowPicture.h"
+#include "Window/LayerCut.h"
+#include "Window/WindowPicture.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 

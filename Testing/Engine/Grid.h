@@ -3,8 +3,8 @@
 #ifndef Testing_Grid_h
 #define Testing_Grid_h
 
-#include "Field.h"
-#include "View.h"
+#include "Scene/Field.h"
+#include "Scene/View.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 

@@ -60,7 +60,7 @@ class Tree:
         """The engine and what lies between it and VTK."""
         module = self.repository / "vtkTemporalCoherence"
         return [str(path.relative_to(module)) for folder in folders
-                for path in sorted((module / folder).iterdir()) if path.suffix in (".h", ".cxx")]
+                for path in sorted((module / folder).rglob("*")) if path.suffix in (".h", ".cxx")]
 
     def plant(self, mutant):
         """Change a file, and let the standard library check the indices in it: one that leaves its

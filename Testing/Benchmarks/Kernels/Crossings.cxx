@@ -3,11 +3,11 @@
 
 // Passages of rays through cells.
 
-#include "Difference.h"
 #include "KernelBenchmarks.h"
 #include "KernelScene.h"
-#include "KernelsCrossing.h"
-#include "KernelsRange.h"
+#include "Scene/Difference.h"
+#include "Trace/KernelsCrossing.h"
+#include "Trace/KernelsRange.h"
 
 namespace
 {

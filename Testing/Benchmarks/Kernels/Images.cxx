@@ -3,10 +3,10 @@
 
 // Rays of a tile, and what a cached image tells about them.
 
+#include "ImageCache/KernelsImage.h"
 #include "KernelBenchmarks.h"
 #include "KernelScene.h"
-#include "KernelsImage.h"
-#include "KernelsRays.h"
+#include "Trace/KernelsRays.h"
 
 namespace
 {

@@ -3,13 +3,13 @@
 #ifndef Benchmarks_KernelScene_h
 #define Benchmarks_KernelScene_h
 
-#include "ActiveCells.h"
+#include "Acceleration/ActiveCells.h"
+#include "Acceleration/ValueRangePyramid.h"
 #include "Grid.h"
-#include "RaySource.h"
-#include "ReusePlan.h"
-#include "SurfaceTracer.h"
-#include "Tiles.h"
-#include "ValueRangePyramid.h"
+#include "Scene/FrameKey.h"
+#include "Scene/Tiles.h"
+#include "Trace/RaySource.h"
+#include "Trace/SurfaceTracer.h"
 
 #include <algorithm>
 #include <cmath>

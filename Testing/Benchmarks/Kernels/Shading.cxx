@@ -5,9 +5,9 @@
 
 #include "KernelBenchmarks.h"
 #include "KernelScene.h"
-#include "KernelsGradients.h"
-#include "KernelsShading.h"
-#include "SurfaceNormal.h"
+#include "Shade/KernelsGradients.h"
+#include "Shade/KernelsShading.h"
+#include "Shade/SurfaceNormal.h"
 
 namespace
 {

@@ -3,10 +3,10 @@
 
 // Whole tiles: walk from cell to cell and crossings; look-up in an isomap.
 
-#include "IsomapLookup.h"
+#include "Isomap/IsomapLookup.h"
 #include "KernelBenchmarks.h"
 #include "KernelScene.h"
-#include "KernelsWalk.h"
+#include "Trace/KernelsWalk.h"
 
 #include <limits>
 

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StructureTimes.h"
 
-#include "ActiveCells.h"
-#include "FieldFromImage.h"
+#include "Acceleration/ActiveCells.h"
+#include "Acceleration/ValueRangePyramid.h"
+#include "Input/FieldFromImage.h"
 #include "Measuring.h"
-#include "ValueRangePyramid.h"
 
 #include <vtkDataArray.h>
 #include <vtkPointData.h>

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Acceleration/ActiveCells.h"
+#include "Grid.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace
+{
+
+using namespace TemporalCoherence;
+
+template <typename T>
+bool IsActive(Grid<T>& grid, const glm::ivec3& cell, const std::vector<double>& isovalues)
+{
+  for (const double isovalue : isovalues)
+  {
+    int inside = 0;
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      const T value =
+        grid.At(cell.x + (corner & 1), cell.y + (corner >> 1 & 1), cell.z + (corner >> 2));
+      inside += static_cast<double>(value) >= isovalue;
+    }
+    if (inside != 0 && inside != 8)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+template <typename T>
+void ExpectBits(Grid<T>& grid, const std::vector<double>& isovalues)
+{
+  ValueRangePyramid pyramid;
+  pyramid.Build(grid.Seen);
+  ActiveCells active;
+  active.Build(grid.Seen, pyramid, Surfaces{ isovalues, SurfaceMode::Crossing });
+  const TypedField<T> field(grid.Seen);
+  const glm::ivec3 cells = grid.Seen.Dimensions - 1;
+  for (int k = 0; k < cells.z; ++k)
+  {
+    for (int j = 0; j < cells.y; ++j)
+    {
+      for (int i = 0; i < cells.x; ++i)
+      {
+        const glm::ivec3 cell(i, j, k);
+        const std::int64_t node = active.NodeOf(cell);
+        const bool leaf = active.LeavesOf(node) >> ActiveCells::LeafOf(cell) & 1u;
+        const bool bit =
+          leaf && (active.CellsOf(field, node, cell) >> ActiveCells::BitOf(cell) & 1u);
+        ASSERT_EQ(bit, IsActive(grid, cell, isovalues)) << i << ' ' << j << ' ' << k;
+      }
+    }
+  }
+}
+
+TEST(ActiveCells, AreThoseWithSamplesOnBothSides)
+{
+  Grid<std::uint8_t> bytes(glm::ivec3(37, 18, 9));
+  bytes.FillRandomly(0.0, 20.0, 1);
+  ExpectBits(bytes, { 10.0 });
+  ExpectBits(bytes, { 18.5 });
+  ExpectBits(bytes, { 2.0, 19.0 });
+  ExpectBits(bytes, { -5.0, 300.0 });
+
+  Grid<double> doubles(glm::ivec3(6, 5, 21), 2, 1);
+  doubles.FillRandomly(-1.0, 1.0, 2);
+  ExpectBits(doubles, { 0.0 });
+  ExpectBits(doubles, { 0.99, -0.99 });
+}
+
+TEST(ActiveCells, IsovaluesEqualToSamples)
+{
+  Grid<std::int16_t> grid(glm::ivec3(20, 20, 20));
+  grid.Fill([](int i, int j, int) { return i / 5 + j / 7; });
+  for (int isovalue = -1; isovalue < 8; ++isovalue)
+  {
+    ExpectBits(grid, { static_cast<double>(isovalue) });
+  }
+}
+
+TEST(ActiveCells, NotANumberIsOutside)
+{
+  Grid<float> grid(glm::ivec3(9, 9, 9));
+  grid.Fill([](int, int, int) { return 5.0; });
+  grid.At(4, 4, 4) = std::numeric_limits<float>::quiet_NaN();
+  ExpectBits(grid, { 1.0 });
+  ExpectBits(grid, { 5.0 });
+  ExpectBits(grid, { 6.0 });
+}
+
+}

@@ -1,0 +1,414 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Grid.h"
+#include "Render/FrameRenderer.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace
+{
+
+using namespace TemporalCoherence;
+
+template <typename T>
+bool AreIdentical(const T& a, const T& b)
+{
+  return a.size() == b.size() && !std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0]));
+}
+
+void ExpectColdPlanes(const Frame& made, const Frame& cold)
+{
+  EXPECT_TRUE(AreIdentical(made.Depth, cold.Depth));
+  EXPECT_TRUE(AreIdentical(made.Disparities, cold.Disparities));
+  EXPECT_TRUE(AreIdentical(made.Normals, cold.Normals));
+  EXPECT_TRUE(AreIdentical(made.Isovalues, cold.Isovalues));
+  EXPECT_TRUE(AreIdentical(made.Colors, cold.Colors));
+  // A contact may be told too near, never too far: a cell counts although only its corner is equal
+  // to the isovalue.
+  std::size_t farther = 0, otherwise = 0;
+  for (std::size_t i = 0; i < cold.Contacts.size(); ++i)
+  {
+    const bool isOfAMiss = cold.Kinds[i] == HitKind::None && made.Kinds[i] == HitKind::Within;
+    farther += made.Contacts[i] < cold.Contacts[i];
+    otherwise += made.Kinds[i] != cold.Kinds[i] && !isOfAMiss;
+  }
+  EXPECT_EQ(farther, 0u);
+  EXPECT_EQ(otherwise, 0u);
+}
+
+/// A view whose isovalues change, beside cold frames of the same.
+class IsomapTest : public ::testing::Test
+{
+protected:
+  template <typename T>
+  static FrameKey KeyOf(const Grid<T>& grid, bool parallel = false)
+  {
+    FrameKey key;
+    key.Samples = grid.Seen;
+    key.Seen = LookAt(grid.Seen.Dimensions, { 1.0, 2.0, 0.7 }, { 93, 71 }, parallel);
+    key.Look.Shade = true;
+    key.Look.Lights = { Light() };
+    return key;
+  }
+
+  /// Render isovalues as they come, and cold.
+  void RenderBoth(FrameKey& key, const std::vector<double>& isovalues, FrameRenderer& cold)
+  {
+    key.Sought.Isovalues = isovalues;
+    key.Look.Colors.assign(isovalues.size(), glm::dvec3(0.9, 0.6, 0.3));
+    ASSERT_TRUE(this->Renderer.Render(key, this->Options));
+    cold.Render(key, {});
+    ASSERT_EQ(cold.Statistics().Made, Route::Cold);
+  }
+
+  void Show(FrameKey& key, const std::vector<double>& isovalues)
+  {
+    FrameRenderer cold;
+    ASSERT_NO_FATAL_FAILURE(this->RenderBoth(key, isovalues, cold));
+    SCOPED_TRACE(testing::Message()
+      << "isovalue " << isovalues[0] << " route " << NameOf(this->Renderer.Statistics().Made));
+    ExpectColdPlanes(this->Renderer.LastFrame(), cold.LastFrame());
+  }
+
+  /// Isovalues up and down and far away.
+  void Sweep(FrameKey& key, double low, double high)
+  {
+    const double range = high - low;
+    for (const double share : { 0.5, 0.51, 0.52, 0.6, 0.55, 0.49, 0.4, 0.1, 0.11, 0.9, 0.95, 0.0,
+           1.0, -0.1, 1.1, 0.5, 0.3, 0.31 })
+    {
+      this->Show(key, { low + share * range });
+    }
+  }
+
+  FrameRenderer Renderer;
+  FrameRenderer::Options Options;
+};
+
+double Waves(int i, int j, int k)
+{
+  return 120.0 + 100.0 * std::sin(0.2 * i) * std::cos(0.25 * j) * std::sin(0.3 * k);
+}
+
+/// The isovalues of a picture are those of the cold one, and no surface is farther from it than a
+/// tolerance.
+void ExpectWithin(const Frame& made, const Frame& truth, double tolerance)
+{
+  for (std::size_t i = 0; i < truth.Depth.size(); ++i)
+  {
+    ASSERT_EQ(made.Isovalues[i], truth.Isovalues[i]) << i;
+    if (std::isfinite(truth.Depth[i]))
+    {
+      ASSERT_NEAR(made.Depth[i], truth.Depth[i], tolerance) << i;
+    }
+  }
+}
+
+TEST_F(IsomapTest, IsTheColdPictureForAnyIsovalue)
+{
+  Grid<std::uint8_t> bytes(glm::ivec3(60, 50, 40));
+  bytes.Fill(Waves);
+  Grid<float> floats(glm::ivec3(30, 50, 40));
+  floats.Fill(Waves);
+  Grid<double> noise(glm::ivec3(20, 21, 22));
+  noise.FillRandomly(20.0, 220.0, 3);
+  for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
+  {
+    for (const Interpolation between : { Interpolation::Linear, Interpolation::Nearest })
+    {
+      for (FrameKey key : { KeyOf(bytes), KeyOf(floats, true), KeyOf(noise) })
+      {
+        SCOPED_TRACE(testing::Message()
+          << "type " << static_cast<int>(key.Samples.Type) << " mode " << static_cast<int>(mode)
+          << " between " << static_cast<int>(between));
+        key.Sought.Mode = mode;
+        key.Samples.Between = between;
+        this->Sweep(key, 20.0, 220.0);
+      }
+    }
+  }
+}
+
+TEST_F(IsomapTest, SeveralIsovalues)
+{
+  Grid<std::uint8_t> bytes(glm::ivec3(60, 50, 40));
+  bytes.Fill(Waves);
+  for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
+  {
+    FrameKey key = KeyOf(bytes);
+    key.Sought.Mode = mode;
+    this->Show(key, { 150.0, 90.0 });
+    this->Show(key, { 149.0, 90.0 });
+    this->Show(key, { 148.0, 91.0, 200.0 });
+    this->Show(key, { 148.0 });
+  }
+}
+
+TEST_F(IsomapTest, FirstABandIsBuiltThenLookedUp)
+{
+  Grid<std::uint8_t> bytes(glm::ivec3(60, 50, 40));
+  bytes.Fill(Waves);
+  FrameKey key = KeyOf(bytes);
+  this->Options.Map.Range = { 100.0, 140.0 };
+  this->Show(key, { 120.0 });
+  EXPECT_EQ(this->Renderer.Statistics().Made, Route::Cold);
+  this->Show(key, { 121.0 });
+  EXPECT_EQ(this->Renderer.Statistics().Made, Route::IsomapBuild);
+  EXPECT_GT(this->Renderer.IsomapOfLastView().NumberOfKnots(), 0u);
+  for (const double isovalue : { 100.0, 140.0, 119.5 })
+  {
+    this->Show(key, { isovalue });
+    EXPECT_EQ(this->Renderer.Statistics().Made, Route::IsomapLookup);
+  }
+  this->Show(key, { 141.0 });
+  EXPECT_EQ(this->Renderer.Statistics().Made, Route::IsomapBuild) << "outside of the range";
+
+  // A view that comes back finds its isomap; other data does not.
+  const View seen = key.Seen;
+  key.Seen = LookAt(bytes.Seen.Dimensions, { 1.0, 1.5, 0.7 }, { 93, 71 });
+  ASSERT_TRUE(this->Renderer.Render(key, this->Options));
+  key.Seen = seen;
+  this->Show(key, { 110.0 });
+  EXPECT_EQ(this->Renderer.Statistics().Made, Route::IsomapLookup);
+  bytes.At(30, 25, 20) = 250;
+  key.Samples.Stamp = 2;
+  this->Show(key, { 111.0 });
+  EXPECT_EQ(this->Renderer.Statistics().Made, Route::Cold);
+}
+
+TEST_F(IsomapTest, ATooSmallLimitOfMemoryLeavesTheHint)
+{
+  Grid<std::uint8_t> bytes(glm::ivec3(60, 50, 40));
+  bytes.Fill(Waves);
+  FrameKey key = KeyOf(bytes);
+  this->Options.Map.MemoryLimit = 100;
+  for (const double isovalue : { 120.0, 121.0, 122.0, 110.0, 60.0, 180.0 })
+  {
+    this->Show(key, { isovalue });
+    EXPECT_LE(this->Renderer.IsomapOfLastView().MemoryInBytes(), 100u);
+  }
+  EXPECT_EQ(this->Renderer.Statistics().Made, Route::ThresholdHint);
+}
+
+TEST_F(IsomapTest, ABuildThatIsStoppedLeavesTheLastFrame)
+{
+  Grid<std::uint8_t> bytes(glm::ivec3(60, 50, 40));
+  bytes.Fill(Waves);
+  FrameKey key = KeyOf(bytes);
+  this->Show(key, { 120.0 });
+  const Frame before = this->Renderer.LastFrame();
+  key.Sought.Isovalues = { 121.0 };
+  EXPECT_FALSE(this->Renderer.Render(key, this->Options, [](double) { return false; }));
+  EXPECT_TRUE(AreIdentical(this->Renderer.LastFrame().Depth, before.Depth));
+  EXPECT_EQ(this->Renderer.LastKey().Sought.Isovalues[0], 120.0);
+  this->Show(key, { 121.0 });
+}
+
+TEST_F(IsomapTest, WithAToleranceSurfacesAreThatNear)
+{
+  Grid<std::uint8_t> bytes(glm::ivec3(60, 50, 40));
+  bytes.Fill(Waves);
+  Grid<float> noise(glm::ivec3(20, 21, 22));
+  noise.FillRandomly(20.0, 220.0, 3);
+  for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
+  {
+    for (FrameKey key : { KeyOf(bytes), KeyOf(noise) })
+    {
+      key.Sought.Mode = mode;
+      for (const double tolerance : { 0.05, 0.3, 1.0 })
+      {
+        this->Options.Map.Tolerance = tolerance;
+        for (const double isovalue : { 120.0, 121.0, 118.0, 90.0, 91.0, 160.0, 155.0, 30.0, 210.0 })
+        {
+          FrameRenderer cold;
+          ASSERT_NO_FATAL_FAILURE(this->RenderBoth(key, { isovalue }, cold));
+          SCOPED_TRACE(testing::Message() << "isovalue " << isovalue);
+          ASSERT_NO_FATAL_FAILURE(
+            ExpectWithin(this->Renderer.LastFrame(), cold.LastFrame(), tolerance));
+        }
+      }
+    }
+  }
+}
+
+TEST_F(IsomapTest, InterpolatedNormalsAreNearThoseOfTheField)
+{
+  Grid<std::uint8_t> bytes(glm::ivec3(60, 50, 40));
+  bytes.Fill(Waves);
+  FrameKey key = KeyOf(bytes);
+  this->Options.Map.HasNormals = true;
+  for (const double tolerance : { 0.0, 0.2 })
+  {
+    this->Options.Map.Tolerance = tolerance;
+    for (const double isovalue : { 120.0, 121.0, 124.0, 100.0 })
+    {
+      FrameRenderer cold;
+      ASSERT_NO_FATAL_FAILURE(this->RenderBoth(key, { isovalue }, cold));
+      const Frame &made = this->Renderer.LastFrame(), &truth = cold.LastFrame();
+      double sum = 0.0;
+      int hits = 0;
+      for (std::size_t i = 0; i < truth.Depth.size(); ++i)
+      {
+        if (truth.Isovalues[i] != Frame::NoSurface)
+        {
+          sum += static_cast<double>(glm::dot(made.Normals[i], truth.Normals[i]));
+          ++hits;
+        }
+      }
+      EXPECT_GT(sum / hits, 0.97) << "mean cosine at " << isovalue << " tolerance " << tolerance;
+    }
+  }
+}
+
+TEST_F(IsomapTest, InfiniteSamplesBehindSaturatedOnes)
+{
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  Grid<float> grid(glm::ivec3(30, 30, 30));
+  grid.Fill(
+    [](int i, int j, int k)
+    {
+      const double distance = glm::length(glm::dvec3(i, j, k) - 14.5);
+      return distance < 5.0 ? static_cast<double>(infinity) : distance < 9.0 ? 100.0 : 0.0;
+    });
+  for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
+  {
+    FrameKey key = KeyOf(grid);
+    key.Sought.Mode = mode;
+    this->Options.Map.Range = { 0.0, 200.0 };
+    for (const double isovalue : { 50.0, 60.0, 150.0, 101.0, 100.0, 0.0 })
+    {
+      this->Show(key, { isovalue });
+    }
+  }
+}
+
+TEST_F(IsomapTest, AnyMagnitudeOfSamples)
+{
+  std::uint64_t stamp = 0;
+  for (const double scale : { 1e290, 1e40, 1e-43, 1e-300 })
+  {
+    Grid<double> grid(glm::ivec3(25, 24, 23));
+    grid.Seen.Stamp = ++stamp;
+    grid.Fill([scale](int i, int j, int k) { return scale * (Waves(i, j, k) - 120.0); });
+    for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
+    {
+      FrameKey key = KeyOf(grid);
+      key.Sought.Mode = mode;
+      for (const double share : { 0.0, 1.0, 5.0, -3.0, 40.0, 39.0 })
+      {
+        this->Show(key, { scale * share });
+      }
+    }
+  }
+}
+
+TEST_F(IsomapTest, ConstantDataWithHoles)
+{
+  Grid<float> grid(glm::ivec3(20, 20, 20));
+  grid.Fill([](int, int, int) { return 1.0; });
+  grid.At(10, 10, 10) = std::numeric_limits<float>::quiet_NaN();
+  grid.At(5, 12, 10) = std::numeric_limits<float>::infinity();
+  FrameKey key = KeyOf(grid);
+  for (const double isovalue : { 0.5, 0.6, 1.0, 1.5, 2.0, -1.0 })
+  {
+    this->Show(key, { isovalue });
+  }
+}
+
+TEST_F(IsomapTest, ALimitThatIsRaisedIsUsed)
+{
+  Grid<std::uint8_t> bytes(glm::ivec3(60, 50, 40));
+  bytes.Fill(Waves);
+  FrameKey key = KeyOf(bytes);
+  this->Options.Map.MemoryLimit = 100;
+  this->Show(key, { 120.0 });
+  this->Show(key, { 121.0 });
+  EXPECT_EQ(this->Renderer.Statistics().Made, Route::ThresholdHint);
+  this->Options.Map.MemoryLimit = std::size_t(64) << 20;
+  this->Show(key, { 122.0 });
+  EXPECT_EQ(this->Renderer.Statistics().Made, Route::IsomapBuild);
+}
+
+TEST_F(IsomapTest, PlateausWithATolerance)
+{
+  // Values of five levels: isovalues on a level are where a ray leaves a plateau, not where it
+  // comes to it.
+  Grid<std::uint8_t> grid(glm::ivec3(24, 24, 24));
+  grid.Fill([](int i, int j, int k) { return 98 + 2 * ((i / 3 + j / 4 + k / 5) % 5); });
+  FrameKey key = KeyOf(grid);
+  for (const double tolerance : { 0.1, 2e-3 })
+  {
+    this->Options.Map.Tolerance = tolerance;
+    for (const double isovalue : { 101.0, 102.0, 101.5, 100.0, 104.0, 105.9 })
+    {
+      FrameRenderer cold;
+      ASSERT_NO_FATAL_FAILURE(this->RenderBoth(key, { isovalue }, cold));
+      for (std::size_t i = 0; i < cold.LastFrame().Depth.size(); ++i)
+      {
+        const double truth = cold.LastFrame().Depth[i], made = this->Renderer.LastFrame().Depth[i];
+        ASSERT_EQ(std::isfinite(made), std::isfinite(truth)) << i << " at " << isovalue;
+        if (std::isfinite(truth))
+        {
+          ASSERT_NEAR(made, truth, tolerance) << i << " at " << isovalue;
+        }
+      }
+    }
+  }
+}
+
+TEST_F(IsomapTest, ATooFineToleranceCountsAsNone)
+{
+  Grid<std::uint8_t> bytes(glm::ivec3(60, 50, 40));
+  bytes.Fill(Waves);
+  FrameKey key = KeyOf(bytes);
+  for (const double tolerance : { 5e-4, 1e-8, 1e-16, std::numeric_limits<double>::denorm_min() })
+  {
+    this->Renderer = FrameRenderer();
+    this->Options.Map.Tolerance = tolerance;
+    for (const double isovalue : { 120.0, 121.0, 121.3, 90.0 })
+    {
+      this->Show(key, { isovalue });
+    }
+    EXPECT_EQ(this->Renderer.IsomapOfLastView().Tolerance(), 0.0);
+    // What is shown is what would be asked for without a tolerance, too.
+    this->Options.Map.Tolerance = 0.0;
+    this->Show(key, { 90.0 });
+    EXPECT_EQ(this->Renderer.Statistics().Made, Route::Redisplay);
+  }
+  this->Options.Map.Tolerance = Isomap::FinestTolerance;
+  FrameRenderer cold;
+  ASSERT_NO_FATAL_FAILURE(this->RenderBoth(key, { 130.0 }, cold));
+  EXPECT_NE(this->Renderer.IsomapOfLastView().Tolerance(), 0.0);
+}
+
+/// Tolerances just above the finest one are kept, and cost what can be paid, in noise and where the
+/// field is steep.
+TEST_F(IsomapTest, TheFinestToleranceIsBoundedInMemory)
+{
+  Grid<float> noise(glm::ivec3(20, 21, 22));
+  noise.FillRandomly(20.0, 220.0, 3);
+  Grid<float> steep(glm::ivec3(20, 21, 22));
+  steep.Fill([](int i, int, int k) { return std::pow(10.0, 2.0 * i - 0.1 * k); });
+  for (FrameKey key : { KeyOf(noise), KeyOf(steep) })
+  {
+    this->Renderer = FrameRenderer();
+    this->Options.Map.Tolerance = Isomap::FinestTolerance;
+    this->Options.Map.Range = { 0.0, 1e30 };
+    for (const double isovalue : { 120.0, 121.0, 30.0, 210.0 })
+    {
+      FrameRenderer cold;
+      ASSERT_NO_FATAL_FAILURE(this->RenderBoth(key, { isovalue }, cold));
+      SCOPED_TRACE(testing::Message() << "isovalue " << isovalue);
+      ASSERT_NO_FATAL_FAILURE(
+        ExpectWithin(this->Renderer.LastFrame(), cold.LastFrame(), Isomap::FinestTolerance));
+    }
+    // A kilobyte and a half for each ray.
+    EXPECT_LT(this->Renderer.IsomapOfLastView().MemoryInBytes(), std::size_t(1536) * 93 * 71);
+  }
+}
+
+}

@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Isomap/KnotFit.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace
+{
+
+using namespace TemporalCoherence;
+
+/// A continuous function of cubics, one for each unit of distance.
+struct Way
+{
+  explicit Way(unsigned int seed, int cells)
+  {
+    std::mt19937 engine(seed);
+    std::uniform_real_distribution<double> value(-1.0, 2.0);
+    double at = -0.5;
+    for (int cell = 0; cell < cells; ++cell)
+    {
+      const double next = value(engine);
+      this->Cells.push_back({ at, value(engine), value(engine), next });
+      at = next;
+    }
+  }
+
+  double At(double distance) const
+  {
+    const auto cell = std::min(static_cast<std::size_t>(distance), this->Cells.size() - 1);
+    return Evaluate(this->Cells[cell], distance - static_cast<double>(cell));
+  }
+
+  std::vector<Cubic<double>> Cells;
+};
+
+std::vector<Knot> FitOf(const Way& way, double tolerance, double resolution = 0.0)
+{
+  std::vector<Knot> knots;
+  const auto emit = [&](const Knot& knot) { knots.push_back(knot); };
+  KnotFit fit;
+  for (std::size_t cell = 0; cell < way.Cells.size(); ++cell)
+  {
+    const auto enter = static_cast<double>(cell);
+    fit.Follow(way.Cells[cell], enter, enter + 1.0, { -0.1, tolerance, resolution }, emit);
+  }
+  fit.Finish(emit);
+  return knots;
+}
+
+/// Distance at which knots tell that a progress is first reached; negative if it is not.
+double Look(const std::vector<Knot>& knots, double progress)
+{
+  for (std::size_t i = 1; i < knots.size(); ++i)
+  {
+    if (knots[i].Progress >= progress && knots[i].Progress > knots[i - 1].Progress)
+    {
+      const double share =
+        (progress - knots[i - 1].Progress) / (knots[i].Progress - knots[i - 1].Progress);
+      return knots[i - 1].Distance + share * (knots[i].Distance - knots[i - 1].Distance);
+    }
+  }
+  return -1.0;
+}
+
+TEST(KnotFit, IsNowhereFartherThanTheTolerance)
+{
+  constexpr double step = 1e-3;
+  for (unsigned int seed = 0; seed < 200; ++seed)
+  {
+    const Way way(seed, 12);
+    for (const double tolerance : { 0.02, 0.1, 0.5, 2.0 })
+    {
+      const std::vector<Knot> knots = FitOf(way, tolerance);
+      double reached = std::max(way.At(0.0), 0.0);
+      for (double distance = 0.0; distance <= 12.0; distance += step)
+      {
+        // The first point with a new highest value is where that value is first reached.
+        const double value = way.At(distance);
+        if (value > reached + 1e-9)
+        {
+          const double told = Look(knots, value);
+          // Beside a jump one step of the search makes the difference.
+          const bool isBesideJump = way.At(std::max(distance - step, 0.0)) < reached;
+          if (!isBesideJump)
+          {
+            ASSERT_NEAR(told, distance, tolerance + step) << "seed " << seed << " value " << value;
+          }
+          reached = value;
+        }
+      }
+      EXPECT_LT(Look(knots, reached + 0.01), 0.0) << "nothing is higher";
+    }
+  }
+}
+
+TEST(KnotFit, AJumpIsTwoKnotsOfOneProgress)
+{
+  // Up to 1, down to 0, up to 2.
+  Way way(0, 0);
+  way.Cells = { { 0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0 }, { 1.0, 2.0 / 3.0, 1.0 / 3.0, 0.0 },
+    { 0.0, 2.0 / 3.0, 4.0 / 3.0, 2.0 } };
+  const std::vector<Knot> knots = FitOf(way, 0.5);
+  ASSERT_EQ(knots.size(), 4u);
+  EXPECT_DOUBLE_EQ(knots[1].Progress, 1.0);
+  EXPECT_NEAR(knots[1].Distance, 1.0, 1e-9);
+  EXPECT_DOUBLE_EQ(knots[2].Progress, 1.0);
+  EXPECT_NEAR(knots[2].Distance, 2.5, 1e-9);
+  EXPECT_NEAR(Look(knots, 0.5), 0.5, 1e-9);
+  EXPECT_NEAR(Look(knots, 1.5), 2.75, 1e-9);
+}
+
+TEST(KnotFit, ALargerToleranceTakesFewerKnots)
+{
+  std::size_t fine = 0, coarse = 0;
+  for (unsigned int seed = 0; seed < 50; ++seed)
+  {
+    const Way way(seed, 30);
+    fine += FitOf(way, 0.01).size();
+    coarse += FitOf(way, 1.0).size();
+  }
+  EXPECT_LT(coarse, fine / 2);
+}
+
+/// Tolerances far below what can be told apart: what cannot be used is not kept, so that there is
+/// an end to it.
+TEST(KnotFit, AnyToleranceTakesABoundedNumberOfKnots)
+{
+  constexpr double resolution = 1e-4;
+  const Way way(1, 4);
+  std::size_t before = FitOf(way, 1e-4, resolution).size();
+  for (const double tolerance : { 1e-6, 1e-8, 1e-12, 1e-16, 0.0 })
+  {
+    const std::size_t knots = FitOf(way, tolerance, resolution).size();
+    EXPECT_GE(knots, before) << tolerance;
+    EXPECT_LT(knots, 8.0 * 2.0 / resolution) << tolerance;
+    before = knots;
+  }
+}
+
+TEST(KnotFit, APlateauIsNotCutIntoPieces)
+{
+  // It rises by what rounding adds.
+  Way way(0, 0);
+  way.Cells = { { 0.5, 0.5, 0.5, std::nextafter(0.5, 1.0) } };
+  EXPECT_LE(FitOf(way, 1e-3, 1e-6).size(), 3u);
+}
+
+}

@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// A frame is made in the memory of an earlier one, some tiles of which are left as they are and
+// others copied: every plane, and the layers of translucent surfaces, are those of a renderer
+// without a past.
+
+#include "Grid.h"
+#include "Render/FrameRenderer.h"
+#include "Scene/Disparity.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <map>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+using namespace TemporalCoherence;
+
+const glm::ivec3 Dimensions(48, 40, 44);
+const glm::ivec2 Size(131, 93);
+
+template <typename T>
+bool AreSameBits(const T& a, const T& b)
+{
+  return a.size() == b.size() && !std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0]));
+}
+
+bool AreSame(const std::vector<LayerHit>& a, const std::vector<LayerHit>& b)
+{
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+    [](const LayerHit& x, const LayerHit& y)
+    {
+      return x.Depth == y.Depth && x.Pixel == y.Pixel && x.Isovalue == y.Isovalue &&
+        x.Kind == y.Kind && x.Color == y.Color;
+    });
+}
+
+/// The planes of an exact picture are those of a cold one, those of answers left out.
+void ExpectSamePlanes(const Frame& made, const Frame& cold, const std::string& what)
+{
+  EXPECT_TRUE(AreSameBits(made.Depth, cold.Depth)) << what;
+  EXPECT_TRUE(AreSameBits(made.Disparities, cold.Disparities)) << what;
+  EXPECT_TRUE(AreSameBits(made.Contacts, cold.Contacts)) << what;
+  EXPECT_TRUE(AreSameBits(made.Normals, cold.Normals)) << what;
+  EXPECT_TRUE(AreSameBits(made.Isovalues, cold.Isovalues)) << what;
+  EXPECT_TRUE(AreSameBits(made.Kinds, cold.Kinds)) << what;
+  EXPECT_TRUE(AreSameBits(made.Colors, cold.Colors)) << what;
+  ASSERT_EQ(made.Layers.size(), cold.Layers.size()) << what;
+  for (std::size_t tile = 0; tile < made.Layers.size(); ++tile)
+  {
+    ASSERT_TRUE(AreSame(made.Layers[tile], cold.Layers[tile])) << what << ", tile " << tile;
+  }
+}
+
+/// A clear tile holds misses of the picture's own projection, and nothing else.
+void ExpectClearTilesAreClear(const Frame& frame, bool isParallel, const std::string& what)
+{
+  const auto miss = static_cast<float>(DisparityOfMiss(isParallel));
+  for (std::int64_t tile = 0; tile < NumberOfTiles(frame.Size); ++tile)
+  {
+    const PixelRect part = PixelsOfTile(frame.Size, tile);
+    for (int i = 0; i < part.Size.x * part.Size.y; ++i)
+    {
+      const glm::ivec2 place = part.First + glm::ivec2(i % part.Size.x, i / part.Size.x);
+      const auto pixel = static_cast<std::size_t>(place.y * frame.Size.x + place.x);
+      ASSERT_TRUE(!frame.ClearTiles[static_cast<std::size_t>(tile)] ||
+        (frame.Isovalues[pixel] == Frame::NoSurface && std::isinf(frame.Depth[pixel]) &&
+          frame.Disparities[pixel] == miss && frame.Contacts[pixel] == miss &&
+          frame.Answers[pixel] == Answer::DefiniteMiss))
+        << what << ", tile " << tile;
+    }
+  }
+}
+
+/// A scene that stands still, with a ball at one of three places.
+class KeptPlanes : public ::testing::Test
+{
+protected:
+  KeptPlanes()
+  {
+    this->Exact.Accuracy = ReuseAccuracy::Exact;
+    this->Exact.Reuse.Isomap = false;
+    this->Key.Look.Shade = true;
+    this->Key.Look.Lights = { Light() };
+    this->SetTranslucent(true);
+    this->Look({ 1.0, 2.0, 0.7 }, false);
+    this->MoveBall(0);
+  }
+
+  void Look(const glm::dvec3& from, bool isParallel)
+  {
+    this->Key.Seen = LookAt(Dimensions, from, Size, isParallel);
+  }
+
+  void SetTranslucent(bool isTranslucent)
+  {
+    this->Key.Sought.Isovalues = { 60.0, 120.0 };
+    this->Key.Look.Colors = { { 1.0, 0.5, 0.2 }, { 0.2, 0.5, 1.0 } };
+    this->Key.Sought.Opacities = isTranslucent ? std::vector{ 0.4, 0.7 } : std::vector<double>();
+  }
+
+  /// Samples in other memory, as a reader gives them for the next time step.
+  void MoveBall(int place)
+  {
+    const std::vector<glm::dvec3> places = { { 9, 30, 34 }, { 38, 10, 8 }, { 38, 31, 35 } };
+    const glm::dvec3 centre = places[static_cast<std::size_t>(place)];
+    this->Steps.push_back(std::make_unique<Grid<std::uint8_t>>(Dimensions));
+    this->Steps.back()->Fill(
+      [&](int i, int j, int k)
+      {
+        const double ball = 200.0 - 40.0 * glm::length(glm::dvec3(i, j, k) - centre);
+        const double still = 200.0 - 20.0 * glm::length(glm::dvec3(i, j, k) - glm::dvec3(12.0));
+        return std::max(0.0, std::max(ball, still));
+      });
+    this->Key.Samples = this->Steps.back()->Seen;
+    this->Key.Samples.Stamp = ++this->Stamp;
+  }
+
+  /// Make the next frame, which is exact, and hold it against a cold one.
+  void Render(const std::string& what)
+  {
+    this->Renderer.Render(this->Key, this->Exact);
+    ++this->Routes[this->Renderer.Statistics().Made];
+    FrameRenderer cold;
+    cold.Render(this->Key, this->Exact);
+    ASSERT_EQ(cold.Statistics().Made, Route::Cold);
+    const std::string step = what + ", by " + NameOf(this->Renderer.Statistics().Made);
+    const Frame& made = this->Renderer.LastFrame();
+    ExpectSamePlanes(made, cold.LastFrame(), step);
+    ExpectClearTilesAreClear(made, this->Key.Seen.Parallel, step);
+  }
+
+  std::vector<std::unique_ptr<Grid<std::uint8_t>>> Steps;
+  std::uint64_t Stamp = 0;
+  FrameKey Key;
+  FrameRenderer Renderer;
+  FrameRenderer::Options Exact;
+  std::map<Route, int> Routes;
+};
+
+/// A miss is another number in each projection, in tiles that nobody else writes.
+TEST_F(KeptPlanes, ClearTilesFollowTheProjection)
+{
+  int number = 0;
+  for (const int isParallel : { 0, 0, 1, 1, 0, 1, 0, 0, 1, 1, 1, 0 })
+  {
+    this->Look({ 1.0, 2.0 - 0.1 * number, 0.7 }, isParallel != 0);
+    this->Render("frame " + std::to_string(number++));
+  }
+}
+
+/// Layers of a copied tile are those of the picture it is copied from, not those that were there.
+TEST_F(KeptPlanes, LayersAreCopiedWithTheirTiles)
+{
+  int number = 0;
+  for (const int place : { 0, 1, 2, 0, 2, 1, 0, 1, 1, 2 })
+  {
+    this->MoveBall(place);
+    this->Render("step " + std::to_string(number++));
+    this->Key.Look.Ambient = 0.1 + 0.01 * number;
+    this->Render("shaded again");
+  }
+  EXPECT_GE(this->Routes[Route::ImageCache], 7) << "tiles are copied";
+  EXPECT_GE(this->Routes[Route::Reshade], 10);
+}
+
+/// All of it in any order, opaque pictures in between.
+TEST_F(KeptPlanes, NothingOfAnEarlierFrameStays)
+{
+  std::mt19937 engine(8);
+  std::uniform_real_distribution<double> entry(-1.0, 1.0);
+  for (int step = 0; step < 120; ++step)
+  {
+    const auto change = static_cast<int>(engine() % 6);
+    switch (change)
+    {
+      case 0:
+        this->Look({ entry(engine), 2.0, entry(engine) }, !this->Key.Seen.Parallel);
+        break;
+      case 1:
+        this->Look({ entry(engine), 2.0, entry(engine) }, this->Key.Seen.Parallel);
+        break;
+      case 2:
+        this->SetTranslucent(this->Key.Sought.Opacities.empty());
+        break;
+      case 3:
+        this->Key.Look.Ambient = 0.2 + 0.1 * entry(engine);
+        break;
+      default:
+        this->MoveBall(static_cast<int>(engine() % 3));
+        break;
+    }
+    this->Render("step " + std::to_string(step) + ", change " + std::to_string(change));
+  }
+  EXPECT_GE(this->Routes[Route::ImageCache], 20);
+  EXPECT_GE(this->Routes[Route::Reshade], 5);
+}
+
+}

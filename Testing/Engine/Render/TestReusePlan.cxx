@@ -1,0 +1,227 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Acceleration/HiddenCells.h"
+#include "ImageCache/ImageCache.h"
+#include "Render/ReusePlan.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+
+using namespace TemporalCoherence;
+
+FrameKey BaseKey()
+{
+  FrameKey key;
+  key.Samples.Dimensions = glm::ivec3(10);
+  key.Samples.Stamp = 1;
+  key.Seen.Size = glm::ivec2(100);
+  key.Sought.Isovalues = { 5.0 };
+  key.Look.Colors = { glm::dvec3(1.0) };
+  return key;
+}
+
+Route Plan(const FrameKey& next, const ReuseSwitches& switches = {}, const HeldForReuse& held = {})
+{
+  return PlanRoute(BaseKey(), next, switches, held);
+}
+
+TEST(ReusePlan, NothingChanged)
+{
+  EXPECT_EQ(Plan(BaseKey()), Route::Redisplay);
+}
+
+TEST(ReusePlan, AppearanceChanged)
+{
+  FrameKey key = BaseKey();
+  key.Look.Colors[0].x = 0.5;
+  EXPECT_EQ(Plan(key), Route::Reshade);
+  key = BaseKey();
+  key.Look.Shade = true;
+  EXPECT_EQ(Plan(key), Route::Reshade);
+  key = BaseKey();
+  key.Look.Lights.push_back(Light());
+  EXPECT_EQ(Plan(key), Route::Reshade);
+  key = BaseKey();
+  key.Look.TwoSided = false;
+  EXPECT_EQ(Plan(key), Route::Reshade);
+}
+
+TEST(ReusePlan, DataChanged)
+{
+  FrameKey key = BaseKey();
+  key.Samples.Stamp = 2;
+  EXPECT_EQ(Plan(key), Route::Cold);
+  key = BaseKey();
+  key.Samples.Between = Interpolation::Nearest;
+  EXPECT_EQ(Plan(key), Route::Cold);
+  key = BaseKey();
+  key.Where.WorldFromIndex[3][0] = 1.0;
+  EXPECT_EQ(Plan(key), Route::Cold);
+}
+
+TEST(ReusePlan, HitsBesideHiddenCellsAreNoHintsForHigherIsovaluesUnlessSolid)
+{
+  const std::vector<std::uint8_t> flags(9 * 9 * 9, 1);
+  FrameKey last = BaseKey();
+  last.Samples.Hidden = HiddenCells::Make(last.Samples.Dimensions, { flags.data(), 1, nullptr, 0 });
+  EXPECT_EQ(Plan(last), Route::Cold) << "other data";
+  ReuseSwitches noIsomap;
+  noIsomap.Isomap = false;
+  for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
+  {
+    last.Sought.Mode = mode;
+    FrameKey next = last;
+    EXPECT_EQ(PlanRoute(last, next, noIsomap, {}), Route::Redisplay);
+    EXPECT_TRUE(CanServe(last, next));
+    next.Sought.Isovalues[0] += 1.0;
+    const bool isSolid = mode == SurfaceMode::Threshold;
+    EXPECT_EQ(PlanRoute(last, next, noIsomap, {}), isSolid ? Route::ThresholdHint : Route::Cold);
+    EXPECT_EQ(CanServe(last, next), isSolid);
+    next.Sought.Isovalues[0] -= 2.0;
+    EXPECT_EQ(PlanRoute(last, next, noIsomap, {}), Route::ThresholdHint);
+  }
+}
+
+TEST(ReusePlan, IsovalueChangedInTheSameView)
+{
+  FrameKey key = BaseKey();
+  key.Sought.Isovalues[0] = 4.0;
+  HeldForReuse held;
+  EXPECT_EQ(Plan(key, {}, held), Route::IsomapBuild);
+  held.Isomap = true;
+  EXPECT_EQ(Plan(key, {}, held), Route::IsomapLookup);
+  ReuseSwitches noIsomap;
+  noIsomap.Isomap = false;
+  EXPECT_EQ(Plan(key, noIsomap), Route::ThresholdHint);
+  held.Isomap = held.CanBuildIsomap = false;
+  EXPECT_EQ(Plan(key, {}, held), Route::ThresholdHint);
+  held.IsExact = false;
+  EXPECT_EQ(Plan(key, {}, held), Route::Cold) << "hits that are not exact are no hints";
+  key.Sought.Isovalues = { 4.0, 6.0 };
+  EXPECT_EQ(Plan(key, noIsomap), Route::Cold) << "nor are those of other surfaces";
+  key.Sought.Isovalues = { 4.0 };
+  key.Sought.Mode = SurfaceMode::Threshold;
+  EXPECT_EQ(Plan(key), Route::Cold);
+  key = BaseKey();
+  key.Sought.Isovalues.clear();
+  EXPECT_EQ(Plan(key), Route::Cold);
+}
+
+TEST(ReusePlan, ViewChanged)
+{
+  FrameKey key = BaseKey();
+  key.Seen.ClipFromWorld[0][0] = 2.0;
+  HeldForReuse held;
+  EXPECT_EQ(Plan(key, {}, held), Route::Cold) << "no image";
+  held.Image = true;
+  EXPECT_EQ(Plan(key, {}, held), Route::ImageCache);
+  ReuseSwitches noCache;
+  noCache.ImageCache = false;
+  EXPECT_EQ(Plan(key, noCache, held), Route::Cold);
+}
+
+TEST(ReusePlan, AnIsomapServesWhateverTheLastFrameWas)
+{
+  HeldForReuse held;
+  held.Isomap = held.Image = true;
+  FrameKey key = BaseKey();
+  key.Seen.ClipFromWorld[0][0] = 2.0;
+  EXPECT_EQ(Plan(key, {}, held), Route::IsomapLookup) << "back in its view";
+  held.IsExact = false;
+  EXPECT_EQ(Plan(BaseKey(), {}, held), Route::IsomapLookup) << "to complete a repeated view";
+}
+
+TEST(ReusePlan, WhatAnImageCanServe)
+{
+  FrameKey key = BaseKey();
+  key.Seen.ClipFromWorld[0][0] = 2.0;
+  EXPECT_TRUE(CanServe(BaseKey(), key));
+  key.Look.Shade = true;
+  EXPECT_TRUE(CanServe(BaseKey(), key));
+  key.Sought.Isovalues[0] = 6.0;
+  EXPECT_TRUE(CanServe(BaseKey(), key)) << "raised";
+  key.Sought.Isovalues[0] = 4.0;
+  EXPECT_FALSE(CanServe(BaseKey(), key)) << "lowered";
+  key.Sought.Isovalues = { 6.0, 7.0 };
+  EXPECT_FALSE(CanServe(BaseKey(), key)) << "more than one";
+  key = BaseKey();
+  key.Sought.Mode = SurfaceMode::Threshold;
+  EXPECT_FALSE(CanServe(BaseKey(), key));
+  key = BaseKey();
+  key.Samples.Stamp = 2;
+  EXPECT_FALSE(CanServe(BaseKey(), key));
+  key = BaseKey();
+  key.Where.WorldFromIndex[0][0] = 2.0;
+  EXPECT_FALSE(CanServe(BaseKey(), key));
+}
+
+TEST(ReusePlan, RepeatedViewIsCompleted)
+{
+  HeldForReuse held;
+  held.IsExact = false;
+  FrameKey key = BaseKey();
+  EXPECT_EQ(Plan(key, {}, held), Route::Cold);
+  key.Look.Shade = true;
+  EXPECT_EQ(Plan(key, {}, held), Route::Cold);
+  ReuseSwitches asItIs;
+  asItIs.RefineWhenStill = false;
+  EXPECT_EQ(Plan(key, asItIs, held), Route::Reshade);
+  EXPECT_EQ(Plan(BaseKey(), asItIs, held), Route::Redisplay);
+}
+
+TEST(ReusePlan, OtherSamplesThatFewTilesCanSee)
+{
+  FrameKey key = BaseKey();
+  key.Samples.Stamp = 2;
+  HeldForReuse held;
+  held.ShareToTrace = 0.5;
+  EXPECT_TRUE(CompareFrames(BaseKey(), key).Samples);
+  EXPECT_EQ(Plan(key, {}, held), Route::ImageCache);
+  EXPECT_FALSE(CanServe(BaseKey(), key)) << "to start rays from";
+  held.ShareToTrace = 0.51;
+  EXPECT_EQ(Plan(key, {}, held), Route::Cold) << "too many tiles";
+  held.ShareToTrace = 0.0;
+  ReuseSwitches noCache;
+  noCache.ImageCache = false;
+  EXPECT_EQ(Plan(key, noCache, held), Route::Cold);
+  held.IsExact = false;
+  EXPECT_EQ(Plan(key, {}, held), Route::Cold) << "what is copied must be exact";
+  held.IsExact = true;
+  const auto expectCold = [&](const FrameKey& next, const char* what)
+  { EXPECT_EQ(Plan(next, {}, held), Route::Cold) << what; };
+  FrameKey other = key;
+  other.Seen.ClipFromWorld[0][0] = 2.0;
+  expectCold(other, "view");
+  other = key;
+  other.Sought.Isovalues[0] = 6.0;
+  expectCold(other, "surfaces");
+  other = key;
+  other.Sought.Opacities = { 0.5 };
+  expectCold(other, "opacity");
+  other = key;
+  other.Look.Shade = true;
+  expectCold(other, "appearance");
+  other = key;
+  other.Where.WorldFromIndex[3][0] = 1.0;
+  expectCold(other, "placement");
+  other = key;
+  other.Samples.Between = Interpolation::Nearest;
+  expectCold(other, "interpolation");
+  other = key;
+  other.Samples.Dimensions.x = 11;
+  expectCold(other, "dimensions");
+  FrameKey last = BaseKey();
+  last.Look.ColorByAnswer = key.Look.ColorByAnswer = true;
+  EXPECT_EQ(PlanRoute(last, key, {}, held), Route::Cold) << "colours of answers";
+}
+
+TEST(ReusePlan, RoutesHaveTheirNames)
+{
+  EXPECT_STREQ(NameOf(Route::Cold), "Cold");
+  EXPECT_STREQ(NameOf(Route::ImageCache), "ImageCache");
+  EXPECT_STREQ(NameOf(Route::ThresholdHint), "ThresholdHint");
+}
+
+}

@@ -1,0 +1,496 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Acceleration/TileBounds.h"
+#include "Grid.h"
+#include "Render/FrameRenderer.h"
+#include "Shade/SurfaceNormal.h"
+#include "Trace/SurfaceTracer.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+// Fields whose samples lie at coordinates.
+
+namespace
+{
+
+using namespace TemporalCoherence;
+
+/// Whole numbers: the cells of an image.
+std::shared_ptr<const GridCoordinates> Uniform(const glm::ivec3& dimensions)
+{
+  auto grid = std::make_shared<GridCoordinates>();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (int i = 0; i < dimensions[axis]; ++i)
+    {
+      grid->Along[static_cast<std::size_t>(axis)].push_back(i);
+    }
+  }
+  return grid;
+}
+
+/// Cells of all sizes from 1 to `ratio` in any order.
+std::shared_ptr<const GridCoordinates> Graded(
+  const glm::ivec3& dimensions, double ratio, unsigned int seed)
+{
+  std::mt19937 engine(seed);
+  std::uniform_real_distribution<double> power(0.0, std::log(ratio));
+  auto grid = std::make_shared<GridCoordinates>();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    std::vector<double>& along = grid->Along[static_cast<std::size_t>(axis)];
+    along = { 0.0 };
+    for (int i = 1; i < dimensions[axis]; ++i)
+    {
+      along.push_back(along.back() + std::exp(power(engine)));
+    }
+    const double scale = (dimensions[axis] - 1) / along.back();
+    for (double& coordinate : along)
+    {
+      coordinate *= scale;
+    }
+    along.back() = dimensions[axis] - 1;
+  }
+  return grid;
+}
+
+/// Put samples of a formula of the coordinates.
+template <typename T, typename Formula>
+void FillByPlace(Grid<T>& grid, const Formula& formula)
+{
+  const GridCoordinates& at = *grid.Seen.Grid;
+  grid.Fill([&](int i, int j, int k)
+    { return formula(glm::dvec3(at.At(0, i), at.At(1, j), at.At(2, k))); });
+}
+
+struct Structures
+{
+  explicit Structures(const Field& field, const Surfaces& sought)
+  {
+    this->Pyramid.Build(field);
+    this->Active.Build(field, this->Pyramid, sought);
+    this->Scene = { field, sought, this->Pyramid.FiniteRange(), &this->Active };
+  }
+
+  ValueRangePyramid Pyramid;
+  ActiveCells Active;
+  TraceScene Scene;
+};
+
+HitBatch Trace(const TraceScene& scene, const RayBatch& rays)
+{
+  HitBatch hits;
+  SurfaceTracer::Make(scene)->Trace(rays, hits);
+  return hits;
+}
+
+/// Call visit(rays) for the tiles of views from some directions, along axes among them.
+template <typename Visit>
+void ForEachTile(const glm::ivec3& dimensions, const Visit& visit)
+{
+  for (const glm::dvec3 direction : { glm::dvec3(1.0, 0.0, 0.0), glm::dvec3(0.0, 0.0, -1.0),
+         glm::dvec3(-1.0, -1.0, 0.0), glm::dvec3(0.3, -0.7, 0.9), glm::dvec3(-0.5, 0.4, -0.2) })
+  {
+    for (const bool parallel : { false, true })
+    {
+      const View view = LookAt(dimensions, direction, { 64, 64 }, parallel);
+      for (int tile = 0; tile < 64; tile += 3)
+      {
+        RayBatch rays;
+        RaySource(view, Placement(), dimensions)
+          .SetUp(8 * glm::ivec2(tile % 8, tile / 8), glm::ivec2(8), rays);
+        visit(rays);
+      }
+    }
+  }
+}
+
+void ExpectSameHit(const HitBatch& a, const HitBatch& b, std::size_t i)
+{
+  EXPECT_EQ(a.Depth[i], b.Depth[i]);
+  EXPECT_EQ(a.Surface[i], b.Surface[i]);
+  EXPECT_EQ(a.Kind[i], b.Kind[i]);
+}
+
+/// All modes and interpolations, one isovalue and several.
+template <typename Check>
+void ForEachWay(Field field, const Check& check)
+{
+  for (const Interpolation between : { Interpolation::Linear, Interpolation::Nearest })
+  {
+    for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
+    {
+      field.Between = between;
+      check(field, Surfaces{ { 2.0 }, mode });
+      check(field, Surfaces{ { 2.7, 1.3 }, mode });
+    }
+  }
+}
+
+TEST(Graded, WholeNumbersAsCoordinatesAreTheUniformField)
+{
+  Grid<double> grid(glm::ivec3(27, 34, 19));
+  grid.Fill([](int i, int j, int k) { return (i * 7 + j * 3 + k * 5 + i * j * k) % 5; });
+  ForEachWay(grid.Seen,
+    [](const Field& field, const Surfaces& sought)
+    {
+      Field graded = field;
+      graded.Grid = Uniform(field.Dimensions);
+      const Structures structures(field, sought);
+      TraceScene asGraded = structures.Scene;
+      asGraded.Samples = graded;
+      std::int64_t found = 0;
+      ForEachTile(field.Dimensions,
+        [&](const RayBatch& rays)
+        {
+          const HitBatch hits = Trace(structures.Scene, rays);
+          const HitBatch others = Trace(asGraded, rays);
+          for (std::size_t i = 0; i < 64; ++i)
+          {
+            ExpectSameHit(hits, others, i);
+            EXPECT_EQ(hits.Contact[i], others.Contact[i]);
+            EXPECT_EQ(hits.FromInside[i], others.FromInside[i]);
+            found += hits.Surface[i] != Frame::NoSurface;
+          }
+        });
+      EXPECT_GT(found, 3000);
+    });
+}
+
+TEST(Graded, ResultDoesNotDependOnTheWalk)
+{
+  for (const double ratio : { 1.5, 20.0, 1e6 })
+  {
+    Grid<std::uint8_t> grid(glm::ivec3(37, 29, 41));
+    grid.FillRandomly(0.0, 4.0, 9); // few values: many samples equal the isovalue
+    grid.Seen.Grid = Graded(grid.Seen.Dimensions, ratio, 5);
+    std::mt19937 engine(11);
+    std::uniform_real_distribution<double> share(0.0, 1.0);
+    ForEachWay(grid.Seen,
+      [&](const Field& field, const Surfaces& sought)
+      {
+        const Structures structures(field, sought);
+        TraceScene plain = structures.Scene;
+        plain.Active = nullptr;
+        ForEachTile(field.Dimensions,
+          [&](RayBatch& rays)
+          {
+            const HitBatch hits = Trace(structures.Scene, rays);
+            const HitBatch plainHits = Trace(plain, rays);
+            // Any walk that contains the hit must find it.
+            for (std::size_t i = 0; i < 64; ++i)
+            {
+              if (hits.Surface[i] != Frame::NoSurface)
+              {
+                rays.WalkBegin[i] += share(engine) * (hits.Depth[i] - rays.WalkBegin[i]);
+                rays.WalkEnd[i] = hits.Depth[i] + share(engine) * (rays.WalkEnd[i] - hits.Depth[i]);
+              }
+            }
+            const HitBatch shortHits = Trace(structures.Scene, rays);
+            for (std::size_t i = 0; i < 64; ++i)
+            {
+              ExpectSameHit(hits, plainHits, i);
+              if (rays.WalkBegin[i] < rays.WalkEnd[i])
+              {
+                ExpectSameHit(hits, shortHits, i);
+              }
+            }
+          });
+      });
+  }
+}
+
+TEST(Graded, PlaneIsHitWhereItIs)
+{
+  const glm::dvec3 normal(0.5, -0.25, 1.0);
+  const double isovalue = 8.125;
+  Grid<double> grid(glm::ivec3(40, 30, 20));
+  grid.Seen.Grid = Graded(grid.Seen.Dimensions, 50.0, 3);
+  FillByPlace(grid, [&](const glm::dvec3& at) { return glm::dot(at, normal); });
+  const Structures structures(grid.Seen, { { isovalue }, SurfaceMode::Crossing });
+  int found = 0;
+  ForEachTile(grid.Seen.Dimensions,
+    [&](const RayBatch& rays)
+    {
+      const HitBatch hits = Trace(structures.Scene, rays);
+      for (std::size_t i = 0; i < 64; ++i)
+      {
+        const glm::dvec3 o(rays.Origin[0][i], rays.Origin[1][i], rays.Origin[2][i]);
+        const glm::dvec3 d(rays.Direction[0][i], rays.Direction[1][i], rays.Direction[2][i]);
+        const double t = (isovalue - glm::dot(o, normal)) / glm::dot(d, normal);
+        const bool isHit = t > rays.Begin[i] + 1e-9 && t < rays.End[i] - 1e-9;
+        const bool isMiss = !(t >= rays.Begin[i] - 1e-9 && t <= rays.End[i] + 1e-9);
+        EXPECT_TRUE(isHit ? hits.Surface[i] == 0 : !isMiss || hits.Surface[i] == Frame::NoSurface);
+        EXPECT_NEAR(isHit ? hits.Depth[i] - t : 0.0, 0.0, 1e-9);
+        found += isHit;
+      }
+    });
+  EXPECT_GT(found, 2000);
+}
+
+TEST(Graded, NearestFacesLieHalfWay)
+{
+  Grid<std::uint8_t> grid(glm::ivec3(4, 3, 3));
+  auto coordinates = std::make_shared<GridCoordinates>(*Uniform(grid.Seen.Dimensions));
+  coordinates->Along[0] = { 0.0, 0.2, 2.0, 3.0 };
+  grid.Seen.Grid = coordinates;
+  grid.Seen.Between = Interpolation::Nearest;
+  grid.Fill([](int i, int, int) { return i >= 2 ? 10 : 0; });
+  const Structures structures(grid.Seen, { { 5.0 }, SurfaceMode::Crossing });
+  const View view = LookAt(grid.Seen.Dimensions, { -1.0, 0.0, 0.0 }, { 8, 8 }, true);
+  RayBatch rays;
+  RaySource(view, Placement(), grid.Seen.Dimensions).SetUp({ 0, 0 }, glm::ivec2(8), rays);
+  const HitBatch hits = Trace(structures.Scene, rays);
+  int found = 0;
+  for (std::size_t i = 0; i < 64; ++i)
+  {
+    if (rays.Begin[i] < rays.End[i])
+    {
+      EXPECT_NEAR(rays.Origin[0][i] + hits.Depth[i] * rays.Direction[0][i], 1.1, 1e-12);
+      ++found;
+    }
+  }
+  EXPECT_GT(found, 10);
+}
+
+TEST(Graded, GradientsAreThoseOfTheWorld)
+{
+  const glm::dvec3 slope(0.5, -0.25, 1.0);
+  Grid<float> grid(glm::ivec3(12, 10, 9));
+  grid.Seen.Grid = Graded(grid.Seen.Dimensions, 50.0, 3);
+  FillByPlace(grid, [&](const glm::dvec3& at) { return 100.0 + glm::dot(at, slope); });
+  std::mt19937 engine(4);
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  const std::vector<double> isovalues{ 104.0 };
+  for (const Interpolation between : { Interpolation::Linear, Interpolation::Nearest })
+  {
+    grid.Seen.Between = between;
+    std::array<RayBatch::Array<double>, 3> points, directions, gradients;
+    RayBatch::Array<std::int16_t> surfaces{};
+    for (std::size_t i = 0; i < 64; ++i)
+    {
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        // Some on the boundary of the field, where differences are one-sided.
+        const double last = grid.Seen.Dimensions[static_cast<int>(a)] - 1;
+        points[a][i] = i % 7 == a ? 0.0 : i % 5 == a ? last : share(engine) * last;
+        directions[a][i] = share(engine) - 0.5;
+      }
+    }
+    IndexGradients({ grid.Seen, glm::dmat4(1.0), { 90.0, 130.0 }, &isovalues }, 64, points,
+      directions, surfaces, gradients);
+    for (std::size_t i = 0; i < 64; ++i)
+    {
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        EXPECT_NEAR(gradients[a][i], slope[static_cast<int>(a)], 1e-3);
+      }
+    }
+  }
+}
+
+/// Differences of the largest numbers, and over short edges, have no number: gradients end before.
+TEST(Graded, GradientsOfTheLargestSamplesAreNumbers)
+{
+  constexpr double largest = std::numeric_limits<double>::max();
+  Grid<double> grid(glm::ivec3(6, 7, 5));
+  std::mt19937 engine(9);
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  for (double& sample : grid.Samples)
+  {
+    sample = share(engine) < 0.5 ? -largest : largest;
+  }
+  const std::vector<double> isovalues{ 1.0 };
+  for (const double ratio : { 50.0, 1e8 })
+  {
+    grid.Seen.Grid = Graded(grid.Seen.Dimensions, ratio, 3);
+    std::array<RayBatch::Array<double>, 3> points, directions, gradients;
+    RayBatch::Array<std::int16_t> surfaces{};
+    for (std::size_t i = 0; i < 64; ++i)
+    {
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        points[a][i] = share(engine) * (grid.Seen.Dimensions[static_cast<int>(a)] - 1);
+        directions[a][i] = share(engine) - 0.5;
+      }
+    }
+    IndexGradients({ grid.Seen, glm::dmat4(1.0), { -largest, largest }, &isovalues }, 64, points,
+      directions, surfaces, gradients);
+    for (std::size_t i = 0; i < 64; ++i)
+    {
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        EXPECT_TRUE(std::isfinite(gradients[a][i])) << ratio << ", hit " << i;
+      }
+    }
+  }
+}
+
+TEST(Graded, UniformGradientsAreThoseOfImages)
+{
+  Grid<std::int16_t> grid(glm::ivec3(12, 10, 9));
+  grid.FillRandomly(-1000.0, 1000.0, 6);
+  std::mt19937 engine(4);
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  const std::vector<double> isovalues{ 3.0 };
+  for (const Interpolation between : { Interpolation::Linear, Interpolation::Nearest })
+  {
+    grid.Seen.Between = between;
+    Field graded = grid.Seen;
+    graded.Grid = Uniform(graded.Dimensions);
+    std::array<RayBatch::Array<double>, 3> points, directions, gradients, others;
+    RayBatch::Array<std::int16_t> surfaces{};
+    for (std::size_t i = 0; i < 64; ++i)
+    {
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        points[a][i] = share(engine) * (grid.Seen.Dimensions[static_cast<int>(a)] - 1);
+        directions[a][i] = share(engine) - 0.5;
+      }
+    }
+    const glm::dvec2 range(-1000.0, 1000.0);
+    IndexGradients({ grid.Seen, glm::dmat4(1.0), range, &isovalues }, 64, points, directions,
+      surfaces, gradients);
+    IndexGradients(
+      { graded, glm::dmat4(1.0), range, &isovalues }, 64, points, directions, surfaces, others);
+    for (std::size_t i = 0; i < 64; ++i)
+    {
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        EXPECT_NEAR(gradients[a][i], others[a][i], 1e-3);
+      }
+    }
+  }
+}
+
+TEST(Graded, EdgesOfVoxels)
+{
+  Grid<float> grid(glm::ivec3(3, 4, 2));
+  auto coordinates = std::make_shared<GridCoordinates>(*Uniform(grid.Seen.Dimensions));
+  coordinates->Along[1] = { 0.0, 0.25, 1.0, 3.0 };
+  grid.Seen.Grid = coordinates;
+  Placement where;
+  where.WorldFromIndex = glm::scale(glm::dmat4(1.0), glm::dvec3(3.0, -2.0, 1.0));
+  EXPECT_EQ(VoxelEdges(grid.Seen, where), glm::dvec2(0.5, 4.0));
+  grid.Seen.Grid = nullptr;
+  EXPECT_EQ(VoxelEdges(grid.Seen, where), glm::dvec2(1.0, 3.0));
+}
+
+TEST(Graded, CoordinatesOfSamplesAndCells)
+{
+  GridCoordinates grid;
+  const std::vector<double> all{ 0.0, 0.25, 1.0, 3.0, 3.5 };
+  grid.Along = { std::vector{ 0.0, 1.0 }, all, std::vector{ 0.0, 1.0 } };
+  for (int i = 0; i < 12; ++i)
+  {
+    EXPECT_EQ(grid.At(1, i), all[static_cast<std::size_t>(std::min(i, 4))]) << i;
+  }
+  for (double coordinate = -1.0; coordinate <= 5.0; coordinate += 0.125)
+  {
+    // A plane between cells belongs to the one behind it.
+    int cell = 0;
+    while (cell < 3 && coordinate >= all[static_cast<std::size_t>(cell + 1)])
+    {
+      ++cell;
+    }
+    EXPECT_EQ(grid.CellOf(1, coordinate), cell) << coordinate;
+    EXPECT_EQ(grid.CellOf(0, coordinate), 0) << coordinate;
+  }
+}
+
+TEST(Graded, FieldsDifferByTheirCoordinates)
+{
+  Grid<float> grid(glm::ivec3(3, 4, 2));
+  Field a = grid.Seen, b = grid.Seen;
+  a.Grid = Graded(a.Dimensions, 3.0, 1);
+  EXPECT_FALSE(a == b);
+  b.Grid = Graded(a.Dimensions, 3.0, 1);
+  EXPECT_TRUE(a == b) << "compared by value";
+  b.Grid = Graded(a.Dimensions, 3.0, 2);
+  EXPECT_FALSE(a == b);
+}
+
+class GradedFrames : public ::testing::Test
+{
+protected:
+  GradedFrames()
+    : Samples(glm::ivec3(60, 50, 40))
+  {
+    this->Samples.Seen.Grid = Graded(this->Samples.Seen.Dimensions, 30.0, 8);
+    FillByPlace(this->Samples,
+      [](const glm::dvec3& at) {
+        return 120.0 + 100.0 * std::sin(0.2 * at.x) * std::cos(0.25 * at.y) * std::sin(0.3 * at.z);
+      });
+    this->Key.Samples = this->Samples.Seen;
+    this->Key.Seen = LookAt(this->Samples.Seen.Dimensions, { 1.0, 2.0, 0.7 }, { 203, 117 });
+    this->Key.Sought.Isovalues = { 150.0, 90.0 };
+    this->Key.Look.Colors = { { 1.0, 0.5, 0.2 }, { 0.2, 0.5, 1.0 } };
+    this->Key.Look.Shade = true;
+    this->Key.Look.Lights = { Light() };
+  }
+
+  Frame Cold(bool leaps) const
+  {
+    FrameRenderer renderer;
+    FrameRenderer::Options options;
+    options.SpaceLeaping = leaps;
+    renderer.Render(this->Key, options);
+    EXPECT_EQ(renderer.Statistics().Made, Route::Cold);
+    return renderer.LastFrame();
+  }
+
+  void ExpectLeapingChangesNothing() const
+  {
+    const Frame a = this->Cold(true), b = this->Cold(false);
+    const auto same = [](const auto& x, const auto& y)
+    { return x.size() == y.size() && !std::memcmp(x.data(), y.data(), x.size() * sizeof(x[0])); };
+    EXPECT_TRUE(same(a.Depth, b.Depth) && same(a.Normals, b.Normals) &&
+      same(a.Isovalues, b.Isovalues) && same(a.Kinds, b.Kinds) && same(a.Colors, b.Colors));
+    const auto isHit = [](std::int16_t surface) { return surface != Frame::NoSurface; };
+    EXPECT_GT(std::count_if(a.Isovalues.begin(), a.Isovalues.end(), isHit), 500);
+  }
+
+  Grid<std::uint8_t> Samples;
+  FrameKey Key;
+};
+
+TEST_F(GradedFrames, SpaceLeapingDoesNotChangeThePicture)
+{
+  // Small pictures too: in them whole nodes are projected as one box.
+  for (const glm::ivec2 size : { glm::ivec2(203, 117), glm::ivec2(64, 48) })
+  {
+    for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
+    {
+      this->Key.Sought.Mode = mode;
+      for (const bool parallel : { false, true })
+      {
+        this->Key.Seen = LookAt(this->Samples.Seen.Dimensions, { 1.0, 2.0, 0.7 }, size, parallel);
+        this->ExpectLeapingChangesNothing();
+      }
+      const glm::dvec3 eye(20.3, 21.0, 17.9);
+      ASSERT_TRUE(MakeView(glm::lookAt(eye, eye + glm::dvec3(1.0, 0.4, 0.2), glm::dvec3(0, 0, 1)),
+        glm::perspective(1.2, 1.5, 0.01, 200.0), { 0.01, 200.0 }, size, this->Key.Seen));
+      this->ExpectLeapingChangesNothing();
+    }
+  }
+}
+
+TEST_F(GradedFrames, NoIsomapIsBuilt)
+{
+  FrameRenderer renderer;
+  this->Key.Sought.Isovalues = { 150.0 };
+  this->Key.Look.Colors = { glm::dvec3(1.0) };
+  renderer.Render(this->Key, {});
+  EXPECT_EQ(renderer.BuildIsomap(this->Key, {}), Isomap::Outcome::Impossible);
+  this->Key.Sought.Isovalues = { 151.0 };
+  renderer.Render(this->Key, {});
+  EXPECT_EQ(renderer.Statistics().Made, Route::ThresholdHint);
+  const Frame cold = this->Cold(true);
+  EXPECT_EQ(renderer.LastFrame().Depth, cold.Depth);
+}
+
+}

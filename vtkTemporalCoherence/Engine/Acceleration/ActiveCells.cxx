@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Acceleration/ActiveCells.h"
+
+#include "Scene/Parallel.h"
+
+#include <algorithm>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+/// True if an isovalue of one of the ascending bands passes between samples of the range.
+template <typename T>
+bool IsActive(const ValueRangePyramid::Range<T>& range, const std::vector<ValueBand>& bands)
+{
+  const double min = static_cast<double>(range.Min);
+  const double max = static_cast<double>(range.Max);
+  for (const ValueBand& band : bands)
+  {
+    if (band.Low > max)
+    {
+      return false;
+    }
+    if (band.High > min)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+}
+
+void ActiveCells::Build(
+  const Field& field, const ValueRangePyramid& pyramid, const Surfaces& surfaces)
+{
+  this->Release();
+  for (const double isovalue : surfaces.Isovalues)
+  {
+    this->Sought.push_back({ isovalue, isovalue });
+  }
+  std::sort(this->Sought.begin(), this->Sought.end(),
+    [](const ValueBand& a, const ValueBand& b) { return a.Low < b.Low; });
+  this->IsCapped = field.Hidden && surfaces.Mode == SurfaceMode::Threshold;
+  this->FindLeaves(field, pyramid);
+}
+
+void ActiveCells::Build(const Field& field, const ValueRangePyramid& pyramid, const ValueBand& band)
+{
+  this->Release();
+  this->Sought = { band };
+  this->FindLeaves(field, pyramid);
+}
+
+/// The active leaves of a node where cells are hidden. Each has an active cell, which the range of
+/// its samples does not tell there.
+/// \param firstCell of the node
+/// \param ranges    of its leaves
+/// \param leaves    those that would be active if no cell were hidden
+template <typename T>
+std::uint64_t ActiveCells::FindVisibleLeaves(const TypedField<T>& field,
+  const glm::ivec3& firstCell, const ValueRangePyramid::Range<T>* ranges,
+  std::uint64_t leaves) const
+{
+  for (int i = 0; i < ValueRangePyramid::LeavesPerNode; ++i)
+  {
+    const glm::ivec3 first = firstCell + LeafSize * glm::ivec3(i & 3, i >> 2 & 3, i >> 4);
+    const std::uint64_t leaf = std::uint64_t(1) << i;
+    const bool isActive = (leaves & leaf) != 0;
+    const bool canBeCapped = this->IsCapped && !this->Sought.empty() &&
+      static_cast<double>(ranges[i].Max) >= this->Sought.front().Low;
+    // Most leaves are far from hidden cells.
+    const bool isPlain = isActive ? this->Hidden->LeafAt(first) == 0
+                                  : !canBeCapped || this->Hidden->Around(first) == 0;
+    if (isPlain || glm::any(glm::greaterThanEqual(first, field.Dimensions - 1)))
+    {
+      continue;
+    }
+    leaves = this->FindCells(field, first) != 0 ? leaves | leaf : leaves & ~leaf;
+  }
+  return leaves;
+}
+
+void ActiveCells::FindLeaves(const Field& field, const ValueRangePyramid& pyramid)
+{
+  const std::int64_t nodes = pyramid.NumberOfNodes();
+  const glm::ivec3& along = pyramid.NodeDimensions();
+  this->NodeWords.resize(static_cast<std::size_t>(2 * nodes));
+  this->Hidden = field.Hidden;
+
+  DispatchScalarType(field.Type,
+    [&](auto type)
+    {
+      using T = decltype(type);
+      ParallelFor(nodes, 64,
+        [&](std::int64_t node)
+        {
+          const auto* ranges = pyramid.LeavesOf<T>(node);
+          std::uint64_t leaves = 0;
+          for (int i = 0; i < ValueRangePyramid::LeavesPerNode; ++i)
+          {
+            leaves |= static_cast<std::uint64_t>(IsActive(ranges[i], this->Sought)) << i;
+          }
+          if (this->Hidden)
+          {
+            const glm::ivec3 place(
+              node % along.x, node / along.x % along.y, node / along.x / along.y);
+            leaves =
+              this->FindVisibleLeaves(TypedField<T>(field), NodeSize * place, ranges, leaves);
+          }
+          this->NodeWords[static_cast<std::size_t>(2 * node)] = leaves;
+        });
+    });
+
+  std::uint64_t words = 0;
+  for (std::size_t node = 0; node < this->NodeWords.size(); node += 2)
+  {
+    this->NodeWords[node + 1] = words;
+    words += this->NodeWords[node] != 0 ? ValueRangePyramid::LeavesPerNode : 0;
+  }
+  this->LeafWords = std::make_unique<std::atomic<std::uint64_t>[]>(words);
+  this->NumberOfLeafWords = words;
+  this->Dimensions = pyramid.NodeDimensions();
+}
+
+void ActiveCells::Release()
+{
+  this->Dimensions = glm::ivec3(0);
+  this->Sought.clear();
+  std::vector<std::uint64_t>().swap(this->NodeWords);
+  this->LeafWords.reset();
+  this->NumberOfLeafWords = 0;
+  this->Hidden.reset();
+  this->IsCapped = false;
+}
+
+std::size_t ActiveCells::MemoryInBytes() const
+{
+  return sizeof(std::uint64_t) * (this->NodeWords.capacity() + this->NumberOfLeafWords);
+}
+
+}

@@ -1,0 +1,218 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_ActiveCells_h
+#define TemporalCoherence_ActiveCells_h
+
+#include "Acceleration/HiddenCells.h"
+#include "Acceleration/ValueRangePyramid.h"
+#include "Scene/Field.h"
+#include "Scene/Surfaces.h"
+
+#include <atomic>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace TemporalCoherence
+{
+
+/// The cells that a set of isovalues, or all isovalues of a band, can pass through, as a tree of
+/// bits.
+///
+/// A cell is *active* if some of its eight samples are inside an isovalue and some are not; only
+/// there can a surface be. For a band of isovalues: if some of its samples are at least the lowest
+/// and some are below the highest. Hidden cells are not active; but where they cut open a THRESHOLD
+/// solid, all cells that touch them are, unless they are outside: there it is capped. One 64-bit
+/// word for each node of the pyramid tells its active leaves, and one for each active leaf its
+/// active cells, so that a ray crosses 16 or 4 cells at a step where the word is empty and tests a
+/// cell without reading samples. The words of nodes are built for a set of isovalues from the
+/// pyramid alone; those of leaves are made when a ray first asks, which leaves out all that is
+/// hidden. Neither depends on the view.
+class ActiveCells
+{
+public:
+  static constexpr int LeafBits = ValueRangePyramid::LeafBits;
+  static constexpr int NodeBits = ValueRangePyramid::NodeBits;
+  static constexpr int LeafSize = ValueRangePyramid::LeafSize;
+  static constexpr int NodeSize = ValueRangePyramid::NodeSize;
+
+  /// Find the active leaves.
+  /// \throws std::bad_alloc, nothing being active then
+  void Build(const Field& field, const ValueRangePyramid& pyramid, const Surfaces& surfaces);
+  void Build(const Field& field, const ValueRangePyramid& pyramid, const ValueBand& band);
+
+  void Release();
+
+  const glm::ivec3& NodeDimensions() const { return this->Dimensions; }
+
+  /// Position of the node of cell (i, j, k) in the list of nodes.
+  std::int64_t NodeOf(const glm::ivec3& cell) const
+  {
+    return (cell.x >> NodeBits) +
+      static_cast<std::int64_t>(this->Dimensions.x) *
+      ((cell.y >> NodeBits) + static_cast<std::int64_t>(this->Dimensions.y) * (cell.z >> NodeBits));
+  }
+
+  /// Position of a leaf within its node, and of a cell within its leaf: x + 4 y + 16 z.
+  static int LeafOf(const glm::ivec3& cell)
+  {
+    return ((cell.x >> LeafBits) & 3) | ((cell.y >> LeafBits) & 3) << 2 |
+      ((cell.z >> LeafBits) & 3) << 4;
+  }
+  static int BitOf(const glm::ivec3& cell)
+  {
+    return (cell.x & 3) | (cell.y & 3) << 2 | (cell.z & 3) << 4;
+  }
+
+  /// One bit for each active leaf of a node.
+  std::uint64_t LeavesOf(std::int64_t node) const
+  {
+    return this->NodeWords[static_cast<std::size_t>(2 * node)];
+  }
+
+  /// One bit for each active cell of the active leaf that holds `cell`. Safe from many threads:
+  /// who comes first computes it, who comes at the same time computes the same.
+  template <typename T>
+  std::uint64_t CellsOf(const TypedField<T>& field, std::int64_t node, const glm::ivec3& cell) const
+  {
+    std::atomic<std::uint64_t>& word =
+      this->LeafWords[this->NodeWords[static_cast<std::size_t>(2 * node + 1)] +
+        static_cast<std::size_t>(LeafOf(cell))];
+    std::uint64_t cells = word.load(std::memory_order_relaxed);
+    if (cells == 0)
+    {
+      // An active leaf has an active cell, so that 0 can mean "not yet known".
+      cells = this->FindCells(field, cell & ~3);
+      word.store(cells, std::memory_order_relaxed);
+    }
+    return cells;
+  }
+
+  /// The same words for kernels: of each node its leaves, and where the words of its leaves begin
+  /// in the other list; there, 0 is a leaf's word that is not known yet, and other threads may be
+  /// writing.
+  const std::uint64_t* Nodes() const { return this->NodeWords.data(); }
+  const std::atomic<std::uint64_t>* Cells() const { return this->LeafWords.get(); }
+
+  std::size_t MemoryInBytes() const;
+
+private:
+  void FindLeaves(const Field& field, const ValueRangePyramid& pyramid);
+
+  template <typename T>
+  std::uint64_t FindVisibleLeaves(const TypedField<T>& field, const glm::ivec3& firstCell,
+    const ValueRangePyramid::Range<T>* ranges, std::uint64_t leaves) const;
+
+  template <typename T>
+  std::uint64_t FindCells(const TypedField<T>& field, const glm::ivec3& firstCell) const;
+
+  template <typename T>
+  std::uint64_t WithoutHidden(
+    const TypedField<T>& field, const glm::ivec3& firstCell, std::uint64_t active) const;
+
+  /// One bit for each sample of a row that is inside.
+  template <typename T>
+  static std::uint32_t InsideOf(const T* row, std::int64_t stride, int count, double isovalue)
+  {
+    std::uint32_t inside = 0;
+    for (int i = 0; i < count; ++i)
+    {
+      const bool isInside = static_cast<double>(row[i * stride]) >= isovalue;
+      inside |= static_cast<std::uint32_t>(isInside) << i;
+    }
+    return inside;
+  }
+
+  glm::ivec3 Dimensions{ 0 };           ///< in nodes
+  std::vector<ValueBand> Sought;        ///< ascending
+  std::vector<std::uint64_t> NodeWords; ///< leaves of a node, and where their words begin
+  std::unique_ptr<std::atomic<std::uint64_t>[]> LeafWords;
+  std::size_t NumberOfLeafWords = 0;
+  std::shared_ptr<const HiddenCells> Hidden; ///< null for none
+  bool IsCapped = false;                     ///< where hidden cells cut it open
+};
+
+template <typename T>
+std::uint64_t ActiveCells::FindCells(const TypedField<T>& field, const glm::ivec3& firstCell) const
+{
+  const glm::ivec3 samples = glm::min(field.Dimensions - firstCell, glm::ivec3(5));
+  std::uint64_t active = 0;
+  for (const ValueBand& band : this->Sought)
+  {
+    // Fold samples that are inside the lowest isovalue, and those inside the highest, along x, then
+    // y, then z: 4 bits a row, 16 a slice. A cell is active if any are inside the lowest and not
+    // all are inside the highest.
+    const bool isPoint = band.Low == band.High;
+    std::uint32_t anyBelow = 0, allBelow = 0;
+    for (int k = 0; k < samples.z; ++k)
+    {
+      std::uint32_t anySlice = 0, allSlice = 0, anyRow = 0, allRow = 0;
+      for (int j = 0; j < samples.y; ++j)
+      {
+        const T* row = field.At(firstCell + glm::ivec3(0, j, k));
+        const std::uint32_t inLow = InsideOf(row, field.Strides.x, samples.x, band.Low);
+        const std::uint32_t inHigh =
+          isPoint ? inLow : InsideOf(row, field.Strides.x, samples.x, band.High);
+        const std::uint32_t any = inLow | inLow >> 1;
+        const std::uint32_t all = inHigh & inHigh >> 1;
+        if (j > 0)
+        {
+          anySlice |= ((any | anyRow) & 15u) << 4 * (j - 1);
+          allSlice |= (all & allRow & 15u) << 4 * (j - 1);
+        }
+        anyRow = any;
+        allRow = all;
+      }
+      if (k > 0)
+      {
+        const std::uint64_t mixed = (anySlice | anyBelow) & ~(allSlice & allBelow) & 0xffffu;
+        active |= mixed << 16 * (k - 1);
+      }
+      anyBelow = anySlice;
+      allBelow = allSlice;
+    }
+  }
+  // Rows of fewer than five samples have fewer than four cells.
+  const std::uint64_t cellsInRow = (1u << (samples.x - 1)) - 1u;
+  active &= cellsInRow * 0x1111111111111111u;
+  return this->Hidden ? this->WithoutHidden(field, firstCell, active) : active;
+}
+
+/// The active cells of a leaf, given those that would be if none were hidden.
+template <typename T>
+std::uint64_t ActiveCells::WithoutHidden(
+  const TypedField<T>& field, const glm::ivec3& firstCell, std::uint64_t active) const
+{
+  const std::uint64_t hidden = this->Hidden->LeafAt(firstCell);
+  const std::uint64_t beside = this->IsCapped ? this->Hidden->Around(firstCell) & ~hidden : 0;
+  if (beside == 0)
+  {
+    return active & ~hidden;
+  }
+  // Cells with a sample inside the lowest isovalue.
+  const glm::ivec3 samples = glm::min(field.Dimensions - firstCell, glm::ivec3(5));
+  const std::uint32_t cellsInRow = (1u << (samples.x - 1)) - 1u;
+  std::uint64_t inside = 0;
+  for (int k = 0; k < samples.z; ++k)
+  {
+    for (int j = 0; j < samples.y; ++j)
+    {
+      const T* row = field.At(firstCell + glm::ivec3(0, j, k));
+      const std::uint32_t bits =
+        InsideOf(row, field.Strides.x, samples.x, this->Sought.front().Low);
+      const std::uint64_t alongX = (bits | bits >> 1) & cellsInRow;
+      for (int z = k > 0 ? k - 1 : 0; z <= k && z < samples.z - 1; ++z)
+      {
+        for (int y = j > 0 ? j - 1 : 0; y <= j && y < samples.y - 1; ++y)
+        {
+          inside |= alongX << (4 * y + 16 * z);
+        }
+      }
+    }
+  }
+  return (active & ~hidden) | (inside & beside);
+}
+
+}
+
+#endif

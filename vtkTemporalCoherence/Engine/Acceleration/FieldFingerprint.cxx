@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Acceleration/FieldFingerprint.h"
+
+#include "Acceleration/ValueRangePyramid.h"
+#include "Scene/Parallel.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstring>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+constexpr int NodeSize = ValueRangePyramid::NodeSize;
+
+/// What hashes begin with.
+constexpr std::uint64_t Seed = 0x9e3779b97f4a7c15u;
+
+/// Cells beyond those around a sample in which it is seen: those whose normals it decides, and one
+/// for points that rounding lets lie beside their cell.
+constexpr int Reach = 2;
+
+/// A hash of eight more bytes: the mixing of SplitMix64 (Steele et al. 2014). No two numbers become
+/// the same, so that hashes that differ stay different until something else differs.
+std::uint64_t Mix(std::uint64_t hash, std::uint64_t bytes)
+{
+  hash ^= bytes;
+  hash = (hash ^ hash >> 30) * 0xbf58476d1ce4e5b9u;
+  hash = (hash ^ hash >> 27) * 0x94d049bb133111ebu;
+  return hash ^ hash >> 31;
+}
+
+template <typename T>
+std::uint64_t MixRow(std::uint64_t hash, const T* samples, int count)
+{
+  const auto* bytes = reinterpret_cast<const std::byte*>(samples);
+  std::size_t left = static_cast<std::size_t>(count) * sizeof(T);
+  std::uint64_t word = 0;
+  for (; left >= sizeof(word); left -= sizeof(word), bytes += sizeof(word))
+  {
+    std::memcpy(&word, bytes, sizeof(word));
+    hash = Mix(hash, word);
+  }
+  if (left > 0)
+  {
+    word = 0;
+    std::memcpy(&word, bytes, left);
+    hash = Mix(hash, word);
+  }
+  return hash;
+}
+
+/// The hashes of a row of nodes, all along x at the same time, as samples lie in memory.
+/// \param node y and z of the row
+template <typename T>
+void HashRow(const TypedField<T>& field, const glm::ivec2& node, int nodes, std::uint64_t* hashes)
+{
+  std::fill_n(hashes, nodes, Seed);
+  const glm::ivec2 first = NodeSize * node;
+  const glm::ivec2 last =
+    glm::min(first + NodeSize, glm::ivec2(field.Dimensions.y, field.Dimensions.z) - 1);
+  std::array<T, NodeSize + 1> gathered;
+  for (int k = first.y; k <= last.y; ++k)
+  {
+    for (int j = first.x; j <= last.x; ++j)
+    {
+      for (int n = 0; n < nodes; ++n)
+      {
+        const int i = n * NodeSize;
+        const int count = std::min(NodeSize + 1, field.Dimensions.x - i);
+        const T* row = field.At(i, j, k);
+        if (field.Strides.x != 1)
+        {
+          for (int s = 0; s < count; ++s)
+          {
+            gathered[static_cast<std::size_t>(s)] = row[s * field.Strides.x];
+          }
+          row = gathered.data();
+        }
+        hashes[n] = MixRow(hashes[n], row, count);
+      }
+    }
+  }
+}
+
+}
+
+FieldFingerprint FingerprintOf(const Field& field)
+{
+  const glm::ivec3 nodes = ValueRangePyramid::NodesFor(field.Dimensions);
+  FieldFingerprint print;
+  print.Samples = field;
+  print.Nodes.resize(static_cast<std::size_t>(nodes.x) * static_cast<std::size_t>(nodes.y) *
+    static_cast<std::size_t>(nodes.z));
+  DispatchScalarType(field.Type,
+    [&](auto type)
+    {
+      const TypedField<decltype(type)> samples(field);
+      ParallelFor(static_cast<std::int64_t>(nodes.y) * nodes.z, 1,
+        [&](std::int64_t row)
+        {
+          HashRow(
+            samples, { row % nodes.y, row / nodes.y }, nodes.x, print.Nodes.data() + row * nodes.x);
+        });
+    });
+  return print;
+}
+
+std::vector<CellBox> ChangedCells(const FieldFingerprint& before, const FieldFingerprint& now)
+{
+  const glm::ivec3 nodes = ValueRangePyramid::NodesFor(now.Samples.Dimensions);
+  std::vector<CellBox> boxes;
+  for (std::size_t i = 0; i < now.Nodes.size(); ++i)
+  {
+    if (before.Nodes[i] != now.Nodes[i])
+    {
+      const auto node = static_cast<std::int64_t>(i);
+      const glm::ivec3 place(node % nodes.x, node / nodes.x % nodes.y, node / nodes.x / nodes.y);
+      // The first and the last samples of a node belong to one more cell each.
+      const glm::ivec3 first = glm::max(NodeSize * place - 1 - Reach, 0);
+      const glm::ivec3 last =
+        glm::min(NodeSize * (place + 1) + 1 + Reach, now.Samples.Dimensions - 1);
+      boxes.push_back({ first, last - first });
+    }
+  }
+  return boxes;
+}
+
+}

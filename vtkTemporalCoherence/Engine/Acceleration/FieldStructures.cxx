@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Acceleration/FieldStructures.h"
+
+#include <algorithm>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+/// The structure in the list that fits, or null; those that nobody holds any more leave the list.
+template <typename Structure, typename Fits>
+std::shared_ptr<const Structure> FindHeld(
+  std::vector<std::weak_ptr<const Structure>>& list, const Fits& fits)
+{
+  list.erase(std::remove_if(
+               list.begin(), list.end(), [](const auto& structure) { return structure.expired(); }),
+    list.end());
+  for (const std::weak_ptr<const Structure>& weak : list)
+  {
+    const std::shared_ptr<const Structure> structure = weak.lock();
+    if (structure && fits(*structure))
+    {
+      return structure;
+    }
+  }
+  return nullptr;
+}
+
+}
+
+void FieldStructures::Provide(const Field& field, std::shared_ptr<const FieldRanges>& held)
+{
+  // First, so that the memory of the old structure is there for the new one.
+  held = std::make_shared<const FieldRanges>();
+  auto found =
+    FindHeld(this->Ranges, [&](const FieldRanges& ranges) { return ranges.Samples == field; });
+  if (!found)
+  {
+    const auto made = std::make_shared<FieldRanges>();
+    const auto pyramid = std::make_shared<ValueRangePyramid>();
+    pyramid->Build(field);
+    made->Pyramid = pyramid;
+    made->Samples = field;
+    found = made;
+    this->Ranges.push_back(found);
+  }
+  held = found;
+}
+
+void FieldStructures::Provide(
+  const FieldRanges& ranges, const Surfaces& sought, std::shared_ptr<const SurfaceCells>& held)
+{
+  held = std::make_shared<const SurfaceCells>();
+  auto found = FindHeld(this->Cells,
+    [&](const SurfaceCells& cells)
+    { return cells.Samples == ranges.Samples && AreMetAlike(cells.Sought, sought); });
+  if (!found)
+  {
+    const auto made = std::make_shared<SurfaceCells>();
+    const auto active = std::make_shared<ActiveCells>();
+    active->Build(ranges.Samples, *ranges.Pyramid, sought);
+    made->Active = active;
+    made->Samples = ranges.Samples;
+    made->Sought = sought;
+    found = made;
+    this->Cells.push_back(found);
+  }
+  held = found;
+}
+
+void FieldStructures::Provide(const Field& field, std::shared_ptr<const FieldFingerprint>& held)
+{
+  auto found =
+    FindHeld(this->Prints, [&](const FieldFingerprint& print) { return print.Samples == field; });
+  if (!found)
+  {
+    found = std::make_shared<const FieldFingerprint>(FingerprintOf(field));
+    this->Prints.push_back(found);
+  }
+  held = found;
+}
+
+void FieldStructures::MoveTo(const Field& field, std::shared_ptr<const FieldRanges>& held)
+{
+  auto found =
+    FindHeld(this->Ranges, [&](const FieldRanges& ranges) { return ranges.Samples == field; });
+  if (!found)
+  {
+    found = std::make_shared<const FieldRanges>(FieldRanges{ field, held->Pyramid });
+    this->Ranges.push_back(found);
+  }
+  held = found;
+}
+
+void FieldStructures::MoveTo(const Field& field, std::shared_ptr<const SurfaceCells>& held)
+{
+  auto found = FindHeld(this->Cells,
+    [&](const SurfaceCells& cells)
+    { return cells.Samples == field && AreMetAlike(cells.Sought, held->Sought); });
+  if (!found)
+  {
+    found = std::make_shared<const SurfaceCells>(SurfaceCells{ field, held->Sought, held->Active });
+    this->Cells.push_back(found);
+  }
+  held = found;
+}
+
+}

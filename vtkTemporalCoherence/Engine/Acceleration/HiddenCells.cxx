@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Acceleration/HiddenCells.h"
+
+#include "Scene/Parallel.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+constexpr int LeafSize = ValueRangePyramid::LeafSize;
+
+/// Bits of a row of flags, lowest first: 1 where a flag has any bit of the mask.
+std::uint32_t BitsOfRow(const std::uint8_t* flags, int count, std::uint8_t mask)
+{
+  std::uint32_t bits = 0;
+  for (int i = 0; i < count; ++i)
+  {
+    bits |= static_cast<std::uint32_t>((flags[i] & mask) != 0) << i;
+  }
+  return bits;
+}
+
+/// Address of the flag of a cell or a sample in an array of so many along each axis.
+const std::uint8_t* At(const std::uint8_t* flags, const glm::ivec3& place, const glm::ivec3& count)
+{
+  return flags + place.x +
+    static_cast<std::int64_t>(count.x) * (place.y + static_cast<std::int64_t>(count.y) * place.z);
+}
+
+/// The cells of a leaf that their own flags hide.
+std::uint64_t HiddenByCells(
+  const HidingFlags& flags, const glm::ivec3& firstCell, const glm::ivec3& cells)
+{
+  const glm::ivec3 count = glm::min(cells - firstCell, glm::ivec3(LeafSize));
+  std::uint64_t hidden = 0;
+  for (int k = 0; k < count.z; ++k)
+  {
+    for (int j = 0; j < count.y; ++j)
+    {
+      const std::uint8_t* row = At(flags.OfCells, firstCell + glm::ivec3(0, j, k), cells);
+      const std::uint64_t bits = BitsOfRow(row, count.x, flags.CellMask);
+      hidden |= bits << (4 * j + 16 * k);
+    }
+  }
+  return hidden;
+}
+
+/// The cells of a leaf that flags of samples hide.
+std::uint64_t HiddenBySamples(
+  const HidingFlags& flags, const glm::ivec3& firstCell, const glm::ivec3& samples)
+{
+  const glm::ivec3 count = glm::min(samples - firstCell, glm::ivec3(LeafSize + 1));
+  const std::uint32_t cellsInRow = (1u << (count.x - 1)) - 1u;
+  std::uint64_t hidden = 0;
+  for (int k = 0; k < count.z; ++k)
+  {
+    for (int j = 0; j < count.y; ++j)
+    {
+      const std::uint8_t* row = At(flags.OfSamples, firstCell + glm::ivec3(0, j, k), samples);
+      const std::uint32_t bits = BitsOfRow(row, count.x, flags.SampleMask);
+      const std::uint64_t alongX = (bits | bits >> 1) & cellsInRow;
+      // The row is a corner of the cells before it and behind it.
+      for (int z = std::max(k - 1, 0); z <= std::min(k, count.z - 2); ++z)
+      {
+        for (int y = std::max(j - 1, 0); y <= std::min(j, count.y - 2); ++y)
+        {
+          hidden |= alongX << (4 * y + 16 * z);
+        }
+      }
+    }
+  }
+  return hidden;
+}
+
+}
+
+std::shared_ptr<const HiddenCells> HiddenCells::Make(
+  const glm::ivec3& samples, const HidingFlags& flags)
+{
+  const std::shared_ptr<HiddenCells> made(new HiddenCells);
+  const glm::ivec3 cells = samples - 1;
+  const glm::ivec3 nodes = ValueRangePyramid::NodesFor(samples);
+  const std::int64_t count = static_cast<std::int64_t>(nodes.x) * nodes.y * nodes.z;
+  made->Nodes = nodes;
+  made->Words.resize(static_cast<std::size_t>(count * ValueRangePyramid::LeavesPerNode));
+  std::atomic<bool> isAnyHidden{ false };
+  ParallelFor(count, 16,
+    [&](std::int64_t node)
+    {
+      const glm::ivec3 place(node % nodes.x, node / nodes.x % nodes.y, node / nodes.x / nodes.y);
+      std::uint64_t all = 0;
+      for (int leaf = 0; leaf < ValueRangePyramid::LeavesPerNode; ++leaf)
+      {
+        const glm::ivec3 inNode(leaf & 3, leaf >> 2 & 3, leaf >> 4);
+        const glm::ivec3 first = ValueRangePyramid::NodeSize * place + LeafSize * inNode;
+        if (glm::any(glm::greaterThanEqual(first, cells)))
+        {
+          continue;
+        }
+        std::uint64_t hidden = flags.OfCells ? HiddenByCells(flags, first, cells) : 0;
+        hidden |= flags.OfSamples ? HiddenBySamples(flags, first, samples) : 0;
+        made->Words[static_cast<std::size_t>(node * ValueRangePyramid::LeavesPerNode + leaf)] =
+          hidden;
+        all |= hidden;
+      }
+      if (all != 0)
+      {
+        isAnyHidden.store(true, std::memory_order_relaxed);
+      }
+    });
+  return isAnyHidden ? made : nullptr;
+}
+
+std::uint64_t HiddenCells::Around(const glm::ivec3& firstCell) const
+{
+  std::array<std::uint64_t, 27> leaves;
+  std::uint64_t any = 0;
+  for (int i = 0; i < 27; ++i)
+  {
+    const glm::ivec3 step(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+    leaves[static_cast<std::size_t>(i)] = this->LeafAt(firstCell + LeafSize * step);
+    any |= leaves[static_cast<std::size_t>(i)];
+  }
+  if (any == 0)
+  {
+    return 0;
+  }
+  // Rows of six cells, one more at both ends, are folded along x; six rows then along y, and six
+  // slices along z.
+  std::array<std::uint64_t, 6> slices{};
+  for (int k = -1; k <= LeafSize; ++k)
+  {
+    std::array<std::uint64_t, 6> rows{};
+    for (int j = -1; j <= LeafSize; ++j)
+    {
+      const int shift = 4 * (j & 3) + 16 * (k & 3);
+      const auto leaf =
+        static_cast<std::size_t>(3 * ((j + LeafSize) / LeafSize) + 9 * ((k + LeafSize) / LeafSize));
+      const std::uint64_t row = (leaves[leaf] >> shift >> 3 & 1u) |
+        (leaves[leaf + 1] >> shift & 15u) << 1 | (leaves[leaf + 2] >> shift & 1u) << 5;
+      rows[static_cast<std::size_t>(j + 1)] = (row | row >> 1 | row >> 2) & 15u;
+    }
+    for (std::size_t j = 0; j < 4; ++j)
+    {
+      slices[static_cast<std::size_t>(k + 1)] |= (rows[j] | rows[j + 1] | rows[j + 2]) << 4 * j;
+    }
+  }
+  std::uint64_t around = 0;
+  for (std::size_t k = 0; k < 4; ++k)
+  {
+    around |= (slices[k] | slices[k + 1] | slices[k + 2]) << 16 * k;
+  }
+  return around;
+}
+
+}

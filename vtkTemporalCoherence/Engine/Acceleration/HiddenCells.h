@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_HiddenCells_h
+#define TemporalCoherence_HiddenCells_h
+
+#include "Acceleration/ValueRangePyramid.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace TemporalCoherence
+{
+
+/// What hides cells: one byte for each cell, and one for each sample, x fastest; null for none.
+struct HidingFlags
+{
+  const std::uint8_t* OfCells = nullptr;
+  std::uint8_t CellMask = 0; ///< a cell with any of these bits is hidden
+  const std::uint8_t* OfSamples = nullptr;
+  std::uint8_t SampleMask = 0; ///< the cells around a sample with any of these bits are hidden
+};
+
+/// The cells of a field in which no surface is looked for, as bits: one word for each leaf of the
+/// pyramid's nodes, whose bits are those of ActiveCells. Samples of hidden cells still serve the
+/// cells and gradients beside them. Made once for the flags, never changed, and shared by all that
+/// look at the field; there is none where nothing is hidden.
+class HiddenCells
+{
+public:
+  /// Read the flags once, in parallel.
+  /// \param samples of the field along each axis, at least two
+  /// \return null if no cell is hidden
+  /// \throws std::bad_alloc
+  static std::shared_ptr<const HiddenCells> Make(
+    const glm::ivec3& samples, const HidingFlags& flags);
+
+  /// One bit for each hidden cell of the leaf that holds `cell`; 0 outside of the field.
+  std::uint64_t LeafAt(const glm::ivec3& cell) const
+  {
+    const glm::ivec3 node = cell >> ValueRangePyramid::NodeBits;
+    if (glm::any(glm::lessThan(cell, glm::ivec3(0))) ||
+      glm::any(glm::greaterThanEqual(node, this->Nodes)))
+    {
+      return 0;
+    }
+    const std::int64_t place =
+      node.x + static_cast<std::int64_t>(this->Nodes.x) * (node.y + this->Nodes.y * node.z);
+    const glm::ivec3 leaf = (cell >> ValueRangePyramid::LeafBits) & 3;
+    return this->Words[static_cast<std::size_t>(
+      place * ValueRangePyramid::LeavesPerNode + leaf.x + 4 * leaf.y + 16 * leaf.z)];
+  }
+
+  /// False outside of the field.
+  bool IsHidden(const glm::ivec3& cell) const
+  {
+    const glm::ivec3 inLeaf = cell & 3;
+    return this->LeafAt(cell) >> (inLeaf.x + 4 * inLeaf.y + 16 * inLeaf.z) & 1u;
+  }
+
+  /// One bit for each cell of a leaf that is hidden or touches a hidden one, be it by a corner.
+  /// \param firstCell of the leaf
+  std::uint64_t Around(const glm::ivec3& firstCell) const;
+
+  std::size_t MemoryInBytes() const { return sizeof(std::uint64_t) * this->Words.capacity(); }
+
+private:
+  HiddenCells() = default;
+
+  glm::ivec3 Nodes{ 0 };
+  std::vector<std::uint64_t> Words; ///< of all leaves, node by node
+};
+
+}
+
+#endif

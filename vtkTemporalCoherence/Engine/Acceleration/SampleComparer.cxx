@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Acceleration/SampleComparer.h"
+
+#include "Scene/FrameKey.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace TemporalCoherence
+{
+
+SampleComparer::Result SampleComparer::Compare(
+  const Field& last, const Field& next, FieldStructures& shared)
+{
+  this->Changed.clear();
+  this->TilesToTrace.clear();
+  if (next == last || !AreAlike(last, next))
+  {
+    return Result::Unknown;
+  }
+  shared.Provide(next, this->Next);
+  if (!this->Last || !(this->Last->Samples == last))
+  {
+    return Result::Unknown;
+  }
+  this->Changed = ChangedCells(*this->Last, *this->Next);
+  return this->Changed.empty() ? Result::Equal : Result::Different;
+}
+
+void SampleComparer::FindTilesToTrace(
+  const View& view, const Placement& placement, const FieldRanges& ranges)
+{
+  if (AreReadAlike(this->LimitsOfLast, LimitsOf(ranges)))
+  {
+    this->TilesToTrace = FindTiles(view, placement, this->Changed);
+  }
+}
+
+double SampleComparer::ShareToTrace() const
+{
+  const std::vector<std::uint8_t>& tiles = this->TilesToTrace;
+  return tiles.empty() ? 1.0
+                       : static_cast<double>(std::count(tiles.begin(), tiles.end(), 1)) /
+      static_cast<double>(tiles.size());
+}
+
+void SampleComparer::Take(const Field& shown, const FieldRanges& ranges)
+{
+  const bool isKnown = this->Next && this->Next->Samples == shown && ranges.Samples == shown;
+  if (isKnown && this->Next != this->Last)
+  {
+    this->LimitsOfLast = LimitsOf(ranges);
+    this->Last = this->Next;
+  }
+}
+
+SampleComparer::Limits SampleComparer::LimitsOf(const FieldRanges& ranges)
+{
+  Limits limits{ ranges.Pyramid->FiniteRange(), true };
+  DispatchScalarType(ranges.Samples.Type,
+    [&](auto type)
+    {
+      for (std::int64_t node = 0; node < ranges.Pyramid->NumberOfNodes(); ++node)
+      {
+        const auto& range = ranges.Pyramid->NodeAt<decltype(type)>(node);
+        limits.AreFinite = limits.AreFinite && std::isfinite(static_cast<double>(range.Min)) &&
+          std::isfinite(static_cast<double>(range.Max));
+      }
+    });
+  return limits;
+}
+
+/// True if samples that are equal differ alike from an isovalue: those that are not finite do by
+/// the largest difference of one that is.
+bool SampleComparer::AreReadAlike(const Limits& a, const Limits& b)
+{
+  return a.FiniteRange == b.FiniteRange || (a.AreFinite && b.AreFinite);
+}
+
+}

@@ -1,0 +1,352 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Acceleration/TileBounds.h"
+
+#include "Scene/Parallel.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+using Bounds = TileBounds::Bounds;
+
+/// Parts of the nodes projected at the same time, each into tiles of its own.
+constexpr int NumberOfParts = 8;
+
+/// Pixels by which projections are widened against rounding.
+constexpr double Margin = 1.0 / 64;
+
+/// Share of a distance by which bounds are widened, since they are stored in single precision.
+constexpr double Slack = 1e-6;
+
+/// Share of the largest terms of a sum by which rounding may move it, and the ray that it is held
+/// against: not much where terms are as large as the sum, but they cancel out in long thin cells,
+/// and far away from the origin.
+constexpr double Rounding = 64.0 * std::numeric_limits<double>::epsilon();
+
+/// Half the width in pixels of nodes that are projected as one box instead of leaf by leaf: such
+/// boxes are as small in the picture as leaves of other volumes.
+constexpr double SmallNode = 10.0;
+
+/// A box of cells.
+struct Box
+{
+  glm::dvec3 Centre, Half; ///< half its edges
+};
+
+/// The box around the leaves of a node of which a word tells, in leaves: first leaf and size.
+std::array<glm::ivec3, 2> LeavesAround(std::uint64_t leaves)
+{
+  glm::ivec3 first(3), last(0);
+  for (int leaf = 0; leaf < ValueRangePyramid::LeavesPerNode && leaves >> leaf; ++leaf)
+  {
+    if (leaves >> leaf & 1u)
+    {
+      const glm::ivec3 place(leaf & 3, leaf >> 2 & 3, leaf >> 4);
+      first = glm::min(first, place);
+      last = glm::max(last, place);
+    }
+  }
+  return { first, last - first + 1 };
+}
+
+/// Projects boxes of cells into tiles.
+class BoxProjector
+{
+public:
+  /// \param cells along each axis, from which all boxes are
+  BoxProjector(const View& view, const Placement& placement, const glm::ivec2& tiles,
+    const glm::ivec3& cells, const GridCoordinates* grid)
+    : Seen(view)
+    , Tiles(tiles)
+    , Grid(grid)
+    , ClipFromIndex(view.ClipFromWorld * placement.WorldFromIndex)
+    , WorldFromIndex(placement.WorldFromIndex)
+  {
+    if (view.Parallel)
+    {
+      // Rays begin on the plane through the camera, which they may meet at an angle.
+      const double cosine = glm::dot(view.Forward, glm::normalize(view.Direction));
+      this->ParallelDepth = view.Forward / cosine;
+      this->PerRadius = 1.0 / cosine;
+    }
+    this->LeafRadius = this->RadiusOf(glm::dvec3(0.5 * ValueRangePyramid::LeafSize));
+    this->FindErrors(glm::dvec4(cells, 1.0));
+  }
+
+  /// The box of the cells first .. first + cells - 1 of each axis.
+  Box BoxOf(const glm::ivec3& first, const glm::ivec3& cells) const
+  {
+    if (this->Grid)
+    {
+      glm::dvec3 low, high;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        low[axis] = this->Grid->At(axis, first[axis]);
+        high[axis] = this->Grid->At(axis, first[axis] + cells[axis]);
+      }
+      return { 0.5 * (low + high), 0.5 * (high - low) };
+    }
+    const glm::dvec3 half = 0.5 * glm::dvec3(cells);
+    return { glm::dvec3(first) + half, half };
+  }
+
+  /// Radius of the sphere around a box, as a distance along rays.
+  double RadiusOf(const glm::dvec3& half) const
+  {
+    double radius = 0.0;
+    for (int corner = 0; corner < 4; ++corner)
+    {
+      const glm::dvec3 diagonal(
+        half.x, corner & 1 ? half.y : -half.y, corner & 2 ? half.z : -half.z);
+      radius = std::max(radius, glm::length(glm::dmat3(this->WorldFromIndex) * diagonal));
+    }
+    return radius * this->PerRadius;
+  }
+
+  /// True if a box is small in the picture.
+  bool IsSmall(const Box& box) const
+  {
+    const double w = (this->ClipFromIndex * glm::dvec4(box.Centre, 1.0)).w;
+    glm::dvec2 extent(0.0);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      extent += box.Half[axis] * glm::abs(glm::dvec2(this->ClipFromIndex[axis]));
+    }
+    const glm::dvec2 pixels = 0.5 * extent * glm::dvec2(this->Seen.Size);
+    return pixels.x < SmallNode * w && pixels.y < SmallNode * w;
+  }
+
+  void WidenByLeaf(const glm::ivec3& firstCell, std::vector<Bounds>& bounds) const
+  {
+    const Box box = this->BoxOf(firstCell, glm::ivec3(ValueRangePyramid::LeafSize));
+    this->Widen(box, this->Grid ? this->RadiusOf(box.Half) : this->LeafRadius, bounds);
+  }
+
+  void Widen(const Box& box, double radius, std::vector<Bounds>& bounds) const
+  {
+    const glm::dvec3 world(this->WorldFromIndex * glm::dvec4(box.Centre, 1.0));
+    const double distance = this->Seen.Parallel
+      ? glm::dot(this->ParallelDepth, world - this->Seen.Position)
+      : glm::length(world - this->Seen.Position);
+    const double slack = Slack * std::abs(distance) + Slack * radius + this->DistanceError;
+    const float near = Below(distance - radius - slack);
+    const float far = -Below(-(distance + radius + slack));
+
+    glm::ivec2 first, last;
+    if (!this->FindTiles(box, first, last))
+    {
+      return;
+    }
+    for (int y = first.y; y <= last.y; ++y)
+    {
+      for (int x = first.x; x <= last.x; ++x)
+      {
+        Bounds& tile = bounds[static_cast<std::size_t>(y * this->Tiles.x + x)];
+        tile.Near = std::min(tile.Near, near);
+        tile.Far = std::max(tile.Far, far);
+      }
+    }
+  }
+
+  /// Tiles that a box can touch: all where it reaches behind the eye, or where what is computed
+  /// leaves the range of numbers; false if there are none.
+  bool FindTiles(const Box& box, glm::ivec2& first, glm::ivec2& last) const
+  {
+    first = glm::ivec2(0);
+    last = this->Tiles - 1;
+    const glm::dvec4 centre = this->ClipFromIndex * glm::dvec4(box.Centre, 1.0);
+    const std::array<glm::dvec4, 3> half = { box.Half.x * this->ClipFromIndex[0],
+      box.Half.y * this->ClipFromIndex[1], box.Half.z * this->ClipFromIndex[2] };
+    glm::dvec2 low(std::numeric_limits<double>::infinity());
+    glm::dvec2 high(-std::numeric_limits<double>::infinity());
+    double nearest = std::numeric_limits<double>::infinity();
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      const glm::dvec4 clip = centre + (corner & 1 ? half[0] : -half[0]) +
+        (corner & 2 ? half[1] : -half[1]) + (corner & 4 ? half[2] : -half[2]);
+      if (!(clip.w > this->ClipError.w))
+      {
+        return true;
+      }
+      const glm::dvec2 point = glm::dvec2(clip) / clip.w;
+      low = glm::min(low, point);
+      high = glm::max(high, point);
+      nearest = std::min(nearest, clip.w);
+    }
+    const glm::dvec2 farthest = glm::max(glm::abs(low), glm::abs(high));
+    const glm::dvec2 error =
+      (glm::dvec2(this->ClipError) + farthest * this->ClipError.w) / (nearest - this->ClipError.w);
+    const glm::dvec2 scale = 0.5 * glm::dvec2(this->Seen.Size);
+    const glm::dvec2 margin = Margin + scale * error;
+    const glm::dvec2 lowPixel = (low + 1.0) * scale - margin;
+    const glm::dvec2 highPixel = (high + 1.0) * scale + margin;
+    if (!std::isfinite(lowPixel.x + lowPixel.y + highPixel.x + highPixel.y))
+    {
+      return true;
+    }
+    if (lowPixel.x >= this->Seen.Size.x || lowPixel.y >= this->Seen.Size.y || highPixel.x < 0.0 ||
+      highPixel.y < 0.0)
+    {
+      return false;
+    }
+    first = glm::ivec2(glm::max(lowPixel, glm::dvec2(0.0))) >> TileBits;
+    last = glm::min(
+      glm::ivec2(glm::min(highPixel, glm::dvec2(this->Seen.Size))) >> TileBits, this->Tiles - 1);
+    return true;
+  }
+
+private:
+  /// How far rounding may move what is projected.
+  void FindErrors(const glm::dvec4& cells)
+  {
+    const auto sizes = [](const glm::dmat4& matrix)
+    {
+      return glm::dmat4(
+        glm::abs(matrix[0]), glm::abs(matrix[1]), glm::abs(matrix[2]), glm::abs(matrix[3]));
+    };
+    const glm::dvec4 world = sizes(this->WorldFromIndex) * cells;
+    this->ClipError = Rounding * (sizes(this->Seen.ClipFromWorld) * world);
+    const glm::dvec3 reach = glm::dvec3(world) + glm::abs(this->Seen.Position);
+    this->DistanceError = Rounding * this->PerRadius * (reach.x + reach.y + reach.z) +
+      static_cast<double>(std::numeric_limits<float>::min());
+  }
+
+  /// A number in single precision that is not above another but for rounding, which slack allows
+  /// for; what is no number is below all.
+  static float Below(double number)
+  {
+    constexpr auto Largest = static_cast<double>(std::numeric_limits<float>::max());
+    return number >= -Largest ? static_cast<float>(std::min(number, Largest))
+                              : -std::numeric_limits<float>::infinity();
+  }
+
+  const View& Seen;
+  glm::ivec2 Tiles;
+  const GridCoordinates* Grid; ///< null: cells are all alike
+  glm::dmat4 ClipFromIndex, WorldFromIndex;
+  double PerRadius = 1.0; ///< distance along rays for a distance in the world
+  double LeafRadius;
+  glm::dvec4 ClipError{ 0.0 };
+  double DistanceError = 0.0;
+  glm::dvec3 ParallelDepth{
+    0.0
+  }; ///< dot product with a vector from the camera: t of a parallel ray
+};
+
+/// Widen bounds by the active leaves of a node.
+void WidenByNode(const BoxProjector& projector, const glm::ivec3& firstCell, std::uint64_t leaves,
+  std::vector<Bounds>& bounds)
+{
+  constexpr int size = ValueRangePyramid::LeafSize;
+  if (projector.IsSmall(projector.BoxOf(firstCell, glm::ivec3(ValueRangePyramid::NodeSize))))
+  {
+    const std::array<glm::ivec3, 2> around = LeavesAround(leaves);
+    const Box box = projector.BoxOf(firstCell + size * around[0], size * around[1]);
+    projector.Widen(box, projector.RadiusOf(box.Half), bounds);
+    return;
+  }
+  for (int leaf = 0; leaf < ValueRangePyramid::LeavesPerNode && leaves >> leaf; ++leaf)
+  {
+    if (leaves >> leaf & 1u)
+    {
+      const glm::ivec3 inNode(leaf & 3, leaf >> 2 & 3, leaf >> 4);
+      projector.WidenByLeaf(firstCell + size * inNode, bounds);
+    }
+  }
+}
+
+}
+
+std::vector<std::uint8_t> FindTiles(
+  const View& view, const Placement& placement, const std::vector<CellBox>& boxes)
+{
+  const glm::ivec2 tiles = TilesOf(view.Size);
+  glm::ivec3 cells(0);
+  for (const CellBox& box : boxes)
+  {
+    cells = glm::max(cells, box.First + box.Size);
+  }
+  const BoxProjector projector(view, placement, tiles, cells, nullptr);
+  std::vector<std::uint8_t> touched(static_cast<std::size_t>(NumberOfTiles(view.Size)), 0);
+  for (const CellBox& box : boxes)
+  {
+    glm::ivec2 first, last;
+    if (projector.FindTiles(projector.BoxOf(box.First, box.Size), first, last))
+    {
+      for (int y = first.y; y <= last.y; ++y)
+      {
+        std::fill_n(touched.begin() + y * tiles.x + first.x, last.x - first.x + 1, std::uint8_t(1));
+      }
+    }
+  }
+  return touched;
+}
+
+void TileBounds::Build(const View& view, const Placement& placement, const ActiveCells& active,
+  const GridCoordinates* grid)
+{
+  this->Size = TilesOf(view.Size);
+  const std::size_t tiles =
+    static_cast<std::size_t>(this->Size.x) * static_cast<std::size_t>(this->Size.y);
+  this->All.resize(tiles);
+  this->Parts.resize(NumberOfParts);
+  for (std::vector<Bounds>& part : this->Parts)
+  {
+    part.assign(tiles, Bounds());
+  }
+
+  const glm::ivec3 nodes = active.NodeDimensions();
+  const BoxProjector projector(
+    view, placement, this->Size, ValueRangePyramid::NodeSize * nodes, grid);
+  const std::int64_t count = static_cast<std::int64_t>(nodes.x) * nodes.y * nodes.z;
+  ParallelFor(NumberOfParts, 1,
+    [&](std::int64_t part)
+    {
+      std::vector<Bounds>& bounds = this->Parts[static_cast<std::size_t>(part)];
+      for (std::int64_t node = part; node < count; node += NumberOfParts)
+      {
+        const std::uint64_t leaves = active.LeavesOf(node);
+        if (leaves != 0)
+        {
+          const glm::ivec3 place(
+            node % nodes.x, node / nodes.x % nodes.y, node / nodes.x / nodes.y);
+          WidenByNode(projector, ValueRangePyramid::NodeSize * place, leaves, bounds);
+        }
+      }
+    });
+
+  ParallelFor(static_cast<std::int64_t>(tiles), 1024,
+    [&](std::int64_t tile)
+    {
+      Bounds bounds;
+      for (const std::vector<Bounds>& part : this->Parts)
+      {
+        bounds.Near = std::min(bounds.Near, part[static_cast<std::size_t>(tile)].Near);
+        bounds.Far = std::max(bounds.Far, part[static_cast<std::size_t>(tile)].Far);
+      }
+      this->All[static_cast<std::size_t>(tile)] = bounds;
+    });
+}
+
+void TileBounds::Narrow(std::int64_t tile, RayBatch& rays) const
+{
+  const Bounds& bounds = this->At(tile);
+  if (bounds.IsEmpty())
+  {
+    rays.WalkEnd = rays.WalkBegin;
+    return;
+  }
+  for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
+  {
+    rays.WalkBegin[i] = std::max(rays.WalkBegin[i], static_cast<double>(bounds.Near));
+    rays.WalkEnd[i] = std::min(rays.WalkEnd[i], static_cast<double>(bounds.Far));
+  }
+}
+
+}

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_TileBounds_h
+#define TemporalCoherence_TileBounds_h
+
+#include "Acceleration/ActiveCells.h"
+#include "Scene/CellBox.h"
+#include "Scene/RayBatch.h"
+#include "Scene/Tiles.h"
+#include "Scene/View.h"
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace TemporalCoherence
+{
+
+/// 1 for each tile of a view through which a ray may pass one of the boxes, else 0.
+/// \throws std::bad_alloc
+std::vector<std::uint8_t> FindTiles(
+  const View& view, const Placement& placement, const std::vector<CellBox>& boxes);
+
+/// For each tile of 8 x 8 pixels, the distances between which all active leaves seen through it
+/// lie.
+///
+/// Every active leaf, or the box around those of a node that is small in the picture, is projected
+/// and widens the range of the tiles it can touch. A tile that none
+/// touches sees no surface at all. The bounds are conservative: rays may start at Near and stop at
+/// Far without a change of the picture.
+class TileBounds
+{
+public:
+  /// Distances along the rays of a tile, in world units; empty if Near > Far.
+  struct Bounds
+  {
+    float Near = std::numeric_limits<float>::infinity();
+    float Far = -std::numeric_limits<float>::infinity();
+
+    bool IsEmpty() const { return !(this->Near <= this->Far); }
+  };
+
+  /// \param grid of a graded field, or null
+  /// \throws std::bad_alloc, the bounds then being unusable
+  void Build(const View& view, const Placement& placement, const ActiveCells& active,
+    const GridCoordinates* grid = nullptr);
+
+  const glm::ivec2& Tiles() const { return this->Size; }
+  const Bounds& At(std::int64_t tile) const { return this->All[static_cast<std::size_t>(tile)]; }
+
+  /// Narrow the walks of a tile's rays to its bounds.
+  void Narrow(std::int64_t tile, RayBatch& rays) const;
+
+private:
+  glm::ivec2 Size{ 0 };
+  std::vector<Bounds> All;
+  std::vector<std::vector<Bounds>> Parts; ///< one picture of tiles for each part of the nodes
+};
+
+}
+
+#endif

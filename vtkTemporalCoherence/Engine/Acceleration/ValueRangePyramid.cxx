@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Acceleration/ValueRangePyramid.h"
+
+#include "Acceleration/KernelsPyramid.h"
+#include "Scene/Parallel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+constexpr int NodeSize = ValueRangePyramid::NodeSize;
+
+template <typename T>
+using Range = ValueRangePyramid::Range<T>;
+
+/// The range of the finite samples of a node.
+template <typename T>
+Range<T> FiniteRangeOf(const TypedField<T>& field, const glm::ivec3& node)
+{
+  Range<T> range = ValueRangePyramid::Empty<T>();
+  const glm::ivec3 first = NodeSize * node;
+  const glm::ivec3 last = glm::min(first + NodeSize, field.Dimensions - 1);
+  for (int k = first.z; k <= last.z; ++k)
+  {
+    for (int j = first.y; j <= last.y; ++j)
+    {
+      for (int i = first.x; i <= last.x; ++i)
+      {
+        const T value = *field.At(i, j, k);
+        if (std::isfinite(static_cast<double>(value)))
+        {
+          range.Min = std::min(range.Min, value);
+          range.Max = std::max(range.Max, value);
+        }
+      }
+    }
+  }
+  return range;
+}
+
+template <typename T>
+bool IsFinite(const Range<T>& range)
+{
+  return std::isfinite(static_cast<double>(range.Min)) &&
+    std::isfinite(static_cast<double>(range.Max));
+}
+
+/// The range of all samples of nodes.
+template <typename T>
+glm::dvec2 WholeRangeOf(const Range<T>* nodes, std::int64_t count)
+{
+  Range<T> all = ValueRangePyramid::Empty<T>();
+  for (std::int64_t node = 0; node < count; ++node)
+  {
+    all.Min = std::min(all.Min, nodes[node].Min);
+    all.Max = std::max(all.Max, nodes[node].Max);
+  }
+  return { static_cast<double>(all.Min), static_cast<double>(all.Max) };
+}
+
+/// The range of the finite samples of rows of nodes.
+/// \param first y and z of the first row
+/// \param size  nodes along x, and rows along y
+template <typename T>
+Range<T> FiniteRangeOfRows(const TypedField<T>& field, const glm::ivec2& first,
+  const glm::ivec2& size, const Range<T>* nodes)
+{
+  Range<T> all = ValueRangePyramid::Empty<T>();
+  for (int node = 0; node < size.x * size.y; ++node)
+  {
+    // Samples that are not finite are looked for only where there are some.
+    const glm::ivec3 place(node % size.x, first.x + node / size.x, first.y);
+    const Range<T> range = IsFinite(nodes[node]) ? nodes[node] : FiniteRangeOf(field, place);
+    all.Min = std::min(all.Min, range.Min);
+    all.Max = std::max(all.Max, range.Max);
+  }
+  return all;
+}
+
+}
+
+void ValueRangePyramid::Build(const Field& field)
+{
+  this->Release();
+  const glm::ivec3 nodes = NodesFor(field.Dimensions);
+  const std::int64_t count = static_cast<std::int64_t>(nodes.x) * nodes.y * nodes.z;
+  DispatchScalarType(field.Type,
+    [&](auto type)
+    {
+      using T = decltype(type);
+      this->Bytes.resize(static_cast<std::size_t>(count * (LeavesPerNode + 1)) * sizeof(Range<T>));
+      this->Nodes = nodes;
+      auto* const leaves = reinterpret_cast<Range<T>*>(this->Bytes.data());
+      Range<T>* const ofNodes = leaves + count * LeavesPerNode;
+      const TypedField<T> samples(field);
+      Range<T> finite = Empty<T>();
+      std::mutex guard;
+      const int groups = (nodes.y + MostNodeRows - 1) / MostNodeRows;
+      ParallelFor(static_cast<std::int64_t>(groups) * nodes.z, 1,
+        [&](std::int64_t group)
+        {
+          const glm::ivec2 yz(group % groups * MostNodeRows, group / groups);
+          const int rows = std::min(MostNodeRows, nodes.y - yz.x);
+          const std::int64_t first = (yz.x + static_cast<std::int64_t>(nodes.y) * yz.y) * nodes.x;
+          FindRangesOfNodes(field, yz, rows, ofNodes + first, leaves + first * LeavesPerNode);
+          const Range<T> inRows =
+            FiniteRangeOfRows(samples, yz, { nodes.x, rows }, ofNodes + first);
+          const std::lock_guard<std::mutex> lock(guard);
+          finite.Min = std::min(finite.Min, inRows.Min);
+          finite.Max = std::max(finite.Max, inRows.Max);
+        });
+      this->Finite = finite.Min <= finite.Max
+        ? glm::dvec2(static_cast<double>(finite.Min), static_cast<double>(finite.Max))
+        : glm::dvec2(0.0);
+      this->Whole = WholeRangeOf(ofNodes, count);
+    });
+}
+
+void ValueRangePyramid::Release()
+{
+  Room().swap(this->Bytes);
+  this->Nodes = glm::ivec3(0);
+  this->Finite = this->Whole = glm::dvec2(0.0);
+}
+
+}

@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_ValueRangePyramid_h
+#define TemporalCoherence_ValueRangePyramid_h
+
+#include "Scene/Field.h"
+#include "Scene/RoomAllocator.h"
+
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+namespace TemporalCoherence
+{
+
+/// Smallest and largest sample of the field in blocks of cells, whatever the isovalue.
+///
+/// Two levels, each four times coarser than the one below, so that the 64 children of a node fit
+/// the bits of one machine word: *leaves* of 4 x 4 x 4 cells (the 5 x 5 x 5 samples around them)
+/// and *nodes* of 4 x 4 x 4 leaves. Leaves are stored node by node. A leaf without cells (beyond
+/// the end of the field) has Min > Max. A sample that is not a number counts as below every
+/// isovalue: Min is then -infinity.
+class ValueRangePyramid
+{
+public:
+  static constexpr int LeafBits = 2; ///< log2 of the cells along an edge of a leaf
+  static constexpr int NodeBits = 4; ///< log2 of the cells along an edge of a node
+  static constexpr int LeafSize = 1 << LeafBits;
+  static constexpr int NodeSize = 1 << NodeBits;
+  static constexpr int LeavesPerNode = 64;
+
+  template <typename T>
+  struct Range
+  {
+    T Min, Max;
+  };
+
+  /// What no sample has widened yet.
+  template <typename T>
+  static constexpr Range<T> Empty()
+  {
+    using Limits = std::numeric_limits<T>;
+    if constexpr (std::is_floating_point_v<T>)
+    {
+      return { Limits::infinity(), -Limits::infinity() };
+    }
+    else
+    {
+      return { Limits::max(), Limits::lowest() };
+    }
+  }
+
+  /// Nodes along each axis of a field of so many samples.
+  static glm::ivec3 NodesFor(const glm::ivec3& samples)
+  {
+    return (samples - 1 + (NodeSize - 1)) / NodeSize;
+  }
+
+  /// Read the whole field once, in parallel.
+  /// \pre field.HasCells()
+  /// \throws std::bad_alloc, the pyramid then being empty
+  void Build(const Field& field);
+
+  void Release();
+
+  bool IsEmpty() const { return this->Bytes.empty(); }
+
+  /// Nodes along each axis.
+  const glm::ivec3& NodeDimensions() const { return this->Nodes; }
+  std::int64_t NumberOfNodes() const
+  {
+    return static_cast<std::int64_t>(this->Nodes.x) * this->Nodes.y * this->Nodes.z;
+  }
+
+  /// Range of leaf `leaf` (x + 4 y + 16 z within the node) of node `node` (x fastest).
+  /// `T` is the type of the field's samples.
+  template <typename T>
+  const Range<T>* LeavesOf(std::int64_t node) const
+  {
+    return reinterpret_cast<const Range<T>*>(this->Bytes.data()) + node * LeavesPerNode;
+  }
+
+  /// Range of all leaves of a node.
+  template <typename T>
+  const Range<T>& NodeAt(std::int64_t node) const
+  {
+    return *(this->LeavesOf<T>(this->NumberOfNodes()) + node);
+  }
+
+  /// Smallest and largest finite sample of the whole field; {0, 0} if there is none.
+  const glm::dvec2& FiniteRange() const { return this->Finite; }
+
+  /// Smallest and largest of all samples, infinities among them; one that is not a number counts as
+  /// -infinity. {0, 0} before ranges are built.
+  const glm::dvec2& WholeRange() const { return this->Whole; }
+
+  std::size_t MemoryInBytes() const { return this->Bytes.capacity(); }
+
+private:
+  using Room = std::vector<std::byte, RoomAllocator<std::byte>>;
+
+  Room Bytes; ///< the leaves of all nodes, and then the nodes
+  glm::ivec3 Nodes{ 0 };
+  glm::dvec2 Finite{ 0.0 }, Whole{ 0.0 };
+};
+
+}
+
+#endif

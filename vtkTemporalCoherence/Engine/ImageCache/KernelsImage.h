@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_KernelsImage_h
+#define TemporalCoherence_KernelsImage_h
+
+#include "Scene/RayBatch.h"
+#include "Scene/Tiles.h"
+
+#include <array>
+#include <cstdint>
+
+namespace TemporalCoherence
+{
+
+/// Disparities of surfaces and contacts around a tile, with one pixel more on all sides, and the
+/// guard that is made of them.
+struct GuardTile
+{
+  static constexpr int Width = TileSize + 2;
+
+  std::array<float, Width * Width> Surface, Contact;
+  std::array<float, Width * Width> Fine; ///< from which on the surface alone tells what is free
+  std::array<float, TileSize * TileSize> Guard; ///< found
+};
+
+/// How guards are made (FreeSpace.h); lengths are depths.
+struct GuardRule
+{
+  bool IsParallel = false;
+  float EdgeMargin = 0.0f;      ///< by which surfaces at edges are taken to be nearer
+  float SmoothMargin = 0.0f;    ///< the same for smooth surfaces
+  float LargestBend = 0.0f;     ///< by which neighbours of a smooth surface leave its plane
+  float FarthestContact = 0.0f; ///< of a surface behind its first contact, met at a right angle
+  float Spacing = 0.0f;         ///< of pixels; for a perspective at depth 1
+  float Farthest = 0.0f;        ///< disparity below which nothing is known
+};
+void MakeGuard(const GuardRule& rule, GuardTile& tile);
+
+/// How the walk of a ray lies in a cached image.
+enum class PathKind : std::uint8_t
+{
+  Unknown, ///< its beginning is not in what the image shows
+  Cut,     ///< its end is not
+  Whole
+};
+
+/// The walks of rays in a cached image, as arrays over rays. Column, row and disparity are affine
+/// in a parameter that runs from 0 to End.
+struct PathBatch
+{
+  template <typename T>
+  using Array = RayBatch::Array<T>;
+
+  Array<double> T0, T1; ///< distances along the ray at 0 and 1
+  Array<double> Q0, Q1; ///< disparities
+  Array<double> U, V, PerU, PerV;
+  Array<double> End;
+  Array<PathKind> Kind;
+};
+
+/// A cached image as rays of index space see it.
+struct ImageProjection
+{
+  bool IsParallel = false;
+  double Near = 0.0, Far = 0.0;                     ///< depths of the clipping planes
+  glm::dvec2 Size{ 0.0 };                           ///< pixels
+  glm::dvec4 RowU{ 0.0 }, RowV{ 0.0 }, RowZ{ 0.0 }; ///< column and row (times depth), and depth
+};
+void ProjectWalks(const ImageProjection& image, const RayBatch& rays, PathBatch& paths);
+
+}
+
+#endif

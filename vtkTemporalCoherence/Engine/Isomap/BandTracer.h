@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_BandTracer_h
+#define TemporalCoherence_BandTracer_h
+
+#include "Acceleration/ActiveCells.h"
+#include "Acceleration/ValueRangePyramid.h"
+#include "Isomap/KnotCollector.h"
+#include "Isomap/Knots.h"
+#include "Scene/Field.h"
+#include "Scene/RayBatch.h"
+#include "Scene/Surfaces.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+
+namespace TemporalCoherence
+{
+
+/// What bands are traced through.
+struct BandScene
+{
+  Field Samples;
+  glm::dvec2 FiniteRange{ 0.0 }; ///< smallest and largest finite sample
+  const ValueRangePyramid* Pyramid = nullptr;
+  const ActiveCells* Active = nullptr; ///< of the band
+  ValueBand Band;
+  SurfaceMode Mode = SurfaceMode::Crossing;
+  KnotForm Form{};
+  Placement Where{}; ///< for normals
+  /// Bytes of knots after which a tile is given up: they are too many for the whole band.
+  std::size_t MemoryLimit = std::numeric_limits<std::size_t>::max();
+};
+
+/// Follows rays through the cells of a band of isovalues and takes note of where each isovalue is
+/// first passed.
+///
+/// Along a ray only those cells matter in which the field comes farther than it has been: the
+/// running maximum (or, for rays that begin above an isovalue, minimum) of the field. All others
+/// are leapt over, whole leaves at a time. A ray ends where it has passed the whole band.
+class BandTracer
+{
+public:
+  /// A tracer for the type of the scene's samples. The scene's structures must outlive it.
+  /// \throws std::bad_alloc
+  static std::unique_ptr<BandTracer> Make(const BandScene& scene);
+
+  virtual ~BandTracer() = default;
+  BandTracer(const BandTracer&) = delete;
+  BandTracer& operator=(const BandTracer&) = delete;
+
+  /// Trace the rays of a tile. Safe from many threads. Where the knots take more than the limit,
+  /// some are missing.
+  /// \return number of cells whose samples were read
+  /// \throws std::bad_alloc
+  virtual std::int64_t Trace(const RayBatch& rays, TileKnots& knots) const = 0;
+
+protected:
+  BandTracer() = default;
+};
+
+}
+
+#endif

@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Isomap/IsomapBuilder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+/// Cells that a band chosen by us may read, in units of those of a cold frame: three times its
+/// time, as most of that goes into finding the first cell. And how often a narrower band is tried.
+constexpr double MostCells = 3.0;
+constexpr int MostAttempts = 2;
+
+/// The band that the user asks for, if it holds an isovalue, without what lies beyond the samples:
+/// there is nothing to be found.
+ValueBand RangeAskedFor(
+  const Isomap::Options& options, const ValueRangePyramid& pyramid, double isovalue)
+{
+  const glm::dvec2& samples = pyramid.FiniteRange();
+  return { std::max(options.Range.Low, std::min(samples.x, isovalue)),
+    std::min(options.Range.High, std::max(samples.y, isovalue)) };
+}
+
+}
+
+bool IsomapBuilder::CanBuild(const FrameKey& key, const Isomap::Options& options) const
+{
+  const bool hasFailed = this->FailedLimit >= options.MemoryLimit && this->Map.IsOf(key, options);
+  return options.MemoryLimit > 0 && Isomap::CanHold(key.Samples) && key.Kept.IsConvex() &&
+    !IsTooCoarse(key, options) && !hasFailed;
+}
+
+Isomap::Outcome IsomapBuilder::Build(const FrameKey& key, const Isomap::Options& options,
+  const CachedImage& last, const ValueRangePyramid& pyramid, const ColdFrame& cold,
+  const Isomap::ReportProgress& report)
+{
+  if (!this->Map.IsOf(key, options))
+  {
+    this->Map.Begin(key, options);
+    this->Plan = BandPlan();
+    this->FailedLimit = 0;
+  }
+  if (this->Leaves.IsEmpty())
+  {
+    this->Leaves.Build(key.Samples, pyramid);
+  }
+  this->Cells = 0;
+  Context context{ options, last.Key.Sought.Isovalues, {}, pyramid, cold, report };
+  if (last.IsExact && this->Map.IsOf(last.Key, options) && last.Key.Sought.Isovalues.size() == 1)
+  {
+    context.Start = { &last.Picture, last.Key.Sought.Isovalues[0] };
+  }
+  for (const double isovalue : key.Sought.Isovalues)
+  {
+    if (!this->Map.Use(isovalue))
+    {
+      const Isomap::Outcome outcome = this->BuildFor(isovalue, context);
+      if (outcome != Isomap::Outcome::Built)
+      {
+        return outcome;
+      }
+    }
+  }
+  // Room for one band may have been made by dropping another.
+  const bool fits = this->Map.Covers(key.Sought.Isovalues);
+  this->FailedLimit = fits ? 0 : options.MemoryLimit;
+  return fits ? Isomap::Outcome::Built : Isomap::Outcome::TooLarge;
+}
+
+/// Cells that a cold frame of an isovalue probably reads: by what one of another took, and the
+/// leaves through which the two pass.
+std::int64_t IsomapBuilder::ColdCellsAt(double isovalue, const ColdFrame& cold) const
+{
+  double before = 0.0;
+  for (const double old : cold.Sought.Isovalues)
+  {
+    before += this->Leaves.ShareOf({ old, old });
+  }
+  const double now = this->Leaves.ShareOf({ isovalue, isovalue });
+  const double ratio = before > 0.0 ? std::min(std::max(now / before, 0.1), 10.0) : 1.0;
+  return static_cast<std::int64_t>(ratio * static_cast<double>(cold.CellsRead)) + 1;
+}
+
+/// Build a band for an isovalue, a narrower one where the first choice turns out to be too costly.
+Isomap::Outcome IsomapBuilder::BuildFor(double isovalue, const Context& context)
+{
+  const ValueBand range = RangeAskedFor(context.Options, context.Pyramid, isovalue);
+  const std::int64_t coldCells = this->ColdCellsAt(isovalue, context.Cold);
+  Isomap::Outcome outcome = Isomap::Outcome::TooLarge;
+  for (int attempt = 0; attempt < MostAttempts; ++attempt)
+  {
+    // What the user asks for may take as long as it takes.
+    const bool isAsked = attempt == 0 && range.Holds(isovalue);
+    const bool isLimited = !isAsked && attempt + 1 < MostAttempts;
+    const Isomap::Limits limits{ context.Options.MemoryLimit,
+      isLimited ? MostCells * static_cast<double>(coldCells)
+                : std::numeric_limits<double>::infinity() };
+    const BandPlan::Wish wish = this->WishFor(isovalue, context.IsovaluesBefore);
+    const ValueBand band = isAsked
+      ? ValueBand{ std::max(range.Low, wish.Gap.Low), std::min(range.High, wish.Gap.High) }
+      : this->Plan.Choose(wish, this->Leaves, attempt == 0);
+    outcome = this->Map.Build(band, context.Pyramid, context.Start, limits, context.Report);
+    if (outcome == Isomap::Outcome::Built)
+    {
+      const std::int64_t cells = this->Map.Bands().back()->CellsRead;
+      this->Cells += cells;
+      if (!isAsked)
+      {
+        this->Plan.Learn(band, cells, coldCells);
+      }
+      return outcome;
+    }
+    if (outcome == Isomap::Outcome::Stopped)
+    {
+      return outcome;
+    }
+    if (!isAsked)
+    {
+      this->Plan.Shorten();
+    }
+  }
+  this->FailedLimit = context.Options.MemoryLimit;
+  return outcome;
+}
+
+/// What a band is wanted for.
+BandPlan::Wish IsomapBuilder::WishFor(double isovalue, const std::vector<double>& before) const
+{
+  // Of several isovalues before, the nearest is the one that moved.
+  const auto nearest = std::min_element(before.begin(), before.end(),
+    [isovalue](double a, double b) { return std::abs(a - isovalue) < std::abs(b - isovalue); });
+  return { isovalue, nearest != before.end() ? *nearest : isovalue, this->Map.GapAround(isovalue) };
+}
+
+void IsomapBuilder::DropNarrowBands(
+  const FrameKey& key, const Isomap::Options& options, const ValueRangePyramid& pyramid)
+{
+  const std::vector<double>& isovalues = key.Sought.Isovalues;
+  const bool isNarrow = this->Covers(key, options) &&
+    std::any_of(isovalues.begin(), isovalues.end(),
+      [&](double isovalue)
+      {
+        const ValueBand range = RangeAskedFor(options, pyramid, isovalue);
+        const ValueBand& held = this->Map.Use(isovalue)->Values;
+        return range.Holds(isovalue) && !(held.Holds(range.Low) && held.Holds(range.High));
+      });
+  if (isNarrow)
+  {
+    this->Map.Begin(key, options);
+  }
+}
+
+std::vector<const Isomap::Band*> IsomapBuilder::BandsFor(const FrameKey& key)
+{
+  std::vector<const Isomap::Band*> bands;
+  for (const double isovalue : key.Sought.Isovalues)
+  {
+    bands.push_back(this->Map.Use(isovalue));
+  }
+  return bands;
+}
+
+}

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_IsomapBuilder_h
+#define TemporalCoherence_IsomapBuilder_h
+
+#include "Acceleration/LeafHistogram.h"
+#include "Acceleration/ValueRangePyramid.h"
+#include "ImageCache/ImageCache.h"
+#include "Isomap/BandPlan.h"
+#include "Isomap/Isomap.h"
+#include "Scene/FrameKey.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace TemporalCoherence
+{
+
+/// Builds the isomap of one view, band by band as isovalues ask for them.
+class IsomapBuilder
+{
+public:
+  /// The isomap of the view in which isovalues last changed.
+  const Isomap& Built() const { return this->Map; }
+
+  /// True if there is a band for each isovalue of a frame.
+  bool Covers(const FrameKey& key, const Isomap::Options& options) const
+  {
+    return this->Map.IsOf(key, options) && this->Map.Covers(key.Sought.Isovalues) &&
+      !IsTooCoarse(key, options);
+  }
+
+  /// True if it makes sense to try.
+  bool CanBuild(const FrameKey& key, const Isomap::Options& options) const;
+
+  /// What a frame without an isomap took.
+  struct ColdFrame
+  {
+    std::int64_t CellsRead = 0;
+    Surfaces Sought;
+  };
+
+  /// Build the bands that a frame needs and that are not there.
+  /// \param last the last frame: where isovalues come from, and where rays may start
+  /// \throws std::bad_alloc
+  Isomap::Outcome Build(const FrameKey& key, const Isomap::Options& options,
+    const CachedImage& last, const ValueRangePyramid& pyramid, const ColdFrame& cold,
+    const Isomap::ReportProgress& report);
+
+  /// Cells that the last call of Build read.
+  std::int64_t CellsRead() const { return this->Cells; }
+
+  /// The bands for the isovalues of a frame, which they cover.
+  std::vector<const Isomap::Band*> BandsFor(const FrameKey& key);
+
+  /// True if the limit of memory was too low for the bands that were needed last.
+  bool IsTooLarge() const { return this->FailedLimit > 0; }
+
+  /// No more bands for this view: there is not enough memory.
+  void GiveUp() { this->FailedLimit = std::numeric_limits<std::size_t>::max(); }
+
+  /// Begin anew if the bands that hold the isovalues of a frame do not hold the range asked for.
+  void DropNarrowBands(
+    const FrameKey& key, const Isomap::Options& options, const ValueRangePyramid& pyramid);
+
+  /// Drop bands until they take no more than so many bytes.
+  void Trim(std::size_t limit) { this->Map.Trim(limit); }
+
+  /// Samples are equal to those of the field `before`, but lie elsewhere now.
+  void MoveTo(const Field& now, const Field& before) { this->Map.MoveTo(now, before); }
+
+  /// The data is another one.
+  void Release() { *this = IsomapBuilder(); }
+
+private:
+  /// What a band is built with.
+  struct Context
+  {
+    const Isomap::Options& Options;
+    const std::vector<double>& IsovaluesBefore;
+    Isomap::Start Start;
+    const ValueRangePyramid& Pyramid;
+    const ColdFrame& Cold;
+    const Isomap::ReportProgress& Report;
+  };
+
+  /// True if surfaces behind those that are looked up could not be told from them.
+  static bool IsTooCoarse(const FrameKey& key, const Isomap::Options& options)
+  {
+    return Isomap::FormFor(key, options).Tolerance > 0.0 && key.Sought.IsTranslucent();
+  }
+
+  std::int64_t ColdCellsAt(double isovalue, const ColdFrame& cold) const;
+  Isomap::Outcome BuildFor(double isovalue, const Context& context);
+  BandPlan::Wish WishFor(double isovalue, const std::vector<double>& before) const;
+
+  Isomap Map;
+  BandPlan Plan;
+  LeafHistogram Leaves;        ///< of the data's pyramid; made when first asked for
+  std::size_t FailedLimit = 0; ///< of memory, which not even a narrow band fitted
+  std::int64_t Cells = 0;
+};
+
+}
+
+#endif

@@ -1,0 +1,302 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Isomap/IsomapLookup.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+std::uint64_t Bit(std::size_t ray)
+{
+  return std::uint64_t(1) << ray;
+}
+
+/// A mean of the normals of two knots.
+glm::vec3 MixNormals(const PackedNormal& a, const PackedNormal& b, float weightOfB)
+{
+  const auto unpack = [](const PackedNormal& n) { return glm::vec3(n[0], n[1], n[2]); };
+  return glm::mix(unpack(a), unpack(b), weightOfB);
+}
+
+/// True if a ray that leaves one cell can enter the other.
+bool AreNeighbors(const CellIndex& a, const CellIndex& b)
+{
+  return std::abs(a[0] - b[0]) + std::abs(a[1] - b[1]) + std::abs(a[2] - b[2]) <= 1;
+}
+
+/// The normal at a key between the last knot and this one; only that of this knot where the ray
+/// went back between them.
+glm::vec3 NormalInCells(const CellKnots& table, const PackedNormal* normals, std::size_t first,
+  std::size_t knot, BandScale::Key key)
+{
+  const CellIndex* const cells = table.Get<2>();
+  if (knot == first || !AreNeighbors(cells[knot - 1], cells[knot]))
+  {
+    return MixNormals(normals[knot], normals[knot], 0.0f);
+  }
+  const BandScale::Key* const paths = table.Get<0>();
+  const int way = paths[knot] - paths[knot - 1];
+  const float share =
+    way > 0 ? static_cast<float>(key - paths[knot - 1]) / static_cast<float>(way) : 1.0f;
+  return MixNormals(normals[knot - 1], normals[knot], share);
+}
+
+}
+
+IsomapLookup::IsomapLookup(const FrameKey& key, const std::vector<const Isomap::Band*>& bands,
+  double tolerance, const glm::dvec2& finiteRange)
+  : Key(key)
+  , Tolerance(tolerance)
+  , HasNormals(!bands.empty() && bands[0]->HasNormals)
+  , Rays(key.Seen, key.Where, key.Samples.Dimensions, key.Kept)
+  , Tracer(SurfaceTracer::Make({ key.Samples, key.Sought, finiteRange, nullptr }))
+{
+  for (std::size_t surface = 0; surface < bands.size(); ++surface)
+  {
+    const ValueBand& values = bands[surface]->Values;
+    const BandScale scale(key.Samples.Type, values, finiteRange);
+    Sought sought{ bands[surface], {}, {} };
+    for (const Course course : { Course::Rising, Course::Falling })
+    {
+      const double progress =
+        scale.Progress(course, scale.DifferenceOf(key.Sought.Isovalues[surface]));
+      sought.Progress[static_cast<std::size_t>(course)] =
+        scale.Unit > 0.0 ? progress / scale.Unit : 0.0;
+      sought.Key[static_cast<std::size_t>(course)] = scale.KeyOf(progress);
+    }
+    this->Isovalues.push_back(sought);
+  }
+}
+
+TraceCounts IsomapLookup::Look(
+  std::int64_t tile, const PixelRect& part, Frame& frame, std::uint64_t& open) const
+{
+  TraceCounts counts;
+  open = 0;
+  const bool isMiss = std::all_of(this->Isovalues.begin(), this->Isovalues.end(),
+    [tile](const Sought& sought)
+    { return sought.Band->Tiles[static_cast<std::size_t>(tile)].IsEmpty(); });
+  if (isMiss)
+  {
+    StoreMisses(tile, part, this->Key.Seen.Parallel, frame);
+    counts.DefiniteMisses += static_cast<std::int64_t>(part.Size.x) * part.Size.y;
+    return counts;
+  }
+  frame.ClearTiles[static_cast<std::size_t>(tile)] = 0;
+  RayBatch rays;
+  this->Rays.SetUp(part.First, part.Size, rays);
+  Found found;
+  found.Hits.Clear(rays.Count);
+  for (std::size_t surface = 0; surface < this->Isovalues.size(); ++surface)
+  {
+    this->LookFor(surface, tile, rays, found);
+  }
+  open = found.Open;
+  counts.CellsRead = found.Hits.CellsRead;
+  RayBatch::Array<Answer> answers;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
+  {
+    const HitKind kind = found.Hits.Kind[i];
+    const bool isKnown = !(open >> i & 1u);
+    counts.DefiniteMisses += isKnown && kind == HitKind::None;
+    counts.PossibleHits += isKnown && kind == HitKind::Cap;
+    counts.DefiniteHits += isKnown && kind != HitKind::None && kind != HitKind::Cap;
+    answers[i] = kind == HitKind::None ? Answer::DefiniteMiss
+      : kind == HitKind::Cap           ? Answer::PossibleHit
+                                       : Answer::DefiniteHit;
+  }
+  StoreHits(rays, found.Hits, answers, this->Key.Seen.Parallel, frame);
+  if (this->HasNormals)
+  {
+    this->StoreNormals(rays, found, frame);
+  }
+  return counts;
+}
+
+void IsomapLookup::LookFor(
+  std::size_t surface, std::int64_t tile, const RayBatch& rays, Found& found) const
+{
+  const TileKnots& knots = this->Isovalues[surface].Band->Tiles[static_cast<std::size_t>(tile)];
+  RayBatch::Array<std::uint8_t> courses;
+  const std::uint64_t which = this->BeginOn(surface, knots, rays, courses, found);
+  if (this->Tolerance > 0.0)
+  {
+    this->LookInFit(surface, which, courses, rays, knots, found);
+  }
+  else
+  {
+    this->LookInCells(surface, which, courses, rays, knots, found);
+  }
+}
+
+/// Find out on which course each ray comes to an isovalue.
+/// \return one bit for each ray that is to be looked up; the others are capped or open
+std::uint64_t IsomapLookup::BeginOn(std::size_t surface, const TileKnots& knots,
+  const RayBatch& rays, RayBatch::Array<std::uint8_t>& courses, Found& found) const
+{
+  const auto rising = static_cast<std::size_t>(Course::Rising);
+  const auto falling = static_cast<std::size_t>(Course::Falling);
+  const Sought& sought = this->Isovalues[surface];
+  found.Open |= knots.Untold;
+  courses.fill(static_cast<std::uint8_t>(rising));
+  std::uint64_t which = ~knots.Untold;
+  for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count) && !knots.Entries.empty();
+       ++ray)
+  {
+    const double ahead = sought.Progress[rising] - static_cast<double>(knots.Entries[ray]);
+    if (std::abs(ahead) <= BandScale::StoredError)
+    {
+      found.Open |= Bit(ray);
+      which &= ~Bit(ray);
+    }
+    else if (ahead < 0.0 && this->Key.Sought.Mode == SurfaceMode::Threshold)
+    {
+      this->Cap(surface, ray, rays, found.Hits);
+      which &= ~Bit(ray);
+    }
+    else if (ahead < 0.0)
+    {
+      courses[ray] = static_cast<std::uint8_t>(falling);
+    }
+  }
+  return which;
+}
+
+void IsomapLookup::LookInCells(std::size_t surface, std::uint64_t which,
+  const RayBatch::Array<std::uint8_t>& courses, const RayBatch& rays, const TileKnots& knots,
+  Found& found) const
+{
+  const Sought& sought = this->Isovalues[surface];
+  HitBatch& hits = found.Hits;
+  CellList cells;
+  cells.Surface = surface;
+  RayBatch::Array<glm::vec3> normals;
+  for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
+  {
+    const std::size_t course = courses[ray];
+    const CellKnots& table = knots.Cells[course];
+    if (!(which >> ray & 1u) || table.IsEmpty())
+    {
+      continue;
+    }
+    const BandScale::Key key = sought.Key[course];
+    const std::size_t begin = table.Begin(ray), end = table.Begin(ray + 1);
+    const std::size_t contact = FirstNotBelow(table.Get<1>(), begin, end, key);
+    if (contact == end)
+    {
+      continue;
+    }
+    const CellIndex* const indices = table.Get<2>();
+    const std::size_t hit = FirstNotBelow(table.Get<0>(), contact, end, key);
+    if (hit != contact)
+    {
+      const double enter = EntryInto(indices[contact], rays, ray);
+      if (enter < hits.Contact[ray])
+      {
+        hits.Contact[ray] = enter;
+        hits.FromInside[ray] = course == static_cast<std::size_t>(Course::Falling);
+      }
+    }
+    if (hit != end)
+    {
+      const auto at = static_cast<std::size_t>(cells.Count++);
+      cells.Ray[at] = static_cast<std::uint8_t>(ray);
+      cells.IsContact[at] = hit == contact;
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        cells.Cell[a][at] = indices[hit][a];
+      }
+      if (this->HasNormals)
+      {
+        normals[at] = NormalInCells(table, knots.Normals[course].Get<0>(), begin, hit, key);
+      }
+    }
+  }
+  found.Open |= this->Tracer->SearchCells(rays, cells, hits);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(cells.Count) && this->HasNormals; ++i)
+  {
+    if (hits.Surface[cells.Ray[i]] == static_cast<int>(surface))
+    {
+      found.Normals[cells.Ray[i]] = normals[i];
+    }
+  }
+}
+
+void IsomapLookup::LookInFit(std::size_t surface, std::uint64_t which,
+  const RayBatch::Array<std::uint8_t>& courses, const RayBatch& rays, const TileKnots& knots,
+  Found& found) const
+{
+  const Sought& sought = this->Isovalues[surface];
+  HitBatch& hits = found.Hits;
+  for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
+  {
+    const std::size_t course = courses[ray];
+    const FittedKnots& table = knots.Fitted[course];
+    if (!(which >> ray & 1u) || table.IsEmpty() || table.Begin(ray) == table.Begin(ray + 1))
+    {
+      continue;
+    }
+    FitPoint point;
+    const FitAnswer answer = FindInFit(table, ray, sought.Progress[course], this->Tolerance, point);
+    if (answer == FitAnswer::Unsure)
+    {
+      found.Open |= Bit(ray);
+    }
+    else if (answer == FitAnswer::Reached && rays.Begin[ray] + point.Distance < hits.Depth[ray])
+    {
+      hits.Depth[ray] = rays.Begin[ray] + point.Distance;
+      hits.Contact[ray] = hits.Depth[ray];
+      hits.FromInside[ray] = course == static_cast<std::size_t>(Course::Falling);
+      hits.Surface[ray] = static_cast<std::int16_t>(surface);
+      hits.Kind[ray] = hits.FromInside[ray] ? HitKind::Leaves : HitKind::Enters;
+      if (this->HasNormals)
+      {
+        const PackedNormal* const normals = knots.Normals[course].Get<0>();
+        found.Normals[ray] = MixNormals(normals[point.Before], normals[point.Knot], point.Share);
+      }
+    }
+  }
+}
+
+/// The ray begins in a solid. Of several the one of the highest isovalue is seen.
+void IsomapLookup::Cap(
+  std::size_t surface, std::size_t ray, const RayBatch& rays, HitBatch& hits) const
+{
+  const std::vector<double>& isovalues = this->Key.Sought.Isovalues;
+  const bool isHighest = hits.Kind[ray] != HitKind::Cap ||
+    isovalues[surface] > isovalues[static_cast<std::size_t>(hits.Surface[ray])];
+  if (isHighest)
+  {
+    hits.Depth[ray] = rays.Begin[ray];
+    hits.Contact[ray] = rays.Begin[ray];
+    hits.FromInside[ray] = 0;
+    hits.Surface[ray] = static_cast<std::int16_t>(surface);
+    hits.Kind[ray] = HitKind::Cap;
+  }
+}
+
+/// Normals face the viewer.
+void IsomapLookup::StoreNormals(const RayBatch& rays, const Found& found, Frame& frame) const
+{
+  const int width = this->Key.Seen.Size.x;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
+  {
+    const HitKind kind = found.Hits.Kind[i];
+    if (kind == HitKind::Enters || kind == HitKind::Leaves)
+    {
+      const std::int32_t pixel = rays.Pixel[i];
+      const glm::vec3 along(this->Key.Seen.RayThrough(pixel % width, pixel / width).Direction);
+      const float length = glm::length(found.Normals[i]);
+      const glm::vec3 normal = length > 0.0f ? found.Normals[i] / length : -along;
+      frame.Normals[static_cast<std::size_t>(pixel)] =
+        glm::dot(normal, along) > 0.0f ? -normal : normal;
+    }
+  }
+}
+
+}

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_IsomapLookup_h
+#define TemporalCoherence_IsomapLookup_h
+
+#include "Isomap/Isomap.h"
+#include "Scene/FramePlanes.h"
+#include "Scene/RayBatch.h"
+#include "Trace/RaySource.h"
+#include "Trace/SurfaceTracer.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace TemporalCoherence
+{
+
+/// Looks the surfaces of a frame up in an isomap: a search among a ray's knots, and then the exact
+/// crossing in the cell that they tell, or, in an isomap with a tolerance, a point between them.
+class IsomapLookup
+{
+public:
+  /// \param bands       one for each isovalue of the key, which it holds
+  /// \param finiteRange smallest and largest finite sample
+  /// All of it must outlive this.
+  /// \throws std::bad_alloc
+  IsomapLookup(const FrameKey& key, const std::vector<const Isomap::Band*>& bands, double tolerance,
+    const glm::dvec2& finiteRange);
+
+  /// Look up the rays through `part`, which is tile number `tile`, and write their planes: definite
+  /// hits and misses, and caps, which are possible hits. Where knots have normals, those of
+  /// definite hits are written, too. Safe from many threads.
+  /// \param open gets one bit for each ray that has to be traced instead, as an isovalue is too
+  ///             close to a value that the ray only just reaches; its planes hold nothing of use
+  TraceCounts Look(
+    std::int64_t tile, const PixelRect& part, Frame& frame, std::uint64_t& open) const;
+
+private:
+  /// An isovalue and its band.
+  struct Sought
+  {
+    const Isomap::Band* Band;
+    std::array<BandScale::Key, NumberOfCourses> Key; ///< of the isovalue, on each course
+    std::array<double, NumberOfCourses> Progress;    ///< likewise, as it is stored
+  };
+
+  /// What is looked up in a tile.
+  struct Found
+  {
+    HitBatch Hits;
+    std::uint64_t Open = 0;
+    RayBatch::Array<glm::vec3> Normals;
+  };
+
+  void LookFor(std::size_t surface, std::int64_t tile, const RayBatch& rays, Found& found) const;
+  std::uint64_t BeginOn(std::size_t surface, const TileKnots& knots, const RayBatch& rays,
+    RayBatch::Array<std::uint8_t>& courses, Found& found) const;
+  void LookInCells(std::size_t surface, std::uint64_t which,
+    const RayBatch::Array<std::uint8_t>& courses, const RayBatch& rays, const TileKnots& knots,
+    Found& found) const;
+  void LookInFit(std::size_t surface, std::uint64_t which,
+    const RayBatch::Array<std::uint8_t>& courses, const RayBatch& rays, const TileKnots& knots,
+    Found& found) const;
+  void Cap(std::size_t surface, std::size_t ray, const RayBatch& rays, HitBatch& hits) const;
+  void StoreNormals(const RayBatch& rays, const Found& found, Frame& frame) const;
+
+  const FrameKey& Key;
+  double Tolerance;
+  bool HasNormals;
+  RaySource Rays;
+  std::vector<Sought> Isovalues;
+  std::unique_ptr<SurfaceTracer> Tracer;
+};
+
+}
+
+#endif

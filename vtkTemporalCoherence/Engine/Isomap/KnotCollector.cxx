@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Isomap/KnotCollector.h"
+
+#include "Shade/SurfaceNormal.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+PackedNormal Pack(const glm::dvec3& normal)
+{
+  // Scaled first: squares of very small or large components would leave the range of numbers.
+  const double largest =
+    std::max(std::abs(normal.x), std::max(std::abs(normal.y), std::abs(normal.z)));
+  PackedNormal packed{};
+  if (!(largest >= std::numeric_limits<double>::min() && std::isfinite(largest)))
+  {
+    return packed;
+  }
+  const glm::dvec3 unit = glm::normalize(normal / largest);
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    const double component = unit[static_cast<int>(a)] * static_cast<double>(LargestNormal);
+    packed[a] = static_cast<std::int16_t>(std::lround(component));
+  }
+  return packed;
+}
+
+}
+
+KnotCollector::KnotCollector(const RayBatch& rays, const KnotForm& form, const BandScale& scale)
+  : Rays(rays)
+  , Form(form)
+  , Scale(scale)
+  , Fits(form.Tolerance > 0.0 ? NumberOfCourses * RayBatch::Capacity : 0)
+{
+}
+
+void KnotCollector::AddCell(std::size_t course, std::size_t ray, BandScale::Key path,
+  BandScale::Key corner, const CellIndex& cell, double distance)
+{
+  this->Cells[course].push_back({ ray, { path, corner, cell } });
+  if (this->Form.HasNormals)
+  {
+    this->Places[course].push_back({ ray, static_cast<float>(distance - this->Rays.Begin[ray]) });
+  }
+}
+
+void KnotCollector::Follow(
+  std::size_t course, std::size_t ray, const Cubic<double>& progress, double enter, double leave)
+{
+  // A little before the band, so that what happens at its first isovalue can be told.
+  const double resolution = BandScale::StoredError * this->Scale.Unit;
+  const KnotFit::Wanted wanted{ -4.0 * resolution, FitShare * this->Form.Tolerance, resolution };
+  this->Fits[course * RayBatch::Capacity + ray].Follow(
+    progress, enter, leave, wanted, [&](const Knot& knot) { this->AddKnot(course, ray, knot); });
+}
+
+void KnotCollector::AddKnot(std::size_t course, std::size_t ray, const Knot& knot)
+{
+  const auto distance = static_cast<float>(knot.Distance - this->Rays.Begin[ray]);
+  this->Fitted[course].push_back({ ray, { this->Scale.Stored(knot.Progress), distance } });
+  if (this->Form.HasNormals)
+  {
+    this->Places[course].push_back({ ray, distance });
+  }
+}
+
+void KnotCollector::HandOver(
+  const Field& field, const glm::dvec2& finiteRange, const Placement& where, TileKnots& knots)
+{
+  for (std::size_t fit = 0; fit < this->Fits.size(); ++fit)
+  {
+    const std::size_t course = fit / RayBatch::Capacity, ray = fit % RayBatch::Capacity;
+    this->Fits[fit].Finish([&](const Knot& knot) { this->AddKnot(course, ray, knot); });
+  }
+  for (std::size_t course = 0; course < NumberOfCourses; ++course)
+  {
+    knots.Cells[course].Assign(this->Cells[course]);
+    knots.Fitted[course].Assign(this->Fitted[course]);
+
+    std::vector<KnotNormals::Row> normals;
+    for (std::size_t first = 0; first < this->Places[course].size(); first += RayBatch::Capacity)
+    {
+      const std::size_t count =
+        std::min<std::size_t>(RayBatch::Capacity, this->Places[course].size() - first);
+      this->FindNormals(&this->Places[course][first], count, field, finiteRange, where, normals);
+    }
+    knots.Normals[course].Assign(normals);
+  }
+  knots.Untold = this->Untold;
+}
+
+/// Append the normals of some knots.
+void KnotCollector::FindNormals(const Place* places, std::size_t count, const Field& field,
+  const glm::dvec2& finiteRange, const Placement& where,
+  std::vector<KnotNormals::Row>& normals) const
+{
+  std::array<RayBatch::Array<double>, 3> points, directions, gradients;
+  RayBatch::Array<std::int16_t> surfaces{};
+  for (std::size_t i = 0; i < WholeVectors(count); ++i)
+  {
+    const auto [ray, distance] = places[std::min(i, count - 1)];
+    const double t = this->Rays.Begin[ray] + static_cast<double>(distance);
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      const double last = field.Dimensions[static_cast<int>(a)] - 1;
+      const double at = this->Rays.Origin[a][ray] + t * this->Rays.Direction[a][ray];
+      points[a][i] = std::min(std::max(at, 0.0), last);
+      directions[a][i] = this->Rays.Direction[a][ray];
+    }
+  }
+  const std::vector<double> reference = { this->Scale.Low };
+  const GradientQuery inIndexSpace{ field, glm::dmat4(1.0), finiteRange, &reference };
+  IndexGradients(inIndexSpace, count, points, directions, surfaces, gradients);
+  const glm::dmat3 toWorld = glm::transpose(glm::dmat3(where.IndexFromWorld));
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const glm::dvec3 gradient(gradients[0][i], gradients[1][i], gradients[2][i]);
+    normals.push_back({ places[i].Ray, { Pack(toWorld * gradient) } });
+  }
+}
+
+}

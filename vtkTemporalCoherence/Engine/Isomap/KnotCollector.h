@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_KnotCollector_h
+#define TemporalCoherence_KnotCollector_h
+
+#include "Isomap/KnotFit.h"
+#include "Isomap/Knots.h"
+#include "Scene/Field.h"
+#include "Scene/RayBatch.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace TemporalCoherence
+{
+
+/// Share of the tolerance that fits may take; the rest is for rounding.
+constexpr double FitShare = 0.9;
+
+/// How knots are kept.
+struct KnotForm
+{
+  double Tolerance = 0.0; ///< distance by which they may be wrong; 0: they are cells. Only those of
+                          ///< linear interpolation are fitted
+  bool HasNormals = false;
+};
+
+inline bool operator==(const KnotForm& a, const KnotForm& b)
+{
+  return a.Tolerance == b.Tolerance && a.HasNormals == b.HasNormals;
+}
+
+/// Collects the knots of the rays of a tile, in whatever order the rays come, and hands them over
+/// ray by ray.
+class KnotCollector
+{
+public:
+  KnotCollector(const RayBatch& rays, const KnotForm& form, const BandScale& scale);
+
+  bool IsFitted() const { return this->Form.Tolerance > 0.0; }
+
+  /// The next cell in which a ray comes farther.
+  /// \param distance at which it comes farthest there, for the normal
+  void AddCell(std::size_t course, std::size_t ray, BandScale::Key path, BandScale::Key corner,
+    const CellIndex& cell, double distance);
+
+  /// The next way of a ray through a cell, to be fitted.
+  /// \param progress along the way from `enter` to `leave`, by Bernstein coefficients
+  void Follow(
+    std::size_t course, std::size_t ray, const Cubic<double>& progress, double enter, double leave);
+
+  /// What the knots so far will take, without normals.
+  std::size_t MemoryInBytes() const
+  {
+    std::size_t bytes = 0;
+    for (std::size_t course = 0; course < NumberOfCourses; ++course)
+    {
+      bytes += this->Cells[course].size() * CellKnots::BytesPerRow +
+        this->Fitted[course].size() * FittedKnots::BytesPerRow;
+    }
+    return bytes;
+  }
+
+  /// Nothing can be told of a ray.
+  void GiveUp(std::size_t ray) { this->Untold |= std::uint64_t(1) << ray; }
+
+  /// Hand over all knots; the collector is of no use after that.
+  /// \param field, finiteRange, where for normals: the field, its smallest and largest finite
+  ///        sample, and where it lies
+  /// \throws std::bad_alloc
+  void HandOver(
+    const Field& field, const glm::dvec2& finiteRange, const Placement& where, TileKnots& knots);
+
+private:
+  /// Where normals are wanted: distance along a ray, by knot.
+  struct Place
+  {
+    std::size_t Ray;
+    float Distance;
+  };
+
+  void AddKnot(std::size_t course, std::size_t ray, const Knot& knot);
+  void FindNormals(const Place* places, std::size_t count, const Field& field,
+    const glm::dvec2& finiteRange, const Placement& where,
+    std::vector<KnotNormals::Row>& normals) const;
+
+  const RayBatch& Rays;
+  KnotForm Form;
+  BandScale Scale;
+  std::array<std::vector<CellKnots::Row>, NumberOfCourses> Cells;
+  std::vector<KnotFit> Fits; ///< of each ray on each course
+  std::array<std::vector<FittedKnots::Row>, NumberOfCourses> Fitted;
+  std::array<std::vector<Place>, NumberOfCourses> Places;
+  std::uint64_t Untold = 0;
+};
+
+}
+
+#endif

@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_Knots_h
+#define TemporalCoherence_Knots_h
+
+#include "Isomap/RayTable.h"
+#include "Scene/Difference.h"
+#include "Scene/Surfaces.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace TemporalCoherence
+{
+
+/// Which way the field passes isovalues along a ray.
+enum class Course : std::uint8_t
+{
+  Rising, ///< from below to above; isovalues in ascending order, from the band's lowest
+  Falling ///< from above to below; isovalues in descending order, from the band's highest
+};
+constexpr std::size_t NumberOfCourses = 2;
+
+/// Progress through a band on a course: 0 at the first isovalue of the band, `Span` at the last. A
+/// ray that has come to progress p has passed all isovalues up to p.
+struct BandScale
+{
+  /// \param samples     type of the field's samples
+  /// \param finiteRange smallest and largest finite sample of the field
+  BandScale(ScalarType samples, const ValueBand& band, const glm::dvec2& finiteRange)
+    : Isovalues(IsovalueScale::For(samples, band, finiteRange))
+    , Low(band.Low)
+    , Span(this->DifferenceOf(band.High))
+    , Unit(this->Isovalues.LargestFrom(band.Low, finiteRange) + this->Span)
+  {
+  }
+
+  /// Difference of an isovalue of the band from its lowest one.
+  double DifferenceOf(double isovalue) const
+  {
+    return this->Isovalues.Scaled(isovalue) - this->Isovalues.Scaled(this->Low);
+  }
+
+  /// Progress at a difference from the band's lowest isovalue.
+  double Progress(Course course, double difference) const
+  {
+    return course == Course::Rising ? difference : this->Span - difference;
+  }
+
+  using Key = std::uint16_t;
+  static constexpr double LargestKey = 65535.0;
+
+  /// Progress as an integer, rounded up: 0 before the band, LargestKey behind it. Keys keep the
+  /// order of what they stand for, so that a search for an isovalue's key never goes too far.
+  Key KeyOf(double progress) const
+  {
+    if (!(progress >= 0.0))
+    {
+      return 0;
+    }
+    if (progress > this->Span)
+    {
+      return static_cast<Key>(LargestKey);
+    }
+    const double share = this->Span > 0.0 ? progress / this->Span : 0.0;
+    return static_cast<Key>(1.0 + std::ceil(share * (LargestKey - 2.0)));
+  }
+
+  /// Progress and differences are stored in single precision as shares of the largest difference
+  /// there is, and so exactly are they known.
+  float Stored(double progress) const
+  {
+    return this->Unit > 0.0 ? static_cast<float>(progress / this->Unit) : 0.0f;
+  }
+  static constexpr double StoredError = 32.0 * std::numeric_limits<float>::epsilon();
+
+  IsovalueScale Isovalues; ///< of which differences and progress have their unit
+  double Low;              ///< lowest isovalue of the band
+  double Span, Unit;
+};
+
+/// The cells in which a ray comes farther through the band than before, in order along the ray: the
+/// first whose path key is that of an isovalue or more holds the ray's crossing of it, and the
+/// first whose corner key is, is the first that the isovalue passes through at all.
+///
+/// Columns: path key (of the field along the ray), corner key (of the samples at its corners),
+/// first corner of the cell.
+using CellIndex = std::array<std::uint16_t, 3>;
+using CellKnots = RayTable<BandScale::Key, BandScale::Key, CellIndex>;
+
+/// Distance at which a ray enters a cell, as kernels compute it.
+inline double EntryInto(const CellIndex& cell, const RayBatch& rays, std::size_t ray)
+{
+  double enter = rays.Begin[ray];
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    const double behind = cell[a] + (rays.Direction[a][ray] > 0.0 ? 0.0 : 1.0);
+    enter = std::max(enter, (behind - rays.Origin[a][ray]) * rays.Inverse[a][ray]);
+  }
+  return enter;
+}
+
+/// The first of the ascending keys begin .. end - 1 that is not below a key.
+inline std::size_t FirstNotBelow(
+  const BandScale::Key* keys, std::size_t begin, std::size_t end, BandScale::Key key)
+{
+  constexpr std::size_t FewKnots = 8;
+  if (end - begin > FewKnots)
+  {
+    return static_cast<std::size_t>(std::lower_bound(keys + begin, keys + end, key) - keys);
+  }
+  while (begin < end && keys[begin] < key)
+  {
+    ++begin;
+  }
+  return begin;
+}
+
+/// Knots of a function from progress to distance that is nowhere farther than a tolerance from the
+/// distance at which a ray first comes to that progress; straight between knots. Two knots of one
+/// progress are a jump.
+///
+/// Columns: progress as it is stored, distance from where the ray begins.
+using FittedKnots = RayTable<float, float>;
+
+/// What fitted knots tell of a progress.
+enum class FitAnswer : std::uint8_t
+{
+  Missed,  ///< the ray does not come there
+  Reached, ///< it does
+  Unsure   ///< too close to a jump or to the ray's end to tell, or too steep there
+};
+
+/// A point between knots.
+struct FitPoint
+{
+  double Distance; ///< from where the ray begins
+  std::size_t Before, Knot;
+  float Share; ///< of the way from Before to Knot
+};
+
+/// Find where a ray comes to a progress. \pre the ray has knots
+/// \param progress  as it is stored
+/// \param tolerance distance by which the point may be wrong
+FitAnswer FindInFit(
+  const FittedKnots& table, std::size_t ray, double progress, double tolerance, FitPoint& point);
+
+/// Unit normals in the world, in units of 1 / LargestNormal, one for each knot: where the field has
+/// the knot's progress.
+using PackedNormal = std::array<std::int16_t, 3>;
+using KnotNormals = RayTable<PackedNormal>;
+constexpr float LargestNormal = 32767.0f;
+
+/// What the rays of a tile know about the isovalues of a band, for each course.
+struct TileKnots
+{
+  std::array<CellKnots, NumberOfCourses> Cells;     ///< for exact look-ups
+  std::array<FittedKnots, NumberOfCourses> Fitted;  ///< or for those with a tolerance
+  std::array<KnotNormals, NumberOfCourses> Normals; ///< of the knots, if they are wanted
+
+  /// The field's difference from the band's lowest isovalue where the rays begin, as it is stored;
+  /// -infinity where it is below the band. Empty: it is for all rays.
+  std::vector<float> Entries;
+
+  /// One bit for each ray of which nothing can be told: it meets samples that are not finite.
+  std::uint64_t Untold = 0;
+
+  bool IsEmpty() const
+  {
+    return this->NumberOfKnots() == 0 && this->Entries.empty() && this->Untold == 0;
+  }
+
+  std::size_t NumberOfKnots() const
+  {
+    std::size_t knots = 0;
+    for (std::size_t course = 0; course < NumberOfCourses; ++course)
+    {
+      knots += this->Cells[course].NumberOfRows() + this->Fitted[course].NumberOfRows();
+    }
+    return knots;
+  }
+
+  std::size_t MemoryInBytes() const
+  {
+    std::size_t bytes = this->Entries.capacity() * sizeof(float);
+    for (std::size_t course = 0; course < NumberOfCourses; ++course)
+    {
+      bytes += this->Cells[course].MemoryInBytes() + this->Fitted[course].MemoryInBytes() +
+        this->Normals[course].MemoryInBytes();
+    }
+    return bytes;
+  }
+};
+
+}
+
+#endif

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Render/LineTracer.h"
+
+#include "Render/TileTracer.h"
+#include "Shade/TileShader.h"
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+/// A parallel view of one pixel, whose ray is the line.
+View ViewAlong(const glm::dvec3& begin, const glm::dvec3& end)
+{
+  View view;
+  view.Size = glm::ivec2(1);
+  view.Parallel = true;
+  view.Position = view.Origin = begin;
+  view.Forward = view.Direction = glm::normalize(end - begin);
+  view.Near = 0.0;
+  view.Far = glm::distance(begin, end);
+  return view;
+}
+
+}
+
+std::optional<LineHit> TraceLine(const FrameKey& scene, const glm::dvec2& finiteRange,
+  const glm::dvec3& begin, const glm::dvec3& end)
+{
+  FrameKey key = scene;
+  key.Seen = ViewAlong(begin, end);
+  key.Look = Appearance();
+  key.Look.Colors.resize(key.Sought.Isovalues.size());
+  Frame frame;
+  frame.Resize(key.Seen.Size);
+  frame.Layers.resize(key.Sought.IsTranslucent() ? 1 : 0);
+  const PixelRect pixel{ glm::ivec2(0), glm::ivec2(1) };
+  // No structures: they are made for whole pictures, and reading every cell on one line is quick.
+  const TileTracer tracer({ key, nullptr, nullptr, finiteRange });
+  TraceCounts counts = tracer.Trace(0, pixel, frame);
+  // Shaded, so that what the gradient opacity makes invisible is not picked.
+  TileShader(key, finiteRange, {}, HitSet::All, HitSet::All).Shade(0, pixel, frame, counts);
+  if (frame.Isovalues[0] == Frame::NoSurface)
+  {
+    return std::nullopt;
+  }
+  return LineHit{ frame.Depth[0], frame.Isovalues[0], begin + frame.Depth[0] * key.Seen.Direction,
+    glm::dvec3(frame.Normals[0]) };
+}
+
+}

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_LineTracer_h
+#define TemporalCoherence_LineTracer_h
+
+#include "Scene/FrameKey.h"
+
+#include <glm/glm.hpp>
+
+#include <optional>
+
+namespace TemporalCoherence
+{
+
+/// The first surface on a line, in the world.
+struct LineHit
+{
+  double Distance; ///< from where the line begins
+  int Surface;     ///< position in the list of isovalues
+  glm::dvec3 Position;
+  glm::dvec3 Normal; ///< unit, facing where the line begins
+};
+
+/// Find the first surface on the line from `begin` to `end` as a cold frame would: the line is the
+/// ray of a picture with one pixel, so that whatever frames are clipped to holds for it, too.
+/// \param scene       whose view and appearance are not looked at
+/// \param finiteRange smallest and largest finite sample
+/// \pre the line has a length, and both ends are finite
+/// \throws std::bad_alloc
+std::optional<LineHit> TraceLine(const FrameKey& scene, const glm::dvec2& finiteRange,
+  const glm::dvec3& begin, const glm::dvec3& end);
+
+}
+
+#endif

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_ReusePlan_h
+#define TemporalCoherence_ReusePlan_h
+
+#include "Scene/FrameKey.h"
+
+#include <cstdint>
+
+namespace TemporalCoherence
+{
+
+/// How a whole frame is made.
+enum class Route : std::uint8_t
+{
+  Cold,          ///< every ray is traced, with no help from an earlier frame
+  Redisplay,     ///< nothing changed: the same picture
+  Reshade,       ///< only the appearance changed: stored hits get new colours
+  IsomapLookup,  ///< another isovalue in the same view, looked up in the isomap
+  IsomapBuild,   ///< the same, the isomap being built first
+  ThresholdHint, ///< the same without an isomap: the old hit bounds the search
+  ImageCache     ///< another view: the last picture tells where rays may start; or other samples:
+                 ///< it is copied where they are not seen
+};
+
+/// The route's name as in the documentation, for example "Cold".
+const char* NameOf(Route route);
+
+/// What the user allows to be used again.
+struct ReuseSwitches
+{
+  bool ImageCache = true;
+  bool Isomap = true;
+  bool RefineWhenStill = true; ///< a view that repeats ends in the cold picture
+};
+
+/// What is at hand for the next frame.
+struct HeldForReuse
+{
+  bool IsExact = true;        ///< the last picture is the cold picture of its key
+  bool Image = false;         ///< a cached image can serve
+  bool Isomap = false;        ///< an isomap of this view covers the next isovalues
+  bool IsIsomapExact = true;  ///< it gives the cold picture
+  bool CanBuildIsomap = true; ///< data and memory allow one
+  double ShareToTrace = 1.0;  ///< of the tiles, where nothing but samples changed
+};
+
+/// The best route from the last frame to the next one. It depends on its arguments alone, so that
+/// every decision can be tested without rendering.
+Route PlanRoute(const FrameKey& last, const FrameKey& next, const ReuseSwitches& switches,
+  const HeldForReuse& held);
+
+}
+
+#endif

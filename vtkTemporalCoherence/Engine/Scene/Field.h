@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_Field_h
+#define TemporalCoherence_Field_h
+
+#include "Scene/GridCoordinates.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <type_traits>
+
+namespace TemporalCoherence
+{
+
+class HiddenCells;
+
+/// The type of one sample in memory.
+enum class ScalarType : std::uint8_t
+{
+  Int8,
+  UInt8,
+  Int16,
+  UInt16,
+  Int32,
+  UInt32,
+  Int64,
+  UInt64,
+  Float32,
+  Float64
+};
+
+/// How the field continues between samples.
+enum class Interpolation : std::uint8_t
+{
+  Linear, ///< trilinear in each cell of eight samples
+  Nearest ///< the value of the nearest sample: the field is made of boxes around the samples
+};
+
+/// One component of a regular array of samples, seen in place: nothing is copied or owned.
+///
+/// Index space: sample (i, j, k) lies at the point (i, j, k); cell (i, j, k) is the box between the
+/// samples (i, j, k) and (i + 1, j + 1, k + 1). The field is defined on the box of all cells.
+///
+/// Of a *graded* field, one with a Grid, the box is the same, but within it samples lie at the
+/// coordinates of the grid instead of at whole numbers.
+struct Field
+{
+  const void* Samples = nullptr; ///< address of sample (0, 0, 0) of the chosen component
+  ScalarType Type = ScalarType::UInt8;
+  Interpolation Between = Interpolation::Linear;
+  glm::ivec3 Dimensions{ 0 };      ///< samples along each axis
+  glm::i64vec3 Strides{ 1, 0, 0 }; ///< scalars from one sample to the next along each axis
+  std::uint64_t Stamp = 0;         ///< differs whenever the samples may have changed
+  std::shared_ptr<const GridCoordinates> Grid; ///< null: samples lie at whole numbers
+  /// Cells that hold no surface, whatever their samples; null for none.
+  std::shared_ptr<const HiddenCells> Hidden;
+
+  /// True if the samples are too many for a processor's caches: it pays to send for them early.
+  bool IsLarge() const
+  {
+    constexpr std::int64_t Many = std::int64_t(1) << 25;
+    return static_cast<std::int64_t>(this->Dimensions.x) * this->Dimensions.y * this->Dimensions.z >
+      Many;
+  }
+
+  /// True where there is at least one cell to look into.
+  bool HasCells() const { return glm::all(glm::greaterThan(this->Dimensions, glm::ivec3(1))); }
+};
+
+inline bool operator==(const Field& a, const Field& b)
+{
+  return a.Samples == b.Samples && a.Type == b.Type && a.Between == b.Between &&
+    a.Dimensions == b.Dimensions && a.Strides == b.Strides && a.Stamp == b.Stamp &&
+    AreSame(a.Grid, b.Grid) && a.Hidden == b.Hidden;
+}
+
+/// Where the field lies in the world: index space to world coordinates and back.
+struct Placement
+{
+  glm::dmat4 WorldFromIndex{ 1.0 };
+  glm::dmat4 IndexFromWorld{ 1.0 };
+};
+
+/// Lengths of the shortest and the longest edge of a cell in the world.
+inline glm::dvec2 VoxelEdges(const Placement& where)
+{
+  const glm::dmat3 edges(where.WorldFromIndex);
+  const double x = glm::length(edges[0]), y = glm::length(edges[1]), z = glm::length(edges[2]);
+  return { glm::min(x, glm::min(y, z)), glm::max(x, glm::max(y, z)) };
+}
+
+/// The same of a field whose cells need not be alike.
+inline glm::dvec2 VoxelEdges(const Field& field, const Placement& where)
+{
+  glm::dvec2 edges = VoxelEdges(where);
+  if (field.Grid)
+  {
+    edges = { std::numeric_limits<double>::infinity(), 0.0 };
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double unit = glm::length(glm::dvec3(where.WorldFromIndex[axis]));
+      const glm::dvec2 along = unit * field.Grid->Edges(axis);
+      edges = { glm::min(edges.x, along.x), glm::max(edges.y, along.y) };
+    }
+  }
+  return edges;
+}
+
+inline bool operator==(const Placement& a, const Placement& b)
+{
+  return a.WorldFromIndex == b.WorldFromIndex;
+}
+
+/// The samples of a field with their type known.
+template <typename T>
+struct TypedField
+{
+  explicit TypedField(const Field& field)
+    : Samples(static_cast<const T*>(field.Samples))
+    , Dimensions(field.Dimensions)
+    , Strides(field.Strides)
+  {
+  }
+
+  const T* At(int i, int j, int k) const
+  {
+    return this->Samples + i * this->Strides.x + j * this->Strides.y + k * this->Strides.z;
+  }
+  const T* At(const glm::ivec3& s) const { return this->At(s.x, s.y, s.z); }
+
+  const T* Samples;
+  glm::ivec3 Dimensions;
+  glm::i64vec3 Strides;
+};
+
+/// The type the engine computes with: samples of 8 and 16 bits are exact in float, with 8 bits of
+/// the mantissa to spare for interpolation; all others need double.
+template <typename T>
+using RealOf = std::conditional_t<sizeof(T) <= 2, float, double>;
+
+/// Call `function(T{})` with T the C++ type of `type`.
+template <typename Function>
+decltype(auto) DispatchScalarType(ScalarType type, Function&& function)
+{
+  switch (type)
+  {
+    case ScalarType::Int8:
+      return function(std::int8_t{});
+    case ScalarType::UInt8:
+      return function(std::uint8_t{});
+    case ScalarType::Int16:
+      return function(std::int16_t{});
+    case ScalarType::UInt16:
+      return function(std::uint16_t{});
+    case ScalarType::Int32:
+      return function(std::int32_t{});
+    case ScalarType::UInt32:
+      return function(std::uint32_t{});
+    case ScalarType::Int64:
+      return function(std::int64_t{});
+    case ScalarType::UInt64:
+      return function(std::uint64_t{});
+    case ScalarType::Float32:
+      return function(float{});
+    case ScalarType::Float64:
+      break;
+  }
+  return function(double{});
+}
+
+}
+
+#endif

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_Frame_h
+#define TemporalCoherence_Frame_h
+
+#include "Scene/RoomAllocator.h"
+#include "Scene/Tiles.h"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace TemporalCoherence
+{
+
+/// What is known about a ray before (and how it was answered after) it is traced.
+enum class Answer : std::uint8_t
+{
+  DefiniteMiss, ///< known to meet nothing: not traced
+  DefiniteHit,  ///< the hit was known: not traced
+  PossibleHit   ///< traced through the field
+};
+
+/// How a ray meets the surface that it hits.
+enum class HitKind : std::uint8_t
+{
+  None,
+  Enters, ///< the field rises to the isovalue: the ray comes from outside
+  Leaves, ///< the field falls below the isovalue: the ray comes from inside
+  Cap,    ///< the ray begins, or leaves hidden cells, in a THRESHOLD solid, which is cut open there
+  Within  ///< it meets none and passes active cells from inside, as far as is known
+};
+
+/// A surface that a ray meets, seen or seen through.
+struct LayerHit
+{
+  double Depth;       ///< t
+  std::int32_t Pixel; ///< position in the planes
+  std::int16_t Isovalue;
+  HitKind Kind;
+  /// What the pixel shows if nothing behind is seen: RGBA, multiplied by A. That of the last layer
+  /// is the pixel's colour.
+  std::array<std::uint8_t, 4> Color{};
+};
+
+/// One value for each pixel.
+template <typename T>
+using Plane = std::vector<T, RoomAllocator<T>>;
+
+/// A finished picture with all that is known about it, one value a pixel in each plane.
+/// Row 0 is the bottom row; pixel (x, y) is at [y * Size.x + x].
+struct Frame
+{
+  static constexpr std::int16_t NoSurface = -1;
+
+  glm::ivec2 Size{ 0 };
+  Plane<double> Depth;           ///< t of the hit: world distance along the ray; or infinity
+  Plane<float> Disparities;      ///< of the hit, or of a miss (Disparity.h)
+  Plane<float> Contacts;         ///< disparity at which the ray first entered an active cell
+  Plane<glm::vec3> Normals;      ///< unit normal in the world, facing the viewer; or 0
+  Plane<std::int16_t> Isovalues; ///< position of the hit isovalue in the list; or NoSurface
+  Plane<HitKind> Kinds;
+  Plane<Answer> Answers;
+  Plane<std::array<std::uint8_t, 4>> Colors; ///< RGBA, multiplied by A; 0 where nothing is hit
+  bool IsFromCache = false;                  ///< answers are those of a cached image
+
+  /// Where surfaces are translucent: all that were seen through each tile, round by round from
+  /// front to back, by pixel in each round. Else empty. Colours are then those of all of them over
+  /// one another; depth, normal and isovalue are those of the first.
+  std::vector<std::vector<LayerHit>> Layers;
+
+  /// 1 for each tile whose planes are known to hold nothing but definite misses, so that nobody has
+  /// to look into it, or to write what is there already.
+  std::vector<std::uint8_t> ClearTiles;
+
+  /// Give every plane room for `size` pixels; contents are not defined afterwards.
+  /// \throws std::bad_alloc, the frame then being empty
+  void Resize(const glm::ivec2& size)
+  {
+    if (size == this->Size)
+    {
+      return;
+    }
+    const std::size_t pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+    this->Size = glm::ivec2(0);
+    this->Depth.resize(pixels);
+    this->Disparities.resize(pixels);
+    this->Contacts.resize(pixels);
+    this->Normals.resize(pixels);
+    this->Isovalues.resize(pixels);
+    this->Kinds.resize(pixels);
+    this->Answers.resize(pixels);
+    this->Colors.resize(pixels);
+    this->ClearTiles.assign(static_cast<std::size_t>(NumberOfTiles(size)), 0);
+    this->Size = size;
+  }
+
+  bool IsEmpty() const { return this->Size.x == 0; }
+};
+
+}
+
+#endif

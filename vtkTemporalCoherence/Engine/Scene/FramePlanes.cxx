@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/FramePlanes.h"
+
+#include "Scene/Disparity.h"
+
+#include <algorithm>
+#include <limits>
+#include <type_traits>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+/// Disparities are stored in single precision: they are not trusted beyond this share.
+constexpr double DisparityError = 1e-6;
+
+/// How a ray met what it met, as frames tell it.
+HitKind KindOf(const HitBatch& hits, std::size_t ray)
+{
+  return hits.Kind[ray] == HitKind::None && hits.FromInside[ray] ? HitKind::Within : hits.Kind[ray];
+}
+
+}
+
+void StoreMisses(std::int64_t tile, const PixelRect& part, bool isParallel, Frame& frame)
+{
+  std::uint8_t& isClear = frame.ClearTiles[static_cast<std::size_t>(tile)];
+  if (isClear)
+  {
+    return;
+  }
+  const auto miss = static_cast<float>(DisparityOfMiss(isParallel));
+  for (int y = part.First.y; y < part.First.y + part.Size.y; ++y)
+  {
+    const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.Size.x) +
+      static_cast<std::size_t>(part.First.x);
+    const auto count = static_cast<std::size_t>(part.Size.x);
+    std::fill_n(&frame.Depth[row], count, std::numeric_limits<double>::infinity());
+    std::fill_n(&frame.Disparities[row], count, miss);
+    std::fill_n(&frame.Contacts[row], count, miss);
+    std::fill_n(&frame.Normals[row], count, glm::vec3(0.0f));
+    std::fill_n(&frame.Isovalues[row], count, Frame::NoSurface);
+    std::fill_n(&frame.Kinds[row], count, HitKind::None);
+    std::fill_n(&frame.Answers[row], count, Answer::DefiniteMiss);
+    std::fill_n(&frame.Colors[row], count, std::array<std::uint8_t, 4>{ 0, 0, 0, 0 });
+  }
+  isClear = 1;
+}
+
+TraceCounts CopyTile(
+  std::int64_t tile, const PixelRect& part, const Frame& from, bool isParallel, Frame& frame)
+{
+  TraceCounts counts;
+  const auto place = static_cast<std::size_t>(tile);
+  if (!frame.Layers.empty())
+  {
+    frame.Layers[place] = from.Layers[place];
+  }
+  if (from.ClearTiles[place])
+  {
+    StoreMisses(tile, part, isParallel, frame);
+    counts.DefiniteMisses = static_cast<std::int64_t>(part.Size.x) * part.Size.y;
+    return counts;
+  }
+  frame.ClearTiles[place] = 0;
+  for (int y = part.First.y; y < part.First.y + part.Size.y; ++y)
+  {
+    const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.Size.x) +
+      static_cast<std::size_t>(part.First.x);
+    const auto count = static_cast<std::size_t>(part.Size.x);
+    const auto copy = [&](const auto& source, auto& target)
+    { std::copy_n(&source[row], count, &target[row]); };
+    copy(from.Depth, frame.Depth);
+    copy(from.Disparities, frame.Disparities);
+    copy(from.Contacts, frame.Contacts);
+    copy(from.Normals, frame.Normals);
+    copy(from.Isovalues, frame.Isovalues);
+    copy(from.Kinds, frame.Kinds);
+    copy(from.Colors, frame.Colors);
+    for (std::size_t pixel = row; pixel < row + count; ++pixel)
+    {
+      const bool isHit = from.Isovalues[pixel] != Frame::NoSurface;
+      frame.Answers[pixel] = isHit ? Answer::DefiniteHit : Answer::DefiniteMiss;
+      counts.DefiniteHits += isHit;
+      counts.DefiniteMisses += !isHit;
+    }
+  }
+  return counts;
+}
+
+float DisparityAt(const RayBatch& rays, std::size_t ray, double t, bool isParallel)
+{
+  const double perDepth = rays.PerDepth[ray];
+  return static_cast<float>(
+    isParallel ? std::max(-t / perDepth, DisparityOfMiss(true)) : perDepth / t);
+}
+
+void StoreHit(const RayBatch& rays, const HitBatch& hits, std::size_t ray, Answer answer,
+  bool isParallel, Frame& frame)
+{
+  const auto pixel = static_cast<std::size_t>(rays.Pixel[ray]);
+  frame.Depth[pixel] = hits.Depth[ray];
+  frame.Disparities[pixel] = DisparityAt(rays, ray, hits.Depth[ray], isParallel);
+  frame.Contacts[pixel] = DisparityAt(rays, ray, hits.Contact[ray], isParallel);
+  frame.Isovalues[pixel] = hits.Surface[ray];
+  frame.Kinds[pixel] = KindOf(hits, ray);
+  frame.Answers[pixel] = answer;
+}
+
+void StoreHits(const RayBatch& rays, const HitBatch& hits, const RayBatch::Array<Answer>& answers,
+  bool isParallel, Frame& frame)
+{
+  const auto count = static_cast<std::size_t>(rays.Count);
+  RayBatch::Array<float> disparities, contacts;
+  RayBatch::Array<HitKind> kinds;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    disparities[i] = DisparityAt(rays, i, hits.Depth[i], isParallel);
+    contacts[i] = DisparityAt(rays, i, hits.Contact[i], isParallel);
+    kinds[i] = KindOf(hits, i);
+  }
+  const auto copy = [&](std::size_t first, auto length)
+  {
+    const auto pixel = static_cast<std::size_t>(rays.Pixel[first]);
+    std::copy_n(&hits.Depth[first], length, &frame.Depth[pixel]);
+    std::copy_n(&disparities[first], length, &frame.Disparities[pixel]);
+    std::copy_n(&contacts[first], length, &frame.Contacts[pixel]);
+    std::copy_n(&hits.Surface[first], length, &frame.Isovalues[pixel]);
+    std::copy_n(&kinds[first], length, &frame.Kinds[pixel]);
+    std::copy_n(&answers[first], length, &frame.Answers[pixel]);
+  };
+  if (rays.Count == RayBatch::Capacity)
+  {
+    // A whole tile: rows of a length that the compiler knows.
+    for (std::size_t row = 0; row < count; row += TileSize)
+    {
+      copy(row, std::integral_constant<int, TileSize>());
+    }
+    return;
+  }
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    copy(i, std::integral_constant<int, 1>());
+  }
+}
+
+void BeginAtContacts(const Frame& picture, bool isParallel, RayBatch& rays)
+{
+  const auto miss = static_cast<float>(DisparityOfMiss(isParallel));
+  for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
+  {
+    const auto pixel = static_cast<std::size_t>(rays.Pixel[i]);
+    const float contact = picture.Contacts[pixel];
+    const HitKind kind = picture.Kinds[pixel];
+    const bool isKnown = kind == HitKind::Enters || (kind == HitKind::None && contact != miss);
+    if (isKnown)
+    {
+      const double t = DepthOf(static_cast<double>(contact), isParallel) * rays.PerDepth[i];
+      rays.WalkBegin[i] = std::max(rays.WalkBegin[i], t - DisparityError * std::abs(t));
+    }
+  }
+}
+
+}

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_HitOrder_h
+#define TemporalCoherence_HitOrder_h
+
+#include "Scene/Frame.h"
+#include "Scene/RayBatch.h"
+
+#include <cstddef>
+#include <tuple>
+#include <vector>
+
+namespace TemporalCoherence
+{
+
+/// A surface on a ray, as far as its place among others goes.
+struct MetSurface
+{
+  double Distance;
+  HitKind Kind;
+  double Isovalue;
+};
+
+/// True if a ray meets one surface before another, whatever their order in the list of isovalues.
+///
+/// Where the field jumps, as that of the nearest sample does, it passes many isovalues at one
+/// distance: upwards from the lowest, downwards from the highest. A cap comes before what is met
+/// there, that of the highest isovalue first.
+inline bool IsInFront(const MetSurface& a, const MetSurface& b)
+{
+  const auto placeOf = [](const MetSurface& surface)
+  {
+    const int rank = surface.Kind == HitKind::Cap ? 0 : surface.Kind == HitKind::Enters ? 1 : 2;
+    return std::tuple(surface.Distance, rank, rank == 1 ? surface.Isovalue : -surface.Isovalue);
+  };
+  return placeOf(a) < placeOf(b);
+}
+
+/// True if a ray of a batch meets a surface before what it has hit, if it has hit anything.
+inline bool IsInFrontOfHit(const MetSurface& met, const HitBatch& hits, std::size_t ray,
+  const std::vector<double>& isovalues)
+{
+  const std::int16_t hit = hits.Surface[ray];
+  return hit == Frame::NoSurface ||
+    IsInFront(met, { hits.Depth[ray], hits.Kind[ray], isovalues[static_cast<std::size_t>(hit)] });
+}
+
+}
+
+#endif

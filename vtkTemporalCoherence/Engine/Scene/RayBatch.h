@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_RayBatch_h
+#define TemporalCoherence_RayBatch_h
+
+#include "Scene/Field.h"
+#include "Scene/Frame.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace TemporalCoherence
+{
+
+/// Lanes of the widest vectors that are used. Kernels may read and write arrays up to the end of
+/// the last vector: what they read there must be numbers, what they write means nothing.
+constexpr std::size_t WidestVector = 16;
+
+/// Elements of the whole vectors that hold `count` of them.
+constexpr std::size_t WholeVectors(std::size_t count)
+{
+  return (count + WidestVector - 1) / WidestVector * WidestVector;
+}
+
+/// The rays of one tile in index space, as arrays over rays, the form that kernels take.
+///
+/// A ray is Origin + t Direction with t the world distance, so that a t found in index space needs
+/// no conversion. [Begin, End] is where the ray runs inside the field's box and between the
+/// clipping planes: part of what the picture means. [WalkBegin, WalkEnd] within it is where a
+/// surface can be: it saves time and must not change the result.
+struct RayBatch
+{
+  static constexpr int Capacity = 64;
+  template <typename T>
+  using Array = std::array<T, Capacity>;
+
+  int Count = 0;
+  std::array<Array<double>, 3> Origin, Direction;
+  std::array<Array<double>, 3> Inverse; ///< 1 / Direction
+  Array<double> Begin, End, WalkBegin, WalkEnd;
+  Array<double> PerDepth;    ///< t for each unit of depth along the optical axis
+  Array<std::int32_t> Pixel; ///< position in the planes of the frame
+
+  /// True if a ray runs through the field, and a surface can be somewhere on it.
+  bool HasWalk(std::size_t ray) const
+  {
+    return this->Begin[ray] < this->End[ray] && this->WalkBegin[ray] < this->WalkEnd[ray];
+  }
+};
+
+/// Where the rays found their surfaces, as arrays over rays.
+struct HitBatch
+{
+  RayBatch::Array<double> Depth;   ///< t, or infinity
+  RayBatch::Array<double> Contact; ///< t where the first active cell is entered, or infinity
+  RayBatch::Array<std::uint8_t> FromInside; ///< 1 if the ray is inside the contact's isovalue there
+  RayBatch::Array<std::int16_t> Surface; ///< position in the list of isovalues, or Frame::NoSurface
+  RayBatch::Array<HitKind> Kind;
+  std::int64_t CellsRead = 0; ///< cells whose eight samples were read
+
+  /// Nothing is found for the first `count` rays.
+  void Clear(int count)
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    std::fill_n(this->Depth.begin(), count, infinity);
+    std::fill_n(this->Contact.begin(), count, infinity);
+    std::fill_n(this->FromInside.begin(), count, std::uint8_t(0));
+    std::fill_n(this->Surface.begin(), count, Frame::NoSurface);
+    std::fill_n(this->Kind.begin(), count, HitKind::None);
+    this->CellsRead = 0;
+  }
+};
+
+/// Append ray `ray` of one batch to another.
+void AppendRay(const RayBatch& from, std::size_t ray, RayBatch& to);
+
+}
+
+#endif

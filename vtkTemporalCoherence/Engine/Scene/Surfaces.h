@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_Surfaces_h
+#define TemporalCoherence_Surfaces_h
+
+#include "Scene/Field.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace TemporalCoherence
+{
+
+/// Which crossings of an isovalue are its surface.
+enum class SurfaceMode : std::uint8_t
+{
+  Crossing, ///< the field passes the isovalue, either way; boundaries of the volume are not drawn
+  Threshold ///< the solid where field >= isovalue begins; cut open, it is capped
+};
+
+/// What surfaces are multiplied with in opacity where the field is more or less steep.
+struct GradientOpacity
+{
+  /// Steepness and opacity in [0, 1], ascending; straight between, constant beyond. Empty: 1.
+  std::vector<glm::dvec2> Nodes;
+
+  /// The gradient is counted in the mean distance of samples: what a step along each axis of index
+  /// space is of it, inverted.
+  glm::dvec3 PerStep{ 1.0 };
+
+  double At(double steepness) const
+  {
+    const auto next = std::upper_bound(this->Nodes.begin(), this->Nodes.end(), steepness,
+      [](double value, const glm::dvec2& node) { return value < node.x; });
+    if (next == this->Nodes.begin() || next == this->Nodes.end())
+    {
+      return next == this->Nodes.begin() ? next->y : (next - 1)->y;
+    }
+    const glm::dvec2& last = *(next - 1);
+    return last.y + (next->y - last.y) * (steepness - last.x) / (next->x - last.x);
+  }
+};
+
+inline bool operator==(const GradientOpacity& a, const GradientOpacity& b)
+{
+  return a.Nodes == b.Nodes && (a.Nodes.empty() || a.PerStep == b.PerStep);
+}
+
+/// The surfaces to look for. Order carries no meaning, and no isovalue is there twice.
+struct Surfaces
+{
+  std::vector<double> Isovalues; ///< finite
+  SurfaceMode Mode = SurfaceMode::Crossing;
+  std::vector<double> Opacities{}; ///< one for each isovalue, in (0, 1]; empty: all are opaque
+  GradientOpacity BySteepness{};
+
+  /// True if something can be seen through a surface.
+  bool IsTranslucent() const
+  {
+    return !this->Opacities.empty() || !this->BySteepness.Nodes.empty();
+  }
+};
+
+/// True if rays meet the same surfaces, seen through or not.
+inline bool AreMetAlike(const Surfaces& a, const Surfaces& b)
+{
+  return a.Isovalues == b.Isovalues && a.Mode == b.Mode;
+}
+
+inline bool operator==(const Surfaces& a, const Surfaces& b)
+{
+  return AreMetAlike(a, b) && a.Opacities == b.Opacities && a.BySteepness == b.BySteepness;
+}
+
+/// Isovalues from Low to High, both included.
+struct ValueBand
+{
+  double Low, High;
+
+  bool Holds(double isovalue) const { return this->Low <= isovalue && isovalue <= this->High; }
+};
+
+/// A sample is *inside* where its difference from the isovalue is not negative.
+template <typename Real>
+bool IsInside(Real difference)
+{
+  return difference >= Real(0);
+}
+
+}
+
+#endif

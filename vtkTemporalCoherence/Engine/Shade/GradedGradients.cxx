@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Shade/GradedGradients.h"
+
+#include "Scene/Difference.h"
+#include "Scene/GridCoordinates.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+/// Share of a cell by which a nearest-neighbour hit is moved on, from a face between two samples
+/// into the box of the sample that the ray enters.
+constexpr double IntoNextBox = 1e-2;
+
+/// Gradients end here, so that sums of a few of them are numbers.
+double Bounded(double gradient)
+{
+  constexpr double largest = std::numeric_limits<double>::max() / 8.0;
+  return std::min(std::max(gradient, -largest), largest);
+}
+
+/// A point in the cell that holds it.
+struct CellPoint
+{
+  glm::ivec3 Cell{ 0 };
+  glm::dvec3 At{ 0.0 }; ///< in the cell's own coordinates [0, 1]^3
+};
+
+/// \param point, direction in index space
+CellPoint FindCell(const Field& field, const glm::dvec3& point, const glm::dvec3& direction)
+{
+  CellPoint found;
+  glm::dvec3 along(0.0);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const int cell = found.Cell[axis] = field.Grid->CellOf(axis, point[axis]);
+    const double low = field.Grid->At(axis, cell);
+    const double size = field.Grid->At(axis, cell + 1) - low;
+    found.At[axis] = std::min(std::max((point[axis] - low) / size, 0.0), 1.0);
+    along[axis] = direction[axis] / size;
+  }
+  if (field.Between == Interpolation::Nearest)
+  {
+    const glm::dvec3 moved = found.At + IntoNextBox * glm::normalize(along);
+    found.At = glm::clamp(glm::floor(moved + 0.5), glm::dvec3(0.0), glm::dvec3(1.0));
+  }
+  return found;
+}
+
+/// Gradients of the difference from one isovalue.
+template <typename T>
+class GradientFinder
+{
+public:
+  GradientFinder(const Field& field, const Difference<double>& difference)
+    : Samples(field)
+    , Grid(*field.Grid)
+    , FromIsovalue(difference)
+  {
+  }
+
+  double Unscaled(double difference) const
+  {
+    return Bounded(this->FromIsovalue.Unscaled(difference));
+  }
+
+  /// Per unit of index space, interpolated between the corners of the cell.
+  glm::dvec3 At(const CellPoint& point) const
+  {
+    glm::dvec3 sum(0.0);
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      const glm::ivec3 side(corner & 1, corner >> 1 & 1, corner >> 2);
+      const glm::dvec3 share = glm::mix(1.0 - point.At, point.At, glm::dvec3(side));
+      const double weight = share.x * share.y * share.z;
+      if (weight > 0.0)
+      {
+        sum += weight * this->AtSample(point.Cell + side);
+      }
+    }
+    return sum;
+  }
+
+private:
+  /// Central differences, one-sided at the boundary.
+  glm::dvec3 AtSample(const glm::ivec3& sample) const
+  {
+    glm::dvec3 gradient;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      glm::ivec3 before = sample, behind = sample;
+      before[axis] = std::max(sample[axis] - 1, 0);
+      behind[axis] = std::min(sample[axis] + 1, this->Samples.Dimensions[axis] - 1);
+      const double distance = this->Grid.At(axis, behind[axis]) - this->Grid.At(axis, before[axis]);
+      gradient[axis] = Bounded((this->ValueAt(behind) - this->ValueAt(before)) / distance);
+    }
+    return gradient;
+  }
+
+  double ValueAt(const glm::ivec3& sample) const
+  {
+    return this->FromIsovalue(static_cast<double>(*this->Samples.At(sample)));
+  }
+
+  TypedField<T> Samples;
+  const GridCoordinates& Grid;
+  Difference<double> FromIsovalue;
+};
+
+}
+
+void GradedGradients(const GradientQuery& query, std::size_t count,
+  const std::array<RayBatch::Array<double>, 3>& points,
+  const std::array<RayBatch::Array<double>, 3>& directions,
+  const RayBatch::Array<std::int16_t>& surfaces, std::array<RayBatch::Array<double>, 3>& gradients)
+{
+  const auto at = [](const std::array<RayBatch::Array<double>, 3>& vectors, std::size_t i)
+  { return glm::dvec3(vectors[0][i], vectors[1][i], vectors[2][i]); };
+  const glm::dmat3 turn(query.IndexFromWorld);
+  DispatchScalarType(query.Samples.Type,
+    [&](auto type)
+    {
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        const double isovalue = (*query.Isovalues)[static_cast<std::size_t>(surfaces[i])];
+        const GradientFinder<decltype(type)> finder(
+          query.Samples, Difference<double>(isovalue, query.FiniteRange));
+        const glm::dvec3 point(query.IndexFromWorld * glm::dvec4(at(points, i), 1.0));
+        const glm::dvec3 gradient =
+          finder.At(FindCell(query.Samples, point, turn * at(directions, i)));
+        for (std::size_t a = 0; a < 3; ++a)
+        {
+          gradients[a][i] = finder.Unscaled(gradient[static_cast<int>(a)]);
+        }
+      }
+    });
+  for (RayBatch::Array<double>& along : gradients)
+  {
+    // So that no lane of the last vector holds what is not a number.
+    std::fill(along.begin() + static_cast<std::ptrdiff_t>(count),
+      along.begin() + static_cast<std::ptrdiff_t>(WholeVectors(count)), along[count - 1]);
+  }
+}
+
+}

@@ -1,0 +1,466 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Shade/KernelsGradients.h"
+
+// This file is compiled once for each kind of vectors, and what runs is chosen by the machine.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "Shade/KernelsGradients.cxx"
+#include <hwy/foreach_target.h>
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace TemporalCoherence
+{
+namespace GradientKernels
+{
+namespace HWY_NAMESPACE
+{
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Share of a voxel by which a nearest-neighbour hit is moved on, from a face between two samples
+/// into the box of the sample that the ray enters.
+constexpr double IntoNextBox = 1e-2;
+
+template <class V>
+HWY_INLINE V Mix(V a, V b, V weightOfA, V weightOfB)
+{
+  return hn::Add(hn::Mul(weightOfA, a), hn::Mul(weightOfB, b));
+}
+
+template <class V>
+HWY_INLINE V Dot(V ax, V ay, V az, V bx, V by, V bz)
+{
+  return hn::Add(hn::Add(hn::Mul(ax, bx), hn::Mul(ay, by)), hn::Mul(az, bz));
+}
+
+/// Store doubles as Real.
+template <class D>
+HWY_INLINE void StoreAs(D d, hn::Vec<D> value, double* to)
+{
+  hn::StoreU(value, d, to);
+}
+template <class D>
+HWY_INLINE void StoreAs(D, hn::Vec<D> value, float* to)
+{
+  const hn::Rebind<float, D> df;
+  hn::StoreU(hn::DemoteTo(df, value), df, to);
+}
+
+template <typename Real>
+HWY_INLINE void FindAllCells(
+  const CellSpace& space, const Vectors& directions, const Vectors& points, CellPoints<Real>& found)
+{
+  const hn::CappedTag<double, WidestVector / 2> d;
+  const hn::Rebind<std::int32_t, decltype(d)> di;
+  using V = hn::Vec<decltype(d)>;
+  const V zero = hn::Zero(d), one = hn::Set(d, 1.0), half = hn::Set(d, 0.5);
+  const glm::dmat4& m = space.IndexFromWorld;
+  // As far as the widest vectors of Real reach.
+  for (std::size_t i = 0; i < WholeVectors(found.Count); i += hn::Lanes(d))
+  {
+    const V x = hn::LoadU(d, &points[0][i]), y = hn::LoadU(d, &points[1][i]),
+            z = hn::LoadU(d, &points[2][i]);
+    V p[3];
+    for (int a = 0; a < 3; ++a)
+    {
+      const V inPlane = hn::Add(hn::Mul(hn::Set(d, m[0][a]), x), hn::Mul(hn::Set(d, m[1][a]), y));
+      p[a] = hn::Add(inPlane, hn::Add(hn::Mul(hn::Set(d, m[2][a]), z), hn::Set(d, m[3][a])));
+    }
+    if (space.IsNearest)
+    {
+      const V dx = hn::LoadU(d, &directions[0][i]), dy = hn::LoadU(d, &directions[1][i]),
+              dz = hn::LoadU(d, &directions[2][i]);
+      V along[3];
+      for (int a = 0; a < 3; ++a)
+      {
+        along[a] = Dot(hn::Set(d, m[0][a]), hn::Set(d, m[1][a]), hn::Set(d, m[2][a]), dx, dy, dz);
+      }
+      const V square = Dot(along[0], along[1], along[2], along[0], along[1], along[2]);
+      const V perLength = hn::Div(one, hn::Sqrt(square));
+      for (int a = 0; a < 3; ++a)
+      {
+        p[a] = hn::Add(p[a], hn::Mul(hn::Set(d, IntoNextBox), hn::Mul(along[a], perLength)));
+      }
+    }
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      const V last = hn::Set(d, static_cast<double>(space.Dimensions[static_cast<int>(a)] - 2));
+      const V cell = hn::Min(hn::Max(hn::Floor(p[a]), zero), last);
+      const V in = hn::Min(hn::Max(hn::Sub(p[a], cell), zero), one);
+      const V at = space.IsNearest ? hn::Floor(hn::Add(in, half)) : in;
+      hn::StoreU(hn::DemoteTo(di, cell), di, &found.Cell[a][i]);
+      StoreAs(d, at, &found.At[a][i]);
+    }
+  }
+}
+
+/// Sample `Index` of the `Count` samples of `Bits` bits in the low part of 32-bit lanes, the sign
+/// being that of the lanes.
+template <int Bits, int Count, int Index, class V>
+HWY_INLINE V Unpack(V words)
+{
+#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+  constexpr int Place = Count - 1 - Index;
+#else
+  constexpr int Place = Index;
+#endif
+  constexpr int Above = 32 - Bits * (Place + 1);
+  return hn::ShiftRight<32 - Bits>(hn::ShiftLeft<Above>(words));
+}
+
+/// How rows become vectors, one for each sample of the row, and vectors differences: integers that
+/// fit into 16 bits are subtracted before they are made floats, which is exact.
+template <typename Kept>
+struct IntegerRowLoader
+{
+  using D = hn::CappedTag<float, WidestVector>;
+  using Lane = std::conditional_t<std::is_signed_v<Kept>, std::int32_t, std::uint32_t>;
+  using DW = hn::Rebind<Lane, D>;
+  using V = hn::Vec<DW>;
+  static constexpr int Bits = 8 * sizeof(Kept);
+
+  HWY_INLINE IntegerRowLoader(const RowBatch<Kept>&, std::size_t) {}
+
+  HWY_INLINE void Load(const std::array<Kept, 4>* rows, V out[4]) const
+  {
+    const DW dw;
+    const auto* words = reinterpret_cast<const Lane*>(rows);
+    if constexpr (sizeof(Kept) == 1)
+    {
+      const V all = hn::LoadU(dw, words);
+      out[0] = Unpack<Bits, 4, 0>(all);
+      out[1] = Unpack<Bits, 4, 1>(all);
+      out[2] = Unpack<Bits, 4, 2>(all);
+      out[3] = Unpack<Bits, 4, 3>(all);
+    }
+    else
+    {
+      V first, second;
+      hn::LoadInterleaved2(dw, words, first, second);
+      out[0] = Unpack<Bits, 2, 0>(first);
+      out[1] = Unpack<Bits, 2, 1>(first);
+      out[2] = Unpack<Bits, 2, 0>(second);
+      out[3] = Unpack<Bits, 2, 1>(second);
+    }
+  }
+
+  HWY_INLINE void Load(const std::array<Kept, 2>* rows, V out[2]) const
+  {
+    const DW dw;
+    V both;
+    if constexpr (sizeof(Kept) == 1)
+    {
+      const hn::Rebind<hwy::MakeNarrow<Lane>, DW> dn;
+      both = hn::PromoteTo(dw, hn::LoadU(dn, reinterpret_cast<const hwy::MakeNarrow<Lane>*>(rows)));
+    }
+    else
+    {
+      both = hn::LoadU(dw, reinterpret_cast<const Lane*>(rows));
+    }
+    out[0] = Unpack<Bits, 2, 0>(both);
+    out[1] = Unpack<Bits, 2, 1>(both);
+  }
+
+  HWY_INLINE hn::Vec<D> Minus(V a, V b) const
+  {
+    const hn::Rebind<std::int32_t, D> di;
+    return hn::ConvertTo(D(), hn::BitCast(di, hn::Sub(a, b)));
+  }
+};
+
+/// Numbers that may be large or not finite: differences from the isovalue are taken first.
+template <typename Kept>
+struct RealRowLoader
+{
+  using D = hn::CappedTag<double, WidestVector / 2>;
+  using DK = hn::Rebind<Kept, D>;
+  using V = hn::Vec<D>;
+
+  HWY_INLINE RealRowLoader(const RowBatch<Kept>& rows, std::size_t i)
+    : High(hn::LoadU(D(), &rows.High[i]))
+    , Low(hn::LoadU(D(), &rows.Low[i]))
+    , Limit(hn::LoadU(D(), &rows.Limit[i]))
+  {
+  }
+
+  HWY_INLINE void Load(const std::array<Kept, 4>* rows, V out[4]) const
+  {
+    hn::Vec<DK> a, b, c, e;
+    hn::LoadInterleaved4(DK(), rows->data(), a, b, c, e);
+    out[0] = this->FromIsovalue(a);
+    out[1] = this->FromIsovalue(b);
+    out[2] = this->FromIsovalue(c);
+    out[3] = this->FromIsovalue(e);
+  }
+
+  HWY_INLINE void Load(const std::array<Kept, 2>* rows, V out[2]) const
+  {
+    hn::Vec<DK> a, b;
+    hn::LoadInterleaved2(DK(), rows->data(), a, b);
+    out[0] = this->FromIsovalue(a);
+    out[1] = this->FromIsovalue(b);
+  }
+
+  HWY_INLINE V Minus(V a, V b) const { return hn::Sub(a, b); }
+
+private:
+  /// Difference of Surfaces.h.
+  HWY_INLINE V FromIsovalue(hn::Vec<DK> samples) const
+  {
+    V value;
+    if constexpr (sizeof(Kept) == 8)
+    {
+      value = samples;
+    }
+    else
+    {
+      value = hn::PromoteTo(D(), samples);
+    }
+    const V difference = hn::Sub(hn::Sub(value, this->High), this->Low);
+    const V lowest = hn::Neg(this->Limit);
+    const V raised = hn::IfThenElse(hn::Gt(difference, lowest), difference, lowest);
+    return hn::IfThenElse(hn::Lt(raised, this->Limit), raised, this->Limit);
+  }
+
+  V High, Low, Limit;
+};
+
+template <typename Kept>
+using RowLoader =
+  std::conditional_t<std::is_integral_v<Kept>, IntegerRowLoader<Kept>, RealRowLoader<Kept>>;
+
+HWY_INLINE hn::Vec<hn::CappedTag<float, WidestVector>> LoadWhole(
+  hn::CappedTag<float, WidestVector> d, const std::int32_t* from)
+{
+  return hn::ConvertTo(d, hn::LoadU(hn::Rebind<std::int32_t, decltype(d)>(), from));
+}
+HWY_INLINE hn::Vec<hn::CappedTag<double, WidestVector / 2>> LoadWhole(
+  hn::CappedTag<double, WidestVector / 2> d, const std::int32_t* from)
+{
+  return hn::PromoteTo(d, hn::LoadU(hn::Rebind<std::int32_t, decltype(d)>(), from));
+}
+
+/// Weights of what is interpolated along an axis: of values at the first and at the second corner,
+/// and the same of their differences between neighbours, which lie one or two samples apart.
+template <class V>
+struct AxisWeights
+{
+  V First, Second, FirstDifference, SecondDifference;
+};
+
+template <class D, typename Real>
+HWY_INLINE AxisWeights<hn::Vec<D>> WeightsAlong(
+  D d, std::size_t axis, int samples, const CellPoints<Real>& points, std::size_t i)
+{
+  using V = hn::Vec<D>;
+  const V one = hn::Set(d, Real(1)), half = hn::Set(d, Real(0.5)), zero = hn::Zero(d);
+  const V at = hn::LoadU(d, &points.At[axis][i]);
+  const V cell = LoadWhole(d, &points.Cell[axis][i]);
+  const auto hasBefore = hn::Gt(cell, zero);
+  const auto hasBehind = hn::Lt(cell, hn::Set(d, static_cast<Real>(samples - 2)));
+  AxisWeights<V> weights;
+  weights.First = hn::Sub(one, at);
+  weights.Second = at;
+  weights.FirstDifference = hn::Mul(weights.First, hn::IfThenElse(hasBefore, half, one));
+  weights.SecondDifference = hn::Mul(weights.Second, hn::IfThenElse(hasBehind, half, one));
+  return weights;
+}
+
+/// One component of the gradients: differences on the four edges of the cell along an axis,
+/// interpolated across it, first between 0 and 1, 2 and 3, then between these.
+template <class V>
+HWY_INLINE V Across(const V edges[4], const AxisWeights<V>& u, const AxisWeights<V>& v)
+{
+  const V low = Mix(edges[0], edges[1], u.First, u.Second);
+  const V high = Mix(edges[2], edges[3], u.First, u.Second);
+  return Mix(low, high, v.First, v.Second);
+}
+
+HWY_INLINE void StoreAsDoubles(
+  hn::CappedTag<double, WidestVector / 2> d, hn::Vec<decltype(d)> value, double* to)
+{
+  hn::StoreU(value, d, to);
+}
+HWY_INLINE void StoreAsDoubles(
+  hn::CappedTag<float, WidestVector> d, hn::Vec<decltype(d)> value, double* to)
+{
+  const hn::CappedTag<double, WidestVector / 2> dd;
+  const hn::Rebind<float, decltype(dd)> part;
+  std::array<float, WidestVector> values;
+  hn::StoreU(value, d, values.data());
+  for (std::size_t i = 0; i < hn::Lanes(d); i += hn::Lanes(dd))
+  {
+    hn::StoreU(hn::PromoteTo(dd, hn::LoadU(part, &values[i])), dd, to + i);
+  }
+}
+
+template <typename Kept, typename Real>
+HWY_INLINE void InterpolateAll(const glm::ivec3& dimensions, const CellPoints<Real>& points,
+  const RowBatch<Kept>& rows, Vectors& gradients)
+{
+  using Loader = RowLoader<Kept>;
+  const typename Loader::D d;
+  using V = hn::Vec<decltype(d)>;
+  for (std::size_t i = 0; i < points.Count; i += hn::Lanes(d))
+  {
+    const auto wx = WeightsAlong(d, 0, dimensions.x, points, i);
+    const auto wy = WeightsAlong(d, 1, dimensions.y, points, i);
+    const auto wz = WeightsAlong(d, 2, dimensions.z, points, i);
+    const Loader loader(rows, i);
+    typename Loader::V corner[8], row[4], before[2], behind[2];
+    V edges[4];
+    for (std::size_t yz = 0; yz < 4; ++yz)
+    {
+      loader.Load(&rows.Along[yz][i], row);
+      corner[2 * yz] = row[1];
+      corner[2 * yz + 1] = row[2];
+      edges[yz] = Mix(loader.Minus(row[2], row[0]), loader.Minus(row[3], row[1]),
+        wx.FirstDifference, wx.SecondDifference);
+    }
+    StoreAsDoubles(d, Across(edges, wy, wz), &gradients[0][i]);
+    for (std::size_t z = 0; z < 2; ++z)
+    {
+      loader.Load(&rows.Beside[z][i], before);
+      loader.Load(&rows.Beside[2 + z][i], behind);
+      for (std::size_t x = 0; x < 2; ++x)
+      {
+        edges[2 * z + x] = Mix(loader.Minus(corner[4 * z + 2 + x], before[x]),
+          loader.Minus(behind[x], corner[4 * z + x]), wy.FirstDifference, wy.SecondDifference);
+      }
+    }
+    StoreAsDoubles(d, Across(edges, wx, wz), &gradients[1][i]);
+    for (std::size_t y = 0; y < 2; ++y)
+    {
+      loader.Load(&rows.Beside[4 + y][i], before);
+      loader.Load(&rows.Beside[6 + y][i], behind);
+      for (std::size_t x = 0; x < 2; ++x)
+      {
+        edges[2 * y + x] = Mix(loader.Minus(corner[4 + 2 * y + x], before[x]),
+          loader.Minus(behind[x], corner[2 * y + x]), wz.FirstDifference, wz.SecondDifference);
+      }
+    }
+    StoreAsDoubles(d, Across(edges, wx, wy), &gradients[2][i]);
+  }
+}
+
+void CellsFloat(const CellSpace& space, const Vectors& directions, const Vectors& points,
+  CellPoints<float>& found)
+{
+  FindAllCells(space, directions, points, found);
+}
+
+void CellsDouble(const CellSpace& space, const Vectors& directions, const Vectors& points,
+  CellPoints<double>& found)
+{
+  FindAllCells(space, directions, points, found);
+}
+
+void GradientsUInt8(const glm::ivec3& dimensions, const CellPoints<float>& points,
+  const RowBatch<std::uint8_t>& rows, Vectors& gradients)
+{
+  InterpolateAll(dimensions, points, rows, gradients);
+}
+
+void GradientsInt8(const glm::ivec3& dimensions, const CellPoints<float>& points,
+  const RowBatch<std::int8_t>& rows, Vectors& gradients)
+{
+  InterpolateAll(dimensions, points, rows, gradients);
+}
+
+void GradientsUInt16(const glm::ivec3& dimensions, const CellPoints<float>& points,
+  const RowBatch<std::uint16_t>& rows, Vectors& gradients)
+{
+  InterpolateAll(dimensions, points, rows, gradients);
+}
+
+void GradientsInt16(const glm::ivec3& dimensions, const CellPoints<float>& points,
+  const RowBatch<std::int16_t>& rows, Vectors& gradients)
+{
+  InterpolateAll(dimensions, points, rows, gradients);
+}
+
+void GradientsFloat(const glm::ivec3& dimensions, const CellPoints<double>& points,
+  const RowBatch<float>& rows, Vectors& gradients)
+{
+  InterpolateAll(dimensions, points, rows, gradients);
+}
+
+void GradientsDouble(const glm::ivec3& dimensions, const CellPoints<double>& points,
+  const RowBatch<double>& rows, Vectors& gradients)
+{
+  InterpolateAll(dimensions, points, rows, gradients);
+}
+
+}
+}
+}
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace TemporalCoherence
+{
+namespace GradientKernels
+{
+
+HWY_EXPORT(CellsFloat);
+HWY_EXPORT(CellsDouble);
+HWY_EXPORT(GradientsUInt8);
+HWY_EXPORT(GradientsInt8);
+HWY_EXPORT(GradientsUInt16);
+HWY_EXPORT(GradientsInt16);
+HWY_EXPORT(GradientsFloat);
+HWY_EXPORT(GradientsDouble);
+
+void FindCells(const CellSpace& space, const Vectors& directions, const Vectors& points,
+  CellPoints<float>& found)
+{
+  HWY_DYNAMIC_DISPATCH(CellsFloat)(space, directions, points, found);
+}
+
+void FindCells(const CellSpace& space, const Vectors& directions, const Vectors& points,
+  CellPoints<double>& found)
+{
+  HWY_DYNAMIC_DISPATCH(CellsDouble)(space, directions, points, found);
+}
+
+void InterpolateGradients(const glm::ivec3& dimensions, const CellPoints<float>& points,
+  const RowBatch<std::uint8_t>& rows, Vectors& gradients)
+{
+  HWY_DYNAMIC_DISPATCH(GradientsUInt8)(dimensions, points, rows, gradients);
+}
+
+void InterpolateGradients(const glm::ivec3& dimensions, const CellPoints<float>& points,
+  const RowBatch<std::int8_t>& rows, Vectors& gradients)
+{
+  HWY_DYNAMIC_DISPATCH(GradientsInt8)(dimensions, points, rows, gradients);
+}
+
+void InterpolateGradients(const glm::ivec3& dimensions, const CellPoints<float>& points,
+  const RowBatch<std::uint16_t>& rows, Vectors& gradients)
+{
+  HWY_DYNAMIC_DISPATCH(GradientsUInt16)(dimensions, points, rows, gradients);
+}
+
+void InterpolateGradients(const glm::ivec3& dimensions, const CellPoints<float>& points,
+  const RowBatch<std::int16_t>& rows, Vectors& gradients)
+{
+  HWY_DYNAMIC_DISPATCH(GradientsInt16)(dimensions, points, rows, gradients);
+}
+
+void InterpolateGradients(const glm::ivec3& dimensions, const CellPoints<double>& points,
+  const RowBatch<float>& rows, Vectors& gradients)
+{
+  HWY_DYNAMIC_DISPATCH(GradientsFloat)(dimensions, points, rows, gradients);
+}
+
+void InterpolateGradients(const glm::ivec3& dimensions, const CellPoints<double>& points,
+  const RowBatch<double>& rows, Vectors& gradients)
+{
+  HWY_DYNAMIC_DISPATCH(GradientsDouble)(dimensions, points, rows, gradients);
+}
+
+}
+}
+#endif

@@ -1,0 +1,272 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Shade/KernelsShading.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+// This file is compiled once for each kind of vectors, and what runs is chosen by the machine.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "Shade/KernelsShading.cxx"
+#include <hwy/foreach_target.h>
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace TemporalCoherence
+{
+namespace ShadingKernels
+{
+namespace HWY_NAMESPACE
+{
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Squares of shorter vectors may vanish.
+constexpr double TooShortToSquare = 1e-140;
+
+using Doubles = hn::CappedTag<double, WidestVector / 2>;
+using Floats = hn::CappedTag<float, WidestVector>;
+
+template <class V>
+HWY_INLINE V Dot(V ax, V ay, V az, V bx, V by, V bz)
+{
+  return hn::Add(hn::Add(hn::Mul(ax, bx), hn::Mul(ay, by)), hn::Mul(az, bz));
+}
+
+void RayPointsOf(RayPoints& rays)
+{
+  const Doubles d;
+  const hn::Rebind<float, Doubles> df;
+  using V = hn::Vec<Doubles>;
+  const V one = hn::Set(d, 1.0);
+  for (std::size_t i = 0; i < WholeVectors(rays.Count); i += hn::Lanes(d))
+  {
+    const V x = hn::LoadU(d, &rays.X[i]), y = hn::LoadU(d, &rays.Y[i]);
+    const V t = hn::LoadU(d, &rays.T[i]);
+    const auto at = [&](const std::array<glm::dvec3, 3>& linear, int axis) HWY_ATTR
+    {
+      const V inX = hn::Add(hn::Set(d, linear[0][axis]), hn::Mul(x, hn::Set(d, linear[1][axis])));
+      return hn::Add(inX, hn::Mul(y, hn::Set(d, linear[2][axis])));
+    };
+    const V dx = at(rays.LinearDirection, 0), dy = at(rays.LinearDirection, 1),
+            dz = at(rays.LinearDirection, 2);
+    const V perLength = hn::Div(one, hn::Sqrt(Dot(dx, dy, dz, dx, dy, dz)));
+    const V unit[3] = { hn::Mul(dx, perLength), hn::Mul(dy, perLength), hn::Mul(dz, perLength) };
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      const V origin = at(rays.LinearOrigin, static_cast<int>(a));
+      hn::StoreU(unit[a], d, &rays.Direction[a][i]);
+      hn::StoreU(hn::DemoteTo(df, unit[a]), df, &rays.FloatDirection[a][i]);
+      hn::StoreU(hn::Add(origin, hn::Mul(t, unit[a])), d, &rays.Point[a][i]);
+    }
+  }
+}
+
+void FacingNormalsOf(std::size_t count, const glm::dmat3& m,
+  const std::array<Array<double>, 3>& gradients, const std::array<Array<double>, 3>& rays,
+  Array<std::array<float, 3>>& normals)
+{
+  const Doubles d;
+  const hn::Rebind<float, Doubles> df;
+  using V = hn::Vec<Doubles>;
+  const V zero = hn::Zero(d), one = hn::Set(d, 1.0);
+  const V smallest = hn::Set(d, std::numeric_limits<double>::min());
+  for (std::size_t i = 0; i < count; i += hn::Lanes(d))
+  {
+    const V gx = hn::LoadU(d, &gradients[0][i]), gy = hn::LoadU(d, &gradients[1][i]),
+            gz = hn::LoadU(d, &gradients[2][i]);
+    const V rx = hn::LoadU(d, &rays[0][i]), ry = hn::LoadU(d, &rays[1][i]),
+            rz = hn::LoadU(d, &rays[2][i]);
+    // Scaled first: squares of very small or large components would leave the range of numbers.
+    const V largest = hn::Max(hn::Abs(gx), hn::Max(hn::Abs(gy), hn::Abs(gz)));
+    const auto isSteep = hn::Ge(largest, smallest);
+    const V scale = hn::Div(one, hn::IfThenElse(isSteep, largest, one));
+    const V x = hn::Mul(gx, scale), y = hn::Mul(gy, scale), z = hn::Mul(gz, scale);
+    const auto inWorld = [&](int axis) HWY_ATTR {
+      return Dot(hn::Set(d, m[0][axis]), hn::Set(d, m[1][axis]), hn::Set(d, m[2][axis]), x, y, z);
+    };
+    const V nx = inWorld(0), ny = inWorld(1), nz = inWorld(2);
+    // The same once more, but only where it is needed: others keep all of their digits.
+    const V longest = hn::Max(hn::Abs(nx), hn::Max(hn::Abs(ny), hn::Abs(nz)));
+    const auto hasNormal = hn::And(isSteep, hn::Ge(longest, smallest));
+    const auto isFarFromOne = hn::And(hasNormal, hn::Lt(longest, hn::Set(d, TooShortToSquare)));
+    const V closer = hn::Div(one, hn::IfThenElse(isFarFromOne, longest, one));
+    const V wx = hn::IfThenElse(hasNormal, hn::Mul(nx, closer), rx);
+    const V wy = hn::IfThenElse(hasNormal, hn::Mul(ny, closer), ry);
+    const V wz = hn::IfThenElse(hasNormal, hn::Mul(nz, closer), rz);
+    const V perLength = hn::Div(one, hn::Sqrt(Dot(wx, wy, wz, wx, wy, wz)));
+    const auto isAway = hn::Gt(Dot(wx, wy, wz, rx, ry, rz), zero);
+    const V facing = hn::IfThenElse(isAway, hn::Neg(perLength), perLength);
+    hn::StoreInterleaved3(hn::DemoteTo(df, hn::Mul(facing, wx)),
+      hn::DemoteTo(df, hn::Mul(facing, wy)), hn::DemoteTo(df, hn::Mul(facing, wz)), df,
+      normals[i].data());
+  }
+}
+
+/// Raises numbers in [0, 1] to a power; what is 0 stays 0.
+class Raiser
+{
+public:
+  explicit Raiser(double power)
+    : Power(static_cast<float>(power))
+    , Whole(power == std::floor(power) && power >= 1.0 && power <= LargestWhole
+          ? static_cast<int>(power)
+          : 0)
+  {
+  }
+
+  HWY_INLINE hn::Vec<Floats> operator()(hn::Vec<Floats> base) const
+  {
+    const Floats d;
+    if (this->Whole == 0)
+    {
+      return this->RaiseOneByOne(base);
+    }
+    hn::Vec<Floats> result = hn::Set(d, 1.0f);
+    for (int rest = this->Whole; rest > 0; rest >>= 1)
+    {
+      result = (rest & 1) != 0 ? hn::Mul(result, base) : result;
+      base = hn::Mul(base, base);
+    }
+    return result;
+  }
+
+private:
+  static constexpr double LargestWhole = 1024.0;
+
+  hn::Vec<Floats> RaiseOneByOne(hn::Vec<Floats> base) const
+  {
+    const Floats d;
+    std::array<float, WidestVector> values;
+    hn::StoreU(base, d, values.data());
+    for (std::size_t i = 0; i < hn::Lanes(d); ++i)
+    {
+      values[i] = values[i] > 0.0f ? std::pow(values[i], this->Power) : 0.0f;
+    }
+    return hn::LoadU(d, values.data());
+  }
+
+  float Power;
+  int Whole; ///< the power if it is a whole number that squares reach soon; else 0
+};
+
+void AddLightTo(const RayPoints& rays, PhongSums& sums)
+{
+  const Floats d;
+  using V = hn::Vec<Floats>;
+  const V zero = hn::Zero(d), one = hn::Set(d, 1.0f), two = hn::Set(d, 2.0f);
+  const Raiser raise(sums.Power);
+  const bool isShiny =
+    sums.Specular[0] != 0.0f || sums.Specular[1] != 0.0f || sums.Specular[2] != 0.0f;
+  for (std::size_t i = 0; i < sums.Count; i += hn::Lanes(d))
+  {
+    const auto toLight = [&](std::size_t a) HWY_ATTR
+    { return sums.IsPositional ? hn::LoadU(d, &sums.ToLight[a][i]) : hn::Set(d, sums.Toward[a]); };
+    const V lx = toLight(0), ly = toLight(1), lz = toLight(2);
+    const V share = sums.IsPositional ? hn::LoadU(d, &sums.Share[i]) : one;
+    V nx, ny, nz;
+    hn::LoadInterleaved3(d, sums.Normal[i].data(), nx, ny, nz);
+    const V c = Dot(nx, ny, nz, lx, ly, lz);
+    const auto isLit = hn::Gt(c, zero);
+    const V cosine = hn::IfThenElseZero(isLit, c);
+    V shine = zero;
+    if (isShiny)
+    {
+      const V rx = hn::LoadU(d, &rays.FloatDirection[0][i]),
+              ry = hn::LoadU(d, &rays.FloatDirection[1][i]),
+              rz = hn::LoadU(d, &rays.FloatDirection[2][i]);
+      const V twice = hn::Mul(two, c);
+      const V m = Dot(hn::Sub(lx, hn::Mul(twice, nx)), hn::Sub(ly, hn::Mul(twice, ny)),
+        hn::Sub(lz, hn::Mul(twice, nz)), rx, ry, rz);
+      const auto isMirrored = hn::And(isLit, hn::Gt(m, zero));
+      shine = raise(hn::Min(hn::IfThenElseZero(isMirrored, m), one));
+    }
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      const V diffuse =
+        hn::Mul(hn::Mul(hn::Set(d, sums.Diffuse[a]), cosine), hn::LoadU(d, &sums.Color[a][i]));
+      const V light = hn::Add(diffuse, hn::Mul(hn::Set(d, sums.Specular[a]), shine));
+      const V sum = hn::Add(hn::LoadU(d, &sums.Sum[a][i]), hn::Mul(share, light));
+      hn::StoreU(sum, d, &sums.Sum[a][i]);
+    }
+  }
+}
+
+void ColorsOf(const PhongSums& sums, Array<std::array<std::uint8_t, 4>>& colors)
+{
+  const Floats d;
+  const hn::Rebind<std::int32_t, Floats> di;
+  const hn::Rebind<std::uint8_t, Floats> db;
+  using V = hn::Vec<Floats>;
+  const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
+  const V largest = hn::Set(d, 255.0f), half = hn::Set(d, 0.5f);
+  for (std::size_t i = 0; i < sums.Count; i += hn::Lanes(d))
+  {
+    const auto bytes = [&](std::size_t a) HWY_ATTR
+    {
+      const V sum = hn::LoadU(d, &sums.Sum[a][i]);
+      const V raised = hn::IfThenElse(hn::Gt(sum, zero), sum, zero);
+      const V clamped = hn::IfThenElse(hn::Lt(raised, one), raised, one);
+      return hn::DemoteTo(db, hn::ConvertTo(di, hn::Add(hn::Mul(clamped, largest), half)));
+    };
+    hn::StoreInterleaved4(
+      bytes(0), bytes(1), bytes(2), hn::Set(db, std::uint8_t(255)), db, colors[i].data());
+  }
+}
+
+}
+}
+}
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace TemporalCoherence
+{
+namespace ShadingKernels
+{
+
+HWY_EXPORT(RayPointsOf);
+HWY_EXPORT(FacingNormalsOf);
+HWY_EXPORT(AddLightTo);
+HWY_EXPORT(ColorsOf);
+
+void FindRayPoints(RayPoints& rays)
+{
+  HWY_DYNAMIC_DISPATCH(RayPointsOf)(rays);
+}
+
+void FindFacingNormals(std::size_t count, const glm::dmat3& worldFromGradient,
+  const std::array<Array<double>, 3>& gradients, const std::array<Array<double>, 3>& rays,
+  Array<std::array<float, 3>>& normals)
+{
+  // Lengths do not matter. A power of two takes the largest number of the matrix to 1 and changes
+  // no digit.
+  double largest = 0.0;
+  for (int i = 0; i < 9; ++i)
+  {
+    largest = std::max(largest, std::abs(worldFromGradient[i / 3][i % 3]));
+  }
+  glm::dmat3 matrix = worldFromGradient;
+  const int exponent = largest > 0.0 ? -std::ilogb(largest) : 0;
+  for (int i = 0; i < 9; ++i)
+  {
+    matrix[i / 3][i % 3] = std::ldexp(matrix[i / 3][i % 3], exponent);
+  }
+  HWY_DYNAMIC_DISPATCH(FacingNormalsOf)(count, matrix, gradients, rays, normals);
+}
+
+void AddLight(const RayPoints& rays, PhongSums& sums)
+{
+  HWY_DYNAMIC_DISPATCH(AddLightTo)(rays, sums);
+}
+
+void RoundColors(const PhongSums& sums, Array<std::array<std::uint8_t, 4>>& colors)
+{
+  HWY_DYNAMIC_DISPATCH(ColorsOf)(sums, colors);
+}
+
+}
+}
+#endif

@@ -1,0 +1,427 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Shade/Shader.h"
+
+#include "Shade/CapNormal.h"
+#include "Shade/SurfaceNormal.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+template <typename T>
+using Array = HitList::Array<T>;
+
+constexpr double Pi = 3.14159265358979323846;
+
+constexpr std::array<std::uint8_t, 4> Yellow = { 255, 255, 0, 255 };
+
+void Set(std::array<Array<double>, 3>& vectors, std::size_t i, const glm::dvec3& vector)
+{
+  vectors[0][i] = vector.x;
+  vectors[1][i] = vector.y;
+  vectors[2][i] = vector.z;
+}
+
+glm::dvec3 At(const std::array<Array<double>, 3>& vectors, std::size_t i)
+{
+  return { vectors[0][i], vectors[1][i], vectors[2][i] };
+}
+
+/// Where a solid is cut open, take the normal of the plane that cuts it for the gradient.
+void TakeFacesAtCaps(
+  const NormalSource& source, const HitList& hits, std::array<Array<double>, 3>& gradients)
+{
+  for (std::size_t i = 0; i < hits.Rays.Count; ++i)
+  {
+    if (hits.Kind[i] == HitKind::Cap)
+    {
+      const glm::dvec3 point(source.Where.IndexFromWorld * glm::dvec4(At(hits.Rays.Point, i), 1.0));
+      const glm::dvec3 direction(
+        source.Where.IndexFromWorld * glm::dvec4(At(hits.Rays.Direction, i), 0.0));
+      Set(gradients, i, CapNormal(point, direction, source.Samples, source.Cuts));
+    }
+  }
+}
+
+/// Repeat the last element up to the end of the last vector, so that no lane holds what is not a
+/// number.
+template <typename T>
+void FillLastVector(std::size_t count, Array<T>& array)
+{
+  std::fill(array.begin() + static_cast<std::ptrdiff_t>(count),
+    array.begin() + static_cast<std::ptrdiff_t>(WholeVectors(count)), array[count - 1]);
+}
+
+/// What arrives of a positional light at a point, and the direction it comes from.
+double ShareAt(const Light& light, const glm::dvec3& point, glm::dvec3& toLight)
+{
+  const glm::dvec3 fromLight = point - light.Position;
+  const double distance = glm::length(fromLight);
+  if (!(distance > 0.0))
+  {
+    return 0.0;
+  }
+  toLight = fromLight / -distance;
+  const double fading = light.Attenuation.x + light.Attenuation.y * distance +
+    light.Attenuation.z * distance * distance;
+  double share = fading > 0.0 ? 1.0 / fading : 1.0;
+  if (light.ConeAngle < 90.0)
+  {
+    const double cosine = glm::dot(fromLight, light.Direction) / distance;
+    share *= cosine >= std::cos(light.ConeAngle * Pi / 180.0) && cosine > 0.0
+      ? std::pow(cosine, light.Exponent)
+      : 0.0;
+  }
+  return share;
+}
+
+/// The largest share of a light that keeps sums of its terms far within the range of floats,
+/// however near the light is to a surface.
+double LargestShare(const ShadingKernels::PhongSums& sums)
+{
+  constexpr double LargestTerm = 1e30;
+  float brightest = 1.0f;
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    brightest = std::max({ brightest, std::abs(sums.Diffuse[c]), std::abs(sums.Specular[c]) });
+  }
+  return LargestTerm / static_cast<double>(brightest);
+}
+
+/// Add the light that hits reflect.
+void AddLight(const Appearance& appearance, const Light& light, const HitList& hits,
+  ShadingKernels::PhongSums& sums)
+{
+  sums.IsPositional = light.Positional;
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    const auto component = static_cast<int>(c);
+    sums.Toward[c] = static_cast<float>(-light.Direction[component]);
+    sums.Diffuse[c] = static_cast<float>(appearance.Diffuse * light.Diffuse[component]);
+    sums.Specular[c] =
+      static_cast<float>(std::max(appearance.Specular, 0.0) * light.Specular[component]);
+  }
+  const double most = LargestShare(sums);
+  for (std::size_t i = 0; i < sums.Count && light.Positional; ++i)
+  {
+    glm::dvec3 toLight = -light.Direction;
+    const double share = ShareAt(light, At(hits.Rays.Point, i), toLight);
+    sums.Share[i] = static_cast<float>(std::min(share, most));
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      sums.ToLight[a][i] = static_cast<float>(toLight[static_cast<int>(a)]);
+    }
+  }
+  if (light.Positional)
+  {
+    FillLastVector(sums.Count, sums.Share);
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      FillLastVector(sums.Count, sums.ToLight[a]);
+    }
+  }
+  sums.Power = appearance.SpecularPower;
+  ShadingKernels::AddLight(hits.Rays, sums);
+}
+
+/// Turn the normals of surfaces that are seen from inside, which face the viewer, to the outside.
+void TurnOutside(const HitList& hits, ShadingKernels::PhongSums& sums)
+{
+  for (std::size_t i = 0; i < sums.Count; ++i)
+  {
+    if (hits.Kind[i] == HitKind::Leaves)
+    {
+      for (float& component : sums.Normal[i])
+      {
+        component = -component;
+      }
+    }
+  }
+}
+
+/// What hits look like without light from anywhere.
+void BeginSums(const Appearance& appearance, const HitList& hits, ShadingKernels::PhongSums& sums)
+{
+  const auto ambient = static_cast<float>(appearance.Shade ? appearance.Ambient : 1.0);
+  sums.Count = hits.Rays.Count;
+  std::copy_n(hits.Normal.begin(), sums.Count, sums.Normal.begin());
+  if (!appearance.TwoSided)
+  {
+    TurnOutside(hits, sums);
+  }
+  FillLastVector(sums.Count, sums.Normal);
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    const auto axis = static_cast<int>(a);
+    if (appearance.Colors.size() == 1)
+    {
+      std::fill_n(sums.Color[a].begin(), WholeVectors(sums.Count),
+        static_cast<float>(appearance.Colors[0][axis]));
+    }
+    else
+    {
+      for (std::size_t i = 0; i < sums.Count; ++i)
+      {
+        const glm::dvec3& color = appearance.Colors[static_cast<std::size_t>(hits.Surface[i])];
+        sums.Color[a][i] = static_cast<float>(color[axis]);
+      }
+      FillLastVector(sums.Count, sums.Color[a]);
+    }
+    for (std::size_t i = 0; i < WholeVectors(sums.Count); ++i)
+    {
+      sums.Sum[a][i] = ambient * sums.Color[a][i];
+    }
+  }
+}
+
+/// The last thing that is done to colours.
+void ScaleSums(const Appearance& appearance, ShadingKernels::PhongSums& sums)
+{
+  const auto scale = static_cast<float>(appearance.ColorScale);
+  const auto shift = static_cast<float>(appearance.ColorShift);
+  for (Array<float>& channel : sums.Sum)
+  {
+    std::transform(channel.begin(),
+      channel.begin() + static_cast<std::ptrdiff_t>(WholeVectors(sums.Count)), channel.begin(),
+      [=](float sum) { return scale * sum + shift; });
+  }
+}
+
+/// Normalised device coordinates of the columns and rows of a part.
+struct PixelCentres
+{
+  PixelCentres(const View& view, const PixelRect& part)
+  {
+    for (int column = 0; column < part.Size.x; ++column)
+    {
+      this->X[static_cast<std::size_t>(column)] = view.PixelCentre(part.First.x + column, 0).x;
+    }
+    for (int row = 0; row < part.Size.y; ++row)
+    {
+      this->Y[static_cast<std::size_t>(row)] = view.PixelCentre(0, part.First.y + row).y;
+    }
+  }
+
+  Array<double> X, Y;
+};
+
+/// Sorts the pixels of a part into hits and misses, row by row.
+class PixelSorter
+{
+public:
+  PixelSorter(bool withDefiniteHits, Frame& frame, HitList& hits)
+    : WithDefiniteHits(withDefiniteHits)
+    , Planes(frame)
+    , Hits(hits)
+  {
+    hits.Rays.Count = 0;
+  }
+
+  /// Sort the pixels [first, first + count) of a row.
+  void Sort(std::size_t first, std::size_t count, const double* x, double y)
+  {
+    const std::int16_t* const surfaces = &this->Planes.Isovalues[first];
+    if (count == TileSize && this->WithDefiniteHits)
+    {
+      // Most rows are full or empty.
+      int hitCount = 0;
+      for (std::size_t i = 0; i < TileSize; ++i)
+      {
+        hitCount += surfaces[i] != Frame::NoSurface ? 1 : 0;
+      }
+      if (hitCount == TileSize)
+      {
+        this->TakeRow(first, x, y);
+        return;
+      }
+      if (hitCount == 0)
+      {
+        std::fill_n(&this->Planes.Normals[first], TileSize, glm::vec3(0.0f));
+        std::fill_n(&this->Planes.Colors[first], TileSize, NoColor);
+        return;
+      }
+    }
+    this->SortRow(first, count, x, y);
+  }
+
+private:
+  static constexpr std::array<std::uint8_t, 4> NoColor = { 0, 0, 0, 0 };
+
+  /// Take a row of hits.
+  void TakeRow(std::size_t first, const double* x, double y)
+  {
+    const std::size_t at = this->Hits.Rays.Count;
+    for (std::size_t i = 0; i < TileSize; ++i)
+    {
+      this->Hits.Pixel[at + i] = static_cast<std::int32_t>(first + i);
+      this->Hits.Surface[at + i] = this->Planes.Isovalues[first + i];
+      this->Hits.Kind[at + i] = this->Planes.Kinds[first + i];
+      this->Hits.Rays.X[at + i] = x[i];
+      this->Hits.Rays.Y[at + i] = y;
+      this->Hits.Rays.T[at + i] = this->Planes.Depth[first + i];
+    }
+    this->Hits.Rays.Count = at + TileSize;
+  }
+
+  /// Sort a row of hits and misses.
+  void SortRow(std::size_t first, std::size_t count, const double* x, double y)
+  {
+    Array<std::size_t> misses;
+    std::size_t hitCount = this->Hits.Rays.Count, missCount = 0;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      // Without branches, as nobody could foretell them at silhouettes: every pixel is written to
+      // the end of both lists, and at most one of them grows.
+      const std::size_t pixel = first + i;
+      const bool isMiss = this->Planes.Isovalues[pixel] == Frame::NoSurface;
+      const bool isKnown =
+        !this->WithDefiniteHits && this->Planes.Answers[pixel] == Answer::DefiniteHit;
+      this->Hits.Pixel[hitCount] = static_cast<std::int32_t>(pixel);
+      this->Hits.Surface[hitCount] = this->Planes.Isovalues[pixel];
+      this->Hits.Kind[hitCount] = this->Planes.Kinds[pixel];
+      this->Hits.Rays.X[hitCount] = x[i];
+      this->Hits.Rays.Y[hitCount] = y;
+      this->Hits.Rays.T[hitCount] = this->Planes.Depth[pixel];
+      misses[missCount] = pixel;
+      hitCount += isMiss || isKnown ? 0 : 1;
+      missCount += isMiss ? 1 : 0;
+    }
+    this->Hits.Rays.Count = hitCount;
+    for (std::size_t i = 0; i < missCount; ++i)
+    {
+      this->Planes.Normals[misses[i]] = glm::vec3(0.0f);
+      this->Planes.Colors[misses[i]] = NoColor;
+    }
+  }
+
+  bool WithDefiniteHits;
+  Frame& Planes;
+  HitList& Hits;
+};
+
+}
+
+void GatherHits(
+  const View& view, const PixelRect& part, bool withDefiniteHits, Frame& frame, HitList& hits)
+{
+  const PixelCentres centres(view, part);
+  PixelSorter sorter(withDefiniteHits, frame, hits);
+  for (int row = 0; row < part.Size.y; ++row)
+  {
+    const int first = (part.First.y + row) * frame.Size.x + part.First.x;
+    sorter.Sort(static_cast<std::size_t>(first), static_cast<std::size_t>(part.Size.x),
+      centres.X.data(), centres.Y[static_cast<std::size_t>(row)]);
+  }
+  FindHitPoints(view, hits);
+}
+
+void FindHitPoints(const View& view, HitList& hits)
+{
+  ShadingKernels::RayPoints& rays = hits.Rays;
+  if (rays.Count > 0)
+  {
+    FillLastVector(rays.Count, rays.X);
+    FillLastVector(rays.Count, rays.Y);
+    FillLastVector(rays.Count, rays.T);
+    rays.LinearDirection = { view.Direction, view.DirectionX, view.DirectionY };
+    rays.LinearOrigin = { view.Origin, view.OriginX, view.OriginY };
+    ShadingKernels::FindRayPoints(rays);
+  }
+}
+
+void ComputeNormals(
+  const NormalSource& source, HitList& hits, std::array<Array<double>, 3>* gradientsFound)
+{
+  if (hits.Rays.Count == 0)
+  {
+    return;
+  }
+  const auto count = hits.Rays.Count;
+  std::array<Array<double>, 3> gradients;
+  IndexGradients(
+    { source.Samples, source.Where.IndexFromWorld, source.FiniteRange, &source.Isovalues }, count,
+    hits.Rays.Point, hits.Rays.Direction, hits.Surface, gradients);
+  if (gradientsFound)
+  {
+    *gradientsFound = gradients;
+  }
+  TakeFacesAtCaps(source, hits, gradients);
+  const glm::dmat3 worldFromGradient = glm::transpose(glm::dmat3(source.Where.IndexFromWorld));
+  ShadingKernels::FindFacingNormals(
+    count, worldFromGradient, gradients, hits.Rays.Direction, hits.Normal);
+}
+
+void StoreNormals(const HitList& hits, Frame& frame)
+{
+  for (std::size_t i = 0; i < hits.Rays.Count; ++i)
+  {
+    const std::array<float, 3>& normal = hits.Normal[i];
+    frame.Normals[static_cast<std::size_t>(hits.Pixel[i])] = { normal[0], normal[1], normal[2] };
+  }
+}
+
+void LoadNormals(const Frame& frame, HitList& hits)
+{
+  for (std::size_t i = 0; i < hits.Rays.Count; ++i)
+  {
+    const glm::vec3& normal = frame.Normals[static_cast<std::size_t>(hits.Pixel[i])];
+    hits.Normal[i] = { normal.x, normal.y, normal.z };
+  }
+}
+
+void SumLight(const Appearance& appearance, const HitList& hits, ShadingKernels::PhongSums& sums)
+{
+  BeginSums(appearance, hits, sums);
+  if (appearance.Shade)
+  {
+    for (const Light& light : appearance.Lights)
+    {
+      AddLight(appearance, light, hits, sums);
+    }
+  }
+  if (appearance.ColorScale != 1.0 || appearance.ColorShift != 0.0)
+  {
+    ScaleSums(appearance, sums);
+  }
+}
+
+void ShadeHits(const Appearance& appearance, const HitList& hits, Frame& frame)
+{
+  if (hits.Rays.Count == 0)
+  {
+    return;
+  }
+  ShadingKernels::PhongSums sums;
+  SumLight(appearance, hits, sums);
+  Array<std::array<std::uint8_t, 4>> colors;
+  ShadingKernels::RoundColors(sums, colors);
+  for (std::size_t i = 0; i < sums.Count; ++i)
+  {
+    frame.Colors[static_cast<std::size_t>(hits.Pixel[i])] = colors[i];
+  }
+  PaintAnswers(appearance, hits, frame);
+}
+
+void PaintAnswers(const Appearance& appearance, const HitList& hits, Frame& frame)
+{
+  if (!appearance.ColorByAnswer || !frame.IsFromCache)
+  {
+    return;
+  }
+  for (std::size_t i = 0; i < hits.Rays.Count; ++i)
+  {
+    const auto pixel = static_cast<std::size_t>(hits.Pixel[i]);
+    // Where all that is met is too faint to be seen, there is nothing to paint.
+    if (frame.Answers[pixel] == Answer::PossibleHit && frame.Isovalues[pixel] != Frame::NoSurface)
+    {
+      frame.Colors[pixel] = Yellow;
+    }
+  }
+}
+
+}

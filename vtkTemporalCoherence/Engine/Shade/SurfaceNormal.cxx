@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Shade/SurfaceNormal.h"
+
+#include "Acceleration/HiddenCells.h"
+#include "Scene/Difference.h"
+#include "Scene/Surfaces.h"
+#include "Shade/GradedGradients.h"
+#include "Shade/KernelsGradients.h"
+#include "Trace/CellSamples.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <type_traits>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+/// Points by which samples are sent for in advance.
+constexpr std::size_t Ahead = 6;
+
+/// Gathers the rows of samples that central differences around points need.
+template <typename T>
+class RowGatherer
+{
+public:
+  using Kept = GradientKernels::KeptAs<T>;
+  using Rows = GradientKernels::RowBatch<Kept>;
+  using Points = GradientKernels::CellPoints<RealOf<T>>;
+
+  explicit RowGatherer(const Field& field)
+    : Samples(field)
+    , IsLarge(field.IsLarge())
+  {
+  }
+
+  void Gather(const Points& points, Rows& rows) const
+  {
+    ClearLastVector(points.Count, rows);
+    // A copy: samples may be of a type whose stores could change anything that is not local.
+    const TypedField<T> samples = this->Samples;
+    const bool isLarge = this->IsLarge;
+    const bool isPacked = std::is_same_v<T, Kept> && samples.Strides.x == 1;
+    for (std::size_t i = 0; i < points.Count; ++i)
+    {
+      if (isLarge)
+      {
+        PrefetchAround(samples, CellOf(points, std::min(i + Ahead, points.Count - 1)));
+      }
+      const glm::ivec3 cell = CellOf(points, i);
+      if (isPacked && IsInner(cell, samples.Dimensions))
+      {
+        CopyRows(samples.At(cell), samples.Strides.y, samples.Strides.z, i, rows);
+      }
+      else
+      {
+        KeepSamples(samples, cell, i, rows);
+      }
+    }
+  }
+
+private:
+  static glm::ivec3 CellOf(const Points& points, std::size_t i)
+  {
+    return { points.Cell[0][i], points.Cell[1][i], points.Cell[2][i] };
+  }
+
+  /// So that no lane holds what is not a number.
+  static void ClearLastVector(std::size_t count, Rows& rows)
+  {
+    const auto begin = static_cast<std::ptrdiff_t>(WholeVectors(count) - WidestVector);
+    for (auto& along : rows.Along)
+    {
+      std::fill_n(along.begin() + begin, WidestVector, std::array<Kept, 4>());
+    }
+    for (auto& beside : rows.Beside)
+    {
+      std::fill_n(beside.begin() + begin, WidestVector, std::array<Kept, 2>());
+    }
+  }
+
+  /// True if there are samples before and behind a cell along every axis.
+  static bool IsInner(const glm::ivec3& cell, const glm::ivec3& samples)
+  {
+    return cell.x > 0 && cell.x + 2 < samples.x && cell.y > 0 && cell.y + 2 < samples.y &&
+      cell.z > 0 && cell.z + 2 < samples.z;
+  }
+
+  /// Keep the samples around an inner cell whose rows lie in memory as they are kept.
+  static void CopyRows(const T* origin, std::int64_t y, std::int64_t z, std::size_t i, Rows& rows)
+  {
+    const auto copyFour = [i, &rows](std::size_t row, const T* from)
+    { std::memcpy(&rows.Along[row][i], from - 1, 4 * sizeof(T)); };
+    const auto copyTwo = [i, &rows](std::size_t row, const T* from)
+    { std::memcpy(&rows.Beside[row][i], from, 2 * sizeof(T)); };
+    copyFour(0, origin);
+    copyFour(1, origin + y);
+    copyFour(2, origin + z);
+    copyFour(3, origin + y + z);
+    copyTwo(0, origin - y);
+    copyTwo(1, origin - y + z);
+    copyTwo(2, origin + 2 * y);
+    copyTwo(3, origin + 2 * y + z);
+    copyTwo(4, origin - z);
+    copyTwo(5, origin + y - z);
+    copyTwo(6, origin + 2 * z);
+    copyTwo(7, origin + y + 2 * z);
+  }
+
+  /// Keep the samples around any cell, one by one. Beyond the ends of the field those at the ends
+  /// are repeated: differences are one-sided there.
+  static void KeepSamples(
+    const TypedField<T>& samples, const glm::ivec3& cell, std::size_t i, Rows& rows)
+  {
+    const T* const origin = samples.At(cell);
+    const std::int64_t x = samples.Strides.x, y = samples.Strides.y, z = samples.Strides.z;
+    glm::i64vec3 before, behind;
+    for (int a = 0; a < 3; ++a)
+    {
+      before[a] = cell[a] > 0 ? -samples.Strides[a] : 0;
+      behind[a] = (cell[a] + 2 < samples.Dimensions[a] ? 2 : 1) * samples.Strides[a];
+    }
+    const auto keepFour = [&](std::size_t row, const T* from)
+    {
+      rows.Along[row][i] = { static_cast<Kept>(from[before.x]), static_cast<Kept>(from[0]),
+        static_cast<Kept>(from[x]), static_cast<Kept>(from[behind.x]) };
+    };
+    const auto keepTwo = [&](std::size_t row, const T* from) {
+      rows.Beside[row][i] = { static_cast<Kept>(from[0]), static_cast<Kept>(from[x]) };
+    };
+    for (std::size_t edge = 0; edge < 4; ++edge)
+    {
+      keepFour(edge, origin + (edge & 1u ? y : 0) + (edge & 2u ? z : 0));
+    }
+    for (std::size_t side = 0; side < 2; ++side)
+    {
+      keepTwo(side, origin + before.y + (side ? z : 0));
+      keepTwo(2 + side, origin + behind.y + (side ? z : 0));
+      keepTwo(4 + side, origin + before.z + (side ? y : 0));
+      keepTwo(6 + side, origin + behind.z + (side ? y : 0));
+    }
+  }
+
+  TypedField<T> Samples;
+  bool IsLarge;
+};
+
+/// What differences from the isovalues are made of. Integers are finite: theirs are taken from 0.
+template <typename T, typename Rows>
+void SetIsovalues(const GradientQuery& query, std::size_t count,
+  const RayBatch::Array<std::int16_t>& surfaces, Rows& rows)
+{
+  std::array<double, 3> parts = { 0.0, 0.0, std::numeric_limits<double>::max() };
+  for (std::size_t i = 0; i < WholeVectors(count); ++i)
+  {
+    if constexpr (std::is_floating_point_v<T>)
+    {
+      if (i < count && (i == 0 || surfaces[i] != surfaces[i - 1]))
+      {
+        const double isovalue = (*query.Isovalues)[static_cast<std::size_t>(surfaces[i])];
+        parts = Difference<T>(isovalue, query.FiniteRange).Parts();
+      }
+    }
+    rows.High[i] = parts[0];
+    rows.Low[i] = parts[1];
+    rows.Limit[i] = parts[2];
+  }
+}
+
+}
+
+void IndexGradients(const GradientQuery& query, std::size_t count,
+  const std::array<RayBatch::Array<double>, 3>& points,
+  const std::array<RayBatch::Array<double>, 3>& directions,
+  const RayBatch::Array<std::int16_t>& surfaces, std::array<RayBatch::Array<double>, 3>& gradients)
+{
+  const Field& field = query.Samples;
+  if (field.Grid)
+  {
+    GradedGradients(query, count, points, directions, surfaces, gradients);
+    return;
+  }
+  DispatchScalarType(field.Type,
+    [&](auto type)
+    {
+      using T = decltype(type);
+      typename RowGatherer<T>::Points inCells;
+      inCells.Count = count;
+      GradientKernels::FindCells(
+        { query.IndexFromWorld, field.Dimensions, field.Between == Interpolation::Nearest },
+        directions, points, inCells);
+      typename RowGatherer<T>::Rows rows;
+      RowGatherer<T>(field).Gather(inCells, rows);
+      if constexpr (sizeof(T) > 2)
+      {
+        SetIsovalues<T>(query, count, surfaces, rows);
+      }
+      GradientKernels::InterpolateGradients(field.Dimensions, inCells, rows, gradients);
+    });
+}
+
+}

@@ -1,0 +1,323 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Shade/TileCompositor.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+template <typename T>
+using Array = RayBatch::Array<T>;
+
+/// What shines through less than this cannot be told from nothing: half a step of a colour.
+constexpr float Opaque = 1.0f / 512.0f;
+
+/// What is not a number counts as 0: it has no byte.
+float ClampToOne(float value)
+{
+  return value > 0.0f ? std::min(value, 1.0f) : 0.0f;
+}
+
+std::uint8_t RoundToByte(float value)
+{
+  return static_cast<std::uint8_t>(ClampToOne(value) * 255.0f + 0.5f);
+}
+
+/// Append a surface to a layer.
+void AppendHit(const LayerHit& hit, const Frame& frame, const View& view, HitList& layer)
+{
+  const std::size_t at = layer.Rays.Count++;
+  const glm::dvec2 centre = view.PixelCentre(hit.Pixel % frame.Size.x, hit.Pixel / frame.Size.x);
+  layer.Pixel[at] = hit.Pixel;
+  layer.Surface[at] = hit.Isovalue;
+  layer.Kind[at] = hit.Kind;
+  layer.Rays.X[at] = centre.x;
+  layer.Rays.Y[at] = centre.y;
+  layer.Rays.T[at] = hit.Depth;
+}
+
+/// Append what a ray of a batch has to another.
+void AppendHit(const HitBatch& from, std::size_t ray, std::size_t at, HitBatch& to)
+{
+  to.Depth[at] = from.Depth[ray];
+  to.Surface[at] = from.Surface[ray];
+  to.Kind[at] = from.Kind[ray];
+}
+
+}
+
+/// The pixels of a tile while layers are laid under one another.
+class TileCompositor::Canvas
+{
+public:
+  Canvas(const PixelRect& part, Frame& frame)
+    : Part(part)
+    , Planes(frame)
+  {
+    this->Through.fill(1.0f);
+    for (Array<float>& channel : this->Color)
+    {
+      channel.fill(0.0f);
+    }
+  }
+
+  const Frame& Picture() const { return this->Planes; }
+
+  /// Lay a surface under what is there, and tell the planes if it is the first to be seen.
+  void Add(const HitList& layer, std::size_t i, const std::array<float, 3>& color, float alpha)
+  {
+    const std::size_t at = this->PlaceOf(layer.Pixel[i]);
+    const auto pixel = static_cast<std::size_t>(layer.Pixel[i]);
+    if (alpha > 0.0f && this->Through[at] == 1.0f)
+    {
+      this->Planes.Depth[pixel] = layer.Rays.T[i];
+      this->Planes.Isovalues[pixel] = layer.Surface[i];
+      this->Planes.Normals[pixel] = { layer.Normal[i][0], layer.Normal[i][1], layer.Normal[i][2] };
+    }
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      this->Color[c][at] += this->Through[at] * alpha * ClampToOne(color[c]);
+    }
+    this->Through[at] *= 1.0f - alpha;
+    this->Through[at] = this->Through[at] <= Opaque ? 0.0f : this->Through[at];
+  }
+
+  /// True if what lies behind a pixel's surfaces can be seen.
+  bool IsOpen(std::int32_t pixel) const { return this->Through[this->PlaceOf(pixel)] > 0.0f; }
+
+  /// What a pixel shows, if nothing else is laid under its surfaces.
+  std::array<std::uint8_t, 4> ColorOf(std::int32_t pixel) const
+  {
+    const std::size_t at = this->PlaceOf(pixel);
+    return { RoundToByte(this->Color[0][at]), RoundToByte(this->Color[1][at]),
+      RoundToByte(this->Color[2][at]), RoundToByte(1.0f - this->Through[at]) };
+  }
+
+  /// Write colours. A pixel none of whose surfaces can be seen shows none.
+  void Finish()
+  {
+    for (int y = 0; y < this->Part.Size.y; ++y)
+    {
+      for (int x = 0; x < this->Part.Size.x; ++x)
+      {
+        const glm::ivec2 place = this->Part.First + glm::ivec2(x, y);
+        const std::int32_t pixel = place.y * this->Planes.Size.x + place.x;
+        this->Planes.Colors[static_cast<std::size_t>(pixel)] = this->ColorOf(pixel);
+        if (this->Through[this->PlaceOf(pixel)] == 1.0f)
+        {
+          this->Planes.Depth[static_cast<std::size_t>(pixel)] =
+            std::numeric_limits<double>::infinity();
+          this->Planes.Isovalues[static_cast<std::size_t>(pixel)] = Frame::NoSurface;
+          this->Planes.Normals[static_cast<std::size_t>(pixel)] = glm::vec3(0.0f);
+        }
+      }
+    }
+  }
+
+private:
+  std::size_t PlaceOf(std::int32_t pixel) const
+  {
+    const int x = pixel % this->Planes.Size.x - this->Part.First.x;
+    const int y = pixel / this->Planes.Size.x - this->Part.First.y;
+    return static_cast<std::size_t>(y * TileSize + x);
+  }
+
+  PixelRect Part;
+  Frame& Planes;
+  std::array<Array<float>, 3> Color;
+  Array<float> Through; ///< the share of what lies behind that is seen
+};
+
+TileCompositor::TileCompositor(
+  const FrameKey& key, const NormalSource& source, const LeapedSpace& space)
+  : Key(key)
+  , Source(source)
+  , Bounds(space.Active ? space.Bounds : nullptr)
+  , Rays(key.Seen, key.Where, key.Samples.Dimensions, key.Kept)
+  , Tracer(LayerTracer::Make({ key.Samples, key.Sought, source.FiniteRange, space.Active }))
+{
+}
+
+/// The rays of a tile, and what they have hit first.
+void TileCompositor::SetUp(std::int64_t tile, const PixelRect& part, const Frame& frame,
+  RayBatch& rays, HitBatch& hits) const
+{
+  this->Rays.SetUp(part.First, part.Size, rays);
+  if (this->Bounds)
+  {
+    this->Bounds->Narrow(tile, rays);
+  }
+  hits.Clear(rays.Count);
+  for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
+  {
+    const auto pixel = static_cast<std::size_t>(rays.Pixel[ray]);
+    if (frame.Isovalues[pixel] != Frame::NoSurface)
+    {
+      hits.Depth[ray] = frame.Depth[pixel];
+      hits.Surface[ray] = frame.Isovalues[pixel];
+      hits.Kind[ray] = frame.Kinds[pixel];
+    }
+  }
+}
+
+void TileCompositor::Composite(
+  std::int64_t tile, const PixelRect& part, Frame& frame, TraceCounts& counts) const
+{
+  std::vector<LayerHit>& layers = frame.Layers[static_cast<std::size_t>(tile)];
+  layers.clear();
+  if (frame.ClearTiles[static_cast<std::size_t>(tile)])
+  {
+    return;
+  }
+  RayBatch rays;
+  HitBatch hits;
+  this->SetUp(tile, part, frame, rays, hits);
+  Canvas canvas(part, frame);
+  HitList first;
+  for (bool isFirst = true; rays.Count > 0; isFirst = false)
+  {
+    HitList layer;
+    layer.Rays.Count = 0;
+    const auto count = static_cast<std::size_t>(rays.Count);
+    const std::size_t begin = layers.size();
+    for (std::size_t ray = 0; ray < count; ++ray)
+    {
+      if (hits.Surface[ray] != Frame::NoSurface)
+      {
+        layers.push_back({ hits.Depth[ray], rays.Pixel[ray], hits.Surface[ray], hits.Kind[ray] });
+        AppendHit(layers.back(), frame, this->Key.Seen, layer);
+      }
+    }
+    this->AddLayer(layer, layers.data() + begin, canvas);
+    if (isFirst)
+    {
+      first = layer;
+    }
+    // Go on with those that can still be seen through.
+    RayBatch open;
+    HitBatch last;
+    last.CellsRead = 0;
+    for (std::size_t ray = 0; ray < count; ++ray)
+    {
+      if (hits.Surface[ray] != Frame::NoSurface && canvas.IsOpen(rays.Pixel[ray]))
+      {
+        AppendHit(hits, ray, static_cast<std::size_t>(open.Count), last);
+        AppendRay(rays, ray, open);
+      }
+    }
+    rays = open;
+    hits = last;
+    this->FindNext(rays, hits);
+    counts.CellsRead += hits.CellsRead;
+  }
+  canvas.Finish();
+  PaintAnswers(this->Key.Look, first, frame);
+}
+
+void TileCompositor::CompositeAgain(std::int64_t tile, const PixelRect& part, Frame& frame) const
+{
+  std::vector<LayerHit>& layers = frame.Layers[static_cast<std::size_t>(tile)];
+  if (frame.ClearTiles[static_cast<std::size_t>(tile)])
+  {
+    return;
+  }
+  Canvas canvas(part, frame);
+  HitList first;
+  first.Rays.Count = 0;
+  for (std::size_t begin = 0; begin < layers.size();)
+  {
+    // A round ends where pixels begin anew.
+    HitList layer;
+    layer.Rays.Count = 0;
+    std::size_t i = begin;
+    for (; i < layers.size() && (i == begin || layers[i].Pixel > layers[i - 1].Pixel); ++i)
+    {
+      AppendHit(layers[i], frame, this->Key.Seen, layer);
+    }
+    this->AddLayer(layer, &layers[begin], canvas);
+    if (begin == 0)
+    {
+      first = layer;
+    }
+    begin = i;
+  }
+  canvas.Finish();
+  PaintAnswers(this->Key.Look, first, frame);
+}
+
+/// Shade a layer, which is `hits` as the frame has them, and lay it under those that are there.
+void TileCompositor::AddLayer(HitList& layer, LayerHit* hits, Canvas& canvas) const
+{
+  if (layer.Rays.Count == 0)
+  {
+    return;
+  }
+  FindHitPoints(this->Key.Seen, layer);
+  std::array<Array<double>, 3> gradients;
+  ComputeNormals(this->Source, layer, &gradients);
+  ShadingKernels::PhongSums sums;
+  SumLight(this->Key.Look, layer, sums);
+  const Surfaces& sought = this->Key.Sought;
+  for (std::size_t i = 0; i < layer.Rays.Count; ++i)
+  {
+    double alpha =
+      sought.Opacities.empty() ? 1.0 : sought.Opacities[static_cast<std::size_t>(layer.Surface[i])];
+    if (!sought.BySteepness.Nodes.empty())
+    {
+      const glm::dvec3 gradient(gradients[0][i], gradients[1][i], gradients[2][i]);
+      alpha *= sought.BySteepness.At(glm::length(gradient * sought.BySteepness.PerStep));
+    }
+    canvas.Add(
+      layer, i, { sums.Sum[0][i], sums.Sum[1][i], sums.Sum[2][i] }, static_cast<float>(alpha));
+    hits[i].Color = canvas.ColorOf(layer.Pixel[i]);
+  }
+}
+
+/// The next surface of each ray, in what the region leaves of it.
+void TileCompositor::FindNext(const RayBatch& rays, HitBatch& hits) const
+{
+  if (!this->Rays.Cut.HasPieces())
+  {
+    this->Tracer->FindNext(rays, hits);
+    return;
+  }
+  const auto count = static_cast<std::size_t>(rays.Count);
+  HitBatch next;
+  next.Clear(rays.Count);
+  for (std::size_t piece = 0; piece < RegionCutter::MostPieces; ++piece)
+  {
+    RayBatch part;
+    HitBatch last;
+    last.CellsRead = 0;
+    Array<std::size_t> owners;
+    for (std::size_t ray = 0; ray < count; ++ray)
+    {
+      const RegionCutter::Pieces pieces = this->Rays.Cut.PiecesOf(rays, ray);
+      if (piece < pieces.Count && next.Kind[ray] == HitKind::None &&
+        pieces.Ends[piece].y > hits.Depth[ray])
+      {
+        const auto at = static_cast<std::size_t>(part.Count);
+        owners[at] = ray;
+        AppendHit(hits, ray, at, last);
+        AppendRay(rays, ray, part);
+        part.Begin[at] = pieces.Ends[piece].x;
+        part.End[at] = pieces.Ends[piece].y;
+        part.WalkBegin[at] = std::max(rays.WalkBegin[ray], part.Begin[at]);
+        part.WalkEnd[at] = std::min(rays.WalkEnd[ray], part.End[at]);
+      }
+    }
+    this->Tracer->FindNext(part, last);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(part.Count); ++i)
+    {
+      AppendHit(last, i, owners[i], next);
+    }
+    next.CellsRead += last.CellsRead;
+  }
+  hits = next;
+}
+
+}

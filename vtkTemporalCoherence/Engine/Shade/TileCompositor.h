@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_TileCompositor_h
+#define TemporalCoherence_TileCompositor_h
+
+#include "Acceleration/ActiveCells.h"
+#include "Acceleration/TileBounds.h"
+#include "Scene/Frame.h"
+#include "Scene/FrameKey.h"
+#include "Scene/FramePlanes.h"
+#include "Shade/Shader.h"
+#include "Trace/LayerTracer.h"
+#include "Trace/RaySource.h"
+
+#include <cstdint>
+#include <memory>
+
+namespace TemporalCoherence
+{
+
+/// What rays may leap over.
+struct LeapedSpace
+{
+  const ActiveCells* Active = nullptr; ///< of a frame's isovalues; null: nothing
+  const TileBounds* Bounds = nullptr;  ///< of Active
+};
+
+/// Colours tiles where surfaces are translucent: from the first hits, whatever route found them,
+/// to what lies behind, layer by layer, each shaded and laid under those before it ("over", from
+/// front to back), until nothing can be seen through them.
+class TileCompositor
+{
+public:
+  /// The arguments must outlive it.
+  /// \throws std::bad_alloc
+  TileCompositor(const FrameKey& key, const NormalSource& source, const LeapedSpace& space);
+
+  /// Find and colour what is behind the first hits of `part`, which is tile number `tile`. The
+  /// planes then tell of the first surface that can be seen. Safe from many threads.
+  void Composite(std::int64_t tile, const PixelRect& part, Frame& frame, TraceCounts& counts) const;
+
+  /// Colour a tile again whose layers the frame knows.
+  void CompositeAgain(std::int64_t tile, const PixelRect& part, Frame& frame) const;
+
+private:
+  class Canvas;
+  void SetUp(std::int64_t tile, const PixelRect& part, const Frame& frame, RayBatch& rays,
+    HitBatch& hits) const;
+  void FindNext(const RayBatch& rays, HitBatch& hits) const;
+  void AddLayer(HitList& layer, LayerHit* hits, Canvas& canvas) const;
+
+  const FrameKey& Key;
+  const NormalSource& Source;
+  const TileBounds* Bounds; ///< null: no space leaping
+  RaySource Rays;
+  std::unique_ptr<LayerTracer> Tracer;
+};
+
+}
+
+#endif

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Shade/TileShader.h"
+
+#include "Scene/TileTimer.h"
+
+namespace TemporalCoherence
+{
+
+TileShader::TileShader(const FrameKey& key, const glm::dvec2& finiteRange, const LeapedSpace& space,
+  HitSet normalsOf, HitSet colorsOf)
+  : Key(key)
+  , Source{ key.Samples, key.Where, RegionCutter(key.Kept, key.Where).Planes(),
+    key.Sought.Isovalues, finiteRange }
+  , NormalsOf(normalsOf)
+  , ColorsOf(colorsOf)
+{
+  if (key.Sought.IsTranslucent())
+  {
+    this->Compositor = std::make_unique<TileCompositor>(key, this->Source, space);
+  }
+}
+
+void TileShader::Shade(
+  std::int64_t tile, const PixelRect& part, Frame& frame, TraceCounts& counts) const
+{
+  if (this->Compositor)
+  {
+    const TileTimer timer(tile, counts.ShadeTime);
+    if (this->NormalsOf == HitSet::None)
+    {
+      this->Compositor->CompositeAgain(tile, part, frame);
+    }
+    else
+    {
+      this->Compositor->Composite(tile, part, frame, counts);
+    }
+    return;
+  }
+  if (frame.ClearTiles[static_cast<std::size_t>(tile)])
+  {
+    return;
+  }
+  const TileTimer timer(tile, counts.ShadeTime);
+  HitList hits;
+  if (this->NormalsOf != HitSet::None)
+  {
+    GatherHits(this->Key.Seen, part, this->NormalsOf == HitSet::All, frame, hits);
+    ComputeNormals(this->Source, hits);
+    StoreNormals(hits, frame);
+  }
+  if (this->ColorsOf != this->NormalsOf)
+  {
+    GatherHits(this->Key.Seen, part, this->ColorsOf == HitSet::All, frame, hits);
+    LoadNormals(frame, hits);
+  }
+  ShadeHits(this->Key.Look, hits, frame);
+}
+
+}

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Trace/KernelsRays.h"
+
+#include <algorithm>
+
+// This file is compiled once for each kind of vectors, and what runs is chosen by the machine.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "Trace/KernelsRays.cxx"
+#include <hwy/foreach_target.h>
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace TemporalCoherence
+{
+namespace HWY_NAMESPACE
+{
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Doubles = hn::CappedTag<double, WidestVector / 2>;
+using V = hn::Vec<Doubles>;
+
+/// A direction component smaller than this share of the largest one is replaced by it, with its
+/// sign, so that its inverse is finite. Over the 1e4 cells of a large volume the ray then strays by
+/// 1e-11 cells.
+constexpr double SmallestShare = 1e-15;
+
+/// Normalised device coordinates of the pixels, row by row, and their places in the frame.
+inline void SetPixels(const RaySource& source, const glm::ivec2& first, const glm::ivec2& size,
+  double* x, double* y, RayBatch& rays)
+{
+  for (int row = 0; row < size.y; ++row)
+  {
+    const double atRow = (2.0 * (first.y + row) + 1.0) / source.Size.y - 1.0;
+    for (int column = 0; column < size.x; ++column)
+    {
+      const auto i = static_cast<std::size_t>(row * size.x + column);
+      x[i] = (2.0 * (first.x + column) + 1.0) / source.Size.x - 1.0;
+      y[i] = atRow;
+      rays.Pixel[i] = (first.y + row) * source.Size.x + first.x + column;
+    }
+  }
+}
+
+/// A component of a linear vector.
+HWY_INLINE V At(const RaySource::LinearVector& vector, int axis, V x, V y)
+{
+  const Doubles d;
+  const V centre = hn::Set(d, vector[0][axis]);
+  const V perX = hn::Set(d, vector[1][axis]), perY = hn::Set(d, vector[2][axis]);
+  return hn::Add(hn::Add(centre, hn::Mul(x, perX)), hn::Mul(y, perY));
+}
+
+/// Set up a vector of rays, from their normalised device coordinates.
+HWY_INLINE void SetUpVector(const RaySource& source, V x, V y, std::size_t i, RayBatch& rays)
+{
+  const Doubles d;
+  const V one = hn::Set(d, 1.0), zero = hn::Zero(d);
+  const V wx = At(source.World, 0, x, y), wy = At(source.World, 1, x, y);
+  const V wz = At(source.World, 2, x, y);
+  const V length = hn::Sqrt(hn::Add(hn::Add(hn::Mul(wx, wx), hn::Mul(wy, wy)), hn::Mul(wz, wz)));
+  const V forward =
+    hn::Add(hn::Add(hn::Set(d, source.Forward.x), hn::Mul(x, hn::Set(d, source.Forward.y))),
+      hn::Mul(y, hn::Set(d, source.Forward.z)));
+  const V perDepth = hn::Div(length, forward);
+  V begin = hn::Mul(hn::Set(d, source.Near), perDepth);
+  V end = hn::Mul(hn::Set(d, source.Far), perDepth);
+
+  const V perLength = hn::Div(one, length);
+  V direction[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    direction[axis] = hn::Mul(At(source.Direction, axis, x, y), perLength);
+  }
+  const V largest =
+    hn::Max(hn::Abs(direction[0]), hn::Max(hn::Abs(direction[1]), hn::Abs(direction[2])));
+  const V smallest = hn::Mul(hn::Set(d, SmallestShare), largest);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto a = static_cast<std::size_t>(axis);
+    const V least = hn::CopySign(smallest, direction[a]);
+    const V along = hn::IfThenElse(hn::Lt(hn::Abs(direction[a]), smallest), least, direction[a]);
+    const V inverse = hn::Div(one, along);
+    const V origin = At(source.Origin, axis, x, y);
+    // The planes of the box are the faces of its first and last cells.
+    const V toFirst = hn::Mul(hn::Sub(zero, origin), inverse);
+    const V toLast = hn::Mul(hn::Sub(hn::Set(d, source.Last[axis]), origin), inverse);
+    begin = hn::Max(begin, hn::Min(toFirst, toLast));
+    end = hn::Min(end, hn::Max(toFirst, toLast));
+    hn::StoreU(origin, d, &rays.Origin[a][i]);
+    hn::StoreU(along, d, &rays.Direction[a][i]);
+    hn::StoreU(inverse, d, &rays.Inverse[a][i]);
+  }
+  hn::StoreU(perDepth, d, &rays.PerDepth[i]);
+  hn::StoreU(begin, d, &rays.Begin[i]);
+  hn::StoreU(begin, d, &rays.WalkBegin[i]);
+  hn::StoreU(end, d, &rays.End[i]);
+  hn::StoreU(end, d, &rays.WalkEnd[i]);
+}
+
+void SetUp(const RaySource& source, const glm::ivec2& first, const glm::ivec2& size, RayBatch& rays)
+{
+  const Doubles d;
+  const auto count = static_cast<std::size_t>(size.x * size.y);
+  rays.Count = static_cast<int>(count);
+  RayBatch::Array<double> x, y;
+  SetPixels(source, first, size, x.data(), y.data(), rays);
+  std::fill(x.begin() + static_cast<std::ptrdiff_t>(count), x.end(), x[0]);
+  std::fill(y.begin() + static_cast<std::ptrdiff_t>(count), y.end(), y[0]);
+  for (std::size_t i = 0; i < WholeVectors(count); i += hn::Lanes(d))
+  {
+    SetUpVector(source, hn::LoadU(d, &x[i]), hn::LoadU(d, &y[i]), i, rays);
+  }
+}
+
+}
+}
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace TemporalCoherence
+{
+
+HWY_EXPORT(SetUp);
+
+void SetUpRays(
+  const RaySource& source, const glm::ivec2& first, const glm::ivec2& size, RayBatch& rays)
+{
+  HWY_DYNAMIC_DISPATCH(SetUp)(source, first, size, rays);
+}
+
+}
+#endif

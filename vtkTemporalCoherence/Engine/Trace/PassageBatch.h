@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_PassageBatch_h
+#define TemporalCoherence_PassageBatch_h
+
+#include "Scene/RayBatch.h"
+
+#include <algorithm>
+#include <array>
+
+namespace TemporalCoherence
+{
+
+/// Rays that pass through cells, as arrays over passages. `Real` is what the field's samples are
+/// computed in.
+template <typename Real>
+struct PassageBatch
+{
+  template <typename T>
+  using Array = RayBatch::Array<T>;
+
+  int Count = 0;
+
+  /// Of the rays, in index space, unless the passages are those of all rays of a batch, one each,
+  /// which are numbers up to the end of their last vector.
+  std::array<Array<double>, 3> Origin, Direction, Inverse;
+  Array<double> Begin, End;
+  const RayBatch* All = nullptr;
+
+  std::array<Array<double>, 3> Cell;  ///< its first corner
+  std::array<Array<Real>, 8> Corners; ///< differences from the isovalue, [x + 2 y + 4 z]
+
+  Array<double> Enter;    ///< found: t where the ray enters the cell
+  Array<double> Distance; ///< found: t of the first crossing; infinity if there is none
+  Array<Real> AtEntry;    ///< found: difference from the isovalue where the ray enters the cell
+
+  const double* OriginOf(std::size_t axis) const
+  {
+    return (this->All ? this->All->Origin : this->Origin)[axis].data();
+  }
+  const double* DirectionOf(std::size_t axis) const
+  {
+    return (this->All ? this->All->Direction : this->Direction)[axis].data();
+  }
+  const double* InverseOf(std::size_t axis) const
+  {
+    return (this->All ? this->All->Inverse : this->Inverse)[axis].data();
+  }
+  const double* BeginOf() const { return (this->All ? this->All->Begin : this->Begin).data(); }
+  const double* EndOf() const { return (this->All ? this->All->End : this->End).data(); }
+};
+
+/// Append the passage of a ray through a cell.
+template <typename Real>
+void AppendPassage(const RayBatch& rays, std::size_t ray, const glm::ivec3& cell,
+  const std::array<Real, 8>& corners, PassageBatch<Real>& passages)
+{
+  const auto at = static_cast<std::size_t>(passages.Count++);
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    passages.Origin[a][at] = rays.Origin[a][ray];
+    passages.Direction[a][at] = rays.Direction[a][ray];
+    passages.Inverse[a][at] = rays.Inverse[a][ray];
+    passages.Cell[a][at] = cell[static_cast<int>(a)];
+  }
+  passages.Begin[at] = rays.Begin[ray];
+  passages.End[at] = rays.End[ray];
+  for (std::size_t corner = 0; corner < 8; ++corner)
+  {
+    passages.Corners[corner][at] = corners[corner];
+  }
+}
+
+/// Repeat the last passage up to the end of the last vector, so that no lane holds what is not a
+/// number of ours.
+template <typename Real>
+void FillLastVector(PassageBatch<Real>& in)
+{
+  if (in.Count == RayBatch::Capacity)
+  {
+    return;
+  }
+  const auto count = static_cast<std::size_t>(in.Count);
+  const std::size_t end = WholeVectors(count);
+  const auto fill = [&](auto& array)
+  {
+    std::fill(array.begin() + static_cast<std::ptrdiff_t>(count),
+      array.begin() + static_cast<std::ptrdiff_t>(end), array[count - 1]);
+  };
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    fill(in.Cell[a]);
+  }
+  for (std::size_t a = 0; a < 3 && !in.All; ++a)
+  {
+    fill(in.Origin[a]);
+    fill(in.Direction[a]);
+    fill(in.Inverse[a]);
+  }
+  if (!in.All)
+  {
+    fill(in.Begin);
+    fill(in.End);
+  }
+  for (auto& corner : in.Corners)
+  {
+    fill(corner);
+  }
+}
+
+}
+
+#endif

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Trace/RaySource.h"
+
+#include "Trace/KernelsRays.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+/// Voxels from which on a field is too far away to be seen: there, 2^-8 of a voxel is the smallest
+/// step of a distance, and from some way farther on no arithmetic in doubles tells in which order a
+/// ray passes cells.
+constexpr double TooFar = 17592186044416.0; // 2^44
+
+}
+
+RaySource::RaySource(
+  const View& view, const Placement& placement, const glm::ivec3& dimensions, const Region& region)
+  : Size(view.Size)
+  , Last(dimensions - 1)
+  , Near(view.Near)
+  , Far(view.Far)
+  , World{ view.Direction, view.DirectionX, view.DirectionY }
+  , Cut(region, placement)
+{
+  const glm::dmat4& toIndex = placement.IndexFromWorld;
+  const glm::dmat3 turn(toIndex);
+  this->Direction = { turn * view.Direction, turn * view.DirectionX, turn * view.DirectionY };
+  this->Origin = { glm::dvec3(toIndex * glm::dvec4(view.Origin, 1.0)), turn * view.OriginX,
+    turn * view.OriginY };
+  this->Forward = { glm::dot(view.Direction, view.Forward), glm::dot(view.DirectionX, view.Forward),
+    glm::dot(view.DirectionY, view.Forward) };
+  const glm::dvec3 away = glm::abs(this->Origin[0]);
+  if (!(std::max({ away.x, away.y, away.z }) < TooFar))
+  {
+    // No ray has an end beyond its beginning.
+    this->Far = -std::numeric_limits<double>::infinity();
+  }
+}
+
+void RaySource::SetUp(const glm::ivec2& first, const glm::ivec2& size, RayBatch& rays) const
+{
+  SetUpRays(*this, first, size, rays);
+  if (!this->Cut.IsWhole())
+  {
+    this->Cut.Narrow(rays);
+  }
+}
+
+}

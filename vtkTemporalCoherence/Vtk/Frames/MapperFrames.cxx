@@ -1,0 +1,218 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Frames/MapperFrames.h"
+
+#include "Frames/SelectionPass.h"
+#include "Output/BufferImages.h"
+#include "Output/PointsFromFrame.h"
+#include "Scene/Stopwatch.h"
+
+#include <vtkRenderer.h>
+
+#include <algorithm>
+#include <exception>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+std::string TextOf(const glm::ivec2& size)
+{
+  return std::to_string(size.x) + " x " + std::to_string(size.y);
+}
+
+std::string TextOf(const glm::ivec3& size)
+{
+  return TextOf(glm::ivec2(size)) + " x " + std::to_string(size.z);
+}
+
+/// What is told never falls back, though a band of an isomap that turns out too costly is begun
+/// again, narrower.
+Isomap::ReportProgress Rising(const Isomap::ReportProgress& report, double& farthest)
+{
+  return [&](double progress)
+  {
+    farthest = std::max(farthest, progress);
+    return report(farthest);
+  };
+}
+
+}
+
+// Where memory ends is a bad_alloc, or a length_error where a size has no number.
+
+bool MapperFrames::Render(const Viewer& viewer, const FrameRequest& request,
+  const FrameRenderer::Options& options, const Isomap::ReportProgress& report, std::string& error)
+{
+  try
+  {
+    double farthest = 0.0;
+    const Isomap::ReportProgress tell = Rising(report, farthest);
+    const std::shared_ptr<ViewerState> state = this->Viewers.Serve(viewer);
+    if (!state->Frames.Render(request.Key, options, tell))
+    {
+      return false;
+    }
+    state->IsovaluePlaces = request.IsovaluePlaces;
+    state->Picture += state->Frames.Statistics().Made != Route::Redisplay;
+    this->Last = this->Mapped = state;
+    tell(1.0);
+    return true;
+  }
+  catch (const std::exception&)
+  {
+    error = "There is not enough memory for a frame of " + TextOf(request.Key.Seen.Size) +
+      " pixels and the block ranges of " + TextOf(request.Key.Samples.Dimensions) +
+      " samples; free memory, keep fewer cached images, or render a part of the volume "
+      "(vtkExtractVOI) or fewer pixels.";
+    return false;
+  }
+}
+
+Isomap::Outcome MapperFrames::BuildIsomap(const Viewer& viewer, const FrameRequest& request,
+  const FrameRenderer::Options& options, const Isomap::ReportProgress& report, std::string& error)
+{
+  try
+  {
+    double farthest = 0.0;
+    this->Mapped = this->Viewers.Serve(viewer);
+    return this->Mapped->Frames.BuildIsomap(request.Key, options, Rising(report, farthest));
+  }
+  catch (const std::exception&)
+  {
+    error = "There is not enough memory for an isomap; free memory, or set an IsomapRange that is "
+            "narrower.";
+    return Isomap::Outcome::Impossible;
+  }
+}
+
+void MapperFrames::Present(vtkRenderer* renderer, vtkVolume* volume, const glm::ivec2& size,
+  vtkDataSet* data, std::string& error)
+{
+  const auto state = this->Viewers.Find(Viewer::Of(renderer, volume));
+  if (!state || state->Frames.LastFrame().IsEmpty() || state->PictureSize != size)
+  {
+    return;
+  }
+  Stopwatch watch(this->SecondsToPresent);
+  try
+  {
+    if (renderer->GetSelector())
+    {
+      PresentToSelector(renderer, volume, data, *state, error);
+    }
+    else if (const auto pass = PeelingPass::Of(volume))
+    {
+      state->Peels.Present(
+        *pass, renderer, volume, state->Frames.LastFrame(), state->Frames.LastKey().Seen, error);
+    }
+    else
+    {
+      state->Presenter.Present(renderer, volume, state->Frames.LastFrame(),
+        state->Frames.LastKey().Seen, state->Picture, error);
+    }
+  }
+  catch (const std::exception&)
+  {
+    error = "There is not enough memory to show a picture of " + TextOf(size) +
+      " pixels; free memory or make the window smaller.";
+  }
+}
+
+namespace
+{
+
+/// Write images of a frame.
+/// \return false if there is no frame, or on error
+template <typename Writer>
+bool WriteImagesOf(const Frame& frame, const Writer& write, std::string& error)
+{
+  if (frame.IsEmpty())
+  {
+    return false;
+  }
+  try
+  {
+    write();
+    return true;
+  }
+  catch (const std::exception&)
+  {
+    error = "There is not enough memory for images of " + TextOf(frame.Size) +
+      " pixels; free memory or ask for fewer pixels.";
+    return false;
+  }
+}
+
+}
+
+bool MapperFrames::WriteImages(const PictureImages& images, std::string& error) const
+{
+  const Frame& frame = this->Last->Frames.LastFrame();
+  return WriteImagesOf(
+    frame, [&]() { WritePicture(frame, this->Last->IsovaluePlaces, images); }, error);
+}
+
+bool MapperFrames::WriteBufferColors(vtkImageData* image, std::string& error) const
+{
+  const FrameRenderer& frames = this->Last->Frames;
+  return image &&
+    WriteImagesOf(
+      frames.LastFrame(), [&]() { WriteColors(frames.LastFrame(), frames.LastKey(), image); },
+      error);
+}
+
+bool MapperFrames::WriteBufferDepths(
+  vtkImageData* image, int scalarType, bool endsAtBox, std::string& error) const
+{
+  const FrameRenderer& frames = this->Last->Frames;
+  return image &&
+    WriteImagesOf(
+      frames.LastFrame(),
+      [&]() { WriteDepths(frames.LastFrame(), frames.LastKey(), scalarType, endsAtBox, image); },
+      error);
+}
+
+bool MapperFrames::WriteSurface(vtkPolyData* points, std::string& error) const
+{
+  const FrameRenderer& frames = this->Last->Frames;
+  if (frames.LastFrame().IsEmpty())
+  {
+    return false;
+  }
+  try
+  {
+    WritePoints(frames.LastFrame(), frames.LastKey(), this->Last->IsovaluePlaces, points);
+    return true;
+  }
+  catch (const std::exception&)
+  {
+    error = "There is not enough memory for the points of the visible surface; free memory or "
+            "render fewer pixels.";
+    return false;
+  }
+}
+
+std::optional<PixelHit> MapperFrames::FindHit(int x, int y) const
+{
+  const FrameRenderer& frames = this->Last->Frames;
+  return FindPixelHit(frames.LastFrame(), frames.LastKey().Seen, this->Last->PictureSize, x, y);
+}
+
+std::optional<LineHit> MapperFrames::FindHit(
+  const FrameRequest& request, const glm::dvec3& begin, const glm::dvec3& end, std::string& error)
+{
+  try
+  {
+    return TraceLine(request.Key, this->Last->Frames.FiniteRangeOf(request.Key), begin, end);
+  }
+  catch (const std::exception&)
+  {
+    error = "There is not enough memory for the block ranges of the input; free memory, or pick in "
+            "a part of the volume (vtkExtractVOI).";
+    return std::nullopt;
+  }
+}
+
+}

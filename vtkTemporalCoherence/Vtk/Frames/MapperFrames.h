@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_MapperFrames_h
+#define TemporalCoherence_MapperFrames_h
+
+#include "Frames/ViewerStates.h"
+#include "Output/ImageFromFrame.h"
+#include "Output/PixelHit.h"
+#include "Render/LineTracer.h"
+#include "Request/RequestFromMapper.h"
+#include "vtkTemporalCoherenceCompatibility.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkDataSet;
+class vtkPolyData;
+class vtkRenderer;
+class vtkVolume;
+class vtkWindow;
+VTK_ABI_NAMESPACE_END
+
+namespace TemporalCoherence
+{
+
+/// The frames of a mapper: made for one viewer or the other, kept, shown and read. Where memory
+/// runs out is told as an error; nothing is thrown.
+class MapperFrames
+{
+public:
+  /// Make a frame, which is the last one from then on.
+  /// \param report told how far the frame is, never less than before; it may stop it
+  /// \param error  gets what is wrong and what to do about it; empty if the report stopped it
+  /// \return false if it is not made, the last frame then being as it was
+  bool Render(const Viewer& viewer, const FrameRequest& request,
+    const FrameRenderer::Options& options, const Isomap::ReportProgress& report,
+    std::string& error);
+
+  /// Tell of how many pixels of a window, along each axis, the last frame is the picture.
+  void SetPictureSize(const glm::ivec2& size) { this->Last->PictureSize = size; }
+
+  /// Build the isomap that a frame needs. The last frame stays.
+  /// \param report, error as in Render
+  Isomap::Outcome BuildIsomap(const Viewer& viewer, const FrameRequest& request,
+    const FrameRenderer::Options& options, const Isomap::ReportProgress& report,
+    std::string& error);
+
+  /// Show the last frame of a renderer's viewer, if it has this size, in its window or to its
+  /// selector.
+  /// \param size in pixels of the window
+  /// \param data where the selector's points and cells are; or null
+  /// \param error gets what is wrong and what to do about it
+  void Present(vtkRenderer* renderer, vtkVolume* volume, const glm::ivec2& size, vtkDataSet* data,
+    std::string& error);
+
+  /// Copy the last frame into images.
+  /// \return false if there is none, or on error
+  bool WriteImages(const PictureImages& images, std::string& error) const;
+
+  /// Copy the last frame into an image as the buffers of a window hold it; see BufferImages.h.
+  /// \return false if there is none, or on error
+  bool WriteBufferColors(vtkImageData* image, std::string& error) const;
+  bool WriteBufferDepths(
+    vtkImageData* image, int scalarType, bool endsAtBox, std::string& error) const;
+
+  /// Make points of the hits of the last frame.
+  /// \return false if there is none, or on error
+  bool WriteSurface(vtkPolyData* points, std::string& error) const;
+
+  /// What a pixel of the last frame shows, in pixels of the window.
+  std::optional<PixelHit> FindHit(int x, int y) const;
+
+  /// The first surface on a line in the world; see LineTracer.h.
+  std::optional<LineHit> FindHit(const FrameRequest& request, const glm::dvec3& begin,
+    const glm::dvec3& end, std::string& error);
+
+  /// Position in the property's list of an isovalue of the last frame.
+  int PlaceOf(int surface) const
+  {
+    return this->Last->IsovaluePlaces[static_cast<std::size_t>(surface)];
+  }
+
+  /// Rays of the last frame along each axis; 0 if there is none.
+  const glm::ivec2& LastSize() const { return this->Last->Frames.LastFrame().Size; }
+
+  /// Of the samples of the last frame; not defined where it has no cells or no isovalues.
+  const ValueRangePyramid& LastRanges() const { return this->Last->Frames.LastRanges(); }
+
+  /// Of the last frame.
+  const FrameStatistics& Statistics() const { return this->Last->Frames.Statistics(); }
+
+  /// Of the viewer that was asked last for a frame or an isomap.
+  const Isomap& LastIsomap() const { return this->Mapped->Frames.IsomapOfLastView(); }
+  bool IsIsomapTooLarge() const { return this->Mapped->Frames.IsIsomapTooLarge(); }
+  double IsomapBuildTime() const { return this->Mapped->Frames.Statistics().IsomapBuildTime; }
+
+  /// Seconds that the last frame took to be shown.
+  double PresentTime() const { return this->SecondsToPresent; }
+
+  /// A frame is begun, which may turn out not to be made.
+  void ResetPresentTime() { this->SecondsToPresent = 0.0; }
+
+  /// Forget all frames and free their memory.
+  void Release()
+  {
+    this->Viewers = ViewerStates();
+    this->Last = this->Mapped = this->Viewers.MakeState();
+  }
+
+  /// Free what is held in the context of a window; in any, if it is null.
+  void ReleaseGraphicsResources(vtkWindow* window)
+  {
+    this->Viewers.ReleaseGraphicsResources(window);
+  }
+
+private:
+  ViewerStates Viewers;
+  std::shared_ptr<ViewerState> Last = Viewers.MakeState(); ///< made a frame
+  std::shared_ptr<ViewerState> Mapped = Last;              ///< asked for an isomap or a frame
+  double SecondsToPresent = 0.0;
+};
+
+}
+
+#endif

@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Input/FieldFromImage.h"
+
+#include "Input/MatrixFromVtk.h"
+#include "Input/SamplesOfArray.h"
+
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkVolume.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+/// A transform is singular if it flattens a unit box to less than this share of the volume of one
+/// with the same edges.
+constexpr double FlattestBox = 1e-12;
+
+bool IsFinite(const glm::dmat4& matrix)
+{
+  for (int i = 0; i < 16; ++i)
+  {
+    if (!std::isfinite(matrix[i / 4][i % 4]))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Share of the volume that a matrix leaves of a box with the same edges; 0 if it is singular.
+double Flatness(const glm::dmat4& matrix)
+{
+  const glm::dmat3 m(matrix);
+  const double edges = glm::length(m[0]) * glm::length(m[1]) * glm::length(m[2]);
+  const double share = edges > 0.0 ? std::abs(glm::determinant(m)) / edges : 0.0;
+  return std::isfinite(share) ? share : 0.0;
+}
+
+/// From the indices of samples, counted from the first one, to where the image says that they lie.
+bool PlaceImage(
+  vtkImageData* image, bool onCells, glm::dmat4& physicalFromIndex, std::string& error)
+{
+  const int* extent = image->GetExtent();
+  glm::dmat4 toFirst(1.0);
+  toFirst[3] = glm::dvec4(extent[0], extent[2], extent[4], 1.0);
+  if (onCells)
+  {
+    toFirst[3] += glm::dvec4(0.5, 0.5, 0.5, 0.0); // a cell's value lies at its centre
+  }
+  physicalFromIndex = MatrixFromVtk(image->GetIndexToPhysicalMatrix()) * toFirst;
+
+  const double* spacing = image->GetSpacing();
+  const double* origin = image->GetOrigin();
+  std::ostringstream what;
+  if (!IsFinite(physicalFromIndex))
+  {
+    what << "The image's spacing (" << spacing[0] << ", " << spacing[1] << ", " << spacing[2]
+         << "), its origin (" << origin[0] << ", " << origin[1] << ", " << origin[2]
+         << ") or its direction matrix is not finite; set finite numbers.";
+  }
+  else if (Flatness(physicalFromIndex) < FlattestBox)
+  {
+    what
+      << "The image's spacing (" << spacing[0] << ", " << spacing[1] << ", " << spacing[2]
+      << ") or its direction matrix flattens it; set a spacing other than 0 along every axis and "
+         "an invertible direction matrix.";
+  }
+  error = what.str();
+  return error.empty();
+}
+
+/// Add the volume's transform to where the image lies.
+bool PlaceVolume(vtkVolume* volume, Placement& placement, std::string& error)
+{
+  volume->ComputeMatrix();
+  vtkMatrix4x4* matrix = volume->GetMatrix();
+  const glm::dmat4 transform = MatrixFromVtk(matrix);
+  placement.WorldFromIndex = transform * placement.WorldFromIndex;
+
+  // That of the prop and of its user matrix together.
+  const glm::dvec3 scale(
+    glm::length(transform[0]), glm::length(transform[1]), glm::length(transform[2]));
+  const double* last = matrix->GetData() + 12;
+  std::ostringstream what;
+  if (!IsFinite(transform) || !IsFinite(placement.WorldFromIndex))
+  {
+    what << "The transform of the volume is not finite (its scale is " << scale[0] << ", "
+         << scale[1] << ", " << scale[2]
+         << "); give it a position, orientation, scale and user matrix of finite numbers.";
+  }
+  else if (last[0] != 0.0 || last[1] != 0.0 || last[2] != 0.0 || last[3] != 1.0)
+  {
+    what << "The last row of the volume's matrix is (" << last[0] << ", " << last[1] << ", "
+         << last[2] << ", " << last[3]
+         << "), a projection; give it a user matrix whose last row is (0, 0, 0, 1).";
+  }
+  else if (Flatness(placement.WorldFromIndex) < FlattestBox)
+  {
+    what << "The transform of the volume is singular (its scale is " << scale[0] << ", " << scale[1]
+         << ", " << scale[2] << "); give it a scale other than 0 and an invertible user matrix.";
+  }
+  error = what.str();
+  if (!error.empty())
+  {
+    return false;
+  }
+  placement.IndexFromWorld = glm::inverse(placement.WorldFromIndex);
+  return true;
+}
+
+}
+
+bool MakeField(vtkImageData* image, vtkDataArray* array, bool onCells, int component, Field& field,
+  std::string& error)
+{
+  const vtkIdType tuples = CountSamples(image, onCells);
+  field = Field();
+  std::ostringstream what;
+  if (component < 0 || component >= array->GetNumberOfComponents())
+  {
+    what << "VectorComponent is " << component << ", but array " << NameOf(array) << " has "
+         << array->GetNumberOfComponents() << " component(s); set one from 0 to "
+         << array->GetNumberOfComponents() - 1 << ".";
+  }
+  else if (array->GetNumberOfTuples() < tuples)
+  {
+    const char* place = onCells ? "cell" : "point";
+    what << "Array " << NameOf(array) << " has " << array->GetNumberOfTuples()
+         << " tuples, but the image has " << tuples << ' ' << place
+         << "s; give it one tuple for each " << place << '.';
+  }
+  if (!what.str().empty())
+  {
+    error = what.str();
+    return false;
+  }
+
+  ArraySamples samples;
+  if (!FindSamples(array, component, samples, error))
+  {
+    return false;
+  }
+  glm::ivec3 dimensions;
+  image->GetDimensions(&dimensions.x);
+  field.Dimensions = onCells ? glm::max(dimensions - 1, 1) : dimensions;
+  field.Samples = samples.First;
+  field.Type = samples.Type;
+  field.Strides.x = samples.Step;
+  field.Strides.y = field.Strides.x * field.Dimensions.x;
+  field.Strides.z = field.Strides.y * field.Dimensions.y;
+  field.Stamp = std::max(image->GetMTime(), array->GetMTime());
+  return true;
+}
+
+bool MakePlacement(
+  vtkImageData* image, bool onCells, vtkVolume* volume, Placement& placement, std::string& error)
+{
+  return PlaceImage(image, onCells, placement.WorldFromIndex, error) &&
+    PlaceVolume(volume, placement, error);
+}
+
+ImageAxes AxesOf(vtkImageData* image, bool onCells)
+{
+  const int* extent = image->GetExtent();
+  ImageAxes axes;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    axes.Step[axis] = image->GetSpacing()[axis];
+    const double first = extent[2 * axis] + (onCells ? 0.5 : 0.0);
+    axes.First[axis] = image->GetOrigin()[axis] + first * axes.Step[axis];
+  }
+  return axes;
+}
+
+}

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_FieldFromImage_h
+#define TemporalCoherence_FieldFromImage_h
+
+#include "Scene/Field.h"
+#include "vtkTemporalCoherenceCompatibility.h"
+
+#include <string>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkDataArray;
+class vtkImageData;
+class vtkVolume;
+VTK_ABI_NAMESPACE_END
+
+namespace TemporalCoherence
+{
+
+/// The coordinates of samples along the axes of an image: sample i of an axis lies at
+/// First + i Step.
+struct ImageAxes
+{
+  glm::dvec3 First{ 0.0 }, Step{ 1.0 };
+};
+
+/// See one component of an array of an image as a field, in place.
+/// \param image     where the samples lie
+/// \param array     one tuple for each point, or for each cell, of the image
+/// \param onCells   one sample at the centre of each cell; the field is the box between centres
+/// \param component of the array
+/// \param error     gets what is wrong and what to do about it
+/// \return false on error. An image with fewer than two samples along an axis is no error: its
+///         field has no cells.
+bool MakeField(vtkImageData* image, vtkDataArray* array, bool onCells, int component, Field& field,
+  std::string& error);
+
+/// Where the samples lie in the world when drawn by the volume: origin, spacing, direction and
+/// first index of the image, then the transform of the volume.
+/// \return false on error, for example if a spacing or a scale is zero
+bool MakePlacement(
+  vtkImageData* image, bool onCells, vtkVolume* volume, Placement& placement, std::string& error);
+
+/// Where the image's samples lie along its own axes: origin, spacing and first index.
+/// \param onCells samples lie at the centres of the image's cells
+ImageAxes AxesOf(vtkImageData* image, bool onCells);
+
+}
+
+#endif

@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Input/HiddenCellsFromImage.h"
+
+#include "Input/GhostArray.h"
+#include "Input/SamplesOfArray.h"
+
+#include <vtkCellData.h>
+#include <vtkDataSetAttributes.h>
+#include <vtkImageData.h>
+#include <vtkPointData.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <exception>
+#include <sstream>
+#include <vector>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+constexpr std::uint8_t NotToBeShown = vtkDataSetAttributes::HIDDENCELL |
+  vtkDataSetAttributes::REFINEDCELL | vtkDataSetAttributes::DUPLICATECELL;
+
+/// \return false if there is a ghost array that does not tell one value for each point or cell
+bool IsUsable(vtkUnsignedCharArray* ghosts, vtkIdType count, const char* places, std::string& error)
+{
+  if (!ghosts || HasOneForEach(ghosts, count))
+  {
+    return true;
+  }
+  std::ostringstream what;
+  what << "The ghost array '" << vtkDataSetAttributes::GhostArrayName() << "' of the " << places
+       << " has " << ghosts->GetNumberOfTuples() << " tuples of " << ghosts->GetNumberOfComponents()
+       << " component(s), but the image has " << count << ' ' << places
+       << "; give it one value for each, or remove it.";
+  error = what.str();
+  return false;
+}
+
+/// One byte for each cell of an image, 1 where it is not to be shown by its own flag or by that of
+/// a corner.
+std::vector<std::uint8_t> FlagsOfCells(
+  const glm::ivec3& points, const std::uint8_t* ofCells, const std::uint8_t* ofPoints)
+{
+  const glm::ivec3 cells = points - 1;
+  const auto row = static_cast<std::size_t>(points.x);
+  const std::size_t slice = row * static_cast<std::size_t>(points.y);
+  std::vector<std::uint8_t> flags(static_cast<std::size_t>(cells.x) *
+    static_cast<std::size_t>(cells.y) * static_cast<std::size_t>(cells.z));
+  std::size_t cell = 0;
+  for (int k = 0; k < cells.z; ++k)
+  {
+    for (int j = 0; j < cells.y; ++j)
+    {
+      std::size_t first = static_cast<std::size_t>(j) * row + static_cast<std::size_t>(k) * slice;
+      for (int i = 0; i < cells.x; ++i, ++cell, ++first)
+      {
+        const auto pair = [&](std::size_t at)
+        { return static_cast<unsigned int>(ofPoints[at] | ofPoints[at + 1]); };
+        const unsigned int corners =
+          pair(first) | pair(first + row) | pair(first + slice) | pair(first + row + slice);
+        const bool isShown = !(corners & vtkDataSetAttributes::HIDDENPOINT) &&
+          !(ofCells && (ofCells[cell] & NotToBeShown));
+        flags[cell] = isShown ? 0 : 1;
+      }
+    }
+  }
+  return flags;
+}
+
+/// Hidden cells of a field whose samples are the cells of an image.
+std::shared_ptr<const HiddenCells> MakeBetweenCells(
+  const glm::ivec3& points, const std::uint8_t* ofCells, const std::uint8_t* ofPoints)
+{
+  HidingFlags flags;
+  if (!ofPoints)
+  {
+    flags.OfSamples = ofCells;
+    flags.SampleMask = NotToBeShown;
+    return HiddenCells::Make(points - 1, flags);
+  }
+  const std::vector<std::uint8_t> both = FlagsOfCells(points, ofCells, ofPoints);
+  flags.OfSamples = both.data();
+  flags.SampleMask = 1;
+  return HiddenCells::Make(points - 1, flags);
+}
+
+}
+
+bool HiddenCellsOfImage::Find(vtkImageData* image, bool samplesAreCells,
+  std::shared_ptr<const HiddenCells>& hidden, std::string& error)
+{
+  hidden = nullptr;
+  vtkUnsignedCharArray* const ofCells = GhostsOf(image->GetCellData());
+  vtkUnsignedCharArray* const ofPoints = GhostsOf(image->GetPointData());
+  if (!IsUsable(ofCells, CountSamples(image, true), "cells", error) ||
+    !IsUsable(ofPoints, CountSamples(image, false), "points", error))
+  {
+    return false;
+  }
+  Origin origin;
+  image->GetDimensions(origin.Dimensions.data());
+  const glm::ivec3 points(origin.Dimensions[0], origin.Dimensions[1], origin.Dimensions[2]);
+  const int fewest = samplesAreCells ? 3 : 2;
+  if ((!ofCells && !ofPoints) || glm::any(glm::lessThan(points, glm::ivec3(fewest))))
+  {
+    this->Release();
+    return true;
+  }
+  origin.Arrays = { ofCells, ofPoints };
+  origin.Times = { ofCells ? ofCells->GetMTime() : 0, ofPoints ? ofPoints->GetMTime() : 0 };
+  origin.SamplesAreCells = samplesAreCells;
+  if (!(origin == this->MadeFrom))
+  {
+    this->Release();
+    const std::uint8_t* const cells = ofCells ? ofCells->GetPointer(0) : nullptr;
+    const std::uint8_t* const samples = ofPoints ? ofPoints->GetPointer(0) : nullptr;
+    try
+    {
+      this->Made = samplesAreCells
+        ? MakeBetweenCells(points, cells, samples)
+        : HiddenCells::Make(
+            points, { cells, NotToBeShown, samples, vtkDataSetAttributes::HIDDENPOINT });
+    }
+    catch (const std::exception&)
+    {
+      error =
+        "There is not enough memory for one bit for each cell of the image, which tells those "
+        "that its ghost array hides; free memory, or render a part of the volume "
+        "(vtkExtractVOI).";
+      return false;
+    }
+    this->MadeFrom = origin;
+  }
+  hidden = this->Made;
+  return true;
+}
+
+}

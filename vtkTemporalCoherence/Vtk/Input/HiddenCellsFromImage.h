@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_HiddenCellsFromImage_h
+#define TemporalCoherence_HiddenCellsFromImage_h
+
+#include "Acceleration/HiddenCells.h"
+#include "vtkTemporalCoherenceCompatibility.h"
+
+#include <vtkType.h>
+
+#include <array>
+#include <memory>
+#include <string>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkImageData;
+class vtkUnsignedCharArray;
+VTK_ABI_NAMESPACE_END
+
+namespace TemporalCoherence
+{
+
+/// The cells that an image's ghost arrays hide, kept until these arrays change.
+///
+/// Ghost arrays are those that VTK names vtkGhostType. A cell is hidden that is hidden itself,
+/// refined by others, or another piece's (a duplicate), or that has a hidden point. Duplicate
+/// points hide nothing: their samples are as good as any.
+class HiddenCellsOfImage
+{
+public:
+  /// Find the hidden cells of the field that is made of an image.
+  /// \param samplesAreCells the field's samples are the image's cells, and its cells lie between
+  ///                        their centres: those around a hidden cell of the image are hidden
+  /// \param hidden          found; null if nothing is hidden
+  /// \param error           gets what is wrong and what to do about it
+  /// \return false on error
+  bool Find(vtkImageData* image, bool samplesAreCells, std::shared_ptr<const HiddenCells>& hidden,
+    std::string& error);
+
+  void Release() { *this = HiddenCellsOfImage(); }
+
+private:
+  /// What hidden cells are made from, by value.
+  struct Origin
+  {
+    std::array<const vtkUnsignedCharArray*, 2> Arrays{}; ///< of cells and of points; or null
+    std::array<vtkMTimeType, 2> Times{};
+    std::array<int, 3> Dimensions{}; ///< of the image
+    bool SamplesAreCells = false;
+
+    bool operator==(const Origin& other) const
+    {
+      return this->Arrays == other.Arrays && this->Times == other.Times &&
+        this->Dimensions == other.Dimensions && this->SamplesAreCells == other.SamplesAreCells;
+    }
+  };
+
+  Origin MadeFrom;
+  std::shared_ptr<const HiddenCells> Made;
+};
+
+}
+
+#endif

@@ -1,0 +1,318 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Input/MergedBlocks.h"
+
+#include "Input/BlockCopy.h"
+#include "Input/GhostArray.h"
+#include "Input/SamplesOfArray.h"
+
+#include <vtkAbstractMapper.h>
+#include <vtkCellData.h>
+#include <vtkCompositeDataSet.h>
+#include <vtkDataArray.h>
+#include <vtkDataObjectTree.h>
+#include <vtkDataObjectTreeIterator.h>
+#include <vtkInformation.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+using Block = MergedBlocks::Block;
+
+/// One image may be larger than the blocks in it by this factor, and by any if it is small.
+constexpr double LargestGrowth = 4.0;
+constexpr double SmallImage = 64.0 * (1 << 20); // bytes
+
+std::string NameOfLeaf(vtkDataObjectTreeIterator* leaf)
+{
+  std::string name = "Block " + std::to_string(leaf->GetCurrentFlatIndex());
+  vtkInformation* about = leaf->HasCurrentMetaData() ? leaf->GetCurrentMetaData() : nullptr;
+  if (about && about->Has(vtkCompositeDataSet::NAME()))
+  {
+    name += std::string(" ('") + about->Get(vtkCompositeDataSet::NAME()) + "')";
+  }
+  return name;
+}
+
+/// The images with cells, in the order of the tree.
+bool FindImages(vtkDataObjectTree* tree, std::vector<Block>& images, std::string& error)
+{
+  const auto leaf = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(tree->NewTreeIterator());
+  for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
+  {
+    vtkDataObject* object = leaf->GetCurrentDataObject();
+    Block block;
+    block.Image = vtkImageData::SafeDownCast(object);
+    block.Name = NameOfLeaf(leaf);
+    auto* dataSet = vtkDataSet::SafeDownCast(object);
+    if (!block.Image && !(dataSet && dataSet->GetNumberOfPoints() == 0))
+    {
+      error = block.Name + " is a " + object->GetClassName() +
+        ", but only blocks of vtkImageData can be drawn; resample it with vtkResampleToImage or "
+        "leave it out with vtkExtractBlock.";
+      return false;
+    }
+    const int* dimensions = block.Image ? block.Image->GetDimensions() : nullptr;
+    if (block.Image && *std::min_element(dimensions, dimensions + 3) > 1)
+    {
+      images.push_back(block);
+    }
+  }
+  return true;
+}
+
+/// By default scalars lie on points if those of any block do, else on cells: in all blocks alike.
+ScalarChoice ChoiceForAll(const std::vector<Block>& images, const ScalarChoice& choice)
+{
+  ScalarChoice same = choice;
+  if (choice.Mode == VTK_SCALAR_MODE_DEFAULT)
+  {
+    const bool isOnPoints = std::any_of(images.begin(), images.end(),
+      [](const Block& block) { return block.Image->GetPointData()->GetScalars() != nullptr; });
+    same.Mode = isOnPoints ? VTK_SCALAR_MODE_USE_POINT_DATA : VTK_SCALAR_MODE_USE_CELL_DATA;
+  }
+  return same;
+}
+
+/// \pre the mode is one of a place
+bool IsOnCells(const ScalarChoice& choice)
+{
+  return choice.Mode == VTK_SCALAR_MODE_USE_CELL_DATA ||
+    choice.Mode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA;
+}
+
+/// Leave out the blocks without the array.
+bool FindArrays(const ScalarChoice& choice, std::vector<Block>& blocks, std::string& error)
+{
+  if (blocks.empty())
+  {
+    return true;
+  }
+  for (Block& block : blocks)
+  {
+    block.Array = FindScalars(block.Image, choice).Array;
+    block.Stamp =
+      std::max(block.Image->GetMTime(), block.Array ? block.Array->GetMTime() : vtkMTimeType(0));
+  }
+  blocks.erase(
+    std::remove_if(blocks.begin(), blocks.end(), [](const Block& block) { return !block.Array; }),
+    blocks.end());
+  if (blocks.empty())
+  {
+    error = WhyThereAreNoScalars(choice);
+    return false;
+  }
+  return true;
+}
+
+std::string Describe(vtkDataArray* array)
+{
+  return NameOf(array) + " of " + array->GetDataTypeAsString() + " with " +
+    std::to_string(array->GetNumberOfComponents()) + " component(s)";
+}
+
+/// Hold a block's array against that of the first one.
+bool FitsArray(
+  const Block& first, const Block& block, const ScalarChoice& choice, std::string& error)
+{
+  const vtkIdType tuples = CountSamples(block.Image, IsOnCells(choice));
+  const bool isByNumber = (choice.Mode == VTK_SCALAR_MODE_USE_POINT_FIELD_DATA ||
+                            choice.Mode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA) &&
+    !choice.IsByName;
+  if (block.Array->GetNumberOfTuples() < tuples)
+  {
+    error = block.Name + " has an array " + NameOf(block.Array) + " of " +
+      std::to_string(block.Array->GetNumberOfTuples()) + " tuples, but needs " +
+      std::to_string(tuples) + "; give it one for each point or cell.";
+  }
+  else if (block.Array->GetDataType() != first.Array->GetDataType() ||
+    block.Array->GetNumberOfComponents() != first.Array->GetNumberOfComponents())
+  {
+    error = block.Name + " has an array " + Describe(block.Array) + ", but " + first.Name +
+      " has " + Describe(first.Array) +
+      "; give all blocks arrays of one type and number of components.";
+  }
+  else if (isByNumber && NameOf(block.Array) != NameOf(first.Array))
+  {
+    error = block.Name + " has " + NameOf(block.Array) + " as array number " +
+      std::to_string(choice.Number) + ", but " + first.Name + " has " + NameOf(first.Array) +
+      "; choose the array by its name with SelectScalarArray.";
+  }
+  else
+  {
+    return true;
+  }
+  return false;
+}
+
+bool FitBlocks(
+  const ScalarChoice& choice, std::vector<Block>& blocks, LatticeBox& whole, std::string& error)
+{
+  double samples = 0.0;
+  for (Block& block : blocks)
+  {
+    std::string why;
+    if (!FitsArray(blocks.front(), block, choice, error))
+    {
+      return false;
+    }
+    if (!PlaceOnLattice(blocks.front().Image, block.Image, block.Place, why))
+    {
+      error = block.Name + " does not fit the points of " + blocks.front().Name + ": " + why +
+        "; resample it with vtkResampleToImage or leave it out with vtkExtractBlock.";
+      return false;
+    }
+    const bool isFirst = &block == &blocks.front();
+    whole.First = isFirst ? block.Place.First : glm::min(whole.First, block.Place.First);
+    whole.Last = isFirst ? block.Place.Last : glm::max(whole.Last, block.Place.Last);
+    samples += static_cast<double>(block.Image->GetNumberOfPoints());
+  }
+
+  const glm::dvec3 points(whole.Points());
+  const double all = points.x * points.y * points.z;
+  vtkDataArray* array = blocks.front().Array;
+  const double bytes = all * array->GetNumberOfComponents() * array->GetDataTypeSize();
+  if (all > LargestGrowth * samples && bytes > SmallImage)
+  {
+    std::ostringstream what;
+    what << "The blocks have " << samples << " points, but the image that covers them all has "
+         << points.x << " x " << points.y << " x " << points.z
+         << "; draw blocks so far apart with a vtkVolume and a mapper each, or choose fewer with "
+            "vtkExtractBlock.";
+    error = what.str();
+    return false;
+  }
+  return true;
+}
+
+/// The flags of points or cells; null if there is not one for each.
+const std::uint8_t* FlagsOf(vtkDataSetAttributes* attributes, vtkIdType count)
+{
+  vtkUnsignedCharArray* ghosts = GhostsOf(attributes);
+  return ghosts && HasOneForEach(ghosts, count) ? ghosts->GetPointer(0) : nullptr;
+}
+
+bool MakeSource(
+  const Block& block, const LatticeBox& whole, BlockSource& source, std::string& error)
+{
+  source.First = block.Place.First - whole.First;
+  source.Points = block.Place.Points();
+  source.PointGhosts = FlagsOf(block.Image->GetPointData(), CountSamples(block.Image, false));
+  source.CellGhosts = FlagsOf(block.Image->GetCellData(), CountSamples(block.Image, true));
+  source.Components.resize(static_cast<std::size_t>(block.Array->GetNumberOfComponents()));
+  for (std::size_t c = 0; c < source.Components.size(); ++c)
+  {
+    if (!FindSamples(block.Array, static_cast<int>(c), source.Components[c], error))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// An image without samples on the lattice of the blocks.
+vtkSmartPointer<vtkImageData> MakeImage(vtkImageData* lattice, const LatticeBox& whole)
+{
+  const auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetOrigin(lattice->GetOrigin());
+  image->SetSpacing(lattice->GetSpacing());
+  image->SetDirectionMatrix(lattice->GetDirectionMatrix());
+  const glm::ivec3 first(whole.First), last(whole.Last);
+  image->SetExtent(first.x, last.x, first.y, last.y, first.z, last.z);
+  return image;
+}
+
+bool AreSame(const std::vector<Block>& a, const std::vector<Block>& b)
+{
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+    [](const Block& x, const Block& y)
+    { return x.Image == y.Image && x.Array == y.Array && x.Stamp == y.Stamp; });
+}
+
+}
+
+bool MergedBlocks::Merge(vtkDataObjectTree* tree, const ScalarChoice& choice, std::string& error)
+{
+  std::vector<Block> blocks;
+  if (!FindImages(tree, blocks, error))
+  {
+    return false;
+  }
+  const ScalarChoice same = ChoiceForAll(blocks, choice);
+  if (!FindArrays(same, blocks, error))
+  {
+    return false;
+  }
+  const bool onCells = IsOnCells(same);
+  if (this->Merged && this->Chosen.OnCells == onCells && AreSame(blocks, this->Blocks))
+  {
+    return true;
+  }
+  if (blocks.empty())
+  {
+    this->Release();
+    this->Merged = vtkSmartPointer<vtkImageData>::New();
+    this->Chosen.OnCells = onCells;
+    return true;
+  }
+  LatticeBox whole;
+  return FitBlocks(same, blocks, whole, error) && this->Copy(blocks, onCells, whole, error);
+}
+
+bool MergedBlocks::Copy(
+  const std::vector<Block>& blocks, bool onCells, const LatticeBox& whole, std::string& error)
+{
+  std::vector<BlockSource> sources(blocks.size());
+  for (std::size_t b = 0; b < blocks.size(); ++b)
+  {
+    if (!MakeSource(blocks[b], whole, sources[b], error))
+    {
+      return false;
+    }
+  }
+  this->Release(); // before the new one is made: both may not fit
+
+  const auto image = MakeImage(blocks.front().Image, whole);
+  vtkDataArray* model = blocks.front().Array;
+  const auto array =
+    vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(model->GetDataType()));
+  array->SetName(model->GetName());
+  array->SetNumberOfComponents(model->GetNumberOfComponents());
+  array->SetNumberOfTuples(onCells ? image->GetNumberOfCells() : image->GetNumberOfPoints());
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  ghosts->SetNumberOfTuples(image->GetNumberOfCells());
+
+  BlockTarget target;
+  target.Points = whole.Points();
+  target.OnCells = onCells;
+  target.Samples = array->GetVoidPointer(0);
+  target.CellGhosts = ghosts->GetPointer(0);
+  if (CopyBlocks(sources, target))
+  {
+    image->GetCellData()->AddArray(ghosts);
+  }
+  this->Merged = image;
+  this->Chosen.Array = array;
+  this->Chosen.OnCells = onCells;
+  this->Blocks = blocks;
+  if (onCells)
+  {
+    image->GetCellData()->SetScalars(array);
+  }
+  else
+  {
+    image->GetPointData()->SetScalars(array);
+  }
+  return true;
+}
+
+}

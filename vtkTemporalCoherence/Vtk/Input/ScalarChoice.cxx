@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Input/ScalarChoice.h"
+
+#include <vtkAbstractMapper.h>
+#include <vtkDataArray.h>
+#include <vtkDataSet.h>
+#include <vtkVolumeMapper.h>
+
+namespace TemporalCoherence
+{
+
+ScalarChoice ChoiceOf(vtkVolumeMapper* mapper)
+{
+  ScalarChoice choice;
+  choice.Mode = mapper->GetScalarMode();
+  choice.IsByName = mapper->GetArrayAccessMode() == VTK_GET_ARRAY_BY_NAME;
+  choice.Number = mapper->GetArrayId();
+  choice.Name = mapper->GetArrayName() ? mapper->GetArrayName() : "";
+  return choice;
+}
+
+ChosenScalars FindScalars(vtkDataSet* dataSet, const ScalarChoice& choice)
+{
+  ChosenScalars scalars;
+  if (choice.Mode == VTK_SCALAR_MODE_USE_FIELD_DATA)
+  {
+    return scalars; // it belongs to neither points nor cells
+  }
+  int isOnCells = 0;
+  scalars.Array = vtkAbstractMapper::GetScalars(dataSet, choice.Mode,
+    choice.IsByName ? VTK_GET_ARRAY_BY_NAME : VTK_GET_ARRAY_BY_ID, choice.Number,
+    choice.Name.c_str(), isOnCells);
+  scalars.OnCells = isOnCells != 0;
+  return scalars;
+}
+
+std::string WhyThereAreNoScalars(const ScalarChoice& choice)
+{
+  const std::string array =
+    choice.IsByName ? "named '" + choice.Name + "'" : "number " + std::to_string(choice.Number);
+  switch (choice.Mode)
+  {
+    case VTK_SCALAR_MODE_DEFAULT:
+      return "The input has no scalars on points or cells; make an array active with "
+             "SetActiveScalars, or "
+             "choose one with SetScalarModeToUsePointFieldData and SelectScalarArray.";
+    case VTK_SCALAR_MODE_USE_POINT_DATA:
+      return "The input has no scalars on points; make a point array active with SetActiveScalars, "
+             "or call "
+             "SetScalarModeToDefault or SetScalarModeToUseCellData.";
+    case VTK_SCALAR_MODE_USE_CELL_DATA:
+      return "The input has no scalars on cells; make a cell array active with SetActiveScalars, "
+             "or call "
+             "SetScalarModeToDefault or SetScalarModeToUsePointData.";
+    case VTK_SCALAR_MODE_USE_POINT_FIELD_DATA:
+    case VTK_SCALAR_MODE_USE_CELL_FIELD_DATA:
+      return "The input has no array of numbers " + array + " on its " +
+        (choice.Mode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA ? "cells" : "points") +
+        "; choose one that is there with SelectScalarArray.";
+    case VTK_SCALAR_MODE_USE_FIELD_DATA:
+      return "Arrays of field data (ScalarMode VTK_SCALAR_MODE_USE_FIELD_DATA) have no place in "
+             "space; call SetScalarModeToUsePointFieldData or SetScalarModeToUseCellFieldData.";
+    default:
+      return "ScalarMode is " + std::to_string(choice.Mode) +
+        ", which means nothing; call SetScalarModeToDefault or another SetScalarModeTo... .";
+  }
+}
+
+}

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_PixelHit_h
+#define TemporalCoherence_PixelHit_h
+
+#include "Scene/Frame.h"
+#include "Scene/View.h"
+
+#include <cstddef>
+#include <optional>
+
+namespace TemporalCoherence
+{
+
+/// What a pixel of a frame shows.
+struct PixelHit
+{
+  glm::dvec3 Position; ///< in the world
+  glm::dvec3 Normal;   ///< unit, in the world, facing the viewer
+  int Surface;         ///< position in the list of isovalues
+};
+
+/// Position of pixel (x, y) in the planes of a frame.
+inline std::size_t IndexOfPixel(const Frame& frame, int x, int y)
+{
+  return static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.Size.x) +
+    static_cast<std::size_t>(x);
+}
+
+/// Where in the world the hit of pixel (x, y) lies.
+/// \pre the pixel has a hit
+inline glm::dvec3 PositionOfHit(const Frame& frame, const View& view, int x, int y)
+{
+  const Ray ray = view.RayThrough(x, y);
+  return ray.Origin + frame.Depth[IndexOfPixel(frame, x, y)] * ray.Direction;
+}
+
+/// The hit that a window's pixel (x, y) shows, if there is one.
+/// \param view   of the frame
+/// \param window pixels that the frame fills, which may have fewer rays
+std::optional<PixelHit> FindPixelHit(
+  const Frame& frame, const View& view, const glm::ivec2& window, int x, int y);
+
+}
+
+#endif

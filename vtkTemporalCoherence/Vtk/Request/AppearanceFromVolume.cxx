@@ -1,0 +1,234 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Request/AppearanceFromVolume.h"
+
+#include "Request/LightsFromRenderer.h"
+#include "Request/SettingCheck.h"
+
+#include <vtkColorTransferFunction.h>
+#include <vtkContourValues.h>
+#include <vtkPiecewiseFunction.h>
+#include <vtkRenderer.h>
+#include <vtkVolumeProperty.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <sstream>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+glm::dvec3 ColorAt(vtkVolumeProperty* property, int component, double value)
+{
+  glm::dvec3 color;
+  if (property->GetColorChannels(component) == 3)
+  {
+    property->GetRGBTransferFunction(component)->GetColor(value, &color.x);
+  }
+  else
+  {
+    color = glm::dvec3(property->GetGrayTransferFunction(component)->GetValue(value));
+  }
+  return color;
+}
+
+/// Where a transfer function has a value, in words.
+std::string At(double isovalue)
+{
+  std::ostringstream where;
+  where << "at isovalue " << isovalue;
+  return where.str();
+}
+
+bool FindColors(vtkVolumeProperty* property, int component, const std::vector<double>& isovalues,
+  std::vector<glm::dvec3>& colors, std::string& error)
+{
+  for (const double isovalue : isovalues)
+  {
+    const glm::dvec3 color = ColorAt(property, component, isovalue);
+    for (int channel = 0; channel < 3; ++channel)
+    {
+      if (!Allowed::Color.Holds(color[channel]))
+      {
+        SettingCheck check({ "the volume's property" }, error);
+        check(("Colour " + At(isovalue)).c_str(), color[channel], Allowed::Color,
+          property->GetColorChannels(component) == 3 ? "GetRGBTransferFunction()->AddRGBPoint"
+                                                     : "GetGrayTransferFunction()->AddPoint");
+        return false;
+      }
+    }
+    colors.push_back(color);
+  }
+  return true;
+}
+
+bool CheckNode(int i, const double node[4], std::string& error)
+{
+  const char* const remedy = "GetGradientOpacity()->SetNodeValue or AddPoint";
+  const NumberRange share = { 0.0, 1.0 };
+  SettingCheck check({ "node", i, "the gradient opacity of the volume's property" }, error);
+  check("Position", node[0], Allowed::Steepness, remedy);
+  check("Value", node[1], Allowed::Opacity, remedy);
+  check("Midpoint", node[2], share, remedy);
+  check("Sharpness", node[3], share, remedy);
+  return check.HasPassed();
+}
+
+}
+
+vtkContourValues* ChooseIsovalues(vtkVolumeProperty* property, vtkContourValues* other)
+{
+  vtkContourValues* const own = property->GetIsoSurfaceValues();
+  const int count = own->GetNumberOfContours();
+  const bool isUntouched = count == 0 || (count == 1 && own->GetValue(0) == 0.0);
+  return other && isUntouched ? other : own;
+}
+
+bool FindSurfaces(vtkContourValues* list, vtkVolumeProperty* property, int component,
+  Surfaces& surfaces, std::vector<int>& places, std::string& error)
+{
+  std::vector<double>& isovalues = surfaces.Isovalues;
+  isovalues.clear();
+  surfaces.Opacities.clear();
+  places.clear();
+  const int count = list->GetNumberOfContours();
+  std::set<double> found;
+  for (int i = 0; i < count; ++i)
+  {
+    const double isovalue = list->GetValue(i);
+    std::ostringstream what;
+    if (!std::isfinite(isovalue))
+    {
+      what << "Isovalue " << i << " is " << isovalue
+           << "; set a finite number with GetIsoSurfaceValues()->SetValue(" << i << ", value).";
+    }
+    else if (isovalues.size() == static_cast<std::size_t>(std::numeric_limits<std::int16_t>::max()))
+    {
+      what << "There are " << count << " isovalues, more than the " << isovalues.size()
+           << " that can be drawn; shorten the list with SetNumberOfContours.";
+    }
+    if (!what.str().empty())
+    {
+      error = what.str();
+      return false;
+    }
+    const double opacity = property->GetScalarOpacity(component)->GetValue(isovalue);
+    if (!Allowed::Opacity.Holds(opacity))
+    {
+      SettingCheck check({ "the volume's property" }, error);
+      check(("Scalar opacity " + At(isovalue)).c_str(), opacity, Allowed::Opacity,
+        "GetScalarOpacity()->AddPoint");
+      return false;
+    }
+    if (opacity > 0.0 && found.insert(isovalue).second)
+    {
+      isovalues.push_back(isovalue);
+      surfaces.Opacities.push_back(std::min(opacity, 1.0));
+      places.push_back(i);
+    }
+  }
+  const auto isOpaque = [](double opacity) { return opacity == 1.0; };
+  if (std::all_of(surfaces.Opacities.begin(), surfaces.Opacities.end(), isOpaque))
+  {
+    surfaces.Opacities.clear();
+  }
+  return true;
+}
+
+bool MakeGradientOpacity(vtkVolumeProperty* property, int component, const glm::dvec3& distances,
+  GradientOpacity& made, std::string& error)
+{
+  // Nodes are joined by straight lines, but for those with a midpoint or a sharpness of their own.
+  constexpr int ManyNodes = 4096;
+  made.Nodes.clear();
+  if (property->GetDisableGradientOpacity(component) || !property->HasGradientOpacity(component))
+  {
+    return true;
+  }
+  vtkPiecewiseFunction* function = property->GetGradientOpacity(component);
+  bool isStraight = true;
+  for (int i = 0; i < function->GetSize(); ++i)
+  {
+    double node[4]; // position, value, midpoint, sharpness
+    function->GetNodeValue(i, node);
+    isStraight = isStraight && node[2] == 0.5 && node[3] == 0.0;
+    made.Nodes.emplace_back(node[0], node[1]);
+    if (!CheckNode(i, node, error))
+    {
+      return false;
+    }
+  }
+  if (!isStraight)
+  {
+    const double first = made.Nodes.front().x, last = made.Nodes.back().x;
+    made.Nodes.clear();
+    for (int i = 0; i < ManyNodes; ++i)
+    {
+      const double at = first + (last - first) * i / (ManyNodes - 1);
+      made.Nodes.emplace_back(at, function->GetValue(at));
+    }
+  }
+  for (glm::dvec2& node : made.Nodes)
+  {
+    node.y = std::min(std::max(node.y, 0.0), 1.0);
+  }
+  if (std::all_of(
+        made.Nodes.begin(), made.Nodes.end(), [](const glm::dvec2& node) { return node.y == 1.0; }))
+  {
+    made.Nodes.clear();
+  }
+  made.PerStep = (distances.x + distances.y + distances.z) / 3.0 / distances;
+  return true;
+}
+
+bool IsOpaque(vtkContourValues* list, vtkVolumeProperty* property, int component)
+{
+  Surfaces surfaces;
+  GradientOpacity bySteepness;
+  std::vector<int> places;
+  std::string error;
+  return FindSurfaces(list, property, component, surfaces, places, error) &&
+    surfaces.Opacities.empty() &&
+    MakeGradientOpacity(property, component, glm::dvec3(1.0), bySteepness, error) &&
+    bySteepness.Nodes.empty();
+}
+
+bool MakeAppearance(vtkVolumeProperty* property, int component, vtkRenderer* renderer,
+  const std::vector<double>& isovalues, Appearance& appearance, std::string& error)
+{
+  appearance.Shade = property->GetShade() != 0;
+  if (!FindColors(property, component, isovalues, appearance.Colors, error))
+  {
+    return false;
+  }
+  if (!appearance.Shade)
+  {
+    return true;
+  }
+  appearance.Ambient = property->GetAmbient(component);
+  appearance.Diffuse = property->GetDiffuse(component);
+  appearance.Specular = property->GetSpecular(component);
+  appearance.SpecularPower = property->GetSpecularPower(component);
+  SettingCheck check({ "the volume's property" }, error);
+  check("Ambient", appearance.Ambient, Allowed::Coefficient, "SetAmbient");
+  check("Diffuse", appearance.Diffuse, Allowed::Coefficient, "SetDiffuse");
+  check("Specular", appearance.Specular, Allowed::Coefficient, "SetSpecular");
+  check("Specular power", appearance.SpecularPower, Allowed::SpecularPower, "SetSpecularPower");
+  if (!check.HasPassed() || !FindLights(renderer, appearance.Lights, error))
+  {
+    return false;
+  }
+  appearance.TwoSided = renderer->GetTwoSidedLighting() != 0;
+  if (appearance.Lights.empty())
+  {
+    // What polygons look like without a light: lit evenly, and not black.
+    appearance.Ambient += appearance.Diffuse;
+  }
+  return true;
+}
+
+}

@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Request/IsovalueCheck.h"
+
+#include "Input/GhostArray.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkCellData.h>
+#include <vtkCompositeDataSet.h>
+#include <vtkDataObjectTree.h>
+#include <vtkDataObjectTreeIterator.h>
+#include <vtkDataSet.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkPointData.h>
+#include <vtkRectilinearGrid.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkVolume.h>
+#include <vtkVolumeCollection.h>
+#include <vtkVolumeMapper.h>
+
+#include <algorithm>
+#include <iomanip>
+#include <limits>
+#include <sstream>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+bool HasFlag(vtkUnsignedCharArray* ghosts, int flag)
+{
+  return ghosts &&
+    std::any_of(ghosts->GetPointer(0), ghosts->GetPointer(ghosts->GetNumberOfValues()),
+      [=](unsigned char value) { return (value & flag) != 0; });
+}
+
+/// True if a data object says that there are others beside it.
+bool IsPiece(vtkDataObject* data)
+{
+  auto* dataSet = vtkDataSet::SafeDownCast(data);
+  return dataSet &&
+    (HasFlag(GhostsOf(dataSet->GetCellData()), vtkDataSetAttributes::DUPLICATECELL) ||
+      HasFlag(GhostsOf(dataSet->GetPointData()), vtkDataSetAttributes::DUPLICATEPOINT));
+}
+
+/// True if blocks of a tree are missing, or say that there are others.
+bool HasPieces(vtkDataObjectTree* tree)
+{
+  const auto leaf = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(tree->NewTreeIterator());
+  leaf->SkipEmptyNodesOff();
+  for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
+  {
+    vtkDataObject* block = leaf->GetCurrentDataObject();
+    if (!block || IsPiece(block))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// True if the pipeline has more than an image or grid of it.
+bool IsPartOfPipeline(vtkInformation* pipeline, vtkDataObject* data)
+{
+  using Keys = vtkStreamingDemandDrivenPipeline;
+  auto* image = vtkImageData::SafeDownCast(data);
+  auto* grid = vtkRectilinearGrid::SafeDownCast(data);
+  if (!pipeline->Has(Keys::WHOLE_EXTENT()) || (!image && !grid))
+  {
+    return false;
+  }
+  const int* extent = image ? image->GetExtent() : grid->GetExtent();
+  const int* whole = pipeline->Get(Keys::WHOLE_EXTENT());
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (extent[2 * axis] > whole[2 * axis] || extent[2 * axis + 1] < whole[2 * axis + 1])
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool IsPropertyShared(vtkVolume* volume, vtkRenderer* renderer)
+{
+  vtkVolumeCollection* const volumes = renderer->GetVolumes();
+  vtkCollectionSimpleIterator at;
+  volumes->InitTraversal(at);
+  while (vtkVolume* other = volumes->GetNextVolume(at))
+  {
+    if (other != volume && other->GetProperty() == volume->GetProperty())
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// True if a sample can be on a surface.
+bool IsMet(double isovalue, SurfaceMode mode, const glm::dvec2& range)
+{
+  // Below all samples everything is inside a THRESHOLD solid, which is seen where it is cut open.
+  return isovalue <= range.y && (isovalue >= range.x || mode == SurfaceMode::Threshold);
+}
+
+}
+
+bool MaySeePartOnly(const DrawnVolume& drawn)
+{
+  vtkDataObject* data = drawn.Mapper->GetDataObjectInput();
+  auto* tree = vtkDataObjectTree::SafeDownCast(data);
+  // A mapper of blocks has a mapper of its own for each of them.
+  auto* owner = drawn.Volume->GetMapper();
+  const bool isBlock = !tree && owner && owner != drawn.Mapper &&
+    vtkCompositeDataSet::SafeDownCast(owner->GetDataObjectInput());
+  return !data || isBlock || IsPiece(data) || (tree && HasPieces(tree)) ||
+    IsPartOfPipeline(drawn.Mapper->GetInputInformation(0, 0), data) ||
+    IsPropertyShared(drawn.Volume, drawn.Renderer);
+}
+
+IsovalueCheck::Story& IsovalueCheck::StoryOf(vtkVolume* volume)
+{
+  for (Story& story : this->Stories)
+  {
+    if (story.Of == volume)
+    {
+      return story;
+    }
+  }
+  this->Stories.erase(std::remove_if(this->Stories.begin(), this->Stories.end(),
+                        [](const Story& story) { return !story.Of; }),
+    this->Stories.end());
+  this->Stories.emplace_back();
+  this->Stories.back().Of = volume;
+  return this->Stories.back();
+}
+
+std::string IsovalueCheck::Check(
+  const DrawnVolume& drawn, const FrameKey& key, const ValueRangePyramid& ranges)
+{
+  const std::vector<double>& isovalues = key.Sought.Isovalues;
+  const glm::dvec2 finite = ranges.FiniteRange(), all = ranges.WholeRange();
+  if (isovalues.empty() || !(finite.x < finite.y))
+  {
+    return "";
+  }
+  Story& story = this->StoryOf(drawn.Volume);
+  vtkDataObject* data = drawn.Mapper->GetDataObjectInput();
+  if (std::any_of(isovalues.begin(), isovalues.end(),
+        [&](double isovalue) { return IsMet(isovalue, key.Sought.Mode, all); }))
+  {
+    story.IsTold = false;
+    if (story.Met != isovalues || story.MetBy != data)
+    {
+      story.Met = isovalues;
+      story.MetBy = data;
+    }
+    return "";
+  }
+  const bool wereMet = story.MetBy && story.MetBy == data && story.Met == isovalues;
+  if (story.IsTold || wereMet || MaySeePartOnly(drawn))
+  {
+    return "";
+  }
+  story.IsTold = true;
+  const auto [least, largest] = std::minmax_element(isovalues.begin(), isovalues.end());
+  std::ostringstream what;
+  what << std::setprecision(std::numeric_limits<float>::max_digits10);
+  if (isovalues.size() == 1)
+  {
+    what << "The isovalue " << *least << " lies";
+  }
+  else
+  {
+    what << "All " << isovalues.size() << " isovalues, of " << *least << " to " << *largest
+         << ", lie";
+  }
+  what << " outside the range of the samples, " << finite.x << " to " << finite.y
+       << ", so that there is no isosurface; set one between them with "
+          "GetIsoSurfaceValues()->SetValue(0, isovalue) of the volume's property.";
+  return what.str();
+}
+
+}

@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Request/RequestFromMapper.h"
+
+#include "Input/FieldFromImage.h"
+#include "Request/AppearanceFromVolume.h"
+#include "Request/RegionFromMapper.h"
+#include "Request/SettingCheck.h"
+#include "Request/ViewFromRenderer.h"
+
+#include <vtkVolume.h>
+#include <vtkVolumeMapper.h>
+#include <vtkVolumeProperty.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+/// A vtkMultiVolume has a property and a transform for each input of its mapper, and may have none
+/// of its own.
+bool IsOfSeveral(vtkVolume* volume)
+{
+  return volume->IsA("vtkMultiVolume") != 0;
+}
+
+/// Spread the colours of a window over all.
+/// \return false if no colours can be spread so
+bool SpreadColors(const PictureSettings& settings, Appearance& look, std::string& error)
+{
+  SettingCheck check({ "the mapper" }, error);
+  check("FinalColorWindow", settings.ColorWindow, Allowed::ColorWindow, "SetFinalColorWindow");
+  check("FinalColorLevel", settings.ColorLevel, Allowed::ColorWindow, "SetFinalColorLevel");
+  if (!check.HasPassed())
+  {
+    return false;
+  }
+  if (std::abs(settings.ColorWindow) < 1.0 / Allowed::ColorWindow.High)
+  {
+    std::ostringstream what;
+    what << "FinalColorWindow of the mapper must not be nearer to 0 than "
+         << 1.0 / Allowed::ColorWindow.High << ", got " << settings.ColorWindow
+         << "; call SetFinalColorWindow with 1, for all colours.";
+    error = what.str();
+    return false;
+  }
+  look.ColorScale = 1.0 / settings.ColorWindow;
+  look.ColorShift = 0.5 - settings.ColorLevel / settings.ColorWindow;
+  return true;
+}
+
+}
+
+bool RequestFromMapper::Make(vtkVolumeMapper* mapper, const PictureSettings& settings,
+  vtkVolume* volume, const FrameSight& sight, FrameRequest& request, std::string& error)
+{
+  if (IsOfSeveral(volume))
+  {
+    error = "A vtkMultiVolume cannot be drawn by this mapper; give each volume a vtkVolume and a "
+            "mapper of its own in the same renderer, where they hide one another by their depths.";
+    return false;
+  }
+  vtkVolumeProperty* property = volume->GetProperty();
+  FrameKey& key = request.Key;
+  MapperInput input;
+  if (!this->Input.Find(mapper, property, settings.Vectors, input, error) ||
+    !FindSurfaces(ChooseIsovalues(property, settings.DepthPass), property, input.Look, key.Sought,
+      request.IsovaluePlaces, error))
+  {
+    return false;
+  }
+  key.Sought.Mode = settings.Mode;
+  request.Read = input.Array;
+
+  if (sight.Renderer)
+  {
+    key.Look = {};
+    if (!MakeView(sight.Renderer, sight.Size, sight.Aspect, key.Seen, error) ||
+      !MakeAppearance(
+        property, input.Look, sight.Renderer, key.Sought.Isovalues, key.Look, error) ||
+      !SpreadColors(settings, key.Look, error))
+    {
+      return false;
+    }
+    key.Look.ColorByAnswer = settings.ColorByAnswer;
+  }
+
+  // An image without points has no array either: an empty picture, as for images without cells.
+  return !input.Array || this->MakeScene(mapper, volume, input, key, error);
+}
+
+namespace
+{
+
+/// \return false if there are too many surfaces behind one another to look for
+bool AreFewEnough(const Surfaces& surfaces, std::string& error)
+{
+  constexpr std::size_t most = 1024;
+  const std::size_t count = surfaces.Isovalues.size();
+  if (!surfaces.IsTranslucent() || count <= most)
+  {
+    return true;
+  }
+  error = "There are " + std::to_string(count) + " translucent isovalues, more than the " +
+    std::to_string(most) +
+    " that can be drawn; shorten the list with SetNumberOfContours, or make them opaque with "
+    "GetScalarOpacity and DisableGradientOpacityOn.";
+  return false;
+}
+
+}
+
+/// The samples, and where they lie and are kept.
+bool RequestFromMapper::MakeScene(vtkVolumeMapper* mapper, vtkVolume* volume,
+  const MapperInput& input, FrameKey& key, std::string& error)
+{
+  vtkVolumeProperty* property = volume->GetProperty();
+  const ImageAxes axes = AxesOf(input.Image, input.OnCells);
+  if (!MakeGradientOpacity(
+        property, input.Look, glm::abs(axes.Step), key.Sought.BySteepness, error) ||
+    !AreFewEnough(key.Sought, error) ||
+    !MakeField(input.Image, input.Array, input.OnCells, input.Component, key.Samples, error) ||
+    !this->Hidden.Find(input.Image, input.OnCells, key.Samples.Hidden, error) ||
+    !MakePlacement(input.Image, input.OnCells, volume, key.Where, error) ||
+    !MakeRegion(mapper, axes, key.Kept, error))
+  {
+    return false;
+  }
+  key.Samples.Grid = input.Grid;
+  key.Samples.Between = property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION
+    ? Interpolation::Nearest
+    : Interpolation::Linear;
+  return true;
+}
+
+bool RequestFromMapper::IsOpaque(
+  vtkVolumeMapper* mapper, const PictureSettings& settings, vtkVolume* volume)
+{
+  if (IsOfSeveral(volume))
+  {
+    return true; // nothing is shown
+  }
+  vtkVolumeProperty* property = volume->GetProperty();
+  MapperInput input;
+  std::string error; // the next frame tells of it
+  this->Input.Find(mapper, property, settings.Vectors, input, error);
+  return TemporalCoherence::IsOpaque(
+    ChooseIsovalues(property, settings.DepthPass), property, input.Look);
+}
+
+void RequestFromMapper::Release()
+{
+  this->Input.Release();
+  this->Hidden.Release();
+}
+
+}

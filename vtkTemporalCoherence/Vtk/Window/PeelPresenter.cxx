@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Window/PeelPresenter.h"
+
+#include "Window/OpenGLWindow.h"
+#include "Window/PeeledPicture.h"
+
+#include <vtkNew.h>
+#include <vtkOpenGLQuadHelper.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkOpenGLShaderCache.h>
+#include <vtkOpenGLState.h>
+#include <vtkRenderer.h>
+#include <vtkShaderProgram.h>
+#include <vtkTextureObject.h>
+#include <vtkWeakPointer.h>
+
+#include <map>
+#include <vector>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+/// Layers in a row of the textures that hold them.
+constexpr std::size_t RowOfLayers = 4096;
+
+constexpr const char* Declarations = "uniform sampler2D layersTexture;\n"
+                                     "uniform sampler2D depthTexture;\n"
+                                     "uniform sampler2D colorTexture;\n"
+                                     "vec3 layers;\n";
+
+/// A pixel's layers: where in a row of textures the first one is, in which row, and how many.
+constexpr const char* Color = "  vec4 seen = vec4(0.0);\n"
+                              "  for (int i = 0; i < int(layers.z); ++i)\n"
+                              "  {\n"
+                              "    int at = int(layers.x) + i;\n"
+                              "    ivec2 place = ivec2(at % row, int(layers.y) + at / row);\n"
+                              "    float depth = texelFetch(depthTexture, place, 0).r;\n"
+                              "    if (depth >= zEnd) { break; }\n"
+                              "    if (depth >= zStart)\n"
+                              "    {\n"
+                              "      seen += (1.0 - seen.a) * texelFetch(colorTexture, place, 0);\n"
+                              "    }\n"
+                              "  }\n"
+                              "  return seen;\n";
+
+/// Other volumes' colours stay where there is no surface.
+constexpr const char* Begin = "  layers = texture2D(layersTexture, texCoord).xyz;\n"
+                              "  if (layers.z == 0.0) { discard; }\n";
+
+std::string ShaderOf(const PeelingPass& pass)
+{
+  std::string source = pass.FragmentShader();
+  vtkShaderProgram::Substitute(source, "//PeeledDeclarations",
+    Declarations + ("const int row = " + std::to_string(RowOfLayers) + ";\n"));
+  vtkShaderProgram::Substitute(source, "//PeeledColor", Color);
+  vtkShaderProgram::Substitute(source, "void main()\n{\n", std::string("void main()\n{\n") + Begin);
+  return source;
+}
+
+}
+
+struct PeelPresenter::Resources
+{
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
+  std::map<std::string, std::unique_ptr<vtkOpenGLQuadHelper>> Quads; ///< by shader
+  vtkNew<vtkTextureObject> Layers;                                   ///< where each pixel's are
+  vtkNew<vtkTextureObject> Depths, Colors;                           ///< of the layers
+  bool HasLayers = false;
+
+  /// \return false if there are more layers than textures can have
+  bool Upload(const PeeledLayers& layers);
+};
+
+bool PeelPresenter::Resources::Upload(const PeeledLayers& layers)
+{
+  this->HasLayers = false;
+  if (layers.All().empty())
+  {
+    return true;
+  }
+  const std::size_t rows = (layers.All().size() + RowOfLayers - 1) / RowOfLayers;
+  int most = 0;
+  this->Window->GetState()->vtkglGetIntegerv(Gl::MaxTextureSize, &most);
+  if (rows > static_cast<std::size_t>(most))
+  {
+    return false;
+  }
+  std::vector<float> places, depths(rows * RowOfLayers);
+  std::vector<PixelColor> colors(rows * RowOfLayers);
+  const std::vector<std::size_t>& begins = layers.Begins();
+  places.reserve(3 * begins.size());
+  for (std::size_t pixel = 0; pixel + 1 < begins.size(); ++pixel)
+  {
+    places.push_back(static_cast<float>(begins[pixel] % RowOfLayers));
+    places.push_back(static_cast<float>(begins[pixel] / RowOfLayers));
+    places.push_back(static_cast<float>(begins[pixel + 1] - begins[pixel]));
+  }
+  for (std::size_t i = 0; i < layers.All().size(); ++i)
+  {
+    depths[i] = layers.All()[i].Depth;
+    colors[i] = layers.All()[i].Color;
+  }
+  const glm::uvec2 size(layers.Size());
+  const auto width = static_cast<unsigned int>(RowOfLayers),
+             height = static_cast<unsigned int>(rows);
+  this->Layers->Create2DFromRaw(size.x, size.y, 3, VTK_FLOAT, places.data());
+  this->Depths->Create2DFromRaw(width, height, 1, VTK_FLOAT, depths.data());
+  this->Colors->Create2DFromRaw(width, height, 4, VTK_UNSIGNED_CHAR, colors.data());
+  this->HasLayers = true;
+  return true;
+}
+
+PeelPresenter::PeelPresenter() = default;
+PeelPresenter::~PeelPresenter() = default;
+
+bool PeelPresenter::Present(const PeelingPass& pass, vtkRenderer* renderer, vtkVolume* volume,
+  const Frame& frame, const View& view, std::string& error)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetVTKWindow());
+  if (!window || !pass.IsKnown())
+  {
+    error = "This render pass peels volumes in a way that is not known here; use a "
+            "vtkTemporalCoherenceVolume with opaque surfaces, or UseDepthPeelingForVolumesOff().";
+    return false;
+  }
+  if (!this->OpenGL || this->OpenGL->Window != window)
+  {
+    this->OpenGL = std::make_unique<Resources>();
+    this->OpenGL->Window = window;
+    PrepareTexture(this->OpenGL->Layers, window);
+    PrepareTexture(this->OpenGL->Depths, window);
+    PrepareTexture(this->OpenGL->Colors, window);
+  }
+  const auto picture = PeeledPicture::Of(renderer);
+  if (pass.IsFirst())
+  {
+    picture->Add(pass, this, ViewportOf(window).Size, frame, view);
+    if (!this->OpenGL->Upload(picture->Layers()))
+    {
+      error = "There are more surfaces behind one another, " +
+        std::to_string(picture->Layers().All().size()) +
+        " in all pixels together, than textures of this OpenGL can hold; make the window smaller, "
+        "or use a vtkTemporalCoherenceVolume with opaque surfaces.";
+      return false;
+    }
+  }
+  else if (picture->IsDrawnBy(this))
+  {
+    picture->ReleaseLayers();
+  }
+  else
+  {
+    return true;
+  }
+  return !this->OpenGL->HasLayers || this->Draw(pass, volume, error);
+}
+
+bool PeelPresenter::Draw(const PeelingPass& pass, vtkVolume* volume, std::string& error)
+{
+  vtkOpenGLRenderWindow* window = this->OpenGL->Window;
+  const std::string source = ShaderOf(pass);
+  auto& quad = this->OpenGL->Quads[source];
+  if (!quad)
+  {
+    quad = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, source.c_str(), "");
+  }
+  vtkShaderProgram* program = quad->Program;
+  if (!program || !program->GetCompiled())
+  {
+    error = "The shader that shows surfaces between translucent polygons does not compile on this "
+            "OpenGL; use a vtkTemporalCoherenceVolume with opaque surfaces.";
+    return false;
+  }
+  window->GetShaderCache()->ReadyShaderProgram(program);
+
+  vtkOpenGLState* state = window->GetState();
+  vtkOpenGLState::ScopedglEnableDisable keepDepthTest(state, Gl::DepthTest);
+  vtkOpenGLState::ScopedglEnableDisable keepBlend(state, Gl::Blend);
+  vtkOpenGLState::ScopedglEnableDisable keepCullFace(state, Gl::CullFace);
+  state->vtkglDisable(Gl::DepthTest);
+  state->vtkglDisable(Gl::CullFace);
+  if (!pass.IsBlended())
+  {
+    state->vtkglDisable(Gl::Blend);
+  }
+  const glm::ivec2 size = ViewportOf(window).Size;
+  pass.SetUniforms(program, volume, size.x, size.y);
+  const auto bind = [&](const char* name, vtkTextureObject* texture)
+  {
+    texture->Activate();
+    program->SetUniformi(name, texture->GetTextureUnit());
+  };
+  bind("layersTexture", this->OpenGL->Layers);
+  bind("depthTexture", this->OpenGL->Depths);
+  bind("colorTexture", this->OpenGL->Colors);
+  quad->Render();
+  this->OpenGL->Colors->Deactivate();
+  this->OpenGL->Depths->Deactivate();
+  this->OpenGL->Layers->Deactivate();
+  return true;
+}
+
+void PeelPresenter::ReleaseGraphicsResources(vtkWindow* window)
+{
+  if (this->OpenGL && (!window || this->OpenGL->Window == window))
+  {
+    this->OpenGL.reset();
+  }
+}
+
+}

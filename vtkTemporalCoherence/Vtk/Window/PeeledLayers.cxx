@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Window/PeeledLayers.h"
+
+#include "Scene/Parallel.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+using Layer = PeeledLayers::Layer;
+
+/// Lists of layers, one a pixel, one after the other.
+struct LayerLists
+{
+  std::vector<Layer> Layers;
+  std::vector<std::size_t> Firsts;
+};
+
+/// The colour of a layer, of what is seen with it and without it.
+PixelColor OwnColor(const PixelColor& with, const PixelColor& without)
+{
+  const double shown = 1.0 - without[3] / 255.0;
+  PixelColor own{};
+  for (std::size_t c = 0; c < own.size(); ++c)
+  {
+    const double value = shown > 0.0 ? (with[c] - without[c]) / shown : 0.0;
+    own[c] = static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
+  }
+  return own;
+}
+
+bool IsOpaque(const Layer& layer)
+{
+  return layer.Color[3] == 255;
+}
+
+/// Give each list its place behind the one before it.
+/// \param counts of layers in each list
+void MakeRoom(const std::vector<std::size_t>& counts, LayerLists& lists)
+{
+  lists.Firsts.resize(counts.size() + 1);
+  lists.Firsts.front() = 0;
+  std::partial_sum(counts.begin(), counts.end(), lists.Firsts.begin() + 1);
+  lists.Layers.resize(lists.Firsts.back());
+}
+
+/// Surfaces of one tile behind one another, which come in rounds from front to back.
+void FillWithLayers(const Frame& frame, const View& view, std::int64_t tile, LayerLists& lists)
+{
+  const glm::ivec2 first = PixelsOfTile(frame.Size, tile).First;
+  std::array<std::size_t, TileSize * TileSize> filled{};
+  std::array<PixelColor, TileSize * TileSize> seen{};
+  for (const LayerHit& hit : frame.Layers[static_cast<std::size_t>(tile)])
+  {
+    const glm::ivec2 pixel(hit.Pixel % frame.Size.x, hit.Pixel / frame.Size.x);
+    const glm::ivec2 inTile = pixel - first;
+    const auto at = static_cast<std::size_t>(inTile.y * TileSize + inTile.x);
+    const std::size_t place = lists.Firsts[static_cast<std::size_t>(hit.Pixel)] + filled[at]++;
+    lists.Layers[place] = { WindowDepthOf(view, pixel, hit.Depth), OwnColor(hit.Color, seen[at]) };
+    seen[at] = hit.Color;
+  }
+}
+
+/// The same where they are opaque, so that one is seen at most.
+void FillWithHits(const Frame& frame, const View& view, std::int64_t tile, LayerLists& lists)
+{
+  const PixelRect part = PixelsOfTile(frame.Size, tile);
+  for (int y = part.First.y; y < part.First.y + part.Size.y; ++y)
+  {
+    for (int x = part.First.x; x < part.First.x + part.Size.x; ++x)
+    {
+      const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.Size.x) +
+        static_cast<std::size_t>(x);
+      if (frame.Isovalues[pixel] != Frame::NoSurface)
+      {
+        lists.Layers[lists.Firsts[pixel]] = { WindowDepthOf(view, { x, y }, frame.Depth[pixel]),
+          frame.Colors[pixel] };
+      }
+    }
+  }
+}
+
+/// All that a frame shows, one list a ray.
+LayerLists ListsOf(const Frame& frame, const View& view)
+{
+  LayerLists lists;
+  std::vector<std::size_t> counts(frame.Colors.size());
+  const bool hasLayers = !frame.Layers.empty();
+  if (hasLayers)
+  {
+    for (const std::vector<LayerHit>& ofTile : frame.Layers)
+    {
+      for (const LayerHit& layer : ofTile)
+      {
+        ++counts[static_cast<std::size_t>(layer.Pixel)];
+      }
+    }
+  }
+  else
+  {
+    std::transform(frame.Isovalues.begin(), frame.Isovalues.end(), counts.begin(),
+      [](std::int16_t surface) { return surface == Frame::NoSurface ? 0u : 1u; });
+  }
+  MakeRoom(counts, lists);
+  constexpr std::int64_t grain = 64;
+  ParallelFor(NumberOfTiles(frame.Size), grain,
+    [&](std::int64_t tile) {
+      hasLayers ? FillWithLayers(frame, view, tile, lists) : FillWithHits(frame, view, tile, lists);
+    });
+  return lists;
+}
+
+/// How many of two sorted lists are seen, one behind the other; and, if there is room for them,
+/// which.
+std::size_t Merge(
+  const Layer* a, const Layer* endOfA, const Layer* b, const Layer* endOfB, Layer* to)
+{
+  std::size_t count = 0;
+  while (a != endOfA || b != endOfB)
+  {
+    const bool isOfB = a == endOfA || (b != endOfB && b->Depth < a->Depth);
+    const Layer& next = isOfB ? *b++ : *a++;
+    if (to)
+    {
+      to[count] = next;
+    }
+    ++count;
+    if (IsOpaque(next))
+    {
+      break;
+    }
+  }
+  return count;
+}
+
+}
+
+void PeeledLayers::Clear(const glm::ivec2& size)
+{
+  this->ViewportSize = size;
+  this->Layers.clear();
+  this->Firsts.assign(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) + 1, 0);
+}
+
+void PeeledLayers::Add(const Frame& frame, const View& view)
+{
+  const LayerLists added = ListsOf(frame, view);
+  const glm::ivec2& size = this->ViewportSize;
+  LayerLists all;
+  std::vector<std::size_t> counts(this->Firsts.size() - 1);
+  const auto forPixels = [&](const auto& work)
+  {
+    ParallelFor(size.y, 8,
+      [&](std::int64_t y)
+      {
+        const std::int64_t row = (2 * y + 1) * frame.Size.y / (2 * size.y) * frame.Size.x;
+        for (std::int64_t x = 0; x < size.x; ++x)
+        {
+          const std::int64_t ray = row + (2 * x + 1) * frame.Size.x / (2 * size.x);
+          work(static_cast<std::size_t>(y * size.x + x), static_cast<std::size_t>(ray));
+        }
+      });
+  };
+  const auto merge = [&](std::size_t pixel, std::size_t ray, Layer* to)
+  {
+    const Layer *const old = this->Layers.data(), *const next = added.Layers.data();
+    return Merge(old + this->Firsts[pixel], old + this->Firsts[pixel + 1], next + added.Firsts[ray],
+      next + added.Firsts[ray + 1], to);
+  };
+  forPixels(
+    [&](std::size_t pixel, std::size_t ray) { counts[pixel] = merge(pixel, ray, nullptr); });
+  MakeRoom(counts, all);
+  forPixels([&](std::size_t pixel, std::size_t ray)
+    { merge(pixel, ray, all.Layers.data() + all.Firsts[pixel]); });
+  this->Layers.swap(all.Layers);
+  this->Firsts.swap(all.Firsts);
+}
+
+}

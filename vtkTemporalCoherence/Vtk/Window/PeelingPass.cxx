@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Window/PeelingPass.h"
+
+#include "Window/FindPass.h"
+
+#include <vtkDualDepthPeelingPass.h>
+#include <vtkShaderProgram.h>
+#include <vtkVolume.h>
+#include <vtkVolumeMapper.h>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+/// What the pass looks for in the shaders of volumes, and what it calls and reads there.
+constexpr const char* Work = "//VTK::CallWorker::Impl";
+constexpr const char* Template = "//VTK::System::Dec\n"
+                                 "//VTK::Output::Dec\n"
+                                 "in vec2 texCoord;\n"
+                                 "uniform vec2 in_inverseWindowSize;\n"
+                                 "const float g_opacityThreshold = 1.0 - 1.0 / 255.0;\n"
+                                 "//VTK::DepthPeeling::Dec\n"
+                                 "//PeeledDeclarations\n"
+                                 "void initializeRayCast() {}\n"
+                                 "vec4 castRay(float zStart, float zEnd)\n"
+                                 "{\n"
+                                 "//PeeledColor\n"
+                                 "}\n"
+                                 "void main()\n"
+                                 "{\n"
+                                 "//VTK::CallWorker::Impl\n"
+                                 "}\n";
+
+/// Textures that the pass gives to the shaders of a stage, by which stages are told apart.
+constexpr const char* OfPeels = "lastFrontColorTex";
+constexpr const char* OfRest = "depthRangeTex";
+
+bool Has(const std::string& text, const char* word)
+{
+  return text.find(word) != std::string::npos;
+}
+
+}
+
+std::optional<PeelingPass> PeelingPass::Of(vtkVolume* volume)
+{
+  PeelingPass found;
+  found.Pass = FindPass<vtkDualDepthPeelingPass>(volume);
+  if (!found.Pass)
+  {
+    return std::nullopt;
+  }
+  found.Source = Template;
+  std::string vertexShader, geometryShader;
+  found.Pass->PreReplaceShaderValues(
+    vertexShader, geometryShader, found.Source, volume->GetMapper(), volume);
+  return found;
+}
+
+bool PeelingPass::IsFirst() const
+{
+  return !Has(this->Source, OfPeels) && !Has(this->Source, OfRest);
+}
+
+bool PeelingPass::IsBlended() const
+{
+  return Has(this->Source, OfRest);
+}
+
+bool PeelingPass::IsKnown() const
+{
+  return !Has(this->Source, Work);
+}
+
+void PeelingPass::SetUniforms(
+  vtkShaderProgram* program, vtkVolume* volume, int width, int height) const
+{
+  const float inverse[2] = { 1.0f / static_cast<float>(width), 1.0f / static_cast<float>(height) };
+  program->SetUniform2f("in_inverseWindowSize", inverse);
+  this->Pass->SetShaderParameters(program, volume->GetMapper(), volume, nullptr);
+}
+
+vtkMTimeType PeelingPass::Time() const
+{
+  return this->Pass->GetShaderStageMTime();
+}
+
+}

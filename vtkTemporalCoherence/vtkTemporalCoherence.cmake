@@ -24,6 +24,7 @@ set(engine_files
   Trace/KernelsRays
   Trace/KernelsWalk
   Trace/LayerTracer
+  Trace/RayPieces
   Trace/RaySource
   Trace/RegionCutter
   Trace/SurfaceTracer

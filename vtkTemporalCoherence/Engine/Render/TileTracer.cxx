@@ -4,6 +4,7 @@
 
 #include "Scene/FramePlanes.h"
 #include "Scene/TileTimer.h"
+#include "Trace/RayPieces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,19 +24,6 @@ bool AreMisses(const QueryBatch& known, int count)
 {
   return std::all_of(known.Answers.begin(), known.Answers.begin() + count,
     [](Answer answer) { return answer == Answer::DefiniteMiss; });
-}
-
-/// Make what a later piece of a ray found its own.
-void TakeHit(const HitBatch& found, std::size_t i, std::size_t ray, HitBatch& hits)
-{
-  hits.Depth[ray] = found.Depth[i];
-  hits.Surface[ray] = found.Surface[i];
-  hits.Kind[ray] = found.Kind[i];
-  if (found.Contact[i] < hits.Contact[ray])
-  {
-    hits.Contact[ray] = found.Contact[i];
-    hits.FromInside[ray] = found.FromInside[i];
-  }
 }
 
 void Count(Answer answer, TraceCounts& counts)
@@ -132,55 +120,14 @@ TraceCounts TileTracer::TraceSome(
 /// Find the first surface along each ray, in what the region leaves of it.
 void TileTracer::Find(const RayBatch& rays, HitBatch& hits) const
 {
-  if (this->Rays.Cut.HasPieces())
-  {
-    this->FindInPieces(rays, hits);
-  }
-  else
+  if (!this->Rays.Cut.HasPieces())
   {
     this->Tracer->Trace(rays, hits);
+    return;
   }
-}
-
-/// Rays that are in the region, leave it and come back: piece by piece, until there is a hit.
-void TileTracer::FindInPieces(const RayBatch& rays, HitBatch& hits) const
-{
-  const auto count = static_cast<std::size_t>(rays.Count);
   hits.Clear(rays.Count);
-  RayBatch::Array<RegionCutter::Pieces> pieces;
-  for (std::size_t ray = 0; ray < count; ++ray)
-  {
-    pieces[ray] = this->Rays.Cut.PiecesOf(rays, ray);
-  }
-  for (std::size_t piece = 0; piece < RegionCutter::MostPieces; ++piece)
-  {
-    RayBatch part;
-    RayBatch::Array<std::size_t> owners;
-    for (std::size_t ray = 0; ray < count; ++ray)
-    {
-      if (piece < pieces[ray].Count && hits.Kind[ray] == HitKind::None)
-      {
-        const glm::dvec2& ends = pieces[ray].Ends[piece];
-        const auto at = static_cast<std::size_t>(part.Count);
-        owners[at] = ray;
-        AppendRay(rays, ray, part);
-        part.Begin[at] = ends.x;
-        part.End[at] = ends.y;
-        part.WalkBegin[at] = std::max(rays.WalkBegin[ray], ends.x);
-        part.WalkEnd[at] = std::min(rays.WalkEnd[ray], ends.y);
-      }
-    }
-    if (part.Count > 0)
-    {
-      HitBatch found;
-      this->Tracer->Trace(part, found);
-      for (std::size_t i = 0; i < static_cast<std::size_t>(part.Count); ++i)
-      {
-        TakeHit(found, i, owners[i], hits);
-      }
-      hits.CellsRead += found.CellsRead;
-    }
-  }
+  FindInPieces(this->Rays.Cut, rays, hits,
+    [this](const RayBatch& part, HitBatch& found) { this->Tracer->Trace(part, found); });
 }
 
 void TileTracer::TraceCold(const RayBatch& rays, Frame& frame, TraceCounts& counts) const

@@ -49,7 +49,6 @@ public:
 private:
   bool CanSkip(std::int64_t tile) const;
   void Find(const RayBatch& rays, HitBatch& hits) const;
-  void FindInPieces(const RayBatch& rays, HitBatch& hits) const;
   void TraceCold(const RayBatch& rays, Frame& frame, TraceCounts& counts) const;
   void StoreTraced(const RayBatch& rays, const HitBatch& hits, std::size_t ray, Frame& frame,
     TraceCounts& counts) const;

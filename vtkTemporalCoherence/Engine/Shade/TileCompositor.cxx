@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shade/TileCompositor.h"
 
+#include "Trace/RayPieces.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -285,39 +287,8 @@ void TileCompositor::FindNext(const RayBatch& rays, HitBatch& hits) const
     this->Tracer->FindNext(rays, hits);
     return;
   }
-  const auto count = static_cast<std::size_t>(rays.Count);
-  HitBatch next;
-  next.Clear(rays.Count);
-  for (std::size_t piece = 0; piece < RegionCutter::MostPieces; ++piece)
-  {
-    RayBatch part;
-    HitBatch last;
-    last.CellsRead = 0;
-    Array<std::size_t> owners;
-    for (std::size_t ray = 0; ray < count; ++ray)
-    {
-      const RegionCutter::Pieces pieces = this->Rays.Cut.PiecesOf(rays, ray);
-      if (piece < pieces.Count && next.Kind[ray] == HitKind::None &&
-        pieces.Ends[piece].y > hits.Depth[ray])
-      {
-        const auto at = static_cast<std::size_t>(part.Count);
-        owners[at] = ray;
-        AppendHit(hits, ray, at, last);
-        AppendRay(rays, ray, part);
-        part.Begin[at] = pieces.Ends[piece].x;
-        part.End[at] = pieces.Ends[piece].y;
-        part.WalkBegin[at] = std::max(rays.WalkBegin[ray], part.Begin[at]);
-        part.WalkEnd[at] = std::min(rays.WalkEnd[ray], part.End[at]);
-      }
-    }
-    this->Tracer->FindNext(part, last);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(part.Count); ++i)
-    {
-      AppendHit(last, i, owners[i], next);
-    }
-    next.CellsRead += last.CellsRead;
-  }
-  hits = next;
+  FindInPieces(this->Rays.Cut, rays, hits,
+    [this](const RayBatch& part, HitBatch& found) { this->Tracer->FindNext(part, found); });
 }
 
 }

@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Trace/RayPieces.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+/// Some pieces of the rays of a batch, at most one of each.
+struct PieceBatch
+{
+  RayBatch Rays;
+  HitBatch Hits; ///< what the rays have met last, and then what they meet in these pieces
+  RayBatch::Array<std::size_t> Owners;
+};
+
+/// Append the part of a ray between two distances, which has met `last`.
+void AppendPiece(const RayBatch& rays, std::size_t ray, const glm::dvec2& ends,
+  const HitBatch& last, PieceBatch& pieces)
+{
+  const auto at = static_cast<std::size_t>(pieces.Rays.Count);
+  pieces.Owners[at] = ray;
+  AppendRay(rays, ray, pieces.Rays);
+  pieces.Rays.Begin[at] = ends.x;
+  pieces.Rays.End[at] = ends.y;
+  pieces.Rays.WalkBegin[at] = std::max(rays.WalkBegin[ray], ends.x);
+  pieces.Rays.WalkEnd[at] = std::min(rays.WalkEnd[ray], ends.y);
+  pieces.Hits.Depth[at] = last.Depth[ray];
+  pieces.Hits.Contact[at] = std::numeric_limits<double>::infinity();
+  pieces.Hits.FromInside[at] = 0;
+  pieces.Hits.Surface[at] = last.Surface[ray];
+  pieces.Hits.Kind[at] = last.Kind[ray];
+}
+
+/// Make what was found in a piece what its ray found.
+void TakeHit(const HitBatch& found, std::size_t i, std::size_t ray, HitBatch& hits)
+{
+  hits.Depth[ray] = found.Depth[i];
+  hits.Surface[ray] = found.Surface[i];
+  hits.Kind[ray] = found.Kind[i];
+  if (found.Contact[i] < hits.Contact[ray])
+  {
+    hits.Contact[ray] = found.Contact[i];
+    hits.FromInside[ray] = found.FromInside[i];
+  }
+}
+
+}
+
+void FindInPieces(
+  const RegionCutter& cut, const RayBatch& rays, HitBatch& hits, const FindSurfaces& find)
+{
+  const auto count = static_cast<std::size_t>(rays.Count);
+  RayBatch::Array<RegionCutter::Pieces> pieces;
+  for (std::size_t ray = 0; ray < count; ++ray)
+  {
+    pieces[ray] = cut.PiecesOf(rays, ray);
+  }
+  HitBatch next;
+  next.Clear(rays.Count);
+  for (std::size_t piece = 0; piece < RegionCutter::MostPieces; ++piece)
+  {
+    PieceBatch batch;
+    batch.Hits.CellsRead = 0;
+    for (std::size_t ray = 0; ray < count; ++ray)
+    {
+      if (piece < pieces[ray].Count && next.Kind[ray] == HitKind::None)
+      {
+        const glm::dvec2& ends = pieces[ray].Ends[piece];
+        if (hits.Surface[ray] == Frame::NoSurface || ends.y > hits.Depth[ray])
+        {
+          AppendPiece(rays, ray, ends, hits, batch);
+        }
+      }
+    }
+    if (batch.Rays.Count > 0)
+    {
+      find(batch.Rays, batch.Hits);
+      for (std::size_t i = 0; i < static_cast<std::size_t>(batch.Rays.Count); ++i)
+      {
+        TakeHit(batch.Hits, i, batch.Owners[i], next);
+      }
+      next.CellsRead += batch.Hits.CellsRead;
+    }
+  }
+  hits = next;
+}
+
+}

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_RayPieces_h
+#define TemporalCoherence_RayPieces_h
+
+#include "Scene/RayBatch.h"
+#include "Trace/RegionCutter.h"
+
+#include <functional>
+
+namespace TemporalCoherence
+{
+
+/// Finds one surface along each ray of a batch, behind the one that the ray has in `hits`.
+using FindSurfaces = std::function<void(const RayBatch& rays, HitBatch& hits)>;
+
+/// Find one surface along each ray where the region leaves several pieces of it: first in the
+/// nearest pieces, then, for the rays that met nothing there, in the next ones.
+/// \param hits on entry the surface that each ray has met last, from which it goes on; none for a
+///             ray that begins. Pieces that end before that surface are left out. On return the
+///             surface found, and the first contact of all pieces that were searched.
+/// \pre cut.HasPieces()
+void FindInPieces(
+  const RegionCutter& cut, const RayBatch& rays, HitBatch& hits, const FindSurfaces& find);
+
+}
+
+#endif

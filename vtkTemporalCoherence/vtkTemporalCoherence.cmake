@@ -37,9 +37,13 @@ set(engine_files
   Shade/TileCompositor
   Shade/TileShader
   ImageCache/FreeSpace
+  ImageCache/FreeSpaceHint
   ImageCache/ImageCache
+  ImageCache/ImageHint
   ImageCache/ImageQuery
   ImageCache/KernelsImage
+  ImageCache/LastHitHint
+  ImageCache/PaperHint
   Isomap/BandPlan
   Isomap/BandTracer
   Isomap/Isomap
@@ -48,8 +52,11 @@ set(engine_files
   Isomap/KnotCollector
   Isomap/Knots
   Render/FrameRenderer
+  Render/FrameStore
+  Render/FrameStructures
   Render/LineTracer
   Render/ReusePlan
+  Render/Routes
   Render/SampleDistance
   Render/TileTracer)
 list(TRANSFORM engine_files PREPEND "${module_directory}/Engine/")

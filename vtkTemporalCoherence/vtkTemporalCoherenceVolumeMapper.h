@@ -509,10 +509,33 @@ public:
   bool IntersectWithLine(vtkVolume* volume, const double p1[3], const double p2[3], double& t,
     double position[3], double normal[3], int* isovalueIndex);
 
+  /**
+   * Ways to make a frame:
+   * - COLD: every ray is traced, with no help from an earlier frame;
+   * - REDISPLAY: nothing changed, the same picture is shown again;
+   * - RESHADE: only colours, lights or shading changed, known hits are shaded again;
+   * - ISOMAP_LOOKUP: a new isovalue is looked up in the isomap of the view;
+   * - ISOMAP_BUILD: the same after a band of the isomap was built;
+   * - THRESHOLD_HINT: without an isomap, the last hits bound the search for a new isovalue;
+   * - IMAGE_CACHE: in a new view rays start from what a kept picture tells;
+   * - TIME_STEP: where samples that changed are not seen, the last picture is copied.
+   */
+  enum Routes
+  {
+    COLD,
+    REDISPLAY,
+    RESHADE,
+    ISOMAP_LOOKUP,
+    ISOMAP_BUILD,
+    THRESHOLD_HINT,
+    IMAGE_CACHE,
+    TIME_STEP
+  };
+
   //@{
   /**
-   * How the last frame was made: the position of the name in the list Cold, Redisplay, Reshade,
-   * IsomapLookup, IsomapBuild, ThresholdHint, ImageCache; and the name.
+   * How the last frame was made: one of Routes, and its name: Cold, Redisplay, Reshade,
+   * IsomapLookup, IsomapBuild, ThresholdHint, ImageCache or TimeStep.
    */
   int GetRoute();
   const char* GetRouteAsString();
@@ -540,7 +563,8 @@ public:
   //@{
   /**
    * Seconds that the last frame took: all told (showing it included), and of these: structures and
-   * tracing or looking up, asking the image cache, building an isomap, shading, showing.
+   * tracing or looking up, asking the image cache, building an isomap, shading, showing. A call of
+   * BuildIsomap() after the frame sets the time of building to its own, and no other.
    */
   double GetFrameTime();
   double GetTraceTime();

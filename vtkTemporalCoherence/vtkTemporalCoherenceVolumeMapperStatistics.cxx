@@ -9,6 +9,10 @@ VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
 int vtkTemporalCoherenceVolumeMapper::GetRoute()
 {
+  using TemporalCoherence::Route;
+  static_assert(
+    static_cast<int>(Route::Cold) == COLD && static_cast<int>(Route::TimeStep) == TIME_STEP,
+    "Routes tells the same as Route");
   return static_cast<int>(this->Internal->Frames.Statistics().Made);
 }
 

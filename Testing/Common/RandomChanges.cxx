@@ -183,8 +183,7 @@ void ExpectPromise(Scene& scene, ColdWitness& cold, const std::string& what)
 {
   Mapper* mapper = scene.Mapper;
   Expect(cold.Draw(scene), what + ": rendered cold");
-  const bool isFromCache =
-    IsRoute(scene, "ImageCache") && mapper->GetReuseAccuracy() != Mapper::EXACT;
+  const bool isFromCache = IsRoute(scene, "ImageCache");
   const bool isLookedUp = IsRoute(scene, "IsomapLookup") || IsRoute(scene, "IsomapBuild");
   const double tolerance = isLookedUp ? mapper->GetIsomapTolerance() : 0.0;
   // In small pictures a single pixel can be more than the share.
@@ -234,7 +233,7 @@ Sweep::Routes Wander(Scene& scene, RandomViews& views, const std::vector<KindOfC
     Expect(views.Render(), what + ": rendered");
     // What is as it was before the last frame may have an isomap still. Where other samples are not
     // seen, the last picture is copied.
-    const bool isCopied = isOfData && IsRoute(scene, "ImageCache");
+    const bool isCopied = isOfData && IsRoute(scene, "TimeStep");
     Expect(!isOfData || isCopied || IsRoute(scene, "Cold") || IsRoute(scene, "IsomapLookup"),
       what + ": other data are drawn by " + scene.Mapper->GetRouteAsString());
     ExpectPromise(scene, cold, what);

@@ -88,7 +88,7 @@ void TestEachChange()
   property->SetInterpolationTypeToNearest();
   ExpectRoute(scene, "Cold", "interpolation");
   camera->Azimuth(10.0);
-  ExpectRoute(scene, "ImageCache", "camera");
+  ExpectRoute(scene, "Cold", "camera, EXACT");
   scene.Volume->RotateX(5.0);
   ExpectRoute(scene, "Cold", "prop transform");
   scene.Mapper->SetSurfaceModeToThreshold();
@@ -97,7 +97,7 @@ void TestEachChange()
   ExpectRoute(scene, "Cold", "image origin");
   image->GetPointData()->GetScalars()->SetComponent(17000, 0, 30000);
   image->GetPointData()->GetScalars()->Modified();
-  ExpectRoute(scene, "ImageCache", "one sample: most tiles do not see it");
+  ExpectRoute(scene, "TimeStep", "one sample: most tiles do not see it");
   scene.Mapper->SetInputData(Volumes::Waves());
   ExpectRoute(scene, "Cold", "another image");
 

@@ -243,7 +243,7 @@ void TestMovingBlob(const Kind& kind)
   series.Step(0.25, "Cold", kind.Name + ", before hashes");
   for (int step = 2; step < 10; ++step)
   {
-    series.Step(0.25 * step, "ImageCache", kind.Name);
+    series.Step(0.25 * step, "TimeStep", kind.Name);
     const vtkIdType copied =
       mapper->GetNumberOfDefiniteHits() + mapper->GetNumberOfDefiniteMisses();
     Expect(2 * copied >= mapper->GetNumberOfRays(), kind.Name + ": most pixels are copied");
@@ -255,14 +255,14 @@ void TestMovingBlob(const Kind& kind)
   // What was copied serves as any other picture.
   scene.Volume->GetProperty()->SetDiffuse(0.4);
   series.Expect("Reshade", kind.Name + ", shaded again");
-  series.Step(2.5, "ImageCache", kind.Name + ", moved on after that");
+  series.Step(2.5, "TimeStep", kind.Name + ", moved on after that");
   series.Step(2.5, "Redisplay", kind.Name + ", stays");
   mapper->ImageCacheOff();
   series.Step(2.75, "Cold", kind.Name + ", image cache off");
   mapper->ImageCacheOn();
-  series.Step(3.0, "ImageCache", kind.Name + ", and on");
+  series.Step(3.0, "TimeStep", kind.Name + ", and on");
   mapper->SetReuseAccuracyToExact();
-  series.Step(3.25, "ImageCache", kind.Name + ", exact");
+  series.Step(3.25, "TimeStep", kind.Name + ", exact");
   scene.Volume->GetProperty()->SetAmbient(0.3);
   series.Step(3.5, "Cold", kind.Name + ", other colours");
   scene.SetIsovalues({ 50.0 });
@@ -270,7 +270,7 @@ void TestMovingBlob(const Kind& kind)
   scene.Renderer->GetActiveCamera()->Azimuth(2.0);
   series.Step(4.0, "Cold", kind.Name + ", other view");
   // What is copied to replaces a picture of another view.
-  series.Step(4.25, "ImageCache", kind.Name + ", in that view");
+  series.Step(4.25, "TimeStep", kind.Name + ", in that view");
   scene.Volume->GetProperty()->SetAmbient(0.2);
   series.Expect("Reshade", kind.Name + ", shaded again in that view");
 }
@@ -299,14 +299,14 @@ void TestNotFinite()
   show(1.0, infinity);
   show(2.0, infinity);
   show(3.0, infinity);
-  Expect(IsRoute(scene, "ImageCache"), "a change within the range is copied around");
+  Expect(IsRoute(scene, "TimeStep"), "a change within the range is copied around");
   show(500.0, infinity);
   Expect(IsRoute(scene, "Cold"), "one of the range is not");
   show(500.0, std::numeric_limits<double>::quiet_NaN());
   show(4.0, 5.0);
   Expect(IsRoute(scene, "Cold"), "nor is one from what is not finite");
   show(500.0, 5.0);
-  Expect(IsRoute(scene, "ImageCache"), "of finite samples, the range does not matter");
+  Expect(IsRoute(scene, "TimeStep"), "of finite samples, the range does not matter");
 }
 
 /// Changes that no pixel shows: nothing is traced.
@@ -325,7 +325,7 @@ void TestOutsideOfTheView()
     samples->Modified();
     Expect(scene.Render(Width, Height) && cold.Draw(scene) && cold.IsIdentical(scene),
       "outside of the view: the cold picture");
-    Expect(IsRoute(scene, step < 2 ? "Cold" : "ImageCache"),
+    Expect(IsRoute(scene, step < 2 ? "Cold" : "TimeStep"),
       std::string("outside of the view: ") + scene.Mapper->GetRouteAsString());
     Expect(step < 2 || scene.Mapper->GetNumberOfTracedRays() == 0, "nothing is traced");
   }
@@ -434,12 +434,12 @@ void TestTwoViewers()
   for (int step = 0; step < 12; ++step)
   {
     series.Step(0.125 * (step / 2), "", "the first viewer");
-    copies += IsRoute(scene, "ImageCache");
+    copies += IsRoute(scene, "TimeStep");
     if (step % 3 == 0)
     {
       Expect(scene.Mapper->RenderToImage(other, scene.Volume, Width, Height, color, depth),
         "rendered for the second viewer");
-      copies += IsRoute(scene, "ImageCache");
+      copies += IsRoute(scene, "TimeStep");
       cold.Mapper->SetInputDataObject(scene.Mapper->GetInputDataObject(0, 0));
       cold.Mapper->ReleaseReuse();
       Expect(
@@ -474,7 +474,7 @@ int TestTimeSteps(int, char*[])
   {
     std::cout << route << ": " << count << '\n';
   }
-  Expect(routes["ImageCache"] > 150, "parts of pictures are copied");
+  Expect(routes["TimeStep"] > 150, "parts of pictures are copied");
   Expect(routes["Redisplay"] > 50, "pictures are shown again");
   Expect(routes["IsomapLookup"] + routes["IsomapBuild"] > 10, "isovalues are looked up");
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;

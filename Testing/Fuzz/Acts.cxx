@@ -41,7 +41,6 @@ void ReplaceMapper(World& world, Oracle& oracle)
     volume->SetMapper(next);
   }
   oracle.BeginAnew();
-  world.IsViewChanged = true;
   world.IsUntold = false;
 }
 
@@ -59,7 +58,6 @@ void ReplaceVolume(World& world)
     renderer->AddVolume(next);
   }
   world.Volumes[world.AtVolume] = next;
-  world.IsViewChanged = true;
 }
 
 void ReplaceRenderer(World& world)
@@ -68,7 +66,6 @@ void ReplaceRenderer(World& world)
   next->SetActiveCamera(world.Camera());
   next->AddVolume(world.Volume());
   world.Renderers[world.AtRenderer] = next;
-  world.IsViewChanged = true;
 }
 
 /// Samples that were written in secret are known from now on.

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Changes.h"
 
-#include <utility>
-
 namespace Fuzz
 {
 namespace Changes
@@ -11,20 +9,17 @@ namespace Changes
 namespace
 {
 
-/// All kinds, and whether they change who sees what.
-const std::vector<std::pair<const ChangeKind*, bool>>& All()
+const std::vector<const ChangeKind*>& All()
 {
   static const auto all = []
   {
-    std::vector<std::pair<const ChangeKind*, bool>> kinds;
-    const std::pair<const std::vector<ChangeKind>&, bool> groups[] = { { OfData(), false },
-      { OfCamera(), true }, { OfIsovalues(), false }, { OfLook(), false }, { OfLights(), false },
-      { OfRegion(), false }, { OfPlacement(), true }, { OfSettings(), false } };
-    for (const auto& [group, isOfView] : groups)
+    std::vector<const ChangeKind*> kinds;
+    for (const auto* group : { &OfData(), &OfCamera(), &OfIsovalues(), &OfLook(), &OfLights(),
+           &OfRegion(), &OfPlacement(), &OfSettings() })
     {
-      for (const ChangeKind& kind : group)
+      for (const ChangeKind& kind : *group)
       {
-        kinds.emplace_back(&kind, isOfView);
+        kinds.push_back(&kind);
       }
     }
     return kinds;
@@ -38,18 +33,17 @@ void MakeOne(World& world)
 {
   const auto theme = static_cast<std::size_t>(world.About);
   int sum = 0;
-  for (const auto& [kind, isOfView] : All())
+  for (const ChangeKind* kind : All())
   {
     sum += kind->Weights[theme];
   }
   int choice = world.From.Pick(sum);
-  for (const auto& [kind, isOfView] : All())
+  for (const ChangeKind* kind : All())
   {
     choice -= kind->Weights[theme];
     if (choice < 0)
     {
       Story::Tell(kind->Name);
-      world.IsViewChanged = world.IsViewChanged || isOfView;
       kind->Make(world);
       return;
     }

@@ -126,8 +126,6 @@ void Oracle::TakeFrame(const Picture& made)
   this->Shown.Copy(made);
   this->HasFrame = true;
   this->LastError.clear();
-  // Whether it is exact is not known: the next one counts as another view.
-  this->Of.IsViewChanged = true;
   this->AreExact = {};
 }
 
@@ -212,7 +210,6 @@ void Oracle::CheckFrame()
   this->HasFrame = true;
   this->CompareCounters();
   this->Compare(cold);
-  world.IsViewChanged = false;
 }
 
 void Oracle::CompareCounters()
@@ -238,8 +235,7 @@ bool Oracle::IsPromisedExact() const
   }
   if (route == "ImageCache")
   {
-    // Without another view it is a copy of what did not change.
-    return subject->GetReuseAccuracy() == Mapper::EXACT || !this->Of.IsViewChanged;
+    return false;
   }
   const bool isAgain = route == "Redisplay" || route == "Reshade";
   return !isAgain || subject->GetRefineWhenStill() ||

@@ -101,7 +101,6 @@ void World::MakeSane()
   Changes::SetIsovalues(
     *this, { this->Low + this->From.Between(0.1, 0.9) * (this->High - this->Low) });
   this->From.Wildness = wildness;
-  this->IsViewChanged = true;
 }
 
 }

@@ -63,8 +63,6 @@ struct World
   double Low = 0.0, High = 100.0; ///< where isovalues are worth asking for
   bool IsTame = true;             ///< no number of the scene is wild
 
-  bool IsViewChanged = true; ///< since the last frame
-
   /// Samples were written and nobody was told: what frames show means nothing until the mapper has
   /// forgotten them.
   bool IsUntold = false;

@@ -87,7 +87,7 @@ std::vector<Row> Orbits(int frames)
              frames, [](Mapper* mapper) { mapper->ImageCacheOff(); }),
     Orbit("bounded", "ImageCache", turned + "`BOUNDED`, the default", frames,
       [](Mapper* mapper) { mapper->SetReuseAccuracyToBounded(); }),
-    Orbit("exact", "ImageCache", turned + "`EXACT`: the cold picture, to the last bit", frames,
+    Orbit("exact", "Cold", turned + "`EXACT`: the cold picture, to the last bit", frames,
       [](Mapper* mapper) { mapper->SetReuseAccuracyToExact(); }),
     Orbit("paper", "ImageCache", turned + "`PAPER`, as published", frames,
       [](Mapper* mapper) { mapper->SetReuseAccuracyToPaper(); }) };

@@ -74,7 +74,7 @@ protected:
     {
       const PixelRect part = PixelsOfTile(next.Size, tile);
       RayBatch rays;
-      QueryBatch known;
+      KnownRays known;
       source.SetUp(part.First, part.Size, rays);
       query.Ask(rays, known);
       for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
@@ -92,7 +92,7 @@ protected:
   Shares ExpectFree(CachedImage& image, const View& next)
   {
     return this->AskAll(image, next, ReuseAccuracy::Bounded,
-      [&](const RayBatch& rays, const QueryBatch& known, std::size_t i, double hit)
+      [&](const RayBatch& rays, const KnownRays& known, std::size_t i, double hit)
       {
         EXPECT_NE(known.Answers[i], Answer::DefiniteHit);
         if (known.Answers[i] == Answer::DefiniteMiss)
@@ -142,7 +142,7 @@ TEST_F(ImageQueryTest, ASmallTurnLeavesLittleToLookFor)
   int near = 0, hits = 0;
   const View next = this->Look({ 1.0, 0.03, 0.0 });
   const Shares shares = this->AskAll(image, next, ReuseAccuracy::Bounded,
-    [&](const RayBatch&, const QueryBatch& known, std::size_t i, double hit)
+    [&](const RayBatch&, const KnownRays& known, std::size_t i, double hit)
     {
       hits += hit < Infinity;
       near += hit < Infinity && hit - known.Free[i] < 2.5;
@@ -184,7 +184,7 @@ TEST_F(ImageQueryTest, PaperFindsTheHitsOfASmoothSurface)
   CachedImage image = this->PictureOf(this->Look({ 1.0, 0.0, 0.0 }));
   int hits = 0, wrong = 0, near = 0;
   const Shares shares = this->AskAll(image, this->Look({ 1.0, 0.03, 0.0 }), ReuseAccuracy::Paper,
-    [&](const RayBatch&, const QueryBatch& known, std::size_t i, double hit)
+    [&](const RayBatch&, const KnownRays& known, std::size_t i, double hit)
     {
       hits += hit < Infinity;
       wrong += hit < Infinity && known.Answers[i] == Answer::DefiniteMiss;
@@ -208,7 +208,7 @@ TEST_F(ImageQueryTest, ConcavityIsAPossibleHit)
   CachedImage image = this->PictureOf(this->Look({ 1.0, 0.0, 0.0 }));
   const View next = this->Look({ 1.0, -0.25, 0.0 });
   const Shares shares = this->AskAll(image, next, ReuseAccuracy::Paper,
-    [](const RayBatch&, const QueryBatch&, std::size_t, double) {});
+    [](const RayBatch&, const KnownRays&, std::size_t, double) {});
   EXPECT_GT(shares.Possible, 100.0);
   EXPECT_GT(shares.Hits, 3000.0);
 }

@@ -167,7 +167,7 @@ TEST_F(KeptPlanes, LayersAreCopiedWithTheirTiles)
     this->Key.Look.Ambient = 0.1 + 0.01 * number;
     this->Render("shaded again");
   }
-  EXPECT_GE(this->Routes[Route::ImageCache], 7) << "tiles are copied";
+  EXPECT_GE(this->Routes[Route::TimeStep], 7) << "tiles are copied";
   EXPECT_GE(this->Routes[Route::Reshade], 10);
 }
 
@@ -199,7 +199,7 @@ TEST_F(KeptPlanes, NothingOfAnEarlierFrameStays)
     }
     this->Render("step " + std::to_string(step) + ", change " + std::to_string(change));
   }
-  EXPECT_GE(this->Routes[Route::ImageCache], 20);
+  EXPECT_GE(this->Routes[Route::TimeStep], 20);
   EXPECT_GE(this->Routes[Route::Reshade], 5);
 }
 

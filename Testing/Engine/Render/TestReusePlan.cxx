@@ -178,7 +178,7 @@ TEST(ReusePlan, OtherSamplesThatFewTilesCanSee)
   HeldForReuse held;
   held.ShareToTrace = 0.5;
   EXPECT_TRUE(CompareFrames(BaseKey(), key).Samples);
-  EXPECT_EQ(Plan(key, {}, held), Route::ImageCache);
+  EXPECT_EQ(Plan(key, {}, held), Route::TimeStep);
   EXPECT_FALSE(CanServe(BaseKey(), key)) << "to start rays from";
   held.ShareToTrace = 0.51;
   EXPECT_EQ(Plan(key, {}, held), Route::Cold) << "too many tiles";
@@ -221,6 +221,7 @@ TEST(ReusePlan, RoutesHaveTheirNames)
 {
   EXPECT_STREQ(NameOf(Route::Cold), "Cold");
   EXPECT_STREQ(NameOf(Route::ImageCache), "ImageCache");
+  EXPECT_STREQ(NameOf(Route::TimeStep), "TimeStep");
   EXPECT_STREQ(NameOf(Route::ThresholdHint), "ThresholdHint");
 }
 

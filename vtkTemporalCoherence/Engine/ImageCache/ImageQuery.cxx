@@ -195,7 +195,7 @@ ImageQuery::ImageQuery(CachedImage& image, const FrameKey& next, ReuseAccuracy a
   }
 }
 
-void ImageQuery::Ask(const RayBatch& rays, QueryBatch& known) const
+void ImageQuery::Ask(const RayBatch& rays, KnownRays& known) const
 {
   PathBatch paths;
   ProjectWalks(this->Projection, rays, paths);
@@ -220,7 +220,7 @@ void ImageQuery::Ask(const RayBatch& rays, QueryBatch& known) const
   }
 }
 
-void ImageQuery::FindFreeSpace(const PathBatch& paths, std::size_t ray, QueryBatch& known) const
+void ImageQuery::FindFreeSpace(const PathBatch& paths, std::size_t ray, KnownRays& known) const
 {
   const float* const guard = this->Image.Free.Guard();
   double stop = paths.End[ray];
@@ -247,7 +247,7 @@ void ImageQuery::FindFreeSpace(const PathBatch& paths, std::size_t ray, QueryBat
   }
 }
 
-void ImageQuery::FindHit(const PathBatch& paths, std::size_t ray, QueryBatch& known) const
+void ImageQuery::FindHit(const PathBatch& paths, std::size_t ray, KnownRays& known) const
 {
   const bool isParallel = this->Projection.IsParallel;
   const float* const surface = this->Image.Picture.Disparities.data();
@@ -297,7 +297,7 @@ void ImageQuery::FindHit(const PathBatch& paths, std::size_t ray, QueryBatch& kn
 }
 
 void ImageQuery::Interpolate(
-  const QueryBatch& known, std::size_t ray, std::size_t pixel, Frame& frame) const
+  const KnownRays& known, std::size_t ray, std::size_t pixel, Frame& frame) const
 {
   const Frame& image = this->Image.Picture;
   const auto stopped = static_cast<std::size_t>(known.Pixel[ray]);

@@ -6,6 +6,7 @@
 #include "ImageCache/ImageCache.h"
 #include "ImageCache/KernelsImage.h"
 #include "Scene/RayBatch.h"
+#include "Trace/RayHint.h"
 
 #include <cstdint>
 
@@ -18,16 +19,6 @@ enum class ReuseAccuracy : std::uint8_t
   Bounded, ///< at most 0.01 % of the pixels differ from the cold picture, however many frames
   Exact,   ///< the cold picture
   Paper    ///< as published: silhouettes erode a little with every frame
-};
-
-/// What a cached image knows about the rays of a batch, as arrays over rays.
-struct QueryBatch
-{
-  RayBatch::Array<Answer> Answers;
-  RayBatch::Array<double> Free;        ///< no surface nearer than this t is known of
-  RayBatch::Array<double> Hit;         ///< t of a definite hit
-  RayBatch::Array<double> Column, Row; ///< of a definite hit, in pixels of the cached image
-  RayBatch::Array<std::int32_t> Pixel; ///< of the cached image, where the ray stopped; or -1
 };
 
 /// Asks a cached image about the rays of another view (the paper, section 3).
@@ -58,7 +49,7 @@ public:
   ImageQuery(CachedImage& image, const FrameKey& next, ReuseAccuracy accuracy);
 
   /// Ask about the walks of a batch. Safe from many threads.
-  void Ask(const RayBatch& rays, QueryBatch& known) const;
+  void Ask(const RayBatch& rays, KnownRays& known) const;
 
   /// Longest edge of a voxel in the world: the paper's "one voxel distance".
   double VoxelSize() const { return this->Voxel; }
@@ -72,11 +63,11 @@ public:
 
   /// Give a pixel of a frame what the cached image has at a definite hit: its colour and normal
   /// interpolated between pixels, and its surface.
-  void Interpolate(const QueryBatch& known, std::size_t ray, std::size_t pixel, Frame& frame) const;
+  void Interpolate(const KnownRays& known, std::size_t ray, std::size_t pixel, Frame& frame) const;
 
 private:
-  void FindFreeSpace(const PathBatch& paths, std::size_t ray, QueryBatch& known) const;
-  void FindHit(const PathBatch& paths, std::size_t ray, QueryBatch& known) const;
+  void FindFreeSpace(const PathBatch& paths, std::size_t ray, KnownRays& known) const;
+  void FindHit(const PathBatch& paths, std::size_t ray, KnownRays& known) const;
 
   const CachedImage& Image;
   ReuseAccuracy Accuracy;

@@ -7,10 +7,10 @@
 #include "Isomap/KnotCollector.h"
 #include "Isomap/Knots.h"
 #include "Scene/FrameKey.h"
+#include "Scene/Progress.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -44,8 +44,7 @@ public:
     std::uint64_t LastUse = 0;
   };
 
-  /// Called with the share of the work that is done; returns false to stop it.
-  using ReportProgress = std::function<bool(double)>;
+  using ReportProgress = TemporalCoherence::ReportProgress;
 
   enum class Outcome : std::uint8_t
   {

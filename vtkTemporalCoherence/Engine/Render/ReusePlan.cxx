@@ -39,6 +39,8 @@ const char* NameOf(Route route)
       return "ThresholdHint";
     case Route::ImageCache:
       return "ImageCache";
+    case Route::TimeStep:
+      return "TimeStep";
   }
   return "";
 }
@@ -60,7 +62,7 @@ Route PlanRoute(const FrameKey& last, const FrameKey& next, const ReuseSwitches&
   }
   if (change.Data || isSame)
   {
-    return switches.ImageCache && CanCopy(change, next, held) ? Route::ImageCache : Route::Cold;
+    return switches.ImageCache && CanCopy(change, next, held) ? Route::TimeStep : Route::Cold;
   }
   if (change.View)
   {

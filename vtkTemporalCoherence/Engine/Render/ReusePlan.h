@@ -19,8 +19,9 @@ enum class Route : std::uint8_t
   IsomapLookup,  ///< another isovalue in the same view, looked up in the isomap
   IsomapBuild,   ///< the same, the isomap being built first
   ThresholdHint, ///< the same without an isomap: the old hit bounds the search
-  ImageCache     ///< another view: the last picture tells where rays may start; or other samples:
-                 ///< it is copied where they are not seen
+  ImageCache,    ///< another view: a kept image tells where rays may start
+  TimeStep       ///< other samples in the same view: the last picture is copied where they are not
+                 ///< seen
 };
 
 /// The route's name as in the documentation, for example "Cold".

@@ -22,12 +22,13 @@ namespace TemporalCoherence
 constexpr std::int64_t TileGrain = 8;
 
 /// Call work(tile, part) for each tile of a picture, in parallel, and add up what it counts.
+/// \param counts gets the sum, and statistics their share of it
 /// \param report null, or told the progress from 0 to 1 in this thread, before each of some parts
 ///               of the work: between them threads wait for each other
 /// \return false if the report stopped it
 template <typename Report, typename Work>
-bool CountTiles(
-  const glm::ivec2& size, const Report& report, FrameStatistics& statistics, const Work& work)
+bool CountTiles(const glm::ivec2& size, const Report& report, FrameStatistics& statistics,
+  TraceCounts& counts, const Work& work)
 {
   constexpr std::int64_t mostParts = 32;
   constexpr std::int64_t smallestPart = 16 * TileGrain;
@@ -46,21 +47,22 @@ bool CountTiles(
     ParallelForRanges(std::min(inPart, tiles - first), TileGrain,
       [&](std::int64_t begin, std::int64_t end)
       {
-        TraceCounts counts;
+        TraceCounts inRange;
         for (std::int64_t tile = first + begin; tile < first + end; ++tile)
         {
           std::int64_t nanoseconds = 0;
           {
             const TileTimer timer(tile, nanoseconds);
-            counts += work(tile, PixelsOfTile(size, tile));
+            inRange += work(tile, PixelsOfTile(size, tile));
           }
-          counts.TileTime += nanoseconds;
+          inRange.TileTime += nanoseconds;
         }
         const std::lock_guard<std::mutex> lock(guard);
-        sum += counts;
+        sum += inRange;
       });
   }
   statistics.Add(sum, seconds);
+  counts += sum;
   return true;
 }
 

@@ -11,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace TemporalCoherence
@@ -76,6 +77,21 @@ struct Frame
   /// to look into it, or to write what is there already.
   std::vector<std::uint8_t> ClearTiles;
 
+  /// The list of planes: call visit(plane, miss) for each, a pointer to the member and what it
+  /// holds where nothing is hit. \param disparityOfMiss in the frame's projection
+  template <typename Visit>
+  static void ForEachPlane(float disparityOfMiss, const Visit& visit)
+  {
+    visit(&Frame::Depth, std::numeric_limits<double>::infinity());
+    visit(&Frame::Disparities, disparityOfMiss);
+    visit(&Frame::Contacts, disparityOfMiss);
+    visit(&Frame::Normals, glm::vec3(0.0f));
+    visit(&Frame::Isovalues, NoSurface);
+    visit(&Frame::Kinds, HitKind::None);
+    visit(&Frame::Answers, Answer::DefiniteMiss);
+    visit(&Frame::Colors, std::array<std::uint8_t, 4>{ 0, 0, 0, 0 });
+  }
+
   /// Give every plane room for `size` pixels; contents are not defined afterwards.
   /// \throws std::bad_alloc, the frame then being empty
   void Resize(const glm::ivec2& size)
@@ -86,14 +102,7 @@ struct Frame
     }
     const std::size_t pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
     this->Size = glm::ivec2(0);
-    this->Depth.resize(pixels);
-    this->Disparities.resize(pixels);
-    this->Contacts.resize(pixels);
-    this->Normals.resize(pixels);
-    this->Isovalues.resize(pixels);
-    this->Kinds.resize(pixels);
-    this->Answers.resize(pixels);
-    this->Colors.resize(pixels);
+    ForEachPlane(0.0f, [&](auto plane, const auto&) { (this->*plane).resize(pixels); });
     this->ClearTiles.assign(static_cast<std::size_t>(NumberOfTiles(size)), 0);
     this->Size = size;
   }

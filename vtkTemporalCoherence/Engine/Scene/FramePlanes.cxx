@@ -22,6 +22,12 @@ HitKind KindOf(const HitBatch& hits, std::size_t ray)
   return hits.Kind[ray] == HitKind::None && hits.FromInside[ray] ? HitKind::Within : hits.Kind[ray];
 }
 
+std::size_t PlaceOf(const Frame& frame, int x, int y)
+{
+  return static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.Size.x) +
+    static_cast<std::size_t>(x);
+}
+
 }
 
 void StoreMisses(std::int64_t tile, const PixelRect& part, bool isParallel, Frame& frame)
@@ -34,17 +40,10 @@ void StoreMisses(std::int64_t tile, const PixelRect& part, bool isParallel, Fram
   const auto miss = static_cast<float>(DisparityOfMiss(isParallel));
   for (int y = part.First.y; y < part.First.y + part.Size.y; ++y)
   {
-    const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.Size.x) +
-      static_cast<std::size_t>(part.First.x);
-    const auto count = static_cast<std::size_t>(part.Size.x);
-    std::fill_n(&frame.Depth[row], count, std::numeric_limits<double>::infinity());
-    std::fill_n(&frame.Disparities[row], count, miss);
-    std::fill_n(&frame.Contacts[row], count, miss);
-    std::fill_n(&frame.Normals[row], count, glm::vec3(0.0f));
-    std::fill_n(&frame.Isovalues[row], count, Frame::NoSurface);
-    std::fill_n(&frame.Kinds[row], count, HitKind::None);
-    std::fill_n(&frame.Answers[row], count, Answer::DefiniteMiss);
-    std::fill_n(&frame.Colors[row], count, std::array<std::uint8_t, 4>{ 0, 0, 0, 0 });
+    const std::size_t row = PlaceOf(frame, part.First.x, y);
+    Frame::ForEachPlane(miss,
+      [&](auto plane, const auto& value)
+      { std::fill_n(&(frame.*plane)[row], part.Size.x, value); });
   }
   isClear = 1;
 }
@@ -67,18 +66,11 @@ TraceCounts CopyTile(
   frame.ClearTiles[place] = 0;
   for (int y = part.First.y; y < part.First.y + part.Size.y; ++y)
   {
-    const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.Size.x) +
-      static_cast<std::size_t>(part.First.x);
+    const std::size_t row = PlaceOf(frame, part.First.x, y);
     const auto count = static_cast<std::size_t>(part.Size.x);
-    const auto copy = [&](const auto& source, auto& target)
-    { std::copy_n(&source[row], count, &target[row]); };
-    copy(from.Depth, frame.Depth);
-    copy(from.Disparities, frame.Disparities);
-    copy(from.Contacts, frame.Contacts);
-    copy(from.Normals, frame.Normals);
-    copy(from.Isovalues, frame.Isovalues);
-    copy(from.Kinds, frame.Kinds);
-    copy(from.Colors, frame.Colors);
+    Frame::ForEachPlane(0.0f,
+      [&](auto plane, const auto&)
+      { std::copy_n(&(from.*plane)[row], count, &(frame.*plane)[row]); });
     for (std::size_t pixel = row; pixel < row + count; ++pixel)
     {
       const bool isHit = from.Isovalues[pixel] != Frame::NoSurface;

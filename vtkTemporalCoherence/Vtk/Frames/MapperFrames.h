@@ -94,7 +94,7 @@ public:
   /// Of the viewer that was asked last for a frame or an isomap.
   const Isomap& LastIsomap() const { return this->Mapped->Frames.IsomapOfLastView(); }
   bool IsIsomapTooLarge() const { return this->Mapped->Frames.IsIsomapTooLarge(); }
-  double IsomapBuildTime() const { return this->Mapped->Frames.Statistics().IsomapBuildTime; }
+  double IsomapBuildTime() const { return this->Mapped->Frames.IsomapBuildTime(); }
 
   /// Seconds that the last frame took to be shown.
   double PresentTime() const { return this->SecondsToPresent; }

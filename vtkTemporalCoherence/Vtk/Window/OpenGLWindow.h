@@ -4,9 +4,12 @@
 #define TemporalCoherence_OpenGLWindow_h
 
 #include "Scene/Tiles.h"
+#include "vtkTemporalCoherenceCompatibility.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLRenderWindow;
 class vtkTextureObject;
+VTK_ABI_NAMESPACE_END
 
 namespace TemporalCoherence
 {

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ImageCache/ImageHint.h"
+
+#include <algorithm>
+
+namespace TemporalCoherence
+{
+
+bool ImageHint::Narrow(RayBatch& rays, KnownRays& known) const
+{
+  known.WalkBegin = rays.WalkBegin;
+  known.WalkEnd = rays.WalkEnd;
+  this->Query.Ask(rays, known);
+  bool isAllMissed = true;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
+  {
+    isAllMissed &= known.Answers[i] == Answer::DefiniteMiss;
+    if (known.Answers[i] == Answer::DefiniteMiss)
+    {
+      rays.WalkEnd[i] = rays.WalkBegin[i];
+    }
+    else if (known.Answers[i] == Answer::PossibleHit)
+    {
+      rays.WalkBegin[i] = known.Free[i];
+    }
+  }
+  return !isAllMissed;
+}
+
+bool ImageHint::Correct(
+  const KnownRays& known, const HitBatch& hits, std::size_t ray, RayBatch& rays) const
+{
+  const bool isShortened =
+    rays.WalkBegin[ray] > known.WalkBegin[ray] || rays.WalkEnd[ray] < known.WalkEnd[ray];
+  if (!isShortened || !this->IsWrong(known, hits, ray))
+  {
+    return false;
+  }
+  rays.WalkBegin[ray] = hits.Kind[ray] == HitKind::None ? known.Free[ray] : known.WalkBegin[ray];
+  rays.WalkEnd[ray] = known.WalkEnd[ray];
+  return true;
+}
+
+/// True if there is no surface where the image has one, or one is met from inside that the image
+/// does not see from inside, so that the walk began behind another.
+bool ImageHint::IsWrong(const KnownRays& known, const HitBatch& hits, std::size_t ray) const
+{
+  switch (hits.Kind[ray])
+  {
+    case HitKind::None:
+      return known.Answers[ray] == Answer::DefiniteHit;
+    case HitKind::Leaves:
+      return this->IsSolid || !this->Query.IsSeenFromInside(known.Pixel[ray]);
+    default:
+      return false;
+  }
+}
+
+RayHint::Told ImageHint::TellOf(
+  const KnownRays& known, const RayBatch& /*rays*/, const HitBatch& hits, std::size_t ray) const
+{
+  // A cap is found without a walk, and no image tells of it.
+  const Answer answer = hits.Kind[ray] == HitKind::Cap ? Answer::PossibleHit : known.Answers[ray];
+  return { answer, answer == Answer::PossibleHit };
+}
+
+}

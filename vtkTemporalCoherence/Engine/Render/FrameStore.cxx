@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Render/FrameStore.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace TemporalCoherence
+{
+
+std::shared_ptr<CachedImage> FrameStore::FindNearest(
+  const FrameKey& key, const FrameOptions& options) const
+{
+  return this->Images.Find(key, options.Images,
+    [&](const CachedImage& image)
+    {
+      const bool isTooEroded = image.IsEroded && options.Accuracy == ReuseAccuracy::Bounded;
+      return !isTooEroded && ImageQuery::CanAsk(image.Key, options.Accuracy);
+    });
+}
+
+void FrameStore::Begin(const FrameKey& key)
+{
+  if (!this->Back)
+  {
+    this->Back = std::make_shared<CachedImage>();
+  }
+  CachedImage& next = *this->Back;
+  next.Picture.Resize(key.Seen.Size);
+  next.Picture.Layers.resize(key.Sought.IsTranslucent() ? next.Picture.ClearTiles.size() : 0);
+  if (next.Key.Seen.Parallel != key.Seen.Parallel)
+  {
+    // The disparity of a miss is another one.
+    std::fill(next.Picture.ClearTiles.begin(), next.Picture.ClearTiles.end(), std::uint8_t(0));
+  }
+  next.Picture.IsFromCache = false;
+  next.Key = key;
+  next.IsExact = true;
+  next.IsEroded = false;
+}
+
+void FrameStore::Finish(const ImageCache::Options& options)
+{
+  this->Back->Free.Clear();
+  const std::shared_ptr<CachedImage> dropped = this->Images.Keep(this->Back, options);
+  std::swap(this->Front, this->Back);
+  if (this->Images.Holds(this->Back))
+  {
+    this->Back = dropped;
+  }
+}
+
+void FrameStore::MoveTo(const Field& field)
+{
+  this->Images.MoveTo(field, this->Front->Key.Samples);
+  this->Front->Key.Samples = field;
+}
+
+}

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Render/FrameStructures.h"
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+bool HasSurfaces(const FrameKey& key)
+{
+  return key.Samples.HasCells() && !key.Sought.Isovalues.empty();
+}
+
+}
+
+bool FrameStructures::PrepareRanges(const FrameKey& key)
+{
+  if (!HasSurfaces(key) || this->OfData->Samples == key.Samples)
+  {
+    return false;
+  }
+  this->OfSurfaces = std::make_shared<const SurfaceCells>();
+  this->Shared->Provide(key.Samples, this->OfData);
+  return true;
+}
+
+void FrameStructures::PrepareActiveCells(const FrameKey& key)
+{
+  if (!HasSurfaces(key))
+  {
+    return;
+  }
+  if (!(this->OfSurfaces->Samples == key.Samples) ||
+    !AreMetAlike(this->OfSurfaces->Sought, key.Sought))
+  {
+    this->Shared->Provide(*this->OfData, key.Sought, this->OfSurfaces);
+  }
+  this->Bounds.Build(key.Seen, key.Where, *this->OfSurfaces->Active, key.Samples.Grid.get());
+}
+
+std::shared_ptr<const FieldRanges> FrameStructures::RangesOf(const FrameKey& key) const
+{
+  std::shared_ptr<const FieldRanges> ranges = this->OfData;
+  if (HasSurfaces(key) && !(ranges->Samples == key.Samples))
+  {
+    this->Shared->Provide(key.Samples, ranges);
+  }
+  return ranges;
+}
+
+void FrameStructures::MoveTo(const Field& now, const Field& before)
+{
+  if (this->OfData->Samples == before)
+  {
+    this->Shared->MoveTo(now, this->OfData);
+  }
+  if (this->OfSurfaces->Samples == before)
+  {
+    this->Shared->MoveTo(now, this->OfSurfaces);
+  }
+}
+
+}

@@ -10,7 +10,7 @@ namespace TemporalCoherence
 namespace
 {
 
-/// So many nodes of leaves tell enough.
+/// So many nodes of leaves tell enough. Measured by `Benchmark --scenarios structures`.
 constexpr std::int64_t EnoughNodes = 1 << 13;
 
 /// Shares of what lies at or above the begin of each bin, from counts by bin.

@@ -16,7 +16,9 @@ namespace
 
 // What a smooth surface is, in voxels of depth: neighbours leave the plane through the pixel by at
 // most LargestBend, and the surface is at most FarthestContact behind the first active cell. It is
-// taken to be SmoothMargin nearer.
+// taken to be SmoothMargin nearer; at edges, EdgeMargin. Measured by `Benchmark --scenarios
+// image-cache`: smaller margins gain little and double the errors (Documentation/Tried.md, "The
+// image cache").
 constexpr double LargestBend = 0.25;
 constexpr double FarthestContact = 2.0;
 constexpr double SmoothMargin = 0.125;
@@ -24,8 +26,6 @@ constexpr double EdgeMargin = 1.5;
 
 /// A disparity above all others, and still a number to compute with.
 constexpr float NearerThanAll = 1e30f;
-
-constexpr std::int64_t TileGrain = 64;
 
 using Around = std::array<float, GuardTile::Width * GuardTile::Width>;
 
@@ -153,7 +153,7 @@ void FreeSpace::Make(const Frame& frame, const View& view, const Options& option
   const auto miss = static_cast<float>(DisparityOfMiss(view.Parallel));
   const GuardRule rule = RuleFor(view, options);
   const float fine = FiniteDisparityOf(options.FineDepth, view.Parallel);
-  ParallelFor(NumberOfTiles(frame.Size), TileGrain,
+  ParallelFor(NumberOfTiles(frame.Size), 8 * TileGrain,
     [&](std::int64_t number)
     {
       const PixelRect part = PixelsOfTile(frame.Size, number);

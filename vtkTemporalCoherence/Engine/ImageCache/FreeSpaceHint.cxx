@@ -7,7 +7,8 @@ namespace TemporalCoherence
 namespace
 {
 
-/// Voxels behind the free space within which a surface counts as known.
+/// Voxels behind the free space within which a surface counts as known. It colours and counts
+/// answers (ColorByAnswer), and changes no picture.
 constexpr double NearStart = 2.0;
 
 }

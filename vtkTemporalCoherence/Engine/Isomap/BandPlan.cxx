@@ -11,6 +11,9 @@ namespace TemporalCoherence
 namespace
 {
 
+// All of these are measured by the mean and the worst frames of drags, `Benchmark --scenarios
+// isomap`; what else was tried: Documentation/Tried.md, "Building the isomap".
+
 /// Width of the first band, as a share of the range of values: about a step of a slider.
 constexpr double FirstWidth = 1.0 / 256.0;
 

@@ -21,10 +21,8 @@ namespace TemporalCoherence
 namespace
 {
 
-/// Neighbouring tiles that one thread takes at a time.
-constexpr std::int64_t TileGrain = 8;
-
 /// Parts in which a band is built, each spread over the whole picture, with a report after each.
+/// Measured by the worst frames of `Benchmark --scenarios isomap`.
 constexpr std::int64_t NumberOfParts = 16;
 
 /// Where a ray begins that begins below a band.

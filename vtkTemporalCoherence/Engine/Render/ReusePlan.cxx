@@ -7,7 +7,8 @@ namespace TemporalCoherence
 namespace
 {
 
-/// Where more of the tiles can see samples that changed, the rest is not worth its copy.
+/// Where more of the tiles can see samples that changed, the rest is not worth its copy. Not tuned:
+/// copies cost little, but so does what they save.
 constexpr double MostToTrace = 0.5;
 
 /// True if parts of the last picture are parts of the next one, to the last bit. Colours of answers

@@ -23,7 +23,7 @@ namespace
 {
 
 /// Fewer rays than this are traced without space leaping: they are traced sooner than active cells
-/// are found.
+/// are found. Measured by the look-ups of `Benchmark --scenarios routes`.
 constexpr std::int64_t FewRays = 256;
 
 /// Get room for the frame, and find out where its rays can meet surfaces.

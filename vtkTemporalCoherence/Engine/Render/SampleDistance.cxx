@@ -11,7 +11,7 @@ namespace
 {
 
 /// Frames get finer only where that leaves so much of the time to spare along each axis, lest they
-/// change to and fro.
+/// change to and fro. (A setting of the loop, not a tuned one: TestUpdateRate.)
 constexpr double ToSpare = 1.25;
 
 }

@@ -17,10 +17,6 @@
 namespace TemporalCoherence
 {
 
-/// Neighbouring tiles that one thread takes at a time: enough to share what they read, few enough
-/// to balance the load.
-constexpr std::int64_t TileGrain = 8;
-
 /// Call work(tile, part) for each tile of a picture, in parallel, and add up what it counts.
 /// \param counts gets the sum, and statistics their share of it
 /// \param report null, or told the progress from 0 to 1 in this thread, before each of some parts

@@ -191,7 +191,7 @@ namespace
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// Fewer passages than this are not worth a vector.
+/// Fewer passages than this are not worth a vector. Measured by `BenchmarkKernels`, crossings.
 constexpr int FewestForVectors = 3;
 
 template <typename Real>

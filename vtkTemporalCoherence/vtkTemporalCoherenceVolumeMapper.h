@@ -511,25 +511,25 @@ public:
 
   /**
    * Ways to make a frame:
-   * - COLD: every ray is traced, with no help from an earlier frame;
-   * - REDISPLAY: nothing changed, the same picture is shown again;
-   * - RESHADE: only colours, lights or shading changed, known hits are shaded again;
-   * - ISOMAP_LOOKUP: a new isovalue is looked up in the isomap of the view;
-   * - ISOMAP_BUILD: the same after a band of the isomap was built;
-   * - THRESHOLD_HINT: without an isomap, the last hits bound the search for a new isovalue;
-   * - IMAGE_CACHE: in a new view rays start from what a kept picture tells;
-   * - TIME_STEP: where samples that changed are not seen, the last picture is copied.
+   * - ROUTE_COLD: every ray is traced, with no help from an earlier frame;
+   * - ROUTE_REDISPLAY: nothing changed, the same picture is shown again;
+   * - ROUTE_RESHADE: only colours, lights or shading changed, known hits are shaded again;
+   * - ROUTE_ISOMAP_LOOKUP: a new isovalue is looked up in the isomap of the view;
+   * - ROUTE_ISOMAP_BUILD: the same after a band of the isomap was built;
+   * - ROUTE_THRESHOLD_HINT: without an isomap, the last hits bound the search for a new isovalue;
+   * - ROUTE_IMAGE_CACHE: in a new view rays start from what a kept picture tells;
+   * - ROUTE_TIME_STEP: where samples that changed are not seen, the last picture is copied.
    */
   enum Routes
   {
-    COLD,
-    REDISPLAY,
-    RESHADE,
-    ISOMAP_LOOKUP,
-    ISOMAP_BUILD,
-    THRESHOLD_HINT,
-    IMAGE_CACHE,
-    TIME_STEP
+    ROUTE_COLD,
+    ROUTE_REDISPLAY,
+    ROUTE_RESHADE,
+    ROUTE_ISOMAP_LOOKUP,
+    ROUTE_ISOMAP_BUILD,
+    ROUTE_THRESHOLD_HINT,
+    ROUTE_IMAGE_CACHE,
+    ROUTE_TIME_STEP
   };
 
   //@{

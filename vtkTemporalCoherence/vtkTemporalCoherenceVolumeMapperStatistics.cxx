@@ -10,8 +10,8 @@ VTK_ABI_NAMESPACE_BEGIN
 int vtkTemporalCoherenceVolumeMapper::GetRoute()
 {
   using TemporalCoherence::Route;
-  static_assert(
-    static_cast<int>(Route::Cold) == COLD && static_cast<int>(Route::TimeStep) == TIME_STEP,
+  static_assert(static_cast<int>(Route::Cold) == ROUTE_COLD &&
+      static_cast<int>(Route::TimeStep) == ROUTE_TIME_STEP,
     "Routes tells the same as Route");
   return static_cast<int>(this->Internal->Frames.Statistics().Made);
 }

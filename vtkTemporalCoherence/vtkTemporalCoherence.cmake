@@ -78,6 +78,7 @@ set(bridge_files
   PointsFromFrame
   RegionFromMapper
   RequestFromMapper
+  SampleMask
   SamplesOfArray
   ScalarChoice
   SelectionPass

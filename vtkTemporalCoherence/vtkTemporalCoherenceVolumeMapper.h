@@ -59,6 +59,19 @@
  * or makes a cold frame. After a change of a ghost array call its Modified(), which BlankPoint and
  * BlankCell do not.
  *
+ * A mask (SetMaskInput) has one whole number for each sample of the input, in the same order; its
+ * origin and spacing do not count. A binary mask (SetMaskTypeToBinary()) shows samples where it is
+ * above 0, a label map (VTK's default) all but those of hidden labels: of labels whose own scalar
+ * opacity (vtkVolumeProperty::SetLabelScalarOpacity) is 0 at all isovalues, while MaskBlendFactor
+ * is 1. Colours and other opacities of labels have no effect on isosurfaces, as in
+ * vtkGPUVolumeRayCastMapper. A cell none of whose eight samples is shown is hidden, and all that is
+ * said of hidden cells goes for it. So a surface ends up to one cell beyond the samples that are
+ * shown, and a mask made by a threshold at the isovalue leaves the surface whole. (VTK's mapper
+ * ends it half a cell beyond, and shows the solid's cut as a surface; here THRESHOLD does.) The
+ * mask's array is that which is chosen of the input (SelectScalarArray), or else its scalars. After
+ * a change of its values call Modified() of the array or the mask. Filters that make the mask have
+ * to be updated before Render(): vtkImageData does not know them. Blocks take no mask.
+ *
  * Events: VolumeMapperRenderStartEvent, VolumeMapperRenderProgressEvent with the share of the frame
  * that is done (a double from 0 to 1, never less than before) and VolumeMapperRenderEndEvent with
  * whether the frame was made (a bool; false after an error or a stop, the last one then stays), in

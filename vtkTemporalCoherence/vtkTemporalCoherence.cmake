@@ -75,6 +75,7 @@ set(bridge_files
   PeelPresenter
   PicturePresenter
   PixelHit
+  PixelRays
   PointsFromFrame
   RegionFromMapper
   RequestFromMapper
@@ -86,7 +87,8 @@ set(bridge_files
   VectorMagnitude
   ViewerStates
   ViewFromRenderer
-  WindowPicture)
+  WindowPicture
+  WindowRays)
 list(TRANSFORM bridge_files PREPEND "${module_directory}/Vtk/")
 list(TRANSFORM bridge_files APPEND ".cxx")
 

@@ -376,21 +376,31 @@ public:
 
   //@{
   /**
-   * Coarser frames in windows, as of vtkGPUVolumeRayCastMapper.
+   * Coarser and finer frames in windows, as of vtkGPUVolumeRayCastMapper.
    *
    * ImageSampleDistance: pixels from one ray to the next along each axis, 0.1 to 100. Default: 1, a
-   * ray a pixel, and so is less than 1 as yet. Pixels without a ray show that of their neighbour.
+   * ray a pixel. Above 1, pixels without a ray show that of their neighbour. Below 1, a pixel shows
+   * the mean of the rays in it, weighted by the area that each has of the pixel (colours multiplied
+   * by alpha, so that edges are blended with what is behind). Its depth, and what is picked or
+   * selected there, is that of the ray at its centre or, where that one meets nothing, of the
+   * nearest surface among the others. A frame costs what its rays cost, in time and memory: 100 for
+   * each pixel at 0.1. It has at most 33554432, which a warning tells where fewer pixels between
+   * rays are asked for. Where volumes are peeled by depth there is one ray a pixel at most. Pixels
+   * at the edge of a surface leave no depth, so that opaque props that are drawn later, behind a
+   * vtkTemporalCoherenceVolume, cover them.
    *
    * AutoAdjustSampleDistances: choose ImageSampleDistance for each frame between
-   * MinimumImageSampleDistance (default 1) and MaximumImageSampleDistance (default 10), so that
-   * what the last frames took for each ray fits into vtkVolume::GetAllocatedRenderTime(), which
+   * MinimumImageSampleDistance (default 1; below it, still pictures are finer than pixels) and
+   * MaximumImageSampleDistance (default 10), so that what the last frames took for each ray fits
+   * into vtkVolume::GetAllocatedRenderTime(), which
    * follows from vtkRenderWindow::SetDesiredUpdateRate(): interactors set a high rate while one
    * drags, and a low one for the still picture. Default: off (in VTK's mappers it is on), since
    * frames are seldom too slow, and a frame of another size than the one before cannot use it
    * again.
    *
-   * The images of RenderToImage() are never coarser. PickPixel() takes pixels of the window in
-   * coarse frames, too; GetLastFrame() and GetVisibleSurface() give a value for each ray.
+   * The images of RenderToImage() have a ray a pixel. PickPixel() takes pixels of the window
+   * whatever rays it has; GetLastFrame(), GetColorImage(), GetDepthImage() and GetVisibleSurface()
+   * give a value for each ray.
    */
   void SetImageSampleDistance(float pixels) override;
   void SetMinimumImageSampleDistance(float pixels) override;
@@ -533,7 +543,7 @@ public:
 
   //@{
   /**
-   * Counters of the last frame. Rays (one a pixel, fewer in coarse frames) are the sum of definite
+   * Counters of the last frame. Rays (one a pixel, or as ImageSampleDistance has it) are the sum of definite
    * misses (known to meet nothing), definite hits (known before, or found where the image cache or
    * the isomap told to look) and possible hits. Traced are those that were followed through the
    * field, but not hits of PAPER that were only refined. Field samples are those read to find

@@ -7,6 +7,7 @@
 #include "MapperFrames.h"
 #include "RequestFromMapper.h"
 #include "SampleDistance.h"
+#include "WindowRays.h"
 #include "vtkTemporalCoherenceVolumeMapper.h"
 
 #include <algorithm>
@@ -19,6 +20,7 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
   TemporalCoherence::RequestFromMapper Requests;
   TemporalCoherence::MapperFrames Frames;
   TemporalCoherence::SampleDistanceChooser Distances;
+  TemporalCoherence::WindowRays Rays;
   TemporalCoherence::IsovalueCheck Isovalues;
   std::string LastError;  ///< reported already; empty after a frame without error
   bool HasWarned = false; ///< of the limit of memory

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PixelHit.h"
 
-#include <algorithm>
+#include "PixelRays.h"
 
 namespace TemporalCoherence
 {
@@ -14,20 +14,14 @@ std::optional<PixelHit> FindPixelHit(
   {
     return std::nullopt;
   }
-  if (frame.Size != window)
-  {
-    // A coarse frame: the ray that the pixel shows.
-    const glm::dvec2 rays = (glm::dvec2(x, y) + 0.5) / glm::dvec2(window) * glm::dvec2(frame.Size);
-    x = std::min(static_cast<int>(rays.x), frame.Size.x - 1);
-    y = std::min(static_cast<int>(rays.y), frame.Size.y - 1);
-  }
-  const std::size_t pixel = IndexOfPixel(frame, x, y);
-  if (frame.Isovalues[pixel] == Frame::NoSurface)
+  const std::optional<glm::ivec2> ray = PixelRays(frame.Size, window).Shown(frame, { x, y });
+  if (!ray)
   {
     return std::nullopt;
   }
-  return PixelHit{ PositionOfHit(frame, view, x, y), glm::dvec3(frame.Normals[pixel]),
-    frame.Isovalues[pixel] };
+  const std::size_t place = IndexOfPixel(frame, ray->x, ray->y);
+  return PixelHit{ PositionOfHit(frame, view, ray->x, ray->y), glm::dvec3(frame.Normals[place]),
+    frame.Isovalues[place] };
 }
 
 }

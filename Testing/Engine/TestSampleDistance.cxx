@@ -109,6 +109,8 @@ TEST(SampleDistance, IsAWholePartOfAPixelBelowOne)
   EXPECT_EQ(chooser.Choose(Window, 2.0, 1.0, fine), 1.0);
   EXPECT_EQ(chooser.Choose(Window, 2.0, 0.5, fine), 1.0);
   EXPECT_EQ(chooser.Choose(Window, 4.5, 0.5, fine), 0.5);
+  const auto third = static_cast<double>(1.0f / 3.0f); // as a mapper keeps it
+  EXPECT_EQ(chooser.Choose(Window, 11.1, third, fine), 1.0 / 3.0);
 }
 
 TEST(SampleDistance, FinestLeavesNoMoreRaysThanAFrameMayHave)

@@ -14,6 +14,15 @@ namespace
 /// change to and fro.
 constexpr double ToSpare = 1.25;
 
+/// The next whole number, or below 1 the next whole part of one. A third is one though it has been
+/// kept as a float.
+double Rounded(double distance)
+{
+  constexpr double shortest = 1e-9, close = 1e-6;
+  return distance < 1.0 ? 1.0 / std::floor(1.0 / std::max(distance, shortest) + close)
+                        : std::ceil(distance);
+}
+
 }
 
 void SampleDistanceChooser::Learn(const glm::ivec2& size, double seconds, double allowed)
@@ -32,12 +41,8 @@ double SampleDistanceChooser::Choose(
   // Seconds go with the square of the distance.
   const double seconds = this->SecondsPerRay * pixels.x * pixels.y;
   const double needed = std::sqrt(seconds / std::max(allowed, 1e-9));
-  // A whole number, or a whole part of one.
-  const auto rounded = [](double distance) {
-    return distance < 1.0 ? 1.0 / std::floor(1.0 / std::max(distance, 1e-9)) : std::ceil(distance);
-  };
   const auto within = [&](double distance)
-  { return std::min(std::max(rounded(distance), limits.x), std::max(limits.x, limits.y)); };
+  { return std::min(std::max(Rounded(distance), limits.x), std::max(limits.x, limits.y)); };
   if (this->SecondsPerRay == 0.0)
   {
     return within(1.0);

@@ -79,7 +79,7 @@ PixelColor PixelRays::MeanColor(
   const PixelRect all = this->In(pixel);
   const glm::ivec2 first = glm::max(all.First, part.First);
   const glm::ivec2 end = glm::min(all.First + all.Size, part.First + part.Size);
-  /// What a ray has of the pixel along an axis.
+  // What a ray has of the pixel along an axis.
   const auto share = [&](int axis, int ray)
   {
     const std::int64_t rays = this->Rays[axis], pixels = this->Pixels[axis], at = pixel[axis];
@@ -89,14 +89,14 @@ PixelColor PixelRays::MeanColor(
   for (int y = first.y; y < end.y; ++y)
   {
     const PixelColor* const row =
-      colors + static_cast<std::ptrdiff_t>(y - part.First.y) * part.Size.x - part.First.x;
+      colors + static_cast<std::ptrdiff_t>(y - part.First.y) * part.Size.x;
     std::array<std::int64_t, 4> inRow{};
     for (int x = first.x; x < end.x; ++x)
     {
       const std::int64_t weight = share(0, x);
       for (std::size_t c = 0; c < 4; ++c)
       {
-        inRow[c] += weight * row[x][c];
+        inRow[c] += weight * row[x - part.First.x][c];
       }
     }
     const std::int64_t weight = share(1, y);

@@ -543,12 +543,12 @@ public:
 
   //@{
   /**
-   * Counters of the last frame. Rays (one a pixel, or as ImageSampleDistance has it) are the sum of definite
-   * misses (known to meet nothing), definite hits (known before, or found where the image cache or
-   * the isomap told to look) and possible hits. Traced are those that were followed through the
-   * field, but not hits of PAPER that were only refined. Field samples are those read to find
-   * surfaces and to build an isomap, eight a cell. Memory (bytes) and knots are those of the isomap
-   * that is kept.
+   * Counters of the last frame. Rays (one a pixel, or as ImageSampleDistance has it) are the sum of
+   * definite misses (known to meet nothing), definite hits (known before, or found where the image
+   * cache or the isomap told to look) and possible hits. Traced are those that were followed
+   * through the field, but not hits of PAPER that were only refined. Field samples are those read
+   * to find surfaces and to build an isomap, eight a cell. Memory (bytes) and knots are those of
+   * the isomap that is kept.
    */
   vtkIdType GetNumberOfRays();
   vtkIdType GetNumberOfDefiniteHits();

@@ -121,8 +121,15 @@ struct PixelKinds
 {
   void See(const PixelColor* row, int count)
   {
-    this->Opaque = this->Opaque || std::any_of(row, row + count, IsOpaque);
-    this->Translucent = this->Translucent || std::any_of(row, row + count, IsTranslucent);
+    // What another thread has found meanwhile is never written over.
+    if (!this->Opaque && std::any_of(row, row + count, IsOpaque))
+    {
+      this->Opaque = true;
+    }
+    if (!this->Translucent && std::any_of(row, row + count, IsTranslucent))
+    {
+      this->Translucent = true;
+    }
   }
 
   std::atomic<bool> Opaque{ false }, Translucent{ false };

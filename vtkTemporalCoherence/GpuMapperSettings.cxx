@@ -67,10 +67,6 @@ std::string WhyNotIsosurfaces(
   {
     return "volumes are peeled by depth";
   }
-  if (mapper->GetMaskInput())
-  {
-    return "there is a mask";
-  }
   if (volume->GetProperty()->GetTransferFunctionMode() != vtkVolumeProperty::TF_1D)
   {
     return "transfer functions have two dimensions";
@@ -78,10 +74,6 @@ std::string WhyNotIsosurfaces(
   if (HasShaders(volume))
   {
     return "the volume has shaders of the user's";
-  }
-  if (mapper->GetImageSampleDistance() < 1.0f)
-  {
-    return "ImageSampleDistance is below 1";
   }
   if (IsCloudy(mapper))
   {
@@ -111,6 +103,9 @@ void HandOver(vtkGPUVolumeRayCastMapper* from, vtkTemporalCoherenceVolumeMapper*
   to->SetCroppingRegionFlags(from->GetCroppingRegionFlags());
   to->SetFinalColorWindow(from->GetFinalColorWindow());
   to->SetFinalColorLevel(from->GetFinalColorLevel());
+  to->SetMaskInput(from->GetMaskInput());
+  to->SetMaskType(from->GetMaskType());
+  to->SetMaskBlendFactor(from->GetMaskBlendFactor());
   to->SetBlendMode(from->GetBlendMode());
   to->SetAutoAdjustSampleDistances(from->GetAutoAdjustSampleDistances());
   to->SetMinimumImageSampleDistance(from->GetMinimumImageSampleDistance());

@@ -50,6 +50,8 @@ PictureSettings SettingsOf(Mapper* mapper)
   settings.ColorWindow = static_cast<double>(mapper->GetFinalColorWindow());
   settings.ColorLevel = static_cast<double>(mapper->GetFinalColorLevel());
   settings.DepthPass = mapper->GetUseDepthPass() ? mapper->GetDepthPassContourValues() : nullptr;
+  settings.Mask = { mapper->GetMaskInput(), mapper->GetMaskType() == Mapper::LabelMapMaskType,
+    mapper->GetMaskBlendFactor() };
   return settings;
 }
 

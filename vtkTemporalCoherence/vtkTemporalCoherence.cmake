@@ -70,8 +70,10 @@ set(bridge_files
   Input/ImageOfGrid
   Input/InputFromMapper
   Input/MergedBlocks
+  Input/SampleMask
   Input/SamplesOfArray
   Input/ScalarChoice
+  Input/SettingCheck
   Input/VectorMagnitude
   Window/DepthReader
   Window/LayerCut
@@ -82,17 +84,18 @@ set(bridge_files
   Window/PeelingPass
   Window/PeelPresenter
   Window/PicturePresenter
+  Window/PixelHit
+  Window/PixelRays
   Window/WindowPicture
+  Window/WindowRays
   Request/AppearanceFromVolume
   Request/IsovalueCheck
   Request/LightsFromRenderer
   Request/RegionFromMapper
   Request/RequestFromMapper
-  Request/SettingCheck
   Request/ViewFromRenderer
   Output/BufferImages
   Output/ImageFromFrame
-  Output/PixelHit
   Output/PointsFromFrame
   Frames/MapperFrames
   Frames/SelectionPass

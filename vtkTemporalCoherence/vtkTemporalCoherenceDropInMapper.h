@@ -15,8 +15,7 @@
  * goes for these settings of vtkGPUVolumeRayCastMapper: SampleDistance,
  * LockSampleDistanceToInputSpacing, UseJittering, MaxMemoryInBytes, MaxMemoryFraction,
  * ReportProgress, Transfer2DYAxisArray, GlobalIlluminationReach, VolumetricScatteringBlending,
- * ComputeNormalFromOpacity, ColorRangeType, ScalarOpacityRangeType, GradientOpacityRangeType, and
- * as yet MaskInput, MaskType and MaskBlendFactor.
+ * ComputeNormalFromOpacity, ColorRangeType, ScalarOpacityRangeType and GradientOpacityRangeType.
  *
  * @sa vtkTemporalCoherenceVolumeMapper vtkGPUVolumeRayCastMapper
  */

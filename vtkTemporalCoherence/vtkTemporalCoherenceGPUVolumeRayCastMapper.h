@@ -13,11 +13,10 @@
  * vtkTemporalCoherenceVolumeMapper draws where the blend mode is ISOSURFACE_BLEND.
  *
  * vtkOpenGLGPUVolumeRayCastMapper draws all other blend modes, and isosurfaces of several inputs
- * (vtkMultiVolume), with a mask, in a renderer that peels volumes by depth
- * (UseDepthPeelingForVolumes), with shaders of the user's (vtkShaderProperty), with transfer
- * functions in two dimensions, with an ImageSampleDistance below 1, with scattered light or normals
- * of the opacity (VTK >= 9.2), after RenderToImageOn() (whose textures it gives), and of input or
- * settings that vtkTemporalCoherenceVolumeMapper refuses.
+ * (vtkMultiVolume), in a renderer that peels volumes by depth (UseDepthPeelingForVolumes), with
+ * shaders of the user's (vtkShaderProperty), with transfer functions in two dimensions, with
+ * scattered light or normals of the opacity (VTK >= 9.2), after RenderToImageOn() (whose textures
+ * it gives), and of input or settings that vtkTemporalCoherenceVolumeMapper refuses.
  *
  * When it changes who draws, and in the first frame, one line in the log of VTK (vtkLogger, INFO)
  * tells who and why, unless the last line told the same of another mapper; PrintSelf tells it, too.

@@ -17,6 +17,7 @@
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
 
+#include <algorithm>
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -69,7 +70,8 @@ TemporalCoherence::FrameSight FinestSight(
   const float distance = mapper.GetAutoAdjustSampleDistances()
     ? mapper.GetMinimumImageSampleDistance()
     : mapper.GetImageSampleDistance();
-  return { renderer, TemporalCoherence::RaysFor(size, static_cast<double>(distance)),
+  const double finest = TemporalCoherence::FinestDistance(size);
+  return { renderer, TemporalCoherence::RaysFor(size, std::max<double>(distance, finest)),
     renderer->GetTiledAspectRatio() };
 }
 
@@ -164,7 +166,7 @@ void vtkTemporalCoherenceVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* 
 }
 
 //------------------------------------------------------------------------------
-/// Make a frame for a window, as coarse as is wished.
+/// Make a frame for a window, as coarse or as fine as is wished.
 /// \return false if it is not made
 bool vtkTemporalCoherenceVolumeMapper::RenderForWindow(
   vtkRenderer* renderer, vtkVolume* volume, int width, int height)
@@ -177,10 +179,14 @@ bool vtkTemporalCoherenceVolumeMapper::RenderForWindow(
     // What is chosen can be asked for, as of other mappers, but is no modification.
     this->ImageSampleDistance = static_cast<float>(
       internal.Distances.Choose(pixels, allowed, static_cast<double>(this->ImageSampleDistance),
-        { this->MinimumImageSampleDistance, this->MaximumImageSampleDistance }));
+        { std::max<double>(
+            this->MinimumImageSampleDistance, TemporalCoherence::FinestDistance(pixels)),
+          this->MaximumImageSampleDistance }));
   }
+  std::string warning;
   const glm::ivec2 rays =
-    TemporalCoherence::RaysFor(pixels, static_cast<double>(this->ImageSampleDistance));
+    internal.Rays.For(pixels, static_cast<double>(this->ImageSampleDistance), volume, warning);
+  this->Warn(warning);
   const bool isMade = this->RenderFrame(
     renderer, volume, rays.x, rays.y, renderer->GetTiledAspectRatio(), renderer->GetRenderWindow());
   if (isMade)

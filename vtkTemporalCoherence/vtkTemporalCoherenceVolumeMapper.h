@@ -59,6 +59,19 @@
  * or makes a cold frame. After a change of a ghost array call its Modified(), which BlankPoint and
  * BlankCell do not.
  *
+ * A mask (SetMaskInput) has one whole number for each sample of the input, in the same order; its
+ * origin and spacing do not count. A binary mask (SetMaskTypeToBinary()) shows samples where it is
+ * above 0, a label map (VTK's default) all but those of hidden labels: of labels whose own scalar
+ * opacity (vtkVolumeProperty::SetLabelScalarOpacity) is 0 at all isovalues, while MaskBlendFactor
+ * is 1. Colours and other opacities of labels have no effect on isosurfaces, as in
+ * vtkGPUVolumeRayCastMapper. A cell none of whose eight samples is shown is hidden, and all that is
+ * said of hidden cells goes for it. So a surface ends up to one cell beyond the samples that are
+ * shown, and a mask made by a threshold at the isovalue leaves the surface whole. (VTK's mapper
+ * ends it half a cell beyond, and shows the solid's cut as a surface; here THRESHOLD does.) The
+ * mask's array is that which is chosen of the input (SelectScalarArray), or else its scalars. After
+ * a change of its values call Modified() of the array or the mask. Filters that make the mask have
+ * to be updated before Render(): vtkImageData does not know them. Blocks take no mask.
+ *
  * Events: VolumeMapperRenderStartEvent, VolumeMapperRenderProgressEvent with the share of the frame
  * that is done (a double from 0 to 1, never less than before) and VolumeMapperRenderEndEvent with
  * whether the frame was made (a bool; false after an error or a stop, the last one then stays), in
@@ -363,21 +376,31 @@ public:
 
   //@{
   /**
-   * Coarser frames in windows, as of vtkGPUVolumeRayCastMapper.
+   * Coarser and finer frames in windows, as of vtkGPUVolumeRayCastMapper.
    *
    * ImageSampleDistance: pixels from one ray to the next along each axis, 0.1 to 100. Default: 1, a
-   * ray a pixel, and so is less than 1 as yet. Pixels without a ray show that of their neighbour.
+   * ray a pixel. Above 1, pixels without a ray show that of their neighbour. Below 1, a pixel shows
+   * the mean of the rays in it, weighted by the area that each has of the pixel (colours multiplied
+   * by alpha, so that edges are blended with what is behind). Its depth, and what is picked or
+   * selected there, is that of the ray at its centre or, where that one meets nothing, of the
+   * nearest surface among the others. A frame costs what its rays cost, in time and memory: 100 for
+   * each pixel at 0.1. It has at most 33554432, which a warning tells where fewer pixels between
+   * rays are asked for. Where volumes are peeled by depth there is one ray a pixel at most. Pixels
+   * at the edge of a surface leave no depth, so that opaque props that are drawn later, behind a
+   * vtkTemporalCoherenceVolume, cover them.
    *
    * AutoAdjustSampleDistances: choose ImageSampleDistance for each frame between
-   * MinimumImageSampleDistance (default 1) and MaximumImageSampleDistance (default 10), so that
-   * what the last frames took for each ray fits into vtkVolume::GetAllocatedRenderTime(), which
+   * MinimumImageSampleDistance (default 1; below it, still pictures are finer than pixels) and
+   * MaximumImageSampleDistance (default 10), so that what the last frames took for each ray fits
+   * into vtkVolume::GetAllocatedRenderTime(), which
    * follows from vtkRenderWindow::SetDesiredUpdateRate(): interactors set a high rate while one
    * drags, and a low one for the still picture. Default: off (in VTK's mappers it is on), since
    * frames are seldom too slow, and a frame of another size than the one before cannot use it
    * again.
    *
-   * The images of RenderToImage() are never coarser. PickPixel() takes pixels of the window in
-   * coarse frames, too; GetLastFrame() and GetVisibleSurface() give a value for each ray.
+   * The images of RenderToImage() have a ray a pixel. PickPixel() takes pixels of the window
+   * whatever rays it has; GetLastFrame(), GetColorImage(), GetDepthImage() and GetVisibleSurface()
+   * give a value for each ray.
    */
   void SetImageSampleDistance(float pixels) override;
   void SetMinimumImageSampleDistance(float pixels) override;
@@ -543,12 +566,12 @@ public:
 
   //@{
   /**
-   * Counters of the last frame. Rays (one a pixel, fewer in coarse frames) are the sum of definite
-   * misses (known to meet nothing), definite hits (known before, or found where the image cache or
-   * the isomap told to look) and possible hits. Traced are those that were followed through the
-   * field, but not hits of PAPER that were only refined. Field samples are those read to find
-   * surfaces and to build an isomap, eight a cell. Memory (bytes) and knots are those of the isomap
-   * that is kept.
+   * Counters of the last frame. Rays (one a pixel, or as ImageSampleDistance has it) are the sum of
+   * definite misses (known to meet nothing), definite hits (known before, or found where the image
+   * cache or the isomap told to look) and possible hits. Traced are those that were followed
+   * through the field, but not hits of PAPER that were only refined. Field samples are those read
+   * to find surfaces and to build an isomap, eight a cell. Memory (bytes) and knots are those of
+   * the isomap that is kept.
    */
   vtkIdType GetNumberOfRays();
   vtkIdType GetNumberOfDefiniteHits();

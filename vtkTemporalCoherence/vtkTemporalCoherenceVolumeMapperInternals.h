@@ -7,6 +7,7 @@
 #include "Render/SampleDistance.h"
 #include "Request/IsovalueCheck.h"
 #include "Request/RequestFromMapper.h"
+#include "Window/WindowRays.h"
 #include "vtkTemporalCoherenceVolumeMapper.h"
 
 #include <string>
@@ -18,6 +19,7 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
   TemporalCoherence::RequestFromMapper Requests;
   TemporalCoherence::MapperFrames Frames;
   TemporalCoherence::SampleDistanceChooser Distances;
+  TemporalCoherence::WindowRays Rays;
   TemporalCoherence::IsovalueCheck Isovalues;
   std::string LastError;  ///< reported already; empty after a frame without error
   bool HasWarned = false; ///< of the limit of memory

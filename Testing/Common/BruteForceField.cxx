@@ -242,6 +242,30 @@ void BruteForceField::HideAroundSamples()
   }
 }
 
+void BruteForceField::HideBySamples(const std::function<bool(int, int, int)>& isShown)
+{
+  const int nx = this->Dimensions[0] - 1, ny = this->Dimensions[1] - 1,
+            nz = this->Dimensions[2] - 1;
+  this->Hidden.resize(static_cast<std::size_t>(nx * ny * nz), false);
+  std::size_t cell = 0;
+  for (int k = 0; k < nz; ++k)
+  {
+    for (int j = 0; j < ny; ++j)
+    {
+      for (int i = 0; i < nx; ++i, ++cell)
+      {
+        bool isAnyShown = false;
+        for (int corner = 0; corner < 8; ++corner)
+        {
+          isAnyShown =
+            isAnyShown || isShown(i + (corner & 1), j + (corner >> 1 & 1), k + (corner >> 2));
+        }
+        this->Hidden[cell] = this->Hidden[cell] || !isAnyShown;
+      }
+    }
+  }
+}
+
 bool BruteForceField::IsHidden(const Point& index) const
 {
   if (this->Hidden.empty())

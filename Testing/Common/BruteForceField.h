@@ -6,6 +6,7 @@
 #include "vtkTemporalCoherenceCompatibility.h"
 
 #include <array>
+#include <functional>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -52,7 +53,10 @@ public:
   /// Unit gradient in the world by central differences, one-sided at the boundary; not oriented.
   Point WorldNormalAt(const Point& world) const;
 
-  /// True if the data has ghost arrays.
+  /// Hide, besides, the cells none of whose corners are samples (i, j, k) that are shown.
+  void HideBySamples(const std::function<bool(int, int, int)>& isShown);
+
+  /// True if the data has ghost arrays, or cells are hidden by samples.
   bool HasHidden() const { return !this->Hidden.empty(); }
 
   /// True if a point in index space is in a hidden cell.
@@ -70,7 +74,7 @@ private:
   std::vector<double> Samples;
   std::array<std::vector<double>, 3> PlanesAlong;
   std::array<bool, 3> IsDescending{}; ///< the last sample lies in the first plane
-  std::vector<bool> Hidden;           ///< of each cell; empty where the data has no ghost arrays
+  std::vector<bool> Hidden;           ///< of each cell; empty where nothing hides any
   std::array<int, 3> Dimensions;
   bool TakesNearest;
   std::array<double, 16> WorldFromIndex, IndexFromWorld;

@@ -32,7 +32,7 @@ void ChangingScene::MakeOneOf(std::size_t kind)
 void ChangingScene::Arrange()
 {
   FeatureChanges::SwitchOff(this->Shown);
-  this->Inputs.Changes().back().Make(); // no ghosts
+  this->Inputs.Changes().back().Make(); // neither ghosts nor a mask
   this->Inputs.Show(static_cast<ManyInputs::Holder>(this->Views.Pick(3)),
     static_cast<ManyInputs::Scalars>(this->Views.Pick(5)));
   for (std::size_t kind = 2; kind < 8; ++kind)
@@ -103,6 +103,7 @@ std::set<std::string> ChangingScene::Features() const
   add(this->Inputs.Drawn == ManyInputs::Lengths, "lengths");
   add(this->Inputs.Drawn >= ManyInputs::Components, "components");
   add(this->Inputs.HidesCells(), "hidden");
+  add(mapper->GetMaskInput() != nullptr, "masked");
   add(mapper->GetCropping(), "cropped");
   add(mapper->GetCropping() && mapper->GetCroppingRegionFlags() != VTK_CROP_SUBVOLUME, "in pieces");
   vtkPlaneCollection* planes = mapper->GetClippingPlanes();

@@ -76,6 +76,9 @@ bool ColdWitness::Draw(Scene& scene)
   this->Mapper->SetCroppingRegionPlanes(scene.Mapper->GetCroppingRegionPlanes());
   this->Mapper->SetCroppingRegionFlags(scene.Mapper->GetCroppingRegionFlags());
   this->Mapper->SetClippingPlanes(scene.Mapper->GetClippingPlanes());
+  this->Mapper->SetMaskInput(scene.Mapper->GetMaskInput());
+  this->Mapper->SetMaskType(scene.Mapper->GetMaskType());
+  this->Mapper->SetMaskBlendFactor(scene.Mapper->GetMaskBlendFactor());
   this->Mapper->SetScalarMode(scene.Mapper->GetScalarMode());
   this->Mapper->SelectScalarArray(scene.Mapper->GetArrayId());
   this->Mapper->SelectScalarArray(scene.Mapper->GetArrayName());

@@ -216,6 +216,7 @@ void SwitchOff(Scene& scene)
   mapper->RemoveAllClippingPlanes();
   mapper->SetSurfaceMode(made->GetSurfaceMode());
   mapper->SetVectorMode(made->GetVectorMode());
+  mapper->SetMaskInput(nullptr);
   mapper->SetImageCache(made->GetImageCache());
   mapper->SetIsomap(made->GetIsomap());
   mapper->SetSpaceLeaping(made->GetSpaceLeaping());

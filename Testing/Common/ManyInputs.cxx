@@ -5,6 +5,7 @@
 #include "Ghosts.h"
 #include "Grids.h"
 #include "ImageBlocks.h"
+#include "Masks.h"
 
 #include <vtkCellData.h>
 #include <vtkDataSetAttributes.h>
@@ -111,6 +112,10 @@ void ManyInputs::Show(Holder holder, Scalars scalars)
     mapper->SetScalarModeToUsePointFieldData();
     mapper->SelectScalarArray(scalars == OfPoints ? "waves" : "vectors");
   }
+  if (holder == InBlocks)
+  {
+    mapper->SetMaskInput(nullptr); // which is refused for blocks
+  }
   mapper->SetVectorMode(scalars == Lengths ? Mapper::MAGNITUDE
       : scalars == Components              ? Mapper::COMPONENT
                                            : Mapper::DISABLED);
@@ -123,6 +128,10 @@ bool ManyInputs::HidesCells() const
     const char* name = vtkDataSetAttributes::GhostArrayName();
     return data && (data->GetCellData()->GetArray(name) || data->GetPointData()->GetArray(name));
   };
+  if (this->Of.Mapper->GetMaskInput())
+  {
+    return true;
+  }
   if (this->In != InBlocks)
   {
     return this->In == InGrid ? hasGhosts(this->Grid) : hasGhosts(this->Image);
@@ -178,6 +187,24 @@ void ManyInputs::ChangeBlock()
   this->Show(this->In, this->Drawn);
 }
 
+/// A binary mask of what is drawn: of points, and with the name of the array of cells, of cells.
+void ManyInputs::SetMask()
+{
+  const double chance = this->Views.Between(0.7, 0.97);
+  const auto seed = static_cast<unsigned>(this->Views.Pick(1000));
+  if (this->In == InBlocks)
+  {
+    return;
+  }
+  const int points[3] = { N, N, N }, cells[3] = { N - 1, N - 1, N - 1 };
+  const auto mask = Masks::Make(points, VTK_UNSIGNED_CHAR, Masks::Random(chance, seed));
+  const auto ofCells = Masks::Make(cells, VTK_SHORT, Masks::Random(chance, seed + 1));
+  ofCells->GetPointData()->GetScalars()->SetName("of cells");
+  mask->GetCellData()->AddArray(ofCells->GetPointData()->GetScalars());
+  this->Of.Mapper->SetMaskTypeToBinary();
+  this->Of.Mapper->SetMaskInput(mask);
+}
+
 std::vector<Change> ManyInputs::Changes()
 {
   RandomViews& views = this->Views;
@@ -202,6 +229,8 @@ std::vector<Change> ManyInputs::Changes()
         this->Of.Volume->GetProperty()->SetComponentWeight(views.Pick(3), views.Between(0.0, 1.0));
       } },
     { true, [this, &views] { this->Image->SetOrigin(views.Between(-1.2, -0.8), -1.0, -1.0); } },
+    { true, [this] { this->SetMask(); } },
+    { true, [this] { this->Of.Mapper->SetMaskInput(nullptr); } },
   };
   for (const Change& ghosts : ChangesOfGhosts(this->Image, views))
   {
@@ -214,5 +243,11 @@ std::vector<Change> ManyInputs::Changes()
         this->Grid->GetCellData()->ShallowCopy(this->Image->GetCellData());
       } });
   }
+  const Change noGhosts = changes.back();
+  changes.back().Make = [this, noGhosts]
+  {
+    noGhosts.Make();
+    this->Of.Mapper->SetMaskInput(nullptr);
+  };
   return changes;
 }

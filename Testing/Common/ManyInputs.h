@@ -37,8 +37,8 @@ public:
   /// Give the scene one of the inputs.
   void Show(Holder holder, Scalars scalars);
 
-  /// Other samples, places, blocks, coordinates, arrays and ghosts of what the scene shows, and of
-  /// what it may show later.
+  /// Other samples, places, blocks, coordinates, arrays, masks and ghosts of what the scene shows,
+  /// and of what it may show later; at last, neither ghosts nor a mask.
   std::vector<Change> Changes();
 
   Holder In = InImage;
@@ -55,6 +55,7 @@ private:
   void CutBlocks();
   void ChangeSamples();
   void ChangeBlock();
+  void SetMask();
 
   Scene& Of;
   RandomViews& Views;

@@ -161,6 +161,12 @@ void TestSpecialCases()
   coarse.Piles.front()->Mapper->SetImageSampleDistance(3.0f);
   coarse.ExpectOrder("a coarse picture", 4.0);
 
+  StackScene fine(Peeler::Renderer);
+  AddSandwich(fine, 0.6);
+  fine.Piles.front()->Mapper->SetImageSampleDistance(0.5f);
+  fine.ExpectOrder("a finer picture has a ray a pixel", 3.0);
+  Expect(fine.Piles.front()->Mapper->GetNumberOfRays() == Size * Size, "a ray a pixel");
+
   // More surfaces and panes than peels: those that are left are blended in some order.
   StackScene few(Peeler::Renderer);
   AddSandwich(few);

@@ -183,7 +183,6 @@ void TestWithoutEffect()
   mapper->SetNumberOfThreads(1);
   mapper->SetPartitions(2, 2, 2);
   mapper->SetGlobalIlluminationReach(1.0f);
-  mapper->SetImageSampleDistance(0.5f);
   Expect(AreSame(expected, Draw(scene)), "settings without effect change no pixel");
 }
 

@@ -286,17 +286,6 @@ void TestWhatIsLeftToVtk()
       stage.Renderer->UseDepthPeelingOn();
       stage.Renderer->UseDepthPeelingForVolumesOn();
     });
-  ExpectLeftToVtk("there is a mask",
-    [&](Stage& stage)
-    {
-      vtkNew<vtkImageData> mask;
-      mask->CopyStructure(Stage::Data());
-      mask->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
-      std::memset(
-        mask->GetScalarPointer(), 255, static_cast<std::size_t>(mask->GetNumberOfPoints()));
-      gpu(stage)->SetMaskTypeToBinary();
-      gpu(stage)->SetMaskInput(mask);
-    });
   ExpectLeftToVtk("shaders of the user's",
     [](Stage& stage)
     {
@@ -312,8 +301,6 @@ void TestWhatIsLeftToVtk()
       std::fill_n(static_cast<float*>(table->GetScalarPointer()), 64, 0.5f);
       stage.Volume->GetProperty()->SetTransferFunction2D(table);
     });
-  ExpectLeftToVtk("ImageSampleDistance is below 1",
-    [&](Stage& stage) { gpu(stage)->SetImageSampleDistance(0.5f); });
   ExpectLeftToVtk("RenderToImage is on", [&](Stage& stage) { gpu(stage)->RenderToImageOn(); });
   ExpectLeftToVtk("there are several inputs",
     [&](Stage& stage)

@@ -10,6 +10,7 @@
 #include "Ghosts.h"
 #include "Grids.h"
 #include "ImageBlocks.h"
+#include "Masks.h"
 
 #include <vtkCellData.h>
 #include <vtkContourValues.h>
@@ -41,6 +42,7 @@ struct Input
   std::array<int, 3> Many;
   bool HidesCells;
   bool IsOfCells = false;
+  Image Mask; ///< binary, or null
 };
 
 Image MakeImage(bool hides, double chance = 0.15)
@@ -72,6 +74,22 @@ Input OfCells(bool hides)
   return { hides ? "cells, some hidden" : "cells", image,
     [image, cells](vtkVolume* volume) { return BruteForceTracer(image.Get(), volume, 0, cells); },
     { Samples - 1, Samples - 1, Samples - 1 }, hides, true };
+}
+
+/// A sample that is masked, and all around it, too, hides a cell.
+Input OfMask(bool hides)
+{
+  const Image image = MakeImage(hides);
+  const int count[3] = { Samples, Samples, Samples };
+  const Image mask = Masks::Make(count, VTK_UNSIGNED_CHAR, Masks::Random(0.8, 9));
+  const auto truth = [image, mask](vtkVolume* volume)
+  {
+    BruteForceTracer traced(image.Get(), volume);
+    Masks::Hide(mask, traced.Field);
+    return traced;
+  };
+  return { hides ? "masked image with hidden cells" : "masked image", image, truth,
+    { Samples, Samples, Samples }, true, false, mask };
 }
 
 Input OfGrid(bool hides)
@@ -157,6 +175,8 @@ void Arrange(Scene& scene, const Input& input, bool isNearest, int mode)
     scene.Mapper->SetScalarModeToUseCellFieldData();
     scene.Mapper->SelectScalarArray("of cells");
   }
+  scene.Mapper->SetMaskTypeToBinary();
+  scene.Mapper->SetMaskInput(input.Mask);
   scene.Mapper->SetSurfaceMode(mode);
   scene.Volume->GetProperty()->SetInterpolationType(
     isNearest ? VTK_NEAREST_INTERPOLATION : VTK_LINEAR_INTERPOLATION);
@@ -179,7 +199,8 @@ void TestInputs()
     { 50.5, 0.8, 0.3, 0.2, 0.3 }, { 80.25, 0.2, 0.9, 0.1, 0.5 } };
   for (const bool hides : { false, true })
   {
-    for (const Input& input : { OfImage(hides), OfCells(hides), OfGrid(hides), OfBlocks(hides) })
+    for (const Input& input :
+      { OfImage(hides), OfCells(hides), OfGrid(hides), OfBlocks(hides), OfMask(hides) })
     {
       for (const Cutting& cutting : AllCuttings())
       {

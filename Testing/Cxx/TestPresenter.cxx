@@ -115,8 +115,12 @@ public:
     const DrawState before = DrawState::Of(state);
     std::string error;
     const bool isShown = this->Others.empty()
-      ? this->Presenter.Present(renderer, nullptr, frame, view, 1, error)
-      : this->Presenter.PresentColors(renderer, frame, view, 1, this->Others, error);
+      ? this->Presenter.Present(renderer, nullptr, { frame, view, frame.Size, 1 }, error)
+      : this->Presenter.PresentColors(
+          renderer, { frame, view, frame.Size, 1 },
+          [&](const glm::ivec2& ray)
+          { return this->Others[static_cast<std::size_t>(ray.y * Size + ray.x)]; },
+          error);
     Expect(isShown, "shown: " + error);
     Expect(before == DrawState::Of(state), "the state is as it was");
     return 1;

@@ -68,7 +68,7 @@ void ExpectPicture(const Frame& frame, const std::string& what)
 {
   const View view = ViewOf(frame.Size);
   WindowPicture picture;
-  picture.Assign(frame, view);
+  picture.Assign(frame, view, frame.Size);
   glm::ivec2 first = frame.Size, end(0);
   bool hasOpaque = false, hasTranslucent = false;
   for (int y = 0; y < frame.Size.y; ++y)
@@ -206,7 +206,7 @@ void TestCuts()
     const Frame frame = FrameOfLayers(size, engine);
     const View view = ViewOf(size);
     WindowPicture picture;
-    picture.Assign(frame, view);
+    picture.Assign(frame, view, frame.Size);
     Expect(picture.HasLayers, "layers behind one another");
     const glm::ivec2 scaled =
       picture.Rect.Size * (round % 3 == 2 ? 7 : 2) / (round % 3 == 2 ? 3 : 2);
@@ -251,11 +251,11 @@ void TestHasLayers()
   {
     SetHit(frame, { x, 3 }, 0.5, { 1, 1, 1, 100 });
     frame.Layers[1].push_back({ 0.5, 60 + x, 0, HitKind::Enters, { 1, 1, 1, 100 } });
-    picture.Assign(frame, ViewOf(frame.Size));
+    picture.Assign(frame, ViewOf(frame.Size), frame.Size);
     Expect(!picture.HasLayers, "one layer");
   }
   frame.Layers[1].push_back({ 0.7, 60 + 11, 0, HitKind::Leaves, { 1, 1, 1, 150 } });
-  picture.Assign(frame, ViewOf(frame.Size));
+  picture.Assign(frame, ViewOf(frame.Size), frame.Size);
   Expect(picture.HasLayers, "a second one in one pixel");
 }
 

@@ -99,6 +99,9 @@ vtkSmartPointer<Mapper> Oracle::MakeFresh() const
   fresh->SetCroppingRegionPlanes(subject->GetCroppingRegionPlanes());
   fresh->SetCroppingRegionFlags(subject->GetCroppingRegionFlags());
   fresh->SetClippingPlanes(subject->GetClippingPlanes());
+  fresh->SetMaskInput(subject->GetMaskInput());
+  fresh->SetMaskType(subject->GetMaskType());
+  fresh->SetMaskBlendFactor(subject->GetMaskBlendFactor());
   fresh->SetScalarMode(subject->GetScalarMode());
   fresh->SelectScalarArray(subject->GetArrayId());
   fresh->SelectScalarArray(subject->GetArrayName());

@@ -165,7 +165,7 @@ void Coarseness(World& world)
   Bytes& from = world.From;
   const auto distance = [&]
   {
-    const double number = from.Number(1.0, 4.0);
+    const double number = from.Number(0.4, 4.0);
     return std::isnan(number) ? 1.0f : static_cast<float>(std::min(std::max(number, -1e30), 1e30));
   };
   world.Subject->SetImageSampleDistance(distance());

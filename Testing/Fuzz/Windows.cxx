@@ -15,6 +15,7 @@
 #include <vtkSelection.h>
 #include <vtkVolumeCollection.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 namespace Fuzz
@@ -39,7 +40,10 @@ public:
     this->Window = vtkSmartPointer<vtkRenderWindow>::New();
     this->Window->SetOffScreenRendering(1);
     this->Window->SetMultiSamples(this->Of.From.OneIn(6) ? 4 : 0);
-    this->Window->SetSize(this->Of.Width, this->Of.Height);
+    // Images may have any size; an X server ends a program that asks for a window of none.
+    constexpr int largest = 200;
+    this->Window->SetSize(
+      std::clamp(this->Of.Width, 1, largest), std::clamp(this->Of.Height, 1, largest));
     this->Window->AddRenderer(this->Of.Renderer());
   }
 

@@ -13,10 +13,13 @@ import tempfile
 import unittest
 
 import numpy
-from vtkmodules.vtkCommonDataModel import vtkPlane
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPlane
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 from vtkmodules.vtkRenderingCore import vtkVolume
-from vtkmodules.vtkRenderingVolume import vtkFixedPointVolumeRayCastMapper
+from vtkmodules.vtkRenderingVolume import (
+    vtkFixedPointVolumeRayCastMapper,
+    vtkGPUVolumeRayCastMapper,
+)
 from vtkmodules.vtkRenderingVolumeOpenGL2 import vtkSmartVolumeMapper
 from scripts import SHOW_VOLUME, pixels_of
 from vtkTemporalCoherence import render, replace_mapper, vtkTemporalCoherenceVolumeMapper
@@ -201,6 +204,17 @@ class Replacing(unittest.TestCase):
         self.assertEqual(self.isovalues_of(volume), [100.0, 200.0])
         del old
         self.assertTrue(render(volume).color.any())
+
+    def test_takes_over_a_mask(self):
+        old = vtkGPUVolumeRayCastMapper()
+        mask = vtkImageData()
+        old.SetMaskInput(mask)
+        old.SetMaskTypeToBinary()
+        old.SetMaskBlendFactor(0.25)
+        new = replace_mapper(self.volume_with(old))
+        self.assertIs(new.GetMaskInput(), mask)
+        self.assertEqual(new.GetMaskType(), old.GetMaskType())
+        self.assertEqual(new.GetMaskBlendFactor(), 0.25)
 
     def test_takes_over_components(self):
         old = vtkSmartVolumeMapper()

@@ -18,7 +18,7 @@ def replace_mapper(
     """Have a volume drawn by a new vtkTemporalCoherenceVolumeMapper, and return that mapper.
 
     volume     its mapper is another vtkVolumeMapper, for example PyVista's. The new mapper takes
-               over its input, choice of scalars, cropping and clipping planes
+               over its input, choice of scalars, cropping, clipping planes and mask
     isovalues  in the unit of the scalars that the mapper has as input, which other libraries may
                have scaled. None: those that the volume's property has
 
@@ -46,6 +46,11 @@ def replace_mapper(
     mapper.SetCroppingRegionFlags(old.GetCroppingRegionFlags())
     if old.GetClippingPlanes():
         mapper.SetClippingPlanes(old.GetClippingPlanes())
+    # A vtkSmartVolumeMapper or vtkFixedPointVolumeRayCastMapper has no mask.
+    if hasattr(old, "GetMaskInput"):
+        mapper.SetMaskInput(old.GetMaskInput())
+        mapper.SetMaskType(old.GetMaskType())
+        mapper.SetMaskBlendFactor(old.GetMaskBlendFactor())
     volume.SetMapper(mapper)
 
     if isovalues is not None:

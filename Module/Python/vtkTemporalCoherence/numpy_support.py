@@ -106,7 +106,8 @@ def planes(
 
     names    which planes, or which one; the others are None
 
-    In coarse frames (ImageSampleDistance above 1) arrays have a value for each ray.
+    Where an ImageSampleDistance other than 1 gives a window fewer rays than pixels, or more, arrays
+    have a value for each ray.
 
     Raises TypeError for what is no such mapper, ValueError if there is no frame or no such plane.
     """

@@ -63,21 +63,31 @@ TEST(HiddenCells, AreThoseWhoseFlagsTell)
     const glm::ivec3 cells = samples - 1;
     const std::vector<std::uint8_t> ofCells = RandomFlags(cells, 0.2, ++seed);
     const std::vector<std::uint8_t> ofSamples = RandomFlags(samples, 0.04, ++seed);
-    for (int which = 1; which < 4; ++which)
+    std::vector<std::uint8_t> shown = RandomFlags(samples, 0.1, ++seed);
+    for (std::uint8_t& flag : shown)
+    {
+      flag &= 4;
+    }
+    for (int which = 1; which < 8; ++which)
     {
       HidingFlags flags;
       flags.OfCells = which & 1 ? ofCells.data() : nullptr;
       flags.OfSamples = which & 2 ? ofSamples.data() : nullptr;
+      flags.Shown = which & 4 ? shown.data() : nullptr;
       flags.CellMask = flags.SampleMask = 4 | 8;
       const std::shared_ptr<const HiddenCells> hidden = HiddenCells::Make(samples, flags);
       ForEach(cells,
         [&](const glm::ivec3& cell)
         {
           bool isHidden = flags.OfCells && (FlagAt(ofCells, cell, cells) & 4);
-          for (int corner = 0; corner < 8 && flags.OfSamples; ++corner)
+          bool isShown = false;
+          for (int corner = 0; corner < 8; ++corner)
           {
-            isHidden = isHidden || (FlagAt(ofSamples, cell + Corner(corner), samples) & 4);
+            const glm::ivec3 place = cell + Corner(corner);
+            isHidden = isHidden || (flags.OfSamples && (FlagAt(ofSamples, place, samples) & 4));
+            isShown = isShown || FlagAt(shown, place, samples) != 0;
           }
+          isHidden = isHidden || (flags.Shown && !isShown);
           ASSERT_EQ(hidden && hidden->IsHidden(cell), isHidden);
         });
       if (hidden)
@@ -96,6 +106,8 @@ TEST(HiddenCells, ThereAreNoneWhereNothingIsHidden)
   EXPECT_FALSE(HiddenCells::Make(samples, {}));
   EXPECT_FALSE(HiddenCells::Make(samples, { flags.data(), 4, flags.data(), 4 }));
   EXPECT_TRUE(HiddenCells::Make(samples, { flags.data(), 4, flags.data(), 1 }));
+  const std::vector<std::uint8_t> ones(flags.size(), 1);
+  EXPECT_FALSE(HiddenCells::Make(samples, { nullptr, 0, nullptr, 0, ones.data() }));
 }
 
 TEST(HiddenCells, AroundAreThoseThatTouchThem)

@@ -91,7 +91,39 @@ TEST(SampleDistance, RaysCoverThePixels)
   EXPECT_EQ(RaysFor({ 100, 99 }, 3.0), glm::ivec2(34, 33));
   EXPECT_EQ(RaysFor({ 5, 1 }, 10.0), glm::ivec2(1, 1));
   EXPECT_EQ(RaysFor({ 0, 7 }, 10.0), glm::ivec2(0, 1));
-  EXPECT_EQ(RaysFor({ 5, 7 }, 0.1), glm::ivec2(5, 7));
+  EXPECT_EQ(RaysFor({ 5, 7 }, 0.1), glm::ivec2(50, 70));
+  EXPECT_EQ(RaysFor({ 70, 3 }, static_cast<double>(0.7f)), glm::ivec2(100, 4));
+  EXPECT_EQ(RaysFor({ 1, 1000 }, 0.99), glm::ivec2(1, 1010));
+}
+
+TEST(SampleDistance, IsAWholePartOfAPixelBelowOne)
+{
+  const glm::dvec2 fine(0.1, 10.0);
+  SampleDistanceChooser chooser;
+  EXPECT_EQ(chooser.Choose(Window, Long, 1.0, fine), 1.0); // nothing is known
+  EXPECT_EQ(chooser.Choose(Window, Long, 1.0, { 3.0, 5.0 }), 3.0);
+  chooser.Learn(Window, SecondsFor(Window), Short);
+  EXPECT_EQ(chooser.Choose(Window, Long, 1.0, fine), 0.1);
+  EXPECT_EQ(chooser.Choose(Window, Long, 1.0, { 0.3, 10.0 }), 0.3);
+  EXPECT_EQ(chooser.Choose(Window, 20.0, 1.0, fine), 1.0 / 3.0); // 1.25 / sqrt(20), rounded up
+  EXPECT_EQ(chooser.Choose(Window, 2.0, 1.0, fine), 1.0);
+  EXPECT_EQ(chooser.Choose(Window, 2.0, 0.5, fine), 1.0);
+  EXPECT_EQ(chooser.Choose(Window, 4.5, 0.5, fine), 0.5);
+  const auto third = static_cast<double>(1.0f / 3.0f); // as a mapper keeps it
+  EXPECT_EQ(chooser.Choose(Window, 11.1, third, fine), 1.0 / 3.0);
+}
+
+TEST(SampleDistance, FinestLeavesNoMoreRaysThanAFrameMayHave)
+{
+  EXPECT_EQ(FinestDistance({ 20000, 20000 }), 1.0);
+  for (const glm::ivec2& pixels :
+    { glm::ivec2(1920, 1080), glm::ivec2(3840, 2160), glm::ivec2(5000, 17), glm::ivec2(1, 1) })
+  {
+    const double finest = FinestDistance(pixels);
+    const glm::ivec2 rays = RaysFor(pixels, finest);
+    EXPECT_NEAR(static_cast<double>(rays.x) * rays.y, MostRays, 0.03 * MostRays);
+  }
+  EXPECT_LT(FinestDistance({ 3840, 2160 }), 0.5);
 }
 
 }

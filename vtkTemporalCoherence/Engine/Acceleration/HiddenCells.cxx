@@ -51,31 +51,46 @@ std::uint64_t HiddenByCells(
   return hidden;
 }
 
-/// The cells of a leaf that flags of samples hide.
-std::uint64_t HiddenBySamples(
-  const HidingFlags& flags, const glm::ivec3& firstCell, const glm::ivec3& samples)
+/// The cells of a leaf with a corner whose flag has any bit of the mask.
+std::uint64_t CellsAround(const std::uint8_t* flags, std::uint8_t mask, const glm::ivec3& firstCell,
+  const glm::ivec3& samples)
 {
   const glm::ivec3 count = glm::min(samples - firstCell, glm::ivec3(LeafSize + 1));
   const std::uint32_t cellsInRow = (1u << (count.x - 1)) - 1u;
-  std::uint64_t hidden = 0;
+  std::uint64_t around = 0;
   for (int k = 0; k < count.z; ++k)
   {
     for (int j = 0; j < count.y; ++j)
     {
-      const std::uint8_t* row = At(flags.OfSamples, firstCell + glm::ivec3(0, j, k), samples);
-      const std::uint32_t bits = BitsOfRow(row, count.x, flags.SampleMask);
+      const std::uint8_t* row = At(flags, firstCell + glm::ivec3(0, j, k), samples);
+      const std::uint32_t bits = BitsOfRow(row, count.x, mask);
       const std::uint64_t alongX = (bits | bits >> 1) & cellsInRow;
       // The row is a corner of the cells before it and behind it.
       for (int z = std::max(k - 1, 0); z <= std::min(k, count.z - 2); ++z)
       {
         for (int y = std::max(j - 1, 0); y <= std::min(j, count.y - 2); ++y)
         {
-          hidden |= alongX << (4 * y + 16 * z);
+          around |= alongX << (4 * y + 16 * z);
         }
       }
     }
   }
-  return hidden;
+  return around;
+}
+
+/// The cells of a leaf that are in the field.
+std::uint64_t CellsInField(const glm::ivec3& firstCell, const glm::ivec3& cells)
+{
+  const glm::ivec3 count = glm::min(cells - firstCell, glm::ivec3(LeafSize));
+  std::uint64_t all = 0;
+  for (int k = 0; k < count.z; ++k)
+  {
+    for (int j = 0; j < count.y; ++j)
+    {
+      all |= ((std::uint64_t(1) << count.x) - 1u) << (4 * j + 16 * k);
+    }
+  }
+  return all;
 }
 
 }
@@ -104,7 +119,12 @@ std::shared_ptr<const HiddenCells> HiddenCells::Make(
           continue;
         }
         std::uint64_t hidden = flags.OfCells ? HiddenByCells(flags, first, cells) : 0;
-        hidden |= flags.OfSamples ? HiddenBySamples(flags, first, samples) : 0;
+        hidden |=
+          flags.OfSamples ? CellsAround(flags.OfSamples, flags.SampleMask, first, samples) : 0;
+        if (flags.Shown)
+        {
+          hidden |= CellsInField(first, cells) & ~CellsAround(flags.Shown, 0xff, first, samples);
+        }
         made->Words[static_cast<std::size_t>(node * ValueRangePyramid::LeavesPerNode + leaf)] =
           hidden;
         all |= hidden;

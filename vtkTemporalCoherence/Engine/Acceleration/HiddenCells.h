@@ -20,6 +20,7 @@ struct HidingFlags
   std::uint8_t CellMask = 0; ///< a cell with any of these bits is hidden
   const std::uint8_t* OfSamples = nullptr;
   std::uint8_t SampleMask = 0; ///< the cells around a sample with any of these bits are hidden
+  const std::uint8_t* Shown = nullptr; ///< of samples: a cell is hidden if it is 0 at all corners
 };
 
 /// The cells of a field in which no surface is looked for, as bits: one word for each leaf of the

@@ -14,6 +14,15 @@ namespace
 /// change to and fro. (A setting of the loop, not a tuned one: TestUpdateRate.)
 constexpr double ToSpare = 1.25;
 
+/// The next whole number, or below 1 the next whole part of one. A third is one though it has been
+/// kept as a float.
+double Rounded(double distance)
+{
+  constexpr double shortest = 1e-9, close = 1e-6;
+  return distance < 1.0 ? 1.0 / std::floor(1.0 / std::max(distance, shortest) + close)
+                        : std::ceil(distance);
+}
+
 }
 
 void SampleDistanceChooser::Learn(const glm::ivec2& size, double seconds, double allowed)
@@ -33,14 +42,26 @@ double SampleDistanceChooser::Choose(
   const double seconds = this->SecondsPerRay * pixels.x * pixels.y;
   const double needed = std::sqrt(seconds / std::max(allowed, 1e-9));
   const auto within = [&](double distance)
-  { return std::min(std::max(std::ceil(distance), limits.x), std::max(limits.x, limits.y)); };
+  { return std::min(std::max(Rounded(distance), limits.x), std::max(limits.x, limits.y)); };
+  if (this->SecondsPerRay == 0.0)
+  {
+    return within(1.0);
+  }
   const double next = within(needed);
   return next < current ? std::min(within(current), within(ToSpare * needed)) : next;
 }
 
 glm::ivec2 RaysFor(const glm::ivec2& pixels, double distance)
 {
-  return glm::ivec2(glm::ceil(glm::dvec2(pixels) / std::max(distance, 1.0)));
+  const glm::dvec2 rays = glm::dvec2(pixels) / distance;
+  // A float such as 0.7f is a little less than 0.7.
+  return distance < 1.0 ? glm::max(glm::ivec2(glm::round(rays)), pixels)
+                        : glm::ivec2(glm::ceil(rays));
+}
+
+double FinestDistance(const glm::ivec2& pixels)
+{
+  return std::min(std::sqrt(static_cast<double>(pixels.x) * pixels.y / MostRays), 1.0);
 }
 
 }

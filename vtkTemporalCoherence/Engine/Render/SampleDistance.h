@@ -11,8 +11,8 @@ namespace TemporalCoherence
 /// Chooses how coarse frames have to be to keep to the time that they are given: the sample
 /// distance is the pixels from one ray to the next along each axis.
 ///
-/// It is a whole number where the limits are, and changes rarely: a frame of another size cannot
-/// use the one before again.
+/// It is a whole number where the limits are, or a whole part of a pixel, and changes rarely: a
+/// frame of another size cannot use the one before again.
 class SampleDistanceChooser
 {
 public:
@@ -43,7 +43,15 @@ private:
 };
 
 /// Rays along each axis of a picture of `pixels`; none only where there are no pixels.
+/// \param distance below 1, there are more rays than pixels
 glm::ivec2 RaysFor(const glm::ivec2& pixels, double distance);
+
+/// Rays of a frame that is finer than the pixels, at most: four for each pixel of 3840 x 2160. Two
+/// pictures with so many take 2.4 GB.
+constexpr double MostRays = 1 << 25;
+
+/// The least distance, at most 1, at which a frame has no more rays than that.
+double FinestDistance(const glm::ivec2& pixels);
 
 }
 

@@ -109,8 +109,7 @@ void MapperFrames::Present(vtkRenderer* renderer, vtkVolume* volume, const glm::
     }
     else
     {
-      state->Presenter.Present(renderer, volume, state->Frames.LastFrame(),
-        state->Frames.LastKey().Seen, state->Picture, error);
+      state->Presenter.Present(renderer, volume, state->Shown(), error);
     }
   }
   catch (const std::exception&)

@@ -5,9 +5,9 @@
 
 #include "Frames/ViewerStates.h"
 #include "Output/ImageFromFrame.h"
-#include "Output/PixelHit.h"
 #include "Render/LineTracer.h"
 #include "Request/RequestFromMapper.h"
+#include "Window/PixelHit.h"
 #include "vtkTemporalCoherenceCompatibility.h"
 
 #include <memory>

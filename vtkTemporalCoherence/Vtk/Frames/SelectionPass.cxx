@@ -3,7 +3,7 @@
 #include "Frames/SelectionPass.h"
 
 #include "Input/MatrixFromVtk.h"
-#include "Output/PixelHit.h"
+#include "Window/PixelHit.h"
 
 #include <vtkDataSet.h>
 #include <vtkHardwareSelector.h>
@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace TemporalCoherence
 {
@@ -59,48 +60,41 @@ vtkIdType NumberAt(vtkDataSet* data, glm::dvec3 place, bool isPoint)
   return std::max<vtkIdType>(number, 0);
 }
 
-std::vector<PixelColor> MakeNumbers(const Frame& frame, const View& view, vtkVolume* volume,
-  vtkDataSet* data, bool isPoint, int shift)
+/// What a ray with a hit is drawn with.
+using ColorOfRay = std::function<PixelColor(const glm::ivec2&)>;
+
+/// The number of the point or the cell at the hit.
+ColorOfRay NumbersOf(
+  const ShownFrame& shown, vtkVolume* volume, vtkDataSet* data, bool isPoint, int shift)
 {
-  std::vector<PixelColor> colors(frame.Depth.size(), ColorOf(0));
   if (!data)
   {
-    return colors;
+    return [](const glm::ivec2&) { return ColorOf(0); };
   }
   volume->ComputeMatrix();
   const glm::dmat4 dataFromWorld = glm::inverse(MatrixFromVtk(volume->GetMatrix()));
-  for (int y = 0; y < frame.Size.y; ++y)
+  return [=](const glm::ivec2& ray)
   {
-    for (int x = 0; x < frame.Size.x; ++x)
-    {
-      const std::size_t pixel = IndexOfPixel(frame, x, y);
-      if (frame.Isovalues[pixel] != Frame::NoSurface)
-      {
-        const glm::dvec4 place(PositionOfHit(frame, view, x, y), 1.0);
-        colors[pixel] =
-          ColorOf(NumberAt(data, glm::dvec3(dataFromWorld * place), isPoint) >> shift);
-      }
-    }
-  }
-  return colors;
+    const glm::dvec4 place(PositionOfHit(shown.Picture, shown.Seen, ray.x, ray.y), 1.0);
+    return ColorOf(NumberAt(data, glm::dvec3(dataFromWorld * place), isPoint) >> shift);
+  };
 }
 
-/// One colour for each pixel; meaningless where nothing is hit.
-std::vector<PixelColor> MakeColors(vtkHardwareSelector* selector, const Frame& frame,
-  const View& view, vtkVolume* volume, vtkDataSet* data)
+ColorOfRay ColorsOf(
+  vtkHardwareSelector* selector, const ShownFrame& shown, vtkVolume* volume, vtkDataSet* data)
 {
   switch (selector->GetCurrentPass())
   {
     case vtkHardwareSelector::POINT_ID_LOW24:
-      return MakeNumbers(frame, view, volume, data, true, 0);
+      return NumbersOf(shown, volume, data, true, 0);
     case vtkHardwareSelector::POINT_ID_HIGH24:
-      return MakeNumbers(frame, view, volume, data, true, 24);
+      return NumbersOf(shown, volume, data, true, 24);
     case vtkHardwareSelector::CELL_ID_LOW24:
-      return MakeNumbers(frame, view, volume, data, false, 0);
+      return NumbersOf(shown, volume, data, false, 0);
     case vtkHardwareSelector::CELL_ID_HIGH24:
-      return MakeNumbers(frame, view, volume, data, false, 24);
+      return NumbersOf(shown, volume, data, false, 24);
     default:
-      return std::vector<PixelColor>(frame.Depth.size(), ColorOfProp(selector));
+      return [color = ColorOfProp(selector)](const glm::ivec2&) { return color; };
   }
 }
 
@@ -110,8 +104,7 @@ bool PresentToSelector(vtkRenderer* renderer, vtkVolume* volume, vtkDataSet* dat
   ViewerState& state, std::string& error)
 {
   vtkHardwareSelector* selector = renderer->GetSelector();
-  const Frame& frame = state.Frames.LastFrame();
-  const View& view = state.Frames.LastKey().Seen;
+  const ShownFrame shown = state.Shown();
   selector->BeginRenderProp();
   if (selector->GetCurrentPass() == vtkHardwareSelector::COMPOSITE_INDEX_PASS)
   {
@@ -122,8 +115,8 @@ bool PresentToSelector(vtkRenderer* renderer, vtkVolume* volume, vtkDataSet* dat
     selector->UpdateMaximumPointId(data->GetNumberOfPoints() - 1);
     selector->UpdateMaximumCellId(data->GetNumberOfCells() - 1);
   }
-  const bool isShown = state.Presenter.PresentColors(
-    renderer, frame, view, state.Picture, MakeColors(selector, frame, view, volume, data), error);
+  const bool isShown =
+    state.Presenter.PresentColors(renderer, shown, ColorsOf(selector, shown, volume, data), error);
   selector->EndRenderProp();
   return isShown;
 }

@@ -47,12 +47,19 @@ struct ViewerState
   {
   }
 
+  /// The last frame, to be presented.
+  ShownFrame Shown() const
+  {
+    return { this->Frames.LastFrame(), this->Frames.LastKey().Seen, this->PictureSize,
+      this->Picture };
+  }
+
   Viewer Of;
   FrameRenderer Frames;
   PicturePresenter Presenter;
   PeelPresenter Peels;
   std::vector<int> IsovaluePlaces; ///< position in the property's list of each isovalue drawn
-  glm::ivec2 PictureSize{ 0 };     ///< pixels that the last frame fills, which may have fewer rays
+  glm::ivec2 PictureSize{ 0 };     ///< pixels that the last frame fills
   std::uint64_t Picture = 0;       ///< counts the different pictures
 };
 

@@ -71,10 +71,11 @@ std::vector<std::uint8_t> FlagsOfCells(
 }
 
 /// Hidden cells of a field whose samples are the cells of an image.
-std::shared_ptr<const HiddenCells> MakeBetweenCells(
-  const glm::ivec3& points, const std::uint8_t* ofCells, const std::uint8_t* ofPoints)
+std::shared_ptr<const HiddenCells> MakeBetweenCells(const glm::ivec3& points,
+  const std::uint8_t* ofCells, const std::uint8_t* ofPoints, const std::uint8_t* shown)
 {
   HidingFlags flags;
+  flags.Shown = shown;
   if (!ofPoints)
   {
     flags.OfSamples = ofCells;
@@ -89,7 +90,7 @@ std::shared_ptr<const HiddenCells> MakeBetweenCells(
 
 }
 
-bool HiddenCellsOfImage::Find(vtkImageData* image, bool samplesAreCells,
+bool HiddenCellsOfImage::Find(vtkImageData* image, bool samplesAreCells, const SampleMask& mask,
   std::shared_ptr<const HiddenCells>& hidden, std::string& error)
 {
   hidden = nullptr;
@@ -104,7 +105,7 @@ bool HiddenCellsOfImage::Find(vtkImageData* image, bool samplesAreCells,
   image->GetDimensions(origin.Dimensions.data());
   const glm::ivec3 points(origin.Dimensions[0], origin.Dimensions[1], origin.Dimensions[2]);
   const int fewest = samplesAreCells ? 3 : 2;
-  if ((!ofCells && !ofPoints) || glm::any(glm::lessThan(points, glm::ivec3(fewest))))
+  if ((!ofCells && !ofPoints && !mask.Array) || glm::any(glm::lessThan(points, glm::ivec3(fewest))))
   {
     this->Release();
     return true;
@@ -112,6 +113,7 @@ bool HiddenCellsOfImage::Find(vtkImageData* image, bool samplesAreCells,
   origin.Arrays = { ofCells, ofPoints };
   origin.Times = { ofCells ? ofCells->GetMTime() : 0, ofPoints ? ofPoints->GetMTime() : 0 };
   origin.SamplesAreCells = samplesAreCells;
+  origin.Mask = mask;
   if (!(origin == this->MadeFrom))
   {
     this->Release();
@@ -119,16 +121,18 @@ bool HiddenCellsOfImage::Find(vtkImageData* image, bool samplesAreCells,
     const std::uint8_t* const samples = ofPoints ? ofPoints->GetPointer(0) : nullptr;
     try
     {
+      std::vector<std::uint8_t> room;
+      const std::uint8_t* const shown = mask.Array ? SamplesShown(mask, room) : nullptr;
       this->Made = samplesAreCells
-        ? MakeBetweenCells(points, cells, samples)
+        ? MakeBetweenCells(points, cells, samples, shown)
         : HiddenCells::Make(
-            points, { cells, NotToBeShown, samples, vtkDataSetAttributes::HIDDENPOINT });
+            points, { cells, NotToBeShown, samples, vtkDataSetAttributes::HIDDENPOINT, shown });
     }
     catch (const std::exception&)
     {
       error =
         "There is not enough memory for one bit for each cell of the image, which tells those "
-        "that its ghost array hides; free memory, or render a part of the volume "
+        "that its ghost array or a mask hides; free memory, or render a part of the volume "
         "(vtkExtractVOI).";
       return false;
     }

@@ -4,6 +4,7 @@
 #define TemporalCoherence_HiddenCellsFromImage_h
 
 #include "Acceleration/HiddenCells.h"
+#include "Input/SampleMask.h"
 #include "vtkTemporalCoherenceCompatibility.h"
 
 #include <vtkType.h>
@@ -20,22 +21,24 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// The cells that an image's ghost arrays hide, kept until these arrays change.
+/// The cells that an image's ghost arrays and a mask hide, kept until these change.
 ///
 /// Ghost arrays are those that VTK names vtkGhostType. A cell is hidden that is hidden itself,
 /// refined by others, or another piece's (a duplicate), or that has a hidden point. Duplicate
-/// points hide nothing: their samples are as good as any.
+/// points hide nothing: their samples are as good as any. A mask hides a cell none of whose
+/// samples it shows.
 class HiddenCellsOfImage
 {
 public:
   /// Find the hidden cells of the field that is made of an image.
   /// \param samplesAreCells the field's samples are the image's cells, and its cells lie between
   ///                        their centres: those around a hidden cell of the image are hidden
+  /// \param mask            of the field's samples
   /// \param hidden          found; null if nothing is hidden
   /// \param error           gets what is wrong and what to do about it
   /// \return false on error
-  bool Find(vtkImageData* image, bool samplesAreCells, std::shared_ptr<const HiddenCells>& hidden,
-    std::string& error);
+  bool Find(vtkImageData* image, bool samplesAreCells, const SampleMask& mask,
+    std::shared_ptr<const HiddenCells>& hidden, std::string& error);
 
   void Release() { *this = HiddenCellsOfImage(); }
 
@@ -47,11 +50,13 @@ private:
     std::array<vtkMTimeType, 2> Times{};
     std::array<int, 3> Dimensions{}; ///< of the image
     bool SamplesAreCells = false;
+    SampleMask Mask;
 
     bool operator==(const Origin& other) const
     {
       return this->Arrays == other.Arrays && this->Times == other.Times &&
-        this->Dimensions == other.Dimensions && this->SamplesAreCells == other.SamplesAreCells;
+        this->Dimensions == other.Dimensions && this->SamplesAreCells == other.SamplesAreCells &&
+        this->Mask == other.Mask;
     }
   };
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Output/PointsFromFrame.h"
 
-#include "Output/PixelHit.h"
 #include "Scene/Parallel.h"
+#include "Window/PixelHit.h"
 
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>

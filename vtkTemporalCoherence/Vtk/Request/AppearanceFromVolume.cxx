@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Request/AppearanceFromVolume.h"
 
+#include "Input/SettingCheck.h"
 #include "Request/LightsFromRenderer.h"
-#include "Request/SettingCheck.h"
 
 #include <vtkColorTransferFunction.h>
 #include <vtkContourValues.h>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Request/LightsFromRenderer.h"
 
-#include "Request/SettingCheck.h"
+#include "Input/SettingCheck.h"
 
 #include <vtkCamera.h>
 #include <vtkCollection.h>

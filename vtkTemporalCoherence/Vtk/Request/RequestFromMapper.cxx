@@ -3,9 +3,9 @@
 #include "Request/RequestFromMapper.h"
 
 #include "Input/FieldFromImage.h"
+#include "Input/SettingCheck.h"
 #include "Request/AppearanceFromVolume.h"
 #include "Request/RegionFromMapper.h"
-#include "Request/SettingCheck.h"
 #include "Request/ViewFromRenderer.h"
 
 #include <vtkVolume.h>
@@ -89,7 +89,7 @@ bool RequestFromMapper::Make(vtkVolumeMapper* mapper, const PictureSettings& set
   }
 
   // An image without points has no array either: an empty picture, as for images without cells.
-  return !input.Array || this->MakeScene(mapper, volume, input, key, error);
+  return !input.Array || this->MakeScene(mapper, settings.Mask, volume, input, key, error);
 }
 
 namespace
@@ -114,16 +114,19 @@ bool AreFewEnough(const Surfaces& surfaces, std::string& error)
 }
 
 /// The samples, and where they lie and are kept.
-bool RequestFromMapper::MakeScene(vtkVolumeMapper* mapper, vtkVolume* volume,
-  const MapperInput& input, FrameKey& key, std::string& error)
+bool RequestFromMapper::MakeScene(vtkVolumeMapper* mapper, const MaskSettings& mask,
+  vtkVolume* volume, const MapperInput& input, FrameKey& key, std::string& error)
 {
   vtkVolumeProperty* property = volume->GetProperty();
+  SampleMask ofSamples;
   const ImageAxes axes = AxesOf(input.Image, input.OnCells);
   if (!MakeGradientOpacity(
         property, input.Look, glm::abs(axes.Step), key.Sought.BySteepness, error) ||
     !AreFewEnough(key.Sought, error) ||
     !MakeField(input.Image, input.Array, input.OnCells, input.Component, key.Samples, error) ||
-    !this->Hidden.Find(input.Image, input.OnCells, key.Samples.Hidden, error) ||
+    !FindMask(
+      mask, mapper, key.Samples.Dimensions, property, key.Sought.Isovalues, ofSamples, error) ||
+    !this->Hidden.Find(input.Image, input.OnCells, ofSamples, key.Samples.Hidden, error) ||
     !MakePlacement(input.Image, input.OnCells, volume, key.Where, error) ||
     !MakeRegion(mapper, axes, key.Kept, error))
   {

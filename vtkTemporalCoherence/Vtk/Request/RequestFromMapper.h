@@ -32,6 +32,7 @@ struct PictureSettings
   bool ColorByAnswer = false;
   double ColorWindow = 1.0, ColorLevel = 0.5; ///< shown are colours level +- window / 2
   vtkContourValues* DepthPass = nullptr;      ///< isovalues where the property has none; or null
+  MaskSettings Mask;
 };
 
 /// Who sees a frame, and how large it is.
@@ -69,8 +70,8 @@ public:
   void Release();
 
 private:
-  bool MakeScene(vtkVolumeMapper* mapper, vtkVolume* volume, const MapperInput& input,
-    FrameKey& key, std::string& error);
+  bool MakeScene(vtkVolumeMapper* mapper, const MaskSettings& mask, vtkVolume* volume,
+    const MapperInput& input, FrameKey& key, std::string& error);
 
   InputFromMapper Input;
   HiddenCellsOfImage Hidden;

@@ -5,6 +5,7 @@
 #include "Window/DepthReader.h"
 #include "Window/LayerCut.h"
 #include "Window/OpenGLWindow.h"
+#include "Window/PixelHit.h"
 
 #include <vtkNew.h>
 #include <vtkOpenGLQuadHelper.h>
@@ -63,6 +64,7 @@ struct PicturePresenter::Resources
   vtkNew<vtkTextureObject> Normal;  ///< in the world, for passes that ask for it
   std::uint64_t Picture = 0;        ///< the one in the textures
   std::uint64_t NormalsPicture = 0; ///< the one in the texture of normals
+  glm::ivec2 Pixels{ 0 };           ///< of the viewport that the picture was made for
   glm::ivec2 Size{ 0 };             ///< of the whole picture
   PixelRect Rect;                   ///< the part of it in the textures
 };
@@ -70,11 +72,12 @@ struct PicturePresenter::Resources
 PicturePresenter::PicturePresenter() = default;
 PicturePresenter::~PicturePresenter() = default;
 
-bool PicturePresenter::Present(vtkRenderer* renderer, vtkVolume* volume, const Frame& frame,
-  const View& view, std::uint64_t picture, std::string& error)
+bool PicturePresenter::Present(
+  vtkRenderer* renderer, vtkVolume* volume, const ShownFrame& shown, std::string& error)
 {
   const PassOutput output = volume ? OutputFor(volume) : PassOutput::Color;
-  if (!this->Prepare(renderer, frame, view, picture, output, error))
+  const Frame& frame = shown.Picture;
+  if (!this->Prepare(renderer, shown, output, error))
   {
     return false;
   }
@@ -83,8 +86,8 @@ bool PicturePresenter::Present(vtkRenderer* renderer, vtkVolume* volume, const F
   {
     return true;
   }
-  const bool isCut = this->Shown.HasLayers && this->CutLayers(frame, view);
-  const glm::vec2 size(frame.Size);
+  const bool isCut = this->Shown.HasLayers && this->CutLayers(frame, shown.Seen);
+  const glm::vec2 size(this->OpenGL->Size);
   SetUniforms(output, this->OpenGL->Quad->Program, renderer, volume, glm::vec2(rect.First) / size,
     glm::vec2(rect.Size) / size);
   if (output == PassOutput::Occluder)
@@ -109,10 +112,10 @@ bool PicturePresenter::Present(vtkRenderer* renderer, vtkVolume* volume, const F
   return true;
 }
 
-bool PicturePresenter::PresentColors(vtkRenderer* renderer, const Frame& frame, const View& view,
-  std::uint64_t picture, const std::vector<PixelColor>& colors, std::string& error)
+bool PicturePresenter::PresentColors(vtkRenderer* renderer, const ShownFrame& shown,
+  const std::function<PixelColor(const glm::ivec2&)>& colorOf, std::string& error)
 {
-  if (!this->Prepare(renderer, frame, view, picture, PassOutput::Color, error))
+  if (!this->Prepare(renderer, shown, PassOutput::Color, error))
   {
     return false;
   }
@@ -121,19 +124,17 @@ bool PicturePresenter::PresentColors(vtkRenderer* renderer, const Frame& frame, 
   {
     return true;
   }
+  const PixelRays rays(shown.Picture.Size, this->OpenGL->Size);
   std::vector<PixelColor> part(this->Shown.Colors.size());
+  std::size_t to = 0;
   for (int y = 0; y < rect.Size.y; ++y)
   {
-    for (int x = 0; x < rect.Size.x; ++x)
+    for (int x = 0; x < rect.Size.x; ++x, ++to)
     {
-      const auto to = static_cast<std::size_t>(y) * static_cast<std::size_t>(rect.Size.x) +
-        static_cast<std::size_t>(x);
-      const auto from =
-        static_cast<std::size_t>(rect.First.y + y) * static_cast<std::size_t>(frame.Size.x) +
-        static_cast<std::size_t>(rect.First.x + x);
-      if (this->Shown.Colors[to][3] != 0)
+      const auto ray = rays.Shown(shown.Picture, rect.First + glm::ivec2(x, y));
+      if (ray && this->Shown.Colors[to][3] != 0)
       {
-        part[to] = colors[from];
+        part[to] = colorOf(*ray);
         part[to][3] = 255;
       }
     }
@@ -147,8 +148,8 @@ bool PicturePresenter::PresentColors(vtkRenderer* renderer, const Frame& frame, 
 }
 
 /// Make the quad, and put the picture into its textures.
-bool PicturePresenter::Prepare(vtkRenderer* renderer, const Frame& frame, const View& view,
-  std::uint64_t picture, PassOutput output, std::string& error)
+bool PicturePresenter::Prepare(
+  vtkRenderer* renderer, const ShownFrame& shown, PassOutput output, std::string& error)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetVTKWindow());
   if (!window)
@@ -188,11 +189,13 @@ bool PicturePresenter::Prepare(vtkRenderer* renderer, const Frame& frame, const 
     return false;
   }
 
-  if (this->OpenGL->Picture != picture)
+  if (this->OpenGL->Picture != shown.Number || this->OpenGL->Pixels != shown.Pixels)
   {
-    this->Shown.Assign(frame, view);
-    this->OpenGL->Picture = picture;
-    this->OpenGL->Size = frame.Size;
+    this->Shown.Assign(shown.Picture, shown.Seen, shown.Pixels);
+    this->OpenGL->Picture = shown.Number;
+    this->OpenGL->Pixels = shown.Pixels;
+    this->OpenGL->NormalsPicture = 0;
+    this->OpenGL->Size = this->Shown.Size;
     this->OpenGL->Rect = this->Shown.Rect;
     if (!this->Shown.Colors.empty())
     {
@@ -220,13 +223,48 @@ bool PicturePresenter::CutLayers(const Frame& frame, const View& view)
   const bool isRead = ReadDepths(window, target, this->Depths);
   // Some windows take a program of their own to read depths.
   window->GetShaderCache()->ReadyShaderProgram(this->OpenGL->Quad->Program);
-  if (!isRead ||
-    !CutLayersAt(this->Depths, target.Size, this->Shown.Rect, frame, view, this->CutColors))
+  if (!isRead || !this->CutColorsAt(target.Size, frame, view))
   {
     return false;
   }
   this->OpenGL->Cut->Create2DFromRaw(static_cast<unsigned int>(target.Size.x),
     static_cast<unsigned int>(target.Size.y), 4, VTK_UNSIGNED_CHAR, this->CutColors.data());
+  return true;
+}
+
+/// Cut layers by the depths that were read.
+/// \param size pixels that the window has where the picture is
+/// \return false if these are the picture's own colours
+bool PicturePresenter::CutColorsAt(const glm::ivec2& size, const Frame& frame, const View& view)
+{
+  const PixelRays rays(frame.Size, this->Shown.Size);
+  if (!rays.AreMore())
+  {
+    return CutLayersAt(this->Depths, size, this->Shown.Rect, frame, view, this->CutColors);
+  }
+  if (size != this->Shown.Rect.Size)
+  {
+    return false;
+  }
+  // Each ray's layers end at the depth of the pixel that its middle is in.
+  const PixelRect &hits = this->Shown.Hits, &rect = this->Shown.Rect;
+  const PixelRays pixels(this->Shown.Size, frame.Size);
+  std::vector<float> depths;
+  depths.reserve(static_cast<std::size_t>(hits.Size.x) * static_cast<std::size_t>(hits.Size.y));
+  for (int y = hits.First.y; y < hits.First.y + hits.Size.y; ++y)
+  {
+    for (int x = hits.First.x; x < hits.First.x + hits.Size.x; ++x)
+    {
+      const glm::ivec2 at = pixels.AtCentre({ x, y }) - rect.First;
+      depths.push_back(this->Depths[static_cast<std::size_t>(at.y * rect.Size.x + at.x)]);
+    }
+  }
+  std::vector<PixelColor> colors;
+  if (!CutLayersAt(depths, hits.Size, hits, frame, view, colors))
+  {
+    return false;
+  }
+  this->CutColors = this->Shown.MeanColors(frame, colors);
   return true;
 }
 
@@ -237,12 +275,16 @@ void PicturePresenter::UploadNormals(const Frame& frame)
     return;
   }
   const PixelRect& rect = this->OpenGL->Rect;
+  const PixelRays rays(frame.Size, this->OpenGL->Size);
   std::vector<glm::vec3> normals;
   normals.reserve(this->Shown.Colors.size());
   for (int y = rect.First.y; y < rect.First.y + rect.Size.y; ++y)
   {
-    const auto row = frame.Normals.begin() + static_cast<std::ptrdiff_t>(y) * frame.Size.x;
-    normals.insert(normals.end(), row + rect.First.x, row + rect.First.x + rect.Size.x);
+    for (int x = rect.First.x; x < rect.First.x + rect.Size.x; ++x)
+    {
+      const auto ray = rays.Shown(frame, { x, y });
+      normals.push_back(ray ? frame.Normals[IndexOfPixel(frame, ray->x, ray->y)] : glm::vec3(0.0f));
+    }
   }
   this->OpenGL->Normal->Create2DFromRaw(static_cast<unsigned int>(rect.Size.x),
     static_cast<unsigned int>(rect.Size.y), 3, VTK_FLOAT, normals.data());

@@ -8,6 +8,7 @@
 #include "vtkTemporalCoherenceCompatibility.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -22,9 +23,21 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
+/// A frame that fills a viewport.
+struct ShownFrame
+{
+  const Frame& Picture;
+  const View& Seen;
+  glm::ivec2 Pixels;    ///< of the viewport, which may be more than rays, or fewer
+  std::uint64_t Number; ///< differs whenever frame or view differ from the last ones
+};
+
 /// Draws a finished frame into the renderer's window: colour and depth as two textures on one quad,
 /// so that surfaces and other props hide each other pixel by pixel. Only the rectangle that holds
 /// hits is uploaded and drawn, and only a picture that differs from the last is uploaded.
+///
+/// Where there are more rays than pixels, each pixel shows the mean of its rays (WindowPicture).
+/// Where some of them hit nothing, it is translucent.
 ///
 /// Opaque hits are drawn with their depths. Translucent ones are blended over what is in the
 /// window, where that is not nearer, and leave no depth; where something in the window lies between
@@ -36,24 +49,24 @@ public:
   ~PicturePresenter();
 
   /// \param volume  what the frame shows, which render passes know; may be null
-  /// \param picture a number that differs whenever frame or view differ from the last call
   /// \param error   gets what is wrong if the result is false
-  bool Present(vtkRenderer* renderer, vtkVolume* volume, const Frame& frame, const View& view,
-    std::uint64_t picture, std::string& error);
+  bool Present(
+    vtkRenderer* renderer, vtkVolume* volume, const ShownFrame& shown, std::string& error);
 
   /// Draw other colours in place of those of the hits, as they are: no light, no blending.
-  /// \param colors one for each pixel of the frame; those without a hit are not drawn
-  bool PresentColors(vtkRenderer* renderer, const Frame& frame, const View& view,
-    std::uint64_t picture, const std::vector<PixelColor>& colors, std::string& error);
+  /// \param colorOf tells that of a ray with a hit; pixels without one are not drawn
+  bool PresentColors(vtkRenderer* renderer, const ShownFrame& shown,
+    const std::function<PixelColor(const glm::ivec2&)>& colorOf, std::string& error);
 
   /// Free what is held in the context of a window; in any, if it is null.
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
   struct Resources;
-  bool Prepare(vtkRenderer* renderer, const Frame& frame, const View& view, std::uint64_t picture,
-    PassOutput output, std::string& error);
+  bool Prepare(
+    vtkRenderer* renderer, const ShownFrame& shown, PassOutput output, std::string& error);
   bool CutLayers(const Frame& frame, const View& view);
+  bool CutColorsAt(const glm::ivec2& size, const Frame& frame, const View& view);
   void UploadNormals(const Frame& frame);
   void Draw(vtkTextureObject* color, bool isOpaque, bool isTranslucent);
 

@@ -100,40 +100,117 @@ float WindowDepthOf(const View& view, const glm::ivec2& pixel, double t)
   return static_cast<float>(std::min(std::max(0.5 * clip.z / clip.w + 0.5, 0.0), 1.0));
 }
 
-void WindowPicture::Assign(const Frame& frame, const View& view)
+namespace
 {
-  this->Rect = FindHits(frame);
-  const auto width = static_cast<std::size_t>(this->Rect.Size.x);
-  this->Colors.resize(width * static_cast<std::size_t>(this->Rect.Size.y));
-  this->Depths.resize(this->Colors.size());
-  std::atomic<bool> hasOpaque(false), hasTranslucent(false);
-  ParallelFor(this->Rect.Size.y, RowGrain * TileSize,
+
+/// Work on the rows of a rectangle in parallel.
+/// \param work is told the row and the place of its first pixel in the rectangle's arrays
+template <typename Work>
+void ForRows(const PixelRect& rect, const Work& work)
+{
+  ParallelFor(rect.Size.y, RowGrain * TileSize,
     [&](std::int64_t row)
     {
-      const glm::ivec2 first = this->Rect.First + glm::ivec2(0, row);
-      const std::size_t from = PlaceOf(frame, first.x, first.y);
-      const std::size_t to = static_cast<std::size_t>(row) * width;
-      const PixelColor* const colors = &frame.Colors[from];
-      std::copy_n(colors, width, &this->Colors[to]);
-      if (!hasOpaque && std::any_of(colors, colors + width, IsOpaque))
-      {
-        hasOpaque = true;
-      }
-      if (!hasTranslucent && std::any_of(colors, colors + width, IsTranslucent))
-      {
-        hasTranslucent = true;
-      }
-      for (int x = 0; x < this->Rect.Size.x; ++x)
+      work(rect.First.y + static_cast<int>(row),
+        static_cast<std::size_t>(row) * static_cast<std::size_t>(rect.Size.x));
+    });
+}
+
+/// Which kinds of pixels there are, of rows that threads look at while they have them at hand.
+struct PixelKinds
+{
+  void See(const PixelColor* row, int count)
+  {
+    // What another thread has found meanwhile is never written over.
+    if (!this->Opaque && std::any_of(row, row + count, IsOpaque))
+    {
+      this->Opaque = true;
+    }
+    if (!this->Translucent && std::any_of(row, row + count, IsTranslucent))
+    {
+      this->Translucent = true;
+    }
+  }
+
+  std::atomic<bool> Opaque{ false }, Translucent{ false };
+};
+
+/// A pixel for each ray.
+void TakeRays(const Frame& frame, const View& view, WindowPicture& picture, PixelKinds& kinds)
+{
+  const PixelRect& rect = picture.Rect;
+  ForRows(rect,
+    [&](int y, std::size_t to)
+    {
+      const std::size_t from = PlaceOf(frame, rect.First.x, y);
+      std::copy_n(&frame.Colors[from], rect.Size.x, &picture.Colors[to]);
+      kinds.See(&picture.Colors[to], rect.Size.x);
+      for (int x = 0; x < rect.Size.x; ++x)
       {
         const auto column = static_cast<std::size_t>(x);
-        this->Depths[to + column] = frame.Isovalues[from + column] == Frame::NoSurface
+        picture.Depths[to + column] = frame.Isovalues[from + column] == Frame::NoSurface
           ? 1.0f
-          : WindowDepthOf(view, first + glm::ivec2(x, 0), frame.Depth[from + column]);
+          : WindowDepthOf(view, { rect.First.x + x, y }, frame.Depth[from + column]);
       }
     });
-  this->HasOpaque = hasOpaque;
-  this->HasTranslucent = hasTranslucent;
+}
+
+/// Several rays for each pixel.
+void TakeMeans(const Frame& frame, const View& view, WindowPicture& picture, PixelKinds& kinds)
+{
+  const PixelRect& rect = picture.Rect;
+  const PixelRays rays(frame.Size, picture.Size);
+  const PixelRect all = { glm::ivec2(0), frame.Size };
+  ForRows(rect,
+    [&](int y, std::size_t to)
+    {
+      for (int x = 0; x < rect.Size.x; ++x)
+      {
+        const glm::ivec2 pixel(rect.First.x + x, y);
+        const std::size_t place = to + static_cast<std::size_t>(x);
+        const std::optional<glm::ivec2> shown = rays.Shown(frame, pixel);
+        picture.Colors[place] =
+          shown ? rays.MeanColor(frame.Colors.data(), all, pixel) : PixelColor{};
+        picture.Depths[place] = shown
+          ? WindowDepthOf(view, *shown, frame.Depth[PlaceOf(frame, shown->x, shown->y)])
+          : 1.0f;
+      }
+      kinds.See(&picture.Colors[to], rect.Size.x);
+    });
+}
+
+}
+
+void WindowPicture::Assign(const Frame& frame, const View& view, const glm::ivec2& window)
+{
+  const PixelRays rays(frame.Size, window);
+  this->Size = rays.AreMore() ? window : frame.Size;
+  this->Hits = FindHits(frame);
+  this->Rect = rays.AreMore() ? rays.PixelsOf(this->Hits) : this->Hits;
+  this->Colors.resize(
+    static_cast<std::size_t>(this->Rect.Size.x) * static_cast<std::size_t>(this->Rect.Size.y));
+  this->Depths.resize(this->Colors.size());
+  PixelKinds kinds;
+  rays.AreMore() ? TakeMeans(frame, view, *this, kinds) : TakeRays(frame, view, *this, kinds);
+  this->HasOpaque = kinds.Opaque;
+  this->HasTranslucent = kinds.Translucent;
   this->HasLayers = std::any_of(frame.Layers.begin(), frame.Layers.end(), HasSecondRound);
+}
+
+std::vector<PixelColor> WindowPicture::MeanColors(
+  const Frame& frame, const std::vector<PixelColor>& colors) const
+{
+  const PixelRays rays(frame.Size, this->Size);
+  std::vector<PixelColor> means(this->Colors.size());
+  ForRows(this->Rect,
+    [&](int y, std::size_t to)
+    {
+      for (int x = this->Rect.First.x; x < this->Rect.First.x + this->Rect.Size.x; ++x, ++to)
+      {
+        means[to] = rays.MeanColor(colors.data(), this->Hits, { x, y });
+      }
+    });
+  return means;
 }
 
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Request/SettingCheck.h"
+#include "Input/SettingCheck.h"
 
 #include <iomanip>
 #include <limits>

@@ -37,7 +37,7 @@ inline glm::dvec3 PositionOfHit(const Frame& frame, const View& view, int x, int
 
 /// The hit that a window's pixel (x, y) shows, if there is one.
 /// \param view   of the frame
-/// \param window pixels that the frame fills, which may have fewer rays
+/// \param window pixels that the frame fills, which may have fewer rays, or more: see PixelRays
 std::optional<PixelHit> FindPixelHit(
   const Frame& frame, const View& view, const glm::ivec2& window, int x, int y);
 

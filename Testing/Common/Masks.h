@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Testing_Masks_h
+#define Testing_Masks_h
+
+#include <vtkImageData.h>
+#include <vtkSmartPointer.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+struct Scene;
+class BruteForceField;
+
+/// Masks of volumes, for SetMaskInput.
+namespace Masks
+{
+
+/// Chooses the value of a sample (i, j, k).
+using ChooseValue = std::function<int(int, int, int)>;
+
+/// An image of so many points along each axis, with one scalar of a VTK type for each.
+vtkSmartPointer<vtkImageData> Make(const int count[3], int scalarType, const ChooseValue& value);
+
+/// One for each point of an image.
+vtkSmartPointer<vtkImageData> For(
+  vtkImageData* image, const ChooseValue& value, int scalarType = VTK_UNSIGNED_CHAR);
+
+/// Give a scene a binary mask, or none.
+void SetBinary(Scene& scene, vtkImageData* mask);
+
+struct Named
+{
+  std::string Name;
+  ChooseValue Value;
+};
+
+/// Thick and thin ones, smooth and not, of an image of 32^3 points.
+std::vector<Named> All();
+
+/// Values that have nothing to do with one another: 0 with a chance, else from 1 to 3.
+ChooseValue Random(double chance, unsigned seed);
+
+/// Hide the cells of the truth none of whose samples is shown by a mask on points.
+void Hide(vtkImageData* mask, const std::function<bool(double)>& isShown, BruteForceField& field);
+
+/// The same for a binary mask.
+void Hide(vtkImageData* mask, BruteForceField& field);
+
+}
+
+#endif

@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Input/SampleMask.h"
+
+#include "Input/SamplesOfArray.h"
+#include "Input/ScalarChoice.h"
+#include "Input/SettingCheck.h"
+#include "Scene/Parallel.h"
+
+#include <vtkDataArray.h>
+#include <vtkDataObjectTree.h>
+#include <vtkImageData.h>
+#include <vtkPiecewiseFunction.h>
+#include <vtkVolumeMapper.h>
+#include <vtkVolumeProperty.h>
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+constexpr std::int64_t SampleGrain = 1 << 16;
+
+std::string TextOf(const glm::ivec3& count)
+{
+  return std::to_string(count.x) + " x " + std::to_string(count.y) + " x " +
+    std::to_string(count.z);
+}
+
+/// The labels that are hidden: those that are shown at no isovalue, though the property has an
+/// opacity for them.
+/// \return false if one is hidden at some isovalues and not at others
+bool FindHiddenLabels(vtkVolumeProperty* property, const std::vector<double>& isovalues,
+  std::vector<std::int64_t>& hidden, std::string& error)
+{
+  for (const int label : property->GetLabelMapLabels())
+  {
+    vtkPiecewiseFunction* const own = property->GetLabelScalarOpacity(label);
+    const double* lastShown = nullptr;
+    const double* lastHidden = nullptr;
+    for (const double& isovalue : isovalues)
+    {
+      const double opacity = own ? own->GetValue(isovalue) : 1.0;
+      SettingCheck check({ "label", label, "the volume's property" }, error);
+      check("Scalar opacity", opacity, Allowed::Opacity, "GetLabelScalarOpacity(label)->AddPoint");
+      if (!check.HasPassed())
+      {
+        return false;
+      }
+      (opacity > 0.0 ? lastShown : lastHidden) = &isovalue;
+    }
+    if (lastHidden && lastShown)
+    {
+      std::ostringstream what;
+      what << "The scalar opacity of label " << label << " is 0 at isovalue " << *lastHidden
+           << ", but not at " << *lastShown
+           << "; a label can be hidden at all isovalues or at none: set it with "
+              "SetLabelScalarOpacity, or draw each isovalue by a mapper and a vtkVolume of its "
+              "own.";
+      error = what.str();
+      return false;
+    }
+    if (lastHidden)
+    {
+      hidden.push_back(label);
+    }
+  }
+  return true;
+}
+
+/// Why the array of a mask cannot be used; empty if it can be.
+std::string WhyUnusable(
+  vtkImageData* image, const ChosenScalars& scalars, const glm::ivec3& samples)
+{
+  constexpr const char* remedy = ", or call SetMaskInput(nullptr).";
+  if (!scalars.Array)
+  {
+    return std::string("The mask has no scalars; give it one number for each sample of the input") +
+      remedy;
+  }
+  glm::ivec3 count;
+  image->GetDimensions(&count.x);
+  count -= scalars.OnCells ? 1 : 0;
+  if (count != samples)
+  {
+    return "The mask has " + TextOf(count) + " values, but the input has " + TextOf(samples) +
+      " samples; give it a mask with one value for each sample" + remedy;
+  }
+  const int components = scalars.Array->GetNumberOfComponents();
+  if (components != 1)
+  {
+    return "The array " + NameOf(scalars.Array) + " of the mask has " + std::to_string(components) +
+      " components; give it one" + remedy;
+  }
+  const vtkIdType tuples = scalars.Array->GetNumberOfTuples();
+  if (tuples < CountSamples(image, scalars.OnCells))
+  {
+    return "The array " + NameOf(scalars.Array) + " of the mask has " + std::to_string(tuples) +
+      " values, but the input has " + TextOf(samples) +
+      " samples; give it one value for each sample" + remedy;
+  }
+  return std::string();
+}
+
+}
+
+bool FindMask(const MaskSettings& settings, vtkVolumeMapper* mapper, const glm::ivec3& samples,
+  vtkVolumeProperty* property, const std::vector<double>& isovalues, SampleMask& mask,
+  std::string& error)
+{
+  mask = SampleMask();
+  vtkImageData* const image = settings.Image;
+  if (!image)
+  {
+    return true;
+  }
+  mask.IsLabelMap = settings.IsLabelMap;
+  if (mask.IsLabelMap)
+  {
+    const bool countsAlone = settings.BlendFactor >= 1.0f;
+    if (countsAlone && !FindHiddenLabels(property, isovalues, mask.HiddenLabels, error))
+    {
+      return false;
+    }
+    if (mask.HiddenLabels.empty())
+    {
+      return true; // and the mask may be anything
+    }
+  }
+  if (vtkDataObjectTree::SafeDownCast(mapper->GetDataObjectInput()))
+  {
+    error = "There is a mask, but the input is blocks, whose samples it does not know; hide cells "
+            "of the blocks with vtkUniformGrid::BlankCell, or call SetMaskInput(nullptr).";
+    return false;
+  }
+  ChosenScalars scalars = FindScalars(image, ChoiceOf(mapper));
+  if (!scalars.Array)
+  {
+    scalars = FindScalars(image, ScalarChoice());
+  }
+  error = WhyUnusable(image, scalars, samples);
+  ArraySamples values;
+  if (!error.empty() || !FindSamples(scalars.Array, 0, values, error))
+  {
+    return false;
+  }
+  if (values.Type == ScalarType::Float32 || values.Type == ScalarType::Float64)
+  {
+    error = "The values of the mask are of the type " +
+      std::string(scalars.Array->GetDataTypeAsString()) +
+      "; give it whole numbers, as vtkImageCast makes them, or call SetMaskInput(nullptr).";
+    return false;
+  }
+  mask.Array = scalars.Array;
+  mask.Time = std::max(image->GetMTime(), scalars.Array->GetMTime());
+  return true;
+}
+
+const std::uint8_t* SamplesShown(const SampleMask& mask, std::vector<std::uint8_t>& room)
+{
+  ArraySamples values;
+  std::string error; // FindMask has seen the array
+  FindSamples(mask.Array, 0, values, error);
+  if (values.Type == ScalarType::UInt8 && values.Step == 1 && !mask.IsLabelMap)
+  {
+    return static_cast<const std::uint8_t*>(values.First);
+  }
+  const vtkIdType count = mask.Array->GetNumberOfTuples();
+  room.resize(static_cast<std::size_t>(count));
+  const std::vector<std::int64_t>& hidden = mask.HiddenLabels;
+  DispatchScalarType(values.Type,
+    [&](auto sample)
+    {
+      using T = decltype(sample);
+      const T* const first = static_cast<const T*>(values.First);
+      ParallelFor(count, SampleGrain,
+        [&](std::int64_t i)
+        {
+          const T value = first[i * values.Step];
+          const bool isShown = mask.IsLabelMap
+            ? !std::binary_search(hidden.begin(), hidden.end(), static_cast<std::int64_t>(value))
+            : value > T(0);
+          room[static_cast<std::size_t>(i)] = isShown;
+        });
+    });
+  return room.data();
+}
+
+}

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_SampleMask_h
+#define TemporalCoherence_SampleMask_h
+
+#include "vtkTemporalCoherenceCompatibility.h"
+
+#include <glm/glm.hpp>
+
+#include <vtkType.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkDataArray;
+class vtkImageData;
+class vtkVolumeMapper;
+class vtkVolumeProperty;
+VTK_ABI_NAMESPACE_END
+
+namespace TemporalCoherence
+{
+
+/// A mask as the user of a mapper sets it.
+struct MaskSettings
+{
+  vtkImageData* Image = nullptr; ///< or null
+  bool IsLabelMap = false;       ///< otherwise binary
+  float BlendFactor = 1.0f;      ///< share of what a label has of its own
+};
+
+/// What a mask shows of a field: by value, but for the samples of the mask.
+///
+/// A binary mask shows samples where it is above 0. A label map hides those of some labels.
+struct SampleMask
+{
+  vtkDataArray* Array = nullptr; ///< one value for each sample; null if all are shown
+  vtkMTimeType Time = 0;         ///< differs whenever the array may have changed
+  bool IsLabelMap = false;
+  std::vector<std::int64_t> HiddenLabels; ///< of a label map, ascending
+
+  bool operator==(const SampleMask& other) const
+  {
+    return this->Array == other.Array && this->Time == other.Time &&
+      this->IsLabelMap == other.IsLabelMap && this->HiddenLabels == other.HiddenLabels;
+  }
+};
+
+/// Find what a mask shows. A label is hidden if its own scalar opacity, which counts alone where
+/// BlendFactor is 1, is 0 at all isovalues.
+/// \param mapper    chooses the array, of the mask as of the input
+/// \param samples   of the field along each axis
+/// \param property  knows the labels
+/// \param isovalues that are drawn
+/// \param error     gets what is wrong and what to do about it
+/// \return false on error
+bool FindMask(const MaskSettings& settings, vtkVolumeMapper* mapper, const glm::ivec3& samples,
+  vtkVolumeProperty* property, const std::vector<double>& isovalues, SampleMask& mask,
+  std::string& error);
+
+/// One byte for each sample of the field, 0 where the mask does not show it.
+/// \param room holds them where they are not those of the mask itself
+/// \pre the mask has an array
+/// \throws std::bad_alloc
+const std::uint8_t* SamplesShown(const SampleMask& mask, std::vector<std::uint8_t>& room);
+
+}
+
+#endif

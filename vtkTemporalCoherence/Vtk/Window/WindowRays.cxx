@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Window/WindowRays.h"
+
+#include "Window/PeelingPass.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace TemporalCoherence
+{
+
+glm::ivec2 WindowRays::For(
+  const glm::ivec2& pixels, double asked, vtkVolume* volume, std::string& warning)
+{
+  std::string told;
+  double distance = asked;
+  if (asked < 1.0 && PeelingPass::Of(volume))
+  {
+    // Surfaces lie among those of others, which have no means between pixels.
+    distance = 1.0;
+  }
+  else if (asked < FinestDistance(pixels))
+  {
+    distance = FinestDistance(pixels);
+    const glm::dvec2 rays = glm::dvec2(pixels) / asked;
+    std::ostringstream what;
+    what << "An ImageSampleDistance of " << asked << " asks for " << rays.x * rays.y
+         << " rays in a window of " << pixels.x << " x " << pixels.y << " pixels, more than the "
+         << MostRays << " that a frame may have; it is drawn with a distance of " << distance
+         << ". Call SetImageSampleDistance with that or more, or make the window smaller.";
+    told = what.str();
+  }
+  if (told != this->LastWarning)
+  {
+    warning = told;
+    this->LastWarning = told;
+  }
+  return RaysFor(pixels, distance);
+}
+
+}

@@ -19,6 +19,7 @@
 #include <vtkTrivialProducer.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <iomanip>
 #include <limits>
@@ -147,17 +148,35 @@ void TestOnce()
   Expect(warnings.Count == 0, "two volumes: said again");
 }
 
+/// Where no sample is below the isovalue, as of most data at VTK's untouched 0, all are inside.
+void TestSmallestSample()
+{
+  for (const int type : { VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_FLOAT })
+  {
+    const Image image = Volumes::FromFormula(
+      N, type, [](double x, double y, double z) { return std::max(Waves(x, y, z) - 50.0, 0.0); });
+    const std::string what = "from 0, type " + std::to_string(type);
+    Scene scene(image, { 0.0 });
+    vtkNew<vtkVolumeProperty> untouched;
+    scene.Volume->SetProperty(untouched);
+    ExpectOne(what, scene);
+    Expect(!scene.Mapper->PickPixel(20, 15, nullptr, nullptr, nullptr), what + ": empty");
+    Scene solid(image, { 0.0 });
+    solid.Mapper->SetSurfaceModeToThreshold();
+    ExpectNone(what + ", a solid", solid);
+  }
+}
+
 /// What samples can meet, or nobody asked for.
 void TestNoMistakes()
 {
   const Image image = Raised(VTK_SHORT);
   double range[2];
   image->GetPointData()->GetScalars()->GetRange(range);
-  for (const double isovalue : { range[0], range[1] })
-  {
-    Scene scene(image, { isovalue });
-    ExpectNone("at the end of the range", scene);
-  }
+  Scene touching(image, { range[1] });
+  ExpectNone("the largest sample", touching);
+  Scene above(image, { range[0] + 1.0 });
+  ExpectNone("above the smallest sample", above);
   Scene none(image, {});
   ExpectNone("no isovalue", none);
   Scene invisible(image, { 0.0 });
@@ -307,6 +326,7 @@ int TestIsovalueWarning(int, char*[])
 {
   TestUntouched();
   TestOnce();
+  TestSmallestSample();
   TestNoMistakes();
   TestTimeSteps();
   TestPieces();

@@ -100,11 +100,11 @@ bool IsPropertyShared(vtkVolume* volume, vtkRenderer* renderer)
   return false;
 }
 
-/// True if a sample can be on a surface.
+/// True if there can be a surface: samples that are inside, and others that are not.
 bool IsMet(double isovalue, SurfaceMode mode, const glm::dvec2& range)
 {
-  // Below all samples everything is inside a THRESHOLD solid, which is seen where it is cut open.
-  return isovalue <= range.y && (isovalue >= range.x || mode == SurfaceMode::Threshold);
+  // Where all samples are inside a THRESHOLD solid, it is seen where it is cut open.
+  return isovalue <= range.y && (isovalue > range.x || mode == SurfaceMode::Threshold);
 }
 
 }
@@ -172,16 +172,17 @@ std::string IsovalueCheck::Check(
   what << std::setprecision(std::numeric_limits<float>::max_digits10);
   if (isovalues.size() == 1)
   {
-    what << "The isovalue " << *least << " lies";
+    what << "The isovalue " << *least << " divides";
   }
   else
   {
     what << "All " << isovalues.size() << " isovalues, of " << *least << " to " << *largest
-         << ", lie";
+         << ", divide";
   }
-  what << " outside the range of the samples, " << finite.x << " to " << finite.y
-       << ", so that there is no isosurface; set one between them with "
-          "GetIsoSurfaceValues()->SetValue(0, isovalue) of the volume's property.";
+  what << " no samples from others: their range is " << finite.x << " to " << finite.y
+       << ". So there is no isosurface; set an isovalue above " << finite.x << " and up to "
+       << finite.y
+       << " with GetIsoSurfaceValues()->SetValue(0, isovalue) of the volume's property.";
   return what.str();
 }
 

@@ -161,6 +161,12 @@ void TestSmallestSample()
     scene.Volume->SetProperty(untouched);
     ExpectOne(what, scene);
     Expect(!scene.Mapper->PickPixel(20, 15, nullptr, nullptr, nullptr), what + ": empty");
+    Scene composite(image, { 0.0 });
+    vtkPiecewiseFunction* opacity = composite.Volume->GetProperty()->GetScalarOpacity();
+    opacity->RemoveAllPoints();
+    opacity->AddPoint(0.0, 0.0);
+    opacity->AddPoint(20.0, 1.0);
+    ExpectOne(what + ", with the opacity of another blend mode", composite);
     Scene solid(image, { 0.0 });
     solid.Mapper->SetSurfaceModeToThreshold();
     ExpectNone(what + ", a solid", solid);
@@ -179,10 +185,10 @@ void TestNoMistakes()
   ExpectNone("above the smallest sample", above);
   Scene none(image, {});
   ExpectNone("no isovalue", none);
-  Scene invisible(image, { 0.0 });
-  invisible.Volume->GetProperty()->GetScalarOpacity()->AddPoint(0.0, 0.0);
-  invisible.Volume->GetProperty()->GetScalarOpacity()->AddPoint(1.0, 1.0);
-  ExpectNone("an isovalue that is left out", invisible);
+  Scene invisible(image, { 60.0 });
+  invisible.Volume->GetProperty()->GetScalarOpacity()->RemoveAllPoints();
+  invisible.Volume->GetProperty()->GetScalarOpacity()->AddPoint(60.0, 0.0);
+  ExpectNone("a surface that is transparent", invisible);
   Scene even(
     Volumes::FromFormula(9, VTK_FLOAT, [](double, double, double) { return 3.0; }), { 0.0 });
   ExpectNone("samples without a range", even);

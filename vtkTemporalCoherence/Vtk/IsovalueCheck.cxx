@@ -7,6 +7,7 @@
 #include <vtkAlgorithm.h>
 #include <vtkCellData.h>
 #include <vtkCompositeDataSet.h>
+#include <vtkContourValues.h>
 #include <vtkDataObjectTree.h>
 #include <vtkDataObjectTreeIterator.h>
 #include <vtkDataSet.h>
@@ -22,6 +23,7 @@
 #include <vtkVolumeMapper.h>
 
 #include <algorithm>
+#include <exception>
 #include <iomanip>
 #include <limits>
 #include <sstream>
@@ -100,6 +102,18 @@ bool IsPropertyShared(vtkVolume* volume, vtkRenderer* renderer)
   return false;
 }
 
+/// All isovalues of a list: those whose opacity is 0 are mistakes, too, if no sample can meet any.
+/// VTK's untouched 0 is such where the opacity function is made for other blend modes.
+std::vector<double> ValuesOf(vtkContourValues* list)
+{
+  std::vector<double> isovalues;
+  for (int i = 0; i < list->GetNumberOfContours(); ++i)
+  {
+    isovalues.push_back(list->GetValue(i));
+  }
+  return isovalues;
+}
+
 /// True if there can be a surface: samples that are inside, and others that are not.
 bool IsMet(double isovalue, SurfaceMode mode, const glm::dvec2& range)
 {
@@ -140,18 +154,46 @@ IsovalueCheck::Story& IsovalueCheck::StoryOf(vtkVolume* volume)
 }
 
 std::string IsovalueCheck::Check(
-  const DrawnVolume& drawn, const FrameKey& key, const ValueRangePyramid& ranges)
+  const DrawnVolume& drawn, const FrameRequest& request, const ValueRangePyramid& ranges)
 {
-  const std::vector<double>& isovalues = key.Sought.Isovalues;
+  const Surfaces& sought = request.Key.Sought;
+  if (!sought.Isovalues.empty())
+  {
+    return this->Check(drawn, sought.Isovalues, sought.Mode, ranges);
+  }
+  const std::vector<double> transparent = ValuesOf(request.IsovalueList);
+  Story& story = this->StoryOf(drawn.Volume);
+  vtkDataObject* data = drawn.Mapper->GetDataObjectInput();
+  if (transparent.empty() || (story.TransparentIn == data && story.Transparent == transparent))
+  {
+    return "";
+  }
+  story.Transparent = transparent;
+  story.TransparentIn = data;
+  ValueRangePyramid own; // the frame needed none
+  try
+  {
+    own.Build(request.Key.Samples);
+  }
+  catch (const std::exception&) // no memory: nothing is told
+  {
+    return "";
+  }
+  return this->Check(drawn, transparent, sought.Mode, own);
+}
+
+std::string IsovalueCheck::Check(const DrawnVolume& drawn, const std::vector<double>& isovalues,
+  SurfaceMode mode, const ValueRangePyramid& ranges)
+{
   const glm::dvec2 finite = ranges.FiniteRange(), all = ranges.WholeRange();
-  if (isovalues.empty() || !(finite.x < finite.y))
+  if (!(finite.x < finite.y))
   {
     return "";
   }
   Story& story = this->StoryOf(drawn.Volume);
   vtkDataObject* data = drawn.Mapper->GetDataObjectInput();
   if (std::any_of(isovalues.begin(), isovalues.end(),
-        [&](double isovalue) { return IsMet(isovalue, key.Sought.Mode, all); }))
+        [&](double isovalue) { return IsMet(isovalue, mode, all); }))
   {
     story.IsTold = false;
     if (story.Met != isovalues || story.MetBy != data)

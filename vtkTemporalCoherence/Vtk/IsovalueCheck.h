@@ -3,7 +3,7 @@
 #ifndef TemporalCoherence_IsovalueCheck_h
 #define TemporalCoherence_IsovalueCheck_h
 
-#include "ReusePlan.h"
+#include "RequestFromMapper.h"
 #include "ValueRangePyramid.h"
 #include "vtkTemporalCoherenceCompatibility.h"
 
@@ -42,10 +42,11 @@ bool MaySeePartOnly(const DrawnVolume& drawn);
 class IsovalueCheck
 {
 public:
-  /// \param key    of a frame that was made
-  /// \param ranges of its samples
+  /// \param request of a frame that was made
+  /// \param ranges  of its samples; not looked at if all isovalues are transparent
   /// \return what is wrong and what to do about it; empty if there is nothing to tell
-  std::string Check(const DrawnVolume& drawn, const FrameKey& key, const ValueRangePyramid& ranges);
+  std::string Check(
+    const DrawnVolume& drawn, const FrameRequest& request, const ValueRangePyramid& ranges);
 
 private:
   /// What is known of a volume.
@@ -55,7 +56,12 @@ private:
     bool IsTold = false;
     std::vector<double> Met; ///< the last isovalues some of which a sample could meet
     vtkWeakPointer<vtkDataObject> MetBy;
+    std::vector<double> Transparent; ///< the last isovalues none of which has an opacity
+    vtkWeakPointer<vtkDataObject> TransparentIn;
   };
+
+  std::string Check(const DrawnVolume& drawn, const std::vector<double>& isovalues,
+    SurfaceMode mode, const ValueRangePyramid& ranges);
 
   Story& StoryOf(vtkVolume* volume);
 

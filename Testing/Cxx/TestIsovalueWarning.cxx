@@ -173,6 +173,38 @@ void TestSmallestSample()
   }
 }
 
+/// VTK's untouched 0 among the samples, but left out by an opacity that is made for composite
+/// blending: Hounsfield units, for example.
+void TestUntouchedTransparent()
+{
+  const Image image = Volumes::FromFormula(
+    N, VTK_SHORT, [](double x, double y, double z) { return Waves(x, y, z) - 50.0; });
+  const auto fade = [](Scene& scene, double isovalue)
+  {
+    vtkPiecewiseFunction* opacity = scene.Volume->GetProperty()->GetScalarOpacity();
+    opacity->RemoveAllPoints();
+    opacity->AddPoint(isovalue, 0.0);
+    opacity->AddPoint(isovalue + 10.0, 1.0);
+  };
+  Scene scene(image, { 0.0 });
+  fade(scene, 0.0);
+  scene.LookFrom(1.0, 2.0, 0.5);
+  Listener listener(scene);
+  Expect(listener.Warns("transparent 0"), "transparent 0: no warning");
+  Expect(listener.Message.find("opacity of 0") != std::string::npos, listener.Message);
+  Expect(!listener.Warns("transparent 0, again"), "transparent 0: said twice");
+
+  Scene fading(image, { 0.0 });
+  fading.LookFrom(1.0, 2.0, 0.5);
+  Listener ofFading(fading);
+  Expect(!ofFading.Warns("opaque 0"), "opaque 0: " + ofFading.Message);
+  fade(fading, 0.0);
+  Expect(!ofFading.Warns("faded"), "faded: " + ofFading.Message);
+  Scene chosen(image, { 1.0 });
+  fade(chosen, 1.0);
+  ExpectNone("another transparent isovalue", chosen);
+}
+
 /// What samples can meet, or nobody asked for.
 void TestNoMistakes()
 {
@@ -333,6 +365,7 @@ int TestIsovalueWarning(int, char*[])
   TestUntouched();
   TestOnce();
   TestSmallestSample();
+  TestUntouchedTransparent();
   TestNoMistakes();
   TestTimeSteps();
   TestPieces();

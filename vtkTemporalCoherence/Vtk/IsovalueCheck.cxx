@@ -121,6 +121,12 @@ bool IsMet(double isovalue, SurfaceMode mode, const glm::dvec2& range)
   return isovalue <= range.y && (isovalue > range.x || mode == SurfaceMode::Threshold);
 }
 
+bool AreMet(const std::vector<double>& isovalues, SurfaceMode mode, const glm::dvec2& range)
+{
+  return std::any_of(isovalues.begin(), isovalues.end(),
+    [&](double isovalue) { return IsMet(isovalue, mode, range); });
+}
+
 }
 
 bool MaySeePartOnly(const DrawnVolume& drawn)
@@ -157,29 +163,51 @@ std::string IsovalueCheck::Check(
   const DrawnVolume& drawn, const FrameRequest& request, const ValueRangePyramid& ranges)
 {
   const Surfaces& sought = request.Key.Sought;
-  if (!sought.Isovalues.empty())
-  {
-    return this->Check(drawn, sought.Isovalues, sought.Mode, ranges);
-  }
-  const std::vector<double> transparent = ValuesOf(request.IsovalueList);
+  return sought.Isovalues.empty() ? this->CheckTransparent(drawn, request)
+                                  : this->Check(drawn, sought.Isovalues, sought.Mode, ranges);
+}
+
+std::string IsovalueCheck::CheckTransparent(const DrawnVolume& drawn, const FrameRequest& request)
+{
+  const std::vector<double> isovalues = ValuesOf(request.IsovalueList);
   Story& story = this->StoryOf(drawn.Volume);
   vtkDataObject* data = drawn.Mapper->GetDataObjectInput();
-  if (transparent.empty() || (story.TransparentIn == data && story.Transparent == transparent))
+  if (isovalues.empty() || story.IsTold ||
+    (story.TransparentIn == data && story.Transparent == isovalues))
   {
     return "";
   }
-  story.Transparent = transparent;
+  story.Transparent = isovalues;
   story.TransparentIn = data;
-  ValueRangePyramid own; // the frame needed none
+  ValueRangePyramid ranges; // the frame needed none
   try
   {
-    own.Build(request.Key.Samples);
+    ranges.Build(request.Key.Samples);
   }
   catch (const std::exception&) // no memory: nothing is told
   {
     return "";
   }
-  return this->Check(drawn, transparent, sought.Mode, own);
+  const glm::dvec2 finite = ranges.FiniteRange();
+  const SurfaceMode mode = request.Key.Sought.Mode;
+  if (!AreMet(isovalues, mode, ranges.WholeRange()))
+  {
+    return this->Check(drawn, isovalues, mode, ranges);
+  }
+  // A surface may fade. But the 0 that VTK constructs a property with is nobody's choice.
+  const bool isUntouched = isovalues.size() == 1 && isovalues[0] == 0.0;
+  if (!isUntouched || !story.Met.empty() || !(finite.x < finite.y) || MaySeePartOnly(drawn))
+  {
+    return "";
+  }
+  story.IsTold = true;
+  std::ostringstream what;
+  what << std::setprecision(std::numeric_limits<float>::max_digits10)
+       << "The isovalue 0 has a scalar opacity of 0, so that there is no isosurface; set one above "
+       << finite.x << " and up to " << finite.y
+       << ", the range of the samples, with GetIsoSurfaceValues()->SetValue(0, isovalue) of the "
+          "volume's property, and its opacity with GetScalarOpacity()->AddPoint.";
+  return what.str();
 }
 
 std::string IsovalueCheck::Check(const DrawnVolume& drawn, const std::vector<double>& isovalues,
@@ -192,8 +220,7 @@ std::string IsovalueCheck::Check(const DrawnVolume& drawn, const std::vector<dou
   }
   Story& story = this->StoryOf(drawn.Volume);
   vtkDataObject* data = drawn.Mapper->GetDataObjectInput();
-  if (std::any_of(isovalues.begin(), isovalues.end(),
-        [&](double isovalue) { return IsMet(isovalue, mode, all); }))
+  if (AreMet(isovalues, mode, all))
   {
     story.IsTold = false;
     if (story.Met != isovalues || story.MetBy != data)

@@ -35,10 +35,10 @@ struct DrawnVolume
 /// Looks into ghost arrays, which takes a while.
 bool MaySeePartOnly(const DrawnVolume& drawn);
 
-/// Tells of isovalues that no sample can meet: a picture that is empty for another reason than its
-/// user thinks. It tells once for each volume, and once more only after some isovalue was met.
-/// Isovalues that were met by this input before are no mistake, whatever its samples are now: a
-/// time step may have no surface.
+/// Tells of isovalues that no sample can meet, and of VTK's untouched 0 where it is transparent: a
+/// picture that is empty for another reason than its user thinks. It tells once for each volume,
+/// and once more only after some isovalue was met. Isovalues that were met by this input before are
+/// no mistake, whatever its samples are now: a time step may have no surface.
 class IsovalueCheck
 {
 public:
@@ -62,6 +62,7 @@ private:
 
   std::string Check(const DrawnVolume& drawn, const std::vector<double>& isovalues,
     SurfaceMode mode, const ValueRangePyramid& ranges);
+  std::string CheckTransparent(const DrawnVolume& drawn, const FrameRequest& request);
 
   Story& StoryOf(vtkVolume* volume);
 

@@ -9,6 +9,7 @@
 #include "vtkEventForwarderCommand.h"
 #include "vtkLogger.h"
 #include "vtkObjectFactory.h"
+#include "vtkRenderer.h"
 #include "vtkVolume.h"
 
 #include <algorithm>
@@ -88,12 +89,12 @@ void vtkTemporalCoherenceGPUVolumeRayCastMapper::Render(vtkRenderer* renderer, v
   const std::string why = this->WhySuperclassDraws(renderer, volume);
   if (why.empty())
   {
-    this->TellWhoDraws(Drawer::Isosurfaces, "the blend mode is ISOSURFACE_BLEND");
+    this->TellWhoDraws(renderer, Drawer::Isosurfaces, "the blend mode is ISOSURFACE_BLEND");
     this->Isosurfaces->Render(renderer, volume);
     this->TimeToDraw = this->Isosurfaces->GetTimeToDraw();
     return;
   }
-  this->TellWhoDraws(Drawer::Superclass, why);
+  this->TellWhoDraws(renderer, Drawer::Superclass, why);
   // It adjusts its samples by what its own last frame took.
   this->TimeToDraw = this->SuperclassTimeToDraw;
   this->Superclass::Render(renderer, volume);
@@ -155,12 +156,22 @@ void vtkTemporalCoherenceGPUVolumeRayCastMapper::ForwardEvents()
 
 //------------------------------------------------------------------------------
 void vtkTemporalCoherenceGPUVolumeRayCastMapper::TellWhoDraws(
-  Drawer drawer, const std::string& reason)
+  vtkRenderer* renderer, Drawer drawer, const std::string& reason)
 {
   this->Reason = reason;
-  if (this->DrawnBy != drawer)
+  this->DrawnBy = drawer;
+  this->Told.erase(std::remove_if(this->Told.begin(), this->Told.end(),
+                     [](const auto& told) { return !told.first; }),
+    this->Told.end());
+  auto told = std::find_if(this->Told.begin(), this->Told.end(),
+    [renderer](const auto& each) { return each.first == renderer; });
+  if (told == this->Told.end())
   {
-    this->DrawnBy = drawer;
+    told = this->Told.emplace(told, renderer, Drawer::Nobody);
+  }
+  if (told->second != drawer)
+  {
+    told->second = drawer;
     const char* const name = drawer == Drawer::Isosurfaces ? "vtkTemporalCoherenceVolumeMapper"
                                                            : "vtkOpenGLGPUVolumeRayCastMapper";
     LogOnce(std::string("A volume is drawn by ") + name + ", since " + reason);

@@ -18,8 +18,9 @@
  * scattered light or normals of the opacity (VTK >= 9.2), after RenderToImageOn() (whose textures
  * it gives), and of input or settings that vtkTemporalCoherenceVolumeMapper refuses.
  *
- * When it changes who draws, and in the first frame, one line in the log of VTK (vtkLogger, INFO)
- * tells who and why, unless the last line told the same of another mapper; PrintSelf tells it, too.
+ * When it changes who draws in a renderer, and in the first frame, one line in the log of VTK
+ * (vtkLogger, INFO) tells who and why, unless the last line told the same of another mapper;
+ * PrintSelf tells it, too.
  *
  * The environment variable VTK_TEMPORAL_COHERENCE (OFF, NO, FALSE or 0) switches it off, as does
  * TemporalCoherenceOff().
@@ -39,10 +40,14 @@
 
 #include "vtkNew.h" // For the mapper that is held
 #include "vtkOpenGLGPUVolumeRayCastMapper.h"
+#include "vtkRenderer.h" // For weak pointers to it
 #include "vtkTemporalCoherenceCompatibility.h"
 #include "vtkTemporalCoherenceModule.h" // For export macro
+#include "vtkWeakPointer.h"             // For renderers
 
-#include <string> // For std::string
+#include <string>  // For std::string
+#include <utility> // For std::pair
+#include <vector>  // For std::vector
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkEventForwarderCommand;
@@ -116,12 +121,14 @@ private:
   std::string WhySuperclassDraws(vtkRenderer* renderer, vtkVolume* volume);
   void PrepareIsosurfaces();
   void ForwardEvents();
-  void TellWhoDraws(Drawer drawer, const std::string& reason);
+  void TellWhoDraws(vtkRenderer* renderer, Drawer drawer, const std::string& reason);
 
   vtkTypeBool TemporalCoherence;
   vtkNew<vtkTemporalCoherenceVolumeMapper> Isosurfaces;
   vtkNew<vtkEventForwarderCommand> Forwarder;
   Drawer DrawnBy = Drawer::Nobody;
+  /// What the log was told last of each renderer: one may peel volumes, and another not.
+  std::vector<std::pair<vtkWeakPointer<vtkRenderer>, Drawer>> Told;
   std::string Reason;
   double SuperclassTimeToDraw = 0.0;
 };

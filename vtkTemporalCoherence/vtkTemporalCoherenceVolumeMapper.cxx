@@ -236,7 +236,7 @@ bool vtkTemporalCoherenceVolumeMapper::RenderFrame(vtkRenderer* renderer, vtkVol
       this->WarnOfIsomapLimit(internal.Frames.IsIsomapTooLarge());
       if (this->WarnOfIsovalues)
       {
-        this->Warn(internal.CheckIsovalues({ this, volume, renderer }, request.Key));
+        this->Warn(internal.CheckIsovalues({ this, volume, renderer }, request));
       }
       internal.LastError.clear();
     }

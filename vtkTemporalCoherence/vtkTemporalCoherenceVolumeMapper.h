@@ -409,11 +409,13 @@ public:
 
   //@{
   /**
-   * Warn, once until it is cured, where all isovalues lie outside the range of the samples, so that
-   * there is nothing to see: as with the one isovalue of 0 that a new property has. There is no
-   * warning where the mapper draws a part of a volume, as far as it can know: a piece of what the
-   * pipeline has, an image with duplicate cells or points, a block, or one of several volumes with
-   * the same property. Default: on.
+   * Warn, once until it is cured, where there is nothing to see since no isovalue has samples on
+   * both sides: all of them lie outside the range of the samples, or at its lower end, as the one
+   * isovalue of 0 that a new property has mostly does. There is one, too, where nothing is seen
+   * since this untouched 0 has a scalar opacity of 0. There is no warning where the mapper draws a
+   * part of a volume, as far as it can know: a piece of what the pipeline has, an image with
+   * duplicate cells or points, a block, or one of several volumes with the same property.
+   * Default: on.
    */
   vtkSetClampMacro(WarnOfIsovalues, vtkTypeBool, 0, 1);
   vtkGetMacro(WarnOfIsovalues, vtkTypeBool);

@@ -27,10 +27,11 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
 
   /// What is to be told of the isovalues of the last frame; or nothing.
   std::string CheckIsovalues(
-    const TemporalCoherence::DrawnVolume& drawn, const TemporalCoherence::FrameKey& key)
+    const TemporalCoherence::DrawnVolume& drawn, const TemporalCoherence::FrameRequest& request)
   {
-    return key.Samples.HasCells() ? this->Isovalues.Check(drawn, key, this->Frames.LastRanges())
-                                  : std::string();
+    return request.Key.Samples.HasCells()
+      ? this->Isovalues.Check(drawn, request, this->Frames.LastRanges())
+      : std::string();
   }
 
   /// Remember what rays take, if the last frame had any traced or looked up.

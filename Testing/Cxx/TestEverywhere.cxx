@@ -356,6 +356,32 @@ void TestWhatIsTold()
   Expect(ratio[0] == 1.0 && ratio[2] == 1.0, "nothing has to be made smaller");
 }
 
+/// A volume in two renderers, of which one peels volumes, is drawn by both mappers in turn.
+void TestTwoRenderers()
+{
+  Stage stage(Made<vtkGPUVolumeRayCastMapper>());
+  stage.Window->Render(); // the last line of the log is none of those that follow
+  const Log log;
+  stage.Mapper->SetBlendModeToIsoSurface();
+  vtkNew<vtkRenderer> peeling;
+  peeling->SetUseDepthPeeling(1);
+  peeling->SetUseDepthPeelingForVolumes(1);
+  peeling->AddVolume(stage.Volume);
+  stage.Renderer->SetViewport(0.0, 0.0, 0.5, 1.0);
+  peeling->SetViewport(0.5, 0.0, 1.0, 1.0);
+  stage.Window->AddRenderer(peeling);
+  for (int frame = 0; frame < 4; ++frame)
+  {
+    stage.Renderer->GetActiveCamera()->Azimuth(3.0);
+    stage.Window->Render();
+  }
+  for (const char* who : { "vtkTemporalCoherenceVolumeMapper", "vtkOpenGLGPUVolumeRayCastMapper" })
+  {
+    Expect(log.Count(who) == 1,
+      std::string("two renderers: ") + std::to_string(log.Count(who)) + " lines of " + who);
+  }
+}
+
 /// What is drawn is what is picked, also by VTK's hardware selection.
 void TestPicking()
 {
@@ -440,6 +466,7 @@ int TestEverywhere(int, char*[])
   TestReuse();
   TestWhatIsLeftToVtk();
   TestWhatIsTold();
+  TestTwoRenderers();
   TestPicking();
   TestSwitches();
   TestMemory();

@@ -19,6 +19,7 @@
 #include <vtkTrivialProducer.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <iomanip>
 #include <limits>
@@ -147,23 +148,79 @@ void TestOnce()
   Expect(warnings.Count == 0, "two volumes: said again");
 }
 
+/// Where no sample is below the isovalue, as of most data at VTK's untouched 0, all are inside.
+void TestSmallestSample()
+{
+  for (const int type : { VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_FLOAT })
+  {
+    const Image image = Volumes::FromFormula(
+      N, type, [](double x, double y, double z) { return std::max(Waves(x, y, z) - 50.0, 0.0); });
+    const std::string what = "from 0, type " + std::to_string(type);
+    Scene scene(image, { 0.0 });
+    vtkNew<vtkVolumeProperty> untouched;
+    scene.Volume->SetProperty(untouched);
+    ExpectOne(what, scene);
+    Expect(!scene.Mapper->PickPixel(20, 15, nullptr, nullptr, nullptr), what + ": empty");
+    Scene composite(image, { 0.0 });
+    vtkPiecewiseFunction* opacity = composite.Volume->GetProperty()->GetScalarOpacity();
+    opacity->RemoveAllPoints();
+    opacity->AddPoint(0.0, 0.0);
+    opacity->AddPoint(20.0, 1.0);
+    ExpectOne(what + ", with the opacity of another blend mode", composite);
+    Scene solid(image, { 0.0 });
+    solid.Mapper->SetSurfaceModeToThreshold();
+    ExpectNone(what + ", a solid", solid);
+  }
+}
+
+/// VTK's untouched 0 among the samples, but left out by an opacity that is made for composite
+/// blending: Hounsfield units, for example.
+void TestUntouchedTransparent()
+{
+  const Image image = Volumes::FromFormula(
+    N, VTK_SHORT, [](double x, double y, double z) { return Waves(x, y, z) - 50.0; });
+  const auto fade = [](Scene& scene, double isovalue)
+  {
+    vtkPiecewiseFunction* opacity = scene.Volume->GetProperty()->GetScalarOpacity();
+    opacity->RemoveAllPoints();
+    opacity->AddPoint(isovalue, 0.0);
+    opacity->AddPoint(isovalue + 10.0, 1.0);
+  };
+  Scene scene(image, { 0.0 });
+  fade(scene, 0.0);
+  scene.LookFrom(1.0, 2.0, 0.5);
+  Listener listener(scene);
+  Expect(listener.Warns("transparent 0"), "transparent 0: no warning");
+  Expect(listener.Message.find("opacity of 0") != std::string::npos, listener.Message);
+  Expect(!listener.Warns("transparent 0, again"), "transparent 0: said twice");
+
+  Scene fading(image, { 0.0 });
+  fading.LookFrom(1.0, 2.0, 0.5);
+  Listener ofFading(fading);
+  Expect(!ofFading.Warns("opaque 0"), "opaque 0: " + ofFading.Message);
+  fade(fading, 0.0);
+  Expect(!ofFading.Warns("faded"), "faded: " + ofFading.Message);
+  Scene chosen(image, { 1.0 });
+  fade(chosen, 1.0);
+  ExpectNone("another transparent isovalue", chosen);
+}
+
 /// What samples can meet, or nobody asked for.
 void TestNoMistakes()
 {
   const Image image = Raised(VTK_SHORT);
   double range[2];
   image->GetPointData()->GetScalars()->GetRange(range);
-  for (const double isovalue : { range[0], range[1] })
-  {
-    Scene scene(image, { isovalue });
-    ExpectNone("at the end of the range", scene);
-  }
+  Scene touching(image, { range[1] });
+  ExpectNone("the largest sample", touching);
+  Scene above(image, { range[0] + 1.0 });
+  ExpectNone("above the smallest sample", above);
   Scene none(image, {});
   ExpectNone("no isovalue", none);
-  Scene invisible(image, { 0.0 });
-  invisible.Volume->GetProperty()->GetScalarOpacity()->AddPoint(0.0, 0.0);
-  invisible.Volume->GetProperty()->GetScalarOpacity()->AddPoint(1.0, 1.0);
-  ExpectNone("an isovalue that is left out", invisible);
+  Scene invisible(image, { 60.0 });
+  invisible.Volume->GetProperty()->GetScalarOpacity()->RemoveAllPoints();
+  invisible.Volume->GetProperty()->GetScalarOpacity()->AddPoint(60.0, 0.0);
+  ExpectNone("a surface that is transparent", invisible);
   Scene even(
     Volumes::FromFormula(9, VTK_FLOAT, [](double, double, double) { return 3.0; }), { 0.0 });
   ExpectNone("samples without a range", even);
@@ -307,6 +364,8 @@ int TestIsovalueWarning(int, char*[])
 {
   TestUntouched();
   TestOnce();
+  TestSmallestSample();
+  TestUntouchedTransparent();
   TestNoMistakes();
   TestTimeSteps();
   TestPieces();

@@ -8,23 +8,47 @@ set -euo pipefail
 usage()
 {
   cat <<'TEXT'
-Take the tests of volume mappers out of a source tree of VTK, change in each copy the name of the
-mapper's class and of its header to vtkTemporalCoherenceVolumeMapper, and nothing else, and compile
-them with the VTK that is installed. A table tells which compile, and what is wrong with the others.
+Take the tests of volume mappers out of a source tree of VTK and compile them with the VTK that is
+installed, twice: as they are, and with the name of the mapper's class and of its header changed to
+vtkTemporalCoherenceVolumeMapper, and nothing else. With VTK's testing data they are run, too, and
+their pictures are judged.
 
-usage: Testing/VtkTests/run.sh VTK_SOURCE [--built] [--no-packages] [--at-least COUNT]
+usage: Testing/VtkTests/run.sh VTK_SOURCE [--data DIR] [--only PATTERN] [--limit SECONDS] [--jobs N]
+         [--built] [--no-packages] [--at-least COUNT]
 
+  --data DIR        run the tests; DIR is what VTK's tests get as -D, with Data/ in it. Tests whose
+                    data is not there are SKIPPED
+  --only PATTERN    run the tests whose names match this (regular expression); default: all
+  --limit SECONDS   what a run may take; default: 600
+  --jobs N          tests that run at once; default: as many as there are processors
   --built           build nothing of this repository: the build directory is up to date
   --no-packages     install no packages (see Module/setup.sh --help)
-  --at-least COUNT  fail if fewer tests compile; default: all but two
+  --at-least COUNT  fail if fewer tests compile with the name changed; default: all but two
   --help            show this text
 
 VTK_SOURCE is VTK's source tree, best of the version that is installed: the tests of another one may
 use what that has not. They are those of Rendering/Volume and Rendering/VolumeOpenGL2 that name
 vtkGPUVolumeRayCastMapper, vtkOpenGLGPUVolumeRayCastMapper, vtkSmartVolumeMapper,
-vtkFixedPointVolumeRayCastMapper or vtkMultiBlockVolumeMapper.
+vtkFixedPointVolumeRayCastMapper or vtkMultiBlockVolumeMapper. VTK's build fetches its testing data
+into ExternalData/Testing of its build directory.
 
-The copies, what was compiled and the table (verdicts.txt) are in vtk-tests in the build directory.
+The tests are run on a display of their own, and judged by four doors:
+
+  factory           as they are, with VTK_AUTOLOAD_PATH: the picture of VTK's mapper, byte for byte;
+                    where they show isosurfaces, their outlines within a pixel
+  renamed           with the name changed: VTK's outlines; or exactly one message by each mapper that
+                    tells why it draws nothing, and the picture without its volume; or, where a test
+                    never sets a blend mode, the isosurfaces of its property as polygons have them
+  surfaces-factory  as they are, with VTK_AUTOLOAD_PATH and each volume made to show an opaque
+                    isosurface: the outlines of polygons within a pixel, unless VTK's mapper draws
+  surfaces-renamed  the same with the name changed
+
+The verdicts are: same (byte for byte), outline, as documented, VTK draws, SKIPPED; and where something
+is wrong DIFFERENT, SILENT (nothing drawn, nothing told), CRASH, TOO SLOW, NO PICTURE, NOT RUN.
+README.md beside this script has the table for VTK 9.1; differences.txt has the pictures that differ
+for a good reason.
+
+Copies, programs, pictures (runs/) and the table (verdicts.txt) are in vtk-tests in the build directory.
 TEXT
 }
 
@@ -40,8 +64,13 @@ log=$work/compile.log
 folders=(Rendering/Volume/Testing/Cxx Rendering/VolumeOpenGL2/Testing/Cxx)
 mappers='vtk(OpenGLGPUVolumeRayCast|GPUVolumeRayCast|SmartVolume|FixedPointVolumeRayCast|MultiBlockVolume)Mapper'
 
+# shellcheck source-path=SCRIPTDIR source=../Common/Display.sh
+. "$repository/Testing/Common/Display.sh"
+
 setup_options=(--with-tests)
+run_options=(--limit 600)
 built=no
+data=
 least=
 source=
 while [ $# -gt 0 ]; do
@@ -49,6 +78,14 @@ while [ $# -gt 0 ]; do
     --help | -h) usage; exit 0 ;;
     --built) built=yes ;;
     --no-packages) setup_options+=("$1") ;;
+    --data)
+      [ -d "${2:-}/Data" ] || fail "--data needs a directory behind it that has Data/ in it."
+      data=$(realpath "$2")
+      shift ;;
+    --only | --limit | --jobs)
+      [ $# -gt 1 ] || fail "$1 needs a value behind it."
+      run_options+=("$1" "$2")
+      shift ;;
     --at-least)
       [[ ${2:-} =~ ^[0-9]+$ ]] || fail "--at-least needs a number behind it."
       least=$2
@@ -67,11 +104,13 @@ copy_tests()
 {
   local folder test
   rm -rf "$work/tests"
-  mkdir -p "$work/tests"
+  mkdir -p "$work/tests/unchanged" "$work/tests/renamed"
   for folder in "${folders[@]}"; do
     for test in "$source/$folder"/*.cxx; do
       if grep -qE "\b$mappers\b" "$test"; then
-        sed -E "s/\b$mappers\b/vtkTemporalCoherenceVolumeMapper/g" "$test" >"$work/tests/${test##*/}"
+        cp "$test" "$work/tests/unchanged"
+        sed -E "s/\b$mappers\b/vtkTemporalCoherenceVolumeMapper/g" "$test" \
+          >"$work/tests/renamed/${test##*/}"
       fi
     done
     find "$source/$folder" -maxdepth 1 -name '*.glsl' -exec cp -t "$work/tests" {} +
@@ -81,21 +120,21 @@ copy_tests()
 compile_tests()
 {
   rm -rf "$work/build"
-  cmake -S "$here" -B "$work/build" -G Ninja -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG=-O0 \
-    -DTESTS="$work/tests" \
+  cmake -S "$here" -B "$work/build" -G Ninja -DCMAKE_BUILD_TYPE=Debug \
+    -DCMAKE_CXX_FLAGS_DEBUG="-O0 -DNDEBUG" -DTESTS="$work/tests" \
     -DvtkTemporalCoherence_DIR="$TEMPORAL_COHERENCE_BUILD/lib/cmake/vtkTemporalCoherence" \
     >"$log" 2>&1 || { tail -n 20 "$log" >&2; fail "CMake does not configure the tests: $log"; }
   # Those that do not compile are what the table is for.
   cmake --build "$work/build" --parallel -- -k 0 >>"$log" 2>&1 || true
 }
 
-# A line for each test: whether it compiles, or the first error.
+# A line for each test: whether it compiles with the name changed, or the first error.
 write_table()
 {
   local test name
-  for test in "$work"/tests/*.cxx; do
+  for test in "$work"/tests/renamed/*.cxx; do
     name=$(basename "$test" .cxx)
-    if [ -n "$(find "$work/build" -name "$name.cxx.o" -print -quit)" ]; then
+    if [ -x "$work/build/renamed/$name" ]; then
       printf 'compiles  %s\n' "$name"
     else
       printf 'FAILS     %s: %s\n' "$name" "$(grep -m 1 -oE "$name.cxx:.*error.*" "$log" || echo "see $log")"
@@ -103,16 +142,32 @@ write_table()
   done
 }
 
+run_tests()
+{
+  rm -rf "$work/runs"
+  on_own_display /usr/bin/python3 "$here/run_tests.py" "$work/tests/unchanged" "$work/build" "$data" \
+    "$work/runs" --autoload "$TEMPORAL_COHERENCE_BUILD/lib/vtkTemporalCoherence/autoload" \
+    "${run_options[@]}"
+}
+
 [ "$built" = yes ] || "$repository/Module/setup.sh" "${setup_options[@]}"
 mkdir -p "$work"
 copy_tests
-say "Compiling the tests of $source with the name of the class changed (log: $log)"
+say "Compiling the tests of $source (log: $log)"
 compile_tests
 write_table >"$work/verdicts.txt"
 cat "$work/verdicts.txt"
 all=$(wc -l <"$work/verdicts.txt")
 good=$(grep -c '^compiles' "$work/verdicts.txt" || true)
 [ "$all" -gt 0 ] || fail "No test in $source names a volume mapper."
-summary="$good of $all tests compile with only the name of the class changed; the table is $work/verdicts.txt"
-[ "$good" -ge "${least:-$((all - 2))}" ] || fail "$summary"
-say "PASSED: $summary"
+summary="$good of $all tests compile with only the name of the class changed"
+[ "$good" -ge "${least:-$((all - 2))}" ] || fail "$summary; the table is $work/verdicts.txt"
+if [ -n "$data" ]; then
+  say "Running the tests (pictures and logs: $work/runs)"
+  run_tests
+  status=0
+  /usr/bin/python3 "$here/judge.py" "$work/runs" | tee -a "$work/verdicts.txt" || status=1
+  [ "$status" -eq 0 ] || fail "$summary, but not all pictures are right; the table is $work/verdicts.txt"
+  summary="$summary, and no picture is wrong"
+fi
+say "PASSED: $summary; the table is $work/verdicts.txt"

@@ -7,6 +7,7 @@
 #include <vtkAlgorithm.h>
 #include <vtkCellData.h>
 #include <vtkCompositeDataSet.h>
+#include <vtkContourValues.h>
 #include <vtkDataObjectTree.h>
 #include <vtkDataObjectTreeIterator.h>
 #include <vtkDataSet.h>
@@ -22,6 +23,7 @@
 #include <vtkVolumeMapper.h>
 
 #include <algorithm>
+#include <exception>
 #include <iomanip>
 #include <limits>
 #include <sstream>
@@ -100,11 +102,29 @@ bool IsPropertyShared(vtkVolume* volume, vtkRenderer* renderer)
   return false;
 }
 
-/// True if a sample can be on a surface.
+/// All isovalues of a list: those whose opacity is 0 are mistakes, too, if no sample can meet any.
+/// VTK's untouched 0 is such where the opacity function is made for other blend modes.
+std::vector<double> ValuesOf(vtkContourValues* list)
+{
+  std::vector<double> isovalues;
+  for (int i = 0; i < list->GetNumberOfContours(); ++i)
+  {
+    isovalues.push_back(list->GetValue(i));
+  }
+  return isovalues;
+}
+
+/// True if there can be a surface: samples that are inside, and others that are not.
 bool IsMet(double isovalue, SurfaceMode mode, const glm::dvec2& range)
 {
-  // Below all samples everything is inside a THRESHOLD solid, which is seen where it is cut open.
-  return isovalue <= range.y && (isovalue >= range.x || mode == SurfaceMode::Threshold);
+  // Where all samples are inside a THRESHOLD solid, it is seen where it is cut open.
+  return isovalue <= range.y && (isovalue > range.x || mode == SurfaceMode::Threshold);
+}
+
+bool AreMet(const std::vector<double>& isovalues, SurfaceMode mode, const glm::dvec2& range)
+{
+  return std::any_of(isovalues.begin(), isovalues.end(),
+    [&](double isovalue) { return IsMet(isovalue, mode, range); });
 }
 
 }
@@ -140,18 +160,67 @@ IsovalueCheck::Story& IsovalueCheck::StoryOf(vtkVolume* volume)
 }
 
 std::string IsovalueCheck::Check(
-  const DrawnVolume& drawn, const FrameKey& key, const ValueRangePyramid& ranges)
+  const DrawnVolume& drawn, const FrameRequest& request, const ValueRangePyramid& ranges)
 {
-  const std::vector<double>& isovalues = key.Sought.Isovalues;
+  const Surfaces& sought = request.Key.Sought;
+  return sought.Isovalues.empty() ? this->CheckTransparent(drawn, request)
+                                  : this->Check(drawn, sought.Isovalues, sought.Mode, ranges);
+}
+
+std::string IsovalueCheck::CheckTransparent(const DrawnVolume& drawn, const FrameRequest& request)
+{
+  const std::vector<double> isovalues = ValuesOf(request.IsovalueList);
+  Story& story = this->StoryOf(drawn.Volume);
+  vtkDataObject* data = drawn.Mapper->GetDataObjectInput();
+  if (isovalues.empty() || story.IsTold ||
+    (story.TransparentIn == data && story.Transparent == isovalues))
+  {
+    return "";
+  }
+  story.Transparent = isovalues;
+  story.TransparentIn = data;
+  ValueRangePyramid ranges; // the frame needed none
+  try
+  {
+    ranges.Build(request.Key.Samples);
+  }
+  catch (const std::exception&) // no memory: nothing is told
+  {
+    return "";
+  }
+  const glm::dvec2 finite = ranges.FiniteRange();
+  const SurfaceMode mode = request.Key.Sought.Mode;
+  if (!AreMet(isovalues, mode, ranges.WholeRange()))
+  {
+    return this->Check(drawn, isovalues, mode, ranges);
+  }
+  // A surface may fade. But the 0 that VTK constructs a property with is nobody's choice.
+  const bool isUntouched = isovalues.size() == 1 && isovalues[0] == 0.0;
+  if (!isUntouched || !story.Met.empty() || !(finite.x < finite.y) || MaySeePartOnly(drawn))
+  {
+    return "";
+  }
+  story.IsTold = true;
+  std::ostringstream what;
+  what << std::setprecision(std::numeric_limits<float>::max_digits10)
+       << "The isovalue 0 has a scalar opacity of 0, so that there is no isosurface; set one above "
+       << finite.x << " and up to " << finite.y
+       << ", the range of the samples, with GetIsoSurfaceValues()->SetValue(0, isovalue) of the "
+          "volume's property, and its opacity with GetScalarOpacity()->AddPoint.";
+  return what.str();
+}
+
+std::string IsovalueCheck::Check(const DrawnVolume& drawn, const std::vector<double>& isovalues,
+  SurfaceMode mode, const ValueRangePyramid& ranges)
+{
   const glm::dvec2 finite = ranges.FiniteRange(), all = ranges.WholeRange();
-  if (isovalues.empty() || !(finite.x < finite.y))
+  if (!(finite.x < finite.y))
   {
     return "";
   }
   Story& story = this->StoryOf(drawn.Volume);
   vtkDataObject* data = drawn.Mapper->GetDataObjectInput();
-  if (std::any_of(isovalues.begin(), isovalues.end(),
-        [&](double isovalue) { return IsMet(isovalue, key.Sought.Mode, all); }))
+  if (AreMet(isovalues, mode, all))
   {
     story.IsTold = false;
     if (story.Met != isovalues || story.MetBy != data)
@@ -172,16 +241,17 @@ std::string IsovalueCheck::Check(
   what << std::setprecision(std::numeric_limits<float>::max_digits10);
   if (isovalues.size() == 1)
   {
-    what << "The isovalue " << *least << " lies";
+    what << "The isovalue " << *least << " divides";
   }
   else
   {
     what << "All " << isovalues.size() << " isovalues, of " << *least << " to " << *largest
-         << ", lie";
+         << ", divide";
   }
-  what << " outside the range of the samples, " << finite.x << " to " << finite.y
-       << ", so that there is no isosurface; set one between them with "
-          "GetIsoSurfaceValues()->SetValue(0, isovalue) of the volume's property.";
+  what << " no samples from others: their range is " << finite.x << " to " << finite.y
+       << ". So there is no isosurface; set an isovalue above " << finite.x << " and up to "
+       << finite.y
+       << " with GetIsoSurfaceValues()->SetValue(0, isovalue) of the volume's property.";
   return what.str();
 }
 

@@ -4,7 +4,7 @@
 #define TemporalCoherence_IsovalueCheck_h
 
 #include "Acceleration/ValueRangePyramid.h"
-#include "Scene/FrameKey.h"
+#include "Request/RequestFromMapper.h"
 #include "vtkTemporalCoherenceCompatibility.h"
 
 #include <vtkDataObject.h>
@@ -35,17 +35,18 @@ struct DrawnVolume
 /// Looks into ghost arrays, which takes a while.
 bool MaySeePartOnly(const DrawnVolume& drawn);
 
-/// Tells of isovalues that no sample can meet: a picture that is empty for another reason than its
-/// user thinks. It tells once for each volume, and once more only after some isovalue was met.
-/// Isovalues that were met by this input before are no mistake, whatever its samples are now: a
-/// time step may have no surface.
+/// Tells of isovalues that no sample can meet, and of VTK's untouched 0 where it is transparent: a
+/// picture that is empty for another reason than its user thinks. It tells once for each volume,
+/// and once more only after some isovalue was met. Isovalues that were met by this input before are
+/// no mistake, whatever its samples are now: a time step may have no surface.
 class IsovalueCheck
 {
 public:
-  /// \param key    of a frame that was made
-  /// \param ranges of its samples
+  /// \param request of a frame that was made
+  /// \param ranges  of its samples; not looked at if all isovalues are transparent
   /// \return what is wrong and what to do about it; empty if there is nothing to tell
-  std::string Check(const DrawnVolume& drawn, const FrameKey& key, const ValueRangePyramid& ranges);
+  std::string Check(
+    const DrawnVolume& drawn, const FrameRequest& request, const ValueRangePyramid& ranges);
 
 private:
   /// What is known of a volume.
@@ -55,7 +56,13 @@ private:
     bool IsTold = false;
     std::vector<double> Met; ///< the last isovalues some of which a sample could meet
     vtkWeakPointer<vtkDataObject> MetBy;
+    std::vector<double> Transparent; ///< the last isovalues none of which has an opacity
+    vtkWeakPointer<vtkDataObject> TransparentIn;
   };
+
+  std::string Check(const DrawnVolume& drawn, const std::vector<double>& isovalues,
+    SurfaceMode mode, const ValueRangePyramid& ranges);
+  std::string CheckTransparent(const DrawnVolume& drawn, const FrameRequest& request);
 
   Story& StoryOf(vtkVolume* volume);
 

@@ -65,10 +65,11 @@ bool RequestFromMapper::Make(vtkVolumeMapper* mapper, const PictureSettings& set
   }
   vtkVolumeProperty* property = volume->GetProperty();
   FrameKey& key = request.Key;
+  request.IsovalueList = ChooseIsovalues(property, settings.DepthPass);
   MapperInput input;
   if (!this->Input.Find(mapper, property, settings.Vectors, input, error) ||
-    !FindSurfaces(ChooseIsovalues(property, settings.DepthPass), property, input.Look, key.Sought,
-      request.IsovaluePlaces, error))
+    !FindSurfaces(
+      request.IsovalueList, property, input.Look, key.Sought, request.IsovaluePlaces, error))
   {
     return false;
   }

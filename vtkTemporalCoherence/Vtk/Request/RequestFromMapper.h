@@ -8,6 +8,7 @@
 #include "Scene/FrameKey.h"
 #include "vtkTemporalCoherenceCompatibility.h"
 
+#include <vtkContourValues.h>
 #include <vtkDataArray.h>
 #include <vtkSmartPointer.h>
 
@@ -15,7 +16,6 @@
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
-class vtkContourValues;
 class vtkRenderer;
 class vtkVolume;
 class vtkVolumeMapper;
@@ -47,7 +47,8 @@ struct FrameSight
 struct FrameRequest
 {
   FrameKey Key;
-  std::vector<int> IsovaluePlaces; ///< position in their list of the key's isovalues
+  std::vector<int> IsovaluePlaces;                ///< position in their list of the key's isovalues
+  vtkSmartPointer<vtkContourValues> IsovalueList; ///< with those that are transparent, too
 
   /// The samples, so that they stay where observers give the mapper another input meanwhile.
   vtkSmartPointer<vtkDataArray> Read;

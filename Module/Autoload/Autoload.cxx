@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What VTK looks for in the libraries of VTK_AUTOLOAD_PATH.
+// What VTK looks for in the libraries of VTK_AUTOLOAD_PATH; and, where the library is preloaded, what
+// is called instead of VTK's own.
+#include "vtkTemporalCoherenceGPUVolumeRayCastMapper.h"
 #include "vtkTemporalCoherenceObjectFactory.h"
 
 #include "vtkVersion.h"
@@ -15,6 +17,15 @@ const char* vtkGetFactoryVersion()
 {
   return VTK_SOURCE_VERSION;
 }
+
+VTK_ABI_NAMESPACE_BEGIN
+// VTK's own asks no factory. Where LD_PRELOAD names this library the dynamic linker takes this one
+// for both; else nobody calls it.
+vtkOpenGLGPUVolumeRayCastMapper* vtkOpenGLGPUVolumeRayCastMapper::New()
+{
+  return vtkTemporalCoherenceGPUVolumeRayCastMapper::New();
+}
+VTK_ABI_NAMESPACE_END
 
 vtkObjectFactory* vtkLoad()
 {

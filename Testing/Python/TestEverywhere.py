@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A script for VTK's own mappers, not changed at all, gains where VTK_AUTOLOAD_PATH is set.
+"""A script for VTK's own mappers, not changed at all, gains where VTK_AUTOLOAD_PATH is set, or, if it
+names VTK's OpenGL class itself, LD_PRELOAD.
 
 The scripts know VTK's Python modules and nothing of this project. Where they show isosurfaces, these
 have the outlines that VTK's mapper draws, within a pixel; composite pictures are VTK's byte for byte.
@@ -87,10 +88,19 @@ if sys.argv[1] == "composite":
     appearance.GetScalarOpacity().AddPoint(276.0, 0.5)
 """
 
+#: A class that is made without asking a factory.
+OPENGL = """\
+mapper = vtkOpenGLGPUVolumeRayCastMapper()
+mapper.SetInputConnection(source.GetOutputPort())
+mapper.AutoAdjustSampleDistancesOff()
+mapper.SetSampleDistance(0.1)
+"""
+
 SCRIPTS = {
     "vtkSmartVolumeMapper": SMART,
     "vtkGPUVolumeRayCastMapper": GPU,
     "vtkMultiBlockVolumeMapper": BLOCKS,
+    "vtkOpenGLGPUVolumeRayCastMapper": OPENGL,
 }
 
 #: What isosurfaces are drawn with besides.
@@ -102,6 +112,15 @@ SETTINGS = {
 #: Where the plane between samples that are masked and others is seen from its edge. VTK's mapper
 #: cuts half a cell before it, ours a whole one.
 CUT = slice(140, 150)
+
+
+def gain(mapper):
+    """The variable of the environment by which a script gains."""
+    if mapper != "vtkOpenGLGPUVolumeRayCastMapper":
+        return {"VTK_AUTOLOAD_PATH": AUTOLOAD_PATH}
+    library = os.path.join(AUTOLOAD_PATH, "vtkTemporalCoherenceAutoload.so")
+    # A sanitizer's library may have to be there, too, and first.
+    return {"LD_PRELOAD": f"{os.environ.get('LD_PRELOAD', '')}:{library}".lstrip(":")}
 
 
 def widened(mask):
@@ -140,7 +159,7 @@ class UnchangedScripts(unittest.TestCase):
             with self.subTest(mapper):
                 _, before, told_before = self.run_script(mapper, "isosurface")
                 _, after, told = self.run_script(
-                    mapper, "isosurface", VTK_AUTOLOAD_PATH=AUTOLOAD_PATH)
+                    mapper, "isosurface", **gain(mapper))
                 self.assertNotIn("is drawn by", told_before)
                 self.assertEqual(
                     told.count("A volume is drawn by vtkTemporalCoherenceVolumeMapper"), 1, told)
@@ -163,7 +182,7 @@ class UnchangedScripts(unittest.TestCase):
             with self.subTest(mapper):
                 before, pixels, _ = self.run_script(mapper, "composite")
                 after, _, told = self.run_script(
-                    mapper, "composite", VTK_AUTOLOAD_PATH=AUTOLOAD_PATH)
+                    mapper, "composite", **gain(mapper))
                 self.assertGreater(pixels.any(axis=2).mean(), 0.1)
                 self.assertIn("A volume is drawn by vtkOpenGLGPUVolumeRayCastMapper", told)
                 self.assertEqual(before, after)

@@ -47,6 +47,8 @@ struct Build
 
 VolumeView::VolumeView()
 {
+  // The histogram beside the view shows where the isovalue lies in the range.
+  this->Mapper->WarnOfIsovaluesOff();
   this->Actor->SetMapper(this->Mapper);
   this->Actor->GetProperty()->SetInterpolationTypeToLinear();
   this->Renderer->SetBackground(

@@ -386,17 +386,22 @@ private:
 
 }
 
-std::unique_ptr<BandTracer> BandTracer::Make(const BandScene& scene)
+std::shared_ptr<const BandTracer> BandTracer::Make(const BandScene& scene)
+{
+  return scene.Samples.Kind->MakeBandTracer(scene);
+}
+
+std::shared_ptr<const BandTracer> MakeUniformBandTracer(const BandScene& scene)
 {
   return DispatchScalarType(scene.Samples.Type,
-    [&](auto type) -> std::unique_ptr<BandTracer>
+    [&](auto type) -> std::shared_ptr<const BandTracer>
     {
       using T = decltype(type);
       if (scene.Samples.Between == Interpolation::Nearest)
       {
-        return std::make_unique<TypedBandTracer<T, Interpolation::Nearest>>(scene);
+        return std::make_shared<TypedBandTracer<T, Interpolation::Nearest>>(scene);
       }
-      return std::make_unique<TypedBandTracer<T, Interpolation::Linear>>(scene);
+      return std::make_shared<TypedBandTracer<T, Interpolation::Linear>>(scene);
     });
 }
 

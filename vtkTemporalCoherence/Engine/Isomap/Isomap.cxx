@@ -88,7 +88,7 @@ bool Isomap::CanHold(const Field& field)
 {
   constexpr int largest = std::numeric_limits<CellIndex::value_type>::max();
   // Along a ray that hidden cells interrupt, isovalues are not met in their order.
-  return field.HasCells() && !field.Grid && !field.Hidden &&
+  return field.HasCells() && field.Kind->Abilities().Isomaps && !field.Hidden &&
     glm::all(glm::lessThanEqual(field.Dimensions, glm::ivec3(largest)));
 }
 
@@ -104,7 +104,7 @@ double Isomap::SmallestTolerance(const Field& field, const Placement& where)
   }
   constexpr double rounding = 0.5 * std::numeric_limits<float>::epsilon();
   const double kept = rounding * longest / (1.0 - FitShare);
-  return std::max(FinestTolerance, kept / VoxelEdges(where).x);
+  return std::max(FinestTolerance, kept / field.Kind->VoxelSizeIn(where).Shortest);
 }
 
 KnotForm Isomap::FormFor(const FrameKey& key, const Options& options)
@@ -112,7 +112,8 @@ KnotForm Isomap::FormFor(const FrameKey& key, const Options& options)
   // Where the field is that of the nearest sample, distances are no curves to be fitted.
   const bool isFitted = key.Samples.Between == Interpolation::Linear && options.Tolerance > 0.0 &&
     options.Tolerance >= SmallestTolerance(key.Samples, key.Where);
-  return { isFitted ? options.Tolerance * VoxelEdges(key.Where).x : 0.0, options.HasNormals };
+  return { isFitted ? options.Tolerance * key.Samples.Kind->VoxelSizeIn(key.Where).Shortest : 0.0,
+    options.HasNormals };
 }
 
 bool Isomap::IsOf(const FrameKey& key, const Options& options) const
@@ -157,7 +158,7 @@ struct Isomap::BandSource
     , Rays(map.Key.Seen, map.Key.Where, map.Key.Samples.Dimensions, map.Key.Kept)
   {
     this->Active.Build(map.Key.Samples, pyramid, band);
-    this->Bounds.Build(map.Key.Seen, map.Key.Where, this->Active);
+    this->Bounds.Build(map.Key.Seen, map.Key.Where, this->Active, *map.Key.Samples.Kind);
     this->Tracer = BandTracer::Make({ map.Key.Samples, pyramid.FiniteRange(), &pyramid,
       &this->Active, band, map.Key.Sought.Mode, map.Form, map.Key.Where, memoryLimit });
     for (const std::shared_ptr<Band>& kept : map.Kept)
@@ -261,7 +262,7 @@ private:
   RaySource Rays;
   ActiveCells Active;
   TileBounds Bounds;
-  std::unique_ptr<BandTracer> Tracer;
+  std::shared_ptr<const BandTracer> Tracer;
   std::shared_ptr<const Band> Underneath; ///< the band that ends where this one begins
 
   Limits UpTo{ 0, 0.0 };

@@ -54,6 +54,7 @@ IsomapLookup::IsomapLookup(const FrameKey& key, const std::vector<const Isomap::
   , Tolerance(tolerance)
   , HasNormals(!bands.empty() && bands[0]->HasNormals)
   , Rays(key.Seen, key.Where, key.Samples.Dimensions, key.Kept)
+  , Rules(key.Sought, key.Samples.Hidden != nullptr)
   , Tracer(SurfaceTracer::Make({ key.Samples, key.Sought, finiteRange, nullptr }))
 {
   for (std::size_t surface = 0; surface < bands.size(); ++surface)
@@ -156,7 +157,8 @@ std::uint64_t IsomapLookup::BeginOn(std::size_t surface, const TileKnots& knots,
     }
     else if (ahead < 0.0 && this->Key.Sought.Mode == SurfaceMode::Threshold)
     {
-      this->Cap(surface, ray, rays, found.Hits);
+      this->Rules.CapWhereItBegins(
+        rays.Begin[ray], static_cast<std::int16_t>(surface), ray, found.Hits);
       which &= ~Bit(ray);
     }
     else if (ahead < 0.0)
@@ -260,23 +262,6 @@ void IsomapLookup::LookInFit(std::size_t surface, std::uint64_t which,
         found.Normals[ray] = MixNormals(normals[point.Before], normals[point.Knot], point.Share);
       }
     }
-  }
-}
-
-/// The ray begins in a solid. Of several the one of the highest isovalue is seen.
-void IsomapLookup::Cap(
-  std::size_t surface, std::size_t ray, const RayBatch& rays, HitBatch& hits) const
-{
-  const std::vector<double>& isovalues = this->Key.Sought.Isovalues;
-  const bool isHighest = hits.Kind[ray] != HitKind::Cap ||
-    isovalues[surface] > isovalues[static_cast<std::size_t>(hits.Surface[ray])];
-  if (isHighest)
-  {
-    hits.Depth[ray] = rays.Begin[ray];
-    hits.Contact[ray] = rays.Begin[ray];
-    hits.FromInside[ray] = 0;
-    hits.Surface[ray] = static_cast<std::int16_t>(surface);
-    hits.Kind[ray] = HitKind::Cap;
   }
 }
 

@@ -396,7 +396,7 @@ void FrameRenderer::PrepareActiveCells(const FrameKey& key)
   {
     this->Shared->Provide(*this->Ranges, key.Sought, this->Cells);
   }
-  this->Bounds.Build(key.Seen, key.Where, *this->Cells->Active, key.Samples.Grid.get());
+  this->Bounds.Build(key.Seen, key.Where, *this->Cells->Active, *key.Samples.Kind);
 }
 
 /// Shade the last frame again, all whose hits are known.

@@ -129,7 +129,7 @@ bool RequestFromMapper::MakeScene(vtkVolumeMapper* mapper, vtkVolume* volume,
   {
     return false;
   }
-  key.Samples.Grid = input.Grid;
+  key.Samples.Kind = input.Kind;
   key.Samples.Between = property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION
     ? Interpolation::Nearest
     : Interpolation::Linear;

@@ -34,17 +34,19 @@ public:
 
   void Trace(const RayBatch& rays, HitBatch& hits) const override
   {
-    if (!this->Cells.Scene.Active)
-    {
-      Base::Trace(rays, hits);
-      return;
-    }
     hits.Clear(rays.Count);
     if (this->Cells.Rules.IsSolid())
     {
       this->FindCaps(rays, hits);
     }
-    this->TraceActive(rays, hits);
+    if (this->Cells.Scene.Active)
+    {
+      this->TraceActive(rays, hits);
+    }
+    else
+    {
+      this->TraceAll(rays, hits);
+    }
   }
 
   std::uint64_t SearchCells(
@@ -161,15 +163,43 @@ private:
     }
   }
 
+  /// From cell to cell, all of which are read.
+  void TraceAll(const RayBatch& rays, HitBatch& hits) const
+  {
+    const glm::ivec3& cells = this->Cells.Count;
+    LiveRays live;
+    live.Begin(rays, cells, [&](std::size_t ray) { return hits.Kind[ray] == HitKind::None; });
+    Search search;
+    while (live.Count > 0)
+    {
+      live.Keep(
+        [&](std::size_t ray)
+        {
+          CellWalk& walk = live.Walks[ray];
+          bool isAhead;
+          do
+          {
+            isAhead = walk.FindAny(BatchRay{ rays, ray }, cells);
+            hits.CellsRead += isAhead;
+          } while (isAhead && !this->Visit(rays, ray, walk.Here(), ray, search, hits));
+          return isAhead;
+        });
+      this->Finish(search, hits);
+      live.Keep([&](std::size_t ray) { return hits.Kind[ray] == HitKind::None; });
+    }
+  }
+
   /// Read a cell, and take note of the passages of a ray through it that must be searched.
-  void Visit(const RayBatch& rays, std::size_t place, const glm::ivec3& cell, std::size_t ray,
+  /// \return false if no isovalue passes through the cell, or it is hidden
+  bool Visit(const RayBatch& rays, std::size_t place, const glm::ivec3& cell, std::size_t ray,
     Search& search, HitBatch& hits) const
   {
     if (this->Cells.IsHidden(cell))
     {
-      return;
+      return false;
     }
     const std::array<T, 8> samples = this->Cells.Samples.Read(cell);
+    bool isFound = false;
     for (std::size_t surface = 0; surface < this->Cells.Differences.size(); ++surface)
     {
       const Corners<Real> corners = this->Cells.Differ(samples, surface);
@@ -183,8 +213,10 @@ private:
         AppendPassage(rays, place, cell, corners, search.Passages);
         search.Ray[at] = ray;
         search.Surface[at] = static_cast<std::int16_t>(surface);
+        isFound = true;
       }
     }
+    return isFound;
   }
 
   /// Search all noted passages; of several surfaces along a ray the nearest is its hit.

@@ -353,15 +353,39 @@ protected:
     return renderer.LastFrame();
   }
 
-  void ExpectLeapingChangesNothing() const
+  static void ExpectSamePicture(const Frame& a, const Frame& b)
   {
-    const Frame a = this->Cold(true), b = this->Cold(false);
     const auto same = [](const auto& x, const auto& y)
     { return x.size() == y.size() && !std::memcmp(x.data(), y.data(), x.size() * sizeof(x[0])); };
     EXPECT_TRUE(same(a.Depth, b.Depth) && same(a.Normals, b.Normals) &&
       same(a.Isovalues, b.Isovalues) && same(a.Kinds, b.Kinds) && same(a.Colors, b.Colors));
+  }
+
+  void ExpectLeapingChangesNothing() const
+  {
+    const Frame a = this->Cold(true);
+    ExpectSamePicture(a, this->Cold(false));
     const auto isHit = [](std::int16_t surface) { return surface != Frame::NoSurface; };
     EXPECT_GT(std::count_if(a.Isovalues.begin(), a.Isovalues.end(), isHit), 500);
+  }
+
+  /// The cold picture; of rays that end in what is inside, contacts may be nearer (as TestIsomap).
+  void ExpectLookedUp(const Frame& made) const
+  {
+    const Frame cold = this->Cold(true);
+    EXPECT_EQ(made.Depth, cold.Depth);
+    EXPECT_EQ(made.Isovalues, cold.Isovalues);
+    EXPECT_EQ(made.Normals, cold.Normals);
+    EXPECT_EQ(made.Colors, cold.Colors);
+    int farther = 0, otherwise = 0;
+    for (std::size_t i = 0; i < cold.Kinds.size(); ++i)
+    {
+      const bool isOfAMiss = cold.Kinds[i] == HitKind::None && made.Kinds[i] == HitKind::Within;
+      farther += made.Contacts[i] < cold.Contacts[i];
+      otherwise += made.Kinds[i] != cold.Kinds[i] && !isOfAMiss;
+    }
+    EXPECT_EQ(farther, 0) << "it serves the next view";
+    EXPECT_EQ(otherwise, 0);
   }
 
   Grid<std::uint8_t> Samples;
@@ -389,18 +413,30 @@ TEST_F(RectilinearFrames, SpaceLeapingDoesNotChangeThePicture)
   }
 }
 
-TEST_F(RectilinearFrames, NoIsomapIsBuilt)
+TEST_F(RectilinearFrames, SweepOfIsovaluesIsLookedUp)
 {
-  FrameRenderer renderer;
-  this->Key.Sought.Isovalues = { 150.0 };
   this->Key.Look.Colors = { glm::dvec3(1.0) };
-  renderer.Render(this->Key, {});
-  EXPECT_EQ(renderer.BuildIsomap(this->Key, {}), Isomap::Outcome::Impossible);
-  this->Key.Sought.Isovalues = { 151.0 };
-  renderer.Render(this->Key, {});
-  EXPECT_EQ(renderer.Statistics().Made, Route::ThresholdHint);
-  const Frame cold = this->Cold(true);
-  EXPECT_EQ(renderer.LastFrame().Depth, cold.Depth);
+  for (const Interpolation between : { Interpolation::Linear, Interpolation::Nearest })
+  {
+    for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
+    {
+      this->Key.Samples.Between = between;
+      this->Key.Sought.Mode = mode;
+      this->Key.Sought.Isovalues = { 90.0 };
+      FrameRenderer renderer;
+      FrameRenderer::Options options;
+      options.Map.Range = { 85.0, 175.0 };
+      renderer.Render(this->Key, options);
+      for (int step = 1; step <= 40; ++step)
+      {
+        this->Key.Sought.Isovalues = { 90.0 + 2.1 * step };
+        renderer.Render(this->Key, options);
+        EXPECT_EQ(renderer.Statistics().Made, step == 1 ? Route::IsomapBuild : Route::IsomapLookup);
+        EXPECT_LT(renderer.Statistics().TracedRays, renderer.Statistics().Rays / 20);
+        this->ExpectLookedUp(renderer.LastFrame());
+      }
+    }
+  }
 }
 
 }

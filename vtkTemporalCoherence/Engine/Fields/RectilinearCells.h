@@ -150,6 +150,7 @@ struct RectilinearCells
 {
   using Value = double;
   using Real = double;
+  static constexpr bool HasKernels = false;
 
   explicit RectilinearCells(const GridCoordinates& grid)
     : Grid(grid)
@@ -173,6 +174,7 @@ struct RectilinearCells
 
     bool HasLength() const { return this->Passed.HasLength(); }
     double Enter() const { return this->Passed.Enter; }
+    double Leave() const { return this->Passed.Leave; }
     double DistanceAt(double share) const { return this->Passed.DistanceAt(share); }
     const CellPath<double>& Path() const { return this->Passed.Path; }
     NearestPath Nearest() const { return this->Passed.Nearest(); }

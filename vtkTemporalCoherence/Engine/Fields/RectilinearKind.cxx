@@ -5,6 +5,7 @@
 #include "Fields/LatticeFaces.h"
 #include "Fields/RectilinearCells.h"
 #include "Fields/RectilinearGradients.h"
+#include "Isomap/CellBandTracer.h"
 #include "Scene/CellBox.h"
 #include "Trace/CellTracer.h"
 
@@ -46,7 +47,7 @@ public:
     return same && (same->Grid == this->Grid || same->Grid->Along == this->Grid->Along);
   }
 
-  FieldAbilities Abilities() const override { return { false, true, false }; }
+  FieldAbilities Abilities() const override { return { true, true, false }; }
 
   bool AreBlocksAlike() const override { return false; }
 
@@ -82,6 +83,24 @@ public:
       [&](auto type) {
         return MakeCellTracer<decltype(type)>(scene, RectilinearCells<decltype(type)>(*this->Grid));
       });
+  }
+
+  std::shared_ptr<const BandTracer> MakeBandTracer(const BandScene& scene) const override
+  {
+    return DispatchScalarType(scene.Samples.Type,
+      [&](auto type)
+      {
+        return MakeCellBandTracer<decltype(type)>(
+          scene, RectilinearCells<decltype(type)>(*this->Grid));
+      });
+  }
+
+  void FindEntries(const RayBatch& rays, CellList& cells) const override
+  {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(cells.Count); ++i)
+    {
+      cells.Enter[i] = RectilinearPassage({ rays, cells.Ray[i], *this->Grid }, cells.At(i)).Enter;
+    }
   }
 
   void FindGradients(const GradientQuery& query, const GradientTile& tile) const override

@@ -17,6 +17,7 @@ struct UniformCells
 {
   using Value = T;
   using Real = RealOf<T>;
+  static constexpr bool HasKernels = true; ///< many cells are searched at once, in vectors
 
   BatchRay RayOf(const RayBatch& rays, std::size_t ray) const { return { rays, ray }; }
 
@@ -31,6 +32,7 @@ struct UniformCells
 
     bool HasLength() const { return this->Passed.Enter < this->Passed.Leave; }
     double Enter() const { return this->Passed.Enter; }
+    double Leave() const { return this->Passed.Leave; }
     double DistanceAt(double share) const { return this->Passed.DistanceAt(share); }
     const CellPath<Real>& Path() const { return this->Passed.Path; }
     NearestPath Nearest() const { return this->Passed.Nearest(this->Passages, 0); }

@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fields/LatticeFaces.h"
+#include "Fields/UniformCells.h"
 #include "Fields/UniformTracer.h"
-#include "Isomap/BandTracer.h"
+#include "Isomap/CellBandTracer.h"
 #include "Scene/FieldKind.h"
 #include "Shade/SurfaceNormal.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace TemporalCoherence
@@ -42,7 +44,24 @@ public:
 
   std::shared_ptr<const BandTracer> MakeBandTracer(const BandScene& scene) const override
   {
-    return MakeUniformBandTracer(scene);
+    return DispatchScalarType(scene.Samples.Type,
+      [&](auto type)
+      { return MakeCellBandTracer<decltype(type)>(scene, UniformCells<decltype(type)>()); });
+  }
+
+  void FindEntries(const RayBatch& rays, CellList& cells) const override
+  {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(cells.Count); ++i)
+    {
+      const std::size_t ray = cells.Ray[i];
+      double enter = rays.Begin[ray];
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        const double behind = cells.Cell[a][i] + (rays.Direction[a][ray] > 0.0 ? 0.0 : 1.0);
+        enter = std::max(enter, (behind - rays.Origin[a][ray]) * rays.Inverse[a][ray]);
+      }
+      cells.Enter[i] = enter;
+    }
   }
 
   void FindGradients(const GradientQuery& query, const GradientTile& tile) const override

@@ -168,7 +168,8 @@ private:
   {
     const glm::ivec3& cells = this->Cells.Count;
     LiveRays live;
-    live.Begin(rays, cells, [&](std::size_t ray) { return hits.Kind[ray] == HitKind::None; });
+    live.Begin(rays, this->Cells.Shape, cells,
+      [&](std::size_t ray) { return hits.Kind[ray] == HitKind::None; });
     Search search;
     while (live.Count > 0)
     {

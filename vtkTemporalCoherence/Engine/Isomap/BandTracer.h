@@ -61,9 +61,6 @@ protected:
   BandTracer() = default;
 };
 
-/// That of uniform fields, for the type of the scene's samples.
-std::shared_ptr<const BandTracer> MakeUniformBandTracer(const BandScene& scene);
-
 }
 
 #endif

@@ -7,6 +7,7 @@
 #include "Scene/FramePlanes.h"
 #include "Scene/Parallel.h"
 #include "Trace/RaySource.h"
+#include "Trace/SurfaceTracer.h"
 
 #include <algorithm>
 #include <atomic>
@@ -32,10 +33,12 @@ constexpr float NotInBand = -std::numeric_limits<float>::infinity();
 
 /// Let rays that begin below the band underneath walk from where they come to its end; those that
 /// do not come there have nowhere to go. (Rays that meet no cell of that band may begin above it.)
-void NarrowByCells(const TileKnots& knots, const BandScale& scale, RayBatch& rays)
+void NarrowByCells(
+  const TileKnots& knots, const BandScale& scale, const FieldKind& kind, RayBatch& rays)
 {
   const CellKnots& table = knots.Cells[static_cast<std::size_t>(Course::Rising)];
   const BandScale::Key end = scale.KeyOf(scale.Span);
+  CellList cells;
   for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count) && !table.IsEmpty(); ++i)
   {
     const bool beginsBelow = knots.Entries.empty() || knots.Entries[i] == NotInBand;
@@ -51,8 +54,14 @@ void NarrowByCells(const TileKnots& knots, const BandScale& scale, RayBatch& ray
     }
     else
     {
-      rays.WalkBegin[i] = std::max(rays.WalkBegin[i], EntryInto(table.Get<2>()[knot], rays, i));
+      cells.Append(i, table.Get<2>()[knot]);
     }
+  }
+  kind.FindEntries(rays, cells);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(cells.Count); ++i)
+  {
+    double& begin = rays.WalkBegin[cells.Ray[i]];
+    begin = std::max(begin, cells.Enter[i]);
   }
 }
 
@@ -236,7 +245,7 @@ private:
     {
       const TileKnots& below = this->Underneath->Tiles[static_cast<std::size_t>(tile)];
       const BandScale scale(this->Key.Samples.Type, this->Underneath->Values, this->FiniteRange);
-      NarrowByCells(below, scale, rays);
+      NarrowByCells(below, scale, *this->Key.Samples.Kind, rays);
       NarrowByFit(below, scale, this->Form.Tolerance, rays);
     }
     else if (this->From.Picture)

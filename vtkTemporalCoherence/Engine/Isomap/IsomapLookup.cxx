@@ -175,7 +175,7 @@ void IsomapLookup::LookInCells(std::size_t surface, std::uint64_t which,
 {
   const Sought& sought = this->Isovalues[surface];
   HitBatch& hits = found.Hits;
-  CellList cells;
+  CellList cells, contacts;
   cells.Surface = surface;
   RayBatch::Array<glm::vec3> normals;
   for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
@@ -197,27 +197,25 @@ void IsomapLookup::LookInCells(std::size_t surface, std::uint64_t which,
     const std::size_t hit = FirstNotBelow(table.Get<0>(), contact, end, key);
     if (hit != contact)
     {
-      const double enter = EntryInto(indices[contact], rays, ray);
-      if (enter < hits.Contact[ray])
-      {
-        hits.Contact[ray] = enter;
-        hits.FromInside[ray] = course == static_cast<std::size_t>(Course::Falling);
-      }
+      contacts.Append(ray, indices[contact]);
     }
     if (hit != end)
     {
-      const auto at = static_cast<std::size_t>(cells.Count++);
-      cells.Ray[at] = static_cast<std::uint8_t>(ray);
+      const auto at = static_cast<std::size_t>(cells.Count);
+      cells.Append(ray, indices[hit]);
       cells.IsContact[at] = hit == contact;
-      for (std::size_t a = 0; a < 3; ++a)
-      {
-        cells.Cell[a][at] = indices[hit][a];
-      }
       if (this->HasNormals)
       {
         normals[at] = NormalInCells(table, knots.Normals[course].Get<0>(), begin, hit, key);
       }
     }
+  }
+  this->Key.Samples.Kind->FindEntries(rays, contacts);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(contacts.Count); ++i)
+  {
+    const std::size_t ray = contacts.Ray[i];
+    const bool fromInside = courses[ray] == static_cast<std::uint8_t>(Course::Falling);
+    HitRules::KeepContact(contacts.Enter[i], fromInside, ray, hits);
   }
   found.Open |= this->Tracer->SearchCells(rays, cells, hits);
   for (std::size_t i = 0; i < static_cast<std::size_t>(cells.Count) && this->HasNormals; ++i)

@@ -35,6 +35,8 @@ std::shared_ptr<const BandTracer> FieldKind::MakeBandTracer(const BandScene&) co
   return nullptr;
 }
 
+void FieldKind::FindEntries(const RayBatch&, CellList&) const {}
+
 glm::dvec3 FieldKind::FaceNormal(
   const Field& field, const glm::dvec3& point, const glm::dvec3& direction, double& nearest) const
 {

@@ -15,10 +15,12 @@ class BandTracer;
 class SurfaceTracer;
 struct BandScene;
 struct CellBox;
+struct CellList;
 struct Field;
 struct GradientQuery;
 struct GradientTile;
 struct Placement;
+struct RayBatch;
 struct TraceScene;
 
 /// A box in index space.
@@ -80,6 +82,9 @@ public:
   /// What finds the ranges of values along tiles of rays, for isomaps; null: it cannot.
   /// \throws std::bad_alloc
   virtual std::shared_ptr<const BandTracer> MakeBandTracer(const BandScene& scene) const;
+
+  /// Find where rays enter the cells of a list, for isomaps; kinds without are not asked.
+  virtual void FindEntries(const RayBatch& rays, CellList& cells) const;
 
   /// Find the gradients of the field at the hits of a tile.
   virtual void FindGradients(const GradientQuery& query, const GradientTile& tile) const = 0;

@@ -54,7 +54,7 @@ public:
     for (std::size_t i = 0; i < static_cast<std::size_t>(cells.Count); ++i)
     {
       const std::size_t ray = cells.Ray[i];
-      const glm::ivec3 cell(cells.Cell[0][i], cells.Cell[1][i], cells.Cell[2][i]);
+      const glm::ivec3 cell = cells.At(i);
       const Part part(this->Cells.Shape.RayOf(rays, ray), cell);
       const Found found =
         this->SearchFor(part, this->Cells.Differ(this->Cells.Samples.Read(cell), cells.Surface));

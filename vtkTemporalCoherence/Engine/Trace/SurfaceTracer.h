@@ -8,6 +8,9 @@
 #include "Scene/RayBatch.h"
 #include "Scene/Surfaces.h"
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 
 namespace TemporalCoherence
@@ -30,6 +33,22 @@ struct CellList
   RayBatch::Array<std::uint8_t> Ray; ///< ascending
   std::array<RayBatch::Array<std::int32_t>, 3> Cell;
   RayBatch::Array<std::uint8_t> IsContact; ///< 1: it is the first that the isovalue passes through
+  RayBatch::Array<double> Enter;           ///< found by FieldKind::FindEntries: t
+
+  void Append(std::size_t ray, const std::array<std::uint16_t, 3>& cell)
+  {
+    const auto at = static_cast<std::size_t>(this->Count++);
+    this->Ray[at] = static_cast<std::uint8_t>(ray);
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      this->Cell[a][at] = cell[a];
+    }
+  }
+
+  glm::ivec3 At(std::size_t i) const
+  {
+    return { this->Cell[0][i], this->Cell[1][i], this->Cell[2][i] };
+  }
 };
 
 /// Finds the surfaces along the rays of a batch, for one kind of field.

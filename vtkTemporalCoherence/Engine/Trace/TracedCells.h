@@ -22,7 +22,8 @@ namespace TemporalCoherence
 ///
 /// \tparam Geometry tells how rays go through cells: RayOf(rays, ray), for CellWalk, and Part(ray,
 ///         cell), the part of a ray in a cell; and in which types: Value, of which differences from
-///         isovalues are taken, and Real, in which crossings are found
+///         isovalues are taken, and Real, in which crossings are found; and HasKernels: parts of
+///         rays are made and searched by those for PassageBatch
 template <typename T, typename Geometry, Interpolation Between>
 struct TracedCells
 {

@@ -4,6 +4,7 @@ find_package(glm REQUIRED)
 find_package(hwy REQUIRED)
 
 set(engine_files
+  Scene/FieldKind
   Scene/FrameKey
   Scene/FramePlanes
   Scene/RayBatch
@@ -18,18 +19,15 @@ set(engine_files
   Acceleration/SampleComparer
   Acceleration/TileBounds
   Acceleration/ValueRangePyramid
-  Trace/GradedTracer
   Trace/KernelsCrossing
   Trace/KernelsRange
   Trace/KernelsRays
   Trace/KernelsWalk
-  Trace/LayerTracer
   Trace/RayPieces
   Trace/RaySource
   Trace/RegionCutter
   Trace/SurfaceTracer
   Shade/CapNormal
-  Shade/GradedGradients
   Shade/KernelsGradients
   Shade/KernelsShading
   Shade/Shader
@@ -51,6 +49,10 @@ set(engine_files
   Isomap/IsomapLookup
   Isomap/KnotCollector
   Isomap/Knots
+  Fields/RectilinearGradients
+  Fields/RectilinearKind
+  Fields/UniformKind
+  Fields/UniformTracer
   Render/FrameRenderer
   Render/FrameStore
   Render/FrameStructures

@@ -60,8 +60,8 @@ std::vector<ShadedTile> ShadedTilesOf(const KernelScene<T>& scene)
       tile.Rays.Y[ray] = at.y;
     }
     FindRayPoints(tile.Rays);
-    IndexGradients(QueryOf(scene), RayBatch::Capacity, tile.Rays.Point, tile.Rays.Direction,
-      FirstSurface(), tile.Gradients);
+    IndexGradients(QueryOf(scene),
+      { RayBatch::Capacity, tile.Rays.Point, tile.Rays.Direction, FirstSurface(), tile.Gradients });
     FindFacingNormals(
       RayBatch::Capacity, glm::dmat3(1.0), tile.Gradients, tile.Rays.Direction, tile.Sums.Normal);
     tile.Sums.Toward = { 0.6f, 0.0f, 0.8f };
@@ -106,8 +106,8 @@ void RegisterGradients(const std::string& type)
   Register<T>("IndexGradients/" + type,
     [surfaces = FirstSurface()](ShadedTile& tile)
     {
-      IndexGradients(QueryOf(SceneOf<T>()), RayBatch::Capacity, tile.Rays.Point,
-        tile.Rays.Direction, surfaces, tile.Gradients);
+      IndexGradients(QueryOf(SceneOf<T>()),
+        { RayBatch::Capacity, tile.Rays.Point, tile.Rays.Direction, surfaces, tile.Gradients });
     });
 }
 

@@ -100,7 +100,7 @@ TEST(TileBounds, HoldAllHits)
     const Placement placement = RandomPlacement(engine);
     const View view = RandomView(scene.CentreAt(placement), 40.0, size, engine);
     TileBounds bounds;
-    bounds.Build(view, placement, scene.Active);
+    bounds.Build(view, placement, scene.Active, *UniformKind());
     const RaySource source(view, placement, dimensions);
     for (std::int64_t tile = 0; tile < NumberOfTiles(size); tile += round % 2 ? 1 : 7)
     {
@@ -199,7 +199,7 @@ TEST(TileBounds, HoldTheCornersOfActiveLeaves)
     const Placement placement = RandomPlacement(engine);
     const View view = ShearedView(scene.CentreAt(placement), 40.0, size, engine);
     TileBounds bounds;
-    bounds.Build(view, placement, scene.Active);
+    bounds.Build(view, placement, scene.Active, *UniformKind());
     for (const glm::ivec3& leaf : leaves)
     {
       for (int corner = 0; corner < 8; ++corner)
@@ -268,7 +268,7 @@ TEST(TileBounds, FindTilesOfBoxes)
         box.Size[axis] = 1 + static_cast<int>(engine() % 8);
       }
     }
-    const std::vector<std::uint8_t> found = FindTiles(view, placement, boxes);
+    const std::vector<std::uint8_t> found = FindTiles(view, placement, boxes, *UniformKind());
     ASSERT_EQ(static_cast<std::int64_t>(found.size()), NumberOfTiles(size));
     for (int y = 0; y < size.y; ++y)
     {

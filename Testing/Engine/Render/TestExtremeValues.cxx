@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EachTarget.h"
+#include "Fields/RectilinearKind.h"
 #include "Grid.h"
 #include "Render/FrameRenderer.h"
 #include "Scene/Difference.h"
@@ -195,7 +196,7 @@ protected:
     key.Samples.Between = random.IsOneOf(3) ? Interpolation::Nearest : Interpolation::Linear;
     if (random.IsOneOf(3))
     {
-      key.Samples.Grid = UnevenGrid(dimensions);
+      key.Samples.Kind = RectilinearKind(UnevenGrid(dimensions));
     }
     if (random.IsOneOf(3))
     {
@@ -204,7 +205,7 @@ protected:
     SCOPED_TRACE(testing::Message()
       << "seed " << seed << " type " << static_cast<int>(Grid<T>::Type()) << " mode "
       << static_cast<int>(key.Sought.Mode) << " between " << static_cast<int>(key.Samples.Between)
-      << " grid " << (key.Samples.Grid != nullptr));
+      << " grid " << (key.Samples.Kind != UniformKind()));
     FrameRenderer::Options options;
     options.Reuse.ImageCache = false;
     if (random.IsOneOf(2))

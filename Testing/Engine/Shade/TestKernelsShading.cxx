@@ -173,8 +173,8 @@ private:
       [&](const char* target)
       {
         Vectors found;
-        IndexGradients({ field, glm::dmat4(1.0), range, &isovalues }, count, points, directions,
-          surfaces, found);
+        IndexGradients({ field, glm::dmat4(1.0), range, &isovalues },
+          { count, points, directions, surfaces, found });
         for (std::size_t a = 0; a < 3; ++a)
         {
           EXPECT_TRUE(AreIdentical(found[a], reference[a], static_cast<int>(count)))

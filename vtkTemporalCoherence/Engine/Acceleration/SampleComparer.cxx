@@ -33,7 +33,7 @@ void SampleComparer::FindTilesToTrace(
 {
   if (AreReadAlike(this->LimitsOfLast, LimitsOf(ranges)))
   {
-    this->TilesToTrace = FindTiles(view, placement, this->Changed);
+    this->TilesToTrace = FindTiles(view, placement, this->Changed, *ranges.Samples.Kind);
   }
 }
 

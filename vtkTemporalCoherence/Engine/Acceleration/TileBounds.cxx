@@ -62,10 +62,11 @@ class BoxProjector
 public:
   /// \param cells along each axis, from which all boxes are
   BoxProjector(const View& view, const Placement& placement, const glm::ivec2& tiles,
-    const glm::ivec3& cells, const GridCoordinates* grid)
+    const glm::ivec3& cells, const FieldKind& kind)
     : Seen(view)
     , Tiles(tiles)
-    , Grid(grid)
+    , Kind(kind)
+    , AreAlike(kind.AreBlocksAlike())
     , ClipFromIndex(view.ClipFromWorld * placement.WorldFromIndex)
     , WorldFromIndex(placement.WorldFromIndex)
   {
@@ -83,18 +84,8 @@ public:
   /// The box of the cells first .. first + cells - 1 of each axis.
   Box BoxOf(const glm::ivec3& first, const glm::ivec3& cells) const
   {
-    if (this->Grid)
-    {
-      glm::dvec3 low, high;
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        low[axis] = this->Grid->At(axis, first[axis]);
-        high[axis] = this->Grid->At(axis, first[axis] + cells[axis]);
-      }
-      return { 0.5 * (low + high), 0.5 * (high - low) };
-    }
-    const glm::dvec3 half = 0.5 * glm::dvec3(cells);
-    return { glm::dvec3(first) + half, half };
+    const IndexBox box = this->Kind.BoxOf({ first, cells });
+    return { 0.5 * (box.Low + box.High), 0.5 * (box.High - box.Low) };
   }
 
   /// Radius of the sphere around a box, as a distance along rays.
@@ -126,7 +117,7 @@ public:
   void WidenByLeaf(const glm::ivec3& firstCell, std::vector<Bounds>& bounds) const
   {
     const Box box = this->BoxOf(firstCell, glm::ivec3(ValueRangePyramid::LeafSize));
-    this->Widen(box, this->Grid ? this->RadiusOf(box.Half) : this->LeafRadius, bounds);
+    this->Widen(box, this->AreAlike ? this->LeafRadius : this->RadiusOf(box.Half), bounds);
   }
 
   void Widen(const Box& box, double radius, std::vector<Bounds>& bounds) const
@@ -229,7 +220,8 @@ private:
 
   const View& Seen;
   glm::ivec2 Tiles;
-  const GridCoordinates* Grid; ///< null: cells are all alike
+  const FieldKind& Kind;
+  bool AreAlike; ///< all leaves, in size
   glm::dmat4 ClipFromIndex, WorldFromIndex;
   double PerRadius = 1.0; ///< distance along rays for a distance in the world
   double LeafRadius;
@@ -264,8 +256,8 @@ void WidenByNode(const BoxProjector& projector, const glm::ivec3& firstCell, std
 
 }
 
-std::vector<std::uint8_t> FindTiles(
-  const View& view, const Placement& placement, const std::vector<CellBox>& boxes)
+std::vector<std::uint8_t> FindTiles(const View& view, const Placement& placement,
+  const std::vector<CellBox>& boxes, const FieldKind& kind)
 {
   const glm::ivec2 tiles = TilesOf(view.Size);
   glm::ivec3 cells(0);
@@ -273,7 +265,7 @@ std::vector<std::uint8_t> FindTiles(
   {
     cells = glm::max(cells, box.First + box.Size);
   }
-  const BoxProjector projector(view, placement, tiles, cells, nullptr);
+  const BoxProjector projector(view, placement, tiles, cells, kind);
   std::vector<std::uint8_t> touched(static_cast<std::size_t>(NumberOfTiles(view.Size)), 0);
   for (const CellBox& box : boxes)
   {
@@ -289,8 +281,8 @@ std::vector<std::uint8_t> FindTiles(
   return touched;
 }
 
-void TileBounds::Build(const View& view, const Placement& placement, const ActiveCells& active,
-  const GridCoordinates* grid)
+void TileBounds::Build(
+  const View& view, const Placement& placement, const ActiveCells& active, const FieldKind& kind)
 {
   this->Size = TilesOf(view.Size);
   const std::size_t tiles =
@@ -304,7 +296,7 @@ void TileBounds::Build(const View& view, const Placement& placement, const Activ
 
   const glm::ivec3 nodes = active.NodeDimensions();
   const BoxProjector projector(
-    view, placement, this->Size, ValueRangePyramid::NodeSize * nodes, grid);
+    view, placement, this->Size, ValueRangePyramid::NodeSize * nodes, kind);
   const std::int64_t count = static_cast<std::int64_t>(nodes.x) * nodes.y * nodes.z;
   ParallelFor(NumberOfParts, 1,
     [&](std::int64_t part)

@@ -3,9 +3,11 @@
 #include "Acceleration/ValueRangePyramid.h"
 
 #include "Acceleration/KernelsPyramid.h"
+#include "Scene/CellBox.h"
 #include "Scene/Parallel.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <mutex>
 
@@ -83,11 +85,29 @@ Range<T> FiniteRangeOfRows(const TypedField<T>& field, const glm::ivec2& first,
   return all;
 }
 
+/// The range that a kind tells for the leaf that begins at a cell; empty beyond the field's end.
+Range<double> RangeOfLeaf(const Field& field, const glm::ivec3& first)
+{
+  const glm::ivec3 size =
+    glm::min(field.Dimensions - 1 - first, glm::ivec3(ValueRangePyramid::LeafSize));
+  if (glm::any(glm::lessThan(size, glm::ivec3(1))))
+  {
+    return ValueRangePyramid::Empty<double>();
+  }
+  const glm::dvec2 range = field.Kind->RangeIn({ first, size });
+  return { range.x, range.y };
+}
+
 }
 
 void ValueRangePyramid::Build(const Field& field)
 {
   this->Release();
+  if (!field.Kind->Abilities().Samples)
+  {
+    this->BuildFromKind(field);
+    return;
+  }
   const glm::ivec3 nodes = NodesFor(field.Dimensions);
   const std::int64_t count = static_cast<std::int64_t>(nodes.x) * nodes.y * nodes.z;
   DispatchScalarType(field.Type,
@@ -120,6 +140,42 @@ void ValueRangePyramid::Build(const Field& field)
         : glm::dvec2(0.0);
       this->Whole = WholeRangeOf(ofNodes, count);
     });
+}
+
+/// The ranges of a field without samples, as its kind tells them.
+void ValueRangePyramid::BuildFromKind(const Field& field)
+{
+  assert(field.Type == ScalarType::Float64);
+  this->Nodes = NodesFor(field.Dimensions);
+  const std::int64_t count = this->NumberOfNodes();
+  this->Bytes.resize(static_cast<std::size_t>(count * (LeavesPerNode + 1)) * sizeof(Range<double>));
+  auto* const leaves = reinterpret_cast<Range<double>*>(this->Bytes.data());
+  Range<double>* const ofNodes = leaves + count * LeavesPerNode;
+  ParallelFor(count, 1,
+    [&](std::int64_t node)
+    {
+      const glm::ivec3 place(node % this->Nodes.x, node / this->Nodes.x % this->Nodes.y,
+        node / this->Nodes.x / this->Nodes.y);
+      ofNodes[node] = Empty<double>();
+      for (int leaf = 0; leaf < LeavesPerNode; ++leaf)
+      {
+        Range<double>& range = leaves[node * LeavesPerNode + leaf];
+        range = RangeOfLeaf(
+          field, NodeSize * place + LeafSize * glm::ivec3(leaf & 3, leaf >> 2 & 3, leaf >> 4));
+        ofNodes[node].Min = std::min(ofNodes[node].Min, range.Min);
+        ofNodes[node].Max = std::max(ofNodes[node].Max, range.Max);
+      }
+    });
+  this->Whole = WholeRangeOf(ofNodes, count);
+  Range<double> finite = Empty<double>();
+  for (std::int64_t leaf = 0; leaf < count * LeavesPerNode; ++leaf)
+  {
+    finite.Min =
+      std::isfinite(leaves[leaf].Min) ? std::min(finite.Min, leaves[leaf].Min) : finite.Min;
+    finite.Max =
+      std::isfinite(leaves[leaf].Max) ? std::max(finite.Max, leaves[leaf].Max) : finite.Max;
+  }
+  this->Finite = finite.Min <= finite.Max ? glm::dvec2(finite.Min, finite.Max) : glm::dvec2(0.0);
 }
 
 void ValueRangePyramid::Release()

@@ -57,7 +57,7 @@ public:
     return (samples - 1 + (NodeSize - 1)) / NodeSize;
   }
 
-  /// Read the whole field once, in parallel.
+  /// Read the whole field once, in parallel; one without samples is asked for its ranges.
   /// \pre field.HasCells()
   /// \throws std::bad_alloc, the pyramid then being empty
   void Build(const Field& field);
@@ -98,6 +98,8 @@ public:
   std::size_t MemoryInBytes() const { return this->Bytes.capacity(); }
 
 private:
+  void BuildFromKind(const Field& field);
+
   using Room = std::vector<std::byte, RoomAllocator<std::byte>>;
 
   Room Bytes; ///< the leaves of all nodes, and then the nodes

@@ -149,7 +149,7 @@ bool ImageQuery::CanAsk(const FrameKey& cached, ReuseAccuracy accuracy)
     const glm::dvec3 world(cached.Where.WorldFromIndex * glm::dvec4(point, 1.0));
     nearest = std::min(nearest, glm::dot(view.Forward, world - view.Position));
   }
-  const double shortest = VoxelEdges(cached.Samples, cached.Where).x;
+  const double shortest = cached.Samples.Kind->VoxelSizeIn(cached.Where).Shortest;
   return std::max(nearest, view.Near) <
     DepthOfSpacing(view, FarthestApartFor(cached.Samples) * shortest);
 }
@@ -174,8 +174,8 @@ ImageQuery::ImageQuery(CachedImage& image, const FrameKey& next, ReuseAccuracy a
   this->Projection.RowV = 0.5 * seen.Size.y * perW * (RowOf(clip, 1) + w);
   this->Projection.RowZ = glm::transpose(next.Where.WorldFromIndex) * forward;
 
-  const glm::dvec2 edges = VoxelEdges(next.Samples, next.Where);
-  this->Voxel = edges.y;
+  const auto size = next.Samples.Kind->VoxelSizeIn(next.Where);
+  this->Voxel = size.Longest;
   const bool isRaised = !AreMetAlike(image.Key.Sought, next.Sought);
   if (accuracy == ReuseAccuracy::Bounded || isRaised)
   {
@@ -187,11 +187,9 @@ ImageQuery::ImageQuery(CachedImage& image, const FrameKey& next, ReuseAccuracy a
     const bool canBeFine = next.Sought.Isovalues.size() == 1 && !next.Samples.Hidden &&
       CosineOfTurn(image.Key, next) >= SmallTurn;
     const double fineApart = canBeFine ? FineApart : 1e-30;
-    // What is flat in the small cells of a graded field need not be as flat as in its large ones.
-    const double bend = next.Samples.Grid ? edges.x : edges.y;
     image.Free.Make(image.Picture, seen,
-      { edges.y, bend, SpacingOf(seen), DepthOfSpacing(seen, fineApart * edges.x),
-        DepthOfSpacing(seen, FarthestApartFor(next.Samples) * edges.x),
+      { size.Longest, size.Bend, SpacingOf(seen), DepthOfSpacing(seen, fineApart * size.Shortest),
+        DepthOfSpacing(seen, FarthestApartFor(next.Samples) * size.Shortest),
         isRaised && next.Sought.Mode == SurfaceMode::Crossing });
   }
 }

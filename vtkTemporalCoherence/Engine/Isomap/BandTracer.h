@@ -43,9 +43,9 @@ struct BandScene
 class BandTracer
 {
 public:
-  /// A tracer for the type of the scene's samples. The scene's structures must outlive it.
-  /// \throws std::bad_alloc
-  static std::unique_ptr<BandTracer> Make(const BandScene& scene);
+  /// The tracer of the kind of the scene's field; null if there is none. The scene's structures
+  /// must outlive it. \throws std::bad_alloc
+  static std::shared_ptr<const BandTracer> Make(const BandScene& scene);
 
   virtual ~BandTracer() = default;
   BandTracer(const BandTracer&) = delete;

@@ -7,6 +7,7 @@
 #include "Scene/FramePlanes.h"
 #include "Scene/Parallel.h"
 #include "Trace/RaySource.h"
+#include "Trace/SurfaceTracer.h"
 
 #include <algorithm>
 #include <atomic>
@@ -30,10 +31,12 @@ constexpr float NotInBand = -std::numeric_limits<float>::infinity();
 
 /// Let rays that begin below the band underneath walk from where they come to its end; those that
 /// do not come there have nowhere to go. (Rays that meet no cell of that band may begin above it.)
-void NarrowByCells(const TileKnots& knots, const BandScale& scale, RayBatch& rays)
+void NarrowByCells(
+  const TileKnots& knots, const BandScale& scale, const FieldKind& kind, RayBatch& rays)
 {
   const CellKnots& table = knots.Cells[static_cast<std::size_t>(Course::Rising)];
   const BandScale::Key end = scale.KeyOf(scale.Span);
+  CellList cells;
   for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count) && !table.IsEmpty(); ++i)
   {
     const bool beginsBelow = knots.Entries.empty() || knots.Entries[i] == NotInBand;
@@ -49,8 +52,14 @@ void NarrowByCells(const TileKnots& knots, const BandScale& scale, RayBatch& ray
     }
     else
     {
-      rays.WalkBegin[i] = std::max(rays.WalkBegin[i], EntryInto(table.Get<2>()[knot], rays, i));
+      cells.Append(i, table.Get<2>()[knot]);
     }
+  }
+  kind.FindEntries(rays, cells);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(cells.Count); ++i)
+  {
+    double& begin = rays.WalkBegin[cells.Ray[i]];
+    begin = std::max(begin, cells.Enter[i]);
   }
 }
 
@@ -86,7 +95,7 @@ bool Isomap::CanHold(const Field& field)
 {
   constexpr int largest = std::numeric_limits<CellIndex::value_type>::max();
   // Along a ray that hidden cells interrupt, isovalues are not met in their order.
-  return field.HasCells() && !field.Grid && !field.Hidden &&
+  return field.HasCells() && field.Kind->Abilities().Isomaps && !field.Hidden &&
     glm::all(glm::lessThanEqual(field.Dimensions, glm::ivec3(largest)));
 }
 
@@ -102,7 +111,7 @@ double Isomap::SmallestTolerance(const Field& field, const Placement& where)
   }
   constexpr double rounding = 0.5 * std::numeric_limits<float>::epsilon();
   const double kept = rounding * longest / (1.0 - FitShare);
-  return std::max(FinestTolerance, kept / VoxelEdges(where).x);
+  return std::max(FinestTolerance, kept / field.Kind->VoxelSizeIn(where).Shortest);
 }
 
 KnotForm Isomap::FormFor(const FrameKey& key, const Options& options)
@@ -110,7 +119,8 @@ KnotForm Isomap::FormFor(const FrameKey& key, const Options& options)
   // Where the field is that of the nearest sample, distances are no curves to be fitted.
   const bool isFitted = key.Samples.Between == Interpolation::Linear && options.Tolerance > 0.0 &&
     options.Tolerance >= SmallestTolerance(key.Samples, key.Where);
-  return { isFitted ? options.Tolerance * VoxelEdges(key.Where).x : 0.0, options.HasNormals };
+  return { isFitted ? options.Tolerance * key.Samples.Kind->VoxelSizeIn(key.Where).Shortest : 0.0,
+    options.HasNormals };
 }
 
 bool Isomap::IsOf(const FrameKey& key, const Options& options) const
@@ -155,7 +165,7 @@ struct Isomap::BandSource
     , Rays(map.Key.Seen, map.Key.Where, map.Key.Samples.Dimensions, map.Key.Kept)
   {
     this->Active.Build(map.Key.Samples, pyramid, band);
-    this->Bounds.Build(map.Key.Seen, map.Key.Where, this->Active);
+    this->Bounds.Build(map.Key.Seen, map.Key.Where, this->Active, *map.Key.Samples.Kind);
     this->Tracer = BandTracer::Make({ map.Key.Samples, pyramid.FiniteRange(), &pyramid,
       &this->Active, band, map.Key.Sought.Mode, map.Form, map.Key.Where, memoryLimit });
     for (const std::shared_ptr<Band>& kept : map.Kept)
@@ -233,7 +243,7 @@ private:
     {
       const TileKnots& below = this->Underneath->Tiles[static_cast<std::size_t>(tile)];
       const BandScale scale(this->Key.Samples.Type, this->Underneath->Values, this->FiniteRange);
-      NarrowByCells(below, scale, rays);
+      NarrowByCells(below, scale, *this->Key.Samples.Kind, rays);
       NarrowByFit(below, scale, this->Form.Tolerance, rays);
     }
     else if (this->From.Picture)
@@ -259,7 +269,7 @@ private:
   RaySource Rays;
   ActiveCells Active;
   TileBounds Bounds;
-  std::unique_ptr<BandTracer> Tracer;
+  std::shared_ptr<const BandTracer> Tracer;
   std::shared_ptr<const Band> Underneath; ///< the band that ends where this one begins
 
   Limits UpTo{ 0, 0.0 };

@@ -76,7 +76,7 @@ public:
   /// How the knots for a frame are kept.
   static KnotForm FormFor(const FrameKey& key, const Options& options);
 
-  /// True if the cells of a field have numbers that fit the knots, are all alike, and none is
+  /// True if the kind of a field has isomaps, its cells have numbers that fit the knots, and none is
   /// hidden.
   static bool CanHold(const Field& field);
 

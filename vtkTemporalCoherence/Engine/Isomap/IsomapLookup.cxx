@@ -54,6 +54,7 @@ IsomapLookup::IsomapLookup(const FrameKey& key, const std::vector<const Isomap::
   , Tolerance(tolerance)
   , HasNormals(!bands.empty() && bands[0]->HasNormals)
   , Rays(key.Seen, key.Where, key.Samples.Dimensions, key.Kept)
+  , Rules(key.Sought, key.Samples.Hidden != nullptr)
   , Tracer(SurfaceTracer::Make({ key.Samples, key.Sought, finiteRange, nullptr }))
 {
   for (std::size_t surface = 0; surface < bands.size(); ++surface)
@@ -156,7 +157,8 @@ std::uint64_t IsomapLookup::BeginOn(std::size_t surface, const TileKnots& knots,
     }
     else if (ahead < 0.0 && this->Key.Sought.Mode == SurfaceMode::Threshold)
     {
-      this->Cap(surface, ray, rays, found.Hits);
+      this->Rules.CapWhereItBegins(
+        rays.Begin[ray], static_cast<std::int16_t>(surface), ray, found.Hits);
       which &= ~Bit(ray);
     }
     else if (ahead < 0.0)
@@ -173,7 +175,7 @@ void IsomapLookup::LookInCells(std::size_t surface, std::uint64_t which,
 {
   const Sought& sought = this->Isovalues[surface];
   HitBatch& hits = found.Hits;
-  CellList cells;
+  CellList cells, contacts;
   cells.Surface = surface;
   RayBatch::Array<glm::vec3> normals;
   for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
@@ -195,27 +197,25 @@ void IsomapLookup::LookInCells(std::size_t surface, std::uint64_t which,
     const std::size_t hit = FirstNotBelow(table.Get<0>(), contact, end, key);
     if (hit != contact)
     {
-      const double enter = EntryInto(indices[contact], rays, ray);
-      if (enter < hits.Contact[ray])
-      {
-        hits.Contact[ray] = enter;
-        hits.FromInside[ray] = course == static_cast<std::size_t>(Course::Falling);
-      }
+      contacts.Append(ray, indices[contact]);
     }
     if (hit != end)
     {
-      const auto at = static_cast<std::size_t>(cells.Count++);
-      cells.Ray[at] = static_cast<std::uint8_t>(ray);
+      const auto at = static_cast<std::size_t>(cells.Count);
+      cells.Append(ray, indices[hit]);
       cells.IsContact[at] = hit == contact;
-      for (std::size_t a = 0; a < 3; ++a)
-      {
-        cells.Cell[a][at] = indices[hit][a];
-      }
       if (this->HasNormals)
       {
         normals[at] = NormalInCells(table, knots.Normals[course].Get<0>(), begin, hit, key);
       }
     }
+  }
+  this->Key.Samples.Kind->FindEntries(rays, contacts);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(contacts.Count); ++i)
+  {
+    const std::size_t ray = contacts.Ray[i];
+    const bool fromInside = courses[ray] == static_cast<std::uint8_t>(Course::Falling);
+    HitRules::KeepContact(contacts.Enter[i], fromInside, ray, hits);
   }
   found.Open |= this->Tracer->SearchCells(rays, cells, hits);
   for (std::size_t i = 0; i < static_cast<std::size_t>(cells.Count) && this->HasNormals; ++i)
@@ -260,23 +260,6 @@ void IsomapLookup::LookInFit(std::size_t surface, std::uint64_t which,
         found.Normals[ray] = MixNormals(normals[point.Before], normals[point.Knot], point.Share);
       }
     }
-  }
-}
-
-/// The ray begins in a solid. Of several the one of the highest isovalue is seen.
-void IsomapLookup::Cap(
-  std::size_t surface, std::size_t ray, const RayBatch& rays, HitBatch& hits) const
-{
-  const std::vector<double>& isovalues = this->Key.Sought.Isovalues;
-  const bool isHighest = hits.Kind[ray] != HitKind::Cap ||
-    isovalues[surface] > isovalues[static_cast<std::size_t>(hits.Surface[ray])];
-  if (isHighest)
-  {
-    hits.Depth[ray] = rays.Begin[ray];
-    hits.Contact[ray] = rays.Begin[ray];
-    hits.FromInside[ray] = 0;
-    hits.Surface[ray] = static_cast<std::int16_t>(surface);
-    hits.Kind[ray] = HitKind::Cap;
   }
 }
 

@@ -6,6 +6,7 @@
 #include "Isomap/Isomap.h"
 #include "Scene/FramePlanes.h"
 #include "Scene/RayBatch.h"
+#include "Trace/HitRules.h"
 #include "Trace/RaySource.h"
 #include "Trace/SurfaceTracer.h"
 
@@ -62,7 +63,6 @@ private:
   void LookInFit(std::size_t surface, std::uint64_t which,
     const RayBatch::Array<std::uint8_t>& courses, const RayBatch& rays, const TileKnots& knots,
     Found& found) const;
-  void Cap(std::size_t surface, std::size_t ray, const RayBatch& rays, HitBatch& hits) const;
   void StoreNormals(const RayBatch& rays, const Found& found, Frame& frame) const;
 
   const FrameKey& Key;
@@ -70,7 +70,8 @@ private:
   bool HasNormals;
   RaySource Rays;
   std::vector<Sought> Isovalues;
-  std::unique_ptr<SurfaceTracer> Tracer;
+  HitRules Rules;
+  std::shared_ptr<const SurfaceTracer> Tracer;
 };
 
 }

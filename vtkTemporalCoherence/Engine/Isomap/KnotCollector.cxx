@@ -118,7 +118,7 @@ void KnotCollector::FindNormals(const Place* places, std::size_t count, const Fi
   }
   const std::vector<double> reference = { this->Scale.Low };
   const GradientQuery inIndexSpace{ field, glm::dmat4(1.0), finiteRange, &reference };
-  IndexGradients(inIndexSpace, count, points, directions, surfaces, gradients);
+  IndexGradients(inIndexSpace, { count, points, directions, surfaces, gradients });
   const glm::dmat3 toWorld = glm::transpose(glm::dmat3(where.IndexFromWorld));
   for (std::size_t i = 0; i < count; ++i)
   {

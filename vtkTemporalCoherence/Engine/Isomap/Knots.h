@@ -92,18 +92,6 @@ struct BandScale
 using CellIndex = std::array<std::uint16_t, 3>;
 using CellKnots = RayTable<BandScale::Key, BandScale::Key, CellIndex>;
 
-/// Distance at which a ray enters a cell, as kernels compute it.
-inline double EntryInto(const CellIndex& cell, const RayBatch& rays, std::size_t ray)
-{
-  double enter = rays.Begin[ray];
-  for (std::size_t a = 0; a < 3; ++a)
-  {
-    const double behind = cell[a] + (rays.Direction[a][ray] > 0.0 ? 0.0 : 1.0);
-    enter = std::max(enter, (behind - rays.Origin[a][ray]) * rays.Inverse[a][ray]);
-  }
-  return enter;
-}
-
 /// The first of the ascending keys begin .. end - 1 that is not below a key.
 inline std::size_t FirstNotBelow(
   const BandScale::Key* keys, std::size_t begin, std::size_t end, BandScale::Key key)

@@ -36,7 +36,7 @@ void FrameStructures::PrepareActiveCells(const FrameKey& key)
   {
     this->Shared->Provide(*this->OfData, key.Sought, this->OfSurfaces);
   }
-  this->Bounds.Build(key.Seen, key.Where, *this->OfSurfaces->Active, key.Samples.Grid.get());
+  this->Bounds.Build(key.Seen, key.Where, *this->OfSurfaces->Active, *key.Samples.Kind);
 }
 
 std::shared_ptr<const FieldRanges> FrameStructures::RangesOf(const FrameKey& key) const

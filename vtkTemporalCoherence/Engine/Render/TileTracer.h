@@ -53,7 +53,7 @@ private:
   RaySource Rays;
   bool HasSurfaces;
   bool IsSolid;
-  std::unique_ptr<SurfaceTracer> Tracer;
+  std::shared_ptr<const SurfaceTracer> Tracer;
 };
 
 }

@@ -3,12 +3,11 @@
 #ifndef TemporalCoherence_Field_h
 #define TemporalCoherence_Field_h
 
-#include "Scene/GridCoordinates.h"
+#include "Scene/FieldKind.h"
 
 #include <glm/glm.hpp>
 
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <type_traits>
 
@@ -44,8 +43,8 @@ enum class Interpolation : std::uint8_t
 /// Index space: sample (i, j, k) lies at the point (i, j, k); cell (i, j, k) is the box between the
 /// samples (i, j, k) and (i + 1, j + 1, k + 1). The field is defined on the box of all cells.
 ///
-/// Of a *graded* field, one with a Grid, the box is the same, but within it samples lie at the
-/// coordinates of the grid instead of at whole numbers.
+/// That is a *uniform* field. Of another kind the box is the same, but what lies in it is told by
+/// Kind: a rectilinear field has its samples at other coordinates, and others may have no samples.
 struct Field
 {
   const void* Samples = nullptr; ///< address of sample (0, 0, 0) of the chosen component
@@ -54,7 +53,7 @@ struct Field
   glm::ivec3 Dimensions{ 0 };      ///< samples along each axis
   glm::i64vec3 Strides{ 1, 0, 0 }; ///< scalars from one sample to the next along each axis
   std::uint64_t Stamp = 0;         ///< differs whenever the samples may have changed
-  std::shared_ptr<const GridCoordinates> Grid; ///< null: samples lie at whole numbers
+  std::shared_ptr<const FieldKind> Kind = UniformKind(); ///< never null
   /// Cells that hold no surface, whatever their samples; null for none.
   std::shared_ptr<const HiddenCells> Hidden;
 
@@ -74,7 +73,7 @@ inline bool operator==(const Field& a, const Field& b)
 {
   return a.Samples == b.Samples && a.Type == b.Type && a.Between == b.Between &&
     a.Dimensions == b.Dimensions && a.Strides == b.Strides && a.Stamp == b.Stamp &&
-    AreSame(a.Grid, b.Grid) && a.Hidden == b.Hidden;
+    (a.Kind == b.Kind || a.Kind->IsSame(*b.Kind)) && a.Hidden == b.Hidden;
 }
 
 /// Where the field lies in the world: index space to world coordinates and back.
@@ -83,31 +82,6 @@ struct Placement
   glm::dmat4 WorldFromIndex{ 1.0 };
   glm::dmat4 IndexFromWorld{ 1.0 };
 };
-
-/// Lengths of the shortest and the longest edge of a cell in the world.
-inline glm::dvec2 VoxelEdges(const Placement& where)
-{
-  const glm::dmat3 edges(where.WorldFromIndex);
-  const double x = glm::length(edges[0]), y = glm::length(edges[1]), z = glm::length(edges[2]);
-  return { glm::min(x, glm::min(y, z)), glm::max(x, glm::max(y, z)) };
-}
-
-/// The same of a field whose cells need not be alike.
-inline glm::dvec2 VoxelEdges(const Field& field, const Placement& where)
-{
-  glm::dvec2 edges = VoxelEdges(where);
-  if (field.Grid)
-  {
-    edges = { std::numeric_limits<double>::infinity(), 0.0 };
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const double unit = glm::length(glm::dvec3(where.WorldFromIndex[axis]));
-      const glm::dvec2 along = unit * field.Grid->Edges(axis);
-      edges = { glm::min(edges.x, along.x), glm::max(edges.y, along.y) };
-    }
-  }
-  return edges;
-}
 
 inline bool operator==(const Placement& a, const Placement& b)
 {

@@ -8,7 +8,7 @@ namespace TemporalCoherence
 bool AreAlike(const Field& a, const Field& b)
 {
   const auto isPlain = [](const Field& field)
-  { return field.HasCells() && !field.Grid && !field.Hidden; };
+  { return field.HasCells() && field.Kind->Abilities().TimeSteps && !field.Hidden; };
   return isPlain(a) && isPlain(b) && a.Type == b.Type && a.Between == b.Between &&
     a.Dimensions == b.Dimensions;
 }

@@ -344,8 +344,8 @@ void ComputeNormals(
   const auto count = hits.Rays.Count;
   std::array<Array<double>, 3> gradients;
   IndexGradients(
-    { source.Samples, source.Where.IndexFromWorld, source.FiniteRange, &source.Isovalues }, count,
-    hits.Rays.Point, hits.Rays.Direction, hits.Surface, gradients);
+    { source.Samples, source.Where.IndexFromWorld, source.FiniteRange, &source.Isovalues },
+    { count, hits.Rays.Point, hits.Rays.Direction, hits.Surface, gradients });
   if (gradientsFound)
   {
     *gradientsFound = gradients;

@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shade/SurfaceNormal.h"
 
-#include "Acceleration/HiddenCells.h"
 #include "Scene/Difference.h"
 #include "Scene/Surfaces.h"
-#include "Shade/GradedGradients.h"
 #include "Shade/KernelsGradients.h"
 #include "Trace/CellSamples.h"
 
@@ -173,33 +171,25 @@ void SetIsovalues(const GradientQuery& query, std::size_t count,
 
 }
 
-void IndexGradients(const GradientQuery& query, std::size_t count,
-  const std::array<RayBatch::Array<double>, 3>& points,
-  const std::array<RayBatch::Array<double>, 3>& directions,
-  const RayBatch::Array<std::int16_t>& surfaces, std::array<RayBatch::Array<double>, 3>& gradients)
+void UniformGradients(const GradientQuery& query, const GradientTile& tile)
 {
   const Field& field = query.Samples;
-  if (field.Grid)
-  {
-    GradedGradients(query, count, points, directions, surfaces, gradients);
-    return;
-  }
   DispatchScalarType(field.Type,
     [&](auto type)
     {
       using T = decltype(type);
       typename RowGatherer<T>::Points inCells;
-      inCells.Count = count;
+      inCells.Count = tile.Count;
       GradientKernels::FindCells(
         { query.IndexFromWorld, field.Dimensions, field.Between == Interpolation::Nearest },
-        directions, points, inCells);
+        tile.Directions, tile.Points, inCells);
       typename RowGatherer<T>::Rows rows;
       RowGatherer<T>(field).Gather(inCells, rows);
       if constexpr (sizeof(T) > 2)
       {
-        SetIsovalues<T>(query, count, surfaces, rows);
+        SetIsovalues<T>(query, tile.Count, tile.Surfaces, rows);
       }
-      GradientKernels::InterpolateGradients(field.Dimensions, inCells, rows, gradients);
+      GradientKernels::InterpolateGradients(field.Dimensions, inCells, rows, tile.Gradients);
     });
 }
 

@@ -8,6 +8,8 @@
 #include "Scene/Surfaces.h"
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace TemporalCoherence
@@ -26,15 +28,26 @@ struct GradientQuery
   const std::vector<double>* Isovalues = nullptr;
 };
 
-/// \param count      at least 1
-/// \param points     in the world, to the end of the last vector
-/// \param directions of the rays, to the end of the last vector
-/// \param surfaces   positions in the list of isovalues
-/// \param gradients  found: per index step, by axis
-void IndexGradients(const GradientQuery& query, std::size_t count,
-  const std::array<RayBatch::Array<double>, 3>& points,
-  const std::array<RayBatch::Array<double>, 3>& directions,
-  const RayBatch::Array<std::int16_t>& surfaces, std::array<RayBatch::Array<double>, 3>& gradients);
+/// The hits of a tile whose gradients are wanted, and the gradients.
+struct GradientTile
+{
+  using Vectors = std::array<RayBatch::Array<double>, 3>; ///< by axis
+
+  std::size_t Count;                             ///< at least 1
+  const Vectors& Points;                         ///< in the world, to the end of the last vector
+  const Vectors& Directions;                     ///< of the rays, to the end of the last vector
+  const RayBatch::Array<std::int16_t>& Surfaces; ///< positions in the list of isovalues
+  Vectors& Gradients; ///< found: per index step, numbers to the end of the last vector
+};
+
+/// Find the gradients of a field of any kind.
+inline void IndexGradients(const GradientQuery& query, const GradientTile& tile)
+{
+  query.Samples.Kind->FindGradients(query, tile);
+}
+
+/// Those of a uniform field.
+void UniformGradients(const GradientQuery& query, const GradientTile& tile);
 
 }
 

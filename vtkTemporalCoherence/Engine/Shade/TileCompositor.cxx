@@ -140,7 +140,7 @@ TileCompositor::TileCompositor(
   , Source(source)
   , Bounds(space.Active ? space.Bounds : nullptr)
   , Rays(key.Seen, key.Where, key.Samples.Dimensions, key.Kept)
-  , Tracer(LayerTracer::Make({ key.Samples, key.Sought, source.FiniteRange, space.Active }))
+  , Tracer(SurfaceTracer::Make({ key.Samples, key.Sought, source.FiniteRange, space.Active }))
 {
 }
 

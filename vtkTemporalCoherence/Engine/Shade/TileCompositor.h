@@ -9,8 +9,8 @@
 #include "Scene/FrameKey.h"
 #include "Scene/FramePlanes.h"
 #include "Shade/Shader.h"
-#include "Trace/LayerTracer.h"
 #include "Trace/RaySource.h"
+#include "Trace/SurfaceTracer.h"
 
 #include <cstdint>
 #include <memory>
@@ -53,7 +53,7 @@ private:
   const NormalSource& Source;
   const TileBounds* Bounds; ///< null: no space leaping
   RaySource Rays;
-  std::unique_ptr<LayerTracer> Tracer;
+  std::shared_ptr<const SurfaceTracer> Tracer;
 };
 
 }

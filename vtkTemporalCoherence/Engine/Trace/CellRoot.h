@@ -172,6 +172,25 @@ std::array<Real, 2> TurningPoints(const Cubic<Real>& b, int& count)
   return points;
 }
 
+/// Lowest and highest value of a cubic on [0, 1].
+template <typename Real>
+std::array<Real, 2> RangeOf(const Cubic<Real>& b)
+{
+  Real lowest = std::min(b[0], b[3]), highest = std::max(b[0], b[3]);
+  if (std::max(b[1], b[2]) > highest || std::min(b[1], b[2]) < lowest)
+  {
+    int count = 0;
+    const std::array<Real, 2> turns = TurningPoints(b, count);
+    for (int turn = 0; turn < count; ++turn)
+    {
+      const Real value = Evaluate(b, turns[static_cast<std::size_t>(turn)]);
+      lowest = std::min(lowest, value);
+      highest = std::max(highest, value);
+    }
+  }
+  return { lowest, highest };
+}
+
 /// Call visit(s) for each s in [0, 1] where the cubic changes between inside and outside,
 /// ascending, until it returns true.
 template <typename Real, typename Visit>

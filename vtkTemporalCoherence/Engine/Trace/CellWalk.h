@@ -70,8 +70,8 @@ struct TakeAll
   bool IsLeafOfUse(std::int64_t, int) const { return true; }
 };
 
-/// Where a ray is on its way from cell to cell. The ray is a BatchRay, or a GradedRay where cells
-/// are not all alike.
+/// Where a ray is on its way from cell to cell. The ray is a BatchRay, or a RectilinearRay where
+/// cells are not all alike.
 class CellWalk
 {
 public:
@@ -270,14 +270,16 @@ private:
 struct LiveRays
 {
   /// Begin the walks of those rays that have somewhere to go and that are wanted.
-  template <typename IsWanted>
-  void Begin(const RayBatch& rays, const glm::ivec3& cells, const IsWanted& isWanted)
+  /// \param shape of the cells: has RayOf(rays, ray), for CellWalk
+  template <typename Geometry, typename IsWanted>
+  void Begin(
+    const RayBatch& rays, const Geometry& shape, const glm::ivec3& cells, const IsWanted& isWanted)
   {
     for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
     {
       if (rays.HasWalk(ray) && isWanted(ray))
       {
-        this->Walks[ray].Begin(BatchRay{ rays, ray }, cells);
+        this->Walks[ray].Begin(shape.RayOf(rays, ray), cells);
         this->Rays[this->Count++] = ray;
       }
     }

@@ -119,22 +119,9 @@ void FindOneByOne(PassageBatch<Real>& in, RangeBatch<Real>& out)
     const Cubic<Real> cubic = CubicAlong(passage.Values, passage.Path);
     in.Enter[i] = passage.Enter;
     out.Leave[i] = passage.Leave;
-    out.Lowest[i] = std::min(cubic[0], cubic[3]);
-    out.Highest[i] = std::max(cubic[0], cubic[3]);
-    const bool isBeyond =
-      std::max(cubic[1], cubic[2]) > out.Highest[i] || std::min(cubic[1], cubic[2]) < out.Lowest[i];
-    int count = 0;
-    std::array<Real, 2> turns{};
-    if (isBeyond)
-    {
-      turns = TurningPoints(cubic, count);
-    }
-    for (int turn = 0; turn < count; ++turn)
-    {
-      const Real value = Evaluate(cubic, turns[static_cast<std::size_t>(turn)]);
-      out.Lowest[i] = std::min(out.Lowest[i], value);
-      out.Highest[i] = std::max(out.Highest[i], value);
-    }
+    const std::array<Real, 2> range = RangeOf(cubic);
+    out.Lowest[i] = range[0];
+    out.Highest[i] = range[1];
     for (std::size_t c = 0; c < 4; ++c)
     {
       out.Cubic[c][i] = cubic[c];

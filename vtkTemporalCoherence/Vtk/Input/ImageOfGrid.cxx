@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Input/ImageOfGrid.h"
 
+#include "Fields/RectilinearKind.h"
+
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
@@ -186,12 +188,12 @@ bool ImageOfGrid::See(vtkRectilinearGrid* grid, bool onCells, std::string& error
   }
   this->Seen->SetOrigin(axes[0].First, axes[1].First, axes[2].First);
   this->Seen->SetSpacing(axes[0].Spacing, axes[1].Spacing, axes[2].Spacing);
-  this->Along.reset();
+  this->OfField = UniformKind();
   if (!(axes[0].IsUniform && axes[1].IsUniform && axes[2].IsUniform))
   {
     auto along = std::make_shared<GridCoordinates>();
     along->Along = { std::move(axes[0].Along), std::move(axes[1].Along), std::move(axes[2].Along) };
-    this->Along = along;
+    this->OfField = RectilinearKind(along);
   }
   return true;
 }

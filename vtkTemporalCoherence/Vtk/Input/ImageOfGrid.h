@@ -3,7 +3,7 @@
 #ifndef TemporalCoherence_ImageOfGrid_h
 #define TemporalCoherence_ImageOfGrid_h
 
-#include "Scene/GridCoordinates.h"
+#include "Scene/FieldKind.h"
 #include "vtkTemporalCoherenceCompatibility.h"
 
 #include <vtkSmartPointer.h>
@@ -36,16 +36,16 @@ public:
   /// when the grid is.
   vtkImageData* Image() const { return this->Seen; }
 
-  /// Where the samples lie; null if that is where those of the image lie, to 1e-5 of a cell: then
-  /// the grid is drawn as the image that it is.
-  const std::shared_ptr<const GridCoordinates>& Coordinates() const { return this->Along; }
+  /// The kind of field that the grid is. Where samples lie where those of the image do, to 1e-5 of
+  /// a cell, it is drawn as the image that it is.
+  const std::shared_ptr<const FieldKind>& Kind() const { return this->OfField; }
 
   /// Forget the grid.
   void Release() { *this = ImageOfGrid(); }
 
 private:
   vtkSmartPointer<vtkImageData> Seen;
-  std::shared_ptr<const GridCoordinates> Along;
+  std::shared_ptr<const FieldKind> OfField = UniformKind();
   const vtkRectilinearGrid* Grid = nullptr; ///< only compared
   vtkMTimeType Stamp = 0;                   ///< of the grid
 };

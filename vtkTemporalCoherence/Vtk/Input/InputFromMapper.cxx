@@ -135,7 +135,7 @@ bool InputFromMapper::FindImage(vtkVolumeMapper* mapper, MapperInput& input, std
     return false;
   }
   input.Image = this->Grid.Image();
-  input.Grid = this->Grid.Coordinates();
+  input.Kind = this->Grid.Kind();
   return true;
 }
 

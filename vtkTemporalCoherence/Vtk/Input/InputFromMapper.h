@@ -42,7 +42,7 @@ struct MapperInput
   bool OnCells = false;          ///< one tuple for each cell, otherwise for each point
   int Component = 0;             ///< of the array
   int Look = 0;                  ///< component of the property that gives colour and shading
-  std::shared_ptr<const GridCoordinates> Grid; ///< where samples lie; null: where the image says
+  std::shared_ptr<const FieldKind> Kind = UniformKind(); ///< where samples lie, among others
 };
 
 /// The first port but that of the volume that has an input; 0 if there is none.

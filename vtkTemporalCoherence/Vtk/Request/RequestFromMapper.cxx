@@ -133,7 +133,7 @@ bool RequestFromMapper::MakeScene(vtkVolumeMapper* mapper, const MaskSettings& m
   {
     return false;
   }
-  key.Samples.Grid = input.Grid;
+  key.Samples.Kind = input.Kind;
   key.Samples.Between = property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION
     ? Interpolation::Nearest
     : Interpolation::Linear;

@@ -9,13 +9,12 @@
 #include <array>
 #include <cstddef>
 #include <limits>
-#include <memory>
 #include <vector>
 
 namespace TemporalCoherence
 {
 
-/// Where the samples of a graded field (a rectilinear grid) lie in index space.
+/// Where the samples of a rectilinear field lie in index space.
 ///
 /// The box of the field is that of an image of the same dimensions, so that everything which knows
 /// boxes and planes only is the same for both; but inside, samples lie at these coordinates and not
@@ -57,12 +56,6 @@ struct GridCoordinates
     return edges;
   }
 };
-
-inline bool AreSame(
-  const std::shared_ptr<const GridCoordinates>& a, const std::shared_ptr<const GridCoordinates>& b)
-{
-  return a == b || (a && b && a->Along == b->Along);
-}
 
 }
 

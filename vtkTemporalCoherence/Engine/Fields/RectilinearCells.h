@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef TemporalCoherence_GradedPassage_h
-#define TemporalCoherence_GradedPassage_h
+#ifndef TemporalCoherence_RectilinearCells_h
+#define TemporalCoherence_RectilinearCells_h
 
 #include "Acceleration/HiddenCells.h"
-#include "Scene/GridCoordinates.h"
+#include "Fields/GridCoordinates.h"
 #include "Scene/RayBatch.h"
 #include "Trace/CellRoot.h"
 
@@ -16,9 +16,9 @@
 namespace TemporalCoherence
 {
 
-/// A ray through the cells of a graded field, by its place in a batch: what BatchRay is for uniform
-/// ones, for CellWalk.
-struct GradedRay
+/// A ray through the cells of a rectilinear field, by its place in a batch: what BatchRay is for
+/// uniform ones, for CellWalk.
+struct RectilinearRay
 {
   double Origin(int axis) const { return this->Rays.Origin[Index(axis)][this->Ray]; }
   double Direction(int axis) const { return this->Rays.Direction[Index(axis)][this->Ray]; }
@@ -66,11 +66,11 @@ struct GradedRay
   const GridCoordinates& Grid;
 };
 
-/// The part of a ray in one cell of a graded field: where it enters and leaves, and the path
+/// The part of a ray in one cell of a rectilinear field: where it enters and leaves, and the path
 /// between in the cell's own coordinates (Passage.h).
-struct GradedPassage
+struct RectilinearPassage
 {
-  GradedPassage(const GradedRay& ray, const glm::ivec3& cell)
+  RectilinearPassage(const RectilinearRay& ray, const glm::ivec3& cell)
     : Enter(ray.Rays.Begin[ray.Ray])
     , Leave(ray.Rays.End[ray.Ray])
   {
@@ -127,11 +127,11 @@ struct GradedPassage
   std::array<double, 3> Middle; ///< t at which the ray passes the middle of the cell, by axis
 };
 
-/// True if a ray comes from a hidden cell (for uniform fields: HiddenPassage.h).
+/// True if a ray comes from a hidden cell.
 /// \param enter t where it enters `cell`
 /// \pre the ray does more than to touch it
 inline bool ComesFromHidden(
-  const GradedRay& ray, const glm::ivec3& cell, double enter, const HiddenCells& hidden)
+  const RectilinearRay& ray, const glm::ivec3& cell, double enter, const HiddenCells& hidden)
 {
   // Through an edge or a corner the ray comes from the cell opposite.
   glm::ivec3 before = cell;
@@ -143,6 +143,54 @@ inline bool ComesFromHidden(
   }
   return hidden.IsHidden(before);
 }
+
+/// How rays go through the cells of a rectilinear field, for CellTracer.
+template <typename T>
+struct RectilinearCells
+{
+  using Value = double;
+  using Real = double;
+  static constexpr bool HasKernels = false;
+
+  explicit RectilinearCells(const GridCoordinates& grid)
+    : Grid(grid)
+  {
+  }
+
+  RectilinearRay RayOf(const RayBatch& rays, std::size_t ray) const
+  {
+    return { rays, ray, this->Grid };
+  }
+
+  /// The part of a ray in one cell.
+  struct Part
+  {
+    Part(const RectilinearRay& ray, const glm::ivec3& cell)
+      : Line(ray)
+      , Cell(cell)
+      , Passed(ray, cell)
+    {
+    }
+
+    bool HasLength() const { return this->Passed.HasLength(); }
+    double Enter() const { return this->Passed.Enter; }
+    double Leave() const { return this->Passed.Leave; }
+    double DistanceAt(double share) const { return this->Passed.DistanceAt(share); }
+    const CellPath<double>& Path() const { return this->Passed.Path; }
+    NearestPath Nearest() const { return this->Passed.Nearest(); }
+    bool ComesFrom(const HiddenCells& hidden) const
+    {
+      return this->HasLength() && ComesFromHidden(this->Line, this->Cell, this->Enter(), hidden);
+    }
+
+  private:
+    RectilinearRay Line;
+    glm::ivec3 Cell;
+    RectilinearPassage Passed;
+  };
+
+  const GridCoordinates& Grid;
+};
 
 }
 

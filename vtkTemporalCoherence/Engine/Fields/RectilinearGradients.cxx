@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Shade/GradedGradients.h"
+#include "Fields/RectilinearGradients.h"
 
 #include "Scene/Difference.h"
-#include "Scene/GridCoordinates.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,19 +32,20 @@ struct CellPoint
 };
 
 /// \param point, direction in index space
-CellPoint FindCell(const Field& field, const glm::dvec3& point, const glm::dvec3& direction)
+CellPoint FindCell(const GridCoordinates& grid, Interpolation between, const glm::dvec3& point,
+  const glm::dvec3& direction)
 {
   CellPoint found;
   glm::dvec3 along(0.0);
   for (int axis = 0; axis < 3; ++axis)
   {
-    const int cell = found.Cell[axis] = field.Grid->CellOf(axis, point[axis]);
-    const double low = field.Grid->At(axis, cell);
-    const double size = field.Grid->At(axis, cell + 1) - low;
+    const int cell = found.Cell[axis] = grid.CellOf(axis, point[axis]);
+    const double low = grid.At(axis, cell);
+    const double size = grid.At(axis, cell + 1) - low;
     found.At[axis] = std::min(std::max((point[axis] - low) / size, 0.0), 1.0);
     along[axis] = direction[axis] / size;
   }
-  if (field.Between == Interpolation::Nearest)
+  if (between == Interpolation::Nearest)
   {
     const glm::dvec3 moved = found.At + IntoNextBox * glm::normalize(along);
     found.At = glm::clamp(glm::floor(moved + 0.5), glm::dvec3(0.0), glm::dvec3(1.0));
@@ -58,9 +58,10 @@ template <typename T>
 class GradientFinder
 {
 public:
-  GradientFinder(const Field& field, const Difference<double>& difference)
+  GradientFinder(
+    const Field& field, const GridCoordinates& grid, const Difference<double>& difference)
     : Samples(field)
-    , Grid(*field.Grid)
+    , Grid(grid)
     , FromIsovalue(difference)
   {
   }
@@ -115,36 +116,34 @@ private:
 
 }
 
-void GradedGradients(const GradientQuery& query, std::size_t count,
-  const std::array<RayBatch::Array<double>, 3>& points,
-  const std::array<RayBatch::Array<double>, 3>& directions,
-  const RayBatch::Array<std::int16_t>& surfaces, std::array<RayBatch::Array<double>, 3>& gradients)
+void RectilinearGradients(
+  const GridCoordinates& grid, const GradientQuery& query, const GradientTile& tile)
 {
-  const auto at = [](const std::array<RayBatch::Array<double>, 3>& vectors, std::size_t i)
+  const auto at = [](const GradientTile::Vectors& vectors, std::size_t i)
   { return glm::dvec3(vectors[0][i], vectors[1][i], vectors[2][i]); };
   const glm::dmat3 turn(query.IndexFromWorld);
   DispatchScalarType(query.Samples.Type,
     [&](auto type)
     {
-      for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t i = 0; i < tile.Count; ++i)
       {
-        const double isovalue = (*query.Isovalues)[static_cast<std::size_t>(surfaces[i])];
+        const double isovalue = (*query.Isovalues)[static_cast<std::size_t>(tile.Surfaces[i])];
         const GradientFinder<decltype(type)> finder(
-          query.Samples, Difference<double>(isovalue, query.FiniteRange));
-        const glm::dvec3 point(query.IndexFromWorld * glm::dvec4(at(points, i), 1.0));
+          query.Samples, grid, Difference<double>(isovalue, query.FiniteRange));
+        const glm::dvec3 point(query.IndexFromWorld * glm::dvec4(at(tile.Points, i), 1.0));
         const glm::dvec3 gradient =
-          finder.At(FindCell(query.Samples, point, turn * at(directions, i)));
+          finder.At(FindCell(grid, query.Samples.Between, point, turn * at(tile.Directions, i)));
         for (std::size_t a = 0; a < 3; ++a)
         {
-          gradients[a][i] = finder.Unscaled(gradient[static_cast<int>(a)]);
+          tile.Gradients[a][i] = finder.Unscaled(gradient[static_cast<int>(a)]);
         }
       }
     });
-  for (RayBatch::Array<double>& along : gradients)
+  for (RayBatch::Array<double>& along : tile.Gradients)
   {
     // So that no lane of the last vector holds what is not a number.
-    std::fill(along.begin() + static_cast<std::ptrdiff_t>(count),
-      along.begin() + static_cast<std::ptrdiff_t>(WholeVectors(count)), along[count - 1]);
+    std::fill(along.begin() + static_cast<std::ptrdiff_t>(tile.Count),
+      along.begin() + static_cast<std::ptrdiff_t>(WholeVectors(tile.Count)), along[tile.Count - 1]);
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Acceleration/TileBounds.h"
+#include "Fields/Coordinates.h"
 #include "Grid.h"
 #include "Render/FrameRenderer.h"
 #include "Shade/SurfaceNormal.h"
@@ -12,60 +13,12 @@
 #include <cstring>
 #include <limits>
 
-// Fields whose samples lie at coordinates.
+// Rectilinear fields: samples lie at coordinates.
 
 namespace
 {
 
 using namespace TemporalCoherence;
-
-/// Whole numbers: the cells of an image.
-std::shared_ptr<const GridCoordinates> Uniform(const glm::ivec3& dimensions)
-{
-  auto grid = std::make_shared<GridCoordinates>();
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    for (int i = 0; i < dimensions[axis]; ++i)
-    {
-      grid->Along[static_cast<std::size_t>(axis)].push_back(i);
-    }
-  }
-  return grid;
-}
-
-/// Cells of all sizes from 1 to `ratio` in any order.
-std::shared_ptr<const GridCoordinates> Graded(
-  const glm::ivec3& dimensions, double ratio, unsigned int seed)
-{
-  std::mt19937 engine(seed);
-  std::uniform_real_distribution<double> power(0.0, std::log(ratio));
-  auto grid = std::make_shared<GridCoordinates>();
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    std::vector<double>& along = grid->Along[static_cast<std::size_t>(axis)];
-    along = { 0.0 };
-    for (int i = 1; i < dimensions[axis]; ++i)
-    {
-      along.push_back(along.back() + std::exp(power(engine)));
-    }
-    const double scale = (dimensions[axis] - 1) / along.back();
-    for (double& coordinate : along)
-    {
-      coordinate *= scale;
-    }
-    along.back() = dimensions[axis] - 1;
-  }
-  return grid;
-}
-
-/// Put samples of a formula of the coordinates.
-template <typename T, typename Formula>
-void FillByPlace(Grid<T>& grid, const Formula& formula)
-{
-  const GridCoordinates& at = *grid.Seen.Grid;
-  grid.Fill([&](int i, int j, int k)
-    { return formula(glm::dvec3(at.At(0, i), at.At(1, j), at.At(2, k))); });
-}
 
 struct Structures
 {
@@ -131,7 +84,7 @@ void ForEachWay(Field field, const Check& check)
   }
 }
 
-TEST(Graded, WholeNumbersAsCoordinatesAreTheUniformField)
+TEST(Rectilinear, WholeNumbersAsCoordinatesAreTheUniformField)
 {
   Grid<double> grid(glm::ivec3(27, 34, 19));
   grid.Fill([](int i, int j, int k) { return (i * 7 + j * 3 + k * 5 + i * j * k) % 5; });
@@ -139,7 +92,7 @@ TEST(Graded, WholeNumbersAsCoordinatesAreTheUniformField)
     [](const Field& field, const Surfaces& sought)
     {
       Field graded = field;
-      graded.Grid = Uniform(field.Dimensions);
+      graded.Kind = RectilinearKind(Uniform(field.Dimensions));
       const Structures structures(field, sought);
       TraceScene asGraded = structures.Scene;
       asGraded.Samples = graded;
@@ -161,13 +114,13 @@ TEST(Graded, WholeNumbersAsCoordinatesAreTheUniformField)
     });
 }
 
-TEST(Graded, ResultDoesNotDependOnTheWalk)
+TEST(Rectilinear, ResultDoesNotDependOnTheWalk)
 {
   for (const double ratio : { 1.5, 20.0, 1e6 })
   {
     Grid<std::uint8_t> grid(glm::ivec3(37, 29, 41));
     grid.FillRandomly(0.0, 4.0, 9); // few values: many samples equal the isovalue
-    grid.Seen.Grid = Graded(grid.Seen.Dimensions, ratio, 5);
+    grid.Seen.Kind = RectilinearKind(Graded(grid.Seen.Dimensions, ratio, 5));
     std::mt19937 engine(11);
     std::uniform_real_distribution<double> share(0.0, 1.0);
     ForEachWay(grid.Seen,
@@ -204,13 +157,14 @@ TEST(Graded, ResultDoesNotDependOnTheWalk)
   }
 }
 
-TEST(Graded, PlaneIsHitWhereItIs)
+TEST(Rectilinear, PlaneIsHitWhereItIs)
 {
   const glm::dvec3 normal(0.5, -0.25, 1.0);
   const double isovalue = 8.125;
   Grid<double> grid(glm::ivec3(40, 30, 20));
-  grid.Seen.Grid = Graded(grid.Seen.Dimensions, 50.0, 3);
-  FillByPlace(grid, [&](const glm::dvec3& at) { return glm::dot(at, normal); });
+  const auto coordinates = Graded(grid.Seen.Dimensions, 50.0, 3);
+  grid.Seen.Kind = RectilinearKind(coordinates);
+  FillByPlace(grid, *coordinates, [&](const glm::dvec3& at) { return glm::dot(at, normal); });
   const Structures structures(grid.Seen, { { isovalue }, SurfaceMode::Crossing });
   int found = 0;
   ForEachTile(grid.Seen.Dimensions,
@@ -232,12 +186,12 @@ TEST(Graded, PlaneIsHitWhereItIs)
   EXPECT_GT(found, 2000);
 }
 
-TEST(Graded, NearestFacesLieHalfWay)
+TEST(Rectilinear, NearestFacesLieHalfWay)
 {
   Grid<std::uint8_t> grid(glm::ivec3(4, 3, 3));
   auto coordinates = std::make_shared<GridCoordinates>(*Uniform(grid.Seen.Dimensions));
   coordinates->Along[0] = { 0.0, 0.2, 2.0, 3.0 };
-  grid.Seen.Grid = coordinates;
+  grid.Seen.Kind = RectilinearKind(coordinates);
   grid.Seen.Between = Interpolation::Nearest;
   grid.Fill([](int i, int, int) { return i >= 2 ? 10 : 0; });
   const Structures structures(grid.Seen, { { 5.0 }, SurfaceMode::Crossing });
@@ -257,12 +211,14 @@ TEST(Graded, NearestFacesLieHalfWay)
   EXPECT_GT(found, 10);
 }
 
-TEST(Graded, GradientsAreThoseOfTheWorld)
+TEST(Rectilinear, GradientsAreThoseOfTheWorld)
 {
   const glm::dvec3 slope(0.5, -0.25, 1.0);
   Grid<float> grid(glm::ivec3(12, 10, 9));
-  grid.Seen.Grid = Graded(grid.Seen.Dimensions, 50.0, 3);
-  FillByPlace(grid, [&](const glm::dvec3& at) { return 100.0 + glm::dot(at, slope); });
+  const auto coordinates = Graded(grid.Seen.Dimensions, 50.0, 3);
+  grid.Seen.Kind = RectilinearKind(coordinates);
+  FillByPlace(
+    grid, *coordinates, [&](const glm::dvec3& at) { return 100.0 + glm::dot(at, slope); });
   std::mt19937 engine(4);
   std::uniform_real_distribution<double> share(0.0, 1.0);
   const std::vector<double> isovalues{ 104.0 };
@@ -281,8 +237,8 @@ TEST(Graded, GradientsAreThoseOfTheWorld)
         directions[a][i] = share(engine) - 0.5;
       }
     }
-    IndexGradients({ grid.Seen, glm::dmat4(1.0), { 90.0, 130.0 }, &isovalues }, 64, points,
-      directions, surfaces, gradients);
+    IndexGradients({ grid.Seen, glm::dmat4(1.0), { 90.0, 130.0 }, &isovalues },
+      { 64, points, directions, surfaces, gradients });
     for (std::size_t i = 0; i < 64; ++i)
     {
       for (std::size_t a = 0; a < 3; ++a)
@@ -294,7 +250,7 @@ TEST(Graded, GradientsAreThoseOfTheWorld)
 }
 
 /// Differences of the largest numbers, and over short edges, have no number: gradients end before.
-TEST(Graded, GradientsOfTheLargestSamplesAreNumbers)
+TEST(Rectilinear, GradientsOfTheLargestSamplesAreNumbers)
 {
   constexpr double largest = std::numeric_limits<double>::max();
   Grid<double> grid(glm::ivec3(6, 7, 5));
@@ -307,7 +263,7 @@ TEST(Graded, GradientsOfTheLargestSamplesAreNumbers)
   const std::vector<double> isovalues{ 1.0 };
   for (const double ratio : { 50.0, 1e8 })
   {
-    grid.Seen.Grid = Graded(grid.Seen.Dimensions, ratio, 3);
+    grid.Seen.Kind = RectilinearKind(Graded(grid.Seen.Dimensions, ratio, 3));
     std::array<RayBatch::Array<double>, 3> points, directions, gradients;
     RayBatch::Array<std::int16_t> surfaces{};
     for (std::size_t i = 0; i < 64; ++i)
@@ -318,8 +274,8 @@ TEST(Graded, GradientsOfTheLargestSamplesAreNumbers)
         directions[a][i] = share(engine) - 0.5;
       }
     }
-    IndexGradients({ grid.Seen, glm::dmat4(1.0), { -largest, largest }, &isovalues }, 64, points,
-      directions, surfaces, gradients);
+    IndexGradients({ grid.Seen, glm::dmat4(1.0), { -largest, largest }, &isovalues },
+      { 64, points, directions, surfaces, gradients });
     for (std::size_t i = 0; i < 64; ++i)
     {
       for (std::size_t a = 0; a < 3; ++a)
@@ -330,7 +286,7 @@ TEST(Graded, GradientsOfTheLargestSamplesAreNumbers)
   }
 }
 
-TEST(Graded, UniformGradientsAreThoseOfImages)
+TEST(Rectilinear, UniformGradientsAreThoseOfImages)
 {
   Grid<std::int16_t> grid(glm::ivec3(12, 10, 9));
   grid.FillRandomly(-1000.0, 1000.0, 6);
@@ -341,7 +297,7 @@ TEST(Graded, UniformGradientsAreThoseOfImages)
   {
     grid.Seen.Between = between;
     Field graded = grid.Seen;
-    graded.Grid = Uniform(graded.Dimensions);
+    graded.Kind = RectilinearKind(Uniform(graded.Dimensions));
     std::array<RayBatch::Array<double>, 3> points, directions, gradients, others;
     RayBatch::Array<std::int16_t> surfaces{};
     for (std::size_t i = 0; i < 64; ++i)
@@ -353,10 +309,10 @@ TEST(Graded, UniformGradientsAreThoseOfImages)
       }
     }
     const glm::dvec2 range(-1000.0, 1000.0);
-    IndexGradients({ grid.Seen, glm::dmat4(1.0), range, &isovalues }, 64, points, directions,
-      surfaces, gradients);
+    IndexGradients({ grid.Seen, glm::dmat4(1.0), range, &isovalues },
+      { 64, points, directions, surfaces, gradients });
     IndexGradients(
-      { graded, glm::dmat4(1.0), range, &isovalues }, 64, points, directions, surfaces, others);
+      { graded, glm::dmat4(1.0), range, &isovalues }, { 64, points, directions, surfaces, others });
     for (std::size_t i = 0; i < 64; ++i)
     {
       for (std::size_t a = 0; a < 3; ++a)
@@ -367,61 +323,15 @@ TEST(Graded, UniformGradientsAreThoseOfImages)
   }
 }
 
-TEST(Graded, EdgesOfVoxels)
-{
-  Grid<float> grid(glm::ivec3(3, 4, 2));
-  auto coordinates = std::make_shared<GridCoordinates>(*Uniform(grid.Seen.Dimensions));
-  coordinates->Along[1] = { 0.0, 0.25, 1.0, 3.0 };
-  grid.Seen.Grid = coordinates;
-  Placement where;
-  where.WorldFromIndex = glm::scale(glm::dmat4(1.0), glm::dvec3(3.0, -2.0, 1.0));
-  EXPECT_EQ(VoxelEdges(grid.Seen, where), glm::dvec2(0.5, 4.0));
-  grid.Seen.Grid = nullptr;
-  EXPECT_EQ(VoxelEdges(grid.Seen, where), glm::dvec2(1.0, 3.0));
-}
-
-TEST(Graded, CoordinatesOfSamplesAndCells)
-{
-  GridCoordinates grid;
-  const std::vector<double> all{ 0.0, 0.25, 1.0, 3.0, 3.5 };
-  grid.Along = { std::vector{ 0.0, 1.0 }, all, std::vector{ 0.0, 1.0 } };
-  for (int i = 0; i < 12; ++i)
-  {
-    EXPECT_EQ(grid.At(1, i), all[static_cast<std::size_t>(std::min(i, 4))]) << i;
-  }
-  for (double coordinate = -1.0; coordinate <= 5.0; coordinate += 0.125)
-  {
-    // A plane between cells belongs to the one behind it.
-    int cell = 0;
-    while (cell < 3 && coordinate >= all[static_cast<std::size_t>(cell + 1)])
-    {
-      ++cell;
-    }
-    EXPECT_EQ(grid.CellOf(1, coordinate), cell) << coordinate;
-    EXPECT_EQ(grid.CellOf(0, coordinate), 0) << coordinate;
-  }
-}
-
-TEST(Graded, FieldsDifferByTheirCoordinates)
-{
-  Grid<float> grid(glm::ivec3(3, 4, 2));
-  Field a = grid.Seen, b = grid.Seen;
-  a.Grid = Graded(a.Dimensions, 3.0, 1);
-  EXPECT_FALSE(a == b);
-  b.Grid = Graded(a.Dimensions, 3.0, 1);
-  EXPECT_TRUE(a == b) << "compared by value";
-  b.Grid = Graded(a.Dimensions, 3.0, 2);
-  EXPECT_FALSE(a == b);
-}
-
-class GradedFrames : public ::testing::Test
+class RectilinearFrames : public ::testing::Test
 {
 protected:
-  GradedFrames()
+  RectilinearFrames()
     : Samples(glm::ivec3(60, 50, 40))
   {
-    this->Samples.Seen.Grid = Graded(this->Samples.Seen.Dimensions, 30.0, 8);
-    FillByPlace(this->Samples,
+    const auto coordinates = Graded(this->Samples.Seen.Dimensions, 30.0, 8);
+    this->Samples.Seen.Kind = RectilinearKind(coordinates);
+    FillByPlace(this->Samples, *coordinates,
       [](const glm::dvec3& at) {
         return 120.0 + 100.0 * std::sin(0.2 * at.x) * std::cos(0.25 * at.y) * std::sin(0.3 * at.z);
       });
@@ -443,22 +353,46 @@ protected:
     return renderer.LastFrame();
   }
 
-  void ExpectLeapingChangesNothing() const
+  static void ExpectSamePicture(const Frame& a, const Frame& b)
   {
-    const Frame a = this->Cold(true), b = this->Cold(false);
     const auto same = [](const auto& x, const auto& y)
     { return x.size() == y.size() && !std::memcmp(x.data(), y.data(), x.size() * sizeof(x[0])); };
     EXPECT_TRUE(same(a.Depth, b.Depth) && same(a.Normals, b.Normals) &&
       same(a.Isovalues, b.Isovalues) && same(a.Kinds, b.Kinds) && same(a.Colors, b.Colors));
+  }
+
+  void ExpectLeapingChangesNothing() const
+  {
+    const Frame a = this->Cold(true);
+    ExpectSamePicture(a, this->Cold(false));
     const auto isHit = [](std::int16_t surface) { return surface != Frame::NoSurface; };
     EXPECT_GT(std::count_if(a.Isovalues.begin(), a.Isovalues.end(), isHit), 500);
+  }
+
+  /// The cold picture; of rays that end in what is inside, contacts may be nearer (as TestIsomap).
+  void ExpectLookedUp(const Frame& made) const
+  {
+    const Frame cold = this->Cold(true);
+    EXPECT_EQ(made.Depth, cold.Depth);
+    EXPECT_EQ(made.Isovalues, cold.Isovalues);
+    EXPECT_EQ(made.Normals, cold.Normals);
+    EXPECT_EQ(made.Colors, cold.Colors);
+    int farther = 0, otherwise = 0;
+    for (std::size_t i = 0; i < cold.Kinds.size(); ++i)
+    {
+      const bool isOfAMiss = cold.Kinds[i] == HitKind::None && made.Kinds[i] == HitKind::Within;
+      farther += made.Contacts[i] < cold.Contacts[i];
+      otherwise += made.Kinds[i] != cold.Kinds[i] && !isOfAMiss;
+    }
+    EXPECT_EQ(farther, 0) << "it serves the next view";
+    EXPECT_EQ(otherwise, 0);
   }
 
   Grid<std::uint8_t> Samples;
   FrameKey Key;
 };
 
-TEST_F(GradedFrames, SpaceLeapingDoesNotChangeThePicture)
+TEST_F(RectilinearFrames, SpaceLeapingDoesNotChangeThePicture)
 {
   // Small pictures too: in them whole nodes are projected as one box.
   for (const glm::ivec2 size : { glm::ivec2(203, 117), glm::ivec2(64, 48) })
@@ -479,18 +413,30 @@ TEST_F(GradedFrames, SpaceLeapingDoesNotChangeThePicture)
   }
 }
 
-TEST_F(GradedFrames, NoIsomapIsBuilt)
+TEST_F(RectilinearFrames, SweepOfIsovaluesIsLookedUp)
 {
-  FrameRenderer renderer;
-  this->Key.Sought.Isovalues = { 150.0 };
   this->Key.Look.Colors = { glm::dvec3(1.0) };
-  renderer.Render(this->Key, {});
-  EXPECT_EQ(renderer.BuildIsomap(this->Key, {}), Isomap::Outcome::Impossible);
-  this->Key.Sought.Isovalues = { 151.0 };
-  renderer.Render(this->Key, {});
-  EXPECT_EQ(renderer.Statistics().Made, Route::ThresholdHint);
-  const Frame cold = this->Cold(true);
-  EXPECT_EQ(renderer.LastFrame().Depth, cold.Depth);
+  for (const Interpolation between : { Interpolation::Linear, Interpolation::Nearest })
+  {
+    for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
+    {
+      this->Key.Samples.Between = between;
+      this->Key.Sought.Mode = mode;
+      this->Key.Sought.Isovalues = { 90.0 };
+      FrameRenderer renderer;
+      FrameRenderer::Options options;
+      options.Map.Range = { 85.0, 175.0 };
+      renderer.Render(this->Key, options);
+      for (int step = 1; step <= 40; ++step)
+      {
+        this->Key.Sought.Isovalues = { 90.0 + 2.1 * step };
+        renderer.Render(this->Key, options);
+        EXPECT_EQ(renderer.Statistics().Made, step == 1 ? Route::IsomapBuild : Route::IsomapLookup);
+        EXPECT_LT(renderer.Statistics().TracedRays, renderer.Statistics().Rays / 20);
+        this->ExpectLookedUp(renderer.LastFrame());
+      }
+    }
+  }
 }
 
 }

@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Fields/RectilinearKind.h"
+
+#include "Fields/LatticeFaces.h"
+#include "Fields/RectilinearCells.h"
+#include "Fields/RectilinearGradients.h"
+#include "Isomap/CellBandTracer.h"
+#include "Scene/CellBox.h"
+#include "Trace/CellTracer.h"
+
+#include <limits>
+#include <utility>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+/// The planes between cells: the coordinates, and one beyond each end.
+struct RectilinearPlanes
+{
+  int Nearest(int axis, double at) const
+  {
+    const int cell = this->Grid.CellOf(axis, at);
+    const double toLow = at - this->Grid.At(axis, cell);
+    const double toHigh = this->Grid.At(axis, cell + 1) - at;
+    return toHigh < toLow ? cell + 1 : cell;
+  }
+  double At(int axis, int plane) const { return this->Grid.At(axis, plane); }
+  int CellOf(int axis, double at) const { return this->Grid.CellOf(axis, at); }
+
+  const GridCoordinates& Grid;
+};
+
+class RectilinearFieldKind final : public FieldKind
+{
+public:
+  explicit RectilinearFieldKind(std::shared_ptr<const GridCoordinates> grid)
+    : Grid(std::move(grid))
+  {
+  }
+
+  bool IsSame(const FieldKind& other) const override
+  {
+    const auto* const same = dynamic_cast<const RectilinearFieldKind*>(&other);
+    return same && (same->Grid == this->Grid || same->Grid->Along == this->Grid->Along);
+  }
+
+  FieldAbilities Abilities() const override { return { true, true, false }; }
+
+  bool AreBlocksAlike() const override { return false; }
+
+  IndexBox BoxOf(const CellBox& cells) const override
+  {
+    IndexBox box;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      box.Low[axis] = this->Grid->At(axis, cells.First[axis]);
+      box.High[axis] = this->Grid->At(axis, cells.First[axis] + cells.Size[axis]);
+    }
+    return box;
+  }
+
+  /// What is flat in small cells need not be as flat as in large ones.
+  VoxelSize VoxelSizeIn(const Placement& where) const override
+  {
+    VoxelSize size{ std::numeric_limits<double>::infinity(), 0.0, 0.0 };
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double unit = glm::length(glm::dvec3(where.WorldFromIndex[axis]));
+      const glm::dvec2 along = unit * this->Grid->Edges(axis);
+      size.Shortest = glm::min(size.Shortest, along.x);
+      size.Longest = glm::max(size.Longest, along.y);
+    }
+    size.Bend = size.Shortest;
+    return size;
+  }
+
+  std::shared_ptr<const SurfaceTracer> MakeTracer(const TraceScene& scene) const override
+  {
+    return DispatchScalarType(scene.Samples.Type,
+      [&](auto type) {
+        return MakeCellTracer<decltype(type)>(scene, RectilinearCells<decltype(type)>(*this->Grid));
+      });
+  }
+
+  std::shared_ptr<const BandTracer> MakeBandTracer(const BandScene& scene) const override
+  {
+    return DispatchScalarType(scene.Samples.Type,
+      [&](auto type)
+      {
+        return MakeCellBandTracer<decltype(type)>(
+          scene, RectilinearCells<decltype(type)>(*this->Grid));
+      });
+  }
+
+  void FindEntries(const RayBatch& rays, CellList& cells) const override
+  {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(cells.Count); ++i)
+    {
+      cells.Enter[i] = RectilinearPassage({ rays, cells.Ray[i], *this->Grid }, cells.At(i)).Enter;
+    }
+  }
+
+  void FindGradients(const GradientQuery& query, const GradientTile& tile) const override
+  {
+    RectilinearGradients(*this->Grid, query, tile);
+  }
+
+  glm::dvec3 FaceNormal(const Field& field, const glm::dvec3& point, const glm::dvec3& direction,
+    double& nearest) const override
+  {
+    return LatticeFaceNormal(RectilinearPlanes{ *this->Grid }, field, point, direction, nearest);
+  }
+
+private:
+  std::shared_ptr<const GridCoordinates> Grid;
+};
+
+}
+
+std::shared_ptr<const FieldKind> RectilinearKind(std::shared_ptr<const GridCoordinates> coordinates)
+{
+  return std::make_shared<RectilinearFieldKind>(std::move(coordinates));
+}
+
+}

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_RectilinearKind_h
+#define TemporalCoherence_RectilinearKind_h
+
+#include "Fields/GridCoordinates.h"
+#include "Scene/FieldKind.h"
+
+#include <memory>
+
+namespace TemporalCoherence
+{
+
+/// The kind of rectilinear grids: samples lie at coordinates along each axis.
+/// \param coordinates as many as the field has samples, along each axis
+/// \throws std::bad_alloc
+std::shared_ptr<const FieldKind> RectilinearKind(
+  std::shared_ptr<const GridCoordinates> coordinates);
+
+}
+
+#endif

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Fields/LatticeFaces.h"
+#include "Fields/UniformCells.h"
+#include "Fields/UniformTracer.h"
+#include "Isomap/CellBandTracer.h"
+#include "Scene/FieldKind.h"
+#include "Shade/SurfaceNormal.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+/// The planes between cells: whole numbers.
+struct UniformPlanes
+{
+  int Nearest(int axis, double at) const
+  {
+    return static_cast<int>(std::round(glm::clamp(at, -1.0, this->Samples[axis] + 0.0)));
+  }
+  double At(int, int plane) const { return plane; }
+  int CellOf(int axis, double at) const
+  {
+    return static_cast<int>(std::floor(glm::clamp(at, 0.0, this->Samples[axis] - 2.0)));
+  }
+
+  glm::ivec3 Samples; ///< along each axis
+};
+
+/// Samples at whole numbers. Its boxes and lengths are those that a kind has if it tells no others.
+class UniformFieldKind final : public FieldKind
+{
+public:
+  FieldAbilities Abilities() const override { return { true, true, true }; }
+
+  std::shared_ptr<const SurfaceTracer> MakeTracer(const TraceScene& scene) const override
+  {
+    return MakeUniformTracer(scene);
+  }
+
+  std::shared_ptr<const BandTracer> MakeBandTracer(const BandScene& scene) const override
+  {
+    return DispatchScalarType(scene.Samples.Type,
+      [&](auto type)
+      { return MakeCellBandTracer<decltype(type)>(scene, UniformCells<decltype(type)>()); });
+  }
+
+  void FindEntries(const RayBatch& rays, CellList& cells) const override
+  {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(cells.Count); ++i)
+    {
+      const std::size_t ray = cells.Ray[i];
+      double enter = rays.Begin[ray];
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        const double behind = cells.Cell[a][i] + (rays.Direction[a][ray] > 0.0 ? 0.0 : 1.0);
+        enter = std::max(enter, (behind - rays.Origin[a][ray]) * rays.Inverse[a][ray]);
+      }
+      cells.Enter[i] = enter;
+    }
+  }
+
+  void FindGradients(const GradientQuery& query, const GradientTile& tile) const override
+  {
+    UniformGradients(query, tile);
+  }
+
+  glm::dvec3 FaceNormal(const Field& field, const glm::dvec3& point, const glm::dvec3& direction,
+    double& nearest) const override
+  {
+    return LatticeFaceNormal(UniformPlanes{ field.Dimensions }, field, point, direction, nearest);
+  }
+};
+
+}
+
+std::shared_ptr<const FieldKind> UniformKind()
+{
+  // Nobody owns it, so that copies of fields need not count.
+  static const UniformFieldKind kind{};
+  return { std::shared_ptr<const FieldKind>(), &kind };
+}
+
+}

@@ -1,0 +1,390 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Fields/UniformTracer.h"
+
+#include "Fields/UniformCells.h"
+#include "Trace/CellTracer.h"
+#include "Trace/KernelsCrossing.h"
+#include "Trace/KernelsWalk.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+/// CellTracer, with what is done for all rays of a tile at once done in vectors.
+template <typename T, Interpolation Between>
+class UniformTracer final
+  : public CellTracer<T, UniformCells<T>, Between>
+  , private LeafSource
+{
+public:
+  using Real = RealOf<T>;
+  using Base = CellTracer<T, UniformCells<T>, Between>;
+
+  explicit UniformTracer(const TraceScene& scene)
+    : Base(scene, {})
+    , IsLarge(scene.Samples.IsLarge())
+    , AreCellsActive(scene.Active && scene.Sought.Isovalues.size() == 1)
+  {
+  }
+
+  void Trace(const RayBatch& rays, HitBatch& hits) const override
+  {
+    hits.Clear(rays.Count);
+    if (this->Cells.Rules.IsSolid())
+    {
+      this->FindCaps(rays, hits);
+    }
+    if (this->Cells.Scene.Active)
+    {
+      this->TraceActive(rays, hits);
+    }
+    else
+    {
+      this->TraceAll(rays, hits);
+    }
+  }
+
+  std::uint64_t SearchCells(
+    const RayBatch& rays, const CellList& cells, HitBatch& hits) const override
+  {
+    PassageBatch<Real> passages;
+    SetPassages(rays, cells, passages);
+    this->ReadCorners(this->Cells.Differences[cells.Surface], true, passages);
+    hits.CellsRead += cells.Count;
+    this->FindInPassages(passages);
+    std::uint64_t missing = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(passages.Count); ++i)
+    {
+      const std::size_t ray = cells.Ray[i];
+      const bool fromInside = IsInside(passages.AtEntry[i]);
+      if (cells.IsContact[i])
+      {
+        HitRules::KeepContact(passages.Enter[i], fromInside, ray, hits);
+      }
+      missing |= static_cast<std::uint64_t>(!std::isfinite(passages.Distance[i])) << ray;
+      this->Cells.Rules.KeepFirst(
+        passages.Distance[i], fromInside, static_cast<std::int16_t>(cells.Surface), ray, hits);
+    }
+    return missing;
+  }
+
+private:
+  /// Passages to be searched, each of a ray that may have others.
+  struct Search
+  {
+    PassageBatch<Real> Passages;
+    RayBatch::Array<std::size_t> Ray; ///< in the batch that is traced
+    RayBatch::Array<std::int16_t> Surface;
+  };
+
+  std::uint64_t CellsOf(std::int64_t node, const glm::ivec3& cell) const override
+  {
+    return this->Cells.Scene.Active->CellsOf(this->Cells.Samples.All(), node, cell);
+  }
+
+  /// From active cell to active cell: in each round every ray that has not hit yet goes to the
+  /// next, and all these cells are searched together.
+  void TraceActive(const RayBatch& rays, HitBatch& hits) const
+  {
+    std::uint64_t wanted = 0;
+    for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
+    {
+      const bool isWanted = rays.HasWalk(ray) && hits.Kind[ray] == HitKind::None;
+      wanted |= static_cast<std::uint64_t>(isWanted) << ray;
+    }
+    RayWalks walks(rays, wanted);
+    PassageBatch<Real> passages;
+    passages.All = &walks.Rays;
+    while (walks.Rays.Count > 0)
+    {
+      FindActiveCells({ *this->Cells.Scene.Active, *this, this->Cells.Count }, walks);
+      hits.CellsRead += walks.Rays.Count;
+      if (this->AreCellsActive)
+      {
+        this->SearchAll(walks, passages, hits);
+      }
+      else
+      {
+        this->SearchEach(walks, hits);
+      }
+    }
+  }
+
+  /// Search the cells that rays have gone to, through all of which the one isovalue passes.
+  void SearchAll(RayWalks& walks, PassageBatch<Real>& passages, HitBatch& hits) const
+  {
+    const auto count = static_cast<std::size_t>(walks.Rays.Count);
+    passages.Count = walks.Rays.Count;
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      std::copy_n(walks.Cell[a].begin(), count, passages.Cell[a].begin());
+    }
+    this->ReadCorners(this->Cells.Differences[0], false, passages);
+    this->FindInPassages(passages);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const auto ray = static_cast<std::size_t>(walks.From[i]);
+      const bool fromInside = IsInside(passages.AtEntry[i]);
+      HitRules::KeepContact(passages.Enter[i], fromInside, ray, hits);
+      HitRules::KeepNearest(passages.Distance[i], fromInside, 0, ray, hits);
+    }
+    const bool areCapped = this->Cells.Rules.AreCappedBehindHidden();
+    for (std::size_t i = 0; i < count && areCapped; ++i)
+    {
+      this->CapBehindHidden(passages, i, static_cast<std::size_t>(walks.From[i]), 0, hits);
+    }
+    std::copy_n(passages.Distance.begin(), count, walks.Distance.begin());
+  }
+
+  /// Search the cells that rays have gone to, each for those isovalues that pass through it.
+  void SearchEach(RayWalks& walks, HitBatch& hits) const
+  {
+    Search search;
+    const auto count = static_cast<std::size_t>(walks.Rays.Count);
+    const auto cellAt = [&walks](std::size_t i)
+    { return glm::ivec3(walks.Cell[0][i], walks.Cell[1][i], walks.Cell[2][i]); };
+    for (std::size_t i = 0; i < count && this->IsLarge; ++i)
+    {
+      this->Cells.Samples.Prefetch(cellAt(i));
+    }
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      this->Visit(walks.Rays, i, cellAt(i), static_cast<std::size_t>(walks.From[i]), search, hits);
+    }
+    this->Finish(search, hits);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      walks.Distance[i] = hits.Depth[static_cast<std::size_t>(walks.From[i])];
+    }
+  }
+
+  /// From cell to cell, all of which are read.
+  void TraceAll(const RayBatch& rays, HitBatch& hits) const
+  {
+    const glm::ivec3& cells = this->Cells.Count;
+    LiveRays live;
+    live.Begin(rays, this->Cells.Shape, cells,
+      [&](std::size_t ray) { return hits.Kind[ray] == HitKind::None; });
+    Search search;
+    while (live.Count > 0)
+    {
+      live.Keep(
+        [&](std::size_t ray)
+        {
+          CellWalk& walk = live.Walks[ray];
+          bool isAhead;
+          do
+          {
+            isAhead = walk.FindAny(BatchRay{ rays, ray }, cells);
+            hits.CellsRead += isAhead;
+          } while (isAhead && !this->Visit(rays, ray, walk.Here(), ray, search, hits));
+          return isAhead;
+        });
+      this->Finish(search, hits);
+      live.Keep([&](std::size_t ray) { return hits.Kind[ray] == HitKind::None; });
+    }
+  }
+
+  /// Read a cell, and take note of the passages of a ray through it that must be searched.
+  /// \return false if no isovalue passes through the cell, or it is hidden
+  bool Visit(const RayBatch& rays, std::size_t place, const glm::ivec3& cell, std::size_t ray,
+    Search& search, HitBatch& hits) const
+  {
+    if (this->Cells.IsHidden(cell))
+    {
+      return false;
+    }
+    const std::array<T, 8> samples = this->Cells.Samples.Read(cell);
+    bool isFound = false;
+    for (std::size_t surface = 0; surface < this->Cells.Differences.size(); ++surface)
+    {
+      const Corners<Real> corners = this->Cells.Differ(samples, surface);
+      if (this->Cells.CanHold(corners))
+      {
+        if (search.Passages.Count == RayBatch::Capacity)
+        {
+          this->Finish(search, hits);
+        }
+        const auto at = static_cast<std::size_t>(search.Passages.Count);
+        AppendPassage(rays, place, cell, corners, search.Passages);
+        search.Ray[at] = ray;
+        search.Surface[at] = static_cast<std::int16_t>(surface);
+        isFound = true;
+      }
+    }
+    return isFound;
+  }
+
+  /// Search all noted passages; of several surfaces along a ray the nearest is its hit.
+  void Finish(Search& search, HitBatch& hits) const
+  {
+    PassageBatch<Real>& passages = search.Passages;
+    this->FindInPassages(passages);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(passages.Count); ++i)
+    {
+      const bool fromInside = IsInside(passages.AtEntry[i]);
+      HitRules::KeepContact(passages.Enter[i], fromInside, search.Ray[i], hits);
+      this->Cells.Rules.KeepFirst(
+        passages.Distance[i], fromInside, search.Surface[i], search.Ray[i], hits);
+      if (this->Cells.Rules.AreCappedBehindHidden())
+      {
+        this->CapBehindHidden(passages, i, search.Ray[i], search.Surface[i], hits);
+      }
+    }
+    passages.Count = 0;
+  }
+
+  /// The passages of rays through the given cells.
+  static void SetPassages(const RayBatch& rays, const CellList& cells, PassageBatch<Real>& passages)
+  {
+    const auto count = static_cast<std::size_t>(cells.Count);
+    passages.Count = cells.Count;
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      std::copy_n(cells.Cell[a].begin(), count, passages.Cell[a].begin());
+    }
+    if (cells.Count == RayBatch::Capacity)
+    {
+      passages.All = &rays;
+      return;
+    }
+    const auto gather = [&](const auto& from, auto& to)
+    {
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        to[i] = from[cells.Ray[i]];
+      }
+    };
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      gather(rays.Origin[a], passages.Origin[a]);
+      gather(rays.Direction[a], passages.Direction[a]);
+      gather(rays.Inverse[a], passages.Inverse[a]);
+    }
+    gather(rays.Begin, passages.Begin);
+    gather(rays.End, passages.End);
+  }
+
+  /// Read the corners of the passages' cells, as differences from an isovalue.
+  /// \param forNormals most of these cells will hold hits, which are shaded next
+  void ReadCorners(
+    const Difference<T>& difference, bool forNormals, PassageBatch<Real>& passages) const
+  {
+    const auto count = static_cast<std::size_t>(passages.Count);
+    const auto cellAt = [&passages](std::size_t i)
+    { return glm::ivec3(passages.Cell[0][i], passages.Cell[1][i], passages.Cell[2][i]); };
+    for (std::size_t i = 0; i < count && this->IsLarge; ++i)
+    {
+      if (forNormals)
+      {
+        PrefetchAround(this->Cells.Samples.All(), cellAt(i));
+      }
+      else
+      {
+        this->Cells.Samples.Prefetch(cellAt(i));
+      }
+    }
+    std::array<RayBatch::Array<T>, 8> samples;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const std::array<T, 8> corners = this->Cells.Samples.Read(cellAt(i));
+      for (std::size_t corner = 0; corner < 8; ++corner)
+      {
+        samples[corner][i] = corners[corner];
+      }
+    }
+    for (std::size_t corner = 0; corner < 8; ++corner)
+    {
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        passages.Corners[corner][i] = difference(samples[corner][i]);
+      }
+    }
+  }
+
+  /// Cap a solid that a ray is inside of where it leaves hidden cells.
+  void CapBehindHidden(PassageBatch<Real>& passages, std::size_t i, std::size_t ray,
+    std::int16_t surface, HitBatch& hits) const
+  {
+    const double enter = passages.Enter[i];
+    if (IsInside(passages.AtEntry[i]) &&
+      this->Cells.Rules.CapBehindHidden(
+        enter, surface, ray,
+        [&] { return ComesFromHidden(passages, i, enter, *this->Cells.Hidden); }, hits))
+    {
+      passages.Distance[i] = enter;
+    }
+  }
+
+  void FindInPassages(PassageBatch<Real>& passages) const
+  {
+    if constexpr (Between == Interpolation::Linear)
+    {
+      FindCrossings(passages, this->Cells.Rules.IsSolid());
+    }
+    else
+    {
+      FindNearestCrossings(passages);
+    }
+  }
+
+  /// Cap solids that rays begin in.
+  void FindCaps(const RayBatch& rays, HitBatch& hits) const
+  {
+    Search search;
+    PassageBatch<Real>& passages = search.Passages;
+    for (std::size_t surface = 0; surface < this->Cells.Differences.size(); ++surface)
+    {
+      for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
+      {
+        if (rays.Begin[ray] < rays.End[ray])
+        {
+          const glm::ivec3 cell = BatchRay{ rays, ray }.CellAt(rays.Begin[ray], this->Cells.Count);
+          if (this->Cells.IsHidden(cell))
+          {
+            continue;
+          }
+          search.Ray[static_cast<std::size_t>(passages.Count)] = ray;
+          AppendPassage(
+            rays, ray, cell, this->Cells.Differ(this->Cells.Samples.Read(cell), surface), passages);
+        }
+      }
+      this->FindInPassages(passages);
+      for (std::size_t i = 0; i < static_cast<std::size_t>(passages.Count); ++i)
+      {
+        if (IsInside(passages.AtEntry[i]))
+        {
+          this->Cells.Rules.CapWhereItBegins(
+            rays.Begin[search.Ray[i]], static_cast<std::int16_t>(surface), search.Ray[i], hits);
+        }
+      }
+      passages.Count = 0;
+    }
+  }
+
+  bool IsLarge;
+  bool AreCellsActive; ///< the one isovalue passes through every cell that is visited
+};
+
+}
+
+std::shared_ptr<const SurfaceTracer> MakeUniformTracer(const TraceScene& scene)
+{
+  return DispatchScalarType(scene.Samples.Type,
+    [&](auto type) -> std::shared_ptr<const SurfaceTracer>
+    {
+      using T = decltype(type);
+      if (scene.Samples.Between == Interpolation::Nearest)
+      {
+        return std::make_shared<UniformTracer<T, Interpolation::Nearest>>(scene);
+      }
+      return std::make_shared<UniformTracer<T, Interpolation::Linear>>(scene);
+    });
+}
+
+}

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/FieldKind.h"
+
+#include "Scene/CellBox.h"
+#include "Scene/Field.h"
+
+#include <cmath>
+#include <limits>
+
+namespace TemporalCoherence
+{
+
+glm::dvec2 FieldKind::RangeIn(const CellBox&) const
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return { -infinity, infinity };
+}
+
+IndexBox FieldKind::BoxOf(const CellBox& cells) const
+{
+  return { glm::dvec3(cells.First), glm::dvec3(cells.First + cells.Size) };
+}
+
+VoxelSize FieldKind::VoxelSizeIn(const Placement& where) const
+{
+  const glm::dmat3 edges(where.WorldFromIndex);
+  const double x = glm::length(edges[0]), y = glm::length(edges[1]), z = glm::length(edges[2]);
+  const double longest = glm::max(x, glm::max(y, z));
+  return { glm::min(x, glm::min(y, z)), longest, longest };
+}
+
+std::shared_ptr<const BandTracer> FieldKind::MakeBandTracer(const BandScene&) const
+{
+  return nullptr;
+}
+
+void FieldKind::FindEntries(const RayBatch&, CellList&) const {}
+
+glm::dvec3 FieldKind::FaceNormal(
+  const Field& field, const glm::dvec3& point, const glm::dvec3& direction, double& nearest) const
+{
+  glm::dvec3 normal(0.0);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double face = direction[axis] > 0.0 ? 0.0 : field.Dimensions[axis] - 1;
+    const double distance = std::abs(point[axis] - face);
+    if (direction[axis] != 0.0 && distance < nearest)
+    {
+      nearest = distance;
+      normal = glm::dvec3(0.0);
+      normal[axis] = direction[axis] > 0.0 ? -1.0 : 1.0;
+    }
+  }
+  return normal;
+}
+
+}

@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_CellTracer_h
+#define TemporalCoherence_CellTracer_h
+
+#include "Trace/LayerSearch.h"
+#include "Trace/SurfaceTracer.h"
+#include "Trace/TracedCells.h"
+
+#include <cmath>
+#include <limits>
+#include <memory>
+
+namespace TemporalCoherence
+{
+
+/// Finds surfaces in cells with samples at their corners, ray by ray from cell to cell, whatever
+/// the geometry of the cells (TracedCells.h).
+template <typename T, typename Geometry, Interpolation Between>
+class CellTracer : public SurfaceTracer
+{
+public:
+  CellTracer(const TraceScene& scene, const Geometry& shape)
+    : Cells(scene, shape)
+    , Layers(scene.Sought.Isovalues)
+  {
+  }
+
+  void Trace(const RayBatch& rays, HitBatch& hits) const override
+  {
+    hits.Clear(rays.Count);
+    for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
+    {
+      if (this->Cells.Rules.IsSolid() && rays.Begin[ray] < rays.End[ray])
+      {
+        this->FindCap(rays, ray, hits);
+      }
+      if (rays.HasWalk(ray) && hits.Kind[ray] == HitKind::None)
+      {
+        this->Walk(rays, ray, hits);
+      }
+    }
+  }
+
+  void FindNext(const RayBatch& rays, HitBatch& hits) const override
+  {
+    this->Layers.FindNext(this->Cells, rays, hits);
+  }
+
+  std::uint64_t SearchCells(
+    const RayBatch& rays, const CellList& cells, HitBatch& hits) const override
+  {
+    std::uint64_t missing = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(cells.Count); ++i)
+    {
+      const std::size_t ray = cells.Ray[i];
+      const glm::ivec3 cell = cells.At(i);
+      const Part part(this->Cells.Shape.RayOf(rays, ray), cell);
+      const Found found =
+        this->SearchFor(part, this->Cells.Differ(this->Cells.Samples.Read(cell), cells.Surface));
+      if (cells.IsContact[i])
+      {
+        HitRules::KeepContact(part.Enter(), found.FromInside, ray, hits);
+      }
+      missing |= static_cast<std::uint64_t>(!std::isfinite(found.Distance)) << ray;
+      this->Cells.Rules.KeepFirst(
+        found.Distance, found.FromInside, static_cast<std::int16_t>(cells.Surface), ray, hits);
+    }
+    hits.CellsRead += cells.Count;
+    return missing;
+  }
+
+protected:
+  TracedCells<T, Geometry, Between> Cells;
+
+private:
+  using Real = typename Geometry::Real;
+  using Part = typename Geometry::Part;
+
+  /// What the part of a ray in a cell shows of one surface.
+  struct Found
+  {
+    bool FromInside; ///< the ray is inside where it enters the cell
+    double Distance; ///< t of the first crossing; infinity if there is none
+  };
+
+  Found SearchFor(const Part& part, const Corners<Real>& corners) const
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    if constexpr (Between == Interpolation::Nearest)
+    {
+      double share = 0.0;
+      const bool isFound = part.HasLength() && FirstNearestCrossing(corners, part.Nearest(), share);
+      return { IsInside(this->Cells.AtEntry(corners, part)),
+        isFound ? part.DistanceAt(share) : infinity };
+    }
+    else
+    {
+      const Cubic<Real> cubic = CubicAlong(corners, part.Path());
+      Real share = Real(0);
+      // A walk may begin within a solid whose surface it is to find.
+      const bool begins = this->Cells.Rules.IsSolid() && IsInside(cubic[0]);
+      const bool isFound = begins || FirstCrossing(cubic, share);
+      return { IsInside(cubic[0]),
+        isFound ? part.DistanceAt(static_cast<double>(share)) : infinity };
+    }
+  }
+
+  /// Go from cell to cell up to the first hit.
+  void Walk(const RayBatch& rays, std::size_t ray, HitBatch& hits) const
+  {
+    const auto line = this->Cells.Shape.RayOf(rays, ray);
+    CellWalk walk;
+    walk.Begin(line, this->Cells.Count);
+    while (hits.Kind[ray] == HitKind::None && this->Cells.GoOn(line, walk))
+    {
+      ++hits.CellsRead;
+      if (!this->Cells.IsHidden(walk.Here()))
+      {
+        this->Visit(line, walk.Here(), ray, hits);
+      }
+    }
+  }
+
+  /// Search a cell for the isovalues that pass through it.
+  template <typename WalkingRay>
+  void Visit(const WalkingRay& line, const glm::ivec3& cell, std::size_t ray, HitBatch& hits) const
+  {
+    const HitRules& rules = this->Cells.Rules;
+    const std::array<T, 8> samples = this->Cells.Samples.Read(cell);
+    for (std::size_t i = 0; i < this->Cells.Differences.size(); ++i)
+    {
+      const Corners<Real> corners = this->Cells.Differ(samples, i);
+      if (!this->Cells.CanHold(corners))
+      {
+        continue;
+      }
+      const auto surface = static_cast<std::int16_t>(i);
+      const Part part(line, cell);
+      const Found found = this->SearchFor(part, corners);
+      HitRules::KeepContact(part.Enter(), found.FromInside, ray, hits);
+      rules.KeepFirst(found.Distance, found.FromInside, surface, ray, hits);
+      if (rules.AreCappedBehindHidden() && found.FromInside)
+      {
+        rules.CapBehindHidden(
+          part.Enter(), surface, ray, [&] { return part.ComesFrom(*this->Cells.Hidden); }, hits);
+      }
+    }
+  }
+
+  void FindCap(const RayBatch& rays, std::size_t ray, HitBatch& hits) const
+  {
+    const auto line = this->Cells.Shape.RayOf(rays, ray);
+    const glm::ivec3 cell = line.CellAt(rays.Begin[ray], this->Cells.Count);
+    if (this->Cells.IsHidden(cell))
+    {
+      return;
+    }
+    const std::array<T, 8> samples = this->Cells.Samples.Read(cell);
+    const Part part(line, cell);
+    for (std::size_t i = 0; i < this->Cells.Differences.size(); ++i)
+    {
+      if (IsInside(this->Cells.AtEntry(this->Cells.Differ(samples, i), part)))
+      {
+        this->Cells.Rules.CapWhereItBegins(
+          rays.Begin[ray], static_cast<std::int16_t>(i), ray, hits);
+      }
+    }
+  }
+
+  LayerSearch<T, Geometry, Between> Layers;
+};
+
+/// The tracer of a scene for a geometry.
+template <typename T, typename Geometry>
+std::shared_ptr<const SurfaceTracer> MakeCellTracer(const TraceScene& scene, const Geometry& shape)
+{
+  if (scene.Samples.Between == Interpolation::Nearest)
+  {
+    return std::make_shared<CellTracer<T, Geometry, Interpolation::Nearest>>(scene, shape);
+  }
+  return std::make_shared<CellTracer<T, Geometry, Interpolation::Linear>>(scene, shape);
+}
+
+}
+
+#endif

@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_LayerSearch_h
+#define TemporalCoherence_LayerSearch_h
+
+#include "Trace/TracedCells.h"
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace TemporalCoherence
+{
+
+/// Finds the surfaces behind the last one along rays: SurfaceTracer::FindNext. No state is carried
+/// but the last surface, so that which comes next depends on the ray and that surface alone.
+template <typename T, typename Geometry, Interpolation Between>
+class LayerSearch
+{
+public:
+  using Cells = TracedCells<T, Geometry, Between>;
+
+  /// \param isovalues of the scene of the cells that are searched
+  explicit LayerSearch(const std::vector<double>& isovalues)
+    : Isovalues(isovalues)
+    , Ascending(isovalues.size())
+  {
+    std::iota(this->Ascending.begin(), this->Ascending.end(), std::size_t(0));
+    std::sort(this->Ascending.begin(), this->Ascending.end(),
+      [&](std::size_t a, std::size_t b) { return isovalues[a] < isovalues[b]; });
+  }
+
+  void FindNext(const Cells& cells, const RayBatch& rays, HitBatch& hits) const
+  {
+    RayBatch rest = rays;
+    for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
+    {
+      NextHit next(cells.Rules, LastOn(cells.Rules, rays.Begin[ray], ray, hits));
+      if (rays.Begin[ray] < rays.End[ray])
+      {
+        const double last = next.Before().Distance;
+        if (cells.Rules.IsSolid() && last <= rays.Begin[ray])
+        {
+          this->FindCaps(cells, rays, ray, next);
+        }
+        if (!next.IsFound())
+        {
+          rest.WalkBegin[ray] = std::max(rays.WalkBegin[ray], last);
+          this->Walk(cells, rest, ray, next, hits);
+        }
+      }
+      next.Store(ray, hits);
+    }
+  }
+
+private:
+  using Real = typename Cells::Real;
+  using Part = typename Cells::Part;
+
+  /// Places in Ascending of the isovalues that a cell may pass: from its smallest sample on, or
+  /// from all that are less, too, up to its largest. Samples that are not numbers are below all.
+  std::pair<std::size_t, std::size_t> FindPassed(
+    const std::array<T, 8>& samples, bool withLess) const
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    double low = infinity, high = -infinity;
+    for (const T sample : samples)
+    {
+      const double value = static_cast<double>(sample);
+      const double ranked = value == value ? value : -infinity;
+      low = std::min(low, ranked);
+      high = std::max(high, ranked);
+    }
+    const auto placeOf = [&](double value, auto isBefore)
+    {
+      const auto found = std::partition_point(this->Ascending.begin(), this->Ascending.end(),
+        [&](std::size_t i) { return isBefore(this->Isovalues[i], value); });
+      return static_cast<std::size_t>(found - this->Ascending.begin());
+    };
+    return { withLess ? 0 : placeOf(low, std::less<>()), placeOf(high, std::less_equal<>()) };
+  }
+
+  /// Solids that are cut open where the ray begins.
+  void FindCaps(const Cells& cells, const RayBatch& rays, std::size_t ray, NextHit& next) const
+  {
+    const auto line = cells.Shape.RayOf(rays, ray);
+    const glm::ivec3 cell = line.CellAt(rays.Begin[ray], cells.Count);
+    if (cells.IsHidden(cell))
+    {
+      return;
+    }
+    const Part part(line, cell);
+    const std::array<T, 8> samples = cells.Samples.Read(cell);
+    const auto [first, behind] = this->FindPassed(samples, true);
+    for (std::size_t place = first; place < behind; ++place)
+    {
+      const std::size_t surface = this->Ascending[place];
+      if (IsInside(Cells::AtEntry(cells.Differ(samples, surface), part)))
+      {
+        next.Consider(rays.Begin[ray], HitKind::Cap, static_cast<std::int16_t>(surface));
+      }
+    }
+  }
+
+  /// From cell to cell until there is a surface behind the last one.
+  void Walk(
+    const Cells& cells, const RayBatch& rays, std::size_t ray, NextHit& next, HitBatch& hits) const
+  {
+    if (!rays.HasWalk(ray))
+    {
+      return;
+    }
+    const auto line = cells.Shape.RayOf(rays, ray);
+    CellWalk walk;
+    walk.Begin(line, cells.Count);
+    while (!next.IsFound() && cells.GoOn(line, walk))
+    {
+      if (!cells.IsHidden(walk.Here()))
+      {
+        ++hits.CellsRead;
+        this->Search(cells, Part(line, walk.Here()), cells.Samples.Read(walk.Here()), next);
+      }
+    }
+  }
+
+  /// All surfaces in a cell.
+  void Search(
+    const Cells& cells, const Part& part, const std::array<T, 8>& samples, NextHit& next) const
+  {
+    const bool isBehindHidden =
+      cells.Rules.AreCappedBehindHidden() && part.ComesFrom(*cells.Hidden);
+    const auto [first, behind] = this->FindPassed(samples, isBehindHidden);
+    for (std::size_t place = first; place < behind; ++place)
+    {
+      const std::size_t surface = this->Ascending[place];
+      const Corners<Real> corners = cells.Differ(samples, surface);
+      const auto inside = std::count_if(corners.begin(), corners.end(), IsInside<Real>);
+      if (inside != 0 && (inside != 8 || isBehindHidden))
+      {
+        this->SearchFor(surface, cells.Rules.IsSolid(), corners, part, isBehindHidden, next);
+      }
+    }
+  }
+
+  /// The surfaces of one isovalue in a cell.
+  void SearchFor(std::size_t surface, bool isSolid, const Corners<Real>& corners, const Part& part,
+    bool isBehindHidden, NextHit& next) const
+  {
+    const auto number = static_cast<std::int16_t>(surface);
+    Cubic<Real> cubic;
+    bool isInside;
+    if constexpr (Between == Interpolation::Linear)
+    {
+      cubic = CubicAlong(corners, part.Path());
+      isInside = IsInside(cubic[0]);
+    }
+    else
+    {
+      isInside = IsInside(Cells::AtEntry(corners, part));
+    }
+    if (isInside && isBehindHidden)
+    {
+      next.Consider(part.Enter(), HitKind::Cap, number);
+    }
+    const auto consider = [&](double share)
+    {
+      isInside = !isInside;
+      if (isInside || !isSolid)
+      {
+        next.Consider(part.DistanceAt(share), HitRules::KindOf(!isInside), number);
+      }
+      return false;
+    };
+    if constexpr (Between == Interpolation::Linear)
+    {
+      VisitCrossings(cubic, [&](Real share) { return consider(static_cast<double>(share)); });
+    }
+    else if (part.HasLength())
+    {
+      VisitNearestCrossings(corners, part.Nearest(), consider);
+    }
+  }
+
+  std::vector<double> Isovalues;
+  std::vector<std::size_t> Ascending; ///< places of the isovalues, by their values
+};
+
+}
+
+#endif

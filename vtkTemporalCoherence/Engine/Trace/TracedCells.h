@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_TracedCells_h
+#define TemporalCoherence_TracedCells_h
+
+#include "Acceleration/HiddenCells.h"
+#include "Scene/Difference.h"
+#include "Trace/CellRoot.h"
+#include "Trace/CellSamples.h"
+#include "Trace/CellWalk.h"
+#include "Trace/HitRules.h"
+#include "Trace/SurfaceTracer.h"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace TemporalCoherence
+{
+
+/// The cells of a field with samples at their corners, as rays are traced through them.
+///
+/// \tparam Geometry tells how rays go through cells: RayOf(rays, ray), for CellWalk, and Part(ray,
+///         cell), the part of a ray in a cell; and in which types: Value, of which differences from
+///         isovalues are taken, and Real, in which crossings are found; and HasKernels: parts of
+///         rays are made and searched by those for PassageBatch
+template <typename T, typename Geometry, Interpolation Between>
+struct TracedCells
+{
+  using Real = typename Geometry::Real;
+  using Value = typename Geometry::Value;
+  using Part = typename Geometry::Part;
+
+  TracedCells(const TraceScene& scene, const Geometry& shape)
+    : Scene(scene)
+    , Shape(shape)
+    , Samples(scene.Samples)
+    , Count(scene.Samples.Dimensions - 1)
+    , Hidden(scene.Samples.Hidden.get())
+    , Rules(scene.Sought, scene.Samples.Hidden != nullptr)
+  {
+    for (const double isovalue : scene.Sought.Isovalues)
+    {
+      this->Differences.emplace_back(isovalue, scene.FiniteRange);
+    }
+  }
+
+  bool IsHidden(const glm::ivec3& cell) const
+  {
+    return this->Hidden && this->Hidden->IsHidden(cell);
+  }
+
+  /// Take a walk to the next cell that may hold a surface.
+  /// \return false if the walk ends before
+  template <typename WalkingRay>
+  bool GoOn(const WalkingRay& ray, CellWalk& walk) const
+  {
+    return this->Scene.Active ? walk.FindActive(ray, *this->Scene.Active, this->Samples.All())
+                              : walk.FindAny(ray, this->Count);
+  }
+
+  /// Differences of a cell's samples from an isovalue.
+  Corners<Real> Differ(const std::array<T, 8>& samples, std::size_t surface) const
+  {
+    Corners<Real> corners;
+    for (std::size_t i = 0; i < 8; ++i)
+    {
+      corners[i] = this->Differences[surface](static_cast<Value>(samples[i]));
+    }
+    return corners;
+  }
+
+  /// True if a surface can be in a cell, or a cap before it.
+  bool CanHold(const Corners<Real>& corners) const
+  {
+    int inside = 0;
+    for (const Real corner : corners)
+    {
+      inside += IsInside(corner);
+    }
+    return inside != 0 && (inside != 8 || this->Rules.AreCappedBehindHidden());
+  }
+
+  /// Difference from the isovalue where a ray enters a cell.
+  static Real AtEntry(const Corners<Real>& corners, const Part& part)
+  {
+    return Between == Interpolation::Linear ? CubicAlong(corners, part.Path())[0]
+                                            : corners[NearestCorner(part.Path().Begin)];
+  }
+
+  TraceScene Scene;
+  Geometry Shape;
+  CellSamples<T> Samples;
+  std::vector<Difference<Value>> Differences; ///< from each isovalue
+  glm::ivec3 Count;                           ///< of cells along each axis
+  const HiddenCells* Hidden;                  ///< null for none
+  HitRules Rules;
+};
+
+}
+
+#endif

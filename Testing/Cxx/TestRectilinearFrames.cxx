@@ -161,8 +161,8 @@ void TestRoutes(const std::string& name, vtkRectilinearGrid* grid, unsigned seed
     std::cout << " " << route << " " << count;
   }
   std::cout << "\n";
-  Expect(routes["ImageCache"] > 10 && routes["ThresholdHint"] > 0, name + ": routes are missing");
-  Expect(routes["IsomapBuild"] + routes["IsomapLookup"] == 0, name + ": no isomap of a grid");
+  Expect(routes["ImageCache"] > 10, name + ": too few frames from the image cache");
+  Expect(routes["IsomapBuild"] + routes["IsomapLookup"] > 10, name + ": too few isomaps");
 }
 
 /// Lengths of vectors are computed once, and nothing of a grid is kept after ReleaseReuse.

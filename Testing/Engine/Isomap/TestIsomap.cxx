@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Acceleration/HiddenCells.h"
+#include "Fields/Coordinates.h"
 #include "Grid.h"
 #include "Render/FrameRenderer.h"
 
@@ -94,6 +96,45 @@ double Waves(int i, int j, int k)
   return 120.0 + 100.0 * std::sin(0.2 * i) * std::cos(0.25 * j) * std::sin(0.3 * k);
 }
 
+/// A block of hidden cells and, of all others, one in ten.
+std::shared_ptr<const HiddenCells> SomeHidden(const glm::ivec3& samples)
+{
+  const glm::ivec3 cells = samples - 1;
+  std::vector<std::uint8_t> flags;
+  std::mt19937 engine(5);
+  for (int k = 0; k < cells.z; ++k)
+  {
+    for (int j = 0; j < cells.y; ++j)
+    {
+      for (int i = 0; i < cells.x; ++i)
+      {
+        const glm::ivec3 cell(i, j, k);
+        const bool isInBlock = glm::all(glm::greaterThan(cell, cells / 3)) &&
+          glm::all(glm::lessThan(cell, 2 * cells / 3));
+        flags.push_back(isInBlock || engine() % 10 == 0);
+      }
+    }
+  }
+  return HiddenCells::Make(samples, { flags.data(), 1, nullptr, 0 });
+}
+
+/// Caps of a picture that are not where the ray enters the field's box.
+std::int64_t CapsWithin(const Frame& frame, const FrameKey& key)
+{
+  std::int64_t caps = 0;
+  for (std::size_t i = 0; i < frame.Kinds.size(); ++i)
+  {
+    const int pixel = static_cast<int>(i);
+    const Ray ray = key.Seen.RayThrough(pixel % frame.Size.x, pixel / frame.Size.x);
+    const glm::dvec3 at = ray.Origin + frame.Depth[i] * ray.Direction;
+    const glm::dvec3 last(key.Samples.Dimensions - 1);
+    const bool isWithin =
+      glm::all(glm::greaterThan(at, glm::dvec3(0.01))) && glm::all(glm::lessThan(at, last - 0.01));
+    caps += frame.Kinds[i] == HitKind::Cap && isWithin;
+  }
+  return caps;
+}
+
 /// The isovalues of a picture are those of the cold one, and no surface is farther from it than a
 /// tolerance.
 void ExpectWithin(const Frame& made, const Frame& truth, double tolerance)
@@ -131,6 +172,46 @@ TEST_F(IsomapTest, IsTheColdPictureForAnyIsovalue)
       }
     }
   }
+}
+
+/// Where hidden cells interrupt rays, isovalues are not met in their order.
+TEST_F(IsomapTest, HiddenCellsOfImagesAndGrids)
+{
+  Grid<std::uint8_t> bytes(glm::ivec3(40, 34, 30));
+  bytes.Fill(Waves);
+  Grid<float> noise(glm::ivec3(20, 21, 22));
+  noise.FillRandomly(20.0, 220.0, 3);
+  std::int64_t capsBehind = 0;
+  for (const bool isRectilinear : { false, true })
+  {
+    for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
+    {
+      for (const Interpolation between : { Interpolation::Linear, Interpolation::Nearest })
+      {
+        for (FrameKey key : { KeyOf(bytes), KeyOf(noise, true) })
+        {
+          SCOPED_TRACE(testing::Message()
+            << "rectilinear " << isRectilinear << " mode " << static_cast<int>(mode) << " between "
+            << static_cast<int>(between));
+          key.Samples.Hidden = SomeHidden(key.Samples.Dimensions);
+          key.Samples.Between = between;
+          key.Sought.Mode = mode;
+          if (isRectilinear)
+          {
+            key.Samples.Kind = RectilinearKind(Graded(key.Samples.Dimensions, 5.0, 7));
+          }
+          this->Sweep(key, 20.0, 220.0);
+          this->Show(key, { 120.0, 90.0 });
+          this->Show(key, { 119.0, 90.0 });
+          this->Show(key, { 118.0, 91.0, 180.0 });
+          const Route made = this->Renderer.Statistics().Made;
+          EXPECT_TRUE(made == Route::IsomapBuild || made == Route::IsomapLookup) << NameOf(made);
+          capsBehind += CapsWithin(this->Renderer.LastFrame(), key);
+        }
+      }
+    }
+  }
+  EXPECT_GT(capsBehind, 1000) << "that hidden cells cut open";
 }
 
 TEST_F(IsomapTest, SeveralIsovalues)

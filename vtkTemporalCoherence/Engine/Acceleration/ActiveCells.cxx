@@ -47,10 +47,12 @@ void ActiveCells::Build(
   this->FindLeaves(field, pyramid);
 }
 
-void ActiveCells::Build(const Field& field, const ValueRangePyramid& pyramid, const ValueBand& band)
+void ActiveCells::Build(
+  const Field& field, const ValueRangePyramid& pyramid, const ValueBand& band, SurfaceMode mode)
 {
   this->Release();
   this->Sought = { band };
+  this->IsCapped = field.Hidden && mode == SurfaceMode::Threshold;
   this->FindLeaves(field, pyramid);
 }
 

@@ -39,7 +39,8 @@ public:
   /// Find the active leaves.
   /// \throws std::bad_alloc, nothing being active then
   void Build(const Field& field, const ValueRangePyramid& pyramid, const Surfaces& surfaces);
-  void Build(const Field& field, const ValueRangePyramid& pyramid, const ValueBand& band);
+  void Build(const Field& field, const ValueRangePyramid& pyramid, const ValueBand& band,
+    SurfaceMode mode = SurfaceMode::Crossing);
 
   void Release();
 

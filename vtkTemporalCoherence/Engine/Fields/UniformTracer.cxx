@@ -57,6 +57,7 @@ public:
     this->ReadCorners(this->Cells.Differences[cells.Surface], true, passages);
     hits.CellsRead += cells.Count;
     this->FindInPassages(passages);
+    const auto surface = static_cast<std::int16_t>(cells.Surface);
     std::uint64_t missing = 0;
     for (std::size_t i = 0; i < static_cast<std::size_t>(passages.Count); ++i)
     {
@@ -67,8 +68,11 @@ public:
         HitRules::KeepContact(passages.Enter[i], fromInside, ray, hits);
       }
       missing |= static_cast<std::uint64_t>(!std::isfinite(passages.Distance[i])) << ray;
-      this->Cells.Rules.KeepFirst(
-        passages.Distance[i], fromInside, static_cast<std::int16_t>(cells.Surface), ray, hits);
+      this->Cells.Rules.KeepFirst(passages.Distance[i], fromInside, surface, ray, hits);
+      if (this->Cells.Rules.AreCappedBehindHidden())
+      {
+        this->CapBehindHidden(passages, i, ray, surface, hits);
+      }
     }
     return missing;
   }

@@ -3,6 +3,7 @@
 #ifndef TemporalCoherence_CellBandTracer_h
 #define TemporalCoherence_CellBandTracer_h
 
+#include "Acceleration/HiddenCells.h"
 #include "Isomap/BandTracer.h"
 #include "Scene/Difference.h"
 #include "Trace/CellRoot.h"
@@ -416,6 +417,11 @@ private:
       if (rays.Begin[ray] < rays.End[ray])
       {
         const glm::ivec3 cell = this->Shape.RayOf(rays, ray).CellAt(rays.Begin[ray], this->Cells);
+        if (this->Scene.Samples.Hidden && this->Scene.Samples.Hidden->IsHidden(cell))
+        {
+          this->Enter(ray, -Infinity, Real(0), progress); // in nothing, as below the band
+          continue;
+        }
         Corners<Real> corners;
         const CellReach reach = this->Read(cell, corners);
         this->Append(ray, cell, corners, reach, progress);

@@ -94,8 +94,7 @@ void NarrowByFit(const TileKnots& knots, const BandScale& scale, double toleranc
 bool Isomap::CanHold(const Field& field)
 {
   constexpr int largest = std::numeric_limits<CellIndex::value_type>::max();
-  // Along a ray that hidden cells interrupt, isovalues are not met in their order.
-  return field.HasCells() && field.Kind->Abilities().Isomaps && !field.Hidden &&
+  return field.HasCells() && field.Kind->Abilities().Isomaps &&
     glm::all(glm::lessThanEqual(field.Dimensions, glm::ivec3(largest)));
 }
 
@@ -117,8 +116,9 @@ double Isomap::SmallestTolerance(const Field& field, const Placement& where)
 KnotForm Isomap::FormFor(const FrameKey& key, const Options& options)
 {
   // Where the field is that of the nearest sample, distances are no curves to be fitted.
-  const bool isFitted = key.Samples.Between == Interpolation::Linear && options.Tolerance > 0.0 &&
-    options.Tolerance >= SmallestTolerance(key.Samples, key.Where);
+  // Nor where it may jump, behind hidden cells.
+  const bool isFitted = key.Samples.Between == Interpolation::Linear && !key.Samples.Hidden &&
+    options.Tolerance > 0.0 && options.Tolerance >= SmallestTolerance(key.Samples, key.Where);
   return { isFitted ? options.Tolerance * key.Samples.Kind->VoxelSizeIn(key.Where).Shortest : 0.0,
     options.HasNormals };
 }
@@ -164,18 +164,20 @@ struct Isomap::BandSource
     , From(start)
     , Rays(map.Key.Seen, map.Key.Where, map.Key.Samples.Dimensions, map.Key.Kept)
   {
-    this->Active.Build(map.Key.Samples, pyramid, band);
+    this->Active.Build(map.Key.Samples, pyramid, band, map.Key.Sought.Mode);
     this->Bounds.Build(map.Key.Seen, map.Key.Where, this->Active, *map.Key.Samples.Kind);
     this->Tracer = BandTracer::Make({ map.Key.Samples, pyramid.FiniteRange(), &pyramid,
       &this->Active, band, map.Key.Sought.Mode, map.Form, map.Key.Where, memoryLimit });
+    // Otherwise what shows lower isovalues tells nothing of where higher ones can be.
+    const bool areOrdered = AreHitsOrdered(map.Key);
     for (const std::shared_ptr<Band>& kept : map.Kept)
     {
-      if (kept->Values.High == band.Low)
+      if (areOrdered && kept->Values.High == band.Low)
       {
         this->Underneath = kept;
       }
     }
-    if (!start.Picture || start.Isovalue > band.Low)
+    if (!areOrdered || !start.Picture || start.Isovalue > band.Low)
     {
       this->From.Picture = nullptr;
     }

@@ -52,7 +52,7 @@ public:
     Stopped,   ///< by the report of its progress
     TooLarge,  ///< the band alone would exceed the limit of memory
     TooCostly, ///< it would read too many cells
-    Impossible ///< there are no isovalues, no cells, too many cells, or hidden ones
+    Impossible ///< there are no isovalues, no cells, too many cells, or no BandTracer
   };
 
   /// What a band may cost.
@@ -76,8 +76,7 @@ public:
   /// How the knots for a frame are kept.
   static KnotForm FormFor(const FrameKey& key, const Options& options);
 
-  /// True if the kind of a field has isomaps, its cells have numbers that fit the knots, and none is
-  /// hidden.
+  /// True if the kind of a field has isomaps, and its cells have numbers that fit the knots.
   static bool CanHold(const Field& field);
 
   /// True if this is the isomap of the view, data and mode of a frame, made as the options ask for.

@@ -50,6 +50,7 @@ public:
   std::uint64_t SearchCells(
     const RayBatch& rays, const CellList& cells, HitBatch& hits) const override
   {
+    const auto surface = static_cast<std::int16_t>(cells.Surface);
     std::uint64_t missing = 0;
     for (std::size_t i = 0; i < static_cast<std::size_t>(cells.Count); ++i)
     {
@@ -63,8 +64,7 @@ public:
         HitRules::KeepContact(part.Enter(), found.FromInside, ray, hits);
       }
       missing |= static_cast<std::uint64_t>(!std::isfinite(found.Distance)) << ray;
-      this->Cells.Rules.KeepFirst(
-        found.Distance, found.FromInside, static_cast<std::int16_t>(cells.Surface), ray, hits);
+      this->Keep(part, found, surface, ray, hits);
     }
     hits.CellsRead += cells.Count;
     return missing;
@@ -106,6 +106,19 @@ private:
     }
   }
 
+  /// Make what was found of a surface the hit of its ray if it is met before that.
+  void Keep(const Part& part, const Found& found, std::int16_t surface, std::size_t ray,
+    HitBatch& hits) const
+  {
+    const HitRules& rules = this->Cells.Rules;
+    rules.KeepFirst(found.Distance, found.FromInside, surface, ray, hits);
+    if (rules.AreCappedBehindHidden() && found.FromInside)
+    {
+      rules.CapBehindHidden(
+        part.Enter(), surface, ray, [&] { return part.ComesFrom(*this->Cells.Hidden); }, hits);
+    }
+  }
+
   /// Go from cell to cell up to the first hit.
   void Walk(const RayBatch& rays, std::size_t ray, HitBatch& hits) const
   {
@@ -126,7 +139,6 @@ private:
   template <typename WalkingRay>
   void Visit(const WalkingRay& line, const glm::ivec3& cell, std::size_t ray, HitBatch& hits) const
   {
-    const HitRules& rules = this->Cells.Rules;
     const std::array<T, 8> samples = this->Cells.Samples.Read(cell);
     for (std::size_t i = 0; i < this->Cells.Differences.size(); ++i)
     {
@@ -139,12 +151,7 @@ private:
       const Part part(line, cell);
       const Found found = this->SearchFor(part, corners);
       HitRules::KeepContact(part.Enter(), found.FromInside, ray, hits);
-      rules.KeepFirst(found.Distance, found.FromInside, surface, ray, hits);
-      if (rules.AreCappedBehindHidden() && found.FromInside)
-      {
-        rules.CapBehindHidden(
-          part.Enter(), surface, ray, [&] { return part.ComesFrom(*this->Cells.Hidden); }, hits);
-      }
+      this->Keep(part, found, surface, ray, hits);
     }
   }
 

@@ -75,8 +75,8 @@ public:
   /// The ray begins in a solid, which is capped there. Of several isovalues the highest is seen.
   void CapWhereItBegins(double begin, std::int16_t surface, std::size_t ray, HitBatch& hits) const
   {
-    if (hits.Kind[ray] != HitKind::Cap ||
-      this->IsovalueOf(surface) > this->IsovalueOf(hits.Surface[ray]))
+    const MetSurface cap{ begin, HitKind::Cap, this->IsovalueOf(surface) };
+    if (IsInFrontOfHit(cap, hits, ray, this->Sought.Isovalues))
     {
       hits.Depth[ray] = begin;
       hits.Contact[ray] = begin;

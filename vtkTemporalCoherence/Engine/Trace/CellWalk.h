@@ -156,7 +156,7 @@ public:
 private:
   /// Leap from block to block until one is an active leaf, and prepare to step through it.
   template <typename WalkingRay, typename T, typename Filter>
-  bool FindActiveLeaf(const WalkingRay& ray, const ActiveCells& active,
+  HWY_INLINE bool FindActiveLeaf(const WalkingRay& ray, const ActiveCells& active,
     const TypedField<T>& samples, const Filter& filter)
   {
     while (true)

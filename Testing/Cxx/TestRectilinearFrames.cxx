@@ -126,7 +126,7 @@ void TestRoutes(const std::string& name, vtkRectilinearGrid* grid, unsigned seed
         const double low = x->GetTuple1(i - 1), high = x->GetTuple1(i + 1);
         x->SetComponent(i, 0, low + views.Between(0.3, 0.7) * (high - low));
       } },
-    { true,
+    { false, // tiles may be copied
       [&, grid]
       {
         vtkDataArray* scalars = grid->GetPointData()->GetScalars();

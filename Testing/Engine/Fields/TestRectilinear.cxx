@@ -439,4 +439,28 @@ TEST_F(RectilinearFrames, SweepOfIsovaluesIsLookedUp)
   }
 }
 
+TEST_F(RectilinearFrames, TimeStepsCopyTilesThatSeeNoChange)
+{
+  FrameRenderer renderer;
+  const auto step = [&](int first)
+  {
+    for (int i = first; i < first + 6; ++i)
+    {
+      this->Samples.At(i, 20, 20) = static_cast<std::uint8_t>(40 * (i - first));
+    }
+    ++this->Key.Samples.Stamp;
+    renderer.Render(this->Key, {});
+  };
+  renderer.Render(this->Key, {});
+  step(10); // data that never changes has no fingerprints
+  EXPECT_EQ(renderer.Statistics().Made, Route::Cold);
+  step(30);
+  EXPECT_EQ(renderer.Statistics().Made, Route::ImageCache);
+  EXPECT_LT(renderer.Statistics().TracedRays, renderer.Statistics().Rays / 4);
+  ExpectSamePicture(renderer.LastFrame(), this->Cold(true));
+  this->Key.Samples.Kind = RectilinearKind(Graded(this->Key.Samples.Dimensions, 30.0, 9));
+  step(31);
+  EXPECT_EQ(renderer.Statistics().Made, Route::Cold) << "samples lie elsewhere";
+}
+
 }

@@ -8,6 +8,8 @@
 #include "Scene/RayBatch.h"
 #include "Trace/CellRoot.h"
 
+#include <hwy/base.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -24,14 +26,17 @@ struct RectilinearRay
   double Direction(int axis) const { return this->Rays.Direction[Index(axis)][this->Ray]; }
 
   /// Distance at which the ray passes a coordinate of an axis.
-  double PassAt(int axis, double coordinate) const
+  HWY_INLINE double PassAt(int axis, double coordinate) const
   {
     return (coordinate - this->Origin(axis)) * this->Rays.Inverse[Index(axis)][this->Ray];
   }
 
   /// Distance at which the ray passes plane `plane` of an axis, always computed from the plane's
   /// coordinate. What lies beyond the last plane is taken to be there.
-  double Pass(int axis, int plane) const { return this->PassAt(axis, this->Grid.At(axis, plane)); }
+  HWY_INLINE double Pass(int axis, int plane) const
+  {
+    return this->PassAt(axis, this->Grid.At(axis, plane));
+  }
 
   /// The cell, from low to high, that the ray is in at t: it has passed one of its planes and not
   /// the other. As planes decide, and not a point that would be rounded, no cell is left out.

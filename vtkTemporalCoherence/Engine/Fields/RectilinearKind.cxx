@@ -47,7 +47,7 @@ public:
     return same && (same->Grid == this->Grid || same->Grid->Along == this->Grid->Along);
   }
 
-  FieldAbilities Abilities() const override { return { true, true, false }; }
+  FieldAbilities Abilities() const override { return { true, true, true }; }
 
   bool AreBlocksAlike() const override { return false; }
 

@@ -73,7 +73,7 @@ inline bool operator==(const Field& a, const Field& b)
 {
   return a.Samples == b.Samples && a.Type == b.Type && a.Between == b.Between &&
     a.Dimensions == b.Dimensions && a.Strides == b.Strides && a.Stamp == b.Stamp &&
-    (a.Kind == b.Kind || a.Kind->IsSame(*b.Kind)) && a.Hidden == b.Hidden;
+    AreSame(a.Kind, b.Kind) && a.Hidden == b.Hidden;
 }
 
 /// Where the field lies in the world: index space to world coordinates and back.

@@ -98,6 +98,13 @@ public:
     const glm::dvec3& direction, double& nearest) const;
 };
 
+/// True if fields that differ in two kinds alone are the same.
+inline bool AreSame(
+  const std::shared_ptr<const FieldKind>& a, const std::shared_ptr<const FieldKind>& b)
+{
+  return a == b || a->IsSame(*b);
+}
+
 /// The kind of images: samples lie at whole numbers (Fields/UniformKind.cxx).
 std::shared_ptr<const FieldKind> UniformKind();
 

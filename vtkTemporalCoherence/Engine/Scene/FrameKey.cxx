@@ -7,10 +7,10 @@ namespace TemporalCoherence
 
 bool AreAlike(const Field& a, const Field& b)
 {
-  const auto isPlain = [](const Field& field)
+  const auto canBeTold = [](const Field& field)
   { return field.HasCells() && field.Kind->Abilities().TimeSteps && !field.Hidden; };
-  return isPlain(a) && isPlain(b) && a.Type == b.Type && a.Between == b.Between &&
-    a.Dimensions == b.Dimensions;
+  return canBeTold(a) && canBeTold(b) && AreSame(a.Kind, b.Kind) && a.Type == b.Type &&
+    a.Between == b.Between && a.Dimensions == b.Dimensions;
 }
 
 FrameChange CompareFrames(const FrameKey& last, const FrameKey& next)

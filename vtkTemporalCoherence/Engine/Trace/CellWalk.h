@@ -156,7 +156,7 @@ public:
 private:
   /// Leap from block to block until one is an active leaf, and prepare to step through it.
   template <typename WalkingRay, typename T, typename Filter>
-  bool FindActiveLeaf(const WalkingRay& ray, const ActiveCells& active,
+  HWY_INLINE bool FindActiveLeaf(const WalkingRay& ray, const ActiveCells& active,
     const TypedField<T>& samples, const Filter& filter)
   {
     while (true)
@@ -207,7 +207,8 @@ private:
   /// axis `exit` at t. A point may be rounded across a plane that the ray passes before or after.
   /// \param ends lowest and highest cell of the block along the axis
   template <typename WalkingRay>
-  int Land(const WalkingRay& ray, int axis, int exit, double t, const glm::ivec2& ends) const
+  HWY_INLINE int Land(
+    const WalkingRay& ray, int axis, int exit, double t, const glm::ivec2& ends) const
   {
     const int ahead = this->Ahead[axis], step = 2 * ahead - 1;
     const int first = ahead ? ends.x : ends.y, last = ahead ? ends.y : ends.x;

@@ -53,7 +53,7 @@ struct TracedCells
   /// Take a walk to the next cell that may hold a surface.
   /// \return false if the walk ends before
   template <typename WalkingRay>
-  bool GoOn(const WalkingRay& ray, CellWalk& walk) const
+  HWY_INLINE bool GoOn(const WalkingRay& ray, CellWalk& walk) const
   {
     return this->Scene.Active ? walk.FindActive(ray, *this->Scene.Active, this->Samples.All())
                               : walk.FindAny(ray, this->Count);

@@ -9,9 +9,7 @@
  * one in a vtkVolume, but it needs no GPU:
  *
  * @code
- * vtkNew<vtkTemporalCoherenceVolumeMapper> mapper;
  * mapper->SetInputConnection(reader->GetOutputPort());
- * vtkNew<vtkVolume> volume;
  * volume->SetMapper(mapper);
  * volume->GetProperty()->GetIsoSurfaceValues()->SetValue(0, 60.0);
  * volume->GetProperty()->SetInterpolationTypeToLinear();
@@ -112,11 +110,9 @@ public:
   //@{
   /**
    * Switch the image cache on or off (default: on), and set how many images it keeps for each
-   * viewer, 1 (default) to 64. Each image takes 36 bytes per pixel.
-   *
-   * With the image cache, the frame of a moved camera starts from the cached image with the nearest
-   * view, and the frame of another time step copies what shows no changed sample. Without it, a new
-   * view and changed samples make cold frames.
+   * viewer, 1 (default) to 64. With it, the frame of a moved camera starts from the cached image
+   * with the nearest view, and the frame of another time step copies what shows no changed sample.
+   * Without it, both make cold frames. Each image takes 36 bytes per pixel.
    */
   vtkSetMacro(ImageCache, vtkTypeBool);
   vtkGetMacro(ImageCache, vtkTypeBool);
@@ -142,20 +138,16 @@ public:
    * EXACT: the cold picture, byte for byte. It costs as much as a cold frame.
    *
    * PAPER: the published method, for comparison. Silhouettes erode a little with every frame.
+   *
+   * RefineWhenStill (default: on): if the last picture is not exact, the next frame of the same
+   * view is cold, once. Pictures from the image cache are not exact, nor are pictures from an
+   * isomap with a tolerance or with interpolated normals.
    */
   vtkSetClampMacro(ReuseAccuracy, int, BOUNDED, PAPER);
   vtkGetMacro(ReuseAccuracy, int);
   void SetReuseAccuracyToBounded() { this->SetReuseAccuracy(BOUNDED); }
   void SetReuseAccuracyToExact() { this->SetReuseAccuracy(EXACT); }
   void SetReuseAccuracyToPaper() { this->SetReuseAccuracy(PAPER); }
-  //@}
-
-  //@{
-  /**
-   * Switch refinement on or off. Default: on. If the last picture is not exact, the next frame of
-   * the same view is cold, once. Pictures from the image cache are not exact, nor are pictures from
-   * an isomap with a tolerance or with interpolated normals.
-   */
   vtkSetMacro(RefineWhenStill, vtkTypeBool);
   vtkGetMacro(RefineWhenStill, vtkTypeBool);
   vtkBooleanMacro(RefineWhenStill, vtkTypeBool);
@@ -224,7 +216,7 @@ public:
    */
   bool BuildIsomap(vtkRenderer* renderer, vtkVolume* volume);
 
-  /** Drop all pictures and structures that are kept, and free their memory. */
+  /** Free all pictures and structures that are kept. The next frame is cold. */
   void ReleaseReuse();
 
   /**
@@ -236,7 +228,7 @@ public:
    * @param width    pixels in a row, at least 1
    * @param height   rows, at least 1
    * @param color    gets unsigned char RGBA, with colours multiplied by alpha. Alpha is 255 where
-   *                 surfaces are opaque and 0 where there is none.
+   *                 nothing shows through the surfaces, and 0 where there is none.
    * @param depth    gets float: world distance along the ray from the eye or, in a parallel
    *                 projection, from the plane through the camera; infinity where nothing is hit.
    *                 Either image may be null. Row 0 is the bottom row.
@@ -252,7 +244,7 @@ public:
    *                      where nothing is hit
    * @param isovalueIndex gets int: index in vtkVolumeProperty::GetIsoSurfaceValues(); -1 where
    *                      nothing is hit
-   * @param answer        gets unsigned char: what was known about the ray before it was traced; 0 a
+   * @param answer        gets unsigned char: how the ray was answered when the picture was made; 0 a
    *                      definite miss, 1 a definite hit, 2 a possible hit
    */
   bool RenderToImage(vtkRenderer* renderer, vtkVolume* volume, int width, int height,
@@ -268,15 +260,9 @@ public:
 
   //@{
   /**
-   * Get the last frame as vtkGPUVolumeRayCastMapper gives it. The image is unchanged if there is no
-   * frame or not enough memory. After RenderToImageOn(), Render() draws nothing into its window.
-   *
-   * GetColorImage: RGBA bytes, with colours multiplied by alpha. A pixel without a hit is 0 or, if
-   * its ray misses the volume's box, 255, 255, 255, 0.
-   *
-   * GetDepthImage: depth-buffer values, 0 (near plane) to 1 (far plane). A pixel without a hit is 1
-   * or, after ClampDepthToBackfaceOn(), the depth at which the ray leaves the volume. Values are
-   * floats or, as DepthImageScalarType says, integers scaled to 255 or 65535.
+   * Get the last frame as vtkGPUVolumeRayCastMapper gives it: RGBA bytes with colours multiplied by
+   * alpha, or depth-buffer values from 0 (near plane) to 1 (far plane). The image is unchanged if
+   * there is no frame or not enough memory. Documentation/Mapper.md has more.
    */
   void GetColorImage(vtkImageData* image) override;
   void GetDepthImage(vtkImageData* image) override;
@@ -318,9 +304,7 @@ public:
   bool IntersectWithLine(vtkVolume* volume, const double p1[3], const double p2[3], double& t,
     double position[3], double normal[3], int* isovalueIndex);
 
-  /**
-   * The ways to make a frame.
-   */
+  /** The ways to make a frame. */
   enum Routes
   {
     ROUTE_COLD,           ///< every ray is traced without help from an earlier frame
@@ -344,10 +328,9 @@ public:
 
   //@{
   /**
-   * Get counters of the last frame. The number of rays is the sum of definite hits, definite misses
-   * and possible hits. Field samples are those read to find surfaces and to build the isomap, eight
-   * per cell. The memory (in bytes) and the knots are those of the isomap that is kept.
-   * Documentation/Mapper.md has more.
+   * Get counters and times of the last frame, and the memory (in bytes) and the knots of its
+   * isomap. Rays are the sum of definite hits, definite misses and possible hits. Times are in
+   * seconds; the frame's time includes the others. Documentation/Mapper.md has more.
    */
   vtkIdType GetNumberOfRays();
   vtkIdType GetNumberOfDefiniteHits();
@@ -357,14 +340,6 @@ public:
   vtkIdType GetNumberOfFieldSamples();
   vtkIdType GetIsomapMemory();
   vtkIdType GetNumberOfIsomapKnots();
-  //@}
-
-  //@{
-  /**
-   * Get the seconds that the last frame took: the whole frame, and its parts: tracing or looking
-   * up, querying the image cache, building the isomap, shading, and presenting. BuildIsomap() sets
-   * the time of building the isomap, and no other.
-   */
   double GetFrameTime();
   double GetTraceTime();
   double GetQueryTime();

@@ -244,8 +244,8 @@ public:
    *                      where nothing is hit
    * @param isovalueIndex gets int: index in vtkVolumeProperty::GetIsoSurfaceValues(); -1 where
    *                      nothing is hit
-   * @param answer        gets unsigned char: how the ray was answered when the picture was made; 0 a
-   *                      definite miss, 1 a definite hit, 2 a possible hit
+   * @param answer        gets unsigned char: how the ray was answered when the picture was made; 0
+   *                      a definite miss, 1 a definite hit, 2 a possible hit
    */
   bool RenderToImage(vtkRenderer* renderer, vtkVolume* volume, int width, int height,
     vtkImageData* color, vtkImageData* depth, vtkImageData* normals, vtkImageData* isovalueIndex,

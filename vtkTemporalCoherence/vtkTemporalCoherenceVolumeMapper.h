@@ -112,7 +112,7 @@ public:
    * Switch the image cache on or off (default: on), and set how many images it keeps for each
    * viewer, 1 (default) to 64. With it, the frame of a moved camera starts from the cached image
    * with the nearest view, and the frame of another time step copies what shows no changed sample.
-   * Without it, both make cold frames. Each image takes 36 bytes per pixel.
+   * Without it, both frames are cold. Each image takes 36 bytes per pixel.
    */
   vtkSetMacro(ImageCache, vtkTypeBool);
   vtkGetMacro(ImageCache, vtkTypeBool);
@@ -187,8 +187,9 @@ public:
    * one ray per pixel. Above 1, frames are coarser; below 1, a pixel shows the mean of its rays.
    *
    * AutoAdjustSampleDistances (default: off) chooses it between MinimumImageSampleDistance
-   * (default: 1) and MaximumImageSampleDistance (default: 10), so that frames keep to the time that
-   * they are given. Values are clamped; NaN is an error. Documentation/Mapper.md has more.
+   * (default: 1) and MaximumImageSampleDistance (default: 10), so that a frame fits into
+   * vtkVolume::GetAllocatedRenderTime(). Values are clamped; NaN is an error. See
+   * Documentation/Mapper.md.
    */
   void SetImageSampleDistance(float pixels) override;
   void SetMinimumImageSampleDistance(float pixels) override;

@@ -2,17 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkTemporalCoherenceDropInMapper
- * @brief   what programs say to VTK's volume mappers, accepted by one that has no use for it
+ * @brief   settings of VTK's volume mappers that have no effect on isosurfaces
  *
- * The base class of vtkTemporalCoherenceVolumeMapper, apart from it so that the mapper's own header
- * tells what the mapper does. It is a vtkGPUVolumeRayCastMapper, and has besides what
- * vtkSmartVolumeMapper, vtkFixedPointVolumeRayCastMapper, vtkMultiBlockVolumeMapper and
- * vtkOpenGLGPUVolumeRayCastMapper have and that class lacks (in some versions of VTK, at least):
- * a program that was written for one of them compiles when only the name of the class is changed.
+ * This is the base class of vtkTemporalCoherenceVolumeMapper. It lets a program that was written
+ * for one of VTK's volume mappers compile when only the name of the class is changed. It is a
+ * vtkGPUVolumeRayCastMapper and adds the methods that vtkSmartVolumeMapper,
+ * vtkFixedPointVolumeRayCastMapper, vtkMultiBlockVolumeMapper and vtkOpenGLGPUVolumeRayCastMapper
+ * have besides. Some of them are missing in vtkGPUVolumeRayCastMapper only before some version of
+ * VTK.
  *
- * All settings of this header are kept and returned, and change nothing that is drawn: rays meet
- * surfaces exactly, and there is neither a distance between samples nor memory of a GPU. The same
- * goes for these settings of vtkGPUVolumeRayCastMapper: SampleDistance,
+ * All settings of this header are stored and returned, but they do not change the picture: rays
+ * meet surfaces exactly, so that there is no distance between samples, and there is no GPU memory.
+ * These settings of vtkGPUVolumeRayCastMapper have no effect either: SampleDistance,
  * LockSampleDistanceToInputSpacing, UseJittering, MaxMemoryInBytes, MaxMemoryFraction,
  * ReportProgress, Transfer2DYAxisArray, GlobalIlluminationReach, VolumetricScatteringBlending,
  * ComputeNormalFromOpacity, ColorRangeType, ScalarOpacityRangeType and GradientOpacityRangeType.
@@ -45,12 +46,12 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * True, in any window and for any property: nothing is asked of the hardware.
+   * Return true for any window and any property, since nothing depends on the hardware.
    */
   int IsRenderSupported(vtkRenderWindow* window, vtkVolumeProperty* property) override;
 
   /**
-   * How much the input has to be reduced to fit: not at all, the ratio is 1 along each axis.
+   * Get the ratio by which the input is reduced to fit into memory: always 1 along each axis.
    */
   void GetReductionRatio(double ratio[3]) override;
 
@@ -67,9 +68,9 @@ public:
 
   //@{
   /**
-   * Which renderer vtkSmartVolumeMapper and vtkMultiBlockVolumeMapper should take. Default:
-   * DefaultRenderMode. Without effect: rays are always cast on the CPU, and so
-   * GetLastUsedRenderMode() is RayCastRenderMode.
+   * Set/Get the renderer that vtkSmartVolumeMapper and vtkMultiBlockVolumeMapper use. Default:
+   * DefaultRenderMode. No effect here: rays are always cast on the CPU, and
+   * GetLastUsedRenderMode() returns RayCastRenderMode.
    */
   vtkSetClampMacro(RequestedRenderMode, int, DefaultRenderMode, InvalidRenderMode);
   vtkGetMacro(RequestedRenderMode, int);
@@ -83,9 +84,9 @@ public:
 
   //@{
   /**
-   * How vtkSmartVolumeMapper makes a volume smaller that does not fit the GPU: VTK_RESLICE_NEAREST,
-   * VTK_RESLICE_LINEAR or VTK_RESLICE_CUBIC (default); and whether it does so (LowResMode, default
-   * 0). Without effect: no volume is made smaller.
+   * Set/Get how vtkSmartVolumeMapper shrinks a volume that does not fit the GPU:
+   * VTK_RESLICE_NEAREST, VTK_RESLICE_LINEAR or VTK_RESLICE_CUBIC (default). LowResMode (default 0)
+   * says whether it does so. No effect here: no volume is made smaller.
    */
   vtkSetClampMacro(InterpolationMode, int, VTK_NEAREST_INTERPOLATION, VTK_CUBIC_INTERPOLATION);
   vtkGetMacro(InterpolationMode, int);
@@ -106,9 +107,9 @@ public:
 
   //@{
   /**
-   * From which desired update rate on vtkSmartVolumeMapper takes a frame for a part of an
-   * interaction (default 1), and whether it then adjusts sample distances (default on). Without
-   * effect: AutoAdjustSampleDistances alone says so.
+   * Set/Get the desired update rate from which vtkSmartVolumeMapper treats a frame as interactive
+   * (default: 1), and whether it then adjusts sample distances (default: on). No effect here:
+   * AutoAdjustSampleDistances alone decides.
    */
   vtkSetClampMacro(InteractiveUpdateRate, double, 1.0e-10, 1.0e10);
   vtkGetMacro(InteractiveUpdateRate, double);
@@ -119,8 +120,8 @@ public:
 
   //@{
   /**
-   * Distance between samples in interactions, of vtkFixedPointVolumeRayCastMapper. Default: 1.
-   * Without effect: nothing is sampled at distances.
+   * Set/Get the distance between samples that vtkFixedPointVolumeRayCastMapper uses during an
+   * interaction. Default: 1. No effect here: rays meet surfaces exactly.
    */
   vtkSetMacro(InteractiveSampleDistance, float);
   vtkGetMacro(InteractiveSampleDistance, float);
@@ -128,8 +129,8 @@ public:
 
   //@{
   /**
-   * Whether polygons and the volume hide each other, of vtkFixedPointVolumeRayCastMapper. Default:
-   * on. Without effect: they always do.
+   * Set/Get whether polygons and the volume hide each other in vtkFixedPointVolumeRayCastMapper.
+   * Default: on. No effect here: they always do.
    */
   vtkSetClampMacro(IntermixIntersectingGeometry, vtkTypeBool, 0, 1);
   vtkGetMacro(IntermixIntersectingGeometry, vtkTypeBool);
@@ -138,8 +139,9 @@ public:
 
   //@{
   /**
-   * Threads of vtkFixedPointVolumeRayCastMapper. Default: what vtkMultiThreader takes. Without
-   * effect: threads are those of vtkSMPTools, which vtkSMPTools::Initialize() limits.
+   * Set/Get the number of threads of vtkFixedPointVolumeRayCastMapper. Default: that of
+   * vtkMultiThreader. No effect here: the threads are those of vtkSMPTools, and
+   * vtkSMPTools::Initialize() limits their number.
    */
   vtkSetClampMacro(NumberOfThreads, int, 1, VTK_INT_MAX);
   vtkGetMacro(NumberOfThreads, int);
@@ -147,9 +149,10 @@ public:
 
   //@{
   /**
-   * What vtkOpenGLGPUVolumeRayCastMapper does with textures: the parts that a volume is loaded in
-   * (default 1, 1, 1), a depth texture that mappers share, and loading ahead. Without effect, as
-   * there are none; PreLoadData returns true, GetDepthTexture and GetColorTexture null.
+   * Methods of vtkOpenGLGPUVolumeRayCastMapper for textures: the partitions in which a volume is
+   * loaded (default: 1, 1, 1), a depth texture that mappers share, and loading in advance. No
+   * effect here: there are no textures. PreLoadData returns true; GetDepthTexture and
+   * GetColorTexture return null.
    */
   void SetPartitions(unsigned short x, unsigned short y, unsigned short z);
   vtkGetVector3Macro(Partitions, unsigned short);
@@ -162,8 +165,9 @@ public:
 #if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 2, 0)
   //@{
   /**
-   * How light is scattered in clouds, and whether the gradient of the opacity makes normals, which
-   * the superclasses have since VTK 9.2. Default: 0, 0 and off. Without effect on isosurfaces.
+   * Set/Get how light is scattered, and whether normals are computed from the gradient of the
+   * opacity. Defaults: 0, 0 and off. The superclasses have these settings since VTK 9.2. No effect
+   * on isosurfaces.
    */
   vtkSetClampMacro(GlobalIlluminationReach, float, 0.0f, 1.0f);
   vtkGetMacro(GlobalIlluminationReach, float);
@@ -177,8 +181,9 @@ public:
 
   //@{
   /**
-   * The input of port 0, or of any port; null where there is none, or none that is a vtkDataSet.
-   * Of a port with another input, blocks for example, the second gives an image without points.
+   * Get the input of port 0, or of a given port; null if there is none. If the input is not a
+   * vtkDataSet (blocks, for example), GetInput() returns null, and GetInput(port) returns an image
+   * without points.
    */
   vtkDataSet* GetInput() override;
   vtkDataSet* GetInput(int port) override;
@@ -186,7 +191,7 @@ public:
 
   /**
    * WARNING: INTERNAL METHOD - NOT INTENDED FOR GENERAL USE
-   * Draw the volume, as Render() does.
+   * Draw the volume by calling Render().
    */
   void GPURender(vtkRenderer* renderer, vtkVolume* volume) override;
 
@@ -196,7 +201,7 @@ protected:
 
   //@{
   /**
-   * Of mappers of AMR data, which this one is not: nothing is done.
+   * Do nothing: these are methods of mappers for AMR data.
    */
   void PreRender(vtkRenderer* renderer, vtkVolume* volume, double bounds[6], double range[2],
     int components, unsigned int levels) override;

@@ -2,34 +2,37 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkTemporalCoherenceGPUVolumeRayCastMapper
- * @brief   VTK's GPU mapper, but that vtkTemporalCoherenceVolumeMapper draws isosurfaces
+ * @brief   VTK's GPU mapper, with isosurfaces drawn by vtkTemporalCoherenceVolumeMapper
  *
- * It takes the place of vtkGPUVolumeRayCastMapper in programs that are left as they are:
- * vtkTemporalCoherenceObjectFactory makes it wherever they, or vtkSmartVolumeMapper and
- * vtkMultiBlockVolumeMapper, make that one. It is a vtkOpenGLGPUVolumeRayCastMapper, and draws as
- * such whatever a vtkTemporalCoherenceVolumeMapper, of which it holds one, does not. In every frame
- * the settings decide:
+ * This class replaces vtkGPUVolumeRayCastMapper in programs that are not changed.
+ * vtkTemporalCoherenceObjectFactory creates it wherever the program, vtkSmartVolumeMapper or
+ * vtkMultiBlockVolumeMapper creates a vtkGPUVolumeRayCastMapper. It is a
+ * vtkOpenGLGPUVolumeRayCastMapper that holds a vtkTemporalCoherenceVolumeMapper. In every frame the
+ * settings decide which of the two draws.
  *
- * vtkTemporalCoherenceVolumeMapper draws where the blend mode is ISOSURFACE_BLEND.
+ * vtkTemporalCoherenceVolumeMapper draws if the blend mode is ISOSURFACE_BLEND.
  *
- * vtkOpenGLGPUVolumeRayCastMapper draws all other blend modes, and isosurfaces of several inputs
- * (vtkMultiVolume), in a renderer that peels volumes by depth (UseDepthPeelingForVolumes), with
- * shaders of the user's (vtkShaderProperty), with transfer functions in two dimensions, with
- * scattered light or normals of the opacity (VTK >= 9.2), after RenderToImageOn() (whose textures
- * it gives), and of input or settings that vtkTemporalCoherenceVolumeMapper refuses.
+ * vtkOpenGLGPUVolumeRayCastMapper draws all other blend modes. It also draws isosurfaces
+ * - of several inputs (vtkMultiVolume),
+ * - in a renderer that peels volumes by depth (UseDepthPeelingForVolumes),
+ * - with the user's own shaders (vtkShaderProperty),
+ * - with two-dimensional transfer functions,
+ * - with scattered light or with normals of the opacity (VTK >= 9.2),
+ * - after RenderToImageOn(), because it has the textures that are asked for then,
+ * - if vtkTemporalCoherenceVolumeMapper refuses the input or a setting.
  *
- * When it changes who draws in a renderer, and in the first frame, one line in the log of VTK
- * (vtkLogger, INFO) tells who and why, unless the last line told the same of another mapper;
- * PrintSelf tells it, too.
+ * In the first frame of a renderer, and when the choice changes, one line in VTK's log (vtkLogger,
+ * INFO) tells who draws and why. A line that equals the last one is not written again. PrintSelf
+ * tells the same.
  *
- * The environment variable VTK_TEMPORAL_COHERENCE (OFF, NO, FALSE or 0) switches it off, as does
+ * The environment variable VTK_TEMPORAL_COHERENCE (OFF, NO, FALSE or 0) switches this off, as does
  * TemporalCoherenceOff().
  *
- * With the factory a program may give the mapper that draws isosurfaces settings of its own:
- * GetIsosurfaceMapper(). Those that this class has, too, are overwritten in every frame.
+ * GetIsosurfaceMapper() gives access to the settings that only vtkTemporalCoherenceVolumeMapper
+ * has. Settings that this class has as well are copied to it in every frame.
  *
- * Events are those of vtkGPUVolumeRayCastMapper, whoever draws. Observers of errors and warnings of
- * this mapper get those of either.
+ * The events are those of vtkGPUVolumeRayCastMapper, whichever mapper draws. Observers of this
+ * mapper get the errors and warnings of both.
  *
  * @sa vtkTemporalCoherenceObjectFactory vtkTemporalCoherenceVolumeMapper
  * vtkOpenGLGPUVolumeRayCastMapper
@@ -73,20 +76,22 @@ public:
 
   //@{
   /**
-   * The mapper that draws isosurfaces, whose own settings may be changed; and whether it drew the
-   * last frame. Its routes and counters are then those of that frame.
+   * Get the mapper that draws isosurfaces, and whether it drew the last frame. If it did, its route
+   * and its counters are those of that frame.
    */
   vtkTemporalCoherenceVolumeMapper* GetIsosurfaceMapper();
   bool GetDrewIsosurfaces() { return this->DrawnBy == Drawer::Isosurfaces; }
   //@}
 
   /**
-   * Why the one that drew the last frame did; empty before the first frame.
+   * Get the reason for the choice of the mapper that drew the last frame; empty before the first
+   * frame.
    */
   const char* GetReason() { return this->Reason.c_str(); }
 
   /**
-   * How much the input has to be reduced to fit: not at all where isosurfaces are drawn on the CPU.
+   * Get the ratio by which the input is reduced to fit into memory: 1 along each axis if
+   * isosurfaces are drawn on the CPU.
    */
   void GetReductionRatio(double ratio[3]) override;
 
@@ -98,7 +103,8 @@ public:
 
   /**
    * WARNING: INTERNAL METHOD - NOT INTENDED FOR GENERAL USE
-   * Free textures and shaders of a window (of all, if it is null), whoever drew with them.
+   * Free the textures and shaders that both mappers have in a window, or in all windows if it is
+   * null.
    */
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
@@ -127,7 +133,7 @@ private:
   vtkNew<vtkTemporalCoherenceVolumeMapper> Isosurfaces;
   vtkNew<vtkEventForwarderCommand> Forwarder;
   Drawer DrawnBy = Drawer::Nobody;
-  /// What the log was told last of each renderer: one may peel volumes, and another not.
+  /// Who drew in each renderer when it was last logged: one may peel volumes, and another not.
   std::vector<std::pair<vtkWeakPointer<vtkRenderer>, Drawer>> Told;
   std::string Reason;
   double SuperclassTimeToDraw = 0.0;

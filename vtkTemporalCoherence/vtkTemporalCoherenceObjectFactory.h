@@ -2,15 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkTemporalCoherenceObjectFactory
- * @brief   makes vtkTemporalCoherenceGPUVolumeRayCastMapper where vtkGPUVolumeRayCastMapper is made
+ * @brief   creates vtkTemporalCoherenceGPUVolumeRayCastMapper for vtkGPUVolumeRayCastMapper
  *
- * After UseEverywhere() every vtkGPUVolumeRayCastMapper that is made, by the program or by
- * vtkSmartVolumeMapper and vtkMultiBlockVolumeMapper, draws isosurfaces by
- * vtkTemporalCoherenceVolumeMapper, and all the rest as ever. Those that were made before stay what
- * they are.
+ * After UseEverywhere(), vtkGPUVolumeRayCastMapper::New() creates a
+ * vtkTemporalCoherenceGPUVolumeRayCastMapper. It draws isosurfaces by
+ * vtkTemporalCoherenceVolumeMapper, and everything else as before. This includes the mappers that
+ * vtkSmartVolumeMapper and vtkMultiBlockVolumeMapper create. Mappers that exist already do not
+ * change.
  *
- * A program that is not rebuilt gets the same by the environment variable VTK_AUTOLOAD_PATH. It
- * names the directory vtkTemporalCoherence/autoload beside the library of this module.
+ * A program that is not rebuilt can load this factory by the environment variable
+ * VTK_AUTOLOAD_PATH. Set it to the directory vtkTemporalCoherence/autoload beside the library of
+ * this module.
  *
  * @sa vtkTemporalCoherenceGPUVolumeRayCastMapper vtkObjectFactory
  */
@@ -36,8 +38,8 @@ public:
 
   //@{
   /**
-   * Ask a factory of this class before all others that are there, or none of this class any more;
-   * and whether there is one. Calls that change nothing do no harm.
+   * Register a factory of this class before all others, unregister it, or ask whether one is
+   * registered. Repeated calls have no effect.
    */
   static void UseEverywhere();
   static void UseNowhere();
@@ -46,7 +48,7 @@ public:
 
   //@{
   /**
-   * The version of VTK that the factory was built with, and what it is, in words.
+   * Get the version of VTK that the factory was built with, and a description of the factory.
    */
   const char* GetVTKSourceVersion() VTK_FUTURE_CONST override;
   const char* GetDescription() VTK_FUTURE_CONST override;

@@ -4,24 +4,26 @@
  * @class   vtkTemporalCoherencePicker
  * @brief   picks the isosurface that vtkTemporalCoherenceVolumeMapper draws
  *
- * A vtkVolumePicker, and so usable wherever a vtkCellPicker or vtkVolumePicker is. Where the prop's
- * mapper is a vtkTemporalCoherenceVolumeMapper, the pick is the first surface on the line, the one
- * that is seen there: its isovalues (those with an opacity above 0), surface mode and
- * interpolation. It needs no frame. Everything else is picked as by vtkVolumePicker.
+ * This is a vtkVolumePicker, so it can replace a vtkCellPicker or a vtkVolumePicker. If the prop's
+ * mapper is a vtkTemporalCoherenceVolumeMapper, it picks the first surface on the line. That is the
+ * surface that is seen there: the picker uses the isovalues with an opacity above 0, the surface
+ * mode and the interpolation. No frame is needed. The same holds for a
+ * vtkTemporalCoherenceGPUVolumeRayCastMapper whose last frame showed isosurfaces. Everything else
+ * is picked as by vtkVolumePicker.
  *
- * After such a pick PickPosition and MapperPosition lie on the surface, PickNormal and
- * MapperNormal are its normal, facing the viewer; DataSet is the mapper's input, CellId, CellIJK
- * and PCoords tell where in it the surface was hit, PointId and PointIJK the nearest sample.
- * GetIsovalueIndex() tells which isovalue it was.
+ * After such a pick, PickPosition and MapperPosition lie on the surface. PickNormal and
+ * MapperNormal are its normal and face the viewer. DataSet is the mapper's input. CellId, CellIJK
+ * and PCoords tell where in it the surface was hit, and PointId and PointIJK are those of the
+ * nearest sample. GetIsovalueIndex() tells which isovalue was hit.
  *
- * Why vtkCellPicker and vtkVolumePicker cannot pick isosurfaces: they know a volume by its scalar
- * opacity only. They read opacities where the line passes from cell to cell, and stop where it is
- * above VolumeOpacityIsovalue. Isovalues are not asked for; with the opacity function that a new
- * property has, 1 everywhere, every pick ends on the box around the volume. VolumeOpacityIsovalue
- * and UseVolumeGradientOpacity mean nothing to this mapper's volumes.
+ * vtkCellPicker and vtkVolumePicker cannot pick isosurfaces, because they use the scalar opacity
+ * only. They read the opacity where the line passes from cell to cell, and stop where it is above
+ * VolumeOpacityIsovalue. The opacity function of a new property is 1 everywhere, so that every pick
+ * ends on the volume's box. VolumeOpacityIsovalue and UseVolumeGradientOpacity have no effect on
+ * volumes of this mapper.
  *
  * With PickCroppingPlanes or PickClippingPlanes on, the planes that crop or clip the volume are
- * picked instead of it, as by the superclasses.
+ * picked instead of the volume, as by the superclasses.
  *
  * @sa vtkTemporalCoherenceVolumeMapper::IntersectWithLine
  * vtkTemporalCoherenceVolumeMapper::PickPixel vtkCellPicker vtkVolumePicker
@@ -47,8 +49,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Position of the isovalue that was picked in vtkVolumeProperty::GetIsoSurfaceValues(); -1 if
-   * something else was picked, or nothing.
+   * Get the index of the picked isovalue in vtkVolumeProperty::GetIsoSurfaceValues(); -1 if nothing
+   * or something else was picked.
    */
   vtkGetMacro(IsovalueIndex, int);
 

@@ -4,20 +4,20 @@
  * @class   vtkTemporalCoherenceVolume
  * @brief   a vtkVolume whose opaque isosurfaces are drawn with the opaque props
  *
- * vtkVolume draws after all translucent polygons. That suits fog, but not an opaque isosurface: a
- * translucent polygon in front of it is covered, one behind it is drawn in vain, and vtkSSAOPass
- * and vtkShadowMapPass, which work on what the opaque pass has drawn, do not know of it; nor does
- * depth peeling, unless it peels volumes, too (vtkRenderer::UseDepthPeelingForVolumes).
+ * vtkVolume draws after all translucent polygons. That suits fog, but not an opaque isosurface. The
+ * surface covers a translucent polygon in front of it. vtkSSAOPass and vtkShadowMapPass do not know
+ * the surface, because they work on what the opaque pass has drawn. Nor does depth peeling, unless
+ * it peels volumes as well (vtkRenderer::UseDepthPeelingForVolumes).
  *
- * This prop draws in the opaque pass where its mapper is a vtkTemporalCoherenceVolumeMapper that
- * shows nothing but opaque isosurfaces: those whose scalar opacity is 1 (or 0, which leaves them
- * out) in a property without a gradient opacity. Otherwise, and with any other mapper, it behaves
- * as vtkVolume, and what is said there about order holds. It may be put in place of any vtkVolume.
+ * This prop draws in the opaque pass if its mapper is a vtkTemporalCoherenceVolumeMapper and all
+ * isosurfaces are opaque: each has a scalar opacity of 1 (or of 0, which leaves it out), and the
+ * property has no gradient opacity. Otherwise, and with any other mapper, it draws as vtkVolume
+ * does. It can replace any vtkVolume.
  *
- * Under vtkSSAOPass the isosurfaces occlude and are occluded as polygons are. Under
- * vtkShadowMapPass they cast shadows but receive none, since they are lit before they get there.
- * vtkShadowMapBakerPass makes its maps anew when a prop is modified, not when its mapper or data
- * are: call Modified() on this prop then.
+ * With vtkSSAOPass, the isosurfaces occlude and are occluded as polygons are. With
+ * vtkShadowMapPass, they cast shadows but receive none, because they are lit before that pass.
+ * vtkShadowMapBakerPass renews its maps when a prop is modified, but not when a mapper or its data
+ * are modified. Call Modified() of this prop then.
  *
  * @sa vtkTemporalCoherenceVolumeMapper vtkVolume
  */
@@ -40,7 +40,8 @@ public:
   //@{
   /**
    * WARNING: INTERNAL METHOD - NOT INTENDED FOR GENERAL USE
-   * Draw in the pass that what is shown belongs to, and in no other. Never translucent polygons.
+   * Draw opaque isosurfaces in the opaque pass, and everything else in the volumetric pass. There
+   * are no translucent polygons.
    */
   int RenderOpaqueGeometry(vtkViewport* viewport) override;
   int RenderVolumetricGeometry(vtkViewport* viewport) override;

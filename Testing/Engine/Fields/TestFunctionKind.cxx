@@ -228,7 +228,7 @@ TEST_F(FunctionFrames, RoutesGiveTheColdPicture)
     this->Key.Sought.Isovalues[0] -= 0.1;
     expectRoute(Route::ThresholdHint);
     this->LookFrom({ 1.0, 1.8, mode == SurfaceMode::Crossing ? 0.7 : 0.8 });
-    expectRoute(Route::ImageCache);
+    expectRoute(Route::Cold);
   }
   EXPECT_EQ(renderer.BuildIsomap(this->Key, exact), Isomap::Outcome::Impossible);
 }

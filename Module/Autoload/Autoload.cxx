@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What VTK looks for in the libraries of VTK_AUTOLOAD_PATH; and, where the library is preloaded, what
-// is called instead of VTK's own.
+// What VTK looks for in the libraries of VTK_AUTOLOAD_PATH; and, where the library is preloaded,
+// what is called instead of VTK's own.
 #include "vtkTemporalCoherenceGPUVolumeRayCastMapper.h"
 #include "vtkTemporalCoherenceObjectFactory.h"
 

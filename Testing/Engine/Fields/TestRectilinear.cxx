@@ -455,7 +455,7 @@ TEST_F(RectilinearFrames, TimeStepsCopyTilesThatSeeNoChange)
   step(10); // data that never changes has no fingerprints
   EXPECT_EQ(renderer.Statistics().Made, Route::Cold);
   step(30);
-  EXPECT_EQ(renderer.Statistics().Made, Route::ImageCache);
+  EXPECT_EQ(renderer.Statistics().Made, Route::TimeStep);
   EXPECT_LT(renderer.Statistics().TracedRays, renderer.Statistics().Rays / 4);
   ExpectSamePicture(renderer.LastFrame(), this->Cold(true));
   this->Key.Samples.Kind = RectilinearKind(Graded(this->Key.Samples.Dimensions, 30.0, 9));

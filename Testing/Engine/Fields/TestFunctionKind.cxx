@@ -4,11 +4,15 @@
 #include "Grid.h"
 #include "Render/FrameRenderer.h"
 
+#include <vtkSMPTools.h>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <new>
+#include <string>
 #include <vector>
 
 // A kind of field that the engine does not know, and that has no samples, takes every route that it
@@ -231,6 +235,34 @@ TEST_F(FunctionFrames, RoutesGiveTheColdPicture)
     expectRoute(Route::Cold);
   }
   EXPECT_EQ(renderer.BuildIsomap(this->Key, exact), Isomap::Outcome::Impossible);
+}
+
+TEST_F(FunctionFrames, DataThatMemoryEndsForLeavesTheOldToBeDrawn)
+{
+  const std::string before = vtkSMPTools::GetBackend();
+  vtkSMPTools::SetBackend("Sequential"); // through which exceptions pass
+  Grid<float> grid(glm::ivec3(30));
+  grid.Fill([](int i, int j, int k) { return i + 0.5 * j + 0.2 * k; });
+  FrameKey failing = this->Key;
+  SmoothFunction nothing = Waves();
+  nothing.Value = [](const glm::dvec3&) -> double { throw std::bad_alloc(); };
+  failing.Samples.Kind = std::make_shared<FunctionKind>(nothing);
+  this->Key.Samples = grid.Seen;
+  this->Key.Sought.Isovalues = { 15.0 };
+  FrameRenderer::Options options;
+  options.Map.Range = { 10.0, 20.0 };
+  FrameRenderer renderer;
+  renderer.Render(this->Key, options);
+  this->Key.Sought.Isovalues[0] = 15.5;
+  renderer.Render(this->Key, options);
+  EXPECT_EQ(renderer.Statistics().Made, Route::IsomapBuild);
+  EXPECT_THROW(renderer.Render(failing, options), std::bad_alloc);
+  this->Key.Sought.Isovalues[0] = 16.0;
+  renderer.Render(this->Key, options);
+  const Frame cold = this->Cold();
+  EXPECT_EQ(renderer.LastFrame().Depth, cold.Depth);
+  EXPECT_EQ(renderer.LastFrame().Colors, cold.Colors);
+  vtkSMPTools::SetBackend(before.c_str());
 }
 
 TEST_F(FunctionFrames, MovingCameraUsesTheLastPicture)

@@ -39,7 +39,11 @@ bool FrameRenderer::Render(
     if (route != Route::Redisplay)
     {
       Stopwatch preparing(statistics.TraceTime);
-      this->PrepareRanges(key);
+      if (this->PrepareRanges(key))
+      {
+        // An isomap may have gone with the old ones.
+        route = this->ChooseRoute(key, options, nearest != nullptr);
+      }
     }
 
     // One function makes the frame. If it is stopped, or runs out of memory, the last one stays.
@@ -100,8 +104,8 @@ void FrameRenderer::Finish(Route route, const FrameTask& task)
   {
     this->Cold = { task.CellsRead, task.Key.Sought };
   }
-  this->LastForm = Isomap::FormFor(task.Key, task.Options.Map);
   this->Frames.Finish(task.Options.Images);
+  this->LastForm = Isomap::FormFor(task.Key, task.Options.Map);
   this->Changes.Take(task.Key.Samples, this->Structures.Ranges());
 }
 
@@ -212,13 +216,17 @@ void FrameRenderer::FollowSamples(const FrameKey& key)
   }
 }
 
-/// Value ranges belong to the data, as isomaps do.
-void FrameRenderer::PrepareRanges(const FrameKey& key)
+/// Value ranges belong to the data, as isomaps do: the old ones make room for the new ones.
+/// \return true if they were others
+bool FrameRenderer::PrepareRanges(const FrameKey& key)
 {
-  if (this->Structures.PrepareRanges(key))
+  if (!this->Structures.NeedsRanges(key))
   {
-    this->Map.Release();
+    return false;
   }
+  this->Map.Release();
+  this->Structures.PrepareRanges(key);
+  return true;
 }
 
 glm::dvec2 FrameRenderer::FiniteRangeOf(const FrameKey& key)

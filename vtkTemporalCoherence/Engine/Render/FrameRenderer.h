@@ -76,7 +76,7 @@ public:
 
 private:
   void FollowSamples(const FrameKey& key);
-  void PrepareRanges(const FrameKey& key);
+  bool PrepareRanges(const FrameKey& key);
   Route ChooseRoute(const FrameKey& key, const Options& options, bool hasImage) const;
   bool Make(Route& route, FrameTask& task, CachedImage* nearest);
   bool BuildAndLookUp(Route& route, FrameTask& task);

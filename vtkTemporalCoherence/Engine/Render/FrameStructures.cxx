@@ -14,15 +14,18 @@ bool HasSurfaces(const FrameKey& key)
 
 }
 
-bool FrameStructures::PrepareRanges(const FrameKey& key)
+bool FrameStructures::NeedsRanges(const FrameKey& key) const
 {
-  if (!HasSurfaces(key) || this->OfData->Samples == key.Samples)
+  return HasSurfaces(key) && !(this->OfData->Samples == key.Samples);
+}
+
+void FrameStructures::PrepareRanges(const FrameKey& key)
+{
+  if (this->NeedsRanges(key))
   {
-    return false;
+    this->OfSurfaces = std::make_shared<const SurfaceCells>();
+    this->Shared->Provide(key.Samples, this->OfData);
   }
-  this->OfSurfaces = std::make_shared<const SurfaceCells>();
-  this->Shared->Provide(key.Samples, this->OfData);
-  return true;
 }
 
 void FrameStructures::PrepareActiveCells(const FrameKey& key)

@@ -25,11 +25,13 @@ public:
   {
   }
 
-  /// Make the value ranges those of a key's samples. Where there are no cells or no isovalues, they
-  /// are not needed, and stay.
-  /// \return true if they were others
-  /// \throws std::bad_alloc
-  bool PrepareRanges(const FrameKey& key);
+  /// True if value ranges are needed for a key, and those that are here are others. Where there are
+  /// no cells or no isovalues, they are not needed.
+  bool NeedsRanges(const FrameKey& key) const;
+
+  /// Make the value ranges those of a key's samples, if they are needed.
+  /// \throws std::bad_alloc, the ranges then being empty
+  void PrepareRanges(const FrameKey& key);
 
   /// Make active cells and bounds of tiles those of a key, likewise.
   /// \pre PrepareRanges was called

@@ -15,6 +15,7 @@
 #include <bitset>
 #include <memory>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace TemporalCoherence
@@ -138,11 +139,12 @@ void ShowAgain(FrameTask& task)
 void ShadeAgain(FrameTask& task)
 {
   CachedImage& last = task.Frames.LastToRecolor();
-  last.Key = task.Key;
   {
     Stopwatch watch(task.Statistics.ShadeTime);
+    FrameKey key = task.Key;
     const TileShader shader(
-      last.Key, task.Structures.Pyramid().FiniteRange(), {}, HitSet::None, HitSet::All);
+      task.Key, task.Structures.Pyramid().FiniteRange(), {}, HitSet::None, HitSet::All);
+    std::swap(last.Key, key); // nothing from here on needs memory
     ParallelFor(NumberOfTiles(last.Picture.Size), TileGrain,
       [&](std::int64_t tile)
       {

@@ -13,16 +13,18 @@ namespace TemporalCoherence
 glm::ivec2 WindowRays::For(
   const glm::ivec2& pixels, double asked, vtkVolume* volume, std::string& warning)
 {
+  // A finest distance that was told, or kept as a float, is not finer than the finest.
+  constexpr double rounding = 1e-5;
   std::string told;
-  double distance = asked;
+  const double finest = FinestDistance(pixels);
+  double distance = std::max(asked, finest);
   if (asked < 1.0 && PeelingPass::Of(volume))
   {
     // Surfaces lie among those of others, which have no means between pixels.
     distance = 1.0;
   }
-  else if (asked < FinestDistance(pixels))
+  else if (asked < finest * (1.0 - rounding))
   {
-    distance = FinestDistance(pixels);
     const glm::dvec2 rays = glm::dvec2(pixels) / asked;
     std::ostringstream what;
     what << "An ImageSampleDistance of " << asked << " asks for " << rays.x * rays.y

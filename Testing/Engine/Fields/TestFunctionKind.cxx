@@ -3,6 +3,7 @@
 #include "Fields/FunctionKind.h"
 #include "Grid.h"
 #include "Render/FrameRenderer.h"
+#include "SameFrames.h"
 
 #include <vtkSMPTools.h>
 
@@ -56,14 +57,6 @@ protected:
   void LookFrom(const glm::dvec3& direction, bool parallel = false)
   {
     this->Key.Seen = LookAt(this->Key.Samples.Dimensions, direction, { 83, 61 }, parallel);
-  }
-
-  static bool AreIdentical(const Frame& a, const Frame& b)
-  {
-    const auto same = [](const auto& x, const auto& y)
-    { return x.size() == y.size() && !std::memcmp(x.data(), y.data(), x.size() * sizeof(x[0])); };
-    return a.Size == b.Size && same(a.Depth, b.Depth) && same(a.Normals, b.Normals) &&
-      same(a.Isovalues, b.Isovalues) && same(a.Kinds, b.Kinds) && same(a.Colors, b.Colors);
   }
 
   Frame Cold(const FrameRenderer::Options& options = {}) const
@@ -205,7 +198,7 @@ TEST_F(FunctionFrames, LeapingChangesNothing)
   for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
   {
     this->Key.Sought.Mode = mode;
-    EXPECT_TRUE(AreIdentical(this->Cold(), this->Cold(plain)));
+    EXPECT_TRUE(ShowTheSame(this->Cold(), this->Cold(plain)));
   }
 }
 
@@ -218,7 +211,7 @@ TEST_F(FunctionFrames, RoutesGiveTheColdPicture)
   {
     renderer.Render(this->Key, exact);
     EXPECT_EQ(renderer.Statistics().Made, route) << NameOf(renderer.Statistics().Made);
-    EXPECT_TRUE(AreIdentical(renderer.LastFrame(), this->Cold()));
+    EXPECT_TRUE(ShowTheSame(renderer.LastFrame(), this->Cold()));
   };
   for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
   {

@@ -4,13 +4,13 @@
 #include "Fields/Coordinates.h"
 #include "Grid.h"
 #include "Render/FrameRenderer.h"
+#include "SameFrames.h"
 #include "Shade/SurfaceNormal.h"
 #include "Trace/SurfaceTracer.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 // Rectilinear fields: samples lie at coordinates.
@@ -353,13 +353,7 @@ protected:
     return renderer.LastFrame();
   }
 
-  static void ExpectSamePicture(const Frame& a, const Frame& b)
-  {
-    const auto same = [](const auto& x, const auto& y)
-    { return x.size() == y.size() && !std::memcmp(x.data(), y.data(), x.size() * sizeof(x[0])); };
-    EXPECT_TRUE(same(a.Depth, b.Depth) && same(a.Normals, b.Normals) &&
-      same(a.Isovalues, b.Isovalues) && same(a.Kinds, b.Kinds) && same(a.Colors, b.Colors));
-  }
+  static void ExpectSamePicture(const Frame& a, const Frame& b) { EXPECT_TRUE(ShowTheSame(a, b)); }
 
   void ExpectLeapingChangesNothing() const
   {

@@ -4,11 +4,11 @@
 #include "Fields/Coordinates.h"
 #include "Grid.h"
 #include "Render/FrameRenderer.h"
+#include "SameFrames.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 namespace
@@ -16,19 +16,13 @@ namespace
 
 using namespace TemporalCoherence;
 
-template <typename T>
-bool AreIdentical(const T& a, const T& b)
-{
-  return a.size() == b.size() && !std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0]));
-}
-
 void ExpectColdPlanes(const Frame& made, const Frame& cold)
 {
-  EXPECT_TRUE(AreIdentical(made.Depth, cold.Depth));
-  EXPECT_TRUE(AreIdentical(made.Disparities, cold.Disparities));
-  EXPECT_TRUE(AreIdentical(made.Normals, cold.Normals));
-  EXPECT_TRUE(AreIdentical(made.Isovalues, cold.Isovalues));
-  EXPECT_TRUE(AreIdentical(made.Colors, cold.Colors));
+  EXPECT_TRUE(IsSamePlane(made.Depth, cold.Depth));
+  EXPECT_TRUE(IsSamePlane(made.Disparities, cold.Disparities));
+  EXPECT_TRUE(IsSamePlane(made.Normals, cold.Normals));
+  EXPECT_TRUE(IsSamePlane(made.Isovalues, cold.Isovalues));
+  EXPECT_TRUE(IsSamePlane(made.Colors, cold.Colors));
   // A contact may be told too near, never too far: a cell counts although only its corner is equal
   // to the isovalue.
   std::size_t farther = 0, otherwise = 0;
@@ -284,7 +278,7 @@ TEST_F(IsomapTest, ABuildThatIsStoppedLeavesTheLastFrame)
   const Frame before = this->Renderer.LastFrame();
   key.Sought.Isovalues = { 121.0 };
   EXPECT_FALSE(this->Renderer.Render(key, this->Options, [](double) { return false; }));
-  EXPECT_TRUE(AreIdentical(this->Renderer.LastFrame().Depth, before.Depth));
+  EXPECT_TRUE(IsSamePlane(this->Renderer.LastFrame().Depth, before.Depth));
   EXPECT_EQ(this->Renderer.LastKey().Sought.Isovalues[0], 120.0);
   this->Show(key, { 121.0 });
 }

@@ -5,6 +5,7 @@
 #include "Grid.h"
 #include "RandomExtremes.h"
 #include "Render/FrameRenderer.h"
+#include "SameFrames.h"
 #include "Scene/Difference.h"
 #include "Trace/CellRoot.h"
 
@@ -15,7 +16,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <memory>
 #include <random>
@@ -34,12 +34,6 @@ namespace
 {
 
 using namespace TemporalCoherence;
-
-template <typename P>
-bool IsSamePlane(const P& a, const P& b)
-{
-  return a.size() == b.size() && !std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0]));
-}
 
 void ExpectSame(const Frame& made, const Frame& expected, const char* what)
 {

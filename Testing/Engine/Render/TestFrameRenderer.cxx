@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Grid.h"
 #include "Render/FrameRenderer.h"
+#include "SameFrames.h"
 #include "Sanitized.h"
 
 #include <gtest/gtest.h>
@@ -36,14 +37,6 @@ protected:
     this->Key.Look.Lights = { Light() };
   }
 
-  static bool AreIdentical(const Frame& a, const Frame& b)
-  {
-    const auto same = [](const auto& x, const auto& y)
-    { return x.size() == y.size() && !std::memcmp(x.data(), y.data(), x.size() * sizeof(x[0])); };
-    return a.Size == b.Size && same(a.Depth, b.Depth) && same(a.Normals, b.Normals) &&
-      same(a.Isovalues, b.Isovalues) && same(a.Kinds, b.Kinds) && same(a.Colors, b.Colors);
-  }
-
   Frame Cold(const FrameRenderer::Options& options = {}) const
   {
     FrameRenderer renderer;
@@ -66,7 +59,7 @@ TEST_F(FrameRendererTest, SamePictureForAnyNumberOfThreads)
   for (const int threads : { 2, 7 })
   {
     vtkSMPTools::Initialize(threads);
-    EXPECT_TRUE(AreIdentical(one, this->Cold())) << threads;
+    EXPECT_TRUE(ShowTheSame(one, this->Cold())) << threads;
   }
   vtkSMPTools::Initialize(0);
   vtkSMPTools::SetBackend(backend.c_str());
@@ -83,7 +76,7 @@ TEST_F(FrameRendererTest, OneSidedLightingTurnsWhatIsSeenFromInside)
   renderer.Render(this->Key, {});
   EXPECT_EQ(renderer.Statistics().Made, Route::Reshade);
   const Frame& oneSided = renderer.LastFrame();
-  EXPECT_TRUE(AreIdentical(oneSided, this->Cold()));
+  EXPECT_TRUE(ShowTheSame(oneSided, this->Cold()));
   int darkened = 0;
   for (std::size_t i = 0; i < oneSided.Kinds.size(); ++i)
   {
@@ -104,13 +97,13 @@ TEST_F(FrameRendererTest, SpaceLeapingDoesNotChangeThePicture)
   for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
   {
     this->Key.Sought.Mode = mode;
-    EXPECT_TRUE(AreIdentical(this->Cold(), this->Cold(plain)));
+    EXPECT_TRUE(ShowTheSame(this->Cold(), this->Cold(plain)));
     // From within the volume, where blocks reach behind the eye.
     View inside = this->Key.Seen;
     const glm::dvec3 eye(20.3, 21.0, 17.9);
     ASSERT_TRUE(MakeView(glm::lookAt(eye, eye + glm::dvec3(1.0, 0.4, 0.2), glm::dvec3(0, 0, 1)),
       glm::perspective(1.2, 1.5, 0.01, 200.0), { 0.01, 200.0 }, { 150, 100 }, this->Key.Seen));
-    EXPECT_TRUE(AreIdentical(this->Cold(), this->Cold(plain)));
+    EXPECT_TRUE(ShowTheSame(this->Cold(), this->Cold(plain)));
     this->Key.Seen = inside;
   }
 }
@@ -126,7 +119,7 @@ TEST_F(FrameRendererTest, RoutesGiveTheColdPicture)
   renderer.Render(this->Key, {});
   EXPECT_EQ(renderer.Statistics().Made, Route::Redisplay);
   EXPECT_EQ(renderer.Statistics().TracedRays, 0);
-  EXPECT_TRUE(AreIdentical(renderer.LastFrame(), this->Cold()));
+  EXPECT_TRUE(ShowTheSame(renderer.LastFrame(), this->Cold()));
 
   this->Key.Look.Colors[1] = { 0.9, 0.1, 0.1 };
   this->Key.Look.Ambient = 0.4;
@@ -134,7 +127,7 @@ TEST_F(FrameRendererTest, RoutesGiveTheColdPicture)
   EXPECT_EQ(renderer.Statistics().Made, Route::Reshade);
   EXPECT_EQ(renderer.Statistics().TracedRays, 0);
   EXPECT_EQ(renderer.Statistics().FieldSamples, 0);
-  EXPECT_TRUE(AreIdentical(renderer.LastFrame(), this->Cold()));
+  EXPECT_TRUE(ShowTheSame(renderer.LastFrame(), this->Cold()));
 }
 
 TEST_F(FrameRendererTest, ExactFramesOfAMovingCameraAreCold)
@@ -148,7 +141,7 @@ TEST_F(FrameRendererTest, ExactFramesOfAMovingCameraAreCold)
       LookAt(this->Samples.Seen.Dimensions, { 1.0, 2.0 - 0.1 * frame, 0.7 }, { 203, 117 });
     renderer.Render(this->Key, exact);
     EXPECT_EQ(renderer.Statistics().Made, Route::Cold);
-    EXPECT_TRUE(AreIdentical(renderer.LastFrame(), this->Cold()));
+    EXPECT_TRUE(ShowTheSame(renderer.LastFrame(), this->Cold()));
   }
   renderer.Render(this->Key, exact);
   EXPECT_EQ(renderer.Statistics().Made, Route::Redisplay) << "it is the cold picture already";
@@ -164,10 +157,10 @@ TEST_F(FrameRendererTest, ARepeatedViewIsCompletedOnce)
   EXPECT_GT(renderer.Statistics().DefiniteHits, 0);
   renderer.Render(this->Key, {});
   EXPECT_EQ(renderer.Statistics().Made, Route::Cold);
-  EXPECT_TRUE(AreIdentical(renderer.LastFrame(), this->Cold()));
+  EXPECT_TRUE(ShowTheSame(renderer.LastFrame(), this->Cold()));
   renderer.Render(this->Key, {});
   EXPECT_EQ(renderer.Statistics().Made, Route::Redisplay);
-  EXPECT_TRUE(AreIdentical(renderer.LastFrame(), this->Cold()));
+  EXPECT_TRUE(ShowTheSame(renderer.LastFrame(), this->Cold()));
 }
 
 TEST_F(FrameRendererTest, AWalkThatBeginsInASolidBeginsAgain)
@@ -275,7 +268,7 @@ TEST_F(FrameRendererTest, SamplesThatChangedAreReadAgain)
   this->Key.Samples.Stamp = 2;
   renderer.Render(this->Key, {});
   EXPECT_EQ(renderer.Statistics().Made, Route::Cold);
-  EXPECT_TRUE(AreIdentical(renderer.LastFrame(), this->Cold()));
+  EXPECT_TRUE(ShowTheSame(renderer.LastFrame(), this->Cold()));
 }
 
 TEST_F(FrameRendererTest, WithoutMemoryTheLastFrameStays)
@@ -290,7 +283,7 @@ TEST_F(FrameRendererTest, WithoutMemoryTheLastFrameStays)
   FrameKey huge = this->Key;
   huge.Samples.Dimensions = glm::ivec3(2000000000, 2000000, 2);
   EXPECT_ANY_THROW(renderer.Render(huge, {}));
-  EXPECT_TRUE(AreIdentical(renderer.LastFrame(), before));
+  EXPECT_TRUE(ShowTheSame(renderer.LastFrame(), before));
   EXPECT_EQ(renderer.Statistics().Made, Route::Cold);
   renderer.Render(this->Key, {});
   EXPECT_EQ(renderer.Statistics().Made, Route::Redisplay);
@@ -298,7 +291,7 @@ TEST_F(FrameRendererTest, WithoutMemoryTheLastFrameStays)
   FrameRenderer::Options cold;
   cold.Reuse.ImageCache = false;
   renderer.Render(this->Key, cold);
-  EXPECT_TRUE(AreIdentical(renderer.LastFrame(), this->Cold()));
+  EXPECT_TRUE(ShowTheSame(renderer.LastFrame(), this->Cold()));
 }
 
 TEST_F(FrameRendererTest, NothingToSeeIsAnEmptyPicture)

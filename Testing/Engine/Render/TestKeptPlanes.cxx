@@ -7,11 +7,11 @@
 
 #include "Grid.h"
 #include "Render/FrameRenderer.h"
+#include "SameFrames.h"
 #include "Scene/Disparity.h"
 
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <map>
 #include <memory>
 #include <random>
@@ -26,12 +26,6 @@ using namespace TemporalCoherence;
 const glm::ivec3 Dimensions(48, 40, 44);
 const glm::ivec2 Size(131, 93);
 
-template <typename T>
-bool AreSameBits(const T& a, const T& b)
-{
-  return a.size() == b.size() && !std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0]));
-}
-
 bool AreSame(const std::vector<LayerHit>& a, const std::vector<LayerHit>& b)
 {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
@@ -45,13 +39,13 @@ bool AreSame(const std::vector<LayerHit>& a, const std::vector<LayerHit>& b)
 /// The planes of an exact picture are those of a cold one, those of answers left out.
 void ExpectSamePlanes(const Frame& made, const Frame& cold, const std::string& what)
 {
-  EXPECT_TRUE(AreSameBits(made.Depth, cold.Depth)) << what;
-  EXPECT_TRUE(AreSameBits(made.Disparities, cold.Disparities)) << what;
-  EXPECT_TRUE(AreSameBits(made.Contacts, cold.Contacts)) << what;
-  EXPECT_TRUE(AreSameBits(made.Normals, cold.Normals)) << what;
-  EXPECT_TRUE(AreSameBits(made.Isovalues, cold.Isovalues)) << what;
-  EXPECT_TRUE(AreSameBits(made.Kinds, cold.Kinds)) << what;
-  EXPECT_TRUE(AreSameBits(made.Colors, cold.Colors)) << what;
+  EXPECT_TRUE(IsSamePlane(made.Depth, cold.Depth)) << what;
+  EXPECT_TRUE(IsSamePlane(made.Disparities, cold.Disparities)) << what;
+  EXPECT_TRUE(IsSamePlane(made.Contacts, cold.Contacts)) << what;
+  EXPECT_TRUE(IsSamePlane(made.Normals, cold.Normals)) << what;
+  EXPECT_TRUE(IsSamePlane(made.Isovalues, cold.Isovalues)) << what;
+  EXPECT_TRUE(IsSamePlane(made.Kinds, cold.Kinds)) << what;
+  EXPECT_TRUE(IsSamePlane(made.Colors, cold.Colors)) << what;
   ASSERT_EQ(made.Layers.size(), cold.Layers.size()) << what;
   for (std::size_t tile = 0; tile < made.Layers.size(); ++tile)
   {

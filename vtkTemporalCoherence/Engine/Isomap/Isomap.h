@@ -44,8 +44,6 @@ public:
     std::uint64_t LastUse = 0;
   };
 
-  using ReportProgress = TemporalCoherence::ReportProgress;
-
   enum class Outcome : std::uint8_t
   {
     Built,

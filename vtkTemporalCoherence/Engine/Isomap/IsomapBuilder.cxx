@@ -38,7 +38,7 @@ bool IsomapBuilder::CanBuild(const FrameKey& key, const Isomap::Options& options
 
 Isomap::Outcome IsomapBuilder::Build(const FrameKey& key, const Isomap::Options& options,
   const CachedImage& last, const ValueRangePyramid& pyramid, const ColdFrame& cold,
-  const Isomap::ReportProgress& report)
+  const ReportProgress& report)
 {
   if (!this->Map.IsOf(key, options))
   {

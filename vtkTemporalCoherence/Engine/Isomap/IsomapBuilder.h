@@ -47,7 +47,7 @@ public:
   /// \throws std::bad_alloc
   Isomap::Outcome Build(const FrameKey& key, const Isomap::Options& options,
     const CachedImage& last, const ValueRangePyramid& pyramid, const ColdFrame& cold,
-    const Isomap::ReportProgress& report);
+    const ReportProgress& report);
 
   /// Cells that the last call of Build read.
   std::int64_t CellsRead() const { return this->Cells; }
@@ -83,7 +83,7 @@ private:
     Isomap::Start Start;
     const ValueRangePyramid& Pyramid;
     const ColdFrame& Cold;
-    const Isomap::ReportProgress& Report;
+    const ReportProgress& Report;
   };
 
   /// True if surfaces behind those that are looked up could not be told from them.

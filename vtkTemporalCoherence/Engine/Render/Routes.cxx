@@ -57,15 +57,21 @@ bool WorkOnTiles(FrameTask& task, const ReportProgress& report, const Work& work
 }
 
 /// Trace and shade all tiles.
-/// \param shaded hits whose normals and colours are not taken over
-bool TraceTiles(
-  FrameTask& task, const LeapedSpace& space, const RayHint* hint, HitSet shaded = HitSet::All)
+/// \param shaded  hits whose normals and colours are not taken over
+/// \param changes null, or tells which tiles are copied from the last frame instead
+bool TraceTiles(FrameTask& task, const LeapedSpace& space, const RayHint* hint,
+  HitSet shaded = HitSet::All, const SampleComparer* changes = nullptr)
 {
+  const Frame& last = task.Frames.Last().Picture;
   const TileTracer tracer(SceneOf(task, space, hint));
   const TileShader shader(task.Key, task.Structures.Pyramid().FiniteRange(), space, shaded, shaded);
   return WorkOnTiles(task, task.Report,
     [&](std::int64_t tile, const PixelRect& part, Frame& frame)
     {
+      if (changes && changes->CanCopy(tile))
+      {
+        return CopyTile(tile, part, last, task.Key.Seen.Parallel, frame);
+      }
       TraceCounts counts = tracer.Trace(tile, part, frame);
       shader.Shade(tile, part, frame, counts);
       return counts;
@@ -197,22 +203,7 @@ bool TraceFromImage(FrameTask& task, CachedImage& image)
 
 bool TraceChangedTiles(FrameTask& task, const SampleComparer& changes)
 {
-  const LeapedSpace space = Begin(task, task.Options.SpaceLeaping);
-  const Frame& last = task.Frames.Last().Picture;
-  const TileTracer tracer(SceneOf(task, space, nullptr));
-  const TileShader shader(
-    task.Key, task.Structures.Pyramid().FiniteRange(), space, HitSet::All, HitSet::All);
-  return WorkOnTiles(task, task.Report,
-    [&](std::int64_t tile, const PixelRect& part, Frame& frame)
-    {
-      if (changes.CanCopy(tile))
-      {
-        return CopyTile(tile, part, last, task.Key.Seen.Parallel, frame);
-      }
-      TraceCounts counts = tracer.Trace(tile, part, frame);
-      shader.Shade(tile, part, frame, counts);
-      return counts;
-    });
+  return TraceTiles(task, Begin(task, task.Options.SpaceLeaping), nullptr, HitSet::All, &changes);
 }
 
 bool LookUp(FrameTask& task, IsomapBuilder& map, std::vector<std::uint64_t>& open)

@@ -29,7 +29,7 @@ std::string TextOf(const glm::ivec3& size)
 
 /// What is told never falls back, though a band of an isomap that turns out too costly is begun
 /// again, narrower.
-Isomap::ReportProgress Rising(const Isomap::ReportProgress& report, double& farthest)
+ReportProgress Rising(const ReportProgress& report, double& farthest)
 {
   return [&](double progress)
   {
@@ -43,12 +43,12 @@ Isomap::ReportProgress Rising(const Isomap::ReportProgress& report, double& fart
 // Where memory ends is a bad_alloc, or a length_error where a size has no number.
 
 bool MapperFrames::Render(const Viewer& viewer, const FrameRequest& request,
-  const FrameRenderer::Options& options, const Isomap::ReportProgress& report, std::string& error)
+  const FrameRenderer::Options& options, const ReportProgress& report, std::string& error)
 {
   try
   {
     double farthest = 0.0;
-    const Isomap::ReportProgress tell = Rising(report, farthest);
+    const ReportProgress tell = Rising(report, farthest);
     const std::shared_ptr<ViewerState> state = this->Viewers.Serve(viewer);
     if (!state->Frames.Render(request.Key, options, tell))
     {
@@ -71,7 +71,7 @@ bool MapperFrames::Render(const Viewer& viewer, const FrameRequest& request,
 }
 
 Isomap::Outcome MapperFrames::BuildIsomap(const Viewer& viewer, const FrameRequest& request,
-  const FrameRenderer::Options& options, const Isomap::ReportProgress& report, std::string& error)
+  const FrameRenderer::Options& options, const ReportProgress& report, std::string& error)
 {
   try
   {

@@ -35,8 +35,7 @@ public:
   /// \param error  gets what is wrong and what to do about it; empty if the report stopped it
   /// \return false if it is not made, the last frame then being as it was
   bool Render(const Viewer& viewer, const FrameRequest& request,
-    const FrameRenderer::Options& options, const Isomap::ReportProgress& report,
-    std::string& error);
+    const FrameRenderer::Options& options, const ReportProgress& report, std::string& error);
 
   /// Tell of how many pixels of a window, along each axis, the last frame is the picture.
   void SetPictureSize(const glm::ivec2& size) { this->Last->PictureSize = size; }
@@ -44,8 +43,7 @@ public:
   /// Build the isomap that a frame needs. The last frame stays.
   /// \param report, error as in Render
   Isomap::Outcome BuildIsomap(const Viewer& viewer, const FrameRequest& request,
-    const FrameRenderer::Options& options, const Isomap::ReportProgress& report,
-    std::string& error);
+    const FrameRenderer::Options& options, const ReportProgress& report, std::string& error);
 
   /// Show the last frame of a renderer's viewer, if it has this size, in its window or to its
   /// selector.

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Testing_SameFrames_h
+#define Testing_SameFrames_h
+
+#include "Scene/Frame.h"
+
+#include <cstring>
+
+/// True if two planes of a frame are the same to the last bit: NaN is NaN, and 0 is not -0.
+template <typename P>
+bool IsSamePlane(const P& a, const P& b)
+{
+  return a.size() == b.size() && !std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0]));
+}
+
+/// True if two frames show the same: all planes but those of answers and of what only later frames
+/// ask for.
+inline bool ShowTheSame(const TemporalCoherence::Frame& a, const TemporalCoherence::Frame& b)
+{
+  return a.Size == b.Size && IsSamePlane(a.Depth, b.Depth) && IsSamePlane(a.Normals, b.Normals) &&
+    IsSamePlane(a.Isovalues, b.Isovalues) && IsSamePlane(a.Kinds, b.Kinds) &&
+    IsSamePlane(a.Colors, b.Colors);
+}
+
+#endif

@@ -165,7 +165,7 @@ Frame FrameOfLayers(const glm::ivec2& size, std::mt19937& engine)
           static_cast<std::uint8_t>(Below(engine, 50)), 7,
           static_cast<std::uint8_t>(60 + 60 * layer) };
         frame.Layers[static_cast<std::size_t>(tile)].push_back(
-          { t, static_cast<std::int32_t>(PlaceOf(frame, pixel)), 0, HitKind::Enters, color });
+          { t, static_cast<std::int32_t>(PlaceOf(frame, pixel)), 0, HitKind::Entry, color });
         if (layer == 0)
         {
           SetHit(frame, pixel, t, color);
@@ -250,11 +250,11 @@ void TestHasLayers()
   for (const int x : { 9, 10, 11 })
   {
     SetHit(frame, { x, 3 }, 0.5, { 1, 1, 1, 100 });
-    frame.Layers[1].push_back({ 0.5, 60 + x, 0, HitKind::Enters, { 1, 1, 1, 100 } });
+    frame.Layers[1].push_back({ 0.5, 60 + x, 0, HitKind::Entry, { 1, 1, 1, 100 } });
     picture.Assign(frame, ViewOf(frame.Size), frame.Size);
     Expect(!picture.HasLayers, "one layer");
   }
-  frame.Layers[1].push_back({ 0.7, 60 + 11, 0, HitKind::Leaves, { 1, 1, 1, 150 } });
+  frame.Layers[1].push_back({ 0.7, 60 + 11, 0, HitKind::Exit, { 1, 1, 1, 150 } });
   picture.Assign(frame, ViewOf(frame.Size), frame.Size);
   Expect(picture.HasLayers, "a second one in one pixel");
 }

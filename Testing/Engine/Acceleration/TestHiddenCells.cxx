@@ -255,10 +255,10 @@ TEST(HiddenCells, CutSolidsOpenWhichAreCapped)
       // The solid begins in hidden cells: it is capped behind.
       expectAll(solid({ 16.0 }), 1.0, 9.0, 0, HitKind::Cap);
       expectAll(
-        solid({ 20.5 }), 1.0, between == Interpolation::Linear ? 10.5 : 10.5, 0, HitKind::Enters);
+        solid({ 20.5 }), 1.0, between == Interpolation::Linear ? 10.5 : 10.5, 0, HitKind::Entry);
       // Open, there is nothing but what is met in cells that are not hidden.
       expectAll({ { 16.0 }, SurfaceMode::Crossing }, 1.0, 0.0, -1, HitKind::None);
-      expectAll({ { 16.0, 20.5 }, SurfaceMode::Crossing }, 1.0, 10.5, 1, HitKind::Enters);
+      expectAll({ { 16.0, 20.5 }, SurfaceMode::Crossing }, 1.0, 10.5, 1, HitKind::Entry);
     }
   }
 }

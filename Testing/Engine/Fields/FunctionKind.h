@@ -91,7 +91,7 @@ private:
     HitRules::KeepContact(enter, isInside, ray, hits);
     if (isInside && this->Rules.IsSolid())
     {
-      next.Consider(enter, HitKind::Leaves, surface); // the walk began within it
+      next.Consider(enter, HitKind::Exit, surface); // the walk began within it
     }
   }
 

@@ -48,7 +48,7 @@ void SetHit(Frame& frame, int x, int y, double depth, double contact, bool isPar
 {
   frame.Disparities[PlaceOf(x, y)] = static_cast<float>(DisparityOf(depth, isParallel));
   frame.Contacts[PlaceOf(x, y)] = static_cast<float>(DisparityOf(contact, isParallel));
-  frame.Kinds[PlaceOf(x, y)] = HitKind::Enters;
+  frame.Kinds[PlaceOf(x, y)] = HitKind::Entry;
   frame.ClearTiles[static_cast<std::size_t>(y / TileSize * TilesOf(Size).x + x / TileSize)] = 0;
 }
 
@@ -91,7 +91,7 @@ TEST(FreeSpace, AHitOnItsOwnGuardsItsNeighbours)
 
 /// The guard, as a depth, of a pixel in the middle of a surface that a parallel view shows.
 double GuardedDepth(const std::function<double(int, int)>& depth, double contactBefore,
-  const FreeSpace::Options& options = Coarse(), HitKind kind = HitKind::Enters)
+  const FreeSpace::Options& options = Coarse(), HitKind kind = HitKind::Entry)
 {
   Frame frame = ClearFrame(true);
   for (int y = 0; y < Size.y; ++y)
@@ -172,7 +172,7 @@ TEST(FreeSpace, WherePixelsAreFineSurfacesAloneTell)
   // One and a half voxels before an edge, wherever active cells begin.
   EXPECT_NEAR(GuardedDepth(step, 5.0, fine), 30.0 - 1.5, 1e-5);
   // Seen from inside, they do not.
-  EXPECT_NEAR(GuardedDepth(step, 5.0, fine, HitKind::Leaves), 30.0 - 5.0, 1e-5);
+  EXPECT_NEAR(GuardedDepth(step, 5.0, fine, HitKind::Exit), 30.0 - 5.0, 1e-5);
   EXPECT_NEAR(GuardedDepth(step, 5.0, fine, HitKind::Within), 30.0 - 5.0, 1e-5);
   // Nothing is known behind the farthest depth, nor, if only surfaces met from outside count, where
   // there are others.
@@ -182,7 +182,7 @@ TEST(FreeSpace, WherePixelsAreFineSurfacesAloneTell)
   options = Coarse();
   options.OnlyEntered = true;
   EXPECT_NEAR(GuardedDepth(step, 5.0, options), 30.0 - 5.0, 1e-5);
-  EXPECT_LE(GuardedDepth(step, 5.0, options, HitKind::Leaves), -1e29);
+  EXPECT_LE(GuardedDepth(step, 5.0, options, HitKind::Exit), -1e29);
 }
 
 }

@@ -81,7 +81,7 @@ TEST_F(FrameRendererTest, OneSidedLightingTurnsWhatIsSeenFromInside)
   for (std::size_t i = 0; i < oneSided.Kinds.size(); ++i)
   {
     EXPECT_EQ(oneSided.Normals[i], twoSided.Normals[i]);
-    if (oneSided.Kinds[i] != HitKind::Leaves)
+    if (oneSided.Kinds[i] != HitKind::Exit)
     {
       EXPECT_EQ(oneSided.Colors[i], twoSided.Colors[i]);
     }

@@ -72,7 +72,7 @@ void HideUnlessEntered(const Frame& frame, const PixelRect& part, GuardTile& til
   VisitAround(frame, part,
     [&](std::size_t at, std::size_t pixel)
     {
-      if (frame.Kinds[pixel] != HitKind::Enters)
+      if (frame.Kinds[pixel] != HitKind::Entry)
       {
         tile.Contact[at] = NearerThanAll;
         tile.Fine[at] = std::numeric_limits<float>::infinity();
@@ -87,7 +87,7 @@ void GatherFine(const Frame& frame, const PixelRect& part, float fine, Around& f
   VisitAround(frame, part,
     [&](std::size_t at, std::size_t pixel)
     {
-      if (frame.Kinds[pixel] == HitKind::Leaves || frame.Kinds[pixel] == HitKind::Within)
+      if (frame.Kinds[pixel] == HitKind::Exit || frame.Kinds[pixel] == HitKind::Within)
       {
         fines[at] = std::numeric_limits<float>::infinity();
       }

@@ -348,7 +348,7 @@ bool ImageQuery::IsSeenFromInside(std::int32_t pixel) const
   {
     for (int x = std::max(column - 1, 0); x <= std::min(column + 1, frame.Size.x - 1); ++x)
     {
-      if (frame.Kinds[static_cast<std::size_t>(y * frame.Size.x + x)] == HitKind::Leaves)
+      if (frame.Kinds[static_cast<std::size_t>(y * frame.Size.x + x)] == HitKind::Exit)
       {
         return true;
       }

@@ -253,7 +253,7 @@ void IsomapLookup::LookInFit(std::size_t surface, std::uint64_t which,
       hits.Contact[ray] = hits.Depth[ray];
       hits.FromInside[ray] = course == static_cast<std::size_t>(Course::Falling);
       hits.Surface[ray] = static_cast<std::int16_t>(surface);
-      hits.Kind[ray] = hits.FromInside[ray] ? HitKind::Leaves : HitKind::Enters;
+      hits.Kind[ray] = hits.FromInside[ray] ? HitKind::Exit : HitKind::Entry;
       if (this->HasNormals)
       {
         const PackedNormal* const normals = knots.Normals[course].Get<0>();
@@ -270,7 +270,7 @@ void IsomapLookup::StoreNormals(const RayBatch& rays, const Found& found, Frame&
   for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
   {
     const HitKind kind = found.Hits.Kind[i];
-    if (kind == HitKind::Enters || kind == HitKind::Leaves)
+    if (kind == HitKind::Entry || kind == HitKind::Exit)
     {
       const std::int32_t pixel = rays.Pixel[i];
       const glm::vec3 along(this->Key.Seen.RayThrough(pixel % width, pixel / width).Direction);

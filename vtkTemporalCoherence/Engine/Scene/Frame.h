@@ -29,10 +29,10 @@ enum class Answer : std::uint8_t
 enum class HitKind : std::uint8_t
 {
   None,
-  Enters, ///< the field rises to the isovalue: the ray comes from outside
-  Leaves, ///< the field falls below the isovalue: the ray comes from inside
-  Cap,    ///< the ray begins, or leaves hidden cells, in a THRESHOLD solid, which is cut open there
-  Within  ///< it meets none and passes active cells from inside, as far as is known
+  Entry, ///< the field rises to the isovalue: the ray comes from outside
+  Exit,  ///< the field falls below the isovalue: the ray comes from inside
+  Cap,   ///< the ray begins, or leaves hidden cells, in a THRESHOLD solid, which is cut open there
+  Within ///< it meets none and passes active cells from inside, as far as is known
 };
 
 /// A surface that a ray meets, seen or seen through.

@@ -146,7 +146,7 @@ void BeginAtContacts(const Frame& picture, bool isParallel, RayBatch& rays)
     const auto pixel = static_cast<std::size_t>(rays.Pixel[i]);
     const float contact = picture.Contacts[pixel];
     const HitKind kind = picture.Kinds[pixel];
-    const bool isKnown = kind == HitKind::Enters || (kind == HitKind::None && contact != miss);
+    const bool isKnown = kind == HitKind::Entry || (kind == HitKind::None && contact != miss);
     if (isKnown)
     {
       const double t = DepthOf(static_cast<double>(contact), isParallel) * rays.PerDepth[i];

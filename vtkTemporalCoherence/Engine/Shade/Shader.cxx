@@ -134,7 +134,7 @@ void TurnOutside(const HitList& hits, ShadingKernels::PhongSums& sums)
 {
   for (std::size_t i = 0; i < sums.Count; ++i)
   {
-    if (hits.Kind[i] == HitKind::Leaves)
+    if (hits.Kind[i] == HitKind::Exit)
     {
       for (float& component : sums.Normal[i])
       {

@@ -105,7 +105,7 @@ public:
     return true;
   }
 
-  static HitKind KindOf(bool fromInside) { return fromInside ? HitKind::Leaves : HitKind::Enters; }
+  static HitKind KindOf(bool fromInside) { return fromInside ? HitKind::Exit : HitKind::Entry; }
 
   double IsovalueOf(std::int16_t surface) const
   {

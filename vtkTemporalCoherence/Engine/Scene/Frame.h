@@ -3,7 +3,7 @@
 #ifndef TemporalCoherence_Frame_h
 #define TemporalCoherence_Frame_h
 
-#include "Scene/RoomAllocator.h"
+#include "Scene/DefaultInitAllocator.h"
 #include "Scene/Tiles.h"
 
 #include <glm/glm.hpp>
@@ -49,7 +49,7 @@ struct LayerHit
 
 /// One value for each pixel.
 template <typename T>
-using Plane = std::vector<T, RoomAllocator<T>>;
+using Plane = std::vector<T, DefaultInitAllocator<T>>;
 
 /// A finished picture with all that is known about it, one value a pixel in each plane.
 /// Row 0 is the bottom row; pixel (x, y) is at [y * Size.x + x].

@@ -48,7 +48,7 @@ std::vector<GuardTile> GuardTilesOf(const Scene& scene)
         const auto disparityOf = [&](double t)
         { return static_cast<float>(full.Rays.PerDepth[ray] / t); };
         tile.Surface[at] = disparityOf(full.Hits.Depth[ray]);
-        tile.Contact[at] = disparityOf(full.Hits.Contact[ray]);
+        tile.FirstEntry[at] = disparityOf(full.Hits.FirstEntry[ray]);
       }
     }
     tiles.push_back(tile);
@@ -87,7 +87,7 @@ void KernelBenchmarks::RegisterImages()
       rule.EdgeMargin = 1.5f;
       rule.SmoothMargin = 0.125f;
       rule.LargestBend = 0.25f;
-      rule.FarthestContact = 1.0f;
+      rule.LargestGap = 1.0f;
       rule.Spacing = 1e-3f;
       auto tiles = GuardTilesOf(SceneOf<std::uint8_t>());
       RunOnTiles(state, tiles, [&](GuardTile& tile) { MakeGuard(rule, tile); });

@@ -64,7 +64,7 @@ private:
         if (rays.Begin[ray] < rays.End[ray] && this->IsInsideAt(rays, ray, rays.Begin[ray], i))
         {
           next.Consider(rays.Begin[ray], HitKind::Cap, i);
-          hits.Contact[ray] = rays.Begin[ray];
+          hits.FirstEntry[ray] = rays.Begin[ray];
         }
       }
       BlockWalk walk(rays, ray, this->Scene.Samples.Dimensions - 1, this->Scene.Active);
@@ -88,7 +88,7 @@ private:
     NextHit& next, HitBatch& hits) const
   {
     const bool isInside = this->IsInsideAt(rays, ray, enter, surface);
-    HitRules::KeepContact(enter, isInside, ray, hits);
+    HitRules::KeepFirstEntry(enter, isInside, ray, hits);
     if (isInside && this->Rules.IsSolid())
     {
       next.Consider(enter, HitKind::Exit, surface); // the walk began within it

@@ -105,7 +105,7 @@ TEST(Rectilinear, WholeNumbersAsCoordinatesAreTheUniformField)
           for (std::size_t i = 0; i < 64; ++i)
           {
             ExpectSameHit(hits, others, i);
-            EXPECT_EQ(hits.Contact[i], others.Contact[i]);
+            EXPECT_EQ(hits.FirstEntry[i], others.FirstEntry[i]);
             EXPECT_EQ(hits.FromInside[i], others.FromInside[i]);
             found += hits.Surface[i] != Frame::NoSurface;
           }
@@ -363,7 +363,8 @@ protected:
     EXPECT_GT(std::count_if(a.Isovalues.begin(), a.Isovalues.end(), isHit), 500);
   }
 
-  /// The cold picture; of rays that end in what is inside, contacts may be nearer (as TestIsomap).
+  /// The cold picture; of rays that end in what is inside, first entries may be nearer (as
+  /// TestIsomap).
   void ExpectLookedUp(const Frame& made) const
   {
     const Frame cold = this->Cold(true);
@@ -375,7 +376,7 @@ protected:
     for (std::size_t i = 0; i < cold.Kinds.size(); ++i)
     {
       const bool isOfAMiss = cold.Kinds[i] == HitKind::None && made.Kinds[i] == HitKind::Within;
-      farther += made.Contacts[i] < cold.Contacts[i];
+      farther += made.FirstEntries[i] < cold.FirstEntries[i];
       otherwise += made.Kinds[i] != cold.Kinds[i] && !isOfAMiss;
     }
     EXPECT_EQ(farther, 0) << "it serves the next view";

@@ -23,13 +23,13 @@ void ExpectColdPlanes(const Frame& made, const Frame& cold)
   EXPECT_TRUE(IsSamePlane(made.Normals, cold.Normals));
   EXPECT_TRUE(IsSamePlane(made.Isovalues, cold.Isovalues));
   EXPECT_TRUE(IsSamePlane(made.Colors, cold.Colors));
-  // A contact may be told too near, never too far: a cell counts although only its corner is equal
-  // to the isovalue.
+  // A first entry may be told too near, never too far: a cell counts although only its corner is
+  // equal to the isovalue.
   std::size_t farther = 0, otherwise = 0;
-  for (std::size_t i = 0; i < cold.Contacts.size(); ++i)
+  for (std::size_t i = 0; i < cold.FirstEntries.size(); ++i)
   {
     const bool isOfAMiss = cold.Kinds[i] == HitKind::None && made.Kinds[i] == HitKind::Within;
-    farther += made.Contacts[i] < cold.Contacts[i];
+    farther += made.FirstEntries[i] < cold.FirstEntries[i];
     otherwise += made.Kinds[i] != cold.Kinds[i] && !isOfAMiss;
   }
   EXPECT_EQ(farther, 0u);

@@ -41,7 +41,7 @@ void ExpectSamePlanes(const Frame& made, const Frame& cold, const std::string& w
 {
   EXPECT_TRUE(IsSamePlane(made.Depth, cold.Depth)) << what;
   EXPECT_TRUE(IsSamePlane(made.Disparities, cold.Disparities)) << what;
-  EXPECT_TRUE(IsSamePlane(made.Contacts, cold.Contacts)) << what;
+  EXPECT_TRUE(IsSamePlane(made.FirstEntries, cold.FirstEntries)) << what;
   EXPECT_TRUE(IsSamePlane(made.Normals, cold.Normals)) << what;
   EXPECT_TRUE(IsSamePlane(made.Isovalues, cold.Isovalues)) << what;
   EXPECT_TRUE(IsSamePlane(made.Kinds, cold.Kinds)) << what;
@@ -66,7 +66,7 @@ void ExpectClearTilesAreClear(const Frame& frame, bool isParallel, const std::st
       const auto pixel = static_cast<std::size_t>(place.y * frame.Size.x + place.x);
       ASSERT_TRUE(!frame.ClearTiles[static_cast<std::size_t>(tile)] ||
         (frame.Isovalues[pixel] == Frame::NoSurface && std::isinf(frame.Depth[pixel]) &&
-          frame.Disparities[pixel] == miss && frame.Contacts[pixel] == miss &&
+          frame.Disparities[pixel] == miss && frame.FirstEntries[pixel] == miss &&
           frame.Answers[pixel] == Answer::DefiniteMiss))
         << what << ", tile " << tile;
     }

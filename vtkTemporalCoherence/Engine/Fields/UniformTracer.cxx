@@ -63,9 +63,9 @@ public:
     {
       const std::size_t ray = cells.Ray[i];
       const bool fromInside = IsInside(passages.AtEntry[i]);
-      if (cells.IsContact[i])
+      if (cells.IsFirstEntry[i])
       {
-        HitRules::KeepContact(passages.Enter[i], fromInside, ray, hits);
+        HitRules::KeepFirstEntry(passages.Enter[i], fromInside, ray, hits);
       }
       missing |= static_cast<std::uint64_t>(!std::isfinite(passages.Distance[i])) << ray;
       this->Cells.Rules.KeepFirst(passages.Distance[i], fromInside, surface, ray, hits);
@@ -134,7 +134,7 @@ private:
     {
       const auto ray = static_cast<std::size_t>(walks.From[i]);
       const bool fromInside = IsInside(passages.AtEntry[i]);
-      HitRules::KeepContact(passages.Enter[i], fromInside, ray, hits);
+      HitRules::KeepFirstEntry(passages.Enter[i], fromInside, ray, hits);
       HitRules::KeepNearest(passages.Distance[i], fromInside, 0, ray, hits);
     }
     const bool areCapped = this->Cells.Rules.AreCappedBehindHidden();
@@ -232,7 +232,7 @@ private:
     for (std::size_t i = 0; i < static_cast<std::size_t>(passages.Count); ++i)
     {
       const bool fromInside = IsInside(passages.AtEntry[i]);
-      HitRules::KeepContact(passages.Enter[i], fromInside, search.Ray[i], hits);
+      HitRules::KeepFirstEntry(passages.Enter[i], fromInside, search.Ray[i], hits);
       this->Cells.Rules.KeepFirst(
         passages.Distance[i], fromInside, search.Surface[i], search.Ray[i], hits);
       if (this->Cells.Rules.AreCappedBehindHidden())

@@ -42,21 +42,21 @@ void Guard(const GuardRule& rule, GuardTile& tile)
 {
   constexpr int Width = GuardTile::Width;
   const float edgeMargin = rule.EdgeMargin, smoothMargin = rule.SmoothMargin;
-  const float largestBend = rule.LargestBend, farthestContact = rule.FarthestContact;
+  const float largestBend = rule.LargestBend, largestGap = rule.LargestGap;
   const float perSpacing = 1.0f / rule.Spacing;
   const float farthest = rule.Farthest;
   const bool isParallel = rule.IsParallel;
 
-  // What each pixel alone tells, and how far its surface is behind its contact.
+  // What each pixel alone tells, and how far its surface is behind its first entry.
   std::array<float, Width * Width> single, gap;
   for (std::size_t i = 0; i < single.size(); ++i)
   {
-    const float surface = tile.Surface[i], contact = tile.Contact[i];
+    const float surface = tile.Surface[i], firstEntry = tile.FirstEntry[i];
     const float moved = Nearer(surface, edgeMargin, isParallel);
     const float perDepth = isParallel ? 1.0f : surface * surface;
-    const bool isFine = contact >= tile.Fine[i];
-    gap[i] = isFine ? 0.0f : contact - surface;
-    const float near = gap[i] <= farthestContact * perDepth ? std::min(moved, contact) : contact;
+    const bool isFine = firstEntry >= tile.Fine[i];
+    gap[i] = isFine ? 0.0f : firstEntry - surface;
+    const float near = gap[i] <= largestGap * perDepth ? std::min(moved, firstEntry) : firstEntry;
     single[i] = isFine ? moved : near;
   }
   for (int y = 0; y < TileSize; ++y)
@@ -83,7 +83,7 @@ void Guard(const GuardRule& rule, GuardTile& tile)
       const float steps = perSpacing * (largest - c);
       const float slope = isParallel ? steps : steps / std::max(c, 1e-30f);
       const bool isSmooth =
-        bend <= largestBend * perDepth && widest <= farthestContact * perDepth * (1.0f + slope);
+        bend <= largestBend * perDepth && widest <= largestGap * perDepth * (1.0f + slope);
       const float smooth = Nearer(0.5f * (c + largest), smoothMargin, isParallel);
       out[x] = std::max(isSmooth ? std::min(smooth, edge) : edge, farthest);
     }

@@ -22,7 +22,7 @@ bool LastHitHint::Narrow(RayBatch& rays, KnownRays& known) const
   known.WalkEnd = rays.WalkEnd;
   if (this->IsRaised)
   {
-    BeginAtContacts(this->Last, this->IsParallel, rays);
+    BeginAtFirstEntries(this->Last, this->IsParallel, rays);
     return true;
   }
   for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)

@@ -250,7 +250,7 @@ private:
     }
     else if (this->From.Picture)
     {
-      BeginAtContacts(*this->From.Picture, this->Key.Seen.Parallel, rays);
+      BeginAtFirstEntries(*this->From.Picture, this->Key.Seen.Parallel, rays);
     }
     try
     {

@@ -175,7 +175,7 @@ void IsomapLookup::LookInCells(std::size_t surface, std::uint64_t which,
 {
   const Sought& sought = this->Isovalues[surface];
   HitBatch& hits = found.Hits;
-  CellList cells, contacts;
+  CellList cells, entries;
   cells.Surface = surface;
   RayBatch::Array<glm::vec3> normals;
   for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
@@ -188,34 +188,34 @@ void IsomapLookup::LookInCells(std::size_t surface, std::uint64_t which,
     }
     const BandScale::Key key = sought.Key[course];
     const std::size_t begin = table.Begin(ray), end = table.Begin(ray + 1);
-    const std::size_t contact = FirstNotBelow(table.Get<1>(), begin, end, key);
-    if (contact == end)
+    const std::size_t entry = FirstNotBelow(table.Get<1>(), begin, end, key);
+    if (entry == end)
     {
       continue;
     }
     const CellIndex* const indices = table.Get<2>();
-    const std::size_t hit = FirstNotBelow(table.Get<0>(), contact, end, key);
-    if (hit != contact)
+    const std::size_t hit = FirstNotBelow(table.Get<0>(), entry, end, key);
+    if (hit != entry)
     {
-      contacts.Append(ray, indices[contact]);
+      entries.Append(ray, indices[entry]);
     }
     if (hit != end)
     {
       const auto at = static_cast<std::size_t>(cells.Count);
       cells.Append(ray, indices[hit]);
-      cells.IsContact[at] = hit == contact;
+      cells.IsFirstEntry[at] = hit == entry;
       if (this->HasNormals)
       {
         normals[at] = NormalInCells(table, knots.Normals[course].Get<0>(), begin, hit, key);
       }
     }
   }
-  this->Key.Samples.Kind->FindEntries(rays, contacts);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(contacts.Count); ++i)
+  this->Key.Samples.Kind->FindEntries(rays, entries);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(entries.Count); ++i)
   {
-    const std::size_t ray = contacts.Ray[i];
+    const std::size_t ray = entries.Ray[i];
     const bool fromInside = courses[ray] == static_cast<std::uint8_t>(Course::Falling);
-    HitRules::KeepContact(contacts.Enter[i], fromInside, ray, hits);
+    HitRules::KeepFirstEntry(entries.Enter[i], fromInside, ray, hits);
   }
   found.Open |= this->Tracer->SearchCells(rays, cells, hits);
   for (std::size_t i = 0; i < static_cast<std::size_t>(cells.Count) && this->HasNormals; ++i)
@@ -250,7 +250,7 @@ void IsomapLookup::LookInFit(std::size_t surface, std::uint64_t which,
     else if (answer == FitAnswer::Reached && rays.Begin[ray] + point.Distance < hits.Depth[ray])
     {
       hits.Depth[ray] = rays.Begin[ray] + point.Distance;
-      hits.Contact[ray] = hits.Depth[ray];
+      hits.FirstEntry[ray] = hits.Depth[ray];
       hits.FromInside[ray] = course == static_cast<std::size_t>(Course::Falling);
       hits.Surface[ray] = static_cast<std::int16_t>(surface);
       hits.Kind[ray] = hits.FromInside[ray] ? HitKind::Exit : HitKind::Entry;

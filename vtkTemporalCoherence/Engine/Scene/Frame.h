@@ -60,7 +60,7 @@ struct Frame
   glm::ivec2 Size{ 0 };
   Plane<double> Depth;           ///< t of the hit: world distance along the ray; or infinity
   Plane<float> Disparities;      ///< of the hit, or of a miss (Disparity.h)
-  Plane<float> Contacts;         ///< disparity at which the ray first entered an active cell
+  Plane<float> FirstEntries;     ///< disparity at which the ray first entered an active cell
   Plane<glm::vec3> Normals;      ///< unit normal in the world, facing the viewer; or 0
   Plane<std::int16_t> Isovalues; ///< position of the hit isovalue in the list; or NoSurface
   Plane<HitKind> Kinds;
@@ -84,7 +84,7 @@ struct Frame
   {
     visit(&Frame::Depth, std::numeric_limits<double>::infinity());
     visit(&Frame::Disparities, disparityOfMiss);
-    visit(&Frame::Contacts, disparityOfMiss);
+    visit(&Frame::FirstEntries, disparityOfMiss);
     visit(&Frame::Normals, glm::vec3(0.0f));
     visit(&Frame::Isovalues, NoSurface);
     visit(&Frame::Kinds, HitKind::None);

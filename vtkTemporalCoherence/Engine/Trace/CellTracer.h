@@ -59,9 +59,9 @@ public:
       const Part part(this->Cells.Shape.RayOf(rays, ray), cell);
       const Found found =
         this->SearchFor(part, this->Cells.Differ(this->Cells.Samples.Read(cell), cells.Surface));
-      if (cells.IsContact[i])
+      if (cells.IsFirstEntry[i])
       {
-        HitRules::KeepContact(part.Enter(), found.FromInside, ray, hits);
+        HitRules::KeepFirstEntry(part.Enter(), found.FromInside, ray, hits);
       }
       missing |= static_cast<std::uint64_t>(!std::isfinite(found.Distance)) << ray;
       this->Keep(part, found, surface, ray, hits);
@@ -150,7 +150,7 @@ private:
       const auto surface = static_cast<std::int16_t>(i);
       const Part part(line, cell);
       const Found found = this->SearchFor(part, corners);
-      HitRules::KeepContact(part.Enter(), found.FromInside, ray, hits);
+      HitRules::KeepFirstEntry(part.Enter(), found.FromInside, ray, hits);
       this->Keep(part, found, surface, ray, hits);
     }
   }

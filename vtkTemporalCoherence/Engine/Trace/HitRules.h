@@ -15,7 +15,7 @@ namespace TemporalCoherence
 {
 
 /// Which of the surfaces that are found along a ray is its hit, where it is capped, and what its
-/// contact is: for tracers of all kinds of fields. What is found may be told in any order.
+/// first entry is: for tracers of all kinds of fields. What is found may be told in any order.
 class HitRules
 {
 public:
@@ -31,12 +31,12 @@ public:
   /// True if hidden cells may cut a solid open.
   bool AreCappedBehindHidden() const { return this->HasHidden && this->IsSolid(); }
 
-  /// The ray enters a cell that an isovalue passes through: the first one is its contact.
-  static void KeepContact(double enter, bool isInside, std::size_t ray, HitBatch& hits)
+  /// The ray enters a cell that an isovalue passes through. The first one counts.
+  static void KeepFirstEntry(double enter, bool isInside, std::size_t ray, HitBatch& hits)
   {
-    if (enter < hits.Contact[ray])
+    if (enter < hits.FirstEntry[ray])
     {
-      hits.Contact[ray] = enter;
+      hits.FirstEntry[ray] = enter;
       hits.FromInside[ray] = isInside;
     }
   }
@@ -79,7 +79,7 @@ public:
     if (IsInFrontOfHit(cap, hits, ray, this->Sought.Isovalues))
     {
       hits.Depth[ray] = begin;
-      hits.Contact[ray] = begin;
+      hits.FirstEntry[ray] = begin;
       hits.FromInside[ray] = 0;
       hits.Surface[ray] = surface;
       hits.Kind[ray] = HitKind::Cap;

@@ -18,7 +18,7 @@ using FindSurfaces = std::function<void(const RayBatch& rays, HitBatch& hits)>;
 /// nearest pieces, then, for the rays that met nothing there, in the next ones.
 /// \param hits on entry the surface that each ray has met last, from which it goes on; none for a
 ///             ray that begins. Pieces that end before that surface are left out. On return the
-///             surface found, and the first contact of all pieces that were searched.
+///             surface found, and the first entry of all pieces that were searched.
 /// \pre cut.HasPieces()
 void FindInPieces(
   const RegionCutter& cut, const RayBatch& rays, HitBatch& hits, const FindSurfaces& find);

@@ -99,7 +99,7 @@ public:
   {
     for (std::size_t i = 0; i < static_cast<std::size_t>(cells.Count); ++i)
     {
-      cells.Enter[i] = RectilinearPassage({ rays, cells.Ray[i], *this->Grid }, cells.At(i)).Enter;
+      cells.Enter[i] = RectilinearSegment({ rays, cells.Ray[i], *this->Grid }, cells.At(i)).Enter;
     }
   }
 

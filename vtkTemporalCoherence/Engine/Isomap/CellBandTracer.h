@@ -109,10 +109,10 @@ private:
     RayBatch::Array<float> Entries;
     bool HasEntries = false; ///< some ray begins in the band or above
 
-    PassageBatch<Real> Passages; ///< through the cells to be measured
+    SegmentBatch<Real> Segments; ///< through the cells to be measured
     RangeBatch<Real> Ranges;
-    std::array<CellReach, RayBatch::Capacity> Corners; ///< of each passage
-    std::array<std::size_t, RayBatch::Capacity> Owner; ///< ray of each passage
+    std::array<CellReach, RayBatch::Capacity> Corners; ///< of each segment
+    std::array<std::size_t, RayBatch::Capacity> Owner; ///< ray of each segment
 
     KnotCollector Knots;
     std::int64_t CellsRead = 0;
@@ -205,8 +205,8 @@ private:
   void Append(std::size_t ray, const glm::ivec3& cell, const Corners<Real>& corners,
     const CellReach& reach, Progress& progress) const
   {
-    const auto at = static_cast<std::size_t>(progress.Passages.Count);
-    AppendPassage(progress.Rays, ray, cell, corners, progress.Passages);
+    const auto at = static_cast<std::size_t>(progress.Segments.Count);
+    AppendSegment(progress.Rays, ray, cell, corners, progress.Segments);
     progress.Owner[at] = ray;
     progress.Corners[at] = reach;
   }
@@ -215,48 +215,49 @@ private:
   {
     if constexpr (!Geometry::HasKernels)
     {
-      for (std::size_t i = 0; i < static_cast<std::size_t>(progress.Passages.Count); ++i)
+      for (std::size_t i = 0; i < static_cast<std::size_t>(progress.Segments.Count); ++i)
       {
         this->MeasureOne(i, progress);
       }
     }
     else if constexpr (Between == Interpolation::Linear)
     {
-      FindRanges(progress.Passages, progress.Ranges);
+      FindRanges(progress.Segments, progress.Ranges);
     }
     else
     {
-      FindNearestRanges(progress.Passages, progress.Ranges);
+      FindNearestRanges(progress.Segments, progress.Ranges);
     }
   }
 
-  /// FindRanges and FindNearestRanges, for one passage.
+  /// FindRanges and FindNearestRanges, for one segment.
   void MeasureOne(std::size_t i, Progress& progress) const
   {
-    PassageBatch<Real>& passages = progress.Passages;
+    SegmentBatch<Real>& segments = progress.Segments;
     RangeBatch<Real>& ranges = progress.Ranges;
-    const glm::ivec3 cell(passages.Cell[0][i], passages.Cell[1][i], passages.Cell[2][i]);
-    const typename Geometry::Part part(this->Shape.RayOf(progress.Rays, progress.Owner[i]), cell);
+    const glm::ivec3 cell(segments.Cell[0][i], segments.Cell[1][i], segments.Cell[2][i]);
+    const typename Geometry::Segment segment(
+      this->Shape.RayOf(progress.Rays, progress.Owner[i]), cell);
     Corners<Real> corners;
     for (std::size_t corner = 0; corner < 8; ++corner)
     {
-      corners[corner] = passages.Corners[corner][i];
+      corners[corner] = segments.Corners[corner][i];
     }
-    passages.Enter[i] = part.Enter();
-    ranges.Leave[i] = part.Leave();
+    segments.Enter[i] = segment.Enter();
+    ranges.Leave[i] = segment.Leave();
     Cubic<Real> cubic;
     if constexpr (Between == Interpolation::Linear)
     {
-      cubic = CubicAlong(corners, part.Path());
+      cubic = CubicAlong(corners, segment.Path());
       const std::array<Real, 2> range = RangeOf(cubic);
       ranges.Lowest[i] = range[0];
       ranges.Highest[i] = range[1];
     }
     else
     {
-      const NearestPath path = part.HasLength()
-        ? part.Nearest()
-        : NearestPath{ { NearestCorner(part.Path().Begin) }, {}, 1 };
+      const NearestPath path = segment.HasLength()
+        ? segment.Nearest()
+        : NearestPath{ { NearestCorner(segment.Path().Begin) }, {}, 1 };
       const Real begin = corners[path.Corners[0]], end = corners[path.Corners[path.Count - 1]];
       cubic = { begin, begin, end, end };
       ranges.Lowest[i] = ranges.Highest[i] = begin;
@@ -272,17 +273,17 @@ private:
     }
   }
 
-  /// Bring rays on by what was measured in their passages.
+  /// Bring rays on by what was measured in their segments.
   void TakeNote(Progress& progress) const
   {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(progress.Passages.Count); ++i)
+    for (std::size_t i = 0; i < static_cast<std::size_t>(progress.Segments.Count); ++i)
     {
       const std::size_t ray = progress.Owner[i];
       if (!progress.HasEntered[ray])
       {
         this->EnterBy(i, ray, progress);
       }
-      const bool isTouched = !(progress.Passages.Enter[i] < progress.Ranges.Leave[i]);
+      const bool isTouched = !(progress.Segments.Enter[i] < progress.Ranges.Leave[i]);
       const CellReach& cell = progress.Corners[i];
       const std::array<Real, NumberOfCourses> path = { progress.Ranges.Highest[i],
         this->Span - progress.Ranges.Lowest[i] };
@@ -308,14 +309,14 @@ private:
         else if (!isTouched)
         {
           progress.Knots.Follow(course, ray, this->CubicOf(course, i, progress),
-            progress.Passages.Enter[i], progress.Ranges.Leave[i]);
+            progress.Segments.Enter[i], progress.Ranges.Leave[i]);
         }
       }
     }
-    progress.Passages.Count = 0;
+    progress.Segments.Count = 0;
   }
 
-  /// A ray begins in passage i. What is not finite there is another value for each isovalue.
+  /// A ray begins in segment i. What is not finite there is another value for each isovalue.
   void EnterBy(std::size_t i, std::size_t ray, Progress& progress) const
   {
     this->Enter(ray, progress.Ranges.Cubic[0][i], progress.Corners[i].Error, progress);
@@ -346,7 +347,7 @@ private:
     reached.IsDone = reached.Path + error > this->Span;
   }
 
-  /// Keep the cell of passage i as a knot if it brought the ray on.
+  /// Keep the cell of segment i as a knot if it brought the ray on.
   void NoteCell(
     std::size_t course, std::size_t i, std::size_t ray, Reach& reached, Progress& progress) const
   {
@@ -363,16 +364,16 @@ private:
       CellIndex cell;
       for (std::size_t a = 0; a < 3; ++a)
       {
-        cell[a] = static_cast<std::uint16_t>(progress.Passages.Cell[a][i]);
+        cell[a] = static_cast<std::uint16_t>(progress.Segments.Cell[a][i]);
       }
       const double farthest =
         this->Scene.Form.HasNormals ? this->FarthestAt(course, i, progress) : 0.0;
-      const double distance = isFirst ? 0.5 * (progress.Passages.Enter[i] + farthest) : farthest;
+      const double distance = isFirst ? 0.5 * (progress.Segments.Enter[i] + farthest) : farthest;
       progress.Knots.AddCell(course, ray, path, corner, cell, distance);
     }
   }
 
-  /// Progress along passage i, which is rising on its course.
+  /// Progress along segment i, which is rising on its course.
   Cubic<double> CubicOf(std::size_t course, std::size_t i, const Progress& progress) const
   {
     Cubic<double> cubic;
@@ -384,10 +385,10 @@ private:
     return cubic;
   }
 
-  /// Distance at which the field comes farthest in passage i.
+  /// Distance at which the field comes farthest in segment i.
   double FarthestAt(std::size_t course, std::size_t i, const Progress& progress) const
   {
-    const double enter = progress.Passages.Enter[i], leave = progress.Ranges.Leave[i];
+    const double enter = progress.Segments.Enter[i], leave = progress.Ranges.Leave[i];
     const Cubic<double> cubic = this->CubicOf(course, i, progress);
     double farthest = cubic[3] >= cubic[0] ? 1.0 : 0.0;
     if constexpr (Between == Interpolation::Linear)
@@ -427,13 +428,13 @@ private:
         this->Append(ray, cell, corners, reach, progress);
       }
     }
-    progress.CellsRead += progress.Passages.Count;
+    progress.CellsRead += progress.Segments.Count;
     this->Measure(progress);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(progress.Passages.Count); ++i)
+    for (std::size_t i = 0; i < static_cast<std::size_t>(progress.Segments.Count); ++i)
     {
       this->EnterBy(i, progress.Owner[i], progress);
     }
-    progress.Passages.Count = 0;
+    progress.Segments.Count = 0;
   }
 
   BandScene Scene;

@@ -19,7 +19,7 @@ struct Change
   std::function<void()> Make;
 };
 
-/// Samples, placement, interpolation, mode, isovalues, colours, lights.
+/// Samples, transform, interpolation, mode, isovalues, colours, lights.
 /// \param image that of the scene, of Volumes::Waves()
 std::vector<Change> ChangesOfScene(Scene& scene, vtkImageData* image, RandomViews& views);
 

@@ -105,7 +105,7 @@ void TestVtkScene()
   }
 }
 
-void TestPlacements()
+void TestTransforms()
 {
   const Grid grid = Grids::FromFormula(RandomCoordinates(8.0), VTK_FLOAT, BlobAt);
   const std::vector<double> isovalues = { 70.0 };
@@ -441,7 +441,7 @@ int TestRectilinearGrid(int, char*[])
   // The Debug driver traps operations on what is not a number, which is what is tested here.
   vtkFloatingPointExceptions::Disable();
   TestVtkScene();
-  TestPlacements();
+  TestTransforms();
   TestFields();
   TestCells();
   TestHiddenCells();

@@ -15,7 +15,7 @@ const std::vector<const ChangeKind*>& All()
   {
     std::vector<const ChangeKind*> kinds;
     for (const auto* group : { &OfData(), &OfCamera(), &OfIsovalues(), &OfLook(), &OfLights(),
-           &OfRegion(), &OfPlacement(), &OfSettings() })
+           &OfRegion(), &OfTransform(), &OfSettings() })
     {
       for (const ChangeKind& kind : *group)
       {

@@ -64,7 +64,7 @@ void KernelBenchmarks::RegisterImages()
     [](benchmark::State& state)
     {
       Scene& scene = SceneOf<std::uint8_t>();
-      const RaySource source(scene.Key.Seen, scene.Key.Where, scene.Key.Samples.Dimensions);
+      const RaySource source(scene.Key.Seen, scene.Key.Transform, scene.Key.Samples.Dimensions);
       RayBatch rays;
       RunOnTiles(state, scene.FullTiles,
         [&](const Scene::Tile& tile) { SetUpRays(source, tile.Part.First, tile.Part.Size, rays); });

@@ -63,7 +63,7 @@ private:
   void FindFullTiles()
   {
     using namespace TemporalCoherence;
-    const RaySource source(this->Key.Seen, this->Key.Where, this->Key.Samples.Dimensions);
+    const RaySource source(this->Key.Seen, this->Key.Transform, this->Key.Samples.Dimensions);
     const auto tracer = SurfaceTracer::Make(this->Scene);
     for (std::int64_t number = 0; number < NumberOfTiles(this->Key.Seen.Size); ++number)
     {

@@ -54,7 +54,7 @@ void ForEachTile(const glm::ivec3& dimensions, const Visit& visit)
       for (int tile = 0; tile < 64; tile += 3)
       {
         RayBatch rays;
-        RaySource(view, Placement(), dimensions)
+        RaySource(view, IndexTransform(), dimensions)
           .SetUp(8 * glm::ivec2(tile % 8, tile / 8), glm::ivec2(8), rays);
         visit(rays);
       }
@@ -197,7 +197,7 @@ TEST(Rectilinear, NearestFacesLieHalfWay)
   const Structures structures(grid.Seen, { { 5.0 }, SurfaceMode::Crossing });
   const View view = LookAt(grid.Seen.Dimensions, { -1.0, 0.0, 0.0 }, { 8, 8 }, true);
   RayBatch rays;
-  RaySource(view, Placement(), grid.Seen.Dimensions).SetUp({ 0, 0 }, glm::ivec2(8), rays);
+  RaySource(view, IndexTransform(), grid.Seen.Dimensions).SetUp({ 0, 0 }, glm::ivec2(8), rays);
   const HitBatch hits = Trace(structures.Scene, rays);
   int found = 0;
   for (std::size_t i = 0; i < 64; ++i)

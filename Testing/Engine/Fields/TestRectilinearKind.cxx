@@ -17,11 +17,11 @@ TEST(RectilinearKind, EdgesOfVoxels)
   auto coordinates = std::make_shared<GridCoordinates>(*Uniform(grid.Seen.Dimensions));
   coordinates->Along[1] = { 0.0, 0.25, 1.0, 3.0 };
   grid.Seen.Kind = RectilinearKind(coordinates);
-  Placement where;
-  where.WorldFromIndex = glm::scale(glm::dmat4(1.0), glm::dvec3(3.0, -2.0, 1.0));
+  IndexTransform transform;
+  transform.WorldFromIndex = glm::scale(glm::dmat4(1.0), glm::dvec3(3.0, -2.0, 1.0));
   const auto expectSize = [&](const VoxelSize& expected)
   {
-    const VoxelSize size = grid.Seen.Kind->VoxelSizeIn(where);
+    const VoxelSize size = grid.Seen.Kind->VoxelSizeIn(transform);
     EXPECT_EQ(size.Shortest, expected.Shortest);
     EXPECT_EQ(size.Longest, expected.Longest);
     EXPECT_EQ(size.Bend, expected.Bend);

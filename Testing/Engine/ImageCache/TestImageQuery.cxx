@@ -68,7 +68,7 @@ protected:
     key.Seen = next;
     EXPECT_TRUE(ImageQuery::CanAsk(image.Key, accuracy));
     const ImageQuery query(image, key, accuracy);
-    const RaySource source(next, key.Where, key.Samples.Dimensions);
+    const RaySource source(next, key.Transform, key.Samples.Dimensions);
     Shares shares;
     for (std::int64_t tile = 0; tile < NumberOfTiles(next.Size); ++tile)
     {

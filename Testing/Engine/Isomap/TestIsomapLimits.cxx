@@ -21,9 +21,9 @@ TEST(IsomapLimits, TheFinestToleranceDependsOnTheLengthOfRays)
 {
   Field field;
   field.Dimensions = glm::ivec3(100);
-  EXPECT_EQ(Isomap::SmallestTolerance(field, Placement()), Isomap::FinestTolerance);
+  EXPECT_EQ(Isomap::SmallestTolerance(field, IndexTransform()), Isomap::FinestTolerance);
   field.Dimensions = glm::ivec3(60000, 60000, 2);
-  EXPECT_GT(Isomap::SmallestTolerance(field, Placement()), 40.0 * Isomap::FinestTolerance);
+  EXPECT_GT(Isomap::SmallestTolerance(field, IndexTransform()), 40.0 * Isomap::FinestTolerance);
 }
 
 /// The builder asks whether to go on within a part of the picture, too, and what it builds does not
@@ -97,7 +97,7 @@ TEST(IsomapLimits, ATileEndsAtTheLimitOfMemory)
   scene.Form.Tolerance = 1e-3;
   RayBatch rays;
   const View view = LookAt(noise.Seen.Dimensions, { 1.0, 2.0, 0.7 }, { 8, 8 });
-  RaySource(view, Placement(), noise.Seen.Dimensions).SetUp({ 0, 0 }, { 8, 8 }, rays);
+  RaySource(view, IndexTransform(), noise.Seen.Dimensions).SetUp({ 0, 0 }, { 8, 8 }, rays);
   TileKnots all, some;
   const std::int64_t cells = BandTracer::Make(scene)->Trace(rays, all);
   scene.MemoryLimit = all.MemoryInBytes() / 10;

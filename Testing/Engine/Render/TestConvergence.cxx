@@ -32,9 +32,9 @@ Errors ErrorsAt(int n)
 
   FrameKey key;
   key.Samples = grid.Seen;
-  key.Where.WorldFromIndex = glm::translate(glm::dmat4(1.0), glm::dvec3(-1.0)) *
+  key.Transform.WorldFromIndex = glm::translate(glm::dmat4(1.0), glm::dvec3(-1.0)) *
     glm::scale(glm::dmat4(1.0), glm::dvec3(step));
-  key.Where.IndexFromWorld = glm::inverse(key.Where.WorldFromIndex);
+  key.Transform.IndexFromWorld = glm::inverse(key.Transform.WorldFromIndex);
   const glm::dmat4 camera =
     glm::lookAt(glm::dvec3(2.0, -3.0, 1.5), glm::dvec3(0.0), glm::dvec3(0.0, 0.0, 1.0));
   EXPECT_TRUE(

@@ -57,7 +57,7 @@ TEST(ReusePlan, DataChanged)
   key.Samples.Between = Interpolation::Nearest;
   EXPECT_EQ(Plan(key), Route::Cold);
   key = BaseKey();
-  key.Where.WorldFromIndex[3][0] = 1.0;
+  key.Transform.WorldFromIndex[3][0] = 1.0;
   EXPECT_EQ(Plan(key), Route::Cold);
 }
 
@@ -153,7 +153,7 @@ TEST(ReusePlan, WhatAnImageCanServe)
   key.Samples.Stamp = 2;
   EXPECT_FALSE(CanServe(BaseKey(), key));
   key = BaseKey();
-  key.Where.WorldFromIndex[0][0] = 2.0;
+  key.Transform.WorldFromIndex[0][0] = 2.0;
   EXPECT_FALSE(CanServe(BaseKey(), key));
 }
 
@@ -204,8 +204,8 @@ TEST(ReusePlan, OtherSamplesThatFewTilesCanSee)
   other.Look.Shade = true;
   expectCold(other, "appearance");
   other = key;
-  other.Where.WorldFromIndex[3][0] = 1.0;
-  expectCold(other, "placement");
+  other.Transform.WorldFromIndex[3][0] = 1.0;
+  expectCold(other, "transform");
   other = key;
   other.Samples.Between = Interpolation::Nearest;
   expectCold(other, "interpolation");

@@ -110,7 +110,7 @@ protected:
       for (const bool parallel : { false, true })
       {
         const View view = LookAt(grid.Seen.Dimensions, direction, size, parallel);
-        const RaySource source(view, Placement(), grid.Seen.Dimensions);
+        const RaySource source(view, IndexTransform(), grid.Seen.Dimensions);
         for (std::int64_t tile = 0; tile < NumberOfTiles(size); ++tile)
         {
           const PixelRect part = PixelsOfTile(size, tile);
@@ -178,7 +178,7 @@ TEST_F(KernelsWalk, ManyThreadsMayAskForTheSameLeaves)
   const Surfaces sought{ { 18.5 }, SurfaceMode::Crossing };
   const View view = LookAt(noise.Seen.Dimensions, glm::dvec3(-1.0, -2.0, 0.8), { 8, 8 });
   RayBatch rays;
-  RaySource(view, Placement(), noise.Seen.Dimensions).SetUp({ 0, 0 }, { 8, 8 }, rays);
+  RaySource(view, IndexTransform(), noise.Seen.Dimensions).SetUp({ 0, 0 }, { 8, 8 }, rays);
   ActiveCells alone;
   alone.Build(noise.Seen, pyramid, sought);
   const Visits expected = VisitOneByOne<std::uint8_t>(rays, alone, noise.Seen);

@@ -48,7 +48,7 @@ struct Tracing
 RayBatch RaysOfTile(const View& view, const glm::ivec3& dimensions, const glm::ivec2& tile)
 {
   RayBatch rays;
-  RaySource(view, Placement(), dimensions).SetUp(8 * tile, glm::ivec2(8), rays);
+  RaySource(view, IndexTransform(), dimensions).SetUp(8 * tile, glm::ivec2(8), rays);
   return rays;
 }
 

@@ -61,14 +61,14 @@ class BoxProjector
 {
 public:
   /// \param cells along each axis, from which all boxes are
-  BoxProjector(const View& view, const Placement& placement, const glm::ivec2& tiles,
+  BoxProjector(const View& view, const IndexTransform& transform, const glm::ivec2& tiles,
     const glm::ivec3& cells, const FieldKind& kind)
     : Seen(view)
     , Tiles(tiles)
     , Kind(kind)
     , AreAlike(kind.AreBlocksAlike())
-    , ClipFromIndex(view.ClipFromWorld * placement.WorldFromIndex)
-    , WorldFromIndex(placement.WorldFromIndex)
+    , ClipFromIndex(view.ClipFromWorld * transform.WorldFromIndex)
+    , WorldFromIndex(transform.WorldFromIndex)
   {
     if (view.Parallel)
     {
@@ -256,7 +256,7 @@ void WidenByNode(const BoxProjector& projector, const glm::ivec3& firstCell, std
 
 }
 
-std::vector<std::uint8_t> FindTiles(const View& view, const Placement& placement,
+std::vector<std::uint8_t> FindTiles(const View& view, const IndexTransform& transform,
   const std::vector<CellBox>& boxes, const FieldKind& kind)
 {
   const glm::ivec2 tiles = TilesOf(view.Size);
@@ -265,7 +265,7 @@ std::vector<std::uint8_t> FindTiles(const View& view, const Placement& placement
   {
     cells = glm::max(cells, box.First + box.Size);
   }
-  const BoxProjector projector(view, placement, tiles, cells, kind);
+  const BoxProjector projector(view, transform, tiles, cells, kind);
   std::vector<std::uint8_t> touched(static_cast<std::size_t>(NumberOfTiles(view.Size)), 0);
   for (const CellBox& box : boxes)
   {
@@ -281,8 +281,8 @@ std::vector<std::uint8_t> FindTiles(const View& view, const Placement& placement
   return touched;
 }
 
-void TileBounds::Build(
-  const View& view, const Placement& placement, const ActiveCells& active, const FieldKind& kind)
+void TileBounds::Build(const View& view, const IndexTransform& transform, const ActiveCells& active,
+  const FieldKind& kind)
 {
   this->Size = TilesOf(view.Size);
   const std::size_t tiles =
@@ -296,7 +296,7 @@ void TileBounds::Build(
 
   const glm::ivec3 nodes = active.NodeDimensions();
   const BoxProjector projector(
-    view, placement, this->Size, ValueRangePyramid::NodeSize * nodes, kind);
+    view, transform, this->Size, ValueRangePyramid::NodeSize * nodes, kind);
   const std::int64_t count = static_cast<std::int64_t>(nodes.x) * nodes.y * nodes.z;
   ParallelFor(NumberOfParts, 1,
     [&](std::int64_t part)

@@ -96,8 +96,8 @@ bool ImageCache::Holds(const std::shared_ptr<CachedImage>& image) const
 double DistanceOfViews(const FrameKey& a, const FrameKey& b)
 {
   constexpr double Across = 2.0; // of the picture, in normalised device coordinates
-  const glm::dmat4 toA = a.Seen.ClipFromWorld * a.Where.WorldFromIndex;
-  const glm::dmat4 toB = b.Seen.ClipFromWorld * b.Where.WorldFromIndex;
+  const glm::dmat4 toA = a.Seen.ClipFromWorld * a.Transform.WorldFromIndex;
+  const glm::dmat4 toB = b.Seen.ClipFromWorld * b.Transform.WorldFromIndex;
   const glm::dvec3 half = 0.5 * glm::dvec3(a.Samples.Dimensions - 1);
   double sum = 0.0;
   int points = 0;

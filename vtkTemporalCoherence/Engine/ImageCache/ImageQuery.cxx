@@ -58,7 +58,7 @@ double FarthestApartFor(const Field& samples)
 double CosineOfTurn(const FrameKey& a, const FrameKey& b)
 {
   const glm::dvec3 centre(
-    a.Where.WorldFromIndex * glm::dvec4(0.5 * glm::dvec3(a.Samples.Dimensions - 1), 1.0));
+    a.Transform.WorldFromIndex * glm::dvec4(0.5 * glm::dvec3(a.Samples.Dimensions - 1), 1.0));
   const auto direction = [&](const View& view)
   {
     const glm::dvec3 to = view.Parallel ? view.Direction : centre - view.Position;
@@ -146,10 +146,10 @@ bool ImageQuery::CanAsk(const FrameKey& cached, ReuseAccuracy accuracy)
   {
     const glm::dvec3 last(cached.Samples.Dimensions - 1);
     const glm::dvec3 point = last * glm::dvec3(corner & 1, corner >> 1 & 1, corner >> 2);
-    const glm::dvec3 world(cached.Where.WorldFromIndex * glm::dvec4(point, 1.0));
+    const glm::dvec3 world(cached.Transform.WorldFromIndex * glm::dvec4(point, 1.0));
     nearest = std::min(nearest, glm::dot(view.Forward, world - view.Position));
   }
-  const double shortest = cached.Samples.Kind->VoxelSizeIn(cached.Where).Shortest;
+  const double shortest = cached.Samples.Kind->VoxelSizeIn(cached.Transform).Shortest;
   return std::max(nearest, view.Near) <
     DepthOfSpacing(view, FarthestApartFor(cached.Samples) * shortest);
 }
@@ -159,7 +159,7 @@ ImageQuery::ImageQuery(CachedImage& image, const FrameKey& next, ReuseAccuracy a
   , Accuracy(accuracy)
 {
   const View& seen = image.Key.Seen;
-  const glm::dmat4 clip = seen.ClipFromWorld * next.Where.WorldFromIndex;
+  const glm::dmat4 clip = seen.ClipFromWorld * next.Transform.WorldFromIndex;
   const glm::dvec4 forward(seen.Forward, -glm::dot(seen.Forward, seen.Position));
   const glm::dvec4 w = RowOf(clip, 3);
   // Divided by depth instead of w: the same for a perspective but for a factor.
@@ -172,9 +172,9 @@ ImageQuery::ImageQuery(CachedImage& image, const FrameKey& next, ReuseAccuracy a
   this->Projection.Size = glm::dvec2(seen.Size);
   this->Projection.RowU = 0.5 * seen.Size.x * perW * (RowOf(clip, 0) + w);
   this->Projection.RowV = 0.5 * seen.Size.y * perW * (RowOf(clip, 1) + w);
-  this->Projection.RowZ = glm::transpose(next.Where.WorldFromIndex) * forward;
+  this->Projection.RowZ = glm::transpose(next.Transform.WorldFromIndex) * forward;
 
-  const auto size = next.Samples.Kind->VoxelSizeIn(next.Where);
+  const auto size = next.Samples.Kind->VoxelSizeIn(next.Transform);
   this->Voxel = size.Longest;
   const bool isRaised = !AreMetAlike(image.Key.Sought, next.Sought);
   if (accuracy == ReuseAccuracy::Bounded || isRaised)

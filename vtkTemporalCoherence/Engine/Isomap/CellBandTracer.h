@@ -56,7 +56,8 @@ public:
       this->TakeNote(progress);
       progress.Live.Keep([&](std::size_t ray) { return !progress.IsDone(ray); });
     }
-    progress.Knots.HandOver(this->Scene.Samples, this->Scene.FiniteRange, this->Scene.Where, knots);
+    progress.Knots.HandOver(
+      this->Scene.Samples, this->Scene.FiniteRange, this->Scene.Transform, knots);
     if (progress.HasEntries)
     {
       knots.Entries.assign(progress.Entries.begin(), progress.Entries.begin() + rays.Count);

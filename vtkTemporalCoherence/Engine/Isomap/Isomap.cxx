@@ -98,9 +98,9 @@ bool Isomap::CanHold(const Field& field)
     glm::all(glm::lessThanEqual(field.Dimensions, glm::ivec3(largest)));
 }
 
-double Isomap::SmallestTolerance(const Field& field, const Placement& where)
+double Isomap::SmallestTolerance(const Field& field, const IndexTransform& transform)
 {
-  const glm::dmat3 edges(where.WorldFromIndex);
+  const glm::dmat3 edges(transform.WorldFromIndex);
   const glm::dvec3 cells(field.Dimensions - 1);
   double longest = 0.0;
   for (const glm::dvec3 side : { glm::dvec3(1.0, 1.0, 1.0), glm::dvec3(-1.0, 1.0, 1.0),
@@ -110,7 +110,7 @@ double Isomap::SmallestTolerance(const Field& field, const Placement& where)
   }
   constexpr double rounding = 0.5 * std::numeric_limits<float>::epsilon();
   const double kept = rounding * longest / (1.0 - FitShare);
-  return std::max(FinestTolerance, kept / field.Kind->VoxelSizeIn(where).Shortest);
+  return std::max(FinestTolerance, kept / field.Kind->VoxelSizeIn(transform).Shortest);
 }
 
 KnotForm Isomap::FormFor(const FrameKey& key, const Options& options)
@@ -118,16 +118,17 @@ KnotForm Isomap::FormFor(const FrameKey& key, const Options& options)
   // Where the field is that of the nearest sample, distances are no curves to be fitted.
   // Nor where it may jump, behind hidden cells.
   const bool isFitted = key.Samples.Between == Interpolation::Linear && !key.Samples.Hidden &&
-    options.Tolerance > 0.0 && options.Tolerance >= SmallestTolerance(key.Samples, key.Where);
-  return { isFitted ? options.Tolerance * key.Samples.Kind->VoxelSizeIn(key.Where).Shortest : 0.0,
+    options.Tolerance > 0.0 && options.Tolerance >= SmallestTolerance(key.Samples, key.Transform);
+  return { isFitted ? options.Tolerance * key.Samples.Kind->VoxelSizeIn(key.Transform).Shortest
+                    : 0.0,
     options.HasNormals };
 }
 
 bool Isomap::IsOf(const FrameKey& key, const Options& options) const
 {
   return this->IsBegun && this->Form == FormFor(key, options) && this->Key.Samples == key.Samples &&
-    this->Key.Where == key.Where && this->Key.Kept == key.Kept && this->Key.Seen == key.Seen &&
-    this->Key.Sought.Mode == key.Sought.Mode;
+    this->Key.Transform == key.Transform && this->Key.Kept == key.Kept &&
+    this->Key.Seen == key.Seen && this->Key.Sought.Mode == key.Sought.Mode;
 }
 
 void Isomap::Begin(const FrameKey& key, const Options& options)
@@ -162,12 +163,12 @@ struct Isomap::BandSource
     , Form(map.Form)
     , FiniteRange(pyramid.FiniteRange())
     , From(start)
-    , Rays(map.Key.Seen, map.Key.Where, map.Key.Samples.Dimensions, map.Key.Kept)
+    , Rays(map.Key.Seen, map.Key.Transform, map.Key.Samples.Dimensions, map.Key.Kept)
   {
     this->Active.Build(map.Key.Samples, pyramid, band, map.Key.Sought.Mode);
-    this->Bounds.Build(map.Key.Seen, map.Key.Where, this->Active, *map.Key.Samples.Kind);
+    this->Bounds.Build(map.Key.Seen, map.Key.Transform, this->Active, *map.Key.Samples.Kind);
     this->Tracer = BandTracer::Make({ map.Key.Samples, pyramid.FiniteRange(), &pyramid,
-      &this->Active, band, map.Key.Sought.Mode, map.Form, map.Key.Where, memoryLimit });
+      &this->Active, band, map.Key.Sought.Mode, map.Form, map.Key.Transform, memoryLimit });
     // Otherwise what shows lower isovalues tells nothing of where higher ones can be.
     const bool areOrdered = AreHitsOrdered(map.Key);
     for (const std::shared_ptr<Band>& kept : map.Kept)

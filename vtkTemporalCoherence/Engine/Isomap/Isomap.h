@@ -69,7 +69,7 @@ public:
   static constexpr double FinestTolerance = 1e-3;
 
   /// The same for the rays through a field.
-  static double SmallestTolerance(const Field& field, const Placement& where);
+  static double SmallestTolerance(const Field& field, const IndexTransform& transform);
 
   /// How the knots for a frame are kept.
   static KnotForm FormFor(const FrameKey& key, const Options& options);

@@ -53,7 +53,7 @@ IsomapLookup::IsomapLookup(const FrameKey& key, const std::vector<const Isomap::
   : Key(key)
   , Tolerance(tolerance)
   , HasNormals(!bands.empty() && bands[0]->HasNormals)
-  , Rays(key.Seen, key.Where, key.Samples.Dimensions, key.Kept)
+  , Rays(key.Seen, key.Transform, key.Samples.Dimensions, key.Kept)
   , Rules(key.Sought, key.Samples.Hidden != nullptr)
   , Tracer(SurfaceTracer::Make({ key.Samples, key.Sought, finiteRange, nullptr }))
 {

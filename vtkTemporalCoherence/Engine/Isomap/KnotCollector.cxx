@@ -72,8 +72,8 @@ void KnotCollector::AddKnot(std::size_t course, std::size_t ray, const Knot& kno
   }
 }
 
-void KnotCollector::HandOver(
-  const Field& field, const glm::dvec2& finiteRange, const Placement& where, TileKnots& knots)
+void KnotCollector::HandOver(const Field& field, const glm::dvec2& finiteRange,
+  const IndexTransform& transform, TileKnots& knots)
 {
   for (std::size_t fit = 0; fit < this->Fits.size(); ++fit)
   {
@@ -90,7 +90,8 @@ void KnotCollector::HandOver(
     {
       const std::size_t count =
         std::min<std::size_t>(RayBatch::Capacity, this->Places[course].size() - first);
-      this->FindNormals(&this->Places[course][first], count, field, finiteRange, where, normals);
+      this->FindNormals(
+        &this->Places[course][first], count, field, finiteRange, transform, normals);
     }
     knots.Normals[course].Assign(normals);
   }
@@ -99,7 +100,7 @@ void KnotCollector::HandOver(
 
 /// Append the normals of some knots.
 void KnotCollector::FindNormals(const Place* places, std::size_t count, const Field& field,
-  const glm::dvec2& finiteRange, const Placement& where,
+  const glm::dvec2& finiteRange, const IndexTransform& transform,
   std::vector<KnotNormals::Row>& normals) const
 {
   std::array<RayBatch::Array<double>, 3> points, directions, gradients;
@@ -119,7 +120,7 @@ void KnotCollector::FindNormals(const Place* places, std::size_t count, const Fi
   const std::vector<double> reference = { this->Scale.Low };
   const GradientQuery inIndexSpace{ field, glm::dmat4(1.0), finiteRange, &reference };
   IndexGradients(inIndexSpace, { count, points, directions, surfaces, gradients });
-  const glm::dmat3 toWorld = glm::transpose(glm::dmat3(where.IndexFromWorld));
+  const glm::dmat3 toWorld = glm::transpose(glm::dmat3(transform.IndexFromWorld));
   for (std::size_t i = 0; i < count; ++i)
   {
     const glm::dvec3 gradient(gradients[0][i], gradients[1][i], gradients[2][i]);

@@ -69,8 +69,8 @@ public:
   /// \param field, finiteRange, where for normals: the field, its smallest and largest finite
   ///        sample, and where it lies
   /// \throws std::bad_alloc
-  void HandOver(
-    const Field& field, const glm::dvec2& finiteRange, const Placement& where, TileKnots& knots);
+  void HandOver(const Field& field, const glm::dvec2& finiteRange, const IndexTransform& transform,
+    TileKnots& knots);
 
 private:
   /// Where normals are wanted: distance along a ray, by knot.
@@ -82,7 +82,7 @@ private:
 
   void AddKnot(std::size_t course, std::size_t ray, const Knot& knot);
   void FindNormals(const Place* places, std::size_t count, const Field& field,
-    const glm::dvec2& finiteRange, const Placement& where,
+    const glm::dvec2& finiteRange, const IndexTransform& transform,
     std::vector<KnotNormals::Row>& normals) const;
 
   const RayBatch& Rays;

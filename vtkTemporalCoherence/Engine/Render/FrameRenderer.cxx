@@ -211,7 +211,7 @@ void FrameRenderer::FollowSamples(const FrameKey& key)
     if (change.Samples && !change.View && !key.Sought.Isovalues.empty())
     {
       this->PrepareRanges(key);
-      this->Changes.FindTilesToTrace(key.Seen, key.Where, this->Structures.Ranges());
+      this->Changes.FindTilesToTrace(key.Seen, key.Transform, this->Structures.Ranges());
     }
   }
 }

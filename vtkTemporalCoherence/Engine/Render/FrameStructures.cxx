@@ -39,7 +39,7 @@ void FrameStructures::PrepareActiveCells(const FrameKey& key)
   {
     this->Shared->Provide(*this->OfData, key.Sought, this->OfSurfaces);
   }
-  this->Bounds.Build(key.Seen, key.Where, *this->OfSurfaces->Active, *key.Samples.Kind);
+  this->Bounds.Build(key.Seen, key.Transform, *this->OfSurfaces->Active, *key.Samples.Kind);
 }
 
 std::shared_ptr<const FieldRanges> FrameStructures::RangesOf(const FrameKey& key) const

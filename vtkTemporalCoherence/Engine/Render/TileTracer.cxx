@@ -27,7 +27,7 @@ void Count(Answer answer, TraceCounts& counts)
 
 TileTracer::TileTracer(const TileScene& scene)
   : Scene(scene)
-  , Rays(scene.Key.Seen, scene.Key.Where, scene.Key.Samples.Dimensions, scene.Key.Kept)
+  , Rays(scene.Key.Seen, scene.Key.Transform, scene.Key.Samples.Dimensions, scene.Key.Kept)
   , HasSurfaces(scene.Key.Samples.HasCells() && !scene.Key.Sought.Isovalues.empty())
   , IsSolid(scene.Key.Sought.Mode == SurfaceMode::Threshold)
   , Tracer(

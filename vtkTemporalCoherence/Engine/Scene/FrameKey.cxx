@@ -16,9 +16,9 @@ bool AreAlike(const Field& a, const Field& b)
 FrameChange CompareFrames(const FrameKey& last, const FrameKey& next)
 {
   FrameChange change;
-  change.Data =
-    !(last.Samples == next.Samples) || !(last.Where == next.Where) || !(last.Kept == next.Kept);
-  change.Samples = change.Data && last.Where == next.Where && last.Kept == next.Kept &&
+  change.Data = !(last.Samples == next.Samples) || !(last.Transform == next.Transform) ||
+    !(last.Kept == next.Kept);
+  change.Samples = change.Data && last.Transform == next.Transform && last.Kept == next.Kept &&
     AreAlike(last.Samples, next.Samples);
   change.View = !(last.Seen == next.Seen);
   change.Surfaces = !AreMetAlike(last.Sought, next.Sought);

@@ -34,7 +34,7 @@ struct HitList
 struct NormalSource
 {
   Field Samples;
-  Placement Where;
+  IndexTransform Transform;
   std::vector<glm::dvec4> Cuts; ///< planes that cut solids open: RegionCutter::Planes
   std::vector<double> Isovalues;
   glm::dvec2 FiniteRange{ 0.0 };

@@ -139,7 +139,7 @@ TileCompositor::TileCompositor(
   : Key(key)
   , Source(source)
   , Bounds(space.Active ? space.Bounds : nullptr)
-  , Rays(key.Seen, key.Where, key.Samples.Dimensions, key.Kept)
+  , Rays(key.Seen, key.Transform, key.Samples.Dimensions, key.Kept)
   , Tracer(SurfaceTracer::Make({ key.Samples, key.Sought, source.FiniteRange, space.Active }))
 {
 }

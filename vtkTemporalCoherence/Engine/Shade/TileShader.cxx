@@ -10,7 +10,7 @@ namespace TemporalCoherence
 TileShader::TileShader(const FrameKey& key, const glm::dvec2& finiteRange, const LeapedSpace& space,
   HitSet normalsOf, HitSet colorsOf)
   : Key(key)
-  , Source{ key.Samples, key.Where, RegionCutter(key.Kept, key.Where).Planes(),
+  , Source{ key.Samples, key.Transform, RegionCutter(key.Kept, key.Transform).Planes(),
     key.Sought.Isovalues, finiteRange }
   , NormalsOf(normalsOf)
   , ColorsOf(colorsOf)

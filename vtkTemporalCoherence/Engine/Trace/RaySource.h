@@ -20,7 +20,7 @@ namespace TemporalCoherence
 class RaySource
 {
 public:
-  RaySource(const View& view, const Placement& placement, const glm::ivec3& dimensions,
+  RaySource(const View& view, const IndexTransform& transform, const glm::ivec3& dimensions,
     const Region& region = Region());
 
   /// Set up the rays through the pixels first .. first + size - 1 and clip them to the box of the

@@ -49,14 +49,14 @@ void ShortenToSide(const glm::dvec4& plane, std::size_t ray, RayBatch& rays)
 
 }
 
-RegionCutter::RegionCutter(const Region& region, const Placement& placement)
+RegionCutter::RegionCutter(const Region& region, const IndexTransform& transform)
   : Kept(region)
   , IsConvex(region.IsConvex())
 {
   for (const glm::dvec4& clip : region.Clips)
   {
     // As a plane goes: by the transposed matrix of the way back. Then of unit length.
-    const glm::dvec4 plane = glm::transpose(placement.WorldFromIndex) * clip;
+    const glm::dvec4 plane = glm::transpose(transform.WorldFromIndex) * clip;
     const double length = glm::length(glm::dvec3(plane));
     this->Clips.push_back(length > 0.0 ? plane / length : plane);
   }

@@ -20,8 +20,8 @@ namespace TemporalCoherence
 class RegionCutter
 {
 public:
-  /// \param placement of the field that the region is a part of
-  RegionCutter(const Region& region, const Placement& placement);
+  /// \param transform of the field
+  RegionCutter(const Region& region, const IndexTransform& transform);
 
   bool IsWhole() const { return this->Kept.IsWhole(); }
 

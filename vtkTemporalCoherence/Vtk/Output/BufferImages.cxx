@@ -51,8 +51,8 @@ void WriteImage(const glm::ivec2& size, int scalarType, const char* name, const 
 /// behind.
 double EndAtBox(const Ray& ray, const FrameKey& key)
 {
-  const glm::dvec3 origin(key.Where.IndexFromWorld * glm::dvec4(ray.Origin, 1.0));
-  const glm::dvec3 direction(key.Where.IndexFromWorld * glm::dvec4(ray.Direction, 0.0));
+  const glm::dvec3 origin(key.Transform.IndexFromWorld * glm::dvec4(ray.Origin, 1.0));
+  const glm::dvec3 direction(key.Transform.IndexFromWorld * glm::dvec4(ray.Direction, 0.0));
   double begin = 0.0, end = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3; ++axis)
   {

@@ -128,7 +128,7 @@ bool RequestFromMapper::MakeScene(vtkVolumeMapper* mapper, const MaskSettings& m
     !FindMask(
       mask, mapper, key.Samples.Dimensions, property, key.Sought.Isovalues, ofSamples, error) ||
     !this->Hidden.Find(input.Image, input.OnCells, ofSamples, key.Samples.Hidden, error) ||
-    !MakePlacement(input.Image, input.OnCells, volume, key.Where, error) ||
+    !MakeIndexTransform(input.Image, input.OnCells, volume, key.Transform, error) ||
     !MakeRegion(mapper, axes, key.Kept, error))
   {
     return false;

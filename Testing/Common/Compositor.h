@@ -3,7 +3,7 @@
 #ifndef Testing_Compositor_h
 #define Testing_Compositor_h
 
-#include "KeptParts.h"
+#include "BruteForceRegion.h"
 #include "Scene.h"
 
 #include <array>
@@ -43,7 +43,7 @@ private:
 
   Scene& Of;
   mutable BruteForceTracer Truth;
-  KeptParts Kept;
+  BruteForceRegion Region;
   std::vector<double> Isovalues;
   Point Last; ///< sample along each axis
 };

@@ -22,7 +22,7 @@ std::vector<Change> OfOpacity(Scene& scene, RandomViews& views);
 std::vector<Change> OfLists(Scene& scene, RandomViews& views);
 
 /// Colours, lights and shading.
-std::vector<Change> OfLook(Scene& scene, RandomViews& views);
+std::vector<Change> OfAppearance(Scene& scene, RandomViews& views);
 
 /// Interpolation, mode, and where the volume stands.
 std::vector<Change> OfVolume(Scene& scene, RandomViews& views);

@@ -20,7 +20,7 @@ namespace Sweep
 struct Placing
 {
   std::string Name;
-  std::function<void(Scene&)> Look;
+  std::function<void(Scene&)> SetCamera;
 };
 
 /// From outside in both projections, along an axis, from inside, and cut by the near plane.

@@ -55,7 +55,7 @@ void TestAgainstBruteForce()
           Scene scene(subject.Image, subject.Isovalues);
           subject.Prepare(scene);
           Masks::SetBinary(scene, mask);
-          placing.Look(scene);
+          placing.SetCamera(scene);
           BruteForceTracer truth(subject.Image, scene.Volume);
           truth.Isovalues = subject.Isovalues;
           truth.IsThreshold = subject.Mode == Mapper::THRESHOLD;

@@ -259,7 +259,7 @@ void Oracle::Compare(const Picture& cold)
   }
   if (cold.CountHits() > 0)
   {
-    ++this->Sum.Seen;
+    ++this->Sum.WithSurface;
     ++this->Sum.Routes[route];
   }
   if (world.IsUntold)

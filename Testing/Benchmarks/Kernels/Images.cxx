@@ -64,7 +64,7 @@ void KernelBenchmarks::RegisterImages()
     [](benchmark::State& state)
     {
       Scene& scene = SceneOf<std::uint8_t>();
-      const RaySource source(scene.Key.Seen, scene.Key.Transform, scene.Key.Samples.Dimensions);
+      const RaySource source(scene.Key.View, scene.Key.Transform, scene.Key.Samples.Dimensions);
       RayBatch rays;
       RunOnTiles(state, scene.FullTiles,
         [&](const Scene::Tile& tile) { SetUpRays(source, tile.Part.First, tile.Part.Size, rays); });
@@ -75,7 +75,7 @@ void KernelBenchmarks::RegisterImages()
       Scene& scene = SceneOf<std::uint8_t>();
       // A turned camera's: in a ray's own picture it is a point.
       const ImageProjection image =
-        ProjectionOf(LookAt(scene.Key.Samples.Dimensions, { 1.0, 2.05, 0.7 }, scene.Key.Seen.Size));
+        ProjectionOf(LookAt(scene.Key.Samples.Dimensions, { 1.0, 2.05, 0.7 }, scene.Key.View.Size));
       PathBatch paths;
       RunOnTiles(state, scene.FullTiles,
         [&](const Scene::Tile& tile) { ProjectWalks(image, tile.Rays, paths); });

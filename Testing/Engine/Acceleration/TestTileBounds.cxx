@@ -63,21 +63,21 @@ struct Scene
   template <typename Formula>
   Scene(double isovalue, const Formula& formula)
     : Samples(glm::ivec3(50, 41, 37))
-    , Sought{ { isovalue }, SurfaceMode::Crossing }
+    , Isosurfaces{ { isovalue }, SurfaceMode::Crossing }
   {
     this->Samples.Fill(formula);
-    this->Pyramid.Build(this->Samples.Seen);
-    this->Active.Build(this->Samples.Seen, this->Pyramid, this->Sought);
+    this->Pyramid.Build(this->Samples.Field);
+    this->Active.Build(this->Samples.Field, this->Pyramid, this->Isosurfaces);
   }
 
   glm::dvec3 CentreAt(const IndexTransform& transform) const
   {
-    const glm::dvec3 last(this->Samples.Seen.Dimensions - 1);
+    const glm::dvec3 last(this->Samples.Field.Dimensions - 1);
     return glm::dvec3(transform.WorldFromIndex * glm::dvec4(0.5 * last, 1.0));
   }
 
   Grid<std::uint8_t> Samples;
-  Surfaces Sought;
+  Surfaces Isosurfaces;
   ValueRangePyramid Pyramid;
   ActiveCells Active;
 };
@@ -89,9 +89,9 @@ TEST(TileBounds, HoldAllHits)
   const Scene scene(150.0,
     [](int i, int j, int k)
     { return 100.0 + 80.0 * std::sin(0.3 * i + 0.2 * j) * std::cos(0.4 * k); });
-  const glm::ivec3& dimensions = scene.Samples.Seen.Dimensions;
-  const auto tracer =
-    SurfaceTracer::Make({ scene.Samples.Seen, scene.Sought, scene.Pyramid.FiniteRange(), nullptr });
+  const glm::ivec3& dimensions = scene.Samples.Field.Dimensions;
+  const auto tracer = SurfaceTracer::Make(
+    { scene.Samples.Field, scene.Isosurfaces, scene.Pyramid.FiniteRange(), nullptr });
   std::mt19937 engine(21);
   int hitCount = 0, emptyCount = 0;
   for (int round = 0; round < 60; ++round)

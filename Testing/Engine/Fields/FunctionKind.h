@@ -37,7 +37,7 @@ public:
   FunctionTracer(const SmoothFunction& function, const TraceScene& scene)
     : Function(function)
     , Scene(scene)
-    , Rules(scene.Sought, false)
+    , Rules(scene.Isosurfaces, false)
   {
   }
 
@@ -55,7 +55,7 @@ public:
 private:
   void Find(const RayBatch& rays, bool isFirst, HitBatch& hits) const
   {
-    const auto isovalues = static_cast<std::int16_t>(this->Scene.Sought.Isovalues.size());
+    const auto isovalues = static_cast<std::int16_t>(this->Scene.Isosurfaces.Isovalues.size());
     for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
     {
       NextHit next(this->Rules, LastOn(this->Rules, rays.Begin[ray], ray, hits));

@@ -81,23 +81,24 @@ protected:
   {
     this->Exact.Accuracy = ReuseAccuracy::Exact;
     this->Exact.Reuse.Isomap = false;
-    this->Key.Look.Shade = true;
-    this->Key.Look.Lights = { Light() };
+    this->Key.Appearance.Shade = true;
+    this->Key.Appearance.Lights = { Light() };
     this->SetTranslucent(true);
-    this->Look({ 1.0, 2.0, 0.7 }, false);
+    this->LookFrom({ 1.0, 2.0, 0.7 }, false);
     this->MoveBall(0);
   }
 
-  void Look(const glm::dvec3& from, bool isParallel)
+  void LookFrom(const glm::dvec3& from, bool isParallel)
   {
-    this->Key.Seen = LookAt(Dimensions, from, Size, isParallel);
+    this->Key.View = LookAt(Dimensions, from, Size, isParallel);
   }
 
   void SetTranslucent(bool isTranslucent)
   {
-    this->Key.Sought.Isovalues = { 60.0, 120.0 };
-    this->Key.Look.Colors = { { 1.0, 0.5, 0.2 }, { 0.2, 0.5, 1.0 } };
-    this->Key.Sought.Opacities = isTranslucent ? std::vector{ 0.4, 0.7 } : std::vector<double>();
+    this->Key.Isosurfaces.Isovalues = { 60.0, 120.0 };
+    this->Key.Appearance.Colors = { { 1.0, 0.5, 0.2 }, { 0.2, 0.5, 1.0 } };
+    this->Key.Isosurfaces.Opacities =
+      isTranslucent ? std::vector{ 0.4, 0.7 } : std::vector<double>();
   }
 
   /// Samples in other memory, as a reader gives them for the next time step.
@@ -113,7 +114,7 @@ protected:
         const double still = 200.0 - 20.0 * glm::length(glm::dvec3(i, j, k) - glm::dvec3(12.0));
         return std::max(0.0, std::max(ball, still));
       });
-    this->Key.Samples = this->Steps.back()->Seen;
+    this->Key.Samples = this->Steps.back()->Field;
     this->Key.Samples.Stamp = ++this->Stamp;
   }
 
@@ -128,7 +129,7 @@ protected:
     const std::string step = what + ", by " + NameOf(this->Renderer.Statistics().Made);
     const Frame& made = this->Renderer.LastFrame();
     ExpectSamePlanes(made, cold.LastFrame(), step);
-    ExpectClearTilesAreClear(made, this->Key.Seen.Parallel, step);
+    ExpectClearTilesAreClear(made, this->Key.View.Parallel, step);
   }
 
   std::vector<std::unique_ptr<Grid<std::uint8_t>>> Steps;
@@ -145,7 +146,7 @@ TEST_F(KeptPlanes, ClearTilesFollowTheProjection)
   int number = 0;
   for (const int isParallel : { 0, 0, 1, 1, 0, 1, 0, 0, 1, 1, 1, 0 })
   {
-    this->Look({ 1.0, 2.0 - 0.1 * number, 0.7 }, isParallel != 0);
+    this->LookFrom({ 1.0, 2.0 - 0.1 * number, 0.7 }, isParallel != 0);
     this->Render("frame " + std::to_string(number++));
   }
 }
@@ -158,7 +159,7 @@ TEST_F(KeptPlanes, LayersAreCopiedWithTheirTiles)
   {
     this->MoveBall(place);
     this->Render("step " + std::to_string(number++));
-    this->Key.Look.Ambient = 0.1 + 0.01 * number;
+    this->Key.Appearance.Ambient = 0.1 + 0.01 * number;
     this->Render("shaded again");
   }
   EXPECT_GE(this->Routes[Route::TimeStep], 7) << "tiles are copied";
@@ -176,16 +177,16 @@ TEST_F(KeptPlanes, NothingOfAnEarlierFrameStays)
     switch (change)
     {
       case 0:
-        this->Look({ entry(engine), 2.0, entry(engine) }, !this->Key.Seen.Parallel);
+        this->LookFrom({ entry(engine), 2.0, entry(engine) }, !this->Key.View.Parallel);
         break;
       case 1:
-        this->Look({ entry(engine), 2.0, entry(engine) }, this->Key.Seen.Parallel);
+        this->LookFrom({ entry(engine), 2.0, entry(engine) }, this->Key.View.Parallel);
         break;
       case 2:
-        this->SetTranslucent(this->Key.Sought.Opacities.empty());
+        this->SetTranslucent(this->Key.Isosurfaces.Opacities.empty());
         break;
       case 3:
-        this->Key.Look.Ambient = 0.2 + 0.1 * entry(engine);
+        this->Key.Appearance.Ambient = 0.2 + 0.1 * entry(engine);
         break;
       default:
         this->MoveBall(static_cast<int>(engine() % 3));

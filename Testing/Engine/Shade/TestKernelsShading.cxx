@@ -132,10 +132,10 @@ protected:
     }
     for (const Interpolation between : { Interpolation::Linear, Interpolation::Nearest })
     {
-      grid.Seen.Between = between;
+      grid.Field.Between = between;
       for (const int count : { 1, 7, 16, 41, 64 })
       {
-        this->CompareAt<T>(grid.Seen, { low, high }, static_cast<std::size_t>(count));
+        this->CompareAt<T>(grid.Field, { low, high }, static_cast<std::size_t>(count));
       }
     }
   }

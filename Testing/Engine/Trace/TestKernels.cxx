@@ -194,11 +194,11 @@ void KernelsFrame::Compare(const std::vector<double>& isovalues)
   grid.Fill([](int i, int j, int k)
     { return 1000.0 + 900.0 * std::sin(0.3 * i) * std::cos(0.2 * j) * std::sin(0.25 * k); });
   FrameKey key;
-  key.Samples = grid.Seen;
-  key.Sought.Isovalues = isovalues;
-  key.Look.Colors = { glm::dvec3(1.0, 0.5, 0.2), glm::dvec3(0.2, 0.5, 1.0) };
-  key.Look.Shade = true;
-  key.Look.Lights = { Light() };
+  key.Samples = grid.Field;
+  key.Isosurfaces.Isovalues = isovalues;
+  key.Appearance.Colors = { glm::dvec3(1.0, 0.5, 0.2), glm::dvec3(0.2, 0.5, 1.0) };
+  key.Appearance.Shade = true;
+  key.Appearance.Lights = { Light() };
   Frame first[2];
   this->ForEachTarget(
     [&](const char* target)
@@ -207,7 +207,7 @@ void KernelsFrame::Compare(const std::vector<double>& isovalues)
       for (int frame = 0; frame < 2; ++frame)
       {
         // The second one is made from the first.
-        key.Seen = LookAt(grid.Seen.Dimensions, { 1.0, 0.7 + 0.02 * frame, 0.4 }, { 150, 130 });
+        key.View = LookAt(grid.Field.Dimensions, { 1.0, 0.7 + 0.02 * frame, 0.4 }, { 150, 130 });
         renderer.Render(key, {});
         const Frame& made = renderer.LastFrame();
         if (first[frame].IsEmpty())

@@ -63,7 +63,7 @@ public:
   /// \param cells along each axis, from which all boxes are
   BoxProjector(const View& view, const IndexTransform& transform, const glm::ivec2& tiles,
     const glm::ivec3& cells, const FieldKind& kind)
-    : Seen(view)
+    : View(view)
     , Tiles(tiles)
     , Kind(kind)
     , AreAlike(kind.AreBlocksAlike())
@@ -110,7 +110,7 @@ public:
     {
       extent += box.Half[axis] * glm::abs(glm::dvec2(this->ClipFromIndex[axis]));
     }
-    const glm::dvec2 pixels = 0.5 * extent * glm::dvec2(this->Seen.Size);
+    const glm::dvec2 pixels = 0.5 * extent * glm::dvec2(this->View.Size);
     return pixels.x < SmallNode * w && pixels.y < SmallNode * w;
   }
 
@@ -123,9 +123,9 @@ public:
   void Widen(const Box& box, double radius, std::vector<Bounds>& bounds) const
   {
     const glm::dvec3 world(this->WorldFromIndex * glm::dvec4(box.Centre, 1.0));
-    const double distance = this->Seen.Parallel
-      ? glm::dot(this->ParallelDepth, world - this->Seen.Position)
-      : glm::length(world - this->Seen.Position);
+    const double distance = this->View.Parallel
+      ? glm::dot(this->ParallelDepth, world - this->View.Position)
+      : glm::length(world - this->View.Position);
     const double slack = Slack * std::abs(distance) + Slack * radius + this->DistanceError;
     const float near = Below(distance - radius - slack);
     const float far = -Below(-(distance + radius + slack));
@@ -174,7 +174,7 @@ public:
     const glm::dvec2 farthest = glm::max(glm::abs(low), glm::abs(high));
     const glm::dvec2 error =
       (glm::dvec2(this->ClipError) + farthest * this->ClipError.w) / (nearest - this->ClipError.w);
-    const glm::dvec2 scale = 0.5 * glm::dvec2(this->Seen.Size);
+    const glm::dvec2 scale = 0.5 * glm::dvec2(this->View.Size);
     const glm::dvec2 margin = Margin + scale * error;
     const glm::dvec2 lowPixel = (low + 1.0) * scale - margin;
     const glm::dvec2 highPixel = (high + 1.0) * scale + margin;
@@ -182,14 +182,14 @@ public:
     {
       return true;
     }
-    if (lowPixel.x >= this->Seen.Size.x || lowPixel.y >= this->Seen.Size.y || highPixel.x < 0.0 ||
+    if (lowPixel.x >= this->View.Size.x || lowPixel.y >= this->View.Size.y || highPixel.x < 0.0 ||
       highPixel.y < 0.0)
     {
       return false;
     }
     first = glm::ivec2(glm::max(lowPixel, glm::dvec2(0.0))) >> TileBits;
     last = glm::min(
-      glm::ivec2(glm::min(highPixel, glm::dvec2(this->Seen.Size))) >> TileBits, this->Tiles - 1);
+      glm::ivec2(glm::min(highPixel, glm::dvec2(this->View.Size))) >> TileBits, this->Tiles - 1);
     return true;
   }
 
@@ -203,8 +203,8 @@ private:
         glm::abs(matrix[0]), glm::abs(matrix[1]), glm::abs(matrix[2]), glm::abs(matrix[3]));
     };
     const glm::dvec4 world = sizes(this->WorldFromIndex) * cells;
-    this->ClipError = Rounding * (sizes(this->Seen.ClipFromWorld) * world);
-    const glm::dvec3 reach = glm::dvec3(world) + glm::abs(this->Seen.Position);
+    this->ClipError = Rounding * (sizes(this->View.ClipFromWorld) * world);
+    const glm::dvec3 reach = glm::dvec3(world) + glm::abs(this->View.Position);
     this->DistanceError = Rounding * this->PerRadius * (reach.x + reach.y + reach.z) +
       static_cast<double>(std::numeric_limits<float>::min());
   }
@@ -218,7 +218,7 @@ private:
                               : -std::numeric_limits<float>::infinity();
   }
 
-  const View& Seen;
+  const TemporalCoherence::View& View;
   glm::ivec2 Tiles;
   const FieldKind& Kind;
   bool AreAlike; ///< all leaves, in size

@@ -28,7 +28,7 @@ public:
   explicit UniformTracer(const TraceScene& scene)
     : Base(scene, {})
     , IsLarge(scene.Samples.IsLarge())
-    , AreCellsActive(scene.Active && scene.Sought.Isovalues.size() == 1)
+    , AreCellsActive(scene.Active && scene.Isosurfaces.Isovalues.size() == 1)
   {
   }
 

@@ -25,8 +25,8 @@ constexpr double FarthestApart = 2.0;
 /// The same where cells are hidden: what is left of a surface can be as small as a cell.
 constexpr double FarthestApartBesideHidden = 1.0;
 
-/// Cosine of the turn up to which surfaces alone can tell: films that are seen from their edge, and
-/// so hardly at all, are hardly seen after a small turn. 6 degrees; measured likewise.
+/// Cosine of the turn up to which surfaces alone can tell: films that are view from their edge, and
+/// so hardly at all, are hardly view after a small turn. 6 degrees; measured likewise.
 constexpr double SmallTurn = 0.9945;
 
 /// Distance between neighbouring pixels of a view in the world; for a perspective at depth 1.
@@ -65,7 +65,7 @@ double CosineOfTurn(const FrameKey& a, const FrameKey& b)
     const double length = glm::length(to);
     return length > 0.0 ? to / length : glm::dvec3(0.0);
   };
-  return glm::dot(direction(a.Seen), direction(b.Seen));
+  return glm::dot(direction(a.View), direction(b.View));
 }
 
 /// t at a point of a path.
@@ -132,7 +132,7 @@ bool WalkPixels(const PathBatch& paths, std::size_t ray, const glm::ivec2& size,
 
 bool ImageQuery::CanAsk(const FrameKey& cached, ReuseAccuracy accuracy)
 {
-  const View& view = cached.Seen;
+  const View& view = cached.View;
   const glm::dvec3 w(RowOf(view.ClipFromWorld, 3));
   const double along = glm::dot(w, view.Forward);
   const bool isAlongAxis = view.Parallel ||
@@ -158,25 +158,25 @@ ImageQuery::ImageQuery(CachedImage& image, const FrameKey& next, ReuseAccuracy a
   : Image(image)
   , Accuracy(accuracy)
 {
-  const View& seen = image.Key.Seen;
-  const glm::dmat4 clip = seen.ClipFromWorld * next.Transform.WorldFromIndex;
-  const glm::dvec4 forward(seen.Forward, -glm::dot(seen.Forward, seen.Position));
+  const View& view = image.Key.View;
+  const glm::dmat4 clip = view.ClipFromWorld * next.Transform.WorldFromIndex;
+  const glm::dvec4 forward(view.Forward, -glm::dot(view.Forward, view.Position));
   const glm::dvec4 w = RowOf(clip, 3);
   // Divided by depth instead of w: the same for a perspective but for a factor.
-  const double perW = seen.Parallel
+  const double perW = view.Parallel
     ? 1.0 / w.w
-    : 1.0 / glm::dot(glm::dvec3(RowOf(seen.ClipFromWorld, 3)), seen.Forward);
-  this->Projection.IsParallel = seen.Parallel;
-  this->Projection.Near = seen.Near;
-  this->Projection.Far = seen.Far;
-  this->Projection.Size = glm::dvec2(seen.Size);
-  this->Projection.RowU = 0.5 * seen.Size.x * perW * (RowOf(clip, 0) + w);
-  this->Projection.RowV = 0.5 * seen.Size.y * perW * (RowOf(clip, 1) + w);
+    : 1.0 / glm::dot(glm::dvec3(RowOf(view.ClipFromWorld, 3)), view.Forward);
+  this->Projection.IsParallel = view.Parallel;
+  this->Projection.Near = view.Near;
+  this->Projection.Far = view.Far;
+  this->Projection.Size = glm::dvec2(view.Size);
+  this->Projection.RowU = 0.5 * view.Size.x * perW * (RowOf(clip, 0) + w);
+  this->Projection.RowV = 0.5 * view.Size.y * perW * (RowOf(clip, 1) + w);
   this->Projection.RowZ = glm::transpose(next.Transform.WorldFromIndex) * forward;
 
   const auto size = next.Samples.Kind->VoxelSizeIn(next.Transform);
   this->Voxel = size.Longest;
-  const bool isRaised = !AreMetAlike(image.Key.Sought, next.Sought);
+  const bool isRaised = !AreMetAlike(image.Key.Isosurfaces, next.Isosurfaces);
   if (accuracy == ReuseAccuracy::Bounded || isRaised)
   {
     // For a raised isovalue the image gives starts only. What was inside the old isovalue may be
@@ -184,13 +184,13 @@ ImageQuery::ImageQuery(CachedImage& image, const FrameKey& next, ReuseAccuracy a
     this->Accuracy = ReuseAccuracy::Bounded;
     // A ray can be inside one of several isovalues and outside another: none is fine then. Hidden
     // cells leave films of surfaces that are inside nothing.
-    const bool canBeFine = next.Sought.Isovalues.size() == 1 && !next.Samples.Hidden &&
+    const bool canBeFine = next.Isosurfaces.Isovalues.size() == 1 && !next.Samples.Hidden &&
       CosineOfTurn(image.Key, next) >= SmallTurn;
     const double fineApart = canBeFine ? FineApart : 1e-30;
-    image.Free.Make(image.Picture, seen,
-      { size.Longest, size.Bend, SpacingOf(seen), DepthOfSpacing(seen, fineApart * size.Shortest),
-        DepthOfSpacing(seen, FarthestApartFor(next.Samples) * size.Shortest),
-        isRaised && next.Sought.Mode == SurfaceMode::Crossing });
+    image.Free.Make(image.Picture, view,
+      { size.Longest, size.Bend, SpacingOf(view), DepthOfSpacing(view, fineApart * size.Shortest),
+        DepthOfSpacing(view, FarthestApartFor(next.Samples) * size.Shortest),
+        isRaised && next.Isosurfaces.Mode == SurfaceMode::Crossing });
   }
 }
 

@@ -127,8 +127,8 @@ KnotForm Isomap::FormFor(const FrameKey& key, const Options& options)
 bool Isomap::IsOf(const FrameKey& key, const Options& options) const
 {
   return this->IsBegun && this->Form == FormFor(key, options) && this->Key.Samples == key.Samples &&
-    this->Key.Transform == key.Transform && this->Key.Kept == key.Kept &&
-    this->Key.Seen == key.Seen && this->Key.Sought.Mode == key.Sought.Mode;
+    this->Key.Transform == key.Transform && this->Key.Region == key.Region &&
+    this->Key.View == key.View && this->Key.Isosurfaces.Mode == key.Isosurfaces.Mode;
 }
 
 void Isomap::Begin(const FrameKey& key, const Options& options)
@@ -149,7 +149,7 @@ void Isomap::MoveTo(const Field& now, const Field& before)
 
 void Isomap::Release()
 {
-  this->Kept.clear();
+  this->BuiltBands.clear();
   this->IsBegun = false;
   this->Dropped = false;
 }
@@ -163,19 +163,19 @@ struct Isomap::BandSource
     , Form(map.Form)
     , FiniteRange(pyramid.FiniteRange())
     , From(start)
-    , Rays(map.Key.Seen, map.Key.Transform, map.Key.Samples.Dimensions, map.Key.Kept)
+    , Rays(map.Key.View, map.Key.Transform, map.Key.Samples.Dimensions, map.Key.Region)
   {
-    this->Active.Build(map.Key.Samples, pyramid, band, map.Key.Sought.Mode);
-    this->Bounds.Build(map.Key.Seen, map.Key.Transform, this->Active, *map.Key.Samples.Kind);
+    this->Active.Build(map.Key.Samples, pyramid, band, map.Key.Isosurfaces.Mode);
+    this->Bounds.Build(map.Key.View, map.Key.Transform, this->Active, *map.Key.Samples.Kind);
     this->Tracer = BandTracer::Make({ map.Key.Samples, pyramid.FiniteRange(), &pyramid,
-      &this->Active, band, map.Key.Sought.Mode, map.Form, map.Key.Transform, memoryLimit });
+      &this->Active, band, map.Key.Isosurfaces.Mode, map.Form, map.Key.Transform, memoryLimit });
     // Otherwise what shows lower isovalues tells nothing of where higher ones can be.
     const bool areOrdered = AreHitsOrdered(map.Key);
-    for (const std::shared_ptr<Band>& kept : map.Kept)
+    for (const std::shared_ptr<Band>& built : map.BuiltBands)
     {
-      if (areOrdered && kept->Values.High == band.Low)
+      if (areOrdered && built->Values.High == band.Low)
       {
-        this->Underneath = kept;
+        this->Underneath = built;
       }
     }
     if (!areOrdered || !start.Picture || start.Isovalue > band.Low)
@@ -234,11 +234,11 @@ private:
   void TraceRays(std::int64_t tile, TileKnots& knots)
   {
     // A solid may be cut open where there is no active cell.
-    if (this->Key.Sought.Mode == SurfaceMode::Crossing && this->Bounds.At(tile).IsEmpty())
+    if (this->Key.Isosurfaces.Mode == SurfaceMode::Crossing && this->Bounds.At(tile).IsEmpty())
     {
       return;
     }
-    const PixelRect part = PixelsOfTile(this->Key.Seen.Size, tile);
+    const PixelRect part = PixelsOfTile(this->Key.View.Size, tile);
     RayBatch rays;
     this->Rays.SetUp(part.First, part.Size, rays);
     this->Bounds.Narrow(tile, rays);
@@ -251,7 +251,7 @@ private:
     }
     else if (this->From.Picture)
     {
-      BeginAtFirstEntries(*this->From.Picture, this->Key.Seen.Parallel, rays);
+      BeginAtFirstEntries(*this->From.Picture, this->Key.View.Parallel, rays);
     }
     try
     {
@@ -294,7 +294,7 @@ std::size_t RoomFor(std::size_t limit, std::size_t taken)
 Isomap::Outcome Isomap::Build(const ValueBand& band, const ValueRangePyramid& pyramid,
   const Start& start, const Limits& limits, const ReportProgress& report)
 {
-  const std::int64_t tiles = NumberOfTiles(this->Key.Seen.Size);
+  const std::int64_t tiles = NumberOfTiles(this->Key.View.Size);
   const std::size_t fixed = static_cast<std::size_t>(tiles) * sizeof(TileKnots);
   if (!this->MakeRoom(fixed, limits.Memory))
   {
@@ -348,7 +348,7 @@ Isomap::Outcome Isomap::Build(const ValueBand& band, const ValueRangePyramid& py
   built->NumberOfKnots = source.Knots;
   built->CellsRead = source.Cells;
   built->LastUse = ++this->Uses;
-  this->Kept.push_back(built);
+  this->BuiltBands.push_back(built);
   return Outcome::Built;
 }
 
@@ -360,9 +360,9 @@ bool Isomap::MakeRoom(std::size_t bytes, std::size_t limit)
   {
     return false;
   }
-  while (!this->Kept.empty() && this->MemoryInBytes() + bytes > limit)
+  while (!this->BuiltBands.empty() && this->MemoryInBytes() + bytes > limit)
   {
-    this->Kept.erase(std::min_element(this->Kept.begin(), this->Kept.end(),
+    this->BuiltBands.erase(std::min_element(this->BuiltBands.begin(), this->BuiltBands.end(),
       [](const auto& a, const auto& b) { return a->LastUse < b->LastUse; }));
     this->Dropped = true;
   }
@@ -373,7 +373,7 @@ ValueBand Isomap::GapAround(double isovalue) const
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   ValueBand gap{ -infinity, infinity };
-  for (const auto& band : this->Kept)
+  for (const auto& band : this->BuiltBands)
   {
     if (band->Values.High < isovalue)
     {
@@ -389,7 +389,7 @@ ValueBand Isomap::GapAround(double isovalue) const
 
 const Isomap::Band* Isomap::Use(double isovalue)
 {
-  for (const std::shared_ptr<Band>& band : this->Kept)
+  for (const std::shared_ptr<Band>& band : this->BuiltBands)
   {
     if (band->Values.Holds(isovalue))
     {
@@ -405,7 +405,7 @@ bool Isomap::Covers(const std::vector<double>& isovalues) const
   return std::all_of(isovalues.begin(), isovalues.end(),
     [this](double isovalue)
     {
-      return std::any_of(this->Kept.begin(), this->Kept.end(),
+      return std::any_of(this->BuiltBands.begin(), this->BuiltBands.end(),
         [isovalue](const auto& band) { return band->Values.Holds(isovalue); });
     });
 }
@@ -413,7 +413,7 @@ bool Isomap::Covers(const std::vector<double>& isovalues) const
 std::size_t Isomap::MemoryInBytes() const
 {
   std::size_t bytes = 0;
-  for (const std::shared_ptr<Band>& band : this->Kept)
+  for (const std::shared_ptr<Band>& band : this->BuiltBands)
   {
     bytes += band->Memory;
   }
@@ -423,7 +423,7 @@ std::size_t Isomap::MemoryInBytes() const
 std::size_t Isomap::NumberOfKnots() const
 {
   std::size_t knots = 0;
-  for (const std::shared_ptr<Band>& band : this->Kept)
+  for (const std::shared_ptr<Band>& band : this->BuiltBands)
   {
     knots += band->NumberOfKnots;
   }

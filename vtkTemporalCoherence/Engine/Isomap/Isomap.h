@@ -116,7 +116,7 @@ public:
   /// True if there is a band for each isovalue.
   bool Covers(const std::vector<double>& isovalues) const;
 
-  const std::vector<std::shared_ptr<Band>>& Bands() const { return this->Kept; }
+  const std::vector<std::shared_ptr<Band>>& Bands() const { return this->BuiltBands; }
 
   /// True if a band was dropped because of the limit of memory.
   bool HasDropped() const { return this->Dropped; }
@@ -136,7 +136,7 @@ private:
   bool IsBegun = false;
   bool Dropped = false;
   std::uint64_t Uses = 0;
-  std::vector<std::shared_ptr<Band>> Kept;
+  std::vector<std::shared_ptr<Band>> BuiltBands;
 };
 
 }

@@ -53,38 +53,38 @@ IsomapLookup::IsomapLookup(const FrameKey& key, const std::vector<const Isomap::
   : Key(key)
   , Tolerance(tolerance)
   , HasNormals(!bands.empty() && bands[0]->HasNormals)
-  , Rays(key.Seen, key.Transform, key.Samples.Dimensions, key.Kept)
-  , Rules(key.Sought, key.Samples.Hidden != nullptr)
-  , Tracer(SurfaceTracer::Make({ key.Samples, key.Sought, finiteRange, nullptr }))
+  , Rays(key.View, key.Transform, key.Samples.Dimensions, key.Region)
+  , Rules(key.Isosurfaces, key.Samples.Hidden != nullptr)
+  , Tracer(SurfaceTracer::Make({ key.Samples, key.Isosurfaces, finiteRange, nullptr }))
 {
   for (std::size_t surface = 0; surface < bands.size(); ++surface)
   {
     const ValueBand& values = bands[surface]->Values;
     const BandScale scale(key.Samples.Type, values, finiteRange);
-    Sought sought{ bands[surface], {}, {} };
+    IsovalueKeys keys{ bands[surface], {}, {} };
     for (const Course course : { Course::Rising, Course::Falling })
     {
       const double progress =
-        scale.Progress(course, scale.DifferenceOf(key.Sought.Isovalues[surface]));
-      sought.Progress[static_cast<std::size_t>(course)] =
+        scale.Progress(course, scale.DifferenceOf(key.Isosurfaces.Isovalues[surface]));
+      keys.Progress[static_cast<std::size_t>(course)] =
         scale.Unit > 0.0 ? progress / scale.Unit : 0.0;
-      sought.Key[static_cast<std::size_t>(course)] = scale.KeyOf(progress);
+      keys.Key[static_cast<std::size_t>(course)] = scale.KeyOf(progress);
     }
-    this->Isovalues.push_back(sought);
+    this->Isovalues.push_back(keys);
   }
 }
 
-TraceCounts IsomapLookup::Look(
+TraceCounts IsomapLookup::LookUpTile(
   std::int64_t tile, const PixelRect& part, Frame& frame, std::uint64_t& open) const
 {
   TraceCounts counts;
   open = 0;
   const bool isMiss = std::all_of(this->Isovalues.begin(), this->Isovalues.end(),
-    [tile](const Sought& sought)
-    { return sought.Band->Tiles[static_cast<std::size_t>(tile)].IsEmpty(); });
+    [tile](const IsovalueKeys& keys)
+    { return keys.Band->Tiles[static_cast<std::size_t>(tile)].IsEmpty(); });
   if (isMiss)
   {
-    StoreMisses(tile, part, this->Key.Seen.Parallel, frame);
+    StoreMisses(tile, part, this->Key.View.Parallel, frame);
     counts.DefiniteMisses += static_cast<std::int64_t>(part.Size.x) * part.Size.y;
     return counts;
   }
@@ -95,7 +95,7 @@ TraceCounts IsomapLookup::Look(
   found.Hits.Clear(rays.Count);
   for (std::size_t surface = 0; surface < this->Isovalues.size(); ++surface)
   {
-    this->LookFor(surface, tile, rays, found);
+    this->FindSurface(surface, tile, rays, found);
   }
   open = found.Open;
   counts.CellsRead = found.Hits.CellsRead;
@@ -111,7 +111,7 @@ TraceCounts IsomapLookup::Look(
       : kind == HitKind::Cap           ? Answer::PossibleHit
                                        : Answer::DefiniteHit;
   }
-  StoreHits(rays, found.Hits, answers, this->Key.Seen.Parallel, frame);
+  StoreHits(rays, found.Hits, answers, this->Key.View.Parallel, frame);
   if (this->HasNormals)
   {
     this->StoreNormals(rays, found, frame);
@@ -119,7 +119,7 @@ TraceCounts IsomapLookup::Look(
   return counts;
 }
 
-void IsomapLookup::LookFor(
+void IsomapLookup::FindSurface(
   std::size_t surface, std::int64_t tile, const RayBatch& rays, Found& found) const
 {
   const TileKnots& knots = this->Isovalues[surface].Band->Tiles[static_cast<std::size_t>(tile)];
@@ -127,11 +127,11 @@ void IsomapLookup::LookFor(
   const std::uint64_t which = this->BeginOn(surface, knots, rays, courses, found);
   if (this->Tolerance > 0.0)
   {
-    this->LookInFit(surface, which, courses, rays, knots, found);
+    this->FindInFittedKnots(surface, which, courses, rays, knots, found);
   }
   else
   {
-    this->LookInCells(surface, which, courses, rays, knots, found);
+    this->FindInCells(surface, which, courses, rays, knots, found);
   }
 }
 
@@ -142,20 +142,20 @@ std::uint64_t IsomapLookup::BeginOn(std::size_t surface, const TileKnots& knots,
 {
   const auto rising = static_cast<std::size_t>(Course::Rising);
   const auto falling = static_cast<std::size_t>(Course::Falling);
-  const Sought& sought = this->Isovalues[surface];
+  const IsovalueKeys& keys = this->Isovalues[surface];
   found.Open |= knots.Untold;
   courses.fill(static_cast<std::uint8_t>(rising));
   std::uint64_t which = ~knots.Untold;
   for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count) && !knots.Entries.empty();
        ++ray)
   {
-    const double ahead = sought.Progress[rising] - static_cast<double>(knots.Entries[ray]);
+    const double ahead = keys.Progress[rising] - static_cast<double>(knots.Entries[ray]);
     if (std::abs(ahead) <= BandScale::StoredError)
     {
       found.Open |= Bit(ray);
       which &= ~Bit(ray);
     }
-    else if (ahead < 0.0 && this->Key.Sought.Mode == SurfaceMode::Threshold)
+    else if (ahead < 0.0 && this->Key.Isosurfaces.Mode == SurfaceMode::Threshold)
     {
       this->Rules.CapWhereItBegins(
         rays.Begin[ray], static_cast<std::int16_t>(surface), ray, found.Hits);
@@ -169,11 +169,11 @@ std::uint64_t IsomapLookup::BeginOn(std::size_t surface, const TileKnots& knots,
   return which;
 }
 
-void IsomapLookup::LookInCells(std::size_t surface, std::uint64_t which,
+void IsomapLookup::FindInCells(std::size_t surface, std::uint64_t which,
   const RayBatch::Array<std::uint8_t>& courses, const RayBatch& rays, const TileKnots& knots,
   Found& found) const
 {
-  const Sought& sought = this->Isovalues[surface];
+  const IsovalueKeys& keys = this->Isovalues[surface];
   HitBatch& hits = found.Hits;
   CellList cells, entries;
   cells.Surface = surface;
@@ -186,7 +186,7 @@ void IsomapLookup::LookInCells(std::size_t surface, std::uint64_t which,
     {
       continue;
     }
-    const BandScale::Key key = sought.Key[course];
+    const BandScale::Key key = keys.Key[course];
     const std::size_t begin = table.Begin(ray), end = table.Begin(ray + 1);
     const std::size_t entry = FirstNotBelow(table.Get<1>(), begin, end, key);
     if (entry == end)
@@ -227,11 +227,11 @@ void IsomapLookup::LookInCells(std::size_t surface, std::uint64_t which,
   }
 }
 
-void IsomapLookup::LookInFit(std::size_t surface, std::uint64_t which,
+void IsomapLookup::FindInFittedKnots(std::size_t surface, std::uint64_t which,
   const RayBatch::Array<std::uint8_t>& courses, const RayBatch& rays, const TileKnots& knots,
   Found& found) const
 {
-  const Sought& sought = this->Isovalues[surface];
+  const IsovalueKeys& keys = this->Isovalues[surface];
   HitBatch& hits = found.Hits;
   for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
   {
@@ -242,7 +242,7 @@ void IsomapLookup::LookInFit(std::size_t surface, std::uint64_t which,
       continue;
     }
     FitPoint point;
-    const FitAnswer answer = FindInFit(table, ray, sought.Progress[course], this->Tolerance, point);
+    const FitAnswer answer = FindInFit(table, ray, keys.Progress[course], this->Tolerance, point);
     if (answer == FitAnswer::Unsure)
     {
       found.Open |= Bit(ray);
@@ -266,14 +266,14 @@ void IsomapLookup::LookInFit(std::size_t surface, std::uint64_t which,
 /// Normals face the viewer.
 void IsomapLookup::StoreNormals(const RayBatch& rays, const Found& found, Frame& frame) const
 {
-  const int width = this->Key.Seen.Size.x;
+  const int width = this->Key.View.Size.x;
   for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
   {
     const HitKind kind = found.Hits.Kind[i];
     if (kind == HitKind::Entry || kind == HitKind::Exit)
     {
       const std::int32_t pixel = rays.Pixel[i];
-      const glm::vec3 along(this->Key.Seen.RayThrough(pixel % width, pixel / width).Direction);
+      const glm::vec3 along(this->Key.View.RayThrough(pixel % width, pixel / width).Direction);
       const float length = glm::length(found.Normals[i]);
       const glm::vec3 normal = length > 0.0f ? found.Normals[i] / length : -along;
       frame.Normals[static_cast<std::size_t>(pixel)] =

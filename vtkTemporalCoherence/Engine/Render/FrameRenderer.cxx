@@ -21,7 +21,7 @@ bool FrameRenderer::Render(
   const FrameKey& key, const Options& options, const ReportProgress& report)
 {
   FrameStatistics statistics;
-  statistics.Rays = static_cast<std::int64_t>(key.Seen.Size.x) * key.Seen.Size.y;
+  statistics.Rays = static_cast<std::int64_t>(key.View.Size.x) * key.View.Size.y;
   {
     Stopwatch watch(statistics.FrameTime);
     FrameTask task{ key, options, this->Frames, this->Structures, statistics, report };
@@ -102,7 +102,7 @@ void FrameRenderer::Finish(Route route, const FrameTask& task)
   }
   if (route == Route::Cold || route == Route::ThresholdHint)
   {
-    this->Cold = { task.CellsRead, task.Key.Sought };
+    this->Cold = { task.CellsRead, task.Key.Isosurfaces };
   }
   this->Frames.Finish(task.Options.Images);
   this->LastForm = Isomap::FormFor(task.Key, task.Options.Map);
@@ -173,7 +173,7 @@ Isomap::Outcome FrameRenderer::BuildIsomap(
   const FrameKey& key, const Options& options, const ReportProgress& report)
 {
   this->TimeToBuild = 0.0;
-  if (key.Sought.Isovalues.empty() || !this->Map.CanBuild(key, options.Map))
+  if (key.Isosurfaces.Isovalues.empty() || !this->Map.CanBuild(key, options.Map))
   {
     return Isomap::Outcome::Impossible;
   }
@@ -208,10 +208,10 @@ void FrameRenderer::FollowSamples(const FrameKey& key)
   else if (result == SampleComparer::Result::Different)
   {
     const FrameChange change = CompareFrames(last, key);
-    if (change.Samples && !change.View && !key.Sought.Isovalues.empty())
+    if (change.Samples && !change.View && !key.Isosurfaces.Isovalues.empty())
     {
       this->PrepareRanges(key);
-      this->Changes.FindTilesToTrace(key.Seen, key.Transform, this->Structures.Ranges());
+      this->Changes.FindTilesToTrace(key.View, key.Transform, this->Structures.Ranges());
     }
   }
 }

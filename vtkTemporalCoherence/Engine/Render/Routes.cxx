@@ -70,7 +70,7 @@ bool TraceTiles(FrameTask& task, const LeapedSpace& space, const RayHint* hint,
     {
       if (changes && changes->CanCopy(tile))
       {
-        return CopyTile(tile, part, last, task.Key.Seen.Parallel, frame);
+        return CopyTile(tile, part, last, task.Key.View.Parallel, frame);
       }
       TraceCounts counts = tracer.Trace(tile, part, frame);
       shader.Shade(tile, part, frame, counts);
@@ -91,17 +91,18 @@ void CountKnownHits(FrameTask& task)
 /// same lights, which may have moved, as a headlight moves with every view (the paper's choice).
 bool HasColorsFor(const CachedImage& cached, const FrameKey& next)
 {
-  Appearance look = cached.Key.Look;
-  if (look.Lights.size() != next.Look.Lights.size())
+  Appearance appearance = cached.Key.Appearance;
+  if (appearance.Lights.size() != next.Appearance.Lights.size())
   {
     return false;
   }
-  for (std::size_t i = 0; i < look.Lights.size(); ++i)
+  for (std::size_t i = 0; i < appearance.Lights.size(); ++i)
   {
-    look.Lights[i].Position = next.Look.Lights[i].Position;
-    look.Lights[i].Direction = next.Look.Lights[i].Direction;
+    appearance.Lights[i].Position = next.Appearance.Lights[i].Position;
+    appearance.Lights[i].Direction = next.Appearance.Lights[i].Direction;
   }
-  return look == next.Look && cached.Key.Sought == next.Sought && !next.Look.ColorByAnswer;
+  return appearance == next.Appearance && cached.Key.Isosurfaces == next.Isosurfaces &&
+    !next.Appearance.ColorByAnswer;
 }
 
 /// Trace the rays that an isomap leaves open, one bit each, tile by tile, and shade these tiles.
@@ -171,7 +172,7 @@ bool TraceWithLastHits(FrameTask& task)
   const LeapedSpace space = Begin(task, task.Options.SpaceLeaping);
   const CachedImage& last = task.Frames.Last();
   const LastHitHint hint(
-    last.Picture, CompareFrames(last.Key, task.Key).Raised, task.Key.Seen.Parallel);
+    last.Picture, CompareFrames(last.Key, task.Key).Raised, task.Key.View.Parallel);
   return TraceTiles(task, space, &hint);
 }
 
@@ -180,7 +181,7 @@ bool TraceFromImage(FrameTask& task, CachedImage& image)
   const FrameOptions& options = task.Options;
   const bool isPaper = options.Accuracy == ReuseAccuracy::Paper;
   const bool interpolates = isPaper && options.InterpolateColors && HasColorsFor(image, task.Key) &&
-    !task.Key.Sought.IsTranslucent();
+    !task.Key.Isosurfaces.IsTranslucent();
   const LeapedSpace space = Begin(task, options.SpaceLeaping);
   CachedImage& made = task.Frames.Next();
   made.Picture.IsFromCache = true;
@@ -191,13 +192,13 @@ bool TraceFromImage(FrameTask& task, CachedImage& image)
     Stopwatch watch(task.Statistics.QueryTime);
     query = std::make_unique<ImageQuery>(image, task.Key, options.Accuracy);
   }
-  const bool isSolid = task.Key.Sought.Mode == SurfaceMode::Threshold;
+  const bool isSolid = task.Key.Isosurfaces.Mode == SurfaceMode::Threshold;
   if (query->IsBounded())
   {
     const FreeSpaceHint hint(*query, isSolid);
     return TraceTiles(task, space, &hint);
   }
-  const PaperHint hint(*query, isSolid, task.Key.Seen.Parallel, interpolates);
+  const PaperHint hint(*query, isSolid, task.Key.View.Parallel, interpolates);
   return TraceTiles(task, space, &hint, interpolates ? HitSet::NotDefinite : HitSet::All);
 }
 
@@ -210,19 +211,19 @@ bool LookUp(FrameTask& task, IsomapBuilder& map, std::vector<std::uint64_t>& ope
 {
   const bool hasNormals = task.Options.Map.HasNormals;
   // Only what shines through opaque surfaces is found without a walk.
-  const bool leaps = task.Options.SpaceLeaping && task.Key.Sought.IsTranslucent();
+  const bool leaps = task.Options.SpaceLeaping && task.Key.Isosurfaces.IsTranslucent();
   const LeapedSpace space = Begin(task, leaps);
   const glm::dvec2& finiteRange = task.Structures.Pyramid().FiniteRange();
   const double tolerance = map.Built().Tolerance();
   const IsomapLookup lookup(task.Key, map.BandsFor(task.Key), tolerance, finiteRange);
   const TileShader shader(
     task.Key, finiteRange, space, hasNormals ? HitSet::NotDefinite : HitSet::All, HitSet::All);
-  open.resize(static_cast<std::size_t>(NumberOfTiles(task.Key.Seen.Size)));
+  open.resize(static_cast<std::size_t>(NumberOfTiles(task.Key.View.Size)));
   const bool isLookedUp = WorkOnTiles(task, PartOf(task.Report, 0.0, 0.5),
     [&](std::int64_t tile, const PixelRect& part, Frame& frame)
     {
       std::uint64_t& left = open[static_cast<std::size_t>(tile)];
-      TraceCounts counts = lookup.Look(tile, part, frame, left);
+      TraceCounts counts = lookup.LookUpTile(tile, part, frame, left);
       if (left == 0)
       {
         shader.Shade(tile, part, frame, counts);

@@ -17,10 +17,10 @@ struct FrameKey
 {
   Field Samples;
   IndexTransform Transform;
-  Region Kept;
-  View Seen;
-  Surfaces Sought;
-  Appearance Look;
+  TemporalCoherence::Region Region;
+  TemporalCoherence::View View;
+  Surfaces Isosurfaces;
+  TemporalCoherence::Appearance Appearance;
 };
 
 /// True if fields can differ in the values of their samples alone, and fingerprints tell in which.

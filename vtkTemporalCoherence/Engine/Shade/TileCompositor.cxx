@@ -139,8 +139,8 @@ TileCompositor::TileCompositor(
   : Key(key)
   , Source(source)
   , Bounds(space.Active ? space.Bounds : nullptr)
-  , Rays(key.Seen, key.Transform, key.Samples.Dimensions, key.Kept)
-  , Tracer(SurfaceTracer::Make({ key.Samples, key.Sought, source.FiniteRange, space.Active }))
+  , Rays(key.View, key.Transform, key.Samples.Dimensions, key.Region)
+  , Tracer(SurfaceTracer::Make({ key.Samples, key.Isosurfaces, source.FiniteRange, space.Active }))
 {
 }
 
@@ -191,7 +191,7 @@ void TileCompositor::Composite(
       if (hits.Surface[ray] != Frame::NoSurface)
       {
         layers.push_back({ hits.Depth[ray], rays.Pixel[ray], hits.Surface[ray], hits.Kind[ray] });
-        AppendHit(layers.back(), frame, this->Key.Seen, layer);
+        AppendHit(layers.back(), frame, this->Key.View, layer);
       }
     }
     this->AddLayer(layer, layers.data() + begin, canvas);
@@ -217,7 +217,7 @@ void TileCompositor::Composite(
     counts.CellsRead += hits.CellsRead;
   }
   canvas.Finish();
-  PaintAnswers(this->Key.Look, first, frame);
+  PaintAnswers(this->Key.Appearance, first, frame);
 }
 
 void TileCompositor::CompositeAgain(std::int64_t tile, const PixelRect& part, Frame& frame) const
@@ -238,7 +238,7 @@ void TileCompositor::CompositeAgain(std::int64_t tile, const PixelRect& part, Fr
     std::size_t i = begin;
     for (; i < layers.size() && (i == begin || layers[i].Pixel > layers[i - 1].Pixel); ++i)
     {
-      AppendHit(layers[i], frame, this->Key.Seen, layer);
+      AppendHit(layers[i], frame, this->Key.View, layer);
     }
     this->AddLayer(layer, &layers[begin], canvas);
     if (begin == 0)
@@ -248,7 +248,7 @@ void TileCompositor::CompositeAgain(std::int64_t tile, const PixelRect& part, Fr
     begin = i;
   }
   canvas.Finish();
-  PaintAnswers(this->Key.Look, first, frame);
+  PaintAnswers(this->Key.Appearance, first, frame);
 }
 
 /// Shade a layer, which is `hits` as the frame has them, and lay it under those that are there.
@@ -258,20 +258,21 @@ void TileCompositor::AddLayer(HitList& layer, LayerHit* hits, Canvas& canvas) co
   {
     return;
   }
-  FindHitPoints(this->Key.Seen, layer);
+  FindHitPoints(this->Key.View, layer);
   std::array<Array<double>, 3> gradients;
   ComputeNormals(this->Source, layer, &gradients);
   ShadingKernels::PhongSums sums;
-  SumLight(this->Key.Look, layer, sums);
-  const Surfaces& sought = this->Key.Sought;
+  SumLight(this->Key.Appearance, layer, sums);
+  const Surfaces& surfaces = this->Key.Isosurfaces;
   for (std::size_t i = 0; i < layer.Rays.Count; ++i)
   {
-    double alpha =
-      sought.Opacities.empty() ? 1.0 : sought.Opacities[static_cast<std::size_t>(layer.Surface[i])];
-    if (!sought.BySteepness.Nodes.empty())
+    double alpha = surfaces.Opacities.empty()
+      ? 1.0
+      : surfaces.Opacities[static_cast<std::size_t>(layer.Surface[i])];
+    if (!surfaces.BySteepness.Nodes.empty())
     {
       const glm::dvec3 gradient(gradients[0][i], gradients[1][i], gradients[2][i]);
-      alpha *= sought.BySteepness.At(glm::length(gradient * sought.BySteepness.PerStep));
+      alpha *= surfaces.BySteepness.At(glm::length(gradient * surfaces.BySteepness.PerStep));
     }
     canvas.Add(
       layer, i, { sums.Sum[0][i], sums.Sum[1][i], sums.Sum[2][i] }, static_cast<float>(alpha));

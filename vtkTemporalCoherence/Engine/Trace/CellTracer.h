@@ -22,7 +22,7 @@ class CellTracer : public SurfaceTracer
 public:
   CellTracer(const TraceScene& scene, const Geometry& shape)
     : Cells(scene, shape)
-    , Layers(scene.Sought.Isovalues)
+    , Layers(scene.Isosurfaces.Isovalues)
   {
   }
 

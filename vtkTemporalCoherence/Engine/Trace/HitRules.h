@@ -20,13 +20,13 @@ class HitRules
 {
 public:
   /// \param hasHidden cells of the field may be hidden
-  HitRules(const Surfaces& sought, bool hasHidden)
-    : Sought(sought)
+  HitRules(const Surfaces& surfaces, bool hasHidden)
+    : Isosurfaces(surfaces)
     , HasHidden(hasHidden)
   {
   }
 
-  bool IsSolid() const { return this->Sought.Mode == SurfaceMode::Threshold; }
+  bool IsSolid() const { return this->Isosurfaces.Mode == SurfaceMode::Threshold; }
 
   /// True if hidden cells may cut a solid open.
   bool AreCappedBehindHidden() const { return this->HasHidden && this->IsSolid(); }
@@ -62,7 +62,7 @@ public:
     if (distance == hits.Depth[ray] && hits.Surface[ray] != Frame::NoSurface)
     {
       const MetSurface met{ distance, KindOf(fromInside), this->IsovalueOf(surface) };
-      if (IsInFrontOfHit(met, hits, ray, this->Sought.Isovalues))
+      if (IsInFrontOfHit(met, hits, ray, this->Isosurfaces.Isovalues))
       {
         hits.Surface[ray] = surface;
         hits.Kind[ray] = met.Kind;
@@ -76,7 +76,7 @@ public:
   void CapWhereItBegins(double begin, std::int16_t surface, std::size_t ray, HitBatch& hits) const
   {
     const MetSurface cap{ begin, HitKind::Cap, this->IsovalueOf(surface) };
-    if (IsInFrontOfHit(cap, hits, ray, this->Sought.Isovalues))
+    if (IsInFrontOfHit(cap, hits, ray, this->Isosurfaces.Isovalues))
     {
       hits.Depth[ray] = begin;
       hits.FirstEntry[ray] = begin;
@@ -95,7 +95,7 @@ public:
     const ComesFromHidden& comesFromHidden, HitBatch& hits) const
   {
     const MetSurface cap{ enter, HitKind::Cap, this->IsovalueOf(surface) };
-    if (!IsInFrontOfHit(cap, hits, ray, this->Sought.Isovalues) || !comesFromHidden())
+    if (!IsInFrontOfHit(cap, hits, ray, this->Isosurfaces.Isovalues) || !comesFromHidden())
     {
       return false;
     }
@@ -109,11 +109,11 @@ public:
 
   double IsovalueOf(std::int16_t surface) const
   {
-    return this->Sought.Isovalues[static_cast<std::size_t>(surface)];
+    return this->Isosurfaces.Isovalues[static_cast<std::size_t>(surface)];
   }
 
 private:
-  Surfaces Sought;
+  Surfaces Isosurfaces;
   bool HasHidden;
 };
 

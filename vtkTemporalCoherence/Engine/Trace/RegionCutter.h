@@ -23,7 +23,7 @@ public:
   /// \param transform of the field
   RegionCutter(const Region& region, const IndexTransform& transform);
 
-  bool IsWhole() const { return this->Kept.IsWhole(); }
+  bool IsWhole() const { return this->ClipRegion.IsWhole(); }
 
   /// True if a ray may be in the region, leave it and come back.
   bool HasPieces() const { return !this->IsConvex; }
@@ -47,7 +47,7 @@ public:
 private:
   bool Keeps(const glm::dvec3& point) const;
 
-  Region Kept;
+  Region ClipRegion;
   bool IsConvex;
   std::vector<glm::dvec4> Clips; ///< in index space
   std::vector<glm::dvec4> Cuts;

@@ -20,7 +20,7 @@ namespace TemporalCoherence
 struct TraceScene
 {
   Field Samples;
-  Surfaces Sought;
+  Surfaces Isosurfaces;
   glm::dvec2 FiniteRange{ 0.0 };       ///< smallest and largest finite sample
   const ActiveCells* Active = nullptr; ///< null: no space leaping, every cell on the way is read
 };

@@ -37,9 +37,9 @@ struct TracedCells
     , Samples(scene.Samples)
     , Count(scene.Samples.Dimensions - 1)
     , Hidden(scene.Samples.Hidden.get())
-    , Rules(scene.Sought, scene.Samples.Hidden != nullptr)
+    , Rules(scene.Isosurfaces, scene.Samples.Hidden != nullptr)
   {
-    for (const double isovalue : scene.Sought.Isovalues)
+    for (const double isovalue : scene.Isosurfaces.Isovalues)
     {
       this->Differences.emplace_back(isovalue, scene.FiniteRange);
     }

@@ -62,7 +62,7 @@ bool MapperFrames::Render(const Viewer& viewer, const FrameRequest& request,
   }
   catch (const std::exception&)
   {
-    error = "There is not enough memory for a frame of " + TextOf(request.Key.Seen.Size) +
+    error = "There is not enough memory for a frame of " + TextOf(request.Key.View.Size) +
       " pixels and the block ranges of " + TextOf(request.Key.Samples.Dimensions) +
       " samples; free memory, keep fewer cached images, or render a part of the volume "
       "(vtkExtractVOI) or fewer pixels.";
@@ -105,7 +105,7 @@ void MapperFrames::Present(vtkRenderer* renderer, vtkVolume* volume, const glm::
     else if (const auto pass = PeelingPass::Of(volume))
     {
       state->Peels.Present(
-        *pass, renderer, volume, state->Frames.LastFrame(), state->Frames.LastKey().Seen, error);
+        *pass, renderer, volume, state->Frames.LastFrame(), state->Frames.LastKey().View, error);
     }
     else
     {
@@ -196,7 +196,7 @@ bool MapperFrames::WriteSurface(vtkPolyData* points, std::string& error) const
 std::optional<PixelHit> MapperFrames::FindHit(int x, int y) const
 {
   const FrameRenderer& frames = this->Last->Frames;
-  return FindPixelHit(frames.LastFrame(), frames.LastKey().Seen, this->Last->PictureSize, x, y);
+  return FindPixelHit(frames.LastFrame(), frames.LastKey().View, this->Last->PictureSize, x, y);
 }
 
 std::optional<LineHit> MapperFrames::FindHit(

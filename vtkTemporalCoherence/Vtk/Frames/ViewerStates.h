@@ -50,7 +50,7 @@ struct ViewerState
   /// The last frame, to be presented.
   ShownFrame Shown() const
   {
-    return { this->Frames.LastFrame(), this->Frames.LastKey().Seen, this->PictureSize,
+    return { this->Frames.LastFrame(), this->Frames.LastKey().View, this->PictureSize,
       this->Picture };
   }
 

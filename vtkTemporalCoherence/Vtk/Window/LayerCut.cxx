@@ -24,7 +24,7 @@ public:
     , WindowSize(size)
     , Rect(rect)
     , Picture(frame)
-    , Seen(view)
+    , View(view)
     , Colors(colors)
   {
   }
@@ -58,7 +58,7 @@ private:
   void Show(const LayerHit& layer) const
   {
     const glm::ivec2 pixel(layer.Pixel % this->Picture.Size.x, layer.Pixel / this->Picture.Size.x);
-    const float depth = WindowDepthOf(this->Seen, pixel, layer.Depth);
+    const float depth = WindowDepthOf(this->View, pixel, layer.Depth);
     this->ForWindowPixels({ pixel, glm::ivec2(1) },
       [&](std::size_t at)
       {
@@ -118,7 +118,7 @@ private:
   glm::ivec2 WindowSize;
   PixelRect Rect;
   const Frame& Picture;
-  const View& Seen;
+  const TemporalCoherence::View& View;
   std::vector<PixelColor>& Colors;
 };
 

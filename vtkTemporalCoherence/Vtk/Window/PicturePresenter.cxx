@@ -86,7 +86,7 @@ bool PicturePresenter::Present(
   {
     return true;
   }
-  const bool isCut = this->Shown.HasLayers && this->CutLayers(frame, shown.Seen);
+  const bool isCut = this->Shown.HasLayers && this->CutLayers(frame, shown.View);
   const glm::vec2 size(this->OpenGL->Size);
   SetUniforms(output, this->OpenGL->Quad->Program, renderer, volume, glm::vec2(rect.First) / size,
     glm::vec2(rect.Size) / size);
@@ -191,7 +191,7 @@ bool PicturePresenter::Prepare(
 
   if (this->OpenGL->Picture != shown.Number || this->OpenGL->Pixels != shown.Pixels)
   {
-    this->Shown.Assign(shown.Picture, shown.Seen, shown.Pixels);
+    this->Shown.Assign(shown.Picture, shown.View, shown.Pixels);
     this->OpenGL->Picture = shown.Number;
     this->OpenGL->Pixels = shown.Pixels;
     this->OpenGL->NormalsPicture = 0;

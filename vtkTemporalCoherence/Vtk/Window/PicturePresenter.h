@@ -27,7 +27,7 @@ namespace TemporalCoherence
 struct ShownFrame
 {
   const Frame& Picture;
-  const View& Seen;
+  const TemporalCoherence::View& View;
   glm::ivec2 Pixels;    ///< of the viewport, which may be more than rays, or fewer
   std::uint64_t Number; ///< differs whenever frame or view differ from the last ones
 };

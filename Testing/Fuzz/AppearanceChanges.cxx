@@ -260,7 +260,7 @@ const std::vector<ChangeKind>& OfIsovalues()
   return kinds;
 }
 
-const std::vector<ChangeKind>& OfLook()
+const std::vector<ChangeKind>& OfAppearance()
 {
   static const std::vector<ChangeKind> kinds = {
     { "opacities", { 4, 2, 2, 1, 12, 6 }, SetOpacities },

@@ -61,8 +61,8 @@ class BoxProjector
 {
 public:
   /// \param cells along each axis, from which all boxes are
-  BoxProjector(const View& view, const IndexTransform& transform, const glm::ivec2& tiles,
-    const glm::ivec3& cells, const FieldKind& kind)
+  BoxProjector(const TemporalCoherence::View& view, const IndexTransform& transform,
+    const glm::ivec2& tiles, const glm::ivec3& cells, const FieldKind& kind)
     : View(view)
     , Tiles(tiles)
     , Kind(kind)

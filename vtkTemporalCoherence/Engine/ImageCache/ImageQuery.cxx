@@ -25,8 +25,8 @@ constexpr double FarthestApart = 2.0;
 /// The same where cells are hidden: what is left of a surface can be as small as a cell.
 constexpr double FarthestApartBesideHidden = 1.0;
 
-/// Cosine of the turn up to which surfaces alone can tell: films that are view from their edge, and
-/// so hardly at all, are hardly view after a small turn. 6 degrees; measured likewise.
+/// Cosine of the turn up to which surfaces alone can tell: films that are seen from their edge, and
+/// so hardly at all, are hardly seen after a small turn. 6 degrees; measured likewise.
 constexpr double SmallTurn = 0.9945;
 
 /// Distance between neighbouring pixels of a view in the world; for a perspective at depth 1.

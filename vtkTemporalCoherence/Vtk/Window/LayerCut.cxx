@@ -19,7 +19,7 @@ class LayerCutter
 {
 public:
   LayerCutter(const std::vector<float>& depths, const glm::ivec2& size, const PixelRect& rect,
-    const Frame& frame, const View& view, std::vector<PixelColor>& colors)
+    const Frame& frame, const TemporalCoherence::View& view, std::vector<PixelColor>& colors)
     : Depths(depths)
     , WindowSize(size)
     , Rect(rect)

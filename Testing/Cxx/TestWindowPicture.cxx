@@ -6,7 +6,7 @@
 // them. Frames are made at random and held against loops over all pixels.
 
 #include "Expect.h"
-#include "Window/LayerCut.h"
+#include "Window/LayerDepthClip.h"
 #include "Window/WindowPicture.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -196,10 +196,10 @@ PixelColor ColorBefore(const Frame& frame, const View& view, const glm::ivec2& p
 }
 
 /// In windows with as many pixels as the picture, more, and numbers that are no multiples.
-void TestCuts()
+void TestClippedLayers()
 {
   std::mt19937 engine(32);
-  int cuts = 0, wholes = 0;
+  int clipped = 0, wholes = 0;
   for (int round = 0; round < 60; ++round)
   {
     const glm::ivec2 size(10 + Below(engine, 20), 10 + Below(engine, 20));
@@ -220,7 +220,7 @@ void TestCuts()
       }
     }
     std::vector<PixelColor> colors;
-    const bool isCut = CutLayersAt(depths, window, picture.Rect, frame, view, colors);
+    const bool isClipped = ClipLayersAt(depths, window, picture.Rect, frame, view, colors);
     bool isOther = false;
     long wrong = 0;
     for (int i = 0; i < window.x * window.y; ++i)
@@ -233,12 +233,12 @@ void TestCuts()
       wrong += colors[at] != expected;
       isOther |= expected != frame.Colors[PlaceOf(frame, pixel)];
     }
-    const std::string what = "cut " + std::to_string(round) + ": ";
+    const std::string what = "clipped " + std::to_string(round) + ": ";
     Expect(wrong == 0, what + std::to_string(wrong) + " pixels show another layer");
-    Expect(isCut == isOther, what + "told");
-    (isOther ? cuts : wholes)++;
+    Expect(isClipped == isOther, what + "told");
+    (isOther ? clipped : wholes)++;
   }
-  Expect(cuts > 20 && wholes > 5, "both kinds");
+  Expect(clipped > 20 && wholes > 5, "both kinds");
 }
 
 /// Layers are behind one another only where a pixel has two.
@@ -264,7 +264,7 @@ void TestHasLayers()
 int TestWindowPicture(int, char*[])
 {
   TestRectangles();
-  TestCuts();
+  TestClippedLayers();
   TestHasLayers();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -67,7 +67,7 @@ Shot Capped(GallerySettings& settings)
   scene.Show({ { subject.Isovalues[0], Style::Skin }, { subject.Isovalues[1], Style::Coral },
     { subject.Isovalues[2], Style::Bone } });
   scene.Mapper->SetSurfaceModeToThreshold();
-  scene.Cut({ 1.0, 0.0, 0.0 }, 0.5);
+  scene.Clip({ 1.0, 0.0, 0.0 }, 0.5);
   return scene.Take("caps", "Solids with caps",
     "`SetSurfaceModeToThreshold()` and a clipping plane: the cut is closed, and coloured by the "
     "highest isovalue that is reached there");
@@ -98,7 +98,7 @@ Shot Clipped(GallerySettings& settings)
   FeatureScene scene(settings, subject);
   scene.Show({ { subject.Isovalues[0], Style::Steel, 0.25 },
     { subject.Isovalues[1], Style::Gold, 0.6 }, { subject.Isovalues[2], Style::Coral } });
-  scene.Cut({ 0.2, 1.0, 0.0 }, 0.5);
+  scene.Clip({ 0.2, 1.0, 0.0 }, 0.5);
   return scene.Take("clipping", "Clipping planes",
     "three isovalues, two of them translucent, cut open by `AddClippingPlane()`");
 }

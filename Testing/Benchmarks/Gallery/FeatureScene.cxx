@@ -29,7 +29,7 @@ void FeatureScene::Show(const std::vector<Style::Surface>& surfaces)
   Style::Show(this->Volume->GetProperty(), surfaces);
 }
 
-void FeatureScene::Cut(const std::array<double, 3>& normal, double share)
+void FeatureScene::Clip(const std::array<double, 3>& normal, double share)
 {
   const double* bounds = this->Volume->GetBounds();
   double origin[3];

@@ -36,7 +36,7 @@ struct FeatureScene
 
   /// Leave what lies in the direction of the normal, of a plane at a share of the box's width
   /// along that direction.
-  void Cut(const std::array<double, 3>& normal, double share);
+  void Clip(const std::array<double, 3>& normal, double share);
 
   /// Crop the corner that is nearest to the viewer.
   void CropCorner();

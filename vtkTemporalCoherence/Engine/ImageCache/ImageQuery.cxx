@@ -235,7 +235,7 @@ void ImageQuery::FindFreeSpace(const PathBatch& paths, std::size_t ray, KnownRay
       known.Pixel[ray] = pixel;
       return true;
     });
-  if (isStopped || paths.Kind[ray] == PathKind::Cut)
+  if (isStopped || paths.Kind[ray] == PathKind::Clipped)
   {
     const double t = DistanceAt(paths, ray, stop, this->Projection.IsParallel);
     known.Free[ray] = std::max(known.Free[ray], t);

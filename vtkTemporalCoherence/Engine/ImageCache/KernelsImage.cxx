@@ -110,27 +110,27 @@ inline void AtEnds(const glm::dvec4& row, const RayBatch& rays, double* begin, d
 void Project(const ImageProjection& image, const RayBatch& rays, PathBatch& paths)
 {
   const auto count = static_cast<std::size_t>(rays.Count);
-  RayBatch::Array<double> z0, z1, u0, u1, v0, v1, isCut;
+  RayBatch::Array<double> z0, z1, u0, u1, v0, v1, isClipped;
   AtEnds(image.RowZ, rays, z0.data(), z1.data());
   AtEnds(image.RowU, rays, u0.data(), u1.data());
   AtEnds(image.RowV, rays, v0.data(), v1.data());
 
-  // Cut at the clipping planes.
+  // Clip at the clipping planes.
   const double near = image.Near, far = image.Far;
   for (std::size_t i = 0; i < count; ++i)
   {
     const double last = std::min(std::max(z1[i], near), far);
     const double length = z1[i] - z0[i];
     const double share = (last - z0[i]) / (length != 0.0 ? length : 1.0);
-    const bool cut = last != z1[i];
-    const double kept = cut ? share : 1.0;
+    const bool clips = last != z1[i];
+    const double kept = clips ? share : 1.0;
     paths.T0[i] = rays.WalkBegin[i];
     paths.T1[i] =
-      cut ? rays.WalkBegin[i] + kept * (rays.WalkEnd[i] - rays.WalkBegin[i]) : rays.WalkEnd[i];
-    u1[i] = cut ? u0[i] + kept * (u1[i] - u0[i]) : u1[i];
-    v1[i] = cut ? v0[i] + kept * (v1[i] - v0[i]) : v1[i];
+      clips ? rays.WalkBegin[i] + kept * (rays.WalkEnd[i] - rays.WalkBegin[i]) : rays.WalkEnd[i];
+    u1[i] = clips ? u0[i] + kept * (u1[i] - u0[i]) : u1[i];
+    v1[i] = clips ? v0[i] + kept * (v1[i] - v0[i]) : v1[i];
     z1[i] = last;
-    isCut[i] = cut ? 1.0 : 0.0;
+    isClipped[i] = clips ? 1.0 : 0.0;
   }
 
   const bool isParallel = image.IsParallel;
@@ -151,7 +151,7 @@ void Project(const ImageProjection& image, const RayBatch& rays, PathBatch& path
     paths.PerU[i] = perU;
     paths.PerV[i] = perV;
 
-    // Cut at the border of the image.
+    // Clip at the border of the image.
     const double leaveU = ((perU > 0.0 ? width : 0.0) - u) / (perU != 0.0 ? perU : 1.0);
     const double leaveV = ((perV > 0.0 ? height : 0.0) - v) / (perV != 0.0 ? perV : 1.0);
     const double endU = perU != 0.0 ? std::min(leaveU, 1.0) : 1.0;
@@ -159,7 +159,7 @@ void Project(const ImageProjection& image, const RayBatch& rays, PathBatch& path
     const double end = std::min(endU, endV);
     const bool isInside = isSeen && u >= 0.0 && u < width && v >= 0.0 && v < height;
     paths.End[i] = end;
-    z0[i] = isInside ? (end < 1.0 || isCut[i] > 0.0 ? 1.0 : 2.0) : 0.0;
+    z0[i] = isInside ? (end < 1.0 || isClipped[i] > 0.0 ? 1.0 : 2.0) : 0.0;
   }
   for (std::size_t i = 0; i < count; ++i)
   {

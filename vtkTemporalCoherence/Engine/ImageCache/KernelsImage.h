@@ -40,7 +40,7 @@ void MakeGuard(const GuardRule& rule, GuardTile& tile);
 enum class PathKind : std::uint8_t
 {
   Unknown, ///< its beginning is not in what the image shows
-  Cut,     ///< its end is not
+  Clipped, ///< its end is not
   Whole
 };
 

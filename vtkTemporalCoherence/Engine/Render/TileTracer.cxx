@@ -97,13 +97,13 @@ TraceCounts TileTracer::TraceSome(
 /// Find the first surface along each ray, in what the region leaves of it.
 void TileTracer::Find(const RayBatch& rays, HitBatch& hits) const
 {
-  if (!this->Rays.Cut.HasPieces())
+  if (!this->Rays.Clipper.HasPieces())
   {
     this->Tracer->Trace(rays, hits);
     return;
   }
   hits.Clear(rays.Count);
-  FindInPieces(this->Rays.Cut, rays, hits,
+  FindInPieces(this->Rays.Clipper, rays, hits,
     [this](const RayBatch& part, HitBatch& found) { this->Tracer->Trace(part, found); });
 }
 

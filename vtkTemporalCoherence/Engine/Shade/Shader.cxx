@@ -44,7 +44,7 @@ void TakeFacesAtCaps(
         source.Transform.IndexFromWorld * glm::dvec4(At(hits.Rays.Point, i), 1.0));
       const glm::dvec3 direction(
         source.Transform.IndexFromWorld * glm::dvec4(At(hits.Rays.Direction, i), 0.0));
-      Set(gradients, i, CapNormal(point, direction, source.Samples, source.Cuts));
+      Set(gradients, i, CapNormal(point, direction, source.Samples, source.CapPlanes));
     }
   }
 }

@@ -35,7 +35,7 @@ struct NormalSource
 {
   Field Samples;
   IndexTransform Transform;
-  std::vector<glm::dvec4> Cuts; ///< planes that cut solids open: RegionCutter::Planes
+  std::vector<glm::dvec4> CapPlanes; ///< planes where solids are capped: RegionClipper::Planes
   std::vector<double> Isovalues;
   glm::dvec2 FiniteRange{ 0.0 };
 };

@@ -10,7 +10,7 @@ namespace TemporalCoherence
 TileShader::TileShader(const FrameKey& key, const glm::dvec2& finiteRange, const LeapedSpace& space,
   HitSet normalsOf, HitSet colorsOf)
   : Key(key)
-  , Source{ key.Samples, key.Transform, RegionCutter(key.Region, key.Transform).Planes(),
+  , Source{ key.Samples, key.Transform, RegionClipper(key.Region, key.Transform).Planes(),
     key.Isosurfaces.Isovalues, finiteRange }
   , NormalsOf(normalsOf)
   , ColorsOf(colorsOf)

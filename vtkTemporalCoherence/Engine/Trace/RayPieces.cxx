@@ -52,17 +52,17 @@ void TakeHit(const HitBatch& found, std::size_t i, std::size_t ray, HitBatch& hi
 }
 
 void FindInPieces(
-  const RegionCutter& cut, const RayBatch& rays, HitBatch& hits, const FindSurfaces& find)
+  const RegionClipper& clipper, const RayBatch& rays, HitBatch& hits, const FindSurfaces& find)
 {
   const auto count = static_cast<std::size_t>(rays.Count);
-  RayBatch::Array<RegionCutter::Pieces> pieces;
+  RayBatch::Array<RegionClipper::Pieces> pieces;
   for (std::size_t ray = 0; ray < count; ++ray)
   {
-    pieces[ray] = cut.PiecesOf(rays, ray);
+    pieces[ray] = clipper.PiecesOf(rays, ray);
   }
   HitBatch next;
   next.Clear(rays.Count);
-  for (std::size_t piece = 0; piece < RegionCutter::MostPieces; ++piece)
+  for (std::size_t piece = 0; piece < RegionClipper::MostPieces; ++piece)
   {
     PieceBatch batch;
     batch.Hits.CellsRead = 0;

@@ -26,7 +26,7 @@ RaySource::RaySource(const View& view, const IndexTransform& transform,
   , Near(view.Near)
   , Far(view.Far)
   , World{ view.Direction, view.DirectionX, view.DirectionY }
-  , Cut(region, transform)
+  , Clipper(region, transform)
 {
   const glm::dmat4& toIndex = transform.IndexFromWorld;
   const glm::dmat3 turn(toIndex);
@@ -46,9 +46,9 @@ RaySource::RaySource(const View& view, const IndexTransform& transform,
 void RaySource::SetUp(const glm::ivec2& first, const glm::ivec2& size, RayBatch& rays) const
 {
   SetUpRays(*this, first, size, rays);
-  if (!this->Cut.IsWhole())
+  if (!this->Clipper.IsWhole())
   {
-    this->Cut.Narrow(rays);
+    this->Clipper.Narrow(rays);
   }
 }
 

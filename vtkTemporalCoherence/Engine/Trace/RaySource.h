@@ -6,7 +6,7 @@
 #include "Scene/Field.h"
 #include "Scene/RayBatch.h"
 #include "Scene/View.h"
-#include "Trace/RegionCutter.h"
+#include "Trace/RegionClipper.h"
 
 #include <glm/glm.hpp>
 
@@ -37,7 +37,7 @@ public:
   LinearVector World;             ///< direction in the world, of any length
   LinearVector Direction, Origin; ///< in index space, the direction as long as World
   glm::dvec3 Forward;             ///< component of World along the optical axis, linear too
-  RegionCutter Cut;
+  RegionClipper Clipper;
 };
 
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Window/LayerCut.h"
+#include "Window/LayerDepthClip.h"
 
 #include "Scene/Parallel.h"
 
@@ -14,11 +14,11 @@ namespace
 /// What nothing was drawn over since the depth buffer was cleared.
 constexpr float FarthestDepth = 1.0f;
 
-/// Cuts the layers of one tile after the other, which have no pixel of the window in common.
-class LayerCutter
+/// Clips the layers of one tile after the other, which have no pixel of the window in common.
+class LayerDepthClipper
 {
 public:
-  LayerCutter(const std::vector<float>& depths, const glm::ivec2& size, const PixelRect& rect,
+  LayerDepthClipper(const std::vector<float>& depths, const glm::ivec2& size, const PixelRect& rect,
     const Frame& frame, const TemporalCoherence::View& view, std::vector<PixelColor>& colors)
     : Depths(depths)
     , WindowSize(size)
@@ -31,7 +31,7 @@ public:
 
   /// Colour the window's pixels of a tile.
   /// \return true if one has not the picture's own colour
-  bool Cut(std::int64_t tile) const
+  bool Clip(std::int64_t tile) const
   {
     const PixelRect part = PixelsOfTile(this->Picture.Size, tile);
     if (this->HasDepths(part))
@@ -69,7 +69,7 @@ private:
       });
   }
 
-  /// Give pixels none of whose layers is cut off, or all of whose are, the picture's colours.
+  /// Give pixels none of whose layers is clipped, or all of whose are, the picture's colours.
   bool Complete(const PixelRect& part) const
   {
     bool isCut = false;
@@ -124,11 +124,11 @@ private:
 
 }
 
-bool CutLayersAt(const std::vector<float>& depths, const glm::ivec2& size, const PixelRect& rect,
+bool ClipLayersAt(const std::vector<float>& depths, const glm::ivec2& size, const PixelRect& rect,
   const Frame& frame, const View& view, std::vector<PixelColor>& colors)
 {
   colors.assign(depths.size(), PixelColor{});
-  const LayerCutter cutter(depths, size, rect, frame, view, colors);
+  const LayerDepthClipper cutter(depths, size, rect, frame, view, colors);
   const glm::ivec2 first = rect.First / TileSize, tiles = TilesOf(rect.Size);
   const int columns = TilesOf(frame.Size).x;
   std::atomic<bool> isCut(false);

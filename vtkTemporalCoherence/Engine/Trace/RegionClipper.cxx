@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Trace/RegionCutter.h"
+#include "Trace/RegionClipper.h"
 
 #include <algorithm>
 #include <limits>
@@ -49,7 +49,7 @@ void ShortenToSide(const glm::dvec4& plane, std::size_t ray, RayBatch& rays)
 
 }
 
-RegionCutter::RegionCutter(const Region& region, const IndexTransform& transform)
+RegionClipper::RegionClipper(const Region& region, const IndexTransform& transform)
   : ClipRegion(region)
   , IsConvex(region.IsConvex())
 {
@@ -60,22 +60,22 @@ RegionCutter::RegionCutter(const Region& region, const IndexTransform& transform
     const double length = glm::length(glm::dvec3(plane));
     this->Clips.push_back(length > 0.0 ? plane / length : plane);
   }
-  this->Cuts = this->Clips;
+  this->AllPlanes = this->Clips;
   if (region.Boxes != Region::AllBoxes)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
       for (int side = 0; side < 2; ++side)
       {
-        glm::dvec4 cut(0.0, 0.0, 0.0, -region.Crops[static_cast<std::size_t>(axis)][side]);
-        cut[axis] = 1.0;
-        this->Cuts.push_back(cut);
+        glm::dvec4 plane(0.0, 0.0, 0.0, -region.Crops[static_cast<std::size_t>(axis)][side]);
+        plane[axis] = 1.0;
+        this->AllPlanes.push_back(plane);
       }
     }
   }
 }
 
-void RegionCutter::Narrow(RayBatch& rays) const
+void RegionClipper::Narrow(RayBatch& rays) const
 {
   const bool isCropped = this->ClipRegion.Boxes != Region::AllBoxes;
   const BoxRange range = this->ClipRegion.RangeOfBoxes();
@@ -103,7 +103,7 @@ void RegionCutter::Narrow(RayBatch& rays) const
   }
 }
 
-RegionCutter::Pieces RegionCutter::PiecesOf(const RayBatch& rays, std::size_t ray) const
+RegionClipper::Pieces RegionClipper::PiecesOf(const RayBatch& rays, std::size_t ray) const
 {
   Pieces pieces;
   const double begin = rays.Begin[ray], end = rays.End[ray];
@@ -154,7 +154,7 @@ RegionCutter::Pieces RegionCutter::PiecesOf(const RayBatch& rays, std::size_t ra
 }
 
 /// True if a point between the clipping planes is in a box that is kept.
-bool RegionCutter::Keeps(const glm::dvec3& point) const
+bool RegionClipper::Keeps(const glm::dvec3& point) const
 {
   int box = 0;
   for (int axis = 2; axis >= 0; --axis)

@@ -79,8 +79,8 @@ void RegisterFor(const std::string& type)
       KernelBenchmarks::RunOnTiles(state, scene.FullTiles,
         [&](const Tile& tile)
         {
-          std::uint64_t open = 0;
-          benchmark::DoNotOptimize(lookup.LookUpTile(tile.Number, tile.Part, frame, open));
+          std::uint64_t unresolved = 0;
+          benchmark::DoNotOptimize(lookup.LookUpTile(tile.Number, tile.Part, frame, unresolved));
         });
     });
 }

@@ -41,7 +41,7 @@ void NarrowByCells(
   {
     const bool beginsBelow = knots.Entries.empty() || knots.Entries[i] == NotInBand;
     const std::size_t first = table.Begin(i), last = table.Begin(i + 1);
-    if (!beginsBelow || first == last || (knots.Untold >> i & 1u))
+    if (!beginsBelow || first == last || (knots.Unresolved >> i & 1u))
     {
       continue;
     }
@@ -72,7 +72,7 @@ void NarrowByFit(const TileKnots& knots, const BandScale& scale, double toleranc
   {
     const bool beginsBelow = knots.Entries.empty() || knots.Entries[i] == NotInBand;
     const std::size_t first = table.Begin(i), last = table.Begin(i + 1);
-    if (!beginsBelow || first == last || (knots.Untold >> i & 1u))
+    if (!beginsBelow || first == last || (knots.Unresolved >> i & 1u))
     {
       continue;
     }

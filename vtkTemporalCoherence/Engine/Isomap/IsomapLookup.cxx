@@ -75,10 +75,10 @@ IsomapLookup::IsomapLookup(const FrameKey& key, const std::vector<const Isomap::
 }
 
 TraceCounts IsomapLookup::LookUpTile(
-  std::int64_t tile, const PixelRect& part, Frame& frame, std::uint64_t& open) const
+  std::int64_t tile, const PixelRect& part, Frame& frame, std::uint64_t& unresolved) const
 {
   TraceCounts counts;
-  open = 0;
+  unresolved = 0;
   const bool isMiss = std::all_of(this->Isovalues.begin(), this->Isovalues.end(),
     [tile](const IsovalueKeys& keys)
     { return keys.Band->Tiles[static_cast<std::size_t>(tile)].IsEmpty(); });
@@ -97,13 +97,13 @@ TraceCounts IsomapLookup::LookUpTile(
   {
     this->FindSurface(surface, tile, rays, found);
   }
-  open = found.Open;
+  unresolved = found.Unresolved;
   counts.CellsRead = found.Hits.CellsRead;
   RayBatch::Array<Answer> answers;
   for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
   {
     const HitKind kind = found.Hits.Kind[i];
-    const bool isKnown = !(open >> i & 1u);
+    const bool isKnown = !(unresolved >> i & 1u);
     counts.DefiniteMisses += isKnown && kind == HitKind::None;
     counts.PossibleHits += isKnown && kind == HitKind::Cap;
     counts.DefiniteHits += isKnown && kind != HitKind::None && kind != HitKind::Cap;
@@ -136,23 +136,23 @@ void IsomapLookup::FindSurface(
 }
 
 /// Find out on which course each ray comes to an isovalue.
-/// \return one bit for each ray that is to be looked up; the others are capped or open
+/// \return one bit for each ray that is to be looked up; the others are capped or unresolved
 std::uint64_t IsomapLookup::BeginOn(std::size_t surface, const TileKnots& knots,
   const RayBatch& rays, RayBatch::Array<std::uint8_t>& courses, Found& found) const
 {
   const auto rising = static_cast<std::size_t>(Course::Rising);
   const auto falling = static_cast<std::size_t>(Course::Falling);
   const IsovalueKeys& keys = this->Isovalues[surface];
-  found.Open |= knots.Untold;
+  found.Unresolved |= knots.Unresolved;
   courses.fill(static_cast<std::uint8_t>(rising));
-  std::uint64_t which = ~knots.Untold;
+  std::uint64_t which = ~knots.Unresolved;
   for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count) && !knots.Entries.empty();
        ++ray)
   {
     const double ahead = keys.Progress[rising] - static_cast<double>(knots.Entries[ray]);
     if (std::abs(ahead) <= BandScale::StoredError)
     {
-      found.Open |= Bit(ray);
+      found.Unresolved |= Bit(ray);
       which &= ~Bit(ray);
     }
     else if (ahead < 0.0 && this->Key.Isosurfaces.Mode == SurfaceMode::Threshold)
@@ -217,7 +217,7 @@ void IsomapLookup::FindInCells(std::size_t surface, std::uint64_t which,
     const bool fromInside = courses[ray] == static_cast<std::uint8_t>(Course::Falling);
     HitRules::KeepFirstEntry(entries.Enter[i], fromInside, ray, hits);
   }
-  found.Open |= this->Tracer->SearchCells(rays, cells, hits);
+  found.Unresolved |= this->Tracer->SearchCells(rays, cells, hits);
   for (std::size_t i = 0; i < static_cast<std::size_t>(cells.Count) && this->HasNormals; ++i)
   {
     if (hits.Surface[cells.Ray[i]] == static_cast<int>(surface))
@@ -245,7 +245,7 @@ void IsomapLookup::FindInFittedKnots(std::size_t surface, std::uint64_t which,
     const FitAnswer answer = FindInFit(table, ray, keys.Progress[course], this->Tolerance, point);
     if (answer == FitAnswer::Unsure)
     {
-      found.Open |= Bit(ray);
+      found.Unresolved |= Bit(ray);
     }
     else if (answer == FitAnswer::Reached && rays.Begin[ray] + point.Distance < hits.Depth[ray])
     {

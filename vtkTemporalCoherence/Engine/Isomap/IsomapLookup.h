@@ -32,10 +32,11 @@ public:
   /// Look up the rays through `part`, which is tile number `tile`, and write their planes: definite
   /// hits and misses, and caps, which are possible hits. Where knots have normals, those of
   /// definite hits are written, too. Safe from many threads.
-  /// \param open gets one bit for each ray that has to be traced instead, as an isovalue is too
+  /// \param unresolved gets one bit for each ray that has to be traced instead, as an isovalue is
+  /// too
   ///             close to a value that the ray only just reaches; its planes hold nothing of use
   TraceCounts LookUpTile(
-    std::int64_t tile, const PixelRect& part, Frame& frame, std::uint64_t& open) const;
+    std::int64_t tile, const PixelRect& part, Frame& frame, std::uint64_t& unresolved) const;
 
 private:
   /// An isovalue and its band.
@@ -50,7 +51,7 @@ private:
   struct Found
   {
     HitBatch Hits;
-    std::uint64_t Open = 0;
+    std::uint64_t Unresolved = 0;
     RayBatch::Array<glm::vec3> Normals;
   };
 

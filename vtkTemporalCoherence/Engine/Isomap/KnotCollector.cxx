@@ -95,7 +95,7 @@ void KnotCollector::HandOver(const Field& field, const glm::dvec2& finiteRange,
     }
     knots.Normals[course].Assign(normals);
   }
-  knots.Untold = this->Untold;
+  knots.Unresolved = this->Unresolved;
 }
 
 /// Append the normals of some knots.

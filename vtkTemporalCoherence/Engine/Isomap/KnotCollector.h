@@ -63,7 +63,7 @@ public:
   }
 
   /// Nothing can be told of a ray.
-  void GiveUp(std::size_t ray) { this->Untold |= std::uint64_t(1) << ray; }
+  void GiveUp(std::size_t ray) { this->Unresolved |= std::uint64_t(1) << ray; }
 
   /// Hand over all knots; the collector is of no use after that.
   /// \param field, finiteRange, where for normals: the field, its smallest and largest finite
@@ -92,7 +92,7 @@ private:
   std::vector<KnotFit> Fits; ///< of each ray on each course
   std::array<std::vector<FittedKnots::Row>, NumberOfCourses> Fitted;
   std::array<std::vector<Place>, NumberOfCourses> Places;
-  std::uint64_t Untold = 0;
+  std::uint64_t Unresolved = 0;
 };
 
 }

@@ -155,11 +155,11 @@ struct TileKnots
   std::vector<float> Entries;
 
   /// One bit for each ray of which nothing can be told: it meets samples that are not finite.
-  std::uint64_t Untold = 0;
+  std::uint64_t Unresolved = 0;
 
   bool IsEmpty() const
   {
-    return this->NumberOfKnots() == 0 && this->Entries.empty() && this->Untold == 0;
+    return this->NumberOfKnots() == 0 && this->Entries.empty() && this->Unresolved == 0;
   }
 
   std::size_t NumberOfKnots() const

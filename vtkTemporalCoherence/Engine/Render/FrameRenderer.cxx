@@ -75,7 +75,7 @@ bool FrameRenderer::Make(Route& route, FrameTask& task, CachedImage* nearest)
       ShadeAgain(task);
       return true;
     case Route::IsomapLookup:
-      return LookUp(task, this->Map, this->OpenRays);
+      return LookUp(task, this->Map, this->UnresolvedRays);
     case Route::IsomapBuild:
       task.Report = report;
       return this->BuildAndLookUp(route, task);
@@ -144,7 +144,7 @@ bool FrameRenderer::BuildAndLookUp(Route& route, FrameTask& task)
     case Isomap::Outcome::Stopped:
       return false;
     case Isomap::Outcome::Built:
-      return LookUp(task, this->Map, this->OpenRays);
+      return LookUp(task, this->Map, this->UnresolvedRays);
     default:
       route = this->ChooseRoute(task.Key, task.Options, false);
       route = route == Route::IsomapBuild ? Route::Cold : route;

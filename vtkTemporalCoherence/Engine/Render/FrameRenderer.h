@@ -85,11 +85,11 @@ private:
 
   FrameStore Frames;
   FrameStructures Structures;
-  SampleComparer Changes;              ///< from the samples of the last frame to those of the next
-  IsomapBuilder Map;                   ///< of the view in which isovalues last changed
-  IsomapBuilder::ColdFrame Cold;       ///< what the last one took
-  KnotForm LastForm;                   ///< asked for when the last frame was made
-  std::vector<std::uint64_t> OpenRays; ///< memory of LookUp
+  SampleComparer Changes;        ///< from the samples of the last frame to those of the next
+  IsomapBuilder Map;             ///< of the view in which isovalues last changed
+  IsomapBuilder::ColdFrame Cold; ///< what the last one took
+  KnotForm LastForm;             ///< asked for when the last frame was made
+  std::vector<std::uint64_t> UnresolvedRays; ///< memory of LookUp
   FrameStatistics OfLastFrame;
   double TimeToBuild = 0.0;
   std::shared_ptr<const FieldRanges> ForPicks; ///< of data that no frame shows yet; or null

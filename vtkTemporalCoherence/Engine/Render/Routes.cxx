@@ -105,11 +105,12 @@ bool HasColorsFor(const CachedImage& cached, const FrameKey& next)
     !next.Appearance.ColorByAnswer;
 }
 
-/// Trace the rays that an isomap leaves open, one bit each, tile by tile, and shade these tiles.
-bool TraceOpenRays(FrameTask& task, const std::vector<std::uint64_t>& open,
+/// Trace the rays that an isomap leaves unresolved, one bit each, tile by tile, and shade these
+/// tiles.
+bool TraceUnresolvedRays(FrameTask& task, const std::vector<std::uint64_t>& unresolved,
   const TileShader& shader, const ReportProgress& report)
 {
-  const std::int64_t rays = std::accumulate(open.begin(), open.end(), std::int64_t(0),
+  const std::int64_t rays = std::accumulate(unresolved.begin(), unresolved.end(), std::int64_t(0),
     [](std::int64_t sum, std::uint64_t tile)
     { return sum + static_cast<std::int64_t>(std::bitset<64>(tile).count()); });
   if (rays == 0)
@@ -126,7 +127,7 @@ bool TraceOpenRays(FrameTask& task, const std::vector<std::uint64_t>& open,
     [&](std::int64_t tile, const PixelRect& part, Frame& frame)
     {
       TraceCounts counts;
-      const std::uint64_t which = open[static_cast<std::size_t>(tile)];
+      const std::uint64_t which = unresolved[static_cast<std::size_t>(tile)];
       if (which != 0)
       {
         counts = tracer.TraceSome(tile, part, which, frame);
@@ -207,7 +208,7 @@ bool TraceChangedTiles(FrameTask& task, const SampleComparer& changes)
   return TraceTiles(task, Begin(task, task.Options.SpaceLeaping), nullptr, HitSet::All, &changes);
 }
 
-bool LookUp(FrameTask& task, IsomapBuilder& map, std::vector<std::uint64_t>& open)
+bool LookUp(FrameTask& task, IsomapBuilder& map, std::vector<std::uint64_t>& unresolved)
 {
   const bool hasNormals = task.Options.Map.HasNormals;
   // Only what shines through opaque surfaces is found without a walk.
@@ -218,11 +219,11 @@ bool LookUp(FrameTask& task, IsomapBuilder& map, std::vector<std::uint64_t>& ope
   const IsomapLookup lookup(task.Key, map.BandsFor(task.Key), tolerance, finiteRange);
   const TileShader shader(
     task.Key, finiteRange, space, hasNormals ? HitSet::NotDefinite : HitSet::All, HitSet::All);
-  open.resize(static_cast<std::size_t>(NumberOfTiles(task.Key.View.Size)));
+  unresolved.resize(static_cast<std::size_t>(NumberOfTiles(task.Key.View.Size)));
   const bool isLookedUp = WorkOnTiles(task, PartOf(task.Report, 0.0, 0.5),
     [&](std::int64_t tile, const PixelRect& part, Frame& frame)
     {
-      std::uint64_t& left = open[static_cast<std::size_t>(tile)];
+      std::uint64_t& left = unresolved[static_cast<std::size_t>(tile)];
       TraceCounts counts = lookup.LookUpTile(tile, part, frame, left);
       if (left == 0)
       {
@@ -233,7 +234,7 @@ bool LookUp(FrameTask& task, IsomapBuilder& map, std::vector<std::uint64_t>& ope
   CachedImage& made = task.Frames.Next();
   made.IsExact = tolerance == 0.0 && !hasNormals;
   made.IsEroded = tolerance > 0.0;
-  return isLookedUp && TraceOpenRays(task, open, shader, PartOf(task.Report, 0.5, 1.0));
+  return isLookedUp && TraceUnresolvedRays(task, unresolved, shader, PartOf(task.Report, 0.5, 1.0));
 }
 
 }

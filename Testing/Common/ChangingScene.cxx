@@ -110,7 +110,8 @@ std::set<std::string> ChangingScene::Features() const
   vtkPlaneCollection* planes = mapper->GetClippingPlanes();
   add(planes && planes->GetNumberOfItems() > 0, "clipped");
   add(!mapper->IsOpaque(this->Shown.Volume), "translucent");
-  add(property->HasGradientOpacity() && !property->GetDisableGradientOpacity(), "by steepness");
+  add(property->HasGradientOpacity() && !property->GetDisableGradientOpacity(),
+    "by gradient magnitude");
   add(property->GetIsoSurfaceValues()->GetNumberOfContours() > 1, "several");
   add(property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION, "nearest");
   add(mapper->GetSurfaceMode() == Mapper::THRESHOLD, "threshold");

@@ -137,7 +137,7 @@ std::array<double, 4> Compositor::ColorOf(
   color[3] = property->GetScalarOpacity()->GetValue(layer.Isovalue);
   const Point point = PointOn(line, layer.T);
   Point normal = this->GradientAt(point);
-  color[3] *= this->OpacityBySteepness(vtkMath::Normalize(normal.data()));
+  color[3] *= this->OpacityByGradient(vtkMath::Normalize(normal.data()));
   if (property->GetShade())
   {
     // A headlight.

@@ -31,8 +31,8 @@ public:
   /// Red, green, blue, multiplied by alpha; and alpha.
   std::array<double, 4> ColorAt(int x, int y, int width, int height);
 
-  /// Steepness of the field and what comes of it, if not 1.
-  std::function<double(double)> OpacityBySteepness = [](double) { return 1.0; };
+  /// Gradient magnitude of the field and what comes of it, if not 1.
+  std::function<double(double)> OpacityByGradient = [](double) { return 1.0; };
 
 private:
   struct Layer;

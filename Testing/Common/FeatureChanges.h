@@ -15,7 +15,7 @@ namespace FeatureChanges
 /// Clipping planes, cropping planes and flags, and neither.
 std::vector<Change> OfRegion(Scene& scene, RandomViews& views);
 
-/// Opacities of isovalues and of steepness; opaque again.
+/// Opacities of isovalues and of gradient magnitude; opaque again.
 std::vector<Change> OfOpacity(Scene& scene, RandomViews& views);
 
 /// One to four isovalues, some of them equal.

@@ -27,7 +27,7 @@ struct SmoothFunction
 {
   std::function<double(const glm::dvec3&)> Value;
   std::function<glm::dvec3(const glm::dvec3&)> Gradient;
-  double Steepest; ///< no gradient is longer
+  double LargestGradient; ///< no gradient is longer
 };
 
 /// Finds where rays pass isovalues of a function, block by block.
@@ -122,7 +122,7 @@ private:
     double t = part.x, difference = this->DifferenceAt(rays, ray, t, surface);
     while (t < part.y)
     {
-      const double step = std::max(std::abs(difference) / this->Function.Steepest, Shortest);
+      const double step = std::max(std::abs(difference) / this->Function.LargestGradient, Shortest);
       const double end = std::min(t + step / perT, part.y);
       const double ahead = this->DifferenceAt(rays, ray, end, surface);
       const bool isInside = IsInside(difference);
@@ -162,7 +162,7 @@ public:
   {
     const glm::dvec3 half = 0.5 * glm::dvec3(cells.Size);
     const double middle = this->Function.Value(glm::dvec3(cells.First) + half);
-    const double reach = this->Function.Steepest * glm::length(half) * (1.0 + 1e-9);
+    const double reach = this->Function.LargestGradient * glm::length(half) * (1.0 + 1e-9);
     return { middle - reach, middle + reach };
   }
 

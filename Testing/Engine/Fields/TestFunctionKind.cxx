@@ -25,7 +25,7 @@ namespace
 using namespace TemporalCoherence;
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-constexpr double Steepest = 0.36; ///< of Waves
+constexpr double LargestGradient = 0.36; ///< of Waves
 
 SmoothFunction Waves()
 {
@@ -36,7 +36,7 @@ SmoothFunction Waves()
       return glm::dvec3(0.2 * std::cos(0.2 * p.x) * std::cos(0.25 * p.y),
         -0.25 * std::sin(0.2 * p.x) * std::sin(0.25 * p.y), 0.15 * std::cos(0.3 * p.z));
     },
-    Steepest };
+    LargestGradient };
 }
 
 class FunctionFrames : public ::testing::Test
@@ -109,7 +109,7 @@ protected:
       if ((next >= 0.0) == inside && (before >= 0.0) == inside)
       {
         const bool isNearest = std::abs(here) <= std::min(std::abs(before), std::abs(next));
-        met.IsTouched |= isNearest && std::abs(here) < Steepest * step;
+        met.IsTouched |= isNearest && std::abs(here) < LargestGradient * step;
       }
       if ((next >= 0.0) != inside)
       {

@@ -272,10 +272,10 @@ void TileCompositor::AddLayer(HitList& layer, LayerHit* hits, Canvas& canvas) co
     double alpha = surfaces.Opacities.empty()
       ? 1.0
       : surfaces.Opacities[static_cast<std::size_t>(layer.Surface[i])];
-    if (!surfaces.BySteepness.Nodes.empty())
+    if (!surfaces.ByGradient.Nodes.empty())
     {
       const glm::dvec3 gradient(gradients[0][i], gradients[1][i], gradients[2][i]);
-      alpha *= surfaces.BySteepness.At(glm::length(gradient * surfaces.BySteepness.PerStep));
+      alpha *= surfaces.ByGradient.At(glm::length(gradient * surfaces.ByGradient.PerStep));
     }
     canvas.Add(
       layer, i, { sums.Sum[0][i], sums.Sum[1][i], sums.Sum[2][i] }, static_cast<float>(alpha));

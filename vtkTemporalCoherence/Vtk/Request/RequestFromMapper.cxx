@@ -122,7 +122,7 @@ bool RequestFromMapper::MakeScene(vtkVolumeMapper* mapper, const MaskSettings& m
   SampleMask ofSamples;
   const ImageAxes axes = AxesOf(input.Image, input.OnCells);
   if (!MakeGradientOpacity(property, input.PropertyComponent, glm::abs(axes.Step),
-        key.Isosurfaces.BySteepness, error) ||
+        key.Isosurfaces.ByGradient, error) ||
     !AreFewEnough(key.Isosurfaces, error) ||
     !MakeField(input.Image, input.Array, input.OnCells, input.Component, key.Samples, error) ||
     !FindMask(mask, mapper, key.Samples.Dimensions, property, key.Isosurfaces.Isovalues, ofSamples,

@@ -69,7 +69,7 @@ private:
   static constexpr Real Infinity = std::numeric_limits<Real>::infinity();
   static constexpr std::size_t Rising = 0, Falling = 1;
 
-  /// How far a ray has come through the band on one course.
+  /// How far a ray has come through the band in one direction.
   struct Reach
   {
     Real Path = -Infinity;   ///< progress of the field along the ray
@@ -78,10 +78,10 @@ private:
     bool IsDone = false;
   };
 
-  /// A cell as the two courses see it: progress of its samples.
+  /// A cell as the two directions see it: progress of its samples.
   struct CellReach
   {
-    std::array<Real, NumberOfCourses> Corner;
+    std::array<Real, NumberOfDirections> Corner;
     Real Error;    ///< how far two ways to compute a value of the field may differ
     bool IsFinite; ///< all its samples are
   };
@@ -105,7 +105,7 @@ private:
     const RayBatch& Rays;
     LiveRays Live;
 
-    std::array<std::array<Reach, RayBatch::Capacity>, NumberOfCourses> Reached;
+    std::array<std::array<Reach, RayBatch::Capacity>, NumberOfDirections> Reached;
     RayBatch::Array<bool> HasEntered; ///< where the ray begins is known
     RayBatch::Array<float> Entries;
     bool HasEntries = false; ///< some ray begins in the band or above
@@ -286,21 +286,21 @@ private:
       }
       const bool isTouched = !(progress.Segments.Enter[i] < progress.Ranges.Leave[i]);
       const CellReach& cell = progress.Corners[i];
-      const std::array<Real, NumberOfCourses> path = { progress.Ranges.Highest[i],
+      const std::array<Real, NumberOfDirections> path = { progress.Ranges.Highest[i],
         this->Span - progress.Ranges.Lowest[i] };
-      for (std::size_t course = 0; course < NumberOfCourses; ++course)
+      for (std::size_t direction = 0; direction < NumberOfDirections; ++direction)
       {
-        Reach& reached = progress.Reached[course][ray];
+        Reach& reached = progress.Reached[direction][ray];
         if (reached.IsDone)
         {
           continue;
         }
-        const Real corner = cell.Corner[course];
-        this->BringOn(isTouched ? -Infinity : (cell.IsFinite ? path[course] : corner), corner,
+        const Real corner = cell.Corner[direction];
+        this->BringOn(isTouched ? -Infinity : (cell.IsFinite ? path[direction] : corner), corner,
           cell.Error, reached);
         if (!progress.Knots.IsFitted())
         {
-          this->NoteCell(course, i, ray, reached, progress);
+          this->NoteCell(direction, i, ray, reached, progress);
         }
         else if (!cell.IsFinite)
         {
@@ -309,7 +309,7 @@ private:
         }
         else if (!isTouched)
         {
-          progress.Knots.Follow(course, ray, this->CubicOf(course, i, progress),
+          progress.Knots.Follow(direction, ray, this->CubicOf(direction, i, progress),
             progress.Segments.Enter[i], progress.Ranges.Leave[i]);
         }
       }
@@ -350,7 +350,7 @@ private:
 
   /// Keep the cell of segment i as a knot if it brought the ray on.
   void NoteCell(
-    std::size_t course, std::size_t i, std::size_t ray, Reach& reached, Progress& progress) const
+    std::size_t direction, std::size_t i, std::size_t ray, Reach& reached, Progress& progress) const
   {
     const double error = static_cast<double>(progress.Corners[i].Error);
     const BandScale::Key path = this->Scale.KeyOf(static_cast<double>(reached.Path) + error);
@@ -368,29 +368,29 @@ private:
         cell[a] = static_cast<std::uint16_t>(progress.Segments.Cell[a][i]);
       }
       const double farthest =
-        this->Scene.Form.HasNormals ? this->FarthestAt(course, i, progress) : 0.0;
+        this->Scene.Form.HasNormals ? this->FarthestAt(direction, i, progress) : 0.0;
       const double distance = isFirst ? 0.5 * (progress.Segments.Enter[i] + farthest) : farthest;
-      progress.Knots.AddCell(course, ray, path, corner, cell, distance);
+      progress.Knots.AddCell(direction, ray, path, corner, cell, distance);
     }
   }
 
-  /// Progress along segment i, which is rising on its course.
-  Cubic<double> CubicOf(std::size_t course, std::size_t i, const Progress& progress) const
+  /// Progress along segment i, which is rising in its direction.
+  Cubic<double> CubicOf(std::size_t direction, std::size_t i, const Progress& progress) const
   {
     Cubic<double> cubic;
     for (std::size_t c = 0; c < 4; ++c)
     {
       cubic[c] = this->Scale.Progress(
-        static_cast<Course>(course), static_cast<double>(progress.Ranges.Cubic[c][i]));
+        static_cast<ValueDirection>(direction), static_cast<double>(progress.Ranges.Cubic[c][i]));
     }
     return cubic;
   }
 
   /// Distance at which the field comes farthest in segment i.
-  double FarthestAt(std::size_t course, std::size_t i, const Progress& progress) const
+  double FarthestAt(std::size_t direction, std::size_t i, const Progress& progress) const
   {
     const double enter = progress.Segments.Enter[i], leave = progress.Ranges.Leave[i];
-    const Cubic<double> cubic = this->CubicOf(course, i, progress);
+    const Cubic<double> cubic = this->CubicOf(direction, i, progress);
     double farthest = cubic[3] >= cubic[0] ? 1.0 : 0.0;
     if constexpr (Between == Interpolation::Linear)
     {

@@ -34,7 +34,7 @@ constexpr float NotInBand = -std::numeric_limits<float>::infinity();
 void NarrowByCells(
   const TileKnots& knots, const BandScale& scale, const FieldKind& kind, RayBatch& rays)
 {
-  const CellKnots& table = knots.Cells[static_cast<std::size_t>(Course::Rising)];
+  const CellKnots& table = knots.Cells[static_cast<std::size_t>(ValueDirection::Rising)];
   const BandScale::Key end = scale.KeyOf(scale.Span);
   CellList cells;
   for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count) && !table.IsEmpty(); ++i)
@@ -66,7 +66,7 @@ void NarrowByCells(
 /// The same by fitted knots.
 void NarrowByFit(const TileKnots& knots, const BandScale& scale, double tolerance, RayBatch& rays)
 {
-  const FittedKnots& table = knots.Fitted[static_cast<std::size_t>(Course::Rising)];
+  const FittedKnots& table = knots.Fitted[static_cast<std::size_t>(ValueDirection::Rising)];
   const float span = scale.Stored(scale.Span) - 2.0f * static_cast<float>(BandScale::StoredError);
   for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count) && !table.IsEmpty(); ++i)
   {

@@ -62,13 +62,13 @@ IsomapLookup::IsomapLookup(const FrameKey& key, const std::vector<const Isomap::
     const ValueBand& values = bands[surface]->Values;
     const BandScale scale(key.Samples.Type, values, finiteRange);
     IsovalueKeys keys{ bands[surface], {}, {} };
-    for (const Course course : { Course::Rising, Course::Falling })
+    for (const ValueDirection direction : { ValueDirection::Rising, ValueDirection::Falling })
     {
       const double progress =
-        scale.Progress(course, scale.DifferenceOf(key.Isosurfaces.Isovalues[surface]));
-      keys.Progress[static_cast<std::size_t>(course)] =
+        scale.Progress(direction, scale.DifferenceOf(key.Isosurfaces.Isovalues[surface]));
+      keys.Progress[static_cast<std::size_t>(direction)] =
         scale.Unit > 0.0 ? progress / scale.Unit : 0.0;
-      keys.Key[static_cast<std::size_t>(course)] = scale.KeyOf(progress);
+      keys.Key[static_cast<std::size_t>(direction)] = scale.KeyOf(progress);
     }
     this->Isovalues.push_back(keys);
   }
@@ -123,28 +123,28 @@ void IsomapLookup::FindSurface(
   std::size_t surface, std::int64_t tile, const RayBatch& rays, Found& found) const
 {
   const TileKnots& knots = this->Isovalues[surface].Band->Tiles[static_cast<std::size_t>(tile)];
-  RayBatch::Array<std::uint8_t> courses;
-  const std::uint64_t which = this->BeginOn(surface, knots, rays, courses, found);
+  RayBatch::Array<std::uint8_t> directions;
+  const std::uint64_t which = this->BeginOn(surface, knots, rays, directions, found);
   if (this->Tolerance > 0.0)
   {
-    this->FindInFittedKnots(surface, which, courses, rays, knots, found);
+    this->FindInFittedKnots(surface, which, directions, rays, knots, found);
   }
   else
   {
-    this->FindInCells(surface, which, courses, rays, knots, found);
+    this->FindInCells(surface, which, directions, rays, knots, found);
   }
 }
 
-/// Find out on which course each ray comes to an isovalue.
+/// Find out in which direction each ray comes to an isovalue.
 /// \return one bit for each ray that is to be looked up; the others are capped or unresolved
 std::uint64_t IsomapLookup::BeginOn(std::size_t surface, const TileKnots& knots,
-  const RayBatch& rays, RayBatch::Array<std::uint8_t>& courses, Found& found) const
+  const RayBatch& rays, RayBatch::Array<std::uint8_t>& directions, Found& found) const
 {
-  const auto rising = static_cast<std::size_t>(Course::Rising);
-  const auto falling = static_cast<std::size_t>(Course::Falling);
+  const auto rising = static_cast<std::size_t>(ValueDirection::Rising);
+  const auto falling = static_cast<std::size_t>(ValueDirection::Falling);
   const IsovalueKeys& keys = this->Isovalues[surface];
   found.Unresolved |= knots.Unresolved;
-  courses.fill(static_cast<std::uint8_t>(rising));
+  directions.fill(static_cast<std::uint8_t>(rising));
   std::uint64_t which = ~knots.Unresolved;
   for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count) && !knots.Entries.empty();
        ++ray)
@@ -163,14 +163,14 @@ std::uint64_t IsomapLookup::BeginOn(std::size_t surface, const TileKnots& knots,
     }
     else if (ahead < 0.0)
     {
-      courses[ray] = static_cast<std::uint8_t>(falling);
+      directions[ray] = static_cast<std::uint8_t>(falling);
     }
   }
   return which;
 }
 
 void IsomapLookup::FindInCells(std::size_t surface, std::uint64_t which,
-  const RayBatch::Array<std::uint8_t>& courses, const RayBatch& rays, const TileKnots& knots,
+  const RayBatch::Array<std::uint8_t>& directions, const RayBatch& rays, const TileKnots& knots,
   Found& found) const
 {
   const IsovalueKeys& keys = this->Isovalues[surface];
@@ -180,13 +180,13 @@ void IsomapLookup::FindInCells(std::size_t surface, std::uint64_t which,
   RayBatch::Array<glm::vec3> normals;
   for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
   {
-    const std::size_t course = courses[ray];
-    const CellKnots& table = knots.Cells[course];
+    const std::size_t direction = directions[ray];
+    const CellKnots& table = knots.Cells[direction];
     if (!(which >> ray & 1u) || table.IsEmpty())
     {
       continue;
     }
-    const BandScale::Key key = keys.Key[course];
+    const BandScale::Key key = keys.Key[direction];
     const std::size_t begin = table.Begin(ray), end = table.Begin(ray + 1);
     const std::size_t entry = FirstNotBelow(table.Get<1>(), begin, end, key);
     if (entry == end)
@@ -206,7 +206,7 @@ void IsomapLookup::FindInCells(std::size_t surface, std::uint64_t which,
       cells.IsFirstEntry[at] = hit == entry;
       if (this->HasNormals)
       {
-        normals[at] = NormalInCells(table, knots.Normals[course].Get<0>(), begin, hit, key);
+        normals[at] = NormalInCells(table, knots.Normals[direction].Get<0>(), begin, hit, key);
       }
     }
   }
@@ -214,7 +214,7 @@ void IsomapLookup::FindInCells(std::size_t surface, std::uint64_t which,
   for (std::size_t i = 0; i < static_cast<std::size_t>(entries.Count); ++i)
   {
     const std::size_t ray = entries.Ray[i];
-    const bool fromInside = courses[ray] == static_cast<std::uint8_t>(Course::Falling);
+    const bool fromInside = directions[ray] == static_cast<std::uint8_t>(ValueDirection::Falling);
     HitRules::KeepFirstEntry(entries.Enter[i], fromInside, ray, hits);
   }
   found.Unresolved |= this->Tracer->SearchCells(rays, cells, hits);
@@ -228,21 +228,22 @@ void IsomapLookup::FindInCells(std::size_t surface, std::uint64_t which,
 }
 
 void IsomapLookup::FindInFittedKnots(std::size_t surface, std::uint64_t which,
-  const RayBatch::Array<std::uint8_t>& courses, const RayBatch& rays, const TileKnots& knots,
+  const RayBatch::Array<std::uint8_t>& directions, const RayBatch& rays, const TileKnots& knots,
   Found& found) const
 {
   const IsovalueKeys& keys = this->Isovalues[surface];
   HitBatch& hits = found.Hits;
   for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
   {
-    const std::size_t course = courses[ray];
-    const FittedKnots& table = knots.Fitted[course];
+    const std::size_t direction = directions[ray];
+    const FittedKnots& table = knots.Fitted[direction];
     if (!(which >> ray & 1u) || table.IsEmpty() || table.Begin(ray) == table.Begin(ray + 1))
     {
       continue;
     }
     FitPoint point;
-    const FitAnswer answer = FindInFit(table, ray, keys.Progress[course], this->Tolerance, point);
+    const FitAnswer answer =
+      FindInFit(table, ray, keys.Progress[direction], this->Tolerance, point);
     if (answer == FitAnswer::Unsure)
     {
       found.Unresolved |= Bit(ray);
@@ -251,12 +252,12 @@ void IsomapLookup::FindInFittedKnots(std::size_t surface, std::uint64_t which,
     {
       hits.Depth[ray] = rays.Begin[ray] + point.Distance;
       hits.FirstEntry[ray] = hits.Depth[ray];
-      hits.FromInside[ray] = course == static_cast<std::size_t>(Course::Falling);
+      hits.FromInside[ray] = direction == static_cast<std::size_t>(ValueDirection::Falling);
       hits.Surface[ray] = static_cast<std::int16_t>(surface);
       hits.Kind[ray] = hits.FromInside[ray] ? HitKind::Exit : HitKind::Entry;
       if (this->HasNormals)
       {
-        const PackedNormal* const normals = knots.Normals[course].Get<0>();
+        const PackedNormal* const normals = knots.Normals[direction].Get<0>();
         found.Normals[ray] = MixNormals(normals[point.Before], normals[point.Knot], point.Share);
       }
     }

@@ -43,8 +43,8 @@ private:
   struct IsovalueKeys
   {
     const Isomap::Band* Band;
-    std::array<BandScale::Key, NumberOfCourses> Key; ///< of the isovalue, on each course
-    std::array<double, NumberOfCourses> Progress;    ///< likewise, as it is stored
+    std::array<BandScale::Key, NumberOfDirections> Key; ///< of the isovalue, in each direction
+    std::array<double, NumberOfDirections> Progress;    ///< likewise, as it is stored
   };
 
   /// What is looked up in a tile.
@@ -58,12 +58,12 @@ private:
   void FindSurface(
     std::size_t surface, std::int64_t tile, const RayBatch& rays, Found& found) const;
   std::uint64_t BeginOn(std::size_t surface, const TileKnots& knots, const RayBatch& rays,
-    RayBatch::Array<std::uint8_t>& courses, Found& found) const;
+    RayBatch::Array<std::uint8_t>& directions, Found& found) const;
   void FindInCells(std::size_t surface, std::uint64_t which,
-    const RayBatch::Array<std::uint8_t>& courses, const RayBatch& rays, const TileKnots& knots,
+    const RayBatch::Array<std::uint8_t>& directions, const RayBatch& rays, const TileKnots& knots,
     Found& found) const;
   void FindInFittedKnots(std::size_t surface, std::uint64_t which,
-    const RayBatch::Array<std::uint8_t>& courses, const RayBatch& rays, const TileKnots& knots,
+    const RayBatch::Array<std::uint8_t>& directions, const RayBatch& rays, const TileKnots& knots,
     Found& found) const;
   void StoreNormals(const RayBatch& rays, const Found& found, Frame& frame) const;
 

@@ -48,7 +48,7 @@ private:
   Point Last; ///< sample along each axis
 };
 
-/// Render a scene and hold its picture against the compositor.
+/// Render a scene and compare its picture with the compositor.
 void ExpectComposite(
   const std::string& name, Scene& scene, Compositor compositor, int width = 100, int height = 80);
 

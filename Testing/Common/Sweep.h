@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-/// Isovalues that change before a camera that stands still: what isomaps and hints are held
-/// against.
+/// Isovalues that change before a camera that stands still: what isomaps and hints are compared
+/// with.
 namespace Sweep
 {
 

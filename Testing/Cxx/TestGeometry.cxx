@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Where a volume and a camera may be: every transform, projection and image geometry that VTK has,
-// each held against brute force.
+// each compared with brute force.
 
 #include "Scene.h"
 #include "Volumes.h"

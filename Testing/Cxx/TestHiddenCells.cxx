@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Cells that ghost arrays hide: held against brute force, by all routes, as they change.
+// Cells that ghost arrays hide: compared with brute force, by all routes, as they change.
 
 #include "EventCounter.h"
 #include "Expect.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Masks (SetMaskInput): a cell is hidden none of whose samples a mask shows. Held against brute
+// Masks (SetMaskInput): a cell is hidden none of whose samples a mask shows. Compared with brute
 // force, for all kinds of masks and inputs.
 
 #include "EventCounter.h"

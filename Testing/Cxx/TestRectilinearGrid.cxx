@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Rectilinear grids: the surfaces of their own samples, where these lie, held against brute force
+// Rectilinear grids: the surfaces of their own samples, where these lie, compared with brute force
 // and against spheres.
 
 #include "Expect.h"

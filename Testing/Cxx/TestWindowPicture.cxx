@@ -3,7 +3,7 @@
 
 // What a window is given of a frame, without a window: the smallest rectangle of tiles with all
 // hits, wherever these are, and, where other things lie among its layers, the last layer before
-// them. Frames are made at random and held against loops over all pixels.
+// them. Frames are made at random and compared with loops over all pixels.
 
 #include "Expect.h"
 #include "Window/LayerDepthClip.h"

@@ -104,7 +104,7 @@ Shot Clipped(GallerySettings& settings)
 }
 
 /// The samples of an image, the farther apart the farther they are from the middle.
-vtkSmartPointer<vtkRectilinearGrid> Graded(vtkImageData* image)
+vtkSmartPointer<vtkRectilinearGrid> Stretched(vtkImageData* image)
 {
   auto grid = vtkSmartPointer<vtkRectilinearGrid>::New();
   grid->SetDimensions(image->GetDimensions());
@@ -197,7 +197,7 @@ Shot Rectilinear(GallerySettings& settings)
   const Subject spheres = FirstOf({ SpheresInstead({ 100.0 }) }, settings);
   FeatureScene scene(settings, spheres);
   scene.Show({ { spheres.Isovalues[0], Style::Teal } });
-  scene.SetInput(Graded(spheres.Image), spheres.Name + ", graded", spheres.View);
+  scene.SetInput(Stretched(spheres.Image), spheres.Name + ", stretched", spheres.View);
   if (!settings.IsQuick && vtksys::SystemTools::FileExists(file, true))
   {
     ShowImpact(scene, file, impact);

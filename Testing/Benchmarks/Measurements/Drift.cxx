@@ -16,7 +16,7 @@ namespace
 constexpr std::array<double, 3> AllDegrees = { 0.5, 1.0, 5.0 };
 constexpr std::array<int, 4> Milestones = { 20, 180, 360, LongRun };
 
-/// Both accuracies on one orbit, held against the same cold pictures.
+/// Both accuracies on one orbit, compared with the same cold pictures.
 std::array<Curve, 2> RunOrbit(Stage& stage, double degrees, int frames)
 {
   Drawer cold(stage), paper(stage), bounded(stage);

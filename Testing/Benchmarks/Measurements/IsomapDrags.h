@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-/// A threshold that is dragged: isovalue after isovalue in a still view, every picture held against
-/// a cold one.
+/// A threshold that is dragged: isovalue after isovalue in a still view, every picture compared
+/// with a cold one.
 namespace IsomapDrags
 {
 

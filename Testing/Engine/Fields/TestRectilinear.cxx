@@ -91,17 +91,17 @@ TEST(Rectilinear, WholeNumbersAsCoordinatesAreTheUniformField)
   ForEachWay(grid.Field,
     [](const Field& field, const Surfaces& surfaces)
     {
-      Field graded = field;
-      graded.Kind = RectilinearKind(Uniform(field.Dimensions));
+      Field rectilinear = field;
+      rectilinear.Kind = RectilinearKind(Uniform(field.Dimensions));
       const Structures structures(field, surfaces);
-      TraceScene asGraded = structures.Scene;
-      asGraded.Samples = graded;
+      TraceScene asRectilinear = structures.Scene;
+      asRectilinear.Samples = rectilinear;
       std::int64_t found = 0;
       ForEachTile(field.Dimensions,
         [&](const RayBatch& rays)
         {
           const HitBatch hits = Trace(structures.Scene, rays);
-          const HitBatch others = Trace(asGraded, rays);
+          const HitBatch others = Trace(asRectilinear, rays);
           for (std::size_t i = 0; i < 64; ++i)
           {
             ExpectSameHit(hits, others, i);
@@ -120,7 +120,7 @@ TEST(Rectilinear, ResultDoesNotDependOnTheWalk)
   {
     Grid<std::uint8_t> grid(glm::ivec3(37, 29, 41));
     grid.FillRandomly(0.0, 4.0, 9); // few values: many samples equal the isovalue
-    grid.Field.Kind = RectilinearKind(Graded(grid.Field.Dimensions, ratio, 5));
+    grid.Field.Kind = RectilinearKind(Stretched(grid.Field.Dimensions, ratio, 5));
     std::mt19937 engine(11);
     std::uniform_real_distribution<double> share(0.0, 1.0);
     ForEachWay(grid.Field,
@@ -162,7 +162,7 @@ TEST(Rectilinear, PlaneIsHitWhereItIs)
   const glm::dvec3 normal(0.5, -0.25, 1.0);
   const double isovalue = 8.125;
   Grid<double> grid(glm::ivec3(40, 30, 20));
-  const auto coordinates = Graded(grid.Field.Dimensions, 50.0, 3);
+  const auto coordinates = Stretched(grid.Field.Dimensions, 50.0, 3);
   grid.Field.Kind = RectilinearKind(coordinates);
   FillByPlace(grid, *coordinates, [&](const glm::dvec3& at) { return glm::dot(at, normal); });
   const Structures structures(grid.Field, { { isovalue }, SurfaceMode::Crossing });
@@ -215,7 +215,7 @@ TEST(Rectilinear, GradientsAreThoseOfTheWorld)
 {
   const glm::dvec3 slope(0.5, -0.25, 1.0);
   Grid<float> grid(glm::ivec3(12, 10, 9));
-  const auto coordinates = Graded(grid.Field.Dimensions, 50.0, 3);
+  const auto coordinates = Stretched(grid.Field.Dimensions, 50.0, 3);
   grid.Field.Kind = RectilinearKind(coordinates);
   FillByPlace(
     grid, *coordinates, [&](const glm::dvec3& at) { return 100.0 + glm::dot(at, slope); });
@@ -263,7 +263,7 @@ TEST(Rectilinear, GradientsOfTheLargestSamplesAreNumbers)
   const std::vector<double> isovalues{ 1.0 };
   for (const double ratio : { 50.0, 1e8 })
   {
-    grid.Field.Kind = RectilinearKind(Graded(grid.Field.Dimensions, ratio, 3));
+    grid.Field.Kind = RectilinearKind(Stretched(grid.Field.Dimensions, ratio, 3));
     std::array<RayBatch::Array<double>, 3> points, directions, gradients;
     RayBatch::Array<std::int16_t> surfaces{};
     for (std::size_t i = 0; i < 64; ++i)
@@ -296,8 +296,8 @@ TEST(Rectilinear, UniformGradientsAreThoseOfImages)
   for (const Interpolation between : { Interpolation::Linear, Interpolation::Nearest })
   {
     grid.Field.Between = between;
-    Field graded = grid.Field;
-    graded.Kind = RectilinearKind(Uniform(graded.Dimensions));
+    Field rectilinear = grid.Field;
+    rectilinear.Kind = RectilinearKind(Uniform(rectilinear.Dimensions));
     std::array<RayBatch::Array<double>, 3> points, directions, gradients, others;
     RayBatch::Array<std::int16_t> surfaces{};
     for (std::size_t i = 0; i < 64; ++i)
@@ -311,8 +311,8 @@ TEST(Rectilinear, UniformGradientsAreThoseOfImages)
     const glm::dvec2 range(-1000.0, 1000.0);
     IndexGradients({ grid.Field, glm::dmat4(1.0), range, &isovalues },
       { 64, points, directions, surfaces, gradients });
-    IndexGradients(
-      { graded, glm::dmat4(1.0), range, &isovalues }, { 64, points, directions, surfaces, others });
+    IndexGradients({ rectilinear, glm::dmat4(1.0), range, &isovalues },
+      { 64, points, directions, surfaces, others });
     for (std::size_t i = 0; i < 64; ++i)
     {
       for (std::size_t a = 0; a < 3; ++a)
@@ -329,7 +329,7 @@ protected:
   RectilinearFrames()
     : Samples(glm::ivec3(60, 50, 40))
   {
-    const auto coordinates = Graded(this->Samples.Field.Dimensions, 30.0, 8);
+    const auto coordinates = Stretched(this->Samples.Field.Dimensions, 30.0, 8);
     this->Samples.Field.Kind = RectilinearKind(coordinates);
     FillByPlace(this->Samples, *coordinates,
       [](const glm::dvec3& at) {
@@ -453,7 +453,7 @@ TEST_F(RectilinearFrames, TimeStepsCopyTilesThatSeeNoChange)
   EXPECT_EQ(renderer.Statistics().Made, Route::TimeStep);
   EXPECT_LT(renderer.Statistics().TracedRays, renderer.Statistics().Rays / 4);
   ExpectSamePicture(renderer.LastFrame(), this->Cold(true));
-  this->Key.Samples.Kind = RectilinearKind(Graded(this->Key.Samples.Dimensions, 30.0, 9));
+  this->Key.Samples.Kind = RectilinearKind(Stretched(this->Key.Samples.Dimensions, 30.0, 9));
   step(31);
   EXPECT_EQ(renderer.Statistics().Made, Route::Cold) << "samples lie elsewhere";
 }

@@ -57,11 +57,11 @@ TEST(RectilinearKind, FieldsDifferByTheirCoordinates)
 {
   Grid<float> grid(glm::ivec3(3, 4, 2));
   Field a = grid.Field, b = grid.Field;
-  a.Kind = RectilinearKind(Graded(a.Dimensions, 3.0, 1));
+  a.Kind = RectilinearKind(Stretched(a.Dimensions, 3.0, 1));
   EXPECT_FALSE(a == b);
-  b.Kind = RectilinearKind(Graded(a.Dimensions, 3.0, 1));
+  b.Kind = RectilinearKind(Stretched(a.Dimensions, 3.0, 1));
   EXPECT_TRUE(a == b) << "compared by value";
-  b.Kind = RectilinearKind(Graded(a.Dimensions, 3.0, 2));
+  b.Kind = RectilinearKind(Stretched(a.Dimensions, 3.0, 2));
   EXPECT_FALSE(a == b);
 }
 

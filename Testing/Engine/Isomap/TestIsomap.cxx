@@ -192,7 +192,7 @@ TEST_F(IsomapTest, HiddenCellsOfImagesAndGrids)
           key.Isosurfaces.Mode = mode;
           if (isRectilinear)
           {
-            key.Samples.Kind = RectilinearKind(Graded(key.Samples.Dimensions, 5.0, 7));
+            key.Samples.Kind = RectilinearKind(Stretched(key.Samples.Dimensions, 5.0, 7));
           }
           this->Sweep(key, 20.0, 220.0);
           this->Show(key, { 120.0, 90.0 });

@@ -118,7 +118,7 @@ protected:
     this->Key.Samples.Stamp = ++this->Stamp;
   }
 
-  /// Make the next frame, which is exact, and hold it against a cold one.
+  /// Make the next frame, which is exact, and compare it with a cold one.
   void Render(const std::string& what)
   {
     this->Renderer.Render(this->Key, this->Exact);

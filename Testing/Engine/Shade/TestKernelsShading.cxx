@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What vectors make of hits is held, to the last bit, against the same formulas written out one by
+// What vectors make of hits is compared, to the last bit, with the same formulas written out one by
 // one.
 
 #include "EachTarget.h"

@@ -24,9 +24,9 @@ constexpr double Margin = 1.0 / 64;
 /// Share of a distance by which bounds are widened, since they are stored in single precision.
 constexpr double Slack = 1e-6;
 
-/// Share of the largest terms of a sum by which rounding may move it, and the ray that it is held
-/// against: not much where terms are as large as the sum, but they cancel out in long thin cells,
-/// and far away from the origin.
+/// Share of the largest terms of a sum by which rounding may move it, and the ray that it is
+/// compared with: not much where terms are as large as the sum, but they cancel out in long thin
+/// cells, and far away from the origin.
 constexpr double Rounding = 64.0 * std::numeric_limits<double>::epsilon();
 
 /// Half the width in pixels of nodes that are projected as one box instead of leaf by leaf: such

@@ -16,7 +16,7 @@ namespace TemporalCoherence
 void FindCrossings(SegmentBatch<float>& segments, bool isSolid);
 void FindCrossings(SegmentBatch<double>& segments, bool isSolid);
 
-/// The same, one by one: the reference that the others are held against.
+/// The same, one by one: the reference that the others are compared with.
 void FindCrossingsOneByOne(SegmentBatch<float>& segments, bool isSolid);
 void FindCrossingsOneByOne(SegmentBatch<double>& segments, bool isSolid);
 

@@ -28,7 +28,7 @@ struct RangeBatch
 void FindRanges(SegmentBatch<float>& segments, RangeBatch<float>& ranges);
 void FindRanges(SegmentBatch<double>& segments, RangeBatch<double>& ranges);
 
-/// The same, one by one: the reference that the others are held against.
+/// The same, one by one: the reference that the others are compared with.
 void FindRangesOneByOne(SegmentBatch<float>& segments, RangeBatch<float>& ranges);
 void FindRangesOneByOne(SegmentBatch<double>& segments, RangeBatch<double>& ranges);
 

@@ -25,7 +25,7 @@ set(engine_files
   Trace/KernelsWalk
   Trace/RayPieces
   Trace/RaySource
-  Trace/RegionCutter
+  Trace/RegionClipper
   Trace/SurfaceTracer
   Shade/CapNormal
   Shade/KernelsGradients
@@ -78,7 +78,7 @@ set(bridge_files
   Input/SettingCheck
   Input/VectorMagnitude
   Window/DepthReader
-  Window/LayerCut
+  Window/LayerDepthClip
   Window/OpenGLWindow
   Window/PassOutput
   Window/PeeledLayers

@@ -152,7 +152,7 @@ public:
     Elements elements(markup);
     for (Element element; elements.Next(element);)
     {
-      this->Look(element);
+      this->Visit(element);
     }
     // Of a part of a distributed image it may be little.
     if (this->WholePoints > LeastShare * this->PiecePoints)
@@ -162,7 +162,7 @@ public:
   }
 
 private:
-  void Look(const Element& element)
+  void Visit(const Element& element)
   {
     const std::string& name = element.Name;
     if (name == "VTKFile")

@@ -46,7 +46,7 @@ ExplorerWindow::ExplorerWindow(const Options& options)
   : SessionFile(options.SessionFile)
   , Data(options.From, options.Up)
   , Parts(this->Shown, this->Data)
-  , Kept(options.OutputDirectory)
+  , Output(options.OutputDirectory)
   , Log(options.Log)
 {
   this->Shown->SetWindowName("vtkTemporalCoherence Explorer");
@@ -93,9 +93,9 @@ void ExplorerWindow::Run()
 {
   this->Render();
   this->Events->Start();
-  if (this->Kept.IsRecording())
+  if (this->Output.IsRecording())
   {
-    this->Say(this->Kept.Stop());
+    this->Say(this->Output.Stop());
   }
 }
 
@@ -148,17 +148,17 @@ void ExplorerWindow::OnFrameEnd()
 
 void ExplorerWindow::Record()
 {
-  if (!this->Kept.IsRecording())
+  if (!this->Output.IsRecording())
   {
     return;
   }
   try
   {
-    this->Kept.Add(this->Data.View.LastFrame());
+    this->Output.Add(this->Data.View.LastFrame());
   }
   catch (const UserError& mistake)
   {
-    this->Kept.Stop();
+    this->Output.Stop();
     this->Parts.Switches.SetRecording(false);
     this->Say(mistake.what(), true);
   }
@@ -250,19 +250,19 @@ void ExplorerWindow::PrepareDrag()
 void ExplorerWindow::SavePicture()
 {
   const int scale = std::stoi(this->Data.State().Choices.TextOf(Choose::Scale));
-  this->Say("Saved " + this->Kept.Save(this->Data.View.Picture(scale)));
+  this->Say("Saved " + this->Output.Save(this->Data.View.Picture(scale)));
 }
 
 void ExplorerWindow::ToggleRecording()
 {
-  if (this->Kept.IsRecording())
+  if (this->Output.IsRecording())
   {
-    this->Say(this->Kept.Stop());
+    this->Say(this->Output.Stop());
   }
   else
   {
-    this->Kept.Start(this->Data.State().Choices.TextOf(Choose::Film));
+    this->Output.Start(this->Data.State().Choices.TextOf(Choose::Film));
     this->Say("Recording every frame");
   }
-  this->Parts.Switches.SetRecording(this->Kept.IsRecording());
+  this->Parts.Switches.SetRecording(this->Output.IsRecording());
 }

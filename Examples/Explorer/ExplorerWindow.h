@@ -81,7 +81,7 @@ private:
   vtkNew<vtkRenderWindowInteractor> Events;
   vtkNew<Style> Mouse;
   Desk Parts;
-  Recorder Kept;
+  Recorder Output;
   FrameLog Log;
 
   bool Busy = false;

@@ -241,7 +241,7 @@ void ExplorerWindow::Perform(Do action)
       this->Try([this] { this->SavePicture(); });
       break;
     case Do::WindowPicture:
-      this->Try([this] { this->Say("Saved " + this->Kept.Save(this->PictureOfWindow())); });
+      this->Try([this] { this->Say("Saved " + this->Output.Save(this->PictureOfWindow())); });
       break;
     case Do::Record:
       this->Try([this] { this->ToggleRecording(); });

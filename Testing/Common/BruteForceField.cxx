@@ -95,7 +95,7 @@ BruteForceField::BruteForceField(
   }
   vtkNew<vtkMatrix4x4> toVolume;
   PlaceImage(image, cells != nullptr, toVolume);
-  this->SetPlacement(toVolume, volume);
+  this->SetTransform(toVolume, volume);
 }
 
 BruteForceField::BruteForceField(
@@ -126,7 +126,7 @@ BruteForceField::BruteForceField(
       plane -= origin;
     }
   }
-  this->SetPlacement(toVolume, volume);
+  this->SetTransform(toVolume, volume);
 }
 
 void BruteForceField::SetSamples(vtkDataArray* array, int component, bool onCells)
@@ -151,7 +151,7 @@ void BruteForceField::SetSamples(vtkDataArray* array, int component, bool onCell
   }
 }
 
-void BruteForceField::SetPlacement(vtkMatrix4x4* toVolume, vtkVolume* volume)
+void BruteForceField::SetTransform(vtkMatrix4x4* toVolume, vtkVolume* volume)
 {
   vtkNew<vtkMatrix4x4> world;
   volume->ComputeMatrix();

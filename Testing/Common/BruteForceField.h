@@ -64,7 +64,7 @@ public:
 
 private:
   void SetSamples(vtkDataArray* array, int component, bool onCells);
-  void SetPlacement(vtkMatrix4x4* toVolume, vtkVolume* volume);
+  void SetTransform(vtkMatrix4x4* toVolume, vtkVolume* volume);
   void FindHidden(vtkDataSet* data, bool areSamplesCells);
   void HideAroundSamples();
   int CellOf(std::size_t axis, double at) const;

@@ -17,7 +17,7 @@ class vtkRenderer;
 class vtkVolume;
 VTK_ABI_NAMESPACE_END
 
-/// The truth that pictures are held against: every cell on the way of every ray, in double
+/// The truth that pictures are compared with: every cell on the way of every ray, in double
 /// precision, with no structure and no code of the engine.
 class BruteForceTracer
 {

@@ -16,7 +16,7 @@ ChangingScene::ChangingScene(unsigned seed, int size)
   , Inputs(Shown, Views)
   , Warnings(Shown.Mapper, vtkCommand::WarningEvent)
   , Kinds({ ChangesOfView(Shown, Views), ChangesOfIsovalues(Shown, Views),
-      FeatureChanges::OfLook(Shown, Views), FeatureChanges::OfLists(Shown, Views),
+      FeatureChanges::OfAppearance(Shown, Views), FeatureChanges::OfLists(Shown, Views),
       FeatureChanges::OfOpacity(Shown, Views), FeatureChanges::OfRegion(Shown, Views),
       Inputs.Changes(), FeatureChanges::OfVolume(Shown, Views), ChangesOfImageCache(Shown, Views),
       ChangesOfIsomap(Shown, Views) })
@@ -60,8 +60,9 @@ void ChangingScene::Arrange()
 
 void ChangingScene::ChangeSome(const Habits& habits)
 {
-  const std::array<int, 10> often = { habits.View, habits.Isovalues, habits.Look, habits.Lists,
-    habits.Opacity, habits.Region, habits.Inputs, habits.Volume, habits.ImageCache, habits.Isomap };
+  const std::array<int, 10> often = { habits.View, habits.Isovalues, habits.Appearance,
+    habits.Lists, habits.Opacity, habits.Region, habits.Inputs, habits.Volume, habits.ImageCache,
+    habits.Isomap };
   bool isSame = true;
   for (std::size_t kind = 0; kind < often.size(); ++kind)
   {
@@ -73,7 +74,7 @@ void ChangingScene::ChangeSome(const Habits& habits)
   }
   if (isSame && this->Views.Pick(4) != 0)
   {
-    this->MakeOneOf(habits.View > 50 ? 0 : habits.Look > 50 ? 2 : 1);
+    this->MakeOneOf(habits.View > 50 ? 0 : habits.Appearance > 50 ? 2 : 1);
   }
   if (this->Views.Pick(25) == 0)
   {
@@ -109,7 +110,8 @@ std::set<std::string> ChangingScene::Features() const
   vtkPlaneCollection* planes = mapper->GetClippingPlanes();
   add(planes && planes->GetNumberOfItems() > 0, "clipped");
   add(!mapper->IsOpaque(this->Shown.Volume), "translucent");
-  add(property->HasGradientOpacity() && !property->GetDisableGradientOpacity(), "by steepness");
+  add(property->HasGradientOpacity() && !property->GetDisableGradientOpacity(),
+    "by gradient magnitude");
   add(property->GetIsoSurfaceValues()->GetNumberOfContours() > 1, "several");
   add(property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION, "nearest");
   add(mapper->GetSurfaceMode() == Mapper::THRESHOLD, "threshold");

@@ -13,7 +13,7 @@
 /// How many of a hundred steps make a change of each kind.
 struct Habits
 {
-  int View, Isovalues, Look, Lists, Opacity, Region, Inputs, Volume, ImageCache, Isomap;
+  int View, Isovalues, Appearance, Lists, Opacity, Region, Inputs, Volume, ImageCache, Isomap;
 };
 
 constexpr Habits MovingOn = { 85, 4, 8, 2, 3, 3, 3, 2, 4, 0 };

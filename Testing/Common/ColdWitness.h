@@ -8,7 +8,7 @@
 #include <string>
 
 /// A mapper without a past that draws what a scene shows: the picture that frames made with the
-/// help of earlier ones are held against.
+/// help of earlier ones are compared with.
 class ColdWitness
 {
 public:

@@ -50,7 +50,7 @@ struct Compositor::Layer
 Compositor::Compositor(Scene& scene, const BruteForceTracer& truth, const int samples[3])
   : Of(scene)
   , Truth(truth)
-  , Kept(scene.Mapper, scene.Volume)
+  , Region(scene.Mapper, scene.Volume)
 {
   vtkContourValues* list = scene.Volume->GetProperty()->GetIsoSurfaceValues();
   for (int i = 0; i < list->GetNumberOfContours(); ++i)
@@ -72,7 +72,7 @@ std::array<double, 4> Compositor::ColorAt(int x, int y, int width, int height)
   const BruteForceTracer::Line line =
     BruteForceTracer::LineThrough(this->Of.Renderer, x, y, width, height);
   std::array<double, 4> sum{};
-  for (const BruteForceTracer::Line& part : this->Kept.Of(line))
+  for (const BruteForceTracer::Line& part : this->Region.Of(line))
   {
     for (const Layer& layer : this->LayersOf(part))
     {
@@ -137,7 +137,7 @@ std::array<double, 4> Compositor::ColorOf(
   color[3] = property->GetScalarOpacity()->GetValue(layer.Isovalue);
   const Point point = PointOn(line, layer.T);
   Point normal = this->GradientAt(point);
-  color[3] *= this->OpacityBySteepness(vtkMath::Normalize(normal.data()));
+  color[3] *= this->OpacityByGradient(vtkMath::Normalize(normal.data()));
   if (property->GetShade())
   {
     // A headlight.

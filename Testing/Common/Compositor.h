@@ -3,7 +3,7 @@
 #ifndef Testing_Compositor_h
 #define Testing_Compositor_h
 
-#include "KeptParts.h"
+#include "BruteForceRegion.h"
 #include "Scene.h"
 
 #include <array>
@@ -31,8 +31,8 @@ public:
   /// Red, green, blue, multiplied by alpha; and alpha.
   std::array<double, 4> ColorAt(int x, int y, int width, int height);
 
-  /// Steepness of the field and what comes of it, if not 1.
-  std::function<double(double)> OpacityBySteepness = [](double) { return 1.0; };
+  /// Gradient magnitude of the field and what comes of it, if not 1.
+  std::function<double(double)> OpacityByGradient = [](double) { return 1.0; };
 
 private:
   struct Layer;
@@ -43,12 +43,12 @@ private:
 
   Scene& Of;
   mutable BruteForceTracer Truth;
-  KeptParts Kept;
+  BruteForceRegion Region;
   std::vector<double> Isovalues;
   Point Last; ///< sample along each axis
 };
 
-/// Render a scene and hold its picture against the compositor.
+/// Render a scene and compare its picture with the compositor.
 void ExpectComposite(
   const std::string& name, Scene& scene, Compositor compositor, int width = 100, int height = 80);
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ExpectTruth.h"
 
+#include "BruteForceRegion.h"
 #include "BruteForceTracer.h"
 #include "Expect.h"
-#include "KeptParts.h"
 #include "Scene.h"
 
 #include <vtkMath.h>
@@ -15,7 +15,7 @@
 int ExpectTruth(
   const std::string& name, Scene& scene, const BruteForceTracer& truth, int width, int height)
 {
-  const KeptParts kept(scene.Mapper, scene.Volume);
+  const BruteForceRegion kept(scene.Mapper, scene.Volume);
   Expect(scene.Render(width, height), name + ": rendered");
   int wrong = 0, distant = 0, hits = 0;
   for (int y = 0; y < height; ++y)

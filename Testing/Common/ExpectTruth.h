@@ -8,7 +8,7 @@
 class BruteForceTracer;
 class Scene;
 
-/// Hold what is seen first in a scene's picture against brute force, whose surfaces are those of
+/// Compare what is seen first in a scene's picture with brute force, whose surfaces are those of
 /// the scene: all pixels but one, and all but one of the places to 1e-3 voxel.
 /// \return pixels where both see a surface
 int ExpectTruth(

@@ -178,7 +178,7 @@ std::vector<Change> OfLists(Scene& scene, RandomViews& views)
   };
 }
 
-std::vector<Change> OfLook(Scene& scene, RandomViews& views)
+std::vector<Change> OfAppearance(Scene& scene, RandomViews& views)
 {
   vtkVolumeProperty* property = scene.Volume->GetProperty();
   return {

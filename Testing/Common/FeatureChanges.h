@@ -15,14 +15,14 @@ namespace FeatureChanges
 /// Clipping planes, cropping planes and flags, and neither.
 std::vector<Change> OfRegion(Scene& scene, RandomViews& views);
 
-/// Opacities of isovalues and of steepness; opaque again.
+/// Opacities of isovalues and of gradient magnitude; opaque again.
 std::vector<Change> OfOpacity(Scene& scene, RandomViews& views);
 
 /// One to four isovalues, some of them equal.
 std::vector<Change> OfLists(Scene& scene, RandomViews& views);
 
 /// Colours, lights and shading.
-std::vector<Change> OfLook(Scene& scene, RandomViews& views);
+std::vector<Change> OfAppearance(Scene& scene, RandomViews& views);
 
 /// Interpolation, mode, and where the volume stands.
 std::vector<Change> OfVolume(Scene& scene, RandomViews& views);

@@ -13,7 +13,7 @@
 /// How often each route was taken while a feature was on.
 using RoutesOfFeatures = std::map<std::string, Sweep::Routes>;
 
-/// A scene on its way through features and steps, each frame held against what its route promises.
+/// A scene on its way through features and steps, each frame compared with what its route promises.
 class FeatureWalk : private ChangingScene
 {
 public:

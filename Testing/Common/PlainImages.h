@@ -12,7 +12,7 @@
 #include <cmath>
 #include <functional>
 
-/// Images of points that other inputs are held against, to the last bit.
+/// Images of points that other inputs are compared with, to the last bit.
 namespace PlainImages
 {
 

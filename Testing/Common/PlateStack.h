@@ -208,7 +208,7 @@ public:
     return Seen(all, x, y);
   }
 
-  /// Draw, and hold all pixels that are not at an edge against what is expected.
+  /// Draw, and compare all pixels that are not at an edge with what is expected.
   void ExpectOrder(const std::string& what, double tolerance)
   {
     this->Window->Render();

@@ -19,7 +19,7 @@ struct Change
   std::function<void()> Make;
 };
 
-/// Samples, placement, interpolation, mode, isovalues, colours, lights.
+/// Samples, transform, interpolation, mode, isovalues, colours, lights.
 /// \param image that of the scene, of Volumes::Waves()
 std::vector<Change> ChangesOfScene(Scene& scene, vtkImageData* image, RandomViews& views);
 
@@ -38,7 +38,7 @@ std::vector<Change> ChangesOfIsomap(Scene& scene, RandomViews& views);
 /// Other cells and points are hidden, or none. An image that has ghost arrays may lose them.
 std::vector<Change> ChangesOfGhosts(vtkImageData* image, RandomViews& views);
 
-/// Hold a frame against what its route, accuracy and tolerance promise.
+/// Compare a frame with what its route, accuracy and tolerance promise.
 void ExpectPromise(Scene& scene, ColdWitness& cold, const std::string& what);
 
 /// A view that repeats ends in the cold picture.
@@ -48,7 +48,7 @@ void ExpectRefined(Scene& scene, RandomViews& views, ColdWitness& cold, const st
 /// Changes of one kind, and how many of twelve steps make one of them.
 using KindOfChange = std::pair<int, std::vector<Change>>;
 
-/// Make changes in random order, at most one of each kind at a time, and hold every frame against
+/// Make changes in random order, at most one of each kind at a time, and compare every frame with
 /// what its route promises.
 /// \return how often each route was taken
 Sweep::Routes Wander(Scene& scene, RandomViews& views, const std::vector<KindOfChange>& kinds,

@@ -68,7 +68,7 @@ void RandomViews::Move()
   this->Target.Renderer->ResetCameraClippingRange();
   if (move == 11)
   {
-    this->CutByNearPlane();
+    this->ClipByNearPlane();
   }
 }
 
@@ -110,7 +110,7 @@ void RandomViews::Pan()
   ShiftCamera(camera, this->Between(-0.3, 0.3) * camera->GetDistance());
 }
 
-void RandomViews::CutByNearPlane()
+void RandomViews::ClipByNearPlane()
 {
   vtkCamera* camera = this->Target.Renderer->GetActiveCamera();
   double range[2];

@@ -36,7 +36,7 @@ private:
   void Jump();
   void GoInside();
   void Pan();
-  void CutByNearPlane();
+  void ClipByNearPlane();
 
   Scene& Target;
   std::mt19937 Engine;

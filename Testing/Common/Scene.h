@@ -66,7 +66,7 @@ struct Agreement
   }
 };
 
-/// Hold the last picture of a scene against brute force, every `stride`-th pixel of every
+/// Compare the last picture of a scene with brute force, every `stride`-th pixel of every
 /// `stride`-th row.
 Agreement CompareWithTruth(const Scene& scene, const BruteForceTracer& truth, int stride = 1);
 

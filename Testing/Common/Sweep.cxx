@@ -84,7 +84,7 @@ bool IsOfWholeNumbers(const Subject& subject)
 }
 
 /// Clip at a share of the way through the volume.
-void CutByNearPlane(Scene& scene, double share)
+void ClipByNearPlane(Scene& scene, double share)
 {
   vtkCamera* camera = scene.Renderer->GetActiveCamera();
   double range[2];
@@ -127,7 +127,7 @@ std::vector<Placing> AllPlacings()
       [](Scene& scene)
       {
         scene.LookFrom(-1.0, -0.3, 2.0);
-        CutByNearPlane(scene, 0.45);
+        ClipByNearPlane(scene, 0.45);
       } },
     { "parallel along an axis",
       [](Scene& scene)

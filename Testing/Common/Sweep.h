@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-/// Isovalues that change before a camera that stands still: what isomaps and hints are held
-/// against.
+/// Isovalues that change before a camera that stands still: what isomaps and hints are compared
+/// with.
 namespace Sweep
 {
 
@@ -20,7 +20,7 @@ namespace Sweep
 struct Placing
 {
   std::string Name;
-  std::function<void(Scene&)> Look;
+  std::function<void(Scene&)> SetCamera;
 };
 
 /// From outside in both projections, along an axis, from inside, and cut by the near plane.

@@ -183,7 +183,7 @@ void Arrange(Scene& scene, const Input& input, bool isNearest, int mode)
   scene.Volume->GetProperty()->ShadeOff();
 }
 
-/// Hold what is seen first against brute force.
+/// Compare what is seen first with brute force.
 void ExpectTruthOf(const std::string& name, Scene& scene, const Input& input)
 {
   BruteForceTracer truth = input.Truth(scene.Volume);

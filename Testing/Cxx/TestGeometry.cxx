@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Where a volume and a camera may be: every transform, projection and image geometry that VTK has,
-// each held against brute force.
+// each compared with brute force.
 
 #include "Scene.h"
 #include "Volumes.h"
@@ -52,7 +52,7 @@ void SetDirection(vtkImageData* image)
   image->SetDirectionMatrix(0.0, -s, c, 0.0, c, s, -1.0, 0.0, 0.0);
 }
 
-bool TestPlacements()
+bool TestTransforms()
 {
   bool agrees = true;
   agrees &= Check("rotated prop",
@@ -220,8 +220,8 @@ bool TestFields()
 
 int TestGeometry(int, char*[])
 {
-  const bool placements = TestPlacements();
+  const bool transforms = TestTransforms();
   const bool cameras = TestCameras();
   const bool fields = TestFields();
-  return placements && cameras && fields ? EXIT_SUCCESS : EXIT_FAILURE;
+  return transforms && cameras && fields ? EXIT_SUCCESS : EXIT_FAILURE;
 }

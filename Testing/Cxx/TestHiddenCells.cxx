@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Cells that ghost arrays hide: held against brute force, by all routes, as they change.
+// Cells that ghost arrays hide: compared with brute force, by all routes, as they change.
 
 #include "EventCounter.h"
 #include "Expect.h"
@@ -104,7 +104,7 @@ void TestAgainstBruteForce(const Subject& subject, int width, int height)
         here.IsNearest = isNearest;
         Scene scene(here.Image, here.Isovalues);
         here.Prepare(scene);
-        placing.Look(scene);
+        placing.SetCamera(scene);
         BruteForceTracer truth(here.Image, scene.Volume);
         truth.Isovalues = here.Isovalues;
         truth.IsThreshold = mode == Mapper::THRESHOLD;
@@ -391,7 +391,7 @@ void TestSweeps()
           const std::string what = subject.Describe() + ", " + placing.Name;
           Scene scene(subject.Image, {});
           subject.Prepare(scene);
-          placing.Look(scene);
+          placing.SetCamera(scene);
           Sweep::Routes routes =
             Sweep::ExpectCold(scene, Sweep::Up(subject, 12), 60, 45, what + ", up");
           for (const auto& [route, count] :

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What frames made from the image cache promise: every picture is held against the cold one.
+// What frames made from the image cache promise: every picture is compared with the cold one.
 
 #include "ColdWitness.h"
 #include "Expect.h"

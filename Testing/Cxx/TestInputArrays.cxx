@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Which array is drawn: of points or cells, by every scalar mode, and which of its components, by
-// VectorMode and by the volume's property. What is not held against brute force is held against a
+// VectorMode and by the volume's property. What is not compared with brute force is compared with a
 // plain image of the same samples, to the last bit.
 
 #include "Mistake.h"

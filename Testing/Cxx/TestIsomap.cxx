@@ -30,7 +30,7 @@ void SweepField(
   isovalues.insert(isovalues.end(), more.begin(), more.end());
   Scene scene(subject.Image, { 0.0 });
   subject.Prepare(scene);
-  placing.Look(scene);
+  placing.SetCamera(scene);
   const Sweep::Routes routes = Sweep::ExpectCold(scene, isovalues, Width, Height, what);
   Sweep::ExpectOnly({ "IsomapBuild", "IsomapLookup" }, routes, what);
 }
@@ -109,7 +109,7 @@ void TestSeveralIsovalues()
       subject.IsNearest = turn % 3 == 0;
       Scene scene(subject.Image, { 0.0 });
       subject.Prepare(scene);
-      placing.Look(scene);
+      placing.SetCamera(scene);
       const std::string what = subject.Describe() + ", " + placing.Name + ", several isovalues";
       const Sweep::Routes routes = Sweep::ExpectCold(scene, lists, Width, Height, what);
       Sweep::ExpectOnly({ "IsomapBuild", "IsomapLookup" }, routes, what);

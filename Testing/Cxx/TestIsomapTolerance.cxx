@@ -91,7 +91,7 @@ void SweepField(
   const auto [low, high] = std::minmax_element(samples.begin(), samples.end());
   Scene scene(subject.Image, { *low - 1.0 });
   subject.Prepare(scene);
-  placing.Look(scene);
+  placing.SetCamera(scene);
   scene.Mapper->SetIsomapTolerance(tolerance);
   Expect(scene.Render(Width, Height), name.str() + ": rendered");
   std::vector<double> isovalues = Sweep::Up(subject, 60);

@@ -56,7 +56,7 @@ int TestIsosurfaceScenario(int, char*[])
   mapper->AddObserver(vtkCommand::ErrorEvent, observer);
   window->AddObserver(vtkCommand::ErrorEvent, observer);
 
-  // Render the present list and hold each pixel of a grid against brute force.
+  // Render the present list and compare each pixel of a grid with brute force.
   bool passed = true;
   const auto check = [&](const char* what, const std::vector<double>& isovalues)
   {

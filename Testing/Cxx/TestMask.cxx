@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Masks (SetMaskInput): a cell is hidden none of whose samples a mask shows. Held against brute
+// Masks (SetMaskInput): a cell is hidden none of whose samples a mask shows. Compared with brute
 // force, for all kinds of masks and inputs.
 
 #include "EventCounter.h"
@@ -55,7 +55,7 @@ void TestAgainstBruteForce()
           Scene scene(subject.Image, subject.Isovalues);
           subject.Prepare(scene);
           Masks::SetBinary(scene, mask);
-          placing.Look(scene);
+          placing.SetCamera(scene);
           BruteForceTracer truth(subject.Image, scene.Volume);
           truth.Isovalues = subject.Isovalues;
           truth.IsThreshold = subject.Mode == Mapper::THRESHOLD;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Rectilinear grids: the surfaces of their own samples, where these lie, held against brute force
+// Rectilinear grids: the surfaces of their own samples, where these lie, compared with brute force
 // and against spheres.
 
 #include "Expect.h"
@@ -105,7 +105,7 @@ void TestVtkScene()
   }
 }
 
-void TestPlacements()
+void TestTransforms()
 {
   const Grid grid = Grids::FromFormula(RandomCoordinates(8.0), VTK_FLOAT, BlobAt);
   const std::vector<double> isovalues = { 70.0 };
@@ -441,7 +441,7 @@ int TestRectilinearGrid(int, char*[])
   // The Debug driver traps operations on what is not a number, which is what is tested here.
   vtkFloatingPointExceptions::Disable();
   TestVtkScene();
-  TestPlacements();
+  TestTransforms();
   TestFields();
   TestCells();
   TestHiddenCells();

@@ -35,7 +35,7 @@ void AddPlane(Mapper* mapper, const Point& origin, const Point& normal)
   mapper->AddClippingPlane(plane);
 }
 
-/// Hold a scene's picture against brute force.
+/// Compare a scene's picture with brute force.
 void ExpectTruthOf(const std::string& name, Scene& scene, vtkImageData* image)
 {
   BruteForceTracer truth(image, scene.Volume);

@@ -22,7 +22,7 @@ void SweepField(Subject subject, const Sweep::Placing& placing, unsigned seed)
   Scene scene(subject.Image, { 0.0 });
   scene.Mapper->IsomapOff();
   subject.Prepare(scene);
-  placing.Look(scene);
+  placing.SetCamera(scene);
   std::vector<double> isovalues = Sweep::Up(subject, 50);
   const std::vector<double> down(isovalues.rbegin(), isovalues.rend());
   const std::vector<double> jumps = Sweep::Jumps(subject, 60, seed);

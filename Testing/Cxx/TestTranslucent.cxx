@@ -137,7 +137,7 @@ void TestGrids()
   }
 }
 
-/// Opacity by steepness; what cannot be seen is not picked.
+/// Opacity by gradient magnitude; what cannot be seen is not picked.
 void TestGradientOpacity()
 {
   // Steep at the left, gentle at the right.
@@ -147,13 +147,13 @@ void TestGradientOpacity()
   image->SetSpacing(0.5, 0.5, 0.5);
   Scene scene(image, { 0.0 });
   SetColors(scene, { { 0.0, 0.9, 0.5, 0.2, 0.8 } });
-  vtkNew<vtkPiecewiseFunction> bySteepness;
-  bySteepness->AddPoint(0.8, 0.0);
-  bySteepness->AddPoint(1.2, 1.0);
-  scene.Volume->GetProperty()->SetGradientOpacity(bySteepness);
+  vtkNew<vtkPiecewiseFunction> byGradient;
+  byGradient->AddPoint(0.8, 0.0);
+  byGradient->AddPoint(1.2, 1.0);
+  scene.Volume->GetProperty()->SetGradientOpacity(byGradient);
   scene.LookFrom(0.1, 0.2, 1.0);
   Compositor compositor(scene, image.Get());
-  compositor.OpacityBySteepness = [](double g) { return std::clamp((g - 0.8) / 0.4, 0.0, 1.0); };
+  compositor.OpacityByGradient = [](double g) { return std::clamp((g - 0.8) / 0.4, 0.0, 1.0); };
   ExpectComposite("gradient opacity", scene, compositor);
   int clear = 0;
   for (int y = 0; y < 80; ++y)
@@ -170,7 +170,7 @@ void TestGradientOpacity()
   }
   Expect(clear > 500, "some of the surface is not seen");
   scene.Volume->GetProperty()->DisableGradientOpacityOn();
-  compositor.OpacityBySteepness = [](double) { return 1.0; };
+  compositor.OpacityByGradient = [](double) { return 1.0; };
   ExpectComposite("gradient opacity disabled", scene, compositor);
 }
 

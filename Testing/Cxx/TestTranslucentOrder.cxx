@@ -136,7 +136,7 @@ public:
   }
 
   /// Put the plate at a place before the spheres, tilted, and look.
-  void Look(double x, double z, double tilt)
+  void LookFrom(double x, double z, double tilt)
   {
     this->Plate->SetPosition(x, 0.0, z);
     this->Plate->SetOrientation(0.0, tilt, 0.0);
@@ -271,16 +271,16 @@ void TestPlate(const Setup& how)
 {
   PlateScene scene(how);
   scene.Plate->VisibilityOff();
-  scene.Look(100.0, 0.0, 0.0);
+  scene.LookFrom(100.0, 0.0, 0.0);
   scene.Plate->VisibilityOn();
   for (const double z : { 1.2, 0.7, 0.2, -0.3, -0.7, -1.2 })
   {
-    scene.Look(0.4, z, 0.0);
+    scene.LookFrom(0.4, z, 0.0);
     Expect(scene.Route() == "Redisplay", how.Name + ": the picture stays, not " + scene.Route());
   }
   for (const double tilt : { 60.0, -40.0 })
   {
-    scene.Look(0.2, 0.0, tilt);
+    scene.LookFrom(0.2, 0.0, tilt);
     Expect(scene.Route() == "Redisplay", how.Name + ": the picture stays, not " + scene.Route());
   }
   Expect(scene.Orders.size() >= how.FewestOrders,
@@ -291,11 +291,11 @@ void TestPlate(const Setup& how)
   scene.Window->Render();
   Expect(scene.Route() == "Reshade", how.Name + ": shaded again, not " + scene.Route());
   scene.Iso.Volume->GetProperty()->ShadeOff();
-  scene.Look(0.2, 0.0, -40.0);
+  scene.LookFrom(0.2, 0.0, -40.0);
   Expect(scene.Route() == "Reshade", how.Name + ": shaded again, not " + scene.Route());
   // Nothing is left of the plate when it is gone.
   scene.Plate->VisibilityOff();
-  scene.Look(100.0, 0.0, 0.0);
+  scene.LookFrom(100.0, 0.0, 0.0);
 }
 
 /// Opaque isosurfaces between the layers are to them what polygons are, if they are drawn as such.

@@ -3,10 +3,10 @@
 
 // What a window is given of a frame, without a window: the smallest rectangle of tiles with all
 // hits, wherever these are, and, where other things lie among its layers, the last layer before
-// them. Frames are made at random and held against loops over all pixels.
+// them. Frames are made at random and compared with loops over all pixels.
 
 #include "Expect.h"
-#include "Window/LayerCut.h"
+#include "Window/LayerDepthClip.h"
 #include "Window/WindowPicture.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -165,7 +165,7 @@ Frame FrameOfLayers(const glm::ivec2& size, std::mt19937& engine)
           static_cast<std::uint8_t>(Below(engine, 50)), 7,
           static_cast<std::uint8_t>(60 + 60 * layer) };
         frame.Layers[static_cast<std::size_t>(tile)].push_back(
-          { t, static_cast<std::int32_t>(PlaceOf(frame, pixel)), 0, HitKind::Enters, color });
+          { t, static_cast<std::int32_t>(PlaceOf(frame, pixel)), 0, HitKind::Entry, color });
         if (layer == 0)
         {
           SetHit(frame, pixel, t, color);
@@ -196,10 +196,10 @@ PixelColor ColorBefore(const Frame& frame, const View& view, const glm::ivec2& p
 }
 
 /// In windows with as many pixels as the picture, more, and numbers that are no multiples.
-void TestCuts()
+void TestClippedLayers()
 {
   std::mt19937 engine(32);
-  int cuts = 0, wholes = 0;
+  int clipped = 0, wholes = 0;
   for (int round = 0; round < 60; ++round)
   {
     const glm::ivec2 size(10 + Below(engine, 20), 10 + Below(engine, 20));
@@ -220,7 +220,7 @@ void TestCuts()
       }
     }
     std::vector<PixelColor> colors;
-    const bool isCut = CutLayersAt(depths, window, picture.Rect, frame, view, colors);
+    const bool isClipped = ClipLayersAt(depths, window, picture.Rect, frame, view, colors);
     bool isOther = false;
     long wrong = 0;
     for (int i = 0; i < window.x * window.y; ++i)
@@ -233,12 +233,12 @@ void TestCuts()
       wrong += colors[at] != expected;
       isOther |= expected != frame.Colors[PlaceOf(frame, pixel)];
     }
-    const std::string what = "cut " + std::to_string(round) + ": ";
+    const std::string what = "clipped " + std::to_string(round) + ": ";
     Expect(wrong == 0, what + std::to_string(wrong) + " pixels show another layer");
-    Expect(isCut == isOther, what + "told");
-    (isOther ? cuts : wholes)++;
+    Expect(isClipped == isOther, what + "told");
+    (isOther ? clipped : wholes)++;
   }
-  Expect(cuts > 20 && wholes > 5, "both kinds");
+  Expect(clipped > 20 && wholes > 5, "both kinds");
 }
 
 /// Layers are behind one another only where a pixel has two.
@@ -250,11 +250,11 @@ void TestHasLayers()
   for (const int x : { 9, 10, 11 })
   {
     SetHit(frame, { x, 3 }, 0.5, { 1, 1, 1, 100 });
-    frame.Layers[1].push_back({ 0.5, 60 + x, 0, HitKind::Enters, { 1, 1, 1, 100 } });
+    frame.Layers[1].push_back({ 0.5, 60 + x, 0, HitKind::Entry, { 1, 1, 1, 100 } });
     picture.Assign(frame, ViewOf(frame.Size), frame.Size);
     Expect(!picture.HasLayers, "one layer");
   }
-  frame.Layers[1].push_back({ 0.7, 60 + 11, 0, HitKind::Leaves, { 1, 1, 1, 150 } });
+  frame.Layers[1].push_back({ 0.7, 60 + 11, 0, HitKind::Exit, { 1, 1, 1, 150 } });
   picture.Assign(frame, ViewOf(frame.Size), frame.Size);
   Expect(picture.HasLayers, "a second one in one pixel");
 }
@@ -264,7 +264,7 @@ void TestHasLayers()
 int TestWindowPicture(int, char*[])
 {
   TestRectangles();
-  TestCuts();
+  TestClippedLayers();
   TestHasLayers();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

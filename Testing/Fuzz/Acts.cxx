@@ -41,7 +41,7 @@ void ReplaceMapper(World& world, Oracle& oracle)
     volume->SetMapper(next);
   }
   oracle.BeginAnew();
-  world.IsUntold = false;
+  world.HasSilentChange = false;
 }
 
 void ReplaceVolume(World& world)
@@ -81,7 +81,7 @@ void TellLate(World& world)
   }
   world.Shelf.clear();
   world.Subject->ReleaseReuse();
-  world.IsUntold = false;
+  world.HasSilentChange = false;
 }
 
 void AskEverything(World& world)
@@ -174,7 +174,7 @@ void MeetLine(World& world, Oracle& oracle)
   }
   oracle.ExpectOneErrorAtMost("IntersectWithLine");
   Require(ear.Errors <= 1 && !(ear.Errors == 1 && met[1].Is), "IntersectWithLine: " + ear.Text);
-  if (world.IsUntold)
+  if (world.HasSilentChange)
   {
     return;
   }
@@ -213,7 +213,7 @@ void Before(World& world, Oracle& oracle, Tally& tally)
     ++tally.Acts[act];
     Story::Tell(act);
   };
-  if (world.IsUntold && world.From.OneIn(3))
+  if (world.HasSilentChange && world.From.OneIn(3))
   {
     count("told late");
     TellLate(world);

@@ -17,7 +17,7 @@ namespace Changes
 namespace
 {
 
-void Look(World& world)
+void PlaceCamera(World& world)
 {
   Bytes& from = world.From;
   const double x = from.Between(-1.0, 1.0), y = from.Between(-1.0, 1.0);
@@ -303,7 +303,7 @@ const std::vector<ChangeKind>& OfCamera()
 {
   // Anything, Sweep, Orbit, TimeSteps, Looks, Wrecks
   static const std::vector<ChangeKind> kinds = {
-    { "a look", { 4, 2, 4, 1, 1, 6 }, Look },
+    { "a look", { 4, 2, 4, 1, 1, 6 }, PlaceCamera },
     { "a look along an axis", { 2, 1, 2, 1, 0, 2 }, LookAlongAxis },
     { "a turn", { 10, 1, 60, 2, 2, 2 }, Turn },
     { "nearer", { 5, 0, 12, 1, 0, 4 }, Approach },

@@ -14,8 +14,8 @@ const std::vector<const ChangeKind*>& All()
   static const auto all = []
   {
     std::vector<const ChangeKind*> kinds;
-    for (const auto* group : { &OfData(), &OfCamera(), &OfIsovalues(), &OfLook(), &OfLights(),
-           &OfRegion(), &OfPlacement(), &OfSettings() })
+    for (const auto* group : { &OfData(), &OfCamera(), &OfIsovalues(), &OfAppearance(), &OfLights(),
+           &OfRegion(), &OfTransform(), &OfSettings() })
     {
       for (const ChangeKind& kind : *group)
       {

@@ -17,10 +17,10 @@ namespace Changes
 const std::vector<ChangeKind>& OfData();
 const std::vector<ChangeKind>& OfCamera();
 const std::vector<ChangeKind>& OfIsovalues();
-const std::vector<ChangeKind>& OfLook();
+const std::vector<ChangeKind>& OfAppearance();
 const std::vector<ChangeKind>& OfLights();
 const std::vector<ChangeKind>& OfRegion();
-const std::vector<ChangeKind>& OfPlacement();
+const std::vector<ChangeKind>& OfTransform();
 const std::vector<ChangeKind>& OfSettings();
 
 /// One of them all, by the theme of the run.

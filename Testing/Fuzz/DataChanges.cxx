@@ -70,7 +70,7 @@ void WriteSamples(World& world)
   const int told = world.From.Pick(12);
   if (told == 11)
   {
-    world.IsUntold = true; // see Acts
+    world.HasSilentChange = true; // see Acts
     Story::Tell("  nobody is told");
   }
   else

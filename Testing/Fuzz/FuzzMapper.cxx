@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The seeded fuzzer: runs of bytes made from seeds, or kept in files, each step held against a
+// The seeded fuzzer: runs of bytes made from seeds, or kept in files, each step compared with a
 // mapper without a past.
 
 #include "Bytes.h"

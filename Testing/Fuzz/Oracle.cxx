@@ -259,10 +259,10 @@ void Oracle::Compare(const Picture& cold)
   }
   if (cold.CountHits() > 0)
   {
-    ++this->Sum.Seen;
+    ++this->Sum.WithSurface;
     ++this->Sum.Routes[route];
   }
-  if (world.IsUntold)
+  if (world.HasSilentChange)
   {
     return;
   }
@@ -344,7 +344,7 @@ double Oracle::ShortestEdge() const
 
 void Oracle::CheckRefined()
 {
-  if (this->IsRefused || this->IsExact || this->Of.IsUntold ||
+  if (this->IsRefused || this->IsExact || this->Of.HasSilentChange ||
     !this->Of.Subject->GetRefineWhenStill())
   {
     return;

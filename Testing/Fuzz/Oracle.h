@@ -15,7 +15,7 @@
 namespace Fuzz
 {
 
-/// Holds what a mapper with a past answers against a mapper without one.
+/// Compares what a mapper with a past answers with a mapper without one.
 class Oracle
 {
 public:

@@ -221,7 +221,7 @@ const std::vector<ChangeKind>& OfRegion()
   return kinds;
 }
 
-const std::vector<ChangeKind>& OfPlacement()
+const std::vector<ChangeKind>& OfTransform()
 {
   static const std::vector<ChangeKind> kinds = {
     { "a turn of the volume", { 3, 1, 1, 1, 1, 2 }, TurnVolume },

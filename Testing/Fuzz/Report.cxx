@@ -157,7 +157,7 @@ bool Finish(const Tally& tally, int failures, bool expectsAll)
   const auto share = [](double others, double pixels)
   { return pixels > 0.0 ? 100.0 * others / pixels : 0.0; };
   std::cout << tally.Steps << " steps in " << tally.Runs << " runs, " << tally.Refused
-            << " frames refused, " << tally.Seen << " with a surface\n";
+            << " frames refused, " << tally.WithSurface << " with a surface\n";
   list("routes of frames with a surface:", tally.Routes);
   list("other acts:", tally.Acts);
   list("refusals:", tally.Errors);

@@ -14,7 +14,7 @@ struct Tally
 {
   long Runs = 0, Steps = 0;
   long Refused = 0;                   ///< frames
-  long Seen = 0;                      ///< frames that show a surface
+  long WithSurface = 0;               ///< frames that show a surface
   std::map<std::string, long> Routes; ///< frames of each, which show a surface
   std::map<std::string, long> Acts;   ///< what else was asked of the mapper
   std::map<std::string, long> Errors; ///< by their first words

@@ -148,7 +148,7 @@ bool IsAlone(vtkRenderer* renderer, vtkVolume* volume)
 void CompareWithImage(World& world, const Oracle& oracle, Tally& tally)
 {
   Picture shown, cold;
-  if (world.IsUntold || !shown.Fetch(world.Subject) ||
+  if (world.HasSilentChange || !shown.Fetch(world.Subject) ||
     std::string(world.Subject->GetRouteAsString()) != "Cold" ||
     world.Subject->GetImageSampleDistance() != 1.0f ||
     !IsWhole(world.Renderer()->GetRenderWindow()) || !IsAlone(world.Renderer(), world.Volume()))

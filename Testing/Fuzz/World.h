@@ -65,7 +65,7 @@ struct World
 
   /// Samples were written and nobody was told: what frames show means nothing until the mapper has
   /// forgotten them.
-  bool IsUntold = false;
+  bool HasSilentChange = false;
 };
 
 /// A kind of change, and how often it is made in runs of each theme.

@@ -9,7 +9,7 @@
 
 #include <string>
 
-/// Benchmarks of single kernels, registered group by group. Items are rays, passages, hits or
+/// Benchmarks of single kernels, registered group by group. Items are rays, segments, hits or
 /// pixels of a tile; of structures, samples.
 namespace KernelBenchmarks
 {

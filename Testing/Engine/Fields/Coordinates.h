@@ -27,7 +27,7 @@ inline std::shared_ptr<const TemporalCoherence::GridCoordinates> Uniform(
 }
 
 /// Cells of all sizes from 1 to `ratio` in any order.
-inline std::shared_ptr<const TemporalCoherence::GridCoordinates> Graded(
+inline std::shared_ptr<const TemporalCoherence::GridCoordinates> Stretched(
   const glm::ivec3& dimensions, double ratio, unsigned int seed)
 {
   std::mt19937 engine(seed);

@@ -125,7 +125,7 @@ private:
   }
 
   glm::ivec3 Dimensions{ 0 };           ///< in nodes
-  std::vector<ValueBand> Sought;        ///< ascending
+  std::vector<ValueBand> Bands;         ///< ascending
   std::vector<std::uint64_t> NodeWords; ///< leaves of a node, and where their words begin
   std::unique_ptr<std::atomic<std::uint64_t>[]> LeafWords;
   std::size_t NumberOfLeafWords = 0;
@@ -138,7 +138,7 @@ std::uint64_t ActiveCells::FindCells(const TypedField<T>& field, const glm::ivec
 {
   const glm::ivec3 samples = glm::min(field.Dimensions - firstCell, glm::ivec3(5));
   std::uint64_t active = 0;
-  for (const ValueBand& band : this->Sought)
+  for (const ValueBand& band : this->Bands)
   {
     // Fold samples that are inside the lowest isovalue, and those inside the highest, along x, then
     // y, then z: 4 bits a row, 16 a slice. A cell is active if any are inside the lowest and not
@@ -199,8 +199,7 @@ std::uint64_t ActiveCells::WithoutHidden(
     for (int j = 0; j < samples.y; ++j)
     {
       const T* row = field.At(firstCell + glm::ivec3(0, j, k));
-      const std::uint32_t bits =
-        InsideOf(row, field.Strides.x, samples.x, this->Sought.front().Low);
+      const std::uint32_t bits = InsideOf(row, field.Strides.x, samples.x, this->Bands.front().Low);
       const std::uint64_t alongX = (bits | bits >> 1) & cellsInRow;
       for (int z = k > 0 ? k - 1 : 0; z <= k && z < samples.z - 1; ++z)
       {

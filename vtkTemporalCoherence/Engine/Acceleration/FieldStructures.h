@@ -27,7 +27,7 @@ struct FieldRanges
 struct SurfaceCells
 {
   Field Samples;
-  Surfaces Sought;
+  Surfaces Isosurfaces;
   std::shared_ptr<const ActiveCells> Active = std::make_shared<const ActiveCells>();
 };
 
@@ -42,9 +42,9 @@ public:
   /// \throws std::bad_alloc
   void Provide(const Field& field, std::shared_ptr<const FieldRanges>& held);
 
-  /// The same for the cells that `sought` can pass through, from the ranges of their field.
+  /// The same for the cells that `surfaces` can pass through, from the ranges of their field.
   void Provide(
-    const FieldRanges& ranges, const Surfaces& sought, std::shared_ptr<const SurfaceCells>& held);
+    const FieldRanges& ranges, const Surfaces& surfaces, std::shared_ptr<const SurfaceCells>& held);
 
   /// The same for fingerprints; on an exception, `held` stays.
   void Provide(const Field& field, std::shared_ptr<const FieldFingerprint>& held);

@@ -29,11 +29,11 @@ SampleComparer::Result SampleComparer::Compare(
 }
 
 void SampleComparer::FindTilesToTrace(
-  const View& view, const Placement& placement, const FieldRanges& ranges)
+  const View& view, const IndexTransform& transform, const FieldRanges& ranges)
 {
   if (AreReadAlike(this->LimitsOfLast, LimitsOf(ranges)))
   {
-    this->TilesToTrace = FindTiles(view, placement, this->Changed, *ranges.Samples.Kind);
+    this->TilesToTrace = FindTiles(view, transform, this->Changed, *ranges.Samples.Kind);
   }
 }
 

@@ -35,7 +35,8 @@ public:
   /// Find the tiles in which samples that were found to be different can be seen.
   /// \param ranges of the samples of the next frame
   /// \throws std::bad_alloc
-  void FindTilesToTrace(const View& view, const Placement& placement, const FieldRanges& ranges);
+  void FindTilesToTrace(
+    const View& view, const IndexTransform& transform, const FieldRanges& ranges);
 
   /// True if no sample that is different can be seen in a tile.
   /// \pre ShareToTrace() < 1

@@ -24,9 +24,9 @@ constexpr double Margin = 1.0 / 64;
 /// Share of a distance by which bounds are widened, since they are stored in single precision.
 constexpr double Slack = 1e-6;
 
-/// Share of the largest terms of a sum by which rounding may move it, and the ray that it is held
-/// against: not much where terms are as large as the sum, but they cancel out in long thin cells,
-/// and far away from the origin.
+/// Share of the largest terms of a sum by which rounding may move it, and the ray that it is
+/// compared with: not much where terms are as large as the sum, but they cancel out in long thin
+/// cells, and far away from the origin.
 constexpr double Rounding = 64.0 * std::numeric_limits<double>::epsilon();
 
 /// Half the width in pixels of nodes that are projected as one box instead of leaf by leaf: such
@@ -61,14 +61,14 @@ class BoxProjector
 {
 public:
   /// \param cells along each axis, from which all boxes are
-  BoxProjector(const View& view, const Placement& placement, const glm::ivec2& tiles,
-    const glm::ivec3& cells, const FieldKind& kind)
-    : Seen(view)
+  BoxProjector(const TemporalCoherence::View& view, const IndexTransform& transform,
+    const glm::ivec2& tiles, const glm::ivec3& cells, const FieldKind& kind)
+    : View(view)
     , Tiles(tiles)
     , Kind(kind)
     , AreAlike(kind.AreBlocksAlike())
-    , ClipFromIndex(view.ClipFromWorld * placement.WorldFromIndex)
-    , WorldFromIndex(placement.WorldFromIndex)
+    , ClipFromIndex(view.ClipFromWorld * transform.WorldFromIndex)
+    , WorldFromIndex(transform.WorldFromIndex)
   {
     if (view.Parallel)
     {
@@ -110,7 +110,7 @@ public:
     {
       extent += box.Half[axis] * glm::abs(glm::dvec2(this->ClipFromIndex[axis]));
     }
-    const glm::dvec2 pixels = 0.5 * extent * glm::dvec2(this->Seen.Size);
+    const glm::dvec2 pixels = 0.5 * extent * glm::dvec2(this->View.Size);
     return pixels.x < SmallNode * w && pixels.y < SmallNode * w;
   }
 
@@ -123,9 +123,9 @@ public:
   void Widen(const Box& box, double radius, std::vector<Bounds>& bounds) const
   {
     const glm::dvec3 world(this->WorldFromIndex * glm::dvec4(box.Centre, 1.0));
-    const double distance = this->Seen.Parallel
-      ? glm::dot(this->ParallelDepth, world - this->Seen.Position)
-      : glm::length(world - this->Seen.Position);
+    const double distance = this->View.Parallel
+      ? glm::dot(this->ParallelDepth, world - this->View.Position)
+      : glm::length(world - this->View.Position);
     const double slack = Slack * std::abs(distance) + Slack * radius + this->DistanceError;
     const float near = Below(distance - radius - slack);
     const float far = -Below(-(distance + radius + slack));
@@ -174,7 +174,7 @@ public:
     const glm::dvec2 farthest = glm::max(glm::abs(low), glm::abs(high));
     const glm::dvec2 error =
       (glm::dvec2(this->ClipError) + farthest * this->ClipError.w) / (nearest - this->ClipError.w);
-    const glm::dvec2 scale = 0.5 * glm::dvec2(this->Seen.Size);
+    const glm::dvec2 scale = 0.5 * glm::dvec2(this->View.Size);
     const glm::dvec2 margin = Margin + scale * error;
     const glm::dvec2 lowPixel = (low + 1.0) * scale - margin;
     const glm::dvec2 highPixel = (high + 1.0) * scale + margin;
@@ -182,14 +182,14 @@ public:
     {
       return true;
     }
-    if (lowPixel.x >= this->Seen.Size.x || lowPixel.y >= this->Seen.Size.y || highPixel.x < 0.0 ||
+    if (lowPixel.x >= this->View.Size.x || lowPixel.y >= this->View.Size.y || highPixel.x < 0.0 ||
       highPixel.y < 0.0)
     {
       return false;
     }
     first = glm::ivec2(glm::max(lowPixel, glm::dvec2(0.0))) >> TileBits;
     last = glm::min(
-      glm::ivec2(glm::min(highPixel, glm::dvec2(this->Seen.Size))) >> TileBits, this->Tiles - 1);
+      glm::ivec2(glm::min(highPixel, glm::dvec2(this->View.Size))) >> TileBits, this->Tiles - 1);
     return true;
   }
 
@@ -203,8 +203,8 @@ private:
         glm::abs(matrix[0]), glm::abs(matrix[1]), glm::abs(matrix[2]), glm::abs(matrix[3]));
     };
     const glm::dvec4 world = sizes(this->WorldFromIndex) * cells;
-    this->ClipError = Rounding * (sizes(this->Seen.ClipFromWorld) * world);
-    const glm::dvec3 reach = glm::dvec3(world) + glm::abs(this->Seen.Position);
+    this->ClipError = Rounding * (sizes(this->View.ClipFromWorld) * world);
+    const glm::dvec3 reach = glm::dvec3(world) + glm::abs(this->View.Position);
     this->DistanceError = Rounding * this->PerRadius * (reach.x + reach.y + reach.z) +
       static_cast<double>(std::numeric_limits<float>::min());
   }
@@ -218,7 +218,7 @@ private:
                               : -std::numeric_limits<float>::infinity();
   }
 
-  const View& Seen;
+  const TemporalCoherence::View& View;
   glm::ivec2 Tiles;
   const FieldKind& Kind;
   bool AreAlike; ///< all leaves, in size
@@ -256,7 +256,7 @@ void WidenByNode(const BoxProjector& projector, const glm::ivec3& firstCell, std
 
 }
 
-std::vector<std::uint8_t> FindTiles(const View& view, const Placement& placement,
+std::vector<std::uint8_t> FindTiles(const View& view, const IndexTransform& transform,
   const std::vector<CellBox>& boxes, const FieldKind& kind)
 {
   const glm::ivec2 tiles = TilesOf(view.Size);
@@ -265,7 +265,7 @@ std::vector<std::uint8_t> FindTiles(const View& view, const Placement& placement
   {
     cells = glm::max(cells, box.First + box.Size);
   }
-  const BoxProjector projector(view, placement, tiles, cells, kind);
+  const BoxProjector projector(view, transform, tiles, cells, kind);
   std::vector<std::uint8_t> touched(static_cast<std::size_t>(NumberOfTiles(view.Size)), 0);
   for (const CellBox& box : boxes)
   {
@@ -281,8 +281,8 @@ std::vector<std::uint8_t> FindTiles(const View& view, const Placement& placement
   return touched;
 }
 
-void TileBounds::Build(
-  const View& view, const Placement& placement, const ActiveCells& active, const FieldKind& kind)
+void TileBounds::Build(const View& view, const IndexTransform& transform, const ActiveCells& active,
+  const FieldKind& kind)
 {
   this->Size = TilesOf(view.Size);
   const std::size_t tiles =
@@ -296,7 +296,7 @@ void TileBounds::Build(
 
   const glm::ivec3 nodes = active.NodeDimensions();
   const BoxProjector projector(
-    view, placement, this->Size, ValueRangePyramid::NodeSize * nodes, kind);
+    view, transform, this->Size, ValueRangePyramid::NodeSize * nodes, kind);
   const std::int64_t count = static_cast<std::int64_t>(nodes.x) * nodes.y * nodes.z;
   ParallelFor(NumberOfParts, 1,
     [&](std::int64_t part)

@@ -19,7 +19,7 @@ namespace TemporalCoherence
 /// 1 for each tile of a view through which a ray may pass one of the boxes of cells, else 0.
 /// \param kind of the field
 /// \throws std::bad_alloc
-std::vector<std::uint8_t> FindTiles(const View& view, const Placement& placement,
+std::vector<std::uint8_t> FindTiles(const View& view, const IndexTransform& transform,
   const std::vector<CellBox>& boxes, const FieldKind& kind);
 
 /// For each tile of 8 x 8 pixels, the distances between which all active leaves seen through it
@@ -43,8 +43,8 @@ public:
 
   /// \param kind of the field
   /// \throws std::bad_alloc, the bounds then being unusable
-  void Build(
-    const View& view, const Placement& placement, const ActiveCells& active, const FieldKind& kind);
+  void Build(const View& view, const IndexTransform& transform, const ActiveCells& active,
+    const FieldKind& kind);
 
   const glm::ivec2& Tiles() const { return this->Size; }
   const Bounds& At(std::int64_t tile) const { return this->All[static_cast<std::size_t>(tile)]; }

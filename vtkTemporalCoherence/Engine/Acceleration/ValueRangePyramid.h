@@ -3,8 +3,8 @@
 #ifndef TemporalCoherence_ValueRangePyramid_h
 #define TemporalCoherence_ValueRangePyramid_h
 
+#include "Scene/DefaultInitAllocator.h"
 #include "Scene/Field.h"
-#include "Scene/RoomAllocator.h"
 
 #include <cstddef>
 #include <limits>
@@ -100,7 +100,7 @@ public:
 private:
   void BuildFromKind(const Field& field);
 
-  using Room = std::vector<std::byte, RoomAllocator<std::byte>>;
+  using Room = std::vector<std::byte, DefaultInitAllocator<std::byte>>;
 
   Room Bytes; ///< the leaves of all nodes, and then the nodes
   glm::ivec3 Nodes{ 0 };

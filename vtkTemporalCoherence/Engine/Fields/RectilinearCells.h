@@ -71,11 +71,11 @@ struct RectilinearRay
   const GridCoordinates& Grid;
 };
 
-/// The part of a ray in one cell of a rectilinear field: where it enters and leaves, and the path
-/// between in the cell's own coordinates (Passage.h).
-struct RectilinearPassage
+/// The segment of a ray in one cell of a rectilinear field: where it enters and leaves, and the
+/// path between in the cell's own coordinates (CellSegment.h).
+struct RectilinearSegment
 {
-  RectilinearPassage(const RectilinearRay& ray, const glm::ivec3& cell)
+  RectilinearSegment(const RectilinearRay& ray, const glm::ivec3& cell)
     : Enter(ray.Rays.Begin[ray.Ray])
     , Leave(ray.Rays.End[ray.Ray])
   {
@@ -167,22 +167,22 @@ struct RectilinearCells
     return { rays, ray, this->Grid };
   }
 
-  /// The part of a ray in one cell.
-  struct Part
+  /// The segment of a ray in one cell.
+  struct Segment
   {
-    Part(const RectilinearRay& ray, const glm::ivec3& cell)
+    Segment(const RectilinearRay& ray, const glm::ivec3& cell)
       : Line(ray)
       , Cell(cell)
-      , Passed(ray, cell)
+      , Inner(ray, cell)
     {
     }
 
-    bool HasLength() const { return this->Passed.HasLength(); }
-    double Enter() const { return this->Passed.Enter; }
-    double Leave() const { return this->Passed.Leave; }
-    double DistanceAt(double share) const { return this->Passed.DistanceAt(share); }
-    const CellPath<double>& Path() const { return this->Passed.Path; }
-    NearestPath Nearest() const { return this->Passed.Nearest(); }
+    bool HasLength() const { return this->Inner.HasLength(); }
+    double Enter() const { return this->Inner.Enter; }
+    double Leave() const { return this->Inner.Leave; }
+    double DistanceAt(double share) const { return this->Inner.DistanceAt(share); }
+    const CellPath<double>& Path() const { return this->Inner.Path; }
+    NearestPath Nearest() const { return this->Inner.Nearest(); }
     bool ComesFrom(const HiddenCells& hidden) const
     {
       return this->HasLength() && ComesFromHidden(this->Line, this->Cell, this->Enter(), hidden);
@@ -191,7 +191,7 @@ struct RectilinearCells
   private:
     RectilinearRay Line;
     glm::ivec3 Cell;
-    RectilinearPassage Passed;
+    RectilinearSegment Inner;
   };
 
   const GridCoordinates& Grid;

@@ -15,12 +15,12 @@ namespace
 {
 
 // What a smooth surface is, in voxels of depth: neighbours leave the plane through the pixel by at
-// most LargestBend, and the surface is at most FarthestContact behind the first active cell. It is
+// most LargestBend, and the surface is at most LargestGap behind the first active cell. It is
 // taken to be SmoothMargin nearer; at edges, EdgeMargin. Measured by `Benchmark --scenarios
 // image-cache`: smaller margins gain little and double the errors (Documentation/Tried.md, "The
 // image cache").
 constexpr double LargestBend = 0.25;
-constexpr double FarthestContact = 2.0;
+constexpr double LargestGap = 2.0;
 constexpr double SmoothMargin = 0.125;
 constexpr double EdgeMargin = 1.5;
 
@@ -72,9 +72,9 @@ void HideUnlessEntered(const Frame& frame, const PixelRect& part, GuardTile& til
   VisitAround(frame, part,
     [&](std::size_t at, std::size_t pixel)
     {
-      if (frame.Kinds[pixel] != HitKind::Enters)
+      if (frame.Kinds[pixel] != HitKind::Entry)
       {
-        tile.Contact[at] = NearerThanAll;
+        tile.FirstEntry[at] = NearerThanAll;
         tile.Fine[at] = std::numeric_limits<float>::infinity();
       }
     });
@@ -87,7 +87,7 @@ void GatherFine(const Frame& frame, const PixelRect& part, float fine, Around& f
   VisitAround(frame, part,
     [&](std::size_t at, std::size_t pixel)
     {
-      if (frame.Kinds[pixel] == HitKind::Leaves || frame.Kinds[pixel] == HitKind::Within)
+      if (frame.Kinds[pixel] == HitKind::Exit || frame.Kinds[pixel] == HitKind::Within)
       {
         fines[at] = std::numeric_limits<float>::infinity();
       }
@@ -128,7 +128,7 @@ GuardRule RuleFor(const View& view, const FreeSpace::Options& options)
   rule.EdgeMargin = static_cast<float>(EdgeMargin * options.Voxel);
   rule.SmoothMargin = static_cast<float>(SmoothMargin * options.Bend);
   rule.LargestBend = static_cast<float>(LargestBend * options.Bend);
-  rule.FarthestContact = static_cast<float>(FarthestContact * options.Bend);
+  rule.LargestGap = static_cast<float>(LargestGap * options.Bend);
   rule.Spacing = static_cast<float>(options.Spacing);
   rule.Farthest = FiniteDisparityOf(options.FarthestDepth, view.Parallel);
   return rule;
@@ -172,7 +172,7 @@ void FreeSpace::Make(const Frame& frame, const View& view, const Options& option
       else
       {
         GatherAround(frame, frame.Disparities, part, miss, tile.Surface);
-        GatherAround(frame, frame.Contacts, part, miss, tile.Contact);
+        GatherAround(frame, frame.FirstEntries, part, miss, tile.FirstEntry);
         GatherFine(frame, part, fine, tile.Fine);
         if (options.OnlyEntered)
         {

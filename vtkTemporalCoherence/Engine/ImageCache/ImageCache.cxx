@@ -14,7 +14,7 @@ bool CanServe(const FrameKey& cached, const FrameKey& next)
   // pixels of a picture of another size hides too much.
   const FrameChange change = CompareFrames(cached, next);
   return !change.Data && (!change.Surfaces || (change.Raised && AreHitsOrdered(next))) &&
-    cached.Seen.Size == next.Seen.Size;
+    cached.View.Size == next.View.Size;
 }
 
 std::shared_ptr<CachedImage> ImageCache::Find(
@@ -96,8 +96,8 @@ bool ImageCache::Holds(const std::shared_ptr<CachedImage>& image) const
 double DistanceOfViews(const FrameKey& a, const FrameKey& b)
 {
   constexpr double Across = 2.0; // of the picture, in normalised device coordinates
-  const glm::dmat4 toA = a.Seen.ClipFromWorld * a.Where.WorldFromIndex;
-  const glm::dmat4 toB = b.Seen.ClipFromWorld * b.Where.WorldFromIndex;
+  const glm::dmat4 toA = a.View.ClipFromWorld * a.Transform.WorldFromIndex;
+  const glm::dmat4 toB = b.View.ClipFromWorld * b.Transform.WorldFromIndex;
   const glm::dvec3 half = 0.5 * glm::dvec3(a.Samples.Dimensions - 1);
   double sum = 0.0;
   int points = 0;

@@ -21,7 +21,7 @@ struct CachedImage
   FrameKey Key;
   Frame Picture;
   bool IsExact = true;   ///< it is the cold picture of its key, to the last bit
-  bool IsEroded = false; ///< made with PAPER, or with a tolerance: contacts are not proven
+  bool IsEroded = false; ///< made with PAPER, or with a tolerance: first entries are not proven
   FreeSpace Free;        ///< made when first asked for
 };
 

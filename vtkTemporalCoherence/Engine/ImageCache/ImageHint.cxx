@@ -50,7 +50,7 @@ bool ImageHint::IsWrong(const KnownRays& known, const HitBatch& hits, std::size_
   {
     case HitKind::None:
       return known.Answers[ray] == Answer::DefiniteHit;
-    case HitKind::Leaves:
+    case HitKind::Exit:
       return this->IsSolid || !this->Query.IsSeenFromInside(known.Pixel[ray]);
     default:
       return false;

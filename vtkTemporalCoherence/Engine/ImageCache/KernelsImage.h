@@ -12,13 +12,13 @@
 namespace TemporalCoherence
 {
 
-/// Disparities of surfaces and contacts around a tile, with one pixel more on all sides, and the
-/// guard that is made of them.
+/// Disparities of surfaces and first entries around a tile, with one pixel more on all sides, and
+/// the guard that is made of them.
 struct GuardTile
 {
   static constexpr int Width = TileSize + 2;
 
-  std::array<float, Width * Width> Surface, Contact;
+  std::array<float, Width * Width> Surface, FirstEntry;
   std::array<float, Width * Width> Fine; ///< from which on the surface alone tells what is free
   std::array<float, TileSize * TileSize> Guard; ///< found
 };
@@ -27,12 +27,12 @@ struct GuardTile
 struct GuardRule
 {
   bool IsParallel = false;
-  float EdgeMargin = 0.0f;      ///< by which surfaces at edges are taken to be nearer
-  float SmoothMargin = 0.0f;    ///< the same for smooth surfaces
-  float LargestBend = 0.0f;     ///< by which neighbours of a smooth surface leave its plane
-  float FarthestContact = 0.0f; ///< of a surface behind its first contact, met at a right angle
-  float Spacing = 0.0f;         ///< of pixels; for a perspective at depth 1
-  float Farthest = 0.0f;        ///< disparity below which nothing is known
+  float EdgeMargin = 0.0f;   ///< by which surfaces at edges are taken to be nearer
+  float SmoothMargin = 0.0f; ///< the same for smooth surfaces
+  float LargestBend = 0.0f;  ///< by which neighbours of a smooth surface leave its plane
+  float LargestGap = 0.0f;   ///< of a surface behind its first entry, met at a right angle
+  float Spacing = 0.0f;      ///< of pixels; for a perspective at depth 1
+  float Farthest = 0.0f;     ///< disparity below which nothing is known
 };
 void MakeGuard(const GuardRule& rule, GuardTile& tile);
 
@@ -40,7 +40,7 @@ void MakeGuard(const GuardRule& rule, GuardTile& tile);
 enum class PathKind : std::uint8_t
 {
   Unknown, ///< its beginning is not in what the image shows
-  Cut,     ///< its end is not
+  Clipped, ///< its end is not
   Whole
 };
 

@@ -29,7 +29,7 @@ struct BandScene
   ValueBand Band;
   SurfaceMode Mode = SurfaceMode::Crossing;
   KnotForm Form{};
-  Placement Where{}; ///< for normals
+  IndexTransform Transform{}; ///< for normals
   /// Bytes of knots after which a tile is given up: they are too many for the whole band.
   std::size_t MemoryLimit = std::numeric_limits<std::size_t>::max();
 };

@@ -56,7 +56,8 @@ public:
       this->TakeNote(progress);
       progress.Live.Keep([&](std::size_t ray) { return !progress.IsDone(ray); });
     }
-    progress.Knots.HandOver(this->Scene.Samples, this->Scene.FiniteRange, this->Scene.Where, knots);
+    progress.Knots.HandOver(
+      this->Scene.Samples, this->Scene.FiniteRange, this->Scene.Transform, knots);
     if (progress.HasEntries)
     {
       knots.Entries.assign(progress.Entries.begin(), progress.Entries.begin() + rays.Count);
@@ -68,7 +69,7 @@ private:
   static constexpr Real Infinity = std::numeric_limits<Real>::infinity();
   static constexpr std::size_t Rising = 0, Falling = 1;
 
-  /// How far a ray has come through the band on one course.
+  /// How far a ray has come through the band in one direction.
   struct Reach
   {
     Real Path = -Infinity;   ///< progress of the field along the ray
@@ -77,10 +78,10 @@ private:
     bool IsDone = false;
   };
 
-  /// A cell as the two courses see it: progress of its samples.
+  /// A cell as the two directions see it: progress of its samples.
   struct CellReach
   {
-    std::array<Real, NumberOfCourses> Corner;
+    std::array<Real, NumberOfDirections> Corner;
     Real Error;    ///< how far two ways to compute a value of the field may differ
     bool IsFinite; ///< all its samples are
   };
@@ -104,15 +105,15 @@ private:
     const RayBatch& Rays;
     LiveRays Live;
 
-    std::array<std::array<Reach, RayBatch::Capacity>, NumberOfCourses> Reached;
+    std::array<std::array<Reach, RayBatch::Capacity>, NumberOfDirections> Reached;
     RayBatch::Array<bool> HasEntered; ///< where the ray begins is known
     RayBatch::Array<float> Entries;
     bool HasEntries = false; ///< some ray begins in the band or above
 
-    PassageBatch<Real> Passages; ///< through the cells to be measured
+    SegmentBatch<Real> Segments; ///< through the cells to be measured
     RangeBatch<Real> Ranges;
-    std::array<CellReach, RayBatch::Capacity> Corners; ///< of each passage
-    std::array<std::size_t, RayBatch::Capacity> Owner; ///< ray of each passage
+    std::array<CellReach, RayBatch::Capacity> Corners; ///< of each segment
+    std::array<std::size_t, RayBatch::Capacity> Owner; ///< ray of each segment
 
     KnotCollector Knots;
     std::int64_t CellsRead = 0;
@@ -205,8 +206,8 @@ private:
   void Append(std::size_t ray, const glm::ivec3& cell, const Corners<Real>& corners,
     const CellReach& reach, Progress& progress) const
   {
-    const auto at = static_cast<std::size_t>(progress.Passages.Count);
-    AppendPassage(progress.Rays, ray, cell, corners, progress.Passages);
+    const auto at = static_cast<std::size_t>(progress.Segments.Count);
+    AppendSegment(progress.Rays, ray, cell, corners, progress.Segments);
     progress.Owner[at] = ray;
     progress.Corners[at] = reach;
   }
@@ -215,48 +216,49 @@ private:
   {
     if constexpr (!Geometry::HasKernels)
     {
-      for (std::size_t i = 0; i < static_cast<std::size_t>(progress.Passages.Count); ++i)
+      for (std::size_t i = 0; i < static_cast<std::size_t>(progress.Segments.Count); ++i)
       {
         this->MeasureOne(i, progress);
       }
     }
     else if constexpr (Between == Interpolation::Linear)
     {
-      FindRanges(progress.Passages, progress.Ranges);
+      FindRanges(progress.Segments, progress.Ranges);
     }
     else
     {
-      FindNearestRanges(progress.Passages, progress.Ranges);
+      FindNearestRanges(progress.Segments, progress.Ranges);
     }
   }
 
-  /// FindRanges and FindNearestRanges, for one passage.
+  /// FindRanges and FindNearestRanges, for one segment.
   void MeasureOne(std::size_t i, Progress& progress) const
   {
-    PassageBatch<Real>& passages = progress.Passages;
+    SegmentBatch<Real>& segments = progress.Segments;
     RangeBatch<Real>& ranges = progress.Ranges;
-    const glm::ivec3 cell(passages.Cell[0][i], passages.Cell[1][i], passages.Cell[2][i]);
-    const typename Geometry::Part part(this->Shape.RayOf(progress.Rays, progress.Owner[i]), cell);
+    const glm::ivec3 cell(segments.Cell[0][i], segments.Cell[1][i], segments.Cell[2][i]);
+    const typename Geometry::Segment segment(
+      this->Shape.RayOf(progress.Rays, progress.Owner[i]), cell);
     Corners<Real> corners;
     for (std::size_t corner = 0; corner < 8; ++corner)
     {
-      corners[corner] = passages.Corners[corner][i];
+      corners[corner] = segments.Corners[corner][i];
     }
-    passages.Enter[i] = part.Enter();
-    ranges.Leave[i] = part.Leave();
+    segments.Enter[i] = segment.Enter();
+    ranges.Leave[i] = segment.Leave();
     Cubic<Real> cubic;
     if constexpr (Between == Interpolation::Linear)
     {
-      cubic = CubicAlong(corners, part.Path());
+      cubic = CubicAlong(corners, segment.Path());
       const std::array<Real, 2> range = RangeOf(cubic);
       ranges.Lowest[i] = range[0];
       ranges.Highest[i] = range[1];
     }
     else
     {
-      const NearestPath path = part.HasLength()
-        ? part.Nearest()
-        : NearestPath{ { NearestCorner(part.Path().Begin) }, {}, 1 };
+      const NearestPath path = segment.HasLength()
+        ? segment.Nearest()
+        : NearestPath{ { NearestCorner(segment.Path().Begin) }, {}, 1 };
       const Real begin = corners[path.Corners[0]], end = corners[path.Corners[path.Count - 1]];
       cubic = { begin, begin, end, end };
       ranges.Lowest[i] = ranges.Highest[i] = begin;
@@ -272,33 +274,33 @@ private:
     }
   }
 
-  /// Bring rays on by what was measured in their passages.
+  /// Bring rays on by what was measured in their segments.
   void TakeNote(Progress& progress) const
   {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(progress.Passages.Count); ++i)
+    for (std::size_t i = 0; i < static_cast<std::size_t>(progress.Segments.Count); ++i)
     {
       const std::size_t ray = progress.Owner[i];
       if (!progress.HasEntered[ray])
       {
         this->EnterBy(i, ray, progress);
       }
-      const bool isTouched = !(progress.Passages.Enter[i] < progress.Ranges.Leave[i]);
+      const bool isTouched = !(progress.Segments.Enter[i] < progress.Ranges.Leave[i]);
       const CellReach& cell = progress.Corners[i];
-      const std::array<Real, NumberOfCourses> path = { progress.Ranges.Highest[i],
+      const std::array<Real, NumberOfDirections> path = { progress.Ranges.Highest[i],
         this->Span - progress.Ranges.Lowest[i] };
-      for (std::size_t course = 0; course < NumberOfCourses; ++course)
+      for (std::size_t direction = 0; direction < NumberOfDirections; ++direction)
       {
-        Reach& reached = progress.Reached[course][ray];
+        Reach& reached = progress.Reached[direction][ray];
         if (reached.IsDone)
         {
           continue;
         }
-        const Real corner = cell.Corner[course];
-        this->BringOn(isTouched ? -Infinity : (cell.IsFinite ? path[course] : corner), corner,
+        const Real corner = cell.Corner[direction];
+        this->BringOn(isTouched ? -Infinity : (cell.IsFinite ? path[direction] : corner), corner,
           cell.Error, reached);
         if (!progress.Knots.IsFitted())
         {
-          this->NoteCell(course, i, ray, reached, progress);
+          this->NoteCell(direction, i, ray, reached, progress);
         }
         else if (!cell.IsFinite)
         {
@@ -307,15 +309,15 @@ private:
         }
         else if (!isTouched)
         {
-          progress.Knots.Follow(course, ray, this->CubicOf(course, i, progress),
-            progress.Passages.Enter[i], progress.Ranges.Leave[i]);
+          progress.Knots.Follow(direction, ray, this->CubicOf(direction, i, progress),
+            progress.Segments.Enter[i], progress.Ranges.Leave[i]);
         }
       }
     }
-    progress.Passages.Count = 0;
+    progress.Segments.Count = 0;
   }
 
-  /// A ray begins in passage i. What is not finite there is another value for each isovalue.
+  /// A ray begins in segment i. What is not finite there is another value for each isovalue.
   void EnterBy(std::size_t i, std::size_t ray, Progress& progress) const
   {
     this->Enter(ray, progress.Ranges.Cubic[0][i], progress.Corners[i].Error, progress);
@@ -346,9 +348,9 @@ private:
     reached.IsDone = reached.Path + error > this->Span;
   }
 
-  /// Keep the cell of passage i as a knot if it brought the ray on.
+  /// Keep the cell of segment i as a knot if it brought the ray on.
   void NoteCell(
-    std::size_t course, std::size_t i, std::size_t ray, Reach& reached, Progress& progress) const
+    std::size_t direction, std::size_t i, std::size_t ray, Reach& reached, Progress& progress) const
   {
     const double error = static_cast<double>(progress.Corners[i].Error);
     const BandScale::Key path = this->Scale.KeyOf(static_cast<double>(reached.Path) + error);
@@ -363,32 +365,32 @@ private:
       CellIndex cell;
       for (std::size_t a = 0; a < 3; ++a)
       {
-        cell[a] = static_cast<std::uint16_t>(progress.Passages.Cell[a][i]);
+        cell[a] = static_cast<std::uint16_t>(progress.Segments.Cell[a][i]);
       }
       const double farthest =
-        this->Scene.Form.HasNormals ? this->FarthestAt(course, i, progress) : 0.0;
-      const double distance = isFirst ? 0.5 * (progress.Passages.Enter[i] + farthest) : farthest;
-      progress.Knots.AddCell(course, ray, path, corner, cell, distance);
+        this->Scene.Form.HasNormals ? this->FarthestAt(direction, i, progress) : 0.0;
+      const double distance = isFirst ? 0.5 * (progress.Segments.Enter[i] + farthest) : farthest;
+      progress.Knots.AddCell(direction, ray, path, corner, cell, distance);
     }
   }
 
-  /// Progress along passage i, which is rising on its course.
-  Cubic<double> CubicOf(std::size_t course, std::size_t i, const Progress& progress) const
+  /// Progress along segment i, which is rising in its direction.
+  Cubic<double> CubicOf(std::size_t direction, std::size_t i, const Progress& progress) const
   {
     Cubic<double> cubic;
     for (std::size_t c = 0; c < 4; ++c)
     {
       cubic[c] = this->Scale.Progress(
-        static_cast<Course>(course), static_cast<double>(progress.Ranges.Cubic[c][i]));
+        static_cast<ValueDirection>(direction), static_cast<double>(progress.Ranges.Cubic[c][i]));
     }
     return cubic;
   }
 
-  /// Distance at which the field comes farthest in passage i.
-  double FarthestAt(std::size_t course, std::size_t i, const Progress& progress) const
+  /// Distance at which the field comes farthest in segment i.
+  double FarthestAt(std::size_t direction, std::size_t i, const Progress& progress) const
   {
-    const double enter = progress.Passages.Enter[i], leave = progress.Ranges.Leave[i];
-    const Cubic<double> cubic = this->CubicOf(course, i, progress);
+    const double enter = progress.Segments.Enter[i], leave = progress.Ranges.Leave[i];
+    const Cubic<double> cubic = this->CubicOf(direction, i, progress);
     double farthest = cubic[3] >= cubic[0] ? 1.0 : 0.0;
     if constexpr (Between == Interpolation::Linear)
     {
@@ -427,13 +429,13 @@ private:
         this->Append(ray, cell, corners, reach, progress);
       }
     }
-    progress.CellsRead += progress.Passages.Count;
+    progress.CellsRead += progress.Segments.Count;
     this->Measure(progress);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(progress.Passages.Count); ++i)
+    for (std::size_t i = 0; i < static_cast<std::size_t>(progress.Segments.Count); ++i)
     {
       this->EnterBy(i, progress.Owner[i], progress);
     }
-    progress.Passages.Count = 0;
+    progress.Segments.Count = 0;
   }
 
   BandScene Scene;

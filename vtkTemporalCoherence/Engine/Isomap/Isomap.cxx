@@ -34,14 +34,14 @@ constexpr float NotInBand = -std::numeric_limits<float>::infinity();
 void NarrowByCells(
   const TileKnots& knots, const BandScale& scale, const FieldKind& kind, RayBatch& rays)
 {
-  const CellKnots& table = knots.Cells[static_cast<std::size_t>(Course::Rising)];
+  const CellKnots& table = knots.Cells[static_cast<std::size_t>(ValueDirection::Rising)];
   const BandScale::Key end = scale.KeyOf(scale.Span);
   CellList cells;
   for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count) && !table.IsEmpty(); ++i)
   {
     const bool beginsBelow = knots.Entries.empty() || knots.Entries[i] == NotInBand;
     const std::size_t first = table.Begin(i), last = table.Begin(i + 1);
-    if (!beginsBelow || first == last || (knots.Untold >> i & 1u))
+    if (!beginsBelow || first == last || (knots.Unresolved >> i & 1u))
     {
       continue;
     }
@@ -66,13 +66,13 @@ void NarrowByCells(
 /// The same by fitted knots.
 void NarrowByFit(const TileKnots& knots, const BandScale& scale, double tolerance, RayBatch& rays)
 {
-  const FittedKnots& table = knots.Fitted[static_cast<std::size_t>(Course::Rising)];
+  const FittedKnots& table = knots.Fitted[static_cast<std::size_t>(ValueDirection::Rising)];
   const float span = scale.Stored(scale.Span) - 2.0f * static_cast<float>(BandScale::StoredError);
   for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count) && !table.IsEmpty(); ++i)
   {
     const bool beginsBelow = knots.Entries.empty() || knots.Entries[i] == NotInBand;
     const std::size_t first = table.Begin(i), last = table.Begin(i + 1);
-    if (!beginsBelow || first == last || (knots.Untold >> i & 1u))
+    if (!beginsBelow || first == last || (knots.Unresolved >> i & 1u))
     {
       continue;
     }
@@ -98,9 +98,9 @@ bool Isomap::CanHold(const Field& field)
     glm::all(glm::lessThanEqual(field.Dimensions, glm::ivec3(largest)));
 }
 
-double Isomap::SmallestTolerance(const Field& field, const Placement& where)
+double Isomap::SmallestTolerance(const Field& field, const IndexTransform& transform)
 {
-  const glm::dmat3 edges(where.WorldFromIndex);
+  const glm::dmat3 edges(transform.WorldFromIndex);
   const glm::dvec3 cells(field.Dimensions - 1);
   double longest = 0.0;
   for (const glm::dvec3 side : { glm::dvec3(1.0, 1.0, 1.0), glm::dvec3(-1.0, 1.0, 1.0),
@@ -110,7 +110,7 @@ double Isomap::SmallestTolerance(const Field& field, const Placement& where)
   }
   constexpr double rounding = 0.5 * std::numeric_limits<float>::epsilon();
   const double kept = rounding * longest / (1.0 - FitShare);
-  return std::max(FinestTolerance, kept / field.Kind->VoxelSizeIn(where).Shortest);
+  return std::max(FinestTolerance, kept / field.Kind->VoxelSizeIn(transform).Shortest);
 }
 
 KnotForm Isomap::FormFor(const FrameKey& key, const Options& options)
@@ -118,16 +118,17 @@ KnotForm Isomap::FormFor(const FrameKey& key, const Options& options)
   // Where the field is that of the nearest sample, distances are no curves to be fitted.
   // Nor where it may jump, behind hidden cells.
   const bool isFitted = key.Samples.Between == Interpolation::Linear && !key.Samples.Hidden &&
-    options.Tolerance > 0.0 && options.Tolerance >= SmallestTolerance(key.Samples, key.Where);
-  return { isFitted ? options.Tolerance * key.Samples.Kind->VoxelSizeIn(key.Where).Shortest : 0.0,
+    options.Tolerance > 0.0 && options.Tolerance >= SmallestTolerance(key.Samples, key.Transform);
+  return { isFitted ? options.Tolerance * key.Samples.Kind->VoxelSizeIn(key.Transform).Shortest
+                    : 0.0,
     options.HasNormals };
 }
 
 bool Isomap::IsOf(const FrameKey& key, const Options& options) const
 {
   return this->IsBegun && this->Form == FormFor(key, options) && this->Key.Samples == key.Samples &&
-    this->Key.Where == key.Where && this->Key.Kept == key.Kept && this->Key.Seen == key.Seen &&
-    this->Key.Sought.Mode == key.Sought.Mode;
+    this->Key.Transform == key.Transform && this->Key.Region == key.Region &&
+    this->Key.View == key.View && this->Key.Isosurfaces.Mode == key.Isosurfaces.Mode;
 }
 
 void Isomap::Begin(const FrameKey& key, const Options& options)
@@ -148,7 +149,7 @@ void Isomap::MoveTo(const Field& now, const Field& before)
 
 void Isomap::Release()
 {
-  this->Kept.clear();
+  this->BuiltBands.clear();
   this->IsBegun = false;
   this->Dropped = false;
 }
@@ -162,19 +163,19 @@ struct Isomap::BandSource
     , Form(map.Form)
     , FiniteRange(pyramid.FiniteRange())
     , From(start)
-    , Rays(map.Key.Seen, map.Key.Where, map.Key.Samples.Dimensions, map.Key.Kept)
+    , Rays(map.Key.View, map.Key.Transform, map.Key.Samples.Dimensions, map.Key.Region)
   {
-    this->Active.Build(map.Key.Samples, pyramid, band, map.Key.Sought.Mode);
-    this->Bounds.Build(map.Key.Seen, map.Key.Where, this->Active, *map.Key.Samples.Kind);
+    this->Active.Build(map.Key.Samples, pyramid, band, map.Key.Isosurfaces.Mode);
+    this->Bounds.Build(map.Key.View, map.Key.Transform, this->Active, *map.Key.Samples.Kind);
     this->Tracer = BandTracer::Make({ map.Key.Samples, pyramid.FiniteRange(), &pyramid,
-      &this->Active, band, map.Key.Sought.Mode, map.Form, map.Key.Where, memoryLimit });
+      &this->Active, band, map.Key.Isosurfaces.Mode, map.Form, map.Key.Transform, memoryLimit });
     // Otherwise what shows lower isovalues tells nothing of where higher ones can be.
     const bool areOrdered = AreHitsOrdered(map.Key);
-    for (const std::shared_ptr<Band>& kept : map.Kept)
+    for (const std::shared_ptr<Band>& built : map.BuiltBands)
     {
-      if (areOrdered && kept->Values.High == band.Low)
+      if (areOrdered && built->Values.High == band.Low)
       {
-        this->Underneath = kept;
+        this->Underneath = built;
       }
     }
     if (!areOrdered || !start.Picture || start.Isovalue > band.Low)
@@ -233,11 +234,11 @@ private:
   void TraceRays(std::int64_t tile, TileKnots& knots)
   {
     // A solid may be cut open where there is no active cell.
-    if (this->Key.Sought.Mode == SurfaceMode::Crossing && this->Bounds.At(tile).IsEmpty())
+    if (this->Key.Isosurfaces.Mode == SurfaceMode::Crossing && this->Bounds.At(tile).IsEmpty())
     {
       return;
     }
-    const PixelRect part = PixelsOfTile(this->Key.Seen.Size, tile);
+    const PixelRect part = PixelsOfTile(this->Key.View.Size, tile);
     RayBatch rays;
     this->Rays.SetUp(part.First, part.Size, rays);
     this->Bounds.Narrow(tile, rays);
@@ -250,7 +251,7 @@ private:
     }
     else if (this->From.Picture)
     {
-      BeginAtContacts(*this->From.Picture, this->Key.Seen.Parallel, rays);
+      BeginAtFirstEntries(*this->From.Picture, this->Key.View.Parallel, rays);
     }
     try
     {
@@ -293,7 +294,7 @@ std::size_t RoomFor(std::size_t limit, std::size_t taken)
 Isomap::Outcome Isomap::Build(const ValueBand& band, const ValueRangePyramid& pyramid,
   const Start& start, const Limits& limits, const ReportProgress& report)
 {
-  const std::int64_t tiles = NumberOfTiles(this->Key.Seen.Size);
+  const std::int64_t tiles = NumberOfTiles(this->Key.View.Size);
   const std::size_t fixed = static_cast<std::size_t>(tiles) * sizeof(TileKnots);
   if (!this->MakeRoom(fixed, limits.Memory))
   {
@@ -347,7 +348,7 @@ Isomap::Outcome Isomap::Build(const ValueBand& band, const ValueRangePyramid& py
   built->NumberOfKnots = source.Knots;
   built->CellsRead = source.Cells;
   built->LastUse = ++this->Uses;
-  this->Kept.push_back(built);
+  this->BuiltBands.push_back(built);
   return Outcome::Built;
 }
 
@@ -359,9 +360,9 @@ bool Isomap::MakeRoom(std::size_t bytes, std::size_t limit)
   {
     return false;
   }
-  while (!this->Kept.empty() && this->MemoryInBytes() + bytes > limit)
+  while (!this->BuiltBands.empty() && this->MemoryInBytes() + bytes > limit)
   {
-    this->Kept.erase(std::min_element(this->Kept.begin(), this->Kept.end(),
+    this->BuiltBands.erase(std::min_element(this->BuiltBands.begin(), this->BuiltBands.end(),
       [](const auto& a, const auto& b) { return a->LastUse < b->LastUse; }));
     this->Dropped = true;
   }
@@ -372,7 +373,7 @@ ValueBand Isomap::GapAround(double isovalue) const
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   ValueBand gap{ -infinity, infinity };
-  for (const auto& band : this->Kept)
+  for (const auto& band : this->BuiltBands)
   {
     if (band->Values.High < isovalue)
     {
@@ -388,7 +389,7 @@ ValueBand Isomap::GapAround(double isovalue) const
 
 const Isomap::Band* Isomap::Use(double isovalue)
 {
-  for (const std::shared_ptr<Band>& band : this->Kept)
+  for (const std::shared_ptr<Band>& band : this->BuiltBands)
   {
     if (band->Values.Holds(isovalue))
     {
@@ -404,7 +405,7 @@ bool Isomap::Covers(const std::vector<double>& isovalues) const
   return std::all_of(isovalues.begin(), isovalues.end(),
     [this](double isovalue)
     {
-      return std::any_of(this->Kept.begin(), this->Kept.end(),
+      return std::any_of(this->BuiltBands.begin(), this->BuiltBands.end(),
         [isovalue](const auto& band) { return band->Values.Holds(isovalue); });
     });
 }
@@ -412,7 +413,7 @@ bool Isomap::Covers(const std::vector<double>& isovalues) const
 std::size_t Isomap::MemoryInBytes() const
 {
   std::size_t bytes = 0;
-  for (const std::shared_ptr<Band>& band : this->Kept)
+  for (const std::shared_ptr<Band>& band : this->BuiltBands)
   {
     bytes += band->Memory;
   }
@@ -422,7 +423,7 @@ std::size_t Isomap::MemoryInBytes() const
 std::size_t Isomap::NumberOfKnots() const
 {
   std::size_t knots = 0;
-  for (const std::shared_ptr<Band>& band : this->Kept)
+  for (const std::shared_ptr<Band>& band : this->BuiltBands)
   {
     knots += band->NumberOfKnots;
   }

@@ -69,7 +69,7 @@ public:
   static constexpr double FinestTolerance = 1e-3;
 
   /// The same for the rays through a field.
-  static double SmallestTolerance(const Field& field, const Placement& where);
+  static double SmallestTolerance(const Field& field, const IndexTransform& transform);
 
   /// How the knots for a frame are kept.
   static KnotForm FormFor(const FrameKey& key, const Options& options);
@@ -116,7 +116,7 @@ public:
   /// True if there is a band for each isovalue.
   bool Covers(const std::vector<double>& isovalues) const;
 
-  const std::vector<std::shared_ptr<Band>>& Bands() const { return this->Kept; }
+  const std::vector<std::shared_ptr<Band>>& Bands() const { return this->BuiltBands; }
 
   /// True if a band was dropped because of the limit of memory.
   bool HasDropped() const { return this->Dropped; }
@@ -136,7 +136,7 @@ private:
   bool IsBegun = false;
   bool Dropped = false;
   std::uint64_t Uses = 0;
-  std::vector<std::shared_ptr<Band>> Kept;
+  std::vector<std::shared_ptr<Band>> BuiltBands;
 };
 
 }

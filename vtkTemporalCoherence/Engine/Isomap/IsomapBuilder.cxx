@@ -32,7 +32,7 @@ ValueBand RangeAskedFor(
 bool IsomapBuilder::CanBuild(const FrameKey& key, const Isomap::Options& options) const
 {
   const bool hasFailed = this->FailedLimit >= options.MemoryLimit && this->Map.IsOf(key, options);
-  return options.MemoryLimit > 0 && Isomap::CanHold(key.Samples) && key.Kept.IsConvex() &&
+  return options.MemoryLimit > 0 && Isomap::CanHold(key.Samples) && key.Region.IsConvex() &&
     !IsTooCoarse(key, options) && !hasFailed;
 }
 
@@ -51,12 +51,13 @@ Isomap::Outcome IsomapBuilder::Build(const FrameKey& key, const Isomap::Options&
     this->Leaves.Build(key.Samples, pyramid);
   }
   this->Cells = 0;
-  Context context{ options, last.Key.Sought.Isovalues, {}, pyramid, cold, report };
-  if (last.IsExact && this->Map.IsOf(last.Key, options) && last.Key.Sought.Isovalues.size() == 1)
+  Context context{ options, last.Key.Isosurfaces.Isovalues, {}, pyramid, cold, report };
+  if (last.IsExact && this->Map.IsOf(last.Key, options) &&
+    last.Key.Isosurfaces.Isovalues.size() == 1)
   {
-    context.Start = { &last.Picture, last.Key.Sought.Isovalues[0] };
+    context.Start = { &last.Picture, last.Key.Isosurfaces.Isovalues[0] };
   }
-  for (const double isovalue : key.Sought.Isovalues)
+  for (const double isovalue : key.Isosurfaces.Isovalues)
   {
     if (!this->Map.Use(isovalue))
     {
@@ -68,7 +69,7 @@ Isomap::Outcome IsomapBuilder::Build(const FrameKey& key, const Isomap::Options&
     }
   }
   // Room for one band may have been made by dropping another.
-  const bool fits = this->Map.Covers(key.Sought.Isovalues);
+  const bool fits = this->Map.Covers(key.Isosurfaces.Isovalues);
   this->FailedLimit = fits ? 0 : options.MemoryLimit;
   return fits ? Isomap::Outcome::Built : Isomap::Outcome::TooLarge;
 }
@@ -78,7 +79,7 @@ Isomap::Outcome IsomapBuilder::Build(const FrameKey& key, const Isomap::Options&
 std::int64_t IsomapBuilder::ColdCellsAt(double isovalue, const ColdFrame& cold) const
 {
   double before = 0.0;
-  for (const double old : cold.Sought.Isovalues)
+  for (const double old : cold.Isosurfaces.Isovalues)
   {
     before += this->Leaves.ShareOf({ old, old });
   }
@@ -141,7 +142,7 @@ BandPlan::Wish IsomapBuilder::WishFor(double isovalue, const std::vector<double>
 void IsomapBuilder::DropNarrowBands(
   const FrameKey& key, const Isomap::Options& options, const ValueRangePyramid& pyramid)
 {
-  const std::vector<double>& isovalues = key.Sought.Isovalues;
+  const std::vector<double>& isovalues = key.Isosurfaces.Isovalues;
   const bool isNarrow = this->Covers(key, options) &&
     std::any_of(isovalues.begin(), isovalues.end(),
       [&](double isovalue)
@@ -159,7 +160,7 @@ void IsomapBuilder::DropNarrowBands(
 std::vector<const Isomap::Band*> IsomapBuilder::BandsFor(const FrameKey& key)
 {
   std::vector<const Isomap::Band*> bands;
-  for (const double isovalue : key.Sought.Isovalues)
+  for (const double isovalue : key.Isosurfaces.Isovalues)
   {
     bands.push_back(this->Map.Use(isovalue));
   }

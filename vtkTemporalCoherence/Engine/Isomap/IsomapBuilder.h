@@ -28,7 +28,7 @@ public:
   /// True if there is a band for each isovalue of a frame.
   bool Covers(const FrameKey& key, const Isomap::Options& options) const
   {
-    return this->Map.IsOf(key, options) && this->Map.Covers(key.Sought.Isovalues) &&
+    return this->Map.IsOf(key, options) && this->Map.Covers(key.Isosurfaces.Isovalues) &&
       !IsTooCoarse(key, options);
   }
 
@@ -39,7 +39,7 @@ public:
   struct ColdFrame
   {
     std::int64_t CellsRead = 0;
-    Surfaces Sought;
+    Surfaces Isosurfaces;
   };
 
   /// Build the bands that a frame needs and that are not there.
@@ -89,7 +89,7 @@ private:
   /// True if surfaces behind those that are looked up could not be told from them.
   static bool IsTooCoarse(const FrameKey& key, const Isomap::Options& options)
   {
-    return Isomap::FormFor(key, options).Tolerance > 0.0 && key.Sought.IsTranslucent();
+    return Isomap::FormFor(key, options).Tolerance > 0.0 && key.Isosurfaces.IsTranslucent();
   }
 
   std::int64_t ColdCellsAt(double isovalue, const ColdFrame& cold) const;

@@ -42,35 +42,35 @@ public:
 
   /// The next cell in which a ray comes farther.
   /// \param distance at which it comes farthest there, for the normal
-  void AddCell(std::size_t course, std::size_t ray, BandScale::Key path, BandScale::Key corner,
+  void AddCell(std::size_t direction, std::size_t ray, BandScale::Key path, BandScale::Key corner,
     const CellIndex& cell, double distance);
 
   /// The next way of a ray through a cell, to be fitted.
   /// \param progress along the way from `enter` to `leave`, by Bernstein coefficients
-  void Follow(
-    std::size_t course, std::size_t ray, const Cubic<double>& progress, double enter, double leave);
+  void Follow(std::size_t direction, std::size_t ray, const Cubic<double>& progress, double enter,
+    double leave);
 
   /// What the knots so far will take, without normals.
   std::size_t MemoryInBytes() const
   {
     std::size_t bytes = 0;
-    for (std::size_t course = 0; course < NumberOfCourses; ++course)
+    for (std::size_t direction = 0; direction < NumberOfDirections; ++direction)
     {
-      bytes += this->Cells[course].size() * CellKnots::BytesPerRow +
-        this->Fitted[course].size() * FittedKnots::BytesPerRow;
+      bytes += this->Cells[direction].size() * CellKnots::BytesPerRow +
+        this->Fitted[direction].size() * FittedKnots::BytesPerRow;
     }
     return bytes;
   }
 
   /// Nothing can be told of a ray.
-  void GiveUp(std::size_t ray) { this->Untold |= std::uint64_t(1) << ray; }
+  void GiveUp(std::size_t ray) { this->Unresolved |= std::uint64_t(1) << ray; }
 
   /// Hand over all knots; the collector is of no use after that.
   /// \param field, finiteRange, where for normals: the field, its smallest and largest finite
   ///        sample, and where it lies
   /// \throws std::bad_alloc
-  void HandOver(
-    const Field& field, const glm::dvec2& finiteRange, const Placement& where, TileKnots& knots);
+  void HandOver(const Field& field, const glm::dvec2& finiteRange, const IndexTransform& transform,
+    TileKnots& knots);
 
 private:
   /// Where normals are wanted: distance along a ray, by knot.
@@ -80,19 +80,19 @@ private:
     float Distance;
   };
 
-  void AddKnot(std::size_t course, std::size_t ray, const Knot& knot);
+  void AddKnot(std::size_t direction, std::size_t ray, const Knot& knot);
   void FindNormals(const Place* places, std::size_t count, const Field& field,
-    const glm::dvec2& finiteRange, const Placement& where,
+    const glm::dvec2& finiteRange, const IndexTransform& transform,
     std::vector<KnotNormals::Row>& normals) const;
 
   const RayBatch& Rays;
   KnotForm Form;
   BandScale Scale;
-  std::array<std::vector<CellKnots::Row>, NumberOfCourses> Cells;
-  std::vector<KnotFit> Fits; ///< of each ray on each course
-  std::array<std::vector<FittedKnots::Row>, NumberOfCourses> Fitted;
-  std::array<std::vector<Place>, NumberOfCourses> Places;
-  std::uint64_t Untold = 0;
+  std::array<std::vector<CellKnots::Row>, NumberOfDirections> Cells;
+  std::vector<KnotFit> Fits; ///< of each ray in each direction
+  std::array<std::vector<FittedKnots::Row>, NumberOfDirections> Fitted;
+  std::array<std::vector<Place>, NumberOfDirections> Places;
+  std::uint64_t Unresolved = 0;
 };
 
 }

@@ -90,7 +90,7 @@ public:
     {
       emit(this->End);
     }
-    this->IsOpen = this->HasEnd = false;
+    this->HasPiece = this->HasEnd = false;
   }
 
 private:
@@ -103,20 +103,20 @@ private:
   {
     const Knot last = this->HasEnd ? this->End : this->First;
     const double slack = 1e-9 * std::abs(knot.Distance);
-    if (this->IsOpen && knot.Distance <= last.Distance + slack)
+    if (this->HasPiece && knot.Distance <= last.Distance + slack)
     {
       return;
     }
-    const Knot start{ this->IsOpen ? last.Progress : knot.Progress, knot.Distance };
+    const Knot start{ this->HasPiece ? last.Progress : knot.Progress, knot.Distance };
     this->Finish(emit);
     emit(start);
-    this->Open(start);
+    this->BeginPiece(start);
   }
 
-  void Open(const Knot& knot)
+  void BeginPiece(const Knot& knot)
   {
     this->First = knot;
-    this->IsOpen = true;
+    this->HasPiece = true;
     this->HasEnd = false;
     this->LowestSlope = -std::numeric_limits<double>::infinity();
     this->HighestSlope = std::numeric_limits<double>::infinity();
@@ -171,7 +171,7 @@ private:
     if (!isStraight && this->HasEnd)
     {
       emit(this->End);
-      this->Open(this->End);
+      this->BeginPiece(this->End);
       gained = knot.Progress - this->First.Progress;
     }
     if (gained > 0.0)
@@ -221,7 +221,7 @@ private:
   double Reached = 0.0; ///< highest progress so far
   Knot First{};         ///< of the present piece
   Knot End{};           ///< so far, if it has one
-  bool IsOpen = false, HasEnd = false;
+  bool HasPiece = false, HasEnd = false;
   double LowestSlope = 0.0, HighestSlope = 0.0; ///< of distance over progress
 };
 

@@ -18,7 +18,7 @@ struct FittedRay
   {
     return static_cast<std::size_t>(
       std::lower_bound(this->Progress + this->Begin, this->Progress + this->End, progress,
-        [](float knot, double sought) { return static_cast<double>(knot) < sought; }) -
+        [](float knot, double value) { return static_cast<double>(knot) < value; }) -
       this->Progress);
   }
 

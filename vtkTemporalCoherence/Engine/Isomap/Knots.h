@@ -18,15 +18,15 @@ namespace TemporalCoherence
 {
 
 /// Which way the field passes isovalues along a ray.
-enum class Course : std::uint8_t
+enum class ValueDirection : std::uint8_t
 {
   Rising, ///< from below to above; isovalues in ascending order, from the band's lowest
   Falling ///< from above to below; isovalues in descending order, from the band's highest
 };
-constexpr std::size_t NumberOfCourses = 2;
+constexpr std::size_t NumberOfDirections = 2;
 
-/// Progress through a band on a course: 0 at the first isovalue of the band, `Span` at the last. A
-/// ray that has come to progress p has passed all isovalues up to p.
+/// Progress through a band in a direction: 0 at the first isovalue of the band, `Span` at the last.
+/// A ray that has come to progress p has passed all isovalues up to p.
 struct BandScale
 {
   /// \param samples     type of the field's samples
@@ -46,9 +46,9 @@ struct BandScale
   }
 
   /// Progress at a difference from the band's lowest isovalue.
-  double Progress(Course course, double difference) const
+  double Progress(ValueDirection direction, double difference) const
   {
-    return course == Course::Rising ? difference : this->Span - difference;
+    return direction == ValueDirection::Rising ? difference : this->Span - difference;
   }
 
   using Key = std::uint16_t;
@@ -143,31 +143,31 @@ using PackedNormal = std::array<std::int16_t, 3>;
 using KnotNormals = RayTable<PackedNormal>;
 constexpr float LargestNormal = 32767.0f;
 
-/// What the rays of a tile know about the isovalues of a band, for each course.
+/// What the rays of a tile know about the isovalues of a band, for each direction.
 struct TileKnots
 {
-  std::array<CellKnots, NumberOfCourses> Cells;     ///< for exact look-ups
-  std::array<FittedKnots, NumberOfCourses> Fitted;  ///< or for those with a tolerance
-  std::array<KnotNormals, NumberOfCourses> Normals; ///< of the knots, if they are wanted
+  std::array<CellKnots, NumberOfDirections> Cells;     ///< for exact look-ups
+  std::array<FittedKnots, NumberOfDirections> Fitted;  ///< or for those with a tolerance
+  std::array<KnotNormals, NumberOfDirections> Normals; ///< of the knots, if they are wanted
 
   /// The field's difference from the band's lowest isovalue where the rays begin, as it is stored;
   /// -infinity where it is below the band. Empty: it is for all rays.
   std::vector<float> Entries;
 
   /// One bit for each ray of which nothing can be told: it meets samples that are not finite.
-  std::uint64_t Untold = 0;
+  std::uint64_t Unresolved = 0;
 
   bool IsEmpty() const
   {
-    return this->NumberOfKnots() == 0 && this->Entries.empty() && this->Untold == 0;
+    return this->NumberOfKnots() == 0 && this->Entries.empty() && this->Unresolved == 0;
   }
 
   std::size_t NumberOfKnots() const
   {
     std::size_t knots = 0;
-    for (std::size_t course = 0; course < NumberOfCourses; ++course)
+    for (std::size_t direction = 0; direction < NumberOfDirections; ++direction)
     {
-      knots += this->Cells[course].NumberOfRows() + this->Fitted[course].NumberOfRows();
+      knots += this->Cells[direction].NumberOfRows() + this->Fitted[direction].NumberOfRows();
     }
     return knots;
   }
@@ -175,10 +175,10 @@ struct TileKnots
   std::size_t MemoryInBytes() const
   {
     std::size_t bytes = this->Entries.capacity() * sizeof(float);
-    for (std::size_t course = 0; course < NumberOfCourses; ++course)
+    for (std::size_t direction = 0; direction < NumberOfDirections; ++direction)
     {
-      bytes += this->Cells[course].MemoryInBytes() + this->Fitted[course].MemoryInBytes() +
-        this->Normals[course].MemoryInBytes();
+      bytes += this->Cells[direction].MemoryInBytes() + this->Fitted[direction].MemoryInBytes() +
+        this->Normals[direction].MemoryInBytes();
     }
     return bytes;
   }

@@ -21,10 +21,10 @@ bool FrameRenderer::Render(
   const FrameKey& key, const Options& options, const ReportProgress& report)
 {
   FrameStatistics statistics;
-  statistics.Rays = static_cast<std::int64_t>(key.Seen.Size.x) * key.Seen.Size.y;
+  statistics.Rays = static_cast<std::int64_t>(key.View.Size.x) * key.View.Size.y;
   {
     Stopwatch watch(statistics.FrameTime);
-    FrameTask task{ key, options, this->Frames, this->Structures, statistics, report };
+    FrameTask task{ key, options, this->Store, this->Structures, statistics, report };
 
     // What is kept follows the samples, which may be other ones, or lie elsewhere.
     {
@@ -34,7 +34,7 @@ bool FrameRenderer::Render(
     }
 
     // The plan chooses by what changed and by what there is.
-    const std::shared_ptr<CachedImage> nearest = this->Frames.FindNearest(key, options);
+    const std::shared_ptr<CachedImage> nearest = this->Store.FindNearest(key, options);
     Route route = this->ChooseRoute(key, options, nearest != nullptr);
     if (route != Route::Redisplay)
     {
@@ -75,7 +75,7 @@ bool FrameRenderer::Make(Route& route, FrameTask& task, CachedImage* nearest)
       ShadeAgain(task);
       return true;
     case Route::IsomapLookup:
-      return LookUp(task, this->Map, this->OpenRays);
+      return LookUp(task, this->Map, this->UnresolvedRays);
     case Route::IsomapBuild:
       task.Report = report;
       return this->BuildAndLookUp(route, task);
@@ -102,16 +102,16 @@ void FrameRenderer::Finish(Route route, const FrameTask& task)
   }
   if (route == Route::Cold || route == Route::ThresholdHint)
   {
-    this->Cold = { task.CellsRead, task.Key.Sought };
+    this->Cold = { task.CellsRead, task.Key.Isosurfaces };
   }
-  this->Frames.Finish(task.Options.Images);
+  this->Store.Finish(task.Options.Images);
   this->LastForm = Isomap::FormFor(task.Key, task.Options.Map);
   this->Changes.Take(task.Key.Samples, this->Structures.Ranges());
 }
 
 Route FrameRenderer::ChooseRoute(const FrameKey& key, const Options& options, bool hasImage) const
 {
-  const CachedImage& last = this->Frames.Last();
+  const CachedImage& last = this->Store.Last();
   if (last.Picture.IsEmpty())
   {
     return Route::Cold;
@@ -144,7 +144,7 @@ bool FrameRenderer::BuildAndLookUp(Route& route, FrameTask& task)
     case Isomap::Outcome::Stopped:
       return false;
     case Isomap::Outcome::Built:
-      return LookUp(task, this->Map, this->OpenRays);
+      return LookUp(task, this->Map, this->UnresolvedRays);
     default:
       route = this->ChooseRoute(task.Key, task.Options, false);
       route = route == Route::IsomapBuild ? Route::Cold : route;
@@ -158,7 +158,7 @@ Isomap::Outcome FrameRenderer::BuildBands(FrameTask& task)
   Isomap::Outcome outcome = Isomap::Outcome::TooLarge;
   try
   {
-    outcome = this->Map.Build(task.Key, task.Options.Map, this->Frames.Last(),
+    outcome = this->Map.Build(task.Key, task.Options.Map, this->Store.Last(),
       this->Structures.Pyramid(), this->Cold, task.Report);
     task.Statistics.FieldSamples += 8 * this->Map.CellsRead();
   }
@@ -173,12 +173,12 @@ Isomap::Outcome FrameRenderer::BuildIsomap(
   const FrameKey& key, const Options& options, const ReportProgress& report)
 {
   this->TimeToBuild = 0.0;
-  if (key.Sought.Isovalues.empty() || !this->Map.CanBuild(key, options.Map))
+  if (key.Isosurfaces.Isovalues.empty() || !this->Map.CanBuild(key, options.Map))
   {
     return Isomap::Outcome::Impossible;
   }
   FrameStatistics statistics;
-  FrameTask task{ key, options, this->Frames, this->Structures, statistics, report };
+  FrameTask task{ key, options, this->Store, this->Structures, statistics, report };
   {
     Stopwatch watch(statistics.IsomapBuildTime);
     this->FollowSamples(key);
@@ -193,7 +193,7 @@ Isomap::Outcome FrameRenderer::BuildIsomap(
 /// Find out what changed in samples that are not those of the last frame.
 void FrameRenderer::FollowSamples(const FrameKey& key)
 {
-  const FrameKey& last = this->Frames.Last().Key;
+  const FrameKey& last = this->Store.Last().Key;
   const SampleComparer::Result result =
     this->Changes.Compare(last.Samples, key.Samples, this->Structures.SharedByAll());
   if (result == SampleComparer::Result::Equal)
@@ -202,16 +202,16 @@ void FrameRenderer::FollowSamples(const FrameKey& key)
     const Field before = last.Samples;
     this->Structures.MoveTo(key.Samples, before);
     this->Map.MoveTo(key.Samples, before);
-    this->Frames.MoveTo(key.Samples);
+    this->Store.MoveTo(key.Samples);
     this->Changes.TakeEqual();
   }
   else if (result == SampleComparer::Result::Different)
   {
     const FrameChange change = CompareFrames(last, key);
-    if (change.Samples && !change.View && !key.Sought.Isovalues.empty())
+    if (change.Samples && !change.View && !key.Isosurfaces.Isovalues.empty())
     {
       this->PrepareRanges(key);
-      this->Changes.FindTilesToTrace(key.Seen, key.Where, this->Structures.Ranges());
+      this->Changes.FindTilesToTrace(key.View, key.Transform, this->Structures.Ranges());
     }
   }
 }

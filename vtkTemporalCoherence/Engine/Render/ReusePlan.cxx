@@ -16,7 +16,7 @@ constexpr double MostToTrace = 0.5;
 bool CanCopy(const FrameChange& change, const FrameKey& next, const HeldForReuse& held)
 {
   return change.Samples && !change.View && !change.Surfaces && !change.Opacity &&
-    !change.Appearance && !next.Look.ColorByAnswer && held.IsExact &&
+    !change.Appearance && !next.Appearance.ColorByAnswer && held.IsExact &&
     held.ShareToTrace <= MostToTrace;
 }
 
@@ -56,7 +56,7 @@ Route PlanRoute(const FrameKey& last, const FrameKey& next, const ReuseSwitches&
     return change.Appearance ? Route::Reshade : Route::Redisplay;
   }
   // An isomap serves wherever the last frame was, but does not complete what is not exact itself.
-  if (switches.Isomap && held.Isomap && !next.Sought.Isovalues.empty() &&
+  if (switches.Isomap && held.Isomap && !next.Isosurfaces.Isovalues.empty() &&
     (!isSame || held.IsIsomapExact))
   {
     return Route::IsomapLookup;
@@ -69,8 +69,8 @@ Route PlanRoute(const FrameKey& last, const FrameKey& next, const ReuseSwitches&
   {
     return switches.ImageCache && held.Image ? Route::ImageCache : Route::Cold;
   }
-  const std::size_t isovalues = next.Sought.Isovalues.size();
-  if (last.Sought.Mode != next.Sought.Mode || isovalues == 0 || change.Opacity)
+  const std::size_t isovalues = next.Isosurfaces.Isovalues.size();
+  if (last.Isosurfaces.Mode != next.Isosurfaces.Mode || isovalues == 0 || change.Opacity)
   {
     return Route::Cold;
   }
@@ -79,7 +79,7 @@ Route PlanRoute(const FrameKey& last, const FrameKey& next, const ReuseSwitches&
     return Route::IsomapBuild;
   }
   // A hint is one isovalue's hit for another.
-  const bool isOneForOne = last.Sought.Isovalues.size() == 1 && isovalues == 1;
+  const bool isOneForOne = last.Isosurfaces.Isovalues.size() == 1 && isovalues == 1;
   const bool isHint = isOneForOne && (!change.Raised || AreHitsOrdered(next));
   return held.IsExact && isHint ? Route::ThresholdHint : Route::Cold;
 }

@@ -21,7 +21,7 @@ struct FrameTask
 {
   const FrameKey& Key;
   const FrameOptions& Options;
-  FrameStore& Frames;
+  FrameStore& Store;
   FrameStructures& Structures; ///< with the value ranges of the key
   FrameStatistics& Statistics;
   ReportProgress Report;      ///< told how far the frame is, if it is not null; may stop it
@@ -53,8 +53,8 @@ bool TraceChangedTiles(FrameTask& task, const SampleComparer& changes);
 
 /// IsomapLookup: hits are looked up, and only what the isomap cannot tell is traced.
 /// \param map  covers the isovalues of the key
-/// \param open memory for the rays of each tile that have to be traced, one bit each
-bool LookUp(FrameTask& task, IsomapBuilder& map, std::vector<std::uint64_t>& open);
+/// \param unresolved memory for the rays of each tile that have to be traced, one bit each
+bool LookUp(FrameTask& task, IsomapBuilder& map, std::vector<std::uint64_t>& unresolved);
 
 }
 

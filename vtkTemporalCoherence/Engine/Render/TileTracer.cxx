@@ -27,11 +27,11 @@ void Count(Answer answer, TraceCounts& counts)
 
 TileTracer::TileTracer(const TileScene& scene)
   : Scene(scene)
-  , Rays(scene.Key.Seen, scene.Key.Where, scene.Key.Samples.Dimensions, scene.Key.Kept)
-  , HasSurfaces(scene.Key.Samples.HasCells() && !scene.Key.Sought.Isovalues.empty())
-  , IsSolid(scene.Key.Sought.Mode == SurfaceMode::Threshold)
-  , Tracer(
-      SurfaceTracer::Make({ scene.Key.Samples, scene.Key.Sought, scene.FiniteRange, scene.Active }))
+  , Rays(scene.Key.View, scene.Key.Transform, scene.Key.Samples.Dimensions, scene.Key.Region)
+  , HasSurfaces(scene.Key.Samples.HasCells() && !scene.Key.Isosurfaces.Isovalues.empty())
+  , IsSolid(scene.Key.Isosurfaces.Mode == SurfaceMode::Threshold)
+  , Tracer(SurfaceTracer::Make(
+      { scene.Key.Samples, scene.Key.Isosurfaces, scene.FiniteRange, scene.Active }))
 {
 }
 
@@ -64,7 +64,7 @@ TraceCounts TileTracer::Trace(std::int64_t tile, const PixelRect& part, Frame& f
   }
   if (isMiss)
   {
-    StoreMisses(tile, part, this->Scene.Key.Seen.Parallel, frame);
+    StoreMisses(tile, part, this->Scene.Key.View.Parallel, frame);
     counts.DefiniteMisses = static_cast<std::int64_t>(part.Size.x) * part.Size.y;
     return counts;
   }
@@ -97,13 +97,13 @@ TraceCounts TileTracer::TraceSome(
 /// Find the first surface along each ray, in what the region leaves of it.
 void TileTracer::Find(const RayBatch& rays, HitBatch& hits) const
 {
-  if (!this->Rays.Cut.HasPieces())
+  if (!this->Rays.Clipper.HasPieces())
   {
     this->Tracer->Trace(rays, hits);
     return;
   }
   hits.Clear(rays.Count);
-  FindInPieces(this->Rays.Cut, rays, hits,
+  FindInPieces(this->Rays.Clipper, rays, hits,
     [this](const RayBatch& part, HitBatch& found) { this->Tracer->Trace(part, found); });
 }
 
@@ -130,7 +130,7 @@ void TileTracer::TraceRays(const RayHint& hint, const KnownRays& known, RayBatch
       const RayHint::Told told = hint.TellOf(known, rays, hits, i);
       counts.TracedRays += told.WasTraced;
       Count(told.Known, counts);
-      StoreHit(rays, hits, i, told.Known, this->Scene.Key.Seen.Parallel, frame);
+      StoreHit(rays, hits, i, told.Known, this->Scene.Key.View.Parallel, frame);
     }
   }
   this->TraceAgain(again, frame, counts);
@@ -150,7 +150,7 @@ void TileTracer::TraceAgain(const RayBatch& rays, Frame& frame, TraceCounts& cou
   counts.PossibleHits += rays.Count;
   for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
   {
-    StoreHit(rays, hits, i, Answer::PossibleHit, this->Scene.Key.Seen.Parallel, frame);
+    StoreHit(rays, hits, i, Answer::PossibleHit, this->Scene.Key.View.Parallel, frame);
   }
 }
 

@@ -76,14 +76,14 @@ inline bool operator==(const Field& a, const Field& b)
     AreSame(a.Kind, b.Kind) && a.Hidden == b.Hidden;
 }
 
-/// Where the field lies in the world: index space to world coordinates and back.
-struct Placement
+/// The affine transform from index space to world coordinates, and its inverse.
+struct IndexTransform
 {
   glm::dmat4 WorldFromIndex{ 1.0 };
   glm::dmat4 IndexFromWorld{ 1.0 };
 };
 
-inline bool operator==(const Placement& a, const Placement& b)
+inline bool operator==(const IndexTransform& a, const IndexTransform& b)
 {
   return a.WorldFromIndex == b.WorldFromIndex;
 }

@@ -19,7 +19,7 @@ struct CellList;
 struct Field;
 struct GradientQuery;
 struct GradientTile;
-struct Placement;
+struct IndexTransform;
 struct RayBatch;
 struct TraceScene;
 
@@ -72,7 +72,7 @@ public:
   /// The box that holds a block of cells.
   virtual IndexBox BoxOf(const CellBox& cells) const;
 
-  virtual VoxelSize VoxelSizeIn(const Placement& where) const;
+  virtual VoxelSize VoxelSizeIn(const IndexTransform& transform) const;
 
   /// What finds the first surfaces of tiles of rays, and those behind them. The scene's structures
   /// outlive it.

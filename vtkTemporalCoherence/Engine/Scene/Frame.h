@@ -3,7 +3,7 @@
 #ifndef TemporalCoherence_Frame_h
 #define TemporalCoherence_Frame_h
 
-#include "Scene/RoomAllocator.h"
+#include "Scene/DefaultInitAllocator.h"
 #include "Scene/Tiles.h"
 
 #include <glm/glm.hpp>
@@ -29,10 +29,10 @@ enum class Answer : std::uint8_t
 enum class HitKind : std::uint8_t
 {
   None,
-  Enters, ///< the field rises to the isovalue: the ray comes from outside
-  Leaves, ///< the field falls below the isovalue: the ray comes from inside
-  Cap,    ///< the ray begins, or leaves hidden cells, in a THRESHOLD solid, which is cut open there
-  Within  ///< it meets none and passes active cells from inside, as far as is known
+  Entry, ///< the field rises to the isovalue: the ray comes from outside
+  Exit,  ///< the field falls below the isovalue: the ray comes from inside
+  Cap,   ///< the ray begins, or leaves hidden cells, in a THRESHOLD solid, which is cut open there
+  Within ///< it meets none and passes active cells from inside, as far as is known
 };
 
 /// A surface that a ray meets, seen or seen through.
@@ -49,7 +49,7 @@ struct LayerHit
 
 /// One value for each pixel.
 template <typename T>
-using Plane = std::vector<T, RoomAllocator<T>>;
+using Plane = std::vector<T, DefaultInitAllocator<T>>;
 
 /// A finished picture with all that is known about it, one value a pixel in each plane.
 /// Row 0 is the bottom row; pixel (x, y) is at [y * Size.x + x].
@@ -60,7 +60,7 @@ struct Frame
   glm::ivec2 Size{ 0 };
   Plane<double> Depth;           ///< t of the hit: world distance along the ray; or infinity
   Plane<float> Disparities;      ///< of the hit, or of a miss (Disparity.h)
-  Plane<float> Contacts;         ///< disparity at which the ray first entered an active cell
+  Plane<float> FirstEntries;     ///< disparity at which the ray first entered an active cell
   Plane<glm::vec3> Normals;      ///< unit normal in the world, facing the viewer; or 0
   Plane<std::int16_t> Isovalues; ///< position of the hit isovalue in the list; or NoSurface
   Plane<HitKind> Kinds;
@@ -84,7 +84,7 @@ struct Frame
   {
     visit(&Frame::Depth, std::numeric_limits<double>::infinity());
     visit(&Frame::Disparities, disparityOfMiss);
-    visit(&Frame::Contacts, disparityOfMiss);
+    visit(&Frame::FirstEntries, disparityOfMiss);
     visit(&Frame::Normals, glm::vec3(0.0f));
     visit(&Frame::Isovalues, NoSurface);
     visit(&Frame::Kinds, HitKind::None);

@@ -16,11 +16,11 @@ namespace TemporalCoherence
 struct FrameKey
 {
   Field Samples;
-  Placement Where;
-  Region Kept;
-  View Seen;
-  Surfaces Sought;
-  Appearance Look;
+  IndexTransform Transform;
+  TemporalCoherence::Region Region;
+  TemporalCoherence::View View;
+  Surfaces Isosurfaces;
+  TemporalCoherence::Appearance Appearance;
 };
 
 /// True if fields can differ in the values of their samples alone, and fingerprints tell in which.
@@ -30,7 +30,7 @@ bool AreAlike(const Field& a, const Field& b);
 /// What changed between two frames, by part of the key.
 struct FrameChange
 {
-  bool Data = false;    ///< samples, interpolation, their placement in the world, what is cut off
+  bool Data = false;    ///< samples, interpolation, transform, region
   bool Samples = false; ///< of the data, only values of samples
   bool View = false;
   bool Surfaces = false; ///< isovalues or mode

@@ -56,7 +56,7 @@ void StoreHits(const RayBatch& rays, const HitBatch& hits, const RayBatch::Array
 
 /// Let the rays of a batch walk from where an exact picture of a lower isovalue shows them to come
 /// to it from below: before that they do not meet what lies above.
-void BeginAtContacts(const Frame& picture, bool isParallel, RayBatch& rays);
+void BeginAtFirstEntries(const Frame& picture, bool isParallel, RayBatch& rays);
 
 /// Disparity at a distance along a ray of a batch; that of a miss if it is infinite.
 float DisparityAt(const RayBatch& rays, std::size_t ray, double t, bool isParallel);

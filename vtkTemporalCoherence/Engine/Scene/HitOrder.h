@@ -30,7 +30,7 @@ inline bool IsInFront(const MetSurface& a, const MetSurface& b)
 {
   const auto placeOf = [](const MetSurface& surface)
   {
-    const int rank = surface.Kind == HitKind::Cap ? 0 : surface.Kind == HitKind::Enters ? 1 : 2;
+    const int rank = surface.Kind == HitKind::Cap ? 0 : surface.Kind == HitKind::Entry ? 1 : 2;
     return std::tuple(surface.Distance, rank, rank == 1 ? surface.Isovalue : -surface.Isovalue);
   };
   return placeOf(a) < placeOf(b);

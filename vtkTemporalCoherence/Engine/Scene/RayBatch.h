@@ -52,9 +52,9 @@ struct RayBatch
 /// Where the rays found their surfaces, as arrays over rays.
 struct HitBatch
 {
-  RayBatch::Array<double> Depth;   ///< t, or infinity
-  RayBatch::Array<double> Contact; ///< t where the first active cell is entered, or infinity
-  RayBatch::Array<std::uint8_t> FromInside; ///< 1 if the ray is inside the contact's isovalue there
+  RayBatch::Array<double> Depth;      ///< t, or infinity
+  RayBatch::Array<double> FirstEntry; ///< t where the first active cell is entered, or infinity
+  RayBatch::Array<std::uint8_t> FromInside; ///< 1 if it is inside that cell's isovalue there
   RayBatch::Array<std::int16_t> Surface; ///< position in the list of isovalues, or Frame::NoSurface
   RayBatch::Array<HitKind> Kind;
   std::int64_t CellsRead = 0; ///< cells whose eight samples were read
@@ -64,7 +64,7 @@ struct HitBatch
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     std::fill_n(this->Depth.begin(), count, infinity);
-    std::fill_n(this->Contact.begin(), count, infinity);
+    std::fill_n(this->FirstEntry.begin(), count, infinity);
     std::fill_n(this->FromInside.begin(), count, std::uint8_t(0));
     std::fill_n(this->Surface.begin(), count, Frame::NoSurface);
     std::fill_n(this->Kind.begin(), count, HitKind::None);

@@ -112,22 +112,22 @@ HWY_INLINE V Unpack(V words)
 
 /// How rows become vectors, one for each sample of the row, and vectors differences: integers that
 /// fit into 16 bits are subtracted before they are made floats, which is exact.
-template <typename Kept>
+template <typename Stored>
 struct IntegerRowLoader
 {
   using D = hn::CappedTag<float, WidestVector>;
-  using Lane = std::conditional_t<std::is_signed_v<Kept>, std::int32_t, std::uint32_t>;
+  using Lane = std::conditional_t<std::is_signed_v<Stored>, std::int32_t, std::uint32_t>;
   using DW = hn::Rebind<Lane, D>;
   using V = hn::Vec<DW>;
-  static constexpr int Bits = 8 * sizeof(Kept);
+  static constexpr int Bits = 8 * sizeof(Stored);
 
-  HWY_INLINE IntegerRowLoader(const RowBatch<Kept>&, std::size_t) {}
+  HWY_INLINE IntegerRowLoader(const RowBatch<Stored>&, std::size_t) {}
 
-  HWY_INLINE void Load(const std::array<Kept, 4>* rows, V out[4]) const
+  HWY_INLINE void Load(const std::array<Stored, 4>* rows, V out[4]) const
   {
     const DW dw;
     const auto* words = reinterpret_cast<const Lane*>(rows);
-    if constexpr (sizeof(Kept) == 1)
+    if constexpr (sizeof(Stored) == 1)
     {
       const V all = hn::LoadU(dw, words);
       out[0] = Unpack<Bits, 4, 0>(all);
@@ -146,11 +146,11 @@ struct IntegerRowLoader
     }
   }
 
-  HWY_INLINE void Load(const std::array<Kept, 2>* rows, V out[2]) const
+  HWY_INLINE void Load(const std::array<Stored, 2>* rows, V out[2]) const
   {
     const DW dw;
     V both;
-    if constexpr (sizeof(Kept) == 1)
+    if constexpr (sizeof(Stored) == 1)
     {
       const hn::Rebind<hwy::MakeNarrow<Lane>, DW> dn;
       both = hn::PromoteTo(dw, hn::LoadU(dn, reinterpret_cast<const hwy::MakeNarrow<Lane>*>(rows)));
@@ -171,21 +171,21 @@ struct IntegerRowLoader
 };
 
 /// Numbers that may be large or not finite: differences from the isovalue are taken first.
-template <typename Kept>
+template <typename Stored>
 struct RealRowLoader
 {
   using D = hn::CappedTag<double, WidestVector / 2>;
-  using DK = hn::Rebind<Kept, D>;
+  using DK = hn::Rebind<Stored, D>;
   using V = hn::Vec<D>;
 
-  HWY_INLINE RealRowLoader(const RowBatch<Kept>& rows, std::size_t i)
+  HWY_INLINE RealRowLoader(const RowBatch<Stored>& rows, std::size_t i)
     : High(hn::LoadU(D(), &rows.High[i]))
     , Low(hn::LoadU(D(), &rows.Low[i]))
     , Limit(hn::LoadU(D(), &rows.Limit[i]))
   {
   }
 
-  HWY_INLINE void Load(const std::array<Kept, 4>* rows, V out[4]) const
+  HWY_INLINE void Load(const std::array<Stored, 4>* rows, V out[4]) const
   {
     hn::Vec<DK> a, b, c, e;
     hn::LoadInterleaved4(DK(), rows->data(), a, b, c, e);
@@ -195,7 +195,7 @@ struct RealRowLoader
     out[3] = this->FromIsovalue(e);
   }
 
-  HWY_INLINE void Load(const std::array<Kept, 2>* rows, V out[2]) const
+  HWY_INLINE void Load(const std::array<Stored, 2>* rows, V out[2]) const
   {
     hn::Vec<DK> a, b;
     hn::LoadInterleaved2(DK(), rows->data(), a, b);
@@ -210,7 +210,7 @@ private:
   HWY_INLINE V FromIsovalue(hn::Vec<DK> samples) const
   {
     V value;
-    if constexpr (sizeof(Kept) == 8)
+    if constexpr (sizeof(Stored) == 8)
     {
       value = samples;
     }
@@ -227,9 +227,9 @@ private:
   V High, Low, Limit;
 };
 
-template <typename Kept>
+template <typename Stored>
 using RowLoader =
-  std::conditional_t<std::is_integral_v<Kept>, IntegerRowLoader<Kept>, RealRowLoader<Kept>>;
+  std::conditional_t<std::is_integral_v<Stored>, IntegerRowLoader<Stored>, RealRowLoader<Stored>>;
 
 HWY_INLINE hn::Vec<hn::CappedTag<float, WidestVector>> LoadWhole(
   hn::CappedTag<float, WidestVector> d, const std::int32_t* from)
@@ -296,11 +296,11 @@ HWY_INLINE void StoreAsDoubles(
   }
 }
 
-template <typename Kept, typename Real>
+template <typename Stored, typename Real>
 HWY_INLINE void InterpolateAll(const glm::ivec3& dimensions, const CellPoints<Real>& points,
-  const RowBatch<Kept>& rows, Vectors& gradients)
+  const RowBatch<Stored>& rows, Vectors& gradients)
 {
-  using Loader = RowLoader<Kept>;
+  using Loader = RowLoader<Stored>;
   const typename Loader::D d;
   using V = hn::Vec<decltype(d)>;
   for (std::size_t i = 0; i < points.Count; i += hn::Lanes(d))

@@ -49,17 +49,17 @@ void FindCells(const CellSpace& space, const Vectors& directions, const Vectors&
 /// Samples are kept as they are, four or two in a row, but for integers of which a vector cannot
 /// make doubles.
 template <typename T>
-using KeptAs = std::conditional_t<std::is_integral_v<T> && (sizeof(T) > 2), double, T>;
+using StoredAs = std::conditional_t<std::is_integral_v<T> && (sizeof(T) > 2), double, T>;
 
 /// The samples around points that central differences need, by rows along x.
-template <typename Kept>
+template <typename Stored>
 struct RowBatch
 {
   /// The rows of the cell, from the sample before it to the one behind it, [y + 2 z].
-  std::array<Array<std::array<Kept, 4>>, 4> Along;
+  std::array<Array<std::array<Stored, 4>>, 4> Along;
   /// The rows beside the cell: [0, 1] before it in y, [2, 3] behind it, at both z; [4, 5] before it
   /// in z, [6, 7] behind it, at both y.
-  std::array<Array<std::array<Kept, 2>>, 8> Beside;
+  std::array<Array<std::array<Stored, 2>>, 8> Beside;
   /// Where samples may be no finite numbers: isovalue, as a sum of two numbers, and largest
   /// difference from it (Surfaces.h). Not used by narrow integers.
   Array<double> High, Low, Limit;

@@ -81,8 +81,8 @@ void FacingNormalsOf(std::size_t count, const glm::dmat3& m,
             rz = hn::LoadU(d, &rays[2][i]);
     // Scaled first: squares of very small or large components would leave the range of numbers.
     const V largest = hn::Max(hn::Abs(gx), hn::Max(hn::Abs(gy), hn::Abs(gz)));
-    const auto isSteep = hn::Ge(largest, smallest);
-    const V scale = hn::Div(one, hn::IfThenElse(isSteep, largest, one));
+    const auto hasGradient = hn::Ge(largest, smallest);
+    const V scale = hn::Div(one, hn::IfThenElse(hasGradient, largest, one));
     const V x = hn::Mul(gx, scale), y = hn::Mul(gy, scale), z = hn::Mul(gz, scale);
     const auto inWorld = [&](int axis) HWY_ATTR {
       return Dot(hn::Set(d, m[0][axis]), hn::Set(d, m[1][axis]), hn::Set(d, m[2][axis]), x, y, z);
@@ -90,7 +90,7 @@ void FacingNormalsOf(std::size_t count, const glm::dmat3& m,
     const V nx = inWorld(0), ny = inWorld(1), nz = inWorld(2);
     // The same once more, but only where it is needed: others keep all of their digits.
     const V longest = hn::Max(hn::Abs(nx), hn::Max(hn::Abs(ny), hn::Abs(nz)));
-    const auto hasNormal = hn::And(isSteep, hn::Ge(longest, smallest));
+    const auto hasNormal = hn::And(hasGradient, hn::Ge(longest, smallest));
     const auto isFarFromOne = hn::And(hasNormal, hn::Lt(longest, hn::Set(d, TooShortToSquare)));
     const V closer = hn::Div(one, hn::IfThenElse(isFarFromOne, longest, one));
     const V wx = hn::IfThenElse(hasNormal, hn::Mul(nx, closer), rx);

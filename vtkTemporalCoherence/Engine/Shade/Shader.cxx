@@ -40,10 +40,11 @@ void TakeFacesAtCaps(
   {
     if (hits.Kind[i] == HitKind::Cap)
     {
-      const glm::dvec3 point(source.Where.IndexFromWorld * glm::dvec4(At(hits.Rays.Point, i), 1.0));
+      const glm::dvec3 point(
+        source.Transform.IndexFromWorld * glm::dvec4(At(hits.Rays.Point, i), 1.0));
       const glm::dvec3 direction(
-        source.Where.IndexFromWorld * glm::dvec4(At(hits.Rays.Direction, i), 0.0));
-      Set(gradients, i, CapNormal(point, direction, source.Samples, source.Cuts));
+        source.Transform.IndexFromWorld * glm::dvec4(At(hits.Rays.Direction, i), 0.0));
+      Set(gradients, i, CapNormal(point, direction, source.Samples, source.CapPlanes));
     }
   }
 }
@@ -134,7 +135,7 @@ void TurnOutside(const HitList& hits, ShadingKernels::PhongSums& sums)
 {
   for (std::size_t i = 0; i < sums.Count; ++i)
   {
-    if (hits.Kind[i] == HitKind::Leaves)
+    if (hits.Kind[i] == HitKind::Exit)
     {
       for (float& component : sums.Normal[i])
       {
@@ -344,14 +345,14 @@ void ComputeNormals(
   const auto count = hits.Rays.Count;
   std::array<Array<double>, 3> gradients;
   IndexGradients(
-    { source.Samples, source.Where.IndexFromWorld, source.FiniteRange, &source.Isovalues },
+    { source.Samples, source.Transform.IndexFromWorld, source.FiniteRange, &source.Isovalues },
     { count, hits.Rays.Point, hits.Rays.Direction, hits.Surface, gradients });
   if (gradientsFound)
   {
     *gradientsFound = gradients;
   }
   TakeFacesAtCaps(source, hits, gradients);
-  const glm::dmat3 worldFromGradient = glm::transpose(glm::dmat3(source.Where.IndexFromWorld));
+  const glm::dmat3 worldFromGradient = glm::transpose(glm::dmat3(source.Transform.IndexFromWorld));
   ShadingKernels::FindFacingNormals(
     count, worldFromGradient, gradients, hits.Rays.Direction, hits.Normal);
 }

@@ -34,8 +34,8 @@ struct HitList
 struct NormalSource
 {
   Field Samples;
-  Placement Where;
-  std::vector<glm::dvec4> Cuts; ///< planes that cut solids open: RegionCutter::Planes
+  IndexTransform Transform;
+  std::vector<glm::dvec4> CapPlanes; ///< planes where solids are capped: RegionClipper::Planes
   std::vector<double> Isovalues;
   glm::dvec2 FiniteRange{ 0.0 };
 };

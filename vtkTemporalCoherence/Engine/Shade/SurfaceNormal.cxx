@@ -26,8 +26,8 @@ template <typename T>
 class RowGatherer
 {
 public:
-  using Kept = GradientKernels::KeptAs<T>;
-  using Rows = GradientKernels::RowBatch<Kept>;
+  using Stored = GradientKernels::StoredAs<T>;
+  using Rows = GradientKernels::RowBatch<Stored>;
   using Points = GradientKernels::CellPoints<RealOf<T>>;
 
   explicit RowGatherer(const Field& field)
@@ -42,7 +42,7 @@ public:
     // A copy: samples may be of a type whose stores could change anything that is not local.
     const TypedField<T> samples = this->Samples;
     const bool isLarge = this->IsLarge;
-    const bool isPacked = std::is_same_v<T, Kept> && samples.Strides.x == 1;
+    const bool isPacked = std::is_same_v<T, Stored> && samples.Strides.x == 1;
     for (std::size_t i = 0; i < points.Count; ++i)
     {
       if (isLarge)
@@ -73,11 +73,11 @@ private:
     const auto begin = static_cast<std::ptrdiff_t>(WholeVectors(count) - WidestVector);
     for (auto& along : rows.Along)
     {
-      std::fill_n(along.begin() + begin, WidestVector, std::array<Kept, 4>());
+      std::fill_n(along.begin() + begin, WidestVector, std::array<Stored, 4>());
     }
     for (auto& beside : rows.Beside)
     {
-      std::fill_n(beside.begin() + begin, WidestVector, std::array<Kept, 2>());
+      std::fill_n(beside.begin() + begin, WidestVector, std::array<Stored, 2>());
     }
   }
 
@@ -124,11 +124,11 @@ private:
     }
     const auto keepFour = [&](std::size_t row, const T* from)
     {
-      rows.Along[row][i] = { static_cast<Kept>(from[before.x]), static_cast<Kept>(from[0]),
-        static_cast<Kept>(from[x]), static_cast<Kept>(from[behind.x]) };
+      rows.Along[row][i] = { static_cast<Stored>(from[before.x]), static_cast<Stored>(from[0]),
+        static_cast<Stored>(from[x]), static_cast<Stored>(from[behind.x]) };
     };
     const auto keepTwo = [&](std::size_t row, const T* from) {
-      rows.Beside[row][i] = { static_cast<Kept>(from[0]), static_cast<Kept>(from[x]) };
+      rows.Beside[row][i] = { static_cast<Stored>(from[0]), static_cast<Stored>(from[x]) };
     };
     for (std::size_t edge = 0; edge < 4; ++edge)
     {

@@ -15,28 +15,28 @@ namespace TemporalCoherence
 {
 
 /// Which of the surfaces that are found along a ray is its hit, where it is capped, and what its
-/// contact is: for tracers of all kinds of fields. What is found may be told in any order.
+/// first entry is: for tracers of all kinds of fields. What is found may be told in any order.
 class HitRules
 {
 public:
   /// \param hasHidden cells of the field may be hidden
-  HitRules(const Surfaces& sought, bool hasHidden)
-    : Sought(sought)
+  HitRules(const Surfaces& surfaces, bool hasHidden)
+    : Isosurfaces(surfaces)
     , HasHidden(hasHidden)
   {
   }
 
-  bool IsSolid() const { return this->Sought.Mode == SurfaceMode::Threshold; }
+  bool IsSolid() const { return this->Isosurfaces.Mode == SurfaceMode::Threshold; }
 
   /// True if hidden cells may cut a solid open.
   bool AreCappedBehindHidden() const { return this->HasHidden && this->IsSolid(); }
 
-  /// The ray enters a cell that an isovalue passes through: the first one is its contact.
-  static void KeepContact(double enter, bool isInside, std::size_t ray, HitBatch& hits)
+  /// The ray enters a cell that an isovalue passes through. The first one counts.
+  static void KeepFirstEntry(double enter, bool isInside, std::size_t ray, HitBatch& hits)
   {
-    if (enter < hits.Contact[ray])
+    if (enter < hits.FirstEntry[ray])
     {
-      hits.Contact[ray] = enter;
+      hits.FirstEntry[ray] = enter;
       hits.FromInside[ray] = isInside;
     }
   }
@@ -62,7 +62,7 @@ public:
     if (distance == hits.Depth[ray] && hits.Surface[ray] != Frame::NoSurface)
     {
       const MetSurface met{ distance, KindOf(fromInside), this->IsovalueOf(surface) };
-      if (IsInFrontOfHit(met, hits, ray, this->Sought.Isovalues))
+      if (IsInFrontOfHit(met, hits, ray, this->Isosurfaces.Isovalues))
       {
         hits.Surface[ray] = surface;
         hits.Kind[ray] = met.Kind;
@@ -76,10 +76,10 @@ public:
   void CapWhereItBegins(double begin, std::int16_t surface, std::size_t ray, HitBatch& hits) const
   {
     const MetSurface cap{ begin, HitKind::Cap, this->IsovalueOf(surface) };
-    if (IsInFrontOfHit(cap, hits, ray, this->Sought.Isovalues))
+    if (IsInFrontOfHit(cap, hits, ray, this->Isosurfaces.Isovalues))
     {
       hits.Depth[ray] = begin;
-      hits.Contact[ray] = begin;
+      hits.FirstEntry[ray] = begin;
       hits.FromInside[ray] = 0;
       hits.Surface[ray] = surface;
       hits.Kind[ray] = HitKind::Cap;
@@ -95,7 +95,7 @@ public:
     const ComesFromHidden& comesFromHidden, HitBatch& hits) const
   {
     const MetSurface cap{ enter, HitKind::Cap, this->IsovalueOf(surface) };
-    if (!IsInFrontOfHit(cap, hits, ray, this->Sought.Isovalues) || !comesFromHidden())
+    if (!IsInFrontOfHit(cap, hits, ray, this->Isosurfaces.Isovalues) || !comesFromHidden())
     {
       return false;
     }
@@ -105,15 +105,15 @@ public:
     return true;
   }
 
-  static HitKind KindOf(bool fromInside) { return fromInside ? HitKind::Leaves : HitKind::Enters; }
+  static HitKind KindOf(bool fromInside) { return fromInside ? HitKind::Exit : HitKind::Entry; }
 
   double IsovalueOf(std::int16_t surface) const
   {
-    return this->Sought.Isovalues[static_cast<std::size_t>(surface)];
+    return this->Isosurfaces.Isovalues[static_cast<std::size_t>(surface)];
   }
 
 private:
-  Surfaces Sought;
+  Surfaces Isosurfaces;
   bool HasHidden;
 };
 

@@ -58,7 +58,7 @@ public:
 
 private:
   using Real = typename Cells::Real;
-  using Part = typename Cells::Part;
+  using Segment = typename Cells::Segment;
 
   /// Places in Ascending of the isovalues that a cell may pass: from its smallest sample on, or
   /// from all that are less, too, up to its largest. Samples that are not numbers are below all.
@@ -92,13 +92,13 @@ private:
     {
       return;
     }
-    const Part part(line, cell);
+    const Segment segment(line, cell);
     const std::array<T, 8> samples = cells.Samples.Read(cell);
     const auto [first, behind] = this->FindPassed(samples, true);
     for (std::size_t place = first; place < behind; ++place)
     {
       const std::size_t surface = this->Ascending[place];
-      if (IsInside(Cells::AtEntry(cells.Differ(samples, surface), part)))
+      if (IsInside(Cells::AtEntry(cells.Differ(samples, surface), segment)))
       {
         next.Consider(rays.Begin[ray], HitKind::Cap, static_cast<std::int16_t>(surface));
       }
@@ -121,17 +121,17 @@ private:
       if (!cells.IsHidden(walk.Here()))
       {
         ++hits.CellsRead;
-        this->Search(cells, Part(line, walk.Here()), cells.Samples.Read(walk.Here()), next);
+        this->Search(cells, Segment(line, walk.Here()), cells.Samples.Read(walk.Here()), next);
       }
     }
   }
 
   /// All surfaces in a cell.
-  void Search(
-    const Cells& cells, const Part& part, const std::array<T, 8>& samples, NextHit& next) const
+  void Search(const Cells& cells, const Segment& segment, const std::array<T, 8>& samples,
+    NextHit& next) const
   {
     const bool isBehindHidden =
-      cells.Rules.AreCappedBehindHidden() && part.ComesFrom(*cells.Hidden);
+      cells.Rules.AreCappedBehindHidden() && segment.ComesFrom(*cells.Hidden);
     const auto [first, behind] = this->FindPassed(samples, isBehindHidden);
     for (std::size_t place = first; place < behind; ++place)
     {
@@ -140,37 +140,37 @@ private:
       const auto inside = std::count_if(corners.begin(), corners.end(), IsInside<Real>);
       if (inside != 0 && (inside != 8 || isBehindHidden))
       {
-        this->SearchFor(surface, cells.Rules.IsSolid(), corners, part, isBehindHidden, next);
+        this->SearchFor(surface, cells.Rules.IsSolid(), corners, segment, isBehindHidden, next);
       }
     }
   }
 
   /// The surfaces of one isovalue in a cell.
-  void SearchFor(std::size_t surface, bool isSolid, const Corners<Real>& corners, const Part& part,
-    bool isBehindHidden, NextHit& next) const
+  void SearchFor(std::size_t surface, bool isSolid, const Corners<Real>& corners,
+    const Segment& segment, bool isBehindHidden, NextHit& next) const
   {
     const auto number = static_cast<std::int16_t>(surface);
     Cubic<Real> cubic;
     bool isInside;
     if constexpr (Between == Interpolation::Linear)
     {
-      cubic = CubicAlong(corners, part.Path());
+      cubic = CubicAlong(corners, segment.Path());
       isInside = IsInside(cubic[0]);
     }
     else
     {
-      isInside = IsInside(Cells::AtEntry(corners, part));
+      isInside = IsInside(Cells::AtEntry(corners, segment));
     }
     if (isInside && isBehindHidden)
     {
-      next.Consider(part.Enter(), HitKind::Cap, number);
+      next.Consider(segment.Enter(), HitKind::Cap, number);
     }
     const auto consider = [&](double share)
     {
       isInside = !isInside;
       if (isInside || !isSolid)
       {
-        next.Consider(part.DistanceAt(share), HitRules::KindOf(!isInside), number);
+        next.Consider(segment.DistanceAt(share), HitRules::KindOf(!isInside), number);
       }
       return false;
     };
@@ -178,9 +178,9 @@ private:
     {
       VisitCrossings(cubic, [&](Real share) { return consider(static_cast<double>(share)); });
     }
-    else if (part.HasLength())
+    else if (segment.HasLength())
     {
-      VisitNearestCrossings(corners, part.Nearest(), consider);
+      VisitNearestCrossings(corners, segment.Nearest(), consider);
     }
   }
 

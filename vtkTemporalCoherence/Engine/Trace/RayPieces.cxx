@@ -30,7 +30,7 @@ void AppendPiece(const RayBatch& rays, std::size_t ray, const glm::dvec2& ends,
   pieces.Rays.WalkBegin[at] = std::max(rays.WalkBegin[ray], ends.x);
   pieces.Rays.WalkEnd[at] = std::min(rays.WalkEnd[ray], ends.y);
   pieces.Hits.Depth[at] = last.Depth[ray];
-  pieces.Hits.Contact[at] = std::numeric_limits<double>::infinity();
+  pieces.Hits.FirstEntry[at] = std::numeric_limits<double>::infinity();
   pieces.Hits.FromInside[at] = 0;
   pieces.Hits.Surface[at] = last.Surface[ray];
   pieces.Hits.Kind[at] = last.Kind[ray];
@@ -42,9 +42,9 @@ void TakeHit(const HitBatch& found, std::size_t i, std::size_t ray, HitBatch& hi
   hits.Depth[ray] = found.Depth[i];
   hits.Surface[ray] = found.Surface[i];
   hits.Kind[ray] = found.Kind[i];
-  if (found.Contact[i] < hits.Contact[ray])
+  if (found.FirstEntry[i] < hits.FirstEntry[ray])
   {
-    hits.Contact[ray] = found.Contact[i];
+    hits.FirstEntry[ray] = found.FirstEntry[i];
     hits.FromInside[ray] = found.FromInside[i];
   }
 }
@@ -52,17 +52,17 @@ void TakeHit(const HitBatch& found, std::size_t i, std::size_t ray, HitBatch& hi
 }
 
 void FindInPieces(
-  const RegionCutter& cut, const RayBatch& rays, HitBatch& hits, const FindSurfaces& find)
+  const RegionClipper& clipper, const RayBatch& rays, HitBatch& hits, const FindSurfaces& find)
 {
   const auto count = static_cast<std::size_t>(rays.Count);
-  RayBatch::Array<RegionCutter::Pieces> pieces;
+  RayBatch::Array<RegionClipper::Pieces> pieces;
   for (std::size_t ray = 0; ray < count; ++ray)
   {
-    pieces[ray] = cut.PiecesOf(rays, ray);
+    pieces[ray] = clipper.PiecesOf(rays, ray);
   }
   HitBatch next;
   next.Clear(rays.Count);
-  for (std::size_t piece = 0; piece < RegionCutter::MostPieces; ++piece)
+  for (std::size_t piece = 0; piece < RegionClipper::MostPieces; ++piece)
   {
     PieceBatch batch;
     batch.Hits.CellsRead = 0;

@@ -4,7 +4,7 @@
 #define TemporalCoherence_RayPieces_h
 
 #include "Scene/RayBatch.h"
-#include "Trace/RegionCutter.h"
+#include "Trace/RegionClipper.h"
 
 #include <functional>
 
@@ -18,10 +18,10 @@ using FindSurfaces = std::function<void(const RayBatch& rays, HitBatch& hits)>;
 /// nearest pieces, then, for the rays that met nothing there, in the next ones.
 /// \param hits on entry the surface that each ray has met last, from which it goes on; none for a
 ///             ray that begins. Pieces that end before that surface are left out. On return the
-///             surface found, and the first contact of all pieces that were searched.
-/// \pre cut.HasPieces()
+///             surface found, and the first entry of all pieces that were searched.
+/// \pre clipper.HasPieces()
 void FindInPieces(
-  const RegionCutter& cut, const RayBatch& rays, HitBatch& hits, const FindSurfaces& find);
+  const RegionClipper& clipper, const RayBatch& rays, HitBatch& hits, const FindSurfaces& find);
 
 }
 

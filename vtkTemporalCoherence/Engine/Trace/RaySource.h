@@ -6,7 +6,7 @@
 #include "Scene/Field.h"
 #include "Scene/RayBatch.h"
 #include "Scene/View.h"
-#include "Trace/RegionCutter.h"
+#include "Trace/RegionClipper.h"
 
 #include <glm/glm.hpp>
 
@@ -20,7 +20,7 @@ namespace TemporalCoherence
 class RaySource
 {
 public:
-  RaySource(const View& view, const Placement& placement, const glm::ivec3& dimensions,
+  RaySource(const View& view, const IndexTransform& transform, const glm::ivec3& dimensions,
     const Region& region = Region());
 
   /// Set up the rays through the pixels first .. first + size - 1 and clip them to the box of the
@@ -37,7 +37,7 @@ public:
   LinearVector World;             ///< direction in the world, of any length
   LinearVector Direction, Origin; ///< in index space, the direction as long as World
   glm::dvec3 Forward;             ///< component of World along the optical axis, linear too
-  RegionCutter Cut;
+  RegionClipper Clipper;
 };
 
 }

@@ -20,7 +20,7 @@ namespace TemporalCoherence
 struct TraceScene
 {
   Field Samples;
-  Surfaces Sought;
+  Surfaces Isosurfaces;
   glm::dvec2 FiniteRange{ 0.0 };       ///< smallest and largest finite sample
   const ActiveCells* Active = nullptr; ///< null: no space leaping, every cell on the way is read
 };
@@ -32,8 +32,8 @@ struct CellList
   int Count = 0;
   RayBatch::Array<std::uint8_t> Ray; ///< ascending
   std::array<RayBatch::Array<std::int32_t>, 3> Cell;
-  RayBatch::Array<std::uint8_t> IsContact; ///< 1: it is the first that the isovalue passes through
-  RayBatch::Array<double> Enter;           ///< found by FieldKind::FindEntries: t
+  RayBatch::Array<std::uint8_t> IsFirstEntry; ///< 1: it is the ray's first active cell
+  RayBatch::Array<double> Enter;              ///< found by FieldKind::FindEntries: t
 
   void Append(std::size_t ray, const std::array<std::uint16_t, 3>& cell)
   {
@@ -54,9 +54,9 @@ struct CellList
 /// Finds the surfaces along the rays of a batch, for one kind of field.
 ///
 /// A hit is the nearest over all isovalues, by the rules of HitOrder.h. It depends on the ray, its
-/// Begin and its End, and not on where the walk starts or what is leapt over. The contact is where
-/// a ray first enters what may hold a surface: before it, neither this ray nor one that is at most
-/// a voxel away meets any. (It does depend on where the walk starts.)
+/// Begin and its End, and not on where the walk starts or what is leapt over. The first entry is
+/// where a ray first enters what may hold a surface: before it, neither this ray nor one that is at
+/// most a voxel away meets any. (It does depend on where the walk starts.)
 class SurfaceTracer
 {
 public:
@@ -72,8 +72,8 @@ public:
   virtual void Trace(const RayBatch& rays, HitBatch& hits) const = 0;
 
   /// Go on from the surface that each ray has in `hits`, or from its beginning where it has none,
-  /// to the next one; none if there is no other before its end. Contacts are not looked for. Safe
-  /// from many threads.
+  /// to the next one; none if there is no other before its end. First entries are not looked for.
+  /// Safe from many threads.
   ///
   /// With CROSSING every crossing of every isovalue is a surface; with THRESHOLD, where a solid is
   /// entered, and all solids that are cut open where the ray begins or leaves hidden cells. A kind
@@ -81,8 +81,9 @@ public:
   virtual void FindNext(const RayBatch& rays, HitBatch& hits) const;
 
   /// Look for one surface in the given cells only, and make what is found the hit of its ray where
-  /// it is nearer than the hit that the ray has; likewise contacts. Only kinds that have isomaps
-  /// are asked. Safe from many threads. \return one bit for each ray in whose cell it is not
+  /// it is nearer than the hit that the ray has; likewise first entries. Only kinds that have
+  /// isomaps are asked. Safe from many threads. \return one bit for each ray in whose cell it is
+  /// not
   virtual std::uint64_t SearchCells(
     const RayBatch& rays, const CellList& cells, HitBatch& hits) const;
 

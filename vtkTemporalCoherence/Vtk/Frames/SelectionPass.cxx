@@ -75,7 +75,7 @@ ColorOfRay NumbersOf(
   const glm::dmat4 dataFromWorld = glm::inverse(MatrixFromVtk(volume->GetMatrix()));
   return [=](const glm::ivec2& ray)
   {
-    const glm::dvec4 place(PositionOfHit(shown.Picture, shown.Seen, ray.x, ray.y), 1.0);
+    const glm::dvec4 place(PositionOfHit(shown.Picture, shown.View, ray.x, ray.y), 1.0);
     return ColorOf(NumberAt(data, glm::dvec3(dataFromWorld * place), isPoint) >> shift);
   };
 }

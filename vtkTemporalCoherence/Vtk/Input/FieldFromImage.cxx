@@ -77,19 +77,19 @@ bool PlaceImage(
 }
 
 /// Add the volume's transform to where the image lies.
-bool PlaceVolume(vtkVolume* volume, Placement& placement, std::string& error)
+bool PlaceVolume(vtkVolume* volume, IndexTransform& transform, std::string& error)
 {
   volume->ComputeMatrix();
   vtkMatrix4x4* matrix = volume->GetMatrix();
-  const glm::dmat4 transform = MatrixFromVtk(matrix);
-  placement.WorldFromIndex = transform * placement.WorldFromIndex;
+  const glm::dmat4 volumeMatrix = MatrixFromVtk(matrix);
+  transform.WorldFromIndex = volumeMatrix * transform.WorldFromIndex;
 
   // That of the prop and of its user matrix together.
   const glm::dvec3 scale(
-    glm::length(transform[0]), glm::length(transform[1]), glm::length(transform[2]));
+    glm::length(volumeMatrix[0]), glm::length(volumeMatrix[1]), glm::length(volumeMatrix[2]));
   const double* last = matrix->GetData() + 12;
   std::ostringstream what;
-  if (!IsFinite(transform) || !IsFinite(placement.WorldFromIndex))
+  if (!IsFinite(volumeMatrix) || !IsFinite(transform.WorldFromIndex))
   {
     what << "The transform of the volume is not finite (its scale is " << scale[0] << ", "
          << scale[1] << ", " << scale[2]
@@ -101,7 +101,7 @@ bool PlaceVolume(vtkVolume* volume, Placement& placement, std::string& error)
          << last[2] << ", " << last[3]
          << "), a projection; give it a user matrix whose last row is (0, 0, 0, 1).";
   }
-  else if (Flatness(placement.WorldFromIndex) < FlattestBox)
+  else if (Flatness(transform.WorldFromIndex) < FlattestBox)
   {
     what << "The transform of the volume is singular (its scale is " << scale[0] << ", " << scale[1]
          << ", " << scale[2] << "); give it a scale other than 0 and an invertible user matrix.";
@@ -111,7 +111,7 @@ bool PlaceVolume(vtkVolume* volume, Placement& placement, std::string& error)
   {
     return false;
   }
-  placement.IndexFromWorld = glm::inverse(placement.WorldFromIndex);
+  transform.IndexFromWorld = glm::inverse(transform.WorldFromIndex);
   return true;
 }
 
@@ -159,11 +159,11 @@ bool MakeField(vtkImageData* image, vtkDataArray* array, bool onCells, int compo
   return true;
 }
 
-bool MakePlacement(
-  vtkImageData* image, bool onCells, vtkVolume* volume, Placement& placement, std::string& error)
+bool MakeIndexTransform(vtkImageData* image, bool onCells, vtkVolume* volume,
+  IndexTransform& transform, std::string& error)
 {
-  return PlaceImage(image, onCells, placement.WorldFromIndex, error) &&
-    PlaceVolume(volume, placement, error);
+  return PlaceImage(image, onCells, transform.WorldFromIndex, error) &&
+    PlaceVolume(volume, transform, error);
 }
 
 ImageAxes AxesOf(vtkImageData* image, bool onCells)

@@ -38,8 +38,8 @@ bool MakeField(vtkImageData* image, vtkDataArray* array, bool onCells, int compo
 /// Where the samples lie in the world when drawn by the volume: origin, spacing, direction and
 /// first index of the image, then the transform of the volume.
 /// \return false on error, for example if a spacing or a scale is zero
-bool MakePlacement(
-  vtkImageData* image, bool onCells, vtkVolume* volume, Placement& placement, std::string& error);
+bool MakeIndexTransform(vtkImageData* image, bool onCells, vtkVolume* volume,
+  IndexTransform& transform, std::string& error);
 
 /// Where the image's samples lie along its own axes: origin, spacing and first index.
 /// \param onCells samples lie at the centres of the image's cells

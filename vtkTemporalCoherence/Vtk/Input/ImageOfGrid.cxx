@@ -171,23 +171,23 @@ bool ImageOfGrid::See(vtkRectilinearGrid* grid, bool onCells, std::string& error
     this->Release();
     return false;
   }
-  if (!this->Seen)
+  if (!this->AsImage)
   {
-    this->Seen = vtkSmartPointer<vtkImageData>::New();
+    this->AsImage = vtkSmartPointer<vtkImageData>::New();
   }
   const vtkMTimeType stamp = grid->GetMTime();
   if (this->Grid != grid || this->Stamp != stamp)
   {
     int points[3];
     grid->GetDimensions(points);
-    this->Seen->SetDimensions(points);
-    this->Seen->GetPointData()->ShallowCopy(grid->GetPointData());
-    this->Seen->GetCellData()->ShallowCopy(grid->GetCellData());
+    this->AsImage->SetDimensions(points);
+    this->AsImage->GetPointData()->ShallowCopy(grid->GetPointData());
+    this->AsImage->GetCellData()->ShallowCopy(grid->GetCellData());
     this->Grid = grid;
     this->Stamp = stamp;
   }
-  this->Seen->SetOrigin(axes[0].First, axes[1].First, axes[2].First);
-  this->Seen->SetSpacing(axes[0].Spacing, axes[1].Spacing, axes[2].Spacing);
+  this->AsImage->SetOrigin(axes[0].First, axes[1].First, axes[2].First);
+  this->AsImage->SetSpacing(axes[0].Spacing, axes[1].Spacing, axes[2].Spacing);
   this->OfField = UniformKind();
   if (!(axes[0].IsUniform && axes[1].IsUniform && axes[2].IsUniform))
   {

@@ -34,7 +34,7 @@ public:
   /// Has the data of the grid, in place, and its first and last samples where these lie. The
   /// spacing is the mean one, negative along axes whose coordinates descend. It is modified only
   /// when the grid is.
-  vtkImageData* Image() const { return this->Seen; }
+  vtkImageData* Image() const { return this->AsImage; }
 
   /// The kind of field that the grid is. Where samples lie where those of the image do, to 1e-5 of
   /// a cell, it is drawn as the image that it is.
@@ -44,7 +44,7 @@ public:
   void Release() { *this = ImageOfGrid(); }
 
 private:
-  vtkSmartPointer<vtkImageData> Seen;
+  vtkSmartPointer<vtkImageData> AsImage;
   std::shared_ptr<const FieldKind> OfField = UniformKind();
   const vtkRectilinearGrid* Grid = nullptr; ///< only compared
   vtkMTimeType Stamp = 0;                   ///< of the grid

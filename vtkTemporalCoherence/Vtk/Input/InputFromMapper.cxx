@@ -161,7 +161,7 @@ bool InputFromMapper::ChooseComponent(
   }
   else if (vectors.Mode == VectorChoice::Modes::Property && property->GetIndependentComponents())
   {
-    input.Component = input.Look = HeaviestComponent(property, components);
+    input.Component = input.PropertyComponent = HeaviestComponent(property, components);
   }
   return true;
 }

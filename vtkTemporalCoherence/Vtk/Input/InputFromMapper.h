@@ -41,7 +41,7 @@ struct MapperInput
   vtkDataArray* Array = nullptr; ///< null if the image has no points: there is nothing to draw
   bool OnCells = false;          ///< one tuple for each cell, otherwise for each point
   int Component = 0;             ///< of the array
-  int Look = 0;                  ///< component of the property that gives colour and shading
+  int PropertyComponent = 0;     ///< component of the property that gives colour and shading
   std::shared_ptr<const FieldKind> Kind = UniformKind(); ///< where samples lie, among others
 };
 

@@ -119,7 +119,7 @@ std::string Describe(vtkDataArray* array)
     std::to_string(array->GetNumberOfComponents()) + " component(s)";
 }
 
-/// Hold a block's array against that of the first one.
+/// Compare a block's array with that of the first one.
 bool FitsArray(
   const Block& first, const Block& block, const ScalarChoice& choice, std::string& error)
 {

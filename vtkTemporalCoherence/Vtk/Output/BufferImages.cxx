@@ -51,8 +51,8 @@ void WriteImage(const glm::ivec2& size, int scalarType, const char* name, const 
 /// behind.
 double EndAtBox(const Ray& ray, const FrameKey& key)
 {
-  const glm::dvec3 origin(key.Where.IndexFromWorld * glm::dvec4(ray.Origin, 1.0));
-  const glm::dvec3 direction(key.Where.IndexFromWorld * glm::dvec4(ray.Direction, 0.0));
+  const glm::dvec3 origin(key.Transform.IndexFromWorld * glm::dvec4(ray.Origin, 1.0));
+  const glm::dvec3 direction(key.Transform.IndexFromWorld * glm::dvec4(ray.Direction, 0.0));
   double begin = 0.0, end = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -97,7 +97,7 @@ void WriteColors(const Frame& frame, const FrameKey& key, vtkImageData* image)
     [&](std::size_t pixel, int x, int y)
     {
       const bool isBeside = frame.Isovalues[pixel] == Frame::NoSurface &&
-        !std::isfinite(EndAtBox(key.Seen.RayThrough(x, y), key));
+        !std::isfinite(EndAtBox(key.View.RayThrough(x, y), key));
       return isBeside ? white : frame.Colors[pixel];
     },
     image);
@@ -111,9 +111,9 @@ void WriteDepths(
     double t = frame.Depth[pixel];
     if (frame.Isovalues[pixel] == Frame::NoSurface && endsAtBox)
     {
-      t = EndAtBox(key.Seen.RayThrough(x, y), key);
+      t = EndAtBox(key.View.RayThrough(x, y), key);
     }
-    return std::isfinite(t) ? WindowDepthOf(key.Seen, { x, y }, t) : 1.0f;
+    return std::isfinite(t) ? WindowDepthOf(key.View, { x, y }, t) : 1.0f;
   };
   const auto write = [&](auto zero, int type)
   {

@@ -100,13 +100,13 @@ void WritePoints(
           continue;
         }
         const auto surface = static_cast<std::size_t>(frame.Isovalues[pixel]);
-        const glm::dvec3 position = PositionOfHit(frame, key.Seen, x, y);
+        const glm::dvec3 position = PositionOfHit(frame, key.View, x, y);
         for (int axis = 0; axis < 3; ++axis)
         {
           positions[3 * at + axis] = position[axis];
           normals[3 * at + axis] = frame.Normals[pixel][axis];
         }
-        isovalues[at] = key.Sought.Isovalues[surface];
+        isovalues[at] = key.Isosurfaces.Isovalues[surface];
         indices[at] = places[surface];
         std::copy(frame.Colors[pixel].begin(), frame.Colors[pixel].end(), colors + 4 * at);
         ++at;

@@ -71,7 +71,7 @@ bool CheckNode(int i, const double node[4], std::string& error)
   const char* const remedy = "GetGradientOpacity()->SetNodeValue or AddPoint";
   const NumberRange share = { 0.0, 1.0 };
   SettingCheck check({ "node", i, "the gradient opacity of the volume's property" }, error);
-  check("Position", node[0], Allowed::Steepness, remedy);
+  check("Position", node[0], Allowed::GradientMagnitude, remedy);
   check("Value", node[1], Allowed::Opacity, remedy);
   check("Midpoint", node[2], share, remedy);
   check("Sharpness", node[3], share, remedy);
@@ -188,13 +188,13 @@ bool MakeGradientOpacity(vtkVolumeProperty* property, int component, const glm::
 bool IsOpaque(vtkContourValues* list, vtkVolumeProperty* property, int component)
 {
   Surfaces surfaces;
-  GradientOpacity bySteepness;
+  GradientOpacity byGradient;
   std::vector<int> places;
   std::string error;
   return FindSurfaces(list, property, component, surfaces, places, error) &&
     surfaces.Opacities.empty() &&
-    MakeGradientOpacity(property, component, glm::dvec3(1.0), bySteepness, error) &&
-    bySteepness.Nodes.empty();
+    MakeGradientOpacity(property, component, glm::dvec3(1.0), byGradient, error) &&
+    byGradient.Nodes.empty();
 }
 
 bool MakeAppearance(vtkVolumeProperty* property, int component, vtkRenderer* renderer,

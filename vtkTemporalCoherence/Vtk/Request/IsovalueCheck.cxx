@@ -162,9 +162,9 @@ IsovalueCheck::Story& IsovalueCheck::StoryOf(vtkVolume* volume)
 std::string IsovalueCheck::Check(
   const DrawnVolume& drawn, const FrameRequest& request, const ValueRangePyramid& ranges)
 {
-  const Surfaces& sought = request.Key.Sought;
-  return sought.Isovalues.empty() ? this->CheckTransparent(drawn, request)
-                                  : this->Check(drawn, sought.Isovalues, sought.Mode, ranges);
+  const Surfaces& surfaces = request.Key.Isosurfaces;
+  return surfaces.Isovalues.empty() ? this->CheckTransparent(drawn, request)
+                                    : this->Check(drawn, surfaces.Isovalues, surfaces.Mode, ranges);
 }
 
 std::string IsovalueCheck::CheckTransparent(const DrawnVolume& drawn, const FrameRequest& request)
@@ -189,7 +189,7 @@ std::string IsovalueCheck::CheckTransparent(const DrawnVolume& drawn, const Fram
     return "";
   }
   const glm::dvec2 finite = ranges.FiniteRange();
-  const SurfaceMode mode = request.Key.Sought.Mode;
+  const SurfaceMode mode = request.Key.Isosurfaces.Mode;
   if (!AreMet(isovalues, mode, ranges.WholeRange()))
   {
     return this->Check(drawn, isovalues, mode, ranges);

@@ -27,7 +27,7 @@ namespace TemporalCoherence
 struct ShownFrame
 {
   const Frame& Picture;
-  const View& Seen;
+  const TemporalCoherence::View& View;
   glm::ivec2 Pixels;    ///< of the viewport, which may be more than rays, or fewer
   std::uint64_t Number; ///< differs whenever frame or view differ from the last ones
 };
@@ -65,15 +65,15 @@ private:
   struct Resources;
   bool Prepare(
     vtkRenderer* renderer, const ShownFrame& shown, PassOutput output, std::string& error);
-  bool CutLayers(const Frame& frame, const View& view);
-  bool CutColorsAt(const glm::ivec2& size, const Frame& frame, const View& view);
+  bool ClipLayers(const Frame& frame, const View& view);
+  bool ClipColorsAt(const glm::ivec2& size, const Frame& frame, const View& view);
   void UploadNormals(const Frame& frame);
   void Draw(vtkTextureObject* color, bool isOpaque, bool isTranslucent);
 
   std::unique_ptr<Resources> OpenGL; ///< null while nothing is held in a context
   WindowPicture Shown;               ///< kept for its memory, as are these
   std::vector<float> Depths;
-  std::vector<PixelColor> CutColors;
+  std::vector<PixelColor> ClippedColors;
 };
 
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef Testing_KeptParts_h
-#define Testing_KeptParts_h
+#ifndef Testing_BruteForceRegion_h
+#define Testing_BruteForceRegion_h
 
 #include "BruteForceTracer.h"
 #include "vtkTemporalCoherenceCompatibility.h"
@@ -15,11 +15,11 @@ class vtkVolumeMapper;
 VTK_ABI_NAMESPACE_END
 
 /// Says by itself what clipping planes and cropping of a mapper keep of lines in the world.
-class KeptParts
+class BruteForceRegion
 {
 public:
   /// \param volume its transform
-  KeptParts(vtkVolumeMapper* mapper, vtkVolume* volume);
+  BruteForceRegion(vtkVolumeMapper* mapper, vtkVolume* volume);
 
   /// The parts of a line that are kept, from front to back. Parts that touch are one: a solid that
   /// goes on is not capped between them.

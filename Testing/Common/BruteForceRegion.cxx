@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "KeptParts.h"
+#include "BruteForceRegion.h"
 
 #include <vtkMatrix4x4.h>
 #include <vtkPlane.h>
@@ -26,14 +26,14 @@ std::array<double, 3> PointOn(const BruteForceTracer::Line& line, double t)
 
 }
 
-KeptParts::KeptParts(vtkVolumeMapper* mapper, vtkVolume* volume)
+BruteForceRegion::BruteForceRegion(vtkVolumeMapper* mapper, vtkVolume* volume)
   : Mapper(mapper)
 {
   volume->ComputeMatrix();
   vtkMatrix4x4::Invert(volume->GetMatrix()->GetData(), this->Back.data());
 }
 
-KeptParts::Point KeptParts::DataFromWorld(const Point& world) const
+BruteForceRegion::Point BruteForceRegion::DataFromWorld(const Point& world) const
 {
   const double point[4] = { world[0], world[1], world[2], 1.0 };
   double data[4];
@@ -41,7 +41,7 @@ KeptParts::Point KeptParts::DataFromWorld(const Point& world) const
   return { data[0], data[1], data[2] };
 }
 
-bool KeptParts::Keeps(const Point& world) const
+bool BruteForceRegion::Keeps(const Point& world) const
 {
   vtkPlaneCollection* planes = this->Mapper->GetClippingPlanes();
   for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
@@ -68,7 +68,7 @@ bool KeptParts::Keeps(const Point& world) const
 }
 
 /// How far a point is from each plane, with a sign.
-std::vector<double> KeptParts::PlanesAt(const Point& world) const
+std::vector<double> BruteForceRegion::PlanesAt(const Point& world) const
 {
   std::vector<double> distances;
   vtkPlaneCollection* planes = this->Mapper->GetClippingPlanes();
@@ -85,7 +85,7 @@ std::vector<double> KeptParts::PlanesAt(const Point& world) const
   return distances;
 }
 
-std::vector<BruteForceTracer::Line> KeptParts::Of(const BruteForceTracer::Line& line) const
+std::vector<BruteForceTracer::Line> BruteForceRegion::Of(const BruteForceTracer::Line& line) const
 {
   std::vector<double> stops = { line.Begin, line.End };
   const std::vector<double> atBegin = this->PlanesAt(PointOn(line, line.Begin));
@@ -118,7 +118,7 @@ std::vector<BruteForceTracer::Line> KeptParts::Of(const BruteForceTracer::Line& 
   return parts;
 }
 
-BruteForceTracer::Hit KeptParts::Trace(
+BruteForceTracer::Hit BruteForceRegion::Trace(
   const BruteForceTracer& truth, const BruteForceTracer::Line& line) const
 {
   for (const BruteForceTracer::Line& part : this->Of(line))

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef TemporalCoherence_RoomAllocator_h
-#define TemporalCoherence_RoomAllocator_h
+#ifndef TemporalCoherence_DefaultInitAllocator_h
+#define TemporalCoherence_DefaultInitAllocator_h
 
 #include <memory>
 #include <new>
@@ -13,12 +13,12 @@ namespace TemporalCoherence
 /// Allocates room without a value in it: the threads that fill it are the
 /// first to touch it.
 template <typename T>
-struct RoomAllocator : std::allocator<T>
+struct DefaultInitAllocator : std::allocator<T>
 {
   template <typename U>
   struct rebind
   {
-    using other = RoomAllocator<U>;
+    using other = DefaultInitAllocator<U>;
   };
   template <typename U>
   void construct(U* place) const

@@ -3,14 +3,14 @@
 
 // Paths of rays through cells, in vectors. Included by kernels once for each kind of vectors, hence
 // the guard that turns over.
-#if defined(TemporalCoherence_KernelsPassage_inl_h) == defined(HWY_TARGET_TOGGLE)
-#ifdef TemporalCoherence_KernelsPassage_inl_h
-#undef TemporalCoherence_KernelsPassage_inl_h
+#if defined(TemporalCoherence_KernelsSegment_inl_h) == defined(HWY_TARGET_TOGGLE)
+#ifdef TemporalCoherence_KernelsSegment_inl_h
+#undef TemporalCoherence_KernelsSegment_inl_h
 #else
-#define TemporalCoherence_KernelsPassage_inl_h
+#define TemporalCoherence_KernelsSegment_inl_h
 #endif
 
-#include "Trace/PassageBatch.h"
+#include "Trace/SegmentBatch.h"
 
 #include <hwy/highway.h>
 
@@ -42,7 +42,7 @@ HWY_INLINE void StoreAs(V value, float* to)
   hn::StoreU(hn::DemoteTo(df, value), df, to);
 }
 
-/// Where each passage leaves its cell, and its path in the cell's coordinates.
+/// Where each segment leaves its cell, and its path in the cell's coordinates.
 template <typename Real>
 struct Paths
 {
@@ -51,7 +51,7 @@ struct Paths
 };
 
 template <typename Real>
-HWY_INLINE void SetUpPaths(PassageBatch<Real>& in, std::size_t count, Paths<Real>& out)
+HWY_INLINE void SetUpPaths(SegmentBatch<Real>& in, std::size_t count, Paths<Real>& out)
 {
   const hn::CappedTag<double, WidestVector / 2> d;
   using V = hn::Vec<decltype(d)>;
@@ -95,7 +95,7 @@ HWY_INLINE void SetUpPaths(PassageBatch<Real>& in, std::size_t count, Paths<Real
 /// CubicAlong of CellRoot.h.
 template <typename Real, class D, class V = hn::Vec<D>>
 HWY_INLINE void CubicsAlong(
-  D d, const PassageBatch<Real>& in, const Paths<Real>& paths, std::size_t i, V b[4])
+  D d, const SegmentBatch<Real>& in, const Paths<Real>& paths, std::size_t i, V b[4])
 {
   V v[8], alongX[8], alongXY[8], box[8];
   for (std::size_t corner = 0; corner < 8; ++corner)
@@ -131,12 +131,12 @@ HWY_INLINE void CubicsAlong(
   b[3] = box[7];
 }
 
-/// Passages as far as the last vector of Real reaches, which holds more lanes than one of double.
+/// Segments as far as the last vector of Real reaches, which holds more lanes than one of double.
 template <typename Real>
-HWY_INLINE std::size_t FullVectors(const PassageBatch<Real>& passages)
+HWY_INLINE std::size_t FullVectors(const SegmentBatch<Real>& segments)
 {
   const std::size_t lanes = hn::Lanes(hn::CappedTag<Real, WidestVector>());
-  return (static_cast<std::size_t>(passages.Count) + lanes - 1) / lanes * lanes;
+  return (static_cast<std::size_t>(segments.Count) + lanes - 1) / lanes * lanes;
 }
 
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Look.h"
+#include "Style.h"
 
 #include <vtkCamera.h>
 #include <vtkColorTransferFunction.h>
@@ -13,7 +13,7 @@
 
 #include <cstddef>
 
-namespace Look
+namespace Style
 {
 namespace
 {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef TemporalCoherence_PassageBatch_h
-#define TemporalCoherence_PassageBatch_h
+#ifndef TemporalCoherence_SegmentBatch_h
+#define TemporalCoherence_SegmentBatch_h
 
 #include "Scene/RayBatch.h"
 
@@ -11,17 +11,17 @@
 namespace TemporalCoherence
 {
 
-/// Rays that pass through cells, as arrays over passages. `Real` is what the field's samples are
-/// computed in.
+/// Cell segments: the parts of rays that lie in one cell each, as arrays over segments. `Real` is
+/// what the field's samples are computed in.
 template <typename Real>
-struct PassageBatch
+struct SegmentBatch
 {
   template <typename T>
   using Array = RayBatch::Array<T>;
 
   int Count = 0;
 
-  /// Of the rays, in index space, unless the passages are those of all rays of a batch, one each,
+  /// Of the rays, in index space, unless the segments are those of all rays of a batch, one each,
   /// which are numbers up to the end of their last vector.
   std::array<Array<double>, 3> Origin, Direction, Inverse;
   Array<double> Begin, End;
@@ -50,31 +50,31 @@ struct PassageBatch
   const double* EndOf() const { return (this->All ? this->All->End : this->End).data(); }
 };
 
-/// Append the passage of a ray through a cell.
+/// Append the segment of a ray through a cell.
 template <typename Real>
-void AppendPassage(const RayBatch& rays, std::size_t ray, const glm::ivec3& cell,
-  const std::array<Real, 8>& corners, PassageBatch<Real>& passages)
+void AppendSegment(const RayBatch& rays, std::size_t ray, const glm::ivec3& cell,
+  const std::array<Real, 8>& corners, SegmentBatch<Real>& segments)
 {
-  const auto at = static_cast<std::size_t>(passages.Count++);
+  const auto at = static_cast<std::size_t>(segments.Count++);
   for (std::size_t a = 0; a < 3; ++a)
   {
-    passages.Origin[a][at] = rays.Origin[a][ray];
-    passages.Direction[a][at] = rays.Direction[a][ray];
-    passages.Inverse[a][at] = rays.Inverse[a][ray];
-    passages.Cell[a][at] = cell[static_cast<int>(a)];
+    segments.Origin[a][at] = rays.Origin[a][ray];
+    segments.Direction[a][at] = rays.Direction[a][ray];
+    segments.Inverse[a][at] = rays.Inverse[a][ray];
+    segments.Cell[a][at] = cell[static_cast<int>(a)];
   }
-  passages.Begin[at] = rays.Begin[ray];
-  passages.End[at] = rays.End[ray];
+  segments.Begin[at] = rays.Begin[ray];
+  segments.End[at] = rays.End[ray];
   for (std::size_t corner = 0; corner < 8; ++corner)
   {
-    passages.Corners[corner][at] = corners[corner];
+    segments.Corners[corner][at] = corners[corner];
   }
 }
 
-/// Repeat the last passage up to the end of the last vector, so that no lane holds what is not a
+/// Repeat the last segment up to the end of the last vector, so that no lane holds what is not a
 /// number of ours.
 template <typename Real>
-void FillLastVector(PassageBatch<Real>& in)
+void FillLastVector(SegmentBatch<Real>& in)
 {
   if (in.Count == RayBatch::Capacity)
   {

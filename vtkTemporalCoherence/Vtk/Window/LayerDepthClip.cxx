@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Window/LayerCut.h"
+#include "Window/LayerDepthClip.h"
 
 #include "Scene/Parallel.h"
 
@@ -14,24 +14,24 @@ namespace
 /// What nothing was drawn over since the depth buffer was cleared.
 constexpr float FarthestDepth = 1.0f;
 
-/// Cuts the layers of one tile after the other, which have no pixel of the window in common.
-class LayerCutter
+/// Clips the layers of one tile after the other, which have no pixel of the window in common.
+class LayerDepthClipper
 {
 public:
-  LayerCutter(const std::vector<float>& depths, const glm::ivec2& size, const PixelRect& rect,
-    const Frame& frame, const View& view, std::vector<PixelColor>& colors)
+  LayerDepthClipper(const std::vector<float>& depths, const glm::ivec2& size, const PixelRect& rect,
+    const Frame& frame, const TemporalCoherence::View& view, std::vector<PixelColor>& colors)
     : Depths(depths)
     , WindowSize(size)
     , Rect(rect)
     , Picture(frame)
-    , Seen(view)
+    , View(view)
     , Colors(colors)
   {
   }
 
   /// Colour the window's pixels of a tile.
   /// \return true if one has not the picture's own colour
-  bool Cut(std::int64_t tile) const
+  bool Clip(std::int64_t tile) const
   {
     const PixelRect part = PixelsOfTile(this->Picture.Size, tile);
     if (this->HasDepths(part))
@@ -58,7 +58,7 @@ private:
   void Show(const LayerHit& layer) const
   {
     const glm::ivec2 pixel(layer.Pixel % this->Picture.Size.x, layer.Pixel / this->Picture.Size.x);
-    const float depth = WindowDepthOf(this->Seen, pixel, layer.Depth);
+    const float depth = WindowDepthOf(this->View, pixel, layer.Depth);
     this->ForWindowPixels({ pixel, glm::ivec2(1) },
       [&](std::size_t at)
       {
@@ -69,7 +69,7 @@ private:
       });
   }
 
-  /// Give pixels none of whose layers is cut off, or all of whose are, the picture's colours.
+  /// Give pixels none of whose layers is clipped, or all of whose are, the picture's colours.
   bool Complete(const PixelRect& part) const
   {
     bool isCut = false;
@@ -118,17 +118,17 @@ private:
   glm::ivec2 WindowSize;
   PixelRect Rect;
   const Frame& Picture;
-  const View& Seen;
+  const TemporalCoherence::View& View;
   std::vector<PixelColor>& Colors;
 };
 
 }
 
-bool CutLayersAt(const std::vector<float>& depths, const glm::ivec2& size, const PixelRect& rect,
+bool ClipLayersAt(const std::vector<float>& depths, const glm::ivec2& size, const PixelRect& rect,
   const Frame& frame, const View& view, std::vector<PixelColor>& colors)
 {
   colors.assign(depths.size(), PixelColor{});
-  const LayerCutter cutter(depths, size, rect, frame, view, colors);
+  const LayerDepthClipper clipper(depths, size, rect, frame, view, colors);
   const glm::ivec2 first = rect.First / TileSize, tiles = TilesOf(rect.Size);
   const int columns = TilesOf(frame.Size).x;
   std::atomic<bool> isCut(false);
@@ -137,7 +137,7 @@ bool CutLayersAt(const std::vector<float>& depths, const glm::ivec2& size, const
     {
       for (int column = 0; column < tiles.x; ++column)
       {
-        if (cutter.Cut((first.y + row) * columns + first.x + column))
+        if (clipper.Clip((first.y + row) * columns + first.x + column))
         {
           isCut = true;
         }

@@ -159,7 +159,7 @@ void SetGradientOpacities(World& world)
     {
       opacity->AddPoint(at, value);
     }
-    Story::Tell("  opacity at steepness ", at, ": ", value);
+    Story::Tell("  opacity at gradient magnitude ", at, ": ", value);
   }
   property->SetGradientOpacity(opacity);
   property->DisableGradientOpacityOff();
@@ -260,12 +260,12 @@ const std::vector<ChangeKind>& OfIsovalues()
   return kinds;
 }
 
-const std::vector<ChangeKind>& OfLook()
+const std::vector<ChangeKind>& OfAppearance()
 {
   static const std::vector<ChangeKind> kinds = {
     { "opacities", { 4, 2, 2, 1, 12, 6 }, SetOpacities },
     { "opaque", { 3, 2, 2, 2, 6, 3 }, MakeOpaque },
-    { "opacities of steepness", { 3, 1, 1, 1, 6, 4 }, SetGradientOpacities },
+    { "opacities of gradient magnitude", { 3, 1, 1, 1, 6, 4 }, SetGradientOpacities },
     { "colours", { 4, 2, 2, 1, 30, 4 }, SetColors },
     { "material", { 4, 2, 2, 1, 30, 6 }, SetMaterial },
     { "components", { 2, 1, 1, 1, 2, 4 }, SetComponents },

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef TemporalCoherence_RegionCutter_h
-#define TemporalCoherence_RegionCutter_h
+#ifndef TemporalCoherence_RegionClipper_h
+#define TemporalCoherence_RegionClipper_h
 
 #include "Scene/Field.h"
 #include "Scene/RayBatch.h"
@@ -16,14 +16,14 @@
 namespace TemporalCoherence
 {
 
-/// Cuts rays to a region.
-class RegionCutter
+/// AllPlanes rays to a region.
+class RegionClipper
 {
 public:
-  /// \param placement of the field that the region is a part of
-  RegionCutter(const Region& region, const Placement& placement);
+  /// \param transform of the field
+  RegionClipper(const Region& region, const IndexTransform& transform);
 
-  bool IsWhole() const { return this->Kept.IsWhole(); }
+  bool IsWhole() const { return this->ClipRegion.IsWhole(); }
 
   /// True if a ray may be in the region, leave it and come back.
   bool HasPieces() const { return !this->IsConvex; }
@@ -41,16 +41,16 @@ public:
   };
   Pieces PiecesOf(const RayBatch& rays, std::size_t ray) const;
 
-  /// The planes that cut the field, in index space: normals of unit length, and offsets.
-  const std::vector<glm::dvec4>& Planes() const { return this->Cuts; }
+  /// The planes that clip the field, in index space: normals of unit length, and offsets.
+  const std::vector<glm::dvec4>& Planes() const { return this->AllPlanes; }
 
 private:
   bool Keeps(const glm::dvec3& point) const;
 
-  Region Kept;
+  Region ClipRegion;
   bool IsConvex;
   std::vector<glm::dvec4> Clips; ///< in index space
-  std::vector<glm::dvec4> Cuts;
+  std::vector<glm::dvec4> AllPlanes;
 };
 
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef TemporalCoherence_LayerCut_h
-#define TemporalCoherence_LayerCut_h
+#ifndef TemporalCoherence_LayerDepthClip_h
+#define TemporalCoherence_LayerDepthClip_h
 
 #include "Window/WindowPicture.h"
 
@@ -19,7 +19,7 @@ namespace TemporalCoherence
 /// \param[out] colors of these pixels, premultiplied
 /// \return false if these are the picture's own colours
 /// \throws std::bad_alloc
-bool CutLayersAt(const std::vector<float>& depths, const glm::ivec2& size, const PixelRect& rect,
+bool ClipLayersAt(const std::vector<float>& depths, const glm::ivec2& size, const PixelRect& rect,
   const Frame& frame, const View& view, std::vector<PixelColor>& colors);
 
 }

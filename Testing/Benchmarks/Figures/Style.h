@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef Gallery_Look_h
-#define Gallery_Look_h
+#ifndef Gallery_Style_h
+#define Gallery_Style_h
 
 #include <array>
 #include <vector>
@@ -10,7 +10,7 @@ class vtkRenderer;
 class vtkVolumeProperty;
 
 /// How all pictures of the gallery look.
-namespace Look
+namespace Style
 {
 
 /// Where the viewer stands: directions from the middle of what is shown.
@@ -40,7 +40,7 @@ constexpr Color Lines = { 0.45, 0.52, 0.62 };
 struct Surface
 {
   double Isovalue;
-  Look::Color Color;
+  Style::Color Color;
   double Opacity = 1.0;
 };
 

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef TemporalCoherence_Passage_h
-#define TemporalCoherence_Passage_h
+#ifndef TemporalCoherence_CellSegment_h
+#define TemporalCoherence_CellSegment_h
 
 #include "Trace/CellRoot.h"
-#include "Trace/PassageBatch.h"
+#include "Trace/SegmentBatch.h"
 
 #include <algorithm>
 #include <array>
@@ -13,11 +13,11 @@
 namespace TemporalCoherence
 {
 
-/// One passage: where the ray enters and leaves its cell, and the path between.
+/// A cell segment: where the ray enters and leaves its cell, and the path between.
 template <typename Real>
-struct Passage
+struct CellSegment
 {
-  Passage(const PassageBatch<Real>& in, std::size_t i)
+  CellSegment(const SegmentBatch<Real>& in, std::size_t i)
     : Enter(in.BeginOf()[i])
     , Leave(in.EndOf()[i])
   {
@@ -55,8 +55,8 @@ struct Passage
                                      : std::numeric_limits<double>::infinity();
   }
 
-  /// The nearest samples along passage i.
-  NearestPath Nearest(const PassageBatch<Real>& in, std::size_t i) const
+  /// The nearest samples along segment i.
+  NearestPath Nearest(const SegmentBatch<Real>& in, std::size_t i) const
   {
     std::array<double, 3> midway;
     for (std::size_t a = 0; a < 3; ++a)

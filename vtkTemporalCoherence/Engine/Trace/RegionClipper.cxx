@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Trace/RegionCutter.h"
+#include "Trace/RegionClipper.h"
 
 #include <algorithm>
 #include <limits>
@@ -49,36 +49,36 @@ void ShortenToSide(const glm::dvec4& plane, std::size_t ray, RayBatch& rays)
 
 }
 
-RegionCutter::RegionCutter(const Region& region, const Placement& placement)
-  : Kept(region)
+RegionClipper::RegionClipper(const Region& region, const IndexTransform& transform)
+  : ClipRegion(region)
   , IsConvex(region.IsConvex())
 {
   for (const glm::dvec4& clip : region.Clips)
   {
     // As a plane goes: by the transposed matrix of the way back. Then of unit length.
-    const glm::dvec4 plane = glm::transpose(placement.WorldFromIndex) * clip;
+    const glm::dvec4 plane = glm::transpose(transform.WorldFromIndex) * clip;
     const double length = glm::length(glm::dvec3(plane));
     this->Clips.push_back(length > 0.0 ? plane / length : plane);
   }
-  this->Cuts = this->Clips;
+  this->AllPlanes = this->Clips;
   if (region.Boxes != Region::AllBoxes)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
       for (int side = 0; side < 2; ++side)
       {
-        glm::dvec4 cut(0.0, 0.0, 0.0, -region.Crops[static_cast<std::size_t>(axis)][side]);
-        cut[axis] = 1.0;
-        this->Cuts.push_back(cut);
+        glm::dvec4 plane(0.0, 0.0, 0.0, -region.Crops[static_cast<std::size_t>(axis)][side]);
+        plane[axis] = 1.0;
+        this->AllPlanes.push_back(plane);
       }
     }
   }
 }
 
-void RegionCutter::Narrow(RayBatch& rays) const
+void RegionClipper::Narrow(RayBatch& rays) const
 {
-  const bool isCropped = this->Kept.Boxes != Region::AllBoxes;
-  const BoxRange range = this->Kept.RangeOfBoxes();
+  const bool isCropped = this->ClipRegion.Boxes != Region::AllBoxes;
+  const BoxRange range = this->ClipRegion.RangeOfBoxes();
   for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
   {
     for (const glm::dvec4& clip : this->Clips)
@@ -88,13 +88,13 @@ void RegionCutter::Narrow(RayBatch& rays) const
     for (std::size_t axis = 0; axis < 3 && isCropped; ++axis)
     {
       const auto a = static_cast<int>(axis);
-      const glm::dvec2& planes = this->Kept.Crops[axis];
+      const glm::dvec2& planes = this->ClipRegion.Crops[axis];
       const double low = range.First[a] > 0 ? planes[std::min(range.First[a] - 1, 1)] : -Infinity;
       const double high = range.Last[a] < 2 ? planes[std::max(range.Last[a], 0)] : Infinity;
       const double toLow = PassOf(rays, ray, axis, low), toHigh = PassOf(rays, ray, axis, high);
       Shorten(std::min(toLow, toHigh), std::max(toLow, toHigh), ray, rays);
     }
-    if (this->Kept.Boxes == 0)
+    if (this->ClipRegion.Boxes == 0)
     {
       Shorten(Infinity, -Infinity, ray, rays);
     }
@@ -103,7 +103,7 @@ void RegionCutter::Narrow(RayBatch& rays) const
   }
 }
 
-RegionCutter::Pieces RegionCutter::PiecesOf(const RayBatch& rays, std::size_t ray) const
+RegionClipper::Pieces RegionClipper::PiecesOf(const RayBatch& rays, std::size_t ray) const
 {
   Pieces pieces;
   const double begin = rays.Begin[ray], end = rays.End[ray];
@@ -117,7 +117,7 @@ RegionCutter::Pieces RegionCutter::PiecesOf(const RayBatch& rays, std::size_t ra
   {
     for (int side = 0; side < 2; ++side)
     {
-      const double t = PassOf(rays, ray, axis, this->Kept.Crops[axis][side]);
+      const double t = PassOf(rays, ray, axis, this->ClipRegion.Crops[axis][side]);
       if (t > begin && t < end)
       {
         // Into its place among those that are there.
@@ -154,15 +154,15 @@ RegionCutter::Pieces RegionCutter::PiecesOf(const RayBatch& rays, std::size_t ra
 }
 
 /// True if a point between the clipping planes is in a box that is kept.
-bool RegionCutter::Keeps(const glm::dvec3& point) const
+bool RegionClipper::Keeps(const glm::dvec3& point) const
 {
   int box = 0;
   for (int axis = 2; axis >= 0; --axis)
   {
-    const glm::dvec2& planes = this->Kept.Crops[static_cast<std::size_t>(axis)];
+    const glm::dvec2& planes = this->ClipRegion.Crops[static_cast<std::size_t>(axis)];
     box = 3 * box + (point[axis] < planes.x ? 0 : point[axis] < planes.y ? 1 : 2);
   }
-  return this->Kept.Boxes >> box & 1u;
+  return this->ClipRegion.Boxes >> box & 1u;
 }
 
 }

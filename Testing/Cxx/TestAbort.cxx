@@ -4,11 +4,11 @@
 // Frames tell how far they are and can be stopped: the last picture stays, and what is made next is
 // as if nothing had been.
 
-#include "ColdWitness.h"
-#include "EventCounter.h"
-#include "Expect.h"
-#include "Scene.h"
-#include "Volumes.h"
+#include "Checks/EventCounter.h"
+#include "Checks/Expect.h"
+#include "Scenes/Scene.h"
+#include "Truth/ColdWitness.h"
+#include "Volumes/Volumes.h"
 
 #include <vtkCommand.h>
 #include <vtkFloatingPointExceptions.h>

@@ -4,10 +4,10 @@
 // Lights of every kind on a volume and on the same surface as polygons: what is lit, and how much.
 // With the scenes of TestGPURayCastPositionalLights and VolumeLightKit.
 
-#include "Expect.h"
-#include "PolygonPeer.h"
-#include "Scene.h"
-#include "Volumes.h"
+#include "Checks/Expect.h"
+#include "Scenes/Scene.h"
+#include "Truth/PolygonPeer.h"
+#include "Volumes/Volumes.h"
 
 #include <vtkFloatingPointExceptions.h>
 #include <vtkLight.h>

@@ -5,10 +5,10 @@
 // surfaces as polygons (vtkFlyingEdges3D) in the same window: TestGPURayCastIsosurface,
 // ChangedArray, VolumePlane, VolumeUpdate, PerspectiveParallel.
 
-#include "Expect.h"
-#include "PolygonPeer.h"
-#include "Scene.h"
-#include "Volumes.h"
+#include "Checks/Expect.h"
+#include "Scenes/Scene.h"
+#include "Truth/PolygonPeer.h"
+#include "Volumes/Volumes.h"
 
 #include <vtkActor.h>
 #include <vtkFloatArray.h>

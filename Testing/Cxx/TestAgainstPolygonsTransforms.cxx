@@ -6,10 +6,10 @@
 // VolumeOrientation, CameraInside, CameraInsideSmallSpacing, CameraInsideTransformation,
 // CameraInsideNonUniformScaleTransform.
 
-#include "Expect.h"
-#include "PolygonPeer.h"
-#include "Scene.h"
-#include "Volumes.h"
+#include "Checks/Expect.h"
+#include "Scenes/Scene.h"
+#include "Truth/PolygonPeer.h"
+#include "Volumes/Volumes.h"
 
 #include <vtkActor.h>
 #include <vtkFloatingPointExceptions.h>

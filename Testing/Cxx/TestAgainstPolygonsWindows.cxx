@@ -4,10 +4,10 @@
 // Depth images and the life of windows, against polygons: the scenes of VTK's
 // TestGPURayCastRenderDepthToImage and ReleaseResources.
 
-#include "Expect.h"
-#include "PolygonPeer.h"
-#include "Scene.h"
-#include "Volumes.h"
+#include "Checks/Expect.h"
+#include "Scenes/Scene.h"
+#include "Truth/PolygonPeer.h"
+#include "Volumes/Volumes.h"
 
 #include <vtkFloatingPointExceptions.h>
 #include <vtkMath.h>

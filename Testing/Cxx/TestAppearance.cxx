@@ -5,10 +5,10 @@
 // stays. Those that have no effect are not looked at, and the largest that are allowed still give
 // colours.
 
-#include "Expect.h"
-#include "Mistake.h"
-#include "Scene.h"
-#include "Volumes.h"
+#include "Checks/Expect.h"
+#include "Scenes/Mistake.h"
+#include "Scenes/Scene.h"
+#include "Volumes/Volumes.h"
 
 #include <vtkColorTransferFunction.h>
 #include <vtkFloatingPointExceptions.h>

@@ -4,7 +4,7 @@
 // Nothing is seen in cells that no block has, owns and shows; of several blocks with a sample, the
 // owner's counts.
 
-#include "ImageBlocks.h"
+#include "Truth/ImageBlocks.h"
 
 #include <vtkUnsignedCharArray.h>
 

@@ -4,7 +4,7 @@
 // Blocks of images are drawn as the one image that they are parts of: no seams, nothing stale when
 // one of them changes, mistakes named by the block.
 
-#include "ImageBlocks.h"
+#include "Truth/ImageBlocks.h"
 
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>

@@ -4,8 +4,8 @@
 // The contract of a cold frame: hit or miss agrees with a double-precision brute-force tracer for
 // at least 99.99 % of the pixels, depth to 1e-3 voxel for at least 99.9 % of the hits.
 
-#include "Scene.h"
-#include "Volumes.h"
+#include "Scenes/Scene.h"
+#include "Volumes/Volumes.h"
 
 #include <cstdlib>
 #include <iostream>

@@ -4,7 +4,7 @@
 // Volumes among translucent polygons under depth peeling: every pixel shows what is seen there from
 // front to back, as arithmetic says.
 
-#include "PlateStack.h"
+#include "Scenes/PlateStack.h"
 
 #include <vtkFloatingPointExceptions.h>
 #include <vtkObjectFactory.h>

@@ -4,10 +4,10 @@
 // Curved surfaces among translucent spheres, where volumes are peeled: the picture of polygons in
 // their place.
 
-#include "Expect.h"
-#include "OffScreen.h"
-#include "Scene.h"
-#include "Volumes.h"
+#include "Checks/Expect.h"
+#include "Scenes/OffScreen.h"
+#include "Scenes/Scene.h"
+#include "Volumes/Volumes.h"
 #include "vtkTemporalCoherenceVolume.h"
 
 #include <vtkActor.h>

@@ -4,12 +4,12 @@
 // A program for one of VTK's volume mappers needs to change nothing but the name of the class: what
 // it sets is kept, and what has no meaning here changes no picture.
 
-#include "EventCounter.h"
-#include "Expect.h"
-#include "Mistake.h"
-#include "OffScreen.h"
-#include "Scene.h"
-#include "Volumes.h"
+#include "Checks/EventCounter.h"
+#include "Checks/Expect.h"
+#include "Scenes/Mistake.h"
+#include "Scenes/OffScreen.h"
+#include "Scenes/Scene.h"
+#include "Volumes/Volumes.h"
 
 #include <vtkContourValues.h>
 #include <vtkFixedPointVolumeRayCastMapper.h>

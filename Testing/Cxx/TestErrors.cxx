@@ -4,11 +4,11 @@
 // A mistake gets one error with its value and remedy, the last valid picture stays, nothing
 // crashes.
 
-#include "EventCounter.h"
-#include "Expect.h"
-#include "Mistake.h"
-#include "Scene.h"
-#include "Volumes.h"
+#include "Checks/EventCounter.h"
+#include "Checks/Expect.h"
+#include "Scenes/Mistake.h"
+#include "Scenes/Scene.h"
+#include "Volumes/Volumes.h"
 
 #include <vtkBitArray.h>
 #include <vtkCellData.h>

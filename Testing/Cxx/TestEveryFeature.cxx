@@ -4,8 +4,8 @@
 // Whatever features are on, together and one after the other: every frame is what its route
 // promises, whichever steps led there.
 
-#include "Expect.h"
-#include "FeatureWalk.h"
+#include "Checks/Expect.h"
+#include "Walks/FeatureWalk.h"
 
 #include <vtkSMPTools.h>
 

@@ -5,13 +5,13 @@
 // what vtkTemporalCoherenceVolumeMapper shows of isosurfaces, re-use included, and what VTK's own
 // mapper shows of everything else, to the last bit.
 
-#include "EventCounter.h"
-#include "Expect.h"
-#include "OffScreen.h"
-#include "ProcessMemory.h"
-#include "Sanitized.h"
-#include "Scene.h"
-#include "Volumes.h"
+#include "Checks/EventCounter.h"
+#include "Checks/Expect.h"
+#include "Checks/ProcessMemory.h"
+#include "Checks/Sanitized.h"
+#include "Scenes/OffScreen.h"
+#include "Scenes/Scene.h"
+#include "Volumes/Volumes.h"
 #include "vtkTemporalCoherenceGPUVolumeRayCastMapper.h"
 #include "vtkTemporalCoherenceObjectFactory.h"
 #include "vtkTemporalCoherencePicker.h"

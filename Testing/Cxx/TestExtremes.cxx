@@ -3,9 +3,9 @@
 
 // Lengths far beyond those of any volume: what is found by leaping is what is found without.
 
-#include "ColdWitness.h"
-#include "Expect.h"
-#include "Volumes.h"
+#include "Checks/Expect.h"
+#include "Truth/ColdWitness.h"
+#include "Volumes/Volumes.h"
 
 #include <vtkFloatingPointExceptions.h>
 #include <vtkPiecewiseFunction.h>

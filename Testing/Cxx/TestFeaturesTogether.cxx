@@ -4,13 +4,13 @@
 // Features that meet in one picture, against brute force: inputs of all kinds, cropped to pieces,
 // clipped, with cells hidden, opaque and translucent.
 
-#include "Compositor.h"
-#include "Expect.h"
-#include "ExpectTruth.h"
-#include "Ghosts.h"
-#include "Grids.h"
-#include "ImageBlocks.h"
-#include "Masks.h"
+#include "Checks/Expect.h"
+#include "Truth/Compositor.h"
+#include "Truth/ExpectTruth.h"
+#include "Truth/ImageBlocks.h"
+#include "Volumes/Ghosts.h"
+#include "Volumes/Grids.h"
+#include "Volumes/Masks.h"
 
 #include <vtkCellData.h>
 #include <vtkContourValues.h>

@@ -4,12 +4,12 @@
 // More rays than pixels (ImageSampleDistance below 1): a window shows the means of the rays of the
 // cold picture that has as many pixels, and depths, picks and selections of the ray in the middle.
 
-#include "ColdWitness.h"
-#include "EventCounter.h"
-#include "Expect.h"
-#include "OffScreen.h"
-#include "Scene.h"
-#include "Volumes.h"
+#include "Checks/EventCounter.h"
+#include "Checks/Expect.h"
+#include "Scenes/OffScreen.h"
+#include "Scenes/Scene.h"
+#include "Truth/ColdWitness.h"
+#include "Volumes/Volumes.h"
 #include "Window/WindowRays.h"
 #include "vtkTemporalCoherenceGPUVolumeRayCastMapper.h"
 

@@ -4,8 +4,8 @@
 // Where a volume and a camera may be: every transform, projection and image geometry that VTK has,
 // each held against brute force.
 
-#include "Scene.h"
-#include "Volumes.h"
+#include "Scenes/Scene.h"
+#include "Volumes/Volumes.h"
 
 #include <vtkMatrix3x3.h>
 #include <vtkMatrix4x4.h>

@@ -3,14 +3,14 @@
 
 // Cells that ghost arrays hide: held against brute force, by all routes, as they change.
 
-#include "EventCounter.h"
-#include "Expect.h"
-#include "ExpectSame.h"
-#include "Ghosts.h"
-#include "RandomChanges.h"
-#include "Subject.h"
-#include "Sweep.h"
-#include "Volumes.h"
+#include "Checks/EventCounter.h"
+#include "Checks/Expect.h"
+#include "Scenes/Subject.h"
+#include "Truth/ExpectSame.h"
+#include "Volumes/Ghosts.h"
+#include "Volumes/Volumes.h"
+#include "Walks/RandomChanges.h"
+#include "Walks/Sweep.h"
 
 #include <vtkCellData.h>
 #include <vtkDataSetAttributes.h>

@@ -3,11 +3,11 @@
 
 // What frames made from the image cache promise: every picture is held against the cold one.
 
-#include "ColdWitness.h"
-#include "Expect.h"
-#include "RandomViews.h"
-#include "Subject.h"
-#include "Volumes.h"
+#include "Checks/Expect.h"
+#include "Scenes/Subject.h"
+#include "Truth/ColdWitness.h"
+#include "Volumes/Volumes.h"
+#include "Walks/RandomViews.h"
 
 #include <vtkSMPTools.h>
 

@@ -3,10 +3,10 @@
 
 // When frames are made from the image cache, and what they tell of themselves.
 
-#include "ColdWitness.h"
-#include "Expect.h"
-#include "RandomViews.h"
-#include "Volumes.h"
+#include "Checks/Expect.h"
+#include "Truth/ColdWitness.h"
+#include "Volumes/Volumes.h"
+#include "Walks/RandomViews.h"
 
 #include <cmath>
 #include <cstdlib>

@@ -5,8 +5,8 @@
 // VectorMode and by the volume's property. What is not held against brute force is held against a
 // plain image of the same samples, to the last bit.
 
-#include "Mistake.h"
-#include "PlainImages.h"
+#include "Scenes/Mistake.h"
+#include "Truth/PlainImages.h"
 
 #include <vtkCellData.h>
 #include <vtkFieldData.h>

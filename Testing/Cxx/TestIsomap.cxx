@@ -4,9 +4,9 @@
 // What is looked up in an isomap of tolerance 0 is the cold picture to the last bit, whatever the
 // samples, the isovalues and the view.
 
-#include "Expect.h"
-#include "Sweep.h"
-#include "Volumes.h"
+#include "Checks/Expect.h"
+#include "Volumes/Volumes.h"
+#include "Walks/Sweep.h"
 
 #include <vtkFloatingPointExceptions.h>
 #include <vtkSMPTools.h>

@@ -4,10 +4,10 @@
 // Building an isomap tells how far it is, can be stopped at any time with the last picture left as
 // it is, and refuses what it cannot do with one error.
 
-#include "ColdWitness.h"
-#include "EventCounter.h"
-#include "Expect.h"
-#include "Volumes.h"
+#include "Checks/EventCounter.h"
+#include "Checks/Expect.h"
+#include "Truth/ColdWitness.h"
+#include "Volumes/Volumes.h"
 
 #include <vtkFloatingPointExceptions.h>
 #include <vtkRenderWindow.h>

@@ -4,10 +4,10 @@
 // When isomaps are built, when they are looked up, when they are worth nothing any more, and what
 // memory they may take.
 
-#include "ColdWitness.h"
-#include "EventCounter.h"
-#include "Expect.h"
-#include "Volumes.h"
+#include "Checks/EventCounter.h"
+#include "Checks/Expect.h"
+#include "Truth/ColdWitness.h"
+#include "Volumes/Volumes.h"
 
 #include <vtkDataArray.h>
 #include <vtkPointData.h>

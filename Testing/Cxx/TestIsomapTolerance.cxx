@@ -3,9 +3,9 @@
 
 // Isomaps that may be a little wrong, or take colours over: how far they are from cold frames.
 
-#include "Expect.h"
-#include "Sweep.h"
-#include "Volumes.h"
+#include "Checks/Expect.h"
+#include "Volumes/Volumes.h"
+#include "Walks/Sweep.h"
 
 #include <vtkFloatingPointExceptions.h>
 #include <vtkMath.h>

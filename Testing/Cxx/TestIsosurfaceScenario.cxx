@@ -4,7 +4,7 @@
 // The scenario of VTK's TestGPURayCastIsosurface on this mapper: the default list of isovalues, one
 // contour, none, three, on a wavelet of 201^3, in a window, without errors; and each picture right.
 
-#include "Scene.h"
+#include "Scenes/Scene.h"
 
 #include <vtkContourValues.h>
 #include <vtkFloatingPointExceptions.h>

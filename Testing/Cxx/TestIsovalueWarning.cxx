@@ -4,10 +4,10 @@
 // Isovalues that no sample can meet get one warning with range and remedy, where the mapper knows
 // all of the data; and nothing else gets one.
 
-#include "EventCounter.h"
-#include "Expect.h"
-#include "ImageBlocks.h"
-#include "OffScreen.h"
+#include "Checks/EventCounter.h"
+#include "Checks/Expect.h"
+#include "Scenes/OffScreen.h"
+#include "Truth/ImageBlocks.h"
 
 #include <vtkContourValues.h>
 #include <vtkDataSetAttributes.h>

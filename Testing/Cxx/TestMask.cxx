@@ -4,15 +4,15 @@
 // Masks (SetMaskInput): a cell is hidden none of whose samples a mask shows. Held against brute
 // force, for all kinds of masks and inputs.
 
-#include "EventCounter.h"
-#include "Expect.h"
-#include "ExpectSame.h"
-#include "Ghosts.h"
-#include "Grids.h"
-#include "Masks.h"
-#include "Subject.h"
-#include "Sweep.h"
-#include "Volumes.h"
+#include "Checks/EventCounter.h"
+#include "Checks/Expect.h"
+#include "Scenes/Subject.h"
+#include "Truth/ExpectSame.h"
+#include "Volumes/Ghosts.h"
+#include "Volumes/Grids.h"
+#include "Volumes/Masks.h"
+#include "Volumes/Volumes.h"
+#include "Walks/Sweep.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>

@@ -4,17 +4,17 @@
 // Masks that change, and mistakes in them: every frame is the cold one of the mask that is there,
 // by all routes, also behind the mapper that takes the place of VTK's.
 
-#include "EventCounter.h"
-#include "Expect.h"
-#include "Ghosts.h"
-#include "ImageBlocks.h"
-#include "Masks.h"
-#include "Mistake.h"
-#include "OffScreen.h"
-#include "RandomChanges.h"
-#include "Subject.h"
-#include "Sweep.h"
-#include "Volumes.h"
+#include "Checks/EventCounter.h"
+#include "Checks/Expect.h"
+#include "Scenes/Mistake.h"
+#include "Scenes/OffScreen.h"
+#include "Scenes/Subject.h"
+#include "Truth/ImageBlocks.h"
+#include "Volumes/Ghosts.h"
+#include "Volumes/Masks.h"
+#include "Volumes/Volumes.h"
+#include "Walks/RandomChanges.h"
+#include "Walks/Sweep.h"
 #include "vtkTemporalCoherenceGPUVolumeRayCastMapper.h"
 
 #include <vtkDataArray.h>

@@ -3,9 +3,9 @@
 
 // Without memory for its structures a frame is refused with one error, and the last picture stays.
 
-#include "Sanitized.h"
-#include "Scene.h"
-#include "Volumes.h"
+#include "Checks/Sanitized.h"
+#include "Scenes/Scene.h"
+#include "Volumes/Volumes.h"
 
 #include <vtkPointData.h>
 #include <vtkTestErrorObserver.h>

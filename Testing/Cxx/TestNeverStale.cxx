@@ -3,11 +3,11 @@
 
 // Whatever changes, in whatever order: no picture ever shows what was true before.
 
-#include "EventCounter.h"
-#include "Expect.h"
-#include "RandomChanges.h"
-#include "Sweep.h"
-#include "Volumes.h"
+#include "Checks/EventCounter.h"
+#include "Checks/Expect.h"
+#include "Volumes/Volumes.h"
+#include "Walks/RandomChanges.h"
+#include "Walks/Sweep.h"
 
 #include <cstdlib>
 #include <utility>

@@ -3,10 +3,10 @@
 
 // Observers do odd things while a frame is made: it is the frame that was asked for.
 
-#include "Expect.h"
-#include "Meddler.h"
-#include "Scene.h"
-#include "Volumes.h"
+#include "Checks/Expect.h"
+#include "Checks/Meddler.h"
+#include "Scenes/Scene.h"
+#include "Volumes/Volumes.h"
 
 #include <vtkCommand.h>
 #include <vtkDataArray.h>

@@ -4,10 +4,10 @@
 // vtkTemporalCoherenceVolume among translucent polygons, under ambient occlusion and shadows: what
 // arithmetic says, or what polygons in its place look like.
 
-#include "Expect.h"
-#include "OffScreen.h"
-#include "Scene.h"
-#include "Volumes.h"
+#include "Checks/Expect.h"
+#include "Scenes/OffScreen.h"
+#include "Scenes/Scene.h"
+#include "Volumes/Volumes.h"
 #include "vtkTemporalCoherenceVolume.h"
 
 #include <vtkActor.h>

@@ -4,9 +4,9 @@
 // Picks hit what is seen: lines through many pixels against the pixels and brute force, and what
 // the picker tells against vtkVolumePicker where that can find the same surface.
 
-#include "Expect.h"
-#include "Scene.h"
-#include "Volumes.h"
+#include "Checks/Expect.h"
+#include "Scenes/Scene.h"
+#include "Volumes/Volumes.h"
 #include "vtkTemporalCoherencePicker.h"
 
 #include <vtkActor.h>

@@ -4,8 +4,8 @@
 // A few whole pictures against stored ones: what the numbers of the other tests do not see, such as
 // light and colour. A picture that differs is left in the temporary directory of the tests.
 
-#include "Scene.h"
-#include "Volumes.h"
+#include "Scenes/Scene.h"
+#include "Volumes/Volumes.h"
 
 #include <vtkLight.h>
 #include <vtkRTAnalyticSource.h>

@@ -3,9 +3,9 @@
 
 // The planes of a frame as images, and the surface that it shows as points.
 
-#include "Expect.h"
-#include "Scene.h"
-#include "Volumes.h"
+#include "Checks/Expect.h"
+#include "Scenes/Scene.h"
+#include "Volumes/Volumes.h"
 
 #include <vtkCell.h>
 #include <vtkDataArray.h>

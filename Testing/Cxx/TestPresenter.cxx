@@ -5,7 +5,7 @@
 // polygons: who hides whom, and what shines through by how much, whatever state of OpenGL it finds,
 // which it leaves as it was; and in other windows.
 
-#include "Expect.h"
+#include "Checks/Expect.h"
 #include "Input/MatrixFromVtk.h"
 #include "Window/PicturePresenter.h"
 

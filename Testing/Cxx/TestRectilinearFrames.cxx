@@ -4,14 +4,14 @@
 // Rectilinear grids from frame to frame: routes, changes, threads, mistakes, and grids that are
 // images.
 
-#include "ColdWitness.h"
-#include "Expect.h"
-#include "Grids.h"
-#include "Mistake.h"
-#include "RandomChanges.h"
-#include "RandomViews.h"
-#include "Scene.h"
-#include "Volumes.h"
+#include "Checks/Expect.h"
+#include "Scenes/Mistake.h"
+#include "Scenes/Scene.h"
+#include "Truth/ColdWitness.h"
+#include "Volumes/Grids.h"
+#include "Volumes/Volumes.h"
+#include "Walks/RandomChanges.h"
+#include "Walks/RandomViews.h"
 
 #include <vtkDataArray.h>
 #include <vtkFloatArray.h>

@@ -4,9 +4,9 @@
 // Rectilinear grids: the surfaces of their own samples, where these lie, held against brute force
 // and against spheres.
 
-#include "Expect.h"
-#include "Grids.h"
-#include "Scene.h"
+#include "Checks/Expect.h"
+#include "Scenes/Scene.h"
+#include "Volumes/Grids.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>

@@ -4,11 +4,11 @@
 // What the mapper's clipping planes and cropping leave of a volume: each picture against brute
 // force on the pieces of each ray, caps with the normals of the planes, and every route.
 
-#include "ColdWitness.h"
-#include "Expect.h"
-#include "ExpectTruth.h"
-#include "Sweep.h"
-#include "Volumes.h"
+#include "Checks/Expect.h"
+#include "Truth/ColdWitness.h"
+#include "Truth/ExpectTruth.h"
+#include "Volumes/Volumes.h"
+#include "Walks/Sweep.h"
 
 #include <vtkContourValues.h>
 #include <vtkMath.h>

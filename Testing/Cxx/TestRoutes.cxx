@@ -3,9 +3,9 @@
 
 // What changed decides the route, and every route shows what a mapper without a past shows.
 
-#include "Expect.h"
-#include "Scene.h"
-#include "Volumes.h"
+#include "Checks/Expect.h"
+#include "Scenes/Scene.h"
+#include "Volumes/Volumes.h"
 
 #include <vtkContourValues.h>
 #include <vtkDataArray.h>

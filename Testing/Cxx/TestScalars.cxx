@@ -4,8 +4,8 @@
 // What samples may be: all scalar types, one of several components, arrays by name, component-wise
 // memory, values that are not numbers.
 
-#include "Scene.h"
-#include "Volumes.h"
+#include "Scenes/Scene.h"
+#include "Volumes/Volumes.h"
 
 #include <vtkDataArray.h>
 #include <vtkFloatArray.h>

@@ -4,10 +4,10 @@
 // Windows of all kinds: what they show is the picture of RenderToImage, pixel by pixel, and what
 // was made for one frame is used for the next.
 
-#include "Expect.h"
-#include "OffScreen.h"
-#include "Scene.h"
-#include "Volumes.h"
+#include "Checks/Expect.h"
+#include "Scenes/OffScreen.h"
+#include "Scenes/Scene.h"
+#include "Volumes/Volumes.h"
 
 #include <vtkFloatingPointExceptions.h>
 #include <vtkMath.h>

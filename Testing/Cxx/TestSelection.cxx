@@ -3,10 +3,10 @@
 
 // Hardware selection finds a volume where its surfaces are seen, and nothing where they are not.
 
-#include "Expect.h"
-#include "OffScreen.h"
-#include "Scene.h"
-#include "Volumes.h"
+#include "Checks/Expect.h"
+#include "Scenes/OffScreen.h"
+#include "Scenes/Scene.h"
+#include "Volumes/Volumes.h"
 #include "vtkTemporalCoherenceVolume.h"
 
 #include <vtkActor.h>

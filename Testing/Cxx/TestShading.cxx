@@ -4,9 +4,9 @@
 // Normals against brute force under transforms that treat them unlike points, and colours against
 // the Phong formula written out once more, light by light.
 
-#include "Expect.h"
-#include "Scene.h"
-#include "Volumes.h"
+#include "Checks/Expect.h"
+#include "Scenes/Scene.h"
+#include "Volumes/Volumes.h"
 
 #include <vtkLight.h>
 #include <vtkMath.h>

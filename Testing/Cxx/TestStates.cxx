@@ -4,10 +4,10 @@
 // One mapper and several viewers: windows, renderers, volumes, cameras, eyes. Each re-uses what was
 // made for it, sees its own picture, and disturbs none of the others.
 
-#include "Expect.h"
-#include "OffScreen.h"
-#include "Scene.h"
-#include "Volumes.h"
+#include "Checks/Expect.h"
+#include "Scenes/OffScreen.h"
+#include "Scenes/Scene.h"
+#include "Volumes/Volumes.h"
 
 #include <vtkContourValues.h>
 #include <vtkFloatingPointExceptions.h>

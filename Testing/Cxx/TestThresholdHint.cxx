@@ -4,8 +4,8 @@
 // Without an isomap the last hits bound the search for the next ones, and the picture is the cold
 // one to the last bit.
 
-#include "Expect.h"
-#include "Sweep.h"
+#include "Checks/Expect.h"
+#include "Walks/Sweep.h"
 
 #include <vtkFloatingPointExceptions.h>
 

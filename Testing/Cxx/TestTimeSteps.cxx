@@ -4,11 +4,11 @@
 // Time series: a step that gives the same numbers again is no change, and one that changes a part
 // of them makes only what shows it. Every picture against one of a mapper without a past.
 
-#include "EventCounter.h"
-#include "Expect.h"
-#include "RandomChanges.h"
-#include "Sweep.h"
-#include "Volumes.h"
+#include "Checks/EventCounter.h"
+#include "Checks/Expect.h"
+#include "Volumes/Volumes.h"
+#include "Walks/RandomChanges.h"
+#include "Walks/Sweep.h"
 
 #include <vtkDataArray.h>
 #include <vtkFloatingPointExceptions.h>

@@ -4,12 +4,12 @@
 // Surfaces through which others are seen: every pixel against a compositor that lays all crossings
 // of all isovalues, found by brute force, over one another; and every route.
 
-#include "ColdWitness.h"
-#include "Compositor.h"
-#include "Expect.h"
-#include "Ghosts.h"
-#include "Sweep.h"
-#include "Volumes.h"
+#include "Checks/Expect.h"
+#include "Truth/ColdWitness.h"
+#include "Truth/Compositor.h"
+#include "Volumes/Ghosts.h"
+#include "Volumes/Volumes.h"
+#include "Walks/Sweep.h"
 
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>

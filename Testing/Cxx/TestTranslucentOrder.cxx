@@ -4,10 +4,10 @@
 // An opaque plate among nested translucent spheres: each pixel shows the layers before the plate,
 // over it, as arithmetic says, however the plate moves and whatever it is drawn into.
 
-#include "Expect.h"
-#include "OffScreen.h"
-#include "Scene.h"
-#include "Volumes.h"
+#include "Checks/Expect.h"
+#include "Scenes/OffScreen.h"
+#include "Scenes/Scene.h"
+#include "Volumes/Volumes.h"
 #include "vtkTemporalCoherenceVolume.h"
 
 #include <vtkActor.h>

@@ -3,10 +3,10 @@
 
 // Coarser frames: by a distance that is set, or by the time that a frame is given.
 
-#include "ColdWitness.h"
-#include "Expect.h"
-#include "Scene.h"
-#include "Volumes.h"
+#include "Checks/Expect.h"
+#include "Scenes/Scene.h"
+#include "Truth/ColdWitness.h"
+#include "Volumes/Volumes.h"
 
 #include <vtkFloatArray.h>
 #include <vtkFloatingPointExceptions.h>

@@ -3,8 +3,8 @@
 
 // VectorMode MAGNITUDE: the picture of an image of the lengths, which are computed once.
 
-#include "ColdWitness.h"
-#include "PlainImages.h"
+#include "Truth/ColdWitness.h"
+#include "Truth/PlainImages.h"
 
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>

@@ -4,9 +4,9 @@
 // In a render window: the picture of RenderToImage, hidden by and hiding other props pixel by
 // pixel.
 
-#include "Expect.h"
-#include "Scene.h"
-#include "Volumes.h"
+#include "Checks/Expect.h"
+#include "Scenes/Scene.h"
+#include "Volumes/Volumes.h"
 
 #include <vtkActor.h>
 #include <vtkFloatingPointExceptions.h>

@@ -5,7 +5,7 @@
 // hits, wherever these are, and, where other things lie among its layers, the last layer before
 // them. Frames are made at random and held against loops over all pixels.
 
-#include "Expect.h"
+#include "Checks/Expect.h"
 #include "Window/LayerCut.h"
 #include "Window/WindowPicture.h"
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Acts.h"
 
+#include "Checks/Meddler.h"
 #include "Inputs.h"
-#include "Meddler.h"
 
 #include <vtkPolyData.h>
 

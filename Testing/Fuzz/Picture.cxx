@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Picture.h"
 
-#include "AreIdentical.h"
+#include "Checks/AreIdentical.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FrameLoad.h"
 
-#include "BruteForceTracer.h"
-#include "Stopper.h"
+#include "Checks/Stopper.h"
+#include "Truth/BruteForceTracer.h"
 
 #include <array>
 #include <sstream>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MapperLoad.h"
 
-#include "Scene.h"
-#include "Volumes.h"
+#include "Scenes/Scene.h"
+#include "Volumes/Volumes.h"
 
 #include <sstream>
 

@@ -4,7 +4,7 @@
 #define Soak_MapperLoad_h
 
 #include "Load.h"
-#include "Sweep.h"
+#include "Walks/Sweep.h"
 
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>

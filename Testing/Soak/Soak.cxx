@@ -5,9 +5,9 @@
 // resident memory of the process at ten stages of each. The first tenth is the warm-up: caches of
 // mappers, of VTK and of OpenGL fill. From there to the end memory may grow by 5 %.
 
+#include "Checks/ProcessMemory.h"
 #include "FrameLoad.h"
 #include "MapperLoad.h"
-#include "ProcessMemory.h"
 #include "WindowLoad.h"
 
 #include <vtkRenderWindow.h>

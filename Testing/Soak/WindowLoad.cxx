@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "WindowLoad.h"
 
-#include "OffScreen.h"
-#include "Volumes.h"
+#include "Scenes/OffScreen.h"
+#include "Volumes/Volumes.h"
 
 #include <vtkFixedPointVolumeRayCastMapper.h>
 #include <vtkPiecewiseFunction.h>

@@ -4,7 +4,7 @@
 #define Soak_WindowLoad_h
 
 #include "Load.h"
-#include "Scene.h"
+#include "Scenes/Scene.h"
 
 #include <vtkSmartPointer.h>
 

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Testing_ChangingScene_h
+#define Testing_ChangingScene_h
+
+#include "Checks/EventCounter.h"
+#include "Walks/ManyInputs.h"
+
+#include <set>
+#include <string>
+#include <vector>
+
+/// How many of a hundred steps make a change of each kind.
+struct Habits
+{
+  int View, Isovalues, Look, Lists, Opacity, Region, Inputs, Volume, ImageCache, Isomap;
+};
+
+constexpr Habits MovingOn = { 85, 4, 8, 2, 3, 3, 3, 2, 4, 0 };
+constexpr Habits StandingStill = { 6, 85, 8, 2, 2, 2, 2, 2, 1, 3 };
+constexpr Habits Dressing = { 4, 6, 80, 1, 4, 2, 1, 1, 1, 1 };
+constexpr Habits Restless = { 40, 40, 20, 15, 20, 25, 25, 15, 15, 10 };
+
+/// A scene in which features are switched on and off, and which changes step by step; the same way
+/// for the same seed.
+class ChangingScene
+{
+public:
+  /// \param size of the smaller pictures, in pixels; others are up to 60 pixels larger
+  ChangingScene(unsigned seed, int size);
+
+  /// Choose features anew: about every other one is on.
+  void Arrange();
+
+  /// Make the changes of one step.
+  void ChangeSome(const Habits& habits);
+
+  /// The names of those that are on.
+  std::set<std::string> Features() const;
+
+  Scene Shown{ nullptr, { 0.0 } };
+  RandomViews Views;
+  ManyInputs Inputs;
+
+private:
+  void MakeOneOf(std::size_t kind);
+
+  EventCounter Warnings; // limits of memory are reached on purpose
+  std::vector<std::vector<Change>> Kinds;
+  vtkSmartPointer<vtkCamera> OtherCamera;
+};
+
+#endif

@@ -11,7 +11,7 @@ import signal
 import subprocess
 
 ENGINE = "TemporalCoherenceEngineTests"
-MAPPER = "vtkTemporalCoherenceCxxTests"
+MAPPER = "vtkTemporalCoherenceCxxTests"  # makes a program for each folder of Testing/Cxx
 
 # A mutant that asks for more than this is stopped, before the machine is out of memory.
 MOST_BYTES = 16 << 30
@@ -77,7 +77,8 @@ def find_mapper_tests(build):
     tests = []
     for entry in listing["tests"]:
         command = entry.get("command", [])
-        if any(part.endswith(MAPPER) for part in command):
+        if any(re.fullmatch(r"vtkTemporalCoherenceCxx\w+Tests", os.path.basename(part))
+               for part in command):
             properties = {p["name"]: p["value"] for p in entry.get("properties", [])}
             tests.append(Test(entry["name"].split("-")[-1], MAPPER, command,
                               properties.get("WORKING_DIRECTORY", str(build)),

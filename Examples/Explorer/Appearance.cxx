@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Appearance.h"
 
-#include "Light.h"
+#include "View/Light.h"
 
 #include <vtkColorTransferFunction.h>
 #include <vtkLight.h>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ExplorerWindow.h"
 
-#include "Quoted.h"
-#include "UserError.h"
+#include "Program/Quoted.h"
+#include "Program/UserError.h"
 
 #include <vtkTimerLog.h>
 #include <vtkWindowToImageFilter.h>

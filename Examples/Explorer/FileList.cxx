@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FileList.h"
 
-#include "Quoted.h"
+#include "Files/VolumeReader.h"
+#include "Program/Quoted.h"
+#include "Program/UserError.h"
 #include "Session.h"
-#include "UserError.h"
-#include "VolumeReader.h"
 
 #include <algorithm>
 

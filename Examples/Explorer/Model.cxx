@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Model.h"
 
-#include "Isovalue.h"
-#include "Quoted.h"
+#include "Program/Quoted.h"
+#include "View/Isovalue.h"
 
 #include <algorithm>
 #include <sstream>

@@ -3,9 +3,9 @@
 #ifndef Model_h
 #define Model_h
 
-#include "Histogram.h"
+#include "Files/VolumeReader.h"
 #include "Session.h"
-#include "VolumeReader.h"
+#include "View/Histogram.h"
 #include "VolumeView.h"
 
 #include <array>

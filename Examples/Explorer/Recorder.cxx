@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Recorder.h"
 
-#include "Picture.h"
-#include "Quoted.h"
-#include "Silence.h"
-#include "UserError.h"
+#include "Program/Quoted.h"
+#include "Program/Silence.h"
+#include "Program/UserError.h"
+#include "View/Picture.h"
 
 #include <cstdio>
 #include <filesystem>

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Session.h"
 
-#include "CommandLine.h"
-#include "Quoted.h"
-#include "UserError.h"
+#include "Program/CommandLine.h"
+#include "Program/Quoted.h"
+#include "Program/UserError.h"
 
 #include <vtkVector.h>
 #include <vtkVectorOperators.h>

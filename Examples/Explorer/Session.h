@@ -4,7 +4,7 @@
 #define Session_h
 
 #include "Choices.h"
-#include "VolumeSource.h"
+#include "Program/VolumeSource.h"
 
 #include <array>
 #include <optional>

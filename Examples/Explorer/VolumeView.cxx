@@ -3,10 +3,10 @@
 #include "VolumeView.h"
 
 #include "Appearance.h"
-#include "Picture.h"
+#include "Program/UserError.h"
 #include "Theme.h"
-#include "UserError.h"
-#include "Viewpoint.h"
+#include "View/Picture.h"
+#include "View/Viewpoint.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkCamera.h>

@@ -4,8 +4,8 @@
 #define VolumeView_h
 
 #include "Choices.h"
+#include "Files/VolumeReader.h"
 #include "Session.h"
-#include "VolumeReader.h"
 
 #include <vtkImageData.h>
 #include <vtkNew.h>

@@ -5,9 +5,9 @@
 #include "DragMeasurement.h"
 #include "ExplorerWindow.h"
 #include "Options.h"
-#include "Picture.h"
-#include "Quoted.h"
-#include "UserError.h"
+#include "Program/Quoted.h"
+#include "Program/UserError.h"
+#include "View/Picture.h"
 
 #include <cstdio>
 

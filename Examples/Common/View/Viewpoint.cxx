@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Viewpoint.h"
+#include "View/Viewpoint.h"
 
 #include <vtkCamera.h>
 #include <vtkMath.h>

@@ -3,7 +3,7 @@
 #ifndef CommandLine_h
 #define CommandLine_h
 
-#include "VolumeSource.h"
+#include "Program/VolumeSource.h"
 
 #include <functional>
 #include <map>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FourSpheres.h"
+#include "Files/FourSpheres.h"
 
 #include <vtkSMPTools.h>
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FileCheck.h"
+#include "Files/FileCheck.h"
 
-#include "Quoted.h"
+#include "Program/Quoted.h"
 
 #include <algorithm>
 #include <array>

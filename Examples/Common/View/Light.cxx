@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Light.h"
+#include "View/Light.h"
 
 #include <vtkLight.h>
 #include <vtkNew.h>

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Picture.h"
+#include "View/Picture.h"
 
-#include "Quoted.h"
-#include "UserError.h"
+#include "Program/Quoted.h"
+#include "Program/UserError.h"
 
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>

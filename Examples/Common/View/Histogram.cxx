@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Histogram.h"
+#include "View/Histogram.h"
 
-#include "UserError.h"
+#include "Program/UserError.h"
 
 #include <vtkArrayDispatch.h>
 #include <vtkDataArray.h>

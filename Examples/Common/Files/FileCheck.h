@@ -3,7 +3,7 @@
 #ifndef FileCheck_h
 #define FileCheck_h
 
-#include "UserError.h"
+#include "Program/UserError.h"
 
 #include <cstdint>
 #include <string>

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Isovalue.h"
+#include "View/Isovalue.h"
 
-#include "Histogram.h"
-#include "UserError.h"
+#include "Program/UserError.h"
+#include "View/Histogram.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #ifndef VolumeReader_h
 #define VolumeReader_h
 
-#include "VolumeSource.h"
+#include "Program/VolumeSource.h"
 
 #include <vtkImageData.h>
 #include <vtkMatrix4x4.h>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "FileCheck.h"
+#include "Files/FileCheck.h"
 
 #include <vtk_zlib.h>
 

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "VolumeReader.h"
+#include "Files/VolumeReader.h"
 
-#include "FileCheck.h"
-#include "FourSpheres.h"
-#include "Quoted.h"
-#include "Silence.h"
-#include "UserError.h"
+#include "Files/FileCheck.h"
+#include "Files/FourSpheres.h"
+#include "Program/Quoted.h"
+#include "Program/Silence.h"
+#include "Program/UserError.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkBitArray.h>

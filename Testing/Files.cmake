@@ -12,11 +12,11 @@ add_subdirectory("${examples}/Common" Files/ExamplesCommon)
 # The programs have headers of the same names, so each way has a library of its own.
 add_library(DrawInExplorer STATIC
   "${CMAKE_CURRENT_LIST_DIR}/Files/DrawInExplorer.cxx"
-  "${examples}/Explorer/Appearance.cxx"
-  "${examples}/Explorer/Choices.cxx"
-  "${examples}/Explorer/Model.cxx"
-  "${examples}/Explorer/Session.cxx"
-  "${examples}/Explorer/VolumeView.cxx")
+  "${examples}/Explorer/Model/Appearance.cxx"
+  "${examples}/Explorer/Model/Choices.cxx"
+  "${examples}/Explorer/Model/Model.cxx"
+  "${examples}/Explorer/Model/Session.cxx"
+  "${examples}/Explorer/Model/VolumeView.cxx")
 target_include_directories(DrawInExplorer PRIVATE "${examples}/Explorer")
 add_library(DrawInOrbitAndSweep STATIC
   "${CMAKE_CURRENT_LIST_DIR}/Files/DrawInOrbitAndSweep.cxx"

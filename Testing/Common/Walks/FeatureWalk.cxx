@@ -4,6 +4,7 @@
 
 #include "Checks/Expect.h"
 #include "Checks/Stopper.h"
+#include "Truth/BruteForceTracer.h"
 #include "Walks/FeatureChanges.h"
 
 #include <vtkMath.h>

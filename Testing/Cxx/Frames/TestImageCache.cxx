@@ -4,6 +4,7 @@
 // What frames made from the image cache promise: every picture is held against the cold one.
 
 #include "Checks/Expect.h"
+#include "Checks/Skip.h"
 #include "Scenes/Subject.h"
 #include "Truth/ColdWitness.h"
 #include "Volumes/Volumes.h"
@@ -20,29 +21,28 @@ namespace
 constexpr double MedianShare = 1e-4; ///< of the pixels: 0.01 %
 constexpr double WorstShare = 5e-4;  ///< 0.05 %
 
-/// Every volume in both modes.
+std::vector<Subject> InBothModes(const std::vector<Subject>& volumes)
+{
+  std::vector<Subject> subjects;
+  for (Subject subject : volumes)
+  {
+    subject.Mode = vtkTemporalCoherenceVolumeMapper::CROSSING;
+    subjects.push_back(subject);
+    subject.Mode = vtkTemporalCoherenceVolumeMapper::THRESHOLD;
+    subjects.push_back(subject);
+  }
+  return subjects;
+}
+
 std::vector<Subject> AllSubjects()
 {
-  const std::vector<Subject> volumes = {
+  return InBothModes({
     { "Waves", Volumes::Waves(), { 200.0 } },
     { "Waves", Volumes::Waves(), { 200.0, -300.0, 650.0 } },
     { "spheres64", Volumes::Load("spheres64"), { 100.0 } },
     { "marschner-lobb100", Volumes::Load("marschner-lobb100"), { 128.0 } },
     { "Noise", Volumes::Noise(12, VTK_SHORT, -1000.0, 1001.0), { 500.0 } },
-    { "engine", Volumes::Load("engine.vti"), { 80.0 } },
-  };
-  std::vector<Subject> subjects;
-  for (Subject subject : volumes)
-  {
-    if (subject.Image)
-    {
-      subject.Mode = vtkTemporalCoherenceVolumeMapper::CROSSING;
-      subjects.push_back(subject);
-      subject.Mode = vtkTemporalCoherenceVolumeMapper::THRESHOLD;
-      subjects.push_back(subject);
-    }
-  }
-  return subjects;
+  });
 }
 
 /// The differing share of the pixels, frame by frame.
@@ -106,10 +106,9 @@ void TestExact()
   unsigned seed = 1;
   for (Subject subject : AllSubjects())
   {
-    const bool isReal = subject.Name == "engine";
-    WalkExactly(subject, seed, isReal ? 15 : 200);
+    WalkExactly(subject, seed, 200);
     subject.IsNearest = true;
-    WalkExactly(subject, seed, isReal ? 0 : 50);
+    WalkExactly(subject, seed, 50);
     ++seed;
   }
 }
@@ -174,34 +173,38 @@ void TestBoundedOrbits()
   }
 }
 
+/// \param size of the smaller pictures, in pixels
+void WalkBounded(const Subject& subject, unsigned seed, int size, int steps)
+{
+  Scene scene(subject.Image, subject.Isovalues);
+  subject.Prepare(scene);
+  RandomViews views(scene, seed, size);
+  ColdWitness cold;
+  Shares shares;
+  const std::string what = "BOUNDED, " + subject.Describe() + ", random views";
+  for (int step = 0; step < steps; ++step)
+  {
+    Expect(views.RenderNext() && cold.Draw(scene), what + ": rendered");
+    if (IsRoute(scene, "ImageCache"))
+    {
+      shares.Add(scene, cold);
+    }
+    else
+    {
+      Expect(cold.IsIdentical(scene), what + ": a frame of another route is not cold");
+    }
+  }
+  Expect(shares.Count() > static_cast<std::size_t>(steps / 2),
+    what + ": only " + std::to_string(shares.Count()) + " frames are made from the cache");
+  shares.ExpectBounded(what, 2.0);
+}
+
 void TestBoundedWalks()
 {
   unsigned seed = 100;
   for (const Subject& subject : AllSubjects())
   {
-    Scene scene(subject.Image, subject.Isovalues);
-    subject.Prepare(scene);
-    const bool isReal = subject.Name == "engine";
-    RandomViews views(scene, ++seed, isReal ? 250 : 120);
-    ColdWitness cold;
-    Shares shares;
-    const std::string what = "BOUNDED, " + subject.Describe() + ", random views";
-    const int steps = isReal ? 20 : 200;
-    for (int step = 0; step < steps; ++step)
-    {
-      Expect(views.RenderNext() && cold.Draw(scene), what + ": rendered");
-      if (IsRoute(scene, "ImageCache"))
-      {
-        shares.Add(scene, cold);
-      }
-      else
-      {
-        Expect(cold.IsIdentical(scene), what + ": a frame of another route is not cold");
-      }
-    }
-    Expect(shares.Count() > static_cast<std::size_t>(steps / 2),
-      what + ": only " + std::to_string(shares.Count()) + " frames are made from the cache");
-    shares.ExpectBounded(what, 2.0);
+    WalkBounded(subject, ++seed, 120, 200);
   }
 }
 
@@ -210,10 +213,6 @@ void TestBoundedAfterPaper()
 {
   for (const Subject& subject : AllSubjects())
   {
-    if (subject.Name == "engine")
-    {
-      continue;
-    }
     Scene scene(subject.Image, subject.Isovalues);
     subject.Prepare(scene);
     scene.LookFrom(-1.0, -2.0, 0.8);
@@ -246,7 +245,7 @@ void TestRaisedIsovalue()
 {
   for (const Subject& subject : AllSubjects())
   {
-    if (subject.Isovalues.size() > 1 || subject.Name == "engine")
+    if (subject.Isovalues.size() > 1)
     {
       continue;
     }
@@ -331,10 +330,32 @@ void TestInterpolation()
   }
 }
 
+void TestRealVolume(const Subject& volume)
+{
+  unsigned seed = 11;
+  for (const Subject& subject : InBothModes({ volume }))
+  {
+    WalkExactly(subject, seed, 15);
+    WalkBounded(subject, 100 + seed, 250, 20);
+    ++seed;
+  }
 }
 
-int TestImageCache(int, char*[])
+}
+
+/// With volumes made by formula; or with a real one and an isovalue, which are the arguments.
+int TestImageCache(int argc, char* argv[])
 {
+  if (argc == 3)
+  {
+    const Subject volume = { argv[1], Volumes::Load(argv[1]), { std::stod(argv[2]) } };
+    if (!volume.Image)
+    {
+      return SkipWithout(volume.Name);
+    }
+    TestRealVolume(volume);
+    return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  }
   TestExact();
   TestExactWithThreads();
   TestBoundedOrbits();

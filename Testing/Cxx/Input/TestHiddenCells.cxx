@@ -6,6 +6,7 @@
 #include "Checks/EventCounter.h"
 #include "Checks/Expect.h"
 #include "Scenes/Subject.h"
+#include "Truth/Agreement.h"
 #include "Truth/ExpectSame.h"
 #include "Volumes/Ghosts.h"
 #include "Volumes/Volumes.h"
@@ -109,7 +110,7 @@ void TestAgainstBruteForce(const Subject& subject, int width, int height)
         truth.Isovalues = here.Isovalues;
         truth.IsThreshold = mode == Mapper::THRESHOLD;
         const std::string what = here.Describe() + ", " + placing.Name;
-        Expect(AgreesWithTruth(what, scene, truth, width, height), what);
+        ExpectColdTruth(what, scene, truth, width, height);
         ExpectOnePicture(scene, what);
       }
     }
@@ -238,7 +239,7 @@ void TestDuplicateCells()
       truth.Isovalues = subject.Isovalues;
       truth.IsThreshold = mode == Mapper::THRESHOLD;
       const std::string what = subject.Describe();
-      Expect(AgreesWithTruth(what, scene, truth, 90, 70), what);
+      ExpectColdTruth(what, scene, truth, 90, 70);
       ExpectSame(what + ", duplicate or hidden", scene, reference, 90);
     }
   }

@@ -7,6 +7,7 @@
 #include "Checks/EventCounter.h"
 #include "Checks/Expect.h"
 #include "Scenes/Subject.h"
+#include "Truth/Agreement.h"
 #include "Truth/ExpectSame.h"
 #include "Volumes/Ghosts.h"
 #include "Volumes/Grids.h"
@@ -143,12 +144,12 @@ void TestCells()
       truth.Isovalues = { 50.5 };
       Masks::Hide(onPoints, truth.Field);
       const std::string what = std::string("cells, ") + name;
-      Expect(AgreesWithTruth(what, scene, truth, 80, 60), what);
+      ExpectColdTruth(what, scene, truth, 80, 60);
       Ghosts::HidePoints(image, 0.01, 5);
       BruteForceTracer both(image, scene.Volume, 0, cells);
       both.Isovalues = { 50.5 };
       Masks::Hide(onPoints, both.Field);
-      Expect(AgreesWithTruth(what + ", and ghosts", scene, both, 80, 60), what + ", and ghosts");
+      ExpectColdTruth(what + ", and ghosts", scene, both, 80, 60);
       Ghosts::Remove(image);
     }
   }
@@ -179,7 +180,7 @@ void TestGrid()
     truth.Isovalues = { 200.0 };
     truth.IsThreshold = mode == Mapper::THRESHOLD;
     Masks::Hide(mask, truth.Field);
-    Expect(AgreesWithTruth("grid", scene, truth, 80, 60), "a grid with a mask");
+    ExpectColdTruth("a grid with a mask", scene, truth, 80, 60);
   }
 }
 

@@ -9,6 +9,7 @@
 #include "Scenes/Mistake.h"
 #include "Scenes/OffScreen.h"
 #include "Scenes/Subject.h"
+#include "Truth/Agreement.h"
 #include "Truth/ImageBlocks.h"
 #include "Volumes/Ghosts.h"
 #include "Volumes/Masks.h"

@@ -6,6 +6,7 @@
 
 #include "Checks/Expect.h"
 #include "Scenes/Scene.h"
+#include "Truth/Agreement.h"
 #include "Volumes/Grids.h"
 
 #include <vtkCellData.h>
@@ -68,7 +69,7 @@ void ExpectTruth(const std::string& name, vtkRectilinearGrid* grid,
       truth.IsThreshold = threshold;
       const std::string what =
         name + (threshold ? ", THRESHOLD" : ", CROSSING") + (nearest ? ", nearest" : "");
-      Expect(AgreesWithTruth(what, scene, truth, 160, 120, 2), what + ": not the truth");
+      ExpectColdTruth(what, scene, truth, 160, 120, 2);
     }
   }
 }
@@ -319,7 +320,7 @@ void TestCells()
       BruteForceTracer truth(grid, scene.Volume, 0, cells);
       truth.Isovalues = { 70.0 };
       truth.IsThreshold = true;
-      Expect(AgreesWithTruth("scalars of cells", scene, truth, 160, 120), "scalars of cells");
+      ExpectColdTruth("scalars of cells", scene, truth, 160, 120);
     }
   }
 }

@@ -4,7 +4,9 @@
 // What samples may be: all scalar types, one of several components, arrays by name, component-wise
 // memory, values that are not numbers.
 
+#include "Checks/Expect.h"
 #include "Scenes/Scene.h"
+#include "Truth/Agreement.h"
 #include "Volumes/Volumes.h"
 
 #include <vtkDataArray.h>
@@ -16,7 +18,6 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <iostream>
 #include <limits>
 #include <vector>
 
@@ -30,22 +31,12 @@ double Value(double x, double y, double z)
   return std::floor(50.0 + 45.0 * std::sin(3.0 * x + y) * std::cos(2.0 * z - y));
 }
 
-bool Expect(bool condition, const std::string& what)
-{
-  if (!condition)
-  {
-    std::cerr << "FAILED: " << what << '\n';
-  }
-  return condition;
-}
-
 /// The same whole numbers in every type: the same hits.
-bool TestTypes()
+void TestTypes()
 {
-  bool passed = true;
   Scene reference(Volumes::FromFormula(N, VTK_DOUBLE, Value), { 42.5 });
   reference.LookFrom(1.0, -2.0, 0.6);
-  passed &= reference.Render(200, 200);
+  Expect(reference.Render(200, 200), "the reference is rendered");
   for (const int type : { VTK_CHAR, VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT,
          VTK_UNSIGNED_SHORT, VTK_INT, VTK_UNSIGNED_INT, VTK_LONG, VTK_UNSIGNED_LONG, VTK_LONG_LONG,
          VTK_UNSIGNED_LONG_LONG, VTK_ID_TYPE, VTK_FLOAT })
@@ -53,7 +44,7 @@ bool TestTypes()
     vtkSmartPointer<vtkImageData> image = Volumes::FromFormula(N, type, Value);
     Scene scene(image, { 42.5 });
     scene.LookFrom(1.0, -2.0, 0.6);
-    passed &= scene.Render(200, 200);
+    Expect(scene.Render(200, 200), std::string(image->GetScalarTypeAsString()) + ": rendered");
     int different = 0;
     for (int y = 0; y < 200; ++y)
     {
@@ -64,17 +55,37 @@ bool TestTypes()
           std::isinf(a) != std::isinf(b) || (!std::isinf(a) && std::abs(a - b) > 1e-3f * 2.0f / N);
       }
     }
-    passed &= Expect(different <= 4,
+    Expect(different <= 4,
       std::string(image->GetScalarTypeAsString()) + ": " + std::to_string(different) +
         " pixels differ from double");
   }
-  return passed;
+}
+
+/// Whatever the scale of the values: every normal has unit length.
+void ExpectUnitNormals(Scene& scene, const std::string& what)
+{
+  int size[3], hits = 0, wrong = 0;
+  scene.Depth->GetDimensions(size);
+  for (int y = 0; y < size[1]; ++y)
+  {
+    for (int x = 0; x < size[0]; ++x)
+    {
+      double normal[3];
+      if (scene.Mapper->PickPixel(x, y, nullptr, normal, nullptr))
+      {
+        ++hits;
+        wrong += !(std::abs(std::hypot(normal[0], normal[1], normal[2]) - 1.0) < 1e-5);
+      }
+    }
+  }
+  Expect(hits > 0 && wrong == 0,
+    what + ": " + std::to_string(wrong) + " of " + std::to_string(hits) +
+      " normals have no unit length");
 }
 
 /// Small differences on a large offset need the full precision of the samples.
-bool TestOffsets()
+void TestOffsets()
 {
-  bool passed = true;
   for (const int type : { VTK_FLOAT, VTK_DOUBLE, VTK_INT, VTK_LONG_LONG })
   {
     const double offset = type == VTK_FLOAT ? 1e5 : type == VTK_INT ? 2e9 : 1e12;
@@ -84,7 +95,7 @@ bool TestOffsets()
     scene.LookFrom(1.0, -2.0, 0.6);
     BruteForceTracer truth(image, scene.Volume);
     truth.Isovalues = { offset + 42.3 };
-    passed &= AgreesWithTruth(
+    ExpectColdTruth(
       std::string("large offset, ") + image->GetScalarTypeAsString(), scene, truth, 120, 120);
   }
   for (const double scale : { 1e-36, 1e-200, 1e30, 1e200 })
@@ -95,14 +106,9 @@ bool TestOffsets()
     scene.LookFrom(1.0, -2.0, 0.6);
     BruteForceTracer truth(image, scene.Volume);
     truth.Isovalues = { 42.3 * scale };
-    passed &=
-      AgreesWithTruth("values times " + std::to_string(std::log10(scale)), scene, truth, 90, 90);
-    double normal[3] = { 0.0, 0.0, 0.0 };
-    passed &= Expect(!scene.Mapper->PickPixel(45, 45, nullptr, normal, nullptr) ||
-        std::abs(std::hypot(normal[0], normal[1], normal[2]) - 1.0) < 1e-5,
-      "the normal has unit length whatever the scale of the values");
+    ExpectColdTruth("values times " + std::to_string(std::log10(scale)), scene, truth, 90, 90);
+    ExpectUnitNormals(scene, "values times " + std::to_string(std::log10(scale)));
   }
-  return passed;
 }
 
 vtkSmartPointer<vtkDataArray> Components(vtkDataArray* array, vtkDataArray* into)
@@ -139,13 +145,12 @@ vtkSmartPointer<vtkDataArray> InOwnMemory(
 }
 
 /// Component 1 of three holds the values, interleaved or not; the array is chosen by name.
-bool TestComponents()
+void TestComponents()
 {
-  bool passed = true;
   vtkSmartPointer<vtkImageData> image = Volumes::FromFormula(N, VTK_FLOAT, Value);
   Scene reference(image, { 42.5 });
   reference.LookFrom(1.0, -2.0, 0.6);
-  passed &= reference.Render(200, 200);
+  Expect(reference.Render(200, 200), "the reference is rendered");
 
   vtkNew<vtkFloatArray> interleaved;
   vtkNew<vtkSOADataArrayTemplate<float>> separate;
@@ -165,21 +170,18 @@ bool TestComponents()
     scene.Mapper->SetVectorMode(vtkTemporalCoherenceVolumeMapper::COMPONENT);
     scene.Mapper->SetVectorComponent(1);
     scene.LookFrom(1.0, -2.0, 0.6);
-    passed &= Expect(scene.Render(200, 200), "rendered");
-    passed &= Expect(
-      AreIdentical(scene.Depth, reference.Depth) && AreIdentical(scene.Color, reference.Color),
+    Expect(scene.Render(200, 200), "rendered");
+    Expect(AreIdentical(scene.Depth, reference.Depth) && AreIdentical(scene.Color, reference.Color),
       std::string("component 1 of a ") + array->GetClassName());
     scene.Mapper->SetVectorComponent(2);
-    passed &= Expect(scene.Render(200, 200) && !AreIdentical(scene.Depth, reference.Depth),
+    Expect(scene.Render(200, 200) && !AreIdentical(scene.Depth, reference.Depth),
       "another component is another picture");
   }
-  return passed;
 }
 
 /// Not a number counts as below every isovalue, infinities as what they are.
-bool TestNotFinite()
+void TestNotFinite()
 {
-  bool passed = true;
   for (const int type : { VTK_FLOAT, VTK_DOUBLE })
   {
     vtkSmartPointer<vtkImageData> image =
@@ -187,33 +189,31 @@ bool TestNotFinite()
     vtkDataArray* scalars = image->GetPointData()->GetScalars();
     Scene scene(image, { 3.0 });
     scene.LookFrom(0.0, 0.0, 1.0);
-    passed &= scene.Render(99, 99);
-    passed &= Expect(std::isinf(scene.DepthAt(49, 49)), "5 everywhere: no crossing of 3");
+    Expect(scene.Render(99, 99), "rendered");
+    Expect(std::isinf(scene.DepthAt(49, 49)), "5 everywhere: no crossing of 3");
 
     scalars->SetComponent(4 * 81 + 4 * 9 + 4, 0, std::numeric_limits<double>::quiet_NaN());
     image->Modified();
-    passed &= scene.Render(99, 99);
+    Expect(scene.Render(99, 99), "rendered");
     int isovalue = -1;
-    double position[3], normal[3];
-    passed &= Expect(scene.Mapper->PickPixel(49, 49, position, normal, &isovalue) &&
-        isovalue == 0 && position[2] > 0.0 && position[2] < 0.25,
+    double position[3] = {}, normal[3] = {};
+    Expect(scene.Mapper->PickPixel(49, 49, position, normal, &isovalue) && isovalue == 0 &&
+        position[2] > 0.0 && position[2] < 0.25,
       "a surface around the sample that is not a number");
-    passed &= Expect(std::abs(std::hypot(normal[0], normal[1], normal[2]) - 1.0) < 1e-5,
+    Expect(std::abs(std::hypot(normal[0], normal[1], normal[2]) - 1.0) < 1e-5,
       "with a normal of unit length");
 
     scene.SetIsovalues({ -1e20 });
-    passed &= scene.Render(99, 99);
-    passed &= Expect(
+    Expect(scene.Render(99, 99), "rendered");
+    Expect(
       scene.Mapper->PickPixel(49, 49, nullptr, nullptr, nullptr), "it is below every isovalue");
 
     scalars->SetComponent(4 * 81 + 4 * 9 + 4, 0, std::numeric_limits<double>::infinity());
     image->Modified();
     scene.SetIsovalues({ 1e20 });
-    passed &= scene.Render(99, 99);
-    passed &=
-      Expect(scene.Mapper->PickPixel(49, 49, position, normal, nullptr), "infinity is above 1e20");
+    Expect(scene.Render(99, 99), "rendered");
+    Expect(scene.Mapper->PickPixel(49, 49, position, normal, nullptr), "infinity is above 1e20");
   }
-  return passed;
 }
 
 }
@@ -222,9 +222,9 @@ int TestScalars(int, char*[])
 {
   // The Debug driver traps operations on what is not a number, which is what is tested here.
   vtkFloatingPointExceptions::Disable();
-  const bool types = TestTypes();
-  const bool offsets = TestOffsets();
-  const bool components = TestComponents();
-  const bool notFinite = TestNotFinite();
-  return types && offsets && components && notFinite ? EXIT_SUCCESS : EXIT_FAILURE;
+  TestTypes();
+  TestOffsets();
+  TestComponents();
+  TestNotFinite();
+  return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -6,6 +6,7 @@
 
 #include "Checks/Expect.h"
 #include "Scenes/Scene.h"
+#include "Truth/BruteForceTracer.h"
 #include "Volumes/Volumes.h"
 #include "vtkTemporalCoherencePicker.h"
 

@@ -4,7 +4,9 @@
 // The scenario of VTK's TestGPURayCastIsosurface on this mapper: the default list of isovalues, one
 // contour, none, three, on a wavelet of 201^3, in a window, without errors; and each picture right.
 
+#include "Checks/Expect.h"
 #include "Scenes/Scene.h"
+#include "Truth/BruteForceTracer.h"
 
 #include <vtkContourValues.h>
 #include <vtkFloatingPointExceptions.h>
@@ -14,7 +16,8 @@
 #include <vtkTestErrorObserver.h>
 
 #include <cstdlib>
-#include <iostream>
+#include <string>
+#include <vector>
 
 int TestIsosurfaceScenario(int, char*[])
 {
@@ -57,8 +60,7 @@ int TestIsosurfaceScenario(int, char*[])
   window->AddObserver(vtkCommand::ErrorEvent, observer);
 
   // Render the present list and hold each pixel of a grid against brute force.
-  bool passed = true;
-  const auto check = [&](const char* what, const std::vector<double>& isovalues)
+  const auto check = [&](const std::string& what, const std::vector<double>& isovalues)
   {
     window->Render();
     BruteForceTracer truth(vtkImageData::SafeDownCast(mapper->GetInputDataObject(0, 0)), volume);
@@ -74,8 +76,9 @@ int TestIsosurfaceScenario(int, char*[])
         hits += isovalue >= 0;
       }
     }
-    std::cout << what << ": " << hits << " hits, " << wrong << " wrong\n";
-    passed &= wrong == 0 && (hits > 0) == (isovalues.size() > 0 && isovalues[0] > 0.0);
+    const std::string found = std::to_string(hits) + " hits, " + std::to_string(wrong) + " wrong";
+    const bool isSomethingSeen = !isovalues.empty() && isovalues[0] > 0.0;
+    Expect(wrong == 0 && (hits > 0) == isSomethingSeen, what + ": " + found);
   };
   vtkContourValues* list = property->GetIsoSurfaceValues();
   check("default list", { 0.0 });
@@ -87,10 +90,6 @@ int TestIsosurfaceScenario(int, char*[])
   list->SetValue(1, 150.0);
   list->SetValue(2, 190.0);
   check("three contours", { 220.0, 150.0, 190.0 });
-  if (observer->GetError())
-  {
-    std::cerr << "An error was reported: " << observer->GetErrorMessage();
-    passed = false;
-  }
-  return passed ? EXIT_SUCCESS : EXIT_FAILURE;
+  Expect(!observer->GetError(), "an error was reported: " + observer->GetErrorMessage());
+  return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -4,6 +4,7 @@
 // A few whole pictures against stored ones: what the numbers of the other tests do not see, such as
 // light and colour. A picture that differs is left in the temporary directory of the tests.
 
+#include "Checks/Expect.h"
 #include "Scenes/Scene.h"
 #include "Volumes/Volumes.h"
 
@@ -35,13 +36,10 @@ vtkSmartPointer<vtkImageData> OnGrey(vtkImageData* picture)
   return opaque;
 }
 
-bool IsAsStored(Scene& scene, const std::string& name)
+void ExpectStored(const std::string& name, Scene& scene)
 {
   scene.Renderer->GetActiveCamera()->Zoom(1.6);
-  if (!scene.Render(320, 240))
-  {
-    return false;
-  }
+  Expect(scene.Render(320, 240), name + ": rendered");
   vtkSmartPointer<vtkImageData> picture = OnGrey(scene.Color);
   vtkNew<vtkTrivialProducer> source;
   source->SetOutput(picture);
@@ -50,10 +48,10 @@ bool IsAsStored(Scene& scene, const std::string& name)
   testing->AddArgument((std::string(TEMPORAL_COHERENCE_BASELINES "/") + name + ".png").c_str());
   testing->AddArgument("-T");
   testing->AddArgument(TEMPORAL_COHERENCE_TEMPORARY);
-  return testing->RegressionTest(source, 1.0) == vtkTesting::PASSED;
+  Expect(testing->RegressionTest(source, 1.0) == vtkTesting::PASSED, name + ": the stored picture");
 }
 
-bool TestContours()
+void TestContours()
 {
   vtkNew<vtkRTAnalyticSource> wavelet;
   wavelet->SetWholeExtent(-30, 30, -30, 30, -30, 30);
@@ -65,19 +63,19 @@ bool TestContours()
   color->AddRGBPoint(190.0, 0.1, 0.6, 0.8);
   color->AddRGBPoint(220.0, 0.2, 0.8, 0.2);
   scene.LookFrom(-1.0, -2.0, 0.8);
-  return IsAsStored(scene, "Contours");
+  ExpectStored("Contours", scene);
 }
 
-bool TestCapsAndNearest()
+void TestCapsAndNearest()
 {
   Scene scene(Volumes::MarschnerLobb(40), { 128.0 });
   scene.Mapper->SetSurfaceModeToThreshold();
   scene.Volume->GetProperty()->SetInterpolationTypeToNearest();
   scene.LookFrom(-1.0, -2.0, 1.4);
-  return IsAsStored(scene, "CapsAndNearest");
+  ExpectStored("CapsAndNearest", scene);
 }
 
-bool TestLights()
+void TestLights()
 {
   Scene scene(Volumes::FourSpheres(64), { 100.0 });
   scene.LookFrom(1.0, -2.0, 0.4);
@@ -98,15 +96,15 @@ bool TestLights()
   spot->SetColor(0.3, 0.5, 1.0);
   scene.Renderer->AddLight(red);
   scene.Renderer->AddLight(spot);
-  return IsAsStored(scene, "Lights");
+  ExpectStored("Lights", scene);
 }
 
 }
 
 int TestPictures(int, char*[])
 {
-  const bool contours = TestContours();
-  const bool caps = TestCapsAndNearest();
-  const bool lights = TestLights();
-  return contours && caps && lights ? EXIT_SUCCESS : EXIT_FAILURE;
+  TestContours();
+  TestCapsAndNearest();
+  TestLights();
+  return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -5,6 +5,7 @@
 // force on the pieces of each ray, caps with the normals of the planes, and every route.
 
 #include "Checks/Expect.h"
+#include "Truth/BruteForceTracer.h"
 #include "Truth/ColdWitness.h"
 #include "Truth/ExpectTruth.h"
 #include "Volumes/Volumes.h"

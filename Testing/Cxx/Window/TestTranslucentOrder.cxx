@@ -7,6 +7,7 @@
 #include "Checks/Expect.h"
 #include "Scenes/OffScreen.h"
 #include "Scenes/Scene.h"
+#include "Truth/BruteForceTracer.h"
 #include "Volumes/Volumes.h"
 #include "vtkTemporalCoherenceVolume.h"
 

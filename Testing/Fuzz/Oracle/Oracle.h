@@ -67,7 +67,8 @@ private:
   std::array<std::array<bool, 2>, 2> AreExact{}; ///< the last frames of volumes and renderers
 };
 
-/// Unless what is held, a Failure.
+/// What Expect() is to a test, but the run ends: a Failure is thrown, for which its bytes are kept
+/// and shrunk.
 void Require(bool isHeld, const std::string& what);
 
 }

@@ -10,7 +10,8 @@
 
 bool FrameLoad::DoOnce()
 {
-  constexpr std::array<Habits, 4> all = { MovingOn, StandingStill, Dressing, Restless };
+  static const std::array<Habits, 4> all = { Habits::MovingOn(), Habits::StandingStill(),
+    Habits::Dressing(), Habits::Restless() };
   constexpr long FramesOfOne = 25;
   if (this->Frames % FramesOfOne == 0)
   {

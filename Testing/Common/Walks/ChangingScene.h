@@ -4,22 +4,12 @@
 #define Testing_ChangingScene_h
 
 #include "Checks/EventCounter.h"
+#include "Walks/Habits.h"
 #include "Walks/ManyInputs.h"
 
 #include <set>
 #include <string>
 #include <vector>
-
-/// How many of a hundred steps make a change of each kind.
-struct Habits
-{
-  int View, Isovalues, Look, Lists, Opacity, Region, Inputs, Volume, ImageCache, Isomap;
-};
-
-constexpr Habits MovingOn = { 85, 4, 8, 2, 3, 3, 3, 2, 4, 0 };
-constexpr Habits StandingStill = { 6, 85, 8, 2, 2, 2, 2, 2, 1, 3 };
-constexpr Habits Dressing = { 4, 6, 80, 1, 4, 2, 1, 1, 1, 1 };
-constexpr Habits Restless = { 40, 40, 20, 15, 20, 25, 25, 15, 15, 10 };
 
 /// A scene in which features are switched on and off, and which changes step by step; the same way
 /// for the same seed.

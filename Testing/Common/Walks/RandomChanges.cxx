@@ -211,6 +211,18 @@ void ExpectRefined(Scene& scene, RandomViews& views, ColdWitness& cold, const st
     what + ": not the cold picture when rendered again");
 }
 
+std::vector<KindOfChange> KindsOfChange(
+  Scene& scene, vtkImageData* image, RandomViews& views, const Twelfths& often)
+{
+  return {
+    { often.View, ChangesOfView(scene, views) },
+    { often.Scene, ChangesOfScene(scene, image, views) },
+    { often.Isovalues, ChangesOfIsovalues(scene, views) },
+    { often.ImageCache, ChangesOfImageCache(scene, views) },
+    { often.Isomap, ChangesOfIsomap(scene, views) },
+  };
+}
+
 Sweep::Routes Wander(Scene& scene, RandomViews& views, const std::vector<KindOfChange>& kinds,
   const std::string& name, int steps)
 {

@@ -48,6 +48,16 @@ void ExpectRefined(Scene& scene, RandomViews& views, ColdWitness& cold, const st
 /// Changes of one kind, and how many of twelve steps make one of them.
 using KindOfChange = std::pair<int, std::vector<Change>>;
 
+/// How many of twelve steps make a change of each kind.
+struct Twelfths
+{
+  int View = 8, Scene = 1, Isovalues = 5, ImageCache = 1, Isomap = 1;
+};
+
+/// Of everything but what hides cells. The arguments are those of ChangesOfScene().
+std::vector<KindOfChange> KindsOfChange(
+  Scene& scene, vtkImageData* image, RandomViews& views, const Twelfths& often = {});
+
 /// Make changes in random order, at most one of each kind at a time, and hold every frame against
 /// what its route promises.
 /// \return how often each route was taken

@@ -95,10 +95,10 @@ int TestEveryFeature(int argc, char* argv[])
     FeatureWalk walk(seed);
     for (int round = 0; round < 6; ++round)
     {
-      walk.Go(MovingOn, 30);
-      walk.Go(StandingStill, 30);
-      walk.Go(Dressing, 10);
-      walk.Go(Restless, 20);
+      walk.Go(Habits::MovingOn(), 30);
+      walk.Go(Habits::StandingStill(), 30);
+      walk.Go(Habits::Dressing(), 10);
+      walk.Go(Habits::Restless(), 20);
     }
     walk.ComeHome();
     sum.Add(walk);

@@ -457,14 +457,8 @@ void TestRandomChanges(unsigned seed, int steps)
   RandomViews views(scene, seed, 80);
   const EventCounter warnings(scene.Mapper, vtkCommand::WarningEvent);
   Ghosts::HideCells(image, 0.3, seed);
-  const std::vector<KindOfChange> kinds = {
-    { 8, ChangesOfView(scene, views) },
-    { 1, ChangesOfScene(scene, image, views) },
-    { 5, ChangesOfIsovalues(scene, views) },
-    { 1, ChangesOfImageCache(scene, views) },
-    { 1, ChangesOfIsomap(scene, views) },
-    { 1, ChangesOfGhosts(image, views) },
-  };
+  std::vector<KindOfChange> kinds = KindsOfChange(scene, image, views);
+  kinds.emplace_back(1, ChangesOfGhosts(image, views));
   const Sweep::Routes routes = Wander(scene, views, kinds, "seed " + std::to_string(seed), steps);
   for (const auto& [route, count] : routes)
   {

@@ -187,15 +187,9 @@ void TestRandomChanges(unsigned seed, int steps)
     { false, [&] { scene.Mapper->SetMaskInput(nullptr); } },
     { false, [&] { scene.Mapper->SetMaskType(views.Pick(2)); } },
   };
-  const std::vector<KindOfChange> kinds = {
-    { 8, ChangesOfView(scene, views) },
-    { 1, ChangesOfScene(scene, image, views) },
-    { 5, ChangesOfIsovalues(scene, views) },
-    { 1, ChangesOfImageCache(scene, views) },
-    { 1, ChangesOfIsomap(scene, views) },
-    { 1, ChangesOfGhosts(image, views) },
-    { 1, ofMask },
-  };
+  std::vector<KindOfChange> kinds = KindsOfChange(scene, image, views);
+  kinds.emplace_back(1, ChangesOfGhosts(image, views));
+  kinds.emplace_back(1, ofMask);
   const EventCounter warnings(scene.Mapper, vtkCommand::WarningEvent);
   const Sweep::Routes routes = Wander(scene, views, kinds, "seed " + std::to_string(seed), steps);
   for (const auto& [route, count] : routes)

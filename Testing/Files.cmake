@@ -4,7 +4,8 @@
 # Broken files, opened by the examples' own parts. Included by the directory of tests, where
 # CMAKE_CURRENT_LIST_DIR is this one.
 if (NOT UNIX)
-  return () # a process of its own for each file
+  temporal_coherence_skip_test(Files-Cxx "each file takes a process of its own, as Unix makes them")
+  return ()
 endif ()
 set(examples "${CMAKE_CURRENT_LIST_DIR}/../Examples")
 add_subdirectory("${examples}/Common" Files/ExamplesCommon)
@@ -37,4 +38,6 @@ if (Python3_Interpreter_FOUND)
     COMMAND "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_LIST_DIR}/Files/fuzz_files.py"
       --opener "$<TARGET_FILE:OpenFiles>" --count 4
       --scratch "${CMAKE_BINARY_DIR}/Testing/Files/cxx")
+else ()
+  temporal_coherence_skip_test(Files-Cxx "there is no Python, which breaks the files")
 endif ()

@@ -11,7 +11,7 @@
 class FrameLoad : public Load
 {
 public:
-  bool DoOnce() override;
+  void DoOnce() override;
   std::string Describe() const override;
 
   /// Every route and every feature.

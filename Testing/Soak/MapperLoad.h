@@ -14,7 +14,7 @@ class MapperLoad : public Load
 {
 public:
   MapperLoad();
-  bool DoOnce() override;
+  void DoOnce() override;
   std::string Describe() const override;
   bool HasReachedAll() const override;
 

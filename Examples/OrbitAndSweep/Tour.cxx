@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Tour.h"
 
-#include "Isovalue.h"
 #include "Options.h"
 #include "Pictures.h"
+#include "Program/UserError.h"
 #include "Scene.h"
-#include "UserError.h"
+#include "View/Isovalue.h"
 
 #include <vtkImageData.h>
 #include <vtkMath.h>

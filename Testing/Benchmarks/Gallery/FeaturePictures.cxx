@@ -3,7 +3,7 @@
 #include "FeaturePictures.h"
 
 #include "FeatureScene.h"
-#include "Volumes.h"
+#include "Volumes/Volumes.h"
 #include "vtkTemporalCoherencePicker.h"
 
 #include <vtkActor.h>

@@ -3,7 +3,7 @@
 #ifndef Benchmarks_KernelBenchmarks_h
 #define Benchmarks_KernelBenchmarks_h
 
-#include "VectorTarget.h"
+#include "Checks/VectorTarget.h"
 
 #include <benchmark/benchmark.h>
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Acceleration/ValueRangePyramid.h"
+#include "Checks/Sanitized.h"
 #include "EachTarget.h"
 #include "Grid.h"
-#include "Sanitized.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Checks/Sanitized.h"
 #include "Grid.h"
 #include "Render/FrameRenderer.h"
 #include "SameFrames.h"
-#include "Sanitized.h"
 
 #include <gtest/gtest.h>
 #include <vtkSMPTools.h>

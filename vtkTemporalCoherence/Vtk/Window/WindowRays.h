@@ -15,12 +15,12 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// Tells how many rays a frame for a window has.
+/// Decides how many rays a frame for a window has.
 class WindowRays
 {
 public:
-  /// \param asked   the distance of rays that is set, in pixels
-  /// \param warning gets that it would be too many, once until they no longer are
+  /// \param asked   distance between rays in pixels, as set
+  /// \param warning set if that would be too many rays; once, until it no longer is
   glm::ivec2 For(const glm::ivec2& pixels, double asked, vtkVolume* volume, std::string& warning);
 
 private:

@@ -32,8 +32,8 @@ public:
   /// Look up the rays through `part`, which is tile number `tile`, and write their planes: definite
   /// hits and misses, and caps, which are possible hits. If knots have normals, those of definite
   /// hits are written, too. Thread-safe.
-  /// \param unresolved gets one bit for each ray that must be traced instead, because its isovalue is
-  ///                   too close to a value that the ray barely reaches. Its planes are undefined.
+  /// \param unresolved gets one bit for each ray that must be traced instead: its isovalue is too
+  ///                   close to a value that the ray barely reaches. Its planes are undefined.
   TraceCounts LookUpTile(
     std::int64_t tile, const PixelRect& part, Frame& frame, std::uint64_t& unresolved) const;
 

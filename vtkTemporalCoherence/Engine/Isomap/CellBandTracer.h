@@ -358,8 +358,8 @@ private:
       std::max(path, this->Scale.KeyOf(static_cast<double>(reached.Corner) + error));
     if (path > reached.PathKey || corner > reached.CornerKey)
     {
-      // The normal of a ray's first knot is taken in the middle of the cell, others where the field
-      // comes farthest.
+      // The normal of a ray's first knot is taken half way to where the field comes farthest,
+      // others there.
       const bool isFirst = reached.PathKey == 0;
       reached.PathKey = path;
       reached.CornerKey = corner;

@@ -29,8 +29,8 @@ bool AreNeighbors(const CellIndex& a, const CellIndex& b)
   return std::abs(a[0] - b[0]) + std::abs(a[1] - b[1]) + std::abs(a[2] - b[2]) <= 1;
 }
 
-/// The normal at a key between the last knot and this one. If progress was interrupted between
-/// them, the normal of this knot alone.
+/// The normal at a key between the last knot and this one. If their cells are not adjacent, the
+/// normal of this knot alone.
 glm::vec3 NormalInCells(const CellKnots& table, const PackedNormal* normals, std::size_t first,
   std::size_t knot, BandScale::Key key)
 {

@@ -21,8 +21,8 @@ constexpr Habits StandingStill = { 6, 85, 8, 2, 2, 2, 2, 2, 1, 3 };
 constexpr Habits Dressing = { 4, 6, 80, 1, 4, 2, 1, 1, 1, 1 };
 constexpr Habits Restless = { 40, 40, 20, 15, 20, 25, 25, 15, 15, 10 };
 
-/// A scene in which features are switched on and off, and which changes step by step; the same way
-/// for the same seed.
+/// A scene whose features are switched on and off, and which changes step by step. The same seed
+/// gives the same scene.
 class ChangingScene
 {
 public:
@@ -35,7 +35,7 @@ public:
   /// Make the changes of one step.
   void ChangeSome(const Habits& habits);
 
-  /// The names of those that are on.
+  /// The names of the features that are on.
   std::set<std::string> Features() const;
 
   Scene Shown{ nullptr, { 0.0 } };

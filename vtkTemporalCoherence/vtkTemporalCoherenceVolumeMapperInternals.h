@@ -13,7 +13,7 @@
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
-/// What a mapper holds besides its settings.
+/// The state of a mapper besides its settings.
 struct vtkTemporalCoherenceVolumeMapper::Internals
 {
   TemporalCoherence::RequestFromMapper Requests;
@@ -22,10 +22,10 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
   TemporalCoherence::WindowRays Rays;
   TemporalCoherence::IsovalueCheck Isovalues;
   std::string LastError;  ///< reported already; empty after a frame without error
-  bool HasWarned = false; ///< of the limit of memory
-  bool IsBusy = false;    ///< observers of a frame that is being made may call anything
+  bool HasWarned = false; ///< of the memory limit
+  bool IsBusy = false;    ///< set while a frame is made, when observers may call anything
 
-  /// What is to be told of the isovalues of the last frame; or nothing.
+  /// The warning about the isovalues of the last frame; empty if there is none.
   std::string CheckIsovalues(
     const TemporalCoherence::DrawnVolume& drawn, const TemporalCoherence::FrameRequest& request)
   {
@@ -34,14 +34,14 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
       : std::string();
   }
 
-  /// Remember what rays take, if the last frame had any traced or looked up.
+  /// Learn how long rays take, if the last frame traced or looked up any.
   void Learn(double allowed)
   {
     const TemporalCoherence::FrameStatistics& last = this->Frames.Statistics();
     if (last.Made != TemporalCoherence::Route::Redisplay &&
       last.Made != TemporalCoherence::Route::Reshade)
     {
-      // The next frames in the view need not build an isomap again.
+      // Without the isomap, which the next frames in the view need not build again.
       this->Distances.Learn(
         this->Frames.LastSize(), last.FrameTime - last.IsomapBuildTime, allowed);
     }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What is hit: in a pixel of the last frame, and by a line through the present volume.
+// Picks: in a pixel of the last frame, and along a line through the present volume.
 #include "vtkTemporalCoherenceVolumeMapper.h"
 
 #include "SettingsFromMapper.h"
@@ -17,7 +17,7 @@ VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 
-/// \param to null if nobody wants it
+/// \param to may be null
 void CopyTo(double* to, const glm::dvec3& from)
 {
   if (to)

@@ -1,24 +1,35 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Settings that have to be numbers.
+// Settings that have to be finite numbers.
 #include "vtkTemporalCoherenceVolumeMapper.h"
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
-/// Set a setting to the nearest value that it may have.
+/// Set a setting to the nearest allowed value.
 template <typename T>
 void vtkTemporalCoherenceVolumeMapper::SetWithin(
   const char* name, T value, double low, double high, T& setting)
 {
   if (std::isnan(value))
   {
-    this->ReportOnce(std::string(name) + " was set to what is no number and stays " +
-      std::to_string(setting) + "; set one from " + std::to_string(low) + " on.");
+    std::ostringstream what;
+    what << name << " must be a finite number";
+    if (high < VTK_DOUBLE_MAX)
+    {
+      what << " from " << low << " to " << high;
+    }
+    else
+    {
+      what << " >= " << low;
+    }
+    what << ", got nan; it stays " << setting << '.';
+    this->ReportOnce(what.str());
     return;
   }
   value = static_cast<T>(std::min(std::max(static_cast<double>(value), low), high));

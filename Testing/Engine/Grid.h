@@ -11,7 +11,7 @@
 #include <random>
 #include <vector>
 
-/// Samples in memory and the field that sees them.
+/// Samples in memory, and their field.
 template <typename T>
 struct Grid
 {

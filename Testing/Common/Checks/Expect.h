@@ -6,10 +6,10 @@
 #include <iostream>
 #include <string>
 
-/// Expectations of the running test that were not met.
+/// Number of failed expectations of the running test.
 inline int Failures = 0;
 
-/// Tell of a condition that does not hold, count it, and go on.
+/// Print and count a condition that does not hold, and go on.
 inline void Expect(bool condition, const std::string& what)
 {
   if (!condition)

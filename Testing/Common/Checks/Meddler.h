@@ -10,7 +10,7 @@
 #include <functional>
 #include <utility>
 
-/// Does something at an event, once, and watches progress rise.
+/// Calls a function at an event, once, and checks that progress rises.
 class Meddler
 {
 public:

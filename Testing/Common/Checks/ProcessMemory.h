@@ -3,17 +3,17 @@
 #ifndef Testing_ProcessMemory_h
 #define Testing_ProcessMemory_h
 
-/// Memory of this process in bytes, as Linux tells it; not a number on other systems.
+/// Memory of this process in bytes, as reported by Linux; NaN on other systems.
 namespace ProcessMemory
 {
 
-/// In physical memory now. What was freed is given back to the system first.
+/// Present resident memory, after returning freed memory to the system.
 double Resident();
 
-/// The most there was in physical memory since the last call of ResetPeak(), or from the beginning.
+/// Peak resident memory since the last call of ResetPeak(), or since the start.
 double Peak();
 
-/// False if the system does not let the peak be forgotten.
+/// Returns false if the system does not allow it.
 bool ResetPeak();
 
 }

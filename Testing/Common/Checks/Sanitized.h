@@ -13,8 +13,8 @@
 #define TESTING_HAS_OTHER_MEMORY
 #endif
 
-/// True where a sanitizer manages memory: it reserves terabytes of addresses, so that no limit can
-/// be set to them, and what is too large ends the program instead of throwing std::bad_alloc.
+/// True if a sanitizer manages memory. It reserves terabytes of addresses, so that no limit can be
+/// set, and too large an allocation ends the program instead of throwing std::bad_alloc.
 #ifdef TESTING_HAS_OTHER_MEMORY
 constexpr bool IsMemorySanitized = true;
 #else

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-/// While this lives, kernels run on one kind of vectors, in the whole process.
+/// During its lifetime, all kernels of the process run on one kind of vectors.
 class VectorTarget
 {
 public:
@@ -22,7 +22,7 @@ public:
   static std::vector<std::int64_t> All() { return hwy::SupportedAndGeneratedTargets(); }
 
 private:
-  /// \param target 0: whatever the machine has
+  /// \param target 0: the best of the machine
   static void Choose(std::int64_t target)
   {
     hwy::SetSupportedTargetsForTest(target);

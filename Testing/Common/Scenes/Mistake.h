@@ -10,12 +10,12 @@
 
 #include <string>
 
-/// What a mistake in a scene must lead to: one error that names it, and the last picture stays.
+/// Checks the effect of a mistake in a scene: one error that names it, and the last picture stays.
 class Mistake
 {
 public:
-  /// Draw the scene, which is valid still.
-  /// \param word part of the error that is expected
+  /// Draw the scene, which is still valid.
+  /// \param word expected part of the error
   Mistake(Scene& scene, const std::string& word)
     : Of(scene)
     , Word(word)
@@ -25,7 +25,7 @@ public:
     this->Color->DeepCopy(this->Of.Color);
   }
 
-  /// The scene is spoilt: it is refused, which is said once.
+  /// After the mistake: the scene is refused with one error.
   void ExpectRefused(int width = Size, int height = Size)
   {
     Expect(!this->Of.Render(width, height), this->Word + ": refused");
@@ -40,7 +40,7 @@ public:
       this->Word + ": said once only");
   }
 
-  /// The scene is as it was: so is its picture.
+  /// After the mistake is undone: the picture is as before.
   void ExpectMended()
   {
     Expect(this->Of.Render(Size, Size) && !this->Observer->GetError(), this->Word + ": mended");

@@ -26,7 +26,7 @@ inline vtkNew<vtkUnsignedCharArray> PixelsOf(vtkRenderWindow* window)
   return PixelsOf(window, 0, 0, size[0] - 1, size[1] - 1);
 }
 
-/// A window without samples between pixels.
+/// A window without multisampling.
 inline void OpenWindow(vtkRenderWindow* window, vtkRenderer* renderer, int width, int height)
 {
   window->SetMultiSamples(0);
@@ -34,8 +34,8 @@ inline void OpenWindow(vtkRenderWindow* window, vtkRenderer* renderer, int width
   window->AddRenderer(renderer);
 }
 
-/// Pixels of a black window that differ from the scene's last RenderToImage, laid at (left, below),
-/// by more than a step of the colour scale; and the hits among all.
+/// Count the pixels of a black window that differ by more than 1/255 from the scene's last
+/// RenderToImage at (left, below); and the hits.
 struct PictureDifference
 {
   int Different = 0;

@@ -37,8 +37,8 @@
 #include <string>
 #include <vector>
 
-/// Polygons and isosurfaces that are level rectangles above one another, seen from above and drawn
-/// with depth peeling: what each pixel shows can be computed.
+/// Polygons and isosurfaces that are horizontal rectangles, seen from above and drawn with depth
+/// peeling. The colour of each pixel can be computed.
 namespace PlateStack
 {
 
@@ -46,7 +46,7 @@ constexpr int Size = 96; ///< of windows
 using Color = std::array<double, 3>;
 constexpr Color Background{ 0.2, 0.2, 0.2 };
 
-/// A rectangle at a height, which is what an isosurface or a polygon looks like from above.
+/// A rectangle at a height: an isosurface or a polygon seen from above.
 struct Plate
 {
   double Height = 0.0;
@@ -65,7 +65,7 @@ struct Plate
   }
 };
 
-/// Plates under one another, over the background.
+/// The colour of plates over the background.
 inline Color Seen(std::vector<Plate> plates, double x, double y, const Color& below = Background)
 {
   std::sort(plates.begin(), plates.end(),
@@ -123,12 +123,12 @@ struct Pile
   vtkNew<vtkTemporalCoherenceVolumeMapper> Mapper;
 };
 
-/// Who peels.
+/// The pass that peels.
 enum class Peeler
 {
   Renderer,     ///< its own pass, volumes among the polygons
   PolygonsOnly, ///< its own pass, without UseDepthPeelingForVolumes
-  OwnDualPass,  ///< the same passes, as a user puts them together
+  OwnDualPass,  ///< the same passes, assembled by the user
   OwnSinglePass,
 };
 
@@ -186,7 +186,7 @@ public:
     std::vector<Plate> all = this->Polygons;
     if (this->AreVolumesLast)
     {
-      // What is above opaque polygons is drawn over all of them.
+      // Plates above opaque polygons are drawn over all of them.
       double highest = -2.0;
       for (const Plate& plate : this->Polygons)
       {
@@ -248,8 +248,8 @@ public:
     }
   }
 
-  bool AreVolumesLast = false; ///< over translucent polygons, as ever without peeling
-  double Edge = 3.0 / Size;    ///< what is as near to an edge may belong to either side
+  bool AreVolumesLast = false; ///< over translucent polygons, as always without peeling
+  double Edge = 3.0 / Size;    ///< pixels this near to an edge may belong to either side
   void ForgetErrors()
   {
     for (const auto& errors : this->Errors)

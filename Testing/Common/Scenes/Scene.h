@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-/// A volume before a camera, without a window: what most tests render.
+/// A volume, a camera and a renderer without a window: what most tests render.
 struct Scene
 {
   /// \param data      may be null

@@ -18,33 +18,33 @@ class vtkRectilinearGrid;
 class vtkVolume;
 VTK_ABI_NAMESPACE_END
 
-/// The field that a volume shows, in double precision and with no code of the engine: its samples,
-/// where they lie, which cells are hidden, and what is between the samples.
+/// The field of a volume in double precision, without any code of the engine: its samples, their
+/// positions, the interpolation between them, and hidden cells.
 class BruteForceField
 {
 public:
   using Point = std::array<double, 3>;
 
-  /// \param image     where the samples lie, and the ghost arrays that hide cells
+  /// \param image     gives the positions of samples, and the ghost arrays that hide cells
   /// \param volume    its transform and the interpolation of its property
   /// \param component of the array
   /// \param cells     one tuple for each cell, at its centre; if null, the point scalars
   BruteForceField(vtkImageData* image, vtkVolume* volume, int component, vtkDataArray* cells);
 
-  /// The same for a grid, in whose index space samples lie at its coordinates.
+  /// The same for a grid. In index space its samples lie at its coordinates.
   BruteForceField(vtkRectilinearGrid* grid, vtkVolume* volume, int component, vtkDataArray* cells);
 
-  /// A point, and a direction, of the world in index space.
+  /// Transform a point, and a direction, from the world to index space.
   Point IndexOf(const Point& world) const;
   Point IndexDirectionOf(const Point& world) const;
 
   /// Shortest edge of a voxel in the world.
   double VoxelSize() const { return this->Voxel; }
 
-  /// Where samples lie along an axis of index space, ascending from 0.
+  /// The positions of samples along an axis of index space, ascending from 0.
   const std::vector<double>& Planes(std::size_t axis) const { return this->PlanesAlong[axis]; }
 
-  /// True if the field is that of the nearest sample, otherwise trilinear.
+  /// True for nearest interpolation, otherwise trilinear.
   bool IsNearest() const { return this->TakesNearest; }
 
   /// The field minus an isovalue at a point in index space.
@@ -53,7 +53,7 @@ public:
   /// Unit gradient in the world by central differences, one-sided at the boundary; not oriented.
   Point WorldNormalAt(const Point& world) const;
 
-  /// Hide, besides, the cells none of whose corners are samples (i, j, k) that are shown.
+  /// Also hide the cells of which no corner is a shown sample (i, j, k).
   void HideBySamples(const std::function<bool(int, int, int)>& isShown);
 
   /// True if the data has ghost arrays, or cells are hidden by samples.

@@ -14,18 +14,19 @@ class vtkVolume;
 class vtkVolumeMapper;
 VTK_ABI_NAMESPACE_END
 
-/// Says by itself what clipping planes and cropping of a mapper keep of lines in the world.
+/// Clips lines in the world to the clipping planes and cropping of a mapper, without any code of
+/// the engine.
 class BruteForceRegion
 {
 public:
   /// \param volume its transform
   BruteForceRegion(vtkVolumeMapper* mapper, vtkVolume* volume);
 
-  /// The parts of a line that are kept, from front to back. Parts that touch are one: a solid that
-  /// goes on is not capped between them.
+  /// The parts of a line that are kept, from front to back. Parts that touch are joined: a solid is
+  /// not capped between them.
   std::vector<BruteForceTracer::Line> Of(const BruteForceTracer::Line& line) const;
 
-  /// The first hit on what is kept of a line.
+  /// The first hit on the kept parts of a line.
   BruteForceTracer::Hit Trace(
     const BruteForceTracer& truth, const BruteForceTracer::Line& line) const;
 

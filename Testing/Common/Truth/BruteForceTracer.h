@@ -17,8 +17,8 @@ class vtkRenderer;
 class vtkVolume;
 VTK_ABI_NAMESPACE_END
 
-/// The truth that pictures are compared with: every cell on the way of every ray, in double
-/// precision, with no structure and no code of the engine.
+/// The truth that pictures are compared with: searches every cell along every ray, in double
+/// precision, without structures and without any code of the engine.
 class BruteForceTracer
 {
 public:
@@ -54,8 +54,7 @@ public:
   /// The first hit on a line.
   Hit Trace(const Line& line) const;
 
-  /// The hit seen at the centre of pixel (x, y) of a picture of width x height by the renderer's
-  /// camera.
+  /// The hit at the centre of pixel (x, y) in a picture of width x height by the renderer's camera.
   Hit Trace(vtkRenderer* renderer, int x, int y, int width, int height) const;
 };
 

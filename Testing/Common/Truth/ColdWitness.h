@@ -7,8 +7,8 @@
 
 #include <string>
 
-/// A mapper without a past that draws what a scene shows: the picture that frames made with the
-/// help of earlier ones are compared with.
+/// A fresh mapper that draws the same scene. Frames made with the help of earlier ones are compared
+/// with its picture.
 class ColdWitness
 {
 public:
@@ -24,11 +24,11 @@ public:
     return this->IsColorIdentical(scene) && this->IsDepthIdentical(scene);
   }
 
-  /// Pixels where the scene's last picture has a surface and this one none or the other way round.
+  /// Pixels where only one of this picture and the scene's last one has a surface.
   vtkIdType CountOtherSilhouettes(const Scene& scene) const { return this->Count(scene, -1.0); }
 
-  /// Those, and pixels where surfaces are more than some voxels apart (shortest edges in the
-  /// world).
+  /// The same, plus pixels where the surfaces are more than some voxels apart (shortest edges in
+  /// the world).
   vtkIdType CountDifferent(const Scene& scene, double voxels = 1.0) const;
 
   vtkNew<vtkTemporalCoherenceVolumeMapper> Mapper;

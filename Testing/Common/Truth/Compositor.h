@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-/// Lays the surfaces of a scene over one another by itself: all crossings of all isovalues, found
-/// by brute force in what cropping and clipping planes keep.
+/// Composites the surfaces of a scene without any code of the engine: all crossings of all
+/// isovalues, found by brute force within the region.
 class Compositor
 {
 public:
@@ -28,10 +28,10 @@ public:
   /// \param samples along each axis
   Compositor(Scene& scene, const BruteForceTracer& truth, const int samples[3]);
 
-  /// Red, green, blue, multiplied by alpha; and alpha.
+  /// Premultiplied red, green, blue; and alpha.
   std::array<double, 4> ColorAt(int x, int y, int width, int height);
 
-  /// Gradient magnitude of the field and what comes of it, if not 1.
+  /// Opacity by gradient magnitude, if not 1.
   std::function<double(double)> OpacityByGradient = [](double) { return 1.0; };
 
 private:

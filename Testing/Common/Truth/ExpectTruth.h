@@ -8,9 +8,9 @@
 class BruteForceTracer;
 class Scene;
 
-/// Compare what is seen first in a scene's picture with brute force, whose surfaces are those of
-/// the scene: all pixels but one, and all but one of the places to 1e-3 voxel.
-/// \return pixels where both see a surface
+/// Compare the first surfaces of a scene's picture with brute force. At most one pixel may differ,
+/// and at most one position by more than 1e-3 voxels.
+/// \return pixels where both have a surface
 int ExpectTruth(
   const std::string& name, Scene& scene, const BruteForceTracer& truth, int width, int height);
 

@@ -58,7 +58,7 @@ inline Image Centres(int cells, vtkDataArray* scalars)
   return image;
 }
 
-/// The scene shows what a plain image shows from the same place.
+/// The scene shows the same as a plain image.
 inline void ExpectSame(const std::string& what, Scene& scene, vtkImageData* plain,
   const std::function<void(Scene&)>& arrange = {})
 {

@@ -22,13 +22,13 @@ using ChooseFlag = std::function<int(int, int, int)>;
 void FlagCells(vtkImageData* image, const ChooseFlag& flag);
 void FlagPoints(vtkImageData* image, const ChooseFlag& flag);
 
-/// Hide each cell with a chance, by any of the bits that do, among bits that do not.
+/// Hide each cell with some probability, by any of the bits that hide, mixed with bits that do not.
 void HideCells(vtkImageData* image, double chance, unsigned seed);
 
-/// Hide each point with a chance; any may be a duplicate.
+/// Hide each point with some probability; any point may be a duplicate.
 void HidePoints(vtkImageData* image, double chance, unsigned seed);
 
-/// Take both ghost arrays away.
+/// Remove both ghost arrays.
 void Remove(vtkImageData* image);
 
 }

@@ -36,13 +36,13 @@ struct Named
   ChooseValue Value;
 };
 
-/// Thick and thin ones, smooth and not, of an image of 32^3 points.
+/// Masks for an image of 32^3 points: thick and thin ones, smooth ones and others.
 std::vector<Named> All();
 
-/// Values that have nothing to do with one another: 0 with a chance, else from 1 to 3.
+/// Independent random values: 0 with some probability, else from 1 to 3.
 ChooseValue Random(double chance, unsigned seed);
 
-/// Hide the cells of the truth none of whose samples is shown by a mask on points.
+/// Hide the cells of the truth of which a mask on points shows no sample.
 void Hide(vtkImageData* mask, const std::function<bool(double)>& isShown, BruteForceField& field);
 
 /// The same for a binary mask.

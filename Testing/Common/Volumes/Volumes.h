@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-/// Volumes that tests and benchmarks look at: made by formula always, real ones when present.
+/// Volumes for tests and benchmarks: some by formula, and real ones if present.
 namespace Volumes
 {
 
@@ -26,13 +26,13 @@ vtkSmartPointer<vtkImageData> FourSpheres(int n);
 /// The signal of Marschner and Lobb 1994, times 255, as uchar with spacing 1; isovalue 128.
 vtkSmartPointer<vtkImageData> MarschnerLobb(int n);
 
-/// 32^3 shorts between -1700 and 1700: waves that the boundary of the volume cuts.
+/// 32^3 shorts between -1700 and 1700: waves that reach the boundary of the volume.
 vtkSmartPointer<vtkImageData> Waves();
 
-/// n^3 samples between `low` and `high` that have nothing to do with one another.
+/// n^3 independent random samples between `low` and `high`.
 vtkSmartPointer<vtkImageData> Noise(int n, int scalarType, double low, double high);
 
-/// A volume and an isovalue worth looking at.
+/// A volume and a good isovalue.
 struct Sample
 {
   std::string Name; ///< a file below the data directory, or "spheres", "marschner-lobb" and a size
@@ -45,7 +45,7 @@ constexpr int LargestSize = 2048;
 /// Folder of the real volumes: the environment's TEMPORAL_COHERENCE_DATA; empty if that is not set.
 std::string DataDirectory();
 
-/// The volume of that name; null if it is a file and not there (or not readable).
+/// The volume of that name; null if it is a file that is missing or not readable.
 vtkSmartPointer<vtkImageData> Load(const std::string& name);
 
 }

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-/// A scene in which features are switched on and off, and which changes step by step; the same way
-/// for the same seed.
+/// A scene whose features are switched on and off, and which changes step by step. The same seed
+/// gives the same scene.
 class ChangingScene
 {
 public:
@@ -25,7 +25,7 @@ public:
   /// Make the changes of one step.
   void ChangeSome(const Habits& habits);
 
-  /// The names of those that are on.
+  /// The names of the features that are on.
   std::set<std::string> Features() const;
 
   Scene Shown{ nullptr, { 0.0 } };

@@ -7,12 +7,11 @@
 
 #include <vector>
 
-/// Changes of what can be drawn beside plain surfaces of a plain image, for fields that lie in
-/// [-1, 1]^3 and have values up to 1700.
+/// Changes of features, for fields in [-1, 1]^3 with values up to 1700.
 namespace FeatureChanges
 {
 
-/// Clipping planes, cropping planes and flags, and neither.
+/// Clipping planes, cropping planes and flags, or neither.
 std::vector<Change> OfRegion(Scene& scene, RandomViews& views);
 
 /// Opacities of isovalues and of gradient magnitude; opaque again.
@@ -24,10 +23,10 @@ std::vector<Change> OfLists(Scene& scene, RandomViews& views);
 /// Colours, lights and shading.
 std::vector<Change> OfAppearance(Scene& scene, RandomViews& views);
 
-/// Interpolation, mode, and where the volume stands.
+/// Interpolation, mode, and the transform of the volume.
 std::vector<Change> OfVolume(Scene& scene, RandomViews& views);
 
-/// As a scene is made, whatever was changed.
+/// Back to the state of a new scene.
 void SwitchOff(Scene& scene);
 
 }

@@ -13,7 +13,8 @@
 /// How often each route was taken while a feature was on.
 using RoutesOfFeatures = std::map<std::string, Sweep::Routes>;
 
-/// A scene on its way through features and steps, each frame compared with what its route promises.
+/// A scene that walks through features and steps. Each frame is compared with what its route
+/// promises.
 class FeatureWalk : private ChangingScene
 {
 public:
@@ -22,7 +23,7 @@ public:
   /// Choose features anew, then make steps.
   void Go(const Habits& habits, int steps);
 
-  /// Nothing is left of features that are switched off.
+  /// Check that features that are switched off leave no trace.
   void ComeHome();
 
   RoutesOfFeatures Counted;

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-/// The same waves as every kind of input that a mapper takes: in an image, a grid or blocks; as
-/// scalars of points or of cells, or as lengths or components of vectors.
+/// The same waves as every kind of input of a mapper: in an image, a grid or blocks; as scalars of
+/// points or cells, or as magnitudes or components of vectors.
 class ManyInputs
 {
 public:
@@ -37,8 +37,8 @@ public:
   /// Give the scene one of the inputs.
   void Show(Holder holder, Scalars scalars);
 
-  /// Other samples, places, blocks, coordinates, arrays, masks and ghosts of what the scene shows,
-  /// and of what it may show later; at last, neither ghosts nor a mask.
+  /// Change samples, positions, blocks, coordinates, arrays, masks and ghosts, also of inputs that
+  /// are not shown now; at last, remove ghosts and mask.
   std::vector<Change> Changes();
 
   Holder In = InImage;
@@ -46,7 +46,7 @@ public:
 
   vtkSmartPointer<vtkImageData> Image; ///< has all arrays; samples of 16 bits
 
-  /// True if what is shown hides cells.
+  /// True if the present input has hidden cells.
   bool HidesCells() const;
 
 private:

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-/// Something to change. What is changed of the data makes every kept picture worthless.
+/// A change. A change of the data invalidates all cached pictures.
 struct Change
 {
   bool IsOfData;
@@ -29,19 +29,19 @@ std::vector<Change> ChangesOfIsovalues(Scene& scene, RandomViews& views);
 /// Camera and size of the picture; among them no change at all.
 std::vector<Change> ChangesOfView(Scene& scene, RandomViews& views);
 
-/// What the mapper lets users set of the image cache.
+/// Settings of the image cache.
 std::vector<Change> ChangesOfImageCache(Scene& scene, RandomViews& views);
 
-/// What it lets them set of the isomap.
+/// Settings of the isomap.
 std::vector<Change> ChangesOfIsomap(Scene& scene, RandomViews& views);
 
-/// Other cells and points are hidden, or none. An image that has ghost arrays may lose them.
+/// Hide other cells and points, or none. Ghost arrays may be removed.
 std::vector<Change> ChangesOfGhosts(vtkImageData* image, RandomViews& views);
 
 /// Compare a frame with what its route, accuracy and tolerance promise.
 void ExpectPromise(Scene& scene, ColdWitness& cold, const std::string& what);
 
-/// A view that repeats ends in the cold picture.
+/// Check that a repeated view ends in the cold picture.
 /// \pre the witness has drawn it
 void ExpectRefined(Scene& scene, RandomViews& views, ColdWitness& cold, const std::string& what);
 

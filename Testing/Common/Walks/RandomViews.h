@@ -7,8 +7,8 @@
 
 #include <random>
 
-/// A camera on a random way around and into a scene's volume, the same for the same seed: mostly
-/// small turns, now and then a jump, another projection or another size of the picture.
+/// A camera on a random path around and into a scene's volume: mostly small turns, now and then a
+/// jump, another projection or another size of the picture. The same seed gives the same path.
 class RandomViews
 {
 public:

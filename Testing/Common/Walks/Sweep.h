@@ -11,8 +11,7 @@
 #include <string>
 #include <vector>
 
-/// Isovalues that change before a camera that stands still: what isomaps and hints are compared
-/// with.
+/// Sweeps of isovalues in a still view, to test isomaps and hints.
 namespace Sweep
 {
 
@@ -23,18 +22,18 @@ struct Placing
   std::function<void(Scene&)> SetCamera;
 };
 
-/// From outside in both projections, along an axis, from inside, and cut by the near plane.
+/// From outside in both projections, along an axis, from inside, and clipped by the near plane.
 std::vector<Placing> AllPlacings();
 
-/// Small volumes of all kinds of samples: whole numbers and others, smooth and not, finite and not,
+/// Small volumes of all kinds of samples: integers and others, smooth or not, finite or not,
 /// constant, thin, oriented, of several components.
 std::vector<Subject> AllFields();
 
 /// The finite samples of the component drawn.
 std::vector<double> FiniteSamplesOf(const Subject& subject);
 
-/// Isovalues from below the samples to above them, in equal steps. Whole numbers for samples that
-/// are, as these are met exactly.
+/// Isovalues from below the samples to above them, in equal steps. Integers for integer samples, as
+/// these are met exactly.
 std::vector<double> Up(const Subject& subject, int steps);
 
 /// Isovalues anywhere: samples and their next neighbours, small steps, values in and far beyond the
@@ -44,8 +43,8 @@ std::vector<double> Jumps(const Subject& subject, int steps, unsigned seed);
 /// How often each route was taken.
 using Routes = std::map<std::string, int>;
 
-/// Expect that after a cold frame all were made by one of some routes, or were the same again; and
-/// by each of these at least once.
+/// Expect that all frames after the cold one took one of some routes or were redisplayed, and that
+/// each of these routes was taken at least once.
 void ExpectOnly(
   const std::vector<std::string>& allowed, const Routes& routes, const std::string& what);
 

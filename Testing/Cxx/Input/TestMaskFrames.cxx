@@ -112,7 +112,7 @@ void TestMistakes()
   const auto all = [](int, int, int) { return 255; };
   const int fewer[3] = { N, N - 1, N };
   expectRefused("The mask has 32 x 31 x 32 values", Masks::Make(fewer, VTK_UNSIGNED_CHAR, all));
-  expectRefused("of the type float", Masks::For(image, all, VTK_FLOAT));
+  expectRefused("have the type float", Masks::For(image, all, VTK_FLOAT));
   vtkNew<vtkImageData> empty;
   expectRefused("The mask has no scalars", empty);
   vtkNew<vtkImageData> two;

@@ -258,7 +258,7 @@ void TestErrors()
   expectError("nan at position 3", put(2, 3, std::numeric_limits<double>::quiet_NaN()));
   expectError("inf at position 0", put(2, 0, std::numeric_limits<double>::infinity()));
   expectError("is followed by -1 at position 1", put(0, 1, -1.0));
-  expectError("are 5, but it has 22 points",
+  expectError("hold 5 values, but it has 22 points",
     [](Grid& grid) {
       Grids::SetCoordinates(grid, 1, { 0.0, 1.0, 2.0, 3.0, 4.0 });
     });

@@ -11,7 +11,7 @@
 #include <random>
 #include <vector>
 
-/// Whole numbers: the cells of an image.
+/// Integers: the cells of an image.
 inline std::shared_ptr<const TemporalCoherence::GridCoordinates> Uniform(
   const glm::ivec3& dimensions)
 {
@@ -51,7 +51,7 @@ inline std::shared_ptr<const TemporalCoherence::GridCoordinates> Stretched(
   return grid;
 }
 
-/// Put samples of a formula of the coordinates.
+/// Fill a grid by a formula of the coordinates.
 template <typename T, typename Formula>
 void FillByPlace(
   Grid<T>& grid, const TemporalCoherence::GridCoordinates& at, const Formula& formula)

@@ -56,11 +56,11 @@ void ActiveCells::Build(
   this->FindLeaves(field, pyramid);
 }
 
-/// The active leaves of a node where cells are hidden. Each has an active cell, which the range of
-/// its samples does not tell there.
+/// The active leaves of a node with hidden cells. There the value range of a leaf does not tell
+/// whether it has an active cell.
 /// \param firstCell of the node
 /// \param ranges    of its leaves
-/// \param leaves    those that would be active if no cell were hidden
+/// \param leaves    active leaves if no cell were hidden
 template <typename T>
 std::uint64_t ActiveCells::FindVisibleLeaves(const TypedField<T>& field,
   const glm::ivec3& firstCell, const ValueRangePyramid::Range<T>* ranges,

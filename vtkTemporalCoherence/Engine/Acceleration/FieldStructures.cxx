@@ -9,7 +9,7 @@ namespace TemporalCoherence
 namespace
 {
 
-/// The structure in the list that fits, or null; those that nobody holds any more leave the list.
+/// The structure in the list that fits, or null. Structures no longer in use leave the list.
 template <typename Structure, typename Fits>
 std::shared_ptr<const Structure> FindHeld(
   std::vector<std::weak_ptr<const Structure>>& list, const Fits& fits)
@@ -32,7 +32,7 @@ std::shared_ptr<const Structure> FindHeld(
 
 void FieldStructures::Provide(const Field& field, std::shared_ptr<const FieldRanges>& held)
 {
-  // First, so that the memory of the old structure is there for the new one.
+  // Release the old structure first, so that its memory can serve the new one.
   held = std::make_shared<const FieldRanges>();
   auto found =
     FindHeld(this->Ranges, [&](const FieldRanges& ranges) { return ranges.Samples == field; });

@@ -15,32 +15,31 @@ namespace
 
 using Bounds = TileBounds::Bounds;
 
-/// Parts of the nodes projected at the same time, each into tiles of its own.
+/// Nodes are projected in this many parallel parts, each into tiles of its own.
 constexpr int NumberOfParts = 8;
 
-/// Pixels by which projections are widened against rounding.
+/// Margin in pixels around projections, against rounding.
 constexpr double Margin = 1.0 / 64;
 
-/// Share of a distance by which bounds are widened, since they are stored in single precision.
+/// Relative margin of bounds, which are stored in single precision.
 constexpr double Slack = 1e-6;
 
-/// Share of the largest terms of a sum by which rounding may move it, and the ray that it is
-/// compared with: not much where terms are as large as the sum, but they cancel out in long thin
-/// cells, and far away from the origin.
+/// Relative to the largest terms of a sum, how far rounding may move it and the ray it is compared
+/// with. Terms may be much larger than their sum in long thin cells and far from the origin.
 constexpr double Rounding = 64.0 * std::numeric_limits<double>::epsilon();
 
-/// Half the width in pixels of nodes that are projected as one box instead of leaf by leaf: such
-/// boxes are as small in the picture as leaves of other volumes. Measured by `Benchmark --scenarios
+/// Nodes of at most this half width in pixels are projected as one box instead of leaf by leaf:
+/// they are as small in the picture as leaves of other volumes. Measured by `Benchmark --scenarios
 /// growth`.
 constexpr double SmallNode = 10.0;
 
 /// A box of cells.
 struct Box
 {
-  glm::dvec3 Centre, Half; ///< half its edges
+  glm::dvec3 Centre, Half; ///< half of its edges
 };
 
-/// The box around the leaves of a node of which a word tells, in leaves: first leaf and size.
+/// The box around the active leaves of a node, given their word, in leaves: first leaf and size.
 std::array<glm::ivec3, 2> LeavesAround(std::uint64_t leaves)
 {
   glm::ivec3 first(3), last(0);
@@ -60,7 +59,7 @@ std::array<glm::ivec3, 2> LeavesAround(std::uint64_t leaves)
 class BoxProjector
 {
 public:
-  /// \param cells along each axis, from which all boxes are
+  /// \param cells of the field along each axis
   BoxProjector(const TemporalCoherence::View& view, const IndexTransform& transform,
     const glm::ivec2& tiles, const glm::ivec3& cells, const FieldKind& kind)
     : View(view)
@@ -72,7 +71,7 @@ public:
   {
     if (view.Parallel)
     {
-      // Rays begin on the plane through the camera, which they may meet at an angle.
+      // Rays begin on the plane through the camera, perhaps at an angle.
       const double cosine = glm::dot(view.Forward, glm::normalize(view.Direction));
       this->ParallelDepth = view.Forward / cosine;
       this->PerRadius = 1.0 / cosine;
@@ -146,8 +145,8 @@ public:
     }
   }
 
-  /// Tiles that a box can touch: all where it reaches behind the eye, or where what is computed
-  /// leaves the range of numbers; false if there are none.
+  /// Find the tiles that a box can touch: all tiles if it reaches behind the eye or if numbers
+  /// overflow. \return false if there are none
   bool FindTiles(const Box& box, glm::ivec2& first, glm::ivec2& last) const
   {
     first = glm::ivec2(0);
@@ -194,7 +193,7 @@ public:
   }
 
 private:
-  /// How far rounding may move what is projected.
+  /// How far rounding may move a projected point.
   void FindErrors(const glm::dvec4& cells)
   {
     const auto sizes = [](const glm::dmat4& matrix)
@@ -209,8 +208,8 @@ private:
       static_cast<double>(std::numeric_limits<float>::min());
   }
 
-  /// A number in single precision that is not above another but for rounding, which slack allows
-  /// for; what is no number is below all.
+  /// Convert to single precision, for a lower bound; rounding is covered by the slack. NaN becomes
+  /// the lowest value.
   static float Below(double number)
   {
     constexpr auto Largest = static_cast<double>(std::numeric_limits<float>::max());
@@ -221,7 +220,7 @@ private:
   const TemporalCoherence::View& View;
   glm::ivec2 Tiles;
   const FieldKind& Kind;
-  bool AreAlike; ///< all leaves, in size
+  bool AreAlike; ///< all leaves have the same size
   glm::dmat4 ClipFromIndex, WorldFromIndex;
   double PerRadius = 1.0; ///< distance along rays for a distance in the world
   double LeafRadius;

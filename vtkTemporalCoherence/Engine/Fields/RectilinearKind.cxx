@@ -62,7 +62,8 @@ public:
     return box;
   }
 
-  /// What is flat in small cells need not be as flat as in large ones.
+  /// Bend is the shortest edge: a surface may be flat at the scale of small cells and bend at that
+  /// of large ones.
   VoxelSize VoxelSizeIn(const IndexTransform& transform) const override
   {
     VoxelSize size{ std::numeric_limits<double>::infinity(), 0.0, 0.0 };

@@ -11,13 +11,13 @@
 namespace TemporalCoherence
 {
 
-/// How rays go through the cells of an image, for CellTracer.
+/// The geometry of the cells of an image, for CellTracer.
 template <typename T>
 struct UniformCells
 {
   using Value = T;
   using Real = RealOf<T>;
-  static constexpr bool HasKernels = true; ///< many cells are searched at once, in vectors
+  static constexpr bool HasKernels = true; ///< many segments are searched at once, in vectors
 
   BatchRay RayOf(const RayBatch& rays, std::size_t ray) const { return { rays, ray }; }
 

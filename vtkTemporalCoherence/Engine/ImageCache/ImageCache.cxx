@@ -10,8 +10,8 @@ namespace TemporalCoherence
 
 bool CanServe(const FrameKey& cached, const FrameKey& next)
 {
-  // A raised isovalue only shrinks a solid, so that what was free of it still is. Between the
-  // pixels of a picture of another size hides too much.
+  // A solid only shrinks when its isovalue is raised, so free space stays free. Pictures of another
+  // size are not used: too much can hide between their pixels.
   const FrameChange change = CompareFrames(cached, next);
   return !change.Data && (!change.Surfaces || (change.Raised && AreHitsOrdered(next))) &&
     cached.View.Size == next.View.Size;
@@ -52,7 +52,7 @@ std::shared_ptr<CachedImage> ImageCache::Keep(
     ++this->FramesSinceKey;
     return nullptr;
   }
-  this->Images.reserve(this->Images.size() + 1); // the only thing that can fail comes first
+  this->Images.reserve(this->Images.size() + 1); // first, as only this can fail
   const auto isDropped = [&](const std::shared_ptr<CachedImage>& old)
   {
     const FrameChange change = CompareFrames(old->Key, image->Key);

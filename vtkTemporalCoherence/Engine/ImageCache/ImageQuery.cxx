@@ -15,18 +15,19 @@ namespace
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// How far apart the pixels of a cached image may be, in voxels (of the shortest edge), to tell
-/// what is free: by the surfaces that they see alone, since no feature worth a pixel hides between
-/// them; and at all, by the cells that their rays pass. Measured by the errors of `Benchmark
-/// --scenarios image-cache,drift`.
+/// How far apart the pixels of a cached image may be, in voxels (shortest edge), to tell what is
+/// free. Up to the first distance the surfaces alone tell it, as no feature the size of a pixel
+/// hides between them. Up to the second one the cells on the rays tell it. Measured by the errors
+/// of `Benchmark --scenarios image-cache,drift`.
 constexpr double FineApart = 0.6;
 constexpr double FarthestApart = 2.0;
 
-/// The same where cells are hidden: what is left of a surface can be as small as a cell.
+/// The second distance if cells are hidden: what remains of a surface can be as small as a cell.
 constexpr double FarthestApartBesideHidden = 1.0;
 
-/// Cosine of the turn up to which surfaces alone can tell: films that are seen from their edge, and
-/// so hardly at all, are hardly seen after a small turn. 6 degrees; measured likewise.
+/// Cosine of the largest turn after which surfaces alone can tell what is free: 6 degrees. A film
+/// seen from its edge is hardly visible, and is so after a small turn, too. Measured by the same
+/// benchmarks.
 constexpr double SmallTurn = 0.9945;
 
 /// Distance between neighbouring pixels of a view in the world; for a perspective at depth 1.
@@ -76,13 +77,13 @@ double DistanceAt(const PathBatch& paths, std::size_t ray, double at, bool isPar
   {
     return t0 + at * (t1 - t0);
   }
-  // What is affine in the picture is t times disparity.
+  // In the picture, t times disparity is affine.
   const double q0 = paths.Q0[ray], q1 = paths.Q1[ray];
   return ((1.0 - at) * t0 * q0 + at * t1 * q1) / (q0 + at * (q1 - q0));
 }
 
-/// Call visit(pixel, parameter on entry, disparity on entry, disparity on leaving) for each pixel
-/// on the way of a ray until it returns true.
+/// Call visit(pixel, parameter on entry, disparity on entry, disparity on exit) for each pixel
+/// along a ray until it returns true.
 /// \return false if it never did
 template <typename Visit>
 bool WalkPixels(const PathBatch& paths, std::size_t ray, const glm::ivec2& size, const Visit& visit)
@@ -162,7 +163,7 @@ ImageQuery::ImageQuery(CachedImage& image, const FrameKey& next, ReuseAccuracy a
   const glm::dmat4 clip = view.ClipFromWorld * next.Transform.WorldFromIndex;
   const glm::dvec4 forward(view.Forward, -glm::dot(view.Forward, view.Position));
   const glm::dvec4 w = RowOf(clip, 3);
-  // Divided by depth instead of w: the same for a perspective but for a factor.
+  // Divide by depth instead of w: for a perspective they differ by a constant factor.
   const double perW = view.Parallel
     ? 1.0 / w.w
     : 1.0 / glm::dot(glm::dvec3(RowOf(view.ClipFromWorld, 3)), view.Forward);
@@ -179,11 +180,11 @@ ImageQuery::ImageQuery(CachedImage& image, const FrameKey& next, ReuseAccuracy a
   const bool isRaised = !AreMetAlike(image.Key.Isosurfaces, next.Isosurfaces);
   if (accuracy == ReuseAccuracy::Bounded || isRaised)
   {
-    // For a raised isovalue the image gives starts only. What was inside the old isovalue may be
-    // outside the new one: a surface met from inside tells nothing.
+    // For a raised isovalue the image only tells where walks may begin. What was inside the old
+    // isovalue may be outside the new one, so a surface met from inside tells nothing.
     this->Accuracy = ReuseAccuracy::Bounded;
-    // A ray can be inside one of several isovalues and outside another: none is fine then. Hidden
-    // cells leave films of surfaces that are inside nothing.
+    // A ray can be inside one isovalue and outside another, so several isovalues are never fine.
+    // Hidden cells leave films of surfaces without an inside.
     const bool canBeFine = next.Isosurfaces.Isovalues.size() == 1 && !next.Samples.Hidden &&
       CosineOfTurn(image.Key, next) >= SmallTurn;
     const double fineApart = canBeFine ? FineApart : 1e-30;
@@ -265,7 +266,7 @@ void ImageQuery::FindHit(const PathBatch& paths, std::size_t ray, KnownRays& kno
         return false;
       }
       const bool isInFront = q > here;
-      bool isConnected = isInFront; // to the ray's own beginning, in its first pixel
+      bool isConnected = isInFront; // in its first pixel, to the beginning of the ray
       if (!isFirst)
       {
         isConnected = last > DisparityOfMiss(isParallel) &&
@@ -305,7 +306,7 @@ void ImageQuery::Interpolate(
   frame.Kinds[pixel] = image.Kinds[stopped];
   frame.Answers[pixel] = Answer::DefiniteHit;
 
-  // Between the centres of four pixels, those that show the same surface.
+  // Interpolate between the centres of those of four pixels that show the same surface.
   const glm::dvec2 at = glm::dvec2(known.Column[ray], known.Row[ray]) - 0.5;
   const glm::dvec2 low = glm::floor(at);
   glm::dvec4 color(0.0);

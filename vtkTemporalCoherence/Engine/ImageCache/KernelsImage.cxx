@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
-// This file is compiled once for each kind of vectors, and what runs is chosen by the machine. The
-// loops are plain: the compiler turns them into vectors.
+// This file is compiled once for each kind of vectors. The best one for the machine is chosen at
+// run time. The loops are plain: the compiler vectorises them.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "ImageCache/KernelsImage.cxx"
 #include <hwy/foreach_target.h>
@@ -21,7 +21,7 @@ namespace TemporalCoherence
 namespace HWY_NAMESPACE
 {
 
-/// Largest of the three by three values around a place.
+/// Largest of the 3 x 3 values around a position.
 HWY_INLINE float LargestAround(const float* below, const float* here, const float* above, int x)
 {
   const float a = std::max(std::max(below[x], below[x + 1]), below[x + 2]);
@@ -30,7 +30,7 @@ HWY_INLINE float LargestAround(const float* below, const float* here, const floa
   return std::max(std::max(a, b), c);
 }
 
-/// Disparity of what is nearer by a length.
+/// Disparity of a point that is nearer by a length.
 HWY_INLINE float Nearer(float disparity, float length, bool isParallel)
 {
   const float left = 1.0f - length * disparity;
@@ -47,7 +47,7 @@ void Guard(const GuardRule& rule, GuardTile& tile)
   const float farthest = rule.Farthest;
   const bool isParallel = rule.IsParallel;
 
-  // What each pixel alone tells, and how far its surface is behind its first entry.
+  // The guard by each pixel alone, and how far its surface is behind its first entry.
   std::array<float, Width * Width> single, gap;
   for (std::size_t i = 0; i < single.size(); ++i)
   {
@@ -78,7 +78,8 @@ void Guard(const GuardRule& rule, GuardTile& tile)
       const float widest = LargestAround(gaps, gaps + Width, gaps + 2 * Width, x);
       const float edge = LargestAround(singles, singles + Width, singles + 2 * Width, x);
 
-      // Disparity is affine on a plane, and half way to the neighbours are the pixel's corners.
+      // Disparity is affine on a plane, and the corners of the pixel are half way to its
+      // neighbours.
       const float perDepth = isParallel ? 1.0f : c * c;
       const float steps = perSpacing * (largest - c);
       const float slope = isParallel ? steps : steps / std::max(c, 1e-30f);

@@ -12,7 +12,8 @@ namespace TemporalCoherence
 namespace
 {
 
-/// Share of a depth by which a walk to it goes farther, so that its cell is not left out.
+/// A walk to a known depth goes farther by this share of it, so that the cell of the hit is not
+/// missed.
 constexpr double DepthError = 1e-9;
 
 }

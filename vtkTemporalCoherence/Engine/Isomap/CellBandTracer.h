@@ -18,8 +18,8 @@
 namespace TemporalCoherence
 {
 
-/// The BandTracer of fields with samples at the corners of cells, whatever the geometry of the
-/// cells (TracedCells.h).
+/// The BandTracer of fields with samples at the corners of cells, for any geometry of cells
+/// (TracedCells.h).
 template <typename T, typename Geometry, Interpolation Between>
 class CellBandTracer final : public BandTracer
 {
@@ -50,7 +50,7 @@ public:
       rays, this->Shape, this->Cells, [&](std::size_t ray) { return !progress.IsDone(ray); });
     while (progress.Live.Count > 0 && progress.Knots.MemoryInBytes() <= this->Scene.MemoryLimit)
     {
-      // To the next cells that can bring the rays farther.
+      // Walk to the next cells that can raise the rays' progress.
       progress.Live.Keep([&](std::size_t ray) { return this->Advance(ray, progress); });
       this->Measure(progress);
       this->TakeNote(progress);
@@ -69,7 +69,7 @@ private:
   static constexpr Real Infinity = std::numeric_limits<Real>::infinity();
   static constexpr std::size_t Rising = 0, Falling = 1;
 
-  /// How far a ray has come through the band in one direction.
+  /// Progress of a ray through the band in one direction.
   struct Reach
   {
     Real Path = -Infinity;   ///< progress of the field along the ray
@@ -78,15 +78,15 @@ private:
     bool IsDone = false;
   };
 
-  /// A cell as the two directions see it: progress of its samples.
+  /// A cell: the progress of its samples in both directions.
   struct CellReach
   {
     std::array<Real, NumberOfDirections> Corner;
-    Real Error;    ///< how far two ways to compute a value of the field may differ
-    bool IsFinite; ///< all its samples are
+    Real Error;    ///< rounding error between two ways to compute a value of the field
+    bool IsFinite; ///< all samples are finite
   };
 
-  /// The rays of a tile on their way.
+  /// The state of the rays of a tile.
   struct Progress
   {
     Progress(const RayBatch& rays, const KnotForm& form, const BandScale& scale)
@@ -106,11 +106,11 @@ private:
     LiveRays Live;
 
     std::array<std::array<Reach, RayBatch::Capacity>, NumberOfDirections> Reached;
-    RayBatch::Array<bool> HasEntered; ///< where the ray begins is known
+    RayBatch::Array<bool> HasEntered; ///< the value where the ray begins is known
     RayBatch::Array<float> Entries;
-    bool HasEntries = false; ///< some ray begins in the band or above
+    bool HasEntries = false; ///< some ray begins in the band or above it
 
-    SegmentBatch<Real> Segments; ///< through the cells to be measured
+    SegmentBatch<Real> Segments; ///< cell segments to be measured
     RangeBatch<Real> Ranges;
     std::array<CellReach, RayBatch::Capacity> Corners; ///< of each segment
     std::array<std::size_t, RayBatch::Capacity> Owner; ///< ray of each segment
@@ -119,7 +119,7 @@ private:
     std::int64_t CellsRead = 0;
   };
 
-  /// The ranges of samples in which a ray can come farther than it has.
+  /// The ranges of samples that can raise a ray's progress.
   struct UsefulRanges
   {
     bool CanBringOn(Real toRise, Real toFall) const
@@ -133,7 +133,7 @@ private:
       Real lowest = this->Tracer.FromLowest(static_cast<Value>(range.Min));
       if constexpr (std::is_floating_point_v<T>)
       {
-        // As for cells: what is not finite may be anything.
+        // As for cells: samples that are not finite may have any progress.
         highest = std::isfinite(range.Max) ? highest : Infinity;
         lowest = std::isfinite(range.Min) ? lowest : -Infinity;
       }
@@ -152,8 +152,8 @@ private:
     const Reach &Rises, &Falls;
   };
 
-  /// Take a ray to the next cell that can bring it farther.
-  /// \return false if its walk ends before
+  /// Walk to the next cell that can raise a ray's progress.
+  /// \return false if its walk ends first
   bool Advance(std::size_t ray, Progress& progress) const
   {
     const UsefulRanges useful{ *this, progress.Reached[Rising][ray],
@@ -193,7 +193,7 @@ private:
       {
         if (!std::isfinite(sample))
         {
-          // How far such a sample is from an isovalue depends on the isovalue: it may be anything.
+          // The difference of such a sample depends on the isovalue, so it may have any progress.
           reach.IsFinite = false;
           (sample > T(0) ? highest : lowest) = sample > T(0) ? Infinity : -Infinity;
         }
@@ -274,7 +274,7 @@ private:
     }
   }
 
-  /// Bring rays on by what was measured in their segments.
+  /// Update the rays' progress by their measured segments.
   void TakeNote(Progress& progress) const
   {
     for (std::size_t i = 0; i < static_cast<std::size_t>(progress.Segments.Count); ++i)
@@ -317,7 +317,7 @@ private:
     progress.Segments.Count = 0;
   }
 
-  /// A ray begins in segment i. What is not finite there is another value for each isovalue.
+  /// A ray begins in segment i. A value that is not finite there differs from isovalue to isovalue.
   void EnterBy(std::size_t i, std::size_t ray, Progress& progress) const
   {
     this->Enter(ray, progress.Ranges.Cubic[0][i], progress.Corners[i].Error, progress);
@@ -348,7 +348,7 @@ private:
     reached.IsDone = reached.Path + error > this->Span;
   }
 
-  /// Keep the cell of segment i as a knot if it brought the ray on.
+  /// Store the cell of segment i as a knot if it raised the ray's progress.
   void NoteCell(
     std::size_t direction, std::size_t i, std::size_t ray, Reach& reached, Progress& progress) const
   {
@@ -358,7 +358,8 @@ private:
       std::max(path, this->Scale.KeyOf(static_cast<double>(reached.Corner) + error));
     if (path > reached.PathKey || corner > reached.CornerKey)
     {
-      // The normal of a ray's first knot stands for the whole cell, others for where it is left.
+      // The normal of a ray's first knot is taken half way to where the field comes farthest,
+      // others there.
       const bool isFirst = reached.PathKey == 0;
       reached.PathKey = path;
       reached.CornerKey = corner;
@@ -386,7 +387,7 @@ private:
     return cubic;
   }
 
-  /// Distance at which the field comes farthest in segment i.
+  /// Distance of the highest progress in segment i.
   double FarthestAt(std::size_t direction, std::size_t i, const Progress& progress) const
   {
     const double enter = progress.Segments.Enter[i], leave = progress.Ranges.Leave[i];
@@ -410,7 +411,7 @@ private:
     return enter + farthest * std::max(leave - enter, 0.0);
   }
 
-  /// Find out where in the band solids begin that rays begin in.
+  /// Find the values at which rays begin in solids.
   void FindEntries(Progress& progress) const
   {
     const RayBatch& rays = progress.Rays;
@@ -421,7 +422,7 @@ private:
         const glm::ivec3 cell = this->Shape.RayOf(rays, ray).CellAt(rays.Begin[ray], this->Cells);
         if (this->Scene.Samples.Hidden && this->Scene.Samples.Hidden->IsHidden(cell))
         {
-          this->Enter(ray, -Infinity, Real(0), progress); // in nothing, as below the band
+          this->Enter(ray, -Infinity, Real(0), progress); // outside, as below the band
           continue;
         }
         Corners<Real> corners;
@@ -448,7 +449,7 @@ private:
   bool IsSolid;
 };
 
-/// The tracer of a scene for a geometry.
+/// Make the tracer of a scene for a geometry.
 template <typename T, typename Geometry>
 std::shared_ptr<const BandTracer> MakeCellBandTracer(const BandScene& scene, const Geometry& shape)
 {

@@ -26,11 +26,12 @@ namespace
 /// Measured by the worst frames of `Benchmark --scenarios isomap`.
 constexpr std::int64_t NumberOfParts = 16;
 
-/// Where a ray begins that begins below a band.
+/// The stored entry of a ray that begins below a band.
 constexpr float NotInBand = -std::numeric_limits<float>::infinity();
 
-/// Let rays that begin below the band underneath walk from where they come to its end; those that
-/// do not come there have nowhere to go. (Rays that meet no cell of that band may begin above it.)
+/// Begin the walks of rays where they reach the upper end of the band underneath. A ray that begins
+/// below that band and does not reach its end has no walk. (A ray that meets no cell of that band
+/// may begin above it.)
 void NarrowByCells(
   const TileKnots& knots, const BandScale& scale, const FieldKind& kind, RayBatch& rays)
 {
@@ -63,7 +64,7 @@ void NarrowByCells(
   }
 }
 
-/// The same by fitted knots.
+/// The same with fitted knots.
 void NarrowByFit(const TileKnots& knots, const BandScale& scale, double tolerance, RayBatch& rays)
 {
   const FittedKnots& table = knots.Fitted[static_cast<std::size_t>(ValueDirection::Rising)];
@@ -115,8 +116,7 @@ double Isomap::SmallestTolerance(const Field& field, const IndexTransform& trans
 
 KnotForm Isomap::FormFor(const FrameKey& key, const Options& options)
 {
-  // Where the field is that of the nearest sample, distances are no curves to be fitted.
-  // Nor where it may jump, behind hidden cells.
+  // With nearest interpolation there are no curves to fit. Behind hidden cells, distances may jump.
   const bool isFitted = key.Samples.Between == Interpolation::Linear && !key.Samples.Hidden &&
     options.Tolerance > 0.0 && options.Tolerance >= SmallestTolerance(key.Samples, key.Transform);
   return { isFitted ? options.Tolerance * key.Samples.Kind->VoxelSizeIn(key.Transform).Shortest
@@ -154,7 +154,7 @@ void Isomap::Release()
   this->Dropped = false;
 }
 
-/// What a band is built from, and how far it is.
+/// The inputs of a band, and the progress of building it.
 struct Isomap::BandSource
 {
   BandSource(const Isomap& map, const ValueBand& band, const ValueRangePyramid& pyramid,
@@ -169,7 +169,7 @@ struct Isomap::BandSource
     this->Bounds.Build(map.Key.View, map.Key.Transform, this->Active, *map.Key.Samples.Kind);
     this->Tracer = BandTracer::Make({ map.Key.Samples, pyramid.FiniteRange(), &pyramid,
       &this->Active, band, map.Key.Isosurfaces.Mode, map.Form, map.Key.Transform, memoryLimit });
-    // Otherwise what shows lower isovalues tells nothing of where higher ones can be.
+    // If hits are not ordered, lower isovalues do not tell where higher ones can be.
     const bool areOrdered = AreHitsOrdered(map.Key);
     for (const std::shared_ptr<Band>& built : map.BuiltBands)
     {
@@ -184,7 +184,7 @@ struct Isomap::BandSource
     }
   }
 
-  /// Work begins or goes on, until what there is so far has taken so much.
+  /// Begin or go on with the work, up to these limits.
   void Begin(const Limits& upTo)
   {
     this->UpTo = upTo;
@@ -192,10 +192,10 @@ struct Isomap::BandSource
     this->HasEnough = false;
   }
 
-  /// True if no further tile is to be begun.
+  /// True if no further tile should be begun.
   bool IsInterrupted() const { return this->HasEnough.load(std::memory_order_relaxed); }
 
-  /// Trace the rays of a tile. Safe from many threads, out of which no exception comes.
+  /// Trace the rays of a tile. Thread-safe; exceptions do not leave the thread.
   void Trace(std::int64_t tile, TileKnots& knots)
   {
     this->TraceRays(tile, knots);
@@ -207,7 +207,7 @@ struct Isomap::BandSource
     }
   }
 
-  /// Trace the rays of a part of the tiles until that is interrupted.
+  /// Trace the rays of a part of the tiles until the work is interrupted.
   /// \param done how many tiles of each group of the part are traced
   void TracePart(std::int64_t part, std::vector<std::uint8_t>& done, std::vector<TileKnots>& knots)
   {
@@ -233,7 +233,7 @@ struct Isomap::BandSource
 private:
   void TraceRays(std::int64_t tile, TileKnots& knots)
   {
-    // A solid may be cut open where there is no active cell.
+    // A solid may be capped where there is no active cell.
     if (this->Key.Isosurfaces.Mode == SurfaceMode::Crossing && this->Bounds.At(tile).IsEmpty())
     {
       return;
@@ -283,7 +283,7 @@ private:
 namespace
 {
 
-/// What is left of a limit.
+/// The remainder of a limit.
 std::size_t RoomFor(std::size_t limit, std::size_t taken)
 {
   return limit > taken ? limit - taken : 0;
@@ -315,7 +315,8 @@ Isomap::Outcome Isomap::Build(const ValueBand& band, const ValueRangePyramid& py
     bool isWhole = false;
     while (!isWhole)
     {
-      // A part that takes long, or too much, is interrupted, and goes on after the questions.
+      // A part that takes too long or too much is interrupted for the checks below, and continues
+      // after them.
       source.Begin({ RoomFor(limits.Memory, this->MemoryInBytes() + fixed), limits.Cells,
         report ? limits.Patience : std::numeric_limits<double>::infinity() });
       source.TracePart(part, tilesDone, built->Tiles);
@@ -329,7 +330,7 @@ Isomap::Outcome Isomap::Build(const ValueBand& band, const ValueRangePyramid& py
       {
         return Outcome::TooLarge;
       }
-      // Only whole parts, which are spread over the picture, foretell what is to come.
+      // Only whole parts, which are spread over the picture, allow an estimate of the rest.
       const double whole = static_cast<double>(part + 1) / NumberOfParts;
       if (static_cast<double>(source.Cells) > limits.Cells * (isWhole ? whole : 1.0))
       {
@@ -352,8 +353,8 @@ Isomap::Outcome Isomap::Build(const ValueBand& band, const ValueRangePyramid& py
   return Outcome::Built;
 }
 
-/// Drop the bands not used for longest until there is room for so many bytes more.
-/// \return false, dropping nothing, if there never will be
+/// Drop the least recently used bands until there is room for this many more bytes.
+/// \return false, dropping nothing, if that is impossible
 bool Isomap::MakeRoom(std::size_t bytes, std::size_t limit)
 {
   if (bytes > limit)

@@ -23,14 +23,14 @@ glm::vec3 MixNormals(const PackedNormal& a, const PackedNormal& b, float weightO
   return glm::mix(unpack(a), unpack(b), weightOfB);
 }
 
-/// True if a ray that leaves one cell can enter the other.
+/// True if a ray can go from one cell to the other directly.
 bool AreNeighbors(const CellIndex& a, const CellIndex& b)
 {
   return std::abs(a[0] - b[0]) + std::abs(a[1] - b[1]) + std::abs(a[2] - b[2]) <= 1;
 }
 
-/// The normal at a key between the last knot and this one; only that of this knot where the ray
-/// went back between them.
+/// The normal at a key between the last knot and this one. If their cells are not adjacent, the
+/// normal of this knot alone.
 glm::vec3 NormalInCells(const CellKnots& table, const PackedNormal* normals, std::size_t first,
   std::size_t knot, BandScale::Key key)
 {
@@ -135,8 +135,8 @@ void IsomapLookup::FindSurface(
   }
 }
 
-/// Find out in which direction each ray comes to an isovalue.
-/// \return one bit for each ray that is to be looked up; the others are capped or unresolved
+/// Find the direction in which each ray reaches an isovalue.
+/// \return one bit for each ray to look up; the others are capped or unresolved
 std::uint64_t IsomapLookup::BeginOn(std::size_t surface, const TileKnots& knots,
   const RayBatch& rays, RayBatch::Array<std::uint8_t>& directions, Found& found) const
 {

@@ -17,24 +17,23 @@
 namespace TemporalCoherence
 {
 
-/// Looks the surfaces of a frame up in an isomap: a search among a ray's knots, and then the exact
-/// crossing in the cell that they tell, or, in an isomap with a tolerance, a point between them.
+/// Looks up the surfaces of a frame in an isomap. A search among a ray's knots gives the cell in
+/// which the exact crossing is computed or, in an isomap with a tolerance, a point between two
+/// knots.
 class IsomapLookup
 {
 public:
-  /// \param bands       one for each isovalue of the key, which it holds
-  /// \param finiteRange smallest and largest finite sample
-  /// All of it must outlive this.
+  /// \param bands       for each isovalue of the key the band that holds it
+  /// \param finiteRange smallest and largest finite sample The arguments must outlive this.
   /// \throws std::bad_alloc
   IsomapLookup(const FrameKey& key, const std::vector<const Isomap::Band*>& bands, double tolerance,
     const glm::dvec2& finiteRange);
 
   /// Look up the rays through `part`, which is tile number `tile`, and write their planes: definite
-  /// hits and misses, and caps, which are possible hits. Where knots have normals, those of
-  /// definite hits are written, too. Safe from many threads.
-  /// \param unresolved gets one bit for each ray that has to be traced instead, as an isovalue is
-  /// too
-  ///             close to a value that the ray only just reaches; its planes hold nothing of use
+  /// hits and misses, and caps, which are possible hits. If knots have normals, those of definite
+  /// hits are written, too. Thread-safe.
+  /// \param unresolved gets one bit for each ray that must be traced instead: its isovalue is too
+  ///                   close to a value that the ray barely reaches. Its planes are undefined.
   TraceCounts LookUpTile(
     std::int64_t tile, const PixelRect& part, Frame& frame, std::uint64_t& unresolved) const;
 
@@ -44,10 +43,10 @@ private:
   {
     const Isomap::Band* Band;
     std::array<BandScale::Key, NumberOfDirections> Key; ///< of the isovalue, in each direction
-    std::array<double, NumberOfDirections> Progress;    ///< likewise, as it is stored
+    std::array<double, NumberOfDirections> Progress;    ///< the same, as stored
   };
 
-  /// What is looked up in a tile.
+  /// What was found in a tile.
   struct Found
   {
     HitBatch Hits;

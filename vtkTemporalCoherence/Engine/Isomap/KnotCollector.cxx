@@ -15,7 +15,7 @@ namespace
 
 PackedNormal Pack(const glm::dvec3& normal)
 {
-  // Scaled first: squares of very small or large components would leave the range of numbers.
+  // Scale first: the squares of very small or large components would underflow or overflow.
   const double largest =
     std::max(std::abs(normal.x), std::max(std::abs(normal.y), std::abs(normal.z)));
   PackedNormal packed{};
@@ -56,7 +56,7 @@ void KnotCollector::AddCell(std::size_t direction, std::size_t ray, BandScale::K
 void KnotCollector::Follow(
   std::size_t direction, std::size_t ray, const Cubic<double>& progress, double enter, double leave)
 {
-  // A little before the band, so that what happens at its first isovalue can be told.
+  // Begin a little before the band, so that its first isovalue can be looked up.
   const double resolution = BandScale::StoredError * this->Scale.Unit;
   const KnotFit::Wanted wanted{ -4.0 * resolution, FitShare * this->Form.Tolerance, resolution };
   this->Fits[direction * RayBatch::Capacity + ray].Follow(

@@ -30,7 +30,7 @@ void FrameStore::Begin(const FrameKey& key)
   next.Picture.Layers.resize(key.Isosurfaces.IsTranslucent() ? next.Picture.ClearTiles.size() : 0);
   if (next.Key.View.Parallel != key.View.Parallel)
   {
-    // The disparity of a miss is another one.
+    // The disparity of a miss differs between projections.
     std::fill(next.Picture.ClearTiles.begin(), next.Picture.ClearTiles.end(), std::uint8_t(0));
   }
   next.Picture.IsFromCache = false;

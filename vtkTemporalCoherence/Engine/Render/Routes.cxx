@@ -23,11 +23,11 @@ namespace TemporalCoherence
 namespace
 {
 
-/// Fewer rays than this are traced without space leaping: they are traced sooner than active cells
-/// are found. Measured by the look-ups of `Benchmark --scenarios routes`.
+/// Fewer rays than this are traced without space leaping: that is faster than finding active cells
+/// first. Measured by the look-ups of `Benchmark --scenarios routes`.
 constexpr std::int64_t FewRays = 256;
 
-/// Get room for the frame, and find out where its rays can meet surfaces.
+/// Make room for the frame, and find out where its rays can meet surfaces.
 LeapedSpace Begin(FrameTask& task, bool leaps)
 {
   Stopwatch watch(task.Statistics.TraceTime);
@@ -57,8 +57,8 @@ bool WorkOnTiles(FrameTask& task, const ReportProgress& report, const Work& work
 }
 
 /// Trace and shade all tiles.
-/// \param shaded  hits whose normals and colours are not taken over
-/// \param changes null, or tells which tiles are copied from the last frame instead
+/// \param shaded  the hits to shade
+/// \param changes tells which tiles to copy from the last frame instead; may be null
 bool TraceTiles(FrameTask& task, const LeapedSpace& space, const RayHint* hint,
   HitSet shaded = HitSet::All, const SampleComparer* changes = nullptr)
 {
@@ -78,7 +78,7 @@ bool TraceTiles(FrameTask& task, const LeapedSpace& space, const RayHint* hint,
     });
 }
 
-/// Every pixel of a picture that is shown again is an answer known before.
+/// If a picture is shown again, the answers of all pixels were known before.
 void CountKnownHits(FrameTask& task)
 {
   const Plane<std::int16_t>& isovalues = task.Store.Last().Picture.Isovalues;
@@ -87,8 +87,8 @@ void CountKnownHits(FrameTask& task)
   statistics.DefiniteHits = statistics.Rays - statistics.DefiniteMisses;
 }
 
-/// True if the colours of a cached image may be taken over: those of the same surfaces under the
-/// same lights, which may have moved, as a headlight moves with every view (the paper's choice).
+/// True if the colours of a cached image may be re-used: surfaces and lights must be the same.
+/// Lights may have moved, as a headlight does with every view (the paper's choice).
 bool HasColorsFor(const CachedImage& cached, const FrameKey& next)
 {
   Appearance appearance = cached.Key.Appearance;
@@ -152,7 +152,7 @@ void ShadeAgain(FrameTask& task)
     FrameKey key = task.Key;
     const TileShader shader(
       task.Key, task.Structures.Pyramid().FiniteRange(), {}, HitSet::None, HitSet::All);
-    std::swap(last.Key, key); // nothing from here on needs memory
+    std::swap(last.Key, key); // nothing from here on allocates
     ParallelFor(NumberOfTiles(last.Picture.Size), TileGrain,
       [&](std::int64_t tile)
       {
@@ -211,7 +211,7 @@ bool TraceChangedTiles(FrameTask& task, const SampleComparer& changes)
 bool LookUp(FrameTask& task, IsomapBuilder& map, std::vector<std::uint64_t>& unresolved)
 {
   const bool hasNormals = task.Options.Map.HasNormals;
-  // Only what shines through opaque surfaces is found without a walk.
+  // A walk is only needed for layers behind translucent surfaces.
   const bool leaps = task.Options.SpaceLeaping && task.Key.Isosurfaces.IsTranslucent();
   const LeapedSpace space = Begin(task, leaps);
   const glm::dvec2& finiteRange = task.Structures.Pyramid().FiniteRange();

@@ -13,7 +13,7 @@ namespace TemporalCoherence
 namespace
 {
 
-/// Where nothing is known.
+/// No hint.
 const RayHint NoHint;
 
 void Count(Answer answer, TraceCounts& counts)
@@ -37,7 +37,7 @@ TileTracer::TileTracer(const TileScene& scene)
 
 bool TileTracer::CanSkip(std::int64_t tile) const
 {
-  // A solid may be cut open where there is no active cell.
+  // A solid may be capped where there is no active cell.
   return !this->HasSurfaces ||
     (this->Scene.Active && !this->IsSolid && this->Scene.Bounds->At(tile).IsEmpty());
 }
@@ -94,7 +94,7 @@ TraceCounts TileTracer::TraceSome(
   return counts;
 }
 
-/// Find the first surface along each ray, in what the region leaves of it.
+/// Find the first surface along each ray within the region.
 void TileTracer::Find(const RayBatch& rays, HitBatch& hits) const
 {
   if (!this->Rays.Clipper.HasPieces())
@@ -107,7 +107,7 @@ void TileTracer::Find(const RayBatch& rays, HitBatch& hits) const
     [this](const RayBatch& part, HitBatch& found) { this->Tracer->Trace(part, found); });
 }
 
-/// Trace the rays of a tile, and once more those about which the hint was wrong.
+/// Trace the rays of a tile, and again those about which the hint was wrong.
 void TileTracer::TraceRays(const RayHint& hint, const KnownRays& known, RayBatch& rays,
   Frame& frame, TraceCounts& counts) const
 {
@@ -136,7 +136,7 @@ void TileTracer::TraceRays(const RayHint& hint, const KnownRays& known, RayBatch
   this->TraceAgain(again, frame, counts);
 }
 
-/// Trace rays about which the hint was wrong.
+/// Trace again the rays about which the hint was wrong.
 void TileTracer::TraceAgain(const RayBatch& rays, Frame& frame, TraceCounts& counts) const
 {
   if (rays.Count == 0)

@@ -10,8 +10,8 @@
 namespace TemporalCoherence
 {
 
-/// Allocates room without a value in it: the threads that fill it are the
-/// first to touch it.
+/// Default-initialises elements: numbers get no value. So the threads that fill a vector are the
+/// first to touch its memory.
 template <typename T>
 struct DefaultInitAllocator : std::allocator<T>
 {

@@ -13,10 +13,10 @@ namespace TemporalCoherence
 namespace
 {
 
-/// Disparities are stored in single precision: they are not trusted beyond this share.
+/// Disparities are stored in single precision: this is their relative error.
 constexpr double DisparityError = 1e-6;
 
-/// How a ray met what it met, as frames tell it.
+/// The kind of a ray's hit as frames store it.
 HitKind KindOf(const HitBatch& hits, std::size_t ray)
 {
   return hits.Kind[ray] == HitKind::None && hits.FromInside[ray] ? HitKind::Within : hits.Kind[ray];

@@ -15,19 +15,19 @@ namespace TemporalCoherence
 /// Which crossings of an isovalue are its surface.
 enum class SurfaceMode : std::uint8_t
 {
-  Crossing, ///< the field passes the isovalue, either way; boundaries of the volume are not drawn
-  Threshold ///< the solid where field >= isovalue begins; cut open, it is capped
+  Crossing, ///< the field passes the isovalue in either direction; solids are not capped
+  Threshold ///< the solid where field >= isovalue begins; where it is clipped, it is capped
 };
 
-/// What surfaces are multiplied with in opacity by the magnitude of the gradient.
+/// Opacity by gradient magnitude. It multiplies the opacity of a surface.
 struct GradientOpacity
 {
-  /// Gradient magnitude and opacity in [0, 1], ascending; straight between, constant beyond.
-  /// Empty: 1.
+  /// Gradient magnitude, ascending, and opacity in [0, 1]. Linear between nodes, constant beyond.
+  /// If empty, the opacity is 1.
   std::vector<glm::dvec2> Nodes;
 
-  /// The gradient is counted in the mean distance of samples: what a step along each axis of index
-  /// space is of it, inverted.
+  /// Scales a gradient of index space to one per mean sample distance: the mean distance over that
+  /// along each axis.
   glm::dvec3 PerStep{ 1.0 };
 
   double At(double gradientMagnitude) const
@@ -48,7 +48,7 @@ inline bool operator==(const GradientOpacity& a, const GradientOpacity& b)
   return a.Nodes == b.Nodes && (a.Nodes.empty() || a.PerStep == b.PerStep);
 }
 
-/// The surfaces to look for. Order carries no meaning, and no isovalue is there twice.
+/// The isosurfaces to draw. Their order carries no meaning, and no isovalue occurs twice.
 struct Surfaces
 {
   std::vector<double> Isovalues; ///< finite
@@ -56,11 +56,11 @@ struct Surfaces
   std::vector<double> Opacities{}; ///< one for each isovalue, in (0, 1]; empty: all are opaque
   GradientOpacity ByGradient{};
 
-  /// True if something can be seen through a surface.
+  /// True if some surface may be translucent.
   bool IsTranslucent() const { return !this->Opacities.empty() || !this->ByGradient.Nodes.empty(); }
 };
 
-/// True if rays meet the same surfaces, seen through or not.
+/// True if rays meet the same surfaces, whatever their opacities.
 inline bool AreMetAlike(const Surfaces& a, const Surfaces& b)
 {
   return a.Isovalues == b.Isovalues && a.Mode == b.Mode;

@@ -15,10 +15,10 @@ namespace
 template <typename T>
 using Array = RayBatch::Array<T>;
 
-/// What shines through less than this cannot be told from nothing: half a step of a colour.
+/// A lower transmittance is taken as opaque: half a step of a colour.
 constexpr float Opaque = 1.0f / 512.0f;
 
-/// What is not a number counts as 0: it has no byte.
+/// NaN becomes 0.
 float ClampToOne(float value)
 {
   return value > 0.0f ? std::min(value, 1.0f) : 0.0f;
@@ -42,7 +42,7 @@ void AppendHit(const LayerHit& hit, const Frame& frame, const View& view, HitLis
   layer.Rays.T[at] = hit.Depth;
 }
 
-/// Append what a ray of a batch has to another.
+/// Append the hit of a ray of one batch to another.
 void AppendHit(const HitBatch& from, std::size_t ray, std::size_t at, HitBatch& to)
 {
   to.Depth[at] = from.Depth[ray];
@@ -52,7 +52,7 @@ void AppendHit(const HitBatch& from, std::size_t ray, std::size_t at, HitBatch& 
 
 }
 
-/// The pixels of a tile while layers are laid under one another.
+/// The pixels of a tile while layers are composited.
 class TileCompositor::Canvas
 {
 public:
@@ -69,7 +69,8 @@ public:
 
   const Frame& Picture() const { return this->Planes; }
 
-  /// Lay a surface under what is there, and tell the planes if it is the first to be seen.
+  /// Composite a surface behind the present ones. The first visible surface is written to the
+  /// planes.
   void Add(const HitList& layer, std::size_t i, const std::array<float, 3>& color, float alpha)
   {
     const std::size_t at = this->PlaceOf(layer.Pixel[i]);
@@ -88,13 +89,13 @@ public:
     this->Transmittance[at] = this->Transmittance[at] <= Opaque ? 0.0f : this->Transmittance[at];
   }
 
-  /// True if what lies behind a pixel's surfaces can be seen.
+  /// True if something behind a pixel's surfaces would be visible.
   bool IsTranslucent(std::int32_t pixel) const
   {
     return this->Transmittance[this->PlaceOf(pixel)] > 0.0f;
   }
 
-  /// What a pixel shows, if nothing else is laid under its surfaces.
+  /// The colour of a pixel if no further surface follows.
   std::array<std::uint8_t, 4> ColorOf(std::int32_t pixel) const
   {
     const std::size_t at = this->PlaceOf(pixel);
@@ -102,7 +103,7 @@ public:
       RoundToByte(this->Color[2][at]), RoundToByte(1.0f - this->Transmittance[at]) };
   }
 
-  /// Write colours. A pixel none of whose surfaces can be seen shows none.
+  /// Write colours. A pixel whose surfaces are all invisible becomes a miss.
   void Finish()
   {
     for (int y = 0; y < this->Part.Size.y; ++y)
@@ -134,7 +135,7 @@ private:
   PixelRect Part;
   Frame& Planes;
   std::array<Array<float>, 3> Color;
-  Array<float> Transmittance; ///< the share of what lies behind that is seen
+  Array<float> Transmittance; ///< the share of light from behind that passes
 };
 
 TileCompositor::TileCompositor(
@@ -147,7 +148,7 @@ TileCompositor::TileCompositor(
 {
 }
 
-/// The rays of a tile, and what they have hit first.
+/// The rays of a tile and their first hits.
 void TileCompositor::SetUp(std::int64_t tile, const PixelRect& part, const Frame& frame,
   RayBatch& rays, HitBatch& hits) const
 {
@@ -202,7 +203,7 @@ void TileCompositor::Composite(
     {
       first = layer;
     }
-    // Go on with those that can still be seen through.
+    // Go on with pixels that are still translucent.
     RayBatch translucent;
     HitBatch last;
     last.CellsRead = 0;
@@ -235,7 +236,7 @@ void TileCompositor::CompositeAgain(std::int64_t tile, const PixelRect& part, Fr
   first.Rays.Count = 0;
   for (std::size_t begin = 0; begin < layers.size();)
   {
-    // A round ends where pixels begin anew.
+    // A new round begins where pixel numbers stop ascending.
     HitList layer;
     layer.Rays.Count = 0;
     std::size_t i = begin;
@@ -254,7 +255,8 @@ void TileCompositor::CompositeAgain(std::int64_t tile, const PixelRect& part, Fr
   PaintAnswers(this->Key.Appearance, first, frame);
 }
 
-/// Shade a layer, which is `hits` as the frame has them, and lay it under those that are there.
+/// Shade a layer and composite it behind the present ones. \param hits the same layer as the frame
+/// stores it
 void TileCompositor::AddLayer(HitList& layer, LayerHit* hits, Canvas& canvas) const
 {
   if (layer.Rays.Count == 0)
@@ -283,7 +285,7 @@ void TileCompositor::AddLayer(HitList& layer, LayerHit* hits, Canvas& canvas) co
   }
 }
 
-/// The next surface of each ray, in what the region leaves of it.
+/// Find the next surface of each ray within the region.
 void TileCompositor::FindNext(const RayBatch& rays, HitBatch& hits) const
 {
   if (!this->Rays.Clipper.HasPieces())

@@ -14,8 +14,8 @@
 namespace TemporalCoherence
 {
 
-/// Finds surfaces in cells with samples at their corners, ray by ray from cell to cell, whatever
-/// the geometry of the cells (TracedCells.h).
+/// Traces fields with samples at the corners of cells: ray by ray, from cell to cell, for any
+/// geometry of cells (TracedCells.h).
 template <typename T, typename Geometry, Interpolation Between>
 class CellTracer : public SurfaceTracer
 {
@@ -77,7 +77,7 @@ private:
   using Real = typename Geometry::Real;
   using Segment = typename Geometry::Segment;
 
-  /// What the segment of a ray in a cell shows of one surface.
+  /// What a cell segment shows of one surface.
   struct Found
   {
     bool FromInside; ///< the ray is inside where it enters the cell
@@ -99,7 +99,7 @@ private:
     {
       const Cubic<Real> cubic = CubicAlong(corners, segment.Path());
       Real share = Real(0);
-      // A walk may begin within a solid whose surface it is to find.
+      // A walk may begin inside a solid whose surface it has to find.
       const bool begins = this->Cells.Rules.IsSolid() && IsInside(cubic[0]);
       const bool isFound = begins || FirstCrossing(cubic, share);
       return { IsInside(cubic[0]),
@@ -107,7 +107,7 @@ private:
     }
   }
 
-  /// Make what was found of a surface the hit of its ray if it is met before that.
+  /// Make a surface that was found the hit of its ray if it comes before the present hit.
   void Keep(const Segment& segment, const Found& found, std::int16_t surface, std::size_t ray,
     HitBatch& hits) const
   {
@@ -121,7 +121,7 @@ private:
     }
   }
 
-  /// Go from cell to cell up to the first hit.
+  /// Walk from cell to cell up to the first hit.
   void Walk(const RayBatch& rays, std::size_t ray, HitBatch& hits) const
   {
     const auto line = this->Cells.Shape.RayOf(rays, ray);
@@ -180,7 +180,7 @@ private:
   LayerSearch<T, Geometry, Between> Layers;
 };
 
-/// The tracer of a scene for a geometry.
+/// Make the tracer of a scene for a geometry.
 template <typename T, typename Geometry>
 std::shared_ptr<const SurfaceTracer> MakeCellTracer(const TraceScene& scene, const Geometry& shape)
 {

@@ -12,13 +12,13 @@
 namespace TemporalCoherence
 {
 
-/// True if the ray of a segment comes from a hidden cell and does not only touch this one.
+/// True if the ray of a segment comes from a hidden cell and does more than touch this one.
 /// \param enter t where it enters the cell
 template <typename Real>
 bool ComesFromHidden(
   const SegmentBatch<Real>& segments, std::size_t i, double enter, const HiddenCells& hidden)
 {
-  // Through an edge or a corner it comes from the cell opposite.
+  // Through an edge or a corner the ray comes from the opposite cell.
   double leave = segments.EndOf()[i];
   glm::ivec3 before;
   for (std::size_t a = 0; a < 3; ++a)

@@ -8,7 +8,8 @@
 #include <algorithm>
 #include <limits>
 
-// This file is compiled once for each kind of vectors, and what runs is chosen by the machine.
+// This file is compiled once for each kind of vectors. The best one for the machine is chosen at
+// run time.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "Trace/KernelsCrossing.cxx"
 #include <hwy/foreach_target.h>
@@ -68,11 +69,11 @@ HWY_INLINE V RefineCrossings(D d, const V b[4], M live)
   return s;
 }
 
-/// What a lane found instead of a share of the path in [0, 1].
+/// What a lane holds instead of a share of the path in [0, 1].
 constexpr int NoCrossing = -1;
 constexpr int SeveralChanges = -2;
 
-/// \return true if some segments are to be looked at one by one
+/// \return true if some segments have to be searched one by one
 template <typename Real>
 HWY_INLINE bool FindShares(
   SegmentBatch<Real>& segments, const Paths<Real>& paths, bool isSolid, Real* shares)
@@ -191,7 +192,7 @@ namespace
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// Fewer segments than this are not worth a vector. Measured by `BenchmarkKernels`, crossings.
+/// Fewer segments than this are searched one by one. Measured by `BenchmarkKernels`, crossings.
 constexpr int FewestForVectors = 3;
 
 template <typename Real>

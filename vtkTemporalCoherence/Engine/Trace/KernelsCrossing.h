@@ -10,8 +10,8 @@ namespace TemporalCoherence
 
 /// Find the first crossing of zero along each segment, exactly (CellRoot.h).
 ///
-/// In vectors of the widest kind that the machine has, or one by one; the results are the same to
-/// the last bit.
+/// Uses the widest vectors of the machine. The results are bit-identical to those of
+/// FindCrossingsOneByOne.
 /// \param isSolid a segment that begins inside (>= 0) crosses where it begins
 void FindCrossings(SegmentBatch<float>& segments, bool isSolid);
 void FindCrossings(SegmentBatch<double>& segments, bool isSolid);
@@ -20,8 +20,7 @@ void FindCrossings(SegmentBatch<double>& segments, bool isSolid);
 void FindCrossingsOneByOne(SegmentBatch<float>& segments, bool isSolid);
 void FindCrossingsOneByOne(SegmentBatch<double>& segments, bool isSolid);
 
-/// The same for the value of the nearest sample instead of the trilinear interpolant: crossings
-/// are faces half way between samples.
+/// The same for nearest interpolation: crossings are the faces half way between samples.
 void FindNearestCrossings(SegmentBatch<float>& segments);
 void FindNearestCrossings(SegmentBatch<double>& segments);
 

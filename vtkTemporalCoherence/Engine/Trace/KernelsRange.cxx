@@ -7,7 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
-// This file is compiled once for each kind of vectors, and what runs is chosen by the machine.
+// This file is compiled once for each kind of vectors. The best one for the machine is chosen at
+// run time.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "Trace/KernelsRange.cxx"
 #include <hwy/foreach_target.h>
@@ -28,14 +29,14 @@ HWY_INLINE V EvaluateAt(const V b[4], V s)
   return Mix(Mix(q0, q1, s), Mix(q1, q2, s), s);
 }
 
-/// Widen ranges, in the lanes of `live`, by the values where the cubics turn: TurningPoints of
-/// CellRoot.h.
+/// Widen ranges, in the lanes of `live`, by the values at the turning points of the cubics:
+/// TurningPoints of CellRoot.h.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
 HWY_INLINE void WidenByTurns(D d, const V b[4], M live, V& lowest, V& highest)
 {
   const V zero = hn::Zero(d), one = hn::Set(d, 1);
   V d0 = hn::Sub(b[1], b[0]), d1 = hn::Sub(b[2], b[1]), d2 = hn::Sub(b[3], b[2]);
-  // As shares of the largest, so that squares neither overflow nor vanish.
+  // Scaled by the largest, so that squares neither overflow nor vanish.
   const V largest = hn::Max(hn::Abs(d0), hn::Max(hn::Abs(d1), hn::Abs(d2)));
   const V unit = hn::IfThenElse(hn::Gt(largest, zero), largest, one);
   d0 = hn::Div(d0, unit);
@@ -73,8 +74,8 @@ HWY_INLINE void FindAll(SegmentBatch<Real>& segments, RangeBatch<Real>& ranges)
     V b[4];
     CubicsAlong(d, segments, paths, i, b);
     V lowest = hn::Min(b[0], b[3]), highest = hn::Max(b[0], b[3]);
-    // A cubic lies within the range of its coefficients: it can only leave that of its ends where
-    // one of the others does.
+    // A cubic lies within the range of its coefficients, so it can leave the range of its ends only
+    // if another coefficient does.
     const auto isBeyond =
       hn::Or(hn::Gt(hn::Max(b[1], b[2]), highest), hn::Lt(hn::Min(b[1], b[2]), lowest));
     if (!hn::AllFalse(d, isBeyond))

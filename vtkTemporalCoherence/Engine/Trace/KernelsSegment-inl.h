@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Paths of rays through cells, in vectors. Included by kernels once for each kind of vectors, hence
-// the guard that turns over.
+// Paths of rays through cells, in vectors. Kernels include this file once for each kind of vectors,
+// hence the toggling guard.
 #if defined(TemporalCoherence_KernelsSegment_inl_h) == defined(HWY_TARGET_TOGGLE)
 #ifdef TemporalCoherence_KernelsSegment_inl_h
 #undef TemporalCoherence_KernelsSegment_inl_h
@@ -42,7 +42,7 @@ HWY_INLINE void StoreAs(V value, float* to)
   hn::StoreU(hn::DemoteTo(df, value), df, to);
 }
 
-/// Where each segment leaves its cell, and its path in the cell's coordinates.
+/// The end of each segment, and its path in the coordinates of the cell.
 template <typename Real>
 struct Paths
 {
@@ -131,7 +131,8 @@ HWY_INLINE void CubicsAlong(
   b[3] = box[7];
 }
 
-/// Segments as far as the last vector of Real reaches, which holds more lanes than one of double.
+/// The number of segments rounded up to whole vectors of Real, which have more lanes than those of
+/// double.
 template <typename Real>
 HWY_INLINE std::size_t FullVectors(const SegmentBatch<Real>& segments)
 {

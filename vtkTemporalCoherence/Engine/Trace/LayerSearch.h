@@ -15,8 +15,8 @@
 namespace TemporalCoherence
 {
 
-/// Finds the surfaces behind the last one along rays: SurfaceTracer::FindNext. No state is carried
-/// but the last surface, so that which comes next depends on the ray and that surface alone.
+/// Finds the next surface along rays: SurfaceTracer::FindNext. The only state is the last surface,
+/// so that the next one depends on the ray and on that surface alone.
 template <typename T, typename Geometry, Interpolation Between>
 class LayerSearch
 {
@@ -60,8 +60,8 @@ private:
   using Real = typename Cells::Real;
   using Segment = typename Cells::Segment;
 
-  /// Places in Ascending of the isovalues that a cell may pass: from its smallest sample on, or
-  /// from all that are less, too, up to its largest. Samples that are not numbers are below all.
+  /// The range in Ascending of the isovalues that a cell may pass: from its smallest sample, or
+  /// from the lowest isovalue, up to its largest sample. NaN is below all isovalues.
   std::pair<std::size_t, std::size_t> FindPassed(
     const std::array<T, 8>& samples, bool withLess) const
   {
@@ -83,7 +83,7 @@ private:
     return { withLess ? 0 : placeOf(low, std::less<>()), placeOf(high, std::less_equal<>()) };
   }
 
-  /// Solids that are cut open where the ray begins.
+  /// Consider solids that are capped where the ray begins.
   void FindCaps(const Cells& cells, const RayBatch& rays, std::size_t ray, NextHit& next) const
   {
     const auto line = cells.Shape.RayOf(rays, ray);
@@ -105,7 +105,7 @@ private:
     }
   }
 
-  /// From cell to cell until there is a surface behind the last one.
+  /// Walk from cell to cell until there is a surface behind the last one.
   void Walk(
     const Cells& cells, const RayBatch& rays, std::size_t ray, NextHit& next, HitBatch& hits) const
   {
@@ -126,7 +126,7 @@ private:
     }
   }
 
-  /// All surfaces in a cell.
+  /// Consider all surfaces in a cell.
   void Search(const Cells& cells, const Segment& segment, const std::array<T, 8>& samples,
     NextHit& next) const
   {
@@ -145,7 +145,7 @@ private:
     }
   }
 
-  /// The surfaces of one isovalue in a cell.
+  /// Consider the surfaces of one isovalue in a cell.
   void SearchFor(std::size_t surface, bool isSolid, const Corners<Real>& corners,
     const Segment& segment, bool isBehindHidden, NextHit& next) const
   {
@@ -185,7 +185,8 @@ private:
   }
 
   std::vector<double> Isovalues;
-  std::vector<std::size_t> Ascending; ///< places of the isovalues, by their values
+  std::vector<std::size_t>
+    Ascending; ///< positions of the isovalues in the list, by ascending value
 };
 
 }

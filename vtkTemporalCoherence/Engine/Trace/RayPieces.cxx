@@ -10,15 +10,15 @@ namespace TemporalCoherence
 namespace
 {
 
-/// Some pieces of the rays of a batch, at most one of each.
+/// Pieces of the rays of a batch, at most one of each ray.
 struct PieceBatch
 {
   RayBatch Rays;
-  HitBatch Hits; ///< what the rays have met last, and then what they meet in these pieces
+  HitBatch Hits; ///< the last surfaces of the rays; then their hits in these pieces
   RayBatch::Array<std::size_t> Owners;
 };
 
-/// Append the part of a ray between two distances, which has met `last`.
+/// Append the piece of a ray between two distances. \param last surface that the ray has met
 void AppendPiece(const RayBatch& rays, std::size_t ray, const glm::dvec2& ends,
   const HitBatch& last, PieceBatch& pieces)
 {
@@ -36,7 +36,7 @@ void AppendPiece(const RayBatch& rays, std::size_t ray, const glm::dvec2& ends,
   pieces.Hits.Kind[at] = last.Kind[ray];
 }
 
-/// Make what was found in a piece what its ray found.
+/// Copy the hit of a piece to its ray.
 void TakeHit(const HitBatch& found, std::size_t i, std::size_t ray, HitBatch& hits)
 {
   hits.Depth[ray] = found.Depth[i];

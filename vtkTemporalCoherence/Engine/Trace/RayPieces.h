@@ -14,11 +14,11 @@ namespace TemporalCoherence
 /// Finds one surface along each ray of a batch, behind the one that the ray has in `hits`.
 using FindSurfaces = std::function<void(const RayBatch& rays, HitBatch& hits)>;
 
-/// Find one surface along each ray where the region leaves several pieces of it: first in the
-/// nearest pieces, then, for the rays that met nothing there, in the next ones.
-/// \param hits on entry the surface that each ray has met last, from which it goes on; none for a
-///             ray that begins. Pieces that end before that surface are left out. On return the
-///             surface found, and the first entry of all pieces that were searched.
+/// Find one surface along each ray of which the region keeps several pieces: first in the nearest
+/// pieces, then, for rays without a hit there, in the next ones.
+/// \param hits on entry the last surface of each ray, from which the search goes on, or none.
+///             Pieces that end before that surface are skipped. On return the surface found, and
+///             the nearest first entry of all pieces searched.
 /// \pre clipper.HasPieces()
 void FindInPieces(
   const RegionClipper& clipper, const RayBatch& rays, HitBatch& hits, const FindSurfaces& find);

@@ -12,9 +12,9 @@ namespace TemporalCoherence
 namespace
 {
 
-/// Voxels from which on a field is too far away to be seen: there, 2^-8 of a voxel is the smallest
-/// step of a distance, and from some way farther on no arithmetic in doubles tells in which order a
-/// ray passes cells.
+/// Fields at this distance in voxels or more are not drawn. The smallest step of a distance in
+/// double precision is 2^-8 voxels there. Somewhat farther away, doubles cannot tell in which order
+/// a ray passes cells.
 constexpr double TooFar = 17592186044416.0; // 2^44
 
 }
@@ -38,7 +38,7 @@ RaySource::RaySource(const View& view, const IndexTransform& transform,
   const glm::dvec3 away = glm::abs(this->Origin[0]);
   if (!(std::max({ away.x, away.y, away.z }) < TooFar))
   {
-    // No ray has an end beyond its beginning.
+    // Every ray is empty.
     this->Far = -std::numeric_limits<double>::infinity();
   }
 }

@@ -15,8 +15,8 @@
 namespace TemporalCoherence
 {
 
-/// The rays of a view as seen from index space; made once for a frame. From more than 2^44 voxels
-/// away they see nothing.
+/// Sets up the rays of a view in index space. Made once for a frame. A field more than 2^44 voxels
+/// away is not visible.
 class RaySource
 {
 public:

@@ -55,7 +55,7 @@ RegionClipper::RegionClipper(const Region& region, const IndexTransform& transfo
 {
   for (const glm::dvec4& clip : region.Clips)
   {
-    // As a plane goes: by the transposed matrix of the way back. Then of unit length.
+    // Planes transform by the transposed matrix of the inverse. Then normalise.
     const glm::dvec4 plane = glm::transpose(transform.WorldFromIndex) * clip;
     const double length = glm::length(glm::dvec3(plane));
     this->Clips.push_back(length > 0.0 ? plane / length : plane);
@@ -120,7 +120,7 @@ RegionClipper::Pieces RegionClipper::PiecesOf(const RayBatch& rays, std::size_t 
       const double t = PassOf(rays, ray, axis, this->ClipRegion.Crops[axis][side]);
       if (t > begin && t < end)
       {
-        // Into its place among those that are there.
+        // Insert in ascending order.
         std::size_t at = count++;
         for (; stops[at - 1] > t; --at)
         {
@@ -153,7 +153,7 @@ RegionClipper::Pieces RegionClipper::PiecesOf(const RayBatch& rays, std::size_t 
   return pieces;
 }
 
-/// True if a point between the clipping planes is in a box that is kept.
+/// True if cropping keeps the box that holds a point.
 bool RegionClipper::Keeps(const glm::dvec3& point) const
 {
   int box = 0;

@@ -16,7 +16,7 @@
 namespace TemporalCoherence
 {
 
-/// AllPlanes rays to a region.
+/// Clips rays to a region.
 class RegionClipper
 {
 public:
@@ -25,7 +25,7 @@ public:
 
   bool IsWhole() const { return this->ClipRegion.IsWhole(); }
 
-  /// True if a ray may be in the region, leave it and come back.
+  /// True if a ray may leave the region and come back.
   bool HasPieces() const { return !this->IsConvex; }
 
   /// Shorten Begin, End and the walks of rays to the parts between their first and their last point

@@ -11,8 +11,8 @@
 namespace TemporalCoherence
 {
 
-/// Cell segments: the parts of rays that lie in one cell each, as arrays over segments. `Real` is
-/// what the field's samples are computed in.
+/// Cell segments, as arrays over segments. A cell segment is the part of a ray in one cell. `Real`
+/// is the type in which samples are computed with.
 template <typename Real>
 struct SegmentBatch
 {
@@ -21,8 +21,8 @@ struct SegmentBatch
 
   int Count = 0;
 
-  /// Of the rays, in index space, unless the segments are those of all rays of a batch, one each,
-  /// which are numbers up to the end of their last vector.
+  /// The rays, in index space. Unused if All is set: the segments are then one for each ray of that
+  /// batch.
   std::array<Array<double>, 3> Origin, Direction, Inverse;
   Array<double> Begin, End;
   const RayBatch* All = nullptr;
@@ -30,9 +30,9 @@ struct SegmentBatch
   std::array<Array<double>, 3> Cell;  ///< its first corner
   std::array<Array<Real>, 8> Corners; ///< differences from the isovalue, [x + 2 y + 4 z]
 
-  Array<double> Enter;    ///< found: t where the ray enters the cell
-  Array<double> Distance; ///< found: t of the first crossing; infinity if there is none
-  Array<Real> AtEntry;    ///< found: difference from the isovalue where the ray enters the cell
+  Array<double> Enter;    ///< result: t where the ray enters the cell
+  Array<double> Distance; ///< result: t of the first crossing; infinity if there is none
+  Array<Real> AtEntry;    ///< result: difference from the isovalue where the ray enters the cell
 
   const double* OriginOf(std::size_t axis) const
   {
@@ -71,8 +71,7 @@ void AppendSegment(const RayBatch& rays, std::size_t ray, const glm::ivec3& cell
   }
 }
 
-/// Repeat the last segment up to the end of the last vector, so that no lane holds what is not a
-/// number of ours.
+/// Repeat the last segment up to the end of the last vector, so that no lane is uninitialised.
 template <typename Real>
 void FillLastVector(SegmentBatch<Real>& in)
 {

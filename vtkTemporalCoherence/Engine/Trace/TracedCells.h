@@ -18,7 +18,7 @@
 namespace TemporalCoherence
 {
 
-/// The cells of a field with samples at their corners, as rays are traced through them.
+/// The cells of a field with samples at their corners, prepared for tracing.
 ///
 /// \tparam Geometry tells how rays go through cells: RayOf(rays, ray), for CellWalk, and
 ///         Segment(ray, cell), the segment of a ray in a cell. Value is the type of which
@@ -51,7 +51,7 @@ struct TracedCells
   }
 
   /// Take a walk to the next cell that may hold a surface.
-  /// \return false if the walk ends before
+  /// \return false if the walk ends first
   template <typename WalkingRay>
   HWY_INLINE bool GoOn(const WalkingRay& ray, CellWalk& walk) const
   {
@@ -70,7 +70,7 @@ struct TracedCells
     return corners;
   }
 
-  /// True if a surface can be in a cell, or a cap before it.
+  /// True if a cell can hold a surface, or a cap where the ray enters it.
   bool CanHold(const Corners<Real>& corners) const
   {
     int inside = 0;

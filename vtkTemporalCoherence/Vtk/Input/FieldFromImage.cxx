@@ -18,7 +18,7 @@ namespace TemporalCoherence
 namespace
 {
 
-/// A transform is singular if it flattens a unit box to less than this share of the volume of one
+/// A transform is singular if it maps the unit box to less than this share of the volume of a box
 /// with the same edges.
 constexpr double FlattestBox = 1e-12;
 
@@ -34,7 +34,8 @@ bool IsFinite(const glm::dmat4& matrix)
   return true;
 }
 
-/// Share of the volume that a matrix leaves of a box with the same edges; 0 if it is singular.
+/// Volume of the transformed unit box, as a share of that of a box with the same edges; 0 if the
+/// matrix is singular.
 double Flatness(const glm::dmat4& matrix)
 {
   const glm::dmat3 m(matrix);
@@ -43,7 +44,7 @@ double Flatness(const glm::dmat4& matrix)
   return std::isfinite(share) ? share : 0.0;
 }
 
-/// From the indices of samples, counted from the first one, to where the image says that they lie.
+/// Make the transform from sample indices, counted from 0, to the image's coordinates.
 bool PlaceImage(
   vtkImageData* image, bool onCells, glm::dmat4& physicalFromIndex, std::string& error)
 {
@@ -76,7 +77,7 @@ bool PlaceImage(
   return error.empty();
 }
 
-/// Add the volume's transform to where the image lies.
+/// Apply the transform of the volume.
 bool PlaceVolume(vtkVolume* volume, IndexTransform& transform, std::string& error)
 {
   volume->ComputeMatrix();
@@ -84,7 +85,7 @@ bool PlaceVolume(vtkVolume* volume, IndexTransform& transform, std::string& erro
   const glm::dmat4 volumeMatrix = MatrixFromVtk(matrix);
   transform.WorldFromIndex = volumeMatrix * transform.WorldFromIndex;
 
-  // That of the prop and of its user matrix together.
+  // The matrix of the prop, including its user matrix.
   const glm::dvec3 scale(
     glm::length(volumeMatrix[0]), glm::length(volumeMatrix[1]), glm::length(volumeMatrix[2]));
   const double* last = matrix->GetData() + 12;

@@ -23,8 +23,8 @@ namespace
 
 constexpr std::int64_t RowGrain = 16;
 
-/// Make an image of one value, or tuple, a pixel.
-/// \param valueOf gets the pixel's place in the planes, x and y
+/// Make an image with one value or tuple for each pixel.
+/// \param valueOf is called with the position of the pixel in the planes, x and y
 template <typename T, std::size_t Components, typename Values>
 void WriteImage(const glm::ivec2& size, int scalarType, const char* name, const Values& valueOf,
   vtkImageData* image)
@@ -47,8 +47,7 @@ void WriteImage(const glm::ivec2& size, int scalarType, const char* name, const 
   image->ShallowCopy(made);
 }
 
-/// Distance at which a ray leaves the box of the samples; infinity if it passes by or the box lies
-/// behind.
+/// Distance at which a ray leaves the box of the samples; infinity if it misses the box.
 double EndAtBox(const Ray& ray, const FrameKey& key)
 {
   const glm::dvec3 origin(key.Transform.IndexFromWorld * glm::dvec4(ray.Origin, 1.0));
@@ -59,7 +58,7 @@ double EndAtBox(const Ray& ray, const FrameKey& key)
     const double last = key.Samples.Dimensions[axis] - 1.0;
     if (direction[axis] == 0.0)
     {
-      // A ray along the box is in it or passes by.
+      // A ray parallel to two faces is between them or misses the box.
       end = origin[axis] < 0.0 || origin[axis] > last ? -1.0 : end;
       continue;
     }
@@ -73,7 +72,8 @@ double EndAtBox(const Ray& ray, const FrameKey& key)
   return isInside ? end : std::numeric_limits<double>::infinity();
 }
 
-/// A depth as a number of a type: a share of the largest integer, or the depth itself.
+/// Convert a depth to a type: to a share of the largest integer, or to the floating-point number
+/// itself.
 template <typename T>
 T NumberOf(float depth)
 {

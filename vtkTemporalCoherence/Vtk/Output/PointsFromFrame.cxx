@@ -24,10 +24,10 @@ namespace TemporalCoherence
 namespace
 {
 
-/// Rows that a thread takes at a time.
+/// Rows per task.
 constexpr std::int64_t RowGrain = 16;
 
-/// Hits in the rows before each row, and at last in all.
+/// The number of hits before each row, and at last in all rows.
 std::vector<vtkIdType> CountHits(const Frame& frame)
 {
   std::vector<vtkIdType> before(static_cast<std::size_t>(frame.Size.y) + 1, 0);
@@ -64,7 +64,7 @@ void AddVertices(vtkIdType count, vtkPolyData* points)
   std::iota(offsets->GetPointer(0), offsets->GetPointer(0) + count + 1, vtkTypeInt64(0));
   std::iota(ids->GetPointer(0), ids->GetPointer(0) + count, vtkTypeInt64(0));
   vtkNew<vtkCellArray> vertices;
-  // Versions of VTK differ in which arrays they take by their own types.
+  // Versions of VTK differ in which array types they accept.
   vertices->SetData(static_cast<vtkDataArray*>(offsets), static_cast<vtkDataArray*>(ids));
   points->SetVerts(vertices);
 }

@@ -36,7 +36,7 @@ glm::dvec3 ColorAt(vtkVolumeProperty* property, int component, double value)
   return color;
 }
 
-/// Where a transfer function has a value, in words.
+/// The position in a transfer function, for messages.
 std::string At(double isovalue)
 {
   std::ostringstream where;
@@ -142,7 +142,7 @@ bool FindSurfaces(vtkContourValues* list, vtkVolumeProperty* property, int compo
 bool MakeGradientOpacity(vtkVolumeProperty* property, int component, const glm::dvec3& distances,
   GradientOpacity& made, std::string& error)
 {
-  // Nodes are joined by straight lines, but for those with a midpoint or a sharpness of their own.
+  // Nodes are joined by straight lines, unless they have a midpoint or a sharpness of their own.
   constexpr int ManyNodes = 4096;
   made.Nodes.clear();
   if (property->GetDisableGradientOpacity(component) || !property->HasGradientOpacity(component))
@@ -225,7 +225,7 @@ bool MakeAppearance(vtkVolumeProperty* property, int component, vtkRenderer* ren
   appearance.TwoSided = renderer->GetTwoSidedLighting() != 0;
   if (appearance.Lights.empty())
   {
-    // What polygons look like without a light: lit evenly, and not black.
+    // As polygons look without a light: lit evenly, not black.
     appearance.Ambient += appearance.Diffuse;
   }
   return true;

@@ -20,15 +20,15 @@ namespace TemporalCoherence
 namespace
 {
 
-/// A vtkMultiVolume has a property and a transform for each input of its mapper, and may have none
+/// A vtkMultiVolume has a property and a transform for each input of its mapper, and perhaps none
 /// of its own.
 bool IsOfSeveral(vtkVolume* volume)
 {
   return volume->IsA("vtkMultiVolume") != 0;
 }
 
-/// Spread the colours of a window over all.
-/// \return false if no colours can be spread so
+/// Set colour scale and shift by the colour window and level.
+/// \return false if these are invalid
 bool SpreadColors(const PictureSettings& settings, Appearance& appearance, std::string& error)
 {
   SettingCheck check({ "the mapper" }, error);
@@ -89,14 +89,14 @@ bool RequestFromMapper::Make(vtkVolumeMapper* mapper, const PictureSettings& set
     key.Appearance.ColorByAnswer = settings.ColorByAnswer;
   }
 
-  // An image without points has no array either: an empty picture, as for images without cells.
+  // An image without points has no array: an empty picture, as for images without cells.
   return !input.Array || this->MakeScene(mapper, settings.Mask, volume, input, key, error);
 }
 
 namespace
 {
 
-/// \return false if there are too many surfaces behind one another to look for
+/// \return false if there are too many translucent isovalues
 bool AreFewEnough(const Surfaces& surfaces, std::string& error)
 {
   constexpr std::size_t most = 1024;
@@ -114,7 +114,7 @@ bool AreFewEnough(const Surfaces& surfaces, std::string& error)
 
 }
 
-/// The samples, and where they lie and are kept.
+/// Make the samples, transform, region and hidden cells of a key.
 bool RequestFromMapper::MakeScene(vtkVolumeMapper* mapper, const MaskSettings& mask,
   vtkVolume* volume, const MapperInput& input, FrameKey& key, std::string& error)
 {
@@ -145,11 +145,11 @@ bool RequestFromMapper::IsOpaque(
 {
   if (IsOfSeveral(volume))
   {
-    return true; // nothing is shown
+    return true; // nothing to draw
   }
   vtkVolumeProperty* property = volume->GetProperty();
   MapperInput input;
-  std::string error; // the next frame tells of it
+  std::string error; // the next frame reports it
   this->Input.Find(mapper, property, settings.Vectors, input, error);
   return TemporalCoherence::IsOpaque(
     ChooseIsovalues(property, settings.DepthPass), property, input.PropertyComponent);

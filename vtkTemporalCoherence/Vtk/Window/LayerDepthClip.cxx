@@ -11,10 +11,10 @@ namespace TemporalCoherence
 namespace
 {
 
-/// What nothing was drawn over since the depth buffer was cleared.
+/// The depth of the background.
 constexpr float FarthestDepth = 1.0f;
 
-/// Clips the layers of one tile after the other, which have no pixel of the window in common.
+/// Clips layers tile by tile. Tiles share no pixel of the window.
 class LayerDepthClipper
 {
 public:
@@ -29,14 +29,14 @@ public:
   {
   }
 
-  /// Colour the window's pixels of a tile.
-  /// \return true if one has not the picture's own colour
+  /// Colour the window's pixels in a tile.
+  /// \return true if a pixel differs from the picture's own colour
   bool Clip(std::int64_t tile) const
   {
     const PixelRect part = PixelsOfTile(this->Picture.Size, tile);
     if (this->HasDepths(part))
     {
-      // They come from front to back: the last one that is not hidden stays.
+      // Layers come from front to back: the last visible one stays.
       for (const LayerHit& layer : this->Picture.Layers[static_cast<std::size_t>(tile)])
       {
         this->Show(layer);
@@ -69,7 +69,7 @@ private:
       });
   }
 
-  /// Give pixels none of whose layers is clipped, or all of whose are, the picture's colours.
+  /// Give pixels the picture's colours if none or all of their layers are clipped.
   bool Complete(const PixelRect& part) const
   {
     bool isCut = false;
@@ -90,8 +90,8 @@ private:
     return isCut;
   }
 
-  /// Call work(place in the window's arrays) for each pixel of the window whose centre is in `part`
-  /// of the picture.
+  /// Call work(position in the window's arrays) for each pixel of the window whose centre is in
+  /// `part` of the picture.
   template <typename Work>
   void ForWindowPixels(const PixelRect& part, const Work& work) const
   {

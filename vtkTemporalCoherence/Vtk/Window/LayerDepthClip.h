@@ -10,12 +10,12 @@
 namespace TemporalCoherence
 {
 
-/// The colours of a picture where other things in the window lie among its layers: each pixel shows
-/// the layers in front of them. A pixel all of whose layers lie behind keeps its colour, for the
-/// depth test to hide, which knows of parts of pixels.
+/// Clip the layers of a picture by the window's depth buffer: each pixel shows the layers in front
+/// of other props. If all layers of a pixel lie behind, it keeps its colour: the depth test hides
+/// it, and does so sample by sample.
 /// \param rect        whole tiles of the frame
-/// \param depths      of the depth buffer, row by row: one for each pixel that the window has there
-/// \param size        how many these are; a coarse picture has fewer
+/// \param depths      of the window's pixels in rect, row by row
+/// \param size        window pixels along each axis; a coarse picture has fewer pixels
 /// \param[out] colors of these pixels, premultiplied
 /// \return false if these are the picture's own colours
 /// \throws std::bad_alloc

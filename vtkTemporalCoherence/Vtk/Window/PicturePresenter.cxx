@@ -42,7 +42,7 @@ std::string FragmentShader(PassOutput output)
   return source;
 }
 
-/// Where in the window a part is of a picture that fills the viewport.
+/// The position in the window of a part of a picture that fills the viewport.
 PixelRect InWindow(vtkOpenGLRenderWindow* window, const glm::ivec2& size, const PixelRect& part)
 {
   const PixelRect viewport = ViewportOf(window);
@@ -57,10 +57,10 @@ struct PicturePresenter::Resources
 {
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   std::array<std::unique_ptr<vtkOpenGLQuadHelper>, NumberOfPassOutputs> Quads; ///< or null
-  vtkOpenGLQuadHelper* Quad = nullptr; ///< the one that draws now
+  vtkOpenGLQuadHelper* Quad = nullptr;                                         ///< the present one
   vtkNew<vtkTextureObject> Color;
   vtkNew<vtkTextureObject> Depth;
-  vtkNew<vtkTextureObject> Clipped; ///< colours where other things lie among the layers
+  vtkNew<vtkTextureObject> Clipped; ///< colours clipped by the window's depths
   vtkNew<vtkTextureObject> Normal;  ///< in the world, for passes that ask for it
   std::uint64_t PictureNumber = 0;  ///< the one in the textures
   std::uint64_t NormalsPicture = 0; ///< the one in the texture of normals
@@ -209,8 +209,8 @@ bool PicturePresenter::Prepare(
   return true;
 }
 
-/// Put the picture's colours into the texture Clipped, without those layers that lie behind what is
-/// in the window. \return false if there is no need to, or no way
+/// Put the picture's colours into the texture Clipped, without the layers that lie behind other
+/// props in the window. \return false if that is not necessary or not possible
 bool PicturePresenter::ClipLayers(const Frame& frame, const View& view)
 {
   vtkOpenGLRenderWindow* window = this->OpenGL->Window;
@@ -220,7 +220,7 @@ bool PicturePresenter::ClipLayers(const Frame& frame, const View& view)
     return false;
   }
   const bool isRead = ReadDepths(window, target, this->Depths);
-  // Some windows take a program of their own to read depths.
+  // Reading depths may bind another shader program.
   window->GetShaderCache()->ReadyShaderProgram(this->OpenGL->Quad->Program);
   if (!isRead || !this->ClipColorsAt(target.Size, frame, view))
   {
@@ -232,7 +232,7 @@ bool PicturePresenter::ClipLayers(const Frame& frame, const View& view)
 }
 
 /// Clip layers by the depths that were read.
-/// \param size pixels that the window has where the picture is
+/// \param size window pixels that the picture covers
 /// \return false if these are the picture's own colours
 bool PicturePresenter::ClipColorsAt(const glm::ivec2& size, const Frame& frame, const View& view)
 {
@@ -245,7 +245,7 @@ bool PicturePresenter::ClipColorsAt(const glm::ivec2& size, const Frame& frame, 
   {
     return false;
   }
-  // Each ray's layers end at the depth of the pixel that its middle is in.
+  // The layers of a ray are clipped by the depth of the pixel that holds its centre.
   const PixelRect &hits = this->Shown.Hits, &rect = this->Shown.Rect;
   const PixelRays pixels(this->Shown.Size, frame.Size);
   std::vector<float> depths;
@@ -290,7 +290,7 @@ void PicturePresenter::UploadNormals(const Frame& frame)
   this->OpenGL->NormalsPicture = this->OpenGL->PictureNumber;
 }
 
-/// Draw the hits, opaque ones, translucent ones or both, in the colours of a texture.
+/// Draw the opaque hits, the translucent ones or both, in the colours of a texture.
 void PicturePresenter::Draw(vtkTextureObject* color, bool isOpaque, bool isTranslucent)
 {
   vtkOpenGLState* state = this->OpenGL->Window->GetState();

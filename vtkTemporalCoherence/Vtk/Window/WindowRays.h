@@ -16,13 +16,13 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// Tells how many rays a frame for a window has.
+/// Decides how many rays a frame for a window has.
 class WindowRays
 {
 public:
-  /// \param asked   the distance of rays that is set, in pixels
-  /// \param warning gets the message that these are too many: once for each size of a window, until
-  ///                another distance is asked for
+  /// \param asked   distance between rays in pixels, as set
+  /// \param warning set if that would be too many rays; once for each size of a window, until another
+  ///                distance is asked for
   glm::ivec2 For(const glm::ivec2& pixels, double asked, vtkVolume* volume, std::string& warning);
 
 private:

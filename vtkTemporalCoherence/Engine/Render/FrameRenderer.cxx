@@ -24,7 +24,7 @@ bool FrameRenderer::Render(
   statistics.Rays = static_cast<std::int64_t>(key.View.Size.x) * key.View.Size.y;
   {
     Stopwatch watch(statistics.FrameTime);
-    FrameTask task{ key, options, this->Frames, this->Structures, statistics, report };
+    FrameTask task{ key, options, this->Store, this->Structures, statistics, report };
 
     // What is kept follows the samples, which may be other ones, or lie elsewhere.
     {
@@ -34,7 +34,7 @@ bool FrameRenderer::Render(
     }
 
     // The plan chooses by what changed and by what there is.
-    const std::shared_ptr<CachedImage> nearest = this->Frames.FindNearest(key, options);
+    const std::shared_ptr<CachedImage> nearest = this->Store.FindNearest(key, options);
     Route route = this->ChooseRoute(key, options, nearest != nullptr);
     if (route != Route::Redisplay)
     {
@@ -104,14 +104,14 @@ void FrameRenderer::Finish(Route route, const FrameTask& task)
   {
     this->Cold = { task.CellsRead, task.Key.Isosurfaces };
   }
-  this->Frames.Finish(task.Options.Images);
+  this->Store.Finish(task.Options.Images);
   this->LastForm = Isomap::FormFor(task.Key, task.Options.Map);
   this->Changes.Take(task.Key.Samples, this->Structures.Ranges());
 }
 
 Route FrameRenderer::ChooseRoute(const FrameKey& key, const Options& options, bool hasImage) const
 {
-  const CachedImage& last = this->Frames.Last();
+  const CachedImage& last = this->Store.Last();
   if (last.Picture.IsEmpty())
   {
     return Route::Cold;
@@ -158,7 +158,7 @@ Isomap::Outcome FrameRenderer::BuildBands(FrameTask& task)
   Isomap::Outcome outcome = Isomap::Outcome::TooLarge;
   try
   {
-    outcome = this->Map.Build(task.Key, task.Options.Map, this->Frames.Last(),
+    outcome = this->Map.Build(task.Key, task.Options.Map, this->Store.Last(),
       this->Structures.Pyramid(), this->Cold, task.Report);
     task.Statistics.FieldSamples += 8 * this->Map.CellsRead();
   }
@@ -178,7 +178,7 @@ Isomap::Outcome FrameRenderer::BuildIsomap(
     return Isomap::Outcome::Impossible;
   }
   FrameStatistics statistics;
-  FrameTask task{ key, options, this->Frames, this->Structures, statistics, report };
+  FrameTask task{ key, options, this->Store, this->Structures, statistics, report };
   {
     Stopwatch watch(statistics.IsomapBuildTime);
     this->FollowSamples(key);
@@ -193,7 +193,7 @@ Isomap::Outcome FrameRenderer::BuildIsomap(
 /// Find out what changed in samples that are not those of the last frame.
 void FrameRenderer::FollowSamples(const FrameKey& key)
 {
-  const FrameKey& last = this->Frames.Last().Key;
+  const FrameKey& last = this->Store.Last().Key;
   const SampleComparer::Result result =
     this->Changes.Compare(last.Samples, key.Samples, this->Structures.SharedByAll());
   if (result == SampleComparer::Result::Equal)
@@ -202,7 +202,7 @@ void FrameRenderer::FollowSamples(const FrameKey& key)
     const Field before = last.Samples;
     this->Structures.MoveTo(key.Samples, before);
     this->Map.MoveTo(key.Samples, before);
-    this->Frames.MoveTo(key.Samples);
+    this->Store.MoveTo(key.Samples);
     this->Changes.TakeEqual();
   }
   else if (result == SampleComparer::Result::Different)

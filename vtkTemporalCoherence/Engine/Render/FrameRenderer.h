@@ -49,8 +49,8 @@ public:
     const FrameKey& key, const Options& options, const ReportProgress& report = {});
 
   /// The last frame, and the key it was made for. The frame is empty before the first one.
-  const Frame& LastFrame() const { return this->Frames.Last().Picture; }
-  const FrameKey& LastKey() const { return this->Frames.Last().Key; }
+  const Frame& LastFrame() const { return this->Store.Last().Picture; }
+  const FrameKey& LastKey() const { return this->Store.Last().Key; }
   const FrameStatistics& Statistics() const { return this->OfLastFrame; }
 
   /// Smallest and largest finite sample of the data of `key`. Nothing that frames are made with
@@ -83,7 +83,7 @@ private:
   Isomap::Outcome BuildBands(FrameTask& task);
   void Finish(Route route, const FrameTask& task);
 
-  FrameStore Frames;
+  FrameStore Store;
   FrameStructures Structures;
   SampleComparer Changes;        ///< from the samples of the last frame to those of the next
   IsomapBuilder Map;             ///< of the view in which isovalues last changed

@@ -35,7 +35,7 @@ LeapedSpace Begin(FrameTask& task, bool leaps)
   {
     task.Structures.PrepareActiveCells(task.Key);
   }
-  task.Frames.Begin(task.Key);
+  task.Store.Begin(task.Key);
   return task.Structures.SpaceToLeap(leaps);
 }
 
@@ -48,7 +48,7 @@ TileScene SceneOf(const FrameTask& task, const LeapedSpace& space, const RayHint
 template <typename Work>
 bool WorkOnTiles(FrameTask& task, const ReportProgress& report, const Work& work)
 {
-  Frame& frame = task.Frames.Next().Picture;
+  Frame& frame = task.Store.Next().Picture;
   TraceCounts counts;
   const bool isDone = CountTiles(frame.Size, report, task.Statistics, counts,
     [&](std::int64_t tile, const PixelRect& part) { return work(tile, part, frame); });
@@ -62,7 +62,7 @@ bool WorkOnTiles(FrameTask& task, const ReportProgress& report, const Work& work
 bool TraceTiles(FrameTask& task, const LeapedSpace& space, const RayHint* hint,
   HitSet shaded = HitSet::All, const SampleComparer* changes = nullptr)
 {
-  const Frame& last = task.Frames.Last().Picture;
+  const Frame& last = task.Store.Last().Picture;
   const TileTracer tracer(SceneOf(task, space, hint));
   const TileShader shader(task.Key, task.Structures.Pyramid().FiniteRange(), space, shaded, shaded);
   return WorkOnTiles(task, task.Report,
@@ -81,7 +81,7 @@ bool TraceTiles(FrameTask& task, const LeapedSpace& space, const RayHint* hint,
 /// Every pixel of a picture that is shown again is an answer known before.
 void CountKnownHits(FrameTask& task)
 {
-  const Plane<std::int16_t>& isovalues = task.Frames.Last().Picture.Isovalues;
+  const Plane<std::int16_t>& isovalues = task.Store.Last().Picture.Isovalues;
   FrameStatistics& statistics = task.Statistics;
   statistics.DefiniteMisses = std::count(isovalues.begin(), isovalues.end(), Frame::NoSurface);
   statistics.DefiniteHits = statistics.Rays - statistics.DefiniteMisses;
@@ -146,7 +146,7 @@ void ShowAgain(FrameTask& task)
 
 void ShadeAgain(FrameTask& task)
 {
-  CachedImage& last = task.Frames.LastToRecolor();
+  CachedImage& last = task.Store.LastToRecolor();
   {
     Stopwatch watch(task.Statistics.ShadeTime);
     FrameKey key = task.Key;
@@ -171,7 +171,7 @@ bool TraceCold(FrameTask& task)
 bool TraceWithLastHits(FrameTask& task)
 {
   const LeapedSpace space = Begin(task, task.Options.SpaceLeaping);
-  const CachedImage& last = task.Frames.Last();
+  const CachedImage& last = task.Store.Last();
   const LastHitHint hint(
     last.Picture, CompareFrames(last.Key, task.Key).Raised, task.Key.View.Parallel);
   return TraceTiles(task, space, &hint);
@@ -184,7 +184,7 @@ bool TraceFromImage(FrameTask& task, CachedImage& image)
   const bool interpolates = isPaper && options.InterpolateColors && HasColorsFor(image, task.Key) &&
     !task.Key.Isosurfaces.IsTranslucent();
   const LeapedSpace space = Begin(task, options.SpaceLeaping);
-  CachedImage& made = task.Frames.Next();
+  CachedImage& made = task.Store.Next();
   made.Picture.IsFromCache = true;
   made.IsExact = false;
   made.IsEroded = isPaper;
@@ -231,7 +231,7 @@ bool LookUp(FrameTask& task, IsomapBuilder& map, std::vector<std::uint64_t>& unr
       }
       return counts;
     });
-  CachedImage& made = task.Frames.Next();
+  CachedImage& made = task.Store.Next();
   made.IsExact = tolerance == 0.0 && !hasNormals;
   made.IsEroded = tolerance > 0.0;
   return isLookedUp && TraceUnresolvedRays(task, unresolved, shader, PartOf(task.Report, 0.5, 1.0));

@@ -21,7 +21,7 @@ struct FrameTask
 {
   const FrameKey& Key;
   const FrameOptions& Options;
-  FrameStore& Frames;
+  FrameStore& Store;
   FrameStructures& Structures; ///< with the value ranges of the key
   FrameStatistics& Statistics;
   ReportProgress Report;      ///< told how far the frame is, if it is not null; may stop it

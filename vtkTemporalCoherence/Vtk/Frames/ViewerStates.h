@@ -43,24 +43,24 @@ struct Viewer
 struct ViewerState
 {
   explicit ViewerState(std::shared_ptr<FieldStructures> shared)
-    : Frames(std::move(shared))
+    : Engine(std::move(shared))
   {
   }
 
   /// The last frame, to be presented.
   ShownFrame Shown() const
   {
-    return { this->Frames.LastFrame(), this->Frames.LastKey().View, this->PictureSize,
-      this->Picture };
+    return { this->Engine.LastFrame(), this->Engine.LastKey().View, this->PictureSize,
+      this->PictureNumber };
   }
 
   Viewer Of;
-  FrameRenderer Frames;
+  FrameRenderer Engine;
   PicturePresenter Presenter;
   PeelPresenter Peels;
   std::vector<int> IsovaluePlaces; ///< position in the property's list of each isovalue drawn
   glm::ivec2 PictureSize{ 0 };     ///< pixels that the last frame fills
-  std::uint64_t Picture = 0;       ///< counts the different pictures
+  std::uint64_t PictureNumber = 0; ///< counts the different pictures
 };
 
 /// The states of the viewers that were served last. Which state serves whom is a matter of speed

@@ -128,7 +128,7 @@ bool ClipLayersAt(const std::vector<float>& depths, const glm::ivec2& size, cons
   const Frame& frame, const View& view, std::vector<PixelColor>& colors)
 {
   colors.assign(depths.size(), PixelColor{});
-  const LayerDepthClipper cutter(depths, size, rect, frame, view, colors);
+  const LayerDepthClipper clipper(depths, size, rect, frame, view, colors);
   const glm::ivec2 first = rect.First / TileSize, tiles = TilesOf(rect.Size);
   const int columns = TilesOf(frame.Size).x;
   std::atomic<bool> isCut(false);
@@ -137,7 +137,7 @@ bool ClipLayersAt(const std::vector<float>& depths, const glm::ivec2& size, cons
     {
       for (int column = 0; column < tiles.x; ++column)
       {
-        if (cutter.Cut((first.y + row) * columns + first.x + column))
+        if (clipper.Clip((first.y + row) * columns + first.x + column))
         {
           isCut = true;
         }

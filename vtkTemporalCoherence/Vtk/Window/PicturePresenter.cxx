@@ -62,7 +62,7 @@ struct PicturePresenter::Resources
   vtkNew<vtkTextureObject> Depth;
   vtkNew<vtkTextureObject> Clipped; ///< colours where other things lie among the layers
   vtkNew<vtkTextureObject> Normal;  ///< in the world, for passes that ask for it
-  std::uint64_t Picture = 0;        ///< the one in the textures
+  std::uint64_t PictureNumber = 0;  ///< the one in the textures
   std::uint64_t NormalsPicture = 0; ///< the one in the texture of normals
   glm::ivec2 Pixels{ 0 };           ///< of the viewport that the picture was made for
   glm::ivec2 Size{ 0 };             ///< of the whole picture
@@ -189,10 +189,10 @@ bool PicturePresenter::Prepare(
     return false;
   }
 
-  if (this->OpenGL->Picture != shown.Number || this->OpenGL->Pixels != shown.Pixels)
+  if (this->OpenGL->PictureNumber != shown.Number || this->OpenGL->Pixels != shown.Pixels)
   {
     this->Shown.Assign(shown.Picture, shown.View, shown.Pixels);
-    this->OpenGL->Picture = shown.Number;
+    this->OpenGL->PictureNumber = shown.Number;
     this->OpenGL->Pixels = shown.Pixels;
     this->OpenGL->NormalsPicture = 0;
     this->OpenGL->Size = this->Shown.Size;
@@ -269,7 +269,7 @@ bool PicturePresenter::ClipColorsAt(const glm::ivec2& size, const Frame& frame, 
 
 void PicturePresenter::UploadNormals(const Frame& frame)
 {
-  if (this->OpenGL->NormalsPicture == this->OpenGL->Picture)
+  if (this->OpenGL->NormalsPicture == this->OpenGL->PictureNumber)
   {
     return;
   }
@@ -287,7 +287,7 @@ void PicturePresenter::UploadNormals(const Frame& frame)
   }
   this->OpenGL->Normal->Create2DFromRaw(static_cast<unsigned int>(rect.Size.x),
     static_cast<unsigned int>(rect.Size.y), 3, VTK_FLOAT, normals.data());
-  this->OpenGL->NormalsPicture = this->OpenGL->Picture;
+  this->OpenGL->NormalsPicture = this->OpenGL->PictureNumber;
 }
 
 /// Draw the hits, opaque ones, translucent ones or both, in the colours of a texture.

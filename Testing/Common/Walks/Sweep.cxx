@@ -6,6 +6,7 @@
 #include "Volumes/Volumes.h"
 
 #include <vtkDataArray.h>
+#include <vtkDataSet.h>
 #include <vtkPointData.h>
 #include <vtkSOADataArrayTemplate.h>
 #include <vtkShortArray.h>
@@ -284,7 +285,8 @@ Routes ExpectCold(Scene& scene, const std::vector<std::vector<double>>& lists, i
     }
   }
   // Frames that show nothing prove nothing.
-  const double* range = vtkImageData::SafeDownCast(scene.Mapper->GetInput())->GetScalarRange();
+  const double* range =
+    vtkDataSet::SafeDownCast(scene.Mapper->GetInputDataObject(0, 0))->GetScalarRange();
   Expect(seen > 0 || range[0] == range[1], what + ": nothing is seen");
   Expect(wrong == 0,
     what + ": " + std::to_string(wrong) + " of " + std::to_string(lists.size()) +

@@ -6,6 +6,7 @@
 #include "Isomap/BandTracer.h"
 #include "Scene/FramePlanes.h"
 #include "Scene/Parallel.h"
+#include "Trace/RayPieces.h"
 #include "Trace/RaySource.h"
 #include "Trace/SurfaceTracer.h"
 
@@ -90,6 +91,13 @@ void NarrowByFit(const TileKnots& knots, const BandScale& scale, double toleranc
   }
 }
 
+}
+
+bool Isomap::Band::IsEmpty(std::int64_t tile) const
+{
+  const TileKnots* const knots = this->At(tile);
+  return std::all_of(
+    knots, knots + this->Pieces, [](const TileKnots& each) { return each.IsEmpty(); });
 }
 
 bool Isomap::CanHold(const Field& field)
@@ -196,7 +204,8 @@ struct Isomap::BandSource
   bool IsInterrupted() const { return this->HasEnough.load(std::memory_order_relaxed); }
 
   /// Trace the rays of a tile. Thread-safe; exceptions do not leave the thread.
-  void Trace(std::int64_t tile, TileKnots& knots)
+  /// \param knots one for each piece of the rays
+  void Trace(std::int64_t tile, TileKnots* knots)
   {
     this->TraceRays(tile, knots);
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - this->Since;
@@ -209,19 +218,18 @@ struct Isomap::BandSource
 
   /// Trace the rays of a part of the tiles until the work is interrupted.
   /// \param done how many tiles of each group of the part are traced
-  void TracePart(std::int64_t part, std::vector<std::uint8_t>& done, std::vector<TileKnots>& knots)
+  void TracePart(std::int64_t part, std::vector<std::uint8_t>& done, Band& band)
   {
     ParallelFor(static_cast<std::int64_t>(done.size()), 1,
       [&](std::int64_t i)
       {
         std::uint8_t& doneInGroup = done[static_cast<std::size_t>(i)];
         const std::int64_t first = (part + i * NumberOfParts) * TileGrain;
-        const std::int64_t count =
-          std::min(TileGrain, static_cast<std::int64_t>(knots.size()) - first);
+        const std::int64_t count = std::min(TileGrain, NumberOfTiles(this->Key.View.Size) - first);
         for (; doneInGroup < count && !this->IsInterrupted(); ++doneInGroup)
         {
           const std::int64_t tile = first + doneInGroup;
-          this->Trace(tile, knots[static_cast<std::size_t>(tile)]);
+          this->Trace(tile, band.At(tile));
         }
       });
   }
@@ -231,7 +239,7 @@ struct Isomap::BandSource
   std::atomic<bool> HasFailed{ false };
 
 private:
-  void TraceRays(std::int64_t tile, TileKnots& knots)
+  void TraceRays(std::int64_t tile, TileKnots* knots)
   {
     // A solid may be capped where there is no active cell.
     if (this->Key.Isosurfaces.Mode == SurfaceMode::Crossing && this->Bounds.At(tile).IsEmpty())
@@ -244,7 +252,7 @@ private:
     this->Bounds.Narrow(tile, rays);
     if (this->Underneath)
     {
-      const TileKnots& below = this->Underneath->Tiles[static_cast<std::size_t>(tile)];
+      const TileKnots& below = *this->Underneath->At(tile);
       const BandScale scale(this->Key.Samples.Type, this->Underneath->Values, this->FiniteRange);
       NarrowByCells(below, scale, *this->Key.Samples.Kind, rays);
       NarrowByFit(below, scale, this->Form.Tolerance, rays);
@@ -255,14 +263,30 @@ private:
     }
     try
     {
-      this->Cells.fetch_add(this->Tracer->Trace(rays, knots), std::memory_order_relaxed);
-      this->Memory.fetch_add(knots.MemoryInBytes(), std::memory_order_relaxed);
-      this->Knots.fetch_add(knots.NumberOfKnots(), std::memory_order_relaxed);
+      if (!this->Rays.Clipper.HasPieces())
+      {
+        this->TraceInto(*knots, rays);
+        return;
+      }
+      const RayPieces pieces(this->Rays.Clipper, rays);
+      RayBatch clipped = rays;
+      for (std::size_t piece = 0; pieces.Clip(piece, clipped) != 0; ++piece)
+      {
+        this->TraceInto(knots[piece], clipped);
+        clipped = rays;
+      }
     }
     catch (const std::bad_alloc&)
     {
       this->HasFailed = true;
     }
+  }
+
+  void TraceInto(TileKnots& knots, const RayBatch& rays)
+  {
+    this->Cells.fetch_add(this->Tracer->Trace(rays, knots), std::memory_order_relaxed);
+    this->Memory.fetch_add(knots.MemoryInBytes(), std::memory_order_relaxed);
+    this->Knots.fetch_add(knots.NumberOfKnots(), std::memory_order_relaxed);
   }
 
   const FrameKey& Key;
@@ -295,7 +319,8 @@ Isomap::Outcome Isomap::Build(const ValueBand& band, const ValueRangePyramid& py
   const Start& start, const Limits& limits, const ReportProgress& report)
 {
   const std::int64_t tiles = NumberOfTiles(this->Key.View.Size);
-  const std::size_t fixed = static_cast<std::size_t>(tiles) * sizeof(TileKnots);
+  const std::size_t pieces = this->Key.Region.IsConvex() ? 1 : RegionClipper::MostPieces;
+  const std::size_t fixed = static_cast<std::size_t>(tiles) * pieces * sizeof(TileKnots);
   if (!this->MakeRoom(fixed, limits.Memory))
   {
     return Outcome::TooLarge;
@@ -303,7 +328,8 @@ Isomap::Outcome Isomap::Build(const ValueBand& band, const ValueRangePyramid& py
   const auto built = std::make_shared<Band>();
   built->Values = band;
   built->HasNormals = this->Form.HasNormals;
-  built->Tiles.resize(static_cast<std::size_t>(tiles));
+  built->Pieces = pieces;
+  built->Tiles.resize(static_cast<std::size_t>(tiles) * pieces);
 
   BandSource source(*this, band, pyramid, start, limits.Memory);
   const std::int64_t groups = (tiles + TileGrain - 1) / TileGrain;
@@ -319,7 +345,7 @@ Isomap::Outcome Isomap::Build(const ValueBand& band, const ValueRangePyramid& py
       // after them.
       source.Begin({ RoomFor(limits.Memory, this->MemoryInBytes() + fixed), limits.Cells,
         report ? limits.Patience : std::numeric_limits<double>::infinity() });
-      source.TracePart(part, tilesDone, built->Tiles);
+      source.TracePart(part, tilesDone, *built);
       isWhole = !source.IsInterrupted();
       if (source.HasFailed)
       {

@@ -37,11 +37,23 @@ public:
   {
     ValueBand Values;
     bool HasNormals = false;
-    std::vector<TileKnots> Tiles; ///< by number of the tile
+    std::vector<TileKnots> Tiles; ///< by number of the tile, and of the piece of its rays
+    std::size_t Pieces = 1;       ///< that a ray may have in the region
     std::size_t Memory = 0;       ///< bytes
     std::size_t NumberOfKnots = 0;
     std::int64_t CellsRead = 0; ///< to build it
     std::uint64_t LastUse = 0;
+
+    /// What the rays of a tile know, for each of their pieces.
+    TileKnots* At(std::int64_t tile)
+    {
+      return this->Tiles.data() + static_cast<std::size_t>(tile) * this->Pieces;
+    }
+    const TileKnots* At(std::int64_t tile) const
+    {
+      return this->Tiles.data() + static_cast<std::size_t>(tile) * this->Pieces;
+    }
+    bool IsEmpty(std::int64_t tile) const;
   };
 
   enum class Outcome : std::uint8_t

@@ -31,8 +31,8 @@ ValueBand RangeAskedFor(
 bool IsomapBuilder::CanBuild(const FrameKey& key, const Isomap::Options& options) const
 {
   const bool hasFailed = this->FailedLimit >= options.MemoryLimit && this->Map.IsOf(key, options);
-  return options.MemoryLimit > 0 && Isomap::CanHold(key.Samples) && key.Region.IsConvex() &&
-    !IsTooCoarse(key, options) && !hasFailed;
+  return options.MemoryLimit > 0 && Isomap::CanHold(key.Samples) && !IsTooCoarse(key, options) &&
+    !hasFailed;
 }
 
 Isomap::Outcome IsomapBuilder::Build(const FrameKey& key, const Isomap::Options& options,

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Isomap/IsomapLookup.h"
 
+#include "Trace/RayPieces.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -80,8 +82,7 @@ TraceCounts IsomapLookup::LookUpTile(
   TraceCounts counts;
   unresolved = 0;
   const bool isMiss = std::all_of(this->Isovalues.begin(), this->Isovalues.end(),
-    [tile](const IsovalueKeys& keys)
-    { return keys.Band->Tiles[static_cast<std::size_t>(tile)].IsEmpty(); });
+    [tile](const IsovalueKeys& keys) { return keys.Band->IsEmpty(tile); });
   if (isMiss)
   {
     StoreMisses(tile, part, this->Key.View.Parallel, frame);
@@ -93,9 +94,13 @@ TraceCounts IsomapLookup::LookUpTile(
   this->Rays.SetUp(part.First, part.Size, rays);
   Found found;
   found.Hits.Clear(rays.Count);
-  for (std::size_t surface = 0; surface < this->Isovalues.size(); ++surface)
+  if (this->Rays.Clipper.HasPieces())
   {
-    this->FindSurface(surface, tile, rays, found);
+    this->FindInPieces(tile, rays, found);
+  }
+  else
+  {
+    this->FindSurfaces(tile, 0, rays, found);
   }
   unresolved = found.Unresolved;
   counts.CellsRead = found.Hits.CellsRead;
@@ -119,19 +124,43 @@ TraceCounts IsomapLookup::LookUpTile(
   return counts;
 }
 
-void IsomapLookup::FindSurface(
-  std::size_t surface, std::int64_t tile, const RayBatch& rays, Found& found) const
+/// Look rays up in their first pieces, then those that meet nothing there in their next ones.
+void IsomapLookup::FindInPieces(std::int64_t tile, const RayBatch& rays, Found& found) const
 {
-  const TileKnots& knots = this->Isovalues[surface].Band->Tiles[static_cast<std::size_t>(tile)];
-  RayBatch::Array<std::uint8_t> directions;
-  const std::uint64_t which = this->BeginOn(surface, knots, rays, directions, found);
-  if (this->Tolerance > 0.0)
+  const RayPieces pieces(this->Rays.Clipper, rays);
+  std::uint64_t met = 0;
+  for (std::size_t piece = 0; piece < RegionClipper::MostPieces; ++piece)
   {
-    this->FindInFittedKnots(surface, which, directions, rays, knots, found);
+    RayBatch clipped = rays;
+    found.Wanted = pieces.Clip(piece, clipped) & ~met & ~found.Unresolved;
+    if (found.Wanted != 0)
+    {
+      this->FindSurfaces(tile, piece, clipped, found);
+    }
+    for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
+    {
+      met |= found.Hits.Kind[ray] != HitKind::None ? Bit(ray) : 0;
+    }
   }
-  else
+}
+
+/// Look up the first surface of the wanted rays, which are clipped to one of their pieces.
+void IsomapLookup::FindSurfaces(
+  std::int64_t tile, std::size_t piece, const RayBatch& rays, Found& found) const
+{
+  for (std::size_t surface = 0; surface < this->Isovalues.size(); ++surface)
   {
-    this->FindInCells(surface, which, directions, rays, knots, found);
+    const TileKnots& knots = this->Isovalues[surface].Band->At(tile)[piece];
+    RayBatch::Array<std::uint8_t> directions;
+    const std::uint64_t which = this->BeginOn(surface, knots, rays, directions, found);
+    if (this->Tolerance > 0.0)
+    {
+      this->FindInFittedKnots(surface, which, directions, rays, knots, found);
+    }
+    else
+    {
+      this->FindInCells(surface, which, directions, rays, knots, found);
+    }
   }
 }
 
@@ -143,12 +172,16 @@ std::uint64_t IsomapLookup::BeginOn(std::size_t surface, const TileKnots& knots,
   const auto rising = static_cast<std::size_t>(ValueDirection::Rising);
   const auto falling = static_cast<std::size_t>(ValueDirection::Falling);
   const IsovalueKeys& keys = this->Isovalues[surface];
-  found.Unresolved |= knots.Unresolved;
+  found.Unresolved |= knots.Unresolved & found.Wanted;
   directions.fill(static_cast<std::uint8_t>(rising));
-  std::uint64_t which = ~knots.Unresolved;
+  std::uint64_t which = ~knots.Unresolved & found.Wanted;
   for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count) && !knots.Entries.empty();
        ++ray)
   {
+    if (!(which >> ray & 1u))
+    {
+      continue;
+    }
     const double ahead = keys.Progress[rising] - static_cast<double>(knots.Entries[ray]);
     if (std::abs(ahead) <= BandScale::StoredError)
     {

@@ -50,12 +50,13 @@ private:
   struct Found
   {
     HitBatch Hits;
+    std::uint64_t Wanted = ~std::uint64_t(0); ///< one bit for each ray that is looked up
     std::uint64_t Unresolved = 0;
     RayBatch::Array<glm::vec3> Normals;
   };
 
-  void FindSurface(
-    std::size_t surface, std::int64_t tile, const RayBatch& rays, Found& found) const;
+  void FindInPieces(std::int64_t tile, const RayBatch& rays, Found& found) const;
+  void FindSurfaces(std::int64_t tile, std::size_t piece, const RayBatch& rays, Found& found) const;
   std::uint64_t BeginOn(std::size_t surface, const TileKnots& knots, const RayBatch& rays,
     RayBatch::Array<std::uint8_t>& directions, Found& found) const;
   void FindInCells(std::size_t surface, std::uint64_t which,

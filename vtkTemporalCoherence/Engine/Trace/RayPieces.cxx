@@ -51,15 +51,35 @@ void TakeHit(const HitBatch& found, std::size_t i, std::size_t ray, HitBatch& hi
 
 }
 
+RayPieces::RayPieces(const RegionClipper& clipper, const RayBatch& rays)
+{
+  for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
+  {
+    this->Pieces[ray] = clipper.PiecesOf(rays, ray);
+  }
+}
+
+std::uint64_t RayPieces::Clip(std::size_t piece, RayBatch& rays) const
+{
+  std::uint64_t which = 0;
+  for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
+  {
+    const bool hasPiece = piece < this->CountOf(ray);
+    const glm::dvec2 ends = hasPiece ? this->EndsOf(ray, piece) : glm::dvec2(rays.Begin[ray]);
+    rays.Begin[ray] = ends.x;
+    rays.End[ray] = ends.y;
+    rays.WalkBegin[ray] = std::max(rays.WalkBegin[ray], ends.x);
+    rays.WalkEnd[ray] = std::min(rays.WalkEnd[ray], ends.y);
+    which |= static_cast<std::uint64_t>(hasPiece) << ray;
+  }
+  return which;
+}
+
 void FindInPieces(
   const RegionClipper& clipper, const RayBatch& rays, HitBatch& hits, const FindSurfaces& find)
 {
   const auto count = static_cast<std::size_t>(rays.Count);
-  RayBatch::Array<RegionClipper::Pieces> pieces;
-  for (std::size_t ray = 0; ray < count; ++ray)
-  {
-    pieces[ray] = clipper.PiecesOf(rays, ray);
-  }
+  const RayPieces pieces(clipper, rays);
   HitBatch next;
   next.Clear(rays.Count);
   for (std::size_t piece = 0; piece < RegionClipper::MostPieces; ++piece)
@@ -68,9 +88,9 @@ void FindInPieces(
     batch.Hits.CellsRead = 0;
     for (std::size_t ray = 0; ray < count; ++ray)
     {
-      if (piece < pieces[ray].Count && next.Kind[ray] == HitKind::None)
+      if (piece < pieces.CountOf(ray) && next.Kind[ray] == HitKind::None)
       {
-        const glm::dvec2& ends = pieces[ray].Ends[piece];
+        const glm::dvec2& ends = pieces.EndsOf(ray, piece);
         if (hits.Surface[ray] == Frame::NoSurface || ends.y > hits.Depth[ray])
         {
           AppendPiece(rays, ray, ends, hits, batch);

@@ -6,10 +6,32 @@
 #include "Scene/RayBatch.h"
 #include "Trace/RegionClipper.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 
 namespace TemporalCoherence
 {
+
+/// The pieces that a region leaves of the rays of a tile.
+class RayPieces
+{
+public:
+  RayPieces(const RegionClipper& clipper, const RayBatch& rays);
+
+  std::size_t CountOf(std::size_t ray) const { return this->Pieces[ray].Count; }
+  const glm::dvec2& EndsOf(std::size_t ray, std::size_t piece) const
+  {
+    return this->Pieces[ray].Ends[piece];
+  }
+
+  /// Clip rays to their piece number `piece`. A ray that has no such piece becomes empty.
+  /// \return one bit for each ray that has one
+  std::uint64_t Clip(std::size_t piece, RayBatch& rays) const;
+
+private:
+  RayBatch::Array<RegionClipper::Pieces> Pieces;
+};
 
 /// Finds one surface along each ray of a batch, behind the one that the ray has in `hits`.
 using FindSurfaces = std::function<void(const RayBatch& rays, HitBatch& hits)>;

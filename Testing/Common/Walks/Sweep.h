@@ -44,6 +44,9 @@ std::vector<double> Jumps(const Subject& subject, int steps, unsigned seed);
 /// How often each route was taken.
 using Routes = std::map<std::string, int>;
 
+/// Print them in a line.
+void Tell(const std::string& what, const Routes& routes);
+
 /// Expect that after a cold frame all were made by one of some routes, or were the same again; and
 /// by each of these at least once.
 void ExpectOnly(

@@ -18,7 +18,7 @@ usage: Testing/Soak/run.sh [--no-packages] [--built] [SOAK_ARGUMENTS]
   --help           show this text, and the arguments that Soak takes
 
 Windows are on a display of their own. The table goes into soak.md of the build directory, too. The
-exit status is 0 if memory is flat.
+exit status is 0 if memory is flat, and not if this system does not tell (SKIPPED).
 TEXT
 }
 

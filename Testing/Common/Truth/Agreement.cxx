@@ -10,6 +10,15 @@
 #include <cmath>
 #include <sstream>
 
+std::string Agreement::Describe() const
+{
+  std::ostringstream text;
+  text << this->Pixels << " pixels, " << this->Hits << " hits of both, " << this->DifferentHits
+       << " differ, " << this->DistantHits << " beyond 1e-3 voxel, largest " << this->MaxDistance
+       << " voxel";
+  return text.str();
+}
+
 Agreement CompareWithTruth(const Scene& scene, const BruteForceTracer& truth, int stride)
 {
   int dimensions[3];
@@ -60,14 +69,11 @@ void ExpectColdTruth(const std::string& what, Scene& scene, const BruteForceTrac
     return;
   }
   const Agreement agreement = CompareWithTruth(scene, truth, stride);
-  std::ostringstream found;
-  found << what << ": " << agreement.Pixels << " pixels, " << agreement.Hits << " hits of both, "
-        << agreement.DifferentHits << " differ, " << agreement.DistantHits
-        << " beyond 1e-3 voxel, largest " << agreement.MaxDistance << " voxel";
+  const std::string found = what + ": " + agreement.Describe();
   const bool isHeld = agreement.Holds() && agreement.Hits > 0;
-  Expect(isHeld, found.str());
+  Expect(isHeld, found);
   if (isHeld)
   {
-    std::cout << found.str() << '\n';
+    std::cout << found << '\n';
   }
 }

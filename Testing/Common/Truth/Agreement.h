@@ -24,6 +24,8 @@ struct Agreement
     return 1e4 * static_cast<double>(DifferentHits) <= static_cast<double>(Pixels) &&
       1e3 * static_cast<double>(DistantHits) <= static_cast<double>(Hits);
   }
+
+  std::string Describe() const;
 };
 
 /// Hold the last picture of a scene against brute force, every `stride`-th pixel of every

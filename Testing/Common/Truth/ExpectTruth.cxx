@@ -4,8 +4,8 @@
 
 #include "Checks/Expect.h"
 #include "Scenes/Scene.h"
-#include "Truth/BruteForceTracer.h"
 #include "Truth/BruteForceRegion.h"
+#include "Truth/BruteForceTracer.h"
 
 #include <vtkMath.h>
 

@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Volumes/Masks.h"
 
-#include "Scenes/Scene.h"
-#include "Truth/BruteForceField.h"
-
 #include <vtkDataArray.h>
+#include <vtkGPUVolumeRayCastMapper.h>
 #include <vtkPointData.h>
 
 #include <cmath>
@@ -40,10 +38,10 @@ vtkSmartPointer<vtkImageData> For(vtkImageData* image, const ChooseValue& value,
   return Make(image->GetDimensions(), scalarType, value);
 }
 
-void SetBinary(Scene& scene, vtkImageData* mask)
+void SetBinary(vtkGPUVolumeRayCastMapper* mapper, vtkImageData* mask)
 {
-  scene.Mapper->SetMaskTypeToBinary();
-  scene.Mapper->SetMaskInput(mask);
+  mapper->SetMaskTypeToBinary();
+  mapper->SetMaskInput(mask);
 }
 
 std::vector<Named> All()
@@ -68,21 +66,6 @@ ChooseValue Random(double chance, unsigned seed)
     const int label = 1 + static_cast<int>((*engine)() % 3u);
     return isHidden ? 0 : label;
   };
-}
-
-void Hide(vtkImageData* mask, const std::function<bool(double)>& isShown, BruteForceField& field)
-{
-  vtkDataArray* values = mask->GetPointData()->GetScalars();
-  const int* count = mask->GetDimensions();
-  const int nx = count[0], ny = count[1];
-  field.HideBySamples([&](int i, int j, int k)
-    { return isShown(values->GetComponent((k * ny + j) * static_cast<vtkIdType>(nx) + i, 0)); });
-}
-
-void Hide(vtkImageData* mask, BruteForceField& field)
-{
-  Hide(
-    mask, [](double value) { return value > 0.0; }, field);
 }
 
 }

@@ -3,6 +3,8 @@
 #ifndef Testing_Masks_h
 #define Testing_Masks_h
 
+#include "vtkTemporalCoherenceCompatibility.h"
+
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>
 
@@ -10,8 +12,9 @@
 #include <string>
 #include <vector>
 
-struct Scene;
-class BruteForceField;
+VTK_ABI_NAMESPACE_BEGIN
+class vtkGPUVolumeRayCastMapper;
+VTK_ABI_NAMESPACE_END
 
 /// Masks of volumes, for SetMaskInput.
 namespace Masks
@@ -27,8 +30,8 @@ vtkSmartPointer<vtkImageData> Make(const int count[3], int scalarType, const Cho
 vtkSmartPointer<vtkImageData> For(
   vtkImageData* image, const ChooseValue& value, int scalarType = VTK_UNSIGNED_CHAR);
 
-/// Give a scene a binary mask, or none.
-void SetBinary(Scene& scene, vtkImageData* mask);
+/// Give a mapper a binary mask, or none.
+void SetBinary(vtkGPUVolumeRayCastMapper* mapper, vtkImageData* mask);
 
 struct Named
 {
@@ -42,12 +45,15 @@ std::vector<Named> All();
 /// Independent random values: 0 with some probability, else from 1 to 3.
 ChooseValue Random(double chance, unsigned seed);
 
+<<<<<<< HEAD
 /// Hide the cells of the truth of which a mask on points shows no sample.
 void Hide(vtkImageData* mask, const std::function<bool(double)>& isShown, BruteForceField& field);
 
 /// The same for a binary mask.
 void Hide(vtkImageData* mask, BruteForceField& field);
 
+=======
+>>>>>>> tests
 }
 
 #endif

@@ -7,7 +7,7 @@ Habits Habits::MovingOn()
   Habits habits;
   habits.View = 85;
   habits.Isovalues = 4;
-  habits.Look = 8;
+  habits.Appearance = 8;
   habits.Lists = 2;
   habits.Opacity = 3;
   habits.Region = 3;
@@ -22,7 +22,7 @@ Habits Habits::StandingStill()
   Habits habits;
   habits.View = 6;
   habits.Isovalues = 85;
-  habits.Look = 8;
+  habits.Appearance = 8;
   habits.Lists = 2;
   habits.Opacity = 2;
   habits.Region = 2;
@@ -38,7 +38,7 @@ Habits Habits::Dressing()
   Habits habits;
   habits.View = 4;
   habits.Isovalues = 6;
-  habits.Look = 80;
+  habits.Appearance = 80;
   habits.Lists = 1;
   habits.Opacity = 4;
   habits.Region = 2;
@@ -54,7 +54,7 @@ Habits Habits::Restless()
   Habits habits;
   habits.View = 40;
   habits.Isovalues = 40;
-  habits.Look = 20;
+  habits.Appearance = 20;
   habits.Lists = 15;
   habits.Opacity = 20;
   habits.Region = 25;

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 #include <limits>
 #include <random>
 #include <sstream>
@@ -225,6 +226,16 @@ std::vector<double> Jumps(const Subject& subject, int steps, unsigned seed)
     }
   }
   return isovalues;
+}
+
+void Tell(const std::string& what, const Routes& routes)
+{
+  std::cout << what << ":";
+  for (const auto& [route, count] : routes)
+  {
+    std::cout << ' ' << route << ' ' << count;
+  }
+  std::cout << '\n';
 }
 
 void ExpectOnly(

@@ -20,12 +20,7 @@ void ExpectEnough(RoutesOfFeatures& counted)
 {
   for (auto& [feature, routes] : counted)
   {
-    std::cout << feature << ":";
-    for (const auto& [route, count] : routes)
-    {
-      std::cout << " " << route << " " << count;
-    }
-    std::cout << "\n";
+    Sweep::Tell(feature, routes);
     // Few volumes are masked.
     const int fewestHints = feature == "several" ? 0 : feature == "masked" ? 1 : 3;
     const bool hasCache = feature != "exact";

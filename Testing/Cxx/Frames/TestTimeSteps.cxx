@@ -470,10 +470,7 @@ int TestTimeSteps(int, char*[])
       routes[route] += count;
     }
   }
-  for (const auto& [route, count] : routes)
-  {
-    std::cout << route << ": " << count << '\n';
-  }
+  Sweep::Tell("all kinds", routes);
   Expect(routes["TimeStep"] > 150, "parts of pictures are copied");
   Expect(routes["Redisplay"] > 50, "pictures are shown again");
   Expect(routes["IsomapLookup"] + routes["IsomapBuild"] > 10, "isovalues are looked up");

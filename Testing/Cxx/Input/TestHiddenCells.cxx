@@ -331,7 +331,8 @@ void TestChanges()
     BruteForceTracer truth(image, scene.Volume);
     truth.Isovalues = { 200.0 };
     const Agreement agreement = CompareWithTruth(scene, truth);
-    Expect(agreement.Hits > 100 && agreement.DifferentHits == 0, what + ": not the truth");
+    Expect(
+      agreement.Hits > 100 && agreement.DifferentHits == 0, what + ": " + agreement.Describe());
     Expect(scene.Render(80, 60) && IsRoute(scene, "Redisplay"), what + ": again");
   };
   expectChange("no ghosts");
@@ -459,11 +460,8 @@ void TestRandomChanges(unsigned seed, int steps)
   Ghosts::HideCells(image, 0.3, seed);
   std::vector<KindOfChange> kinds = KindsOfChange(scene, image, views);
   kinds.emplace_back(1, ChangesOfGhosts(image, views));
-  const Sweep::Routes routes = Wander(scene, views, kinds, "seed " + std::to_string(seed), steps);
-  for (const auto& [route, count] : routes)
-  {
-    std::cout << "random changes, seed " << seed << ": " << route << ' ' << count << '\n';
-  }
+  const std::string what = "random changes, seed " + std::to_string(seed);
+  Sweep::Tell(what, Wander(scene, views, kinds, what, steps));
 }
 
 }

@@ -9,6 +9,7 @@
 #include "Scenes/Subject.h"
 #include "Truth/Agreement.h"
 #include "Truth/ExpectSame.h"
+#include "Truth/MaskedTruth.h"
 #include "Volumes/Ghosts.h"
 #include "Volumes/Grids.h"
 #include "Volumes/Masks.h"
@@ -55,8 +56,13 @@ void TestAgainstBruteForce()
           subject.IsNearest = way / 2 != 0;
           Scene scene(subject.Image, subject.Isovalues);
           subject.Prepare(scene);
+<<<<<<< HEAD
           Masks::SetBinary(scene, mask);
           placing.SetCamera(scene);
+=======
+          Masks::SetBinary(scene.Mapper, mask);
+          placing.Look(scene);
+>>>>>>> tests
           BruteForceTracer truth(subject.Image, scene.Volume);
           truth.Isovalues = subject.Isovalues;
           truth.IsThreshold = subject.Mode == Mapper::THRESHOLD;
@@ -64,7 +70,7 @@ void TestAgainstBruteForce()
           const std::string what = subject.Describe() + ", " + named.Name + ", " + placing.Name;
           Expect(scene.Render(60, 45), what + ": rendered");
           const Agreement agreement = CompareWithTruth(scene, truth);
-          Expect(agreement.Holds(), what + ": not the truth");
+          Expect(agreement.Holds(), what + ": " + agreement.Describe());
           hits += agreement.Hits;
         }
       }
@@ -82,7 +88,7 @@ void TestSegmentation()
   const auto inside = [&](int i, int j, int k)
   { return samples->GetComponent((k * 40 + j) * 40 + i, 0) >= 100.0 ? 255 : 0; };
   Scene plain(image, { 100.0 }), masked(image, { 100.0 });
-  Masks::SetBinary(masked, Masks::For(image, inside));
+  Masks::SetBinary(masked.Mapper, Masks::For(image, inside));
   plain.LookFrom(1.0, 2.0, 0.5);
   ExpectSame("a mask made of the surface's inside", plain, masked, 120);
 }
@@ -108,8 +114,8 @@ void TestTypes()
       },
       type);
     Scene expected(image, { 200.0 }), scene(image, { 200.0 });
-    Masks::SetBinary(expected, bytes);
-    Masks::SetBinary(scene, mask);
+    Masks::SetBinary(expected.Mapper, bytes);
+    Masks::SetBinary(scene.Mapper, mask);
     expected.LookFrom(1.0, 2.0, 0.5);
     ExpectSame("a mask of type " + std::to_string(type), expected, scene, 60);
   }
@@ -138,7 +144,7 @@ void TestCells()
       Scene scene(image, { 50.5 });
       scene.Mapper->SetScalarModeToUseCellFieldData();
       scene.Mapper->SelectScalarArray("of cells");
-      Masks::SetBinary(scene, mask);
+      Masks::SetBinary(scene.Mapper, mask);
       scene.LookFrom(1.0, 2.0, 0.5);
       BruteForceTracer truth(image, scene.Volume, 0, cells);
       truth.Isovalues = { 50.5 };
@@ -174,7 +180,7 @@ void TestGrid()
   {
     Scene scene(grid, { 200.0 });
     scene.Mapper->SetSurfaceMode(mode);
-    Masks::SetBinary(scene, mask);
+    Masks::SetBinary(scene.Mapper, mask);
     scene.LookFrom(1.0, 2.0, 0.5);
     BruteForceTracer truth(grid.Get(), scene.Volume);
     truth.Isovalues = { 200.0 };
@@ -216,7 +222,8 @@ void TestLabels()
       // From whatever the last frame has left.
       Expect(scene.Render(80, 60), "labels, " + what + ": rendered");
       const Agreement agreement = CompareWithTruth(scene, truth);
-      Expect(agreement.Holds() && agreement.Hits > 800, "labels, " + what + ": not the truth");
+      Expect(
+        agreement.Holds() && agreement.Hits > 800, "labels, " + what + ": " + agreement.Describe());
     };
     expectHidden("without functions", {});
     SetLabelOpacity(scene, 2, 0.0, 0.0);

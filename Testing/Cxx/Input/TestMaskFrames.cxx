@@ -11,6 +11,7 @@
 #include "Scenes/Subject.h"
 #include "Truth/Agreement.h"
 #include "Truth/ImageBlocks.h"
+#include "Truth/MaskedTruth.h"
 #include "Volumes/Ghosts.h"
 #include "Volumes/Masks.h"
 #include "Volumes/Volumes.h"
@@ -53,15 +54,16 @@ void TestChanges()
       Masks::Hide(mask, truth.Field);
     }
     const Agreement agreement = CompareWithTruth(scene, truth);
-    Expect(agreement.Hits > 100 && agreement.DifferentHits == 0, what + ": not the truth");
+    Expect(
+      agreement.Hits > 100 && agreement.DifferentHits == 0, what + ": " + agreement.Describe());
     Expect(scene.Render(80, 60) && IsRoute(scene, "Redisplay"), what + ": again");
   };
   expectChange("none", nullptr);
-  Masks::SetBinary(scene, first);
+  Masks::SetBinary(scene.Mapper, first);
   expectChange("set", first);
-  Masks::SetBinary(scene, second);
+  Masks::SetBinary(scene.Mapper, second);
   expectChange("another", second);
-  Masks::SetBinary(scene, first);
+  Masks::SetBinary(scene.Mapper, first);
   expectChange("the first again", first);
   vtkDataArray* values = first->GetPointData()->GetScalars();
   const double before = values->GetComponent(0, 0);
@@ -90,7 +92,7 @@ void TestChanges()
   double t, p1[3] = { -3.0, 0.1, 0.2 }, p2[3] = { 3.0, 0.1, 0.2 }, at[3], shown[3];
   Expect(scene.Mapper->IntersectWithLine(scene.Volume, p1, p2, t, at, nullptr, nullptr),
     "a line meets the surface");
-  Masks::SetBinary(scene, Masks::For(image, [](int i, int, int) { return i > 20; }));
+  Masks::SetBinary(scene.Mapper, Masks::For(image, [](int i, int, int) { return i > 20; }));
   Expect(scene.Mapper->IntersectWithLine(scene.Volume, p1, p2, t, shown, nullptr, nullptr) &&
       shown[0] > at[0] && shown[0] > -1.0 + 20 * 2.0 / (N - 1) - 1e-9,
     "but not where it is masked");
@@ -104,9 +106,9 @@ void TestMistakes()
   const auto expectRefused = [&](const std::string& word, vtkImageData* mask)
   {
     Mistake mistake(scene, word);
-    Masks::SetBinary(scene, mask);
+    Masks::SetBinary(scene.Mapper, mask);
     mistake.ExpectRefused();
-    Masks::SetBinary(scene, nullptr);
+    Masks::SetBinary(scene.Mapper, nullptr);
     mistake.ExpectMended();
   };
   const auto all = [](int, int, int) { return 255; };
@@ -128,7 +130,7 @@ void TestMistakes()
     image, { { 0, 16, 0, N - 1, 0, N - 1 }, { 16, N - 1, 0, N - 1, 0, N - 1 } });
   scene.Mapper->SetInputDataObject(blocks);
   Expect(scene.Render(80, 60), "blocks: rendered");
-  Masks::SetBinary(scene, Masks::For(image, all));
+  Masks::SetBinary(scene.Mapper, Masks::For(image, all));
   const EventCounter errors(scene.Mapper, vtkCommand::ErrorEvent);
   Expect(!scene.Render(80, 60) && !scene.Render(80, 60) && errors.Count == 1, "blocks: refused");
   scene.Mapper->SetMaskTypeToLabelMap();
@@ -145,7 +147,7 @@ void TestSweeps()
       const Subject subject = { "Waves, " + named.Name, Volumes::Waves(), {}, mode };
       Scene scene(subject.Image, {});
       subject.Prepare(scene);
-      Masks::SetBinary(scene, Masks::For(subject.Image, named.Value));
+      Masks::SetBinary(scene.Mapper, Masks::For(subject.Image, named.Value));
       scene.LookFrom(1.0, 2.0, 0.5);
       const std::string what = subject.Describe();
       Sweep::Routes routes =
@@ -171,8 +173,8 @@ void TestRandomChanges(unsigned seed, int steps)
   const auto another = [&]
   { return Masks::For(image, Masks::Random(chance(), static_cast<unsigned>(views.Pick(1000)))); };
   const std::vector<Change> ofMask = {
-    { true, [&] { Masks::SetBinary(scene, another()); } },
-    { false, [&] { Masks::SetBinary(scene, kept); } }, // it may be there already
+    { true, [&] { Masks::SetBinary(scene.Mapper, another()); } },
+    { false, [&] { Masks::SetBinary(scene.Mapper, kept); } }, // it may be there already
     { false,
       [&]
       {
@@ -191,11 +193,8 @@ void TestRandomChanges(unsigned seed, int steps)
   kinds.emplace_back(1, ChangesOfGhosts(image, views));
   kinds.emplace_back(1, ofMask);
   const EventCounter warnings(scene.Mapper, vtkCommand::WarningEvent);
-  const Sweep::Routes routes = Wander(scene, views, kinds, "seed " + std::to_string(seed), steps);
-  for (const auto& [route, count] : routes)
-  {
-    std::cout << "random changes, seed " << seed << ": " << route << ' ' << count << '\n';
-  }
+  const std::string what = "random changes, seed " + std::to_string(seed);
+  Sweep::Tell(what, Wander(scene, views, kinds, what, steps));
 }
 
 /// The mapper behind VTK's name hands masks over.

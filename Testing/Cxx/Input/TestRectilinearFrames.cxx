@@ -23,7 +23,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <functional>
-#include <iostream>
 #include <limits>
 #include <map>
 
@@ -155,12 +154,7 @@ void TestRoutes(const std::string& name, vtkRectilinearGrid* grid, unsigned seed
       ExpectRefined(scene, views, cold, what);
     }
   }
-  std::cout << name << ":";
-  for (const auto& [route, count] : routes)
-  {
-    std::cout << " " << route << " " << count;
-  }
-  std::cout << "\n";
+  Sweep::Tell(name, routes);
   Expect(routes["ImageCache"] > 10, name + ": too few frames from the image cache");
   Expect(routes["IsomapBuild"] + routes["IsomapLookup"] > 10, name + ": too few isomaps");
 }

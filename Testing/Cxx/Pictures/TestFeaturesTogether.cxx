@@ -8,6 +8,7 @@
 #include "Truth/Compositor.h"
 #include "Truth/ExpectTruth.h"
 #include "Truth/ImageBlocks.h"
+#include "Truth/MaskedTruth.h"
 #include "Volumes/Ghosts.h"
 #include "Volumes/Grids.h"
 #include "Volumes/Masks.h"

@@ -52,7 +52,7 @@ std::vector<double> Now(World& world)
 
 void OneIsovalue(World& world)
 {
-  SetIsovalues(world, { AnIsovalue(world) });
+  world.SetIsovalues({ AnIsovalue(world) });
 }
 
 void SmallStep(World& world)
@@ -68,7 +68,7 @@ void SmallStep(World& world)
       break;
     }
   }
-  SetIsovalues(world, isovalues);
+  world.SetIsovalues(isovalues);
 }
 
 void NextNumber(World& world)
@@ -77,7 +77,7 @@ void NextNumber(World& world)
   if (!isovalues.empty())
   {
     isovalues[0] = std::nextafter(isovalues[0], world.From.OneIn(2) ? world.Low : world.High);
-    SetIsovalues(world, isovalues);
+    world.SetIsovalues(isovalues);
   }
 }
 
@@ -110,7 +110,7 @@ void SeveralIsovalues(World& world)
   {
     isovalues.push_back(isovalues[0]);
   }
-  SetIsovalues(world, isovalues);
+  world.SetIsovalues(isovalues);
 }
 
 void SetOpacities(World& world)
@@ -231,21 +231,6 @@ void NewProperty(World& world)
   world.Volume()->SetProperty(property);
 }
 
-}
-
-void SetIsovalues(World& world, const std::vector<double>& isovalues)
-{
-  vtkContourValues* list = world.Property()->GetIsoSurfaceValues();
-  list->SetNumberOfContours(static_cast<int>(isovalues.size()));
-  for (std::size_t i = 0; i < isovalues.size(); ++i)
-  {
-    list->SetValue(static_cast<int>(i), isovalues[i]);
-    if (i < 9)
-    {
-      Story::Tell("  isovalue ", isovalues[i]);
-    }
-  }
-  Story::Tell("  ", isovalues.size(), " isovalues");
 }
 
 const std::vector<ChangeKind>& OfIsovalues()

@@ -21,15 +21,15 @@ void PlaceCamera(World& world)
 {
   Bytes& from = world.From;
   const double x = from.Between(-1.0, 1.0), y = from.Between(-1.0, 1.0);
-  LookFrom(world, x, y, from.OneIn(6) ? 0.0 : from.Between(-1.0, 1.0));
+  world.LookFrom(x, y, from.OneIn(6) ? 0.0 : from.Between(-1.0, 1.0));
 }
 
 void LookAlongAxis(World& world)
 {
   const int axis = world.From.Pick(6);
   const double sign = axis < 3 ? 1.0 : -1.0;
-  LookFrom(
-    world, axis % 3 == 0 ? sign : 0.0, axis % 3 == 1 ? sign : 0.0, axis % 3 == 2 ? sign : 0.0);
+  world.LookFrom(
+    axis % 3 == 0 ? sign : 0.0, axis % 3 == 1 ? sign : 0.0, axis % 3 == 2 ? sign : 0.0);
 }
 
 /// As people turn volumes.
@@ -277,7 +277,7 @@ void NewCamera(World& world)
     return;
   }
   world.Renderer()->SetActiveCamera(vtkSmartPointer<vtkCamera>::New());
-  LookFrom(world, 1.0, -0.7, 0.4);
+  world.LookFrom(1.0, -0.7, 0.4);
 }
 
 void OtherRenderer(World& world)
@@ -286,17 +286,6 @@ void OtherRenderer(World& world)
   Story::Tell("  renderer ", world.AtRenderer);
 }
 
-}
-
-void LookFrom(World& world, double x, double y, double z)
-{
-  vtkCamera* camera = world.Camera();
-  camera->SetFocalPoint(0.0, 0.0, 0.0);
-  camera->SetPosition(x, y, z);
-  const bool isVertical = std::abs(z) > 0.9 * std::sqrt(x * x + y * y + z * z);
-  camera->SetViewUp(0.0, isVertical ? 1.0 : 0.0, isVertical ? 0.0 : 1.0);
-  world.Renderer()->ResetCamera();
-  Story::Tell("  seen from ", x, ", ", y, ", ", z);
 }
 
 const std::vector<ChangeKind>& OfCamera()

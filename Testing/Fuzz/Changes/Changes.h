@@ -26,11 +26,6 @@ const std::vector<ChangeKind>& OfSettings();
 /// One of them all, by the theme of the run.
 void MakeOne(World& world);
 
-/// The whole volume is seen from a direction.
-void LookFrom(World& world, double x, double y, double z);
-
-void SetIsovalues(World& world, const std::vector<double>& isovalues);
-
 }
 
 }

@@ -2,16 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "World/World.h"
 
-#include "Changes/Changes.h"
 #include "World/Arrays.h"
 #include "World/Inputs.h"
 #include "vtkTemporalCoherenceVolume.h"
 
 #include <vtkColorTransferFunction.h>
+#include <vtkContourValues.h>
 #include <vtkDataObjectTree.h>
 #include <vtkDataObjectTreeIterator.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
+
+#include <cmath>
 
 namespace Fuzz
 {
@@ -91,16 +93,41 @@ void World::MakeSane()
   this->Width = 8 + this->From.Pick(33);
   this->Height = 8 + this->From.Pick(33);
   Story::Tell("  ", this->Width, " x ", this->Height, " pixels");
-  Changes::LookFrom(*this, this->From.Between(-1.0, 1.0), this->From.Between(-1.0, 1.0),
-    this->From.Between(-1.0, 1.0));
+  this->LookFrom(
+    this->From.Between(-1.0, 1.0), this->From.Between(-1.0, 1.0), this->From.Between(-1.0, 1.0));
   if (this->From.OneIn(5))
   {
     this->Camera()->ParallelProjectionOn();
     Story::Tell("  parallel");
   }
-  Changes::SetIsovalues(
-    *this, { this->Low + this->From.Between(0.1, 0.9) * (this->High - this->Low) });
+  this->SetIsovalues({ this->Low + this->From.Between(0.1, 0.9) * (this->High - this->Low) });
   this->From.Wildness = wildness;
+}
+
+void World::LookFrom(double x, double y, double z)
+{
+  vtkCamera* camera = this->Camera();
+  camera->SetFocalPoint(0.0, 0.0, 0.0);
+  camera->SetPosition(x, y, z);
+  const bool isVertical = std::abs(z) > 0.9 * std::sqrt(x * x + y * y + z * z);
+  camera->SetViewUp(0.0, isVertical ? 1.0 : 0.0, isVertical ? 0.0 : 1.0);
+  this->Renderer()->ResetCamera();
+  Story::Tell("  seen from ", x, ", ", y, ", ", z);
+}
+
+void World::SetIsovalues(const std::vector<double>& isovalues)
+{
+  vtkContourValues* list = this->Property()->GetIsoSurfaceValues();
+  list->SetNumberOfContours(static_cast<int>(isovalues.size()));
+  for (std::size_t i = 0; i < isovalues.size(); ++i)
+  {
+    list->SetValue(static_cast<int>(i), isovalues[i]);
+    if (i < 9)
+    {
+      Story::Tell("  isovalue ", isovalues[i]);
+    }
+  }
+  Story::Tell("  ", isovalues.size(), " isovalues");
 }
 
 }

@@ -51,6 +51,11 @@ struct World
   /// A scene that is drawn without an error. The mapper keeps its past.
   void MakeSane();
 
+  /// The whole volume is seen from a direction.
+  void LookFrom(double x, double y, double z);
+
+  void SetIsovalues(const std::vector<double>& isovalues);
+
   Bytes From;
   Theme About = Theme::Anything;
   vtkSmartPointer<Mapper> Subject;

@@ -45,15 +45,6 @@ std::vector<Named> All();
 /// Independent random values: 0 with some probability, else from 1 to 3.
 ChooseValue Random(double chance, unsigned seed);
 
-<<<<<<< HEAD
-/// Hide the cells of the truth of which a mask on points shows no sample.
-void Hide(vtkImageData* mask, const std::function<bool(double)>& isShown, BruteForceField& field);
-
-/// The same for a binary mask.
-void Hide(vtkImageData* mask, BruteForceField& field);
-
-=======
->>>>>>> tests
 }
 
 #endif

@@ -43,16 +43,11 @@ std::vector<double> Jumps(const Subject& subject, int steps, unsigned seed);
 /// How often each route was taken.
 using Routes = std::map<std::string, int>;
 
-<<<<<<< HEAD
-/// Expect that all frames after the cold one took one of some routes or were redisplayed, and that
-/// each of these routes was taken at least once.
-=======
 /// Print them in a line.
 void Tell(const std::string& what, const Routes& routes);
 
-/// Expect that after a cold frame all were made by one of some routes, or were the same again; and
-/// by each of these at least once.
->>>>>>> tests
+/// Expect that all frames after the cold one took one of some routes or were redisplayed, and that
+/// each of these routes was taken at least once.
 void ExpectOnly(
   const std::vector<std::string>& allowed, const Routes& routes, const std::string& what);
 

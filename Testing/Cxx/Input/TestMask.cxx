@@ -56,13 +56,8 @@ void TestAgainstBruteForce()
           subject.IsNearest = way / 2 != 0;
           Scene scene(subject.Image, subject.Isovalues);
           subject.Prepare(scene);
-<<<<<<< HEAD
-          Masks::SetBinary(scene, mask);
-          placing.SetCamera(scene);
-=======
           Masks::SetBinary(scene.Mapper, mask);
-          placing.Look(scene);
->>>>>>> tests
+          placing.SetCamera(scene);
           BruteForceTracer truth(subject.Image, scene.Volume);
           truth.Isovalues = subject.Isovalues;
           truth.IsThreshold = subject.Mode == Mapper::THRESHOLD;

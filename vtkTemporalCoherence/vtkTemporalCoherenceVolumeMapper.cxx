@@ -296,14 +296,27 @@ void vtkTemporalCoherenceVolumeMapper::ReportOnce(const std::string& error)
 bool vtkTemporalCoherenceVolumeMapper::RenderToImage(vtkRenderer* renderer, vtkVolume* volume,
   int width, int height, vtkImageData* color, vtkImageData* depth)
 {
-  return this->RenderToImage(
-    renderer, volume, width, height, color, depth, nullptr, nullptr, nullptr);
+  return this->RenderToImages(renderer, volume, width, height, color, depth, nullptr);
 }
 
 //------------------------------------------------------------------------------
-bool vtkTemporalCoherenceVolumeMapper::RenderToImage(vtkRenderer* renderer, vtkVolume* volume,
-  int width, int height, vtkImageData* color, vtkImageData* depth, vtkImageData* normals,
-  vtkImageData* isovalueIndex, vtkImageData* answer)
+bool vtkTemporalCoherenceVolumeMapper::RenderToImage(
+  vtkRenderer* renderer, vtkVolume* volume, int width, int height, vtkImageData* frame)
+{
+  if (!frame)
+  {
+    this->ReportOnce("RenderToImage needs an image for the frame, but got null; give it a "
+                     "vtkImageData.");
+    return false;
+  }
+  return this->RenderToImages(renderer, volume, width, height, nullptr, nullptr, frame);
+}
+
+//------------------------------------------------------------------------------
+/// Make a frame and write it into images, any of which may be null.
+/// \param frame gets all arrays
+bool vtkTemporalCoherenceVolumeMapper::RenderToImages(vtkRenderer* renderer, vtkVolume* volume,
+  int width, int height, vtkImageData* color, vtkImageData* depth, vtkImageData* frame)
 {
   if (this->IsBusy("RenderToImage"))
   {
@@ -334,7 +347,11 @@ bool vtkTemporalCoherenceVolumeMapper::RenderToImage(vtkRenderer* renderer, vtkV
     this->Internal->Learn(VTK_DOUBLE_MAX);
   }
   // Before observers hear of it, who may draw the next one.
-  const bool isWritten = isMade && this->GetLastFrame(color, depth, normals, isovalueIndex, answer);
+  std::string error;
+  const bool isWritten = isMade &&
+    this->Internal->Frames.WriteImages(
+      { { color, FRAME_COLOR }, { depth, FRAME_DEPTH }, { frame, FRAME_ALL } }, error);
+  this->ReportOnce(error);
   this->InvokeEvent(vtkCommand::VolumeMapperRenderEndEvent, &isMade);
   return isWritten;
 }

@@ -220,44 +220,45 @@ public:
   /** Free all pictures and structures that are kept. The next frame is cold. */
   void ReleaseReuse();
 
+  /** The point arrays of a frame, as bits. In brackets: what they hold where nothing is hit. */
+  enum FrameArrays
+  {
+    FRAME_COLOR = 1,          ///< Color: unsigned char RGBA, multiplied by alpha (0)
+    FRAME_DEPTH = 2,          ///< Depth: float, world distance along the ray (infinity)
+    FRAME_NORMALS = 4,        ///< Normals: three floats, unit normal in the world (0)
+    FRAME_ISOVALUE_INDEX = 8, ///< IsovalueIndex: int, index in GetIsoSurfaceValues() (-1)
+    FRAME_ANSWER = 16,        ///< Answer: unsigned char, how the ray was answered (any)
+    FRAME_ALL = 31            ///< all of these
+  };
+
+  //@{
   /**
-   * Render without a render window or an OpenGL context, on any machine. Nothing but the volume is
-   * drawn. The picture becomes the last frame, as after Render().
+   * Render without a render window or an OpenGL context, on any machine. Only the volume is drawn.
+   * The picture becomes the last frame, as after Render(). Row 0 of the images is the bottom row.
    * @param renderer has the camera and the lights. If no light is on, a headlight is used, unless
    *                 AutomaticLightCreation is off. The volume need not be in the renderer.
    * @param volume   has the transform and the property; its mapper is not used
    * @param width    pixels in a row, at least 1
    * @param height   rows, at least 1
-   * @param color    gets unsigned char RGBA, with colours multiplied by alpha. Alpha is 255 where
-   *                 nothing shows through the surfaces, and 0 where there is none.
-   * @param depth    gets float: world distance along the ray from the eye or, in a parallel
-   *                 projection, from the plane through the camera; infinity where nothing is hit.
-   *                 Either image may be null. Row 0 is the bottom row.
+   * @param color    gets the array Color of FrameArrays, or may be null
+   * @param depth    gets the array Depth, or may be null
+   * @param frame    gets all arrays of FrameArrays
    * @return false after an error, or if the frame was stopped. The images are then unchanged.
    */
   bool RenderToImage(vtkRenderer* renderer, vtkVolume* volume, int width, int height,
     vtkImageData* color, vtkImageData* depth);
+  bool RenderToImage(
+    vtkRenderer* renderer, vtkVolume* volume, int width, int height, vtkImageData* frame);
+  //@}
 
   /**
-   * Render without a window, as above, and get more about each pixel. Any image may be null; the
-   * others must differ. Their scalars are named Color, Depth, Normals, IsovalueIndex and Answer.
-   * @param normals       gets three floats: unit normal in world coordinates, facing the viewer; 0
-   *                      where nothing is hit
-   * @param isovalueIndex gets int: index in vtkVolumeProperty::GetIsoSurfaceValues(); -1 where
-   *                      nothing is hit
-   * @param answer        gets unsigned char: how the ray was answered when the picture was made; 0
-   *                      a definite miss, 1 a definite hit, 2 a possible hit
+   * Get the last frame, which was made for a window or an image. Documentation/Mapper.md describes
+   * the arrays Color, Depth, Normals, IsovalueIndex and Answer.
+   * @param frame  gets these point arrays and nothing else. The first one is the active scalars.
+   * @param arrays a sum of FrameArrays, or FRAME_ALL (default)
+   * @return false if there is no frame, or after an error. The image is then unchanged.
    */
-  bool RenderToImage(vtkRenderer* renderer, vtkVolume* volume, int width, int height,
-    vtkImageData* color, vtkImageData* depth, vtkImageData* normals, vtkImageData* isovalueIndex,
-    vtkImageData* answer);
-
-  /**
-   * Get the last frame, made for a window or an image, as the images that RenderToImage describes.
-   * @return false if there is no frame or not enough memory. The images are then unchanged.
-   */
-  bool GetLastFrame(vtkImageData* color, vtkImageData* depth, vtkImageData* normals,
-    vtkImageData* isovalueIndex, vtkImageData* answer);
+  bool GetLastFrame(vtkImageData* frame, int arrays = FRAME_ALL);
 
   //@{
   /**
@@ -460,6 +461,8 @@ private:
 
   bool RenderFrame(vtkRenderer* renderer, vtkVolume* volume, int width, int height, double aspect,
     vtkRenderWindow* window);
+  bool RenderToImages(vtkRenderer* renderer, vtkVolume* volume, int width, int height,
+    vtkImageData* color, vtkImageData* depth, vtkImageData* frame);
   bool IsBusy(const char* method);
   void TellStart();
   bool RenderForWindow(vtkRenderer* renderer, vtkVolume* volume, int width, int height);

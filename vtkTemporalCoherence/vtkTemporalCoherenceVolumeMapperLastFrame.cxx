@@ -10,12 +10,28 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
-bool vtkTemporalCoherenceVolumeMapper::GetLastFrame(vtkImageData* color, vtkImageData* depth,
-  vtkImageData* normals, vtkImageData* isovalueIndex, vtkImageData* answer)
+bool vtkTemporalCoherenceVolumeMapper::GetLastFrame(vtkImageData* frame, int arrays)
 {
+  static_assert(static_cast<int>(TemporalCoherence::ColorArray) == FRAME_COLOR &&
+      static_cast<int>(TemporalCoherence::DepthArray) == FRAME_DEPTH &&
+      static_cast<int>(TemporalCoherence::NormalsArray) == FRAME_NORMALS &&
+      static_cast<int>(TemporalCoherence::IsovalueIndexArray) == FRAME_ISOVALUE_INDEX &&
+      static_cast<int>(TemporalCoherence::AnswerArray) == FRAME_ANSWER &&
+      static_cast<int>(TemporalCoherence::AllFrameArrays) == FRAME_ALL,
+    "FrameArrays tells the same as FrameArray");
   std::string error;
+  if (!frame)
+  {
+    error = "GetLastFrame needs an image for the frame, but got null; give it a vtkImageData.";
+  }
+  else if (arrays & ~FRAME_ALL)
+  {
+    error = "GetLastFrame knows no arrays " + std::to_string(arrays) +
+      "; give it FRAME_ALL, or a sum of FRAME_COLOR, FRAME_DEPTH, FRAME_NORMALS, "
+      "FRAME_ISOVALUE_INDEX and FRAME_ANSWER.";
+  }
   const bool isThere =
-    this->Internal->Frames.WriteImages({ color, depth, normals, isovalueIndex, answer }, error);
+    error.empty() && this->Internal->Frames.WriteImages({ { frame, arrays } }, error);
   this->ReportOnce(error);
   return isThere;
 }

@@ -50,6 +50,12 @@ bool Scene::Render(int width, int height)
     this->Renderer, this->Volume, width, height, this->Color, this->Depth);
 }
 
+bool Scene::GetLastFrame(vtkImageData* color, vtkImageData* depth)
+{
+  return this->Mapper->GetLastFrame(color, vtkTemporalCoherenceVolumeMapper::FRAME_COLOR) &&
+    this->Mapper->GetLastFrame(depth, vtkTemporalCoherenceVolumeMapper::FRAME_DEPTH);
+}
+
 Agreement CompareWithTruth(const Scene& scene, const BruteForceTracer& truth, int stride)
 {
   int dimensions[3];

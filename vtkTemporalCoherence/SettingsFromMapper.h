@@ -14,10 +14,10 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// The mapper's own settings that its pictures depend on.
+/// The settings of the mapper on which its pictures depend.
 PictureSettings SettingsOf(vtkTemporalCoherenceVolumeMapper* mapper);
 
-/// Its settings of how frames are made. Tiles are not reported.
+/// The settings of the mapper on how frames are made. ReportsTiles is off.
 FrameRenderer::Options OptionsOf(vtkTemporalCoherenceVolumeMapper* mapper);
 
 }

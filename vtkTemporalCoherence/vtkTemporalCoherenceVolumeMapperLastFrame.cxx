@@ -22,17 +22,17 @@ bool vtkTemporalCoherenceVolumeMapper::GetLastFrame(vtkImageData* frame, int arr
   std::string error;
   if (!frame)
   {
-    error = "GetLastFrame needs an image for the frame, but got null; give it a vtkImageData.";
+    error = "GetLastFrame got null for the frame; give it a vtkImageData.";
   }
   else if (arrays & ~FRAME_ALL)
   {
-    error = "GetLastFrame knows no arrays " + std::to_string(arrays) +
-      "; give it FRAME_ALL, or a sum of FRAME_COLOR, FRAME_DEPTH, FRAME_NORMALS, "
+    error = "GetLastFrame got " + std::to_string(arrays) +
+      " for the arrays; give it FRAME_ALL, or a sum of FRAME_COLOR, FRAME_DEPTH, FRAME_NORMALS, "
       "FRAME_ISOVALUE_INDEX and FRAME_ANSWER.";
   }
   const bool isThere =
     error.empty() && this->Internal->Frames.WriteImages({ { frame, arrays } }, error);
-  this->ReportOnce(error);
+  this->Internal->ReportOnce(error);
   return isThere;
 }
 
@@ -41,7 +41,7 @@ void vtkTemporalCoherenceVolumeMapper::GetColorImage(vtkImageData* image)
 {
   std::string error;
   this->Internal->Frames.WriteBufferColors(image, error);
-  this->ReportOnce(error);
+  this->Internal->ReportOnce(error);
 }
 
 //------------------------------------------------------------------------------
@@ -50,7 +50,7 @@ void vtkTemporalCoherenceVolumeMapper::GetDepthImage(vtkImageData* image)
   std::string error;
   this->Internal->Frames.WriteBufferDepths(
     image, this->GetDepthImageScalarType(), this->GetClampDepthToBackface() != 0, error);
-  this->ReportOnce(error);
+  this->Internal->ReportOnce(error);
 }
 
 //------------------------------------------------------------------------------
@@ -58,7 +58,7 @@ bool vtkTemporalCoherenceVolumeMapper::GetVisibleSurface(vtkPolyData* points)
 {
   std::string error;
   const bool isThere = points && this->Internal->Frames.WriteSurface(points, error);
-  this->ReportOnce(error);
+  this->Internal->ReportOnce(error);
   return isThere;
 }
 VTK_ABI_NAMESPACE_END

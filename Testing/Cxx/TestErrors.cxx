@@ -254,18 +254,20 @@ void TestNullArguments()
   observer->Clear();
   vtkNew<vtkImageData> frame;
   Expect(!scene.Mapper->RenderToImage(scene.Renderer, scene.Volume, 9, 9, nullptr) &&
-      observer->GetErrorMessage().find("RenderToImage needs an image") != std::string::npos,
+      observer->GetErrorMessage().find("RenderToImage got null for the frame; give") !=
+        std::string::npos,
     "no image for a frame");
   observer->Clear();
   Expect(!scene.Mapper->GetLastFrame(nullptr) &&
-      observer->GetErrorMessage().find("GetLastFrame needs an image") != std::string::npos,
+      observer->GetErrorMessage().find("GetLastFrame got null for the frame; give") !=
+        std::string::npos,
     "no image for the last frame");
   for (const int arrays : { -1, 32, 33 })
   {
     observer->Clear();
     Expect(!scene.Mapper->GetLastFrame(frame, arrays) && frame->GetNumberOfPoints() == 0 &&
-        observer->GetErrorMessage().find("no arrays " + std::to_string(arrays) + "; give it") !=
-          std::string::npos,
+        observer->GetErrorMessage().find(
+          "got " + std::to_string(arrays) + " for the arrays; give") != std::string::npos,
       "no such arrays: " + observer->GetErrorMessage());
   }
   observer->Clear();
@@ -371,21 +373,19 @@ void TestSettings()
   Scene scene(Ball(), { 130.0 });
   vtkNew<vtkTest::ErrorObserver> observer;
   scene.Mapper->AddObserver(vtkCommand::ErrorEvent, observer);
-  const auto expectRefused = [&](const std::string& name)
+  const auto expectRefused = [&](const std::string& message)
   {
-    Expect(observer->GetError() &&
-        observer->GetErrorMessage().find(name + " was set to what is no number") !=
-          std::string::npos,
-      name + ": said so");
+    Expect(observer->GetErrorMessage().find(message) != std::string::npos,
+      message + ", but the message is: " + observer->GetErrorMessage());
     observer->Clear();
   };
   scene.Mapper->SetIsomapTolerance(0.5);
   scene.Mapper->SetIsomapTolerance(nan);
-  expectRefused("IsomapTolerance");
+  expectRefused("IsomapTolerance must be a number of at least 0, but got nan; it stays 0.5.");
   Expect(scene.Mapper->GetIsomapTolerance() == 0.5, "the tolerance stays");
   scene.Mapper->SetImageSampleDistance(200.0f);
   scene.Mapper->SetImageSampleDistance(static_cast<float>(nan));
-  expectRefused("ImageSampleDistance");
+  expectRefused("ImageSampleDistance must be a number from 0.1 to 100, but got nan; it stays 100.");
   Expect(scene.Mapper->GetImageSampleDistance() == 100.0f, "the distance stays");
 }
 

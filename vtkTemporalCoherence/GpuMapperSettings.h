@@ -17,13 +17,13 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// The reason why vtkTemporalCoherenceVolumeMapper cannot draw what a GPU mapper shall draw, as the
-/// end of a sentence; empty if it can.
+/// Why vtkTemporalCoherenceVolumeMapper cannot draw what a GPU mapper has to draw, as the end of a
+/// sentence; empty if it can.
 std::string WhyNotIsosurfaces(
   vtkGPUVolumeRayCastMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
 
-/// Copy the input and all settings that have an effect from one mapper to another. What is equal
-/// already is not modified.
+/// Copy the input and all relevant settings of a mapper to another. Equal settings are not
+/// modified.
 void HandOver(vtkGPUVolumeRayCastMapper* from, vtkTemporalCoherenceVolumeMapper* to);
 
 }

@@ -14,10 +14,10 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// The settings of the mapper on which its pictures depend.
+/// Read the mapper's own settings that its pictures depend on.
 PictureSettings SettingsOf(vtkTemporalCoherenceVolumeMapper* mapper);
 
-/// The settings of the mapper on how frames are made. ReportsTiles is off.
+/// Read its options for making frames. Tiles are not reported.
 FrameRenderer::Options OptionsOf(vtkTemporalCoherenceVolumeMapper* mapper);
 
 }

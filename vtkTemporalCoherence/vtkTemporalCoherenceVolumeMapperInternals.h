@@ -28,8 +28,8 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
   TemporalCoherence::WindowRays Rays;
   TemporalCoherence::IsovalueCheck Isovalues;
   std::string LastError;  ///< reported already; empty after a frame without error
-  bool HasWarned = false; ///< of the limit of memory
-  bool IsMaking = false;  ///< a frame or an isomap, whose observers may call anything
+  bool HasWarned = false; ///< of the memory limit
+  bool IsMaking = false;  ///< a frame or an isomap, while observers may call anything
 
   /// Sets IsMaking for as long as it lives.
   class Busy
@@ -85,7 +85,7 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
   template <typename T>
   void SetWithin(const char* name, T value, double low, double high, T& setting);
 
-  /// A warning about the isovalues of the last frame; empty if there is none.
+  /// The warning about the isovalues of the last frame; empty if there is none.
   std::string CheckIsovalues(
     const TemporalCoherence::DrawnVolume& drawn, const TemporalCoherence::FrameRequest& request)
   {
@@ -94,14 +94,14 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
       : std::string();
   }
 
-  /// Remember the time that a ray takes, if the last frame traced rays or looked them up.
+  /// Learn how long rays take, if the last frame traced or looked up any.
   void Learn(double allowed)
   {
     const TemporalCoherence::FrameStatistics& last = this->Frames.Statistics();
     if (last.Made != TemporalCoherence::Route::Redisplay &&
       last.Made != TemporalCoherence::Route::Reshade)
     {
-      // The next frames in the view need not build an isomap again.
+      // Without the isomap, which the next frames in the view need not build again.
       this->Distances.Learn(
         this->Frames.LastSize(), last.FrameTime - last.IsomapBuildTime, allowed);
     }

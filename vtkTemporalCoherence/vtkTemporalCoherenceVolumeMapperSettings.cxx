@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Settings that have to be numbers.
+// Settings that have to be finite numbers.
 #include "vtkTemporalCoherenceVolumeMapper.h"
 
 #include "vtkTemporalCoherenceVolumeMapperInternals.h"
@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
@@ -19,13 +20,16 @@ void vtkTemporalCoherenceVolumeMapper::Internals::SetWithin(
   if (std::isnan(value))
   {
     std::ostringstream what;
-    what << name << " must be a number " << (high < VTK_DOUBLE_MAX ? "from " : "of at least ")
-         << low;
+    what << name << " must be a finite number";
     if (high < VTK_DOUBLE_MAX)
     {
-      what << " to " << high;
+      what << " from " << low << " to " << high;
     }
-    what << ", but got nan; it stays " << setting << ".";
+    else
+    {
+      what << " >= " << low;
+    }
+    what << ", got nan; it stays " << setting << '.';
     this->ReportOnce(what.str());
     return;
   }

@@ -6,6 +6,7 @@
 #include "Render/SampleDistance.h"
 #include "vtkTemporalCoherenceCompatibility.h"
 
+#include <set>
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -20,11 +21,13 @@ class WindowRays
 {
 public:
   /// \param asked   the distance of rays that is set, in pixels
-  /// \param warning gets that it would be too many, once until they no longer are
+  /// \param warning gets the message that these are too many: once for each size of a window, until
+  ///                another distance is asked for
   glm::ivec2 For(const glm::ivec2& pixels, double asked, vtkVolume* volume, std::string& warning);
 
 private:
-  std::string LastWarning;
+  double LastAsked = 1.0;
+  std::set<std::string> Warnings; ///< given for this distance; several windows may share a mapper
 };
 
 }

@@ -129,6 +129,7 @@ vtk_module_add_module(VTK::TemporalCoherence
     "${module_directory}/vtkTemporalCoherencePicker.cxx"
     "${module_directory}/vtkTemporalCoherenceVolume.cxx"
     "${module_directory}/vtkTemporalCoherenceVolumeMapper.cxx"
+    "${module_directory}/vtkTemporalCoherenceVolumeMapperInternals.cxx"
     "${module_directory}/vtkTemporalCoherenceVolumeMapperLastFrame.cxx"
     "${module_directory}/vtkTemporalCoherenceVolumeMapperPicking.cxx"
     "${module_directory}/vtkTemporalCoherenceVolumeMapperSettings.cxx"

@@ -4,6 +4,7 @@
 
 #include "GpuMapperSettings.h"
 #include "vtkTemporalCoherenceVolumeMapper.h"
+#include "vtkTemporalCoherenceVolumeMapperInternals.h"
 
 #include "vtkCommand.h"
 #include "vtkEventForwarderCommand.h"
@@ -120,7 +121,7 @@ std::string vtkTemporalCoherenceGPUVolumeRayCastMapper::WhySuperclassDraws(
     return why;
   }
   this->PrepareIsosurfaces();
-  return this->Isosurfaces->WhyRefused(renderer, volume);
+  return this->Isosurfaces->Internal->WhyRefused(renderer, volume);
 }
 
 //------------------------------------------------------------------------------

@@ -13,9 +13,15 @@
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
-/// The state of a mapper besides its settings.
+/// The state of a mapper besides its settings, and how it makes a frame with them.
 struct vtkTemporalCoherenceVolumeMapper::Internals
 {
+  explicit Internals(vtkTemporalCoherenceVolumeMapper* self)
+    : Self(self)
+  {
+  }
+
+  vtkTemporalCoherenceVolumeMapper* const Self;
   TemporalCoherence::RequestFromMapper Requests;
   TemporalCoherence::MapperFrames Frames;
   TemporalCoherence::SampleDistanceChooser Distances;
@@ -23,7 +29,61 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
   TemporalCoherence::IsovalueCheck Isovalues;
   std::string LastError;  ///< reported already; empty after a frame without error
   bool HasWarned = false; ///< of the memory limit
-  bool IsBusy = false;    ///< set while a frame is made, when observers may call anything
+  bool IsMaking = false;  ///< a frame or an isomap, while observers may call anything
+
+  /// Sets IsMaking for as long as it lives.
+  class Busy
+  {
+  public:
+    explicit Busy(Internals& internal)
+      : Of(internal)
+    {
+      this->Of.IsMaking = true;
+    }
+    ~Busy() { this->Of.IsMaking = false; }
+    Busy(const Busy&) = delete;
+    Busy& operator=(const Busy&) = delete;
+
+  private:
+    Internals& Of;
+  };
+
+  /// Make a frame for a window, as coarse or as fine as is wished.
+  /// \return false if it is not made
+  bool RenderForWindow(vtkRenderer* renderer, vtkVolume* volume, int width, int height);
+
+  /// Make a frame and write it into images, any of which may be null.
+  /// \param frame gets all arrays
+  bool RenderToImages(vtkRenderer* renderer, vtkVolume* volume, int width, int height,
+    vtkImageData* color, vtkImageData* depth, vtkImageData* frame);
+
+  /// Make a frame.
+  /// \param window may stop it; or null
+  bool RenderFrame(vtkRenderer* renderer, vtkVolume* volume, int width, int height, double aspect,
+    vtkRenderWindow* window);
+
+  /// What the error of a frame for a window would be; empty if it can be made.
+  std::string WhyRefused(vtkRenderer* renderer, vtkVolume* volume);
+
+  /// True, with an error, if a frame or an isomap is being made: what it is made with must stay.
+  bool IsBusy(const char* method);
+
+  /// False if the window, which may be null, asks to stop.
+  static bool MayGoOn(vtkRenderWindow* window);
+
+  /// A frame begins: observers may change settings, but not begin another one.
+  void TellStart();
+
+  /// Report an error, if there is one, other than the last.
+  void ReportOnce(const std::string& error);
+
+  /// Say a warning, if there is one.
+  void Warn(const std::string& warning);
+  void WarnOfIsomapLimit(bool isTooLarge);
+
+  /// Set a setting to the nearest value that it may have. What is no number is an error.
+  template <typename T>
+  void SetWithin(const char* name, T value, double low, double high, T& setting);
 
   /// The warning about the isovalues of the last frame; empty if there is none.
   std::string CheckIsovalues(

@@ -51,13 +51,14 @@ bool vtkTemporalCoherenceVolumeMapper::PickPixel(
 bool vtkTemporalCoherenceVolumeMapper::IntersectWithLine(vtkVolume* volume, const double p1[3],
   const double p2[3], double& t, double position[3], double normal[3], int* isovalueIndex)
 {
-  if (this->IsBusy("IntersectWithLine"))
+  if (this->Internal->IsBusy("IntersectWithLine"))
   {
     return false;
   }
   if (!volume || !p1 || !p2)
   {
-    this->ReportOnce("IntersectWithLine needs a volume and two ends; one of them is null.");
+    this->Internal->ReportOnce(
+      "IntersectWithLine needs a volume and two ends; one of them is null.");
     return false;
   }
   const glm::dvec3 begin(p1[0], p1[1], p1[2]), end(p2[0], p2[1], p2[2]);
@@ -67,7 +68,7 @@ bool vtkTemporalCoherenceVolumeMapper::IntersectWithLine(vtkVolume* volume, cons
     std::ostringstream what;
     what << "There is no line from (" << p1[0] << ", " << p1[1] << ", " << p1[2] << ") to ("
          << p2[0] << ", " << p2[1] << ", " << p2[2] << "); give it two finite ends that differ.";
-    this->ReportOnce(what.str());
+    this->Internal->ReportOnce(what.str());
     return false;
   }
   if (this->GetNumberOfInputConnections(0) > 0)
@@ -82,7 +83,7 @@ bool vtkTemporalCoherenceVolumeMapper::IntersectWithLine(vtkVolume* volume, cons
   {
     hit = this->Internal->Frames.FindHit(request, begin, end, error);
   }
-  this->ReportOnce(error);
+  this->Internal->ReportOnce(error);
   if (!hit)
   {
     return false;

@@ -4,6 +4,8 @@
 // Settings that have to be finite numbers.
 #include "vtkTemporalCoherenceVolumeMapper.h"
 
+#include "vtkTemporalCoherenceVolumeMapperInternals.h"
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -11,9 +13,8 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
-/// Set a setting to the nearest allowed value.
 template <typename T>
-void vtkTemporalCoherenceVolumeMapper::SetWithin(
+void vtkTemporalCoherenceVolumeMapper::Internals::SetWithin(
   const char* name, T value, double low, double high, T& setting)
 {
   if (std::isnan(value))
@@ -36,33 +37,33 @@ void vtkTemporalCoherenceVolumeMapper::SetWithin(
   if (value != setting)
   {
     setting = value;
-    this->Modified();
+    this->Self->Modified();
   }
 }
 
 //------------------------------------------------------------------------------
 void vtkTemporalCoherenceVolumeMapper::SetIsomapTolerance(double voxels)
 {
-  this->SetWithin("IsomapTolerance", voxels, 0.0, VTK_DOUBLE_MAX, this->IsomapTolerance);
+  this->Internal->SetWithin("IsomapTolerance", voxels, 0.0, VTK_DOUBLE_MAX, this->IsomapTolerance);
 }
 
 //------------------------------------------------------------------------------
 void vtkTemporalCoherenceVolumeMapper::SetImageSampleDistance(float pixels)
 {
-  this->SetWithin("ImageSampleDistance", pixels, 0.1, 100.0, this->ImageSampleDistance);
+  this->Internal->SetWithin("ImageSampleDistance", pixels, 0.1, 100.0, this->ImageSampleDistance);
 }
 
 //------------------------------------------------------------------------------
 void vtkTemporalCoherenceVolumeMapper::SetMinimumImageSampleDistance(float pixels)
 {
-  this->SetWithin(
+  this->Internal->SetWithin(
     "MinimumImageSampleDistance", pixels, 0.1, 100.0, this->MinimumImageSampleDistance);
 }
 
 //------------------------------------------------------------------------------
 void vtkTemporalCoherenceVolumeMapper::SetMaximumImageSampleDistance(float pixels)
 {
-  this->SetWithin(
+  this->Internal->SetWithin(
     "MaximumImageSampleDistance", pixels, 0.1, 100.0, this->MaximumImageSampleDistance);
 }
 VTK_ABI_NAMESPACE_END

@@ -37,8 +37,8 @@ void FrameLoad::DoOnce()
 void FrameLoad::Ask()
 {
   struct Scene& shown = this->Scene.Shown;
-  vtkNew<vtkImageData> color, depth, normals, indices, answers;
-  shown.Mapper->GetLastFrame(color, depth, normals, indices, answers);
+  vtkNew<vtkImageData> frame;
+  shown.Mapper->GetLastFrame(frame);
   int size[3];
   shown.Depth->GetDimensions(size);
   const int x = this->Scene.Views.Pick(size[0]), y = this->Scene.Views.Pick(size[1]);

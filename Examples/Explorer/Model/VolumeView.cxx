@@ -164,7 +164,7 @@ vtkSmartPointer<vtkImageData> VolumeView::Picture(int scale)
 vtkSmartPointer<vtkImageData> VolumeView::LastFrame()
 {
   vtkNew<vtkImageData> picture;
-  if (!this->Mapper->GetLastFrame(picture, nullptr, nullptr, nullptr, nullptr))
+  if (!this->Mapper->GetLastFrame(picture, vtkTemporalCoherenceVolumeMapper::FRAME_COLOR))
   {
     throw UserError("There is no picture yet; open a volume first.");
   }

@@ -49,3 +49,9 @@ bool Scene::Render(int width, int height)
   return this->Mapper->RenderToImage(
     this->Renderer, this->Volume, width, height, this->Color, this->Depth);
 }
+
+bool Scene::GetLastFrame(vtkImageData* color, vtkImageData* depth)
+{
+  return this->Mapper->GetLastFrame(color, vtkTemporalCoherenceVolumeMapper::FRAME_COLOR) &&
+    this->Mapper->GetLastFrame(depth, vtkTemporalCoherenceVolumeMapper::FRAME_DEPTH);
+}

@@ -32,6 +32,9 @@ struct Scene
   /// RenderToImage into Color and Depth.
   bool Render(int width, int height);
 
+  /// Colours and depths of the mapper's last frame.
+  bool GetLastFrame(vtkImageData* color, vtkImageData* depth);
+
   float DepthAt(int x, int y) const
   {
     return *static_cast<float*>(Depth->GetScalarPointer(x, y, 0));

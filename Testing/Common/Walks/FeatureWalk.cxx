@@ -88,12 +88,12 @@ void FeatureWalk::StopSometimes()
     return;
   }
   vtkNew<vtkImageData> color, depth, after, depthAfter;
-  this->Shown.Mapper->GetLastFrame(color, depth, nullptr, nullptr, nullptr);
+  this->Shown.GetLastFrame(color, depth);
   const Stopper stopper(this->Shown.Mapper, this->Views.Pick(4));
   if (!this->Views.Render())
   {
     ++this->Stopped;
-    this->Shown.Mapper->GetLastFrame(after, depthAfter, nullptr, nullptr, nullptr);
+    this->Shown.GetLastFrame(after, depthAfter);
     Expect(AreIdentical(color, after) && AreIdentical(depth, depthAfter),
       this->Where() + ": a stopped frame changed the last picture");
   }
@@ -135,8 +135,10 @@ void FeatureWalk::ExpectSameSurfaces()
     return;
   }
   vtkNew<vtkImageData> normals, indices, coldNormals, coldIndices;
-  this->Shown.Mapper->GetLastFrame(nullptr, nullptr, normals, indices, nullptr);
-  this->Cold.Mapper->GetLastFrame(nullptr, nullptr, coldNormals, coldIndices, nullptr);
+  this->Shown.Mapper->GetLastFrame(normals, Mapper::FRAME_NORMALS);
+  this->Shown.Mapper->GetLastFrame(indices, Mapper::FRAME_ISOVALUE_INDEX);
+  this->Cold.Mapper->GetLastFrame(coldNormals, Mapper::FRAME_NORMALS);
+  this->Cold.Mapper->GetLastFrame(coldIndices, Mapper::FRAME_ISOVALUE_INDEX);
   Expect(AreIdentical(indices, coldIndices), this->Where() + ": other isovalues");
   Expect(this->Shown.Mapper->GetIsomapShading() == Mapper::INTERPOLATE ||
       AreIdentical(normals, coldNormals),

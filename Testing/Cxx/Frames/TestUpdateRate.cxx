@@ -135,7 +135,8 @@ void TestOddSizes()
     const auto rows = static_cast<int>(std::ceil(97.0 / static_cast<double>(distance)));
     Expect(stage.Rays() == columns * rows, what + ": rays");
     vtkNew<vtkImageData> indices;
-    Expect(stage.Mapper->GetLastFrame(nullptr, nullptr, nullptr, indices, nullptr) &&
+    Expect(
+      stage.Mapper->GetLastFrame(indices, vtkTemporalCoherenceVolumeMapper::FRAME_ISOVALUE_INDEX) &&
         indices->GetDimensions()[0] == columns && indices->GetDimensions()[1] == rows,
       what + ": a value for each ray");
     int different = 0;

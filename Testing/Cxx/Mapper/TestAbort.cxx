@@ -141,8 +141,8 @@ std::vector<Step> Steps()
 bool IsLastFrame(Stage& stage, vtkImageData* color, vtkImageData* depth)
 {
   vtkNew<vtkImageData> colorNow, depthNow;
-  return stage.Mapper->GetLastFrame(colorNow, depthNow, nullptr, nullptr, nullptr) &&
-    AreIdentical(colorNow, color) && AreIdentical(depthNow, depth);
+  return stage.GetLastFrame(colorNow, depthNow) && AreIdentical(colorNow, color) &&
+    AreIdentical(depthNow, depth);
 }
 
 void TestEvents()
@@ -209,7 +209,7 @@ void TestStopped()
     {
       const std::string what = step.Route + ", stopped at " + std::to_string(stopAt);
       vtkNew<vtkImageData> color, depth;
-      stage.Mapper->GetLastFrame(color, depth, nullptr, nullptr, nullptr);
+      stage.GetLastFrame(color, depth);
       const std::string route = stage.Mapper->GetRouteAsString();
       const vtkIdType samples = stage.Mapper->GetNumberOfFieldSamples();
       step.Change(stage);
@@ -252,7 +252,7 @@ void TestAbortCheckEvent()
   Stage stage;
   stage.Window->Render();
   vtkNew<vtkImageData> color, depth;
-  stage.Mapper->GetLastFrame(color, depth, nullptr, nullptr, nullptr);
+  stage.GetLastFrame(color, depth);
   stage.Volume->RotateZ(5.0);
   struct Answer
   {

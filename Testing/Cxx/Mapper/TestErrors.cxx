@@ -251,6 +251,29 @@ void TestNullArguments()
   Expect(scene.Mapper->IsOpaque(nullptr), "nothing hides nothing");
   Expect(scene.Mapper->RenderToImage(scene.Renderer, scene.Volume, 9, 9, nullptr, nullptr),
     "images are optional");
+  observer->Clear();
+  vtkNew<vtkImageData> frame;
+  Expect(!scene.Mapper->RenderToImage(scene.Renderer, scene.Volume, 9, 9, nullptr) &&
+      observer->GetErrorMessage().find("RenderToImage got null for the frame; give") !=
+        std::string::npos,
+    "no image for a frame");
+  observer->Clear();
+  Expect(!scene.Mapper->GetLastFrame(nullptr) &&
+      observer->GetErrorMessage().find("GetLastFrame got null for the frame; give") !=
+        std::string::npos,
+    "no image for the last frame");
+  for (const int arrays : { -1, 32, 33 })
+  {
+    observer->Clear();
+    Expect(!scene.Mapper->GetLastFrame(frame, arrays) && frame->GetNumberOfPoints() == 0 &&
+        observer->GetErrorMessage().find(
+          "got " + std::to_string(arrays) + " for the arrays; give") != std::string::npos,
+      "no such arrays: " + observer->GetErrorMessage());
+  }
+  observer->Clear();
+  Expect(!scene.Mapper->GetLastFrame(frame, 33) && !observer->GetError(), "said once");
+  Expect(scene.Mapper->GetLastFrame(frame) && frame->GetNumberOfPoints() == 81,
+    "the last frame is still there");
   for (const int outside : { -1, 9, 1000000 })
   {
     Expect(!scene.Mapper->PickPixel(outside, 3, nullptr, nullptr, nullptr), "no such pixel");

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The planes of a frame as images, and the surface that it shows as points.
+// The arrays of a frame in one image, and the surface that it shows as points.
 
 #include "Checks/Expect.h"
 #include "Scenes/Scene.h"
@@ -15,37 +15,60 @@
 #include <vtkPolyData.h>
 #include <vtkRenderWindow.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <string>
 
 namespace
 {
 
+using Mapper = vtkTemporalCoherenceVolumeMapper;
+
+struct ArrayFormat
+{
+  int Bit;
+  const char* Name;
+  int Type, Components;
+};
+
+const std::array<ArrayFormat, 5> Formats = { {
+  { Mapper::FRAME_COLOR, "Color", VTK_UNSIGNED_CHAR, 4 },
+  { Mapper::FRAME_DEPTH, "Depth", VTK_FLOAT, 1 },
+  { Mapper::FRAME_NORMALS, "Normals", VTK_FLOAT, 3 },
+  { Mapper::FRAME_ISOVALUE_INDEX, "IsovalueIndex", VTK_INT, 1 },
+  { Mapper::FRAME_ANSWER, "Answer", VTK_UNSIGNED_CHAR, 1 },
+} };
+
+/// All arrays of a frame.
 struct Planes
 {
   bool Render(Scene& scene, int width, int height)
   {
-    return scene.Mapper->RenderToImage(scene.Renderer, scene.Volume, width, height, this->Color,
-      this->Depth, this->Normals, this->Isovalues, this->Answers);
+    return scene.Mapper->RenderToImage(scene.Renderer, scene.Volume, width, height, this->Image);
   }
-  bool Get(Scene& scene)
+  bool Get(Scene& scene) { return scene.Mapper->GetLastFrame(this->Image); }
+  double At(const char* array, int x, int y, int component = 0) const
   {
-    return scene.Mapper->GetLastFrame(
-      this->Color, this->Depth, this->Normals, this->Isovalues, this->Answers);
-  }
-  static double At(vtkImageData* image, int x, int y, int component = 0)
-  {
-    return image->GetScalarComponentAsDouble(x, y, 0, component);
-  }
-  std::array<vtkImageData*, 5> All() const
-  {
-    return { this->Color, this->Depth, this->Normals, this->Isovalues, this->Answers };
+    const vtkIdType pixel = y * static_cast<vtkIdType>(this->Image->GetDimensions()[0]) + x;
+    return this->Image->GetPointData()->GetArray(array)->GetComponent(pixel, component);
   }
 
-  vtkNew<vtkImageData> Color, Depth, Normals, Isovalues, Answers;
+  vtkNew<vtkImageData> Image;
 };
+
+/// True if an image has an array with the bytes of a plane.
+bool HasPlane(vtkImageData* image, const Planes& planes, const ArrayFormat& format)
+{
+  vtkDataArray* a = image->GetPointData()->GetArray(format.Name);
+  vtkDataArray* b = planes.Image->GetPointData()->GetArray(format.Name);
+  return a && b && a->GetDataType() == b->GetDataType() &&
+    a->GetNumberOfValues() == b->GetNumberOfValues() &&
+    std::memcmp(a->GetVoidPointer(0), b->GetVoidPointer(0),
+      static_cast<std::size_t>(a->GetNumberOfValues() * a->GetDataTypeSize())) == 0;
+}
 
 /// Four isovalues, the third of them without opacity.
 struct CutScene : Scene
@@ -69,7 +92,7 @@ struct CutScene : Scene
 void ExpectPixels(const std::string& what, Scene& scene, const Planes& planes)
 {
   int size[3];
-  planes.Depth->GetDimensions(size);
+  planes.Image->GetDimensions(size);
   int different = 0;
   std::array<int, 4> seen{};
   for (int y = 0; y < size[1]; ++y)
@@ -79,13 +102,13 @@ void ExpectPixels(const std::string& what, Scene& scene, const Planes& planes)
       double position[3], normal[3] = { 0.0, 0.0, 0.0 };
       int index = -1;
       const bool isHit = scene.Mapper->PickPixel(x, y, position, normal, &index);
-      different += Planes::At(planes.Isovalues, x, y) != index;
-      different += std::isinf(Planes::At(planes.Depth, x, y)) == isHit;
-      different += (Planes::At(planes.Color, x, y, 3) != 0.0) != isHit;
-      different += Planes::At(planes.Answers, x, y) == 0.0 && isHit;
+      different += planes.At("IsovalueIndex", x, y) != index;
+      different += std::isinf(planes.At("Depth", x, y)) == isHit;
+      different += (planes.At("Color", x, y, 3) != 0.0) != isHit;
+      different += planes.At("Answer", x, y) == 0.0 && isHit;
       for (int c = 0; c < 3; ++c)
       {
-        different += Planes::At(planes.Normals, x, y, c) != normal[c];
+        different += planes.At("Normals", x, y, c) != normal[c];
       }
       if (isHit)
       {
@@ -93,7 +116,7 @@ void ExpectPixels(const std::string& what, Scene& scene, const Planes& planes)
         const double* eye = scene.Renderer->GetActiveCamera()->GetPosition();
         const double t =
           std::hypot(position[0] - eye[0], position[1] - eye[1], position[2] - eye[2]);
-        different += std::abs(Planes::At(planes.Depth, x, y) - t) > 1e-5 * t;
+        different += std::abs(planes.At("Depth", x, y) - t) > 1e-5 * t;
       }
     }
   }
@@ -102,56 +125,104 @@ void ExpectPixels(const std::string& what, Scene& scene, const Planes& planes)
     what + ": three of four isovalues are seen");
 }
 
+/// The image holds these arrays and nothing else, with the first as active scalars.
+void ExpectArrays(const std::string& what, vtkImageData* image, int arrays, int width, int height)
+{
+  vtkPointData* data = image->GetPointData();
+  const int* size = image->GetDimensions();
+  Expect(size[0] == width && size[1] == height && size[2] == 1, what + ": size");
+  int count = 0;
+  for (const ArrayFormat& format : Formats)
+  {
+    vtkDataArray* array = data->GetArray(format.Name);
+    const bool isWanted = (arrays & format.Bit) != 0;
+    Expect((array != nullptr) == isWanted, what + ": " + format.Name + " is there if asked for");
+    if (array)
+    {
+      Expect(array->GetDataType() == format.Type &&
+          array->GetNumberOfComponents() == format.Components &&
+          array->GetNumberOfTuples() == image->GetNumberOfPoints(),
+        what + ": " + format.Name + ": type and size");
+      Expect((data->GetScalars() == array) == (count == 0),
+        what + ": " + format.Name + ": the first array is the active scalars");
+      ++count;
+    }
+  }
+  Expect(data->GetNumberOfArrays() == count, what + ": no other arrays");
+  Expect((data->GetNormals() != nullptr) == ((arrays & Mapper::FRAME_NORMALS) != 0),
+    what + ": active normals");
+}
+
 void TestPlanesOfImage()
 {
   CutScene scene;
   Planes planes;
-  Expect(!planes.Get(scene), "no frame, no images");
-  Expect(planes.Color->GetNumberOfPoints() == 0, "and they are left alone");
+  Expect(!planes.Get(scene), "no frame, no image");
+  Expect(planes.Image->GetNumberOfPoints() == 0, "and it is left alone");
   Expect(planes.Render(scene, 90, 70), "rendered");
-  const std::array<int, 5> types = { VTK_UNSIGNED_CHAR, VTK_FLOAT, VTK_FLOAT, VTK_INT,
-    VTK_UNSIGNED_CHAR };
-  const std::array<int, 5> components = { 4, 1, 3, 1, 1 };
-  const std::array<std::string, 5> names = { "Color", "Depth", "Normals", "IsovalueIndex",
-    "Answer" };
-  for (std::size_t i = 0; i < 5; ++i)
-  {
-    vtkImageData* image = planes.All()[i];
-    vtkDataArray* scalars = image->GetPointData()->GetScalars();
-    const int* size = image->GetDimensions();
-    Expect(size[0] == 90 && size[1] == 70 && size[2] == 1 && scalars->GetDataType() == types[i] &&
-        scalars->GetNumberOfComponents() == components[i] && scalars->GetName() == names[i],
-      names[i] + ": size, type and name");
-  }
+  ExpectArrays("rendered", planes.Image, Mapper::FRAME_ALL, 90, 70);
   ExpectPixels("image", scene, planes);
-  Expect(scene.Render(90, 70) && AreIdentical(scene.Color, planes.Color) &&
-      AreIdentical(scene.Depth, planes.Depth),
+  Expect(scene.Render(90, 70) && HasPlane(scene.Color, planes, Formats[0]) &&
+      HasPlane(scene.Depth, planes, Formats[1]),
     "colour and depth are those without the rest");
+  ExpectArrays("two images", scene.Color, Mapper::FRAME_COLOR, 90, 70);
+  ExpectArrays("two images", scene.Depth, Mapper::FRAME_DEPTH, 90, 70);
 
-  // Each alone, into memory that is there and that others see.
-  for (std::size_t i = 0; i < 5; ++i)
+  for (int arrays = 0; arrays <= Mapper::FRAME_ALL; ++arrays)
   {
-    const std::array<vtkImageData*, 5> all = planes.All();
-    vtkNew<vtkImageData> before, kept, alone;
-    before->DeepCopy(all[i]);
-    kept->ShallowCopy(all[i]);
-    std::array<vtkImageData*, 5> one{};
-    one[i] = alone;
-    Expect(scene.Mapper->GetLastFrame(one[0], one[1], one[2], one[3], one[4]) &&
-        AreIdentical(alone, before),
-      names[i] + ": alone");
-    void* memory = alone->GetScalarPointer();
-    Expect(scene.Mapper->GetLastFrame(one[0], one[1], one[2], one[3], one[4]) &&
-        alone->GetScalarPointer() == memory,
-      names[i] + ": keeps its memory");
-    scene.Renderer->GetActiveCamera()->Azimuth(20.0);
-    Expect(planes.Render(scene, 90, 70) && AreIdentical(kept, before),
-      names[i] + ": what others see is not written");
-    scene.Renderer->GetActiveCamera()->Azimuth(-20.0);
-    Expect(planes.Render(scene, 90, 70), "back");
+    const std::string what = "arrays " + std::to_string(arrays);
+    // What the image held before is gone.
+    vtkNew<vtkImageData> some;
+    some->SetOrigin(1.0, 2.0, 3.0);
+    some->SetDimensions(7, 8, 9);
+    some->AllocateScalars(VTK_DOUBLE, 2);
+    some->GetPointData()->GetScalars()->SetName("Depth");
+    Expect(scene.Mapper->GetLastFrame(some, arrays), what);
+    ExpectArrays(what, some, arrays, 90, 70);
+    for (const ArrayFormat& format : Formats)
+    {
+      Expect(!(arrays & format.Bit) || HasPlane(some, planes, format), what + ": " + format.Name);
+    }
+    Expect(some->GetOrigin()[0] == 0.0 && some->GetSpacing()[0] == 1.0, what + ": a pixel is 1");
   }
   scene.Mapper->ReleaseReuse();
   Expect(!planes.Get(scene), "forgotten");
+  ExpectArrays("forgotten", planes.Image, Mapper::FRAME_ALL, 90, 70);
+}
+
+/// An array that fits keeps its memory, but what others see is not written.
+void TestMemoryOfArrays()
+{
+  CutScene scene;
+  Planes planes;
+  Expect(planes.Render(scene, 90, 70), "rendered");
+  vtkPointData* data = planes.Image->GetPointData();
+  for (std::size_t shared = 0; shared < Formats.size(); ++shared)
+  {
+    const std::string what = std::string(Formats[shared].Name) + " is shared: ";
+    Planes before, after;
+    before.Image->DeepCopy(planes.Image);
+    vtkNew<vtkImageData> elsewhere;
+    elsewhere->GetPointData()->AddArray(data->GetArray(Formats[shared].Name));
+    std::array<void*, 5> memory;
+    vtkMTimeType lastChange = 0;
+    for (std::size_t i = 0; i < Formats.size(); ++i)
+    {
+      memory[i] = data->GetArray(Formats[i].Name)->GetVoidPointer(0);
+      lastChange = std::max(lastChange, data->GetArray(Formats[i].Name)->GetMTime());
+    }
+    scene.Renderer->GetActiveCamera()->Azimuth(20.0);
+    Expect(planes.Render(scene, 90, 70) && after.Get(scene), what + "rendered");
+    Expect(HasPlane(elsewhere, before, Formats[shared]), what + "what others see stays");
+    for (std::size_t i = 0; i < Formats.size(); ++i)
+    {
+      vtkDataArray* array = data->GetArray(Formats[i].Name);
+      const bool isKept = array->GetVoidPointer(0) == memory[i];
+      Expect(isKept == (i != shared), what + Formats[i].Name + " keeps its memory");
+      Expect(HasPlane(after.Image, planes, Formats[i]), what + Formats[i].Name + " is written");
+      Expect(array->GetMTime() > lastChange, what + Formats[i].Name + " is modified");
+    }
+  }
 }
 
 /// What the answers count is what the mapper counts.
@@ -168,7 +239,7 @@ void TestAnswers()
   {
     for (int x = 0; x < 120; ++x)
     {
-      ++counts[static_cast<std::size_t>(Planes::At(planes.Answers, x, y))];
+      ++counts[static_cast<std::size_t>(planes.At("Answer", x, y))];
     }
   }
   Expect(counts[0] == scene.Mapper->GetNumberOfDefiniteMisses() &&
@@ -189,8 +260,8 @@ void TestPlanesOfWindow()
   Planes planes;
   Expect(planes.Get(scene), "the frame of a window");
   ExpectPixels("window", scene, planes);
-  Expect(scene.Render(100, 80) && AreIdentical(scene.Color, planes.Color) &&
-      AreIdentical(scene.Depth, planes.Depth),
+  Expect(scene.Render(100, 80) && HasPlane(scene.Color, planes, Formats[0]) &&
+      HasPlane(scene.Depth, planes, Formats[1]),
     "is that of an image");
 }
 
@@ -239,7 +310,7 @@ void TestVisibleSurface()
       }
       for (int c = 0; c < 4; ++c)
       {
-        different += colors->GetComponent(at, c) != Planes::At(planes.Color, x, y, c);
+        different += colors->GetComponent(at, c) != planes.At("Color", x, y, c);
       }
       ++at;
     }
@@ -267,6 +338,7 @@ int TestPlanes(int, char*[])
 {
   vtkFloatingPointExceptions::Disable();
   TestPlanesOfImage();
+  TestMemoryOfArrays();
   TestAnswers();
   TestPlanesOfWindow();
   TestVisibleSurface();

@@ -188,7 +188,7 @@ void ExpectMeans(Stage& stage, const std::string& what)
   rays.Volume->SetProperty(stage.Volume->GetProperty());
   Expect(rays.Render(kind.Columns, kind.Rows), what + ": rendered");
   vtkNew<vtkImageData> color;
-  Expect(stage.Mapper->GetLastFrame(color, nullptr, nullptr, nullptr, nullptr) &&
+  Expect(stage.Mapper->GetLastFrame(color, vtkTemporalCoherenceVolumeMapper::FRAME_COLOR) &&
       AreIdentical(color, rays.Color) &&
       stage.Mapper->GetNumberOfRays() == kind.Columns * kind.Rows,
     what + ": the frame is the cold picture with as many pixels as rays");

@@ -168,7 +168,7 @@ void Oracle::CheckFrame()
   World& world = this->Of;
   Mapper* subject = world.Subject;
   Picture next, cold;
-  next.Color->SetDimensions(1, 1, 1);
+  next.Frame->SetDimensions(1, 1, 1);
   bool isMade = false;
   const int foreign = Silence::Fall().Errors;
   {
@@ -203,7 +203,8 @@ void Oracle::CheckFrame()
       std::to_string(errors) + " errors: " + this->Subject->Text +
         "; without a past: " + witness.Text + "; before: " + this->LastError);
     this->LastError = witness.Text;
-    Require(next.Color->GetPointData()->GetScalars() == nullptr, "a refused frame writes images");
+    Require(
+      next.Frame->GetPointData()->GetNumberOfArrays() == 0, "a refused frame writes an image");
     this->ExpectLastPicture("after a refusal");
     return;
   }

@@ -4,6 +4,9 @@
 
 #include "Checks/AreIdentical.h"
 
+#include <vtkDataArray.h>
+#include <vtkPointData.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -14,30 +17,31 @@ namespace
 {
 
 template <typename T>
-const T* DataOf(vtkImageData* image)
+const T* DataOf(const Picture& picture, const char* array)
 {
-  return static_cast<const T*>(image->GetScalarPointer());
+  vtkDataArray* data = picture.Frame->GetPointData()->GetArray(array);
+  return data ? static_cast<const T*>(data->GetVoidPointer(0)) : nullptr;
 }
 
-/// Where two images of a size first differ, and in how many pixels.
+/// Where an array of two pictures of a size first differs, and in how many pixels.
 template <typename T>
-std::string FirstOf(const char* name, vtkImageData* a, vtkImageData* b)
+std::string FirstOf(const char* array, const Picture& a, const Picture& b)
 {
-  const int components = a->GetNumberOfScalarComponents();
-  const T* here = DataOf<T>(a);
-  const T* there = DataOf<T>(b);
+  const int components = a.Frame->GetPointData()->GetArray(array)->GetNumberOfComponents();
+  const T* here = DataOf<T>(a, array);
+  const T* there = DataOf<T>(b, array);
   std::ostringstream text;
   text.precision(17);
   int count = 0;
-  for (vtkIdType pixel = 0; pixel < a->GetNumberOfPoints(); ++pixel)
+  for (vtkIdType pixel = 0; pixel < a.CountPixels(); ++pixel)
   {
     const vtkIdType first = pixel * components;
     if (std::memcmp(
           here + first, there + first, sizeof(T) * static_cast<std::size_t>(components)) != 0 &&
       ++count == 1)
     {
-      const int width = a->GetDimensions()[0];
-      text << name << " differ at (" << pixel % width << ", " << pixel / width << "):";
+      const int width = a.Frame->GetDimensions()[0];
+      text << array << " differs at (" << pixel % width << ", " << pixel / width << "):";
       for (int c = 0; c < components; ++c)
       {
         text << ' ' << +here[first + c] << " for " << +there[first + c];
@@ -55,57 +59,57 @@ std::string FirstOf(const char* name, vtkImageData* a, vtkImageData* b)
 
 bool Picture::Render(World& world, Mapper* mapper)
 {
-  return mapper->RenderToImage(world.Renderer(), world.Volume(), world.Width, world.Height,
-    this->Color, this->Depth, this->Normals, this->Isovalues, this->Answers);
+  return mapper->RenderToImage(
+    world.Renderer(), world.Volume(), world.Width, world.Height, this->Frame);
 }
 
 bool Picture::Fetch(Mapper* mapper)
 {
-  return mapper->GetLastFrame(
-    this->Color, this->Depth, this->Normals, this->Isovalues, this->Answers);
+  return mapper->GetLastFrame(this->Frame);
 }
 
 void Picture::Copy(const Picture& other)
 {
-  this->Color->DeepCopy(other.Color);
-  this->Depth->DeepCopy(other.Depth);
-  this->Normals->DeepCopy(other.Normals);
-  this->Isovalues->DeepCopy(other.Isovalues);
-  this->Answers->DeepCopy(other.Answers);
+  this->Frame->DeepCopy(other.Frame);
+}
+
+int Picture::IsovalueAt(int x, int y) const
+{
+  return DataOf<int>(*this, "IsovalueIndex")[y * this->Frame->GetDimensions()[0] + x];
 }
 
 vtkIdType Picture::CountHits() const
 {
-  const int* indices = DataOf<int>(this->Isovalues);
+  const int* indices = DataOf<int>(*this, "IsovalueIndex");
   return this->CountPixels() - std::count(indices, indices + this->CountPixels(), -1);
 }
 
 std::string Picture::Difference(const Picture& other, bool inColors, bool inNormals) const
 {
   int here[3], there[3];
-  this->Depth->GetDimensions(here);
-  other.Depth->GetDimensions(there);
+  this->Frame->GetDimensions(here);
+  other.Frame->GetDimensions(there);
   if (here[0] != there[0] || here[1] != there[1])
   {
     return "the sizes differ; ";
   }
-  std::string text = FirstOf<float>("depths", this->Depth, other.Depth) +
-    FirstOf<int>("isovalues", this->Isovalues, other.Isovalues);
+  std::string text =
+    FirstOf<float>("Depth", *this, other) + FirstOf<int>("IsovalueIndex", *this, other);
   if (inColors)
   {
-    text += FirstOf<unsigned char>("colours", this->Color, other.Color);
+    text += FirstOf<unsigned char>("Color", *this, other);
   }
   if (inNormals)
   {
-    text += FirstOf<float>("normals", this->Normals, other.Normals);
+    text += FirstOf<float>("Normals", *this, other);
   }
   return text;
 }
 
 vtkIdType Picture::CountDifferent(const Picture& other, double apart) const
 {
-  const float* here = DataOf<float>(this->Depth);
-  const float* there = DataOf<float>(other.Depth);
+  const float* here = DataOf<float>(*this, "Depth");
+  const float* there = DataOf<float>(other, "Depth");
   vtkIdType different = 0;
   for (vtkIdType i = 0; i < this->CountPixels(); ++i)
   {
@@ -118,11 +122,11 @@ vtkIdType Picture::CountDifferent(const Picture& other, double apart) const
 
 std::string Picture::Nonsense(int isovalues, bool isTame) const
 {
-  const float* depths = DataOf<float>(this->Depth);
-  const float* normals = DataOf<float>(this->Normals);
-  const int* indices = DataOf<int>(this->Isovalues);
-  const unsigned char* colors = DataOf<unsigned char>(this->Color);
-  const unsigned char* answers = DataOf<unsigned char>(this->Answers);
+  const float* depths = DataOf<float>(*this, "Depth");
+  const float* normals = DataOf<float>(*this, "Normals");
+  const int* indices = DataOf<int>(*this, "IsovalueIndex");
+  const unsigned char* colors = DataOf<unsigned char>(*this, "Color");
+  const unsigned char* answers = DataOf<unsigned char>(*this, "Answer");
   for (vtkIdType i = 0; i < this->CountPixels(); ++i)
   {
     const float* n = normals + 3 * i;

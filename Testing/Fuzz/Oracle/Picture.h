@@ -22,9 +22,12 @@ struct Picture
   bool Fetch(Mapper* mapper);
 
   void Copy(const Picture& other);
-  bool IsEmpty() const { return this->Depth->GetNumberOfPoints() == 0; }
-  vtkIdType CountPixels() const { return this->Depth->GetNumberOfPoints(); }
+  bool IsEmpty() const { return this->CountPixels() == 0; }
+  vtkIdType CountPixels() const { return this->Frame->GetNumberOfPoints(); }
   vtkIdType CountHits() const;
+
+  /// Position in the property's list of the isovalue at a pixel; -1 for none.
+  int IsovalueAt(int x, int y) const;
 
   /// What of the pictures differs, in words; empty if nothing does.
   std::string Difference(const Picture& other, bool inColors, bool inNormals) const;
@@ -36,7 +39,7 @@ struct Picture
   /// \param isTame no number of the scene was wild
   std::string Nonsense(int isovalues, bool isTame) const;
 
-  vtkNew<vtkImageData> Color, Depth, Normals, Isovalues, Answers;
+  vtkNew<vtkImageData> Frame; ///< with all arrays
 };
 
 }

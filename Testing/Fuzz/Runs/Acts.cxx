@@ -105,7 +105,7 @@ void PickPixels(World& world, Oracle& oracle)
     return;
   }
   int size[3];
-  last.Depth->GetDimensions(size);
+  last.Frame->GetDimensions(size);
   for (int i = 0; i < 6; ++i)
   {
     const int x = world.From.Pick(size[0] + 1) - world.From.OneIn(20),
@@ -114,7 +114,7 @@ void PickPixels(World& world, Oracle& oracle)
     int isovalue = -7;
     const bool isHit = world.Subject->PickPixel(x, y, position, normal, &isovalue);
     const bool isInside = x >= 0 && y >= 0 && x < size[0] && y < size[1];
-    const int shown = isInside ? *static_cast<int*>(last.Isovalues->GetScalarPointer(x, y, 0)) : -1;
+    const int shown = isInside ? last.IsovalueAt(x, y) : -1;
     Require(isHit == (shown >= 0) && isovalue == (isHit ? shown : -7),
       "pixel " + std::to_string(x) + ", " + std::to_string(y) + " shows isovalue " +
         std::to_string(shown) + ", but picked is " + std::to_string(isovalue));

@@ -64,7 +64,7 @@ void DoWhatIsAllowed(World& world)
       mapper->ReleaseGraphicsResources(nullptr);
       break;
     case 0:
-      mapper->GetLastFrame(color, nullptr, nullptr, nullptr, nullptr);
+      mapper->GetLastFrame(color, Mapper::FRAME_COLOR);
       break;
     case 1:
       mapper->GetVisibleSurface(points);
@@ -199,7 +199,7 @@ void AskInVain(World& world, Oracle& oracle)
       Require(!mapper->GetVisibleSurface(nullptr), "no polygons");
       break;
     default:
-      mapper->GetLastFrame(nullptr, nullptr, nullptr, nullptr, nullptr);
+      Require(!mapper->GetLastFrame(nullptr), "no image");
       mapper->PickPixel(from.WildInt(), from.WildInt(), nullptr, nullptr, nullptr);
       break;
   }

@@ -156,7 +156,7 @@ void CompareWithImage(World& world, const Oracle& oracle, Tally& tally)
     return;
   }
   int size[3];
-  shown.Depth->GetDimensions(size);
+  shown.Frame->GetDimensions(size);
   world.Width = size[0];
   world.Height = size[1];
   const auto fresh = oracle.MakeFresh();

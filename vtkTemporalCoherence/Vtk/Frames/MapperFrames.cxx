@@ -146,11 +146,12 @@ bool WriteImagesOf(const Frame& frame, const Writer& write, std::string& error)
 
 }
 
-bool MapperFrames::WriteImages(const PictureImages& images, std::string& error) const
+bool MapperFrames::WriteImages(const std::vector<FrameImage>& images, std::string& error) const
 {
   const Frame& frame = this->Last->Engine.LastFrame();
   return WriteImagesOf(
-    frame, [&]() { WritePicture(frame, this->Last->IsovaluePlaces, images); }, error);
+    frame, [&]() { TemporalCoherence::WriteImages(frame, this->Last->IsovaluePlaces, images); },
+    error);
 }
 
 bool MapperFrames::WriteBufferColors(vtkImageData* image, std::string& error) const

@@ -13,6 +13,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkDataSet;
@@ -53,9 +54,9 @@ public:
   void Present(vtkRenderer* renderer, vtkVolume* volume, const glm::ivec2& size, vtkDataSet* data,
     std::string& error);
 
-  /// Copy the last frame into images.
+  /// Write arrays of the last frame into images; see ImageFromFrame.h.
   /// \return false if there is none, or on error
-  bool WriteImages(const PictureImages& images, std::string& error) const;
+  bool WriteImages(const std::vector<FrameImage>& images, std::string& error) const;
 
   /// Copy the last frame into an image as the buffers of a window hold it; see BufferImages.h.
   /// \return false if there is none, or on error

@@ -398,6 +398,9 @@ void TestLimit()
       warning.find("SetImageSampleDistance") != std::string::npos,
     "the most: " + warning);
   Expect(ask(0.1) == most && warning.empty(), "told once");
+  Expect(rays.For(window / 10, 0.1, volume, warning) == window && warning.empty() &&
+      ask(0.1) == most && warning.empty(),
+    "not told again after a frame in a smaller window of the same mapper");
   Expect(ask(1.0) == window && warning.empty(), "a ray a pixel");
   Expect(ask(0.1) == most && !warning.empty(), "told again after a frame without it");
   const glm::ivec2 huge(10000, 10000);

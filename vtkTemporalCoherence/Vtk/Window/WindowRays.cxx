@@ -33,10 +33,14 @@ glm::ivec2 WindowRays::For(
          << ". Call SetImageSampleDistance with that or more, or make the window smaller.";
     told = what.str();
   }
-  if (told != this->LastWarning)
+  if (asked != this->LastAsked)
+  {
+    this->Warnings.clear();
+    this->LastAsked = asked;
+  }
+  if (!told.empty() && this->Warnings.insert(told).second)
   {
     warning = told;
-    this->LastWarning = told;
   }
   return RaysFor(pixels, distance);
 }

@@ -301,7 +301,7 @@ void TestWhatIsLeftToVtk()
       std::fill_n(static_cast<float*>(table->GetScalarPointer()), 64, 0.5f);
       // Since VTK 9.3 the table alone does not change the mode.
       stage.Volume->GetProperty()->SetTransferFunction2D(table);
-      stage.Volume->GetProperty()->SetTransferFunctionModeTo2D();
+      stage.Volume->GetProperty()->SetTransferFunctionMode(vtkVolumeProperty::TF_2D);
     });
   ExpectLeftToVtk("RenderToImage is on", [&](Stage& stage) { gpu(stage)->RenderToImageOn(); });
   ExpectLeftToVtk("there are several inputs",

@@ -256,7 +256,7 @@ void TestErrors()
     [](Grid& grid) {
       Grids::SetCoordinates(grid, 1, { 0.0, 1.0, 2.0, 3.0, 4.0 });
     });
-  expectError("are 0, but", [](Grid& grid) { grid->SetZCoordinates(nullptr); });
+  expectError("hold 0 values, but", [](Grid& grid) { grid->SetZCoordinates(nullptr); });
 }
 
 /// What is empty, but no mistake.

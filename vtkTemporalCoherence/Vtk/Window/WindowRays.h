@@ -21,9 +21,8 @@ class WindowRays
 {
 public:
   /// \param asked   distance between rays in pixels, as set
-  /// \param warning set if that would be too many rays; once for each size of a window, until
-  /// another
-  ///                distance is asked for
+  /// \param warning gets the message that these are too many rays: once for each size of a window,
+  ///                until another distance is set
   glm::ivec2 For(const glm::ivec2& pixels, double asked, vtkVolume* volume, std::string& warning);
 
 private:

@@ -46,15 +46,8 @@ void ChangingScene::Arrange()
   {
     this->Shown.Mapper->SetReuseAccuracyToExact();
   }
-  if (this->Views.Pick(4) == 0)
-  {
-    // What the isomap serves, too.
-    this->Inputs.Changes().back().Make();
-    this->Inputs.Show(ManyInputs::InImage, this->Inputs.Drawn);
-    this->Shown.Mapper->CroppingOn();
-    this->Shown.Mapper->SetCroppingRegionFlagsToSubVolume();
-    this->Shown.Mapper->SetCroppingRegionPlanes(-0.7, 0.5, -0.6, 0.8, -0.9, 0.4);
-  }
+  // Every field and region has isomaps; without them hints get their turn.
+  this->Shown.Mapper->SetIsomap(this->Views.Pick(3) != 0);
   this->Views.Resize();
 }
 

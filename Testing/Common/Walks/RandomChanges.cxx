@@ -147,7 +147,7 @@ std::vector<Change> ChangesOfIsomap(Scene& scene, RandomViews& views)
 {
   Mapper* mapper = scene.Mapper;
   return {
-    { false, [=, &views] { mapper->SetIsomap(views.Pick(2) != 0); } },
+    { false, [=, &views] { mapper->SetIsomap(views.Pick(4) != 0); } },
     { false,
       [=, &views]
       {

@@ -1,5 +1,7 @@
-// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors SPDX-License-Identifier:
-// BSD-3-Clause Statistics of the last frame, and PrintSelf.
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Statistics of the last frame, and PrintSelf.
 #include "vtkTemporalCoherenceVolumeMapper.h"
 
 #include "vtkTemporalCoherenceVolumeMapperInternals.h"

@@ -23,8 +23,9 @@ namespace TemporalCoherence
 class IsomapLookup
 {
 public:
+  /// The arguments must outlive this.
   /// \param bands       for each isovalue of the key the band that holds it
-  /// \param finiteRange smallest and largest finite sample The arguments must outlive this.
+  /// \param finiteRange smallest and largest finite sample
   /// \throws std::bad_alloc
   IsomapLookup(const FrameKey& key, const std::vector<const Isomap::Band*>& bands, double tolerance,
     const glm::dvec2& finiteRange);

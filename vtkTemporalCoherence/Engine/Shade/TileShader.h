@@ -27,8 +27,9 @@ enum class HitSet : std::uint8_t
 class TileShader
 {
 public:
+  /// The key must outlive the shader.
   /// \param finiteRange smallest and largest finite sample
-  /// \param space       for the search of translucent layers The key must outlive the shader.
+  /// \param space       for the search of translucent layers
   /// \throws std::bad_alloc
   TileShader(const FrameKey& key, const glm::dvec2& finiteRange, const LeapedSpace& space,
     HitSet normalsOf, HitSet colorsOf);

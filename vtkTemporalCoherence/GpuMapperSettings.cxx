@@ -69,15 +69,15 @@ std::string WhyNotIsosurfaces(
   }
   if (volume->GetProperty()->GetTransferFunctionMode() != vtkVolumeProperty::TF_1D)
   {
-    return "transfer functions have two dimensions";
+    return "the transfer functions are two-dimensional";
   }
   if (HasShaders(volume))
   {
-    return "the volume has shaders of the user's";
+    return "the volume has user-defined shaders";
   }
   if (IsCloudy(mapper))
   {
-    return "light is scattered, or normals are those of the opacity";
+    return "light is scattered, or normals come from the opacity";
   }
   if (mapper->GetRenderToImage())
   {

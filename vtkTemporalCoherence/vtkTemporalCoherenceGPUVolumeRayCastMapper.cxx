@@ -113,7 +113,7 @@ std::string vtkTemporalCoherenceGPUVolumeRayCastMapper::WhySuperclassDraws(
   }
   if (!renderer || !volume || this->GeneratingCanonicalView)
   {
-    return "the call is no frame of a window";
+    return "the call is not for a frame in a window";
   }
   const std::string why = TemporalCoherence::WhyNotIsosurfaces(this, renderer, volume);
   if (!why.empty())

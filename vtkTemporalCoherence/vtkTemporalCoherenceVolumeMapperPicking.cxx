@@ -58,7 +58,7 @@ bool vtkTemporalCoherenceVolumeMapper::IntersectWithLine(vtkVolume* volume, cons
   if (!volume || !p1 || !p2)
   {
     this->Internal->ReportOnce(
-      "IntersectWithLine needs a volume and two ends; one of them is null.");
+      "IntersectWithLine needs a volume and two points; one of them is null.");
     return false;
   }
   const glm::dvec3 begin(p1[0], p1[1], p1[2]), end(p2[0], p2[1], p2[2]);
@@ -66,8 +66,9 @@ bool vtkTemporalCoherenceVolumeMapper::IntersectWithLine(vtkVolume* volume, cons
   if (!(length > 0.0) || !std::isfinite(length))
   {
     std::ostringstream what;
-    what << "There is no line from (" << p1[0] << ", " << p1[1] << ", " << p1[2] << ") to ("
-         << p2[0] << ", " << p2[1] << ", " << p2[2] << "); give it two finite ends that differ.";
+    what << "IntersectWithLine needs two different points with finite coordinates, got (" << p1[0]
+         << ", " << p1[1] << ", " << p1[2] << ") and (" << p2[0] << ", " << p2[1] << ", " << p2[2]
+         << ").";
     this->Internal->ReportOnce(what.str());
     return false;
   }

@@ -265,7 +265,7 @@ void TestColorWindow()
   for (const float narrow : { 0.0f, 1e-20f, -1e-6f })
   {
     Stage stage;
-    Mistake mistake(stage.Drawn, "FinalColorWindow of the mapper must not be nearer to 0");
+    Mistake mistake(stage.Drawn, "FinalColorWindow of the mapper must be at least 0.0001");
     stage.Drawn.Mapper->SetFinalColorWindow(narrow);
     mistake.ExpectRefused();
     stage.Drawn.Mapper->SetFinalColorWindow(1.0f);

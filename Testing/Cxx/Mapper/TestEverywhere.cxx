@@ -284,13 +284,13 @@ void TestWhatIsLeftToVtk()
       stage.Renderer->UseDepthPeelingOn();
       stage.Renderer->UseDepthPeelingForVolumesOn();
     });
-  ExpectLeftToVtk("shaders of the user's",
+  ExpectLeftToVtk("user-defined shaders",
     [](Stage& stage)
     {
       stage.Volume->GetShaderProperty()->AddFragmentShaderReplacement(
         "//VTK::Base::Dec", true, "//VTK::Base::Dec\n// of the user's\n", false);
     });
-  ExpectLeftToVtk("two dimensions",
+  ExpectLeftToVtk("two-dimensional",
     [](Stage& stage)
     {
       vtkNew<vtkImageData> table;
@@ -317,6 +317,20 @@ void TestWhatIsLeftToVtk()
       stage.Volume->GetProperty()->GetIsoSurfaceValues()->SetValue(
         0, std::numeric_limits<double>::quiet_NaN());
     });
+}
+
+/// The contours of the depth pass are for COMPOSITE_BLEND only, as in VTK's mapper.
+void TestDepthPass()
+{
+  Stage stage(Made<vtkGPUVolumeRayCastMapper>());
+  auto* mapper = vtkGPUVolumeRayCastMapper::SafeDownCast(stage.Mapper);
+  mapper->SetBlendModeToIsoSurface();
+  Expect(CountSeen(stage.Draw()) > 0, "depth pass off: the property's isosurface");
+  mapper->UseDepthPassOn();
+  mapper->GetDepthPassContourValues()->SetValue(0, 100.0);
+  stage.Volume->GetProperty()->GetIsoSurfaceValues()->SetNumberOfContours(0);
+  Expect(CountSeen(stage.Draw()) == 0, "depth pass on: no isosurface of its contours");
+  Expect(stage.Door()->GetDrewIsosurfaces(), "depth pass on: not left to VTK");
 }
 
 /// One line at each switch; events and errors are those of the mapper that the program knows.
@@ -451,6 +465,7 @@ int TestEverywhere(int, char*[])
   TestSwitching();
   TestReuse();
   TestWhatIsLeftToVtk();
+  TestDepthPass();
   TestWhatIsTold();
   TestTwoRenderers();
   TestPicking();

@@ -91,7 +91,7 @@ void TestUntouched()
   scene.Volume->SetProperty(property);
   Listener listener(scene);
   Expect(listener.Warns("untouched"), "untouched: no warning");
-  for (const char* word : { "isovalue 0 ", "range", "GetIsoSurfaceValues()->SetValue" })
+  for (const char* word : { "Isovalue 0 ", "range from", "GetIsoSurfaceValues()->SetValue" })
   {
     Expect(listener.Message.find(word) != std::string::npos,
       std::string("'") + word + "' is not in: " + listener.Message);
@@ -122,7 +122,7 @@ void TestOnce()
   Expect(!listener.Warns("cured"), "cured: " + listener.Message);
   scene.SetIsovalues({ 200.0, -3.0, 0.0 });
   Expect(listener.Warns("after the cure"), "after the cure: no warning");
-  Expect(listener.Message.find("3 isovalues, of -3 to 200") != std::string::npos,
+  Expect(listener.Message.find("3 isovalues (-3 to 200)") != std::string::npos,
     "all of them: " + listener.Message);
 
   // A looked-up isovalue is as good as a traced one.

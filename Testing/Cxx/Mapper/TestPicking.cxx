@@ -171,8 +171,8 @@ void TestLineArguments()
   scene.SetIsovalues({});
   Expect(!meets(outside, inside) && !observer->GetError(), "no isovalues, nothing to meet");
   scene.SetIsovalues({ 100.0 });
-  Expect(!meets(outside, outside) && says("no line"), "one point is no line");
-  Expect(!meets(bad, inside) && says("no line"), "what is not a number");
+  Expect(!meets(outside, outside) && says("two different points"), "one point is no line");
+  Expect(!meets(bad, inside) && says("two different points"), "what is not a number");
   Expect(!scene.Mapper->IntersectWithLine(nullptr, outside, inside, t, nullptr, nullptr, nullptr) &&
       says("volume"),
     "no volume");

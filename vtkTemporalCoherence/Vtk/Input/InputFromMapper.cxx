@@ -54,9 +54,9 @@ bool InputFromMapper::Find(vtkVolumeMapper* mapper, vtkVolumeProperty* property,
   if (mapper->GetBlendMode() != vtkVolumeMapper::ISOSURFACE_BLEND)
   {
     error = "Blend mode " + std::to_string(mapper->GetBlendMode()) +
-      " is not supported, only isosurfaces are; call SetBlendModeToIsoSurface(), or use "
-      "vtkGPUVolumeRayCastMapper, which draws the others, and isosurfaces by this mapper after "
-      "vtkTemporalCoherenceObjectFactory::UseEverywhere().";
+      " is not supported: this mapper draws isosurfaces only; call SetBlendModeToIsoSurface(). For "
+      "other blend modes use vtkGPUVolumeRayCastMapper. After "
+      "vtkTemporalCoherenceObjectFactory::UseEverywhere() it draws isosurfaces with this mapper.";
     return false;
   }
   try
@@ -67,9 +67,9 @@ bool InputFromMapper::Find(vtkVolumeMapper* mapper, vtkVolumeProperty* property,
   catch (const std::exception&)
   {
     error =
-      "There is not enough memory to merge blocks or for the lengths of vectors; free memory, "
-      "choose fewer blocks with vtkExtractBlock, or a component with "
-      "SetVectorModeToComponent.";
+      "There is not enough memory to merge the blocks or to compute the lengths of vectors; free "
+      "memory, choose fewer blocks with vtkExtractBlock, or draw one component with "
+      "SetVectorModeToComponent().";
     return false;
   }
 }

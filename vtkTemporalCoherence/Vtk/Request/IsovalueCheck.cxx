@@ -203,10 +203,11 @@ std::string IsovalueCheck::CheckTransparent(const DrawnVolume& drawn, const Fram
   story.IsTold = true;
   std::ostringstream what;
   what << std::setprecision(std::numeric_limits<float>::max_digits10)
-       << "The isovalue 0 has a scalar opacity of 0, so that there is no isosurface; set one above "
-       << finite.x << " and up to " << finite.y
-       << ", the range of the samples, with GetIsoSurfaceValues()->SetValue(0, isovalue) of the "
-          "volume's property, and its opacity with GetScalarOpacity()->AddPoint.";
+       << "Isovalue 0 has a scalar opacity of 0, so there is no isosurface. The samples range from "
+       << finite.x << " to " << finite.y << "; set an isovalue above " << finite.x << " and up to "
+       << finite.y
+       << " with GetIsoSurfaceValues()->SetValue(0, isovalue) of the volume's property, and its "
+          "opacity with GetScalarOpacity()->AddPoint.";
   return what.str();
 }
 
@@ -241,15 +242,15 @@ std::string IsovalueCheck::Check(const DrawnVolume& drawn, const std::vector<dou
   what << std::setprecision(std::numeric_limits<float>::max_digits10);
   if (isovalues.size() == 1)
   {
-    what << "The isovalue " << *least << " divides";
+    what << "Isovalue " << *least << " separates no samples";
   }
   else
   {
-    what << "All " << isovalues.size() << " isovalues, of " << *least << " to " << *largest
-         << ", divide";
+    what << "None of the " << isovalues.size() << " isovalues (" << *least << " to " << *largest
+         << ") separates any samples";
   }
-  what << " no samples from others: their range is " << finite.x << " to " << finite.y
-       << ". So there is no isosurface; set an isovalue above " << finite.x << " and up to "
+  what << ": they range from " << finite.x << " to " << finite.y
+       << ", so there is no isosurface; set an isovalue above " << finite.x << " and up to "
        << finite.y
        << " with GetIsoSurfaceValues()->SetValue(0, isovalue) of the volume's property.";
   return what.str();

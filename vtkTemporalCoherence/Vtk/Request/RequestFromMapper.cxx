@@ -41,9 +41,9 @@ bool SpreadColors(const PictureSettings& settings, Appearance& appearance, std::
   if (std::abs(settings.ColorWindow) < 1.0 / Allowed::ColorWindow.High)
   {
     std::ostringstream what;
-    what << "FinalColorWindow of the mapper must not be nearer to 0 than "
+    what << "The absolute value of FinalColorWindow of the mapper must be at least "
          << 1.0 / Allowed::ColorWindow.High << ", got " << settings.ColorWindow
-         << "; call SetFinalColorWindow with 1, for all colours.";
+         << "; call SetFinalColorWindow(1) to show all colours.";
     error = what.str();
     return false;
   }

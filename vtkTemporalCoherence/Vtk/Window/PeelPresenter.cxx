@@ -140,10 +140,9 @@ bool PeelPresenter::Present(const PeelingPass& pass, vtkRenderer* renderer, vtkV
     picture->Add(pass, this, ViewportOf(window).Size, frame, view);
     if (!this->OpenGL->Upload(picture->Layers()))
     {
-      error = "There are more surfaces behind one another, " +
-        std::to_string(picture->Layers().All().size()) +
-        " in all pixels together, than textures of this OpenGL can hold; make the window smaller, "
-        "or use a vtkTemporalCoherenceVolume with opaque surfaces.";
+      error = "The picture has " + std::to_string(picture->Layers().All().size()) +
+        " layers of surfaces in total, more than the textures of this OpenGL can hold; make the "
+        "window smaller, or use a vtkTemporalCoherenceVolume with opaque surfaces.";
       return false;
     }
   }

@@ -10,8 +10,9 @@
  * vtkFixedPointVolumeRayCastMapper, vtkMultiBlockVolumeMapper and vtkOpenGLGPUVolumeRayCastMapper
  * have. Newer versions of VTK have some of them in vtkGPUVolumeRayCastMapper, too.
  *
- * All settings of this header are stored and returned, but they do not change the picture. Rays are
- * intersected exactly, so that there is no distance between samples. Nothing is kept on the GPU.
+ * All settings of this header except SetSharedDepthTexture are stored and returned, but they do not
+ * change the picture. Rays are intersected exactly, so that there is no distance between samples.
+ * No volume is kept on the GPU.
  * These settings of vtkGPUVolumeRayCastMapper have no effect either: SampleDistance,
  * LockSampleDistanceToInputSpacing, UseJittering, MaxMemoryInBytes, MaxMemoryFraction,
  * ReportProgress, Transfer2DYAxisArray, GlobalIlluminationReach, VolumetricScatteringBlending,
@@ -106,9 +107,9 @@ public:
 
   //@{
   /**
-   * Set/Get the desired update rate from which vtkSmartVolumeMapper treats a frame as interactive
-   * (default: 1), and whether it then adjusts sample distances (default: on). No effect here:
-   * AutoAdjustSampleDistances alone decides.
+   * Set/Get the desired update rate at or above which vtkSmartVolumeMapper treats a frame as
+   * interactive (default: 1), and whether it then adjusts sample distances (default: on). No effect
+   * here: AutoAdjustSampleDistances alone decides.
    */
   vtkSetClampMacro(InteractiveUpdateRate, double, 1.0e-10, 1.0e10);
   vtkGetMacro(InteractiveUpdateRate, double);
@@ -150,7 +151,7 @@ public:
   /**
    * Methods of vtkOpenGLGPUVolumeRayCastMapper for textures: the partitions in which a volume is
    * loaded (default: 1, 1, 1), a depth texture that mappers share, and loading in advance. No
-   * effect here: there are no textures. PreLoadData returns true; GetDepthTexture and
+   * effect here: the volume is in no texture. PreLoadData returns true; GetDepthTexture and
    * GetColorTexture return null.
    */
   void SetPartitions(unsigned short x, unsigned short y, unsigned short z);

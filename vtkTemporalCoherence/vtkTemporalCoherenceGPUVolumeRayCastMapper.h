@@ -15,21 +15,22 @@
  * vtkOpenGLGPUVolumeRayCastMapper draws all other blend modes. It also draws isosurfaces
  * - of several inputs (vtkMultiVolume),
  * - in a renderer that peels volumes by depth (UseDepthPeelingForVolumes),
- * - with the user's own shaders (vtkShaderProperty),
+ * - with user-defined shaders (vtkShaderProperty),
  * - with two-dimensional transfer functions,
- * - with scattered light or with normals of the opacity (VTK >= 9.2),
- * - after RenderToImageOn(), because it has the textures that are asked for then,
+ * - with scattered light or with normals that come from the opacity (VTK >= 9.2),
+ * - after RenderToImageOn(), because only its textures hold that image,
  * - if vtkTemporalCoherenceVolumeMapper refuses the input or a setting.
  *
  * In the first frame of a renderer, and when the choice changes, one line in VTK's log (vtkLogger,
- * INFO) tells who draws and why. A line that equals the last one is not written again. PrintSelf
- * tells the same.
+ * INFO) says which mapper draws and why. The same line is not written twice in a row. PrintSelf
+ * says the same.
  *
  * The environment variable VTK_TEMPORAL_COHERENCE (OFF, NO, FALSE or 0) switches this off, as does
  * TemporalCoherenceOff().
  *
  * GetIsosurfaceMapper() gives access to the settings that only vtkTemporalCoherenceVolumeMapper
- * has. Settings that this class has as well are copied to it in every frame.
+ * has. Those settings of this class that affect isosurfaces are copied to it in every frame.
+ * UseDepthPass is not: VTK's mapper applies it to COMPOSITE_BLEND only.
  *
  * The events are those of vtkGPUVolumeRayCastMapper, whichever mapper draws. Observers of this
  * mapper get the errors and warnings of both.

@@ -9,7 +9,7 @@
  * surface that is seen there: the picker uses the isovalues with an opacity above 0, the surface
  * mode and the interpolation. No frame is needed. The same holds for a
  * vtkTemporalCoherenceGPUVolumeRayCastMapper whose last frame showed isosurfaces. Everything else
- * is picked as by vtkVolumePicker.
+ * is picked as vtkVolumePicker does it.
  *
  * After such a pick, PickPosition and MapperPosition lie on the surface. PickNormal and
  * MapperNormal are its normal and face the viewer. DataSet is the mapper's input. CellId, CellIJK

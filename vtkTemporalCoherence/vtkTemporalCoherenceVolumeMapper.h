@@ -10,8 +10,8 @@
  * vtkVolumeProperty::GetIsoSurfaceValues(). The property's transfer functions give each surface its
  * colour and opacity. It keeps the last frames of each viewer and does only what a change requires.
  *
- * Documentation/Mapper.md has an example, the words that are used here (such as voxel), and the
- * details of all settings. The image cache and the isomap are those of "Accelerating Volume
+ * Documentation/Mapper.md has an example and the details of all settings. It defines the terms that
+ * are used here (such as voxel). The image cache and the isomap are those of "Accelerating Volume
  * Visualization by Exploiting Temporal Coherence".
  *
  * @sa vtkTemporalCoherenceDropInMapper vtkTemporalCoherenceVolume vtkTemporalCoherencePicker
@@ -106,8 +106,7 @@ public:
    * byte. BOUNDED (default): at most 0.01 % of the pixels differ from the cold picture in the
    * median frame, and at most 0.05 % in any frame. A pixel differs if only one picture shows a
    * surface there, or if the surfaces are more than a voxel (the shortest edge of a cell) apart.
-   * RefineWhenStill (default: on) makes the next frame of the same view cold, once, if the last
-   * picture is not exact.
+   * RefineWhenStill (default: on) makes the next frame of the same view exact if this one is not.
    */
   vtkSetClampMacro(ReuseAccuracy, int, BOUNDED, PAPER);
   vtkGetMacro(ReuseAccuracy, int);
@@ -124,11 +123,11 @@ public:
    * up. Without it, the last hits bound the search for the new isovalue. The picture is the same.
    *
    * - IsomapTolerance: the largest distance between a surface that is looked up and the exact one,
-   *   in voxels. Default: 0, the cold picture byte for byte. Below 0.001 is 0. NaN is an error.
-   * - IsomapRange: the isovalues for which it is built at once. Default: none (lo > hi); it is then
-   *   built in bands around the present isovalues.
-   * - IsomapMemoryLimit: its memory for each viewer, in MiB. Default: 256. The bands that were used
-   *   least are dropped, with one warning. 0 switches it off.
+   *   in voxels (finite). Default: 0, the cold picture byte for byte. Below 0.001 it counts as 0.
+   * - IsomapRange: the isovalues for which it is built at once. Default: none (lo > hi). Bands
+   *   around the present isovalues are then built as needed.
+   * - IsomapMemoryLimit: its memory for each viewer, in MiB. Default: 256. The least recently used
+   *   bands are dropped, with one warning. 0 switches it off.
    */
   vtkSetMacro(Isomap, vtkTypeBool);
   vtkGetMacro(Isomap, vtkTypeBool);
@@ -153,7 +152,7 @@ public:
   //@}
 
   //@{
-  /** Warn once if nothing is seen because no isovalue has samples on both sides. Default: on. */
+  /** Warn once if all samples lie on one side of each isovalue: nothing is seen. Default: on. */
   vtkSetClampMacro(WarnOfIsovalues, vtkTypeBool, 0, 1);
   vtkGetMacro(WarnOfIsovalues, vtkTypeBool);
   vtkBooleanMacro(WarnOfIsovalues, vtkTypeBool);
@@ -161,8 +160,8 @@ public:
 
   /**
    * Build the isomap of the present view before a new isovalue needs it. The size of the picture is
-   * that of the renderer's window or, without a window, that of the last frame. The last frame
-   * stays. Documentation/Mapper.md tells how to observe and to stop it.
+   * that of the renderer's window or, without a window, that of the last frame. The last frame is
+   * kept. Documentation/Mapper.md tells how to observe and to stop it.
    * @return true if there is an isomap for the present isovalues afterwards
    */
   bool BuildIsomap(vtkRenderer* renderer, vtkVolume* volume);
@@ -170,7 +169,7 @@ public:
   /** Free all pictures and structures that are kept. The next frame is cold. */
   void ReleaseReuse();
 
-  /** The point arrays of a frame, as bits. In brackets: what they hold where nothing is hit. */
+  /** Bits that select point arrays of a frame. In parentheses: where there is no surface. */
   enum FrameArrays
   {
     FRAME_COLOR = 1,          ///< Color: unsigned char RGBA, multiplied by alpha (0)
@@ -198,9 +197,9 @@ public:
   //@}
 
   /**
-   * Get the last frame, which was made for a window or an image.
+   * Get the last frame, whether it was made for a window or for an image.
    * @param frame  gets these point arrays and nothing else
-   * @param arrays a sum of FrameArrays, or FRAME_ALL (default)
+   * @param arrays a sum of FrameArrays, FRAME_ALL (default), or 0, which sets the size only
    * @return false if there is no frame, or after an error. The image is then unchanged.
    */
   bool GetLastFrame(vtkImageData* frame, int arrays = FRAME_ALL);
@@ -230,7 +229,7 @@ public:
 
   /**
    * Find the first surface on the line from p1 to p2 in world coordinates. No frame is needed, and
-   * the last frame stays. The line begins at p1 as a ray does at the near plane.
+   * the last frame is kept. The line begins at p1 as a ray does at the near plane.
    * @param t gets the share of the way from p1 to p2 at which the surface is met, 0 to 1. The other
    *          results are as in PickPixel(); the normal faces p1.
    * @return false if there is no surface, or after an error. Nothing is written then.
@@ -248,7 +247,7 @@ public:
     ROUTE_ISOMAP_BUILD,   ///< the same, after a band of the isomap was built
     ROUTE_THRESHOLD_HINT, ///< without an isomap: last hits bound the search for a new isovalue
     ROUTE_IMAGE_CACHE,    ///< the view changed: rays start from what a cached image shows
-    ROUTE_TIME_STEP       ///< samples changed: what shows no changed sample is copied
+    ROUTE_TIME_STEP       ///< samples changed: pixels that no changed sample affects are copied
   };
 
   //@{
@@ -263,7 +262,8 @@ public:
   //@{
   /**
    * Get counters and times (in seconds) of the last frame, and the memory (in bytes) and the knots
-   * of its isomap. FrameTime includes the other times. Documentation/Mapper.md explains them all.
+   * of its isomap. FrameTime includes the other times. After BuildIsomap(), IsomapBuildTime is its
+   * own time. Documentation/Mapper.md explains them all.
    */
   vtkIdType GetNumberOfRays();
   vtkIdType GetNumberOfDefiniteHits();
@@ -288,8 +288,8 @@ public:
   //@}
 
   /**
-   * Return true if all that this mapper shows of the volume is opaque: no isovalue has a scalar
-   * opacity between 0 and 1, and there is no gradient opacity.
+   * Return true if everything that this mapper draws of the volume is opaque: no isovalue has a
+   * scalar opacity between 0 and 1, and there is no gradient opacity.
    */
   bool IsOpaque(vtkVolume* volume);
 
@@ -350,9 +350,9 @@ public:
 
   //@{
   /**
-   * ColorByAnswer (default: off) paints surfaces yellow that the image cache did not help to find.
-   * It affects frames of the route ImageCache only. SpaceLeaping (default: on) skips blocks of
-   * cells that hold none of the isovalues. Without it, a ray reads every cell on its way.
+   * ColorByAnswer (default: off) paints those surfaces yellow that the image cache did not help to
+   * find. It affects frames of the route ImageCache only. SpaceLeaping (default: on) skips blocks
+   * of cells that hold none of the isovalues. Without it, a ray reads every cell on its way.
    */
   vtkSetMacro(ColorByAnswer, vtkTypeBool);
   vtkGetMacro(ColorByAnswer, vtkTypeBool);

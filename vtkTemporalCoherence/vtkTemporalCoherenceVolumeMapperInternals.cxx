@@ -124,11 +124,18 @@ bool vtkTemporalCoherenceVolumeMapper::Internals::RenderToImages(vtkRenderer* re
       " pixels is empty; give a width and a height of at least 1.");
     return false;
   }
+  if (color && color == depth)
+  {
+    this->ReportOnce("RenderToImage got one image for colors and depths; give it two, or call "
+                     "RenderToImage with a frame.");
+    return false;
+  }
+  // A request to stop counts while the input is updated, too.
+  this->Self->SetAbortExecute(0);
   if (this->Self->GetNumberOfInputConnections(0) > 0)
   {
     this->Self->Update();
   }
-  this->Self->SetAbortExecute(0);
   this->TellStart();
   bool isMade = this->RenderFrame(
     renderer, volume, width, height, static_cast<double>(width) / height, nullptr);
@@ -143,7 +150,8 @@ bool vtkTemporalCoherenceVolumeMapper::Internals::RenderToImages(vtkRenderer* re
     this->Frames.WriteImages(
       { { color, FRAME_COLOR }, { depth, FRAME_DEPTH }, { frame, FRAME_ALL } }, error);
   this->ReportOnce(error);
-  this->Self->InvokeEvent(vtkCommand::VolumeMapperRenderEndEvent, &isMade);
+  bool isDone = isWritten;
+  this->Self->InvokeEvent(vtkCommand::VolumeMapperRenderEndEvent, &isDone);
   return isWritten;
 }
 
@@ -168,8 +176,8 @@ bool vtkTemporalCoherenceVolumeMapper::Internals::IsBusy(const char* method)
   if (this->IsMaking)
   {
     this->ReportOnce(std::string(method) +
-      " was called by an observer while a frame or an isomap " +
-      "is being made; call it after VolumeMapperRenderEndEvent or BuildIsomap.");
+      " must not be called while a frame or an isomap is being made; call it after "
+      "VolumeMapperRenderEndEvent, or after BuildIsomap has returned.");
   }
   return this->IsMaking;
 }
@@ -207,10 +215,10 @@ void vtkTemporalCoherenceVolumeMapper::Internals::WarnOfIsomapLimit(bool isTooLa
   }
   this->HasWarned = true;
   vtkWarningWithObjectMacro(this->Self,
-    "The isomap of this view does not fit IsomapMemoryLimit ("
+    "The isomap of this view does not fit into IsomapMemoryLimit ("
       << this->Self->IsomapMemoryLimit
-      << " MiB): what was used least is built again when it is needed. Raise the limit, or set a "
-         "narrower IsomapRange or a larger IsomapTolerance.");
+      << " MiB). Its least recently used bands are dropped, and built again when they are needed. "
+         "Raise the limit, or set a narrower IsomapRange or a larger IsomapTolerance.");
 }
 
 //------------------------------------------------------------------------------

@@ -57,6 +57,10 @@ void vtkTemporalCoherenceVolumeMapper::GetDepthImage(vtkImageData* image)
 bool vtkTemporalCoherenceVolumeMapper::GetVisibleSurface(vtkPolyData* points)
 {
   std::string error;
+  if (!points)
+  {
+    error = "GetVisibleSurface got null for the points; give it a vtkPolyData.";
+  }
   const bool isThere = points && this->Internal->Frames.WriteSurface(points, error);
   this->Internal->ReportOnce(error);
   return isThere;

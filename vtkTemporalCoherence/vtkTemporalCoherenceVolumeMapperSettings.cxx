@@ -17,7 +17,8 @@ template <typename T>
 void vtkTemporalCoherenceVolumeMapper::Internals::SetWithin(
   const char* name, T value, double low, double high, T& setting)
 {
-  if (std::isnan(value))
+  // A distance beyond its range is moved to its end. A tolerance has no end.
+  if (std::isnan(value) || (std::isinf(value) && !(high < VTK_DOUBLE_MAX)))
   {
     std::ostringstream what;
     what << name << " must be a finite number";
@@ -29,7 +30,7 @@ void vtkTemporalCoherenceVolumeMapper::Internals::SetWithin(
     {
       what << " >= " << low;
     }
-    what << ", got nan; it stays " << setting << '.';
+    what << ", got " << value << "; it stays " << setting << '.';
     this->ReportOnce(what.str());
     return;
   }

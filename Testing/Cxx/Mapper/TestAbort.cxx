@@ -339,7 +339,7 @@ void TestBusy()
         Expect(!isDone, name + ": refused");
       }
       Expect(observer->GetError() &&
-          observer->GetErrorMessage().find(name + " was called") != std::string::npos,
+          observer->GetErrorMessage().find(name + " must not be called") != std::string::npos,
         name + ": said so");
       ColdWitness witness;
       Expect(stage.Render(Size, Size) && witness.Draw(stage) && witness.CountDifferent(stage) < 10,

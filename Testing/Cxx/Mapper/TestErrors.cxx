@@ -258,6 +258,16 @@ void TestNullArguments()
         std::string::npos,
     "no image for a frame");
   observer->Clear();
+  Expect(!scene.Mapper->RenderToImage(scene.Renderer, scene.Volume, 9, 9, frame, frame) &&
+      observer->GetErrorMessage().find("RenderToImage got one image for colors and depths; give") !=
+        std::string::npos,
+    "one image for two");
+  observer->Clear();
+  Expect(!scene.Mapper->GetVisibleSurface(nullptr) &&
+      observer->GetErrorMessage().find("GetVisibleSurface got null for the points; give") !=
+        std::string::npos,
+    "no points");
+  observer->Clear();
   Expect(!scene.Mapper->GetLastFrame(nullptr) &&
       observer->GetErrorMessage().find("GetLastFrame got null for the frame; give") !=
         std::string::npos,
@@ -384,6 +394,11 @@ void TestSettings()
   scene.Mapper->SetIsomapTolerance(0.5);
   scene.Mapper->SetIsomapTolerance(nan);
   expectRefused("IsomapTolerance", ">= 0");
+  scene.Mapper->SetIsomapTolerance(std::numeric_limits<double>::infinity());
+  Expect(observer->GetErrorMessage().find(
+           "IsomapTolerance must be a finite number >= 0, got inf") != std::string::npos,
+    "an infinite tolerance");
+  observer->Clear();
   Expect(scene.Mapper->GetIsomapTolerance() == 0.5, "the tolerance stays");
   scene.Mapper->SetImageSampleDistance(200.0f);
   scene.Mapper->SetImageSampleDistance(static_cast<float>(nan));

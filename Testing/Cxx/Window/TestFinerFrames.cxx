@@ -394,7 +394,7 @@ void TestLimit()
   Expect(ask(0.5) == 2 * window && warning.empty(), "as many as asked for");
   const glm::ivec2 most = ask(0.1);
   Expect(std::abs(most.x * 1.0 * most.y - MostRays) < 0.01 * MostRays &&
-      warning.find("ImageSampleDistance of 0.1 asks for 2e+08 rays") != std::string::npos &&
+      warning.find("ImageSampleDistance 0.1 needs 200000000 rays") != std::string::npos &&
       warning.find("SetImageSampleDistance") != std::string::npos,
     "the most: " + warning);
   Expect(ask(0.1) == most && warning.empty(), "told once");

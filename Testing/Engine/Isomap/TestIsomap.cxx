@@ -169,7 +169,9 @@ TEST_F(IsomapTest, IsTheColdPictureForAnyIsovalue)
 }
 
 /// Where hidden cells interrupt rays, isovalues are not met in their order.
-TEST_F(IsomapTest, HiddenCellsOfImagesAndGrids)
+/// Also where cropping leaves several pieces of a ray: it may enter active cells in one of them,
+/// and begin inside a solid in the next.
+TEST_F(IsomapTest, HiddenCellsAndPiecesOfImagesAndGrids)
 {
   Grid<std::uint8_t> bytes(glm::ivec3(40, 34, 30));
   bytes.Fill(Waves);
@@ -194,6 +196,10 @@ TEST_F(IsomapTest, HiddenCellsOfImagesAndGrids)
           {
             key.Samples.Kind = RectilinearKind(Stretched(key.Samples.Dimensions, 5.0, 7));
           }
+          key.Region.Crops = { { { 5.5, 12.25 }, { 6.0, 14.5 }, { 7.25, 13.0 } } };
+          key.Region.Boxes = 0x5d75f77u;
+          this->Sweep(key, 20.0, 220.0);
+          key.Region = {};
           this->Sweep(key, 20.0, 220.0);
           this->Show(key, { 120.0, 90.0 });
           this->Show(key, { 119.0, 90.0 });

@@ -121,7 +121,11 @@ public:
   ValueBand GapAround(double isovalue) const;
 
   /// Drop bands until they take at most this many bytes.
-  void Trim(std::size_t limit) { this->MakeRoom(0, limit); }
+  void Trim(std::size_t limit)
+  {
+    this->MakeRoom(0, limit);
+    this->Dropped &= limit > 0; // without a limit nobody wants an isomap
+  }
 
   /// The band that holds an isovalue, or null. Marks the band as used.
   const Band* Use(double isovalue);

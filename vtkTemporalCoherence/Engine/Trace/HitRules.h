@@ -81,10 +81,14 @@ public:
     if (IsInFrontOfHit(cap, hits, ray, this->Isosurfaces.Isovalues))
     {
       hits.Depth[ray] = begin;
-      hits.FirstEntry[ray] = begin;
-      hits.FromInside[ray] = 0;
       hits.Surface[ray] = surface;
       hits.Kind[ray] = HitKind::Cap;
+      // An earlier piece of the ray may have entered an active cell.
+      if (begin <= hits.FirstEntry[ray])
+      {
+        hits.FirstEntry[ray] = begin;
+        hits.FromInside[ray] = 0;
+      }
     }
   }
 

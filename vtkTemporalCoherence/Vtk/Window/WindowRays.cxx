@@ -27,20 +27,22 @@ glm::ivec2 WindowRays::For(
   {
     const glm::dvec2 rays = glm::dvec2(pixels) / asked;
     std::ostringstream what;
-    what << "An ImageSampleDistance of " << asked << " asks for " << rays.x * rays.y
-         << " rays in a window of " << pixels.x << " x " << pixels.y << " pixels, more than the "
-         << MostRays << " that a frame may have; it is drawn with a distance of " << distance
-         << ". Call SetImageSampleDistance with that or more, or make the window smaller.";
+    what << "ImageSampleDistance " << asked << " needs "
+         << static_cast<std::int64_t>(rays.x * rays.y) << " rays in a window of " << pixels.x
+         << " x " << pixels.y << " pixels, but a frame has at most "
+         << static_cast<std::int64_t>(MostRays) << "; the frame is drawn with " << distance
+         << ". Call SetImageSampleDistance with at least that, or make the window smaller.";
     told = what.str();
   }
   if (asked != this->LastAsked)
   {
-    this->Warnings.clear();
+    this->HasWarned = false;
     this->LastAsked = asked;
   }
-  if (!told.empty() && this->Warnings.insert(told).second)
+  if (!told.empty() && !this->HasWarned)
   {
     warning = told;
+    this->HasWarned = true;
   }
   return RaysFor(pixels, distance);
 }

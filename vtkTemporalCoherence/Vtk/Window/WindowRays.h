@@ -6,7 +6,6 @@
 #include "Render/SampleDistance.h"
 #include "vtkTemporalCoherenceCompatibility.h"
 
-#include <set>
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -21,13 +20,13 @@ class WindowRays
 {
 public:
   /// \param asked   distance between rays in pixels, as set
-  /// \param warning gets the message that these are too many rays: once for each size of a window,
-  ///                until another distance is set
+  /// \param warning gets the message that these are too many rays: once until
+  ///                another distance is set
   glm::ivec2 For(const glm::ivec2& pixels, double asked, vtkVolume* volume, std::string& warning);
 
 private:
   double LastAsked = 1.0;
-  std::set<std::string> Warnings; ///< given for this distance; several windows may share a mapper
+  bool HasWarned = false; ///< of this distance; several windows may share a mapper
 };
 
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fields/UniformTracer.h"
 
+#include "Fields/UniformBeam.h"
 #include "Fields/UniformCells.h"
 #include "Trace/CellTracer.h"
 #include "Trace/KernelsCrossing.h"
@@ -29,6 +30,8 @@ public:
     : Base(scene, {})
     , IsLarge(scene.Samples.IsLarge())
     , AreCellsActive(scene.Active && scene.Sought.Isovalues.size() == 1)
+    , TakesBeams(CanTakeBeams(scene) && getenv("NOBEAM")==nullptr)
+    , BeamUnit(TakesBeams ? UniformBeam<T>::UnitFor(scene) : 1.0)
   {
   }
 
@@ -86,6 +89,12 @@ private:
     RayBatch::Array<std::int16_t> Surface;
   };
 
+  static bool CanTakeBeams(const TraceScene& scene)
+  {
+    return scene.By != Traversal::Walks && scene.Active && scene.Sought.Isovalues.size() == 1 &&
+      !scene.Samples.Hidden && CellNumbers(scene.Samples.Dimensions).HasAll();
+  }
+
   std::uint64_t CellsOf(std::int64_t node, const glm::ivec3& cell) const override
   {
     return this->Cells.Scene.Active->CellsOf(this->Cells.Samples.All(), node, cell);
@@ -100,6 +109,14 @@ private:
     {
       const bool isWanted = rays.HasWalk(ray) && hits.Kind[ray] == HitKind::None;
       wanted |= static_cast<std::uint64_t>(isWanted) << ray;
+    }
+    if constexpr (Between == Interpolation::Linear)
+    {
+      if (this->TakesBeams && wanted != 0 &&
+        UniformBeam<T>(this->Cells, this->BeamUnit, rays, hits).Trace(wanted))
+      {
+        return;
+      }
     }
     RayWalks walks(rays, wanted);
     PassageBatch<Real> passages;
@@ -373,6 +390,8 @@ private:
 
   bool IsLarge;
   bool AreCellsActive; ///< the one isovalue passes through every cell that is visited
+  bool TakesBeams;
+  double BeamUnit;
 };
 
 }

@@ -16,6 +16,14 @@
 namespace TemporalCoherence
 {
 
+/// How the rays of a tile go through active cells. The hits are the same.
+enum class Traversal : std::uint8_t
+{
+  Fastest,
+  Walks, ///< each ray goes from cell to cell
+  Beams  ///< all go together where the kind of field can do it
+};
+
 /// What rays are traced through.
 struct TraceScene
 {
@@ -23,6 +31,7 @@ struct TraceScene
   Surfaces Sought;
   glm::dvec2 FiniteRange{ 0.0 };       ///< smallest and largest finite sample
   const ActiveCells* Active = nullptr; ///< null: no space leaping, every cell on the way is read
+  Traversal By = Traversal::Fastest;
 };
 
 /// One cell for each of some rays of a batch.

@@ -1,0 +1,453 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Fields/KernelsBeam.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+
+// This file is compiled once for each kind of vectors, and what runs is chosen by the machine.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "Fields/KernelsBeam.cxx"
+#include <hwy/foreach_target.h>
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace TemporalCoherence
+{
+namespace BeamKernels
+{
+namespace HWY_NAMESPACE
+{
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Floats = hn::CappedTag<float, WidestVector>;
+using Numbers = hn::RebindToUnsigned<Floats>;
+using V = hn::Vec<Floats>;
+using M = hn::Mask<Floats>;
+
+HWY_INLINE V Load(const float* from)
+{
+  return hn::LoadU(Floats(), from);
+}
+
+HWY_INLINE V Set(float value)
+{
+  return hn::Set(Floats(), value);
+}
+
+/// One bit for each lane.
+HWY_INLINE std::uint64_t BitsOf(M mask)
+{
+  std::uint8_t bits[8] = { 0 };
+  hn::StoreMaskBits(Floats(), mask, bits);
+  return static_cast<std::uint64_t>(bits[0]) | static_cast<std::uint64_t>(bits[1]) << 8;
+}
+
+/// The bits of a block's children in the order in which a beam meets them: bit i becomes i ^ flip.
+HWY_INLINE std::uint64_t FlipBits(std::uint64_t word, int flip)
+{
+  if (flip & 3)
+  {
+    word = (word & 0x5555555555555555u) << 1 | (word >> 1 & 0x5555555555555555u);
+    word = (word & 0x3333333333333333u) << 2 | (word >> 2 & 0x3333333333333333u);
+  }
+  if (flip & 12)
+  {
+    word = (word & 0x0f0f0f0f0f0f0f0fu) << 4 | (word >> 4 & 0x0f0f0f0f0f0f0f0fu);
+    word = (word & 0x00ff00ff00ff00ffu) << 8 | (word >> 8 & 0x00ff00ff00ff00ffu);
+  }
+  if (flip & 48)
+  {
+    word = (word & 0x0000ffff0000ffffu) << 16 | (word >> 16 & 0x0000ffff0000ffffu);
+    word = word << 32 | word >> 32;
+  }
+  return word;
+}
+
+/// The trilinear interpolant of a cell, by differences along x.
+struct CellValues
+{
+  HWY_INLINE void Set(const std::array<float, 8>& corners)
+  {
+    float largest = 0.0f;
+    for (std::size_t row = 0; row < 4; ++row)
+    {
+      const float low = corners[2 * row], high = corners[2 * row + 1];
+      this->Low[row] = low;
+      this->Step[row] = high - low;
+      largest = std::max(largest, std::max(std::abs(low), std::abs(high)));
+    }
+    this->Largest = largest;
+  }
+
+  float Low[4], Step[4];
+  float Largest;
+};
+
+/// Bernstein coefficients, of which the smallest and largest bound the cubic.
+struct Coefficients
+{
+  V First, Last, Smallest, Largest;
+};
+
+/// The cubic along paths from `at` on, in cell coordinates.
+HWY_INLINE Coefficients CubicsAlong(const CellValues& cell, const V at[3], const V step[3])
+{
+  // Powers of the share of the path: linear along x, quadratic along x and y, then cubic.
+  V line0[4], line1[4], square0[2], square1[2], square2[2];
+  for (std::size_t row = 0; row < 4; ++row)
+  {
+    const V slope = Set(cell.Step[row]);
+    line0[row] = hn::Add(Set(cell.Low[row]), hn::Mul(slope, at[0]));
+    line1[row] = hn::Mul(slope, step[0]);
+  }
+  for (std::size_t z = 0; z < 2; ++z)
+  {
+    const V rise0 = hn::Sub(line0[2 * z + 1], line0[2 * z]);
+    const V rise1 = hn::Sub(line1[2 * z + 1], line1[2 * z]);
+    square0[z] = hn::Add(line0[2 * z], hn::Mul(at[1], rise0));
+    square1[z] =
+      hn::Add(hn::Add(line1[2 * z], hn::Mul(at[1], rise1)), hn::Mul(step[1], rise0));
+    square2[z] = hn::Mul(step[1], rise1);
+  }
+  const V rise0 = hn::Sub(square0[1], square0[0]), rise1 = hn::Sub(square1[1], square1[0]);
+  const V rise2 = hn::Sub(square2[1], square2[0]);
+  const V c0 = hn::Add(square0[0], hn::Mul(at[2], rise0));
+  const V c1 = hn::Add(hn::Add(square1[0], hn::Mul(at[2], rise1)), hn::Mul(step[2], rise0));
+  const V c2 = hn::Add(hn::Add(square2[0], hn::Mul(at[2], rise2)), hn::Mul(step[2], rise1));
+  const V c3 = hn::Mul(step[2], rise2);
+
+  const V third = Set(1.0f / 3.0f);
+  const V b1 = hn::Add(c0, hn::Mul(c1, third));
+  const V b2 = hn::Add(b1, hn::Mul(hn::Add(c1, c2), third));
+  const V b3 = hn::Add(hn::Add(c0, c1), hn::Add(c2, c3));
+  return { c0, b3, hn::Min(hn::Min(c0, b1), hn::Min(b2, b3)),
+    hn::Max(hn::Max(c0, b1), hn::Max(b2, b3)) };
+}
+
+/// Distances between which rays are in a box.
+struct Interval
+{
+  V Enter, Leave;
+};
+
+class BeamSearch
+{
+public:
+  BeamSearch(const BeamTask& task, BeamScene& scene, TileBeam& beam)
+    : Task(task)
+    , Scene(scene)
+    , Beam(beam)
+  {
+  }
+
+  void Search()
+  {
+    const std::vector<ActiveCells::Level>& levels = this->Task.Active.LevelsAbove();
+    this->VisitLevel(levels.size() - 1, glm::ivec3(0));
+    if (this->Open.Count > 0)
+    {
+      this->Scene.Decide(this->Open, this->Beam);
+    }
+  }
+
+private:
+  /// The children of a block that the beam may meet something in.
+  /// \param first cell of the block, and cells along an edge of a child
+  HWY_INLINE std::uint64_t CullChildren(const glm::ivec3& first, int size) const
+  {
+    const TileBeam& beam = this->Beam;
+    const glm::vec3 corner(first - beam.Anchor);
+    const float perSize = 1.0f / static_cast<float>(size);
+    V least[4];
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      const TileBeam::Plane& plane = beam.Hull[i];
+      least[i] = Set((plane.Offset - glm::dot(plane.Normal, corner)) * perSize - plane.Reach);
+    }
+    const V farthest =
+      Set((beam.Depth - glm::dot(beam.Forward, corner)) * perSize - beam.Nearest);
+    std::uint64_t kept = 0;
+    for (std::size_t i = 0; i < 64; i += hn::Lanes(Floats()))
+    {
+      M isKept = hn::Lt(Load(&beam.ChildDepths[i]), farthest);
+      for (std::size_t plane = 0; plane < 4; ++plane)
+      {
+        isKept = hn::And(isKept, hn::Ge(Load(&beam.Hull[plane].Children[i]), least[plane]));
+      }
+      kept |= BitsOf(isKept) << i;
+    }
+    return kept;
+  }
+
+  /// Call visit(place) for each child of a block whose bit is set, as it lies in the block, from
+  /// front to back.
+  template <typename Visit>
+  HWY_INLINE void VisitChildren(
+    std::uint64_t word, const glm::ivec3& first, int size, const Visit& visit)
+  {
+    const TileBeam& beam = this->Beam;
+    word &= this->CullChildren(first, size);
+    word = FlipBits(word, beam.Flip);
+    const float atFirst =
+      glm::dot(beam.Forward, glm::vec3(first - beam.Anchor)) + static_cast<float>(size) * beam.Nearest;
+    while (word != 0)
+    {
+      const auto child =
+        static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(word)) ^ beam.Flip;
+      word &= word - 1;
+      const float depth =
+        atFirst + static_cast<float>(size) * beam.ChildDepths[static_cast<std::size_t>(child)];
+      if (depth < beam.Depth)
+      {
+        visit(glm::ivec3(child & 3, child >> 2 & 3, child >> 4));
+      }
+    }
+  }
+
+  void VisitLevel(std::size_t level, const glm::ivec3& block)
+  {
+    const std::vector<ActiveCells::Level>& levels = this->Task.Active.LevelsAbove();
+    const int bits = ActiveCells::NodeBits + 2 * static_cast<int>(level);
+    this->VisitChildren(levels[level].WordOf(block), block << (bits + 2), 1 << bits,
+      [&](const glm::ivec3& child) HWY_ATTR
+      {
+        if (level > 0)
+        {
+          this->VisitLevel(level - 1, 4 * block + child);
+        }
+        else
+        {
+          this->VisitNode(4 * block + child);
+        }
+      });
+  }
+
+  void VisitNode(const glm::ivec3& place)
+  {
+    const ActiveCells& active = this->Task.Active;
+    const glm::ivec3 first = ActiveCells::NodeSize * place;
+    const std::int64_t node = active.NodeOf(first);
+    const std::uint64_t* const words = active.Nodes() + 2 * node;
+    this->VisitChildren(words[0], first, ActiveCells::LeafSize,
+      [&](const glm::ivec3& child) HWY_ATTR
+      {
+        const glm::ivec3 leaf = first + ActiveCells::LeafSize * child;
+        std::uint64_t cells = active.Cells()[words[1] + static_cast<std::size_t>(ActiveCells::LeafOf(leaf))]
+                                .load(std::memory_order_relaxed);
+        if (cells == 0)
+        {
+          cells = this->Scene.CellsOf(node, leaf);
+        }
+        this->VisitChildren(cells, leaf, 1,
+          [&](const glm::ivec3& cell) HWY_ATTR { this->TestCell(leaf + cell); });
+      });
+  }
+
+  /// Where a vector of rays passes a box whose faces are moved outwards by `margin`.
+  HWY_INLINE Interval Pass(const float first[3], float margin, std::size_t i) const
+  {
+    const TileBeam& beam = this->Beam;
+    Interval passed{ Load(&beam.Begin[i]), Load(&beam.End[i]) };
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      const V origin = Load(&beam.Origin[a][i]), inverse = Load(&beam.Inverse[a][i]);
+      const V low = hn::Mul(hn::Sub(Set(first[a] - margin), origin), inverse);
+      const V high = hn::Mul(hn::Sub(Set(first[a] + 1.0f + margin), origin), inverse);
+      passed.Enter = hn::Max(passed.Enter, hn::Min(low, high));
+      passed.Leave = hn::Min(passed.Leave, hn::Max(low, high));
+    }
+    return passed;
+  }
+
+  /// Find the rays that pass a cell before what they are known to meet, and search it for them.
+  void TestCell(const glm::ivec3& cell)
+  {
+    TileBeam& beam = this->Beam;
+    const float margin = beam.Margin;
+    const float first[3] = { static_cast<float>(cell.x - beam.Anchor.x),
+      static_cast<float>(cell.y - beam.Anchor.y), static_cast<float>(cell.z - beam.Anchor.z) };
+    const std::uint32_t number = this->Task.Numbers.Of(cell);
+    bool isRead = false, isMet = false;
+    CellValues values;
+    for (std::size_t i = 0; i < beam.Count; i += hn::Lanes(Floats()))
+    {
+      const Interval passed = this->Pass(first, margin, i);
+      const V behind = Load(&beam.Behind[i]);
+      const M isPassed = hn::And(hn::Lt(passed.Enter, hn::Min(passed.Leave, behind)),
+        hn::Gt(passed.Leave, Load(&beam.WalkBegin[i])));
+      if (hn::AllFalse(Floats(), isPassed))
+      {
+        continue;
+      }
+      if (!isRead)
+      {
+        std::array<float, 8> corners;
+        this->Scene.ReadCorners(cell, corners);
+        values.Set(corners);
+        isRead = true;
+      }
+      this->KeepContacts(passed.Enter, isPassed, number, i);
+      isMet |= this->SearchCell(values, first, passed, isPassed, number, i);
+    }
+    if (isMet)
+    {
+      this->FindDepth();
+    }
+  }
+
+  HWY_INLINE void KeepContacts(V enter, M isPassed, std::uint32_t number, std::size_t i)
+  {
+    TileBeam& beam = this->Beam;
+    const Floats d;
+    const Numbers du;
+    const V contact = Load(&beam.Contact[i]), next = Load(&beam.NextContact[i]);
+    const V here = hn::IfThenElse(isPassed, enter, Set(1e30f));
+    const M isFirst = hn::Lt(here, contact);
+    const auto before = hn::LoadU(du, &beam.ContactCell[i]);
+    hn::StoreU(hn::Min(here, contact), d, &beam.Contact[i]);
+    hn::StoreU(hn::Min(next, hn::Max(here, contact)), d, &beam.NextContact[i]);
+    hn::StoreU(hn::IfThenElse(hn::RebindMask(du, isFirst), hn::Set(du, number), before), du,
+      &beam.ContactCell[i]);
+    beam.CellsPassed += static_cast<std::int64_t>(hn::CountTrue(d, isPassed));
+  }
+
+  /// Search a cell for some rays.
+  /// \return true if one of them meets a surface in it for sure
+  HWY_INLINE bool SearchCell(const CellValues& values, const float first[3],
+    const Interval& passed, M isPassed, std::uint32_t number, std::size_t i)
+  {
+    const TileBeam& beam = this->Beam;
+    const V zero = hn::Zero(Floats());
+    const V enter = hn::IfThenElse(isPassed, passed.Enter, zero);
+    const V leave = hn::IfThenElse(isPassed, passed.Leave, zero);
+    const V length = hn::Sub(leave, enter);
+    V at[3], step[3];
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      const V direction = Load(&beam.Direction[a][i]);
+      const V origin = hn::Sub(Load(&beam.Origin[a][i]), Set(first[a]));
+      at[a] = hn::Add(origin, hn::Mul(enter, direction));
+      step[a] = hn::Mul(length, direction);
+    }
+    const Coefficients b = CubicsAlong(values, at, step);
+    const float error = values.Largest * (16.0f * beam.Margin + 0x1p-13f) + 1e-30f;
+    const M isBelow = hn::Lt(b.Largest, Set(-error));
+    const M isAbove =
+      this->Task.IsSolid ? hn::Lt(zero, zero) : hn::Gt(b.Smallest, Set(error));
+    const M isOpen = hn::AndNot(hn::Or(isBelow, isAbove), isPassed);
+    if (hn::AllFalse(Floats(), isOpen))
+    {
+      return false;
+    }
+    return this->KeepCell(b, values.Largest, error, first, { enter, leave }, isOpen, number, i);
+  }
+
+  /// Keep a cell that rays may meet a surface in.
+  HWY_NOINLINE bool KeepCell(const Coefficients& b, float largest, float error,
+    const float first[3], const Interval& searched, M isOpen, std::uint32_t number,
+    std::size_t i)
+  {
+    TileBeam& beam = this->Beam;
+    const Floats d;
+    const Numbers du;
+    const V margin = Set(2.0f * beam.Margin), most = Set(error), per = Set(2.25f * beam.Steepest * largest);
+    // The ray enters and leaves between these and those that were searched.
+    Interval sure = this->Pass(first, -beam.Margin, i);
+    sure.Enter = hn::Max(sure.Enter, hn::Add(Load(&beam.Begin[i]), margin));
+    sure.Leave = hn::Min(sure.Leave, hn::Sub(Load(&beam.End[i]), margin));
+    const V firstError = hn::Add(most, hn::Mul(per, hn::Sub(sure.Enter, searched.Enter)));
+    const V lastError =
+      hn::Add(most, hn::Mul(per, hn::Sub(searched.Leave, sure.Leave)));
+    const M beginsIn = hn::Gt(b.First, firstError), endsIn = hn::Gt(b.Last, lastError);
+    const M beginsOut = hn::Lt(hn::Add(b.First, firstError), hn::Zero(d));
+    const M endsOut = hn::Lt(hn::Add(b.Last, lastError), hn::Zero(d));
+    const M rises = hn::And(beginsOut, endsIn);
+    const M isCrossed =
+      hn::Or(rises, this->Task.IsSolid ? beginsIn : hn::And(beginsIn, endsOut));
+    const M isMet =
+      hn::And(isOpen, hn::And(isCrossed, hn::Lt(sure.Enter, sure.Leave)));
+    const V before = Load(&beam.Enter[i]);
+    const M isFirst = hn::And(isMet, hn::Lt(sure.Enter, before));
+    this->NoteOpen(BitsOf(hn::AndNot(isMet, isOpen)), searched.Enter, number, i);
+    if (hn::AllFalse(d, isFirst))
+    {
+      return false;
+    }
+    const V behind = Load(&beam.Behind[i]);
+    hn::StoreU(hn::IfThenElse(isFirst, hn::Min(behind, searched.Leave), behind), d, &beam.Behind[i]);
+    hn::StoreU(hn::IfThenElse(isFirst, sure.Enter, before), d, &beam.Enter[i]);
+    hn::StoreU(hn::IfThenElse(hn::RebindMask(du, isFirst), hn::Set(du, number),
+                 hn::LoadU(du, &beam.Cell[i])),
+      du, &beam.Cell[i]);
+    return true;
+  }
+
+  /// Let the scene decide what single precision cannot.
+  HWY_INLINE void NoteOpen(std::uint64_t which, V enter, std::uint32_t number, std::size_t i)
+  {
+    float enters[WidestVector];
+    hn::StoreU(enter, Floats(), enters);
+    for (; which != 0; which &= which - 1)
+    {
+      if (this->Open.Count == RayBatch::Capacity)
+      {
+        this->Scene.Decide(this->Open, this->Beam);
+        this->FindDepth();
+      }
+      const std::size_t lane = hwy::Num0BitsBelowLS1Bit_Nonzero64(which);
+      const auto at = static_cast<std::size_t>(this->Open.Count++);
+      this->Open.Ray[at] = static_cast<std::uint8_t>(i + lane);
+      this->Open.Cell[at] = number;
+      this->Open.Enter[at] = enters[lane];
+    }
+  }
+
+  void FindDepth()
+  {
+    TileBeam& beam = this->Beam;
+    V depth = Set(-1e30f);
+    for (std::size_t i = 0; i < beam.Count; i += hn::Lanes(Floats()))
+    {
+      const V along = hn::Mul(Load(&beam.Behind[i]), Load(&beam.PerDepth[i]));
+      depth = hn::Max(depth, hn::Add(Load(&beam.AtDepth[i]), along));
+    }
+    beam.Depth = hn::GetLane(hn::MaxOfLanes(Floats(), depth)) + 4.0f * beam.Margin;
+  }
+
+  const BeamTask& Task;
+  BeamScene& Scene;
+  TileBeam& Beam;
+  OpenCells Open;
+};
+
+void Search(const BeamTask& task, BeamScene& scene, TileBeam& beam)
+{
+  BeamSearch(task, scene, beam).Search();
+}
+
+}
+}
+}
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace TemporalCoherence
+{
+namespace BeamKernels
+{
+HWY_EXPORT(Search);
+}
+
+void SearchBeam(const BeamTask& task, BeamScene& scene, TileBeam& beam)
+{
+  using namespace BeamKernels;
+  HWY_DYNAMIC_DISPATCH(Search)(task, scene, beam);
+}
+
+}
+#endif

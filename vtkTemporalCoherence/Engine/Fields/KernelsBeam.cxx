@@ -25,7 +25,7 @@ namespace HWY_NAMESPACE
 namespace hn = hwy::HWY_NAMESPACE;
 
 using Floats = hn::CappedTag<float, WidestVector>;
-using Numbers = hn::RebindToUnsigned<Floats>;
+using Integers = hn::RebindToSigned<Floats>;
 using V = hn::Vec<Floats>;
 using M = hn::Mask<Floats>;
 
@@ -149,10 +149,7 @@ public:
   {
     const std::vector<ActiveCells::Level>& levels = this->Task.Active.LevelsAbove();
     this->VisitLevel(levels.size() - 1, glm::ivec3(0));
-    if (this->Open.Count > 0)
-    {
-      this->Scene.Decide(this->Open, this->Beam);
-    }
+    this->Scene.Decide(this->Open, this->Beam);
   }
 
 private:
@@ -271,8 +268,8 @@ private:
     const float margin = beam.Margin;
     const float first[3] = { static_cast<float>(cell.x - beam.Anchor.x),
       static_cast<float>(cell.y - beam.Anchor.y), static_cast<float>(cell.z - beam.Anchor.z) };
-    const std::uint32_t number = this->Task.Numbers.Of(cell);
-    bool isRead = false, isMet = false;
+    std::int32_t number = TileBeam::NoCell;
+    bool isMet = false;
     CellValues values;
     for (std::size_t i = 0; i < beam.Count; i += hn::Lanes(Floats()))
     {
@@ -284,15 +281,19 @@ private:
       {
         continue;
       }
-      if (!isRead)
+      if (number == TileBeam::NoCell)
       {
         std::array<float, 8> corners;
-        this->Scene.ReadCorners(cell, corners);
+        number = this->Scene.Read(cell, corners);
         values.Set(corners);
-        isRead = true;
       }
-      this->KeepContacts(passed.Enter, isPassed, number, i);
+      this->KeepContacts(passed.Enter, isPassed, i);
       isMet |= this->SearchCell(values, first, passed, isPassed, number, i);
+    }
+    if (number == BeamScene::MostCells - 1 || this->Open.Count > RayBatch::Capacity)
+    {
+      this->Scene.Decide(this->Open, beam);
+      isMet = true;
     }
     if (isMet)
     {
@@ -300,26 +301,20 @@ private:
     }
   }
 
-  HWY_INLINE void KeepContacts(V enter, M isPassed, std::uint32_t number, std::size_t i)
+  HWY_INLINE void KeepContacts(V enter, M isPassed, std::size_t i)
   {
     TileBeam& beam = this->Beam;
     const Floats d;
-    const Numbers du;
-    const V contact = Load(&beam.Contact[i]), next = Load(&beam.NextContact[i]);
-    const V here = hn::IfThenElse(isPassed, enter, Set(1e30f));
-    const M isFirst = hn::Lt(here, contact);
-    const auto before = hn::LoadU(du, &beam.ContactCell[i]);
-    hn::StoreU(hn::Min(here, contact), d, &beam.Contact[i]);
-    hn::StoreU(hn::Min(next, hn::Max(here, contact)), d, &beam.NextContact[i]);
-    hn::StoreU(hn::IfThenElse(hn::RebindMask(du, isFirst), hn::Set(du, number), before), du,
-      &beam.ContactCell[i]);
+    const V contact = Load(&beam.Contact[i]);
+    hn::StoreU(
+      hn::IfThenElse(isPassed, hn::Min(enter, contact), contact), d, &beam.Contact[i]);
     beam.CellsPassed += static_cast<std::int64_t>(hn::CountTrue(d, isPassed));
   }
 
   /// Search a cell for some rays.
   /// \return true if one of them meets a surface in it for sure
   HWY_INLINE bool SearchCell(const CellValues& values, const float first[3],
-    const Interval& passed, M isPassed, std::uint32_t number, std::size_t i)
+    const Interval& passed, M isPassed, std::int32_t number, std::size_t i)
   {
     const TileBeam& beam = this->Beam;
     const V zero = hn::Zero(Floats());
@@ -349,12 +344,12 @@ private:
 
   /// Keep a cell that rays may meet a surface in.
   HWY_NOINLINE bool KeepCell(const Coefficients& b, float largest, float error,
-    const float first[3], const Interval& searched, M isOpen, std::uint32_t number,
+    const float first[3], const Interval& searched, M isOpen, std::int32_t number,
     std::size_t i)
   {
     TileBeam& beam = this->Beam;
     const Floats d;
-    const Numbers du;
+    const Integers di;
     const V margin = Set(2.0f * beam.Margin), most = Set(error), per = Set(2.25f * beam.Steepest * largest);
     // The ray enters and leaves between these and those that were searched.
     Interval sure = this->Pass(first, -beam.Margin, i);
@@ -381,26 +376,21 @@ private:
     const V behind = Load(&beam.Behind[i]);
     hn::StoreU(hn::IfThenElse(isFirst, hn::Min(behind, searched.Leave), behind), d, &beam.Behind[i]);
     hn::StoreU(hn::IfThenElse(isFirst, sure.Enter, before), d, &beam.Enter[i]);
-    hn::StoreU(hn::IfThenElse(hn::RebindMask(du, isFirst), hn::Set(du, number),
-                 hn::LoadU(du, &beam.Cell[i])),
-      du, &beam.Cell[i]);
+    hn::StoreU(hn::IfThenElse(hn::RebindMask(di, isFirst), hn::Set(di, number),
+                 hn::LoadU(di, &beam.Cell[i])),
+      di, &beam.Cell[i]);
     return true;
   }
 
   /// Let the scene decide what single precision cannot.
-  HWY_INLINE void NoteOpen(std::uint64_t which, V enter, std::uint32_t number, std::size_t i)
+  HWY_INLINE void NoteOpen(std::uint64_t which, V enter, std::int32_t number, std::size_t i)
   {
     float enters[WidestVector];
     hn::StoreU(enter, Floats(), enters);
     for (; which != 0; which &= which - 1)
     {
-      if (this->Open.Count == RayBatch::Capacity)
-      {
-        this->Scene.Decide(this->Open, this->Beam);
-        this->FindDepth();
-      }
       const std::size_t lane = hwy::Num0BitsBelowLS1Bit_Nonzero64(which);
-      const auto at = static_cast<std::size_t>(this->Open.Count++);
+      const std::size_t at = this->Open.Count++;
       this->Open.Ray[at] = static_cast<std::uint8_t>(i + lane);
       this->Open.Cell[at] = number;
       this->Open.Enter[at] = enters[lane];

@@ -18,7 +18,6 @@ struct BeamTask
 {
   const ActiveCells& Active;
   glm::ivec3 Cells; ///< number of cells along each axis
-  CellNumbers Numbers;
   bool IsSolid; ///< a ray that is inside meets the surface where it enters a cell
 };
 

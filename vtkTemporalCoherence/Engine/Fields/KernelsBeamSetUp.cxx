@@ -142,9 +142,9 @@ HWY_INLINE bool SetUpDepths(double farthest, const glm::ivec3& cells, TileBeam& 
 HWY_INLINE void ClearRays(std::uint64_t which, TileBeam& beam)
 {
   const Floats d;
-  const hn::RebindToUnsigned<Floats> du;
-  const F margin = hn::Set(d, beam.Margin), far = hn::Set(d, 1e30f);
-  const auto none = hn::Set(du, CellNumbers::None);
+  const hn::RebindToSigned<Floats> di;
+  const F margin = hn::Set(d, beam.Margin), far = hn::Set(d, TileBeam::Never);
+  const auto none = hn::Set(di, TileBeam::NoCell);
   F depth = hn::Set(d, -1e30f);
   for (std::size_t i = 0; i < beam.Count; i += hn::Lanes(d))
   {
@@ -162,9 +162,7 @@ HWY_INLINE void ClearRays(std::uint64_t which, TileBeam& beam)
       hn::Add(hn::LoadU(d, &beam.AtDepth[i]), hn::Mul(behind, hn::LoadU(d, &beam.PerDepth[i]))));
     hn::StoreU(far, d, &beam.Enter[i]);
     hn::StoreU(far, d, &beam.Contact[i]);
-    hn::StoreU(far, d, &beam.NextContact[i]);
-    hn::StoreU(none, du, &beam.Cell[i]);
-    hn::StoreU(none, du, &beam.ContactCell[i]);
+    hn::StoreU(none, di, &beam.Cell[i]);
   }
   beam.Depth = hn::GetLane(hn::MaxOfLanes(d, depth)) + 4.0f * beam.Margin;
   beam.CellsPassed = 0;

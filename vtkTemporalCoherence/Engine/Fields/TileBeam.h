@@ -15,49 +15,6 @@
 namespace TemporalCoherence
 {
 
-/// Cells as one number each.
-class CellNumbers
-{
-public:
-  static constexpr std::uint32_t None = ~std::uint32_t(0);
-
-  explicit CellNumbers(const glm::ivec3& cells)
-    : BitsX(BitsFor(cells.x))
-    , BitsXY(BitsX + BitsFor(cells.y))
-    , IsEnough(BitsXY + BitsFor(cells.z) < 32)
-  {
-  }
-
-  /// False if the field has more cells than there are numbers.
-  bool HasAll() const { return this->IsEnough; }
-
-  std::uint32_t Of(const glm::ivec3& cell) const
-  {
-    return static_cast<std::uint32_t>(cell.x) | static_cast<std::uint32_t>(cell.y) << this->BitsX |
-      static_cast<std::uint32_t>(cell.z) << this->BitsXY;
-  }
-
-  glm::ivec3 At(std::uint32_t number) const
-  {
-    return { number & ((1u << this->BitsX) - 1u),
-      (number & ((1u << this->BitsXY) - 1u)) >> this->BitsX, number >> this->BitsXY };
-  }
-
-private:
-  static int BitsFor(int count)
-  {
-    int bits = 1;
-    while (bits < 31 && count >> bits)
-    {
-      ++bits;
-    }
-    return bits;
-  }
-
-  int BitsX, BitsXY;
-  bool IsEnough;
-};
-
 /// The rays of a tile as one beam, in single precision: in voxels from a cell near by, with t in
 /// voxels from where the first ray begins. What the beam says of a ray and a cell allows for all
 /// rounding, by a margin: where it cannot be sure it says so.
@@ -66,7 +23,7 @@ struct alignas(64) TileBeam
   template <typename T>
   using Array = RayBatch::Array<T>;
 
-  /// Length of 64 numbers, one for each child of a block: x + 4 y + 16 z.
+  /// One number for each child of a block: x + 4 y + 16 z.
   using Table = std::array<float, 64>;
 
   /// One of the planes that all rays are on one side of: normal . point >= Offset.
@@ -86,11 +43,9 @@ struct alignas(64) TileBeam
   /// What is found. From Behind on nothing on a ray matters; Cell is one that the ray meets a
   /// surface in for sure, where it enters at Enter or before; there is no other between.
   Array<float> Behind, Enter;
-  Array<std::uint32_t> Cell;
-  /// The ray enters no active cell before Contact, which is that of ContactCell or a little before;
-  /// all others it enters behind NextContact.
-  Array<float> Contact, NextContact;
-  Array<std::uint32_t> ContactCell;
+  Array<std::int32_t> Cell;
+  /// The ray enters no active cell before Contact, if any.
+  Array<float> Contact;
   Table ChildDepths;
   std::array<Plane, 4> Hull;
 
@@ -109,29 +64,43 @@ struct alignas(64) TileBeam
   float Nearest;     ///< how far a cell reaches against it from its first corner
   int Flip;          ///< bits of a child's number that are flipped to go from front to back
 
-  /// t of the beam for a t of a RayBatch.
+  static constexpr std::int32_t NoCell = -1;
+  static constexpr float Never = 1e30f; ///< a t behind all others
+
+  /// t of the beam for a t of a RayBatch, and back.
   float DistanceOf(double t) const { return static_cast<float>((t - this->First) * this->Scale); }
+  double TOf(float distance) const
+  {
+    return this->First + static_cast<double>(distance) / this->Scale;
+  }
 };
 
 /// Cells in which single precision does not tell whether rays meet a surface.
 struct OpenCells
 {
-  int Count = 0;
-  RayBatch::Array<std::uint8_t> Ray;
-  RayBatch::Array<std::uint32_t> Cell;
-  RayBatch::Array<float> Enter; ///< the ray does not enter the cell before
+  /// One cell adds a tile's rays at most.
+  static constexpr std::size_t Capacity = 2 * RayBatch::Capacity;
+
+  std::size_t Count = 0;
+  std::array<std::uint8_t, Capacity> Ray;
+  std::array<std::int32_t, Capacity> Cell;
+  std::array<float, Capacity> Enter; ///< the ray does not enter the cell before
 };
 
 /// What a beam goes through.
 class BeamScene : public LeafSource
 {
 public:
-  /// Differences from the isovalue at the corners of a cell, in units of which the largest are not
-  /// far from 1.
-  virtual void ReadCorners(const glm::ivec3& cell, std::array<float, 8>& corners) const = 0;
+  /// Read a cell, and remember it.
+  /// \param corners gets the differences from the isovalue, in units of which the largest are not
+  ///                far from 1
+  /// \return the number by which it is remembered: how many were before. There is room for
+  ///         MostCells
+  virtual std::int32_t Read(const glm::ivec3& cell, std::array<float, 8>& corners) = 0;
+  static constexpr std::int32_t MostCells = 256;
 
-  /// Find out, in full precision; the list is empty then, and Behind of these rays is where they
-  /// leave a cell that they meet a surface in.
+  /// Find out, in full precision, what rays meet in the cells of the beam and in open ones, and
+  /// forget all cells. Behind of rays that meet a surface is behind the nearest one.
   virtual void Decide(OpenCells& open, TileBeam& beam) = 0;
 };
 

@@ -37,7 +37,6 @@ public:
     , Unit(static_cast<Real>(unit))
     , Rays(rays)
     , Hits(hits)
-    , Numbers(cells.Count)
   {
   }
 
@@ -64,62 +63,134 @@ public:
       return false;
     }
     this->FirstEnter.fill(std::numeric_limits<double>::infinity());
-    SearchBeam({ *this->Cells.Scene.Active, this->Cells.Count, this->Numbers,
-                 this->Cells.Rules.IsSolid() },
-      *this, beam);
+    SearchBeam({ *this->Cells.Scene.Active, this->Cells.Count, this->Cells.Rules.IsSolid() }, *this,
+      beam);
     this->Hits.CellsRead += beam.CellsPassed;
-    this->DecideMet(beam);
     this->FindContacts(beam);
     return true;
   }
 
 private:
+  /// A cell that the beam has read.
+  struct ReadCell
+  {
+    std::array<double, 3> Place;
+    Corners<Real> Differences;
+  };
+
   std::uint64_t CellsOf(std::int64_t node, const glm::ivec3& cell) const override
   {
     return this->Cells.Scene.Active->CellsOf(this->Cells.Samples.All(), node, cell);
   }
 
-  void ReadCorners(const glm::ivec3& cell, std::array<float, 8>& corners) const override
+  std::int32_t Read(const glm::ivec3& cell, std::array<float, 8>& corners) override
   {
-    const Corners<Real> differences = this->Cells.Differ(this->Cells.Samples.Read(cell), 0);
+    ReadCell& read = this->Known[static_cast<std::size_t>(this->NumberOfKnown)];
+    read.Place = { cell.x + 0.0, cell.y + 0.0, cell.z + 0.0 };
+    read.Differences = this->Cells.Differ(this->Cells.Samples.Read(cell), 0);
     for (std::size_t i = 0; i < 8; ++i)
     {
-      corners[i] = static_cast<float>(differences[i] * this->Unit);
+      corners[i] = static_cast<float>(read.Differences[i] * this->Unit);
     }
+    return this->NumberOfKnown++;
   }
 
   void Decide(OpenCells& open, TileBeam& beam) override
   {
+    this->DecideMet(beam);
     PassageBatch<Real> passages;
     std::array<std::size_t, RayBatch::Capacity> from;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(open.Count); ++i)
+    for (std::size_t i = 0; i < open.Count; ++i)
     {
       const std::size_t ray = open.Ray[i];
       if (open.Enter[i] < beam.Behind[ray])
       {
         from[static_cast<std::size_t>(passages.Count)] = ray;
-        this->Append(ray, this->Numbers.At(open.Cell[i]), passages);
+        const ReadCell& cell = this->Known[static_cast<std::size_t>(open.Cell[i])];
+        AppendPassage(this->Rays, ray, glm::ivec3(cell.Place[0], cell.Place[1], cell.Place[2]),
+          cell.Differences, passages);
+      }
+      if (passages.Count == RayBatch::Capacity || i + 1 == open.Count)
+      {
+        this->Find(passages, from, beam);
+        passages.Count = 0;
       }
     }
     open.Count = 0;
+    this->NumberOfKnown = 0;
+  }
+
+  /// Find the surfaces that the beam has seen for sure.
+  void DecideMet(TileBeam& beam)
+  {
+    const auto count = static_cast<std::size_t>(this->Rays.Count);
+    std::array<std::size_t, RayBatch::Capacity> from;
+    std::size_t met = 0;
+    for (std::size_t ray = 0; ray < count; ++ray)
+    {
+      from[met] = ray;
+      met += beam.Cell[ray] != TileBeam::NoCell;
+    }
+    if (met == 0)
+    {
+      return;
+    }
+    PassageBatch<Real> passages;
+    // Rays of a whole tile need not be copied; those that met nothing are searched in vain.
+    const bool areAll = 4 * met > 3 * count;
+    passages.All = areAll ? &this->Rays : nullptr;
+    passages.Count = static_cast<int>(areAll ? count : met);
+    const std::int32_t any = beam.Cell[from[0]];
+    for (std::size_t i = 0; i < static_cast<std::size_t>(passages.Count); ++i)
+    {
+      from[i] = areAll ? i : from[i];
+      const std::size_t ray = from[i];
+      const std::int32_t number = beam.Cell[ray] != TileBeam::NoCell ? beam.Cell[ray] : any;
+      const ReadCell& cell = this->Known[static_cast<std::size_t>(number)];
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        passages.Cell[a][i] = cell.Place[a];
+      }
+      for (std::size_t corner = 0; corner < 8; ++corner)
+      {
+        passages.Corners[corner][i] = cell.Differences[corner];
+      }
+      if (!areAll)
+      {
+        for (std::size_t a = 0; a < 3; ++a)
+        {
+          passages.Origin[a][i] = this->Rays.Origin[a][ray];
+          passages.Direction[a][i] = this->Rays.Direction[a][ray];
+          passages.Inverse[a][i] = this->Rays.Inverse[a][ray];
+        }
+        passages.Begin[i] = this->Rays.Begin[ray];
+        passages.End[i] = this->Rays.End[ray];
+      }
+    }
     FindCrossings(passages, this->Cells.Rules.IsSolid());
     for (std::size_t i = 0; i < static_cast<std::size_t>(passages.Count); ++i)
     {
-      const std::size_t ray = from[i];
-      if (this->Keep(passages, i, ray))
+      if (beam.Cell[from[i]] != TileBeam::NoCell)
       {
-        const float distance = beam.DistanceOf(passages.Distance[i]) + beam.Margin;
-        beam.Behind[ray] = std::min(beam.Behind[ray], distance);
-        this->HitCell[ray] = this->Numbers.Of(
-          glm::ivec3(passages.Cell[0][i], passages.Cell[1][i], passages.Cell[2][i]));
+        this->Keep(passages, i, from[i]);
+        beam.Cell[from[i]] = TileBeam::NoCell;
       }
     }
   }
 
-  void Append(std::size_t ray, const glm::ivec3& cell, PassageBatch<Real>& passages) const
+  /// Find surfaces in passages of some rays.
+  void Find(PassageBatch<Real>& passages,
+    const std::array<std::size_t, RayBatch::Capacity>& from, TileBeam& beam)
   {
-    AppendPassage(this->Rays, ray, cell,
-      this->Cells.Differ(this->Cells.Samples.Read(cell), 0), passages);
+    FindCrossings(passages, this->Cells.Rules.IsSolid());
+    for (std::size_t i = 0; i < static_cast<std::size_t>(passages.Count); ++i)
+    {
+      if (this->Keep(passages, i, from[i]))
+      {
+        const float distance = beam.DistanceOf(passages.Distance[i]) + beam.Margin;
+        beam.Behind[from[i]] = std::min(beam.Behind[from[i]], distance);
+      }
+    }
   }
 
   /// Keep what was found in passage i, if the ray meets it before what it has.
@@ -137,102 +208,60 @@ private:
     return true;
   }
 
-  /// Find the surfaces that the beam has seen for sure.
-  void DecideMet(const TileBeam& beam)
+  /// Tell where rays first enter active cells: those that miss all surfaces, exactly; the others, a
+  /// little before it.
+  void FindContacts(const TileBeam& beam)
   {
-    PassageBatch<Real> passages;
-    std::array<std::size_t, RayBatch::Capacity> from;
+    std::uint64_t misses = 0;
     for (std::size_t ray = 0; ray < static_cast<std::size_t>(this->Rays.Count); ++ray)
     {
-      if (beam.Cell[ray] != CellNumbers::None)
+      if (beam.Contact[ray] < TileBeam::Never)
       {
-        from[static_cast<std::size_t>(passages.Count)] = ray;
-        this->Append(ray, this->Numbers.At(beam.Cell[ray]), passages);
+        const bool isMiss = this->Hits.Kind[ray] == HitKind::None;
+        misses |= static_cast<std::uint64_t>(isMiss) << ray;
+        this->Hits.Contact[ray] =
+          std::max(this->Rays.Begin[ray], beam.TOf(beam.Contact[ray]));
+        this->Hits.FromInside[ray] = this->Hits.Kind[ray] == HitKind::Leaves;
       }
+    }
+    if (misses != 0)
+    {
+      this->FindContactsOf(misses);
+    }
+  }
+
+  /// Let some rays walk to the first active cell.
+  void FindContactsOf(std::uint64_t misses)
+  {
+    RayWalks walks(this->Rays, misses);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(walks.Rays.Count); ++i)
+    {
+      this->Hits.Contact[static_cast<std::size_t>(walks.From[i])] =
+        std::numeric_limits<double>::infinity();
+    }
+    FindActiveCells({ *this->Cells.Scene.Active, *this, this->Cells.Count }, walks);
+    PassageBatch<Real> passages;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(walks.Rays.Count); ++i)
+    {
+      const glm::ivec3 cell(walks.Cell[0][i], walks.Cell[1][i], walks.Cell[2][i]);
+      AppendPassage(walks.Rays, i, cell,
+        this->Cells.Differ(this->Cells.Samples.Read(cell), 0), passages);
     }
     FindCrossings(passages, this->Cells.Rules.IsSolid());
     for (std::size_t i = 0; i < static_cast<std::size_t>(passages.Count); ++i)
     {
-      if (this->Keep(passages, i, from[i]))
-      {
-        this->HitCell[from[i]] = beam.Cell[from[i]];
-      }
+      HitRules::KeepContact(passages.Enter[i], IsInside(passages.AtEntry[i]),
+        static_cast<std::size_t>(walks.From[i]), this->Hits);
     }
-  }
-
-  /// Find where rays first enter active cells.
-  void FindContacts(const TileBeam& beam)
-  {
-    PassageBatch<Real> misses;
-    std::array<std::size_t, RayBatch::Capacity> from;
-    for (std::size_t ray = 0; ray < static_cast<std::size_t>(this->Rays.Count); ++ray)
-    {
-      if (beam.ContactCell[ray] == CellNumbers::None)
-      {
-        continue;
-      }
-      const bool isHit = this->Hits.Surface[ray] != Frame::NoSurface;
-      glm::ivec3 cell = this->Numbers.At(beam.ContactCell[ray]);
-      glm::dvec2 ends = this->EndsIn(ray, cell);
-      const bool isSure = ends.x < ends.y && ends.y > this->Rays.WalkBegin[ray] &&
-        ends.x < this->Rays.WalkEnd[ray] &&
-        beam.DistanceOf(ends.x) + beam.Margin < beam.NextContact[ray];
-      if (!isSure)
-      {
-        if (!this->WalkToActive(ray, cell))
-        {
-          continue;
-        }
-        ends = this->EndsIn(ray, cell);
-      }
-      this->Hits.Contact[ray] = ends.x;
-      this->Hits.FromInside[ray] = this->Hits.Kind[ray] == HitKind::Leaves;
-      if (!isHit)
-      {
-        from[static_cast<std::size_t>(misses.Count)] = ray;
-        this->Append(ray, cell, misses);
-      }
-    }
-    FindCrossings(misses, this->Cells.Rules.IsSolid());
-    for (std::size_t i = 0; i < static_cast<std::size_t>(misses.Count); ++i)
-    {
-      this->Hits.FromInside[from[i]] = IsInside(misses.AtEntry[i]);
-    }
-  }
-
-  /// Where a ray enters a cell, and where it leaves it.
-  glm::dvec2 EndsIn(std::size_t ray, const glm::ivec3& cell) const
-  {
-    glm::dvec2 ends(this->Rays.Begin[ray], this->Rays.End[ray]);
-    const BatchRay line{ this->Rays, ray };
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const int ahead = line.Direction(axis) > 0.0 ? 1 : 0;
-      ends.x = std::max(ends.x, line.Pass(axis, cell[axis] + 1 - ahead));
-      ends.y = std::min(ends.y, line.Pass(axis, cell[axis] + ahead));
-    }
-    return ends;
-  }
-
-  /// Walk to the first active cell.
-  bool WalkToActive(std::size_t ray, glm::ivec3& cell) const
-  {
-    const BatchRay line{ this->Rays, ray };
-    CellWalk walk;
-    walk.Begin(line, this->Cells.Count);
-    const bool isFound =
-      walk.FindActive(line, *this->Cells.Scene.Active, this->Cells.Samples.All());
-    cell = walk.Here();
-    return isFound;
   }
 
   const Traced& Cells;
   Real Unit;
   const RayBatch& Rays;
   HitBatch& Hits;
-  CellNumbers Numbers;
-  RayBatch::Array<double> FirstEnter;
-  RayBatch::Array<std::uint32_t> HitCell;
+  RayBatch::Array<double> FirstEnter; ///< where rays enter the cells of their hits
+  std::array<ReadCell, MostCells> Known;
+  std::int32_t NumberOfKnown = 0;
 };
 
 }

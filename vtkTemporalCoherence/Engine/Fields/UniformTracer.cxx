@@ -92,7 +92,7 @@ private:
   static bool CanTakeBeams(const TraceScene& scene)
   {
     return scene.By != Traversal::Walks && scene.Active && scene.Sought.Isovalues.size() == 1 &&
-      !scene.Samples.Hidden && CellNumbers(scene.Samples.Dimensions).HasAll();
+      !scene.Samples.Hidden;
   }
 
   std::uint64_t CellsOf(std::int64_t node, const glm::ivec3& cell) const override

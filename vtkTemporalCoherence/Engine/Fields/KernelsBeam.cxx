@@ -135,6 +135,8 @@ struct Interval
   V Enter, Leave;
 };
 
+/// \tparam IsPlain that of the beam
+template <bool IsPlain>
 class BeamSearch
 {
 public:
@@ -157,24 +159,29 @@ private:
   /// \param first cell of the block, and cells along an edge of a child
   HWY_INLINE std::uint64_t CullChildren(const glm::ivec3& first, int size) const
   {
-    const TileBeam& beam = this->Beam;
-    const glm::vec3 corner(first - beam.Anchor);
-    const float perSize = 1.0f / static_cast<float>(size);
-    V least[4];
-    for (std::size_t i = 0; i < 4; ++i)
+    const hn::CappedTag<float, 8> d;
+    const TileBeam::Hull& hull = this->Beam.Around;
+    const glm::vec3 corner(first - this->Beam.Anchor);
+    const auto perSize = hn::Set(d, 1.0f / static_cast<float>(size));
+    TileBeam::OfPlanes least;
+    for (std::size_t i = 0; i < least.size(); i += hn::Lanes(d))
     {
-      const TileBeam::Plane& plane = beam.Hull[i];
-      least[i] = Set((plane.Offset - glm::dot(plane.Normal, corner)) * perSize - plane.Reach);
+      auto left = hn::LoadU(d, &hull.Offset[i]);
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        const auto at = hn::Set(d, corner[static_cast<int>(a)]);
+        left = hn::Sub(left, hn::Mul(hn::LoadU(d, &hull.Normal[a][i]), at));
+      }
+      const auto reach = hn::LoadU(d, &hull.Reach[i]);
+      hn::StoreU(hn::Sub(hn::Mul(left, perSize), reach), d, &least[i]);
     }
-    const V farthest =
-      Set((beam.Depth - glm::dot(beam.Forward, corner)) * perSize - beam.Nearest);
     std::uint64_t kept = 0;
     for (std::size_t i = 0; i < 64; i += hn::Lanes(Floats()))
     {
-      M isKept = hn::Lt(Load(&beam.ChildDepths[i]), farthest);
-      for (std::size_t plane = 0; plane < 4; ++plane)
+      M isKept = hn::Ge(Load(&hull.Children[0][i]), Set(least[0]));
+      for (std::size_t plane = 1; plane < TileBeam::Planes; ++plane)
       {
-        isKept = hn::And(isKept, hn::Ge(Load(&beam.Hull[plane].Children[i]), least[plane]));
+        isKept = hn::And(isKept, hn::Ge(Load(&hull.Children[plane][i]), Set(least[plane])));
       }
       kept |= BitsOf(isKept) << i;
     }
@@ -190,16 +197,19 @@ private:
     const TileBeam& beam = this->Beam;
     word &= this->CullChildren(first, size);
     word = FlipBits(word, beam.Flip);
+    const TileBeam::Hull& hull = beam.Around;
+    constexpr std::size_t across = TileBeam::Across;
+    const glm::vec3 normal(-beam.Forward);
+    const float edge = static_cast<float>(size);
     const float atFirst =
-      glm::dot(beam.Forward, glm::vec3(first - beam.Anchor)) + static_cast<float>(size) * beam.Nearest;
+      glm::dot(normal, glm::vec3(first - beam.Anchor)) + edge * hull.Reach[across];
     while (word != 0)
     {
-      const auto child =
-        static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(word)) ^ beam.Flip;
+      const auto child = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(word)) ^ beam.Flip;
       word &= word - 1;
-      const float depth =
-        atFirst + static_cast<float>(size) * beam.ChildDepths[static_cast<std::size_t>(child)];
-      if (depth < beam.Depth)
+      // What has been found since may hide it.
+      const float at = atFirst + edge * hull.Children[across][static_cast<std::size_t>(child)];
+      if (at >= hull.Offset[across])
       {
         visit(glm::ivec3(child & 3, child >> 2 & 3, child >> 4));
       }
@@ -245,38 +255,61 @@ private:
       });
   }
 
-  /// Where a vector of rays passes a box whose faces are moved outwards by `margin`.
-  HWY_INLINE Interval Pass(const float first[3], float margin, std::size_t i) const
+  /// Where a vector of rays passes a cell whose faces are moved outwards by the margin.
+  /// \param planes of the cell, the nearer ones of each axis first
+  HWY_INLINE Interval Pass(const float planes[2][3], std::size_t i) const
   {
     const TileBeam& beam = this->Beam;
-    Interval passed{ Load(&beam.Begin[i]), Load(&beam.End[i]) };
+    Interval passed;
     for (std::size_t a = 0; a < 3; ++a)
     {
       const V origin = Load(&beam.Origin[a][i]), inverse = Load(&beam.Inverse[a][i]);
-      const V low = hn::Mul(hn::Sub(Set(first[a] - margin), origin), inverse);
-      const V high = hn::Mul(hn::Sub(Set(first[a] + 1.0f + margin), origin), inverse);
-      passed.Enter = hn::Max(passed.Enter, hn::Min(low, high));
-      passed.Leave = hn::Min(passed.Leave, hn::Max(low, high));
+      const V one = hn::Mul(hn::Sub(Set(planes[0][a]), origin), inverse);
+      const V other = hn::Mul(hn::Sub(Set(planes[1][a]), origin), inverse);
+      const V enter = IsPlain ? one : hn::Min(one, other);
+      const V leave = IsPlain ? other : hn::Max(one, other);
+      passed.Enter = a == 0 ? enter : hn::Max(passed.Enter, enter);
+      passed.Leave = a == 0 ? leave : hn::Min(passed.Leave, leave);
     }
+    // A ray that begins or ends in the cell is said to pass more of it than it does.
     return passed;
+  }
+
+  /// Those of some rays that pass a cell before what they are known to meet.
+  HWY_INLINE M Passes(Interval& passed, std::size_t i) const
+  {
+    const TileBeam& beam = this->Beam;
+    if (!IsPlain)
+    {
+      passed.Enter = hn::Max(passed.Enter, Load(&beam.Begin[i]));
+    }
+    const V behind = Load(&beam.Behind[i]);
+    const M isPassed = hn::Lt(passed.Enter, hn::Min(passed.Leave, behind));
+    return IsPlain ? isPassed
+                   : hn::And(isPassed, hn::Gt(passed.Leave, Load(&beam.WalkBegin[i])));
   }
 
   /// Find the rays that pass a cell before what they are known to meet, and search it for them.
   void TestCell(const glm::ivec3& cell)
   {
     TileBeam& beam = this->Beam;
-    const float margin = beam.Margin;
     const float first[3] = { static_cast<float>(cell.x - beam.Anchor.x),
       static_cast<float>(cell.y - beam.Anchor.y), static_cast<float>(cell.z - beam.Anchor.z) };
+    float planes[2][3];
+    for (int a = 0; a < 3; ++a)
+    {
+      const bool isBack = beam.Flip >> (2 * a) & 1;
+      const float low = first[a] - beam.Margin, high = first[a] + 1.0f + beam.Margin;
+      planes[0][a] = isBack ? high : low;
+      planes[1][a] = isBack ? low : high;
+    }
     std::int32_t number = TileBeam::NoCell;
     bool isMet = false;
     CellValues values;
     for (std::size_t i = 0; i < beam.Count; i += hn::Lanes(Floats()))
     {
-      const Interval passed = this->Pass(first, margin, i);
-      const V behind = Load(&beam.Behind[i]);
-      const M isPassed = hn::And(hn::Lt(passed.Enter, hn::Min(passed.Leave, behind)),
-        hn::Gt(passed.Leave, Load(&beam.WalkBegin[i])));
+      Interval passed = this->Pass(planes, i);
+      const M isPassed = this->Passes(passed, i);
       if (hn::AllFalse(Floats(), isPassed))
       {
         continue;
@@ -339,12 +372,12 @@ private:
     {
       return false;
     }
-    return this->KeepCell(b, values.Largest, error, first, { enter, leave }, isOpen, number, i);
+    return this->KeepCell(b, values.Largest, error, { enter, leave }, isOpen, number, i);
   }
 
   /// Keep a cell that rays may meet a surface in.
   HWY_NOINLINE bool KeepCell(const Coefficients& b, float largest, float error,
-    const float first[3], const Interval& searched, M isOpen, std::int32_t number,
+    const Interval& searched, M isOpen, std::int32_t number,
     std::size_t i)
   {
     TileBeam& beam = this->Beam;
@@ -352,9 +385,10 @@ private:
     const Integers di;
     const V margin = Set(2.0f * beam.Margin), most = Set(error), per = Set(2.25f * beam.Steepest * largest);
     // The ray enters and leaves between these and those that were searched.
-    Interval sure = this->Pass(first, -beam.Margin, i);
-    sure.Enter = hn::Max(sure.Enter, hn::Add(Load(&beam.Begin[i]), margin));
-    sure.Leave = hn::Min(sure.Leave, hn::Sub(Load(&beam.End[i]), margin));
+    const V slack = Load(&beam.Slack[i]);
+    const Interval sure = {
+      hn::Max(hn::Add(searched.Enter, slack), hn::Add(Load(&beam.Begin[i]), margin)),
+      hn::Min(hn::Sub(searched.Leave, slack), hn::Sub(Load(&beam.End[i]), margin)) };
     const V firstError = hn::Add(most, hn::Mul(per, hn::Sub(sure.Enter, searched.Enter)));
     const V lastError =
       hn::Add(most, hn::Mul(per, hn::Sub(searched.Leave, sure.Leave)));
@@ -406,7 +440,8 @@ private:
       const V along = hn::Mul(Load(&beam.Behind[i]), Load(&beam.PerDepth[i]));
       depth = hn::Max(depth, hn::Add(Load(&beam.AtDepth[i]), along));
     }
-    beam.Depth = hn::GetLane(hn::MaxOfLanes(Floats(), depth)) + 4.0f * beam.Margin;
+    beam.Around.Offset[TileBeam::Across] =
+      -(hn::GetLane(hn::MaxOfLanes(Floats(), depth)) + 4.0f * beam.Margin);
   }
 
   const BeamTask& Task;
@@ -417,7 +452,12 @@ private:
 
 void Search(const BeamTask& task, BeamScene& scene, TileBeam& beam)
 {
-  BeamSearch(task, scene, beam).Search();
+  if (beam.IsPlain)
+  {
+    BeamSearch<true>(task, scene, beam).Search();
+    return;
+  }
+  BeamSearch<false>(task, scene, beam).Search();
 }
 
 }

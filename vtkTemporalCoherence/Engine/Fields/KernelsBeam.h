@@ -9,9 +9,10 @@ namespace TemporalCoherence
 {
 
 /// Make a beam of some rays of a tile, one bit each.
+/// \param isHinted something is known of where on rays surfaces are, besides where active cells are
 /// \return false if they are not alike enough, or too far away
-bool SetUpBeam(
-  const RayBatch& rays, std::uint64_t which, const glm::ivec3& cells, TileBeam& beam);
+bool SetUpBeam(const RayBatch& rays, std::uint64_t which, const glm::ivec3& cells, bool isHinted,
+  TileBeam& beam);
 
 /// What a search goes through.
 struct BeamTask

@@ -164,15 +164,44 @@ HWY_INLINE void ClearRays(std::uint64_t which, TileBeam& beam)
     hn::StoreU(far, d, &beam.Contact[i]);
     hn::StoreU(none, di, &beam.Cell[i]);
   }
-  beam.Depth = hn::GetLane(hn::MaxOfLanes(d, depth)) + 4.0f * beam.Margin;
+  beam.Around.Offset[TileBeam::Across] =
+    -(hn::GetLane(hn::MaxOfLanes(d, depth)) + 4.0f * beam.Margin);
   beam.CellsPassed = 0;
 }
 
-/// normal . (i, j, k) for all children of a block.
-HWY_INLINE void FillTable(const glm::vec3& normal, TileBeam::Table& table)
+/// Find out how rays run.
+HWY_INLINE void FindPaths(const glm::ivec3& cells, bool isHinted, TileBeam& beam)
+{
+  const Floats d;
+  const F twice = hn::Set(d, 2.0f * beam.Margin);
+  auto isPlain = hn::Eq(twice, twice);
+  for (std::size_t i = 0; i < beam.Count; i += hn::Lanes(d))
+  {
+    F largest = hn::Zero(d), enter = hn::Set(d, -TileBeam::Never);
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      const auto axis = static_cast<int>(a);
+      const bool isBack = beam.Flip >> (2 * axis) & 1;
+      const F inverse = hn::LoadU(d, &beam.Inverse[a][i]);
+      const F ahead = isBack ? hn::Neg(inverse) : inverse;
+      const F face = hn::Set(d, static_cast<float>((isBack ? cells[axis] : 0) - beam.Anchor[axis]));
+      largest = hn::Max(largest, hn::Abs(inverse));
+      isPlain = hn::And(isPlain, hn::Gt(ahead, hn::Zero(d)));
+      enter =
+        hn::Max(enter, hn::Mul(hn::Sub(face, hn::LoadU(d, &beam.Origin[a][i])), inverse));
+    }
+    isPlain = hn::And(isPlain, hn::Le(hn::LoadU(d, &beam.Begin[i]), enter));
+    hn::StoreU(hn::Mul(twice, largest), d, &beam.Slack[i]);
+  }
+  beam.IsPlain = hn::AllTrue(d, isPlain) && !isHinted;
+}
+
+/// Store a plane's normal, and what follows from it.
+HWY_INLINE void SetUpNormal(const glm::vec3& normal, std::size_t plane, TileBeam::Hull& hull)
 {
   const Floats d;
   const auto at = hn::Iota(d, 0.0f);
+  std::array<float, 64>& table = hull.Children[plane];
   for (std::size_t i = 0; i < table.size(); i += hn::Lanes(d))
   {
     // Exact: quarters of small whole numbers.
@@ -183,13 +212,19 @@ HWY_INLINE void FillTable(const glm::vec3& normal, TileBeam::Table& table)
     const F sum = hn::Add(hn::Mul(x, hn::Set(d, normal.x)), hn::Mul(y, hn::Set(d, normal.y)));
     hn::StoreU(hn::Add(sum, hn::Mul(z, hn::Set(d, normal.z))), d, &table[i]);
   }
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    hull.Normal[a][plane] = normal[static_cast<int>(a)];
+  }
+  hull.Reach[plane] =
+    std::max(normal.x, 0.0f) + std::max(normal.y, 0.0f) + std::max(normal.z, 0.0f);
 }
 
-/// Move a plane to where all rays are on its side.
-HWY_INLINE void SetUpPlane(const glm::vec3& normal, TileBeam& beam, TileBeam::Plane& plane)
+/// A plane to where all rays are on its side.
+HWY_INLINE float FindOffset(const glm::vec3& normal, const TileBeam& beam)
 {
   const Floats d;
-  F least = hn::Set(d, 1e30f);
+  F least = hn::Set(d, TileBeam::Never);
   for (std::size_t i = 0; i < beam.Count; i += hn::Lanes(d))
   {
     F at = hn::Zero(d), per = hn::Zero(d);
@@ -203,11 +238,24 @@ HWY_INLINE void SetUpPlane(const glm::vec3& normal, TileBeam& beam, TileBeam::Pl
     const F end = hn::Add(at, hn::Mul(per, hn::LoadU(d, &beam.End[i])));
     least = hn::Min(least, hn::Min(begin, end));
   }
-  plane.Normal = normal;
-  plane.Offset = hn::GetLane(hn::MinOfLanes(d, least)) - 4.0f * beam.Margin;
-  plane.Reach =
-    std::max(normal.x, 0.0f) + std::max(normal.y, 0.0f) + std::max(normal.z, 0.0f);
-  FillTable(normal, plane.Children);
+  return hn::GetLane(hn::MinOfLanes(d, least)) - 4.0f * beam.Margin;
+}
+
+HWY_INLINE void SetUpHull(const std::array<glm::vec3, 4>& normals, TileBeam& beam)
+{
+  TileBeam::Hull& hull = beam.Around;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    hull.Normal[a].fill(0.0f);
+  }
+  hull.Reach.fill(0.0f);
+  std::fill(hull.Offset.begin() + TileBeam::Planes, hull.Offset.end(), 0.0f);
+  for (std::size_t plane = 0; plane < normals.size(); ++plane)
+  {
+    SetUpNormal(normals[plane], plane, hull);
+    hull.Offset[plane] = FindOffset(normals[plane], beam);
+  }
+  SetUpNormal(-beam.Forward, TileBeam::Across, hull);
 }
 
 /// The ray in the middle of those that there are.
@@ -254,7 +302,8 @@ inline std::array<glm::vec3, 4> FindNormals(const RayBatch& rays, const TileBeam
   return normals;
 }
 
-bool SetUp(const RayBatch& rays, std::uint64_t which, const glm::ivec3& cells, TileBeam& beam)
+bool SetUp(const RayBatch& rays, std::uint64_t which, const glm::ivec3& cells, bool isHinted,
+  TileBeam& beam)
 {
   const auto lanes = static_cast<std::size_t>(rays.Count);
   beam.Count = WholeVectors(lanes);
@@ -287,15 +336,8 @@ bool SetUp(const RayBatch& rays, std::uint64_t which, const glm::ivec3& cells, T
     return false;
   }
   ClearRays(which, beam);
-  const std::array<glm::vec3, 4> normals = FindNormals(rays, beam);
-  for (std::size_t plane = 0; plane < normals.size(); ++plane)
-  {
-    SetUpPlane(normals[plane], beam, beam.Hull[plane]);
-  }
-  const glm::vec3& forward = beam.Forward;
-  beam.Nearest =
-    std::min(forward.x, 0.0f) + std::min(forward.y, 0.0f) + std::min(forward.z, 0.0f);
-  FillTable(forward, beam.ChildDepths);
+  FindPaths(cells, isHinted, beam);
+  SetUpHull(FindNormals(rays, beam), beam);
   return true;
 }
 
@@ -312,10 +354,11 @@ namespace BeamSetUpKernels
 HWY_EXPORT(SetUp);
 }
 
-bool SetUpBeam(const RayBatch& rays, std::uint64_t which, const glm::ivec3& cells, TileBeam& beam)
+bool SetUpBeam(const RayBatch& rays, std::uint64_t which, const glm::ivec3& cells, bool isHinted,
+  TileBeam& beam)
 {
   using namespace BeamSetUpKernels;
-  return HWY_DYNAMIC_DISPATCH(SetUp)(rays, which, cells, beam);
+  return HWY_DYNAMIC_DISPATCH(SetUp)(rays, which, cells, isHinted, beam);
 }
 
 }

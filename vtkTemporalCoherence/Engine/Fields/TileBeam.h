@@ -23,22 +23,26 @@ struct alignas(64) TileBeam
   template <typename T>
   using Array = RayBatch::Array<T>;
 
-  /// One number for each child of a block: x + 4 y + 16 z.
-  using Table = std::array<float, 64>;
-
-  /// One of the planes that all rays are on one side of: normal . point >= Offset.
-  struct alignas(64) Plane
+  /// Planes that all rays are on one side of, normal . point >= offset: four along the edges of
+  /// the tile, and one across, before which is all that matters. A coefficient of each in an array;
+  /// the last ones are no planes.
+  static constexpr std::size_t Planes = 5, Across = 4;
+  using OfPlanes = std::array<float, 8>;
+  struct alignas(64) Hull
   {
-    Table Children;
-    glm::vec3 Normal;
-    float Offset;
-    float Reach; ///< how far a cell reaches from its first corner along the normal
+    /// normal . (i, j, k) of each child of a block: x + 4 y + 16 z.
+    std::array<std::array<float, 64>, Planes> Children;
+    std::array<OfPlanes, 3> Normal;
+    OfPlanes Offset;
+    OfPlanes Reach; ///< how far a cell reaches from its first corner along the normal
   };
 
   // Arrays first, where vectors do not lie across lines of the cache.
   std::array<Array<float>, 3> Origin, Direction, Inverse;
-  Array<float> Begin, End, WalkBegin;   ///< moved outwards by the margin
-  Array<float> AtDepth, PerDepth;       ///< depth in the beam: AtDepth + t PerDepth
+  Array<float> Begin, End, WalkBegin; ///< moved outwards by the margin
+  Array<float> AtDepth, PerDepth;     ///< depth in the beam: AtDepth + t PerDepth
+  /// How much later than told a ray may enter a cell, or how much earlier leave it.
+  Array<float> Slack;
 
   /// What is found. From Behind on nothing on a ray matters; Cell is one that the ray meets a
   /// surface in for sure, where it enters at Enter or before; there is no other between.
@@ -46,10 +50,7 @@ struct alignas(64) TileBeam
   Array<std::int32_t> Cell;
   /// The ray enters no active cell before Contact, if any.
   Array<float> Contact;
-  Table ChildDepths;
-  std::array<Plane, 4> Hull;
-
-  float Depth; ///< the farthest depth that matters
+  Hull Around;
   std::int64_t CellsPassed = 0;
 
   std::size_t Count; ///< of rays, with those that fill the last vector
@@ -61,8 +62,9 @@ struct alignas(64) TileBeam
   /// Voxels along all axes together that a ray may move while t grows by 1.
   float Steepest;
   glm::vec3 Forward; ///< the direction that depth is counted in
-  float Nearest;     ///< how far a cell reaches against it from its first corner
   int Flip;          ///< bits of a child's number that are flipped to go from front to back
+  /// All rays run the same way along each axis, and none begins or ends on its way through the field.
+  bool IsPlain;
 
   static constexpr std::int32_t NoCell = -1;
   static constexpr float Never = 1e30f; ///< a t behind all others

@@ -58,7 +58,7 @@ public:
   bool Trace(std::uint64_t wanted)
   {
     TileBeam beam;
-    if (!SetUpBeam(this->Rays, wanted, this->Cells.Count, beam))
+    if (!SetUpBeam(this->Rays, wanted, this->Cells.Count, this->Cells.Scene.IsHinted, beam))
     {
       return false;
     }

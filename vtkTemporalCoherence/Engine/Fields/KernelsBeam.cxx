@@ -47,6 +47,13 @@ HWY_INLINE std::uint64_t BitsOf(M mask)
   return static_cast<std::uint64_t>(bits[0]) | static_cast<std::uint64_t>(bits[1]) << 8;
 }
 
+HWY_INLINE M MaskOf(std::uint64_t which)
+{
+  const std::uint8_t bits[8] = { static_cast<std::uint8_t>(which),
+    static_cast<std::uint8_t>(which >> 8) };
+  return hn::LoadMaskBits(Floats(), bits);
+}
+
 /// The bits of a block's children in the order in which a beam meets them: bit i becomes i ^ flip.
 HWY_INLINE std::uint64_t FlipBits(std::uint64_t word, int flip)
 {
@@ -73,15 +80,15 @@ struct CellValues
 {
   HWY_INLINE void Set(const std::array<float, 8>& corners)
   {
-    float largest = 0.0f;
+    float largest[4];
     for (std::size_t row = 0; row < 4; ++row)
     {
       const float low = corners[2 * row], high = corners[2 * row + 1];
       this->Low[row] = low;
       this->Step[row] = high - low;
-      largest = std::max(largest, std::max(std::abs(low), std::abs(high)));
+      largest[row] = std::max(std::abs(low), std::abs(high));
     }
-    this->Largest = largest;
+    this->Largest = std::max(std::max(largest[0], largest[1]), std::max(largest[2], largest[3]));
   }
 
   float Low[4], Step[4];
@@ -102,28 +109,27 @@ HWY_INLINE Coefficients CubicsAlong(const CellValues& cell, const V at[3], const
   for (std::size_t row = 0; row < 4; ++row)
   {
     const V slope = Set(cell.Step[row]);
-    line0[row] = hn::Add(Set(cell.Low[row]), hn::Mul(slope, at[0]));
+    line0[row] = hn::MulAdd(slope, at[0], Set(cell.Low[row]));
     line1[row] = hn::Mul(slope, step[0]);
   }
   for (std::size_t z = 0; z < 2; ++z)
   {
     const V rise0 = hn::Sub(line0[2 * z + 1], line0[2 * z]);
     const V rise1 = hn::Sub(line1[2 * z + 1], line1[2 * z]);
-    square0[z] = hn::Add(line0[2 * z], hn::Mul(at[1], rise0));
-    square1[z] =
-      hn::Add(hn::Add(line1[2 * z], hn::Mul(at[1], rise1)), hn::Mul(step[1], rise0));
+    square0[z] = hn::MulAdd(at[1], rise0, line0[2 * z]);
+    square1[z] = hn::MulAdd(step[1], rise0, hn::MulAdd(at[1], rise1, line1[2 * z]));
     square2[z] = hn::Mul(step[1], rise1);
   }
   const V rise0 = hn::Sub(square0[1], square0[0]), rise1 = hn::Sub(square1[1], square1[0]);
   const V rise2 = hn::Sub(square2[1], square2[0]);
-  const V c0 = hn::Add(square0[0], hn::Mul(at[2], rise0));
-  const V c1 = hn::Add(hn::Add(square1[0], hn::Mul(at[2], rise1)), hn::Mul(step[2], rise0));
-  const V c2 = hn::Add(hn::Add(square2[0], hn::Mul(at[2], rise2)), hn::Mul(step[2], rise1));
+  const V c0 = hn::MulAdd(at[2], rise0, square0[0]);
+  const V c1 = hn::MulAdd(step[2], rise0, hn::MulAdd(at[2], rise1, square1[0]));
+  const V c2 = hn::MulAdd(step[2], rise1, hn::MulAdd(at[2], rise2, square2[0]));
   const V c3 = hn::Mul(step[2], rise2);
 
   const V third = Set(1.0f / 3.0f);
-  const V b1 = hn::Add(c0, hn::Mul(c1, third));
-  const V b2 = hn::Add(b1, hn::Mul(hn::Add(c1, c2), third));
+  const V b1 = hn::MulAdd(c1, third, c0);
+  const V b2 = hn::MulAdd(hn::Add(c1, c2), third, b1);
   const V b3 = hn::Add(hn::Add(c0, c1), hn::Add(c2, c3));
   return { c0, b3, hn::Min(hn::Min(c0, b1), hn::Min(b2, b3)),
     hn::Max(hn::Max(c0, b1), hn::Max(b2, b3)) };
@@ -252,11 +258,27 @@ private:
         }
         this->VisitChildren(cells, leaf, 1,
           [&](const glm::ivec3& cell) HWY_ATTR { this->TestCell(leaf + cell); });
+        if (this->IsNearer)
+        {
+          this->FindDepth();
+        }
       });
   }
 
-  /// Where a vector of rays passes a cell whose faces are moved outwards by the margin.
-  /// \param planes of the cell, the nearer ones of each axis first
+  /// The faces of a cell, moved outwards: of each axis the nearer one first.
+  HWY_INLINE void FindPlanes(const float first[3], float margin, float planes[2][3]) const
+  {
+    for (int a = 0; a < 3; ++a)
+    {
+      const bool isBack = this->Beam.Flip >> (2 * a) & 1;
+      const float low = first[a] - margin, high = first[a] + 1.0f + margin;
+      planes[0][a] = isBack ? high : low;
+      planes[1][a] = isBack ? low : high;
+    }
+  }
+
+  /// Where a vector of rays passes a cell, given its faces. Of one that begins or ends in the cell
+  /// that is more than it does.
   HWY_INLINE Interval Pass(const float planes[2][3], std::size_t i) const
   {
     const TileBeam& beam = this->Beam;
@@ -271,7 +293,6 @@ private:
       passed.Enter = a == 0 ? enter : hn::Max(passed.Enter, enter);
       passed.Leave = a == 0 ? leave : hn::Min(passed.Leave, leave);
     }
-    // A ray that begins or ends in the cell is said to pass more of it than it does.
     return passed;
   }
 
@@ -296,30 +317,35 @@ private:
     const float first[3] = { static_cast<float>(cell.x - beam.Anchor.x),
       static_cast<float>(cell.y - beam.Anchor.y), static_cast<float>(cell.z - beam.Anchor.z) };
     float planes[2][3];
-    for (int a = 0; a < 3; ++a)
-    {
-      const bool isBack = beam.Flip >> (2 * a) & 1;
-      const float low = first[a] - beam.Margin, high = first[a] + 1.0f + beam.Margin;
-      planes[0][a] = isBack ? high : low;
-      planes[1][a] = isBack ? low : high;
-    }
-    std::int32_t number = TileBeam::NoCell;
-    bool isMet = false;
-    CellValues values;
+    this->FindPlanes(first, beam.Margin, planes);
+    // First all vectors, without a branch: which rays pass a cell is hard to foresee.
+    float enter[RayBatch::Capacity], leave[RayBatch::Capacity];
+    std::uint64_t passing = 0;
     for (std::size_t i = 0; i < beam.Count; i += hn::Lanes(Floats()))
     {
       Interval passed = this->Pass(planes, i);
-      const M isPassed = this->Passes(passed, i);
-      if (hn::AllFalse(Floats(), isPassed))
-      {
-        continue;
-      }
-      if (number == TileBeam::NoCell)
-      {
-        std::array<float, 8> corners;
-        number = this->Scene.Read(cell, corners);
-        values.Set(corners);
-      }
+      passing |= BitsOf(this->Passes(passed, i)) << i;
+      hn::StoreU(passed.Enter, Floats(), enter + i);
+      hn::StoreU(passed.Leave, Floats(), leave + i);
+    }
+    if (passing == 0)
+    {
+      return;
+    }
+    CellValues values;
+    std::array<float, 8> corners;
+    const std::int32_t number = this->Scene.Read(cell, corners);
+    values.Set(corners);
+    beam.CellsPassed += static_cast<std::int64_t>(hwy::PopCount(passing));
+    bool isMet = false;
+    while (passing != 0)
+    {
+      constexpr std::size_t lanes = hn::MaxLanes(Floats());
+      const std::size_t i = hwy::Num0BitsBelowLS1Bit_Nonzero64(passing) & ~(lanes - 1);
+      const std::uint64_t these = lanes == 64 ? ~std::uint64_t(0) : (std::uint64_t(1) << lanes) - 1;
+      const M isPassed = MaskOf(passing >> i);
+      passing &= ~(these << i);
+      const Interval passed{ Load(enter + i), Load(leave + i) };
       this->KeepContacts(passed.Enter, isPassed, i);
       isMet |= this->SearchCell(values, first, passed, isPassed, number, i);
     }
@@ -328,10 +354,7 @@ private:
       this->Scene.Decide(this->Open, beam);
       isMet = true;
     }
-    if (isMet)
-    {
-      this->FindDepth();
-    }
+    this->IsNearer |= isMet;
   }
 
   HWY_INLINE void KeepContacts(V enter, M isPassed, std::size_t i)
@@ -341,7 +364,6 @@ private:
     const V contact = Load(&beam.Contact[i]);
     hn::StoreU(
       hn::IfThenElse(isPassed, hn::Min(enter, contact), contact), d, &beam.Contact[i]);
-    beam.CellsPassed += static_cast<std::int64_t>(hn::CountTrue(d, isPassed));
   }
 
   /// Search a cell for some rays.
@@ -372,23 +394,32 @@ private:
     {
       return false;
     }
-    return this->KeepCell(b, values.Largest, error, { enter, leave }, isOpen, number, i);
+    return this->KeepCell(b, values.Largest, error, first, { enter, leave }, isOpen, number, i);
   }
 
   /// Keep a cell that rays may meet a surface in.
   HWY_NOINLINE bool KeepCell(const Coefficients& b, float largest, float error,
-    const Interval& searched, M isOpen, std::int32_t number,
-    std::size_t i)
+    const float first[3], const Interval& searched, M isOpen, std::int32_t number, std::size_t i)
   {
     TileBeam& beam = this->Beam;
     const Floats d;
     const Integers di;
     const V margin = Set(2.0f * beam.Margin), most = Set(error), per = Set(2.25f * beam.Steepest * largest);
     // The ray enters and leaves between these and those that were searched.
-    const V slack = Load(&beam.Slack[i]);
-    const Interval sure = {
-      hn::Max(hn::Add(searched.Enter, slack), hn::Add(Load(&beam.Begin[i]), margin)),
-      hn::Min(hn::Sub(searched.Leave, slack), hn::Sub(Load(&beam.End[i]), margin)) };
+    Interval sure;
+    if (beam.IsSteep)
+    {
+      float planes[2][3];
+      this->FindPlanes(first, -beam.Margin, planes);
+      sure = this->Pass(planes, i);
+    }
+    else
+    {
+      const V slack = Load(&beam.Slack[i]);
+      sure = { hn::Add(searched.Enter, slack), hn::Sub(searched.Leave, slack) };
+    }
+    sure.Enter = hn::Max(sure.Enter, hn::Add(Load(&beam.Begin[i]), margin));
+    sure.Leave = hn::Min(sure.Leave, hn::Sub(Load(&beam.End[i]), margin));
     const V firstError = hn::Add(most, hn::Mul(per, hn::Sub(sure.Enter, searched.Enter)));
     const V lastError =
       hn::Add(most, hn::Mul(per, hn::Sub(searched.Leave, sure.Leave)));
@@ -433,6 +464,7 @@ private:
 
   void FindDepth()
   {
+    this->IsNearer = false;
     TileBeam& beam = this->Beam;
     V depth = Set(-1e30f);
     for (std::size_t i = 0; i < beam.Count; i += hn::Lanes(Floats()))
@@ -448,6 +480,7 @@ private:
   BeamScene& Scene;
   TileBeam& Beam;
   OpenCells Open;
+  bool IsNearer = false; ///< what matters ends before the plane across the beam
 };
 
 void Search(const BeamTask& task, BeamScene& scene, TileBeam& beam)

@@ -175,6 +175,7 @@ HWY_INLINE void FindPaths(const glm::ivec3& cells, bool isHinted, TileBeam& beam
   const Floats d;
   const F twice = hn::Set(d, 2.0f * beam.Margin);
   auto isPlain = hn::Eq(twice, twice);
+  F steepest = hn::Zero(d);
   for (std::size_t i = 0; i < beam.Count; i += hn::Lanes(d))
   {
     F largest = hn::Zero(d), enter = hn::Set(d, -TileBeam::Never);
@@ -191,9 +192,13 @@ HWY_INLINE void FindPaths(const glm::ivec3& cells, bool isHinted, TileBeam& beam
         hn::Max(enter, hn::Mul(hn::Sub(face, hn::LoadU(d, &beam.Origin[a][i])), inverse));
     }
     isPlain = hn::And(isPlain, hn::Le(hn::LoadU(d, &beam.Begin[i]), enter));
-    hn::StoreU(hn::Mul(twice, largest), d, &beam.Slack[i]);
+    const F slack = hn::Mul(twice, largest);
+    steepest = hn::Max(steepest, slack);
+    hn::StoreU(slack, d, &beam.Slack[i]);
   }
   beam.IsPlain = hn::AllTrue(d, isPlain) && !isHinted;
+  constexpr float little = 0.02f;
+  beam.IsSteep = !(hn::GetLane(hn::MaxOfLanes(d, steepest)) < little);
 }
 
 /// Store a plane's normal, and what follows from it.

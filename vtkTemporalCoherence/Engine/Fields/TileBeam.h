@@ -65,6 +65,7 @@ struct alignas(64) TileBeam
   int Flip;          ///< bits of a child's number that are flipped to go from front to back
   /// All rays run the same way along each axis, and none begins or ends on its way through the field.
   bool IsPlain;
+  bool IsSteep; ///< Slack is more than a little, as rays run nearly along faces of cells
 
   static constexpr std::int32_t NoCell = -1;
   static constexpr float Never = 1e30f; ///< a t behind all others

@@ -87,10 +87,16 @@ private:
   {
     ReadCell& read = this->Known[static_cast<std::size_t>(this->NumberOfKnown)];
     read.Place = { cell.x + 0.0, cell.y + 0.0, cell.z + 0.0 };
-    read.Differences = this->Cells.Differ(this->Cells.Samples.Read(cell), 0);
+    const T* const sample = this->Cells.Samples.All().At(cell);
+    const glm::i64vec3& s = this->Cells.Samples.All().Strides;
+    const std::array<std::int64_t, 4> rows = { 0, s.y, s.z, s.y + s.z };
+    const Difference<T>& difference = this->Cells.Differences[0];
     for (std::size_t i = 0; i < 8; ++i)
     {
-      corners[i] = static_cast<float>(read.Differences[i] * this->Unit);
+      const Real value = difference(sample[rows[i / 2] + (i & 1 ? s.x : 0)]);
+      read.Differences[i] = value;
+      corners[i] =
+        sizeof(Real) == sizeof(float) ? static_cast<float>(value) : static_cast<float>(value * this->Unit);
     }
     return this->NumberOfKnown++;
   }

@@ -4,6 +4,7 @@
 
 #include "Fields/UniformBeam.h"
 #include "Fields/UniformCells.h"
+#include "Scene/Tiles.h"
 #include "Trace/CellTracer.h"
 #include "Trace/KernelsCrossing.h"
 #include "Trace/KernelsWalk.h"
@@ -15,6 +16,34 @@ namespace TemporalCoherence
 {
 namespace
 {
+
+/// Voxels between rays from which on they walk: then a cell of a beam is passed by so few rays that
+/// vectors of them do not pay. Beams and walks cost the same at 0.75 (engine) to 0.9 (spheres256,
+/// marschner-lobb256, bonsai), and at 0.43 walks cost 1.3 to 1.8 times as much. Measured by cold
+/// frames of `Benchmark --scenarios routes` at zooms of 0.3 to 2.2.
+constexpr double CoarsestPixel = 0.75;
+
+/// Fewer rays of a tile than this walk.
+constexpr int FewestRays = 16;
+
+/// Voxels between the rays of a whole tile, across them, where one in its middle begins to walk.
+double SpacingOf(const RayBatch& rays)
+{
+  constexpr std::size_t middle = 36, right = 7, above = 56;
+  const double t = rays.WalkBegin[middle];
+  glm::dvec3 direction, alongX, alongY;
+  for (int a = 0; a < 3; ++a)
+  {
+    const auto axis = static_cast<std::size_t>(a);
+    const auto at = [&](std::size_t ray)
+    { return rays.Origin[axis][ray] + t * rays.Direction[axis][ray]; };
+    direction[a] = rays.Direction[axis][middle];
+    alongX[a] = at(right) - at(0);
+    alongY[a] = at(above) - at(0);
+  }
+  const double area = std::abs(glm::dot(direction, glm::cross(alongX, alongY)));
+  return std::sqrt(area / glm::length(direction)) / (TileSize - 1);
+}
 
 /// CellTracer, with what is done for all rays of a tile at once done in vectors.
 template <typename T, Interpolation Between>
@@ -30,7 +59,7 @@ public:
     : Base(scene, {})
     , IsLarge(scene.Samples.IsLarge())
     , AreCellsActive(scene.Active && scene.Sought.Isovalues.size() == 1)
-    , TakesBeams(CanTakeBeams(scene) && getenv("NOBEAM")==nullptr)
+    , TakesBeams(CanTakeBeams(scene))
     , BeamUnit(TakesBeams ? UniformBeam<T>::UnitFor(scene) : 1.0)
   {
   }
@@ -95,6 +124,17 @@ private:
       !scene.Samples.Hidden;
   }
 
+  /// True if rays of a tile are to go through active cells as a beam.
+  bool IsBeam(const RayBatch& rays, std::uint64_t wanted) const
+  {
+    if (this->Cells.Scene.By == Traversal::Beams)
+    {
+      return wanted != 0;
+    }
+    return rays.Count == RayBatch::Capacity &&
+      static_cast<int>(hwy::PopCount(wanted)) >= FewestRays && SpacingOf(rays) < CoarsestPixel;
+  }
+
   std::uint64_t CellsOf(std::int64_t node, const glm::ivec3& cell) const override
   {
     return this->Cells.Scene.Active->CellsOf(this->Cells.Samples.All(), node, cell);
@@ -112,7 +152,7 @@ private:
     }
     if constexpr (Between == Interpolation::Linear)
     {
-      if (this->TakesBeams && wanted != 0 &&
+      if (this->TakesBeams && this->IsBeam(rays, wanted) &&
         UniformBeam<T>(this->Cells, this->BeamUnit, rays, hits).Trace(wanted))
       {
         return;

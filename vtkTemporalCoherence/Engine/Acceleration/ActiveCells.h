@@ -95,8 +95,8 @@ public:
   const std::uint64_t* Nodes() const { return this->NodeWords.data(); }
   const std::atomic<std::uint64_t>* Cells() const { return this->LeafWords.get(); }
 
-  /// Blocks of 4^3 nodes, blocks of 4^3 of these, and so on: one word for each tells which of its 64
-  /// children hold active leaves.
+  /// Blocks of 4^3 nodes, blocks of 4^3 of these, and so on: one word for each tells which of its
+  /// 64 children hold active leaves.
   struct Level
   {
     std::uint64_t WordOf(const glm::ivec3& block) const

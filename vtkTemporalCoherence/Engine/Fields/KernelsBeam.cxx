@@ -250,14 +250,15 @@ private:
       [&](const glm::ivec3& child) HWY_ATTR
       {
         const glm::ivec3 leaf = first + ActiveCells::LeafSize * child;
-        std::uint64_t cells = active.Cells()[words[1] + static_cast<std::size_t>(ActiveCells::LeafOf(leaf))]
-                                .load(std::memory_order_relaxed);
+        std::uint64_t cells =
+          active.Cells()[words[1] + static_cast<std::size_t>(ActiveCells::LeafOf(leaf))].load(
+            std::memory_order_relaxed);
         if (cells == 0)
         {
           cells = this->Scene.CellsOf(node, leaf);
         }
-        this->VisitChildren(cells, leaf, 1,
-          [&](const glm::ivec3& cell) HWY_ATTR { this->TestCell(leaf + cell); });
+        this->VisitChildren(
+          cells, leaf, 1, [&](const glm::ivec3& cell) HWY_ATTR { this->TestCell(leaf + cell); });
         if (this->IsNearer)
         {
           this->FindDepth();
@@ -306,8 +307,7 @@ private:
     }
     const V behind = Load(&beam.Behind[i]);
     const M isPassed = hn::Lt(passed.Enter, hn::Min(passed.Leave, behind));
-    return IsPlain ? isPassed
-                   : hn::And(isPassed, hn::Gt(passed.Leave, Load(&beam.WalkBegin[i])));
+    return IsPlain ? isPassed : hn::And(isPassed, hn::Gt(passed.Leave, Load(&beam.WalkBegin[i])));
   }
 
   /// Find the rays that pass a cell before what they are known to meet, and search it for them.
@@ -362,14 +362,13 @@ private:
     TileBeam& beam = this->Beam;
     const Floats d;
     const V contact = Load(&beam.Contact[i]);
-    hn::StoreU(
-      hn::IfThenElse(isPassed, hn::Min(enter, contact), contact), d, &beam.Contact[i]);
+    hn::StoreU(hn::IfThenElse(isPassed, hn::Min(enter, contact), contact), d, &beam.Contact[i]);
   }
 
   /// Search a cell for some rays.
   /// \return true if one of them meets a surface in it for sure
-  HWY_INLINE bool SearchCell(const CellValues& values, const float first[3],
-    const Interval& passed, M isPassed, std::int32_t number, std::size_t i)
+  HWY_INLINE bool SearchCell(const CellValues& values, const float first[3], const Interval& passed,
+    M isPassed, std::int32_t number, std::size_t i)
   {
     const TileBeam& beam = this->Beam;
     const V zero = hn::Zero(Floats());
@@ -387,8 +386,7 @@ private:
     const Coefficients b = CubicsAlong(values, at, step);
     const float error = values.Largest * (16.0f * beam.Margin + 0x1p-13f) + 1e-30f;
     const M isBelow = hn::Lt(b.Largest, Set(-error));
-    const M isAbove =
-      this->Task.IsSolid ? hn::Lt(zero, zero) : hn::Gt(b.Smallest, Set(error));
+    const M isAbove = this->Task.IsSolid ? hn::Lt(zero, zero) : hn::Gt(b.Smallest, Set(error));
     const M isOpen = hn::AndNot(hn::Or(isBelow, isAbove), isPassed);
     if (hn::AllFalse(Floats(), isOpen))
     {
@@ -404,7 +402,8 @@ private:
     TileBeam& beam = this->Beam;
     const Floats d;
     const Integers di;
-    const V margin = Set(2.0f * beam.Margin), most = Set(error), per = Set(2.25f * beam.Steepest * largest);
+    const V margin = Set(2.0f * beam.Margin), most = Set(error),
+            per = Set(2.25f * beam.Steepest * largest);
     // The ray enters and leaves between these and those that were searched.
     Interval sure;
     if (beam.IsSteep)
@@ -421,16 +420,22 @@ private:
     sure.Enter = hn::Max(sure.Enter, hn::Add(Load(&beam.Begin[i]), margin));
     sure.Leave = hn::Min(sure.Leave, hn::Sub(Load(&beam.End[i]), margin));
     const V firstError = hn::Add(most, hn::Mul(per, hn::Sub(sure.Enter, searched.Enter)));
-    const V lastError =
-      hn::Add(most, hn::Mul(per, hn::Sub(searched.Leave, sure.Leave)));
+    const V lastError = hn::Add(most, hn::Mul(per, hn::Sub(searched.Leave, sure.Leave)));
     const M beginsIn = hn::Gt(b.First, firstError), endsIn = hn::Gt(b.Last, lastError);
     const M beginsOut = hn::Lt(hn::Add(b.First, firstError), hn::Zero(d));
     const M endsOut = hn::Lt(hn::Add(b.Last, lastError), hn::Zero(d));
     const M rises = hn::And(beginsOut, endsIn);
-    const M isCrossed =
-      hn::Or(rises, this->Task.IsSolid ? beginsIn : hn::And(beginsIn, endsOut));
-    const M isMet =
-      hn::And(isOpen, hn::And(isCrossed, hn::Lt(sure.Enter, sure.Leave)));
+    const M isCrossed = hn::Or(rises, this->Task.IsSolid ? beginsIn : hn::And(beginsIn, endsOut));
+    M isSure = hn::Lt(sure.Enter, sure.Leave);
+    const V behind = Load(&beam.Behind[i]);
+    if (!IsPlain)
+    {
+      // And where the walk ends for sure after the cell is entered, and begins before it is left.
+      const V begin = hn::Add(Load(&beam.WalkBegin[i]), margin);
+      isSure = hn::And(isSure,
+        hn::And(hn::Lt(begin, sure.Leave), hn::Lt(hn::Add(sure.Enter, margin), behind)));
+    }
+    const M isMet = hn::And(isOpen, hn::And(isCrossed, isSure));
     const V before = Load(&beam.Enter[i]);
     const M isFirst = hn::And(isMet, hn::Lt(sure.Enter, before));
     this->NoteOpen(BitsOf(hn::AndNot(isMet, isOpen)), searched.Enter, number, i);
@@ -438,11 +443,11 @@ private:
     {
       return false;
     }
-    const V behind = Load(&beam.Behind[i]);
-    hn::StoreU(hn::IfThenElse(isFirst, hn::Min(behind, searched.Leave), behind), d, &beam.Behind[i]);
+    hn::StoreU(
+      hn::IfThenElse(isFirst, hn::Min(behind, searched.Leave), behind), d, &beam.Behind[i]);
     hn::StoreU(hn::IfThenElse(isFirst, sure.Enter, before), d, &beam.Enter[i]);
-    hn::StoreU(hn::IfThenElse(hn::RebindMask(di, isFirst), hn::Set(di, number),
-                 hn::LoadU(di, &beam.Cell[i])),
+    hn::StoreU(hn::IfThenElse(
+                 hn::RebindMask(di, isFirst), hn::Set(di, number), hn::LoadU(di, &beam.Cell[i])),
       di, &beam.Cell[i]);
     return true;
   }

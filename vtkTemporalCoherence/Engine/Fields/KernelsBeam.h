@@ -19,15 +19,15 @@ struct BeamTask
 {
   const ActiveCells& Active;
   glm::ivec3 Cells; ///< number of cells along each axis
-  bool IsSolid; ///< a ray that is inside meets the surface where it enters a cell
+  bool IsSolid;     ///< a ray that is inside meets the surface where it enters a cell
 };
 
 /// Take a beam through the active cells, from front to back, up to where all of its rays have met a
 /// surface for sure. What is left open is decided by the scene, when there is much of it, and at
 /// the end.
 ///
-/// In a cell that is neither noted for a ray nor told to the scene, the ray meets no surface, or not
-/// its first one.
+/// In a cell that is neither noted for a ray nor told to the scene, the ray meets no surface, or
+/// not its first one.
 void SearchBeam(const BeamTask& task, BeamScene& scene, TileBeam& beam);
 
 }

@@ -66,8 +66,8 @@ HWY_INLINE Extremes FindExtremes(const RayBatch& rays, std::uint64_t which, std:
 }
 
 /// Convert rays; lanes without a ray get those of another.
-HWY_INLINE void ConvertRays(const RayBatch& rays, std::uint64_t which, std::size_t of,
-  TileBeam& beam)
+HWY_INLINE void ConvertRays(
+  const RayBatch& rays, std::uint64_t which, std::size_t of, TileBeam& beam)
 {
   const Doubles d;
   const V first = hn::Set(d, beam.First), scale = hn::Set(d, beam.Scale);
@@ -125,13 +125,14 @@ HWY_INLINE bool SetUpDepths(double farthest, const glm::ivec3& cells, TileBeam& 
   beam.Steepest = 0.0f;
   for (int a = 0; a < 3; ++a)
   {
-    reach = std::max(reach, static_cast<float>(std::max(beam.Anchor[a], cells[a] - beam.Anchor[a])));
+    reach =
+      std::max(reach, static_cast<float>(std::max(beam.Anchor[a], cells[a] - beam.Anchor[a])));
     beam.Steepest += hn::GetLane(hn::MaxOfLanes(d, steepest[a]));
   }
   reach += hn::GetLane(hn::MaxOfLanes(d, largest));
   reach = std::max(reach, hn::GetLane(hn::MaxOfLanes(d, longest)));
-  // No number of a beam is larger. Each is the result of fewer than eight operations, which round by
-  // 2^-24 of it at most, on origins in double that are off by what cancels out in them.
+  // No number of a beam is larger. Each is the result of fewer than eight operations, which round
+  // by 2^-24 of it at most, on origins in double that are off by what cancels out in them.
   beam.Margin = reach * 0x1p-21f + static_cast<float>(farthest * 0x1p-46);
   constexpr float most = 0x1p-5f;
   return beam.Margin < most && hn::GetLane(hn::MinOfLanes(d, least)) > 0.25f &&
@@ -188,8 +189,7 @@ HWY_INLINE void FindPaths(const glm::ivec3& cells, bool isHinted, TileBeam& beam
       const F face = hn::Set(d, static_cast<float>((isBack ? cells[axis] : 0) - beam.Anchor[axis]));
       largest = hn::Max(largest, hn::Abs(inverse));
       isPlain = hn::And(isPlain, hn::Gt(ahead, hn::Zero(d)));
-      enter =
-        hn::Max(enter, hn::Mul(hn::Sub(face, hn::LoadU(d, &beam.Origin[a][i])), inverse));
+      enter = hn::Max(enter, hn::Mul(hn::Sub(face, hn::LoadU(d, &beam.Origin[a][i])), inverse));
     }
     isPlain = hn::And(isPlain, hn::Le(hn::LoadU(d, &beam.Begin[i]), enter));
     const F slack = hn::Mul(twice, largest);
@@ -307,8 +307,8 @@ inline std::array<glm::vec3, 4> FindNormals(const RayBatch& rays, const TileBeam
   return normals;
 }
 
-bool SetUp(const RayBatch& rays, std::uint64_t which, const glm::ivec3& cells, bool isHinted,
-  TileBeam& beam)
+bool SetUp(
+  const RayBatch& rays, std::uint64_t which, const glm::ivec3& cells, bool isHinted, TileBeam& beam)
 {
   const auto lanes = static_cast<std::size_t>(rays.Count);
   beam.Count = WholeVectors(lanes);
@@ -333,8 +333,8 @@ bool SetUp(const RayBatch& rays, std::uint64_t which, const glm::ivec3& cells, b
   const glm::dvec3 from = origin + beam.First * direction;
   beam.Anchor = glm::clamp(from, glm::dvec3(0.0), glm::dvec3(cells));
   beam.Forward = glm::normalize(direction / beam.Scale);
-  beam.Flip = (direction.x < 0.0 ? 3 : 0) | (direction.y < 0.0 ? 12 : 0) |
-    (direction.z < 0.0 ? 48 : 0);
+  beam.Flip =
+    (direction.x < 0.0 ? 3 : 0) | (direction.y < 0.0 ? 12 : 0) | (direction.z < 0.0 ? 48 : 0);
   ConvertRays(rays, which, middle, beam);
   if (!SetUpDepths(extremes.Farthest, cells, beam))
   {
@@ -359,8 +359,8 @@ namespace BeamSetUpKernels
 HWY_EXPORT(SetUp);
 }
 
-bool SetUpBeam(const RayBatch& rays, std::uint64_t which, const glm::ivec3& cells, bool isHinted,
-  TileBeam& beam)
+bool SetUpBeam(
+  const RayBatch& rays, std::uint64_t which, const glm::ivec3& cells, bool isHinted, TileBeam& beam)
 {
   using namespace BeamSetUpKernels;
   return HWY_DYNAMIC_DISPATCH(SetUp)(rays, which, cells, isHinted, beam);

@@ -63,7 +63,8 @@ struct alignas(64) TileBeam
   float Steepest;
   glm::vec3 Forward; ///< the direction that depth is counted in
   int Flip;          ///< bits of a child's number that are flipped to go from front to back
-  /// All rays run the same way along each axis, and none begins or ends on its way through the field.
+  /// All rays run the same way along each axis, and none begins or ends on its way through the
+  /// field.
   bool IsPlain;
   bool IsSteep; ///< Slack is more than a little, as rays run nearly along faces of cells
 

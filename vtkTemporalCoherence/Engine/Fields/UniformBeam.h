@@ -63,8 +63,8 @@ public:
       return false;
     }
     this->FirstEnter.fill(std::numeric_limits<double>::infinity());
-    SearchBeam({ *this->Cells.Scene.Active, this->Cells.Count, this->Cells.Rules.IsSolid() }, *this,
-      beam);
+    SearchBeam(
+      { *this->Cells.Scene.Active, this->Cells.Count, this->Cells.Rules.IsSolid() }, *this, beam);
     this->Hits.CellsRead += beam.CellsPassed;
     this->FindContacts(beam);
     return true;
@@ -95,8 +95,8 @@ private:
     {
       const Real value = difference(sample[rows[i / 2] + (i & 1 ? s.x : 0)]);
       read.Differences[i] = value;
-      corners[i] =
-        sizeof(Real) == sizeof(float) ? static_cast<float>(value) : static_cast<float>(value * this->Unit);
+      corners[i] = sizeof(Real) == sizeof(float) ? static_cast<float>(value)
+                                                 : static_cast<float>(value * this->Unit);
     }
     return this->NumberOfKnown++;
   }
@@ -109,10 +109,10 @@ private:
     for (std::size_t i = 0; i < open.Count; ++i)
     {
       const std::size_t ray = open.Ray[i];
-      if (open.Enter[i] < beam.Behind[ray])
+      const ReadCell& cell = this->Known[static_cast<std::size_t>(open.Cell[i])];
+      if (open.Enter[i] < beam.Behind[ray] && this->IsWalkedThrough(ray, cell))
       {
         from[static_cast<std::size_t>(passages.Count)] = ray;
-        const ReadCell& cell = this->Known[static_cast<std::size_t>(open.Cell[i])];
         AppendPassage(this->Rays, ray, glm::ivec3(cell.Place[0], cell.Place[1], cell.Place[2]),
           cell.Differences, passages);
       }
@@ -185,8 +185,8 @@ private:
   }
 
   /// Find surfaces in passages of some rays.
-  void Find(PassageBatch<Real>& passages,
-    const std::array<std::size_t, RayBatch::Capacity>& from, TileBeam& beam)
+  void Find(PassageBatch<Real>& passages, const std::array<std::size_t, RayBatch::Capacity>& from,
+    TileBeam& beam)
   {
     FindCrossings(passages, this->Cells.Rules.IsSolid());
     for (std::size_t i = 0; i < static_cast<std::size_t>(passages.Count); ++i)
@@ -197,6 +197,25 @@ private:
         beam.Behind[from[i]] = std::min(beam.Behind[from[i]], distance);
       }
     }
+  }
+
+  /// True if the walk of a ray goes through a cell. All active cells are, but where a hint tells
+  /// where walks begin and end.
+  bool IsWalkedThrough(std::size_t ray, const ReadCell& cell) const
+  {
+    if (!this->Cells.Scene.IsHinted)
+    {
+      return true;
+    }
+    double enter = this->Rays.Begin[ray], leave = this->Rays.End[ray];
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      const double origin = this->Rays.Origin[a][ray], inverse = this->Rays.Inverse[a][ray];
+      const double ahead = this->Rays.Direction[a][ray] > 0.0 ? 1.0 : 0.0;
+      enter = std::max(enter, (cell.Place[a] + 1.0 - ahead - origin) * inverse);
+      leave = std::min(leave, (cell.Place[a] + ahead - origin) * inverse);
+    }
+    return leave > this->Rays.WalkBegin[ray] && enter < this->Rays.WalkEnd[ray];
   }
 
   /// Keep what was found in passage i, if the ray meets it before what it has.
@@ -225,8 +244,7 @@ private:
       {
         const bool isMiss = this->Hits.Kind[ray] == HitKind::None;
         misses |= static_cast<std::uint64_t>(isMiss) << ray;
-        this->Hits.Contact[ray] =
-          std::max(this->Rays.Begin[ray], beam.TOf(beam.Contact[ray]));
+        this->Hits.Contact[ray] = std::max(this->Rays.Begin[ray], beam.TOf(beam.Contact[ray]));
         this->Hits.FromInside[ray] = this->Hits.Kind[ray] == HitKind::Leaves;
       }
     }
@@ -250,8 +268,8 @@ private:
     for (std::size_t i = 0; i < static_cast<std::size_t>(walks.Rays.Count); ++i)
     {
       const glm::ivec3 cell(walks.Cell[0][i], walks.Cell[1][i], walks.Cell[2][i]);
-      AppendPassage(walks.Rays, i, cell,
-        this->Cells.Differ(this->Cells.Samples.Read(cell), 0), passages);
+      AppendPassage(
+        walks.Rays, i, cell, this->Cells.Differ(this->Cells.Samples.Read(cell), 0), passages);
     }
     FindCrossings(passages, this->Cells.Rules.IsSolid());
     for (std::size_t i = 0; i < static_cast<std::size_t>(passages.Count); ++i)

@@ -30,9 +30,8 @@ TileTracer::TileTracer(const TileScene& scene)
   , Rays(scene.Key.Seen, scene.Key.Where, scene.Key.Samples.Dimensions, scene.Key.Kept)
   , HasSurfaces(scene.Key.Samples.HasCells() && !scene.Key.Sought.Isovalues.empty())
   , IsSolid(scene.Key.Sought.Mode == SurfaceMode::Threshold)
-  , Tracer(
-      SurfaceTracer::Make({ scene.Key.Samples, scene.Key.Sought, scene.FiniteRange, scene.Active,
-          scene.Hint != nullptr }))
+  , Tracer(SurfaceTracer::Make({ scene.Key.Samples, scene.Key.Sought, scene.FiniteRange,
+      scene.Active, scene.Hint != nullptr }))
 {
 }
 

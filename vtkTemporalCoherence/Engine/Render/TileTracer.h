@@ -47,8 +47,7 @@ private:
   void Find(const RayBatch& rays, HitBatch& hits) const;
   void TraceRays(const RayHint& hint, const KnownRays& known, RayBatch& rays, Frame& frame,
     TraceCounts& counts) const;
-  void Store(
-    const RayBatch& rays, const HitBatch& hits, Frame& frame, TraceCounts& counts) const;
+  void Store(const RayBatch& rays, const HitBatch& hits, Frame& frame, TraceCounts& counts) const;
   void TraceAgain(const RayBatch& rays, Frame& frame, TraceCounts& counts) const;
 
   TileScene Scene;

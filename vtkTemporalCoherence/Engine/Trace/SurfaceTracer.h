@@ -31,7 +31,7 @@ struct TraceScene
   Surfaces Sought;
   glm::dvec2 FiniteRange{ 0.0 };       ///< smallest and largest finite sample
   const ActiveCells* Active = nullptr; ///< null: no space leaping, every cell on the way is read
-  bool IsHinted = false; ///< walks may begin behind surfaces, and end before
+  bool IsHinted = false;               ///< walks may begin behind surfaces, and end before
   Traversal By = Traversal::Fastest;
 };
 

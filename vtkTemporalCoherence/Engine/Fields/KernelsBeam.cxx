@@ -346,23 +346,33 @@ private:
       const M isPassed = MaskOf(passing >> i);
       passing &= ~(these << i);
       const Interval passed{ Load(enter + i), Load(leave + i) };
-      this->KeepContacts(passed.Enter, isPassed, i);
+      this->KeepContacts(passed.Enter, isPassed, number, i);
       isMet |= this->SearchCell(values, first, passed, isPassed, number, i);
     }
     if (number == BeamScene::MostCells - 1 || this->Open.Count > RayBatch::Capacity)
     {
       this->Scene.Decide(this->Open, beam);
+      for (std::int32_t& contact : beam.ContactCell)
+      {
+        contact = contact == TileBeam::NoCell ? contact : TileBeam::ForgottenCell;
+      }
       isMet = true;
     }
     this->IsNearer |= isMet;
   }
 
-  HWY_INLINE void KeepContacts(V enter, M isPassed, std::size_t i)
+  HWY_INLINE void KeepContacts(V enter, M isPassed, std::int32_t number, std::size_t i)
   {
     TileBeam& beam = this->Beam;
     const Floats d;
-    const V contact = Load(&beam.Contact[i]);
-    hn::StoreU(hn::IfThenElse(isPassed, hn::Min(enter, contact), contact), d, &beam.Contact[i]);
+    const Integers di;
+    const V here = hn::IfThenElse(isPassed, enter, Set(TileBeam::Never));
+    const V contact = Load(&beam.Contact[i]), next = Load(&beam.NextContact[i]);
+    const auto isFirst = hn::RebindMask(di, hn::Lt(here, contact));
+    const auto cell = hn::LoadU(di, &beam.ContactCell[i]);
+    hn::StoreU(hn::Min(here, contact), d, &beam.Contact[i]);
+    hn::StoreU(hn::Min(next, hn::Max(here, contact)), d, &beam.NextContact[i]);
+    hn::StoreU(hn::IfThenElse(isFirst, hn::Set(di, number), cell), di, &beam.ContactCell[i]);
   }
 
   /// Search a cell for some rays.

@@ -163,7 +163,9 @@ HWY_INLINE void ClearRays(std::uint64_t which, TileBeam& beam)
       hn::Add(hn::LoadU(d, &beam.AtDepth[i]), hn::Mul(behind, hn::LoadU(d, &beam.PerDepth[i]))));
     hn::StoreU(far, d, &beam.Enter[i]);
     hn::StoreU(far, d, &beam.Contact[i]);
+    hn::StoreU(far, d, &beam.NextContact[i]);
     hn::StoreU(none, di, &beam.Cell[i]);
+    hn::StoreU(none, di, &beam.ContactCell[i]);
   }
   beam.Around.Offset[TileBeam::Across] =
     -(hn::GetLane(hn::MaxOfLanes(d, depth)) + 4.0f * beam.Margin);

@@ -106,6 +106,7 @@ private:
     this->DecideMet(beam);
     PassageBatch<Real> passages;
     std::array<std::size_t, RayBatch::Capacity> from;
+    std::array<std::int32_t, RayBatch::Capacity> numbers;
     for (std::size_t i = 0; i < open.Count; ++i)
     {
       const std::size_t ray = open.Ray[i];
@@ -113,17 +114,19 @@ private:
       if (open.Enter[i] < beam.Behind[ray] && this->IsWalkedThrough(ray, cell))
       {
         from[static_cast<std::size_t>(passages.Count)] = ray;
+        numbers[static_cast<std::size_t>(passages.Count)] = open.Cell[i];
         AppendPassage(this->Rays, ray, glm::ivec3(cell.Place[0], cell.Place[1], cell.Place[2]),
           cell.Differences, passages);
       }
       if (passages.Count == RayBatch::Capacity || i + 1 == open.Count)
       {
-        this->Find(passages, from, beam);
+        this->Find(passages, from, numbers, beam);
         passages.Count = 0;
       }
     }
     open.Count = 0;
     this->NumberOfKnown = 0;
+    ++this->Round;
   }
 
   /// Find the surfaces that the beam has seen for sure.
@@ -178,7 +181,7 @@ private:
     {
       if (beam.Cell[from[i]] != TileBeam::NoCell)
       {
-        this->Keep(passages, i, from[i]);
+        this->Keep(passages, i, beam.Cell[from[i]], from[i]);
         beam.Cell[from[i]] = TileBeam::NoCell;
       }
     }
@@ -186,12 +189,12 @@ private:
 
   /// Find surfaces in passages of some rays.
   void Find(PassageBatch<Real>& passages, const std::array<std::size_t, RayBatch::Capacity>& from,
-    TileBeam& beam)
+    const std::array<std::int32_t, RayBatch::Capacity>& numbers, TileBeam& beam)
   {
     FindCrossings(passages, this->Cells.Rules.IsSolid());
     for (std::size_t i = 0; i < static_cast<std::size_t>(passages.Count); ++i)
     {
-      if (this->Keep(passages, i, from[i]))
+      if (this->Keep(passages, i, numbers[i], from[i]))
       {
         const float distance = beam.DistanceOf(passages.Distance[i]) + beam.Margin;
         beam.Behind[from[i]] = std::min(beam.Behind[from[i]], distance);
@@ -207,19 +210,27 @@ private:
     {
       return true;
     }
-    double enter = this->Rays.Begin[ray], leave = this->Rays.End[ray];
+    const glm::dvec2 ends = this->EndsIn(ray, cell);
+    return ends.y > this->Rays.WalkBegin[ray] && ends.x < this->Rays.WalkEnd[ray];
+  }
+
+  /// Where a ray enters a cell, and where it leaves it.
+  glm::dvec2 EndsIn(std::size_t ray, const ReadCell& cell) const
+  {
+    glm::dvec2 ends(this->Rays.Begin[ray], this->Rays.End[ray]);
     for (std::size_t a = 0; a < 3; ++a)
     {
       const double origin = this->Rays.Origin[a][ray], inverse = this->Rays.Inverse[a][ray];
       const double ahead = this->Rays.Direction[a][ray] > 0.0 ? 1.0 : 0.0;
-      enter = std::max(enter, (cell.Place[a] + 1.0 - ahead - origin) * inverse);
-      leave = std::min(leave, (cell.Place[a] + ahead - origin) * inverse);
+      ends.x = std::max(ends.x, (cell.Place[a] + (1.0 - ahead) - origin) * inverse);
+      ends.y = std::min(ends.y, (cell.Place[a] + ahead - origin) * inverse);
     }
-    return leave > this->Rays.WalkBegin[ray] && enter < this->Rays.WalkEnd[ray];
+    return ends;
   }
 
   /// Keep what was found in passage i, if the ray meets it before what it has.
-  bool Keep(const PassageBatch<Real>& passages, std::size_t i, std::size_t ray)
+  bool Keep(
+    const PassageBatch<Real>& passages, std::size_t i, std::int32_t number, std::size_t ray)
   {
     if (!(passages.Distance[i] < std::numeric_limits<double>::infinity() &&
           passages.Enter[i] < this->FirstEnter[ray]))
@@ -227,37 +238,69 @@ private:
       return false;
     }
     this->FirstEnter[ray] = passages.Enter[i];
+    this->FirstCell[ray] = number;
+    this->FirstRound[ray] = this->Round;
     this->Hits.Depth[ray] = passages.Distance[i];
     this->Hits.Surface[ray] = 0;
     this->Hits.Kind[ray] = HitRules::KindOf(IsInside(passages.AtEntry[i]));
     return true;
   }
 
-  /// Tell where rays first enter active cells: those that miss all surfaces, exactly; the others, a
-  /// little before it.
+  /// Tell where rays first enter active cells.
   void FindContacts(const TileBeam& beam)
   {
-    std::uint64_t misses = 0;
+    std::uint64_t walking = 0;
     for (std::size_t ray = 0; ray < static_cast<std::size_t>(this->Rays.Count); ++ray)
     {
       if (beam.Contact[ray] < TileBeam::Never)
       {
-        const bool isMiss = this->Hits.Kind[ray] == HitKind::None;
-        misses |= static_cast<std::uint64_t>(isMiss) << ray;
-        this->Hits.Contact[ray] = std::max(this->Rays.Begin[ray], beam.TOf(beam.Contact[ray]));
-        this->Hits.FromInside[ray] = this->Hits.Kind[ray] == HitKind::Leaves;
+        const bool isKnown = this->Hits.Kind[ray] != HitKind::None && this->KeepContact(beam, ray);
+        walking |= static_cast<std::uint64_t>(!isKnown) << ray;
       }
     }
-    if (misses != 0)
+    if (walking != 0)
     {
-      this->FindContactsOf(misses);
+      this->WalkToContacts(walking);
     }
   }
 
-  /// Let some rays walk to the first active cell.
-  void FindContactsOf(std::uint64_t misses)
+  /// Tell where a ray that has a hit first enters an active cell.
+  /// \return false if the beam does not tell it for sure
+  bool KeepContact(const TileBeam& beam, std::size_t ray)
   {
-    RayWalks walks(this->Rays, misses);
+    const std::int32_t number = beam.ContactCell[ray];
+    double enter;
+    if (!this->Cells.Scene.AreContactsExact)
+    {
+      enter = std::max(this->Rays.Begin[ray], beam.TOf(beam.Contact[ray]));
+    }
+    else if (number == this->FirstCell[ray] && this->FirstRound[ray] + 1 == this->Round)
+    {
+      enter = this->FirstEnter[ray];
+    }
+    else if (number != TileBeam::ForgottenCell)
+    {
+      const glm::dvec2 ends = this->EndsIn(ray, this->Known[static_cast<std::size_t>(number)]);
+      if (!(ends.x < ends.y && ends.y > this->Rays.WalkBegin[ray]))
+      {
+        return false;
+      }
+      enter = ends.x;
+    }
+    else
+    {
+      return false;
+    }
+    this->Hits.Contact[ray] = enter;
+    this->Hits.FromInside[ray] = this->Hits.Kind[ray] == HitKind::Leaves;
+    return !this->Cells.Scene.AreContactsExact ||
+      beam.DistanceOf(enter) + beam.Margin < beam.NextContact[ray];
+  }
+
+  /// Let some rays walk to the first active cell.
+  void WalkToContacts(std::uint64_t which)
+  {
+    RayWalks walks(this->Rays, which);
     for (std::size_t i = 0; i < static_cast<std::size_t>(walks.Rays.Count); ++i)
     {
       this->Hits.Contact[static_cast<std::size_t>(walks.From[i])] =
@@ -283,9 +326,12 @@ private:
   Real Unit;
   const RayBatch& Rays;
   HitBatch& Hits;
-  RayBatch::Array<double> FirstEnter; ///< where rays enter the cells of their hits
+  /// Of the cells of hits: where rays enter them, their numbers, and when these were given.
+  RayBatch::Array<double> FirstEnter;
+  RayBatch::Array<std::int32_t> FirstCell, FirstRound;
   std::array<ReadCell, MostCells> Known;
   std::int32_t NumberOfKnown = 0;
+  std::int32_t Round = 0; ///< how often all cells were forgotten
 };
 
 }

@@ -32,6 +32,8 @@ struct TraceScene
   glm::dvec2 FiniteRange{ 0.0 };       ///< smallest and largest finite sample
   const ActiveCells* Active = nullptr; ///< null: no space leaping, every cell on the way is read
   bool IsHinted = false;               ///< walks may begin behind surfaces, and end before
+  /// False: contacts of rays with hits may be told a little too early.
+  bool AreContactsExact = true;
   Traversal By = Traversal::Fastest;
 };
 

@@ -31,7 +31,7 @@ TileTracer::TileTracer(const TileScene& scene)
   , HasSurfaces(scene.Key.Samples.HasCells() && !scene.Key.Sought.Isovalues.empty())
   , IsSolid(scene.Key.Sought.Mode == SurfaceMode::Threshold)
   , Tracer(SurfaceTracer::Make({ scene.Key.Samples, scene.Key.Sought, scene.FiniteRange,
-      scene.Active, scene.Hint != nullptr }))
+      scene.Active, scene.Hint != nullptr, scene.AreContactsExact }))
 {
 }
 

@@ -25,6 +25,7 @@ struct TileScene
   const TileBounds* Bounds = nullptr;  ///< of Active
   glm::dvec2 FiniteRange{ 0.0 };
   const RayHint* Hint = nullptr; ///< null: nothing is known, a cold frame
+  bool AreContactsExact = true;  ///< false: they may be told a little too early
 };
 
 /// Takes the rays of one tile from their set-up to the planes of the frame: the walk narrowed by

@@ -321,7 +321,7 @@ private:
     // First all vectors, without a branch: which rays pass a cell is hard to foresee.
     float enter[RayBatch::Capacity], leave[RayBatch::Capacity];
     std::uint64_t passing = 0;
-    for (std::size_t i = 0; i < beam.Count; i += hn::Lanes(Floats()))
+    for (std::size_t i = 0; i < RayBatch::Capacity; i += hn::Lanes(Floats()))
     {
       Interval passed = this->Pass(planes, i);
       passing |= BitsOf(this->Passes(passed, i)) << i;
@@ -367,10 +367,15 @@ private:
     const Floats d;
     const Integers di;
     const V here = hn::IfThenElse(isPassed, enter, Set(TileBeam::Never));
-    const V contact = Load(&beam.Contact[i]), next = Load(&beam.NextContact[i]);
+    const V contact = Load(&beam.Contact[i]);
+    hn::StoreU(hn::Min(here, contact), d, &beam.Contact[i]);
+    if (!this->Task.AreContactsExact)
+    {
+      return;
+    }
+    const V next = Load(&beam.NextContact[i]);
     const auto isFirst = hn::RebindMask(di, hn::Lt(here, contact));
     const auto cell = hn::LoadU(di, &beam.ContactCell[i]);
-    hn::StoreU(hn::Min(here, contact), d, &beam.Contact[i]);
     hn::StoreU(hn::Min(next, hn::Max(here, contact)), d, &beam.NextContact[i]);
     hn::StoreU(hn::IfThenElse(isFirst, hn::Set(di, number), cell), di, &beam.ContactCell[i]);
   }
@@ -406,7 +411,7 @@ private:
   }
 
   /// Keep a cell that rays may meet a surface in.
-  HWY_NOINLINE bool KeepCell(const Coefficients& b, float largest, float error,
+  HWY_INLINE bool KeepCell(const Coefficients& b, float largest, float error,
     const float first[3], const Interval& searched, M isOpen, std::int32_t number, std::size_t i)
   {
     TileBeam& beam = this->Beam;

@@ -20,6 +20,7 @@ struct BeamTask
   const ActiveCells& Active;
   glm::ivec3 Cells; ///< number of cells along each axis
   bool IsSolid;     ///< a ray that is inside meets the surface where it enters a cell
+  bool AreContactsExact; ///< ContactCell and NextContact are of use
 };
 
 /// Take a beam through the active cells, from front to back, up to where all of its rays have met a

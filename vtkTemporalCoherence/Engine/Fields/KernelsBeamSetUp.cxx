@@ -55,11 +55,12 @@ HWY_INLINE Extremes FindExtremes(const RayBatch& rays, std::uint64_t which, std:
   for (std::size_t i = 0; i < count; i += hn::Lanes(d))
   {
     const auto isRay = MaskOf(which, i);
-    first = hn::IfThenElse(isRay, hn::Min(first, hn::LoadU(d, &rays.WalkBegin[i])), first);
+    const V none = hn::Set(d, std::numeric_limits<double>::infinity());
+    first = hn::Min(first, hn::IfThenElse(isRay, hn::LoadU(d, &rays.WalkBegin[i]), none));
     for (std::size_t a = 0; a < 3; ++a)
     {
-      const V origin = hn::Abs(hn::LoadU(d, &rays.Origin[a][i]));
-      farthest = hn::IfThenElse(isRay, hn::Max(farthest, origin), farthest);
+      const V origin = hn::IfThenElseZero(isRay, hn::LoadU(d, &rays.Origin[a][i]));
+      farthest = hn::Max(farthest, hn::Abs(origin));
     }
   }
   return { hn::GetLane(hn::MinOfLanes(d, first)), hn::GetLane(hn::MaxOfLanes(d, farthest)) };
@@ -312,8 +313,7 @@ inline std::array<glm::vec3, 4> FindNormals(const RayBatch& rays, const TileBeam
 bool SetUp(
   const RayBatch& rays, std::uint64_t which, const glm::ivec3& cells, bool isHinted, TileBeam& beam)
 {
-  const auto lanes = static_cast<std::size_t>(rays.Count);
-  beam.Count = WholeVectors(lanes);
+  beam.Count = RayBatch::Capacity;
   const Extremes extremes = FindExtremes(rays, which, beam.Count);
   const std::size_t middle = MiddleOf(which);
   glm::dvec3 direction, origin;

@@ -64,7 +64,8 @@ public:
     }
     this->FirstEnter.fill(std::numeric_limits<double>::infinity());
     SearchBeam(
-      { *this->Cells.Scene.Active, this->Cells.Count, this->Cells.Rules.IsSolid() }, *this, beam);
+      { *this->Cells.Scene.Active, this->Cells.Count, this->Cells.Rules.IsSolid(),
+                 this->Cells.Scene.AreContactsExact }, *this, beam);
     this->Hits.CellsRead += beam.CellsPassed;
     this->FindContacts(beam);
     return true;

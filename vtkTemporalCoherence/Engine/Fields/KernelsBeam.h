@@ -18,8 +18,8 @@ bool SetUpBeam(const RayBatch& rays, std::uint64_t which, const glm::ivec3& cell
 struct BeamTask
 {
   const ActiveCells& Active;
-  glm::ivec3 Cells; ///< number of cells along each axis
-  bool IsSolid;     ///< a ray that is inside meets the surface where it enters a cell
+  glm::ivec3 Cells;      ///< number of cells along each axis
+  bool IsSolid;          ///< a ray that is inside meets the surface where it enters a cell
   bool AreContactsExact; ///< ContactCell and NextContact are of use
 };
 

@@ -72,7 +72,7 @@ struct alignas(64) TileBeam
 
   static constexpr std::int32_t NoCell = -1;
   static constexpr std::int32_t ForgottenCell = -2; ///< a ContactCell before others were read
-  static constexpr float Never = 1e30f; ///< a t behind all others
+  static constexpr float Never = 1e30f;             ///< a t behind all others
 
   /// t of the beam for a t of a RayBatch, and back.
   float DistanceOf(double t) const { return static_cast<float>((t - this->First) * this->Scale); }

@@ -63,9 +63,9 @@ public:
       return false;
     }
     this->FirstEnter.fill(std::numeric_limits<double>::infinity());
-    SearchBeam(
-      { *this->Cells.Scene.Active, this->Cells.Count, this->Cells.Rules.IsSolid(),
-                 this->Cells.Scene.AreContactsExact }, *this, beam);
+    SearchBeam({ *this->Cells.Scene.Active, this->Cells.Count, this->Cells.Rules.IsSolid(),
+                 this->Cells.Scene.AreContactsExact },
+      *this, beam);
     this->Hits.CellsRead += beam.CellsPassed;
     this->FindContacts(beam);
     return true;
@@ -230,8 +230,7 @@ private:
   }
 
   /// Keep what was found in passage i, if the ray meets it before what it has.
-  bool Keep(
-    const PassageBatch<Real>& passages, std::size_t i, std::int32_t number, std::size_t ray)
+  bool Keep(const PassageBatch<Real>& passages, std::size_t i, std::int32_t number, std::size_t ray)
   {
     if (!(passages.Distance[i] < std::numeric_limits<double>::infinity() &&
           passages.Enter[i] < this->FirstEnter[ray]))

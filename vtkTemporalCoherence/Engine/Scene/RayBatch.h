@@ -46,8 +46,8 @@ struct RayBatch
   bool HasWalk(std::size_t ray) const
   {
     // Without a branch, as nobody could foretell it at silhouettes.
-    return static_cast<bool>((this->Begin[ray] < this->End[ray]) &
-      (this->WalkBegin[ray] < this->WalkEnd[ray]));
+    return static_cast<bool>(
+      (this->Begin[ray] < this->End[ray]) & (this->WalkBegin[ray] < this->WalkEnd[ray]));
   }
 };
 

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <hwy/highway.h>
 
@@ -155,6 +156,8 @@ private:
     const M isPassed = hn::Lt(passed.Enter, hn::Min(passed.Leave, behind));
     return IsPlain ? isPassed : hn::And(isPassed, hn::Gt(passed.Leave, Load(&beam.WalkBegin[i])));
   }
+
+  /// Keep where rays first enter an active cell.
   HWY_INLINE void KeepContacts(V enter, M isPassed, std::int32_t number, std::size_t i)
   {
     TileBeam& beam = this->Beam;
@@ -193,26 +196,40 @@ private:
       step[a] = hn::Mul(length, direction);
     }
     const Coefficients b = CubicsAlong(values, at, step);
-    const float error = values.Largest * (16.0f * beam.Margin + 0x1p-13f) + 1e-30f;
-    const M isBelow = hn::Lt(b.Largest, Set(-error));
-    const M isAbove = this->Task.IsSolid ? hn::Lt(zero, zero) : hn::Gt(b.Smallest, Set(error));
-    const M isOpen = hn::AndNot(hn::Or(isBelow, isAbove), isPassed);
+    M isOpen = hn::Lt(zero, zero);
+    for (const float isovalue : this->Task.Isovalues)
+    {
+      const float error = this->ErrorIn(values, isovalue);
+      const M isBelow = hn::Lt(b.Largest, Set(isovalue - error));
+      const M isAbove =
+        this->Task.IsSolid ? hn::Lt(zero, zero) : hn::Gt(b.Smallest, Set(isovalue + error));
+      isOpen = hn::Or(isOpen, hn::AndNot(hn::Or(isBelow, isAbove), isPassed));
+    }
     if (hn::AllFalse(Floats(), isOpen))
     {
       return false;
     }
-    return this->KeepCell(b, values.Largest, error, first, { enter, leave }, isOpen, number, i);
+    return this->KeepCell(b, values, first, { enter, leave }, isOpen, number, i);
+  }
+
+  /// What coefficients in a cell may be off by. Each is a mean of values of the interpolant where
+  /// each coordinate of a begin or an end is that of the path, off by the margin at most: of
+  /// either, that moves the value by two times the largest corner for each of three axes. Rounding
+  /// adds 2^-24 of numbers less than 27 times the largest corner in 30 operations; in full
+  /// precision, and by conversion to single, less than that is lost again.
+  HWY_INLINE float ErrorIn(const CellValues& values, float isovalue) const
+  {
+    return (values.Largest + std::abs(isovalue)) * (16.0f * this->Beam.Margin + 0x1p-13f) + 1e-30f;
   }
 
   /// Keep a cell that rays may meet a surface in.
-  HWY_INLINE bool KeepCell(const Coefficients& b, float largest, float error, const float first[3],
+  HWY_INLINE bool KeepCell(const Coefficients& b, const CellValues& values, const float first[3],
     const Interval& searched, M isOpen, std::int32_t number, std::size_t i)
   {
     TileBeam& beam = this->Beam;
     const Floats d;
     const Integers di;
-    const V margin = Set(2.0f * beam.Margin), most = Set(error),
-            per = Set(2.25f * beam.Steepest * largest);
+    const V margin = Set(2.0f * beam.Margin);
     // The ray enters and leaves between these and those that were searched.
     Interval sure;
     if (beam.IsSteep)
@@ -228,13 +245,22 @@ private:
     }
     sure.Enter = hn::Max(sure.Enter, hn::Add(Load(&beam.Begin[i]), margin));
     sure.Leave = hn::Min(sure.Leave, hn::Sub(Load(&beam.End[i]), margin));
-    const V firstError = hn::Add(most, hn::Mul(per, hn::Sub(sure.Enter, searched.Enter)));
-    const V lastError = hn::Add(most, hn::Mul(per, hn::Sub(searched.Leave, sure.Leave)));
-    const M beginsIn = hn::Gt(b.First, firstError), endsIn = hn::Gt(b.Last, lastError);
-    const M beginsOut = hn::Lt(hn::Add(b.First, firstError), hn::Zero(d));
-    const M endsOut = hn::Lt(hn::Add(b.Last, lastError), hn::Zero(d));
-    const M rises = hn::And(beginsOut, endsIn);
-    const M isCrossed = hn::Or(rises, this->Task.IsSolid ? beginsIn : hn::And(beginsIn, endsOut));
+    // The interpolant changes by twice the largest corner along an axis, and little more outside.
+    const V slope = Set(2.25f * beam.Steepest * values.Largest);
+    const V firstMoved = hn::Mul(slope, hn::Sub(sure.Enter, searched.Enter));
+    const V lastMoved = hn::Mul(slope, hn::Sub(searched.Leave, sure.Leave));
+    M isCrossed = hn::Lt(margin, margin);
+    for (const float isovalue : this->Task.Isovalues)
+    {
+      const V error = Set(this->ErrorIn(values, isovalue)), level = Set(isovalue);
+      const V firstError = hn::Add(error, firstMoved), lastError = hn::Add(error, lastMoved);
+      const M beginsIn = hn::Gt(b.First, hn::Add(level, firstError));
+      const M endsIn = hn::Gt(b.Last, hn::Add(level, lastError));
+      const M beginsOut = hn::Lt(b.First, hn::Sub(level, firstError));
+      const M endsOut = hn::Lt(b.Last, hn::Sub(level, lastError));
+      const M falls = this->Task.IsSolid ? beginsIn : hn::And(beginsIn, endsOut);
+      isCrossed = hn::Or(isCrossed, hn::Or(hn::And(beginsOut, endsIn), falls));
+    }
     M isSure = hn::Lt(sure.Enter, sure.Leave);
     const V behind = Load(&beam.Behind[i]);
     if (!IsPlain)

@@ -5,6 +5,8 @@
 
 #include "Fields/TileBeam.h"
 
+#include <vector>
+
 namespace TemporalCoherence
 {
 
@@ -17,6 +19,8 @@ bool SetUpBeam(const RayBatch& rays, std::uint64_t which, const glm::ivec3& cell
 /// What a search goes through.
 struct BeamTask
 {
+  /// Isovalues, in units of a scene's corners and as differences from the same isovalue.
+  const std::vector<float>& Isovalues;
   const ActiveCells& Active;
   glm::ivec3 Cells;      ///< number of cells along each axis
   bool IsSolid;          ///< a ray that is inside meets the surface where it enters a cell

@@ -3,6 +3,7 @@
 #ifndef TemporalCoherence_UniformBeam_h
 #define TemporalCoherence_UniformBeam_h
 
+#include "Fields/BeamLevels.h"
 #include "Fields/KernelsBeam.h"
 #include "Fields/UniformCells.h"
 #include "Trace/KernelsCrossing.h"
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 
 namespace TemporalCoherence
@@ -32,25 +32,14 @@ public:
   using Real = RealOf<T>;
   using Traced = TracedCells<T, UniformCells<T>, Interpolation::Linear>;
 
-  UniformBeam(const Traced& cells, double unit, const RayBatch& rays, HitBatch& hits)
+  UniformBeam(
+    const Traced& cells, const BeamLevels<T>& levels, const RayBatch& rays, HitBatch& hits)
     : Cells(cells)
-    , Unit(static_cast<Real>(unit))
+    , Given(levels)
+    , Unit(static_cast<Real>(levels.Unit))
     , Rays(rays)
     , Hits(hits)
   {
-  }
-
-  /// What differences are multiplied by, for the beam.
-  static double UnitFor(const TraceScene& scene)
-  {
-    if (sizeof(Real) == sizeof(float))
-    {
-      return 1.0;
-    }
-    const double isovalue = scene.Sought.Isovalues.front();
-    const double largest = IsovalueScale::For<T>({ isovalue, isovalue }, scene.FiniteRange)
-                             .LargestFrom(isovalue, scene.FiniteRange);
-    return largest > 0.0 ? std::ldexp(1.0, std::min(-std::ilogb(largest), 1000)) : 1.0;
   }
 
   /// Find the hits of some rays, one bit each.
@@ -63,8 +52,8 @@ public:
       return false;
     }
     this->FirstEnter.fill(std::numeric_limits<double>::infinity());
-    SearchBeam({ *this->Cells.Scene.Active, this->Cells.Count, this->Cells.Rules.IsSolid(),
-                 this->Cells.Scene.AreContactsExact },
+    SearchBeam({ this->Given.Isovalues, *this->Cells.Scene.Active, this->Cells.Count,
+                 this->Cells.Rules.IsSolid(), this->Cells.Scene.AreContactsExact },
       *this, beam);
     this->Hits.CellsRead += beam.CellsPassed;
     this->FindContacts(beam);
@@ -86,12 +75,12 @@ private:
 
   std::int32_t Read(const glm::ivec3& cell, std::array<float, 8>& corners) override
   {
-    ReadCell& read = this->Known[static_cast<std::size_t>(this->NumberOfKnown)];
+    ReadCell& read = this->ReadCells[static_cast<std::size_t>(this->NumberOfRead)];
     read.Place = { cell.x + 0.0, cell.y + 0.0, cell.z + 0.0 };
     const T* const sample = this->Cells.Samples.All().At(cell);
     const glm::i64vec3& s = this->Cells.Samples.All().Strides;
     const std::array<std::int64_t, 4> rows = { 0, s.y, s.z, s.y + s.z };
-    const Difference<T>& difference = this->Cells.Differences[0];
+    const Difference<T>& difference = this->Cells.Differences[this->Given.Base];
     for (std::size_t i = 0; i < 8; ++i)
     {
       const Real value = difference(sample[rows[i / 2] + (i & 1 ? s.x : 0)]);
@@ -99,35 +88,106 @@ private:
       corners[i] = sizeof(Real) == sizeof(float) ? static_cast<float>(value)
                                                  : static_cast<float>(value * this->Unit);
     }
-    return this->NumberOfKnown++;
+    return this->NumberOfRead++;
   }
+
+  /// Passages that are to be searched.
+  struct Search
+  {
+    PassageBatch<Real> Passages;
+    RayBatch::Array<std::size_t> Ray;
+    RayBatch::Array<std::int32_t> Cell;
+    RayBatch::Array<std::int16_t> Surface;
+  };
 
   void Decide(OpenCells& open, TileBeam& beam) override
   {
-    this->DecideMet(beam);
-    PassageBatch<Real> passages;
-    std::array<std::size_t, RayBatch::Capacity> from;
-    std::array<std::int32_t, RayBatch::Capacity> numbers;
+    Search search;
+    if (this->Given.Isovalues.size() == 1)
+    {
+      this->DecideMet(beam);
+    }
+    else
+    {
+      this->VisitMet(search, beam);
+    }
     for (std::size_t i = 0; i < open.Count; ++i)
     {
       const std::size_t ray = open.Ray[i];
-      const ReadCell& cell = this->Known[static_cast<std::size_t>(open.Cell[i])];
+      const ReadCell& cell = this->ReadCells[static_cast<std::size_t>(open.Cell[i])];
       if (open.Enter[i] < beam.Behind[ray] && this->IsWalkedThrough(ray, cell))
       {
-        from[static_cast<std::size_t>(passages.Count)] = ray;
-        numbers[static_cast<std::size_t>(passages.Count)] = open.Cell[i];
-        AppendPassage(this->Rays, ray, glm::ivec3(cell.Place[0], cell.Place[1], cell.Place[2]),
-          cell.Differences, passages);
-      }
-      if (passages.Count == RayBatch::Capacity || i + 1 == open.Count)
-      {
-        this->Find(passages, from, numbers, beam);
-        passages.Count = 0;
+        this->Visit(ray, open.Cell[i], search, beam);
       }
     }
+    this->Finish(search, beam);
     open.Count = 0;
-    this->NumberOfKnown = 0;
+    this->NumberOfRead = 0;
     ++this->Round;
+  }
+
+  /// Visit the cells in which the beam has seen surfaces for sure.
+  void VisitMet(Search& search, TileBeam& beam)
+  {
+    for (std::size_t ray = 0; ray < static_cast<std::size_t>(this->Rays.Count); ++ray)
+    {
+      if (beam.Cell[ray] != TileBeam::NoCell)
+      {
+        this->Visit(ray, beam.Cell[ray], search, beam);
+        beam.Cell[ray] = TileBeam::NoCell;
+      }
+    }
+  }
+
+  /// Note a ray's passages through a cell, of each isovalue that passes through it.
+  void Visit(std::size_t ray, std::int32_t number, Search& search, TileBeam& beam)
+  {
+    const std::array<double, 3>& place = this->ReadCells[static_cast<std::size_t>(number)].Place;
+    const glm::ivec3 cell(place[0], place[1], place[2]);
+    const std::array<T, 8> samples = this->Cells.Samples.Read(cell);
+    for (std::size_t surface = 0; surface < this->Given.Isovalues.size(); ++surface)
+    {
+      const Corners<Real> corners = this->Cells.Differ(samples, surface);
+      if (!this->Cells.CanHold(corners))
+      {
+        continue;
+      }
+      if (search.Passages.Count == RayBatch::Capacity)
+      {
+        this->Finish(search, beam);
+      }
+      const auto at = static_cast<std::size_t>(search.Passages.Count);
+      AppendPassage(this->Rays, ray, cell, corners, search.Passages);
+      search.Ray[at] = ray;
+      search.Cell[at] = number;
+      search.Surface[at] = static_cast<std::int16_t>(surface);
+    }
+  }
+
+  /// Search what is noted.
+  void Finish(Search& search, TileBeam& beam)
+  {
+    PassageBatch<Real>& passages = search.Passages;
+    FindCrossings(passages, this->Cells.Rules.IsSolid());
+    for (std::size_t i = 0; i < static_cast<std::size_t>(passages.Count); ++i)
+    {
+      const std::size_t ray = search.Ray[i];
+      const bool isFound = passages.Distance[i] < std::numeric_limits<double>::infinity();
+      if (isFound && passages.Enter[i] == this->FirstEnter[ray])
+      {
+        // In the same cell.
+        this->Cells.Rules.KeepFirst(
+          passages.Distance[i], IsInside(passages.AtEntry[i]), search.Surface[i], ray, this->Hits);
+      }
+      else if (this->Keep(passages, i, search.Cell[i], ray))
+      {
+        this->Hits.Surface[ray] = search.Surface[i];
+        // Nothing matters behind a surface.
+        const float behind = beam.DistanceOf(passages.Distance[i]) + beam.Margin;
+        beam.Behind[ray] = std::min(beam.Behind[ray], behind);
+      }
+    }
+    passages.Count = 0;
   }
 
   /// Find the surfaces that the beam has seen for sure.
@@ -156,7 +216,7 @@ private:
       from[i] = areAll ? i : from[i];
       const std::size_t ray = from[i];
       const std::int32_t number = beam.Cell[ray] != TileBeam::NoCell ? beam.Cell[ray] : any;
-      const ReadCell& cell = this->Known[static_cast<std::size_t>(number)];
+      const ReadCell& cell = this->ReadCells[static_cast<std::size_t>(number)];
       for (std::size_t a = 0; a < 3; ++a)
       {
         passages.Cell[a][i] = cell.Place[a];
@@ -184,21 +244,6 @@ private:
       {
         this->Keep(passages, i, beam.Cell[from[i]], from[i]);
         beam.Cell[from[i]] = TileBeam::NoCell;
-      }
-    }
-  }
-
-  /// Find surfaces in passages of some rays.
-  void Find(PassageBatch<Real>& passages, const std::array<std::size_t, RayBatch::Capacity>& from,
-    const std::array<std::int32_t, RayBatch::Capacity>& numbers, TileBeam& beam)
-  {
-    FindCrossings(passages, this->Cells.Rules.IsSolid());
-    for (std::size_t i = 0; i < static_cast<std::size_t>(passages.Count); ++i)
-    {
-      if (this->Keep(passages, i, numbers[i], from[i]))
-      {
-        const float distance = beam.DistanceOf(passages.Distance[i]) + beam.Margin;
-        beam.Behind[from[i]] = std::min(beam.Behind[from[i]], distance);
       }
     }
   }
@@ -280,7 +325,7 @@ private:
     }
     else if (number != TileBeam::ForgottenCell)
     {
-      const glm::dvec2 ends = this->EndsIn(ray, this->Known[static_cast<std::size_t>(number)]);
+      const glm::dvec2 ends = this->EndsIn(ray, this->ReadCells[static_cast<std::size_t>(number)]);
       if (!(ends.x < ends.y && ends.y > this->Rays.WalkBegin[ray]))
       {
         return false;
@@ -307,30 +352,40 @@ private:
         std::numeric_limits<double>::infinity();
     }
     FindActiveCells({ *this->Cells.Scene.Active, *this, this->Cells.Count }, walks);
-    PassageBatch<Real> passages;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(walks.Rays.Count); ++i)
+    const auto count = static_cast<std::size_t>(walks.Rays.Count);
+    for (std::size_t surface = 0; surface < this->Given.Isovalues.size(); ++surface)
     {
-      const glm::ivec3 cell(walks.Cell[0][i], walks.Cell[1][i], walks.Cell[2][i]);
-      AppendPassage(
-        walks.Rays, i, cell, this->Cells.Differ(this->Cells.Samples.Read(cell), 0), passages);
-    }
-    FindCrossings(passages, this->Cells.Rules.IsSolid());
-    for (std::size_t i = 0; i < static_cast<std::size_t>(passages.Count); ++i)
-    {
-      HitRules::KeepContact(passages.Enter[i], IsInside(passages.AtEntry[i]),
-        static_cast<std::size_t>(walks.From[i]), this->Hits);
+      PassageBatch<Real> passages;
+      std::array<std::size_t, RayBatch::Capacity> from;
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        const glm::ivec3 cell(walks.Cell[0][i], walks.Cell[1][i], walks.Cell[2][i]);
+        const Corners<Real> corners = this->Cells.Differ(this->Cells.Samples.Read(cell), surface);
+        if (this->Cells.CanHold(corners))
+        {
+          from[static_cast<std::size_t>(passages.Count)] = static_cast<std::size_t>(walks.From[i]);
+          AppendPassage(walks.Rays, i, cell, corners, passages);
+        }
+      }
+      FindCrossings(passages, this->Cells.Rules.IsSolid());
+      for (std::size_t i = 0; i < static_cast<std::size_t>(passages.Count); ++i)
+      {
+        HitRules::KeepContact(
+          passages.Enter[i], IsInside(passages.AtEntry[i]), from[i], this->Hits);
+      }
     }
   }
 
   const Traced& Cells;
+  const BeamLevels<T>& Given;
   Real Unit;
   const RayBatch& Rays;
   HitBatch& Hits;
   /// Of the cells of hits: where rays enter them, their numbers, and when these were given.
   RayBatch::Array<double> FirstEnter;
   RayBatch::Array<std::int32_t> FirstCell, FirstRound;
-  std::array<ReadCell, MostCells> Known;
-  std::int32_t NumberOfKnown = 0;
+  std::array<ReadCell, MostCells> ReadCells;
+  std::int32_t NumberOfRead = 0;
   std::int32_t Round = 0; ///< how often all cells were forgotten
 };
 

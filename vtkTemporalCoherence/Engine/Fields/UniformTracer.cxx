@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace TemporalCoherence
 {
@@ -59,9 +60,12 @@ public:
     : Base(scene, {})
     , IsLarge(scene.Samples.IsLarge())
     , AreCellsActive(scene.Active && scene.Sought.Isovalues.size() == 1)
-    , TakesBeams(CanTakeBeams(scene))
-    , BeamUnit(TakesBeams ? UniformBeam<T>::UnitFor(scene) : 1.0)
   {
+    if (Between == Interpolation::Linear && scene.By != Traversal::Walks &&
+      BeamLevels<T>::AreFound(scene))
+    {
+      this->Levels = std::make_unique<const BeamLevels<T>>(scene);
+    }
   }
 
   void Trace(const RayBatch& rays, HitBatch& hits) const override
@@ -118,12 +122,6 @@ private:
     RayBatch::Array<std::int16_t> Surface;
   };
 
-  static bool CanTakeBeams(const TraceScene& scene)
-  {
-    return scene.By != Traversal::Walks && scene.Active && scene.Sought.Isovalues.size() == 1 &&
-      !scene.Samples.Hidden;
-  }
-
   /// True if rays of a tile are to go through active cells as a beam.
   bool IsBeam(const RayBatch& rays, std::uint64_t wanted) const
   {
@@ -152,8 +150,8 @@ private:
     }
     if constexpr (Between == Interpolation::Linear)
     {
-      if (this->TakesBeams && this->IsBeam(rays, wanted) &&
-        UniformBeam<T>(this->Cells, this->BeamUnit, rays, hits).Trace(wanted))
+      if (this->Levels && this->IsBeam(rays, wanted) &&
+        UniformBeam<T>(this->Cells, *this->Levels, rays, hits).Trace(wanted))
       {
         return;
       }
@@ -430,8 +428,7 @@ private:
 
   bool IsLarge;
   bool AreCellsActive; ///< the one isovalue passes through every cell that is visited
-  bool TakesBeams;
-  double BeamUnit;
+  std::unique_ptr<const BeamLevels<T>> Levels; ///< null: no beams
 };
 
 }

@@ -38,4 +38,6 @@ if (X11_FOUND)
       "${CMAKE_BINARY_DIR}/Testing/Examples/Explorer/Explorer" "$<TARGET_FILE:CheckPicture>"
       "$<TARGET_FILE:DropFile>" "${CMAKE_BINARY_DIR}/Testing/Explorer")
   set_tests_properties(ExplorerByHand PROPERTIES TIMEOUT 900 FIXTURES_REQUIRED BuiltExamples)
+else ()
+  temporal_coherence_skip_test(ExplorerByHand "mouse and keys are those of X11, which is not there")
 endif ()

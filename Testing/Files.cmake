@@ -4,7 +4,8 @@
 # Broken files, opened by the examples' own parts. Included by the directory of tests, where
 # CMAKE_CURRENT_LIST_DIR is this one.
 if (NOT UNIX)
-  return () # a process of its own for each file
+  temporal_coherence_skip_test(Files-Cxx "each file takes a process of its own, as Unix makes them")
+  return ()
 endif ()
 set(examples "${CMAKE_CURRENT_LIST_DIR}/../Examples")
 add_subdirectory("${examples}/Common" Files/ExamplesCommon)
@@ -12,11 +13,11 @@ add_subdirectory("${examples}/Common" Files/ExamplesCommon)
 # The programs have headers of the same names, so each way has a library of its own.
 add_library(DrawInExplorer STATIC
   "${CMAKE_CURRENT_LIST_DIR}/Files/DrawInExplorer.cxx"
-  "${examples}/Explorer/Appearance.cxx"
-  "${examples}/Explorer/Choices.cxx"
-  "${examples}/Explorer/Model.cxx"
-  "${examples}/Explorer/Session.cxx"
-  "${examples}/Explorer/VolumeView.cxx")
+  "${examples}/Explorer/Model/Appearance.cxx"
+  "${examples}/Explorer/Model/Choices.cxx"
+  "${examples}/Explorer/Model/Model.cxx"
+  "${examples}/Explorer/Model/Session.cxx"
+  "${examples}/Explorer/Model/VolumeView.cxx")
 target_include_directories(DrawInExplorer PRIVATE "${examples}/Explorer")
 add_library(DrawInOrbitAndSweep STATIC
   "${CMAKE_CURRENT_LIST_DIR}/Files/DrawInOrbitAndSweep.cxx"
@@ -37,4 +38,6 @@ if (Python3_Interpreter_FOUND)
     COMMAND "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_LIST_DIR}/Files/fuzz_files.py"
       --opener "$<TARGET_FILE:OpenFiles>" --count 4
       --scratch "${CMAKE_BINARY_DIR}/Testing/Files/cxx")
+else ()
+  temporal_coherence_skip_test(Files-Cxx "there is no Python, which breaks the files")
 endif ()

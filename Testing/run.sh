@@ -45,8 +45,9 @@ on_own_display ctest --test-dir "$build" --output-on-failure --no-tests=error \
   "${ctest_arguments[@]}" 2>&1 | tee "$log" || status=1
 
 summary=$(grep -E '^[0-9]+% tests passed' "$log" | tail -n 1 || true)
+skipped=$(grep -c '\*\*\*Skipped' "$log" || true)
 if [ "$status" -eq 0 ] && [ -n "$summary" ]; then
-  printf '[tests] PASSED: %s, in %s s\n' "$summary" "$((SECONDS - begin))"
+  printf '[tests] PASSED: %s; %s SKIPPED, in %s s\n' "$summary" "$skipped" "$((SECONDS - begin))"
 else
   printf '[tests] FAILED: %s, in %s s; all output is in %s\n' "${summary:-no test ran}" \
     "$((SECONDS - begin))" "$log"

@@ -25,7 +25,7 @@ bool HasShaders(vtkVolume* volume)
     shaders->HasGeometryShaderCode() || shaders->GetNumberOfShaderReplacements() > 0;
 }
 
-/// True if light is scattered, or if the gradient of the opacity makes normals.
+/// True if light is scattered, or if normals come from the gradient of the opacity.
 bool IsCloudy(vtkGPUVolumeRayCastMapper* mapper)
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)

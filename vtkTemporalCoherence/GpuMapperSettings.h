@@ -17,13 +17,13 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// Why what a GPU mapper is to draw is nothing for vtkTemporalCoherenceVolumeMapper, as the end of
-/// a sentence; empty if it may be.
+/// Why vtkTemporalCoherenceVolumeMapper cannot draw what a GPU mapper has to draw, as the end of a
+/// sentence; empty if it can.
 std::string WhyNotIsosurfaces(
   vtkGPUVolumeRayCastMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
 
-/// Give a mapper the input and all settings of another that have an effect on it. Nothing is
-/// modified that is the same already.
+/// Copy the input and all relevant settings of a mapper to another. Equal settings are not
+/// modified.
 void HandOver(vtkGPUVolumeRayCastMapper* from, vtkTemporalCoherenceVolumeMapper* to);
 
 }

@@ -63,7 +63,7 @@ FrameRenderer::Options OptionsOf(Mapper* mapper)
   options.Reuse.Isomap = mapper->GetIsomap() != 0;
   options.Reuse.RefineWhenStill = mapper->GetRefineWhenStill() != 0;
   options.Accuracy = AccuracyOf(mapper);
-  options.InterpolateColors = mapper->GetImageCacheShading() == Mapper::CACHE_INTERPOLATE;
+  options.InterpolateColors = mapper->GetImageCacheShading() == Mapper::INTERPOLATE;
   options.Images.Policy = mapper->GetImageCachePolicy() == Mapper::KEY_IMAGE
     ? ImageCachePolicy::KeyImage
     : ImageCachePolicy::Latest;

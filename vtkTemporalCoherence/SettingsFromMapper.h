@@ -14,10 +14,10 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// The mapper's own settings that its pictures depend on.
+/// Read the mapper's own settings that its pictures depend on.
 PictureSettings SettingsOf(vtkTemporalCoherenceVolumeMapper* mapper);
 
-/// Its settings of how frames are made. Tiles are not reported.
+/// Read its options for making frames. Tiles are not reported.
 FrameRenderer::Options OptionsOf(vtkTemporalCoherenceVolumeMapper* mapper);
 
 }

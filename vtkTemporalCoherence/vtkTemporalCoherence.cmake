@@ -25,7 +25,7 @@ set(engine_files
   Trace/KernelsWalk
   Trace/RayPieces
   Trace/RaySource
-  Trace/RegionCutter
+  Trace/RegionClipper
   Trace/SurfaceTracer
   Shade/CapNormal
   Shade/KernelsGradients
@@ -80,7 +80,7 @@ set(bridge_files
   Input/SettingCheck
   Input/VectorMagnitude
   Window/DepthReader
-  Window/LayerCut
+  Window/LayerDepthClip
   Window/OpenGLWindow
   Window/PassOutput
   Window/PeeledLayers
@@ -131,6 +131,7 @@ vtk_module_add_module(VTK::TemporalCoherence
     "${module_directory}/vtkTemporalCoherencePicker.cxx"
     "${module_directory}/vtkTemporalCoherenceVolume.cxx"
     "${module_directory}/vtkTemporalCoherenceVolumeMapper.cxx"
+    "${module_directory}/vtkTemporalCoherenceVolumeMapperInternals.cxx"
     "${module_directory}/vtkTemporalCoherenceVolumeMapperLastFrame.cxx"
     "${module_directory}/vtkTemporalCoherenceVolumeMapperPicking.cxx"
     "${module_directory}/vtkTemporalCoherenceVolumeMapperSettings.cxx"

@@ -6,13 +6,12 @@
  *
  * This is the base class of vtkTemporalCoherenceVolumeMapper. It lets a program that was written
  * for one of VTK's volume mappers compile when only the name of the class is changed. It is a
- * vtkGPUVolumeRayCastMapper and adds the methods that vtkSmartVolumeMapper,
+ * vtkGPUVolumeRayCastMapper. It adds methods that only vtkSmartVolumeMapper,
  * vtkFixedPointVolumeRayCastMapper, vtkMultiBlockVolumeMapper and vtkOpenGLGPUVolumeRayCastMapper
- * have besides. Some of them are missing in vtkGPUVolumeRayCastMapper only before some version of
- * VTK.
+ * have. Newer versions of VTK have some of them in vtkGPUVolumeRayCastMapper, too.
  *
- * All settings of this header are stored and returned, but they do not change the picture: rays
- * meet surfaces exactly, so that there is no distance between samples, and there is no GPU memory.
+ * All settings of this header are stored and returned, but they do not change the picture. Rays are
+ * intersected exactly, so that there is no distance between samples. Nothing is kept on the GPU.
  * These settings of vtkGPUVolumeRayCastMapper have no effect either: SampleDistance,
  * LockSampleDistanceToInputSpacing, UseJittering, MaxMemoryInBytes, MaxMemoryFraction,
  * ReportProgress, Transfer2DYAxisArray, GlobalIlluminationReach, VolumetricScatteringBlending,

@@ -4,6 +4,7 @@
 
 #include "GpuMapperSettings.h"
 #include "vtkTemporalCoherenceVolumeMapper.h"
+#include "vtkTemporalCoherenceVolumeMapperInternals.h"
 
 #include "vtkCommand.h"
 #include "vtkEventForwarderCommand.h"
@@ -23,7 +24,7 @@ vtkStandardNewMacro(vtkTemporalCoherenceGPUVolumeRayCastMapper);
 namespace
 {
 
-/// False if the user's environment says so.
+/// False if the user's environment turns this mapper off.
 bool IsAllowedByEnvironment()
 {
   const char* const value = std::getenv("VTK_TEMPORAL_COHERENCE");
@@ -33,8 +34,8 @@ bool IsAllowedByEnvironment()
   return word != "OFF" && word != "NO" && word != "FALSE" && word != "0";
 }
 
-/// Write a line into VTK's log, unless it is the last that was written: a volume of many blocks has
-/// a mapper for each.
+/// Write a line to VTK's log, unless it was the last line written: a volume of many blocks has a
+/// mapper for each block.
 void LogOnce(const std::string& line)
 {
   static std::mutex guard;
@@ -61,7 +62,7 @@ vtkTemporalCoherenceGPUVolumeRayCastMapper::vtkTemporalCoherenceGPUVolumeRayCast
 //------------------------------------------------------------------------------
 vtkTemporalCoherenceGPUVolumeRayCastMapper::~vtkTemporalCoherenceGPUVolumeRayCastMapper()
 {
-  // Others may hold the mapper for longer.
+  // Others may still hold the mapper.
   this->Isosurfaces->RemoveObserver(this->Forwarder);
   this->Forwarder->SetTarget(nullptr);
 }
@@ -95,14 +96,14 @@ void vtkTemporalCoherenceGPUVolumeRayCastMapper::Render(vtkRenderer* renderer, v
     return;
   }
   this->TellWhoDraws(renderer, Drawer::Superclass, why);
-  // It adjusts its samples by what its own last frame took.
+  // The superclass adjusts its sample distance by the time of its own last frame.
   this->TimeToDraw = this->SuperclassTimeToDraw;
   this->Superclass::Render(renderer, volume);
   this->SuperclassTimeToDraw = this->TimeToDraw;
 }
 
 //------------------------------------------------------------------------------
-/// Empty if the superclass does not draw: then the mapper of isosurfaces is ready to.
+/// Why the superclass has to draw; empty if the isosurface mapper is ready to draw.
 std::string vtkTemporalCoherenceGPUVolumeRayCastMapper::WhySuperclassDraws(
   vtkRenderer* renderer, vtkVolume* volume)
 {
@@ -120,7 +121,7 @@ std::string vtkTemporalCoherenceGPUVolumeRayCastMapper::WhySuperclassDraws(
     return why;
   }
   this->PrepareIsosurfaces();
-  return this->Isosurfaces->WhyRefused(renderer, volume);
+  return this->Isosurfaces->Internal->WhyRefused(renderer, volume);
 }
 
 //------------------------------------------------------------------------------
@@ -135,7 +136,8 @@ void vtkTemporalCoherenceGPUVolumeRayCastMapper::PrepareIsosurfaces()
 }
 
 //------------------------------------------------------------------------------
-/// Events that somebody's observing changes what is done are forwarded only where somebody does.
+/// Some events change what is done if they are observed: forward these only if somebody observes
+/// them.
 void vtkTemporalCoherenceGPUVolumeRayCastMapper::ForwardEvents()
 {
   for (const unsigned long event : { vtkCommand::VolumeMapperRenderProgressEvent,

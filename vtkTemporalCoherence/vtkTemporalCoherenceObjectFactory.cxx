@@ -53,9 +53,9 @@ void vtkTemporalCoherenceObjectFactory::UseEverywhere()
   }
   vtkNew<vtkTemporalCoherenceObjectFactory> factory;
   vtkObjectFactory::RegisterFactory(factory);
-  // The first that has an override is the one that is asked, and VTK's own is registered already.
+  // VTK asks the first factory that has an override, and its own factory is already registered.
   vtkObjectFactoryCollection* factories = vtkObjectFactory::GetRegisteredFactories();
-  if (factories->GetNumberOfItems() > 1) // nothing can be inserted into an empty list
+  if (factories->GetNumberOfItems() > 1) // an empty list allows no insertion
   {
     factories->RemoveItem(factory);
     factories->InsertItem(-1, factory);

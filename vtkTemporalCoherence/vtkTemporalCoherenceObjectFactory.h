@@ -5,7 +5,7 @@
  * @brief   creates vtkTemporalCoherenceGPUVolumeRayCastMapper for vtkGPUVolumeRayCastMapper
  *
  * After UseEverywhere(), vtkGPUVolumeRayCastMapper::New() creates a
- * vtkTemporalCoherenceGPUVolumeRayCastMapper. It draws isosurfaces by
+ * vtkTemporalCoherenceGPUVolumeRayCastMapper. It draws isosurfaces with
  * vtkTemporalCoherenceVolumeMapper, and everything else as before. This includes the mappers that
  * vtkSmartVolumeMapper and vtkMultiBlockVolumeMapper create. Mappers that exist already do not
  * change.

@@ -27,7 +27,7 @@ vtkStandardNewMacro(vtkTemporalCoherencePicker);
 namespace
 {
 
-/// The mapper of isosurfaces that a mapper is or holds; null if it shows something else.
+/// The mapper of isosurfaces that a mapper is or holds; null if it draws something else.
 vtkTemporalCoherenceVolumeMapper* SurfacesOf(vtkAbstractVolumeMapper* mapper)
 {
   if (auto* holder = vtkTemporalCoherenceGPUVolumeRayCastMapper::SafeDownCast(mapper))
@@ -51,8 +51,8 @@ vtkVolumeProperty* PropertyOf(vtkProp3D* prop)
   return property;
 }
 
-/// The cell of an axis that a coordinate lies in, and where in it. What rounding left outside
-/// counts as on the border.
+/// The cell along an axis that holds a coordinate, and the position in it. A coordinate that
+/// rounding put outside counts as on the border.
 int FindCell(vtkDataArray* axis, double x, double& share)
 {
   const vtkIdType last = axis->GetNumberOfTuples() - 2;
@@ -99,8 +99,8 @@ double vtkTemporalCoherencePicker::IntersectVolumeWithLine(const double p1[3], c
     return VTK_DOUBLE_MAX;
   }
 
-  // The prop may be a part of an assembly, or a level of detail: what is traced is a volume that
-  // lies where the picker was told that the prop is.
+  // The prop may be a part of an assembly, or a level of detail: trace a volume with the transform
+  // that the picker was given for the prop.
   vtkNew<vtkVolume> volume;
   vtkNew<vtkMatrix4x4> matrix;
   matrix->DeepCopy(this->Transform->GetMatrix());
@@ -132,7 +132,7 @@ double vtkTemporalCoherencePicker::IntersectVolumeWithLine(const double p1[3], c
   for (int i = 0; i < 3; ++i)
   {
     this->MapperPosition[i] = p1[i] + t * (p2[i] - p1[i]);
-    // Back to the mapper's coordinates: normals go by the transposed inverse.
+    // To the mapper's coordinates: normals transform by the transposed inverse.
     this->MapperNormal[i] = matrix->GetElement(0, i) * normal[0] +
       matrix->GetElement(1, i) * normal[1] + matrix->GetElement(2, i) * normal[2];
   }
@@ -147,7 +147,7 @@ double vtkTemporalCoherencePicker::IntersectVolumeWithLine(const double p1[3], c
 }
 
 //------------------------------------------------------------------------------
-/// Tell where in the data the mapper's position is.
+/// Find the cell and the point of the data at the mapper's position.
 void vtkTemporalCoherencePicker::SetDataPickInfo(vtkDataSet* data)
 {
   if (auto* image = vtkImageData::SafeDownCast(data))
@@ -177,7 +177,7 @@ void vtkTemporalCoherencePicker::SetDataPickInfo(vtkDataSet* data)
 }
 
 //------------------------------------------------------------------------------
-/// The cropping plane that the line passes through before it comes to the hit; or -1.
+/// The last cropping plane that the line passes before the hit; or -1.
 int vtkTemporalCoherencePicker::FindCroppingPlane(vtkTemporalCoherenceVolumeMapper* mapper,
   const double p1[3], const double p2[3], double t1, double t2, double tHit)
 {
@@ -186,8 +186,8 @@ int vtkTemporalCoherencePicker::FindCroppingPlane(vtkTemporalCoherenceVolumeMapp
   {
     return -1;
   }
-  // Cropping planes are planes of the mapper's coordinates, along its axes, as the box is that
-  // vtkVolumePicker walks through: an image with a direction matrix is not walked through so.
+  // As in vtkVolumePicker, the box and the cropping planes lie along the axes of the mapper's
+  // coordinates. With a direction matrix they do not.
   if (!image->GetDirectionMatrix()->IsIdentity())
   {
     return -1;
@@ -211,7 +211,7 @@ int vtkTemporalCoherencePicker::FindCroppingPlane(vtkTemporalCoherenceVolumeMapp
     }
   }
 
-  constexpr int MostSegments = 16; // the superclass has no more
+  constexpr int MostSegments = 16; // as in the superclass
   int extentPlane, segments = 0, planeIds[MostSegments];
   double from[MostSegments], to[MostSegments], entry[MostSegments];
   vtkVolumePicker::ClipLineWithCroppingRegion(bounds, extent, mapper->GetCroppingRegionFlags(),

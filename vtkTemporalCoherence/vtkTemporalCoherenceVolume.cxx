@@ -12,7 +12,7 @@ vtkStandardNewMacro(vtkTemporalCoherenceVolume);
 //------------------------------------------------------------------------------
 int vtkTemporalCoherenceVolume::RenderOpaqueGeometry(vtkViewport* viewport)
 {
-  // vtkVolume draws nothing here, and everything in its volumetric pass.
+  // vtkVolume draws nothing in this pass, and everything in its volumetric pass.
   return this->HasOpaqueGeometry() ? this->Superclass::RenderVolumetricGeometry(viewport) : 0;
 }
 

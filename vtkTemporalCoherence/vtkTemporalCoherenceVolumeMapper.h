@@ -6,32 +6,13 @@
  *
  * This mapper draws the isosurfaces of a vtkImageData, of a vtkRectilinearGrid, or of composite
  * data whose blocks are images on one lattice. It is a vtkGPUVolumeRayCastMapper and can replace
- * one in a vtkVolume, but it needs no GPU:
+ * one in a vtkVolume, but it needs no GPU. The isovalues are those of
+ * vtkVolumeProperty::GetIsoSurfaceValues(). The property's transfer functions give each surface its
+ * colour and opacity. It keeps the last frames of each viewer and does only what a change requires.
  *
- * @code
- * mapper->SetInputConnection(reader->GetOutputPort());
- * volume->SetMapper(mapper);
- * volume->GetProperty()->GetIsoSurfaceValues()->SetValue(0, 60.0);
- * volume->GetProperty()->SetInterpolationTypeToLinear();
- * volume->GetProperty()->ShadeOn();
- * renderer->AddVolume(volume);
- * @endcode
- *
- * The isovalues are those of vtkVolumeProperty::GetIsoSurfaceValues(). Each surface has the colour
- * and the opacity that the property's transfer functions have at its isovalue. No triangles are
- * extracted: every ray is intersected exactly with the trilinear (or nearest-neighbour) interpolant
- * of the samples. Every pixel has a depth, so that other props intersect the surface correctly. The
- * picture does not depend on the number of threads.
- *
- * The mapper keeps the last frames of each viewer and does only what a change requires. If only
- * colours changed, it shades the known hits again. If the view changed, rays start from the last
- * picture. If an isovalue changed, it is looked up in an isomap of the view. If nothing can be
- * re-used, the frame is cold: every ray is traced. GetRoute() tells which of these happened.
- *
- * Documentation/Mapper.md has the details: input, opacity, cropping, masks, light, events, memory,
- * bounds of settings, errors. The image cache and the isomap are those of "Accelerating Volume
- * Visualization by Exploiting Temporal Coherence". The intersection is that of Marmitt et al.,
- * "Fast and Accurate Ray-Voxel Intersection Techniques for Iso-Surface Ray Tracing", 2004.
+ * Documentation/Mapper.md has an example, the words that are used here (such as voxel), and the
+ * details of all settings. The image cache and the isomap are those of "Accelerating Volume
+ * Visualization by Exploiting Temporal Coherence".
  *
  * @sa vtkTemporalCoherenceDropInMapper vtkTemporalCoherenceVolume vtkTemporalCoherencePicker
  */
@@ -43,12 +24,10 @@
 #include "vtkTemporalCoherenceModule.h" // For export macro
 
 #include <memory> // For std::unique_ptr
-#include <string> // For std::string
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
 class vtkPolyData;
-class vtkRenderWindow;
 class vtkRenderer;
 class vtkVolume;
 class vtkWindow;
@@ -69,13 +48,9 @@ public:
 
   //@{
   /**
-   * Set/Get which crossings of an isovalue are drawn.
-   *
-   * CROSSING (default): the first point along the ray where the field crosses the isovalue, in
-   * either direction, as in vtkGPUVolumeRayCastMapper. Surfaces are open where the volume ends.
-   *
-   * THRESHOLD, as in the paper: the first point where the field is at least the isovalue. The solid
-   * is capped wherever it is cut: by the boundary, a plane, or hidden cells.
+   * Set/Get which crossings of an isovalue are drawn. CROSSING (default): the first one on a ray,
+   * in either direction. THRESHOLD, as in the paper: the first point where the field is at least
+   * the isovalue. The solid is capped wherever it is cut.
    */
   vtkSetClampMacro(SurfaceMode, int, CROSSING, THRESHOLD);
   vtkGetMacro(SurfaceMode, int);
@@ -92,11 +67,9 @@ public:
 
   //@{
   /**
-   * Set/Get which scalar is drawn if the array has several components, as in vtkSmartVolumeMapper.
-   *
-   * DISABLED (default): the volume's property decides. Of independent components, the one with the
-   * largest weight is drawn; of dependent components, component 0. MAGNITUDE: the Euclidean length
-   * of each tuple. COMPONENT: the component VectorComponent (default 0); an error if there is none.
+   * Set/Get which scalar is drawn if the array has several components. DISABLED (default): the one
+   * that the volume's property selects. MAGNITUDE: the Euclidean length of each tuple. COMPONENT:
+   * the component VectorComponent (default: 0). It is an error if there is no such component.
    */
   vtkSetClampMacro(VectorMode, int, DISABLED, COMPONENT);
   vtkGetMacro(VectorMode, int);
@@ -110,9 +83,8 @@ public:
   //@{
   /**
    * Switch the image cache on or off (default: on), and set how many images it keeps for each
-   * viewer, 1 (default) to 64. With it, the frame of a moved camera starts from the cached image
-   * with the nearest view, and the frame of another time step copies what shows no changed sample.
-   * Without it, both frames are cold. Each image takes 36 bytes per pixel.
+   * viewer, 1 (default) to 64. With it, frames of a moved camera and of another time step start
+   * from a cached image. Without it, they are cold.
    */
   vtkSetMacro(ImageCache, vtkTypeBool);
   vtkGetMacro(ImageCache, vtkTypeBool);
@@ -125,29 +97,22 @@ public:
   {
     BOUNDED = 0,
     EXACT = 1,
-    PAPER = 2
+    PAPER = 2 ///< for comparison with the paper: see SetReuseAccuracyToPaper()
   };
 
   //@{
   /**
-   * Set/Get how exact a frame is after the view has changed. Documentation/Mapper.md has more.
-   *
-   * BOUNDED (default): at most 0.01 % of the pixels differ from the cold picture in the median
-   * frame, and at most 0.05 % in any frame. The error does not grow from frame to frame.
-   *
-   * EXACT: the cold picture, byte for byte. It costs as much as a cold frame.
-   *
-   * PAPER: the published method, for comparison. Silhouettes erode a little with every frame.
-   *
-   * RefineWhenStill (default: on): if the last picture is not exact, the next frame of the same
-   * view is cold, once. Pictures from the image cache are not exact, nor are pictures from an
-   * isomap with a tolerance or with interpolated normals.
+   * Set/Get how exact a frame is after the view has changed. EXACT: the cold picture, byte for
+   * byte. BOUNDED (default): at most 0.01 % of the pixels differ from the cold picture in the
+   * median frame, and at most 0.05 % in any frame. A pixel differs if only one picture shows a
+   * surface there, or if the surfaces are more than a voxel (the shortest edge of a cell) apart.
+   * RefineWhenStill (default: on) makes the next frame of the same view cold, once, if the last
+   * picture is not exact.
    */
   vtkSetClampMacro(ReuseAccuracy, int, BOUNDED, PAPER);
   vtkGetMacro(ReuseAccuracy, int);
   void SetReuseAccuracyToBounded() { this->SetReuseAccuracy(BOUNDED); }
   void SetReuseAccuracyToExact() { this->SetReuseAccuracy(EXACT); }
-  void SetReuseAccuracyToPaper() { this->SetReuseAccuracy(PAPER); }
   vtkSetMacro(RefineWhenStill, vtkTypeBool);
   vtkGetMacro(RefineWhenStill, vtkTypeBool);
   vtkBooleanMacro(RefineWhenStill, vtkTypeBool);
@@ -155,20 +120,15 @@ public:
 
   //@{
   /**
-   * Switch the isomap on or off (default: on), and set how it is built. An isomap knows where each
-   * pixel's ray first passes each isovalue, so that a new isovalue in the same view is looked up.
-   * It is built when isovalues first change in a view. Without it, the last hits bound the search
-   * for the new isovalue. The picture is the same. Documentation/Mapper.md has more.
+   * Switch the isomap on or off (default: on). With it, a new isovalue in the same view is looked
+   * up. Without it, the last hits bound the search for the new isovalue. The picture is the same.
    *
-   * IsomapTolerance: the largest distance in voxels between a surface that is looked up and the
-   * exact one. Default: 0, the cold picture byte for byte. Values below 0.001 count as 0. NaN is an
-   * error.
-   *
-   * IsomapRange: the isovalues for which it is built at once. Default: none (lo > hi); it is then
-   * built in bands around the present isovalues.
-   *
-   * IsomapMemoryLimit: the memory that it may use for each viewer, in MiB. Default: 256. Bands that
-   * were used least are dropped, with one warning. 0 switches the isomap off.
+   * - IsomapTolerance: the largest distance between a surface that is looked up and the exact one,
+   *   in voxels. Default: 0, the cold picture byte for byte. Below 0.001 is 0. NaN is an error.
+   * - IsomapRange: the isovalues for which it is built at once. Default: none (lo > hi); it is then
+   *   built in bands around the present isovalues.
+   * - IsomapMemoryLimit: its memory for each viewer, in MiB. Default: 256. The bands that were used
+   *   least are dropped, with one warning. 0 switches it off.
    */
   vtkSetMacro(Isomap, vtkTypeBool);
   vtkGetMacro(Isomap, vtkTypeBool);
@@ -183,13 +143,9 @@ public:
 
   //@{
   /**
-   * Set the distance between rays in windows, in pixels along each axis, 0.1 to 100. Default: 1,
-   * one ray per pixel. Above 1, frames are coarser; below 1, a pixel shows the mean of its rays.
-   *
-   * AutoAdjustSampleDistances (default: off) chooses it between MinimumImageSampleDistance
-   * (default: 1) and MaximumImageSampleDistance (default: 10), so that a frame fits into
-   * vtkVolume::GetAllocatedRenderTime(). Values are clamped; NaN is an error. See
-   * Documentation/Mapper.md.
+   * Set the distance between rays in windows, in pixels along each axis: 0.1 to 100, default 1. NaN
+   * is an error. AutoAdjustSampleDistances (default: off) chooses it, between the minimum (default
+   * 1) and the maximum (default 10), to fit a frame into vtkVolume::GetAllocatedRenderTime().
    */
   void SetImageSampleDistance(float pixels) override;
   void SetMinimumImageSampleDistance(float pixels) override;
@@ -197,22 +153,16 @@ public:
   //@}
 
   //@{
-  /**
-   * Warn once if the isovalues are such that no surface can be seen: all of them lie outside of the
-   * range of the samples or at its lower end. Default: on. Documentation/Mapper.md has more.
-   */
+  /** Warn once if nothing is seen because no isovalue has samples on both sides. Default: on. */
   vtkSetClampMacro(WarnOfIsovalues, vtkTypeBool, 0, 1);
   vtkGetMacro(WarnOfIsovalues, vtkTypeBool);
   vtkBooleanMacro(WarnOfIsovalues, vtkTypeBool);
   //@}
 
   /**
-   * Build the isomap of the present view before a new isovalue needs it: for IsomapRange if that
-   * holds the isovalues, else for a band around each of them. The size of the picture is that of
-   * the renderer's window or, without a window, that of the last frame. The last frame stays.
-   *
-   * ProgressEvent tells the share of a band that is done. The render window's CheckAbortStatus()
-   * and SetAbortExecute() stop the call.
+   * Build the isomap of the present view before a new isovalue needs it. The size of the picture is
+   * that of the renderer's window or, without a window, that of the last frame. The last frame
+   * stays. Documentation/Mapper.md tells how to observe and to stop it.
    * @return true if there is an isomap for the present isovalues afterwards
    */
   bool BuildIsomap(vtkRenderer* renderer, vtkVolume* volume);
@@ -220,50 +170,45 @@ public:
   /** Free all pictures and structures that are kept. The next frame is cold. */
   void ReleaseReuse();
 
+  /** The point arrays of a frame, as bits. In brackets: what they hold where nothing is hit. */
+  enum FrameArrays
+  {
+    FRAME_COLOR = 1,          ///< Color: unsigned char RGBA, multiplied by alpha (0)
+    FRAME_DEPTH = 2,          ///< Depth: float, world distance along the ray (infinity)
+    FRAME_NORMALS = 4,        ///< Normals: three floats, unit normal in the world (0)
+    FRAME_ISOVALUE_INDEX = 8, ///< IsovalueIndex: int, index in GetIsoSurfaceValues() (-1)
+    FRAME_ANSWER = 16,        ///< Answer: unsigned char, how the ray was answered (any)
+    FRAME_ALL = 31            ///< all of these
+  };
+
+  //@{
   /**
-   * Render without a render window or an OpenGL context, on any machine. Nothing but the volume is
-   * drawn. The picture becomes the last frame, as after Render().
-   * @param renderer has the camera and the lights. If no light is on, a headlight is used, unless
-   *                 AutomaticLightCreation is off. The volume need not be in the renderer.
-   * @param volume   has the transform and the property; its mapper is not used
-   * @param width    pixels in a row, at least 1
-   * @param height   rows, at least 1
-   * @param color    gets unsigned char RGBA, with colours multiplied by alpha. Alpha is 255 where
-   *                 nothing shows through the surfaces, and 0 where there is none.
-   * @param depth    gets float: world distance along the ray from the eye or, in a parallel
-   *                 projection, from the plane through the camera; infinity where nothing is hit.
-   *                 Either image may be null. Row 0 is the bottom row.
+   * Render without a window or an OpenGL context. The picture becomes the last frame.
+   * @param renderer     has the camera and the lights; the volume need not be in it
+   * @param volume       has the transform and the property; its mapper is not used
+   * @param width,height pixels in a row, and rows, at least 1; row 0 is the bottom row
+   * @param color,depth  get the arrays Color and Depth of FrameArrays, or may be null
+   * @param frame        gets all FrameArrays
    * @return false after an error, or if the frame was stopped. The images are then unchanged.
    */
   bool RenderToImage(vtkRenderer* renderer, vtkVolume* volume, int width, int height,
     vtkImageData* color, vtkImageData* depth);
+  bool RenderToImage(
+    vtkRenderer* renderer, vtkVolume* volume, int width, int height, vtkImageData* frame);
+  //@}
 
   /**
-   * Render without a window, as above, and get more about each pixel. Any image may be null; the
-   * others must differ. Their scalars are named Color, Depth, Normals, IsovalueIndex and Answer.
-   * @param normals       gets three floats: unit normal in world coordinates, facing the viewer; 0
-   *                      where nothing is hit
-   * @param isovalueIndex gets int: index in vtkVolumeProperty::GetIsoSurfaceValues(); -1 where
-   *                      nothing is hit
-   * @param answer        gets unsigned char: how the ray was answered when the picture was made; 0
-   *                      a definite miss, 1 a definite hit, 2 a possible hit
+   * Get the last frame, which was made for a window or an image.
+   * @param frame  gets these point arrays and nothing else
+   * @param arrays a sum of FrameArrays, or FRAME_ALL (default)
+   * @return false if there is no frame, or after an error. The image is then unchanged.
    */
-  bool RenderToImage(vtkRenderer* renderer, vtkVolume* volume, int width, int height,
-    vtkImageData* color, vtkImageData* depth, vtkImageData* normals, vtkImageData* isovalueIndex,
-    vtkImageData* answer);
-
-  /**
-   * Get the last frame, made for a window or an image, as the images that RenderToImage describes.
-   * @return false if there is no frame or not enough memory. The images are then unchanged.
-   */
-  bool GetLastFrame(vtkImageData* color, vtkImageData* depth, vtkImageData* normals,
-    vtkImageData* isovalueIndex, vtkImageData* answer);
+  bool GetLastFrame(vtkImageData* frame, int arrays = FRAME_ALL);
 
   //@{
   /**
    * Get the last frame as vtkGPUVolumeRayCastMapper gives it: RGBA bytes with colours multiplied by
-   * alpha, or depth-buffer values from 0 (near plane) to 1 (far plane). The image is unchanged if
-   * there is no frame or not enough memory. Documentation/Mapper.md has more.
+   * alpha, or depth-buffer values. The image is unchanged if there is no frame, or after an error.
    */
   void GetColorImage(vtkImageData* image) override;
   void GetDepthImage(vtkImageData* image) override;
@@ -271,35 +216,23 @@ public:
 
   /**
    * Get the surface that the last frame shows: a point and a vertex for each pixel with a surface.
-   * @param points gets world positions (double) and the point arrays Normals (float, active
-   *               normals: unit, in world coordinates, facing the viewer), Isovalue (double),
-   *               IsovalueIndex (int, index in vtkVolumeProperty::GetIsoSurfaceValues()) and Color
-   *               (unsigned char RGBA, active scalars)
-   * @return false if there is no frame or not enough memory. The points are then unchanged.
+   * Its point arrays are Normals, IsovalueIndex, Color and Isovalue (double).
+   * @return false if there is no frame, or after an error. The points are then unchanged.
    */
   bool GetVisibleSurface(vtkPolyData* points);
 
   /**
-   * Get what the last frame shows at a pixel of the viewport or image; (0, 0) is at the lower left.
-   * @param position      world position of the surface
-   * @param normal        unit normal in world coordinates, facing the viewer
-   * @param isovalueIndex index in vtkVolumeProperty::GetIsoSurfaceValues(). Any of these three may
-   *                      be null.
+   * Get what the last frame shows at a pixel; (0, 0) is at the lower left. Position and normal are
+   * in world coordinates; the normal is a unit vector and faces the viewer. Each may be null.
    * @return false if there is no surface, no such pixel or no frame. Nothing is written then.
    */
   bool PickPixel(int x, int y, double position[3], double normal[3], int* isovalueIndex);
 
   /**
-   * Find the first surface on the line from p1 to p2, as a frame does for a ray. No frame or window
-   * is needed, and the last frame stays. The first call for new data may read all samples once.
-   * @param volume        has the transform and the property; its mapper is not used
-   * @param p1            world position where the line begins, as a ray does at the near plane
-   * @param p2            world position where the line ends; must differ from p1
-   * @param t             share of the way from p1 to p2 at which the surface is met, 0 to 1
-   * @param position      world position of the surface
-   * @param normal        unit normal in world coordinates, facing p1
-   * @param isovalueIndex index in vtkVolumeProperty::GetIsoSurfaceValues(). Any of these last three
-   *                      may be null.
+   * Find the first surface on the line from p1 to p2 in world coordinates. No frame is needed, and
+   * the last frame stays. The line begins at p1 as a ray does at the near plane.
+   * @param t gets the share of the way from p1 to p2 at which the surface is met, 0 to 1. The other
+   *          results are as in PickPixel(); the normal faces p1.
    * @return false if there is no surface, or after an error. Nothing is written then.
    */
   bool IntersectWithLine(vtkVolume* volume, const double p1[3], const double p2[3], double& t,
@@ -329,9 +262,8 @@ public:
 
   //@{
   /**
-   * Get counters and times of the last frame, and the memory (in bytes) and the knots of its
-   * isomap. Rays are the sum of definite hits, definite misses and possible hits. Times are in
-   * seconds; the frame's time includes the others. Documentation/Mapper.md has more.
+   * Get counters and times (in seconds) of the last frame, and the memory (in bytes) and the knots
+   * of its isomap. FrameTime includes the other times. Documentation/Mapper.md explains them all.
    */
   vtkIdType GetNumberOfRays();
   vtkIdType GetNumberOfDefiniteHits();
@@ -361,20 +293,19 @@ public:
    */
   bool IsOpaque(vtkVolume* volume);
 
+  //@{
   /**
    * WARNING: INTERNAL METHOD - NOT INTENDED FOR GENERAL USE
-   * Draw the volume into the renderer's window.
+   * Draw into the renderer's window. Free the textures of a window, or of all windows (null).
    */
   void Render(vtkRenderer* renderer, vtkVolume* volume) override;
-
-  /**
-   * WARNING: INTERNAL METHOD - NOT INTENDED FOR GENERAL USE
-   * Free the textures and shaders of a window, or of all windows if it is null. What later frames
-   * can re-use stays.
-   */
   void ReleaseGraphicsResources(vtkWindow* window) override;
+  //@}
 
   // For comparison with the paper (applications need none of these) -----------------------------
+
+  /** Make frames of a new view by the published method. Silhouettes erode a little every time. */
+  void SetReuseAccuracyToPaper() { this->SetReuseAccuracy(PAPER); }
 
   enum ImageCachePolicies
   {
@@ -382,22 +313,10 @@ public:
     KEY_IMAGE = 1
   };
 
-  enum ImageCacheShadings
-  {
-    CACHE_RESHADE = 0,
-    CACHE_INTERPOLATE = 1
-  };
-
-  enum IsomapShadings
-  {
-    RESHADE = 0,
-    INTERPOLATE = 1
-  };
-
   //@{
   /**
    * Set/Get which frames the image cache keeps. LATEST (default): every frame. KEY_IMAGE: cold
-   * frames only, one of which is made every KeyImageInterval frames (default: 7, as in the paper).
+   * frames only, one of which is made every KeyImageInterval frames (default: 7, at least 1).
    */
   vtkSetClampMacro(ImageCachePolicy, int, LATEST, KEY_IMAGE);
   vtkGetMacro(ImageCachePolicy, int);
@@ -407,21 +326,22 @@ public:
   vtkGetMacro(KeyImageInterval, int);
   //@}
 
+  enum Shadings
+  {
+    RESHADE = 0,
+    INTERPOLATE = 1
+  };
+
   //@{
   /**
-   * Set/Get how known hits are shaded. RESHADE (default) computes their normals and colours from
-   * the field. INTERPOLATE interpolates stored values, which is faster, but not exact.
-   *
-   * ImageCacheShading is for definite hits with PAPER. INTERPOLATE takes their colours from the
-   * cached image, so that blur and old lighting move with the surface.
-   *
-   * IsomapShading is for hits that are looked up in the isomap. INTERPOLATE takes their normals
-   * from the isomap's knots, which may lie voxels apart.
+   * Set/Get how known hits are shaded. RESHADE (default) computes normals and colours from the
+   * field. INTERPOLATE is faster, but not exact: ImageCacheShading (for definite hits with PAPER)
+   * takes colours from the cached image, IsomapShading takes normals from the isomap's knots.
    */
-  vtkSetClampMacro(ImageCacheShading, int, CACHE_RESHADE, CACHE_INTERPOLATE);
+  vtkSetClampMacro(ImageCacheShading, int, RESHADE, INTERPOLATE);
   vtkGetMacro(ImageCacheShading, int);
-  void SetImageCacheShadingToReshade() { this->SetImageCacheShading(CACHE_RESHADE); }
-  void SetImageCacheShadingToInterpolate() { this->SetImageCacheShading(CACHE_INTERPOLATE); }
+  void SetImageCacheShadingToReshade() { this->SetImageCacheShading(RESHADE); }
+  void SetImageCacheShadingToInterpolate() { this->SetImageCacheShading(INTERPOLATE); }
   vtkSetClampMacro(IsomapShading, int, RESHADE, INTERPOLATE);
   vtkGetMacro(IsomapShading, int);
   void SetIsomapShadingToReshade() { this->SetIsomapShading(RESHADE); }
@@ -430,11 +350,9 @@ public:
 
   //@{
   /**
-   * ColorByAnswer paints surfaces yellow that the image cache did not help to find, as in figure 8
-   * of the paper. Default: off. It affects frames of the route ImageCache only.
-   *
-   * SpaceLeaping skips blocks of cells that hold none of the isovalues. Default: on. Without it, a
-   * ray reads every cell on its way, as in the paper's plain ray caster. The picture is the same.
+   * ColorByAnswer (default: off) paints surfaces yellow that the image cache did not help to find.
+   * It affects frames of the route ImageCache only. SpaceLeaping (default: on) skips blocks of
+   * cells that hold none of the isovalues. Without it, a ray reads every cell on its way.
    */
   vtkSetMacro(ColorByAnswer, vtkTypeBool);
   vtkGetMacro(ColorByAnswer, vtkTypeBool);
@@ -454,42 +372,28 @@ private:
   vtkTemporalCoherenceVolumeMapper(const vtkTemporalCoherenceVolumeMapper&) = delete;
   void operator=(const vtkTemporalCoherenceVolumeMapper&) = delete;
 
-  // Asks before it draws whether a frame would be refused.
-  friend class vtkTemporalCoherenceGPUVolumeRayCastMapper;
-  std::string WhyRefused(vtkRenderer* renderer, vtkVolume* volume);
-
-  bool RenderFrame(vtkRenderer* renderer, vtkVolume* volume, int width, int height, double aspect,
-    vtkRenderWindow* window);
-  bool IsBusy(const char* method);
-  void TellStart();
-  bool RenderForWindow(vtkRenderer* renderer, vtkVolume* volume, int width, int height);
-  void ReportOnce(const std::string& error);
-  void WarnOfIsomapLimit(bool isTooLarge);
-  void Warn(const std::string& warning);
-  template <typename T>
-  void SetWithin(const char* name, T value, double low, double high, T& setting);
-
   int SurfaceMode = CROSSING;
   int VectorMode = DISABLED;
   int VectorComponent = 0;
   vtkTypeBool ImageCache = 1;
-  vtkTypeBool Isomap = 1;
-  vtkTypeBool SpaceLeaping = 1;
-  vtkTypeBool ColorByAnswer = 0;
+  int NumberOfCachedImages = 1;
   int ReuseAccuracy = BOUNDED;
   vtkTypeBool RefineWhenStill = 1;
-  int ImageCachePolicy = LATEST;
-  int KeyImageInterval = 7;
-  int NumberOfCachedImages = 1;
-  int ImageCacheShading = CACHE_RESHADE;
+  vtkTypeBool Isomap = 1;
   double IsomapTolerance = 0.0;
   double IsomapRange[2] = { 1.0, 0.0 };
   int IsomapMemoryLimit = 256;
-  int IsomapShading = RESHADE;
   vtkTypeBool WarnOfIsovalues = 1;
+  int ImageCachePolicy = LATEST;
+  int KeyImageInterval = 7;
+  int ImageCacheShading = RESHADE;
+  int IsomapShading = RESHADE;
+  vtkTypeBool ColorByAnswer = 0;
+  vtkTypeBool SpaceLeaping = 1;
 
   struct Internals;
   std::unique_ptr<Internals> Internal;
+  friend class vtkTemporalCoherenceGPUVolumeRayCastMapper; // asks why a frame would be refused
 };
 VTK_ABI_NAMESPACE_END
 

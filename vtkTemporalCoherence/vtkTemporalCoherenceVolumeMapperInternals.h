@@ -13,19 +13,79 @@
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
-/// What a mapper holds besides its settings.
+/// The state of a mapper besides its settings, and how it makes a frame with them.
 struct vtkTemporalCoherenceVolumeMapper::Internals
 {
+  explicit Internals(vtkTemporalCoherenceVolumeMapper* self)
+    : Self(self)
+  {
+  }
+
+  vtkTemporalCoherenceVolumeMapper* const Self;
   TemporalCoherence::RequestFromMapper Requests;
   TemporalCoherence::MapperFrames Frames;
   TemporalCoherence::SampleDistanceChooser Distances;
   TemporalCoherence::WindowRays Rays;
   TemporalCoherence::IsovalueCheck Isovalues;
   std::string LastError;  ///< reported already; empty after a frame without error
-  bool HasWarned = false; ///< of the limit of memory
-  bool IsBusy = false;    ///< observers of a frame that is being made may call anything
+  bool HasWarned = false; ///< of the memory limit
+  bool IsMaking = false;  ///< a frame or an isomap, while observers may call anything
 
-  /// What is to be told of the isovalues of the last frame; or nothing.
+  /// Sets IsMaking for as long as it lives.
+  class Busy
+  {
+  public:
+    explicit Busy(Internals& internal)
+      : Of(internal)
+    {
+      this->Of.IsMaking = true;
+    }
+    ~Busy() { this->Of.IsMaking = false; }
+    Busy(const Busy&) = delete;
+    Busy& operator=(const Busy&) = delete;
+
+  private:
+    Internals& Of;
+  };
+
+  /// Make a frame for a window, as coarse or as fine as is wished.
+  /// \return false if it is not made
+  bool RenderForWindow(vtkRenderer* renderer, vtkVolume* volume, int width, int height);
+
+  /// Make a frame and write it into images, any of which may be null.
+  /// \param frame gets all arrays
+  bool RenderToImages(vtkRenderer* renderer, vtkVolume* volume, int width, int height,
+    vtkImageData* color, vtkImageData* depth, vtkImageData* frame);
+
+  /// Make a frame.
+  /// \param window may stop it; or null
+  bool RenderFrame(vtkRenderer* renderer, vtkVolume* volume, int width, int height, double aspect,
+    vtkRenderWindow* window);
+
+  /// What the error of a frame for a window would be; empty if it can be made.
+  std::string WhyRefused(vtkRenderer* renderer, vtkVolume* volume);
+
+  /// True, with an error, if a frame or an isomap is being made: what it is made with must stay.
+  bool IsBusy(const char* method);
+
+  /// False if the window, which may be null, asks to stop.
+  static bool MayGoOn(vtkRenderWindow* window);
+
+  /// A frame begins: observers may change settings, but not begin another one.
+  void TellStart();
+
+  /// Report an error, if there is one, other than the last.
+  void ReportOnce(const std::string& error);
+
+  /// Say a warning, if there is one.
+  void Warn(const std::string& warning);
+  void WarnOfIsomapLimit(bool isTooLarge);
+
+  /// Set a setting to the nearest value that it may have. What is no number is an error.
+  template <typename T>
+  void SetWithin(const char* name, T value, double low, double high, T& setting);
+
+  /// The warning about the isovalues of the last frame; empty if there is none.
   std::string CheckIsovalues(
     const TemporalCoherence::DrawnVolume& drawn, const TemporalCoherence::FrameRequest& request)
   {
@@ -34,14 +94,14 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
       : std::string();
   }
 
-  /// Remember what rays take, if the last frame had any traced or looked up.
+  /// Learn how long rays take, if the last frame traced or looked up any.
   void Learn(double allowed)
   {
     const TemporalCoherence::FrameStatistics& last = this->Frames.Statistics();
     if (last.Made != TemporalCoherence::Route::Redisplay &&
       last.Made != TemporalCoherence::Route::Reshade)
     {
-      // The next frames in the view need not build an isomap again.
+      // Without the isomap, which the next frames in the view need not build again.
       this->Distances.Learn(
         this->Frames.LastSize(), last.FrameTime - last.IsomapBuildTime, allowed);
     }

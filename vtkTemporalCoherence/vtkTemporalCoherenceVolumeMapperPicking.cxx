@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What is hit: in a pixel of the last frame, and by a line through the present volume.
+// Picks: in a pixel of the last frame, and along a line through the present volume.
 #include "vtkTemporalCoherenceVolumeMapper.h"
 
 #include "SettingsFromMapper.h"
@@ -17,7 +17,7 @@ VTK_ABI_NAMESPACE_BEGIN
 namespace
 {
 
-/// \param to null if nobody wants it
+/// \param to may be null
 void CopyTo(double* to, const glm::dvec3& from)
 {
   if (to)
@@ -51,13 +51,14 @@ bool vtkTemporalCoherenceVolumeMapper::PickPixel(
 bool vtkTemporalCoherenceVolumeMapper::IntersectWithLine(vtkVolume* volume, const double p1[3],
   const double p2[3], double& t, double position[3], double normal[3], int* isovalueIndex)
 {
-  if (this->IsBusy("IntersectWithLine"))
+  if (this->Internal->IsBusy("IntersectWithLine"))
   {
     return false;
   }
   if (!volume || !p1 || !p2)
   {
-    this->ReportOnce("IntersectWithLine needs a volume and two ends; one of them is null.");
+    this->Internal->ReportOnce(
+      "IntersectWithLine needs a volume and two ends; one of them is null.");
     return false;
   }
   const glm::dvec3 begin(p1[0], p1[1], p1[2]), end(p2[0], p2[1], p2[2]);
@@ -67,7 +68,7 @@ bool vtkTemporalCoherenceVolumeMapper::IntersectWithLine(vtkVolume* volume, cons
     std::ostringstream what;
     what << "There is no line from (" << p1[0] << ", " << p1[1] << ", " << p1[2] << ") to ("
          << p2[0] << ", " << p2[1] << ", " << p2[2] << "); give it two finite ends that differ.";
-    this->ReportOnce(what.str());
+    this->Internal->ReportOnce(what.str());
     return false;
   }
   if (this->GetNumberOfInputConnections(0) > 0)
@@ -82,7 +83,7 @@ bool vtkTemporalCoherenceVolumeMapper::IntersectWithLine(vtkVolume* volume, cons
   {
     hit = this->Internal->Frames.FindHit(request, begin, end, error);
   }
-  this->ReportOnce(error);
+  this->Internal->ReportOnce(error);
   if (!hit)
   {
     return false;

@@ -1,57 +1,69 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Settings that have to be numbers.
+// Settings that have to be finite numbers.
 #include "vtkTemporalCoherenceVolumeMapper.h"
+
+#include "vtkTemporalCoherenceVolumeMapperInternals.h"
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
 //------------------------------------------------------------------------------
-/// Set a setting to the nearest value that it may have.
 template <typename T>
-void vtkTemporalCoherenceVolumeMapper::SetWithin(
+void vtkTemporalCoherenceVolumeMapper::Internals::SetWithin(
   const char* name, T value, double low, double high, T& setting)
 {
   if (std::isnan(value))
   {
-    this->ReportOnce(std::string(name) + " was set to what is no number and stays " +
-      std::to_string(setting) + "; set one from " + std::to_string(low) + " on.");
+    std::ostringstream what;
+    what << name << " must be a finite number";
+    if (high < VTK_DOUBLE_MAX)
+    {
+      what << " from " << low << " to " << high;
+    }
+    else
+    {
+      what << " >= " << low;
+    }
+    what << ", got nan; it stays " << setting << '.';
+    this->ReportOnce(what.str());
     return;
   }
   value = static_cast<T>(std::min(std::max(static_cast<double>(value), low), high));
   if (value != setting)
   {
     setting = value;
-    this->Modified();
+    this->Self->Modified();
   }
 }
 
 //------------------------------------------------------------------------------
 void vtkTemporalCoherenceVolumeMapper::SetIsomapTolerance(double voxels)
 {
-  this->SetWithin("IsomapTolerance", voxels, 0.0, VTK_DOUBLE_MAX, this->IsomapTolerance);
+  this->Internal->SetWithin("IsomapTolerance", voxels, 0.0, VTK_DOUBLE_MAX, this->IsomapTolerance);
 }
 
 //------------------------------------------------------------------------------
 void vtkTemporalCoherenceVolumeMapper::SetImageSampleDistance(float pixels)
 {
-  this->SetWithin("ImageSampleDistance", pixels, 0.1, 100.0, this->ImageSampleDistance);
+  this->Internal->SetWithin("ImageSampleDistance", pixels, 0.1, 100.0, this->ImageSampleDistance);
 }
 
 //------------------------------------------------------------------------------
 void vtkTemporalCoherenceVolumeMapper::SetMinimumImageSampleDistance(float pixels)
 {
-  this->SetWithin(
+  this->Internal->SetWithin(
     "MinimumImageSampleDistance", pixels, 0.1, 100.0, this->MinimumImageSampleDistance);
 }
 
 //------------------------------------------------------------------------------
 void vtkTemporalCoherenceVolumeMapper::SetMaximumImageSampleDistance(float pixels)
 {
-  this->SetWithin(
+  this->Internal->SetWithin(
     "MaximumImageSampleDistance", pixels, 0.1, 100.0, this->MaximumImageSampleDistance);
 }
 VTK_ABI_NAMESPACE_END

@@ -1,6 +1,5 @@
-// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
-// SPDX-License-Identifier: BSD-3-Clause
-// What the mapper tells of its last frame in numbers, and of itself.
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors SPDX-License-Identifier:
+// BSD-3-Clause Statistics of the last frame, and PrintSelf.
 #include "vtkTemporalCoherenceVolumeMapper.h"
 
 #include "vtkTemporalCoherenceVolumeMapperInternals.h"

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 // A viewer of isosurfaces, made of VTK alone: see --help.
-#include "Display.h"
-#include "DragMeasurement.h"
-#include "ExplorerWindow.h"
-#include "Options.h"
-#include "Picture.h"
-#include "Quoted.h"
-#include "UserError.h"
+#include "Program/Quoted.h"
+#include "Program/UserError.h"
+#include "View/Picture.h"
+#include "Window/Display.h"
+#include "Window/DragMeasurement.h"
+#include "Window/ExplorerWindow.h"
+#include "Window/Options.h"
 
 #include <cstdio>
 

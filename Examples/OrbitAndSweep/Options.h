@@ -3,7 +3,7 @@
 #ifndef Options_h
 #define Options_h
 
-#include "CommandLine.h"
+#include "Program/CommandLine.h"
 
 #include <string>
 

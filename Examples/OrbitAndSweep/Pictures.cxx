@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pictures.h"
 
-#include "Picture.h"
-#include "Quoted.h"
-#include "UserError.h"
+#include "Program/Quoted.h"
+#include "Program/UserError.h"
+#include "View/Picture.h"
 
 #include <vtkImageAppend.h>
 #include <vtkImageResize.h>

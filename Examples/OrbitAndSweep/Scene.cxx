@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene.h"
 
-#include "Isovalue.h"
-#include "Light.h"
+#include "Files/VolumeReader.h"
 #include "Options.h"
-#include "VolumeReader.h"
+#include "View/Isovalue.h"
+#include "View/Light.h"
 
 #include <vtkColorTransferFunction.h>
 #include <vtkContourValues.h>

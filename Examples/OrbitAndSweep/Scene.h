@@ -3,7 +3,7 @@
 #ifndef Scene_h
 #define Scene_h
 
-#include "Viewpoint.h"
+#include "View/Viewpoint.h"
 
 #include <vtkNew.h>
 #include <vtkRenderer.h>

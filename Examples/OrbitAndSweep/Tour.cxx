@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Tour.h"
 
-#include "Isovalue.h"
 #include "Options.h"
 #include "Pictures.h"
+#include "Program/UserError.h"
 #include "Scene.h"
-#include "UserError.h"
+#include "View/Isovalue.h"
 
 #include <vtkImageData.h>
 #include <vtkMath.h>
@@ -123,7 +123,7 @@ void RenderFirst(Tour& tour, Scene& scene, int orbitFrames)
   tour.Render("first", "", 0, 1);
 }
 
-// What the rest of the tour is held against: views that no earlier picture may help with. They
+// What the rest of the tour is compared with: views that no earlier picture may help with. They
 // are taken in several places of the tour, so that all of it meets the same load of the machine.
 void RenderWithoutReuse(Tour& tour, Scene& scene, double lastAzimuth, int frames)
 {

@@ -3,16 +3,16 @@
 // Orbits around a volume's isosurface and sweeps its isovalue with
 // vtkTemporalCoherenceVolumeMapper: pictures, and a table of what each kind of change took.
 #include "Extraction.h"
-#include "Histogram.h"
-#include "Isovalue.h"
+#include "Files/VolumeReader.h"
 #include "Options.h"
 #include "Pictures.h"
-#include "Quoted.h"
+#include "Program/Quoted.h"
+#include "Program/UserError.h"
 #include "Report.h"
 #include "Scene.h"
 #include "Tour.h"
-#include "UserError.h"
-#include "VolumeReader.h"
+#include "View/Histogram.h"
+#include "View/Isovalue.h"
 
 #include <vtkSMPTools.h>
 

@@ -3,7 +3,7 @@
 #ifndef Benchmarks_CommandLine_h
 #define Benchmarks_CommandLine_h
 
-#include "Volumes.h"
+#include "Volumes/Volumes.h"
 
 #include <functional>
 #include <limits>

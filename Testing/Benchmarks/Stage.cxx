@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Stage.h"
 
-#include "AreIdentical.h"
+#include "Checks/AreIdentical.h"
 #include "Measuring.h"
-#include "ShiftCamera.h"
+#include "Scenes/ShiftCamera.h"
 
 #include <vtkCamera.h>
 #include <vtkColorTransferFunction.h>

@@ -3,7 +3,7 @@
 #ifndef Benchmarks_Stage_h
 #define Benchmarks_Stage_h
 
-#include "Volumes.h"
+#include "Volumes/Volumes.h"
 #include "vtkTemporalCoherenceVolumeMapper.h"
 
 #include <vtkImageData.h>

@@ -7,7 +7,7 @@
 //
 // usage: HeadSlices FOLDER [--generated]
 
-#include "Volumes.h"
+#include "Volumes/Volumes.h"
 
 #include <vtkImageData.h>
 #include <vtkImageResize.h>

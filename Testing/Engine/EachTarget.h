@@ -3,7 +3,7 @@
 #ifndef Testing_EachTarget_h
 #define Testing_EachTarget_h
 
-#include "VectorTarget.h"
+#include "Checks/VectorTarget.h"
 
 #include <gtest/gtest.h>
 

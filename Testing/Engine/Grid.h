@@ -11,7 +11,7 @@
 #include <random>
 #include <vector>
 
-/// Samples in memory and the field that sees them.
+/// Samples in memory, and their field.
 template <typename T>
 struct Grid
 {
@@ -20,23 +20,23 @@ struct Grid
         static_cast<std::size_t>(dimensions.z) * static_cast<std::size_t>(components))
   {
     const std::int64_t step = components;
-    this->Seen.Samples = this->Samples.data() + component;
-    this->Seen.Type = Type();
-    this->Seen.Dimensions = dimensions;
-    this->Seen.Strides = { step, step * dimensions.x,
+    this->Field.Samples = this->Samples.data() + component;
+    this->Field.Type = Type();
+    this->Field.Dimensions = dimensions;
+    this->Field.Strides = { step, step * dimensions.x,
       step * dimensions.x * static_cast<std::int64_t>(dimensions.y) };
-    this->Seen.Stamp = 1;
+    this->Field.Stamp = 1;
   }
 
   T& At(int i, int j, int k)
   {
-    return const_cast<T&>(*TemporalCoherence::TypedField<T>(this->Seen).At(i, j, k));
+    return const_cast<T&>(*TemporalCoherence::TypedField<T>(this->Field).At(i, j, k));
   }
 
   template <typename Formula>
   void Fill(const Formula& formula)
   {
-    const glm::ivec3& n = this->Seen.Dimensions;
+    const glm::ivec3& n = this->Field.Dimensions;
     for (int k = 0; k < n.z; ++k)
     {
       for (int j = 0; j < n.y; ++j)
@@ -72,7 +72,7 @@ struct Grid
   }
 
   std::vector<T> Samples;
-  TemporalCoherence::Field Seen;
+  TemporalCoherence::Field Field;
 };
 
 /// A perspective view of a grid in index space as world, from a direction.

@@ -14,8 +14,8 @@ bool IsSamePlane(const P& a, const P& b)
   return a.size() == b.size() && !std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0]));
 }
 
-/// True if two frames show the same: all planes but those of answers and of what only later frames
-/// ask for.
+/// True if two frames show the same: all planes are equal except answers and those that only later
+/// frames use.
 inline bool ShowTheSame(const TemporalCoherence::Frame& a, const TemporalCoherence::Frame& b)
 {
   return a.Size == b.Size && IsSamePlane(a.Depth, b.Depth) && IsSamePlane(a.Normals, b.Normals) &&

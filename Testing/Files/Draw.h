@@ -3,7 +3,7 @@
 #ifndef Draw_h
 #define Draw_h
 
-#include "VolumeSource.h"
+#include "Program/VolumeSource.h"
 
 #include <string>
 

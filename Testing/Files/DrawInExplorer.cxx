@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Draw.h"
 
-#include "Model.h"
-#include "Session.h"
+#include "Model/Model.h"
+#include "Model/Session.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkVolumeCollection.h>

@@ -3,13 +3,13 @@
 #include "Draw.h"
 
 #include "Extraction.h"
-#include "Histogram.h"
-#include "Isovalue.h"
+#include "Files/VolumeReader.h"
 #include "Options.h"
-#include "Quoted.h"
+#include "Program/Quoted.h"
+#include "Program/UserError.h"
 #include "Scene.h"
-#include "UserError.h"
-#include "VolumeReader.h"
+#include "View/Histogram.h"
+#include "View/Isovalue.h"
 
 #include <vtkImageData.h>
 

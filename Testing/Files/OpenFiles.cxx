@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Opens files in the ways of the example programs, each in a process of its own: see usage().
-#include "CommandLine.h"
 #include "Draw.h"
-#include "UserError.h"
+#include "Program/CommandLine.h"
+#include "Program/UserError.h"
 
 #include <vtkSMPTools.h>
 

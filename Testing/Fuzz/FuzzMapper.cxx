@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The seeded fuzzer: runs of bytes made from seeds, or kept in files, each step held against a
+// The seeded fuzzer: runs of bytes made from seeds, or kept in files, each step compared with a
 // mapper without a past.
 
-#include "Bytes.h"
-#include "Report.h"
-#include "Run.h"
-#include "Shrink.h"
-#include "Story.h"
-#include "Watchdog.h"
-#include "Windows.h"
+#include "Runs/Report.h"
+#include "Runs/Run.h"
+#include "Runs/Shrink.h"
+#include "Runs/Watchdog.h"
+#include "Runs/Windows.h"
+#include "World/Bytes.h"
+#include "World/Story.h"
 
 #include <vtkObject.h>
 #include <vtkSMPTools.h>

@@ -3,9 +3,9 @@
 
 // The fuzzer that is guided by coverage: libFuzzer makes the bytes.
 
-#include "Report.h"
-#include "Run.h"
-#include "Story.h"
+#include "Runs/Report.h"
+#include "Runs/Run.h"
+#include "World/Story.h"
 
 #include <vtkSMPTools.h>
 

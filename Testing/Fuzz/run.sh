@@ -8,7 +8,7 @@ set -euo pipefail
 usage()
 {
   cat <<'TEXT'
-Fuzz the mapper: bytes become scenes and changes of them, and every frame is held against that of
+Fuzz the mapper: bytes become scenes and changes of them, and every frame is compared with that of
 a mapper without a past.
 
 usage: Testing/Fuzz/run.sh [OPTIONS] [MINUTES]

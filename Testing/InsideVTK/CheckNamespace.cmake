@@ -3,7 +3,7 @@
 #
 # Where VTK's binary interface has a namespace, a class of VTK declared outside of it is another class, and
 # what uses it does not compile. Most builds of VTK have none and say nothing: here each declaration in
-# a header of the module or of its tests is held against it.
+# a header of the module or of its tests is compared with it.
 #
 # cmake -D SOURCE=<the tree> -P CheckNamespace.cmake
 cmake_minimum_required(VERSION 3.16)

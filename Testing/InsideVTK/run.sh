@@ -51,7 +51,7 @@ packages=(g++ cmake ninja-build git python3 libglm-dev libhwy-dev libgtest-dev x
 external_modules=(doubleconversion eigen expat freetype glew hdf5 jpeg lz4 lzma nlohmannjson png pugixml
   tiff zlib)
 groups=(StandAlone Rendering Imaging MPI Qt Views Web)
-test_programs=(vtkTemporalCoherenceCxxTests TemporalCoherenceEngineTests)
+test_targets=(vtkTemporalCoherenceCxxTests TemporalCoherenceEngineTests)
 remote_file=$repository/Module/temporalcoherence.remote.cmake
 
 logged()
@@ -176,11 +176,11 @@ build_tests()
 {
   local program
   say "Building the module, its tests and what they need with $jobs jobs (log: $log)"
-  logged cmake --build "$build" --parallel "$jobs" --target "${test_programs[@]}"
+  logged cmake --build "$build" --parallel "$jobs" --target "${test_targets[@]}"
   # An installed VTK must not be what is tested.
-  for program in "${test_programs[@]}"; do
-    if ldd "$build/bin/$program" | grep 'libvtk' | grep -vF " $build/"; then
-      fail "$program uses these libraries of another VTK"
+  for program in "$build"/bin/*TemporalCoherence*Tests; do
+    if ldd "$program" | grep 'libvtk' | grep -vF " $build/"; then
+      fail "$(basename "$program") uses these libraries of another VTK"
     fi
   done
   say "Built in $((SECONDS - begin)) s"

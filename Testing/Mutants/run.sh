@@ -26,7 +26,7 @@ usage: Testing/Mutants/run.sh [OPTIONS] [NAMES]
   --no-packages   install no packages (see Module/setup.sh --help)
   --help          show this text
 
-Every mutant is built in a copy of the tree, below build/mutants, and held against the engine's own
+Every mutant is built in a copy of the tree, below build/mutants, and compared with the engine's own
 tests and then those of the mapper, until one of them fails. What became of it is kept in
 build/mutants/results.jsonl: another run goes on where the last one was stopped. All 60 take some
 hours on two cores; ccache, where it is installed, makes what changes back free.

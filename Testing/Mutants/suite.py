@@ -11,7 +11,7 @@ import signal
 import subprocess
 
 ENGINE = "TemporalCoherenceEngineTests"
-MAPPER = "vtkTemporalCoherenceCxxTests"
+MAPPER = "vtkTemporalCoherenceCxxTests"  # makes a program for each folder of Testing/Cxx
 
 # A mutant that asks for more than this is stopped, before the machine is out of memory.
 MOST_BYTES = 16 << 30
@@ -33,10 +33,11 @@ class Test:
     seconds: float = 0.0  # of processor time, without a mutant
     kills: int = 0
     refused: tuple = ()  # what a test that passes does not say, such as VTK's errors
+    skipped: int = 0  # what it returns where it cannot be run here, if not 0
 
 
 def run(test, limit):
-    """What a test says, how it ended (passed, failed or hung), and the processor time it took."""
+    """What a test says, how it ended (passed, skipped, failed or hung), and the processor time it took."""
     def limit_resources():
         resource.setrlimit(resource.RLIMIT_AS, (MOST_BYTES, MOST_BYTES))
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
@@ -49,7 +50,7 @@ def run(test, limit):
             errors="replace", start_new_session=True, preexec_fn=limit_resources) as process:
         try:
             output, _ = process.communicate(timeout=WAITING * limit)
-            ends = {0: "passed", -signal.SIGXCPU: "hung"}
+            ends = {test.skipped: "skipped", 0: "passed", -signal.SIGXCPU: "hung"}
             end = ends.get(process.returncode, "failed")
             if end == "passed" and any(re.search(pattern, output) for pattern in test.refused):
                 end = "failed"
@@ -77,11 +78,13 @@ def find_mapper_tests(build):
     tests = []
     for entry in listing["tests"]:
         command = entry.get("command", [])
-        if any(part.endswith(MAPPER) for part in command):
+        if any(re.fullmatch(r"vtkTemporalCoherenceCxx\w+Tests", os.path.basename(part))
+               for part in command):
             properties = {p["name"]: p["value"] for p in entry.get("properties", [])}
-            tests.append(Test(entry["name"].split("-")[-1], MAPPER, command,
+            tests.append(Test(entry["name"].split("-", 1)[-1], MAPPER, command,
                               properties.get("WORKING_DIRECTORY", str(build)),
-                              refused=tuple(properties.get("FAIL_REGULAR_EXPRESSION", ()))))
+                              refused=tuple(properties.get("FAIL_REGULAR_EXPRESSION", ())),
+                              skipped=int(properties.get("SKIP_RETURN_CODE", 0))))
     return tests
 
 
@@ -90,7 +93,7 @@ def measure(tests, record):
     for test in tests:
         if test.name not in record:
             output, end, seconds = run(test, 600)
-            if end != "passed":
+            if end not in ("passed", "skipped"):
                 raise RuntimeError(f"{test.name} {end} without a mutant:\n{output[-4000:]}")
             record[test.name] = round(seconds, 2)
         test.seconds = record[test.name]
@@ -101,7 +104,7 @@ def first_failure(tests):
     quick and have caught others come first."""
     for test in sorted(tests, key=lambda test: (test.seconds + 0.2) / (1 + test.kills)):
         output, end, _ = run(test, int(PATIENCE * test.seconds) + SECONDS_MORE)
-        if end != "passed":
+        if end not in ("passed", "skipped"):
             test.kills += 1
             return test, end, output
     return None

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Holds the pictures of several processes against those of one: ComparePictures.py DIRECTORY N ...
+"""Compares the pictures of several processes with those of one: ComparePictures.py DIRECTORY N ...
 
 Where surfaces are opaque, a pixel differs that is not the same. Where they are translucent, colours of
 8 bits are blended once more for each process: one differs that is off by more than 2 of 255.

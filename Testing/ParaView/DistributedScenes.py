@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pictures of volumes that ParaView splits among processes: run with mpirun -np N pvbatch.
 
-They are named SCENE-N.png; ComparePictures.py holds those of several processes against those of one.
+They are named SCENE-N.png; ComparePictures.py compares those of several processes with those of one.
 """
 
 import os

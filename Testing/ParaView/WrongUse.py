@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Mistakes; run.sh holds what is said against what it expects. A line before each tells its name."""
+"""Mistakes; run.sh compares what is said with what it expects. A line before each tells its name."""
 
 import os
 

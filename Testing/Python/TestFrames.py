@@ -89,11 +89,18 @@ class SpherePlanes(unittest.TestCase):
             self.assertEqual(image.GetDimensions(), (*SIZE, 1))
             numpy.testing.assert_array_equal(
                 vtk_to_numpy(image.GetPointData().GetScalars()).ravel(), plane.ravel())
-        normals, index, answer = vtkImageData(), vtkImageData(), vtkImageData()
-        self.assertTrue(mapper.RenderToImage(
-            self.renderer, self.volume, *SIZE, None, None, normals, index, answer))
-        numpy.testing.assert_array_equal(
-            vtk_to_numpy(normals.GetPointData().GetScalars()).ravel(), self.planes.normals.ravel())
+        frame = vtkImageData()
+        self.assertTrue(mapper.RenderToImage(self.renderer, self.volume, *SIZE, frame))
+        data = frame.GetPointData()
+        self.assertEqual(
+            [data.GetArrayName(index) for index in range(data.GetNumberOfArrays())],
+            ["Color", "Depth", "Normals", "IsovalueIndex", "Answer"])
+        for index, plane in enumerate(self.planes):
+            numpy.testing.assert_array_equal(
+                vtk_to_numpy(data.GetArray(index)).ravel(), plane.ravel())
+        self.assertTrue(mapper.GetLastFrame(frame, mapper.FRAME_DEPTH + mapper.FRAME_ANSWER))
+        self.assertEqual(frame.GetPointData().GetNumberOfArrays(), 2)
+        self.assertEqual(frame.GetPointData().GetScalars().GetName(), "Depth")
 
     def test_only_those_asked_for(self):
         some = planes(self.volume.GetMapper(), ["depth", "answer"])

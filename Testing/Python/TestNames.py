@@ -24,13 +24,16 @@ CHOICES = {
     "VectorMode": {"Disabled": "DISABLED", "Magnitude": "MAGNITUDE", "Component": "COMPONENT"},
     "ReuseAccuracy": {"Bounded": "BOUNDED", "Exact": "EXACT", "Paper": "PAPER"},
     "ImageCachePolicy": {"Latest": "LATEST", "KeyImage": "KEY_IMAGE"},
-    "ImageCacheShading": {"Reshade": "CACHE_RESHADE", "Interpolate": "CACHE_INTERPOLATE"},
+    "ImageCacheShading": {"Reshade": "RESHADE", "Interpolate": "INTERPOLATE"},
     "IsomapShading": {"Reshade": "RESHADE", "Interpolate": "INTERPOLATE"},
 }
 CONSTANTS = {
     "CROSSING": 0, "THRESHOLD": 1, "DISABLED": -1, "MAGNITUDE": 0, "COMPONENT": 1, "BOUNDED": 0,
-    "EXACT": 1, "PAPER": 2, "LATEST": 0, "KEY_IMAGE": 1, "CACHE_RESHADE": 0,
-    "CACHE_INTERPOLATE": 1, "RESHADE": 0, "INTERPOLATE": 1,
+    "EXACT": 1, "PAPER": 2, "LATEST": 0, "KEY_IMAGE": 1, "RESHADE": 0, "INTERPOLATE": 1, "ROUTE_COLD": 0, "ROUTE_REDISPLAY": 1,
+    "ROUTE_RESHADE": 2, "ROUTE_ISOMAP_LOOKUP": 3, "ROUTE_ISOMAP_BUILD": 4,
+    "ROUTE_THRESHOLD_HINT": 5, "ROUTE_IMAGE_CACHE": 6, "ROUTE_TIME_STEP": 7, "FRAME_COLOR": 1,
+    "FRAME_DEPTH": 2, "FRAME_NORMALS": 4, "FRAME_ISOVALUE_INDEX": 8, "FRAME_ANSWER": 16,
+    "FRAME_ALL": 31,
 }
 SWITCHES = {
     "ImageCache": 1, "Isomap": 1, "SpaceLeaping": 1, "RefineWhenStill": 1, "ColorByAnswer": 0,

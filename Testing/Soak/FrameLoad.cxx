@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FrameLoad.h"
 
-#include "BruteForceTracer.h"
-#include "Stopper.h"
+#include "Checks/Stopper.h"
+#include "Truth/BruteForceTracer.h"
 
 #include <array>
 #include <sstream>
 
-bool FrameLoad::DoOnce()
+void FrameLoad::DoOnce()
 {
-  constexpr std::array<Habits, 4> all = { MovingOn, StandingStill, Dressing, Restless };
+  static const std::array<Habits, 4> all = { Habits::MovingOn(), Habits::StandingStill(),
+    Habits::Dressing(), Habits::Restless() };
   constexpr long FramesOfOne = 25;
   if (this->Frames % FramesOfOne == 0)
   {
@@ -23,22 +24,21 @@ bool FrameLoad::DoOnce()
     this->Stopped += this->Scene.Views.Render() ? 0 : 1;
   }
   ++this->Frames;
-  const bool isRendered = this->Scene.Views.Render();
+  Expect(this->Scene.Views.Render(), "frame " + std::to_string(this->Frames) + ": rendered");
   ++this->Routes[this->Scene.Shown.Mapper->GetRouteAsString()];
   this->Features.merge(this->Scene.Features());
   if (this->Scene.Views.Pick(5) == 0)
   {
     this->Ask();
   }
-  return isRendered;
 }
 
 /// What can be asked of a frame that is there.
 void FrameLoad::Ask()
 {
   struct Scene& shown = this->Scene.Shown;
-  vtkNew<vtkImageData> color, depth, normals, indices, answers;
-  shown.Mapper->GetLastFrame(color, depth, normals, indices, answers);
+  vtkNew<vtkImageData> frame;
+  shown.Mapper->GetLastFrame(frame);
   int size[3];
   shown.Depth->GetDimensions(size);
   const int x = this->Scene.Views.Pick(size[0]), y = this->Scene.Views.Pick(size[1]);

@@ -3,15 +3,15 @@
 #ifndef Soak_FrameLoad_h
 #define Soak_FrameLoad_h
 
-#include "ChangingScene.h"
 #include "Load.h"
+#include "Walks/ChangingScene.h"
 
 /// Small frames of one mapper, which meets all inputs, features and settings, and now and then is
 /// stopped, asked for what it shows, or draws what another viewer sees.
 class FrameLoad : public Load
 {
 public:
-  bool DoOnce() override;
+  void DoOnce() override;
   std::string Describe() const override;
 
   /// Every route and every feature.

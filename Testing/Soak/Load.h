@@ -3,6 +3,8 @@
 #ifndef Soak_Load_h
 #define Soak_Load_h
 
+#include "Checks/Expect.h"
+
 #include <string>
 
 /// Something that is done again and again and must not cost memory for good.
@@ -11,9 +13,8 @@ class Load
 public:
   virtual ~Load() = default;
 
-  /// Do it once more.
-  /// \return false if something went wrong
-  virtual bool DoOnce() = 0;
+  /// Do it once more. What goes wrong is told by Expect().
+  virtual void DoOnce() = 0;
 
   /// One line that tells what was reached.
   virtual std::string Describe() const = 0;

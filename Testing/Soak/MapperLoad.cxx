@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MapperLoad.h"
 
-#include "Scene.h"
-#include "Volumes.h"
+#include "Scenes/Scene.h"
+#include "Volumes/Volumes.h"
 
 #include <sstream>
 
@@ -12,14 +12,13 @@ MapperLoad::MapperLoad()
 {
 }
 
-bool MapperLoad::DoOnce()
+void MapperLoad::DoOnce()
 {
   Scene scene(this->Image, { 200.0 });
   scene.LookFrom(0.7, -1.0, 0.5);
-  bool isRendered = true;
   const auto render = [&]
   {
-    isRendered = scene.Render(64, 48) && isRendered;
+    Expect(scene.Render(64, 48), "rendered");
     ++this->Routes[scene.Mapper->GetRouteAsString()];
   };
   render();
@@ -29,13 +28,12 @@ bool MapperLoad::DoOnce()
   scene.Renderer->GetActiveCamera()->Azimuth(1.0);
   render();
   scene.Mapper->SetIsomapRange(100.0, 600.0);
-  isRendered = scene.Mapper->BuildIsomap(scene.Renderer, scene.Volume) && isRendered;
+  Expect(scene.Mapper->BuildIsomap(scene.Renderer, scene.Volume), "an isomap is built");
   for (const double isovalue : { 201.0, 500.0, 202.0 })
   {
     scene.SetIsovalues({ isovalue });
     render();
   }
-  return isRendered;
 }
 
 std::string MapperLoad::Describe() const

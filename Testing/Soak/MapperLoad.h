@@ -4,7 +4,7 @@
 #define Soak_MapperLoad_h
 
 #include "Load.h"
-#include "Sweep.h"
+#include "Walks/Sweep.h"
 
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>
@@ -14,7 +14,7 @@ class MapperLoad : public Load
 {
 public:
   MapperLoad();
-  bool DoOnce() override;
+  void DoOnce() override;
   std::string Describe() const override;
   bool HasReachedAll() const override;
 

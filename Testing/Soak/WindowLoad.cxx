@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "WindowLoad.h"
 
-#include "OffScreen.h"
-#include "Volumes.h"
+#include "Scenes/OffScreen.h"
+#include "Volumes/Volumes.h"
 
 #include <vtkFixedPointVolumeRayCastMapper.h>
 #include <vtkPiecewiseFunction.h>
@@ -61,7 +61,7 @@ void WindowLoad::AddProps(vtkRenderer* renderer)
   renderer->ResetCamera();
 }
 
-bool WindowLoad::DoOnce()
+void WindowLoad::DoOnce()
 {
   vtkNew<vtkRenderer> renderer;
   this->AddProps(renderer);
@@ -80,8 +80,11 @@ bool WindowLoad::DoOnce()
     drawn += pixels->GetComponent(i, 0) > 0.0 ? 1 : 0;
   }
   ++this->Windows;
-  this->Drawn += drawn > Size * Size / 20 ? 1 : 0;
-  return this->Drawn == this->Windows;
+  const bool isSeen = drawn > Size * Size / 20;
+  this->Drawn += isSeen ? 1 : 0;
+  Expect(isSeen,
+    "window " + std::to_string(this->Windows) + ": only " + std::to_string(drawn) +
+      " pixels show something");
 }
 
 std::string WindowLoad::Describe() const

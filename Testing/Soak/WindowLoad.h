@@ -4,7 +4,7 @@
 #define Soak_WindowLoad_h
 
 #include "Load.h"
-#include "Scene.h"
+#include "Scenes/Scene.h"
 
 #include <vtkSmartPointer.h>
 
@@ -20,7 +20,7 @@ public:
     OfVtk ///< vtkFixedPointVolumeRayCastMapper's, to compare with: what grows is not ours
   };
   explicit WindowLoad(Contents contents);
-  bool DoOnce() override;
+  void DoOnce() override;
   std::string Describe() const override;
   bool HasReachedAll() const override { return this->Windows > 0 && this->Drawn == this->Windows; }
 

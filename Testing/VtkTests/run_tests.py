@@ -41,6 +41,11 @@ def missing_data(source, data):
     return None
 
 
+def asks_no_factory(source):
+    """True if a test makes its mapper by a New() of VTK that asks no factory."""
+    return "vtkOpenGLGPUVolumeRayCastMapper" in source.read_text(encoding="utf-8")
+
+
 def run_test(arguments, run, name):
     """The exit status of a test, or None if it took too long, and the seconds."""
     variant, has_factory, scene = RUNS[run]
@@ -51,6 +56,8 @@ def run_test(arguments, run, name):
     environment = {key: value for key, value in os.environ.items() if not key.startswith("VTK_")}
     if has_factory:
         environment["VTK_AUTOLOAD_PATH"] = str(arguments.autoload)
+        if asks_no_factory(arguments.sources / f"{name}.cxx"):
+            environment["LD_PRELOAD"] = str(next(arguments.autoload.glob("*.so")))
     if scene:
         environment["VTK_TESTS_SCENE"] = scene
     # A baseline that is not there makes VTK write the picture, from what the window shows.

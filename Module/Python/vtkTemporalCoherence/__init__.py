@@ -1,18 +1,18 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Isosurfaces of VTK images, ray cast on the CPU, using again what the last frame knew.
+"""Isosurfaces of VTK images and grids, ray cast on the CPU, re-using earlier frames.
 
     from vtkTemporalCoherence import vtkTemporalCoherenceVolumeMapper
     mapper = vtkTemporalCoherenceVolumeMapper()    # was: vtkGPUVolumeRayCastMapper()
 
-The mapper goes into a vtkVolume as any other and draws the isosurfaces of
-volume.GetProperty().GetIsoSurfaceValues(); help(vtkTemporalCoherenceVolumeMapper) tells the rest.
+The mapper goes into a vtkVolume as any other. It draws the isosurfaces of
+volume.GetProperty().GetIsoSurfaceValues(). help(vtkTemporalCoherenceVolumeMapper) tells the rest.
 
     use_everywhere         let it draw the isosurfaces of VTK's own mappers, made from now on
     replace_mapper         put it into a vtkVolume that has another mapper
     numpy_to_image         a volume from a NumPy array
     render                 a picture as NumPy arrays, without a window or display
-    planes, Planes         what the last frame knows of its pixels, as NumPy arrays
+    planes, Planes         the arrays of the last frame: colour, depth, normals and more
     write_png              a picture into a file
 
 The last four are those of vtkTemporalCoherence.numpy_support; only they need NumPy.

@@ -61,6 +61,16 @@ class Planes(NamedTuple):
     answer: numpy.ndarray | None = None
 
 
+#: The arrays of a frame that the planes are, each as a bit of FrameArrays and a name.
+_FRAME_ARRAYS = {
+    "color": (vtkTemporalCoherenceVolumeMapper.FRAME_COLOR, "Color"),
+    "depth": (vtkTemporalCoherenceVolumeMapper.FRAME_DEPTH, "Depth"),
+    "normals": (vtkTemporalCoherenceVolumeMapper.FRAME_NORMALS, "Normals"),
+    "isovalue_index": (vtkTemporalCoherenceVolumeMapper.FRAME_ISOVALUE_INDEX, "IsovalueIndex"),
+    "answer": (vtkTemporalCoherenceVolumeMapper.FRAME_ANSWER, "Answer"),
+}
+
+
 def numpy_to_image(
     array: numpy.ndarray,
     spacing: Sequence[float] = (1.0, 1.0, 1.0),
@@ -112,12 +122,13 @@ def planes(
     Raises TypeError for what is no such mapper, ValueError if there is no frame or no such plane.
     """
     _check_mapper(mapper)
-    images = {name: vtkImageData() for name in _checked_names(names)}
+    names = set(_checked_names(names))
+    frame = vtkImageData()
     with _Errors(mapper) as errors:
-        is_done = mapper.GetLastFrame(*(images.get(name) for name in Planes._fields))
+        is_done = mapper.GetLastFrame(frame, sum(_FRAME_ARRAYS[name][0] for name in names))
     errors.give_up_unless(
         is_done, "The mapper has made no frame yet: call render() or Render() first.")
-    return Planes(**{name: _plane(image) for name, image in images.items()})
+    return Planes(**{name: _plane(frame, _FRAME_ARRAYS[name][1]) for name in names})
 
 
 def render(
@@ -292,8 +303,8 @@ def _vtk_dtype(dtype: numpy.dtype) -> numpy.dtype:
     return dtype.newbyteorder("=")
 
 
-def _plane(image: vtkImageData) -> numpy.ndarray:
-    """The scalars of an image as rows, in the memory of the VTK array, which they keep."""
-    width, height, _ = image.GetDimensions()
-    scalars = vtk_to_numpy(image.GetPointData().GetScalars())
-    return scalars.reshape(height, width, *scalars.shape[1:])
+def _plane(frame: vtkImageData, name: str) -> numpy.ndarray:
+    """An array of a frame as rows, in the memory of the VTK array, which they keep."""
+    width, height, _ = frame.GetDimensions()
+    values = vtk_to_numpy(frame.GetPointData().GetArray(name))
+    return values.reshape(height, width, *values.shape[1:])

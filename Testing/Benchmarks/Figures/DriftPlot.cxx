@@ -27,16 +27,16 @@ Plots::Ticks DecadeTicks(double worst, int size)
 }
 
 /// A colour for each speed, solid for PAPER and dashed for BOUNDED.
-Plots::Series LogarithmOf(const Drift::Course& course, int color, double none)
+Plots::Series LogarithmOf(const Drift::Curve& curve, int color, double none)
 {
   Plots::Series series;
-  series.Name = course.Accuracy + ", " + Fixed(course.Degrees, 1) + " degrees";
+  series.Name = curve.Accuracy + ", " + Fixed(curve.Degrees, 1) + " degrees";
   series.Color = color;
-  series.IsDashed = course.Accuracy == "BOUNDED";
-  for (std::size_t i = 0; i < course.Frames.size(); ++i)
+  series.IsDashed = curve.Accuracy == "BOUNDED";
+  for (std::size_t i = 0; i < curve.Frames.size(); ++i)
   {
-    const double different = course.Different[i];
-    series.X.push_back(course.Frames[i]);
+    const double different = curve.Different[i];
+    series.X.push_back(curve.Frames[i]);
     series.Y.push_back(different > 0.0 ? std::max(none, std::log10(different)) : none);
   }
   return series;
@@ -44,7 +44,7 @@ Plots::Series LogarithmOf(const Drift::Course& course, int color, double none)
 
 }
 
-void PlotDrift(const std::vector<Drift::Course>& courses, const std::string& volume, int size,
+void PlotDrift(const std::vector<Drift::Curve>& curves, const std::string& volume, int size,
   const std::string& path)
 {
   Plots::Chart chart;
@@ -52,15 +52,15 @@ void PlotDrift(const std::vector<Drift::Course>& courses, const std::string& vol
   chart.XTitle = "Frame";
   chart.YTitle = "Pixels that differ from the cold picture";
   double worst = 0.0;
-  for (const Drift::Course& course : courses)
+  for (const Drift::Curve& curve : curves)
   {
-    worst = std::max(worst, Measuring::Worst(course.Different));
+    worst = std::max(worst, Measuring::Worst(curve.Different));
   }
   chart.YTicks = DecadeTicks(worst, size);
-  for (const Drift::Course& course : courses)
+  for (const Drift::Curve& curve : curves)
   {
     const int color = static_cast<int>(chart.Series.size() / 2);
-    chart.Series.push_back(LogarithmOf(course, color, chart.YTicks.front().first));
+    chart.Series.push_back(LogarithmOf(curve, color, chart.YTicks.front().first));
   }
   Plots::Write(chart, path);
 }

@@ -11,7 +11,7 @@
 /// How far pictures part from the cold ones over many frames: what the paper could not measure.
 /// \param size pixels of the pictures in each direction
 /// \param path of the plot, without the ending
-void PlotDrift(const std::vector<Drift::Course>& courses, const std::string& volume, int size,
+void PlotDrift(const std::vector<Drift::Curve>& curves, const std::string& volume, int size,
   const std::string& path);
 
 #endif

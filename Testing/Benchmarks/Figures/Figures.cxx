@@ -247,20 +247,20 @@ std::vector<double> Counted(std::size_t n)
 
 }
 
-void SetUp(Stage& stage, const Subject& subject, const Look::Color& color)
+void SetUp(Stage& stage, const Subject& subject, const Style::Color& color)
 {
-  Look::AddLights(stage.Renderer);
-  Look::Show(stage.Volume->GetProperty(), { { subject.Isovalue, color } });
-  Look::PointCamera(stage.Renderer, stage.Image->GetBounds(), subject.View);
+  Style::AddLights(stage.Renderer);
+  Style::Show(stage.Volume->GetProperty(), { { subject.Isovalue, color } });
+  Style::PointCamera(stage.Renderer, stage.Image->GetBounds(), subject.View);
 }
 
 std::vector<Subject> LoadSubjects(bool onlySmall)
 {
-  const Look::View brainView = { { -1.0, -0.6, 0.9 }, { 0.0, -1.0, 0.0 }, 1.7 };
-  const Look::View engineView = { { 1.0, -1.4, 0.9 }, { 0.0, 0.0, 1.0 }, 1.6 };
+  const Style::View brainView = { { -1.0, -0.6, 0.9 }, { 0.0, -1.0, 0.0 }, 1.7 };
+  const Style::View engineView = { { 1.0, -1.4, 0.9 }, { 0.0, 0.0, 1.0 }, 1.6 };
   std::vector<Subject> subjects;
   const auto add = [&subjects](const std::string& name, vtkImageData* image, double isovalue,
-                     const Look::View& view) {
+                     const Style::View& view) {
     subjects.push_back({ name + " " + SizeOf(image), image, isovalue, view, true });
   };
   if (onlySmall)
@@ -348,7 +348,7 @@ void AnswersInColor(const Settings& settings, JsonWriter& json)
   for (const Subject& subject : settings.Subjects)
   {
     Stage stage(subject.Image, subject.Isovalue, settings.Size);
-    SetUp(stage, subject, Look::Steel); // which yellow stands out from
+    SetUp(stage, subject, Style::Steel); // which yellow stands out from
     Drawer drawer(stage);
     Techniques()[0].Set(drawer.Mapper);
     drawer.Mapper->ColorByAnswerOn();

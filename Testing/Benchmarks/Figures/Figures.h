@@ -3,8 +3,8 @@
 #ifndef Benchmarks_Figures_h
 #define Benchmarks_Figures_h
 
-#include "Look.h"
 #include "Report.h"
+#include "Style.h"
 
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>
@@ -25,7 +25,7 @@ struct Subject
   std::string Name;
   vtkSmartPointer<vtkImageData> Image;
   double Isovalue = 0.0;
-  Look::View View;        ///< of pictures; times are taken from the view of Stage
+  Style::View View;       ///< of pictures; times are taken from the view of Stage
   bool IsPictured = true; ///< false if it looks like another one
 };
 
@@ -38,7 +38,7 @@ struct Settings
 };
 
 /// Light a stage, show the subject as a picture does, and fill the picture with it.
-void SetUp(Stage& stage, const Subject& subject, const Look::Color& color);
+void SetUp(Stage& stage, const Subject& subject, const Style::Color& color);
 
 /// The volumes of the paper: brain, the brain doubled, engine and four spheres; those that are not
 /// there are left out.

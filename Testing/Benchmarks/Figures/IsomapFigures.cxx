@@ -216,7 +216,7 @@ void TwoThresholds(const Settings& settings, JsonWriter& json)
   for (const Subject& subject : settings.Subjects)
   {
     Stage stage(subject.Image, subject.Isovalue, settings.Size);
-    Figures::SetUp(stage, subject, Look::Skin);
+    Figures::SetUp(stage, subject, Style::Skin);
     Drawer drawer(stage);
     drawer.Mapper->SetIsomapRange(stage.IsovalueAt(0.0), stage.IsovalueAt(1.0));
     drawer.Mapper->SetIsomapMemoryLimit(IsomapMaps::LargeMemoryLimit);

@@ -13,7 +13,7 @@ namespace
 
 using Pixel = std::array<unsigned char, 3>;
 
-constexpr unsigned char PossibleHit = 2; ///< as RenderToImage tells answers
+constexpr unsigned char PossibleHit = 2; ///< in the array Answer
 constexpr int PixelsToOne = 3;           ///< drawn to shown, along each axis
 
 /// Of the answer at a pixel.
@@ -42,7 +42,7 @@ Pixel ColorOf(const Pixel& seen, bool isPossible, bool isHit)
 vtkSmartPointer<vtkImageData> Painted(vtkImageData* picture, vtkImageData* rgba, Drawer& drawer)
 {
   vtkNew<vtkImageData> answers;
-  drawer.Mapper->GetLastFrame(nullptr, nullptr, nullptr, nullptr, answers);
+  drawer.Mapper->GetLastFrame(answers, vtkTemporalCoherenceVolumeMapper::FRAME_ANSWER);
   auto painted = vtkSmartPointer<vtkImageData>::New();
   painted->DeepCopy(picture);
   auto* pixels = static_cast<unsigned char*>(painted->GetScalarPointer());

@@ -3,7 +3,7 @@
 #include "FeaturePictures.h"
 
 #include "FeatureScene.h"
-#include "Volumes.h"
+#include "Volumes/Volumes.h"
 #include "vtkTemporalCoherencePicker.h"
 
 #include <vtkActor.h>
@@ -33,11 +33,11 @@ namespace FeaturePictures
 namespace
 {
 
-using Look::Surface;
+using Style::Surface;
 
-const Look::View HeadFromFront = { { -0.5, 1.0, 0.15 }, { 0.0, 0.0, 1.0 }, 1.35 };
+const Style::View HeadFromFront = { { -0.5, 1.0, 0.15 }, { 0.0, 0.0, 1.0 }, 1.35 };
 
-Candidate MrHead(const std::vector<double>& isovalues, const Look::View& view)
+Candidate MrHead(const std::vector<double>& isovalues, const Style::View& view)
 {
   return { "ch2.nii.gz", "MR head 181x217x181", isovalues, view };
 }
@@ -50,7 +50,8 @@ Shot Translucent(GallerySettings& settings)
               MrHead({ 45.0, 110.0 }, HeadFromFront), SpheresInstead({ 100.0, 180.0 }) },
       settings);
   FeatureScene scene(settings, subject);
-  scene.Show({ { subject.Isovalues[0], Look::Skin, 0.35 }, { subject.Isovalues[1], Look::Bone } });
+  scene.Show(
+    { { subject.Isovalues[0], Style::Skin, 0.35 }, { subject.Isovalues[1], Style::Bone } });
   return scene.Take("translucent", "Translucent",
     "isovalues " + Plain(subject.Isovalues[0]) + " and " + Plain(subject.Isovalues[1]) +
       "; colours and opacities (0.35, 1) of the property's transfer functions");
@@ -63,10 +64,10 @@ Shot Capped(GallerySettings& settings)
               SpheresInstead({ 100.0, 150.0, 200.0 }) },
       settings);
   FeatureScene scene(settings, subject);
-  scene.Show({ { subject.Isovalues[0], Look::Skin }, { subject.Isovalues[1], Look::Coral },
-    { subject.Isovalues[2], Look::Bone } });
+  scene.Show({ { subject.Isovalues[0], Style::Skin }, { subject.Isovalues[1], Style::Coral },
+    { subject.Isovalues[2], Style::Bone } });
   scene.Mapper->SetSurfaceModeToThreshold();
-  scene.Cut({ 1.0, 0.0, 0.0 }, 0.5);
+  scene.Clip({ 1.0, 0.0, 0.0 }, 0.5);
   return scene.Take("caps", "Solids with caps",
     "`SetSurfaceModeToThreshold()` and a clipping plane: the cut is closed, and coloured by the "
     "highest isovalue that is reached there");
@@ -80,7 +81,7 @@ Shot Cropped(GallerySettings& settings)
               MrHead({ 45.0, 105.0 }, HeadFromFront), SpheresInstead({ 100.0, 180.0 }) },
       settings);
   FeatureScene scene(settings, subject);
-  scene.Show({ { subject.Isovalues[0], Look::Steel }, { subject.Isovalues[1], Look::Gold } });
+  scene.Show({ { subject.Isovalues[0], Style::Steel }, { subject.Isovalues[1], Style::Gold } });
   scene.Mapper->SetSurfaceModeToThreshold();
   scene.CropCorner();
   return scene.Take("cropping", "Cropping",
@@ -95,15 +96,15 @@ Shot Clipped(GallerySettings& settings)
                                     SpheresInstead({ 60.0, 120.0, 180.0 }) },
     settings);
   FeatureScene scene(settings, subject);
-  scene.Show({ { subject.Isovalues[0], Look::Steel, 0.25 },
-    { subject.Isovalues[1], Look::Gold, 0.6 }, { subject.Isovalues[2], Look::Coral } });
-  scene.Cut({ 0.2, 1.0, 0.0 }, 0.5);
+  scene.Show({ { subject.Isovalues[0], Style::Steel, 0.25 },
+    { subject.Isovalues[1], Style::Gold, 0.6 }, { subject.Isovalues[2], Style::Coral } });
+  scene.Clip({ 0.2, 1.0, 0.0 }, 0.5);
   return scene.Take("clipping", "Clipping planes",
     "three isovalues, two of them translucent, cut open by `AddClippingPlane()`");
 }
 
 /// The samples of an image, the farther apart the farther they are from the middle.
-vtkSmartPointer<vtkRectilinearGrid> Graded(vtkImageData* image)
+vtkSmartPointer<vtkRectilinearGrid> Stretched(vtkImageData* image)
 {
   auto grid = vtkSmartPointer<vtkRectilinearGrid>::New();
   grid->SetDimensions(image->GetDimensions());
@@ -159,7 +160,7 @@ void AddGridLines(Studio& room, vtkRectilinearGrid* grid)
     const int from = forward[axis] > 0.0 ? 1 : 0;
     extent[2 * axis + 1 - from] = extent[2 * axis + from];
     side->SetExtent(extent);
-    constexpr Look::Color lines = { 0.30, 0.36, 0.44 };
+    constexpr Style::Color lines = { 0.30, 0.36, 0.44 };
     vtkProperty* property = room.AddPolygons(side, lines)->GetProperty();
     property->SetRepresentationToWireframe();
     property->LightingOff();
@@ -173,19 +174,19 @@ void ShowImpact(FeatureScene& scene, const std::string& file, const std::string&
   reader->SetFileName(file.c_str());
   reader->Update();
   const auto show = [](vtkTemporalCoherenceVolumeMapper* mapper, vtkVolume* volume,
-                      const char* array, const Look::Color& color)
+                      const char* array, const Style::Color& color)
   {
     mapper->SetScalarModeToUseCellFieldData();
     mapper->SelectScalarArray(array);
-    Look::Show(volume->GetProperty(), { { 0.5, color } });
+    Style::Show(volume->GetProperty(), { { 0.5, color } });
   };
-  show(scene.Mapper, scene.Volume, "Volume Fraction for Armor Plate", Look::Steel);
+  show(scene.Mapper, scene.Volume, "Volume Fraction for Armor Plate", Style::Steel);
   scene.SetInput(reader->GetOutput(), name, { { -1.0, -1.3, 0.6 }, { 0.0, 0.0, 1.0 }, 1.35 });
   vtkNew<vtkTemporalCoherenceVolumeMapper> mapper;
   vtkNew<vtkTemporalCoherenceVolume> volume;
   mapper->SetInputDataObject(reader->GetOutput());
   volume->SetMapper(mapper);
-  show(mapper, volume, "Volume Fraction for Body, Nose", Look::Gold);
+  show(mapper, volume, "Volume Fraction for Body, Nose", Style::Gold);
   scene.Room.Renderer->AddVolume(volume);
 }
 
@@ -195,8 +196,8 @@ Shot Rectilinear(GallerySettings& settings)
   const std::string impact = "simulated impact 129x65x65";
   const Subject spheres = FirstOf({ SpheresInstead({ 100.0 }) }, settings);
   FeatureScene scene(settings, spheres);
-  scene.Show({ { spheres.Isovalues[0], Look::Teal } });
-  scene.SetInput(Graded(spheres.Image), spheres.Name + ", graded", spheres.View);
+  scene.Show({ { spheres.Isovalues[0], Style::Teal } });
+  scene.SetInput(Stretched(spheres.Image), spheres.Name + ", stretched", spheres.View);
   if (!settings.IsQuick && vtksys::SystemTools::FileExists(file, true))
   {
     ShowImpact(scene, file, impact);
@@ -230,7 +231,7 @@ vtkSmartPointer<vtkMultiBlockDataSet> Split(vtkImageData* image, Studio& room)
     extract->SetInputData(image);
     extract->SetVOI(part);
     extract->Update();
-    room.AddBox(extract->GetOutput()->GetBounds(), i == missing ? Look::Coral : Look::Lines);
+    room.AddBox(extract->GetOutput()->GetBounds(), i == missing ? Style::Coral : Style::Lines);
     if (i != missing)
     {
       blocks->SetBlock(i, extract->GetOutput());
@@ -247,7 +248,7 @@ Shot Blocks(GallerySettings& settings)
     settings);
   FeatureScene scene(settings, subject);
   scene.SetInput(Split(subject.Image, scene.Room), subject.Name, subject.View);
-  scene.Show({ { subject.Isovalues[0], Look::Leaf } });
+  scene.Show({ { subject.Isovalues[0], Style::Leaf } });
   return scene.Take("blocks", "Blocks",
     "a `vtkMultiBlockDataSet` of images: no seams; a missing block (red) is a hole");
 }
@@ -270,7 +271,7 @@ void AddArrows(Studio& room, vtkImageData* image, double speed)
   arrows->SetVectorModeToUseVector();
   arrows->SetScaleModeToScaleByVector();
   arrows->SetScaleFactor(0.5);
-  room.AddPolygons(arrows, Look::Gold);
+  room.AddPolygons(arrows, Style::Gold);
 }
 
 Shot AmongPolygons(GallerySettings& settings)
@@ -280,12 +281,12 @@ Shot AmongPolygons(GallerySettings& settings)
                                     SpheresInstead({ 100.0, 150.0 }) },
     settings);
   FeatureScene scene(settings, subject);
-  scene.Show({ { subject.Isovalues[0], Look::Coral, 0.3 } });
+  scene.Show({ { subject.Isovalues[0], Style::Coral, 0.3 } });
   if (subject.Image->GetPointData()->GetVectors())
   {
     AddArrows(scene.Room, subject.Image, subject.Isovalues[1]);
   }
-  scene.Room.AddBox(subject.Image->GetBounds(), Look::Lines);
+  scene.Room.AddBox(subject.Image->GetBounds(), Style::Lines);
   return scene.Take("depth", "Among polygons",
     "arrows are `vtkPolyDataMapper`'s: they hide and are hidden layer by layer");
 }
@@ -319,7 +320,7 @@ void AddPins(FeatureScene& scene, int size)
   pins->SetInputData(picks);
   pins->SetSourceConnection(pin->GetOutputPort());
   pins->SetScaleFactor(0.08 * scene.Volume->GetLength());
-  scene.Room.AddPolygons(pins, Look::Teal);
+  scene.Room.AddPolygons(pins, Style::Teal);
 }
 
 Shot Picked(GallerySettings& settings)
@@ -327,7 +328,7 @@ Shot Picked(GallerySettings& settings)
   const Subject subject =
     FirstOf({ MrHead({ 45.0 }, HeadFromFront), SpheresInstead({ 100.0 }) }, settings);
   FeatureScene scene(settings, subject);
-  scene.Show({ { subject.Isovalues[0], Look::Skin } });
+  scene.Show({ { subject.Isovalues[0], Style::Skin } });
   scene.Room.Photograph();
   AddPins(scene, settings.Size);
   return scene.Take("picking", "Picking",

@@ -17,19 +17,19 @@ FeatureScene::FeatureScene(const GallerySettings& settings, const Subject& subje
   this->SetInput(subject.Image, subject.Name, subject.View);
 }
 
-void FeatureScene::SetInput(vtkDataObject* data, const std::string& name, const Look::View& view)
+void FeatureScene::SetInput(vtkDataObject* data, const std::string& name, const Style::View& view)
 {
   this->Mapper->SetInputDataObject(data);
   this->Shown = name;
-  Look::PointCamera(this->Room.Renderer, this->Volume->GetBounds(), view);
+  Style::PointCamera(this->Room.Renderer, this->Volume->GetBounds(), view);
 }
 
-void FeatureScene::Show(const std::vector<Look::Surface>& surfaces)
+void FeatureScene::Show(const std::vector<Style::Surface>& surfaces)
 {
-  Look::Show(this->Volume->GetProperty(), surfaces);
+  Style::Show(this->Volume->GetProperty(), surfaces);
 }
 
-void FeatureScene::Cut(const std::array<double, 3>& normal, double share)
+void FeatureScene::Clip(const std::array<double, 3>& normal, double share)
 {
   const double* bounds = this->Volume->GetBounds();
   double origin[3];

@@ -32,17 +32,17 @@ struct FeatureScene
 
   FeatureScene(const GallerySettings& settings, const Subject& subject);
 
-  void Show(const std::vector<Look::Surface>& surfaces);
+  void Show(const std::vector<Style::Surface>& surfaces);
 
   /// Leave what lies in the direction of the normal, of a plane at a share of the box's width
   /// along that direction.
-  void Cut(const std::array<double, 3>& normal, double share);
+  void Clip(const std::array<double, 3>& normal, double share);
 
   /// Crop the corner that is nearest to the viewer.
   void CropCorner();
 
   /// Show other data than the subject's image.
-  void SetInput(vtkDataObject* data, const std::string& name, const Look::View& view);
+  void SetInput(vtkDataObject* data, const std::string& name, const Style::View& view);
 
   /// \param name  of the file
   /// \param title what is shown

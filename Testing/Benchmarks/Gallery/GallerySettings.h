@@ -3,8 +3,8 @@
 #ifndef Gallery_GallerySettings_h
 #define Gallery_GallerySettings_h
 
-#include "Look.h"
 #include "Report.h"
+#include "Style.h"
 
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>
@@ -19,7 +19,7 @@ struct Candidate
   std::string File; ///< as Volumes::Load takes it
   std::string Name; ///< for readers
   std::vector<double> Isovalues;
-  Look::View View;
+  Style::View View;
 };
 
 /// A candidate that was found.

@@ -52,14 +52,14 @@ struct Scene
     , Shown(subject)
     , Frames(settings.Frames)
   {
-    Look::AddLights(this->Place.Renderer);
+    Style::AddLights(this->Place.Renderer);
   }
 
   /// Back to the first view, isovalue and colour.
   void Reset()
   {
-    Look::Show(this->Place.Volume->GetProperty(), { { this->Shown.Isovalues[0], Look::Steel } });
-    Look::PointCamera(this->Place.Renderer, this->Place.Image->GetBounds(), this->Shown.View);
+    Style::Show(this->Place.Volume->GetProperty(), { { this->Shown.Isovalues[0], Style::Steel } });
+    Style::PointCamera(this->Place.Renderer, this->Place.Image->GetBounds(), this->Shown.View);
   }
 
   Stage Place;
@@ -135,7 +135,7 @@ std::vector<Row> Still()
   const auto recolor = [](Stage& stage, Drawer&, int frame)
   {
     vtkNew<vtkColorTransferFunction> color;
-    color->AddRGBPoint(0.0, Look::Gold[0], Look::Gold[1], Look::Gold[2] + 0.001 * (frame % 10));
+    color->AddRGBPoint(0.0, Style::Gold[0], Style::Gold[1], Style::Gold[2] + 0.001 * (frame % 10));
     stage.Volume->GetProperty()->SetColor(color);
   };
   return { { "reshade", "Reshade", "the colour", nothing, recolor, false },
@@ -181,7 +181,7 @@ Result Measure(Scene& scene, const Row& row, const GallerySettings& settings, st
 
 void Make(GallerySettings& settings, JsonWriter& json)
 {
-  const Look::View view = { { 1.0, -1.4, 0.9 }, { 0.0, 0.0, 1.0 }, 1.4 };
+  const Style::View view = { { 1.0, -1.4, 0.9 }, { 0.0, 0.0, 1.0 }, 1.4 };
   const Subject subject =
     FirstOf({ { "engine.vti", "CT engine 256x256x110", { 70.0, 180.0 }, view },
               { "ch2.nii.gz", "MR head 181x217x181", { 45.0, 85.0 },

@@ -24,14 +24,14 @@ Studio::Studio(int size)
 {
   const auto& ground = FigurePictures::Ground;
   this->Renderer->SetBackground(ground[0] / 255.0, ground[1] / 255.0, ground[2] / 255.0);
-  Look::AddLights(this->Renderer);
+  Style::AddLights(this->Renderer);
   this->Window->SetOffScreenRendering(1);
   this->Window->SetMultiSamples(0);
   this->Window->SetSize(size, size);
   this->Window->AddRenderer(this->Renderer);
 }
 
-vtkActor* Studio::AddPolygons(vtkAlgorithm* source, const Look::Color& color)
+vtkActor* Studio::AddPolygons(vtkAlgorithm* source, const Style::Color& color)
 {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputConnection(source->GetOutputPort());
@@ -45,7 +45,7 @@ vtkActor* Studio::AddPolygons(vtkAlgorithm* source, const Look::Color& color)
   return actor;
 }
 
-void Studio::AddBox(const double bounds[6], const Look::Color& color)
+void Studio::AddBox(const double bounds[6], const Style::Color& color)
 {
   vtkNew<vtkOutlineSource> box;
   box->SetBounds(bounds);

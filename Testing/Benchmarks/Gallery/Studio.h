@@ -3,7 +3,7 @@
 #ifndef Gallery_Studio_h
 #define Gallery_Studio_h
 
-#include "Look.h"
+#include "Style.h"
 
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -25,10 +25,10 @@ public:
   explicit Studio(int size);
 
   /// Polygons in a colour.
-  vtkActor* AddPolygons(vtkAlgorithm* source, const Look::Color& color);
+  vtkActor* AddPolygons(vtkAlgorithm* source, const Style::Color& color);
 
   /// Thin lines along the edges of a box.
-  void AddBox(const double bounds[6], const Look::Color& color);
+  void AddBox(const double bounds[6], const Style::Color& color);
 
   /// What the window shows, in half as many pixels in each direction, so that edges are smooth.
   vtkSmartPointer<vtkImageData> Photograph();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Passages of rays through cells.
+// Segments of rays through cells.
 
 #include "KernelBenchmarks.h"
 #include "KernelScene.h"
@@ -14,16 +14,16 @@ namespace
 
 using namespace TemporalCoherence;
 
-/// The passages through the cells in which the rays of full tiles meet the surface.
+/// The segments through the cells in which the rays of full tiles meet the surface.
 template <typename T>
-std::vector<PassageBatch<RealOf<T>>> PassagesOf(const KernelScene<T>& scene)
+std::vector<SegmentBatch<RealOf<T>>> SegmentsOf(const KernelScene<T>& scene)
 {
   const Difference<T> fromIsovalue(KernelScene<T>::Isovalue, scene.Scene.FiniteRange);
   const TypedField<T> samples(scene.Key.Samples);
-  std::vector<PassageBatch<RealOf<T>>> batches;
+  std::vector<SegmentBatch<RealOf<T>>> batches;
   for (const auto& tile : scene.FullTiles)
   {
-    PassageBatch<RealOf<T>> batch;
+    SegmentBatch<RealOf<T>> batch;
     for (std::size_t ray = 0; ray < RayBatch::Capacity; ++ray)
     {
       glm::ivec3 cell;
@@ -40,7 +40,7 @@ std::vector<PassageBatch<RealOf<T>>> PassagesOf(const KernelScene<T>& scene)
         const glm::ivec3 sample = cell + glm::ivec3(corner & 1, corner >> 1 & 1, corner >> 2);
         corners[static_cast<std::size_t>(corner)] = fromIsovalue(*samples.At(sample));
       }
-      AppendPassage(tile.Rays, ray, cell, corners, batch);
+      AppendSegment(tile.Rays, ray, cell, corners, batch);
     }
     batches.push_back(batch);
   }
@@ -50,25 +50,25 @@ std::vector<PassageBatch<RealOf<T>>> PassagesOf(const KernelScene<T>& scene)
 template <typename T>
 void RegisterFor(const std::string& type)
 {
-  using Batch = PassageBatch<RealOf<T>>;
+  using Batch = SegmentBatch<RealOf<T>>;
   KernelBenchmarks::ForEachTarget("FindCrossings/" + type,
     [](benchmark::State& state)
     {
-      auto batches = PassagesOf(SceneOf<T>());
+      auto batches = SegmentsOf(SceneOf<T>());
       KernelBenchmarks::RunOnTiles(
         state, batches, [](Batch& batch) { FindCrossings(batch, false); });
     });
   KernelBenchmarks::ForEachTarget("FindNearestCrossings/" + type,
     [](benchmark::State& state)
     {
-      auto batches = PassagesOf(SceneOf<T>());
+      auto batches = SegmentsOf(SceneOf<T>());
       KernelBenchmarks::RunOnTiles(
         state, batches, [](Batch& batch) { FindNearestCrossings(batch); });
     });
   KernelBenchmarks::ForEachTarget("FindRanges/" + type,
     [](benchmark::State& state)
     {
-      auto batches = PassagesOf(SceneOf<T>());
+      auto batches = SegmentsOf(SceneOf<T>());
       RangeBatch<RealOf<T>> ranges;
       KernelBenchmarks::RunOnTiles(
         state, batches, [&](Batch& batch) { FindRanges(batch, ranges); });

@@ -48,7 +48,7 @@ std::vector<GuardTile> GuardTilesOf(const Scene& scene)
         const auto disparityOf = [&](double t)
         { return static_cast<float>(full.Rays.PerDepth[ray] / t); };
         tile.Surface[at] = disparityOf(full.Hits.Depth[ray]);
-        tile.Contact[at] = disparityOf(full.Hits.Contact[ray]);
+        tile.FirstEntry[at] = disparityOf(full.Hits.FirstEntry[ray]);
       }
     }
     tiles.push_back(tile);
@@ -64,7 +64,7 @@ void KernelBenchmarks::RegisterImages()
     [](benchmark::State& state)
     {
       Scene& scene = SceneOf<std::uint8_t>();
-      const RaySource source(scene.Key.Seen, scene.Key.Where, scene.Key.Samples.Dimensions);
+      const RaySource source(scene.Key.View, scene.Key.Transform, scene.Key.Samples.Dimensions);
       RayBatch rays;
       RunOnTiles(state, scene.FullTiles,
         [&](const Scene::Tile& tile) { SetUpRays(source, tile.Part.First, tile.Part.Size, rays); });
@@ -75,7 +75,7 @@ void KernelBenchmarks::RegisterImages()
       Scene& scene = SceneOf<std::uint8_t>();
       // A turned camera's: in a ray's own picture it is a point.
       const ImageProjection image =
-        ProjectionOf(LookAt(scene.Key.Samples.Dimensions, { 1.0, 2.05, 0.7 }, scene.Key.Seen.Size));
+        ProjectionOf(LookAt(scene.Key.Samples.Dimensions, { 1.0, 2.05, 0.7 }, scene.Key.View.Size));
       PathBatch paths;
       RunOnTiles(state, scene.FullTiles,
         [&](const Scene::Tile& tile) { ProjectWalks(image, tile.Rays, paths); });
@@ -87,7 +87,7 @@ void KernelBenchmarks::RegisterImages()
       rule.EdgeMargin = 1.5f;
       rule.SmoothMargin = 0.125f;
       rule.LargestBend = 0.25f;
-      rule.FarthestContact = 1.0f;
+      rule.LargestGap = 1.0f;
       rule.Spacing = 1e-3f;
       auto tiles = GuardTilesOf(SceneOf<std::uint8_t>());
       RunOnTiles(state, tiles, [&](GuardTile& tile) { MakeGuard(rule, tile); });

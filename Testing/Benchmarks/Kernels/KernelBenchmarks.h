@@ -3,13 +3,13 @@
 #ifndef Benchmarks_KernelBenchmarks_h
 #define Benchmarks_KernelBenchmarks_h
 
-#include "VectorTarget.h"
+#include "Checks/VectorTarget.h"
 
 #include <benchmark/benchmark.h>
 
 #include <string>
 
-/// Benchmarks of single kernels, registered group by group. Items are rays, passages, hits or
+/// Benchmarks of single kernels, registered group by group. Items are rays, segments, hits or
 /// pixels of a tile; of structures, samples.
 namespace KernelBenchmarks
 {

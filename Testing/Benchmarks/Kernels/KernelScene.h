@@ -38,13 +38,13 @@ struct KernelScene
   {
     this->Waves.Fill([](int i, int j, int k)
       { return 120.0 + 100.0 * std::sin(0.1 * i) * std::cos(0.125 * j) * std::sin(0.15 * k); });
-    this->Pyramid.Build(this->Waves.Seen);
-    this->Key.Samples = this->Waves.Seen;
-    this->Key.Sought.Isovalues = { Isovalue };
-    this->Key.Seen = LookAt(this->Waves.Seen.Dimensions, { 1.0, 2.0, 0.7 }, { Pixels, Pixels });
-    this->Active.Build(this->Key.Samples, this->Pyramid, this->Key.Sought);
+    this->Pyramid.Build(this->Waves.Field);
+    this->Key.Samples = this->Waves.Field;
+    this->Key.Isosurfaces.Isovalues = { Isovalue };
+    this->Key.View = LookAt(this->Waves.Field.Dimensions, { 1.0, 2.0, 0.7 }, { Pixels, Pixels });
+    this->Active.Build(this->Key.Samples, this->Pyramid, this->Key.Isosurfaces);
     this->Scene.Samples = this->Key.Samples;
-    this->Scene.Sought = this->Key.Sought;
+    this->Scene.Isosurfaces = this->Key.Isosurfaces;
     this->Scene.FiniteRange = this->Pyramid.FiniteRange();
     this->Scene.Active = &this->Active;
     this->FindFullTiles();
@@ -63,11 +63,11 @@ private:
   void FindFullTiles()
   {
     using namespace TemporalCoherence;
-    const RaySource source(this->Key.Seen, this->Key.Where, this->Key.Samples.Dimensions);
+    const RaySource source(this->Key.View, this->Key.Transform, this->Key.Samples.Dimensions);
     const auto tracer = SurfaceTracer::Make(this->Scene);
-    for (std::int64_t number = 0; number < NumberOfTiles(this->Key.Seen.Size); ++number)
+    for (std::int64_t number = 0; number < NumberOfTiles(this->Key.View.Size); ++number)
     {
-      Tile tile{ number, PixelsOfTile(this->Key.Seen.Size, number), {}, {} };
+      Tile tile{ number, PixelsOfTile(this->Key.View.Size, number), {}, {} };
       source.SetUp(tile.Part.First, tile.Part.Size, tile.Rays);
       tracer->Trace(tile.Rays, tile.Hits);
       const auto count = static_cast<std::size_t>(tile.Rays.Count);

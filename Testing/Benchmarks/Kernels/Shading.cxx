@@ -29,7 +29,7 @@ template <typename T>
 GradientQuery QueryOf(const KernelScene<T>& scene)
 {
   return { scene.Key.Samples, glm::dmat4(1.0), scene.Scene.FiniteRange,
-    &scene.Key.Sought.Isovalues };
+    &scene.Key.Isosurfaces.Isovalues };
 }
 
 RayBatch::Array<std::int16_t> FirstSurface()
@@ -42,7 +42,7 @@ RayBatch::Array<std::int16_t> FirstSurface()
 template <typename T>
 std::vector<ShadedTile> ShadedTilesOf(const KernelScene<T>& scene)
 {
-  const View& view = scene.Key.Seen;
+  const View& view = scene.Key.View;
   std::vector<ShadedTile> tiles;
   for (const auto& full : scene.FullTiles)
   {

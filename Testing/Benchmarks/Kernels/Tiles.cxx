@@ -75,12 +75,12 @@ void RegisterFor(const std::string& type)
       }
       const IsomapLookup lookup(scene.Key, { band }, map.Tolerance(), scene.Scene.FiniteRange);
       Frame frame;
-      frame.Resize(scene.Key.Seen.Size);
+      frame.Resize(scene.Key.View.Size);
       KernelBenchmarks::RunOnTiles(state, scene.FullTiles,
         [&](const Tile& tile)
         {
-          std::uint64_t open = 0;
-          benchmark::DoNotOptimize(lookup.Look(tile.Number, tile.Part, frame, open));
+          std::uint64_t unresolved = 0;
+          benchmark::DoNotOptimize(lookup.LookUpTile(tile.Number, tile.Part, frame, unresolved));
         });
     });
 }
@@ -113,20 +113,20 @@ void RegisterKnots()
     benchmark::RegisterBenchmark(("FindKnot/of " + std::to_string(knots)).c_str(),
       [knots](benchmark::State& state)
       {
-        std::vector<BandScale::Key> keys, sought;
+        std::vector<BandScale::Key> keys, wanted;
         for (int i = 0; i < knots; ++i)
         {
           keys.push_back(static_cast<BandScale::Key>(i * 65535 / knots));
         }
         for (int i = 0; i < 64; ++i)
         {
-          sought.push_back(static_cast<BandScale::Key>(i * 7919 % 65536));
+          wanted.push_back(static_cast<BandScale::Key>(i * 7919 % 65536));
         }
         std::vector<int> once(1);
         KernelBenchmarks::RunOnTiles(state, once,
           [&](int)
           {
-            for (const BandScale::Key key : sought)
+            for (const BandScale::Key key : wanted)
             {
               benchmark::DoNotOptimize(FirstNotBelow(keys.data(), 0, keys.size(), key));
             }

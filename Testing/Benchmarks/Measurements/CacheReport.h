@@ -5,7 +5,7 @@
 
 #include "CacheFrames.h"
 #include "Report.h"
-#include "Volumes.h"
+#include "Volumes/Volumes.h"
 
 #include <string>
 #include <vector>

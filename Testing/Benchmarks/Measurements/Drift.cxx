@@ -16,8 +16,8 @@ namespace
 constexpr std::array<double, 3> AllDegrees = { 0.5, 1.0, 5.0 };
 constexpr std::array<int, 4> Milestones = { 20, 180, 360, LongRun };
 
-/// Both accuracies on one orbit, held against the same cold pictures.
-std::array<Course, 2> RunOrbit(Stage& stage, double degrees, int frames)
+/// Both accuracies on one orbit, compared with the same cold pictures.
+std::array<Curve, 2> RunOrbit(Stage& stage, double degrees, int frames)
 {
   Drawer cold(stage), paper(stage), bounded(stage);
   cold.Mapper->ImageCacheOff();
@@ -26,8 +26,8 @@ std::array<Course, 2> RunOrbit(Stage& stage, double degrees, int frames)
   bounded.Mapper->RefineWhenStillOff();
   bounded.Mapper->SetReuseAccuracyToBounded();
 
-  std::array<Course, 2> courses = { Course{ "PAPER", degrees, {}, {} },
-    Course{ "BOUNDED", degrees, {}, {} } };
+  std::array<Curve, 2> curves = { Curve{ "PAPER", degrees, {}, {} },
+    Curve{ "BOUNDED", degrees, {}, {} } };
   stage.ResetView();
   paper.Draw(stage);
   bounded.Draw(stage);
@@ -41,30 +41,30 @@ std::array<Course, 2> RunOrbit(Stage& stage, double degrees, int frames)
       continue;
     }
     cold.Draw(stage);
-    courses[0].Frames.push_back(frame);
-    courses[0].Different.push_back(PercentDifferent(paper, cold, stage));
-    courses[1].Frames.push_back(frame);
-    courses[1].Different.push_back(PercentDifferent(bounded, cold, stage));
+    curves[0].Frames.push_back(frame);
+    curves[0].Different.push_back(PercentDifferent(paper, cold, stage));
+    curves[1].Frames.push_back(frame);
+    curves[1].Different.push_back(PercentDifferent(bounded, cold, stage));
   }
-  return courses;
+  return curves;
 }
 
 }
 
-std::vector<Course> Run(Stage& stage, int frames)
+std::vector<Curve> Run(Stage& stage, int frames)
 {
-  std::vector<Course> courses;
+  std::vector<Curve> curves;
   for (const double degrees : AllDegrees)
   {
-    for (const Course& course : RunOrbit(stage, degrees, frames))
+    for (const Curve& curve : RunOrbit(stage, degrees, frames))
     {
-      courses.push_back(course);
+      curves.push_back(curve);
     }
   }
-  return courses;
+  return curves;
 }
 
-void PrintTable(const std::vector<Course>& courses)
+void PrintTable(const std::vector<Curve>& curves)
 {
   std::vector<std::string> head = { "accuracy", "degrees a frame" };
   for (const int frame : Milestones)
@@ -73,36 +73,36 @@ void PrintTable(const std::vector<Course>& courses)
   }
   head.insert(head.end(), { "median", "worst" });
   const MarkdownTable table(head);
-  for (const Course& course : courses)
+  for (const Curve& curve : curves)
   {
-    std::vector<std::string> cells = { course.Accuracy, Plain(course.Degrees) };
+    std::vector<std::string> cells = { curve.Accuracy, Plain(curve.Degrees) };
     for (const int milestone : Milestones)
     {
-      const auto at = std::find(course.Frames.begin(), course.Frames.end(), milestone);
-      cells.push_back(at == course.Frames.end()
+      const auto at = std::find(curve.Frames.begin(), curve.Frames.end(), milestone);
+      cells.push_back(at == curve.Frames.end()
           ? "-"
-          : Fixed(course.Different[static_cast<std::size_t>(at - course.Frames.begin())], 4));
+          : Fixed(curve.Different[static_cast<std::size_t>(at - curve.Frames.begin())], 4));
     }
-    cells.push_back(Fixed(Measuring::Median(course.Different), 4));
-    cells.push_back(Fixed(Measuring::Worst(course.Different), 4));
+    cells.push_back(Fixed(Measuring::Median(curve.Different), 4));
+    cells.push_back(Fixed(Measuring::Worst(curve.Different), 4));
     table.Row(cells);
   }
 }
 
-void AddTo(JsonWriter& json, const std::vector<Course>& courses)
+void AddTo(JsonWriter& json, const std::vector<Curve>& curves)
 {
   json.OpenList("drift");
-  for (const Course& course : courses)
+  for (const Curve& curve : curves)
   {
     json.OpenObject();
-    json.Add("accuracy", course.Accuracy);
-    json.Add("degreesAFrame", course.Degrees);
+    json.Add("accuracy", curve.Accuracy);
+    json.Add("degreesAFrame", curve.Degrees);
     json.OpenList("comparisons");
-    for (std::size_t i = 0; i < course.Frames.size(); ++i)
+    for (std::size_t i = 0; i < curve.Frames.size(); ++i)
     {
       json.OpenObject();
-      json.Add("frame", course.Frames[i]);
-      json.Add("differentPixelsPercent", course.Different[i]);
+      json.Add("frame", curve.Frames[i]);
+      json.Add("differentPixelsPercent", curve.Different[i]);
       json.Close();
     }
     json.Close();

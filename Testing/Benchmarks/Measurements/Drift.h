@@ -17,7 +17,7 @@ constexpr int LongRun = 720; ///< frames
 constexpr int Stride = 10;   ///< frames from one comparison to the next
 
 /// One accuracy on one orbit.
-struct Course
+struct Curve
 {
   std::string Accuracy;
   double Degrees = 0.0; ///< a frame
@@ -26,12 +26,12 @@ struct Course
 };
 
 /// PAPER and BOUNDED over orbits of 0.5, 1 and 5 degrees a frame, always from the latest image.
-std::vector<Course> Run(Stage& stage, int frames);
+std::vector<Curve> Run(Stage& stage, int frames);
 
-/// How far each course had parted after 20, 180, 360 and 720 frames, its median and its worst.
-void PrintTable(const std::vector<Course>& courses);
+/// How far each curve had parted after 20, 180, 360 and 720 frames, its median and its worst.
+void PrintTable(const std::vector<Curve>& curves);
 
-void AddTo(JsonWriter& json, const std::vector<Course>& courses);
+void AddTo(JsonWriter& json, const std::vector<Curve>& curves);
 
 }
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GrowthSteps.h"
 
+#include "Checks/ProcessMemory.h"
 #include "Measuring.h"
-#include "ProcessMemory.h"
-#include "Volumes.h"
+#include "Volumes/Volumes.h"
 
 #include <cstddef>
 #include <iostream>

@@ -27,18 +27,18 @@ struct Steps
 
 /// Two mappers go the same way, and the faster counts: the slowest frame is to be a frame that
 /// takes long, not one that something else kept from the processor.
-Steps Drag(Stage& stage, const Course& course, std::array<Drawer, 2>& drawers, Drawer& cold)
+Steps Drag(Stage& stage, const Path& path, std::array<Drawer, 2>& drawers, Drawer& cold)
 {
   Steps steps;
-  stage.SetIsovalue(course.Isovalues.front());
+  stage.SetIsovalue(path.Isovalues.front());
   for (Drawer& drawer : drawers)
   {
     drawer.Draw(stage);
   }
   cold.Draw(stage);
-  for (std::size_t i = 1; i < course.Isovalues.size(); ++i)
+  for (std::size_t i = 1; i < path.Isovalues.size(); ++i)
   {
-    stage.SetIsovalue(course.Isovalues[i]);
+    stage.SetIsovalue(path.Isovalues[i]);
     steps.ColdTimes.push_back(cold.DrawCold(stage));
     const double first = drawers[0].Draw(stage);
     const double second = drawers[1].Draw(stage);
@@ -65,9 +65,9 @@ std::vector<double> Smoothed(const std::vector<double>& values)
 
 }
 
-std::vector<Course> AllCourses(const Stage& stage, int steps)
+std::vector<Path> AllPaths(const Stage& stage, int steps)
 {
-  Course up{ "up", {} }, down{ "down", {} }, around{ "around", {} };
+  Path up{ "up", {} }, down{ "down", {} }, around{ "around", {} };
   for (int i = 0; i <= steps; ++i)
   {
     const double fromMiddle = LargeStep * (i - 0.5 * steps);
@@ -81,16 +81,16 @@ std::vector<Course> AllCourses(const Stage& stage, int steps)
   return { up, down, around };
 }
 
-Summary Run(Stage& stage, const Course& course)
+Summary Run(Stage& stage, const Path& path)
 {
   const double isovalue = stage.Isovalue();
   std::array<Drawer, 2> drawers = { Drawer(stage), Drawer(stage) };
   Drawer cold(stage);
-  const Steps steps = Drag(stage, course, drawers, cold);
+  const Steps steps = Drag(stage, path, drawers, cold);
   stage.SetIsovalue(isovalue);
 
   Summary summary;
-  summary.Course = course.Name;
+  summary.Path = path.Name;
   summary.Steps = static_cast<int>(steps.Times.size());
   summary.PercentBuilt = 100.0 * Measuring::Ratio(steps.NumberBuilt, summary.Steps);
   summary.MedianMs = Measuring::Median(steps.Times);
@@ -107,7 +107,7 @@ Summary Run(Stage& stage, const Course& course)
     if (byCold > summary.WorstByCold)
     {
       summary.WorstByCold = byCold;
-      summary.WorstAt = course.Isovalues[i + 1];
+      summary.WorstAt = path.Isovalues[i + 1];
     }
   }
   return summary;

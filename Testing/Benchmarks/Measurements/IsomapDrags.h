@@ -8,13 +8,13 @@
 #include <string>
 #include <vector>
 
-/// A threshold that is dragged: isovalue after isovalue in a still view, every picture held against
-/// a cold one.
+/// A threshold that is dragged: isovalue after isovalue in a still view, every picture compared
+/// with a cold one.
 namespace IsomapDrags
 {
 
 /// Isovalues one after the other; the first is where the drag begins.
-struct Course
+struct Path
 {
   std::string Name;
   std::vector<double> Isovalues;
@@ -22,12 +22,12 @@ struct Course
 
 /// In steps of 0.4 % of the range of values through its middle, up and down; and of 0.1 % around
 /// the stage's isovalue, up, down through it and back.
-std::vector<Course> AllCourses(const Stage& stage, int steps);
+std::vector<Path> AllPaths(const Stage& stage, int steps);
 
-/// One course, drawn by a new mapper.
+/// One path, drawn by a new mapper.
 struct Summary
 {
-  std::string Course;
+  std::string Path;
   int Steps = 0;
   double PercentBuilt = 0.0; ///< of the frames: those that built a band
   double MedianMs = 0.0;
@@ -42,7 +42,7 @@ struct Summary
 };
 
 /// Drag the stage's isovalue, which comes back.
-Summary Run(Stage& stage, const Course& course);
+Summary Run(Stage& stage, const Path& path);
 
 }
 

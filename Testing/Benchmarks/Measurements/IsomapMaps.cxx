@@ -26,7 +26,7 @@ std::array<double, 2> BandOf(const Stage& stage, double width)
   return { low, low + stage.ShareOfRange(width) };
 }
 
-/// Look isovalues of the band up and hold them against cold frames.
+/// Look isovalues of the band up and compare them with cold frames.
 void MeasureLookups(Stage& stage, const std::array<double, 2>& band, Drawer& drawer, Map& map)
 {
   Drawer cold(stage);

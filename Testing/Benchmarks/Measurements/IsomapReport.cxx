@@ -66,7 +66,7 @@ void AddTo(JsonWriter& json, const std::vector<IsomapDrags::Summary>& drags)
   for (const IsomapDrags::Summary& drag : drags)
   {
     json.OpenObject();
-    json.Add("drag", drag.Course);
+    json.Add("drag", drag.Path);
     json.Add("steps", drag.Steps);
     json.Add("framesThatBuiltPercent", drag.PercentBuilt);
     json.Add("medianMs", drag.MedianMs);
@@ -113,7 +113,7 @@ void PrintDrags(const std::vector<Result>& results)
     for (const IsomapDrags::Summary& d : result.Drags)
     {
       table.Row(Row(result,
-        { d.Course, Plain(d.Steps), Fixed(d.PercentBuilt, 1), Fixed(d.MedianMs, 1),
+        { d.Path, Plain(d.Steps), Fixed(d.PercentBuilt, 1), Fixed(d.MedianMs, 1),
           Fixed(d.MeanMs, 1), Fixed(d.ColdMs, 1), Fixed(d.MeanByCold, 2), Fixed(d.WorstMs, 1),
           Fixed(d.WorstByCold, 2), Plain(d.WorstAt), Fixed(d.BytesAPixel, 1),
           Plain(d.Different) }));

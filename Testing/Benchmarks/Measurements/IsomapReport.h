@@ -7,7 +7,7 @@
 #include "IsomapFrames.h"
 #include "IsomapMaps.h"
 #include "Report.h"
-#include "Volumes.h"
+#include "Volumes/Volumes.h"
 
 #include <string>
 #include <vector>

@@ -22,15 +22,15 @@ bool Run(const Settings& settings, JsonWriter& json)
   const int frames = std::max(settings.Frames > 0 ? settings.Frames : usual, Drift::Stride);
   const auto measure = [&](const Volumes::Sample& volume, Stage& stage)
   {
-    const std::vector<Drift::Course> courses = Drift::Run(stage, frames);
+    const std::vector<Drift::Curve> curves = Drift::Run(stage, frames);
     std::cout << "Percent of the pixels that differ from cold over " << frames << " frames, "
               << volume.Name << ' ' << volume.Isovalue << "\n\n";
-    Drift::PrintTable(courses);
+    Drift::PrintTable(curves);
     std::cout << '\n';
-    Drift::AddTo(json, courses);
+    Drift::AddTo(json, curves);
     if (!settings.Plots.empty())
     {
-      PlotDrift(courses, volume.Name, settings.Size, settings.Plots + "/drift");
+      PlotDrift(curves, volume.Name, settings.Size, settings.Plots + "/drift");
     }
   };
   return ReportVolumes(settings, { { "engine.vti", 70 } }, json, measure);

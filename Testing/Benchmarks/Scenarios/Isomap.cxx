@@ -23,9 +23,9 @@ IsomapReport::Result Measure(
   IsomapReport::Result result;
   result.Volume = volume;
   result.Frames = IsomapFrames::Measure(stage, frames);
-  for (const IsomapDrags::Course& course : IsomapDrags::AllCourses(stage, settings.Steps))
+  for (const IsomapDrags::Path& path : IsomapDrags::AllPaths(stage, settings.Steps))
   {
-    result.Drags.push_back(IsomapDrags::Run(stage, course));
+    result.Drags.push_back(IsomapDrags::Run(stage, path));
   }
   result.Widths = IsomapMaps::MeasureWidths(stage);
   result.Tolerances = IsomapMaps::MeasureTolerances(stage);

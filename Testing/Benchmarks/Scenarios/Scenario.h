@@ -5,7 +5,7 @@
 
 #include "Report.h"
 #include "Stage.h"
-#include "Volumes.h"
+#include "Volumes/Volumes.h"
 
 #include <functional>
 #include <string>

@@ -3,9 +3,9 @@
 
 // What vectors gain over the reference without them.
 
+#include "Checks/VectorTarget.h"
 #include "Scenario.h"
 #include "TypicalFrames.h"
-#include "VectorTarget.h"
 
 #include <algorithm>
 #include <iostream>

@@ -36,11 +36,11 @@ template <typename T>
 void ExpectBits(Grid<T>& grid, const std::vector<double>& isovalues)
 {
   ValueRangePyramid pyramid;
-  pyramid.Build(grid.Seen);
+  pyramid.Build(grid.Field);
   ActiveCells active;
-  active.Build(grid.Seen, pyramid, Surfaces{ isovalues, SurfaceMode::Crossing });
-  const TypedField<T> field(grid.Seen);
-  const glm::ivec3 cells = grid.Seen.Dimensions - 1;
+  active.Build(grid.Field, pyramid, Surfaces{ isovalues, SurfaceMode::Crossing });
+  const TypedField<T> field(grid.Field);
+  const glm::ivec3 cells = grid.Field.Dimensions - 1;
   for (int k = 0; k < cells.z; ++k)
   {
     for (int j = 0; j < cells.y; ++j)

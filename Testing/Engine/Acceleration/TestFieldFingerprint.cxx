@@ -54,7 +54,7 @@ void ExpectEverySampleCounts(int components, int component)
   {
     sample = static_cast<T>(engine() % 200 / 2);
   }
-  const FieldFingerprint before = FingerprintOf(grid.Seen);
+  const FieldFingerprint before = FingerprintOf(grid.Field);
   for (const int k : PlacesAlong(Dimensions.z))
   {
     for (const int j : PlacesAlong(Dimensions.y))
@@ -65,7 +65,7 @@ void ExpectEverySampleCounts(int components, int component)
         const auto byte = static_cast<std::size_t>(engine() % sizeof(T));
         const auto bit = static_cast<unsigned char>(1u << engine() % 8);
         bytes[byte] = static_cast<unsigned char>(bytes[byte] ^ bit);
-        const std::vector<CellBox> boxes = ChangedCells(before, FingerprintOf(grid.Seen));
+        const std::vector<CellBox> boxes = ChangedCells(before, FingerprintOf(grid.Field));
         bytes[byte] = static_cast<unsigned char>(bytes[byte] ^ bit);
         const glm::ivec3 place(i, j, k);
         ASSERT_EQ(static_cast<int>(boxes.size()),
@@ -80,7 +80,7 @@ void ExpectEverySampleCounts(int components, int component)
       }
     }
   }
-  EXPECT_TRUE(ChangedCells(before, FingerprintOf(grid.Seen)).empty());
+  EXPECT_TRUE(ChangedCells(before, FingerprintOf(grid.Field)).empty());
 }
 
 template <typename T>
@@ -106,12 +106,12 @@ TEST(FieldFingerprint, IsThatOfTheSamplesWhereverTheyLie)
   Grid<float> packed(Dimensions), interleaved(Dimensions, 2, 1);
   packed.FillRandomly(-1.0, 1.0, 4);
   interleaved.Fill([&](int i, int j, int k) { return packed.At(i, j, k); });
-  EXPECT_TRUE(ChangedCells(FingerprintOf(packed.Seen), FingerprintOf(interleaved.Seen)).empty());
+  EXPECT_TRUE(ChangedCells(FingerprintOf(packed.Field), FingerprintOf(interleaved.Field)).empty());
   for (std::size_t i = 0; i < interleaved.Samples.size(); i += 2)
   {
     interleaved.Samples[i] = 5.0f;
   }
-  EXPECT_TRUE(ChangedCells(FingerprintOf(packed.Seen), FingerprintOf(interleaved.Seen)).empty())
+  EXPECT_TRUE(ChangedCells(FingerprintOf(packed.Field), FingerprintOf(interleaved.Field)).empty())
     << "another component";
 }
 
@@ -121,7 +121,7 @@ TEST(FieldFingerprint, ChangesDoNotCancelOut)
   Grid<float> grid(glm::ivec3(17));
   grid.Fill([](int i, int j, int k) { return (i + j + k) % 2 ? 1.0 : -1.0; });
   std::vector<float>& samples = grid.Samples;
-  std::set<std::uint64_t> hashes = { FingerprintOf(grid.Seen).Nodes.at(0) };
+  std::set<std::uint64_t> hashes = { FingerprintOf(grid.Field).Nodes.at(0) };
   // The signs of two to five of six neighbours, everywhere; and two samples swapped.
   std::size_t made = 1;
   for (std::size_t at = 0; at + 6 <= samples.size(); at += 7)
@@ -133,7 +133,7 @@ TEST(FieldFingerprint, ChangesDoNotCancelOut)
       {
         samples[at + i] = which >> i & 1u ? -kept[at + i] : kept[at + i];
       }
-      hashes.insert(FingerprintOf(grid.Seen).Nodes.at(0));
+      hashes.insert(FingerprintOf(grid.Field).Nodes.at(0));
       ++made;
     }
     samples = kept;
@@ -147,26 +147,26 @@ TEST(FieldFingerprint, ChangesDoNotCancelOut)
   {
     sample = -sample;
   }
-  EXPECT_EQ(hashes.count(FingerprintOf(grid.Seen).Nodes.at(0)), 0u) << "all signs";
+  EXPECT_EQ(hashes.count(FingerprintOf(grid.Field).Nodes.at(0)), 0u) << "all signs";
 }
 
 TEST(FieldFingerprint, OnlyFieldsThatAreAlikeAreCompared)
 {
   Grid<float> grid(Dimensions);
-  Field other = grid.Seen;
+  Field other = grid.Field;
   other.Stamp = 7;
   other.Strides *= 2;
-  EXPECT_TRUE(AreAlike(grid.Seen, other));
-  other = grid.Seen;
+  EXPECT_TRUE(AreAlike(grid.Field, other));
+  other = grid.Field;
   other.Between = Interpolation::Nearest;
-  EXPECT_FALSE(AreAlike(grid.Seen, other));
-  other = grid.Seen;
+  EXPECT_FALSE(AreAlike(grid.Field, other));
+  other = grid.Field;
   other.Dimensions.x -= 1;
-  EXPECT_FALSE(AreAlike(grid.Seen, other));
-  other = grid.Seen;
+  EXPECT_FALSE(AreAlike(grid.Field, other));
+  other = grid.Field;
   other.Type = ScalarType::Int32;
-  EXPECT_FALSE(AreAlike(grid.Seen, other));
-  other = grid.Seen;
+  EXPECT_FALSE(AreAlike(grid.Field, other));
+  other = grid.Field;
   other.Dimensions.z = 1;
   EXPECT_FALSE(AreAlike(other, other)) << "no cells";
 }

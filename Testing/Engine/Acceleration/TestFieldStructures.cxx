@@ -27,10 +27,10 @@ protected:
   FrameKey KeyFrom(const glm::dvec3& direction, double isovalue) const
   {
     FrameKey key;
-    key.Samples = this->Samples.Seen;
-    key.Seen = LookAt(this->Samples.Seen.Dimensions, direction, { 90, 70 });
-    key.Sought.Isovalues = { isovalue };
-    key.Look.Colors = { { 1.0, 0.5, 0.2 } };
+    key.Samples = this->Samples.Field;
+    key.View = LookAt(this->Samples.Field.Dimensions, direction, { 90, 70 });
+    key.Isosurfaces.Isovalues = { isovalue };
+    key.Appearance.Colors = { { 1.0, 0.5, 0.2 } };
     return key;
   }
 
@@ -41,8 +41,8 @@ protected:
 TEST_F(FieldStructuresTest, WhoAsksForTheSameGetsTheSame)
 {
   std::shared_ptr<const FieldRanges> one, two;
-  this->Shared.Provide(this->Samples.Seen, one);
-  this->Shared.Provide(this->Samples.Seen, two);
+  this->Shared.Provide(this->Samples.Field, one);
+  this->Shared.Provide(this->Samples.Field, two);
   EXPECT_FALSE(one->Pyramid->IsEmpty());
   EXPECT_EQ(one, two);
 
@@ -58,20 +58,20 @@ TEST_F(FieldStructuresTest, WhoAsksForTheSameGetsTheSame)
   EXPECT_GT(cells->Active->MemoryInBytes(), 0u);
 
   // Who holds the old keeps the old.
-  Field later = this->Samples.Seen;
+  Field later = this->Samples.Field;
   ++later.Stamp;
   this->Shared.Provide(later, two);
   EXPECT_NE(one, two);
-  EXPECT_TRUE(one->Samples == this->Samples.Seen);
+  EXPECT_TRUE(one->Samples == this->Samples.Field);
   EXPECT_TRUE(two->Samples == later);
 }
 
 TEST_F(FieldStructuresTest, NothingIsKeptThatNobodyHolds)
 {
   std::shared_ptr<const FieldRanges> held;
-  this->Shared.Provide(this->Samples.Seen, held);
+  this->Shared.Provide(this->Samples.Field, held);
   const std::weak_ptr<const FieldRanges> before = held;
-  Field later = this->Samples.Seen;
+  Field later = this->Samples.Field;
   ++later.Stamp;
   this->Shared.Provide(later, held);
   EXPECT_TRUE(before.expired());
@@ -95,7 +95,7 @@ TEST_F(FieldStructuresTest, RenderersThatShareDoNotDisturbOneAnother)
     if (step == 3)
     {
       this->Samples.Fill([](int i, int j, int k) { return 3.0 * i + 2.0 * j + k; });
-      ++this->Samples.Seen.Stamp;
+      ++this->Samples.Field.Stamp;
     }
     left.Render(this->KeyFrom({ 1.0, 0.2, 0.3 }, 100.0 + 10.0 * (step / 2)), {});
     expectCold(left);

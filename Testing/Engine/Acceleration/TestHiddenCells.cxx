@@ -128,37 +128,38 @@ TEST(HiddenCells, AroundAreThoseThatTouchThem)
 template <typename T>
 void Hide(Grid<T>& grid, double share, unsigned seed)
 {
-  const std::vector<std::uint8_t> flags = RandomFlags(grid.Seen.Dimensions - 1, share, seed);
-  grid.Seen.Hidden = HiddenCells::Make(grid.Seen.Dimensions, { flags.data(), 4, nullptr, 0 });
+  const std::vector<std::uint8_t> flags = RandomFlags(grid.Field.Dimensions - 1, share, seed);
+  grid.Field.Hidden = HiddenCells::Make(grid.Field.Dimensions, { flags.data(), 4, nullptr, 0 });
 }
 
 template <typename T>
-void ExpectActive(Grid<T>& grid, const Surfaces& sought)
+void ExpectActive(Grid<T>& grid, const Surfaces& surfaces)
 {
   ValueRangePyramid pyramid;
-  pyramid.Build(grid.Seen);
+  pyramid.Build(grid.Field);
   ActiveCells active;
-  active.Build(grid.Seen, pyramid, sought);
-  const TypedField<T> field(grid.Seen);
-  const HiddenCells& hidden = *grid.Seen.Hidden;
-  ForEach(grid.Seen.Dimensions - 1,
+  active.Build(grid.Field, pyramid, surfaces);
+  const TypedField<T> field(grid.Field);
+  const HiddenCells& hidden = *grid.Field.Hidden;
+  ForEach(grid.Field.Dimensions - 1,
     [&](const glm::ivec3& cell)
     {
-      bool isSought = false;
-      for (const double isovalue : sought.Isovalues)
+      bool isActive = false;
+      for (const double isovalue : surfaces.Isovalues)
       {
         int inside = 0;
         for (int corner = 0; corner < 8; ++corner)
         {
           inside += static_cast<double>(*field.At(cell + Corner(corner))) >= isovalue;
         }
-        const bool isCapped = sought.Mode == SurfaceMode::Threshold && TouchesHidden(hidden, cell);
-        isSought = isSought || (inside > 0 && (inside < 8 || isCapped));
+        const bool isCapped =
+          surfaces.Mode == SurfaceMode::Threshold && TouchesHidden(hidden, cell);
+        isActive = isActive || (inside > 0 && (inside < 8 || isCapped));
       }
       const std::int64_t node = active.NodeOf(cell);
       const bool isLeaf = active.LeavesOf(node) >> ActiveCells::LeafOf(cell) & 1u;
       const std::uint64_t cells = isLeaf ? active.CellsOf(field, node, cell) : 0;
-      ASSERT_EQ((cells >> ActiveCells::BitOf(cell) & 1u) != 0, isSought && !hidden.IsHidden(cell))
+      ASSERT_EQ((cells >> ActiveCells::BitOf(cell) & 1u) != 0, isActive && !hidden.IsHidden(cell))
         << cell.x << ' ' << cell.y << ' ' << cell.z;
       // A word of 0 is one that is not known yet.
       ASSERT_EQ(isLeaf, cells != 0);
@@ -189,12 +190,12 @@ TEST(HiddenCells, AreNotActive)
 }
 
 /// The hits of parallel rays along x through the middle of cells.
-HitBatch TraceAlongX(const Field& field, const Surfaces& sought, bool leaps, double begin)
+HitBatch TraceAlongX(const Field& field, const Surfaces& surfaces, bool leaps, double begin)
 {
   ValueRangePyramid pyramid;
   pyramid.Build(field);
   ActiveCells active;
-  active.Build(field, pyramid, sought);
+  active.Build(field, pyramid, surfaces);
   RayBatch rays;
   for (int i = 0; i < 10; ++i)
   {
@@ -210,7 +211,7 @@ HitBatch TraceAlongX(const Field& field, const Surfaces& sought, bool leaps, dou
     rays.End[at] = rays.WalkEnd[at] = 1.0 + field.Dimensions.x - 1;
   }
   HitBatch hits;
-  SurfaceTracer::Make({ field, sought, pyramid.FiniteRange(), leaps ? &active : nullptr })
+  SurfaceTracer::Make({ field, surfaces, pyramid.FiniteRange(), leaps ? &active : nullptr })
     ->Trace(rays, hits);
   return hits;
 }
@@ -220,19 +221,19 @@ TEST(HiddenCells, CutSolidsOpenWhichAreCapped)
   // A solid everywhere, of which the cells 4 <= x < 9 are hidden.
   Grid<std::int16_t> grid(glm::ivec3(17, 14, 12));
   grid.Fill([](int i, int, int) { return 10 + i; });
-  const glm::ivec3 cells = grid.Seen.Dimensions - 1;
+  const glm::ivec3 cells = grid.Field.Dimensions - 1;
   std::vector<std::uint8_t> flags;
   ForEach(cells, [&](const glm::ivec3& cell) { flags.push_back(cell.x >= 4 && cell.x < 9); });
-  grid.Seen.Hidden = HiddenCells::Make(grid.Seen.Dimensions, { flags.data(), 1, nullptr, 0 });
+  grid.Field.Hidden = HiddenCells::Make(grid.Field.Dimensions, { flags.data(), 1, nullptr, 0 });
   for (const bool leaps : { false, true })
   {
     for (const Interpolation between : { Interpolation::Linear, Interpolation::Nearest })
     {
-      grid.Seen.Between = between;
+      grid.Field.Between = between;
       const auto expectAll =
-        [&](const Surfaces& sought, double begin, double x, int surface, HitKind kind)
+        [&](const Surfaces& surfaces, double begin, double x, int surface, HitKind kind)
       {
-        const HitBatch hits = TraceAlongX(grid.Seen, sought, leaps, begin);
+        const HitBatch hits = TraceAlongX(grid.Field, surfaces, leaps, begin);
         for (std::size_t i = 0; i < 10; ++i)
         {
           EXPECT_EQ(hits.Kind[i], kind);
@@ -255,10 +256,10 @@ TEST(HiddenCells, CutSolidsOpenWhichAreCapped)
       // The solid begins in hidden cells: it is capped behind.
       expectAll(solid({ 16.0 }), 1.0, 9.0, 0, HitKind::Cap);
       expectAll(
-        solid({ 20.5 }), 1.0, between == Interpolation::Linear ? 10.5 : 10.5, 0, HitKind::Enters);
+        solid({ 20.5 }), 1.0, between == Interpolation::Linear ? 10.5 : 10.5, 0, HitKind::Entry);
       // Open, there is nothing but what is met in cells that are not hidden.
       expectAll({ { 16.0 }, SurfaceMode::Crossing }, 1.0, 0.0, -1, HitKind::None);
-      expectAll({ { 16.0, 20.5 }, SurfaceMode::Crossing }, 1.0, 10.5, 1, HitKind::Enters);
+      expectAll({ { 16.0, 20.5 }, SurfaceMode::Crossing }, 1.0, 10.5, 1, HitKind::Entry);
     }
   }
 }

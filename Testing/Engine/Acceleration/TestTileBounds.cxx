@@ -18,7 +18,7 @@ namespace
 using namespace TemporalCoherence;
 
 /// Sheared, mirrored and stretched, as a user's matrix may be.
-Placement RandomPlacement(std::mt19937& engine)
+IndexTransform RandomTransform(std::mt19937& engine)
 {
   std::uniform_real_distribution<double> entry(-0.4, 0.4);
   glm::dmat4 matrix(1.0);
@@ -63,21 +63,21 @@ struct Scene
   template <typename Formula>
   Scene(double isovalue, const Formula& formula)
     : Samples(glm::ivec3(50, 41, 37))
-    , Sought{ { isovalue }, SurfaceMode::Crossing }
+    , Isosurfaces{ { isovalue }, SurfaceMode::Crossing }
   {
     this->Samples.Fill(formula);
-    this->Pyramid.Build(this->Samples.Seen);
-    this->Active.Build(this->Samples.Seen, this->Pyramid, this->Sought);
+    this->Pyramid.Build(this->Samples.Field);
+    this->Active.Build(this->Samples.Field, this->Pyramid, this->Isosurfaces);
   }
 
-  glm::dvec3 CentreAt(const Placement& placement) const
+  glm::dvec3 CentreAt(const IndexTransform& transform) const
   {
-    const glm::dvec3 last(this->Samples.Seen.Dimensions - 1);
-    return glm::dvec3(placement.WorldFromIndex * glm::dvec4(0.5 * last, 1.0));
+    const glm::dvec3 last(this->Samples.Field.Dimensions - 1);
+    return glm::dvec3(transform.WorldFromIndex * glm::dvec4(0.5 * last, 1.0));
   }
 
   Grid<std::uint8_t> Samples;
-  Surfaces Sought;
+  Surfaces Isosurfaces;
   ValueRangePyramid Pyramid;
   ActiveCells Active;
 };
@@ -89,19 +89,19 @@ TEST(TileBounds, HoldAllHits)
   const Scene scene(150.0,
     [](int i, int j, int k)
     { return 100.0 + 80.0 * std::sin(0.3 * i + 0.2 * j) * std::cos(0.4 * k); });
-  const glm::ivec3& dimensions = scene.Samples.Seen.Dimensions;
-  const auto tracer =
-    SurfaceTracer::Make({ scene.Samples.Seen, scene.Sought, scene.Pyramid.FiniteRange(), nullptr });
+  const glm::ivec3& dimensions = scene.Samples.Field.Dimensions;
+  const auto tracer = SurfaceTracer::Make(
+    { scene.Samples.Field, scene.Isosurfaces, scene.Pyramid.FiniteRange(), nullptr });
   std::mt19937 engine(21);
   int hitCount = 0, emptyCount = 0;
   for (int round = 0; round < 60; ++round)
   {
     const glm::ivec2 size = round % 2 ? glm::ivec2(45, 37) : glm::ivec2(300, 170);
-    const Placement placement = RandomPlacement(engine);
-    const View view = RandomView(scene.CentreAt(placement), 40.0, size, engine);
+    const IndexTransform transform = RandomTransform(engine);
+    const View view = RandomView(scene.CentreAt(transform), 40.0, size, engine);
     TileBounds bounds;
-    bounds.Build(view, placement, scene.Active, *UniformKind());
-    const RaySource source(view, placement, dimensions);
+    bounds.Build(view, transform, scene.Active, *UniformKind());
+    const RaySource source(view, transform, dimensions);
     for (std::int64_t tile = 0; tile < NumberOfTiles(size); tile += round % 2 ? 1 : 7)
     {
       const PixelRect part = PixelsOfTile(size, tile);
@@ -196,17 +196,17 @@ TEST(TileBounds, HoldTheCornersOfActiveLeaves)
   for (int round = 0; round < 80; ++round)
   {
     const glm::ivec2 size = round % 2 ? glm::ivec2(45, 37) : glm::ivec2(500, 410);
-    const Placement placement = RandomPlacement(engine);
-    const View view = ShearedView(scene.CentreAt(placement), 40.0, size, engine);
+    const IndexTransform transform = RandomTransform(engine);
+    const View view = ShearedView(scene.CentreAt(transform), 40.0, size, engine);
     TileBounds bounds;
-    bounds.Build(view, placement, scene.Active, *UniformKind());
+    bounds.Build(view, transform, scene.Active, *UniformKind());
     for (const glm::ivec3& leaf : leaves)
     {
       for (int corner = 0; corner < 8; ++corner)
       {
         const glm::ivec3 offset(corner & 1, corner >> 1 & 1, corner >> 2);
         const glm::dvec3 point(
-          placement.WorldFromIndex * glm::dvec4(glm::dvec3(leaf + 4 * offset), 1.0));
+          transform.WorldFromIndex * glm::dvec4(glm::dvec3(leaf + 4 * offset), 1.0));
         const glm::dvec4 clip = view.ClipFromWorld * glm::dvec4(point, 1.0);
         const glm::dvec2 place = glm::dvec2(clip) / clip.w;
         if (clip.w <= 0.0 || std::abs(place.x) >= 1.0 || std::abs(place.y) >= 1.0)
@@ -256,8 +256,8 @@ TEST(TileBounds, FindTilesOfBoxes)
   for (int round = 0; round < 200; ++round)
   {
     const glm::ivec2 size(93, 70);
-    const Placement placement = RandomPlacement(engine);
-    const glm::dvec3 centre(placement.WorldFromIndex * glm::dvec4(0.5 * glm::dvec3(cells), 1.0));
+    const IndexTransform transform = RandomTransform(engine);
+    const glm::dvec3 centre(transform.WorldFromIndex * glm::dvec4(0.5 * glm::dvec3(cells), 1.0));
     const View view = RandomView(centre, 40.0, size, engine);
     std::vector<CellBox> boxes(1 + round % 3);
     for (CellBox& box : boxes)
@@ -268,15 +268,15 @@ TEST(TileBounds, FindTilesOfBoxes)
         box.Size[axis] = 1 + static_cast<int>(engine() % 8);
       }
     }
-    const std::vector<std::uint8_t> found = FindTiles(view, placement, boxes, *UniformKind());
+    const std::vector<std::uint8_t> found = FindTiles(view, transform, boxes, *UniformKind());
     ASSERT_EQ(static_cast<std::int64_t>(found.size()), NumberOfTiles(size));
     for (int y = 0; y < size.y; ++y)
     {
       for (int x = 0; x < size.x; ++x)
       {
         const Ray ray = view.RayThrough(x, y);
-        const glm::dvec3 origin(placement.IndexFromWorld * glm::dvec4(ray.Origin, 1.0));
-        const glm::dvec3 direction(placement.IndexFromWorld * glm::dvec4(ray.Direction, 0.0));
+        const glm::dvec3 origin(transform.IndexFromWorld * glm::dvec4(ray.Origin, 1.0));
+        const glm::dvec3 direction(transform.IndexFromWorld * glm::dvec4(ray.Direction, 0.0));
         const bool isFound = found[static_cast<std::size_t>(y / 8 * 12 + x / 8)] != 0;
         const bool passes = std::any_of(boxes.begin(), boxes.end(),
           [&](const CellBox& box) { return Passes(origin, direction, box); });

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Acceleration/ValueRangePyramid.h"
+#include "Checks/Sanitized.h"
 #include "EachTarget.h"
 #include "Grid.h"
-#include "Sanitized.h"
 
 #include <gtest/gtest.h>
 
@@ -20,8 +20,8 @@ void ExpectRanges(Grid<T>& grid, const char* target)
 {
   SCOPED_TRACE(target);
   ValueRangePyramid pyramid;
-  pyramid.Build(grid.Seen);
-  const glm::ivec3 n = grid.Seen.Dimensions;
+  pyramid.Build(grid.Field);
+  const glm::ivec3 n = grid.Field.Dimensions;
   const glm::ivec3 nodes = pyramid.NodeDimensions();
   ASSERT_EQ(nodes, (n - 1 + 15) / 16);
   for (std::int64_t node = 0; node < pyramid.NumberOfNodes(); ++node)
@@ -108,7 +108,7 @@ TEST_F(NotANumber, IsBelowEverything)
     {
       SCOPED_TRACE(target);
       ValueRangePyramid pyramid;
-      pyramid.Build(grid.Seen);
+      pyramid.Build(grid.Field);
       const auto* leaves = pyramid.LeavesOf<float>(0);
       EXPECT_EQ(leaves[0].Min, -std::numeric_limits<float>::infinity());
       EXPECT_LE(leaves[0].Max, 2.0f);
@@ -128,9 +128,9 @@ TEST(ValueRangePyramid, IsNotThereWithoutMemory)
   }
   // 2^31 samples along two axes: petabytes of leaves, asked for before a sample is read.
   Grid<std::uint8_t> grid(glm::ivec3(2, 2, 2));
-  grid.Seen.Dimensions = glm::ivec3(2147483000, 2147483000, 2);
+  grid.Field.Dimensions = glm::ivec3(2147483000, 2147483000, 2);
   ValueRangePyramid pyramid;
-  EXPECT_ANY_THROW(pyramid.Build(grid.Seen));
+  EXPECT_ANY_THROW(pyramid.Build(grid.Field));
   EXPECT_TRUE(pyramid.IsEmpty());
   EXPECT_EQ(pyramid.NumberOfNodes(), 0);
 }

@@ -11,7 +11,7 @@
 #include <random>
 #include <vector>
 
-/// Whole numbers: the cells of an image.
+/// Integers: the cells of an image.
 inline std::shared_ptr<const TemporalCoherence::GridCoordinates> Uniform(
   const glm::ivec3& dimensions)
 {
@@ -27,7 +27,7 @@ inline std::shared_ptr<const TemporalCoherence::GridCoordinates> Uniform(
 }
 
 /// Cells of all sizes from 1 to `ratio` in any order.
-inline std::shared_ptr<const TemporalCoherence::GridCoordinates> Graded(
+inline std::shared_ptr<const TemporalCoherence::GridCoordinates> Stretched(
   const glm::ivec3& dimensions, double ratio, unsigned int seed)
 {
   std::mt19937 engine(seed);
@@ -51,7 +51,7 @@ inline std::shared_ptr<const TemporalCoherence::GridCoordinates> Graded(
   return grid;
 }
 
-/// Put samples of a formula of the coordinates.
+/// Fill a grid by a formula of the coordinates.
 template <typename T, typename Formula>
 void FillByPlace(
   Grid<T>& grid, const TemporalCoherence::GridCoordinates& at, const Formula& formula)

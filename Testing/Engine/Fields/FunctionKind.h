@@ -27,7 +27,7 @@ struct SmoothFunction
 {
   std::function<double(const glm::dvec3&)> Value;
   std::function<glm::dvec3(const glm::dvec3&)> Gradient;
-  double Steepest; ///< no gradient is longer
+  double LargestGradient; ///< no gradient is longer
 };
 
 /// Finds where rays pass isovalues of a function, block by block.
@@ -37,7 +37,7 @@ public:
   FunctionTracer(const SmoothFunction& function, const TraceScene& scene)
     : Function(function)
     , Scene(scene)
-    , Rules(scene.Sought, false)
+    , Rules(scene.Isosurfaces, false)
   {
   }
 
@@ -55,7 +55,7 @@ public:
 private:
   void Find(const RayBatch& rays, bool isFirst, HitBatch& hits) const
   {
-    const auto isovalues = static_cast<std::int16_t>(this->Scene.Sought.Isovalues.size());
+    const auto isovalues = static_cast<std::int16_t>(this->Scene.Isosurfaces.Isovalues.size());
     for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
     {
       NextHit next(this->Rules, LastOn(this->Rules, rays.Begin[ray], ray, hits));
@@ -64,7 +64,7 @@ private:
         if (rays.Begin[ray] < rays.End[ray] && this->IsInsideAt(rays, ray, rays.Begin[ray], i))
         {
           next.Consider(rays.Begin[ray], HitKind::Cap, i);
-          hits.Contact[ray] = rays.Begin[ray];
+          hits.FirstEntry[ray] = rays.Begin[ray];
         }
       }
       BlockWalk walk(rays, ray, this->Scene.Samples.Dimensions - 1, this->Scene.Active);
@@ -88,10 +88,10 @@ private:
     NextHit& next, HitBatch& hits) const
   {
     const bool isInside = this->IsInsideAt(rays, ray, enter, surface);
-    HitRules::KeepContact(enter, isInside, ray, hits);
+    HitRules::KeepFirstEntry(enter, isInside, ray, hits);
     if (isInside && this->Rules.IsSolid())
     {
-      next.Consider(enter, HitKind::Leaves, surface); // the walk began within it
+      next.Consider(enter, HitKind::Exit, surface); // the walk began within it
     }
   }
 
@@ -122,7 +122,7 @@ private:
     double t = part.x, difference = this->DifferenceAt(rays, ray, t, surface);
     while (t < part.y)
     {
-      const double step = std::max(std::abs(difference) / this->Function.Steepest, Shortest);
+      const double step = std::max(std::abs(difference) / this->Function.LargestGradient, Shortest);
       const double end = std::min(t + step / perT, part.y);
       const double ahead = this->DifferenceAt(rays, ray, end, surface);
       const bool isInside = IsInside(difference);
@@ -162,7 +162,7 @@ public:
   {
     const glm::dvec3 half = 0.5 * glm::dvec3(cells.Size);
     const double middle = this->Function.Value(glm::dvec3(cells.First) + half);
-    const double reach = this->Function.Steepest * glm::length(half) * (1.0 + 1e-9);
+    const double reach = this->Function.LargestGradient * glm::length(half) * (1.0 + 1e-9);
     return { middle - reach, middle + reach };
   }
 

@@ -54,13 +54,13 @@ class BothWays
 {
 public:
   BothWays(Grid<T>& grid, const std::vector<double>& isovalues, SurfaceMode mode)
-    : Dimensions(grid.Seen.Dimensions)
+    : Dimensions(grid.Field.Dimensions)
   {
-    this->Pyramid.Build(grid.Seen);
-    this->Scene.Samples = grid.Seen;
-    this->Scene.Sought = { isovalues, mode };
+    this->Pyramid.Build(grid.Field);
+    this->Scene.Samples = grid.Field;
+    this->Scene.Isosurfaces = { isovalues, mode };
     this->Scene.FiniteRange = this->Pyramid.FiniteRange();
-    this->Active.Build(grid.Seen, this->Pyramid, this->Scene.Sought);
+    this->Active.Build(grid.Field, this->Pyramid, this->Scene.Isosurfaces);
     this->Scene.Active = &this->Active;
     this->Scene.By = Traversal::Walks;
     this->Walks = SurfaceTracer::Make(this->Scene);
@@ -73,7 +73,7 @@ public:
   /// All tiles of a view.
   void Compare(const View& view)
   {
-    const RaySource source(view, Placement(), this->Dimensions);
+    const RaySource source(view, IndexTransform(), this->Dimensions);
     for (std::int64_t tile = 0; tile < NumberOfTiles(view.Size); ++tile)
     {
       const PixelRect part = PixelsOfTile(view.Size, tile);
@@ -86,7 +86,7 @@ public:
   /// The same of rays that begin and end anywhere, and walk a part of that.
   void CompareCut(const View& view)
   {
-    const RaySource source(view, Placement(), this->Dimensions);
+    const RaySource source(view, IndexTransform(), this->Dimensions);
     std::uniform_real_distribution<double> share(-0.3, 1.0);
     for (std::int64_t tile = 0; tile < NumberOfTiles(view.Size); ++tile)
     {
@@ -127,10 +127,10 @@ private:
       ASSERT_EQ(beamed.Depth[i], walked.Depth[i]);
       ASSERT_EQ(beamed.Surface[i], walked.Surface[i]);
       ASSERT_EQ(beamed.Kind[i], walked.Kind[i]);
-      // Of several isovalues, nobody asks which is the contact's once there is a hit.
-      ASSERT_TRUE((isHit && this->Scene.Sought.Isovalues.size() > 1) ||
+      // Of several isovalues, nobody asks which is the first entry's once there is a hit.
+      ASSERT_TRUE((isHit && this->Scene.Isosurfaces.Isovalues.size() > 1) ||
         beamed.FromInside[i] == walked.FromInside[i]);
-      ASSERT_EQ(beamed.Contact[i], walked.Contact[i]);
+      ASSERT_EQ(beamed.FirstEntry[i], walked.FirstEntry[i]);
     }
   }
 
@@ -184,7 +184,7 @@ protected:
     for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
     {
       BothWays<T> ways(grid, isovalues, mode);
-      for (const Camera& camera : CamerasFor(grid.Seen.Dimensions))
+      for (const Camera& camera : CamerasFor(grid.Field.Dimensions))
       {
         ways.Compare(ViewFrom(camera, pixels));
         if (this->HasFatalFailure())
@@ -270,7 +270,7 @@ TEST_F(Beams, MeetWhatWalksMeetOnPartsOfRays)
   for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
   {
     BothWays<std::uint8_t> ways(smooth, { 120.0 }, mode);
-    for (const Camera& camera : CamerasFor(smooth.Seen.Dimensions))
+    for (const Camera& camera : CamerasFor(smooth.Field.Dimensions))
     {
       // Where a walk begins in a plane between cells, it may begin on either side.
       const glm::dvec3 off(0.0137, 0.0071, 0.0093);

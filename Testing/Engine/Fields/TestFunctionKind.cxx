@@ -25,7 +25,7 @@ namespace
 using namespace TemporalCoherence;
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-constexpr double Steepest = 0.36; ///< of Waves
+constexpr double LargestGradient = 0.36; ///< of Waves
 
 SmoothFunction Waves()
 {
@@ -36,7 +36,7 @@ SmoothFunction Waves()
       return glm::dvec3(0.2 * std::cos(0.2 * p.x) * std::cos(0.25 * p.y),
         -0.25 * std::sin(0.2 * p.x) * std::sin(0.25 * p.y), 0.15 * std::cos(0.3 * p.z));
     },
-    Steepest };
+    LargestGradient };
 }
 
 class FunctionFrames : public ::testing::Test
@@ -47,16 +47,16 @@ protected:
     this->Key.Samples.Type = ScalarType::Float64;
     this->Key.Samples.Dimensions = { 60, 50, 43 };
     this->Key.Samples.Kind = std::make_shared<FunctionKind>(Waves());
-    this->Key.Sought.Isovalues = { 0.5 };
-    this->Key.Look.Colors = { { 1.0, 0.5, 0.2 } };
-    this->Key.Look.Shade = true;
-    this->Key.Look.Lights = { Light() };
+    this->Key.Isosurfaces.Isovalues = { 0.5 };
+    this->Key.Appearance.Colors = { { 1.0, 0.5, 0.2 } };
+    this->Key.Appearance.Shade = true;
+    this->Key.Appearance.Lights = { Light() };
     this->LookFrom({ 1.0, 2.0, 0.7 });
   }
 
   void LookFrom(const glm::dvec3& direction, bool parallel = false)
   {
-    this->Key.Seen = LookAt(this->Key.Samples.Dimensions, direction, { 83, 61 }, parallel);
+    this->Key.View = LookAt(this->Key.Samples.Dimensions, direction, { 83, 61 }, parallel);
   }
 
   Frame Cold(const FrameRenderer::Options& options = {}) const
@@ -78,9 +78,9 @@ protected:
 
   Met MeetByForce(int x, int y) const
   {
-    const Ray ray = this->Key.Seen.RayThrough(x, y);
-    const double perDepth = 1.0 / glm::dot(ray.Direction, this->Key.Seen.Forward);
-    glm::dvec2 ends(this->Key.Seen.Near * perDepth, this->Key.Seen.Far * perDepth);
+    const Ray ray = this->Key.View.RayThrough(x, y);
+    const double perDepth = 1.0 / glm::dot(ray.Direction, this->Key.View.Forward);
+    glm::dvec2 ends(this->Key.View.Near * perDepth, this->Key.View.Far * perDepth);
     for (int axis = 0; axis < 3; ++axis)
     {
       const double a = -ray.Origin[axis] / ray.Direction[axis];
@@ -98,7 +98,7 @@ protected:
     const double step = (ends.y - ends.x) / steps;
     const SmoothFunction waves = Waves();
     const auto at = [&](double t)
-    { return waves.Value(ray.Origin + t * ray.Direction) - this->Key.Sought.Isovalues[0]; };
+    { return waves.Value(ray.Origin + t * ray.Direction) - this->Key.Isosurfaces.Isovalues[0]; };
     met.BeginsInside = at(ends.x) >= 0.0;
     double before = at(ends.x), here = before;
     for (int i = 0; i < steps; ++i)
@@ -109,7 +109,7 @@ protected:
       if ((next >= 0.0) == inside && (before >= 0.0) == inside)
       {
         const bool isNearest = std::abs(here) <= std::min(std::abs(before), std::abs(next));
-        met.IsTouched |= isNearest && std::abs(here) < Steepest * step;
+        met.IsTouched |= isNearest && std::abs(here) < LargestGradient * step;
       }
       if ((next >= 0.0) != inside)
       {
@@ -118,7 +118,7 @@ protected:
           const double middle = 0.5 * (low + high);
           ((at(middle) >= 0.0) == inside ? low : high) = middle;
         }
-        if (!inside || this->Key.Sought.Mode == SurfaceMode::Crossing)
+        if (!inside || this->Key.Isosurfaces.Mode == SurfaceMode::Crossing)
         {
           met.Crossings.push_back(high);
         }
@@ -136,7 +136,7 @@ TEST_F(FunctionFrames, ColdIsBruteForce)
 {
   for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
   {
-    this->Key.Sought.Mode = mode;
+    this->Key.Isosurfaces.Mode = mode;
     for (const bool parallel : { false, true })
     {
       this->LookFrom({ 1.0, 2.0, 0.7 }, parallel);
@@ -180,7 +180,7 @@ TEST_F(FunctionFrames, NormalsAreGradients)
     const auto at = static_cast<std::size_t>(pixel);
     if (frame.Isovalues[at] != Frame::NoSurface)
     {
-      const Ray ray = this->Key.Seen.RayThrough(pixel % frame.Size.x, pixel / frame.Size.x);
+      const Ray ray = this->Key.View.RayThrough(pixel % frame.Size.x, pixel / frame.Size.x);
       const glm::dvec3 gradient =
         glm::normalize(Waves().Gradient(ray.Origin + frame.Depth[at] * ray.Direction));
       const double facing = glm::dot(gradient, ray.Direction) > 0.0 ? -1.0 : 1.0;
@@ -193,11 +193,11 @@ TEST_F(FunctionFrames, LeapingChangesNothing)
 {
   FrameRenderer::Options plain;
   plain.SpaceLeaping = false;
-  this->Key.Sought.Isovalues = { 0.5, -0.3 };
-  this->Key.Look.Colors.resize(2);
+  this->Key.Isosurfaces.Isovalues = { 0.5, -0.3 };
+  this->Key.Appearance.Colors.resize(2);
   for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
   {
-    this->Key.Sought.Mode = mode;
+    this->Key.Isosurfaces.Mode = mode;
     EXPECT_TRUE(ShowTheSame(this->Cold(), this->Cold(plain)));
   }
 }
@@ -215,14 +215,14 @@ TEST_F(FunctionFrames, RoutesGiveTheColdPicture)
   };
   for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
   {
-    this->Key.Sought.Mode = mode;
+    this->Key.Isosurfaces.Mode = mode;
     expectRoute(Route::Cold);
     expectRoute(Route::Redisplay);
-    this->Key.Look.Ambient += 0.1;
+    this->Key.Appearance.Ambient += 0.1;
     expectRoute(Route::Reshade);
-    this->Key.Sought.Isovalues[0] += 0.05;
+    this->Key.Isosurfaces.Isovalues[0] += 0.05;
     expectRoute(Route::ThresholdHint);
-    this->Key.Sought.Isovalues[0] -= 0.1;
+    this->Key.Isosurfaces.Isovalues[0] -= 0.1;
     expectRoute(Route::ThresholdHint);
     this->LookFrom({ 1.0, 1.8, mode == SurfaceMode::Crossing ? 0.7 : 0.8 });
     expectRoute(Route::Cold);
@@ -240,17 +240,17 @@ TEST_F(FunctionFrames, DataThatMemoryEndsForLeavesTheOldToBeDrawn)
   SmoothFunction nothing = Waves();
   nothing.Value = [](const glm::dvec3&) -> double { throw std::bad_alloc(); };
   failing.Samples.Kind = std::make_shared<FunctionKind>(nothing);
-  this->Key.Samples = grid.Seen;
-  this->Key.Sought.Isovalues = { 15.0 };
+  this->Key.Samples = grid.Field;
+  this->Key.Isosurfaces.Isovalues = { 15.0 };
   FrameRenderer::Options options;
   options.Map.Range = { 10.0, 20.0 };
   FrameRenderer renderer;
   renderer.Render(this->Key, options);
-  this->Key.Sought.Isovalues[0] = 15.5;
+  this->Key.Isosurfaces.Isovalues[0] = 15.5;
   renderer.Render(this->Key, options);
   EXPECT_EQ(renderer.Statistics().Made, Route::IsomapBuild);
   EXPECT_THROW(renderer.Render(failing, options), std::bad_alloc);
-  this->Key.Sought.Isovalues[0] = 16.0;
+  this->Key.Isosurfaces.Isovalues[0] = 16.0;
   renderer.Render(this->Key, options);
   const Frame cold = this->Cold();
   EXPECT_EQ(renderer.LastFrame().Depth, cold.Depth);
@@ -280,7 +280,7 @@ TEST_F(FunctionFrames, MovingCameraUsesTheLastPicture)
 
 TEST_F(FunctionFrames, LayersAreAllCrossings)
 {
-  this->Key.Sought.Opacities = { 0.01 };
+  this->Key.Isosurfaces.Opacities = { 0.01 };
   const Frame frame = this->Cold();
   std::vector<std::size_t> layers(frame.Depth.size(), 0);
   for (const std::vector<LayerHit>& tile : frame.Layers)

@@ -22,11 +22,11 @@ using namespace TemporalCoherence;
 
 struct Structures
 {
-  explicit Structures(const Field& field, const Surfaces& sought)
+  explicit Structures(const Field& field, const Surfaces& surfaces)
   {
     this->Pyramid.Build(field);
-    this->Active.Build(field, this->Pyramid, sought);
-    this->Scene = { field, sought, this->Pyramid.FiniteRange(), &this->Active };
+    this->Active.Build(field, this->Pyramid, surfaces);
+    this->Scene = { field, surfaces, this->Pyramid.FiniteRange(), &this->Active };
   }
 
   ValueRangePyramid Pyramid;
@@ -54,7 +54,7 @@ void ForEachTile(const glm::ivec3& dimensions, const Visit& visit)
       for (int tile = 0; tile < 64; tile += 3)
       {
         RayBatch rays;
-        RaySource(view, Placement(), dimensions)
+        RaySource(view, IndexTransform(), dimensions)
           .SetUp(8 * glm::ivec2(tile % 8, tile / 8), glm::ivec2(8), rays);
         visit(rays);
       }
@@ -88,24 +88,24 @@ TEST(Rectilinear, WholeNumbersAsCoordinatesAreTheUniformField)
 {
   Grid<double> grid(glm::ivec3(27, 34, 19));
   grid.Fill([](int i, int j, int k) { return (i * 7 + j * 3 + k * 5 + i * j * k) % 5; });
-  ForEachWay(grid.Seen,
-    [](const Field& field, const Surfaces& sought)
+  ForEachWay(grid.Field,
+    [](const Field& field, const Surfaces& surfaces)
     {
-      Field graded = field;
-      graded.Kind = RectilinearKind(Uniform(field.Dimensions));
-      const Structures structures(field, sought);
-      TraceScene asGraded = structures.Scene;
-      asGraded.Samples = graded;
+      Field rectilinear = field;
+      rectilinear.Kind = RectilinearKind(Uniform(field.Dimensions));
+      const Structures structures(field, surfaces);
+      TraceScene asRectilinear = structures.Scene;
+      asRectilinear.Samples = rectilinear;
       std::int64_t found = 0;
       ForEachTile(field.Dimensions,
         [&](const RayBatch& rays)
         {
           const HitBatch hits = Trace(structures.Scene, rays);
-          const HitBatch others = Trace(asGraded, rays);
+          const HitBatch others = Trace(asRectilinear, rays);
           for (std::size_t i = 0; i < 64; ++i)
           {
             ExpectSameHit(hits, others, i);
-            EXPECT_EQ(hits.Contact[i], others.Contact[i]);
+            EXPECT_EQ(hits.FirstEntry[i], others.FirstEntry[i]);
             EXPECT_EQ(hits.FromInside[i], others.FromInside[i]);
             found += hits.Surface[i] != Frame::NoSurface;
           }
@@ -120,13 +120,13 @@ TEST(Rectilinear, ResultDoesNotDependOnTheWalk)
   {
     Grid<std::uint8_t> grid(glm::ivec3(37, 29, 41));
     grid.FillRandomly(0.0, 4.0, 9); // few values: many samples equal the isovalue
-    grid.Seen.Kind = RectilinearKind(Graded(grid.Seen.Dimensions, ratio, 5));
+    grid.Field.Kind = RectilinearKind(Stretched(grid.Field.Dimensions, ratio, 5));
     std::mt19937 engine(11);
     std::uniform_real_distribution<double> share(0.0, 1.0);
-    ForEachWay(grid.Seen,
-      [&](const Field& field, const Surfaces& sought)
+    ForEachWay(grid.Field,
+      [&](const Field& field, const Surfaces& surfaces)
       {
-        const Structures structures(field, sought);
+        const Structures structures(field, surfaces);
         TraceScene plain = structures.Scene;
         plain.Active = nullptr;
         ForEachTile(field.Dimensions,
@@ -162,12 +162,12 @@ TEST(Rectilinear, PlaneIsHitWhereItIs)
   const glm::dvec3 normal(0.5, -0.25, 1.0);
   const double isovalue = 8.125;
   Grid<double> grid(glm::ivec3(40, 30, 20));
-  const auto coordinates = Graded(grid.Seen.Dimensions, 50.0, 3);
-  grid.Seen.Kind = RectilinearKind(coordinates);
+  const auto coordinates = Stretched(grid.Field.Dimensions, 50.0, 3);
+  grid.Field.Kind = RectilinearKind(coordinates);
   FillByPlace(grid, *coordinates, [&](const glm::dvec3& at) { return glm::dot(at, normal); });
-  const Structures structures(grid.Seen, { { isovalue }, SurfaceMode::Crossing });
+  const Structures structures(grid.Field, { { isovalue }, SurfaceMode::Crossing });
   int found = 0;
-  ForEachTile(grid.Seen.Dimensions,
+  ForEachTile(grid.Field.Dimensions,
     [&](const RayBatch& rays)
     {
       const HitBatch hits = Trace(structures.Scene, rays);
@@ -189,15 +189,15 @@ TEST(Rectilinear, PlaneIsHitWhereItIs)
 TEST(Rectilinear, NearestFacesLieHalfWay)
 {
   Grid<std::uint8_t> grid(glm::ivec3(4, 3, 3));
-  auto coordinates = std::make_shared<GridCoordinates>(*Uniform(grid.Seen.Dimensions));
+  auto coordinates = std::make_shared<GridCoordinates>(*Uniform(grid.Field.Dimensions));
   coordinates->Along[0] = { 0.0, 0.2, 2.0, 3.0 };
-  grid.Seen.Kind = RectilinearKind(coordinates);
-  grid.Seen.Between = Interpolation::Nearest;
+  grid.Field.Kind = RectilinearKind(coordinates);
+  grid.Field.Between = Interpolation::Nearest;
   grid.Fill([](int i, int, int) { return i >= 2 ? 10 : 0; });
-  const Structures structures(grid.Seen, { { 5.0 }, SurfaceMode::Crossing });
-  const View view = LookAt(grid.Seen.Dimensions, { -1.0, 0.0, 0.0 }, { 8, 8 }, true);
+  const Structures structures(grid.Field, { { 5.0 }, SurfaceMode::Crossing });
+  const View view = LookAt(grid.Field.Dimensions, { -1.0, 0.0, 0.0 }, { 8, 8 }, true);
   RayBatch rays;
-  RaySource(view, Placement(), grid.Seen.Dimensions).SetUp({ 0, 0 }, glm::ivec2(8), rays);
+  RaySource(view, IndexTransform(), grid.Field.Dimensions).SetUp({ 0, 0 }, glm::ivec2(8), rays);
   const HitBatch hits = Trace(structures.Scene, rays);
   int found = 0;
   for (std::size_t i = 0; i < 64; ++i)
@@ -215,8 +215,8 @@ TEST(Rectilinear, GradientsAreThoseOfTheWorld)
 {
   const glm::dvec3 slope(0.5, -0.25, 1.0);
   Grid<float> grid(glm::ivec3(12, 10, 9));
-  const auto coordinates = Graded(grid.Seen.Dimensions, 50.0, 3);
-  grid.Seen.Kind = RectilinearKind(coordinates);
+  const auto coordinates = Stretched(grid.Field.Dimensions, 50.0, 3);
+  grid.Field.Kind = RectilinearKind(coordinates);
   FillByPlace(
     grid, *coordinates, [&](const glm::dvec3& at) { return 100.0 + glm::dot(at, slope); });
   std::mt19937 engine(4);
@@ -224,7 +224,7 @@ TEST(Rectilinear, GradientsAreThoseOfTheWorld)
   const std::vector<double> isovalues{ 104.0 };
   for (const Interpolation between : { Interpolation::Linear, Interpolation::Nearest })
   {
-    grid.Seen.Between = between;
+    grid.Field.Between = between;
     std::array<RayBatch::Array<double>, 3> points, directions, gradients;
     RayBatch::Array<std::int16_t> surfaces{};
     for (std::size_t i = 0; i < 64; ++i)
@@ -232,12 +232,12 @@ TEST(Rectilinear, GradientsAreThoseOfTheWorld)
       for (std::size_t a = 0; a < 3; ++a)
       {
         // Some on the boundary of the field, where differences are one-sided.
-        const double last = grid.Seen.Dimensions[static_cast<int>(a)] - 1;
+        const double last = grid.Field.Dimensions[static_cast<int>(a)] - 1;
         points[a][i] = i % 7 == a ? 0.0 : i % 5 == a ? last : share(engine) * last;
         directions[a][i] = share(engine) - 0.5;
       }
     }
-    IndexGradients({ grid.Seen, glm::dmat4(1.0), { 90.0, 130.0 }, &isovalues },
+    IndexGradients({ grid.Field, glm::dmat4(1.0), { 90.0, 130.0 }, &isovalues },
       { 64, points, directions, surfaces, gradients });
     for (std::size_t i = 0; i < 64; ++i)
     {
@@ -263,18 +263,18 @@ TEST(Rectilinear, GradientsOfTheLargestSamplesAreNumbers)
   const std::vector<double> isovalues{ 1.0 };
   for (const double ratio : { 50.0, 1e8 })
   {
-    grid.Seen.Kind = RectilinearKind(Graded(grid.Seen.Dimensions, ratio, 3));
+    grid.Field.Kind = RectilinearKind(Stretched(grid.Field.Dimensions, ratio, 3));
     std::array<RayBatch::Array<double>, 3> points, directions, gradients;
     RayBatch::Array<std::int16_t> surfaces{};
     for (std::size_t i = 0; i < 64; ++i)
     {
       for (std::size_t a = 0; a < 3; ++a)
       {
-        points[a][i] = share(engine) * (grid.Seen.Dimensions[static_cast<int>(a)] - 1);
+        points[a][i] = share(engine) * (grid.Field.Dimensions[static_cast<int>(a)] - 1);
         directions[a][i] = share(engine) - 0.5;
       }
     }
-    IndexGradients({ grid.Seen, glm::dmat4(1.0), { -largest, largest }, &isovalues },
+    IndexGradients({ grid.Field, glm::dmat4(1.0), { -largest, largest }, &isovalues },
       { 64, points, directions, surfaces, gradients });
     for (std::size_t i = 0; i < 64; ++i)
     {
@@ -295,24 +295,24 @@ TEST(Rectilinear, UniformGradientsAreThoseOfImages)
   const std::vector<double> isovalues{ 3.0 };
   for (const Interpolation between : { Interpolation::Linear, Interpolation::Nearest })
   {
-    grid.Seen.Between = between;
-    Field graded = grid.Seen;
-    graded.Kind = RectilinearKind(Uniform(graded.Dimensions));
+    grid.Field.Between = between;
+    Field rectilinear = grid.Field;
+    rectilinear.Kind = RectilinearKind(Uniform(rectilinear.Dimensions));
     std::array<RayBatch::Array<double>, 3> points, directions, gradients, others;
     RayBatch::Array<std::int16_t> surfaces{};
     for (std::size_t i = 0; i < 64; ++i)
     {
       for (std::size_t a = 0; a < 3; ++a)
       {
-        points[a][i] = share(engine) * (grid.Seen.Dimensions[static_cast<int>(a)] - 1);
+        points[a][i] = share(engine) * (grid.Field.Dimensions[static_cast<int>(a)] - 1);
         directions[a][i] = share(engine) - 0.5;
       }
     }
     const glm::dvec2 range(-1000.0, 1000.0);
-    IndexGradients({ grid.Seen, glm::dmat4(1.0), range, &isovalues },
+    IndexGradients({ grid.Field, glm::dmat4(1.0), range, &isovalues },
       { 64, points, directions, surfaces, gradients });
-    IndexGradients(
-      { graded, glm::dmat4(1.0), range, &isovalues }, { 64, points, directions, surfaces, others });
+    IndexGradients({ rectilinear, glm::dmat4(1.0), range, &isovalues },
+      { 64, points, directions, surfaces, others });
     for (std::size_t i = 0; i < 64; ++i)
     {
       for (std::size_t a = 0; a < 3; ++a)
@@ -329,18 +329,18 @@ protected:
   RectilinearFrames()
     : Samples(glm::ivec3(60, 50, 40))
   {
-    const auto coordinates = Graded(this->Samples.Seen.Dimensions, 30.0, 8);
-    this->Samples.Seen.Kind = RectilinearKind(coordinates);
+    const auto coordinates = Stretched(this->Samples.Field.Dimensions, 30.0, 8);
+    this->Samples.Field.Kind = RectilinearKind(coordinates);
     FillByPlace(this->Samples, *coordinates,
       [](const glm::dvec3& at) {
         return 120.0 + 100.0 * std::sin(0.2 * at.x) * std::cos(0.25 * at.y) * std::sin(0.3 * at.z);
       });
-    this->Key.Samples = this->Samples.Seen;
-    this->Key.Seen = LookAt(this->Samples.Seen.Dimensions, { 1.0, 2.0, 0.7 }, { 203, 117 });
-    this->Key.Sought.Isovalues = { 150.0, 90.0 };
-    this->Key.Look.Colors = { { 1.0, 0.5, 0.2 }, { 0.2, 0.5, 1.0 } };
-    this->Key.Look.Shade = true;
-    this->Key.Look.Lights = { Light() };
+    this->Key.Samples = this->Samples.Field;
+    this->Key.View = LookAt(this->Samples.Field.Dimensions, { 1.0, 2.0, 0.7 }, { 203, 117 });
+    this->Key.Isosurfaces.Isovalues = { 150.0, 90.0 };
+    this->Key.Appearance.Colors = { { 1.0, 0.5, 0.2 }, { 0.2, 0.5, 1.0 } };
+    this->Key.Appearance.Shade = true;
+    this->Key.Appearance.Lights = { Light() };
   }
 
   Frame Cold(bool leaps) const
@@ -363,7 +363,8 @@ protected:
     EXPECT_GT(std::count_if(a.Isovalues.begin(), a.Isovalues.end(), isHit), 500);
   }
 
-  /// The cold picture; of rays that end in what is inside, contacts may be nearer (as TestIsomap).
+  /// The cold picture; of rays that end in what is inside, first entries may be nearer (as
+  /// TestIsomap).
   void ExpectLookedUp(const Frame& made) const
   {
     const Frame cold = this->Cold(true);
@@ -375,7 +376,7 @@ protected:
     for (std::size_t i = 0; i < cold.Kinds.size(); ++i)
     {
       const bool isOfAMiss = cold.Kinds[i] == HitKind::None && made.Kinds[i] == HitKind::Within;
-      farther += made.Contacts[i] < cold.Contacts[i];
+      farther += made.FirstEntries[i] < cold.FirstEntries[i];
       otherwise += made.Kinds[i] != cold.Kinds[i] && !isOfAMiss;
     }
     EXPECT_EQ(farther, 0) << "it serves the next view";
@@ -393,15 +394,15 @@ TEST_F(RectilinearFrames, SpaceLeapingDoesNotChangeThePicture)
   {
     for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
     {
-      this->Key.Sought.Mode = mode;
+      this->Key.Isosurfaces.Mode = mode;
       for (const bool parallel : { false, true })
       {
-        this->Key.Seen = LookAt(this->Samples.Seen.Dimensions, { 1.0, 2.0, 0.7 }, size, parallel);
+        this->Key.View = LookAt(this->Samples.Field.Dimensions, { 1.0, 2.0, 0.7 }, size, parallel);
         this->ExpectLeapingChangesNothing();
       }
       const glm::dvec3 eye(20.3, 21.0, 17.9);
       ASSERT_TRUE(MakeView(glm::lookAt(eye, eye + glm::dvec3(1.0, 0.4, 0.2), glm::dvec3(0, 0, 1)),
-        glm::perspective(1.2, 1.5, 0.01, 200.0), { 0.01, 200.0 }, size, this->Key.Seen));
+        glm::perspective(1.2, 1.5, 0.01, 200.0), { 0.01, 200.0 }, size, this->Key.View));
       this->ExpectLeapingChangesNothing();
     }
   }
@@ -409,21 +410,21 @@ TEST_F(RectilinearFrames, SpaceLeapingDoesNotChangeThePicture)
 
 TEST_F(RectilinearFrames, SweepOfIsovaluesIsLookedUp)
 {
-  this->Key.Look.Colors = { glm::dvec3(1.0) };
+  this->Key.Appearance.Colors = { glm::dvec3(1.0) };
   for (const Interpolation between : { Interpolation::Linear, Interpolation::Nearest })
   {
     for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
     {
       this->Key.Samples.Between = between;
-      this->Key.Sought.Mode = mode;
-      this->Key.Sought.Isovalues = { 90.0 };
+      this->Key.Isosurfaces.Mode = mode;
+      this->Key.Isosurfaces.Isovalues = { 90.0 };
       FrameRenderer renderer;
       FrameRenderer::Options options;
       options.Map.Range = { 85.0, 175.0 };
       renderer.Render(this->Key, options);
       for (int step = 1; step <= 40; ++step)
       {
-        this->Key.Sought.Isovalues = { 90.0 + 2.1 * step };
+        this->Key.Isosurfaces.Isovalues = { 90.0 + 2.1 * step };
         renderer.Render(this->Key, options);
         EXPECT_EQ(renderer.Statistics().Made, step == 1 ? Route::IsomapBuild : Route::IsomapLookup);
         EXPECT_LT(renderer.Statistics().TracedRays, renderer.Statistics().Rays / 20);
@@ -452,7 +453,7 @@ TEST_F(RectilinearFrames, TimeStepsCopyTilesThatSeeNoChange)
   EXPECT_EQ(renderer.Statistics().Made, Route::TimeStep);
   EXPECT_LT(renderer.Statistics().TracedRays, renderer.Statistics().Rays / 4);
   ExpectSamePicture(renderer.LastFrame(), this->Cold(true));
-  this->Key.Samples.Kind = RectilinearKind(Graded(this->Key.Samples.Dimensions, 30.0, 9));
+  this->Key.Samples.Kind = RectilinearKind(Stretched(this->Key.Samples.Dimensions, 30.0, 9));
   step(31);
   EXPECT_EQ(renderer.Statistics().Made, Route::Cold) << "samples lie elsewhere";
 }

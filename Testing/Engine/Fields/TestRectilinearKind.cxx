@@ -14,20 +14,20 @@ using namespace TemporalCoherence;
 TEST(RectilinearKind, EdgesOfVoxels)
 {
   Grid<float> grid(glm::ivec3(3, 4, 2));
-  auto coordinates = std::make_shared<GridCoordinates>(*Uniform(grid.Seen.Dimensions));
+  auto coordinates = std::make_shared<GridCoordinates>(*Uniform(grid.Field.Dimensions));
   coordinates->Along[1] = { 0.0, 0.25, 1.0, 3.0 };
-  grid.Seen.Kind = RectilinearKind(coordinates);
-  Placement where;
-  where.WorldFromIndex = glm::scale(glm::dmat4(1.0), glm::dvec3(3.0, -2.0, 1.0));
+  grid.Field.Kind = RectilinearKind(coordinates);
+  IndexTransform transform;
+  transform.WorldFromIndex = glm::scale(glm::dmat4(1.0), glm::dvec3(3.0, -2.0, 1.0));
   const auto expectSize = [&](const VoxelSize& expected)
   {
-    const VoxelSize size = grid.Seen.Kind->VoxelSizeIn(where);
+    const VoxelSize size = grid.Field.Kind->VoxelSizeIn(transform);
     EXPECT_EQ(size.Shortest, expected.Shortest);
     EXPECT_EQ(size.Longest, expected.Longest);
     EXPECT_EQ(size.Bend, expected.Bend);
   };
   expectSize({ 0.5, 4.0, 0.5 });
-  grid.Seen.Kind = UniformKind();
+  grid.Field.Kind = UniformKind();
   expectSize({ 1.0, 3.0, 3.0 });
 }
 
@@ -56,12 +56,12 @@ TEST(RectilinearKind, CoordinatesOfSamplesAndCells)
 TEST(RectilinearKind, FieldsDifferByTheirCoordinates)
 {
   Grid<float> grid(glm::ivec3(3, 4, 2));
-  Field a = grid.Seen, b = grid.Seen;
-  a.Kind = RectilinearKind(Graded(a.Dimensions, 3.0, 1));
+  Field a = grid.Field, b = grid.Field;
+  a.Kind = RectilinearKind(Stretched(a.Dimensions, 3.0, 1));
   EXPECT_FALSE(a == b);
-  b.Kind = RectilinearKind(Graded(a.Dimensions, 3.0, 1));
+  b.Kind = RectilinearKind(Stretched(a.Dimensions, 3.0, 1));
   EXPECT_TRUE(a == b) << "compared by value";
-  b.Kind = RectilinearKind(Graded(a.Dimensions, 3.0, 2));
+  b.Kind = RectilinearKind(Stretched(a.Dimensions, 3.0, 2));
   EXPECT_FALSE(a == b);
 }
 

@@ -37,18 +37,18 @@ Frame ClearFrame(bool isParallel)
   frame.Resize(Size);
   const auto miss = static_cast<float>(DisparityOfMiss(isParallel));
   std::fill(frame.Disparities.begin(), frame.Disparities.end(), miss);
-  std::fill(frame.Contacts.begin(), frame.Contacts.end(), miss);
+  std::fill(frame.FirstEntries.begin(), frame.FirstEntries.end(), miss);
   std::fill(frame.Kinds.begin(), frame.Kinds.end(), HitKind::None);
   std::fill(frame.ClearTiles.begin(), frame.ClearTiles.end(), std::uint8_t(1));
   return frame;
 }
 
 /// A surface, and where its ray comes to active cells.
-void SetHit(Frame& frame, int x, int y, double depth, double contact, bool isParallel)
+void SetHit(Frame& frame, int x, int y, double depth, double firstEntry, bool isParallel)
 {
   frame.Disparities[PlaceOf(x, y)] = static_cast<float>(DisparityOf(depth, isParallel));
-  frame.Contacts[PlaceOf(x, y)] = static_cast<float>(DisparityOf(contact, isParallel));
-  frame.Kinds[PlaceOf(x, y)] = HitKind::Enters;
+  frame.FirstEntries[PlaceOf(x, y)] = static_cast<float>(DisparityOf(firstEntry, isParallel));
+  frame.Kinds[PlaceOf(x, y)] = HitKind::Entry;
   frame.ClearTiles[static_cast<std::size_t>(y / TileSize * TilesOf(Size).x + x / TileSize)] = 0;
 }
 
@@ -80,7 +80,7 @@ TEST(FreeSpace, AHitOnItsOwnGuardsItsNeighbours)
         for (int x = 0; x < Size.x; ++x)
         {
           const bool isNear = std::abs(x - at.x) <= 1 && std::abs(y - at.y) <= 1;
-          const float expected = isNear ? frame.Contacts[PlaceOf(at.x, at.y)] : miss;
+          const float expected = isNear ? frame.FirstEntries[PlaceOf(at.x, at.y)] : miss;
           ASSERT_EQ(space.Guard()[PlaceOf(x, y)], expected)
             << x << ", " << y << " for a hit at " << at.x << ", " << at.y;
         }
@@ -90,15 +90,15 @@ TEST(FreeSpace, AHitOnItsOwnGuardsItsNeighbours)
 }
 
 /// The guard, as a depth, of a pixel in the middle of a surface that a parallel view shows.
-double GuardedDepth(const std::function<double(int, int)>& depth, double contactBefore,
-  const FreeSpace::Options& options = Coarse(), HitKind kind = HitKind::Enters)
+double GuardedDepth(const std::function<double(int, int)>& depth, double entryBefore,
+  const FreeSpace::Options& options = Coarse(), HitKind kind = HitKind::Entry)
 {
   Frame frame = ClearFrame(true);
   for (int y = 0; y < Size.y; ++y)
   {
     for (int x = 0; x < Size.x; ++x)
     {
-      SetHit(frame, x, y, depth(x, y), depth(x, y) - contactBefore, true);
+      SetHit(frame, x, y, depth(x, y), depth(x, y) - entryBefore, true);
       frame.Kinds[PlaceOf(x, y)] = kind;
     }
   }
@@ -116,7 +116,7 @@ TEST(FreeSpace, NothingIsWrittenBehindATile)
     std::array<float, 32> Behind;
   } all;
   all.Tile.Surface.fill(0.1f);
-  all.Tile.Contact.fill(0.2f);
+  all.Tile.FirstEntry.fill(0.2f);
   all.Tile.Fine.fill(1.0f);
   all.Tile.Guard.fill(-1.0f);
   all.Behind.fill(-2.0f);
@@ -134,10 +134,10 @@ TEST(FreeSpace, APlaneIsFreeAlmostUpToIt)
   EXPECT_NEAR(GuardedDepth(flat, 1.0), 30.0 - 0.125, 1e-5);
   EXPECT_NEAR(GuardedDepth(flat, 1.9), 30.0 - 0.125, 1e-5);
   EXPECT_NEAR(GuardedDepth(flat, 2.1), 30.0 - 2.1, 1e-5);
-  // Contacts that are nearer than that tell more.
+  // First entries that are nearer than that tell more.
   EXPECT_NEAR(GuardedDepth(flat, 0.0625), 30.0 - 0.0625, 1e-5);
-  // Sloped, it comes nearer within the pixel, by half of the way to its neighbours; and a contact
-  // is farther before it along the ray.
+  // Sloped, it comes nearer within the pixel, by half of the way to its neighbours; and a first
+  // entry is farther before it along the ray.
   const auto sloped = [](int x, int y) { return 30.0 + 0.5 * x - 0.25 * y; };
   const double there = sloped(12, 11);
   EXPECT_NEAR(GuardedDepth(sloped, 1.0), there - 0.375 - 0.125, 1e-5);
@@ -172,7 +172,7 @@ TEST(FreeSpace, WherePixelsAreFineSurfacesAloneTell)
   // One and a half voxels before an edge, wherever active cells begin.
   EXPECT_NEAR(GuardedDepth(step, 5.0, fine), 30.0 - 1.5, 1e-5);
   // Seen from inside, they do not.
-  EXPECT_NEAR(GuardedDepth(step, 5.0, fine, HitKind::Leaves), 30.0 - 5.0, 1e-5);
+  EXPECT_NEAR(GuardedDepth(step, 5.0, fine, HitKind::Exit), 30.0 - 5.0, 1e-5);
   EXPECT_NEAR(GuardedDepth(step, 5.0, fine, HitKind::Within), 30.0 - 5.0, 1e-5);
   // Nothing is known behind the farthest depth, nor, if only surfaces met from outside count, where
   // there are others.
@@ -182,7 +182,7 @@ TEST(FreeSpace, WherePixelsAreFineSurfacesAloneTell)
   options = Coarse();
   options.OnlyEntered = true;
   EXPECT_NEAR(GuardedDepth(step, 5.0, options), 30.0 - 5.0, 1e-5);
-  EXPECT_LE(GuardedDepth(step, 5.0, options, HitKind::Leaves), -1e29);
+  EXPECT_LE(GuardedDepth(step, 5.0, options, HitKind::Exit), -1e29);
 }
 
 }

@@ -16,8 +16,8 @@ FrameKey KeyFrom(const glm::dvec3& direction)
 {
   FrameKey key;
   key.Samples.Dimensions = Dimensions;
-  key.Sought.Isovalues = { 5.0 };
-  key.Seen = LookAt(Dimensions, direction, { 64, 64 });
+  key.Isosurfaces.Isovalues = { 5.0 };
+  key.View = LookAt(Dimensions, direction, { 64, 64 });
   return key;
 }
 
@@ -102,11 +102,11 @@ TEST(ImageCache, ImagesThatCannotServeArePassedOver)
   options.NumberOfImages = 2;
   const auto low = ImageFrom({ 1.0, 0.0, 0.0 });
   const auto high = ImageFrom({ 0.9, 0.1, 0.0 });
-  high->Key.Sought.Isovalues[0] = 9.0;
+  high->Key.Isosurfaces.Isovalues[0] = 9.0;
   cache.Keep(low, options);
   cache.Keep(high, options);
   FrameKey next = KeyFrom({ 0.9, 0.11, 0.0 });
-  next.Sought.Isovalues[0] = 7.0;
+  next.Isosurfaces.Isovalues[0] = 7.0;
   EXPECT_EQ(cache.Find(next, options), low) << "7 is raised from 5 and lowered from 9";
 }
 

@@ -28,14 +28,14 @@ protected:
   {
     this->Samples.Fill([this](int i, int j, int k)
       { return Radius - glm::distance(glm::dvec3(i, j, k), this->Centre); });
-    this->Key.Samples = this->Samples.Seen;
-    this->Key.Sought.Isovalues = { 0.0 };
-    this->Key.Look.Colors = { glm::dvec3(1.0) };
+    this->Key.Samples = this->Samples.Field;
+    this->Key.Isosurfaces.Isovalues = { 0.0 };
+    this->Key.Appearance.Colors = { glm::dvec3(1.0) };
   }
 
   CachedImage PictureOf(const View& view)
   {
-    this->Key.Seen = view;
+    this->Key.View = view;
     FrameRenderer renderer;
     renderer.Render(this->Key, {});
     CachedImage image;
@@ -65,10 +65,10 @@ protected:
   Shares AskAll(CachedImage& image, const View& next, ReuseAccuracy accuracy, const Check& check)
   {
     FrameKey key = this->Key;
-    key.Seen = next;
+    key.View = next;
     EXPECT_TRUE(ImageQuery::CanAsk(image.Key, accuracy));
     const ImageQuery query(image, key, accuracy);
-    const RaySource source(next, key.Where, key.Samples.Dimensions);
+    const RaySource source(next, key.Transform, key.Samples.Dimensions);
     Shares shares;
     for (std::int64_t tile = 0; tile < NumberOfTiles(next.Size); ++tile)
     {
@@ -107,9 +107,9 @@ protected:
       });
   }
 
-  View Look(const glm::dvec3& direction, bool parallel = false, int size = 160) const
+  View ViewAlong(const glm::dvec3& direction, bool parallel = false, int size = 160) const
   {
-    return LookAt(this->Samples.Seen.Dimensions, direction, { size, size }, parallel);
+    return LookAt(this->Samples.Field.Dimensions, direction, { size, size }, parallel);
   }
 
   Grid<float> Samples;
@@ -123,24 +123,24 @@ TEST_F(ImageQueryTest, FreeSpaceIsFree)
     { 0.0, 1.0, 0.3 }, { -1.0, 0.1, 0.0 } };
   for (const bool fromParallel : { false, true })
   {
-    CachedImage image = this->PictureOf(this->Look(directions[0], fromParallel));
+    CachedImage image = this->PictureOf(this->ViewAlong(directions[0], fromParallel));
     for (const bool toParallel : { false, true })
     {
       for (const glm::dvec3& direction : directions)
       {
-        this->ExpectFree(image, this->Look(direction, toParallel));
+        this->ExpectFree(image, this->ViewAlong(direction, toParallel));
       }
-      this->ExpectFree(image, this->Look(directions[1], toParallel, 75));
-      this->ExpectFree(image, this->Look(directions[1], toParallel, 320));
+      this->ExpectFree(image, this->ViewAlong(directions[1], toParallel, 75));
+      this->ExpectFree(image, this->ViewAlong(directions[1], toParallel, 320));
     }
   }
 }
 
 TEST_F(ImageQueryTest, ASmallTurnLeavesLittleToLookFor)
 {
-  CachedImage image = this->PictureOf(this->Look({ 1.0, 0.0, 0.0 }));
+  CachedImage image = this->PictureOf(this->ViewAlong({ 1.0, 0.0, 0.0 }));
   int near = 0, hits = 0;
-  const View next = this->Look({ 1.0, 0.03, 0.0 });
+  const View next = this->ViewAlong({ 1.0, 0.03, 0.0 });
   const Shares shares = this->AskAll(image, next, ReuseAccuracy::Bounded,
     [&](const RayBatch&, const KnownRays& known, std::size_t i, double hit)
     {
@@ -153,7 +153,7 @@ TEST_F(ImageQueryTest, ASmallTurnLeavesLittleToLookFor)
 
 TEST_F(ImageQueryTest, FromInsideAndBehindNothingIsKnown)
 {
-  CachedImage image = this->PictureOf(this->Look({ 1.0, 0.0, 0.0 }));
+  CachedImage image = this->PictureOf(this->ViewAlong({ 1.0, 0.0, 0.0 }));
   View inside, opposite;
   const glm::dmat4 lens = glm::perspective(1.2, 1.0, 0.01, 200.0);
   ASSERT_TRUE(MakeView(glm::lookAt(glm::dvec3(20.0, 30.0, 22.0), glm::dvec3(0.0), { 0, 0, 1 }),
@@ -161,7 +161,7 @@ TEST_F(ImageQueryTest, FromInsideAndBehindNothingIsKnown)
   this->ExpectFree(image, inside);
 
   // Looking back from where the old eye was: all of it is behind the old eye.
-  const glm::dvec3 eye = image.Key.Seen.Position;
+  const glm::dvec3 eye = image.Key.View.Position;
   ASSERT_TRUE(MakeView(glm::lookAt(eye, eye + glm::dvec3(1.0, 0.0, 0.0), { 0, 0, 1 }), lens,
     { 0.01, 200.0 }, { 90, 90 }, opposite));
   this->ExpectFree(image, opposite);
@@ -175,21 +175,22 @@ TEST_F(ImageQueryTest, RaysThatBeginOutsideTheImageStartThere)
   ASSERT_TRUE(MakeView(glm::lookAt(eye, this->Centre, { 0, 0, 1 }),
     glm::perspective(0.06, 1.0, 20.0, 200.0), { 20.0, 200.0 }, { 160, 160 }, narrow));
   CachedImage image = this->PictureOf(narrow);
-  const Shares shares = this->ExpectFree(image, this->Look({ 1.0, 0.0, 0.0 }));
+  const Shares shares = this->ExpectFree(image, this->ViewAlong({ 1.0, 0.0, 0.0 }));
   EXPECT_GT(shares.Possible, 0.3 * 160 * 160);
 }
 
 TEST_F(ImageQueryTest, PaperFindsTheHitsOfASmoothSurface)
 {
-  CachedImage image = this->PictureOf(this->Look({ 1.0, 0.0, 0.0 }));
+  CachedImage image = this->PictureOf(this->ViewAlong({ 1.0, 0.0, 0.0 }));
   int hits = 0, wrong = 0, near = 0;
-  const Shares shares = this->AskAll(image, this->Look({ 1.0, 0.03, 0.0 }), ReuseAccuracy::Paper,
-    [&](const RayBatch&, const KnownRays& known, std::size_t i, double hit)
-    {
-      hits += hit < Infinity;
-      wrong += hit < Infinity && known.Answers[i] == Answer::DefiniteMiss;
-      near += known.Answers[i] == Answer::DefiniteHit && std::abs(known.Hit[i] - hit) < 1.0;
-    });
+  const Shares shares =
+    this->AskAll(image, this->ViewAlong({ 1.0, 0.03, 0.0 }), ReuseAccuracy::Paper,
+      [&](const RayBatch&, const KnownRays& known, std::size_t i, double hit)
+      {
+        hits += hit < Infinity;
+        wrong += hit < Infinity && known.Answers[i] == Answer::DefiniteMiss;
+        near += known.Answers[i] == Answer::DefiniteHit && std::abs(known.Hit[i] - hit) < 1.0;
+      });
   EXPECT_GT(near, 0.9 * shares.Hits);
   EXPECT_GT(shares.Hits, 0.85 * hits);
   EXPECT_LT(wrong, 0.01 * hits) << "the silhouette may erode, by fractions of a pixel";
@@ -205,8 +206,8 @@ TEST_F(ImageQueryTest, ConcavityIsAPossibleHit)
       return static_cast<float>(std::max(front, 2.0 - std::abs(i - 10.0)));
     });
   this->Key.Samples.Stamp = 2;
-  CachedImage image = this->PictureOf(this->Look({ 1.0, 0.0, 0.0 }));
-  const View next = this->Look({ 1.0, -0.25, 0.0 });
+  CachedImage image = this->PictureOf(this->ViewAlong({ 1.0, 0.0, 0.0 }));
+  const View next = this->ViewAlong({ 1.0, -0.25, 0.0 });
   const Shares shares = this->AskAll(image, next, ReuseAccuracy::Paper,
     [](const RayBatch&, const KnownRays&, std::size_t, double) {});
   EXPECT_GT(shares.Possible, 100.0);
@@ -215,7 +216,7 @@ TEST_F(ImageQueryTest, ConcavityIsAPossibleHit)
 
 TEST_F(ImageQueryTest, CoarseImagesAreNotAsked)
 {
-  const CachedImage image = this->PictureOf(this->Look({ 1.0, 0.0, 0.0 }, false, 12));
+  const CachedImage image = this->PictureOf(this->ViewAlong({ 1.0, 0.0, 0.0 }, false, 12));
   EXPECT_FALSE(ImageQuery::CanAsk(image.Key, ReuseAccuracy::Bounded));
   EXPECT_TRUE(ImageQuery::CanAsk(image.Key, ReuseAccuracy::Paper));
 }

@@ -23,13 +23,13 @@ void ExpectColdPlanes(const Frame& made, const Frame& cold)
   EXPECT_TRUE(IsSamePlane(made.Normals, cold.Normals));
   EXPECT_TRUE(IsSamePlane(made.Isovalues, cold.Isovalues));
   EXPECT_TRUE(IsSamePlane(made.Colors, cold.Colors));
-  // A contact may be told too near, never too far: a cell counts although only its corner is equal
-  // to the isovalue.
+  // A first entry may be told too near, never too far: a cell counts although only its corner is
+  // equal to the isovalue.
   std::size_t farther = 0, otherwise = 0;
-  for (std::size_t i = 0; i < cold.Contacts.size(); ++i)
+  for (std::size_t i = 0; i < cold.FirstEntries.size(); ++i)
   {
     const bool isOfAMiss = cold.Kinds[i] == HitKind::None && made.Kinds[i] == HitKind::Within;
-    farther += made.Contacts[i] < cold.Contacts[i];
+    farther += made.FirstEntries[i] < cold.FirstEntries[i];
     otherwise += made.Kinds[i] != cold.Kinds[i] && !isOfAMiss;
   }
   EXPECT_EQ(farther, 0u);
@@ -44,18 +44,18 @@ protected:
   static FrameKey KeyOf(const Grid<T>& grid, bool parallel = false)
   {
     FrameKey key;
-    key.Samples = grid.Seen;
-    key.Seen = LookAt(grid.Seen.Dimensions, { 1.0, 2.0, 0.7 }, { 93, 71 }, parallel);
-    key.Look.Shade = true;
-    key.Look.Lights = { Light() };
+    key.Samples = grid.Field;
+    key.View = LookAt(grid.Field.Dimensions, { 1.0, 2.0, 0.7 }, { 93, 71 }, parallel);
+    key.Appearance.Shade = true;
+    key.Appearance.Lights = { Light() };
     return key;
   }
 
   /// Render isovalues as they come, and cold.
   void RenderBoth(FrameKey& key, const std::vector<double>& isovalues, FrameRenderer& cold)
   {
-    key.Sought.Isovalues = isovalues;
-    key.Look.Colors.assign(isovalues.size(), glm::dvec3(0.9, 0.6, 0.3));
+    key.Isosurfaces.Isovalues = isovalues;
+    key.Appearance.Colors.assign(isovalues.size(), glm::dvec3(0.9, 0.6, 0.3));
     ASSERT_TRUE(this->Renderer.Render(key, this->Options));
     cold.Render(key, {});
     ASSERT_EQ(cold.Statistics().Made, Route::Cold);
@@ -119,7 +119,7 @@ std::int64_t CapsWithin(const Frame& frame, const FrameKey& key)
   for (std::size_t i = 0; i < frame.Kinds.size(); ++i)
   {
     const int pixel = static_cast<int>(i);
-    const Ray ray = key.Seen.RayThrough(pixel % frame.Size.x, pixel / frame.Size.x);
+    const Ray ray = key.View.RayThrough(pixel % frame.Size.x, pixel / frame.Size.x);
     const glm::dvec3 at = ray.Origin + frame.Depth[i] * ray.Direction;
     const glm::dvec3 last(key.Samples.Dimensions - 1);
     const bool isWithin =
@@ -160,7 +160,7 @@ TEST_F(IsomapTest, IsTheColdPictureForAnyIsovalue)
         SCOPED_TRACE(testing::Message()
           << "type " << static_cast<int>(key.Samples.Type) << " mode " << static_cast<int>(mode)
           << " between " << static_cast<int>(between));
-        key.Sought.Mode = mode;
+        key.Isosurfaces.Mode = mode;
         key.Samples.Between = between;
         this->Sweep(key, 20.0, 220.0);
       }
@@ -189,10 +189,10 @@ TEST_F(IsomapTest, HiddenCellsOfImagesAndGrids)
             << static_cast<int>(between));
           key.Samples.Hidden = SomeHidden(key.Samples.Dimensions);
           key.Samples.Between = between;
-          key.Sought.Mode = mode;
+          key.Isosurfaces.Mode = mode;
           if (isRectilinear)
           {
-            key.Samples.Kind = RectilinearKind(Graded(key.Samples.Dimensions, 5.0, 7));
+            key.Samples.Kind = RectilinearKind(Stretched(key.Samples.Dimensions, 5.0, 7));
           }
           this->Sweep(key, 20.0, 220.0);
           this->Show(key, { 120.0, 90.0 });
@@ -215,7 +215,7 @@ TEST_F(IsomapTest, SeveralIsovalues)
   for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
   {
     FrameKey key = KeyOf(bytes);
-    key.Sought.Mode = mode;
+    key.Isosurfaces.Mode = mode;
     this->Show(key, { 150.0, 90.0 });
     this->Show(key, { 149.0, 90.0 });
     this->Show(key, { 148.0, 91.0, 200.0 });
@@ -243,10 +243,10 @@ TEST_F(IsomapTest, FirstABandIsBuiltThenLookedUp)
   EXPECT_EQ(this->Renderer.Statistics().Made, Route::IsomapBuild) << "outside of the range";
 
   // A view that comes back finds its isomap; other data does not.
-  const View seen = key.Seen;
-  key.Seen = LookAt(bytes.Seen.Dimensions, { 1.0, 1.5, 0.7 }, { 93, 71 });
+  const View view = key.View;
+  key.View = LookAt(bytes.Field.Dimensions, { 1.0, 1.5, 0.7 }, { 93, 71 });
   ASSERT_TRUE(this->Renderer.Render(key, this->Options));
-  key.Seen = seen;
+  key.View = view;
   this->Show(key, { 110.0 });
   EXPECT_EQ(this->Renderer.Statistics().Made, Route::IsomapLookup);
   bytes.At(30, 25, 20) = 250;
@@ -276,10 +276,10 @@ TEST_F(IsomapTest, ABuildThatIsStoppedLeavesTheLastFrame)
   FrameKey key = KeyOf(bytes);
   this->Show(key, { 120.0 });
   const Frame before = this->Renderer.LastFrame();
-  key.Sought.Isovalues = { 121.0 };
+  key.Isosurfaces.Isovalues = { 121.0 };
   EXPECT_FALSE(this->Renderer.Render(key, this->Options, [](double) { return false; }));
   EXPECT_TRUE(IsSamePlane(this->Renderer.LastFrame().Depth, before.Depth));
-  EXPECT_EQ(this->Renderer.LastKey().Sought.Isovalues[0], 120.0);
+  EXPECT_EQ(this->Renderer.LastKey().Isosurfaces.Isovalues[0], 120.0);
   this->Show(key, { 121.0 });
 }
 
@@ -293,7 +293,7 @@ TEST_F(IsomapTest, WithAToleranceSurfacesAreThatNear)
   {
     for (FrameKey key : { KeyOf(bytes), KeyOf(noise) })
     {
-      key.Sought.Mode = mode;
+      key.Isosurfaces.Mode = mode;
       for (const double tolerance : { 0.05, 0.3, 1.0 })
       {
         this->Options.Map.Tolerance = tolerance;
@@ -352,7 +352,7 @@ TEST_F(IsomapTest, InfiniteSamplesBehindSaturatedOnes)
   for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
   {
     FrameKey key = KeyOf(grid);
-    key.Sought.Mode = mode;
+    key.Isosurfaces.Mode = mode;
     this->Options.Map.Range = { 0.0, 200.0 };
     for (const double isovalue : { 50.0, 60.0, 150.0, 101.0, 100.0, 0.0 })
     {
@@ -367,12 +367,12 @@ TEST_F(IsomapTest, AnyMagnitudeOfSamples)
   for (const double scale : { 1e290, 1e40, 1e-43, 1e-300 })
   {
     Grid<double> grid(glm::ivec3(25, 24, 23));
-    grid.Seen.Stamp = ++stamp;
+    grid.Field.Stamp = ++stamp;
     grid.Fill([scale](int i, int j, int k) { return scale * (Waves(i, j, k) - 120.0); });
     for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
     {
       FrameKey key = KeyOf(grid);
-      key.Sought.Mode = mode;
+      key.Isosurfaces.Mode = mode;
       for (const double share : { 0.0, 1.0, 5.0, -3.0, 40.0, 39.0 })
       {
         this->Show(key, { scale * share });

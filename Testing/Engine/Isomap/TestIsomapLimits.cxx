@@ -21,9 +21,9 @@ TEST(IsomapLimits, TheFinestToleranceDependsOnTheLengthOfRays)
 {
   Field field;
   field.Dimensions = glm::ivec3(100);
-  EXPECT_EQ(Isomap::SmallestTolerance(field, Placement()), Isomap::FinestTolerance);
+  EXPECT_EQ(Isomap::SmallestTolerance(field, IndexTransform()), Isomap::FinestTolerance);
   field.Dimensions = glm::ivec3(60000, 60000, 2);
-  EXPECT_GT(Isomap::SmallestTolerance(field, Placement()), 40.0 * Isomap::FinestTolerance);
+  EXPECT_GT(Isomap::SmallestTolerance(field, IndexTransform()), 40.0 * Isomap::FinestTolerance);
 }
 
 /// The builder asks whether to go on within a part of the picture, too, and what it builds does not
@@ -33,9 +33,9 @@ TEST(IsomapLimits, QuestionsAreAskedInsideAPart)
   Grid<float> noise(glm::ivec3(20, 21, 22));
   noise.FillRandomly(20.0, 220.0, 3);
   FrameKey key;
-  key.Samples = noise.Seen;
-  key.Seen = LookAt(noise.Seen.Dimensions, { 1.0, 2.0, 0.7 }, { 93, 71 });
-  key.Sought.Isovalues = { 100.0 };
+  key.Samples = noise.Field;
+  key.View = LookAt(noise.Field.Dimensions, { 1.0, 2.0, 0.7 }, { 93, 71 });
+  key.Isosurfaces.Isovalues = { 100.0 };
   ValueRangePyramid pyramid;
   pyramid.Build(key.Samples);
   const ValueBand band{ 80.0, 180.0 };
@@ -89,15 +89,15 @@ TEST(IsomapLimits, ATileEndsAtTheLimitOfMemory)
   Grid<float> noise(glm::ivec3(20, 21, 22));
   noise.FillRandomly(20.0, 220.0, 3);
   ValueRangePyramid pyramid;
-  pyramid.Build(noise.Seen);
+  pyramid.Build(noise.Field);
   const ValueBand band{ 20.0, 220.0 };
   ActiveCells active;
-  active.Build(noise.Seen, pyramid, band);
-  BandScene scene{ noise.Seen, pyramid.FiniteRange(), &pyramid, &active, band };
+  active.Build(noise.Field, pyramid, band);
+  BandScene scene{ noise.Field, pyramid.FiniteRange(), &pyramid, &active, band };
   scene.Form.Tolerance = 1e-3;
   RayBatch rays;
-  const View view = LookAt(noise.Seen.Dimensions, { 1.0, 2.0, 0.7 }, { 8, 8 });
-  RaySource(view, Placement(), noise.Seen.Dimensions).SetUp({ 0, 0 }, { 8, 8 }, rays);
+  const View view = LookAt(noise.Field.Dimensions, { 1.0, 2.0, 0.7 }, { 8, 8 });
+  RaySource(view, IndexTransform(), noise.Field.Dimensions).SetUp({ 0, 0 }, { 8, 8 }, rays);
   TileKnots all, some;
   const std::int64_t cells = BandTracer::Make(scene)->Trace(rays, all);
   scene.MemoryLimit = all.MemoryInBytes() / 10;

@@ -53,7 +53,7 @@ std::vector<Knot> FitOf(const Way& way, double tolerance, double resolution = 0.
 }
 
 /// Distance at which knots tell that a progress is first reached; negative if it is not.
-double Look(const std::vector<Knot>& knots, double progress)
+double LookUp(const std::vector<Knot>& knots, double progress)
 {
   for (std::size_t i = 1; i < knots.size(); ++i)
   {
@@ -83,7 +83,7 @@ TEST(KnotFit, IsNowhereFartherThanTheTolerance)
         const double value = way.At(distance);
         if (value > reached + 1e-9)
         {
-          const double told = Look(knots, value);
+          const double told = LookUp(knots, value);
           // Beside a jump one step of the search makes the difference.
           const bool isBesideJump = way.At(std::max(distance - step, 0.0)) < reached;
           if (!isBesideJump)
@@ -93,7 +93,7 @@ TEST(KnotFit, IsNowhereFartherThanTheTolerance)
           reached = value;
         }
       }
-      EXPECT_LT(Look(knots, reached + 0.01), 0.0) << "nothing is higher";
+      EXPECT_LT(LookUp(knots, reached + 0.01), 0.0) << "nothing is higher";
     }
   }
 }
@@ -110,8 +110,8 @@ TEST(KnotFit, AJumpIsTwoKnotsOfOneProgress)
   EXPECT_NEAR(knots[1].Distance, 1.0, 1e-9);
   EXPECT_DOUBLE_EQ(knots[2].Progress, 1.0);
   EXPECT_NEAR(knots[2].Distance, 2.5, 1e-9);
-  EXPECT_NEAR(Look(knots, 0.5), 0.5, 1e-9);
-  EXPECT_NEAR(Look(knots, 1.5), 2.75, 1e-9);
+  EXPECT_NEAR(LookUp(knots, 0.5), 0.5, 1e-9);
+  EXPECT_NEAR(LookUp(knots, 1.5), 2.75, 1e-9);
 }
 
 TEST(KnotFit, ALargerToleranceTakesFewerKnots)

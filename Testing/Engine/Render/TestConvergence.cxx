@@ -31,16 +31,16 @@ Errors ErrorsAt(int n)
     { return -glm::length(glm::dvec3(i, j, k) * step - glm::dvec3(1.0) - centre); });
 
   FrameKey key;
-  key.Samples = grid.Seen;
-  key.Where.WorldFromIndex = glm::translate(glm::dmat4(1.0), glm::dvec3(-1.0)) *
+  key.Samples = grid.Field;
+  key.Transform.WorldFromIndex = glm::translate(glm::dmat4(1.0), glm::dvec3(-1.0)) *
     glm::scale(glm::dmat4(1.0), glm::dvec3(step));
-  key.Where.IndexFromWorld = glm::inverse(key.Where.WorldFromIndex);
+  key.Transform.IndexFromWorld = glm::inverse(key.Transform.WorldFromIndex);
   const glm::dmat4 camera =
     glm::lookAt(glm::dvec3(2.0, -3.0, 1.5), glm::dvec3(0.0), glm::dvec3(0.0, 0.0, 1.0));
   EXPECT_TRUE(
-    MakeView(camera, glm::perspective(0.6, 1.0, 1.0, 10.0), { 1.0, 10.0 }, { 128, 128 }, key.Seen));
-  key.Sought.Isovalues = { -Radius };
-  key.Look.Colors = { glm::dvec3(1.0) };
+    MakeView(camera, glm::perspective(0.6, 1.0, 1.0, 10.0), { 1.0, 10.0 }, { 128, 128 }, key.View));
+  key.Isosurfaces.Isovalues = { -Radius };
+  key.Appearance.Colors = { glm::dvec3(1.0) };
 
   FrameRenderer renderer;
   renderer.Render(key, {});
@@ -56,7 +56,7 @@ Errors ErrorsAt(int n)
       {
         continue;
       }
-      const Ray ray = key.Seen.RayThrough(x, y);
+      const Ray ray = key.View.RayThrough(x, y);
       const glm::dvec3 point = ray.Origin + frame.Depth[pixel] * ray.Direction - centre;
       errors.Position = std::max(errors.Position, std::abs(glm::length(point) - Radius));
       const double cosine = glm::dot(glm::normalize(point), glm::dvec3(frame.Normals[pixel]));

@@ -54,20 +54,20 @@ template <typename T>
 FrameKey KeyOf(const Grid<T>& grid, const glm::dvec3& from, const glm::ivec2& size)
 {
   FrameKey key;
-  key.Samples = grid.Seen;
-  key.Seen = LookAt(grid.Seen.Dimensions, from, size);
-  key.Look.Shade = true;
-  key.Look.Lights = { Light() };
+  key.Samples = grid.Field;
+  key.View = LookAt(grid.Field.Dimensions, from, size);
+  key.Appearance.Shade = true;
+  key.Appearance.Lights = { Light() };
   return key;
 }
 
 void SetIsovalues(FrameKey& key, const std::vector<double>& isovalues)
 {
-  key.Sought.Isovalues = isovalues;
-  key.Look.Colors.assign(isovalues.size(), glm::dvec3(0.9, 0.6, 0.3));
-  if (!key.Sought.Opacities.empty())
+  key.Isosurfaces.Isovalues = isovalues;
+  key.Appearance.Colors.assign(isovalues.size(), glm::dvec3(0.9, 0.6, 0.3));
+  if (!key.Isosurfaces.Opacities.empty())
   {
-    key.Sought.Opacities.assign(isovalues.size(), 0.5);
+    key.Isosurfaces.Opacities.assign(isovalues.size(), 0.5);
   }
 }
 
@@ -105,14 +105,14 @@ protected:
     const glm::ivec3 dimensions(2 + static_cast<int>(random.Below(8)),
       2 + static_cast<int>(random.Below(8)), 2 + static_cast<int>(random.Below(8)));
     Grid<T> grid(dimensions);
-    grid.Seen.Stamp = seed;
+    grid.Field.Stamp = seed;
     const bool hasHoles = random.IsOneOf(2), isSparse = random.IsOneOf(2);
     for (T& sample : grid.Samples)
     {
       sample = isSparse && !random.IsOneOf(5) ? T(0) : random.template Sample<T>(hasHoles);
     }
     FrameKey key = KeyOf(grid, { 1.0, 2.0, 0.7 }, { 19, 17 });
-    key.Sought.Mode = random.IsOneOf(2) ? SurfaceMode::Crossing : SurfaceMode::Threshold;
+    key.Isosurfaces.Mode = random.IsOneOf(2) ? SurfaceMode::Crossing : SurfaceMode::Threshold;
     key.Samples.Between = random.IsOneOf(3) ? Interpolation::Nearest : Interpolation::Linear;
     if (random.IsOneOf(3))
     {
@@ -120,12 +120,12 @@ protected:
     }
     if (random.IsOneOf(3))
     {
-      key.Sought.Opacities = { 0.5 };
+      key.Isosurfaces.Opacities = { 0.5 };
     }
     SCOPED_TRACE(testing::Message()
       << "seed " << seed << " type " << static_cast<int>(Grid<T>::Type()) << " mode "
-      << static_cast<int>(key.Sought.Mode) << " between " << static_cast<int>(key.Samples.Between)
-      << " grid " << (key.Samples.Kind != UniformKind()));
+      << static_cast<int>(key.Isosurfaces.Mode) << " between "
+      << static_cast<int>(key.Samples.Between) << " grid " << (key.Samples.Kind != UniformKind()));
     FrameRenderer::Options options;
     options.Reuse.ImageCache = false;
     if (random.IsOneOf(2))
@@ -289,7 +289,7 @@ TEST_F(ExtremeValues, WhateverIsAboveZeroOfAMask)
   Grid<std::uint8_t> mask(glm::ivec3(12, 13, 14));
   mask.Fill([](int i, int j, int k)
     { return glm::length(glm::dvec3(i - 5.5, j - 6.0, k - 6.5)) < 4.0 ? 1 : 0; });
-  Grid<std::int16_t> shorts(mask.Seen.Dimensions);
+  Grid<std::int16_t> shorts(mask.Field.Dimensions);
   shorts.Fill([&](int i, int j, int k) { return -static_cast<int>(mask.At(i, j, k)); });
   for (FrameKey key :
     { KeyOf(mask, { 1.0, 2.0, 0.7 }, { 40, 30 }), KeyOf(shorts, { 1.0, 2.0, 0.7 }, { 40, 30 }) })
@@ -297,7 +297,7 @@ TEST_F(ExtremeValues, WhateverIsAboveZeroOfAMask)
     const double sign = key.Samples.Type == ScalarType::UInt8 ? 1.0 : -1.0;
     for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
     {
-      key.Sought.Mode = mode;
+      key.Isosurfaces.Mode = mode;
       FrameRenderer larger;
       SetIsovalues(key, { sign * 1e-6 });
       RenderPlainly(key, larger);
@@ -324,7 +324,7 @@ TEST_F(ExtremeValues, AnIsomapOfAllThereIs)
   for (const double scale : { 1e300, 1.7e308 })
   {
     Grid<double> grid(glm::ivec3(18, 17, 16));
-    grid.Seen.Stamp = static_cast<std::uint64_t>(scale / 1e300);
+    grid.Field.Stamp = static_cast<std::uint64_t>(scale / 1e300);
     grid.Fill([scale](int i, int j, int k)
       { return scale * std::sin(0.7 * i) * std::cos(0.5 * j) * std::sin(0.6 * k + 0.3); });
     grid.At(5, 5, 5) = std::numeric_limits<double>::quiet_NaN();
@@ -335,7 +335,7 @@ TEST_F(ExtremeValues, AnIsomapOfAllThereIs)
       for (const bool isAskedFor : { true, false })
       {
         FrameKey key = KeyOf(grid, { 1.0, 2.0, 0.7 }, { 60, 50 });
-        key.Sought.Mode = mode;
+        key.Isosurfaces.Mode = mode;
         FrameRenderer::Options options;
         options.Reuse.ImageCache = false;
         if (isAskedFor)
@@ -371,11 +371,11 @@ TEST_F(ExtremeValues, CamerasFarAway)
   {
     FrameKey key = KeyOf(ball, { 1.0, 2.0, 0.7 }, { 40, 30 });
     SetIsovalues(key, { 120.0 });
-    const glm::dvec3 centre = 0.5 * glm::dvec3(ball.Seen.Dimensions - 1);
+    const glm::dvec3 centre = 0.5 * glm::dvec3(ball.Field.Dimensions - 1);
     const glm::dvec3 eye = centre + distance * glm::normalize(glm::dvec3(1.0, 2.0, 0.7));
     const double near = 0.5 * distance, far = 2.0 * distance;
     if (!MakeView(glm::lookAt(eye, centre, glm::dvec3(0.0, 0.0, 1.0)),
-          glm::ortho(-20.0, 20.0, -15.0, 15.0, near, far), { near, far }, { 40, 30 }, key.Seen))
+          glm::ortho(-20.0, 20.0, -15.0, 15.0, near, far), { near, far }, { 40, 30 }, key.View))
     {
       continue;
     }

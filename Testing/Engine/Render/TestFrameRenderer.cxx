@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Checks/Sanitized.h"
 #include "Grid.h"
 #include "Render/FrameRenderer.h"
 #include "SameFrames.h"
-#include "Sanitized.h"
 
 #include <gtest/gtest.h>
 #include <vtkSMPTools.h>
@@ -29,12 +29,12 @@ protected:
   {
     this->Samples.Fill([](int i, int j, int k)
       { return 120.0 + 100.0 * std::sin(0.2 * i) * std::cos(0.25 * j) * std::sin(0.3 * k); });
-    this->Key.Samples = this->Samples.Seen;
-    this->Key.Seen = LookAt(this->Samples.Seen.Dimensions, { 1.0, 2.0, 0.7 }, { 203, 117 });
-    this->Key.Sought.Isovalues = { 150.0, 90.0 };
-    this->Key.Look.Colors = { { 1.0, 0.5, 0.2 }, { 0.2, 0.5, 1.0 } };
-    this->Key.Look.Shade = true;
-    this->Key.Look.Lights = { Light() };
+    this->Key.Samples = this->Samples.Field;
+    this->Key.View = LookAt(this->Samples.Field.Dimensions, { 1.0, 2.0, 0.7 }, { 203, 117 });
+    this->Key.Isosurfaces.Isovalues = { 150.0, 90.0 };
+    this->Key.Appearance.Colors = { { 1.0, 0.5, 0.2 }, { 0.2, 0.5, 1.0 } };
+    this->Key.Appearance.Shade = true;
+    this->Key.Appearance.Lights = { Light() };
   }
 
   Frame Cold(const FrameRenderer::Options& options = {}) const
@@ -68,11 +68,11 @@ TEST_F(FrameRendererTest, SamePictureForAnyNumberOfThreads)
 TEST_F(FrameRendererTest, OneSidedLightingTurnsWhatIsSeenFromInside)
 {
   // From where the light comes, so that two-sided lighting leaves nothing in the dark.
-  this->Key.Look.Lights[0].Direction = -glm::normalize(glm::dvec3(1.0, 2.0, 0.7));
+  this->Key.Appearance.Lights[0].Direction = -glm::normalize(glm::dvec3(1.0, 2.0, 0.7));
   FrameRenderer renderer;
   renderer.Render(this->Key, {});
   const Frame twoSided = renderer.LastFrame();
-  this->Key.Look.TwoSided = false;
+  this->Key.Appearance.TwoSided = false;
   renderer.Render(this->Key, {});
   EXPECT_EQ(renderer.Statistics().Made, Route::Reshade);
   const Frame& oneSided = renderer.LastFrame();
@@ -81,7 +81,7 @@ TEST_F(FrameRendererTest, OneSidedLightingTurnsWhatIsSeenFromInside)
   for (std::size_t i = 0; i < oneSided.Kinds.size(); ++i)
   {
     EXPECT_EQ(oneSided.Normals[i], twoSided.Normals[i]);
-    if (oneSided.Kinds[i] != HitKind::Leaves)
+    if (oneSided.Kinds[i] != HitKind::Exit)
     {
       EXPECT_EQ(oneSided.Colors[i], twoSided.Colors[i]);
     }
@@ -96,15 +96,15 @@ TEST_F(FrameRendererTest, SpaceLeapingDoesNotChangeThePicture)
   plain.SpaceLeaping = false;
   for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
   {
-    this->Key.Sought.Mode = mode;
+    this->Key.Isosurfaces.Mode = mode;
     EXPECT_TRUE(ShowTheSame(this->Cold(), this->Cold(plain)));
     // From within the volume, where blocks reach behind the eye.
-    View inside = this->Key.Seen;
+    View inside = this->Key.View;
     const glm::dvec3 eye(20.3, 21.0, 17.9);
     ASSERT_TRUE(MakeView(glm::lookAt(eye, eye + glm::dvec3(1.0, 0.4, 0.2), glm::dvec3(0, 0, 1)),
-      glm::perspective(1.2, 1.5, 0.01, 200.0), { 0.01, 200.0 }, { 150, 100 }, this->Key.Seen));
+      glm::perspective(1.2, 1.5, 0.01, 200.0), { 0.01, 200.0 }, { 150, 100 }, this->Key.View));
     EXPECT_TRUE(ShowTheSame(this->Cold(), this->Cold(plain)));
-    this->Key.Seen = inside;
+    this->Key.View = inside;
   }
 }
 
@@ -121,8 +121,8 @@ TEST_F(FrameRendererTest, RoutesGiveTheColdPicture)
   EXPECT_EQ(renderer.Statistics().TracedRays, 0);
   EXPECT_TRUE(ShowTheSame(renderer.LastFrame(), this->Cold()));
 
-  this->Key.Look.Colors[1] = { 0.9, 0.1, 0.1 };
-  this->Key.Look.Ambient = 0.4;
+  this->Key.Appearance.Colors[1] = { 0.9, 0.1, 0.1 };
+  this->Key.Appearance.Ambient = 0.4;
   renderer.Render(this->Key, {});
   EXPECT_EQ(renderer.Statistics().Made, Route::Reshade);
   EXPECT_EQ(renderer.Statistics().TracedRays, 0);
@@ -137,8 +137,8 @@ TEST_F(FrameRendererTest, ExactFramesOfAMovingCameraAreCold)
   exact.Accuracy = ReuseAccuracy::Exact;
   for (int frame = 0; frame < 6; ++frame)
   {
-    this->Key.Seen =
-      LookAt(this->Samples.Seen.Dimensions, { 1.0, 2.0 - 0.1 * frame, 0.7 }, { 203, 117 });
+    this->Key.View =
+      LookAt(this->Samples.Field.Dimensions, { 1.0, 2.0 - 0.1 * frame, 0.7 }, { 203, 117 });
     renderer.Render(this->Key, exact);
     EXPECT_EQ(renderer.Statistics().Made, Route::Cold);
     EXPECT_TRUE(ShowTheSame(renderer.LastFrame(), this->Cold()));
@@ -151,7 +151,7 @@ TEST_F(FrameRendererTest, ARepeatedViewIsCompletedOnce)
 {
   FrameRenderer renderer;
   renderer.Render(this->Key, {});
-  this->Key.Seen = LookAt(this->Samples.Seen.Dimensions, { 1.0, 1.95, 0.7 }, { 203, 117 });
+  this->Key.View = LookAt(this->Samples.Field.Dimensions, { 1.0, 1.95, 0.7 }, { 203, 117 });
   renderer.Render(this->Key, {});
   EXPECT_EQ(renderer.Statistics().Made, Route::ImageCache);
   EXPECT_GT(renderer.Statistics().DefiniteHits, 0);
@@ -166,17 +166,17 @@ TEST_F(FrameRendererTest, ARepeatedViewIsCompletedOnce)
 TEST_F(FrameRendererTest, AWalkThatBeginsInASolidBeginsAgain)
 {
   // Pictures that know nothing of the solid: rays start behind its surface and must find it.
-  this->Key.Sought.Mode = SurfaceMode::Threshold;
-  this->Key.Sought.Isovalues = { 150.0 };
-  this->Key.Look.Colors = { glm::dvec3(1.0) };
+  this->Key.Isosurfaces.Mode = SurfaceMode::Threshold;
+  this->Key.Isosurfaces.Isovalues = { 150.0 };
+  this->Key.Appearance.Colors = { glm::dvec3(1.0) };
   FrameRenderer renderer;
   FrameRenderer::Options paper;
   paper.Accuracy = ReuseAccuracy::Paper;
   long different = 0, pixels = 0;
   for (int frame = 0; frame < 10; ++frame)
   {
-    this->Key.Seen =
-      LookAt(this->Samples.Seen.Dimensions, { 1.0, 2.0 - 0.3 * frame, 0.7 }, { 203, 117 });
+    this->Key.View =
+      LookAt(this->Samples.Field.Dimensions, { 1.0, 2.0 - 0.3 * frame, 0.7 }, { 203, 117 });
     renderer.Render(this->Key, paper);
     const Frame cold = this->Cold();
     for (std::size_t i = 0; i < cold.Depth.size(); ++i)
@@ -197,7 +197,7 @@ TEST_F(FrameRendererTest, AnswersAddUpToRays)
   FrameRenderer renderer;
   for (int frame = 0; frame < 3; ++frame)
   {
-    this->Key.Look.Ambient += frame == 2 ? 0.1 : 0.0;
+    this->Key.Appearance.Ambient += frame == 2 ? 0.1 : 0.0;
     renderer.Render(this->Key, {});
     const FrameStatistics& s = renderer.Statistics();
     EXPECT_EQ(s.Rays, 203 * 117);
@@ -214,15 +214,15 @@ TEST_F(FrameRendererTest, AnswersAreCountedOnEveryRoute)
     {
       FrameRenderer::Options options;
       options.Reuse.Isomap = hasIsomap;
-      this->Key.Sought = { { 110.0 }, mode };
-      this->Key.Look.Colors = { { 1.0, 0.5, 0.2 } };
+      this->Key.Isosurfaces = { { 110.0 }, mode };
+      this->Key.Appearance.Colors = { { 1.0, 0.5, 0.2 } };
       FrameRenderer renderer;
       std::set<Route> routes;
       for (int frame = 0; frame < 8; ++frame)
       {
-        this->Key.Sought.Isovalues[0] += frame % 4 ? 2.0 : 0.0;
-        this->Key.Seen = LookAt(
-          this->Samples.Seen.Dimensions, { 1.0, 2.0 - 0.05 * (frame / 4), 0.7 }, { 203, 117 });
+        this->Key.Isosurfaces.Isovalues[0] += frame % 4 ? 2.0 : 0.0;
+        this->Key.View = LookAt(
+          this->Samples.Field.Dimensions, { 1.0, 2.0 - 0.05 * (frame / 4), 0.7 }, { 203, 117 });
         renderer.Render(this->Key, options);
         const FrameStatistics& counted = renderer.Statistics();
         routes.insert(counted.Made);
@@ -243,7 +243,7 @@ TEST_F(FrameRendererTest, LayersEndWhereNothingShinesThrough)
 {
   for (const double opacity : { 0.99, 0.997, 0.999 })
   {
-    this->Key.Sought.Opacities = { opacity, opacity };
+    this->Key.Isosurfaces.Opacities = { opacity, opacity };
     const Frame frame = this->Cold();
     std::map<std::int32_t, int> layers;
     int most = 0;
@@ -287,7 +287,7 @@ TEST_F(FrameRendererTest, WithoutMemoryTheLastFrameStays)
   EXPECT_EQ(renderer.Statistics().Made, Route::Cold);
   renderer.Render(this->Key, {});
   EXPECT_EQ(renderer.Statistics().Made, Route::Redisplay);
-  this->Key.Seen = LookAt(this->Samples.Seen.Dimensions, { 1.0, 1.9, 0.7 }, { 203, 117 });
+  this->Key.View = LookAt(this->Samples.Field.Dimensions, { 1.0, 1.9, 0.7 }, { 203, 117 });
   FrameRenderer::Options cold;
   cold.Reuse.ImageCache = false;
   renderer.Render(this->Key, cold);
@@ -307,13 +307,13 @@ TEST_F(FrameRendererTest, NothingToSeeIsAnEmptyPicture)
     }
     return !frame.IsEmpty();
   };
-  this->Key.Sought.Isovalues = { 1000.0, -1000.0 };
+  this->Key.Isosurfaces.Isovalues = { 1000.0, -1000.0 };
   EXPECT_TRUE(isEmpty(this->Cold()));
-  this->Key.Sought.Isovalues.clear();
-  this->Key.Look.Colors.clear();
+  this->Key.Isosurfaces.Isovalues.clear();
+  this->Key.Appearance.Colors.clear();
   EXPECT_TRUE(isEmpty(this->Cold()));
-  this->Key.Sought.Isovalues = { 100.0 };
-  this->Key.Look.Colors = { glm::dvec3(1.0) };
+  this->Key.Isosurfaces.Isovalues = { 100.0 };
+  this->Key.Appearance.Colors = { glm::dvec3(1.0) };
   this->Key.Samples.Dimensions.z = 1;
   EXPECT_TRUE(isEmpty(this->Cold()));
 }

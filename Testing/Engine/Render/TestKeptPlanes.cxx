@@ -41,7 +41,7 @@ void ExpectSamePlanes(const Frame& made, const Frame& cold, const std::string& w
 {
   EXPECT_TRUE(IsSamePlane(made.Depth, cold.Depth)) << what;
   EXPECT_TRUE(IsSamePlane(made.Disparities, cold.Disparities)) << what;
-  EXPECT_TRUE(IsSamePlane(made.Contacts, cold.Contacts)) << what;
+  EXPECT_TRUE(IsSamePlane(made.FirstEntries, cold.FirstEntries)) << what;
   EXPECT_TRUE(IsSamePlane(made.Normals, cold.Normals)) << what;
   EXPECT_TRUE(IsSamePlane(made.Isovalues, cold.Isovalues)) << what;
   EXPECT_TRUE(IsSamePlane(made.Kinds, cold.Kinds)) << what;
@@ -66,7 +66,7 @@ void ExpectClearTilesAreClear(const Frame& frame, bool isParallel, const std::st
       const auto pixel = static_cast<std::size_t>(place.y * frame.Size.x + place.x);
       ASSERT_TRUE(!frame.ClearTiles[static_cast<std::size_t>(tile)] ||
         (frame.Isovalues[pixel] == Frame::NoSurface && std::isinf(frame.Depth[pixel]) &&
-          frame.Disparities[pixel] == miss && frame.Contacts[pixel] == miss &&
+          frame.Disparities[pixel] == miss && frame.FirstEntries[pixel] == miss &&
           frame.Answers[pixel] == Answer::DefiniteMiss))
         << what << ", tile " << tile;
     }
@@ -81,23 +81,24 @@ protected:
   {
     this->Exact.Accuracy = ReuseAccuracy::Exact;
     this->Exact.Reuse.Isomap = false;
-    this->Key.Look.Shade = true;
-    this->Key.Look.Lights = { Light() };
+    this->Key.Appearance.Shade = true;
+    this->Key.Appearance.Lights = { Light() };
     this->SetTranslucent(true);
-    this->Look({ 1.0, 2.0, 0.7 }, false);
+    this->LookFrom({ 1.0, 2.0, 0.7 }, false);
     this->MoveBall(0);
   }
 
-  void Look(const glm::dvec3& from, bool isParallel)
+  void LookFrom(const glm::dvec3& from, bool isParallel)
   {
-    this->Key.Seen = LookAt(Dimensions, from, Size, isParallel);
+    this->Key.View = LookAt(Dimensions, from, Size, isParallel);
   }
 
   void SetTranslucent(bool isTranslucent)
   {
-    this->Key.Sought.Isovalues = { 60.0, 120.0 };
-    this->Key.Look.Colors = { { 1.0, 0.5, 0.2 }, { 0.2, 0.5, 1.0 } };
-    this->Key.Sought.Opacities = isTranslucent ? std::vector{ 0.4, 0.7 } : std::vector<double>();
+    this->Key.Isosurfaces.Isovalues = { 60.0, 120.0 };
+    this->Key.Appearance.Colors = { { 1.0, 0.5, 0.2 }, { 0.2, 0.5, 1.0 } };
+    this->Key.Isosurfaces.Opacities =
+      isTranslucent ? std::vector{ 0.4, 0.7 } : std::vector<double>();
   }
 
   /// Samples in other memory, as a reader gives them for the next time step.
@@ -113,11 +114,11 @@ protected:
         const double still = 200.0 - 20.0 * glm::length(glm::dvec3(i, j, k) - glm::dvec3(12.0));
         return std::max(0.0, std::max(ball, still));
       });
-    this->Key.Samples = this->Steps.back()->Seen;
+    this->Key.Samples = this->Steps.back()->Field;
     this->Key.Samples.Stamp = ++this->Stamp;
   }
 
-  /// Make the next frame, which is exact, and hold it against a cold one.
+  /// Make the next frame, which is exact, and compare it with a cold one.
   void Render(const std::string& what)
   {
     this->Renderer.Render(this->Key, this->Exact);
@@ -128,7 +129,7 @@ protected:
     const std::string step = what + ", by " + NameOf(this->Renderer.Statistics().Made);
     const Frame& made = this->Renderer.LastFrame();
     ExpectSamePlanes(made, cold.LastFrame(), step);
-    ExpectClearTilesAreClear(made, this->Key.Seen.Parallel, step);
+    ExpectClearTilesAreClear(made, this->Key.View.Parallel, step);
   }
 
   std::vector<std::unique_ptr<Grid<std::uint8_t>>> Steps;
@@ -145,7 +146,7 @@ TEST_F(KeptPlanes, ClearTilesFollowTheProjection)
   int number = 0;
   for (const int isParallel : { 0, 0, 1, 1, 0, 1, 0, 0, 1, 1, 1, 0 })
   {
-    this->Look({ 1.0, 2.0 - 0.1 * number, 0.7 }, isParallel != 0);
+    this->LookFrom({ 1.0, 2.0 - 0.1 * number, 0.7 }, isParallel != 0);
     this->Render("frame " + std::to_string(number++));
   }
 }
@@ -158,7 +159,7 @@ TEST_F(KeptPlanes, LayersAreCopiedWithTheirTiles)
   {
     this->MoveBall(place);
     this->Render("step " + std::to_string(number++));
-    this->Key.Look.Ambient = 0.1 + 0.01 * number;
+    this->Key.Appearance.Ambient = 0.1 + 0.01 * number;
     this->Render("shaded again");
   }
   EXPECT_GE(this->Routes[Route::TimeStep], 7) << "tiles are copied";
@@ -176,16 +177,16 @@ TEST_F(KeptPlanes, NothingOfAnEarlierFrameStays)
     switch (change)
     {
       case 0:
-        this->Look({ entry(engine), 2.0, entry(engine) }, !this->Key.Seen.Parallel);
+        this->LookFrom({ entry(engine), 2.0, entry(engine) }, !this->Key.View.Parallel);
         break;
       case 1:
-        this->Look({ entry(engine), 2.0, entry(engine) }, this->Key.Seen.Parallel);
+        this->LookFrom({ entry(engine), 2.0, entry(engine) }, this->Key.View.Parallel);
         break;
       case 2:
-        this->SetTranslucent(this->Key.Sought.Opacities.empty());
+        this->SetTranslucent(this->Key.Isosurfaces.Opacities.empty());
         break;
       case 3:
-        this->Key.Look.Ambient = 0.2 + 0.1 * entry(engine);
+        this->Key.Appearance.Ambient = 0.2 + 0.1 * entry(engine);
         break;
       default:
         this->MoveBall(static_cast<int>(engine() % 3));

@@ -32,9 +32,9 @@ protected:
         return std::max(12.0 - glm::distance(point, { 14.0, 20.0, 20.0 }),
           5.0 - glm::distance(point, { 33.0, 33.0, 20.0 }));
       });
-    this->Key.Samples = this->Samples.Seen;
-    this->Key.Seen = LookAt(this->Key.Samples.Dimensions, { -1.0, 0.1, 0.2 }, { 61, 53 });
-    this->Key.Sought.Isovalues = { 2.0 };
+    this->Key.Samples = this->Samples.Field;
+    this->Key.View = LookAt(this->Key.Samples.Dimensions, { -1.0, 0.1, 0.2 }, { 61, 53 });
+    this->Key.Isosurfaces.Isovalues = { 2.0 };
     this->Structures.PrepareRanges(this->Key);
     this->Structures.PrepareActiveCells(this->Key);
   }
@@ -45,7 +45,7 @@ protected:
     const LeapedSpace space = this->Structures.SpaceToLeap(leaps);
     const TileTracer tracer(
       { this->Key, space.Active, space.Bounds, this->Structures.Pyramid().FiniteRange(), hint });
-    frame.Resize(this->Key.Seen.Size);
+    frame.Resize(this->Key.View.Size);
     TraceCounts counts;
     for (std::int64_t tile = 0; tile < NumberOfTiles(frame.Size); ++tile)
     {

@@ -16,9 +16,9 @@ FrameKey BaseKey()
   FrameKey key;
   key.Samples.Dimensions = glm::ivec3(10);
   key.Samples.Stamp = 1;
-  key.Seen.Size = glm::ivec2(100);
-  key.Sought.Isovalues = { 5.0 };
-  key.Look.Colors = { glm::dvec3(1.0) };
+  key.View.Size = glm::ivec2(100);
+  key.Isosurfaces.Isovalues = { 5.0 };
+  key.Appearance.Colors = { glm::dvec3(1.0) };
   return key;
 }
 
@@ -35,16 +35,16 @@ TEST(ReusePlan, NothingChanged)
 TEST(ReusePlan, AppearanceChanged)
 {
   FrameKey key = BaseKey();
-  key.Look.Colors[0].x = 0.5;
+  key.Appearance.Colors[0].x = 0.5;
   EXPECT_EQ(Plan(key), Route::Reshade);
   key = BaseKey();
-  key.Look.Shade = true;
+  key.Appearance.Shade = true;
   EXPECT_EQ(Plan(key), Route::Reshade);
   key = BaseKey();
-  key.Look.Lights.push_back(Light());
+  key.Appearance.Lights.push_back(Light());
   EXPECT_EQ(Plan(key), Route::Reshade);
   key = BaseKey();
-  key.Look.TwoSided = false;
+  key.Appearance.TwoSided = false;
   EXPECT_EQ(Plan(key), Route::Reshade);
 }
 
@@ -57,7 +57,7 @@ TEST(ReusePlan, DataChanged)
   key.Samples.Between = Interpolation::Nearest;
   EXPECT_EQ(Plan(key), Route::Cold);
   key = BaseKey();
-  key.Where.WorldFromIndex[3][0] = 1.0;
+  key.Transform.WorldFromIndex[3][0] = 1.0;
   EXPECT_EQ(Plan(key), Route::Cold);
 }
 
@@ -71,15 +71,15 @@ TEST(ReusePlan, HitsBesideHiddenCellsAreNoHintsForHigherIsovaluesUnlessSolid)
   noIsomap.Isomap = false;
   for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
   {
-    last.Sought.Mode = mode;
+    last.Isosurfaces.Mode = mode;
     FrameKey next = last;
     EXPECT_EQ(PlanRoute(last, next, noIsomap, {}), Route::Redisplay);
     EXPECT_TRUE(CanServe(last, next));
-    next.Sought.Isovalues[0] += 1.0;
+    next.Isosurfaces.Isovalues[0] += 1.0;
     const bool isSolid = mode == SurfaceMode::Threshold;
     EXPECT_EQ(PlanRoute(last, next, noIsomap, {}), isSolid ? Route::ThresholdHint : Route::Cold);
     EXPECT_EQ(CanServe(last, next), isSolid);
-    next.Sought.Isovalues[0] -= 2.0;
+    next.Isosurfaces.Isovalues[0] -= 2.0;
     EXPECT_EQ(PlanRoute(last, next, noIsomap, {}), Route::ThresholdHint);
   }
 }
@@ -87,7 +87,7 @@ TEST(ReusePlan, HitsBesideHiddenCellsAreNoHintsForHigherIsovaluesUnlessSolid)
 TEST(ReusePlan, IsovalueChangedInTheSameView)
 {
   FrameKey key = BaseKey();
-  key.Sought.Isovalues[0] = 4.0;
+  key.Isosurfaces.Isovalues[0] = 4.0;
   HeldForReuse held;
   EXPECT_EQ(Plan(key, {}, held), Route::IsomapBuild);
   held.Isomap = true;
@@ -99,20 +99,20 @@ TEST(ReusePlan, IsovalueChangedInTheSameView)
   EXPECT_EQ(Plan(key, {}, held), Route::ThresholdHint);
   held.IsExact = false;
   EXPECT_EQ(Plan(key, {}, held), Route::Cold) << "hits that are not exact are no hints";
-  key.Sought.Isovalues = { 4.0, 6.0 };
+  key.Isosurfaces.Isovalues = { 4.0, 6.0 };
   EXPECT_EQ(Plan(key, noIsomap), Route::Cold) << "nor are those of other surfaces";
-  key.Sought.Isovalues = { 4.0 };
-  key.Sought.Mode = SurfaceMode::Threshold;
+  key.Isosurfaces.Isovalues = { 4.0 };
+  key.Isosurfaces.Mode = SurfaceMode::Threshold;
   EXPECT_EQ(Plan(key), Route::Cold);
   key = BaseKey();
-  key.Sought.Isovalues.clear();
+  key.Isosurfaces.Isovalues.clear();
   EXPECT_EQ(Plan(key), Route::Cold);
 }
 
 TEST(ReusePlan, ViewChanged)
 {
   FrameKey key = BaseKey();
-  key.Seen.ClipFromWorld[0][0] = 2.0;
+  key.View.ClipFromWorld[0][0] = 2.0;
   HeldForReuse held;
   EXPECT_EQ(Plan(key, {}, held), Route::Cold) << "no image";
   held.Image = true;
@@ -127,7 +127,7 @@ TEST(ReusePlan, AnIsomapServesWhateverTheLastFrameWas)
   HeldForReuse held;
   held.Isomap = held.Image = true;
   FrameKey key = BaseKey();
-  key.Seen.ClipFromWorld[0][0] = 2.0;
+  key.View.ClipFromWorld[0][0] = 2.0;
   EXPECT_EQ(Plan(key, {}, held), Route::IsomapLookup) << "back in its view";
   held.IsExact = false;
   EXPECT_EQ(Plan(BaseKey(), {}, held), Route::IsomapLookup) << "to complete a repeated view";
@@ -136,24 +136,24 @@ TEST(ReusePlan, AnIsomapServesWhateverTheLastFrameWas)
 TEST(ReusePlan, WhatAnImageCanServe)
 {
   FrameKey key = BaseKey();
-  key.Seen.ClipFromWorld[0][0] = 2.0;
+  key.View.ClipFromWorld[0][0] = 2.0;
   EXPECT_TRUE(CanServe(BaseKey(), key));
-  key.Look.Shade = true;
+  key.Appearance.Shade = true;
   EXPECT_TRUE(CanServe(BaseKey(), key));
-  key.Sought.Isovalues[0] = 6.0;
+  key.Isosurfaces.Isovalues[0] = 6.0;
   EXPECT_TRUE(CanServe(BaseKey(), key)) << "raised";
-  key.Sought.Isovalues[0] = 4.0;
+  key.Isosurfaces.Isovalues[0] = 4.0;
   EXPECT_FALSE(CanServe(BaseKey(), key)) << "lowered";
-  key.Sought.Isovalues = { 6.0, 7.0 };
+  key.Isosurfaces.Isovalues = { 6.0, 7.0 };
   EXPECT_FALSE(CanServe(BaseKey(), key)) << "more than one";
   key = BaseKey();
-  key.Sought.Mode = SurfaceMode::Threshold;
+  key.Isosurfaces.Mode = SurfaceMode::Threshold;
   EXPECT_FALSE(CanServe(BaseKey(), key));
   key = BaseKey();
   key.Samples.Stamp = 2;
   EXPECT_FALSE(CanServe(BaseKey(), key));
   key = BaseKey();
-  key.Where.WorldFromIndex[0][0] = 2.0;
+  key.Transform.WorldFromIndex[0][0] = 2.0;
   EXPECT_FALSE(CanServe(BaseKey(), key));
 }
 
@@ -163,7 +163,7 @@ TEST(ReusePlan, RepeatedViewIsCompleted)
   held.IsExact = false;
   FrameKey key = BaseKey();
   EXPECT_EQ(Plan(key, {}, held), Route::Cold);
-  key.Look.Shade = true;
+  key.Appearance.Shade = true;
   EXPECT_EQ(Plan(key, {}, held), Route::Cold);
   ReuseSwitches asItIs;
   asItIs.RefineWhenStill = false;
@@ -192,20 +192,20 @@ TEST(ReusePlan, OtherSamplesThatFewTilesCanSee)
   const auto expectCold = [&](const FrameKey& next, const char* what)
   { EXPECT_EQ(Plan(next, {}, held), Route::Cold) << what; };
   FrameKey other = key;
-  other.Seen.ClipFromWorld[0][0] = 2.0;
+  other.View.ClipFromWorld[0][0] = 2.0;
   expectCold(other, "view");
   other = key;
-  other.Sought.Isovalues[0] = 6.0;
+  other.Isosurfaces.Isovalues[0] = 6.0;
   expectCold(other, "surfaces");
   other = key;
-  other.Sought.Opacities = { 0.5 };
+  other.Isosurfaces.Opacities = { 0.5 };
   expectCold(other, "opacity");
   other = key;
-  other.Look.Shade = true;
+  other.Appearance.Shade = true;
   expectCold(other, "appearance");
   other = key;
-  other.Where.WorldFromIndex[3][0] = 1.0;
-  expectCold(other, "placement");
+  other.Transform.WorldFromIndex[3][0] = 1.0;
+  expectCold(other, "transform");
   other = key;
   other.Samples.Between = Interpolation::Nearest;
   expectCold(other, "interpolation");
@@ -213,7 +213,7 @@ TEST(ReusePlan, OtherSamplesThatFewTilesCanSee)
   other.Samples.Dimensions.x = 11;
   expectCold(other, "dimensions");
   FrameKey last = BaseKey();
-  last.Look.ColorByAnswer = key.Look.ColorByAnswer = true;
+  last.Appearance.ColorByAnswer = key.Appearance.ColorByAnswer = true;
   EXPECT_EQ(PlanRoute(last, key, {}, held), Route::Cold) << "colours of answers";
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What vectors make of hits is held, to the last bit, against the same formulas written out one by
+// What vectors make of hits is compared, to the last bit, with the same formulas written out one by
 // one.
 
 #include "EachTarget.h"
@@ -132,10 +132,10 @@ protected:
     }
     for (const Interpolation between : { Interpolation::Linear, Interpolation::Nearest })
     {
-      grid.Seen.Between = between;
+      grid.Field.Between = between;
       for (const int count : { 1, 7, 16, 41, 64 })
       {
-        this->CompareAt<T>(grid.Seen, { low, high }, static_cast<std::size_t>(count));
+        this->CompareAt<T>(grid.Field, { low, high }, static_cast<std::size_t>(count));
       }
     }
   }

@@ -17,15 +17,15 @@ namespace
 
 using namespace TemporalCoherence;
 
-/// Passages of random rays through random cells, many of them with samples equal to the isovalue or
+/// Segments of random rays through random cells, many of them with samples equal to the isovalue or
 /// with paths along faces.
 template <typename Real>
-PassageBatch<Real> RandomPassages(int count, std::mt19937& engine)
+SegmentBatch<Real> RandomSegments(int count, std::mt19937& engine)
 {
   std::uniform_real_distribution<double> inCell(0.0, 1.0), around(-1.0, 1.0);
   std::uniform_int_distribution<int> small(-3, 3), place(0, 50);
-  PassageBatch<Real> passages;
-  passages.Count = count;
+  SegmentBatch<Real> segments;
+  segments.Count = count;
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
   {
     for (std::size_t a = 0; a < 3; ++a)
@@ -33,20 +33,20 @@ PassageBatch<Real> RandomPassages(int count, std::mt19937& engine)
       const bool isAlongFace = small(engine) == 0;
       const double cell = place(engine);
       const double direction = isAlongFace ? 1e-15 : around(engine);
-      passages.Cell[a][i] = cell;
-      passages.Direction[a][i] = direction;
-      passages.Inverse[a][i] = 1.0 / direction;
-      passages.Origin[a][i] = cell + (isAlongFace ? 0.0 : inCell(engine) - 10.0 * direction);
+      segments.Cell[a][i] = cell;
+      segments.Direction[a][i] = direction;
+      segments.Inverse[a][i] = 1.0 / direction;
+      segments.Origin[a][i] = cell + (isAlongFace ? 0.0 : inCell(engine) - 10.0 * direction);
     }
-    passages.Begin[i] = small(engine) == 0 ? 10.1 : 0.0;
-    passages.End[i] = small(engine) == 0 ? 10.2 : 100.0;
+    segments.Begin[i] = small(engine) == 0 ? 10.1 : 0.0;
+    segments.End[i] = small(engine) == 0 ? 10.2 : 100.0;
     for (std::size_t corner = 0; corner < 8; ++corner)
     {
-      passages.Corners[corner][i] =
+      segments.Corners[corner][i] =
         small(engine) == 0 ? Real(small(engine)) : static_cast<Real>(around(engine));
     }
   }
-  return passages;
+  return segments;
 }
 
 class KernelsCrossing : public EachTarget
@@ -61,13 +61,13 @@ protected:
     {
       const int count = 1 + batch % RayBatch::Capacity;
       const bool isSolid = batch % 3 == 0;
-      const PassageBatch<Real> passages = RandomPassages<Real>(count, engine);
-      PassageBatch<Real> reference = passages;
+      const SegmentBatch<Real> segments = RandomSegments<Real>(count, engine);
+      SegmentBatch<Real> reference = segments;
       FindCrossingsOneByOne(reference, isSolid);
       this->ForEachTarget(
         [&](const char* target)
         {
-          PassageBatch<Real> vectors = passages;
+          SegmentBatch<Real> vectors = segments;
           FindCrossings(vectors, isSolid);
           EXPECT_TRUE(AreIdentical(vectors.Distance, reference.Distance, count)) << target;
           EXPECT_TRUE(AreIdentical(vectors.Enter, reference.Enter, count)) << target;
@@ -92,14 +92,14 @@ protected:
     for (int batch = 0; batch < 200; ++batch)
     {
       const int count = 1 + batch % RayBatch::Capacity;
-      const PassageBatch<Real> passages = RandomPassages<Real>(count, engine);
-      PassageBatch<Real> expected = passages;
+      const SegmentBatch<Real> segments = RandomSegments<Real>(count, engine);
+      SegmentBatch<Real> expected = segments;
       RangeBatch<Real> reference;
       FindRangesOneByOne(expected, reference);
       this->ForEachTarget(
         [&](const char* target)
         {
-          PassageBatch<Real> vectors = passages;
+          SegmentBatch<Real> vectors = segments;
           RangeBatch<Real> ranges;
           FindRanges(vectors, ranges);
           EXPECT_TRUE(AreIdentical(vectors.Enter, expected.Enter, count)) << target;
@@ -158,11 +158,11 @@ TEST_F(KernelsCrossing, VectorsFindTheSameBitsAsOneByOneDouble)
 TEST_F(KernelsCrossing, CrossingsAreZeros)
 {
   std::mt19937 engine(12);
-  PassageBatch<double> passages = RandomPassages<double>(RayBatch::Capacity, engine);
-  FindCrossings(passages, false);
+  SegmentBatch<double> segments = RandomSegments<double>(RayBatch::Capacity, engine);
+  FindCrossings(segments, false);
   for (std::size_t i = 0; i < RayBatch::Capacity; ++i)
   {
-    if (!std::isfinite(passages.Distance[i]))
+    if (!std::isfinite(segments.Distance[i]))
     {
       continue;
     }
@@ -170,12 +170,12 @@ TEST_F(KernelsCrossing, CrossingsAreZeros)
     CellPath<double> at;
     for (std::size_t corner = 0; corner < 8; ++corner)
     {
-      corners[corner] = passages.Corners[corner][i];
+      corners[corner] = segments.Corners[corner][i];
     }
     for (std::size_t a = 0; a < 3; ++a)
     {
-      at.Begin[a] = at.End[a] = passages.Origin[a][i] +
-        passages.Distance[i] * passages.Direction[a][i] - passages.Cell[a][i];
+      at.Begin[a] = at.End[a] = segments.Origin[a][i] +
+        segments.Distance[i] * segments.Direction[a][i] - segments.Cell[a][i];
     }
     EXPECT_NEAR(CubicAlong(corners, at)[0], 0.0, 1e-9);
   }
@@ -194,11 +194,11 @@ void KernelsFrame::Compare(const std::vector<double>& isovalues)
   grid.Fill([](int i, int j, int k)
     { return 1000.0 + 900.0 * std::sin(0.3 * i) * std::cos(0.2 * j) * std::sin(0.25 * k); });
   FrameKey key;
-  key.Samples = grid.Seen;
-  key.Sought.Isovalues = isovalues;
-  key.Look.Colors = { glm::dvec3(1.0, 0.5, 0.2), glm::dvec3(0.2, 0.5, 1.0) };
-  key.Look.Shade = true;
-  key.Look.Lights = { Light() };
+  key.Samples = grid.Field;
+  key.Isosurfaces.Isovalues = isovalues;
+  key.Appearance.Colors = { glm::dvec3(1.0, 0.5, 0.2), glm::dvec3(0.2, 0.5, 1.0) };
+  key.Appearance.Shade = true;
+  key.Appearance.Lights = { Light() };
   Frame first[2];
   this->ForEachTarget(
     [&](const char* target)
@@ -207,7 +207,7 @@ void KernelsFrame::Compare(const std::vector<double>& isovalues)
       for (int frame = 0; frame < 2; ++frame)
       {
         // The second one is made from the first.
-        key.Seen = LookAt(grid.Seen.Dimensions, { 1.0, 0.7 + 0.02 * frame, 0.4 }, { 150, 130 });
+        key.View = LookAt(grid.Field.Dimensions, { 1.0, 0.7 + 0.02 * frame, 0.4 }, { 150, 130 });
         renderer.Render(key, {});
         const Frame& made = renderer.LastFrame();
         if (first[frame].IsEmpty())

@@ -101,7 +101,7 @@ protected:
   void Compare(Grid<T>& grid, double isovalue)
   {
     ValueRangePyramid pyramid;
-    pyramid.Build(grid.Seen);
+    pyramid.Build(grid.Field);
     const glm::ivec2 size(29, 23);
     std::size_t visited = 0;
     for (const glm::dvec3 direction : { glm::dvec3(-1.0, -2.0, 0.8), glm::dvec3(1.0, 0.3, -0.6),
@@ -109,8 +109,8 @@ protected:
     {
       for (const bool parallel : { false, true })
       {
-        const View view = LookAt(grid.Seen.Dimensions, direction, size, parallel);
-        const RaySource source(view, Placement(), grid.Seen.Dimensions);
+        const View view = LookAt(grid.Field.Dimensions, direction, size, parallel);
+        const RaySource source(view, IndexTransform(), grid.Field.Dimensions);
         for (std::int64_t tile = 0; tile < NumberOfTiles(size); ++tile)
         {
           const PixelRect part = PixelsOfTile(size, tile);
@@ -145,11 +145,11 @@ private:
     const auto find = [&]
     {
       ActiveCells active;
-      active.Build(grid.Seen, pyramid, Surfaces{ { isovalue }, SurfaceMode::Crossing });
+      active.Build(grid.Field, pyramid, Surfaces{ { isovalue }, SurfaceMode::Crossing });
       return active;
     };
     constexpr std::size_t most = 5;
-    const Visits all = VisitOneByOne<T>(rays, find(), grid.Seen);
+    const Visits all = VisitOneByOne<T>(rays, find(), grid.Field);
     Visits some = all;
     std::size_t visited = 0;
     for (std::vector<glm::ivec3>& cells : some)
@@ -160,8 +160,8 @@ private:
     this->ForEachTarget(
       [&](const char* target)
       {
-        EXPECT_EQ(VisitInVectors<T>(rays, find(), grid.Seen, 0), all) << target;
-        EXPECT_EQ(VisitInVectors<T>(rays, find(), grid.Seen, most), some) << target;
+        EXPECT_EQ(VisitInVectors<T>(rays, find(), grid.Field, 0), all) << target;
+        EXPECT_EQ(VisitInVectors<T>(rays, find(), grid.Field, most), some) << target;
       });
     return visited;
   }
@@ -174,27 +174,27 @@ TEST_F(KernelsWalk, ManyThreadsMayAskForTheSameLeaves)
   Grid<std::uint8_t> noise(glm::ivec3(37, 18, 22));
   noise.FillRandomly(0.0, 20.0, 5);
   ValueRangePyramid pyramid;
-  pyramid.Build(noise.Seen);
-  const Surfaces sought{ { 18.5 }, SurfaceMode::Crossing };
-  const View view = LookAt(noise.Seen.Dimensions, glm::dvec3(-1.0, -2.0, 0.8), { 8, 8 });
+  pyramid.Build(noise.Field);
+  const Surfaces surfaces{ { 18.5 }, SurfaceMode::Crossing };
+  const View view = LookAt(noise.Field.Dimensions, glm::dvec3(-1.0, -2.0, 0.8), { 8, 8 });
   RayBatch rays;
-  RaySource(view, Placement(), noise.Seen.Dimensions).SetUp({ 0, 0 }, { 8, 8 }, rays);
+  RaySource(view, IndexTransform(), noise.Field.Dimensions).SetUp({ 0, 0 }, { 8, 8 }, rays);
   ActiveCells alone;
-  alone.Build(noise.Seen, pyramid, sought);
-  const Visits expected = VisitOneByOne<std::uint8_t>(rays, alone, noise.Seen);
+  alone.Build(noise.Field, pyramid, surfaces);
+  const Visits expected = VisitOneByOne<std::uint8_t>(rays, alone, noise.Field);
   this->ForEachTarget(
     [&](const char* target)
     {
       for (int round = 0; round < 20; ++round)
       {
         ActiveCells active;
-        active.Build(noise.Seen, pyramid, sought);
+        active.Build(noise.Field, pyramid, surfaces);
         std::array<Visits, 4> visits;
         std::vector<std::thread> threads;
         for (Visits& found : visits)
         {
           threads.emplace_back(
-            [&] { found = VisitInVectors<std::uint8_t>(rays, active, noise.Seen, 0); });
+            [&] { found = VisitInVectors<std::uint8_t>(rays, active, noise.Field, 0); });
         }
         for (std::thread& thread : threads)
         {

@@ -25,11 +25,11 @@ struct Tracing
 {
   Tracing(Grid<T>& grid, const std::vector<double>& isovalues, SurfaceMode mode)
   {
-    this->Pyramid.Build(grid.Seen);
-    this->Scene.Samples = grid.Seen;
-    this->Scene.Sought = { isovalues, mode };
+    this->Pyramid.Build(grid.Field);
+    this->Scene.Samples = grid.Field;
+    this->Scene.Isosurfaces = { isovalues, mode };
     this->Scene.FiniteRange = this->Pyramid.FiniteRange();
-    this->Active.Build(grid.Seen, this->Pyramid, this->Scene.Sought);
+    this->Active.Build(grid.Field, this->Pyramid, this->Scene.Isosurfaces);
     this->Scene.Active = &this->Active;
   }
 
@@ -48,7 +48,7 @@ struct Tracing
 RayBatch RaysOfTile(const View& view, const glm::ivec3& dimensions, const glm::ivec2& tile)
 {
   RayBatch rays;
-  RaySource(view, Placement(), dimensions).SetUp(8 * tile, glm::ivec2(8), rays);
+  RaySource(view, IndexTransform(), dimensions).SetUp(8 * tile, glm::ivec2(8), rays);
   return rays;
 }
 
@@ -58,11 +58,11 @@ TEST(SurfaceTracer, PlaneIsHitWhereItIs)
   grid.Fill([](int i, int j, int k) { return 0.5 * i - 0.25 * j + k; });
   const double isovalue = 14.125;
   const Tracing<float> tracing(grid, { isovalue }, SurfaceMode::Crossing);
-  const View view = LookAt(grid.Seen.Dimensions, { -1.0, 0.4, -0.3 }, { 64, 64 });
+  const View view = LookAt(grid.Field.Dimensions, { -1.0, 0.4, -0.3 }, { 64, 64 });
   int hitCount = 0;
   for (int tile = 0; tile < 64; ++tile)
   {
-    const RayBatch rays = RaysOfTile(view, grid.Seen.Dimensions, { tile % 8, tile / 8 });
+    const RayBatch rays = RaysOfTile(view, grid.Field.Dimensions, { tile % 8, tile / 8 });
     const HitBatch hits = tracing.Trace(rays);
     for (std::size_t i = 0; i < 64; ++i)
     {
@@ -99,10 +99,10 @@ void ExpectIndependenceOfTheWalk(
   {
     for (const bool parallel : { false, true })
     {
-      const View view = LookAt(grid.Seen.Dimensions, direction, { 64, 64 }, parallel);
+      const View view = LookAt(grid.Field.Dimensions, direction, { 64, 64 }, parallel);
       for (int tile = 0; tile < 64; tile += 3)
       {
-        RayBatch rays = RaysOfTile(view, grid.Seen.Dimensions, { tile % 8, tile / 8 });
+        RayBatch rays = RaysOfTile(view, grid.Field.Dimensions, { tile % 8, tile / 8 });
         const HitBatch hits = tracing.Trace(rays);
 
         TraceScene plain = tracing.Scene;
@@ -146,7 +146,7 @@ TEST(SurfaceTracer, ResultDoesNotDependOnTheWalk)
   {
     for (const Interpolation between : { Interpolation::Linear, Interpolation::Nearest })
     {
-      smooth.Seen.Between = noise.Seen.Between = doubles.Seen.Between = between;
+      smooth.Field.Between = noise.Field.Between = doubles.Field.Between = between;
       ExpectIndependenceOfTheWalk(smooth, { 120.0 }, mode);
       ExpectIndependenceOfTheWalk(smooth, { 60.0, 180.0 }, mode);
       ExpectIndependenceOfTheWalk(noise, { 2.0 }, mode);
@@ -160,7 +160,7 @@ TEST(SurfaceTracer, ResultDoesNotDependOnTheWalk)
 template <typename T>
 void HideSome(Grid<T>& grid)
 {
-  const glm::ivec3 cells = grid.Seen.Dimensions - 1;
+  const glm::ivec3 cells = grid.Field.Dimensions - 1;
   std::mt19937 engine(4);
   std::vector<std::uint8_t> flags;
   for (int i = 0; i < cells.x * cells.y * cells.z; ++i)
@@ -169,7 +169,7 @@ void HideSome(Grid<T>& grid)
     const glm::ivec3 block = cell / 7;
     flags.push_back((block.x + block.y + block.z) % 3 == 0 || engine() % 9 == 0);
   }
-  grid.Seen.Hidden = HiddenCells::Make(grid.Seen.Dimensions, { flags.data(), 1, nullptr, 0 });
+  grid.Field.Hidden = HiddenCells::Make(grid.Field.Dimensions, { flags.data(), 1, nullptr, 0 });
 }
 
 TEST(SurfaceTracer, ResultBesideHiddenCellsDoesNotDependOnTheWalk)
@@ -185,7 +185,7 @@ TEST(SurfaceTracer, ResultBesideHiddenCellsDoesNotDependOnTheWalk)
   {
     for (const Interpolation between : { Interpolation::Linear, Interpolation::Nearest })
     {
-      smooth.Seen.Between = doubles.Seen.Between = between;
+      smooth.Field.Between = doubles.Field.Between = between;
       ExpectIndependenceOfTheWalk(smooth, { 120.0 }, mode);
       ExpectIndependenceOfTheWalk(smooth, { 60.0, 180.0 }, mode);
       ExpectIndependenceOfTheWalk(smooth, { 10.0 }, mode);
@@ -198,8 +198,8 @@ TEST(SurfaceTracer, ThresholdCapsWhatIsCutOpen)
 {
   Grid<std::uint8_t> grid(glm::ivec3(8, 8, 8));
   grid.Fill([](int, int, int) { return 9; });
-  const View view = LookAt(grid.Seen.Dimensions, { 0.0, 0.0, 1.0 }, { 8, 8 }, true);
-  const RayBatch rays = RaysOfTile(view, grid.Seen.Dimensions, { 0, 0 });
+  const View view = LookAt(grid.Field.Dimensions, { 0.0, 0.0, 1.0 }, { 8, 8 }, true);
+  const RayBatch rays = RaysOfTile(view, grid.Field.Dimensions, { 0, 0 });
 
   const Tracing<std::uint8_t> crossing(grid, { 5.0 }, SurfaceMode::Crossing);
   const Tracing<std::uint8_t> threshold(grid, { 5.0, 7.0, 12.0 }, SurfaceMode::Threshold);
@@ -224,8 +224,8 @@ TEST(SurfaceTracer, NothingWhereNothingIs)
 {
   Grid<float> grid(glm::ivec3(9, 9, 9));
   grid.Fill([](int, int, int) { return std::numeric_limits<double>::quiet_NaN(); });
-  const View view = LookAt(grid.Seen.Dimensions, { 1.0, 2.0, 3.0 }, { 8, 8 });
-  const RayBatch rays = RaysOfTile(view, grid.Seen.Dimensions, { 0, 0 });
+  const View view = LookAt(grid.Field.Dimensions, { 1.0, 2.0, 3.0 }, { 8, 8 });
+  const RayBatch rays = RaysOfTile(view, grid.Field.Dimensions, { 0, 0 });
   for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
   {
     const HitBatch hits = Tracing<float>(grid, { -1e30 }, mode).Trace(rays);

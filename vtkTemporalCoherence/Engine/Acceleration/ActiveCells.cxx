@@ -40,9 +40,9 @@ void ActiveCells::Build(
   this->Release();
   for (const double isovalue : surfaces.Isovalues)
   {
-    this->Sought.push_back({ isovalue, isovalue });
+    this->Bands.push_back({ isovalue, isovalue });
   }
-  std::sort(this->Sought.begin(), this->Sought.end(),
+  std::sort(this->Bands.begin(), this->Bands.end(),
     [](const ValueBand& a, const ValueBand& b) { return a.Low < b.Low; });
   this->IsCapped = field.Hidden && surfaces.Mode == SurfaceMode::Threshold;
   this->FindLeaves(field, pyramid);
@@ -52,16 +52,16 @@ void ActiveCells::Build(
   const Field& field, const ValueRangePyramid& pyramid, const ValueBand& band, SurfaceMode mode)
 {
   this->Release();
-  this->Sought = { band };
+  this->Bands = { band };
   this->IsCapped = field.Hidden && mode == SurfaceMode::Threshold;
   this->FindLeaves(field, pyramid);
 }
 
-/// The active leaves of a node where cells are hidden. Each has an active cell, which the range of
-/// its samples does not tell there.
+/// The active leaves of a node with hidden cells. There the value range of a leaf does not tell
+/// whether it has an active cell.
 /// \param firstCell of the node
 /// \param ranges    of its leaves
-/// \param leaves    those that would be active if no cell were hidden
+/// \param leaves    active leaves if no cell were hidden
 template <typename T>
 std::uint64_t ActiveCells::FindVisibleLeaves(const TypedField<T>& field,
   const glm::ivec3& firstCell, const ValueRangePyramid::Range<T>* ranges,
@@ -72,8 +72,8 @@ std::uint64_t ActiveCells::FindVisibleLeaves(const TypedField<T>& field,
     const glm::ivec3 first = firstCell + LeafSize * glm::ivec3(i & 3, i >> 2 & 3, i >> 4);
     const std::uint64_t leaf = std::uint64_t(1) << i;
     const bool isActive = (leaves & leaf) != 0;
-    const bool canBeCapped = this->IsCapped && !this->Sought.empty() &&
-      static_cast<double>(ranges[i].Max) >= this->Sought.front().Low;
+    const bool canBeCapped = this->IsCapped && !this->Bands.empty() &&
+      static_cast<double>(ranges[i].Max) >= this->Bands.front().Low;
     // Most leaves are far from hidden cells.
     const bool isPlain = isActive ? this->Hidden->LeafAt(first) == 0
                                   : !canBeCapped || this->Hidden->Around(first) == 0;
@@ -104,7 +104,7 @@ void ActiveCells::FindLeaves(const Field& field, const ValueRangePyramid& pyrami
           std::uint64_t leaves = 0;
           for (int i = 0; i < ValueRangePyramid::LeavesPerNode; ++i)
           {
-            leaves |= static_cast<std::uint64_t>(IsActive(ranges[i], this->Sought)) << i;
+            leaves |= static_cast<std::uint64_t>(IsActive(ranges[i], this->Bands)) << i;
           }
           if (this->Hidden)
           {
@@ -166,7 +166,7 @@ void ActiveCells::FindLevelsAbove()
 void ActiveCells::Release()
 {
   this->Dimensions = glm::ivec3(0);
-  this->Sought.clear();
+  this->Bands.clear();
   std::vector<std::uint64_t>().swap(this->NodeWords);
   this->LeafWords.reset();
   this->NumberOfLeafWords = 0;

@@ -16,18 +16,18 @@
 namespace TemporalCoherence
 {
 
-/// The cells that a set of isovalues, or all isovalues of a band, can pass through, as a tree of
-/// bits.
+/// The cells that a set of isovalues, or a band of them, can pass through, as a tree of bits.
 ///
-/// A cell is *active* if some of its eight samples are inside an isovalue and some are not; only
-/// there can a surface be. For a band of isovalues: if some of its samples are at least the lowest
-/// and some are below the highest. Hidden cells are not active; but where they cut open a THRESHOLD
-/// solid, all cells that touch them are, unless they are outside: there it is capped. One 64-bit
-/// word for each node of the pyramid tells its active leaves, and one for each active leaf its
-/// active cells, so that a ray crosses 16 or 4 cells at a step where the word is empty and tests a
-/// cell without reading samples. The words of nodes are built for a set of isovalues from the
-/// pyramid alone; those of leaves are made when a ray first asks, which leaves out all that is
-/// hidden. Neither depends on the view.
+/// A cell is *active* if some of its eight samples are inside an isovalue and some are not: only
+/// such a cell can hold a surface. For a band, some samples must be at least the lowest isovalue
+/// and some below the highest. Hidden cells are never active. With THRESHOLD their neighbours are
+/// active unless they are outside, because solids are capped there.
+///
+/// Each node of the pyramid has a 64-bit word for its active leaves, and each active leaf one for
+/// its active cells. A ray skips 16 or 4 cells in one step where a word is empty, and tests a cell
+/// without reading samples. The words of nodes are built from the pyramid alone. The word of a leaf
+/// is computed when a ray first asks for it, so that leaves no ray reaches cost nothing. No word
+/// depends on the view.
 class ActiveCells
 {
 public:
@@ -37,7 +37,7 @@ public:
   static constexpr int NodeSize = ValueRangePyramid::NodeSize;
 
   /// Find the active leaves.
-  /// \throws std::bad_alloc, nothing being active then
+  /// \throws std::bad_alloc; no cell is active then
   void Build(const Field& field, const ValueRangePyramid& pyramid, const Surfaces& surfaces);
   void Build(const Field& field, const ValueRangePyramid& pyramid, const ValueBand& band,
     SurfaceMode mode = SurfaceMode::Crossing);
@@ -71,8 +71,8 @@ public:
     return this->NodeWords[static_cast<std::size_t>(2 * node)];
   }
 
-  /// One bit for each active cell of the active leaf that holds `cell`. Safe from many threads:
-  /// who comes first computes it, who comes at the same time computes the same.
+  /// One bit for each active cell of the active leaf that holds `cell`. Thread-safe: the first
+  /// caller computes the word, and simultaneous callers compute the same one.
   template <typename T>
   std::uint64_t CellsOf(const TypedField<T>& field, std::int64_t node, const glm::ivec3& cell) const
   {
@@ -89,9 +89,9 @@ public:
     return cells;
   }
 
-  /// The same words for kernels: of each node its leaves, and where the words of its leaves begin
-  /// in the other list; there, 0 is a leaf's word that is not known yet, and other threads may be
-  /// writing.
+  /// The same words for kernels. For each node: the word of its leaves, and where the words of
+  /// these leaves begin in the second list. In that list 0 means "not yet known", and other threads
+  /// may be writing.
   const std::uint64_t* Nodes() const { return this->NodeWords.data(); }
   const std::atomic<std::uint64_t>* Cells() const { return this->LeafWords.get(); }
 
@@ -130,7 +130,7 @@ private:
   std::uint64_t WithoutHidden(
     const TypedField<T>& field, const glm::ivec3& firstCell, std::uint64_t active) const;
 
-  /// One bit for each sample of a row that is inside.
+  /// One bit for each sample of a row, set if it is inside.
   template <typename T>
   static std::uint32_t InsideOf(const T* row, std::int64_t stride, int count, double isovalue)
   {
@@ -144,13 +144,13 @@ private:
   }
 
   glm::ivec3 Dimensions{ 0 };           ///< in nodes
-  std::vector<ValueBand> Sought;        ///< ascending
+  std::vector<ValueBand> Bands;         ///< ascending
   std::vector<std::uint64_t> NodeWords; ///< leaves of a node, and where their words begin
   std::unique_ptr<std::atomic<std::uint64_t>[]> LeafWords;
   std::size_t NumberOfLeafWords = 0;
   std::vector<Level> Above;
   std::shared_ptr<const HiddenCells> Hidden; ///< null for none
-  bool IsCapped = false;                     ///< where hidden cells cut it open
+  bool IsCapped = false;                     ///< THRESHOLD solids are capped at hidden cells
 };
 
 template <typename T>
@@ -158,11 +158,11 @@ std::uint64_t ActiveCells::FindCells(const TypedField<T>& field, const glm::ivec
 {
   const glm::ivec3 samples = glm::min(field.Dimensions - firstCell, glm::ivec3(5));
   std::uint64_t active = 0;
-  for (const ValueBand& band : this->Sought)
+  for (const ValueBand& band : this->Bands)
   {
-    // Fold samples that are inside the lowest isovalue, and those inside the highest, along x, then
-    // y, then z: 4 bits a row, 16 a slice. A cell is active if any are inside the lowest and not
-    // all are inside the highest.
+    // Fold the bits of the lowest isovalue, and those of the highest, along x, then y, then z: 4
+    // bits a row, 16 a slice. A cell is active if any sample is inside the lowest and not all are
+    // inside the highest.
     const bool isPoint = band.Low == band.High;
     std::uint32_t anyBelow = 0, allBelow = 0;
     for (int k = 0; k < samples.z; ++k)
@@ -199,7 +199,7 @@ std::uint64_t ActiveCells::FindCells(const TypedField<T>& field, const glm::ivec
   return this->Hidden ? this->WithoutHidden(field, firstCell, active) : active;
 }
 
-/// The active cells of a leaf, given those that would be if none were hidden.
+/// The active cells of a leaf, given those that would be active if no cell were hidden.
 template <typename T>
 std::uint64_t ActiveCells::WithoutHidden(
   const TypedField<T>& field, const glm::ivec3& firstCell, std::uint64_t active) const
@@ -219,8 +219,7 @@ std::uint64_t ActiveCells::WithoutHidden(
     for (int j = 0; j < samples.y; ++j)
     {
       const T* row = field.At(firstCell + glm::ivec3(0, j, k));
-      const std::uint32_t bits =
-        InsideOf(row, field.Strides.x, samples.x, this->Sought.front().Low);
+      const std::uint32_t bits = InsideOf(row, field.Strides.x, samples.x, this->Bands.front().Low);
       const std::uint64_t alongX = (bits | bits >> 1) & cellsInRow;
       for (int z = k > 0 ? k - 1 : 0; z <= k && z < samples.z - 1; ++z)
       {

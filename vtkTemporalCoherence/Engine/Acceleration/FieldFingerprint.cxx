@@ -17,15 +17,15 @@ namespace
 
 constexpr int NodeSize = ValueRangePyramid::NodeSize;
 
-/// What hashes begin with.
+/// Initial value of a hash.
 constexpr std::uint64_t Seed = 0x9e3779b97f4a7c15u;
 
-/// Cells beyond those around a sample in which it is seen: those whose normals it decides, and one
-/// for points that rounding lets lie beside their cell.
+/// How many cells farther than its own cells a sample affects the picture: one for normals, one for
+/// points that rounding puts beside their cell.
 constexpr int Reach = 2;
 
-/// A hash of eight more bytes: the mixing of SplitMix64 (Steele et al. 2014). No two numbers become
-/// the same, so that hashes that differ stay different until something else differs.
+/// Hash eight more bytes, by the mixing of SplitMix64 (Steele et al. 2014). The mixing is
+/// bijective: different hashes stay different while the bytes that follow are equal.
 std::uint64_t Mix(std::uint64_t hash, std::uint64_t bytes)
 {
   hash ^= bytes;
@@ -54,7 +54,8 @@ std::uint64_t MixRow(std::uint64_t hash, const T* samples, int count)
   return hash;
 }
 
-/// The hashes of a row of nodes, all along x at the same time, as samples lie in memory.
+/// The hashes of a row of nodes, computed in the order of memory: all nodes along x at the same
+/// time.
 /// \param node y and z of the row
 template <typename T>
 void HashRow(const TypedField<T>& field, const glm::ivec2& node, int nodes, std::uint64_t* hashes)
@@ -120,7 +121,7 @@ std::vector<CellBox> ChangedCells(const FieldFingerprint& before, const FieldFin
     {
       const auto node = static_cast<std::int64_t>(i);
       const glm::ivec3 place(node % nodes.x, node / nodes.x % nodes.y, node / nodes.x / nodes.y);
-      // The first and the last samples of a node belong to one more cell each.
+      // The outermost samples of a node also belong to cells of its neighbours.
       const glm::ivec3 first = glm::max(NodeSize * place - 1 - Reach, 0);
       const glm::ivec3 last =
         glm::min(NodeSize * (place + 1) + 1 + Reach, now.Samples.Dimensions - 1);

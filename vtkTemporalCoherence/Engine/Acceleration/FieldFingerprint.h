@@ -12,13 +12,13 @@
 namespace TemporalCoherence
 {
 
-/// What tells samples from those of the step before, which may be gone: a hash for each node of the
-/// value-range pyramid, of all samples of its cells, those that neighbours share included.
+/// Hashes of a field's samples, to find what changed when the old samples are gone. Each node of
+/// the value-range pyramid has one, of all samples of its cells, including those shared with
+/// neighbours.
 ///
-/// Equal hashes are taken for equal samples. A change within eight bytes of a node always changes
-/// its hash; any other goes unseen with a probability of about 2^-64. (There is no protection
-/// against samples that somebody chose for their hash.) Samples are compared as bytes: 0 and -0 are
-/// different.
+/// Equal hashes are taken to mean equal samples. A change within eight bytes always changes the
+/// hash; any other change is missed with a probability of about 2^-64. (The hash does not withstand
+/// samples that were constructed to collide.) Samples are compared as bytes: 0 and -0 differ.
 struct FieldFingerprint
 {
   Field Samples;
@@ -30,7 +30,7 @@ struct FieldFingerprint
 /// \throws std::bad_alloc
 FieldFingerprint FingerprintOf(const Field& field);
 
-/// Boxes of cells outside of which nothing is seen of the samples that changed. Empty: none did.
+/// Boxes of cells. Changed samples affect no picture outside of them. Empty if no sample changed.
 /// \pre AreAlike(before.Samples, now.Samples)
 std::vector<CellBox> ChangedCells(const FieldFingerprint& before, const FieldFingerprint& now);
 

@@ -9,7 +9,7 @@ namespace TemporalCoherence
 namespace
 {
 
-/// The structure in the list that fits, or null; those that nobody holds any more leave the list.
+/// The structure in the list that fits, or null. Structures no longer in use leave the list.
 template <typename Structure, typename Fits>
 std::shared_ptr<const Structure> FindHeld(
   std::vector<std::weak_ptr<const Structure>>& list, const Fits& fits)
@@ -32,7 +32,7 @@ std::shared_ptr<const Structure> FindHeld(
 
 void FieldStructures::Provide(const Field& field, std::shared_ptr<const FieldRanges>& held)
 {
-  // First, so that the memory of the old structure is there for the new one.
+  // Release the old structure first, so that its memory can serve the new one.
   held = std::make_shared<const FieldRanges>();
   auto found =
     FindHeld(this->Ranges, [&](const FieldRanges& ranges) { return ranges.Samples == field; });
@@ -50,20 +50,20 @@ void FieldStructures::Provide(const Field& field, std::shared_ptr<const FieldRan
 }
 
 void FieldStructures::Provide(
-  const FieldRanges& ranges, const Surfaces& sought, std::shared_ptr<const SurfaceCells>& held)
+  const FieldRanges& ranges, const Surfaces& surfaces, std::shared_ptr<const SurfaceCells>& held)
 {
   held = std::make_shared<const SurfaceCells>();
   auto found = FindHeld(this->Cells,
     [&](const SurfaceCells& cells)
-    { return cells.Samples == ranges.Samples && AreMetAlike(cells.Sought, sought); });
+    { return cells.Samples == ranges.Samples && AreMetAlike(cells.Isosurfaces, surfaces); });
   if (!found)
   {
     const auto made = std::make_shared<SurfaceCells>();
     const auto active = std::make_shared<ActiveCells>();
-    active->Build(ranges.Samples, *ranges.Pyramid, sought);
+    active->Build(ranges.Samples, *ranges.Pyramid, surfaces);
     made->Active = active;
     made->Samples = ranges.Samples;
-    made->Sought = sought;
+    made->Isosurfaces = surfaces;
     found = made;
     this->Cells.push_back(found);
   }
@@ -98,10 +98,11 @@ void FieldStructures::MoveTo(const Field& field, std::shared_ptr<const SurfaceCe
 {
   auto found = FindHeld(this->Cells,
     [&](const SurfaceCells& cells)
-    { return cells.Samples == field && AreMetAlike(cells.Sought, held->Sought); });
+    { return cells.Samples == field && AreMetAlike(cells.Isosurfaces, held->Isosurfaces); });
   if (!found)
   {
-    found = std::make_shared<const SurfaceCells>(SurfaceCells{ field, held->Sought, held->Active });
+    found =
+      std::make_shared<const SurfaceCells>(SurfaceCells{ field, held->Isosurfaces, held->Active });
     this->Cells.push_back(found);
   }
   held = found;

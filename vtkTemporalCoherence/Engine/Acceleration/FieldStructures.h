@@ -19,7 +19,7 @@ namespace TemporalCoherence
 struct FieldRanges
 {
   Field Samples;
-  /// Also that of others whose samples are equal.
+  /// also of fields with equal samples
   std::shared_ptr<const ValueRangePyramid> Pyramid = std::make_shared<const ValueRangePyramid>();
 };
 
@@ -27,35 +27,35 @@ struct FieldRanges
 struct SurfaceCells
 {
   Field Samples;
-  Surfaces Sought;
+  Surfaces Isosurfaces;
   std::shared_ptr<const ActiveCells> Active = std::make_shared<const ActiveCells>();
 };
 
-/// The structures in which there is no view, shared by all who look at the same data: each is built
-/// for the first who asks, and freed when the last who holds it lets go.
+/// Structures that do not depend on the view. All viewers of the same data share them: the first
+/// request builds a structure, and the last release frees it.
 class FieldStructures
 {
 public:
-  /// Make `held` the ranges of `field`. What it was is let go first; after an exception it is
+  /// Set `held` to the ranges of `field`, releasing what it held before. After an exception it is
   /// empty, never null.
   /// \pre field.HasCells()
   /// \throws std::bad_alloc
   void Provide(const Field& field, std::shared_ptr<const FieldRanges>& held);
 
-  /// The same for the cells that `sought` can pass through, from the ranges of their field.
+  /// The same for the active cells of `surfaces`, built from the ranges of their field.
   void Provide(
-    const FieldRanges& ranges, const Surfaces& sought, std::shared_ptr<const SurfaceCells>& held);
+    const FieldRanges& ranges, const Surfaces& surfaces, std::shared_ptr<const SurfaceCells>& held);
 
-  /// The same for fingerprints; on an exception, `held` stays.
+  /// The same for fingerprints. On an exception, `held` is unchanged.
   void Provide(const Field& field, std::shared_ptr<const FieldFingerprint>& held);
 
-  /// Let what is held be that of `field`, whose samples are equal to those that it was made from,
-  /// but lie elsewhere. On an exception, it stays.
+  /// Reassign `held` to `field`, whose samples are equal but lie elsewhere in memory. On an
+  /// exception, `held` is unchanged.
   void MoveTo(const Field& field, std::shared_ptr<const FieldRanges>& held);
   void MoveTo(const Field& field, std::shared_ptr<const SurfaceCells>& held);
 
 private:
-  std::vector<std::weak_ptr<const FieldRanges>> Ranges; ///< those that somebody holds
+  std::vector<std::weak_ptr<const FieldRanges>> Ranges; ///< still in use
   std::vector<std::weak_ptr<const SurfaceCells>> Cells;
   std::vector<std::weak_ptr<const FieldFingerprint>> Prints;
 };

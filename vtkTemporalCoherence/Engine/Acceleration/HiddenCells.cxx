@@ -65,7 +65,7 @@ std::uint64_t CellsAround(const std::uint8_t* flags, std::uint8_t mask, const gl
       const std::uint8_t* row = At(flags, firstCell + glm::ivec3(0, j, k), samples);
       const std::uint32_t bits = BitsOfRow(row, count.x, mask);
       const std::uint64_t alongX = (bits | bits >> 1) & cellsInRow;
-      // The row is a corner of the cells before it and behind it.
+      // The row is shared by the cells before and behind it.
       for (int z = std::max(k - 1, 0); z <= std::min(k, count.z - 2); ++z)
       {
         for (int y = std::max(j - 1, 0); y <= std::min(j, count.y - 2); ++y)
@@ -151,7 +151,7 @@ std::uint64_t HiddenCells::Around(const glm::ivec3& firstCell) const
   {
     return 0;
   }
-  // Rows of six cells, one more at both ends, are folded along x; six rows then along y, and six
+  // Rows of six cells, one more at each end, are folded along x, then six rows along y and six
   // slices along z.
   std::array<std::uint64_t, 6> slices{};
   for (int k = -1; k <= LeafSize; ++k)

@@ -13,20 +13,20 @@
 namespace TemporalCoherence
 {
 
-/// What hides cells: one byte for each cell, and one for each sample, x fastest; null for none.
+/// Flags that hide cells: one byte for each cell, and one for each sample, x fastest; null for
+/// none.
 struct HidingFlags
 {
   const std::uint8_t* OfCells = nullptr;
   std::uint8_t CellMask = 0; ///< a cell with any of these bits is hidden
   const std::uint8_t* OfSamples = nullptr;
   std::uint8_t SampleMask = 0; ///< the cells around a sample with any of these bits are hidden
-  const std::uint8_t* Shown = nullptr; ///< of samples: a cell is hidden if it is 0 at all corners
+  const std::uint8_t* Shown = nullptr; ///< a cell is hidden if this is 0 at all of its samples
 };
 
-/// The cells of a field in which no surface is looked for, as bits: one word for each leaf of the
-/// pyramid's nodes, whose bits are those of ActiveCells. Samples of hidden cells still serve the
-/// cells and gradients beside them. Made once for the flags, never changed, and shared by all that
-/// look at the field; there is none where nothing is hidden.
+/// The hidden cells of a field: no surface is drawn in them. One word for each leaf, with the bits
+/// of ActiveCells. Samples of hidden cells still serve neighbouring cells and their gradients.
+/// Built once from the flags, never changed, and shared. A field without hidden cells has none.
 class HiddenCells
 {
 public:
@@ -60,7 +60,7 @@ public:
     return this->LeafAt(cell) >> (inLeaf.x + 4 * inLeaf.y + 16 * inLeaf.z) & 1u;
   }
 
-  /// One bit for each cell of a leaf that is hidden or touches a hidden one, be it by a corner.
+  /// One bit for each cell of a leaf, set if it is hidden or shares a corner with a hidden cell.
   /// \param firstCell of the leaf
   std::uint64_t Around(const glm::ivec3& firstCell) const;
 
@@ -70,7 +70,7 @@ private:
   HiddenCells() = default;
 
   glm::ivec3 Nodes{ 0 };
-  std::vector<std::uint64_t> Words; ///< of all leaves, node by node
+  std::vector<std::uint64_t> Words; ///< for all leaves, node by node
 };
 
 }

@@ -7,7 +7,8 @@
 #include <algorithm>
 #include <array>
 
-// This file is compiled once for each kind of vectors, and what runs is chosen by the machine.
+// This file is compiled once for each kind of vectors. The best one for the machine is chosen at
+// run time.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "Acceleration/KernelsPyramid.cxx"
 #include <hwy/foreach_target.h>
@@ -25,7 +26,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 template <typename T>
 using Range = ValueRangePyramid::Range<T>;
 
-/// Samples; one that is not a number is below every isovalue.
+/// Load samples. NaN counts as below every isovalue.
 template <class D, typename T>
 HWY_INLINE hn::Vec<D> LoadSamples(D d, const T* samples)
 {
@@ -38,19 +39,19 @@ HWY_INLINE hn::Vec<D> LoadSamples(D d, const T* samples)
   return loaded;
 }
 
-/// The ranges of columns of samples: those of the five rows of a leaf, and then those of its five
-/// slices, are folded into each other, all along x at the same time.
+/// The value ranges of columns of samples. The five rows of a leaf are folded into one, then its
+/// five slices, for all x at the same time.
 template <typename T>
 class ColumnRanges
 {
 public:
-  /// As many cells at a time as keep rows and columns in the caches: whole nodes.
+  /// Cells at a time: whole nodes, few enough to keep rows and columns in the caches.
   static constexpr int MostCells = static_cast<int>(2048 / sizeof(T));
 
   using Rows = std::array<const T*, ValueRangePyramid::LeafSize + 1>;
 
   /// Widen the columns by the samples of some rows.
-  /// \param begins forget what the columns were before
+  /// \param begins overwrite the columns instead of widening them
   HWY_INLINE void Widen(const Rows& rows, int columns, bool begins)
   {
     const hn::ScalableTag<T> d;
@@ -67,12 +68,12 @@ public:
     {
       this->WidenAt(d, rows, i, begins);
     }
-    // To be widened twice by the same samples changes nothing.
+    // Widening twice by the same samples changes nothing.
     this->WidenAt(d, rows, columns - lanes, begins);
   }
 
-  /// The ranges of the leaves that these columns make.
-  /// \param leaves of the first node, in this row and slice; those beyond the last cell are empty
+  /// Fold these columns into the ranges of their leaves.
+  /// \param leaves of the first node, in this row and slice; leaves beyond the last cell are empty
   HWY_INLINE void Fold(int columns, int nodes, Range<T>* leaves)
   {
     const hn::CappedTag<T, MostLanes> d;
@@ -99,7 +100,7 @@ public:
 
 private:
   static constexpr int LeafSize = ValueRangePyramid::LeafSize;
-  /// Interleaving wider vectors costs more than it saves.
+  /// Interleaving wider vectors would cost more than it saves.
   static constexpr std::size_t MostLanes = 32 / sizeof(T);
   static constexpr std::size_t MostLeaves = MostCells / LeafSize + MostLanes;
   using Columns = std::array<T, LeafSize*(MostLeaves + 1)>;
@@ -219,7 +220,7 @@ private:
     typename ColumnRanges<T>::Rows rows;
     for (std::size_t row = 0; row < rows.size(); ++row)
     {
-      // The last row twice changes nothing.
+      // Using the last row twice changes nothing.
       const int j = std::min(first.y + static_cast<int>(row), last.y);
       rows[row] = this->RowAt({ first.x, j, first.z }, columns, row);
     }
@@ -248,7 +249,7 @@ private:
     Gathered;
 };
 
-/// The range of everything in the leaves of a node; leaves without cells change nothing.
+/// The range over the leaves of a node. Leaves without cells change nothing.
 template <typename T>
 HWY_INLINE Range<T> RangeOfNode(const Range<T>* leaves)
 {

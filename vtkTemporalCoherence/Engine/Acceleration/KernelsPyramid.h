@@ -8,12 +8,12 @@
 namespace TemporalCoherence
 {
 
-/// Rows of nodes that are scanned at once at most: neighbours share samples, and long stretches of
-/// memory are read sooner than short ones.
+/// The most rows of nodes to scan at once: neighbours share samples, and long stretches of memory
+/// are read faster than short ones.
 constexpr int MostNodeRows = 4;
 
-/// Find the value ranges of rows of nodes along x and of their leaves, as ValueRangePyramid has
-/// them: ValueRangePyramid::Range of the type of the field's samples.
+/// Find the value ranges of rows of nodes along x and of their leaves, as ValueRangePyramid::Range
+/// of the field's sample type.
 /// \param first  y and z of the first row, counted in nodes
 /// \param rows   rows of nodes, along y; at most MostNodeRows
 /// \param nodes  first node of the first row

@@ -10,10 +10,10 @@ namespace TemporalCoherence
 namespace
 {
 
-/// So many nodes of leaves tell enough. Measured by `Benchmark --scenarios structures`.
+/// This many nodes give a good estimate. Measured by `Benchmark --scenarios structures`.
 constexpr std::int64_t EnoughNodes = 1 << 13;
 
-/// Shares of what lies at or above the begin of each bin, from counts by bin.
+/// The share at or above the beginning of each bin, from the counts of the bins.
 std::vector<double> ShareAtLeast(const std::vector<std::int64_t>& counts, std::int64_t all)
 {
   std::vector<double> shares(counts.size() + 1, 0.0);
@@ -75,13 +75,13 @@ double LeafHistogram::BinOf(double value) const
 {
   if (!(value > this->Low))
   {
-    return 0.0; // what is not a number, too
+    return 0.0; // also for NaN
   }
   if (value >= this->High)
   {
     return Bins;
   }
-  // By halves: the range of values may be too large for a number.
+  // Halved, because the range of values may overflow.
   const double share = (0.5 * value - 0.5 * this->Low) / (0.5 * this->High - 0.5 * this->Low);
   return std::min(share, 1.0) * Bins;
 }

@@ -15,25 +15,25 @@
 namespace TemporalCoherence
 {
 
-/// How many leaves of a pyramid the isovalues of a band pass through: what tracing it may cost.
+/// Estimates how many leaves the isovalues of a band pass through, and so the cost of tracing it.
 class LeafHistogram
 {
 public:
-  /// Count leaves by their smallest and largest sample. Of many leaves only some are looked at.
-  /// \throws std::bad_alloc, the histogram then being empty
+  /// Count leaves by their smallest and largest sample. Of many leaves only some are counted.
+  /// \throws std::bad_alloc; the histogram is then empty
   void Build(const Field& field, const ValueRangePyramid& pyramid);
 
   void Release();
 
   bool IsEmpty() const { return this->MinAtLeast.empty(); }
 
-  /// Largest minus smallest finite sample, or the largest number if that is too large for one.
+  /// Largest minus smallest finite sample, or the largest double if the difference overflows.
   double Range() const
   {
     return std::min(this->High - this->Low, std::numeric_limits<double>::max());
   }
 
-  /// Share of all leaves through which some isovalue of the band passes, 0 to 1.
+  /// Share of all leaves that some isovalue of the band passes through, 0 to 1.
   double ShareOf(const ValueBand& band) const;
 
 private:

@@ -29,11 +29,11 @@ SampleComparer::Result SampleComparer::Compare(
 }
 
 void SampleComparer::FindTilesToTrace(
-  const View& view, const Placement& placement, const FieldRanges& ranges)
+  const View& view, const IndexTransform& transform, const FieldRanges& ranges)
 {
   if (AreReadAlike(this->LimitsOfLast, LimitsOf(ranges)))
   {
-    this->TilesToTrace = FindTiles(view, placement, this->Changed, *ranges.Samples.Kind);
+    this->TilesToTrace = FindTiles(view, transform, this->Changed, *ranges.Samples.Kind);
   }
 }
 
@@ -71,8 +71,8 @@ SampleComparer::Limits SampleComparer::LimitsOf(const FieldRanges& ranges)
   return limits;
 }
 
-/// True if samples that are equal differ alike from an isovalue: those that are not finite do by
-/// the largest difference of one that is.
+/// True if equal samples have equal differences from an isovalue. For infinite samples the
+/// difference depends on the range of the finite ones.
 bool SampleComparer::AreReadAlike(const Limits& a, const Limits& b)
 {
   return a.FiniteRange == b.FiniteRange || (a.AreFinite && b.AreFinite);

@@ -14,10 +14,10 @@
 namespace TemporalCoherence
 {
 
-/// Which samples changed from one frame to the next, told by their fingerprints alone: those of the
-/// last frame may be gone.
+/// Tells which samples changed since the last frame. It compares fingerprints, as the samples of
+/// the last frame may be gone.
 ///
-/// Data that never changes is not hashed. So the first change cannot be told.
+/// Data that never changes is not hashed, so the first change cannot be located.
 class SampleComparer
 {
 public:
@@ -32,30 +32,31 @@ public:
   /// \throws std::bad_alloc
   Result Compare(const Field& last, const Field& next, FieldStructures& shared);
 
-  /// Find the tiles in which samples that were found to be different can be seen.
+  /// Find the tiles that the changed samples can affect.
   /// \param ranges of the samples of the next frame
   /// \throws std::bad_alloc
-  void FindTilesToTrace(const View& view, const Placement& placement, const FieldRanges& ranges);
+  void FindTilesToTrace(
+    const View& view, const IndexTransform& transform, const FieldRanges& ranges);
 
-  /// True if no sample that is different can be seen in a tile.
+  /// True if no changed sample affects a tile.
   /// \pre ShareToTrace() < 1
   bool CanCopy(std::int64_t tile) const
   {
     return !this->TilesToTrace[static_cast<std::size_t>(tile)];
   }
 
-  /// Share of the tiles that are not like those of the last frame, as far as is known.
+  /// The share of tiles to trace: 1 if it is not known what changed.
   double ShareToTrace() const;
 
-  /// The last frame is one of these samples now.
-  /// \param ranges those of the frame, or of other samples where it has none
+  /// The last frame shows these samples now.
+  /// \param ranges of the frame; of other samples if it has none
   void Take(const Field& shown, const FieldRanges& ranges);
 
-  /// The last frame is one of the samples that were compared, and equal.
+  /// The last frame shows the samples that were just compared and found equal.
   void TakeEqual() { this->Last = this->Next; }
 
 private:
-  /// What all samples together change of how each is read.
+  /// What depends on all samples together and affects how each is read.
   struct Limits
   {
     glm::dvec2 FiniteRange{ 0.0 };

@@ -15,32 +15,31 @@ namespace
 
 using Bounds = TileBounds::Bounds;
 
-/// Parts of the nodes projected at the same time, each into tiles of its own.
+/// Nodes are projected in this many parallel parts, each into tiles of its own.
 constexpr int NumberOfParts = 8;
 
-/// Pixels by which projections are widened against rounding.
+/// Margin in pixels around projections, against rounding.
 constexpr double Margin = 1.0 / 64;
 
-/// Share of a distance by which bounds are widened, since they are stored in single precision.
+/// Relative margin of bounds, which are stored in single precision.
 constexpr double Slack = 1e-6;
 
-/// Share of the largest terms of a sum by which rounding may move it, and the ray that it is held
-/// against: not much where terms are as large as the sum, but they cancel out in long thin cells,
-/// and far away from the origin.
+/// Relative to the largest terms of a sum, how far rounding may move it and the ray it is compared
+/// with. Terms may be much larger than their sum in long thin cells and far from the origin.
 constexpr double Rounding = 64.0 * std::numeric_limits<double>::epsilon();
 
-/// Half the width in pixels of nodes that are projected as one box instead of leaf by leaf: such
-/// boxes are as small in the picture as leaves of other volumes. Measured by `Benchmark --scenarios
+/// Nodes of at most this half width in pixels are projected as one box instead of leaf by leaf:
+/// they are as small in the picture as leaves of other volumes. Measured by `Benchmark --scenarios
 /// growth`.
 constexpr double SmallNode = 10.0;
 
 /// A box of cells.
 struct Box
 {
-  glm::dvec3 Centre, Half; ///< half its edges
+  glm::dvec3 Centre, Half; ///< half of its edges
 };
 
-/// The box around the leaves of a node of which a word tells, in leaves: first leaf and size.
+/// The box around the active leaves of a node, given their word, in leaves: first leaf and size.
 std::array<glm::ivec3, 2> LeavesAround(std::uint64_t leaves)
 {
   glm::ivec3 first(3), last(0);
@@ -60,19 +59,19 @@ std::array<glm::ivec3, 2> LeavesAround(std::uint64_t leaves)
 class BoxProjector
 {
 public:
-  /// \param cells along each axis, from which all boxes are
-  BoxProjector(const View& view, const Placement& placement, const glm::ivec2& tiles,
-    const glm::ivec3& cells, const FieldKind& kind)
-    : Seen(view)
+  /// \param cells of the field along each axis
+  BoxProjector(const TemporalCoherence::View& view, const IndexTransform& transform,
+    const glm::ivec2& tiles, const glm::ivec3& cells, const FieldKind& kind)
+    : View(view)
     , Tiles(tiles)
     , Kind(kind)
     , AreAlike(kind.AreBlocksAlike())
-    , ClipFromIndex(view.ClipFromWorld * placement.WorldFromIndex)
-    , WorldFromIndex(placement.WorldFromIndex)
+    , ClipFromIndex(view.ClipFromWorld * transform.WorldFromIndex)
+    , WorldFromIndex(transform.WorldFromIndex)
   {
     if (view.Parallel)
     {
-      // Rays begin on the plane through the camera, which they may meet at an angle.
+      // Rays begin on the plane through the camera, perhaps at an angle.
       const double cosine = glm::dot(view.Forward, glm::normalize(view.Direction));
       this->ParallelDepth = view.Forward / cosine;
       this->PerRadius = 1.0 / cosine;
@@ -110,7 +109,7 @@ public:
     {
       extent += box.Half[axis] * glm::abs(glm::dvec2(this->ClipFromIndex[axis]));
     }
-    const glm::dvec2 pixels = 0.5 * extent * glm::dvec2(this->Seen.Size);
+    const glm::dvec2 pixels = 0.5 * extent * glm::dvec2(this->View.Size);
     return pixels.x < SmallNode * w && pixels.y < SmallNode * w;
   }
 
@@ -123,9 +122,9 @@ public:
   void Widen(const Box& box, double radius, std::vector<Bounds>& bounds) const
   {
     const glm::dvec3 world(this->WorldFromIndex * glm::dvec4(box.Centre, 1.0));
-    const double distance = this->Seen.Parallel
-      ? glm::dot(this->ParallelDepth, world - this->Seen.Position)
-      : glm::length(world - this->Seen.Position);
+    const double distance = this->View.Parallel
+      ? glm::dot(this->ParallelDepth, world - this->View.Position)
+      : glm::length(world - this->View.Position);
     const double slack = Slack * std::abs(distance) + Slack * radius + this->DistanceError;
     const float near = Below(distance - radius - slack);
     const float far = -Below(-(distance + radius + slack));
@@ -146,8 +145,8 @@ public:
     }
   }
 
-  /// Tiles that a box can touch: all where it reaches behind the eye, or where what is computed
-  /// leaves the range of numbers; false if there are none.
+  /// Find the tiles that a box can touch: all tiles if it reaches behind the eye or if numbers
+  /// overflow. \return false if there are none
   bool FindTiles(const Box& box, glm::ivec2& first, glm::ivec2& last) const
   {
     first = glm::ivec2(0);
@@ -174,7 +173,7 @@ public:
     const glm::dvec2 farthest = glm::max(glm::abs(low), glm::abs(high));
     const glm::dvec2 error =
       (glm::dvec2(this->ClipError) + farthest * this->ClipError.w) / (nearest - this->ClipError.w);
-    const glm::dvec2 scale = 0.5 * glm::dvec2(this->Seen.Size);
+    const glm::dvec2 scale = 0.5 * glm::dvec2(this->View.Size);
     const glm::dvec2 margin = Margin + scale * error;
     const glm::dvec2 lowPixel = (low + 1.0) * scale - margin;
     const glm::dvec2 highPixel = (high + 1.0) * scale + margin;
@@ -182,19 +181,19 @@ public:
     {
       return true;
     }
-    if (lowPixel.x >= this->Seen.Size.x || lowPixel.y >= this->Seen.Size.y || highPixel.x < 0.0 ||
+    if (lowPixel.x >= this->View.Size.x || lowPixel.y >= this->View.Size.y || highPixel.x < 0.0 ||
       highPixel.y < 0.0)
     {
       return false;
     }
     first = glm::ivec2(glm::max(lowPixel, glm::dvec2(0.0))) >> TileBits;
     last = glm::min(
-      glm::ivec2(glm::min(highPixel, glm::dvec2(this->Seen.Size))) >> TileBits, this->Tiles - 1);
+      glm::ivec2(glm::min(highPixel, glm::dvec2(this->View.Size))) >> TileBits, this->Tiles - 1);
     return true;
   }
 
 private:
-  /// How far rounding may move what is projected.
+  /// How far rounding may move a projected point.
   void FindErrors(const glm::dvec4& cells)
   {
     const auto sizes = [](const glm::dmat4& matrix)
@@ -203,14 +202,14 @@ private:
         glm::abs(matrix[0]), glm::abs(matrix[1]), glm::abs(matrix[2]), glm::abs(matrix[3]));
     };
     const glm::dvec4 world = sizes(this->WorldFromIndex) * cells;
-    this->ClipError = Rounding * (sizes(this->Seen.ClipFromWorld) * world);
-    const glm::dvec3 reach = glm::dvec3(world) + glm::abs(this->Seen.Position);
+    this->ClipError = Rounding * (sizes(this->View.ClipFromWorld) * world);
+    const glm::dvec3 reach = glm::dvec3(world) + glm::abs(this->View.Position);
     this->DistanceError = Rounding * this->PerRadius * (reach.x + reach.y + reach.z) +
       static_cast<double>(std::numeric_limits<float>::min());
   }
 
-  /// A number in single precision that is not above another but for rounding, which slack allows
-  /// for; what is no number is below all.
+  /// Convert to single precision, for a lower bound; rounding is covered by the slack. NaN becomes
+  /// the lowest value.
   static float Below(double number)
   {
     constexpr auto Largest = static_cast<double>(std::numeric_limits<float>::max());
@@ -218,10 +217,10 @@ private:
                               : -std::numeric_limits<float>::infinity();
   }
 
-  const View& Seen;
+  const TemporalCoherence::View& View;
   glm::ivec2 Tiles;
   const FieldKind& Kind;
-  bool AreAlike; ///< all leaves, in size
+  bool AreAlike; ///< all leaves have the same size
   glm::dmat4 ClipFromIndex, WorldFromIndex;
   double PerRadius = 1.0; ///< distance along rays for a distance in the world
   double LeafRadius;
@@ -256,7 +255,7 @@ void WidenByNode(const BoxProjector& projector, const glm::ivec3& firstCell, std
 
 }
 
-std::vector<std::uint8_t> FindTiles(const View& view, const Placement& placement,
+std::vector<std::uint8_t> FindTiles(const View& view, const IndexTransform& transform,
   const std::vector<CellBox>& boxes, const FieldKind& kind)
 {
   const glm::ivec2 tiles = TilesOf(view.Size);
@@ -265,7 +264,7 @@ std::vector<std::uint8_t> FindTiles(const View& view, const Placement& placement
   {
     cells = glm::max(cells, box.First + box.Size);
   }
-  const BoxProjector projector(view, placement, tiles, cells, kind);
+  const BoxProjector projector(view, transform, tiles, cells, kind);
   std::vector<std::uint8_t> touched(static_cast<std::size_t>(NumberOfTiles(view.Size)), 0);
   for (const CellBox& box : boxes)
   {
@@ -281,8 +280,8 @@ std::vector<std::uint8_t> FindTiles(const View& view, const Placement& placement
   return touched;
 }
 
-void TileBounds::Build(
-  const View& view, const Placement& placement, const ActiveCells& active, const FieldKind& kind)
+void TileBounds::Build(const View& view, const IndexTransform& transform, const ActiveCells& active,
+  const FieldKind& kind)
 {
   this->Size = TilesOf(view.Size);
   const std::size_t tiles =
@@ -296,7 +295,7 @@ void TileBounds::Build(
 
   const glm::ivec3 nodes = active.NodeDimensions();
   const BoxProjector projector(
-    view, placement, this->Size, ValueRangePyramid::NodeSize * nodes, kind);
+    view, transform, this->Size, ValueRangePyramid::NodeSize * nodes, kind);
   const std::int64_t count = static_cast<std::int64_t>(nodes.x) * nodes.y * nodes.z;
   ParallelFor(NumberOfParts, 1,
     [&](std::int64_t part)

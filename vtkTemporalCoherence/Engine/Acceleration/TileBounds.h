@@ -16,19 +16,18 @@
 namespace TemporalCoherence
 {
 
-/// 1 for each tile of a view through which a ray may pass one of the boxes of cells, else 0.
+/// 1 for each tile in which some ray may pass through one of the boxes of cells, else 0.
 /// \param kind of the field
 /// \throws std::bad_alloc
-std::vector<std::uint8_t> FindTiles(const View& view, const Placement& placement,
+std::vector<std::uint8_t> FindTiles(const View& view, const IndexTransform& transform,
   const std::vector<CellBox>& boxes, const FieldKind& kind);
 
-/// For each tile of 8 x 8 pixels, the distances between which all active leaves seen through it
-/// lie.
+/// For each tile of 8 x 8 pixels, the range of distances in which its rays may meet active leaves.
 ///
-/// Every active leaf, or the box around those of a node that is small in the picture, is projected
-/// and widens the range of the tiles it can touch. A tile that none
-/// touches sees no surface at all. The bounds are conservative: rays may start at Near and stop at
-/// Far without a change of the picture.
+/// Every active leaf is projected and widens the ranges of the tiles that it can touch. If a node
+/// is small in the picture, the box around its active leaves is projected instead. A tile that no
+/// box touches sees no surface. The bounds are conservative: rays may start at Near and stop at Far
+/// without changing the picture.
 class TileBounds
 {
 public:
@@ -42,9 +41,9 @@ public:
   };
 
   /// \param kind of the field
-  /// \throws std::bad_alloc, the bounds then being unusable
-  void Build(
-    const View& view, const Placement& placement, const ActiveCells& active, const FieldKind& kind);
+  /// \throws std::bad_alloc; the bounds are then unusable
+  void Build(const View& view, const IndexTransform& transform, const ActiveCells& active,
+    const FieldKind& kind);
 
   const glm::ivec2& Tiles() const { return this->Size; }
   const Bounds& At(std::int64_t tile) const { return this->All[static_cast<std::size_t>(tile)]; }
@@ -55,7 +54,7 @@ public:
 private:
   glm::ivec2 Size{ 0 };
   std::vector<Bounds> All;
-  std::vector<std::vector<Bounds>> Parts; ///< one picture of tiles for each part of the nodes
+  std::vector<std::vector<Bounds>> Parts; ///< the bounds of all tiles, for each part of the nodes
 };
 
 }

@@ -76,7 +76,7 @@ Range<T> FiniteRangeOfRows(const TypedField<T>& field, const glm::ivec2& first,
   Range<T> all = ValueRangePyramid::Empty<T>();
   for (int node = 0; node < size.x * size.y; ++node)
   {
-    // Samples that are not finite are looked for only where there are some.
+    // Only nodes with samples that are not finite are read again.
     const glm::ivec3 place(node % size.x, first.x + node / size.x, first.y);
     const Range<T> range = IsFinite(nodes[node]) ? nodes[node] : FiniteRangeOf(field, place);
     all.Min = std::min(all.Min, range.Min);
@@ -85,7 +85,8 @@ Range<T> FiniteRangeOfRows(const TypedField<T>& field, const glm::ivec2& first,
   return all;
 }
 
-/// The range that a kind tells for the leaf that begins at a cell; empty beyond the field's end.
+/// The range of the leaf that begins at a cell, as the kind tells it. Empty beyond the end of the
+/// field.
 Range<double> RangeOfLeaf(const Field& field, const glm::ivec3& first)
 {
   const glm::ivec3 size =
@@ -142,7 +143,7 @@ void ValueRangePyramid::Build(const Field& field)
     });
 }
 
-/// The ranges of a field without samples, as its kind tells them.
+/// The ranges of a field without samples, told by its kind.
 void ValueRangePyramid::BuildFromKind(const Field& field)
 {
   assert(field.Type == ScalarType::Float64);

@@ -3,8 +3,8 @@
 #ifndef TemporalCoherence_ValueRangePyramid_h
 #define TemporalCoherence_ValueRangePyramid_h
 
+#include "Scene/DefaultInitAllocator.h"
 #include "Scene/Field.h"
-#include "Scene/RoomAllocator.h"
 
 #include <cstddef>
 #include <limits>
@@ -14,13 +14,12 @@
 namespace TemporalCoherence
 {
 
-/// Smallest and largest sample of the field in blocks of cells, whatever the isovalue.
+/// Smallest and largest sample of the field in blocks of cells. Independent of the isovalue.
 ///
-/// Two levels, each four times coarser than the one below, so that the 64 children of a node fit
-/// the bits of one machine word: *leaves* of 4 x 4 x 4 cells (the 5 x 5 x 5 samples around them)
-/// and *nodes* of 4 x 4 x 4 leaves. Leaves are stored node by node. A leaf without cells (beyond
-/// the end of the field) has Min > Max. A sample that is not a number counts as below every
-/// isovalue: Min is then -infinity.
+/// There are two levels: *leaves* of 4 x 4 x 4 cells, with their 5 x 5 x 5 samples, and *nodes* of
+/// 4 x 4 x 4 leaves, so that the 64 leaves of a node fit the bits of one machine word. Leaves are
+/// stored node by node. A leaf without cells, beyond the end of the field, has Min > Max. NaN
+/// counts as below every isovalue: Min is then -infinity.
 class ValueRangePyramid
 {
 public:
@@ -36,7 +35,7 @@ public:
     T Min, Max;
   };
 
-  /// What no sample has widened yet.
+  /// An empty range, to be widened by samples.
   template <typename T>
   static constexpr Range<T> Empty()
   {
@@ -51,15 +50,15 @@ public:
     }
   }
 
-  /// Nodes along each axis of a field of so many samples.
+  /// Nodes along each axis of a field of this size.
   static glm::ivec3 NodesFor(const glm::ivec3& samples)
   {
     return (samples - 1 + (NodeSize - 1)) / NodeSize;
   }
 
-  /// Read the whole field once, in parallel; one without samples is asked for its ranges.
+  /// Read the whole field once, in parallel. The kind of a field without samples tells its ranges.
   /// \pre field.HasCells()
-  /// \throws std::bad_alloc, the pyramid then being empty
+  /// \throws std::bad_alloc; the pyramid is then empty
   void Build(const Field& field);
 
   void Release();
@@ -91,8 +90,8 @@ public:
   /// Smallest and largest finite sample of the whole field; {0, 0} if there is none.
   const glm::dvec2& FiniteRange() const { return this->Finite; }
 
-  /// Smallest and largest of all samples, infinities among them; one that is not a number counts as
-  /// -infinity. {0, 0} before ranges are built.
+  /// Smallest and largest of all samples, including infinities. NaN counts as -infinity. {0, 0}
+  /// before ranges are built.
   const glm::dvec2& WholeRange() const { return this->Whole; }
 
   std::size_t MemoryInBytes() const { return this->Bytes.capacity(); }
@@ -100,7 +99,7 @@ public:
 private:
   void BuildFromKind(const Field& field);
 
-  using Room = std::vector<std::byte, RoomAllocator<std::byte>>;
+  using Room = std::vector<std::byte, DefaultInitAllocator<std::byte>>;
 
   Room Bytes; ///< the leaves of all nodes, and then the nodes
   glm::ivec3 Nodes{ 0 };

@@ -24,13 +24,13 @@ struct BeamLevels
   static bool AreFound(const TraceScene& scene)
   {
     return scene.Active && !scene.Samples.Hidden &&
-      (scene.Sought.Isovalues.size() == 1 ||
-        (std::is_integral_v<T> && !scene.Sought.Isovalues.empty()));
+      (scene.Isosurfaces.Isovalues.size() == 1 ||
+        (std::is_integral_v<T> && !scene.Isosurfaces.Isovalues.empty()));
   }
 
   explicit BeamLevels(const TraceScene& scene)
   {
-    const std::vector<double>& isovalues = scene.Sought.Isovalues;
+    const std::vector<double>& isovalues = scene.Isosurfaces.Isovalues;
     // Isovalues may be far from all samples; differences from such a one tell little.
     const double middle = 0.5 * scene.FiniteRange.x + 0.5 * scene.FiniteRange.y;
     const auto base = std::min_element(isovalues.begin(), isovalues.end(),

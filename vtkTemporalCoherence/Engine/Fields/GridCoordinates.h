@@ -16,12 +16,12 @@ namespace TemporalCoherence
 
 /// Where the samples of a rectilinear field lie in index space.
 ///
-/// The box of the field is that of an image of the same dimensions, so that everything which knows
-/// boxes and planes only is the same for both; but inside, samples lie at these coordinates and not
-/// at whole numbers. The unit along an axis is the mean distance between samples.
+/// The field fills the same box as an image of the same dimensions, so that code which handles only
+/// boxes and planes serves both. Inside the box, samples lie at these coordinates instead of at
+/// integers. The unit along an axis is the mean distance between samples.
 struct GridCoordinates
 {
-  /// Strictly ascending; the first is 0 and the last the number of cells.
+  /// Strictly ascending. The first is 0, the last is the number of cells.
   std::array<std::vector<double>, 3> Along;
 
   const std::vector<double>& Of(int axis) const
@@ -29,7 +29,7 @@ struct GridCoordinates
     return this->Along[static_cast<std::size_t>(axis)];
   }
 
-  /// Coordinate of sample `i`; beyond the last one that of the last.
+  /// Coordinate of sample `i`; of the last sample if `i` is beyond it.
   double At(int axis, int i) const
   {
     const std::vector<double>& all = this->Of(axis);

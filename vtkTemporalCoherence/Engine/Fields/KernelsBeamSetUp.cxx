@@ -161,10 +161,10 @@ HWY_INLINE void ClearRays(std::uint64_t which, TileBeam& beam)
     depth = hn::Max(depth,
       hn::Add(hn::LoadU(d, &beam.AtDepth[i]), hn::Mul(behind, hn::LoadU(d, &beam.PerDepth[i]))));
     hn::StoreU(far, d, &beam.Enter[i]);
-    hn::StoreU(far, d, &beam.Contact[i]);
-    hn::StoreU(far, d, &beam.NextContact[i]);
+    hn::StoreU(far, d, &beam.FirstEntry[i]);
+    hn::StoreU(far, d, &beam.NextEntry[i]);
     hn::StoreU(none, di, &beam.Cell[i]);
-    hn::StoreU(none, di, &beam.ContactCell[i]);
+    hn::StoreU(none, di, &beam.EntryCell[i]);
   }
   beam.Around.Offset[TileBeam::Across] =
     -(hn::GetLane(hn::MaxOfLanes(d, depth)) + 4.0f * beam.Margin);
@@ -226,7 +226,7 @@ bool SetUp(
   }
   beam.First = extremes.First;
   beam.Scale = std::max({ std::abs(direction.x), std::abs(direction.y), std::abs(direction.z) });
-  // Numbers of any size may stand in a camera or a placement.
+  // Numbers of any size may stand in a camera or a transform.
   constexpr double smallest = 1e-100;
   if (!(beam.Scale > smallest && beam.Scale < 1.0 / smallest &&
         std::abs(beam.First) < 1.0 / smallest))

@@ -13,9 +13,10 @@
 namespace TemporalCoherence
 {
 
-/// FieldKind::FaceNormal where cells lie between planes across the axes.
-/// \param planes has Nearest(axis, x): the plane nearest to a coordinate, At(axis, plane): where it
-///               lies, and CellOf(axis, x): the cell that holds a coordinate, or the nearest one
+/// FieldKind::FaceNormal for cells between axis-aligned planes.
+/// \param planes has Nearest(axis, x): the plane nearest to a coordinate; At(axis, plane): its
+///               coordinate; and CellOf(axis, x): the cell that holds a coordinate, or the nearest
+///               one
 template <typename Planes>
 glm::dvec3 LatticeFaceNormal(const Planes& planes, const Field& field, const glm::dvec3& point,
   const glm::dvec3& direction, double& nearest)

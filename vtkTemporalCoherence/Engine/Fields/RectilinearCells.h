@@ -18,8 +18,7 @@
 namespace TemporalCoherence
 {
 
-/// A ray through the cells of a rectilinear field, by its place in a batch: what BatchRay is for
-/// uniform ones, for CellWalk.
+/// One ray of a batch in a rectilinear field, for CellWalk: the counterpart of BatchRay.
 struct RectilinearRay
 {
   double Origin(int axis) const { return this->Rays.Origin[Index(axis)][this->Ray]; }
@@ -31,15 +30,15 @@ struct RectilinearRay
     return (coordinate - this->Origin(axis)) * this->Rays.Inverse[Index(axis)][this->Ray];
   }
 
-  /// Distance at which the ray passes plane `plane` of an axis, always computed from the plane's
-  /// coordinate. What lies beyond the last plane is taken to be there.
+  /// Distance at which the ray passes plane `plane` of an axis, always computed from the coordinate
+  /// of the plane. Planes beyond the last one are taken to lie at it.
   HWY_INLINE double Pass(int axis, int plane) const
   {
     return this->PassAt(axis, this->Grid.At(axis, plane));
   }
 
-  /// The cell, from low to high, that the ray is in at t: it has passed one of its planes and not
-  /// the other. As planes decide, and not a point that would be rounded, no cell is left out.
+  /// The cell, from low to high, that the ray is in at t: it has passed one of the cell's planes
+  /// and not the other. Planes decide, not a rounded point, so that no cell is missed.
   int CellAt(int axis, double t, int low, int high) const
   {
     const bool isAscending = this->Direction(axis) > 0.0;
@@ -53,7 +52,7 @@ struct RectilinearRay
     return low;
   }
 
-  /// The same for walks.
+  /// Coordinate of the cell in which a walk begins.
   int WalkFrom(int axis, double t, int cells) const { return this->CellAt(axis, t, 0, cells - 1); }
 
   glm::ivec3 CellAt(double t, const glm::ivec3& cells) const
@@ -71,11 +70,11 @@ struct RectilinearRay
   const GridCoordinates& Grid;
 };
 
-/// The part of a ray in one cell of a rectilinear field: where it enters and leaves, and the path
-/// between in the cell's own coordinates (Passage.h).
-struct RectilinearPassage
+/// The segment of a ray in one cell of a rectilinear field: where it enters and leaves, and the
+/// path between in the cell's own coordinates (CellSegment.h).
+struct RectilinearSegment
 {
-  RectilinearPassage(const RectilinearRay& ray, const glm::ivec3& cell)
+  RectilinearSegment(const RectilinearRay& ray, const glm::ivec3& cell)
     : Enter(ray.Rays.Begin[ray.Ray])
     , Leave(ray.Rays.End[ray.Ray])
   {
@@ -106,7 +105,7 @@ struct RectilinearPassage
     }
   }
 
-  /// True if the ray does more than to touch the cell.
+  /// True if the ray does more than touch the cell.
   bool HasLength() const { return this->Enter < this->Leave; }
 
   /// t at a share of the path; infinity if the ray only touches the cell.
@@ -134,11 +133,11 @@ struct RectilinearPassage
 
 /// True if a ray comes from a hidden cell.
 /// \param enter t where it enters `cell`
-/// \pre the ray does more than to touch it
+/// \pre the ray does more than touch it
 inline bool ComesFromHidden(
   const RectilinearRay& ray, const glm::ivec3& cell, double enter, const HiddenCells& hidden)
 {
-  // Through an edge or a corner the ray comes from the cell opposite.
+  // Through an edge or a corner the ray comes from the opposite cell.
   glm::ivec3 before = cell;
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -149,7 +148,7 @@ inline bool ComesFromHidden(
   return hidden.IsHidden(before);
 }
 
-/// How rays go through the cells of a rectilinear field, for CellTracer.
+/// The geometry of the cells of a rectilinear field, for CellTracer.
 template <typename T>
 struct RectilinearCells
 {
@@ -167,22 +166,22 @@ struct RectilinearCells
     return { rays, ray, this->Grid };
   }
 
-  /// The part of a ray in one cell.
-  struct Part
+  /// The segment of a ray in one cell.
+  struct Segment
   {
-    Part(const RectilinearRay& ray, const glm::ivec3& cell)
+    Segment(const RectilinearRay& ray, const glm::ivec3& cell)
       : Line(ray)
       , Cell(cell)
-      , Passed(ray, cell)
+      , Inner(ray, cell)
     {
     }
 
-    bool HasLength() const { return this->Passed.HasLength(); }
-    double Enter() const { return this->Passed.Enter; }
-    double Leave() const { return this->Passed.Leave; }
-    double DistanceAt(double share) const { return this->Passed.DistanceAt(share); }
-    const CellPath<double>& Path() const { return this->Passed.Path; }
-    NearestPath Nearest() const { return this->Passed.Nearest(); }
+    bool HasLength() const { return this->Inner.HasLength(); }
+    double Enter() const { return this->Inner.Enter; }
+    double Leave() const { return this->Inner.Leave; }
+    double DistanceAt(double share) const { return this->Inner.DistanceAt(share); }
+    const CellPath<double>& Path() const { return this->Inner.Path; }
+    NearestPath Nearest() const { return this->Inner.Nearest(); }
     bool ComesFrom(const HiddenCells& hidden) const
     {
       return this->HasLength() && ComesFromHidden(this->Line, this->Cell, this->Enter(), hidden);
@@ -191,7 +190,7 @@ struct RectilinearCells
   private:
     RectilinearRay Line;
     glm::ivec3 Cell;
-    RectilinearPassage Passed;
+    RectilinearSegment Inner;
   };
 
   const GridCoordinates& Grid;

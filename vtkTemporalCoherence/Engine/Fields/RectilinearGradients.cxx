@@ -13,18 +13,18 @@ namespace TemporalCoherence
 namespace
 {
 
-/// Share of a cell by which a nearest-neighbour hit is moved on, from a face between two samples
-/// into the box of the sample that the ray enters.
+/// Share of a cell by which a hit of nearest interpolation is moved along the ray, from the face
+/// between two samples into the box of the sample that the ray enters.
 constexpr double IntoNextBox = 1e-2;
 
-/// Gradients end here, so that sums of a few of them are numbers.
+/// Gradients are clamped to this, so that sums of a few of them do not overflow.
 double Bounded(double gradient)
 {
   constexpr double largest = std::numeric_limits<double>::max() / 8.0;
   return std::min(std::max(gradient, -largest), largest);
 }
 
-/// A point in the cell that holds it.
+/// A point and its cell.
 struct CellPoint
 {
   glm::ivec3 Cell{ 0 };
@@ -53,7 +53,7 @@ CellPoint FindCell(const GridCoordinates& grid, Interpolation between, const glm
   return found;
 }
 
-/// Gradients of the difference from one isovalue.
+/// Computes gradients of the difference from one isovalue.
 template <typename T>
 class GradientFinder
 {
@@ -141,7 +141,7 @@ void RectilinearGradients(
     });
   for (RayBatch::Array<double>& along : tile.Gradients)
   {
-    // So that no lane of the last vector holds what is not a number.
+    // So that no lane of the last vector is uninitialised.
     std::fill(along.begin() + static_cast<std::ptrdiff_t>(tile.Count),
       along.begin() + static_cast<std::ptrdiff_t>(WholeVectors(tile.Count)), along[tile.Count - 1]);
   }

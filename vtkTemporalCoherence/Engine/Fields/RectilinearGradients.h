@@ -9,8 +9,8 @@
 namespace TemporalCoherence
 {
 
-/// Gradients of a field whose samples lie at coordinates: differences are divided by the distance
-/// between the samples that they are taken of, as vtkRectilinearSynchronizedTemplates does.
+/// Find gradients of a rectilinear field. Differences are divided by the distance between the
+/// samples, as vtkRectilinearSynchronizedTemplates does.
 void RectilinearGradients(
   const GridCoordinates& grid, const GradientQuery& query, const GradientTile& tile);
 

@@ -62,13 +62,14 @@ public:
     return box;
   }
 
-  /// What is flat in small cells need not be as flat as in large ones.
-  VoxelSize VoxelSizeIn(const Placement& where) const override
+  /// Bend is the shortest edge: a surface may be flat at the scale of small cells and bend at that
+  /// of large ones.
+  VoxelSize VoxelSizeIn(const IndexTransform& transform) const override
   {
     VoxelSize size{ std::numeric_limits<double>::infinity(), 0.0, 0.0 };
     for (int axis = 0; axis < 3; ++axis)
     {
-      const double unit = glm::length(glm::dvec3(where.WorldFromIndex[axis]));
+      const double unit = glm::length(glm::dvec3(transform.WorldFromIndex[axis]));
       const glm::dvec2 along = unit * this->Grid->Edges(axis);
       size.Shortest = glm::min(size.Shortest, along.x);
       size.Longest = glm::max(size.Longest, along.y);
@@ -99,7 +100,7 @@ public:
   {
     for (std::size_t i = 0; i < static_cast<std::size_t>(cells.Count); ++i)
     {
-      cells.Enter[i] = RectilinearPassage({ rays, cells.Ray[i], *this->Grid }, cells.At(i)).Enter;
+      cells.Enter[i] = RectilinearSegment({ rays, cells.Ray[i], *this->Grid }, cells.At(i)).Enter;
     }
   }
 

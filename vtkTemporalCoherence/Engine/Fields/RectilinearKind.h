@@ -11,8 +11,8 @@
 namespace TemporalCoherence
 {
 
-/// The kind of rectilinear grids: samples lie at coordinates along each axis.
-/// \param coordinates as many as the field has samples, along each axis
+/// Make the kind of rectilinear grids, whose samples lie at given coordinates along each axis.
+/// \param coordinates one for each sample along each axis
 /// \throws std::bad_alloc
 std::shared_ptr<const FieldKind> RectilinearKind(
   std::shared_ptr<const GridCoordinates> coordinates);

@@ -53,10 +53,10 @@ public:
     }
     this->FirstEnter.fill(std::numeric_limits<double>::infinity());
     SearchBeam({ this->Given.Isovalues, *this->Cells.Scene.Active, this->Cells.Count,
-                 this->Cells.Rules.IsSolid(), this->Cells.Scene.AreContactsExact },
+                 this->Cells.Rules.IsSolid(), this->Cells.Scene.AreEntriesExact },
       *this, beam);
     this->Hits.CellsRead += beam.CellsPassed;
-    this->FindContacts(beam);
+    this->FindFirstEntries(beam);
     return true;
   }
 
@@ -91,10 +91,10 @@ private:
     return this->NumberOfRead++;
   }
 
-  /// Passages that are to be searched.
+  /// Segments that are to be searched.
   struct Search
   {
-    PassageBatch<Real> Passages;
+    SegmentBatch<Real> Segments;
     RayBatch::Array<std::size_t> Ray;
     RayBatch::Array<std::int32_t> Cell;
     RayBatch::Array<std::int16_t> Surface;
@@ -139,7 +139,7 @@ private:
     }
   }
 
-  /// Note a ray's passages through a cell, of each isovalue that passes through it.
+  /// Note a ray's segments in a cell, of each isovalue that passes through it.
   void Visit(std::size_t ray, std::int32_t number, Search& search, TileBeam& beam)
   {
     const std::array<double, 3>& place = this->ReadCells[static_cast<std::size_t>(number)].Place;
@@ -152,12 +152,12 @@ private:
       {
         continue;
       }
-      if (search.Passages.Count == RayBatch::Capacity)
+      if (search.Segments.Count == RayBatch::Capacity)
       {
         this->Finish(search, beam);
       }
-      const auto at = static_cast<std::size_t>(search.Passages.Count);
-      AppendPassage(this->Rays, ray, cell, corners, search.Passages);
+      const auto at = static_cast<std::size_t>(search.Segments.Count);
+      AppendSegment(this->Rays, ray, cell, corners, search.Segments);
       search.Ray[at] = ray;
       search.Cell[at] = number;
       search.Surface[at] = static_cast<std::int16_t>(surface);
@@ -167,27 +167,27 @@ private:
   /// Search what is noted.
   void Finish(Search& search, TileBeam& beam)
   {
-    PassageBatch<Real>& passages = search.Passages;
-    FindCrossings(passages, this->Cells.Rules.IsSolid());
-    for (std::size_t i = 0; i < static_cast<std::size_t>(passages.Count); ++i)
+    SegmentBatch<Real>& segments = search.Segments;
+    FindCrossings(segments, this->Cells.Rules.IsSolid());
+    for (std::size_t i = 0; i < static_cast<std::size_t>(segments.Count); ++i)
     {
       const std::size_t ray = search.Ray[i];
-      const bool isFound = passages.Distance[i] < std::numeric_limits<double>::infinity();
-      if (isFound && passages.Enter[i] == this->FirstEnter[ray])
+      const bool isFound = segments.Distance[i] < std::numeric_limits<double>::infinity();
+      if (isFound && segments.Enter[i] == this->FirstEnter[ray])
       {
         // In the same cell.
         this->Cells.Rules.KeepFirst(
-          passages.Distance[i], IsInside(passages.AtEntry[i]), search.Surface[i], ray, this->Hits);
+          segments.Distance[i], IsInside(segments.AtEntry[i]), search.Surface[i], ray, this->Hits);
       }
-      else if (this->Keep(passages, i, search.Cell[i], ray))
+      else if (this->Keep(segments, i, search.Cell[i], ray))
       {
         this->Hits.Surface[ray] = search.Surface[i];
         // Nothing matters behind a surface.
-        const float behind = beam.DistanceOf(passages.Distance[i]) + beam.Margin;
+        const float behind = beam.DistanceOf(segments.Distance[i]) + beam.Margin;
         beam.Behind[ray] = std::min(beam.Behind[ray], behind);
       }
     }
-    passages.Count = 0;
+    segments.Count = 0;
   }
 
   /// Find the surfaces that the beam has seen for sure.
@@ -205,13 +205,13 @@ private:
     {
       return;
     }
-    PassageBatch<Real> passages;
+    SegmentBatch<Real> segments;
     // Rays of a whole tile need not be copied; those that met nothing are searched in vain.
     const bool areAll = 4 * met > 3 * count;
-    passages.All = areAll ? &this->Rays : nullptr;
-    passages.Count = static_cast<int>(areAll ? count : met);
+    segments.All = areAll ? &this->Rays : nullptr;
+    segments.Count = static_cast<int>(areAll ? count : met);
     const std::int32_t any = beam.Cell[from[0]];
-    for (std::size_t i = 0; i < static_cast<std::size_t>(passages.Count); ++i)
+    for (std::size_t i = 0; i < static_cast<std::size_t>(segments.Count); ++i)
     {
       from[i] = areAll ? i : from[i];
       const std::size_t ray = from[i];
@@ -219,30 +219,30 @@ private:
       const ReadCell& cell = this->ReadCells[static_cast<std::size_t>(number)];
       for (std::size_t a = 0; a < 3; ++a)
       {
-        passages.Cell[a][i] = cell.Place[a];
+        segments.Cell[a][i] = cell.Place[a];
       }
       for (std::size_t corner = 0; corner < 8; ++corner)
       {
-        passages.Corners[corner][i] = cell.Differences[corner];
+        segments.Corners[corner][i] = cell.Differences[corner];
       }
       if (!areAll)
       {
         for (std::size_t a = 0; a < 3; ++a)
         {
-          passages.Origin[a][i] = this->Rays.Origin[a][ray];
-          passages.Direction[a][i] = this->Rays.Direction[a][ray];
-          passages.Inverse[a][i] = this->Rays.Inverse[a][ray];
+          segments.Origin[a][i] = this->Rays.Origin[a][ray];
+          segments.Direction[a][i] = this->Rays.Direction[a][ray];
+          segments.Inverse[a][i] = this->Rays.Inverse[a][ray];
         }
-        passages.Begin[i] = this->Rays.Begin[ray];
-        passages.End[i] = this->Rays.End[ray];
+        segments.Begin[i] = this->Rays.Begin[ray];
+        segments.End[i] = this->Rays.End[ray];
       }
     }
-    FindCrossings(passages, this->Cells.Rules.IsSolid());
-    for (std::size_t i = 0; i < static_cast<std::size_t>(passages.Count); ++i)
+    FindCrossings(segments, this->Cells.Rules.IsSolid());
+    for (std::size_t i = 0; i < static_cast<std::size_t>(segments.Count); ++i)
     {
       if (beam.Cell[from[i]] != TileBeam::NoCell)
       {
-        this->Keep(passages, i, beam.Cell[from[i]], from[i]);
+        this->Keep(segments, i, beam.Cell[from[i]], from[i]);
         beam.Cell[from[i]] = TileBeam::NoCell;
       }
     }
@@ -274,50 +274,51 @@ private:
     return ends;
   }
 
-  /// Keep what was found in passage i, if the ray meets it before what it has.
-  bool Keep(const PassageBatch<Real>& passages, std::size_t i, std::int32_t number, std::size_t ray)
+  /// Keep what was found in segment i, if the ray meets it before what it has.
+  bool Keep(const SegmentBatch<Real>& segments, std::size_t i, std::int32_t number, std::size_t ray)
   {
-    if (!(passages.Distance[i] < std::numeric_limits<double>::infinity() &&
-          passages.Enter[i] < this->FirstEnter[ray]))
+    if (!(segments.Distance[i] < std::numeric_limits<double>::infinity() &&
+          segments.Enter[i] < this->FirstEnter[ray]))
     {
       return false;
     }
-    this->FirstEnter[ray] = passages.Enter[i];
+    this->FirstEnter[ray] = segments.Enter[i];
     this->FirstCell[ray] = number;
     this->FirstRound[ray] = this->Round;
-    this->Hits.Depth[ray] = passages.Distance[i];
+    this->Hits.Depth[ray] = segments.Distance[i];
     this->Hits.Surface[ray] = 0;
-    this->Hits.Kind[ray] = HitRules::KindOf(IsInside(passages.AtEntry[i]));
+    this->Hits.Kind[ray] = HitRules::KindOf(IsInside(segments.AtEntry[i]));
     return true;
   }
 
   /// Tell where rays first enter active cells.
-  void FindContacts(const TileBeam& beam)
+  void FindFirstEntries(const TileBeam& beam)
   {
     std::uint64_t walking = 0;
     for (std::size_t ray = 0; ray < static_cast<std::size_t>(this->Rays.Count); ++ray)
     {
-      if (beam.Contact[ray] < TileBeam::Never)
+      if (beam.FirstEntry[ray] < TileBeam::Never)
       {
-        const bool isKnown = this->Hits.Kind[ray] != HitKind::None && this->KeepContact(beam, ray);
+        const bool isKnown =
+          this->Hits.Kind[ray] != HitKind::None && this->KeepFirstEntry(beam, ray);
         walking |= static_cast<std::uint64_t>(!isKnown) << ray;
       }
     }
     if (walking != 0)
     {
-      this->WalkToContacts(walking);
+      this->WalkToFirstEntries(walking);
     }
   }
 
   /// Tell where a ray that has a hit first enters an active cell.
   /// \return false if the beam does not tell it for sure
-  bool KeepContact(const TileBeam& beam, std::size_t ray)
+  bool KeepFirstEntry(const TileBeam& beam, std::size_t ray)
   {
-    const std::int32_t number = beam.ContactCell[ray];
+    const std::int32_t number = beam.EntryCell[ray];
     double enter;
-    if (!this->Cells.Scene.AreContactsExact)
+    if (!this->Cells.Scene.AreEntriesExact)
     {
-      enter = std::max(this->Rays.Begin[ray], beam.TOf(beam.Contact[ray]));
+      enter = std::max(this->Rays.Begin[ray], beam.TOf(beam.FirstEntry[ray]));
     }
     else if (number == this->FirstCell[ray] && this->FirstRound[ray] + 1 == this->Round)
     {
@@ -336,26 +337,26 @@ private:
     {
       return false;
     }
-    this->Hits.Contact[ray] = enter;
-    this->Hits.FromInside[ray] = this->Hits.Kind[ray] == HitKind::Leaves;
-    return !this->Cells.Scene.AreContactsExact ||
-      beam.DistanceOf(enter) + beam.Margin < beam.NextContact[ray];
+    this->Hits.FirstEntry[ray] = enter;
+    this->Hits.FromInside[ray] = this->Hits.Kind[ray] == HitKind::Exit;
+    return !this->Cells.Scene.AreEntriesExact ||
+      beam.DistanceOf(enter) + beam.Margin < beam.NextEntry[ray];
   }
 
   /// Let some rays walk to the first active cell.
-  void WalkToContacts(std::uint64_t which)
+  void WalkToFirstEntries(std::uint64_t which)
   {
     RayWalks walks(this->Rays, which);
     for (std::size_t i = 0; i < static_cast<std::size_t>(walks.Rays.Count); ++i)
     {
-      this->Hits.Contact[static_cast<std::size_t>(walks.From[i])] =
+      this->Hits.FirstEntry[static_cast<std::size_t>(walks.From[i])] =
         std::numeric_limits<double>::infinity();
     }
     FindActiveCells({ *this->Cells.Scene.Active, *this, this->Cells.Count }, walks);
     const auto count = static_cast<std::size_t>(walks.Rays.Count);
     for (std::size_t surface = 0; surface < this->Given.Isovalues.size(); ++surface)
     {
-      PassageBatch<Real> passages;
+      SegmentBatch<Real> segments;
       std::array<std::size_t, RayBatch::Capacity> from;
       for (std::size_t i = 0; i < count; ++i)
       {
@@ -363,15 +364,15 @@ private:
         const Corners<Real> corners = this->Cells.Differ(this->Cells.Samples.Read(cell), surface);
         if (this->Cells.CanHold(corners))
         {
-          from[static_cast<std::size_t>(passages.Count)] = static_cast<std::size_t>(walks.From[i]);
-          AppendPassage(walks.Rays, i, cell, corners, passages);
+          from[static_cast<std::size_t>(segments.Count)] = static_cast<std::size_t>(walks.From[i]);
+          AppendSegment(walks.Rays, i, cell, corners, segments);
         }
       }
-      FindCrossings(passages, this->Cells.Rules.IsSolid());
-      for (std::size_t i = 0; i < static_cast<std::size_t>(passages.Count); ++i)
+      FindCrossings(segments, this->Cells.Rules.IsSolid());
+      for (std::size_t i = 0; i < static_cast<std::size_t>(segments.Count); ++i)
       {
-        HitRules::KeepContact(
-          passages.Enter[i], IsInside(passages.AtEntry[i]), from[i], this->Hits);
+        HitRules::KeepFirstEntry(
+          segments.Enter[i], IsInside(segments.AtEntry[i]), from[i], this->Hits);
       }
     }
   }

@@ -15,7 +15,7 @@ namespace TemporalCoherence
 namespace
 {
 
-/// The planes between cells: whole numbers.
+/// The planes between cells, at integers.
 struct UniformPlanes
 {
   int Nearest(int axis, double at) const
@@ -31,7 +31,7 @@ struct UniformPlanes
   glm::ivec3 Samples; ///< along each axis
 };
 
-/// Samples at whole numbers. Its boxes and lengths are those that a kind has if it tells no others.
+/// Samples lie at integers. Boxes and lengths are the defaults of FieldKind.
 class UniformFieldKind final : public FieldKind
 {
 public:
@@ -80,7 +80,7 @@ public:
 
 std::shared_ptr<const FieldKind> UniformKind()
 {
-  // Nobody owns it, so that copies of fields need not count.
+  // Without an owner, so that copying fields counts no references.
   static const UniformFieldKind kind{};
   return { std::shared_ptr<const FieldKind>(), &kind };
 }

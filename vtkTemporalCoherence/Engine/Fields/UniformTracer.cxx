@@ -59,7 +59,7 @@ public:
   explicit UniformTracer(const TraceScene& scene)
     : Base(scene, {})
     , IsLarge(scene.Samples.IsLarge())
-    , AreCellsActive(scene.Active && scene.Sought.Isovalues.size() == 1)
+    , AreCellsActive(scene.Active && scene.Isosurfaces.Isovalues.size() == 1)
   {
     if (Between == Interpolation::Linear && scene.By != Traversal::Walks &&
       BeamLevels<T>::AreFound(scene))
@@ -88,36 +88,36 @@ public:
   std::uint64_t SearchCells(
     const RayBatch& rays, const CellList& cells, HitBatch& hits) const override
   {
-    PassageBatch<Real> passages;
-    SetPassages(rays, cells, passages);
-    this->ReadCorners(this->Cells.Differences[cells.Surface], true, passages);
+    SegmentBatch<Real> segments;
+    SetSegments(rays, cells, segments);
+    this->ReadCorners(this->Cells.Differences[cells.Surface], true, segments);
     hits.CellsRead += cells.Count;
-    this->FindInPassages(passages);
+    this->FindInSegments(segments);
     const auto surface = static_cast<std::int16_t>(cells.Surface);
     std::uint64_t missing = 0;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(passages.Count); ++i)
+    for (std::size_t i = 0; i < static_cast<std::size_t>(segments.Count); ++i)
     {
       const std::size_t ray = cells.Ray[i];
-      const bool fromInside = IsInside(passages.AtEntry[i]);
-      if (cells.IsContact[i])
+      const bool fromInside = IsInside(segments.AtEntry[i]);
+      if (cells.IsFirstEntry[i])
       {
-        HitRules::KeepContact(passages.Enter[i], fromInside, ray, hits);
+        HitRules::KeepFirstEntry(segments.Enter[i], fromInside, ray, hits);
       }
-      missing |= static_cast<std::uint64_t>(!std::isfinite(passages.Distance[i])) << ray;
-      this->Cells.Rules.KeepFirst(passages.Distance[i], fromInside, surface, ray, hits);
+      missing |= static_cast<std::uint64_t>(!std::isfinite(segments.Distance[i])) << ray;
+      this->Cells.Rules.KeepFirst(segments.Distance[i], fromInside, surface, ray, hits);
       if (this->Cells.Rules.AreCappedBehindHidden())
       {
-        this->CapBehindHidden(passages, i, ray, surface, hits);
+        this->CapBehindHidden(segments, i, ray, surface, hits);
       }
     }
     return missing;
   }
 
 private:
-  /// Passages to be searched, each of a ray that may have others.
+  /// Segments to be searched, each of a ray that may have others.
   struct Search
   {
-    PassageBatch<Real> Passages;
+    SegmentBatch<Real> Segments;
     RayBatch::Array<std::size_t> Ray; ///< in the batch that is traced
     RayBatch::Array<std::int16_t> Surface;
   };
@@ -157,15 +157,15 @@ private:
       }
     }
     RayWalks walks(rays, wanted);
-    PassageBatch<Real> passages;
-    passages.All = &walks.Rays;
+    SegmentBatch<Real> segments;
+    segments.All = &walks.Rays;
     while (walks.Rays.Count > 0)
     {
       FindActiveCells({ *this->Cells.Scene.Active, *this, this->Cells.Count }, walks);
       hits.CellsRead += walks.Rays.Count;
       if (this->AreCellsActive)
       {
-        this->SearchAll(walks, passages, hits);
+        this->SearchAll(walks, segments, hits);
       }
       else
       {
@@ -175,29 +175,29 @@ private:
   }
 
   /// Search the cells that rays have gone to, through all of which the one isovalue passes.
-  void SearchAll(RayWalks& walks, PassageBatch<Real>& passages, HitBatch& hits) const
+  void SearchAll(RayWalks& walks, SegmentBatch<Real>& segments, HitBatch& hits) const
   {
     const auto count = static_cast<std::size_t>(walks.Rays.Count);
-    passages.Count = walks.Rays.Count;
+    segments.Count = walks.Rays.Count;
     for (std::size_t a = 0; a < 3; ++a)
     {
-      std::copy_n(walks.Cell[a].begin(), count, passages.Cell[a].begin());
+      std::copy_n(walks.Cell[a].begin(), count, segments.Cell[a].begin());
     }
-    this->ReadCorners(this->Cells.Differences[0], false, passages);
-    this->FindInPassages(passages);
+    this->ReadCorners(this->Cells.Differences[0], false, segments);
+    this->FindInSegments(segments);
     for (std::size_t i = 0; i < count; ++i)
     {
       const auto ray = static_cast<std::size_t>(walks.From[i]);
-      const bool fromInside = IsInside(passages.AtEntry[i]);
-      HitRules::KeepContact(passages.Enter[i], fromInside, ray, hits);
-      HitRules::KeepNearest(passages.Distance[i], fromInside, 0, ray, hits);
+      const bool fromInside = IsInside(segments.AtEntry[i]);
+      HitRules::KeepFirstEntry(segments.Enter[i], fromInside, ray, hits);
+      HitRules::KeepNearest(segments.Distance[i], fromInside, 0, ray, hits);
     }
     const bool areCapped = this->Cells.Rules.AreCappedBehindHidden();
     for (std::size_t i = 0; i < count && areCapped; ++i)
     {
-      this->CapBehindHidden(passages, i, static_cast<std::size_t>(walks.From[i]), 0, hits);
+      this->CapBehindHidden(segments, i, static_cast<std::size_t>(walks.From[i]), 0, hits);
     }
-    std::copy_n(passages.Distance.begin(), count, walks.Distance.begin());
+    std::copy_n(segments.Distance.begin(), count, walks.Distance.begin());
   }
 
   /// Search the cells that rays have gone to, each for those isovalues that pass through it.
@@ -249,7 +249,7 @@ private:
     }
   }
 
-  /// Read a cell, and take note of the passages of a ray through it that must be searched.
+  /// Read a cell, and take note of the segments of a ray through it that must be searched.
   /// \return false if no isovalue passes through the cell, or it is hidden
   bool Visit(const RayBatch& rays, std::size_t place, const glm::ivec3& cell, std::size_t ray,
     Search& search, HitBatch& hits) const
@@ -265,12 +265,12 @@ private:
       const Corners<Real> corners = this->Cells.Differ(samples, surface);
       if (this->Cells.CanHold(corners))
       {
-        if (search.Passages.Count == RayBatch::Capacity)
+        if (search.Segments.Count == RayBatch::Capacity)
         {
           this->Finish(search, hits);
         }
-        const auto at = static_cast<std::size_t>(search.Passages.Count);
-        AppendPassage(rays, place, cell, corners, search.Passages);
+        const auto at = static_cast<std::size_t>(search.Segments.Count);
+        AppendSegment(rays, place, cell, corners, search.Segments);
         search.Ray[at] = ray;
         search.Surface[at] = static_cast<std::int16_t>(surface);
         isFound = true;
@@ -279,37 +279,37 @@ private:
     return isFound;
   }
 
-  /// Search all noted passages; of several surfaces along a ray the nearest is its hit.
+  /// Search all noted segments; of several surfaces along a ray the nearest is its hit.
   void Finish(Search& search, HitBatch& hits) const
   {
-    PassageBatch<Real>& passages = search.Passages;
-    this->FindInPassages(passages);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(passages.Count); ++i)
+    SegmentBatch<Real>& segments = search.Segments;
+    this->FindInSegments(segments);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(segments.Count); ++i)
     {
-      const bool fromInside = IsInside(passages.AtEntry[i]);
-      HitRules::KeepContact(passages.Enter[i], fromInside, search.Ray[i], hits);
+      const bool fromInside = IsInside(segments.AtEntry[i]);
+      HitRules::KeepFirstEntry(segments.Enter[i], fromInside, search.Ray[i], hits);
       this->Cells.Rules.KeepFirst(
-        passages.Distance[i], fromInside, search.Surface[i], search.Ray[i], hits);
+        segments.Distance[i], fromInside, search.Surface[i], search.Ray[i], hits);
       if (this->Cells.Rules.AreCappedBehindHidden())
       {
-        this->CapBehindHidden(passages, i, search.Ray[i], search.Surface[i], hits);
+        this->CapBehindHidden(segments, i, search.Ray[i], search.Surface[i], hits);
       }
     }
-    passages.Count = 0;
+    segments.Count = 0;
   }
 
-  /// The passages of rays through the given cells.
-  static void SetPassages(const RayBatch& rays, const CellList& cells, PassageBatch<Real>& passages)
+  /// The segments of rays through the given cells.
+  static void SetSegments(const RayBatch& rays, const CellList& cells, SegmentBatch<Real>& segments)
   {
     const auto count = static_cast<std::size_t>(cells.Count);
-    passages.Count = cells.Count;
+    segments.Count = cells.Count;
     for (std::size_t a = 0; a < 3; ++a)
     {
-      std::copy_n(cells.Cell[a].begin(), count, passages.Cell[a].begin());
+      std::copy_n(cells.Cell[a].begin(), count, segments.Cell[a].begin());
     }
     if (cells.Count == RayBatch::Capacity)
     {
-      passages.All = &rays;
+      segments.All = &rays;
       return;
     }
     const auto gather = [&](const auto& from, auto& to)
@@ -321,22 +321,22 @@ private:
     };
     for (std::size_t a = 0; a < 3; ++a)
     {
-      gather(rays.Origin[a], passages.Origin[a]);
-      gather(rays.Direction[a], passages.Direction[a]);
-      gather(rays.Inverse[a], passages.Inverse[a]);
+      gather(rays.Origin[a], segments.Origin[a]);
+      gather(rays.Direction[a], segments.Direction[a]);
+      gather(rays.Inverse[a], segments.Inverse[a]);
     }
-    gather(rays.Begin, passages.Begin);
-    gather(rays.End, passages.End);
+    gather(rays.Begin, segments.Begin);
+    gather(rays.End, segments.End);
   }
 
-  /// Read the corners of the passages' cells, as differences from an isovalue.
+  /// Read the corners of the segments' cells, as differences from an isovalue.
   /// \param forNormals most of these cells will hold hits, which are shaded next
   void ReadCorners(
-    const Difference<T>& difference, bool forNormals, PassageBatch<Real>& passages) const
+    const Difference<T>& difference, bool forNormals, SegmentBatch<Real>& segments) const
   {
-    const auto count = static_cast<std::size_t>(passages.Count);
-    const auto cellAt = [&passages](std::size_t i)
-    { return glm::ivec3(passages.Cell[0][i], passages.Cell[1][i], passages.Cell[2][i]); };
+    const auto count = static_cast<std::size_t>(segments.Count);
+    const auto cellAt = [&segments](std::size_t i)
+    { return glm::ivec3(segments.Cell[0][i], segments.Cell[1][i], segments.Cell[2][i]); };
     for (std::size_t i = 0; i < count && this->IsLarge; ++i)
     {
       if (forNormals)
@@ -361,34 +361,34 @@ private:
     {
       for (std::size_t i = 0; i < count; ++i)
       {
-        passages.Corners[corner][i] = difference(samples[corner][i]);
+        segments.Corners[corner][i] = difference(samples[corner][i]);
       }
     }
   }
 
   /// Cap a solid that a ray is inside of where it leaves hidden cells.
-  void CapBehindHidden(PassageBatch<Real>& passages, std::size_t i, std::size_t ray,
+  void CapBehindHidden(SegmentBatch<Real>& segments, std::size_t i, std::size_t ray,
     std::int16_t surface, HitBatch& hits) const
   {
-    const double enter = passages.Enter[i];
-    if (IsInside(passages.AtEntry[i]) &&
+    const double enter = segments.Enter[i];
+    if (IsInside(segments.AtEntry[i]) &&
       this->Cells.Rules.CapBehindHidden(
         enter, surface, ray,
-        [&] { return ComesFromHidden(passages, i, enter, *this->Cells.Hidden); }, hits))
+        [&] { return ComesFromHidden(segments, i, enter, *this->Cells.Hidden); }, hits))
     {
-      passages.Distance[i] = enter;
+      segments.Distance[i] = enter;
     }
   }
 
-  void FindInPassages(PassageBatch<Real>& passages) const
+  void FindInSegments(SegmentBatch<Real>& segments) const
   {
     if constexpr (Between == Interpolation::Linear)
     {
-      FindCrossings(passages, this->Cells.Rules.IsSolid());
+      FindCrossings(segments, this->Cells.Rules.IsSolid());
     }
     else
     {
-      FindNearestCrossings(passages);
+      FindNearestCrossings(segments);
     }
   }
 
@@ -396,7 +396,7 @@ private:
   void FindCaps(const RayBatch& rays, HitBatch& hits) const
   {
     Search search;
-    PassageBatch<Real>& passages = search.Passages;
+    SegmentBatch<Real>& segments = search.Segments;
     for (std::size_t surface = 0; surface < this->Cells.Differences.size(); ++surface)
     {
       for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
@@ -408,21 +408,21 @@ private:
           {
             continue;
           }
-          search.Ray[static_cast<std::size_t>(passages.Count)] = ray;
-          AppendPassage(
-            rays, ray, cell, this->Cells.Differ(this->Cells.Samples.Read(cell), surface), passages);
+          search.Ray[static_cast<std::size_t>(segments.Count)] = ray;
+          AppendSegment(
+            rays, ray, cell, this->Cells.Differ(this->Cells.Samples.Read(cell), surface), segments);
         }
       }
-      this->FindInPassages(passages);
-      for (std::size_t i = 0; i < static_cast<std::size_t>(passages.Count); ++i)
+      this->FindInSegments(segments);
+      for (std::size_t i = 0; i < static_cast<std::size_t>(segments.Count); ++i)
       {
-        if (IsInside(passages.AtEntry[i]))
+        if (IsInside(segments.AtEntry[i]))
         {
           this->Cells.Rules.CapWhereItBegins(
             rays.Begin[search.Ray[i]], static_cast<std::int16_t>(surface), search.Ray[i], hits);
         }
       }
-      passages.Count = 0;
+      segments.Count = 0;
     }
   }
 

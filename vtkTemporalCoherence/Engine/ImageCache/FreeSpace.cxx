@@ -14,17 +14,17 @@ namespace TemporalCoherence
 namespace
 {
 
-// What a smooth surface is, in voxels of depth: neighbours leave the plane through the pixel by at
-// most LargestBend, and the surface is at most FarthestContact behind the first active cell. It is
-// taken to be SmoothMargin nearer; at edges, EdgeMargin. Measured by `Benchmark --scenarios
-// image-cache`: smaller margins gain little and double the errors (Documentation/Tried.md, "The
-// image cache").
+// A surface is smooth if, in voxels of depth, neighbours are at most LargestBend from the plane
+// through the pixel, and the surface is at most LargestGap behind the first active cell. A smooth
+// surface is taken to be SmoothMargin nearer than it is, any other one EdgeMargin. Measured by
+// `Benchmark --scenarios image-cache`: smaller margins gain little and double the errors
+// (Documentation/Tried.md, "The image cache").
 constexpr double LargestBend = 0.25;
-constexpr double FarthestContact = 2.0;
+constexpr double LargestGap = 2.0;
 constexpr double SmoothMargin = 0.125;
 constexpr double EdgeMargin = 1.5;
 
-/// A disparity above all others, and still a number to compute with.
+/// A disparity above all others, but finite.
 constexpr float NearerThanAll = 1e30f;
 
 using Around = std::array<float, GuardTile::Width * GuardTile::Width>;
@@ -36,7 +36,7 @@ PixelRect Surroundings(const Frame& frame, const PixelRect& part)
   return { first, glm::min(part.First + TileSize + 1, frame.Size) - first };
 }
 
-/// Gather a plane around a tile, one pixel more on all sides.
+/// Gather a plane of the frame around a tile, with one more pixel on all sides.
 void GatherAround(const Frame& frame, const Plane<float>& plane, const PixelRect& part,
   float outside, Around& around)
 {
@@ -50,7 +50,7 @@ void GatherAround(const Frame& frame, const Plane<float>& plane, const PixelRect
   }
 }
 
-/// Call visit(place around the tile, pixel of the frame) for each pixel that there is.
+/// Call visit(position around the tile, pixel of the frame) for each pixel within the frame.
 template <typename Visit>
 void VisitAround(const Frame& frame, const PixelRect& part, const Visit& visit)
 {
@@ -66,35 +66,35 @@ void VisitAround(const Frame& frame, const PixelRect& part, const Visit& visit)
   }
 }
 
-/// Let nothing be known of pixels whose surface was not met from outside.
+/// Mark pixels as unknown if their surface was not met from outside.
 void HideUnlessEntered(const Frame& frame, const PixelRect& part, GuardTile& tile)
 {
   VisitAround(frame, part,
     [&](std::size_t at, std::size_t pixel)
     {
-      if (frame.Kinds[pixel] != HitKind::Enters)
+      if (frame.Kinds[pixel] != HitKind::Entry)
       {
-        tile.Contact[at] = NearerThanAll;
+        tile.FirstEntry[at] = NearerThanAll;
         tile.Fine[at] = std::numeric_limits<float>::infinity();
       }
     });
 }
 
-/// Disparities from which surfaces alone tell what is free.
+/// Find the disparities from which surfaces alone tell what is free.
 void GatherFine(const Frame& frame, const PixelRect& part, float fine, Around& fines)
 {
   fines.fill(fine);
   VisitAround(frame, part,
     [&](std::size_t at, std::size_t pixel)
     {
-      if (frame.Kinds[pixel] == HitKind::Leaves || frame.Kinds[pixel] == HitKind::Within)
+      if (frame.Kinds[pixel] == HitKind::Exit || frame.Kinds[pixel] == HitKind::Within)
       {
         fines[at] = std::numeric_limits<float>::infinity();
       }
     });
 }
 
-/// True if a tile and all around it are known to show nothing.
+/// True if a tile and all of its neighbours are clear.
 bool IsClearAround(const Frame& frame, std::int64_t tile)
 {
   const glm::ivec2 tiles = TilesOf(frame.Size);
@@ -114,7 +114,7 @@ bool IsClearAround(const Frame& frame, std::int64_t tile)
   return true;
 }
 
-/// Of what is at the camera, too, a number to compute with.
+/// Finite also for a point at the camera.
 float FiniteDisparityOf(double depth, bool isParallel)
 {
   const double away = isParallel ? depth : std::max(depth, 1e-30);
@@ -128,7 +128,7 @@ GuardRule RuleFor(const View& view, const FreeSpace::Options& options)
   rule.EdgeMargin = static_cast<float>(EdgeMargin * options.Voxel);
   rule.SmoothMargin = static_cast<float>(SmoothMargin * options.Bend);
   rule.LargestBend = static_cast<float>(LargestBend * options.Bend);
-  rule.FarthestContact = static_cast<float>(FarthestContact * options.Bend);
+  rule.LargestGap = static_cast<float>(LargestGap * options.Bend);
   rule.Spacing = static_cast<float>(options.Spacing);
   rule.Farthest = FiniteDisparityOf(options.FarthestDepth, view.Parallel);
   return rule;
@@ -172,7 +172,7 @@ void FreeSpace::Make(const Frame& frame, const View& view, const Options& option
       else
       {
         GatherAround(frame, frame.Disparities, part, miss, tile.Surface);
-        GatherAround(frame, frame.Contacts, part, miss, tile.Contact);
+        GatherAround(frame, frame.FirstEntries, part, miss, tile.FirstEntry);
         GatherFine(frame, part, fine, tile.Fine);
         if (options.OnlyEntered)
         {

@@ -13,28 +13,28 @@ namespace TemporalCoherence
 {
 
 /// The space that a finished picture shows to be free of surfaces: for each pixel, in the order of
-/// the frame's planes, the disparity above which it is.
+/// the frame's planes, the disparity above which space is free.
 ///
-/// A surface can only be in active cells, and rays no farther apart than a cell miss none: space is
-/// free up to where the rays of the pixel and its eight neighbours first enter an active cell,
-/// whether or not they meet the surface there. That is about a voxel before it. Where the nine see
-/// one smooth surface right behind, space is free almost up to the nearest point that this surface
-/// has within the pixel.
+/// Surfaces lie in active cells only, and rays no farther apart than a cell miss no active cell. So
+/// space is free up to where the rays of the pixel and its eight neighbours first enter an active
+/// cell, whether or not they meet a surface there. That is about a voxel before the surface. Where
+/// the nine rays show one smooth surface right behind, space is free almost up to the nearest point
+/// of this surface within the pixel.
 class FreeSpace
 {
 public:
   struct Options
   {
     double Voxel = 0.0;   ///< longest edge in the world
-    double Bend = 0.0;    ///< the edge in units of which smooth surfaces bend
+    double Bend = 0.0;    ///< the edge by which the bending of smooth surfaces is measured
     double Spacing = 0.0; ///< of pixels in the world; for a perspective at depth 1
-    /// Depth up to which pixels are so fine that surfaces alone tell what is free, where they are
-    /// met from outside. (A surface that the volume's boundary cuts open is a sheet without
-    /// thickness, which no ray meets along its edge; but on one side of it rays are inside.)
+    /// Up to this depth pixels are so fine that the surfaces alone tell what is free, if they are
+    /// met from outside. (A surface clipped by the volume's boundary is a sheet without thickness.
+    /// No ray meets its edge, but rays on one side of it run inside.)
     double FineDepth = std::numeric_limits<double>::infinity();
-    /// Depth behind which pixels are too coarse to tell anything.
+    /// Behind this depth pixels are too coarse to tell anything.
     double FarthestDepth = std::numeric_limits<double>::infinity();
-    bool OnlyEntered = false; ///< nothing is known where no surface was met from outside
+    bool OnlyEntered = false; ///< only pixels whose surface was met from outside count
 
     bool operator==(const Options& other) const
     {
@@ -44,7 +44,7 @@ public:
     }
   };
 
-  /// Make it for a frame, unless it is made with these options already.
+  /// Compute it for a frame, unless that was done with these options before.
   /// \throws std::bad_alloc
   void Make(const Frame& frame, const View& view, const Options& options);
 

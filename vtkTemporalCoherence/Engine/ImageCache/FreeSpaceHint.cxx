@@ -7,8 +7,8 @@ namespace TemporalCoherence
 namespace
 {
 
-/// Voxels behind the free space within which a surface counts as known. It colours and counts
-/// answers (ColorByAnswer), and changes no picture.
+/// A surface within this many voxels behind the free space counts as a definite hit. This affects
+/// statistics and ColorByAnswer only, not the picture.
 constexpr double NearStart = 2.0;
 
 }

@@ -8,13 +8,13 @@
 namespace TemporalCoherence
 {
 
-/// BOUNDED: rays begin where the space that a cached image shows to be free ends.
+/// The hint of BOUNDED: walks begin at the end of the space that a cached image shows to be free.
 class FreeSpaceHint : public ImageHint
 {
 public:
   using ImageHint::ImageHint;
 
-  /// A surface right behind the free space counts as known.
+  /// A surface right behind the free space counts as a definite hit.
   Told TellOf(const KnownRays& known, const RayBatch& rays, const HitBatch& hits,
     std::size_t ray) const override;
 };

@@ -10,11 +10,11 @@ namespace TemporalCoherence
 
 bool CanServe(const FrameKey& cached, const FrameKey& next)
 {
-  // A raised isovalue only shrinks a solid, so that what was free of it still is. Between the
-  // pixels of a picture of another size hides too much.
+  // A solid only shrinks when its isovalue is raised, so free space stays free. Pictures of another
+  // size are not used: too much can hide between their pixels.
   const FrameChange change = CompareFrames(cached, next);
   return !change.Data && (!change.Surfaces || (change.Raised && AreHitsOrdered(next))) &&
-    cached.Seen.Size == next.Seen.Size;
+    cached.View.Size == next.View.Size;
 }
 
 std::shared_ptr<CachedImage> ImageCache::Find(
@@ -52,7 +52,7 @@ std::shared_ptr<CachedImage> ImageCache::Keep(
     ++this->FramesSinceKey;
     return nullptr;
   }
-  this->Images.reserve(this->Images.size() + 1); // the only thing that can fail comes first
+  this->Images.reserve(this->Images.size() + 1); // first, as only this can fail
   const auto isDropped = [&](const std::shared_ptr<CachedImage>& old)
   {
     const FrameChange change = CompareFrames(old->Key, image->Key);
@@ -96,8 +96,8 @@ bool ImageCache::Holds(const std::shared_ptr<CachedImage>& image) const
 double DistanceOfViews(const FrameKey& a, const FrameKey& b)
 {
   constexpr double Across = 2.0; // of the picture, in normalised device coordinates
-  const glm::dmat4 toA = a.Seen.ClipFromWorld * a.Where.WorldFromIndex;
-  const glm::dmat4 toB = b.Seen.ClipFromWorld * b.Where.WorldFromIndex;
+  const glm::dmat4 toA = a.View.ClipFromWorld * a.Transform.WorldFromIndex;
+  const glm::dmat4 toB = b.View.ClipFromWorld * b.Transform.WorldFromIndex;
   const glm::dvec3 half = 0.5 * glm::dvec3(a.Samples.Dimensions - 1);
   double sum = 0.0;
   int points = 0;

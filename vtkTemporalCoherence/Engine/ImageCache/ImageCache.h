@@ -15,27 +15,27 @@
 namespace TemporalCoherence
 {
 
-/// A finished picture, what it shows, and the space that it shows to be free.
+/// A finished picture, the key it was made for, and the space that it shows to be free.
 struct CachedImage
 {
   FrameKey Key;
   Frame Picture;
-  bool IsExact = true;   ///< it is the cold picture of its key, to the last bit
-  bool IsEroded = false; ///< made with PAPER, or with a tolerance: contacts are not proven
-  FreeSpace Free;        ///< made when first asked for
+  bool IsExact = true;   ///< bit-identical to the cold picture of its key
+  bool IsEroded = false; ///< made with PAPER or with a tolerance: first entries are unreliable
+  FreeSpace Free;        ///< made on first use
 };
 
-/// True if the picture made for `cached` tells where space is free of the surfaces of `next`.
+/// True if a picture made for `cached` shows where space is free of the surfaces of `next`.
 bool CanServe(const FrameKey& cached, const FrameKey& next);
 
-/// Which pictures are kept for the next views.
+/// Which pictures are cached for the next views.
 enum class ImageCachePolicy : std::uint8_t
 {
   Latest,  ///< every frame
-  KeyImage ///< a cold frame, which is made every so many frames
+  KeyImage ///< a cold frame every KeyImageInterval frames
 };
 
-/// The pictures that the next view may start from: one or more, the nearest of which serves.
+/// The cached pictures that the next view may start from. The nearest one serves.
 class ImageCache
 {
 public:
@@ -43,28 +43,28 @@ public:
   {
     ImageCachePolicy Policy = ImageCachePolicy::Latest;
     int KeyImageInterval = 7; ///< frames from one key image to the next; at least 1
-    int NumberOfImages = 1;   ///< at most so many are kept; at least 1
+    int NumberOfImages = 1;   ///< the most images to keep; at least 1
   };
 
   using Suits = std::function<bool(const CachedImage&)>;
 
-  /// The kept image that can serve `next` and has the view nearest to it. Null if there is none,
-  /// or if it is time for the next key image.
-  /// \param suits what else an image has to fulfil
+  /// The cached image with the nearest view among those that can serve `next`. Null if there is
+  /// none, or if the next key image is due.
+  /// \param suits a further condition on images
   std::shared_ptr<CachedImage> Find(
     const FrameKey& next, const Options& options,
     const Suits& suits = [](const CachedImage&) { return true; }) const;
 
-  /// Take note of a finished frame and keep it if the policy says so. What shows other data, or the
-  /// same view and surfaces, is dropped, and what is too much, oldest first.
-  /// \return an image that is not kept any more, for its memory; or null
+  /// Add a finished frame if the policy says so. Drops images of other data, images of the same
+  /// view and surfaces, and then the oldest beyond NumberOfImages.
+  /// \return a dropped image, to re-use its memory; or null
   std::shared_ptr<CachedImage> Keep(
     const std::shared_ptr<CachedImage>& image, const Options& options);
 
-  /// Samples are equal to those of the field `before`, but lie elsewhere now.
+  /// Reassign images of the field `before` to `now`, whose samples are equal but lie elsewhere.
   void MoveTo(const Field& now, const Field& before);
 
-  /// True if the image is among those kept.
+  /// True if an image is in the cache.
   bool Holds(const std::shared_ptr<CachedImage>& image) const;
 
 private:
@@ -72,9 +72,9 @@ private:
   int FramesSinceKey = 0;
 };
 
-/// How far two views of a field are from one another: the mean way that points of its box move in
-/// the picture, in normalised device coordinates. Points in front of only one of the eyes count as
-/// moved across the whole picture.
+/// Distance between two views of a field: how far points of its box move in the picture on average,
+/// in normalised device coordinates. A point behind one of the eyes counts as moved across the
+/// whole picture.
 double DistanceOfViews(const FrameKey& a, const FrameKey& b);
 
 }

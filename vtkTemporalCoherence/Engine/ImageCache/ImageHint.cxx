@@ -42,15 +42,15 @@ bool ImageHint::Correct(
   return true;
 }
 
-/// True if there is no surface where the image has one, or one is met from inside that the image
-/// does not see from inside, so that the walk began behind another.
+/// True if there is no surface where the image shows one. Also true if a surface is met from inside
+/// that the image does not show from inside: the walk then began behind another surface.
 bool ImageHint::IsWrong(const KnownRays& known, const HitBatch& hits, std::size_t ray) const
 {
   switch (hits.Kind[ray])
   {
     case HitKind::None:
       return known.Answers[ray] == Answer::DefiniteHit;
-    case HitKind::Leaves:
+    case HitKind::Exit:
       return this->IsSolid || !this->Query.IsSeenFromInside(known.Pixel[ray]);
     default:
       return false;
@@ -60,7 +60,7 @@ bool ImageHint::IsWrong(const KnownRays& known, const HitBatch& hits, std::size_
 RayHint::Told ImageHint::TellOf(
   const KnownRays& known, const RayBatch& /*rays*/, const HitBatch& hits, std::size_t ray) const
 {
-  // A cap is found without a walk, and no image tells of it.
+  // A cap is found without a walk.
   const Answer answer = hits.Kind[ray] == HitKind::Cap ? Answer::PossibleHit : known.Answers[ray];
   return { answer, answer == Answer::PossibleHit };
 }

@@ -9,8 +9,8 @@
 namespace TemporalCoherence
 {
 
-/// What is common to hints from a cached image: misses are not traced, and possible hits from where
-/// the image tells no more.
+/// Base of hints from a cached image: definite misses are not traced, and possible hits only from
+/// where the image tells no more.
 class ImageHint : public RayHint
 {
 public:

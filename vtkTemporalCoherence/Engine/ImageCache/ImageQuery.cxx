@@ -15,18 +15,19 @@ namespace
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// How far apart the pixels of a cached image may be, in voxels (of the shortest edge), to tell
-/// what is free: by the surfaces that they see alone, since no feature worth a pixel hides between
-/// them; and at all, by the cells that their rays pass. Measured by the errors of `Benchmark
-/// --scenarios image-cache,drift`.
+/// How far apart the pixels of a cached image may be, in voxels (shortest edge), to tell what is
+/// free. Up to the first distance the surfaces alone tell it, as no feature the size of a pixel
+/// hides between them. Up to the second one the cells on the rays tell it. Measured by the errors
+/// of `Benchmark --scenarios image-cache,drift`.
 constexpr double FineApart = 0.6;
 constexpr double FarthestApart = 2.0;
 
-/// The same where cells are hidden: what is left of a surface can be as small as a cell.
+/// The second distance if cells are hidden: what remains of a surface can be as small as a cell.
 constexpr double FarthestApartBesideHidden = 1.0;
 
-/// Cosine of the turn up to which surfaces alone can tell: films that are seen from their edge, and
-/// so hardly at all, are hardly seen after a small turn. 6 degrees; measured likewise.
+/// Cosine of the largest turn after which surfaces alone can tell what is free: 6 degrees. A film
+/// seen from its edge is hardly visible, and is so after a small turn, too. Measured by the same
+/// benchmarks.
 constexpr double SmallTurn = 0.9945;
 
 /// Distance between neighbouring pixels of a view in the world; for a perspective at depth 1.
@@ -58,14 +59,14 @@ double FarthestApartFor(const Field& samples)
 double CosineOfTurn(const FrameKey& a, const FrameKey& b)
 {
   const glm::dvec3 centre(
-    a.Where.WorldFromIndex * glm::dvec4(0.5 * glm::dvec3(a.Samples.Dimensions - 1), 1.0));
+    a.Transform.WorldFromIndex * glm::dvec4(0.5 * glm::dvec3(a.Samples.Dimensions - 1), 1.0));
   const auto direction = [&](const View& view)
   {
     const glm::dvec3 to = view.Parallel ? view.Direction : centre - view.Position;
     const double length = glm::length(to);
     return length > 0.0 ? to / length : glm::dvec3(0.0);
   };
-  return glm::dot(direction(a.Seen), direction(b.Seen));
+  return glm::dot(direction(a.View), direction(b.View));
 }
 
 /// t at a point of a path.
@@ -76,13 +77,13 @@ double DistanceAt(const PathBatch& paths, std::size_t ray, double at, bool isPar
   {
     return t0 + at * (t1 - t0);
   }
-  // What is affine in the picture is t times disparity.
+  // In the picture, t times disparity is affine.
   const double q0 = paths.Q0[ray], q1 = paths.Q1[ray];
   return ((1.0 - at) * t0 * q0 + at * t1 * q1) / (q0 + at * (q1 - q0));
 }
 
-/// Call visit(pixel, parameter on entry, disparity on entry, disparity on leaving) for each pixel
-/// on the way of a ray until it returns true.
+/// Call visit(pixel, parameter on entry, disparity on entry, disparity on exit) for each pixel
+/// along a ray until it returns true.
 /// \return false if it never did
 template <typename Visit>
 bool WalkPixels(const PathBatch& paths, std::size_t ray, const glm::ivec2& size, const Visit& visit)
@@ -132,7 +133,7 @@ bool WalkPixels(const PathBatch& paths, std::size_t ray, const glm::ivec2& size,
 
 bool ImageQuery::CanAsk(const FrameKey& cached, ReuseAccuracy accuracy)
 {
-  const View& view = cached.Seen;
+  const View& view = cached.View;
   const glm::dvec3 w(RowOf(view.ClipFromWorld, 3));
   const double along = glm::dot(w, view.Forward);
   const bool isAlongAxis = view.Parallel ||
@@ -146,10 +147,10 @@ bool ImageQuery::CanAsk(const FrameKey& cached, ReuseAccuracy accuracy)
   {
     const glm::dvec3 last(cached.Samples.Dimensions - 1);
     const glm::dvec3 point = last * glm::dvec3(corner & 1, corner >> 1 & 1, corner >> 2);
-    const glm::dvec3 world(cached.Where.WorldFromIndex * glm::dvec4(point, 1.0));
+    const glm::dvec3 world(cached.Transform.WorldFromIndex * glm::dvec4(point, 1.0));
     nearest = std::min(nearest, glm::dot(view.Forward, world - view.Position));
   }
-  const double shortest = cached.Samples.Kind->VoxelSizeIn(cached.Where).Shortest;
+  const double shortest = cached.Samples.Kind->VoxelSizeIn(cached.Transform).Shortest;
   return std::max(nearest, view.Near) <
     DepthOfSpacing(view, FarthestApartFor(cached.Samples) * shortest);
 }
@@ -158,39 +159,39 @@ ImageQuery::ImageQuery(CachedImage& image, const FrameKey& next, ReuseAccuracy a
   : Image(image)
   , Accuracy(accuracy)
 {
-  const View& seen = image.Key.Seen;
-  const glm::dmat4 clip = seen.ClipFromWorld * next.Where.WorldFromIndex;
-  const glm::dvec4 forward(seen.Forward, -glm::dot(seen.Forward, seen.Position));
+  const View& view = image.Key.View;
+  const glm::dmat4 clip = view.ClipFromWorld * next.Transform.WorldFromIndex;
+  const glm::dvec4 forward(view.Forward, -glm::dot(view.Forward, view.Position));
   const glm::dvec4 w = RowOf(clip, 3);
-  // Divided by depth instead of w: the same for a perspective but for a factor.
-  const double perW = seen.Parallel
+  // Divide by depth instead of w: for a perspective they differ by a constant factor.
+  const double perW = view.Parallel
     ? 1.0 / w.w
-    : 1.0 / glm::dot(glm::dvec3(RowOf(seen.ClipFromWorld, 3)), seen.Forward);
-  this->Projection.IsParallel = seen.Parallel;
-  this->Projection.Near = seen.Near;
-  this->Projection.Far = seen.Far;
-  this->Projection.Size = glm::dvec2(seen.Size);
-  this->Projection.RowU = 0.5 * seen.Size.x * perW * (RowOf(clip, 0) + w);
-  this->Projection.RowV = 0.5 * seen.Size.y * perW * (RowOf(clip, 1) + w);
-  this->Projection.RowZ = glm::transpose(next.Where.WorldFromIndex) * forward;
+    : 1.0 / glm::dot(glm::dvec3(RowOf(view.ClipFromWorld, 3)), view.Forward);
+  this->Projection.IsParallel = view.Parallel;
+  this->Projection.Near = view.Near;
+  this->Projection.Far = view.Far;
+  this->Projection.Size = glm::dvec2(view.Size);
+  this->Projection.RowU = 0.5 * view.Size.x * perW * (RowOf(clip, 0) + w);
+  this->Projection.RowV = 0.5 * view.Size.y * perW * (RowOf(clip, 1) + w);
+  this->Projection.RowZ = glm::transpose(next.Transform.WorldFromIndex) * forward;
 
-  const auto size = next.Samples.Kind->VoxelSizeIn(next.Where);
+  const auto size = next.Samples.Kind->VoxelSizeIn(next.Transform);
   this->Voxel = size.Longest;
-  const bool isRaised = !AreMetAlike(image.Key.Sought, next.Sought);
+  const bool isRaised = !AreMetAlike(image.Key.Isosurfaces, next.Isosurfaces);
   if (accuracy == ReuseAccuracy::Bounded || isRaised)
   {
-    // For a raised isovalue the image gives starts only. What was inside the old isovalue may be
-    // outside the new one: a surface met from inside tells nothing.
+    // For a raised isovalue the image only tells where walks may begin. What was inside the old
+    // isovalue may be outside the new one, so a surface met from inside tells nothing.
     this->Accuracy = ReuseAccuracy::Bounded;
-    // A ray can be inside one of several isovalues and outside another: none is fine then. Hidden
-    // cells leave films of surfaces that are inside nothing.
-    const bool canBeFine = next.Sought.Isovalues.size() == 1 && !next.Samples.Hidden &&
+    // A ray can be inside one isovalue and outside another, so several isovalues are never fine.
+    // Hidden cells leave films of surfaces without an inside.
+    const bool canBeFine = next.Isosurfaces.Isovalues.size() == 1 && !next.Samples.Hidden &&
       CosineOfTurn(image.Key, next) >= SmallTurn;
     const double fineApart = canBeFine ? FineApart : 1e-30;
-    image.Free.Make(image.Picture, seen,
-      { size.Longest, size.Bend, SpacingOf(seen), DepthOfSpacing(seen, fineApart * size.Shortest),
-        DepthOfSpacing(seen, FarthestApartFor(next.Samples) * size.Shortest),
-        isRaised && next.Sought.Mode == SurfaceMode::Crossing });
+    image.Free.Make(image.Picture, view,
+      { size.Longest, size.Bend, SpacingOf(view), DepthOfSpacing(view, fineApart * size.Shortest),
+        DepthOfSpacing(view, FarthestApartFor(next.Samples) * size.Shortest),
+        isRaised && next.Isosurfaces.Mode == SurfaceMode::Crossing });
   }
 }
 
@@ -235,7 +236,7 @@ void ImageQuery::FindFreeSpace(const PathBatch& paths, std::size_t ray, KnownRay
       known.Pixel[ray] = pixel;
       return true;
     });
-  if (isStopped || paths.Kind[ray] == PathKind::Cut)
+  if (isStopped || paths.Kind[ray] == PathKind::Clipped)
   {
     const double t = DistanceAt(paths, ray, stop, this->Projection.IsParallel);
     known.Free[ray] = std::max(known.Free[ray], t);
@@ -265,7 +266,7 @@ void ImageQuery::FindHit(const PathBatch& paths, std::size_t ray, KnownRays& kno
         return false;
       }
       const bool isInFront = q > here;
-      bool isConnected = isInFront; // to the ray's own beginning, in its first pixel
+      bool isConnected = isInFront; // in its first pixel, to the beginning of the ray
       if (!isFirst)
       {
         isConnected = last > DisparityOfMiss(isParallel) &&
@@ -305,7 +306,7 @@ void ImageQuery::Interpolate(
   frame.Kinds[pixel] = image.Kinds[stopped];
   frame.Answers[pixel] = Answer::DefiniteHit;
 
-  // Between the centres of four pixels, those that show the same surface.
+  // Interpolate between the centres of those of four pixels that show the same surface.
   const glm::dvec2 at = glm::dvec2(known.Column[ray], known.Row[ray]) - 0.5;
   const glm::dvec2 low = glm::floor(at);
   glm::dvec4 color(0.0);
@@ -348,7 +349,7 @@ bool ImageQuery::IsSeenFromInside(std::int32_t pixel) const
   {
     for (int x = std::max(column - 1, 0); x <= std::min(column + 1, frame.Size.x - 1); ++x)
     {
-      if (frame.Kinds[static_cast<std::size_t>(y * frame.Size.x + x)] == HitKind::Leaves)
+      if (frame.Kinds[static_cast<std::size_t>(y * frame.Size.x + x)] == HitKind::Exit)
       {
         return true;
       }

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
-// This file is compiled once for each kind of vectors, and what runs is chosen by the machine. The
-// loops are plain: the compiler turns them into vectors.
+// This file is compiled once for each kind of vectors. The best one for the machine is chosen at
+// run time. The loops are plain: the compiler vectorises them.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "ImageCache/KernelsImage.cxx"
 #include <hwy/foreach_target.h>
@@ -21,7 +21,7 @@ namespace TemporalCoherence
 namespace HWY_NAMESPACE
 {
 
-/// Largest of the three by three values around a place.
+/// Largest of the 3 x 3 values around a position.
 HWY_INLINE float LargestAround(const float* below, const float* here, const float* above, int x)
 {
   const float a = std::max(std::max(below[x], below[x + 1]), below[x + 2]);
@@ -30,7 +30,7 @@ HWY_INLINE float LargestAround(const float* below, const float* here, const floa
   return std::max(std::max(a, b), c);
 }
 
-/// Disparity of what is nearer by a length.
+/// Disparity of a point that is nearer by a length.
 HWY_INLINE float Nearer(float disparity, float length, bool isParallel)
 {
   const float left = 1.0f - length * disparity;
@@ -42,21 +42,21 @@ void Guard(const GuardRule& rule, GuardTile& tile)
 {
   constexpr int Width = GuardTile::Width;
   const float edgeMargin = rule.EdgeMargin, smoothMargin = rule.SmoothMargin;
-  const float largestBend = rule.LargestBend, farthestContact = rule.FarthestContact;
+  const float largestBend = rule.LargestBend, largestGap = rule.LargestGap;
   const float perSpacing = 1.0f / rule.Spacing;
   const float farthest = rule.Farthest;
   const bool isParallel = rule.IsParallel;
 
-  // What each pixel alone tells, and how far its surface is behind its contact.
+  // The guard by each pixel alone, and how far its surface is behind its first entry.
   std::array<float, Width * Width> single, gap;
   for (std::size_t i = 0; i < single.size(); ++i)
   {
-    const float surface = tile.Surface[i], contact = tile.Contact[i];
+    const float surface = tile.Surface[i], firstEntry = tile.FirstEntry[i];
     const float moved = Nearer(surface, edgeMargin, isParallel);
     const float perDepth = isParallel ? 1.0f : surface * surface;
-    const bool isFine = contact >= tile.Fine[i];
-    gap[i] = isFine ? 0.0f : contact - surface;
-    const float near = gap[i] <= farthestContact * perDepth ? std::min(moved, contact) : contact;
+    const bool isFine = firstEntry >= tile.Fine[i];
+    gap[i] = isFine ? 0.0f : firstEntry - surface;
+    const float near = gap[i] <= largestGap * perDepth ? std::min(moved, firstEntry) : firstEntry;
     single[i] = isFine ? moved : near;
   }
   for (int y = 0; y < TileSize; ++y)
@@ -78,12 +78,13 @@ void Guard(const GuardRule& rule, GuardTile& tile)
       const float widest = LargestAround(gaps, gaps + Width, gaps + 2 * Width, x);
       const float edge = LargestAround(singles, singles + Width, singles + 2 * Width, x);
 
-      // Disparity is affine on a plane, and half way to the neighbours are the pixel's corners.
+      // Disparity is affine on a plane, and the corners of the pixel are half way to its
+      // neighbours.
       const float perDepth = isParallel ? 1.0f : c * c;
       const float steps = perSpacing * (largest - c);
       const float slope = isParallel ? steps : steps / std::max(c, 1e-30f);
       const bool isSmooth =
-        bend <= largestBend * perDepth && widest <= farthestContact * perDepth * (1.0f + slope);
+        bend <= largestBend * perDepth && widest <= largestGap * perDepth * (1.0f + slope);
       const float smooth = Nearer(0.5f * (c + largest), smoothMargin, isParallel);
       out[x] = std::max(isSmooth ? std::min(smooth, edge) : edge, farthest);
     }
@@ -110,27 +111,27 @@ inline void AtEnds(const glm::dvec4& row, const RayBatch& rays, double* begin, d
 void Project(const ImageProjection& image, const RayBatch& rays, PathBatch& paths)
 {
   const auto count = static_cast<std::size_t>(rays.Count);
-  RayBatch::Array<double> z0, z1, u0, u1, v0, v1, isCut;
+  RayBatch::Array<double> z0, z1, u0, u1, v0, v1, isClipped;
   AtEnds(image.RowZ, rays, z0.data(), z1.data());
   AtEnds(image.RowU, rays, u0.data(), u1.data());
   AtEnds(image.RowV, rays, v0.data(), v1.data());
 
-  // Cut at the clipping planes.
+  // Clip at the clipping planes.
   const double near = image.Near, far = image.Far;
   for (std::size_t i = 0; i < count; ++i)
   {
     const double last = std::min(std::max(z1[i], near), far);
     const double length = z1[i] - z0[i];
     const double share = (last - z0[i]) / (length != 0.0 ? length : 1.0);
-    const bool cut = last != z1[i];
-    const double kept = cut ? share : 1.0;
+    const bool clips = last != z1[i];
+    const double kept = clips ? share : 1.0;
     paths.T0[i] = rays.WalkBegin[i];
     paths.T1[i] =
-      cut ? rays.WalkBegin[i] + kept * (rays.WalkEnd[i] - rays.WalkBegin[i]) : rays.WalkEnd[i];
-    u1[i] = cut ? u0[i] + kept * (u1[i] - u0[i]) : u1[i];
-    v1[i] = cut ? v0[i] + kept * (v1[i] - v0[i]) : v1[i];
+      clips ? rays.WalkBegin[i] + kept * (rays.WalkEnd[i] - rays.WalkBegin[i]) : rays.WalkEnd[i];
+    u1[i] = clips ? u0[i] + kept * (u1[i] - u0[i]) : u1[i];
+    v1[i] = clips ? v0[i] + kept * (v1[i] - v0[i]) : v1[i];
     z1[i] = last;
-    isCut[i] = cut ? 1.0 : 0.0;
+    isClipped[i] = clips ? 1.0 : 0.0;
   }
 
   const bool isParallel = image.IsParallel;
@@ -151,7 +152,7 @@ void Project(const ImageProjection& image, const RayBatch& rays, PathBatch& path
     paths.PerU[i] = perU;
     paths.PerV[i] = perV;
 
-    // Cut at the border of the image.
+    // Clip at the border of the image.
     const double leaveU = ((perU > 0.0 ? width : 0.0) - u) / (perU != 0.0 ? perU : 1.0);
     const double leaveV = ((perV > 0.0 ? height : 0.0) - v) / (perV != 0.0 ? perV : 1.0);
     const double endU = perU != 0.0 ? std::min(leaveU, 1.0) : 1.0;
@@ -159,7 +160,7 @@ void Project(const ImageProjection& image, const RayBatch& rays, PathBatch& path
     const double end = std::min(endU, endV);
     const bool isInside = isSeen && u >= 0.0 && u < width && v >= 0.0 && v < height;
     paths.End[i] = end;
-    z0[i] = isInside ? (end < 1.0 || isCut[i] > 0.0 ? 1.0 : 2.0) : 0.0;
+    z0[i] = isInside ? (end < 1.0 || isClipped[i] > 0.0 ? 1.0 : 2.0) : 0.0;
   }
   for (std::size_t i = 0; i < count; ++i)
   {

@@ -12,14 +12,14 @@
 namespace TemporalCoherence
 {
 
-/// Disparities of surfaces and contacts around a tile, with one pixel more on all sides, and the
-/// guard that is made of them.
+/// Disparities of surfaces and first entries in a tile and one more pixel on all sides, and the
+/// guard: the disparities above which space is free.
 struct GuardTile
 {
   static constexpr int Width = TileSize + 2;
 
-  std::array<float, Width * Width> Surface, Contact;
-  std::array<float, Width * Width> Fine; ///< from which on the surface alone tells what is free
+  std::array<float, Width * Width> Surface, FirstEntry;
+  std::array<float, Width * Width> Fine;        ///< from which the surface alone tells what is free
   std::array<float, TileSize * TileSize> Guard; ///< found
 };
 
@@ -27,20 +27,21 @@ struct GuardTile
 struct GuardRule
 {
   bool IsParallel = false;
-  float EdgeMargin = 0.0f;      ///< by which surfaces at edges are taken to be nearer
-  float SmoothMargin = 0.0f;    ///< the same for smooth surfaces
-  float LargestBend = 0.0f;     ///< by which neighbours of a smooth surface leave its plane
-  float FarthestContact = 0.0f; ///< of a surface behind its first contact, met at a right angle
-  float Spacing = 0.0f;         ///< of pixels; for a perspective at depth 1
-  float Farthest = 0.0f;        ///< disparity below which nothing is known
+  float EdgeMargin = 0.0f;   ///< surfaces that are not smooth are taken to be nearer by this
+  float SmoothMargin = 0.0f; ///< the same for smooth surfaces
+  float LargestBend = 0.0f;  ///< largest distance of neighbours from the plane of a smooth surface
+  float LargestGap =
+    0.0f; ///< largest distance of a smooth surface behind its first entry, at a right angle
+  float Spacing = 0.0f;  ///< of pixels; for a perspective at depth 1
+  float Farthest = 0.0f; ///< disparity below which nothing is known
 };
 void MakeGuard(const GuardRule& rule, GuardTile& tile);
 
-/// How the walk of a ray lies in a cached image.
+/// How much of a ray's walk a cached image covers.
 enum class PathKind : std::uint8_t
 {
-  Unknown, ///< its beginning is not in what the image shows
-  Cut,     ///< its end is not
+  Unknown, ///< not the beginning
+  Clipped, ///< not the end
   Whole
 };
 
@@ -58,7 +59,7 @@ struct PathBatch
   Array<PathKind> Kind;
 };
 
-/// A cached image as rays of index space see it.
+/// The projection of index space into a cached image.
 struct ImageProjection
 {
   bool IsParallel = false;

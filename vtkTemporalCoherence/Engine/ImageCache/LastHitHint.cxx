@@ -12,7 +12,8 @@ namespace TemporalCoherence
 namespace
 {
 
-/// Share of a depth by which a walk to it goes farther, so that its cell is not left out.
+/// A walk to a known depth goes farther by this share of it, so that the cell of the hit is not
+/// missed.
 constexpr double DepthError = 1e-9;
 
 }
@@ -22,13 +23,13 @@ bool LastHitHint::Narrow(RayBatch& rays, KnownRays& known) const
   known.WalkEnd = rays.WalkEnd;
   if (this->IsRaised)
   {
-    BeginAtContacts(this->Last, this->IsParallel, rays);
+    BeginAtFirstEntries(this->Last, this->IsParallel, rays);
     return true;
   }
   for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
   {
     const auto pixel = static_cast<std::size_t>(rays.Pixel[i]);
-    if (this->Last.Kinds[pixel] == HitKind::Enters)
+    if (this->Last.Kinds[pixel] == HitKind::Entry)
     {
       const double t = this->Last.Depth[pixel];
       rays.WalkEnd[i] = std::min(rays.WalkEnd[i], t + DepthError * std::abs(t));

@@ -8,9 +8,9 @@
 namespace TemporalCoherence
 {
 
-/// What the exact picture of one isovalue tells about the hits of another one in the same view. As
-/// an isovalue rises, the hit of a ray that begins below it moves away; as it falls, it comes
-/// nearer, unless the ray now begins above it.
+/// What the exact picture of one isovalue tells about the hits of another one in the same view.
+/// When the isovalue rises, the hit of a ray that begins below it moves away. When it falls, the
+/// hit comes nearer, unless the ray now begins above it.
 class LastHitHint : public RayHint
 {
 public:

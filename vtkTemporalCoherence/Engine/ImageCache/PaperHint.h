@@ -8,11 +8,11 @@
 namespace TemporalCoherence
 {
 
-/// PAPER: a definite hit is refined within a voxel, or taken over with its colour.
+/// The hint of PAPER: a definite hit is refined within a voxel, or re-used with its colour.
 class PaperHint : public ImageHint
 {
 public:
-  /// \param interpolates definite hits take over what the image has
+  /// \param interpolates definite hits are re-used from the image
   PaperHint(const ImageQuery& query, bool isSolid, bool isParallel, bool interpolates)
     : ImageHint(query, isSolid)
     , IsParallel(isParallel)

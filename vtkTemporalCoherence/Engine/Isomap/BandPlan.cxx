@@ -11,27 +11,27 @@ namespace TemporalCoherence
 namespace
 {
 
-// All of these are measured by the mean and the worst frames of drags, `Benchmark --scenarios
-// isomap`; what else was tried: Documentation/Tried.md, "Building the isomap".
+// All of these were chosen by the mean and the worst frames of drags, `Benchmark --scenarios
+// isomap`. Documentation/Tried.md, "Building the isomap", tells what else was tried.
 
 /// Width of the first band, as a share of the range of values: about a step of a slider.
 constexpr double FirstWidth = 1.0 / 256.0;
 
-/// Leaves that a band may pass through beyond those of its isovalue, as a share of these: the
-/// first, and later ones. Rays read many more cells of these leaves than they would for one
-/// isovalue.
+/// How many more leaves than its isovalue a band may pass through, as a share: for the first band,
+/// and for later ones. Rays read many more cells of these leaves than for one isovalue.
 constexpr double FirstGrowth = 0.03, Growth = 1.0;
 constexpr int MostHalvings = 8;
 
-/// Bands that hold little but their isovalue after one that was too costly.
+/// Number of narrow bands after one that was too costly.
 constexpr int CarefulBands = 5;
 
-/// Cells that building a band should read, in units of those that a cold frame reads. Two thirds of
-/// a cold frame's time go into finding the first of them, so that this is less than twice its time.
+/// How many cells building a band should read, relative to a cold frame. A cold frame spends two
+/// thirds of its time on finding the first cells, so that this is less than twice its time.
 constexpr double EnoughCells = 2.2;
 
-/// A band that does not hold the next isovalues is hardly worth its cost: steps that the first band
-/// and later ones hold ahead. Changes of more than a share of the range are no steps of a drag.
+/// How many steps ahead the first band and later ones reach: a band that does not hold the next
+/// isovalues is hardly worth its cost. A change by more than a share of the range is not a step of
+/// a drag.
 constexpr double FirstSteps = 1.0, Steps = 2.5;
 constexpr double LargestStep = 1.0 / 20.0;
 
@@ -59,7 +59,7 @@ ValueBand BandPlan::Choose(const Wish& wish, const LeafHistogram& leaves, bool i
 
   width = std::max(width, isAhead && this->Careful == 0 ? this->WidthAhead(wish, leaves) : 0.0);
 
-  // Behind, the band goes back to what is there already, or a little way.
+  // Backwards, the band reaches the bands that exist, or a little way.
   ValueBand band = bandOf(width);
   if (!isBothWays)
   {
@@ -71,13 +71,13 @@ ValueBand BandPlan::Choose(const Wish& wish, const LeafHistogram& leaves, bool i
   {
     (ahead > 0.0 ? band.Low : band.High) = behind;
   }
-  // A width may have been too large for a number.
+  // A width may have overflowed.
   constexpr double most = std::numeric_limits<double>::max();
   return { std::max({ band.Low, wish.Gap.Low, -most }),
     std::min({ band.High, wish.Gap.High, most }) };
 }
 
-/// What holds the next isovalues.
+/// The band that holds the next isovalues.
 double BandPlan::WidthAhead(const Wish& wish, const LeafHistogram& leaves) const
 {
   const double step = std::abs(wish.Isovalue - wish.Before);
@@ -101,7 +101,7 @@ void BandPlan::Learn(const ValueBand& band, std::int64_t cellsRead, std::int64_t
     this->Width = this->Careful > 0 ? this->Width : 0.0; // begin again
     return;
   }
-  // A band that only fills a gap tells little.
+  // Little is learnt from a band that only fills a gap.
   const double width = std::min(
     std::max(band.High - band.Low, 0.5 * this->Width), 0.25 * std::numeric_limits<double>::max());
   this->Width = width * std::min(std::max(EnoughCells / std::max(cells, 0.01), 0.25), 2.0);

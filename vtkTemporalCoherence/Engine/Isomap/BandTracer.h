@@ -19,7 +19,7 @@
 namespace TemporalCoherence
 {
 
-/// What bands are traced through.
+/// The scene that a band is traced through.
 struct BandScene
 {
   Field Samples;
@@ -29,30 +29,29 @@ struct BandScene
   ValueBand Band;
   SurfaceMode Mode = SurfaceMode::Crossing;
   KnotForm Form{};
-  Placement Where{}; ///< for normals
-  /// Bytes of knots after which a tile is given up: they are too many for the whole band.
+  IndexTransform Transform{}; ///< for normals
+  /// Bytes of knots in a tile from which the whole band is too large, so that tracing stops.
   std::size_t MemoryLimit = std::numeric_limits<std::size_t>::max();
 };
 
-/// Follows rays through the cells of a band of isovalues and takes note of where each isovalue is
-/// first passed.
+/// Traces rays through the active cells of a band and records where each isovalue is first passed.
 ///
-/// Along a ray only those cells matter in which the field comes farther than it has been: the
-/// running maximum (or, for rays that begin above an isovalue, minimum) of the field. All others
-/// are leapt over, whole leaves at a time. A ray ends where it has passed the whole band.
+/// Along a ray only those cells matter in which the running maximum of the field rises (or, for
+/// rays that begin above an isovalue, the running minimum falls). All others are skipped, whole
+/// leaves at a time. A ray ends where it has passed the whole band.
 class BandTracer
 {
 public:
-  /// The tracer of the kind of the scene's field; null if there is none. The scene's structures
-  /// must outlive it. \throws std::bad_alloc
+  /// Make the tracer for the kind of the scene's field; null if there is none. The scene's
+  /// structures must outlive it.
+  /// \throws std::bad_alloc
   static std::shared_ptr<const BandTracer> Make(const BandScene& scene);
 
   virtual ~BandTracer() = default;
   BandTracer(const BandTracer&) = delete;
   BandTracer& operator=(const BandTracer&) = delete;
 
-  /// Trace the rays of a tile. Safe from many threads. Where the knots take more than the limit,
-  /// some are missing.
+  /// Trace the rays of a tile. Thread-safe. If the knots exceed the limit, some are missing.
   /// \return number of cells whose samples were read
   /// \throws std::bad_alloc
   virtual std::int64_t Trace(const RayBatch& rays, TileKnots& knots) const = 0;

@@ -18,8 +18,8 @@
 namespace TemporalCoherence
 {
 
-/// The BandTracer of fields with samples at the corners of cells, whatever the geometry of the
-/// cells (TracedCells.h).
+/// The BandTracer of fields with samples at the corners of cells, for any geometry of cells
+/// (TracedCells.h).
 template <typename T, typename Geometry, Interpolation Between>
 class CellBandTracer final : public BandTracer
 {
@@ -50,13 +50,14 @@ public:
       rays, this->Shape, this->Cells, [&](std::size_t ray) { return !progress.IsDone(ray); });
     while (progress.Live.Count > 0 && progress.Knots.MemoryInBytes() <= this->Scene.MemoryLimit)
     {
-      // To the next cells that can bring the rays farther.
+      // Walk to the next cells that can raise the rays' progress.
       progress.Live.Keep([&](std::size_t ray) { return this->Advance(ray, progress); });
       this->Measure(progress);
       this->TakeNote(progress);
       progress.Live.Keep([&](std::size_t ray) { return !progress.IsDone(ray); });
     }
-    progress.Knots.HandOver(this->Scene.Samples, this->Scene.FiniteRange, this->Scene.Where, knots);
+    progress.Knots.HandOver(
+      this->Scene.Samples, this->Scene.FiniteRange, this->Scene.Transform, knots);
     if (progress.HasEntries)
     {
       knots.Entries.assign(progress.Entries.begin(), progress.Entries.begin() + rays.Count);
@@ -68,7 +69,7 @@ private:
   static constexpr Real Infinity = std::numeric_limits<Real>::infinity();
   static constexpr std::size_t Rising = 0, Falling = 1;
 
-  /// How far a ray has come through the band on one course.
+  /// Progress of a ray through the band in one direction.
   struct Reach
   {
     Real Path = -Infinity;   ///< progress of the field along the ray
@@ -77,15 +78,15 @@ private:
     bool IsDone = false;
   };
 
-  /// A cell as the two courses see it: progress of its samples.
+  /// A cell: the progress of its samples in both directions.
   struct CellReach
   {
-    std::array<Real, NumberOfCourses> Corner;
-    Real Error;    ///< how far two ways to compute a value of the field may differ
-    bool IsFinite; ///< all its samples are
+    std::array<Real, NumberOfDirections> Corner;
+    Real Error;    ///< rounding error between two ways to compute a value of the field
+    bool IsFinite; ///< all samples are finite
   };
 
-  /// The rays of a tile on their way.
+  /// The state of the rays of a tile.
   struct Progress
   {
     Progress(const RayBatch& rays, const KnotForm& form, const BandScale& scale)
@@ -104,21 +105,21 @@ private:
     const RayBatch& Rays;
     LiveRays Live;
 
-    std::array<std::array<Reach, RayBatch::Capacity>, NumberOfCourses> Reached;
-    RayBatch::Array<bool> HasEntered; ///< where the ray begins is known
+    std::array<std::array<Reach, RayBatch::Capacity>, NumberOfDirections> Reached;
+    RayBatch::Array<bool> HasEntered; ///< the value where the ray begins is known
     RayBatch::Array<float> Entries;
-    bool HasEntries = false; ///< some ray begins in the band or above
+    bool HasEntries = false; ///< some ray begins in the band or above it
 
-    PassageBatch<Real> Passages; ///< through the cells to be measured
+    SegmentBatch<Real> Segments; ///< cell segments to be measured
     RangeBatch<Real> Ranges;
-    std::array<CellReach, RayBatch::Capacity> Corners; ///< of each passage
-    std::array<std::size_t, RayBatch::Capacity> Owner; ///< ray of each passage
+    std::array<CellReach, RayBatch::Capacity> Corners; ///< of each segment
+    std::array<std::size_t, RayBatch::Capacity> Owner; ///< ray of each segment
 
     KnotCollector Knots;
     std::int64_t CellsRead = 0;
   };
 
-  /// The ranges of samples in which a ray can come farther than it has.
+  /// The ranges of samples that can raise a ray's progress.
   struct UsefulRanges
   {
     bool CanBringOn(Real toRise, Real toFall) const
@@ -132,7 +133,7 @@ private:
       Real lowest = this->Tracer.FromLowest(static_cast<Value>(range.Min));
       if constexpr (std::is_floating_point_v<T>)
       {
-        // As for cells: what is not finite may be anything.
+        // As for cells: samples that are not finite may have any progress.
         highest = std::isfinite(range.Max) ? highest : Infinity;
         lowest = std::isfinite(range.Min) ? lowest : -Infinity;
       }
@@ -151,8 +152,8 @@ private:
     const Reach &Rises, &Falls;
   };
 
-  /// Take a ray to the next cell that can bring it farther.
-  /// \return false if its walk ends before
+  /// Walk to the next cell that can raise a ray's progress.
+  /// \return false if its walk ends first
   bool Advance(std::size_t ray, Progress& progress) const
   {
     const UsefulRanges useful{ *this, progress.Reached[Rising][ray],
@@ -192,7 +193,7 @@ private:
       {
         if (!std::isfinite(sample))
         {
-          // How far such a sample is from an isovalue depends on the isovalue: it may be anything.
+          // The difference of such a sample depends on the isovalue, so it may have any progress.
           reach.IsFinite = false;
           (sample > T(0) ? highest : lowest) = sample > T(0) ? Infinity : -Infinity;
         }
@@ -205,8 +206,8 @@ private:
   void Append(std::size_t ray, const glm::ivec3& cell, const Corners<Real>& corners,
     const CellReach& reach, Progress& progress) const
   {
-    const auto at = static_cast<std::size_t>(progress.Passages.Count);
-    AppendPassage(progress.Rays, ray, cell, corners, progress.Passages);
+    const auto at = static_cast<std::size_t>(progress.Segments.Count);
+    AppendSegment(progress.Rays, ray, cell, corners, progress.Segments);
     progress.Owner[at] = ray;
     progress.Corners[at] = reach;
   }
@@ -215,48 +216,49 @@ private:
   {
     if constexpr (!Geometry::HasKernels)
     {
-      for (std::size_t i = 0; i < static_cast<std::size_t>(progress.Passages.Count); ++i)
+      for (std::size_t i = 0; i < static_cast<std::size_t>(progress.Segments.Count); ++i)
       {
         this->MeasureOne(i, progress);
       }
     }
     else if constexpr (Between == Interpolation::Linear)
     {
-      FindRanges(progress.Passages, progress.Ranges);
+      FindRanges(progress.Segments, progress.Ranges);
     }
     else
     {
-      FindNearestRanges(progress.Passages, progress.Ranges);
+      FindNearestRanges(progress.Segments, progress.Ranges);
     }
   }
 
-  /// FindRanges and FindNearestRanges, for one passage.
+  /// FindRanges and FindNearestRanges, for one segment.
   void MeasureOne(std::size_t i, Progress& progress) const
   {
-    PassageBatch<Real>& passages = progress.Passages;
+    SegmentBatch<Real>& segments = progress.Segments;
     RangeBatch<Real>& ranges = progress.Ranges;
-    const glm::ivec3 cell(passages.Cell[0][i], passages.Cell[1][i], passages.Cell[2][i]);
-    const typename Geometry::Part part(this->Shape.RayOf(progress.Rays, progress.Owner[i]), cell);
+    const glm::ivec3 cell(segments.Cell[0][i], segments.Cell[1][i], segments.Cell[2][i]);
+    const typename Geometry::Segment segment(
+      this->Shape.RayOf(progress.Rays, progress.Owner[i]), cell);
     Corners<Real> corners;
     for (std::size_t corner = 0; corner < 8; ++corner)
     {
-      corners[corner] = passages.Corners[corner][i];
+      corners[corner] = segments.Corners[corner][i];
     }
-    passages.Enter[i] = part.Enter();
-    ranges.Leave[i] = part.Leave();
+    segments.Enter[i] = segment.Enter();
+    ranges.Leave[i] = segment.Leave();
     Cubic<Real> cubic;
     if constexpr (Between == Interpolation::Linear)
     {
-      cubic = CubicAlong(corners, part.Path());
+      cubic = CubicAlong(corners, segment.Path());
       const std::array<Real, 2> range = RangeOf(cubic);
       ranges.Lowest[i] = range[0];
       ranges.Highest[i] = range[1];
     }
     else
     {
-      const NearestPath path = part.HasLength()
-        ? part.Nearest()
-        : NearestPath{ { NearestCorner(part.Path().Begin) }, {}, 1 };
+      const NearestPath path = segment.HasLength()
+        ? segment.Nearest()
+        : NearestPath{ { NearestCorner(segment.Path().Begin) }, {}, 1 };
       const Real begin = corners[path.Corners[0]], end = corners[path.Corners[path.Count - 1]];
       cubic = { begin, begin, end, end };
       ranges.Lowest[i] = ranges.Highest[i] = begin;
@@ -272,33 +274,33 @@ private:
     }
   }
 
-  /// Bring rays on by what was measured in their passages.
+  /// Update the rays' progress by their measured segments.
   void TakeNote(Progress& progress) const
   {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(progress.Passages.Count); ++i)
+    for (std::size_t i = 0; i < static_cast<std::size_t>(progress.Segments.Count); ++i)
     {
       const std::size_t ray = progress.Owner[i];
       if (!progress.HasEntered[ray])
       {
         this->EnterBy(i, ray, progress);
       }
-      const bool isTouched = !(progress.Passages.Enter[i] < progress.Ranges.Leave[i]);
+      const bool isTouched = !(progress.Segments.Enter[i] < progress.Ranges.Leave[i]);
       const CellReach& cell = progress.Corners[i];
-      const std::array<Real, NumberOfCourses> path = { progress.Ranges.Highest[i],
+      const std::array<Real, NumberOfDirections> path = { progress.Ranges.Highest[i],
         this->Span - progress.Ranges.Lowest[i] };
-      for (std::size_t course = 0; course < NumberOfCourses; ++course)
+      for (std::size_t direction = 0; direction < NumberOfDirections; ++direction)
       {
-        Reach& reached = progress.Reached[course][ray];
+        Reach& reached = progress.Reached[direction][ray];
         if (reached.IsDone)
         {
           continue;
         }
-        const Real corner = cell.Corner[course];
-        this->BringOn(isTouched ? -Infinity : (cell.IsFinite ? path[course] : corner), corner,
+        const Real corner = cell.Corner[direction];
+        this->BringOn(isTouched ? -Infinity : (cell.IsFinite ? path[direction] : corner), corner,
           cell.Error, reached);
         if (!progress.Knots.IsFitted())
         {
-          this->NoteCell(course, i, ray, reached, progress);
+          this->NoteCell(direction, i, ray, reached, progress);
         }
         else if (!cell.IsFinite)
         {
@@ -307,15 +309,15 @@ private:
         }
         else if (!isTouched)
         {
-          progress.Knots.Follow(course, ray, this->CubicOf(course, i, progress),
-            progress.Passages.Enter[i], progress.Ranges.Leave[i]);
+          progress.Knots.Follow(direction, ray, this->CubicOf(direction, i, progress),
+            progress.Segments.Enter[i], progress.Ranges.Leave[i]);
         }
       }
     }
-    progress.Passages.Count = 0;
+    progress.Segments.Count = 0;
   }
 
-  /// A ray begins in passage i. What is not finite there is another value for each isovalue.
+  /// A ray begins in segment i. A value that is not finite there differs from isovalue to isovalue.
   void EnterBy(std::size_t i, std::size_t ray, Progress& progress) const
   {
     this->Enter(ray, progress.Ranges.Cubic[0][i], progress.Corners[i].Error, progress);
@@ -346,9 +348,9 @@ private:
     reached.IsDone = reached.Path + error > this->Span;
   }
 
-  /// Keep the cell of passage i as a knot if it brought the ray on.
+  /// Store the cell of segment i as a knot if it raised the ray's progress.
   void NoteCell(
-    std::size_t course, std::size_t i, std::size_t ray, Reach& reached, Progress& progress) const
+    std::size_t direction, std::size_t i, std::size_t ray, Reach& reached, Progress& progress) const
   {
     const double error = static_cast<double>(progress.Corners[i].Error);
     const BandScale::Key path = this->Scale.KeyOf(static_cast<double>(reached.Path) + error);
@@ -356,39 +358,40 @@ private:
       std::max(path, this->Scale.KeyOf(static_cast<double>(reached.Corner) + error));
     if (path > reached.PathKey || corner > reached.CornerKey)
     {
-      // The normal of a ray's first knot stands for the whole cell, others for where it is left.
+      // The normal of a ray's first knot is taken half way to where the field comes farthest,
+      // others there.
       const bool isFirst = reached.PathKey == 0;
       reached.PathKey = path;
       reached.CornerKey = corner;
       CellIndex cell;
       for (std::size_t a = 0; a < 3; ++a)
       {
-        cell[a] = static_cast<std::uint16_t>(progress.Passages.Cell[a][i]);
+        cell[a] = static_cast<std::uint16_t>(progress.Segments.Cell[a][i]);
       }
       const double farthest =
-        this->Scene.Form.HasNormals ? this->FarthestAt(course, i, progress) : 0.0;
-      const double distance = isFirst ? 0.5 * (progress.Passages.Enter[i] + farthest) : farthest;
-      progress.Knots.AddCell(course, ray, path, corner, cell, distance);
+        this->Scene.Form.HasNormals ? this->FarthestAt(direction, i, progress) : 0.0;
+      const double distance = isFirst ? 0.5 * (progress.Segments.Enter[i] + farthest) : farthest;
+      progress.Knots.AddCell(direction, ray, path, corner, cell, distance);
     }
   }
 
-  /// Progress along passage i, which is rising on its course.
-  Cubic<double> CubicOf(std::size_t course, std::size_t i, const Progress& progress) const
+  /// Progress along segment i, which is rising in its direction.
+  Cubic<double> CubicOf(std::size_t direction, std::size_t i, const Progress& progress) const
   {
     Cubic<double> cubic;
     for (std::size_t c = 0; c < 4; ++c)
     {
       cubic[c] = this->Scale.Progress(
-        static_cast<Course>(course), static_cast<double>(progress.Ranges.Cubic[c][i]));
+        static_cast<ValueDirection>(direction), static_cast<double>(progress.Ranges.Cubic[c][i]));
     }
     return cubic;
   }
 
-  /// Distance at which the field comes farthest in passage i.
-  double FarthestAt(std::size_t course, std::size_t i, const Progress& progress) const
+  /// Distance of the highest progress in segment i.
+  double FarthestAt(std::size_t direction, std::size_t i, const Progress& progress) const
   {
-    const double enter = progress.Passages.Enter[i], leave = progress.Ranges.Leave[i];
-    const Cubic<double> cubic = this->CubicOf(course, i, progress);
+    const double enter = progress.Segments.Enter[i], leave = progress.Ranges.Leave[i];
+    const Cubic<double> cubic = this->CubicOf(direction, i, progress);
     double farthest = cubic[3] >= cubic[0] ? 1.0 : 0.0;
     if constexpr (Between == Interpolation::Linear)
     {
@@ -408,7 +411,7 @@ private:
     return enter + farthest * std::max(leave - enter, 0.0);
   }
 
-  /// Find out where in the band solids begin that rays begin in.
+  /// Find the values at which rays begin in solids.
   void FindEntries(Progress& progress) const
   {
     const RayBatch& rays = progress.Rays;
@@ -419,7 +422,7 @@ private:
         const glm::ivec3 cell = this->Shape.RayOf(rays, ray).CellAt(rays.Begin[ray], this->Cells);
         if (this->Scene.Samples.Hidden && this->Scene.Samples.Hidden->IsHidden(cell))
         {
-          this->Enter(ray, -Infinity, Real(0), progress); // in nothing, as below the band
+          this->Enter(ray, -Infinity, Real(0), progress); // outside, as below the band
           continue;
         }
         Corners<Real> corners;
@@ -427,13 +430,13 @@ private:
         this->Append(ray, cell, corners, reach, progress);
       }
     }
-    progress.CellsRead += progress.Passages.Count;
+    progress.CellsRead += progress.Segments.Count;
     this->Measure(progress);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(progress.Passages.Count); ++i)
+    for (std::size_t i = 0; i < static_cast<std::size_t>(progress.Segments.Count); ++i)
     {
       this->EnterBy(i, progress.Owner[i], progress);
     }
-    progress.Passages.Count = 0;
+    progress.Segments.Count = 0;
   }
 
   BandScene Scene;
@@ -446,7 +449,7 @@ private:
   bool IsSolid;
 };
 
-/// The tracer of a scene for a geometry.
+/// Make the tracer of a scene for a geometry.
 template <typename T, typename Geometry>
 std::shared_ptr<const BandTracer> MakeCellBandTracer(const BandScene& scene, const Geometry& shape)
 {

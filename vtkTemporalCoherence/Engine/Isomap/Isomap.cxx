@@ -6,6 +6,7 @@
 #include "Isomap/BandTracer.h"
 #include "Scene/FramePlanes.h"
 #include "Scene/Parallel.h"
+#include "Trace/RayPieces.h"
 #include "Trace/RaySource.h"
 #include "Trace/SurfaceTracer.h"
 
@@ -26,22 +27,23 @@ namespace
 /// Measured by the worst frames of `Benchmark --scenarios isomap`.
 constexpr std::int64_t NumberOfParts = 16;
 
-/// Where a ray begins that begins below a band.
+/// The stored entry of a ray that begins below a band.
 constexpr float NotInBand = -std::numeric_limits<float>::infinity();
 
-/// Let rays that begin below the band underneath walk from where they come to its end; those that
-/// do not come there have nowhere to go. (Rays that meet no cell of that band may begin above it.)
+/// Begin the walks of rays where they reach the upper end of the band underneath. A ray that begins
+/// below that band and does not reach its end has no walk. (A ray that meets no cell of that band
+/// may begin above it.)
 void NarrowByCells(
   const TileKnots& knots, const BandScale& scale, const FieldKind& kind, RayBatch& rays)
 {
-  const CellKnots& table = knots.Cells[static_cast<std::size_t>(Course::Rising)];
+  const CellKnots& table = knots.Cells[static_cast<std::size_t>(ValueDirection::Rising)];
   const BandScale::Key end = scale.KeyOf(scale.Span);
   CellList cells;
   for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count) && !table.IsEmpty(); ++i)
   {
     const bool beginsBelow = knots.Entries.empty() || knots.Entries[i] == NotInBand;
     const std::size_t first = table.Begin(i), last = table.Begin(i + 1);
-    if (!beginsBelow || first == last || (knots.Untold >> i & 1u))
+    if (!beginsBelow || first == last || (knots.Unresolved >> i & 1u))
     {
       continue;
     }
@@ -63,16 +65,16 @@ void NarrowByCells(
   }
 }
 
-/// The same by fitted knots.
+/// The same with fitted knots.
 void NarrowByFit(const TileKnots& knots, const BandScale& scale, double tolerance, RayBatch& rays)
 {
-  const FittedKnots& table = knots.Fitted[static_cast<std::size_t>(Course::Rising)];
+  const FittedKnots& table = knots.Fitted[static_cast<std::size_t>(ValueDirection::Rising)];
   const float span = scale.Stored(scale.Span) - 2.0f * static_cast<float>(BandScale::StoredError);
   for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count) && !table.IsEmpty(); ++i)
   {
     const bool beginsBelow = knots.Entries.empty() || knots.Entries[i] == NotInBand;
     const std::size_t first = table.Begin(i), last = table.Begin(i + 1);
-    if (!beginsBelow || first == last || (knots.Untold >> i & 1u))
+    if (!beginsBelow || first == last || (knots.Unresolved >> i & 1u))
     {
       continue;
     }
@@ -91,6 +93,13 @@ void NarrowByFit(const TileKnots& knots, const BandScale& scale, double toleranc
 
 }
 
+bool Isomap::Band::IsEmpty(std::int64_t tile) const
+{
+  const TileKnots* const knots = this->At(tile);
+  return std::all_of(
+    knots, knots + this->Pieces, [](const TileKnots& each) { return each.IsEmpty(); });
+}
+
 bool Isomap::CanHold(const Field& field)
 {
   constexpr int largest = std::numeric_limits<CellIndex::value_type>::max();
@@ -98,9 +107,9 @@ bool Isomap::CanHold(const Field& field)
     glm::all(glm::lessThanEqual(field.Dimensions, glm::ivec3(largest)));
 }
 
-double Isomap::SmallestTolerance(const Field& field, const Placement& where)
+double Isomap::SmallestTolerance(const Field& field, const IndexTransform& transform)
 {
-  const glm::dmat3 edges(where.WorldFromIndex);
+  const glm::dmat3 edges(transform.WorldFromIndex);
   const glm::dvec3 cells(field.Dimensions - 1);
   double longest = 0.0;
   for (const glm::dvec3 side : { glm::dvec3(1.0, 1.0, 1.0), glm::dvec3(-1.0, 1.0, 1.0),
@@ -110,24 +119,24 @@ double Isomap::SmallestTolerance(const Field& field, const Placement& where)
   }
   constexpr double rounding = 0.5 * std::numeric_limits<float>::epsilon();
   const double kept = rounding * longest / (1.0 - FitShare);
-  return std::max(FinestTolerance, kept / field.Kind->VoxelSizeIn(where).Shortest);
+  return std::max(FinestTolerance, kept / field.Kind->VoxelSizeIn(transform).Shortest);
 }
 
 KnotForm Isomap::FormFor(const FrameKey& key, const Options& options)
 {
-  // Where the field is that of the nearest sample, distances are no curves to be fitted.
-  // Nor where it may jump, behind hidden cells.
+  // With nearest interpolation there are no curves to fit. Behind hidden cells, distances may jump.
   const bool isFitted = key.Samples.Between == Interpolation::Linear && !key.Samples.Hidden &&
-    options.Tolerance > 0.0 && options.Tolerance >= SmallestTolerance(key.Samples, key.Where);
-  return { isFitted ? options.Tolerance * key.Samples.Kind->VoxelSizeIn(key.Where).Shortest : 0.0,
+    options.Tolerance > 0.0 && options.Tolerance >= SmallestTolerance(key.Samples, key.Transform);
+  return { isFitted ? options.Tolerance * key.Samples.Kind->VoxelSizeIn(key.Transform).Shortest
+                    : 0.0,
     options.HasNormals };
 }
 
 bool Isomap::IsOf(const FrameKey& key, const Options& options) const
 {
   return this->IsBegun && this->Form == FormFor(key, options) && this->Key.Samples == key.Samples &&
-    this->Key.Where == key.Where && this->Key.Kept == key.Kept && this->Key.Seen == key.Seen &&
-    this->Key.Sought.Mode == key.Sought.Mode;
+    this->Key.Transform == key.Transform && this->Key.Region == key.Region &&
+    this->Key.View == key.View && this->Key.Isosurfaces.Mode == key.Isosurfaces.Mode;
 }
 
 void Isomap::Begin(const FrameKey& key, const Options& options)
@@ -148,12 +157,12 @@ void Isomap::MoveTo(const Field& now, const Field& before)
 
 void Isomap::Release()
 {
-  this->Kept.clear();
+  this->BuiltBands.clear();
   this->IsBegun = false;
   this->Dropped = false;
 }
 
-/// What a band is built from, and how far it is.
+/// The inputs of a band, and the progress of building it.
 struct Isomap::BandSource
 {
   BandSource(const Isomap& map, const ValueBand& band, const ValueRangePyramid& pyramid,
@@ -162,19 +171,19 @@ struct Isomap::BandSource
     , Form(map.Form)
     , FiniteRange(pyramid.FiniteRange())
     , From(start)
-    , Rays(map.Key.Seen, map.Key.Where, map.Key.Samples.Dimensions, map.Key.Kept)
+    , Rays(map.Key.View, map.Key.Transform, map.Key.Samples.Dimensions, map.Key.Region)
   {
-    this->Active.Build(map.Key.Samples, pyramid, band, map.Key.Sought.Mode);
-    this->Bounds.Build(map.Key.Seen, map.Key.Where, this->Active, *map.Key.Samples.Kind);
+    this->Active.Build(map.Key.Samples, pyramid, band, map.Key.Isosurfaces.Mode);
+    this->Bounds.Build(map.Key.View, map.Key.Transform, this->Active, *map.Key.Samples.Kind);
     this->Tracer = BandTracer::Make({ map.Key.Samples, pyramid.FiniteRange(), &pyramid,
-      &this->Active, band, map.Key.Sought.Mode, map.Form, map.Key.Where, memoryLimit });
-    // Otherwise what shows lower isovalues tells nothing of where higher ones can be.
+      &this->Active, band, map.Key.Isosurfaces.Mode, map.Form, map.Key.Transform, memoryLimit });
+    // If hits are not ordered, lower isovalues do not tell where higher ones can be.
     const bool areOrdered = AreHitsOrdered(map.Key);
-    for (const std::shared_ptr<Band>& kept : map.Kept)
+    for (const std::shared_ptr<Band>& built : map.BuiltBands)
     {
-      if (areOrdered && kept->Values.High == band.Low)
+      if (areOrdered && built->Values.High == band.Low)
       {
-        this->Underneath = kept;
+        this->Underneath = built;
       }
     }
     if (!areOrdered || !start.Picture || start.Isovalue > band.Low)
@@ -183,7 +192,7 @@ struct Isomap::BandSource
     }
   }
 
-  /// Work begins or goes on, until what there is so far has taken so much.
+  /// Begin or go on with the work, up to these limits.
   void Begin(const Limits& upTo)
   {
     this->UpTo = upTo;
@@ -191,11 +200,12 @@ struct Isomap::BandSource
     this->HasEnough = false;
   }
 
-  /// True if no further tile is to be begun.
+  /// True if no further tile should be begun.
   bool IsInterrupted() const { return this->HasEnough.load(std::memory_order_relaxed); }
 
-  /// Trace the rays of a tile. Safe from many threads, out of which no exception comes.
-  void Trace(std::int64_t tile, TileKnots& knots)
+  /// Trace the rays of a tile. Thread-safe; exceptions do not leave the thread.
+  /// \param knots one for each piece of the rays
+  void Trace(std::int64_t tile, TileKnots* knots)
   {
     this->TraceRays(tile, knots);
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - this->Since;
@@ -206,21 +216,20 @@ struct Isomap::BandSource
     }
   }
 
-  /// Trace the rays of a part of the tiles until that is interrupted.
+  /// Trace the rays of a part of the tiles until the work is interrupted.
   /// \param done how many tiles of each group of the part are traced
-  void TracePart(std::int64_t part, std::vector<std::uint8_t>& done, std::vector<TileKnots>& knots)
+  void TracePart(std::int64_t part, std::vector<std::uint8_t>& done, Band& band)
   {
     ParallelFor(static_cast<std::int64_t>(done.size()), 1,
       [&](std::int64_t i)
       {
         std::uint8_t& doneInGroup = done[static_cast<std::size_t>(i)];
         const std::int64_t first = (part + i * NumberOfParts) * TileGrain;
-        const std::int64_t count =
-          std::min(TileGrain, static_cast<std::int64_t>(knots.size()) - first);
+        const std::int64_t count = std::min(TileGrain, NumberOfTiles(this->Key.View.Size) - first);
         for (; doneInGroup < count && !this->IsInterrupted(); ++doneInGroup)
         {
           const std::int64_t tile = first + doneInGroup;
-          this->Trace(tile, knots[static_cast<std::size_t>(tile)]);
+          this->Trace(tile, band.At(tile));
         }
       });
   }
@@ -230,38 +239,54 @@ struct Isomap::BandSource
   std::atomic<bool> HasFailed{ false };
 
 private:
-  void TraceRays(std::int64_t tile, TileKnots& knots)
+  void TraceRays(std::int64_t tile, TileKnots* knots)
   {
-    // A solid may be cut open where there is no active cell.
-    if (this->Key.Sought.Mode == SurfaceMode::Crossing && this->Bounds.At(tile).IsEmpty())
+    // A solid may be capped where there is no active cell.
+    if (this->Key.Isosurfaces.Mode == SurfaceMode::Crossing && this->Bounds.At(tile).IsEmpty())
     {
       return;
     }
-    const PixelRect part = PixelsOfTile(this->Key.Seen.Size, tile);
+    const PixelRect part = PixelsOfTile(this->Key.View.Size, tile);
     RayBatch rays;
     this->Rays.SetUp(part.First, part.Size, rays);
     this->Bounds.Narrow(tile, rays);
     if (this->Underneath)
     {
-      const TileKnots& below = this->Underneath->Tiles[static_cast<std::size_t>(tile)];
+      const TileKnots& below = *this->Underneath->At(tile);
       const BandScale scale(this->Key.Samples.Type, this->Underneath->Values, this->FiniteRange);
       NarrowByCells(below, scale, *this->Key.Samples.Kind, rays);
       NarrowByFit(below, scale, this->Form.Tolerance, rays);
     }
     else if (this->From.Picture)
     {
-      BeginAtContacts(*this->From.Picture, this->Key.Seen.Parallel, rays);
+      BeginAtFirstEntries(*this->From.Picture, this->Key.View.Parallel, rays);
     }
     try
     {
-      this->Cells.fetch_add(this->Tracer->Trace(rays, knots), std::memory_order_relaxed);
-      this->Memory.fetch_add(knots.MemoryInBytes(), std::memory_order_relaxed);
-      this->Knots.fetch_add(knots.NumberOfKnots(), std::memory_order_relaxed);
+      if (!this->Rays.Clipper.HasPieces())
+      {
+        this->TraceInto(*knots, rays);
+        return;
+      }
+      const RayPieces pieces(this->Rays.Clipper, rays);
+      RayBatch clipped = rays;
+      for (std::size_t piece = 0; pieces.Clip(piece, clipped) != 0; ++piece)
+      {
+        this->TraceInto(knots[piece], clipped);
+        clipped = rays;
+      }
     }
     catch (const std::bad_alloc&)
     {
       this->HasFailed = true;
     }
+  }
+
+  void TraceInto(TileKnots& knots, const RayBatch& rays)
+  {
+    this->Cells.fetch_add(this->Tracer->Trace(rays, knots), std::memory_order_relaxed);
+    this->Memory.fetch_add(knots.MemoryInBytes(), std::memory_order_relaxed);
+    this->Knots.fetch_add(knots.NumberOfKnots(), std::memory_order_relaxed);
   }
 
   const FrameKey& Key;
@@ -282,7 +307,7 @@ private:
 namespace
 {
 
-/// What is left of a limit.
+/// The remainder of a limit.
 std::size_t RoomFor(std::size_t limit, std::size_t taken)
 {
   return limit > taken ? limit - taken : 0;
@@ -293,8 +318,9 @@ std::size_t RoomFor(std::size_t limit, std::size_t taken)
 Isomap::Outcome Isomap::Build(const ValueBand& band, const ValueRangePyramid& pyramid,
   const Start& start, const Limits& limits, const ReportProgress& report)
 {
-  const std::int64_t tiles = NumberOfTiles(this->Key.Seen.Size);
-  const std::size_t fixed = static_cast<std::size_t>(tiles) * sizeof(TileKnots);
+  const std::int64_t tiles = NumberOfTiles(this->Key.View.Size);
+  const std::size_t pieces = this->Key.Region.IsConvex() ? 1 : RegionClipper::MostPieces;
+  const std::size_t fixed = static_cast<std::size_t>(tiles) * pieces * sizeof(TileKnots);
   if (!this->MakeRoom(fixed, limits.Memory))
   {
     return Outcome::TooLarge;
@@ -302,7 +328,8 @@ Isomap::Outcome Isomap::Build(const ValueBand& band, const ValueRangePyramid& py
   const auto built = std::make_shared<Band>();
   built->Values = band;
   built->HasNormals = this->Form.HasNormals;
-  built->Tiles.resize(static_cast<std::size_t>(tiles));
+  built->Pieces = pieces;
+  built->Tiles.resize(static_cast<std::size_t>(tiles) * pieces);
 
   BandSource source(*this, band, pyramid, start, limits.Memory);
   const std::int64_t groups = (tiles + TileGrain - 1) / TileGrain;
@@ -314,10 +341,11 @@ Isomap::Outcome Isomap::Build(const ValueBand& band, const ValueRangePyramid& py
     bool isWhole = false;
     while (!isWhole)
     {
-      // A part that takes long, or too much, is interrupted, and goes on after the questions.
+      // A part that takes too long or too much is interrupted for the checks below, and continues
+      // after them.
       source.Begin({ RoomFor(limits.Memory, this->MemoryInBytes() + fixed), limits.Cells,
         report ? limits.Patience : std::numeric_limits<double>::infinity() });
-      source.TracePart(part, tilesDone, built->Tiles);
+      source.TracePart(part, tilesDone, *built);
       isWhole = !source.IsInterrupted();
       if (source.HasFailed)
       {
@@ -328,7 +356,7 @@ Isomap::Outcome Isomap::Build(const ValueBand& band, const ValueRangePyramid& py
       {
         return Outcome::TooLarge;
       }
-      // Only whole parts, which are spread over the picture, foretell what is to come.
+      // Only whole parts, which are spread over the picture, allow an estimate of the rest.
       const double whole = static_cast<double>(part + 1) / NumberOfParts;
       if (static_cast<double>(source.Cells) > limits.Cells * (isWhole ? whole : 1.0))
       {
@@ -347,21 +375,21 @@ Isomap::Outcome Isomap::Build(const ValueBand& band, const ValueRangePyramid& py
   built->NumberOfKnots = source.Knots;
   built->CellsRead = source.Cells;
   built->LastUse = ++this->Uses;
-  this->Kept.push_back(built);
+  this->BuiltBands.push_back(built);
   return Outcome::Built;
 }
 
-/// Drop the bands not used for longest until there is room for so many bytes more.
-/// \return false, dropping nothing, if there never will be
+/// Drop the least recently used bands until there is room for this many more bytes.
+/// \return false, dropping nothing, if that is impossible
 bool Isomap::MakeRoom(std::size_t bytes, std::size_t limit)
 {
   if (bytes > limit)
   {
     return false;
   }
-  while (!this->Kept.empty() && this->MemoryInBytes() + bytes > limit)
+  while (!this->BuiltBands.empty() && this->MemoryInBytes() + bytes > limit)
   {
-    this->Kept.erase(std::min_element(this->Kept.begin(), this->Kept.end(),
+    this->BuiltBands.erase(std::min_element(this->BuiltBands.begin(), this->BuiltBands.end(),
       [](const auto& a, const auto& b) { return a->LastUse < b->LastUse; }));
     this->Dropped = true;
   }
@@ -372,7 +400,7 @@ ValueBand Isomap::GapAround(double isovalue) const
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   ValueBand gap{ -infinity, infinity };
-  for (const auto& band : this->Kept)
+  for (const auto& band : this->BuiltBands)
   {
     if (band->Values.High < isovalue)
     {
@@ -388,7 +416,7 @@ ValueBand Isomap::GapAround(double isovalue) const
 
 const Isomap::Band* Isomap::Use(double isovalue)
 {
-  for (const std::shared_ptr<Band>& band : this->Kept)
+  for (const std::shared_ptr<Band>& band : this->BuiltBands)
   {
     if (band->Values.Holds(isovalue))
     {
@@ -404,7 +432,7 @@ bool Isomap::Covers(const std::vector<double>& isovalues) const
   return std::all_of(isovalues.begin(), isovalues.end(),
     [this](double isovalue)
     {
-      return std::any_of(this->Kept.begin(), this->Kept.end(),
+      return std::any_of(this->BuiltBands.begin(), this->BuiltBands.end(),
         [isovalue](const auto& band) { return band->Values.Holds(isovalue); });
     });
 }
@@ -412,7 +440,7 @@ bool Isomap::Covers(const std::vector<double>& isovalues) const
 std::size_t Isomap::MemoryInBytes() const
 {
   std::size_t bytes = 0;
-  for (const std::shared_ptr<Band>& band : this->Kept)
+  for (const std::shared_ptr<Band>& band : this->BuiltBands)
   {
     bytes += band->Memory;
   }
@@ -422,7 +450,7 @@ std::size_t Isomap::MemoryInBytes() const
 std::size_t Isomap::NumberOfKnots() const
 {
   std::size_t knots = 0;
-  for (const std::shared_ptr<Band>& band : this->Kept)
+  for (const std::shared_ptr<Band>& band : this->BuiltBands)
   {
     knots += band->NumberOfKnots;
   }

@@ -17,7 +17,7 @@
 namespace TemporalCoherence
 {
 
-/// For one view, where along each pixel's ray the field first passes each isovalue.
+/// For one view: where the ray of each pixel first passes each isovalue.
 ///
 /// An isomap is made of bands of isovalues, each built when it is first needed.
 class Isomap
@@ -25,11 +25,11 @@ class Isomap
 public:
   struct Options
   {
-    ValueBand Range{ 1.0, 0.0 };                      ///< isovalues of one band; none if Low > High
-    std::size_t MemoryLimit = std::size_t(256) << 20; ///< bytes that all bands may take
-    double Tolerance = 0.0;  ///< distance by which looked-up surfaces may be wrong, in voxels; one
-                             ///< that is too small to be kept counts as 0
-    bool HasNormals = false; ///< keep normals, to interpolate between them
+    ValueBand Range{ 1.0, 0.0 }; ///< asks for one band of these isovalues; none if Low > High
+    std::size_t MemoryLimit = std::size_t(256) << 20; ///< limit of all bands together, in bytes
+    double Tolerance = 0.0; ///< largest error in the distance of looked-up surfaces, in voxels; too
+                            ///< small a tolerance counts as 0
+    bool HasNormals = false; ///< store normals, to interpolate between them
   };
 
   /// A band of isovalues of the view.
@@ -37,88 +37,101 @@ public:
   {
     ValueBand Values;
     bool HasNormals = false;
-    std::vector<TileKnots> Tiles; ///< by number of the tile
+    std::vector<TileKnots> Tiles; ///< by number of the tile, and of the piece of its rays
+    std::size_t Pieces = 1;       ///< that a ray may have in the region
     std::size_t Memory = 0;       ///< bytes
     std::size_t NumberOfKnots = 0;
     std::int64_t CellsRead = 0; ///< to build it
     std::uint64_t LastUse = 0;
+
+    /// What the rays of a tile know, for each of their pieces.
+    TileKnots* At(std::int64_t tile)
+    {
+      return this->Tiles.data() + static_cast<std::size_t>(tile) * this->Pieces;
+    }
+    const TileKnots* At(std::int64_t tile) const
+    {
+      return this->Tiles.data() + static_cast<std::size_t>(tile) * this->Pieces;
+    }
+    bool IsEmpty(std::int64_t tile) const;
   };
 
   enum class Outcome : std::uint8_t
   {
     Built,
-    Stopped,   ///< by the report of its progress
+    Stopped,   ///< by the progress report
     TooLarge,  ///< the band alone would exceed the limit of memory
     TooCostly, ///< it would read too many cells
     Impossible ///< there are no isovalues, no cells, too many cells, or no BandTracer
   };
 
-  /// What a band may cost.
+  /// Limits for building a band.
   struct Limits
   {
-    std::size_t Memory;     ///< bytes that all bands may take
-    double Cells;           ///< that may be read; an estimate after a part of them decides
-    double Patience = 0.05; ///< seconds from one report to the next, but for the tiles in work then
+    std::size_t Memory;     ///< limit of all bands together, in bytes
+    double Cells;           ///< limit of cells to read; decided by an estimate after a part of them
+    double Patience = 0.05; ///< seconds between reports, plus the time to finish the tiles in work
   };
 
-  /// Tolerances below this, in voxels, count as 0. Distances are kept in single precision, which
-  /// may take a tenth of the tolerance: that is enough for rays as long as the longest diagonal of
-  /// a cube of 960 voxels, and where they are longer, SmallestTolerance of a field is larger. Finer
-  /// ones would gain nothing either: below some 2e-5 voxels not even the steepest surface could be
-  /// told, as progress is kept to BandScale::StoredError, and every ray that hits would be traced.
+  /// Tolerances below this, in voxels, count as 0. Distances are stored in single precision, which
+  /// may take a tenth of the tolerance. This suffices for the diagonal of a cube of 960 voxels; for
+  /// larger fields, SmallestTolerance is larger. Finer tolerances would gain nothing: progress is
+  /// stored to BandScale::StoredError, so below some 2e-5 voxels not even the steepest surface
+  /// could be located, and every ray would be traced.
   static constexpr double FinestTolerance = 1e-3;
 
-  /// The same for the rays through a field.
-  static double SmallestTolerance(const Field& field, const Placement& where);
+  /// The same for a field of any size.
+  static double SmallestTolerance(const Field& field, const IndexTransform& transform);
 
-  /// How the knots for a frame are kept.
+  /// The form of the knots for a frame.
   static KnotForm FormFor(const FrameKey& key, const Options& options);
 
-  /// True if the kind of a field has isomaps, and its cells have numbers that fit the knots.
+  /// True if the kind of a field has isomaps, and its cell indices fit into knots.
   static bool CanHold(const Field& field);
 
-  /// True if this is the isomap of the view, data and mode of a frame, made as the options ask for.
+  /// True if this isomap belongs to the view, data and mode of a frame, and has the form that the
+  /// options ask for.
   bool IsOf(const FrameKey& key, const Options& options) const;
 
   /// Begin an empty isomap for a frame's view, data and mode.
   void Begin(const FrameKey& key, const Options& options);
 
-  /// Samples are equal to those of the field `before`, but lie elsewhere now.
+  /// Reassign the isomap from the field `before` to `now`, whose samples are equal but lie
+  /// elsewhere.
   void MoveTo(const Field& now, const Field& before);
 
-  /// Distance by which looked-up surfaces may be wrong; 0: they are exact.
+  /// Largest error in the distance of looked-up surfaces; 0: they are exact.
   double Tolerance() const { return this->Form.Tolerance; }
 
-  /// Where a band may begin: at what the picture of a lower isovalue shows.
+  /// Where the walks of a band may begin: at the first entries of a lower isovalue's picture.
   struct Start
   {
-    const Frame* Picture = nullptr; ///< exact, of the same view; null: there is none
+    const Frame* Picture = nullptr; ///< exact and of the same view; may be null
     double Isovalue = 0.0;
   };
 
-  /// Trace a band and keep it. Bands that were not used for long are dropped where the limit of
-  /// memory asks for it.
+  /// Trace a band and add it. Least recently used bands are dropped if the memory limit requires
+  /// it.
   /// \param pyramid of the frame's field
-  /// \throws std::bad_alloc, the isomap then being as it was, but for dropped bands
+  /// \throws std::bad_alloc; the isomap is then unchanged, except for dropped bands
   Outcome Build(const ValueBand& band, const ValueRangePyramid& pyramid, const Start& start,
     const Limits& limits, const ReportProgress& report);
 
-  /// The isovalues around one without a band for which there is no band either; infinite where all
-  /// are.
+  /// The gap between bands around an isovalue without a band; infinite on a side without bands.
   ValueBand GapAround(double isovalue) const;
 
-  /// Drop bands until they take no more than this.
+  /// Drop bands until they take at most this many bytes.
   void Trim(std::size_t limit) { this->MakeRoom(0, limit); }
 
-  /// The band that holds an isovalue, or null; marks it as used.
+  /// The band that holds an isovalue, or null. Marks the band as used.
   const Band* Use(double isovalue);
 
   /// True if there is a band for each isovalue.
   bool Covers(const std::vector<double>& isovalues) const;
 
-  const std::vector<std::shared_ptr<Band>>& Bands() const { return this->Kept; }
+  const std::vector<std::shared_ptr<Band>>& Bands() const { return this->BuiltBands; }
 
-  /// True if a band was dropped because of the limit of memory.
+  /// True if a band was dropped because of the memory limit.
   bool HasDropped() const { return this->Dropped; }
 
   std::size_t MemoryInBytes() const;
@@ -136,7 +149,7 @@ private:
   bool IsBegun = false;
   bool Dropped = false;
   std::uint64_t Uses = 0;
-  std::vector<std::shared_ptr<Band>> Kept;
+  std::vector<std::shared_ptr<Band>> BuiltBands;
 };
 
 }

@@ -11,14 +11,13 @@ namespace TemporalCoherence
 namespace
 {
 
-/// Cells that a band chosen by us may read, in units of those of a cold frame: three times its
-/// time, as most of that goes into finding the first cell. And how often a narrower band is tried.
-/// Measured by the worst frames of drags, `Benchmark --scenarios isomap`.
+/// How many cells an automatic band may read, relative to a cold frame. This takes three times as
+/// long as that frame, as most of its time goes into finding the first cell. And how often a
+/// narrower band is tried. Measured by the worst frames of drags, `Benchmark --scenarios isomap`.
 constexpr double MostCells = 3.0;
 constexpr int MostAttempts = 2;
 
-/// The band that the user asks for, if it holds an isovalue, without what lies beyond the samples:
-/// there is nothing to be found.
+/// The band that the user asks for, if it holds an isovalue, limited to the range of the samples.
 ValueBand RangeAskedFor(
   const Isomap::Options& options, const ValueRangePyramid& pyramid, double isovalue)
 {
@@ -32,8 +31,8 @@ ValueBand RangeAskedFor(
 bool IsomapBuilder::CanBuild(const FrameKey& key, const Isomap::Options& options) const
 {
   const bool hasFailed = this->FailedLimit >= options.MemoryLimit && this->Map.IsOf(key, options);
-  return options.MemoryLimit > 0 && Isomap::CanHold(key.Samples) && key.Kept.IsConvex() &&
-    !IsTooCoarse(key, options) && !hasFailed;
+  return options.MemoryLimit > 0 && Isomap::CanHold(key.Samples) && !IsTooCoarse(key, options) &&
+    !hasFailed;
 }
 
 Isomap::Outcome IsomapBuilder::Build(const FrameKey& key, const Isomap::Options& options,
@@ -51,12 +50,13 @@ Isomap::Outcome IsomapBuilder::Build(const FrameKey& key, const Isomap::Options&
     this->Leaves.Build(key.Samples, pyramid);
   }
   this->Cells = 0;
-  Context context{ options, last.Key.Sought.Isovalues, {}, pyramid, cold, report };
-  if (last.IsExact && this->Map.IsOf(last.Key, options) && last.Key.Sought.Isovalues.size() == 1)
+  Context context{ options, last.Key.Isosurfaces.Isovalues, {}, pyramid, cold, report };
+  if (last.IsExact && this->Map.IsOf(last.Key, options) &&
+    last.Key.Isosurfaces.Isovalues.size() == 1)
   {
-    context.Start = { &last.Picture, last.Key.Sought.Isovalues[0] };
+    context.Start = { &last.Picture, last.Key.Isosurfaces.Isovalues[0] };
   }
-  for (const double isovalue : key.Sought.Isovalues)
+  for (const double isovalue : key.Isosurfaces.Isovalues)
   {
     if (!this->Map.Use(isovalue))
     {
@@ -67,18 +67,18 @@ Isomap::Outcome IsomapBuilder::Build(const FrameKey& key, const Isomap::Options&
       }
     }
   }
-  // Room for one band may have been made by dropping another.
-  const bool fits = this->Map.Covers(key.Sought.Isovalues);
+  // Another band that is needed may have been dropped to make room.
+  const bool fits = this->Map.Covers(key.Isosurfaces.Isovalues);
   this->FailedLimit = fits ? 0 : options.MemoryLimit;
   return fits ? Isomap::Outcome::Built : Isomap::Outcome::TooLarge;
 }
 
-/// Cells that a cold frame of an isovalue probably reads: by what one of another took, and the
-/// leaves through which the two pass.
+/// Estimate the cells that a cold frame of an isovalue reads: from the cells of another one, and
+/// the leaves that both pass through.
 std::int64_t IsomapBuilder::ColdCellsAt(double isovalue, const ColdFrame& cold) const
 {
   double before = 0.0;
-  for (const double old : cold.Sought.Isovalues)
+  for (const double old : cold.Isosurfaces.Isovalues)
   {
     before += this->Leaves.ShareOf({ old, old });
   }
@@ -87,7 +87,7 @@ std::int64_t IsomapBuilder::ColdCellsAt(double isovalue, const ColdFrame& cold) 
   return static_cast<std::int64_t>(ratio * static_cast<double>(cold.CellsRead)) + 1;
 }
 
-/// Build a band for an isovalue, a narrower one where the first choice turns out to be too costly.
+/// Build a band for an isovalue, or a narrower one if the first choice turns out to be too costly.
 Isomap::Outcome IsomapBuilder::BuildFor(double isovalue, const Context& context)
 {
   const ValueBand range = RangeAskedFor(context.Options, context.Pyramid, isovalue);
@@ -95,7 +95,7 @@ Isomap::Outcome IsomapBuilder::BuildFor(double isovalue, const Context& context)
   Isomap::Outcome outcome = Isomap::Outcome::TooLarge;
   for (int attempt = 0; attempt < MostAttempts; ++attempt)
   {
-    // What the user asks for may take as long as it takes.
+    // A band that the user asks for may take any time.
     const bool isAsked = attempt == 0 && range.Holds(isovalue);
     const bool isLimited = !isAsked && attempt + 1 < MostAttempts;
     const Isomap::Limits limits{ context.Options.MemoryLimit,
@@ -129,10 +129,10 @@ Isomap::Outcome IsomapBuilder::BuildFor(double isovalue, const Context& context)
   return outcome;
 }
 
-/// What a band is wanted for.
+/// The wish for a band.
 BandPlan::Wish IsomapBuilder::WishFor(double isovalue, const std::vector<double>& before) const
 {
-  // Of several isovalues before, the nearest is the one that moved.
+  // Of several previous isovalues, the nearest is taken to be the one that moved.
   const auto nearest = std::min_element(before.begin(), before.end(),
     [isovalue](double a, double b) { return std::abs(a - isovalue) < std::abs(b - isovalue); });
   return { isovalue, nearest != before.end() ? *nearest : isovalue, this->Map.GapAround(isovalue) };
@@ -141,7 +141,7 @@ BandPlan::Wish IsomapBuilder::WishFor(double isovalue, const std::vector<double>
 void IsomapBuilder::DropNarrowBands(
   const FrameKey& key, const Isomap::Options& options, const ValueRangePyramid& pyramid)
 {
-  const std::vector<double>& isovalues = key.Sought.Isovalues;
+  const std::vector<double>& isovalues = key.Isosurfaces.Isovalues;
   const bool isNarrow = this->Covers(key, options) &&
     std::any_of(isovalues.begin(), isovalues.end(),
       [&](double isovalue)
@@ -159,7 +159,7 @@ void IsomapBuilder::DropNarrowBands(
 std::vector<const Isomap::Band*> IsomapBuilder::BandsFor(const FrameKey& key)
 {
   std::vector<const Isomap::Band*> bands;
-  for (const double isovalue : key.Sought.Isovalues)
+  for (const double isovalue : key.Isosurfaces.Isovalues)
   {
     bands.push_back(this->Map.Use(isovalue));
   }

@@ -18,7 +18,7 @@
 namespace TemporalCoherence
 {
 
-/// Builds the isomap of one view, band by band as isovalues ask for them.
+/// Builds the isomap of one view, band by band as isovalues need them.
 class IsomapBuilder
 {
 public:
@@ -28,22 +28,22 @@ public:
   /// True if there is a band for each isovalue of a frame.
   bool Covers(const FrameKey& key, const Isomap::Options& options) const
   {
-    return this->Map.IsOf(key, options) && this->Map.Covers(key.Sought.Isovalues) &&
+    return this->Map.IsOf(key, options) && this->Map.Covers(key.Isosurfaces.Isovalues) &&
       !IsTooCoarse(key, options);
   }
 
-  /// True if it makes sense to try.
+  /// True if building bands for a frame may succeed.
   bool CanBuild(const FrameKey& key, const Isomap::Options& options) const;
 
-  /// What a frame without an isomap took.
+  /// The cost of a frame without an isomap.
   struct ColdFrame
   {
     std::int64_t CellsRead = 0;
-    Surfaces Sought;
+    Surfaces Isosurfaces;
   };
 
-  /// Build the bands that a frame needs and that are not there.
-  /// \param last the last frame: where isovalues come from, and where rays may start
+  /// Build the missing bands for a frame.
+  /// \param last frame: the isovalues that a drag comes from, and where rays may start
   /// \throws std::bad_alloc
   Isomap::Outcome Build(const FrameKey& key, const Isomap::Options& options,
     const CachedImage& last, const ValueRangePyramid& pyramid, const ColdFrame& cold,
@@ -52,30 +52,31 @@ public:
   /// Cells that the last call of Build read.
   std::int64_t CellsRead() const { return this->Cells; }
 
-  /// The bands for the isovalues of a frame, which they cover.
+  /// The bands for the isovalues of a frame. \pre Covers(key)
   std::vector<const Isomap::Band*> BandsFor(const FrameKey& key);
 
-  /// True if the limit of memory was too low for the bands that were needed last.
+  /// True if the memory limit was too low for the bands that were needed last.
   bool IsTooLarge() const { return this->FailedLimit > 0; }
 
-  /// No more bands for this view: there is not enough memory.
+  /// Build no more bands for this view: memory ran out.
   void GiveUp() { this->FailedLimit = std::numeric_limits<std::size_t>::max(); }
 
-  /// Begin anew if the bands that hold the isovalues of a frame do not hold the range asked for.
+  /// Begin anew if the bands for a frame do not hold the range that the options ask for.
   void DropNarrowBands(
     const FrameKey& key, const Isomap::Options& options, const ValueRangePyramid& pyramid);
 
-  /// Drop bands until they take no more than so many bytes.
+  /// Drop bands until they take at most this many bytes.
   void Trim(std::size_t limit) { this->Map.Trim(limit); }
 
-  /// Samples are equal to those of the field `before`, but lie elsewhere now.
+  /// Reassign the isomap from the field `before` to `now`, whose samples are equal but lie
+  /// elsewhere.
   void MoveTo(const Field& now, const Field& before) { this->Map.MoveTo(now, before); }
 
-  /// The data is another one.
+  /// The data has changed.
   void Release() { *this = IsomapBuilder(); }
 
 private:
-  /// What a band is built with.
+  /// What bands are built from.
   struct Context
   {
     const Isomap::Options& Options;
@@ -86,10 +87,10 @@ private:
     const ReportProgress& Report;
   };
 
-  /// True if surfaces behind those that are looked up could not be told from them.
+  /// True if layers behind a looked-up surface could not be found: its distance is not exact.
   static bool IsTooCoarse(const FrameKey& key, const Isomap::Options& options)
   {
-    return Isomap::FormFor(key, options).Tolerance > 0.0 && key.Sought.IsTranslucent();
+    return Isomap::FormFor(key, options).Tolerance > 0.0 && key.Isosurfaces.IsTranslucent();
   }
 
   std::int64_t ColdCellsAt(double isovalue, const ColdFrame& cold) const;
@@ -98,8 +99,8 @@ private:
 
   Isomap Map;
   BandPlan Plan;
-  LeafHistogram Leaves;        ///< of the data's pyramid; made when first asked for
-  std::size_t FailedLimit = 0; ///< of memory, which not even a narrow band fitted
+  LeafHistogram Leaves;        ///< of the data's pyramid; made on first use
+  std::size_t FailedLimit = 0; ///< memory limit that not even a narrow band fitted
   std::int64_t Cells = 0;
 };
 

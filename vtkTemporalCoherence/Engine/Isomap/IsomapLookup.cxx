@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Isomap/IsomapLookup.h"
 
+#include "Trace/RayPieces.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -23,14 +25,14 @@ glm::vec3 MixNormals(const PackedNormal& a, const PackedNormal& b, float weightO
   return glm::mix(unpack(a), unpack(b), weightOfB);
 }
 
-/// True if a ray that leaves one cell can enter the other.
+/// True if a ray can go from one cell to the other directly.
 bool AreNeighbors(const CellIndex& a, const CellIndex& b)
 {
   return std::abs(a[0] - b[0]) + std::abs(a[1] - b[1]) + std::abs(a[2] - b[2]) <= 1;
 }
 
-/// The normal at a key between the last knot and this one; only that of this knot where the ray
-/// went back between them.
+/// The normal at a key between the last knot and this one. If their cells are not adjacent, the
+/// normal of this knot alone.
 glm::vec3 NormalInCells(const CellKnots& table, const PackedNormal* normals, std::size_t first,
   std::size_t knot, BandScale::Key key)
 {
@@ -53,38 +55,37 @@ IsomapLookup::IsomapLookup(const FrameKey& key, const std::vector<const Isomap::
   : Key(key)
   , Tolerance(tolerance)
   , HasNormals(!bands.empty() && bands[0]->HasNormals)
-  , Rays(key.Seen, key.Where, key.Samples.Dimensions, key.Kept)
-  , Rules(key.Sought, key.Samples.Hidden != nullptr)
-  , Tracer(SurfaceTracer::Make({ key.Samples, key.Sought, finiteRange, nullptr }))
+  , Rays(key.View, key.Transform, key.Samples.Dimensions, key.Region)
+  , Rules(key.Isosurfaces, key.Samples.Hidden != nullptr)
+  , Tracer(SurfaceTracer::Make({ key.Samples, key.Isosurfaces, finiteRange, nullptr }))
 {
   for (std::size_t surface = 0; surface < bands.size(); ++surface)
   {
     const ValueBand& values = bands[surface]->Values;
     const BandScale scale(key.Samples.Type, values, finiteRange);
-    Sought sought{ bands[surface], {}, {} };
-    for (const Course course : { Course::Rising, Course::Falling })
+    IsovalueKeys keys{ bands[surface], {}, {} };
+    for (const ValueDirection direction : { ValueDirection::Rising, ValueDirection::Falling })
     {
       const double progress =
-        scale.Progress(course, scale.DifferenceOf(key.Sought.Isovalues[surface]));
-      sought.Progress[static_cast<std::size_t>(course)] =
+        scale.Progress(direction, scale.DifferenceOf(key.Isosurfaces.Isovalues[surface]));
+      keys.Progress[static_cast<std::size_t>(direction)] =
         scale.Unit > 0.0 ? progress / scale.Unit : 0.0;
-      sought.Key[static_cast<std::size_t>(course)] = scale.KeyOf(progress);
+      keys.Key[static_cast<std::size_t>(direction)] = scale.KeyOf(progress);
     }
-    this->Isovalues.push_back(sought);
+    this->Isovalues.push_back(keys);
   }
 }
 
-TraceCounts IsomapLookup::Look(
-  std::int64_t tile, const PixelRect& part, Frame& frame, std::uint64_t& open) const
+TraceCounts IsomapLookup::LookUpTile(
+  std::int64_t tile, const PixelRect& part, Frame& frame, std::uint64_t& unresolved) const
 {
   TraceCounts counts;
-  open = 0;
+  unresolved = 0;
   const bool isMiss = std::all_of(this->Isovalues.begin(), this->Isovalues.end(),
-    [tile](const Sought& sought)
-    { return sought.Band->Tiles[static_cast<std::size_t>(tile)].IsEmpty(); });
+    [tile](const IsovalueKeys& keys) { return keys.Band->IsEmpty(tile); });
   if (isMiss)
   {
-    StoreMisses(tile, part, this->Key.Seen.Parallel, frame);
+    StoreMisses(tile, part, this->Key.View.Parallel, frame);
     counts.DefiniteMisses += static_cast<std::int64_t>(part.Size.x) * part.Size.y;
     return counts;
   }
@@ -93,17 +94,21 @@ TraceCounts IsomapLookup::Look(
   this->Rays.SetUp(part.First, part.Size, rays);
   Found found;
   found.Hits.Clear(rays.Count);
-  for (std::size_t surface = 0; surface < this->Isovalues.size(); ++surface)
+  if (this->Rays.Clipper.HasPieces())
   {
-    this->LookFor(surface, tile, rays, found);
+    this->FindInPieces(tile, rays, found);
   }
-  open = found.Open;
+  else
+  {
+    this->FindSurfaces(tile, 0, rays, found);
+  }
+  unresolved = found.Unresolved;
   counts.CellsRead = found.Hits.CellsRead;
   RayBatch::Array<Answer> answers;
   for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
   {
     const HitKind kind = found.Hits.Kind[i];
-    const bool isKnown = !(open >> i & 1u);
+    const bool isKnown = !(unresolved >> i & 1u);
     counts.DefiniteMisses += isKnown && kind == HitKind::None;
     counts.PossibleHits += isKnown && kind == HitKind::Cap;
     counts.DefiniteHits += isKnown && kind != HitKind::None && kind != HitKind::Cap;
@@ -111,7 +116,7 @@ TraceCounts IsomapLookup::Look(
       : kind == HitKind::Cap           ? Answer::PossibleHit
                                        : Answer::DefiniteHit;
   }
-  StoreHits(rays, found.Hits, answers, this->Key.Seen.Parallel, frame);
+  StoreHits(rays, found.Hits, answers, this->Key.View.Parallel, frame);
   if (this->HasNormals)
   {
     this->StoreNormals(rays, found, frame);
@@ -119,43 +124,71 @@ TraceCounts IsomapLookup::Look(
   return counts;
 }
 
-void IsomapLookup::LookFor(
-  std::size_t surface, std::int64_t tile, const RayBatch& rays, Found& found) const
+/// Look rays up in their first pieces, then those that meet nothing there in their next ones.
+void IsomapLookup::FindInPieces(std::int64_t tile, const RayBatch& rays, Found& found) const
 {
-  const TileKnots& knots = this->Isovalues[surface].Band->Tiles[static_cast<std::size_t>(tile)];
-  RayBatch::Array<std::uint8_t> courses;
-  const std::uint64_t which = this->BeginOn(surface, knots, rays, courses, found);
-  if (this->Tolerance > 0.0)
+  const RayPieces pieces(this->Rays.Clipper, rays);
+  std::uint64_t met = 0;
+  for (std::size_t piece = 0; piece < RegionClipper::MostPieces; ++piece)
   {
-    this->LookInFit(surface, which, courses, rays, knots, found);
-  }
-  else
-  {
-    this->LookInCells(surface, which, courses, rays, knots, found);
+    RayBatch clipped = rays;
+    found.Wanted = pieces.Clip(piece, clipped) & ~met & ~found.Unresolved;
+    if (found.Wanted != 0)
+    {
+      this->FindSurfaces(tile, piece, clipped, found);
+    }
+    for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
+    {
+      met |= found.Hits.Kind[ray] != HitKind::None ? Bit(ray) : 0;
+    }
   }
 }
 
-/// Find out on which course each ray comes to an isovalue.
-/// \return one bit for each ray that is to be looked up; the others are capped or open
-std::uint64_t IsomapLookup::BeginOn(std::size_t surface, const TileKnots& knots,
-  const RayBatch& rays, RayBatch::Array<std::uint8_t>& courses, Found& found) const
+/// Look up the first surface of the wanted rays, which are clipped to one of their pieces.
+void IsomapLookup::FindSurfaces(
+  std::int64_t tile, std::size_t piece, const RayBatch& rays, Found& found) const
 {
-  const auto rising = static_cast<std::size_t>(Course::Rising);
-  const auto falling = static_cast<std::size_t>(Course::Falling);
-  const Sought& sought = this->Isovalues[surface];
-  found.Open |= knots.Untold;
-  courses.fill(static_cast<std::uint8_t>(rising));
-  std::uint64_t which = ~knots.Untold;
+  for (std::size_t surface = 0; surface < this->Isovalues.size(); ++surface)
+  {
+    const TileKnots& knots = this->Isovalues[surface].Band->At(tile)[piece];
+    RayBatch::Array<std::uint8_t> directions;
+    const std::uint64_t which = this->BeginOn(surface, knots, rays, directions, found);
+    if (this->Tolerance > 0.0)
+    {
+      this->FindInFittedKnots(surface, which, directions, rays, knots, found);
+    }
+    else
+    {
+      this->FindInCells(surface, which, directions, rays, knots, found);
+    }
+  }
+}
+
+/// Find the direction in which each ray reaches an isovalue.
+/// \return one bit for each ray to look up; the others are capped or unresolved
+std::uint64_t IsomapLookup::BeginOn(std::size_t surface, const TileKnots& knots,
+  const RayBatch& rays, RayBatch::Array<std::uint8_t>& directions, Found& found) const
+{
+  const auto rising = static_cast<std::size_t>(ValueDirection::Rising);
+  const auto falling = static_cast<std::size_t>(ValueDirection::Falling);
+  const IsovalueKeys& keys = this->Isovalues[surface];
+  found.Unresolved |= knots.Unresolved & found.Wanted;
+  directions.fill(static_cast<std::uint8_t>(rising));
+  std::uint64_t which = ~knots.Unresolved & found.Wanted;
   for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count) && !knots.Entries.empty();
        ++ray)
   {
-    const double ahead = sought.Progress[rising] - static_cast<double>(knots.Entries[ray]);
+    if (!(which >> ray & 1u))
+    {
+      continue;
+    }
+    const double ahead = keys.Progress[rising] - static_cast<double>(knots.Entries[ray]);
     if (std::abs(ahead) <= BandScale::StoredError)
     {
-      found.Open |= Bit(ray);
+      found.Unresolved |= Bit(ray);
       which &= ~Bit(ray);
     }
-    else if (ahead < 0.0 && this->Key.Sought.Mode == SurfaceMode::Threshold)
+    else if (ahead < 0.0 && this->Key.Isosurfaces.Mode == SurfaceMode::Threshold)
     {
       this->Rules.CapWhereItBegins(
         rays.Begin[ray], static_cast<std::int16_t>(surface), ray, found.Hits);
@@ -163,61 +196,61 @@ std::uint64_t IsomapLookup::BeginOn(std::size_t surface, const TileKnots& knots,
     }
     else if (ahead < 0.0)
     {
-      courses[ray] = static_cast<std::uint8_t>(falling);
+      directions[ray] = static_cast<std::uint8_t>(falling);
     }
   }
   return which;
 }
 
-void IsomapLookup::LookInCells(std::size_t surface, std::uint64_t which,
-  const RayBatch::Array<std::uint8_t>& courses, const RayBatch& rays, const TileKnots& knots,
+void IsomapLookup::FindInCells(std::size_t surface, std::uint64_t which,
+  const RayBatch::Array<std::uint8_t>& directions, const RayBatch& rays, const TileKnots& knots,
   Found& found) const
 {
-  const Sought& sought = this->Isovalues[surface];
+  const IsovalueKeys& keys = this->Isovalues[surface];
   HitBatch& hits = found.Hits;
-  CellList cells, contacts;
+  CellList cells, entries;
   cells.Surface = surface;
   RayBatch::Array<glm::vec3> normals;
   for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
   {
-    const std::size_t course = courses[ray];
-    const CellKnots& table = knots.Cells[course];
+    const std::size_t direction = directions[ray];
+    const CellKnots& table = knots.Cells[direction];
     if (!(which >> ray & 1u) || table.IsEmpty())
     {
       continue;
     }
-    const BandScale::Key key = sought.Key[course];
+    const BandScale::Key key = keys.Key[direction];
     const std::size_t begin = table.Begin(ray), end = table.Begin(ray + 1);
-    const std::size_t contact = FirstNotBelow(table.Get<1>(), begin, end, key);
-    if (contact == end)
+    const std::size_t entry = FirstNotBelow(table.Get<1>(), begin, end, key);
+    if (entry == end)
     {
       continue;
     }
     const CellIndex* const indices = table.Get<2>();
-    const std::size_t hit = FirstNotBelow(table.Get<0>(), contact, end, key);
-    if (hit != contact)
+    const std::size_t hit = FirstNotBelow(table.Get<0>(), entry, end, key);
+    if (hit != entry)
     {
-      contacts.Append(ray, indices[contact]);
+      entries.Append(ray, indices[entry]);
     }
     if (hit != end)
     {
       const auto at = static_cast<std::size_t>(cells.Count);
       cells.Append(ray, indices[hit]);
-      cells.IsContact[at] = hit == contact;
+      cells.IsFirstEntry[at] = hit == entry;
       if (this->HasNormals)
       {
-        normals[at] = NormalInCells(table, knots.Normals[course].Get<0>(), begin, hit, key);
+        normals[at] = NormalInCells(table, knots.Normals[direction].Get<0>(), begin, hit, key);
       }
     }
   }
-  this->Key.Samples.Kind->FindEntries(rays, contacts);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(contacts.Count); ++i)
+  this->Key.Samples.Kind->FindEntries(rays, entries);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(entries.Count); ++i)
   {
-    const std::size_t ray = contacts.Ray[i];
-    const bool fromInside = courses[ray] == static_cast<std::uint8_t>(Course::Falling);
-    HitRules::KeepContact(contacts.Enter[i], fromInside, ray, hits);
+    const std::size_t ray = entries.Ray[i];
+    const bool fromInside = directions[ray] == static_cast<std::uint8_t>(ValueDirection::Falling);
+    HitRules::KeepFirstEntry(entries.Enter[i], fromInside, ray, hits);
   }
-  found.Open |= this->Tracer->SearchCells(rays, cells, hits);
+  found.Unresolved |= this->Tracer->SearchCells(rays, cells, hits);
   for (std::size_t i = 0; i < static_cast<std::size_t>(cells.Count) && this->HasNormals; ++i)
   {
     if (hits.Surface[cells.Ray[i]] == static_cast<int>(surface))
@@ -227,36 +260,37 @@ void IsomapLookup::LookInCells(std::size_t surface, std::uint64_t which,
   }
 }
 
-void IsomapLookup::LookInFit(std::size_t surface, std::uint64_t which,
-  const RayBatch::Array<std::uint8_t>& courses, const RayBatch& rays, const TileKnots& knots,
+void IsomapLookup::FindInFittedKnots(std::size_t surface, std::uint64_t which,
+  const RayBatch::Array<std::uint8_t>& directions, const RayBatch& rays, const TileKnots& knots,
   Found& found) const
 {
-  const Sought& sought = this->Isovalues[surface];
+  const IsovalueKeys& keys = this->Isovalues[surface];
   HitBatch& hits = found.Hits;
   for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
   {
-    const std::size_t course = courses[ray];
-    const FittedKnots& table = knots.Fitted[course];
+    const std::size_t direction = directions[ray];
+    const FittedKnots& table = knots.Fitted[direction];
     if (!(which >> ray & 1u) || table.IsEmpty() || table.Begin(ray) == table.Begin(ray + 1))
     {
       continue;
     }
     FitPoint point;
-    const FitAnswer answer = FindInFit(table, ray, sought.Progress[course], this->Tolerance, point);
+    const FitAnswer answer =
+      FindInFit(table, ray, keys.Progress[direction], this->Tolerance, point);
     if (answer == FitAnswer::Unsure)
     {
-      found.Open |= Bit(ray);
+      found.Unresolved |= Bit(ray);
     }
     else if (answer == FitAnswer::Reached && rays.Begin[ray] + point.Distance < hits.Depth[ray])
     {
       hits.Depth[ray] = rays.Begin[ray] + point.Distance;
-      hits.Contact[ray] = hits.Depth[ray];
-      hits.FromInside[ray] = course == static_cast<std::size_t>(Course::Falling);
+      hits.FirstEntry[ray] = hits.Depth[ray];
+      hits.FromInside[ray] = direction == static_cast<std::size_t>(ValueDirection::Falling);
       hits.Surface[ray] = static_cast<std::int16_t>(surface);
-      hits.Kind[ray] = hits.FromInside[ray] ? HitKind::Leaves : HitKind::Enters;
+      hits.Kind[ray] = hits.FromInside[ray] ? HitKind::Exit : HitKind::Entry;
       if (this->HasNormals)
       {
-        const PackedNormal* const normals = knots.Normals[course].Get<0>();
+        const PackedNormal* const normals = knots.Normals[direction].Get<0>();
         found.Normals[ray] = MixNormals(normals[point.Before], normals[point.Knot], point.Share);
       }
     }
@@ -266,14 +300,14 @@ void IsomapLookup::LookInFit(std::size_t surface, std::uint64_t which,
 /// Normals face the viewer.
 void IsomapLookup::StoreNormals(const RayBatch& rays, const Found& found, Frame& frame) const
 {
-  const int width = this->Key.Seen.Size.x;
+  const int width = this->Key.View.Size.x;
   for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
   {
     const HitKind kind = found.Hits.Kind[i];
-    if (kind == HitKind::Enters || kind == HitKind::Leaves)
+    if (kind == HitKind::Entry || kind == HitKind::Exit)
     {
       const std::int32_t pixel = rays.Pixel[i];
-      const glm::vec3 along(this->Key.Seen.RayThrough(pixel % width, pixel / width).Direction);
+      const glm::vec3 along(this->Key.View.RayThrough(pixel % width, pixel / width).Direction);
       const float length = glm::length(found.Normals[i]);
       const glm::vec3 normal = length > 0.0f ? found.Normals[i] / length : -along;
       frame.Normals[static_cast<std::size_t>(pixel)] =

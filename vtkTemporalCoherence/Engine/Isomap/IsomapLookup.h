@@ -17,51 +17,53 @@
 namespace TemporalCoherence
 {
 
-/// Looks the surfaces of a frame up in an isomap: a search among a ray's knots, and then the exact
-/// crossing in the cell that they tell, or, in an isomap with a tolerance, a point between them.
+/// Looks up the surfaces of a frame in an isomap. A search among a ray's knots gives the cell in
+/// which the exact crossing is computed or, in an isomap with a tolerance, a point between two
+/// knots.
 class IsomapLookup
 {
 public:
-  /// \param bands       one for each isovalue of the key, which it holds
-  /// \param finiteRange smallest and largest finite sample
-  /// All of it must outlive this.
+  /// \param bands       for each isovalue of the key the band that holds it
+  /// \param finiteRange smallest and largest finite sample The arguments must outlive this.
   /// \throws std::bad_alloc
   IsomapLookup(const FrameKey& key, const std::vector<const Isomap::Band*>& bands, double tolerance,
     const glm::dvec2& finiteRange);
 
   /// Look up the rays through `part`, which is tile number `tile`, and write their planes: definite
-  /// hits and misses, and caps, which are possible hits. Where knots have normals, those of
-  /// definite hits are written, too. Safe from many threads.
-  /// \param open gets one bit for each ray that has to be traced instead, as an isovalue is too
-  ///             close to a value that the ray only just reaches; its planes hold nothing of use
-  TraceCounts Look(
-    std::int64_t tile, const PixelRect& part, Frame& frame, std::uint64_t& open) const;
+  /// hits and misses, and caps, which are possible hits. If knots have normals, those of definite
+  /// hits are written, too. Thread-safe.
+  /// \param unresolved gets one bit for each ray that must be traced instead: its isovalue is too
+  ///                   close to a value that the ray barely reaches. Its planes are undefined.
+  TraceCounts LookUpTile(
+    std::int64_t tile, const PixelRect& part, Frame& frame, std::uint64_t& unresolved) const;
 
 private:
   /// An isovalue and its band.
-  struct Sought
+  struct IsovalueKeys
   {
     const Isomap::Band* Band;
-    std::array<BandScale::Key, NumberOfCourses> Key; ///< of the isovalue, on each course
-    std::array<double, NumberOfCourses> Progress;    ///< likewise, as it is stored
+    std::array<BandScale::Key, NumberOfDirections> Key; ///< of the isovalue, in each direction
+    std::array<double, NumberOfDirections> Progress;    ///< the same, as stored
   };
 
-  /// What is looked up in a tile.
+  /// What was found in a tile.
   struct Found
   {
     HitBatch Hits;
-    std::uint64_t Open = 0;
+    std::uint64_t Wanted = ~std::uint64_t(0); ///< one bit for each ray that is looked up
+    std::uint64_t Unresolved = 0;
     RayBatch::Array<glm::vec3> Normals;
   };
 
-  void LookFor(std::size_t surface, std::int64_t tile, const RayBatch& rays, Found& found) const;
+  void FindInPieces(std::int64_t tile, const RayBatch& rays, Found& found) const;
+  void FindSurfaces(std::int64_t tile, std::size_t piece, const RayBatch& rays, Found& found) const;
   std::uint64_t BeginOn(std::size_t surface, const TileKnots& knots, const RayBatch& rays,
-    RayBatch::Array<std::uint8_t>& courses, Found& found) const;
-  void LookInCells(std::size_t surface, std::uint64_t which,
-    const RayBatch::Array<std::uint8_t>& courses, const RayBatch& rays, const TileKnots& knots,
+    RayBatch::Array<std::uint8_t>& directions, Found& found) const;
+  void FindInCells(std::size_t surface, std::uint64_t which,
+    const RayBatch::Array<std::uint8_t>& directions, const RayBatch& rays, const TileKnots& knots,
     Found& found) const;
-  void LookInFit(std::size_t surface, std::uint64_t which,
-    const RayBatch::Array<std::uint8_t>& courses, const RayBatch& rays, const TileKnots& knots,
+  void FindInFittedKnots(std::size_t surface, std::uint64_t which,
+    const RayBatch::Array<std::uint8_t>& directions, const RayBatch& rays, const TileKnots& knots,
     Found& found) const;
   void StoreNormals(const RayBatch& rays, const Found& found, Frame& frame) const;
 
@@ -69,7 +71,7 @@ private:
   double Tolerance;
   bool HasNormals;
   RaySource Rays;
-  std::vector<Sought> Isovalues;
+  std::vector<IsovalueKeys> Isovalues;
   HitRules Rules;
   std::shared_ptr<const SurfaceTracer> Tracer;
 };

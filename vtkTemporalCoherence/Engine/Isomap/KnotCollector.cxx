@@ -15,7 +15,7 @@ namespace
 
 PackedNormal Pack(const glm::dvec3& normal)
 {
-  // Scaled first: squares of very small or large components would leave the range of numbers.
+  // Scale first: the squares of very small or large components would underflow or overflow.
   const double largest =
     std::max(std::abs(normal.x), std::max(std::abs(normal.y), std::abs(normal.z)));
   PackedNormal packed{};
@@ -38,68 +38,70 @@ KnotCollector::KnotCollector(const RayBatch& rays, const KnotForm& form, const B
   : Rays(rays)
   , Form(form)
   , Scale(scale)
-  , Fits(form.Tolerance > 0.0 ? NumberOfCourses * RayBatch::Capacity : 0)
+  , Fits(form.Tolerance > 0.0 ? NumberOfDirections * RayBatch::Capacity : 0)
 {
 }
 
-void KnotCollector::AddCell(std::size_t course, std::size_t ray, BandScale::Key path,
+void KnotCollector::AddCell(std::size_t direction, std::size_t ray, BandScale::Key path,
   BandScale::Key corner, const CellIndex& cell, double distance)
 {
-  this->Cells[course].push_back({ ray, { path, corner, cell } });
+  this->Cells[direction].push_back({ ray, { path, corner, cell } });
   if (this->Form.HasNormals)
   {
-    this->Places[course].push_back({ ray, static_cast<float>(distance - this->Rays.Begin[ray]) });
+    this->Places[direction].push_back(
+      { ray, static_cast<float>(distance - this->Rays.Begin[ray]) });
   }
 }
 
 void KnotCollector::Follow(
-  std::size_t course, std::size_t ray, const Cubic<double>& progress, double enter, double leave)
+  std::size_t direction, std::size_t ray, const Cubic<double>& progress, double enter, double leave)
 {
-  // A little before the band, so that what happens at its first isovalue can be told.
+  // Begin a little before the band, so that its first isovalue can be looked up.
   const double resolution = BandScale::StoredError * this->Scale.Unit;
   const KnotFit::Wanted wanted{ -4.0 * resolution, FitShare * this->Form.Tolerance, resolution };
-  this->Fits[course * RayBatch::Capacity + ray].Follow(
-    progress, enter, leave, wanted, [&](const Knot& knot) { this->AddKnot(course, ray, knot); });
+  this->Fits[direction * RayBatch::Capacity + ray].Follow(
+    progress, enter, leave, wanted, [&](const Knot& knot) { this->AddKnot(direction, ray, knot); });
 }
 
-void KnotCollector::AddKnot(std::size_t course, std::size_t ray, const Knot& knot)
+void KnotCollector::AddKnot(std::size_t direction, std::size_t ray, const Knot& knot)
 {
   const auto distance = static_cast<float>(knot.Distance - this->Rays.Begin[ray]);
-  this->Fitted[course].push_back({ ray, { this->Scale.Stored(knot.Progress), distance } });
+  this->Fitted[direction].push_back({ ray, { this->Scale.Stored(knot.Progress), distance } });
   if (this->Form.HasNormals)
   {
-    this->Places[course].push_back({ ray, distance });
+    this->Places[direction].push_back({ ray, distance });
   }
 }
 
-void KnotCollector::HandOver(
-  const Field& field, const glm::dvec2& finiteRange, const Placement& where, TileKnots& knots)
+void KnotCollector::HandOver(const Field& field, const glm::dvec2& finiteRange,
+  const IndexTransform& transform, TileKnots& knots)
 {
   for (std::size_t fit = 0; fit < this->Fits.size(); ++fit)
   {
-    const std::size_t course = fit / RayBatch::Capacity, ray = fit % RayBatch::Capacity;
-    this->Fits[fit].Finish([&](const Knot& knot) { this->AddKnot(course, ray, knot); });
+    const std::size_t direction = fit / RayBatch::Capacity, ray = fit % RayBatch::Capacity;
+    this->Fits[fit].Finish([&](const Knot& knot) { this->AddKnot(direction, ray, knot); });
   }
-  for (std::size_t course = 0; course < NumberOfCourses; ++course)
+  for (std::size_t direction = 0; direction < NumberOfDirections; ++direction)
   {
-    knots.Cells[course].Assign(this->Cells[course]);
-    knots.Fitted[course].Assign(this->Fitted[course]);
+    knots.Cells[direction].Assign(this->Cells[direction]);
+    knots.Fitted[direction].Assign(this->Fitted[direction]);
 
     std::vector<KnotNormals::Row> normals;
-    for (std::size_t first = 0; first < this->Places[course].size(); first += RayBatch::Capacity)
+    for (std::size_t first = 0; first < this->Places[direction].size(); first += RayBatch::Capacity)
     {
       const std::size_t count =
-        std::min<std::size_t>(RayBatch::Capacity, this->Places[course].size() - first);
-      this->FindNormals(&this->Places[course][first], count, field, finiteRange, where, normals);
+        std::min<std::size_t>(RayBatch::Capacity, this->Places[direction].size() - first);
+      this->FindNormals(
+        &this->Places[direction][first], count, field, finiteRange, transform, normals);
     }
-    knots.Normals[course].Assign(normals);
+    knots.Normals[direction].Assign(normals);
   }
-  knots.Untold = this->Untold;
+  knots.Unresolved = this->Unresolved;
 }
 
 /// Append the normals of some knots.
 void KnotCollector::FindNormals(const Place* places, std::size_t count, const Field& field,
-  const glm::dvec2& finiteRange, const Placement& where,
+  const glm::dvec2& finiteRange, const IndexTransform& transform,
   std::vector<KnotNormals::Row>& normals) const
 {
   std::array<RayBatch::Array<double>, 3> points, directions, gradients;
@@ -119,7 +121,7 @@ void KnotCollector::FindNormals(const Place* places, std::size_t count, const Fi
   const std::vector<double> reference = { this->Scale.Low };
   const GradientQuery inIndexSpace{ field, glm::dmat4(1.0), finiteRange, &reference };
   IndexGradients(inIndexSpace, { count, points, directions, surfaces, gradients });
-  const glm::dmat3 toWorld = glm::transpose(glm::dmat3(where.IndexFromWorld));
+  const glm::dmat3 toWorld = glm::transpose(glm::dmat3(transform.IndexFromWorld));
   for (std::size_t i = 0; i < count; ++i)
   {
     const glm::dvec3 gradient(gradients[0][i], gradients[1][i], gradients[2][i]);

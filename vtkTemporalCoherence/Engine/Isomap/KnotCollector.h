@@ -15,13 +15,13 @@
 namespace TemporalCoherence
 {
 
-/// Share of the tolerance that fits may take; the rest is for rounding.
+/// Share of the tolerance for fitting; the rest is for rounding.
 constexpr double FitShare = 0.9;
 
-/// How knots are kept.
+/// The form in which knots are stored.
 struct KnotForm
 {
-  double Tolerance = 0.0; ///< distance by which they may be wrong; 0: they are cells. Only those of
+  double Tolerance = 0.0; ///< largest error of a distance; 0: knots are cells. Only fields with
                           ///< linear interpolation are fitted
   bool HasNormals = false;
 };
@@ -31,8 +31,7 @@ inline bool operator==(const KnotForm& a, const KnotForm& b)
   return a.Tolerance == b.Tolerance && a.HasNormals == b.HasNormals;
 }
 
-/// Collects the knots of the rays of a tile, in whatever order the rays come, and hands them over
-/// ray by ray.
+/// Collects the knots of the rays of a tile in any order of rays, and hands them over ray by ray.
 class KnotCollector
 {
 public:
@@ -40,59 +39,59 @@ public:
 
   bool IsFitted() const { return this->Form.Tolerance > 0.0; }
 
-  /// The next cell in which a ray comes farther.
-  /// \param distance at which it comes farthest there, for the normal
-  void AddCell(std::size_t course, std::size_t ray, BandScale::Key path, BandScale::Key corner,
+  /// Add the next cell that raises a ray's progress.
+  /// \param distance at which its normal is taken
+  void AddCell(std::size_t direction, std::size_t ray, BandScale::Key path, BandScale::Key corner,
     const CellIndex& cell, double distance);
 
-  /// The next way of a ray through a cell, to be fitted.
+  /// Fit the next way of a ray through a cell.
   /// \param progress along the way from `enter` to `leave`, by Bernstein coefficients
-  void Follow(
-    std::size_t course, std::size_t ray, const Cubic<double>& progress, double enter, double leave);
+  void Follow(std::size_t direction, std::size_t ray, const Cubic<double>& progress, double enter,
+    double leave);
 
-  /// What the knots so far will take, without normals.
+  /// Bytes that the knots so far will take, without normals.
   std::size_t MemoryInBytes() const
   {
     std::size_t bytes = 0;
-    for (std::size_t course = 0; course < NumberOfCourses; ++course)
+    for (std::size_t direction = 0; direction < NumberOfDirections; ++direction)
     {
-      bytes += this->Cells[course].size() * CellKnots::BytesPerRow +
-        this->Fitted[course].size() * FittedKnots::BytesPerRow;
+      bytes += this->Cells[direction].size() * CellKnots::BytesPerRow +
+        this->Fitted[direction].size() * FittedKnots::BytesPerRow;
     }
     return bytes;
   }
 
-  /// Nothing can be told of a ray.
-  void GiveUp(std::size_t ray) { this->Untold |= std::uint64_t(1) << ray; }
+  /// Mark a ray as unresolved.
+  void GiveUp(std::size_t ray) { this->Unresolved |= std::uint64_t(1) << ray; }
 
-  /// Hand over all knots; the collector is of no use after that.
-  /// \param field, finiteRange, where for normals: the field, its smallest and largest finite
-  ///        sample, and where it lies
+  /// Hand over all knots. The collector must not be used afterwards.
+  /// \param field, finiteRange, transform for normals: the field, its smallest and largest finite
+  ///               sample, and where it lies
   /// \throws std::bad_alloc
-  void HandOver(
-    const Field& field, const glm::dvec2& finiteRange, const Placement& where, TileKnots& knots);
+  void HandOver(const Field& field, const glm::dvec2& finiteRange, const IndexTransform& transform,
+    TileKnots& knots);
 
 private:
-  /// Where normals are wanted: distance along a ray, by knot.
+  /// Where to take the normal of a knot: the distance along its ray.
   struct Place
   {
     std::size_t Ray;
     float Distance;
   };
 
-  void AddKnot(std::size_t course, std::size_t ray, const Knot& knot);
+  void AddKnot(std::size_t direction, std::size_t ray, const Knot& knot);
   void FindNormals(const Place* places, std::size_t count, const Field& field,
-    const glm::dvec2& finiteRange, const Placement& where,
+    const glm::dvec2& finiteRange, const IndexTransform& transform,
     std::vector<KnotNormals::Row>& normals) const;
 
   const RayBatch& Rays;
   KnotForm Form;
   BandScale Scale;
-  std::array<std::vector<CellKnots::Row>, NumberOfCourses> Cells;
-  std::vector<KnotFit> Fits; ///< of each ray on each course
-  std::array<std::vector<FittedKnots::Row>, NumberOfCourses> Fitted;
-  std::array<std::vector<Place>, NumberOfCourses> Places;
-  std::uint64_t Untold = 0;
+  std::array<std::vector<CellKnots::Row>, NumberOfDirections> Cells;
+  std::vector<KnotFit> Fits; ///< of each ray in each direction
+  std::array<std::vector<FittedKnots::Row>, NumberOfDirections> Fitted;
+  std::array<std::vector<Place>, NumberOfDirections> Places;
+  std::uint64_t Unresolved = 0;
 };
 
 }

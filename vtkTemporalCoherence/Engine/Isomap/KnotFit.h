@@ -13,38 +13,38 @@
 namespace TemporalCoherence
 {
 
-/// A point of the function that tells at which distance a ray first comes to a progress.
+/// A point of the function from progress to the distance at which a ray first reaches it.
 struct Knot
 {
   double Progress, Distance;
 };
 
-/// Fits the distance at which one ray first comes to each progress by straight pieces that are
-/// nowhere farther from it than a tolerance.
+/// Fits the distance at which one ray first reaches each progress by a piecewise linear function,
+/// within a tolerance.
 ///
-/// Two knots of one progress are a jump: the ray goes back, and comes on again only at the second
-/// one. Pieces never reach across it. Half of the tolerance is for replacing curves by chords, half
-/// for joining chords into longer pieces; the cone of slopes that pass every chord's end closely
-/// enough is kept while pieces grow.
+/// Two knots of the same progress are a jump: after the first one progress falls, and it is reached
+/// again at the second one. No piece crosses a jump. Half of the tolerance is for replacing curves
+/// by chords, half for joining chords into longer pieces: while a piece grows, the cone of slopes
+/// that pass the ends of all its chords closely enough is maintained.
 ///
-/// Who looks up knows progress to a resolution only, and cannot use what lies that near together
-/// unless it is as near in distance. So a chord that gains no more than that is not halved: where
-/// it is long, no answer will be taken from it. Hence the number of knots of a ray is bounded by
-/// what there is to be told apart, whatever the tolerance.
+/// A look-up knows progress only to a resolution. Points closer in progress than that are of no use
+/// to it unless they are also close in distance. So a chord that gains less than the resolution is
+/// not halved: if it is long, look-ups will not use it. Hence the resolution bounds the number of
+/// knots of a ray, whatever the tolerance.
 class KnotFit
 {
 public:
-  /// What a fit is to tell.
+  /// What a fit has to provide.
   struct Wanted
   {
-    double Floor;      ///< below this progress the function is not wanted
-    double Tolerance;  ///< distance by which it may be wrong
-    double Resolution; ///< progress that who looks up cannot tell apart
+    double Floor;      ///< the function is not needed below this progress
+    double Tolerance;  ///< largest error of a distance
+    double Resolution; ///< differences of progress that a look-up cannot distinguish
   };
 
-  /// Go on through a cell.
+  /// Continue through a cell.
   /// \param cubic     progress along the way from `enter` to `leave`, by Bernstein coefficients
-  /// \param wanted    what is
+  /// \param wanted    see Wanted
   /// \param emit      called with each knot that is final
   template <typename Emit>
   void Follow(
@@ -65,7 +65,7 @@ public:
       const double highest = Evaluate(cubic, end);
       if (highest > this->Reached)
       {
-        // From the highest progress so far on.
+        // Only what exceeds the highest progress so far.
         const double lowest = std::max(this->Reached, floor);
         const double from = Evaluate(cubic, begin) < lowest && highest > lowest
           ? CrossingOf(cubic, lowest, begin, end)
@@ -90,33 +90,33 @@ public:
     {
       emit(this->End);
     }
-    this->IsOpen = this->HasEnd = false;
+    this->HasPiece = this->HasEnd = false;
   }
 
 private:
-  /// More make no difference in double precision.
+  /// More halvings make no difference in double precision.
   static constexpr int MostHalvings = 40;
 
-  /// A rising way goes on, or a new one begins, at a knot.
+  /// A rising way continues, or a new one begins, at a knot.
   template <typename Emit>
   void Begin(const Knot& knot, const Emit& emit)
   {
     const Knot last = this->HasEnd ? this->End : this->First;
     const double slack = 1e-9 * std::abs(knot.Distance);
-    if (this->IsOpen && knot.Distance <= last.Distance + slack)
+    if (this->HasPiece && knot.Distance <= last.Distance + slack)
     {
       return;
     }
-    const Knot start{ this->IsOpen ? last.Progress : knot.Progress, knot.Distance };
+    const Knot start{ this->HasPiece ? last.Progress : knot.Progress, knot.Distance };
     this->Finish(emit);
     emit(start);
-    this->Open(start);
+    this->BeginPiece(start);
   }
 
-  void Open(const Knot& knot)
+  void BeginPiece(const Knot& knot)
   {
     this->First = knot;
-    this->IsOpen = true;
+    this->HasPiece = true;
     this->HasEnd = false;
     this->LowestSlope = -std::numeric_limits<double>::infinity();
     this->HighestSlope = std::numeric_limits<double>::infinity();
@@ -129,7 +129,7 @@ private:
     double Enter, Length;
   };
 
-  /// Add the rising part [begin, end] of a way, by halves where it is too curved for one chord.
+  /// Add the rising part [begin, end] of a way, in halves if it is too curved for one chord.
   template <typename Emit>
   void Add(
     const Way& way, double begin, double end, const Wanted& wanted, int halvings, const Emit& emit)
@@ -145,7 +145,7 @@ private:
       { Evaluate(way.Progress, end), way.Enter + end * way.Length }, 0.5 * wanted.Tolerance, emit);
   }
 
-  /// True if a part of a way is to be halved.
+  /// True if a part of a way must be halved.
   static bool IsTooCurved(const Way& way, double begin, double end, const Wanted& wanted)
   {
     const double length = (end - begin) * way.Length;
@@ -155,12 +155,13 @@ private:
     }
     const Cubic<double> part = PartOf(way.Progress, begin, end);
     const double gained = part[3] - part[0];
-    // Shorter ones, too, could be joined with others to a piece that is steep enough to be used.
+    // Joined with others, a shorter chord may become part of a piece steep enough to be used.
     const bool isOfUse = gained > wanted.Resolution || length < 2.0 * wanted.Tolerance;
     return isOfUse && ErrorOfChord(part, gained, length) > 0.5 * wanted.Tolerance;
   }
 
-  /// Append the end of a chord to the present piece, or to a new one if that is too crooked then.
+  /// Append the end of a chord to the present piece, or to a new one if the piece would bend too
+  /// much.
   template <typename Emit>
   void Append(const Knot& knot, double tolerance, const Emit& emit)
   {
@@ -171,7 +172,7 @@ private:
     if (!isStraight && this->HasEnd)
     {
       emit(this->End);
-      this->Open(this->End);
+      this->BeginPiece(this->End);
       gained = knot.Progress - this->First.Progress;
     }
     if (gained > 0.0)
@@ -184,8 +185,8 @@ private:
     this->HasEnd = true;
   }
 
-  /// How far, in distance, a cubic is at most from the chord between its ends: their difference is
-  /// a cubic too, and lies within its own coefficients.
+  /// Bound of the distance between a cubic and the chord of its ends. Their difference is also a
+  /// cubic, and lies within the range of its coefficients.
   static double ErrorOfChord(const Cubic<double>& part, double gained, double length)
   {
     if (!(gained > 0.0))
@@ -209,7 +210,7 @@ private:
       polar(end, end, end) };
   }
 
-  /// Where a rising part of a cubic comes to a value.
+  /// Where a rising part of a cubic reaches a value.
   static double CrossingOf(const Cubic<double>& cubic, double value, double begin, double end)
   {
     const Cubic<double> above = { cubic[0] - value, cubic[1] - value, cubic[2] - value,
@@ -220,8 +221,8 @@ private:
   bool HasBegun = false;
   double Reached = 0.0; ///< highest progress so far
   Knot First{};         ///< of the present piece
-  Knot End{};           ///< so far, if it has one
-  bool IsOpen = false, HasEnd = false;
+  Knot End{};           ///< end of the present piece so far, if it has one
+  bool HasPiece = false, HasEnd = false;
   double LowestSlope = 0.0, HighestSlope = 0.0; ///< of distance over progress
 };
 

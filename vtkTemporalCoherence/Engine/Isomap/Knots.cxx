@@ -7,7 +7,7 @@ namespace TemporalCoherence
 namespace
 {
 
-/// Share of the tolerance that may go into how exactly progress is known.
+/// Share of the tolerance for the error of stored progress.
 constexpr double LargestDoubt = 0.1;
 
 /// The fitted function of one ray.
@@ -18,7 +18,7 @@ struct FittedRay
   {
     return static_cast<std::size_t>(
       std::lower_bound(this->Progress + this->Begin, this->Progress + this->End, progress,
-        [](float knot, double sought) { return static_cast<double>(knot) < sought; }) -
+        [](float knot, double value) { return static_cast<double>(knot) < value; }) -
       this->Progress);
   }
 
@@ -52,7 +52,7 @@ FitAnswer FindInFit(
   {
     return FitAnswer::Missed;
   }
-  // Whatever happens within the error - jumps, plateaus, the ray's end - can be seen at its ends.
+  // Jumps, plateaus and the end of the ray within the error show at the ends of the error interval.
   if (first == fit.Begin || last == fit.End ||
     !(fit.DistanceOf(highest, last) - fit.DistanceOf(lowest, first) <= LargestDoubt * tolerance))
   {

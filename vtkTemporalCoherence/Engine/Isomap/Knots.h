@@ -17,16 +17,16 @@
 namespace TemporalCoherence
 {
 
-/// Which way the field passes isovalues along a ray.
-enum class Course : std::uint8_t
+/// The direction in which the field passes isovalues along a ray.
+enum class ValueDirection : std::uint8_t
 {
   Rising, ///< from below to above; isovalues in ascending order, from the band's lowest
   Falling ///< from above to below; isovalues in descending order, from the band's highest
 };
-constexpr std::size_t NumberOfCourses = 2;
+constexpr std::size_t NumberOfDirections = 2;
 
-/// Progress through a band on a course: 0 at the first isovalue of the band, `Span` at the last. A
-/// ray that has come to progress p has passed all isovalues up to p.
+/// Converts isovalues of a band to *progress* in a direction: 0 at the first isovalue of the band,
+/// `Span` at the last. A ray that has reached progress p has passed all isovalues up to p.
 struct BandScale
 {
   /// \param samples     type of the field's samples
@@ -46,16 +46,16 @@ struct BandScale
   }
 
   /// Progress at a difference from the band's lowest isovalue.
-  double Progress(Course course, double difference) const
+  double Progress(ValueDirection direction, double difference) const
   {
-    return course == Course::Rising ? difference : this->Span - difference;
+    return direction == ValueDirection::Rising ? difference : this->Span - difference;
   }
 
   using Key = std::uint16_t;
   static constexpr double LargestKey = 65535.0;
 
-  /// Progress as an integer, rounded up: 0 before the band, LargestKey behind it. Keys keep the
-  /// order of what they stand for, so that a search for an isovalue's key never goes too far.
+  /// Progress as an integer, rounded up: 0 before the band, LargestKey behind it. Keys preserve
+  /// order, so that a search for an isovalue's key never goes too far.
   Key KeyOf(double progress) const
   {
     if (!(progress >= 0.0))
@@ -70,29 +70,29 @@ struct BandScale
     return static_cast<Key>(1.0 + std::ceil(share * (LargestKey - 2.0)));
   }
 
-  /// Progress and differences are stored in single precision as shares of the largest difference
-  /// there is, and so exactly are they known.
+  /// Progress and differences are stored in single precision, relative to the largest difference.
+  /// StoredError is the resulting error.
   float Stored(double progress) const
   {
     return this->Unit > 0.0 ? static_cast<float>(progress / this->Unit) : 0.0f;
   }
   static constexpr double StoredError = 32.0 * std::numeric_limits<float>::epsilon();
 
-  IsovalueScale Isovalues; ///< of which differences and progress have their unit
+  IsovalueScale Isovalues; ///< gives the unit of differences and progress
   double Low;              ///< lowest isovalue of the band
   double Span, Unit;
 };
 
-/// The cells in which a ray comes farther through the band than before, in order along the ray: the
-/// first whose path key is that of an isovalue or more holds the ray's crossing of it, and the
-/// first whose corner key is, is the first that the isovalue passes through at all.
+/// The cells that raise a ray's progress, in order along the ray. The ray crosses an isovalue in
+/// the first cell whose path key is at least the key of the isovalue. The first cell whose corner
+/// key is at least that is the ray's first active cell.
 ///
-/// Columns: path key (of the field along the ray), corner key (of the samples at its corners),
-/// first corner of the cell.
+/// Columns: path key (of the field along the ray), corner key (of the cell's samples), first corner
+/// of the cell.
 using CellIndex = std::array<std::uint16_t, 3>;
 using CellKnots = RayTable<BandScale::Key, BandScale::Key, CellIndex>;
 
-/// The first of the ascending keys begin .. end - 1 that is not below a key.
+/// The first of the ascending keys begin .. end - 1 that is at least `key`.
 inline std::size_t FirstNotBelow(
   const BandScale::Key* keys, std::size_t begin, std::size_t end, BandScale::Key key)
 {
@@ -108,19 +108,18 @@ inline std::size_t FirstNotBelow(
   return begin;
 }
 
-/// Knots of a function from progress to distance that is nowhere farther than a tolerance from the
-/// distance at which a ray first comes to that progress; straight between knots. Two knots of one
-/// progress are a jump.
+/// Knots of a piecewise linear function from progress to the distance at which a ray first reaches
+/// it, within a tolerance. Two knots of the same progress are a jump.
 ///
-/// Columns: progress as it is stored, distance from where the ray begins.
+/// Columns: progress as stored, distance from the beginning of the ray.
 using FittedKnots = RayTable<float, float>;
 
-/// What fitted knots tell of a progress.
+/// What fitted knots tell about a progress.
 enum class FitAnswer : std::uint8_t
 {
-  Missed,  ///< the ray does not come there
-  Reached, ///< it does
-  Unsure   ///< too close to a jump or to the ray's end to tell, or too steep there
+  Missed,  ///< the ray does not reach it
+  Reached, ///< the ray reaches it
+  Unsure   ///< too close to a jump or to the end of the ray to tell, or too steep there
 };
 
 /// A point between knots.
@@ -131,43 +130,44 @@ struct FitPoint
   float Share; ///< of the way from Before to Knot
 };
 
-/// Find where a ray comes to a progress. \pre the ray has knots
-/// \param progress  as it is stored
-/// \param tolerance distance by which the point may be wrong
+/// Find where a ray reaches a progress.
+/// \pre the ray has knots
+/// \param progress  as stored
+/// \param tolerance largest error of the distance
 FitAnswer FindInFit(
   const FittedKnots& table, std::size_t ray, double progress, double tolerance, FitPoint& point);
 
-/// Unit normals in the world, in units of 1 / LargestNormal, one for each knot: where the field has
+/// Unit normals in the world, in units of 1 / LargestNormal, one for each knot, where the field has
 /// the knot's progress.
 using PackedNormal = std::array<std::int16_t, 3>;
 using KnotNormals = RayTable<PackedNormal>;
 constexpr float LargestNormal = 32767.0f;
 
-/// What the rays of a tile know about the isovalues of a band, for each course.
+/// The knots of the rays of a tile for a band, in each direction.
 struct TileKnots
 {
-  std::array<CellKnots, NumberOfCourses> Cells;     ///< for exact look-ups
-  std::array<FittedKnots, NumberOfCourses> Fitted;  ///< or for those with a tolerance
-  std::array<KnotNormals, NumberOfCourses> Normals; ///< of the knots, if they are wanted
+  std::array<CellKnots, NumberOfDirections> Cells;     ///< for exact look-ups
+  std::array<FittedKnots, NumberOfDirections> Fitted;  ///< or for those with a tolerance
+  std::array<KnotNormals, NumberOfDirections> Normals; ///< of the knots, if they are wanted
 
-  /// The field's difference from the band's lowest isovalue where the rays begin, as it is stored;
-  /// -infinity where it is below the band. Empty: it is for all rays.
+  /// The field's difference from the band's lowest isovalue where each ray begins, as stored;
+  /// -infinity below the band. Empty if all rays begin below the band.
   std::vector<float> Entries;
 
-  /// One bit for each ray of which nothing can be told: it meets samples that are not finite.
-  std::uint64_t Untold = 0;
+  /// One bit for each ray that cannot be looked up, because it meets samples that are not finite.
+  std::uint64_t Unresolved = 0;
 
   bool IsEmpty() const
   {
-    return this->NumberOfKnots() == 0 && this->Entries.empty() && this->Untold == 0;
+    return this->NumberOfKnots() == 0 && this->Entries.empty() && this->Unresolved == 0;
   }
 
   std::size_t NumberOfKnots() const
   {
     std::size_t knots = 0;
-    for (std::size_t course = 0; course < NumberOfCourses; ++course)
+    for (std::size_t direction = 0; direction < NumberOfDirections; ++direction)
     {
-      knots += this->Cells[course].NumberOfRows() + this->Fitted[course].NumberOfRows();
+      knots += this->Cells[direction].NumberOfRows() + this->Fitted[direction].NumberOfRows();
     }
     return knots;
   }
@@ -175,10 +175,10 @@ struct TileKnots
   std::size_t MemoryInBytes() const
   {
     std::size_t bytes = this->Entries.capacity() * sizeof(float);
-    for (std::size_t course = 0; course < NumberOfCourses; ++course)
+    for (std::size_t direction = 0; direction < NumberOfDirections; ++direction)
     {
-      bytes += this->Cells[course].MemoryInBytes() + this->Fitted[course].MemoryInBytes() +
-        this->Normals[course].MemoryInBytes();
+      bytes += this->Cells[direction].MemoryInBytes() + this->Fitted[direction].MemoryInBytes() +
+        this->Normals[direction].MemoryInBytes();
     }
     return bytes;
   }

@@ -15,9 +15,9 @@
 namespace TemporalCoherence
 {
 
-/// For each ray of a tile some rows of values, stored column by column in one piece of memory: what
-/// is searched lies together. An empty table has no memory.
-/// \tparam Columns types of the values, trivial, by falling alignment, at most 4 bytes
+/// Rows of values for each ray of a tile. They are stored column by column in one block of memory,
+/// so that a search reads contiguous values. An empty table takes no memory.
+/// \tparam Columns trivial types of at most 4 bytes, by descending alignment
 template <typename... Columns>
 class RayTable
 {
@@ -34,7 +34,7 @@ public:
     std::tuple<Columns...> Values;
   };
 
-  /// Take over rows, those of each ray in their order.
+  /// Set the rows. The order of the rows of a ray is preserved.
   /// \throws std::bad_alloc
   void Assign(const std::vector<Row>& rows)
   {
@@ -62,7 +62,7 @@ public:
 
   bool IsEmpty() const { return !this->Bytes; }
 
-  /// Rows Begin(ray) .. Begin(ray + 1) - 1 are those of a ray. \pre the table is not empty
+  /// Rows Begin(ray) .. Begin(ray + 1) - 1 belong to a ray. \pre the table is not empty
   std::size_t Begin(std::size_t ray) const
   {
     return (*reinterpret_cast<const Offsets*>(this->Bytes.get()))[ray];

@@ -11,16 +11,17 @@
 namespace TemporalCoherence
 {
 
-/// How frames are to be made.
+/// Options for making frames.
 struct FrameOptions
 {
-  bool SpaceLeaping = true; ///< off: every cell on the way is read (the paper's plain ray caster)
+  bool SpaceLeaping = true; ///< off: every cell along a ray is read (the paper's plain ray caster)
   ReuseSwitches Reuse;
   ReuseAccuracy Accuracy = ReuseAccuracy::Bounded;
-  bool InterpolateColors = false; ///< PAPER's definite hits: from the cached image, not shaded
+  bool InterpolateColors =
+    false; ///< colour PAPER's definite hits from the cached image, without shading
   ImageCache::Options Images;
   Isomap::Options Map;
-  bool ReportsTiles = false; ///< tiles are worked on in parts, too, with a report before each
+  bool ReportsTiles = false; ///< trace tiles in parts, with a progress report before each part
 };
 
 }

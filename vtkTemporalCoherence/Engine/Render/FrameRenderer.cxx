@@ -12,7 +12,7 @@ namespace TemporalCoherence
 namespace
 {
 
-/// Part of the progress of a frame that is the building of an isomap, where it has to be built.
+/// The share of a frame's progress that building an isomap takes.
 constexpr double ShareOfBuilding = 0.9;
 
 }
@@ -21,32 +21,33 @@ bool FrameRenderer::Render(
   const FrameKey& key, const Options& options, const ReportProgress& report)
 {
   FrameStatistics statistics;
-  statistics.Rays = static_cast<std::int64_t>(key.Seen.Size.x) * key.Seen.Size.y;
+  statistics.Rays = static_cast<std::int64_t>(key.View.Size.x) * key.View.Size.y;
   {
     Stopwatch watch(statistics.FrameTime);
-    FrameTask task{ key, options, this->Frames, this->Structures, statistics, report };
+    FrameTask task{ key, options, this->Store, this->Structures, statistics, report };
 
-    // What is kept follows the samples, which may be other ones, or lie elsewhere.
+    // The samples may have changed or moved in memory: structures and pictures follow.
     {
       Stopwatch comparing(statistics.TraceTime);
       this->Map.Trim(options.Map.MemoryLimit);
       this->FollowSamples(key);
     }
 
-    // The plan chooses by what changed and by what there is.
-    const std::shared_ptr<CachedImage> nearest = this->Frames.FindNearest(key, options);
+    // Choose by what changed and by what is available.
+    const std::shared_ptr<CachedImage> nearest = this->Store.FindNearest(key, options);
     Route route = this->ChooseRoute(key, options, nearest != nullptr);
     if (route != Route::Redisplay)
     {
       Stopwatch preparing(statistics.TraceTime);
       if (this->PrepareRanges(key))
       {
-        // An isomap may have gone with the old ones.
+        // An isomap of the old ranges was dropped.
         route = this->ChooseRoute(key, options, nearest != nullptr);
       }
     }
 
-    // One function makes the frame. If it is stopped, or runs out of memory, the last one stays.
+    // One function makes the frame. If it is stopped or runs out of memory, the last frame is
+    // unchanged.
     if (!this->Make(route, task, nearest.get()))
     {
       return false;
@@ -58,7 +59,7 @@ bool FrameRenderer::Render(
   return true;
 }
 
-/// Take a route; another one, which is told, where that turns out to be impossible.
+/// Take a route. If it turns out to be impossible, take another one and set `route` to it.
 bool FrameRenderer::Make(Route& route, FrameTask& task, CachedImage* nearest)
 {
   const ReportProgress report = task.Report;
@@ -75,7 +76,7 @@ bool FrameRenderer::Make(Route& route, FrameTask& task, CachedImage* nearest)
       ShadeAgain(task);
       return true;
     case Route::IsomapLookup:
-      return LookUp(task, this->Map, this->OpenRays);
+      return LookUp(task, this->Map, this->UnresolvedRays);
     case Route::IsomapBuild:
       task.Report = report;
       return this->BuildAndLookUp(route, task);
@@ -91,7 +92,7 @@ bool FrameRenderer::Make(Route& route, FrameTask& task, CachedImage* nearest)
   return TraceCold(task);
 }
 
-/// What is in the making is the last frame now, if the route made one.
+/// The new frame becomes the last frame, if the route made one.
 void FrameRenderer::Finish(Route route, const FrameTask& task)
 {
   task.Statistics.Made = route;
@@ -102,16 +103,16 @@ void FrameRenderer::Finish(Route route, const FrameTask& task)
   }
   if (route == Route::Cold || route == Route::ThresholdHint)
   {
-    this->Cold = { task.CellsRead, task.Key.Sought };
+    this->Cold = { task.CellsRead, task.Key.Isosurfaces };
   }
-  this->Frames.Finish(task.Options.Images);
+  this->Store.Finish(task.Options.Images);
   this->LastForm = Isomap::FormFor(task.Key, task.Options.Map);
   this->Changes.Take(task.Key.Samples, this->Structures.Ranges());
 }
 
 Route FrameRenderer::ChooseRoute(const FrameKey& key, const Options& options, bool hasImage) const
 {
-  const CachedImage& last = this->Frames.Last();
+  const CachedImage& last = this->Store.Last();
   if (last.Picture.IsEmpty())
   {
     return Route::Cold;
@@ -125,14 +126,14 @@ Route FrameRenderer::ChooseRoute(const FrameKey& key, const Options& options, bo
   held.Isomap = this->Map.Covers(key, options.Map);
   held.ShareToTrace = this->Changes.ShareToTrace();
   ReuseSwitches switches = options.Reuse;
-  // A picture that an isomap of one tolerance gave is not the one that another tolerance asks for.
+  // A picture from an isomap does not serve a request with another tolerance.
   switches.RefineWhenStill |= !(this->LastForm == Isomap::FormFor(key, options.Map));
   switches.RefineWhenStill |= isExactAsked || !switches.ImageCache;
   return PlanRoute(last.Key, key, switches, held);
 }
 
-/// Build the bands of the isomap that the frame needs, and look it up; or take the next best route,
-/// now that this one is known to be impossible.
+/// Build the bands that the frame needs and look them up. If that is impossible, take the next best
+/// route.
 bool FrameRenderer::BuildAndLookUp(Route& route, FrameTask& task)
 {
   const ReportProgress report = task.Report;
@@ -144,7 +145,7 @@ bool FrameRenderer::BuildAndLookUp(Route& route, FrameTask& task)
     case Isomap::Outcome::Stopped:
       return false;
     case Isomap::Outcome::Built:
-      return LookUp(task, this->Map, this->OpenRays);
+      return LookUp(task, this->Map, this->UnresolvedRays);
     default:
       route = this->ChooseRoute(task.Key, task.Options, false);
       route = route == Route::IsomapBuild ? Route::Cold : route;
@@ -158,13 +159,13 @@ Isomap::Outcome FrameRenderer::BuildBands(FrameTask& task)
   Isomap::Outcome outcome = Isomap::Outcome::TooLarge;
   try
   {
-    outcome = this->Map.Build(task.Key, task.Options.Map, this->Frames.Last(),
+    outcome = this->Map.Build(task.Key, task.Options.Map, this->Store.Last(),
       this->Structures.Pyramid(), this->Cold, task.Report);
     task.Statistics.FieldSamples += 8 * this->Map.CellsRead();
   }
   catch (const std::bad_alloc&)
   {
-    this->Map.GiveUp(); // there may be memory for a frame without it
+    this->Map.GiveUp(); // a frame without it may fit into memory
   }
   return outcome;
 }
@@ -173,12 +174,12 @@ Isomap::Outcome FrameRenderer::BuildIsomap(
   const FrameKey& key, const Options& options, const ReportProgress& report)
 {
   this->TimeToBuild = 0.0;
-  if (key.Sought.Isovalues.empty() || !this->Map.CanBuild(key, options.Map))
+  if (key.Isosurfaces.Isovalues.empty() || !this->Map.CanBuild(key, options.Map))
   {
     return Isomap::Outcome::Impossible;
   }
   FrameStatistics statistics;
-  FrameTask task{ key, options, this->Frames, this->Structures, statistics, report };
+  FrameTask task{ key, options, this->Store, this->Structures, statistics, report };
   {
     Stopwatch watch(statistics.IsomapBuildTime);
     this->FollowSamples(key);
@@ -190,34 +191,34 @@ Isomap::Outcome FrameRenderer::BuildIsomap(
   return outcome;
 }
 
-/// Find out what changed in samples that are not those of the last frame.
+/// Find out what changed if the samples are not those of the last frame.
 void FrameRenderer::FollowSamples(const FrameKey& key)
 {
-  const FrameKey& last = this->Frames.Last().Key;
+  const FrameKey& last = this->Store.Last().Key;
   const SampleComparer::Result result =
     this->Changes.Compare(last.Samples, key.Samples, this->Structures.SharedByAll());
   if (result == SampleComparer::Result::Equal)
   {
-    // They may not be read any more where they were.
+    // Their old memory must not be read any more.
     const Field before = last.Samples;
     this->Structures.MoveTo(key.Samples, before);
     this->Map.MoveTo(key.Samples, before);
-    this->Frames.MoveTo(key.Samples);
+    this->Store.MoveTo(key.Samples);
     this->Changes.TakeEqual();
   }
   else if (result == SampleComparer::Result::Different)
   {
     const FrameChange change = CompareFrames(last, key);
-    if (change.Samples && !change.View && !key.Sought.Isovalues.empty())
+    if (change.Samples && !change.View && !key.Isosurfaces.Isovalues.empty())
     {
       this->PrepareRanges(key);
-      this->Changes.FindTilesToTrace(key.Seen, key.Where, this->Structures.Ranges());
+      this->Changes.FindTilesToTrace(key.View, key.Transform, this->Structures.Ranges());
     }
   }
 }
 
-/// Value ranges belong to the data, as isomaps do: the old ones make room for the new ones.
-/// \return true if they were others
+/// Set the value ranges for the data. Isomaps of other data are dropped first, to make room.
+/// \return true if the ranges changed
 bool FrameRenderer::PrepareRanges(const FrameKey& key)
 {
   if (!this->Structures.NeedsRanges(key))

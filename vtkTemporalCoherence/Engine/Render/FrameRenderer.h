@@ -22,13 +22,13 @@ namespace TemporalCoherence
 
 struct FrameTask;
 
-/// Makes frames: asks the plan for a route, takes it, keeps what the next frame can use.
+/// Makes frames: asks the plan for a route, takes it, and keeps what the next frame can use.
 class FrameRenderer
 {
 public:
   using Options = FrameOptions;
 
-  /// \param shared where to get structures that other renderers of the same data may have
+  /// \param shared structures, also used by other renderers of the same data
   explicit FrameRenderer(
     std::shared_ptr<FieldStructures> shared = std::make_shared<FieldStructures>())
     : Structures(std::move(shared))
@@ -37,41 +37,41 @@ public:
 
   /// Make the frame of `key`.
   /// \pre the view has pixels; isovalues are finite; there is one colour for each isovalue
-  /// \param report told how far the frame is, in this thread; it may stop it. From 0 to 1, but the
-  ///               building of an isomap may fall back.
-  /// \return false if it was stopped, the last frame and its key then being as they were
-  /// \throws std::bad_alloc, likewise
+  /// \param report is called in this thread with the progress from 0 to 1, and may stop the frame.
+  ///               While an isomap is built, progress may go back.
+  /// \return false if it was stopped; the last frame and its key are then unchanged
+  /// \throws std::bad_alloc; the same holds
   bool Render(const FrameKey& key, const Options& options, const ReportProgress& report = {});
 
-  /// Build the bands of an isomap that `key` needs, ahead of its frame. The last frame stays.
+  /// Build the bands of an isomap that `key` needs, ahead of its frame. The last frame is
+  /// unchanged.
   /// \throws std::bad_alloc
   Isomap::Outcome BuildIsomap(
     const FrameKey& key, const Options& options, const ReportProgress& report = {});
 
   /// The last frame, and the key it was made for. The frame is empty before the first one.
-  const Frame& LastFrame() const { return this->Frames.Last().Picture; }
-  const FrameKey& LastKey() const { return this->Frames.Last().Key; }
+  const Frame& LastFrame() const { return this->Store.Last().Picture; }
+  const FrameKey& LastKey() const { return this->Store.Last().Key; }
   const FrameStatistics& Statistics() const { return this->OfLastFrame; }
 
-  /// Smallest and largest finite sample of the data of `key`. Nothing that frames are made with
-  /// changes. Not defined where there are no cells or no isovalues.
+  /// Smallest and largest finite sample of the data of `key`. Does not change any state that frames
+  /// depend on. Undefined without cells or isovalues.
   /// \throws std::bad_alloc
   glm::dvec2 FiniteRangeOf(const FrameKey& key);
 
-  /// The value ranges that the last frame was made with; not defined where it has no cells or no
-  /// isovalues.
+  /// The value ranges used for the last frame. Undefined if it has no cells or no isovalues.
   const ValueRangePyramid& LastRanges() const { return this->Structures.Pyramid(); }
 
   /// The isomap of the view in which isovalues last changed.
   const Isomap& IsomapOfLastView() const { return this->Map.Built(); }
 
-  /// Seconds that building it took, in the last frame or, after that, ahead of the next one.
+  /// Seconds spent on building it: in the last frame or, after that, ahead of the next one.
   double IsomapBuildTime() const { return this->TimeToBuild; }
 
-  /// True if the isomap that was needed last does not fit the limit of memory.
+  /// True if the isomap that was needed last exceeds the memory limit.
   bool IsIsomapTooLarge() const { return this->Map.IsTooLarge(); }
 
-  /// Forget the last frame and free all memory that is not shared.
+  /// Drop the last frame and free all memory that is not shared.
   void Release();
 
 private:
@@ -83,16 +83,16 @@ private:
   Isomap::Outcome BuildBands(FrameTask& task);
   void Finish(Route route, const FrameTask& task);
 
-  FrameStore Frames;
+  FrameStore Store;
   FrameStructures Structures;
-  SampleComparer Changes;              ///< from the samples of the last frame to those of the next
-  IsomapBuilder Map;                   ///< of the view in which isovalues last changed
-  IsomapBuilder::ColdFrame Cold;       ///< what the last one took
-  KnotForm LastForm;                   ///< asked for when the last frame was made
-  std::vector<std::uint64_t> OpenRays; ///< memory of LookUp
+  SampleComparer Changes;        ///< from the samples of the last frame to those of the next
+  IsomapBuilder Map;             ///< of the view in which isovalues last changed
+  IsomapBuilder::ColdFrame Cold; ///< cost of the last cold frame
+  KnotForm LastForm;             ///< as requested for the last frame
+  std::vector<std::uint64_t> UnresolvedRays; ///< memory of LookUp
   FrameStatistics OfLastFrame;
   double TimeToBuild = 0.0;
-  std::shared_ptr<const FieldRanges> ForPicks; ///< of data that no frame shows yet; or null
+  std::shared_ptr<const FieldRanges> ForPicks; ///< of data without a frame so far; or null
 };
 
 }

@@ -11,7 +11,7 @@
 namespace TemporalCoherence
 {
 
-/// How the last frame was made and what it took.
+/// How the last frame was made, and what it cost.
 struct FrameStatistics
 {
   Route Made = Route::Cold;
@@ -21,14 +21,14 @@ struct FrameStatistics
   std::int64_t PossibleHits = 0;
   std::int64_t TracedRays = 0;
   std::int64_t FieldSamples = 0; ///< samples read to find surfaces and to build an isomap
-  double FrameTime = 0.0;        ///< seconds, all told
+  double FrameTime = 0.0;        ///< seconds in total
   double TraceTime = 0.0;        ///< of these, structures and rays
-  double QueryTime = 0.0;        ///< of these, asking the image cache
+  double QueryTime = 0.0;        ///< of these, querying the image cache
   double IsomapBuildTime = 0.0;  ///< of these, building a band of the isomap
   double ShadeTime = 0.0;        ///< of these, normals and colours
 
-  /// Add what was counted in tiles that took `seconds`. Threads ask, trace and shade tile by tile:
-  /// the times are told apart by their shares.
+  /// Add the counts of tiles that took `seconds`. Threads query, trace and shade tile by tile, so
+  /// the time is divided by the shares that were measured in some tiles.
   void Add(const TraceCounts& counts, double seconds)
   {
     this->DefiniteHits += counts.DefiniteHits;

@@ -26,11 +26,11 @@ void FrameStore::Begin(const FrameKey& key)
     this->Back = std::make_shared<CachedImage>();
   }
   CachedImage& next = *this->Back;
-  next.Picture.Resize(key.Seen.Size);
-  next.Picture.Layers.resize(key.Sought.IsTranslucent() ? next.Picture.ClearTiles.size() : 0);
-  if (next.Key.Seen.Parallel != key.Seen.Parallel)
+  next.Picture.Resize(key.View.Size);
+  next.Picture.Layers.resize(key.Isosurfaces.IsTranslucent() ? next.Picture.ClearTiles.size() : 0);
+  if (next.Key.View.Parallel != key.View.Parallel)
   {
-    // The disparity of a miss is another one.
+    // The disparity of a miss differs between projections.
     std::fill(next.Picture.ClearTiles.begin(), next.Picture.ClearTiles.end(), std::uint8_t(0));
   }
   next.Picture.IsFromCache = false;

@@ -10,32 +10,33 @@
 namespace TemporalCoherence
 {
 
-/// The last frame, the one that is being made, and the finished images that later frames may start
-/// from. The last frame and the new one change places when that is finished: an unfinished one
-/// leaves no trace, and in steady state nothing is allocated.
+/// The last frame, the frame being made, and the cached images that later frames may start from. A
+/// finished frame changes places with the last one. So an unfinished frame leaves no trace, and in
+/// steady state nothing is allocated.
 class FrameStore
 {
 public:
   /// The last frame, and the key it was made for. The frame is empty before the first one.
   const CachedImage& Last() const { return *this->Front; }
 
-  /// The same, to be given other colours.
+  /// The same, to change its colours.
   CachedImage& LastToRecolor() { return *this->Front; }
 
-  /// The frame that was begun.
+  /// The frame being made.
   CachedImage& Next() { return *this->Back; }
 
-  /// The kept image from which the frame of a key is made best; null if there is none.
+  /// The cached image from which to make the frame of a key; null if none can serve.
   std::shared_ptr<CachedImage> FindNearest(const FrameKey& key, const FrameOptions& options) const;
 
-  /// Get room for the frame of a key.
+  /// Begin the frame of a key, and make room for it.
   /// \throws std::bad_alloc
   void Begin(const FrameKey& key);
 
-  /// The frame that was begun is the last one now.
+  /// Make the new frame the last one.
   void Finish(const ImageCache::Options& options);
 
-  /// The samples of the last frame are equal to those of another field, which lie elsewhere.
+  /// Reassign the last frame and cached images to a field whose samples are equal but lie
+  /// elsewhere.
   void MoveTo(const Field& field);
 
 private:

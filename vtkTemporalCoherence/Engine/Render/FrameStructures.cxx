@@ -9,7 +9,7 @@ namespace
 
 bool HasSurfaces(const FrameKey& key)
 {
-  return key.Samples.HasCells() && !key.Sought.Isovalues.empty();
+  return key.Samples.HasCells() && !key.Isosurfaces.Isovalues.empty();
 }
 
 }
@@ -35,11 +35,11 @@ void FrameStructures::PrepareActiveCells(const FrameKey& key)
     return;
   }
   if (!(this->OfSurfaces->Samples == key.Samples) ||
-    !AreMetAlike(this->OfSurfaces->Sought, key.Sought))
+    !AreMetAlike(this->OfSurfaces->Isosurfaces, key.Isosurfaces))
   {
-    this->Shared->Provide(*this->OfData, key.Sought, this->OfSurfaces);
+    this->Shared->Provide(*this->OfData, key.Isosurfaces, this->OfSurfaces);
   }
-  this->Bounds.Build(key.Seen, key.Where, *this->OfSurfaces->Active, *key.Samples.Kind);
+  this->Bounds.Build(key.View, key.Transform, *this->OfSurfaces->Active, *key.Samples.Kind);
 }
 
 std::shared_ptr<const FieldRanges> FrameStructures::RangesOf(const FrameKey& key) const

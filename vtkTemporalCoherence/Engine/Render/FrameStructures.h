@@ -14,26 +14,26 @@
 namespace TemporalCoherence
 {
 
-/// What tells a frame where surfaces can be. Each structure stays for as long as it fits: value
-/// ranges belong to the data, active cells to data and isovalues, bounds of tiles to a frame.
+/// The structures that bound where surfaces can be. Each is kept as long as it is valid: value
+/// ranges for the data, active cells for data and isovalues, tile bounds for a frame.
 class FrameStructures
 {
 public:
-  /// \param shared where to get structures that others who look at the same data may have
+  /// \param shared structures, also used by other viewers of the same data
   explicit FrameStructures(std::shared_ptr<FieldStructures> shared)
     : Shared(std::move(shared))
   {
   }
 
-  /// True if value ranges are needed for a key, and those that are here are others. Where there are
-  /// no cells or no isovalues, they are not needed.
+  /// True if a key needs value ranges that are not here. Without cells or isovalues none are
+  /// needed.
   bool NeedsRanges(const FrameKey& key) const;
 
-  /// Make the value ranges those of a key's samples, if they are needed.
-  /// \throws std::bad_alloc, the ranges then being empty
+  /// Prepare the value ranges of a key's samples, if they are needed.
+  /// \throws std::bad_alloc; the ranges are then empty
   void PrepareRanges(const FrameKey& key);
 
-  /// Make active cells and bounds of tiles those of a key, likewise.
+  /// Prepare the active cells and tile bounds of a key, if they are needed.
   /// \pre PrepareRanges was called
   /// \throws std::bad_alloc
   void PrepareActiveCells(const FrameKey& key);
@@ -41,18 +41,17 @@ public:
   const FieldRanges& Ranges() const { return *this->OfData; }
   const ValueRangePyramid& Pyramid() const { return *this->OfData->Pyramid; }
 
-  /// What rays leap over by active cells and bounds, which are prepared; nothing if they are not to
-  /// leap.
+  /// The prepared active cells and bounds for space leaping; empty if leaping is off.
   LeapedSpace SpaceToLeap(bool leaps) const
   {
     return { leaps ? this->OfSurfaces->Active.get() : nullptr, &this->Bounds };
   }
 
-  /// The value ranges of a key's samples, which need not be the ones that are kept here.
+  /// The value ranges of a key's samples, which need not be those prepared here.
   /// \throws std::bad_alloc
   std::shared_ptr<const FieldRanges> RangesOf(const FrameKey& key) const;
 
-  /// Samples are equal to those of the field `before`, but lie elsewhere now.
+  /// Reassign structures of the field `before` to `now`, whose samples are equal but lie elsewhere.
   void MoveTo(const Field& now, const Field& before);
 
   FieldStructures& SharedByAll() { return *this->Shared; }

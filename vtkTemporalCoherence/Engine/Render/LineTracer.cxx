@@ -29,23 +29,24 @@ std::optional<LineHit> TraceLine(const FrameKey& scene, const glm::dvec2& finite
   const glm::dvec3& begin, const glm::dvec3& end)
 {
   FrameKey key = scene;
-  key.Seen = ViewAlong(begin, end);
-  key.Look = Appearance();
-  key.Look.Colors.resize(key.Sought.Isovalues.size());
+  key.View = ViewAlong(begin, end);
+  key.Appearance = Appearance();
+  key.Appearance.Colors.resize(key.Isosurfaces.Isovalues.size());
   Frame frame;
-  frame.Resize(key.Seen.Size);
-  frame.Layers.resize(key.Sought.IsTranslucent() ? 1 : 0);
+  frame.Resize(key.View.Size);
+  frame.Layers.resize(key.Isosurfaces.IsTranslucent() ? 1 : 0);
   const PixelRect pixel{ glm::ivec2(0), glm::ivec2(1) };
-  // No structures: they are made for whole pictures, and reading every cell on one line is quick.
+  // No structures: building them pays for whole pictures only, and reading every cell on one line
+  // is quick.
   const TileTracer tracer({ key, nullptr, nullptr, finiteRange });
   TraceCounts counts = tracer.Trace(0, pixel, frame);
-  // Shaded, so that what the gradient opacity makes invisible is not picked.
+  // Shade, so that surfaces made invisible by gradient opacity are not picked.
   TileShader(key, finiteRange, {}, HitSet::All, HitSet::All).Shade(0, pixel, frame, counts);
   if (frame.Isovalues[0] == Frame::NoSurface)
   {
     return std::nullopt;
   }
-  return LineHit{ frame.Depth[0], frame.Isovalues[0], begin + frame.Depth[0] * key.Seen.Direction,
+  return LineHit{ frame.Depth[0], frame.Isovalues[0], begin + frame.Depth[0] * key.View.Direction,
     glm::dvec3(frame.Normals[0]) };
 }
 

@@ -18,12 +18,12 @@ struct LineHit
   double Distance; ///< from where the line begins
   int Surface;     ///< position in the list of isovalues
   glm::dvec3 Position;
-  glm::dvec3 Normal; ///< unit, facing where the line begins
+  glm::dvec3 Normal; ///< unit normal, facing the beginning of the line
 };
 
-/// Find the first surface on the line from `begin` to `end` as a cold frame would: the line is the
-/// ray of a picture with one pixel, so that whatever frames are clipped to holds for it, too.
-/// \param scene       whose view and appearance are not looked at
+/// Find the first surface on the line from `begin` to `end`, as a cold frame would: the line is the
+/// ray of a picture with one pixel. It is clipped like any frame.
+/// \param scene       its view and appearance are ignored
 /// \param finiteRange smallest and largest finite sample
 /// \pre the line has a length, and both ends are finite
 /// \throws std::bad_alloc

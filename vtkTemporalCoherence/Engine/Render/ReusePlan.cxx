@@ -7,16 +7,16 @@ namespace TemporalCoherence
 namespace
 {
 
-/// Where more of the tiles can see samples that changed, the rest is not worth its copy. Not tuned:
-/// copies cost little, but so does what they save.
+/// If changed samples affect a larger share of the tiles, copying the rest does not pay. Not tuned:
+/// copies cost little and save little.
 constexpr double MostToTrace = 0.5;
 
-/// True if parts of the last picture are parts of the next one, to the last bit. Colours of answers
-/// are not: they would have to be those of a copy.
+/// True if parts of the last picture can be copied, to the last bit. With ColorByAnswer they
+/// cannot: a copied pixel would need the colour of its new answer.
 bool CanCopy(const FrameChange& change, const FrameKey& next, const HeldForReuse& held)
 {
   return change.Samples && !change.View && !change.Surfaces && !change.Opacity &&
-    !change.Appearance && !next.Look.ColorByAnswer && held.IsExact &&
+    !change.Appearance && !next.Appearance.ColorByAnswer && held.IsExact &&
     held.ShareToTrace <= MostToTrace;
 }
 
@@ -55,8 +55,9 @@ Route PlanRoute(const FrameKey& last, const FrameKey& next, const ReuseSwitches&
   {
     return change.Appearance ? Route::Reshade : Route::Redisplay;
   }
-  // An isomap serves wherever the last frame was, but does not complete what is not exact itself.
-  if (switches.Isomap && held.Isomap && !next.Sought.Isovalues.empty() &&
+  // An isomap serves whatever the last frame was. But with a tolerance it cannot refine a picture
+  // that is not exact.
+  if (switches.Isomap && held.Isomap && !next.Isosurfaces.Isovalues.empty() &&
     (!isSame || held.IsIsomapExact))
   {
     return Route::IsomapLookup;
@@ -69,8 +70,8 @@ Route PlanRoute(const FrameKey& last, const FrameKey& next, const ReuseSwitches&
   {
     return switches.ImageCache && held.Image ? Route::ImageCache : Route::Cold;
   }
-  const std::size_t isovalues = next.Sought.Isovalues.size();
-  if (last.Sought.Mode != next.Sought.Mode || isovalues == 0 || change.Opacity)
+  const std::size_t isovalues = next.Isosurfaces.Isovalues.size();
+  if (last.Isosurfaces.Mode != next.Isosurfaces.Mode || isovalues == 0 || change.Opacity)
   {
     return Route::Cold;
   }
@@ -78,8 +79,8 @@ Route PlanRoute(const FrameKey& last, const FrameKey& next, const ReuseSwitches&
   {
     return Route::IsomapBuild;
   }
-  // A hint is one isovalue's hit for another.
-  const bool isOneForOne = last.Sought.Isovalues.size() == 1 && isovalues == 1;
+  // A hint takes the hits of one isovalue for one other.
+  const bool isOneForOne = last.Isosurfaces.Isovalues.size() == 1 && isovalues == 1;
   const bool isHint = isOneForOne && (!change.Raised || AreHitsOrdered(next));
   return held.IsExact && isHint ? Route::ThresholdHint : Route::Cold;
 }

@@ -13,41 +13,40 @@ namespace TemporalCoherence
 /// How a whole frame is made.
 enum class Route : std::uint8_t
 {
-  Cold,          ///< every ray is traced, with no help from an earlier frame
+  Cold,          ///< every ray is traced, without help from an earlier frame
   Redisplay,     ///< nothing changed: the same picture
   Reshade,       ///< only the appearance changed: stored hits get new colours
   IsomapLookup,  ///< another isovalue in the same view, looked up in the isomap
-  IsomapBuild,   ///< the same, the isomap being built first
+  IsomapBuild,   ///< the same, after building the isomap
   ThresholdHint, ///< the same without an isomap: the old hit bounds the search
-  ImageCache,    ///< another view: a kept image tells where rays may start
-  TimeStep       ///< other samples in the same view: the last picture is copied where they are not
-                 ///< seen
+  ImageCache,    ///< another view: a cached image tells where walks may begin
+  TimeStep       ///< other samples in the same view: tiles that they do not affect are copied
 };
 
 /// The route's name as in the documentation, for example "Cold".
 const char* NameOf(Route route);
 
-/// What the user allows to be used again.
+/// What the user allows to be re-used.
 struct ReuseSwitches
 {
   bool ImageCache = true;
   bool Isomap = true;
-  bool RefineWhenStill = true; ///< a view that repeats ends in the cold picture
+  bool RefineWhenStill = true; ///< a repeated view ends in the cold picture
 };
 
-/// What is at hand for the next frame.
+/// What is available for the next frame.
 struct HeldForReuse
 {
   bool IsExact = true;        ///< the last picture is the cold picture of its key
   bool Image = false;         ///< a cached image can serve
   bool Isomap = false;        ///< an isomap of this view covers the next isovalues
-  bool IsIsomapExact = true;  ///< it gives the cold picture
+  bool IsIsomapExact = true;  ///< the isomap gives the cold picture
   bool CanBuildIsomap = true; ///< data and memory allow one
-  double ShareToTrace = 1.0;  ///< of the tiles, where nothing but samples changed
+  double ShareToTrace = 1.0;  ///< share of the tiles, if only samples changed
 };
 
-/// The best route from the last frame to the next one. It depends on its arguments alone, so that
-/// every decision can be tested without rendering.
+/// Choose the best route from the last frame to the next one. A pure function, so that every
+/// decision can be tested without rendering.
 Route PlanRoute(const FrameKey& last, const FrameKey& next, const ReuseSwitches& switches,
   const HeldForReuse& held);
 

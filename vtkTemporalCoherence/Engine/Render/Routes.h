@@ -16,26 +16,26 @@
 namespace TemporalCoherence
 {
 
-/// A frame that is to be made: what it is of, and what there is to make it with.
+/// A frame to be made, and what to make it with.
 struct FrameTask
 {
   const FrameKey& Key;
   const FrameOptions& Options;
-  FrameStore& Frames;
+  FrameStore& Store;
   FrameStructures& Structures; ///< with the value ranges of the key
   FrameStatistics& Statistics;
-  ReportProgress Report;      ///< told how far the frame is, if it is not null; may stop it
+  ReportProgress Report;      ///< called with the progress, if it is not null; may stop the frame
   std::int64_t CellsRead = 0; ///< by the rays that were traced
 };
 
-// One function for each route. Those that give the last frame other colours, or none, change it in
-// place. The others make the next one in FrameStore::Next(); false if the report stopped them.
-// Where memory ends they throw std::bad_alloc.
+// One function for each route. Redisplay and Reshade change the last frame in place. The others
+// make the next one in FrameStore::Next(), and return false if the report stopped them. They throw
+// std::bad_alloc if memory runs out.
 
-/// Redisplay: the last frame is the frame.
+/// Redisplay: show the last frame again.
 void ShowAgain(FrameTask& task);
 
-/// Reshade: all hits are known, only their colours change.
+/// Reshade: all hits are known; only their colours change.
 void ShadeAgain(FrameTask& task);
 
 /// Cold: every ray is traced.
@@ -44,17 +44,17 @@ bool TraceCold(FrameTask& task);
 /// ThresholdHint: the hits of the last frame bound the search for another isovalue.
 bool TraceWithLastHits(FrameTask& task);
 
-/// ImageCache: rays start from what a kept image tells.
+/// ImageCache: a cached image tells where walks begin.
 /// \pre the accuracy is not Exact
 bool TraceFromImage(FrameTask& task, CachedImage& image);
 
-/// TimeStep: tiles that see none of the samples that changed are copied from the last frame.
+/// TimeStep: tiles that no changed sample affects are copied from the last frame.
 bool TraceChangedTiles(FrameTask& task, const SampleComparer& changes);
 
-/// IsomapLookup: hits are looked up, and only what the isomap cannot tell is traced.
+/// IsomapLookup: hits are looked up, and only unresolved rays are traced.
 /// \param map  covers the isovalues of the key
-/// \param open memory for the rays of each tile that have to be traced, one bit each
-bool LookUp(FrameTask& task, IsomapBuilder& map, std::vector<std::uint64_t>& open);
+/// \param unresolved memory for the unresolved rays of each tile, one bit each
+bool LookUp(FrameTask& task, IsomapBuilder& map, std::vector<std::uint64_t>& unresolved);
 
 }
 

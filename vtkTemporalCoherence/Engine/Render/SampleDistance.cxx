@@ -10,12 +10,12 @@ namespace TemporalCoherence
 namespace
 {
 
-/// Frames get finer only where that leaves so much of the time to spare along each axis, lest they
-/// change to and fro. (A setting of the loop, not a tuned one: TestUpdateRate.)
+/// Frames get finer only with this safety factor on the distance, so that it does not oscillate.
+/// (Part of the control loop, not tuned: TestUpdateRate.)
 constexpr double ToSpare = 1.25;
 
-/// The next whole number, or below 1 the next whole part of one. A third is one though it has been
-/// kept as a float.
+/// The next integer or, below 1, the next inverse of one. 1/3 counts as such even if it was stored
+/// as a float.
 double Rounded(double distance)
 {
   constexpr double shortest = 1e-9, close = 1e-6;
@@ -38,7 +38,7 @@ void SampleDistanceChooser::Learn(const glm::ivec2& size, double seconds, double
 double SampleDistanceChooser::Choose(
   const glm::ivec2& pixels, double allowed, double current, const glm::dvec2& limits) const
 {
-  // Seconds go with the square of the distance.
+  // The time of a frame is inversely proportional to the square of the distance.
   const double seconds = this->SecondsPerRay * pixels.x * pixels.y;
   const double needed = std::sqrt(seconds / std::max(allowed, 1e-9));
   const auto within = [&](double distance)

@@ -8,30 +8,30 @@
 namespace TemporalCoherence
 {
 
-/// Chooses how coarse frames have to be to keep to the time that they are given: the sample
-/// distance is the pixels from one ray to the next along each axis.
+/// Chooses how coarse frames must be to finish in their allowed time. The sample distance is the
+/// number of pixels from one ray to the next along each axis.
 ///
-/// It is a whole number where the limits are, or a whole part of a pixel, and changes rarely: a
-/// frame of another size cannot use the one before again.
+/// The distance is an integer or, below 1, the inverse of one, if the limits permit. It changes
+/// rarely, because a frame cannot re-use one of another size.
 class SampleDistanceChooser
 {
 public:
-  /// A frame is part of an interaction if it is given less time than this, in seconds; the limit of
-  /// vtkFixedPointVolumeRayCastMapper.
+  /// A frame is part of an interaction if its allowed time is less than this, in seconds: the limit
+  /// of vtkFixedPointVolumeRayCastMapper.
   static constexpr double InteractiveTime = 1.0;
 
-  /// Tell what a frame took whose rays were traced or looked up.
+  /// Learn from a frame whose rays were traced or looked up.
   ///
-  /// What counts are frames of the same size as the one before, as others cannot use it again; and
-  /// frames of interactions, as a still picture is completed once.
+  /// Only two kinds of frames count: frames of the same size as the one before, as others cannot
+  /// re-use it; and frames of interactions, as a still picture is completed once.
   /// \param size    rays along each axis
-  /// \param seconds what making and showing it took
-  /// \param allowed seconds that it was given
+  /// \param seconds to make and show it
+  /// \param allowed seconds for it
   void Learn(const glm::ivec2& size, double seconds, double allowed);
 
   /// The distance for the next frame.
   /// \param pixels  of the window
-  /// \param allowed seconds that it is given
+  /// \param allowed seconds for the frame
   /// \param current distance of the last frame
   /// \param limits  smallest and largest distance
   double Choose(
@@ -42,15 +42,15 @@ private:
   glm::ivec2 LastSize{ 0 };
 };
 
-/// Rays along each axis of a picture of `pixels`; none only where there are no pixels.
-/// \param distance below 1, there are more rays than pixels
+/// Rays along each axis of a picture of `pixels`; at least 1 if there are pixels.
+/// \param distance if below 1, there are more rays than pixels
 glm::ivec2 RaysFor(const glm::ivec2& pixels, double distance);
 
-/// Rays of a frame that is finer than the pixels, at most: four for each pixel of 3840 x 2160. Two
-/// pictures with so many take 2.4 GB.
+/// The most rays of a frame that is finer than the pixels: four for each pixel of 3840 x 2160. Two
+/// such pictures take 2.4 GB.
 constexpr double MostRays = 1 << 25;
 
-/// The least distance, at most 1, at which a frame has no more rays than that.
+/// The smallest distance, at most 1, at which a frame has at most MostRays.
 double FinestDistance(const glm::ivec2& pixels);
 
 }

@@ -17,10 +17,11 @@
 namespace TemporalCoherence
 {
 
-/// Call work(tile, part) for each tile of a picture, in parallel, and add up what it counts.
-/// \param counts gets the sum, and statistics their share of it
-/// \param report null, or told the progress from 0 to 1 in this thread, before each of some parts
-///               of the work: between them threads wait for each other
+/// Call work(tile, part) for each tile of a picture, in parallel, and add up its counts.
+/// \param counts gets the sum, which is also added to the statistics
+/// \param report is called in this thread with the progress from 0 to 1, before each part of the
+///               work; threads wait for each other between parts. May be null: there is only one
+///               part
 /// \return false if the report stopped it
 template <typename Report, typename Work>
 bool CountTiles(const glm::ivec2& size, const Report& report, FrameStatistics& statistics,

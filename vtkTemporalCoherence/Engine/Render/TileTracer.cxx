@@ -13,7 +13,7 @@ namespace TemporalCoherence
 namespace
 {
 
-/// Where nothing is known.
+/// No hint.
 const RayHint NoHint;
 
 void Count(Answer answer, TraceCounts& counts)
@@ -27,17 +27,17 @@ void Count(Answer answer, TraceCounts& counts)
 
 TileTracer::TileTracer(const TileScene& scene)
   : Scene(scene)
-  , Rays(scene.Key.Seen, scene.Key.Where, scene.Key.Samples.Dimensions, scene.Key.Kept)
-  , HasSurfaces(scene.Key.Samples.HasCells() && !scene.Key.Sought.Isovalues.empty())
-  , IsSolid(scene.Key.Sought.Mode == SurfaceMode::Threshold)
-  , Tracer(SurfaceTracer::Make({ scene.Key.Samples, scene.Key.Sought, scene.FiniteRange,
-      scene.Active, scene.Hint != nullptr, scene.AreContactsExact }))
+  , Rays(scene.Key.View, scene.Key.Transform, scene.Key.Samples.Dimensions, scene.Key.Region)
+  , HasSurfaces(scene.Key.Samples.HasCells() && !scene.Key.Isosurfaces.Isovalues.empty())
+  , IsSolid(scene.Key.Isosurfaces.Mode == SurfaceMode::Threshold)
+  , Tracer(SurfaceTracer::Make({ scene.Key.Samples, scene.Key.Isosurfaces, scene.FiniteRange,
+      scene.Active, scene.Hint != nullptr, scene.AreEntriesExact }))
 {
 }
 
 bool TileTracer::CanSkip(std::int64_t tile) const
 {
-  // A solid may be cut open where there is no active cell.
+  // A solid may be capped where there is no active cell.
   return !this->HasSurfaces ||
     (this->Scene.Active && !this->IsSolid && this->Scene.Bounds->At(tile).IsEmpty());
 }
@@ -64,7 +64,7 @@ TraceCounts TileTracer::Trace(std::int64_t tile, const PixelRect& part, Frame& f
   }
   if (isMiss)
   {
-    StoreMisses(tile, part, this->Scene.Key.Seen.Parallel, frame);
+    StoreMisses(tile, part, this->Scene.Key.View.Parallel, frame);
     counts.DefiniteMisses = static_cast<std::int64_t>(part.Size.x) * part.Size.y;
     return counts;
   }
@@ -94,20 +94,20 @@ TraceCounts TileTracer::TraceSome(
   return counts;
 }
 
-/// Find the first surface along each ray, in what the region leaves of it.
+/// Find the first surface along each ray within the region.
 void TileTracer::Find(const RayBatch& rays, HitBatch& hits) const
 {
-  if (!this->Rays.Cut.HasPieces())
+  if (!this->Rays.Clipper.HasPieces())
   {
     this->Tracer->Trace(rays, hits);
     return;
   }
   hits.Clear(rays.Count);
-  FindInPieces(this->Rays.Cut, rays, hits,
+  FindInPieces(this->Rays.Clipper, rays, hits,
     [this](const RayBatch& part, HitBatch& found) { this->Tracer->Trace(part, found); });
 }
 
-/// Trace the rays of a tile, and once more those about which the hint was wrong.
+/// Trace the rays of a tile, and again those about which the hint was wrong.
 void TileTracer::TraceRays(const RayHint& hint, const KnownRays& known, RayBatch& rays,
   Frame& frame, TraceCounts& counts) const
 {
@@ -135,7 +135,7 @@ void TileTracer::TraceRays(const RayHint& hint, const KnownRays& known, RayBatch
       const RayHint::Told told = hint.TellOf(known, rays, hits, i);
       counts.TracedRays += told.WasTraced;
       Count(told.Known, counts);
-      StoreHit(rays, hits, i, told.Known, this->Scene.Key.Seen.Parallel, frame);
+      StoreHit(rays, hits, i, told.Known, this->Scene.Key.View.Parallel, frame);
     }
   }
   this->TraceAgain(again, frame, counts);
@@ -153,10 +153,10 @@ void TileTracer::Store(
     Count(told.Known, counts);
     answers[i] = told.Known;
   }
-  StoreHits(rays, hits, answers, this->Scene.Key.Seen.Parallel, frame);
+  StoreHits(rays, hits, answers, this->Scene.Key.View.Parallel, frame);
 }
 
-/// Trace rays about which the hint was wrong.
+/// Trace again the rays about which the hint was wrong.
 void TileTracer::TraceAgain(const RayBatch& rays, Frame& frame, TraceCounts& counts) const
 {
   if (rays.Count == 0)
@@ -170,7 +170,7 @@ void TileTracer::TraceAgain(const RayBatch& rays, Frame& frame, TraceCounts& cou
   counts.PossibleHits += rays.Count;
   for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
   {
-    StoreHit(rays, hits, i, Answer::PossibleHit, this->Scene.Key.Seen.Parallel, frame);
+    StoreHit(rays, hits, i, Answer::PossibleHit, this->Scene.Key.View.Parallel, frame);
   }
 }
 

@@ -17,29 +17,29 @@
 namespace TemporalCoherence
 {
 
-/// What tiles are traced with; all of it must outlive the tracer.
+/// The inputs of TileTracer, which must outlive it.
 struct TileScene
 {
   const FrameKey& Key;
   const ActiveCells* Active = nullptr; ///< null: no space leaping
   const TileBounds* Bounds = nullptr;  ///< of Active
   glm::dvec2 FiniteRange{ 0.0 };
-  const RayHint* Hint = nullptr; ///< null: nothing is known, a cold frame
-  bool AreContactsExact = true;  ///< false: they may be told a little too early
+  const RayHint* Hint = nullptr; ///< null: no hint, a cold frame
+  bool AreEntriesExact = true;   ///< false: first entries may be told a little too early
 };
 
-/// Takes the rays of one tile from their set-up to the planes of the frame: the walk narrowed by
-/// the tile's bounds and by the hint, the trace, and a second trace where the hint was wrong.
+/// Traces the rays of a tile and writes the planes of the frame. The tile's bounds and the hint
+/// narrow the walks; rays about which the hint was wrong are traced again.
 class TileTracer
 {
 public:
   /// \throws std::bad_alloc
   explicit TileTracer(const TileScene& scene);
 
-  /// Trace the rays through `part`, which is tile number `tile`. Safe from many threads.
+  /// Trace the rays through `part`, which is tile number `tile`. Thread-safe.
   TraceCounts Trace(std::int64_t tile, const PixelRect& part, Frame& frame) const;
 
-  /// Trace some rays of a tile, one bit each, with no help from a hint.
+  /// Trace some rays of a tile, one bit each, without a hint.
   TraceCounts TraceSome(
     std::int64_t tile, const PixelRect& part, std::uint64_t which, Frame& frame) const;
 

@@ -35,12 +35,11 @@ struct Appearance
   double Specular = 0.2;
   double SpecularPower = 10.0;
   std::vector<Light> Lights;
-  /// A surface is lit on the side that is seen. False: only on its outside, which is the side of
-  /// lower values, from wherever it is seen.
+  /// Light both sides of a surface. If false, only its outside is lit: the side of lower values.
   bool TwoSided = true;
-  /// Of what light makes of a colour: scale * colour + shift is shown, clamped to [0, 1].
+  /// The shown colour is scale * lit colour + shift, clamped to [0, 1].
   double ColorScale = 1.0, ColorShift = 0.0;
-  bool ColorByAnswer = false; ///< yellow where a frame from the image cache was not served by it
+  bool ColorByAnswer = false; ///< yellow: pixels that the image cache did not serve
 };
 
 inline bool operator==(const Light& a, const Light& b)

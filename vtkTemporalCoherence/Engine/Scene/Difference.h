@@ -15,15 +15,15 @@
 namespace TemporalCoherence
 {
 
-/// How isovalues are computed with beside samples of a type, so that arithmetic neither overflows
-/// nor loses a sign to underflow.
+/// Adapts isovalues to the type of the samples, so that their differences neither overflow nor lose
+/// their sign to underflow.
 ///
-/// Samples but doubles have limits, beyond which isovalues are all alike: an isovalue is moved
-/// there from far outside. They also have a smallest number, below which isovalues that are not 0
-/// are all alike: such an isovalue is moved away from 0. Neither takes it past a sample.
+/// Every type but double has limits. All isovalues beyond a limit meet the same samples, so an
+/// isovalue from far outside is moved to the limit. Every type also has a smallest positive number.
+/// A smaller isovalue that is not 0 is moved away from 0. An isovalue is never moved past a sample.
 ///
-/// Doubles have no such limits. Differences of them are multiplied by a power of two, which changes
-/// no digit and takes the largest of them to where there is room above and below.
+/// Doubles have no such limits. Their differences are multiplied by a power of two. This changes no
+/// digit and leaves room above the largest difference and below it.
 struct IsovalueScale
 {
   /// \tparam T           type of the samples
@@ -58,7 +58,7 @@ struct IsovalueScale
       samples, [&](auto sample) { return For<decltype(sample)>(isovalues, finiteRange); });
   }
 
-  /// An isovalue as it is computed with, in units of samples.
+  /// The adapted isovalue, in units of samples.
   double Moved(double isovalue) const
   {
     const double moved = std::min(std::max(isovalue, -this->Largest), this->Largest);
@@ -85,11 +85,11 @@ struct IsovalueScale
 /// the isovalue, in the type the engine computes with. (Integers beyond 2^53 are rounded to
 /// double.)
 ///
-/// What is not finite stays harmless: differences are clamped to +-R, R being the largest
-/// difference of a finite sample, and NaN reads as -R, below every isovalue.
+/// Infinities and NaN do no harm: differences are clamped to +-R, where R is the largest difference
+/// of a finite sample. NaN counts as -R, below every isovalue.
 ///
-/// A sample that is less than the isovalue has a difference that stays less than 0 in sums of
-/// shares of it: signs survive interpolation, also in arithmetic that takes denormal numbers for 0.
+/// Signs survive interpolation: a difference below 0 stays below 0 when it is multiplied by weights
+/// and summed, even if the hardware flushes denormal numbers to 0.
 template <typename T>
 class Difference
 {
@@ -112,7 +112,7 @@ public:
   {
   }
 
-  /// In units of samples: the isovalue, as the sum of two numbers, and the largest difference from
+  /// In units of samples: the isovalue as the sum of two numbers, and the largest difference from
   /// it.
   std::array<double, 3> Parts() const
   {
@@ -144,7 +144,8 @@ public:
 private:
   static constexpr bool IsScaled = std::is_same_v<T, double>;
 
-  /// Differences less than 0 are no nearer to it: shares of less than this would be denormal.
+  /// Negative differences stay at least this far from 0: parts of a smaller number would be
+  /// denormal.
   static constexpr double Least = 0x1p-960;
 
   static double LimitFor(double largest) { return largest > 0.0 ? largest : 1.0; }

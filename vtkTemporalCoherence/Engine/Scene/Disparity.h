@@ -6,10 +6,9 @@
 namespace TemporalCoherence
 {
 
-/// *Disparity*: how near a point is to a view's camera, in a form that is affine in pixel
-/// coordinates along the picture of a line, so that a walk over pixels needs no division: for a
-/// perspective 1 / depth, for a parallel view -depth. Depth is the world distance along the optical
-/// axis.
+/// *Disparity* tells how near a point is to the camera: 1 / depth in a perspective, -depth in a
+/// parallel view. Along the image of a line it is affine in pixel coordinates, so that a walk over
+/// pixels needs no division. Depth is the world distance along the optical axis.
 inline double DisparityOf(double depth, bool isParallel)
 {
   return isParallel ? -depth : 1.0 / depth;
@@ -20,7 +19,7 @@ inline double DepthOf(double disparity, bool isParallel)
   return isParallel ? -disparity : 1.0 / disparity;
 }
 
-/// Disparity of what is farther than everything, and still a number to compute with.
+/// The disparity of a miss: farther than everything, but finite.
 inline double DisparityOfMiss(bool isParallel)
 {
   return isParallel ? -1e30 : 0.0;

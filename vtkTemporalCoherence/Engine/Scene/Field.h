@@ -38,13 +38,13 @@ enum class Interpolation : std::uint8_t
   Nearest ///< the value of the nearest sample: the field is made of boxes around the samples
 };
 
-/// One component of a regular array of samples, seen in place: nothing is copied or owned.
+/// One component of a regular array of samples. The samples are read in place, not copied or owned.
 ///
 /// Index space: sample (i, j, k) lies at the point (i, j, k); cell (i, j, k) is the box between the
 /// samples (i, j, k) and (i + 1, j + 1, k + 1). The field is defined on the box of all cells.
 ///
-/// That is a *uniform* field. Of another kind the box is the same, but what lies in it is told by
-/// Kind: a rectilinear field has its samples at other coordinates, and others may have no samples.
+/// This describes a *uniform* field. Fields of other kinds fill the same box, and Kind tells what
+/// is in it: a rectilinear field has its samples at other coordinates; others may have no samples.
 struct Field
 {
   const void* Samples = nullptr; ///< address of sample (0, 0, 0) of the chosen component
@@ -57,7 +57,7 @@ struct Field
   /// Cells that hold no surface, whatever their samples; null for none.
   std::shared_ptr<const HiddenCells> Hidden;
 
-  /// True if the samples are too many for a processor's caches: it pays to send for them early.
+  /// True if the samples do not fit into a processor's caches, so that prefetching pays.
   bool IsLarge() const
   {
     constexpr std::int64_t Many = std::int64_t(1) << 25;
@@ -65,7 +65,7 @@ struct Field
       Many;
   }
 
-  /// True where there is at least one cell to look into.
+  /// True if there is at least one cell.
   bool HasCells() const { return glm::all(glm::greaterThan(this->Dimensions, glm::ivec3(1))); }
 };
 
@@ -76,14 +76,14 @@ inline bool operator==(const Field& a, const Field& b)
     AreSame(a.Kind, b.Kind) && a.Hidden == b.Hidden;
 }
 
-/// Where the field lies in the world: index space to world coordinates and back.
-struct Placement
+/// The affine transform from index space to world coordinates, and its inverse.
+struct IndexTransform
 {
   glm::dmat4 WorldFromIndex{ 1.0 };
   glm::dmat4 IndexFromWorld{ 1.0 };
 };
 
-inline bool operator==(const Placement& a, const Placement& b)
+inline bool operator==(const IndexTransform& a, const IndexTransform& b)
 {
   return a.WorldFromIndex == b.WorldFromIndex;
 }

@@ -22,9 +22,9 @@ IndexBox FieldKind::BoxOf(const CellBox& cells) const
   return { glm::dvec3(cells.First), glm::dvec3(cells.First + cells.Size) };
 }
 
-VoxelSize FieldKind::VoxelSizeIn(const Placement& where) const
+VoxelSize FieldKind::VoxelSizeIn(const IndexTransform& transform) const
 {
-  const glm::dmat3 edges(where.WorldFromIndex);
+  const glm::dmat3 edges(transform.WorldFromIndex);
   const double x = glm::length(edges[0]), y = glm::length(edges[1]), z = glm::length(edges[2]);
   const double longest = glm::max(x, glm::max(y, z));
   return { glm::min(x, glm::min(y, z)), longest, longest };

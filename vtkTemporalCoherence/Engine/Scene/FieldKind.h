@@ -19,7 +19,7 @@ struct CellList;
 struct Field;
 struct GradientQuery;
 struct GradientTile;
-struct Placement;
+struct IndexTransform;
 struct RayBatch;
 struct TraceScene;
 
@@ -33,79 +33,80 @@ struct IndexBox
 struct VoxelSize
 {
   double Shortest, Longest; ///< edges of cells
-  double Bend;              ///< the edge in units of which smooth surfaces bend
+  double Bend;              ///< the edge by which the bending of smooth surfaces is measured
 };
 
-/// What a kind of field can give beyond what every kind gives. Where it cannot, a frame takes the
-/// next best route.
+/// What a kind of field can do beyond what every kind must. If it cannot, a frame takes the next
+/// best route.
 struct FieldAbilities
 {
   bool Isomaps = false; ///< it has a BandTracer, and its SurfaceTracer searches the cells of knots
-  bool Samples = false; ///< values lie in memory, at Field::Samples: ranges are made from them
-  bool TimeSteps = false; ///< samples that changed are told from others by fingerprints
+  bool Samples = false; ///< it has samples at Field::Samples, from which value ranges are made
+  bool TimeSteps = false; ///< fingerprints tell which samples changed
 };
 
-/// What frames ask of a field, whatever its cells are. A kind has no state that changes, and fields
-/// share it.
+/// What frames ask of a field, whatever its cells are. A kind is immutable and shared by fields.
 ///
-/// To all kinds belong the box [0, Dimensions - 1] of index space, and in it blocks of cells: the
-/// leaves and nodes of ValueRangePyramid. What a kind has to give is told in terms of blocks and of
-/// tiles of rays; how it finds surfaces in a block is its own. A new kind overrides the pure
-/// functions, and those of the others whose answer is not that of an image.
+/// Every kind fills the box [0, Dimensions - 1] of index space. The box is divided into blocks of
+/// cells, the leaves and nodes of ValueRangePyramid. A kind answers for blocks and for tiles of
+/// rays; how it finds surfaces in a block is its own business. A new kind overrides the pure
+/// virtual functions, and those others whose default, the answer for an image, is wrong for it.
 class FieldKind
 {
 public:
   virtual ~FieldKind() = default;
 
-  /// True if fields that differ in the two kinds alone are the same.
+  /// True if two fields are equal when only their kinds differ.
   virtual bool IsSame(const FieldKind& other) const { return this == &other; }
 
   virtual FieldAbilities Abilities() const { return {}; }
 
-  /// Smallest and largest value that the field may have in a block of cells. Nobody asks kinds with
-  /// samples. The type of a field without is ScalarType::Float64.
+  /// Bounds of the field's values in a block of cells. Only called for kinds without samples. Such
+  /// a field has the type ScalarType::Float64.
   virtual glm::dvec2 RangeIn(const CellBox& cells) const;
 
-  /// True if blocks of equally many cells are boxes of the same size.
+  /// True if all blocks of the same number of cells have the same size in index space.
   virtual bool AreBlocksAlike() const { return true; }
 
-  /// The box that holds a block of cells.
+  /// The box around a block of cells.
   virtual IndexBox BoxOf(const CellBox& cells) const;
 
-  virtual VoxelSize VoxelSizeIn(const Placement& where) const;
+  virtual VoxelSize VoxelSizeIn(const IndexTransform& transform) const;
 
-  /// What finds the first surfaces of tiles of rays, and those behind them. The scene's structures
-  /// outlive it.
+  /// Make a tracer, which finds the first surface along each ray of a tile, and those behind it.
+  /// The scene's structures outlive it.
   /// \throws std::bad_alloc
   virtual std::shared_ptr<const SurfaceTracer> MakeTracer(const TraceScene& scene) const = 0;
 
-  /// What finds the ranges of values along tiles of rays, for isomaps; null: it cannot.
+  /// Make a tracer of value ranges along rays, for isomaps. Null if the kind has no isomaps.
   /// \throws std::bad_alloc
   virtual std::shared_ptr<const BandTracer> MakeBandTracer(const BandScene& scene) const;
 
-  /// Find where rays enter the cells of a list, for isomaps; kinds without are not asked.
+  /// Find where rays enter the cells of a list. Only called for kinds that have isomaps.
   virtual void FindEntries(const RayBatch& rays, CellList& cells) const;
 
   /// Find the gradients of the field at the hits of a tile.
   virtual void FindGradients(const GradientQuery& query, const GradientTile& tile) const = 0;
 
-  /// The normal of the face on which a ray comes into the cells, from outside of the field or out
-  /// of hidden cells: there solids are cut open. \param point, direction of the ray, in index space
-  /// \param nearest faces that are not nearer to the point are left out; gets the distance of the
-  ///                one that is found
-  /// \return of unit length, in index space, against the ray; the zero vector if there is none
+  /// The normal of the face through which a ray enters visible cells, from outside of the field or
+  /// from hidden cells. Solids are capped there.
+  /// \param point, direction of the ray, in index space
+  /// \param nearest faces farther from the point than this are ignored; gets the distance of the
+  ///                face found
+  /// \return in index space, of unit length, facing against the ray; the zero vector if there is
+  /// none
   virtual glm::dvec3 FaceNormal(const Field& field, const glm::dvec3& point,
     const glm::dvec3& direction, double& nearest) const;
 };
 
-/// True if fields that differ in two kinds alone are the same.
+/// The same for two pointers to kinds.
 inline bool AreSame(
   const std::shared_ptr<const FieldKind>& a, const std::shared_ptr<const FieldKind>& b)
 {
   return a == b || a->IsSame(*b);
 }
 
-/// The kind of images: samples lie at whole numbers (Fields/UniformKind.cxx).
+/// The kind of images: samples lie at integer coordinates (Fields/UniformKind.cxx).
 std::shared_ptr<const FieldKind> UniformKind();
 
 }

@@ -3,7 +3,7 @@
 #ifndef TemporalCoherence_Frame_h
 #define TemporalCoherence_Frame_h
 
-#include "Scene/RoomAllocator.h"
+#include "Scene/DefaultInitAllocator.h"
 #include "Scene/Tiles.h"
 
 #include <glm/glm.hpp>
@@ -17,7 +17,7 @@
 namespace TemporalCoherence
 {
 
-/// What is known about a ray before (and how it was answered after) it is traced.
+/// What is known about a ray before it is traced; afterwards, how it was answered.
 enum class Answer : std::uint8_t
 {
   DefiniteMiss, ///< known to meet nothing: not traced
@@ -29,30 +29,31 @@ enum class Answer : std::uint8_t
 enum class HitKind : std::uint8_t
 {
   None,
-  Enters, ///< the field rises to the isovalue: the ray comes from outside
-  Leaves, ///< the field falls below the isovalue: the ray comes from inside
-  Cap,    ///< the ray begins, or leaves hidden cells, in a THRESHOLD solid, which is cut open there
-  Within  ///< it meets none and passes active cells from inside, as far as is known
+  Entry, ///< the field rises to the isovalue: the ray comes from outside
+  Exit,  ///< the field falls below the isovalue: the ray comes from inside
+  Cap, ///< the ray begins in a THRESHOLD solid, or leaves hidden cells in it: the solid is clipped
+       ///< there
+  Within ///< no hit; the ray is inside where it first enters an active cell
 };
 
-/// A surface that a ray meets, seen or seen through.
+/// A surface that a ray meets, opaque or translucent.
 struct LayerHit
 {
   double Depth;       ///< t
   std::int32_t Pixel; ///< position in the planes
   std::int16_t Isovalue;
   HitKind Kind;
-  /// What the pixel shows if nothing behind is seen: RGBA, multiplied by A. That of the last layer
+  /// The composited colour of all layers up to this one: premultiplied RGBA. That of the last layer
   /// is the pixel's colour.
   std::array<std::uint8_t, 4> Color{};
 };
 
 /// One value for each pixel.
 template <typename T>
-using Plane = std::vector<T, RoomAllocator<T>>;
+using Plane = std::vector<T, DefaultInitAllocator<T>>;
 
-/// A finished picture with all that is known about it, one value a pixel in each plane.
-/// Row 0 is the bottom row; pixel (x, y) is at [y * Size.x + x].
+/// A finished picture: planes with one value for each pixel. Row 0 is the bottom row; pixel (x, y)
+/// is at [y * Size.x + x].
 struct Frame
 {
   static constexpr std::int16_t NoSurface = -1;
@@ -60,31 +61,32 @@ struct Frame
   glm::ivec2 Size{ 0 };
   Plane<double> Depth;           ///< t of the hit: world distance along the ray; or infinity
   Plane<float> Disparities;      ///< of the hit, or of a miss (Disparity.h)
-  Plane<float> Contacts;         ///< disparity at which the ray first entered an active cell
+  Plane<float> FirstEntries;     ///< disparity at which the ray first entered an active cell
   Plane<glm::vec3> Normals;      ///< unit normal in the world, facing the viewer; or 0
   Plane<std::int16_t> Isovalues; ///< position of the hit isovalue in the list; or NoSurface
   Plane<HitKind> Kinds;
   Plane<Answer> Answers;
-  Plane<std::array<std::uint8_t, 4>> Colors; ///< RGBA, multiplied by A; 0 where nothing is hit
+  Plane<std::array<std::uint8_t, 4>> Colors; ///< premultiplied RGBA; 0 where nothing is hit
   bool IsFromCache = false;                  ///< answers are those of a cached image
 
-  /// Where surfaces are translucent: all that were seen through each tile, round by round from
-  /// front to back, by pixel in each round. Else empty. Colours are then those of all of them over
-  /// one another; depth, normal and isovalue are those of the first.
+  /// If surfaces are translucent, all layers of each tile: round by round from front to back, and
+  /// by pixel within a round. Empty if surfaces are opaque. Colors holds the composite of all
+  /// layers; depth, normal and isovalue are those of the first.
   std::vector<std::vector<LayerHit>> Layers;
 
-  /// 1 for each tile whose planes are known to hold nothing but definite misses, so that nobody has
-  /// to look into it, or to write what is there already.
+  /// 1 for each tile whose planes are known to hold definite misses only. Such a tile is neither
+  /// read nor written again.
   std::vector<std::uint8_t> ClearTiles;
 
-  /// The list of planes: call visit(plane, miss) for each, a pointer to the member and what it
-  /// holds where nothing is hit. \param disparityOfMiss in the frame's projection
+  /// The list of planes. Calls visit(plane, miss) for each: a pointer to the member, and its value
+  /// where nothing is hit.
+  /// \param disparityOfMiss in the frame's projection
   template <typename Visit>
   static void ForEachPlane(float disparityOfMiss, const Visit& visit)
   {
     visit(&Frame::Depth, std::numeric_limits<double>::infinity());
     visit(&Frame::Disparities, disparityOfMiss);
-    visit(&Frame::Contacts, disparityOfMiss);
+    visit(&Frame::FirstEntries, disparityOfMiss);
     visit(&Frame::Normals, glm::vec3(0.0f));
     visit(&Frame::Isovalues, NoSurface);
     visit(&Frame::Kinds, HitKind::None);
@@ -92,8 +94,8 @@ struct Frame
     visit(&Frame::Colors, std::array<std::uint8_t, 4>{ 0, 0, 0, 0 });
   }
 
-  /// Give every plane room for `size` pixels; contents are not defined afterwards.
-  /// \throws std::bad_alloc, the frame then being empty
+  /// Resize every plane to `size` pixels. Contents are undefined afterwards.
+  /// \throws std::bad_alloc; the frame is then empty
   void Resize(const glm::ivec2& size)
   {
     if (size == this->Size)

@@ -16,23 +16,24 @@ bool AreAlike(const Field& a, const Field& b)
 FrameChange CompareFrames(const FrameKey& last, const FrameKey& next)
 {
   FrameChange change;
-  change.Data =
-    !(last.Samples == next.Samples) || !(last.Where == next.Where) || !(last.Kept == next.Kept);
-  change.Samples = change.Data && last.Where == next.Where && last.Kept == next.Kept &&
+  change.Data = !(last.Samples == next.Samples) || !(last.Transform == next.Transform) ||
+    !(last.Region == next.Region);
+  change.Samples = change.Data && last.Transform == next.Transform && last.Region == next.Region &&
     AreAlike(last.Samples, next.Samples);
-  change.View = !(last.Seen == next.Seen);
-  change.Surfaces = !AreMetAlike(last.Sought, next.Sought);
-  change.Opacity = !change.Surfaces && !(last.Sought == next.Sought);
-  change.Raised = change.Surfaces && last.Sought.Mode == next.Sought.Mode &&
-    last.Sought.Isovalues.size() == 1 && next.Sought.Isovalues.size() == 1 &&
-    next.Sought.Isovalues[0] > last.Sought.Isovalues[0];
-  change.Appearance = !(last.Look == next.Look);
+  change.View = !(last.View == next.View);
+  change.Surfaces = !AreMetAlike(last.Isosurfaces, next.Isosurfaces);
+  change.Opacity = !change.Surfaces && !(last.Isosurfaces == next.Isosurfaces);
+  change.Raised = change.Surfaces && last.Isosurfaces.Mode == next.Isosurfaces.Mode &&
+    last.Isosurfaces.Isovalues.size() == 1 && next.Isosurfaces.Isovalues.size() == 1 &&
+    next.Isosurfaces.Isovalues[0] > last.Isosurfaces.Isovalues[0];
+  change.Appearance = !(last.Appearance == next.Appearance);
   return change;
 }
 
 bool AreHitsOrdered(const FrameKey& key)
 {
-  return key.Kept.IsConvex() && (!key.Samples.Hidden || key.Sought.Mode == SurfaceMode::Threshold);
+  return key.Region.IsConvex() &&
+    (!key.Samples.Hidden || key.Isosurfaces.Mode == SurfaceMode::Threshold);
 }
 
 }

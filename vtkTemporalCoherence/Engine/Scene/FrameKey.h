@@ -12,38 +12,38 @@
 namespace TemporalCoherence
 {
 
-/// Everything that a picture depends on, and nothing else: two frames with equal keys are equal.
+/// Everything that a picture depends on, and nothing else. Two frames with equal keys are equal.
 struct FrameKey
 {
   Field Samples;
-  Placement Where;
-  Region Kept;
-  View Seen;
-  Surfaces Sought;
-  Appearance Look;
+  IndexTransform Transform;
+  TemporalCoherence::Region Region;
+  TemporalCoherence::View View;
+  Surfaces Isosurfaces;
+  TemporalCoherence::Appearance Appearance;
 };
 
-/// True if fields can differ in the values of their samples alone, and fingerprints tell in which.
-/// Where cells are hidden or not alike, nobody asks.
+/// True if two fields can differ in nothing but the values of their samples, so that fingerprints
+/// tell which changed. False if cells are hidden, or if the kind of field has no fingerprints.
 bool AreAlike(const Field& a, const Field& b);
 
 /// What changed between two frames, by part of the key.
 struct FrameChange
 {
-  bool Data = false;    ///< samples, interpolation, their placement in the world, what is cut off
-  bool Samples = false; ///< of the data, only values of samples
+  bool Data = false;    ///< samples, interpolation, transform, region
+  bool Samples = false; ///< of the data, only the values of samples
   bool View = false;
   bool Surfaces = false; ///< isovalues or mode
   bool Opacity = false;
-  bool Raised = false; ///< of the surfaces, only the one isovalue, and upwards
+  bool Raised = false; ///< of the surfaces, only the one isovalue, which is higher now
   bool Appearance = false;
 };
 
 FrameChange CompareFrames(const FrameKey& last, const FrameKey& next);
 
-/// True if no surface of a higher isovalue is met before those of a lower one, from outside. With
-/// CROSSING a ray may come out of hidden cells inside the lower one, having met no surface; and so
-/// may one that leaves the region and comes back.
+/// True if a ray from outside meets a lower isovalue before a higher one. That fails if a ray can
+/// be inside the lower isovalue without having met its surface: with CROSSING behind hidden cells,
+/// and in either mode after it left the region and came back.
 bool AreHitsOrdered(const FrameKey& key);
 
 }

@@ -13,10 +13,10 @@ namespace TemporalCoherence
 namespace
 {
 
-/// Disparities are stored in single precision: they are not trusted beyond this share.
+/// Disparities are stored in single precision: this is their relative error.
 constexpr double DisparityError = 1e-6;
 
-/// How a ray met what it met, as frames tell it.
+/// The kind of a ray's hit as frames store it.
 HitKind KindOf(const HitBatch& hits, std::size_t ray)
 {
   return hits.Kind[ray] == HitKind::None && hits.FromInside[ray] ? HitKind::Within : hits.Kind[ray];
@@ -95,7 +95,7 @@ void StoreHit(const RayBatch& rays, const HitBatch& hits, std::size_t ray, Answe
   const auto pixel = static_cast<std::size_t>(rays.Pixel[ray]);
   frame.Depth[pixel] = hits.Depth[ray];
   frame.Disparities[pixel] = DisparityAt(rays, ray, hits.Depth[ray], isParallel);
-  frame.Contacts[pixel] = DisparityAt(rays, ray, hits.Contact[ray], isParallel);
+  frame.FirstEntries[pixel] = DisparityAt(rays, ray, hits.FirstEntry[ray], isParallel);
   frame.Isovalues[pixel] = hits.Surface[ray];
   frame.Kinds[pixel] = KindOf(hits, ray);
   frame.Answers[pixel] = answer;
@@ -105,12 +105,12 @@ void StoreHits(const RayBatch& rays, const HitBatch& hits, const RayBatch::Array
   bool isParallel, Frame& frame)
 {
   const auto count = static_cast<std::size_t>(rays.Count);
-  RayBatch::Array<float> disparities, contacts;
+  RayBatch::Array<float> disparities, firstEntries;
   RayBatch::Array<HitKind> kinds;
   for (std::size_t i = 0; i < count; ++i)
   {
     disparities[i] = DisparityAt(rays, i, hits.Depth[i], isParallel);
-    contacts[i] = DisparityAt(rays, i, hits.Contact[i], isParallel);
+    firstEntries[i] = DisparityAt(rays, i, hits.FirstEntry[i], isParallel);
     kinds[i] = KindOf(hits, i);
   }
   const auto copy = [&](std::size_t first, auto length)
@@ -118,7 +118,7 @@ void StoreHits(const RayBatch& rays, const HitBatch& hits, const RayBatch::Array
     const auto pixel = static_cast<std::size_t>(rays.Pixel[first]);
     std::copy_n(&hits.Depth[first], length, &frame.Depth[pixel]);
     std::copy_n(&disparities[first], length, &frame.Disparities[pixel]);
-    std::copy_n(&contacts[first], length, &frame.Contacts[pixel]);
+    std::copy_n(&firstEntries[first], length, &frame.FirstEntries[pixel]);
     std::copy_n(&hits.Surface[first], length, &frame.Isovalues[pixel]);
     std::copy_n(&kinds[first], length, &frame.Kinds[pixel]);
     std::copy_n(&answers[first], length, &frame.Answers[pixel]);
@@ -138,18 +138,18 @@ void StoreHits(const RayBatch& rays, const HitBatch& hits, const RayBatch::Array
   }
 }
 
-void BeginAtContacts(const Frame& picture, bool isParallel, RayBatch& rays)
+void BeginAtFirstEntries(const Frame& picture, bool isParallel, RayBatch& rays)
 {
   const auto miss = static_cast<float>(DisparityOfMiss(isParallel));
   for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
   {
     const auto pixel = static_cast<std::size_t>(rays.Pixel[i]);
-    const float contact = picture.Contacts[pixel];
+    const float firstEntry = picture.FirstEntries[pixel];
     const HitKind kind = picture.Kinds[pixel];
-    const bool isKnown = kind == HitKind::Enters || (kind == HitKind::None && contact != miss);
+    const bool isKnown = kind == HitKind::Entry || (kind == HitKind::None && firstEntry != miss);
     if (isKnown)
     {
-      const double t = DepthOf(static_cast<double>(contact), isParallel) * rays.PerDepth[i];
+      const double t = DepthOf(static_cast<double>(firstEntry), isParallel) * rays.PerDepth[i];
       rays.WalkBegin[i] = std::max(rays.WalkBegin[i], t - DisparityError * std::abs(t));
     }
   }

@@ -11,7 +11,7 @@
 namespace TemporalCoherence
 {
 
-/// What the rays of some tiles came to.
+/// Statistics of the rays of some tiles.
 struct TraceCounts
 {
   std::int64_t DefiniteHits = 0;
@@ -19,9 +19,9 @@ struct TraceCounts
   std::int64_t PossibleHits = 0;
   std::int64_t TracedRays = 0;
   std::int64_t CellsRead = 0;
-  std::int64_t QueryTime = 0; ///< nanoseconds spent in asking an image, in tiles that were timed
-  std::int64_t ShadeTime = 0; ///< and in shading
-  std::int64_t TileTime = 0;  ///< and all told
+  std::int64_t QueryTime = 0; ///< nanoseconds to query a cached image, in tiles that were timed
+  std::int64_t ShadeTime = 0; ///< the same for shading
+  std::int64_t TileTime = 0;  ///< the same in total
 
   TraceCounts& operator+=(const TraceCounts& other)
   {
@@ -37,28 +37,29 @@ struct TraceCounts
   }
 };
 
-/// Write a tile through which no surface can be seen into the planes of a frame.
+/// Write a tile in which every ray misses into the planes of a frame.
 /// \param tile number of the tile, `part` its pixels
 /// \param isParallel kind of the projection
 void StoreMisses(std::int64_t tile, const PixelRect& part, bool isParallel, Frame& frame);
 
-/// Copy a tile from an exact picture that shows the same there. Its answers are known then.
+/// Copy a tile from an exact picture that shows the same there. Its answers become definite.
 TraceCounts CopyTile(
   std::int64_t tile, const PixelRect& part, const Frame& from, bool isParallel, Frame& frame);
 
-/// Write what a ray of a batch found into the planes of a frame.
+/// Write the hit of one ray into the planes of a frame.
 void StoreHit(const RayBatch& rays, const HitBatch& hits, std::size_t ray, Answer answer,
   bool isParallel, Frame& frame);
 
-/// Write what all rays of a tile found, likewise. A full batch is a whole tile, row by row.
+/// Write the hits of all rays of a tile. A full batch is a whole tile, row by row.
 void StoreHits(const RayBatch& rays, const HitBatch& hits, const RayBatch::Array<Answer>& answers,
   bool isParallel, Frame& frame);
 
-/// Let the rays of a batch walk from where an exact picture of a lower isovalue shows them to come
-/// to it from below: before that they do not meet what lies above.
-void BeginAtContacts(const Frame& picture, bool isParallel, RayBatch& rays);
+/// Shorten the walks of a batch by an exact picture of a lower isovalue: a ray from outside meets
+/// no higher isovalue before its first active-cell entry of the lower one.
+void BeginAtFirstEntries(const Frame& picture, bool isParallel, RayBatch& rays);
 
-/// Disparity at a distance along a ray of a batch; that of a miss if it is infinite.
+/// Disparity at a distance along a ray of a batch; the disparity of a miss if the distance is
+/// infinite.
 float DisparityAt(const RayBatch& rays, std::size_t ray, double t, bool isParallel);
 
 }

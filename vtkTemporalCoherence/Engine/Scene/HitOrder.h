@@ -13,7 +13,7 @@
 namespace TemporalCoherence
 {
 
-/// A surface on a ray, as far as its place among others goes.
+/// A surface on a ray: what decides its order among others.
 struct MetSurface
 {
   double Distance;
@@ -21,22 +21,22 @@ struct MetSurface
   double Isovalue;
 };
 
-/// True if a ray meets one surface before another, whatever their order in the list of isovalues.
+/// True if a ray meets surface `a` before `b`, whatever their order in the list of isovalues.
 ///
-/// Where the field jumps, as that of the nearest sample does, it passes many isovalues at one
-/// distance: upwards from the lowest, downwards from the highest. A cap comes before what is met
-/// there, that of the highest isovalue first.
+/// Where the field jumps, as with nearest interpolation, it passes several isovalues at one
+/// distance: upwards the lowest comes first, downwards the highest. A cap comes before both; of
+/// several caps, the highest isovalue comes first.
 inline bool IsInFront(const MetSurface& a, const MetSurface& b)
 {
   const auto placeOf = [](const MetSurface& surface)
   {
-    const int rank = surface.Kind == HitKind::Cap ? 0 : surface.Kind == HitKind::Enters ? 1 : 2;
+    const int rank = surface.Kind == HitKind::Cap ? 0 : surface.Kind == HitKind::Entry ? 1 : 2;
     return std::tuple(surface.Distance, rank, rank == 1 ? surface.Isovalue : -surface.Isovalue);
   };
   return placeOf(a) < placeOf(b);
 }
 
-/// True if a ray of a batch meets a surface before what it has hit, if it has hit anything.
+/// True if a ray of a batch meets a surface before its hit, or has no hit.
 inline bool IsInFrontOfHit(const MetSurface& met, const HitBatch& hits, std::size_t ray,
   const std::vector<double>& isovalues)
 {

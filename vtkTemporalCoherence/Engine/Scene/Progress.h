@@ -8,11 +8,11 @@
 namespace TemporalCoherence
 {
 
-/// Called with the share of some work that is done, from 0 to 1; returns false to stop it. Null:
-/// nobody wants to know.
+/// Called with the finished share of some work, from 0 to 1. Returns false to stop the work. May be
+/// null.
 using ReportProgress = std::function<bool(double)>;
 
-/// Progress in one part of some work, as progress of the whole.
+/// Maps the progress of one part of some work to progress of the whole.
 inline ReportProgress PartOf(const ReportProgress& whole, double begin, double end)
 {
   if (!whole)

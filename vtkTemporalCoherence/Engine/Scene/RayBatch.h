@@ -13,22 +13,22 @@
 namespace TemporalCoherence
 {
 
-/// Lanes of the widest vectors that are used. Kernels may read and write arrays up to the end of
-/// the last vector: what they read there must be numbers, what they write means nothing.
+/// Lanes of the widest vectors in use. Kernels may read and write arrays up to the end of the last
+/// vector: they must find finite numbers there, and what they write there has no meaning.
 constexpr std::size_t WidestVector = 16;
 
-/// Elements of the whole vectors that hold `count` of them.
+/// `count`, rounded up to whole vectors.
 constexpr std::size_t WholeVectors(std::size_t count)
 {
   return (count + WidestVector - 1) / WidestVector * WidestVector;
 }
 
-/// The rays of one tile in index space, as arrays over rays, the form that kernels take.
+/// The rays of one tile in index space, as arrays over rays: the form that kernels take.
 ///
-/// A ray is Origin + t Direction with t the world distance, so that a t found in index space needs
-/// no conversion. [Begin, End] is where the ray runs inside the field's box and between the
-/// clipping planes: part of what the picture means. [WalkBegin, WalkEnd] within it is where a
-/// surface can be: it saves time and must not change the result.
+/// A ray is Origin + t Direction. t is the world distance, so that a t found in index space needs
+/// no conversion. In [Begin, End] the ray runs inside the field's box and between the clipping
+/// planes; this determines the picture. [WalkBegin, WalkEnd] lies within it and bounds where a
+/// surface can be; this saves time and must not change the result.
 struct RayBatch
 {
   static constexpr int Capacity = 64;
@@ -42,7 +42,7 @@ struct RayBatch
   Array<double> PerDepth;    ///< t for each unit of depth along the optical axis
   Array<std::int32_t> Pixel; ///< position in the planes of the frame
 
-  /// True if a ray runs through the field, and a surface can be somewhere on it.
+  /// True if a ray runs through the field and may meet a surface.
   bool HasWalk(std::size_t ray) const
   {
     // Without a branch, as nobody could foretell it at silhouettes.
@@ -51,22 +51,22 @@ struct RayBatch
   }
 };
 
-/// Where the rays found their surfaces, as arrays over rays.
+/// The hits of a batch, as arrays over rays.
 struct HitBatch
 {
-  RayBatch::Array<double> Depth;   ///< t, or infinity
-  RayBatch::Array<double> Contact; ///< t where the first active cell is entered, or infinity
-  RayBatch::Array<std::uint8_t> FromInside; ///< 1 if the ray is inside the contact's isovalue there
+  RayBatch::Array<double> Depth;      ///< t, or infinity
+  RayBatch::Array<double> FirstEntry; ///< t where the first active cell is entered, or infinity
+  RayBatch::Array<std::uint8_t> FromInside; ///< 1 if it is inside that cell's isovalue there
   RayBatch::Array<std::int16_t> Surface; ///< position in the list of isovalues, or Frame::NoSurface
   RayBatch::Array<HitKind> Kind;
   std::int64_t CellsRead = 0; ///< cells whose eight samples were read
 
-  /// Nothing is found for the first `count` rays.
+  /// Set the first `count` rays to misses.
   void Clear(int count)
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     std::fill_n(this->Depth.begin(), count, infinity);
-    std::fill_n(this->Contact.begin(), count, infinity);
+    std::fill_n(this->FirstEntry.begin(), count, infinity);
     std::fill_n(this->FromInside.begin(), count, std::uint8_t(0));
     std::fill_n(this->Surface.begin(), count, Frame::NoSurface);
     std::fill_n(this->Kind.begin(), count, HitKind::None);

@@ -39,7 +39,7 @@ bool Region::IsConvex() const
 
 bool operator==(const Region& a, const Region& b)
 {
-  // Planes that cut nothing off do not matter.
+  // Planes that clip nothing do not matter.
   return a.Clips == b.Clips && a.Boxes == b.Boxes &&
     (a.Boxes == Region::AllBoxes || a.Crops == b.Crops);
 }

@@ -12,14 +12,13 @@
 namespace TemporalCoherence
 {
 
-/// The lowest and the highest along each axis of the boxes that cropping keeps; First > Last if it
-/// keeps none.
+/// The range along each axis of the boxes that cropping keeps; First > Last if it keeps none.
 struct BoxRange
 {
   glm::ivec3 First{ 3 }, Last{ -1 };
 };
 
-/// The part of the field in which surfaces are looked for: what clipping planes and cropping leave.
+/// The part of the field that clipping planes and cropping keep. Surfaces are only drawn in it.
 struct Region
 {
   static constexpr std::uint32_t AllBoxes = (1u << 27) - 1u;
@@ -27,17 +26,17 @@ struct Region
   /// Clipping planes in the world, normal and offset: dot(normal, p) + offset >= 0 is kept.
   std::vector<glm::dvec4> Clips;
 
-  /// Cropping planes in index space, the lower and the upper one along each axis, divide the field
-  /// into 27 boxes.
+  /// Cropping planes in index space: the lower and the upper one along each axis. They divide the
+  /// field into 27 boxes.
   std::array<glm::dvec2, 3> Crops{};
-  std::uint32_t Boxes = AllBoxes; ///< one bit for each box that is kept, x + 3 y + 9 z
+  std::uint32_t Boxes = AllBoxes; ///< bit x + 3 y + 9 z is set if that box is kept
 
-  /// True if all of the field is kept.
+  /// True if the whole field is kept.
   bool IsWhole() const { return this->Clips.empty() && this->Boxes == AllBoxes; }
 
   BoxRange RangeOfBoxes() const;
 
-  /// True if the boxes that are kept are together a box (or nothing), so that a ray has one piece.
+  /// True if the kept boxes form one box (or nothing), so that a ray has one piece.
   bool IsConvex() const;
 };
 

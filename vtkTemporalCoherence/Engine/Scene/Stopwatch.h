@@ -8,7 +8,7 @@
 namespace TemporalCoherence
 {
 
-/// Adds the time of its life to a number of seconds.
+/// Adds its lifetime to a number of seconds.
 class Stopwatch
 {
 public:

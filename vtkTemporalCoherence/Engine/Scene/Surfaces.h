@@ -15,30 +15,31 @@ namespace TemporalCoherence
 /// Which crossings of an isovalue are its surface.
 enum class SurfaceMode : std::uint8_t
 {
-  Crossing, ///< the field passes the isovalue, either way; boundaries of the volume are not drawn
-  Threshold ///< the solid where field >= isovalue begins; cut open, it is capped
+  Crossing, ///< the field passes the isovalue in either direction; solids are not capped
+  Threshold ///< the solid where field >= isovalue begins; where it is clipped, it is capped
 };
 
-/// What surfaces are multiplied with in opacity where the field is more or less steep.
+/// Opacity by gradient magnitude. It multiplies the opacity of a surface.
 struct GradientOpacity
 {
-  /// Steepness and opacity in [0, 1], ascending; straight between, constant beyond. Empty: 1.
+  /// Gradient magnitude, ascending, and opacity in [0, 1]. Linear between nodes, constant beyond.
+  /// If empty, the opacity is 1.
   std::vector<glm::dvec2> Nodes;
 
-  /// The gradient is counted in the mean distance of samples: what a step along each axis of index
-  /// space is of it, inverted.
+  /// Scales a gradient of index space to one per mean sample distance: the mean distance over that
+  /// along each axis.
   glm::dvec3 PerStep{ 1.0 };
 
-  double At(double steepness) const
+  double At(double gradientMagnitude) const
   {
-    const auto next = std::upper_bound(this->Nodes.begin(), this->Nodes.end(), steepness,
+    const auto next = std::upper_bound(this->Nodes.begin(), this->Nodes.end(), gradientMagnitude,
       [](double value, const glm::dvec2& node) { return value < node.x; });
     if (next == this->Nodes.begin() || next == this->Nodes.end())
     {
       return next == this->Nodes.begin() ? next->y : (next - 1)->y;
     }
     const glm::dvec2& last = *(next - 1);
-    return last.y + (next->y - last.y) * (steepness - last.x) / (next->x - last.x);
+    return last.y + (next->y - last.y) * (gradientMagnitude - last.x) / (next->x - last.x);
   }
 };
 
@@ -47,22 +48,19 @@ inline bool operator==(const GradientOpacity& a, const GradientOpacity& b)
   return a.Nodes == b.Nodes && (a.Nodes.empty() || a.PerStep == b.PerStep);
 }
 
-/// The surfaces to look for. Order carries no meaning, and no isovalue is there twice.
+/// The isosurfaces to draw. Their order carries no meaning, and no isovalue occurs twice.
 struct Surfaces
 {
   std::vector<double> Isovalues; ///< finite
   SurfaceMode Mode = SurfaceMode::Crossing;
   std::vector<double> Opacities{}; ///< one for each isovalue, in (0, 1]; empty: all are opaque
-  GradientOpacity BySteepness{};
+  GradientOpacity ByGradient{};
 
-  /// True if something can be seen through a surface.
-  bool IsTranslucent() const
-  {
-    return !this->Opacities.empty() || !this->BySteepness.Nodes.empty();
-  }
+  /// True if some surface may be translucent.
+  bool IsTranslucent() const { return !this->Opacities.empty() || !this->ByGradient.Nodes.empty(); }
 };
 
-/// True if rays meet the same surfaces, seen through or not.
+/// True if rays meet the same surfaces, whatever their opacities.
 inline bool AreMetAlike(const Surfaces& a, const Surfaces& b)
 {
   return a.Isovalues == b.Isovalues && a.Mode == b.Mode;
@@ -70,7 +68,7 @@ inline bool AreMetAlike(const Surfaces& a, const Surfaces& b)
 
 inline bool operator==(const Surfaces& a, const Surfaces& b)
 {
-  return AreMetAlike(a, b) && a.Opacities == b.Opacities && a.BySteepness == b.BySteepness;
+  return AreMetAlike(a, b) && a.Opacities == b.Opacities && a.ByGradient == b.ByGradient;
 }
 
 /// Isovalues from Low to High, both included.

@@ -9,8 +9,8 @@
 namespace TemporalCoherence
 {
 
-/// Adds the time of its life to a number of nanoseconds, for one of some tiles: what the stages of
-/// a frame take is told from a sample, as the clock costs as much as a ray.
+/// Adds its lifetime to a number of nanoseconds, but only in one of several tiles: reading the
+/// clock costs as much as a ray, so the stages of a frame are timed by sampling.
 class TileTimer
 {
 public:

@@ -14,8 +14,8 @@ namespace TemporalCoherence
 constexpr int TileBits = 3;
 constexpr int TileSize = 1 << TileBits; ///< pixels along an edge of a tile
 
-/// Neighbouring tiles that one thread takes at a time: enough to share what they read, few enough
-/// to balance the load. Measured by `Benchmark --scenarios routes,threads`.
+/// Neighbouring tiles that one thread takes at a time: enough to share cached data, few enough to
+/// balance the load. Measured by `Benchmark --scenarios routes,threads`.
 constexpr std::int64_t TileGrain = 8;
 
 /// The part of a picture that a stage works on: pixels First .. First + Size - 1.

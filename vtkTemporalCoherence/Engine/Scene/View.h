@@ -8,7 +8,7 @@
 namespace TemporalCoherence
 {
 
-/// Row `r` of a matrix stored by columns, as the plane it is: normal in xyz, offset in w.
+/// Row `r` of a matrix stored by columns, as a plane: normal in xyz, offset in w.
 inline glm::dvec4 RowOf(const glm::dmat4& m, int r)
 {
   return { m[0][r], m[1][r], m[2][r], m[3][r] };
@@ -23,10 +23,10 @@ struct Ray
 
 /// A camera and a viewport of `Size` pixels: one ray through the centre of each pixel.
 ///
-/// Pixel (0, 0) is at the lower left. Both the origin and the (not normalised) direction of a
-/// pixel's ray are linear in the pixel's normalised device coordinates, which holds for every
-/// perspective and parallel projection, off-axis and sheared ones included. A perspective ray
-/// starts at the eye; a parallel ray starts on the plane through the camera's position.
+/// Pixel (0, 0) is at the lower left. The origin and the unnormalised direction of a pixel's ray
+/// are linear in the pixel's normalised device coordinates. This holds for every perspective and
+/// parallel projection, off-axis and sheared ones included. A perspective ray starts at the eye; a
+/// parallel ray starts on the plane through the camera's position.
 struct View
 {
   glm::ivec2 Size{ 0 };
@@ -54,16 +54,17 @@ struct View
   }
 };
 
-/// Build a view from the matrices of a camera. They alone tell whether it is parallel: what a
-/// camera calls parallel may end in a perspective by a transform of the user's. \param
-/// viewFromWorld to camera coordinates: the camera at the origin looks along -z \param clipFromView
-/// projection matrix, to OpenGL clip coordinates \param range         distances of the near and the
-/// far clipping plane, in camera coordinates \param size          viewport in pixels \return false
-/// if the matrices are degenerate: some pixel would have no ray
+/// Build a view from the matrices of a camera. The matrices alone decide whether it is parallel: a
+/// user's transform may turn a camera's parallel projection into a perspective.
+/// \param viewFromWorld to camera coordinates: the camera at the origin looks along -z
+/// \param clipFromView  projection matrix, to OpenGL clip coordinates
+/// \param range         distances of the near and the far clipping plane, in camera coordinates
+/// \param size          viewport in pixels
+/// \return false if the matrices are degenerate: some pixel would have no ray
 bool MakeView(const glm::dmat4& viewFromWorld, const glm::dmat4& clipFromView,
   const glm::dvec2& range, const glm::ivec2& size, View& view);
 
-/// True if both show every world point at the same pixel.
+/// True if both views show every world point at the same pixel.
 bool operator==(const View& a, const View& b);
 
 }

@@ -8,14 +8,14 @@ namespace TemporalCoherence
 {
 
 glm::dvec3 CapNormal(const glm::dvec3& point, const glm::dvec3& direction, const Field& field,
-  const std::vector<glm::dvec4>& cuts)
+  const std::vector<glm::dvec4>& planes)
 {
   double nearest = 1e-3; // cells: what remains of a depth in single precision
   glm::dvec3 cap = field.Kind->FaceNormal(field, point, direction, nearest);
-  for (const glm::dvec4& cut : cuts)
+  for (const glm::dvec4& plane : planes)
   {
-    const glm::dvec3 normal(cut);
-    const double distance = std::abs(glm::dot(normal, point) + cut.w);
+    const glm::dvec3 normal(plane);
+    const double distance = std::abs(glm::dot(normal, point) + plane.w);
     if (distance < nearest)
     {
       nearest = distance;

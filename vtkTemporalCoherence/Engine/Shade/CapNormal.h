@@ -12,14 +12,13 @@
 namespace TemporalCoherence
 {
 
-/// Normal, in index space, of the plane on which a ray finds a solid cut open: a face of the field,
-/// that of a hidden cell that the ray comes from, or a plane that cuts the field. It points against
-/// the ray, and has unit length.
+/// The normal of a cap, in index space: of a face of the field, of a face of the hidden cell that
+/// the ray comes from, or of a plane that clips the field.
 /// \param point, direction of the ray, in index space
-/// \param cuts      planes: normal of unit length, and offset
-/// \return the zero vector if the point is on none of them
+/// \param planes that clip the field: unit normal and offset
+/// \return of unit length, facing against the ray; the zero vector if the point is on none of them
 glm::dvec3 CapNormal(const glm::dvec3& point, const glm::dvec3& direction, const Field& field,
-  const std::vector<glm::dvec4>& cuts);
+  const std::vector<glm::dvec4>& planes);
 
 }
 

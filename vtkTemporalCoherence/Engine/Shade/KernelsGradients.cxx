@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shade/KernelsGradients.h"
 
-// This file is compiled once for each kind of vectors, and what runs is chosen by the machine.
+// This file is compiled once for each kind of vectors. The best one for the machine is chosen at
+// run time.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "Shade/KernelsGradients.cxx"
 #include <hwy/foreach_target.h>
@@ -19,8 +20,8 @@ namespace HWY_NAMESPACE
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Share of a voxel by which a nearest-neighbour hit is moved on, from a face between two samples
-/// into the box of the sample that the ray enters.
+/// Share of a voxel by which a hit of nearest interpolation is moved along the ray, from the face
+/// between two samples into the box of the sample that the ray enters.
 constexpr double IntoNextBox = 1e-2;
 
 template <class V>
@@ -57,7 +58,7 @@ HWY_INLINE void FindAllCells(
   using V = hn::Vec<decltype(d)>;
   const V zero = hn::Zero(d), one = hn::Set(d, 1.0), half = hn::Set(d, 0.5);
   const glm::dmat4& m = space.IndexFromWorld;
-  // As far as the widest vectors of Real reach.
+  // Up to the end of the widest vectors of Real.
   for (std::size_t i = 0; i < WholeVectors(found.Count); i += hn::Lanes(d))
   {
     const V x = hn::LoadU(d, &points[0][i]), y = hn::LoadU(d, &points[1][i]),
@@ -96,8 +97,8 @@ HWY_INLINE void FindAllCells(
   }
 }
 
-/// Sample `Index` of the `Count` samples of `Bits` bits in the low part of 32-bit lanes, the sign
-/// being that of the lanes.
+/// Sample `Index` of the `Count` samples of `Bits` bits that are packed into 32-bit lanes, signed
+/// if the lanes are.
 template <int Bits, int Count, int Index, class V>
 HWY_INLINE V Unpack(V words)
 {
@@ -110,24 +111,24 @@ HWY_INLINE V Unpack(V words)
   return hn::ShiftRight<32 - Bits>(hn::ShiftLeft<Above>(words));
 }
 
-/// How rows become vectors, one for each sample of the row, and vectors differences: integers that
-/// fit into 16 bits are subtracted before they are made floats, which is exact.
-template <typename Kept>
+/// Loads rows as vectors, one for each sample of the row, and subtracts them. Integers of up to 16
+/// bits are subtracted before they are converted to float, which is exact.
+template <typename Stored>
 struct IntegerRowLoader
 {
   using D = hn::CappedTag<float, WidestVector>;
-  using Lane = std::conditional_t<std::is_signed_v<Kept>, std::int32_t, std::uint32_t>;
+  using Lane = std::conditional_t<std::is_signed_v<Stored>, std::int32_t, std::uint32_t>;
   using DW = hn::Rebind<Lane, D>;
   using V = hn::Vec<DW>;
-  static constexpr int Bits = 8 * sizeof(Kept);
+  static constexpr int Bits = 8 * sizeof(Stored);
 
-  HWY_INLINE IntegerRowLoader(const RowBatch<Kept>&, std::size_t) {}
+  HWY_INLINE IntegerRowLoader(const RowBatch<Stored>&, std::size_t) {}
 
-  HWY_INLINE void Load(const std::array<Kept, 4>* rows, V out[4]) const
+  HWY_INLINE void Load(const std::array<Stored, 4>* rows, V out[4]) const
   {
     const DW dw;
     const auto* words = reinterpret_cast<const Lane*>(rows);
-    if constexpr (sizeof(Kept) == 1)
+    if constexpr (sizeof(Stored) == 1)
     {
       const V all = hn::LoadU(dw, words);
       out[0] = Unpack<Bits, 4, 0>(all);
@@ -146,11 +147,11 @@ struct IntegerRowLoader
     }
   }
 
-  HWY_INLINE void Load(const std::array<Kept, 2>* rows, V out[2]) const
+  HWY_INLINE void Load(const std::array<Stored, 2>* rows, V out[2]) const
   {
     const DW dw;
     V both;
-    if constexpr (sizeof(Kept) == 1)
+    if constexpr (sizeof(Stored) == 1)
     {
       const hn::Rebind<hwy::MakeNarrow<Lane>, DW> dn;
       both = hn::PromoteTo(dw, hn::LoadU(dn, reinterpret_cast<const hwy::MakeNarrow<Lane>*>(rows)));
@@ -170,22 +171,23 @@ struct IntegerRowLoader
   }
 };
 
-/// Numbers that may be large or not finite: differences from the isovalue are taken first.
-template <typename Kept>
+/// The same for numbers that may be large or not finite: differences from the isovalue are taken
+/// first.
+template <typename Stored>
 struct RealRowLoader
 {
   using D = hn::CappedTag<double, WidestVector / 2>;
-  using DK = hn::Rebind<Kept, D>;
+  using DK = hn::Rebind<Stored, D>;
   using V = hn::Vec<D>;
 
-  HWY_INLINE RealRowLoader(const RowBatch<Kept>& rows, std::size_t i)
+  HWY_INLINE RealRowLoader(const RowBatch<Stored>& rows, std::size_t i)
     : High(hn::LoadU(D(), &rows.High[i]))
     , Low(hn::LoadU(D(), &rows.Low[i]))
     , Limit(hn::LoadU(D(), &rows.Limit[i]))
   {
   }
 
-  HWY_INLINE void Load(const std::array<Kept, 4>* rows, V out[4]) const
+  HWY_INLINE void Load(const std::array<Stored, 4>* rows, V out[4]) const
   {
     hn::Vec<DK> a, b, c, e;
     hn::LoadInterleaved4(DK(), rows->data(), a, b, c, e);
@@ -195,7 +197,7 @@ struct RealRowLoader
     out[3] = this->FromIsovalue(e);
   }
 
-  HWY_INLINE void Load(const std::array<Kept, 2>* rows, V out[2]) const
+  HWY_INLINE void Load(const std::array<Stored, 2>* rows, V out[2]) const
   {
     hn::Vec<DK> a, b;
     hn::LoadInterleaved2(DK(), rows->data(), a, b);
@@ -210,7 +212,7 @@ private:
   HWY_INLINE V FromIsovalue(hn::Vec<DK> samples) const
   {
     V value;
-    if constexpr (sizeof(Kept) == 8)
+    if constexpr (sizeof(Stored) == 8)
     {
       value = samples;
     }
@@ -227,9 +229,9 @@ private:
   V High, Low, Limit;
 };
 
-template <typename Kept>
+template <typename Stored>
 using RowLoader =
-  std::conditional_t<std::is_integral_v<Kept>, IntegerRowLoader<Kept>, RealRowLoader<Kept>>;
+  std::conditional_t<std::is_integral_v<Stored>, IntegerRowLoader<Stored>, RealRowLoader<Stored>>;
 
 HWY_INLINE hn::Vec<hn::CappedTag<float, WidestVector>> LoadWhole(
   hn::CappedTag<float, WidestVector> d, const std::int32_t* from)
@@ -242,8 +244,8 @@ HWY_INLINE hn::Vec<hn::CappedTag<double, WidestVector / 2>> LoadWhole(
   return hn::PromoteTo(d, hn::LoadU(hn::Rebind<std::int32_t, decltype(d)>(), from));
 }
 
-/// Weights of what is interpolated along an axis: of values at the first and at the second corner,
-/// and the same of their differences between neighbours, which lie one or two samples apart.
+/// Weights for interpolation along an axis: of the values at the first and the second corner, and
+/// the same over the distance of the samples that are subtracted, one or two steps.
 template <class V>
 struct AxisWeights
 {
@@ -268,8 +270,8 @@ HWY_INLINE AxisWeights<hn::Vec<D>> WeightsAlong(
   return weights;
 }
 
-/// One component of the gradients: differences on the four edges of the cell along an axis,
-/// interpolated across it, first between 0 and 1, 2 and 3, then between these.
+/// One component of the gradients: the differences on the four edges of the cell along an axis,
+/// interpolated between edges 0 and 1, 2 and 3, and then between these.
 template <class V>
 HWY_INLINE V Across(const V edges[4], const AxisWeights<V>& u, const AxisWeights<V>& v)
 {
@@ -296,11 +298,11 @@ HWY_INLINE void StoreAsDoubles(
   }
 }
 
-template <typename Kept, typename Real>
+template <typename Stored, typename Real>
 HWY_INLINE void InterpolateAll(const glm::ivec3& dimensions, const CellPoints<Real>& points,
-  const RowBatch<Kept>& rows, Vectors& gradients)
+  const RowBatch<Stored>& rows, Vectors& gradients)
 {
-  using Loader = RowLoader<Kept>;
+  using Loader = RowLoader<Stored>;
   const typename Loader::D d;
   using V = hn::Vec<decltype(d)>;
   for (std::size_t i = 0; i < points.Count; i += hn::Lanes(d))

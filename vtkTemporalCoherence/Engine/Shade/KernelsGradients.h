@@ -13,8 +13,8 @@
 namespace TemporalCoherence
 {
 
-/// Gradients of a field at points, in vectors of the widest kind that the machine has. The results
-/// are the same to the last bit on all of them.
+/// Gradients of a field at points, in the widest vectors of the machine. Every kind of vectors
+/// gives bit-identical results.
 namespace GradientKernels
 {
 
@@ -22,21 +22,22 @@ template <typename T>
 using Array = RayBatch::Array<T>;
 using Vectors = std::array<Array<double>, 3>; ///< by axis
 
-/// The cells of a field as points in the world see them.
+/// The cells of a field, and how to find them from points in the world.
 struct CellSpace
 {
   glm::dmat4 IndexFromWorld{ 1.0 };
   glm::ivec3 Dimensions{ 0 }; ///< samples along each axis
-  bool IsNearest = false;     ///< points are moved on into the box of the sample that a ray enters
+  bool IsNearest =
+    false; ///< points are moved along the ray, into the box of the sample that it enters
 };
 
-/// Points in the cells that hold them. `Real` is what the field's samples are computed in.
+/// Points and their cells. `Real` is the type in which samples are computed with.
 template <typename Real>
 struct CellPoints
 {
   std::size_t Count = 0;
   std::array<Array<std::int32_t>, 3> Cell; ///< its first corner
-  std::array<Array<Real>, 3> At;           ///< position in the cell; 0 or 1 where samples rule
+  std::array<Array<Real>, 3> At; ///< position in the cell; 0 or 1 with nearest interpolation
 };
 
 /// Find the cells of points.
@@ -46,28 +47,28 @@ void FindCells(const CellSpace& space, const Vectors& directions, const Vectors&
 void FindCells(const CellSpace& space, const Vectors& directions, const Vectors& points,
   CellPoints<double>& found);
 
-/// Samples are kept as they are, four or two in a row, but for integers of which a vector cannot
-/// make doubles.
+/// The type in which samples are stored, four or two in a row: their own, except for integers that
+/// vectors cannot convert to double.
 template <typename T>
-using KeptAs = std::conditional_t<std::is_integral_v<T> && (sizeof(T) > 2), double, T>;
+using StoredAs = std::conditional_t<std::is_integral_v<T> && (sizeof(T) > 2), double, T>;
 
-/// The samples around points that central differences need, by rows along x.
-template <typename Kept>
+/// The samples around points, for central differences, in rows along x.
+template <typename Stored>
 struct RowBatch
 {
-  /// The rows of the cell, from the sample before it to the one behind it, [y + 2 z].
-  std::array<Array<std::array<Kept, 4>>, 4> Along;
+  /// The rows of the cell, from the sample before it to the one behind it: [y + 2 z].
+  std::array<Array<std::array<Stored, 4>>, 4> Along;
   /// The rows beside the cell: [0, 1] before it in y, [2, 3] behind it, at both z; [4, 5] before it
   /// in z, [6, 7] behind it, at both y.
-  std::array<Array<std::array<Kept, 2>>, 8> Beside;
-  /// Where samples may be no finite numbers: isovalue, as a sum of two numbers, and largest
-  /// difference from it (Surfaces.h). Not used by narrow integers.
+  std::array<Array<std::array<Stored, 2>>, 8> Beside;
+  /// For samples that may not be finite: the isovalue, as a sum of two numbers, and the largest
+  /// difference from it (Difference.h). Not used by narrow integers.
   Array<double> High, Low, Limit;
 };
 
-/// Central differences at the corners of cells, one-sided at the ends of the field, interpolated to
-/// the points.
-/// \param gradients found: per index step
+/// Find gradients: central differences at the corners of cells, one-sided at the boundary of the
+/// field, interpolated to the points.
+/// \param gradients result, per index step
 void InterpolateGradients(const glm::ivec3& dimensions, const CellPoints<float>& points,
   const RowBatch<std::uint8_t>& rows, Vectors& gradients);
 void InterpolateGradients(const glm::ivec3& dimensions, const CellPoints<float>& points,

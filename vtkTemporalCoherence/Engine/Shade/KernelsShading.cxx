@@ -6,7 +6,8 @@
 #include <cmath>
 #include <limits>
 
-// This file is compiled once for each kind of vectors, and what runs is chosen by the machine.
+// This file is compiled once for each kind of vectors. The best one for the machine is chosen at
+// run time.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "Shade/KernelsShading.cxx"
 #include <hwy/foreach_target.h>
@@ -23,7 +24,7 @@ namespace HWY_NAMESPACE
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Squares of shorter vectors may vanish.
+/// The squares of shorter vectors may underflow.
 constexpr double TooShortToSquare = 1e-140;
 
 using Doubles = hn::CappedTag<double, WidestVector / 2>;
@@ -79,18 +80,18 @@ void FacingNormalsOf(std::size_t count, const glm::dmat3& m,
             gz = hn::LoadU(d, &gradients[2][i]);
     const V rx = hn::LoadU(d, &rays[0][i]), ry = hn::LoadU(d, &rays[1][i]),
             rz = hn::LoadU(d, &rays[2][i]);
-    // Scaled first: squares of very small or large components would leave the range of numbers.
+    // Scale first: the squares of very small or large components would underflow or overflow.
     const V largest = hn::Max(hn::Abs(gx), hn::Max(hn::Abs(gy), hn::Abs(gz)));
-    const auto isSteep = hn::Ge(largest, smallest);
-    const V scale = hn::Div(one, hn::IfThenElse(isSteep, largest, one));
+    const auto hasGradient = hn::Ge(largest, smallest);
+    const V scale = hn::Div(one, hn::IfThenElse(hasGradient, largest, one));
     const V x = hn::Mul(gx, scale), y = hn::Mul(gy, scale), z = hn::Mul(gz, scale);
     const auto inWorld = [&](int axis) HWY_ATTR {
       return Dot(hn::Set(d, m[0][axis]), hn::Set(d, m[1][axis]), hn::Set(d, m[2][axis]), x, y, z);
     };
     const V nx = inWorld(0), ny = inWorld(1), nz = inWorld(2);
-    // The same once more, but only where it is needed: others keep all of their digits.
+    // Scale once more, but only where necessary: the others keep all of their digits.
     const V longest = hn::Max(hn::Abs(nx), hn::Max(hn::Abs(ny), hn::Abs(nz)));
-    const auto hasNormal = hn::And(isSteep, hn::Ge(longest, smallest));
+    const auto hasNormal = hn::And(hasGradient, hn::Ge(longest, smallest));
     const auto isFarFromOne = hn::And(hasNormal, hn::Lt(longest, hn::Set(d, TooShortToSquare)));
     const V closer = hn::Div(one, hn::IfThenElse(isFarFromOne, longest, one));
     const V wx = hn::IfThenElse(hasNormal, hn::Mul(nx, closer), rx);
@@ -105,7 +106,7 @@ void FacingNormalsOf(std::size_t count, const glm::dmat3& m,
   }
 }
 
-/// Raises numbers in [0, 1] to a power; what is 0 stays 0.
+/// Raises numbers in [0, 1] to a power. 0 stays 0.
 class Raiser
 {
 public:
@@ -149,7 +150,7 @@ private:
   }
 
   float Power;
-  int Whole; ///< the power if it is a whole number that squares reach soon; else 0
+  int Whole; ///< the power if it is an integer that few multiplications reach; else 0
 };
 
 void AddLightTo(const RayPoints& rays, PhongSums& sums)
@@ -241,8 +242,8 @@ void FindFacingNormals(std::size_t count, const glm::dmat3& worldFromGradient,
   const std::array<Array<double>, 3>& gradients, const std::array<Array<double>, 3>& rays,
   Array<std::array<float, 3>>& normals)
 {
-  // Lengths do not matter. A power of two takes the largest number of the matrix to 1 and changes
-  // no digit.
+  // Lengths do not matter. Scale the largest number of the matrix to about 1 by a power of two,
+  // which changes no digit.
   double largest = 0.0;
   for (int i = 0; i < 9; ++i)
   {

@@ -10,32 +10,32 @@
 namespace TemporalCoherence
 {
 
-/// What is done to all hits of a tile alike, in vectors of the widest kind that the machine has.
-/// The results are the same to the last bit on all of them. Arrays are read and written as far as
-/// to the end of the last vector.
+/// Kernels that shade the hits of a tile, in the widest vectors of the machine. Every kind of
+/// vectors gives bit-identical results. Arrays are read and written up to the end of the last
+/// vector.
 namespace ShadingKernels
 {
 
 template <typename T>
 using Array = RayBatch::Array<T>;
 
-/// Rays, and points at t along them.
+/// Rays, and the points at t along them.
 struct RayPoints
 {
   std::size_t Count = 0;
   Array<double> X, Y; ///< normalised device coordinates
   Array<double> T;
-  /// Of any length, linear in X and Y: [0] + X [1] + Y [2].
+  /// Of any length, and linear in X and Y: [0] + X [1] + Y [2].
   std::array<glm::dvec3, 3> LinearDirection, LinearOrigin;
-  std::array<Array<double>, 3> Direction, Point; ///< found; directions have unit length
+  std::array<Array<double>, 3> Direction, Point; ///< result; directions have unit length
   std::array<Array<float>, 3> FloatDirection;    ///< the same, rounded
 };
 void FindRayPoints(RayPoints& rays);
 
-/// Unit normals that face the viewer, from gradients. Where there is no gradient the surface is
+/// Make unit normals that face the viewer from gradients. Where the gradient is 0, the surface is
 /// taken to face the viewer.
 /// \param rays    unit directions
-/// \param normals found
+/// \param normals result
 void FindFacingNormals(std::size_t count, const glm::dmat3& worldFromGradient,
   const std::array<Array<double>, 3>& gradients, const std::array<Array<double>, 3>& rays,
   Array<std::array<float, 3>>& normals);
@@ -51,13 +51,13 @@ struct PhongSums
   bool IsPositional = false;
   std::array<float, 3> Toward;         ///< unit vector to a light that is not positional
   std::array<Array<float>, 3> ToLight; ///< unit vectors to a positional one
-  Array<float> Share;                  ///< of its light that arrives
+  Array<float> Share;                  ///< share of its light that arrives
   std::array<float, 3> Diffuse, Specular;
   double Power = 1.0;
 };
 void AddLight(const RayPoints& rays, PhongSums& sums);
 
-/// Opaque colours of the sums, RGBA.
+/// Convert the sums to opaque RGBA colours.
 void RoundColors(const PhongSums& sums, Array<std::array<std::uint8_t, 4>>& colors);
 
 }

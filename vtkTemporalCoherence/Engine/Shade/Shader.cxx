@@ -32,7 +32,7 @@ glm::dvec3 At(const std::array<Array<double>, 3>& vectors, std::size_t i)
   return { vectors[0][i], vectors[1][i], vectors[2][i] };
 }
 
-/// Where a solid is cut open, take the normal of the plane that cuts it for the gradient.
+/// On caps, replace the gradient by the normal of the plane that clips the solid.
 void TakeFacesAtCaps(
   const NormalSource& source, const HitList& hits, std::array<Array<double>, 3>& gradients)
 {
@@ -40,16 +40,16 @@ void TakeFacesAtCaps(
   {
     if (hits.Kind[i] == HitKind::Cap)
     {
-      const glm::dvec3 point(source.Where.IndexFromWorld * glm::dvec4(At(hits.Rays.Point, i), 1.0));
+      const glm::dvec3 point(
+        source.Transform.IndexFromWorld * glm::dvec4(At(hits.Rays.Point, i), 1.0));
       const glm::dvec3 direction(
-        source.Where.IndexFromWorld * glm::dvec4(At(hits.Rays.Direction, i), 0.0));
-      Set(gradients, i, CapNormal(point, direction, source.Samples, source.Cuts));
+        source.Transform.IndexFromWorld * glm::dvec4(At(hits.Rays.Direction, i), 0.0));
+      Set(gradients, i, CapNormal(point, direction, source.Samples, source.CapPlanes));
     }
   }
 }
 
-/// Repeat the last element up to the end of the last vector, so that no lane holds what is not a
-/// number.
+/// Repeat the last element up to the end of the last vector, so that no lane is uninitialised.
 template <typename T>
 void FillLastVector(std::size_t count, Array<T>& array)
 {
@@ -57,7 +57,7 @@ void FillLastVector(std::size_t count, Array<T>& array)
     array.begin() + static_cast<std::ptrdiff_t>(WholeVectors(count)), array[count - 1]);
 }
 
-/// What arrives of a positional light at a point, and the direction it comes from.
+/// The share of a positional light that arrives at a point, and the direction it comes from.
 double ShareAt(const Light& light, const glm::dvec3& point, glm::dvec3& toLight)
 {
   const glm::dvec3 fromLight = point - light.Position;
@@ -80,8 +80,8 @@ double ShareAt(const Light& light, const glm::dvec3& point, glm::dvec3& toLight)
   return share;
 }
 
-/// The largest share of a light that keeps sums of its terms far within the range of floats,
-/// however near the light is to a surface.
+/// The largest share of a light. It keeps the sums far within the range of floats, however near the
+/// light is to a surface.
 double LargestShare(const ShadingKernels::PhongSums& sums)
 {
   constexpr double LargestTerm = 1e30;
@@ -129,12 +129,12 @@ void AddLight(const Appearance& appearance, const Light& light, const HitList& h
   ShadingKernels::AddLight(hits.Rays, sums);
 }
 
-/// Turn the normals of surfaces that are seen from inside, which face the viewer, to the outside.
+/// Turn the normals of surfaces seen from inside to the outside.
 void TurnOutside(const HitList& hits, ShadingKernels::PhongSums& sums)
 {
   for (std::size_t i = 0; i < sums.Count; ++i)
   {
-    if (hits.Kind[i] == HitKind::Leaves)
+    if (hits.Kind[i] == HitKind::Exit)
     {
       for (float& component : sums.Normal[i])
       {
@@ -144,7 +144,7 @@ void TurnOutside(const HitList& hits, ShadingKernels::PhongSums& sums)
   }
 }
 
-/// What hits look like without light from anywhere.
+/// Colours of hits without any light.
 void BeginSums(const Appearance& appearance, const HitList& hits, ShadingKernels::PhongSums& sums)
 {
   const auto ambient = static_cast<float>(appearance.Shade ? appearance.Ambient : 1.0);
@@ -179,7 +179,7 @@ void BeginSums(const Appearance& appearance, const HitList& hits, ShadingKernels
   }
 }
 
-/// The last thing that is done to colours.
+/// Apply scale and shift to colours.
 void ScaleSums(const Appearance& appearance, ShadingKernels::PhongSums& sums)
 {
   const auto scale = static_cast<float>(appearance.ColorScale);
@@ -192,7 +192,7 @@ void ScaleSums(const Appearance& appearance, ShadingKernels::PhongSums& sums)
   }
 }
 
-/// Normalised device coordinates of the columns and rows of a part.
+/// Normalised device coordinates of the columns and rows of a part of the picture.
 struct PixelCentres
 {
   PixelCentres(const View& view, const PixelRect& part)
@@ -210,7 +210,7 @@ struct PixelCentres
   Array<double> X, Y;
 };
 
-/// Sorts the pixels of a part into hits and misses, row by row.
+/// Sorts the pixels of a part of the picture into hits and misses, row by row.
 class PixelSorter
 {
 public:
@@ -276,8 +276,8 @@ private:
     std::size_t hitCount = this->Hits.Rays.Count, missCount = 0;
     for (std::size_t i = 0; i < count; ++i)
     {
-      // Without branches, as nobody could foretell them at silhouettes: every pixel is written to
-      // the end of both lists, and at most one of them grows.
+      // Without branches, which would be mispredicted at silhouettes: every pixel is written to the
+      // end of both lists, and at most one of them grows.
       const std::size_t pixel = first + i;
       const bool isMiss = this->Planes.Isovalues[pixel] == Frame::NoSurface;
       const bool isKnown =
@@ -345,14 +345,14 @@ void ComputeNormals(
   const auto count = hits.Rays.Count;
   std::array<Array<double>, 3> gradients;
   IndexGradients(
-    { source.Samples, source.Where.IndexFromWorld, source.FiniteRange, &source.Isovalues },
+    { source.Samples, source.Transform.IndexFromWorld, source.FiniteRange, &source.Isovalues },
     { count, hits.Rays.Point, hits.Rays.Direction, hits.Surface, gradients });
   if (gradientsFound)
   {
     *gradientsFound = gradients;
   }
   TakeFacesAtCaps(source, hits, gradients);
-  const glm::dmat3 worldFromGradient = glm::transpose(glm::dmat3(source.Where.IndexFromWorld));
+  const glm::dmat3 worldFromGradient = glm::transpose(glm::dmat3(source.Transform.IndexFromWorld));
   ShadingKernels::FindFacingNormals(
     count, worldFromGradient, gradients, hits.Rays.Direction, hits.Normal);
 }
@@ -417,7 +417,7 @@ void PaintAnswers(const Appearance& appearance, const HitList& hits, Frame& fram
   for (std::size_t i = 0; i < hits.Rays.Count; ++i)
   {
     const auto pixel = static_cast<std::size_t>(hits.Pixel[i]);
-    // Where all that is met is too faint to be seen, there is nothing to paint.
+    // If all layers are too faint to be visible, there is nothing to paint.
     if (frame.Answers[pixel] == Answer::PossibleHit && frame.Isovalues[pixel] != Frame::NoSurface)
     {
       frame.Colors[pixel] = Yellow;

@@ -30,46 +30,47 @@ struct HitList
   Array<std::array<float, 3>> Normal;
 };
 
-/// Where the hits of a picture get their normals from.
+/// The field and the planes from which normals are computed.
 struct NormalSource
 {
   Field Samples;
-  Placement Where;
-  std::vector<glm::dvec4> Cuts; ///< planes that cut solids open: RegionCutter::Planes
+  IndexTransform Transform;
+  std::vector<glm::dvec4> CapPlanes; ///< planes where solids are capped: RegionClipper::Planes
   std::vector<double> Isovalues;
   glm::dvec2 FiniteRange{ 0.0 };
 };
 
-/// Gather the hits of a part of at most RayBatch::Capacity pixels, and clear normals and colours of
-/// the misses.
-/// \param withDefiniteHits false: leave those out, as their colours are known already
+/// Gather the hits of a part of at most RayBatch::Capacity pixels, and clear the normals and
+/// colours of misses.
+/// \param withDefiniteHits false: skip definite hits, whose colours are known already
 void GatherHits(
   const View& view, const PixelRect& part, bool withDefiniteHits, Frame& frame, HitList& hits);
 
-/// Find the points of the hits of a list on the rays of a view, once it has pixels and distances.
+/// Find the points of hits on the rays of a view. The list must have pixels and distances.
 void FindHitPoints(const View& view, HitList& hits);
 
-/// Fill the normals of hits. Pure: depths and surfaces decide normals, whatever route made them.
+/// Find the normals of hits. They depend on depths and surfaces alone, not on the route.
 /// \param gradients gets the gradients of the field, per index step; may be null
 void ComputeNormals(const NormalSource& source, HitList& hits,
   std::array<RayBatch::Array<double>, 3>* gradients = nullptr);
 
-/// Copy the normals of hits to and from the planes of a frame.
+/// Copy the normals of hits to the planes of a frame, and back.
 void StoreNormals(const HitList& hits, Frame& frame);
 void LoadNormals(const Frame& frame, HitList& hits);
 
 /// Find the colours of hits from their positions and normals.
 ///
 /// VTK's Phong model: ambient light is the surface's own colour; each light adds a diffuse term
-/// max(0, N.L) and a specular term max(0, R.V)^power, R being the light mirrored at the normal
-/// (vtkVolumeShaderComposer of VTK 9.2 and later). Normals face the viewer, as for polygons; where
-/// lighting is not two-sided they face outside.
+/// max(0, N.L) and a specular term max(0, R.V)^power, where R is the light mirrored at the normal
+/// (vtkVolumeShaderComposer of VTK 9.2 and later). Normals face the viewer, as for polygons; if
+/// lighting is one-sided, they face outside.
 void SumLight(const Appearance& appearance, const HitList& hits, ShadingKernels::PhongSums& sums);
 
-/// The same, to the colours of a frame: opaque, and yellow where the appearance asks for it.
+/// The same, writing the opaque colours of a frame. Pixels are yellow where the appearance asks for
+/// it.
 void ShadeHits(const Appearance& appearance, const HitList& hits, Frame& frame);
 
-/// Paint the pixels of hits that a cached image did not serve, if the appearance asks for it.
+/// Paint the hits that a cached image did not serve yellow, if the appearance asks for it.
 void PaintAnswers(const Appearance& appearance, const HitList& hits, Frame& frame);
 
 }

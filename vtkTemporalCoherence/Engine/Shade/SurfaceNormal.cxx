@@ -18,16 +18,17 @@ namespace TemporalCoherence
 namespace
 {
 
-/// Points by which samples are prefetched. Measured by `Benchmark --scenarios routes`, shading.
+/// How many points ahead samples are prefetched. Measured by `Benchmark --scenarios routes`,
+/// shading.
 constexpr std::size_t Ahead = 6;
 
-/// Gathers the rows of samples that central differences around points need.
+/// Gathers the rows of samples for central differences around points.
 template <typename T>
 class RowGatherer
 {
 public:
-  using Kept = GradientKernels::KeptAs<T>;
-  using Rows = GradientKernels::RowBatch<Kept>;
+  using Stored = GradientKernels::StoredAs<T>;
+  using Rows = GradientKernels::RowBatch<Stored>;
   using Points = GradientKernels::CellPoints<RealOf<T>>;
 
   explicit RowGatherer(const Field& field)
@@ -39,10 +40,10 @@ public:
   void Gather(const Points& points, Rows& rows) const
   {
     ClearLastVector(points.Count, rows);
-    // A copy: samples may be of a type whose stores could change anything that is not local.
+    // A local copy: stores of a character type may alias anything that is not local.
     const TypedField<T> samples = this->Samples;
     const bool isLarge = this->IsLarge;
-    const bool isPacked = std::is_same_v<T, Kept> && samples.Strides.x == 1;
+    const bool isPacked = std::is_same_v<T, Stored> && samples.Strides.x == 1;
     for (std::size_t i = 0; i < points.Count; ++i)
     {
       if (isLarge)
@@ -67,28 +68,28 @@ private:
     return { points.Cell[0][i], points.Cell[1][i], points.Cell[2][i] };
   }
 
-  /// So that no lane holds what is not a number.
+  /// So that no lane is uninitialised.
   static void ClearLastVector(std::size_t count, Rows& rows)
   {
     const auto begin = static_cast<std::ptrdiff_t>(WholeVectors(count) - WidestVector);
     for (auto& along : rows.Along)
     {
-      std::fill_n(along.begin() + begin, WidestVector, std::array<Kept, 4>());
+      std::fill_n(along.begin() + begin, WidestVector, std::array<Stored, 4>());
     }
     for (auto& beside : rows.Beside)
     {
-      std::fill_n(beside.begin() + begin, WidestVector, std::array<Kept, 2>());
+      std::fill_n(beside.begin() + begin, WidestVector, std::array<Stored, 2>());
     }
   }
 
-  /// True if there are samples before and behind a cell along every axis.
+  /// True if a cell has neighbouring samples on both sides along every axis.
   static bool IsInner(const glm::ivec3& cell, const glm::ivec3& samples)
   {
     return cell.x > 0 && cell.x + 2 < samples.x && cell.y > 0 && cell.y + 2 < samples.y &&
       cell.z > 0 && cell.z + 2 < samples.z;
   }
 
-  /// Keep the samples around an inner cell whose rows lie in memory as they are kept.
+  /// Store the samples around an inner cell whose rows are contiguous in memory.
   static void CopyRows(const T* origin, std::int64_t y, std::int64_t z, std::size_t i, Rows& rows)
   {
     const auto copyFour = [i, &rows](std::size_t row, const T* from)
@@ -109,8 +110,8 @@ private:
     copyTwo(7, origin + y + 2 * z);
   }
 
-  /// Keep the samples around any cell, one by one. Beyond the ends of the field those at the ends
-  /// are repeated: differences are one-sided there.
+  /// Store the samples around any cell, one by one. Samples at the boundary are repeated beyond it,
+  /// which makes differences one-sided.
   static void KeepSamples(
     const TypedField<T>& samples, const glm::ivec3& cell, std::size_t i, Rows& rows)
   {
@@ -124,11 +125,11 @@ private:
     }
     const auto keepFour = [&](std::size_t row, const T* from)
     {
-      rows.Along[row][i] = { static_cast<Kept>(from[before.x]), static_cast<Kept>(from[0]),
-        static_cast<Kept>(from[x]), static_cast<Kept>(from[behind.x]) };
+      rows.Along[row][i] = { static_cast<Stored>(from[before.x]), static_cast<Stored>(from[0]),
+        static_cast<Stored>(from[x]), static_cast<Stored>(from[behind.x]) };
     };
     const auto keepTwo = [&](std::size_t row, const T* from) {
-      rows.Beside[row][i] = { static_cast<Kept>(from[0]), static_cast<Kept>(from[x]) };
+      rows.Beside[row][i] = { static_cast<Stored>(from[0]), static_cast<Stored>(from[x]) };
     };
     for (std::size_t edge = 0; edge < 4; ++edge)
     {
@@ -147,7 +148,7 @@ private:
   bool IsLarge;
 };
 
-/// What differences from the isovalues are made of. Integers are finite: theirs are taken from 0.
+/// Differences from the isovalues. Integers are finite: their differences are taken from 0.
 template <typename T, typename Rows>
 void SetIsovalues(const GradientQuery& query, std::size_t count,
   const RayBatch::Array<std::int16_t>& surfaces, Rows& rows)

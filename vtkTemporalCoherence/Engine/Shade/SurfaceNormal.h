@@ -17,18 +17,18 @@ namespace TemporalCoherence
 
 /// Gradients of the field at the hits of a tile.
 ///
-/// The gradient is that of central differences at the samples (one-sided at the boundary of the
-/// field), continued between samples as the field is: trilinearly, or from the nearest sample.
+/// Gradients are central differences at the samples, one-sided at the boundary of the field.
+/// Between samples they are interpolated as the field is: trilinearly, or from the nearest sample.
 struct GradientQuery
 {
   Field Samples;
   glm::dmat4 IndexFromWorld{ 1.0 };
   glm::dvec2 FiniteRange{ 0.0 }; ///< smallest and largest finite sample
-  /// Differences from them are taken, so that samples which are not finite do no harm.
+  /// Differences from the isovalues are taken, so that infinities and NaN do no harm.
   const std::vector<double>* Isovalues = nullptr;
 };
 
-/// The hits of a tile whose gradients are wanted, and the gradients.
+/// Hits of a tile, and the gradients to be found there.
 struct GradientTile
 {
   using Vectors = std::array<RayBatch::Array<double>, 3>; ///< by axis
@@ -37,7 +37,7 @@ struct GradientTile
   const Vectors& Points;                         ///< in the world, to the end of the last vector
   const Vectors& Directions;                     ///< of the rays, to the end of the last vector
   const RayBatch::Array<std::int16_t>& Surfaces; ///< positions in the list of isovalues
-  Vectors& Gradients; ///< found: per index step, numbers to the end of the last vector
+  Vectors& Gradients; ///< result: per index step, finite up to the end of the last vector
 };
 
 /// Find the gradients of a field of any kind.
@@ -46,7 +46,7 @@ inline void IndexGradients(const GradientQuery& query, const GradientTile& tile)
   query.Samples.Kind->FindGradients(query, tile);
 }
 
-/// Those of a uniform field.
+/// The same for a uniform field.
 void UniformGradients(const GradientQuery& query, const GradientTile& tile);
 
 }

@@ -15,10 +15,10 @@ namespace
 template <typename T>
 using Array = RayBatch::Array<T>;
 
-/// What shines through less than this cannot be told from nothing: half a step of a colour.
+/// A lower transmittance is taken as opaque: half a step of a colour.
 constexpr float Opaque = 1.0f / 512.0f;
 
-/// What is not a number counts as 0: it has no byte.
+/// NaN becomes 0.
 float ClampToOne(float value)
 {
   return value > 0.0f ? std::min(value, 1.0f) : 0.0f;
@@ -42,7 +42,7 @@ void AppendHit(const LayerHit& hit, const Frame& frame, const View& view, HitLis
   layer.Rays.T[at] = hit.Depth;
 }
 
-/// Append what a ray of a batch has to another.
+/// Append the hit of a ray of one batch to another.
 void AppendHit(const HitBatch& from, std::size_t ray, std::size_t at, HitBatch& to)
 {
   to.Depth[at] = from.Depth[ray];
@@ -52,7 +52,7 @@ void AppendHit(const HitBatch& from, std::size_t ray, std::size_t at, HitBatch& 
 
 }
 
-/// The pixels of a tile while layers are laid under one another.
+/// The pixels of a tile while layers are composited.
 class TileCompositor::Canvas
 {
 public:
@@ -60,7 +60,7 @@ public:
     : Part(part)
     , Planes(frame)
   {
-    this->Through.fill(1.0f);
+    this->Transmittance.fill(1.0f);
     for (Array<float>& channel : this->Color)
     {
       channel.fill(0.0f);
@@ -69,12 +69,13 @@ public:
 
   const Frame& Picture() const { return this->Planes; }
 
-  /// Lay a surface under what is there, and tell the planes if it is the first to be seen.
+  /// Composite a surface behind the present ones. The first visible surface is written to the
+  /// planes.
   void Add(const HitList& layer, std::size_t i, const std::array<float, 3>& color, float alpha)
   {
     const std::size_t at = this->PlaceOf(layer.Pixel[i]);
     const auto pixel = static_cast<std::size_t>(layer.Pixel[i]);
-    if (alpha > 0.0f && this->Through[at] == 1.0f)
+    if (alpha > 0.0f && this->Transmittance[at] == 1.0f)
     {
       this->Planes.Depth[pixel] = layer.Rays.T[i];
       this->Planes.Isovalues[pixel] = layer.Surface[i];
@@ -82,24 +83,27 @@ public:
     }
     for (std::size_t c = 0; c < 3; ++c)
     {
-      this->Color[c][at] += this->Through[at] * alpha * ClampToOne(color[c]);
+      this->Color[c][at] += this->Transmittance[at] * alpha * ClampToOne(color[c]);
     }
-    this->Through[at] *= 1.0f - alpha;
-    this->Through[at] = this->Through[at] <= Opaque ? 0.0f : this->Through[at];
+    this->Transmittance[at] *= 1.0f - alpha;
+    this->Transmittance[at] = this->Transmittance[at] <= Opaque ? 0.0f : this->Transmittance[at];
   }
 
-  /// True if what lies behind a pixel's surfaces can be seen.
-  bool IsOpen(std::int32_t pixel) const { return this->Through[this->PlaceOf(pixel)] > 0.0f; }
+  /// True if something behind a pixel's surfaces would be visible.
+  bool IsTranslucent(std::int32_t pixel) const
+  {
+    return this->Transmittance[this->PlaceOf(pixel)] > 0.0f;
+  }
 
-  /// What a pixel shows, if nothing else is laid under its surfaces.
+  /// The colour of a pixel if no further surface follows.
   std::array<std::uint8_t, 4> ColorOf(std::int32_t pixel) const
   {
     const std::size_t at = this->PlaceOf(pixel);
     return { RoundToByte(this->Color[0][at]), RoundToByte(this->Color[1][at]),
-      RoundToByte(this->Color[2][at]), RoundToByte(1.0f - this->Through[at]) };
+      RoundToByte(this->Color[2][at]), RoundToByte(1.0f - this->Transmittance[at]) };
   }
 
-  /// Write colours. A pixel none of whose surfaces can be seen shows none.
+  /// Write colours. A pixel whose surfaces are all invisible becomes a miss.
   void Finish()
   {
     for (int y = 0; y < this->Part.Size.y; ++y)
@@ -109,7 +113,7 @@ public:
         const glm::ivec2 place = this->Part.First + glm::ivec2(x, y);
         const std::int32_t pixel = place.y * this->Planes.Size.x + place.x;
         this->Planes.Colors[static_cast<std::size_t>(pixel)] = this->ColorOf(pixel);
-        if (this->Through[this->PlaceOf(pixel)] == 1.0f)
+        if (this->Transmittance[this->PlaceOf(pixel)] == 1.0f)
         {
           this->Planes.Depth[static_cast<std::size_t>(pixel)] =
             std::numeric_limits<double>::infinity();
@@ -131,7 +135,7 @@ private:
   PixelRect Part;
   Frame& Planes;
   std::array<Array<float>, 3> Color;
-  Array<float> Through; ///< the share of what lies behind that is seen
+  Array<float> Transmittance; ///< the share of light from behind that passes
 };
 
 TileCompositor::TileCompositor(
@@ -139,12 +143,12 @@ TileCompositor::TileCompositor(
   : Key(key)
   , Source(source)
   , Bounds(space.Active ? space.Bounds : nullptr)
-  , Rays(key.Seen, key.Where, key.Samples.Dimensions, key.Kept)
-  , Tracer(SurfaceTracer::Make({ key.Samples, key.Sought, source.FiniteRange, space.Active }))
+  , Rays(key.View, key.Transform, key.Samples.Dimensions, key.Region)
+  , Tracer(SurfaceTracer::Make({ key.Samples, key.Isosurfaces, source.FiniteRange, space.Active }))
 {
 }
 
-/// The rays of a tile, and what they have hit first.
+/// The rays of a tile and their first hits.
 void TileCompositor::SetUp(std::int64_t tile, const PixelRect& part, const Frame& frame,
   RayBatch& rays, HitBatch& hits) const
 {
@@ -191,7 +195,7 @@ void TileCompositor::Composite(
       if (hits.Surface[ray] != Frame::NoSurface)
       {
         layers.push_back({ hits.Depth[ray], rays.Pixel[ray], hits.Surface[ray], hits.Kind[ray] });
-        AppendHit(layers.back(), frame, this->Key.Seen, layer);
+        AppendHit(layers.back(), frame, this->Key.View, layer);
       }
     }
     this->AddLayer(layer, layers.data() + begin, canvas);
@@ -199,25 +203,25 @@ void TileCompositor::Composite(
     {
       first = layer;
     }
-    // Go on with those that can still be seen through.
-    RayBatch open;
+    // Go on with pixels that are still translucent.
+    RayBatch translucent;
     HitBatch last;
     last.CellsRead = 0;
     for (std::size_t ray = 0; ray < count; ++ray)
     {
-      if (hits.Surface[ray] != Frame::NoSurface && canvas.IsOpen(rays.Pixel[ray]))
+      if (hits.Surface[ray] != Frame::NoSurface && canvas.IsTranslucent(rays.Pixel[ray]))
       {
-        AppendHit(hits, ray, static_cast<std::size_t>(open.Count), last);
-        AppendRay(rays, ray, open);
+        AppendHit(hits, ray, static_cast<std::size_t>(translucent.Count), last);
+        AppendRay(rays, ray, translucent);
       }
     }
-    rays = open;
+    rays = translucent;
     hits = last;
     this->FindNext(rays, hits);
     counts.CellsRead += hits.CellsRead;
   }
   canvas.Finish();
-  PaintAnswers(this->Key.Look, first, frame);
+  PaintAnswers(this->Key.Appearance, first, frame);
 }
 
 void TileCompositor::CompositeAgain(std::int64_t tile, const PixelRect& part, Frame& frame) const
@@ -232,13 +236,13 @@ void TileCompositor::CompositeAgain(std::int64_t tile, const PixelRect& part, Fr
   first.Rays.Count = 0;
   for (std::size_t begin = 0; begin < layers.size();)
   {
-    // A round ends where pixels begin anew.
+    // A new round begins where pixel numbers stop ascending.
     HitList layer;
     layer.Rays.Count = 0;
     std::size_t i = begin;
     for (; i < layers.size() && (i == begin || layers[i].Pixel > layers[i - 1].Pixel); ++i)
     {
-      AppendHit(layers[i], frame, this->Key.Seen, layer);
+      AppendHit(layers[i], frame, this->Key.View, layer);
     }
     this->AddLayer(layer, &layers[begin], canvas);
     if (begin == 0)
@@ -248,30 +252,32 @@ void TileCompositor::CompositeAgain(std::int64_t tile, const PixelRect& part, Fr
     begin = i;
   }
   canvas.Finish();
-  PaintAnswers(this->Key.Look, first, frame);
+  PaintAnswers(this->Key.Appearance, first, frame);
 }
 
-/// Shade a layer, which is `hits` as the frame has them, and lay it under those that are there.
+/// Shade a layer and composite it behind the present ones. \param hits the same layer as the frame
+/// stores it
 void TileCompositor::AddLayer(HitList& layer, LayerHit* hits, Canvas& canvas) const
 {
   if (layer.Rays.Count == 0)
   {
     return;
   }
-  FindHitPoints(this->Key.Seen, layer);
+  FindHitPoints(this->Key.View, layer);
   std::array<Array<double>, 3> gradients;
   ComputeNormals(this->Source, layer, &gradients);
   ShadingKernels::PhongSums sums;
-  SumLight(this->Key.Look, layer, sums);
-  const Surfaces& sought = this->Key.Sought;
+  SumLight(this->Key.Appearance, layer, sums);
+  const Surfaces& surfaces = this->Key.Isosurfaces;
   for (std::size_t i = 0; i < layer.Rays.Count; ++i)
   {
-    double alpha =
-      sought.Opacities.empty() ? 1.0 : sought.Opacities[static_cast<std::size_t>(layer.Surface[i])];
-    if (!sought.BySteepness.Nodes.empty())
+    double alpha = surfaces.Opacities.empty()
+      ? 1.0
+      : surfaces.Opacities[static_cast<std::size_t>(layer.Surface[i])];
+    if (!surfaces.ByGradient.Nodes.empty())
     {
       const glm::dvec3 gradient(gradients[0][i], gradients[1][i], gradients[2][i]);
-      alpha *= sought.BySteepness.At(glm::length(gradient * sought.BySteepness.PerStep));
+      alpha *= surfaces.ByGradient.At(glm::length(gradient * surfaces.ByGradient.PerStep));
     }
     canvas.Add(
       layer, i, { sums.Sum[0][i], sums.Sum[1][i], sums.Sum[2][i] }, static_cast<float>(alpha));
@@ -279,15 +285,15 @@ void TileCompositor::AddLayer(HitList& layer, LayerHit* hits, Canvas& canvas) co
   }
 }
 
-/// The next surface of each ray, in what the region leaves of it.
+/// Find the next surface of each ray within the region.
 void TileCompositor::FindNext(const RayBatch& rays, HitBatch& hits) const
 {
-  if (!this->Rays.Cut.HasPieces())
+  if (!this->Rays.Clipper.HasPieces())
   {
     this->Tracer->FindNext(rays, hits);
     return;
   }
-  FindInPieces(this->Rays.Cut, rays, hits,
+  FindInPieces(this->Rays.Clipper, rays, hits,
     [this](const RayBatch& part, HitBatch& found) { this->Tracer->FindNext(part, found); });
 }
 

@@ -18,16 +18,16 @@
 namespace TemporalCoherence
 {
 
-/// What rays may leap over.
+/// The structures for space leaping.
 struct LeapedSpace
 {
-  const ActiveCells* Active = nullptr; ///< of a frame's isovalues; null: nothing
+  const ActiveCells* Active = nullptr; ///< of a frame's isovalues; null: no leaping
   const TileBounds* Bounds = nullptr;  ///< of Active
 };
 
-/// Colours tiles where surfaces are translucent: from the first hits, whatever route found them,
-/// to what lies behind, layer by layer, each shaded and laid under those before it ("over", from
-/// front to back), until nothing can be seen through them.
+/// Colours tiles with translucent surfaces. It starts from the first hits, whatever route found
+/// them, finds and shades layer after layer, and composites them from front to back with the "over"
+/// operator, until the pixels are opaque.
 class TileCompositor
 {
 public:
@@ -35,11 +35,11 @@ public:
   /// \throws std::bad_alloc
   TileCompositor(const FrameKey& key, const NormalSource& source, const LeapedSpace& space);
 
-  /// Find and colour what is behind the first hits of `part`, which is tile number `tile`. The
-  /// planes then tell of the first surface that can be seen. Safe from many threads.
+  /// Find and colour the layers behind the first hits of `part`, which is tile number `tile`. The
+  /// planes then hold the first visible surface. Thread-safe.
   void Composite(std::int64_t tile, const PixelRect& part, Frame& frame, TraceCounts& counts) const;
 
-  /// Colour a tile again whose layers the frame knows.
+  /// Colour a tile again from the layers of the frame.
   void CompositeAgain(std::int64_t tile, const PixelRect& part, Frame& frame) const;
 
 private:

@@ -10,12 +10,12 @@ namespace TemporalCoherence
 TileShader::TileShader(const FrameKey& key, const glm::dvec2& finiteRange, const LeapedSpace& space,
   HitSet normalsOf, HitSet colorsOf)
   : Key(key)
-  , Source{ key.Samples, key.Where, RegionCutter(key.Kept, key.Where).Planes(),
-    key.Sought.Isovalues, finiteRange }
+  , Source{ key.Samples, key.Transform, RegionClipper(key.Region, key.Transform).Planes(),
+    key.Isosurfaces.Isovalues, finiteRange }
   , NormalsOf(normalsOf)
   , ColorsOf(colorsOf)
 {
-  if (key.Sought.IsTranslucent())
+  if (key.Isosurfaces.IsTranslucent())
   {
     this->Compositor = std::make_unique<TileCompositor>(key, this->Source, space);
   }
@@ -45,16 +45,16 @@ void TileShader::Shade(
   HitList hits;
   if (this->NormalsOf != HitSet::None)
   {
-    GatherHits(this->Key.Seen, part, this->NormalsOf == HitSet::All, frame, hits);
+    GatherHits(this->Key.View, part, this->NormalsOf == HitSet::All, frame, hits);
     ComputeNormals(this->Source, hits);
     StoreNormals(hits, frame);
   }
   if (this->ColorsOf != this->NormalsOf)
   {
-    GatherHits(this->Key.Seen, part, this->ColorsOf == HitSet::All, frame, hits);
+    GatherHits(this->Key.View, part, this->ColorsOf == HitSet::All, frame, hits);
     LoadNormals(frame, hits);
   }
-  ShadeHits(this->Key.Look, hits, frame);
+  ShadeHits(this->Key.Appearance, hits, frame);
 }
 
 }

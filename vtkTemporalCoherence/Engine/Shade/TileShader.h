@@ -14,26 +14,26 @@
 namespace TemporalCoherence
 {
 
-/// Which hits of a picture are worked on.
+/// Which hits to shade.
 enum class HitSet : std::uint8_t
 {
   None,
-  NotDefinite, ///< not those that were known before
+  NotDefinite, ///< all but definite hits
   All
 };
 
-/// Gives the hits of tiles their normals and colours, and those of what shines through them.
+/// Shades tiles: normals and colours of hits and, if surfaces are translucent, of the layers
+/// behind.
 class TileShader
 {
 public:
   /// \param finiteRange smallest and largest finite sample
-  /// \param space       where translucent surfaces are looked for
-  /// The key must outlive the shader.
+  /// \param space       for the search of translucent layers The key must outlive the shader.
   /// \throws std::bad_alloc
   TileShader(const FrameKey& key, const glm::dvec2& finiteRange, const LeapedSpace& space,
     HitSet normalsOf, HitSet colorsOf);
 
-  /// Shade `part`, which is tile number `tile`. Safe from many threads.
+  /// Shade `part`, which is tile number `tile`. Thread-safe.
   void Shade(std::int64_t tile, const PixelRect& part, Frame& frame, TraceCounts& counts) const;
 
 private:

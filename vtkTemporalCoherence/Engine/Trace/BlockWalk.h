@@ -11,11 +11,11 @@
 namespace TemporalCoherence
 {
 
-/// Takes a ray from active leaf to active leaf, where these are cubes of index space: for kinds of
-/// fields that find the surfaces in a block by themselves.
+/// Takes a ray from active leaf to active leaf. For kinds of fields whose leaves are cubes of index
+/// space and that search a block by themselves.
 ///
-/// Where the ray enters and leaves a leaf depends on the leaf alone, and not on where the walk
-/// began; so does what is found there.
+/// Where the ray enters and leaves a leaf depends on ray and leaf alone, not on where the walk
+/// began. So does the surface found there.
 class BlockWalk
 {
 public:
@@ -36,7 +36,7 @@ public:
   }
 
   /// Go on to the next active leaf; the first time the walk may stay where it begins.
-  /// \return false if the walk ends before
+  /// \return false if the walk ends first
   bool Next()
   {
     while (!this->HasBegun || this->Step())

@@ -14,9 +14,9 @@
 
 /// The first crossing of zero along a straight path through one cell.
 ///
-/// All functions here are pure: the answer depends on the eight corner values and the path alone,
-/// not on how a ray came here. Values at a face are computed from the face's own four corners, bit
-/// by bit alike in both cells that share it, so that no surface is lost or met twice between cells.
+/// All functions here are pure: the result depends on the eight corner values and the path alone.
+/// Values on a face are computed from the face's own four corners. They are bit-identical in both
+/// cells that share the face, so that no surface is lost or met twice between cells.
 namespace TemporalCoherence
 {
 
@@ -31,8 +31,8 @@ struct CellPath
   std::array<Real, 3> Begin, End;
 };
 
-/// Weighted mean whose sign is that of a and b where they agree, and which is exactly a at 0 and
-/// exactly b at 1.
+/// Weighted mean. It is exactly a at 0 and exactly b at 1, and if a and b have the same sign, so
+/// has the mean.
 template <typename Real>
 Real Mix(Real a, Real b, Real weightOfB)
 {
@@ -75,7 +75,8 @@ Cubic<Real> CubicAlong(const Corners<Real>& v, const CellPath<Real>& path)
   return { box[0], (box[1] + box[2] + box[4]) * third, (box[6] + box[5] + box[3]) * third, box[7] };
 }
 
-/// The cubic's value, by repeated means: its sign is safe where the coefficients agree.
+/// The cubic's value, by repeated means (de Casteljau). Its sign is exact if all coefficients have
+/// the same sign.
 template <typename Real>
 Real Evaluate(const Cubic<Real>& b, Real s)
 {
@@ -83,8 +84,8 @@ Real Evaluate(const Cubic<Real>& b, Real s)
   return Mix(Mix(q0, q1, s), Mix(q1, q2, s), s);
 }
 
-/// The crossing between low and high, where the cubic is known to change sides once: Newton's
-/// method, kept within the bracket by bisection.
+/// The crossing between low and high, where the cubic changes sides once: Newton's method, kept
+/// within the bracket by bisection.
 template <typename Real>
 Real RefineCrossing(const Cubic<Real>& b, Real low, Real high)
 {
@@ -101,8 +102,8 @@ Real RefineCrossing(const Cubic<Real>& b, Real low, Real high)
   const Real atHigh = Evaluate(b, high);
   const bool insideLow = IsInside(atLow);
 
-  // Where the chord crosses, but away from the ends: an end may be a root itself (samples equal to
-  // the isovalue are common), and not the crossing that is sought.
+  // Start where the chord crosses, but away from the ends. An end may be a root itself, as samples
+  // equal to the isovalue are common, yet not the crossing in question.
   const Real chord = atHigh != atLow ? atLow / (atLow - atHigh) : Real(0.5);
   Real s = low + (high - low) * std::min(std::max(chord, Real(0.0625)), Real(0.9375));
   for (int step = 0; step < MostSteps; ++step)
@@ -130,12 +131,12 @@ Real RefineCrossing(const Cubic<Real>& b, Real low, Real high)
   return s;
 }
 
-/// Where a cubic turns, ascending; `count` of them within (0, 1).
+/// The turning points of a cubic, ascending; `count` of them within (0, 1).
 template <typename Real>
 std::array<Real, 2> TurningPoints(const Cubic<Real>& b, int& count)
 {
-  // The steps are the Bernstein coefficients of a third of the derivative, a quadratic. As shares
-  // of the largest, so that squares neither overflow nor vanish.
+  // The steps are the Bernstein coefficients of a third of the derivative, a quadratic. They are
+  // scaled by the largest, so that squares neither overflow nor vanish.
   Real d0 = b[1] - b[0], d1 = b[2] - b[1], d2 = b[3] - b[2];
   const Real largest = std::max(std::abs(d0), std::max(std::abs(d1), std::abs(d2)));
   std::array<Real, 2> points{};
@@ -196,8 +197,8 @@ std::array<Real, 2> RangeOf(const Cubic<Real>& b)
 template <typename Real, typename Visit>
 void VisitCrossings(const Cubic<Real>& b, const Visit& visit)
 {
-  // By Descartes' rule there are as many crossings as changes among the coefficients, or two or
-  // four fewer: with no change there is none, with one change there is one.
+  // By Descartes' rule there are as many crossings as sign changes among the coefficients, or two
+  // fewer: none without a change, one with one change.
   const bool begin = IsInside(b[0]);
   const bool second = IsInside(b[1]), third = IsInside(b[2]), end = IsInside(b[3]);
   const int changes = (begin != second) + (second != third) + (third != end);
@@ -259,11 +260,11 @@ std::size_t NearestCorner(const std::array<Real, 3>& at)
     static_cast<std::size_t>(at[2] >= Real(0.5)) << 2;
 }
 
-/// The corners of a cell whose samples are the nearest one after the other along a path.
+/// The corners of a cell whose samples become the nearest, one after the other, along a path.
 struct NearestPath
 {
-  std::array<std::size_t, 4> Corners; ///< first that at the path's begin
-  std::array<double, 4> Shares;       ///< of the path, at which each becomes the nearest
+  std::array<std::size_t, 4> Corners; ///< the first one at the beginning of the path
+  std::array<double, 4> Shares;       ///< share of the path at which each becomes the nearest
   std::size_t Count;
 };
 
@@ -299,9 +300,9 @@ NearestPath FindNearestPath(const CellPath<Real>& path, const std::array<double,
   return nearest;
 }
 
-/// Call visit(share) for each share of a path at which the nearest sample's value changes between
-/// inside and outside, ascending, until it returns true: faces between two samples, half way
-/// across the cell.
+/// Call visit(share) for each share of a path at which the value of the nearest sample changes
+/// between inside and outside, ascending, until it returns true. These are the faces half way
+/// between two samples.
 template <typename Real, typename Visit>
 void VisitNearestCrossings(
   const Corners<Real>& corners, const NearestPath& path, const Visit& visit)
@@ -316,7 +317,7 @@ void VisitNearestCrossings(
   }
 }
 
-/// First crossing of the nearest sample's value along a path.
+/// The first of these; false if there is none.
 template <typename Real>
 bool FirstNearestCrossing(const Corners<Real>& corners, const NearestPath& path, double& s)
 {

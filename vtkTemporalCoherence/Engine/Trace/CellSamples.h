@@ -13,7 +13,7 @@
 namespace TemporalCoherence
 {
 
-/// Send for the samples of a cell and those around it that gradients in it need.
+/// Prefetch the samples of a cell and those around it that its gradients need.
 template <typename T>
 void PrefetchAround(const TypedField<T>& samples, const glm::ivec3& cell)
 {
@@ -53,7 +53,7 @@ public:
     return samples;
   }
 
-  /// Send for the samples of a cell.
+  /// Prefetch the samples of a cell.
   void Prefetch(const glm::ivec3& cell) const
   {
     const T* const origin = this->Samples.At(cell);

@@ -14,15 +14,15 @@
 namespace TemporalCoherence
 {
 
-/// Finds surfaces in cells with samples at their corners, ray by ray from cell to cell, whatever
-/// the geometry of the cells (TracedCells.h).
+/// Traces fields with samples at the corners of cells: ray by ray, from cell to cell, for any
+/// geometry of cells (TracedCells.h).
 template <typename T, typename Geometry, Interpolation Between>
 class CellTracer : public SurfaceTracer
 {
 public:
   CellTracer(const TraceScene& scene, const Geometry& shape)
     : Cells(scene, shape)
-    , Layers(scene.Sought.Isovalues)
+    , Layers(scene.Isosurfaces.Isovalues)
   {
   }
 
@@ -56,15 +56,15 @@ public:
     {
       const std::size_t ray = cells.Ray[i];
       const glm::ivec3 cell = cells.At(i);
-      const Part part(this->Cells.Shape.RayOf(rays, ray), cell);
+      const Segment segment(this->Cells.Shape.RayOf(rays, ray), cell);
       const Found found =
-        this->SearchFor(part, this->Cells.Differ(this->Cells.Samples.Read(cell), cells.Surface));
-      if (cells.IsContact[i])
+        this->SearchFor(segment, this->Cells.Differ(this->Cells.Samples.Read(cell), cells.Surface));
+      if (cells.IsFirstEntry[i])
       {
-        HitRules::KeepContact(part.Enter(), found.FromInside, ray, hits);
+        HitRules::KeepFirstEntry(segment.Enter(), found.FromInside, ray, hits);
       }
       missing |= static_cast<std::uint64_t>(!std::isfinite(found.Distance)) << ray;
-      this->Keep(part, found, surface, ray, hits);
+      this->Keep(segment, found, surface, ray, hits);
     }
     hits.CellsRead += cells.Count;
     return missing;
@@ -75,39 +75,40 @@ protected:
 
 private:
   using Real = typename Geometry::Real;
-  using Part = typename Geometry::Part;
+  using Segment = typename Geometry::Segment;
 
-  /// What the part of a ray in a cell shows of one surface.
+  /// What a cell segment shows of one surface.
   struct Found
   {
     bool FromInside; ///< the ray is inside where it enters the cell
     double Distance; ///< t of the first crossing; infinity if there is none
   };
 
-  Found SearchFor(const Part& part, const Corners<Real>& corners) const
+  Found SearchFor(const Segment& segment, const Corners<Real>& corners) const
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     if constexpr (Between == Interpolation::Nearest)
     {
       double share = 0.0;
-      const bool isFound = part.HasLength() && FirstNearestCrossing(corners, part.Nearest(), share);
-      return { IsInside(this->Cells.AtEntry(corners, part)),
-        isFound ? part.DistanceAt(share) : infinity };
+      const bool isFound =
+        segment.HasLength() && FirstNearestCrossing(corners, segment.Nearest(), share);
+      return { IsInside(this->Cells.AtEntry(corners, segment)),
+        isFound ? segment.DistanceAt(share) : infinity };
     }
     else
     {
-      const Cubic<Real> cubic = CubicAlong(corners, part.Path());
+      const Cubic<Real> cubic = CubicAlong(corners, segment.Path());
       Real share = Real(0);
-      // A walk may begin within a solid whose surface it is to find.
+      // A walk may begin inside a solid whose surface it has to find.
       const bool begins = this->Cells.Rules.IsSolid() && IsInside(cubic[0]);
       const bool isFound = begins || FirstCrossing(cubic, share);
       return { IsInside(cubic[0]),
-        isFound ? part.DistanceAt(static_cast<double>(share)) : infinity };
+        isFound ? segment.DistanceAt(static_cast<double>(share)) : infinity };
     }
   }
 
-  /// Make what was found of a surface the hit of its ray if it is met before that.
-  void Keep(const Part& part, const Found& found, std::int16_t surface, std::size_t ray,
+  /// Make a surface that was found the hit of its ray if it comes before the present hit.
+  void Keep(const Segment& segment, const Found& found, std::int16_t surface, std::size_t ray,
     HitBatch& hits) const
   {
     const HitRules& rules = this->Cells.Rules;
@@ -115,11 +116,12 @@ private:
     if (rules.AreCappedBehindHidden() && found.FromInside)
     {
       rules.CapBehindHidden(
-        part.Enter(), surface, ray, [&] { return part.ComesFrom(*this->Cells.Hidden); }, hits);
+        segment.Enter(), surface, ray, [&] { return segment.ComesFrom(*this->Cells.Hidden); },
+        hits);
     }
   }
 
-  /// Go from cell to cell up to the first hit.
+  /// Walk from cell to cell up to the first hit.
   void Walk(const RayBatch& rays, std::size_t ray, HitBatch& hits) const
   {
     const auto line = this->Cells.Shape.RayOf(rays, ray);
@@ -148,10 +150,10 @@ private:
         continue;
       }
       const auto surface = static_cast<std::int16_t>(i);
-      const Part part(line, cell);
-      const Found found = this->SearchFor(part, corners);
-      HitRules::KeepContact(part.Enter(), found.FromInside, ray, hits);
-      this->Keep(part, found, surface, ray, hits);
+      const Segment segment(line, cell);
+      const Found found = this->SearchFor(segment, corners);
+      HitRules::KeepFirstEntry(segment.Enter(), found.FromInside, ray, hits);
+      this->Keep(segment, found, surface, ray, hits);
     }
   }
 
@@ -164,10 +166,10 @@ private:
       return;
     }
     const std::array<T, 8> samples = this->Cells.Samples.Read(cell);
-    const Part part(line, cell);
+    const Segment segment(line, cell);
     for (std::size_t i = 0; i < this->Cells.Differences.size(); ++i)
     {
-      if (IsInside(this->Cells.AtEntry(this->Cells.Differ(samples, i), part)))
+      if (IsInside(this->Cells.AtEntry(this->Cells.Differ(samples, i), segment)))
       {
         this->Cells.Rules.CapWhereItBegins(
           rays.Begin[ray], static_cast<std::int16_t>(i), ray, hits);
@@ -178,7 +180,7 @@ private:
   LayerSearch<T, Geometry, Between> Layers;
 };
 
-/// The tracer of a scene for a geometry.
+/// Make the tracer of a scene for a geometry.
 template <typename T, typename Geometry>
 std::shared_ptr<const SurfaceTracer> MakeCellTracer(const TraceScene& scene, const Geometry& shape)
 {

@@ -13,32 +13,32 @@
 namespace TemporalCoherence
 {
 
-/// A ray in index space, by its place in a batch.
+/// One ray of a batch, in index space.
 struct BatchRay
 {
   double Origin(int axis) const { return this->Rays.Origin[Index(axis)][this->Ray]; }
   double Direction(int axis) const { return this->Rays.Direction[Index(axis)][this->Ray]; }
 
-  /// Distance at which the ray passes plane `plane` of an axis. It is always computed from the
-  /// plane's position, never summed up on the way, so that each cell's part of the ray is the same
-  /// however the ray got there.
+  /// Distance at which the ray passes plane `plane` of an axis. It is computed from the position of
+  /// the plane, never summed up, so that the segment in a cell does not depend on how the ray got
+  /// there.
   double Pass(int axis, int plane) const
   {
     return (plane - this->Origin(axis)) * this->Rays.Inverse[Index(axis)][this->Ray];
   }
 
-  /// Coordinate of the cell that the ray is in at t, kept within low and high.
+  /// Coordinate of the cell that the ray is in at t, clamped to low .. high.
   int CellAt(int axis, double t, int low, int high) const
   {
-    // Seen from very far away a point may be rounded to anywhere: it is kept within before it is a
-    // whole number. Rounding towards 0 is rounding down where it is not below low.
+    // From very far away a point may be rounded to anywhere, so it is clamped before it is
+    // converted. Truncation rounds down here, as the value is not negative.
     const double x = this->Origin(axis) + t * this->Direction(axis);
     return !(x > low) ? low : (x < high ? static_cast<int>(x) : high);
   }
 
-  /// Where a walk begins: by the distances of planes, as cells are told by them. A point may be
-  /// rounded across a plane that the ray, nearly along it, passes much later; the cell behind has
-  /// no part of the ray before that.
+  /// Coordinate of the cell in which a walk begins, found by the distances of planes. The position
+  /// alone is not enough: it may be rounded across a plane that the ray, almost parallel to it,
+  /// passes much later.
   int WalkFrom(int axis, double t, int cells) const
   {
     const int cell = this->CellAt(axis, t, 0, cells - 1);
@@ -48,7 +48,7 @@ struct BatchRay
     return isAhead && before >= 0 && before < cells ? before : cell;
   }
 
-  /// The cell that the ray is in at t, within a field of so many cells.
+  /// The cell that the ray is in at t, within a field of this many cells.
   glm::ivec3 CellAt(double t, const glm::ivec3& cells) const
   {
     return { this->CellAt(0, t, 0, cells.x - 1), this->CellAt(1, t, 0, cells.y - 1),
@@ -63,22 +63,22 @@ struct BatchRay
   std::size_t Ray;
 };
 
-/// Leaves out nothing that is active: the walks that KernelsWalk makes, one by one.
+/// A filter that skips no active cell. The walk is then the one that KernelsWalk makes.
 struct TakeAll
 {
   bool IsNodeOfUse(std::int64_t) const { return true; }
   bool IsLeafOfUse(std::int64_t, int) const { return true; }
 };
 
-/// Where a ray is on its way from cell to cell. The ray is a BatchRay, or a RectilinearRay where
-/// cells are not all alike.
+/// The walk of a ray from cell to cell. The ray is a BatchRay, or a RectilinearRay if cells differ
+/// in size.
 class CellWalk
 {
 public:
   /// Nowhere, until Begin is called.
   CellWalk() {}
 
-  /// Stand in the first cell of a ray's walk.
+  /// Go to the first cell of a ray's walk.
   template <typename WalkingRay>
   void Begin(const WalkingRay& ray, const glm::ivec3& cells)
   {
@@ -92,12 +92,13 @@ public:
     this->HasVisited = false;
   }
 
-  /// The cell in which the walk stands.
+  /// The present cell.
   const glm::ivec3& Here() const { return this->Cell; }
 
-  /// Go on to the next active cell; the first call may stay where it is.
-  /// \param filter has IsNodeOfUse(node) and IsLeafOfUse(node, leaf): false for what is left out
-  /// \return false if the walk ends before
+  /// Go on to the next active cell. The first call may stay in the present cell.
+  /// \param filter has IsNodeOfUse(node) and IsLeafOfUse(node, leaf), which return false for blocks
+  ///               to skip
+  /// \return false if the walk ends first
   template <typename WalkingRay, typename T, typename Filter = TakeAll>
   HWY_INLINE bool FindActive(const WalkingRay& ray, const ActiveCells& active,
     const TypedField<T>& samples, const Filter& filter = {})
@@ -138,8 +139,8 @@ public:
     }
   }
 
-  /// Go on to the next cell, active or not; the first call stays where it is.
-  /// \return false if the walk ends before
+  /// Go on to the next cell, active or not. The first call stays in the present cell.
+  /// \return false if the walk ends first
   template <typename WalkingRay>
   bool FindAny(const WalkingRay& ray, const glm::ivec3& cells)
   {
@@ -180,8 +181,8 @@ private:
     }
   }
 
-  /// Go on behind the aligned block of 2^bits cells that holds the present cell.
-  /// \return false if the walk ends before
+  /// Leave the aligned block of 2^bits cells along each axis that holds the present cell.
+  /// \return false if the walk ends first
   template <typename WalkingRay>
   HWY_INLINE bool LeaveBlock(const WalkingRay& ray, int bits, const glm::ivec3& cells)
   {
@@ -203,8 +204,9 @@ private:
     return IsWithin(this->Cell[exit], cells[exit]);
   }
 
-  /// The cell along an axis in which steps from cell to cell would be when they leave a block by
-  /// axis `exit` at t. A point may be rounded across a plane that the ray passes before or after.
+  /// The cell along an axis that steps from cell to cell would have reached when they leave a block
+  /// along axis `exit` at t. The position alone may be rounded across a plane that the ray passes
+  /// earlier or later.
   /// \param ends lowest and highest cell of the block along the axis
   template <typename WalkingRay>
   HWY_INLINE int Land(
@@ -214,7 +216,7 @@ private:
     const int first = ahead ? ends.x : ends.y, last = ahead ? ends.y : ends.x;
     const int cell = ray.CellAt(axis, t, ends.x, ends.y);
     const double enter = ray.Pass(axis, cell + 1 - ahead), leave = ray.Pass(axis, cell + ahead);
-    // Of planes that are passed at once, that of the lowest axis is the first.
+    // Of planes passed at the same t, the one of the lowest axis comes first.
     if (cell != first && (axis > exit ? enter >= t : enter > t))
     {
       return cell - step;
@@ -222,7 +224,7 @@ private:
     return cell != last && (axis < exit ? leave <= t : leave < t) ? cell + step : cell;
   }
 
-  /// Prepare for steps from cell to cell.
+  /// Prepare to step from cell to cell.
   template <typename WalkingRay>
   void BeginSteps(const WalkingRay& ray)
   {
@@ -233,7 +235,7 @@ private:
   }
 
   /// Go on to the next cell.
-  /// \return the axis along which the ray leaves the present cell, or -1 if the walk ends before
+  /// \return the axis along which the ray leaves the present cell, or -1 if the walk ends first
   template <typename WalkingRay>
   HWY_INLINE int Step(const WalkingRay& ray)
   {
@@ -261,16 +263,16 @@ private:
   }
 
   glm::ivec3 Cell;
-  glm::ivec3 Ahead;     ///< 1 where the ray runs towards higher cells, else 0
+  glm::ivec3 Ahead;     ///< 1 if the ray runs towards higher cells, else 0
   bool HasVisited;      ///< the present cell is done
-  std::uint64_t InLeaf; ///< active cells of the leaf stepped through; 0: in none
+  std::uint64_t InLeaf; ///< active cells of the present leaf; 0 outside of active leaves
   double Next[3];       ///< where the ray leaves the present cell along each axis
 };
 
-/// The rays of a batch that are on their way.
+/// The rays of a batch that are still walking.
 struct LiveRays
 {
-  /// Begin the walks of those rays that have somewhere to go and that are wanted.
+  /// Begin the walks of the wanted rays that have one.
   /// \param shape of the cells: has RayOf(rays, ray), for CellWalk
   template <typename Geometry, typename IsWanted>
   void Begin(
@@ -303,7 +305,7 @@ struct LiveRays
   }
 
   std::array<CellWalk, RayBatch::Capacity> Walks;   ///< of each ray of the batch
-  std::array<std::size_t, RayBatch::Capacity> Rays; ///< those on their way
+  std::array<std::size_t, RayBatch::Capacity> Rays; ///< those still walking
   std::size_t Count = 0;
 };
 

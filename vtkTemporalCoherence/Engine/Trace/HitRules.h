@@ -14,36 +14,37 @@
 namespace TemporalCoherence
 {
 
-/// Which of the surfaces that are found along a ray is its hit, where it is capped, and what its
-/// contact is: for tracers of all kinds of fields. What is found may be told in any order.
+/// The rules of hits, for tracers of all kinds of fields: which surface on a ray is its hit, where
+/// solids are capped, and where the first active-cell entry is. Surfaces may be reported in any
+/// order.
 class HitRules
 {
 public:
   /// \param hasHidden cells of the field may be hidden
-  HitRules(const Surfaces& sought, bool hasHidden)
-    : Sought(sought)
+  HitRules(const Surfaces& surfaces, bool hasHidden)
+    : Isosurfaces(surfaces)
     , HasHidden(hasHidden)
   {
   }
 
-  bool IsSolid() const { return this->Sought.Mode == SurfaceMode::Threshold; }
+  bool IsSolid() const { return this->Isosurfaces.Mode == SurfaceMode::Threshold; }
 
-  /// True if hidden cells may cut a solid open.
+  /// True if solids are capped behind hidden cells.
   bool AreCappedBehindHidden() const { return this->HasHidden && this->IsSolid(); }
 
-  /// The ray enters a cell that an isovalue passes through: the first one is its contact.
-  static void KeepContact(double enter, bool isInside, std::size_t ray, HitBatch& hits)
+  /// Report that the ray enters an active cell. The nearest one counts.
+  static void KeepFirstEntry(double enter, bool isInside, std::size_t ray, HitBatch& hits)
   {
-    if (enter < hits.Contact[ray])
+    if (enter < hits.FirstEntry[ray])
     {
-      hits.Contact[ray] = enter;
+      hits.FirstEntry[ray] = enter;
       hits.FromInside[ray] = isInside;
     }
   }
 
-  /// The ray meets the one isovalue there is: the nearest surface is its hit.
-  /// \param distance   infinity: it does not
-  /// \param fromInside it leaves what is inside the isovalue
+  /// Report a surface of the only isovalue: the nearest one is the hit.
+  /// \param distance   infinity: there is none
+  /// \param fromInside the ray leaves the inside of the isovalue
   static void KeepNearest(
     double distance, bool fromInside, std::int16_t surface, std::size_t ray, HitBatch& hits)
   {
@@ -55,14 +56,14 @@ public:
     }
   }
 
-  /// The same of several isovalues, some of which may be met at one distance.
+  /// The same for several isovalues, some of which may be met at the same distance.
   void KeepFirst(
     double distance, bool fromInside, std::int16_t surface, std::size_t ray, HitBatch& hits) const
   {
     if (distance == hits.Depth[ray] && hits.Surface[ray] != Frame::NoSurface)
     {
       const MetSurface met{ distance, KindOf(fromInside), this->IsovalueOf(surface) };
-      if (IsInFrontOfHit(met, hits, ray, this->Sought.Isovalues))
+      if (IsInFrontOfHit(met, hits, ray, this->Isosurfaces.Isovalues))
       {
         hits.Surface[ray] = surface;
         hits.Kind[ray] = met.Kind;
@@ -72,30 +73,31 @@ public:
     KeepNearest(distance, fromInside, surface, ray, hits);
   }
 
-  /// The ray begins in a solid, which is capped there. Of several isovalues the highest is seen.
+  /// Report that the ray begins in a solid, which is capped there. Of several isovalues the highest
+  /// is visible.
   void CapWhereItBegins(double begin, std::int16_t surface, std::size_t ray, HitBatch& hits) const
   {
     const MetSurface cap{ begin, HitKind::Cap, this->IsovalueOf(surface) };
-    if (IsInFrontOfHit(cap, hits, ray, this->Sought.Isovalues))
+    if (IsInFrontOfHit(cap, hits, ray, this->Isosurfaces.Isovalues))
     {
       hits.Depth[ray] = begin;
-      hits.Contact[ray] = begin;
+      hits.FirstEntry[ray] = begin;
       hits.FromInside[ray] = 0;
       hits.Surface[ray] = surface;
       hits.Kind[ray] = HitKind::Cap;
     }
   }
 
-  /// The ray is in a solid where it enters a cell. If it comes from a hidden one, the solid is
-  /// capped there. Of several isovalues the highest is seen.
-  /// \param comesFromHidden asked if the cap would be the hit
-  /// \return true if it is
+  /// Report that the ray is in a solid where it enters a cell. If it comes from a hidden cell, the
+  /// solid is capped there. Of several isovalues the highest is visible.
+  /// \param comesFromHidden only called if the cap would be the hit
+  /// \return true if the cap is the hit
   template <typename ComesFromHidden>
   bool CapBehindHidden(double enter, std::int16_t surface, std::size_t ray,
     const ComesFromHidden& comesFromHidden, HitBatch& hits) const
   {
     const MetSurface cap{ enter, HitKind::Cap, this->IsovalueOf(surface) };
-    if (!IsInFrontOfHit(cap, hits, ray, this->Sought.Isovalues) || !comesFromHidden())
+    if (!IsInFrontOfHit(cap, hits, ray, this->Isosurfaces.Isovalues) || !comesFromHidden())
     {
       return false;
     }
@@ -105,31 +107,30 @@ public:
     return true;
   }
 
-  static HitKind KindOf(bool fromInside) { return fromInside ? HitKind::Leaves : HitKind::Enters; }
+  static HitKind KindOf(bool fromInside) { return fromInside ? HitKind::Exit : HitKind::Entry; }
 
   double IsovalueOf(std::int16_t surface) const
   {
-    return this->Sought.Isovalues[static_cast<std::size_t>(surface)];
+    return this->Isosurfaces.Isovalues[static_cast<std::size_t>(surface)];
   }
 
 private:
-  Surfaces Sought;
+  Surfaces Isosurfaces;
   bool HasHidden;
 };
 
-/// The surface that follows the last one on a ray, found among all that may: the nearest that is
-/// behind it.
+/// Finds the next surface on a ray among candidates: the nearest one behind the last surface.
 class NextHit
 {
 public:
-  /// \param last that a ray has met, at place `surface` of the isovalues
+  /// \param last surface that the ray has met
   NextHit(const HitRules& rules, const MetSurface& last)
     : Rules(rules)
     , Last(last)
   {
   }
 
-  /// The ray meets a surface, before the last one, at it or behind it.
+  /// Report a candidate: before the last surface, at it or behind it.
   void Consider(double distance, HitKind kind, std::int16_t surface)
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -159,8 +160,8 @@ private:
   std::int16_t Surface = Frame::NoSurface;
 };
 
-/// What a ray has met last, as far as it matters to one that begins at `begin`: what is known of an
-/// earlier piece of it does not.
+/// The last surface on a ray that begins at `begin`. A hit on an earlier piece of the ray does not
+/// count.
 inline MetSurface LastOn(const HitRules& rules, double begin, std::size_t ray, const HitBatch& hits)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -3,17 +3,18 @@
 #include "Trace/KernelsCrossing.h"
 
 #include "Trace/CellRoot.h"
-#include "Trace/Passage.h"
+#include "Trace/CellSegment.h"
 
 #include <algorithm>
 #include <limits>
 
-// This file is compiled once for each kind of vectors, and what runs is chosen by the machine.
+// This file is compiled once for each kind of vectors. The best one for the machine is chosen at
+// run time.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "Trace/KernelsCrossing.cxx"
 #include <hwy/foreach_target.h>
 
-#include "Trace/KernelsPassage-inl.h"
+#include "Trace/KernelsSegment-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace TemporalCoherence
@@ -68,24 +69,24 @@ HWY_INLINE V RefineCrossings(D d, const V b[4], M live)
   return s;
 }
 
-/// What a lane found instead of a share of the path in [0, 1].
+/// What a lane holds instead of a share of the path in [0, 1].
 constexpr int NoCrossing = -1;
 constexpr int SeveralChanges = -2;
 
-/// \return true if some passages are to be looked at one by one
+/// \return true if some segments have to be searched one by one
 template <typename Real>
 HWY_INLINE bool FindShares(
-  PassageBatch<Real>& passages, const Paths<Real>& paths, bool isSolid, Real* shares)
+  SegmentBatch<Real>& segments, const Paths<Real>& paths, bool isSolid, Real* shares)
 {
   const hn::CappedTag<Real, WidestVector> d;
   using V = hn::Vec<decltype(d)>;
   using M = hn::Mask<decltype(d)>;
   const V zero = hn::Zero(d);
   M several = hn::Lt(zero, zero);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(passages.Count); i += hn::Lanes(d))
+  for (std::size_t i = 0; i < static_cast<std::size_t>(segments.Count); i += hn::Lanes(d))
   {
     V b[4];
-    CubicsAlong(d, passages, paths, i, b);
+    CubicsAlong(d, segments, paths, i, b);
     const M in0 = hn::Ge(b[0], zero), in1 = hn::Ge(b[1], zero);
     const M in2 = hn::Ge(b[2], zero), in3 = hn::Ge(b[3], zero);
     const M change01 = hn::Xor(in0, in1), change12 = hn::Xor(in1, in2);
@@ -104,21 +105,21 @@ HWY_INLINE bool FindShares(
     }
     several = hn::Or(several, hn::AndNot(begins, hn::AndNot(one, any)));
     hn::StoreU(hn::IfThenElse(begins, zero, share), d, shares + i);
-    hn::StoreU(b[0], d, &passages.AtEntry[i]);
+    hn::StoreU(b[0], d, &segments.AtEntry[i]);
   }
   return !hn::AllFalse(d, several);
 }
 
-/// Passage i, one by one, whose cubic changes its sign several times.
+/// Segment i, one by one, whose cubic changes its sign several times.
 template <typename Real>
 HWY_INLINE Real FindShare(
-  const PassageBatch<Real>& passages, const Paths<Real>& paths, std::size_t i)
+  const SegmentBatch<Real>& segments, const Paths<Real>& paths, std::size_t i)
 {
   Corners<Real> corners;
   CellPath<Real> path;
   for (std::size_t corner = 0; corner < 8; ++corner)
   {
-    corners[corner] = passages.Corners[corner][i];
+    corners[corner] = segments.Corners[corner][i];
   }
   for (std::size_t a = 0; a < 3; ++a)
   {
@@ -140,43 +141,43 @@ HWY_INLINE hn::Vec<hn::CappedTag<double, WidestVector / 2>> LoadAsDoubles(const 
 }
 
 template <typename Real>
-HWY_INLINE void FindAll(PassageBatch<Real>& passages, bool isSolid)
+HWY_INLINE void FindAll(SegmentBatch<Real>& segments, bool isSolid)
 {
   Paths<Real> paths;
   RayBatch::Array<Real> shares;
-  SetUpPaths(passages, FullVectors(passages), paths);
-  if (FindShares(passages, paths, isSolid, shares.data()))
+  SetUpPaths(segments, FullVectors(segments), paths);
+  if (FindShares(segments, paths, isSolid, shares.data()))
   {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(passages.Count); ++i)
+    for (std::size_t i = 0; i < static_cast<std::size_t>(segments.Count); ++i)
     {
       if (shares[i] == Real(SeveralChanges))
       {
-        shares[i] = FindShare(passages, paths, i);
+        shares[i] = FindShare(segments, paths, i);
       }
     }
   }
   const hn::CappedTag<double, WidestVector / 2> d;
   const auto zero = hn::Zero(d);
   const auto infinity = hn::Set(d, std::numeric_limits<double>::infinity());
-  for (std::size_t i = 0; i < static_cast<std::size_t>(passages.Count); i += hn::Lanes(d))
+  for (std::size_t i = 0; i < static_cast<std::size_t>(segments.Count); i += hn::Lanes(d))
   {
     const auto share = LoadAsDoubles(&shares[i]);
-    const auto enter = hn::LoadU(d, &passages.Enter[i]);
+    const auto enter = hn::LoadU(d, &segments.Enter[i]);
     const auto length = hn::Sub(hn::LoadU(d, &paths.Leave[i]), enter);
     const auto isFound = hn::And(hn::Ge(share, zero), hn::Gt(length, zero));
     const auto distance = hn::Add(enter, hn::Mul(share, length));
-    hn::StoreU(hn::IfThenElse(isFound, distance, infinity), d, &passages.Distance[i]);
+    hn::StoreU(hn::IfThenElse(isFound, distance, infinity), d, &segments.Distance[i]);
   }
 }
 
-void FindFloat(PassageBatch<float>& passages, bool isSolid)
+void FindFloat(SegmentBatch<float>& segments, bool isSolid)
 {
-  FindAll(passages, isSolid);
+  FindAll(segments, isSolid);
 }
 
-void FindDouble(PassageBatch<double>& passages, bool isSolid)
+void FindDouble(SegmentBatch<double>& segments, bool isSolid)
 {
-  FindAll(passages, isSolid);
+  FindAll(segments, isSolid);
 }
 
 }
@@ -191,39 +192,39 @@ namespace
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// Fewer passages than this are not worth a vector. Measured by `BenchmarkKernels`, crossings.
+/// Fewer segments than this are searched one by one. Measured by `BenchmarkKernels`, crossings.
 constexpr int FewestForVectors = 3;
 
 template <typename Real>
-void FindOneByOne(PassageBatch<Real>& in, bool isSolid)
+void FindOneByOne(SegmentBatch<Real>& in, bool isSolid)
 {
   for (std::size_t i = 0; i < static_cast<std::size_t>(in.Count); ++i)
   {
-    const Passage<Real> passage(in, i);
-    const Cubic<Real> cubic = CubicAlong(passage.Values, passage.Path);
-    in.Enter[i] = passage.Enter;
+    const CellSegment<Real> segment(in, i);
+    const Cubic<Real> cubic = CubicAlong(segment.Values, segment.Path);
+    in.Enter[i] = segment.Enter;
     in.AtEntry[i] = cubic[0];
     Real share = Real(0);
     const bool begins = isSolid && IsInside(cubic[0]);
     const bool isFound = begins || FirstCrossing(cubic, share);
-    in.Distance[i] = isFound ? passage.DistanceAt(static_cast<double>(share)) : Infinity;
+    in.Distance[i] = isFound ? segment.DistanceAt(static_cast<double>(share)) : Infinity;
   }
 }
 
 template <typename Real>
-void FindNearest(PassageBatch<Real>& in)
+void FindNearest(SegmentBatch<Real>& in)
 {
   for (std::size_t i = 0; i < static_cast<std::size_t>(in.Count); ++i)
   {
-    const Passage<Real> passage(in, i);
-    in.Enter[i] = passage.Enter;
-    in.AtEntry[i] = passage.Values[NearestCorner(passage.Path.Begin)];
+    const CellSegment<Real> segment(in, i);
+    in.Enter[i] = segment.Enter;
+    in.AtEntry[i] = segment.Values[NearestCorner(segment.Path.Begin)];
     in.Distance[i] = Infinity;
     double share;
-    if (passage.Enter < passage.Leave &&
-      FirstNearestCrossing(passage.Values, passage.Nearest(in, i), share))
+    if (segment.Enter < segment.Leave &&
+      FirstNearestCrossing(segment.Values, segment.Nearest(in, i), share))
     {
-      in.Distance[i] = passage.DistanceAt(share);
+      in.Distance[i] = segment.DistanceAt(share);
     }
   }
 }
@@ -233,46 +234,46 @@ void FindNearest(PassageBatch<Real>& in)
 HWY_EXPORT(FindFloat);
 HWY_EXPORT(FindDouble);
 
-void FindCrossings(PassageBatch<float>& passages, bool isSolid)
+void FindCrossings(SegmentBatch<float>& segments, bool isSolid)
 {
-  if (passages.Count < FewestForVectors)
+  if (segments.Count < FewestForVectors)
   {
-    FindOneByOne(passages, isSolid);
+    FindOneByOne(segments, isSolid);
     return;
   }
-  FillLastVector(passages);
-  HWY_DYNAMIC_DISPATCH(FindFloat)(passages, isSolid);
+  FillLastVector(segments);
+  HWY_DYNAMIC_DISPATCH(FindFloat)(segments, isSolid);
 }
 
-void FindCrossings(PassageBatch<double>& passages, bool isSolid)
+void FindCrossings(SegmentBatch<double>& segments, bool isSolid)
 {
-  if (passages.Count < FewestForVectors)
+  if (segments.Count < FewestForVectors)
   {
-    FindOneByOne(passages, isSolid);
+    FindOneByOne(segments, isSolid);
     return;
   }
-  FillLastVector(passages);
-  HWY_DYNAMIC_DISPATCH(FindDouble)(passages, isSolid);
+  FillLastVector(segments);
+  HWY_DYNAMIC_DISPATCH(FindDouble)(segments, isSolid);
 }
 
-void FindCrossingsOneByOne(PassageBatch<float>& passages, bool isSolid)
+void FindCrossingsOneByOne(SegmentBatch<float>& segments, bool isSolid)
 {
-  FindOneByOne(passages, isSolid);
+  FindOneByOne(segments, isSolid);
 }
 
-void FindCrossingsOneByOne(PassageBatch<double>& passages, bool isSolid)
+void FindCrossingsOneByOne(SegmentBatch<double>& segments, bool isSolid)
 {
-  FindOneByOne(passages, isSolid);
+  FindOneByOne(segments, isSolid);
 }
 
-void FindNearestCrossings(PassageBatch<float>& passages)
+void FindNearestCrossings(SegmentBatch<float>& segments)
 {
-  FindNearest(passages);
+  FindNearest(segments);
 }
 
-void FindNearestCrossings(PassageBatch<double>& passages)
+void FindNearestCrossings(SegmentBatch<double>& segments)
 {
-  FindNearest(passages);
+  FindNearest(segments);
 }
 
 }

@@ -3,27 +3,26 @@
 #ifndef TemporalCoherence_KernelsCrossing_h
 #define TemporalCoherence_KernelsCrossing_h
 
-#include "Trace/PassageBatch.h"
+#include "Trace/SegmentBatch.h"
 
 namespace TemporalCoherence
 {
 
-/// Find the first crossing of zero along each passage, exactly (CellRoot.h).
+/// Find the first crossing of zero along each segment, exactly (CellRoot.h).
 ///
-/// In vectors of the widest kind that the machine has, or one by one; the results are the same to
-/// the last bit.
-/// \param isSolid a passage that begins inside (>= 0) crosses where it begins
-void FindCrossings(PassageBatch<float>& passages, bool isSolid);
-void FindCrossings(PassageBatch<double>& passages, bool isSolid);
+/// Uses the widest vectors of the machine. The results are bit-identical to those of
+/// FindCrossingsOneByOne.
+/// \param isSolid a segment that begins inside (>= 0) crosses where it begins
+void FindCrossings(SegmentBatch<float>& segments, bool isSolid);
+void FindCrossings(SegmentBatch<double>& segments, bool isSolid);
 
-/// The same, one by one: the reference that the others are held against.
-void FindCrossingsOneByOne(PassageBatch<float>& passages, bool isSolid);
-void FindCrossingsOneByOne(PassageBatch<double>& passages, bool isSolid);
+/// The same, one by one: the reference that the others are compared with.
+void FindCrossingsOneByOne(SegmentBatch<float>& segments, bool isSolid);
+void FindCrossingsOneByOne(SegmentBatch<double>& segments, bool isSolid);
 
-/// The same for the value of the nearest sample instead of the trilinear interpolant: crossings
-/// are faces half way between samples.
-void FindNearestCrossings(PassageBatch<float>& passages);
-void FindNearestCrossings(PassageBatch<double>& passages);
+/// The same for nearest interpolation: crossings are the faces half way between samples.
+void FindNearestCrossings(SegmentBatch<float>& segments);
+void FindNearestCrossings(SegmentBatch<double>& segments);
 
 }
 

@@ -2,17 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trace/KernelsRange.h"
 
-#include "Trace/Passage.h"
+#include "Trace/CellSegment.h"
 
 #include <algorithm>
 #include <cmath>
 
-// This file is compiled once for each kind of vectors, and what runs is chosen by the machine.
+// This file is compiled once for each kind of vectors. The best one for the machine is chosen at
+// run time.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "Trace/KernelsRange.cxx"
 #include <hwy/foreach_target.h>
 
-#include "Trace/KernelsPassage-inl.h"
+#include "Trace/KernelsSegment-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace TemporalCoherence
@@ -28,14 +29,14 @@ HWY_INLINE V EvaluateAt(const V b[4], V s)
   return Mix(Mix(q0, q1, s), Mix(q1, q2, s), s);
 }
 
-/// Widen ranges, in the lanes of `live`, by the values where the cubics turn: TurningPoints of
-/// CellRoot.h.
+/// Widen ranges, in the lanes of `live`, by the values at the turning points of the cubics:
+/// TurningPoints of CellRoot.h.
 template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
 HWY_INLINE void WidenByTurns(D d, const V b[4], M live, V& lowest, V& highest)
 {
   const V zero = hn::Zero(d), one = hn::Set(d, 1);
   V d0 = hn::Sub(b[1], b[0]), d1 = hn::Sub(b[2], b[1]), d2 = hn::Sub(b[3], b[2]);
-  // As shares of the largest, so that squares neither overflow nor vanish.
+  // Scaled by the largest, so that squares neither overflow nor vanish.
   const V largest = hn::Max(hn::Abs(d0), hn::Max(hn::Abs(d1), hn::Abs(d2)));
   const V unit = hn::IfThenElse(hn::Gt(largest, zero), largest, one);
   d0 = hn::Div(d0, unit);
@@ -59,11 +60,11 @@ HWY_INLINE void WidenByTurns(D d, const V b[4], M live, V& lowest, V& highest)
 }
 
 template <typename Real>
-HWY_INLINE void FindAll(PassageBatch<Real>& passages, RangeBatch<Real>& ranges)
+HWY_INLINE void FindAll(SegmentBatch<Real>& segments, RangeBatch<Real>& ranges)
 {
-  const std::size_t count = FullVectors(passages);
+  const std::size_t count = FullVectors(segments);
   Paths<Real> paths;
-  SetUpPaths(passages, count, paths);
+  SetUpPaths(segments, count, paths);
   std::copy_n(paths.Leave.begin(), count, ranges.Leave.begin());
 
   const hn::CappedTag<Real, WidestVector> d;
@@ -71,10 +72,10 @@ HWY_INLINE void FindAll(PassageBatch<Real>& passages, RangeBatch<Real>& ranges)
   for (std::size_t i = 0; i < count; i += hn::Lanes(d))
   {
     V b[4];
-    CubicsAlong(d, passages, paths, i, b);
+    CubicsAlong(d, segments, paths, i, b);
     V lowest = hn::Min(b[0], b[3]), highest = hn::Max(b[0], b[3]);
-    // A cubic lies within the range of its coefficients: it can only leave that of its ends where
-    // one of the others does.
+    // A cubic lies within the range of its coefficients, so it can leave the range of its ends only
+    // if another coefficient does.
     const auto isBeyond =
       hn::Or(hn::Gt(hn::Max(b[1], b[2]), highest), hn::Lt(hn::Min(b[1], b[2]), lowest));
     if (!hn::AllFalse(d, isBeyond))
@@ -90,14 +91,14 @@ HWY_INLINE void FindAll(PassageBatch<Real>& passages, RangeBatch<Real>& ranges)
   }
 }
 
-void RangesFloat(PassageBatch<float>& passages, RangeBatch<float>& ranges)
+void RangesFloat(SegmentBatch<float>& segments, RangeBatch<float>& ranges)
 {
-  FindAll(passages, ranges);
+  FindAll(segments, ranges);
 }
 
-void RangesDouble(PassageBatch<double>& passages, RangeBatch<double>& ranges)
+void RangesDouble(SegmentBatch<double>& segments, RangeBatch<double>& ranges)
 {
-  FindAll(passages, ranges);
+  FindAll(segments, ranges);
 }
 
 }
@@ -111,14 +112,14 @@ namespace
 {
 
 template <typename Real>
-void FindOneByOne(PassageBatch<Real>& in, RangeBatch<Real>& out)
+void FindOneByOne(SegmentBatch<Real>& in, RangeBatch<Real>& out)
 {
   for (std::size_t i = 0; i < static_cast<std::size_t>(in.Count); ++i)
   {
-    const Passage<Real> passage(in, i);
-    const Cubic<Real> cubic = CubicAlong(passage.Values, passage.Path);
-    in.Enter[i] = passage.Enter;
-    out.Leave[i] = passage.Leave;
+    const CellSegment<Real> segment(in, i);
+    const Cubic<Real> cubic = CubicAlong(segment.Values, segment.Path);
+    in.Enter[i] = segment.Enter;
+    out.Leave[i] = segment.Leave;
     const std::array<Real, 2> range = RangeOf(cubic);
     out.Lowest[i] = range[0];
     out.Highest[i] = range[1];
@@ -130,25 +131,25 @@ void FindOneByOne(PassageBatch<Real>& in, RangeBatch<Real>& out)
 }
 
 template <typename Real>
-void FindNearest(PassageBatch<Real>& in, RangeBatch<Real>& out)
+void FindNearest(SegmentBatch<Real>& in, RangeBatch<Real>& out)
 {
   for (std::size_t i = 0; i < static_cast<std::size_t>(in.Count); ++i)
   {
-    const Passage<Real> passage(in, i);
-    in.Enter[i] = passage.Enter;
-    out.Leave[i] = passage.Leave;
-    const bool passes = passage.Enter < passage.Leave;
+    const CellSegment<Real> segment(in, i);
+    in.Enter[i] = segment.Enter;
+    out.Leave[i] = segment.Leave;
+    const bool passes = segment.Enter < segment.Leave;
     const NearestPath path =
-      passes ? passage.Nearest(in, i) : NearestPath{ { NearestCorner(passage.Path.Begin) }, {}, 1 };
-    out.Cubic[0][i] = passage.Values[path.Corners[0]];
-    out.Cubic[3][i] = passage.Values[path.Corners[path.Count - 1]];
+      passes ? segment.Nearest(in, i) : NearestPath{ { NearestCorner(segment.Path.Begin) }, {}, 1 };
+    out.Cubic[0][i] = segment.Values[path.Corners[0]];
+    out.Cubic[3][i] = segment.Values[path.Corners[path.Count - 1]];
     out.Cubic[1][i] = out.Cubic[0][i];
     out.Cubic[2][i] = out.Cubic[3][i];
     out.Lowest[i] = out.Highest[i] = out.Cubic[0][i];
     for (std::size_t step = 1; step < path.Count; ++step)
     {
-      out.Lowest[i] = std::min(out.Lowest[i], passage.Values[path.Corners[step]]);
-      out.Highest[i] = std::max(out.Highest[i], passage.Values[path.Corners[step]]);
+      out.Lowest[i] = std::min(out.Lowest[i], segment.Values[path.Corners[step]]);
+      out.Highest[i] = std::max(out.Highest[i], segment.Values[path.Corners[step]]);
     }
   }
 }
@@ -158,42 +159,42 @@ void FindNearest(PassageBatch<Real>& in, RangeBatch<Real>& out)
 HWY_EXPORT(RangesFloat);
 HWY_EXPORT(RangesDouble);
 
-void FindRanges(PassageBatch<float>& passages, RangeBatch<float>& ranges)
+void FindRanges(SegmentBatch<float>& segments, RangeBatch<float>& ranges)
 {
-  if (passages.Count > 0)
+  if (segments.Count > 0)
   {
-    FillLastVector(passages);
-    HWY_DYNAMIC_DISPATCH(RangesFloat)(passages, ranges);
+    FillLastVector(segments);
+    HWY_DYNAMIC_DISPATCH(RangesFloat)(segments, ranges);
   }
 }
 
-void FindRanges(PassageBatch<double>& passages, RangeBatch<double>& ranges)
+void FindRanges(SegmentBatch<double>& segments, RangeBatch<double>& ranges)
 {
-  if (passages.Count > 0)
+  if (segments.Count > 0)
   {
-    FillLastVector(passages);
-    HWY_DYNAMIC_DISPATCH(RangesDouble)(passages, ranges);
+    FillLastVector(segments);
+    HWY_DYNAMIC_DISPATCH(RangesDouble)(segments, ranges);
   }
 }
 
-void FindRangesOneByOne(PassageBatch<float>& passages, RangeBatch<float>& ranges)
+void FindRangesOneByOne(SegmentBatch<float>& segments, RangeBatch<float>& ranges)
 {
-  FindOneByOne(passages, ranges);
+  FindOneByOne(segments, ranges);
 }
 
-void FindRangesOneByOne(PassageBatch<double>& passages, RangeBatch<double>& ranges)
+void FindRangesOneByOne(SegmentBatch<double>& segments, RangeBatch<double>& ranges)
 {
-  FindOneByOne(passages, ranges);
+  FindOneByOne(segments, ranges);
 }
 
-void FindNearestRanges(PassageBatch<float>& passages, RangeBatch<float>& ranges)
+void FindNearestRanges(SegmentBatch<float>& segments, RangeBatch<float>& ranges)
 {
-  FindNearest(passages, ranges);
+  FindNearest(segments, ranges);
 }
 
-void FindNearestRanges(PassageBatch<double>& passages, RangeBatch<double>& ranges)
+void FindNearestRanges(SegmentBatch<double>& segments, RangeBatch<double>& ranges)
 {
-  FindNearest(passages, ranges);
+  FindNearest(segments, ranges);
 }
 
 }

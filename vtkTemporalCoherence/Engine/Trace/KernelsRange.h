@@ -3,12 +3,12 @@
 #ifndef TemporalCoherence_KernelsRange_h
 #define TemporalCoherence_KernelsRange_h
 
-#include "Trace/PassageBatch.h"
+#include "Trace/SegmentBatch.h"
 
 namespace TemporalCoherence
 {
 
-/// The field along passages, as arrays over passages.
+/// The field along segments, as arrays over segments.
 template <typename Real>
 struct RangeBatch
 {
@@ -20,22 +20,22 @@ struct RangeBatch
   Array<Real> Lowest, Highest;      ///< of the field from Enter to Leave
 };
 
-/// Find the lowest and the highest value that the field has along each passage, and where the ray
-/// enters and leaves the cell.
+/// Find the lowest and the highest value of the field along each segment, and where the ray enters
+/// and leaves the cell.
 ///
-/// In vectors of the widest kind that the machine has, or one by one; the results are the same to
-/// the last bit.
-void FindRanges(PassageBatch<float>& passages, RangeBatch<float>& ranges);
-void FindRanges(PassageBatch<double>& passages, RangeBatch<double>& ranges);
+/// Uses the widest vectors of the machine. The results are bit-identical to those of
+/// FindRangesOneByOne.
+void FindRanges(SegmentBatch<float>& segments, RangeBatch<float>& ranges);
+void FindRanges(SegmentBatch<double>& segments, RangeBatch<double>& ranges);
 
-/// The same, one by one: the reference that the others are held against.
-void FindRangesOneByOne(PassageBatch<float>& passages, RangeBatch<float>& ranges);
-void FindRangesOneByOne(PassageBatch<double>& passages, RangeBatch<double>& ranges);
+/// The same, one by one: the reference that the others are compared with.
+void FindRangesOneByOne(SegmentBatch<float>& segments, RangeBatch<float>& ranges);
+void FindRangesOneByOne(SegmentBatch<double>& segments, RangeBatch<double>& ranges);
 
-/// The same for the value of the nearest sample instead of the trilinear interpolant. Of the
-/// cubic only the first and the last coefficient mean something: the values at the ends.
-void FindNearestRanges(PassageBatch<float>& passages, RangeBatch<float>& ranges);
-void FindNearestRanges(PassageBatch<double>& passages, RangeBatch<double>& ranges);
+/// The same for nearest interpolation. Of the cubic only the first and the last coefficient have a
+/// meaning: the values at the ends.
+void FindNearestRanges(SegmentBatch<float>& segments, RangeBatch<float>& ranges);
+void FindNearestRanges(SegmentBatch<double>& segments, RangeBatch<double>& ranges);
 
 }
 

@@ -4,7 +4,8 @@
 
 #include <algorithm>
 
-// This file is compiled once for each kind of vectors, and what runs is chosen by the machine.
+// This file is compiled once for each kind of vectors. The best one for the machine is chosen at
+// run time.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "Trace/KernelsRays.cxx"
 #include <hwy/foreach_target.h>
@@ -22,12 +23,12 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Doubles = hn::CappedTag<double, WidestVector / 2>;
 using V = hn::Vec<Doubles>;
 
-/// A direction component smaller than this share of the largest one is replaced by it, with its
-/// sign, so that its inverse is finite. Over the 1e4 cells of a large volume the ray then strays by
+/// A direction component smaller than this share of the largest one is raised to it, keeping its
+/// sign, so that its inverse is finite. Over the 1e4 cells of a large volume the ray strays by
 /// 1e-11 cells.
 constexpr double SmallestShare = 1e-15;
 
-/// Normalised device coordinates of the pixels, row by row, and their places in the frame.
+/// Normalised device coordinates of the pixels, row by row, and their positions in the frame.
 inline void SetPixels(const RaySource& source, const glm::ivec2& first, const glm::ivec2& size,
   double* x, double* y, RayBatch& rays)
 {

@@ -8,7 +8,7 @@
 namespace TemporalCoherence
 {
 
-/// RaySource::SetUp, in vectors of the widest kind that the machine has.
+/// RaySource::SetUp in the widest vectors of the machine.
 void SetUpRays(
   const RaySource& source, const glm::ivec2& first, const glm::ivec2& size, RayBatch& rays);
 

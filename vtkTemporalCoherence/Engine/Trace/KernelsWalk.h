@@ -9,7 +9,7 @@
 namespace TemporalCoherence
 {
 
-/// Tells the active cells of leaves that no ray has asked for before.
+/// Computes the active cells of leaves on demand.
 class LeafSource
 {
 public:
@@ -19,7 +19,7 @@ public:
   virtual std::uint64_t CellsOf(std::int64_t node, const glm::ivec3& cell) const = 0;
 };
 
-/// What walks go through.
+/// The scene of vector walks.
 struct WalkScene
 {
   const ActiveCells& Active;
@@ -27,25 +27,25 @@ struct WalkScene
   glm::ivec3 Cells; ///< number of cells along each axis
 };
 
-/// Rays on their way from active cell to active cell, as arrays; those whose walk ends are dropped.
+/// Rays that walk from active cell to active cell, as arrays. Rays whose walk ends are dropped.
 struct RayWalks
 {
   /// Begin the walks of some rays of a batch.
   RayWalks(const RayBatch& rays, std::uint64_t which);
 
-  /// Those on their way, in order; PerDepth, WalkBegin and Pixel are of use only before the first
+  /// The walking rays, in order. PerDepth, WalkBegin and Pixel are valid only until the first ray
   /// is dropped.
   RayBatch Rays;
-  RayBatch::Array<std::int64_t> From;          ///< place in the batch that each comes from
-  std::array<RayBatch::Array<double>, 3> Cell; ///< where each stands
-  /// t of what each has found there, or infinity: to be told before they go on.
+  RayBatch::Array<std::int64_t> From;          ///< position of each ray in its batch
+  std::array<RayBatch::Array<double>, 3> Cell; ///< the present cell of each ray
+  /// t of the hit in the present cell, or infinity. To be set before the rays go on.
   RayBatch::Array<double> Distance;
   bool HasBegun = false;
 };
 
-/// Take every ray that has found nothing to the next active cell; the first time it may stay in the
-/// cell where its walk begins. The others, and rays whose walk ends before, are dropped. Each ray
-/// visits the cells that CellWalk visits, in vectors of any kind.
+/// Take every ray without a hit to its next active cell; the first time it may stay in the cell
+/// where its walk begins. Rays with a hit, and rays whose walk ends first, are dropped. With any
+/// kind of vectors, each ray visits the same cells as CellWalk.
 void FindActiveCells(const WalkScene& scene, RayWalks& walks);
 
 }

@@ -15,8 +15,8 @@
 namespace TemporalCoherence
 {
 
-/// Finds the surfaces behind the last one along rays: SurfaceTracer::FindNext. No state is carried
-/// but the last surface, so that which comes next depends on the ray and that surface alone.
+/// Finds the next surface along rays: SurfaceTracer::FindNext. The only state is the last surface,
+/// so that the next one depends on the ray and on that surface alone.
 template <typename T, typename Geometry, Interpolation Between>
 class LayerSearch
 {
@@ -58,10 +58,10 @@ public:
 
 private:
   using Real = typename Cells::Real;
-  using Part = typename Cells::Part;
+  using Segment = typename Cells::Segment;
 
-  /// Places in Ascending of the isovalues that a cell may pass: from its smallest sample on, or
-  /// from all that are less, too, up to its largest. Samples that are not numbers are below all.
+  /// The range in Ascending of the isovalues that a cell may pass: from its smallest sample, or
+  /// from the lowest isovalue, up to its largest sample. NaN is below all isovalues.
   std::pair<std::size_t, std::size_t> FindPassed(
     const std::array<T, 8>& samples, bool withLess) const
   {
@@ -83,7 +83,7 @@ private:
     return { withLess ? 0 : placeOf(low, std::less<>()), placeOf(high, std::less_equal<>()) };
   }
 
-  /// Solids that are cut open where the ray begins.
+  /// Consider solids that are capped where the ray begins.
   void FindCaps(const Cells& cells, const RayBatch& rays, std::size_t ray, NextHit& next) const
   {
     const auto line = cells.Shape.RayOf(rays, ray);
@@ -92,20 +92,20 @@ private:
     {
       return;
     }
-    const Part part(line, cell);
+    const Segment segment(line, cell);
     const std::array<T, 8> samples = cells.Samples.Read(cell);
     const auto [first, behind] = this->FindPassed(samples, true);
     for (std::size_t place = first; place < behind; ++place)
     {
       const std::size_t surface = this->Ascending[place];
-      if (IsInside(Cells::AtEntry(cells.Differ(samples, surface), part)))
+      if (IsInside(Cells::AtEntry(cells.Differ(samples, surface), segment)))
       {
         next.Consider(rays.Begin[ray], HitKind::Cap, static_cast<std::int16_t>(surface));
       }
     }
   }
 
-  /// From cell to cell until there is a surface behind the last one.
+  /// Walk from cell to cell until there is a surface behind the last one.
   void Walk(
     const Cells& cells, const RayBatch& rays, std::size_t ray, NextHit& next, HitBatch& hits) const
   {
@@ -121,17 +121,17 @@ private:
       if (!cells.IsHidden(walk.Here()))
       {
         ++hits.CellsRead;
-        this->Search(cells, Part(line, walk.Here()), cells.Samples.Read(walk.Here()), next);
+        this->Search(cells, Segment(line, walk.Here()), cells.Samples.Read(walk.Here()), next);
       }
     }
   }
 
-  /// All surfaces in a cell.
-  void Search(
-    const Cells& cells, const Part& part, const std::array<T, 8>& samples, NextHit& next) const
+  /// Consider all surfaces in a cell.
+  void Search(const Cells& cells, const Segment& segment, const std::array<T, 8>& samples,
+    NextHit& next) const
   {
     const bool isBehindHidden =
-      cells.Rules.AreCappedBehindHidden() && part.ComesFrom(*cells.Hidden);
+      cells.Rules.AreCappedBehindHidden() && segment.ComesFrom(*cells.Hidden);
     const auto [first, behind] = this->FindPassed(samples, isBehindHidden);
     for (std::size_t place = first; place < behind; ++place)
     {
@@ -140,37 +140,37 @@ private:
       const auto inside = std::count_if(corners.begin(), corners.end(), IsInside<Real>);
       if (inside != 0 && (inside != 8 || isBehindHidden))
       {
-        this->SearchFor(surface, cells.Rules.IsSolid(), corners, part, isBehindHidden, next);
+        this->SearchFor(surface, cells.Rules.IsSolid(), corners, segment, isBehindHidden, next);
       }
     }
   }
 
-  /// The surfaces of one isovalue in a cell.
-  void SearchFor(std::size_t surface, bool isSolid, const Corners<Real>& corners, const Part& part,
-    bool isBehindHidden, NextHit& next) const
+  /// Consider the surfaces of one isovalue in a cell.
+  void SearchFor(std::size_t surface, bool isSolid, const Corners<Real>& corners,
+    const Segment& segment, bool isBehindHidden, NextHit& next) const
   {
     const auto number = static_cast<std::int16_t>(surface);
     Cubic<Real> cubic;
     bool isInside;
     if constexpr (Between == Interpolation::Linear)
     {
-      cubic = CubicAlong(corners, part.Path());
+      cubic = CubicAlong(corners, segment.Path());
       isInside = IsInside(cubic[0]);
     }
     else
     {
-      isInside = IsInside(Cells::AtEntry(corners, part));
+      isInside = IsInside(Cells::AtEntry(corners, segment));
     }
     if (isInside && isBehindHidden)
     {
-      next.Consider(part.Enter(), HitKind::Cap, number);
+      next.Consider(segment.Enter(), HitKind::Cap, number);
     }
     const auto consider = [&](double share)
     {
       isInside = !isInside;
       if (isInside || !isSolid)
       {
-        next.Consider(part.DistanceAt(share), HitRules::KindOf(!isInside), number);
+        next.Consider(segment.DistanceAt(share), HitRules::KindOf(!isInside), number);
       }
       return false;
     };
@@ -178,14 +178,15 @@ private:
     {
       VisitCrossings(cubic, [&](Real share) { return consider(static_cast<double>(share)); });
     }
-    else if (part.HasLength())
+    else if (segment.HasLength())
     {
-      VisitNearestCrossings(corners, part.Nearest(), consider);
+      VisitNearestCrossings(corners, segment.Nearest(), consider);
     }
   }
 
   std::vector<double> Isovalues;
-  std::vector<std::size_t> Ascending; ///< places of the isovalues, by their values
+  std::vector<std::size_t>
+    Ascending; ///< positions of the isovalues in the list, by ascending value
 };
 
 }

@@ -15,19 +15,20 @@ namespace TemporalCoherence
 /// What is known about the rays of a tile before they are traced, as arrays over rays.
 struct KnownRays
 {
-  RayBatch::Array<double> WalkBegin, WalkEnd; ///< where rays were to walk before they were narrowed
+  RayBatch::Array<double> WalkBegin, WalkEnd; ///< the walks before they were narrowed
   RayBatch::Array<Answer> Answers;
-  RayBatch::Array<double> Free;        ///< no surface nearer than this t is known of
+  RayBatch::Array<double> Free;        ///< t up to which no surface is expected
   RayBatch::Array<double> Hit;         ///< t of a definite hit
-  RayBatch::Array<double> Column, Row; ///< of a definite hit, in pixels of the kept image
-  RayBatch::Array<std::int32_t> Pixel; ///< of the kept image, where the ray stopped; or -1
+  RayBatch::Array<double> Column, Row; ///< of a definite hit, in pixels of the cached image
+  RayBatch::Array<std::int32_t>
+    Pixel; ///< of the cached image, where the query of the ray stopped; or -1
 };
 
-/// Tells where on its rays a tile has to be searched. A hint saves time: it shortens walks, and
-/// where the trace shows that it was wrong the ray is traced once more.
+/// Tells which parts of a tile's rays to search. A hint saves time by shortening walks. If the
+/// trace shows that it was wrong about a ray, that ray is traced again.
 ///
-/// This base knows nothing: rays walk as they are. A new kind of hint overrides what it knows.
-/// Every function is safe from many threads.
+/// This base class knows nothing and changes no walk. A new kind of hint overrides what it knows
+/// about. All functions are thread-safe.
 class RayHint
 {
 public:
@@ -36,8 +37,8 @@ public:
   RayHint(const RayHint&) = delete;
   RayHint& operator=(const RayHint&) = delete;
 
-  /// Shorten the walks of rays to where something may be found.
-  /// \return false if all of them are known to meet nothing
+  /// Shorten the walks of rays to where surfaces may be.
+  /// \return false if all rays are known to miss
   virtual bool Narrow(RayBatch& rays, KnownRays& known) const
   {
     static_cast<void>(rays);
@@ -45,7 +46,7 @@ public:
     return true;
   }
 
-  /// Write a hit that is taken over as it is, with its normal and its colour.
+  /// Write a hit that is re-used without a trace, with its normal and colour.
   /// \return false if there is none for the ray
   virtual bool TakeOver(
     const KnownRays& known, const RayBatch& rays, std::size_t ray, Frame& frame) const
@@ -57,8 +58,8 @@ public:
     return false;
   }
 
-  /// True if what a ray found shows that the hint was wrong about it; its walk is then the one to
-  /// trace instead.
+  /// True if the result of a trace shows that the hint was wrong about a ray. The walk of the ray
+  /// is then set to what has to be traced instead.
   virtual bool Correct(
     const KnownRays& known, const HitBatch& hits, std::size_t ray, RayBatch& rays) const
   {
@@ -69,7 +70,7 @@ public:
     return false;
   }
 
-  /// What was known about a ray before, and whether it had to be traced.
+  /// What was known about a ray before its trace, and whether it was traced.
   struct Told
   {
     Answer Known = Answer::PossibleHit;

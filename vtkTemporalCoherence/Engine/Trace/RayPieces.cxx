@@ -10,15 +10,15 @@ namespace TemporalCoherence
 namespace
 {
 
-/// Some pieces of the rays of a batch, at most one of each.
+/// Pieces of the rays of a batch, at most one of each ray.
 struct PieceBatch
 {
   RayBatch Rays;
-  HitBatch Hits; ///< what the rays have met last, and then what they meet in these pieces
+  HitBatch Hits; ///< the last surfaces of the rays; then their hits in these pieces
   RayBatch::Array<std::size_t> Owners;
 };
 
-/// Append the part of a ray between two distances, which has met `last`.
+/// Append the piece of a ray between two distances. \param last surface that the ray has met
 void AppendPiece(const RayBatch& rays, std::size_t ray, const glm::dvec2& ends,
   const HitBatch& last, PieceBatch& pieces)
 {
@@ -30,47 +30,67 @@ void AppendPiece(const RayBatch& rays, std::size_t ray, const glm::dvec2& ends,
   pieces.Rays.WalkBegin[at] = std::max(rays.WalkBegin[ray], ends.x);
   pieces.Rays.WalkEnd[at] = std::min(rays.WalkEnd[ray], ends.y);
   pieces.Hits.Depth[at] = last.Depth[ray];
-  pieces.Hits.Contact[at] = std::numeric_limits<double>::infinity();
+  pieces.Hits.FirstEntry[at] = std::numeric_limits<double>::infinity();
   pieces.Hits.FromInside[at] = 0;
   pieces.Hits.Surface[at] = last.Surface[ray];
   pieces.Hits.Kind[at] = last.Kind[ray];
 }
 
-/// Make what was found in a piece what its ray found.
+/// Copy the hit of a piece to its ray.
 void TakeHit(const HitBatch& found, std::size_t i, std::size_t ray, HitBatch& hits)
 {
   hits.Depth[ray] = found.Depth[i];
   hits.Surface[ray] = found.Surface[i];
   hits.Kind[ray] = found.Kind[i];
-  if (found.Contact[i] < hits.Contact[ray])
+  if (found.FirstEntry[i] < hits.FirstEntry[ray])
   {
-    hits.Contact[ray] = found.Contact[i];
+    hits.FirstEntry[ray] = found.FirstEntry[i];
     hits.FromInside[ray] = found.FromInside[i];
   }
 }
 
 }
 
+RayPieces::RayPieces(const RegionClipper& clipper, const RayBatch& rays)
+{
+  for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
+  {
+    this->Pieces[ray] = clipper.PiecesOf(rays, ray);
+  }
+}
+
+std::uint64_t RayPieces::Clip(std::size_t piece, RayBatch& rays) const
+{
+  std::uint64_t which = 0;
+  for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
+  {
+    const bool hasPiece = piece < this->CountOf(ray);
+    const glm::dvec2 ends = hasPiece ? this->EndsOf(ray, piece) : glm::dvec2(rays.Begin[ray]);
+    rays.Begin[ray] = ends.x;
+    rays.End[ray] = ends.y;
+    rays.WalkBegin[ray] = std::max(rays.WalkBegin[ray], ends.x);
+    rays.WalkEnd[ray] = std::min(rays.WalkEnd[ray], ends.y);
+    which |= static_cast<std::uint64_t>(hasPiece) << ray;
+  }
+  return which;
+}
+
 void FindInPieces(
-  const RegionCutter& cut, const RayBatch& rays, HitBatch& hits, const FindSurfaces& find)
+  const RegionClipper& clipper, const RayBatch& rays, HitBatch& hits, const FindSurfaces& find)
 {
   const auto count = static_cast<std::size_t>(rays.Count);
-  RayBatch::Array<RegionCutter::Pieces> pieces;
-  for (std::size_t ray = 0; ray < count; ++ray)
-  {
-    pieces[ray] = cut.PiecesOf(rays, ray);
-  }
+  const RayPieces pieces(clipper, rays);
   HitBatch next;
   next.Clear(rays.Count);
-  for (std::size_t piece = 0; piece < RegionCutter::MostPieces; ++piece)
+  for (std::size_t piece = 0; piece < RegionClipper::MostPieces; ++piece)
   {
     PieceBatch batch;
     batch.Hits.CellsRead = 0;
     for (std::size_t ray = 0; ray < count; ++ray)
     {
-      if (piece < pieces[ray].Count && next.Kind[ray] == HitKind::None)
+      if (piece < pieces.CountOf(ray) && next.Kind[ray] == HitKind::None)
       {
-        const glm::dvec2& ends = pieces[ray].Ends[piece];
+        const glm::dvec2& ends = pieces.EndsOf(ray, piece);
         if (hits.Surface[ray] == Frame::NoSurface || ends.y > hits.Depth[ray])
         {
           AppendPiece(rays, ray, ends, hits, batch);

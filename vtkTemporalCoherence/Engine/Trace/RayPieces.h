@@ -4,24 +4,46 @@
 #define TemporalCoherence_RayPieces_h
 
 #include "Scene/RayBatch.h"
-#include "Trace/RegionCutter.h"
+#include "Trace/RegionClipper.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 
 namespace TemporalCoherence
 {
 
+/// The pieces that a region leaves of the rays of a tile.
+class RayPieces
+{
+public:
+  RayPieces(const RegionClipper& clipper, const RayBatch& rays);
+
+  std::size_t CountOf(std::size_t ray) const { return this->Pieces[ray].Count; }
+  const glm::dvec2& EndsOf(std::size_t ray, std::size_t piece) const
+  {
+    return this->Pieces[ray].Ends[piece];
+  }
+
+  /// Clip rays to their piece number `piece`. A ray that has no such piece becomes empty.
+  /// \return one bit for each ray that has one
+  std::uint64_t Clip(std::size_t piece, RayBatch& rays) const;
+
+private:
+  RayBatch::Array<RegionClipper::Pieces> Pieces;
+};
+
 /// Finds one surface along each ray of a batch, behind the one that the ray has in `hits`.
 using FindSurfaces = std::function<void(const RayBatch& rays, HitBatch& hits)>;
 
-/// Find one surface along each ray where the region leaves several pieces of it: first in the
-/// nearest pieces, then, for the rays that met nothing there, in the next ones.
-/// \param hits on entry the surface that each ray has met last, from which it goes on; none for a
-///             ray that begins. Pieces that end before that surface are left out. On return the
-///             surface found, and the first contact of all pieces that were searched.
-/// \pre cut.HasPieces()
+/// Find one surface along each ray of which the region keeps several pieces: first in the nearest
+/// pieces, then, for rays without a hit there, in the next ones.
+/// \param hits on entry the last surface of each ray, from which the search goes on, or none.
+///             Pieces that end before that surface are skipped. On return the surface found, and
+///             the nearest first entry of all pieces searched.
+/// \pre clipper.HasPieces()
 void FindInPieces(
-  const RegionCutter& cut, const RayBatch& rays, HitBatch& hits, const FindSurfaces& find);
+  const RegionClipper& clipper, const RayBatch& rays, HitBatch& hits, const FindSurfaces& find);
 
 }
 

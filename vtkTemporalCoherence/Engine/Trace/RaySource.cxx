@@ -12,23 +12,23 @@ namespace TemporalCoherence
 namespace
 {
 
-/// Voxels from which on a field is too far away to be seen: there, 2^-8 of a voxel is the smallest
-/// step of a distance, and from some way farther on no arithmetic in doubles tells in which order a
-/// ray passes cells.
+/// Fields at this distance in voxels or more are not drawn. The smallest step of a distance in
+/// double precision is 2^-8 voxels there. Somewhat farther away, doubles cannot tell in which order
+/// a ray passes cells.
 constexpr double TooFar = 17592186044416.0; // 2^44
 
 }
 
-RaySource::RaySource(
-  const View& view, const Placement& placement, const glm::ivec3& dimensions, const Region& region)
+RaySource::RaySource(const View& view, const IndexTransform& transform,
+  const glm::ivec3& dimensions, const Region& region)
   : Size(view.Size)
   , Last(dimensions - 1)
   , Near(view.Near)
   , Far(view.Far)
   , World{ view.Direction, view.DirectionX, view.DirectionY }
-  , Cut(region, placement)
+  , Clipper(region, transform)
 {
-  const glm::dmat4& toIndex = placement.IndexFromWorld;
+  const glm::dmat4& toIndex = transform.IndexFromWorld;
   const glm::dmat3 turn(toIndex);
   this->Direction = { turn * view.Direction, turn * view.DirectionX, turn * view.DirectionY };
   this->Origin = { glm::dvec3(toIndex * glm::dvec4(view.Origin, 1.0)), turn * view.OriginX,
@@ -38,7 +38,7 @@ RaySource::RaySource(
   const glm::dvec3 away = glm::abs(this->Origin[0]);
   if (!(std::max({ away.x, away.y, away.z }) < TooFar))
   {
-    // No ray has an end beyond its beginning.
+    // Every ray is empty.
     this->Far = -std::numeric_limits<double>::infinity();
   }
 }
@@ -46,9 +46,9 @@ RaySource::RaySource(
 void RaySource::SetUp(const glm::ivec2& first, const glm::ivec2& size, RayBatch& rays) const
 {
   SetUpRays(*this, first, size, rays);
-  if (!this->Cut.IsWhole())
+  if (!this->Clipper.IsWhole())
   {
-    this->Cut.Narrow(rays);
+    this->Clipper.Narrow(rays);
   }
 }
 

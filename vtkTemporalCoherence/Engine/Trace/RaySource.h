@@ -6,7 +6,7 @@
 #include "Scene/Field.h"
 #include "Scene/RayBatch.h"
 #include "Scene/View.h"
-#include "Trace/RegionCutter.h"
+#include "Trace/RegionClipper.h"
 
 #include <glm/glm.hpp>
 
@@ -15,12 +15,12 @@
 namespace TemporalCoherence
 {
 
-/// The rays of a view as seen from index space; made once for a frame. From more than 2^44 voxels
-/// away they see nothing.
+/// Sets up the rays of a view in index space. Made once for a frame. A field more than 2^44 voxels
+/// away is not visible.
 class RaySource
 {
 public:
-  RaySource(const View& view, const Placement& placement, const glm::ivec3& dimensions,
+  RaySource(const View& view, const IndexTransform& transform, const glm::ivec3& dimensions,
     const Region& region = Region());
 
   /// Set up the rays through the pixels first .. first + size - 1 and clip them to the box of the
@@ -37,7 +37,7 @@ public:
   LinearVector World;             ///< direction in the world, of any length
   LinearVector Direction, Origin; ///< in index space, the direction as long as World
   glm::dvec3 Forward;             ///< component of World along the optical axis, linear too
-  RegionCutter Cut;
+  RegionClipper Clipper;
 };
 
 }

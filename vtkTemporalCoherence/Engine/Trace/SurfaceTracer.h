@@ -16,36 +16,36 @@
 namespace TemporalCoherence
 {
 
-/// How the rays of a tile go through active cells. The hits are the same.
+/// How the rays of a tile are traced through active cells. The hits are the same.
 enum class Traversal : std::uint8_t
 {
   Fastest,
-  Walks, ///< each ray goes from cell to cell
-  Beams  ///< all go together where the kind of field can do it
+  Walks, ///< each ray walks from cell to cell
+  Beams  ///< all rays together, for kinds of fields that have beams
 };
 
-/// What rays are traced through.
+/// The scene that rays are traced through.
 struct TraceScene
 {
   Field Samples;
-  Surfaces Sought;
+  Surfaces Isosurfaces;
   glm::dvec2 FiniteRange{ 0.0 };       ///< smallest and largest finite sample
-  const ActiveCells* Active = nullptr; ///< null: no space leaping, every cell on the way is read
+  const ActiveCells* Active = nullptr; ///< null: no space leaping, all cells along a ray are read
   bool IsHinted = false;               ///< walks may begin behind surfaces, and end before
-  /// False: contacts of rays with hits may be told a little too early.
-  bool AreContactsExact = true;
+  /// False: first entries of rays with hits may be told a little too early.
+  bool AreEntriesExact = true;
   Traversal By = Traversal::Fastest;
 };
 
-/// One cell for each of some rays of a batch.
+/// Cells to search, one for each of some rays of a batch.
 struct CellList
 {
   std::size_t Surface = 0; ///< position in the list of isovalues
   int Count = 0;
   RayBatch::Array<std::uint8_t> Ray; ///< ascending
   std::array<RayBatch::Array<std::int32_t>, 3> Cell;
-  RayBatch::Array<std::uint8_t> IsContact; ///< 1: it is the first that the isovalue passes through
-  RayBatch::Array<double> Enter;           ///< found by FieldKind::FindEntries: t
+  RayBatch::Array<std::uint8_t> IsFirstEntry; ///< 1: it is the ray's first active cell
+  RayBatch::Array<double> Enter;              ///< found by FieldKind::FindEntries: t
 
   void Append(std::size_t ray, const std::array<std::uint16_t, 3>& cell)
   {
@@ -65,14 +65,15 @@ struct CellList
 
 /// Finds the surfaces along the rays of a batch, for one kind of field.
 ///
-/// A hit is the nearest over all isovalues, by the rules of HitOrder.h. It depends on the ray, its
-/// Begin and its End, and not on where the walk starts or what is leapt over. The contact is where
-/// a ray first enters what may hold a surface: before it, neither this ray nor one that is at most
-/// a voxel away meets any. (It does depend on where the walk starts.)
+/// The hit of a ray is the nearest surface of all isovalues, by the rules of HitOrder.h. It depends
+/// on the ray, its Begin and its End, but not on where the walk starts or which cells are skipped.
+/// The first entry of a ray is where it first enters an active cell: before it, neither this ray
+/// nor one at most a voxel away meets a surface. (The first entry does depend on where the walk
+/// starts.)
 class SurfaceTracer
 {
 public:
-  /// The tracer of the kind of the scene's field. The scene's structures must outlive it.
+  /// Make the tracer for the kind of the scene's field. The scene's structures must outlive it.
   /// \throws std::bad_alloc
   static std::shared_ptr<const SurfaceTracer> Make(const TraceScene& scene);
 
@@ -80,21 +81,21 @@ public:
   SurfaceTracer(const SurfaceTracer&) = delete;
   SurfaceTracer& operator=(const SurfaceTracer&) = delete;
 
-  /// Find the first surface along each ray. Safe from many threads.
+  /// Find the first surface along each ray. Thread-safe.
   virtual void Trace(const RayBatch& rays, HitBatch& hits) const = 0;
 
-  /// Go on from the surface that each ray has in `hits`, or from its beginning where it has none,
-  /// to the next one; none if there is no other before its end. Contacts are not looked for. Safe
-  /// from many threads.
+  /// Find the next surface along each ray, behind the one in `hits`; without one, the first. Does
+  /// not find first entries. Thread-safe.
   ///
-  /// With CROSSING every crossing of every isovalue is a surface; with THRESHOLD, where a solid is
-  /// entered, and all solids that are cut open where the ray begins or leaves hidden cells. A kind
-  /// that does not override it shows no surface behind the first one.
+  /// With CROSSING every crossing of every isovalue is a surface. With THRESHOLD every entry into a
+  /// solid is one, and every cap where the ray begins or leaves hidden cells. A kind that does not
+  /// override this shows only the first surface.
   virtual void FindNext(const RayBatch& rays, HitBatch& hits) const;
 
-  /// Look for one surface in the given cells only, and make what is found the hit of its ray where
-  /// it is nearer than the hit that the ray has; likewise contacts. Only kinds that have isomaps
-  /// are asked. Safe from many threads. \return one bit for each ray in whose cell it is not
+  /// Search only the given cells for one surface. A surface nearer than the hit of its ray becomes
+  /// the hit; the same holds for first entries. Only called for kinds that have isomaps.
+  /// Thread-safe.
+  /// \return one bit for each ray without the surface in its cell
   virtual std::uint64_t SearchCells(
     const RayBatch& rays, const CellList& cells, HitBatch& hits) const;
 

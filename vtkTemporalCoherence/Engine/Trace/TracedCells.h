@@ -18,18 +18,18 @@
 namespace TemporalCoherence
 {
 
-/// The cells of a field with samples at their corners, as rays are traced through them.
+/// The cells of a field with samples at their corners, prepared for tracing.
 ///
-/// \tparam Geometry tells how rays go through cells: RayOf(rays, ray), for CellWalk, and Part(ray,
-///         cell), the part of a ray in a cell; and in which types: Value, of which differences from
-///         isovalues are taken, and Real, in which crossings are found; and HasKernels: parts of
-///         rays are made and searched by those for PassageBatch
+/// \tparam Geometry tells how rays go through cells: RayOf(rays, ray), for CellWalk, and
+///         Segment(ray, cell), the segment of a ray in a cell. Value is the type of which
+///         differences from isovalues are taken, Real that in which crossings are found.
+///         HasKernels: segments are made and searched by those for SegmentBatch
 template <typename T, typename Geometry, Interpolation Between>
 struct TracedCells
 {
   using Real = typename Geometry::Real;
   using Value = typename Geometry::Value;
-  using Part = typename Geometry::Part;
+  using Segment = typename Geometry::Segment;
 
   TracedCells(const TraceScene& scene, const Geometry& shape)
     : Scene(scene)
@@ -37,9 +37,9 @@ struct TracedCells
     , Samples(scene.Samples)
     , Count(scene.Samples.Dimensions - 1)
     , Hidden(scene.Samples.Hidden.get())
-    , Rules(scene.Sought, scene.Samples.Hidden != nullptr)
+    , Rules(scene.Isosurfaces, scene.Samples.Hidden != nullptr)
   {
-    for (const double isovalue : scene.Sought.Isovalues)
+    for (const double isovalue : scene.Isosurfaces.Isovalues)
     {
       this->Differences.emplace_back(isovalue, scene.FiniteRange);
     }
@@ -51,7 +51,7 @@ struct TracedCells
   }
 
   /// Take a walk to the next cell that may hold a surface.
-  /// \return false if the walk ends before
+  /// \return false if the walk ends first
   template <typename WalkingRay>
   HWY_INLINE bool GoOn(const WalkingRay& ray, CellWalk& walk) const
   {
@@ -70,7 +70,7 @@ struct TracedCells
     return corners;
   }
 
-  /// True if a surface can be in a cell, or a cap before it.
+  /// True if a cell can hold a surface, or a cap where the ray enters it.
   bool CanHold(const Corners<Real>& corners) const
   {
     int inside = 0;
@@ -82,10 +82,10 @@ struct TracedCells
   }
 
   /// Difference from the isovalue where a ray enters a cell.
-  static Real AtEntry(const Corners<Real>& corners, const Part& part)
+  static Real AtEntry(const Corners<Real>& corners, const Segment& segment)
   {
-    return Between == Interpolation::Linear ? CubicAlong(corners, part.Path())[0]
-                                            : corners[NearestCorner(part.Path().Begin)];
+    return Between == Interpolation::Linear ? CubicAlong(corners, segment.Path())[0]
+                                            : corners[NearestCorner(segment.Path().Begin)];
   }
 
   TraceScene Scene;

@@ -50,19 +50,19 @@ bool MapperFrames::Render(const Viewer& viewer, const FrameRequest& request,
     double farthest = 0.0;
     const ReportProgress tell = Rising(report, farthest);
     const std::shared_ptr<ViewerState> state = this->Viewers.Serve(viewer);
-    if (!state->Frames.Render(request.Key, options, tell))
+    if (!state->Engine.Render(request.Key, options, tell))
     {
       return false;
     }
     state->IsovaluePlaces = request.IsovaluePlaces;
-    state->Picture += state->Frames.Statistics().Made != Route::Redisplay;
+    state->PictureNumber += state->Engine.Statistics().Made != Route::Redisplay;
     this->Last = this->Mapped = state;
     tell(1.0);
     return true;
   }
   catch (const std::exception&)
   {
-    error = "There is not enough memory for a frame of " + TextOf(request.Key.Seen.Size) +
+    error = "There is not enough memory for a frame of " + TextOf(request.Key.View.Size) +
       " pixels and the block ranges of " + TextOf(request.Key.Samples.Dimensions) +
       " samples; free memory, keep fewer cached images, or render a part of the volume "
       "(vtkExtractVOI) or fewer pixels.";
@@ -77,7 +77,7 @@ Isomap::Outcome MapperFrames::BuildIsomap(const Viewer& viewer, const FrameReque
   {
     double farthest = 0.0;
     this->Mapped = this->Viewers.Serve(viewer);
-    return this->Mapped->Frames.BuildIsomap(request.Key, options, Rising(report, farthest));
+    return this->Mapped->Engine.BuildIsomap(request.Key, options, Rising(report, farthest));
   }
   catch (const std::exception&)
   {
@@ -91,7 +91,7 @@ void MapperFrames::Present(vtkRenderer* renderer, vtkVolume* volume, const glm::
   vtkDataSet* data, std::string& error)
 {
   const auto state = this->Viewers.Find(Viewer::Of(renderer, volume));
-  if (!state || state->Frames.LastFrame().IsEmpty() || state->PictureSize != size)
+  if (!state || state->Engine.LastFrame().IsEmpty() || state->PictureSize != size)
   {
     return;
   }
@@ -105,7 +105,7 @@ void MapperFrames::Present(vtkRenderer* renderer, vtkVolume* volume, const glm::
     else if (const auto pass = PeelingPass::Of(volume))
     {
       state->Peels.Present(
-        *pass, renderer, volume, state->Frames.LastFrame(), state->Frames.LastKey().Seen, error);
+        *pass, renderer, volume, state->Engine.LastFrame(), state->Engine.LastKey().View, error);
     }
     else
     {
@@ -146,16 +146,17 @@ bool WriteImagesOf(const Frame& frame, const Writer& write, std::string& error)
 
 }
 
-bool MapperFrames::WriteImages(const PictureImages& images, std::string& error) const
+bool MapperFrames::WriteImages(const std::vector<FrameImage>& images, std::string& error) const
 {
-  const Frame& frame = this->Last->Frames.LastFrame();
+  const Frame& frame = this->Last->Engine.LastFrame();
   return WriteImagesOf(
-    frame, [&]() { WritePicture(frame, this->Last->IsovaluePlaces, images); }, error);
+    frame, [&]() { TemporalCoherence::WriteImages(frame, this->Last->IsovaluePlaces, images); },
+    error);
 }
 
 bool MapperFrames::WriteBufferColors(vtkImageData* image, std::string& error) const
 {
-  const FrameRenderer& frames = this->Last->Frames;
+  const FrameRenderer& frames = this->Last->Engine;
   return image &&
     WriteImagesOf(
       frames.LastFrame(), [&]() { WriteColors(frames.LastFrame(), frames.LastKey(), image); },
@@ -165,7 +166,7 @@ bool MapperFrames::WriteBufferColors(vtkImageData* image, std::string& error) co
 bool MapperFrames::WriteBufferDepths(
   vtkImageData* image, int scalarType, bool endsAtBox, std::string& error) const
 {
-  const FrameRenderer& frames = this->Last->Frames;
+  const FrameRenderer& frames = this->Last->Engine;
   return image &&
     WriteImagesOf(
       frames.LastFrame(),
@@ -175,7 +176,7 @@ bool MapperFrames::WriteBufferDepths(
 
 bool MapperFrames::WriteSurface(vtkPolyData* points, std::string& error) const
 {
-  const FrameRenderer& frames = this->Last->Frames;
+  const FrameRenderer& frames = this->Last->Engine;
   if (frames.LastFrame().IsEmpty())
   {
     return false;
@@ -195,8 +196,8 @@ bool MapperFrames::WriteSurface(vtkPolyData* points, std::string& error) const
 
 std::optional<PixelHit> MapperFrames::FindHit(int x, int y) const
 {
-  const FrameRenderer& frames = this->Last->Frames;
-  return FindPixelHit(frames.LastFrame(), frames.LastKey().Seen, this->Last->PictureSize, x, y);
+  const FrameRenderer& frames = this->Last->Engine;
+  return FindPixelHit(frames.LastFrame(), frames.LastKey().View, this->Last->PictureSize, x, y);
 }
 
 std::optional<LineHit> MapperFrames::FindHit(
@@ -204,7 +205,7 @@ std::optional<LineHit> MapperFrames::FindHit(
 {
   try
   {
-    return TraceLine(request.Key, this->Last->Frames.FiniteRangeOf(request.Key), begin, end);
+    return TraceLine(request.Key, this->Last->Engine.FiniteRangeOf(request.Key), begin, end);
   }
   catch (const std::exception&)
   {

@@ -13,6 +13,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkDataSet;
@@ -53,9 +54,9 @@ public:
   void Present(vtkRenderer* renderer, vtkVolume* volume, const glm::ivec2& size, vtkDataSet* data,
     std::string& error);
 
-  /// Copy the last frame into images.
+  /// Write arrays of the last frame into images; see ImageFromFrame.h.
   /// \return false if there is none, or on error
-  bool WriteImages(const PictureImages& images, std::string& error) const;
+  bool WriteImages(const std::vector<FrameImage>& images, std::string& error) const;
 
   /// Copy the last frame into an image as the buffers of a window hold it; see BufferImages.h.
   /// \return false if there is none, or on error
@@ -81,18 +82,18 @@ public:
   }
 
   /// Rays of the last frame along each axis; 0 if there is none.
-  const glm::ivec2& LastSize() const { return this->Last->Frames.LastFrame().Size; }
+  const glm::ivec2& LastSize() const { return this->Last->Engine.LastFrame().Size; }
 
   /// Of the samples of the last frame; not defined where it has no cells or no isovalues.
-  const ValueRangePyramid& LastRanges() const { return this->Last->Frames.LastRanges(); }
+  const ValueRangePyramid& LastRanges() const { return this->Last->Engine.LastRanges(); }
 
   /// Of the last frame.
-  const FrameStatistics& Statistics() const { return this->Last->Frames.Statistics(); }
+  const FrameStatistics& Statistics() const { return this->Last->Engine.Statistics(); }
 
   /// Of the viewer that was asked last for a frame or an isomap.
-  const Isomap& LastIsomap() const { return this->Mapped->Frames.IsomapOfLastView(); }
-  bool IsIsomapTooLarge() const { return this->Mapped->Frames.IsIsomapTooLarge(); }
-  double IsomapBuildTime() const { return this->Mapped->Frames.IsomapBuildTime(); }
+  const Isomap& LastIsomap() const { return this->Mapped->Engine.IsomapOfLastView(); }
+  bool IsIsomapTooLarge() const { return this->Mapped->Engine.IsIsomapTooLarge(); }
+  double IsomapBuildTime() const { return this->Mapped->Engine.IsomapBuildTime(); }
 
   /// Seconds that the last frame took to be shown.
   double PresentTime() const { return this->SecondsToPresent; }

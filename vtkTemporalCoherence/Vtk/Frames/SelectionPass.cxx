@@ -20,7 +20,7 @@ namespace TemporalCoherence
 namespace
 {
 
-/// 24 bits of a number, the lowest in red.
+/// 24 bits of an id as a colour, the lowest in red.
 PixelColor ColorOf(vtkIdType number)
 {
   const auto byte = [&](int shift) { return static_cast<std::uint8_t>(number >> shift & 0xff); };
@@ -36,10 +36,11 @@ PixelColor ColorOfProp(vtkHardwareSelector* selector)
   return { byte(color[0]), byte(color[1]), byte(color[2]), 255 };
 }
 
-/// The point nearest to a place in the data's coordinates, or the cell around it; or 0 without one.
+/// The point nearest to a position in the data's coordinates, or the cell around it; 0 if there is
+/// none.
 vtkIdType NumberAt(vtkDataSet* data, glm::dvec3 place, bool isPoint)
 {
-  // A hit on the boundary may lie outside of it by rounding.
+  // Rounding may put a hit on the boundary outside.
   const double* bounds = data->GetBounds();
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -60,10 +61,10 @@ vtkIdType NumberAt(vtkDataSet* data, glm::dvec3 place, bool isPoint)
   return std::max<vtkIdType>(number, 0);
 }
 
-/// What a ray with a hit is drawn with.
+/// The id to draw for a ray with a hit.
 using ColorOfRay = std::function<PixelColor(const glm::ivec2&)>;
 
-/// The number of the point or the cell at the hit.
+/// The id of the point or the cell at the hit.
 ColorOfRay NumbersOf(
   const ShownFrame& shown, vtkVolume* volume, vtkDataSet* data, bool isPoint, int shift)
 {
@@ -75,7 +76,7 @@ ColorOfRay NumbersOf(
   const glm::dmat4 dataFromWorld = glm::inverse(MatrixFromVtk(volume->GetMatrix()));
   return [=](const glm::ivec2& ray)
   {
-    const glm::dvec4 place(PositionOfHit(shown.Picture, shown.Seen, ray.x, ray.y), 1.0);
+    const glm::dvec4 place(PositionOfHit(shown.Picture, shown.View, ray.x, ray.y), 1.0);
     return ColorOf(NumberAt(data, glm::dvec3(dataFromWorld * place), isPoint) >> shift);
   };
 }

@@ -17,10 +17,10 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// Draw a viewer's last frame for the hardware selector of its renderer: with its depths, in the
-/// colours that the selector reads as numbers in the pass that it is in. These are the numbers of
-/// the prop or the process, of the point nearest to a hit, or of the cell around it.
-/// \param data  where points and cells are; null if they have no numbers, which are 0 then
+/// Draw a viewer's last frame for the hardware selector of its renderer: with its depths, and in
+/// colours that encode the numbers for the present pass of the selector. These are the ids of the
+/// prop, of the process, of the point nearest to a hit, or of the cell around it.
+/// \param data  with the points and cells; null: their ids are 0
 /// \param error gets what is wrong if the result is false
 /// \throws std::bad_alloc
 bool PresentToSelector(vtkRenderer* renderer, vtkVolume* volume, vtkDataSet* data,

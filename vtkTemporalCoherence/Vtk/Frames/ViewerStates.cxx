@@ -19,7 +19,7 @@ bool IsGoneInPart(const Viewer& viewer)
   return !viewer.Renderer || !viewer.Volume || !viewer.Camera;
 }
 
-/// True if what is left of a viewer is the same.
+/// True if the objects of a viewer that still exist are the same.
 bool IsSuccessor(const Viewer& next, const Viewer& before)
 {
   return (!before.Renderer || before.Renderer == next.Renderer) &&

@@ -27,10 +27,11 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// Who sees what: each viewer has a picture of its own, which changes little from frame to frame.
+/// Identifies a viewer: renderer, volume, camera and eye. Each viewer has its own picture, which
+/// changes little from frame to frame.
 struct Viewer
 {
-  /// The viewer that a renderer's active camera stands for.
+  /// The viewer of a renderer's active camera.
   static Viewer Of(vtkRenderer* renderer, vtkVolume* volume);
 
   vtkWeakPointer<vtkRenderer> Renderer;
@@ -39,58 +40,58 @@ struct Viewer
   int Eye = 0; ///< 0 both, 1 left, 2 right
 };
 
-/// What is kept for a viewer from frame to frame.
+/// What is kept for a viewer between frames.
 struct ViewerState
 {
   explicit ViewerState(std::shared_ptr<FieldStructures> shared)
-    : Frames(std::move(shared))
+    : Engine(std::move(shared))
   {
   }
 
-  /// The last frame, to be presented.
+  /// The last frame, for a presenter.
   ShownFrame Shown() const
   {
-    return { this->Frames.LastFrame(), this->Frames.LastKey().Seen, this->PictureSize,
-      this->Picture };
+    return { this->Engine.LastFrame(), this->Engine.LastKey().View, this->PictureSize,
+      this->PictureNumber };
   }
 
   Viewer Of;
-  FrameRenderer Frames;
+  FrameRenderer Engine;
   PicturePresenter Presenter;
   PeelPresenter Peels;
-  std::vector<int> IsovaluePlaces; ///< position in the property's list of each isovalue drawn
+  std::vector<int> IsovaluePlaces; ///< position in the property's list, for each isovalue drawn
   glm::ivec2 PictureSize{ 0 };     ///< pixels that the last frame fills
-  std::uint64_t Picture = 0;       ///< counts the different pictures
+  std::uint64_t PictureNumber = 0; ///< number of different pictures so far
 };
 
-/// The states of the viewers that were served last. Which state serves whom is a matter of speed
-/// alone, never of the picture: a state compares the whole key of a frame with that of its last.
+/// The states of the last viewers. Which state serves a viewer affects speed only, never the
+/// picture: a state compares the whole key of a frame with that of its last one.
 class ViewerStates
 {
 public:
-  /// More viewers than this lose their state to one another: the least recently served first.
+  /// The most states. For more viewers, the least recently used state is re-used.
   static constexpr std::size_t Most = 4;
 
   /// The state of a viewer, if there is one.
   std::shared_ptr<ViewerState> Find(const Viewer& viewer) const;
 
-  /// The state of a viewer, or one whose viewer is gone in part and else the same (as where a
-  /// renderer gets a new camera for each frame), or a new one.
+  /// The state of a viewer; else a state whose viewer differs only in objects that no longer exist
+  /// (as when a renderer gets a new camera for each frame); else a new one.
   /// \throws std::bad_alloc
   std::shared_ptr<ViewerState> Serve(const Viewer& viewer);
 
-  /// A state that nobody is served with yet.
+  /// A new state without a viewer.
   std::shared_ptr<ViewerState> MakeState() const
   {
     return std::make_shared<ViewerState>(this->Shared);
   }
 
-  /// Free what is held in the context of a window; of all, if it is null.
+  /// Free resources in the context of a window; in all contexts if it is null.
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
   std::shared_ptr<FieldStructures> Shared = std::make_shared<FieldStructures>();
-  std::vector<std::shared_ptr<ViewerState>> States; ///< most recently served first
+  std::vector<std::shared_ptr<ViewerState>> States; ///< most recently used first
 };
 
 }

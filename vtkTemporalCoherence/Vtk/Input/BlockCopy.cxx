@@ -19,7 +19,7 @@ namespace
 
 using Ghosts = vtkDataSetAttributes;
 
-/// How good a block's sample is; the best one is taken.
+/// Ranks of a block's sample; the highest one is taken.
 enum Rank : std::uint8_t
 {
   None,
@@ -62,7 +62,7 @@ Rank RankOfPoint(const BlockSource& block, const glm::ivec3& point)
   return flag & Ghosts::HIDDENPOINT ? Hidden : flag & Ghosts::DUPLICATEPOINT ? Duplicate : Own;
 }
 
-/// Raise the ranks of a row and tell of each run of places that got a higher one.
+/// Raise the ranks of a row, and report each run of positions whose rank rose.
 template <typename RankAt, typename Take>
 void RaiseRow(std::uint8_t* ranks, int count, const RankAt& rankAt, const Take& take)
 {
@@ -86,7 +86,7 @@ void RaiseRow(std::uint8_t* ranks, int count, const RankAt& rankAt, const Take& 
   }
 }
 
-/// Copies samples of type T; the whole, and what is known of it.
+/// Copies samples of type T into the whole.
 template <typename T>
 class Copier
 {
@@ -233,7 +233,7 @@ private:
           ++count;
         }
       }
-      // Elsewhere any sample will do that does not widen the range of values.
+      // Farther away any sample will do that does not widen the range of values.
       this->SampleAt(at)[c] = count > 0
         ? Rounded(sum / count)
         : *static_cast<const T*>(

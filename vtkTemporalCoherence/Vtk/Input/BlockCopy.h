@@ -11,31 +11,31 @@
 namespace TemporalCoherence
 {
 
-/// One of the blocks that are copied into a larger array.
+/// A block to be copied into a larger array.
 struct BlockSource
 {
   std::vector<ArraySamples> Components;
-  glm::ivec3 First{ 0 };  ///< its first point among those of the whole
+  glm::ivec3 First{ 0 };  ///< position of its first point in the whole
   glm::ivec3 Points{ 0 }; ///< along each axis
   const std::uint8_t* PointGhosts = nullptr;
   const std::uint8_t* CellGhosts = nullptr;
 };
 
-/// The array that holds all blocks: points (or cells) of a box, x fastest.
+/// The array that takes all blocks: points (or cells) of a box, x fastest.
 struct BlockTarget
 {
   glm::ivec3 Points{ 0 }; ///< along each axis
-  bool OnCells = false;   ///< samples are those of the cells between the points
+  bool OnCells = false;   ///< samples lie on the cells between the points
   void* Samples = nullptr;
-  std::uint8_t* CellGhosts = nullptr; ///< gets 0, or HIDDENCELL where nothing is to be seen
+  std::uint8_t* CellGhosts = nullptr; ///< gets 0, or HIDDENCELL for cells to hide
 };
 
 /// Copy blocks of samples of one type into one array, in parallel.
 ///
-/// Of several blocks that hold a sample, one gives it that owns it, else one that has a duplicate,
-/// else one in which it is hidden; of equal ones, the first. A cell is seen if a block owns and
-/// shows it, whether samples are those of points or of cells. Samples of no block continue those
-/// beside them, so that gradients at the rim are one-sided differences.
+/// If several blocks hold a sample, it is taken from a block that owns it; else from one with a
+/// duplicate; else from one in which it is hidden. Of equal blocks the first counts. A cell is
+/// visible if some block owns and shows it. Samples without a block repeat their neighbours, so
+/// that gradients at the rim are one-sided differences.
 /// \pre all blocks lie in the target, with the same type and number of components
 /// \return true if there are hidden cells
 bool CopyBlocks(const std::vector<BlockSource>& blocks, const BlockTarget& target);

@@ -18,7 +18,7 @@ namespace TemporalCoherence
 namespace
 {
 
-/// A transform is singular if it flattens a unit box to less than this share of the volume of one
+/// A transform is singular if it maps the unit box to less than this share of the volume of a box
 /// with the same edges.
 constexpr double FlattestBox = 1e-12;
 
@@ -34,7 +34,8 @@ bool IsFinite(const glm::dmat4& matrix)
   return true;
 }
 
-/// Share of the volume that a matrix leaves of a box with the same edges; 0 if it is singular.
+/// Volume of the transformed unit box, as a share of that of a box with the same edges; 0 if the
+/// matrix is singular.
 double Flatness(const glm::dmat4& matrix)
 {
   const glm::dmat3 m(matrix);
@@ -43,7 +44,7 @@ double Flatness(const glm::dmat4& matrix)
   return std::isfinite(share) ? share : 0.0;
 }
 
-/// From the indices of samples, counted from the first one, to where the image says that they lie.
+/// Make the transform from sample indices, counted from 0, to the image's coordinates.
 bool PlaceImage(
   vtkImageData* image, bool onCells, glm::dmat4& physicalFromIndex, std::string& error)
 {
@@ -76,20 +77,20 @@ bool PlaceImage(
   return error.empty();
 }
 
-/// Add the volume's transform to where the image lies.
-bool PlaceVolume(vtkVolume* volume, Placement& placement, std::string& error)
+/// Apply the transform of the volume.
+bool PlaceVolume(vtkVolume* volume, IndexTransform& transform, std::string& error)
 {
   volume->ComputeMatrix();
   vtkMatrix4x4* matrix = volume->GetMatrix();
-  const glm::dmat4 transform = MatrixFromVtk(matrix);
-  placement.WorldFromIndex = transform * placement.WorldFromIndex;
+  const glm::dmat4 volumeMatrix = MatrixFromVtk(matrix);
+  transform.WorldFromIndex = volumeMatrix * transform.WorldFromIndex;
 
-  // That of the prop and of its user matrix together.
+  // The matrix of the prop, including its user matrix.
   const glm::dvec3 scale(
-    glm::length(transform[0]), glm::length(transform[1]), glm::length(transform[2]));
+    glm::length(volumeMatrix[0]), glm::length(volumeMatrix[1]), glm::length(volumeMatrix[2]));
   const double* last = matrix->GetData() + 12;
   std::ostringstream what;
-  if (!IsFinite(transform) || !IsFinite(placement.WorldFromIndex))
+  if (!IsFinite(volumeMatrix) || !IsFinite(transform.WorldFromIndex))
   {
     what << "The transform of the volume is not finite (its scale is " << scale[0] << ", "
          << scale[1] << ", " << scale[2]
@@ -101,7 +102,7 @@ bool PlaceVolume(vtkVolume* volume, Placement& placement, std::string& error)
          << last[2] << ", " << last[3]
          << "), a projection; give it a user matrix whose last row is (0, 0, 0, 1).";
   }
-  else if (Flatness(placement.WorldFromIndex) < FlattestBox)
+  else if (Flatness(transform.WorldFromIndex) < FlattestBox)
   {
     what << "The transform of the volume is singular (its scale is " << scale[0] << ", " << scale[1]
          << ", " << scale[2] << "); give it a scale other than 0 and an invertible user matrix.";
@@ -111,7 +112,7 @@ bool PlaceVolume(vtkVolume* volume, Placement& placement, std::string& error)
   {
     return false;
   }
-  placement.IndexFromWorld = glm::inverse(placement.WorldFromIndex);
+  transform.IndexFromWorld = glm::inverse(transform.WorldFromIndex);
   return true;
 }
 
@@ -159,11 +160,11 @@ bool MakeField(vtkImageData* image, vtkDataArray* array, bool onCells, int compo
   return true;
 }
 
-bool MakePlacement(
-  vtkImageData* image, bool onCells, vtkVolume* volume, Placement& placement, std::string& error)
+bool MakeIndexTransform(vtkImageData* image, bool onCells, vtkVolume* volume,
+  IndexTransform& transform, std::string& error)
 {
-  return PlaceImage(image, onCells, placement.WorldFromIndex, error) &&
-    PlaceVolume(volume, placement, error);
+  return PlaceImage(image, onCells, transform.WorldFromIndex, error) &&
+    PlaceVolume(volume, transform, error);
 }
 
 ImageAxes AxesOf(vtkImageData* image, bool onCells)

@@ -17,17 +17,16 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// The coordinates of samples along the axes of an image: sample i of an axis lies at
-/// First + i Step.
+/// The positions of samples along the axes of an image: sample i of an axis lies at First + i Step.
 struct ImageAxes
 {
   glm::dvec3 First{ 0.0 }, Step{ 1.0 };
 };
 
-/// See one component of an array of an image as a field, in place.
+/// Make a field of one component of an image's array. The samples are not copied.
 /// \param image     where the samples lie
 /// \param array     one tuple for each point, or for each cell, of the image
-/// \param onCells   one sample at the centre of each cell; the field is the box between centres
+/// \param onCells   samples lie at the centres of cells; the field is the box between the centres
 /// \param component of the array
 /// \param error     gets what is wrong and what to do about it
 /// \return false on error. An image with fewer than two samples along an axis is no error: its
@@ -35,14 +34,14 @@ struct ImageAxes
 bool MakeField(vtkImageData* image, vtkDataArray* array, bool onCells, int component, Field& field,
   std::string& error);
 
-/// Where the samples lie in the world when drawn by the volume: origin, spacing, direction and
-/// first index of the image, then the transform of the volume.
+/// Make the transform from index space to the world: by origin, spacing, direction and first index
+/// of the image, and the transform of the volume.
 /// \return false on error, for example if a spacing or a scale is zero
-bool MakePlacement(
-  vtkImageData* image, bool onCells, vtkVolume* volume, Placement& placement, std::string& error);
+bool MakeIndexTransform(vtkImageData* image, bool onCells, vtkVolume* volume,
+  IndexTransform& transform, std::string& error);
 
-/// Where the image's samples lie along its own axes: origin, spacing and first index.
-/// \param onCells samples lie at the centres of the image's cells
+/// The positions of samples along the image's own axes: by origin, spacing and first index.
+/// \param onCells samples lie at the centres of cells
 ImageAxes AxesOf(vtkImageData* image, bool onCells);
 
 }

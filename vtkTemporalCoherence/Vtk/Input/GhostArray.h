@@ -12,12 +12,12 @@ namespace TemporalCoherence
 /// The ghost array of points or cells; null if there is none.
 inline vtkUnsignedCharArray* GhostsOf(vtkDataSetAttributes* attributes)
 {
-  // What the data set itself answers may be that of an array which was replaced.
+  // The data set may answer with an array that has been replaced.
   return vtkUnsignedCharArray::SafeDownCast(
     attributes->GetArray(vtkDataSetAttributes::GhostArrayName()));
 }
 
-/// True if a ghost array tells one value for each of so many points or cells.
+/// True if a ghost array has one value for each of this many points or cells.
 inline bool HasOneForEach(vtkUnsignedCharArray* ghosts, vtkIdType count)
 {
   return ghosts->GetNumberOfTuples() >= count && ghosts->GetNumberOfComponents() == 1;

@@ -23,7 +23,7 @@ namespace
 constexpr std::uint8_t NotToBeShown = vtkDataSetAttributes::HIDDENCELL |
   vtkDataSetAttributes::REFINEDCELL | vtkDataSetAttributes::DUPLICATECELL;
 
-/// \return false if there is a ghost array that does not tell one value for each point or cell
+/// \return false if a ghost array does not have one value for each point or cell
 bool IsUsable(vtkUnsignedCharArray* ghosts, vtkIdType count, const char* places, std::string& error)
 {
   if (!ghosts || HasOneForEach(ghosts, count))
@@ -39,8 +39,7 @@ bool IsUsable(vtkUnsignedCharArray* ghosts, vtkIdType count, const char* places,
   return false;
 }
 
-/// One byte for each cell of an image, 1 where it is not to be shown by its own flag or by that of
-/// a corner.
+/// One byte for each cell of an image, 1 if its own flag or that of a corner hides it.
 std::vector<std::uint8_t> FlagsOfCells(
   const glm::ivec3& points, const std::uint8_t* ofCells, const std::uint8_t* ofPoints)
 {
@@ -131,8 +130,8 @@ bool HiddenCellsOfImage::Find(vtkImageData* image, bool samplesAreCells, const S
     catch (const std::exception&)
     {
       error =
-        "There is not enough memory for one bit for each cell of the image, which tells those "
-        "that its ghost array or a mask hides; free memory, or render a part of the volume "
+        "There is not enough memory for the flags of hidden cells, one bit for each cell of the "
+        "image; free memory, or render a part of the volume "
         "(vtkExtractVOI).";
       return false;
     }

@@ -21,20 +21,19 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// The cells that an image's ghost arrays and a mask hide, kept until these change.
+/// Finds the cells that an image's ghost arrays and a mask hide, and keeps them until these change.
 ///
-/// Ghost arrays are those that VTK names vtkGhostType. A cell is hidden that is hidden itself,
-/// refined by others, or another piece's (a duplicate), or that has a hidden point. Duplicate
-/// points hide nothing: their samples are as good as any. A mask hides a cell none of whose
-/// samples it shows.
+/// Ghost arrays are VTK's vtkGhostType arrays. A cell is hidden if it is flagged as hidden, refined
+/// or duplicate, or if it has a hidden point. Duplicate points hide nothing: their samples are
+/// valid. A mask hides a cell if it shows none of its samples.
 class HiddenCellsOfImage
 {
 public:
   /// Find the hidden cells of the field that is made of an image.
-  /// \param samplesAreCells the field's samples are the image's cells, and its cells lie between
-  ///                        their centres: those around a hidden cell of the image are hidden
+  /// \param samplesAreCells the field's samples lie at the centres of the image's cells, and its
+  ///                        cells between them: those around a hidden cell of the image are hidden
   /// \param mask            of the field's samples
-  /// \param hidden          found; null if nothing is hidden
+  /// \param hidden          gets the cells; null if none is hidden
   /// \param error           gets what is wrong and what to do about it
   /// \return false on error
   bool Find(vtkImageData* image, bool samplesAreCells, const SampleMask& mask,
@@ -43,7 +42,7 @@ public:
   void Release() { *this = HiddenCellsOfImage(); }
 
 private:
-  /// What hidden cells are made from, by value.
+  /// The inputs of hidden cells, to be compared.
   struct Origin
   {
     std::array<const vtkUnsignedCharArray*, 2> Arrays{}; ///< of cells and of points; or null

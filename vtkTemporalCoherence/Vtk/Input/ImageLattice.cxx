@@ -13,10 +13,10 @@ namespace TemporalCoherence
 namespace
 {
 
-/// How far points may lie from those of the lattice, in steps.
+/// How far points may lie from lattice points, in steps.
 constexpr double LargestMiss = 1e-6;
 
-/// Farther apart than this, indices do not fit an extent.
+/// If images are farther apart than this, indices do not fit into an extent.
 constexpr double LargestShift = 1e9;
 
 glm::dvec3 SpacingOf(vtkImageData* image)
@@ -53,7 +53,7 @@ std::string ToString(const glm::dvec3& v)
   return text.str();
 }
 
-/// True if the steps of two images along each axis lead to the same place, all the way through.
+/// True if equal steps in two images reach the same points, up to the last one.
 bool HaveSameSteps(const glm::dmat3& a, const glm::dmat3& b, vtkImageData* image)
 {
   const int* dimensions = image->GetDimensions();

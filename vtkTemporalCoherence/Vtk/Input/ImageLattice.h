@@ -25,9 +25,9 @@ struct LatticeBox
   glm::i64vec3 Points() const { return this->Last - this->First + std::int64_t(1); }
 };
 
-/// Where an image lies on the lattice of another one, whose indices count.
-/// \param why gets what of the two does not agree
-/// \return false if spacing or direction differ, or the origins are not whole steps apart
+/// Find where an image lies on the lattice of another one, in that image's indices.
+/// \param why gets what does not agree
+/// \return false if spacing or direction differ, or if the origins are not whole steps apart
 bool PlaceOnLattice(
   vtkImageData* lattice, vtkImageData* image, LatticeBox& place, std::string& why);
 

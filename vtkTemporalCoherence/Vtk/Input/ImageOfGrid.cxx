@@ -23,21 +23,21 @@ namespace TemporalCoherence
 namespace
 {
 
-/// Largest distance, in mean cells, of a sample from where it is in an image of the same box, for
-/// the grid to be drawn as that image: as near as coordinates in single precision are, and a
-/// hundredth of what depths may be wrong by.
+/// A grid is drawn as an image if no sample is farther than this, in mean cells, from its position
+/// in the image. This is about the precision of float coordinates, and a hundredth of the error
+/// that depths may have.
 constexpr double LargestShift = 1e-5;
 
-/// Where the samples lie along one axis.
+/// The positions of samples along one axis.
 struct GridAxis
 {
   double First = 0.0;
-  double Spacing = 1.0;      ///< mean distance of samples, negative where coordinates descend
+  double Spacing = 1.0;      ///< mean distance of samples, negative if coordinates descend
   std::vector<double> Along; ///< in units of it, from the first sample
   bool IsUniform = true;
 };
 
-/// What is wrong with coordinates, and what to set instead; empty if nothing is.
+/// What is wrong with coordinates and what to set instead; empty if they are valid.
 std::string FaultOf(const std::vector<double>& coordinates)
 {
   std::ostringstream fault;
@@ -70,8 +70,8 @@ bool ReadCoordinates(
   std::string fault;
   if (!array || array->GetNumberOfTuples() < count)
   {
-    fault = "are " + std::to_string(array ? array->GetNumberOfTuples() : 0) + ", but it has " +
-      std::to_string(count) + " points along this axis; set one for each";
+    fault = "hold " + std::to_string(array ? array->GetNumberOfTuples() : 0) +
+      " values, but it has " + std::to_string(count) + " points along this axis; set one for each";
   }
   else
   {
@@ -101,8 +101,8 @@ std::vector<double> Centres(const std::vector<double>& coordinates)
   return centres;
 }
 
-/// The axis along which samples lie at the given places.
-/// \return false if numbers are too coarse for their distances
+/// The axis for samples at given positions.
+/// \return false if double precision is too coarse for their distances
 bool MakeAxis(const std::vector<double>& places, GridAxis& axis)
 {
   axis = GridAxis();
@@ -155,7 +155,7 @@ bool ReadAxes(
         "precision; scale them.";
       return false;
     }
-    // Images count from the first point, half a cell before the first centre.
+    // The origin of an image is its first point, half a cell before the first centre.
     axes[a].First -= onCells ? 0.5 * axes[a].Spacing : 0.0;
   }
   return true;
@@ -171,23 +171,23 @@ bool ImageOfGrid::See(vtkRectilinearGrid* grid, bool onCells, std::string& error
     this->Release();
     return false;
   }
-  if (!this->Seen)
+  if (!this->AsImage)
   {
-    this->Seen = vtkSmartPointer<vtkImageData>::New();
+    this->AsImage = vtkSmartPointer<vtkImageData>::New();
   }
   const vtkMTimeType stamp = grid->GetMTime();
   if (this->Grid != grid || this->Stamp != stamp)
   {
     int points[3];
     grid->GetDimensions(points);
-    this->Seen->SetDimensions(points);
-    this->Seen->GetPointData()->ShallowCopy(grid->GetPointData());
-    this->Seen->GetCellData()->ShallowCopy(grid->GetCellData());
+    this->AsImage->SetDimensions(points);
+    this->AsImage->GetPointData()->ShallowCopy(grid->GetPointData());
+    this->AsImage->GetCellData()->ShallowCopy(grid->GetCellData());
     this->Grid = grid;
     this->Stamp = stamp;
   }
-  this->Seen->SetOrigin(axes[0].First, axes[1].First, axes[2].First);
-  this->Seen->SetSpacing(axes[0].Spacing, axes[1].Spacing, axes[2].Spacing);
+  this->AsImage->SetOrigin(axes[0].First, axes[1].First, axes[2].First);
+  this->AsImage->SetSpacing(axes[0].Spacing, axes[1].Spacing, axes[2].Spacing);
   this->OfField = UniformKind();
   if (!(axes[0].IsUniform && axes[1].IsUniform && axes[2].IsUniform))
   {

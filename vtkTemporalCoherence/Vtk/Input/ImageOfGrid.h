@@ -20,31 +20,31 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// Sees a rectilinear grid as an image of the same dimensions, data and box, and tells where the
-/// samples lie in that box. All that is done with images can be done with it.
+/// Presents a rectilinear grid as an image of the same dimensions, data and box, and tells where
+/// the samples lie in that box. So grids take the same path as images.
 class ImageOfGrid
 {
 public:
   /// \param onCells the samples lie at the centres of cells, otherwise at points
   /// \param error   gets what is wrong and what to do about it
-  /// \return false on error: coordinates that are missing, not finite, or not strictly ascending or
-  ///         descending. A grid with fewer than two samples along an axis is no error.
+  /// \return false on error: if coordinates are missing, not finite, or neither strictly ascending
+  /// nor descending. A grid with fewer than two samples along an axis is no error.
   bool See(vtkRectilinearGrid* grid, bool onCells, std::string& error);
 
-  /// Has the data of the grid, in place, and its first and last samples where these lie. The
-  /// spacing is the mean one, negative along axes whose coordinates descend. It is modified only
-  /// when the grid is.
-  vtkImageData* Image() const { return this->Seen; }
+  /// The image. It shares the data of the grid, and its first and last samples lie where those of
+  /// the grid do. Its spacing is the mean spacing, negative along axes with descending coordinates.
+  /// It is modified only when the grid is.
+  vtkImageData* Image() const { return this->AsImage; }
 
-  /// The kind of field that the grid is. Where samples lie where those of the image do, to 1e-5 of
-  /// a cell, it is drawn as the image that it is.
+  /// The kind of the grid's field. A grid whose samples lie within 1e-5 of a cell of those of the
+  /// image is drawn as that image.
   const std::shared_ptr<const FieldKind>& Kind() const { return this->OfField; }
 
   /// Forget the grid.
   void Release() { *this = ImageOfGrid(); }
 
 private:
-  vtkSmartPointer<vtkImageData> Seen;
+  vtkSmartPointer<vtkImageData> AsImage;
   std::shared_ptr<const FieldKind> OfField = UniformKind();
   const vtkRectilinearGrid* Grid = nullptr; ///< only compared
   vtkMTimeType Stamp = 0;                   ///< of the grid

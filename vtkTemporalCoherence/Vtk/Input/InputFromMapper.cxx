@@ -19,7 +19,7 @@ namespace TemporalCoherence
 namespace
 {
 
-/// The component of the largest weight; of equal ones, the first.
+/// The component with the largest weight; the first of equal ones.
 int HeaviestComponent(vtkVolumeProperty* property, int components)
 {
   int heaviest = 0;
@@ -54,7 +54,7 @@ bool InputFromMapper::Find(vtkVolumeMapper* mapper, vtkVolumeProperty* property,
   if (mapper->GetBlendMode() != vtkVolumeMapper::ISOSURFACE_BLEND)
   {
     error = "Blend mode " + std::to_string(mapper->GetBlendMode()) +
-      " is not supported, only isosurfaces are; call SetBlendModeToIsoSurface(), or take "
+      " is not supported, only isosurfaces are; call SetBlendModeToIsoSurface(), or use "
       "vtkGPUVolumeRayCastMapper, which draws the others, and isosurfaces by this mapper after "
       "vtkTemporalCoherenceObjectFactory::UseEverywhere().";
     return false;
@@ -74,7 +74,7 @@ bool InputFromMapper::Find(vtkVolumeMapper* mapper, vtkVolumeProperty* property,
   }
 }
 
-/// Find the image, or what is seen as one, and the array that is drawn.
+/// Find the image, or an image that stands for the input, and the array to draw.
 bool InputFromMapper::FindImage(vtkVolumeMapper* mapper, MapperInput& input, std::string& error)
 {
   vtkDataObject* object = mapper->GetDataObjectInput();
@@ -87,8 +87,8 @@ bool InputFromMapper::FindImage(vtkVolumeMapper* mapper, MapperInput& input, std
   if (const int port = OtherInputPort(mapper))
   {
     error = "There is an input at port " + std::to_string(port) +
-      ", but only that of port 0 can be drawn; give each input a mapper and a vtkVolume of its "
-      "own, or take vtkGPUVolumeRayCastMapper.";
+      ", but only port 0 is drawn; give each input a mapper and a vtkVolume of its own, or use "
+      "vtkGPUVolumeRayCastMapper.";
     return false;
   }
   const ScalarChoice choice = ChoiceOf(mapper);
@@ -150,7 +150,7 @@ bool InputFromMapper::ChooseComponent(
   }
   if (isMagnitude)
   {
-    // As with the samples: who writes them may tell the array or the image.
+    // As for the samples: whoever writes them may call Modified() of the array or of the image.
     const vtkMTimeType stamp = std::max(input.Image->GetMTime(), input.Array->GetMTime());
     input.Array = this->Magnitude.Of(input.Array, stamp, error);
     return input.Array != nullptr;
@@ -161,7 +161,7 @@ bool InputFromMapper::ChooseComponent(
   }
   else if (vectors.Mode == VectorChoice::Modes::Property && property->GetIndependentComponents())
   {
-    input.Component = input.Look = HeaviestComponent(property, components);
+    input.Component = input.PropertyComponent = HeaviestComponent(property, components);
   }
   return true;
 }

@@ -20,12 +20,12 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// Which scalar of arrays of several components is drawn.
+/// Which scalar to draw if arrays have several components.
 struct VectorChoice
 {
   enum class Modes
   {
-    Property, ///< what the volume's property says of components
+    Property, ///< as the volume's property treats components
     Magnitude,
     Component
   };
@@ -34,21 +34,21 @@ struct VectorChoice
   int Component = 0;
 };
 
-/// What a mapper is to draw.
+/// What a mapper has to draw.
 struct MapperInput
 {
-  vtkImageData* Image = nullptr; ///< a rectilinear grid, too, is seen as one
+  vtkImageData* Image = nullptr; ///< also stands for a rectilinear grid
   vtkDataArray* Array = nullptr; ///< null if the image has no points: there is nothing to draw
   bool OnCells = false;          ///< one tuple for each cell, otherwise for each point
   int Component = 0;             ///< of the array
-  int Look = 0;                  ///< component of the property that gives colour and shading
-  std::shared_ptr<const FieldKind> Kind = UniformKind(); ///< where samples lie, among others
+  int PropertyComponent = 0;     ///< component of the property that gives colour and shading
+  std::shared_ptr<const FieldKind> Kind = UniformKind(); ///< for example where samples lie
 };
 
-/// The first port but that of the volume that has an input; 0 if there is none.
+/// The first port other than 0 with an input; 0 if there is none.
 int OtherInputPort(vtkVolumeMapper* mapper);
 
-/// Finds what a mapper is to draw, and keeps what has to be computed for that.
+/// Finds what a mapper has to draw, and keeps what had to be computed for it.
 class InputFromMapper
 {
 public:
@@ -57,7 +57,7 @@ public:
   bool Find(vtkVolumeMapper* mapper, vtkVolumeProperty* property, const VectorChoice& vectors,
     MapperInput& input, std::string& error);
 
-  /// Forget what was computed.
+  /// Drop what was computed.
   void Release();
 
 private:

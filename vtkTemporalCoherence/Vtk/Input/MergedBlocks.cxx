@@ -27,7 +27,7 @@ namespace
 
 using Block = MergedBlocks::Block;
 
-/// One image may be larger than the blocks in it by this factor, and by any if it is small.
+/// The merged image may be larger than its blocks by this factor, or by any factor if it is small.
 constexpr double LargestGrowth = 4.0;
 constexpr double SmallImage = 64.0 * (1 << 20); // bytes
 
@@ -69,7 +69,8 @@ bool FindImages(vtkDataObjectTree* tree, std::vector<Block>& images, std::string
   return true;
 }
 
-/// By default scalars lie on points if those of any block do, else on cells: in all blocks alike.
+/// Resolve the default scalar mode for all blocks alike: points if any block has scalars there,
+/// else cells.
 ScalarChoice ChoiceForAll(const std::vector<Block>& images, const ScalarChoice& choice)
 {
   ScalarChoice same = choice;
@@ -89,7 +90,7 @@ bool IsOnCells(const ScalarChoice& choice)
     choice.Mode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA;
 }
 
-/// Leave out the blocks without the array.
+/// Drop the blocks without the array.
 bool FindArrays(const ScalarChoice& choice, std::vector<Block>& blocks, std::string& error)
 {
   if (blocks.empty())
@@ -119,7 +120,7 @@ std::string Describe(vtkDataArray* array)
     std::to_string(array->GetNumberOfComponents()) + " component(s)";
 }
 
-/// Hold a block's array against that of the first one.
+/// Compare a block's array with that of the first one.
 bool FitsArray(
   const Block& first, const Block& block, const ScalarChoice& choice, std::string& error)
 {
@@ -193,7 +194,7 @@ bool FitBlocks(
   return true;
 }
 
-/// The flags of points or cells; null if there is not one for each.
+/// The flags of points or cells; null unless there is one for each.
 const std::uint8_t* FlagsOf(vtkDataSetAttributes* attributes, vtkIdType count)
 {
   vtkUnsignedCharArray* ghosts = GhostsOf(attributes);
@@ -278,7 +279,7 @@ bool MergedBlocks::Copy(
       return false;
     }
   }
-  this->Release(); // before the new one is made: both may not fit
+  this->Release(); // first, as both images may not fit into memory
 
   const auto image = MakeImage(blocks.front().Image, whole);
   vtkDataArray* model = blocks.front().Array;

@@ -23,26 +23,26 @@ namespace TemporalCoherence
 
 /// The images of a composite data set as one image.
 ///
-/// They lie on one lattice. Their chosen arrays are copied into one image that covers them all, so
-/// that there are no seams; cells that are in no block are marked there with vtkGhostType as
-/// HIDDENCELL. It is made once, and again only when a block changes.
+/// The images must lie on one lattice. Their chosen arrays are copied into one image that covers
+/// them all, so that there are no seams. Cells without a block are marked as HIDDENCELL with
+/// vtkGhostType. The image is made once, and again only when a block changes.
 class MergedBlocks
 {
 public:
   /// \param error gets what is wrong and what to do about it
-  /// \return false on error. Blocks without cells are left out, and those without the array.
+  /// \return false on error. Blocks without cells or without the array are skipped.
   bool Merge(vtkDataObjectTree* tree, const ScalarChoice& choice, std::string& error);
 
-  /// The merged image; it has no points if there is no block to draw.
+  /// The merged image. It has no points if there is no block to draw.
   vtkImageData* Image() const { return this->Merged; }
 
-  /// Its array, which is null if there is no block to draw.
+  /// Its array; null if there is no block to draw.
   const ChosenScalars& Scalars() const { return this->Chosen; }
 
   void Release() { *this = MergedBlocks(); }
 
-  /// An image of the composite data set. The pointers are not owned, and maybe gone in the blocks
-  /// of the last merge: there they are only compared.
+  /// An image of the composite data set. The pointers are not owned. Those of the last merge may
+  /// dangle: they are only compared.
   struct Block
   {
     vtkImageData* Image = nullptr;

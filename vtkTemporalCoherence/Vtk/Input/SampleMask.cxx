@@ -31,9 +31,8 @@ std::string TextOf(const glm::ivec3& count)
     std::to_string(count.z);
 }
 
-/// The labels that are hidden: those that are shown at no isovalue, though the property has an
-/// opacity for them.
-/// \return false if one is hidden at some isovalues and not at others
+/// The hidden labels: those whose own opacity is 0 at all isovalues.
+/// \return false if a label is hidden at some isovalues only
 bool FindHiddenLabels(vtkVolumeProperty* property, const std::vector<double>& isovalues,
   std::vector<std::int64_t>& hidden, std::string& error)
 {
@@ -72,7 +71,7 @@ bool FindHiddenLabels(vtkVolumeProperty* property, const std::vector<double>& is
   return true;
 }
 
-/// Why the array of a mask cannot be used; empty if it can be.
+/// Why the array of a mask cannot be used; empty if it can.
 std::string WhyUnusable(
   vtkImageData* image, const ChosenScalars& scalars, const glm::ivec3& samples)
 {
@@ -128,13 +127,13 @@ bool FindMask(const MaskSettings& settings, vtkVolumeMapper* mapper, const glm::
     }
     if (mask.HiddenLabels.empty())
     {
-      return true; // and the mask may be anything
+      return true; // the mask has no effect
     }
   }
   if (vtkDataObjectTree::SafeDownCast(mapper->GetDataObjectInput()))
   {
-    error = "There is a mask, but the input is blocks, whose samples it does not know; hide cells "
-            "of the blocks with vtkUniformGrid::BlankCell, or call SetMaskInput(nullptr).";
+    error = "A mask cannot be used with blocks; hide cells of the blocks with "
+            "vtkUniformGrid::BlankCell, or call SetMaskInput(nullptr).";
     return false;
   }
   ChosenScalars scalars = FindScalars(image, ChoiceOf(mapper));
@@ -150,9 +149,9 @@ bool FindMask(const MaskSettings& settings, vtkVolumeMapper* mapper, const glm::
   }
   if (values.Type == ScalarType::Float32 || values.Type == ScalarType::Float64)
   {
-    error = "The values of the mask are of the type " +
+    error = "The values of the mask have the type " +
       std::string(scalars.Array->GetDataTypeAsString()) +
-      "; give it whole numbers, as vtkImageCast makes them, or call SetMaskInput(nullptr).";
+      "; give it integers, for example with vtkImageCast, or call SetMaskInput(nullptr).";
     return false;
   }
   mask.Array = scalars.Array;
@@ -163,7 +162,7 @@ bool FindMask(const MaskSettings& settings, vtkVolumeMapper* mapper, const glm::
 const std::uint8_t* SamplesShown(const SampleMask& mask, std::vector<std::uint8_t>& room)
 {
   ArraySamples values;
-  std::string error; // FindMask has seen the array
+  std::string error; // unused: FindMask has checked the array
   FindSamples(mask.Array, 0, values, error);
   if (values.Type == ScalarType::UInt8 && values.Step == 1 && !mask.IsLabelMap)
   {

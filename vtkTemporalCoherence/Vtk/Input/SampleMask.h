@@ -23,17 +23,17 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// A mask as the user of a mapper sets it.
+/// A mask as set by the user of a mapper.
 struct MaskSettings
 {
   vtkImageData* Image = nullptr; ///< or null
   bool IsLabelMap = false;       ///< otherwise binary
-  float BlendFactor = 1.0f;      ///< share of what a label has of its own
+  float BlendFactor = 1.0f;      ///< weight of a label's own properties
 };
 
-/// What a mask shows of a field: by value, but for the samples of the mask.
+/// What a mask shows of a field. Compared by value, except for the samples of the mask.
 ///
-/// A binary mask shows samples where it is above 0. A label map hides those of some labels.
+/// A binary mask shows samples where it is above 0. A label map hides the samples of some labels.
 struct SampleMask
 {
   vtkDataArray* Array = nullptr; ///< one value for each sample; null if all are shown
@@ -48,20 +48,20 @@ struct SampleMask
   }
 };
 
-/// Find what a mask shows. A label is hidden if its own scalar opacity, which counts alone where
-/// BlendFactor is 1, is 0 at all isovalues.
-/// \param mapper    chooses the array, of the mask as of the input
+/// Find what a mask shows. A label is hidden if BlendFactor is 1, so that its own scalar opacity
+/// counts alone, and this is 0 at all isovalues.
+/// \param mapper    its scalar mode chooses the array of the mask
 /// \param samples   of the field along each axis
 /// \param property  knows the labels
-/// \param isovalues that are drawn
+/// \param isovalues to draw
 /// \param error     gets what is wrong and what to do about it
 /// \return false on error
 bool FindMask(const MaskSettings& settings, vtkVolumeMapper* mapper, const glm::ivec3& samples,
   vtkVolumeProperty* property, const std::vector<double>& isovalues, SampleMask& mask,
   std::string& error);
 
-/// One byte for each sample of the field, 0 where the mask does not show it.
-/// \param room holds them where they are not those of the mask itself
+/// One byte for each sample of the field, 0 if the mask hides it.
+/// \param room memory for them, unless the mask's own values serve
 /// \pre the mask has an array
 /// \throws std::bad_alloc
 const std::uint8_t* SamplesShown(const SampleMask& mask, std::vector<std::uint8_t>& room);

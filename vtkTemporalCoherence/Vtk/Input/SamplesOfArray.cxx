@@ -37,8 +37,8 @@ constexpr ScalarType ScalarTypeOf()
   }
 }
 
-/// The samples of a component where they lie by themselves; null where the array keeps whole tuples
-/// after all, as many do from VTK 9.3 on: it tells that by an error only.
+/// The samples of a component in a buffer of its own; null if the array stores whole tuples. From
+/// VTK 9.3 on many arrays do, and tell it only by an error.
 template <typename T>
 const T* OwnComponent(vtkSOADataArrayTemplate<T>* array, int component)
 {

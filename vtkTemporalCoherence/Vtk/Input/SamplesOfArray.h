@@ -17,7 +17,7 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// Samples of one component of an array, seen in place.
+/// The samples of one component of an array, in place.
 struct ArraySamples
 {
   const void* First = nullptr;
@@ -27,14 +27,14 @@ struct ArraySamples
 
 /// \pre the array has the component
 /// \param error gets what is wrong and what to do about it
-/// \return false if the samples do not lie in memory at equal steps
+/// \return false if the samples are not equally spaced in memory
 bool FindSamples(vtkDataArray* array, int component, ArraySamples& samples, std::string& error);
 
-/// Cells or points of an image. Of an extent that claims more than can be counted, which VTK does
-/// not notice, it is the largest number, so that no array has enough tuples.
+/// The number of cells or points of an image. If it overflows, which VTK does not notice, the
+/// largest number, so that no array has enough tuples.
 std::int64_t CountSamples(vtkImageData* image, bool onCells);
 
-/// The array's name in quotation marks, for errors.
+/// The name of an array in quotation marks, for messages.
 std::string NameOf(vtkDataArray* array);
 
 }

@@ -25,7 +25,7 @@ ChosenScalars FindScalars(vtkDataSet* dataSet, const ScalarChoice& choice)
   ChosenScalars scalars;
   if (choice.Mode == VTK_SCALAR_MODE_USE_FIELD_DATA)
   {
-    return scalars; // it belongs to neither points nor cells
+    return scalars; // belongs to neither points nor cells
   }
   int isOnCells = 0;
   scalars.Array = vtkAbstractMapper::GetScalars(dataSet, choice.Mode,
@@ -57,13 +57,13 @@ std::string WhyThereAreNoScalars(const ScalarChoice& choice)
     case VTK_SCALAR_MODE_USE_CELL_FIELD_DATA:
       return "The input has no array of numbers " + array + " on its " +
         (choice.Mode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA ? "cells" : "points") +
-        "; choose one that is there with SelectScalarArray.";
+        "; choose an existing one with SelectScalarArray.";
     case VTK_SCALAR_MODE_USE_FIELD_DATA:
       return "Arrays of field data (ScalarMode VTK_SCALAR_MODE_USE_FIELD_DATA) have no place in "
              "space; call SetScalarModeToUsePointFieldData or SetScalarModeToUseCellFieldData.";
     default:
       return "ScalarMode is " + std::to_string(choice.Mode) +
-        ", which means nothing; call SetScalarModeToDefault or another SetScalarModeTo... .";
+        ", which is no scalar mode; call SetScalarModeToDefault or another SetScalarModeTo... .";
   }
 }
 

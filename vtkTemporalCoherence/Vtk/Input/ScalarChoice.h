@@ -16,7 +16,7 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// The array that the user of a mapper chose: scalar mode and, for field data, its name or number.
+/// The array chosen by the user of a mapper: scalar mode and, for field data, name or number.
 struct ScalarChoice
 {
   int Mode = 0; ///< VTK_SCALAR_MODE_...
@@ -27,7 +27,7 @@ struct ScalarChoice
 
 ScalarChoice ChoiceOf(vtkVolumeMapper* mapper);
 
-/// What a data set has for a choice.
+/// The array of a data set for a choice.
 struct ChosenScalars
 {
   vtkDataArray* Array = nullptr; ///< null if there is none
@@ -36,7 +36,7 @@ struct ChosenScalars
 
 ChosenScalars FindScalars(vtkDataSet* dataSet, const ScalarChoice& choice);
 
-/// Why there are no scalars for a choice, and what to do about it.
+/// The error message if there are no scalars for a choice.
 std::string WhyThereAreNoScalars(const ScalarChoice& choice);
 
 }

@@ -11,7 +11,7 @@ namespace TemporalCoherence
 namespace
 {
 
-/// A number with so few digits that they still tell it from every other, and six at least.
+/// A number with as few digits as identify it, but at least six.
 std::string InDigits(double value)
 {
   std::string text;

@@ -9,7 +9,7 @@
 namespace TemporalCoherence
 {
 
-/// The numbers that a setting may have.
+/// The range of a setting.
 struct NumberRange
 {
   double Low, High;
@@ -20,16 +20,16 @@ struct NumberRange
   }
 };
 
-/// So wide that no sensible setting is refused, and so narrow that no product of settings leaves
-/// the range of floats, 1e38.
+/// Ranges wide enough for any sensible setting, and narrow enough that no product of settings
+/// exceeds the range of floats, 1e38.
 namespace Allowed
 {
 constexpr NumberRange Coefficient = { -1e6, 1e6 }; ///< ambient, diffuse, specular
 constexpr NumberRange SpecularPower = { 0.0, 1e6 };
 constexpr NumberRange Color = { -1e3, 1e3 };
 constexpr NumberRange ColorWindow = { -1e4, 1e4 };
-constexpr NumberRange Opacity = { -1e6, 1e6 }; ///< counts as clamped to [0, 1]
-constexpr NumberRange Steepness = { -1e100, 1e100 };
+constexpr NumberRange Opacity = { -1e6, 1e6 }; ///< clamped to [0, 1]
+constexpr NumberRange GradientMagnitude = { -1e100, 1e100 };
 constexpr NumberRange Intensity = { -1e18, 1e18 };
 constexpr NumberRange Attenuation = { -1e30, 1e30 };
 constexpr NumberRange Exponent = { 0.0, 128.0 };
@@ -37,15 +37,15 @@ constexpr NumberRange Degrees = { -1e6, 1e6 };
 constexpr NumberRange Place = { -1e38, 1e38 };
 }
 
-/// Whose settings they are, in the user's words. No text is made of it before one is refused.
+/// The object whose settings are checked, in the user's words. Strings are only built on error.
 struct SettingOwner
 {
-  const char* Name;    ///< "the volume's property", or where there are many, such as "light"
-  int Place = -1;      ///< which of them
-  const char* Of = ""; ///< whose they are, "the renderer"
+  const char* Name;    ///< "the volume's property", or one of many, such as "light"
+  int Place = -1;      ///< which one of many
+  const char* Of = ""; ///< their owner, "the renderer"
 };
 
-/// Refuses settings of one object that are no numbers, or absurd ones; tells of the first of them.
+/// Checks the settings of one object. The first one that is not finite or out of range is an error.
 class SettingCheck
 {
 public:
@@ -56,7 +56,7 @@ public:
   {
   }
 
-  /// \param remedy what to call with another number
+  /// \param remedy the function to call with another number
   void operator()(const char* setting, double value, const NumberRange& range, const char* remedy);
 
   /// The same for three numbers.

@@ -20,10 +20,10 @@ namespace
 
 constexpr std::int64_t TupleGrain = 1 << 14;
 
-/// Squares of numbers beyond these, or their sums, may be infinite or lose digits.
+/// Beyond these limits, squares or their sums may overflow or lose digits.
 constexpr double SmallestSquared = 0x1p-500, LargestSquared = 0x1p+500;
 
-/// The length of a vector of any size.
+/// The length of a vector, also if its square overflows or underflows.
 double ScaledLength(const double* vector, std::size_t components)
 {
   double largest = 0.0, sum = 0.0;

@@ -14,8 +14,8 @@ namespace TemporalCoherence
 
 /// The Euclidean length of each tuple of an array, computed once.
 ///
-/// It is computed in double precision and kept as float, or as double where samples are double or
-/// integers of 32 bits and more.
+/// It is computed in double precision and stored as float, or as double if samples are double or
+/// integers of 32 bits or more.
 class VectorMagnitude
 {
 public:
@@ -28,7 +28,7 @@ public:
 
 private:
   vtkSmartPointer<vtkDataArray> Lengths;
-  vtkDataArray* Vectors = nullptr; ///< compared only: it may be gone
+  vtkDataArray* Vectors = nullptr; ///< only compared: it may dangle
   vtkMTimeType Stamp = 0;
 };
 

@@ -23,8 +23,8 @@ namespace
 
 constexpr std::int64_t RowGrain = 16;
 
-/// Make an image of one value, or tuple, a pixel.
-/// \param valueOf gets the pixel's place in the planes, x and y
+/// Make an image with one value or tuple for each pixel.
+/// \param valueOf is called with the position of the pixel in the planes, x and y
 template <typename T, std::size_t Components, typename Values>
 void WriteImage(const glm::ivec2& size, int scalarType, const char* name, const Values& valueOf,
   vtkImageData* image)
@@ -47,19 +47,18 @@ void WriteImage(const glm::ivec2& size, int scalarType, const char* name, const 
   image->ShallowCopy(made);
 }
 
-/// Distance at which a ray leaves the box of the samples; infinity if it passes by or the box lies
-/// behind.
+/// Distance at which a ray leaves the box of the samples; infinity if it misses the box.
 double EndAtBox(const Ray& ray, const FrameKey& key)
 {
-  const glm::dvec3 origin(key.Where.IndexFromWorld * glm::dvec4(ray.Origin, 1.0));
-  const glm::dvec3 direction(key.Where.IndexFromWorld * glm::dvec4(ray.Direction, 0.0));
+  const glm::dvec3 origin(key.Transform.IndexFromWorld * glm::dvec4(ray.Origin, 1.0));
+  const glm::dvec3 direction(key.Transform.IndexFromWorld * glm::dvec4(ray.Direction, 0.0));
   double begin = 0.0, end = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3; ++axis)
   {
     const double last = key.Samples.Dimensions[axis] - 1.0;
     if (direction[axis] == 0.0)
     {
-      // A ray along the box is in it or passes by.
+      // A ray parallel to two faces is between them or misses the box.
       end = origin[axis] < 0.0 || origin[axis] > last ? -1.0 : end;
       continue;
     }
@@ -73,7 +72,8 @@ double EndAtBox(const Ray& ray, const FrameKey& key)
   return isInside ? end : std::numeric_limits<double>::infinity();
 }
 
-/// A depth as a number of a type: a share of the largest integer, or the depth itself.
+/// Convert a depth to a type: to a share of the largest integer, or to the floating-point number
+/// itself.
 template <typename T>
 T NumberOf(float depth)
 {
@@ -97,7 +97,7 @@ void WriteColors(const Frame& frame, const FrameKey& key, vtkImageData* image)
     [&](std::size_t pixel, int x, int y)
     {
       const bool isBeside = frame.Isovalues[pixel] == Frame::NoSurface &&
-        !std::isfinite(EndAtBox(key.Seen.RayThrough(x, y), key));
+        !std::isfinite(EndAtBox(key.View.RayThrough(x, y), key));
       return isBeside ? white : frame.Colors[pixel];
     },
     image);
@@ -111,9 +111,9 @@ void WriteDepths(
     double t = frame.Depth[pixel];
     if (frame.Isovalues[pixel] == Frame::NoSurface && endsAtBox)
     {
-      t = EndAtBox(key.Seen.RayThrough(x, y), key);
+      t = EndAtBox(key.View.RayThrough(x, y), key);
     }
-    return std::isfinite(t) ? WindowDepthOf(key.Seen, { x, y }, t) : 1.0f;
+    return std::isfinite(t) ? WindowDepthOf(key.View, { x, y }, t) : 1.0f;
   };
   const auto write = [&](auto zero, int type)
   {

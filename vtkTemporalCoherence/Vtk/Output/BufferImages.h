@@ -14,17 +14,18 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// The colours of a frame as vtkGPUVolumeRayCastMapper hands them out: where nothing is hit all are
-/// 0, or white with an alpha of 0 where the ray passes by the box of the samples. \param key what
-/// the frame was made for \throws std::bad_alloc, the image then being as it was
+/// The colours of a frame as vtkGPUVolumeRayCastMapper returns them. The colour of a miss is 0, or
+/// white with an alpha of 0 if the ray misses the box of the samples.
+/// \param key that the frame was made for
+/// \throws std::bad_alloc; the image is then unchanged
 void WriteColors(const Frame& frame, const FrameKey& key, vtkImageData* image);
 
-/// And its depths as a depth buffer holds them, 0 at the near plane and 1 at the far plane.
+/// The depths of a frame as in a depth buffer: 0 at the near plane, 1 at the far plane.
 /// \param scalarType of the image: VTK_UNSIGNED_CHAR or VTK_UNSIGNED_SHORT, whose largest number is
-///                   the depth 1; any other is taken for VTK_FLOAT
-/// \param endsAtBox  where nothing is hit, the depth is that at which the ray leaves the box of the
-///                   samples; otherwise, and where it passes by that, 1
-/// \throws std::bad_alloc, the image then being as it was
+///                   the depth 1; any other type means VTK_FLOAT
+/// \param endsAtBox  the depth of a miss is where the ray leaves the box of the samples, or 1 if it
+///                   misses the box; otherwise it is always 1
+/// \throws std::bad_alloc; the image is then unchanged
 void WriteDepths(
   const Frame& frame, const FrameKey& key, int scalarType, bool endsAtBox, vtkImageData* image);
 

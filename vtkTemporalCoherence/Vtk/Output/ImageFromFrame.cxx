@@ -6,10 +6,12 @@
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
+#include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkSmartPointer.h>
 
 #include <algorithm>
+#include <array>
 
 namespace TemporalCoherence
 {
@@ -18,127 +20,171 @@ namespace
 
 constexpr std::int64_t PixelGrain = 1 << 14;
 
-/// True if an image has room for a picture and nobody else sees its scalars.
-bool HasRoom(vtkImageData* image, const glm::ivec2& size, int type, int components)
+struct ArrayFormat
 {
-  int extent[6];
-  image->GetExtent(extent);
-  vtkDataArray* scalars = image->GetPointData()->GetScalars();
-  return extent[0] == 0 && extent[1] == size.x - 1 && extent[2] == 0 && extent[3] == size.y - 1 &&
-    extent[4] == 0 && extent[5] == 0 && scalars && scalars->GetReferenceCount() == 1 &&
-    scalars->HasStandardMemoryLayout() && scalars->GetDataType() == type &&
-    scalars->GetNumberOfComponents() == components &&
-    scalars->GetNumberOfTuples() == image->GetNumberOfPoints();
+  FrameArray Array;
+  const char* Name;
+  int Type, Components;
+};
+
+constexpr std::array<ArrayFormat, 5> Formats = { {
+  { ColorArray, "Color", VTK_UNSIGNED_CHAR, 4 },
+  { DepthArray, "Depth", VTK_FLOAT, 1 },
+  { NormalsArray, "Normals", VTK_FLOAT, 3 },
+  { IsovalueIndexArray, "IsovalueIndex", VTK_INT, 1 },
+  { AnswerArray, "Answer", VTK_UNSIGNED_CHAR, 1 },
+} };
+
+/// The image's own array if it fits and nobody else refers to it, or a new one.
+vtkSmartPointer<vtkDataArray> RoomIn(
+  vtkImageData* image, const ArrayFormat& format, vtkIdType pixels)
+{
+  vtkDataArray* present = image->GetPointData()->GetArray(format.Name);
+  if (present && present->GetReferenceCount() == 1 && present->HasStandardMemoryLayout() &&
+    present->GetDataType() == format.Type &&
+    present->GetNumberOfComponents() == format.Components && present->GetNumberOfTuples() == pixels)
+  {
+    return present;
+  }
+  auto made = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(format.Type));
+  made->SetName(format.Name);
+  made->SetNumberOfComponents(format.Components);
+  made->SetNumberOfTuples(pixels);
+  return made;
 }
 
-/// The image itself if it has room, or a new one.
-vtkSmartPointer<vtkImageData> Room(
-  vtkImageData* image, const glm::ivec2& size, int type, int components)
+/// An image on its way to be filled. All memory is taken here: the caller's image is changed only
+/// when nothing can fail any more.
+class Target
 {
-  if (!image || HasRoom(image, size, type, components))
+public:
+  Target(const FrameImage& wanted, const glm::ivec2& size)
+    : Image(wanted.Image)
   {
-    return image;
+    this->Made->SetDimensions(size.x, size.y, 1);
+    vtkPointData* const data = this->Made->GetPointData();
+    for (const ArrayFormat& format : Formats)
+    {
+      if (wanted.Arrays & format.Array)
+      {
+        const auto array = RoomIn(this->Image, format, this->Made->GetNumberOfPoints());
+        data->AddArray(array);
+        this->Arrays.push_back({ format.Array, array });
+      }
+    }
+    if (!this->Arrays.empty())
+    {
+      data->SetActiveScalars(this->Arrays.front().Data->GetName());
+    }
+    if (wanted.Arrays & NormalsArray)
+    {
+      data->SetActiveNormals("Normals");
+    }
   }
-  auto room = vtkSmartPointer<vtkImageData>::New();
-  room->SetDimensions(size.x, size.y, 1);
-  room->AllocateScalars(type, components);
-  return room;
-}
 
-/// An image on its way to be filled.
-struct Target
-{
-  /// All memory is taken here: the caller's image is touched only when nothing can fail any more.
-  Target(vtkImageData* image, const glm::ivec2& size, int type, int components, const char* name)
-    : Image(image)
-    , Written(Room(image, size, type, components))
-    , Name(name)
+  /// Call write(array, its values) for each array.
+  template <typename Writer>
+  void ForEachArray(const Writer& write) const
   {
-  }
-
-  /// First value of a pixel's; null if there is no image.
-  template <typename T>
-  T* At(std::int64_t pixel) const
-  {
-    vtkDataArray* scalars = this->Written ? this->Written->GetPointData()->GetScalars() : nullptr;
-    return scalars
-      ? static_cast<T*>(scalars->GetVoidPointer(0)) + pixel * scalars->GetNumberOfComponents()
-      : nullptr;
+    for (const auto& array : this->Arrays)
+    {
+      write(array.Kind, array.Data->GetVoidPointer(0));
+    }
   }
 
   void Return() const
   {
-    if (!this->Image)
+    for (const auto& array : this->Arrays)
     {
-      return;
+      array.Data->Modified();
     }
-    this->Written->GetPointData()->GetScalars()->SetName(this->Name);
-    if (this->Written == this->Image)
+    this->Image->ShallowCopy(this->Made);
+  }
+
+private:
+  struct ArrayToFill
+  {
+    FrameArray Kind;
+    vtkSmartPointer<vtkDataArray> Data;
+  };
+
+  vtkImageData* Image;
+  vtkNew<vtkImageData> Made;
+  std::vector<ArrayToFill> Arrays;
+};
+
+/// Pixels of a frame, to be written into arrays.
+struct PixelRange
+{
+  const Frame& From;
+  const std::vector<int>& Places;
+  std::int64_t Begin, End;
+
+  void WriteTo(FrameArray array, void* values) const
+  {
+    switch (array)
     {
-      this->Image->SetOrigin(0.0, 0.0, 0.0);
-      this->Image->SetSpacing(1.0, 1.0, 1.0);
-      this->Image->GetPointData()->GetScalars()->Modified();
-      this->Image->Modified();
-    }
-    else
-    {
-      this->Image->ShallowCopy(this->Written);
+      case ColorArray:
+        return this->Copy(this->From.Colors, values);
+      case DepthArray:
+        return this->Convert(
+          this->From.Depth, values, [](double t) { return static_cast<float>(t); });
+      case NormalsArray:
+        return this->Copy(this->From.Normals, values);
+      case IsovalueIndexArray:
+        return this->Convert(this->From.Isovalues, values,
+          [this](std::int16_t surface) {
+            return surface == Frame::NoSurface ? -1
+                                               : this->Places[static_cast<std::size_t>(surface)];
+          });
+      default:
+        return this->Convert(this->From.Answers, values,
+          [](Answer answer) { return static_cast<unsigned char>(answer); });
     }
   }
 
-  vtkImageData* Image;
-  vtkSmartPointer<vtkImageData> Written;
-  const char* Name;
+private:
+  template <typename Value>
+  void Copy(const Plane<Value>& plane, void* values) const
+  {
+    std::copy(plane.begin() + this->Begin, plane.begin() + this->End,
+      static_cast<Value*>(values) + this->Begin);
+  }
+
+  template <typename Value, typename Conversion>
+  void Convert(const Plane<Value>& plane, void* values, const Conversion& convert) const
+  {
+    using Converted = decltype(convert(plane[0]));
+    std::transform(plane.begin() + this->Begin, plane.begin() + this->End,
+      static_cast<Converted*>(values) + this->Begin, convert);
+  }
 };
 
 }
 
-void WritePicture(const Frame& frame, const std::vector<int>& places, const PictureImages& images)
+void WriteImages(
+  const Frame& frame, const std::vector<int>& places, const std::vector<FrameImage>& images)
 {
-  const glm::ivec2 size = frame.Size;
-  const Target colors(images.Color, size, VTK_UNSIGNED_CHAR, 4, "Color");
-  const Target depths(images.Depth, size, VTK_FLOAT, 1, "Depth");
-  const Target normals(images.Normals, size, VTK_FLOAT, 3, "Normals");
-  const Target isovalues(images.Isovalues, size, VTK_INT, 1, "IsovalueIndex");
-  const Target answers(images.Answers, size, VTK_UNSIGNED_CHAR, 1, "Answer");
-  const auto placeOf = [&](std::int16_t surface)
-  { return surface == Frame::NoSurface ? -1 : places[static_cast<std::size_t>(surface)]; };
-
-  const auto pixels = static_cast<std::int64_t>(frame.Depth.size());
-  ParallelForRanges(pixels, PixelGrain,
+  std::vector<Target> targets;
+  for (const FrameImage& wanted : images)
+  {
+    if (wanted.Image)
+    {
+      targets.emplace_back(wanted, frame.Size);
+    }
+  }
+  ParallelForRanges(static_cast<std::int64_t>(frame.Depth.size()), PixelGrain,
     [&](std::int64_t begin, std::int64_t end)
     {
-      if (auto* bytes = colors.At<unsigned char>(begin))
+      const PixelRange pixels{ frame, places, begin, end };
+      for (const Target& target : targets)
       {
-        std::copy_n(frame.Colors[static_cast<std::size_t>(begin)].data(), 4 * (end - begin), bytes);
-      }
-      if (auto* distances = depths.At<float>(begin))
-      {
-        std::transform(frame.Depth.begin() + begin, frame.Depth.begin() + end, distances,
-          [](double t) { return static_cast<float>(t); });
-      }
-      if (auto* vectors = normals.At<float>(begin))
-      {
-        for (std::int64_t pixel = begin; pixel < end; ++pixel, vectors += 3)
-        {
-          const glm::vec3& normal = frame.Normals[static_cast<std::size_t>(pixel)];
-          std::copy_n(&normal.x, 3, vectors);
-        }
-      }
-      if (auto* indices = isovalues.At<int>(begin))
-      {
-        std::transform(
-          frame.Isovalues.begin() + begin, frame.Isovalues.begin() + end, indices, placeOf);
-      }
-      if (auto* numbers = answers.At<unsigned char>(begin))
-      {
-        std::transform(frame.Answers.begin() + begin, frame.Answers.begin() + end, numbers,
-          [](Answer answer) { return static_cast<unsigned char>(answer); });
+        target.ForEachArray([&](FrameArray array, void* values) { pixels.WriteTo(array, values); });
       }
     });
-  for (const Target* target : { &colors, &depths, &normals, &isovalues, &answers })
+  for (const Target& target : targets)
   {
-    target->Return();
+    target.Return();
   }
 }
 

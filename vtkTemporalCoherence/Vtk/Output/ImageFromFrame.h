@@ -15,22 +15,32 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// Images that take the planes of a frame, each another one or null.
-struct PictureImages
+/// The point arrays of a frame, one bit each: vtkTemporalCoherenceVolumeMapper::FrameArrays, whose
+/// comments and Documentation/Mapper.md tell what they hold.
+enum FrameArray
 {
-  vtkImageData* Color = nullptr;   ///< unsigned char RGBA
-  vtkImageData* Depth = nullptr;   ///< float distance along the ray, infinity where nothing is hit
-  vtkImageData* Normals = nullptr; ///< three floats, 0 where nothing is hit
-  vtkImageData* Isovalues =
-    nullptr;                       ///< int position in the property's list, -1 where nothing is hit
-  vtkImageData* Answers = nullptr; ///< unsigned char, the numbers of Answer
+  ColorArray = 1,
+  DepthArray = 2,
+  NormalsArray = 4,
+  IsovalueIndexArray = 8,
+  AnswerArray = 16,
+  AllFrameArrays = 31
 };
 
-/// Copy a frame into images. Those that have the size and type already, and share their scalars
-/// with nobody, keep their memory.
+/// An image, and the arrays that it gets.
+struct FrameImage
+{
+  vtkImageData* Image = nullptr; ///< null gets nothing
+  int Arrays = 0;                ///< a sum of FrameArray
+};
+
+/// Write arrays of a frame into images. Each image has the frame's size then, and these arrays and
+/// nothing else. The first array is the active scalars. An array that the image has already, and
+/// that nobody else refers to, keeps its memory.
 /// \param places position in the property's list of each isovalue of the frame
 /// \throws std::bad_alloc, the images then being as they were
-void WritePicture(const Frame& frame, const std::vector<int>& places, const PictureImages& images);
+void WriteImages(
+  const Frame& frame, const std::vector<int>& places, const std::vector<FrameImage>& images);
 
 }
 

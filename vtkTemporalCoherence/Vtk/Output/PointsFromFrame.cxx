@@ -24,10 +24,10 @@ namespace TemporalCoherence
 namespace
 {
 
-/// Rows that a thread takes at a time.
+/// Rows per task.
 constexpr std::int64_t RowGrain = 16;
 
-/// Hits in the rows before each row, and at last in all.
+/// The number of hits before each row, and at last in all rows.
 std::vector<vtkIdType> CountHits(const Frame& frame)
 {
   std::vector<vtkIdType> before(static_cast<std::size_t>(frame.Size.y) + 1, 0);
@@ -64,7 +64,7 @@ void AddVertices(vtkIdType count, vtkPolyData* points)
   std::iota(offsets->GetPointer(0), offsets->GetPointer(0) + count + 1, vtkTypeInt64(0));
   std::iota(ids->GetPointer(0), ids->GetPointer(0) + count, vtkTypeInt64(0));
   vtkNew<vtkCellArray> vertices;
-  // Versions of VTK differ in which arrays they take by their own types.
+  // Versions of VTK differ in which array types they accept.
   vertices->SetData(static_cast<vtkDataArray*>(offsets), static_cast<vtkDataArray*>(ids));
   points->SetVerts(vertices);
 }
@@ -100,13 +100,13 @@ void WritePoints(
           continue;
         }
         const auto surface = static_cast<std::size_t>(frame.Isovalues[pixel]);
-        const glm::dvec3 position = PositionOfHit(frame, key.Seen, x, y);
+        const glm::dvec3 position = PositionOfHit(frame, key.View, x, y);
         for (int axis = 0; axis < 3; ++axis)
         {
           positions[3 * at + axis] = position[axis];
           normals[3 * at + axis] = frame.Normals[pixel][axis];
         }
-        isovalues[at] = key.Sought.Isovalues[surface];
+        isovalues[at] = key.Isosurfaces.Isovalues[surface];
         indices[at] = places[surface];
         std::copy(frame.Colors[pixel].begin(), frame.Colors[pixel].end(), colors + 4 * at);
         ++at;

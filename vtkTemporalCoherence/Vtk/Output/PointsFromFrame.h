@@ -16,11 +16,11 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// Make points of the hits of a frame, row by row from below: each a vertex with position, normal,
-/// isovalue, its position in the property's list, and colour.
+/// Make points of the hits of a frame, row by row from below. Each is a vertex with normal,
+/// isovalue, the position of the isovalue in the property's list, and colour.
 /// \param key    of the frame
 /// \param places position in the property's list of each isovalue of the frame
-/// \throws std::bad_alloc, `points` then being as it was
+/// \throws std::bad_alloc; `points` is then unchanged
 void WritePoints(
   const Frame& frame, const FrameKey& key, const std::vector<int>& places, vtkPolyData* points);
 

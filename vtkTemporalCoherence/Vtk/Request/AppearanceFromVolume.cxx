@@ -36,7 +36,7 @@ glm::dvec3 ColorAt(vtkVolumeProperty* property, int component, double value)
   return color;
 }
 
-/// Where a transfer function has a value, in words.
+/// The position in a transfer function, for messages.
 std::string At(double isovalue)
 {
   std::ostringstream where;
@@ -71,7 +71,7 @@ bool CheckNode(int i, const double node[4], std::string& error)
   const char* const remedy = "GetGradientOpacity()->SetNodeValue or AddPoint";
   const NumberRange share = { 0.0, 1.0 };
   SettingCheck check({ "node", i, "the gradient opacity of the volume's property" }, error);
-  check("Position", node[0], Allowed::Steepness, remedy);
+  check("Position", node[0], Allowed::GradientMagnitude, remedy);
   check("Value", node[1], Allowed::Opacity, remedy);
   check("Midpoint", node[2], share, remedy);
   check("Sharpness", node[3], share, remedy);
@@ -142,7 +142,7 @@ bool FindSurfaces(vtkContourValues* list, vtkVolumeProperty* property, int compo
 bool MakeGradientOpacity(vtkVolumeProperty* property, int component, const glm::dvec3& distances,
   GradientOpacity& made, std::string& error)
 {
-  // Nodes are joined by straight lines, but for those with a midpoint or a sharpness of their own.
+  // Nodes are joined by straight lines, unless they have a midpoint or a sharpness of their own.
   constexpr int ManyNodes = 4096;
   made.Nodes.clear();
   if (property->GetDisableGradientOpacity(component) || !property->HasGradientOpacity(component))
@@ -188,13 +188,13 @@ bool MakeGradientOpacity(vtkVolumeProperty* property, int component, const glm::
 bool IsOpaque(vtkContourValues* list, vtkVolumeProperty* property, int component)
 {
   Surfaces surfaces;
-  GradientOpacity bySteepness;
+  GradientOpacity byGradient;
   std::vector<int> places;
   std::string error;
   return FindSurfaces(list, property, component, surfaces, places, error) &&
     surfaces.Opacities.empty() &&
-    MakeGradientOpacity(property, component, glm::dvec3(1.0), bySteepness, error) &&
-    bySteepness.Nodes.empty();
+    MakeGradientOpacity(property, component, glm::dvec3(1.0), byGradient, error) &&
+    byGradient.Nodes.empty();
 }
 
 bool MakeAppearance(vtkVolumeProperty* property, int component, vtkRenderer* renderer,
@@ -225,7 +225,7 @@ bool MakeAppearance(vtkVolumeProperty* property, int component, vtkRenderer* ren
   appearance.TwoSided = renderer->GetTwoSidedLighting() != 0;
   if (appearance.Lights.empty())
   {
-    // What polygons look like without a light: lit evenly, and not black.
+    // As polygons look without a light: lit evenly, not black.
     appearance.Ambient += appearance.Diffuse;
   }
   return true;

@@ -40,7 +40,7 @@ bool HasFlag(vtkUnsignedCharArray* ghosts, int flag)
       [=](unsigned char value) { return (value & flag) != 0; });
 }
 
-/// True if a data object says that there are others beside it.
+/// True if a data object is marked as one of several.
 bool IsPiece(vtkDataObject* data)
 {
   auto* dataSet = vtkDataSet::SafeDownCast(data);
@@ -49,7 +49,7 @@ bool IsPiece(vtkDataObject* data)
       HasFlag(GhostsOf(dataSet->GetPointData()), vtkDataSetAttributes::DUPLICATEPOINT));
 }
 
-/// True if blocks of a tree are missing, or say that there are others.
+/// True if blocks of a tree are missing, or are marked as some of several.
 bool HasPieces(vtkDataObjectTree* tree)
 {
   const auto leaf = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(tree->NewTreeIterator());
@@ -65,7 +65,7 @@ bool HasPieces(vtkDataObjectTree* tree)
   return false;
 }
 
-/// True if the pipeline has more than an image or grid of it.
+/// True if the pipeline has more data than this image or grid.
 bool IsPartOfPipeline(vtkInformation* pipeline, vtkDataObject* data)
 {
   using Keys = vtkStreamingDemandDrivenPipeline;
@@ -102,8 +102,8 @@ bool IsPropertyShared(vtkVolume* volume, vtkRenderer* renderer)
   return false;
 }
 
-/// All isovalues of a list: those whose opacity is 0 are mistakes, too, if no sample can meet any.
-/// VTK's untouched 0 is such where the opacity function is made for other blend modes.
+/// All isovalues of a list. Those with opacity 0 are mistakes, too, if no sample can meet any.
+/// VTK's default 0 is one if the opacity function was made for another blend mode.
 std::vector<double> ValuesOf(vtkContourValues* list)
 {
   std::vector<double> isovalues;
@@ -114,10 +114,10 @@ std::vector<double> ValuesOf(vtkContourValues* list)
   return isovalues;
 }
 
-/// True if there can be a surface: samples that are inside, and others that are not.
+/// True if there can be a surface: some samples are inside and others are not.
 bool IsMet(double isovalue, SurfaceMode mode, const glm::dvec2& range)
 {
-  // Where all samples are inside a THRESHOLD solid, it is seen where it is cut open.
+  // If all samples are inside a THRESHOLD solid, its caps are visible.
   return isovalue <= range.y && (isovalue > range.x || mode == SurfaceMode::Threshold);
 }
 
@@ -133,7 +133,7 @@ bool MaySeePartOnly(const DrawnVolume& drawn)
 {
   vtkDataObject* data = drawn.Mapper->GetDataObjectInput();
   auto* tree = vtkDataObjectTree::SafeDownCast(data);
-  // A mapper of blocks has a mapper of its own for each of them.
+  // A mapper of blocks has its own mapper for each block.
   auto* owner = drawn.Volume->GetMapper();
   const bool isBlock = !tree && owner && owner != drawn.Mapper &&
     vtkCompositeDataSet::SafeDownCast(owner->GetDataObjectInput());
@@ -162,9 +162,9 @@ IsovalueCheck::Story& IsovalueCheck::StoryOf(vtkVolume* volume)
 std::string IsovalueCheck::Check(
   const DrawnVolume& drawn, const FrameRequest& request, const ValueRangePyramid& ranges)
 {
-  const Surfaces& sought = request.Key.Sought;
-  return sought.Isovalues.empty() ? this->CheckTransparent(drawn, request)
-                                  : this->Check(drawn, sought.Isovalues, sought.Mode, ranges);
+  const Surfaces& surfaces = request.Key.Isosurfaces;
+  return surfaces.Isovalues.empty() ? this->CheckTransparent(drawn, request)
+                                    : this->Check(drawn, surfaces.Isovalues, surfaces.Mode, ranges);
 }
 
 std::string IsovalueCheck::CheckTransparent(const DrawnVolume& drawn, const FrameRequest& request)
@@ -179,22 +179,22 @@ std::string IsovalueCheck::CheckTransparent(const DrawnVolume& drawn, const Fram
   }
   story.Transparent = isovalues;
   story.TransparentIn = data;
-  ValueRangePyramid ranges; // the frame needed none
+  ValueRangePyramid ranges; // the frame needed no ranges
   try
   {
     ranges.Build(request.Key.Samples);
   }
-  catch (const std::exception&) // no memory: nothing is told
+  catch (const std::exception&) // no memory: no warning
   {
     return "";
   }
   const glm::dvec2 finite = ranges.FiniteRange();
-  const SurfaceMode mode = request.Key.Sought.Mode;
+  const SurfaceMode mode = request.Key.Isosurfaces.Mode;
   if (!AreMet(isovalues, mode, ranges.WholeRange()))
   {
     return this->Check(drawn, isovalues, mode, ranges);
   }
-  // A surface may fade. But the 0 that VTK constructs a property with is nobody's choice.
+  // A surface may fade out. But nobody chose the 0 that VTK constructs a property with.
   const bool isUntouched = isovalues.size() == 1 && isovalues[0] == 0.0;
   if (!isUntouched || !story.Met.empty() || !(finite.x < finite.y) || MaySeePartOnly(drawn))
   {

@@ -22,7 +22,7 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// Who draws what, and for whom.
+/// A mapper, and the volume and renderer that it draws for.
 struct DrawnVolume
 {
   vtkVolumeMapper* Mapper;
@@ -30,21 +30,21 @@ struct DrawnVolume
   vtkRenderer* Renderer;
 };
 
-/// True if a mapper may not know all the data that its isovalues are meant for: its input is a
-/// piece of a pipeline's data or one block of several, or several volumes share the property.
-/// Looks into ghost arrays, which takes a while.
+/// True if isovalues may be meant for more data than the mapper has: if its input is a piece of a
+/// pipeline's data or one block of several, or if several volumes share the property. Reads ghost
+/// arrays, which takes a while.
 bool MaySeePartOnly(const DrawnVolume& drawn);
 
-/// Tells of isovalues that no sample can meet, and of VTK's untouched 0 where it is transparent: a
-/// picture that is empty for another reason than its user thinks. It tells once for each volume,
-/// and once more only after some isovalue was met. Isovalues that were met by this input before are
-/// no mistake, whatever its samples are now: a time step may have no surface.
+/// Warns of empty pictures that the user may not expect: of isovalues that no sample can meet, and
+/// of VTK's default isovalue 0 if it is transparent. It warns once for each volume, and again only
+/// after some isovalue was met. Isovalues that this input has met before are no mistake, as a time
+/// step may have no surface.
 class IsovalueCheck
 {
 public:
   /// \param request of a frame that was made
-  /// \param ranges  of its samples; not looked at if all isovalues are transparent
-  /// \return what is wrong and what to do about it; empty if there is nothing to tell
+  /// \param ranges  of its samples; unused if all isovalues are transparent
+  /// \return what is wrong and what to do about it; empty if there is no warning
   std::string Check(
     const DrawnVolume& drawn, const FrameRequest& request, const ValueRangePyramid& ranges);
 
@@ -54,9 +54,9 @@ private:
   {
     vtkWeakPointer<vtkVolume> Of;
     bool IsTold = false;
-    std::vector<double> Met; ///< the last isovalues some of which a sample could meet
+    std::vector<double> Met; ///< the last isovalues of which a sample could meet some
     vtkWeakPointer<vtkDataObject> MetBy;
-    std::vector<double> Transparent; ///< the last isovalues none of which has an opacity
+    std::vector<double> Transparent; ///< the last isovalues that were all transparent
     vtkWeakPointer<vtkDataObject> TransparentIn;
   };
 

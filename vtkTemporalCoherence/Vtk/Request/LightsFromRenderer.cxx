@@ -26,7 +26,7 @@ glm::dvec3 UnitOrZero(const glm::dvec3& v)
   return length > 0.0 ? v / length : glm::dvec3(0.0);
 }
 
-/// Only what a light of its kind is made of is looked at.
+/// Make a light. Only the settings of its kind are checked.
 bool CheckLight(vtkLight* source, int place, std::string& error)
 {
   double position[3], focus[3];
@@ -97,7 +97,7 @@ bool FindLights(vtkRenderer* renderer, std::vector<Light>& lights, std::string& 
   }
   if (lights.size() == 1 && areHeadlights)
   {
-    // Alone, it is where the camera is, even if it was left behind (LightFollowCameraOff).
+    // A single headlight is at the camera, even if it was left behind (LightFollowCameraOff).
     lights.front().Direction = ToVec(renderer->GetActiveCamera()->GetDirectionOfProjection());
   }
   return true;

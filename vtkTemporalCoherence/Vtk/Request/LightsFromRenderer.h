@@ -16,9 +16,9 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// The lights that are on, as the renderer finds them when it draws into a window.
+/// Make the lights that are on, as the renderer finds them when it draws into a window.
 /// \param error gets what is wrong and what to do about it
-/// \return false on error, for example if an intensity is not a number
+/// \return false on error, for example if an intensity is NaN
 bool FindLights(vtkRenderer* renderer, std::vector<Light>& lights, std::string& error);
 
 }

@@ -16,9 +16,9 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// What a mapper's clipping planes, which lie in the world, and its cropping leave of a field.
-/// Cropping planes are meant as vtkVolumeMapper says, along the axes of the image with its origin
-/// and spacing in mind.
+/// Make the region of a field that a mapper's clipping planes and its cropping keep. Clipping
+/// planes lie in the world. Cropping planes are those of vtkVolumeMapper: along the axes of the
+/// image, in coordinates of its origin and spacing.
 /// \param error gets what is wrong and what to do about it
 /// \return false on error
 bool MakeRegion(vtkVolumeMapper* mapper, const ImageAxes& axes, Region& region, std::string& error);

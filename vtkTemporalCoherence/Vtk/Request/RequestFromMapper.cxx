@@ -20,16 +20,16 @@ namespace TemporalCoherence
 namespace
 {
 
-/// A vtkMultiVolume has a property and a transform for each input of its mapper, and may have none
+/// A vtkMultiVolume has a property and a transform for each input of its mapper, and perhaps none
 /// of its own.
 bool IsOfSeveral(vtkVolume* volume)
 {
   return volume->IsA("vtkMultiVolume") != 0;
 }
 
-/// Spread the colours of a window over all.
-/// \return false if no colours can be spread so
-bool SpreadColors(const PictureSettings& settings, Appearance& look, std::string& error)
+/// Set colour scale and shift by the colour window and level.
+/// \return false if these are invalid
+bool SpreadColors(const PictureSettings& settings, Appearance& appearance, std::string& error)
 {
   SettingCheck check({ "the mapper" }, error);
   check("FinalColorWindow", settings.ColorWindow, Allowed::ColorWindow, "SetFinalColorWindow");
@@ -47,8 +47,8 @@ bool SpreadColors(const PictureSettings& settings, Appearance& look, std::string
     error = what.str();
     return false;
   }
-  look.ColorScale = 1.0 / settings.ColorWindow;
-  look.ColorShift = 0.5 - settings.ColorLevel / settings.ColorWindow;
+  appearance.ColorScale = 1.0 / settings.ColorWindow;
+  appearance.ColorShift = 0.5 - settings.ColorLevel / settings.ColorWindow;
   return true;
 }
 
@@ -68,35 +68,35 @@ bool RequestFromMapper::Make(vtkVolumeMapper* mapper, const PictureSettings& set
   request.IsovalueList = ChooseIsovalues(property, settings.DepthPass);
   MapperInput input;
   if (!this->Input.Find(mapper, property, settings.Vectors, input, error) ||
-    !FindSurfaces(
-      request.IsovalueList, property, input.Look, key.Sought, request.IsovaluePlaces, error))
+    !FindSurfaces(request.IsovalueList, property, input.PropertyComponent, key.Isosurfaces,
+      request.IsovaluePlaces, error))
   {
     return false;
   }
-  key.Sought.Mode = settings.Mode;
+  key.Isosurfaces.Mode = settings.Mode;
   request.Read = input.Array;
 
   if (sight.Renderer)
   {
-    key.Look = {};
-    if (!MakeView(sight.Renderer, sight.Size, sight.Aspect, key.Seen, error) ||
-      !MakeAppearance(
-        property, input.Look, sight.Renderer, key.Sought.Isovalues, key.Look, error) ||
-      !SpreadColors(settings, key.Look, error))
+    key.Appearance = {};
+    if (!MakeView(sight.Renderer, sight.Size, sight.Aspect, key.View, error) ||
+      !MakeAppearance(property, input.PropertyComponent, sight.Renderer, key.Isosurfaces.Isovalues,
+        key.Appearance, error) ||
+      !SpreadColors(settings, key.Appearance, error))
     {
       return false;
     }
-    key.Look.ColorByAnswer = settings.ColorByAnswer;
+    key.Appearance.ColorByAnswer = settings.ColorByAnswer;
   }
 
-  // An image without points has no array either: an empty picture, as for images without cells.
+  // An image without points has no array: an empty picture, as for images without cells.
   return !input.Array || this->MakeScene(mapper, settings.Mask, volume, input, key, error);
 }
 
 namespace
 {
 
-/// \return false if there are too many surfaces behind one another to look for
+/// \return false if there are too many translucent isovalues
 bool AreFewEnough(const Surfaces& surfaces, std::string& error)
 {
   constexpr std::size_t most = 1024;
@@ -114,22 +114,22 @@ bool AreFewEnough(const Surfaces& surfaces, std::string& error)
 
 }
 
-/// The samples, and where they lie and are kept.
+/// Make the samples, transform, region and hidden cells of a key.
 bool RequestFromMapper::MakeScene(vtkVolumeMapper* mapper, const MaskSettings& mask,
   vtkVolume* volume, const MapperInput& input, FrameKey& key, std::string& error)
 {
   vtkVolumeProperty* property = volume->GetProperty();
   SampleMask ofSamples;
   const ImageAxes axes = AxesOf(input.Image, input.OnCells);
-  if (!MakeGradientOpacity(
-        property, input.Look, glm::abs(axes.Step), key.Sought.BySteepness, error) ||
-    !AreFewEnough(key.Sought, error) ||
+  if (!MakeGradientOpacity(property, input.PropertyComponent, glm::abs(axes.Step),
+        key.Isosurfaces.ByGradient, error) ||
+    !AreFewEnough(key.Isosurfaces, error) ||
     !MakeField(input.Image, input.Array, input.OnCells, input.Component, key.Samples, error) ||
-    !FindMask(
-      mask, mapper, key.Samples.Dimensions, property, key.Sought.Isovalues, ofSamples, error) ||
+    !FindMask(mask, mapper, key.Samples.Dimensions, property, key.Isosurfaces.Isovalues, ofSamples,
+      error) ||
     !this->Hidden.Find(input.Image, input.OnCells, ofSamples, key.Samples.Hidden, error) ||
-    !MakePlacement(input.Image, input.OnCells, volume, key.Where, error) ||
-    !MakeRegion(mapper, axes, key.Kept, error))
+    !MakeIndexTransform(input.Image, input.OnCells, volume, key.Transform, error) ||
+    !MakeRegion(mapper, axes, key.Region, error))
   {
     return false;
   }
@@ -145,14 +145,14 @@ bool RequestFromMapper::IsOpaque(
 {
   if (IsOfSeveral(volume))
   {
-    return true; // nothing is shown
+    return true; // nothing to draw
   }
   vtkVolumeProperty* property = volume->GetProperty();
   MapperInput input;
-  std::string error; // the next frame tells of it
+  std::string error; // the next frame reports it
   this->Input.Find(mapper, property, settings.Vectors, input, error);
   return TemporalCoherence::IsOpaque(
-    ChooseIsovalues(property, settings.DepthPass), property, input.Look);
+    ChooseIsovalues(property, settings.DepthPass), property, input.PropertyComponent);
 }
 
 void RequestFromMapper::Release()

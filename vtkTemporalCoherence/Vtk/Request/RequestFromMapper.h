@@ -24,50 +24,50 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// What a picture depends on of a mapper's settings, beyond those that every volume mapper has.
+/// The mapper's own settings that a picture depends on, besides those of every volume mapper.
 struct PictureSettings
 {
   VectorChoice Vectors;
   SurfaceMode Mode = SurfaceMode::Crossing;
   bool ColorByAnswer = false;
-  double ColorWindow = 1.0, ColorLevel = 0.5; ///< shown are colours level +- window / 2
-  vtkContourValues* DepthPass = nullptr;      ///< isovalues where the property has none; or null
+  double ColorWindow = 1.0, ColorLevel = 0.5; ///< maps colours level +- window / 2 to [0, 1]
+  vtkContourValues* DepthPass = nullptr;      ///< isovalues if the property has none; or null
   MaskSettings Mask;
 };
 
-/// Who sees a frame, and how large it is.
+/// The viewer and the size of a frame.
 struct FrameSight
 {
-  vtkRenderer* Renderer = nullptr; ///< null: nobody; view and appearance are left out
+  vtkRenderer* Renderer = nullptr; ///< null: no viewer; view and appearance are not made
   glm::ivec2 Size{ 1 };            ///< rays along each axis
   double Aspect = 1.0;             ///< width by height of what the camera sees
 };
 
-/// A frame that is asked for.
+/// A request for a frame.
 struct FrameRequest
 {
   FrameKey Key;
-  std::vector<int> IsovaluePlaces;                ///< position in their list of the key's isovalues
-  vtkSmartPointer<vtkContourValues> IsovalueList; ///< with those that are transparent, too
+  std::vector<int> IsovaluePlaces; ///< position in the list, for each isovalue of the key
+  vtkSmartPointer<vtkContourValues> IsovalueList; ///< including transparent ones
 
-  /// The samples, so that they stay where observers give the mapper another input meanwhile.
+  /// Keeps the samples alive if an observer gives the mapper another input meanwhile.
   vtkSmartPointer<vtkDataArray> Read;
 };
 
-/// Reads from a mapper, a volume and a renderer everything that a frame depends on, and keeps what
-/// has to be computed of the input for that.
+/// Reads everything that a frame depends on from a mapper, a volume and a renderer, and keeps what
+/// had to be computed from the input.
 class RequestFromMapper
 {
 public:
   /// \param error gets what is wrong and what to do about it
-  /// \return false on error. An input without points is none: its frame is empty.
+  /// \return false on error. An input without points is no error: its frame is empty.
   bool Make(vtkVolumeMapper* mapper, const PictureSettings& settings, vtkVolume* volume,
     const FrameSight& sight, FrameRequest& request, std::string& error);
 
-  /// True if nothing can be seen through the surfaces that a mapper shows.
+  /// True if all surfaces of a mapper are opaque.
   bool IsOpaque(vtkVolumeMapper* mapper, const PictureSettings& settings, vtkVolume* volume);
 
-  /// Forget what was computed.
+  /// Drop what was computed.
   void Release();
 
 private:

@@ -15,11 +15,11 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// The pixels that the renderer draws now: those of its part of the window, or of the texture that
-/// a render pass has put in the window's place.
+/// The pixels that the renderer draws now: its part of the window, or the texture that a render
+/// pass draws into instead.
 glm::ivec2 PictureSizeOf(vtkRenderer* renderer);
 
-/// The view of the renderer's active camera in a picture of a given size.
+/// Make the view of the renderer's active camera in a picture of a given size.
 /// \param aspect width by height of what the camera sees
 /// \param error  gets what is wrong and what to do about it
 /// \return false on error

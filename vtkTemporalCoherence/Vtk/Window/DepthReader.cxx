@@ -17,7 +17,7 @@ namespace TemporalCoherence
 namespace
 {
 
-/// Read from a framebuffer that a render pass draws into.
+/// Read the framebuffer of a render pass.
 bool ReadFramebuffer(vtkOpenGLRenderWindow* window, unsigned int framebuffer, const PixelRect& rect,
   std::vector<float>& depths)
 {
@@ -26,7 +26,7 @@ bool ReadFramebuffer(vtkOpenGLRenderWindow* window, unsigned int framebuffer, co
   state->vtkglGetIntegerv(Gl::Samples, &samples);
   if (samples > 1)
   {
-    return false; // its format, which a copy with one sample must have, is not known
+    return false; // a copy with one sample needs its format, which is not known
   }
   vtkNew<vtkPixelBufferObject> buffer;
   buffer->SetContext(window);
@@ -54,7 +54,7 @@ bool ReadDepths(vtkOpenGLRenderWindow* window, const PixelRect& rect, std::vecto
   {
     return ReadFramebuffer(window, framebuffer, rect, depths);
   }
-  // The window knows how to copy its own, where that is multisampled.
+  // The window can copy its own framebuffer if that is multisampled.
   vtkOpenGLState* state = window->GetState();
   vtkOpenGLState::ScopedglEnableDisable keepScissorTest(state, Gl::ScissorTest);
   vtkOpenGLState::ScopedglViewport keepViewport(state);

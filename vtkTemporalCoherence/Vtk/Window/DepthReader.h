@@ -15,7 +15,7 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// Read the depth buffer that is drawn into now; of a multisampled one, any sample of each pixel.
+/// Read the present depth buffer. If it is multisampled, any sample of each pixel is read.
 /// \param rect        pixels of that buffer
 /// \param[out] depths row by row from below: 0 at the near plane, 1 at the far plane
 /// \return false if it cannot be read

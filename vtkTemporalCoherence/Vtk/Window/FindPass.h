@@ -11,7 +11,7 @@
 namespace TemporalCoherence
 {
 
-/// The render pass of a class that draws a prop now, or null.
+/// The render pass of a class that is drawing a prop now, or null.
 template <typename Pass>
 Pass* FindPass(vtkProp* prop)
 {

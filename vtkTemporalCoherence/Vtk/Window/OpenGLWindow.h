@@ -14,8 +14,7 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// Enumerants of OpenGL, named here because the header that has them differs between versions of
-/// VTK.
+/// Enumerants of OpenGL. They are named here because their header differs between versions of VTK.
 namespace Gl
 {
 constexpr unsigned int One = 1;
@@ -35,10 +34,10 @@ constexpr unsigned char True = 1;
 constexpr unsigned char False = 0;
 }
 
-/// The part of the window that is drawn into now.
+/// The part of the window that is being drawn.
 PixelRect ViewportOf(vtkOpenGLRenderWindow* window);
 
-/// Let a texture of that window be read texel by texel.
+/// Prepare a texture of a window, with nearest filtering.
 void PrepareTexture(vtkTextureObject* texture, vtkOpenGLRenderWindow* window);
 
 }

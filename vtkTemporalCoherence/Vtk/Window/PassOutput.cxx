@@ -78,7 +78,7 @@ void SetUniforms(PassOutput output, vtkShaderProgram* program, vtkRenderer* rend
   {
     return;
   }
-  // These are transposed already, as OpenGL takes them.
+  // These are already transposed, as OpenGL needs them.
   vtkMatrix4x4 *worldToView, *viewToClip, *worldToClip;
   vtkMatrix3x3* normals;
   camera->GetKeyMatrices(renderer, worldToView, normals, viewToClip, worldToClip);

@@ -19,26 +19,28 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// What a render pass of VTK wants to know of a surface. Such passes change the shaders of
-/// polygons; a picture's shader has to be told.
+/// What a render pass of VTK needs from a surface. Such passes modify the shaders of polygons; the
+/// shader of a picture provides it by itself.
 enum class PassOutput : std::uint8_t
 {
   Color,    ///< no such pass: colour and depth
-  Occluder, ///< vtkSSAOPass: position and normal in camera coordinates besides
-  Shadow    ///< vtkShadowMapBakerPass: distance from the light in place of the colour
+  Occluder, ///< vtkSSAOPass: also position and normal in camera coordinates
+  Shadow    ///< vtkShadowMapBakerPass: distance from the light instead of the colour
 };
 constexpr std::size_t NumberOfPassOutputs = 3;
 
-/// What the pass that draws a volume now asks for.
+/// What the pass that is drawing a volume needs.
 PassOutput OutputFor(vtkVolume* volume);
 
-/// Declarations and statements of a fragment shader. They find `texCoord`, and `color` and `depth`
-/// of the pixel, write gl_FragData, and need a texture `normalTexture` (world) for an occluder.
+/// Declarations and statements for the fragment shader. They read `texCoord`, and `color` and
+/// `depth` of the pixel, and write gl_FragData. An occluder also needs the texture `normalTexture`
+/// (world).
 std::string DeclarationsOf(PassOutput output);
 std::string StatementsOf(PassOutput output);
 
-/// Set what the declarations declare, other than the texture.
-/// \param first, size part of the viewport that texture coordinates 0 to 1 cover; its sides are 1
+/// Set the uniforms that the declarations declare, except for the texture.
+/// \param first, size part of the viewport (whose sides are 1) that texture coordinates 0 to 1
+///               cover
 void SetUniforms(PassOutput output, vtkShaderProgram* program, vtkRenderer* renderer,
   vtkVolume* volume, const glm::vec2& first, const glm::vec2& size);
 

@@ -23,7 +23,7 @@ namespace TemporalCoherence
 namespace
 {
 
-/// Layers in a row of the textures that hold them.
+/// Layers in a row of a texture.
 constexpr std::size_t RowOfLayers = 4096;
 
 constexpr const char* Declarations = "uniform sampler2D layersTexture;\n"
@@ -31,7 +31,7 @@ constexpr const char* Declarations = "uniform sampler2D layersTexture;\n"
                                      "uniform sampler2D colorTexture;\n"
                                      "vec3 layers;\n";
 
-/// A pixel's layers: where in a row of textures the first one is, in which row, and how many.
+/// The layers of a pixel: column and row of the first one in the textures, and their number.
 constexpr const char* Color = "  vec4 seen = vec4(0.0);\n"
                               "  for (int i = 0; i < int(layers.z); ++i)\n"
                               "  {\n"
@@ -46,7 +46,7 @@ constexpr const char* Color = "  vec4 seen = vec4(0.0);\n"
                               "  }\n"
                               "  return seen;\n";
 
-/// Other volumes' colours stay where there is no surface.
+/// Pixels without a surface keep the colours of other volumes.
 constexpr const char* Begin = "  layers = texture2D(layersTexture, texCoord).xyz;\n"
                               "  if (layers.z == 0.0) { discard; }\n";
 
@@ -66,11 +66,11 @@ struct PeelPresenter::Resources
 {
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   std::map<std::string, std::unique_ptr<vtkOpenGLQuadHelper>> Quads; ///< by shader
-  vtkNew<vtkTextureObject> Layers;                                   ///< where each pixel's are
-  vtkNew<vtkTextureObject> Depths, Colors;                           ///< of the layers
+  vtkNew<vtkTextureObject> Layers;         ///< position and number of each pixel's layers
+  vtkNew<vtkTextureObject> Depths, Colors; ///< of the layers
   bool HasLayers = false;
 
-  /// \return false if there are more layers than textures can have
+  /// \return false if there are more layers than textures can hold
   bool Upload(const PeeledLayers& layers);
 };
 
@@ -122,7 +122,7 @@ bool PeelPresenter::Present(const PeelingPass& pass, vtkRenderer* renderer, vtkV
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetVTKWindow());
   if (!window || !pass.IsKnown())
   {
-    error = "This render pass peels volumes in a way that is not known here; use a "
+    error = "Depth peeling of volumes by this version of VTK is not supported; use a "
             "vtkTemporalCoherenceVolume with opaque surfaces, or UseDepthPeelingForVolumesOff().";
     return false;
   }

@@ -20,12 +20,12 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// Draws a finished frame where volumes are peeled: of the surfaces behind one another at a pixel,
-/// those between two depths, as the pass asks for them.
+/// Draws a finished frame in a pass that peels volumes: at each pixel the layers between the two
+/// depths that the pass asks for.
 ///
-/// The pass takes the larger of two volumes' colours where they lie in one slab. So pictures of
-/// several volumes are put together here, by their depths: who is drawn later draws all that were
-/// before, and from the second time on the last one draws for all.
+/// If two volumes lie in the same slab, the pass blends their colours by the maximum. So the layers
+/// of several volumes are merged here, by their depths. In the first round each volume draws its
+/// layers with those of all volumes before it; afterwards the last volume draws for all.
 class PeelPresenter
 {
 public:

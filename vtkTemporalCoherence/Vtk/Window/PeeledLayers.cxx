@@ -16,14 +16,14 @@ namespace
 
 using Layer = PeeledLayers::Layer;
 
-/// Lists of layers, one a pixel, one after the other.
+/// Lists of layers, one for each pixel, stored one after the other.
 struct LayerLists
 {
   std::vector<Layer> Layers;
   std::vector<std::size_t> Firsts;
 };
 
-/// The colour of a layer, of what is seen with it and without it.
+/// The colour of a layer, from the composites with it and without it.
 PixelColor OwnColor(const PixelColor& with, const PixelColor& without)
 {
   const double shown = 1.0 - without[3] / 255.0;
@@ -41,7 +41,7 @@ bool IsOpaque(const Layer& layer)
   return layer.Color[3] == 255;
 }
 
-/// Give each list its place behind the one before it.
+/// Make room for each list behind the one before it.
 /// \param counts of layers in each list
 void MakeRoom(const std::vector<std::size_t>& counts, LayerLists& lists)
 {
@@ -51,7 +51,7 @@ void MakeRoom(const std::vector<std::size_t>& counts, LayerLists& lists)
   lists.Layers.resize(lists.Firsts.back());
 }
 
-/// Surfaces of one tile behind one another, which come in rounds from front to back.
+/// Add the layers of a tile, which come in rounds from front to back.
 void FillWithLayers(const Frame& frame, const View& view, std::int64_t tile, LayerLists& lists)
 {
   const glm::ivec2 first = PixelsOfTile(frame.Size, tile).First;
@@ -68,7 +68,7 @@ void FillWithLayers(const Frame& frame, const View& view, std::int64_t tile, Lay
   }
 }
 
-/// The same where they are opaque, so that one is seen at most.
+/// The same for opaque surfaces: at most one for each pixel.
 void FillWithHits(const Frame& frame, const View& view, std::int64_t tile, LayerLists& lists)
 {
   const PixelRect part = PixelsOfTile(frame.Size, tile);
@@ -87,7 +87,7 @@ void FillWithHits(const Frame& frame, const View& view, std::int64_t tile, Layer
   }
 }
 
-/// All that a frame shows, one list a ray.
+/// The layers of a frame, one list for each ray.
 LayerLists ListsOf(const Frame& frame, const View& view)
 {
   LayerLists lists;
@@ -117,8 +117,8 @@ LayerLists ListsOf(const Frame& frame, const View& view)
   return lists;
 }
 
-/// How many of two sorted lists are seen, one behind the other; and, if there is room for them,
-/// which.
+/// Merge two sorted lists up to the first opaque layer. \return the number of layers, which are
+/// stored if there is room for them
 std::size_t Merge(
   const Layer* a, const Layer* endOfA, const Layer* b, const Layer* endOfB, Layer* to)
 {

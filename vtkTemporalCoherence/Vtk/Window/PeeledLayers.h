@@ -11,30 +11,30 @@
 namespace TemporalCoherence
 {
 
-/// The surfaces behind one another at each pixel of a viewport, of one picture or of several, from
-/// front to back as far as something shines through.
+/// The layers at each pixel of a viewport, of one picture or several, from front to back up to the
+/// first opaque one.
 class PeeledLayers
 {
 public:
-  /// A surface at a pixel.
+  /// A layer at a pixel.
   struct Layer
   {
     float Depth;      ///< of the depth buffer
     PixelColor Color; ///< its own, premultiplied
   };
 
-  /// Forget all pictures.
+  /// Remove all pictures.
   /// \param size pixels of the viewport
   void Clear(const glm::ivec2& size);
 
-  /// Lay a picture among those that are there.
+  /// Merge a picture with the present ones.
   /// \throws std::bad_alloc
   void Add(const Frame& frame, const View& view);
 
   const glm::ivec2& Size() const { return this->ViewportSize; }
 
-  /// The layers of all pixels, one after the other, row by row from below; and where those of each
-  /// pixel begin, with the end of the last one.
+  /// The layers of all pixels, row by row from below. Firsts holds where the layers of each pixel
+  /// begin, and the end of the last.
   const std::vector<Layer>& All() const { return this->Layers; }
   const std::vector<std::size_t>& Begins() const { return this->Firsts; }
 

@@ -17,30 +17,30 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// What the volumes of a renderer show together in a picture that is being peeled. The renderer
-/// keeps it, among its information, so that mappers that do not know one another find it.
+/// The merged layers of all volumes of a renderer while a picture is peeled. It is stored in the
+/// renderer's information, where independent mappers find it.
 class PeeledPicture : public vtkObject
 {
 public:
   static PeeledPicture* New();
   vtkTypeMacro(PeeledPicture, vtkObject);
 
-  /// That of a renderer, which gets one if it has none.
+  /// The peeled picture of a renderer, made if it has none.
   static vtkSmartPointer<PeeledPicture> Of(vtkRenderer* renderer);
 
-  /// Lay a frame among those of the picture that a pass draws; it may be the first one.
+  /// Add a frame to the picture that a pass is drawing.
   /// \param who  adds it
   /// \param size pixels of the viewport
   /// \throws std::bad_alloc
   void Add(const PeelingPass& pass, const void* who, const glm::ivec2& size, const Frame& frame,
     const View& view);
 
-  /// Who draws for all: the last one that added a frame.
+  /// The one that draws for all: the last one that added a frame.
   bool IsDrawnBy(const void* who) const { return this->Last == who; }
 
   const PeeledLayers& Layers() const { return this->All; }
 
-  /// Free the memory of the layers, to which nothing will be added any more.
+  /// Free the memory of the layers. No frame can be added afterwards.
   void ReleaseLayers() { this->All = PeeledLayers(); }
 
 private:

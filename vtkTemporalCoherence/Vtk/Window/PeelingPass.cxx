@@ -14,7 +14,8 @@ namespace TemporalCoherence
 namespace
 {
 
-/// What the pass looks for in the shaders of volumes, and what it calls and reads there.
+/// The markers that the pass replaces in shaders of volumes, and the functions and variables it
+/// uses.
 constexpr const char* Work = "//VTK::CallWorker::Impl";
 constexpr const char* Template = "//VTK::System::Dec\n"
                                  "//VTK::Output::Dec\n"
@@ -33,7 +34,7 @@ constexpr const char* Template = "//VTK::System::Dec\n"
                                  "//VTK::CallWorker::Impl\n"
                                  "}\n";
 
-/// Textures that the pass gives to the shaders of a stage, by which stages are told apart.
+/// Textures that the pass binds in certain stages, which tells the stages apart.
 constexpr const char* OfPeels = "lastFrontColorTex";
 constexpr const char* OfRest = "depthRangeTex";
 

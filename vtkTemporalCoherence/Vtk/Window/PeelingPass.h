@@ -19,36 +19,35 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// vtkDualDepthPeelingPass while it draws volumes (UseDepthPeelingForVolumes): the space between
-/// translucent polygons, slab by slab. It draws each volume once for all that lies before and
-/// behind these polygons, and then once for each pair of layers that it peels. Volume mappers give
-/// it a shader that can tell what is seen between two depths; it completes that shader by what is
-/// to be done in each stage, and blends.
+/// Wraps vtkDualDepthPeelingPass while it draws volumes (UseDepthPeelingForVolumes) in slabs
+/// between translucent polygons. The pass draws each volume once in front of and behind all
+/// polygons, and then once for each pair of layers that it peels. A volume mapper gives it a shader
+/// that computes the colour between two depths. The pass completes that shader for each stage, and
+/// blends.
 class PeelingPass
 {
 public:
-  /// The pass, while it draws a volume; none at other times.
+  /// The pass that is drawing a volume; none if no such pass is.
   static std::optional<PeelingPass> Of(vtkVolume* volume);
 
-  /// True if this is the first of the times that it draws the volume for a picture.
+  /// True if the pass draws the volume for the first time in a picture.
   bool IsFirst() const;
 
-  /// True if what is drawn now is to be blended over what is there, and not to replace it.
+  /// True if the present stage is blended over the target instead of replacing it.
   bool IsBlended() const;
 
-  /// The fragment shader. It needs, in place of the text "//PeeledColor", the colour
-  /// (premultiplied) of what is seen from a depth in the window, `zStart`, up to another, `zEnd`,
-  /// without it; and declarations in place of "//PeeledDeclarations".
+  /// The fragment shader. "//PeeledColor" must be replaced by code that returns the premultiplied
+  /// colour of the window depths [zStart, zEnd), and "//PeeledDeclarations" by its declarations.
   const std::string& FragmentShader() const { return this->Source; }
 
-  /// False if the pass has not completed the shader, as one may that is newer than this.
+  /// False if the pass did not complete the shader, as in an unknown version of VTK.
   bool IsKnown() const;
 
-  /// Set what the pass has declared.
+  /// Set the uniforms that the pass has declared.
   /// \param width, height of the viewport
   void SetUniforms(vtkShaderProgram* program, vtkVolume* volume, int width, int height) const;
 
-  /// What tells a picture of a pass from others.
+  /// Identify the picture and the pass.
   vtkMTimeType Time() const;
   const void* Identity() const { return this->Pass; }
 
@@ -57,7 +56,7 @@ private:
   std::string Source;
 };
 
-/// True if a pass draws more of a picture of a volume that it has drawn a part of.
+/// True if a pass is drawing a volume again for the same picture.
 inline bool IsPeeledAgain(vtkVolume* volume)
 {
   const std::optional<PeelingPass> pass = PeelingPass::Of(volume);

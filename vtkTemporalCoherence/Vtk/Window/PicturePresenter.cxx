@@ -3,7 +3,7 @@
 #include "Window/PicturePresenter.h"
 
 #include "Window/DepthReader.h"
-#include "Window/LayerCut.h"
+#include "Window/LayerDepthClip.h"
 #include "Window/OpenGLWindow.h"
 #include "Window/PixelHit.h"
 
@@ -42,7 +42,7 @@ std::string FragmentShader(PassOutput output)
   return source;
 }
 
-/// Where in the window a part is of a picture that fills the viewport.
+/// The position in the window of a part of a picture that fills the viewport.
 PixelRect InWindow(vtkOpenGLRenderWindow* window, const glm::ivec2& size, const PixelRect& part)
 {
   const PixelRect viewport = ViewportOf(window);
@@ -57,12 +57,12 @@ struct PicturePresenter::Resources
 {
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   std::array<std::unique_ptr<vtkOpenGLQuadHelper>, NumberOfPassOutputs> Quads; ///< or null
-  vtkOpenGLQuadHelper* Quad = nullptr; ///< the one that draws now
+  vtkOpenGLQuadHelper* Quad = nullptr;                                         ///< the present one
   vtkNew<vtkTextureObject> Color;
   vtkNew<vtkTextureObject> Depth;
-  vtkNew<vtkTextureObject> Cut;     ///< colours where other things lie among the layers
+  vtkNew<vtkTextureObject> Clipped; ///< colours clipped by the window's depths
   vtkNew<vtkTextureObject> Normal;  ///< in the world, for passes that ask for it
-  std::uint64_t Picture = 0;        ///< the one in the textures
+  std::uint64_t PictureNumber = 0;  ///< the one in the textures
   std::uint64_t NormalsPicture = 0; ///< the one in the texture of normals
   glm::ivec2 Pixels{ 0 };           ///< of the viewport that the picture was made for
   glm::ivec2 Size{ 0 };             ///< of the whole picture
@@ -86,7 +86,7 @@ bool PicturePresenter::Present(
   {
     return true;
   }
-  const bool isCut = this->Shown.HasLayers && this->CutLayers(frame, shown.Seen);
+  const bool isClipped = this->Shown.HasLayers && this->ClipLayers(frame, shown.View);
   const glm::vec2 size(this->OpenGL->Size);
   SetUniforms(output, this->OpenGL->Quad->Program, renderer, volume, glm::vec2(rect.First) / size,
     glm::vec2(rect.Size) / size);
@@ -97,9 +97,9 @@ bool PicturePresenter::Present(
     this->OpenGL->Quad->Program->SetUniformi(
       "normalTexture", this->OpenGL->Normal->GetTextureUnit());
   }
-  if (isCut)
+  if (isClipped)
   {
-    this->Draw(this->OpenGL->Cut, this->Shown.HasOpaque, true);
+    this->Draw(this->OpenGL->Clipped, this->Shown.HasOpaque, true);
   }
   else
   {
@@ -168,7 +168,7 @@ bool PicturePresenter::Prepare(
     this->OpenGL->Window = window;
     PrepareTexture(this->OpenGL->Color, window);
     PrepareTexture(this->OpenGL->Depth, window);
-    PrepareTexture(this->OpenGL->Cut, window);
+    PrepareTexture(this->OpenGL->Clipped, window);
     PrepareTexture(this->OpenGL->Normal, window);
   }
   auto& quad = this->OpenGL->Quads[static_cast<std::size_t>(output)];
@@ -189,10 +189,10 @@ bool PicturePresenter::Prepare(
     return false;
   }
 
-  if (this->OpenGL->Picture != shown.Number || this->OpenGL->Pixels != shown.Pixels)
+  if (this->OpenGL->PictureNumber != shown.Number || this->OpenGL->Pixels != shown.Pixels)
   {
-    this->Shown.Assign(shown.Picture, shown.Seen, shown.Pixels);
-    this->OpenGL->Picture = shown.Number;
+    this->Shown.Assign(shown.Picture, shown.View, shown.Pixels);
+    this->OpenGL->PictureNumber = shown.Number;
     this->OpenGL->Pixels = shown.Pixels;
     this->OpenGL->NormalsPicture = 0;
     this->OpenGL->Size = this->Shown.Size;
@@ -209,10 +209,9 @@ bool PicturePresenter::Prepare(
   return true;
 }
 
-/// Put the picture's colours into the texture Cut, without those layers that lie behind what is in
-/// the window.
-/// \return false if there is no need to, or no way
-bool PicturePresenter::CutLayers(const Frame& frame, const View& view)
+/// Put the picture's colours into the texture Clipped, without the layers that lie behind other
+/// props in the window. \return false if that is not necessary or not possible
+bool PicturePresenter::ClipLayers(const Frame& frame, const View& view)
 {
   vtkOpenGLRenderWindow* window = this->OpenGL->Window;
   const PixelRect target = InWindow(window, this->OpenGL->Size, this->OpenGL->Rect);
@@ -221,32 +220,32 @@ bool PicturePresenter::CutLayers(const Frame& frame, const View& view)
     return false;
   }
   const bool isRead = ReadDepths(window, target, this->Depths);
-  // Some windows take a program of their own to read depths.
+  // Reading depths may bind another shader program.
   window->GetShaderCache()->ReadyShaderProgram(this->OpenGL->Quad->Program);
-  if (!isRead || !this->CutColorsAt(target.Size, frame, view))
+  if (!isRead || !this->ClipColorsAt(target.Size, frame, view))
   {
     return false;
   }
-  this->OpenGL->Cut->Create2DFromRaw(static_cast<unsigned int>(target.Size.x),
-    static_cast<unsigned int>(target.Size.y), 4, VTK_UNSIGNED_CHAR, this->CutColors.data());
+  this->OpenGL->Clipped->Create2DFromRaw(static_cast<unsigned int>(target.Size.x),
+    static_cast<unsigned int>(target.Size.y), 4, VTK_UNSIGNED_CHAR, this->ClippedColors.data());
   return true;
 }
 
-/// Cut layers by the depths that were read.
-/// \param size pixels that the window has where the picture is
+/// Clip layers by the depths that were read.
+/// \param size window pixels that the picture covers
 /// \return false if these are the picture's own colours
-bool PicturePresenter::CutColorsAt(const glm::ivec2& size, const Frame& frame, const View& view)
+bool PicturePresenter::ClipColorsAt(const glm::ivec2& size, const Frame& frame, const View& view)
 {
   const PixelRays rays(frame.Size, this->Shown.Size);
   if (!rays.AreMore())
   {
-    return CutLayersAt(this->Depths, size, this->Shown.Rect, frame, view, this->CutColors);
+    return ClipLayersAt(this->Depths, size, this->Shown.Rect, frame, view, this->ClippedColors);
   }
   if (size != this->Shown.Rect.Size)
   {
     return false;
   }
-  // Each ray's layers end at the depth of the pixel that its middle is in.
+  // The layers of a ray are clipped by the depth of the pixel that holds its centre.
   const PixelRect &hits = this->Shown.Hits, &rect = this->Shown.Rect;
   const PixelRays pixels(this->Shown.Size, frame.Size);
   std::vector<float> depths;
@@ -260,17 +259,17 @@ bool PicturePresenter::CutColorsAt(const glm::ivec2& size, const Frame& frame, c
     }
   }
   std::vector<PixelColor> colors;
-  if (!CutLayersAt(depths, hits.Size, hits, frame, view, colors))
+  if (!ClipLayersAt(depths, hits.Size, hits, frame, view, colors))
   {
     return false;
   }
-  this->CutColors = this->Shown.MeanColors(frame, colors);
+  this->ClippedColors = this->Shown.MeanColors(frame, colors);
   return true;
 }
 
 void PicturePresenter::UploadNormals(const Frame& frame)
 {
-  if (this->OpenGL->NormalsPicture == this->OpenGL->Picture)
+  if (this->OpenGL->NormalsPicture == this->OpenGL->PictureNumber)
   {
     return;
   }
@@ -288,10 +287,10 @@ void PicturePresenter::UploadNormals(const Frame& frame)
   }
   this->OpenGL->Normal->Create2DFromRaw(static_cast<unsigned int>(rect.Size.x),
     static_cast<unsigned int>(rect.Size.y), 3, VTK_FLOAT, normals.data());
-  this->OpenGL->NormalsPicture = this->OpenGL->Picture;
+  this->OpenGL->NormalsPicture = this->OpenGL->PictureNumber;
 }
 
-/// Draw the hits, opaque ones, translucent ones or both, in the colours of a texture.
+/// Draw the opaque hits, the translucent ones or both, in the colours of a texture.
 void PicturePresenter::Draw(vtkTextureObject* color, bool isOpaque, bool isTranslucent)
 {
   vtkOpenGLState* state = this->OpenGL->Window->GetState();

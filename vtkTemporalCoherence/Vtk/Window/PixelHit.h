@@ -12,11 +12,11 @@
 namespace TemporalCoherence
 {
 
-/// What a pixel of a frame shows.
+/// The hit that a pixel of a frame shows.
 struct PixelHit
 {
   glm::dvec3 Position; ///< in the world
-  glm::dvec3 Normal;   ///< unit, in the world, facing the viewer
+  glm::dvec3 Normal;   ///< unit normal in the world, facing the viewer
   int Surface;         ///< position in the list of isovalues
 };
 
@@ -27,7 +27,7 @@ inline std::size_t IndexOfPixel(const Frame& frame, int x, int y)
     static_cast<std::size_t>(x);
 }
 
-/// Where in the world the hit of pixel (x, y) lies.
+/// World position of the hit of pixel (x, y).
 /// \pre the pixel has a hit
 inline glm::dvec3 PositionOfHit(const Frame& frame, const View& view, int x, int y)
 {
@@ -35,9 +35,9 @@ inline glm::dvec3 PositionOfHit(const Frame& frame, const View& view, int x, int
   return ray.Origin + frame.Depth[IndexOfPixel(frame, x, y)] * ray.Direction;
 }
 
-/// The hit that a window's pixel (x, y) shows, if there is one.
+/// The hit that pixel (x, y) of a window shows, if there is one.
 /// \param view   of the frame
-/// \param window pixels that the frame fills, which may have fewer rays, or more: see PixelRays
+/// \param window pixels that the frame fills; the number of rays may differ (PixelRays)
 std::optional<PixelHit> FindPixelHit(
   const Frame& frame, const View& view, const glm::ivec2& window, int x, int y);
 

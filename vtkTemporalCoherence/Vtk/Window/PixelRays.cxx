@@ -21,8 +21,8 @@ Long2 DividedUp(const Long2& a, const Long2& b)
 
 }
 
-// Both divide the same length: a pixel is as long as there are rays, a ray as there are pixels. So
-// all ends and all parts are whole numbers.
+// Along an axis, let the length of a pixel be the number of rays, and that of a ray the number of
+// pixels. Then all ends and overlaps are integers.
 
 glm::ivec2 PixelRays::AtCentre(const glm::ivec2& pixel) const
 {
@@ -79,7 +79,7 @@ PixelColor PixelRays::MeanColor(
   const PixelRect all = this->In(pixel);
   const glm::ivec2 first = glm::max(all.First, part.First);
   const glm::ivec2 end = glm::min(all.First + all.Size, part.First + part.Size);
-  // What a ray has of the pixel along an axis.
+  // The overlap of a ray and the pixel along an axis.
   const auto share = [&](int axis, int ray)
   {
     const std::int64_t rays = this->Rays[axis], pixels = this->Pixels[axis], at = pixel[axis];

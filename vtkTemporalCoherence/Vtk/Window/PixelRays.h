@@ -15,8 +15,8 @@ namespace TemporalCoherence
 /// RGBA.
 using PixelColor = std::array<std::uint8_t, 4>;
 
-/// Which rays of a frame a pixel of a window shows, where there are as many rays as pixels, fewer,
-/// or more. Each ray stands for its share of the picture's area.
+/// Maps pixels of a window to rays of a frame, of which there may be as many, fewer, or more. Each
+/// ray covers an equal share of the picture's area.
 class PixelRays
 {
 public:
@@ -26,27 +26,27 @@ public:
   {
   }
 
-  /// True if pixels show more rays than one.
+  /// True if pixels show several rays.
   bool AreMore() const { return glm::any(glm::greaterThan(this->Rays, this->Pixels)); }
 
-  /// The ray whose share holds the centre of a pixel.
+  /// The ray whose area holds the centre of a pixel.
   glm::ivec2 AtCentre(const glm::ivec2& pixel) const;
 
-  /// All rays whose shares a pixel has a part of.
+  /// All rays whose areas overlap a pixel.
   PixelRect In(const glm::ivec2& pixel) const;
 
-  /// The ray that tells where a pixel's surface is, in depth buffers and to picks: that at its
-  /// centre; where that one misses, the one of its rays that hits nearest.
-  /// \return none if they all miss
+  /// The ray that gives the position of a pixel's surface, for depth buffers and picks: the one at
+  /// its centre; if that misses, the one with the nearest hit.
+  /// \return none if all rays miss
   std::optional<glm::ivec2> Shown(const Frame& frame, const glm::ivec2& pixel) const;
 
-  /// The mean colour of a pixel's rays, weighted by the area that they have of it. It is opaque
-  /// where they all are, and has an alpha other than 0 where any of them has.
-  /// \param colors of the rays of `part`, row by row; others count as 0
+  /// The mean colour of a pixel's rays, weighted by their areas within the pixel. It is opaque only
+  /// if all rays are, and its alpha is 0 only if that of all rays is.
+  /// \param colors of the rays of `part`, row by row; other rays count as 0
   PixelColor MeanColor(
     const PixelColor* colors, const PixelRect& part, const glm::ivec2& pixel) const;
 
-  /// All pixels that show a ray of a part of the frame.
+  /// All pixels that show some ray of a part of the frame.
   PixelRect PixelsOf(const PixelRect& part) const;
 
 private:

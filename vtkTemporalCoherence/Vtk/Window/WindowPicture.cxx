@@ -13,7 +13,7 @@ namespace TemporalCoherence
 namespace
 {
 
-/// Rows of tiles that a thread takes at a time.
+/// Rows of tiles per task.
 constexpr std::int64_t RowGrain = 2;
 
 std::size_t PlaceOf(const Frame& frame, int x, int y)
@@ -84,7 +84,7 @@ bool IsTranslucent(const PixelColor& color)
   return color[3] != 0 && color[3] != 255;
 }
 
-/// True if a pixel of a tile has more than one layer: where a second round begins anew.
+/// True if a pixel of a tile has several layers: then a second round begins.
 bool HasSecondRound(const std::vector<LayerHit>& layers)
 {
   return std::adjacent_find(layers.begin(), layers.end(),
@@ -104,7 +104,7 @@ namespace
 {
 
 /// Work on the rows of a rectangle in parallel.
-/// \param work is told the row and the place of its first pixel in the rectangle's arrays
+/// \param work is called with the row and the position of its first pixel in the rectangle's arrays
 template <typename Work>
 void ForRows(const PixelRect& rect, const Work& work)
 {
@@ -116,12 +116,13 @@ void ForRows(const PixelRect& rect, const Work& work)
     });
 }
 
-/// Which kinds of pixels there are, of rows that threads look at while they have them at hand.
+/// Collects which kinds of pixels there are, row by row, while the rows are in the caches of
+/// threads.
 struct PixelKinds
 {
   void See(const PixelColor* row, int count)
   {
-    // What another thread has found meanwhile is never written over.
+    // Only ever set, so that no thread overwrites the result of another.
     if (!this->Opaque && std::any_of(row, row + count, IsOpaque))
     {
       this->Opaque = true;
@@ -135,7 +136,7 @@ struct PixelKinds
   std::atomic<bool> Opaque{ false }, Translucent{ false };
 };
 
-/// A pixel for each ray.
+/// One pixel for each ray.
 void TakeRays(const Frame& frame, const View& view, WindowPicture& picture, PixelKinds& kinds)
 {
   const PixelRect& rect = picture.Rect;

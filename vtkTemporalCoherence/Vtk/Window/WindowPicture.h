@@ -11,19 +11,20 @@
 namespace TemporalCoherence
 {
 
-/// What the depth buffer holds for a hit at distance t: 0 at the near plane, 1 at the far plane.
+/// The value of the depth buffer for a hit at distance t: 0 at the near plane, 1 at the far plane.
 float WindowDepthOf(const View& view, const glm::ivec2& pixel, double t);
 
-/// A frame as a window takes it: the rectangle with all its hits, row by row from below. There is a
-/// pixel for each ray, or, where rays are more than the pixels of the window, for each of these.
+/// A frame prepared for a window: the rectangle with all of its hits, row by row from below. It has
+/// one pixel for each ray or, if there are more rays than pixels in the window, one for each window
+/// pixel.
 struct WindowPicture
 {
-  /// Take over a frame.
+  /// Prepare a frame.
   /// \param window pixels that the frame fills
   /// \throws std::bad_alloc
   void Assign(const Frame& frame, const View& view, const glm::ivec2& window);
 
-  /// The colours of its pixels if those of the rays were others.
+  /// The colours of its pixels for other colours of the rays.
   /// \param colors of the rays of Hits, row by row
   /// \pre it has fewer pixels than rays
   /// \throws std::bad_alloc
@@ -34,10 +35,10 @@ struct WindowPicture
   PixelRect Hits;                 ///< whole tiles of rays with all hits; or empty
   PixelRect Rect;                 ///< the pixels that show them
   std::vector<PixelColor> Colors; ///< premultiplied; all 0 where nothing is hit
-  std::vector<float> Depths;      ///< of the depth buffer, of the surfaces seen first (PixelRays)
+  std::vector<float> Depths; ///< of the depth buffer, for the first visible surfaces (PixelRays)
   bool HasOpaque = false;
-  bool HasTranslucent = false; ///< hits that let shine through what is behind them
-  bool HasLayers = false;      ///< translucent surfaces behind one another
+  bool HasTranslucent = false; ///< some hits are translucent
+  bool HasLayers = false;      ///< some pixels have several translucent layers
 };
 
 }

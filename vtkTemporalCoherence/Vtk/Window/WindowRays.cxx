@@ -13,14 +13,14 @@ namespace TemporalCoherence
 glm::ivec2 WindowRays::For(
   const glm::ivec2& pixels, double asked, vtkVolume* volume, std::string& warning)
 {
-  // A finest distance that was told, or kept as a float, is not finer than the finest.
+  // Allow for rounding: the finest distance may be given as a rounded number or a float.
   constexpr double rounding = 1e-5;
   std::string told;
   const double finest = FinestDistance(pixels);
   double distance = std::max(asked, finest);
   if (asked < 1.0 && PeelingPass::Of(volume))
   {
-    // Surfaces lie among those of others, which have no means between pixels.
+    // Layers are merged with those of other volumes, which have no means of rays.
     distance = 1.0;
   }
   else if (asked < finest * (1.0 - rounding))
@@ -33,10 +33,14 @@ glm::ivec2 WindowRays::For(
          << ". Call SetImageSampleDistance with that or more, or make the window smaller.";
     told = what.str();
   }
-  if (told != this->LastWarning)
+  if (asked != this->LastAsked)
+  {
+    this->Warnings.clear();
+    this->LastAsked = asked;
+  }
+  if (!told.empty() && this->Warnings.insert(told).second)
   {
     warning = told;
-    this->LastWarning = told;
   }
   return RaysFor(pixels, distance);
 }

@@ -6,6 +6,7 @@
 #include "Render/SampleDistance.h"
 #include "vtkTemporalCoherenceCompatibility.h"
 
+#include <set>
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -15,16 +16,18 @@ VTK_ABI_NAMESPACE_END
 namespace TemporalCoherence
 {
 
-/// Tells how many rays a frame for a window has.
+/// Decides how many rays a frame for a window has.
 class WindowRays
 {
 public:
-  /// \param asked   the distance of rays that is set, in pixels
-  /// \param warning gets that it would be too many, once until they no longer are
+  /// \param asked   distance between rays in pixels, as set
+  /// \param warning gets the message that these are too many rays: once for each size of a window,
+  ///                until another distance is set
   glm::ivec2 For(const glm::ivec2& pixels, double asked, vtkVolume* volume, std::string& warning);
 
 private:
-  std::string LastWarning;
+  double LastAsked = 1.0;
+  std::set<std::string> Warnings; ///< given for this distance; several windows may share a mapper
 };
 
 }

@@ -1,0 +1,421 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Files/VolumeReader.h"
+
+#include "Files/FileCheck.h"
+#include "Files/FourSpheres.h"
+#include "Program/Quoted.h"
+#include "Program/Silence.h"
+#include "Program/UserError.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkBitArray.h>
+#include <vtkCallbackCommand.h>
+#include <vtkDICOMImageReader.h>
+#include <vtkDataArray.h>
+#include <vtkImageReader2.h>
+#include <vtkMetaImageReader.h>
+#include <vtkNIFTIImageReader.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkSLCReader.h>
+#include <vtkStructuredPoints.h>
+#include <vtkStructuredPointsReader.h>
+#include <vtkVector.h>
+#include <vtkXMLImageDataReader.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <new>
+#include <sstream>
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+constexpr std::array<const char*, 7> KnownSuffixes = { ".vti", ".vtk", ".mhd", ".mha", ".nii",
+  ".nii.gz", ".slc" };
+
+std::string ListOfSuffixes()
+{
+  std::string list;
+  for (const char* suffix : KnownSuffixes)
+  {
+    list += std::string(list.empty() ? "" : ", ") + suffix;
+  }
+  return list;
+}
+
+// Passes a reader's progress on, and what is answered back.
+class Watch
+{
+public:
+  Watch(vtkAlgorithm* reader, const ReadingProgress& progress)
+    : Reader(reader)
+    , Progress(progress)
+  {
+    if (this->Progress)
+    {
+      this->Command->SetClientData(this);
+      this->Command->SetCallback(&Watch::OnProgress);
+      this->Reader->AddObserver(vtkCommand::ProgressEvent, this->Command);
+    }
+  }
+  ~Watch() { this->Reader->RemoveObserver(this->Command); }
+  Watch(const Watch&) = delete;
+  Watch& operator=(const Watch&) = delete;
+
+  // Reads the file. Throws UserError if it was stopped.
+  void Update(const std::string& path)
+  {
+    this->Reader->Update();
+    if (this->IsStopped)
+    {
+      throw UserError("Reading " + Quoted(path) + " was stopped; open it again to read all of it.");
+    }
+  }
+
+private:
+  static void OnProgress(vtkObject*, unsigned long, void* clientData, void* callData)
+  {
+    auto* self = static_cast<Watch*>(clientData);
+    if (!self->IsStopped && !self->Progress(*static_cast<double*>(callData)))
+    {
+      self->IsStopped = true;
+      self->Reader->SetAbortExecute(1);
+    }
+  }
+
+  vtkAlgorithm* Reader;
+  const ReadingProgress& Progress;
+  vtkNew<vtkCallbackCommand> Command;
+  bool IsStopped = false;
+};
+
+bool EndsWith(const std::string& text, const std::string& end)
+{
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+std::string LowerCase(std::string text)
+{
+  std::transform(text.begin(), text.end(), text.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+UserError Unreadable(const std::string& path)
+{
+  return UserError(Quoted(path) +
+    " could not be read as what its suffix says; check that the file is whole and of that "
+    "format.");
+}
+
+// For the readers of IOImage, which know their files by CanReadFile.
+template <typename Reader>
+vtkSmartPointer<vtkImageData> ReadImage(
+  Reader* reader, const std::string& path, const ReadingProgress& progress)
+{
+  if (!reader->CanReadFile(path.c_str()))
+  {
+    throw Unreadable(path);
+  }
+  reader->SetFileName(path.c_str());
+  Watch(reader, progress).Update(path);
+  return reader->GetOutput();
+}
+
+vtkSmartPointer<vtkImageData> ReadLegacy(const std::string& path, const ReadingProgress& progress)
+{
+  vtkNew<vtkStructuredPointsReader> reader;
+  reader->SetFileName(path.c_str());
+  Watch(reader, progress).Update(path);
+  return reader->GetOutput();
+}
+
+vtkSmartPointer<vtkImageData> ReadDicom(const std::string& path, const ReadingProgress& progress)
+{
+  CheckDicomFiles(path);
+  vtkNew<vtkDICOMImageReader> reader;
+  reader->SetDirectoryName(path.c_str());
+  Watch(reader, progress).Update(path);
+  // A directory without a series leaves no file to name.
+  if (reader->GetErrorCode() != 0 || reader->GetOutput()->GetNumberOfPoints() < 2)
+  {
+    throw UserError("The directory " + Quoted(path) +
+      " holds no DICOM series that VTK reads; name the directory with the slices themselves.");
+  }
+  return reader->GetOutput();
+}
+
+vtkSmartPointer<vtkImageData> ReadRaw(const std::string& path, const RawLayout& layout,
+  bool isBigEndian, const ReadingProgress& progress)
+{
+  double wanted = static_cast<double>(vtkDataArray::GetDataTypeSize(layout.ScalarType));
+  for (const int n : layout.Dimensions)
+  {
+    wanted *= static_cast<double>(n);
+  }
+  const std::uintmax_t there = SizeOf(path);
+  if (static_cast<double>(there) != wanted)
+  {
+    std::ostringstream what;
+    what.precision(15);
+    what << Quoted(path) << " has " << there << " bytes, but --raw tells of " << wanted
+         << "; correct the dimensions or the type.";
+    throw UserError(what.str());
+  }
+  vtkNew<vtkImageReader2> reader;
+  reader->SetFileName(path.c_str());
+  reader->SetFileDimensionality(3);
+  reader->SetDataExtent(
+    0, layout.Dimensions[0] - 1, 0, layout.Dimensions[1] - 1, 0, layout.Dimensions[2] - 1);
+  reader->SetDataSpacing(layout.Spacing.data());
+  reader->SetDataScalarType(layout.ScalarType);
+  reader->SetNumberOfScalarComponents(1);
+  // Rows in the order they have in the file, whatever the byte order.
+  reader->FileLowerLeftOn();
+  if (isBigEndian)
+  {
+    reader->SetDataByteOrderToBigEndian();
+  }
+  else
+  {
+    reader->SetDataByteOrderToLittleEndian();
+  }
+  Watch(reader, progress).Update(path);
+  return reader->GetOutput();
+}
+
+// A header may place the samples among the patient's axes: the scanner's (q) or a template's (s).
+Volume ReadNifti(const std::string& path, const ReadingProgress& progress)
+{
+  Volume volume;
+  vtkNew<vtkNIFTIImageReader> reader;
+  volume.Image = ReadImage(reader.Get(), path, progress);
+  vtkMatrix4x4* placement =
+    reader->GetSFormMatrix() ? reader->GetSFormMatrix() : reader->GetQFormMatrix();
+  if (placement && std::abs(placement->Determinant()) > 0.0)
+  {
+    volume.Placement = placement;
+  }
+  volume.From = "+y";
+  return volume;
+}
+
+Volume ReadFile(const std::string& path, const ReadingProgress& progress)
+{
+  const std::string name = LowerCase(path);
+  Volume volume;
+  if (EndsWith(name, ".vti"))
+  {
+    CheckXmlImage(path);
+    volume.Image = ReadImage(vtkNew<vtkXMLImageDataReader>().Get(), path, progress);
+  }
+  else if (EndsWith(name, ".vtk"))
+  {
+    CheckLegacyFile(path);
+    volume.Image = ReadLegacy(path, progress);
+  }
+  else if (EndsWith(name, ".mhd") || EndsWith(name, ".mha"))
+  {
+    CheckMetaImage(path);
+    volume.Image = ReadImage(vtkNew<vtkMetaImageReader>().Get(), path, progress);
+  }
+  else if (EndsWith(name, ".nii") || EndsWith(name, ".nii.gz"))
+  {
+    CheckNifti(path);
+    volume = ReadNifti(path, progress);
+  }
+  else if (EndsWith(name, ".slc"))
+  {
+    CheckSlc(path);
+    volume.Image = ReadImage(vtkNew<vtkSLCReader>().Get(), path, progress);
+  }
+  else
+  {
+    throw UserError("The suffix of " + Quoted(path) + " is none of " + ListOfSuffixes() +
+      "; convert the volume, or describe it with --raw NX,NY,NZ,TYPE.");
+  }
+  return volume;
+}
+
+void CheckImage(vtkImageData* image, const std::string& name)
+{
+  int dimensions[3];
+  image->GetDimensions(dimensions);
+  if (std::min({ dimensions[0], dimensions[1], dimensions[2] }) < 2)
+  {
+    throw UserError(name + " has " + std::to_string(dimensions[0]) + " x " +
+      std::to_string(dimensions[1]) + " x " + std::to_string(dimensions[2]) +
+      " samples; a volume needs at least 2 along each axis.");
+  }
+  vtkPointData* points = image->GetPointData();
+  // Some arrays have no name, and some no numbers.
+  for (int i = 0; i < points->GetNumberOfArrays() && !points->GetScalars(); ++i)
+  {
+    points->SetActiveAttribute(i, vtkDataSetAttributes::SCALARS);
+  }
+  vtkDataArray* scalars = points->GetScalars();
+  if (!scalars)
+  {
+    throw UserError(
+      name + " has no scalars at its points; cell data become such with vtkCellDataToPointData.");
+  }
+  if (scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
+  {
+    throw UserError(name + " has " + std::to_string(scalars->GetNumberOfTuples()) + " scalars at " +
+      std::to_string(image->GetNumberOfPoints()) + " points; check that the file is whole.");
+  }
+  if (vtkBitArray::SafeDownCast(scalars))
+  {
+    throw UserError(name + " has samples of one bit; save them with 8 bits or more.");
+  }
+}
+
+// Cameras are placed by the box of the samples: it must be one that numbers can tell of.
+// \param corner of the box
+// \param edges from there
+bool CanBeSeen(const vtkVector3d& corner, const std::array<vtkVector3d, 3>& edges)
+{
+  constexpr double Largest = 1e15, Farthest = 1e9, Flattest = 1e-6;
+  for (const vtkVector3d& v : { corner, edges[0], edges[1], edges[2] })
+  {
+    // False for what is no number, too.
+    if (!(std::abs(v[0]) <= Largest && std::abs(v[1]) <= Largest && std::abs(v[2]) <= Largest))
+    {
+      return false;
+    }
+  }
+  const std::array<double, 3> lengths = { edges[0].Norm(), edges[1].Norm(), edges[2].Norm() };
+  const auto [shortest, longest] = std::minmax_element(lengths.begin(), lengths.end());
+  if (!(*shortest >= std::max(1.0 / Largest, Flattest * *longest)))
+  {
+    return false;
+  }
+  // Of edges at right angles it would be 1.
+  const double upright =
+    std::abs(edges[0].Cross(edges[1]).Dot(edges[2])) / (lengths[0] * lengths[1] * lengths[2]);
+  return upright >= Flattest && corner.Norm() <= Farthest * *longest;
+}
+
+// \param placement may be null
+void CheckPlace(vtkImageData* image, vtkMatrix4x4* placement, const std::string& name)
+{
+  vtkNew<vtkMatrix4x4> place;
+  vtkMatrix4x4::Multiply4x4(
+    placement ? placement : place.Get(), image->GetIndexToPhysicalMatrix(), place);
+  const int* extent = image->GetExtent();
+  std::array<vtkVector3d, 3> edges;
+  vtkVector3d corner;
+  for (int i = 0; i < 3; ++i)
+  {
+    corner[i] = place->GetElement(i, 3);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double step = place->GetElement(i, axis);
+      corner[i] += step * extent[2 * axis];
+      edges[static_cast<std::size_t>(axis)][i] = step * (extent[2 * axis + 1] - extent[2 * axis]);
+    }
+  }
+  if (!CanBeSeen(corner, edges))
+  {
+    throw UserError(name +
+      " has a spacing, an origin or a direction with which it cannot be seen; correct them in its "
+      "header.");
+  }
+}
+
+}
+
+bool HasVolumeSuffix(const std::string& path)
+{
+  const std::string name = LowerCase(path);
+  return std::any_of(KnownSuffixes.begin(), KnownSuffixes.end(),
+    [&name](const char* suffix) { return EndsWith(name, suffix); });
+}
+
+namespace
+{
+
+Volume ReadPath(const VolumeSource& source, const ReadingProgress& progress)
+{
+  const Silence silence;
+  const std::string& path = source.Path;
+  Volume volume;
+
+  std::error_code error;
+  if (!fs::exists(path, error))
+  {
+    throw UserError("There is no file " + Quoted(path) + "; check the path.");
+  }
+  if (fs::is_directory(path, error))
+  {
+    volume.Image = ReadDicom(path, progress);
+    volume.From = "+y";
+  }
+  else if (!fs::is_regular_file(path, error))
+  {
+    // To open others may take for ever.
+    throw UserError(Quoted(path) + " could not be read: it is no file; name one.");
+  }
+  else if (!std::ifstream(path))
+  {
+    throw UserError(Quoted(path) + " may not be read; check its permissions.");
+  }
+  else if (source.Raw)
+  {
+    volume.Image = ReadRaw(path, *source.Raw, source.BigEndian, progress);
+  }
+  else
+  {
+    volume = ReadFile(path, progress);
+  }
+  if (silence.HeardErrors())
+  {
+    throw Unreadable(path);
+  }
+  volume.Name = Printable(fs::path(path).filename().string());
+  CheckImage(volume.Image, Quoted(path));
+  CheckPlace(volume.Image, nullptr, Quoted(path));
+  CheckPlace(volume.Image, volume.Placement, Quoted(path));
+  return volume;
+}
+
+}
+
+Volume ReadVolume(const VolumeSource& source, const ReadingProgress& progress)
+{
+  if (source.Path.empty())
+  {
+    Volume volume;
+    volume.Image = MakeFourSpheres(source.Spheres);
+    volume.Name = "four generated spheres";
+    CheckImage(volume.Image, "The generated volume");
+    return volume;
+  }
+  try
+  {
+    return ReadPath(source, progress);
+  }
+  catch (const UserError&)
+  {
+    throw;
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw UserError(Quoted(source.Path) +
+      " takes more memory than there is; check that the file is whole, or choose a smaller one.");
+  }
+  catch (const std::exception&)
+  {
+    // Readers throw where a header leads them astray.
+    throw Unreadable(source.Path);
+  }
+}

@@ -1,0 +1,216 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Changes/Changes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace Fuzz
+{
+namespace Changes
+{
+namespace
+{
+
+void SurfaceMode(World& world)
+{
+  world.Subject->SetSurfaceMode(world.From.IsWild() ? world.From.WildInt() : world.From.Pick(2));
+  Story::Tell("  surface mode ", world.Subject->GetSurfaceMode());
+}
+
+void Vectors(World& world)
+{
+  world.Subject->SetVectorMode(world.From.Pick(3) - 1);
+  world.Subject->SetVectorComponent(
+    world.From.IsWild() ? world.From.WildInt() : world.From.Pick(3));
+  Story::Tell("  vector mode ", world.Subject->GetVectorMode(), ", component ",
+    world.Subject->GetVectorComponent());
+}
+
+void Scalars(World& world)
+{
+  Bytes& from = world.From;
+  const char* names[] = { "Scalars", "pressure", "", "vtkGhostType" };
+  world.Subject->SetScalarMode(from.IsWild() ? from.WildInt() : from.Pick(5));
+  if (from.OneIn(2))
+  {
+    world.Subject->SelectScalarArray(from.IsWild() ? from.WildInt() : from.Pick(2));
+  }
+  else if (from.IsWild() && from.OneIn(4))
+  {
+    world.Subject->SelectScalarArray(static_cast<const char*>(nullptr));
+  }
+  else
+  {
+    world.Subject->SelectScalarArray(from.OneOf(names));
+  }
+  Story::Tell("  scalar mode ", world.Subject->GetScalarMode(), ", array ",
+    world.Subject->GetArrayId(), " ",
+    world.Subject->GetArrayName() ? world.Subject->GetArrayName() : "(null)");
+}
+
+void DefaultScalars(World& world)
+{
+  world.Subject->SetScalarModeToDefault();
+  world.Subject->SetVectorMode(Mapper::DISABLED);
+  Story::Tell("  default scalars");
+}
+
+void BlendMode(World& world)
+{
+  if (world.From.IsWild())
+  {
+    world.Subject->SetBlendMode(world.From.Pick(7));
+  }
+  else
+  {
+    world.Subject->SetBlendModeToIsoSurface();
+  }
+  Story::Tell("  blend mode ", world.Subject->GetBlendMode());
+}
+
+void ImageCache(World& world)
+{
+  Bytes& from = world.From;
+  Mapper* mapper = world.Subject;
+  switch (from.Pick(6))
+  {
+    case 0:
+      mapper->SetImageCache(!from.OneIn(4));
+      break;
+    case 1:
+      mapper->SetReuseAccuracy(from.IsWild() ? from.WildInt() : from.Pick(3));
+      break;
+    case 2:
+      mapper->SetImageCachePolicy(from.Pick(2));
+      mapper->SetKeyImageInterval(from.IsWild() ? from.WildInt() : 1 + from.Pick(6));
+      break;
+    case 3:
+      mapper->SetNumberOfCachedImages(from.IsWild() ? from.WildInt() : 1 + from.Pick(5));
+      break;
+    case 4:
+      mapper->SetImageCacheShading(from.Pick(2));
+      break;
+    default:
+      mapper->SetRefineWhenStill(!from.OneIn(5));
+      break;
+  }
+  Story::Tell("  image cache ", mapper->GetImageCache(), ", accuracy ", mapper->GetReuseAccuracy(),
+    ", policy ", mapper->GetImageCachePolicy(), " ", mapper->GetKeyImageInterval(), ", images ",
+    mapper->GetNumberOfCachedImages(), ", shading ", mapper->GetImageCacheShading(), ", refine ",
+    mapper->GetRefineWhenStill());
+}
+
+double ATolerance(World& world)
+{
+  Bytes& from = world.From;
+  const double usual[] = { 0.0, 0.0, 0.0, 0.1, 0.5, 2.0 };
+  return from.IsWild() ? from.Wild() : from.OneOf(usual);
+}
+
+void Isomap(World& world)
+{
+  Bytes& from = world.From;
+  Mapper* mapper = world.Subject;
+  switch (from.Pick(5))
+  {
+    case 0:
+      mapper->SetIsomap(!from.OneIn(3));
+      break;
+    case 1:
+    {
+      const double low = world.Low + from.Between(-0.2, 1.0) * (world.High - world.Low);
+      const double high = low + from.Between(-0.1, 0.5) * (world.High - world.Low);
+      const bool isWild = from.IsWild();
+      mapper->SetIsomapRange(isWild ? from.Wild() : low, isWild ? from.Wild() : high);
+      break;
+    }
+    case 2:
+      mapper->SetIsomapMemoryLimit(from.IsWild() ? from.WildInt()
+          : from.OneIn(3)                        ? from.Pick(3)
+                                                 : 256);
+      break;
+    case 3:
+      mapper->SetIsomapShading(from.OneIn(4));
+      break;
+    default:
+    {
+      const double tolerance = ATolerance(world);
+      if (!std::isnan(tolerance)) // which is refused: see Acts
+      {
+        mapper->SetIsomapTolerance(tolerance);
+      }
+      break;
+    }
+  }
+  Story::Tell("  isomap ", mapper->GetIsomap(), ", range ", mapper->GetIsomapRange()[0], " to ",
+    mapper->GetIsomapRange()[1], ", limit ", mapper->GetIsomapMemoryLimit(), ", shading ",
+    mapper->GetIsomapShading(), ", tolerance ", mapper->GetIsomapTolerance());
+}
+
+void Leaping(World& world)
+{
+  world.Subject->SetSpaceLeaping(world.From.Pick(2));
+  Story::Tell("  leaping ", world.Subject->GetSpaceLeaping());
+}
+
+void ColorByAnswer(World& world)
+{
+  world.Subject->SetColorByAnswer(world.From.OneIn(3));
+  Story::Tell("  colour by answer ", world.Subject->GetColorByAnswer());
+}
+
+void Coarseness(World& world)
+{
+  Bytes& from = world.From;
+  const auto distance = [&]
+  {
+    const double number = from.Number(0.4, 4.0);
+    return std::isnan(number) ? 1.0f : static_cast<float>(std::min(std::max(number, -1e30), 1e30));
+  };
+  world.Subject->SetImageSampleDistance(distance());
+  world.Subject->SetMinimumImageSampleDistance(distance());
+  world.Subject->SetMaximumImageSampleDistance(distance());
+  world.Subject->SetAutoAdjustSampleDistances(from.OneIn(4));
+  Story::Tell("  a ray every ", world.Subject->GetImageSampleDistance(), " pixels");
+}
+
+void Defaults(World& world)
+{
+  Mapper* mapper = world.Subject;
+  mapper->ImageCacheOn();
+  mapper->IsomapOn();
+  mapper->SpaceLeapingOn();
+  mapper->ColorByAnswerOff();
+  mapper->SetReuseAccuracyToBounded();
+  mapper->RefineWhenStillOn();
+  mapper->SetIsomapTolerance(0.0);
+  mapper->SetIsomapRange(1.0, 0.0);
+  mapper->SetIsomapMemoryLimit(256);
+  mapper->SetIsomapShadingToReshade();
+  Story::Tell("  default settings of re-use");
+}
+
+}
+
+const std::vector<ChangeKind>& OfSettings()
+{
+  // Anything, Sweep, Orbit, TimeSteps, Looks, Wrecks
+  static const std::vector<ChangeKind> kinds = {
+    { "the surface mode", { 4, 2, 2, 2, 1, 2 }, SurfaceMode },
+    { "vectors", { 2, 1, 1, 1, 1, 5 }, Vectors },
+    { "the choice of scalars", { 1, 0, 0, 0, 0, 6 }, Scalars },
+    { "default scalars", { 2, 1, 1, 1, 1, 12 }, DefaultScalars },
+    { "the blend mode", { 1, 0, 0, 0, 0, 3 }, BlendMode },
+    { "the image cache", { 5, 2, 12, 2, 1, 3 }, ImageCache },
+    { "the isomap", { 5, 12, 1, 1, 1, 3 }, Isomap },
+    { "leaping", { 3, 3, 3, 2, 1, 1 }, Leaping },
+    { "colours by answer", { 1, 1, 3, 1, 1, 1 }, ColorByAnswer },
+    { "coarseness", { 1, 1, 1, 1, 1, 1 }, Coarseness },
+    { "default settings", { 3, 4, 4, 4, 2, 2 }, Defaults },
+  };
+  return kinds;
+}
+
+}
+}

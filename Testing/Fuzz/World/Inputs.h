@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Fuzz_Inputs_h
+#define Fuzz_Inputs_h
+
+#include "World/World.h"
+
+namespace Fuzz
+{
+
+/// Data objects that a mapper may be given, right ones and wrong ones.
+namespace Inputs
+{
+
+/// An image with samples on points or cells.
+vtkSmartPointer<vtkImageData> MakeImage(World& world);
+
+/// A rectilinear grid, whose coordinates may be in disorder.
+vtkSmartPointer<vtkDataObject> MakeGrid(World& world);
+
+/// Blocks that fit each other, or do not.
+vtkSmartPointer<vtkDataObject> MakeBlocks(World& world);
+
+/// Any of these; rarely null or what cannot be drawn.
+vtkSmartPointer<vtkDataObject> MakeAny(World& world);
+
+/// Give the mapper an input, through a pipeline or not.
+void Show(World& world, vtkDataObject* data);
+
+}
+
+}
+
+#endif

@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Paths of rays through cells, in vectors. Kernels include this file once for each kind of vectors,
+// hence the toggling guard.
+#if defined(TemporalCoherence_KernelsSegment_inl_h) == defined(HWY_TARGET_TOGGLE)
+#ifdef TemporalCoherence_KernelsSegment_inl_h
+#undef TemporalCoherence_KernelsSegment_inl_h
+#else
+#define TemporalCoherence_KernelsSegment_inl_h
+#endif
+
+#include "Trace/SegmentBatch.h"
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace TemporalCoherence
+{
+namespace HWY_NAMESPACE
+{
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+template <class V>
+HWY_INLINE V Mix(V a, V b, V weightOfB)
+{
+  const hn::DFromV<V> d;
+  return hn::Add(hn::Mul(hn::Sub(hn::Set(d, 1), weightOfB), a), hn::Mul(weightOfB, b));
+}
+
+/// Store doubles as Real.
+template <class V>
+HWY_INLINE void StoreAs(V value, double* to)
+{
+  hn::StoreU(value, hn::DFromV<V>(), to);
+}
+template <class V>
+HWY_INLINE void StoreAs(V value, float* to)
+{
+  const hn::Rebind<float, hn::DFromV<V>> df;
+  hn::StoreU(hn::DemoteTo(df, value), df, to);
+}
+
+/// The end of each segment, and its path in the coordinates of the cell.
+template <typename Real>
+struct Paths
+{
+  RayBatch::Array<double> Leave;
+  std::array<RayBatch::Array<Real>, 3> Begin, End;
+};
+
+template <typename Real>
+HWY_INLINE void SetUpPaths(SegmentBatch<Real>& in, std::size_t count, Paths<Real>& out)
+{
+  const hn::CappedTag<double, WidestVector / 2> d;
+  using V = hn::Vec<decltype(d)>;
+  const V zero = hn::Zero(d), one = hn::Set(d, 1.0);
+  for (std::size_t i = 0; i < count; i += hn::Lanes(d))
+  {
+    V origin[3], direction[3], cell[3], ahead[3], enter[3], leave[3];
+    V first = hn::LoadU(d, in.BeginOf() + i);
+    V last = hn::LoadU(d, in.EndOf() + i);
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      origin[a] = hn::LoadU(d, in.OriginOf(a) + i);
+      direction[a] = hn::LoadU(d, in.DirectionOf(a) + i);
+      cell[a] = hn::LoadU(d, &in.Cell[a][i]);
+      const V inverse = hn::LoadU(d, in.InverseOf(a) + i);
+      ahead[a] = hn::IfThenElse(hn::Gt(direction[a], zero), one, zero);
+      const V behind = hn::Add(cell[a], hn::Sub(one, ahead[a]));
+      enter[a] = hn::Mul(hn::Sub(behind, origin[a]), inverse);
+      leave[a] = hn::Mul(hn::Sub(hn::Add(cell[a], ahead[a]), origin[a]), inverse);
+      first = hn::Max(first, enter[a]);
+      last = hn::Min(last, leave[a]);
+    }
+    hn::StoreU(first, d, &in.Enter[i]);
+    hn::StoreU(last, d, &out.Leave[i]);
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      // On a face the coordinate is exactly 0 or 1, as the neighbour across the face has it.
+      const auto at = [&](V t) HWY_ATTR
+      {
+        const V x = hn::Sub(hn::Add(origin[a], hn::Mul(t, direction[a])), cell[a]);
+        return hn::Min(hn::Max(x, zero), one);
+      };
+      const V begin = hn::IfThenElse(hn::Eq(first, enter[a]), hn::Sub(one, ahead[a]), at(first));
+      const V end = hn::IfThenElse(hn::Eq(last, leave[a]), ahead[a], at(last));
+      StoreAs(begin, &out.Begin[a][i]);
+      StoreAs(end, &out.End[a][i]);
+    }
+  }
+}
+
+/// CubicAlong of CellRoot.h.
+template <typename Real, class D, class V = hn::Vec<D>>
+HWY_INLINE void CubicsAlong(
+  D d, const SegmentBatch<Real>& in, const Paths<Real>& paths, std::size_t i, V b[4])
+{
+  V v[8], alongX[8], alongXY[8], box[8];
+  for (std::size_t corner = 0; corner < 8; ++corner)
+  {
+    v[corner] = hn::LoadU(d, &in.Corners[corner][i]);
+  }
+  const V beginX = hn::LoadU(d, &paths.Begin[0][i]), endX = hn::LoadU(d, &paths.End[0][i]);
+  const V beginY = hn::LoadU(d, &paths.Begin[1][i]), endY = hn::LoadU(d, &paths.End[1][i]);
+  const V beginZ = hn::LoadU(d, &paths.Begin[2][i]), endZ = hn::LoadU(d, &paths.End[2][i]);
+  for (std::size_t row = 0; row < 8; row += 2)
+  {
+    alongX[row] = Mix(v[row], v[row + 1], beginX);
+    alongX[row + 1] = Mix(v[row], v[row + 1], endX);
+  }
+  for (std::size_t slice = 0; slice < 8; slice += 4)
+  {
+    for (std::size_t x = 0; x < 2; ++x)
+    {
+      const V low = alongX[slice + x], high = alongX[slice + 2 + x];
+      alongXY[slice + x] = Mix(low, high, beginY);
+      alongXY[slice + 2 + x] = Mix(low, high, endY);
+    }
+  }
+  for (std::size_t xy = 0; xy < 4; ++xy)
+  {
+    box[xy] = Mix(alongXY[xy], alongXY[4 + xy], beginZ);
+    box[4 + xy] = Mix(alongXY[xy], alongXY[4 + xy], endZ);
+  }
+  const V third = hn::Set(d, Real(1) / Real(3));
+  b[0] = box[0];
+  b[1] = hn::Mul(hn::Add(hn::Add(box[1], box[2]), box[4]), third);
+  b[2] = hn::Mul(hn::Add(hn::Add(box[6], box[5]), box[3]), third);
+  b[3] = box[7];
+}
+
+/// The number of segments rounded up to whole vectors of Real, which have more lanes than those of
+/// double.
+template <typename Real>
+HWY_INLINE std::size_t FullVectors(const SegmentBatch<Real>& segments)
+{
+  const std::size_t lanes = hn::Lanes(hn::CappedTag<Real, WidestVector>());
+  return (static_cast<std::size_t>(segments.Count) + lanes - 1) / lanes * lanes;
+}
+
+}
+}
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,224 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// How a mapper makes a frame, and what it says of it.
+#include "vtkTemporalCoherenceVolumeMapperInternals.h"
+
+#include "Request/ViewFromRenderer.h"
+#include "SettingsFromMapper.h"
+
+#include "vtkCommand.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkVolume.h"
+
+#include <algorithm>
+#include <string>
+
+VTK_ABI_NAMESPACE_BEGIN
+namespace
+{
+
+/// True if somebody wants to know how far a frame is, or may stop it.
+bool IsHeard(vtkTemporalCoherenceVolumeMapper& mapper, vtkRenderWindow* window)
+{
+  return mapper.HasObserver(vtkCommand::VolumeMapperRenderProgressEvent) ||
+    (window && (window->GetAbortRender() || window->HasObserver(vtkCommand::AbortCheckEvent)));
+}
+
+}
+
+//------------------------------------------------------------------------------
+bool vtkTemporalCoherenceVolumeMapper::Internals::RenderForWindow(
+  vtkRenderer* renderer, vtkVolume* volume, int width, int height)
+{
+  const glm::ivec2 pixels(width, height);
+  const double allowed = volume->GetAllocatedRenderTime();
+  if (this->Self->AutoAdjustSampleDistances)
+  {
+    // What is chosen can be asked for, as of other mappers, but is no modification.
+    this->Self->ImageSampleDistance = static_cast<float>(
+      this->Distances.Choose(pixels, allowed, static_cast<double>(this->Self->ImageSampleDistance),
+        { std::max<double>(
+            this->Self->MinimumImageSampleDistance, TemporalCoherence::FinestDistance(pixels)),
+          this->Self->MaximumImageSampleDistance }));
+  }
+  std::string warning;
+  const glm::ivec2 rays =
+    this->Rays.For(pixels, static_cast<double>(this->Self->ImageSampleDistance), volume, warning);
+  this->Warn(warning);
+  const bool isMade = this->RenderFrame(
+    renderer, volume, rays.x, rays.y, renderer->GetTiledAspectRatio(), renderer->GetRenderWindow());
+  if (isMade)
+  {
+    this->Frames.SetPictureSize(pixels);
+    this->Learn(allowed);
+  }
+  return isMade;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTemporalCoherenceVolumeMapper::Internals::RenderFrame(vtkRenderer* renderer,
+  vtkVolume* volume, int width, int height, double aspect, vtkRenderWindow* window)
+{
+  this->Frames.ResetPresentTime();
+  if (static_cast<vtkTypeInt64>(width) * height > VTK_INT_MAX)
+  {
+    this->ReportOnce("A picture of " + std::to_string(width) + " x " + std::to_string(height) +
+      " pixels is too large; ask for at most " + std::to_string(VTK_INT_MAX) + " pixels.");
+    return false;
+  }
+  TemporalCoherence::FrameRequest request;
+  std::string error;
+  if (!this->Requests.Make(this->Self, TemporalCoherence::SettingsOf(this->Self), volume,
+        { renderer, { width, height }, aspect }, request, error))
+  {
+    this->ReportOnce(error);
+    return false;
+  }
+
+  TemporalCoherence::FrameRenderer::Options options = TemporalCoherence::OptionsOf(this->Self);
+  options.ReportsTiles = IsHeard(*this->Self, window);
+  bool isMade = false;
+  {
+    const Busy busy(*this);
+    isMade = this->Frames.Render(
+      TemporalCoherence::Viewer::Of(renderer, volume), request, options,
+      [&](double progress)
+      {
+        this->Self->InvokeEvent(vtkCommand::VolumeMapperRenderProgressEvent, &progress);
+        return window ? MayGoOn(window) : !this->Self->GetAbortExecute();
+      },
+      error);
+    if (isMade)
+    {
+      this->WarnOfIsomapLimit(this->Frames.IsIsomapTooLarge());
+      if (this->Self->WarnOfIsovalues)
+      {
+        this->Warn(this->CheckIsovalues({ this->Self, volume, renderer }, request));
+      }
+      this->LastError.clear();
+    }
+  }
+  this->ReportOnce(error);
+  return isMade;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTemporalCoherenceVolumeMapper::Internals::RenderToImages(vtkRenderer* renderer,
+  vtkVolume* volume, int width, int height, vtkImageData* color, vtkImageData* depth,
+  vtkImageData* frame)
+{
+  if (this->IsBusy("RenderToImage"))
+  {
+    return false;
+  }
+  if (!renderer || !volume)
+  {
+    this->ReportOnce("RenderToImage needs a renderer and a volume; one of them is null.");
+    return false;
+  }
+  if (width < 1 || height < 1)
+  {
+    this->ReportOnce("A picture of " + std::to_string(width) + " x " + std::to_string(height) +
+      " pixels is empty; give a width and a height of at least 1.");
+    return false;
+  }
+  if (this->Self->GetNumberOfInputConnections(0) > 0)
+  {
+    this->Self->Update();
+  }
+  this->Self->SetAbortExecute(0);
+  this->TellStart();
+  bool isMade = this->RenderFrame(
+    renderer, volume, width, height, static_cast<double>(width) / height, nullptr);
+  if (isMade)
+  {
+    this->Frames.SetPictureSize({ width, height });
+    this->Learn(VTK_DOUBLE_MAX);
+  }
+  // Before observers hear of it, who may draw the next one.
+  std::string error;
+  const bool isWritten = isMade &&
+    this->Frames.WriteImages(
+      { { color, FRAME_COLOR }, { depth, FRAME_DEPTH }, { frame, FRAME_ALL } }, error);
+  this->ReportOnce(error);
+  this->Self->InvokeEvent(vtkCommand::VolumeMapperRenderEndEvent, &isMade);
+  return isWritten;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkTemporalCoherenceVolumeMapper::Internals::WhyRefused(
+  vtkRenderer* renderer, vtkVolume* volume)
+{
+  std::string error;
+  if (!this->IsMaking) // else Render() tells
+  {
+    const glm::ivec2 size = glm::max(TemporalCoherence::PictureSizeOf(renderer), 1);
+    TemporalCoherence::FrameRequest request;
+    this->Requests.Make(this->Self, TemporalCoherence::SettingsOf(this->Self), volume,
+      { renderer, size, renderer->GetTiledAspectRatio() }, request, error);
+  }
+  return error;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTemporalCoherenceVolumeMapper::Internals::IsBusy(const char* method)
+{
+  if (this->IsMaking)
+  {
+    this->ReportOnce(std::string(method) +
+      " was called by an observer while a frame or an isomap " +
+      "is being made; call it after VolumeMapperRenderEndEvent or BuildIsomap.");
+  }
+  return this->IsMaking;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTemporalCoherenceVolumeMapper::Internals::MayGoOn(vtkRenderWindow* window)
+{
+  return !(window && window->CheckAbortStatus());
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherenceVolumeMapper::Internals::TellStart()
+{
+  const Busy busy(*this);
+  this->Self->InvokeEvent(vtkCommand::VolumeMapperRenderStartEvent, nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherenceVolumeMapper::Internals::ReportOnce(const std::string& error)
+{
+  if (!error.empty() && error != this->LastError)
+  {
+    this->LastError = error;
+    vtkErrorWithObjectMacro(this->Self, << error);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherenceVolumeMapper::Internals::WarnOfIsomapLimit(bool isTooLarge)
+{
+  if (this->HasWarned || this->Self->IsomapMemoryLimit == 0 ||
+    !(isTooLarge || this->Frames.LastIsomap().HasDropped()))
+  {
+    return;
+  }
+  this->HasWarned = true;
+  vtkWarningWithObjectMacro(this->Self,
+    "The isomap of this view does not fit IsomapMemoryLimit ("
+      << this->Self->IsomapMemoryLimit
+      << " MiB): what was used least is built again when it is needed. Raise the limit, or set a "
+         "narrower IsomapRange or a larger IsomapTolerance.");
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherenceVolumeMapper::Internals::Warn(const std::string& warning)
+{
+  if (!warning.empty())
+  {
+    vtkWarningWithObjectMacro(this->Self, << warning);
+  }
+}
+VTK_ABI_NAMESPACE_END

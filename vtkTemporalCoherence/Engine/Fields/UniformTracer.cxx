@@ -408,9 +408,13 @@ private:
           {
             continue;
           }
-          search.Ray[static_cast<std::size_t>(segments.Count)] = ray;
-          AppendSegment(
-            rays, ray, cell, this->Cells.Differ(this->Cells.Samples.Read(cell), surface), segments);
+          // Where all corners are outside, so is all between them: signs survive interpolation.
+          const Corners<Real> corners = this->Cells.Differ(this->Cells.Samples.Read(cell), surface);
+          if (std::any_of(corners.begin(), corners.end(), IsInside<Real>))
+          {
+            search.Ray[static_cast<std::size_t>(segments.Count)] = ray;
+            AppendSegment(rays, ray, cell, corners, segments);
+          }
         }
       }
       this->FindInSegments(segments);

@@ -49,6 +49,8 @@ set(engine_files
   Isomap/IsomapLookup
   Isomap/KnotCollector
   Isomap/Knots
+  Fields/KernelsBeam
+  Fields/KernelsBeamSetUp
   Fields/RectilinearGradients
   Fields/RectilinearKind
   Fields/UniformKind

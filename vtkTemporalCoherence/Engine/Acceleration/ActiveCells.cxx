@@ -5,6 +5,7 @@
 #include "Scene/Parallel.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace TemporalCoherence
 {
@@ -125,6 +126,41 @@ void ActiveCells::FindLeaves(const Field& field, const ValueRangePyramid& pyrami
   this->LeafWords = std::make_unique<std::atomic<std::uint64_t>[]>(words);
   this->NumberOfLeafWords = words;
   this->Dimensions = pyramid.NodeDimensions();
+  this->FindLevelsAbove();
+}
+
+void ActiveCells::FindLevelsAbove()
+{
+  glm::ivec3 below = this->Dimensions;
+  const auto isActive = [this](const glm::ivec3& child)
+  {
+    return this->Above.size() == 1 ? this->LeavesOf(this->NodeOf(NodeSize * child)) != 0
+                                   : this->Above[this->Above.size() - 2].WordOf(child) != 0;
+  };
+  do
+  {
+    const glm::ivec3 blocks = (below + 3) / 4;
+    this->Above.push_back({ blocks, {} });
+    std::vector<std::uint64_t> words(static_cast<std::size_t>(blocks.x) *
+      static_cast<std::size_t>(blocks.y) * static_cast<std::size_t>(blocks.z));
+    for (int z = 0; z < below.z; ++z)
+    {
+      for (int y = 0; y < below.y; ++y)
+      {
+        const std::size_t row = static_cast<std::size_t>(blocks.x) *
+          (static_cast<std::size_t>(y / 4) +
+            static_cast<std::size_t>(blocks.y) * static_cast<std::size_t>(z / 4));
+        for (int x = 0; x < below.x; ++x)
+        {
+          const int child = (x & 3) | (y & 3) << 2 | (z & 3) << 4;
+          words[row + static_cast<std::size_t>(x / 4)] |=
+            static_cast<std::uint64_t>(isActive({ x, y, z })) << child;
+        }
+      }
+    }
+    this->Above.back().Words = std::move(words);
+    below = blocks;
+  } while (glm::any(glm::greaterThan(below, glm::ivec3(1))));
 }
 
 void ActiveCells::Release()
@@ -134,13 +170,19 @@ void ActiveCells::Release()
   std::vector<std::uint64_t>().swap(this->NodeWords);
   this->LeafWords.reset();
   this->NumberOfLeafWords = 0;
+  this->Above.clear();
   this->Hidden.reset();
   this->IsCapped = false;
 }
 
 std::size_t ActiveCells::MemoryInBytes() const
 {
-  return sizeof(std::uint64_t) * (this->NodeWords.capacity() + this->NumberOfLeafWords);
+  std::size_t words = this->NodeWords.capacity() + this->NumberOfLeafWords;
+  for (const Level& level : this->Above)
+  {
+    words += level.Words.capacity();
+  }
+  return sizeof(std::uint64_t) * words;
 }
 
 }

@@ -95,10 +95,29 @@ public:
   const std::uint64_t* Nodes() const { return this->NodeWords.data(); }
   const std::atomic<std::uint64_t>* Cells() const { return this->LeafWords.get(); }
 
+  /// Blocks of 4^3 nodes, blocks of 4^3 of these, and so on: one word for each tells which of its
+  /// 64 children hold active leaves.
+  struct Level
+  {
+    std::uint64_t WordOf(const glm::ivec3& block) const
+    {
+      return this->Words[static_cast<std::size_t>(block.x +
+        static_cast<std::int64_t>(this->Dimensions.x) *
+          (block.y + static_cast<std::int64_t>(this->Dimensions.y) * block.z))];
+    }
+
+    glm::ivec3 Dimensions; ///< in blocks
+    std::vector<std::uint64_t> Words;
+  };
+
+  /// The levels above the nodes, from the lowest; the last one is a single block.
+  const std::vector<Level>& LevelsAbove() const { return this->Above; }
+
   std::size_t MemoryInBytes() const;
 
 private:
   void FindLeaves(const Field& field, const ValueRangePyramid& pyramid);
+  void FindLevelsAbove();
 
   template <typename T>
   std::uint64_t FindVisibleLeaves(const TypedField<T>& field, const glm::ivec3& firstCell,
@@ -129,6 +148,7 @@ private:
   std::vector<std::uint64_t> NodeWords; ///< leaves of a node, and where their words begin
   std::unique_ptr<std::atomic<std::uint64_t>[]> LeafWords;
   std::size_t NumberOfLeafWords = 0;
+  std::vector<Level> Above;
   std::shared_ptr<const HiddenCells> Hidden; ///< null for none
   bool IsCapped = false;                     ///< THRESHOLD solids are capped at hidden cells
 };

@@ -2,18 +2,49 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fields/UniformTracer.h"
 
+#include "Fields/UniformBeam.h"
 #include "Fields/UniformCells.h"
+#include "Scene/Tiles.h"
 #include "Trace/CellTracer.h"
 #include "Trace/KernelsCrossing.h"
 #include "Trace/KernelsWalk.h"
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace TemporalCoherence
 {
 namespace
 {
+
+/// Voxels between rays from which on they walk: then a cell of a beam is passed by so few rays that
+/// vectors of them do not pay. Beams and walks cost the same at 0.75 (engine) to 0.9 (spheres256,
+/// marschner-lobb256, bonsai), and at 0.43 walks cost 1.3 to 1.8 times as much. Measured by cold
+/// frames of `Benchmark --scenarios routes` at zooms of 0.3 to 2.2.
+constexpr double CoarsestPixel = 0.75;
+
+/// Fewer rays of a tile than this walk.
+constexpr int FewestRays = 16;
+
+/// Voxels between the rays of a whole tile, across them, where one in its middle begins to walk.
+double SpacingOf(const RayBatch& rays)
+{
+  constexpr std::size_t middle = 36, right = 7, above = 56;
+  const double t = rays.WalkBegin[middle];
+  glm::dvec3 direction, alongX, alongY;
+  for (int a = 0; a < 3; ++a)
+  {
+    const auto axis = static_cast<std::size_t>(a);
+    const auto at = [&](std::size_t ray)
+    { return rays.Origin[axis][ray] + t * rays.Direction[axis][ray]; };
+    direction[a] = rays.Direction[axis][middle];
+    alongX[a] = at(right) - at(0);
+    alongY[a] = at(above) - at(0);
+  }
+  const double area = std::abs(glm::dot(direction, glm::cross(alongX, alongY)));
+  return std::sqrt(area / glm::length(direction)) / (TileSize - 1);
+}
 
 /// CellTracer, with what is done for all rays of a tile at once done in vectors.
 template <typename T, Interpolation Between>
@@ -30,6 +61,11 @@ public:
     , IsLarge(scene.Samples.IsLarge())
     , AreCellsActive(scene.Active && scene.Isosurfaces.Isovalues.size() == 1)
   {
+    if (Between == Interpolation::Linear && scene.By != Traversal::Walks &&
+      BeamLevels<T>::AreFound(scene))
+    {
+      this->Levels = std::make_unique<const BeamLevels<T>>(scene);
+    }
   }
 
   void Trace(const RayBatch& rays, HitBatch& hits) const override
@@ -86,6 +122,17 @@ private:
     RayBatch::Array<std::int16_t> Surface;
   };
 
+  /// True if rays of a tile are to go through active cells as a beam.
+  bool IsBeam(const RayBatch& rays, std::uint64_t wanted) const
+  {
+    if (this->Cells.Scene.By == Traversal::Beams)
+    {
+      return wanted != 0;
+    }
+    return rays.Count == RayBatch::Capacity &&
+      static_cast<int>(hwy::PopCount(wanted)) >= FewestRays && SpacingOf(rays) < CoarsestPixel;
+  }
+
   std::uint64_t CellsOf(std::int64_t node, const glm::ivec3& cell) const override
   {
     return this->Cells.Scene.Active->CellsOf(this->Cells.Samples.All(), node, cell);
@@ -98,8 +145,16 @@ private:
     std::uint64_t wanted = 0;
     for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
     {
-      const bool isWanted = rays.HasWalk(ray) && hits.Kind[ray] == HitKind::None;
+      const bool isWanted = rays.HasWalk(ray) & (hits.Kind[ray] == HitKind::None);
       wanted |= static_cast<std::uint64_t>(isWanted) << ray;
+    }
+    if constexpr (Between == Interpolation::Linear)
+    {
+      if (this->Levels && this->IsBeam(rays, wanted) &&
+        UniformBeam<T>(this->Cells, *this->Levels, rays, hits).Trace(wanted))
+      {
+        return;
+      }
     }
     RayWalks walks(rays, wanted);
     SegmentBatch<Real> segments;
@@ -353,9 +408,13 @@ private:
           {
             continue;
           }
-          search.Ray[static_cast<std::size_t>(segments.Count)] = ray;
-          AppendSegment(
-            rays, ray, cell, this->Cells.Differ(this->Cells.Samples.Read(cell), surface), segments);
+          // Where all corners are outside, so is all between them: signs survive interpolation.
+          const Corners<Real> corners = this->Cells.Differ(this->Cells.Samples.Read(cell), surface);
+          if (std::any_of(corners.begin(), corners.end(), IsInside<Real>))
+          {
+            search.Ray[static_cast<std::size_t>(segments.Count)] = ray;
+            AppendSegment(rays, ray, cell, corners, segments);
+          }
         }
       }
       this->FindInSegments(segments);
@@ -373,6 +432,7 @@ private:
 
   bool IsLarge;
   bool AreCellsActive; ///< the one isovalue passes through every cell that is visited
+  std::unique_ptr<const BeamLevels<T>> Levels; ///< null: no beams
 };
 
 }

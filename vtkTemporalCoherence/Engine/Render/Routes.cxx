@@ -41,7 +41,11 @@ LeapedSpace Begin(FrameTask& task, bool leaps)
 
 TileScene SceneOf(const FrameTask& task, const LeapedSpace& space, const RayHint* hint)
 {
-  return { task.Key, space.Active, space.Bounds, task.Structures.Pyramid().FiniteRange(), hint };
+  // How exact first entries are is of use to the free space of images alone.
+  const bool isCached =
+    task.Options.Reuse.ImageCache && task.Options.Accuracy == ReuseAccuracy::Bounded;
+  return { task.Key, space.Active, space.Bounds, task.Structures.Pyramid().FiniteRange(), hint,
+    isCached };
 }
 
 /// Call work(tile, part, frame) for all tiles of the frame.

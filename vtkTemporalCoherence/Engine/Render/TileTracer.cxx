@@ -30,8 +30,8 @@ TileTracer::TileTracer(const TileScene& scene)
   , Rays(scene.Key.View, scene.Key.Transform, scene.Key.Samples.Dimensions, scene.Key.Region)
   , HasSurfaces(scene.Key.Samples.HasCells() && !scene.Key.Isosurfaces.Isovalues.empty())
   , IsSolid(scene.Key.Isosurfaces.Mode == SurfaceMode::Threshold)
-  , Tracer(SurfaceTracer::Make(
-      { scene.Key.Samples, scene.Key.Isosurfaces, scene.FiniteRange, scene.Active }))
+  , Tracer(SurfaceTracer::Make({ scene.Key.Samples, scene.Key.Isosurfaces, scene.FiniteRange,
+      scene.Active, scene.Hint != nullptr, scene.AreEntriesExact }))
 {
 }
 
@@ -114,6 +114,11 @@ void TileTracer::TraceRays(const RayHint& hint, const KnownRays& known, RayBatch
   HitBatch hits;
   this->Find(rays, hits);
   counts.CellsRead += hits.CellsRead;
+  if (!this->Scene.Hint)
+  {
+    this->Store(rays, hits, frame, counts);
+    return;
+  }
   RayBatch again;
   for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
   {
@@ -134,6 +139,21 @@ void TileTracer::TraceRays(const RayHint& hint, const KnownRays& known, RayBatch
     }
   }
   this->TraceAgain(again, frame, counts);
+}
+
+/// Write what rays found about which nothing was known.
+void TileTracer::Store(
+  const RayBatch& rays, const HitBatch& hits, Frame& frame, TraceCounts& counts) const
+{
+  RayBatch::Array<Answer> answers;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
+  {
+    const RayHint::Told told = NoHint.TellOf({}, rays, hits, i);
+    counts.TracedRays += told.WasTraced;
+    Count(told.Known, counts);
+    answers[i] = told.Known;
+  }
+  StoreHits(rays, hits, answers, this->Scene.Key.View.Parallel, frame);
 }
 
 /// Trace again the rays about which the hint was wrong.

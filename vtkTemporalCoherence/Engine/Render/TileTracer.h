@@ -25,6 +25,7 @@ struct TileScene
   const TileBounds* Bounds = nullptr;  ///< of Active
   glm::dvec2 FiniteRange{ 0.0 };
   const RayHint* Hint = nullptr; ///< null: no hint, a cold frame
+  bool AreEntriesExact = true;   ///< false: first entries may be told a little too early
 };
 
 /// Traces the rays of a tile and writes the planes of the frame. The tile's bounds and the hint
@@ -47,6 +48,7 @@ private:
   void Find(const RayBatch& rays, HitBatch& hits) const;
   void TraceRays(const RayHint& hint, const KnownRays& known, RayBatch& rays, Frame& frame,
     TraceCounts& counts) const;
+  void Store(const RayBatch& rays, const HitBatch& hits, Frame& frame, TraceCounts& counts) const;
   void TraceAgain(const RayBatch& rays, Frame& frame, TraceCounts& counts) const;
 
   TileScene Scene;

@@ -45,7 +45,9 @@ struct RayBatch
   /// True if a ray runs through the field and may meet a surface.
   bool HasWalk(std::size_t ray) const
   {
-    return this->Begin[ray] < this->End[ray] && this->WalkBegin[ray] < this->WalkEnd[ray];
+    // Without a branch, as nobody could foretell it at silhouettes.
+    return static_cast<bool>(
+      (this->Begin[ray] < this->End[ray]) & (this->WalkBegin[ray] < this->WalkEnd[ray]));
   }
 };
 

@@ -256,15 +256,16 @@ private:
   void TakeRow(std::size_t first, const double* x, double y)
   {
     const std::size_t at = this->Hits.Rays.Count;
+    // Field by field: the compiler does not know that none of them lies in another.
     for (std::size_t i = 0; i < TileSize; ++i)
     {
       this->Hits.Pixel[at + i] = static_cast<std::int32_t>(first + i);
-      this->Hits.Surface[at + i] = this->Planes.Isovalues[first + i];
-      this->Hits.Kind[at + i] = this->Planes.Kinds[first + i];
-      this->Hits.Rays.X[at + i] = x[i];
-      this->Hits.Rays.Y[at + i] = y;
-      this->Hits.Rays.T[at + i] = this->Planes.Depth[first + i];
     }
+    std::copy_n(&this->Planes.Isovalues[first], TileSize, &this->Hits.Surface[at]);
+    std::copy_n(&this->Planes.Kinds[first], TileSize, &this->Hits.Kind[at]);
+    std::copy_n(x, TileSize, &this->Hits.Rays.X[at]);
+    std::fill_n(&this->Hits.Rays.Y[at], TileSize, y);
+    std::copy_n(&this->Planes.Depth[first], TileSize, &this->Hits.Rays.T[at]);
     this->Hits.Rays.Count = at + TileSize;
   }
 

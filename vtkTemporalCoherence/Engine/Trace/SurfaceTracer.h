@@ -16,6 +16,14 @@
 namespace TemporalCoherence
 {
 
+/// How the rays of a tile are traced through active cells. The hits are the same.
+enum class Traversal : std::uint8_t
+{
+  Fastest,
+  Walks, ///< each ray walks from cell to cell
+  Beams  ///< all rays together, for kinds of fields that have beams
+};
+
 /// The scene that rays are traced through.
 struct TraceScene
 {
@@ -23,6 +31,10 @@ struct TraceScene
   Surfaces Isosurfaces;
   glm::dvec2 FiniteRange{ 0.0 };       ///< smallest and largest finite sample
   const ActiveCells* Active = nullptr; ///< null: no space leaping, all cells along a ray are read
+  bool IsHinted = false;               ///< walks may begin behind surfaces, and end before
+  /// False: first entries of rays with hits may be told a little too early.
+  bool AreEntriesExact = true;
+  Traversal By = Traversal::Fastest;
 };
 
 /// Cells to search, one for each of some rays of a batch.

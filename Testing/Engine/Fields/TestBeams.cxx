@@ -1,0 +1,330 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Beams leave out cells by single precision. What they must not leave out is the cell of a hit: on
+// any field, from anywhere, the rays of a tile that go as a beam meet what they meet on walks, bit
+// by bit, on every kind of vectors.
+#include "Acceleration/ActiveCells.h"
+#include "EachTarget.h"
+#include "Grid.h"
+#include "Scene/Tiles.h"
+#include "Trace/RaySource.h"
+#include "Trace/SurfaceTracer.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <random>
+#include <vector>
+
+namespace
+{
+
+using namespace TemporalCoherence;
+
+/// A camera anywhere, in index space as world.
+struct Camera
+{
+  glm::dvec3 Eye, Towards;
+  double Pixel; ///< width of a pixel at distance 1, or of a parallel view's pixels
+  bool Parallel;
+};
+
+View ViewFrom(const Camera& camera, int pixels)
+{
+  const glm::dvec3 along = glm::normalize(camera.Towards - camera.Eye);
+  const glm::dvec3 up =
+    std::abs(along.z) > 0.9 ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(0.0, 0.0, 1.0);
+  const double half = 0.5 * camera.Pixel * pixels, near = 1e-3, far = 1e4;
+  const glm::dmat4 projection = camera.Parallel
+    ? glm::ortho(-half, half, -half, half, near, far)
+    : glm::frustum(-half * near, half * near, -half * near, half * near, near, far);
+  View view;
+  MakeView(glm::lookAt(camera.Eye, camera.Towards, up), projection, { near, far },
+    glm::ivec2(pixels), view);
+  return view;
+}
+
+/// Traces tiles both ways, and compares.
+template <typename T>
+class BothWays
+{
+public:
+  BothWays(Grid<T>& grid, const std::vector<double>& isovalues, SurfaceMode mode)
+    : Dimensions(grid.Field.Dimensions)
+  {
+    this->Pyramid.Build(grid.Field);
+    this->Scene.Samples = grid.Field;
+    this->Scene.Isosurfaces = { isovalues, mode };
+    this->Scene.FiniteRange = this->Pyramid.FiniteRange();
+    this->Active.Build(grid.Field, this->Pyramid, this->Scene.Isosurfaces);
+    this->Scene.Active = &this->Active;
+    this->Scene.By = Traversal::Walks;
+    this->Walks = SurfaceTracer::Make(this->Scene);
+    this->Scene.By = Traversal::Beams;
+    this->Beams = SurfaceTracer::Make(this->Scene);
+    this->Scene.IsHinted = true;
+    this->HintedBeams = SurfaceTracer::Make(this->Scene);
+  }
+
+  /// All tiles of a view.
+  void Compare(const View& view)
+  {
+    const RaySource source(view, IndexTransform(), this->Dimensions);
+    for (std::int64_t tile = 0; tile < NumberOfTiles(view.Size); ++tile)
+    {
+      const PixelRect part = PixelsOfTile(view.Size, tile);
+      RayBatch rays;
+      source.SetUp(part.First, part.Size, rays);
+      this->CompareRays(rays, false);
+    }
+  }
+
+  /// The same of rays that begin and end anywhere, and walk a part of that.
+  void CompareCut(const View& view)
+  {
+    const RaySource source(view, IndexTransform(), this->Dimensions);
+    std::uniform_real_distribution<double> share(-0.3, 1.0);
+    for (std::int64_t tile = 0; tile < NumberOfTiles(view.Size); ++tile)
+    {
+      const PixelRect part = PixelsOfTile(view.Size, tile);
+      RayBatch rays;
+      source.SetUp(part.First, part.Size, rays);
+      for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
+      {
+        const double length = rays.End[i] - rays.Begin[i];
+        const auto cut = [&] { return std::max(0.5 * share(this->Random) * length, 0.0); };
+        rays.WalkBegin[i] = rays.Begin[i] += cut();
+        rays.WalkEnd[i] = rays.End[i] -= cut();
+      }
+      this->CompareRays(rays, false);
+      for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
+      {
+        const double length = rays.End[i] - rays.Begin[i];
+        rays.WalkBegin[i] += std::max(0.5 * share(this->Random) * length, 0.0);
+        rays.WalkEnd[i] -= std::max(0.5 * share(this->Random) * length, 0.0);
+      }
+      this->CompareRays(rays, true);
+    }
+  }
+
+  std::int64_t Rays = 0, Hits = 0;
+
+private:
+  void CompareRays(const RayBatch& rays, bool isHinted)
+  {
+    HitBatch walked, beamed;
+    this->Walks->Trace(rays, walked);
+    (isHinted ? this->HintedBeams : this->Beams)->Trace(rays, beamed);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
+    {
+      const bool isHit = walked.Kind[i] != HitKind::None;
+      ++this->Rays;
+      this->Hits += isHit;
+      ASSERT_EQ(beamed.Depth[i], walked.Depth[i]);
+      ASSERT_EQ(beamed.Surface[i], walked.Surface[i]);
+      ASSERT_EQ(beamed.Kind[i], walked.Kind[i]);
+      // Of several isovalues, nobody asks which is the first entry's once there is a hit.
+      ASSERT_TRUE((isHit && this->Scene.Isosurfaces.Isovalues.size() > 1) ||
+        beamed.FromInside[i] == walked.FromInside[i]);
+      ASSERT_EQ(beamed.FirstEntry[i], walked.FirstEntry[i]);
+    }
+  }
+
+  glm::ivec3 Dimensions;
+  ValueRangePyramid Pyramid;
+  ActiveCells Active;
+  TraceScene Scene;
+  std::shared_ptr<const SurfaceTracer> Walks, Beams, HintedBeams;
+  std::mt19937 Random{ 7 };
+};
+
+/// Cameras around a grid, in it, along its axes, faces and edges, near and far.
+std::vector<Camera> CamerasFor(const glm::ivec3& dimensions)
+{
+  const glm::dvec3 centre = 0.5 * glm::dvec3(dimensions - 1);
+  const double radius = glm::length(centre);
+  std::vector<Camera> cameras;
+  for (const glm::dvec3& from :
+    { glm::dvec3(-1.0, -2.0, 0.8), glm::dvec3(1.0, 0.3, -0.6), glm::dvec3(0.0, 0.0, 1.0),
+      glm::dvec3(0.0, -1.0, 0.0), glm::dvec3(1.0, 1.0, 0.0), glm::dvec3(-1.0, 1.0, 1.0) })
+  {
+    const glm::dvec3 eye = centre + 3.0 * radius * glm::normalize(from);
+    for (const double pixel : { 0.01, 0.1, 0.33, 1.0, 2.0, 10.0 })
+    {
+      cameras.push_back({ eye, centre, pixel, true });
+      cameras.push_back({ eye, centre, pixel / (2.0 * radius), false });
+    }
+    cameras.push_back({ centre + 0.3 * from, centre - from, 0.02, false });
+    cameras.push_back({ centre, centre - from, 0.2, false });
+    // From a sample, past samples: on planes between cells, and along edges.
+    const glm::dvec3 sample = glm::floor(centre);
+    cameras.push_back({ sample + 100.0 * from, sample, 1.0, true });
+    cameras.push_back({ sample + 60.0 * from, sample, 1.0 / 128, false });
+    cameras.push_back({ sample, sample - from, 0.125, false });
+  }
+  return cameras;
+}
+
+class Beams : public EachTarget
+{
+protected:
+  template <typename T>
+  void Compare(Grid<T>& grid, double isovalue, int pixels = 72)
+  {
+    this->CompareAll(grid, { isovalue }, pixels);
+  }
+
+  template <typename T>
+  void CompareAll(Grid<T>& grid, const std::vector<double>& isovalues, int pixels)
+  {
+    for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
+    {
+      BothWays<T> ways(grid, isovalues, mode);
+      for (const Camera& camera : CamerasFor(grid.Field.Dimensions))
+      {
+        ways.Compare(ViewFrom(camera, pixels));
+        if (this->HasFatalFailure())
+        {
+          return;
+        }
+      }
+      EXPECT_GT(ways.Hits, ways.Rays / 50);
+      this->Rays += ways.Rays;
+    }
+  }
+
+  std::int64_t Rays = 0;
+};
+
+double Wave(int i, int j, int k)
+{
+  return std::sin(0.4 * i) * std::cos(0.3 * j + 0.2 * k) + 0.3 * std::sin(0.9 * k);
+}
+
+TEST_F(Beams, MeetWhatWalksMeetOnSmoothFields)
+{
+  Grid<float> waves(glm::ivec3(50, 41, 37));
+  waves.Fill(Wave);
+  this->Compare(waves, 0.1);
+  Grid<std::int16_t> ball(glm::ivec3(41, 41, 41));
+  ball.Fill([](int i, int j, int k)
+    { return 100.0 * glm::length(glm::dvec3(i - 20.0, j - 20.0, k - 20.0)); });
+  this->Compare(ball, 1500.0);
+  EXPECT_GT(this->Rays, 1000000);
+}
+
+TEST_F(Beams, MeetWhatWalksMeetAtSamplesEqualToTheIsovalue)
+{
+  Grid<std::uint8_t> steps(glm::ivec3(33, 34, 35));
+  steps.Fill([](int i, int j, int k) { return (i / 3 + j / 4 + k / 5) % 5; });
+  this->Compare(steps, 2.0);
+  Grid<std::uint8_t> noise(glm::ivec3(21, 22, 23));
+  noise.FillRandomly(0.0, 4.0, 9);
+  this->Compare(noise, 2.0);
+  Grid<std::uint16_t> plane(glm::ivec3(20, 20, 20));
+  plane.Fill([](int i, int, int) { return 100 * i; });
+  this->Compare(plane, 1000.0);
+}
+
+TEST_F(Beams, MeetWhatWalksMeetInNoise)
+{
+  Grid<double> noise(glm::ivec3(20, 21, 22));
+  noise.FillRandomly(-1.0, 1.0, 10);
+  this->Compare(noise, 0.7);
+  Grid<std::int8_t> bytes(glm::ivec3(30, 20, 25));
+  bytes.FillRandomly(-100.0, 100.0, 11);
+  this->Compare(bytes, 60.5);
+}
+
+TEST_F(Beams, MeetWhatWalksMeetInNumbersOfAnySize)
+{
+  for (const double unit : { 1e-300, 1e-30, 1e30, 1e300 })
+  {
+    Grid<double> waves(glm::ivec3(24, 21, 27));
+    waves.Fill([unit](int i, int j, int k) { return unit * Wave(i, j, k); });
+    this->Compare(waves, 0.1 * unit, 40);
+  }
+  Grid<float> holes(glm::ivec3(24, 21, 27));
+  holes.Fill(
+    [](int i, int j, int k)
+    {
+      const double infinity = std::numeric_limits<double>::infinity();
+      return i % 7 == 0 ? std::numeric_limits<double>::quiet_NaN()
+        : j % 9 == 0    ? infinity
+                        : 1e30 * Wave(i, j, k);
+    });
+  this->Compare(holes, 1e29, 40);
+  Grid<std::int64_t> large(glm::ivec3(24, 21, 27));
+  large.Fill([](int i, int j, int k) { return 4e18 * Wave(i, j, k); });
+  this->Compare(large, 1e18, 40);
+}
+
+TEST_F(Beams, MeetWhatWalksMeetOnPartsOfRays)
+{
+  Grid<std::uint8_t> smooth(glm::ivec3(50, 41, 37));
+  smooth.Fill([](int i, int j, int k) { return 120.0 + 80.0 * Wave(i, j, k); });
+  for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
+  {
+    BothWays<std::uint8_t> ways(smooth, { 120.0 }, mode);
+    for (const Camera& camera : CamerasFor(smooth.Field.Dimensions))
+    {
+      // Where a walk begins in a plane between cells, it may begin on either side.
+      const glm::dvec3 off(0.0137, 0.0071, 0.0093);
+      ways.CompareCut(ViewFrom(
+        { camera.Eye + 7.0 * off, camera.Towards + off, camera.Pixel, camera.Parallel }, 48));
+      ASSERT_FALSE(this->HasFatalFailure());
+    }
+    EXPECT_GT(ways.Hits, ways.Rays / 20);
+  }
+}
+
+TEST_F(Beams, MeetTheFirstOfSeveralIsovalues)
+{
+  Grid<std::uint8_t> smooth(glm::ivec3(50, 41, 37));
+  smooth.Fill([](int i, int j, int k) { return 120.0 + 80.0 * Wave(i, j, k); });
+  this->CompareAll(smooth, { 120.0, 60.0, 180.0 }, 48);
+  // Some that no sample meets, and some that lie close together.
+  this->CompareAll(smooth, { 1e300, 120.0, 120.5, 121.0, -1e300 }, 48);
+  Grid<std::uint16_t> steps(glm::ivec3(33, 34, 35));
+  steps.Fill([](int i, int j, int k) { return 1000 * ((i / 3 + j / 4 + k / 5) % 5); });
+  this->CompareAll(steps, { 2000.0, 1000.0, 2999.0 }, 48);
+  Grid<std::int32_t> noise(glm::ivec3(20, 21, 22));
+  noise.FillRandomly(-1e9, 1e9, 10);
+  this->CompareAll(noise, { 7e8, -5e8, 9e8 }, 48);
+  // Differences of what is not finite are others for each isovalue: these walk.
+  Grid<float> floats(glm::ivec3(20, 21, 22));
+  floats.FillRandomly(-1.0, 1.0, 10);
+  this->CompareAll(floats, { 0.7, -0.5 }, 48);
+}
+
+TEST_F(Beams, MeetTheSameOnEveryKindOfVectors)
+{
+  Grid<std::uint8_t> smooth(glm::ivec3(50, 41, 37));
+  smooth.Fill([](int i, int j, int k) { return 120.0 + 80.0 * Wave(i, j, k); });
+  Grid<double> noise(glm::ivec3(20, 21, 22));
+  noise.FillRandomly(-1.0, 1.0, 10);
+  this->ForEachTarget(
+    [&](const char* target)
+    {
+      SCOPED_TRACE(target);
+      this->Compare(smooth, 120.0, 24);
+      this->Compare(noise, 0.7, 24);
+    });
+}
+
+TEST_F(Beams, SearchedPastManyCellsForgetNone)
+{
+  // More cells than a beam remembers, and more that are open.
+  Grid<std::uint8_t> checks(glm::ivec3(64, 64, 64));
+  checks.Fill([](int i, int j, int k) { return (i + j + k) % 2; });
+  this->Compare(checks, 0.999, 24);
+  Grid<float> flat(glm::ivec3(64, 64, 64));
+  flat.Fill([](int i, int j, int k) { return (i + j + k) % 2 ? 1e-7 : -1.0; });
+  this->Compare(flat, 0.0, 24);
+}
+
+}

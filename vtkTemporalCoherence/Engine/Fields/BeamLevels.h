@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_BeamLevels_h
+#define TemporalCoherence_BeamLevels_h
+
+#include "Scene/Difference.h"
+#include "Trace/SurfaceTracer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+namespace TemporalCoherence
+{
+
+/// The isovalues of a scene as beams see them: what all tiles share.
+template <typename T>
+struct BeamLevels
+{
+  /// True if a beam can find the surfaces of a scene. Differences of samples that are not finite
+  /// are another matter for each isovalue.
+  static bool AreFound(const TraceScene& scene)
+  {
+    return scene.Active && !scene.Samples.Hidden &&
+      (scene.Isosurfaces.Isovalues.size() == 1 ||
+        (std::is_integral_v<T> && !scene.Isosurfaces.Isovalues.empty()));
+  }
+
+  explicit BeamLevels(const TraceScene& scene)
+  {
+    const std::vector<double>& isovalues = scene.Isosurfaces.Isovalues;
+    // Isovalues may be far from all samples; differences from such a one tell little.
+    const double middle = 0.5 * scene.FiniteRange.x + 0.5 * scene.FiniteRange.y;
+    const auto base = std::min_element(isovalues.begin(), isovalues.end(),
+      [&](double a, double b) { return std::abs(a - middle) < std::abs(b - middle); });
+    const IsovalueScale scale = IsovalueScale::For<T>({ *base, *base }, scene.FiniteRange);
+    const double largest = scale.LargestFrom(*base, scene.FiniteRange);
+    this->Base = static_cast<std::size_t>(base - isovalues.begin());
+    this->Unit = sizeof(RealOf<T>) == sizeof(double) && largest > 0.0
+      ? std::ldexp(1.0, std::min(-std::ilogb(largest), 1000))
+      : 1.0;
+    for (const double isovalue : isovalues)
+    {
+      constexpr double most = 1e12;
+      const double offset = (scale.Scaled(isovalue) - scale.Scaled(*base)) * this->Unit;
+      this->Isovalues.push_back(static_cast<float>(std::min(std::max(offset, -most), most)));
+    }
+  }
+
+  std::size_t Base;             ///< position of the isovalue that differences are taken from
+  double Unit;                  ///< that they are multiplied by
+  std::vector<float> Isovalues; ///< as such differences
+};
+
+}
+
+#endif

@@ -1,0 +1,331 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What the rays of a beam meet in a cell.
+// Included by kernels once for each kind of vectors, hence the guard that turns over.
+#if defined(TemporalCoherence_KernelsBeam_inl_h) == defined(HWY_TARGET_TOGGLE)
+#ifdef TemporalCoherence_KernelsBeam_inl_h
+#undef TemporalCoherence_KernelsBeam_inl_h
+#else
+#define TemporalCoherence_KernelsBeam_inl_h
+#endif
+
+#include "Fields/KernelsBeam.h"
+
+#include "Fields/CellCubics-inl.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace TemporalCoherence
+{
+namespace BeamKernels
+{
+namespace HWY_NAMESPACE
+{
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Distances between which rays are in a box.
+struct Interval
+{
+  V Enter, Leave;
+};
+
+/// Tests cells against the rays of a beam, and keeps what is found there.
+/// \tparam IsPlain that of the beam
+template <bool IsPlain>
+class CellSearch
+{
+public:
+  CellSearch(const BeamTask& task, BeamScene& scene, TileBeam& beam)
+    : Task(task)
+    , Scene(scene)
+    , Beam(beam)
+  {
+  }
+
+  /// Find the rays that pass a cell before what they are known to meet, and search it for them.
+  void TestCell(const glm::ivec3& cell)
+  {
+    TileBeam& beam = this->Beam;
+    const float first[3] = { static_cast<float>(cell.x - beam.Anchor.x),
+      static_cast<float>(cell.y - beam.Anchor.y), static_cast<float>(cell.z - beam.Anchor.z) };
+    float planes[2][3];
+    this->FindPlanes(first, beam.Margin, planes);
+    // First all vectors, without a branch: which rays pass a cell is hard to foresee.
+    float enter[RayBatch::Capacity], leave[RayBatch::Capacity];
+    std::uint64_t passing = 0;
+    for (std::size_t i = 0; i < RayBatch::Capacity; i += hn::Lanes(Floats()))
+    {
+      Interval passed = this->Pass(planes, i);
+      passing |= BitsOf(this->Passes(passed, i)) << i;
+      hn::StoreU(passed.Enter, Floats(), enter + i);
+      hn::StoreU(passed.Leave, Floats(), leave + i);
+    }
+    if (passing == 0)
+    {
+      return;
+    }
+    CellValues values;
+    std::array<float, 8> corners;
+    const std::int32_t number = this->Scene.Read(cell, corners);
+    values.Set(corners);
+    beam.CellsPassed += static_cast<std::int64_t>(hwy::PopCount(passing));
+    bool isMet = false;
+    while (passing != 0)
+    {
+      constexpr std::size_t lanes = hn::MaxLanes(Floats());
+      const std::size_t i = hwy::Num0BitsBelowLS1Bit_Nonzero64(passing) & ~(lanes - 1);
+      const std::uint64_t these = lanes == 64 ? ~std::uint64_t(0) : (std::uint64_t(1) << lanes) - 1;
+      const M isPassed = MaskOf(passing >> i);
+      passing &= ~(these << i);
+      const Interval passed{ Load(enter + i), Load(leave + i) };
+      this->KeepFirstEntries(passed.Enter, isPassed, number, i);
+      isMet |= this->SearchCell(values, first, passed, isPassed, number, i);
+    }
+    if (number == BeamScene::MostCells - 1 || this->Open.Count > RayBatch::Capacity)
+    {
+      this->Scene.Decide(this->Open, beam);
+      for (std::int32_t& cell : beam.EntryCell)
+      {
+        cell = cell == TileBeam::NoCell ? cell : TileBeam::ForgottenCell;
+      }
+      isMet = true;
+    }
+    this->IsNearer |= isMet;
+  }
+
+  /// Take account of what was found, for all that is behind.
+  HWY_INLINE void Finish()
+  {
+    if (this->IsNearer)
+    {
+      this->FindDepth();
+    }
+  }
+
+  /// Decide what is left.
+  void Decide() { this->Scene.Decide(this->Open, this->Beam); }
+
+private:
+  /// The faces of a cell, moved outwards: of each axis the nearer one first.
+  HWY_INLINE void FindPlanes(const float first[3], float margin, float planes[2][3]) const
+  {
+    for (int a = 0; a < 3; ++a)
+    {
+      const bool isBack = this->Beam.Flip >> (2 * a) & 1;
+      const float low = first[a] - margin, high = first[a] + 1.0f + margin;
+      planes[0][a] = isBack ? high : low;
+      planes[1][a] = isBack ? low : high;
+    }
+  }
+
+  /// Where a vector of rays passes a cell, given its faces. Of one that begins or ends in the cell
+  /// that is more than it does.
+  HWY_INLINE Interval Pass(const float planes[2][3], std::size_t i) const
+  {
+    const TileBeam& beam = this->Beam;
+    Interval passed;
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      const V origin = Load(&beam.Origin[a][i]), inverse = Load(&beam.Inverse[a][i]);
+      const V one = hn::Mul(hn::Sub(Set(planes[0][a]), origin), inverse);
+      const V other = hn::Mul(hn::Sub(Set(planes[1][a]), origin), inverse);
+      const V enter = IsPlain ? one : hn::Min(one, other);
+      const V leave = IsPlain ? other : hn::Max(one, other);
+      passed.Enter = a == 0 ? enter : hn::Max(passed.Enter, enter);
+      passed.Leave = a == 0 ? leave : hn::Min(passed.Leave, leave);
+    }
+    return passed;
+  }
+
+  /// Those of some rays that pass a cell before what they are known to meet.
+  HWY_INLINE M Passes(Interval& passed, std::size_t i) const
+  {
+    const TileBeam& beam = this->Beam;
+    if (!IsPlain)
+    {
+      passed.Enter = hn::Max(passed.Enter, Load(&beam.Begin[i]));
+    }
+    const V behind = Load(&beam.Behind[i]);
+    const M isPassed = hn::Lt(passed.Enter, hn::Min(passed.Leave, behind));
+    return IsPlain ? isPassed : hn::And(isPassed, hn::Gt(passed.Leave, Load(&beam.WalkBegin[i])));
+  }
+
+  /// Keep where rays first enter an active cell.
+  HWY_INLINE void KeepFirstEntries(V enter, M isPassed, std::int32_t number, std::size_t i)
+  {
+    TileBeam& beam = this->Beam;
+    const Floats d;
+    const Integers di;
+    const V here = hn::IfThenElse(isPassed, enter, Set(TileBeam::Never));
+    const V entry = Load(&beam.FirstEntry[i]);
+    hn::StoreU(hn::Min(here, entry), d, &beam.FirstEntry[i]);
+    if (!this->Task.AreEntriesExact)
+    {
+      return;
+    }
+    const V next = Load(&beam.NextEntry[i]);
+    const auto isFirst = hn::RebindMask(di, hn::Lt(here, entry));
+    const auto cell = hn::LoadU(di, &beam.EntryCell[i]);
+    hn::StoreU(hn::Min(next, hn::Max(here, entry)), d, &beam.NextEntry[i]);
+    hn::StoreU(hn::IfThenElse(isFirst, hn::Set(di, number), cell), di, &beam.EntryCell[i]);
+  }
+
+  /// Search a cell for some rays.
+  /// \return true if one of them meets a surface in it for sure
+  HWY_INLINE bool SearchCell(const CellValues& values, const float first[3], const Interval& passed,
+    M isPassed, std::int32_t number, std::size_t i)
+  {
+    const TileBeam& beam = this->Beam;
+    const V zero = hn::Zero(Floats());
+    const V enter = hn::IfThenElse(isPassed, passed.Enter, zero);
+    const V leave = hn::IfThenElse(isPassed, passed.Leave, zero);
+    const V length = hn::Sub(leave, enter);
+    V at[3], step[3];
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      const V direction = Load(&beam.Direction[a][i]);
+      const V origin = hn::Sub(Load(&beam.Origin[a][i]), Set(first[a]));
+      at[a] = hn::Add(origin, hn::Mul(enter, direction));
+      step[a] = hn::Mul(length, direction);
+    }
+    const Coefficients b = CubicsAlong(values, at, step);
+    M isOpen = hn::Lt(zero, zero);
+    for (const float isovalue : this->Task.Isovalues)
+    {
+      const float error = this->ErrorIn(values, isovalue);
+      const M isBelow = hn::Lt(b.Largest, Set(isovalue - error));
+      const M isAbove =
+        this->Task.IsSolid ? hn::Lt(zero, zero) : hn::Gt(b.Smallest, Set(isovalue + error));
+      isOpen = hn::Or(isOpen, hn::AndNot(hn::Or(isBelow, isAbove), isPassed));
+    }
+    if (hn::AllFalse(Floats(), isOpen))
+    {
+      return false;
+    }
+    return this->KeepCell(b, values, first, { enter, leave }, isOpen, number, i);
+  }
+
+  /// What coefficients in a cell may be off by. Each is a mean of values of the interpolant where
+  /// each coordinate of a begin or an end is that of the path, off by the margin at most: of
+  /// either, that moves the value by two times the largest corner for each of three axes. Rounding
+  /// adds 2^-24 of numbers less than 27 times the largest corner in 30 operations; in full
+  /// precision, and by conversion to single, less than that is lost again.
+  HWY_INLINE float ErrorIn(const CellValues& values, float isovalue) const
+  {
+    return (values.Largest + std::abs(isovalue)) * (16.0f * this->Beam.Margin + 0x1p-13f) + 1e-30f;
+  }
+
+  /// Keep a cell that rays may meet a surface in.
+  HWY_INLINE bool KeepCell(const Coefficients& b, const CellValues& values, const float first[3],
+    const Interval& searched, M isOpen, std::int32_t number, std::size_t i)
+  {
+    TileBeam& beam = this->Beam;
+    const Floats d;
+    const Integers di;
+    const V margin = Set(2.0f * beam.Margin);
+    // The ray enters and leaves between these and those that were searched.
+    Interval sure;
+    if (beam.IsSteep)
+    {
+      float planes[2][3];
+      this->FindPlanes(first, -beam.Margin, planes);
+      sure = this->Pass(planes, i);
+    }
+    else
+    {
+      const V slack = Load(&beam.Slack[i]);
+      sure = { hn::Add(searched.Enter, slack), hn::Sub(searched.Leave, slack) };
+    }
+    sure.Enter = hn::Max(sure.Enter, hn::Add(Load(&beam.Begin[i]), margin));
+    sure.Leave = hn::Min(sure.Leave, hn::Sub(Load(&beam.End[i]), margin));
+    // The interpolant changes by twice the largest corner along an axis, and little more outside.
+    const V slope = Set(2.25f * beam.Steepest * values.Largest);
+    const V firstMoved = hn::Mul(slope, hn::Sub(sure.Enter, searched.Enter));
+    const V lastMoved = hn::Mul(slope, hn::Sub(searched.Leave, sure.Leave));
+    M isCrossed = hn::Lt(margin, margin);
+    for (const float isovalue : this->Task.Isovalues)
+    {
+      const V error = Set(this->ErrorIn(values, isovalue)), level = Set(isovalue);
+      const V firstError = hn::Add(error, firstMoved), lastError = hn::Add(error, lastMoved);
+      const M beginsIn = hn::Gt(b.First, hn::Add(level, firstError));
+      const M endsIn = hn::Gt(b.Last, hn::Add(level, lastError));
+      const M beginsOut = hn::Lt(b.First, hn::Sub(level, firstError));
+      const M endsOut = hn::Lt(b.Last, hn::Sub(level, lastError));
+      const M falls = this->Task.IsSolid ? beginsIn : hn::And(beginsIn, endsOut);
+      isCrossed = hn::Or(isCrossed, hn::Or(hn::And(beginsOut, endsIn), falls));
+    }
+    M isSure = hn::Lt(sure.Enter, sure.Leave);
+    const V behind = Load(&beam.Behind[i]);
+    if (!IsPlain)
+    {
+      // And where the walk ends for sure after the cell is entered, and begins before it is left.
+      const V begin = hn::Add(Load(&beam.WalkBegin[i]), margin);
+      isSure = hn::And(
+        isSure, hn::And(hn::Lt(begin, sure.Leave), hn::Lt(hn::Add(sure.Enter, margin), behind)));
+    }
+    const M isMet = hn::And(isOpen, hn::And(isCrossed, isSure));
+    const V before = Load(&beam.Enter[i]);
+    const M isFirst = hn::And(isMet, hn::Lt(sure.Enter, before));
+    this->NoteOpen(BitsOf(hn::AndNot(isMet, isOpen)), searched.Enter, number, i);
+    if (hn::AllFalse(d, isFirst))
+    {
+      return false;
+    }
+    hn::StoreU(
+      hn::IfThenElse(isFirst, hn::Min(behind, searched.Leave), behind), d, &beam.Behind[i]);
+    hn::StoreU(hn::IfThenElse(isFirst, sure.Enter, before), d, &beam.Enter[i]);
+    hn::StoreU(hn::IfThenElse(
+                 hn::RebindMask(di, isFirst), hn::Set(di, number), hn::LoadU(di, &beam.Cell[i])),
+      di, &beam.Cell[i]);
+    return true;
+  }
+
+  /// Let the scene decide what single precision cannot.
+  HWY_INLINE void NoteOpen(std::uint64_t which, V enter, std::int32_t number, std::size_t i)
+  {
+    float enters[WidestVector];
+    hn::StoreU(enter, Floats(), enters);
+    for (; which != 0; which &= which - 1)
+    {
+      const std::size_t lane = hwy::Num0BitsBelowLS1Bit_Nonzero64(which);
+      const std::size_t at = this->Open.Count++;
+      this->Open.Ray[at] = static_cast<std::uint8_t>(i + lane);
+      this->Open.Cell[at] = number;
+      this->Open.Enter[at] = enters[lane];
+    }
+  }
+
+  void FindDepth()
+  {
+    this->IsNearer = false;
+    TileBeam& beam = this->Beam;
+    V depth = Set(-1e30f);
+    for (std::size_t i = 0; i < beam.Count; i += hn::Lanes(Floats()))
+    {
+      const V along = hn::Mul(Load(&beam.Behind[i]), Load(&beam.PerDepth[i]));
+      depth = hn::Max(depth, hn::Add(Load(&beam.AtDepth[i]), along));
+    }
+    beam.Around.Offset[TileBeam::Across] =
+      -(hn::GetLane(hn::MaxOfLanes(Floats(), depth)) + 4.0f * beam.Margin);
+  }
+
+  const BeamTask& Task;
+  BeamScene& Scene;
+  TileBeam& Beam;
+  OpenCells Open;
+  bool IsNearer = false; ///< what matters ends before the plane across the beam
+};
+
+}
+}
+}
+HWY_AFTER_NAMESPACE();
+
+#endif

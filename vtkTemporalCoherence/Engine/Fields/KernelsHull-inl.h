@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The planes around a beam.
+// Included by kernels once for each kind of vectors, hence the guard that turns over.
+#if defined(TemporalCoherence_KernelsHull_inl_h) == defined(HWY_TARGET_TOGGLE)
+#ifdef TemporalCoherence_KernelsHull_inl_h
+#undef TemporalCoherence_KernelsHull_inl_h
+#else
+#define TemporalCoherence_KernelsHull_inl_h
+#endif
+
+#include "Fields/KernelsBeam.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace TemporalCoherence
+{
+namespace BeamSetUpKernels
+{
+namespace HWY_NAMESPACE
+{
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Floats = hn::CappedTag<float, WidestVector>;
+using F = hn::Vec<Floats>;
+
+/// Store a plane's normal, and what follows from it.
+HWY_INLINE void SetUpNormal(const glm::vec3& normal, std::size_t plane, TileBeam::Hull& hull)
+{
+  const Floats d;
+  const auto at = hn::Iota(d, 0.0f);
+  std::array<float, 64>& table = hull.Children[plane];
+  for (std::size_t i = 0; i < table.size(); i += hn::Lanes(d))
+  {
+    // Exact: quarters of small whole numbers.
+    const F child = hn::Add(at, hn::Set(d, static_cast<float>(i)));
+    const F quarter = hn::Set(d, 0.25f), four = hn::Set(d, 4.0f);
+    const F row = hn::Floor(hn::Mul(child, quarter)), z = hn::Floor(hn::Mul(row, quarter));
+    const F x = hn::Sub(child, hn::Mul(four, row)), y = hn::Sub(row, hn::Mul(four, z));
+    const F sum = hn::Add(hn::Mul(x, hn::Set(d, normal.x)), hn::Mul(y, hn::Set(d, normal.y)));
+    hn::StoreU(hn::Add(sum, hn::Mul(z, hn::Set(d, normal.z))), d, &table[i]);
+  }
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    hull.Normal[a][plane] = normal[static_cast<int>(a)];
+  }
+  hull.Reach[plane] =
+    std::max(normal.x, 0.0f) + std::max(normal.y, 0.0f) + std::max(normal.z, 0.0f);
+}
+
+/// A plane to where all rays are on its side.
+HWY_INLINE float FindOffset(const glm::vec3& normal, const TileBeam& beam)
+{
+  const Floats d;
+  F least = hn::Set(d, TileBeam::Never);
+  for (std::size_t i = 0; i < beam.Count; i += hn::Lanes(d))
+  {
+    F at = hn::Zero(d), per = hn::Zero(d);
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      const F along = hn::Set(d, normal[static_cast<int>(a)]);
+      at = hn::Add(at, hn::Mul(along, hn::LoadU(d, &beam.Origin[a][i])));
+      per = hn::Add(per, hn::Mul(along, hn::LoadU(d, &beam.Direction[a][i])));
+    }
+    const F begin = hn::Add(at, hn::Mul(per, hn::LoadU(d, &beam.Begin[i])));
+    const F end = hn::Add(at, hn::Mul(per, hn::LoadU(d, &beam.End[i])));
+    least = hn::Min(least, hn::Min(begin, end));
+  }
+  return hn::GetLane(hn::MinOfLanes(d, least)) - 4.0f * beam.Margin;
+}
+
+HWY_INLINE void SetUpHull(const std::array<glm::vec3, 4>& normals, TileBeam& beam)
+{
+  TileBeam::Hull& hull = beam.Around;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    hull.Normal[a].fill(0.0f);
+  }
+  hull.Reach.fill(0.0f);
+  std::fill(hull.Offset.begin() + TileBeam::Planes, hull.Offset.end(), 0.0f);
+  for (std::size_t plane = 0; plane < normals.size(); ++plane)
+  {
+    SetUpNormal(normals[plane], plane, hull);
+    hull.Offset[plane] = FindOffset(normals[plane], beam);
+  }
+  SetUpNormal(-beam.Forward, TileBeam::Across, hull);
+}
+
+/// Normals of four planes along the edges of the tile; 0 where there is none.
+inline std::array<glm::vec3, 4> FindNormals(const RayBatch& rays, const TileBeam& beam)
+{
+  std::array<glm::vec3, 4> normals{};
+  if (rays.Count != RayBatch::Capacity)
+  {
+    return normals;
+  }
+  constexpr std::array<std::size_t, 4> corners = { 0, 7, 63, 56 };
+  std::array<glm::dvec3, 4> direction, point;
+  const double reach = 64.0 / beam.Scale;
+  for (std::size_t c = 0; c < 4; ++c)
+  {
+    for (int a = 0; a < 3; ++a)
+    {
+      const auto axis = static_cast<std::size_t>(a);
+      direction[c][a] = rays.Direction[axis][corners[c]] / beam.Scale;
+      point[c][a] = rays.Origin[axis][corners[c]] - beam.Anchor[a] +
+        (beam.First + reach) * rays.Direction[axis][corners[c]];
+    }
+  }
+  for (std::size_t c = 0; c < 4; ++c)
+  {
+    const std::size_t next = (c + 1) & 3u, across = (c + 2) & 3u;
+    const glm::dvec3 normal = glm::cross(direction[c], point[next] - point[c]);
+    const double length = glm::length(normal);
+    const double side = glm::dot(normal, point[across] - point[c]);
+    if (length > 1e-12 && std::abs(side) > 1e-9 * length)
+    {
+      normals[c] = glm::vec3(normal / (side > 0.0 ? length : -length));
+    }
+  }
+  return normals;
+}
+
+}
+}
+}
+HWY_AFTER_NAMESPACE();
+
+#endif

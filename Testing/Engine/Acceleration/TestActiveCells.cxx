@@ -93,4 +93,44 @@ TEST(ActiveCells, NotANumberIsOutside)
   ExpectBits(grid, { 6.0 });
 }
 
+/// Beams begin at the last level: what it leaves out no ray finds.
+TEST(ActiveCells, LevelsAboveTellWhereActiveLeavesAre)
+{
+  Grid<std::uint8_t> grid(glm::ivec3(30, 90, 330));
+  grid.Fill([](int i, int j, int k)
+    { return glm::length(glm::dvec3(i - 9.0, j - 60.0, k - 200.0)) < 8.0 || k == 300 ? 9 : 0; });
+  ValueRangePyramid pyramid;
+  pyramid.Build(grid.Field);
+  ActiveCells active;
+  active.Build(grid.Field, pyramid, Surfaces{ { 5.0 }, SurfaceMode::Crossing });
+  const std::vector<ActiveCells::Level>& levels = active.LevelsAbove();
+  ASSERT_EQ(levels.size(), 3u);
+  EXPECT_EQ(levels.back().Dimensions, glm::ivec3(1));
+  glm::ivec3 below = active.NodeDimensions();
+  std::size_t activeBlocks = 0, blocks = 0;
+  for (std::size_t level = 0; level < levels.size(); ++level)
+  {
+    for (int z = 0; z < below.z; ++z)
+    {
+      for (int y = 0; y < below.y; ++y)
+      {
+        for (int x = 0; x < below.x; ++x)
+        {
+          const glm::ivec3 child(x, y, z);
+          const bool isActive = level == 0
+            ? active.LeavesOf(active.NodeOf(ActiveCells::NodeSize * child)) != 0
+            : levels[level - 1].WordOf(child) != 0;
+          const int bit = (x & 3) | (y & 3) << 2 | (z & 3) << 4;
+          EXPECT_EQ(levels[level].WordOf(child / 4) >> bit & 1u, isActive ? 1u : 0u);
+          activeBlocks += isActive;
+          ++blocks;
+        }
+      }
+    }
+    below = levels[level].Dimensions;
+  }
+  EXPECT_GT(activeBlocks, 5u);
+  EXPECT_LT(activeBlocks, blocks / 2);
+}
+
 }

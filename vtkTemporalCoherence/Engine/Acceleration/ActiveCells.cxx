@@ -125,17 +125,21 @@ void ActiveCells::FindLeaves(const Field& field, const ValueRangePyramid& pyrami
   }
   this->LeafWords = std::make_unique<std::atomic<std::uint64_t>[]>(words);
   this->NumberOfLeafWords = words;
+  this->FindLevelsAbove(pyramid.NodeDimensions());
   this->Dimensions = pyramid.NodeDimensions();
-  this->FindLevelsAbove();
 }
 
-void ActiveCells::FindLevelsAbove()
+void ActiveCells::FindLevelsAbove(const glm::ivec3& nodes)
 {
-  glm::ivec3 below = this->Dimensions;
-  const auto isActive = [this](const glm::ivec3& child)
+  glm::ivec3 below = nodes;
+  const auto isActive = [&](const glm::ivec3& child)
   {
-    return this->Above.size() == 1 ? this->LeavesOf(this->NodeOf(NodeSize * child)) != 0
-                                   : this->Above[this->Above.size() - 2].WordOf(child) != 0;
+    if (this->Above.size() > 1)
+    {
+      return this->Above[this->Above.size() - 2].WordOf(child) != 0;
+    }
+    const std::int64_t row = child.y + static_cast<std::int64_t>(nodes.y) * child.z;
+    return this->LeavesOf(child.x + nodes.x * row) != 0;
   };
   do
   {

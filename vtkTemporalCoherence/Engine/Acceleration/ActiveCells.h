@@ -117,7 +117,7 @@ public:
 
 private:
   void FindLeaves(const Field& field, const ValueRangePyramid& pyramid);
-  void FindLevelsAbove();
+  void FindLevelsAbove(const glm::ivec3& nodes);
 
   template <typename T>
   std::uint64_t FindVisibleLeaves(const TypedField<T>& field, const glm::ivec3& firstCell,

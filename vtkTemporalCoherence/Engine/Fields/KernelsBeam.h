@@ -22,7 +22,6 @@ struct BeamTask
   /// Isovalues, in units of a scene's corners and as differences from the same isovalue.
   const std::vector<float>& Isovalues;
   const ActiveCells& Active;
-  glm::ivec3 Cells;     ///< number of cells along each axis
   bool IsSolid;         ///< a ray that is inside meets the surface where it enters a cell
   bool AreEntriesExact; ///< EntryCell and NextEntry are of use
 };

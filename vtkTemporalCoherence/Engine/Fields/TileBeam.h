@@ -71,7 +71,7 @@ struct alignas(64) TileBeam
   bool IsSteep; ///< Slack is more than a little, as rays run nearly along faces of cells
 
   static constexpr std::int32_t NoCell = -1;
-  static constexpr std::int32_t ForgottenCell = -2; ///< a EntryCell before others were read
+  static constexpr std::int32_t ForgottenCell = -2; ///< an EntryCell before others were read
   static constexpr float Never = 1e30f;             ///< a t behind all others
 
   /// t of the beam for a t of a RayBatch, and back.

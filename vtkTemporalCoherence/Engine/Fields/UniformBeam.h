@@ -16,8 +16,8 @@
 namespace TemporalCoherence
 {
 
-/// Finds the first surfaces of the rays of a tile by a beam, for one isovalue in an image whose
-/// cells are all seen.
+/// Finds the first surfaces of the rays of a tile by a beam, in an image none of whose cells is
+/// hidden.
 ///
 /// The beam only leaves out cells: those that a ray does not pass, those where single precision
 /// proves that it meets nothing, and those behind another where it proves that it does. What is in
@@ -52,8 +52,8 @@ public:
       return false;
     }
     this->FirstEnter.fill(std::numeric_limits<double>::infinity());
-    SearchBeam({ this->Given.Isovalues, *this->Cells.Scene.Active, this->Cells.Count,
-                 this->Cells.Rules.IsSolid(), this->Cells.Scene.AreEntriesExact },
+    SearchBeam({ this->Given.Isovalues, *this->Cells.Scene.Active, this->Cells.Rules.IsSolid(),
+                 this->Cells.Scene.AreEntriesExact },
       *this, beam);
     this->Hits.CellsRead += beam.CellsPassed;
     this->FindFirstEntries(beam);

@@ -41,7 +41,7 @@ LeapedSpace Begin(FrameTask& task, bool leaps)
 
 TileScene SceneOf(const FrameTask& task, const LeapedSpace& space, const RayHint* hint)
 {
-  // How exact first entries are is of use to the free space of images alone.
+  // Only the free space of cached images asks for exact first entries.
   const bool isCached =
     task.Options.Reuse.ImageCache && task.Options.Accuracy == ReuseAccuracy::Bounded;
   return { task.Key, space.Active, space.Bounds, task.Structures.Pyramid().FiniteRange(), hint,

@@ -126,8 +126,9 @@ bool vtkTemporalCoherenceVolumeMapper::Internals::RenderToImages(vtkRenderer* re
   }
   if (color && color == depth)
   {
-    this->ReportOnce("RenderToImage got one image for colors and depths; give it two, or call "
-                     "RenderToImage with a frame.");
+    this->ReportOnce("RenderToImage got the same image for colors and depths; give it two images, "
+                     "or one for the whole frame: RenderToImage(renderer, volume, width, height, "
+                     "frame).");
     return false;
   }
   // A request to stop counts while the input is updated, too.

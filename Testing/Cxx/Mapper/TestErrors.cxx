@@ -259,8 +259,8 @@ void TestNullArguments()
     "no image for a frame");
   observer->Clear();
   Expect(!scene.Mapper->RenderToImage(scene.Renderer, scene.Volume, 9, 9, frame, frame) &&
-      observer->GetErrorMessage().find("RenderToImage got one image for colors and depths; give") !=
-        std::string::npos,
+      observer->GetErrorMessage().find(
+        "RenderToImage got the same image for colors and depths; give") != std::string::npos,
     "one image for two");
   observer->Clear();
   Expect(!scene.Mapper->GetVisibleSurface(nullptr) &&

@@ -147,7 +147,7 @@ private:
     std::uint64_t wanted = 0;
     for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
     {
-      const bool isWanted = rays.HasWalk(ray) & (hits.Kind[ray] == HitKind::None);
+      const bool isWanted = rays.HasWalk(ray) && hits.Kind[ray] == HitKind::None;
       wanted |= static_cast<std::uint64_t>(isWanted) << ray;
     }
     if constexpr (Between == Interpolation::Linear)

@@ -45,9 +45,7 @@ struct RayBatch
   /// True if a ray runs through the field and may meet a surface.
   bool HasWalk(std::size_t ray) const
   {
-    // Without a branch, as nobody could foretell it at silhouettes.
-    return static_cast<bool>(
-      (this->Begin[ray] < this->End[ray]) & (this->WalkBegin[ray] < this->WalkEnd[ray]));
+    return this->Begin[ray] < this->End[ray] && this->WalkBegin[ray] < this->WalkEnd[ray];
   }
 };
 

@@ -66,6 +66,18 @@ void TestWavelet()
   }
 }
 
+/// Show three translucent isovalues of noise from 0 to 100.
+void DressNoise(Scene& scene, bool nearest, bool threshold)
+{
+  SetColors(scene,
+    { { 30.75, 0.1, 0.3, 0.9, 0.15 }, { 50.5, 0.8, 0.3, 0.2, 0.3 },
+      { 80.25, 0.2, 0.9, 0.1, 0.5 } });
+  scene.Volume->GetProperty()->ShadeOff();
+  scene.Volume->GetProperty()->SetInterpolationType(nearest ? 0 : 1);
+  scene.Mapper->SetSurfaceMode(threshold);
+  scene.LookFrom(0.9, 0.7, 0.4);
+}
+
 /// Noise, inside it, all types of samples, both interpolations, clipped.
 void TestFields()
 {
@@ -77,13 +89,7 @@ void TestFields()
       {
         vtkSmartPointer<vtkImageData> image = Volumes::Noise(9, type, 0.0, 100.0);
         Scene scene(image, { 50.5, 80.25, 30.75 });
-        SetColors(scene,
-          { { 30.75, 0.1, 0.3, 0.9, 0.15 }, { 50.5, 0.8, 0.3, 0.2, 0.3 },
-            { 80.25, 0.2, 0.9, 0.1, 0.5 } });
-        scene.Volume->GetProperty()->ShadeOff();
-        scene.Volume->GetProperty()->SetInterpolationType(nearest ? 0 : 1);
-        scene.Mapper->SetSurfaceMode(threshold);
-        scene.LookFrom(0.9, 0.7, 0.4);
+        DressNoise(scene, nearest, threshold);
         const std::string name = "noise of type " + std::to_string(type) +
           (nearest ? ", nearest" : "") + (threshold ? ", THRESHOLD" : ", CROSSING");
         ExpectComposite(name, scene, Compositor(scene, image.Get()), 60, 50);
@@ -117,13 +123,7 @@ void TestGrids()
       grid->SetZCoordinates(coordinates);
       grid->GetPointData()->SetScalars(noise->GetPointData()->GetScalars());
       Scene scene(grid, { 50.5, 80.25, 30.75 });
-      SetColors(scene,
-        { { 30.75, 0.1, 0.3, 0.9, 0.15 }, { 50.5, 0.8, 0.3, 0.2, 0.3 },
-          { 80.25, 0.2, 0.9, 0.1, 0.5 } });
-      scene.Volume->GetProperty()->ShadeOff();
-      scene.Volume->GetProperty()->SetInterpolationType(nearest ? 0 : 1);
-      scene.Mapper->SetSurfaceMode(threshold);
-      scene.LookFrom(0.9, 0.7, 0.4);
+      DressNoise(scene, nearest, threshold);
       const std::string name = std::string("grid") + (nearest ? ", nearest" : "") +
         (threshold ? ", THRESHOLD" : ", CROSSING");
       ExpectComposite(name, scene, Compositor(scene, grid.Get()), 60, 50);

@@ -81,7 +81,7 @@ private:
     const glm::i64vec3& s = this->Cells.Samples.All().Strides;
     const std::array<std::int64_t, 4> rows = { 0, s.y, s.z, s.y + s.z };
     const Difference<T>& difference = this->Cells.Differences[this->Given.Base];
-    for (std::size_t i = 0; i < 8; ++i)
+    for (std::size_t i = 0; i < 8; ++i) // in one loop: measured faster than Differ(Read(cell))
     {
       const Real value = difference(sample[rows[i / 2] + (i & 1 ? s.x : 0)]);
       read.Differences[i] = value;
@@ -225,17 +225,10 @@ private:
       {
         segments.Corners[corner][i] = cell.Differences[corner];
       }
-      if (!areAll)
-      {
-        for (std::size_t a = 0; a < 3; ++a)
-        {
-          segments.Origin[a][i] = this->Rays.Origin[a][ray];
-          segments.Direction[a][i] = this->Rays.Direction[a][ray];
-          segments.Inverse[a][i] = this->Rays.Inverse[a][ray];
-        }
-        segments.Begin[i] = this->Rays.Begin[ray];
-        segments.End[i] = this->Rays.End[ray];
-      }
+    }
+    if (!areAll)
+    {
+      GatherRays(this->Rays, from, segments);
     }
     FindCrossings(segments, this->Cells.Rules.IsSolid());
     for (std::size_t i = 0; i < static_cast<std::size_t>(segments.Count); ++i)
@@ -260,18 +253,9 @@ private:
     return ends.y > this->Rays.WalkBegin[ray] && ends.x < this->Rays.WalkEnd[ray];
   }
 
-  /// Where a ray enters a cell, and where it leaves it.
   glm::dvec2 EndsIn(std::size_t ray, const ReadCell& cell) const
   {
-    glm::dvec2 ends(this->Rays.Begin[ray], this->Rays.End[ray]);
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      const double origin = this->Rays.Origin[a][ray], inverse = this->Rays.Inverse[a][ray];
-      const double ahead = this->Rays.Direction[a][ray] > 0.0 ? 1.0 : 0.0;
-      ends.x = std::max(ends.x, (cell.Place[a] + (1.0 - ahead) - origin) * inverse);
-      ends.y = std::min(ends.y, (cell.Place[a] + ahead - origin) * inverse);
-    }
-    return ends;
+    return EndsInCell(this->Rays, ray, { cell.Place[0], cell.Place[1], cell.Place[2] });
   }
 
   /// Keep what was found in segment i, if the ray meets it before what it has.

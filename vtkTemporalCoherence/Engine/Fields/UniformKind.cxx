@@ -53,14 +53,7 @@ public:
   {
     for (std::size_t i = 0; i < static_cast<std::size_t>(cells.Count); ++i)
     {
-      const std::size_t ray = cells.Ray[i];
-      double enter = rays.Begin[ray];
-      for (std::size_t a = 0; a < 3; ++a)
-      {
-        const double behind = cells.Cell[a][i] + (rays.Direction[a][ray] > 0.0 ? 0.0 : 1.0);
-        enter = std::max(enter, (behind - rays.Origin[a][ray]) * rays.Inverse[a][ray]);
-      }
-      cells.Enter[i] = enter;
+      cells.Enter[i] = EndsInCell(rays, cells.Ray[i], cells.At(i)).x;
     }
   }
 

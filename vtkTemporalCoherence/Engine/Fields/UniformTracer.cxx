@@ -314,21 +314,7 @@ private:
       segments.All = &rays;
       return;
     }
-    const auto gather = [&](const auto& from, auto& to)
-    {
-      for (std::size_t i = 0; i < count; ++i)
-      {
-        to[i] = from[cells.Ray[i]];
-      }
-    };
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      gather(rays.Origin[a], segments.Origin[a]);
-      gather(rays.Direction[a], segments.Direction[a]);
-      gather(rays.Inverse[a], segments.Inverse[a]);
-    }
-    gather(rays.Begin, segments.Begin);
-    gather(rays.End, segments.End);
+    GatherRays(rays, cells.Ray, segments);
   }
 
   /// Read the corners of the segments' cells, as differences from an isovalue.

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,7 @@ constexpr int QuickLargest = 256;
 struct Asked
 {
   std::vector<std::string> Scenarios;
+  std::vector<std::string> Framings;
   bool IsQuick = false;
   int Size = 0;
   int Frames = 0;
@@ -65,16 +67,33 @@ void Save(const JsonWriter& json, const std::string& file)
   }
 }
 
-/// Run one scenario. What goes wrong is told in a sentence, and others may follow.
+/// True if one of these names was asked for; without any, all are.
+bool IsAsked(const std::string& name, const std::vector<std::string>& asked)
+{
+  return asked.empty() || std::find(asked.begin(), asked.end(), name) != asked.end();
+}
+
+/// The framings that were asked for, or those of every table.
+std::vector<Framing> FramingsOf(const Asked& asked)
+{
+  const std::vector<std::string> names =
+    !asked.Framings.empty() ? asked.Framings : std::vector<std::string>{ "afar", "close" };
+  std::vector<Framing> framings;
+  std::copy_if(AllFramings().begin(), AllFramings().end(), std::back_inserter(framings),
+    [&names](const Framing& framing) { return IsAsked(framing.Name, names); });
+  return framings;
+}
+
+/// Run one scenario in one view. What goes wrong is told in a sentence, and others may follow.
 /// \return false if something went wrong
 bool RunScenario(
   const Scenario& scenario, const Settings& settings, JsonWriter& json, bool& isMeasured)
 {
-  std::cerr << scenario.Name << std::endl;
-  std::cout << "## " << scenario.Name << "\n\n" << scenario.Purpose << "\n\n";
+  std::cerr << scenario.Name << ", " << settings.From.Name << std::endl;
+  std::cout << "### View " << settings.From.Name << ": " << settings.From.Meaning << "\n\n";
   const std::size_t depth = json.Depth();
   bool isRight = true;
-  json.OpenObject(scenario.Name);
+  json.OpenObject(settings.From.Name);
   try
   {
     isMeasured = scenario.Run(settings, json) || isMeasured;
@@ -87,6 +106,28 @@ bool RunScenario(
   json.CloseTo(depth);
   std::cout << '\n';
   return isRight;
+}
+
+/// Run one scenario in all views that it has.
+/// \return false if something went wrong
+bool RunViews(const Scenario& scenario, const std::vector<Framing>& framings, Settings settings,
+  JsonWriter& json, bool& isMeasured)
+{
+  std::cout << "## " << scenario.Name << "\n\n" << scenario.Purpose << "\n\n";
+  json.OpenObject(scenario.Name);
+  bool areRight = true;
+  for (const Framing& framing : framings)
+  {
+    settings.From = framing;
+    areRight = RunScenario(scenario, settings, json, isMeasured) && areRight;
+    if (!scenario.HasViews)
+    {
+      break;
+    }
+    settings.Plots.clear(); // are those of the first view
+  }
+  json.Close();
+  return areRight;
 }
 
 /// False if nothing was measured.
@@ -107,14 +148,11 @@ bool RunScenarios(const Asked& asked)
   bool isMeasured = false, areRight = true;
   for (const Scenario& scenario : Scenarios::All())
   {
-    if (!asked.Scenarios.empty() &&
-      std::find(asked.Scenarios.begin(), asked.Scenarios.end(), scenario.Name) ==
-        asked.Scenarios.end())
+    if (IsAsked(scenario.Name, asked.Scenarios))
     {
-      continue;
+      areRight = RunViews(scenario, FramingsOf(asked), settings, json, isMeasured) && areRight;
+      Save(json, asked.Json);
     }
-    areRight = RunScenario(scenario, settings, json, isMeasured) && areRight;
-    Save(json, asked.Json);
   }
   if (!areRight)
   {
@@ -133,6 +171,16 @@ std::vector<CommandLine::Choice> ScenarioChoices()
   return choices;
 }
 
+std::vector<CommandLine::Choice> FramingChoices()
+{
+  std::vector<CommandLine::Choice> choices;
+  for (const Framing& framing : AllFramings())
+  {
+    choices.push_back({ framing.Name, framing.Meaning });
+  }
+  return choices;
+}
+
 }
 
 int main(int argc, char* argv[])
@@ -143,6 +191,7 @@ int main(int argc, char* argv[])
     "Each scenario has its own volumes, unless some are named.");
   options.Choices(
     "--scenarios", "only these (all)", "scenario", ScenarioChoices(), asked.Scenarios);
+  options.Choices("--views", "only these (afar,close)", "view", FramingChoices(), asked.Framings);
   options.Flag("--quick", "small pictures, few frames and volumes: a minute", asked.IsQuick);
   options.Number("--size", "pixels of a picture in each direction (1024)", asked.Size);
   options.Number("--frames", "frames of each kind (each scenario's own)", asked.Frames);

@@ -83,8 +83,7 @@ void CommandLine::Text(const std::string& name, const std::string& meaning, std:
 void CommandLine::Choices(const std::string& name, const std::string& meaning,
   const std::string& noun, const std::vector<Choice>& choices, std::vector<std::string>& chosen)
 {
-  this->Noun = noun;
-  this->AllChoices = choices;
+  this->Kinds.push_back({ noun, choices });
   const auto take = [name, noun, choices, &chosen](const std::string& text)
   {
     chosen = SplitAtCommas(text);
@@ -117,10 +116,10 @@ void CommandLine::PrintHelp() const
   }
   std::cout << "  " << std::setw(NameWidth) << "--help"
             << "show this text\n";
-  if (!this->AllChoices.empty())
+  for (const Kind& kind : this->Kinds)
   {
-    std::cout << "\n" << this->Noun << "s:\n";
-    for (const Choice& choice : this->AllChoices)
+    std::cout << "\n" << kind.Noun << "s:\n";
+    for (const Choice& choice : kind.Choices)
     {
       std::cout << "  " << std::setw(NameWidth) << choice.Name << choice.Meaning << '\n';
     }

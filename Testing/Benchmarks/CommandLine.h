@@ -59,8 +59,13 @@ private:
   std::string Program;
   std::string Purpose;
   std::vector<Option> Options;
-  std::string Noun; ///< of choices
-  std::vector<Choice> AllChoices;
+  /// Things of one kind to choose from.
+  struct Kind
+  {
+    std::string Noun;
+    std::vector<Choice> Choices;
+  };
+  std::vector<Kind> Kinds;
   std::vector<::Volumes::Sample>* Given = nullptr;
 };
 

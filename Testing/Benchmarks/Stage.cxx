@@ -17,8 +17,19 @@
 #include <cstddef>
 #include <iostream>
 
-Stage::Stage(vtkImageData* image, double isovalue, int size)
+const std::vector<Framing>& AllFramings()
+{
+  static const std::vector<Framing> framings = {
+    { "afar", "the whole volume, small: 5 to 35 % of the pixels hit", 0.0 },
+    { "whole", "ResetCamera, Azimuth 30, Elevation 20, Zoom 1.3", 1.3 },
+    { "close", "the same with Zoom 2.2: the object fills the picture", 2.2 }
+  };
+  return framings;
+}
+
+Stage::Stage(vtkImageData* image, double isovalue, int size, const Framing& framing)
   : Size(size)
+  , From(framing)
   , Image(image)
 {
   vtkNew<vtkColorTransferFunction> color;
@@ -33,11 +44,23 @@ Stage::Stage(vtkImageData* image, double isovalue, int size)
 
 void Stage::ResetView()
 {
-  vtkCamera* camera = this->Renderer->GetActiveCamera();
-  camera->SetFocalPoint(0.0, 0.0, 0.0);
-  camera->SetPosition(-1.0, -2.0, 0.8);
-  camera->SetViewUp(0.0, 0.0, 1.0);
+  const bool isAfar = this->From.Zoom == 0.0;
+  vtkNew<vtkCamera> camera;
+  if (isAfar)
+  {
+    camera->SetFocalPoint(0.0, 0.0, 0.0);
+    camera->SetPosition(-1.0, -2.0, 0.8);
+    camera->SetViewUp(0.0, 0.0, 1.0);
+  }
+  this->Renderer->SetActiveCamera(camera);
   this->Renderer->ResetCamera(this->Image->GetBounds());
+  if (!isAfar)
+  {
+    camera->Azimuth(30.0);
+    camera->Elevation(20.0);
+    camera->Zoom(this->From.Zoom);
+    this->FitClippingRange();
+  }
 }
 
 void Stage::FitClippingRange()

@@ -13,6 +13,18 @@
 #include <vtkVolume.h>
 
 #include <string>
+#include <vector>
+
+/// How much of the picture the object fills.
+struct Framing
+{
+  std::string Name;
+  std::string Meaning; ///< a line of the help
+  double Zoom;         ///< from where the whole volume is seen; 0: from farther away
+};
+
+/// "afar", "whole" and "close".
+const std::vector<Framing>& AllFramings();
 
 /// A volume in front of a camera that moves, without a window. Several mappers may look at it in
 /// turn, so that each sees the same views.
@@ -20,9 +32,10 @@ class Stage
 {
 public:
   /// \param size pixels of the square picture in each direction
-  Stage(vtkImageData* image, double isovalue, int size);
+  Stage(
+    vtkImageData* image, double isovalue, int size, const Framing& framing = AllFramings().front());
 
-  /// Back to the view from the front, a little from above, that shows the whole volume.
+  /// Back to the framing's view: from the front, a little from above.
   void ResetView();
   /// Around the volume.
   void Orbit(double degrees);
@@ -48,6 +61,7 @@ public:
   double VoxelSize() const;
 
   const int Size;
+  const Framing From;
   const vtkSmartPointer<vtkImageData> Image;
   vtkNew<vtkVolume> Volume;
   vtkNew<vtkRenderer> Renderer;

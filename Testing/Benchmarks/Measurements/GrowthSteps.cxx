@@ -42,11 +42,13 @@ Memory MeasureMemory(Stage& stage)
   return memory;
 }
 
-Step Measure(const Volumes::Sample& object, int samplesASide, int pixels, int frames)
+Step Measure(
+  const Volumes::Sample& object, int samplesASide, int pixels, const Framing& framing, int frames)
 {
   std::cerr << "  " << object.Name << ' ' << samplesASide << "^3, " << pixels << "^2 pixels"
             << std::endl;
-  Stage stage(Volumes::Load(object.Name + std::to_string(samplesASide)), object.Isovalue, pixels);
+  Stage stage(
+    Volumes::Load(object.Name + std::to_string(samplesASide)), object.Isovalue, pixels, framing);
   Step step;
   step.Object = object.Name;
   step.SamplesASide = samplesASide;
@@ -68,7 +70,7 @@ std::vector<std::string> BeginRow(const Step& step)
 
 }
 
-std::vector<Step> MeasureVoxels(int pixels, int largest, int frames)
+std::vector<Step> MeasureVoxels(int pixels, const Framing& framing, int largest, int frames)
 {
   std::vector<Step> steps;
   for (const Volumes::Sample& object :
@@ -76,19 +78,19 @@ std::vector<Step> MeasureVoxels(int pixels, int largest, int frames)
   {
     for (int n = Smallest; n <= largest; n *= 2)
     {
-      steps.push_back(Measure(object, n, pixels, frames));
+      steps.push_back(Measure(object, n, pixels, framing, frames));
     }
   }
   return steps;
 }
 
-std::vector<Step> MeasurePixels(int pixels, int frames)
+std::vector<Step> MeasurePixels(int pixels, const Framing& framing, int frames)
 {
   constexpr int samplesASide = 256;
   std::vector<Step> steps;
   for (const int size : { (pixels + 1) / 2, pixels, 2 * pixels })
   {
-    steps.push_back(Measure({ "spheres", 100 }, samplesASide, size, frames));
+    steps.push_back(Measure({ "spheres", 100 }, samplesASide, size, framing, frames));
   }
   return steps;
 }

@@ -39,11 +39,11 @@ constexpr int Smallest = 128;
 
 /// The four spheres and Marschner and Lobb's signal with the fewest samples, and then twice as many
 /// in each direction until the largest.
-std::vector<Step> MeasureVoxels(int pixels, int largest, int frames);
+std::vector<Step> MeasureVoxels(int pixels, const Framing& framing, int largest, int frames);
 
 /// The four spheres of 256^3 samples in pictures of half, once and twice as many pixels in each
 /// direction.
-std::vector<Step> MeasurePixels(int pixels, int frames);
+std::vector<Step> MeasurePixels(int pixels, const Framing& framing, int frames);
 
 /// Times, and by what each step multiplies those of the one before.
 void PrintTimes(const std::vector<Step>& steps);

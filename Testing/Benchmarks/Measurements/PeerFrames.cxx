@@ -4,12 +4,15 @@
 
 #include "Measuring.h"
 #include "OffScreenWindow.h"
+#include "OpenVkl.h"
 #include "Peers.h"
 
 #include <vtkFlyingEdges3D.h>
 
 #include <algorithm>
 #include <functional>
+#include <memory>
+#include <string>
 
 namespace PeerFrames
 {
@@ -84,6 +87,26 @@ Times Extraction(Stage& stage, const Way& way)
   return times;
 }
 
+/// Frames of Open VKL, of each kind of volume that it has.
+std::vector<Times> OfOpenVkl(Stage& stage, const Way& way)
+{
+  std::vector<Times> all;
+  for (const std::string& kind : OpenVkl::Kinds())
+  {
+    const std::unique_ptr<OpenVkl> peer = OpenVkl::Make(stage, kind);
+    if (peer)
+    {
+      Times times{ "Open VKL, " + kind, false, stage.Size };
+      TimeFrames(
+        stage, way, [&peer](double isovalue) { peer->SetIsovalue(isovalue); },
+        [&] { return peer->Draw(stage); }, times);
+      times.PercentDrawn = peer->PercentHit();
+      all.push_back(times);
+    }
+  }
+  return all;
+}
+
 Times InWindow(Stage& stage, const Way& way, bool hasWindow, const Peers::Peer& peer)
 {
   Times times{ peer.Name, false, stage.Size, None, None, None };
@@ -113,11 +136,16 @@ std::vector<Times> Measure(Stage& stage, int frames, bool hasWindow)
   const Way all{ frames, frames };
   const Way some{ frames, std::min(frames, std::max(FewestFrames, frames / 4)) };
   const Way fewest{ frames, std::min(frames, FewestGpuFrames) };
-  Stage small(stage.Image, stage.Isovalue(), std::min(stage.Size, SmallSize));
-  return { OursWithoutWindow(stage, all), Extraction(stage, some),
-    OursInWindow(stage, all, hasWindow), InWindow(stage, some, hasWindow, Peers::Polygons(stage)),
-    InWindow(stage, some, hasWindow, Peers::FixedPoint(stage)), OursInWindow(small, all, hasWindow),
-    InWindow(small, fewest, hasWindow, Peers::Gpu(small)) };
+  Stage small(stage.Image, stage.Isovalue(), std::min(stage.Size, SmallSize), stage.From);
+  std::vector<Times> times = { OursWithoutWindow(stage, all) };
+  const std::vector<Times> openVkl = OfOpenVkl(stage, some);
+  times.insert(times.end(), openVkl.begin(), openVkl.end());
+  times.insert(times.end(),
+    { Extraction(stage, some), OursInWindow(stage, all, hasWindow),
+      InWindow(stage, some, hasWindow, Peers::Polygons(stage)),
+      InWindow(stage, some, hasWindow, Peers::FixedPoint(stage)),
+      OursInWindow(small, all, hasWindow), InWindow(small, fewest, hasWindow, Peers::Gpu(small)) });
+  return times;
 }
 
 }

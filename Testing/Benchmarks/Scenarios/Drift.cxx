@@ -40,5 +40,5 @@ bool Run(const Settings& settings, JsonWriter& json)
 
 Scenario Scenarios::Drift()
 {
-  return { "drift", "errors of the image cache over many frames", Run };
+  return { "drift", "errors of the image cache over many frames", Run, false };
 }

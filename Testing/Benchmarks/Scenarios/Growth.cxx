@@ -18,7 +18,7 @@ bool Run(const Settings& settings, JsonWriter& json)
 {
   const int frames = settings.FramesOr(UsualFrames);
   const std::vector<GrowthSteps::Step> voxels =
-    GrowthSteps::MeasureVoxels(settings.Size, settings.Largest, frames);
+    GrowthSteps::MeasureVoxels(settings.Size, settings.From, settings.Largest, frames);
   std::cout << "Eight times the samples: medians in ms, and by what they multiply\n\n";
   GrowthSteps::PrintTimes(voxels);
   std::cout << "\nWhat the mapper adds to the memory of the process, beside the volume, in MiB\n\n";
@@ -29,7 +29,8 @@ bool Run(const Settings& settings, JsonWriter& json)
     GrowthPlots::TimesByVoxels(voxels, settings.Plots + "/growth");
   }
 
-  const std::vector<GrowthSteps::Step> pixels = GrowthSteps::MeasurePixels(settings.Size, frames);
+  const std::vector<GrowthSteps::Step> pixels =
+    GrowthSteps::MeasurePixels(settings.Size, settings.From, frames);
   std::cout << "\nFour times the pixels\n\n";
   GrowthSteps::PrintTimes(pixels);
   std::cout << '\n';

@@ -31,11 +31,11 @@ bool Run(const Settings& settings, JsonWriter& json)
         { volume, motion.Name, CacheFrames::Run(stage, motion, CacheFrames::AllVariants(), some) });
     }
   };
-  if (!ForEachStage(
-        settings.VolumesOr({ { "engine.vti", 70 }, { "engine.vti", 180 }, { "brain.vti", 40 },
-          { "brain.vti", 90 }, { "bonsai.vti", 40 }, { "ch2better.nii.gz", 40 },
-          { "spheres256", 100 }, { "marschner-lobb256", 128 } }),
-        settings.Size, measure))
+  if (!ForEachStage(settings,
+        { { "engine.vti", 70 }, { "engine.vti", 180 }, { "brain.vti", 40 }, { "brain.vti", 90 },
+          { "bonsai.vti", 40 }, { "ch2better.nii.gz", 40 }, { "spheres256", 100 },
+          { "marschner-lobb256", 128 } },
+        measure))
   {
     return false;
   }

@@ -36,12 +36,11 @@ bool Run(const Settings& settings, JsonWriter& json)
 {
   const int frames = settings.FramesOr(UsualFrames);
   std::vector<IsomapReport::Result> results;
-  if (!ForEachStage(settings.VolumesOr({ { "engine.vti", 70 }, { "engine.vti", 180 },
-                      { "brain.vti", 40 }, { "brain.vti", 90 }, { "bonsai.vti", 40 },
-                      { "ch2better.nii.gz", 40 }, { "spheres128", 100 }, { "spheres256", 100 },
-                      { "spheres512", 100 }, { "marschner-lobb128", 128 },
-                      { "marschner-lobb256", 128 }, { "marschner-lobb512", 128 } }),
-        settings.Size,
+  if (!ForEachStage(settings,
+        { { "engine.vti", 70 }, { "engine.vti", 180 }, { "brain.vti", 40 }, { "brain.vti", 90 },
+          { "bonsai.vti", 40 }, { "ch2better.nii.gz", 40 }, { "spheres128", 100 },
+          { "spheres256", 100 }, { "spheres512", 100 }, { "marschner-lobb128", 128 },
+          { "marschner-lobb256", 128 }, { "marschner-lobb512", 128 } },
         [&](const Volumes::Sample& volume, Stage& stage)
         { results.push_back(Measure(volume, stage, frames, settings)); }))
   {

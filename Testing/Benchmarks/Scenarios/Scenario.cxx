@@ -24,17 +24,17 @@ std::vector<Volumes::Sample> Settings::VolumesOr(const std::vector<::Volumes::Sa
   return !this->Volumes.empty() ? this->Volumes : this->IsQuick ? quick : usual;
 }
 
-bool ForEachStage(const std::vector<Volumes::Sample>& volumes, int size,
+bool ForEachStage(const Settings& settings, const std::vector<Volumes::Sample>& usual,
   const std::function<void(const Volumes::Sample&, Stage&)>& measure)
 {
   bool isMeasured = false;
-  for (const Volumes::Sample& volume : volumes)
+  for (const Volumes::Sample& volume : settings.VolumesOr(usual))
   {
     const vtkSmartPointer<vtkImageData> image = LoadOrTell(volume.Name);
     if (image)
     {
       std::cerr << "  " << volume.Name << ' ' << volume.Isovalue << std::endl;
-      Stage stage(image, volume.Isovalue, size);
+      Stage stage(image, volume.Isovalue, settings.Size, settings.From);
       measure(volume, stage);
       isMeasured = true;
     }
@@ -46,7 +46,7 @@ bool ReportVolumes(const Settings& settings, const std::vector<Volumes::Sample>&
   JsonWriter& json, const std::function<void(const Volumes::Sample&, Stage&)>& measure)
 {
   json.OpenList("volumes");
-  const bool isMeasured = ForEachStage(settings.VolumesOr(usual), settings.Size,
+  const bool isMeasured = ForEachStage(settings, usual,
     [&](const Volumes::Sample& volume, Stage& stage)
     {
       json.OpenObject();

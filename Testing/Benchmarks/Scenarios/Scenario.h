@@ -16,6 +16,7 @@ struct Settings
 {
   bool IsQuick = false;                 ///< only to see that all works
   int Size = 1024;                      ///< pixels of a picture in each direction
+  Framing From = AllFramings().front(); ///< how the camera begins
   int Frames = 0;                       ///< 0: each scenario's own number
   int Steps = 200;                      ///< isovalues of a drag
   int Largest = 512;                    ///< samples a side where growth ends
@@ -38,16 +39,18 @@ struct Scenario
   /// Measure, print tables, and add the figures to the object that is open in the report.
   /// \return false if nothing was measured, the reason being told on the error stream
   std::function<bool(const Settings&, JsonWriter&)> Run;
+
+  bool HasViews = true; ///< false: measured in the first view only
 };
 
 /// Measure volumes one after the other; those that are not there are left out.
+/// \param usual the volumes of the scenario, if the settings name none
 /// \return false if none was there
-bool ForEachStage(const std::vector<Volumes::Sample>& volumes, int size,
+bool ForEachStage(const Settings& settings, const std::vector<Volumes::Sample>& usual,
   const std::function<void(const Volumes::Sample&, Stage&)>& measure);
 
 /// The same, and an object for each volume in the report's list "volumes", open while it is
 /// measured.
-/// \param usual the volumes of the scenario, if the settings name none
 bool ReportVolumes(const Settings& settings, const std::vector<Volumes::Sample>& usual,
   JsonWriter& json, const std::function<void(const Volumes::Sample&, Stage&)>& measure);
 

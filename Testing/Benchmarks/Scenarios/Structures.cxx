@@ -52,5 +52,6 @@ bool Run(const Settings& settings, JsonWriter& json)
 
 Scenario Scenarios::Structures()
 {
-  return { "structures", "value ranges, active cells and isomap beside reading the samples", Run };
+  return { "structures", "value ranges, active cells and isomap beside reading the samples", Run,
+    false };
 }

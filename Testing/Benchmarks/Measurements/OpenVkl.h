@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Benchmarks_OpenVkl_h
+#define Benchmarks_OpenVkl_h
+
+#include "Stage.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+/// The stage's isosurface by Intel's Open VKL: packets of 16 rays, its hit iterators and gradients,
+/// one light in the camera, colour and depth written, all threads. Rays go through the centres of
+/// the mapper's pixels.
+class OpenVkl
+{
+public:
+  /// Kinds of regular volumes to try: the one that Open VKL ships, and its older accelerator, which
+  /// is there only in builds that register it by the name structuredRegularGrid.
+  static std::vector<std::string> Kinds();
+
+  /// Null if Open VKL is not built in, has no such kind, or cannot show the stage's volume; where
+  /// that is not for lack of Open VKL, a sentence goes to the error stream.
+  static std::unique_ptr<OpenVkl> Make(const Stage& stage, const std::string& kind);
+
+  virtual ~OpenVkl() = default;
+  OpenVkl(const OpenVkl&) = delete;
+  OpenVkl& operator=(const OpenVkl&) = delete;
+
+  virtual void SetIsovalue(double isovalue) = 0;
+
+  /// Draw the stage's view; milliseconds.
+  virtual double Draw(const Stage& stage) = 0;
+
+  /// Share in percent of the last picture's pixels that show a surface.
+  virtual double PercentHit() const = 0;
+
+protected:
+  OpenVkl() = default;
+};
+
+#endif

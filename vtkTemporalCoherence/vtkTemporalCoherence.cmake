@@ -40,7 +40,6 @@ set(engine_files
   ImageCache/ImageHint
   ImageCache/ImageQuery
   ImageCache/KernelsImage
-  ImageCache/LastHitHint
   ImageCache/PaperHint
   Isomap/BandPlan
   Isomap/BandTracer

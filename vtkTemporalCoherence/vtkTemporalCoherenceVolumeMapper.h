@@ -83,8 +83,9 @@ public:
   //@{
   /**
    * Switch the image cache on or off (default: on), and set how many images it keeps for each
-   * viewer, 1 (default) to 64. With it, frames of a moved camera and of another time step start
-   * from a cached image. Without it, they are cold.
+   * viewer, 1 (default) to 64. With it, the frame of another time step starts from the last
+   * picture, and that of a moved camera may start from a cached image (ReuseAccuracy). Without it,
+   * they are cold.
    */
   vtkSetMacro(ImageCache, vtkTypeBool);
   vtkGetMacro(ImageCache, vtkTypeBool);
@@ -102,11 +103,13 @@ public:
 
   //@{
   /**
-   * Set/Get how exact a frame is after the view has changed. EXACT: the cold picture, byte for
-   * byte. BOUNDED (default): at most 0.01 % of the pixels differ from the cold picture in the
-   * median frame, and at most 0.05 % in any frame. A pixel differs if only one picture shows a
-   * surface there, or if the surfaces are more than a voxel (the shortest edge of a cell) apart.
-   * RefineWhenStill (default: on) makes the next frame of the same view exact if this one is not.
+   * Set/Get how exact a frame is after the view has changed. EXACT (default): the cold picture,
+   * byte for byte. BOUNDED: at most 0.01 % of the pixels differ from the cold picture in the median
+   * frame, and at most 0.05 % in any frame. A pixel differs if only one picture shows a surface
+   * there, or if the surfaces are more than a voxel (the shortest edge of a cell) apart. BOUNDED
+   * starts from a cached image only where that is faster than a cold frame: not in images with
+   * linear interpolation and one isovalue, for example. RefineWhenStill (default: on) makes the
+   * next frame of the same view exact if this one is not.
    */
   vtkSetClampMacro(ReuseAccuracy, int, BOUNDED, PAPER);
   vtkGetMacro(ReuseAccuracy, int);
@@ -120,7 +123,7 @@ public:
   //@{
   /**
    * Switch the isomap on or off (default: on). With it, a new isovalue in the same view is looked
-   * up. Without it, the last hits bound the search for the new isovalue. The picture is the same.
+   * up. Without it, it makes a cold frame. The picture is the same.
    *
    * - IsomapTolerance: the largest distance between a surface that is looked up and the exact one,
    *   in voxels (finite). Default: 0, the cold picture byte for byte. Below 0.001 it counts as 0.
@@ -240,20 +243,19 @@ public:
   /** The ways to make a frame. */
   enum Routes
   {
-    ROUTE_COLD,           ///< every ray is traced without help from an earlier frame
-    ROUTE_REDISPLAY,      ///< nothing changed: the last picture is shown again
-    ROUTE_RESHADE,        ///< only colours, lights or shading changed: known hits are shaded again
-    ROUTE_ISOMAP_LOOKUP,  ///< a new isovalue is looked up in the isomap of the view
-    ROUTE_ISOMAP_BUILD,   ///< the same, after a band of the isomap was built
-    ROUTE_THRESHOLD_HINT, ///< without an isomap: last hits bound the search for a new isovalue
-    ROUTE_IMAGE_CACHE,    ///< the view changed: rays start from what a cached image shows
-    ROUTE_TIME_STEP       ///< samples changed: pixels that no changed sample affects are copied
+    ROUTE_COLD,          ///< every ray is traced without help from an earlier frame
+    ROUTE_REDISPLAY,     ///< nothing changed: the last picture is shown again
+    ROUTE_RESHADE,       ///< only colours, lights or shading changed: known hits are shaded again
+    ROUTE_ISOMAP_LOOKUP, ///< a new isovalue is looked up in the isomap of the view
+    ROUTE_ISOMAP_BUILD,  ///< the same, after a band of the isomap was built
+    ROUTE_IMAGE_CACHE,   ///< the view changed: rays start from what a cached image shows
+    ROUTE_TIME_STEP      ///< samples changed: pixels that no changed sample affects are copied
   };
 
   //@{
   /**
    * Get the route of the last frame: one of Routes, or its name: Cold, Redisplay, Reshade,
-   * IsomapLookup, IsomapBuild, ThresholdHint, ImageCache or TimeStep.
+   * IsomapLookup, IsomapBuild, ImageCache or TimeStep.
    */
   int GetRoute();
   const char* GetRouteAsString();
@@ -377,7 +379,7 @@ private:
   int VectorComponent = 0;
   vtkTypeBool ImageCache = 1;
   int NumberOfCachedImages = 1;
-  int ReuseAccuracy = BOUNDED;
+  int ReuseAccuracy = EXACT;
   vtkTypeBool RefineWhenStill = 1;
   vtkTypeBool Isomap = 1;
   double IsomapTolerance = 0.0;

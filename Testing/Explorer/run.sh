@@ -281,10 +281,19 @@ check_orbit()
 {
   local from cached
   from=$(lines)
+  orbit 3
+  tail -n "+$((from + 1))" "$log" | grep -q 'route ImageCache' &&
+    fail "exact pictures of an orbit came from the image cache"
+  key a '^accuracy paper'
+  settle
+  from=$(lines)
   orbit 20
   cached=$(tail -n "+$((from + 1))" "$log" | grep -c 'route ImageCache') || true
   [ "$cached" -ge 18 ] || fail "only $cached of 20 frames of an orbit came from the image cache"
-  say "Orbit: $cached of 20 frames from the image cache, then completed"
+  key a '^accuracy bounded'
+  key a '^accuracy exact'
+  settle
+  say "Orbit: cold frames; as in the paper $cached of 20 from the image cache, then completed"
 }
 
 # Every value of a choice by key, and back to the first.
@@ -305,7 +314,7 @@ check_choices()
   turn_all m material satin matt glossy flat
   turn_all l light studio head side rim
   turn_all v surface crossing solid
-  turn_all a accuracy bounded exact paper
+  turn_all a accuracy exact paper bounded
   turn_all c image-cache on off
   turn_all i isomap on off
   turn_all j leaping on off
@@ -330,6 +339,7 @@ check_choices()
 # Yellow is seen in pictures that the image cache helped with.
 check_yellow()
 {
+  key a '^accuracy paper'
   orbit 2
   key y '^answers on'
   orbit 3
@@ -339,6 +349,9 @@ check_yellow()
   settle
   take_picture
   ! cmp -s "$picture" "$scratch/yellow.png" || fail "the yellow overlay cannot be seen"
+  key a '^accuracy bounded'
+  key a '^accuracy exact'
+  settle
 }
 
 check_pictures()

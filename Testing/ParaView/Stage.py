@@ -11,8 +11,7 @@ from vtkmodules.vtkIOImage import vtkPNGReader
 
 LoadPlugin(os.environ["TEMPORAL_ISOSURFACE_PLUGIN"], remote=False, ns=globals())
 
-ROUTES = ("Cold", "Redisplay", "Reshade", "IsomapLookup", "IsomapBuild", "ThresholdHint",
-          "ImageCache", "TimeStep")
+ROUTES = ("Cold", "Redisplay", "Reshade", "IsomapLookup", "IsomapBuild", "ImageCache", "TimeStep")
 
 
 def check(is_right, what, found=""):

@@ -141,11 +141,14 @@ def test_settings(view, display):
     display.ReuseAccuracy = "Bounded"
     Render(view)
     Render(view)
+    check(route_after(turn) == "Cold", "ReuseAccuracy: BOUNDED is cold where that is faster",
+          statistic(display, "Route"))
+    display.ReuseAccuracy = "Exact"
     display.Isomap = 0
-    check(route_after(lambda: setattr(display, "Isovalues", [152.0])) == "ThresholdHint",
-          "Isomap: off, the last hits bound the search", statistic(display, "Route"))
+    check(route_after(lambda: setattr(display, "Isovalues", [152.0])) == "Cold",
+          "Isomap: off, a new isovalue is cold", statistic(display, "Route"))
     display.Isomap, display.IsomapMemoryLimit = 1, 0
-    check(route_after(lambda: setattr(display, "Isovalues", [154.0])) == "ThresholdHint",
+    check(route_after(lambda: setattr(display, "Isovalues", [154.0])) == "Cold",
           "IsomapMemoryLimit: 0 is no isomap", statistic(display, "Route"))
     display.IsomapMemoryLimit, display.IsomapRange, display.IsomapTolerance = 256, [150, 170], 0.1
     check(route_after(lambda: setattr(display, "Isovalues", [156.0])) == "IsomapBuild",
@@ -169,7 +172,7 @@ def main():
     Render(view)
     test_looks(view, display)
     test_settings(view, display)
-    check(list(statistic(display, "RouteCounts"))[6] > 0, "RouteCounts: frames of each route",
+    check(list(statistic(display, "RouteCounts"))[5] > 0, "RouteCounts: frames of each route",
           list(statistic(display, "RouteCounts")))
 
 

@@ -343,7 +343,7 @@ class RenderServer(Example):
             self.assertEqual(routes[:3], ["Cold", "Redisplay", "IsomapBuild"])
             self.assertEqual(routes[-1], "IsomapLookup")
             turned, _, route = self.get(port, "/picture.png?isovalue=0.499&azimuth=2&size=200")
-            self.assertEqual(route, "ImageCache")
+            self.assertEqual(route, "Cold")
             self.assert_shows_sphere(read_png(turned), 0.499)
             self.assertEqual(read_png(self.get(port, "/picture.png")[0]).shape, (512, 512, 3))
 

@@ -162,11 +162,15 @@ class Reuse(unittest.TestCase):
         self.volume.GetProperty().SetAmbient(0.3)
         self.assertEqual(self.picture()[1], "Reshade")
         self.renderer.GetActiveCamera().Azimuth(2.0)
-        self.assertEqual(self.picture()[1], "ImageCache")
+        self.assertEqual(self.picture()[1], "Cold")
+        self.mapper.SetReuseAccuracyToPaper()
+        for route in ("Cold", "ImageCache"):
+            self.renderer.GetActiveCamera().Azimuth(2.0)
+            self.assertEqual(self.picture()[1], route)
         self.mapper.ReleaseReuse()
         self.assertEqual(self.picture()[1], "Cold")
         self.mapper.IsomapOff()
-        self.assertEqual(self.picture(0.51)[1], "ThresholdHint")
+        self.assertEqual(self.picture(0.51)[1], "Cold")
 
     def test_sweep_is_looked_up_and_the_same_as_cold(self):
         self.mapper.SetIsomapRange(0.3, 0.7)

@@ -70,8 +70,8 @@ std::string FrameLoad::Describe() const
 
 bool FrameLoad::HasReachedAll() const
 {
-  // Cold, Redisplay, Reshade, ThresholdHint, ImageCache, IsomapBuild and IsomapLookup.
-  constexpr std::size_t AllRoutes = 7, AllFeatures = 18;
+  // Cold, Redisplay, Reshade, ImageCache, IsomapBuild and IsomapLookup.
+  constexpr std::size_t AllRoutes = 6, AllFeatures = 18;
   return this->Routes.size() >= AllRoutes && this->Features.size() >= AllFeatures &&
     this->Stopped > 0 && this->Picked > 0;
 }

@@ -16,6 +16,7 @@ void MapperLoad::DoOnce()
 {
   Scene scene(this->Image, { 200.0 });
   scene.LookFrom(0.7, -1.0, 0.5);
+  scene.Mapper->SetReuseAccuracyToPaper();
   const auto render = [&]
   {
     Expect(scene.Render(64, 48), "rendered");

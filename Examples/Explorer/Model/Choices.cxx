@@ -13,10 +13,10 @@ const std::vector<Choice>& AllChoices()
     { Choose::Light, "light", "Light", 'l', "light: where it comes from", LightNames() },
     { Choose::Surface, "surface", "Surface", 'v', "open surface or capped solid",
       { "crossing", "solid" } },
-    { Choose::Accuracy, "accuracy", "Accuracy", 'a', "accuracy of re-used pictures",
+    { Choose::Accuracy, "accuracy", "Accuracy", 'a', "accuracy of pictures as the view moves",
       { "bounded", "exact", "paper" } },
     { Choose::ImageCache, "image-cache", "Image cache", 'c',
-      "image cache: re-use pictures as the view moves", onOff },
+      "image cache: start from earlier pictures where the accuracy lets it", onOff },
     { Choose::Isomap, "isomap", "Isomap", 'i', "isomap: look isovalues up in a still view", onOff },
     { Choose::Leaping, "leaping", "Space leaping", 'j', "leap over empty space", onOff },
     { Choose::Ahead, "map-ahead", "Map at first drag", 'k',
@@ -37,6 +37,7 @@ const Choice& ChoiceOf(Choose what)
 
 Chosen::Chosen()
 {
+  (*this)[Choose::Accuracy] = 1;
   (*this)[Choose::ImageCache] = 1;
   (*this)[Choose::Isomap] = 1;
   (*this)[Choose::Leaping] = 1;

@@ -43,7 +43,7 @@ struct Technique
     mapper->RefineWhenStillOff();
     mapper->SetSpaceLeaping(!this->IsPaper);
     mapper->SetReuseAccuracy(this->IsPaper ? vtkTemporalCoherenceVolumeMapper::PAPER
-                                           : vtkTemporalCoherenceVolumeMapper::BOUNDED);
+                                           : vtkTemporalCoherenceVolumeMapper::EXACT);
   }
 };
 
@@ -51,7 +51,7 @@ const std::array<Technique, 2>& Techniques()
 {
   static const std::array<Technique, 2> techniques = {
     Technique{ "paper", "as in the paper (PAPER, plain ray caster)", "as in the paper", true },
-    Technique{ "bounded", "as by default (BOUNDED, space leaping)", "by default", false }
+    Technique{ "default", "as by default (EXACT, space leaping)", "by default", false }
   };
   return techniques;
 }

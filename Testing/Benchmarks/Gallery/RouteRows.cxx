@@ -85,10 +85,8 @@ std::vector<Row> Orbits(int frames)
   const std::string turned = "the camera, " + Plain(Degrees) + " degrees; ";
   return { Orbit("cold", "Cold", turned + "`ImageCacheOff()`: nothing is known of the last frame",
              frames, [](Mapper* mapper) { mapper->ImageCacheOff(); }),
-    Orbit("bounded", "ImageCache", turned + "`BOUNDED`, the default", frames,
-      [](Mapper* mapper) { mapper->SetReuseAccuracyToBounded(); }),
-    Orbit("exact", "Cold", turned + "`EXACT`: the cold picture, to the last bit", frames,
-      [](Mapper* mapper) { mapper->SetReuseAccuracyToExact(); }),
+    Orbit("exact", "Cold", turned + "`EXACT`, the default: the cold picture, to the last bit",
+      frames, [](Mapper* mapper) { mapper->SetReuseAccuracyToExact(); }),
     Orbit("paper", "ImageCache", turned + "`PAPER`, as published", frames,
       [](Mapper* mapper) { mapper->SetReuseAccuracyToPaper(); }) };
 }
@@ -98,8 +96,6 @@ std::vector<Row> Isovalues(const Scene& scene)
   const double first = scene.Shown.Isovalues[0], last = scene.Shown.Isovalues[1];
   const int frames = scene.Frames;
   const auto nothing = [](Stage&, Drawer&) {};
-  const auto raise = [=](Stage& stage, Drawer&, int frame)
-  { stage.SetIsovalue(first + stage.ShareOfRange(Step * (frame + 1))); };
   const auto raiseAnew = [=](Stage& stage, Drawer& drawer, int)
   {
     drawer.Mapper->ReleaseReuse();
@@ -117,11 +113,9 @@ std::vector<Row> Isovalues(const Scene& scene)
   };
   const auto sweep = [=](Stage& stage, Drawer&, int frame)
   { stage.SetIsovalue(first + (last - first) * (frame + 1) / frames); };
-  return { { "hint", "ThresholdHint", "the isovalue, up by 1/256 of the range; `IsomapOff()`",
-             [](Stage&, Drawer& drawer) { drawer.Mapper->IsomapOff(); }, raise },
-    { "build", "IsomapBuild",
-      "the isovalue, for the first time in this view: a band of isovalues is built", nothing,
-      raiseAnew },
+  return { { "build", "IsomapBuild",
+             "the isovalue, for the first time in this view: a band of isovalues is built", nothing,
+             raiseAnew },
     { "lookup", "IsomapLookup", "the isovalue, again: looked up in the band", nothing, creep },
     { "range", "IsomapLookup",
       "the isovalue, any from " + Plain(first) + " to " + Plain(last) + " (here " + Plain(last) +

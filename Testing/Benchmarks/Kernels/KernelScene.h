@@ -64,7 +64,9 @@ private:
   {
     using namespace TemporalCoherence;
     const RaySource source(this->Key.View, this->Key.Transform, this->Key.Samples.Dimensions);
-    const auto tracer = SurfaceTracer::Make(this->Scene);
+    TraceScene walked = this->Scene;
+    walked.By = Traversal::Walks; // which tell first entries
+    const auto tracer = SurfaceTracer::Make(walked);
     for (std::int64_t number = 0; number < NumberOfTiles(this->Key.View.Size); ++number)
     {
       Tile tile{ number, PixelsOfTile(this->Key.View.Size, number), {}, {} };

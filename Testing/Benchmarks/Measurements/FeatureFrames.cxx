@@ -141,6 +141,7 @@ Times MeasureFeature(Stage& stage, const Feature& feature, int frames)
   Drawer cold(stage), moved(stage);
   feature.SwitchOn(stage, cold.Mapper);
   feature.SwitchOn(stage, moved.Mapper);
+  moved.Mapper->SetReuseAccuracyToBounded();
   cold.Mapper->ImageCacheOff();
   cold.Draw(stage);
   moved.Draw(stage);

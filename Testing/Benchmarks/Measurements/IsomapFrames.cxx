@@ -63,23 +63,19 @@ double FirstStepTime(Stage& stage, double isovalue, double step)
   return Measuring::Median(times);
 }
 
-/// Isovalues that one step has made known, and the same ones by hints; drawn in turn.
+/// Isovalues that one step has made known.
 void MeasureLaterSteps(Stage& stage, double isovalue, double step, int frames, Times& times)
 {
-  Drawer lookup(stage), hint(stage);
-  hint.Mapper->IsomapOff();
+  Drawer lookup(stage);
   lookup.Draw(stage);
-  hint.Draw(stage);
   stage.SetIsovalue(isovalue + step);
   lookup.Draw(stage);
-  hint.Draw(stage);
   times.BytesAPixel = BytesAPixel(lookup, stage);
-  std::vector<double> lookups, traces, shades, hints;
+  std::vector<double> lookups, traces, shades;
   for (int frame = 0; frame < frames; ++frame)
   {
     const auto at = static_cast<std::size_t>(frame) % WithinFirstStep.size();
     stage.SetIsovalue(isovalue + WithinFirstStep[at] * step);
-    hints.push_back(hint.Draw(stage));
     const double time = lookup.Draw(stage);
     if (lookup.Route() == "IsomapLookup")
     {
@@ -89,7 +85,6 @@ void MeasureLaterSteps(Stage& stage, double isovalue, double step, int frames, T
     }
   }
   stage.SetIsovalue(isovalue);
-  times.Hint = Measuring::Median(hints);
   times.Lookup = Measuring::Median(lookups);
   times.LookupTrace = Measuring::Median(traces);
   times.LookupShade = Measuring::Median(shades);

@@ -5,7 +5,7 @@
 
 #include "Stage.h"
 
-/// Single frames of a new isovalue: from the isomap, from the last picture's hits, and cold.
+/// Single frames of a new isovalue: from the isomap, and cold.
 namespace IsomapFrames
 {
 
@@ -14,7 +14,6 @@ struct Times
 {
   double Cold = 0.0;  ///< an orbit
   double Plain = 0.0; ///< the same without space leaping, the paper's ray caster
-  double Hint = 0.0;  ///< ThresholdHint, the steps of Lookup
   /// The first new isovalue of a new mapper after one frame: 1/256 of the range of values up, or
   /// down. Its band of the isomap is built.
   double FirstUp = 0.0;

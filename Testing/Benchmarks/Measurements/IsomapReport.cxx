@@ -50,7 +50,6 @@ void AddTo(JsonWriter& json, const IsomapFrames::Times& times)
   json.OpenObject("frames");
   json.Add("coldMs", times.Cold);
   json.Add("plainColdMs", times.Plain);
-  json.Add("thresholdHintMs", times.Hint);
   json.Add("firstStepUpMs", times.FirstUp);
   json.Add("firstStepDownMs", times.FirstDown);
   json.Add("lookupMs", times.Lookup);
@@ -87,16 +86,15 @@ void AddTo(JsonWriter& json, const std::vector<IsomapDrags::Summary>& drags)
 
 void PrintFrames(const std::vector<Result>& results)
 {
-  const MarkdownTable table({ "volume", "isovalue", "cold", "plain cold", "hint", "first up",
-    "first down", "look-up", "(trace + shade)", "cold / look-up", "plain / look-up",
-    "first up / cold", "first down / cold", "bytes a pixel" });
+  const MarkdownTable table({ "volume", "isovalue", "cold", "plain cold", "first up", "first down",
+    "look-up", "(trace + shade)", "cold / look-up", "plain / look-up", "first up / cold",
+    "first down / cold", "bytes a pixel" });
   for (const Result& result : results)
   {
     const IsomapFrames::Times& t = result.Frames;
     table.Row(Row(result,
-      { Fixed(t.Cold, 1), Fixed(t.Plain, 0), Fixed(t.Hint, 1), Fixed(t.FirstUp, 1),
-        Fixed(t.FirstDown, 1), Fixed(t.Lookup, 1),
-        Fixed(t.LookupTrace, 1) + " + " + Fixed(t.LookupShade, 1),
+      { Fixed(t.Cold, 1), Fixed(t.Plain, 0), Fixed(t.FirstUp, 1), Fixed(t.FirstDown, 1),
+        Fixed(t.Lookup, 1), Fixed(t.LookupTrace, 1) + " + " + Fixed(t.LookupShade, 1),
         Fixed(Ratio(t.Cold, t.Lookup), 2), Fixed(Ratio(t.Plain, t.Lookup), 1),
         Fixed(Ratio(t.FirstUp, t.Cold), 2), Fixed(Ratio(t.FirstDown, t.Cold), 2),
         Fixed(t.BytesAPixel, 1) }));

@@ -17,8 +17,8 @@ constexpr int UsualFrames = 12;
 bool Run(const Settings& settings, JsonWriter& json)
 {
   const int frames = settings.FramesOr(UsualFrames);
-  std::cout << "Medians in ms; moved: from the last picture (BOUNDED, 2 degrees), or cold where "
-               "that does not serve; shaded: only the light changed\n\n";
+  std::cout << "Medians in ms; moved by 2 degrees: BOUNDED, cold where that is "
+               "faster; shaded: only the light changed\n\n";
   const MarkdownTable table(
     { "volume", "isovalue", "feature", "cold", "moved", "shaded", "cold / cold without" });
   const auto measure = [&](const Volumes::Sample& volume, Stage& stage)

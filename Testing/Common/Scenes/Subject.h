@@ -4,6 +4,7 @@
 #define Testing_Subject_h
 
 #include "Scenes/Scene.h"
+#include "Volumes/Grids.h"
 
 #include <vtkSmartPointer.h>
 
@@ -19,6 +20,7 @@ struct Subject
   int Mode = vtkTemporalCoherenceVolumeMapper::CROSSING;
   bool IsNearest = false;
   int Component = 0;
+  bool IsGrid = false; ///< drawn as a rectilinear grid, whose cells are finest inside
 
   std::string Describe() const
   {
@@ -26,11 +28,21 @@ struct Subject
       this->Isovalues.empty() ? "" : ", " + std::to_string(this->Isovalues.size()) + " isovalue(s)";
     return this->Name +
       (this->Mode == vtkTemporalCoherenceVolumeMapper::CROSSING ? ", CROSSING" : ", THRESHOLD") +
-      (this->IsNearest ? ", nearest" : "") + isovalues;
+      (this->IsNearest ? ", nearest" : "") + (this->IsGrid ? ", as a grid" : "") + isovalues;
   }
 
   void Prepare(Scene& scene) const
   {
+    if (this->IsGrid)
+    {
+      const auto grid = Grids::FromImage(this->Image, VTK_DOUBLE);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        Grids::SetCoordinates(
+          grid, axis, Grids::FineInside(this->Image->GetDimensions()[axis], 0.2));
+      }
+      scene.Mapper->SetInputDataObject(grid);
+    }
     scene.Mapper->SetSurfaceMode(this->Mode);
     scene.Mapper->SetVectorMode(vtkTemporalCoherenceVolumeMapper::COMPONENT);
     scene.Mapper->SetVectorComponent(this->Component);

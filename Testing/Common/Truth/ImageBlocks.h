@@ -108,6 +108,7 @@ inline void ExpectSame(const std::string& what, vtkDataObject* blocks, vtkImageD
   several.Mapper->SetInputDataObject(blocks);
   for (Scene* scene : { &one, &several })
   {
+    scene->Mapper->SetReuseAccuracyToPaper();
     if (arrange)
     {
       arrange(*scene);

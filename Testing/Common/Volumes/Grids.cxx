@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Volumes/Grids.h"
 
+#include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
 #include <vtkPointData.h>
@@ -112,6 +113,7 @@ vtkSmartPointer<vtkRectilinearGrid> FromImage(vtkImageData* image, int coordinat
     SetCoordinates(grid, axis, along, coordinateType);
   }
   grid->GetPointData()->SetScalars(image->GetPointData()->GetScalars());
+  grid->GetCellData()->PassData(image->GetCellData());
   return grid;
 }
 

@@ -42,11 +42,7 @@ void ChangingScene::Arrange()
       this->MakeOneOf(kind);
     }
   }
-  if (this->Views.Pick(4) == 0)
-  {
-    this->Shown.Mapper->SetReuseAccuracyToExact();
-  }
-  // Every field and region has isomaps; without them hints get their turn.
+  this->Shown.Mapper->SetReuseAccuracy(this->Views.Pick(3));
   this->Shown.Mapper->SetIsomap(this->Views.Pick(3) != 0);
   this->Views.Resize();
 }

@@ -4,9 +4,13 @@
 // When frames are made from the image cache, and what they tell of themselves.
 
 #include "Checks/Expect.h"
+#include "Scenes/Subject.h"
 #include "Truth/ColdWitness.h"
+#include "Volumes/Ghosts.h"
 #include "Volumes/Volumes.h"
 #include "Walks/RandomViews.h"
+
+#include <vtkPiecewiseFunction.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -84,6 +88,7 @@ void TestNoRefinement()
 void TestKeyImages()
 {
   Scene scene(Volumes::Waves(), { 200.0 });
+  scene.Mapper->SetReuseAccuracyToPaper();
   scene.Mapper->SetImageCachePolicyToKeyImage();
   scene.Mapper->SetKeyImageInterval(5);
   scene.LookFrom(1.0, 2.0, 0.5);
@@ -99,6 +104,7 @@ void TestKeyImages()
 vtkIdType PossibleHitsAfterReturn(int numberOfImages)
 {
   Scene scene(Volumes::Load("spheres64"), { 100.0 });
+  scene.Mapper->SetReuseAccuracyToPaper();
   scene.Mapper->SetNumberOfCachedImages(numberOfImages);
   scene.LookFrom(-1.0, -2.0, 0.8);
   const std::string what = std::to_string(numberOfImages) + " image(s)";
@@ -147,6 +153,76 @@ void TestCounters()
   }
 }
 
+/// Where cold frames are faster, BOUNDED makes cold frames.
+void TestWhereBoundedIsCold()
+{
+  const Subject image = { "Waves", Volumes::Waves(), { 200.0 } };
+  Subject grid = image, nearest = image, several = image;
+  grid.IsGrid = true;
+  nearest.IsNearest = true;
+  several.Isovalues = { 200.0, -300.0 };
+  const auto expect =
+    [](const Subject& subject, double turn, bool isOpaque, const std::string& route)
+  {
+    Scene scene(subject.Image, subject.Isovalues);
+    subject.Prepare(scene);
+    scene.Mapper->SetReuseAccuracyToBounded();
+    if (!isOpaque)
+    {
+      vtkNew<vtkPiecewiseFunction> opacity;
+      opacity->AddPoint(0.0, 0.4);
+      scene.Volume->GetProperty()->SetScalarOpacity(opacity);
+    }
+    scene.LookFrom(1.0, 2.0, 0.5);
+    const std::string what = subject.Describe() + ", turned by " + std::to_string(turn);
+    ExpectRoute(scene, "Cold", what + ", first");
+    Turn(scene, turn);
+    ExpectRoute(scene, route, what);
+    if (route == "Cold")
+    {
+      ExpectRoute(scene, "Redisplay", what + ", still: it is exact");
+    }
+  };
+  expect(image, 1.0, true, "Cold"); // rays go as beams
+  for (const Subject& subject : { grid, nearest, several })
+  {
+    expect(subject, 1.0, true, "ImageCache");
+    expect(subject, 5.0, true, "ImageCache");
+    expect(subject, 8.0, true, "Cold");
+    expect(subject, 1.0, false, "Cold");
+  }
+  Subject hidden = nearest;
+  Ghosts::HideCells(hidden.Image, 0.1, 5);
+  expect(hidden, 1.0, true, "Cold");
+}
+
+/// What was made for other accuracies has not what BOUNDED and PAPER start from.
+void TestChangedAccuracy()
+{
+  Subject grid = { "Waves", Volumes::Waves(), { 200.0 } };
+  grid.IsGrid = true;
+  Scene scene(grid.Image, grid.Isovalues);
+  grid.Prepare(scene);
+  scene.LookFrom(1.0, 2.0, 0.5);
+  ColdWitness cold;
+  const auto expect = [&](int accuracy, const std::string& route)
+  {
+    scene.Mapper->SetReuseAccuracy(accuracy);
+    Turn(scene, 1.0);
+    ExpectRoute(scene, route, "accuracy " + std::to_string(accuracy));
+    Expect(cold.Draw(scene) && cold.CountDifferent(scene) < 200, "no other picture");
+  };
+  expect(Mapper::EXACT, "Cold");
+  expect(Mapper::BOUNDED, "Cold");
+  expect(Mapper::BOUNDED, "ImageCache");
+  expect(Mapper::PAPER, "ImageCache");
+  expect(Mapper::BOUNDED, "Cold");
+  expect(Mapper::EXACT, "Cold");
+  expect(Mapper::PAPER, "Cold");
+  expect(Mapper::PAPER, "ImageCache");
+  expect(Mapper::EXACT, "Cold");
+}
+
 /// Yellow pixels; and none of them without a surface.
 vtkIdType CountYellow(const Scene& scene, const std::string& what)
 {
@@ -171,23 +247,20 @@ vtkIdType CountYellow(const Scene& scene, const std::string& what)
 
 void TestColorByAnswer()
 {
-  for (const int accuracy : { Mapper::BOUNDED, Mapper::PAPER })
-  {
-    Scene scene(Volumes::Waves(), { 200.0, -300.0 });
-    scene.Mapper->SetReuseAccuracy(accuracy);
-    scene.Mapper->ColorByAnswerOn();
-    scene.LookFrom(1.0, 2.0, 0.5);
-    ColdWitness cold;
-    ExpectRoute(scene, "Cold", "by answer");
-    Expect(CountYellow(scene, "cold") == 0, "a cold frame is yellow");
-    Turn(scene, 20.0);
-    ExpectRoute(scene, "ImageCache", "by answer");
-    const vtkIdType yellow = CountYellow(scene, "turned");
-    Expect(yellow > 0, "nothing is yellow after a large turn");
-    Expect(yellow <= scene.Mapper->GetNumberOfPossibleHits(), "more is yellow than possible");
-    ExpectRoute(scene, "Cold", "by answer, still");
-    Expect(cold.Draw(scene) && cold.IsIdentical(scene), "by answer, still: not the cold picture");
-  }
+  Scene scene(Volumes::Waves(), { 200.0, -300.0 });
+  scene.Mapper->SetReuseAccuracyToPaper();
+  scene.Mapper->ColorByAnswerOn();
+  scene.LookFrom(1.0, 2.0, 0.5);
+  ColdWitness cold;
+  ExpectRoute(scene, "Cold", "by answer");
+  Expect(CountYellow(scene, "cold") == 0, "a cold frame is yellow");
+  Turn(scene, 20.0);
+  ExpectRoute(scene, "ImageCache", "by answer");
+  const vtkIdType yellow = CountYellow(scene, "turned");
+  Expect(yellow > 0, "nothing is yellow after a large turn");
+  Expect(yellow <= scene.Mapper->GetNumberOfPossibleHits(), "more is yellow than possible");
+  ExpectRoute(scene, "Cold", "by answer, still");
+  Expect(cold.Draw(scene) && cold.IsIdentical(scene), "by answer, still: not the cold picture");
 }
 
 }
@@ -200,5 +273,7 @@ int TestImageCacheFrames(int, char*[])
   TestSeveralImages();
   TestCounters();
   TestColorByAnswer();
+  TestWhereBoundedIsCold();
+  TestChangedAccuracy();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -73,6 +73,7 @@ void TestWindowsThatShareAMapper()
 {
   const auto image = Volumes::FourSpheres(48);
   const Scene shared(image, { 100.0 });
+  shared.Mapper->SetReuseAccuracyToPaper();
   View front(shared, 1.0, 2.0, 0.5), side(shared, 2.0, -0.4, 0.7);
   for (View* view : { &front, &side })
   {
@@ -189,6 +190,8 @@ void TestManyViewers()
   // A camera that is new in every frame goes on from the one before, which is gone.
   shared.Renderer->SetActiveCamera(cameras[5]);
   cameras.clear();
+  shared.Mapper->SetReuseAccuracyToPaper();
+  shared.Mapper->ReleaseReuse();
   Expect(shared.Render(Size, Size), "RenderToImage");
   for (int i = 0; i < 3; ++i)
   {

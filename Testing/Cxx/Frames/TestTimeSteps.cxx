@@ -137,10 +137,8 @@ void TestSameNumbers()
   scene.SetIsovalues({ 41.25 });
   series.Step(0.0, "IsomapLookup", what + ", other isovalue again");
   scene.Renderer->GetActiveCamera()->Azimuth(1.0);
-  series.Source->SetTime(0.0);
-  Expect(scene.Render(Width, Height) && IsRoute(scene, "ImageCache"), what + ", moved on");
-  series.Step(0.0, "Cold", what + ": completed");
-  series.Step(0.0, "Redisplay", what + ", complete");
+  series.Step(0.0, "Cold", what + ", moved on");
+  series.Step(0.0, "Redisplay", what + ", still again");
   scene.Volume->RotateZ(3.0);
   series.Step(0.0, "Cold", what + ", turned");
   scene.Mapper->ImageCacheOff();

@@ -157,6 +157,7 @@ void TestOddSizes()
 void TestAutomatic()
 {
   Stage stage;
+  stage.Mapper->SetReuseAccuracyToPaper();
   stage.Mapper->AutoAdjustSampleDistancesOn();
   stage.Window->SetDesiredUpdateRate(Interactive);
   stage.Window->Render();

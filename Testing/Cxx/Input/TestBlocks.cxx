@@ -243,6 +243,7 @@ void TestTimeSteps()
   vtkNew<TimeSource> source;
   Scene several(nullptr, { 60.0 });
   several.Mapper->SetInputConnection(source->GetOutputPort());
+  several.Mapper->SetReuseAccuracyToPaper();
   for (int step = 0; step < 3; ++step)
   {
     source->SetStep(step);

@@ -409,10 +409,12 @@ void TestSweeps()
 }
 
 /// Frames from one another around a volume keep what BOUNDED promises.
-void Orbit(const Subject& subject, int size)
+void Orbit(Subject subject, int size)
 {
+  subject.IsGrid = true;
   Scene scene(subject.Image, subject.Isovalues);
   subject.Prepare(scene);
+  scene.Mapper->SetReuseAccuracyToBounded();
   scene.LookFrom(-1.0, -2.0, 0.8);
   ColdWitness cold;
   std::vector<double> shares;

@@ -107,6 +107,7 @@ void TestRoutes(const std::string& name, vtkRectilinearGrid* grid, unsigned seed
   std::map<std::string, int> routes;
   Scene scene(grid, { 100.0 });
   ColdWitness cold;
+  scene.Mapper->SetReuseAccuracyToBounded();
   RandomViews views(scene, seed, 140);
   const std::vector<Change> moves = ChangesOfView(scene, views);
   std::vector<Change> others = ChangesOfIsovalues(scene, views);

@@ -129,7 +129,7 @@ std::vector<Step> Steps()
     { "ImageCache", [](Stage& stage) { stage.Turn(); } },
     { "IsomapBuild", [](Stage& stage) { stage.SetIsovalues({ -300.0 }); } },
     { "IsomapLookup", [](Stage& stage) { stage.SetIsovalues({ -298.0 }); } },
-    { "ThresholdHint",
+    { "Cold",
       [](Stage& stage)
       {
         stage.Mapper->IsomapOff();
@@ -149,7 +149,7 @@ void TestEvents()
 {
   Stage stage;
   // A picture that is exact before each step, so that the next one may start from it.
-  stage.Mapper->SetReuseAccuracyToBounded();
+  stage.Mapper->SetReuseAccuracyToPaper();
   stage.Window->Render();
   for (const Step& step : Steps())
   {

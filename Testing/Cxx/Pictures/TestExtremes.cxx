@@ -141,6 +141,7 @@ void TestTooFaint()
   opacity->AddPoint(0.0, 1e-38);
   scene.Volume->GetProperty()->SetScalarOpacity(opacity);
   scene.Mapper->ColorByAnswerOn();
+  scene.Mapper->SetReuseAccuracyToPaper();
   for (int frame = 0; frame < 3; ++frame)
   {
     scene.Renderer->GetActiveCamera()->Azimuth(1.0);

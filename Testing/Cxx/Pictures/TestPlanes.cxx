@@ -230,6 +230,7 @@ void TestAnswers()
 {
   CutScene scene;
   Planes planes;
+  scene.Mapper->SetReuseAccuracyToPaper();
   Expect(planes.Render(scene, 120, 120), "rendered");
   scene.Renderer->GetActiveCamera()->Azimuth(1.0);
   Expect(planes.Render(scene, 120, 120), "rendered");

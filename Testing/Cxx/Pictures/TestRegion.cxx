@@ -8,6 +8,7 @@
 #include "Truth/BruteForceTracer.h"
 #include "Truth/ColdWitness.h"
 #include "Truth/ExpectTruth.h"
+#include "Volumes/Grids.h"
 #include "Volumes/Volumes.h"
 #include "Walks/Sweep.h"
 
@@ -204,7 +205,11 @@ void TestRoutes()
     {
       const std::string name =
         "flags " + std::to_string(flags) + (threshold ? ", THRESHOLD" : ", CROSSING");
-      Scene scene(Onion(40), { 0.1 });
+      const vtkSmartPointer<vtkImageData> image = Onion(40);
+      Scene scene(image, { 0.1 });
+      // Where BOUNDED starts from cached images.
+      scene.Mapper->SetInputData(Grids::FromImage(image, VTK_DOUBLE));
+      scene.Mapper->SetReuseAccuracyToBounded();
       scene.Mapper->SetSurfaceMode(threshold);
       scene.Mapper->CroppingOn();
       scene.Mapper->SetCroppingRegionPlanes(-0.5, 0.41, -0.4, 0.6, -0.6, 0.5);

@@ -199,7 +199,7 @@ void TestRoutes()
     for (int i = 0; i < 10; ++i)
     {
       scene.Renderer->GetActiveCamera()->Azimuth(2.0);
-      step("orbit", false);
+      step("orbit", true);
     }
     step("still", true);
     for (int i = 0; i < 6; ++i)
@@ -229,7 +229,6 @@ void TestRoutes()
     step("no leaping", true);
     scene.Mapper->SpaceLeapingOn();
     step("leaping again", true);
-    Expect(routes["ImageCache"] >= 8, "the image cache serves translucent surfaces");
     Expect(routes["IsomapLookup"] + routes["IsomapBuild"] >= 4, "the isomap does");
   }
 }

@@ -131,6 +131,7 @@ void TestOneFrame()
   StackScene scene(Peeler::Renderer);
   AddSandwich(scene);
   vtkTemporalCoherenceVolumeMapper* mapper = scene.Piles.front()->Mapper;
+  mapper->SetReuseAccuracyToPaper();
   const EventCounter starts(mapper, vtkCommand::VolumeMapperRenderStartEvent);
   const EventCounter ends(mapper, vtkCommand::VolumeMapperRenderEndEvent);
   scene.ExpectOrder("a sandwich", 3.0);

@@ -283,6 +283,7 @@ void TestSelection()
 void TestRoutes()
 {
   Stage stage(AllKinds()[0]);
+  stage.Mapper->SetReuseAccuracyToPaper();
   const auto expect = [&](const std::string& route)
   {
     stage.Draw();

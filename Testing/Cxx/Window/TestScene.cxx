@@ -128,6 +128,7 @@ void TestStereo()
   {
     const std::string name = "stereo of type " + std::to_string(type);
     Spheres scene;
+    scene.Mapper->SetReuseAccuracyToPaper();
     vtkCamera* camera = scene.Renderer->GetActiveCamera();
     camera->SetEyeAngle(4.0);
     scene.Renderer->ResetCameraClippingRange();

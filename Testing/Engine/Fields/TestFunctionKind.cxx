@@ -221,9 +221,9 @@ TEST_F(FunctionFrames, RoutesGiveTheColdPicture)
     this->Key.Appearance.Ambient += 0.1;
     expectRoute(Route::Reshade);
     this->Key.Isosurfaces.Isovalues[0] += 0.05;
-    expectRoute(Route::ThresholdHint);
+    expectRoute(Route::Cold);
     this->Key.Isosurfaces.Isovalues[0] -= 0.1;
-    expectRoute(Route::ThresholdHint);
+    expectRoute(Route::Cold);
     this->LookFrom({ 1.0, 1.8, mode == SurfaceMode::Crossing ? 0.7 : 0.8 });
     expectRoute(Route::Cold);
   }
@@ -261,11 +261,13 @@ TEST_F(FunctionFrames, DataThatMemoryEndsForLeavesTheOldToBeDrawn)
 TEST_F(FunctionFrames, MovingCameraUsesTheLastPicture)
 {
   FrameRenderer renderer;
-  renderer.Render(this->Key, {});
+  FrameRenderer::Options bounded;
+  bounded.Accuracy = ReuseAccuracy::Bounded;
+  renderer.Render(this->Key, bounded);
   for (int step = 1; step <= 20; ++step)
   {
     this->LookFrom({ 1.0, 2.0 - 0.02 * step, 0.7 });
-    renderer.Render(this->Key, {});
+    renderer.Render(this->Key, bounded);
     ASSERT_EQ(renderer.Statistics().Made, Route::ImageCache);
     const Frame cold = this->Cold();
     int wrong = 0;

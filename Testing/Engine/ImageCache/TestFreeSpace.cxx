@@ -174,15 +174,10 @@ TEST(FreeSpace, WherePixelsAreFineSurfacesAloneTell)
   // Seen from inside, they do not.
   EXPECT_NEAR(GuardedDepth(step, 5.0, fine, HitKind::Exit), 30.0 - 5.0, 1e-5);
   EXPECT_NEAR(GuardedDepth(step, 5.0, fine, HitKind::Within), 30.0 - 5.0, 1e-5);
-  // Nothing is known behind the farthest depth, nor, if only surfaces met from outside count, where
-  // there are others.
+  // Nothing is known behind the farthest depth.
   FreeSpace::Options options = Coarse();
   options.FarthestDepth = 20.0;
   EXPECT_NEAR(GuardedDepth(step, 1.0, options), 20.0, 1e-5);
-  options = Coarse();
-  options.OnlyEntered = true;
-  EXPECT_NEAR(GuardedDepth(step, 5.0, options), 30.0 - 5.0, 1e-5);
-  EXPECT_LE(GuardedDepth(step, 5.0, options, HitKind::Exit), -1e29);
 }
 
 }

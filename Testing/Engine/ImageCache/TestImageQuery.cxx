@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Fields/Coordinates.h"
 #include "Grid.h"
 #include "ImageCache/ImageQuery.h"
 #include "Render/FrameRenderer.h"
@@ -29,6 +30,8 @@ protected:
     this->Samples.Fill([this](int i, int j, int k)
       { return Radius - glm::distance(glm::dvec3(i, j, k), this->Centre); });
     this->Key.Samples = this->Samples.Field;
+    // Where pictures have what BOUNDED starts from.
+    this->Key.Samples.Kind = RectilinearKind(Uniform(this->Samples.Field.Dimensions));
     this->Key.Isosurfaces.Isovalues = { 0.0 };
     this->Key.Appearance.Colors = { glm::dvec3(1.0) };
   }
@@ -37,7 +40,9 @@ protected:
   {
     this->Key.View = view;
     FrameRenderer renderer;
-    renderer.Render(this->Key, {});
+    FrameRenderer::Options bounded;
+    bounded.Accuracy = ReuseAccuracy::Bounded;
+    renderer.Render(this->Key, bounded);
     CachedImage image;
     image.Key = this->Key;
     image.Picture = renderer.LastFrame();

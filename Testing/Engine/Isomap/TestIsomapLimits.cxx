@@ -43,7 +43,7 @@ TEST(IsomapLimits, QuestionsAreAskedInsideAPart)
   Isomap plain, asking;
   plain.Begin(key, {});
   asking.Begin(key, {});
-  ASSERT_EQ(plain.Build(band, pyramid, {}, limits, {}), Isomap::Outcome::Built);
+  ASSERT_EQ(plain.Build(band, pyramid, limits, {}), Isomap::Outcome::Built);
   limits.Patience = 0.0;
   int reports = 0;
   double last = 0.0;
@@ -54,7 +54,7 @@ TEST(IsomapLimits, QuestionsAreAskedInsideAPart)
     last = progress;
     return true;
   };
-  ASSERT_EQ(asking.Build(band, pyramid, {}, limits, goOn), Isomap::Outcome::Built);
+  ASSERT_EQ(asking.Build(band, pyramid, limits, goOn), Isomap::Outcome::Built);
   EXPECT_GT(reports, 20);
   EXPECT_EQ(last, 1.0);
   EXPECT_EQ(asking.NumberOfKnots(), plain.NumberOfKnots());
@@ -63,7 +63,7 @@ TEST(IsomapLimits, QuestionsAreAskedInsideAPart)
   Isomap stopped;
   stopped.Begin(key, {});
   const auto stop = [](double progress) { return progress < 0.03; };
-  EXPECT_EQ(stopped.Build(band, pyramid, {}, limits, stop), Isomap::Outcome::Stopped);
+  EXPECT_EQ(stopped.Build(band, pyramid, limits, stop), Isomap::Outcome::Stopped);
   EXPECT_EQ(stopped.MemoryInBytes(), 0u);
 
   // Memory and cost end it before the first part is done.
@@ -76,10 +76,10 @@ TEST(IsomapLimits, QuestionsAreAskedInsideAPart)
   limits.Patience = std::numeric_limits<double>::infinity();
   Isomap::Limits little = limits;
   little.Memory = plain.MemoryInBytes() / 40;
-  EXPECT_EQ(stopped.Build(band, pyramid, {}, little, count), Isomap::Outcome::TooLarge);
+  EXPECT_EQ(stopped.Build(band, pyramid, little, count), Isomap::Outcome::TooLarge);
   little = limits;
   little.Cells = 10.0;
-  EXPECT_EQ(stopped.Build(band, pyramid, {}, little, count), Isomap::Outcome::TooCostly);
+  EXPECT_EQ(stopped.Build(band, pyramid, little, count), Isomap::Outcome::TooCostly);
   EXPECT_EQ(asked, 0);
 }
 

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Acceleration/HiddenCells.h"
 #include "ImageCache/ImageCache.h"
 #include "Render/ReusePlan.h"
 
@@ -61,29 +60,6 @@ TEST(ReusePlan, DataChanged)
   EXPECT_EQ(Plan(key), Route::Cold);
 }
 
-TEST(ReusePlan, HitsBesideHiddenCellsAreNoHintsForHigherIsovaluesUnlessSolid)
-{
-  const std::vector<std::uint8_t> flags(9 * 9 * 9, 1);
-  FrameKey last = BaseKey();
-  last.Samples.Hidden = HiddenCells::Make(last.Samples.Dimensions, { flags.data(), 1, nullptr, 0 });
-  EXPECT_EQ(Plan(last), Route::Cold) << "other data";
-  ReuseSwitches noIsomap;
-  noIsomap.Isomap = false;
-  for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
-  {
-    last.Isosurfaces.Mode = mode;
-    FrameKey next = last;
-    EXPECT_EQ(PlanRoute(last, next, noIsomap, {}), Route::Redisplay);
-    EXPECT_TRUE(CanServe(last, next));
-    next.Isosurfaces.Isovalues[0] += 1.0;
-    const bool isSolid = mode == SurfaceMode::Threshold;
-    EXPECT_EQ(PlanRoute(last, next, noIsomap, {}), isSolid ? Route::ThresholdHint : Route::Cold);
-    EXPECT_EQ(CanServe(last, next), isSolid);
-    next.Isosurfaces.Isovalues[0] -= 2.0;
-    EXPECT_EQ(PlanRoute(last, next, noIsomap, {}), Route::ThresholdHint);
-  }
-}
-
 TEST(ReusePlan, IsovalueChangedInTheSameView)
 {
   FrameKey key = BaseKey();
@@ -94,14 +70,9 @@ TEST(ReusePlan, IsovalueChangedInTheSameView)
   EXPECT_EQ(Plan(key, {}, held), Route::IsomapLookup);
   ReuseSwitches noIsomap;
   noIsomap.Isomap = false;
-  EXPECT_EQ(Plan(key, noIsomap), Route::ThresholdHint);
+  EXPECT_EQ(Plan(key, noIsomap), Route::Cold);
   held.Isomap = held.CanBuildIsomap = false;
-  EXPECT_EQ(Plan(key, {}, held), Route::ThresholdHint);
-  held.IsExact = false;
-  EXPECT_EQ(Plan(key, {}, held), Route::Cold) << "hits that are not exact are no hints";
-  key.Isosurfaces.Isovalues = { 4.0, 6.0 };
-  EXPECT_EQ(Plan(key, noIsomap), Route::Cold) << "nor are those of other surfaces";
-  key.Isosurfaces.Isovalues = { 4.0 };
+  EXPECT_EQ(Plan(key, {}, held), Route::Cold);
   key.Isosurfaces.Mode = SurfaceMode::Threshold;
   EXPECT_EQ(Plan(key), Route::Cold);
   key = BaseKey();
@@ -141,11 +112,7 @@ TEST(ReusePlan, WhatAnImageCanServe)
   key.Appearance.Shade = true;
   EXPECT_TRUE(CanServe(BaseKey(), key));
   key.Isosurfaces.Isovalues[0] = 6.0;
-  EXPECT_TRUE(CanServe(BaseKey(), key)) << "raised";
-  key.Isosurfaces.Isovalues[0] = 4.0;
-  EXPECT_FALSE(CanServe(BaseKey(), key)) << "lowered";
-  key.Isosurfaces.Isovalues = { 6.0, 7.0 };
-  EXPECT_FALSE(CanServe(BaseKey(), key)) << "more than one";
+  EXPECT_FALSE(CanServe(BaseKey(), key)) << "another isovalue";
   key = BaseKey();
   key.Isosurfaces.Mode = SurfaceMode::Threshold;
   EXPECT_FALSE(CanServe(BaseKey(), key));
@@ -222,7 +189,6 @@ TEST(ReusePlan, RoutesHaveTheirNames)
   EXPECT_STREQ(NameOf(Route::Cold), "Cold");
   EXPECT_STREQ(NameOf(Route::ImageCache), "ImageCache");
   EXPECT_STREQ(NameOf(Route::TimeStep), "TimeStep");
-  EXPECT_STREQ(NameOf(Route::ThresholdHint), "ThresholdHint");
 }
 
 }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EachTarget.h"
+#include "Fields/Coordinates.h"
 #include "Grid.h"
 #include "Render/FrameRenderer.h"
 #include "Trace/CellRoot.h"
@@ -185,16 +186,24 @@ TEST_F(KernelsCrossing, CrossingsAreZeros)
 class KernelsFrame : public EachTarget
 {
 protected:
-  void Compare(const std::vector<double>& isovalues);
+  /// \param asGrid BOUNDED starts from pictures of grids, PAPER from those of images
+  void Compare(const std::vector<double>& isovalues, bool asGrid);
 };
 
-void KernelsFrame::Compare(const std::vector<double>& isovalues)
+void KernelsFrame::Compare(const std::vector<double>& isovalues, bool asGrid)
 {
   Grid<std::uint16_t> grid(glm::ivec3(40, 45, 50));
   grid.Fill([](int i, int j, int k)
     { return 1000.0 + 900.0 * std::sin(0.3 * i) * std::cos(0.2 * j) * std::sin(0.25 * k); });
   FrameKey key;
   key.Samples = grid.Field;
+  FrameRenderer::Options options;
+  options.Accuracy = ReuseAccuracy::Paper;
+  if (asGrid)
+  {
+    key.Samples.Kind = RectilinearKind(Uniform(grid.Field.Dimensions));
+    options.Accuracy = ReuseAccuracy::Bounded;
+  }
   key.Isosurfaces.Isovalues = isovalues;
   key.Appearance.Colors = { glm::dvec3(1.0, 0.5, 0.2), glm::dvec3(0.2, 0.5, 1.0) };
   key.Appearance.Shade = true;
@@ -208,7 +217,7 @@ void KernelsFrame::Compare(const std::vector<double>& isovalues)
       {
         // The second one is made from the first.
         key.View = LookAt(grid.Field.Dimensions, { 1.0, 0.7 + 0.02 * frame, 0.4 }, { 150, 130 });
-        renderer.Render(key, {});
+        renderer.Render(key, options);
         const Frame& made = renderer.LastFrame();
         if (first[frame].IsEmpty())
         {
@@ -226,12 +235,14 @@ void KernelsFrame::Compare(const std::vector<double>& isovalues)
 
 TEST_F(KernelsFrame, EveryTargetMakesTheSameFrames)
 {
-  this->Compare({ 1300.0 });
+  this->Compare({ 1300.0 }, false);
+  this->Compare({ 1300.0 }, true);
 }
 
 TEST_F(KernelsFrame, EveryTargetMakesTheSameFramesOfSeveralIsovalues)
 {
-  this->Compare({ 1300.0, 800.0 });
+  this->Compare({ 1300.0, 800.0 }, false);
+  this->Compare({ 1300.0, 800.0 }, true);
 }
 
 }

@@ -182,7 +182,7 @@ void Defaults(World& world)
   mapper->IsomapOn();
   mapper->SpaceLeapingOn();
   mapper->ColorByAnswerOff();
-  mapper->SetReuseAccuracyToBounded();
+  mapper->SetReuseAccuracyToExact();
   mapper->RefineWhenStillOn();
   mapper->SetIsomapTolerance(0.0);
   mapper->SetIsomapRange(1.0, 0.0);

@@ -67,7 +67,7 @@ void World::MakeSane()
   mapper->SetVectorMode(Mapper::DISABLED);
   mapper->CroppingOff();
   mapper->RemoveAllClippingPlanes();
-  mapper->SetReuseAccuracy(this->From.OneIn(3) ? this->From.Pick(3) : Mapper::BOUNDED);
+  mapper->SetReuseAccuracy(this->From.Pick(3));
   mapper->SetIsomapMemoryLimit(256);
   for (const auto& volume : this->Volumes)
   {

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <type_traits>
 #include <vector>
 
 namespace TemporalCoherence
@@ -19,15 +18,6 @@ namespace TemporalCoherence
 template <typename T>
 struct BeamLevels
 {
-  /// True if a beam can find the surfaces of a scene. Differences of samples that are not finite
-  /// are another matter for each isovalue.
-  static bool AreFound(const TraceScene& scene)
-  {
-    return scene.Active && !scene.Samples.Hidden &&
-      (scene.Isosurfaces.Isovalues.size() == 1 ||
-        (std::is_integral_v<T> && !scene.Isosurfaces.Isovalues.empty()));
-  }
-
   explicit BeamLevels(const TraceScene& scene)
   {
     const std::vector<double>& isovalues = scene.Isosurfaces.Isovalues;

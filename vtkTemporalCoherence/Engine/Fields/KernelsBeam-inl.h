@@ -85,16 +85,11 @@ public:
       const M isPassed = MaskOf(passing >> i);
       passing &= ~(these << i);
       const Interval passed{ Load(enter + i), Load(leave + i) };
-      this->KeepFirstEntries(passed.Enter, isPassed, number, i);
       isMet |= this->SearchCell(values, first, passed, isPassed, number, i);
     }
     if (number == BeamScene::MostCells - 1 || this->Open.Count > RayBatch::Capacity)
     {
       this->Scene.Decide(this->Open, beam);
-      for (std::int32_t& cell : beam.EntryCell)
-      {
-        cell = cell == TileBeam::NoCell ? cell : TileBeam::ForgottenCell;
-      }
       isMet = true;
     }
     this->IsNearer |= isMet;
@@ -155,26 +150,6 @@ private:
     const V behind = Load(&beam.Behind[i]);
     const M isPassed = hn::Lt(passed.Enter, hn::Min(passed.Leave, behind));
     return IsPlain ? isPassed : hn::And(isPassed, hn::Gt(passed.Leave, Load(&beam.WalkBegin[i])));
-  }
-
-  /// Keep where rays first enter an active cell.
-  HWY_INLINE void KeepFirstEntries(V enter, M isPassed, std::int32_t number, std::size_t i)
-  {
-    TileBeam& beam = this->Beam;
-    const Floats d;
-    const Integers di;
-    const V here = hn::IfThenElse(isPassed, enter, Set(TileBeam::Never));
-    const V entry = Load(&beam.FirstEntry[i]);
-    hn::StoreU(hn::Min(here, entry), d, &beam.FirstEntry[i]);
-    if (!this->Task.AreEntriesExact)
-    {
-      return;
-    }
-    const V next = Load(&beam.NextEntry[i]);
-    const auto isFirst = hn::RebindMask(di, hn::Lt(here, entry));
-    const auto cell = hn::LoadU(di, &beam.EntryCell[i]);
-    hn::StoreU(hn::Min(next, hn::Max(here, entry)), d, &beam.NextEntry[i]);
-    hn::StoreU(hn::IfThenElse(isFirst, hn::Set(di, number), cell), di, &beam.EntryCell[i]);
   }
 
   /// Search a cell for some rays.

@@ -11,10 +11,8 @@ namespace TemporalCoherence
 {
 
 /// Make a beam of some rays of a tile, one bit each.
-/// \param isHinted something is known of where on rays surfaces are, besides where active cells are
 /// \return false if they are not alike enough, or too far away
-bool SetUpBeam(const RayBatch& rays, std::uint64_t which, const glm::ivec3& cells, bool isHinted,
-  TileBeam& beam);
+bool SetUpBeam(const RayBatch& rays, std::uint64_t which, const glm::ivec3& cells, TileBeam& beam);
 
 /// What a search goes through.
 struct BeamTask
@@ -22,8 +20,7 @@ struct BeamTask
   /// Isovalues, in units of a scene's corners and as differences from the same isovalue.
   const std::vector<float>& Isovalues;
   const ActiveCells& Active;
-  bool IsSolid;         ///< a ray that is inside meets the surface where it enters a cell
-  bool AreEntriesExact; ///< EntryCell and NextEntry are of use
+  bool IsSolid; ///< a ray that is inside meets the surface where it enters a cell
 };
 
 /// Take a beam through the active cells, from front to back, up to where all of its rays have met a

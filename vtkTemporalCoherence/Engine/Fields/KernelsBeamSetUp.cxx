@@ -161,10 +161,7 @@ HWY_INLINE void ClearRays(std::uint64_t which, TileBeam& beam)
     depth = hn::Max(depth,
       hn::Add(hn::LoadU(d, &beam.AtDepth[i]), hn::Mul(behind, hn::LoadU(d, &beam.PerDepth[i]))));
     hn::StoreU(far, d, &beam.Enter[i]);
-    hn::StoreU(far, d, &beam.FirstEntry[i]);
-    hn::StoreU(far, d, &beam.NextEntry[i]);
     hn::StoreU(none, di, &beam.Cell[i]);
-    hn::StoreU(none, di, &beam.EntryCell[i]);
   }
   beam.Around.Offset[TileBeam::Across] =
     -(hn::GetLane(hn::MaxOfLanes(d, depth)) + 4.0f * beam.Margin);
@@ -172,7 +169,7 @@ HWY_INLINE void ClearRays(std::uint64_t which, TileBeam& beam)
 }
 
 /// Find out how rays run.
-HWY_INLINE void FindPaths(const glm::ivec3& cells, bool isHinted, TileBeam& beam)
+HWY_INLINE void FindPaths(const glm::ivec3& cells, TileBeam& beam)
 {
   const Floats d;
   const F twice = hn::Set(d, 2.0f * beam.Margin);
@@ -197,7 +194,7 @@ HWY_INLINE void FindPaths(const glm::ivec3& cells, bool isHinted, TileBeam& beam
     steepest = hn::Max(steepest, slack);
     hn::StoreU(slack, d, &beam.Slack[i]);
   }
-  beam.IsPlain = hn::AllTrue(d, isPlain) && !isHinted;
+  beam.IsPlain = hn::AllTrue(d, isPlain);
   constexpr float little = 0.02f;
   beam.IsSteep = !(hn::GetLane(hn::MaxOfLanes(d, steepest)) < little);
 }
@@ -211,8 +208,7 @@ inline std::size_t MiddleOf(std::uint64_t which)
                      : hwy::Num0BitsBelowLS1Bit_Nonzero64(which);
 }
 
-bool SetUp(
-  const RayBatch& rays, std::uint64_t which, const glm::ivec3& cells, bool isHinted, TileBeam& beam)
+bool SetUp(const RayBatch& rays, std::uint64_t which, const glm::ivec3& cells, TileBeam& beam)
 {
   beam.Count = RayBatch::Capacity;
   const Extremes extremes = FindExtremes(rays, which, beam.Count);
@@ -244,7 +240,7 @@ bool SetUp(
     return false;
   }
   ClearRays(which, beam);
-  FindPaths(cells, isHinted, beam);
+  FindPaths(cells, beam);
   SetUpHull(FindNormals(rays, beam), beam);
   return true;
 }
@@ -262,11 +258,10 @@ namespace BeamSetUpKernels
 HWY_EXPORT(SetUp);
 }
 
-bool SetUpBeam(
-  const RayBatch& rays, std::uint64_t which, const glm::ivec3& cells, bool isHinted, TileBeam& beam)
+bool SetUpBeam(const RayBatch& rays, std::uint64_t which, const glm::ivec3& cells, TileBeam& beam)
 {
   using namespace BeamSetUpKernels;
-  return HWY_DYNAMIC_DISPATCH(SetUp)(rays, which, cells, isHinted, beam);
+  return HWY_DYNAMIC_DISPATCH(SetUp)(rays, which, cells, beam);
 }
 
 }

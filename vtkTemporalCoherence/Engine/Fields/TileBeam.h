@@ -48,10 +48,6 @@ struct alignas(64) TileBeam
   /// surface in for sure, where it enters at Enter or before; there is no other between.
   Array<float> Behind, Enter;
   Array<std::int32_t> Cell;
-  /// The ray enters no active cell before FirstEntry, if any, and none but EntryCell before
-  /// NextEntry.
-  Array<float> FirstEntry, NextEntry;
-  Array<std::int32_t> EntryCell;
   Hull Around;
   std::int64_t CellsPassed = 0;
 
@@ -71,15 +67,10 @@ struct alignas(64) TileBeam
   bool IsSteep; ///< Slack is more than a little, as rays run nearly along faces of cells
 
   static constexpr std::int32_t NoCell = -1;
-  static constexpr std::int32_t ForgottenCell = -2; ///< an EntryCell before others were read
-  static constexpr float Never = 1e30f;             ///< a t behind all others
+  static constexpr float Never = 1e30f; ///< a t behind all others
 
-  /// t of the beam for a t of a RayBatch, and back.
+  /// t of the beam for a t of a RayBatch.
   float DistanceOf(double t) const { return static_cast<float>((t - this->First) * this->Scale); }
-  double TOf(float distance) const
-  {
-    return this->First + static_cast<double>(distance) / this->Scale;
-  }
 };
 
 /// Cells in which single precision does not tell whether rays meet a surface.

@@ -47,16 +47,14 @@ public:
   bool Trace(std::uint64_t wanted)
   {
     TileBeam beam;
-    if (!SetUpBeam(this->Rays, wanted, this->Cells.Count, this->Cells.Scene.IsHinted, beam))
+    if (!SetUpBeam(this->Rays, wanted, this->Cells.Count, beam))
     {
       return false;
     }
     this->FirstEnter.fill(std::numeric_limits<double>::infinity());
-    SearchBeam({ this->Given.Isovalues, *this->Cells.Scene.Active, this->Cells.Rules.IsSolid(),
-                 this->Cells.Scene.AreEntriesExact },
+    SearchBeam({ this->Given.Isovalues, *this->Cells.Scene.Active, this->Cells.Rules.IsSolid() },
       *this, beam);
     this->Hits.CellsRead += beam.CellsPassed;
-    this->FindFirstEntries(beam);
     return true;
   }
 
@@ -96,7 +94,6 @@ private:
   {
     SegmentBatch<Real> Segments;
     RayBatch::Array<std::size_t> Ray;
-    RayBatch::Array<std::int32_t> Cell;
     RayBatch::Array<std::int16_t> Surface;
   };
 
@@ -114,8 +111,7 @@ private:
     for (std::size_t i = 0; i < open.Count; ++i)
     {
       const std::size_t ray = open.Ray[i];
-      const ReadCell& cell = this->ReadCells[static_cast<std::size_t>(open.Cell[i])];
-      if (open.Enter[i] < beam.Behind[ray] && this->IsWalkedThrough(ray, cell))
+      if (open.Enter[i] < beam.Behind[ray])
       {
         this->Visit(ray, open.Cell[i], search, beam);
       }
@@ -123,7 +119,6 @@ private:
     this->Finish(search, beam);
     open.Count = 0;
     this->NumberOfRead = 0;
-    ++this->Round;
   }
 
   /// Visit the cells in which the beam has seen surfaces for sure.
@@ -159,7 +154,6 @@ private:
       const auto at = static_cast<std::size_t>(search.Segments.Count);
       AppendSegment(this->Rays, ray, cell, corners, search.Segments);
       search.Ray[at] = ray;
-      search.Cell[at] = number;
       search.Surface[at] = static_cast<std::int16_t>(surface);
     }
   }
@@ -179,7 +173,7 @@ private:
         this->Cells.Rules.KeepFirst(
           segments.Distance[i], IsInside(segments.AtEntry[i]), search.Surface[i], ray, this->Hits);
       }
-      else if (this->Keep(segments, i, search.Cell[i], ray))
+      else if (this->Keep(segments, i, ray))
       {
         this->Hits.Surface[ray] = search.Surface[i];
         // Nothing matters behind a surface.
@@ -235,31 +229,14 @@ private:
     {
       if (beam.Cell[from[i]] != TileBeam::NoCell)
       {
-        this->Keep(segments, i, beam.Cell[from[i]], from[i]);
+        this->Keep(segments, i, from[i]);
         beam.Cell[from[i]] = TileBeam::NoCell;
       }
     }
   }
 
-  /// True if the walk of a ray goes through a cell. All active cells are, but where a hint tells
-  /// where walks begin and end.
-  bool IsWalkedThrough(std::size_t ray, const ReadCell& cell) const
-  {
-    if (!this->Cells.Scene.IsHinted)
-    {
-      return true;
-    }
-    const glm::dvec2 ends = this->EndsIn(ray, cell);
-    return ends.y > this->Rays.WalkBegin[ray] && ends.x < this->Rays.WalkEnd[ray];
-  }
-
-  glm::dvec2 EndsIn(std::size_t ray, const ReadCell& cell) const
-  {
-    return EndsInCell(this->Rays, ray, { cell.Place[0], cell.Place[1], cell.Place[2] });
-  }
-
   /// Keep what was found in segment i, if the ray meets it before what it has.
-  bool Keep(const SegmentBatch<Real>& segments, std::size_t i, std::int32_t number, std::size_t ray)
+  bool Keep(const SegmentBatch<Real>& segments, std::size_t i, std::size_t ray)
   {
     if (!(segments.Distance[i] < std::numeric_limits<double>::infinity() &&
           segments.Enter[i] < this->FirstEnter[ray]))
@@ -267,98 +244,10 @@ private:
       return false;
     }
     this->FirstEnter[ray] = segments.Enter[i];
-    this->FirstCell[ray] = number;
-    this->FirstRound[ray] = this->Round;
     this->Hits.Depth[ray] = segments.Distance[i];
     this->Hits.Surface[ray] = 0;
     this->Hits.Kind[ray] = HitRules::KindOf(IsInside(segments.AtEntry[i]));
     return true;
-  }
-
-  /// Tell where rays first enter active cells.
-  void FindFirstEntries(const TileBeam& beam)
-  {
-    std::uint64_t walking = 0;
-    for (std::size_t ray = 0; ray < static_cast<std::size_t>(this->Rays.Count); ++ray)
-    {
-      if (beam.FirstEntry[ray] < TileBeam::Never)
-      {
-        const bool isKnown =
-          this->Hits.Kind[ray] != HitKind::None && this->KeepFirstEntry(beam, ray);
-        walking |= static_cast<std::uint64_t>(!isKnown) << ray;
-      }
-    }
-    if (walking != 0)
-    {
-      this->WalkToFirstEntries(walking);
-    }
-  }
-
-  /// Tell where a ray that has a hit first enters an active cell.
-  /// \return false if the beam does not tell it for sure
-  bool KeepFirstEntry(const TileBeam& beam, std::size_t ray)
-  {
-    const std::int32_t number = beam.EntryCell[ray];
-    double enter;
-    if (!this->Cells.Scene.AreEntriesExact)
-    {
-      enter = std::max(this->Rays.Begin[ray], beam.TOf(beam.FirstEntry[ray]));
-    }
-    else if (number == this->FirstCell[ray] && this->FirstRound[ray] + 1 == this->Round)
-    {
-      enter = this->FirstEnter[ray];
-    }
-    else if (number != TileBeam::ForgottenCell)
-    {
-      const glm::dvec2 ends = this->EndsIn(ray, this->ReadCells[static_cast<std::size_t>(number)]);
-      if (!(ends.x < ends.y && ends.y > this->Rays.WalkBegin[ray]))
-      {
-        return false;
-      }
-      enter = ends.x;
-    }
-    else
-    {
-      return false;
-    }
-    this->Hits.FirstEntry[ray] = enter;
-    this->Hits.FromInside[ray] = this->Hits.Kind[ray] == HitKind::Exit;
-    return !this->Cells.Scene.AreEntriesExact ||
-      beam.DistanceOf(enter) + beam.Margin < beam.NextEntry[ray];
-  }
-
-  /// Let some rays walk to the first active cell.
-  void WalkToFirstEntries(std::uint64_t which)
-  {
-    RayWalks walks(this->Rays, which);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(walks.Rays.Count); ++i)
-    {
-      this->Hits.FirstEntry[static_cast<std::size_t>(walks.From[i])] =
-        std::numeric_limits<double>::infinity();
-    }
-    FindActiveCells({ *this->Cells.Scene.Active, *this, this->Cells.Count }, walks);
-    const auto count = static_cast<std::size_t>(walks.Rays.Count);
-    for (std::size_t surface = 0; surface < this->Given.Isovalues.size(); ++surface)
-    {
-      SegmentBatch<Real> segments;
-      std::array<std::size_t, RayBatch::Capacity> from;
-      for (std::size_t i = 0; i < count; ++i)
-      {
-        const glm::ivec3 cell(walks.Cell[0][i], walks.Cell[1][i], walks.Cell[2][i]);
-        const Corners<Real> corners = this->Cells.Differ(this->Cells.Samples.Read(cell), surface);
-        if (this->Cells.CanHold(corners))
-        {
-          from[static_cast<std::size_t>(segments.Count)] = static_cast<std::size_t>(walks.From[i]);
-          AppendSegment(walks.Rays, i, cell, corners, segments);
-        }
-      }
-      FindCrossings(segments, this->Cells.Rules.IsSolid());
-      for (std::size_t i = 0; i < static_cast<std::size_t>(segments.Count); ++i)
-      {
-        HitRules::KeepFirstEntry(
-          segments.Enter[i], IsInside(segments.AtEntry[i]), from[i], this->Hits);
-      }
-    }
   }
 
   const Traced& Cells;
@@ -366,12 +255,9 @@ private:
   Real Unit;
   const RayBatch& Rays;
   HitBatch& Hits;
-  /// Of the cells of hits: where rays enter them, their numbers, and when these were given.
-  RayBatch::Array<double> FirstEnter;
-  RayBatch::Array<std::int32_t> FirstCell, FirstRound;
+  RayBatch::Array<double> FirstEnter; ///< where rays enter the cells of their hits
   std::array<ReadCell, MostCells> ReadCells;
   std::int32_t NumberOfRead = 0;
-  std::int32_t Round = 0; ///< how often all cells were forgotten
 };
 
 }

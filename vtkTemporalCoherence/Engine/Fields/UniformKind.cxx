@@ -42,6 +42,12 @@ public:
     return MakeUniformTracer(scene);
   }
 
+  /// Measured: walks beside hidden cells gain nothing either (Documentation/Tried.md).
+  bool GainsFromImages(const Field& field, const Surfaces& surfaces) const override
+  {
+    return !field.Hidden && !HasBeams(field, surfaces);
+  }
+
   std::shared_ptr<const BandTracer> MakeBandTracer(const BandScene& scene) const override
   {
     return DispatchScalarType(scene.Samples.Type,

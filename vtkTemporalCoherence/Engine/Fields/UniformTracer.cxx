@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <type_traits>
 
 namespace TemporalCoherence
 {
@@ -61,8 +62,7 @@ public:
     , IsLarge(scene.Samples.IsLarge())
     , AreCellsActive(scene.Active && scene.Isosurfaces.Isovalues.size() == 1)
   {
-    if (Between == Interpolation::Linear && scene.By != Traversal::Walks &&
-      BeamLevels<T>::AreFound(scene))
+    if (scene.Active && scene.By != Traversal::Walks && HasBeams(scene.Samples, scene.Isosurfaces))
     {
       this->Levels = std::make_unique<const BeamLevels<T>>(scene);
     }
@@ -99,10 +99,6 @@ public:
     {
       const std::size_t ray = cells.Ray[i];
       const bool fromInside = IsInside(segments.AtEntry[i]);
-      if (cells.IsFirstEntry[i])
-      {
-        HitRules::KeepFirstEntry(segments.Enter[i], fromInside, ray, hits);
-      }
       missing |= static_cast<std::uint64_t>(!std::isfinite(segments.Distance[i])) << ray;
       this->Cells.Rules.KeepFirst(segments.Distance[i], fromInside, surface, ray, hits);
       if (this->Cells.Rules.AreCappedBehindHidden())
@@ -423,6 +419,16 @@ private:
   std::unique_ptr<const BeamLevels<T>> Levels; ///< null: no beams
 };
 
+}
+
+bool HasBeams(const Field& field, const Surfaces& surfaces)
+{
+  const std::size_t isovalues = surfaces.Isovalues.size();
+  // Differences of samples that are not finite are another matter for each isovalue.
+  const bool isFinite =
+    DispatchScalarType(field.Type, [](auto type) { return std::is_integral_v<decltype(type)>; });
+  return field.Between == Interpolation::Linear && !field.Hidden &&
+    (isovalues == 1 || (isovalues > 1 && isFinite));
 }
 
 std::shared_ptr<const SurfaceTracer> MakeUniformTracer(const TraceScene& scene)

@@ -10,6 +10,9 @@
 namespace TemporalCoherence
 {
 
+/// True if the rays of tiles can go through a field as beams, where pixels are fine.
+bool HasBeams(const Field& field, const Surfaces& surfaces);
+
 /// The tracer of uniform fields, for the type of the scene's samples: the rays of a tile go from
 /// active cell to active cell together, in vectors.
 /// \throws std::bad_alloc

@@ -24,9 +24,6 @@ constexpr double LargestGap = 2.0;
 constexpr double SmoothMargin = 0.125;
 constexpr double EdgeMargin = 1.5;
 
-/// A disparity above all others, but finite.
-constexpr float NearerThanAll = 1e30f;
-
 using Around = std::array<float, GuardTile::Width * GuardTile::Width>;
 
 /// The pixels of a frame in and around a tile.
@@ -64,20 +61,6 @@ void VisitAround(const Frame& frame, const PixelRect& part, const Visit& visit)
         static_cast<std::size_t>(y * frame.Size.x + x));
     }
   }
-}
-
-/// Mark pixels as unknown if their surface was not met from outside.
-void HideUnlessEntered(const Frame& frame, const PixelRect& part, GuardTile& tile)
-{
-  VisitAround(frame, part,
-    [&](std::size_t at, std::size_t pixel)
-    {
-      if (frame.Kinds[pixel] != HitKind::Entry)
-      {
-        tile.FirstEntry[at] = NearerThanAll;
-        tile.Fine[at] = std::numeric_limits<float>::infinity();
-      }
-    });
 }
 
 /// Find the disparities from which surfaces alone tell what is free.
@@ -157,7 +140,7 @@ void FreeSpace::Make(const Frame& frame, const View& view, const Options& option
     [&](std::int64_t number)
     {
       const PixelRect part = PixelsOfTile(frame.Size, number);
-      const bool isClear = !options.OnlyEntered && IsClearAround(frame, number);
+      const bool isClear = IsClearAround(frame, number);
       float& filled = this->Filled[static_cast<std::size_t>(number)];
       if (isClear && filled == rule.Farthest)
       {
@@ -174,10 +157,6 @@ void FreeSpace::Make(const Frame& frame, const View& view, const Options& option
         GatherAround(frame, frame.Disparities, part, miss, tile.Surface);
         GatherAround(frame, frame.FirstEntries, part, miss, tile.FirstEntry);
         GatherFine(frame, part, fine, tile.Fine);
-        if (options.OnlyEntered)
-        {
-          HideUnlessEntered(frame, part, tile);
-        }
         MakeGuard(rule, tile);
       }
       for (int y = 0; y < part.Size.y; ++y)

@@ -34,13 +34,12 @@ public:
     double FineDepth = std::numeric_limits<double>::infinity();
     /// Behind this depth pixels are too coarse to tell anything.
     double FarthestDepth = std::numeric_limits<double>::infinity();
-    bool OnlyEntered = false; ///< only pixels whose surface was met from outside count
 
     bool operator==(const Options& other) const
     {
       return this->Voxel == other.Voxel && this->Bend == other.Bend &&
         this->Spacing == other.Spacing && this->FineDepth == other.FineDepth &&
-        this->FarthestDepth == other.FarthestDepth && this->OnlyEntered == other.OnlyEntered;
+        this->FarthestDepth == other.FarthestDepth;
     }
   };
 

@@ -20,13 +20,17 @@ struct CachedImage
 {
   FrameKey Key;
   Frame Picture;
-  bool IsExact = true;   ///< bit-identical to the cold picture of its key
-  bool IsEroded = false; ///< made with PAPER or with a tolerance: first entries are unreliable
-  FreeSpace Free;        ///< made on first use
+  bool IsExact = true; ///< bit-identical to the cold picture of its key
+  FreeSpace Free;      ///< made on first use
 };
 
 /// True if a picture made for `cached` shows where space is free of the surfaces of `next`.
 bool CanServe(const FrameKey& cached, const FrameKey& next);
+
+/// True if a frame of BOUNDED is faster from a picture than from nothing. Where cold frames go by
+/// tile beams, where their pixels are coarse, where surfaces are translucent, and after a large
+/// turn, it is not.
+bool IsFasterFrom(const FrameKey& cached, const FrameKey& next);
 
 /// Which pictures are cached for the next views.
 enum class ImageCachePolicy : std::uint8_t

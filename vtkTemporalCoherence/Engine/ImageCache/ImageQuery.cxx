@@ -17,18 +17,11 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 /// How far apart the pixels of a cached image may be, in voxels (shortest edge), to tell what is
 /// free. Up to the first distance the surfaces alone tell it, as no feature the size of a pixel
-/// hides between them. Up to the second one the cells on the rays tell it. Measured by the errors
-/// of `Benchmark --scenarios image-cache,drift`.
+/// hides between them. Up to the second one the cells on the rays tell it; behind it, cold frames
+/// are as fast. Measured by the errors of `Benchmark --scenarios image-cache,drift`, and by orbits
+/// (Documentation/Tried.md).
 constexpr double FineApart = 0.6;
-constexpr double FarthestApart = 2.0;
-
-/// The second distance if cells are hidden: what remains of a surface can be as small as a cell.
-constexpr double FarthestApartBesideHidden = 1.0;
-
-/// Cosine of the largest turn after which surfaces alone can tell what is free: 6 degrees. A film
-/// seen from its edge is hardly visible, and is so after a small turn, too. Measured by the same
-/// benchmarks.
-constexpr double SmallTurn = 0.9945;
+constexpr double FarthestApart = 1.0;
 
 /// Distance between neighbouring pixels of a view in the world; for a perspective at depth 1.
 double SpacingOf(const View& view)
@@ -48,25 +41,6 @@ double DepthOfSpacing(const View& view, double apart)
     return spacing <= apart ? Infinity : -Infinity;
   }
   return apart / spacing;
-}
-
-double FarthestApartFor(const Field& samples)
-{
-  return samples.Hidden ? FarthestApartBesideHidden : FarthestApart;
-}
-
-/// Cosine of the angle between the directions from which two views see the middle of a field.
-double CosineOfTurn(const FrameKey& a, const FrameKey& b)
-{
-  const glm::dvec3 centre(
-    a.Transform.WorldFromIndex * glm::dvec4(0.5 * glm::dvec3(a.Samples.Dimensions - 1), 1.0));
-  const auto direction = [&](const View& view)
-  {
-    const glm::dvec3 to = view.Parallel ? view.Direction : centre - view.Position;
-    const double length = glm::length(to);
-    return length > 0.0 ? to / length : glm::dvec3(0.0);
-  };
-  return glm::dot(direction(a.View), direction(b.View));
 }
 
 /// t at a point of a path.
@@ -151,8 +125,7 @@ bool ImageQuery::CanAsk(const FrameKey& cached, ReuseAccuracy accuracy)
     nearest = std::min(nearest, glm::dot(view.Forward, world - view.Position));
   }
   const double shortest = cached.Samples.Kind->VoxelSizeIn(cached.Transform).Shortest;
-  return std::max(nearest, view.Near) <
-    DepthOfSpacing(view, FarthestApartFor(cached.Samples) * shortest);
+  return std::max(nearest, view.Near) < DepthOfSpacing(view, FarthestApart * shortest);
 }
 
 ImageQuery::ImageQuery(CachedImage& image, const FrameKey& next, ReuseAccuracy accuracy)
@@ -177,21 +150,15 @@ ImageQuery::ImageQuery(CachedImage& image, const FrameKey& next, ReuseAccuracy a
 
   const auto size = next.Samples.Kind->VoxelSizeIn(next.Transform);
   this->Voxel = size.Longest;
-  const bool isRaised = !AreMetAlike(image.Key.Isosurfaces, next.Isosurfaces);
-  if (accuracy == ReuseAccuracy::Bounded || isRaised)
+  if (accuracy == ReuseAccuracy::Bounded)
   {
-    // For a raised isovalue the image only tells where walks may begin. What was inside the old
-    // isovalue may be outside the new one, so a surface met from inside tells nothing.
-    this->Accuracy = ReuseAccuracy::Bounded;
     // A ray can be inside one isovalue and outside another, so several isovalues are never fine.
     // Hidden cells leave films of surfaces without an inside.
-    const bool canBeFine = next.Isosurfaces.Isovalues.size() == 1 && !next.Samples.Hidden &&
-      CosineOfTurn(image.Key, next) >= SmallTurn;
+    const bool canBeFine = next.Isosurfaces.Isovalues.size() == 1 && !next.Samples.Hidden;
     const double fineApart = canBeFine ? FineApart : 1e-30;
     image.Free.Make(image.Picture, view,
       { size.Longest, size.Bend, SpacingOf(view), DepthOfSpacing(view, fineApart * size.Shortest),
-        DepthOfSpacing(view, FarthestApartFor(next.Samples) * size.Shortest),
-        isRaised && next.Isosurfaces.Mode == SurfaceMode::Crossing });
+        DepthOfSpacing(view, FarthestApart * size.Shortest) });
   }
 }
 

@@ -35,7 +35,6 @@ bool PaperHint::TakeOver(
   const auto pixel = static_cast<std::size_t>(rays.Pixel[ray]);
   this->Query.Interpolate(known, ray, pixel, frame);
   frame.Disparities[pixel] = DisparityAt(rays, ray, known.Hit[ray], this->IsParallel);
-  frame.FirstEntries[pixel] = frame.Disparities[pixel];
   return true;
 }
 

@@ -166,11 +166,10 @@ void Isomap::Release()
 struct Isomap::BandSource
 {
   BandSource(const Isomap& map, const ValueBand& band, const ValueRangePyramid& pyramid,
-    const Start& start, std::size_t memoryLimit)
+    std::size_t memoryLimit)
     : Key(map.Key)
     , Form(map.Form)
     , FiniteRange(pyramid.FiniteRange())
-    , From(start)
     , Rays(map.Key.View, map.Key.Transform, map.Key.Samples.Dimensions, map.Key.Region)
   {
     this->Active.Build(map.Key.Samples, pyramid, band, map.Key.Isosurfaces.Mode);
@@ -185,10 +184,6 @@ struct Isomap::BandSource
       {
         this->Underneath = built;
       }
-    }
-    if (!areOrdered || !start.Picture || start.Isovalue > band.Low)
-    {
-      this->From.Picture = nullptr;
     }
   }
 
@@ -257,10 +252,6 @@ private:
       NarrowByCells(below, scale, *this->Key.Samples.Kind, rays);
       NarrowByFit(below, scale, this->Form.Tolerance, rays);
     }
-    else if (this->From.Picture)
-    {
-      BeginAtFirstEntries(*this->From.Picture, this->Key.View.Parallel, rays);
-    }
     try
     {
       if (!this->Rays.Clipper.HasPieces())
@@ -292,7 +283,6 @@ private:
   const FrameKey& Key;
   KnotForm Form;
   glm::dvec2 FiniteRange;
-  Start From;
   RaySource Rays;
   ActiveCells Active;
   TileBounds Bounds;
@@ -316,7 +306,7 @@ std::size_t RoomFor(std::size_t limit, std::size_t taken)
 }
 
 Isomap::Outcome Isomap::Build(const ValueBand& band, const ValueRangePyramid& pyramid,
-  const Start& start, const Limits& limits, const ReportProgress& report)
+  const Limits& limits, const ReportProgress& report)
 {
   const std::int64_t tiles = NumberOfTiles(this->Key.View.Size);
   const std::size_t pieces = this->Key.Region.IsConvex() ? 1 : RegionClipper::MostPieces;
@@ -331,7 +321,7 @@ Isomap::Outcome Isomap::Build(const ValueBand& band, const ValueRangePyramid& py
   built->Pieces = pieces;
   built->Tiles.resize(static_cast<std::size_t>(tiles) * pieces);
 
-  BandSource source(*this, band, pyramid, start, limits.Memory);
+  BandSource source(*this, band, pyramid, limits.Memory);
   const std::int64_t groups = (tiles + TileGrain - 1) / TileGrain;
   std::int64_t tilesBefore = 0;
   for (std::int64_t part = 0; part < NumberOfParts; ++part)

@@ -103,19 +103,12 @@ public:
   /// Largest error in the distance of looked-up surfaces; 0: they are exact.
   double Tolerance() const { return this->Form.Tolerance; }
 
-  /// Where the walks of a band may begin: at the first entries of a lower isovalue's picture.
-  struct Start
-  {
-    const Frame* Picture = nullptr; ///< exact and of the same view; may be null
-    double Isovalue = 0.0;
-  };
-
   /// Trace a band and add it. Least recently used bands are dropped if the memory limit requires
   /// it.
   /// \param pyramid of the frame's field
   /// \throws std::bad_alloc; the isomap is then unchanged, except for dropped bands
-  Outcome Build(const ValueBand& band, const ValueRangePyramid& pyramid, const Start& start,
-    const Limits& limits, const ReportProgress& report);
+  Outcome Build(const ValueBand& band, const ValueRangePyramid& pyramid, const Limits& limits,
+    const ReportProgress& report);
 
   /// The gap between bands around an isovalue without a band; infinite on a side without bands.
   ValueBand GapAround(double isovalue) const;

@@ -50,12 +50,7 @@ Isomap::Outcome IsomapBuilder::Build(const FrameKey& key, const Isomap::Options&
     this->Leaves.Build(key.Samples, pyramid);
   }
   this->Cells = 0;
-  Context context{ options, last.Key.Isosurfaces.Isovalues, {}, pyramid, cold, report };
-  if (last.IsExact && this->Map.IsOf(last.Key, options) &&
-    last.Key.Isosurfaces.Isovalues.size() == 1)
-  {
-    context.Start = { &last.Picture, last.Key.Isosurfaces.Isovalues[0] };
-  }
+  const Context context{ options, last.Key.Isosurfaces.Isovalues, pyramid, cold, report };
   for (const double isovalue : key.Isosurfaces.Isovalues)
   {
     if (!this->Map.Use(isovalue))
@@ -105,7 +100,7 @@ Isomap::Outcome IsomapBuilder::BuildFor(double isovalue, const Context& context)
     const ValueBand band = isAsked
       ? ValueBand{ std::max(range.Low, wish.Gap.Low), std::min(range.High, wish.Gap.High) }
       : this->Plan.Choose(wish, this->Leaves, attempt == 0);
-    outcome = this->Map.Build(band, context.Pyramid, context.Start, limits, context.Report);
+    outcome = this->Map.Build(band, context.Pyramid, limits, context.Report);
     if (outcome == Isomap::Outcome::Built)
     {
       const std::int64_t cells = this->Map.Bands().back()->CellsRead;

@@ -81,7 +81,6 @@ private:
   {
     const Isomap::Options& Options;
     const std::vector<double>& IsovaluesBefore;
-    Isomap::Start Start;
     const ValueRangePyramid& Pyramid;
     const ColdFrame& Cold;
     const ReportProgress& Report;

@@ -208,7 +208,7 @@ void IsomapLookup::FindInCells(std::size_t surface, std::uint64_t which,
 {
   const IsovalueKeys& keys = this->Isovalues[surface];
   HitBatch& hits = found.Hits;
-  CellList cells, entries;
+  CellList cells;
   cells.Surface = surface;
   RayBatch::Array<glm::vec3> normals;
   for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
@@ -221,34 +221,17 @@ void IsomapLookup::FindInCells(std::size_t surface, std::uint64_t which,
     }
     const BandScale::Key key = keys.Key[direction];
     const std::size_t begin = table.Begin(ray), end = table.Begin(ray + 1);
-    const std::size_t entry = FirstNotBelow(table.Get<1>(), begin, end, key);
-    if (entry == end)
-    {
-      continue;
-    }
     const CellIndex* const indices = table.Get<2>();
-    const std::size_t hit = FirstNotBelow(table.Get<0>(), entry, end, key);
-    if (hit != entry)
-    {
-      entries.Append(ray, indices[entry]);
-    }
+    const std::size_t hit = FirstNotBelow(table.Get<0>(), begin, end, key);
     if (hit != end)
     {
       const auto at = static_cast<std::size_t>(cells.Count);
       cells.Append(ray, indices[hit]);
-      cells.IsFirstEntry[at] = hit == entry;
       if (this->HasNormals)
       {
         normals[at] = NormalInCells(table, knots.Normals[direction].Get<0>(), begin, hit, key);
       }
     }
-  }
-  this->Key.Samples.Kind->FindEntries(rays, entries);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(entries.Count); ++i)
-  {
-    const std::size_t ray = entries.Ray[i];
-    const bool fromInside = directions[ray] == static_cast<std::uint8_t>(ValueDirection::Falling);
-    HitRules::KeepFirstEntry(entries.Enter[i], fromInside, ray, hits);
   }
   found.Unresolved |= this->Tracer->SearchCells(rays, cells, hits);
   for (std::size_t i = 0; i < static_cast<std::size_t>(cells.Count) && this->HasNormals; ++i)
@@ -284,10 +267,9 @@ void IsomapLookup::FindInFittedKnots(std::size_t surface, std::uint64_t which,
     else if (answer == FitAnswer::Reached && rays.Begin[ray] + point.Distance < hits.Depth[ray])
     {
       hits.Depth[ray] = rays.Begin[ray] + point.Distance;
-      hits.FirstEntry[ray] = hits.Depth[ray];
-      hits.FromInside[ray] = direction == static_cast<std::size_t>(ValueDirection::Falling);
       hits.Surface[ray] = static_cast<std::int16_t>(surface);
-      hits.Kind[ray] = hits.FromInside[ray] ? HitKind::Exit : HitKind::Entry;
+      hits.Kind[ray] =
+        HitRules::KindOf(direction == static_cast<std::size_t>(ValueDirection::Falling));
       if (this->HasNormals)
       {
         const PackedNormal* const normals = knots.Normals[direction].Get<0>();

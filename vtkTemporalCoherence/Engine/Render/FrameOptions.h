@@ -16,7 +16,7 @@ struct FrameOptions
 {
   bool SpaceLeaping = true; ///< off: every cell along a ray is read (the paper's plain ray caster)
   ReuseSwitches Reuse;
-  ReuseAccuracy Accuracy = ReuseAccuracy::Bounded;
+  ReuseAccuracy Accuracy = ReuseAccuracy::Exact;
   bool InterpolateColors =
     false; ///< colour PAPER's definite hits from the cached image, without shading
   ImageCache::Options Images;

@@ -80,8 +80,6 @@ bool FrameRenderer::Make(Route& route, FrameTask& task, CachedImage* nearest)
     case Route::IsomapBuild:
       task.Report = report;
       return this->BuildAndLookUp(route, task);
-    case Route::ThresholdHint:
-      return TraceWithLastHits(task);
     case Route::ImageCache:
       return TraceFromImage(task, *nearest);
     case Route::TimeStep:
@@ -101,7 +99,7 @@ void FrameRenderer::Finish(Route route, const FrameTask& task)
   {
     return;
   }
-  if (route == Route::Cold || route == Route::ThresholdHint)
+  if (route == Route::Cold)
   {
     this->Cold = { task.CellsRead, task.Key.Isosurfaces };
   }

@@ -14,19 +14,22 @@ std::shared_ptr<CachedImage> FrameStore::FindNearest(
   return this->Images.Find(key, options.Images,
     [&](const CachedImage& image)
     {
-      const bool isTooEroded = image.IsEroded && options.Accuracy == ReuseAccuracy::Bounded;
-      return !isTooEroded && ImageQuery::CanAsk(image.Key, options.Accuracy);
+      const bool isBounded = options.Accuracy == ReuseAccuracy::Bounded;
+      const Frame& picture = image.Picture;
+      const bool isKept = isBounded ? !picture.FirstEntries.empty() && IsFasterFrom(image.Key, key)
+                                    : !picture.Disparities.empty();
+      return isKept && ImageQuery::CanAsk(image.Key, options.Accuracy);
     });
 }
 
-void FrameStore::Begin(const FrameKey& key)
+void FrameStore::Begin(const FrameKey& key, const FrameExtras& extras)
 {
   if (!this->Back)
   {
     this->Back = std::make_shared<CachedImage>();
   }
   CachedImage& next = *this->Back;
-  next.Picture.Resize(key.View.Size);
+  next.Picture.Resize(key.View.Size, extras);
   next.Picture.Layers.resize(key.Isosurfaces.IsTranslucent() ? next.Picture.ClearTiles.size() : 0);
   if (next.Key.View.Parallel != key.View.Parallel)
   {
@@ -36,7 +39,6 @@ void FrameStore::Begin(const FrameKey& key)
   next.Picture.IsFromCache = false;
   next.Key = key;
   next.IsExact = true;
-  next.IsEroded = false;
 }
 
 void FrameStore::Finish(const ImageCache::Options& options)

@@ -30,7 +30,7 @@ public:
 
   /// Begin the frame of a key, and make room for it.
   /// \throws std::bad_alloc
-  void Begin(const FrameKey& key);
+  void Begin(const FrameKey& key, const FrameExtras& extras);
 
   /// Make the new frame the last one.
   void Finish(const ImageCache::Options& options);

@@ -36,8 +36,6 @@ const char* NameOf(Route route)
       return "IsomapLookup";
     case Route::IsomapBuild:
       return "IsomapBuild";
-    case Route::ThresholdHint:
-      return "ThresholdHint";
     case Route::ImageCache:
       return "ImageCache";
     case Route::TimeStep:
@@ -75,14 +73,7 @@ Route PlanRoute(const FrameKey& last, const FrameKey& next, const ReuseSwitches&
   {
     return Route::Cold;
   }
-  if (switches.Isomap && held.CanBuildIsomap)
-  {
-    return Route::IsomapBuild;
-  }
-  // A hint takes the hits of one isovalue for one other.
-  const bool isOneForOne = last.Isosurfaces.Isovalues.size() == 1 && isovalues == 1;
-  const bool isHint = isOneForOne && (!change.Raised || AreHitsOrdered(next));
-  return held.IsExact && isHint ? Route::ThresholdHint : Route::Cold;
+  return switches.Isomap && held.CanBuildIsomap ? Route::IsomapBuild : Route::Cold;
 }
 
 }

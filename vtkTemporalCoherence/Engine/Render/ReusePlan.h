@@ -13,14 +13,13 @@ namespace TemporalCoherence
 /// How a whole frame is made.
 enum class Route : std::uint8_t
 {
-  Cold,          ///< every ray is traced, without help from an earlier frame
-  Redisplay,     ///< nothing changed: the same picture
-  Reshade,       ///< only the appearance changed: stored hits get new colours
-  IsomapLookup,  ///< another isovalue in the same view, looked up in the isomap
-  IsomapBuild,   ///< the same, after building the isomap
-  ThresholdHint, ///< the same without an isomap: the old hit bounds the search
-  ImageCache,    ///< another view: a cached image tells where walks may begin
-  TimeStep       ///< other samples in the same view: tiles that they do not affect are copied
+  Cold,         ///< every ray is traced, without help from an earlier frame
+  Redisplay,    ///< nothing changed: the same picture
+  Reshade,      ///< only the appearance changed: stored hits get new colours
+  IsomapLookup, ///< another isovalue in the same view, looked up in the isomap
+  IsomapBuild,  ///< the same, after building the isomap
+  ImageCache,   ///< another view: a cached image tells where walks may begin
+  TimeStep      ///< other samples in the same view: tiles that they do not affect are copied
 };
 
 /// The route's name as in the documentation, for example "Cold".
@@ -38,7 +37,7 @@ struct ReuseSwitches
 struct HeldForReuse
 {
   bool IsExact = true;        ///< the last picture is the cold picture of its key
-  bool Image = false;         ///< a cached image can serve
+  bool Image = false;         ///< a cached image can serve, and is wanted
   bool Isomap = false;        ///< an isomap of this view covers the next isovalues
   bool IsIsomapExact = true;  ///< the isomap gives the cold picture
   bool CanBuildIsomap = true; ///< data and memory allow one

@@ -3,7 +3,6 @@
 #include "Render/Routes.h"
 
 #include "ImageCache/FreeSpaceHint.h"
-#include "ImageCache/LastHitHint.h"
 #include "ImageCache/PaperHint.h"
 #include "Isomap/IsomapLookup.h"
 #include "Render/TileLoop.h"
@@ -27,25 +26,32 @@ namespace
 /// first. Measured by the look-ups of `Benchmark --scenarios routes`.
 constexpr std::int64_t FewRays = 256;
 
+/// What views made from the frame may need.
+FrameExtras ExtrasOf(const FrameTask& task)
+{
+  const FrameOptions& options = task.Options;
+  const bool isPaper = options.Accuracy == ReuseAccuracy::Paper;
+  const bool isBounded =
+    options.Accuracy == ReuseAccuracy::Bounded && IsFasterFrom(task.Key, task.Key);
+  const bool isCached = options.Reuse.ImageCache;
+  return { isCached && (isPaper || isBounded), isCached && isBounded };
+}
+
 /// Make room for the frame, and find out where its rays can meet surfaces.
-LeapedSpace Begin(FrameTask& task, bool leaps)
+LeapedSpace Begin(FrameTask& task, bool leaps, const FrameExtras& extras)
 {
   Stopwatch watch(task.Statistics.TraceTime);
   if (leaps)
   {
     task.Structures.PrepareActiveCells(task.Key);
   }
-  task.Store.Begin(task.Key);
+  task.Store.Begin(task.Key, extras);
   return task.Structures.SpaceToLeap(leaps);
 }
 
 TileScene SceneOf(const FrameTask& task, const LeapedSpace& space, const RayHint* hint)
 {
-  // Only the free space of cached images asks for exact first entries.
-  const bool isCached =
-    task.Options.Reuse.ImageCache && task.Options.Accuracy == ReuseAccuracy::Bounded;
-  return { task.Key, space.Active, space.Bounds, task.Structures.Pyramid().FiniteRange(), hint,
-    isCached };
+  return { task.Key, space.Active, space.Bounds, task.Structures.Pyramid().FiniteRange(), hint };
 }
 
 /// Call work(tile, part, frame) for all tiles of the frame.
@@ -169,16 +175,7 @@ void ShadeAgain(FrameTask& task)
 
 bool TraceCold(FrameTask& task)
 {
-  return TraceTiles(task, Begin(task, task.Options.SpaceLeaping), nullptr);
-}
-
-bool TraceWithLastHits(FrameTask& task)
-{
-  const LeapedSpace space = Begin(task, task.Options.SpaceLeaping);
-  const CachedImage& last = task.Store.Last();
-  const LastHitHint hint(
-    last.Picture, CompareFrames(last.Key, task.Key).Raised, task.Key.View.Parallel);
-  return TraceTiles(task, space, &hint);
+  return TraceTiles(task, Begin(task, task.Options.SpaceLeaping, ExtrasOf(task)), nullptr);
 }
 
 bool TraceFromImage(FrameTask& task, CachedImage& image)
@@ -187,11 +184,10 @@ bool TraceFromImage(FrameTask& task, CachedImage& image)
   const bool isPaper = options.Accuracy == ReuseAccuracy::Paper;
   const bool interpolates = isPaper && options.InterpolateColors && HasColorsFor(image, task.Key) &&
     !task.Key.Isosurfaces.IsTranslucent();
-  const LeapedSpace space = Begin(task, options.SpaceLeaping);
+  const LeapedSpace space = Begin(task, options.SpaceLeaping, ExtrasOf(task));
   CachedImage& made = task.Store.Next();
   made.Picture.IsFromCache = true;
   made.IsExact = false;
-  made.IsEroded = isPaper;
   std::unique_ptr<ImageQuery> query;
   {
     Stopwatch watch(task.Statistics.QueryTime);
@@ -209,7 +205,13 @@ bool TraceFromImage(FrameTask& task, CachedImage& image)
 
 bool TraceChangedTiles(FrameTask& task, const SampleComparer& changes)
 {
-  return TraceTiles(task, Begin(task, task.Options.SpaceLeaping), nullptr, HitSet::All, &changes);
+  // What is copied has no more than the last frame has.
+  const Frame& last = task.Store.Last().Picture;
+  FrameExtras extras = ExtrasOf(task);
+  extras.Disparities &= !last.Disparities.empty();
+  extras.FirstEntries &= !last.FirstEntries.empty();
+  return TraceTiles(
+    task, Begin(task, task.Options.SpaceLeaping, extras), nullptr, HitSet::All, &changes);
 }
 
 bool LookUp(FrameTask& task, IsomapBuilder& map, std::vector<std::uint64_t>& unresolved)
@@ -217,7 +219,8 @@ bool LookUp(FrameTask& task, IsomapBuilder& map, std::vector<std::uint64_t>& unr
   const bool hasNormals = task.Options.Map.HasNormals;
   // A walk is only needed for layers behind translucent surfaces.
   const bool leaps = task.Options.SpaceLeaping && task.Key.Isosurfaces.IsTranslucent();
-  const LeapedSpace space = Begin(task, leaps);
+  // A look-up finds no first entries.
+  const LeapedSpace space = Begin(task, leaps, { ExtrasOf(task).Disparities, false });
   const glm::dvec2& finiteRange = task.Structures.Pyramid().FiniteRange();
   const double tolerance = map.Built().Tolerance();
   const IsomapLookup lookup(task.Key, map.BandsFor(task.Key), tolerance, finiteRange);
@@ -237,7 +240,6 @@ bool LookUp(FrameTask& task, IsomapBuilder& map, std::vector<std::uint64_t>& unr
     });
   CachedImage& made = task.Store.Next();
   made.IsExact = tolerance == 0.0 && !hasNormals;
-  made.IsEroded = tolerance > 0.0;
   return isLookedUp && TraceUnresolvedRays(task, unresolved, shader, PartOf(task.Report, 0.5, 1.0));
 }
 

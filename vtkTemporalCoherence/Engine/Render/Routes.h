@@ -41,9 +41,6 @@ void ShadeAgain(FrameTask& task);
 /// Cold: every ray is traced.
 bool TraceCold(FrameTask& task);
 
-/// ThresholdHint: the hits of the last frame bound the search for another isovalue.
-bool TraceWithLastHits(FrameTask& task);
-
 /// ImageCache: a cached image tells where walks begin.
 /// \pre the accuracy is not Exact
 bool TraceFromImage(FrameTask& task, CachedImage& image);

@@ -31,7 +31,7 @@ TileTracer::TileTracer(const TileScene& scene)
   , HasSurfaces(scene.Key.Samples.HasCells() && !scene.Key.Isosurfaces.Isovalues.empty())
   , IsSolid(scene.Key.Isosurfaces.Mode == SurfaceMode::Threshold)
   , Tracer(SurfaceTracer::Make({ scene.Key.Samples, scene.Key.Isosurfaces, scene.FiniteRange,
-      scene.Active, scene.Hint != nullptr, scene.AreEntriesExact }))
+      scene.Active, scene.Hint != nullptr }))
 {
 }
 

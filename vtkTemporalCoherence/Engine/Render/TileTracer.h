@@ -25,7 +25,6 @@ struct TileScene
   const TileBounds* Bounds = nullptr;  ///< of Active
   glm::dvec2 FiniteRange{ 0.0 };
   const RayHint* Hint = nullptr; ///< null: no hint, a cold frame
-  bool AreEntriesExact = true;   ///< false: first entries may be told a little too early
 };
 
 /// Traces the rays of a tile and writes the planes of the frame. The tile's bounds and the hint

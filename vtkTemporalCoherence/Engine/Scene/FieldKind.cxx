@@ -35,6 +35,11 @@ std::shared_ptr<const BandTracer> FieldKind::MakeBandTracer(const BandScene&) co
   return nullptr;
 }
 
+bool FieldKind::GainsFromImages(const Field&, const Surfaces&) const
+{
+  return true;
+}
+
 void FieldKind::FindEntries(const RayBatch&, CellList&) const {}
 
 glm::dvec3 FieldKind::FaceNormal(

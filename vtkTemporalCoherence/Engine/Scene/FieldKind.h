@@ -21,6 +21,7 @@ struct GradientQuery;
 struct GradientTile;
 struct IndexTransform;
 struct RayBatch;
+struct Surfaces;
 struct TraceScene;
 
 /// A box in index space.
@@ -77,6 +78,10 @@ public:
   /// The scene's structures outlive it.
   /// \throws std::bad_alloc
   virtual std::shared_ptr<const SurfaceTracer> MakeTracer(const TraceScene& scene) const = 0;
+
+  /// True if rays of cold frames walk from cell to cell, which takes so long that a frame may be
+  /// faster by what a cached image tells of where walks may begin (BOUNDED).
+  virtual bool GainsFromImages(const Field& field, const Surfaces& surfaces) const;
 
   /// Make a tracer of value ranges along rays, for isomaps. Null if the kind has no isomaps.
   /// \throws std::bad_alloc

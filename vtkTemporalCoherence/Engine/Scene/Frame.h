@@ -52,6 +52,13 @@ struct LayerHit
 template <typename T>
 using Plane = std::vector<T, DefaultInitAllocator<T>>;
 
+/// Planes that only views made from a picture need.
+struct FrameExtras
+{
+  bool Disparities = false;
+  bool FirstEntries = false;
+};
+
 /// A finished picture: planes with one value for each pixel. Row 0 is the bottom row; pixel (x, y)
 /// is at [y * Size.x + x].
 struct Frame
@@ -60,14 +67,16 @@ struct Frame
 
   glm::ivec2 Size{ 0 };
   Plane<double> Depth;           ///< t of the hit: world distance along the ray; or infinity
-  Plane<float> Disparities;      ///< of the hit, or of a miss (Disparity.h)
-  Plane<float> FirstEntries;     ///< disparity at which the ray first entered an active cell
   Plane<glm::vec3> Normals;      ///< unit normal in the world, facing the viewer; or 0
   Plane<std::int16_t> Isovalues; ///< position of the hit isovalue in the list; or NoSurface
   Plane<HitKind> Kinds;
   Plane<Answer> Answers;
   Plane<std::array<std::uint8_t, 4>> Colors; ///< premultiplied RGBA; 0 where nothing is hit
   bool IsFromCache = false;                  ///< answers are those of a cached image
+
+  // FrameExtras: each is empty if no view will need it.
+  Plane<float> Disparities;  ///< of the hit, or of a miss (Disparity.h)
+  Plane<float> FirstEntries; ///< disparity at which the ray first entered an active cell
 
   /// If surfaces are translucent, all layers of each tile: round by round from front to back, and
   /// by pixel within a round. Empty if surfaces are opaque. Colors holds the composite of all
@@ -78,38 +87,61 @@ struct Frame
   /// read nor written again.
   std::vector<std::uint8_t> ClearTiles;
 
-  /// The list of planes. Calls visit(plane, miss) for each: a pointer to the member, and its value
-  /// where nothing is hit.
+  /// The list of planes. Calls visit(plane, miss) for each, also those that are empty: a pointer to
+  /// the member, and its value where nothing is hit.
   /// \param disparityOfMiss in the frame's projection
   template <typename Visit>
   static void ForEachPlane(float disparityOfMiss, const Visit& visit)
   {
     visit(&Frame::Depth, std::numeric_limits<double>::infinity());
-    visit(&Frame::Disparities, disparityOfMiss);
-    visit(&Frame::FirstEntries, disparityOfMiss);
     visit(&Frame::Normals, glm::vec3(0.0f));
     visit(&Frame::Isovalues, NoSurface);
     visit(&Frame::Kinds, HitKind::None);
     visit(&Frame::Answers, Answer::DefiniteMiss);
     visit(&Frame::Colors, std::array<std::uint8_t, 4>{ 0, 0, 0, 0 });
+    visit(&Frame::Disparities, disparityOfMiss);
+    visit(&Frame::FirstEntries, disparityOfMiss);
   }
 
-  /// Resize every plane to `size` pixels. Contents are undefined afterwards.
+  /// Resize every plane to `size` pixels. Contents are undefined if that changes anything.
   /// \throws std::bad_alloc; the frame is then empty
-  void Resize(const glm::ivec2& size)
+  void Resize(const glm::ivec2& size, const FrameExtras& extras = {})
   {
-    if (size == this->Size)
+    if (size == this->Size && extras.Disparities == !this->Disparities.empty() &&
+      extras.FirstEntries == !this->FirstEntries.empty())
     {
       return;
     }
     const std::size_t pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
     this->Size = glm::ivec2(0);
-    ForEachPlane(0.0f, [&](auto plane, const auto&) { (this->*plane).resize(pixels); });
+    ForEachPlane(0.0f,
+      [&](auto plane, const auto&)
+      {
+        if (IsWanted(plane, extras))
+        {
+          (this->*plane).resize(pixels);
+        }
+        else
+        {
+          (this->*plane) = {};
+        }
+      });
     this->ClearTiles.assign(static_cast<std::size_t>(NumberOfTiles(size)), 0);
     this->Size = size;
   }
 
   bool IsEmpty() const { return this->Size.x == 0; }
+
+private:
+  template <typename T>
+  static bool IsWanted(Plane<T> Frame::*, const FrameExtras&)
+  {
+    return true;
+  }
+  static bool IsWanted(Plane<float> Frame::*plane, const FrameExtras& extras)
+  {
+    return plane == &Frame::Disparities ? extras.Disparities : extras.FirstEntries;
+  }
 };
 
 }

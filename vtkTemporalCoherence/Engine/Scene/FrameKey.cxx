@@ -23,9 +23,6 @@ FrameChange CompareFrames(const FrameKey& last, const FrameKey& next)
   change.View = !(last.View == next.View);
   change.Surfaces = !AreMetAlike(last.Isosurfaces, next.Isosurfaces);
   change.Opacity = !change.Surfaces && !(last.Isosurfaces == next.Isosurfaces);
-  change.Raised = change.Surfaces && last.Isosurfaces.Mode == next.Isosurfaces.Mode &&
-    last.Isosurfaces.Isovalues.size() == 1 && next.Isosurfaces.Isovalues.size() == 1 &&
-    next.Isosurfaces.Isovalues[0] > last.Isosurfaces.Isovalues[0];
   change.Appearance = !(last.Appearance == next.Appearance);
   return change;
 }

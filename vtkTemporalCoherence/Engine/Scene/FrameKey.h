@@ -35,7 +35,6 @@ struct FrameChange
   bool View = false;
   bool Surfaces = false; ///< isovalues or mode
   bool Opacity = false;
-  bool Raised = false; ///< of the surfaces, only the one isovalue, which is higher now
   bool Appearance = false;
 };
 

@@ -13,15 +13,6 @@ namespace TemporalCoherence
 namespace
 {
 
-/// Disparities are stored in single precision: this is their relative error.
-constexpr double DisparityError = 1e-6;
-
-/// The kind of a ray's hit as frames store it.
-HitKind KindOf(const HitBatch& hits, std::size_t ray)
-{
-  return hits.Kind[ray] == HitKind::None && hits.FromInside[ray] ? HitKind::Within : hits.Kind[ray];
-}
-
 std::size_t PlaceOf(const Frame& frame, int x, int y)
 {
   return static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.Size.x) +
@@ -43,7 +34,12 @@ void StoreMisses(std::int64_t tile, const PixelRect& part, bool isParallel, Fram
     const std::size_t row = PlaceOf(frame, part.First.x, y);
     Frame::ForEachPlane(miss,
       [&](auto plane, const auto& value)
-      { std::fill_n(&(frame.*plane)[row], part.Size.x, value); });
+      {
+        if (!(frame.*plane).empty())
+        {
+          std::fill_n(&(frame.*plane)[row], part.Size.x, value);
+        }
+      });
   }
   isClear = 1;
 }
@@ -70,7 +66,12 @@ TraceCounts CopyTile(
     const auto count = static_cast<std::size_t>(part.Size.x);
     Frame::ForEachPlane(0.0f,
       [&](auto plane, const auto&)
-      { std::copy_n(&(from.*plane)[row], count, &(frame.*plane)[row]); });
+      {
+        if (!(frame.*plane).empty())
+        {
+          std::copy_n(&(from.*plane)[row], count, &(frame.*plane)[row]);
+        }
+      });
     for (std::size_t pixel = row; pixel < row + count; ++pixel)
     {
       const bool isHit = from.Isovalues[pixel] != Frame::NoSurface;
@@ -89,38 +90,51 @@ float DisparityAt(const RayBatch& rays, std::size_t ray, double t, bool isParall
     isParallel ? std::max(-t / perDepth, DisparityOfMiss(true)) : perDepth / t);
 }
 
+namespace
+{
+
+/// Write what only views made from the frame need.
+void StoreExtras(
+  const RayBatch& rays, const HitBatch& hits, std::size_t ray, bool isParallel, Frame& frame)
+{
+  const auto pixel = static_cast<std::size_t>(rays.Pixel[ray]);
+  if (!frame.Disparities.empty())
+  {
+    frame.Disparities[pixel] = DisparityAt(rays, ray, hits.Depth[ray], isParallel);
+  }
+  if (!frame.FirstEntries.empty())
+  {
+    frame.FirstEntries[pixel] = DisparityAt(rays, ray, hits.FirstEntry[ray], isParallel);
+    if (hits.Kind[ray] == HitKind::None && hits.FromInside[ray])
+    {
+      frame.Kinds[pixel] = HitKind::Within;
+    }
+  }
+}
+
+}
+
 void StoreHit(const RayBatch& rays, const HitBatch& hits, std::size_t ray, Answer answer,
   bool isParallel, Frame& frame)
 {
   const auto pixel = static_cast<std::size_t>(rays.Pixel[ray]);
   frame.Depth[pixel] = hits.Depth[ray];
-  frame.Disparities[pixel] = DisparityAt(rays, ray, hits.Depth[ray], isParallel);
-  frame.FirstEntries[pixel] = DisparityAt(rays, ray, hits.FirstEntry[ray], isParallel);
   frame.Isovalues[pixel] = hits.Surface[ray];
-  frame.Kinds[pixel] = KindOf(hits, ray);
+  frame.Kinds[pixel] = hits.Kind[ray];
   frame.Answers[pixel] = answer;
+  StoreExtras(rays, hits, ray, isParallel, frame);
 }
 
 void StoreHits(const RayBatch& rays, const HitBatch& hits, const RayBatch::Array<Answer>& answers,
   bool isParallel, Frame& frame)
 {
   const auto count = static_cast<std::size_t>(rays.Count);
-  RayBatch::Array<float> disparities, firstEntries;
-  RayBatch::Array<HitKind> kinds;
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    disparities[i] = DisparityAt(rays, i, hits.Depth[i], isParallel);
-    firstEntries[i] = DisparityAt(rays, i, hits.FirstEntry[i], isParallel);
-    kinds[i] = KindOf(hits, i);
-  }
   const auto copy = [&](std::size_t first, auto length)
   {
     const auto pixel = static_cast<std::size_t>(rays.Pixel[first]);
     std::copy_n(&hits.Depth[first], length, &frame.Depth[pixel]);
-    std::copy_n(&disparities[first], length, &frame.Disparities[pixel]);
-    std::copy_n(&firstEntries[first], length, &frame.FirstEntries[pixel]);
     std::copy_n(&hits.Surface[first], length, &frame.Isovalues[pixel]);
-    std::copy_n(&kinds[first], length, &frame.Kinds[pixel]);
+    std::copy_n(&hits.Kind[first], length, &frame.Kinds[pixel]);
     std::copy_n(&answers[first], length, &frame.Answers[pixel]);
   };
   if (rays.Count == RayBatch::Capacity)
@@ -130,28 +144,18 @@ void StoreHits(const RayBatch& rays, const HitBatch& hits, const RayBatch::Array
     {
       copy(row, std::integral_constant<int, TileSize>());
     }
-    return;
   }
-  for (std::size_t i = 0; i < count; ++i)
+  else
   {
-    copy(i, std::integral_constant<int, 1>());
-  }
-}
-
-void BeginAtFirstEntries(const Frame& picture, bool isParallel, RayBatch& rays)
-{
-  const auto miss = static_cast<float>(DisparityOfMiss(isParallel));
-  for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
-  {
-    const auto pixel = static_cast<std::size_t>(rays.Pixel[i]);
-    const float firstEntry = picture.FirstEntries[pixel];
-    const HitKind kind = picture.Kinds[pixel];
-    const bool isKnown = kind == HitKind::Entry || (kind == HitKind::None && firstEntry != miss);
-    if (isKnown)
+    for (std::size_t i = 0; i < count; ++i)
     {
-      const double t = DepthOf(static_cast<double>(firstEntry), isParallel) * rays.PerDepth[i];
-      rays.WalkBegin[i] = std::max(rays.WalkBegin[i], t - DisparityError * std::abs(t));
+      copy(i, std::integral_constant<int, 1>());
     }
+  }
+  const bool hasExtras = !frame.Disparities.empty() || !frame.FirstEntries.empty();
+  for (std::size_t i = 0; i < count && hasExtras; ++i)
+  {
+    StoreExtras(rays, hits, i, isParallel, frame);
   }
 }
 

@@ -54,10 +54,6 @@ void StoreHit(const RayBatch& rays, const HitBatch& hits, std::size_t ray, Answe
 void StoreHits(const RayBatch& rays, const HitBatch& hits, const RayBatch::Array<Answer>& answers,
   bool isParallel, Frame& frame);
 
-/// Shorten the walks of a batch by an exact picture of a lower isovalue: a ray from outside meets
-/// no higher isovalue before its first active-cell entry of the lower one.
-void BeginAtFirstEntries(const Frame& picture, bool isParallel, RayBatch& rays);
-
 /// Disparity at a distance along a ray of a batch; the disparity of a miss if the distance is
 /// infinite.
 float DisparityAt(const RayBatch& rays, std::size_t ray, double t, bool isParallel);

@@ -59,10 +59,6 @@ public:
       const Segment segment(this->Cells.Shape.RayOf(rays, ray), cell);
       const Found found =
         this->SearchFor(segment, this->Cells.Differ(this->Cells.Samples.Read(cell), cells.Surface));
-      if (cells.IsFirstEntry[i])
-      {
-        HitRules::KeepFirstEntry(segment.Enter(), found.FromInside, ray, hits);
-      }
       missing |= static_cast<std::uint64_t>(!std::isfinite(found.Distance)) << ray;
       this->Keep(segment, found, surface, ray, hits);
     }

@@ -32,8 +32,6 @@ struct TraceScene
   glm::dvec2 FiniteRange{ 0.0 };       ///< smallest and largest finite sample
   const ActiveCells* Active = nullptr; ///< null: no space leaping, all cells along a ray are read
   bool IsHinted = false;               ///< walks may begin behind surfaces, and end before
-  /// False: first entries of rays with hits may be told a little too early.
-  bool AreEntriesExact = true;
   Traversal By = Traversal::Fastest;
 };
 
@@ -44,8 +42,7 @@ struct CellList
   int Count = 0;
   RayBatch::Array<std::uint8_t> Ray; ///< ascending
   std::array<RayBatch::Array<std::int32_t>, 3> Cell;
-  RayBatch::Array<std::uint8_t> IsFirstEntry; ///< 1: it is the ray's first active cell
-  RayBatch::Array<double> Enter;              ///< found by FieldKind::FindEntries: t
+  RayBatch::Array<double> Enter; ///< found by FieldKind::FindEntries: t
 
   void Append(std::size_t ray, const std::array<std::uint16_t, 3>& cell)
   {
@@ -69,7 +66,7 @@ struct CellList
 /// on the ray, its Begin and its End, but not on where the walk starts or which cells are skipped.
 /// The first entry of a ray is where it first enters an active cell: before it, neither this ray
 /// nor one at most a voxel away meets a surface. (The first entry does depend on where the walk
-/// starts.)
+/// starts. Rays that go as a beam are told none.)
 class SurfaceTracer
 {
 public:
@@ -93,7 +90,7 @@ public:
   virtual void FindNext(const RayBatch& rays, HitBatch& hits) const;
 
   /// Search only the given cells for one surface. A surface nearer than the hit of its ray becomes
-  /// the hit; the same holds for first entries. Only called for kinds that have isomaps.
+  /// the hit. Only called for kinds that have isomaps.
   /// Thread-safe.
   /// \return one bit for each ray without the surface in its cell
   virtual std::uint64_t SearchCells(

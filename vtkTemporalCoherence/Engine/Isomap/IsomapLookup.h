@@ -60,6 +60,9 @@ private:
   void FindSurfaces(std::int64_t tile, std::size_t piece, const RayBatch& rays, Found& found) const;
   std::uint64_t BeginOn(std::size_t surface, const TileKnots& knots, const RayBatch& rays,
     RayBatch::Array<std::uint8_t>& directions, Found& found) const;
+  void FindKnots(std::uint64_t which, const RayBatch::Array<std::uint8_t>& directions,
+    const TileKnots& knots, CellList& cells, CellList& entries,
+    RayBatch::Array<std::size_t>& places) const;
   void FindInCells(std::size_t surface, std::uint64_t which,
     const RayBatch::Array<std::uint8_t>& directions, const RayBatch& rays, const TileKnots& knots,
     Found& found) const;

@@ -115,8 +115,8 @@ IsomapLookup::IsomapLookup(const FrameKey& key, const std::vector<const Isomap::
   }
 }
 
-TraceCounts IsomapLookup::LookUpTile(
-  std::int64_t tile, const PixelRect& part, Frame& frame, std::uint64_t& unresolved) const
+TraceCounts IsomapLookup::LookUpTile(std::int64_t tile, const PixelRect& part, Frame& frame,
+  std::uint64_t& unresolved, TileHits& tileHits) const
 {
   TraceCounts counts;
   unresolved = 0;
@@ -129,9 +129,9 @@ TraceCounts IsomapLookup::LookUpTile(
     return counts;
   }
   frame.ClearTiles[static_cast<std::size_t>(tile)] = 0;
-  RayBatch rays;
-  this->Rays.SetUp(part.First, part.Size, rays);
-  Found found;
+  RayBatch& rays = tileHits.Rays;
+  this->Rays.SetUp(part.First, part.Size, rays, &tileHits.World);
+  Found found(tileHits.Hits);
   found.Hits.Clear(rays.Count);
   if (this->Rays.Clipper.HasPieces())
   {
@@ -142,6 +142,7 @@ TraceCounts IsomapLookup::LookUpTile(
     this->FindSurfaces(tile, 0, rays, found);
   }
   unresolved = found.Unresolved;
+  tileHits.AreAll = true;
   counts.CellsRead = found.Hits.CellsRead;
   RayBatch::Array<Answer> answers;
   std::int64_t misses = 0, caps = 0;

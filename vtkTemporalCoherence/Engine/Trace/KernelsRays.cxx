@@ -58,7 +58,8 @@ HWY_INLINE V At(const RaySource::LinearVector& vector, int axis, V x, V y)
 }
 
 /// Set up a vector of rays, from their normalised device coordinates.
-HWY_INLINE void SetUpVector(const RaySource& source, V x, V y, std::size_t i, RayBatch& rays)
+HWY_INLINE void SetUpVector(
+  const RaySource& source, V x, V y, std::size_t i, RayBatch& rays, WorldDirections* world)
 {
   const Doubles d;
   const V one = hn::Set(d, 1.0), zero = hn::Zero(d);
@@ -73,6 +74,12 @@ HWY_INLINE void SetUpVector(const RaySource& source, V x, V y, std::size_t i, Ra
   V end = hn::Mul(hn::Set(d, source.Far), perDepth);
 
   const V perLength = hn::Div(one, length);
+  if (world)
+  {
+    hn::StoreU(hn::Mul(wx, perLength), d, &(*world)[0][i]);
+    hn::StoreU(hn::Mul(wy, perLength), d, &(*world)[1][i]);
+    hn::StoreU(hn::Mul(wz, perLength), d, &(*world)[2][i]);
+  }
   V direction[3];
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -105,8 +112,8 @@ HWY_INLINE void SetUpVector(const RaySource& source, V x, V y, std::size_t i, Ra
 }
 
 /// A tile of whole rows.
-HWY_INLINE void SetUpRows(
-  const RaySource& source, const PixelCentres& centres, int rows, RayBatch& rays)
+HWY_INLINE void SetUpRows(const RaySource& source, const PixelCentres& centres, int rows,
+  RayBatch& rays, WorldDirections* world)
 {
   const Doubles d;
   for (std::size_t row = 0; row < static_cast<std::size_t>(rows); ++row)
@@ -114,14 +121,15 @@ HWY_INLINE void SetUpRows(
     const V y = hn::Set(d, centres.Y[row]);
     for (std::size_t column = 0; column < TileSize; column += hn::Lanes(d))
     {
-      SetUpVector(source, hn::LoadU(d, &centres.X[column]), y, row * TileSize + column, rays);
+      SetUpVector(
+        source, hn::LoadU(d, &centres.X[column]), y, row * TileSize + column, rays, world);
     }
   }
 }
 
 /// A tile that the picture cuts off: row by row, without gaps.
-HWY_INLINE void SetUpPart(
-  const RaySource& source, const PixelCentres& centres, const glm::ivec2& size, RayBatch& rays)
+HWY_INLINE void SetUpPart(const RaySource& source, const PixelCentres& centres,
+  const glm::ivec2& size, RayBatch& rays, WorldDirections* world)
 {
   const Doubles d;
   RayBatch::Array<double> x, y;
@@ -134,11 +142,12 @@ HWY_INLINE void SetUpPart(
   }
   for (std::size_t i = 0; i < WholeVectors(static_cast<std::size_t>(rays.Count)); i += hn::Lanes(d))
   {
-    SetUpVector(source, hn::LoadU(d, &x[i]), hn::LoadU(d, &y[i]), i, rays);
+    SetUpVector(source, hn::LoadU(d, &x[i]), hn::LoadU(d, &y[i]), i, rays, world);
   }
 }
 
-void SetUp(const RaySource& source, const glm::ivec2& first, const glm::ivec2& size, RayBatch& rays)
+void SetUp(const RaySource& source, const glm::ivec2& first, const glm::ivec2& size, RayBatch& rays,
+  WorldDirections* world)
 {
   rays.Count = size.x * size.y;
   std::size_t ray = 0;
@@ -154,10 +163,10 @@ void SetUp(const RaySource& source, const glm::ivec2& first, const glm::ivec2& s
   // Whole vectors of the widest kind, as all kernels expect them.
   if (size.x == TileSize && size.y % 2 == 0)
   {
-    SetUpRows(source, centres, size.y, rays);
+    SetUpRows(source, centres, size.y, rays, world);
     return;
   }
-  SetUpPart(source, centres, size, rays);
+  SetUpPart(source, centres, size, rays, world);
 }
 
 }
@@ -170,10 +179,10 @@ namespace TemporalCoherence
 
 HWY_EXPORT(SetUp);
 
-void SetUpRays(
-  const RaySource& source, const glm::ivec2& first, const glm::ivec2& size, RayBatch& rays)
+void SetUpRays(const RaySource& source, const glm::ivec2& first, const glm::ivec2& size,
+  RayBatch& rays, WorldDirections* world)
 {
-  HWY_DYNAMIC_DISPATCH(SetUp)(source, first, size, rays);
+  HWY_DYNAMIC_DISPATCH(SetUp)(source, first, size, rays, world);
 }
 
 }

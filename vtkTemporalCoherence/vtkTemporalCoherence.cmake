@@ -19,6 +19,7 @@ set(engine_files
   Acceleration/SampleComparer
   Acceleration/TileBounds
   Acceleration/ValueRangePyramid
+  Trace/KernelsCorners
   Trace/KernelsCrossing
   Trace/KernelsRange
   Trace/KernelsRays

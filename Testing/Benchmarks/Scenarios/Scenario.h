@@ -72,6 +72,7 @@ Scenario Vectors();
 Scenario Structures();
 Scenario Window();
 Scenario Features();
+Scenario Floor();
 
 /// All of these, in the order in which they are run.
 std::vector<Scenario> All();

@@ -49,7 +49,8 @@ protected:
     TraceCounts counts;
     for (std::int64_t tile = 0; tile < NumberOfTiles(frame.Size); ++tile)
     {
-      counts += tracer.Trace(tile, PixelsOfTile(frame.Size, tile), frame);
+      TileHits found;
+      counts += tracer.Trace(tile, PixelsOfTile(frame.Size, tile), frame, found);
     }
     return counts;
   }

@@ -6,11 +6,13 @@
 #include "Fields/UniformCells.h"
 #include "Scene/Tiles.h"
 #include "Trace/CellTracer.h"
+#include "Trace/KernelsCorners.h"
 #include "Trace/KernelsCrossing.h"
 #include "Trace/KernelsWalk.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <memory>
 #include <type_traits>
 
@@ -94,16 +96,26 @@ public:
     hits.CellsRead += cells.Count;
     this->FindInSegments(segments);
     const auto surface = static_cast<std::int16_t>(cells.Surface);
+    const bool isOnly = this->Cells.Differences.size() == 1;
     std::uint64_t missing = 0;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(segments.Count); ++i)
+    for (std::size_t i = 0; i < static_cast<std::size_t>(cells.Count); ++i)
     {
       const std::size_t ray = cells.Ray[i];
-      const bool fromInside = IsInside(segments.AtEntry[i]);
-      missing |= static_cast<std::uint64_t>(!std::isfinite(segments.Distance[i])) << ray;
-      this->Cells.Rules.KeepFirst(segments.Distance[i], fromInside, surface, ray, hits);
+      const std::size_t at = segments.All ? ray : i;
+      const bool fromInside = IsInside(segments.AtEntry[at]);
+      const double distance = segments.Distance[at];
+      missing |= static_cast<std::uint64_t>(!std::isfinite(distance)) << ray;
+      if (isOnly)
+      {
+        HitRules::KeepNearest(distance, fromInside, surface, ray, hits);
+      }
+      else
+      {
+        this->Cells.Rules.KeepFirst(distance, fromInside, surface, ray, hits);
+      }
       if (this->Cells.Rules.AreCappedBehindHidden())
       {
-        this->CapBehindHidden(segments, i, ray, surface, hits);
+        this->CapBehindHidden(segments, at, ray, surface, hits);
       }
     }
     return missing;
@@ -296,21 +308,39 @@ private:
     segments.Count = 0;
   }
 
-  /// The segments of rays through the given cells.
+  /// The segments of rays through the given cells: segment i is that of cell i or, if nearly all
+  /// rays have a cell, that of ray i. The others then get the cell of another ray.
   static void SetSegments(const RayBatch& rays, const CellList& cells, SegmentBatch<Real>& segments)
   {
-    const auto count = static_cast<std::size_t>(cells.Count);
-    segments.Count = cells.Count;
-    for (std::size_t a = 0; a < 3; ++a)
+    const bool areAll = 4 * cells.Count > 3 * rays.Count;
+    segments.All = areAll ? &rays : nullptr;
+    segments.Count = areAll ? rays.Count : cells.Count;
+    if (cells.Count == rays.Count || !areAll)
     {
-      std::copy_n(cells.Cell[a].begin(), count, segments.Cell[a].begin());
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        std::copy_n(
+          cells.Cell[a].begin(), static_cast<std::size_t>(cells.Count), segments.Cell[a].begin());
+      }
     }
-    if (cells.Count == RayBatch::Capacity)
+    else
     {
-      segments.All = &rays;
-      return;
+      std::size_t last = 0;
+      for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
+      {
+        const bool isNext =
+          last + 1 < static_cast<std::size_t>(cells.Count) && cells.Ray[last + 1] <= ray;
+        last += isNext;
+        for (std::size_t a = 0; a < 3; ++a)
+        {
+          segments.Cell[a][ray] = cells.Cell[a][last];
+        }
+      }
     }
-    GatherRays(rays, cells.Ray, segments);
+    if (!areAll)
+    {
+      GatherRays(rays, cells.Ray, segments);
+    }
   }
 
   /// Read the corners of the segments' cells, as differences from an isovalue.
@@ -332,21 +362,42 @@ private:
         this->Cells.Samples.Prefetch(cellAt(i));
       }
     }
-    std::array<RayBatch::Array<T>, 8> samples;
+    CornerPairs<T> pairs;
+    this->ReadPairs(segments, pairs);
+    FindDifferences(pairs, count, difference, segments.Corners);
+  }
+
+  /// Read the corners of the segments' cells as they lie in memory.
+  void ReadPairs(const SegmentBatch<Real>& segments, CornerPairs<T>& pairs) const
+  {
+    const auto count = static_cast<std::size_t>(segments.Count);
+    // A local copy: stores of a character type may alias anything that is not local.
+    const TypedField<T> samples = this->Cells.Samples.All();
+    const std::array<std::int64_t, 4> rows = { 0, samples.Strides.y, samples.Strides.z,
+      samples.Strides.y + samples.Strides.z };
+    const std::int64_t toNext = samples.Strides.x;
     for (std::size_t i = 0; i < count; ++i)
     {
-      const std::array<T, 8> corners = this->Cells.Samples.Read(cellAt(i));
-      for (std::size_t corner = 0; corner < 8; ++corner)
+      const T* const origin = samples.At(static_cast<int>(segments.Cell[0][i]),
+        static_cast<int>(segments.Cell[1][i]), static_cast<int>(segments.Cell[2][i]));
+      for (std::size_t row = 0; row < 4; ++row)
       {
-        samples[corner][i] = corners[corner];
+        const T* const from = origin + rows[row];
+        if (toNext == 1)
+        {
+          std::memcpy(&pairs[row][i], from, 2 * sizeof(T));
+        }
+        else
+        {
+          pairs[row][i] = { from[0], from[toNext] };
+        }
       }
     }
-    for (std::size_t corner = 0; corner < 8; ++corner)
+    // So that no lane of the last vector is uninitialised.
+    for (std::size_t row = 0; row < 4 && sizeof(T) <= 2; ++row)
     {
-      for (std::size_t i = 0; i < count; ++i)
-      {
-        segments.Corners[corner][i] = difference(samples[corner][i]);
-      }
+      std::fill(pairs[row].begin() + segments.Count,
+        pairs[row].begin() + static_cast<std::ptrdiff_t>(WholeVectors(count)), std::array<T, 2>());
     }
   }
 

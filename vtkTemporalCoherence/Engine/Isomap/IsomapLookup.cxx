@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 
+#include <hwy/base.h>
+
 namespace TemporalCoherence
 {
 namespace
@@ -16,6 +18,42 @@ namespace
 std::uint64_t Bit(std::size_t ray)
 {
   return std::uint64_t(1) << ray;
+}
+
+/// One bit for each ray.
+std::uint64_t RaysOf(const RayBatch& rays)
+{
+  return ~std::uint64_t(0) >> (RayBatch::Capacity - rays.Count);
+}
+
+/// The columns of a tile's knots in one direction; null if there are none.
+struct KnotColumns
+{
+  KnotColumns() = default;
+  explicit KnotColumns(const CellKnots& table)
+  {
+    if (!table.IsEmpty())
+    {
+      this->Begins = &table;
+      this->Paths = table.Get<0>();
+      this->Cells = table.Get<2>();
+    }
+  }
+
+  const CellKnots* Begins = nullptr;
+  const BandScale::Key* Paths = nullptr;
+  const CellIndex* Cells = nullptr;
+};
+
+/// Write the cell of a ray to a place of a list.
+void Put(std::size_t ray, const CellIndex& cell, int place, CellList& cells)
+{
+  const auto at = static_cast<std::size_t>(place);
+  cells.Ray[at] = static_cast<std::uint8_t>(ray);
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    cells.Cell[a][at] = cell[a];
+  }
 }
 
 /// A mean of the normals of two knots.
@@ -76,8 +114,8 @@ IsomapLookup::IsomapLookup(const FrameKey& key, const std::vector<const Isomap::
   }
 }
 
-TraceCounts IsomapLookup::LookUpTile(
-  std::int64_t tile, const PixelRect& part, Frame& frame, std::uint64_t& unresolved) const
+TraceCounts IsomapLookup::LookUpTile(std::int64_t tile, const PixelRect& part, Frame& frame,
+  std::uint64_t& unresolved, TileHits& tileHits) const
 {
   TraceCounts counts;
   unresolved = 0;
@@ -90,9 +128,9 @@ TraceCounts IsomapLookup::LookUpTile(
     return counts;
   }
   frame.ClearTiles[static_cast<std::size_t>(tile)] = 0;
-  RayBatch rays;
-  this->Rays.SetUp(part.First, part.Size, rays);
-  Found found;
+  RayBatch& rays = tileHits.Rays;
+  this->Rays.SetUp(part.First, part.Size, rays, &tileHits.World);
+  Found found(tileHits.Hits);
   found.Hits.Clear(rays.Count);
   if (this->Rays.Clipper.HasPieces())
   {
@@ -103,19 +141,29 @@ TraceCounts IsomapLookup::LookUpTile(
     this->FindSurfaces(tile, 0, rays, found);
   }
   unresolved = found.Unresolved;
+  tileHits.AreAll = true;
   counts.CellsRead = found.Hits.CellsRead;
   RayBatch::Array<Answer> answers;
+  std::int64_t misses = 0, caps = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
   {
     const HitKind kind = found.Hits.Kind[i];
-    const bool isKnown = !(unresolved >> i & 1u);
-    counts.DefiniteMisses += isKnown && kind == HitKind::None;
-    counts.PossibleHits += isKnown && kind == HitKind::Cap;
-    counts.DefiniteHits += isKnown && kind != HitKind::None && kind != HitKind::Cap;
+    misses += kind == HitKind::None;
+    caps += kind == HitKind::Cap;
     answers[i] = kind == HitKind::None ? Answer::DefiniteMiss
       : kind == HitKind::Cap           ? Answer::PossibleHit
                                        : Answer::DefiniteHit;
   }
+  counts.DefiniteHits = rays.Count - misses - caps;
+  for (std::uint64_t left = unresolved; left != 0; left &= left - 1)
+  {
+    const HitKind kind = found.Hits.Kind[hwy::Num0BitsBelowLS1Bit_Nonzero64(left)];
+    misses -= kind == HitKind::None;
+    caps -= kind == HitKind::Cap;
+    counts.DefiniteHits -= kind != HitKind::None && kind != HitKind::Cap;
+  }
+  counts.DefiniteMisses = misses;
+  counts.PossibleHits = caps;
   StoreHits(rays, found.Hits, answers, this->Key.View.Parallel, frame);
   if (this->HasNormals)
   {
@@ -202,43 +250,62 @@ std::uint64_t IsomapLookup::BeginOn(std::size_t surface, const TileKnots& knots,
   return which;
 }
 
-void IsomapLookup::FindInCells(std::size_t surface, std::uint64_t which,
-  const RayBatch::Array<std::uint8_t>& directions, const RayBatch& rays, const TileKnots& knots,
-  Found& found) const
+/// Find the first knot of each ray at a key or behind it.
+/// \param cells   gets the cells of these knots
+/// \param places  gets the places of knots in their tables
+void IsomapLookup::FindKnots(std::uint64_t which, const RayBatch::Array<std::uint8_t>& directions,
+  const TileKnots& knots, CellList& cells, RayBatch::Array<std::size_t>& places) const
 {
-  const IsovalueKeys& keys = this->Isovalues[surface];
-  HitBatch& hits = found.Hits;
-  CellList cells;
-  cells.Surface = surface;
-  RayBatch::Array<glm::vec3> normals;
-  for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
+  const IsovalueKeys& keys = this->Isovalues[cells.Surface];
+  std::array<KnotColumns, NumberOfDirections> columns;
+  for (std::size_t direction = 0; direction < NumberOfDirections; ++direction)
   {
+    columns[direction] = KnotColumns(knots.Cells[direction]);
+  }
+  int count = 0;
+  for (std::uint64_t left = which; left != 0; left &= left - 1)
+  {
+    const std::size_t ray = hwy::Num0BitsBelowLS1Bit_Nonzero64(left);
     const std::size_t direction = directions[ray];
-    const CellKnots& table = knots.Cells[direction];
-    if (!(which >> ray & 1u) || table.IsEmpty())
+    const KnotColumns& table = columns[direction];
+    if (!table.Begins)
     {
       continue;
     }
     const BandScale::Key key = keys.Key[direction];
-    const std::size_t begin = table.Begin(ray), end = table.Begin(ray + 1);
-    const CellIndex* const indices = table.Get<2>();
-    const std::size_t hit = FirstNotBelow(table.Get<0>(), begin, end, key);
+    const std::size_t begin = table.Begins->Begin(ray), end = table.Begins->Begin(ray + 1);
+    const std::size_t hit = FirstNotBelow(table.Paths, begin, end, key);
     if (hit != end)
     {
-      const auto at = static_cast<std::size_t>(cells.Count);
-      cells.Append(ray, indices[hit]);
-      if (this->HasNormals)
-      {
-        normals[at] = NormalInCells(table, knots.Normals[direction].Get<0>(), begin, hit, key);
-      }
+      const auto at = static_cast<std::size_t>(count);
+      Put(ray, table.Cells[hit], count++, cells);
+      places[at] = hit;
     }
   }
-  found.Unresolved |= this->Tracer->SearchCells(rays, cells, hits);
+  cells.Count = count;
+}
+
+void IsomapLookup::FindInCells(std::size_t surface, std::uint64_t which,
+  const RayBatch::Array<std::uint8_t>& directions, const RayBatch& rays, const TileKnots& knots,
+  Found& found) const
+{
+  HitBatch& hits = found.Hits;
+  CellList cells;
+  cells.Surface = surface;
+  RayBatch::Array<std::size_t> places;
+  this->FindKnots(which & RaysOf(rays), directions, knots, cells, places);
+  if (cells.Count > 0)
+  {
+    found.Unresolved |= this->Tracer->SearchCells(rays, cells, hits);
+  }
   for (std::size_t i = 0; i < static_cast<std::size_t>(cells.Count) && this->HasNormals; ++i)
   {
-    if (hits.Surface[cells.Ray[i]] == static_cast<int>(surface))
+    const std::size_t ray = cells.Ray[i], direction = directions[ray];
+    if (hits.Surface[ray] == static_cast<int>(surface))
     {
-      found.Normals[cells.Ray[i]] = normals[i];
+      const CellKnots& table = knots.Cells[direction];
+      found.Normals[ray] = NormalInCells(table, knots.Normals[direction].Get<0>(), table.Begin(ray),
+        places[i], this->Isovalues[surface].Key[direction]);
     }
   }
 }

@@ -6,6 +6,7 @@
 #include "Isomap/Isomap.h"
 #include "Scene/FramePlanes.h"
 #include "Scene/RayBatch.h"
+#include "Scene/TileHits.h"
 #include "Trace/HitRules.h"
 #include "Trace/RaySource.h"
 #include "Trace/SurfaceTracer.h"
@@ -35,8 +36,9 @@ public:
   /// hits are written, too. Thread-safe.
   /// \param unresolved gets one bit for each ray that must be traced instead: its isovalue is too
   ///                   close to a value that the ray barely reaches. Its planes are undefined.
-  TraceCounts LookUpTile(
-    std::int64_t tile, const PixelRect& part, Frame& frame, std::uint64_t& unresolved) const;
+  /// \param tileHits   gets the rays and their hits; unchanged in a tile without any
+  TraceCounts LookUpTile(std::int64_t tile, const PixelRect& part, Frame& frame,
+    std::uint64_t& unresolved, TileHits& tileHits) const;
 
 private:
   /// An isovalue and its band.
@@ -50,7 +52,12 @@ private:
   /// What was found in a tile.
   struct Found
   {
-    HitBatch Hits;
+    explicit Found(HitBatch& hits)
+      : Hits(hits)
+    {
+    }
+
+    HitBatch& Hits;
     std::uint64_t Wanted = ~std::uint64_t(0); ///< one bit for each ray that is looked up
     std::uint64_t Unresolved = 0;
     RayBatch::Array<glm::vec3> Normals;
@@ -60,6 +67,8 @@ private:
   void FindSurfaces(std::int64_t tile, std::size_t piece, const RayBatch& rays, Found& found) const;
   std::uint64_t BeginOn(std::size_t surface, const TileKnots& knots, const RayBatch& rays,
     RayBatch::Array<std::uint8_t>& directions, Found& found) const;
+  void FindKnots(std::uint64_t which, const RayBatch::Array<std::uint8_t>& directions,
+    const TileKnots& knots, CellList& cells, RayBatch::Array<std::size_t>& places) const;
   void FindInCells(std::size_t surface, std::uint64_t which,
     const RayBatch::Array<std::uint8_t>& directions, const RayBatch& rays, const TileKnots& knots,
     Found& found) const;

@@ -82,8 +82,9 @@ bool TraceTiles(FrameTask& task, const LeapedSpace& space, const RayHint* hint,
       {
         return CopyTile(tile, part, last, task.Key.View.Parallel, frame);
       }
-      TraceCounts counts = tracer.Trace(tile, part, frame);
-      shader.Shade(tile, part, frame, counts);
+      TileHits found;
+      TraceCounts counts = tracer.Trace(tile, part, frame, found);
+      shader.Shade(tile, part, &found, frame, counts);
       return counts;
     });
 }
@@ -141,7 +142,7 @@ bool TraceUnresolvedRays(FrameTask& task, const std::vector<std::uint64_t>& unre
       if (which != 0)
       {
         counts = tracer.TraceSome(tile, part, which, frame);
-        shader.Shade(tile, part, frame, counts);
+        shader.Shade(tile, part, nullptr, frame, counts);
       }
       return counts;
     });
@@ -167,7 +168,7 @@ void ShadeAgain(FrameTask& task)
       [&](std::int64_t tile)
       {
         TraceCounts counts;
-        shader.Shade(tile, PixelsOfTile(last.Picture.Size, tile), last.Picture, counts);
+        shader.Shade(tile, PixelsOfTile(last.Picture.Size, tile), nullptr, last.Picture, counts);
       });
   }
   CountKnownHits(task);
@@ -231,10 +232,11 @@ bool LookUp(FrameTask& task, IsomapBuilder& map, std::vector<std::uint64_t>& unr
     [&](std::int64_t tile, const PixelRect& part, Frame& frame)
     {
       std::uint64_t& left = unresolved[static_cast<std::size_t>(tile)];
-      TraceCounts counts = lookup.LookUpTile(tile, part, frame, left);
+      TileHits found;
+      TraceCounts counts = lookup.LookUpTile(tile, part, frame, left, found);
       if (left == 0)
       {
-        shader.Shade(tile, part, frame, counts);
+        shader.Shade(tile, part, &found, frame, counts);
       }
       return counts;
     });

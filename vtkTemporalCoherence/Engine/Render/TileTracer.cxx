@@ -42,16 +42,17 @@ bool TileTracer::CanSkip(std::int64_t tile) const
     (this->Scene.Active && !this->IsSolid && this->Scene.Bounds->At(tile).IsEmpty());
 }
 
-TraceCounts TileTracer::Trace(std::int64_t tile, const PixelRect& part, Frame& frame) const
+TraceCounts TileTracer::Trace(
+  std::int64_t tile, const PixelRect& part, Frame& frame, TileHits& found) const
 {
   TraceCounts counts;
-  RayBatch rays;
+  RayBatch& rays = found.Rays;
   KnownRays known;
   const RayHint& hint = this->Scene.Hint ? *this->Scene.Hint : NoHint;
   bool isMiss = this->CanSkip(tile);
   if (!isMiss)
   {
-    this->Rays.SetUp(part.First, part.Size, rays);
+    this->Rays.SetUp(part.First, part.Size, rays, &found.World);
     if (this->Scene.Active)
     {
       this->Scene.Bounds->Narrow(tile, rays);
@@ -69,7 +70,7 @@ TraceCounts TileTracer::Trace(std::int64_t tile, const PixelRect& part, Frame& f
     return counts;
   }
   frame.ClearTiles[static_cast<std::size_t>(tile)] = 0;
-  this->TraceRays(hint, known, rays, frame, counts);
+  this->TraceRays(hint, known, found, frame, counts);
   return counts;
 }
 
@@ -77,7 +78,9 @@ TraceCounts TileTracer::TraceSome(
   std::int64_t tile, const PixelRect& part, std::uint64_t which, Frame& frame) const
 {
   TraceCounts counts;
-  RayBatch all, rays;
+  RayBatch all;
+  TileHits found;
+  RayBatch& rays = found.Rays;
   this->Rays.SetUp(part.First, part.Size, all);
   if (this->Scene.Active)
   {
@@ -90,7 +93,7 @@ TraceCounts TileTracer::TraceSome(
       AppendRay(all, i, rays);
     }
   }
-  this->TraceRays(NoHint, {}, rays, frame, counts);
+  this->TraceRays(NoHint, {}, found, frame, counts);
   return counts;
 }
 
@@ -108,15 +111,17 @@ void TileTracer::Find(const RayBatch& rays, HitBatch& hits) const
 }
 
 /// Trace the rays of a tile, and again those about which the hint was wrong.
-void TileTracer::TraceRays(const RayHint& hint, const KnownRays& known, RayBatch& rays,
+void TileTracer::TraceRays(const RayHint& hint, const KnownRays& known, TileHits& found,
   Frame& frame, TraceCounts& counts) const
 {
-  HitBatch hits;
+  RayBatch& rays = found.Rays;
+  HitBatch& hits = found.Hits;
   this->Find(rays, hits);
   counts.CellsRead += hits.CellsRead;
   if (!this->Scene.Hint)
   {
     this->Store(rays, hits, frame, counts);
+    found.AreAll = true;
     return;
   }
   RayBatch again;

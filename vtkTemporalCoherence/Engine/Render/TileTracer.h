@@ -6,6 +6,7 @@
 #include "Acceleration/TileBounds.h"
 #include "Scene/FrameKey.h"
 #include "Scene/FramePlanes.h"
+#include "Scene/TileHits.h"
 #include "Shade/Shader.h"
 #include "Trace/RayHint.h"
 #include "Trace/RaySource.h"
@@ -36,7 +37,8 @@ public:
   explicit TileTracer(const TileScene& scene);
 
   /// Trace the rays through `part`, which is tile number `tile`. Thread-safe.
-  TraceCounts Trace(std::int64_t tile, const PixelRect& part, Frame& frame) const;
+  /// \param found gets the rays and, if none of them was served by the hint, all hits
+  TraceCounts Trace(std::int64_t tile, const PixelRect& part, Frame& frame, TileHits& found) const;
 
   /// Trace some rays of a tile, one bit each, without a hint.
   TraceCounts TraceSome(
@@ -45,7 +47,7 @@ public:
 private:
   bool CanSkip(std::int64_t tile) const;
   void Find(const RayBatch& rays, HitBatch& hits) const;
-  void TraceRays(const RayHint& hint, const KnownRays& known, RayBatch& rays, Frame& frame,
+  void TraceRays(const RayHint& hint, const KnownRays& known, TileHits& found, Frame& frame,
     TraceCounts& counts) const;
   void Store(const RayBatch& rays, const HitBatch& hits, Frame& frame, TraceCounts& counts) const;
   void TraceAgain(const RayBatch& rays, Frame& frame, TraceCounts& counts) const;

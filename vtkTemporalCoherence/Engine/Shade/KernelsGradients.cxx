@@ -8,7 +8,7 @@
 #define HWY_TARGET_INCLUDE "Shade/KernelsGradients.cxx"
 #include <hwy/foreach_target.h>
 
-#include <hwy/highway.h>
+#include "Trace/KernelsPacked-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace TemporalCoherence
@@ -97,77 +97,18 @@ HWY_INLINE void FindAllCells(
   }
 }
 
-/// Sample `Index` of the `Count` samples of `Bits` bits that are packed into 32-bit lanes, signed
-/// if the lanes are.
-template <int Bits, int Count, int Index, class V>
-HWY_INLINE V Unpack(V words)
-{
-#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
-  constexpr int Place = Count - 1 - Index;
-#else
-  constexpr int Place = Index;
-#endif
-  constexpr int Above = 32 - Bits * (Place + 1);
-  return hn::ShiftRight<32 - Bits>(hn::ShiftLeft<Above>(words));
-}
-
 /// Loads rows as vectors, one for each sample of the row, and subtracts them. Integers of up to 16
 /// bits are subtracted before they are converted to float, which is exact.
 template <typename Stored>
-struct IntegerRowLoader
+struct IntegerRowLoader : PackedSamples::HWY_NAMESPACE::IntegerRows<Stored>
 {
-  using D = hn::CappedTag<float, WidestVector>;
-  using Lane = std::conditional_t<std::is_signed_v<Stored>, std::int32_t, std::uint32_t>;
-  using DW = hn::Rebind<Lane, D>;
-  using V = hn::Vec<DW>;
-  static constexpr int Bits = 8 * sizeof(Stored);
+  using Rows = PackedSamples::HWY_NAMESPACE::IntegerRows<Stored>;
 
   HWY_INLINE IntegerRowLoader(const RowBatch<Stored>&, std::size_t) {}
 
-  HWY_INLINE void Load(const std::array<Stored, 4>* rows, V out[4]) const
+  HWY_INLINE hn::Vec<typename Rows::D> Minus(typename Rows::V a, typename Rows::V b) const
   {
-    const DW dw;
-    const auto* words = reinterpret_cast<const Lane*>(rows);
-    if constexpr (sizeof(Stored) == 1)
-    {
-      const V all = hn::LoadU(dw, words);
-      out[0] = Unpack<Bits, 4, 0>(all);
-      out[1] = Unpack<Bits, 4, 1>(all);
-      out[2] = Unpack<Bits, 4, 2>(all);
-      out[3] = Unpack<Bits, 4, 3>(all);
-    }
-    else
-    {
-      V first, second;
-      hn::LoadInterleaved2(dw, words, first, second);
-      out[0] = Unpack<Bits, 2, 0>(first);
-      out[1] = Unpack<Bits, 2, 1>(first);
-      out[2] = Unpack<Bits, 2, 0>(second);
-      out[3] = Unpack<Bits, 2, 1>(second);
-    }
-  }
-
-  HWY_INLINE void Load(const std::array<Stored, 2>* rows, V out[2]) const
-  {
-    const DW dw;
-    V both;
-    if constexpr (sizeof(Stored) == 1)
-    {
-      const hn::Rebind<hwy::MakeNarrow<Lane>, DW> dn;
-      both = hn::PromoteTo(dw, hn::LoadU(dn, reinterpret_cast<const hwy::MakeNarrow<Lane>*>(rows)));
-    }
-    else
-    {
-      both = hn::LoadU(dw, reinterpret_cast<const Lane*>(rows));
-    }
-    out[0] = Unpack<Bits, 2, 0>(both);
-    out[1] = Unpack<Bits, 2, 1>(both);
-  }
-
-  HWY_INLINE hn::Vec<D> Minus(V a, V b) const
-  {
-    const hn::Rebind<std::int32_t, D> di;
-    return hn::ConvertTo(D(), hn::BitCast(di, hn::Sub(a, b)));
+    return Rows::AsFloats(hn::Sub(a, b));
   }
 };
 

@@ -27,6 +27,10 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// The squares of shorter vectors may underflow.
 constexpr double TooShortToSquare = 1e-140;
 
+/// Gradients between these lengths are not scaled: what a matrix of numbers of about 1 makes of
+/// them can be squared.
+constexpr double ShortEnough = 1e-100, LongEnough = 1e100;
+
 using Doubles = hn::CappedTag<double, WidestVector / 2>;
 using Floats = hn::CappedTag<float, WidestVector>;
 
@@ -65,6 +69,23 @@ void RayPointsOf(RayPoints& rays)
   }
 }
 
+void PointsFromOf(const glm::dvec3& origin, RayPoints& rays)
+{
+  const Doubles d;
+  const hn::Rebind<float, Doubles> df;
+  for (std::size_t i = 0; i < WholeVectors(rays.Count); i += hn::Lanes(d))
+  {
+    const auto t = hn::LoadU(d, &rays.T[i]);
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      const auto unit = hn::LoadU(d, &rays.Direction[a][i]);
+      const auto from = hn::Set(d, origin[static_cast<int>(a)]);
+      hn::StoreU(hn::DemoteTo(df, unit), df, &rays.FloatDirection[a][i]);
+      hn::StoreU(hn::Add(from, hn::Mul(t, unit)), d, &rays.Point[a][i]);
+    }
+  }
+}
+
 void FacingNormalsOf(std::size_t count, const glm::dmat3& m,
   const std::array<Array<double>, 3>& gradients, const std::array<Array<double>, 3>& rays,
   Array<std::array<float, 3>>& normals)
@@ -80,10 +101,16 @@ void FacingNormalsOf(std::size_t count, const glm::dmat3& m,
             gz = hn::LoadU(d, &gradients[2][i]);
     const V rx = hn::LoadU(d, &rays[0][i]), ry = hn::LoadU(d, &rays[1][i]),
             rz = hn::LoadU(d, &rays[2][i]);
-    // Scale first: the squares of very small or large components would underflow or overflow.
+    // Scale very small or large components first: their squares would underflow or overflow.
     const V largest = hn::Max(hn::Abs(gx), hn::Max(hn::Abs(gy), hn::Abs(gz)));
     const auto hasGradient = hn::Ge(largest, smallest);
-    const V scale = hn::Div(one, hn::IfThenElse(hasGradient, largest, one));
+    const auto isFar = hn::And(hasGradient,
+      hn::Or(hn::Lt(largest, hn::Set(d, ShortEnough)), hn::Gt(largest, hn::Set(d, LongEnough))));
+    V scale = one;
+    if (!hn::AllFalse(d, isFar))
+    {
+      scale = hn::Div(one, hn::IfThenElse(isFar, largest, one));
+    }
     const V x = hn::Mul(gx, scale), y = hn::Mul(gy, scale), z = hn::Mul(gz, scale);
     const auto inWorld = [&](int axis) HWY_ATTR {
       return Dot(hn::Set(d, m[0][axis]), hn::Set(d, m[1][axis]), hn::Set(d, m[2][axis]), x, y, z);
@@ -93,7 +120,11 @@ void FacingNormalsOf(std::size_t count, const glm::dmat3& m,
     const V longest = hn::Max(hn::Abs(nx), hn::Max(hn::Abs(ny), hn::Abs(nz)));
     const auto hasNormal = hn::And(hasGradient, hn::Ge(longest, smallest));
     const auto isFarFromOne = hn::And(hasNormal, hn::Lt(longest, hn::Set(d, TooShortToSquare)));
-    const V closer = hn::Div(one, hn::IfThenElse(isFarFromOne, longest, one));
+    V closer = one;
+    if (!hn::AllFalse(d, isFarFromOne))
+    {
+      closer = hn::Div(one, hn::IfThenElse(isFarFromOne, longest, one));
+    }
     const V wx = hn::IfThenElse(hasNormal, hn::Mul(nx, closer), rx);
     const V wy = hn::IfThenElse(hasNormal, hn::Mul(ny, closer), ry);
     const V wz = hn::IfThenElse(hasNormal, hn::Mul(nz, closer), rz);
@@ -153,44 +184,74 @@ private:
   int Whole; ///< the power if it is an integer that few multiplications reach; else 0
 };
 
-void AddLightTo(const RayPoints& rays, PhongSums& sums)
+/// What of a light from one direction a surface reflects, matt and mirrored.
+struct Reflection
+{
+  hn::Vec<Floats> Cosine, Shine;
+};
+
+/// \param n, light, ray unit vectors: the normal, to the light, and to the surface
+HWY_INLINE Reflection Reflect(const hn::Vec<Floats> n[3], const hn::Vec<Floats> light[3],
+  const hn::Vec<Floats> ray[3], bool isShiny, const Raiser& raise)
 {
   const Floats d;
   using V = hn::Vec<Floats>;
   const V zero = hn::Zero(d), one = hn::Set(d, 1.0f), two = hn::Set(d, 2.0f);
+  const V c = Dot(n[0], n[1], n[2], light[0], light[1], light[2]);
+  const auto isLit = hn::Gt(c, zero);
+  Reflection reflection{ hn::IfThenElseZero(isLit, c), zero };
+  if (isShiny)
+  {
+    const V twice = hn::Mul(two, c);
+    const V m =
+      Dot(hn::Sub(light[0], hn::Mul(twice, n[0])), hn::Sub(light[1], hn::Mul(twice, n[1])),
+        hn::Sub(light[2], hn::Mul(twice, n[2])), ray[0], ray[1], ray[2]);
+    const auto isMirrored = hn::And(isLit, hn::Gt(m, zero));
+    reflection.Shine = raise(hn::Min(hn::IfThenElseZero(isMirrored, m), one));
+  }
+  return reflection;
+}
+
+HWY_INLINE bool IsShiny(const std::array<float, 3>& specular)
+{
+  return specular[0] != 0.0f || specular[1] != 0.0f || specular[2] != 0.0f;
+}
+
+HWY_INLINE hn::Vec<hn::Rebind<std::uint8_t, Floats>> BytesOf(hn::Vec<Floats> sum)
+{
+  const Floats d;
+  const hn::Rebind<std::int32_t, Floats> di;
+  const hn::Rebind<std::uint8_t, Floats> db;
+  const auto zero = hn::Zero(d), one = hn::Set(d, 1.0f);
+  const auto raised = hn::IfThenElse(hn::Gt(sum, zero), sum, zero);
+  const auto clamped = hn::IfThenElse(hn::Lt(raised, one), raised, one);
+  const auto scaled = hn::Add(hn::Mul(clamped, hn::Set(d, 255.0f)), hn::Set(d, 0.5f));
+  return hn::DemoteTo(db, hn::ConvertTo(di, scaled));
+}
+
+void AddLightTo(const RayPoints& rays, PhongSums& sums)
+{
+  const Floats d;
+  using V = hn::Vec<Floats>;
   const Raiser raise(sums.Power);
-  const bool isShiny =
-    sums.Specular[0] != 0.0f || sums.Specular[1] != 0.0f || sums.Specular[2] != 0.0f;
+  const bool isShiny = IsShiny(sums.Specular);
   for (std::size_t i = 0; i < sums.Count; i += hn::Lanes(d))
   {
-    const auto toLight = [&](std::size_t a) HWY_ATTR
-    { return sums.IsPositional ? hn::LoadU(d, &sums.ToLight[a][i]) : hn::Set(d, sums.Toward[a]); };
-    const V lx = toLight(0), ly = toLight(1), lz = toLight(2);
-    const V share = sums.IsPositional ? hn::LoadU(d, &sums.Share[i]) : one;
-    V nx, ny, nz;
-    hn::LoadInterleaved3(d, sums.Normal[i].data(), nx, ny, nz);
-    const V c = Dot(nx, ny, nz, lx, ly, lz);
-    const auto isLit = hn::Gt(c, zero);
-    const V cosine = hn::IfThenElseZero(isLit, c);
-    V shine = zero;
-    if (isShiny)
-    {
-      const V rx = hn::LoadU(d, &rays.FloatDirection[0][i]),
-              ry = hn::LoadU(d, &rays.FloatDirection[1][i]),
-              rz = hn::LoadU(d, &rays.FloatDirection[2][i]);
-      const V twice = hn::Mul(two, c);
-      const V m = Dot(hn::Sub(lx, hn::Mul(twice, nx)), hn::Sub(ly, hn::Mul(twice, ny)),
-        hn::Sub(lz, hn::Mul(twice, nz)), rx, ry, rz);
-      const auto isMirrored = hn::And(isLit, hn::Gt(m, zero));
-      shine = raise(hn::Min(hn::IfThenElseZero(isMirrored, m), one));
-    }
+    V n[3], light[3], ray[3];
     for (std::size_t a = 0; a < 3; ++a)
     {
-      const V diffuse =
-        hn::Mul(hn::Mul(hn::Set(d, sums.Diffuse[a]), cosine), hn::LoadU(d, &sums.Color[a][i]));
-      const V light = hn::Add(diffuse, hn::Mul(hn::Set(d, sums.Specular[a]), shine));
-      const V sum = hn::Add(hn::LoadU(d, &sums.Sum[a][i]), hn::Mul(share, light));
-      hn::StoreU(sum, d, &sums.Sum[a][i]);
+      light[a] = sums.IsPositional ? hn::LoadU(d, &sums.ToLight[a][i]) : hn::Set(d, sums.Toward[a]);
+      ray[a] = isShiny ? hn::LoadU(d, &rays.FloatDirection[a][i]) : hn::Zero(d);
+    }
+    hn::LoadInterleaved3(d, sums.Normal[i].data(), n[0], n[1], n[2]);
+    const V share = sums.IsPositional ? hn::LoadU(d, &sums.Share[i]) : hn::Set(d, 1.0f);
+    const Reflection reflection = Reflect(n, light, ray, isShiny, raise);
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      const V diffuse = hn::Mul(
+        hn::Mul(hn::Set(d, sums.Diffuse[a]), reflection.Cosine), hn::LoadU(d, &sums.Color[a][i]));
+      const V sum = hn::Add(diffuse, hn::Mul(hn::Set(d, sums.Specular[a]), reflection.Shine));
+      hn::StoreU(hn::Add(hn::LoadU(d, &sums.Sum[a][i]), hn::Mul(share, sum)), d, &sums.Sum[a][i]);
     }
   }
 }
@@ -198,19 +259,41 @@ void AddLightTo(const RayPoints& rays, PhongSums& sums)
 void ColorsOf(const PhongSums& sums, Array<std::array<std::uint8_t, 4>>& colors)
 {
   const Floats d;
-  const hn::Rebind<std::int32_t, Floats> di;
   const hn::Rebind<std::uint8_t, Floats> db;
-  using V = hn::Vec<Floats>;
-  const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
-  const V largest = hn::Set(d, 255.0f), half = hn::Set(d, 0.5f);
   for (std::size_t i = 0; i < sums.Count; i += hn::Lanes(d))
   {
     const auto bytes = [&](std::size_t a) HWY_ATTR
+    { return BytesOf(hn::LoadU(d, &sums.Sum[a][i])); };
+    hn::StoreInterleaved4(
+      bytes(0), bytes(1), bytes(2), hn::Set(db, std::uint8_t(255)), db, colors[i].data());
+  }
+}
+
+void SimpleColorsOf(const RayPoints& rays, const Array<std::array<float, 3>>& normals,
+  const SimpleLight& light, Array<std::array<std::uint8_t, 4>>& colors)
+{
+  const Floats d;
+  const hn::Rebind<std::uint8_t, Floats> db;
+  using V = hn::Vec<Floats>;
+  const Raiser raise(light.Power);
+  const bool isShiny = IsShiny(light.Specular);
+  const V toward[3] = { hn::Set(d, light.Toward[0]), hn::Set(d, light.Toward[1]),
+    hn::Set(d, light.Toward[2]) };
+  for (std::size_t i = 0; i < rays.Count; i += hn::Lanes(d))
+  {
+    V n[3], ray[3];
+    hn::LoadInterleaved3(d, normals[i].data(), n[0], n[1], n[2]);
+    for (std::size_t a = 0; a < 3; ++a)
     {
-      const V sum = hn::LoadU(d, &sums.Sum[a][i]);
-      const V raised = hn::IfThenElse(hn::Gt(sum, zero), sum, zero);
-      const V clamped = hn::IfThenElse(hn::Lt(raised, one), raised, one);
-      return hn::DemoteTo(db, hn::ConvertTo(di, hn::Add(hn::Mul(clamped, largest), half)));
+      ray[a] = isShiny ? hn::LoadU(d, &rays.FloatDirection[a][i]) : hn::Zero(d);
+    }
+    const Reflection reflection = Reflect(n, toward, ray, isShiny, raise);
+    const auto bytes = [&](std::size_t a) HWY_ATTR
+    {
+      const V diffuse = hn::Mul(
+        hn::Mul(hn::Set(d, light.Diffuse[a]), reflection.Cosine), hn::Set(d, light.Color[a]));
+      const V sum = hn::Add(diffuse, hn::Mul(hn::Set(d, light.Specular[a]), reflection.Shine));
+      return BytesOf(hn::Add(hn::Set(d, light.Ambient[a]), sum));
     };
     hn::StoreInterleaved4(
       bytes(0), bytes(1), bytes(2), hn::Set(db, std::uint8_t(255)), db, colors[i].data());
@@ -229,13 +312,20 @@ namespace ShadingKernels
 {
 
 HWY_EXPORT(RayPointsOf);
+HWY_EXPORT(PointsFromOf);
 HWY_EXPORT(FacingNormalsOf);
 HWY_EXPORT(AddLightTo);
 HWY_EXPORT(ColorsOf);
+HWY_EXPORT(SimpleColorsOf);
 
 void FindRayPoints(RayPoints& rays)
 {
   HWY_DYNAMIC_DISPATCH(RayPointsOf)(rays);
+}
+
+void FindPointsFrom(const glm::dvec3& origin, RayPoints& rays)
+{
+  HWY_DYNAMIC_DISPATCH(PointsFromOf)(origin, rays);
 }
 
 void FindFacingNormals(std::size_t count, const glm::dmat3& worldFromGradient,
@@ -261,6 +351,12 @@ void FindFacingNormals(std::size_t count, const glm::dmat3& worldFromGradient,
 void AddLight(const RayPoints& rays, PhongSums& sums)
 {
   HWY_DYNAMIC_DISPATCH(AddLightTo)(rays, sums);
+}
+
+void FindColors(const RayPoints& rays, const Array<std::array<float, 3>>& normals,
+  const SimpleLight& light, Array<std::array<std::uint8_t, 4>>& colors)
+{
+  HWY_DYNAMIC_DISPATCH(SimpleColorsOf)(rays, normals, light, colors);
 }
 
 void RoundColors(const PhongSums& sums, Array<std::array<std::uint8_t, 4>>& colors)

@@ -32,6 +32,9 @@ struct RayPoints
 };
 void FindRayPoints(RayPoints& rays);
 
+/// The same for rays whose directions are known, and that all begin at one point: the same bits.
+void FindPointsFrom(const glm::dvec3& origin, RayPoints& rays);
+
 /// Make unit normals that face the viewer from gradients. Where the gradient is 0, the surface is
 /// taken to face the viewer.
 /// \param rays    unit directions
@@ -56,6 +59,20 @@ struct PhongSums
   double Power = 1.0;
 };
 void AddLight(const RayPoints& rays, PhongSums& sums);
+
+/// One light that is not positional, on surfaces of one colour.
+struct SimpleLight
+{
+  std::array<float, 3> Color, Ambient; ///< of the surface; and what it shows without the light
+  std::array<float, 3> Toward;         ///< unit vector to the light
+  std::array<float, 3> Diffuse, Specular;
+  double Power;
+};
+
+/// Find the colours of hits in one pass: the same bits as AddLight and RoundColors give. Normals
+/// are read up to the end of the last vector.
+void FindColors(const RayPoints& rays, const Array<std::array<float, 3>>& normals,
+  const SimpleLight& light, Array<std::array<std::uint8_t, 4>>& colors);
 
 /// Convert the sums to opaque RGBA colours.
 void RoundColors(const PhongSums& sums, Array<std::array<std::uint8_t, 4>>& colors);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace TemporalCoherence
 {
@@ -179,6 +180,58 @@ void BeginSums(const Appearance& appearance, const HitList& hits, ShadingKernels
   }
 }
 
+/// True if one light from afar shines on one colour, as a headlight does.
+bool IsLitSimply(const Appearance& appearance)
+{
+  return appearance.Shade && appearance.TwoSided && appearance.Colors.size() == 1 &&
+    appearance.Lights.size() == 1 && !appearance.Lights[0].Positional &&
+    appearance.ColorScale == 1.0 && appearance.ColorShift == 0.0;
+}
+
+/// The numbers that BeginSums and AddLight would work with.
+ShadingKernels::SimpleLight LightOf(const Appearance& appearance)
+{
+  const Light& light = appearance.Lights[0];
+  const auto ambient = static_cast<float>(appearance.Ambient);
+  ShadingKernels::SimpleLight simple;
+  for (std::size_t c = 0; c < 3; ++c)
+  {
+    const auto component = static_cast<int>(c);
+    simple.Color[c] = static_cast<float>(appearance.Colors[0][component]);
+    simple.Ambient[c] = ambient * simple.Color[c];
+    simple.Toward[c] = static_cast<float>(-light.Direction[component]);
+    simple.Diffuse[c] = static_cast<float>(appearance.Diffuse * light.Diffuse[component]);
+    simple.Specular[c] =
+      static_cast<float>(std::max(appearance.Specular, 0.0) * light.Specular[component]);
+  }
+  simple.Power = appearance.SpecularPower;
+  return simple;
+}
+
+/// Store a value of each hit in a plane.
+template <typename From, typename To>
+void StoreToPlane(const HitList& hits, const Array<From>& values, Plane<To>& plane)
+{
+  static_assert(sizeof(From) == sizeof(To));
+  for (std::size_t i = 0; i < hits.Rays.Count;)
+  {
+    // Most rows are full. Pixels ascend.
+    const auto pixel = static_cast<std::size_t>(hits.Pixel[i]);
+    const bool isRow = i + TileSize <= hits.Rays.Count &&
+      hits.Pixel[i + TileSize - 1] == hits.Pixel[i] + TileSize - 1;
+    if (isRow)
+    {
+      std::memcpy(&plane[pixel], &values[i], TileSize * sizeof(To));
+      i += TileSize;
+    }
+    else
+    {
+      std::memcpy(&plane[pixel], &values[i], sizeof(To));
+      ++i;
+    }
+  }
+}
+
 /// Apply scale and shift to colours.
 void ScaleSums(const Appearance& appearance, ShadingKernels::PhongSums& sums)
 {
@@ -321,6 +374,57 @@ void GatherHits(
   FindHitPoints(view, hits);
 }
 
+void TakeHits(const View& view, const TileHits& found, Frame& frame, HitList& hits)
+{
+  const auto rays = static_cast<std::size_t>(found.Rays.Count);
+  Array<std::uint8_t> places;
+  std::size_t count = 0;
+  for (std::size_t ray = 0; ray < rays; ++ray)
+  {
+    places[count] = static_cast<std::uint8_t>(ray);
+    count += found.Hits.Surface[ray] != Frame::NoSurface;
+  }
+  hits.Rays.Count = count;
+  const auto take = [&](const auto& from, auto& to)
+  {
+    if (count == RayBatch::Capacity)
+    {
+      std::memcpy(to.data(), from.data(), sizeof(from));
+      return;
+    }
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      to[i] = from[places[i]];
+    }
+  };
+  take(found.Rays.Pixel, hits.Pixel);
+  take(found.Hits.Surface, hits.Surface);
+  take(found.Hits.Kind, hits.Kind);
+  take(found.Hits.Depth, hits.Rays.T);
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    take(found.World[a], hits.Rays.Direction[a]);
+  }
+  for (std::size_t ray = 0; ray < rays && count < rays; ++ray)
+  {
+    if (found.Hits.Surface[ray] == Frame::NoSurface)
+    {
+      const auto pixel = static_cast<std::size_t>(found.Rays.Pixel[ray]);
+      frame.Normals[pixel] = glm::vec3(0.0f);
+      frame.Colors[pixel] = {};
+    }
+  }
+  if (count > 0)
+  {
+    FillLastVector(count, hits.Rays.T);
+    for (Array<double>& component : hits.Rays.Direction)
+    {
+      FillLastVector(count, component);
+    }
+    ShadingKernels::FindPointsFrom(view.Origin, hits.Rays);
+  }
+}
+
 void FindHitPoints(const View& view, HitList& hits)
 {
   ShadingKernels::RayPoints& rays = hits.Rays;
@@ -355,15 +459,12 @@ void ComputeNormals(
   const glm::dmat3 worldFromGradient = glm::transpose(glm::dmat3(source.Transform.IndexFromWorld));
   ShadingKernels::FindFacingNormals(
     count, worldFromGradient, gradients, hits.Rays.Direction, hits.Normal);
+  FillLastVector(count, hits.Normal);
 }
 
 void StoreNormals(const HitList& hits, Frame& frame)
 {
-  for (std::size_t i = 0; i < hits.Rays.Count; ++i)
-  {
-    const std::array<float, 3>& normal = hits.Normal[i];
-    frame.Normals[static_cast<std::size_t>(hits.Pixel[i])] = { normal[0], normal[1], normal[2] };
-  }
+  StoreToPlane(hits, hits.Normal, frame.Normals);
 }
 
 void LoadNormals(const Frame& frame, HitList& hits)
@@ -372,6 +473,10 @@ void LoadNormals(const Frame& frame, HitList& hits)
   {
     const glm::vec3& normal = frame.Normals[static_cast<std::size_t>(hits.Pixel[i])];
     hits.Normal[i] = { normal.x, normal.y, normal.z };
+  }
+  if (hits.Rays.Count > 0)
+  {
+    FillLastVector(hits.Rays.Count, hits.Normal);
   }
 }
 
@@ -397,14 +502,18 @@ void ShadeHits(const Appearance& appearance, const HitList& hits, Frame& frame)
   {
     return;
   }
-  ShadingKernels::PhongSums sums;
-  SumLight(appearance, hits, sums);
   Array<std::array<std::uint8_t, 4>> colors;
-  ShadingKernels::RoundColors(sums, colors);
-  for (std::size_t i = 0; i < sums.Count; ++i)
+  if (IsLitSimply(appearance))
   {
-    frame.Colors[static_cast<std::size_t>(hits.Pixel[i])] = colors[i];
+    ShadingKernels::FindColors(hits.Rays, hits.Normal, LightOf(appearance), colors);
   }
+  else
+  {
+    ShadingKernels::PhongSums sums;
+    SumLight(appearance, hits, sums);
+    ShadingKernels::RoundColors(sums, colors);
+  }
+  StoreToPlane(hits, colors, frame.Colors);
   PaintAnswers(appearance, hits, frame);
 }
 

@@ -8,6 +8,7 @@
 #include "Scene/Frame.h"
 #include "Scene/RayBatch.h"
 #include "Scene/Region.h"
+#include "Scene/TileHits.h"
 #include "Scene/Tiles.h"
 #include "Scene/View.h"
 #include "Shade/KernelsShading.h"
@@ -45,6 +46,9 @@ struct NormalSource
 /// \param withDefiniteHits false: skip definite hits, whose colours are known already
 void GatherHits(
   const View& view, const PixelRect& part, bool withDefiniteHits, Frame& frame, HitList& hits);
+
+/// The same for the hits of a whole tile of a perspective view, which the planes hold already.
+void TakeHits(const View& view, const TileHits& found, Frame& frame, HitList& hits);
 
 /// Find the points of hits on the rays of a view. The list must have pixels and distances.
 void FindHitPoints(const View& view, HitList& hits);

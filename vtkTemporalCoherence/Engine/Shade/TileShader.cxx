@@ -21,8 +21,8 @@ TileShader::TileShader(const FrameKey& key, const glm::dvec2& finiteRange, const
   }
 }
 
-void TileShader::Shade(
-  std::int64_t tile, const PixelRect& part, Frame& frame, TraceCounts& counts) const
+void TileShader::Shade(std::int64_t tile, const PixelRect& part, const TileHits* found,
+  Frame& frame, TraceCounts& counts) const
 {
   if (this->Compositor)
   {
@@ -45,7 +45,17 @@ void TileShader::Shade(
   HitList hits;
   if (this->NormalsOf != HitSet::None)
   {
-    GatherHits(this->Key.View, part, this->NormalsOf == HitSet::All, frame, hits);
+    // Parallel rays begin at points of their own, which the tile does not keep.
+    const bool areAtHand =
+      found && found->AreAll && this->NormalsOf == HitSet::All && !this->Key.View.Parallel;
+    if (areAtHand)
+    {
+      TakeHits(this->Key.View, *found, frame, hits);
+    }
+    else
+    {
+      GatherHits(this->Key.View, part, this->NormalsOf == HitSet::All, frame, hits);
+    }
     ComputeNormals(this->Source, hits);
     StoreNormals(hits, frame);
   }

@@ -5,6 +5,7 @@
 
 #include "Scene/FrameKey.h"
 #include "Scene/FramePlanes.h"
+#include "Scene/TileHits.h"
 #include "Shade/Shader.h"
 #include "Shade/TileCompositor.h"
 
@@ -35,7 +36,9 @@ public:
     HitSet normalsOf, HitSet colorsOf);
 
   /// Shade `part`, which is tile number `tile`. Thread-safe.
-  void Shade(std::int64_t tile, const PixelRect& part, Frame& frame, TraceCounts& counts) const;
+  /// \param found its rays and hits, if they are at hand; null: the planes tell them
+  void Shade(std::int64_t tile, const PixelRect& part, const TileHits* found, Frame& frame,
+    TraceCounts& counts) const;
 
 private:
   const FrameKey& Key;

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trace/KernelsRays.h"
 
-#include <algorithm>
+#include "Scene/Tiles.h"
+
+#include <array>
 
 // This file is compiled once for each kind of vectors. The best one for the machine is chosen at
 // run time.
@@ -28,22 +30,23 @@ using V = hn::Vec<Doubles>;
 /// 1e-11 cells.
 constexpr double SmallestShare = 1e-15;
 
-/// Normalised device coordinates of the pixels, row by row, and their positions in the frame.
-inline void SetPixels(const RaySource& source, const glm::ivec2& first, const glm::ivec2& size,
-  double* x, double* y, RayBatch& rays)
+/// Normalised device coordinates of the columns and rows of pixels. They repeat the first behind
+/// the last.
+struct PixelCentres
 {
-  for (int row = 0; row < size.y; ++row)
+  PixelCentres(const RaySource& source, const glm::ivec2& first, const glm::ivec2& size)
   {
-    const double atRow = (2.0 * (first.y + row) + 1.0) / source.Size.y - 1.0;
-    for (int column = 0; column < size.x; ++column)
+    for (int i = 0; i < TileSize; ++i)
     {
-      const auto i = static_cast<std::size_t>(row * size.x + column);
-      x[i] = (2.0 * (first.x + column) + 1.0) / source.Size.x - 1.0;
-      y[i] = atRow;
-      rays.Pixel[i] = (first.y + row) * source.Size.x + first.x + column;
+      const int column = i < size.x ? i : 0, row = i < size.y ? i : 0;
+      const auto at = static_cast<std::size_t>(i);
+      this->X[at] = (2.0 * (first.x + column) + 1.0) / source.Size.x - 1.0;
+      this->Y[at] = (2.0 * (first.y + row) + 1.0) / source.Size.y - 1.0;
     }
   }
-}
+
+  std::array<double, TileSize> X, Y;
+};
 
 /// A component of a linear vector.
 HWY_INLINE V At(const RaySource::LinearVector& vector, int axis, V x, V y)
@@ -55,7 +58,8 @@ HWY_INLINE V At(const RaySource::LinearVector& vector, int axis, V x, V y)
 }
 
 /// Set up a vector of rays, from their normalised device coordinates.
-HWY_INLINE void SetUpVector(const RaySource& source, V x, V y, std::size_t i, RayBatch& rays)
+HWY_INLINE void SetUpVector(
+  const RaySource& source, V x, V y, std::size_t i, RayBatch& rays, WorldDirections* world)
 {
   const Doubles d;
   const V one = hn::Set(d, 1.0), zero = hn::Zero(d);
@@ -70,6 +74,12 @@ HWY_INLINE void SetUpVector(const RaySource& source, V x, V y, std::size_t i, Ra
   V end = hn::Mul(hn::Set(d, source.Far), perDepth);
 
   const V perLength = hn::Div(one, length);
+  if (world)
+  {
+    hn::StoreU(hn::Mul(wx, perLength), d, &(*world)[0][i]);
+    hn::StoreU(hn::Mul(wy, perLength), d, &(*world)[1][i]);
+    hn::StoreU(hn::Mul(wz, perLength), d, &(*world)[2][i]);
+  }
   V direction[3];
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -101,19 +111,62 @@ HWY_INLINE void SetUpVector(const RaySource& source, V x, V y, std::size_t i, Ra
   hn::StoreU(end, d, &rays.WalkEnd[i]);
 }
 
-void SetUp(const RaySource& source, const glm::ivec2& first, const glm::ivec2& size, RayBatch& rays)
+/// A tile of whole rows.
+HWY_INLINE void SetUpRows(const RaySource& source, const PixelCentres& centres, int rows,
+  RayBatch& rays, WorldDirections* world)
 {
   const Doubles d;
-  const auto count = static_cast<std::size_t>(size.x * size.y);
-  rays.Count = static_cast<int>(count);
-  RayBatch::Array<double> x, y;
-  SetPixels(source, first, size, x.data(), y.data(), rays);
-  std::fill(x.begin() + static_cast<std::ptrdiff_t>(count), x.end(), x[0]);
-  std::fill(y.begin() + static_cast<std::ptrdiff_t>(count), y.end(), y[0]);
-  for (std::size_t i = 0; i < WholeVectors(count); i += hn::Lanes(d))
+  for (std::size_t row = 0; row < static_cast<std::size_t>(rows); ++row)
   {
-    SetUpVector(source, hn::LoadU(d, &x[i]), hn::LoadU(d, &y[i]), i, rays);
+    const V y = hn::Set(d, centres.Y[row]);
+    for (std::size_t column = 0; column < TileSize; column += hn::Lanes(d))
+    {
+      SetUpVector(
+        source, hn::LoadU(d, &centres.X[column]), y, row * TileSize + column, rays, world);
+    }
   }
+}
+
+/// A tile that the picture cuts off: row by row, without gaps.
+HWY_INLINE void SetUpPart(const RaySource& source, const PixelCentres& centres,
+  const glm::ivec2& size, RayBatch& rays, WorldDirections* world)
+{
+  const Doubles d;
+  RayBatch::Array<double> x, y;
+  x.fill(centres.X[0]);
+  y.fill(centres.Y[0]);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
+  {
+    x[i] = centres.X[i % static_cast<std::size_t>(size.x)];
+    y[i] = centres.Y[i / static_cast<std::size_t>(size.x)];
+  }
+  for (std::size_t i = 0; i < WholeVectors(static_cast<std::size_t>(rays.Count)); i += hn::Lanes(d))
+  {
+    SetUpVector(source, hn::LoadU(d, &x[i]), hn::LoadU(d, &y[i]), i, rays, world);
+  }
+}
+
+void SetUp(const RaySource& source, const glm::ivec2& first, const glm::ivec2& size, RayBatch& rays,
+  WorldDirections* world)
+{
+  rays.Count = size.x * size.y;
+  std::size_t ray = 0;
+  for (int row = 0; row < size.y; ++row)
+  {
+    const std::int32_t pixel = (first.y + row) * source.Size.x + first.x;
+    for (int column = 0; column < size.x; ++column)
+    {
+      rays.Pixel[ray++] = pixel + column;
+    }
+  }
+  const PixelCentres centres(source, first, size);
+  // Whole vectors of the widest kind, as all kernels expect them.
+  if (size.x == TileSize && size.y % 2 == 0)
+  {
+    SetUpRows(source, centres, size.y, rays, world);
+    return;
+  }
+  SetUpPart(source, centres, size, rays, world);
 }
 
 }
@@ -126,10 +179,10 @@ namespace TemporalCoherence
 
 HWY_EXPORT(SetUp);
 
-void SetUpRays(
-  const RaySource& source, const glm::ivec2& first, const glm::ivec2& size, RayBatch& rays)
+void SetUpRays(const RaySource& source, const glm::ivec2& first, const glm::ivec2& size,
+  RayBatch& rays, WorldDirections* world)
 {
-  HWY_DYNAMIC_DISPATCH(SetUp)(source, first, size, rays);
+  HWY_DYNAMIC_DISPATCH(SetUp)(source, first, size, rays, world);
 }
 
 }

@@ -9,8 +9,8 @@ namespace TemporalCoherence
 {
 
 /// RaySource::SetUp in the widest vectors of the machine.
-void SetUpRays(
-  const RaySource& source, const glm::ivec2& first, const glm::ivec2& size, RayBatch& rays);
+void SetUpRays(const RaySource& source, const glm::ivec2& first, const glm::ivec2& size,
+  RayBatch& rays, WorldDirections* world = nullptr);
 
 }
 

@@ -43,9 +43,10 @@ RaySource::RaySource(const View& view, const IndexTransform& transform,
   }
 }
 
-void RaySource::SetUp(const glm::ivec2& first, const glm::ivec2& size, RayBatch& rays) const
+void RaySource::SetUp(
+  const glm::ivec2& first, const glm::ivec2& size, RayBatch& rays, WorldDirections* world) const
 {
-  SetUpRays(*this, first, size, rays);
+  SetUpRays(*this, first, size, rays, world);
   if (!this->Clipper.IsWhole())
   {
     this->Clipper.Narrow(rays);

@@ -5,6 +5,7 @@
 
 #include "Scene/Field.h"
 #include "Scene/RayBatch.h"
+#include "Scene/TileHits.h"
 #include "Scene/View.h"
 #include "Trace/RegionClipper.h"
 
@@ -26,7 +27,9 @@ public:
   /// Set up the rays through the pixels first .. first + size - 1 and clip them to the box of the
   /// field, to the clipping planes of the camera, and to their first and last points in the region.
   /// The walk is the whole clipped ray.
-  void SetUp(const glm::ivec2& first, const glm::ivec2& size, RayBatch& rays) const;
+  /// \param world gets the directions of the rays in the world; may be null
+  void SetUp(const glm::ivec2& first, const glm::ivec2& size, RayBatch& rays,
+    WorldDirections* world = nullptr) const;
 
   /// A vector that is linear in normalised device coordinates: V[0] + x V[1] + y V[2].
   using LinearVector = std::array<glm::dvec3, 3>;

@@ -83,6 +83,30 @@ public:
     this->Corner[at] = reach;
   }
 
+  /// Append the cells of some rays at once, when none is appended.
+  /// \param rays, cellOf of each, the ray and what Append takes: its Place, Corners and Reach
+  template <typename Places, typename CellOf>
+  void AppendAll(std::size_t count, const Places& rays, const CellOf& cellOf)
+  {
+    SegmentBatch<Real>& segments = this->Segments;
+    segments.Count = static_cast<int>(count);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const auto& cell = cellOf(i);
+      this->Owner[i] = rays[i];
+      this->Corner[i] = cell.Reach;
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        segments.Cell[a][i] = cell.Place[static_cast<int>(a)];
+      }
+      for (std::size_t corner = 0; corner < 8; ++corner)
+      {
+        segments.Corners[corner][i] = cell.Corners[corner];
+      }
+    }
+    GatherRays(this->Rays, rays, segments);
+  }
+
   void Measure()
   {
     if constexpr (!Geometry::HasKernels)
@@ -102,14 +126,30 @@ public:
     }
   }
 
-  /// Take note of what was measured.
-  void TakeNote()
+  /// Take note of what was measured. Cells that cannot bring a ray on, after all, are left out.
+  /// \param isOnWay tells of a ray and the segment appended as the i-th whether the ray's walk goes
+  ///                through its cell
+  template <typename IsOnWay>
+  void TakeNote(const IsOnWay& isOnWay)
   {
     for (std::size_t i = 0; i < static_cast<std::size_t>(this->Segments.Count); ++i)
     {
-      this->TakeNoteOf(i);
+      const std::size_t ray = this->Owner[i];
+      const CellReach<Real>& cell = this->Corner[i];
+      if (this->CanBringOn(ray, cell.Corner[Rising], cell.Corner[Falling]) && isOnWay(ray, i))
+      {
+        this->TakeNoteOf(i, ray);
+      }
     }
     this->Segments.Count = 0;
+  }
+
+  /// Where segment i enters its cell and leaves it, and the cell.
+  double EnterOf(std::size_t i) const { return this->Segments.Enter[i]; }
+  double LeaveOf(std::size_t i) const { return this->Ranges.Leave[i]; }
+  glm::ivec3 CellOf(std::size_t i) const
+  {
+    return { this->Segments.Cell[0][i], this->Segments.Cell[1][i], this->Segments.Cell[2][i] };
   }
 
   /// Hand the knots over. Nothing can be done with this afterwards.
@@ -132,7 +172,7 @@ private:
   {
     SegmentBatch<Real>& segments = this->Segments;
     RangeBatch<Real>& ranges = this->Ranges;
-    const glm::ivec3 cell(segments.Cell[0][i], segments.Cell[1][i], segments.Cell[2][i]);
+    const glm::ivec3 cell = this->CellOf(i);
     const typename Geometry::Segment segment(
       this->Band.Shape.RayOf(this->Rays, this->Owner[i]), cell);
     Corners<Real> corners;
@@ -171,9 +211,8 @@ private:
   }
 
   /// Update a ray's progress by its measured segment i.
-  void TakeNoteOf(std::size_t i)
+  void TakeNoteOf(std::size_t i, std::size_t ray)
   {
-    const std::size_t ray = this->Owner[i];
     if (!this->Entered[ray])
     {
       this->EnterBy(i, ray);

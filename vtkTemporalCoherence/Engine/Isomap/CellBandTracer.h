@@ -52,7 +52,7 @@ protected:
           return this->Advance(ray, this->Cells.Shape.RayOf(rays, ray), live.Walks[ray], progress);
         });
       progress.Measure();
-      progress.TakeNote();
+      progress.TakeNote([](std::size_t, std::size_t) { return true; });
       live.Keep([&](std::size_t ray) { return !progress.IsDone(ray); });
     }
   }

@@ -49,10 +49,12 @@ set(engine_files
   Isomap/IsomapLookup
   Isomap/KnotCollector
   Isomap/Knots
+  Fields/KernelsBandBeam
   Fields/KernelsBeam
   Fields/KernelsBeamSetUp
   Fields/RectilinearGradients
   Fields/RectilinearKind
+  Fields/UniformBandTracer
   Fields/UniformKind
   Fields/UniformTracer
   Render/FrameRenderer

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fields/LatticeFaces.h"
+#include "Fields/UniformBandTracer.h"
 #include "Fields/UniformCells.h"
 #include "Fields/UniformTracer.h"
-#include "Isomap/CellBandTracer.h"
 #include "Scene/FieldKind.h"
 #include "Shade/SurfaceNormal.h"
 
@@ -50,9 +50,7 @@ public:
 
   std::shared_ptr<const BandTracer> MakeBandTracer(const BandScene& scene) const override
   {
-    return DispatchScalarType(scene.Samples.Type,
-      [&](auto type)
-      { return MakeCellBandTracer<decltype(type)>(scene, UniformCells<decltype(type)>()); });
+    return MakeUniformBandTracer(scene);
   }
 
   void FindEntries(const RayBatch& rays, CellList& cells) const override

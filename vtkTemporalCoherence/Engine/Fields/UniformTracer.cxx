@@ -30,7 +30,8 @@ constexpr double CoarsestPixel = 0.75;
 /// Fewer rays of a tile than this walk.
 constexpr int FewestRays = 16;
 
-/// Voxels between the rays of a whole tile, across them, where one in its middle begins to walk.
+}
+
 double SpacingOf(const RayBatch& rays)
 {
   constexpr std::size_t middle = 36, right = 7, above = 56;
@@ -48,6 +49,9 @@ double SpacingOf(const RayBatch& rays)
   const double area = std::abs(glm::dot(direction, glm::cross(alongX, alongY)));
   return std::sqrt(area / glm::length(direction)) / (TileSize - 1);
 }
+
+namespace
+{
 
 /// CellTracer, with what is done for all rays of a tile at once done in vectors.
 template <typename T, Interpolation Between>

@@ -18,6 +18,9 @@ bool HasBeams(const Field& field, const Surfaces& surfaces);
 /// \throws std::bad_alloc
 std::shared_ptr<const SurfaceTracer> MakeUniformTracer(const TraceScene& scene);
 
+/// Voxels between the rays of a whole tile, across them, where one in its middle begins to walk.
+double SpacingOf(const RayBatch& rays);
+
 }
 
 #endif

@@ -10,6 +10,7 @@
 #include "Scene/Field.h"
 #include "Scene/RayBatch.h"
 #include "Scene/Surfaces.h"
+#include "Trace/SurfaceTracer.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -32,6 +33,7 @@ struct BandScene
   IndexTransform Transform{}; ///< for normals
   /// Bytes of knots in a tile from which the whole band is too large, so that tracing stops.
   std::size_t MemoryLimit = std::numeric_limits<std::size_t>::max();
+  Traversal By = Traversal::Fastest; ///< the knots are the same
 };
 
 /// Traces rays through the active cells of a band and records where each isovalue is first passed.

@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The way of a beam through the tree of active cells.
+// Included by kernels once for each kind of vectors, hence the guard that turns over.
+#if defined(TemporalCoherence_KernelsBeamTree_inl_h) == defined(HWY_TARGET_TOGGLE)
+#ifdef TemporalCoherence_KernelsBeamTree_inl_h
+#undef TemporalCoherence_KernelsBeamTree_inl_h
+#else
+#define TemporalCoherence_KernelsBeamTree_inl_h
+#endif
+
+#include "Fields/TileBeam.h"
+
+#include "Fields/CellCubics-inl.h"
+
+#include <atomic>
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace TemporalCoherence
+{
+namespace BeamKernels
+{
+namespace HWY_NAMESPACE
+{
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// The bits of a block's children in the order in which a beam meets them: bit i becomes i ^ flip.
+HWY_INLINE std::uint64_t InOrder(std::uint64_t word, int flip)
+{
+  if (flip & 3)
+  {
+    word = (word & 0x5555555555555555u) << 1 | (word >> 1 & 0x5555555555555555u);
+    word = (word & 0x3333333333333333u) << 2 | (word >> 2 & 0x3333333333333333u);
+  }
+  if (flip & 12)
+  {
+    word = (word & 0x0f0f0f0f0f0f0f0fu) << 4 | (word >> 4 & 0x0f0f0f0f0f0f0f0fu);
+    word = (word & 0x00ff00ff00ff00ffu) << 8 | (word >> 8 & 0x00ff00ff00ff00ffu);
+  }
+  if (flip & 48)
+  {
+    word = (word & 0x0000ffff0000ffffu) << 16 | (word >> 16 & 0x0000ffff0000ffffu);
+    word = word << 32 | word >> 32;
+  }
+  return word;
+}
+
+/// Takes a beam from leaf to leaf, from front to back.
+/// \tparam LeafSearch has TestCells(leaf, cells): the first cell of a leaf, and those of its cells
+///                    that are active and that the beam may pass, by the bits of InOrder
+template <class LeafSearch>
+class BeamTree
+{
+public:
+  BeamTree(
+    const ActiveCells& active, const LeafSource& leaves, const TileBeam& beam, LeafSearch& search)
+    : Active(active)
+    , Leaves(leaves)
+    , Beam(beam)
+    , Search(search)
+  {
+  }
+
+  void Visit() { this->VisitLevel(this->Active.LevelsAbove().size() - 1, glm::ivec3(0)); }
+
+private:
+  /// The children of a block that the beam may meet something in.
+  /// \param first cell of the block, and cells along an edge of a child
+  HWY_INLINE std::uint64_t Cull(const glm::ivec3& first, int size) const
+  {
+    const hn::CappedTag<float, 8> d;
+    const TileBeam::Hull& hull = this->Beam.Around;
+    const glm::vec3 corner(first - this->Beam.Anchor);
+    const auto perSize = hn::Set(d, 1.0f / static_cast<float>(size));
+    TileBeam::OfPlanes least;
+    for (std::size_t i = 0; i < least.size(); i += hn::Lanes(d))
+    {
+      auto left = hn::LoadU(d, &hull.Offset[i]);
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        const auto at = hn::Set(d, corner[static_cast<int>(a)]);
+        left = hn::Sub(left, hn::Mul(hn::LoadU(d, &hull.Normal[a][i]), at));
+      }
+      const auto reach = hn::LoadU(d, &hull.Reach[i]);
+      hn::StoreU(hn::Sub(hn::Mul(left, perSize), reach), d, &least[i]);
+    }
+    std::uint64_t kept = 0;
+    for (std::size_t i = 0; i < 64; i += hn::Lanes(Floats()))
+    {
+      M isKept = hn::Ge(Load(&hull.Children[0][i]), Set(least[0]));
+      for (std::size_t plane = 1; plane < TileBeam::Planes; ++plane)
+      {
+        isKept = hn::And(isKept, hn::Ge(Load(&hull.Children[plane][i]), Set(least[plane])));
+      }
+      kept |= BitsOf(isKept) << i;
+    }
+    return kept;
+  }
+
+  /// Call visit(place) for each child of a block whose bit is set, as it lies in the block, from
+  /// front to back.
+  template <typename Visitor>
+  HWY_INLINE void VisitChildren(
+    std::uint64_t word, const glm::ivec3& first, int size, const Visitor& visit)
+  {
+    const TileBeam& beam = this->Beam;
+    word = InOrder(word & this->Cull(first, size), beam.Flip);
+    const TileBeam::Hull& hull = beam.Around;
+    constexpr std::size_t across = TileBeam::Across;
+    const float edge = static_cast<float>(size);
+    const float atFirst =
+      glm::dot(-beam.Forward, glm::vec3(first - beam.Anchor)) + edge * hull.Reach[across];
+    for (; word != 0; word &= word - 1)
+    {
+      const int child = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(word)) ^ beam.Flip;
+      // What has been found since may hide it.
+      const float at = atFirst + edge * hull.Children[across][static_cast<std::size_t>(child)];
+      if (at >= hull.Offset[across])
+      {
+        visit(glm::ivec3(child & 3, child >> 2 & 3, child >> 4));
+      }
+    }
+  }
+
+  void VisitLevel(std::size_t level, const glm::ivec3& block)
+  {
+    const int bits = ActiveCells::NodeBits + 2 * static_cast<int>(level);
+    this->VisitChildren(this->Active.LevelsAbove()[level].WordOf(block), block << (bits + 2),
+      1 << bits,
+      [&](const glm::ivec3& child) HWY_ATTR
+      {
+        if (level > 0)
+        {
+          this->VisitLevel(level - 1, 4 * block + child);
+        }
+        else
+        {
+          this->VisitNode(4 * block + child);
+        }
+      });
+  }
+
+  void VisitNode(const glm::ivec3& place)
+  {
+    const glm::ivec3 first = ActiveCells::NodeSize * place;
+    const std::int64_t node = this->Active.NodeOf(first);
+    const std::uint64_t* const words = this->Active.Nodes() + 2 * node;
+    this->VisitChildren(words[0], first, ActiveCells::LeafSize,
+      [&](const glm::ivec3& child) HWY_ATTR
+      {
+        const glm::ivec3 leaf = first + ActiveCells::LeafSize * child;
+        std::uint64_t cells =
+          this->Active.Cells()[words[1] + static_cast<std::size_t>(ActiveCells::LeafOf(leaf))].load(
+            std::memory_order_relaxed);
+        if (cells == 0)
+        {
+          cells = this->Leaves.CellsOf(node, leaf);
+        }
+        this->Search.TestCells(leaf, InOrder(cells & this->Cull(leaf, 1), this->Beam.Flip));
+      });
+  }
+
+  const ActiveCells& Active;
+  const LeafSource& Leaves;
+  const TileBeam& Beam;
+  LeafSearch& Search;
+};
+
+}
+}
+}
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -44,7 +44,7 @@ Isomap IsomapOf(const KernelScene<T>& scene)
   constexpr double isovalue = KernelScene<T>::Isovalue;
   Isomap map;
   map.Begin(scene.Key, {});
-  map.Build({ isovalue - halfBand, isovalue + halfBand }, scene.Pyramid, {},
+  map.Build({ isovalue - halfBand, isovalue + halfBand }, scene.Pyramid,
     { std::numeric_limits<std::size_t>::max(), std::numeric_limits<double>::infinity() }, {});
   return map;
 }
@@ -80,7 +80,9 @@ void RegisterFor(const std::string& type)
         [&](const Tile& tile)
         {
           std::uint64_t unresolved = 0;
-          benchmark::DoNotOptimize(lookup.LookUpTile(tile.Number, tile.Part, frame, unresolved));
+          TileHits hits;
+          benchmark::DoNotOptimize(
+            lookup.LookUpTile(tile.Number, tile.Part, frame, unresolved, hits));
         });
     });
 }

@@ -73,10 +73,11 @@ public:
   bool Trace(std::uint64_t wanted)
   {
     TileBeam beam;
-    if (!SetUpBeam(this->Rays, wanted, this->Band.Count, true, beam) || !AreRaysAlike(beam))
+    if (!SetUpBeam(this->Rays, wanted, this->Band.Count, beam) || !AreRaysAlike(beam))
     {
       return false;
     }
+    beam.IsPlain = false; // walks may begin behind surfaces, and end before
     BandReach reach;
     reach.Span = this->Rounded(this->Band.Span) * (1.0f + 0x1p-20f);
     reach.Rising.fill(BandReach::NotBegun);

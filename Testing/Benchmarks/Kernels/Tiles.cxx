@@ -44,7 +44,7 @@ Isomap IsomapOf(const KernelScene<T>& scene)
   constexpr double isovalue = KernelScene<T>::Isovalue;
   Isomap map;
   map.Begin(scene.Key, {});
-  map.Build({ isovalue - halfBand, isovalue + halfBand }, scene.Pyramid, {},
+  map.Build({ isovalue - halfBand, isovalue + halfBand }, scene.Pyramid,
     { std::numeric_limits<std::size_t>::max(), std::numeric_limits<double>::infinity() }, {});
   return map;
 }

@@ -22,7 +22,7 @@ CLASSES = (
 CHOICES = {
     "SurfaceMode": {"Crossing": "CROSSING", "Threshold": "THRESHOLD"},
     "VectorMode": {"Disabled": "DISABLED", "Magnitude": "MAGNITUDE", "Component": "COMPONENT"},
-    "ReuseAccuracy": {"Bounded": "BOUNDED", "Exact": "EXACT", "Paper": "PAPER"},
+    "ReuseAccuracy": {"Exact": "EXACT", "Bounded": "BOUNDED", "Paper": "PAPER"},
     "ImageCachePolicy": {"Latest": "LATEST", "KeyImage": "KEY_IMAGE"},
     "ImageCacheShading": {"Reshade": "RESHADE", "Interpolate": "INTERPOLATE"},
     "IsomapShading": {"Reshade": "RESHADE", "Interpolate": "INTERPOLATE"},

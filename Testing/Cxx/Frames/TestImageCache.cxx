@@ -208,7 +208,8 @@ void WalkBounded(const Subject& subject, unsigned seed, int size, int steps)
       Expect(cold.IsIdentical(scene), what + ": a frame of another route is not cold");
     }
   }
-  Expect(shares.Count() > static_cast<std::size_t>(steps / 2),
+  // After large turns, and close by, frames are cold.
+  Expect(shares.Count() > static_cast<std::size_t>(steps / 4),
     what + ": only " + std::to_string(shares.Count()) + " frames are made from the cache");
   shares.ExpectBounded(what, 2.0);
 }
@@ -218,7 +219,7 @@ void TestBoundedWalks()
   unsigned seed = 100;
   for (const Subject& subject : AllGrids())
   {
-    WalkBounded(subject, ++seed, 120, 200);
+    WalkBounded(subject, ++seed, 200, 150);
   }
 }
 
@@ -240,7 +241,7 @@ void TestBoundedAfterPaper()
                                                : vtkTemporalCoherenceVolumeMapper::PAPER);
       scene.Renderer->GetActiveCamera()->Azimuth(2.0);
       scene.Renderer->ResetCameraClippingRange();
-      Expect(scene.Render(160, 160) && cold.Draw(scene), what + ": rendered");
+      Expect(scene.Render(240, 240) && cold.Draw(scene), what + ": rendered");
       Expect(IsRoute(scene, frame == 0 || frame % 10 == 5 ? "Cold" : "ImageCache"),
         what + ": frame " + std::to_string(frame) + " is " + scene.Mapper->GetRouteAsString());
       if (isBounded)

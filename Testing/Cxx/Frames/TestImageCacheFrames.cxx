@@ -38,7 +38,10 @@ void TestRefineWhenStill()
   ColdWitness cold;
   for (const int accuracy : { Mapper::BOUNDED, Mapper::PAPER })
   {
-    Scene scene(Volumes::Waves(), { 200.0, -300.0 });
+    Subject waves = { "Waves", Volumes::Waves(), { 200.0, -300.0 } };
+    waves.IsGrid = true;
+    Scene scene(waves.Image, waves.Isovalues);
+    waves.Prepare(scene);
     scene.Mapper->SetReuseAccuracy(accuracy);
     scene.LookFrom(1.0, 2.0, 0.5);
     ExpectRoute(scene, "Cold", "first");
@@ -160,7 +163,8 @@ void TestWhereBoundedIsCold()
   Subject grid = image, nearest = image, several = image;
   grid.IsGrid = true;
   nearest.IsNearest = true;
-  several.Isovalues = { 200.0, -300.0 };
+  const auto blob = [](double x, double y, double z) { return 1.0 - x * x - 2.0 * y * y - z * z; };
+  several = { "Blob", Volumes::FromFormula(40, VTK_FLOAT, blob), { 0.2, 0.6 } };
   const auto expect =
     [](const Subject& subject, double turn, bool isOpaque, const std::string& route)
   {

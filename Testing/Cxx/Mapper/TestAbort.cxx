@@ -105,6 +105,7 @@ struct Stage : Scene
     : Scene(Volumes::Waves(), { 200.0 })
   {
     this->LookFrom(1.0, 2.0, 0.5);
+    this->Mapper->SetReuseAccuracyToPaper(); // or a moved camera is cold
     this->Window->SetMultiSamples(0);
     this->Window->SetSize(Size, Size);
     this->Window->AddRenderer(this->Renderer);
@@ -148,8 +149,6 @@ bool IsLastFrame(Stage& stage, vtkImageData* color, vtkImageData* depth)
 void TestEvents()
 {
   Stage stage;
-  // A picture that is exact before each step, so that the next one may start from it.
-  stage.Mapper->SetReuseAccuracyToPaper();
   stage.Window->Render();
   for (const Step& step : Steps())
   {

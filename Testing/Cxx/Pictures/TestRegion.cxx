@@ -5,10 +5,10 @@
 // force on the pieces of each ray, caps with the normals of the planes, and every route.
 
 #include "Checks/Expect.h"
+#include "Scenes/Subject.h"
 #include "Truth/BruteForceTracer.h"
 #include "Truth/ColdWitness.h"
 #include "Truth/ExpectTruth.h"
-#include "Volumes/Grids.h"
 #include "Volumes/Volumes.h"
 #include "Walks/Sweep.h"
 
@@ -205,10 +205,10 @@ void TestRoutes()
     {
       const std::string name =
         "flags " + std::to_string(flags) + (threshold ? ", THRESHOLD" : ", CROSSING");
-      const vtkSmartPointer<vtkImageData> image = Onion(40);
-      Scene scene(image, { 0.1 });
-      // Where BOUNDED starts from cached images.
-      scene.Mapper->SetInputData(Grids::FromImage(image, VTK_DOUBLE));
+      Subject onion = { "Onion", Onion(40), { 0.1 } };
+      onion.IsGrid = true; // where BOUNDED starts from cached images
+      Scene scene(onion.Image, onion.Isovalues);
+      onion.Prepare(scene);
       scene.Mapper->SetReuseAccuracyToBounded();
       scene.Mapper->SetSurfaceMode(threshold);
       scene.Mapper->CroppingOn();

@@ -54,9 +54,10 @@ protected:
     this->LookFrom({ 1.0, 2.0, 0.7 });
   }
 
-  void LookFrom(const glm::dvec3& direction, bool parallel = false)
+  void LookFrom(
+    const glm::dvec3& direction, bool parallel = false, const glm::ivec2& size = { 83, 61 })
   {
-    this->Key.View = LookAt(this->Key.Samples.Dimensions, direction, { 83, 61 }, parallel);
+    this->Key.View = LookAt(this->Key.Samples.Dimensions, direction, size, parallel);
   }
 
   Frame Cold(const FrameRenderer::Options& options = {}) const
@@ -263,10 +264,12 @@ TEST_F(FunctionFrames, MovingCameraUsesTheLastPicture)
   FrameRenderer renderer;
   FrameRenderer::Options bounded;
   bounded.Accuracy = ReuseAccuracy::Bounded;
+  const glm::ivec2 fine(166, 122);
+  this->LookFrom({ 1.0, 2.0, 0.7 }, false, fine);
   renderer.Render(this->Key, bounded);
   for (int step = 1; step <= 20; ++step)
   {
-    this->LookFrom({ 1.0, 2.0 - 0.02 * step, 0.7 });
+    this->LookFrom({ 1.0, 2.0 - 0.02 * step, 0.7 }, false, fine);
     renderer.Render(this->Key, bounded);
     ASSERT_EQ(renderer.Statistics().Made, Route::ImageCache);
     const Frame cold = this->Cold();

@@ -34,7 +34,7 @@ std::size_t PlaceOf(int x, int y)
 Frame ClearFrame(bool isParallel)
 {
   Frame frame;
-  frame.Resize(Size);
+  frame.Resize(Size, { true, true });
   const auto miss = static_cast<float>(DisparityOfMiss(isParallel));
   std::fill(frame.Disparities.begin(), frame.Disparities.end(), miss);
   std::fill(frame.FirstEntries.begin(), frame.FirstEntries.end(), miss);

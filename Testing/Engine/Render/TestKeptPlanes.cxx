@@ -42,10 +42,11 @@ bool AreSame(const std::vector<LayerHit>& a, const std::vector<LayerHit>& b)
 void ExpectSamePlanes(const Frame& made, const Frame& cold, const std::string& what)
 {
   EXPECT_TRUE(IsSamePlane(made.Depth, cold.Depth)) << what;
-  // A picture that is copied from one without these has none either.
-  EXPECT_TRUE(made.Disparities.empty() || IsSamePlane(made.Disparities, cold.Disparities)) << what;
-  EXPECT_TRUE(made.FirstEntries.empty() || IsSamePlane(made.FirstEntries, cold.FirstEntries))
-    << what;
+  // A picture that is shown again, or copied, has what the one before had of these.
+  const auto isSame = [](const Plane<float>& a, const Plane<float>& b)
+  { return a.empty() || b.empty() || IsSamePlane(a, b); };
+  EXPECT_TRUE(isSame(made.Disparities, cold.Disparities)) << what;
+  EXPECT_TRUE(isSame(made.FirstEntries, cold.FirstEntries)) << what;
   EXPECT_TRUE(IsSamePlane(made.Normals, cold.Normals)) << what;
   EXPECT_TRUE(IsSamePlane(made.Isovalues, cold.Isovalues)) << what;
   EXPECT_TRUE(
@@ -203,6 +204,7 @@ TEST_F(KeptPlanes, PlanesForOtherViewsComeAndGoWithTheAccuracy)
     disparities += !made.Disparities.empty();
     firstEntries += !made.FirstEntries.empty();
     EXPECT_TRUE(this->Exact.Accuracy != ReuseAccuracy::Exact ||
+      this->Renderer.Statistics().Made == Route::Redisplay ||
       (made.Disparities.empty() && made.FirstEntries.empty()));
   }
   EXPECT_GE(this->Routes[Route::TimeStep], 5);

@@ -154,7 +154,8 @@ TEST_F(ImageQueryTest, ASmallTurnLeavesLittleToLookFor)
       near += hit < Infinity && hit - known.Free[i] < 2.5;
     });
   EXPECT_GT(near, 0.75 * hits) << "starts are within two and a half voxels of the hits";
-  EXPECT_LT(shares.Possible, 1.3 * hits) << "most misses are known";
+  // About a voxel around the silhouette is left open: first entries tell what is free.
+  EXPECT_LT(shares.Possible, 1.35 * hits) << "most misses are known";
 }
 
 TEST_F(ImageQueryTest, FromInsideAndBehindNothingIsKnown)

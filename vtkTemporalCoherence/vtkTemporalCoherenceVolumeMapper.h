@@ -83,9 +83,8 @@ public:
   //@{
   /**
    * Switch the image cache on or off (default: on), and set how many images it keeps for each
-   * viewer, 1 (default) to 64. With it, the frame of another time step starts from the last
-   * picture, and that of a moved camera may start from a cached image (ReuseAccuracy). Without it,
-   * they are cold.
+   * viewer, 1 (default) to 64. With it, frames of another time step and, unless ReuseAccuracy is
+   * EXACT, of a moved camera may start from an earlier picture. Without it, they are cold.
    */
   vtkSetMacro(ImageCache, vtkTypeBool);
   vtkGetMacro(ImageCache, vtkTypeBool);
@@ -106,10 +105,9 @@ public:
    * Set/Get how exact a frame is after the view has changed. EXACT (default): the cold picture,
    * byte for byte. BOUNDED: at most 0.01 % of the pixels differ from the cold picture in the median
    * frame, and at most 0.05 % in any frame. A pixel differs if only one picture shows a surface
-   * there, or if the surfaces are more than a voxel (the shortest edge of a cell) apart. BOUNDED
-   * starts from a cached image only where that is faster than a cold frame: not in images with
-   * linear interpolation and one isovalue, for example. RefineWhenStill (default: on) makes the
-   * next frame of the same view exact if this one is not.
+   * there, or if the surfaces are more than a voxel (the shortest edge of a cell) apart. It starts
+   * from a cached image only where that is faster, which is not where cold frames go by tile beams.
+   * RefineWhenStill (default: on) makes the next frame of the view exact if this one is not.
    */
   vtkSetClampMacro(ReuseAccuracy, int, BOUNDED, PAPER);
   vtkGetMacro(ReuseAccuracy, int);

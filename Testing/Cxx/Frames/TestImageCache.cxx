@@ -46,12 +46,12 @@ std::vector<Subject> AllSubjects()
 }
 
 /// The same, where BOUNDED starts from cached images.
-std::vector<Subject> AllGrids()
+std::vector<Subject> AllBlocks()
 {
   std::vector<Subject> subjects = AllSubjects();
   for (Subject& subject : subjects)
   {
-    subject.IsGrid = true;
+    subject.IsNearest = true;
   }
   return subjects;
 }
@@ -146,7 +146,7 @@ void TestExactWithThreads()
 /// Frames made from one another for two turns and more, each from the latest.
 void Orbit(Subject subject, double degrees, int size)
 {
-  subject.IsGrid = true;
+  subject.IsNearest = true;
   const std::string what =
     "BOUNDED, " + subject.Describe() + ", orbit of " + std::to_string(degrees) + " degrees";
   Scene scene(subject.Image, subject.Isovalues);
@@ -217,16 +217,16 @@ void WalkBounded(const Subject& subject, unsigned seed, int size, int steps)
 void TestBoundedWalks()
 {
   unsigned seed = 100;
-  for (const Subject& subject : AllGrids())
+  for (const Subject& subject : AllBlocks())
   {
-    WalkBounded(subject, ++seed, 200, 150);
+    WalkBounded(subject, ++seed, 160, 120);
   }
 }
 
 /// What PAPER made does not harm the frames that BOUNDED makes after it.
 void TestBoundedAfterPaper()
 {
-  for (const Subject& subject : AllGrids())
+  for (const Subject& subject : AllBlocks())
   {
     Scene scene(subject.Image, subject.Isovalues);
     subject.Prepare(scene);
@@ -241,7 +241,7 @@ void TestBoundedAfterPaper()
                                                : vtkTemporalCoherenceVolumeMapper::PAPER);
       scene.Renderer->GetActiveCamera()->Azimuth(2.0);
       scene.Renderer->ResetCameraClippingRange();
-      Expect(scene.Render(240, 240) && cold.Draw(scene), what + ": rendered");
+      Expect(scene.Render(200, 200) && cold.Draw(scene), what + ": rendered");
       Expect(IsRoute(scene, frame == 0 || frame % 10 == 5 ? "Cold" : "ImageCache"),
         what + ": frame " + std::to_string(frame) + " is " + scene.Mapper->GetRouteAsString());
       if (isBounded)
@@ -302,7 +302,7 @@ void TestRealVolume(const Subject& volume)
   for (Subject subject : InBothModes({ volume }))
   {
     WalkExactly(subject, seed, 15);
-    subject.IsGrid = true;
+    subject.IsNearest = true;
     WalkBounded(subject, 100 + seed, 250, 20);
     ++seed;
   }

@@ -39,7 +39,7 @@ void TestRefineWhenStill()
   for (const int accuracy : { Mapper::BOUNDED, Mapper::PAPER })
   {
     Subject waves = { "Waves", Volumes::Waves(), { 200.0, -300.0 } };
-    waves.IsGrid = true;
+    waves.IsNearest = true;
     Scene scene(waves.Image, waves.Isovalues);
     waves.Prepare(scene);
     scene.Mapper->SetReuseAccuracy(accuracy);
@@ -188,6 +188,8 @@ void TestWhereBoundedIsCold()
     }
   };
   expect(image, 1.0, true, "Cold"); // rays go as beams
+  expect(grid, 1.0, true, "Cold");
+  grid.IsNearest = true;
   for (const Subject& subject : { grid, nearest, several })
   {
     expect(subject, 1.0, true, "ImageCache");
@@ -203,10 +205,10 @@ void TestWhereBoundedIsCold()
 /// What was made for other accuracies has not what BOUNDED and PAPER start from.
 void TestChangedAccuracy()
 {
-  Subject grid = { "Waves", Volumes::Waves(), { 200.0 } };
-  grid.IsGrid = true;
-  Scene scene(grid.Image, grid.Isovalues);
-  grid.Prepare(scene);
+  Subject nearest = { "Waves", Volumes::Waves(), { 200.0 } };
+  nearest.IsNearest = true;
+  Scene scene(nearest.Image, nearest.Isovalues);
+  nearest.Prepare(scene);
   scene.LookFrom(1.0, 2.0, 0.5);
   ColdWitness cold;
   const auto expect = [&](int accuracy, const std::string& route)

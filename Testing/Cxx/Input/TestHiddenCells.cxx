@@ -411,7 +411,7 @@ void TestSweeps()
 /// Frames from one another around a volume keep what BOUNDED promises.
 void Orbit(Subject subject, int size)
 {
-  subject.IsGrid = true;
+  subject.IsGrid = subject.IsNearest = true;
   Scene scene(subject.Image, subject.Isovalues);
   subject.Prepare(scene);
   scene.Mapper->SetReuseAccuracyToBounded();

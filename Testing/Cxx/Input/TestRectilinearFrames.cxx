@@ -108,6 +108,7 @@ void TestRoutes(const std::string& name, vtkRectilinearGrid* grid, unsigned seed
   Scene scene(grid, { 100.0 });
   ColdWitness cold;
   scene.Mapper->SetReuseAccuracyToBounded();
+  scene.Volume->GetProperty()->SetInterpolationTypeToNearest();
   RandomViews views(scene, seed, 140);
   const std::vector<Change> moves = ChangesOfView(scene, views);
   std::vector<Change> others = ChangesOfIsovalues(scene, views);

@@ -206,7 +206,7 @@ void TestRoutes()
       const std::string name =
         "flags " + std::to_string(flags) + (threshold ? ", THRESHOLD" : ", CROSSING");
       Subject onion = { "Onion", Onion(40), { 0.1 } };
-      onion.IsGrid = true; // where BOUNDED starts from cached images
+      onion.IsNearest = true; // where BOUNDED starts from cached images
       Scene scene(onion.Image, onion.Isovalues);
       onion.Prepare(scene);
       scene.Mapper->SetReuseAccuracyToBounded();

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Fields/Coordinates.h"
 #include "Grid.h"
 #include "ImageCache/ImageQuery.h"
 #include "Render/FrameRenderer.h"
@@ -30,8 +29,6 @@ protected:
     this->Samples.Fill([this](int i, int j, int k)
       { return Radius - glm::distance(glm::dvec3(i, j, k), this->Centre); });
     this->Key.Samples = this->Samples.Field;
-    // Where pictures have what BOUNDED starts from.
-    this->Key.Samples.Kind = RectilinearKind(Uniform(this->Samples.Field.Dimensions));
     this->Key.Isosurfaces.Isovalues = { 0.0 };
     this->Key.Appearance.Colors = { glm::dvec3(1.0) };
   }
@@ -42,7 +39,11 @@ protected:
     FrameRenderer renderer;
     FrameRenderer::Options bounded;
     bounded.Accuracy = ReuseAccuracy::Bounded;
-    renderer.Render(this->Key, bounded);
+    // Of two isovalues, one of which no sample meets, pictures have what BOUNDED starts from.
+    FrameKey two = this->Key;
+    two.Isosurfaces.Isovalues.push_back(1000.0);
+    two.Appearance.Colors.push_back(glm::dvec3(1.0));
+    renderer.Render(two, bounded);
     CachedImage image;
     image.Key = this->Key;
     image.Picture = renderer.LastFrame();
@@ -153,7 +154,8 @@ TEST_F(ImageQueryTest, ASmallTurnLeavesLittleToLookFor)
       near += hit < Infinity && hit - known.Free[i] < 2.5;
     });
   EXPECT_GT(near, 0.75 * hits) << "starts are within two and a half voxels of the hits";
-  EXPECT_LT(shares.Possible, 1.3 * hits) << "most misses are known";
+  // About a voxel around the silhouette is left open: first entries tell what is free.
+  EXPECT_LT(shares.Possible, 1.35 * hits) << "most misses are known";
 }
 
 TEST_F(ImageQueryTest, FromInsideAndBehindNothingIsKnown)

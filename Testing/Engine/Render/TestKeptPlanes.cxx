@@ -5,7 +5,6 @@
 // others copied: every plane, and the layers of translucent surfaces, are those of a renderer
 // without a past.
 
-#include "Fields/Coordinates.h"
 #include "Grid.h"
 #include "Render/FrameRenderer.h"
 #include "SameFrames.h"
@@ -124,7 +123,7 @@ protected:
       });
     this->Key.Samples = this->Steps.back()->Field;
     this->Key.Samples.Stamp = ++this->Stamp;
-    this->Key.Samples.Kind = this->Kind;
+    this->Key.Samples.Between = this->Between;
   }
 
   /// Make the next frame, which is exact, and compare it with a cold one.
@@ -143,7 +142,7 @@ protected:
 
   std::vector<std::unique_ptr<Grid<std::uint8_t>>> Steps;
   std::uint64_t Stamp = 0;
-  std::shared_ptr<const FieldKind> Kind = UniformKind();
+  Interpolation Between = Interpolation::Linear;
   FrameKey Key;
   FrameRenderer Renderer;
   FrameRenderer::Options Exact;
@@ -180,7 +179,7 @@ TEST_F(KeptPlanes, LayersAreCopiedWithTheirTiles)
 TEST_F(KeptPlanes, PlanesForOtherViewsComeAndGoWithTheAccuracy)
 {
   this->SetTranslucent(false);
-  this->Kind = RectilinearKind(Uniform(Dimensions));
+  this->Between = Interpolation::Nearest;
   // Every frame is cold, or a time step.
   this->Exact.Images.Policy = ImageCachePolicy::KeyImage;
   this->Exact.Images.KeyImageInterval = 1;

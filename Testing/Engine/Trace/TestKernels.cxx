@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EachTarget.h"
-#include "Fields/Coordinates.h"
 #include "Grid.h"
 #include "Render/FrameRenderer.h"
 #include "Trace/CellRoot.h"
@@ -186,11 +185,11 @@ TEST_F(KernelsCrossing, CrossingsAreZeros)
 class KernelsFrame : public EachTarget
 {
 protected:
-  /// \param asGrid BOUNDED starts from pictures of grids, PAPER from those of images
-  void Compare(const std::vector<double>& isovalues, bool asGrid);
+  /// \param asBlocks BOUNDED starts from pictures of nearest samples, PAPER from all
+  void Compare(const std::vector<double>& isovalues, bool asBlocks);
 };
 
-void KernelsFrame::Compare(const std::vector<double>& isovalues, bool asGrid)
+void KernelsFrame::Compare(const std::vector<double>& isovalues, bool asBlocks)
 {
   Grid<std::uint16_t> grid(glm::ivec3(40, 45, 50));
   grid.Fill([](int i, int j, int k)
@@ -199,9 +198,9 @@ void KernelsFrame::Compare(const std::vector<double>& isovalues, bool asGrid)
   key.Samples = grid.Field;
   FrameRenderer::Options options;
   options.Accuracy = ReuseAccuracy::Paper;
-  if (asGrid)
+  if (asBlocks)
   {
-    key.Samples.Kind = RectilinearKind(Uniform(grid.Field.Dimensions));
+    key.Samples.Between = Interpolation::Nearest;
     options.Accuracy = ReuseAccuracy::Bounded;
   }
   key.Isosurfaces.Isovalues = isovalues;

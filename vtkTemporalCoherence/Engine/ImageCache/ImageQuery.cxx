@@ -152,9 +152,11 @@ ImageQuery::ImageQuery(CachedImage& image, const FrameKey& next, ReuseAccuracy a
   this->Voxel = size.Longest;
   if (accuracy == ReuseAccuracy::Bounded)
   {
-    // A ray can be inside one isovalue and outside another, so several isovalues are never fine.
-    // Hidden cells leave films of surfaces without an inside.
-    const bool canBeFine = next.Isosurfaces.Isovalues.size() == 1 && !next.Samples.Hidden;
+    // Surfaces of interpolated samples may be thinner than any pixel: seen by surfaces alone, 0.02
+    // % of an angiogram were wrong. A ray can be inside one isovalue and outside another, so
+    // several isovalues are never fine. Hidden cells leave films of surfaces without an inside.
+    const bool canBeFine = next.Samples.Between == Interpolation::Nearest &&
+      next.Isosurfaces.Isovalues.size() == 1 && !next.Samples.Hidden;
     const double fineApart = canBeFine ? FineApart : 1e-30;
     image.Free.Make(image.Picture, view,
       { size.Longest, size.Bend, SpacingOf(view), DepthOfSpacing(view, fineApart * size.Shortest),

@@ -160,7 +160,6 @@ HWY_INLINE void ClearRays(std::uint64_t which, TileBeam& beam)
     hn::StoreU(behind, d, &beam.Behind[i]);
     depth = hn::Max(depth,
       hn::Add(hn::LoadU(d, &beam.AtDepth[i]), hn::Mul(behind, hn::LoadU(d, &beam.PerDepth[i]))));
-    hn::StoreU(far, d, &beam.Enter[i]);
     hn::StoreU(far, d, &beam.FirstEntry[i]);
     hn::StoreU(far, d, &beam.NextEntry[i]);
     hn::StoreU(none, di, &beam.Cell[i]);

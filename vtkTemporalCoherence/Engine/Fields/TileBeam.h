@@ -44,9 +44,9 @@ struct alignas(64) TileBeam
   /// How much later than told a ray may enter a cell, or how much earlier leave it.
   Array<float> Slack;
 
-  /// What is found. From Behind on nothing on a ray matters; Cell is one that the ray meets a
-  /// surface in for sure, where it enters at Enter or before; there is no other between.
-  Array<float> Behind, Enter;
+  /// What is found. A cell that a ray enters at Behind or later does not matter; Cell is one that
+  /// the ray meets a surface in for sure and enters before Behind; there is no other between.
+  Array<float> Behind;
   Array<std::int32_t> Cell;
   /// The ray enters no active cell before FirstEntry, if any, and none but EntryCell before
   /// NextEntry.

@@ -182,8 +182,8 @@ private:
       else if (this->Keep(segments, i, search.Cell[i], ray))
       {
         this->Hits.Surface[ray] = search.Surface[i];
-        // Nothing matters behind a surface.
-        const float behind = beam.DistanceOf(segments.Distance[i]) + beam.Margin;
+        // Cells that the ray enters later hold no hit.
+        const float behind = beam.DistanceOf(segments.Enter[i]) + beam.Margin;
         beam.Behind[ray] = std::min(beam.Behind[ray], behind);
       }
     }

@@ -100,7 +100,7 @@ class BeamScene : public LeafSource
 public:
   /// Read a cell, and remember it.
   /// \param corners gets the differences from the isovalue, in units of which the largest are not
-  ///                far from 1
+  ///                far from 1; if they do not tell what is in the cell, numbers that are not any
   /// \return the number by which it is remembered: how many were before. There is room for
   ///         MostCells
   virtual std::int32_t Read(const glm::ivec3& cell, std::array<float, 8>& corners) = 0;

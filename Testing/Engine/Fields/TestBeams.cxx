@@ -232,10 +232,52 @@ TEST_F(Beams, MeetTheFirstOfSeveralIsovalues)
   Grid<std::int32_t> noise(glm::ivec3(20, 21, 22));
   noise.FillRandomly(-1e9, 1e9, 10);
   this->CompareAll(noise, { 7e8, -5e8, 9e8 }, 48);
-  // Differences of what is not finite are others for each isovalue: these walk.
+}
+
+TEST_F(Beams, MeetTheFirstOfSeveralIsovaluesInFloatsOfAnySize)
+{
   Grid<float> floats(glm::ivec3(20, 21, 22));
   floats.FillRandomly(-1.0, 1.0, 10);
   this->CompareAll(floats, { 0.7, -0.5 }, 48);
+  Grid<double> doubles(glm::ivec3(24, 21, 27));
+  doubles.Fill([](int i, int j, int k) { return 1e200 * Wave(i, j, k); });
+  this->CompareAll(doubles, { 1e199, -3e199, 1e308, 0.0 }, 40);
+  // Differences of what is not finite are others for each isovalue.
+  Grid<float> holes(glm::ivec3(24, 21, 27));
+  holes.Fill(
+    [](int i, int j, int k)
+    {
+      const double infinity = std::numeric_limits<double>::infinity();
+      return i % 7 == 0 ? std::numeric_limits<double>::quiet_NaN()
+        : j % 9 == 0    ? (k % 2 ? infinity : -infinity)
+                        : 1e30 * Wave(i, j, k);
+    });
+  this->CompareAll(holes, { 1e29, -4e29, 1e30, 0.0 }, 40);
+}
+
+TEST_F(Beams, MeetWhatWalksMeetBesideHiddenCells)
+{
+  Grid<std::uint8_t> smooth(glm::ivec3(30, 31, 27));
+  smooth.Fill([](int i, int j, int k) { return 120.0 + 80.0 * Wave(i, j, k); });
+  const glm::ivec3 cells = smooth.Field.Dimensions - 1;
+  std::vector<std::uint8_t> flags(static_cast<std::size_t>(cells.x * cells.y * cells.z));
+  std::mt19937 random(5);
+  std::size_t at = 0;
+  for (int k = 0; k < cells.z; ++k)
+  {
+    for (int j = 0; j < cells.y; ++j)
+    {
+      for (int i = 0; i < cells.x; ++i)
+      {
+        // Half of the field, a slab, and single cells.
+        flags[at++] = i + j + k > 45 || k / 3 == 4 || random() % 16 == 0;
+      }
+    }
+  }
+  smooth.Field.Hidden = HiddenCells::Make(smooth.Field.Dimensions, { flags.data(), 1 });
+  ASSERT_TRUE(smooth.Field.Hidden);
+  this->Compare(smooth, 120.0, 48);
+  this->CompareAll(smooth, { 120.0, 60.0, 180.0 }, 48);
 }
 
 TEST_F(Beams, MeetTheSameOnEveryKindOfVectors)

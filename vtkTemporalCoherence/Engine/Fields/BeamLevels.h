@@ -7,8 +7,10 @@
 #include "Trace/SurfaceTracer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace TemporalCoherence
@@ -33,10 +35,20 @@ struct BeamLevels
       : 1.0;
     for (const double isovalue : isovalues)
     {
-      constexpr double most = 1e12;
+      // Farther away than all samples, with differences as they are or in units of the largest.
+      constexpr double most = sizeof(RealOf<T>) == sizeof(float) ? 4e30 : 1e12;
       const double offset = (scale.Scaled(isovalue) - scale.Scaled(*base)) * this->Unit;
       this->Isovalues.push_back(static_cast<float>(std::min(std::max(offset, -most), most)));
     }
+  }
+
+  /// True if differences of a cell's samples from the base tell what is in it. Those of samples
+  /// that are not finite are another matter for each isovalue.
+  bool AreTold(const std::array<T, 8>& samples) const
+  {
+    return !std::is_floating_point_v<T> || this->Isovalues.size() == 1 ||
+      std::all_of(samples.begin(), samples.end(),
+        [](T sample) { return std::isfinite(static_cast<double>(sample)); });
   }
 
   std::size_t Base;             ///< position of the isovalue that differences are taken from

@@ -246,16 +246,15 @@ private:
         isSure, hn::And(hn::Lt(begin, sure.Leave), hn::Lt(hn::Add(sure.Enter, margin), behind)));
     }
     const M isMet = hn::And(isOpen, hn::And(isCrossed, isSure));
-    const V before = Load(&beam.Enter[i]);
-    const M isFirst = hn::And(isMet, hn::Lt(sure.Enter, before));
+    // Of two that are met for sure, the ray leaves one before it enters the other.
+    const M isFirst = hn::And(isMet, hn::Lt(sure.Enter, behind));
     this->NoteOpen(BitsOf(hn::AndNot(isMet, isOpen)), searched.Enter, number, i);
     if (hn::AllFalse(d, isFirst))
     {
       return false;
     }
-    hn::StoreU(
-      hn::IfThenElse(isFirst, hn::Min(behind, searched.Leave), behind), d, &beam.Behind[i]);
-    hn::StoreU(hn::IfThenElse(isFirst, sure.Enter, before), d, &beam.Enter[i]);
+    // What the ray enters later is behind the hit: that is in the first cell with a surface.
+    hn::StoreU(hn::IfThenElse(isFirst, sure.Enter, behind), d, &beam.Behind[i]);
     hn::StoreU(hn::IfThenElse(
                  hn::RebindMask(di, isFirst), hn::Set(di, number), hn::LoadU(di, &beam.Cell[i])),
       di, &beam.Cell[i]);

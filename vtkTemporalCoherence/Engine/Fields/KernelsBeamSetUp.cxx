@@ -143,7 +143,7 @@ HWY_INLINE void ClearRays(std::uint64_t which, TileBeam& beam)
 {
   const Floats d;
   const hn::RebindToSigned<Floats> di;
-  const F margin = hn::Set(d, beam.Margin), far = hn::Set(d, TileBeam::Never);
+  const F margin = hn::Set(d, beam.Margin);
   const auto none = hn::Set(di, TileBeam::NoCell);
   F depth = hn::Set(d, -1e30f);
   for (std::size_t i = 0; i < beam.Count; i += hn::Lanes(d))
@@ -160,7 +160,6 @@ HWY_INLINE void ClearRays(std::uint64_t which, TileBeam& beam)
     hn::StoreU(behind, d, &beam.Behind[i]);
     depth = hn::Max(depth,
       hn::Add(hn::LoadU(d, &beam.AtDepth[i]), hn::Mul(behind, hn::LoadU(d, &beam.PerDepth[i]))));
-    hn::StoreU(far, d, &beam.Enter[i]);
     hn::StoreU(none, di, &beam.Cell[i]);
   }
   beam.Around.Offset[TileBeam::Across] =

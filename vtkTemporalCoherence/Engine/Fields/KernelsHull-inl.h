@@ -31,21 +31,34 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Floats = hn::CappedTag<float, WidestVector>;
 using F = hn::Vec<Floats>;
 
+/// Coordinates of the children of a block.
+struct ChildPlaces
+{
+  ChildPlaces()
+  {
+    for (std::size_t i = 0; i < 64; ++i)
+    {
+      this->Along[0][i] = static_cast<float>(i & 3);
+      this->Along[1][i] = static_cast<float>(i >> 2 & 3);
+      this->Along[2][i] = static_cast<float>(i >> 4);
+    }
+  }
+
+  alignas(64) std::array<std::array<float, 64>, 3> Along;
+};
+
 /// Store a plane's normal, and what follows from it.
 HWY_INLINE void SetUpNormal(const glm::vec3& normal, std::size_t plane, TileBeam::Hull& hull)
 {
+  static const ChildPlaces places;
   const Floats d;
-  const auto at = hn::Iota(d, 0.0f);
   std::array<float, 64>& table = hull.Children[plane];
   for (std::size_t i = 0; i < table.size(); i += hn::Lanes(d))
   {
-    // Exact: quarters of small whole numbers.
-    const F child = hn::Add(at, hn::Set(d, static_cast<float>(i)));
-    const F quarter = hn::Set(d, 0.25f), four = hn::Set(d, 4.0f);
-    const F row = hn::Floor(hn::Mul(child, quarter)), z = hn::Floor(hn::Mul(row, quarter));
-    const F x = hn::Sub(child, hn::Mul(four, row)), y = hn::Sub(row, hn::Mul(four, z));
-    const F sum = hn::Add(hn::Mul(x, hn::Set(d, normal.x)), hn::Mul(y, hn::Set(d, normal.y)));
-    hn::StoreU(hn::Add(sum, hn::Mul(z, hn::Set(d, normal.z))), d, &table[i]);
+    F sum = hn::Mul(hn::LoadU(d, &places.Along[0][i]), hn::Set(d, normal.x));
+    sum = hn::MulAdd(hn::LoadU(d, &places.Along[1][i]), hn::Set(d, normal.y), sum);
+    sum = hn::MulAdd(hn::LoadU(d, &places.Along[2][i]), hn::Set(d, normal.z), sum);
+    hn::StoreU(sum, d, &table[i]);
   }
   for (std::size_t a = 0; a < 3; ++a)
   {
@@ -66,11 +79,11 @@ HWY_INLINE float FindOffset(const glm::vec3& normal, const TileBeam& beam)
     for (std::size_t a = 0; a < 3; ++a)
     {
       const F along = hn::Set(d, normal[static_cast<int>(a)]);
-      at = hn::Add(at, hn::Mul(along, hn::LoadU(d, &beam.Origin[a][i])));
-      per = hn::Add(per, hn::Mul(along, hn::LoadU(d, &beam.Direction[a][i])));
+      at = hn::MulAdd(along, hn::LoadU(d, &beam.Origin[a][i]), at);
+      per = hn::MulAdd(along, hn::LoadU(d, &beam.Direction[a][i]), per);
     }
-    const F begin = hn::Add(at, hn::Mul(per, hn::LoadU(d, &beam.Begin[i])));
-    const F end = hn::Add(at, hn::Mul(per, hn::LoadU(d, &beam.End[i])));
+    const F begin = hn::MulAdd(per, hn::LoadU(d, &beam.Begin[i]), at);
+    const F end = hn::MulAdd(per, hn::LoadU(d, &beam.End[i]), at);
     least = hn::Min(least, hn::Min(begin, end));
   }
   return hn::GetLane(hn::MinOfLanes(d, least)) - 4.0f * beam.Margin;

@@ -44,9 +44,9 @@ struct alignas(64) TileBeam
   /// How much later than told a ray may enter a cell, or how much earlier leave it.
   Array<float> Slack;
 
-  /// What is found. From Behind on nothing on a ray matters; Cell is one that the ray meets a
-  /// surface in for sure, where it enters at Enter or before; there is no other between.
-  Array<float> Behind, Enter;
+  /// What is found. A cell that a ray enters at Behind or later does not matter; Cell is one that
+  /// the ray meets a surface in for sure and enters before Behind; there is no other between.
+  Array<float> Behind;
   Array<std::int32_t> Cell;
   Hull Around;
   std::int64_t CellsPassed = 0;
@@ -91,7 +91,7 @@ class BeamScene : public LeafSource
 public:
   /// Read a cell, and remember it.
   /// \param corners gets the differences from the isovalue, in units of which the largest are not
-  ///                far from 1
+  ///                far from 1; if they do not tell what is in the cell, numbers that are not any
   /// \return the number by which it is remembered: how many were before. There is room for
   ///         MostCells
   virtual std::int32_t Read(const glm::ivec3& cell, std::array<float, 8>& corners) = 0;

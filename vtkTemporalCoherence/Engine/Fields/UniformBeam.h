@@ -6,6 +6,7 @@
 #include "Fields/BeamLevels.h"
 #include "Fields/KernelsBeam.h"
 #include "Fields/UniformCells.h"
+#include "Trace/HiddenSegment.h"
 #include "Trace/KernelsCrossing.h"
 #include "Trace/TracedCells.h"
 
@@ -16,8 +17,7 @@
 namespace TemporalCoherence
 {
 
-/// Finds the first surfaces of the rays of a tile by a beam, in an image none of whose cells is
-/// hidden.
+/// Finds the first surfaces of the rays of a tile by a beam, in an image.
 ///
 /// The beam only leaves out cells: those that a ray does not pass, those where single precision
 /// proves that it meets nothing, and those behind another where it proves that it does. What is in
@@ -85,6 +85,10 @@ private:
       read.Differences[i] = value;
       corners[i] = sizeof(Real) == sizeof(float) ? static_cast<float>(value)
                                                  : static_cast<float>(value * this->Unit);
+    }
+    if (!this->Given.AreTold(this->Cells.Samples.Read(cell)))
+    {
+      corners.fill(std::numeric_limits<float>::quiet_NaN());
     }
     return this->NumberOfRead++;
   }
@@ -172,12 +176,12 @@ private:
         // In the same cell.
         this->Cells.Rules.KeepFirst(
           segments.Distance[i], IsInside(segments.AtEntry[i]), search.Surface[i], ray, this->Hits);
+        this->CapBehindHidden(segments, i, search.Surface[i], ray);
       }
-      else if (this->Keep(segments, i, ray))
+      else if (this->Keep(segments, i, search.Surface[i], ray))
       {
-        this->Hits.Surface[ray] = search.Surface[i];
-        // Nothing matters behind a surface.
-        const float behind = beam.DistanceOf(segments.Distance[i]) + beam.Margin;
+        // Cells that the ray enters later hold no hit.
+        const float behind = beam.DistanceOf(segments.Enter[i]) + beam.Margin;
         beam.Behind[ray] = std::min(beam.Behind[ray], behind);
       }
     }
@@ -229,14 +233,15 @@ private:
     {
       if (beam.Cell[from[i]] != TileBeam::NoCell)
       {
-        this->Keep(segments, i, from[i]);
+        this->Keep(segments, i, 0, from[i]);
         beam.Cell[from[i]] = TileBeam::NoCell;
       }
     }
   }
 
   /// Keep what was found in segment i, if the ray meets it before what it has.
-  bool Keep(const SegmentBatch<Real>& segments, std::size_t i, std::size_t ray)
+  bool Keep(
+    const SegmentBatch<Real>& segments, std::size_t i, std::int16_t surface, std::size_t ray)
   {
     if (!(segments.Distance[i] < std::numeric_limits<double>::infinity() &&
           segments.Enter[i] < this->FirstEnter[ray]))
@@ -245,9 +250,23 @@ private:
     }
     this->FirstEnter[ray] = segments.Enter[i];
     this->Hits.Depth[ray] = segments.Distance[i];
-    this->Hits.Surface[ray] = 0;
+    this->Hits.Surface[ray] = surface;
     this->Hits.Kind[ray] = HitRules::KindOf(IsInside(segments.AtEntry[i]));
+    this->CapBehindHidden(segments, i, surface, ray);
     return true;
+  }
+
+  /// Cap a solid that a ray is inside of where it leaves hidden cells.
+  void CapBehindHidden(
+    const SegmentBatch<Real>& segments, std::size_t i, std::int16_t surface, std::size_t ray)
+  {
+    const double enter = segments.Enter[i];
+    if (this->Cells.Rules.AreCappedBehindHidden() && IsInside(segments.AtEntry[i]))
+    {
+      this->Cells.Rules.CapBehindHidden(
+        enter, surface, ray,
+        [&] { return ComesFromHidden(segments, i, enter, *this->Cells.Hidden); }, this->Hits);
+    }
   }
 
   const Traced& Cells;

@@ -14,7 +14,6 @@
 #include <cmath>
 #include <cstring>
 #include <memory>
-#include <type_traits>
 
 namespace TemporalCoherence
 {
@@ -478,12 +477,7 @@ private:
 
 bool HasBeams(const Field& field, const Surfaces& surfaces)
 {
-  const std::size_t isovalues = surfaces.Isovalues.size();
-  // Differences of samples that are not finite are another matter for each isovalue.
-  const bool isFinite =
-    DispatchScalarType(field.Type, [](auto type) { return std::is_integral_v<decltype(type)>; });
-  return field.Between == Interpolation::Linear && !field.Hidden &&
-    (isovalues == 1 || (isovalues > 1 && isFinite));
+  return field.Between == Interpolation::Linear && !surfaces.Isovalues.empty();
 }
 
 std::shared_ptr<const SurfaceTracer> MakeUniformTracer(const TraceScene& scene)

@@ -7,6 +7,7 @@ set(engine_files
   Scene/FieldKind
   Scene/FrameKey
   Scene/FramePlanes
+  Scene/KernelsPlanes
   Scene/RayBatch
   Scene/Region
   Scene/View

@@ -3,10 +3,10 @@
 #include "Scene/FramePlanes.h"
 
 #include "Scene/Disparity.h"
+#include "Scene/KernelsPlanes.h"
 
 #include <algorithm>
 #include <limits>
-#include <type_traits>
 
 namespace TemporalCoherence
 {
@@ -104,37 +104,14 @@ void StoreHit(const RayBatch& rays, const HitBatch& hits, std::size_t ray, Answe
 void StoreHits(const RayBatch& rays, const HitBatch& hits, const RayBatch::Array<Answer>& answers,
   bool isParallel, Frame& frame)
 {
-  const auto count = static_cast<std::size_t>(rays.Count);
-  RayBatch::Array<float> disparities, firstEntries;
-  RayBatch::Array<HitKind> kinds;
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    disparities[i] = DisparityAt(rays, i, hits.Depth[i], isParallel);
-    firstEntries[i] = DisparityAt(rays, i, hits.FirstEntry[i], isParallel);
-    kinds[i] = KindOf(hits, i);
-  }
-  const auto copy = [&](std::size_t first, auto length)
-  {
-    const auto pixel = static_cast<std::size_t>(rays.Pixel[first]);
-    std::copy_n(&hits.Depth[first], length, &frame.Depth[pixel]);
-    std::copy_n(&disparities[first], length, &frame.Disparities[pixel]);
-    std::copy_n(&firstEntries[first], length, &frame.FirstEntries[pixel]);
-    std::copy_n(&hits.Surface[first], length, &frame.Isovalues[pixel]);
-    std::copy_n(&kinds[first], length, &frame.Kinds[pixel]);
-    std::copy_n(&answers[first], length, &frame.Answers[pixel]);
-  };
   if (rays.Count == RayBatch::Capacity)
   {
-    // A whole tile: rows of a length that the compiler knows.
-    for (std::size_t row = 0; row < count; row += TileSize)
-    {
-      copy(row, std::integral_constant<int, TileSize>());
-    }
+    StoreRows(rays, hits, answers, isParallel, frame);
     return;
   }
-  for (std::size_t i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
   {
-    copy(i, std::integral_constant<int, 1>());
+    StoreHit(rays, hits, i, answers[i], isParallel, frame);
   }
 }
 

@@ -385,13 +385,17 @@ void TakeHits(const View& view, const TileHits& found, Frame& frame, HitList& hi
     count += found.Hits.Surface[ray] != Frame::NoSurface;
   }
   hits.Rays.Count = count;
+  if (count == rays)
+  {
+    std::copy_n(found.Rays.Pixel.begin(), count, hits.Pixel.begin());
+    std::copy_n(found.Hits.Surface.begin(), count, hits.Surface.begin());
+    std::copy_n(found.Hits.Kind.begin(), count, hits.Kind.begin());
+    ShadingKernels::FindPointsFrom(view.Origin, found.World, found.Hits.Depth, hits.Rays);
+    return;
+  }
+  WorldDirections directions;
   const auto take = [&](const auto& from, auto& to)
   {
-    if (count == RayBatch::Capacity)
-    {
-      std::memcpy(to.data(), from.data(), sizeof(from));
-      return;
-    }
     for (std::size_t i = 0; i < count; ++i)
     {
       to[i] = from[places[i]];
@@ -403,9 +407,9 @@ void TakeHits(const View& view, const TileHits& found, Frame& frame, HitList& hi
   take(found.Hits.Depth, hits.Rays.T);
   for (std::size_t a = 0; a < 3; ++a)
   {
-    take(found.World[a], hits.Rays.Direction[a]);
+    take(found.World[a], directions[a]);
   }
-  for (std::size_t ray = 0; ray < rays && count < rays; ++ray)
+  for (std::size_t ray = 0; ray < rays; ++ray)
   {
     if (found.Hits.Surface[ray] == Frame::NoSurface)
     {
@@ -417,11 +421,11 @@ void TakeHits(const View& view, const TileHits& found, Frame& frame, HitList& hi
   if (count > 0)
   {
     FillLastVector(count, hits.Rays.T);
-    for (Array<double>& component : hits.Rays.Direction)
+    for (Array<double>& component : directions)
     {
       FillLastVector(count, component);
     }
-    ShadingKernels::FindPointsFrom(view.Origin, hits.Rays);
+    ShadingKernels::FindPointsFrom(view.Origin, directions, hits.Rays.T, hits.Rays);
   }
 }
 

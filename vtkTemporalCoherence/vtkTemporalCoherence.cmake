@@ -20,7 +20,6 @@ set(engine_files
   Acceleration/SampleComparer
   Acceleration/TileBounds
   Acceleration/ValueRangePyramid
-  Trace/KernelsCorners
   Trace/KernelsCrossing
   Trace/KernelsRange
   Trace/KernelsRays
@@ -30,6 +29,7 @@ set(engine_files
   Trace/RegionClipper
   Trace/SurfaceTracer
   Shade/CapNormal
+  Shade/HitGathering
   Shade/KernelsGradients
   Shade/KernelsShading
   Shade/Shader
@@ -53,6 +53,7 @@ set(engine_files
   Isomap/Knots
   Fields/KernelsBeam
   Fields/KernelsBeamSetUp
+  Fields/KernelsCorners
   Fields/RectilinearGradients
   Fields/RectilinearKind
   Fields/UniformKind

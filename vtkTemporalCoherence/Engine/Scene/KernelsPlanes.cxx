@@ -24,6 +24,17 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using Doubles = hn::CappedTag<double, TileSize>;
 
+/// Rounded to single precision; infinity stays infinity.
+HWY_INLINE hn::Vec<hn::Rebind<float, Doubles>> AsFloats(hn::Vec<Doubles> values)
+{
+  const hn::Rebind<float, Doubles> df;
+#if HWY_TARGET == HWY_SCALAR
+  return hn::Set(df, static_cast<float>(hn::GetLane(values)));
+#else
+  return hn::DemoteTo(df, values);
+#endif
+}
+
 /// Write the disparities of a row of distances.
 HWY_INLINE void StoreDisparities(
   const double* perDepth, const double* distances, bool isParallel, float* plane)
@@ -36,7 +47,7 @@ HWY_INLINE void StoreDisparities(
     const auto disparity = isParallel
       ? hn::Max(hn::Div(hn::Neg(t), per), hn::Set(d, DisparityOfMiss(true)))
       : hn::Div(per, t);
-    hn::StoreU(hn::DemoteTo(df, disparity), df, plane + i);
+    hn::StoreU(AsFloats(disparity), df, plane + i);
   }
 }
 

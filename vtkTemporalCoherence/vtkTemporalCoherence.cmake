@@ -19,7 +19,6 @@ set(engine_files
   Acceleration/SampleComparer
   Acceleration/TileBounds
   Acceleration/ValueRangePyramid
-  Trace/KernelsCorners
   Trace/KernelsCrossing
   Trace/KernelsRange
   Trace/KernelsRays
@@ -29,6 +28,7 @@ set(engine_files
   Trace/RegionClipper
   Trace/SurfaceTracer
   Shade/CapNormal
+  Shade/HitGathering
   Shade/KernelsGradients
   Shade/KernelsShading
   Shade/Shader
@@ -52,6 +52,7 @@ set(engine_files
   Fields/KernelsBandBeam
   Fields/KernelsBeam
   Fields/KernelsBeamSetUp
+  Fields/KernelsCorners
   Fields/RectilinearGradients
   Fields/RectilinearKind
   Fields/UniformBandTracer

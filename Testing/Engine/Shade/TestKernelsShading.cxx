@@ -305,7 +305,8 @@ TEST_F(KernelsShading, NormalsFaceTheViewer)
         const glm::dvec3 g(gradients[0][i], gradients[1][i], gradients[2][i]);
         const glm::dvec3 ray(rays[0][i], rays[1][i], rays[2][i]);
         const double largest = std::max({ std::abs(g.x), std::abs(g.y), std::abs(g.z) });
-        const glm::dvec3 scaled = g * (1.0 / (largest > 0.0 ? largest : 1.0));
+        const bool isFar = largest > 0.0 && (largest < 1e-100 || largest > 1e100);
+        const glm::dvec3 scaled = g * (1.0 / (isFar ? largest : 1.0));
         const glm::dvec3 w =
           largest > 0.0 ? m[0] * scaled.x + m[1] * scaled.y + m[2] * scaled.z : ray;
         const double along = w.x * ray.x + w.y * ray.y + w.z * ray.z;

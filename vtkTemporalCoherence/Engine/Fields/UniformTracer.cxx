@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fields/UniformTracer.h"
 
+#include "Fields/KernelsCorners.h"
 #include "Fields/UniformBeam.h"
 #include "Fields/UniformCells.h"
 #include "Scene/Tiles.h"
 #include "Trace/CellTracer.h"
-#include "Trace/KernelsCorners.h"
 #include "Trace/KernelsCrossing.h"
 #include "Trace/KernelsWalk.h"
 

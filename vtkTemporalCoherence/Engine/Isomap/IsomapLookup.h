@@ -40,6 +40,14 @@ public:
   TraceCounts LookUpTile(std::int64_t tile, const PixelRect& part, Frame& frame,
     std::uint64_t& unresolved, TileHits& tileHits) const;
 
+  /// The same, if nobody needs the hits but the planes.
+  TraceCounts LookUpTile(
+    std::int64_t tile, const PixelRect& part, Frame& frame, std::uint64_t& unresolved) const
+  {
+    TileHits tileHits;
+    return this->LookUpTile(tile, part, frame, unresolved, tileHits);
+  }
+
 private:
   /// An isovalue and its band.
   struct IsovalueKeys

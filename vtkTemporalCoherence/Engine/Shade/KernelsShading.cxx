@@ -69,16 +69,18 @@ void RayPointsOf(RayPoints& rays)
   }
 }
 
-void PointsFromOf(const glm::dvec3& origin, RayPoints& rays)
+void PointsFromOf(const glm::dvec3& origin, const std::array<Array<double>, 3>& directions,
+  const Array<double>& distances, RayPoints& rays)
 {
   const Doubles d;
   const hn::Rebind<float, Doubles> df;
   for (std::size_t i = 0; i < WholeVectors(rays.Count); i += hn::Lanes(d))
   {
-    const auto t = hn::LoadU(d, &rays.T[i]);
+    const auto t = hn::LoadU(d, &distances[i]);
     for (std::size_t a = 0; a < 3; ++a)
     {
-      const auto unit = hn::LoadU(d, &rays.Direction[a][i]);
+      const auto unit = hn::LoadU(d, &directions[a][i]);
+      hn::StoreU(unit, d, &rays.Direction[a][i]);
       const auto from = hn::Set(d, origin[static_cast<int>(a)]);
       hn::StoreU(hn::DemoteTo(df, unit), df, &rays.FloatDirection[a][i]);
       hn::StoreU(hn::Add(from, hn::Mul(t, unit)), d, &rays.Point[a][i]);
@@ -323,9 +325,10 @@ void FindRayPoints(RayPoints& rays)
   HWY_DYNAMIC_DISPATCH(RayPointsOf)(rays);
 }
 
-void FindPointsFrom(const glm::dvec3& origin, RayPoints& rays)
+void FindPointsFrom(const glm::dvec3& origin, const std::array<Array<double>, 3>& directions,
+  const Array<double>& distances, RayPoints& rays)
 {
-  HWY_DYNAMIC_DISPATCH(PointsFromOf)(origin, rays);
+  HWY_DYNAMIC_DISPATCH(PointsFromOf)(origin, directions, distances, rays);
 }
 
 void FindFacingNormals(std::size_t count, const glm::dmat3& worldFromGradient,

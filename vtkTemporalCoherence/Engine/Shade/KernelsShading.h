@@ -32,8 +32,10 @@ struct RayPoints
 };
 void FindRayPoints(RayPoints& rays);
 
-/// The same for rays whose directions are known, and that all begin at one point: the same bits.
-void FindPointsFrom(const glm::dvec3& origin, RayPoints& rays);
+/// The same bits for rays that all begin at one point, and whose directions are known. Both arrays
+/// are read up to the end of the last vector. X, Y and T are not used.
+void FindPointsFrom(const glm::dvec3& origin, const std::array<Array<double>, 3>& directions,
+  const Array<double>& distances, RayPoints& rays);
 
 /// Make unit normals that face the viewer from gradients. Where the gradient is 0, the surface is
 /// taken to face the viewer.

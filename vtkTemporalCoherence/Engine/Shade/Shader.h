@@ -13,7 +13,9 @@
 #include "Scene/View.h"
 #include "Shade/KernelsShading.h"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 
 namespace TemporalCoherence
 {
@@ -30,6 +32,14 @@ struct HitList
   ShadingKernels::RayPoints Rays; ///< and the hits on them, in the world
   Array<std::array<float, 3>> Normal;
 };
+
+/// Repeat the last element up to the end of the last vector, so that no lane is uninitialised.
+template <typename T>
+void FillLastVector(std::size_t count, RayBatch::Array<T>& array)
+{
+  std::fill(array.begin() + static_cast<std::ptrdiff_t>(count),
+    array.begin() + static_cast<std::ptrdiff_t>(WholeVectors(count)), array[count - 1]);
+}
 
 /// The field and the planes from which normals are computed.
 struct NormalSource

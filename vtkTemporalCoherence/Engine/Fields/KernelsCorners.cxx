@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Trace/KernelsCorners.h"
+#include "Fields/KernelsCorners.h"
 
 // This file is compiled once for each kind of vectors. The best one for the machine is chosen at
 // run time.
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "Trace/KernelsCorners.cxx"
+#define HWY_TARGET_INCLUDE "Fields/KernelsCorners.cxx"
 #include <hwy/foreach_target.h>
 
 #include "Trace/KernelsPacked-inl.h"

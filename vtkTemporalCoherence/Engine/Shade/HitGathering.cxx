@@ -1,0 +1,216 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The hits of a tile become the arrays that shading works on.
+
+#include "Shade/Shader.h"
+
+#include <algorithm>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+template <typename T>
+using Array = HitList::Array<T>;
+
+/// Normalised device coordinates of the columns and rows of a part of the picture.
+struct PixelCentres
+{
+  PixelCentres(const View& view, const PixelRect& part)
+  {
+    for (int column = 0; column < part.Size.x; ++column)
+    {
+      this->X[static_cast<std::size_t>(column)] = view.PixelCentre(part.First.x + column, 0).x;
+    }
+    for (int row = 0; row < part.Size.y; ++row)
+    {
+      this->Y[static_cast<std::size_t>(row)] = view.PixelCentre(0, part.First.y + row).y;
+    }
+  }
+
+  Array<double> X, Y;
+};
+
+/// Sorts the pixels of a part of the picture into hits and misses, row by row.
+class PixelSorter
+{
+public:
+  PixelSorter(bool withDefiniteHits, Frame& frame, HitList& hits)
+    : WithDefiniteHits(withDefiniteHits)
+    , Planes(frame)
+    , Hits(hits)
+  {
+    hits.Rays.Count = 0;
+  }
+
+  /// Sort the pixels [first, first + count) of a row.
+  void Sort(std::size_t first, std::size_t count, const double* x, double y)
+  {
+    const std::int16_t* const surfaces = &this->Planes.Isovalues[first];
+    if (count == TileSize && this->WithDefiniteHits)
+    {
+      // Most rows are full or empty.
+      int hitCount = 0;
+      for (std::size_t i = 0; i < TileSize; ++i)
+      {
+        hitCount += surfaces[i] != Frame::NoSurface ? 1 : 0;
+      }
+      if (hitCount == TileSize)
+      {
+        this->TakeRow(first, x, y);
+        return;
+      }
+      if (hitCount == 0)
+      {
+        std::fill_n(&this->Planes.Normals[first], TileSize, glm::vec3(0.0f));
+        std::fill_n(&this->Planes.Colors[first], TileSize, NoColor);
+        return;
+      }
+    }
+    this->SortRow(first, count, x, y);
+  }
+
+private:
+  static constexpr std::array<std::uint8_t, 4> NoColor = { 0, 0, 0, 0 };
+
+  /// Take a row of hits.
+  void TakeRow(std::size_t first, const double* x, double y)
+  {
+    const std::size_t at = this->Hits.Rays.Count;
+    // Field by field: the compiler does not know that none of them lies in another.
+    for (std::size_t i = 0; i < TileSize; ++i)
+    {
+      this->Hits.Pixel[at + i] = static_cast<std::int32_t>(first + i);
+    }
+    std::copy_n(&this->Planes.Isovalues[first], TileSize, &this->Hits.Surface[at]);
+    std::copy_n(&this->Planes.Kinds[first], TileSize, &this->Hits.Kind[at]);
+    std::copy_n(x, TileSize, &this->Hits.Rays.X[at]);
+    std::fill_n(&this->Hits.Rays.Y[at], TileSize, y);
+    std::copy_n(&this->Planes.Depth[first], TileSize, &this->Hits.Rays.T[at]);
+    this->Hits.Rays.Count = at + TileSize;
+  }
+
+  /// Sort a row of hits and misses.
+  void SortRow(std::size_t first, std::size_t count, const double* x, double y)
+  {
+    Array<std::size_t> misses;
+    std::size_t hitCount = this->Hits.Rays.Count, missCount = 0;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      // Without branches, which would be mispredicted at silhouettes: every pixel is written to the
+      // end of both lists, and at most one of them grows.
+      const std::size_t pixel = first + i;
+      const bool isMiss = this->Planes.Isovalues[pixel] == Frame::NoSurface;
+      const bool isKnown =
+        !this->WithDefiniteHits && this->Planes.Answers[pixel] == Answer::DefiniteHit;
+      this->Hits.Pixel[hitCount] = static_cast<std::int32_t>(pixel);
+      this->Hits.Surface[hitCount] = this->Planes.Isovalues[pixel];
+      this->Hits.Kind[hitCount] = this->Planes.Kinds[pixel];
+      this->Hits.Rays.X[hitCount] = x[i];
+      this->Hits.Rays.Y[hitCount] = y;
+      this->Hits.Rays.T[hitCount] = this->Planes.Depth[pixel];
+      misses[missCount] = pixel;
+      hitCount += isMiss || isKnown ? 0 : 1;
+      missCount += isMiss ? 1 : 0;
+    }
+    this->Hits.Rays.Count = hitCount;
+    for (std::size_t i = 0; i < missCount; ++i)
+    {
+      this->Planes.Normals[misses[i]] = glm::vec3(0.0f);
+      this->Planes.Colors[misses[i]] = NoColor;
+    }
+  }
+
+  bool WithDefiniteHits;
+  Frame& Planes;
+  HitList& Hits;
+};
+
+}
+
+void GatherHits(
+  const View& view, const PixelRect& part, bool withDefiniteHits, Frame& frame, HitList& hits)
+{
+  const PixelCentres centres(view, part);
+  PixelSorter sorter(withDefiniteHits, frame, hits);
+  for (int row = 0; row < part.Size.y; ++row)
+  {
+    const int first = (part.First.y + row) * frame.Size.x + part.First.x;
+    sorter.Sort(static_cast<std::size_t>(first), static_cast<std::size_t>(part.Size.x),
+      centres.X.data(), centres.Y[static_cast<std::size_t>(row)]);
+  }
+  FindHitPoints(view, hits);
+}
+
+void TakeHits(const View& view, const TileHits& found, Frame& frame, HitList& hits)
+{
+  const auto rays = static_cast<std::size_t>(found.Rays.Count);
+  Array<std::uint8_t> places;
+  std::size_t count = 0;
+  for (std::size_t ray = 0; ray < rays; ++ray)
+  {
+    places[count] = static_cast<std::uint8_t>(ray);
+    count += found.Hits.Surface[ray] != Frame::NoSurface;
+  }
+  hits.Rays.Count = count;
+  if (count == RayBatch::Capacity)
+  {
+    std::copy_n(found.Rays.Pixel.begin(), count, hits.Pixel.begin());
+    std::copy_n(found.Hits.Surface.begin(), count, hits.Surface.begin());
+    std::copy_n(found.Hits.Kind.begin(), count, hits.Kind.begin());
+    ShadingKernels::FindPointsFrom(view.Origin, found.World, found.Hits.Depth, hits.Rays);
+    return;
+  }
+  WorldDirections directions;
+  const auto take = [&](const auto& from, auto& to)
+  {
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      to[i] = from[places[i]];
+    }
+  };
+  take(found.Rays.Pixel, hits.Pixel);
+  take(found.Hits.Surface, hits.Surface);
+  take(found.Hits.Kind, hits.Kind);
+  take(found.Hits.Depth, hits.Rays.T);
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    take(found.World[a], directions[a]);
+  }
+  for (std::size_t ray = 0; ray < rays; ++ray)
+  {
+    if (found.Hits.Surface[ray] == Frame::NoSurface)
+    {
+      const auto pixel = static_cast<std::size_t>(found.Rays.Pixel[ray]);
+      frame.Normals[pixel] = glm::vec3(0.0f);
+      frame.Colors[pixel] = {};
+    }
+  }
+  if (count > 0)
+  {
+    FillLastVector(count, hits.Rays.T);
+    for (Array<double>& component : directions)
+    {
+      FillLastVector(count, component);
+    }
+    ShadingKernels::FindPointsFrom(view.Origin, directions, hits.Rays.T, hits.Rays);
+  }
+}
+
+void FindHitPoints(const View& view, HitList& hits)
+{
+  ShadingKernels::RayPoints& rays = hits.Rays;
+  if (rays.Count > 0)
+  {
+    FillLastVector(rays.Count, rays.X);
+    FillLastVector(rays.Count, rays.Y);
+    FillLastVector(rays.Count, rays.T);
+    rays.LinearDirection = { view.Direction, view.DirectionX, view.DirectionY };
+    rays.LinearOrigin = { view.Origin, view.OriginX, view.OriginY };
+    ShadingKernels::FindRayPoints(rays);
+  }
+}
+
+}

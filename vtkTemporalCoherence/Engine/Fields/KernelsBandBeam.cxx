@@ -134,17 +134,15 @@ private:
   HWY_INLINE M Passes(const CellFaces& faces, std::size_t i) const
   {
     const TileBeam& beam = this->Beam;
-    V enter = Load(&beam.Begin[i]);
-    V leave = hn::Min(Load(&beam.End[i]), Load(&beam.Behind[i]));
-    V last = Load(&beam.End[i]);
+    V enter = Set(-TileBeam::Never), leave = Set(TileBeam::Never);
     for (std::size_t a = 0; a < 3; ++a)
     {
       const V origin = Load(&beam.Origin[a][i]), inverse = Load(&beam.Inverse[a][i]);
       enter = hn::Max(enter, hn::Mul(hn::Sub(Set(faces.Near[a]), origin), inverse));
-      last = hn::Min(last, hn::Mul(hn::Sub(Set(faces.Far[a]), origin), inverse));
+      leave = hn::Min(leave, hn::Mul(hn::Sub(Set(faces.Far[a]), origin), inverse));
     }
-    leave = hn::Min(leave, last);
-    return hn::And(hn::Le(enter, leave), hn::Ge(last, Load(&beam.WalkBegin[i])));
+    const V behind = Load(&beam.Behind[i]), begin = Load(&beam.WalkBegin[i]);
+    return hn::And(hn::Le(enter, hn::Min(leave, behind)), hn::Ge(leave, begin));
   }
 
   /// Those of a vector of rays that a cell can bring on, one bit each.

@@ -4,6 +4,8 @@
 #define TemporalCoherence_BandBeam_h
 
 #include "Fields/TileBeam.h"
+#include "Isomap/BandCells.h"
+#include "Trace/CellRoot.h"
 
 #include <array>
 #include <cstddef>
@@ -12,60 +14,60 @@
 namespace TemporalCoherence
 {
 
-/// What the rays of a beam have reached in a band for sure. Progress is that of BandScale, in
-/// single precision and a unit of its own.
-struct alignas(64) BandReach
-{
-  RayBatch::Array<float> Rising, Falling; ///< Done: nothing ahead matters in this direction
-  /// One bit for each ray that may have passed an active cell: later ones do not tell where it
-  /// begins.
-  std::uint64_t Entered = 0;
-  float Span; ///< progress at the end of the band
-
-  static constexpr float Done = 1e37f;
-  static constexpr float NotBegun = -1e37f;
-};
-
-/// A cell of a band, in single precision.
+/// A cell of a band.
+template <typename Real>
 struct BandCell
 {
-  std::array<float, 8> Corners; ///< differences from the lowest isovalue
-  float ToRise, ToFall;         ///< progress that rays can make here at most
-  bool IsFinite;                ///< all samples are
+  glm::ivec3 Place;
+  std::array<Real, 8> Samples; ///< differences from the lowest isovalue
+  CellReach<Real> Reach;
 };
 
-/// Cells that may bring rays on; those of each ray in their order along it.
-struct NotedCells
+/// A vector of rays in a cell, as arrays over them.
+template <typename Real>
+struct alignas(64) CellPassages
 {
-  /// One cell adds a tile's rays at most.
-  static constexpr std::size_t Capacity = 2 * RayBatch::Capacity;
+  template <typename Each>
+  using Array = std::array<Each, WidestVector>;
 
-  std::size_t Count = 0;
-  std::array<std::uint8_t, Capacity> Ray, Cell;
+  Array<double> Enter{}, Leave{};
+  Array<Real> Lowest{}, Highest{}; ///< of the field between
+  std::array<Array<Real>, 4> Cubic{};
+
+  std::size_t First = 0; ///< ray of the batch
+  /// One bit for each ray that the cell can bring on, and for each whose walk goes through it for
+  /// sure.
+  std::uint64_t Which = 0, IsOnWalk = 0;
 };
 
 /// The band that a beam goes through.
+template <typename Real>
 class BandBeamScene : public LeafSource
 {
 public:
-  /// Read cells, and remember them by the numbers first, first + 1 and so on below MostCells.
-  virtual void Read(
-    const glm::ivec3* places, std::size_t count, std::size_t first, BandCell* cells) = 0;
-  static constexpr std::size_t MostCells = 256;
+  virtual void Read(const glm::ivec3* places, std::size_t count, BandCell<Real>* cells) = 0;
 
-  /// Find out, in full precision, what the first `count` of the noted cells bring.
-  /// \param reach, beam are brought up to date
-  virtual void Measure(
-    const NotedCells& noted, std::size_t count, BandReach& reach, TileBeam& beam) = 0;
+  /// Take note of a cell.
+  /// \param beam rays end where they are done
+  /// \return true if some ray is
+  virtual bool TakeNote(
+    const BandCell<Real>& cell, const CellPassages<Real>& rays, TileBeam& beam) = 0;
+
+  /// What rays have reached, of which a scene keeps account: BandProgress::ReachedIn.
+  virtual const Real* ReachedIn(std::size_t direction) const = 0;
 };
 
-/// True if all rays of a beam meet cells in the order of SearchBand.
+/// True if all rays of a beam run the same way along each axis, as SearchBand needs them.
 bool AreRaysAlike(const TileBeam& beam);
 
-/// Take a beam through active cells, from front to back, up to where all its rays are done. A cell
-/// that is not noted for a ray does not bring it on.
+/// Take a beam through active cells, from front to back, up to where all its rays are done. Each
+/// ray meets cells in their order along it. The scene is told of all that it passes and that can
+/// bring it on.
 /// \pre AreRaysAlike(beam)
-void SearchBand(const ActiveCells& active, BandBeamScene& scene, BandReach& reach, TileBeam& beam);
+void SearchBand(
+  const ActiveCells& active, const RayBatch& rays, BandBeamScene<float>& scene, TileBeam& beam);
+void SearchBand(
+  const ActiveCells& active, const RayBatch& rays, BandBeamScene<double>& scene, TileBeam& beam);
 
 }
 

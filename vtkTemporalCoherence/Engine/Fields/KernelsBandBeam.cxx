@@ -11,6 +11,8 @@
 #include <hwy/foreach_target.h>
 
 #include "Fields/KernelsBeamTree-inl.h"
+#include "Trace/KernelsRange-inl.h"
+#include "Trace/KernelsSegment-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace TemporalCoherence
@@ -21,28 +23,32 @@ namespace HWY_NAMESPACE
 {
 
 namespace hn = hwy::HWY_NAMESPACE;
+namespace segments = ::TemporalCoherence::HWY_NAMESPACE;
 
-/// The faces of a cell: of each axis the nearer one first.
-struct CellFaces
+using Doubles = hn::CappedTag<double, WidestVector / 2>;
+
+/// One bit for each lane.
+template <class D>
+HWY_INLINE std::uint64_t BitsIn(D d, hn::Mask<D> mask)
 {
-  float Near[3], Far[3];
-};
+  std::uint8_t bits[8] = { 0 };
+  hn::StoreMaskBits(d, mask, bits);
+  return static_cast<std::uint64_t>(bits[0]) | static_cast<std::uint64_t>(bits[1]) << 8;
+}
 
-/// Distances between which rays are in a cell.
-struct Passage
-{
-  V Enter, Leave;
-};
-
-/// Tests the cells of leaves against the rays of a beam, and notes those that may bring rays on.
+/// Tests the cells of leaves against the rays of a beam, and tells the scene of those that can
+/// bring rays on. In single precision, with the margin of the beam, rays are found that may pass a
+/// cell; the rest is as on a walk.
+template <typename Real>
 class BandSearch
 {
 public:
-  BandSearch(BandBeamScene& scene, BandReach& reach, TileBeam& beam)
-    : Scene(scene)
-    , Reached(reach)
+  BandSearch(const RayBatch& rays, BandBeamScene<Real>& scene, TileBeam& beam)
+    : Rays(rays)
+    , Scene(scene)
     , Beam(beam)
-    , ErrorPerValue(16.0f * beam.Margin + 0x1p-13f)
+    , Rises(scene.ReachedIn(Rising))
+    , Falls(scene.ReachedIn(Falling))
   {
   }
 
@@ -54,31 +60,16 @@ public:
     {
       return;
     }
-    if (this->NumberOfRead + this->NumberOfPassed > BandBeamScene::MostCells)
-    {
-      this->Finish();
-    }
-    this->Scene.Read(this->Places, this->NumberOfPassed, this->NumberOfRead, this->Cells);
+    this->Scene.Read(this->Places, this->NumberOfPassed, this->Cells);
+    bool isNearer = false;
     for (std::size_t pair = 0; pair < this->NumberOfPairs; ++pair)
     {
-      this->SearchCell(this->Pairs[pair]);
-      if (this->Noted.Count >= RayBatch::Capacity)
-      {
-        this->Measure(RayBatch::Capacity);
-      }
+      isNearer |= this->SearchCell(this->Pairs[pair]);
     }
-    this->NumberOfRead += this->NumberOfPassed;
-    if (this->IsNearer)
+    if (isNearer)
     {
       this->FindDepth();
     }
-  }
-
-  /// Measure all that is noted.
-  void Finish()
-  {
-    this->Measure(this->Noted.Count);
-    this->NumberOfRead = 0;
   }
 
 private:
@@ -89,6 +80,12 @@ private:
   {
     std::uint8_t Cell, Rays;
     std::uint16_t Which; ///< one bit for each of the rays
+  };
+
+  /// The faces of a cell: of each axis the nearer one first.
+  struct CellFaces
+  {
+    float Near[3], Far[3];
   };
 
   /// Note the cells that rays pass. One step for all cells after the other, so that hardly a branch
@@ -104,12 +101,11 @@ private:
         static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(cells)) ^ this->Beam.Flip;
       const glm::ivec3 place(number & 3, number >> 2 & 3, number >> 4);
       this->Places[this->NumberOfPassed] = leaf + place;
-      this->First[this->NumberOfPassed] = glm::vec3(from + place);
-      const CellFaces faces = this->FacesOf(this->First[this->NumberOfPassed], this->Beam.Margin);
+      const CellFaces faces = this->FacesOf(glm::vec3(from + place));
       const std::size_t before = this->NumberOfPairs;
       for (std::size_t i = 0; i < RayBatch::Capacity; i += hn::Lanes(Floats()))
       {
-        const std::uint64_t which = BitsOf(this->Passes(this->Pass(faces, i), i));
+        const std::uint64_t which = BitsOf(this->Passes(faces, i));
         this->Pairs[this->NumberOfPairs] = { static_cast<std::uint8_t>(this->NumberOfPassed),
           static_cast<std::uint8_t>(i), static_cast<std::uint16_t>(which) };
         this->NumberOfPairs += which != 0;
@@ -120,178 +116,144 @@ private:
     this->Beam.CellsPassed += passing;
   }
 
-  HWY_INLINE CellFaces FacesOf(const glm::vec3& first, float margin) const
+  /// The faces of a cell, moved outwards by the margin.
+  HWY_INLINE CellFaces FacesOf(const glm::vec3& first) const
   {
     CellFaces faces;
     for (int a = 0; a < 3; ++a)
     {
       const bool isBack = this->Beam.Flip >> (2 * a) & 1;
-      const float low = first[a] - margin, high = first[a] + 1.0f + margin;
+      const float low = first[a] - this->Beam.Margin, high = first[a] + 1.0f + this->Beam.Margin;
       faces.Near[a] = isBack ? high : low;
       faces.Far[a] = isBack ? low : high;
     }
     return faces;
   }
 
-  /// Where a vector of rays passes a cell, given its faces.
-  HWY_INLINE Passage Pass(const CellFaces& faces, std::size_t i) const
+  /// Those of a vector of rays that may pass a cell on their walk, before they are done.
+  HWY_INLINE M Passes(const CellFaces& faces, std::size_t i) const
   {
     const TileBeam& beam = this->Beam;
-    Passage passed;
-    passed.Enter = Load(&beam.Begin[i]);
-    passed.Leave = Load(&beam.End[i]);
+    V enter = Set(-TileBeam::Never), leave = Set(TileBeam::Never);
     for (std::size_t a = 0; a < 3; ++a)
     {
       const V origin = Load(&beam.Origin[a][i]), inverse = Load(&beam.Inverse[a][i]);
-      passed.Enter = hn::Max(passed.Enter, hn::Mul(hn::Sub(Set(faces.Near[a]), origin), inverse));
-      passed.Leave = hn::Min(passed.Leave, hn::Mul(hn::Sub(Set(faces.Far[a]), origin), inverse));
+      enter = hn::Max(enter, hn::Mul(hn::Sub(Set(faces.Near[a]), origin), inverse));
+      leave = hn::Min(leave, hn::Mul(hn::Sub(Set(faces.Far[a]), origin), inverse));
     }
-    return passed;
+    const V behind = Load(&beam.Behind[i]), begin = Load(&beam.WalkBegin[i]);
+    return hn::And(hn::Le(enter, hn::Min(leave, behind)), hn::Ge(leave, begin));
   }
 
-  /// Those of some rays that pass a cell on their walk, before they are done.
-  HWY_INLINE M Passes(const Passage& passed, std::size_t i) const
+  /// Those of a vector of rays that a cell can bring on, one bit each.
+  HWY_INLINE std::uint64_t FindBroughtOn(const CellReach<Real>& cell, std::size_t first) const
   {
-    const V behind = Load(&this->Beam.Behind[i]), begin = Load(&this->Beam.WalkBegin[i]);
-    return hn::And(
-      hn::Le(passed.Enter, hn::Min(passed.Leave, behind)), hn::Ge(passed.Leave, begin));
+    const hn::CappedTag<Real, WidestVector> d;
+    std::uint64_t which = 0;
+    for (std::size_t i = 0; i < hn::Lanes(Floats()); i += hn::Lanes(d))
+    {
+      const auto rises =
+        hn::Lt(hn::LoadU(d, this->Rises + first + i), hn::Set(d, cell.Corner[Rising]));
+      const auto falls =
+        hn::Lt(hn::LoadU(d, this->Falls + first + i), hn::Set(d, cell.Corner[Falling]));
+      which |= BitsIn(d, hn::Or(rises, falls)) << i;
+    }
+    return which;
   }
 
-  /// Note a cell for those of some rays that it may bring on.
-  HWY_INLINE void SearchCell(const Pair& pair)
+  /// Tell the scene of a cell, if it can bring on some rays.
+  /// \return true if one of them is done
+  HWY_INLINE bool SearchCell(const Pair& pair)
   {
-    const BandCell& cell = this->Cells[pair.Cell];
-    const std::size_t i = pair.Rays;
-    const M mayRise = hn::Lt(Load(&this->Reached.Rising[i]), Set(cell.ToRise));
-    const M mayFall = hn::Lt(Load(&this->Reached.Falling[i]), Set(cell.ToFall));
-    const M isNoted = hn::And(MaskOf(pair.Which), hn::Or(mayRise, mayFall));
-    const std::uint64_t noted = BitsOf(isNoted);
-    if (noted == 0)
+    const BandCell<Real>& cell = this->Cells[pair.Cell];
+    CellPassages<Real>& rays = this->Passages;
+    rays.First = pair.Rays;
+    rays.Which = pair.Which & this->FindBroughtOn(cell.Reach, rays.First);
+    if (rays.Which == 0)
     {
-      return;
+      return false;
     }
-    const std::size_t number = this->NumberOfRead + pair.Cell;
-    for (std::uint64_t left = noted; left != 0; left &= left - 1)
-    {
-      const std::size_t at = this->Noted.Count++;
-      this->Noted.Ray[at] = static_cast<std::uint8_t>(i + hwy::Num0BitsBelowLS1Bit_Nonzero64(left));
-      this->Noted.Cell[at] = static_cast<std::uint8_t>(number);
-    }
-    if (cell.IsFinite)
-    {
-      this->BringOn(cell, this->First[pair.Cell], isNoted, i);
-    }
-    this->Reached.Entered |= noted << i;
+    Paths paths;
+    this->FindPaths(cell, rays, paths);
+    this->FindRanges(cell, paths, rays);
+    return this->Scene.TakeNote(cell, rays, this->Beam);
   }
 
-  /// Where rays enter and leave a cell at most and at least, if they pass it for sure.
-  HWY_INLINE Passage FindSure(const Passage& passed, const glm::vec3& first, std::size_t i) const
+  /// Paths of a vector of rays through a cell, in its coordinates.
+  struct alignas(64) Paths
   {
-    const TileBeam& beam = this->Beam;
-    const V margin = Set(2.0f * beam.Margin);
-    Passage sure;
-    if (beam.IsSteep)
-    {
-      sure = this->Pass(this->FacesOf(first, -beam.Margin), i);
-    }
-    else
-    {
-      const V slack = Load(&beam.Slack[i]);
-      sure = { hn::Add(passed.Enter, slack), hn::Sub(passed.Leave, slack) };
-    }
-    sure.Enter = hn::Max(sure.Enter, hn::Add(Load(&beam.Begin[i]), margin));
-    sure.Leave = hn::Min(sure.Leave, hn::Sub(Load(&beam.End[i]), margin));
-    return sure;
-  }
-
-  /// Bring some rays on by what they reach in a cell for sure.
-  HWY_INLINE void BringOn(const BandCell& cell, const glm::vec3& first, M isNoted, std::size_t i)
-  {
-    TileBeam& beam = this->Beam;
-    const V zero = hn::Zero(Floats());
-    Passage passed = this->Pass(this->FacesOf(first, beam.Margin), i);
-    passed.Enter = hn::IfThenElse(isNoted, passed.Enter, zero);
-    passed.Leave = hn::IfThenElse(isNoted, passed.Leave, zero);
-    const V length = hn::Sub(passed.Leave, passed.Enter);
-    V at[3], step[3];
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      const V direction = Load(&beam.Direction[a][i]);
-      const V origin = hn::Sub(Load(&beam.Origin[a][i]), Set(first[static_cast<int>(a)]));
-      at[a] = hn::Add(origin, hn::Mul(passed.Enter, direction));
-      step[a] = hn::Mul(length, direction);
-    }
-    CellValues values;
-    values.Set(cell.Corners);
-    const Coefficients b = CubicsAlong(values, at, step);
-    const Passage sure = this->FindSure(passed, first, i);
-    const V margin = Set(2.0f * beam.Margin), behind = Load(&beam.Behind[i]);
-    // The walk begins before the cell is left, and ends after it is entered.
-    M isSure = hn::And(isNoted, hn::Lt(sure.Enter, sure.Leave));
-    isSure = hn::And(isSure, hn::Lt(hn::Add(Load(&beam.WalkBegin[i]), margin), sure.Leave));
-    isSure = hn::And(isSure, hn::Lt(hn::Add(sure.Enter, margin), behind));
-    // As in cold beams: the interpolant changes by twice the largest corner along an axis, and
-    // little more outside.
-    const V slope = Set(2.25f * beam.Steepest * values.Largest);
-    const V error = Set((values.Largest + this->Reached.Span) * this->ErrorPerValue + 1e-30f);
-    const V firstError = hn::MulAdd(slope, hn::Sub(sure.Enter, passed.Enter), error);
-    const V lastError = hn::MulAdd(slope, hn::Sub(passed.Leave, sure.Leave), error);
-    this->Keep({ hn::Sub(b.First, firstError), hn::Sub(b.Last, lastError) },
-      { hn::Add(b.First, firstError), hn::Add(b.Last, lastError) }, isSure, i);
-    const M isDone = hn::And(isNoted,
-      hn::Ge(hn::Min(Load(&this->Reached.Rising[i]), Load(&this->Reached.Falling[i])),
-        Set(BandReach::Done)));
-    if (!hn::AllFalse(Floats(), isDone))
-    {
-      hn::StoreU(
-        hn::IfThenElse(isDone, hn::Min(behind, passed.Leave), behind), Floats(), &beam.Behind[i]);
-      this->IsNearer = true;
-    }
-  }
-
-  /// Values at the ends of passages.
-  struct EndValues
-  {
-    V First, Last;
+    Real Begin[3][WidestVector], End[3][WidestVector];
   };
 
-  /// Keep what rays reach for sure.
-  HWY_INLINE void Keep(const EndValues& least, const EndValues& most, M isSure, std::size_t i)
+  HWY_INLINE void FindPaths(
+    const BandCell<Real>& cell, CellPassages<Real>& rays, Paths& paths) const
   {
-    const Floats d;
-    const V span = Set(this->Reached.Span), zero = hn::Zero(d), done = Set(BandReach::Done);
-    V rising = Load(&this->Reached.Rising[i]), falling = Load(&this->Reached.Falling[i]);
-    const V rises = hn::Max(least.First, least.Last);
-    const V falls = hn::Sub(span, hn::Min(most.First, most.Last));
-    rising = hn::IfThenElse(isSure, hn::Max(rising, rises), rising);
-    falling = hn::IfThenElse(isSure, hn::Max(falling, falls), falling);
-    // A ray that begins above the band does not rise, one below does not fall.
-    const M begins = hn::AndNot(MaskOf(this->Reached.Entered >> i), isSure);
-    const M beginsAbove = hn::And(begins, hn::Gt(least.First, span));
-    const M beginsBelow = hn::And(begins, hn::Lt(most.First, zero));
-    rising = hn::IfThenElse(hn::Or(beginsAbove, hn::Gt(rising, span)), done, rising);
-    falling = hn::IfThenElse(hn::Or(beginsBelow, hn::Gt(falling, span)), done, falling);
-    hn::StoreU(rising, d, &this->Reached.Rising[i]);
-    hn::StoreU(falling, d, &this->Reached.Falling[i]);
+    const Doubles d;
+    using Vector = hn::Vec<Doubles>;
+    Vector place[3];
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      place[a] = hn::Set(d, cell.Place[static_cast<int>(a)]);
+    }
+    rays.IsOnWalk = 0;
+    for (std::size_t i = 0; i < hn::Lanes(Floats()); i += hn::Lanes(d))
+    {
+      const std::size_t from = rays.First + i;
+      segments::RayVector<Vector> lines;
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        lines.Origin[a] = hn::LoadU(d, &this->Rays.Origin[a][from]);
+        lines.Direction[a] = hn::LoadU(d, &this->Rays.Direction[a][from]);
+        lines.Inverse[a] = hn::LoadU(d, &this->Rays.Inverse[a][from]);
+      }
+      lines.Begin = hn::LoadU(d, &this->Rays.Begin[from]);
+      lines.End = hn::LoadU(d, &this->Rays.End[from]);
+      const auto path = segments::FindPath(d, lines, place);
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        segments::StoreAs(path.Begin[a], &paths.Begin[a][i]);
+        segments::StoreAs(path.End[a], &paths.End[a][i]);
+      }
+      hn::StoreU(path.Enter, d, &rays.Enter[i]);
+      hn::StoreU(path.Leave, d, &rays.Leave[i]);
+      const auto begins = hn::Gt(path.Leave, hn::LoadU(d, &this->Rays.WalkBegin[from]));
+      const auto ends = hn::Lt(path.Enter, hn::LoadU(d, &this->Rays.WalkEnd[from]));
+      const auto isOnWalk = hn::And(hn::Lt(path.Enter, path.Leave), hn::And(begins, ends));
+      rays.IsOnWalk |= BitsIn(d, isOnWalk) << i;
+    }
   }
 
-  void Measure(std::size_t count)
+  HWY_INLINE void FindRanges(
+    const BandCell<Real>& cell, const Paths& paths, CellPassages<Real>& rays) const
   {
-    NotedCells& noted = this->Noted;
-    if (count == 0)
+    const hn::CappedTag<Real, WidestVector> d;
+    using Vector = hn::Vec<decltype(d)>;
+    Vector samples[8];
+    for (std::size_t corner = 0; corner < 8; ++corner)
     {
-      return;
+      samples[corner] = hn::Set(d, cell.Samples[corner]);
     }
-    this->Scene.Measure(noted, count, this->Reached, this->Beam);
-    noted.Count -= count;
-    std::copy_n(noted.Ray.begin() + count, noted.Count, noted.Ray.begin());
-    std::copy_n(noted.Cell.begin() + count, noted.Count, noted.Cell.begin());
-    this->IsNearer = true;
+    for (std::size_t i = 0; i < hn::Lanes(Floats()); i += hn::Lanes(d))
+    {
+      Vector begin[3], end[3], b[4], lowest, highest;
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        begin[a] = hn::LoadU(d, &paths.Begin[a][i]);
+        end[a] = hn::LoadU(d, &paths.End[a][i]);
+      }
+      segments::CubicsBetween(d, samples, begin, end, b);
+      segments::RangesOf(d, b, lowest, highest);
+      for (std::size_t c = 0; c < 4; ++c)
+      {
+        hn::StoreU(b[c], d, &rays.Cubic[c][i]);
+      }
+      hn::StoreU(lowest, d, &rays.Lowest[i]);
+      hn::StoreU(highest, d, &rays.Highest[i]);
+    }
   }
 
   void FindDepth()
   {
-    this->IsNearer = false;
     TileBeam& beam = this->Beam;
     V depth = Set(-1e30f);
     for (std::size_t i = 0; i < beam.Count; i += hn::Lanes(Floats()))
@@ -303,21 +265,17 @@ private:
       -(hn::GetLane(hn::MaxOfLanes(Floats(), depth)) + 4.0f * beam.Margin);
   }
 
-  BandBeamScene& Scene;
-  BandReach& Reached;
+  const RayBatch& Rays;
+  BandBeamScene<Real>& Scene;
   TileBeam& Beam;
-  const float ErrorPerValue; ///< as in cold beams
-  bool IsNearer = false;     ///< what matters ends before the plane across the beam
+  const Real *Rises, *Falls;
 
   // Of the present leaf: cells that rays pass.
   std::size_t NumberOfPassed = 0, NumberOfPairs = 0;
   glm::ivec3 Places[CellsOfLeaf];
-  glm::vec3 First[CellsOfLeaf]; ///< their first corners
-  BandCell Cells[CellsOfLeaf];
+  BandCell<Real> Cells[CellsOfLeaf];
   Pair Pairs[CellsOfLeaf * RayBatch::Capacity / hn::MaxLanes(Floats()) + 1];
-
-  std::size_t NumberOfRead = 0; ///< cells that the scene remembers of leaves before
-  NotedCells Noted;
+  CellPassages<Real> Passages;
 };
 
 bool AreAlike(const TileBeam& beam)
@@ -335,11 +293,24 @@ bool AreAlike(const TileBeam& beam)
   return hn::AllTrue(Floats(), isAlike);
 }
 
-void SearchIn(const ActiveCells& active, BandBeamScene& scene, BandReach& reach, TileBeam& beam)
+template <typename Real>
+void SearchAll(
+  const ActiveCells& active, const RayBatch& rays, BandBeamScene<Real>& scene, TileBeam& beam)
 {
-  BandSearch search(scene, reach, beam);
-  BeamTree<BandSearch>(active, scene, beam, search).Visit();
-  search.Finish();
+  BandSearch<Real> search(rays, scene, beam);
+  BeamTree<BandSearch<Real>>(active, scene, beam, search).Visit();
+}
+
+void SearchFloat(
+  const ActiveCells& active, const RayBatch& rays, BandBeamScene<float>& scene, TileBeam& beam)
+{
+  SearchAll(active, rays, scene, beam);
+}
+
+void SearchDouble(
+  const ActiveCells& active, const RayBatch& rays, BandBeamScene<double>& scene, TileBeam& beam)
+{
+  SearchAll(active, rays, scene, beam);
 }
 
 }
@@ -353,7 +324,8 @@ namespace TemporalCoherence
 namespace BeamKernels
 {
 HWY_EXPORT(AreAlike);
-HWY_EXPORT(SearchIn);
+HWY_EXPORT(SearchFloat);
+HWY_EXPORT(SearchDouble);
 }
 
 bool AreRaysAlike(const TileBeam& beam)
@@ -362,10 +334,18 @@ bool AreRaysAlike(const TileBeam& beam)
   return HWY_DYNAMIC_DISPATCH(AreAlike)(beam);
 }
 
-void SearchBand(const ActiveCells& active, BandBeamScene& scene, BandReach& reach, TileBeam& beam)
+void SearchBand(
+  const ActiveCells& active, const RayBatch& rays, BandBeamScene<float>& scene, TileBeam& beam)
 {
   using namespace BeamKernels;
-  HWY_DYNAMIC_DISPATCH(SearchIn)(active, scene, reach, beam);
+  HWY_DYNAMIC_DISPATCH(SearchFloat)(active, rays, scene, beam);
+}
+
+void SearchBand(
+  const ActiveCells& active, const RayBatch& rays, BandBeamScene<double>& scene, TileBeam& beam)
+{
+  using namespace BeamKernels;
+  HWY_DYNAMIC_DISPATCH(SearchDouble)(active, rays, scene, beam);
 }
 
 }

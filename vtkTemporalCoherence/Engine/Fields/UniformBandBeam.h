@@ -50,21 +50,20 @@ inline bool IsOnWalk(const BatchRay& ray, const glm::ivec3& cell, const glm::ive
 
 /// Brings the rays of a tile through a band by a beam, in an image none of whose cells is hidden.
 ///
-/// The beam only leaves out cells: those that a ray does not pass, and those where single precision
-/// proves that they do not bring it on. The others are measured and taken note of as on a walk.
+/// The beam only leaves out cells that a ray does not pass, and those that cannot bring it on. What
+/// the others bring is found and noted as on a walk.
 template <typename T>
-class UniformBandBeam final : private BandBeamScene
+class UniformBandBeam final : private BandBeamScene<RealOf<T>>
 {
 public:
   using Cells = BandCells<T, UniformCells<T>>;
   using Progress = BandProgress<T, UniformCells<T>, Interpolation::Linear>;
-  using Real = typename Cells::Real;
+  using Real = RealOf<T>;
 
   UniformBandBeam(const Cells& cells, const RayBatch& rays, Progress& progress)
     : Band(cells)
     , Rays(rays)
     , Found(progress)
-    , Unit(UnitOf(cells.Scale))
   {
   }
 
@@ -78,128 +77,64 @@ public:
       return false;
     }
     beam.IsPlain = false; // walks may begin behind surfaces, and end before
-    BandReach reach;
-    reach.Span = this->Rounded(this->Band.Span) * (1.0f + 0x1p-20f);
-    reach.Rising.fill(BandReach::NotBegun);
-    reach.Falling.fill(BandReach::NotBegun);
-    for (std::size_t ray = 0; ray < static_cast<std::size_t>(this->Rays.Count); ++ray)
-    {
-      this->Update(ray, reach);
-    }
-    SearchBand(*this->Band.Scene.Active, *this, reach, beam);
+    SearchBand(*this->Band.Scene.Active, this->Rays, *this, beam);
     this->Found.CellsRead += beam.CellsPassed;
     return true;
   }
 
 private:
-  /// A cell that the beam has read.
-  struct ReadCell
-  {
-    glm::ivec3 Place;
-    ::TemporalCoherence::Corners<Real> Corners;
-    CellReach<Real> Reach;
-  };
-
-  /// A power of two by which differences in double become floats not far from 1.
-  static Real UnitOf(const BandScale& scale)
-  {
-    return sizeof(Real) == sizeof(double) && scale.Unit > 0.0
-      ? static_cast<Real>(std::ldexp(1.0, std::min(-std::ilogb(scale.Unit), 1000)))
-      : Real(1);
-  }
-
-  float Rounded(Real difference) const { return static_cast<float>(difference * this->Unit); }
-
-  /// How far rounding may move progress that is not known to be exact in single precision.
-  float RoundingOf(float progress) const
-  {
-    return (std::abs(progress) + this->Rounded(this->Band.Span)) * 0x1p-22f + 1e-30f;
-  }
-
-  /// Progress in single precision, rounded up.
-  float Raised(Real progress) const
-  {
-    const float raised = std::min(this->Rounded(progress), BandReach::Done);
-    return sizeof(Real) == sizeof(float) ? raised : raised + this->RoundingOf(raised);
-  }
-
   std::uint64_t CellsOf(std::int64_t node, const glm::ivec3& cell) const override
   {
     return this->Band.Scene.Active->CellsOf(this->Band.Samples.All(), node, cell);
   }
 
-  void Read(
-    const glm::ivec3* places, std::size_t count, std::size_t first, BandCell* cells) override
+  const Real* ReachedIn(std::size_t direction) const override
+  {
+    return this->Found.ReachedIn(direction).data();
+  }
+
+  void Read(const glm::ivec3* places, std::size_t count, BandCell<Real>* cells) override
   {
     for (std::size_t i = 0; i < count; ++i)
     {
-      ReadCell& read = this->ReadCells[first + i];
-      read.Place = places[i];
-      read.Reach = this->Band.Read(places[i], read.Corners);
-      BandCell& cell = cells[i];
-      for (std::size_t corner = 0; corner < 8; ++corner)
-      {
-        cell.Corners[corner] = this->Rounded(read.Corners[corner]);
-      }
-      cell.ToRise = this->Raised(read.Reach.Corner[Rising]);
-      cell.ToFall = this->Raised(read.Reach.Corner[Falling]);
-      cell.IsFinite = read.Reach.IsFinite;
+      BandCell<Real>& cell = cells[i];
+      cell.Place = places[i];
+      cell.Reach = this->Band.Read(cell.Place, cell.Samples);
+      this->Band.SetKeys(cell.Reach);
     }
   }
 
-  void Measure(
-    const NotedCells& noted, std::size_t count, BandReach& reach, TileBeam& beam) override
+  bool TakeNote(const BandCell<Real>& cell, const CellPassages<Real>& at, TileBeam& beam) override
   {
-    Progress& found = this->Found;
-    found.AppendAll(count, noted.Ray,
-      [&](std::size_t i) -> const ReadCell& { return this->ReadCells[noted.Cell[i]]; });
-    found.Measure();
-    found.TakeNote(
-      [&](std::size_t ray, std::size_t i)
-      {
-        const bool isSure = found.EnterOf(i) < found.LeaveOf(i) &&
-          found.LeaveOf(i) > this->Rays.WalkBegin[ray] &&
-          found.EnterOf(i) < this->Rays.WalkEnd[ray];
-        return isSure || IsOnWalk({ this->Rays, ray }, found.CellOf(i), this->Band.Count);
-      });
-    const bool isTooLarge = found.IsTooLarge();
-    for (std::size_t i = 0; i < count; ++i)
+    const RangesView<Real> ranges{ at.Enter.data(), at.Leave.data(), at.Lowest.data(),
+      at.Highest.data(),
+      { at.Cubic[0].data(), at.Cubic[1].data(), at.Cubic[2].data(), at.Cubic[3].data() } };
+    bool isDone = false;
+    for (std::uint64_t left = at.Which; left != 0; left &= left - 1)
     {
-      const std::size_t ray = noted.Ray[i];
-      this->Update(ray, reach);
-      if (found.IsDone(ray))
+      const std::size_t i = hwy::Num0BitsBelowLS1Bit_Nonzero64(left), ray = at.First + i;
+      if ((at.IsOnWalk >> i & 1u) || IsOnWalk({ this->Rays, ray }, cell.Place, this->Band.Count))
       {
-        const float behind = beam.DistanceOf(found.LeaveOf(i)) + beam.Margin;
-        beam.Behind[ray] = std::min(beam.Behind[ray], behind);
+        this->Found.TakeNote(ray, cell.Place, cell.Reach, ranges, i);
+        if (this->Found.IsDone(ray))
+        {
+          const float behind = beam.DistanceOf(at.Leave[i]) + beam.Margin;
+          beam.Behind[ray] = std::min(beam.Behind[ray], behind);
+          isDone = true;
+        }
       }
     }
-    if (isTooLarge)
+    if (this->Found.IsTooLarge())
     {
-      reach.Rising.fill(BandReach::Done);
-      reach.Falling.fill(BandReach::Done);
       beam.Behind.fill(-TileBeam::Never);
+      isDone = true;
     }
-  }
-
-  /// Take over how far a ray has come.
-  void Update(std::size_t ray, BandReach& reach) const
-  {
-    reach.Entered |= static_cast<std::uint64_t>(this->Found.HasEntered(ray)) << ray;
-    const auto update = [&](std::size_t direction, float& reached)
-    {
-      const auto& of = this->Found.ReachOf(direction, ray);
-      const float path = this->Rounded(of.Path);
-      reached = of.IsDone ? BandReach::Done : std::max(reached, path - this->RoundingOf(path));
-    };
-    update(Rising, reach.Rising[ray]);
-    update(Falling, reach.Falling[ray]);
+    return isDone;
   }
 
   const Cells& Band;
   const RayBatch& Rays;
   Progress& Found;
-  Real Unit;
-  std::array<ReadCell, MostCells> ReadCells;
 };
 
 }

@@ -6,8 +6,7 @@
 #include "Acceleration/HiddenCells.h"
 #include "Isomap/BandCells.h"
 #include "Isomap/KnotCollector.h"
-#include "Trace/KernelsRange.h"
-#include "Trace/SegmentBatch.h"
+#include "Isomap/SegmentRanges.h"
 
 #include <algorithm>
 #include <array>
@@ -18,9 +17,8 @@ namespace TemporalCoherence
 
 /// How far the rays of a tile have come through a band, and the knots that follow.
 ///
-/// Whoever takes the rays through active cells appends the cells that can bring a ray on, those of
-/// each ray in their order along it. They are measured together, and then taken note of. Others
-/// change nothing.
+/// Whoever takes the rays through active cells tells of those that can bring a ray on, in their
+/// order along it. Others change nothing.
 template <typename T, typename Geometry, Interpolation Between>
 class BandProgress
 {
@@ -28,22 +26,17 @@ public:
   using Cells = BandCells<T, Geometry>;
   using Real = typename Geometry::Real;
 
-  /// Progress of a ray through the band in one direction.
-  struct Reach
-  {
-    Real Path = -Cells::Infinity;   ///< progress of the field along the ray
-    Real Corner = -Cells::Infinity; ///< progress of the samples around it
-    BandScale::Key PathKey = 0, CornerKey = 0;
-    bool IsDone = false;
-  };
-
   BandProgress(const Cells& band, const RayBatch& rays)
     : Band(band)
     , Rays(rays)
     , Knots(rays, band.Scene.Form, band.Scale)
   {
+    for (auto& reached : this->Reached)
+    {
+      reached.fill(-Cells::Infinity);
+    }
     this->Entries.fill(-std::numeric_limits<float>::infinity());
-    this->Entered.fill(false);
+    this->HasEntered.fill(false);
     if (band.IsSolid)
     {
       this->FindEntries();
@@ -53,103 +46,64 @@ public:
   /// True if nothing ahead of a ray matters.
   bool IsDone(std::size_t ray) const
   {
-    return this->Reached[Rising][ray].IsDone && this->Reached[Falling][ray].IsDone;
+    return this->Reached[Rising][ray] == Cells::Infinity &&
+      this->Reached[Falling][ray] == Cells::Infinity;
   }
 
   /// True if progress like this would be more than a ray has made.
   bool CanBringOn(std::size_t ray, Real toRise, Real toFall) const
   {
-    const Reach &rises = this->Reached[Rising][ray], &falls = this->Reached[Falling][ray];
-    return (!rises.IsDone && toRise > rises.Path) || (!falls.IsDone && toFall > falls.Path);
+    return toRise > this->Reached[Rising][ray] || toFall > this->Reached[Falling][ray];
   }
 
-  const Reach& ReachOf(std::size_t direction, std::size_t ray) const
+  /// What rays have reached in a direction; infinity where nothing ahead matters.
+  const RayBatch::Array<Real>& ReachedIn(std::size_t direction) const
   {
-    return this->Reached[direction][ray];
+    return this->Reached[direction];
   }
-
-  /// True if the value where a ray begins is known.
-  bool HasEntered(std::size_t ray) const { return this->Entered[ray]; }
 
   /// True if the knots exceed the limit.
   bool IsTooLarge() const { return this->Knots.MemoryInBytes() > this->Band.Scene.MemoryLimit; }
 
-  void Append(std::size_t ray, const glm::ivec3& cell, const Corners<Real>& corners,
-    const CellReach<Real>& reach)
+  /// Take note of a cell that a ray passes and that can bring it on.
+  /// \param at segment i of these is that of the ray in the cell
+  void TakeNote(std::size_t ray, const glm::ivec3& place, const CellReach<Real>& cell,
+    const RangesView<Real>& at, std::size_t i)
   {
-    const auto at = static_cast<std::size_t>(this->Segments.Count);
-    AppendSegment(this->Rays, ray, cell, corners, this->Segments);
-    this->Owner[at] = ray;
-    this->Corner[at] = reach;
-  }
-
-  /// Append the cells of some rays at once, when none is appended.
-  /// \param rays, cellOf of each, the ray and what Append takes: its Place, Corners and Reach
-  template <typename Places, typename CellOf>
-  void AppendAll(std::size_t count, const Places& rays, const CellOf& cellOf)
-  {
-    SegmentBatch<Real>& segments = this->Segments;
-    segments.Count = static_cast<int>(count);
-    for (std::size_t i = 0; i < count; ++i)
+    if (!this->HasEntered[ray])
     {
-      const auto& cell = cellOf(i);
-      this->Owner[i] = rays[i];
-      this->Corner[i] = cell.Reach;
-      for (std::size_t a = 0; a < 3; ++a)
-      {
-        segments.Cell[a][i] = cell.Place[static_cast<int>(a)];
-      }
-      for (std::size_t corner = 0; corner < 8; ++corner)
-      {
-        segments.Corners[corner][i] = cell.Corners[corner];
-      }
+      this->EnterBy(ray, cell, at.Cubic[0][i]);
     }
-    GatherRays(this->Rays, rays, segments);
-  }
-
-  void Measure()
-  {
-    if constexpr (!Geometry::HasKernels)
+    const bool isTouched = !(at.Enter[i] < at.Leave[i]);
+    const std::array<Real, NumberOfDirections> along = { at.Highest[i],
+      this->Band.Span - at.Lowest[i] };
+    for (std::size_t direction = 0; direction < NumberOfDirections; ++direction)
     {
-      for (std::size_t i = 0; i < static_cast<std::size_t>(this->Segments.Count); ++i)
+      Real& reached = this->Reached[direction][ray];
+      if (reached == Cells::Infinity)
       {
-        this->MeasureOne(i);
+        continue;
+      }
+      const Real path = isTouched ? -Cells::Infinity
+        : cell.IsFinite           ? along[direction]
+                                  : cell.Corner[direction];
+      const bool isDone = path + cell.Error > this->Band.Span;
+      reached = isDone ? Cells::Infinity : std::max(reached, path);
+      if (!this->Knots.IsFitted())
+      {
+        this->NoteCell(direction, ray, place, cell, this->Band.KeyOf(path, cell), at, i);
+      }
+      else if (!cell.IsFinite)
+      {
+        this->Knots.GiveUp(ray);
+        reached = Cells::Infinity;
+      }
+      else if (!isTouched)
+      {
+        this->Knots.Follow(
+          direction, ray, this->CubicOf(direction, at, i), at.Enter[i], at.Leave[i]);
       }
     }
-    else if constexpr (Between == Interpolation::Linear)
-    {
-      FindRanges(this->Segments, this->Ranges);
-    }
-    else
-    {
-      FindNearestRanges(this->Segments, this->Ranges);
-    }
-  }
-
-  /// Take note of what was measured. Cells that cannot bring a ray on, after all, are left out.
-  /// \param isOnWay tells of a ray and the segment appended as the i-th whether the ray's walk goes
-  ///                through its cell
-  template <typename IsOnWay>
-  void TakeNote(const IsOnWay& isOnWay)
-  {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(this->Segments.Count); ++i)
-    {
-      const std::size_t ray = this->Owner[i];
-      const CellReach<Real>& cell = this->Corner[i];
-      if (this->CanBringOn(ray, cell.Corner[Rising], cell.Corner[Falling]) && isOnWay(ray, i))
-      {
-        this->TakeNoteOf(i, ray);
-      }
-    }
-    this->Segments.Count = 0;
-  }
-
-  /// Where segment i enters its cell and leaves it, and the cell.
-  double EnterOf(std::size_t i) const { return this->Segments.Enter[i]; }
-  double LeaveOf(std::size_t i) const { return this->Ranges.Leave[i]; }
-  glm::ivec3 CellOf(std::size_t i) const
-  {
-    return { this->Segments.Cell[0][i], this->Segments.Cell[1][i], this->Segments.Cell[2][i] };
   }
 
   /// Hand the knots over. Nothing can be done with this afterwards.
@@ -167,162 +121,74 @@ public:
   std::int64_t CellsRead = 0;
 
 private:
-  /// FindRanges and FindNearestRanges, for one segment.
-  void MeasureOne(std::size_t i)
+  /// A ray begins in a cell. A value that is not finite there differs from isovalue to isovalue.
+  void EnterBy(std::size_t ray, const CellReach<Real>& cell, Real entry)
   {
-    SegmentBatch<Real>& segments = this->Segments;
-    RangeBatch<Real>& ranges = this->Ranges;
-    const glm::ivec3 cell = this->CellOf(i);
-    const typename Geometry::Segment segment(
-      this->Band.Shape.RayOf(this->Rays, this->Owner[i]), cell);
-    Corners<Real> corners;
-    for (std::size_t corner = 0; corner < 8; ++corner)
-    {
-      corners[corner] = segments.Corners[corner][i];
-    }
-    segments.Enter[i] = segment.Enter();
-    ranges.Leave[i] = segment.Leave();
-    Cubic<Real> cubic;
-    if constexpr (Between == Interpolation::Linear)
-    {
-      cubic = CubicAlong(corners, segment.Path());
-      const std::array<Real, 2> range = RangeOf(cubic);
-      ranges.Lowest[i] = range[0];
-      ranges.Highest[i] = range[1];
-    }
-    else
-    {
-      const NearestPath path = segment.HasLength()
-        ? segment.Nearest()
-        : NearestPath{ { NearestCorner(segment.Path().Begin) }, {}, 1 };
-      const Real begin = corners[path.Corners[0]], end = corners[path.Corners[path.Count - 1]];
-      cubic = { begin, begin, end, end };
-      ranges.Lowest[i] = ranges.Highest[i] = begin;
-      for (std::size_t step = 1; step < path.Count; ++step)
-      {
-        ranges.Lowest[i] = std::min(ranges.Lowest[i], corners[path.Corners[step]]);
-        ranges.Highest[i] = std::max(ranges.Highest[i], corners[path.Corners[step]]);
-      }
-    }
-    for (std::size_t c = 0; c < 4; ++c)
-    {
-      ranges.Cubic[c][i] = cubic[c];
-    }
-  }
-
-  /// Update a ray's progress by its measured segment i.
-  void TakeNoteOf(std::size_t i, std::size_t ray)
-  {
-    if (!this->Entered[ray])
-    {
-      this->EnterBy(i, ray);
-    }
-    const bool isTouched = !(this->Segments.Enter[i] < this->Ranges.Leave[i]);
-    const CellReach<Real>& cell = this->Corner[i];
-    const std::array<Real, NumberOfDirections> path = { this->Ranges.Highest[i],
-      this->Band.Span - this->Ranges.Lowest[i] };
-    for (std::size_t direction = 0; direction < NumberOfDirections; ++direction)
-    {
-      Reach& reached = this->Reached[direction][ray];
-      if (reached.IsDone)
-      {
-        continue;
-      }
-      const Real corner = cell.Corner[direction];
-      this->BringOn(isTouched ? -Cells::Infinity : (cell.IsFinite ? path[direction] : corner),
-        corner, cell.Error, reached);
-      if (!this->Knots.IsFitted())
-      {
-        this->NoteCell(direction, i, ray, reached);
-      }
-      else if (!cell.IsFinite)
-      {
-        this->Knots.GiveUp(ray);
-        reached.IsDone = true;
-      }
-      else if (!isTouched)
-      {
-        this->Knots.Follow(direction, ray, this->CubicOf(direction, i), this->Segments.Enter[i],
-          this->Ranges.Leave[i]);
-      }
-    }
-  }
-
-  /// A ray begins in segment i. A value that is not finite there differs from isovalue to isovalue.
-  void EnterBy(std::size_t i, std::size_t ray)
-  {
-    this->Enter(ray, this->Ranges.Cubic[0][i], this->Corner[i].Error);
-    if (!this->Corner[i].IsFinite)
+    this->Enter(ray, entry, cell.Error);
+    if (!cell.IsFinite)
     {
       this->Knots.GiveUp(ray);
-      this->Reached[Rising][ray].IsDone = this->Reached[Falling][ray].IsDone = true;
+      this->Reached[Rising][ray] = this->Reached[Falling][ray] = Cells::Infinity;
     }
   }
 
   /// A ray begins with this difference from the band's lowest isovalue.
   void Enter(std::size_t ray, Real entry, Real error)
   {
-    this->Entered[ray] = true;
+    this->HasEntered[ray] = true;
     if (entry + error >= Real(0))
     {
       this->Entries[ray] = this->Band.Scale.Stored(static_cast<double>(entry));
       this->HasEntries = true;
     }
-    this->Reached[Rising][ray].IsDone = entry - error > this->Band.Span;
-    this->Reached[Falling][ray].IsDone = this->Band.IsSolid || entry + error < Real(0);
+    if (entry - error > this->Band.Span)
+    {
+      this->Reached[Rising][ray] = Cells::Infinity;
+    }
+    if (this->Band.IsSolid || entry + error < Real(0))
+    {
+      this->Reached[Falling][ray] = Cells::Infinity;
+    }
   }
 
-  void BringOn(Real path, Real corner, Real error, Reach& reached) const
+  /// Store a cell as a knot if it raised the ray's progress.
+  void NoteCell(std::size_t direction, std::size_t ray, const glm::ivec3& place,
+    const CellReach<Real>& cell, BandScale::Key reached, const RangesView<Real>& at, std::size_t i)
   {
-    reached.Path = std::max(reached.Path, path);
-    reached.Corner = std::max(reached.Corner, corner);
-    reached.IsDone = reached.Path + error > this->Band.Span;
-  }
-
-  /// Store the cell of segment i as a knot if it raised the ray's progress.
-  void NoteCell(std::size_t direction, std::size_t i, std::size_t ray, Reach& reached)
-  {
-    const double error = static_cast<double>(this->Corner[i].Error);
-    const BandScale& scale = this->Band.Scale;
-    const BandScale::Key path = scale.KeyOf(static_cast<double>(reached.Path) + error);
-    const BandScale::Key corner =
-      std::max(path, scale.KeyOf(static_cast<double>(reached.Corner) + error));
-    if (path > reached.PathKey || corner > reached.CornerKey)
+    Keys& keys = this->Noted[direction][ray];
+    const BandScale::Key path = std::max(keys.Path, reached);
+    const BandScale::Key corner = std::max({ keys.Corner, path, cell.CornerKey[direction] });
+    if (path > keys.Path || corner > keys.Corner)
     {
       // The normal of a ray's first knot is taken half way to where the field comes farthest,
       // others there.
-      const bool isFirst = reached.PathKey == 0;
-      reached.PathKey = path;
-      reached.CornerKey = corner;
-      CellIndex cell;
-      for (std::size_t a = 0; a < 3; ++a)
-      {
-        cell[a] = static_cast<std::uint16_t>(this->Segments.Cell[a][i]);
-      }
+      const bool isFirst = keys.Path == 0;
+      keys = { path, corner };
+      const CellIndex index = { static_cast<std::uint16_t>(place.x),
+        static_cast<std::uint16_t>(place.y), static_cast<std::uint16_t>(place.z) };
       const double farthest =
-        this->Band.Scene.Form.HasNormals ? this->FarthestAt(direction, i) : 0.0;
-      const double distance = isFirst ? 0.5 * (this->Segments.Enter[i] + farthest) : farthest;
-      this->Knots.AddCell(direction, ray, path, corner, cell, distance);
+        this->Band.Scene.Form.HasNormals ? this->FarthestAt(direction, at, i) : 0.0;
+      const double distance = isFirst ? 0.5 * (at.Enter[i] + farthest) : farthest;
+      this->Knots.AddCell(direction, ray, path, corner, index, distance);
     }
   }
 
   /// Progress along segment i, which is rising in its direction.
-  Cubic<double> CubicOf(std::size_t direction, std::size_t i) const
+  Cubic<double> CubicOf(std::size_t direction, const RangesView<Real>& at, std::size_t i) const
   {
     Cubic<double> cubic;
     for (std::size_t c = 0; c < 4; ++c)
     {
       cubic[c] = this->Band.Scale.Progress(
-        static_cast<ValueDirection>(direction), static_cast<double>(this->Ranges.Cubic[c][i]));
+        static_cast<ValueDirection>(direction), static_cast<double>(at.Cubic[c][i]));
     }
     return cubic;
   }
 
   /// Distance of the highest progress in segment i.
-  double FarthestAt(std::size_t direction, std::size_t i) const
+  double FarthestAt(std::size_t direction, const RangesView<Real>& at, std::size_t i) const
   {
-    const double enter = this->Segments.Enter[i], leave = this->Ranges.Leave[i];
-    const Cubic<double> cubic = this->CubicOf(direction, i);
+    const Cubic<double> cubic = this->CubicOf(direction, at, i);
     double farthest = cubic[3] >= cubic[0] ? 1.0 : 0.0;
     if constexpr (Between == Interpolation::Linear)
     {
@@ -339,13 +205,15 @@ private:
         }
       }
     }
-    return enter + farthest * std::max(leave - enter, 0.0);
+    return at.Enter[i] + farthest * std::max(at.Leave[i] - at.Enter[i], 0.0);
   }
 
   /// Find the values at which rays begin in solids.
   void FindEntries()
   {
     const RayBatch& rays = this->Rays;
+    SegmentRanges<Geometry, Between> segments;
+    RayBatch::Array<CellReach<Real>> cells;
     for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
     {
       if (rays.Begin[ray] < rays.End[ray])
@@ -359,32 +227,33 @@ private:
           continue;
         }
         Corners<Real> corners;
-        const CellReach<Real> reach = this->Band.Read(cell, corners);
-        this->Append(ray, cell, corners, reach);
+        cells[segments.Count()] = this->Band.Read(cell, corners);
+        segments.Append(rays, ray, cell, corners);
       }
     }
-    this->CellsRead += this->Segments.Count;
-    this->Measure();
-    for (std::size_t i = 0; i < static_cast<std::size_t>(this->Segments.Count); ++i)
+    this->CellsRead += static_cast<std::int64_t>(segments.Count());
+    segments.Find(rays, this->Band.Shape);
+    for (std::size_t i = 0; i < segments.Count(); ++i)
     {
-      this->EnterBy(i, this->Owner[i]);
+      this->EnterBy(segments.Owner[i], cells[i], segments.View().Cubic[0][i]);
     }
-    this->Segments.Count = 0;
   }
+
+  /// Keys of the last knot of a ray.
+  struct Keys
+  {
+    BandScale::Key Path = 0, Corner = 0;
+  };
 
   const Cells& Band;
   const RayBatch& Rays;
   KnotCollector Knots;
 
-  std::array<std::array<Reach, RayBatch::Capacity>, NumberOfDirections> Reached;
-  RayBatch::Array<bool> Entered; ///< the value where the ray begins is known
+  alignas(64) std::array<RayBatch::Array<Real>, NumberOfDirections> Reached;
+  std::array<RayBatch::Array<Keys>, NumberOfDirections> Noted;
+  RayBatch::Array<bool> HasEntered; ///< the value where the ray begins is known
   RayBatch::Array<float> Entries;
   bool HasEntries = false; ///< some ray begins in the band or above it
-
-  SegmentBatch<Real> Segments; ///< to be measured
-  RangeBatch<Real> Ranges;
-  RayBatch::Array<CellReach<Real>> Corner; ///< of each segment's cell
-  RayBatch::Array<std::size_t> Owner;      ///< ray of each segment
 };
 
 }

@@ -42,17 +42,22 @@ protected:
   void Walk(const RayBatch& rays, Progress& progress) const
   {
     LiveRays live;
+    Round round;
     live.Begin(rays, this->Cells.Shape, this->Cells.Count,
       [&](std::size_t ray) { return !progress.IsDone(ray); });
     while (live.Count > 0 && !progress.IsTooLarge())
     {
       // Walk to the next cells that can bring rays on.
-      live.Keep(
-        [&](std::size_t ray) {
-          return this->Advance(ray, this->Cells.Shape.RayOf(rays, ray), live.Walks[ray], progress);
-        });
-      progress.Measure();
-      progress.TakeNote([](std::size_t, std::size_t) { return true; });
+      live.Keep([&](std::size_t ray)
+        { return this->Advance(rays, ray, live.Walks[ray], round, progress); });
+      round.Segments.Find(rays, this->Cells.Shape);
+      const RangesView<Real> ranges = round.Segments.View();
+      for (std::size_t i = 0; i < round.Segments.Count(); ++i)
+      {
+        progress.TakeNote(
+          round.Segments.Owner[i], round.Segments.CellOf(i), round.Reach[i], ranges, i);
+      }
+      round.Segments.Clear();
       live.Keep([&](std::size_t ray) { return !progress.IsDone(ray); });
     }
   }
@@ -60,6 +65,13 @@ protected:
   BandCells<T, Geometry> Cells;
 
 private:
+  /// The cells that rays have come to.
+  struct Round
+  {
+    SegmentRanges<Geometry, Between> Segments;
+    RayBatch::Array<CellReach<Real>> Reach;
+  };
+
   /// Blocks of cells that can bring a ray on.
   struct UsefulBlocks
   {
@@ -92,18 +104,21 @@ private:
 
   /// Walk to the next cell that can bring a ray on.
   /// \return false if its walk ends first
-  template <typename WalkingRay>
-  bool Advance(std::size_t ray, const WalkingRay& line, CellWalk& walk, Progress& progress) const
+  bool Advance(
+    const RayBatch& rays, std::size_t ray, CellWalk& walk, Round& round, Progress& progress) const
   {
     const UsefulBlocks useful{ this->Cells, progress, ray };
+    const auto line = this->Cells.Shape.RayOf(rays, ray);
     while (walk.FindActive(line, *this->Cells.Scene.Active, this->Cells.Samples.All(), useful))
     {
       Corners<Real> corners;
-      const CellReach<Real> reach = this->Cells.Read(walk.Here(), corners);
+      CellReach<Real> reach = this->Cells.Read(walk.Here(), corners);
       ++progress.CellsRead;
       if (progress.CanBringOn(ray, reach.Corner[Rising], reach.Corner[Falling]))
       {
-        progress.Append(ray, walk.Here(), corners, reach);
+        this->Cells.SetKeys(reach);
+        round.Reach[round.Segments.Count()] = reach;
+        round.Segments.Append(rays, ray, walk.Here(), corners);
         return true;
       }
     }

@@ -42,17 +42,6 @@ KnotCollector::KnotCollector(const RayBatch& rays, const KnotForm& form, const B
 {
 }
 
-void KnotCollector::AddCell(std::size_t direction, std::size_t ray, BandScale::Key path,
-  BandScale::Key corner, const CellIndex& cell, double distance)
-{
-  this->Cells[direction].push_back({ ray, { path, corner, cell } });
-  if (this->Form.HasNormals)
-  {
-    this->Places[direction].push_back(
-      { ray, static_cast<float>(distance - this->Rays.Begin[ray]) });
-  }
-}
-
 void KnotCollector::Follow(
   std::size_t direction, std::size_t ray, const Cubic<double>& progress, double enter, double leave)
 {
@@ -66,10 +55,11 @@ void KnotCollector::Follow(
 void KnotCollector::AddKnot(std::size_t direction, std::size_t ray, const Knot& knot)
 {
   const auto distance = static_cast<float>(knot.Distance - this->Rays.Begin[ray]);
-  this->Fitted[direction].push_back({ ray, { this->Scale.Stored(knot.Progress), distance } });
+  this->Fitted[direction].push_back(
+    { static_cast<std::uint8_t>(ray), { this->Scale.Stored(knot.Progress), distance } });
   if (this->Form.HasNormals)
   {
-    this->Places[direction].push_back({ ray, distance });
+    this->AddPlace(direction, ray, distance);
   }
 }
 

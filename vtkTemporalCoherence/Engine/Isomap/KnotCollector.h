@@ -8,6 +8,7 @@
 #include "Scene/Field.h"
 #include "Scene/RayBatch.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -42,7 +43,19 @@ public:
   /// Add the next cell that raises a ray's progress.
   /// \param distance at which its normal is taken
   void AddCell(std::size_t direction, std::size_t ray, BandScale::Key path, BandScale::Key corner,
-    const CellIndex& cell, double distance);
+    const CellIndex& cell, double distance)
+  {
+    std::vector<CellKnots::Row>& cells = this->Cells[direction];
+    if (cells.size() == cells.capacity())
+    {
+      cells.reserve(std::max(FirstRoom, 2 * cells.size()));
+    }
+    cells.push_back({ static_cast<std::uint8_t>(ray), { path, corner, cell } });
+    if (this->Form.HasNormals)
+    {
+      this->AddPlace(direction, ray, static_cast<float>(distance - this->Rays.Begin[ray]));
+    }
+  }
 
   /// Fit the next way of a ray through a cell.
   /// \param progress along the way from `enter` to `leave`, by Bernstein coefficients
@@ -75,10 +88,17 @@ private:
   /// Where to take the normal of a knot: the distance along its ray.
   struct Place
   {
-    std::size_t Ray;
+    std::uint8_t Ray;
     float Distance;
   };
 
+  /// Knots that there is room for at first: most tiles have no more.
+  static constexpr std::size_t FirstRoom = 4 * RayBatch::Capacity;
+
+  void AddPlace(std::size_t direction, std::size_t ray, float distance)
+  {
+    this->Places[direction].push_back({ static_cast<std::uint8_t>(ray), distance });
+  }
   void AddKnot(std::size_t direction, std::size_t ray, const Knot& knot);
   void FindNormals(const Place* places, std::size_t count, const Field& field,
     const glm::dvec2& finiteRange, const IndexTransform& transform,

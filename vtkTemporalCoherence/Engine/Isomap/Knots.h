@@ -66,8 +66,10 @@ struct BandScale
     {
       return static_cast<Key>(LargestKey);
     }
-    const double share = this->Span > 0.0 ? progress / this->Span : 0.0;
-    return static_cast<Key>(1.0 + std::ceil(share * (LargestKey - 2.0)));
+    // Rounded up: a call of ceil() would take longer than the rest.
+    const double at = this->Span > 0.0 ? progress / this->Span * (LargestKey - 2.0) : 0.0;
+    const auto below = static_cast<std::int32_t>(at);
+    return static_cast<Key>(1 + below + (static_cast<double>(below) < at ? 1 : 0));
   }
 
   /// Progress and differences are stored in single precision, relative to the largest difference.

@@ -30,7 +30,7 @@ public:
   /// A row and the ray of the batch that it belongs to.
   struct Row
   {
-    std::size_t Ray;
+    std::uint8_t Ray;
     std::tuple<Columns...> Values;
   };
 
@@ -46,13 +46,14 @@ public:
     Offsets begins{};
     for (const Row& row : rows)
     {
-      ++begins[row.Ray + 1];
+      ++begins[row.Ray + std::size_t(1)];
     }
     for (std::size_t ray = 0; ray < RayBatch::Capacity; ++ray)
     {
       begins[ray + 1] += begins[ray];
     }
-    this->Bytes = std::make_unique<std::byte[]>(SizeFor(rows.size()));
+    // Not filled with zeros first, as make_unique would.
+    this->Bytes.reset(new std::byte[SizeFor(rows.size())]);
     this->Begins() = begins;
     for (const Row& row : rows)
     {

@@ -50,85 +50,131 @@ struct Paths
   std::array<RayBatch::Array<Real>, 3> Begin, End;
 };
 
+/// A vector of rays.
+template <class V>
+struct RayVector
+{
+  V Origin[3], Direction[3], Inverse[3];
+  V Begin, End;
+};
+
+/// Where each of these enters and leaves a cell, and its path in the coordinates of the cell.
+template <class V>
+struct PathVector
+{
+  V Enter, Leave;
+  V Begin[3], End[3];
+};
+
+/// \param cell first corners
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE PathVector<V> FindPath(D d, const RayVector<V>& rays, const V cell[3])
+{
+  const V zero = hn::Zero(d), one = hn::Set(d, 1.0);
+  PathVector<V> path;
+  path.Enter = rays.Begin;
+  path.Leave = rays.End;
+  V ahead[3], enter[3], leave[3];
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    ahead[a] = hn::IfThenElse(hn::Gt(rays.Direction[a], zero), one, zero);
+    const V behind = hn::Add(cell[a], hn::Sub(one, ahead[a]));
+    enter[a] = hn::Mul(hn::Sub(behind, rays.Origin[a]), rays.Inverse[a]);
+    leave[a] = hn::Mul(hn::Sub(hn::Add(cell[a], ahead[a]), rays.Origin[a]), rays.Inverse[a]);
+    path.Enter = hn::Max(path.Enter, enter[a]);
+    path.Leave = hn::Min(path.Leave, leave[a]);
+  }
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    // On a face the coordinate is exactly 0 or 1, as the neighbour across the face has it.
+    const auto at = [&](V t) HWY_ATTR
+    {
+      const V x = hn::Sub(hn::Add(rays.Origin[a], hn::Mul(t, rays.Direction[a])), cell[a]);
+      return hn::Min(hn::Max(x, zero), one);
+    };
+    path.Begin[a] =
+      hn::IfThenElse(hn::Eq(path.Enter, enter[a]), hn::Sub(one, ahead[a]), at(path.Enter));
+    path.End[a] = hn::IfThenElse(hn::Eq(path.Leave, leave[a]), ahead[a], at(path.Leave));
+  }
+  return path;
+}
+
 template <typename Real>
 HWY_INLINE void SetUpPaths(SegmentBatch<Real>& in, std::size_t count, Paths<Real>& out)
 {
   const hn::CappedTag<double, WidestVector / 2> d;
   using V = hn::Vec<decltype(d)>;
-  const V zero = hn::Zero(d), one = hn::Set(d, 1.0);
   for (std::size_t i = 0; i < count; i += hn::Lanes(d))
   {
-    V origin[3], direction[3], cell[3], ahead[3], enter[3], leave[3];
-    V first = hn::LoadU(d, in.BeginOf() + i);
-    V last = hn::LoadU(d, in.EndOf() + i);
+    RayVector<V> rays;
+    V cell[3];
+    rays.Begin = hn::LoadU(d, in.BeginOf() + i);
+    rays.End = hn::LoadU(d, in.EndOf() + i);
     for (std::size_t a = 0; a < 3; ++a)
     {
-      origin[a] = hn::LoadU(d, in.OriginOf(a) + i);
-      direction[a] = hn::LoadU(d, in.DirectionOf(a) + i);
+      rays.Origin[a] = hn::LoadU(d, in.OriginOf(a) + i);
+      rays.Direction[a] = hn::LoadU(d, in.DirectionOf(a) + i);
+      rays.Inverse[a] = hn::LoadU(d, in.InverseOf(a) + i);
       cell[a] = hn::LoadU(d, &in.Cell[a][i]);
-      const V inverse = hn::LoadU(d, in.InverseOf(a) + i);
-      ahead[a] = hn::IfThenElse(hn::Gt(direction[a], zero), one, zero);
-      const V behind = hn::Add(cell[a], hn::Sub(one, ahead[a]));
-      enter[a] = hn::Mul(hn::Sub(behind, origin[a]), inverse);
-      leave[a] = hn::Mul(hn::Sub(hn::Add(cell[a], ahead[a]), origin[a]), inverse);
-      first = hn::Max(first, enter[a]);
-      last = hn::Min(last, leave[a]);
     }
-    hn::StoreU(first, d, &in.Enter[i]);
-    hn::StoreU(last, d, &out.Leave[i]);
+    const PathVector<V> path = FindPath(d, rays, cell);
+    hn::StoreU(path.Enter, d, &in.Enter[i]);
+    hn::StoreU(path.Leave, d, &out.Leave[i]);
     for (std::size_t a = 0; a < 3; ++a)
     {
-      // On a face the coordinate is exactly 0 or 1, as the neighbour across the face has it.
-      const auto at = [&](V t) HWY_ATTR
-      {
-        const V x = hn::Sub(hn::Add(origin[a], hn::Mul(t, direction[a])), cell[a]);
-        return hn::Min(hn::Max(x, zero), one);
-      };
-      const V begin = hn::IfThenElse(hn::Eq(first, enter[a]), hn::Sub(one, ahead[a]), at(first));
-      const V end = hn::IfThenElse(hn::Eq(last, leave[a]), ahead[a], at(last));
-      StoreAs(begin, &out.Begin[a][i]);
-      StoreAs(end, &out.End[a][i]);
+      StoreAs(path.Begin[a], &out.Begin[a][i]);
+      StoreAs(path.End[a], &out.End[a][i]);
     }
   }
 }
 
 /// CubicAlong of CellRoot.h.
-template <typename Real, class D, class V = hn::Vec<D>>
-HWY_INLINE void CubicsAlong(
-  D d, const SegmentBatch<Real>& in, const Paths<Real>& paths, std::size_t i, V b[4])
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE void CubicsBetween(D d, const V v[8], const V begin[3], const V end[3], V b[4])
 {
-  V v[8], alongX[8], alongXY[8], box[8];
-  for (std::size_t corner = 0; corner < 8; ++corner)
-  {
-    v[corner] = hn::LoadU(d, &in.Corners[corner][i]);
-  }
-  const V beginX = hn::LoadU(d, &paths.Begin[0][i]), endX = hn::LoadU(d, &paths.End[0][i]);
-  const V beginY = hn::LoadU(d, &paths.Begin[1][i]), endY = hn::LoadU(d, &paths.End[1][i]);
-  const V beginZ = hn::LoadU(d, &paths.Begin[2][i]), endZ = hn::LoadU(d, &paths.End[2][i]);
+  V alongX[8], alongXY[8], box[8];
   for (std::size_t row = 0; row < 8; row += 2)
   {
-    alongX[row] = Mix(v[row], v[row + 1], beginX);
-    alongX[row + 1] = Mix(v[row], v[row + 1], endX);
+    alongX[row] = Mix(v[row], v[row + 1], begin[0]);
+    alongX[row + 1] = Mix(v[row], v[row + 1], end[0]);
   }
   for (std::size_t slice = 0; slice < 8; slice += 4)
   {
     for (std::size_t x = 0; x < 2; ++x)
     {
       const V low = alongX[slice + x], high = alongX[slice + 2 + x];
-      alongXY[slice + x] = Mix(low, high, beginY);
-      alongXY[slice + 2 + x] = Mix(low, high, endY);
+      alongXY[slice + x] = Mix(low, high, begin[1]);
+      alongXY[slice + 2 + x] = Mix(low, high, end[1]);
     }
   }
   for (std::size_t xy = 0; xy < 4; ++xy)
   {
-    box[xy] = Mix(alongXY[xy], alongXY[4 + xy], beginZ);
-    box[4 + xy] = Mix(alongXY[xy], alongXY[4 + xy], endZ);
+    box[xy] = Mix(alongXY[xy], alongXY[4 + xy], begin[2]);
+    box[4 + xy] = Mix(alongXY[xy], alongXY[4 + xy], end[2]);
   }
-  const V third = hn::Set(d, Real(1) / Real(3));
+  const V third = hn::Set(d, hn::TFromD<D>(1) / hn::TFromD<D>(3));
   b[0] = box[0];
   b[1] = hn::Mul(hn::Add(hn::Add(box[1], box[2]), box[4]), third);
   b[2] = hn::Mul(hn::Add(hn::Add(box[6], box[5]), box[3]), third);
   b[3] = box[7];
+}
+
+/// The same for segments of a batch.
+template <typename Real, class D, class V = hn::Vec<D>>
+HWY_INLINE void CubicsAlong(
+  D d, const SegmentBatch<Real>& in, const Paths<Real>& paths, std::size_t i, V b[4])
+{
+  V v[8], begin[3], end[3];
+  for (std::size_t corner = 0; corner < 8; ++corner)
+  {
+    v[corner] = hn::LoadU(d, &in.Corners[corner][i]);
+  }
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    begin[a] = hn::LoadU(d, &paths.Begin[a][i]);
+    end[a] = hn::LoadU(d, &paths.End[a][i]);
+  }
+  CubicsBetween(d, v, begin, end, b);
 }
 
 /// The number of segments rounded up to whole vectors of Real, which have more lanes than those of

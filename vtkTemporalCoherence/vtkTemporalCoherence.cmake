@@ -15,7 +15,6 @@ set(engine_files
   Acceleration/FieldStructures
   Acceleration/HiddenCells
   Acceleration/KernelsPyramid
-  Acceleration/LeafHistogram
   Acceleration/SampleComparer
   Acceleration/TileBounds
   Acceleration/ValueRangePyramid
@@ -42,13 +41,17 @@ set(engine_files
   ImageCache/KernelsImage
   ImageCache/LastHitHint
   ImageCache/PaperHint
+  Isomap/BandBuilder
   Isomap/BandPlan
   Isomap/BandTracer
+  Isomap/FrameBands
+  Isomap/GroupCosts
   Isomap/Isomap
   Isomap/IsomapBuilder
   Isomap/IsomapLookup
   Isomap/KnotCollector
   Isomap/Knots
+  Isomap/RangeBuild
   Fields/KernelsBeam
   Fields/KernelsBeamSetUp
   Fields/RectilinearGradients
@@ -58,6 +61,7 @@ set(engine_files
   Render/FrameRenderer
   Render/FrameStore
   Render/FrameStructures
+  Render/IsomapRoute
   Render/LineTracer
   Render/ReusePlan
   Render/Routes

@@ -212,7 +212,8 @@ bool vtkTemporalCoherenceVolumeMapper::BuildIsomap(vtkRenderer* renderer, vtkVol
       error);
     if (error.empty())
     {
-      internal.WarnOfIsomapLimit(outcome == Outcome::TooLarge);
+      internal.WarnOfIsomapLimit(
+        outcome == Outcome::TooLarge || internal.Frames.IsIsomapTooLarge());
     }
   }
   internal.ReportOnce(error);

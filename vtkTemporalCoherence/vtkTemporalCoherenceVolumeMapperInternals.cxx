@@ -209,8 +209,7 @@ void vtkTemporalCoherenceVolumeMapper::Internals::ReportOnce(const std::string& 
 //------------------------------------------------------------------------------
 void vtkTemporalCoherenceVolumeMapper::Internals::WarnOfIsomapLimit(bool isTooLarge)
 {
-  if (this->HasWarned || this->Self->IsomapMemoryLimit == 0 ||
-    !(isTooLarge || this->Frames.LastIsomap().HasDropped()))
+  if (this->HasWarned || this->Self->IsomapMemoryLimit == 0 || !isTooLarge)
   {
     return;
   }

@@ -212,8 +212,7 @@ bool vtkTemporalCoherenceVolumeMapper::BuildIsomap(vtkRenderer* renderer, vtkVol
       error);
     if (error.empty())
     {
-      internal.WarnOfIsomapLimit(
-        outcome == Outcome::TooLarge || internal.Frames.IsIsomapTooLarge());
+      internal.WarnOfIsomapLimit(outcome == Outcome::TooLarge);
     }
   }
   internal.ReportOnce(error);

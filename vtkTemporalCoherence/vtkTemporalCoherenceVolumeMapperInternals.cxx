@@ -209,7 +209,8 @@ void vtkTemporalCoherenceVolumeMapper::Internals::ReportOnce(const std::string& 
 //------------------------------------------------------------------------------
 void vtkTemporalCoherenceVolumeMapper::Internals::WarnOfIsomapLimit(bool isTooLarge)
 {
-  if (this->HasWarned || this->Self->IsomapMemoryLimit == 0 || !isTooLarge)
+  if (this->HasWarned || this->Self->IsomapMemoryLimit == 0 ||
+    !(isTooLarge || this->Frames.IsIsomapTooLarge()))
   {
     return;
   }

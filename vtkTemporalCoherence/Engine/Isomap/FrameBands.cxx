@@ -5,8 +5,6 @@
 #include "Scene/TileTimer.h"
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 #include <cmath>
 #include <new>
 #include <numeric>
@@ -285,7 +283,6 @@ void FrameBands::Finish()
   {
     this->State.Plan.Learn(measured);
   }
-  if (getenv("DBGB")) fprintf(stderr,"width %.4f built %.2f (%.3f of all) lookup %.2f (%.3f) extra %.3f of most %.3f worth %d steps %.1f full %d bytes %.0f\n",measured.Width,measured.Built/std::max(1.0,measured.TracingBuilt),measured.TracingBuilt/measured.TracingAll,measured.LookedUp/std::max(1.0,measured.TracingFound),measured.TracingFound/measured.TracingAll,static_cast<double>(Extra)/CostOfAll,static_cast<double>(MostExtra)/CostOfAll,this->State.Plan.IsWorthIt(this->WishFor(this->From.Key.Isosurfaces.Isovalues[0])),measured.Width/std::max(1e-9,std::abs(this->WishFor(this->From.Key.Isosurfaces.Isovalues[0]).Isovalue-this->WishFor(this->From.Key.Isosurfaces.Isovalues[0]).Before)/(range.y-range.x)),int(IsFull),State.BytesOfBand);
   const std::size_t built = this->NumberOf(GroupWork::Build);
   if (built > 0)
   {

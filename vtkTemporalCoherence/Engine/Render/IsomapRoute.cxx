@@ -113,6 +113,10 @@ private:
 /// Prepare the building of bands; its time counts as that of a group.
 void MakeBuilders(FrameTask& task, FrameBands& bands)
 {
+  if (bands.NumberOf(GroupWork::Build) == 0)
+  {
+    return;
+  }
   double seconds = 0.0;
   {
     Stopwatch watch(seconds);

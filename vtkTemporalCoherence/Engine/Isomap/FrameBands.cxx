@@ -19,7 +19,7 @@ namespace
 
 /// How much longer a frame may take than if all was traced, as a share; and how much of what
 /// look-ups are expected to save may be spent on that.
-constexpr double AllowedExtra = 0.12, SpentOfSavings = 0.9;
+constexpr double AllowedExtra = 0.1, SpentOfSavings = 0.8;
 
 /// If no band is worth its cost, every so many frames that share of the picture is built, to see
 /// whether that has changed.

@@ -120,9 +120,10 @@ std::vector<Row> Isovalues(const Scene& scene)
   return { { "hint", "ThresholdHint", "the isovalue, up by 1/256 of the range; `IsomapOff()`",
              [](Stage&, Drawer& drawer) { drawer.Mapper->IsomapOff(); }, raise },
     { "build", "IsomapBuild",
-      "the isovalue, for the first time in this view: a band of isovalues is built", nothing,
+      "the isovalue, for the first time in this view: some tiles are built, others traced", nothing,
       raiseAnew },
-    { "lookup", "IsomapLookup", "the isovalue, again: looked up in the band", nothing, creep },
+    { "lookup", "IsomapLookup", "the isovalue, in small steps: looked up in what was built",
+      buildRange, creep },
     { "range", "IsomapLookup",
       "the isovalue, any from " + Plain(first) + " to " + Plain(last) + " (here " + Plain(last) +
         "); `SetIsomapRange()` and `BuildIsomap()` before",

@@ -39,8 +39,13 @@ constexpr double HalfLifeBuilt = 0.05, HalfLifeLookedUp = 0.1;
 /// What building is taken to cost as long as nothing was measured: at width 0 and at a wider one.
 constexpr double GuessAtOnce = 1.6, GuessWide = 3.0, WideGuess = 1.0 / 32.0, WeightOfGuess = 0.01;
 
-/// Measurements of less than this share of the picture prove nothing.
+/// A measurement counts at least as much as one of this share of the picture. So a few groups,
+/// which are all that a frame builds where building is expensive, show soon that it is, or no
+/// longer is.
 constexpr double LeastWeight = 0.02;
+
+/// What costs less than this share of tracing the picture is empty, and shows nothing.
+constexpr double LeastShare = 2e-4;
 
 /// Steps that a band of `steps` serves before the drag ends or turns.
 double Served(double steps)
@@ -137,7 +142,7 @@ double BandPlan::BuildCost(const Wish& wish) const
 
 bool BandPlan::IsWorthIt(const Wish& wish) const
 {
-  const bool isMeasured = this->Known.Weight > LeastWeight;
+  const bool isMeasured = this->Known.Weight > 0.0;
   if (!isMeasured || wish.Before == wish.Isovalue || !(wish.Range > 0.0))
   {
     return true; // not moving, it stands beside another one that moves
@@ -149,9 +154,9 @@ bool BandPlan::IsWorthIt(const Wish& wish) const
 
 void BandPlan::Learn(const Measured& measured)
 {
-  if (measured.TracingBuilt > 0.0 && measured.TracingAll > 0.0)
+  if (measured.TracingBuilt > LeastShare * measured.TracingAll)
   {
-    const double share = std::min(measured.TracingBuilt / measured.TracingAll, 1.0);
+    const double share = std::clamp(measured.TracingBuilt / measured.TracingAll, LeastWeight, 1.0);
     this->Known.Fade(std::exp2(-share / HalfLifeBuilt));
     this->Known.Add(
       share, measured.Width, std::min(measured.Built / measured.TracingBuilt, 1000.0));

@@ -15,7 +15,6 @@ set(engine_files
   Acceleration/FieldStructures
   Acceleration/HiddenCells
   Acceleration/KernelsPyramid
-  Acceleration/LeafHistogram
   Acceleration/SampleComparer
   Acceleration/TileBounds
   Acceleration/ValueRangePyramid
@@ -42,13 +41,17 @@ set(engine_files
   ImageCache/ImageQuery
   ImageCache/KernelsImage
   ImageCache/PaperHint
+  Isomap/BandBuilder
   Isomap/BandPlan
   Isomap/BandTracer
+  Isomap/FrameBands
+  Isomap/GroupCosts
   Isomap/Isomap
   Isomap/IsomapBuilder
   Isomap/IsomapLookup
   Isomap/KnotCollector
   Isomap/Knots
+  Isomap/RangeBuild
   Fields/KernelsBandBeam
   Fields/KernelsBeam
   Fields/KernelsBeamSetUp
@@ -61,6 +64,7 @@ set(engine_files
   Render/FrameRenderer
   Render/FrameStore
   Render/FrameStructures
+  Render/IsomapRoute
   Render/LineTracer
   Render/ReusePlan
   Render/Routes

@@ -210,7 +210,7 @@ void vtkTemporalCoherenceVolumeMapper::Internals::ReportOnce(const std::string& 
 void vtkTemporalCoherenceVolumeMapper::Internals::WarnOfIsomapLimit(bool isTooLarge)
 {
   if (this->HasWarned || this->Self->IsomapMemoryLimit == 0 ||
-    !(isTooLarge || this->Frames.LastIsomap().HasDropped()))
+    !(isTooLarge || this->Frames.IsIsomapTooLarge()))
   {
     return;
   }

@@ -341,7 +341,8 @@ class RenderServer(Example):
                 self.assert_shows_sphere(read_png(png), isovalue)
                 routes.append(route)
             self.assertEqual(routes[:3], ["Cold", "Redisplay", "IsomapBuild"])
-            self.assertEqual(routes[-1], "IsomapLookup")
+            # How soon all of the picture is looked up depends on the speed of the machine.
+            self.assertIn(routes[-1], ("IsomapBuild", "IsomapLookup"))
             turned, _, route = self.get(port, "/picture.png?isovalue=0.499&azimuth=2&size=200")
             self.assertEqual(route, "Cold")
             self.assert_shows_sphere(read_png(turned), 0.499)

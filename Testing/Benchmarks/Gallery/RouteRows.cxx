@@ -114,9 +114,10 @@ std::vector<Row> Isovalues(const Scene& scene)
   const auto sweep = [=](Stage& stage, Drawer&, int frame)
   { stage.SetIsovalue(first + (last - first) * (frame + 1) / frames); };
   return { { "build", "IsomapBuild",
-             "the isovalue, for the first time in this view: a band of isovalues is built", nothing,
-             raiseAnew },
-    { "lookup", "IsomapLookup", "the isovalue, again: looked up in the band", nothing, creep },
+             "the isovalue, for the first time in this view: some tiles are built, others traced",
+             nothing, raiseAnew },
+    { "lookup", "IsomapLookup", "the isovalue, in small steps: looked up in what was built",
+      buildRange, creep },
     { "range", "IsomapLookup",
       "the isovalue, any from " + Plain(first) + " to " + Plain(last) + " (here " + Plain(last) +
         "); `SetIsomapRange()` and `BuildIsomap()` before",

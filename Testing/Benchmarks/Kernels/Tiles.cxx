@@ -4,11 +4,13 @@
 // Whole tiles: walk from cell to cell and crossings; look-up in an isomap.
 
 #include "Isomap/IsomapLookup.h"
+#include "Isomap/RangeBuild.h"
 #include "KernelBenchmarks.h"
 #include "KernelScene.h"
 #include "Trace/KernelsWalk.h"
 
 #include <limits>
+#include <vector>
 
 namespace
 {
@@ -44,8 +46,11 @@ Isomap IsomapOf(const KernelScene<T>& scene)
   constexpr double isovalue = KernelScene<T>::Isovalue;
   Isomap map;
   map.Begin(scene.Key, {});
-  map.Build({ isovalue - halfBand, isovalue + halfBand }, scene.Pyramid,
-    { std::numeric_limits<std::size_t>::max(), std::numeric_limits<double>::infinity() }, {});
+  const RangeBuild wanted{ scene.Key, scene.Pyramid, { isovalue - halfBand, isovalue + halfBand },
+    std::numeric_limits<std::size_t>::max(), 1 };
+  bool isDropped = false;
+  std::int64_t cellsRead = 0;
+  BuildRange(wanted, map, {}, isDropped, cellsRead);
   return map;
 }
 
@@ -66,14 +71,14 @@ void RegisterFor(const std::string& type)
     [](benchmark::State& state)
     {
       KernelScene<T>& scene = SceneOf<T>();
-      Isomap map = IsomapOf(scene);
-      const Isomap::Band* band = map.Use(KernelScene<T>::Isovalue);
-      if (!band)
+      const Isomap map = IsomapOf(scene);
+      if (!map.Covers({ KernelScene<T>::Isovalue }))
       {
         state.SkipWithError("There is no band for the isovalue: mend the benchmark.");
         return;
       }
-      const IsomapLookup lookup(scene.Key, { band }, map.Tolerance(), scene.Scene.FiniteRange);
+      const IsomapLookup lookup(scene.Key, map, scene.Scene.FiniteRange);
+      std::vector<IsomapLookup::IsovalueKeys> keys;
       Frame frame;
       frame.Resize(scene.Key.View.Size);
       KernelBenchmarks::RunOnTiles(state, scene.FullTiles,
@@ -81,8 +86,9 @@ void RegisterFor(const std::string& type)
         {
           std::uint64_t unresolved = 0;
           TileHits hits;
+          lookup.FindBands(static_cast<std::size_t>(tile.Number / TileGrain), keys);
           benchmark::DoNotOptimize(
-            lookup.LookUpTile(tile.Number, tile.Part, frame, unresolved, hits));
+            lookup.LookUpTile(tile.Number, tile.Part, keys, frame, unresolved, hits));
         });
     });
 }

@@ -208,6 +208,9 @@ void FeatureWalk::ComeHome()
   Scene plain(this->Inputs.Image, { 0.0 });
   plain.Renderer->SetActiveCamera(this->Shown.Renderer->GetActiveCamera());
   this->Shown.LookFrom(0.7, -1.0, 0.5);
+  // Without a range, isomaps are built by the time they take.
+  this->Shown.Mapper->SetIsomapRange(50.0, 120.0);
+  plain.Mapper->SetIsomapRange(50.0, 120.0);
   // First from wherever it comes, then from nothing: each frame costs what it costs a new mapper.
   for (const bool isNew : { false, true })
   {

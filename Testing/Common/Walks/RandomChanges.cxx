@@ -152,7 +152,7 @@ std::vector<Change> ChangesOfIsomap(Scene& scene, RandomViews& views)
       [=, &views]
       {
         const double low = views.Between(-1500.0, 1000.0);
-        mapper->SetIsomapRange(low, low + views.Between(-300.0, 500.0));
+        mapper->SetIsomapRange(low, low + views.Between(-300.0, 1500.0));
       } },
     { false, [=, &views] { mapper->SetIsomapMemoryLimit(views.Pick(3)); } },
     { false, [=] { mapper->SetIsomapMemoryLimit(256); } },

@@ -13,6 +13,7 @@
 #include <vtkPointData.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <functional>
 
@@ -65,6 +66,7 @@ void TestRoutesOfIsovalues()
 {
   Waves waves;
   Mapper* mapper = waves.Shown.Mapper;
+  mapper->SetIsomapRange(150.0, 250.0);
   waves.Expect("Cold", "first");
   Expect(mapper->GetIsomapMemory() == 0 && mapper->GetNumberOfIsomapKnots() == 0,
     "there is an isomap before an isovalue changed");
@@ -135,6 +137,7 @@ void TestBuiltAhead()
 void TestReturn()
 {
   Waves waves;
+  waves.Shown.Mapper->SetIsomapRange(150.0, 250.0);
   waves.Expect("Cold", "return, first");
   waves.Expect(230.0, "IsomapBuild", "return, changed");
   vtkNew<vtkCamera> camera;
@@ -231,6 +234,7 @@ void TestTakingTurns()
 void TestOrbitAfterLookup()
 {
   Waves waves(200, 160);
+  waves.Shown.Mapper->SetIsomapRange(200.0, 300.0);
   waves.Expect("Cold", "orbit, first");
   waves.Expect(250.0, "IsomapBuild", "orbit, built");
   waves.Expect(120.0, "IsomapBuild", "orbit, built below");
@@ -284,7 +288,9 @@ void TestMemoryLimit()
   for (int step = 0; step < 150; ++step)
   {
     const std::string what = "limit of memory, step " + std::to_string(step);
-    scene.SetIsovalues({ -1100.0 + 2200.0 * (step * 61 % 150) / 150.0 });
+    const double isovalue = -1100.0 + 2200.0 * (step * 61 % 150) / 150.0;
+    scene.SetIsovalues({ isovalue });
+    scene.Mapper->SetIsomapRange(isovalue - 3.0, isovalue + 3.0);
     Expect(scene.Render(240, 200), what + ": rendered");
     most = std::max(most, scene.Mapper->GetIsomapMemory());
     Expect(scene.Mapper->GetIsomapMemory() <= limit,
@@ -312,6 +318,22 @@ void TestMemoryLimit()
   }
 }
 
+/// Bands that nobody asked for take at most 32 bytes for each pixel, and no warning tells of that.
+void TestMemoryOfDrags()
+{
+  Scene scene(Volumes::Waves(), { 0.0 });
+  scene.LookFrom(1.0, 2.0, 0.5);
+  EventCounter warnings(scene.Mapper, vtkCommand::WarningEvent);
+  for (int step = 0; step < 200; ++step)
+  {
+    scene.SetIsovalues({ 1200.0 * std::sin(0.03 * step) });
+    Expect(scene.Render(240, 200), "memory of drags: rendered");
+    Expect(scene.Mapper->GetIsomapMemory() <= 33 * 240 * 200,
+      "memory of drags: " + std::to_string(scene.Mapper->GetIsomapMemory()) + " bytes");
+  }
+  Expect(warnings.Count == 0, "memory of drags: a warning");
+}
+
 /// A limit that is lowered holds from the next frame on.
 void TestLoweredLimit()
 {
@@ -321,7 +343,9 @@ void TestLoweredLimit()
   ColdWitness cold;
   for (int step = 0; step < 60; ++step)
   {
-    scene.SetIsovalues({ -900.0 + 30.0 * step });
+    const double isovalue = -900.0 + 30.0 * step;
+    scene.SetIsovalues({ isovalue });
+    scene.Mapper->SetIsomapRange(isovalue - 10.0, isovalue + 10.0);
     Expect(scene.Render(240, 200), "limit to be lowered: rendered");
   }
   const vtkIdType before = scene.Mapper->GetIsomapMemory();
@@ -373,6 +397,7 @@ int TestIsomapFrames(int, char*[])
   TestOrbitAfterLookup();
   TestColorByAnswer();
   TestMemoryLimit();
+  TestMemoryOfDrags();
   TestLoweredLimit();
   TestNoMemory();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -57,6 +57,7 @@ int TestNeverStale(int, char*[])
   Twelfths standingStill;
   standingStill.View = 3;
   standingStill.Isovalues = 9;
+  standingStill.Isomap = 3;
   for (const unsigned seed : { 9u, 10u, 11u, 12u })
   {
     const std::string what = "standing still, seed " + std::to_string(seed);

@@ -285,6 +285,7 @@ void TestIsomaps()
   const auto image = Volumes::FourSpheres(48);
   const Scene shared(image, { 100.0 });
   View front(shared, 1.0, 2.0, 0.5), side(shared, 2.0, -0.4, 0.7);
+  shared.Mapper->SetIsomapRange(90.0, 110.0);
   for (const double isovalue : { 100.0, 101.0, 102.0, 103.0 })
   {
     for (View* view : { &front, &side })

@@ -396,6 +396,9 @@ void TestSweeps()
           placing.SetCamera(scene);
           Sweep::Routes routes =
             Sweep::ExpectCold(scene, Sweep::Up(subject, 12), 60, 45, what + ", up");
+          const std::vector<double> samples = Sweep::FiniteSamplesOf(subject);
+          const auto [low, high] = std::minmax_element(samples.begin(), samples.end());
+          scene.Mapper->SetIsomapRange(*low, *high);
           for (const auto& [route, count] :
             Sweep::ExpectCold(scene, Sweep::Jumps(subject, 20, 5), 60, 45, what + ", jumps"))
           {

@@ -152,6 +152,7 @@ void TestSweeps()
       const std::string what = subject.Describe();
       Sweep::Routes routes =
         Sweep::ExpectCold(scene, Sweep::Jumps(subject, 20, 5), 60, 45, what + ", jumps");
+      scene.Mapper->SetIsomapRange(-1000.0, 1000.0);
       for (const auto& [route, count] :
         Sweep::ExpectCold(scene, Sweep::Up(subject, 12), 60, 45, what + ", up"))
       {

@@ -128,7 +128,12 @@ std::vector<Step> Steps()
 {
   return { { "Cold", [](Stage& stage) { stage.Volume->RotateZ(5.0); } },
     { "ImageCache", [](Stage& stage) { stage.Turn(); } },
-    { "IsomapBuild", [](Stage& stage) { stage.SetIsovalues({ -300.0 }); } },
+    { "IsomapBuild",
+      [](Stage& stage)
+      {
+        stage.Mapper->SetIsomapRange(-320.0, -280.0);
+        stage.SetIsovalues({ -300.0 });
+      } },
     { "IsomapLookup", [](Stage& stage) { stage.SetIsovalues({ -298.0 }); } },
     { "Cold",
       [](Stage& stage)

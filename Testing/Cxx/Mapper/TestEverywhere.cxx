@@ -235,7 +235,10 @@ void TestReuse()
     expect("Redisplay");
     isovalues->SetValue(0, 101.0);
     expect("IsomapBuild");
+    door->GetIsosurfaceMapper()->SetIsomapRange(95.0, 105.0);
     isovalues->SetValue(0, 101.5);
+    expect("IsomapBuild");
+    isovalues->SetValue(0, 102.0);
     expect("IsomapLookup");
     stage.Renderer->GetActiveCamera()->Azimuth(2.0);
     expect("Cold");

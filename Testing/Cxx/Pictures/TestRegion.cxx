@@ -234,6 +234,7 @@ void TestRoutes()
       for (const bool isomap : { true, false })
       {
         scene.Mapper->SetIsomap(isomap);
+        scene.Mapper->SetIsomapRange(0.1, 0.22);
         for (int i = 0; i < 12; ++i)
         {
           scene.SetIsovalues({ 0.1 + 0.03 * (i % 5) });

@@ -250,7 +250,7 @@ TEST_F(IsomapTest, FirstABandIsBuiltThenLookedUp)
   EXPECT_EQ(this->Renderer.Statistics().Made, Route::Cold);
 }
 
-TEST_F(IsomapTest, ATooSmallLimitOfMemoryMakesColdFrames)
+TEST_F(IsomapTest, ATooSmallLimitOfMemoryMakesColdFramesUntilItIsRaised)
 {
   Grid<std::uint8_t> bytes(glm::ivec3(60, 50, 40));
   bytes.Fill(Waves);
@@ -262,20 +262,32 @@ TEST_F(IsomapTest, ATooSmallLimitOfMemoryMakesColdFrames)
     EXPECT_LE(this->Renderer.IsomapOfLastView().MemoryInBytes(), 100u);
   }
   EXPECT_EQ(this->Renderer.Statistics().Made, Route::Cold);
+  this->Options.Map.MemoryLimit = std::size_t(64) << 20;
+  this->Show(key, { 122.0 });
+  EXPECT_EQ(this->Renderer.Statistics().Made, Route::IsomapBuild) << "a limit that is raised";
 }
 
+/// A range that is built can always be stopped; the tiles of a frame, if it reports on them.
 TEST_F(IsomapTest, ABuildThatIsStoppedLeavesTheLastFrame)
 {
   Grid<std::uint8_t> bytes(glm::ivec3(60, 50, 40));
   bytes.Fill(Waves);
-  FrameKey key = KeyOf(bytes);
-  this->Show(key, { 120.0 });
-  const Frame before = this->Renderer.LastFrame();
-  key.Isosurfaces.Isovalues = { 121.0 };
-  EXPECT_FALSE(this->Renderer.Render(key, this->Options, [](double) { return false; }));
-  EXPECT_TRUE(IsSamePlane(this->Renderer.LastFrame().Depth, before.Depth));
-  EXPECT_EQ(this->Renderer.LastKey().Isosurfaces.Isovalues[0], 120.0);
-  this->Show(key, { 121.0 });
+  for (const bool hasRange : { true, false })
+  {
+    this->Renderer = FrameRenderer();
+    this->Options.Map.Range = hasRange ? ValueBand{ 100.0, 140.0 } : ValueBand{ 1.0, 0.0 };
+    this->Options.ReportsTiles = !hasRange;
+    FrameKey key = KeyOf(bytes);
+    this->Show(key, { 120.0 });
+    const Frame before = this->Renderer.LastFrame();
+    key.Isosurfaces.Isovalues = { 121.0 };
+    EXPECT_FALSE(this->Renderer.Render(key, this->Options, [](double) { return false; }));
+    EXPECT_TRUE(IsSamePlane(this->Renderer.LastFrame().Depth, before.Depth));
+    EXPECT_EQ(this->Renderer.LastKey().Isosurfaces.Isovalues[0], 120.0);
+    EXPECT_EQ(this->Renderer.IsomapOfLastView().MemoryInBytes(), 0u);
+    this->Show(key, { 121.0 });
+    EXPECT_GT(this->Renderer.IsomapOfLastView().MemoryInBytes(), 0u);
+  }
 }
 
 TEST_F(IsomapTest, WithAToleranceSurfacesAreThatNear)
@@ -387,20 +399,6 @@ TEST_F(IsomapTest, ConstantDataWithHoles)
   {
     this->Show(key, { isovalue });
   }
-}
-
-TEST_F(IsomapTest, ALimitThatIsRaisedIsUsed)
-{
-  Grid<std::uint8_t> bytes(glm::ivec3(60, 50, 40));
-  bytes.Fill(Waves);
-  FrameKey key = KeyOf(bytes);
-  this->Options.Map.MemoryLimit = 100;
-  this->Show(key, { 120.0 });
-  this->Show(key, { 121.0 });
-  EXPECT_EQ(this->Renderer.Statistics().Made, Route::Cold);
-  this->Options.Map.MemoryLimit = std::size_t(64) << 20;
-  this->Show(key, { 122.0 });
-  EXPECT_EQ(this->Renderer.Statistics().Made, Route::IsomapBuild);
 }
 
 TEST_F(IsomapTest, PlateausWithATolerance)

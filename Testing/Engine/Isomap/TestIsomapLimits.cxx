@@ -3,14 +3,15 @@
 #include "Grid.h"
 #include "Isomap/BandTracer.h"
 #include "Isomap/Isomap.h"
+#include "Isomap/RangeBuild.h"
 #include "Trace/RaySource.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-// What the building of an isomap may take: memory, cells and patience are asked about inside the
-// parts of the picture, too, and tolerances that cannot be kept count as none.
+// What the building of a range may take: memory and patience are asked about inside the parts of
+// the picture, too, and tolerances that cannot be kept count as none.
 
 namespace
 {
@@ -26,25 +27,59 @@ TEST(IsomapLimits, TheFinestToleranceDependsOnTheLengthOfRays)
   EXPECT_GT(Isomap::SmallestTolerance(field, IndexTransform()), 40.0 * Isomap::FinestTolerance);
 }
 
+/// Noise in a still view.
+struct NoiseView
+{
+  NoiseView()
+    : Noise(glm::ivec3(20, 21, 22))
+  {
+    this->Noise.FillRandomly(20.0, 220.0, 3);
+    this->Key.Samples = this->Noise.Field;
+    this->Key.View = LookAt(this->Noise.Field.Dimensions, { 1.0, 2.0, 0.7 }, { 93, 71 });
+    this->Key.Isosurfaces.Isovalues = { 100.0 };
+    this->Pyramid.Build(this->Key.Samples);
+  }
+
+  /// Build a range into an empty map.
+  Isomap::Outcome Build(Isomap& map, std::size_t memory, double patience,
+    const ReportProgress& report, bool* isDropped = nullptr)
+  {
+    map.Begin(this->Key, {});
+    return this->Add(map, { 80.0, 180.0 }, memory, patience, report, isDropped);
+  }
+
+  Isomap::Outcome Add(Isomap& map, const ValueBand& band, std::size_t memory, double patience,
+    const ReportProgress& report, bool* isDropped = nullptr)
+  {
+    std::int64_t cells = 0;
+    bool dropped = false;
+    const Isomap::Outcome outcome =
+      BuildRange({ this->Key, this->Pyramid, band, memory, ++this->Frame, patience }, map, report,
+        dropped, cells);
+    EXPECT_EQ(cells > 0, outcome == Isomap::Outcome::Built);
+    if (isDropped)
+    {
+      *isDropped = dropped;
+    }
+    return outcome;
+  }
+
+  Grid<float> Noise;
+  FrameKey Key;
+  ValueRangePyramid Pyramid;
+  std::uint64_t Frame = 0;
+};
+
+constexpr std::size_t Plenty = std::size_t(1) << 30;
+constexpr double Endless = std::numeric_limits<double>::infinity();
+
 /// The builder asks whether to go on within a part of the picture, too, and what it builds does not
 /// depend on how often it asks.
 TEST(IsomapLimits, QuestionsAreAskedInsideAPart)
 {
-  Grid<float> noise(glm::ivec3(20, 21, 22));
-  noise.FillRandomly(20.0, 220.0, 3);
-  FrameKey key;
-  key.Samples = noise.Field;
-  key.View = LookAt(noise.Field.Dimensions, { 1.0, 2.0, 0.7 }, { 93, 71 });
-  key.Isosurfaces.Isovalues = { 100.0 };
-  ValueRangePyramid pyramid;
-  pyramid.Build(key.Samples);
-  const ValueBand band{ 80.0, 180.0 };
-  Isomap::Limits limits{ std::size_t(1) << 30, std::numeric_limits<double>::infinity() };
+  NoiseView view;
   Isomap plain, asking;
-  plain.Begin(key, {});
-  asking.Begin(key, {});
-  ASSERT_EQ(plain.Build(band, pyramid, limits, {}), Isomap::Outcome::Built);
-  limits.Patience = 0.0;
+  ASSERT_EQ(view.Build(plain, Plenty, Endless, {}), Isomap::Outcome::Built);
   int reports = 0;
   double last = 0.0;
   const auto goOn = [&](double progress)
@@ -54,33 +89,62 @@ TEST(IsomapLimits, QuestionsAreAskedInsideAPart)
     last = progress;
     return true;
   };
-  ASSERT_EQ(asking.Build(band, pyramid, limits, goOn), Isomap::Outcome::Built);
-  EXPECT_GT(reports, 20);
+  ASSERT_EQ(view.Build(asking, Plenty, 0.0, goOn), Isomap::Outcome::Built);
+  // One after each group, and one after each of the 16 parts.
+  EXPECT_GE(reports, 16);
   EXPECT_EQ(last, 1.0);
   EXPECT_EQ(asking.NumberOfKnots(), plain.NumberOfKnots());
   EXPECT_EQ(asking.MemoryInBytes(), plain.MemoryInBytes());
 
   Isomap stopped;
-  stopped.Begin(key, {});
   const auto stop = [](double progress) { return progress < 0.03; };
-  EXPECT_EQ(stopped.Build(band, pyramid, limits, stop), Isomap::Outcome::Stopped);
-  EXPECT_EQ(stopped.MemoryInBytes(), 0u);
+  EXPECT_EQ(view.Build(stopped, Plenty, 0.0, stop), Isomap::Outcome::Stopped);
+  EXPECT_EQ(stopped.NumberOfBands(), 0u);
+}
 
-  // Memory and cost end it before the first part is done.
+/// Memory ends it before the first report.
+TEST(IsomapLimits, MemoryEndsABuildInsideAPart)
+{
+  NoiseView view;
+  Isomap plain, limited;
+  ASSERT_EQ(view.Build(plain, Plenty, Endless, {}), Isomap::Outcome::Built);
   int asked = 0;
   const auto count = [&asked](double)
   {
     ++asked;
     return true;
   };
-  limits.Patience = std::numeric_limits<double>::infinity();
-  Isomap::Limits little = limits;
-  little.Memory = plain.MemoryInBytes() / 40;
-  EXPECT_EQ(stopped.Build(band, pyramid, little, count), Isomap::Outcome::TooLarge);
-  little = limits;
-  little.Cells = 10.0;
-  EXPECT_EQ(stopped.Build(band, pyramid, little, count), Isomap::Outcome::TooCostly);
+  EXPECT_EQ(
+    view.Build(limited, plain.MemoryInBytes() / 40, Endless, count), Isomap::Outcome::TooLarge);
   EXPECT_EQ(asked, 0);
+  EXPECT_EQ(limited.NumberOfBands(), 0u);
+}
+
+/// The limit is kept to the byte; the least recently used band goes first, and one that a wider one
+/// contains is not kept beside it.
+TEST(IsomapLimits, TheOldestBandsMakeRoom)
+{
+  NoiseView view;
+  Isomap map;
+  ASSERT_EQ(view.Build(map, Plenty, Endless, {}), Isomap::Outcome::Built);
+  const std::size_t one = map.MemoryInBytes();
+  bool isDropped = true;
+  ASSERT_EQ(
+    view.Add(map, { 200.0, 210.0 }, Plenty, Endless, {}, &isDropped), Isomap::Outcome::Built);
+  EXPECT_FALSE(isDropped);
+  const std::size_t two = map.MemoryInBytes();
+  ASSERT_GT(two, one);
+  map.MarkUsed({ 100.0 }, 10);
+  ASSERT_EQ(view.Add(map, { 30.0, 31.0 }, two, Endless, {}, &isDropped), Isomap::Outcome::Built);
+  EXPECT_TRUE(isDropped);
+  EXPECT_LE(map.MemoryInBytes(), two);
+  EXPECT_TRUE(map.Covers({ 100.0 })) << "used last";
+  EXPECT_TRUE(map.Covers({ 30.5 })) << "just built";
+  EXPECT_FALSE(map.Covers({ 205.0 })) << "the oldest";
+
+  ASSERT_EQ(view.Add(map, { 30.0, 215.0 }, Plenty, Endless, {}), Isomap::Outcome::Built);
+  EXPECT_EQ(map.NumberOfBands(), map.Size()) << "one for each group";
+  EXPECT_TRUE(map.Holds({ 30.0, 215.0 }));
 }
 
 /// Not even one tile takes more than the whole band may.

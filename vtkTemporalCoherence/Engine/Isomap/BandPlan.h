@@ -3,46 +3,74 @@
 #ifndef TemporalCoherence_BandPlan_h
 #define TemporalCoherence_BandPlan_h
 
-#include "Acceleration/LeafHistogram.h"
 #include "Scene/Surfaces.h"
-
-#include <cstdint>
 
 namespace TemporalCoherence
 {
 
-/// Chooses bands of isovalues by their cost: wide enough to hold the next isovalues, narrow enough
-/// that nobody has to wait.
+/// Chooses the bands of a drag: how many of its steps they reach ahead, and whether they are worth
+/// their cost at all. It learns from what building and looking up cost, compared with tracing.
+///
+/// Building a band costs a + b times its width. A band of many steps is cheaper for each step, but
+/// a drag may turn before it is used.
 class BandPlan
 {
 public:
-  /// The isovalue that needs a band.
+  /// An isovalue that needs a band.
   struct Wish
   {
-    double Isovalue; ///< that the band must hold
-    double Before;   ///< the previous isovalue: the next ones are expected to continue in this
-                     ///< direction; if it is the same, in both
-    ValueBand Gap;   ///< isovalues around it for which there is no band yet
+    double Isovalue;
+    double Before; ///< the previous one; the same if it did not move
+    double Range;  ///< of all values
   };
 
-  /// Choose a band for a wish, within its gap.
-  /// \param isAhead the band should also hold the next isovalues, if the drag goes on
-  ValueBand Choose(const Wish& wish, const LeafHistogram& leaves, bool isAhead) const;
+  /// True if the isovalue moves by more than a step of a drag. Nobody knows where it goes next.
+  static bool IsJump(const Wish& wish);
 
-  /// Learn from a band that was built: the next one may be up to twice as wide, or narrower.
-  /// \param cellsRead to build it
-  /// \param coldCells that a frame without an isomap reads
-  void Learn(const ValueBand& band, std::int64_t cellsRead, std::int64_t coldCells);
+  /// The band from the isovalue on. If it does not move, a narrow one around it.
+  ValueBand Choose(const Wish& wish) const;
 
-  /// A band took too much time or memory: the next one is as narrow as possible, and some after it
-  /// do not look ahead.
-  void Shorten();
+  /// The same by rule, not by what was learnt.
+  static ValueBand ChooseFixed(const Wish& wish);
+
+  /// True if the band chosen for a wish is expected to save time.
+  bool IsWorthIt(const Wish& wish) const;
+
+  /// Expected cost of building the band of a wish and looking up its first isovalue; and of any
+  /// other look-up. Tracing costs 1.
+  double BuildCost(const Wish& wish) const;
+  double LookUpCost() const { return this->LookUp; }
+
+  /// Costs that were measured in a frame.
+  struct Measured
+  {
+    double Width = 0.0;        ///< of the bands built, as a share of the range
+    double Built = 0.0;        ///< groups built and looked up
+    double TracingBuilt = 0.0; ///< what tracing these groups costs
+    double LookedUp = 0.0;     ///< groups looked up
+    double TracingFound = 0.0; ///< what tracing these groups costs
+    double TracingAll = 0.0;   ///< what tracing all groups costs
+    bool IsMemoryFull = false; ///< the bands did not fit
+  };
+  void Learn(const Measured& measured);
 
 private:
-  double WidthAhead(const Wish& wish, const LeafHistogram& leaves) const;
+  double CostOf(double width) const;
+  double StepsFor(const Wish& wish) const;
 
-  double Width = 0.0; ///< of the next band; 0: no band was built yet
-  int Careful = 0;    ///< number of bands that will not look ahead
+  /// Sums of a linear regression of the cost by the width, the latest frames first: weight, width,
+  /// width squared, cost, cost times width.
+  struct Sums
+  {
+    double Weight, Width, WidthSquared, Cost, CostWidth;
+
+    void Add(double weight, double width, double cost);
+    void Fade(double by);
+  };
+
+  Sums Known{};
+  double LookUp = 0.5;
+  double MemoryShare = 1.0; ///< of the steps that the memory allows
 };
 
 }

@@ -3,23 +3,43 @@
 #ifndef TemporalCoherence_Isomap_h
 #define TemporalCoherence_Isomap_h
 
-#include "Acceleration/ValueRangePyramid.h"
 #include "Isomap/KnotCollector.h"
 #include "Isomap/Knots.h"
+#include "Isomap/TileGroups.h"
 #include "Scene/FrameKey.h"
-#include "Scene/Progress.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
+#include <functional>
 #include <vector>
 
 namespace TemporalCoherence
 {
 
+/// The knots of a group of tiles for a band of isovalues.
+struct GroupBand
+{
+  ValueBand Values{ 1.0, 0.0 };
+  /// By number of the tile in its group, and of the piece of its rays. Empty if no ray meets any
+  /// isovalue of the band.
+  std::vector<TileKnots> Tiles{};
+  std::size_t Memory = 0; ///< bytes
+  std::size_t NumberOfKnots = 0;
+  std::uint64_t LastUse = 0; ///< number of the frame
+  std::uint64_t Made = 0;    ///< number of the frame
+  bool IsAsked = false;      ///< the user asked for its range
+
+  /// What the rays of a tile know, for each of their pieces; null if they meet nothing.
+  const TileKnots* At(std::size_t tileInGroup, std::size_t pieces) const
+  {
+    return this->Tiles.empty() ? nullptr : this->Tiles.data() + tileInGroup * pieces;
+  }
+};
+
 /// For one view: where the ray of each pixel first passes each isovalue.
 ///
-/// An isomap is made of bands of isovalues, each built when it is first needed.
+/// Every group of tiles has bands of isovalues of its own, each built when the group had the time
+/// for it.
 class Isomap
 {
 public:
@@ -32,45 +52,13 @@ public:
     bool HasNormals = false; ///< store normals, to interpolate between them
   };
 
-  /// A band of isovalues of the view.
-  struct Band
-  {
-    ValueBand Values;
-    bool HasNormals = false;
-    std::vector<TileKnots> Tiles; ///< by number of the tile, and of the piece of its rays
-    std::size_t Pieces = 1;       ///< that a ray may have in the region
-    std::size_t Memory = 0;       ///< bytes
-    std::size_t NumberOfKnots = 0;
-    std::int64_t CellsRead = 0; ///< to build it
-    std::uint64_t LastUse = 0;
-
-    /// What the rays of a tile know, for each of their pieces.
-    TileKnots* At(std::int64_t tile)
-    {
-      return this->Tiles.data() + static_cast<std::size_t>(tile) * this->Pieces;
-    }
-    const TileKnots* At(std::int64_t tile) const
-    {
-      return this->Tiles.data() + static_cast<std::size_t>(tile) * this->Pieces;
-    }
-    bool IsEmpty(std::int64_t tile) const;
-  };
-
+  /// How the building of a range ended.
   enum class Outcome : std::uint8_t
   {
     Built,
     Stopped,   ///< by the progress report
-    TooLarge,  ///< the band alone would exceed the limit of memory
-    TooCostly, ///< it would read too many cells
+    TooLarge,  ///< it would exceed the limit of memory
     Impossible ///< there are no isovalues, no cells, too many cells, or no BandTracer
-  };
-
-  /// Limits for building a band.
-  struct Limits
-  {
-    std::size_t Memory;     ///< limit of all bands together, in bytes
-    double Cells;           ///< limit of cells to read; decided by an estimate after a part of them
-    double Patience = 0.05; ///< seconds between reports, plus the time to finish the tiles in work
   };
 
   /// Tolerances below this, in voxels, count as 0. Distances are stored in single precision, which
@@ -89,64 +77,83 @@ public:
   /// True if the kind of a field has isomaps, and its cell indices fit into knots.
   static bool CanHold(const Field& field);
 
+  /// Bytes that the isomap of a view takes without any band.
+  static std::size_t FixedMemory(const FrameKey& key);
+
   /// True if this isomap belongs to the view, data and mode of a frame, and has the form that the
   /// options ask for.
   bool IsOf(const FrameKey& key, const Options& options) const;
 
   /// Begin an empty isomap for a frame's view, data and mode.
+  /// \throws std::bad_alloc; the isomap is then released
   void Begin(const FrameKey& key, const Options& options);
 
   /// Reassign the isomap from the field `before` to `now`, whose samples are equal but lie
   /// elsewhere.
   void MoveTo(const Field& now, const Field& before);
 
+  void Release() { *this = Isomap(); }
+
+  /// The frame that it was begun with.
+  const FrameKey& FirstKey() const { return this->Key; }
+  const KnotForm& Form() const { return this->KnotsAre; }
+
   /// Largest error in the distance of looked-up surfaces; 0: they are exact.
-  double Tolerance() const { return this->Form.Tolerance; }
+  double Tolerance() const { return this->KnotsAre.Tolerance; }
 
-  /// Trace a band and add it. Least recently used bands are dropped if the memory limit requires
-  /// it.
-  /// \param pyramid of the frame's field
-  /// \throws std::bad_alloc; the isomap is then unchanged, except for dropped bands
-  Outcome Build(const ValueBand& band, const ValueRangePyramid& pyramid, const Limits& limits,
-    const ReportProgress& report);
+  /// Pieces that a ray may have in the region.
+  std::size_t Pieces() const;
 
-  /// The gap between bands around an isovalue without a band; infinite on a side without bands.
-  ValueBand GapAround(double isovalue) const;
+  std::size_t Size() const { return this->Groups.size(); }
 
-  /// Drop bands until they take at most this many bytes.
-  void Trim(std::size_t limit)
-  {
-    this->MakeRoom(0, limit);
-    this->Dropped &= limit > 0; // without a limit nobody wants an isomap
-  }
+  /// The band of a group that holds an isovalue, or null.
+  const GroupBand* Find(std::size_t group, double isovalue) const;
 
-  /// The band that holds an isovalue, or null. Marks the band as used.
-  const Band* Use(double isovalue);
+  /// True if a group has a band for each isovalue.
+  bool Covers(std::size_t group, const std::vector<double>& isovalues) const;
 
-  /// True if there is a band for each isovalue.
+  /// True if every group does.
   bool Covers(const std::vector<double>& isovalues) const;
 
-  const std::vector<std::shared_ptr<Band>>& Bands() const { return this->BuiltBands; }
+  /// True if every group has a band that holds all of these isovalues.
+  bool Holds(const ValueBand& values) const;
 
-  /// True if a band was dropped because of the memory limit.
-  bool HasDropped() const { return this->Dropped; }
+  /// Add a band to a group. Different groups may get theirs at the same time; Count() comes after
+  /// that.
+  /// \throws std::bad_alloc; nothing is changed
+  void Add(std::size_t group, GroupBand&& band);
 
-  std::size_t MemoryInBytes() const;
-  std::size_t NumberOfKnots() const;
+  /// Mark the bands in which the isovalues of a frame are looked up.
+  void MarkUsed(const std::vector<double>& isovalues, std::uint64_t frame);
 
-  void Release();
+  /// Tells some bands from others.
+  using Which = std::function<bool(const GroupBand&)>;
+
+  /// Bytes of some of the bands.
+  std::size_t MemoryOf(const Which& which) const;
+
+  /// Drop some of the bands, the least recently used ones first, until all of these together take
+  /// at most `limit` bytes.
+  /// \return true if any was dropped
+  bool Trim(std::size_t limit, const Which& which);
+
+  /// Drop some bands.
+  void Drop(const Which& which);
+
+  /// Bytes of all bands, and of what holds them.
+  std::size_t MemoryInBytes() const { return this->Memory; }
+  std::size_t NumberOfKnots() const { return this->Knots; }
+  std::size_t NumberOfBands() const { return this->Bands; }
+
+  /// Count memory and knots again.
+  void Count();
 
 private:
-  struct BandSource;
-
-  bool MakeRoom(std::size_t bytes, std::size_t limit);
-
   FrameKey Key;
-  KnotForm Form;
+  KnotForm KnotsAre;
   bool IsBegun = false;
-  bool Dropped = false;
-  std::uint64_t Uses = 0;
-  std::vector<std::shared_ptr<Band>> BuiltBands;
+  std::vector<std::vector<GroupBand>> Groups;
+  std::size_t Memory = 0, Knots = 0, Bands = 0;
 };
 
 }

@@ -3,12 +3,11 @@
 #ifndef TemporalCoherence_IsomapBuilder_h
 #define TemporalCoherence_IsomapBuilder_h
 
-#include "Acceleration/LeafHistogram.h"
 #include "Acceleration/ValueRangePyramid.h"
-#include "ImageCache/ImageCache.h"
-#include "Isomap/BandPlan.h"
+#include "Isomap/FrameBands.h"
 #include "Isomap/Isomap.h"
 #include "Scene/FrameKey.h"
+#include "Scene/Progress.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -18,14 +17,18 @@
 namespace TemporalCoherence
 {
 
-/// Builds the isomap of one view, band by band as isovalues need them.
+/// Holds the isomap of one view: begins it, and builds the ranges that the user asks for.
 class IsomapBuilder
 {
 public:
   /// The isomap of the view in which isovalues last changed.
   const Isomap& Built() const { return this->Map; }
+  Isomap& ToBuild() { return this->Map; }
 
-  /// True if there is a band for each isovalue of a frame.
+  /// The drag of isovalues in this view.
+  DragState& Drag() { return this->State; }
+
+  /// True if there are bands for all isovalues of a frame in the whole picture.
   bool Covers(const FrameKey& key, const Isomap::Options& options) const
   {
     return this->Map.IsOf(key, options) && this->Map.Covers(key.Isosurfaces.Isovalues) &&
@@ -35,71 +38,58 @@ public:
   /// True if building bands for a frame may succeed.
   bool CanBuild(const FrameKey& key, const Isomap::Options& options) const;
 
-  /// The cost of a frame without an isomap.
-  struct ColdFrame
-  {
-    std::int64_t CellsRead = 0;
-    Surfaces Isosurfaces;
-  };
-
-  /// Build the missing bands for a frame.
-  /// \param last frame: the isovalues that a drag comes from, and where rays may start
+  /// Begin the isomap of a frame's view, if that has none, and build the range that the user asks
+  /// for if it holds an isovalue of the frame.
+  /// \return TooLarge if not even an empty isomap fits the memory limit. A range that is too large
+  ///         is no reason not to use the isomap
   /// \throws std::bad_alloc
-  Isomap::Outcome Build(const FrameKey& key, const Isomap::Options& options,
-    const CachedImage& last, const ValueRangePyramid& pyramid, const ColdFrame& cold,
-    const ReportProgress& report);
+  Isomap::Outcome Prepare(const FrameKey& key, const Isomap::Options& options,
+    const ValueRangePyramid& pyramid, const ReportProgress& report);
 
-  /// Cells that the last call of Build read.
+  /// Build the range that the user asks for, and narrow bands around the isovalues outside of it.
+  /// \throws std::bad_alloc
+  Isomap::Outcome BuildAhead(const FrameKey& key, const Isomap::Options& options,
+    const ValueRangePyramid& pyramid, const ReportProgress& report);
+
+  /// Cells that the last call of Prepare or BuildAhead read.
   std::int64_t CellsRead() const { return this->Cells; }
 
-  /// The bands for the isovalues of a frame. \pre Covers(key)
-  std::vector<const Isomap::Band*> BandsFor(const FrameKey& key);
+  /// True if the memory limit was too low for what was needed last.
+  bool IsTooLarge() const { return this->FailedLimit > 0 || this->FailedRange > 0; }
 
-  /// True if the memory limit was too low for the bands that were needed last.
-  bool IsTooLarge() const { return this->FailedLimit > 0; }
+  /// True if bands were dropped because of the user's limit of memory.
+  bool HasDropped() const { return this->State.HasDropped; }
 
   /// Build no more bands for this view: memory ran out.
   void GiveUp() { this->FailedLimit = std::numeric_limits<std::size_t>::max(); }
 
-  /// Begin anew if the bands for a frame do not hold the range that the options ask for.
-  void DropNarrowBands(
-    const FrameKey& key, const Isomap::Options& options, const ValueRangePyramid& pyramid);
-
   /// Drop bands until they take at most this many bytes.
-  void Trim(std::size_t limit) { this->Map.Trim(limit); }
+  void Trim(std::size_t limit);
 
   /// Reassign the isomap from the field `before` to `now`, whose samples are equal but lie
   /// elsewhere.
   void MoveTo(const Field& now, const Field& before) { this->Map.MoveTo(now, before); }
 
   /// The data has changed.
-  void Release() { *this = IsomapBuilder(); }
+  void Release();
 
 private:
-  /// What bands are built from.
-  struct Context
-  {
-    const Isomap::Options& Options;
-    const std::vector<double>& IsovaluesBefore;
-    const ValueRangePyramid& Pyramid;
-    const ColdFrame& Cold;
-    const ReportProgress& Report;
-  };
-
   /// True if layers behind a looked-up surface could not be found: its distance is not exact.
   static bool IsTooCoarse(const FrameKey& key, const Isomap::Options& options)
   {
     return Isomap::FormFor(key, options).Tolerance > 0.0 && key.Isosurfaces.IsTranslucent();
   }
 
-  std::int64_t ColdCellsAt(double isovalue, const ColdFrame& cold) const;
-  Isomap::Outcome BuildFor(double isovalue, const Context& context);
-  BandPlan::Wish WishFor(double isovalue, const std::vector<double>& before) const;
+  bool Begin(const FrameKey& key, const Isomap::Options& options);
+  void ForgetIfEmpty();
+  Isomap::Outcome Build(const ValueBand& band, const FrameKey& key, const Isomap::Options& options,
+    const ValueRangePyramid& pyramid, const ReportProgress& report);
 
   Isomap Map;
-  BandPlan Plan;
-  LeafHistogram Leaves;        ///< of the data's pyramid; made on first use
-  std::size_t FailedLimit = 0; ///< memory limit that not even a narrow band fitted
+  DragState State;
+  std::size_t FailedLimit = 0; ///< memory limit that not even an empty isomap fitted
+  std::size_t FailedRange = 0; ///< memory limit that the range asked for did not fit
+  ValueBand TooLargeRange{ 1.0, 0.0 };
   std::int64_t Cells = 0;
 };
 

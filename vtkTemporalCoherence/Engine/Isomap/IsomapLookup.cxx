@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <new>
 
 #include <hwy/base.h>
 
@@ -88,40 +89,73 @@ glm::vec3 NormalInCells(const CellKnots& table, const PackedNormal* normals, std
 
 }
 
-IsomapLookup::IsomapLookup(const FrameKey& key, const std::vector<const Isomap::Band*>& bands,
-  double tolerance, const glm::dvec2& finiteRange)
+IsomapLookup::IsomapLookup(const FrameKey& key, const Isomap& map, const glm::dvec2& finiteRange)
   : Key(key)
-  , Tolerance(tolerance)
-  , HasNormals(!bands.empty() && bands[0]->HasNormals)
+  , Map(map)
+  , FiniteRange(finiteRange)
+  , Tolerance(map.Tolerance())
+  , HasNormals(map.Form().HasNormals)
+  , Pieces(map.Pieces())
   , Rays(key.View, key.Transform, key.Samples.Dimensions, key.Region)
   , Rules(key.Isosurfaces, key.Samples.Hidden != nullptr)
   , Tracer(SurfaceTracer::Make({ key.Samples, key.Isosurfaces, finiteRange, nullptr }))
 {
-  for (std::size_t surface = 0; surface < bands.size(); ++surface)
-  {
-    const ValueBand& values = bands[surface]->Values;
-    const BandScale scale(key.Samples.Type, values, finiteRange);
-    IsovalueKeys keys{ bands[surface], {}, {} };
-    for (const ValueDirection direction : { ValueDirection::Rising, ValueDirection::Falling })
-    {
-      const double progress =
-        scale.Progress(direction, scale.DifferenceOf(key.Isosurfaces.Isovalues[surface]));
-      keys.Progress[static_cast<std::size_t>(direction)] =
-        scale.Unit > 0.0 ? progress / scale.Unit : 0.0;
-      keys.Key[static_cast<std::size_t>(direction)] = scale.KeyOf(progress);
-    }
-    this->Isovalues.push_back(keys);
-  }
 }
 
-TraceCounts IsomapLookup::LookUpTile(std::int64_t tile, const PixelRect& part, Frame& frame,
-  std::uint64_t& unresolved, TileHits& tileHits) const
+bool IsomapLookup::FindBands(std::size_t group, std::vector<IsovalueKeys>& keys) const
+try
+{
+  keys.clear();
+  for (const double isovalue : this->Key.Isosurfaces.Isovalues)
+  {
+    const GroupBand* const band = this->Map.Find(group, isovalue);
+    if (!band)
+    {
+      return false;
+    }
+    IsovalueKeys found{ band, {}, {} };
+    const BandScale scale(this->Key.Samples.Type, band->Values, this->FiniteRange);
+    for (const ValueDirection direction : { ValueDirection::Rising, ValueDirection::Falling })
+    {
+      const double progress = scale.Progress(direction, scale.DifferenceOf(isovalue));
+      found.Progress[static_cast<std::size_t>(direction)] =
+        scale.Unit > 0.0 ? progress / scale.Unit : 0.0;
+      found.Key[static_cast<std::size_t>(direction)] = scale.KeyOf(progress);
+    }
+    keys.push_back(found);
+  }
+  return true;
+}
+catch (const std::bad_alloc&)
+{
+  return false;
+}
+
+const TileKnots* IsomapLookup::KnotsOf(const IsovalueKeys& keys, std::int64_t tile) const
+{
+  return keys.Band->At(static_cast<std::size_t>(tile % TileGrain), this->Pieces);
+}
+
+/// True if no ray of a tile meets an isovalue of any of the bands.
+bool IsomapLookup::IsMiss(std::int64_t tile, const std::vector<IsovalueKeys>& keys) const
+{
+  return std::all_of(keys.begin(), keys.end(),
+    [&](const IsovalueKeys& each)
+    {
+      const TileKnots* const knots = this->KnotsOf(each, tile);
+      return !knots ||
+        std::all_of(
+          knots, knots + this->Pieces, [](const TileKnots& piece) { return piece.IsEmpty(); });
+    });
+}
+
+TraceCounts IsomapLookup::LookUpTile(std::int64_t tile, const PixelRect& part,
+  const std::vector<IsovalueKeys>& keys, Frame& frame, std::uint64_t& unresolved,
+  TileHits& tileHits) const
 {
   TraceCounts counts;
   unresolved = 0;
-  const bool isMiss = std::all_of(this->Isovalues.begin(), this->Isovalues.end(),
-    [tile](const IsovalueKeys& keys) { return keys.Band->IsEmpty(tile); });
-  if (isMiss)
+  if (this->IsMiss(tile, keys))
   {
     StoreMisses(tile, part, this->Key.View.Parallel, frame);
     counts.DefiniteMisses += static_cast<std::int64_t>(part.Size.x) * part.Size.y;
@@ -130,7 +164,7 @@ TraceCounts IsomapLookup::LookUpTile(std::int64_t tile, const PixelRect& part, F
   frame.ClearTiles[static_cast<std::size_t>(tile)] = 0;
   RayBatch& rays = tileHits.Rays;
   this->Rays.SetUp(part.First, part.Size, rays, &tileHits.World);
-  Found found(tileHits.Hits);
+  Found found(keys, tileHits.Hits);
   found.Hits.Clear(rays.Count);
   if (this->Rays.Clipper.HasPieces())
   {
@@ -196,9 +230,14 @@ void IsomapLookup::FindInPieces(std::int64_t tile, const RayBatch& rays, Found& 
 void IsomapLookup::FindSurfaces(
   std::int64_t tile, std::size_t piece, const RayBatch& rays, Found& found) const
 {
-  for (std::size_t surface = 0; surface < this->Isovalues.size(); ++surface)
+  for (std::size_t surface = 0; surface < found.Isovalues.size(); ++surface)
   {
-    const TileKnots& knots = this->Isovalues[surface].Band->At(tile)[piece];
+    const TileKnots* const ofPieces = this->KnotsOf(found.Isovalues[surface], tile);
+    if (!ofPieces)
+    {
+      continue;
+    }
+    const TileKnots& knots = ofPieces[piece];
     RayBatch::Array<std::uint8_t> directions;
     const std::uint64_t which = this->BeginOn(surface, knots, rays, directions, found);
     if (this->Tolerance > 0.0)
@@ -219,7 +258,7 @@ std::uint64_t IsomapLookup::BeginOn(std::size_t surface, const TileKnots& knots,
 {
   const auto rising = static_cast<std::size_t>(ValueDirection::Rising);
   const auto falling = static_cast<std::size_t>(ValueDirection::Falling);
-  const IsovalueKeys& keys = this->Isovalues[surface];
+  const IsovalueKeys& keys = found.Isovalues[surface];
   found.Unresolved |= knots.Unresolved & found.Wanted;
   directions.fill(static_cast<std::uint8_t>(rising));
   std::uint64_t which = ~knots.Unresolved & found.Wanted;
@@ -253,10 +292,10 @@ std::uint64_t IsomapLookup::BeginOn(std::size_t surface, const TileKnots& knots,
 /// Find the first knot of each ray at a key or behind it.
 /// \param cells   gets the cells of these knots
 /// \param places  gets the places of knots in their tables
-void IsomapLookup::FindKnots(std::uint64_t which, const RayBatch::Array<std::uint8_t>& directions,
-  const TileKnots& knots, CellList& cells, RayBatch::Array<std::size_t>& places) const
+void IsomapLookup::FindKnots(const IsovalueKeys& keys, std::uint64_t which,
+  const RayBatch::Array<std::uint8_t>& directions, const TileKnots& knots, CellList& cells,
+  RayBatch::Array<std::size_t>& places)
 {
-  const IsovalueKeys& keys = this->Isovalues[cells.Surface];
   std::array<KnotColumns, NumberOfDirections> columns;
   for (std::size_t direction = 0; direction < NumberOfDirections; ++direction)
   {
@@ -293,7 +332,7 @@ void IsomapLookup::FindInCells(std::size_t surface, std::uint64_t which,
   CellList cells;
   cells.Surface = surface;
   RayBatch::Array<std::size_t> places;
-  this->FindKnots(which & RaysOf(rays), directions, knots, cells, places);
+  FindKnots(found.Isovalues[surface], which & RaysOf(rays), directions, knots, cells, places);
   if (cells.Count > 0)
   {
     found.Unresolved |= this->Tracer->SearchCells(rays, cells, hits);
@@ -305,7 +344,7 @@ void IsomapLookup::FindInCells(std::size_t surface, std::uint64_t which,
     {
       const CellKnots& table = knots.Cells[direction];
       found.Normals[ray] = NormalInCells(table, knots.Normals[direction].Get<0>(), table.Begin(ray),
-        places[i], this->Isovalues[surface].Key[direction]);
+        places[i], found.Isovalues[surface].Key[direction]);
     }
   }
 }
@@ -314,7 +353,7 @@ void IsomapLookup::FindInFittedKnots(std::size_t surface, std::uint64_t which,
   const RayBatch::Array<std::uint8_t>& directions, const RayBatch& rays, const TileKnots& knots,
   Found& found) const
 {
-  const IsovalueKeys& keys = this->Isovalues[surface];
+  const IsovalueKeys& keys = found.Isovalues[surface];
   HitBatch& hits = found.Hits;
   for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
   {

@@ -25,46 +25,46 @@ class IsomapLookup
 {
 public:
   /// The arguments must outlive this.
-  /// \param bands       for each isovalue of the key the band that holds it
+  /// \param map         of the view of the key
   /// \param finiteRange smallest and largest finite sample
   /// \throws std::bad_alloc
-  IsomapLookup(const FrameKey& key, const std::vector<const Isomap::Band*>& bands, double tolerance,
-    const glm::dvec2& finiteRange);
+  IsomapLookup(const FrameKey& key, const Isomap& map, const glm::dvec2& finiteRange);
 
-  /// Look up the rays through `part`, which is tile number `tile`, and write their planes: definite
-  /// hits and misses, and caps, which are possible hits. If knots have normals, those of definite
-  /// hits are written, too. Thread-safe.
-  /// \param unresolved gets one bit for each ray that must be traced instead: its isovalue is too
-  ///                   close to a value that the ray barely reaches. Its planes are undefined.
-  /// \param tileHits   gets the rays and their hits; unchanged in a tile without any
-  TraceCounts LookUpTile(std::int64_t tile, const PixelRect& part, Frame& frame,
-    std::uint64_t& unresolved, TileHits& tileHits) const;
-
-  /// The same, if nobody needs the hits but the planes.
-  TraceCounts LookUpTile(
-    std::int64_t tile, const PixelRect& part, Frame& frame, std::uint64_t& unresolved) const
-  {
-    TileHits tileHits;
-    return this->LookUpTile(tile, part, frame, unresolved, tileHits);
-  }
-
-private:
-  /// An isovalue and its band.
+  /// An isovalue in a band.
   struct IsovalueKeys
   {
-    const Isomap::Band* Band;
+    const GroupBand* Band;
     std::array<BandScale::Key, NumberOfDirections> Key; ///< of the isovalue, in each direction
     std::array<double, NumberOfDirections> Progress;    ///< the same, as stored
   };
 
+  /// The isovalues of the frame in the bands of a group of tiles.
+  /// \param keys gets one for each isovalue
+  /// \return false if a band is missing, or memory runs out
+  bool FindBands(std::size_t group, std::vector<IsovalueKeys>& keys) const;
+
+  /// Look up the rays through `part`, which is tile number `tile`, and write their planes: definite
+  /// hits and misses, and caps, which are possible hits. If knots have normals, those of definite
+  /// hits are written, too. Thread-safe.
+  /// \param keys       of the tile's group
+  /// \param unresolved gets one bit for each ray that must be traced instead: its isovalue is too
+  ///                   close to a value that the ray barely reaches. Its planes are undefined.
+  /// \param tileHits   gets the rays and their hits; unchanged in a tile without any
+  TraceCounts LookUpTile(std::int64_t tile, const PixelRect& part,
+    const std::vector<IsovalueKeys>& keys, Frame& frame, std::uint64_t& unresolved,
+    TileHits& tileHits) const;
+
+private:
   /// What was found in a tile.
   struct Found
   {
-    explicit Found(HitBatch& hits)
-      : Hits(hits)
+    Found(const std::vector<IsovalueKeys>& isovalues, HitBatch& hits)
+      : Isovalues(isovalues)
+      , Hits(hits)
     {
     }
 
+    const std::vector<IsovalueKeys>& Isovalues;
     HitBatch& Hits;
     std::uint64_t Wanted = ~std::uint64_t(0); ///< one bit for each ray that is looked up
     std::uint64_t Unresolved = 0;
@@ -75,8 +75,9 @@ private:
   void FindSurfaces(std::int64_t tile, std::size_t piece, const RayBatch& rays, Found& found) const;
   std::uint64_t BeginOn(std::size_t surface, const TileKnots& knots, const RayBatch& rays,
     RayBatch::Array<std::uint8_t>& directions, Found& found) const;
-  void FindKnots(std::uint64_t which, const RayBatch::Array<std::uint8_t>& directions,
-    const TileKnots& knots, CellList& cells, RayBatch::Array<std::size_t>& places) const;
+  static void FindKnots(const IsovalueKeys& keys, std::uint64_t which,
+    const RayBatch::Array<std::uint8_t>& directions, const TileKnots& knots, CellList& cells,
+    RayBatch::Array<std::size_t>& places);
   void FindInCells(std::size_t surface, std::uint64_t which,
     const RayBatch::Array<std::uint8_t>& directions, const RayBatch& rays, const TileKnots& knots,
     Found& found) const;
@@ -85,11 +86,16 @@ private:
     Found& found) const;
   void StoreNormals(const RayBatch& rays, const Found& found, Frame& frame) const;
 
+  const TileKnots* KnotsOf(const IsovalueKeys& keys, std::int64_t tile) const;
+  bool IsMiss(std::int64_t tile, const std::vector<IsovalueKeys>& keys) const;
+
   const FrameKey& Key;
+  const Isomap& Map;
+  glm::dvec2 FiniteRange;
   double Tolerance;
   bool HasNormals;
+  std::size_t Pieces;
   RaySource Rays;
-  std::vector<IsovalueKeys> Isovalues;
   HitRules Rules;
   std::shared_ptr<const SurfaceTracer> Tracer;
 };

@@ -24,7 +24,8 @@ bool FrameRenderer::Render(
   statistics.Rays = static_cast<std::int64_t>(key.View.Size.x) * key.View.Size.y;
   {
     Stopwatch watch(statistics.FrameTime);
-    FrameTask task{ key, options, this->Store, this->Structures, statistics, report };
+    FrameTask task{ key, options, this->Store, this->Structures, statistics, report,
+      &this->Map.Drag().Costs };
 
     // The samples may have changed or moved in memory: structures and pictures follow.
     {
@@ -76,7 +77,7 @@ bool FrameRenderer::Make(Route& route, FrameTask& task, CachedImage* nearest)
       ShadeAgain(task);
       return true;
     case Route::IsomapLookup:
-      return LookUp(task, this->Map, this->UnresolvedRays);
+      return this->LookUpAll(route, task);
     case Route::IsomapBuild:
       task.Report = report;
       return this->BuildAndLookUp(route, task);
@@ -98,10 +99,6 @@ void FrameRenderer::Finish(Route route, const FrameTask& task)
   if (route == Route::Redisplay || route == Route::Reshade)
   {
     return;
-  }
-  if (route == Route::Cold)
-  {
-    this->Cold = { task.CellsRead, task.Key.Isosurfaces };
   }
   this->Store.Finish(task.Options.Images);
   this->LastForm = Isomap::FormFor(task.Key, task.Options.Map);
@@ -130,20 +127,20 @@ Route FrameRenderer::ChooseRoute(const FrameKey& key, const Options& options, bo
   return PlanRoute(last.Key, key, switches, held);
 }
 
-/// Build the bands that the frame needs and look them up. If that is impossible, take the next best
-/// route.
+/// Build the range that the user asks for, if there is one; then look the frame up, building bands
+/// where they are missing. If that is impossible, take the next best route.
 bool FrameRenderer::BuildAndLookUp(Route& route, FrameTask& task)
 {
   const ReportProgress report = task.Report;
   task.Report = PartOf(report, 0.0, ShareOfBuilding);
-  const Isomap::Outcome outcome = this->BuildBands(task);
+  const Isomap::Outcome outcome = this->PrepareIsomap(task);
   task.Report = task.Options.ReportsTiles ? PartOf(report, ShareOfBuilding, 1.0) : ReportProgress();
   switch (outcome)
   {
     case Isomap::Outcome::Stopped:
       return false;
     case Isomap::Outcome::Built:
-      return LookUp(task, this->Map, this->UnresolvedRays);
+      return this->LookUpAll(route, task);
     default:
       route = this->ChooseRoute(task.Key, task.Options, false);
       route = route == Route::IsomapBuild ? Route::Cold : route;
@@ -151,14 +148,23 @@ bool FrameRenderer::BuildAndLookUp(Route& route, FrameTask& task)
   }
 }
 
-Isomap::Outcome FrameRenderer::BuildBands(FrameTask& task)
+/// Make a frame from the isomap. Its route is IsomapBuild if some of it had to be built.
+bool FrameRenderer::LookUpAll(Route& route, FrameTask& task)
+{
+  bool isBuilding = route == Route::IsomapBuild;
+  const bool isMade = LookUp(task, this->Map, this->UnresolvedRays, isBuilding);
+  route = isBuilding ? Route::IsomapBuild : Route::IsomapLookup;
+  return isMade;
+}
+
+Isomap::Outcome FrameRenderer::PrepareIsomap(FrameTask& task)
 {
   Stopwatch watch(task.Statistics.IsomapBuildTime);
   Isomap::Outcome outcome = Isomap::Outcome::TooLarge;
   try
   {
-    outcome = this->Map.Build(task.Key, task.Options.Map, this->Store.Last(),
-      this->Structures.Pyramid(), this->Cold, task.Report);
+    outcome =
+      this->Map.Prepare(task.Key, task.Options.Map, this->Structures.Pyramid(), task.Report);
     task.Statistics.FieldSamples += 8 * this->Map.CellsRead();
   }
   catch (const std::bad_alloc&)
@@ -176,16 +182,22 @@ Isomap::Outcome FrameRenderer::BuildIsomap(
   {
     return Isomap::Outcome::Impossible;
   }
-  FrameStatistics statistics;
-  FrameTask task{ key, options, this->Store, this->Structures, statistics, report };
+  double seconds = 0.0;
+  Isomap::Outcome outcome = Isomap::Outcome::TooLarge;
   {
-    Stopwatch watch(statistics.IsomapBuildTime);
+    Stopwatch watch(seconds);
     this->FollowSamples(key);
     this->PrepareRanges(key);
-    this->Map.DropNarrowBands(key, options.Map, this->Structures.Pyramid());
+    try
+    {
+      outcome = this->Map.BuildAhead(key, options.Map, this->Structures.Pyramid(), report);
+    }
+    catch (const std::bad_alloc&)
+    {
+      this->Map.GiveUp();
+    }
   }
-  const Isomap::Outcome outcome = this->BuildBands(task);
-  this->TimeToBuild = statistics.IsomapBuildTime;
+  this->TimeToBuild = seconds;
   return outcome;
 }
 

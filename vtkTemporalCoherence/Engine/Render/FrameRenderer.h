@@ -68,8 +68,8 @@ public:
   /// Seconds spent on building it: in the last frame or, after that, ahead of the next one.
   double IsomapBuildTime() const { return this->TimeToBuild; }
 
-  /// True if the isomap that was needed last exceeds the memory limit.
-  bool IsIsomapTooLarge() const { return this->Map.IsTooLarge(); }
+  /// True if the memory limit does not suffice for the isomap that was needed last.
+  bool IsIsomapTooLarge() const { return this->Map.IsTooLarge() || this->Map.HasDropped(); }
 
   /// Drop the last frame and free all memory that is not shared.
   void Release();
@@ -80,15 +80,15 @@ private:
   Route ChooseRoute(const FrameKey& key, const Options& options, bool hasImage) const;
   bool Make(Route& route, FrameTask& task, CachedImage* nearest);
   bool BuildAndLookUp(Route& route, FrameTask& task);
-  Isomap::Outcome BuildBands(FrameTask& task);
+  bool LookUpAll(Route& route, FrameTask& task);
+  Isomap::Outcome PrepareIsomap(FrameTask& task);
   void Finish(Route route, const FrameTask& task);
 
   FrameStore Store;
   FrameStructures Structures;
-  SampleComparer Changes;        ///< from the samples of the last frame to those of the next
-  IsomapBuilder Map;             ///< of the view in which isovalues last changed
-  IsomapBuilder::ColdFrame Cold; ///< cost of the last cold frame
-  KnotForm LastForm;             ///< as requested for the last frame
+  SampleComparer Changes; ///< from the samples of the last frame to those of the next
+  IsomapBuilder Map;      ///< of the view in which isovalues last changed
+  KnotForm LastForm;      ///< as requested for the last frame
   std::vector<std::uint64_t> UnresolvedRays; ///< memory of LookUp
   FrameStatistics OfLastFrame;
   double TimeToBuild = 0.0;

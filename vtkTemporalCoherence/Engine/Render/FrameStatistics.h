@@ -20,15 +20,18 @@ struct FrameStatistics
   std::int64_t DefiniteMisses = 0;
   std::int64_t PossibleHits = 0;
   std::int64_t TracedRays = 0;
-  std::int64_t FieldSamples = 0; ///< samples read to find surfaces and to build an isomap
-  double FrameTime = 0.0;        ///< seconds in total
-  double TraceTime = 0.0;        ///< of these, structures and rays
-  double QueryTime = 0.0;        ///< of these, querying the image cache
-  double IsomapBuildTime = 0.0;  ///< of these, building a band of the isomap
-  double ShadeTime = 0.0;        ///< of these, normals and colours
+  std::int64_t FieldSamples = 0;  ///< samples read to find surfaces and to build an isomap
+  std::int64_t TilesLookedUp = 0; ///< in bands of an isomap that were there before
+  std::int64_t TilesBuilt = 0;    ///< looked up in bands that were built for this frame
+  std::int64_t TilesTraced = 0;   ///< on the routes of an isomap
+  double FrameTime = 0.0;         ///< seconds in total
+  double TraceTime = 0.0;         ///< of these, structures and rays
+  double QueryTime = 0.0;         ///< of these, querying the image cache
+  double IsomapBuildTime = 0.0;   ///< of these, building bands of the isomap
+  double ShadeTime = 0.0;         ///< of these, normals and colours
 
-  /// Add the counts of tiles that took `seconds`. Threads query, trace and shade tile by tile, so
-  /// the time is divided by the shares that were measured in some tiles.
+  /// Add the counts of tiles that took `seconds`. Threads build, query, trace and shade tile by
+  /// tile, so the time is divided by the shares that were measured in some tiles.
   void Add(const TraceCounts& counts, double seconds)
   {
     this->DefiniteHits += counts.DefiniteHits;
@@ -36,15 +39,15 @@ struct FrameStatistics
     this->PossibleHits += counts.PossibleHits;
     this->TracedRays += counts.TracedRays;
     this->FieldSamples += 8 * counts.CellsRead;
-    const auto shareOf = [&](std::int64_t time)
-    {
-      return counts.TileTime > 0 ? static_cast<double>(time) / static_cast<double>(counts.TileTime)
-                                 : 0.0;
-    };
-    const double query = shareOf(counts.QueryTime), shade = shareOf(counts.ShadeTime);
-    this->QueryTime += query * seconds;
-    this->ShadeTime += shade * seconds;
-    this->TraceTime += (1.0 - query - shade) * seconds;
+    const auto shareOf = [](std::int64_t time, std::int64_t total)
+    { return total > 0 ? static_cast<double>(time) / static_cast<double>(total) : 0.0; };
+    const double build = shareOf(counts.BuildTime, counts.GroupTime) * seconds;
+    const double query = shareOf(counts.QueryTime, counts.TileTime) * (seconds - build);
+    const double shade = shareOf(counts.ShadeTime, counts.TileTime) * (seconds - build);
+    this->IsomapBuildTime += build;
+    this->QueryTime += query;
+    this->ShadeTime += shade;
+    this->TraceTime += seconds - build - query - shade;
   }
 };
 

@@ -17,7 +17,7 @@ enum class Route : std::uint8_t
   Redisplay,    ///< nothing changed: the same picture
   Reshade,      ///< only the appearance changed: stored hits get new colours
   IsomapLookup, ///< another isovalue in the same view, looked up in the isomap
-  IsomapBuild,  ///< the same, after building the isomap
+  IsomapBuild,  ///< the same, where the isomap lacks tiles: they are built or traced
   ImageCache,   ///< another view: a cached image tells where walks may begin
   TimeStep      ///< other samples in the same view: tiles that they do not affect are copied
 };

@@ -4,16 +4,12 @@
 
 #include "ImageCache/FreeSpaceHint.h"
 #include "ImageCache/PaperHint.h"
-#include "Isomap/IsomapLookup.h"
-#include "Render/TileLoop.h"
-#include "Render/TileTracer.h"
+#include "Render/RouteSteps.h"
 #include "Scene/Stopwatch.h"
 #include "Shade/TileShader.h"
 
 #include <algorithm>
-#include <bitset>
 #include <memory>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -21,50 +17,6 @@ namespace TemporalCoherence
 {
 namespace
 {
-
-/// Fewer rays than this are traced without space leaping: that is faster than finding active cells
-/// first. Measured by the look-ups of `Benchmark --scenarios routes`.
-constexpr std::int64_t FewRays = 256;
-
-/// What views made from the frame may need.
-FrameExtras ExtrasOf(const FrameTask& task)
-{
-  const FrameOptions& options = task.Options;
-  const bool isPaper = options.Accuracy == ReuseAccuracy::Paper;
-  const bool isBounded =
-    options.Accuracy == ReuseAccuracy::Bounded && IsFasterFrom(task.Key, task.Key);
-  const bool isCached = options.Reuse.ImageCache;
-  return { isCached && (isPaper || isBounded), isCached && isBounded };
-}
-
-/// Make room for the frame, and find out where its rays can meet surfaces.
-LeapedSpace Begin(FrameTask& task, bool leaps, const FrameExtras& extras)
-{
-  Stopwatch watch(task.Statistics.TraceTime);
-  if (leaps)
-  {
-    task.Structures.PrepareActiveCells(task.Key);
-  }
-  task.Store.Begin(task.Key, extras);
-  return task.Structures.SpaceToLeap(leaps);
-}
-
-TileScene SceneOf(const FrameTask& task, const LeapedSpace& space, const RayHint* hint)
-{
-  return { task.Key, space.Active, space.Bounds, task.Structures.Pyramid().FiniteRange(), hint };
-}
-
-/// Call work(tile, part, frame) for all tiles of the frame.
-template <typename Work>
-bool WorkOnTiles(FrameTask& task, const ReportProgress& report, const Work& work)
-{
-  Frame& frame = task.Store.Next().Picture;
-  TraceCounts counts;
-  const bool isDone = CountTiles(frame.Size, report, task.Statistics, counts,
-    [&](std::int64_t tile, const PixelRect& part) { return work(tile, part, frame); });
-  task.CellsRead += counts.CellsRead;
-  return isDone;
-}
 
 /// Trace and shade all tiles.
 /// \param shaded  the hits to shade
@@ -114,38 +66,6 @@ bool HasColorsFor(const CachedImage& cached, const FrameKey& next)
   }
   return appearance == next.Appearance && cached.Key.Isosurfaces == next.Isosurfaces &&
     !next.Appearance.ColorByAnswer;
-}
-
-/// Trace the rays that an isomap leaves unresolved, one bit each, tile by tile, and shade these
-/// tiles.
-bool TraceUnresolvedRays(FrameTask& task, const std::vector<std::uint64_t>& unresolved,
-  const TileShader& shader, const ReportProgress& report)
-{
-  const std::int64_t rays = std::accumulate(unresolved.begin(), unresolved.end(), std::int64_t(0),
-    [](std::int64_t sum, std::uint64_t tile)
-    { return sum + static_cast<std::int64_t>(std::bitset<64>(tile).count()); });
-  if (rays == 0)
-  {
-    return true;
-  }
-  const bool leaps = task.Options.SpaceLeaping && rays > FewRays;
-  if (leaps)
-  {
-    task.Structures.PrepareActiveCells(task.Key);
-  }
-  const TileTracer tracer(SceneOf(task, task.Structures.SpaceToLeap(leaps), nullptr));
-  return WorkOnTiles(task, report,
-    [&](std::int64_t tile, const PixelRect& part, Frame& frame)
-    {
-      TraceCounts counts;
-      const std::uint64_t which = unresolved[static_cast<std::size_t>(tile)];
-      if (which != 0)
-      {
-        counts = tracer.TraceSome(tile, part, which, frame);
-        shader.Shade(tile, part, nullptr, frame, counts);
-      }
-      return counts;
-    });
 }
 
 }
@@ -211,38 +131,9 @@ bool TraceChangedTiles(FrameTask& task, const SampleComparer& changes)
   FrameExtras extras = ExtrasOf(task);
   extras.Disparities &= !last.Disparities.empty();
   extras.FirstEntries &= !last.FirstEntries.empty();
+  task.Costs = nullptr; // most are copied
   return TraceTiles(
     task, Begin(task, task.Options.SpaceLeaping, extras), nullptr, HitSet::All, &changes);
-}
-
-bool LookUp(FrameTask& task, IsomapBuilder& map, std::vector<std::uint64_t>& unresolved)
-{
-  const bool hasNormals = task.Options.Map.HasNormals;
-  // A walk is only needed for layers behind translucent surfaces.
-  const bool leaps = task.Options.SpaceLeaping && task.Key.Isosurfaces.IsTranslucent();
-  // A look-up finds no first entries.
-  const LeapedSpace space = Begin(task, leaps, { ExtrasOf(task).Disparities, false });
-  const glm::dvec2& finiteRange = task.Structures.Pyramid().FiniteRange();
-  const double tolerance = map.Built().Tolerance();
-  const IsomapLookup lookup(task.Key, map.BandsFor(task.Key), tolerance, finiteRange);
-  const TileShader shader(
-    task.Key, finiteRange, space, hasNormals ? HitSet::NotDefinite : HitSet::All, HitSet::All);
-  unresolved.resize(static_cast<std::size_t>(NumberOfTiles(task.Key.View.Size)));
-  const bool isLookedUp = WorkOnTiles(task, PartOf(task.Report, 0.0, 0.5),
-    [&](std::int64_t tile, const PixelRect& part, Frame& frame)
-    {
-      std::uint64_t& left = unresolved[static_cast<std::size_t>(tile)];
-      TileHits found;
-      TraceCounts counts = lookup.LookUpTile(tile, part, frame, left, found);
-      if (left == 0)
-      {
-        shader.Shade(tile, part, &found, frame, counts);
-      }
-      return counts;
-    });
-  CachedImage& made = task.Store.Next();
-  made.IsExact = tolerance == 0.0 && !hasNormals;
-  return isLookedUp && TraceUnresolvedRays(task, unresolved, shader, PartOf(task.Report, 0.5, 1.0));
 }
 
 }

@@ -24,8 +24,8 @@ struct FrameTask
   FrameStore& Store;
   FrameStructures& Structures; ///< with the value ranges of the key
   FrameStatistics& Statistics;
-  ReportProgress Report;      ///< called with the progress, if it is not null; may stop the frame
-  std::int64_t CellsRead = 0; ///< by the rays that were traced
+  ReportProgress Report;       ///< called with the progress, if it is not null; may stop the frame
+  GroupCosts* Costs = nullptr; ///< gets the costs of groups of tiles that are traced; or null
 };
 
 // One function for each route. Redisplay and Reshade change the last frame in place. The others
@@ -48,10 +48,14 @@ bool TraceFromImage(FrameTask& task, CachedImage& image);
 /// TimeStep: tiles that no changed sample affects are copied from the last frame.
 bool TraceChangedTiles(FrameTask& task, const SampleComparer& changes);
 
-/// IsomapLookup: hits are looked up, and only unresolved rays are traced.
-/// \param map  covers the isovalues of the key
+/// IsomapLookup and IsomapBuild: hits are looked up in tiles that have bands, and only unresolved
+/// rays are traced. In other tiles bands are built, as long as the frame does not take much longer
+/// than a cold one, or all rays are traced.
+/// \param map  of the view of the key
 /// \param unresolved memory for the unresolved rays of each tile, one bit each
-bool LookUp(FrameTask& task, IsomapBuilder& map, std::vector<std::uint64_t>& unresolved);
+/// \param isBuilding set if some tiles were not looked up in bands that were there before
+bool LookUp(
+  FrameTask& task, IsomapBuilder& map, std::vector<std::uint64_t>& unresolved, bool& isBuilding);
 
 }
 

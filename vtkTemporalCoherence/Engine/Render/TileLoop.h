@@ -3,6 +3,7 @@
 #ifndef TemporalCoherence_TileLoop_h
 #define TemporalCoherence_TileLoop_h
 
+#include "Isomap/TileGroups.h"
 #include "Render/FrameStatistics.h"
 #include "Scene/FramePlanes.h"
 #include "Scene/Parallel.h"
@@ -17,42 +18,60 @@
 namespace TemporalCoherence
 {
 
-/// Call work(tile, part) for each tile of a picture, in parallel, and add up its counts.
-/// \param counts gets the sum, which is also added to the statistics
+/// Call work(tile, part) for each tile of a group, and add up its counts.
+template <typename Work>
+void CountGroup(const glm::ivec2& size, std::size_t group, TraceCounts& counts, const Work& work)
+{
+  const TileRange tiles = TilesOfGroup(size, group);
+  for (std::int64_t tile = tiles.First; tile < tiles.End; ++tile)
+  {
+    std::int64_t nanoseconds = 0;
+    {
+      const TileTimer timer(tile, nanoseconds);
+      counts += work(tile, PixelsOfTile(size, tile));
+    }
+    counts.TileTime += nanoseconds;
+  }
+}
+
+/// Call work(group, counts) for each group of tiles of a picture, in parallel, and then
+/// done(group, nanoseconds).
+/// \param counts gets the sum of what work() adds to its counts, which is also added to the
+///               statistics
 /// \param report is called in this thread with the progress from 0 to 1, before each part of the
 ///               work; threads wait for each other between parts. May be null: there is only one
 ///               part
 /// \return false if the report stopped it
-template <typename Report, typename Work>
-bool CountTiles(const glm::ivec2& size, const Report& report, FrameStatistics& statistics,
-  TraceCounts& counts, const Work& work)
+template <typename Report, typename Work, typename Done>
+bool CountGroups(const glm::ivec2& size, const Report& report, FrameStatistics& statistics,
+  TraceCounts& counts, const Work& work, const Done& done)
 {
   constexpr std::int64_t mostParts = 32;
-  constexpr std::int64_t smallestPart = 16 * TileGrain;
-  const std::int64_t tiles = NumberOfTiles(size);
-  const std::int64_t inPart = report ? std::max(tiles / mostParts, smallestPart) : tiles;
+  constexpr std::int64_t smallestPart = 16;
+  const auto groups = static_cast<std::int64_t>(NumberOfGroups(size));
+  const std::int64_t inPart = report ? std::max(groups / mostParts, smallestPart) : groups;
   double seconds = 0.0;
   std::mutex guard;
   TraceCounts sum;
-  for (std::int64_t first = 0; first < tiles; first += inPart)
+  for (std::int64_t first = 0; first < groups; first += inPart)
   {
-    if (report && !report(static_cast<double>(first) / static_cast<double>(tiles)))
+    if (report && !report(static_cast<double>(first) / static_cast<double>(groups)))
     {
       return false;
     }
     Stopwatch watch(seconds);
-    ParallelForRanges(std::min(inPart, tiles - first), TileGrain,
+    ParallelForRanges(std::min(inPart, groups - first), 1,
       [&](std::int64_t begin, std::int64_t end)
       {
         TraceCounts inRange;
-        for (std::int64_t tile = first + begin; tile < first + end; ++tile)
+        std::int64_t before = TileTimer::Now();
+        for (std::int64_t group = first + begin; group < first + end; ++group)
         {
-          std::int64_t nanoseconds = 0;
-          {
-            const TileTimer timer(tile, nanoseconds);
-            inRange += work(tile, PixelsOfTile(size, tile));
-          }
-          inRange.TileTime += nanoseconds;
+          work(static_cast<std::size_t>(group), inRange);
+          const std::int64_t now = TileTimer::Now();
+          done(static_cast<std::size_t>(group), now - before);
+          inRange.GroupTime += now - before;
+          before = now;
         }
         const std::lock_guard<std::mutex> lock(guard);
         sum += inRange;

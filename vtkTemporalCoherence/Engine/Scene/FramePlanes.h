@@ -22,6 +22,8 @@ struct TraceCounts
   std::int64_t QueryTime = 0; ///< nanoseconds to query a cached image, in tiles that were timed
   std::int64_t ShadeTime = 0; ///< the same for shading
   std::int64_t TileTime = 0;  ///< the same in total
+  std::int64_t BuildTime = 0; ///< nanoseconds to build bands of an isomap, in all groups of tiles
+  std::int64_t GroupTime = 0; ///< the same in total
 
   TraceCounts& operator+=(const TraceCounts& other)
   {
@@ -33,6 +35,8 @@ struct TraceCounts
     this->QueryTime += other.QueryTime;
     this->ShadeTime += other.ShadeTime;
     this->TileTime += other.TileTime;
+    this->BuildTime += other.BuildTime;
+    this->GroupTime += other.GroupTime;
     return *this;
   }
 };

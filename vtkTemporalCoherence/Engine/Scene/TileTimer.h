@@ -29,15 +29,16 @@ public:
   TileTimer(const TileTimer&) = delete;
   TileTimer& operator=(const TileTimer&) = delete;
 
-private:
-  static constexpr std::int64_t TimedTiles = 31;
-
+  /// Nanoseconds of a clock.
   static std::int64_t Now()
   {
     return std::chrono::duration_cast<std::chrono::nanoseconds>(
       std::chrono::steady_clock::now().time_since_epoch())
       .count();
   }
+
+private:
+  static constexpr std::int64_t TimedTiles = 31;
 
   std::int64_t* Nanoseconds;
   std::int64_t Begin;

@@ -1,0 +1,306 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Isomap/FrameBands.h"
+
+#include "Scene/TileTimer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <numeric>
+#include <utility>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+// Measured by the mean and the worst frames of drags, `Benchmark --scenarios isomap`.
+
+/// How much longer a frame may take than if all was traced, as a share; and how much of what
+/// look-ups are expected to save may be spent on that.
+constexpr double AllowedExtra = 0.1, SpentOfSavings = 0.8;
+
+/// If no band is worth its cost, every so many frames that share of the picture is built, to see
+/// whether that has changed.
+constexpr std::uint64_t FramesBetweenProbes = 12;
+constexpr double ShareOfProbe = 0.02;
+
+/// The share of the groups that a frame builds if the picture depends on it.
+constexpr double FixedShare = 1.0 / 12.0;
+
+/// Memory of all bands that nobody asked for, by pixels.
+constexpr std::size_t BytesAPixel = 32;
+
+/// A step from group to group that visits all of `groups`, spread over the picture.
+std::size_t StrideFor(std::size_t groups)
+{
+  std::size_t stride = static_cast<std::size_t>(0.618 * static_cast<double>(groups)) | 1u;
+  while (std::gcd(stride, groups) != 1)
+  {
+    ++stride;
+  }
+  return stride;
+}
+
+bool IsAutomatic(const GroupBand& band)
+{
+  return !band.IsAsked;
+}
+
+}
+
+FrameBands::FrameBands(const Source& source, Isomap& map, DragState& state)
+  : From(source)
+  , Map(map)
+  , State(state)
+  , IsExact(map.Form().Tolerance == 0.0 && !map.Form().HasNormals)
+  , Work(map.Size(), GroupWork::LookUp)
+  , CostNow(map.Size(), 0)
+{
+  const std::vector<double>& isovalues = source.Key.Isosurfaces.Isovalues;
+  ++state.Frame;
+  state.Costs.Resize(map.Size());
+  this->Costs = state.Costs.All();
+  this->CostOfAll = std::accumulate(this->Costs.begin(), this->Costs.end(), 0.0);
+  std::vector<bool> isMissing(isovalues.size(), false);
+  double saved = 0.0;
+  for (std::size_t group = 0; group < map.Size(); ++group)
+  {
+    bool isFound = true;
+    for (std::size_t i = 0; i < isovalues.size(); ++i)
+    {
+      if (!map.Find(group, isovalues[i]))
+      {
+        isMissing[i] = true;
+        isFound = false;
+      }
+    }
+    this->Work[group] = isFound ? GroupWork::LookUp : GroupWork::Trace;
+    saved += isFound ? this->Costs[group] * std::max(1.0 - state.Plan.LookUpCost(), 0.0) : 0.0;
+  }
+  map.MarkUsed(isovalues, state.Frame);
+  this->Builders.resize(isovalues.size());
+
+  double buildCost = 1.0;
+  bool isJump = false, isWorthIt = true;
+  for (std::size_t i = 0; i < isovalues.size(); ++i)
+  {
+    const BandPlan::Wish wish = this->WishFor(isovalues[i]);
+    this->Bands.push_back(this->IsExact ? state.Plan.Choose(wish) : BandPlan::ChooseFixed(wish));
+    if (isMissing[i])
+    {
+      isJump |= BandPlan::IsJump(wish);
+      isWorthIt &= state.Plan.IsWorthIt(wish);
+      buildCost += std::max(state.Plan.BuildCost(wish) - 1.0, 0.1);
+    }
+  }
+  if (this->AreAllFound() || isJump)
+  {
+    return;
+  }
+  double most = SpentOfSavings * saved + AllowedExtra * this->CostOfAll;
+  if (!isWorthIt && this->IsExact)
+  {
+    most = state.Frame % FramesBetweenProbes == 0 ? ShareOfProbe * this->CostOfAll : 0.0;
+  }
+  this->MostExtra = static_cast<std::int64_t>(most);
+  if (most > 0.0)
+  {
+    this->Choose(buildCost - 1.0);
+  }
+}
+
+BandPlan::Wish FrameBands::WishFor(double isovalue) const
+{
+  // Of several previous isovalues, the nearest is taken to be the one that moved.
+  const std::vector<double>& before = this->From.IsovaluesBefore;
+  const auto nearest = std::min_element(before.begin(), before.end(),
+    [isovalue](double a, double b) { return std::abs(a - isovalue) < std::abs(b - isovalue); });
+  const glm::dvec2& range = this->From.Pyramid.FiniteRange();
+  return { isovalue, nearest != before.end() ? *nearest : isovalue, range.y - range.x };
+}
+
+/// Choose groups to build among those that would be traced: in each frame others, spread over the
+/// picture, so that their bands do not all end at the same isovalue.
+/// \param extra expected cost of building a group beyond tracing it, which costs 1
+void FrameBands::Choose(double extra)
+{
+  const std::size_t groups = this->Work.size(), stride = StrideFor(groups);
+  const auto most = static_cast<double>(this->MostExtra);
+  const auto mostGroups =
+    static_cast<std::size_t>(std::ceil(FixedShare * static_cast<double>(groups)));
+  double planned = 0.0;
+  std::size_t count = 0, group = this->State.NextGroup % groups;
+  for (std::size_t i = 0; i < groups; ++i, group = (group + stride) % groups)
+  {
+    if (this->Work[group] != GroupWork::Trace)
+    {
+      continue;
+    }
+    planned += this->Costs[group] * extra;
+    if (count > 0 && (this->IsExact ? planned > most : count >= mostGroups))
+    {
+      break;
+    }
+    this->Work[group] = GroupWork::Build;
+    ++count;
+  }
+  this->State.NextGroup = group;
+  this->MakeRoom(count);
+}
+
+/// Bytes for all bands that nobody asked for.
+std::size_t FrameBands::RoomForAll() const
+{
+  const glm::ivec2& size = this->From.Key.View.Size;
+  const std::size_t pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+  const std::size_t taken = Isomap::FixedMemory(this->From.Key) +
+    this->Map.MemoryOf([](const GroupBand& band) { return band.IsAsked; });
+  const std::size_t limit = this->From.Options.MemoryLimit;
+  return std::min(limit > taken ? limit - taken : 0, BytesAPixel * pixels);
+}
+
+/// Drop bands without the present isovalues if the memory might not suffice for those planned.
+void FrameBands::MakeRoom(std::size_t planned)
+{
+  const std::size_t limit = this->RoomForAll();
+  const auto isIdle = [this](const GroupBand& band)
+  { return !band.IsAsked && band.LastUse != this->State.Frame; };
+  const std::size_t taken = this->Map.MemoryOf(IsAutomatic), idle = this->Map.MemoryOf(isIdle);
+  const double wanted = 1.25 * this->State.BytesOfBand * static_cast<double>(planned);
+  const std::size_t room = limit - std::min(static_cast<std::size_t>(wanted), limit);
+  const std::size_t used = taken - idle;
+  if (this->Map.Trim(room > used ? room - used : 0, isIdle))
+  {
+    this->State.HasDropped |= limit == this->From.Options.MemoryLimit;
+  }
+  const std::size_t left = this->Map.MemoryOf(IsAutomatic);
+  this->Room = limit > left ? limit - left : 0;
+  this->RoomForGroup = this->IsExact ? this->Room : this->Room / std::max<std::size_t>(planned, 1);
+}
+
+std::size_t FrameBands::NumberOf(GroupWork work) const
+{
+  return static_cast<std::size_t>(std::count(this->Work.begin(), this->Work.end(), work));
+}
+
+void FrameBands::MakeBuilders()
+{
+  if (this->NumberOf(GroupWork::Build) == 0)
+  {
+    return;
+  }
+  for (std::size_t i = 0; i < this->Bands.size(); ++i)
+  {
+    this->Builders[i] = std::make_unique<BandBuilder>(
+      this->From.Key, this->Map, this->From.Pyramid, this->Bands[i], this->RoomForGroup);
+  }
+}
+
+GroupWork FrameBands::Prepare(std::size_t group, TraceCounts& counts)
+{
+  GroupWork& work = this->Work[group];
+  if (work == GroupWork::Build)
+  {
+    const std::int64_t begin = TileTimer::Now();
+    const bool mayBuild = !this->IsExact || this->Extra < this->MostExtra;
+    work = mayBuild && this->Build(group, counts.CellsRead) ? GroupWork::Build : GroupWork::Trace;
+    counts.BuildTime += TileTimer::Now() - begin;
+  }
+  return work;
+}
+
+/// Build the bands that a group lacks. Exceptions do not leave the thread.
+bool FrameBands::Build(std::size_t group, std::int64_t& cellsRead)
+{
+  try
+  {
+    for (std::size_t i = 0; i < this->Bands.size(); ++i)
+    {
+      if (this->Map.Find(group, this->From.Key.Isosurfaces.Isovalues[i]))
+      {
+        continue;
+      }
+      GroupBand band = this->Builders[i]->Build(group, cellsRead);
+      band.LastUse = band.Made = this->State.Frame;
+      const std::size_t bytes = band.Memory;
+      if (bytes > this->RoomForGroup || (this->Taken += bytes) > this->Room)
+      {
+        this->Taken -= bytes > this->RoomForGroup ? 0 : bytes;
+        this->IsFull = true;
+        return false;
+      }
+      this->Map.Add(group, std::move(band));
+    }
+    return true;
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->IsOutOfMemory = true;
+    return false;
+  }
+}
+
+void FrameBands::Done(std::size_t group, std::int64_t cost)
+{
+  this->CostNow[group] = std::max<std::int64_t>(cost, 1);
+  if (this->Work[group] == GroupWork::Build)
+  {
+    this->Extra += cost - static_cast<std::int64_t>(this->Costs[group]);
+  }
+  else if (this->Work[group] == GroupWork::Trace)
+  {
+    this->State.Costs.SetTraced(group, cost);
+  }
+  else
+  {
+    this->State.Costs.SetLookedUp(group, cost);
+  }
+}
+
+void FrameBands::Finish()
+{
+  this->Map.Count();
+  BandPlan::Measured measured;
+  measured.TracingAll = this->CostOfAll;
+  measured.IsMemoryFull = this->IsFull;
+  for (std::size_t group = 0; group < this->Work.size(); ++group)
+  {
+    const bool isBuilt = this->Work[group] == GroupWork::Build;
+    if (isBuilt || this->Work[group] == GroupWork::LookUp)
+    {
+      (isBuilt ? measured.Built : measured.LookedUp) += static_cast<double>(this->CostNow[group]);
+      (isBuilt ? measured.TracingBuilt : measured.TracingFound) += this->Costs[group];
+    }
+  }
+  const glm::dvec2& range = this->From.Pyramid.FiniteRange();
+  for (const ValueBand& band : this->Bands)
+  {
+    measured.Width = std::max(measured.Width, (band.High - band.Low) / (range.y - range.x));
+  }
+  if (this->IsExact && std::isfinite(measured.Width))
+  {
+    this->State.Plan.Learn(measured);
+  }
+  const std::size_t built = this->NumberOf(GroupWork::Build);
+  if (built > 0)
+  {
+    this->State.BytesOfBand = static_cast<double>(this->Taken.load()) / static_cast<double>(built);
+  }
+  this->State.HasDropped |= this->IsFull &&
+    this->RoomForAll() < BytesAPixel * static_cast<std::size_t>(this->From.Key.View.Size.x) *
+        static_cast<std::size_t>(this->From.Key.View.Size.y);
+}
+
+void FrameBands::Undo()
+{
+  const std::uint64_t frame = this->State.Frame;
+  this->Map.Drop([frame](const GroupBand& band) { return band.Made == frame; });
+  if (this->Map.NumberOfBands() == 0)
+  {
+    this->Map.Release();
+  }
+}
+
+}

@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_FrameBands_h
+#define TemporalCoherence_FrameBands_h
+
+#include "Isomap/BandBuilder.h"
+#include "Isomap/BandPlan.h"
+#include "Isomap/GroupCosts.h"
+#include "Isomap/Isomap.h"
+#include "Scene/FramePlanes.h"
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace TemporalCoherence
+{
+
+/// What is done with a group of tiles.
+enum class GroupWork : std::uint8_t
+{
+  LookUp, ///< its bands hold all isovalues of the frame
+  Build,  ///< they are built, and then hold them
+  Trace
+};
+
+/// The state of a drag in one view, from frame to frame.
+struct DragState
+{
+  BandPlan Plan;
+  GroupCosts Costs;
+  std::uint64_t Frame = 0;     ///< number of the last frame
+  std::size_t NextGroup = 0;   ///< where the choice of groups to build goes on
+  double BytesOfBand = 4096.0; ///< of a group, on average
+  bool HasDropped = false;     ///< bands, because of the user's limit of memory
+};
+
+/// Decides for each group of a frame whether it is looked up, built or traced, and builds bands
+/// within what the frame may cost.
+///
+/// An exact isomap shows the same picture whatever is built. So bands are built as long as the
+/// frame takes hardly longer than if all was traced: what look-ups save may be spent, and a little
+/// more. Where a picture depends on what is built (with a tolerance or normals), a fixed share of
+/// the groups is built in each frame.
+class FrameBands
+{
+public:
+  struct Source
+  {
+    const FrameKey& Key;
+    const Isomap::Options& Options;
+    const std::vector<double>& IsovaluesBefore;
+    const ValueRangePyramid& Pyramid; ///< of the key's field
+  };
+
+  /// Decide. The arguments must outlive this.
+  /// \param map of the view of the key. Bands that nobody needs are dropped if memory is short
+  /// \throws std::bad_alloc
+  FrameBands(const Source& source, Isomap& map, DragState& state);
+
+  /// True if every group is looked up.
+  bool AreAllFound() const { return this->NumberOf(GroupWork::LookUp) == this->Work.size(); }
+
+  /// Number of groups for which something is planned or, in the end, was done.
+  std::size_t NumberOf(GroupWork work) const;
+
+  /// Prepare the building of bands, if any is planned.
+  /// \throws std::bad_alloc
+  void MakeBuilders();
+
+  /// Add to what the frame costs more than if all was traced, in units of the costs of groups.
+  void Spend(double cost) { this->Extra = this->Extra + static_cast<std::int64_t>(cost); }
+
+  /// Build the bands of a group, if that is planned and the frame may still cost more.
+  /// Thread-safe.
+  /// \param counts cells and time of building are added
+  /// \return what is to be done: LookUp, Build if bands were built for it just now, or Trace
+  GroupWork Prepare(std::size_t group, TraceCounts& counts);
+
+  /// Tell what a group has cost, Prepare included. Thread-safe.
+  void Done(std::size_t group, std::int64_t cost);
+
+  /// Learn from the frame.
+  void Finish();
+
+  /// The frame was stopped: drop what was built.
+  void Undo();
+
+  /// True if memory ran out.
+  bool HasFailed() const { return this->IsOutOfMemory; }
+
+private:
+  BandPlan::Wish WishFor(double isovalue) const;
+  void Choose(double factor);
+  void MakeRoom(std::size_t planned);
+  bool Build(std::size_t group, std::int64_t& cellsRead);
+  std::size_t RoomForAll() const;
+
+  Source From;
+  Isomap& Map;
+  DragState& State;
+  bool IsExact;
+  std::vector<double> Costs; ///< of tracing each group
+  double CostOfAll = 0.0;
+  std::vector<GroupWork> Work;
+  std::vector<std::int64_t> CostNow; ///< of each group in this frame
+  std::vector<ValueBand> Bands;      ///< of each isovalue
+  std::vector<std::unique_ptr<BandBuilder>> Builders;
+  std::int64_t MostExtra = 0;
+  std::size_t Room = 0, RoomForGroup = 0; ///< bytes
+  std::atomic<std::int64_t> Extra{ 0 };
+  std::atomic<std::size_t> Taken{ 0 };
+  std::atomic<bool> IsFull{ false }, IsOutOfMemory{ false };
+};
+
+}
+
+#endif

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_RangeBuild_h
+#define TemporalCoherence_RangeBuild_h
+
+#include "Acceleration/ValueRangePyramid.h"
+#include "Isomap/Isomap.h"
+#include "Scene/Progress.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace TemporalCoherence
+{
+
+/// A band of isovalues that somebody asks for, to be built for the whole picture at once.
+struct RangeBuild
+{
+  const FrameKey& Key;
+  const ValueRangePyramid& Pyramid; ///< of the key's field
+  ValueBand Band;
+  std::size_t MemoryLimit; ///< of all bands together, in bytes
+  std::uint64_t Frame;     ///< number of the frame that needs it
+  double Patience = 0.05;  ///< seconds between reports, plus the time to finish the tiles in work
+};
+
+/// Build a band for every group of an isomap. Bands that it contains are dropped, and the least
+/// recently used ones if the memory limit requires it.
+/// \param isDropped set if a band was dropped for want of memory
+/// \param cellsRead is increased
+/// \return Built, or Stopped or TooLarge, which leave nothing of the band
+/// \throws std::bad_alloc; the same holds
+Isomap::Outcome BuildRange(const RangeBuild& wanted, Isomap& map, const ReportProgress& report,
+  bool& isDropped, std::int64_t& cellsRead);
+
+}
+
+#endif

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_TileGroups_h
+#define TemporalCoherence_TileGroups_h
+
+#include "Scene/Tiles.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+namespace TemporalCoherence
+{
+
+/// Isomaps are built by groups of TileGrain neighbouring tiles: few enough that a frame can build
+/// what it has time for, and many enough that reading the clock after each costs nothing.
+struct TileRange
+{
+  std::int64_t First, End;
+};
+
+inline std::size_t NumberOfGroups(const glm::ivec2& pixels)
+{
+  return static_cast<std::size_t>((NumberOfTiles(pixels) + TileGrain - 1) / TileGrain);
+}
+
+inline TileRange TilesOfGroup(const glm::ivec2& pixels, std::size_t group)
+{
+  const std::int64_t first = static_cast<std::int64_t>(group) * TileGrain;
+  return { first, std::min(first + TileGrain, NumberOfTiles(pixels)) };
+}
+
+}
+
+#endif

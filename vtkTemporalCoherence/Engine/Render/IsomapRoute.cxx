@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Isomap/IsomapLookup.h"
+#include "Render/RouteSteps.h"
+
+#include <algorithm>
+#include <bitset>
+#include <numeric>
+#include <vector>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+/// Fewer rays than this are traced without space leaping: that is faster than finding active cells
+/// first. Measured by the look-ups of `Benchmark --scenarios routes`.
+constexpr std::int64_t FewRays = 256;
+
+/// Trace the rays that an isomap leaves unresolved, one bit each, tile by tile, and shade these
+/// tiles.
+/// \param leaps the active cells of the frame are prepared
+bool TraceUnresolvedRays(FrameTask& task, const std::vector<std::uint64_t>& unresolved, bool leaps,
+  const TileShader& shader, const ReportProgress& report)
+{
+  const std::int64_t rays = std::accumulate(unresolved.begin(), unresolved.end(), std::int64_t(0),
+    [](std::int64_t sum, std::uint64_t tile)
+    { return sum + static_cast<std::int64_t>(std::bitset<64>(tile).count()); });
+  if (rays == 0)
+  {
+    return true;
+  }
+  if (!leaps && task.Options.SpaceLeaping && rays > FewRays)
+  {
+    task.Structures.PrepareActiveCells(task.Key);
+    leaps = true;
+  }
+  const TileTracer tracer(SceneOf(task, task.Structures.SpaceToLeap(leaps), nullptr));
+  return WorkOnTiles(task, report,
+    [&](std::int64_t tile, const PixelRect& part, Frame& frame)
+    {
+      TraceCounts counts;
+      const std::uint64_t which = unresolved[static_cast<std::size_t>(tile)];
+      if (which != 0)
+      {
+        counts = tracer.TraceSome(tile, part, which, frame);
+        shader.Shade(tile, part, nullptr, frame, counts);
+      }
+      return counts;
+    });
+}
+
+/// Makes the tiles of a frame from an isomap.
+class IsomapTiles
+{
+public:
+  IsomapTiles(FrameTask& task, const LeapedSpace& space, const Isomap& map, FrameBands& bands,
+    std::vector<std::uint64_t>& unresolved)
+    : Task(task)
+    , Bands(bands)
+    , Unresolved(unresolved)
+    , Lookup(task.Key, map, task.Structures.Pyramid().FiniteRange())
+    , Tracer(SceneOf(task, space, nullptr))
+    , Shader(task.Key, task.Structures.Pyramid().FiniteRange(), space,
+        map.Form().HasNormals ? HitSet::NotDefinite : HitSet::All, HitSet::All)
+    , ShaderOfTraced(
+        task.Key, task.Structures.Pyramid().FiniteRange(), space, HitSet::All, HitSet::All)
+  {
+  }
+
+  bool MakeAll(const ReportProgress& report)
+  {
+    const glm::ivec2& size = this->Task.Key.View.Size;
+    TraceCounts counts;
+    return CountGroups(
+      size, report, this->Task.Statistics, counts,
+      [&](std::size_t group, TraceCounts& ofGroup) { this->Make(group, ofGroup); },
+      [&](std::size_t group, std::int64_t cost) { this->Bands.Done(group, cost); });
+  }
+
+  const TileShader& ShaderOfLookUps() const { return this->Shader; }
+
+private:
+  void Make(std::size_t group, TraceCounts& counts)
+  {
+    Frame& frame = this->Task.Store.Next().Picture;
+    std::vector<IsomapLookup::IsovalueKeys> keys;
+    const bool isFound =
+      this->Bands.Prepare(group, counts) != GroupWork::Trace && this->Lookup.FindBands(group, keys);
+    CountGroup(frame.Size, group, counts,
+      [&](std::int64_t tile, const PixelRect& part)
+      {
+        std::uint64_t& left = this->Unresolved[static_cast<std::size_t>(tile)];
+        left = 0;
+        TileHits found;
+        TraceCounts ofTile = isFound ? this->Lookup.LookUpTile(tile, part, keys, frame, left, found)
+                                     : this->Tracer.Trace(tile, part, frame, found);
+        if (left == 0)
+        {
+          (isFound ? this->Shader : this->ShaderOfTraced).Shade(tile, part, &found, frame, ofTile);
+        }
+        return ofTile;
+      });
+  }
+
+  FrameTask& Task;
+  FrameBands& Bands;
+  std::vector<std::uint64_t>& Unresolved;
+  IsomapLookup Lookup;
+  TileTracer Tracer;
+  TileShader Shader, ShaderOfTraced;
+};
+
+/// Prepare the building of bands; its time counts as that of a group.
+void MakeBuilders(FrameTask& task, FrameBands& bands)
+{
+  if (bands.NumberOf(GroupWork::Build) == 0)
+  {
+    return;
+  }
+  double seconds = 0.0;
+  {
+    Stopwatch watch(seconds);
+    bands.MakeBuilders();
+  }
+  task.Statistics.IsomapBuildTime += seconds;
+  constexpr double nanosecondsPerSecond = 1e9;
+  bands.Spend(nanosecondsPerSecond * seconds);
+}
+
+void CountTilesOf(const FrameBands& bands, FrameStatistics& statistics)
+{
+  const auto tilesOf = [&](GroupWork work)
+  { return TileGrain * static_cast<std::int64_t>(bands.NumberOf(work)); };
+  statistics.TilesLookedUp = tilesOf(GroupWork::LookUp);
+  statistics.TilesBuilt = tilesOf(GroupWork::Build);
+  statistics.TilesTraced = tilesOf(GroupWork::Trace);
+}
+
+}
+
+bool LookUp(
+  FrameTask& task, IsomapBuilder& map, std::vector<std::uint64_t>& unresolved, bool& isBuilding)
+{
+  FrameBands bands({ task.Key, task.Options.Map, task.Store.Last().Key.Isosurfaces.Isovalues,
+                     task.Structures.Pyramid() },
+    map.ToBuild(), map.Drag());
+  isBuilding |= !bands.AreAllFound();
+  task.Costs = nullptr; // the bands keep them
+  // If all is looked up, a walk is only needed for layers behind translucent surfaces.
+  const bool leaps =
+    task.Options.SpaceLeaping && (task.Key.Isosurfaces.IsTranslucent() || !bands.AreAllFound());
+  // A look-up finds no first entries.
+  const LeapedSpace space = Begin(task, leaps, { ExtrasOf(task).Disparities, false });
+  MakeBuilders(task, bands);
+  unresolved.resize(static_cast<std::size_t>(NumberOfTiles(task.Key.View.Size)));
+  IsomapTiles tiles(task, space, map.Built(), bands, unresolved);
+  const bool isDone = tiles.MakeAll(PartOf(task.Report, 0.0, 0.5)) &&
+    TraceUnresolvedRays(
+      task, unresolved, leaps, tiles.ShaderOfLookUps(), PartOf(task.Report, 0.5, 1.0));
+  if (!isDone)
+  {
+    bands.Undo();
+    return false;
+  }
+  bands.Finish();
+  if (bands.HasFailed())
+  {
+    map.GiveUp();
+  }
+  CountTilesOf(bands, task.Statistics);
+  CachedImage& made = task.Store.Next();
+  const bool isOfMap = bands.NumberOf(GroupWork::Trace) < map.Built().Size();
+  made.IsExact = !isOfMap || !(map.Built().Tolerance() > 0.0 || map.Built().Form().HasNormals);
+  return true;
+}
+
+}

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_RouteSteps_h
+#define TemporalCoherence_RouteSteps_h
+
+#include "Render/Routes.h"
+#include "Render/TileLoop.h"
+#include "Render/TileTracer.h"
+#include "Scene/Stopwatch.h"
+#include "Shade/TileShader.h"
+
+#include <cstddef>
+#include <cstdint>
+
+// What routes have in common.
+
+namespace TemporalCoherence
+{
+
+/// What views made from the frame may need.
+inline FrameExtras ExtrasOf(const FrameTask& task)
+{
+  const FrameOptions& options = task.Options;
+  const bool isPaper = options.Accuracy == ReuseAccuracy::Paper;
+  const bool isBounded =
+    options.Accuracy == ReuseAccuracy::Bounded && IsFasterFrom(task.Key, task.Key);
+  const bool isCached = options.Reuse.ImageCache;
+  return { isCached && (isPaper || isBounded), isCached && isBounded };
+}
+
+/// Make room for the frame, and find out where its rays can meet surfaces.
+inline LeapedSpace Begin(FrameTask& task, bool leaps, const FrameExtras& extras)
+{
+  Stopwatch watch(task.Statistics.TraceTime);
+  if (leaps)
+  {
+    task.Structures.PrepareActiveCells(task.Key);
+  }
+  task.Store.Begin(task.Key, extras);
+  if (task.Costs)
+  {
+    task.Costs->Resize(NumberOfGroups(task.Key.View.Size));
+  }
+  return task.Structures.SpaceToLeap(leaps);
+}
+
+inline TileScene SceneOf(const FrameTask& task, const LeapedSpace& space, const RayHint* hint)
+{
+  return { task.Key, space.Active, space.Bounds, task.Structures.Pyramid().FiniteRange(), hint };
+}
+
+/// Call work(tile, part, frame) for all tiles of the frame.
+template <typename Work>
+bool WorkOnTiles(FrameTask& task, const ReportProgress& report, const Work& work)
+{
+  Frame& frame = task.Store.Next().Picture;
+  TraceCounts counts;
+  return CountGroups(
+    frame.Size, report, task.Statistics, counts,
+    [&](std::size_t group, TraceCounts& ofGroup)
+    {
+      CountGroup(frame.Size, group, ofGroup,
+        [&](std::int64_t tile, const PixelRect& part) { return work(tile, part, frame); });
+    },
+    [&](std::size_t group, std::int64_t cost)
+    {
+      if (task.Costs)
+      {
+        task.Costs->SetTraced(group, cost);
+      }
+    });
+}
+
+}
+
+#endif

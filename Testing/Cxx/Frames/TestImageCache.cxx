@@ -303,7 +303,7 @@ void TestRealVolume(const Subject& volume)
   {
     WalkExactly(subject, seed, 15);
     subject.IsNearest = true;
-    WalkBounded(subject, 100 + seed, 250, 20);
+    WalkBounded(subject, 100 + seed, 800, 24); // finer than voxels
     ++seed;
   }
 }

@@ -18,6 +18,28 @@ using namespace TemporalCoherence;
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double Radius = 12.0;
 
+/// Images whose rays walk, so that pictures have what BOUNDED starts from.
+class WalkedImages final : public FieldKind
+{
+public:
+  FieldAbilities Abilities() const override { return this->Images->Abilities(); }
+
+  std::shared_ptr<const SurfaceTracer> MakeTracer(const TraceScene& scene) const override
+  {
+    TraceScene walked = scene;
+    walked.By = Traversal::Walks;
+    return this->Images->MakeTracer(walked);
+  }
+
+  void FindGradients(const GradientQuery& query, const GradientTile& tile) const override
+  {
+    this->Images->FindGradients(query, tile);
+  }
+
+private:
+  std::shared_ptr<const FieldKind> Images = UniformKind();
+};
+
 /// A sphere in the middle of a field, and pictures of it.
 class ImageQueryTest : public ::testing::Test
 {
@@ -39,11 +61,9 @@ protected:
     FrameRenderer renderer;
     FrameRenderer::Options bounded;
     bounded.Accuracy = ReuseAccuracy::Bounded;
-    // Of two isovalues, one of which no sample meets, pictures have what BOUNDED starts from.
-    FrameKey two = this->Key;
-    two.Isosurfaces.Isovalues.push_back(1000.0);
-    two.Appearance.Colors.push_back(glm::dvec3(1.0));
-    renderer.Render(two, bounded);
+    FrameKey walked = this->Key;
+    walked.Samples.Kind = std::make_shared<WalkedImages>();
+    renderer.Render(walked, bounded);
     CachedImage image;
     image.Key = this->Key;
     image.Picture = renderer.LastFrame();

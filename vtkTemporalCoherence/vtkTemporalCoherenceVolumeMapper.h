@@ -121,14 +121,13 @@ public:
   //@{
   /**
    * Switch the isomap on or off (default: on). With it, a new isovalue in the same view is looked
-   * up. Without it, it makes a cold frame. The picture is the same.
+   * up, tile by tile. Without it, it makes a cold frame. The picture is the same.
    *
    * - IsomapTolerance: the largest distance between a surface that is looked up and the exact one,
    *   in voxels (finite). Default: 0, the cold picture byte for byte. Below 0.001 it counts as 0.
-   * - IsomapRange: the isovalues for which it is built at once. Default: none (lo > hi). Bands
-   *   around the present isovalues are then built as needed.
-   * - IsomapMemoryLimit: its memory for each viewer, in MiB. Default: 256. The least recently used
-   *   bands are dropped, with one warning. 0 switches it off.
+   * - IsomapRange: the isovalues for which it is built at once. Default: none (lo > hi).
+   * - IsomapMemoryLimit: its memory for each viewer, in MiB. Default: 256; 0 switches it off. The
+   *   least recently used bands are dropped. Outside of the range, 32 bytes a pixel are the limit.
    */
   vtkSetMacro(Isomap, vtkTypeBool);
   vtkGetMacro(Isomap, vtkTypeBool);
@@ -241,13 +240,14 @@ public:
   /** The ways to make a frame. */
   enum Routes
   {
-    ROUTE_COLD,          ///< every ray is traced without help from an earlier frame
-    ROUTE_REDISPLAY,     ///< nothing changed: the last picture is shown again
-    ROUTE_RESHADE,       ///< only colours, lights or shading changed: known hits are shaded again
-    ROUTE_ISOMAP_LOOKUP, ///< a new isovalue is looked up in the isomap of the view
-    ROUTE_ISOMAP_BUILD,  ///< the same, after a band of the isomap was built
-    ROUTE_IMAGE_CACHE,   ///< the view changed: rays start from what a cached image shows
-    ROUTE_TIME_STEP      ///< samples changed: pixels that no changed sample affects are copied
+    ROUTE_COLD,           ///< every ray is traced without help from an earlier frame
+    ROUTE_REDISPLAY,      ///< nothing changed: the last picture is shown again
+    ROUTE_RESHADE,        ///< only colours, lights or shading changed: known hits are shaded again
+    ROUTE_ISOMAP_LOOKUP,  ///< a new isovalue is looked up in the isomap of the view
+    ROUTE_ISOMAP_BUILD,   ///< the same, where some tiles are built or traced
+    ROUTE_THRESHOLD_HINT, ///< not made any more, since a cold frame is faster
+    ROUTE_IMAGE_CACHE,    ///< the view changed: rays start from what a cached image shows
+    ROUTE_TIME_STEP       ///< samples changed: pixels that no changed sample affects are copied
   };
 
   //@{

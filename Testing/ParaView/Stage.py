@@ -11,7 +11,8 @@ from vtkmodules.vtkIOImage import vtkPNGReader
 
 LoadPlugin(os.environ["TEMPORAL_ISOSURFACE_PLUGIN"], remote=False, ns=globals())
 
-ROUTES = ("Cold", "Redisplay", "Reshade", "IsomapLookup", "IsomapBuild", "ImageCache", "TimeStep")
+ROUTES = ("Cold", "Redisplay", "Reshade", "IsomapLookup", "IsomapBuild", "ThresholdHint",
+          "ImageCache", "TimeStep")
 
 
 def check(is_right, what, found=""):

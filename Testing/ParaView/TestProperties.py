@@ -172,7 +172,7 @@ def main():
     Render(view)
     test_looks(view, display)
     test_settings(view, display)
-    check(list(statistic(display, "RouteCounts"))[5] > 0, "RouteCounts: frames of each route",
+    check(list(statistic(display, "RouteCounts"))[6] > 0, "RouteCounts: frames of each route",
           list(statistic(display, "RouteCounts")))
 
 

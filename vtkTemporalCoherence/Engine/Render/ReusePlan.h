@@ -13,13 +13,13 @@ namespace TemporalCoherence
 /// How a whole frame is made.
 enum class Route : std::uint8_t
 {
-  Cold,         ///< every ray is traced, without help from an earlier frame
-  Redisplay,    ///< nothing changed: the same picture
-  Reshade,      ///< only the appearance changed: stored hits get new colours
-  IsomapLookup, ///< another isovalue in the same view, looked up in the isomap
-  IsomapBuild,  ///< the same, where the isomap lacks tiles: they are built or traced
-  ImageCache,   ///< another view: a cached image tells where walks may begin
-  TimeStep      ///< other samples in the same view: tiles that they do not affect are copied
+  Cold,           ///< every ray is traced, without help from an earlier frame
+  Redisplay,      ///< nothing changed: the same picture
+  Reshade,        ///< only the appearance changed: stored hits get new colours
+  IsomapLookup,   ///< another isovalue in the same view, looked up in the isomap
+  IsomapBuild,    ///< the same, where the isomap lacks tiles: they are built or traced
+  ImageCache = 6, ///< another view: a cached image tells where walks may begin (5 is no more)
+  TimeStep        ///< other samples in the same view: tiles that they do not affect are copied
 };
 
 /// The route's name as in the documentation, for example "Cold".

@@ -27,10 +27,4 @@ FrameChange CompareFrames(const FrameKey& last, const FrameKey& next)
   return change;
 }
 
-bool AreHitsOrdered(const FrameKey& key)
-{
-  return key.Region.IsConvex() &&
-    (!key.Samples.Hidden || key.Isosurfaces.Mode == SurfaceMode::Threshold);
-}
-
 }

@@ -40,11 +40,6 @@ struct FrameChange
 
 FrameChange CompareFrames(const FrameKey& last, const FrameKey& next);
 
-/// True if a ray from outside meets a lower isovalue before a higher one. That fails if a ray can
-/// be inside the lower isovalue without having met its surface: with CROSSING behind hidden cells,
-/// and in either mode after it left the region and came back.
-bool AreHitsOrdered(const FrameKey& key);
-
 }
 
 #endif

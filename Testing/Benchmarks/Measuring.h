@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <limits>
 #include <stdexcept>
 #include <vector>
@@ -30,6 +31,12 @@ double TimeOf(const Action& action)
   action();
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin)
     .count();
+}
+
+/// Milliseconds of processor time of all threads so far.
+inline double CpuTime()
+{
+  return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
 /// The middle value, the upper one of two; None of none.

@@ -188,9 +188,10 @@ void TestWhereBoundedIsCold()
     }
   };
   expect(image, 1.0, true, "Cold"); // rays go as beams
+  expect(several, 1.0, true, "Cold");
   expect(grid, 1.0, true, "Cold");
   grid.IsNearest = true;
-  for (const Subject& subject : { grid, nearest, several })
+  for (const Subject& subject : { grid, nearest })
   {
     expect(subject, 1.0, true, "ImageCache");
     expect(subject, 5.0, true, "ImageCache");

@@ -42,7 +42,8 @@ std::optional<LineHit> TraceLine(const FrameKey& scene, const glm::dvec2& finite
   TileHits found;
   TraceCounts counts = tracer.Trace(0, pixel, frame, found);
   // Shade, so that surfaces made invisible by gradient opacity are not picked.
-  TileShader(key, finiteRange, {}, HitSet::All, HitSet::All).Shade(0, pixel, nullptr, frame, counts);
+  TileShader(key, finiteRange, {}, HitSet::All, HitSet::All)
+    .Shade(0, pixel, nullptr, frame, counts);
   if (frame.Isovalues[0] == Frame::NoSurface)
   {
     return std::nullopt;

@@ -100,13 +100,17 @@ def test_settings(view, display):
           f"{cropped} pixels")
     display.UseCropping, display.CroppingScale = 0, [1.0, 1.0, 1.0]
 
-    display.RefineWhenStill, display.ColorByAnswer = 0, 1
-    Render(view)
-    view.GetActiveCamera().Azimuth(4.0)
+    def turn():
+        view.GetActiveCamera().Azimuth(1.0)
+
+    display.RefineWhenStill, display.ColorByAnswer, display.ReuseAccuracy = 0, 1, "Paper"
+    turn()
+    Render(view) # from here on a view can start from the last picture
+    turn()
     picture = take_picture(view, "answers")
     yellow = ((picture[:, :, 0] > 60) & (picture[:, :, 2] == 0)).sum()
     check(yellow > 0, "ColorByAnswer: what the cache did not know is yellow", f"{yellow} pixels")
-    display.RefineWhenStill, display.ColorByAnswer = 1, 0
+    display.RefineWhenStill, display.ColorByAnswer, display.ReuseAccuracy = 1, 0, "Exact"
 
     plain = take_picture(view, "without-statistics")
     display.ShowStatistics = 1
@@ -122,9 +126,6 @@ def test_settings(view, display):
         Render(view)
         return statistic(display, "Route")
 
-    def turn():
-        view.GetActiveCamera().Azimuth(1.0)
-
     display.ImageCache = 0
     check(route_after(turn) == "Cold", "ImageCache: off, a new view is cold")
     display.ImageCache, display.ReuseAccuracy = 1, "Exact"
@@ -133,6 +134,7 @@ def test_settings(view, display):
     Render(view)
     traced = statistic(display, "NumberOfTracedRays")
     display.ReuseAccuracy = "Paper"
+    turn()
     Render(view)
     turn()
     Render(view)

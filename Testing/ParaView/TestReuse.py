@@ -57,7 +57,7 @@ def test_sweep(view, display):
     """New isovalues are looked up, and the pictures are the cold ones."""
     look_from(view)
     isovalues = [140.0 + 0.5 * i for i in range(41)]
-    display.Isovalues = isovalues[:1]
+    display.Isovalues, display.IsomapRange = isovalues[:1], [140, 160]
     Render(view)
     before = route_counts(display)
     traced = 0

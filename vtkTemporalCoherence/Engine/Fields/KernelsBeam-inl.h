@@ -55,14 +55,12 @@ public:
     TileBeam& beam = this->Beam;
     const float first[3] = { static_cast<float>(cell.x - beam.Anchor.x),
       static_cast<float>(cell.y - beam.Anchor.y), static_cast<float>(cell.z - beam.Anchor.z) };
-    float planes[2][3];
-    this->FindPlanes(first, beam.Margin, planes);
     // First all vectors, without a branch: which rays pass a cell is hard to foresee.
     float enter[RayBatch::Capacity], leave[RayBatch::Capacity];
     std::uint64_t passing = 0;
     for (std::size_t i = 0; i < RayBatch::Capacity; i += hn::Lanes(Floats()))
     {
-      Interval passed = this->Pass(planes, i);
+      Interval passed = this->Pass(first, i);
       passing |= BitsOf(this->Passes(passed, i)) << i;
       hn::StoreU(passed.Enter, Floats(), enter + i);
       hn::StoreU(passed.Leave, Floats(), leave + i);
@@ -92,13 +90,7 @@ public:
       this->Scene.Decide(this->Open, beam);
       isMet = true;
     }
-    this->IsNearer |= isMet;
-  }
-
-  /// Take account of what was found, for all that is behind.
-  HWY_INLINE void Finish()
-  {
-    if (this->IsNearer)
+    if (isMet)
     {
       this->FindDepth();
     }
@@ -108,31 +100,38 @@ public:
   void Decide() { this->Scene.Decide(this->Open, this->Beam); }
 
 private:
-  /// The faces of a cell, moved outwards: of each axis the nearer one first.
-  HWY_INLINE void FindPlanes(const float first[3], float margin, float planes[2][3]) const
+  /// Where a vector of rays passes a cell that is larger by the margin. Of one that begins or ends
+  /// in the cell that is more than it does.
+  HWY_INLINE Interval Pass(const float first[3], std::size_t i) const
   {
-    for (int a = 0; a < 3; ++a)
+    if (!IsPlain)
     {
-      const bool isBack = this->Beam.Flip >> (2 * a) & 1;
-      const float low = first[a] - margin, high = first[a] + 1.0f + margin;
-      planes[0][a] = isBack ? high : low;
-      planes[1][a] = isBack ? low : high;
+      return this->PassWithin(first, this->Beam.Margin, i);
     }
+    const TileBeam& beam = this->Beam;
+    Interval passed;
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      const V at = Set(first[a]), inverse = Load(&beam.Inverse[a][i]);
+      const V enter = hn::MulAdd(at, inverse, Load(&beam.ToNear[a][i]));
+      const V leave = hn::MulAdd(at, inverse, Load(&beam.ToFar[a][i]));
+      passed.Enter = a == 0 ? enter : hn::Max(passed.Enter, enter);
+      passed.Leave = a == 0 ? leave : hn::Min(passed.Leave, leave);
+    }
+    return passed;
   }
 
-  /// Where a vector of rays passes a cell, given its faces. Of one that begins or ends in the cell
-  /// that is more than it does.
-  HWY_INLINE Interval Pass(const float planes[2][3], std::size_t i) const
+  /// The same for a cell that is larger by any margin, and rays of any directions.
+  HWY_INLINE Interval PassWithin(const float first[3], float margin, std::size_t i) const
   {
     const TileBeam& beam = this->Beam;
     Interval passed;
     for (std::size_t a = 0; a < 3; ++a)
     {
       const V origin = Load(&beam.Origin[a][i]), inverse = Load(&beam.Inverse[a][i]);
-      const V one = hn::Mul(hn::Sub(Set(planes[0][a]), origin), inverse);
-      const V other = hn::Mul(hn::Sub(Set(planes[1][a]), origin), inverse);
-      const V enter = IsPlain ? one : hn::Min(one, other);
-      const V leave = IsPlain ? other : hn::Max(one, other);
+      const V one = hn::Mul(hn::Sub(Set(first[a] - margin), origin), inverse);
+      const V other = hn::Mul(hn::Sub(Set(first[a] + 1.0f + margin), origin), inverse);
+      const V enter = hn::Min(one, other), leave = hn::Max(one, other);
       passed.Enter = a == 0 ? enter : hn::Max(passed.Enter, enter);
       passed.Leave = a == 0 ? leave : hn::Min(passed.Leave, leave);
     }
@@ -167,7 +166,7 @@ private:
     {
       const V direction = Load(&beam.Direction[a][i]);
       const V origin = hn::Sub(Load(&beam.Origin[a][i]), Set(first[a]));
-      at[a] = hn::Add(origin, hn::Mul(enter, direction));
+      at[a] = hn::MulAdd(enter, direction, origin);
       step[a] = hn::Mul(length, direction);
     }
     const Coefficients b = CubicsAlong(values, at, step);
@@ -207,16 +206,14 @@ private:
     const V margin = Set(2.0f * beam.Margin);
     // The ray enters and leaves between these and those that were searched.
     Interval sure;
-    if (beam.IsSteep)
-    {
-      float planes[2][3];
-      this->FindPlanes(first, -beam.Margin, planes);
-      sure = this->Pass(planes, i);
-    }
-    else
+    if (IsPlain)
     {
       const V slack = Load(&beam.Slack[i]);
       sure = { hn::Add(searched.Enter, slack), hn::Sub(searched.Leave, slack) };
+    }
+    else
+    {
+      sure = this->PassWithin(first, -beam.Margin, i);
     }
     sure.Enter = hn::Max(sure.Enter, hn::Add(Load(&beam.Begin[i]), margin));
     sure.Leave = hn::Min(sure.Leave, hn::Sub(Load(&beam.End[i]), margin));
@@ -276,9 +273,9 @@ private:
     }
   }
 
+  /// Move the plane across the beam to where all that matters ends.
   void FindDepth()
   {
-    this->IsNearer = false;
     TileBeam& beam = this->Beam;
     V depth = Set(-1e30f);
     for (std::size_t i = 0; i < beam.Count; i += hn::Lanes(Floats()))
@@ -294,7 +291,6 @@ private:
   BeamScene& Scene;
   TileBeam& Beam;
   OpenCells Open;
-  bool IsNearer = false; ///< what matters ends before the plane across the beam
 };
 
 }

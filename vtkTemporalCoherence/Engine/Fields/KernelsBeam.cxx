@@ -163,7 +163,6 @@ private:
         }
         this->VisitChildren(cells, leaf, 1,
           [&](const glm::ivec3& cell) HWY_ATTR { this->Cells.TestCell(leaf + cell); });
-        this->Cells.Finish();
       });
   }
 

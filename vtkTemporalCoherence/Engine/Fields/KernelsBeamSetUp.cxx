@@ -182,20 +182,27 @@ HWY_INLINE void FindPaths(const glm::ivec3& cells, TileBeam& beam)
       const auto axis = static_cast<int>(a);
       const bool isBack = beam.Flip >> (2 * axis) & 1;
       const F inverse = hn::LoadU(d, &beam.Inverse[a][i]);
+      const F origin = hn::LoadU(d, &beam.Origin[a][i]);
+      const float low = -beam.Margin, high = 1.0f + beam.Margin;
+      const F near = hn::Sub(hn::Set(d, isBack ? high : low), origin);
+      const F far = hn::Sub(hn::Set(d, isBack ? low : high), origin);
+      hn::StoreU(hn::Mul(near, inverse), d, &beam.ToNear[a][i]);
+      hn::StoreU(hn::Mul(far, inverse), d, &beam.ToFar[a][i]);
       const F ahead = isBack ? hn::Neg(inverse) : inverse;
       const F face = hn::Set(d, static_cast<float>((isBack ? cells[axis] : 0) - beam.Anchor[axis]));
       largest = hn::Max(largest, hn::Abs(inverse));
       isPlain = hn::And(isPlain, hn::Gt(ahead, hn::Zero(d)));
-      enter = hn::Max(enter, hn::Mul(hn::Sub(face, hn::LoadU(d, &beam.Origin[a][i])), inverse));
+      enter = hn::Max(enter, hn::Mul(hn::Sub(face, origin), inverse));
     }
     isPlain = hn::And(isPlain, hn::Le(hn::LoadU(d, &beam.Begin[i]), enter));
     const F slack = hn::Mul(twice, largest);
     steepest = hn::Max(steepest, slack);
     hn::StoreU(slack, d, &beam.Slack[i]);
   }
-  beam.IsPlain = hn::AllTrue(d, isPlain);
+  // Of a ray that runs nearly along faces, Inverse may be infinite, and Slack is large.
   constexpr float little = 0.02f;
-  beam.IsSteep = !(hn::GetLane(hn::MaxOfLanes(d, steepest)) < little);
+  const bool isSteep = !(hn::GetLane(hn::MaxOfLanes(d, steepest)) < little);
+  beam.IsPlain = hn::AllTrue(d, isPlain) && !isSteep;
 }
 
 /// The ray in the middle of those that there are.

@@ -39,9 +39,12 @@ struct alignas(64) TileBeam
 
   // Arrays first, where vectors do not lie across lines of the cache.
   std::array<Array<float>, 3> Origin, Direction, Inverse;
+  /// If IsPlain, a ray passes the faces of a cell that is larger by the margin at
+  /// first Inverse + ToNear and first Inverse + ToFar, where `first` is the cell's first corner.
+  std::array<Array<float>, 3> ToNear, ToFar;
   Array<float> Begin, End, WalkBegin; ///< moved outwards by the margin
   Array<float> AtDepth, PerDepth;     ///< depth in the beam: AtDepth + t PerDepth
-  /// How much later than told a ray may enter a cell, or how much earlier leave it.
+  /// If IsPlain, how much later than told a ray may enter a cell, or how much earlier leave it.
   Array<float> Slack;
 
   /// What is found. A cell that a ray enters at Behind or later does not matter; Cell is one that
@@ -61,10 +64,9 @@ struct alignas(64) TileBeam
   float Steepest;
   glm::vec3 Forward; ///< the direction that depth is counted in
   int Flip;          ///< bits of a child's number that are flipped to go from front to back
-  /// All rays run the same way along each axis, and none begins or ends on its way through the
-  /// field.
+  /// All rays run the same way along each axis, none of them nearly along faces of cells, and none
+  /// begins or ends on its way through the field.
   bool IsPlain;
-  bool IsSteep; ///< Slack is more than a little, as rays run nearly along faces of cells
 
   static constexpr std::int32_t NoCell = -1;
   static constexpr float Never = 1e30f; ///< a t behind all others

@@ -4,20 +4,16 @@
 // Beams leave out cells by single precision. What they must not leave out is the cell of a hit: on
 // any field, from anywhere, the rays of a tile that go as a beam meet what they meet on walks, bit
 // by bit, on every kind of vectors.
-#include "Acceleration/ActiveCells.h"
 #include "EachTarget.h"
 #include "Fields/BeamCameras.h"
+#include "Fields/BothWays.h"
 #include "Grid.h"
-#include "Scene/Tiles.h"
-#include "Trace/RaySource.h"
-#include "Trace/SurfaceTracer.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <memory>
 #include <random>
 #include <vector>
 
@@ -25,86 +21,6 @@ namespace
 {
 
 using namespace TemporalCoherence;
-
-/// Traces tiles both ways, and compares.
-template <typename T>
-class BothWays
-{
-public:
-  BothWays(Grid<T>& grid, const std::vector<double>& isovalues, SurfaceMode mode)
-    : Dimensions(grid.Field.Dimensions)
-  {
-    this->Pyramid.Build(grid.Field);
-    this->Scene.Samples = grid.Field;
-    this->Scene.Isosurfaces = { isovalues, mode };
-    this->Scene.FiniteRange = this->Pyramid.FiniteRange();
-    this->Active.Build(grid.Field, this->Pyramid, this->Scene.Isosurfaces);
-    this->Scene.Active = &this->Active;
-    this->Scene.By = Traversal::Walks;
-    this->Walks = SurfaceTracer::Make(this->Scene);
-    this->Scene.By = Traversal::Beams;
-    this->Beams = SurfaceTracer::Make(this->Scene);
-  }
-
-  /// All tiles of a view.
-  void Compare(const View& view)
-  {
-    const RaySource source(view, IndexTransform(), this->Dimensions);
-    for (std::int64_t tile = 0; tile < NumberOfTiles(view.Size); ++tile)
-    {
-      const PixelRect part = PixelsOfTile(view.Size, tile);
-      RayBatch rays;
-      source.SetUp(part.First, part.Size, rays);
-      this->CompareRays(rays);
-    }
-  }
-
-  /// The same of rays that begin and end anywhere.
-  void CompareCut(const View& view)
-  {
-    const RaySource source(view, IndexTransform(), this->Dimensions);
-    std::uniform_real_distribution<double> share(-0.3, 1.0);
-    for (std::int64_t tile = 0; tile < NumberOfTiles(view.Size); ++tile)
-    {
-      const PixelRect part = PixelsOfTile(view.Size, tile);
-      RayBatch rays;
-      source.SetUp(part.First, part.Size, rays);
-      for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
-      {
-        const double length = rays.End[i] - rays.Begin[i];
-        const auto cut = [&] { return std::max(0.5 * share(this->Random) * length, 0.0); };
-        rays.WalkBegin[i] = rays.Begin[i] += cut();
-        rays.WalkEnd[i] = rays.End[i] -= cut();
-      }
-      this->CompareRays(rays);
-    }
-  }
-
-  std::int64_t Rays = 0, Hits = 0;
-
-private:
-  void CompareRays(const RayBatch& rays)
-  {
-    HitBatch walked, beamed;
-    this->Walks->Trace(rays, walked);
-    this->Beams->Trace(rays, beamed);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
-    {
-      ++this->Rays;
-      this->Hits += walked.Kind[i] != HitKind::None;
-      ASSERT_EQ(beamed.Depth[i], walked.Depth[i]);
-      ASSERT_EQ(beamed.Surface[i], walked.Surface[i]);
-      ASSERT_EQ(beamed.Kind[i], walked.Kind[i]);
-    }
-  }
-
-  glm::ivec3 Dimensions;
-  ValueRangePyramid Pyramid;
-  ActiveCells Active;
-  TraceScene Scene;
-  std::shared_ptr<const SurfaceTracer> Walks, Beams;
-  std::mt19937 Random{ 7 };
-};
 
 class Beams : public EachTarget
 {

@@ -298,7 +298,8 @@ void SearchAll(
   const ActiveCells& active, const RayBatch& rays, BandBeamScene<Real>& scene, TileBeam& beam)
 {
   BandSearch<Real> search(rays, scene, beam);
-  BeamTree<BandSearch<Real>>(active, scene, beam, search).Visit();
+  const UniformLattice lattice(beam);
+  BeamTree<BandSearch<Real>, UniformLattice>(active, scene, lattice, beam, search).Visit();
 }
 
 void SearchFloat(

@@ -13,10 +13,12 @@
 #include "Fields/KernelsBeam.h"
 
 #include "Fields/CellCubics-inl.h"
+#include "Fields/KernelsLattice-inl.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include <hwy/highway.h>
 
@@ -38,29 +40,54 @@ struct Interval
 
 /// Tests cells against the rays of a beam, and keeps what is found there.
 /// \tparam IsPlain that of the beam
-template <bool IsPlain>
+/// \tparam Lattice tells where cells lie (KernelsLattice-inl.h)
+template <bool IsPlain, class Lattice>
 class CellSearch
 {
 public:
-  CellSearch(const BeamTask& task, BeamScene& scene, TileBeam& beam)
+  using Box = typename Lattice::Cell;
+
+  CellSearch(const BeamTask& task, const Lattice& places, BeamScene& scene, TileBeam& beam)
     : Task(task)
+    , Places(places)
     , Scene(scene)
     , Beam(beam)
   {
   }
 
+  /// Test cells of a leaf, one bit each in the order in which the beam meets them.
+  HWY_INLINE void TestCells(const glm::ivec3& leaf, std::uint64_t cells)
+  {
+    const TileBeam& beam = this->Beam;
+    const auto reach = this->Places.ReachIn(leaf, 1);
+    for (; cells != 0; cells &= cells - 1)
+    {
+      const int cell = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(cells)) ^ beam.Flip;
+      // What has been found since may hide it.
+      if (reach.Of(cell) >= beam.Around.Offset[TileBeam::Across])
+      {
+        this->TestCell(leaf + glm::ivec3(cell & 3, cell >> 2 & 3, cell >> 4));
+      }
+    }
+  }
+
+  /// Decide what is left.
+  void Decide() { this->Scene.Decide(this->Open, this->Beam); }
+
+private:
   /// Find the rays that pass a cell before what they are known to meet, and search it for them.
   void TestCell(const glm::ivec3& cell)
   {
     TileBeam& beam = this->Beam;
-    const float first[3] = { static_cast<float>(cell.x - beam.Anchor.x),
-      static_cast<float>(cell.y - beam.Anchor.y), static_cast<float>(cell.z - beam.Anchor.z) };
+    const Box box = this->Places.CellAt(cell);
+    float planes[2][3];
+    this->FindPlanes(box, beam.Margin, planes);
     // First all vectors, without a branch: which rays pass a cell is hard to foresee.
     float enter[RayBatch::Capacity], leave[RayBatch::Capacity];
     std::uint64_t passing = 0;
     for (std::size_t i = 0; i < RayBatch::Capacity; i += hn::Lanes(Floats()))
     {
-      Interval passed = this->Pass(first, i);
+      Interval passed = this->Pass(planes, i);
       passing |= BitsOf(this->Passes(passed, i)) << i;
       hn::StoreU(passed.Enter, Floats(), enter + i);
       hn::StoreU(passed.Leave, Floats(), leave + i);
@@ -72,6 +99,12 @@ public:
     CellValues values;
     std::array<float, 8> corners;
     const std::int32_t number = this->Scene.Read(cell, corners);
+    // In a cell that is too thin, single precision tells nothing.
+    constexpr float most = 0x1p-5f;
+    if (!(beam.Margin * box.LargestShare() < most))
+    {
+      corners.fill(std::numeric_limits<float>::quiet_NaN());
+    }
     values.Set(corners);
     beam.CellsPassed += static_cast<std::int64_t>(hwy::PopCount(passing));
     bool isMet = false;
@@ -83,7 +116,7 @@ public:
       const M isPassed = MaskOf(passing >> i);
       passing &= ~(these << i);
       const Interval passed{ Load(enter + i), Load(leave + i) };
-      isMet |= this->SearchCell(values, first, passed, isPassed, number, i);
+      isMet |= this->SearchCell(values, box, passed, isPassed, number, i);
     }
     if (number == BeamScene::MostCells - 1 || this->Open.Count > RayBatch::Capacity)
     {
@@ -96,42 +129,42 @@ public:
     }
   }
 
-  /// Decide what is left.
-  void Decide() { this->Scene.Decide(this->Open, this->Beam); }
-
-private:
-  /// Where a vector of rays passes a cell that is larger by the margin. Of one that begins or ends
-  /// in the cell that is more than it does.
-  HWY_INLINE Interval Pass(const float first[3], std::size_t i) const
+  /// The faces of a cell, moved outwards: of each axis the nearer one first.
+  HWY_INLINE void FindPlanes(const Box& box, float margin, float planes[2][3]) const
   {
-    if (!IsPlain)
-    {
-      return this->PassWithin(first, this->Beam.Margin, i);
-    }
-    const TileBeam& beam = this->Beam;
-    Interval passed;
     for (std::size_t a = 0; a < 3; ++a)
     {
-      const V at = Set(first[a]), inverse = Load(&beam.Inverse[a][i]);
-      const V enter = hn::MulAdd(at, inverse, Load(&beam.ToNear[a][i]));
-      const V leave = hn::MulAdd(at, inverse, Load(&beam.ToFar[a][i]));
-      passed.Enter = a == 0 ? enter : hn::Max(passed.Enter, enter);
-      passed.Leave = a == 0 ? leave : hn::Min(passed.Leave, leave);
+      const bool isBack = this->Beam.Flip >> (2 * a) & 1;
+      const float low = box.Low(a) - margin, high = box.High(a) + margin;
+      planes[0][a] = isBack ? high : low;
+      planes[1][a] = isBack ? low : high;
     }
-    return passed;
   }
 
-  /// The same for a cell that is larger by any margin, and rays of any directions.
-  HWY_INLINE Interval PassWithin(const float first[3], float margin, std::size_t i) const
+  /// Where a vector of rays passes a cell, given its faces. Of one that begins or ends in the cell
+  /// that is more than it does.
+  HWY_INLINE Interval Pass(const float planes[2][3], std::size_t i) const
   {
     const TileBeam& beam = this->Beam;
     Interval passed;
     for (std::size_t a = 0; a < 3; ++a)
     {
-      const V origin = Load(&beam.Origin[a][i]), inverse = Load(&beam.Inverse[a][i]);
-      const V one = hn::Mul(hn::Sub(Set(first[a] - margin), origin), inverse);
-      const V other = hn::Mul(hn::Sub(Set(first[a] + 1.0f + margin), origin), inverse);
-      const V enter = hn::Min(one, other), leave = hn::Max(one, other);
+      const V inverse = Load(&beam.Inverse[a][i]);
+      V enter, leave;
+      if constexpr (IsPlain)
+      {
+        const V toOrigin = Load(&beam.ToOrigin[a][i]);
+        enter = hn::MulAdd(Set(planes[0][a]), inverse, toOrigin);
+        leave = hn::MulAdd(Set(planes[1][a]), inverse, toOrigin);
+      }
+      else
+      {
+        const V origin = Load(&beam.Origin[a][i]);
+        const V one = hn::Mul(hn::Sub(Set(planes[0][a]), origin), inverse);
+        const V other = hn::Mul(hn::Sub(Set(planes[1][a]), origin), inverse);
+        enter = hn::Min(one, other);
+        leave = hn::Max(one, other);
+      }
       passed.Enter = a == 0 ? enter : hn::Max(passed.Enter, enter);
       passed.Leave = a == 0 ? leave : hn::Min(passed.Leave, leave);
     }
@@ -153,7 +186,7 @@ private:
 
   /// Search a cell for some rays.
   /// \return true if one of them meets a surface in it for sure
-  HWY_INLINE bool SearchCell(const CellValues& values, const float first[3], const Interval& passed,
+  HWY_INLINE bool SearchCell(const CellValues& values, const Box& box, const Interval& passed,
     M isPassed, std::int32_t number, std::size_t i)
   {
     const TileBeam& beam = this->Beam;
@@ -165,15 +198,15 @@ private:
     for (std::size_t a = 0; a < 3; ++a)
     {
       const V direction = Load(&beam.Direction[a][i]);
-      const V origin = hn::Sub(Load(&beam.Origin[a][i]), Set(first[a]));
-      at[a] = hn::MulAdd(enter, direction, origin);
-      step[a] = hn::Mul(length, direction);
+      const V origin = hn::Sub(Load(&beam.Origin[a][i]), Set(box.Low(a)));
+      at[a] = box.ShareOf(hn::MulAdd(enter, direction, origin), a);
+      step[a] = box.ShareOf(hn::Mul(length, direction), a);
     }
     const Coefficients b = CubicsAlong(values, at, step);
     M isOpen = hn::Lt(zero, zero);
     for (const float isovalue : this->Task.Isovalues)
     {
-      const float error = this->ErrorIn(values, isovalue);
+      const float error = this->ErrorIn(values, box, isovalue);
       const M isBelow = hn::Lt(b.Largest, Set(isovalue - error));
       const M isAbove =
         this->Task.IsSolid ? hn::Lt(zero, zero) : hn::Gt(b.Smallest, Set(isovalue + error));
@@ -183,7 +216,7 @@ private:
     {
       return false;
     }
-    return this->KeepCell(b, values, first, { enter, leave }, isOpen, number, i);
+    return this->KeepCell(b, values, box, { enter, leave }, isOpen, number, i);
   }
 
   /// What coefficients in a cell may be off by. Each is a mean of values of the interpolant where
@@ -191,13 +224,14 @@ private:
   /// either, that moves the value by two times the largest corner for each of three axes. Rounding
   /// adds 2^-24 of numbers less than 27 times the largest corner in 30 operations; in full
   /// precision, and by conversion to single, less than that is lost again.
-  HWY_INLINE float ErrorIn(const CellValues& values, float isovalue) const
+  HWY_INLINE float ErrorIn(const CellValues& values, const Box& box, float isovalue) const
   {
-    return (values.Largest + std::abs(isovalue)) * (16.0f * this->Beam.Margin + 0x1p-13f) + 1e-30f;
+    const float margin = this->Beam.Margin * box.LargestShare();
+    return (values.Largest + std::abs(isovalue)) * (16.0f * margin + 0x1p-13f) + 1e-30f;
   }
 
   /// Keep a cell that rays may meet a surface in.
-  HWY_INLINE bool KeepCell(const Coefficients& b, const CellValues& values, const float first[3],
+  HWY_INLINE bool KeepCell(const Coefficients& b, const CellValues& values, const Box& box,
     const Interval& searched, M isOpen, std::int32_t number, std::size_t i)
   {
     TileBeam& beam = this->Beam;
@@ -213,18 +247,20 @@ private:
     }
     else
     {
-      sure = this->PassWithin(first, -beam.Margin, i);
+      float planes[2][3];
+      this->FindPlanes(box, -beam.Margin, planes);
+      sure = this->Pass(planes, i);
     }
     sure.Enter = hn::Max(sure.Enter, hn::Add(Load(&beam.Begin[i]), margin));
     sure.Leave = hn::Min(sure.Leave, hn::Sub(Load(&beam.End[i]), margin));
     // The interpolant changes by twice the largest corner along an axis, and little more outside.
-    const V slope = Set(2.25f * beam.Steepest * values.Largest);
+    const V slope = Set(2.25f * beam.Steepest * values.Largest * box.LargestShare());
     const V firstMoved = hn::Mul(slope, hn::Sub(sure.Enter, searched.Enter));
     const V lastMoved = hn::Mul(slope, hn::Sub(searched.Leave, sure.Leave));
     M isCrossed = hn::Lt(margin, margin);
     for (const float isovalue : this->Task.Isovalues)
     {
-      const V error = Set(this->ErrorIn(values, isovalue)), level = Set(isovalue);
+      const V error = Set(this->ErrorIn(values, box, isovalue)), level = Set(isovalue);
       const V firstError = hn::Add(error, firstMoved), lastError = hn::Add(error, lastMoved);
       const M beginsIn = hn::Gt(b.First, hn::Add(level, firstError));
       const M endsIn = hn::Gt(b.Last, hn::Add(level, lastError));
@@ -288,6 +324,7 @@ private:
   }
 
   const BeamTask& Task;
+  const Lattice& Places;
   BeamScene& Scene;
   TileBeam& Beam;
   OpenCells Open;

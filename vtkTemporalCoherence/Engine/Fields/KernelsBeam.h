@@ -3,6 +3,7 @@
 #ifndef TemporalCoherence_KernelsBeam_h
 #define TemporalCoherence_KernelsBeam_h
 
+#include "Fields/GridCoordinates.h"
 #include "Fields/TileBeam.h"
 
 #include <vector>
@@ -21,6 +22,7 @@ struct BeamTask
   const std::vector<float>& Isovalues;
   const ActiveCells& Active;
   bool IsSolid; ///< a ray that is inside meets the surface where it enters a cell
+  const GridCoordinates* Grid = nullptr; ///< of samples; null: they lie at integers
 };
 
 /// Take a beam through the active cells, from front to back, up to where all of its rays have met a

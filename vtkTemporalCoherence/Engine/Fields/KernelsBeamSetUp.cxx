@@ -183,11 +183,7 @@ HWY_INLINE void FindPaths(const glm::ivec3& cells, TileBeam& beam)
       const bool isBack = beam.Flip >> (2 * axis) & 1;
       const F inverse = hn::LoadU(d, &beam.Inverse[a][i]);
       const F origin = hn::LoadU(d, &beam.Origin[a][i]);
-      const float low = -beam.Margin, high = 1.0f + beam.Margin;
-      const F near = hn::Sub(hn::Set(d, isBack ? high : low), origin);
-      const F far = hn::Sub(hn::Set(d, isBack ? low : high), origin);
-      hn::StoreU(hn::Mul(near, inverse), d, &beam.ToNear[a][i]);
-      hn::StoreU(hn::Mul(far, inverse), d, &beam.ToFar[a][i]);
+      hn::StoreU(hn::Neg(hn::Mul(origin, inverse)), d, &beam.ToOrigin[a][i]);
       const F ahead = isBack ? hn::Neg(inverse) : inverse;
       const F face = hn::Set(d, static_cast<float>((isBack ? cells[axis] : 0) - beam.Anchor[axis]));
       largest = hn::Max(largest, hn::Abs(inverse));

@@ -12,7 +12,7 @@
 
 #include "Fields/TileBeam.h"
 
-#include "Fields/CellCubics-inl.h"
+#include "Fields/KernelsLattice-inl.h"
 
 #include <atomic>
 
@@ -52,14 +52,16 @@ HWY_INLINE std::uint64_t InOrder(std::uint64_t word, int flip)
 /// Takes a beam from leaf to leaf, from front to back.
 /// \tparam LeafSearch has TestCells(leaf, cells): the first cell of a leaf, and those of its cells
 ///                    that are active and that the beam may pass, by the bits of InOrder
-template <class LeafSearch>
+/// \tparam Lattice    tells where blocks lie (KernelsLattice-inl.h)
+template <class LeafSearch, class Lattice>
 class BeamTree
 {
 public:
-  BeamTree(
-    const ActiveCells& active, const LeafSource& leaves, const TileBeam& beam, LeafSearch& search)
+  BeamTree(const ActiveCells& active, const LeafSource& leaves, const Lattice& blocks,
+    const TileBeam& beam, LeafSearch& search)
     : Active(active)
     , Leaves(leaves)
+    , Blocks(blocks)
     , Beam(beam)
     , Search(search)
   {
@@ -68,39 +70,6 @@ public:
   void Visit() { this->VisitLevel(this->Active.LevelsAbove().size() - 1, glm::ivec3(0)); }
 
 private:
-  /// The children of a block that the beam may meet something in.
-  /// \param first cell of the block, and cells along an edge of a child
-  HWY_INLINE std::uint64_t Cull(const glm::ivec3& first, int size) const
-  {
-    const hn::CappedTag<float, 8> d;
-    const TileBeam::Hull& hull = this->Beam.Around;
-    const glm::vec3 corner(first - this->Beam.Anchor);
-    const auto perSize = hn::Set(d, 1.0f / static_cast<float>(size));
-    TileBeam::OfPlanes least;
-    for (std::size_t i = 0; i < least.size(); i += hn::Lanes(d))
-    {
-      auto left = hn::LoadU(d, &hull.Offset[i]);
-      for (std::size_t a = 0; a < 3; ++a)
-      {
-        const auto at = hn::Set(d, corner[static_cast<int>(a)]);
-        left = hn::Sub(left, hn::Mul(hn::LoadU(d, &hull.Normal[a][i]), at));
-      }
-      const auto reach = hn::LoadU(d, &hull.Reach[i]);
-      hn::StoreU(hn::Sub(hn::Mul(left, perSize), reach), d, &least[i]);
-    }
-    std::uint64_t kept = 0;
-    for (std::size_t i = 0; i < 64; i += hn::Lanes(Floats()))
-    {
-      M isKept = hn::Ge(Load(&hull.Children[0][i]), Set(least[0]));
-      for (std::size_t plane = 1; plane < TileBeam::Planes; ++plane)
-      {
-        isKept = hn::And(isKept, hn::Ge(Load(&hull.Children[plane][i]), Set(least[plane])));
-      }
-      kept |= BitsOf(isKept) << i;
-    }
-    return kept;
-  }
-
   /// Call visit(place) for each child of a block whose bit is set, as it lies in the block, from
   /// front to back.
   template <typename Visitor>
@@ -108,18 +77,13 @@ private:
     std::uint64_t word, const glm::ivec3& first, int size, const Visitor& visit)
   {
     const TileBeam& beam = this->Beam;
-    word = InOrder(word & this->Cull(first, size), beam.Flip);
-    const TileBeam::Hull& hull = beam.Around;
-    constexpr std::size_t across = TileBeam::Across;
-    const float edge = static_cast<float>(size);
-    const float atFirst =
-      glm::dot(-beam.Forward, glm::vec3(first - beam.Anchor)) + edge * hull.Reach[across];
+    word = InOrder(word & this->Blocks.Cull(first, size), beam.Flip);
+    const auto reach = this->Blocks.ReachIn(first, size);
     for (; word != 0; word &= word - 1)
     {
       const int child = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(word)) ^ beam.Flip;
       // What has been found since may hide it.
-      const float at = atFirst + edge * hull.Children[across][static_cast<std::size_t>(child)];
-      if (at >= hull.Offset[across])
+      if (reach.Of(child) >= beam.Around.Offset[TileBeam::Across])
       {
         visit(glm::ivec3(child & 3, child >> 2 & 3, child >> 4));
       }
@@ -160,12 +124,13 @@ private:
         {
           cells = this->Leaves.CellsOf(node, leaf);
         }
-        this->Search.TestCells(leaf, InOrder(cells & this->Cull(leaf, 1), this->Beam.Flip));
+        this->Search.TestCells(leaf, InOrder(cells & this->Blocks.Cull(leaf, 1), this->Beam.Flip));
       });
   }
 
   const ActiveCells& Active;
   const LeafSource& Leaves;
+  const Lattice& Blocks;
   const TileBeam& Beam;
   LeafSearch& Search;
 };

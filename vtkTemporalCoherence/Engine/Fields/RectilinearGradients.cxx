@@ -5,6 +5,7 @@
 #include "Scene/Difference.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -66,6 +67,8 @@ public:
   {
   }
 
+  void SetDifference(const Difference<double>& difference) { this->FromIsovalue = difference; }
+
   double Unscaled(double difference) const
   {
     return Bounded(this->FromIsovalue.Unscaled(difference));
@@ -74,21 +77,69 @@ public:
   /// Per unit of index space, interpolated between the corners of the cell.
   glm::dvec3 At(const CellPoint& point) const
   {
+    const CornerGradients gradients = this->AtCorners(point.Cell);
     glm::dvec3 sum(0.0);
-    for (int corner = 0; corner < 8; ++corner)
+    for (std::size_t corner = 0; corner < 8; ++corner)
     {
-      const glm::ivec3 side(corner & 1, corner >> 1 & 1, corner >> 2);
-      const glm::dvec3 share = glm::mix(1.0 - point.At, point.At, glm::dvec3(side));
-      const double weight = share.x * share.y * share.z;
-      if (weight > 0.0)
+      const bool x = corner & 1, y = corner >> 1 & 1, z = corner >> 2;
+      const double weight = (x ? point.At.x : 1.0 - point.At.x) *
+        (y ? point.At.y : 1.0 - point.At.y) * (z ? point.At.z : 1.0 - point.At.z);
+      for (int axis = 0; axis < 3; ++axis)
       {
-        sum += weight * this->AtSample(point.Cell + side);
+        sum[axis] += weight * gradients[static_cast<std::size_t>(axis)][corner];
       }
     }
     return sum;
   }
 
+  /// The same at a sample, which is a corner of the point's cell.
+  glm::dvec3 AtSampleOf(const CellPoint& point) const
+  {
+    return this->AtSample(point.Cell + glm::ivec3(point.At));
+  }
+
 private:
+  using CornerGradients = std::array<std::array<double, 8>, 3>;
+
+  /// AtSample of all corners of a cell.
+  CornerGradients AtCorners(const glm::ivec3& cell) const
+  {
+    const TypedField<T>& samples = this->Samples;
+    const T* const first = samples.At(cell);
+    CornerGradients gradients;
+    for (int a = 0; a < 3; ++a)
+    {
+      const auto axis = static_cast<std::size_t>(a);
+      const int b = a == 0 ? 1 : 0, c = a == 2 ? 1 : 2;
+      const bool isFirst = cell[a] == 0, isLast = cell[a] + 2 == samples.Dimensions[a];
+      const std::int64_t step = samples.Strides[a];
+      // The samples before the cell, of its two faces, and behind it.
+      const std::array<std::int64_t, 4> places = { isFirst ? 0 : -step, 0, step,
+        isLast ? step : 2 * step };
+      const double* const at = this->Grid.Of(a).data() + cell[a];
+      const std::array<double, 2> distances = { at[1] - at[isFirst ? 0 : -1],
+        at[isLast ? 1 : 2] - at[0] };
+      for (std::size_t row = 0; row < 4; ++row)
+      {
+        const std::size_t onB = row & 1, onC = row >> 1;
+        const T* const sample =
+          first + (onB ? samples.Strides[b] : 0) + (onC ? samples.Strides[c] : 0);
+        std::array<double, 4> values;
+        for (std::size_t i = 0; i < 4; ++i)
+        {
+          values[i] = this->FromIsovalue(static_cast<double>(sample[places[i]]));
+        }
+        const std::size_t corner = (onB << b) + (onC << c);
+        for (std::size_t side = 0; side < 2; ++side)
+        {
+          gradients[axis][corner + (side << axis)] =
+            Bounded((values[side + 2] - values[side]) / distances[side]);
+        }
+      }
+    }
+    return gradients;
+  }
+
   /// Central differences, one-sided at the boundary.
   glm::dvec3 AtSample(const glm::ivec3& sample) const
   {
@@ -125,14 +176,26 @@ void RectilinearGradients(
   DispatchScalarType(query.Samples.Type,
     [&](auto type)
     {
+      const auto differenceFor = [&](std::int16_t surface)
+      {
+        const double isovalue = (*query.Isovalues)[static_cast<std::size_t>(surface)];
+        return Difference<double>(isovalue, query.FiniteRange);
+      };
+      std::int16_t surface = tile.Surfaces[0];
+      GradientFinder<decltype(type)> finder(query.Samples, grid, differenceFor(surface));
       for (std::size_t i = 0; i < tile.Count; ++i)
       {
-        const double isovalue = (*query.Isovalues)[static_cast<std::size_t>(tile.Surfaces[i])];
-        const GradientFinder<decltype(type)> finder(
-          query.Samples, grid, Difference<double>(isovalue, query.FiniteRange));
+        if (tile.Surfaces[i] != surface)
+        {
+          surface = tile.Surfaces[i];
+          finder.SetDifference(differenceFor(surface));
+        }
         const glm::dvec3 point(query.IndexFromWorld * glm::dvec4(at(tile.Points, i), 1.0));
-        const glm::dvec3 gradient =
-          finder.At(FindCell(grid, query.Samples.Between, point, turn * at(tile.Directions, i)));
+        const CellPoint found =
+          FindCell(grid, query.Samples.Between, point, turn * at(tile.Directions, i));
+        const glm::dvec3 gradient = query.Samples.Between == Interpolation::Nearest
+          ? finder.AtSampleOf(found)
+          : finder.At(found);
         for (std::size_t a = 0; a < 3; ++a)
         {
           tile.Gradients[a][i] = finder.Unscaled(gradient[static_cast<int>(a)]);

@@ -5,9 +5,9 @@
 #include "Fields/LatticeFaces.h"
 #include "Fields/RectilinearCells.h"
 #include "Fields/RectilinearGradients.h"
+#include "Fields/RectilinearTracer.h"
 #include "Isomap/CellBandTracer.h"
 #include "Scene/CellBox.h"
-#include "Trace/CellTracer.h"
 
 #include <limits>
 #include <utility>
@@ -81,8 +81,10 @@ public:
   std::shared_ptr<const SurfaceTracer> MakeTracer(const TraceScene& scene) const override
   {
     return DispatchScalarType(scene.Samples.Type,
-      [&](auto type) {
-        return MakeCellTracer<decltype(type)>(scene, RectilinearCells<decltype(type)>(*this->Grid));
+      [&](auto type)
+      {
+        return MakeRectilinearTracer<decltype(type)>(
+          scene, RectilinearCells<decltype(type)>(*this->Grid));
       });
   }
 

@@ -39,9 +39,8 @@ struct alignas(64) TileBeam
 
   // Arrays first, where vectors do not lie across lines of the cache.
   std::array<Array<float>, 3> Origin, Direction, Inverse;
-  /// If IsPlain, a ray passes the faces of a cell that is larger by the margin at
-  /// first Inverse + ToNear and first Inverse + ToFar, where `first` is the cell's first corner.
-  std::array<Array<float>, 3> ToNear, ToFar;
+  /// If IsPlain, a ray passes a plane between cells at its coordinate * Inverse + ToOrigin.
+  std::array<Array<float>, 3> ToOrigin;
   Array<float> Begin, End, WalkBegin; ///< moved outwards by the margin
   Array<float> AtDepth, PerDepth;     ///< depth in the beam: AtDepth + t PerDepth
   /// If IsPlain, how much later than told a ray may enter a cell, or how much earlier leave it.

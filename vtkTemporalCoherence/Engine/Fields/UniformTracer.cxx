@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fields/UniformTracer.h"
 
+#include "Fields/BeamChoice.h"
 #include "Fields/KernelsCorners.h"
 #include "Fields/UniformBeam.h"
 #include "Fields/UniformCells.h"
@@ -19,35 +20,6 @@ namespace TemporalCoherence
 {
 namespace
 {
-
-/// Voxels between rays from which on they walk: then a cell of a beam is passed by so few rays that
-/// vectors of them do not pay. Beams and walks cost the same at 0.75 (engine) to 0.9 (spheres256,
-/// marschner-lobb256, bonsai), and at 0.43 walks cost 1.3 to 1.8 times as much. Measured by cold
-/// frames of `Benchmark --scenarios routes` at zooms of 0.3 to 2.2.
-constexpr double CoarsestPixel = 0.75;
-
-/// Fewer rays of a tile than this walk.
-constexpr int FewestRays = 16;
-
-}
-
-double SpacingOf(const RayBatch& rays)
-{
-  constexpr std::size_t middle = 36, right = 7, above = 56;
-  const double t = rays.WalkBegin[middle];
-  glm::dvec3 direction, alongX, alongY;
-  for (int a = 0; a < 3; ++a)
-  {
-    const auto axis = static_cast<std::size_t>(a);
-    const auto at = [&](std::size_t ray)
-    { return rays.Origin[axis][ray] + t * rays.Direction[axis][ray]; };
-    direction[a] = rays.Direction[axis][middle];
-    alongX[a] = at(right) - at(0);
-    alongY[a] = at(above) - at(0);
-  }
-  const double area = std::abs(glm::dot(direction, glm::cross(alongX, alongY)));
-  return std::sqrt(area / glm::length(direction)) / (TileSize - 1);
-}
 
 namespace
 {
@@ -133,19 +105,6 @@ private:
     RayBatch::Array<std::int16_t> Surface;
   };
 
-  /// True if rays of a tile are to go through active cells as a beam.
-  bool IsBeam(const RayBatch& rays, std::uint64_t wanted) const
-  {
-    if (this->Cells.Scene.By == Traversal::Beams)
-    {
-      return wanted != 0;
-    }
-    // Walks that a hint begins near surfaces are short: as beams, moved cameras cost 0.85 (bonsai)
-    // to 1.06 (engine) times as much, and twice as much without vectors.
-    return !this->Cells.Scene.IsHinted && rays.Count == RayBatch::Capacity &&
-      static_cast<int>(hwy::PopCount(wanted)) >= FewestRays && SpacingOf(rays) < CoarsestPixel;
-  }
-
   std::uint64_t CellsOf(std::int64_t node, const glm::ivec3& cell) const override
   {
     return this->Cells.Scene.Active->CellsOf(this->Cells.Samples.All(), node, cell);
@@ -163,7 +122,7 @@ private:
     }
     if constexpr (Between == Interpolation::Linear)
     {
-      if (this->Levels && this->IsBeam(rays, wanted) &&
+      if (this->Levels && AreBeam(this->Cells.Scene, rays, wanted) &&
         UniformBeam<T>(this->Cells, *this->Levels, rays, hits).Trace(wanted))
       {
         return;
@@ -430,7 +389,7 @@ private:
     }
   }
 
-  /// Cap solids that rays begin in.
+  /// As CellTracer does, in vectors.
   void FindCaps(const RayBatch& rays, HitBatch& hits) const
   {
     Search search;
@@ -475,9 +434,6 @@ private:
 
 }
 
-bool HasBeams(const Field& field, const Surfaces& surfaces)
-{
-  return field.Between == Interpolation::Linear && !surfaces.Isovalues.empty();
 }
 
 std::shared_ptr<const SurfaceTracer> MakeUniformTracer(const TraceScene& scene)

@@ -10,16 +10,10 @@
 namespace TemporalCoherence
 {
 
-/// True if the rays of tiles can go through a field as beams, where pixels are fine.
-bool HasBeams(const Field& field, const Surfaces& surfaces);
-
 /// The tracer of uniform fields, for the type of the scene's samples: the rays of a tile go from
 /// active cell to active cell together, in vectors.
 /// \throws std::bad_alloc
 std::shared_ptr<const SurfaceTracer> MakeUniformTracer(const TraceScene& scene);
-
-/// Voxels between the rays of a whole tile, across them, where one in its middle begins to walk.
-double SpacingOf(const RayBatch& rays);
 
 }
 

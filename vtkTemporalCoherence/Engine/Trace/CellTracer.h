@@ -29,17 +29,8 @@ public:
   void Trace(const RayBatch& rays, HitBatch& hits) const override
   {
     hits.Clear(rays.Count);
-    for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
-    {
-      if (this->Cells.Rules.IsSolid() && rays.Begin[ray] < rays.End[ray])
-      {
-        this->FindCap(rays, ray, hits);
-      }
-      if (rays.HasWalk(ray) && hits.Kind[ray] == HitKind::None)
-      {
-        this->Walk(rays, ray, hits);
-      }
-    }
+    this->FindCaps(rays, hits);
+    this->WalkAll(rays, hits);
   }
 
   void FindNext(const RayBatch& rays, HitBatch& hits) const override
@@ -57,65 +48,45 @@ public:
       const std::size_t ray = cells.Ray[i];
       const glm::ivec3 cell = cells.At(i);
       const Segment segment(this->Cells.Shape.RayOf(rays, ray), cell);
-      const Found found =
-        this->SearchFor(segment, this->Cells.Differ(this->Cells.Samples.Read(cell), cells.Surface));
+      const CellHit found = this->Cells.SearchFor(
+        segment, this->Cells.Differ(this->Cells.Samples.Read(cell), cells.Surface));
       missing |= static_cast<std::uint64_t>(!std::isfinite(found.Distance)) << ray;
-      this->Keep(segment, found, surface, ray, hits);
+      this->Cells.Keep(segment, found, surface, ray, hits);
     }
     hits.CellsRead += cells.Count;
     return missing;
   }
 
 protected:
+  /// Cap solids that rays begin in.
+  void FindCaps(const RayBatch& rays, HitBatch& hits) const
+  {
+    for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
+    {
+      if (this->Cells.Rules.IsSolid() && rays.Begin[ray] < rays.End[ray])
+      {
+        this->FindCap(rays, ray, hits);
+      }
+    }
+  }
+
+  /// Let all rays walk that have not hit.
+  void WalkAll(const RayBatch& rays, HitBatch& hits) const
+  {
+    for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
+    {
+      if (rays.HasWalk(ray) && hits.Kind[ray] == HitKind::None)
+      {
+        this->Walk(rays, ray, hits);
+      }
+    }
+  }
+
   TracedCells<T, Geometry, Between> Cells;
 
 private:
   using Real = typename Geometry::Real;
   using Segment = typename Geometry::Segment;
-
-  /// What a cell segment shows of one surface.
-  struct Found
-  {
-    bool FromInside; ///< the ray is inside where it enters the cell
-    double Distance; ///< t of the first crossing; infinity if there is none
-  };
-
-  Found SearchFor(const Segment& segment, const Corners<Real>& corners) const
-  {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    if constexpr (Between == Interpolation::Nearest)
-    {
-      double share = 0.0;
-      const bool isFound =
-        segment.HasLength() && FirstNearestCrossing(corners, segment.Nearest(), share);
-      return { IsInside(this->Cells.AtEntry(corners, segment)),
-        isFound ? segment.DistanceAt(share) : infinity };
-    }
-    else
-    {
-      const Cubic<Real> cubic = CubicAlong(corners, segment.Path());
-      Real share = Real(0);
-      // A walk may begin inside a solid whose surface it has to find.
-      const bool begins = this->Cells.Rules.IsSolid() && IsInside(cubic[0]);
-      const bool isFound = begins || FirstCrossing(cubic, share);
-      return { IsInside(cubic[0]),
-        isFound ? segment.DistanceAt(static_cast<double>(share)) : infinity };
-    }
-  }
-
-  /// Make a surface that was found the hit of its ray if it comes before the present hit.
-  void Keep(const Segment& segment, const Found& found, std::int16_t surface, std::size_t ray,
-    HitBatch& hits) const
-  {
-    const HitRules& rules = this->Cells.Rules;
-    rules.KeepFirst(found.Distance, found.FromInside, surface, ray, hits);
-    if (rules.AreCappedBehindHidden() && found.FromInside)
-    {
-      rules.CapBehindHidden(
-        segment.Enter(), surface, ray, [&] { return segment.ComesFrom(*this->Cells.Hidden); },
-        hits);
-    }
-  }
 
   /// Walk from cell to cell up to the first hit.
   void Walk(const RayBatch& rays, std::size_t ray, HitBatch& hits) const
@@ -147,9 +118,9 @@ private:
       }
       const auto surface = static_cast<std::int16_t>(i);
       const Segment segment(line, cell);
-      const Found found = this->SearchFor(segment, corners);
+      const CellHit found = this->Cells.SearchFor(segment, corners);
       HitRules::KeepFirstEntry(segment.Enter(), found.FromInside, ray, hits);
-      this->Keep(segment, found, surface, ray, hits);
+      this->Cells.Keep(segment, found, surface, ray, hits);
     }
   }
 

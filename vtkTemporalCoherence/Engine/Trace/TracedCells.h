@@ -13,10 +13,18 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace TemporalCoherence
 {
+
+/// What a segment of a ray in a cell shows of one surface.
+struct CellHit
+{
+  bool FromInside; ///< the ray is inside where it enters the cell
+  double Distance; ///< t of the first crossing; infinity if there is none
+};
 
 /// The cells of a field with samples at their corners, prepared for tracing.
 ///
@@ -86,6 +94,41 @@ struct TracedCells
   {
     return Between == Interpolation::Linear ? CubicAlong(corners, segment.Path())[0]
                                             : corners[NearestCorner(segment.Path().Begin)];
+  }
+
+  CellHit SearchFor(const Segment& segment, const Corners<Real>& corners) const
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    if constexpr (Between == Interpolation::Nearest)
+    {
+      double share = 0.0;
+      const bool isFound =
+        segment.HasLength() && FirstNearestCrossing(corners, segment.Nearest(), share);
+      return { IsInside(AtEntry(corners, segment)),
+        isFound ? segment.DistanceAt(share) : infinity };
+    }
+    else
+    {
+      const Cubic<Real> cubic = CubicAlong(corners, segment.Path());
+      Real share = Real(0);
+      // A walk may begin inside a solid whose surface it has to find.
+      const bool begins = this->Rules.IsSolid() && IsInside(cubic[0]);
+      const bool isFound = begins || FirstCrossing(cubic, share);
+      return { IsInside(cubic[0]),
+        isFound ? segment.DistanceAt(static_cast<double>(share)) : infinity };
+    }
+  }
+
+  /// Make a surface that was found the hit of its ray if it comes before the present hit.
+  void Keep(const Segment& segment, const CellHit& found, std::int16_t surface, std::size_t ray,
+    HitBatch& hits) const
+  {
+    this->Rules.KeepFirst(found.Distance, found.FromInside, surface, ray, hits);
+    if (this->Rules.AreCappedBehindHidden() && found.FromInside)
+    {
+      this->Rules.CapBehindHidden(
+        segment.Enter(), surface, ray, [&] { return segment.ComesFrom(*this->Hidden); }, hits);
+    }
   }
 
   TraceScene Scene;

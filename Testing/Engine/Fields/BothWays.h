@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Testing_BothWays_h
+#define Testing_BothWays_h
+
+#include "Acceleration/ActiveCells.h"
+#include "Grid.h"
+#include "Scene/Tiles.h"
+#include "Trace/RaySource.h"
+#include "Trace/SurfaceTracer.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <random>
+#include <vector>
+
+/// Traces tiles both ways, by walks and as beams, and compares.
+template <typename T>
+class BothWays
+{
+public:
+  BothWays(Grid<T>& grid, const std::vector<double>& isovalues, TemporalCoherence::SurfaceMode mode)
+    : Dimensions(grid.Field.Dimensions)
+  {
+    this->Pyramid.Build(grid.Field);
+    this->Scene.Samples = grid.Field;
+    this->Scene.Isosurfaces = { isovalues, mode };
+    this->Scene.FiniteRange = this->Pyramid.FiniteRange();
+    this->Active.Build(grid.Field, this->Pyramid, this->Scene.Isosurfaces);
+    this->Scene.Active = &this->Active;
+    this->Scene.By = TemporalCoherence::Traversal::Walks;
+    this->Walks = TemporalCoherence::SurfaceTracer::Make(this->Scene);
+    this->Scene.By = TemporalCoherence::Traversal::Beams;
+    this->Beams = TemporalCoherence::SurfaceTracer::Make(this->Scene);
+  }
+
+  /// All tiles of a view.
+  void Compare(const TemporalCoherence::View& view)
+  {
+    const TemporalCoherence::RaySource source(
+      view, TemporalCoherence::IndexTransform(), this->Dimensions);
+    for (std::int64_t tile = 0; tile < TemporalCoherence::NumberOfTiles(view.Size); ++tile)
+    {
+      const TemporalCoherence::PixelRect part = TemporalCoherence::PixelsOfTile(view.Size, tile);
+      TemporalCoherence::RayBatch rays;
+      source.SetUp(part.First, part.Size, rays);
+      this->CompareRays(rays);
+    }
+  }
+
+  /// The same of rays that begin and end anywhere.
+  void CompareCut(const TemporalCoherence::View& view)
+  {
+    const TemporalCoherence::RaySource source(
+      view, TemporalCoherence::IndexTransform(), this->Dimensions);
+    std::uniform_real_distribution<double> share(-0.3, 1.0);
+    for (std::int64_t tile = 0; tile < TemporalCoherence::NumberOfTiles(view.Size); ++tile)
+    {
+      const TemporalCoherence::PixelRect part = TemporalCoherence::PixelsOfTile(view.Size, tile);
+      TemporalCoherence::RayBatch rays;
+      source.SetUp(part.First, part.Size, rays);
+      for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
+      {
+        const double length = rays.End[i] - rays.Begin[i];
+        const auto cut = [&] { return std::max(0.5 * share(this->Random) * length, 0.0); };
+        rays.WalkBegin[i] = rays.Begin[i] += cut();
+        rays.WalkEnd[i] = rays.End[i] -= cut();
+      }
+      this->CompareRays(rays);
+    }
+  }
+
+  std::int64_t Rays = 0, Hits = 0;
+
+private:
+  void CompareRays(const TemporalCoherence::RayBatch& rays)
+  {
+    TemporalCoherence::HitBatch walked, beamed;
+    this->Walks->Trace(rays, walked);
+    this->Beams->Trace(rays, beamed);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
+    {
+      ++this->Rays;
+      this->Hits += walked.Kind[i] != TemporalCoherence::HitKind::None;
+      ASSERT_EQ(beamed.Depth[i], walked.Depth[i]);
+      ASSERT_EQ(beamed.Surface[i], walked.Surface[i]);
+      ASSERT_EQ(beamed.Kind[i], walked.Kind[i]);
+    }
+  }
+
+  glm::ivec3 Dimensions;
+  TemporalCoherence::ValueRangePyramid Pyramid;
+  TemporalCoherence::ActiveCells Active;
+  TemporalCoherence::TraceScene Scene;
+  std::shared_ptr<const TemporalCoherence::SurfaceTracer> Walks, Beams;
+  std::mt19937 Random{ 7 };
+};
+
+#endif

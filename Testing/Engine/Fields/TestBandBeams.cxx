@@ -36,8 +36,7 @@ bool AreAscending(const CellKnots& knots)
   for (std::size_t ray = 0; ray < RayBatch::Capacity && !knots.IsEmpty(); ++ray)
   {
     const std::size_t begin = knots.Begin(ray), end = knots.Begin(ray + 1);
-    areAscending = areAscending && std::is_sorted(knots.Get<0>() + begin, knots.Get<0>() + end) &&
-      std::is_sorted(knots.Get<1>() + begin, knots.Get<1>() + end);
+    areAscending = areAscending && std::is_sorted(knots.Get<0>() + begin, knots.Get<0>() + end);
   }
   return areAscending;
 }

@@ -104,14 +104,6 @@ public:
       });
   }
 
-  void FindEntries(const RayBatch& rays, CellList& cells) const override
-  {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(cells.Count); ++i)
-    {
-      cells.Enter[i] = RectilinearSegment({ rays, cells.Ray[i], *this->Grid }, cells.At(i)).Enter;
-    }
-  }
-
   void FindGradients(const GradientQuery& query, const GradientTile& tile) const override
   {
     RectilinearGradients(*this->Grid, query, tile);

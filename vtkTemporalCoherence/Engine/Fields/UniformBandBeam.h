@@ -100,7 +100,6 @@ private:
       BandCell<Real>& cell = cells[i];
       cell.Place = places[i];
       cell.Reach = this->Band.Read(cell.Place, cell.Samples);
-      this->Band.SetKeys(cell.Reach);
     }
   }
 

@@ -8,24 +8,8 @@
 #include "Trace/CellWalk.h"
 #include "Trace/HiddenSegment.h"
 
-#include <algorithm>
-
 namespace TemporalCoherence
 {
-
-/// Where a ray enters a cell of an image, and where it leaves it: the ends of its CellSegment.
-inline glm::dvec2 EndsInCell(const RayBatch& rays, std::size_t ray, const glm::dvec3& cell)
-{
-  glm::dvec2 ends(rays.Begin[ray], rays.End[ray]);
-  for (std::size_t a = 0; a < 3; ++a)
-  {
-    const double first = cell[static_cast<int>(a)];
-    const double ahead = rays.Direction[a][ray] > 0.0 ? 1.0 : 0.0;
-    ends.x = std::max(ends.x, (first + (1.0 - ahead) - rays.Origin[a][ray]) * rays.Inverse[a][ray]);
-    ends.y = std::min(ends.y, (first + ahead - rays.Origin[a][ray]) * rays.Inverse[a][ray]);
-  }
-  return ends;
-}
 
 /// The geometry of the cells of an image, for CellTracer.
 template <typename T>

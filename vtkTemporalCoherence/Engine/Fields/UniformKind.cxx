@@ -54,14 +54,6 @@ public:
     return MakeUniformBandTracer(scene);
   }
 
-  void FindEntries(const RayBatch& rays, CellList& cells) const override
-  {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(cells.Count); ++i)
-    {
-      cells.Enter[i] = EndsInCell(rays, cells.Ray[i], cells.At(i)).x;
-    }
-  }
-
   void FindGradients(const GradientQuery& query, const GradientTile& tile) const override
   {
     UniformGradients(query, tile);

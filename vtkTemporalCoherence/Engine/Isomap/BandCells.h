@@ -26,7 +26,6 @@ template <typename Real>
 struct CellReach
 {
   std::array<Real, NumberOfDirections> Corner;
-  std::array<BandScale::Key, NumberOfDirections> CornerKey; ///< set by BandCells::SetKeys
   Real Error;    ///< rounding error between two ways to compute a value of the field
   bool IsFinite; ///< all samples are finite
 };
@@ -55,7 +54,7 @@ struct BandCells
   CellReach<Real> Read(const glm::ivec3& cell, Corners<Real>& corners) const
   {
     const std::array<T, 8> samples = this->Samples.Read(cell);
-    CellReach<Real> reach{ {}, {}, Real(0), true };
+    CellReach<Real> reach{ {}, Real(0), true };
     Real lowest = Infinity, highest = -Infinity;
     for (std::size_t i = 0; i < 8; ++i)
     {
@@ -81,18 +80,10 @@ struct BandCells
     return reach;
   }
 
-  /// Key of the progress of a value or a sample of a cell.
+  /// Key of the progress of a value in a cell.
   BandScale::Key KeyOf(Real progress, const CellReach<Real>& cell) const
   {
     return this->Scale.KeyOf(static_cast<double>(progress) + static_cast<double>(cell.Error));
-  }
-
-  void SetKeys(CellReach<Real>& cell) const
-  {
-    for (std::size_t direction = 0; direction < NumberOfDirections; ++direction)
-    {
-      cell.CornerKey[direction] = this->KeyOf(cell.Corner[direction], cell);
-    }
   }
 
   BandScene Scene;

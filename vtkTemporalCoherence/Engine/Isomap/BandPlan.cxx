@@ -19,12 +19,12 @@ namespace
 constexpr double LargestStep = 1.0 / 20.0;
 
 /// Steps that a band may reach ahead, its first isovalue among them.
-constexpr std::array<double, 8> AllSteps = { 2.0, 3.0, 4.0, 6.0, 8.0, 12.0, 18.0, 27.0 };
+constexpr std::array<double, 9> AllSteps = { 2.0, 3.0, 4.0, 6.0, 8.0, 12.0, 18.0, 27.0, 40.0 };
 constexpr double FixedSteps = 12.0;
 constexpr double WidestFixed = 1.0 / 16.0; ///< of the range
 
 /// How many more steps a drag goes on, on average.
-constexpr double StepsToCome = 16.0;
+constexpr double StepsToCome = 40.0;
 
 /// Half the width of a band around an isovalue that does not move, as a share of the range.
 constexpr double HalfWidthAtRest = 1.0 / 1024.0;
@@ -37,7 +37,7 @@ constexpr double LeastGain = 0.1;
 constexpr double HalfLifeBuilt = 0.05, HalfLifeLookedUp = 0.1;
 
 /// What building is taken to cost as long as nothing was measured: at width 0 and at a wider one.
-constexpr double GuessAtOnce = 1.6, GuessWide = 3.0, WideGuess = 1.0 / 32.0, WeightOfGuess = 0.01;
+constexpr double GuessAtOnce = 1.4, GuessWide = 2.2, WideGuess = 1.0 / 32.0, WeightOfGuess = 0.01;
 
 /// A measurement counts at least as much as one of this share of the picture. So a few groups,
 /// which are all that a frame builds where building is expensive, show soon that it is, or no

@@ -91,7 +91,7 @@ public:
       reached = isDone ? Cells::Infinity : std::max(reached, path);
       if (!this->Knots.IsFitted())
       {
-        this->NoteCell(direction, ray, place, cell, this->Band.KeyOf(path, cell), at, i);
+        this->NoteCell(direction, ray, place, this->Band.KeyOf(path, cell), at, i);
       }
       else if (!cell.IsFinite)
       {
@@ -153,23 +153,21 @@ private:
 
   /// Store a cell as a knot if it raised the ray's progress.
   void NoteCell(std::size_t direction, std::size_t ray, const glm::ivec3& place,
-    const CellReach<Real>& cell, BandScale::Key reached, const RangesView<Real>& at, std::size_t i)
+    BandScale::Key reached, const RangesView<Real>& at, std::size_t i)
   {
-    Keys& keys = this->Noted[direction][ray];
-    const BandScale::Key path = std::max(keys.Path, reached);
-    const BandScale::Key corner = std::max({ keys.Corner, path, cell.CornerKey[direction] });
-    if (path > keys.Path || corner > keys.Corner)
+    BandScale::Key& last = this->Noted[direction][ray];
+    if (reached > last)
     {
       // The normal of a ray's first knot is taken half way to where the field comes farthest,
       // others there.
-      const bool isFirst = keys.Path == 0;
-      keys = { path, corner };
+      const bool isFirst = last == 0;
+      last = reached;
       const CellIndex index = { static_cast<std::uint16_t>(place.x),
         static_cast<std::uint16_t>(place.y), static_cast<std::uint16_t>(place.z) };
       const double farthest =
         this->Band.Scene.Form.HasNormals ? this->FarthestAt(direction, at, i) : 0.0;
       const double distance = isFirst ? 0.5 * (at.Enter[i] + farthest) : farthest;
-      this->Knots.AddCell(direction, ray, path, corner, index, distance);
+      this->Knots.AddCell(direction, ray, reached, index, distance);
     }
   }
 
@@ -239,18 +237,12 @@ private:
     }
   }
 
-  /// Keys of the last knot of a ray.
-  struct Keys
-  {
-    BandScale::Key Path = 0, Corner = 0;
-  };
-
   const Cells& Band;
   const RayBatch& Rays;
   KnotCollector Knots;
 
   alignas(64) std::array<RayBatch::Array<Real>, NumberOfDirections> Reached;
-  std::array<RayBatch::Array<Keys>, NumberOfDirections> Noted;
+  std::array<RayBatch::Array<BandScale::Key>, NumberOfDirections> Noted{}; ///< of the last knots
   RayBatch::Array<bool> HasEntered; ///< the value where the ray begins is known
   RayBatch::Array<float> Entries;
   bool HasEntries = false; ///< some ray begins in the band or above it

@@ -102,18 +102,6 @@ private:
     std::size_t Ray;
   };
 
-  /// Set those keys of a cell that a ray needs.
-  void SetKeys(std::size_t ray, const Progress& progress, CellReach<Real>& cell) const
-  {
-    for (std::size_t direction = 0; direction < NumberOfDirections; ++direction)
-    {
-      if (progress.ReachedIn(direction)[ray] < BandCells<T, Geometry>::Infinity)
-      {
-        cell.CornerKey[direction] = this->Cells.KeyOf(cell.Corner[direction], cell);
-      }
-    }
-  }
-
   /// Walk to the next cell that can bring a ray on.
   /// \return false if its walk ends first
   bool Advance(
@@ -124,11 +112,10 @@ private:
     while (walk.FindActive(line, *this->Cells.Scene.Active, this->Cells.Samples.All(), useful))
     {
       Corners<Real> corners;
-      CellReach<Real> reach = this->Cells.Read(walk.Here(), corners);
+      const CellReach<Real> reach = this->Cells.Read(walk.Here(), corners);
       ++progress.CellsRead;
       if (progress.CanBringOn(ray, reach.Corner[Rising], reach.Corner[Falling]))
       {
-        this->SetKeys(ray, progress, reach);
         round.Reach[round.Segments.Count()] = reach;
         round.Segments.Append(rays, ray, walk.Here(), corners);
         return true;

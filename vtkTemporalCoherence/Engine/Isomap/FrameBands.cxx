@@ -17,14 +17,18 @@ namespace
 
 // Measured by the mean and the worst frames of drags, `Benchmark --scenarios isomap`.
 
-/// How much longer a frame may take than if all was traced, as a share; and how much of what
-/// look-ups are expected to save may be spent on that.
-constexpr double AllowedExtra = 0.1, SpentOfSavings = 0.8;
+/// How much longer a frame may take than if all was traced, as a share: the first one of a drag,
+/// and others. And how much of what look-ups are expected to save may be spent on that.
+constexpr double AllowedAtFirst = 0.1, AllowedExtra = 0.15, SpentOfSavings = 0.8;
 
 /// If no band is worth its cost, every so many frames that share of the picture is built, to see
 /// whether that has changed.
-constexpr std::uint64_t FramesBetweenProbes = 12;
+constexpr std::uint64_t FramesBetweenProbes = 6;
 constexpr double ShareOfProbe = 0.02;
+
+/// A group that took more of tracing it, and an average group, than this was interrupted. Beyond
+/// that its time tells nothing of bands.
+constexpr double MostOfTracing = 8.0;
 
 /// The share of the groups that a frame builds if the picture depends on it.
 constexpr double FixedShare = 1.0 / 12.0;
@@ -99,7 +103,8 @@ FrameBands::FrameBands(const Source& source, Isomap& map, DragState& state)
   {
     return;
   }
-  double most = SpentOfSavings * saved + AllowedExtra * this->CostOfAll;
+  double most =
+    SpentOfSavings * saved + (saved > 0.0 ? AllowedExtra : AllowedAtFirst) * this->CostOfAll;
   if (!isWorthIt && this->IsExact)
   {
     most = state.Frame % FramesBetweenProbes == 0 ? ShareOfProbe * this->CostOfAll : 0.0;
@@ -265,12 +270,15 @@ void FrameBands::Finish()
   BandPlan::Measured measured;
   measured.TracingAll = this->CostOfAll;
   measured.IsMemoryFull = this->IsFull;
+  const double mean = this->CostOfAll / static_cast<double>(this->Work.size());
   for (std::size_t group = 0; group < this->Work.size(); ++group)
   {
     const bool isBuilt = this->Work[group] == GroupWork::Build;
     if (isBuilt || this->Work[group] == GroupWork::LookUp)
     {
-      (isBuilt ? measured.Built : measured.LookedUp) += static_cast<double>(this->CostNow[group]);
+      const double most = MostOfTracing * (this->Costs[group] + mean);
+      const double cost = std::min(static_cast<double>(this->CostNow[group]), most);
+      (isBuilt ? measured.Built : measured.LookedUp) += cost;
       (isBuilt ? measured.TracingBuilt : measured.TracingFound) += this->Costs[group];
     }
   }

@@ -37,7 +37,7 @@ struct KnotColumns
     {
       this->Begins = &table;
       this->Paths = table.Get<0>();
-      this->Cells = table.Get<2>();
+      this->Cells = table.Get<1>();
     }
   }
 
@@ -75,7 +75,7 @@ bool AreNeighbors(const CellIndex& a, const CellIndex& b)
 glm::vec3 NormalInCells(const CellKnots& table, const PackedNormal* normals, std::size_t first,
   std::size_t knot, BandScale::Key key)
 {
-  const CellIndex* const cells = table.Get<2>();
+  const CellIndex* const cells = table.Get<1>();
   if (knot == first || !AreNeighbors(cells[knot - 1], cells[knot]))
   {
     return MixNormals(normals[knot], normals[knot], 0.0f);

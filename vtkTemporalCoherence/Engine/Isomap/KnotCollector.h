@@ -42,15 +42,15 @@ public:
 
   /// Add the next cell that raises a ray's progress.
   /// \param distance at which its normal is taken
-  void AddCell(std::size_t direction, std::size_t ray, BandScale::Key path, BandScale::Key corner,
-    const CellIndex& cell, double distance)
+  void AddCell(std::size_t direction, std::size_t ray, BandScale::Key key, const CellIndex& cell,
+    double distance)
   {
     std::vector<CellKnots::Row>& cells = this->Cells[direction];
     if (cells.size() == cells.capacity())
     {
       cells.reserve(std::max(FirstRoom, 2 * cells.size()));
     }
-    cells.push_back({ static_cast<std::uint8_t>(ray), { path, corner, cell } });
+    cells.push_back({ static_cast<std::uint8_t>(ray), { key, cell } });
     if (this->Form.HasNormals)
     {
       this->AddPlace(direction, ray, static_cast<float>(distance - this->Rays.Begin[ray]));

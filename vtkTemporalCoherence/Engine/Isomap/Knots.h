@@ -86,13 +86,11 @@ struct BandScale
 };
 
 /// The cells that raise a ray's progress, in order along the ray. The ray crosses an isovalue in
-/// the first cell whose path key is at least the key of the isovalue. The first cell whose corner
-/// key is at least that is the ray's first active cell.
+/// the first cell whose key is at least the key of the isovalue.
 ///
-/// Columns: path key (of the field along the ray), corner key (of the cell's samples), first corner
-/// of the cell.
+/// Columns: key of the field along the ray up to the end of the cell, first corner of the cell.
 using CellIndex = std::array<std::uint16_t, 3>;
-using CellKnots = RayTable<BandScale::Key, BandScale::Key, CellIndex>;
+using CellKnots = RayTable<BandScale::Key, CellIndex>;
 
 /// The first of the ascending keys begin .. end - 1 that is at least `key`.
 inline std::size_t FirstNotBelow(

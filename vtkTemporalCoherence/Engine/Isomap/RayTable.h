@@ -5,9 +5,11 @@
 
 #include "Scene/RayBatch.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <tuple>
 #include <vector>
@@ -16,7 +18,8 @@ namespace TemporalCoherence
 {
 
 /// Rows of values for each ray of a tile. They are stored column by column in one block of memory,
-/// so that a search reads contiguous values. An empty table takes no memory.
+/// so that a search reads contiguous values. Where the rows of each ray begin takes 16 bits, and 32
+/// in a table of more rows than these can count. An empty table takes no memory.
 /// \tparam Columns trivial types of at most 4 bytes, by descending alignment
 template <typename... Columns>
 class RayTable
@@ -43,7 +46,7 @@ public:
     {
       return;
     }
-    Offsets begins{};
+    Offsets<std::uint32_t> begins{};
     for (const Row& row : rows)
     {
       ++begins[row.Ray + std::size_t(1)];
@@ -54,7 +57,16 @@ public:
     }
     // Not filled with zeros first, as make_unique would.
     this->Bytes.reset(new std::byte[SizeFor(rows.size())]);
-    this->Begins() = begins;
+    this->Head().Rows = static_cast<std::uint32_t>(rows.size());
+    if (IsWide(rows.size()))
+    {
+      this->Begins<std::uint32_t>() = begins;
+    }
+    else
+    {
+      std::transform(begins.begin(), begins.end(), this->Begins<std::uint16_t>().begin(),
+        [](std::uint32_t begin) { return static_cast<std::uint16_t>(begin); });
+    }
     for (const Row& row : rows)
     {
       this->Put(begins[row.Ray]++, row.Values, std::index_sequence_for<Columns...>());
@@ -66,10 +78,11 @@ public:
   /// Rows Begin(ray) .. Begin(ray + 1) - 1 belong to a ray. \pre the table is not empty
   std::size_t Begin(std::size_t ray) const
   {
-    return (*reinterpret_cast<const Offsets*>(this->Bytes.get()))[ray];
+    return IsWide(this->Head().Rows) ? this->template Begins<std::uint32_t>()[ray]
+                                     : this->template Begins<std::uint16_t>()[ray];
   }
 
-  std::size_t NumberOfRows() const { return this->Bytes ? this->Begin(RayBatch::Capacity) : 0; }
+  std::size_t NumberOfRows() const { return this->Bytes ? this->Head().Rows : 0; }
 
   std::size_t MemoryInBytes() const { return this->Bytes ? SizeFor(this->NumberOfRows()) : 0; }
 
@@ -81,11 +94,41 @@ public:
   }
 
 private:
-  using Offsets = std::array<std::uint32_t, RayBatch::Capacity + 1>;
+  template <typename Offset>
+  using Offsets = std::array<Offset, RayBatch::Capacity + 1>;
 
-  static std::size_t SizeFor(std::size_t rows) { return sizeof(Offsets) + rows * BytesPerRow; }
+  /// What a table begins with; offsets follow.
+  struct Header
+  {
+    std::uint32_t Rows;
+  };
 
-  Offsets& Begins() { return *reinterpret_cast<Offsets*>(this->Bytes.get()); }
+  static bool IsWide(std::size_t rows) { return rows > std::numeric_limits<std::uint16_t>::max(); }
+
+  /// Bytes before the first column, which is aligned.
+  static std::size_t BeginOfColumns(std::size_t rows)
+  {
+    const std::size_t bytes = sizeof(Header) +
+      (IsWide(rows) ? sizeof(Offsets<std::uint32_t>) : sizeof(Offsets<std::uint16_t>));
+    constexpr std::size_t alignment = 4;
+    return (bytes + alignment - 1) / alignment * alignment;
+  }
+
+  static std::size_t SizeFor(std::size_t rows) { return BeginOfColumns(rows) + rows * BytesPerRow; }
+
+  Header& Head() { return *reinterpret_cast<Header*>(this->Bytes.get()); }
+  const Header& Head() const { return *reinterpret_cast<const Header*>(this->Bytes.get()); }
+
+  template <typename Offset>
+  Offsets<Offset>& Begins()
+  {
+    return *reinterpret_cast<Offsets<Offset>*>(this->Bytes.get() + sizeof(Header));
+  }
+  template <typename Offset>
+  const Offsets<Offset>& Begins() const
+  {
+    return *reinterpret_cast<const Offsets<Offset>*>(this->Bytes.get() + sizeof(Header));
+  }
 
   /// Where a column begins.
   template <std::size_t Column>
@@ -97,7 +140,7 @@ private:
     {
       before += sizes[i];
     }
-    return sizeof(Offsets) + before * this->Begin(RayBatch::Capacity);
+    return BeginOfColumns(this->Head().Rows) + before * this->Head().Rows;
   }
 
   template <std::size_t... Column>

@@ -40,8 +40,6 @@ bool FieldKind::GainsFromImages(const Field&, const Surfaces&) const
   return true;
 }
 
-void FieldKind::FindEntries(const RayBatch&, CellList&) const {}
-
 glm::dvec3 FieldKind::FaceNormal(
   const Field& field, const glm::dvec3& point, const glm::dvec3& direction, double& nearest) const
 {

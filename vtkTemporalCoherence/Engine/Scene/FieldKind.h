@@ -15,7 +15,6 @@ class BandTracer;
 class SurfaceTracer;
 struct BandScene;
 struct CellBox;
-struct CellList;
 struct Field;
 struct GradientQuery;
 struct GradientTile;
@@ -86,9 +85,6 @@ public:
   /// Make a tracer of value ranges along rays, for isomaps. Null if the kind has no isomaps.
   /// \throws std::bad_alloc
   virtual std::shared_ptr<const BandTracer> MakeBandTracer(const BandScene& scene) const;
-
-  /// Find where rays enter the cells of a list. Only called for kinds that have isomaps.
-  virtual void FindEntries(const RayBatch& rays, CellList& cells) const;
 
   /// Find the gradients of the field at the hits of a tile.
   virtual void FindGradients(const GradientQuery& query, const GradientTile& tile) const = 0;

@@ -42,17 +42,6 @@ struct CellList
   int Count = 0;
   RayBatch::Array<std::uint8_t> Ray; ///< ascending
   std::array<RayBatch::Array<std::int32_t>, 3> Cell;
-  RayBatch::Array<double> Enter; ///< found by FieldKind::FindEntries: t
-
-  void Append(std::size_t ray, const std::array<std::uint16_t, 3>& cell)
-  {
-    const auto at = static_cast<std::size_t>(this->Count++);
-    this->Ray[at] = static_cast<std::uint8_t>(ray);
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      this->Cell[a][at] = cell[a];
-    }
-  }
 
   glm::ivec3 At(std::size_t i) const
   {

@@ -52,7 +52,6 @@ set(engine_files
   Isomap/KnotCollector
   Isomap/Knots
   Isomap/RangeBuild
-  Fields/BeamChoice
   Fields/KernelsBandBeam
   Fields/KernelsBeam
   Fields/KernelsBeamSetUp

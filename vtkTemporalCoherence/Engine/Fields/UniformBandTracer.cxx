@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fields/UniformBandTracer.h"
 
-#include "Fields/BeamChoice.h"
 #include "Fields/UniformBandBeam.h"
+#include "Fields/UniformTracer.h"
 #include "Isomap/CellBandTracer.h"
 
 #include <memory>

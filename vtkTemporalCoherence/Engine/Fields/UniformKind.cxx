@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Fields/BeamChoice.h"
 #include "Fields/LatticeFaces.h"
 #include "Fields/UniformBandTracer.h"
 #include "Fields/UniformCells.h"

@@ -5,10 +5,21 @@
 
 #include "Trace/SurfaceTracer.h"
 
+#include <cstdint>
 #include <memory>
 
 namespace TemporalCoherence
 {
+
+/// True if the rays of tiles can go through a field as beams, where pixels are fine.
+bool HasBeams(const Field& field, const Surfaces& surfaces);
+
+/// Voxels between the rays of a whole tile, across them, where one in its middle begins to walk.
+double SpacingOf(const RayBatch& rays);
+
+/// True if some rays of a tile, one bit each, are to go through active cells as a beam.
+/// \pre the field has beams
+bool AreBeam(const TraceScene& scene, const RayBatch& rays, std::uint64_t wanted);
 
 /// The tracer of uniform fields, for the type of the scene's samples: the rays of a tile go from
 /// active cell to active cell together, in vectors.

@@ -84,7 +84,7 @@ public:
       const bool x = corner & 1, y = corner >> 1 & 1, z = corner >> 2;
       const double weight = (x ? point.At.x : 1.0 - point.At.x) *
         (y ? point.At.y : 1.0 - point.At.y) * (z ? point.At.z : 1.0 - point.At.z);
-      for (int axis = 0; axis < 3; ++axis)
+      for (int axis = 0; axis < 3 && weight > 0.0; ++axis) // not 0 times a hole
       {
         sum[axis] += weight * gradients[static_cast<std::size_t>(axis)][corner];
       }

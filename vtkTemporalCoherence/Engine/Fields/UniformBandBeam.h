@@ -76,7 +76,6 @@ public:
     {
       return false;
     }
-    beam.IsPlain = false; // walks may begin behind surfaces, and end before
     SearchBand(*this->Band.Scene.Active, this->Rays, *this, beam);
     this->Found.CellsRead += beam.CellsPassed;
     return true;

@@ -67,7 +67,8 @@ FrameBands::FrameBands(const Source& source, Isomap& map, DragState& state)
   state.Costs.Resize(map.Size());
   this->Costs = state.Costs.All();
   this->CostOfAll = std::accumulate(this->Costs.begin(), this->Costs.end(), 0.0);
-  std::vector<bool> isMissing(isovalues.size(), false);
+  std::vector<bool>& isMissing = this->IsMissing;
+  isMissing.assign(isovalues.size(), false);
   double saved = 0.0;
   for (std::size_t group = 0; group < map.Size(); ++group)
   {
@@ -178,11 +179,21 @@ void FrameBands::MakeRoom(std::size_t planned)
   const std::size_t used = taken - idle;
   if (this->Map.Trim(room > used ? room - used : 0, isIdle))
   {
-    this->State.HasDropped |= limit == this->From.Options.MemoryLimit;
+    this->State.HasDropped |= this->IsLimitedByUser();
   }
   const std::size_t left = this->Map.MemoryOf(IsAutomatic);
   this->Room = limit > left ? limit - left : 0;
-  this->RoomForGroup = this->IsExact ? this->Room : this->Room / std::max<std::size_t>(planned, 1);
+  // If the picture depends on what is built, so does nothing on which group comes first.
+  const std::size_t parts = planned * this->Bands.size();
+  this->RoomForGroup = this->IsExact ? this->Room : this->Room / std::max<std::size_t>(parts, 1);
+}
+
+/// True if the user's limit of memory is lower than that of bands that nobody asked for.
+bool FrameBands::IsLimitedByUser() const
+{
+  const glm::ivec2& size = this->From.Key.View.Size;
+  const std::size_t pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+  return this->RoomForAll() < BytesAPixel * pixels;
 }
 
 std::size_t FrameBands::NumberOf(GroupWork work) const
@@ -196,10 +207,21 @@ void FrameBands::MakeBuilders()
   {
     return;
   }
-  for (std::size_t i = 0; i < this->Bands.size(); ++i)
+  try
   {
-    this->Builders[i] = std::make_unique<BandBuilder>(
-      this->From.Key, this->Map, this->From.Pyramid, this->Bands[i], this->RoomForGroup);
+    for (std::size_t i = 0; i < this->Bands.size(); ++i)
+    {
+      if (this->IsMissing[i])
+      {
+        this->Builders[i] = std::make_unique<BandBuilder>(
+          this->From.Key, this->Map, this->From.Pyramid, this->Bands[i], this->RoomForGroup);
+      }
+    }
+  }
+  catch (const std::bad_alloc&)
+  {
+    std::replace(this->Work.begin(), this->Work.end(), GroupWork::Build, GroupWork::Trace);
+    this->IsOutOfMemory = true;
   }
 }
 
@@ -209,7 +231,7 @@ GroupWork FrameBands::Prepare(std::size_t group, TraceCounts& counts)
   if (work == GroupWork::Build)
   {
     const std::int64_t begin = TileTimer::Now();
-    const bool mayBuild = !this->IsExact || this->Extra < this->MostExtra;
+    const bool mayBuild = !this->IsExact || (this->Extra < this->MostExtra && !this->IsFull);
     work = mayBuild && this->Build(group, counts.CellsRead) ? GroupWork::Build : GroupWork::Trace;
     counts.BuildTime += TileTimer::Now() - begin;
   }
@@ -230,9 +252,11 @@ bool FrameBands::Build(std::size_t group, std::int64_t& cellsRead)
       GroupBand band = this->Builders[i]->Build(group, cellsRead);
       band.LastUse = band.Made = this->State.Frame;
       const std::size_t bytes = band.Memory;
-      if (bytes > this->RoomForGroup || (this->Taken += bytes) > this->Room)
+      const bool fits = bytes <= this->RoomForGroup;
+      const std::size_t taken = fits ? this->Taken += bytes : 0;
+      if (!fits || (this->IsExact && taken > this->Room))
       {
-        this->Taken -= bytes > this->RoomForGroup ? 0 : bytes;
+        this->Taken -= fits ? bytes : 0;
         this->IsFull = true;
         return false;
       }
@@ -296,9 +320,7 @@ void FrameBands::Finish()
   {
     this->State.BytesOfBand = static_cast<double>(this->Taken.load()) / static_cast<double>(built);
   }
-  this->State.HasDropped |= this->IsFull &&
-    this->RoomForAll() < BytesAPixel * static_cast<std::size_t>(this->From.Key.View.Size.x) *
-        static_cast<std::size_t>(this->From.Key.View.Size.y);
+  this->State.HasDropped |= this->IsFull && this->IsLimitedByUser();
 }
 
 void FrameBands::Undo()

@@ -93,10 +93,11 @@ public:
 
 private:
   BandPlan::Wish WishFor(double isovalue) const;
-  void Choose(double factor);
+  void Choose(double extra);
   void MakeRoom(std::size_t planned);
   bool Build(std::size_t group, std::int64_t& cellsRead);
   std::size_t RoomForAll() const;
+  bool IsLimitedByUser() const;
 
   Source From;
   Isomap& Map;
@@ -107,6 +108,7 @@ private:
   std::vector<GroupWork> Work;
   std::vector<std::int64_t> CostNow; ///< of each group in this frame
   std::vector<ValueBand> Bands;      ///< of each isovalue
+  std::vector<bool> IsMissing;       ///< for each isovalue: some group has no band for it
   std::vector<std::unique_ptr<BandBuilder>> Builders;
   std::int64_t MostExtra = 0;
   std::size_t Room = 0, RoomForGroup = 0; ///< bytes

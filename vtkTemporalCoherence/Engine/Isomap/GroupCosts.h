@@ -25,7 +25,6 @@ public:
   void SetLookedUp(std::size_t group, std::int64_t cost);
 
   /// True if the cost of a group is known.
-  bool IsKnown(std::size_t group) const { return this->Groups[group].Traced > 0.0f; }
 
   /// The cost of each group: that of the known ones on average for one that is not known.
   std::vector<double> All() const;

@@ -267,9 +267,7 @@ if [ "$kind" != ci ]; then
   exit
 fi
 "$repository/Module/setup.sh" "${setup_options[@]}" --packages-only
-# Of the band beams' tests, the noise says enough: the others take minutes in a sanitizer.
-engine_tests address,undefined TemporalCoherenceEngineTests \
-  '*-BandBeams.LeaveTheKnotsOfWalksInSmoothFields:BandBeams.*OfAnyType:BandBeams.*EveryKindOfVectors' ''
+engine_tests address,undefined TemporalCoherenceEngineTests '*' ''
 # One kind of vectors: its gathers read word by word, beside threads that write. The rest of the tests
 # of isomaps takes minutes.
 engine_tests thread TemporalCoherenceThreadTests \

@@ -93,6 +93,24 @@ TEST(ActiveCells, NotANumberIsOutside)
   ExpectBits(grid, { 6.0 });
 }
 
+/// A node reaches past the field. Its leaves there have no samples, whatever the band.
+TEST(ActiveCells, NoLeafOutsideOfTheFieldIsActive)
+{
+  Grid<std::int8_t> grid(glm::ivec3(8, 8, 8));
+  grid.FillRandomly(-128.0, 127.0, 3);
+  ValueRangePyramid pyramid;
+  pyramid.Build(grid.Field);
+  ActiveCells active;
+  active.Build(grid.Field, pyramid, { -1e300, 1e300 }, SurfaceMode::Crossing);
+  ASSERT_EQ(active.NodeDimensions(), glm::ivec3(1));
+  for (int leaf = 0; leaf < ValueRangePyramid::LeavesPerNode; ++leaf)
+  {
+    const glm::ivec3 place(leaf & 3, leaf >> 2 & 3, leaf >> 4);
+    const bool isInside = glm::all(glm::lessThan(place, glm::ivec3(2)));
+    EXPECT_EQ(active.LeavesOf(0) >> leaf & 1u, isInside ? 1u : 0u) << leaf;
+  }
+}
+
 /// Beams begin at the last level: what it leaves out no ray finds.
 TEST(ActiveCells, LevelsAboveTellWhereActiveLeavesAre)
 {

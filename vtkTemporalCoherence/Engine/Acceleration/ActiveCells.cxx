@@ -12,7 +12,8 @@ namespace TemporalCoherence
 namespace
 {
 
-/// True if an isovalue of one of the ascending bands passes between samples of the range.
+/// True if an isovalue of one of the ascending bands passes between samples of the range. None does
+/// in an empty range, which is that of leaves outside of the field.
 template <typename T>
 bool IsActive(const ValueRangePyramid::Range<T>& range, const std::vector<ValueBand>& bands)
 {
@@ -20,7 +21,7 @@ bool IsActive(const ValueRangePyramid::Range<T>& range, const std::vector<ValueB
   const double max = static_cast<double>(range.Max);
   for (const ValueBand& band : bands)
   {
-    if (band.Low > max)
+    if (band.Low > max || min > max)
     {
       return false;
     }

@@ -23,7 +23,7 @@ namespace HWY_NAMESPACE
 {
 
 namespace hn = hwy::HWY_NAMESPACE;
-namespace segments = ::TemporalCoherence::HWY_NAMESPACE;
+namespace segments = SegmentKernels::HWY_NAMESPACE;
 
 using Doubles = hn::CappedTag<double, WidestVector / 2>;
 

@@ -19,6 +19,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace TemporalCoherence
 {
+namespace SegmentKernels
+{
 namespace HWY_NAMESPACE
 {
 
@@ -182,6 +184,7 @@ void FindDouble(SegmentBatch<double>& segments, bool isSolid)
 
 }
 }
+}
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
@@ -231,11 +234,15 @@ void FindNearest(SegmentBatch<Real>& in)
 
 }
 
+namespace SegmentKernels
+{
 HWY_EXPORT(FindFloat);
 HWY_EXPORT(FindDouble);
+}
 
 void FindCrossings(SegmentBatch<float>& segments, bool isSolid)
 {
+  using namespace SegmentKernels;
   if (segments.Count < FewestForVectors)
   {
     FindOneByOne(segments, isSolid);
@@ -247,6 +254,7 @@ void FindCrossings(SegmentBatch<float>& segments, bool isSolid)
 
 void FindCrossings(SegmentBatch<double>& segments, bool isSolid)
 {
+  using namespace SegmentKernels;
   if (segments.Count < FewestForVectors)
   {
     FindOneByOne(segments, isSolid);

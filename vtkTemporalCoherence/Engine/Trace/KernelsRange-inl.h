@@ -17,6 +17,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace TemporalCoherence
 {
+namespace SegmentKernels
+{
 namespace HWY_NAMESPACE
 {
 
@@ -76,6 +78,7 @@ HWY_INLINE void RangesOf(D d, const V b[4], V& lowest, V& highest)
   }
 }
 
+}
 }
 }
 HWY_AFTER_NAMESPACE();

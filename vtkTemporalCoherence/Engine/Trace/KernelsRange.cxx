@@ -19,6 +19,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace TemporalCoherence
 {
+namespace SegmentKernels
+{
 namespace HWY_NAMESPACE
 {
 
@@ -57,6 +59,7 @@ void RangesDouble(SegmentBatch<double>& segments, RangeBatch<double>& ranges)
   FindAll(segments, ranges);
 }
 
+}
 }
 }
 HWY_AFTER_NAMESPACE();
@@ -112,11 +115,15 @@ void FindNearest(SegmentBatch<Real>& in, RangeBatch<Real>& out)
 
 }
 
+namespace SegmentKernels
+{
 HWY_EXPORT(RangesFloat);
 HWY_EXPORT(RangesDouble);
+}
 
 void FindRanges(SegmentBatch<float>& segments, RangeBatch<float>& ranges)
 {
+  using namespace SegmentKernels;
   if (segments.Count > 0)
   {
     FillLastVector(segments);
@@ -126,6 +133,7 @@ void FindRanges(SegmentBatch<float>& segments, RangeBatch<float>& ranges)
 
 void FindRanges(SegmentBatch<double>& segments, RangeBatch<double>& ranges)
 {
+  using namespace SegmentKernels;
   if (segments.Count > 0)
   {
     FillLastVector(segments);

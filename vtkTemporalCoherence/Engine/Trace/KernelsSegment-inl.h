@@ -17,6 +17,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace TemporalCoherence
 {
+namespace SegmentKernels
+{
 namespace HWY_NAMESPACE
 {
 
@@ -186,6 +188,7 @@ HWY_INLINE std::size_t FullVectors(const SegmentBatch<Real>& segments)
   return (static_cast<std::size_t>(segments.Count) + lanes - 1) / lanes * lanes;
 }
 
+}
 }
 }
 HWY_AFTER_NAMESPACE();

@@ -57,13 +57,10 @@ public:
   virtual const Real* ReachedIn(std::size_t direction) const = 0;
 };
 
-/// True if all rays of a beam run the same way along each axis, as SearchBand needs them.
-bool AreRaysAlike(const TileBeam& beam);
-
 /// Take a beam through active cells, from front to back, up to where all its rays are done. Each
 /// ray meets cells in their order along it. The scene is told of all that it passes and that can
 /// bring it on.
-/// \pre AreRaysAlike(beam)
+/// \pre beam.AreAlike
 void SearchBand(
   const ActiveCells& active, const RayBatch& rays, BandBeamScene<float>& scene, TileBeam& beam);
 void SearchBand(

@@ -11,6 +11,7 @@
 #include <hwy/foreach_target.h>
 
 #include "Fields/KernelsBeamTree-inl.h"
+#include "Fields/KernelsHull-inl.h"
 #include "Trace/KernelsRange-inl.h"
 #include "Trace/KernelsSegment-inl.h"
 
@@ -43,8 +44,10 @@ template <typename Real>
 class BandSearch
 {
 public:
-  BandSearch(const RayBatch& rays, BandBeamScene<Real>& scene, TileBeam& beam)
+  BandSearch(
+    const RayBatch& rays, const UniformLattice& lattice, BandBeamScene<Real>& scene, TileBeam& beam)
     : Rays(rays)
+    , Lattice(lattice)
     , Scene(scene)
     , Beam(beam)
     , Rises(scene.ReachedIn(Rising))
@@ -68,7 +71,7 @@ public:
     }
     if (isNearer)
     {
-      this->FindDepth();
+      MoveAcross(this->Beam);
     }
   }
 
@@ -82,17 +85,10 @@ private:
     std::uint16_t Which; ///< one bit for each of the rays
   };
 
-  /// The faces of a cell: of each axis the nearer one first.
-  struct CellFaces
-  {
-    float Near[3], Far[3];
-  };
-
   /// Note the cells that rays pass. One step for all cells after the other, so that hardly a branch
   /// depends on what is in a cell.
   HWY_INLINE void FindPassed(const glm::ivec3& leaf, std::uint64_t cells)
   {
-    const glm::ivec3 from = leaf - this->Beam.Anchor;
     this->NumberOfPassed = this->NumberOfPairs = 0;
     std::int64_t passing = 0;
     for (; cells != 0; cells &= cells - 1)
@@ -101,7 +97,8 @@ private:
         static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(cells)) ^ this->Beam.Flip;
       const glm::ivec3 place(number & 3, number >> 2 & 3, number >> 4);
       this->Places[this->NumberOfPassed] = leaf + place;
-      const CellFaces faces = this->FacesOf(glm::vec3(from + place));
+      const UniformLattice::Cell box = this->Lattice.CellAt(this->Places[this->NumberOfPassed]);
+      const CellFaces faces(box, this->Beam.Margin, this->Beam.Flip);
       const std::size_t before = this->NumberOfPairs;
       for (std::size_t i = 0; i < RayBatch::Capacity; i += hn::Lanes(Floats()))
       {
@@ -114,20 +111,6 @@ private:
       this->NumberOfPassed += this->NumberOfPairs != before;
     }
     this->Beam.CellsPassed += passing;
-  }
-
-  /// The faces of a cell, moved outwards by the margin.
-  HWY_INLINE CellFaces FacesOf(const glm::vec3& first) const
-  {
-    CellFaces faces;
-    for (int a = 0; a < 3; ++a)
-    {
-      const bool isBack = this->Beam.Flip >> (2 * a) & 1;
-      const float low = first[a] - this->Beam.Margin, high = first[a] + 1.0f + this->Beam.Margin;
-      faces.Near[a] = isBack ? high : low;
-      faces.Far[a] = isBack ? low : high;
-    }
-    return faces;
   }
 
   /// Those of a vector of rays that may pass a cell on their walk, before they are done.
@@ -252,20 +235,8 @@ private:
     }
   }
 
-  void FindDepth()
-  {
-    TileBeam& beam = this->Beam;
-    V depth = Set(-1e30f);
-    for (std::size_t i = 0; i < beam.Count; i += hn::Lanes(Floats()))
-    {
-      const V along = hn::Mul(Load(&beam.Behind[i]), Load(&beam.PerDepth[i]));
-      depth = hn::Max(depth, hn::Add(Load(&beam.AtDepth[i]), along));
-    }
-    beam.Around.Offset[TileBeam::Across] =
-      -(hn::GetLane(hn::MaxOfLanes(Floats(), depth)) + 4.0f * beam.Margin);
-  }
-
   const RayBatch& Rays;
+  const UniformLattice& Lattice;
   BandBeamScene<Real>& Scene;
   TileBeam& Beam;
   const Real *Rises, *Falls;
@@ -278,27 +249,12 @@ private:
   CellPassages<Real> Passages;
 };
 
-bool AreAlike(const TileBeam& beam)
-{
-  M isAlike = hn::Eq(hn::Zero(Floats()), hn::Zero(Floats()));
-  for (std::size_t i = 0; i < beam.Count; i += hn::Lanes(Floats()))
-  {
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      const V inverse = Load(&beam.Inverse[a][i]);
-      const V ahead = beam.Flip >> (2 * a) & 1 ? hn::Neg(inverse) : inverse;
-      isAlike = hn::And(isAlike, hn::Gt(ahead, hn::Zero(Floats())));
-    }
-  }
-  return hn::AllTrue(Floats(), isAlike);
-}
-
 template <typename Real>
 void SearchAll(
   const ActiveCells& active, const RayBatch& rays, BandBeamScene<Real>& scene, TileBeam& beam)
 {
-  BandSearch<Real> search(rays, scene, beam);
   const UniformLattice lattice(beam);
+  BandSearch<Real> search(rays, lattice, scene, beam);
   BeamTree<BandSearch<Real>, UniformLattice>(active, scene, lattice, beam, search).Visit();
 }
 
@@ -324,15 +280,8 @@ namespace TemporalCoherence
 {
 namespace BeamKernels
 {
-HWY_EXPORT(AreAlike);
 HWY_EXPORT(SearchFloat);
 HWY_EXPORT(SearchDouble);
-}
-
-bool AreRaysAlike(const TileBeam& beam)
-{
-  using namespace BeamKernels;
-  return HWY_DYNAMIC_DISPATCH(AreAlike)(beam);
 }
 
 void SearchBand(

@@ -13,6 +13,7 @@
 #include "Fields/KernelsBeam.h"
 
 #include "Fields/CellCubics-inl.h"
+#include "Fields/KernelsHull-inl.h"
 #include "Fields/KernelsLattice-inl.h"
 
 #include <algorithm>
@@ -80,14 +81,13 @@ private:
   {
     TileBeam& beam = this->Beam;
     const Box box = this->Places.CellAt(cell);
-    float planes[2][3];
-    this->FindPlanes(box, beam.Margin, planes);
+    const CellFaces faces(box, beam.Margin, beam.Flip);
     // First all vectors, without a branch: which rays pass a cell is hard to foresee.
     float enter[RayBatch::Capacity], leave[RayBatch::Capacity];
     std::uint64_t passing = 0;
     for (std::size_t i = 0; i < RayBatch::Capacity; i += hn::Lanes(Floats()))
     {
-      Interval passed = this->Pass(planes, i);
+      Interval passed = this->Pass(faces, i);
       passing |= BitsOf(this->Passes(passed, i)) << i;
       hn::StoreU(passed.Enter, Floats(), enter + i);
       hn::StoreU(passed.Leave, Floats(), leave + i);
@@ -125,25 +125,13 @@ private:
     }
     if (isMet)
     {
-      this->FindDepth();
-    }
-  }
-
-  /// The faces of a cell, moved outwards: of each axis the nearer one first.
-  HWY_INLINE void FindPlanes(const Box& box, float margin, float planes[2][3]) const
-  {
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      const bool isBack = this->Beam.Flip >> (2 * a) & 1;
-      const float low = box.Low(a) - margin, high = box.High(a) + margin;
-      planes[0][a] = isBack ? high : low;
-      planes[1][a] = isBack ? low : high;
+      MoveAcross(beam);
     }
   }
 
   /// Where a vector of rays passes a cell, given its faces. Of one that begins or ends in the cell
   /// that is more than it does.
-  HWY_INLINE Interval Pass(const float planes[2][3], std::size_t i) const
+  HWY_INLINE Interval Pass(const CellFaces& faces, std::size_t i) const
   {
     const TileBeam& beam = this->Beam;
     Interval passed;
@@ -154,14 +142,14 @@ private:
       if constexpr (IsPlain)
       {
         const V toOrigin = Load(&beam.ToOrigin[a][i]);
-        enter = hn::MulAdd(Set(planes[0][a]), inverse, toOrigin);
-        leave = hn::MulAdd(Set(planes[1][a]), inverse, toOrigin);
+        enter = hn::MulAdd(Set(faces.Near[a]), inverse, toOrigin);
+        leave = hn::MulAdd(Set(faces.Far[a]), inverse, toOrigin);
       }
       else
       {
         const V origin = Load(&beam.Origin[a][i]);
-        const V one = hn::Mul(hn::Sub(Set(planes[0][a]), origin), inverse);
-        const V other = hn::Mul(hn::Sub(Set(planes[1][a]), origin), inverse);
+        const V one = hn::Mul(hn::Sub(Set(faces.Near[a]), origin), inverse);
+        const V other = hn::Mul(hn::Sub(Set(faces.Far[a]), origin), inverse);
         enter = hn::Min(one, other);
         leave = hn::Max(one, other);
       }
@@ -247,9 +235,7 @@ private:
     }
     else
     {
-      float planes[2][3];
-      this->FindPlanes(box, -beam.Margin, planes);
-      sure = this->Pass(planes, i);
+      sure = this->Pass(CellFaces(box, -beam.Margin, beam.Flip), i);
     }
     sure.Enter = hn::Max(sure.Enter, hn::Add(Load(&beam.Begin[i]), margin));
     sure.Leave = hn::Min(sure.Leave, hn::Sub(Load(&beam.End[i]), margin));
@@ -307,20 +293,6 @@ private:
       this->Open.Cell[at] = number;
       this->Open.Enter[at] = enters[lane];
     }
-  }
-
-  /// Move the plane across the beam to where all that matters ends.
-  void FindDepth()
-  {
-    TileBeam& beam = this->Beam;
-    V depth = Set(-1e30f);
-    for (std::size_t i = 0; i < beam.Count; i += hn::Lanes(Floats()))
-    {
-      const V along = hn::Mul(Load(&beam.Behind[i]), Load(&beam.PerDepth[i]));
-      depth = hn::Max(depth, hn::Add(Load(&beam.AtDepth[i]), along));
-    }
-    beam.Around.Offset[TileBeam::Across] =
-      -(hn::GetLane(hn::MaxOfLanes(Floats(), depth)) + 4.0f * beam.Margin);
   }
 
   const BeamTask& Task;

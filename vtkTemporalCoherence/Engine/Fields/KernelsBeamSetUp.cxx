@@ -16,7 +16,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace TemporalCoherence
 {
-namespace BeamSetUpKernels
+namespace BeamKernels
 {
 namespace HWY_NAMESPACE
 {
@@ -24,7 +24,7 @@ namespace HWY_NAMESPACE
 namespace hn = hwy::HWY_NAMESPACE;
 
 using Doubles = hn::CappedTag<double, WidestVector / 2>;
-using V = hn::Vec<Doubles>;
+using DoubleVector = hn::Vec<Doubles>;
 
 /// The largest and smallest of what the rays of a beam have.
 struct Extremes
@@ -33,13 +33,13 @@ struct Extremes
   double Farthest; ///< largest coordinate of an origin
 };
 
-HWY_INLINE void StoreFloats(V value, float* to)
+HWY_INLINE void StoreFloats(DoubleVector value, float* to)
 {
   const hn::Rebind<float, Doubles> df;
   hn::StoreU(hn::DemoteTo(df, value), df, to);
 }
 
-HWY_INLINE hn::Mask<Doubles> MaskOf(std::uint64_t which, std::size_t first)
+HWY_INLINE hn::Mask<Doubles> DoublesOf(std::uint64_t which, std::size_t first)
 {
   const std::uint8_t bits[8] = { static_cast<std::uint8_t>(which >> first) };
   return hn::LoadMaskBits(Doubles(), bits);
@@ -48,16 +48,16 @@ HWY_INLINE hn::Mask<Doubles> MaskOf(std::uint64_t which, std::size_t first)
 HWY_INLINE Extremes FindExtremes(const RayBatch& rays, std::uint64_t which, std::size_t count)
 {
   const Doubles d;
-  V first = hn::Set(d, std::numeric_limits<double>::infinity());
-  V farthest = hn::Zero(d);
+  DoubleVector first = hn::Set(d, std::numeric_limits<double>::infinity());
+  DoubleVector farthest = hn::Zero(d);
   for (std::size_t i = 0; i < count; i += hn::Lanes(d))
   {
-    const auto isRay = MaskOf(which, i);
-    const V none = hn::Set(d, std::numeric_limits<double>::infinity());
+    const auto isRay = DoublesOf(which, i);
+    const DoubleVector none = hn::Set(d, std::numeric_limits<double>::infinity());
     first = hn::Min(first, hn::IfThenElse(isRay, hn::LoadU(d, &rays.WalkBegin[i]), none));
     for (std::size_t a = 0; a < 3; ++a)
     {
-      const V origin = hn::IfThenElseZero(isRay, hn::LoadU(d, &rays.Origin[a][i]));
+      const DoubleVector origin = hn::IfThenElseZero(isRay, hn::LoadU(d, &rays.Origin[a][i]));
       farthest = hn::Max(farthest, hn::Abs(origin));
     }
   }
@@ -69,18 +69,19 @@ HWY_INLINE void ConvertRays(
   const RayBatch& rays, std::uint64_t which, std::size_t of, TileBeam& beam)
 {
   const Doubles d;
-  const V first = hn::Set(d, beam.First), scale = hn::Set(d, beam.Scale);
-  const V perScale = hn::Set(d, 1.0 / beam.Scale);
+  const DoubleVector first = hn::Set(d, beam.First), scale = hn::Set(d, beam.Scale);
+  const DoubleVector perScale = hn::Set(d, 1.0 / beam.Scale);
   for (std::size_t i = 0; i < beam.Count; i += hn::Lanes(d))
   {
-    const auto isRay = MaskOf(which, i);
+    const auto isRay = DoublesOf(which, i);
     const auto load = [&](const RayBatch::Array<double>& from) HWY_ATTR
     { return hn::IfThenElse(isRay, hn::LoadU(d, &from[i]), hn::Set(d, from[of])); };
     for (std::size_t a = 0; a < 3; ++a)
     {
-      const V direction = load(rays.Direction[a]);
-      const V anchor = hn::Set(d, beam.Anchor[static_cast<int>(a)]);
-      const V origin = hn::Add(hn::Sub(load(rays.Origin[a]), anchor), hn::Mul(first, direction));
+      const DoubleVector direction = load(rays.Direction[a]);
+      const DoubleVector anchor = hn::Set(d, beam.Anchor[static_cast<int>(a)]);
+      const DoubleVector origin =
+        hn::Add(hn::Sub(load(rays.Origin[a]), anchor), hn::Mul(first, direction));
       StoreFloats(origin, &beam.Origin[a][i]);
       StoreFloats(hn::Mul(direction, perScale), &beam.Direction[a][i]);
       StoreFloats(hn::Mul(load(rays.Inverse[a]), scale), &beam.Inverse[a][i]);
@@ -100,16 +101,16 @@ HWY_INLINE void ConvertRays(
 HWY_INLINE bool SetUpDepths(double farthest, const glm::ivec3& cells, TileBeam& beam)
 {
   const Floats d;
-  F largest = hn::Zero(d), longest = hn::Zero(d), least = hn::Set(d, 1.0f);
-  F steepest[3] = { hn::Zero(d), hn::Zero(d), hn::Zero(d) };
+  V largest = hn::Zero(d), longest = hn::Zero(d), least = hn::Set(d, 1.0f);
+  V steepest[3] = { hn::Zero(d), hn::Zero(d), hn::Zero(d) };
   for (std::size_t i = 0; i < beam.Count; i += hn::Lanes(d))
   {
-    F at = hn::Zero(d), per = hn::Zero(d);
+    V at = hn::Zero(d), per = hn::Zero(d);
     for (std::size_t a = 0; a < 3; ++a)
     {
-      const F origin = hn::LoadU(d, &beam.Origin[a][i]);
-      const F direction = hn::LoadU(d, &beam.Direction[a][i]);
-      const F forward = hn::Set(d, beam.Forward[static_cast<int>(a)]);
+      const V origin = hn::LoadU(d, &beam.Origin[a][i]);
+      const V direction = hn::LoadU(d, &beam.Direction[a][i]);
+      const V forward = hn::Set(d, beam.Forward[static_cast<int>(a)]);
       at = hn::Add(at, hn::Mul(origin, forward));
       per = hn::Add(per, hn::Mul(direction, forward));
       largest = hn::Max(largest, hn::Abs(origin));
@@ -143,27 +144,20 @@ HWY_INLINE void ClearRays(std::uint64_t which, TileBeam& beam)
 {
   const Floats d;
   const hn::RebindToSigned<Floats> di;
-  const F margin = hn::Set(d, beam.Margin);
+  const V margin = hn::Set(d, beam.Margin);
   const auto none = hn::Set(di, TileBeam::NoCell);
-  F depth = hn::Set(d, -1e30f);
   for (std::size_t i = 0; i < beam.Count; i += hn::Lanes(d))
   {
-    const std::uint64_t these = which >> i;
-    std::uint8_t bits[8] = { static_cast<std::uint8_t>(these),
-      static_cast<std::uint8_t>(these >> 8) };
-    const auto isRay = hn::LoadMaskBits(d, bits);
+    const M isRay = MaskOf(which >> i);
     hn::StoreU(hn::Sub(hn::LoadU(d, &beam.Begin[i]), margin), d, &beam.Begin[i]);
     hn::StoreU(hn::Sub(hn::LoadU(d, &beam.WalkBegin[i]), margin), d, &beam.WalkBegin[i]);
     hn::StoreU(hn::Add(hn::LoadU(d, &beam.End[i]), margin), d, &beam.End[i]);
-    const F end = hn::Add(hn::LoadU(d, &beam.Behind[i]), margin);
-    const F behind = hn::IfThenElse(isRay, end, hn::Set(d, -1e30f));
+    const V end = hn::Add(hn::LoadU(d, &beam.Behind[i]), margin);
+    const V behind = hn::IfThenElse(isRay, end, hn::Set(d, -1e30f));
     hn::StoreU(behind, d, &beam.Behind[i]);
-    depth = hn::Max(depth,
-      hn::Add(hn::LoadU(d, &beam.AtDepth[i]), hn::Mul(behind, hn::LoadU(d, &beam.PerDepth[i]))));
     hn::StoreU(none, di, &beam.Cell[i]);
   }
-  beam.Around.Offset[TileBeam::Across] =
-    -(hn::GetLane(hn::MaxOfLanes(d, depth)) + 4.0f * beam.Margin);
+  MoveAcross(beam);
   beam.CellsPassed = 0;
 }
 
@@ -171,34 +165,35 @@ HWY_INLINE void ClearRays(std::uint64_t which, TileBeam& beam)
 HWY_INLINE void FindPaths(const glm::ivec3& cells, TileBeam& beam)
 {
   const Floats d;
-  const F twice = hn::Set(d, 2.0f * beam.Margin);
-  auto isPlain = hn::Eq(twice, twice);
-  F steepest = hn::Zero(d);
+  const V twice = hn::Set(d, 2.0f * beam.Margin);
+  M isAlike = hn::Eq(twice, twice), beginsBefore = isAlike;
+  V steepest = hn::Zero(d);
   for (std::size_t i = 0; i < beam.Count; i += hn::Lanes(d))
   {
-    F largest = hn::Zero(d), enter = hn::Set(d, -TileBeam::Never);
+    V largest = hn::Zero(d), enter = hn::Set(d, -TileBeam::Never);
     for (std::size_t a = 0; a < 3; ++a)
     {
       const auto axis = static_cast<int>(a);
       const bool isBack = beam.Flip >> (2 * axis) & 1;
-      const F inverse = hn::LoadU(d, &beam.Inverse[a][i]);
-      const F origin = hn::LoadU(d, &beam.Origin[a][i]);
+      const V inverse = hn::LoadU(d, &beam.Inverse[a][i]);
+      const V origin = hn::LoadU(d, &beam.Origin[a][i]);
       hn::StoreU(hn::Neg(hn::Mul(origin, inverse)), d, &beam.ToOrigin[a][i]);
-      const F ahead = isBack ? hn::Neg(inverse) : inverse;
-      const F face = hn::Set(d, static_cast<float>((isBack ? cells[axis] : 0) - beam.Anchor[axis]));
+      const V ahead = isBack ? hn::Neg(inverse) : inverse;
+      const V face = hn::Set(d, static_cast<float>((isBack ? cells[axis] : 0) - beam.Anchor[axis]));
       largest = hn::Max(largest, hn::Abs(inverse));
-      isPlain = hn::And(isPlain, hn::Gt(ahead, hn::Zero(d)));
+      isAlike = hn::And(isAlike, hn::Gt(ahead, hn::Zero(d)));
       enter = hn::Max(enter, hn::Mul(hn::Sub(face, origin), inverse));
     }
-    isPlain = hn::And(isPlain, hn::Le(hn::LoadU(d, &beam.Begin[i]), enter));
-    const F slack = hn::Mul(twice, largest);
+    beginsBefore = hn::And(beginsBefore, hn::Le(hn::LoadU(d, &beam.Begin[i]), enter));
+    const V slack = hn::Mul(twice, largest);
     steepest = hn::Max(steepest, slack);
     hn::StoreU(slack, d, &beam.Slack[i]);
   }
   // Of a ray that runs nearly along faces, Inverse may be infinite, and Slack is large.
   constexpr float little = 0.02f;
   const bool isSteep = !(hn::GetLane(hn::MaxOfLanes(d, steepest)) < little);
-  beam.IsPlain = hn::AllTrue(d, isPlain) && !isSteep;
+  beam.AreAlike = hn::AllTrue(d, isAlike);
+  beam.IsPlain = beam.AreAlike && hn::AllTrue(d, beginsBefore) && !isSteep;
 }
 
 /// The ray in the middle of those that there are.
@@ -255,14 +250,14 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace TemporalCoherence
 {
-namespace BeamSetUpKernels
+namespace BeamKernels
 {
 HWY_EXPORT(SetUp);
 }
 
 bool SetUpBeam(const RayBatch& rays, std::uint64_t which, const glm::ivec3& cells, TileBeam& beam)
 {
-  using namespace BeamSetUpKernels;
+  using namespace BeamKernels;
   return HWY_DYNAMIC_DISPATCH(SetUp)(rays, which, cells, beam);
 }
 

@@ -10,7 +10,7 @@
 #define TemporalCoherence_KernelsHull_inl_h
 #endif
 
-#include "Fields/KernelsBeam.h"
+#include "Fields/CellCubics-inl.h"
 
 #include <algorithm>
 #include <array>
@@ -21,15 +21,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace TemporalCoherence
 {
-namespace BeamSetUpKernels
+namespace BeamKernels
 {
 namespace HWY_NAMESPACE
 {
 
 namespace hn = hwy::HWY_NAMESPACE;
-
-using Floats = hn::CappedTag<float, WidestVector>;
-using F = hn::Vec<Floats>;
 
 /// Coordinates of the children of a block.
 struct ChildPlaces
@@ -55,7 +52,7 @@ HWY_INLINE void SetUpNormal(const glm::vec3& normal, std::size_t plane, TileBeam
   std::array<float, 64>& table = hull.Children[plane];
   for (std::size_t i = 0; i < table.size(); i += hn::Lanes(d))
   {
-    F sum = hn::Mul(hn::LoadU(d, &places.Along[0][i]), hn::Set(d, normal.x));
+    V sum = hn::Mul(hn::LoadU(d, &places.Along[0][i]), hn::Set(d, normal.x));
     sum = hn::MulAdd(hn::LoadU(d, &places.Along[1][i]), hn::Set(d, normal.y), sum);
     sum = hn::MulAdd(hn::LoadU(d, &places.Along[2][i]), hn::Set(d, normal.z), sum);
     hn::StoreU(sum, d, &table[i]);
@@ -72,21 +69,34 @@ HWY_INLINE void SetUpNormal(const glm::vec3& normal, std::size_t plane, TileBeam
 HWY_INLINE float FindOffset(const glm::vec3& normal, const TileBeam& beam)
 {
   const Floats d;
-  F least = hn::Set(d, TileBeam::Never);
+  V least = hn::Set(d, TileBeam::Never);
   for (std::size_t i = 0; i < beam.Count; i += hn::Lanes(d))
   {
-    F at = hn::Zero(d), per = hn::Zero(d);
+    V at = hn::Zero(d), per = hn::Zero(d);
     for (std::size_t a = 0; a < 3; ++a)
     {
-      const F along = hn::Set(d, normal[static_cast<int>(a)]);
+      const V along = hn::Set(d, normal[static_cast<int>(a)]);
       at = hn::MulAdd(along, hn::LoadU(d, &beam.Origin[a][i]), at);
       per = hn::MulAdd(along, hn::LoadU(d, &beam.Direction[a][i]), per);
     }
-    const F begin = hn::MulAdd(per, hn::LoadU(d, &beam.Begin[i]), at);
-    const F end = hn::MulAdd(per, hn::LoadU(d, &beam.End[i]), at);
+    const V begin = hn::MulAdd(per, hn::LoadU(d, &beam.Begin[i]), at);
+    const V end = hn::MulAdd(per, hn::LoadU(d, &beam.End[i]), at);
     least = hn::Min(least, hn::Min(begin, end));
   }
   return hn::GetLane(hn::MinOfLanes(d, least)) - 4.0f * beam.Margin;
+}
+
+/// Move the plane across a beam to where all that matters ends.
+HWY_INLINE void MoveAcross(TileBeam& beam)
+{
+  V depth = Set(-1e30f);
+  for (std::size_t i = 0; i < beam.Count; i += hn::Lanes(Floats()))
+  {
+    const V along = hn::Mul(Load(&beam.Behind[i]), Load(&beam.PerDepth[i]));
+    depth = hn::Max(depth, hn::Add(Load(&beam.AtDepth[i]), along));
+  }
+  beam.Around.Offset[TileBeam::Across] =
+    -(hn::GetLane(hn::MaxOfLanes(Floats(), depth)) + 4.0f * beam.Margin);
 }
 
 HWY_INLINE void SetUpHull(const std::array<glm::vec3, 4>& normals, TileBeam& beam)

@@ -30,6 +30,24 @@ namespace HWY_NAMESPACE
 
 namespace hn = hwy::HWY_NAMESPACE;
 
+/// The faces of a cell, moved outwards: of each axis the nearer one first.
+struct CellFaces
+{
+  template <class Box>
+  HWY_INLINE CellFaces(const Box& box, float margin, int flip)
+  {
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      const bool isBack = flip >> (2 * a) & 1;
+      const float low = box.Low(a) - margin, high = box.High(a) + margin;
+      this->Near[a] = isBack ? high : low;
+      this->Far[a] = isBack ? low : high;
+    }
+  }
+
+  float Near[3], Far[3];
+};
+
 /// The lattice of an image: planes between cells lie at integers.
 class UniformLattice
 {

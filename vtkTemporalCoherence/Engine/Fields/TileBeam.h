@@ -63,8 +63,9 @@ struct alignas(64) TileBeam
   float Steepest;
   glm::vec3 Forward; ///< the direction that depth is counted in
   int Flip;          ///< bits of a child's number that are flipped to go from front to back
-  /// All rays run the same way along each axis, none of them nearly along faces of cells, and none
-  /// begins or ends on its way through the field.
+  bool AreAlike;     ///< all rays run the same way along each axis
+  /// The rays are alike, none of them runs nearly along faces of cells, and none begins on its way
+  /// through the field.
   bool IsPlain;
 
   static constexpr std::int32_t NoCell = -1;

@@ -72,7 +72,7 @@ public:
   bool Trace(std::uint64_t wanted)
   {
     TileBeam beam;
-    if (!SetUpBeam(this->Rays, wanted, this->Band.Count, beam) || !AreRaysAlike(beam))
+    if (!SetUpBeam(this->Rays, wanted, this->Band.Count, beam) || !beam.AreAlike)
     {
       return false;
     }

@@ -83,11 +83,7 @@ protected:
       made.Cost += static_cast<double>(this->PriceOf(work));
     }
     made.Cost /= static_cast<double>(this->Price.Trace) * static_cast<double>(groups);
-    if (this->IsStopped)
-    {
-      bands.Undo();
-    }
-    else
+    if (!this->IsStopped)
     {
       bands.Finish();
     }

@@ -126,6 +126,19 @@ void Isomap::Add(std::size_t group, GroupBand&& band)
   this->Groups[group].push_back(std::move(band));
 }
 
+void Isomap::AddToAll(std::vector<GroupBand>&& bands)
+{
+  for (std::vector<GroupBand>& group : this->Groups)
+  {
+    group.reserve(group.size() + 1);
+  }
+  for (std::size_t group = 0; group < this->Groups.size(); ++group)
+  {
+    this->Groups[group].push_back(std::move(bands[group]));
+  }
+  this->Count();
+}
+
 void Isomap::MarkUsed(const std::vector<double>& isovalues, std::uint64_t frame)
 {
   for (std::vector<GroupBand>& group : this->Groups)

@@ -123,6 +123,10 @@ public:
   /// \throws std::bad_alloc; nothing is changed
   void Add(std::size_t group, GroupBand&& band);
 
+  /// Add a band to each group, and count them.
+  /// \throws std::bad_alloc; nothing is changed
+  void AddToAll(std::vector<GroupBand>&& bands);
+
   /// Mark the bands in which the isovalues of a frame are looked up.
   void MarkUsed(const std::vector<double>& isovalues, std::uint64_t frame);
 

@@ -239,6 +239,51 @@ TEST_F(FrameBandsTest, MemoryStaysWithinItsLimits)
   }
 }
 
+/// A range that was asked for takes no memory from a drag when nobody asks for it any more.
+TEST_F(FrameBandsTest, WhatIsNoLongerAskedForMakesRoom)
+{
+  const ValueBand nothing{ 1.0, 0.0 };
+  for (const bool isAhead : { false, true })
+  {
+    SCOPED_TRACE(isAhead ? "asked for by BuildAhead" : "asked for by a range");
+    this->Builder = IsomapBuilder();
+    this->Options = Isomap::Options();
+    this->Options.Range = { this->At(0.6), this->At(0.9) };
+    this->Key.Isosurfaces.Isovalues = { this->At(0.7) };
+    const auto prepare = [&]
+    {
+      return isAhead ? this->Builder.BuildAhead(this->Key, this->Options, this->Pyramid, {})
+                     : this->Builder.Prepare(this->Key, this->Options, this->Pyramid, {});
+    };
+    ASSERT_EQ(prepare(), Isomap::Outcome::Built);
+    ASSERT_TRUE(this->Builder.Built().Holds(this->Options.Range));
+    this->Options.MemoryLimit = this->Builder.Built().MemoryInBytes();
+
+    // As long as it is asked for, it stays.
+    this->Key.Isosurfaces.Isovalues = { this->At(0.1) };
+    this->ShowCold();
+    for (int i = 1; i <= 10; ++i)
+    {
+      this->Show({ this->At(0.1 + 0.005 * i) });
+    }
+    EXPECT_TRUE(this->Builder.Built().Holds(this->Options.Range));
+
+    // A part of it is asked for still, then nothing.
+    const ValueBand part{ this->At(0.65), this->At(0.7) };
+    for (const ValueBand& range : { part, nothing })
+    {
+      this->Options.Range = range;
+      Made made;
+      for (int i = 1; i <= 40; ++i)
+      {
+        made = this->Show({ this->At(0.15 + 0.005 * i) });
+      }
+      EXPECT_EQ(this->Builder.Built().Holds(part), range.Low == part.Low);
+      EXPECT_EQ(made.CountOf(GroupWork::LookUp) > 0, range.Low != part.Low);
+    }
+  }
+}
+
 /// With a tolerance the picture depends on what is built, and so neither on threads nor on costs.
 TEST_F(FrameBandsTest, WithAToleranceTheChoiceIsFixed)
 {

@@ -83,11 +83,7 @@ protected:
       made.Cost += static_cast<double>(this->PriceOf(work));
     }
     made.Cost /= static_cast<double>(this->Price.Trace) * static_cast<double>(groups);
-    if (this->IsStopped)
-    {
-      bands.Undo();
-    }
-    else
+    if (!this->IsStopped)
     {
       bands.Finish();
     }
@@ -240,6 +236,51 @@ TEST_F(FrameBandsTest, MemoryStaysWithinItsLimits)
     EXPECT_LE(most, std::min(limit, 32 * pixels + fixed));
     EXPECT_GT(most, std::min(limit, 32 * pixels) / 2) << "what there is is used";
     EXPECT_EQ(this->Builder.HasDropped(), limit < 32 * pixels) << "only the user's limit is news";
+  }
+}
+
+/// A range that was asked for takes no memory from a drag when nobody asks for it any more.
+TEST_F(FrameBandsTest, WhatIsNoLongerAskedForMakesRoom)
+{
+  const ValueBand nothing{ 1.0, 0.0 };
+  for (const bool isAhead : { false, true })
+  {
+    SCOPED_TRACE(isAhead ? "asked for by BuildAhead" : "asked for by a range");
+    this->Builder = IsomapBuilder();
+    this->Options = Isomap::Options();
+    this->Options.Range = { this->At(0.6), this->At(0.9) };
+    this->Key.Isosurfaces.Isovalues = { this->At(0.7) };
+    const auto prepare = [&]
+    {
+      return isAhead ? this->Builder.BuildAhead(this->Key, this->Options, this->Pyramid, {})
+                     : this->Builder.Prepare(this->Key, this->Options, this->Pyramid, {});
+    };
+    ASSERT_EQ(prepare(), Isomap::Outcome::Built);
+    ASSERT_TRUE(this->Builder.Built().Holds(this->Options.Range));
+    this->Options.MemoryLimit = this->Builder.Built().MemoryInBytes();
+
+    // As long as it is asked for, it stays.
+    this->Key.Isosurfaces.Isovalues = { this->At(0.1) };
+    this->ShowCold();
+    for (int i = 1; i <= 10; ++i)
+    {
+      this->Show({ this->At(0.1 + 0.005 * i) });
+    }
+    EXPECT_TRUE(this->Builder.Built().Holds(this->Options.Range));
+
+    // A part of it is asked for still, then nothing.
+    const ValueBand part{ this->At(0.65), this->At(0.7) };
+    for (const ValueBand& range : { part, nothing })
+    {
+      this->Options.Range = range;
+      Made made;
+      for (int i = 1; i <= 40; ++i)
+      {
+        made = this->Show({ this->At(0.15 + 0.005 * i) });
+      }
+      EXPECT_EQ(this->Builder.Built().Holds(part), range.Low == part.Low);
+      EXPECT_EQ(made.CountOf(GroupWork::LookUp) > 0, range.Low != part.Low);
+    }
   }
 }
 

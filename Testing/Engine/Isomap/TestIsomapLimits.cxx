@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 // What the building of a range may take: memory and patience are asked about inside the parts of
@@ -145,6 +146,34 @@ TEST(IsomapLimits, TheOldestBandsMakeRoom)
   ASSERT_EQ(view.Add(map, { 30.0, 215.0 }, Plenty, Endless, {}), Isomap::Outcome::Built);
   EXPECT_EQ(map.NumberOfBands(), map.Size()) << "one for each group";
   EXPECT_TRUE(map.Holds({ 30.0, 215.0 }));
+}
+
+/// What is built and what makes room for it never hold more than the limit together.
+TEST(IsomapLimits, OldBandsGoWhileANewOneGrows)
+{
+  NoiseView view;
+  Isomap map;
+  ASSERT_EQ(view.Build(map, Plenty, Endless, {}), Isomap::Outcome::Built);
+  ASSERT_EQ(view.Add(map, { 20.0, 79.0 }, Plenty, Endless, {}), Isomap::Outcome::Built);
+  const std::size_t limit = map.MemoryInBytes();
+  Isomap alone;
+  alone.Begin(view.Key, {});
+  ASSERT_EQ(view.Add(alone, { 30.0, 170.0 }, Plenty, Endless, {}), Isomap::Outcome::Built);
+  const auto whole = static_cast<double>(alone.MemoryInBytes() - Isomap::FixedMemory(view.Key));
+  int reports = 0;
+  const auto watch = [&](double progress)
+  {
+    ++reports;
+    // Groups differ in size: a few percent of what is built may be ahead of the progress.
+    const double built = std::max(progress - 0.2, 0.0) * whole;
+    EXPECT_LE(static_cast<double>(map.MemoryInBytes()) + built, static_cast<double>(limit));
+    return true;
+  };
+  bool isDropped = false;
+  ASSERT_EQ(view.Add(map, { 30.0, 170.0 }, limit, 0.0, watch, &isDropped), Isomap::Outcome::Built);
+  EXPECT_GE(reports, 14);
+  EXPECT_TRUE(isDropped);
+  EXPECT_LE(map.MemoryInBytes(), limit);
 }
 
 /// Not even one tile takes more than the whole band may.

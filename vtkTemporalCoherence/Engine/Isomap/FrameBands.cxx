@@ -117,6 +117,20 @@ FrameBands::FrameBands(const Source& source, Isomap& map, DragState& state)
   }
 }
 
+FrameBands::~FrameBands()
+{
+  if (this->IsFinished)
+  {
+    return;
+  }
+  const std::uint64_t frame = this->State.Frame;
+  this->Map.Drop([frame](const GroupBand& band) { return band.Made == frame; });
+  if (this->Map.NumberOfBands() == 0)
+  {
+    this->Map.Release();
+  }
+}
+
 BandPlan::Wish FrameBands::WishFor(double isovalue) const
 {
   // Of several previous isovalues, the nearest is taken to be the one that moved.
@@ -290,6 +304,7 @@ void FrameBands::Done(std::size_t group, std::int64_t cost)
 
 void FrameBands::Finish()
 {
+  this->IsFinished = true;
   this->Map.Count();
   BandPlan::Measured measured;
   measured.TracingAll = this->CostOfAll;
@@ -321,16 +336,6 @@ void FrameBands::Finish()
     this->State.BytesOfBand = static_cast<double>(this->Taken.load()) / static_cast<double>(built);
   }
   this->State.HasDropped |= this->IsFull && this->IsLimitedByUser();
-}
-
-void FrameBands::Undo()
-{
-  const std::uint64_t frame = this->State.Frame;
-  this->Map.Drop([frame](const GroupBand& band) { return band.Made == frame; });
-  if (this->Map.NumberOfBands() == 0)
-  {
-    this->Map.Release();
-  }
 }
 
 }

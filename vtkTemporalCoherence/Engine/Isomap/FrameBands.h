@@ -60,6 +60,12 @@ public:
   /// \throws std::bad_alloc
   FrameBands(const Source& source, Isomap& map, DragState& state);
 
+  /// Drops what was built, unless the frame was finished.
+  ~FrameBands();
+
+  FrameBands(const FrameBands&) = delete;
+  FrameBands& operator=(const FrameBands&) = delete;
+
   /// True if every group is looked up.
   bool AreAllFound() const { return this->NumberOf(GroupWork::LookUp) == this->Work.size(); }
 
@@ -82,11 +88,8 @@ public:
   /// Tell what a group has cost, Prepare included. Thread-safe.
   void Done(std::size_t group, std::int64_t cost);
 
-  /// Learn from the frame.
+  /// The frame is made: keep what was built, and learn from it.
   void Finish();
-
-  /// The frame was stopped: drop what was built.
-  void Undo();
 
   /// True if memory ran out.
   bool HasFailed() const { return this->IsOutOfMemory; }
@@ -115,6 +118,7 @@ private:
   std::atomic<std::int64_t> Extra{ 0 };
   std::atomic<std::size_t> Taken{ 0 };
   std::atomic<bool> IsFull{ false }, IsOutOfMemory{ false };
+  bool IsFinished = false;
 };
 
 }

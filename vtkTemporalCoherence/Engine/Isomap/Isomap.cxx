@@ -10,6 +10,15 @@
 
 namespace TemporalCoherence
 {
+namespace
+{
+
+bool HoldsAll(const GroupBand& band, const ValueBand& values)
+{
+  return band.Values.Holds(values.Low) && band.Values.Holds(values.High);
+}
+
+}
 
 bool Isomap::CanHold(const Field& field)
 {
@@ -116,14 +125,48 @@ bool Isomap::Holds(const ValueBand& values) const
       [&](const std::vector<GroupBand>& group)
       {
         return std::any_of(group.begin(), group.end(),
-          [&](const GroupBand& band)
-          { return band.Values.Holds(values.Low) && band.Values.Holds(values.High); });
+          [&](const GroupBand& band) { return HoldsAll(band, values); });
       });
+}
+
+void Isomap::ForgetAsked()
+{
+  for (std::vector<GroupBand>& group : this->Groups)
+  {
+    for (GroupBand& band : group)
+    {
+      band.IsAsked = false;
+    }
+  }
+}
+
+void Isomap::MarkAsked(const ValueBand& values)
+{
+  for (std::vector<GroupBand>& group : this->Groups)
+  {
+    for (GroupBand& band : group)
+    {
+      band.IsAsked |= HoldsAll(band, values);
+    }
+  }
 }
 
 void Isomap::Add(std::size_t group, GroupBand&& band)
 {
   this->Groups[group].push_back(std::move(band));
+}
+
+void Isomap::AddToAll(std::vector<GroupBand>&& bands)
+{
+  for (std::vector<GroupBand>& group : this->Groups)
+  {
+    group.reserve(group.size() + 1);
+  }
+  for (std::size_t group = 0; group < this->Groups.size(); ++group)
+  {
+    this->Groups[group].push_back(std::move(bands[group]));
+  }
+  this->Count();
 }
 
 void Isomap::MarkUsed(const std::vector<double>& isovalues, std::uint64_t frame)

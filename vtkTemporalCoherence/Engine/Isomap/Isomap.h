@@ -27,7 +27,7 @@ struct GroupBand
   std::size_t NumberOfKnots = 0;
   std::uint64_t LastUse = 0; ///< number of the frame
   std::uint64_t Made = 0;    ///< number of the frame
-  bool IsAsked = false;      ///< the user asked for its range
+  bool IsAsked = false;      ///< the user asks for its range
 
   /// What the rays of a tile know, for each of their pieces; null if they meet nothing.
   const TileKnots* At(std::size_t tileInGroup, std::size_t pieces) const
@@ -123,8 +123,18 @@ public:
   /// \throws std::bad_alloc; nothing is changed
   void Add(std::size_t group, GroupBand&& band);
 
+  /// Add a band to each group, and count them.
+  /// \throws std::bad_alloc; nothing is changed
+  void AddToAll(std::vector<GroupBand>&& bands);
+
   /// Mark the bands in which the isovalues of a frame are looked up.
   void MarkUsed(const std::vector<double>& isovalues, std::uint64_t frame);
+
+  /// Nobody asks for any band any more.
+  void ForgetAsked();
+
+  /// Mark the bands that hold all of these isovalues as asked for.
+  void MarkAsked(const ValueBand& values);
 
   /// Tells some bands from others.
   using Which = std::function<bool(const GroupBand&)>;

@@ -43,8 +43,26 @@ bool IsomapBuilder::CanBuild(const FrameKey& key, const Isomap::Options& options
     !hasFailed;
 }
 
+/// If a range is new, what was asked for before is no longer asked for.
+void IsomapBuilder::Ask(const ValueBand& range, const ValueRangePyramid& pyramid)
+{
+  if (range.Low == this->RangeAsked.Low && range.High == this->RangeAsked.High)
+  {
+    return;
+  }
+  this->RangeAsked = range;
+  this->Map.ForgetAsked();
+  const glm::dvec2& samples = pyramid.FiniteRange();
+  const ValueBand met{ std::max(range.Low, samples.x), std::min(range.High, samples.y) };
+  if (met.Low <= met.High)
+  {
+    this->Map.MarkAsked(met);
+  }
+}
+
 /// \return false if the limit of memory is too low
-bool IsomapBuilder::Begin(const FrameKey& key, const Isomap::Options& options)
+bool IsomapBuilder::Begin(
+  const FrameKey& key, const Isomap::Options& options, const ValueRangePyramid& pyramid)
 {
   this->Cells = 0;
   if (Isomap::FixedMemory(key) > options.MemoryLimit)
@@ -61,6 +79,7 @@ bool IsomapBuilder::Begin(const FrameKey& key, const Isomap::Options& options)
     this->FailedLimit = this->FailedRange = 0;
     this->Map.Begin(key, options);
   }
+  this->Ask(options.Range, pyramid);
   this->FailedLimit = 0;
   return true;
 }
@@ -70,6 +89,7 @@ Isomap::Outcome IsomapBuilder::Build(const ValueBand& band, const FrameKey& key,
 {
   if (this->Map.Holds(band))
   {
+    this->Map.MarkAsked(band);
     return Isomap::Outcome::Built;
   }
   const RangeBuild wanted{ key, pyramid, band, options.MemoryLimit, ++this->State.Frame };
@@ -79,7 +99,7 @@ Isomap::Outcome IsomapBuilder::Build(const ValueBand& band, const FrameKey& key,
 Isomap::Outcome IsomapBuilder::Prepare(const FrameKey& key, const Isomap::Options& options,
   const ValueRangePyramid& pyramid, const ReportProgress& report)
 {
-  if (!this->Begin(key, options))
+  if (!this->Begin(key, options, pyramid))
   {
     return Isomap::Outcome::TooLarge;
   }
@@ -108,7 +128,8 @@ Isomap::Outcome IsomapBuilder::BuildAhead(const FrameKey& key, const Isomap::Opt
   const ValueRangePyramid& pyramid, const ReportProgress& report)
 {
   Isomap::Outcome outcome =
-    this->Begin(key, options) ? Isomap::Outcome::Built : Isomap::Outcome::TooLarge;
+    this->Begin(key, options, pyramid) ? Isomap::Outcome::Built : Isomap::Outcome::TooLarge;
+  this->Map.ForgetAsked();
   for (const double isovalue : key.Isosurfaces.Isovalues)
   {
     if (outcome == Isomap::Outcome::Built)

@@ -80,7 +80,8 @@ private:
     return Isomap::FormFor(key, options).Tolerance > 0.0 && key.Isosurfaces.IsTranslucent();
   }
 
-  bool Begin(const FrameKey& key, const Isomap::Options& options);
+  bool Begin(const FrameKey& key, const Isomap::Options& options, const ValueRangePyramid& pyramid);
+  void Ask(const ValueBand& range, const ValueRangePyramid& pyramid);
   void ForgetIfEmpty();
   Isomap::Outcome Build(const ValueBand& band, const FrameKey& key, const Isomap::Options& options,
     const ValueRangePyramid& pyramid, const ReportProgress& report);
@@ -90,6 +91,7 @@ private:
   std::size_t FailedLimit = 0; ///< memory limit that not even an empty isomap fitted
   std::size_t FailedRange = 0; ///< memory limit that the range asked for did not fit
   ValueBand TooLargeRange{ 1.0, 0.0 };
+  ValueBand RangeAsked{ 1.0, 0.0 }; ///< by the last frame that built, or ahead
   std::int64_t Cells = 0;
 };
 

@@ -22,6 +22,9 @@ namespace
 /// tuned.
 constexpr std::size_t NumberOfParts = 16;
 
+/// While a range is built, other bands make room for it, so much of the limit at a time. Not tuned.
+constexpr std::size_t PartsOfRoom = 64;
+
 /// The bands of all groups, and the progress of building them.
 class Work
 {
@@ -97,30 +100,79 @@ bool IsWithin(const ValueBand& inner, const ValueBand& outer)
   return outer.Low <= inner.Low && inner.High <= outer.High;
 }
 
+/// The bands of a map that make room for new ones.
+class Room
+{
+public:
+  Room(const RangeBuild& wanted, Isomap& map)
+    : Wanted(wanted.Band)
+    , Fixed(Isomap::FixedMemory(wanted.Key))
+    , Limit(wanted.MemoryLimit > this->Fixed ? wanted.MemoryLimit - this->Fixed : 0)
+    , Map(map)
+  {
+  }
+
+  /// What new bands may take in all, and what they may take now.
+  std::size_t AtMost() const { return this->Limit; }
+  std::size_t Now() const
+  {
+    const std::size_t taken = this->Map.MemoryInBytes() - this->Fixed;
+    return this->Limit > taken ? this->Limit - taken : 0;
+  }
+
+  /// Drop bands until so much is free: first those that the new one contains, then the least
+  /// recently used ones.
+  /// \return true if any of the others was dropped
+  /// \throws std::bad_alloc
+  bool Make(std::size_t bytes)
+  {
+    if (this->Now() < bytes)
+    {
+      this->DropContained();
+    }
+    return this->Map.Trim(this->Limit > bytes ? this->Limit - bytes : 0, IsAny);
+  }
+
+  void DropContained()
+  {
+    this->Map.Drop([this](const GroupBand& band) { return IsWithin(band.Values, this->Wanted); });
+  }
+
+private:
+  static bool IsAny(const GroupBand&) { return true; }
+
+  ValueBand Wanted;
+  std::size_t Fixed, Limit;
+  Isomap& Map;
+};
+
 }
 
 Isomap::Outcome BuildRange(const RangeBuild& wanted, Isomap& map, const ReportProgress& report,
   bool& isDropped, std::int64_t& cellsRead)
 {
   constexpr double endless = std::numeric_limits<double>::infinity();
-  const std::size_t fixed = Isomap::FixedMemory(wanted.Key);
-  const std::size_t limit = wanted.MemoryLimit > fixed ? wanted.MemoryLimit - fixed : 0;
+  Room room(wanted, map);
   Work work(wanted, map);
   for (std::size_t part = 0; part < NumberOfParts; ++part)
   {
     const double whole = static_cast<double>(part + 1) / NumberOfParts;
     for (bool isWhole = false; !isWhole;)
     {
-      work.BuildPart(part, limit, report ? wanted.Patience : endless);
+      work.BuildPart(part, room.Now(), report ? wanted.Patience : endless);
       if (work.HasFailed)
       {
         throw std::bad_alloc();
       }
-      if (work.Memory > limit)
+      if (work.Memory > room.AtMost())
       {
         return Isomap::Outcome::TooLarge;
       }
       isWhole = !work.HasEnough;
+      if (work.Memory > room.Now())
+      {
+        isDropped |= room.Make(work.Memory + room.AtMost() / PartsOfRoom);
+      }
       const double done = std::min(work.ShareDone(), whole);
       if (report && !report(isWhole ? whole : done))
       {
@@ -129,13 +181,9 @@ Isomap::Outcome BuildRange(const RangeBuild& wanted, Isomap& map, const ReportPr
     }
   }
   cellsRead += work.Cells;
-  map.Drop([&](const GroupBand& band) { return IsWithin(band.Values, wanted.Band); });
-  isDropped |= map.Trim(limit - work.Memory, [](const GroupBand&) { return true; });
-  for (std::size_t group = 0; group < map.Size(); ++group)
-  {
-    map.Add(group, std::move(work.Bands[group]));
-  }
-  map.Count();
+  room.DropContained();
+  isDropped |= room.Make(work.Memory);
+  map.AddToAll(std::move(work.Bands));
   return Isomap::Outcome::Built;
 }
 

@@ -25,10 +25,13 @@ struct RangeBuild
 };
 
 /// Build a band for every group of an isomap. Bands that it contains are dropped, and the least
-/// recently used ones if the memory limit requires it.
+/// recently used ones if the memory limit requires it. What is built and what is still there keep
+/// within the limit together, up to a group for each thread.
 /// \param isDropped set if a band was dropped for want of memory
 /// \param cellsRead is increased
-/// \return Built, or Stopped or TooLarge, which leave nothing of the band
+/// \return Built, or Stopped or TooLarge, which leave nothing of the band. Other bands may have
+/// been
+///         dropped for it
 /// \throws std::bad_alloc; the same holds
 Isomap::Outcome BuildRange(const RangeBuild& wanted, Isomap& map, const ReportProgress& report,
   bool& isDropped, std::int64_t& cellsRead);

@@ -160,7 +160,6 @@ bool LookUp(
       task, unresolved, leaps, tiles.ShaderOfLookUps(), PartOf(task.Report, 0.5, 1.0));
   if (!isDone)
   {
-    bands.Undo();
     return false;
   }
   bands.Finish();

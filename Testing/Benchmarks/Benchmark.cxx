@@ -24,7 +24,7 @@ namespace
 
 /// What is small and short with --quick, unless another number is given.
 constexpr int QuickSize = 256;
-constexpr int QuickSteps = 40;
+constexpr int QuickSteps = 8;
 constexpr int QuickLargest = 256;
 
 /// Options; numbers that were not given are 0.
@@ -195,7 +195,7 @@ int main(int argc, char* argv[])
   options.Flag("--quick", "small pictures, few frames and volumes: a minute", asked.IsQuick);
   options.Number("--size", "pixels of a picture in each direction (1024)", asked.Size);
   options.Number("--frames", "frames of each kind (each scenario's own)", asked.Frames);
-  options.Number("--steps", "isovalues of a drag, scenario isomap (200)", asked.Steps);
+  options.Number("--steps", "isovalues of a drag (40)", asked.Steps);
   options.Number("--largest", "samples a side where growth ends (512)", asked.Largest,
     GrowthSteps::Smallest, Volumes::LargestSize);
   options.Text("--json", "write all figures to this file too", asked.Json);

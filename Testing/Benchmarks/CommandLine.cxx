@@ -126,8 +126,9 @@ void CommandLine::PrintHelp() const
   }
   if (this->Given)
   {
-    std::cout << "\nVOLUME is spheres or marschner-lobb with a number of samples behind it, as "
-                 "spheres256,\nor a file in the folder that TEMPORAL_COHERENCE_DATA names.\n";
+    std::cout
+      << "\nVOLUME is spheres, marschner-lobb or noise with a number of samples behind it, as "
+         "spheres256,\nor a file in the folder that TEMPORAL_COHERENCE_DATA names.\n";
   }
 }
 

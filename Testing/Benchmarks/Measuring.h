@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <ctime>
 #include <limits>
 #include <stdexcept>
@@ -44,6 +45,14 @@ inline double Median(std::vector<double> values)
 {
   std::sort(values.begin(), values.end());
   return values.empty() ? None : values[values.size() / 2];
+}
+
+/// The value that so many percent of the values do not exceed; None of none.
+inline double Percentile(std::vector<double> values, int percent)
+{
+  std::sort(values.begin(), values.end());
+  const std::size_t above = values.size() * static_cast<std::size_t>(100 - percent) / 100;
+  return values.empty() ? None : values[values.size() - 1 - std::min(above, values.size() - 1)];
 }
 
 /// The largest value; 0 of none.

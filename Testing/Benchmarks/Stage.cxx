@@ -123,12 +123,14 @@ Drawer::Drawer(const Stage& stage)
 double Drawer::Draw(const Stage& stage)
 {
   bool isDrawn = false;
+  const double begin = Measuring::CpuTime();
   const double time = Measuring::TimeOf(
     [&]
     {
       isDrawn = this->Mapper->RenderToImage(
         stage.Renderer, stage.Volume, stage.Size, stage.Size, this->Color, this->Depth);
     });
+  this->CpuMs = Measuring::CpuTime() - begin;
   if (!isDrawn)
   {
     throw Measuring::Failure("The volume cannot be drawn: mend what the mapper reports above.");

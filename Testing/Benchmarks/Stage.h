@@ -87,6 +87,8 @@ struct Drawer
   /// The name of the route that made the last picture.
   std::string Route() const { return this->Mapper->GetRouteAsString(); }
 
+  double CpuMs = 0.0; ///< CPU time of all threads, of the last picture
+
   vtkNew<vtkTemporalCoherenceVolumeMapper> Mapper;
   vtkNew<vtkImageData> Color, Depth;
 };

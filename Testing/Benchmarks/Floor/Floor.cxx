@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -197,14 +196,13 @@ Times Measure(Stage& stage, int frames)
   double least = Measuring::None;
   for (int frame = 0; frame < frames; ++frame)
   {
-    const std::clock_t begin = std::clock(); // of all threads
+    const double begin = Measuring::CpuTime();
     walls.push_back(Measuring::TimeOf([&] { Draw(picture, tiles, scene.Samples.Type); }));
-    const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-    least = std::fmin(least, seconds);
+    least = std::fmin(least, Measuring::CpuTime() - begin);
   }
   const auto hits = static_cast<double>(
     std::count_if(colors.begin(), colors.end(), [](std::uint32_t color) { return color != 0; }));
-  return { hits, Measuring::Median(walls), 1e9 * Measuring::Ratio(least, hits) };
+  return { hits, Measuring::Median(walls), 1e6 * Measuring::Ratio(least, hits) };
 }
 
 }

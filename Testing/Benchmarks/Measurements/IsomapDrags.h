@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-/// A threshold that is dragged: isovalue after isovalue in a still view, every picture compared
-/// with a cold one.
+/// A threshold that is dragged: isovalue after isovalue in a still view, every frame beside cold
+/// ones of the same isovalue.
 namespace IsomapDrags
 {
 
@@ -20,25 +20,26 @@ struct Path
   std::vector<double> Isovalues;
 };
 
-/// In steps of 0.4 % of the range of values through its middle, up and down; and of 0.1 % around
-/// the stage's isovalue, up, down through it and back.
+/// In steps of 0.2, 1 and 5 % of the range of values, up and back between its ends; in steps of
+/// 0.4 % around the stage's isovalue; and anywhere in the range, at random.
 std::vector<Path> AllPaths(const Stage& stage, int steps);
 
-/// One path, drawn by a new mapper.
+/// One path, drawn by new mappers. Frames are measured in CPU time of all threads, by that of a
+/// cold frame of the same isovalue whose structures are there.
 struct Summary
 {
   std::string Path;
   int Steps = 0;
-  double PercentBuilt = 0.0; ///< of the frames: those that built a band
-  double MedianMs = 0.0;
-  double MeanMs = 0.0;
-  double WorstMs = 0.0;
-  double WorstByCold = 0.0; ///< the largest quotient by a cold frame of the same isovalue
-  double WorstAt = 0.0;     ///< isovalue of that frame
-  double ColdMs = 0.0;      ///< median of the cold frames of all these isovalues
-  double MeanByCold = 0.0;  ///< all frames by all cold frames
-  double BytesAPixel = 0.0; ///< in the end
-  int Different = 0;        ///< pictures that are not the cold one to the last bit
+  double First = 0.0; ///< the first new isovalue
+  double Mean = 0.0;
+  double NearlyWorst = 0.0; ///< 95 % of the frames take no longer
+  double Worst = 0.0;
+  double WorstAt = 0.0;       ///< isovalue of that frame
+  double MeanOfNew = 0.0;     ///< cold frames that make structures of their isovalue
+  double ColdMs = 0.0;        ///< median of the cold frames, CPU time
+  double PercentTraced = 0.0; ///< rays traced, by those of the cold frames
+  double BytesAPixel = 0.0;   ///< the most in any frame
+  int Different = 0;          ///< pictures that are not the cold one to the last bit
 };
 
 /// Drag the stage's isovalue, which comes back.

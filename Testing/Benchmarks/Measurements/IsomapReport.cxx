@@ -59,29 +59,6 @@ void AddTo(JsonWriter& json, const IsomapFrames::Times& times)
   json.Close();
 }
 
-void AddTo(JsonWriter& json, const std::vector<IsomapDrags::Summary>& drags)
-{
-  json.OpenList("drags");
-  for (const IsomapDrags::Summary& drag : drags)
-  {
-    json.OpenObject();
-    json.Add("drag", drag.Path);
-    json.Add("steps", drag.Steps);
-    json.Add("framesThatBuiltPercent", drag.PercentBuilt);
-    json.Add("medianMs", drag.MedianMs);
-    json.Add("meanMs", drag.MeanMs);
-    json.Add("worstMs", drag.WorstMs);
-    json.Add("worstByCold", drag.WorstByCold);
-    json.Add("worstAtIsovalue", drag.WorstAt);
-    json.Add("coldMs", drag.ColdMs);
-    json.Add("meanByCold", drag.MeanByCold);
-    json.Add("bytesAPixel", drag.BytesAPixel);
-    json.Add("differentPictures", drag.Different);
-    json.Close();
-  }
-  json.Close();
-}
-
 }
 
 void PrintFrames(const std::vector<Result>& results)
@@ -98,24 +75,6 @@ void PrintFrames(const std::vector<Result>& results)
         Fixed(Ratio(t.Cold, t.Lookup), 2), Fixed(Ratio(t.Plain, t.Lookup), 1),
         Fixed(Ratio(t.FirstUp, t.Cold), 2), Fixed(Ratio(t.FirstDown, t.Cold), 2),
         Fixed(t.BytesAPixel, 1) }));
-  }
-}
-
-void PrintDrags(const std::vector<Result>& results)
-{
-  const MarkdownTable table({ "volume", "isovalue", "drag", "frames", "building %", "median",
-    "mean", "cold median", "mean / cold", "worst", "worst / cold there", "at isovalue",
-    "bytes a pixel", "not the cold picture" });
-  for (const Result& result : results)
-  {
-    for (const IsomapDrags::Summary& d : result.Drags)
-    {
-      table.Row(Row(result,
-        { d.Path, Plain(d.Steps), Fixed(d.PercentBuilt, 1), Fixed(d.MedianMs, 1),
-          Fixed(d.MeanMs, 1), Fixed(d.ColdMs, 1), Fixed(d.MeanByCold, 2), Fixed(d.WorstMs, 1),
-          Fixed(d.WorstByCold, 2), Plain(d.WorstAt), Fixed(d.BytesAPixel, 1),
-          Plain(d.Different) }));
-    }
   }
 }
 
@@ -184,7 +143,6 @@ void AddTo(JsonWriter& json, const std::vector<Result>& results)
     json.Add("volume", result.Volume.Name);
     json.Add("isovalue", result.Volume.Isovalue);
     AddTo(json, result.Frames);
-    AddTo(json, result.Drags);
     AddTo(json, "widths", result.Widths);
     AddTo(json, "tolerances", result.Tolerances);
     json.Close();

@@ -3,7 +3,6 @@
 #ifndef Benchmarks_IsomapReport_h
 #define Benchmarks_IsomapReport_h
 
-#include "IsomapDrags.h"
 #include "IsomapFrames.h"
 #include "IsomapMaps.h"
 #include "Report.h"
@@ -21,13 +20,11 @@ struct Result
 {
   Volumes::Sample Volume;
   IsomapFrames::Times Frames;
-  std::vector<IsomapDrags::Summary> Drags;
   std::vector<IsomapMaps::Map> Widths; ///< the last is of the whole range
   std::vector<IsomapMaps::Map> Tolerances;
 };
 
 void PrintFrames(const std::vector<Result>& results);
-void PrintDrags(const std::vector<Result>& results);
 void PrintWholeMaps(const std::vector<Result>& results);
 void PrintWidths(const std::vector<Result>& results);
 void PrintTolerances(const std::vector<Result>& results);

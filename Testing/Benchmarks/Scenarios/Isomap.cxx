@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// New isovalues in a still view, one by one and dragged, beside cold frames; and what maps cost.
+// New isovalues in a still view beside cold frames, and what maps cost. Drags: Drags.cxx.
 
-#include "IsomapDrags.h"
 #include "IsomapFrames.h"
 #include "IsomapMaps.h"
 #include "IsomapPlots.h"
@@ -17,16 +16,11 @@ namespace
 
 constexpr int UsualFrames = 40;
 
-IsomapReport::Result Measure(
-  const Volumes::Sample& volume, Stage& stage, int frames, const Settings& settings)
+IsomapReport::Result Measure(const Volumes::Sample& volume, Stage& stage, int frames)
 {
   IsomapReport::Result result;
   result.Volume = volume;
   result.Frames = IsomapFrames::Measure(stage, frames);
-  for (const IsomapDrags::Path& path : IsomapDrags::AllPaths(stage, settings.Steps))
-  {
-    result.Drags.push_back(IsomapDrags::Run(stage, path));
-  }
   result.Widths = IsomapMaps::MeasureWidths(stage);
   result.Tolerances = IsomapMaps::MeasureTolerances(stage);
   return result;
@@ -42,14 +36,12 @@ bool Run(const Settings& settings, JsonWriter& json)
           { "spheres256", 100 }, { "spheres512", 100 }, { "marschner-lobb128", 128 },
           { "marschner-lobb256", 128 }, { "marschner-lobb512", 128 } },
         [&](const Volumes::Sample& volume, Stage& stage)
-        { results.push_back(Measure(volume, stage, frames, settings)); }))
+        { results.push_back(Measure(volume, stage, frames)); }))
   {
     return false;
   }
   std::cout << "One frame; medians in ms (plain: without space leaping)\n\n";
   IsomapReport::PrintFrames(results);
-  std::cout << "\nDrags of the isovalue; times in ms\n\n";
-  IsomapReport::PrintDrags(results);
   std::cout << "\nA map of the whole range of values; times in ms\n\n";
   IsomapReport::PrintWholeMaps(results);
   std::cout << '\n';
@@ -67,5 +59,5 @@ bool Run(const Settings& settings, JsonWriter& json)
 
 Scenario Scenarios::Isomap()
 {
-  return { "isomap", "new isovalues in a still view, dragged too, and what isomaps cost", Run };
+  return { "isomap", "a new isovalue in a still view, and what isomaps cost", Run };
 }

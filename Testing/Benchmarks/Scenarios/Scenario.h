@@ -18,7 +18,7 @@ struct Settings
   int Size = 1024;                      ///< pixels of a picture in each direction
   Framing From = AllFramings().front(); ///< how the camera begins
   int Frames = 0;                       ///< 0: each scenario's own number
-  int Steps = 200;                      ///< isovalues of a drag
+  int Steps = 40;                       ///< isovalues of a drag
   int Largest = 512;                    ///< samples a side where growth ends
   std::vector<Volumes::Sample> Volumes; ///< none: each scenario's own
   std::string Plots;                    ///< folder for plots; empty: none are made
@@ -66,6 +66,7 @@ Scenario Peers();
 Scenario ImageCache();
 Scenario Drift();
 Scenario Isomap();
+Scenario Drags();
 Scenario Growth();
 Scenario Threads();
 Scenario Vectors();

@@ -146,6 +146,10 @@ vtkSmartPointer<vtkImageData> Load(const std::string& name)
   {
     return MarschnerLobb(size);
   }
+  if (const int size = SizeBehind("noise", name))
+  {
+    return Noise(size, VTK_UNSIGNED_CHAR, 0.0, 256.0);
+  }
   const std::string folder =
     EndsWith(name, ".nii.gz") ? "/usr/share/mricron/templates" : DataDirectory();
   const std::string path = folder + "/" + name;

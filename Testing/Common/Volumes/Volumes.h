@@ -35,7 +35,8 @@ vtkSmartPointer<vtkImageData> Noise(int n, int scalarType, double low, double hi
 /// A volume and a good isovalue.
 struct Sample
 {
-  std::string Name; ///< a file below the data directory, or "spheres", "marschner-lobb" and a size
+  std::string
+    Name; ///< a file below the data directory; "spheres", "marschner-lobb", "noise" and a size
   double Isovalue;
 };
 

@@ -57,7 +57,8 @@ public:
     this->FindCaps(rays, hits);
     const std::uint64_t wanted = WalksWithoutHit(rays, hits);
     if (!(this->Levels && AreBeam(this->Cells.Scene, rays, wanted) &&
-          RectilinearBeam<T>(this->Cells, *this->Levels, rays, hits).Trace(wanted)))
+          RectilinearBeam<T>(this->Cells, *this->Levels, rays, hits)
+            .Trace(wanted, &this->Cells.Shape.Grid)))
     {
       this->WalkAll(rays, hits);
     }

@@ -17,6 +17,7 @@ namespace TemporalCoherence
 {
 
 /// The isovalues of a scene as beams see them: what all tiles share.
+/// \tparam T type of which differences from isovalues are taken
 template <typename T>
 struct BeamLevels
 {
@@ -44,11 +45,20 @@ struct BeamLevels
 
   /// True if differences of a cell's samples from the base tell what is in it. Those of samples
   /// that are not finite are another matter for each isovalue.
-  bool AreTold(const std::array<T, 8>& samples) const
+  /// \tparam Sample type of the samples
+  template <typename Sample>
+  bool AreTold(const std::array<Sample, 8>& samples) const
   {
-    return !std::is_floating_point_v<T> || this->Isovalues.size() == 1 ||
+    return this->AreAlwaysTold<Sample>() ||
       std::all_of(samples.begin(), samples.end(),
-        [](T sample) { return std::isfinite(static_cast<double>(sample)); });
+        [](Sample sample) { return std::isfinite(static_cast<double>(sample)); });
+  }
+
+  /// True if that holds in all cells.
+  template <typename Sample>
+  bool AreAlwaysTold() const
+  {
+    return !std::is_floating_point_v<Sample> || this->Isovalues.size() == 1;
   }
 
   std::size_t Base;             ///< position of the isovalue that differences are taken from

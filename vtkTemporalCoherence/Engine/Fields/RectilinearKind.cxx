@@ -55,14 +55,10 @@ public:
   {
     hits.Clear(rays.Count);
     this->FindCaps(rays, hits);
-    std::uint64_t wanted = 0;
-    for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
-    {
-      const bool isWanted = rays.HasWalk(ray) && hits.Kind[ray] == HitKind::None;
-      wanted |= static_cast<std::uint64_t>(isWanted) << ray;
-    }
+    const std::uint64_t wanted = WalksWithoutHit(rays, hits);
     if (!(this->Levels && AreBeam(this->Cells.Scene, rays, wanted) &&
-          RectilinearBeam<T>(this->Cells, *this->Levels, rays, hits).Trace(wanted)))
+          RectilinearBeam<T>(this->Cells, *this->Levels, rays, hits)
+            .Trace(wanted, &this->Cells.Shape.Grid)))
     {
       this->WalkAll(rays, hits);
     }

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Fields/UniformBandTracer.h"
+#include "Fields/UniformTracer.h"
 
 #include "Fields/UniformBandBeam.h"
-#include "Fields/UniformTracer.h"
 #include "Isomap/CellBandTracer.h"
 
 #include <memory>
@@ -12,12 +11,6 @@ namespace TemporalCoherence
 {
 namespace
 {
-
-/// Voxels between rays from which on they walk.
-constexpr double CoarsestPixel = 0.75;
-
-/// Fewer rays of a tile than this walk.
-constexpr std::size_t FewestRays = 16;
 
 /// CellBandTracer, but that the rays of a tile go as a beam where that is faster.
 template <typename T>
@@ -50,13 +43,7 @@ private:
   bool IsBeam(const RayBatch& rays, std::uint64_t wanted) const
   {
     const BandScene& scene = this->Cells.Scene;
-    if (scene.Samples.Hidden || scene.By == Traversal::Walks || wanted == 0)
-    {
-      return false;
-    }
-    return scene.By == Traversal::Beams ||
-      (rays.Count == RayBatch::Capacity && hwy::PopCount(wanted) >= FewestRays &&
-        SpacingOf(rays) < CoarsestPixel);
+    return !scene.Samples.Hidden && AreBeam(scene.By, rays, wanted);
   }
 };
 

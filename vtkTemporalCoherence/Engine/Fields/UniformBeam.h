@@ -3,95 +3,29 @@
 #ifndef TemporalCoherence_UniformBeam_h
 #define TemporalCoherence_UniformBeam_h
 
-#include "Fields/BeamLevels.h"
-#include "Fields/KernelsBeam.h"
+#include "Fields/CellBeam.h"
 #include "Fields/UniformCells.h"
 #include "Trace/HiddenSegment.h"
 #include "Trace/KernelsCrossing.h"
-#include "Trace/TracedCells.h"
 
-#include <algorithm>
 #include <array>
 #include <limits>
 
 namespace TemporalCoherence
 {
 
-/// Finds the first surfaces of the rays of a tile by a beam, in an image.
-///
-/// The beam only leaves out cells: those that a ray does not pass, those where single precision
-/// proves that it meets nothing, and those behind another where it proves that it does. What is in
-/// the others is found as a walk finds it, by the same kernel from the same ray and cell, and of
-/// the cells with a surface the one that the ray enters first holds the hit, as on a walk. (The
-/// order of cells by where they are entered is theirs on the ray: each has its part of it between
-/// planes, and no two of them share more than an end.)
+/// Finds the first surfaces of the rays of a tile by a beam, in an image. Cells are searched by the
+/// kernel of walks.
 template <typename T>
-class UniformBeam final : private BeamScene
+class UniformBeam final : public CellBeam<T, UniformCells<T>>
 {
 public:
-  using Real = RealOf<T>;
-  using Traced = TracedCells<T, UniformCells<T>, Interpolation::Linear>;
-
-  UniformBeam(
-    const Traced& cells, const BeamLevels<T>& levels, const RayBatch& rays, HitBatch& hits)
-    : Cells(cells)
-    , Given(levels)
-    , Unit(static_cast<Real>(levels.Unit))
-    , Rays(rays)
-    , Hits(hits)
-  {
-  }
-
-  /// Find the hits of some rays, one bit each.
-  /// \return false if they must walk
-  bool Trace(std::uint64_t wanted)
-  {
-    TileBeam beam;
-    if (!SetUpBeam(this->Rays, wanted, this->Cells.Count, beam))
-    {
-      return false;
-    }
-    this->FirstEnter.fill(std::numeric_limits<double>::infinity());
-    SearchBeam({ this->Given.Isovalues, *this->Cells.Scene.Active, this->Cells.Rules.IsSolid() },
-      *this, beam);
-    this->Hits.CellsRead += beam.CellsPassed;
-    return true;
-  }
+  using Base = CellBeam<T, UniformCells<T>>;
+  using Real = typename Base::Real;
+  using Base::Base;
 
 private:
-  /// A cell that the beam has read.
-  struct ReadCell
-  {
-    std::array<double, 3> Place;
-    Corners<Real> Differences;
-  };
-
-  std::uint64_t CellsOf(std::int64_t node, const glm::ivec3& cell) const override
-  {
-    return this->Cells.Scene.Active->CellsOf(this->Cells.Samples.All(), node, cell);
-  }
-
-  std::int32_t Read(const glm::ivec3& cell, std::array<float, 8>& corners) override
-  {
-    ReadCell& read = this->ReadCells[static_cast<std::size_t>(this->NumberOfRead)];
-    read.Place = { cell.x + 0.0, cell.y + 0.0, cell.z + 0.0 };
-    const T* const sample = this->Cells.Samples.All().At(cell);
-    const glm::i64vec3& s = this->Cells.Samples.All().Strides;
-    const std::array<std::int64_t, 4> rows = { 0, s.y, s.z, s.y + s.z };
-    const Difference<T>& difference = this->Cells.Differences[this->Given.Base];
-    for (std::size_t i = 0; i < 8; ++i) // in one loop: measured faster than Differ(Read(cell))
-    {
-      const Real value = difference(sample[rows[i / 2] + (i & 1 ? s.x : 0)]);
-      read.Differences[i] = value;
-      corners[i] = sizeof(Real) == sizeof(float) ? static_cast<float>(value)
-                                                 : static_cast<float>(value * this->Unit);
-    }
-    if (!this->Given.AreTold(this->Cells.Samples.Read(cell)))
-    {
-      corners.fill(std::numeric_limits<float>::quiet_NaN());
-    }
-    return this->NumberOfRead++;
-  }
+  using typename Base::ReadCell;
 
   /// Segments that are to be searched.
   struct Search
@@ -108,42 +42,18 @@ private:
     {
       this->DecideMet(beam);
     }
-    else
-    {
-      this->VisitMet(search, beam);
-    }
-    for (std::size_t i = 0; i < open.Count; ++i)
-    {
-      const std::size_t ray = open.Ray[i];
-      if (open.Enter[i] < beam.Behind[ray])
-      {
-        this->Visit(ray, open.Cell[i], search, beam);
-      }
-    }
+    const auto visit = [&](std::size_t ray, const ReadCell& cell)
+    { this->Visit(ray, cell, search, beam); };
+    this->VisitMet(beam, visit);
+    this->VisitOpen(open, beam, visit);
     this->Finish(search, beam);
-    open.Count = 0;
-    this->NumberOfRead = 0;
-  }
-
-  /// Visit the cells in which the beam has seen surfaces for sure.
-  void VisitMet(Search& search, TileBeam& beam)
-  {
-    for (std::size_t ray = 0; ray < static_cast<std::size_t>(this->Rays.Count); ++ray)
-    {
-      if (beam.Cell[ray] != TileBeam::NoCell)
-      {
-        this->Visit(ray, beam.Cell[ray], search, beam);
-        beam.Cell[ray] = TileBeam::NoCell;
-      }
-    }
+    this->ForgetCells();
   }
 
   /// Note a ray's segments in a cell, of each isovalue that passes through it.
-  void Visit(std::size_t ray, std::int32_t number, Search& search, TileBeam& beam)
+  void Visit(std::size_t ray, const ReadCell& cell, Search& search, TileBeam& beam)
   {
-    const std::array<double, 3>& place = this->ReadCells[static_cast<std::size_t>(number)].Place;
-    const glm::ivec3 cell(place[0], place[1], place[2]);
-    const std::array<T, 8> samples = this->Cells.Samples.Read(cell);
+    const std::array<T, 8> samples = this->Cells.Samples.Read(cell.Place);
     for (std::size_t surface = 0; surface < this->Given.Isovalues.size(); ++surface)
     {
       const Corners<Real> corners = this->Cells.Differ(samples, surface);
@@ -156,7 +66,7 @@ private:
         this->Finish(search, beam);
       }
       const auto at = static_cast<std::size_t>(search.Segments.Count);
-      AppendSegment(this->Rays, ray, cell, corners, search.Segments);
+      AppendSegment(this->Rays, ray, cell.Place, corners, search.Segments);
       search.Ray[at] = ray;
       search.Surface[at] = static_cast<std::int16_t>(surface);
     }
@@ -180,9 +90,7 @@ private:
       }
       else if (this->Keep(segments, i, search.Surface[i], ray))
       {
-        // Cells that the ray enters later hold no hit.
-        const float behind = beam.DistanceOf(segments.Enter[i]) + beam.Margin;
-        beam.Behind[ray] = std::min(beam.Behind[ray], behind);
+        this->HideBehind(segments.Enter[i], ray, beam);
       }
     }
     segments.Count = 0;
@@ -214,10 +122,10 @@ private:
       from[i] = areAll ? i : from[i];
       const std::size_t ray = from[i];
       const std::int32_t number = beam.Cell[ray] != TileBeam::NoCell ? beam.Cell[ray] : any;
-      const ReadCell& cell = this->ReadCells[static_cast<std::size_t>(number)];
+      const ReadCell& cell = this->CellOf(number);
       for (std::size_t a = 0; a < 3; ++a)
       {
-        segments.Cell[a][i] = cell.Place[a];
+        segments.Cell[a][i] = cell.Place[static_cast<int>(a)];
       }
       for (std::size_t corner = 0; corner < 8; ++corner)
       {
@@ -268,15 +176,6 @@ private:
         [&] { return ComesFromHidden(segments, i, enter, *this->Cells.Hidden); }, this->Hits);
     }
   }
-
-  const Traced& Cells;
-  const BeamLevels<T>& Given;
-  Real Unit;
-  const RayBatch& Rays;
-  HitBatch& Hits;
-  RayBatch::Array<double> FirstEnter; ///< where rays enter the cells of their hits
-  std::array<ReadCell, MostCells> ReadCells;
-  std::int32_t NumberOfRead = 0;
 };
 
 }

@@ -29,8 +29,7 @@ constexpr double CoarsestPixel = 0.75;
 /// Fewer rays of a tile than this walk.
 constexpr int FewestRays = 16;
 
-}
-
+/// Voxels between the rays of a whole tile, across them, where one in its middle begins to walk.
 double SpacingOf(const RayBatch& rays)
 {
   constexpr std::size_t middle = 36, right = 7, above = 56;
@@ -49,21 +48,29 @@ double SpacingOf(const RayBatch& rays)
   return std::sqrt(area / glm::length(direction)) / (TileSize - 1);
 }
 
+}
+
 bool HasBeams(const Field& field, const Surfaces& surfaces)
 {
   return field.Between == Interpolation::Linear && !surfaces.Isovalues.empty();
 }
 
+bool AreBeam(Traversal by, const RayBatch& rays, std::uint64_t wanted)
+{
+  if (by != Traversal::Fastest)
+  {
+    return by == Traversal::Beams && wanted != 0;
+  }
+  return rays.Count == RayBatch::Capacity &&
+    static_cast<int>(hwy::PopCount(wanted)) >= FewestRays && SpacingOf(rays) < CoarsestPixel;
+}
+
 bool AreBeam(const TraceScene& scene, const RayBatch& rays, std::uint64_t wanted)
 {
-  if (scene.By == Traversal::Beams)
-  {
-    return wanted != 0;
-  }
   // Walks that a hint begins near surfaces are short: as beams, moved cameras cost 0.85 (bonsai)
   // to 1.06 (engine) times as much, and twice as much without vectors.
-  return !scene.IsHinted && rays.Count == RayBatch::Capacity &&
-    static_cast<int>(hwy::PopCount(wanted)) >= FewestRays && SpacingOf(rays) < CoarsestPixel;
+  const bool areShort = scene.By == Traversal::Fastest && scene.IsHinted;
+  return !areShort && AreBeam(scene.By, rays, wanted);
 }
 
 namespace
@@ -159,12 +166,7 @@ private:
   /// next, and all these cells are searched together.
   void TraceActive(const RayBatch& rays, HitBatch& hits) const
   {
-    std::uint64_t wanted = 0;
-    for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
-    {
-      const bool isWanted = rays.HasWalk(ray) && hits.Kind[ray] == HitKind::None;
-      wanted |= static_cast<std::uint64_t>(isWanted) << ray;
-    }
+    const std::uint64_t wanted = WalksWithoutHit(rays, hits);
     if constexpr (Between == Interpolation::Linear)
     {
       if (this->Levels && AreBeam(this->Cells.Scene, rays, wanted) &&

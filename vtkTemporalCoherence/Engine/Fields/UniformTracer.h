@@ -3,6 +3,7 @@
 #ifndef TemporalCoherence_UniformTracer_h
 #define TemporalCoherence_UniformTracer_h
 
+#include "Isomap/BandTracer.h"
 #include "Trace/SurfaceTracer.h"
 
 #include <cstdint>
@@ -14,17 +15,22 @@ namespace TemporalCoherence
 /// True if the rays of tiles can go through a field as beams, where pixels are fine.
 bool HasBeams(const Field& field, const Surfaces& surfaces);
 
-/// Voxels between the rays of a whole tile, across them, where one in its middle begins to walk.
-double SpacingOf(const RayBatch& rays);
-
 /// True if some rays of a tile, one bit each, are to go through active cells as a beam.
 /// \pre the field has beams
+bool AreBeam(Traversal by, const RayBatch& rays, std::uint64_t wanted);
+
+/// The same for first surfaces.
 bool AreBeam(const TraceScene& scene, const RayBatch& rays, std::uint64_t wanted);
 
 /// The tracer of uniform fields, for the type of the scene's samples: the rays of a tile go from
 /// active cell to active cell together, in vectors.
 /// \throws std::bad_alloc
 std::shared_ptr<const SurfaceTracer> MakeUniformTracer(const TraceScene& scene);
+
+/// The BandTracer of uniform fields, for the type of the scene's samples: the rays of a tile go as
+/// a beam where that is faster.
+/// \throws std::bad_alloc
+std::shared_ptr<const BandTracer> MakeUniformBandTracer(const BandScene& scene);
 
 }
 

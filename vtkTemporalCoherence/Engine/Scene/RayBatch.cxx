@@ -5,6 +5,17 @@
 namespace TemporalCoherence
 {
 
+std::uint64_t WalksWithoutHit(const RayBatch& rays, const HitBatch& hits)
+{
+  std::uint64_t which = 0;
+  for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
+  {
+    const bool isOne = rays.HasWalk(ray) && hits.Kind[ray] == HitKind::None;
+    which |= static_cast<std::uint64_t>(isOne) << ray;
+  }
+  return which;
+}
+
 void AppendRay(const RayBatch& from, std::size_t ray, RayBatch& to)
 {
   const auto at = static_cast<std::size_t>(to.Count++);

@@ -72,6 +72,9 @@ struct HitBatch
   }
 };
 
+/// The rays that have a walk and no hit yet, one bit each.
+std::uint64_t WalksWithoutHit(const RayBatch& rays, const HitBatch& hits);
+
 /// Append ray `ray` of one batch to another.
 void AppendRay(const RayBatch& from, std::size_t ray, RayBatch& to);
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shade/KernelsGradients.h"
 
+#include <limits>
+
 // This file is compiled once for each kind of vectors. The best one for the machine is chosen at
 // run time.
 #undef HWY_TARGET_INCLUDE
@@ -50,7 +52,7 @@ HWY_INLINE void StoreAs(D, hn::Vec<D> value, float* to)
 }
 
 template <typename Real>
-HWY_INLINE void FindAllCells(
+HWY_INLINE bool FindAllCells(
   const CellSpace& space, const Vectors& directions, const Vectors& points, CellPoints<Real>& found)
 {
   const hn::CappedTag<double, WidestVector / 2> d;
@@ -58,6 +60,7 @@ HWY_INLINE void FindAllCells(
   using V = hn::Vec<decltype(d)>;
   const V zero = hn::Zero(d), one = hn::Set(d, 1.0), half = hn::Set(d, 0.5);
   const glm::dmat4& m = space.IndexFromWorld;
+  auto isOuter = hn::Lt(zero, zero);
   // Up to the end of the widest vectors of Real.
   for (std::size_t i = 0; i < WholeVectors(found.Count); i += hn::Lanes(d))
   {
@@ -91,10 +94,12 @@ HWY_INLINE void FindAllCells(
       const V cell = hn::Min(hn::Max(hn::Floor(p[a]), zero), last);
       const V in = hn::Min(hn::Max(hn::Sub(p[a], cell), zero), one);
       const V at = space.IsNearest ? hn::Floor(hn::Add(in, half)) : in;
+      isOuter = hn::Or(isOuter, hn::Or(hn::Le(cell, zero), hn::Ge(cell, last)));
       hn::StoreU(hn::DemoteTo(di, cell), di, &found.Cell[a][i]);
       StoreAs(d, at, &found.At[a][i]);
     }
   }
+  return hn::AllFalse(d, isOuter);
 }
 
 /// Loads rows as vectors, one for each sample of the row, and subtracts them. Integers of up to 16
@@ -104,12 +109,116 @@ struct IntegerRowLoader : PackedSamples::HWY_NAMESPACE::IntegerRows<Stored>
 {
   using Rows = PackedSamples::HWY_NAMESPACE::IntegerRows<Stored>;
 
-  HWY_INLINE IntegerRowLoader(const RowBatch<Stored>&, std::size_t) {}
+  HWY_INLINE IntegerRowLoader(const RowBatch<Stored>& rows, std::size_t i)
+    : From(rows)
+    , At(i)
+  {
+  }
+
+  HWY_INLINE void Along(std::size_t row, typename Rows::V out[4]) const
+  {
+    Rows::Load(&this->From.Along[row][this->At], out);
+  }
+  HWY_INLINE void Beside(std::size_t row, typename Rows::V out[2]) const
+  {
+    Rows::Load(&this->From.Beside[row][this->At], out);
+  }
 
   HWY_INLINE hn::Vec<typename Rows::D> Minus(typename Rows::V a, typename Rows::V b) const
   {
     return Rows::AsFloats(hn::Sub(a, b));
   }
+
+private:
+  const RowBatch<Stored>& From;
+  std::size_t At;
+};
+
+/// The same from samples that lie in memory.
+template <typename T>
+struct GatheringLoader : PackedSamples::HWY_NAMESPACE::IntegerRows<T>
+{
+  using Rows = PackedSamples::HWY_NAMESPACE::IntegerRows<T>;
+  using Packed = typename Rows::V;
+  using Places = hn::Vec<hn::Rebind<std::int32_t, typename Rows::D>>;
+
+  HWY_INLINE GatheringLoader(
+    const NarrowSamples<T>& samples, const CellPoints<float>& points, std::size_t i)
+    : From(samples)
+  {
+    const hn::Rebind<std::int32_t, typename Rows::D> d;
+    const auto along = [&](std::size_t axis, std::int32_t stride) HWY_ATTR
+    { return hn::Mul(hn::LoadU(d, &points.Cell[axis][i]), hn::Set(d, stride)); };
+    constexpr auto bytes = static_cast<std::int32_t>(sizeof(T));
+    this->Cell = hn::Add(hn::Add(along(0, bytes), along(1, bytes * samples.StrideY)),
+      along(2, bytes * samples.StrideZ));
+  }
+
+  HWY_INLINE void Along(std::size_t row, Packed out[4]) const
+  {
+    const std::int32_t offset = this->OffsetOf(static_cast<int>(row & 1u), static_cast<int>(row >> 1u));
+    using namespace PackedSamples::HWY_NAMESPACE;
+    if constexpr (sizeof(T) == 1)
+    {
+      const Packed all = this->Words(offset - 1);
+      out[0] = Unpack<8, 4, 0>(all);
+      out[1] = Unpack<8, 4, 1>(all);
+      out[2] = Unpack<8, 4, 2>(all);
+      out[3] = Unpack<8, 4, 3>(all);
+    }
+    else
+    {
+      const Packed first = this->Words(offset - 1), second = this->Words(offset + 1);
+      out[0] = Unpack<16, 2, 0>(first);
+      out[1] = Unpack<16, 2, 1>(first);
+      out[2] = Unpack<16, 2, 0>(second);
+      out[3] = Unpack<16, 2, 1>(second);
+    }
+  }
+
+  HWY_INLINE void Beside(std::size_t row, Packed out[2]) const
+  {
+    // Before the cell and behind it along one axis, at both ends of the other.
+    const int across = (row & 2u) != 0 ? 2 : -1, end = static_cast<int>(row & 1u);
+    const std::int32_t offset =
+      row < 4 ? this->OffsetOf(across, end) : this->OffsetOf(end, across);
+    using namespace PackedSamples::HWY_NAMESPACE;
+    if constexpr (sizeof(T) == 1)
+    {
+      // With the sample before: four bytes from the first one on may pass the end of the field.
+      const Packed all = this->Words(offset - 1);
+      out[0] = Unpack<8, 4, 1>(all);
+      out[1] = Unpack<8, 4, 2>(all);
+    }
+    else
+    {
+      const Packed both = this->Words(offset);
+      out[0] = Unpack<16, 2, 0>(both);
+      out[1] = Unpack<16, 2, 1>(both);
+    }
+  }
+
+  HWY_INLINE hn::Vec<typename Rows::D> Minus(Packed a, Packed b) const
+  {
+    return Rows::AsFloats(hn::Sub(a, b));
+  }
+
+private:
+  HWY_INLINE std::int32_t OffsetOf(int y, int z) const
+  {
+    return y * this->From.StrideY + z * this->From.StrideZ;
+  }
+
+  /// 32 bits from a sample of each cell on.
+  HWY_INLINE Packed Words(std::int32_t offset) const
+  {
+    const hn::Rebind<std::int32_t, typename Rows::D> d;
+    const auto* const base = reinterpret_cast<const std::int32_t*>(this->From.Samples + offset);
+    return hn::BitCast(typename Rows::DW(), hn::GatherOffset(d, base, this->Cell));
+  }
+
+  const NarrowSamples<T>& From;
+  Places Cell; ///< in bytes from the first sample
 };
 
 /// The same for numbers that may be large or not finite: differences from the isovalue are taken
@@ -122,26 +231,28 @@ struct RealRowLoader
   using V = hn::Vec<D>;
 
   HWY_INLINE RealRowLoader(const RowBatch<Stored>& rows, std::size_t i)
-    : High(hn::LoadU(D(), &rows.High[i]))
+    : From(rows)
+    , At(i)
+    , High(hn::LoadU(D(), &rows.High[i]))
     , Low(hn::LoadU(D(), &rows.Low[i]))
     , Limit(hn::LoadU(D(), &rows.Limit[i]))
   {
   }
 
-  HWY_INLINE void Load(const std::array<Stored, 4>* rows, V out[4]) const
+  HWY_INLINE void Along(std::size_t row, V out[4]) const
   {
     hn::Vec<DK> a, b, c, e;
-    hn::LoadInterleaved4(DK(), rows->data(), a, b, c, e);
+    hn::LoadInterleaved4(DK(), this->From.Along[row][this->At].data(), a, b, c, e);
     out[0] = this->FromIsovalue(a);
     out[1] = this->FromIsovalue(b);
     out[2] = this->FromIsovalue(c);
     out[3] = this->FromIsovalue(e);
   }
 
-  HWY_INLINE void Load(const std::array<Stored, 2>* rows, V out[2]) const
+  HWY_INLINE void Beside(std::size_t row, V out[2]) const
   {
     hn::Vec<DK> a, b;
-    hn::LoadInterleaved2(DK(), rows->data(), a, b);
+    hn::LoadInterleaved2(DK(), this->From.Beside[row][this->At].data(), a, b);
     out[0] = this->FromIsovalue(a);
     out[1] = this->FromIsovalue(b);
   }
@@ -167,6 +278,8 @@ private:
     return hn::IfThenElse(hn::Lt(raised, this->Limit), raised, this->Limit);
   }
 
+  const RowBatch<Stored>& From;
+  std::size_t At;
   V High, Low, Limit;
 };
 
@@ -239,11 +352,11 @@ HWY_INLINE void StoreAsDoubles(
   }
 }
 
-template <typename Stored, typename Real>
+/// \param loaderAt makes what loads the rows of a vector of points
+template <typename Loader, typename Real, typename LoaderAt>
 HWY_INLINE void InterpolateAll(const glm::ivec3& dimensions, const CellPoints<Real>& points,
-  const RowBatch<Stored>& rows, Vectors& gradients)
+  const LoaderAt& loaderAt, Vectors& gradients)
 {
-  using Loader = RowLoader<Stored>;
   const typename Loader::D d;
   using V = hn::Vec<decltype(d)>;
   for (std::size_t i = 0; i < points.Count; i += hn::Lanes(d))
@@ -251,12 +364,12 @@ HWY_INLINE void InterpolateAll(const glm::ivec3& dimensions, const CellPoints<Re
     const auto wx = WeightsAlong(d, 0, dimensions.x, points, i);
     const auto wy = WeightsAlong(d, 1, dimensions.y, points, i);
     const auto wz = WeightsAlong(d, 2, dimensions.z, points, i);
-    const Loader loader(rows, i);
+    const Loader loader = loaderAt(i);
     typename Loader::V corner[8], row[4], before[2], behind[2];
     V edges[4];
     for (std::size_t yz = 0; yz < 4; ++yz)
     {
-      loader.Load(&rows.Along[yz][i], row);
+      loader.Along(yz, row);
       corner[2 * yz] = row[1];
       corner[2 * yz + 1] = row[2];
       edges[yz] = Mix(loader.Minus(row[2], row[0]), loader.Minus(row[3], row[1]),
@@ -265,8 +378,8 @@ HWY_INLINE void InterpolateAll(const glm::ivec3& dimensions, const CellPoints<Re
     StoreAsDoubles(d, Across(edges, wy, wz), &gradients[0][i]);
     for (std::size_t z = 0; z < 2; ++z)
     {
-      loader.Load(&rows.Beside[z][i], before);
-      loader.Load(&rows.Beside[2 + z][i], behind);
+      loader.Beside(z, before);
+      loader.Beside(2 + z, behind);
       for (std::size_t x = 0; x < 2; ++x)
       {
         edges[2 * z + x] = Mix(loader.Minus(corner[4 * z + 2 + x], before[x]),
@@ -276,8 +389,8 @@ HWY_INLINE void InterpolateAll(const glm::ivec3& dimensions, const CellPoints<Re
     StoreAsDoubles(d, Across(edges, wx, wz), &gradients[1][i]);
     for (std::size_t y = 0; y < 2; ++y)
     {
-      loader.Load(&rows.Beside[4 + y][i], before);
-      loader.Load(&rows.Beside[6 + y][i], behind);
+      loader.Beside(4 + y, before);
+      loader.Beside(6 + y, behind);
       for (std::size_t x = 0; x < 2; ++x)
       {
         edges[2 * y + x] = Mix(loader.Minus(corner[4 + 2 * y + x], before[x]),
@@ -288,52 +401,95 @@ HWY_INLINE void InterpolateAll(const glm::ivec3& dimensions, const CellPoints<Re
   }
 }
 
-void CellsFloat(const CellSpace& space, const Vectors& directions, const Vectors& points,
-  CellPoints<float>& found)
+template <typename Stored, typename Real>
+HWY_INLINE void InterpolateRows(const glm::ivec3& dimensions, const CellPoints<Real>& points,
+  const RowBatch<Stored>& rows, Vectors& gradients)
 {
-  FindAllCells(space, directions, points, found);
+  using Loader = RowLoader<Stored>;
+  InterpolateAll<Loader>(
+    dimensions, points, [&](std::size_t i) HWY_ATTR { return Loader(rows, i); }, gradients);
 }
 
-void CellsDouble(const CellSpace& space, const Vectors& directions, const Vectors& points,
+template <typename T>
+HWY_INLINE void InterpolateGathered(
+  const NarrowSamples<T>& samples, const CellPoints<float>& points, Vectors& gradients)
+{
+  using Loader = GatheringLoader<T>;
+  const glm::ivec3 endless(std::numeric_limits<std::int32_t>::max()); // all cells are inner ones
+  InterpolateAll<Loader>(
+    endless, points, [&](std::size_t i) HWY_ATTR { return Loader(samples, points, i); }, gradients);
+}
+
+bool CellsFloat(const CellSpace& space, const Vectors& directions, const Vectors& points,
+  CellPoints<float>& found)
+{
+  return FindAllCells(space, directions, points, found);
+}
+
+bool CellsDouble(const CellSpace& space, const Vectors& directions, const Vectors& points,
   CellPoints<double>& found)
 {
-  FindAllCells(space, directions, points, found);
+  return FindAllCells(space, directions, points, found);
 }
 
 void GradientsUInt8(const glm::ivec3& dimensions, const CellPoints<float>& points,
   const RowBatch<std::uint8_t>& rows, Vectors& gradients)
 {
-  InterpolateAll(dimensions, points, rows, gradients);
+  InterpolateRows(dimensions, points, rows, gradients);
 }
 
 void GradientsInt8(const glm::ivec3& dimensions, const CellPoints<float>& points,
   const RowBatch<std::int8_t>& rows, Vectors& gradients)
 {
-  InterpolateAll(dimensions, points, rows, gradients);
+  InterpolateRows(dimensions, points, rows, gradients);
 }
 
 void GradientsUInt16(const glm::ivec3& dimensions, const CellPoints<float>& points,
   const RowBatch<std::uint16_t>& rows, Vectors& gradients)
 {
-  InterpolateAll(dimensions, points, rows, gradients);
+  InterpolateRows(dimensions, points, rows, gradients);
 }
 
 void GradientsInt16(const glm::ivec3& dimensions, const CellPoints<float>& points,
   const RowBatch<std::int16_t>& rows, Vectors& gradients)
 {
-  InterpolateAll(dimensions, points, rows, gradients);
+  InterpolateRows(dimensions, points, rows, gradients);
 }
 
 void GradientsFloat(const glm::ivec3& dimensions, const CellPoints<double>& points,
   const RowBatch<float>& rows, Vectors& gradients)
 {
-  InterpolateAll(dimensions, points, rows, gradients);
+  InterpolateRows(dimensions, points, rows, gradients);
 }
 
 void GradientsDouble(const glm::ivec3& dimensions, const CellPoints<double>& points,
   const RowBatch<double>& rows, Vectors& gradients)
 {
-  InterpolateAll(dimensions, points, rows, gradients);
+  InterpolateRows(dimensions, points, rows, gradients);
+}
+
+void GatherUInt8(const NarrowSamples<std::uint8_t>& samples, const CellPoints<float>& points,
+  Vectors& gradients)
+{
+  InterpolateGathered(samples, points, gradients);
+}
+
+void GatherInt8(const NarrowSamples<std::int8_t>& samples, const CellPoints<float>& points,
+  Vectors& gradients)
+{
+  InterpolateGathered(samples, points, gradients);
+}
+
+void GatherUInt16(const NarrowSamples<std::uint16_t>& samples, const CellPoints<float>& points,
+  Vectors& gradients)
+{
+  InterpolateGathered(samples, points, gradients);
+}
+
+void GatherInt16(const NarrowSamples<std::int16_t>& samples, const CellPoints<float>& points,
+  Vectors& gradients)
+{
+  InterpolateGathered(samples, points, gradients);
 }
 
 }
@@ -355,17 +511,21 @@ HWY_EXPORT(GradientsUInt16);
 HWY_EXPORT(GradientsInt16);
 HWY_EXPORT(GradientsFloat);
 HWY_EXPORT(GradientsDouble);
+HWY_EXPORT(GatherUInt8);
+HWY_EXPORT(GatherInt8);
+HWY_EXPORT(GatherUInt16);
+HWY_EXPORT(GatherInt16);
 
-void FindCells(const CellSpace& space, const Vectors& directions, const Vectors& points,
+bool FindCells(const CellSpace& space, const Vectors& directions, const Vectors& points,
   CellPoints<float>& found)
 {
-  HWY_DYNAMIC_DISPATCH(CellsFloat)(space, directions, points, found);
+  return HWY_DYNAMIC_DISPATCH(CellsFloat)(space, directions, points, found);
 }
 
-void FindCells(const CellSpace& space, const Vectors& directions, const Vectors& points,
+bool FindCells(const CellSpace& space, const Vectors& directions, const Vectors& points,
   CellPoints<double>& found)
 {
-  HWY_DYNAMIC_DISPATCH(CellsDouble)(space, directions, points, found);
+  return HWY_DYNAMIC_DISPATCH(CellsDouble)(space, directions, points, found);
 }
 
 void InterpolateGradients(const glm::ivec3& dimensions, const CellPoints<float>& points,
@@ -402,6 +562,30 @@ void InterpolateGradients(const glm::ivec3& dimensions, const CellPoints<double>
   const RowBatch<double>& rows, Vectors& gradients)
 {
   HWY_DYNAMIC_DISPATCH(GradientsDouble)(dimensions, points, rows, gradients);
+}
+
+void GatherGradients(const NarrowSamples<std::uint8_t>& samples, const CellPoints<float>& points,
+  Vectors& gradients)
+{
+  HWY_DYNAMIC_DISPATCH(GatherUInt8)(samples, points, gradients);
+}
+
+void GatherGradients(const NarrowSamples<std::int8_t>& samples, const CellPoints<float>& points,
+  Vectors& gradients)
+{
+  HWY_DYNAMIC_DISPATCH(GatherInt8)(samples, points, gradients);
+}
+
+void GatherGradients(const NarrowSamples<std::uint16_t>& samples, const CellPoints<float>& points,
+  Vectors& gradients)
+{
+  HWY_DYNAMIC_DISPATCH(GatherUInt16)(samples, points, gradients);
+}
+
+void GatherGradients(const NarrowSamples<std::int16_t>& samples, const CellPoints<float>& points,
+  Vectors& gradients)
+{
+  HWY_DYNAMIC_DISPATCH(GatherInt16)(samples, points, gradients);
 }
 
 }

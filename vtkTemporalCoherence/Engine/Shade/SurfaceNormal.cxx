@@ -170,6 +170,14 @@ void SetIsovalues(const GradientQuery& query, std::size_t count,
   }
 }
 
+/// True if vectors can gather the samples of a field.
+bool CanGather(const Field& field)
+{
+  const std::int64_t samples = field.Strides.z * field.Dimensions.z;
+  return field.Strides.x == 1 && !field.IsLarge() &&
+    samples <= GradientKernels::NarrowSamples<std::uint8_t>::Most;
+}
+
 }
 
 void UniformGradients(const GradientQuery& query, const GradientTile& tile)
@@ -181,9 +189,19 @@ void UniformGradients(const GradientQuery& query, const GradientTile& tile)
       using T = decltype(type);
       typename RowGatherer<T>::Points inCells;
       inCells.Count = tile.Count;
-      GradientKernels::FindCells(
+      const bool areInner = GradientKernels::FindCells(
         { query.IndexFromWorld, field.Dimensions, field.Between == Interpolation::Nearest },
         tile.Directions, tile.Points, inCells);
+      if constexpr (sizeof(T) <= 2)
+      {
+        if (areInner && CanGather(field))
+        {
+          const GradientKernels::NarrowSamples<T> samples{ static_cast<const T*>(field.Samples),
+            static_cast<std::int32_t>(field.Strides.y), static_cast<std::int32_t>(field.Strides.z) };
+          GradientKernels::GatherGradients(samples, inCells, tile.Gradients);
+          return;
+        }
+      }
       typename RowGatherer<T>::Rows rows;
       RowGatherer<T>(field).Gather(inCells, rows);
       if constexpr (sizeof(T) > 2)

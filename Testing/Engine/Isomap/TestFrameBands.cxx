@@ -310,6 +310,21 @@ TEST_F(FrameBandsTest, WithAToleranceTheChoiceIsFixed)
   }
 }
 
+/// A build that fails takes its time, but that is no time of tracing.
+TEST_F(FrameBandsTest, WhatFailsTellsNothingOfTracing)
+{
+  this->ShowCold();
+  const std::vector<double> before = this->Builder.Drag().Costs.All();
+  this->Price.Trace = 5000;
+  this->Options.MemoryLimit = Isomap::FixedMemory(this->Key) + 10;
+  const Made made = this->Show({ this->At(0.21) });
+  EXPECT_EQ(made.CountOf(GroupWork::Build), 0) << "no memory";
+  const std::vector<double> after = this->Builder.Drag().Costs.All();
+  const auto kept = static_cast<std::size_t>(std::count(after.begin(), after.end(), before[0]));
+  EXPECT_GT(kept, 0u) << "groups that were to be built";
+  EXPECT_LT(kept, after.size());
+}
+
 TEST_F(FrameBandsTest, AStoppedFrameLeavesNothing)
 {
   this->ShowCold();

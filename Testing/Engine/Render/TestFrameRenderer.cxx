@@ -242,6 +242,58 @@ TEST_F(FrameRendererTest, AnswersAreCountedOnEveryRoute)
   }
 }
 
+/// What a view costs to trace is known once it was traced from nothing. Before that no band is
+/// built, as nobody could tell how much a frame may cost.
+TEST_F(FrameRendererTest, BandsAreBuiltOnceTracingHasACost)
+{
+  FrameRenderer::Options options;
+  options.Accuracy = ReuseAccuracy::Paper;
+  this->Key.Isosurfaces.Isovalues = { 110.0 };
+  this->Key.Appearance.Colors = { { 1.0, 0.5, 0.2 } };
+  FrameRenderer renderer;
+  renderer.Render(this->Key, options);
+  this->Key.View = LookAt(this->Samples.Field.Dimensions, { 1.0, 1.95, 0.7 }, { 203, 117 });
+  renderer.Render(this->Key, options);
+  ASSERT_EQ(renderer.Statistics().Made, Route::ImageCache);
+  this->Key.Isosurfaces.Isovalues[0] += 1.0;
+  renderer.Render(this->Key, options);
+  EXPECT_EQ(renderer.Statistics().Made, Route::IsomapBuild);
+  EXPECT_EQ(renderer.Statistics().TilesTraced, NumberOfTiles(this->Key.View.Size));
+  // Tiles, not groups of them, the last of which has fewer.
+  options.Map.Tolerance = 0.1;
+  this->Key.Isosurfaces.Isovalues[0] += 1.0;
+  renderer.Render(this->Key, options);
+  const FrameStatistics& counted = renderer.Statistics();
+  EXPECT_GT(counted.TilesBuilt, 0);
+  EXPECT_EQ(counted.TilesLookedUp + counted.TilesBuilt + counted.TilesTraced,
+    NumberOfTiles(this->Key.View.Size));
+}
+
+/// Where no range is built first, a frame's progress is that of its tiles.
+TEST_F(FrameRendererTest, ProgressBeginsAtNothing)
+{
+  FrameRenderer::Options options;
+  options.ReportsTiles = true;
+  FrameRenderer renderer;
+  renderer.Render(this->Key, options);
+  for (const bool hasRange : { false, true })
+  {
+    options.Map.Range = hasRange ? ValueBand{ 145.0, 155.0 } : ValueBand{ 1.0, 0.0 };
+    this->Key.Isosurfaces.Isovalues[0] = hasRange ? 147.0 : 151.0;
+    std::vector<double> reported;
+    renderer.Render(this->Key, options,
+      [&](double progress)
+      {
+        reported.push_back(progress);
+        return true;
+      });
+    ASSERT_EQ(renderer.Statistics().Made, Route::IsomapBuild);
+    ASSERT_FALSE(reported.empty());
+    EXPECT_LT(reported.front(), 0.1);
+    EXPECT_TRUE(std::is_sorted(reported.begin(), reported.end()));
+  }
+}
+
 TEST_F(FrameRendererTest, LayersEndWhereNothingShinesThrough)
 {
   for (const double opacity : { 0.99, 0.997, 0.999 })

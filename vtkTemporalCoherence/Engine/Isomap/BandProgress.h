@@ -74,7 +74,7 @@ public:
     {
       this->EnterBy(ray, cell, at.Cubic[0][i]);
     }
-    const bool isTouched = !(at.Enter[i] < at.Leave[i]);
+    const bool isPassed = at.Enter[i] < at.Leave[i]; // not only missed or touched
     const std::array<Real, NumberOfDirections> along = { at.Highest[i],
       this->Band.Span - at.Lowest[i] };
     for (std::size_t direction = 0; direction < NumberOfDirections; ++direction)
@@ -84,7 +84,7 @@ public:
       {
         continue;
       }
-      const Real path = isTouched ? -Cells::Infinity
+      const Real path = !isPassed ? -Cells::Infinity
         : cell.IsFinite           ? along[direction]
                                   : cell.Corner[direction];
       const bool isDone = path + cell.Error > this->Band.Span;
@@ -98,7 +98,7 @@ public:
         this->Knots.GiveUp(ray);
         reached = Cells::Infinity;
       }
-      else if (!isTouched)
+      else if (isPassed)
       {
         this->Knots.Follow(
           direction, ray, this->CubicOf(direction, at, i), at.Enter[i], at.Leave[i]);

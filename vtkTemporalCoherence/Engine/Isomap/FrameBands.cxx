@@ -47,6 +47,12 @@ std::size_t StrideFor(std::size_t groups)
   return stride;
 }
 
+/// Bytes for all bands that nobody asked for, whatever the user's limit.
+std::size_t MostRoom(const glm::ivec2& pixels)
+{
+  return BytesAPixel * static_cast<std::size_t>(pixels.x) * static_cast<std::size_t>(pixels.y);
+}
+
 bool IsAutomatic(const GroupBand& band)
 {
   return !band.IsAsked;
@@ -60,6 +66,7 @@ FrameBands::FrameBands(const Source& source, Isomap& map, DragState& state)
   , State(state)
   , IsExact(map.Form().Tolerance == 0.0 && !map.Form().HasNormals)
   , Work(map.Size(), GroupWork::LookUp)
+  , IsTried(map.Size(), 0)
   , CostNow(map.Size(), 0)
 {
   const std::vector<double>& isovalues = source.Key.Isosurfaces.Isovalues;
@@ -67,37 +74,28 @@ FrameBands::FrameBands(const Source& source, Isomap& map, DragState& state)
   state.Costs.Resize(map.Size());
   this->Costs = state.Costs.All();
   this->CostOfAll = std::accumulate(this->Costs.begin(), this->Costs.end(), 0.0);
-  std::vector<bool>& isMissing = this->IsMissing;
-  isMissing.assign(isovalues.size(), false);
   double saved = 0.0;
   for (std::size_t group = 0; group < map.Size(); ++group)
   {
-    bool isFound = true;
-    for (std::size_t i = 0; i < isovalues.size(); ++i)
-    {
-      if (!map.Find(group, isovalues[i]))
-      {
-        isMissing[i] = true;
-        isFound = false;
-      }
-    }
+    const bool isFound = map.Covers(group, isovalues);
     this->Work[group] = isFound ? GroupWork::LookUp : GroupWork::Trace;
     saved += isFound ? this->Costs[group] * std::max(1.0 - state.Plan.LookUpCost(), 0.0) : 0.0;
   }
   map.MarkUsed(isovalues, state.Frame);
   this->Builders.resize(isovalues.size());
 
-  double buildCost = 1.0;
+  double extra = 0.0; // of building a group
   bool isJump = false, isWorthIt = true;
   for (std::size_t i = 0; i < isovalues.size(); ++i)
   {
     const BandPlan::Wish wish = this->WishFor(isovalues[i]);
     this->Bands.push_back(this->IsExact ? state.Plan.Choose(wish) : BandPlan::ChooseFixed(wish));
-    if (isMissing[i])
+    this->IsMissing.push_back(!map.Covers({ isovalues[i] }));
+    if (this->IsMissing[i])
     {
       isJump |= BandPlan::IsJump(wish);
       isWorthIt &= state.Plan.IsWorthIt(wish);
-      buildCost += std::max(state.Plan.BuildCost(wish) - 1.0, 0.1);
+      extra += std::max(state.Plan.BuildCost(wish) - 1.0, 0.1);
     }
   }
   if (this->AreAllFound() || isJump)
@@ -106,14 +104,18 @@ FrameBands::FrameBands(const Source& source, Isomap& map, DragState& state)
   }
   double most =
     SpentOfSavings * saved + (saved > 0.0 ? AllowedExtra : AllowedAtFirst) * this->CostOfAll;
-  if (!isWorthIt && this->IsExact)
+  if (this->IsExact && !state.Costs.AreKnown())
+  {
+    most = 0.0; // nobody knows what the frame costs
+  }
+  else if (!isWorthIt && this->IsExact)
   {
     most = state.Frame % FramesBetweenProbes == 0 ? ShareOfProbe * this->CostOfAll : 0.0;
   }
   this->MostExtra = static_cast<std::int64_t>(most);
   if (most > 0.0)
   {
-    this->Choose(buildCost - 1.0);
+    this->Choose(extra);
   }
 }
 
@@ -173,12 +175,10 @@ void FrameBands::Choose(double extra)
 /// Bytes for all bands that nobody asked for.
 std::size_t FrameBands::RoomForAll() const
 {
-  const glm::ivec2& size = this->From.Key.View.Size;
-  const std::size_t pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
   const std::size_t taken = Isomap::FixedMemory(this->From.Key) +
     this->Map.MemoryOf([](const GroupBand& band) { return band.IsAsked; });
   const std::size_t limit = this->From.Options.MemoryLimit;
-  return std::min(limit > taken ? limit - taken : 0, BytesAPixel * pixels);
+  return std::min(limit > taken ? limit - taken : 0, MostRoom(this->From.Key.View.Size));
 }
 
 /// Drop bands without the present isovalues if the memory might not suffice for those planned.
@@ -205,9 +205,7 @@ void FrameBands::MakeRoom(std::size_t planned)
 /// True if the user's limit of memory is lower than that of bands that nobody asked for.
 bool FrameBands::IsLimitedByUser() const
 {
-  const glm::ivec2& size = this->From.Key.View.Size;
-  const std::size_t pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
-  return this->RoomForAll() < BytesAPixel * pixels;
+  return this->RoomForAll() < MostRoom(this->From.Key.View.Size);
 }
 
 std::size_t FrameBands::NumberOf(GroupWork work) const
@@ -245,8 +243,9 @@ GroupWork FrameBands::Prepare(std::size_t group, TraceCounts& counts)
   if (work == GroupWork::Build)
   {
     const std::int64_t begin = TileTimer::Now();
-    const bool mayBuild = !this->IsExact || (this->Extra < this->MostExtra && !this->IsFull);
-    work = mayBuild && this->Build(group, counts.CellsRead) ? GroupWork::Build : GroupWork::Trace;
+    this->IsTried[group] = !this->IsExact || (this->Extra < this->MostExtra && !this->IsFull);
+    const bool isBuilt = this->IsTried[group] != 0 && this->Build(group, counts.CellsRead);
+    work = isBuilt ? GroupWork::Build : GroupWork::Trace;
     counts.BuildTime += TileTimer::Now() - begin;
   }
   return work;
@@ -288,7 +287,7 @@ bool FrameBands::Build(std::size_t group, std::int64_t& cellsRead)
 void FrameBands::Done(std::size_t group, std::int64_t cost)
 {
   this->CostNow[group] = std::max<std::int64_t>(cost, 1);
-  if (this->Work[group] == GroupWork::Build)
+  if (this->IsTried[group])
   {
     this->Extra += cost - static_cast<std::int64_t>(this->Costs[group]);
   }

@@ -69,7 +69,10 @@ public:
   /// True if every group is looked up.
   bool AreAllFound() const { return this->NumberOf(GroupWork::LookUp) == this->Work.size(); }
 
-  /// Number of groups for which something is planned or, in the end, was done.
+  /// What is planned for a group or, in the end, was done.
+  GroupWork WorkOf(std::size_t group) const { return this->Work[group]; }
+
+  /// Number of groups for which that is so.
   std::size_t NumberOf(GroupWork work) const;
 
   /// Prepare the building of bands, if any is planned.
@@ -109,6 +112,7 @@ private:
   std::vector<double> Costs; ///< of tracing each group
   double CostOfAll = 0.0;
   std::vector<GroupWork> Work;
+  std::vector<std::uint8_t> IsTried; ///< for each group: building was begun, if not finished
   std::vector<std::int64_t> CostNow; ///< of each group in this frame
   std::vector<ValueBand> Bands;      ///< of each isovalue
   std::vector<bool> IsMissing;       ///< for each isovalue: some group has no band for it

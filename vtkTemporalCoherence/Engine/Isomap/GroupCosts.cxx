@@ -45,6 +45,12 @@ void GroupCosts::SetLookedUp(std::size_t group, std::int64_t cost)
   known.Traced = 0.5f * (known.Traced + known.ByLookUp * Positive(cost));
 }
 
+bool GroupCosts::AreKnown() const
+{
+  return std::any_of(
+    this->Groups.begin(), this->Groups.end(), [](const Cost& cost) { return cost.Traced > 0.0f; });
+}
+
 std::vector<double> GroupCosts::All() const
 {
   double sum = 0.0;

@@ -24,7 +24,11 @@ public:
   void SetTraced(std::size_t group, std::int64_t cost);
   void SetLookedUp(std::size_t group, std::int64_t cost);
 
-  /// True if the cost of a group is known.
+  /// Forget all.
+  void Forget() { this->Groups.clear(); }
+
+  /// True if the cost of any group is known.
+  bool AreKnown() const;
 
   /// The cost of each group: that of the known ones on average for one that is not known.
   std::vector<double> All() const;

@@ -13,6 +13,15 @@ namespace TemporalCoherence
 namespace
 {
 
+/// The band of a group that holds an isovalue, or null.
+template <typename Bands>
+auto FindIn(Bands& bands, double isovalue) -> decltype(bands.data())
+{
+  const auto found = std::find_if(bands.begin(), bands.end(),
+    [isovalue](const GroupBand& band) { return band.Values.Holds(isovalue); });
+  return found != bands.end() ? &*found : nullptr;
+}
+
 bool HoldsAll(const GroupBand& band, const ValueBand& values)
 {
   return band.Values.Holds(values.Low) && band.Values.Holds(values.High);
@@ -90,14 +99,7 @@ std::size_t Isomap::Pieces() const
 
 const GroupBand* Isomap::Find(std::size_t group, double isovalue) const
 {
-  for (const GroupBand& band : this->Groups[group])
-  {
-    if (band.Values.Holds(isovalue))
-    {
-      return &band;
-    }
-  }
-  return nullptr;
+  return FindIn(this->Groups[group], isovalue);
 }
 
 bool Isomap::Covers(std::size_t group, const std::vector<double>& isovalues) const
@@ -175,9 +177,8 @@ void Isomap::MarkUsed(const std::vector<double>& isovalues, std::uint64_t frame)
   {
     for (const double isovalue : isovalues)
     {
-      const auto used = std::find_if(group.begin(), group.end(),
-        [isovalue](const GroupBand& band) { return band.Values.Holds(isovalue); });
-      if (used != group.end())
+      GroupBand* const used = FindIn(group, isovalue);
+      if (used)
       {
         used->LastUse = frame;
       }

@@ -12,7 +12,7 @@ namespace TemporalCoherence
 namespace
 {
 
-/// The share of a frame's progress that building an isomap takes.
+/// The share of a frame's progress that building a range of isovalues takes.
 constexpr double ShareOfBuilding = 0.9;
 
 }
@@ -132,9 +132,17 @@ Route FrameRenderer::ChooseRoute(const FrameKey& key, const Options& options, bo
 bool FrameRenderer::BuildAndLookUp(Route& route, FrameTask& task)
 {
   const ReportProgress report = task.Report;
-  task.Report = PartOf(report, 0.0, ShareOfBuilding);
+  double done = 0.0; // nothing is done as long as no range is built
+  if (report)
+  {
+    task.Report = [&](double progress)
+    {
+      done = ShareOfBuilding;
+      return report(ShareOfBuilding * progress);
+    };
+  }
   const Isomap::Outcome outcome = this->PrepareIsomap(task);
-  task.Report = task.Options.ReportsTiles ? PartOf(report, ShareOfBuilding, 1.0) : ReportProgress();
+  task.Report = task.Options.ReportsTiles ? PartOf(report, done, 1.0) : ReportProgress();
   switch (outcome)
   {
     case Isomap::Outcome::Stopped:

@@ -71,9 +71,8 @@ public:
   bool MakeAll(const ReportProgress& report)
   {
     const glm::ivec2& size = this->Task.Key.View.Size;
-    TraceCounts counts;
     return CountGroups(
-      size, report, this->Task.Statistics, counts,
+      size, report, this->Task.Statistics,
       [&](std::size_t group, TraceCounts& ofGroup) { this->Make(group, ofGroup); },
       [&](std::size_t group, std::int64_t cost) { this->Bands.Done(group, cost); });
   }
@@ -128,13 +127,17 @@ void MakeBuilders(FrameTask& task, FrameBands& bands)
   bands.Spend(nanosecondsPerSecond * seconds);
 }
 
-void CountTilesOf(const FrameBands& bands, FrameStatistics& statistics)
+void CountTiles(const FrameBands& bands, const glm::ivec2& size, FrameStatistics& statistics)
 {
-  const auto tilesOf = [&](GroupWork work)
-  { return TileGrain * static_cast<std::int64_t>(bands.NumberOf(work)); };
-  statistics.TilesLookedUp = tilesOf(GroupWork::LookUp);
-  statistics.TilesBuilt = tilesOf(GroupWork::Build);
-  statistics.TilesTraced = tilesOf(GroupWork::Trace);
+  for (std::size_t group = 0; group < NumberOfGroups(size); ++group)
+  {
+    const TileRange tiles = TilesOfGroup(size, group);
+    const GroupWork work = bands.WorkOf(group);
+    std::int64_t& count = work == GroupWork::LookUp ? statistics.TilesLookedUp
+      : work == GroupWork::Build                    ? statistics.TilesBuilt
+                                                    : statistics.TilesTraced;
+    count += tiles.End - tiles.First;
+  }
 }
 
 }
@@ -167,7 +170,7 @@ bool LookUp(
   {
     map.GiveUp();
   }
-  CountTilesOf(bands, task.Statistics);
+  CountTiles(bands, task.Key.View.Size, task.Statistics);
   CachedImage& made = task.Store.Next();
   const bool isOfMap = bands.NumberOf(GroupWork::Trace) < map.Built().Size();
   made.IsExact = !isOfMap || !(map.Built().Tolerance() > 0.0 || map.Built().Form().HasNormals);

@@ -54,9 +54,8 @@ template <typename Work>
 bool WorkOnTiles(FrameTask& task, const ReportProgress& report, const Work& work)
 {
   Frame& frame = task.Store.Next().Picture;
-  TraceCounts counts;
   return CountGroups(
-    frame.Size, report, task.Statistics, counts,
+    frame.Size, report, task.Statistics,
     [&](std::size_t group, TraceCounts& ofGroup)
     {
       CountGroup(frame.Size, group, ofGroup,

@@ -105,6 +105,11 @@ bool TraceFromImage(FrameTask& task, CachedImage& image)
   const bool isPaper = options.Accuracy == ReuseAccuracy::Paper;
   const bool interpolates = isPaper && options.InterpolateColors && HasColorsFor(image, task.Key) &&
     !task.Key.Isosurfaces.IsTranslucent();
+  if (task.Costs)
+  {
+    task.Costs->Forget(); // of another view, and those of this one are not seen
+    task.Costs = nullptr;
+  }
   const LeapedSpace space = Begin(task, options.SpaceLeaping, ExtrasOf(task));
   CachedImage& made = task.Store.Next();
   made.Picture.IsFromCache = true;

@@ -36,15 +36,14 @@ void CountGroup(const glm::ivec2& size, std::size_t group, TraceCounts& counts, 
 
 /// Call work(group, counts) for each group of tiles of a picture, in parallel, and then
 /// done(group, nanoseconds).
-/// \param counts gets the sum of what work() adds to its counts, which is also added to the
-///               statistics
+/// \param statistics gets the sum of what work() adds to its counts
 /// \param report is called in this thread with the progress from 0 to 1, before each part of the
 ///               work; threads wait for each other between parts. May be null: there is only one
 ///               part
 /// \return false if the report stopped it
 template <typename Report, typename Work, typename Done>
 bool CountGroups(const glm::ivec2& size, const Report& report, FrameStatistics& statistics,
-  TraceCounts& counts, const Work& work, const Done& done)
+  const Work& work, const Done& done)
 {
   constexpr std::int64_t mostParts = 32;
   constexpr std::int64_t smallestPart = 16;
@@ -78,7 +77,6 @@ bool CountGroups(const glm::ivec2& size, const Report& report, FrameStatistics& 
       });
   }
   statistics.Add(sum, seconds);
-  counts += sum;
   return true;
 }
 

@@ -3,11 +3,11 @@
 #ifndef Testing_BothWays_h
 #define Testing_BothWays_h
 
-#include "Acceleration/ActiveCells.h"
 #include "Grid.h"
 #include "Scene/Tiles.h"
 #include "Trace/RaySource.h"
 #include "Trace/SurfaceTracer.h"
+#include "Tracing.h"
 
 #include <gtest/gtest.h>
 
@@ -24,17 +24,13 @@ class BothWays
 public:
   BothWays(Grid<T>& grid, const std::vector<double>& isovalues, TemporalCoherence::SurfaceMode mode)
     : Dimensions(grid.Field.Dimensions)
+    , Traced(grid, isovalues, mode)
   {
-    this->Pyramid.Build(grid.Field);
-    this->Scene.Samples = grid.Field;
-    this->Scene.Isosurfaces = { isovalues, mode };
-    this->Scene.FiniteRange = this->Pyramid.FiniteRange();
-    this->Active.Build(grid.Field, this->Pyramid, this->Scene.Isosurfaces);
-    this->Scene.Active = &this->Active;
-    this->Scene.By = TemporalCoherence::Traversal::Walks;
-    this->Walks = TemporalCoherence::SurfaceTracer::Make(this->Scene);
-    this->Scene.By = TemporalCoherence::Traversal::Beams;
-    this->Beams = TemporalCoherence::SurfaceTracer::Make(this->Scene);
+    TemporalCoherence::TraceScene& scene = this->Traced.Scene;
+    scene.By = TemporalCoherence::Traversal::Walks;
+    this->Walks = TemporalCoherence::SurfaceTracer::Make(scene);
+    scene.By = TemporalCoherence::Traversal::Beams;
+    this->Beams = TemporalCoherence::SurfaceTracer::Make(scene);
   }
 
   /// All tiles of a view.
@@ -92,9 +88,7 @@ private:
   }
 
   glm::ivec3 Dimensions;
-  TemporalCoherence::ValueRangePyramid Pyramid;
-  TemporalCoherence::ActiveCells Active;
-  TemporalCoherence::TraceScene Scene;
+  Tracing<T> Traced;
   std::shared_ptr<const TemporalCoherence::SurfaceTracer> Walks, Beams;
   std::mt19937 Random{ 7 };
 };

@@ -86,11 +86,11 @@ bool AreSame(const TileKnots& a, const TileKnots& b)
 }
 
 /// Builds the knots of tiles both ways, and compares.
-class BothWays
+class KnotsBothWays
 {
 public:
   template <typename T>
-  BothWays(Grid<T>& grid, const ValueBand& band, SurfaceMode mode, const KnotForm& form)
+  KnotsBothWays(Grid<T>& grid, const ValueBand& band, SurfaceMode mode, const KnotForm& form)
     : Dimensions(grid.Field.Dimensions)
   {
     this->Pyramid.Build(grid.Field);
@@ -168,7 +168,7 @@ protected:
         std::size_t knots = 0;
         for (const ValueBand& band : bands)
         {
-          BothWays ways(grid, band, mode, form);
+          KnotsBothWays ways(grid, band, mode, form);
           bool isCut = false;
           for (const Camera& camera : CamerasFor(grid.Field.Dimensions))
           {

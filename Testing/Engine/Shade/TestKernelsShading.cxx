@@ -8,6 +8,7 @@
 #include "Grid.h"
 #include "Scene/Difference.h"
 #include "Shade/KernelsShading.h"
+#include "Shade/RandomDirection.h"
 #include "Shade/SurfaceNormal.h"
 
 #include <algorithm>
@@ -216,13 +217,6 @@ TEST_F(KernelsGradients, FieldsOfFewSamples)
 
 class KernelsShading : public EachTarget
 {
-protected:
-  /// Unit vectors.
-  static glm::dvec3 RandomDirection(std::mt19937& engine)
-  {
-    std::normal_distribution<double> component;
-    return glm::normalize(glm::dvec3(component(engine), component(engine), component(engine)));
-  }
 };
 
 TEST_F(KernelsShading, PointsOfRays)

@@ -6,6 +6,7 @@
 
 #include "EachTarget.h"
 #include "Shade/KernelsShading.h"
+#include "Shade/RandomDirection.h"
 
 #include <glm/glm.hpp>
 
@@ -19,13 +20,6 @@ using namespace TemporalCoherence::ShadingKernels;
 
 class KernelsShortcuts : public EachTarget
 {
-protected:
-  /// Unit vectors.
-  static glm::dvec3 RandomDirection(std::mt19937& engine)
-  {
-    std::normal_distribution<double> component;
-    return glm::normalize(glm::dvec3(component(engine), component(engine), component(engine)));
-  }
 };
 
 /// Rays from one point whose directions are known.

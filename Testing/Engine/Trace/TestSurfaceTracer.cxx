@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Acceleration/ActiveCells.h"
 #include "Acceleration/HiddenCells.h"
 #include "Grid.h"
 #include "Scene/Frame.h"
 #include "Trace/RaySource.h"
 #include "Trace/SurfaceTracer.h"
+#include "Tracing.h"
 
 #include <gtest/gtest.h>
 
@@ -18,32 +18,6 @@ namespace
 using namespace TemporalCoherence;
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-
-/// A field with all that rays need, in index space as world.
-template <typename T>
-struct Tracing
-{
-  Tracing(Grid<T>& grid, const std::vector<double>& isovalues, SurfaceMode mode)
-  {
-    this->Pyramid.Build(grid.Field);
-    this->Scene.Samples = grid.Field;
-    this->Scene.Isosurfaces = { isovalues, mode };
-    this->Scene.FiniteRange = this->Pyramid.FiniteRange();
-    this->Active.Build(grid.Field, this->Pyramid, this->Scene.Isosurfaces);
-    this->Scene.Active = &this->Active;
-  }
-
-  HitBatch Trace(const RayBatch& rays) const
-  {
-    HitBatch hits;
-    SurfaceTracer::Make(this->Scene)->Trace(rays, hits);
-    return hits;
-  }
-
-  ValueRangePyramid Pyramid;
-  ActiveCells Active;
-  TraceScene Scene;
-};
 
 RayBatch RaysOfTile(const View& view, const glm::ivec3& dimensions, const glm::ivec2& tile)
 {

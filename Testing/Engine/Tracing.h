@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Testing_Tracing_h
+#define Testing_Tracing_h
+
+#include "Acceleration/ActiveCells.h"
+#include "Acceleration/ValueRangePyramid.h"
+#include "Grid.h"
+#include "Trace/SurfaceTracer.h"
+
+#include <vector>
+
+/// A field with all that rays need, in index space as world.
+template <typename T>
+struct Tracing
+{
+  Tracing(Grid<T>& grid, const std::vector<double>& isovalues, TemporalCoherence::SurfaceMode mode)
+  {
+    this->Pyramid.Build(grid.Field);
+    this->Scene.Samples = grid.Field;
+    this->Scene.Isosurfaces = { isovalues, mode };
+    this->Scene.FiniteRange = this->Pyramid.FiniteRange();
+    this->Active.Build(grid.Field, this->Pyramid, this->Scene.Isosurfaces);
+    this->Scene.Active = &this->Active;
+  }
+  Tracing(const Tracing&) = delete;
+  void operator=(const Tracing&) = delete;
+
+  TemporalCoherence::HitBatch Trace(const TemporalCoherence::RayBatch& rays) const
+  {
+    TemporalCoherence::HitBatch hits;
+    TemporalCoherence::SurfaceTracer::Make(this->Scene)->Trace(rays, hits);
+    return hits;
+  }
+
+  TemporalCoherence::ValueRangePyramid Pyramid;
+  TemporalCoherence::ActiveCells Active;
+  TemporalCoherence::TraceScene Scene;
+};
+
+#endif

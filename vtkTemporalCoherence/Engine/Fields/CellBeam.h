@@ -71,7 +71,7 @@ protected:
     return this->Cells.Scene.Active->CellsOf(this->Cells.Samples.All(), node, cell);
   }
 
-  std::int32_t Read(const glm::ivec3& cell, std::array<float, 8>& corners) final
+  std::int32_t Read(const glm::ivec3& cell, CellValues& values) final
   {
     ReadCell& read = this->ReadCells[static_cast<std::size_t>(this->NumberOfRead)];
     read.Place = cell;
@@ -79,18 +79,24 @@ protected:
     const glm::i64vec3& s = this->Cells.Samples.All().Strides;
     const std::array<std::int64_t, 4> rows = { 0, s.y, s.z, s.y + s.z };
     const auto& difference = this->Cells.Differences[this->Given.Base];
-    for (std::size_t i = 0; i < 8; ++i) // in one loop: measured faster than Differ(Read(cell))
+    const auto single = [&](Real value)
     {
-      const T one = sample[rows[i / 2] + (i & 1 ? s.x : 0)];
-      const Real value = difference(static_cast<typename Geometry::Value>(one));
-      read.Differences[i] = value;
-      corners[i] = sizeof(Real) == sizeof(float) ? static_cast<float>(value)
-                                                 : static_cast<float>(value * this->Given.Unit);
+      return static_cast<float>(
+        sizeof(Real) == sizeof(float) ? value : value * static_cast<Real>(this->Given.Unit));
+    };
+    for (std::size_t row = 0; row < 4; ++row) // in one loop: measured faster than in three
+    {
+      const T* const from = sample + rows[row];
+      const Real low = difference(static_cast<typename Geometry::Value>(from[0]));
+      const Real high = difference(static_cast<typename Geometry::Value>(from[s.x]));
+      read.Differences[2 * row] = low;
+      read.Differences[2 * row + 1] = high;
+      values.Set(row, single(low), single(high));
     }
     if (!(this->Given.template AreAlwaysTold<T>() ||
           this->Given.AreTold(this->Cells.Samples.Read(cell))))
     {
-      corners.fill(std::numeric_limits<float>::quiet_NaN());
+      values.SetUnknown();
     }
     return this->NumberOfRead++;
   }

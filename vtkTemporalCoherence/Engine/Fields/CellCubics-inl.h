@@ -12,10 +12,6 @@
 
 #include "Fields/KernelsBeam.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
@@ -57,26 +53,6 @@ HWY_INLINE M MaskOf(std::uint64_t which)
     static_cast<std::uint8_t>(which >> 8) };
   return hn::LoadMaskBits(Floats(), bits);
 }
-
-/// The trilinear interpolant of a cell, by differences along x.
-struct CellValues
-{
-  HWY_INLINE void Set(const std::array<float, 8>& corners)
-  {
-    float largest[4];
-    for (std::size_t row = 0; row < 4; ++row)
-    {
-      const float low = corners[2 * row], high = corners[2 * row + 1];
-      this->Low[row] = low;
-      this->Step[row] = high - low;
-      largest[row] = std::max(std::abs(low), std::abs(high));
-    }
-    this->Largest = std::max(std::max(largest[0], largest[1]), std::max(largest[2], largest[3]));
-  }
-
-  float Low[4], Step[4];
-  float Largest;
-};
 
 /// Bernstein coefficients, of which the smallest and largest bound the cubic.
 struct Coefficients

@@ -71,7 +71,7 @@ public:
     }
     if (isNearer)
     {
-      MoveAcross(this->Beam);
+      MoveAcrossIfNearer(this->Beam);
     }
   }
 

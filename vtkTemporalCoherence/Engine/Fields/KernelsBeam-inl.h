@@ -97,15 +97,13 @@ private:
       return;
     }
     CellValues values;
-    std::array<float, 8> corners;
-    const std::int32_t number = this->Scene.Read(cell, corners);
+    const std::int32_t number = this->Scene.Read(cell, values);
     // In a cell that is too thin, single precision tells nothing.
     constexpr float most = 0x1p-5f;
     if (!(beam.Margin * box.LargestShare() < most))
     {
-      corners.fill(std::numeric_limits<float>::quiet_NaN());
+      values.SetUnknown();
     }
-    values.Set(corners);
     beam.CellsPassed += static_cast<std::int64_t>(hwy::PopCount(passing));
     bool isMet = false;
     while (passing != 0)
@@ -125,7 +123,7 @@ private:
     }
     if (isMet)
     {
-      MoveAcross(beam);
+      MoveAcrossIfNearer(beam);
     }
   }
 

@@ -89,14 +89,35 @@ HWY_INLINE float FindOffset(const glm::vec3& normal, const TileBeam& beam)
 /// Move the plane across a beam to where all that matters ends.
 HWY_INLINE void MoveAcross(TileBeam& beam)
 {
-  V depth = Set(-1e30f);
+  V depth = Set(-TileBeam::Never);
+  const hn::RebindToSigned<Floats> di;
+  auto vector = hn::Zero(di);
   for (std::size_t i = 0; i < beam.Count; i += hn::Lanes(Floats()))
   {
     const V along = hn::Mul(Load(&beam.Behind[i]), Load(&beam.PerDepth[i]));
-    depth = hn::Max(depth, hn::Add(Load(&beam.AtDepth[i]), along));
+    const V end = hn::Add(Load(&beam.AtDepth[i]), along);
+    const M isDeeper = hn::Gt(end, depth);
+    depth = hn::IfThenElse(isDeeper, end, depth);
+    vector = hn::IfThenElse(
+      hn::RebindMask(di, isDeeper), hn::Set(di, static_cast<std::int32_t>(i)), vector);
   }
-  beam.Around.Offset[TileBeam::Across] =
-    -(hn::GetLane(hn::MaxOfLanes(Floats(), depth)) + 4.0f * beam.Margin);
+  const float deepest = hn::GetLane(hn::MaxOfLanes(Floats(), depth));
+  const std::uint64_t lanes = BitsOf(hn::Eq(depth, Set(deepest)));
+  const std::size_t lane = lanes != 0 ? hwy::Num0BitsBelowLS1Bit_Nonzero64(lanes) : 0;
+  alignas(64) std::int32_t firsts[WidestVector];
+  hn::Store(vector, di, firsts);
+  beam.Deepest = static_cast<std::size_t>(firsts[lane]) + lane;
+  beam.DeepestBehind = beam.Behind[beam.Deepest];
+  beam.Around.Offset[TileBeam::Across] = -(deepest + 4.0f * beam.Margin);
+}
+
+/// The same, if that is elsewhere now.
+HWY_INLINE void MoveAcrossIfNearer(TileBeam& beam)
+{
+  if (beam.Behind[beam.Deepest] < beam.DeepestBehind)
+  {
+    MoveAcross(beam);
+  }
 }
 
 HWY_INLINE void SetUpHull(const std::array<glm::vec3, 4>& normals, TileBeam& beam)

@@ -8,9 +8,12 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 namespace TemporalCoherence
 {
@@ -51,6 +54,8 @@ struct alignas(64) TileBeam
   Array<float> Behind;
   Array<std::int32_t> Cell;
   Hull Around;
+  std::size_t Deepest; ///< the ray whose Behind is the deepest
+  float DeepestBehind; ///< its Behind when the plane across was moved there
   std::int64_t CellsPassed = 0;
 
   std::size_t Count; ///< of rays, with those that fill the last vector
@@ -75,6 +80,29 @@ struct alignas(64) TileBeam
   float DistanceOf(double t) const { return static_cast<float>((t - this->First) * this->Scale); }
 };
 
+/// The trilinear interpolant of a cell, in single precision: by differences along x.
+struct CellValues
+{
+  void Set(std::size_t row, float low, float high)
+  {
+    this->Low[row] = low;
+    this->Step[row] = high - low;
+    const float largest = std::max(std::abs(low), std::abs(high));
+    this->Largest = row == 0 ? largest : std::max(this->Largest, largest);
+  }
+
+  /// Let nothing be told of the cell.
+  void SetUnknown()
+  {
+    this->Low.fill(std::numeric_limits<float>::quiet_NaN());
+    this->Step = this->Low;
+    this->Largest = this->Low[0];
+  }
+
+  std::array<float, 4> Low, Step; ///< of the rows of corners: y + 2 z
+  float Largest;                  ///< absolute value at a corner
+};
+
 /// Cells in which single precision does not tell whether rays meet a surface.
 struct OpenCells
 {
@@ -92,11 +120,11 @@ class BeamScene : public LeafSource
 {
 public:
   /// Read a cell, and remember it.
-  /// \param corners gets the differences from the isovalue, in units of which the largest are not
-  ///                far from 1; if they do not tell what is in the cell, numbers that are not any
+  /// \param values gets the differences from the isovalue, in units of which the largest are not
+  ///               far from 1, or is unknown
   /// \return the number by which it is remembered: how many were before. There is room for
   ///         MostCells
-  virtual std::int32_t Read(const glm::ivec3& cell, std::array<float, 8>& corners) = 0;
+  virtual std::int32_t Read(const glm::ivec3& cell, CellValues& values) = 0;
   static constexpr std::int32_t MostCells = 256;
 
   /// Find out, in full precision, what rays meet in the cells of the beam and in open ones, and

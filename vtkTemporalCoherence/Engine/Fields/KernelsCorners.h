@@ -4,6 +4,7 @@
 #define TemporalCoherence_KernelsCorners_h
 
 #include "Scene/Difference.h"
+#include "Scene/Field.h"
 #include "Scene/RayBatch.h"
 
 #include <array>
@@ -23,6 +24,9 @@ using CornerPairs = std::array<RayBatch::Array<std::array<T, 2>>, 4>;
 template <typename Real>
 using CornerColumns = std::array<RayBatch::Array<Real>, 8>;
 
+/// The first corners of cells, by axis.
+using CellColumns = std::array<RayBatch::Array<std::int32_t>, 3>;
+
 /// Find the differences of narrow integers from an isovalue, in the widest vectors of the machine:
 /// the same bits as Difference.h. Pairs are read, and differences written, up to the end of the
 /// last vector. \param high, low the isovalue as the sum of two numbers
@@ -34,6 +38,18 @@ void SubtractFrom(const CornerPairs<std::uint16_t>& pairs, std::size_t count, fl
   CornerColumns<float>& corners);
 void SubtractFrom(const CornerPairs<std::int16_t>& pairs, std::size_t count, float high, float low,
   CornerColumns<float>& corners);
+
+/// The same, of samples that are gathered from where they lie in memory.
+/// \param cells by axis, up to the capacity of batches
+/// \return false if there are cells whose samples cannot be gathered; nothing is written then
+bool GatherDifferences(const NarrowSamples<std::uint8_t>& samples, const CellColumns& cells,
+  int samplesAlongX, float high, float low, CornerColumns<float>& corners);
+bool GatherDifferences(const NarrowSamples<std::int8_t>& samples, const CellColumns& cells,
+  int samplesAlongX, float high, float low, CornerColumns<float>& corners);
+bool GatherDifferences(const NarrowSamples<std::uint16_t>& samples, const CellColumns& cells,
+  int samplesAlongX, float high, float low, CornerColumns<float>& corners);
+bool GatherDifferences(const NarrowSamples<std::int16_t>& samples, const CellColumns& cells,
+  int samplesAlongX, float high, float low, CornerColumns<float>& corners);
 
 /// The same for samples of any type.
 template <typename T>

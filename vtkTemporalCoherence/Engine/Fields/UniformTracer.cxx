@@ -115,22 +115,28 @@ public:
   }
 
   std::uint64_t SearchCells(
-    const RayBatch& rays, const CellList& cells, HitBatch& hits) const override
+    const RayBatch& rays, const RayCells& cells, HitBatch& hits) const override
   {
     SegmentBatch<Real> segments;
-    SetSegments(rays, cells, segments);
-    this->ReadCorners(this->Cells.Differences[cells.Surface], true, segments);
-    hits.CellsRead += cells.Count;
+    segments.All = &rays;
+    segments.Count = rays.Count;
+    segments.Wanted = cells.Rays;
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      std::copy(cells.Cell[a].begin(), cells.Cell[a].end(), segments.Cell[a].begin());
+    }
+    this->GatherCorners(this->Cells.Differences[cells.Surface], cells, segments);
+    hits.CellsRead += static_cast<std::int64_t>(hwy::PopCount(cells.Rays));
     this->FindInSegments(segments);
     const auto surface = static_cast<std::int16_t>(cells.Surface);
     const bool isOnly = this->Cells.Differences.size() == 1;
+    const bool areCapped = this->Cells.Rules.AreCappedBehindHidden();
     std::uint64_t missing = 0;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(cells.Count); ++i)
+    for (std::uint64_t left = cells.Rays; left != 0; left &= left - 1)
     {
-      const std::size_t ray = cells.Ray[i];
-      const std::size_t at = segments.All ? ray : i;
-      const bool fromInside = IsInside(segments.AtEntry[at]);
-      const double distance = segments.Distance[at];
+      const std::size_t ray = hwy::Num0BitsBelowLS1Bit_Nonzero64(left);
+      const bool fromInside = IsInside(segments.AtEntry[ray]);
+      const double distance = segments.Distance[ray];
       missing |= static_cast<std::uint64_t>(!std::isfinite(distance)) << ray;
       if (isOnly)
       {
@@ -140,9 +146,9 @@ public:
       {
         this->Cells.Rules.KeepFirst(distance, fromInside, surface, ray, hits);
       }
-      if (this->Cells.Rules.AreCappedBehindHidden())
+      if (areCapped)
       {
-        this->CapBehindHidden(segments, at, ray, surface, hits);
+        this->CapBehindHidden(segments, ray, ray, surface, hits);
       }
     }
     return missing;
@@ -317,39 +323,22 @@ private:
     segments.Count = 0;
   }
 
-  /// The segments of rays through the given cells: segment i is that of cell i or, if nearly all
-  /// rays have a cell, that of ray i. The others then get the cell of another ray.
-  static void SetSegments(const RayBatch& rays, const CellList& cells, SegmentBatch<Real>& segments)
+  /// Read the corners of the cells of rays, most of which will hold hits, which are shaded next.
+  void GatherCorners(
+    const Difference<T>& difference, const RayCells& cells, SegmentBatch<Real>& segments) const
   {
-    const bool areAll = 4 * cells.Count > 3 * rays.Count;
-    segments.All = areAll ? &rays : nullptr;
-    segments.Count = areAll ? rays.Count : cells.Count;
-    if (cells.Count == rays.Count || !areAll)
+    if constexpr (sizeof(T) <= 2)
     {
-      for (std::size_t a = 0; a < 3; ++a)
+      const Field& field = this->Cells.Scene.Samples;
+      const std::array<double, 3> parts = difference.Parts();
+      if (!this->IsLarge && NarrowSamples<T>::Are(field) &&
+        GatherDifferences(NarrowSamples<T>(field), cells.Cell, field.Dimensions.x,
+          static_cast<float>(parts[0]), static_cast<float>(parts[1]), segments.Corners))
       {
-        std::copy_n(
-          cells.Cell[a].begin(), static_cast<std::size_t>(cells.Count), segments.Cell[a].begin());
+        return;
       }
     }
-    else
-    {
-      std::size_t last = 0;
-      for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
-      {
-        const bool isNext =
-          last + 1 < static_cast<std::size_t>(cells.Count) && cells.Ray[last + 1] <= ray;
-        last += isNext;
-        for (std::size_t a = 0; a < 3; ++a)
-        {
-          segments.Cell[a][ray] = cells.Cell[a][last];
-        }
-      }
-    }
-    if (!areAll)
-    {
-      GatherRays(rays, cells.Ray, segments);
-    }
+    this->ReadCorners(difference, true, segments);
   }
 
   /// Read the corners of the segments' cells, as differences from an isovalue.

@@ -35,27 +35,23 @@ struct KnotColumns
   {
     if (!table.IsEmpty())
     {
-      this->Begins = &table;
+      this->Table = &table;
+      this->Begins = table.NarrowBegins();
       this->Paths = table.Get<0>();
       this->Cells = table.Get<1>();
     }
   }
 
-  const CellKnots* Begins = nullptr;
+  std::size_t Begin(std::size_t ray) const
+  {
+    return this->Begins ? this->Begins[ray] : this->Table->Begin(ray);
+  }
+
+  const CellKnots* Table = nullptr;
+  const std::uint16_t* Begins = nullptr; ///< null in large tables
   const BandScale::Key* Paths = nullptr;
   const CellIndex* Cells = nullptr;
 };
-
-/// Write the cell of a ray to a place of a list.
-void Put(std::size_t ray, const CellIndex& cell, int place, CellList& cells)
-{
-  const auto at = static_cast<std::size_t>(place);
-  cells.Ray[at] = static_cast<std::uint8_t>(ray);
-  for (std::size_t a = 0; a < 3; ++a)
-  {
-    cells.Cell[a][at] = cell[a];
-  }
-}
 
 /// A mean of the normals of two knots.
 glm::vec3 MixNormals(const PackedNormal& a, const PackedNormal& b, float weightOfB)
@@ -178,7 +174,7 @@ TraceCounts IsomapLookup::LookUpTile(std::int64_t tile, const PixelRect& part,
   tileHits.AreAll = true;
   counts.CellsRead = found.Hits.CellsRead;
   RayBatch::Array<Answer> answers;
-  std::int64_t misses = 0, caps = 0;
+  int misses = 0, caps = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
   {
     const HitKind kind = found.Hits.Kind[i];
@@ -293,7 +289,7 @@ std::uint64_t IsomapLookup::BeginOn(std::size_t surface, const TileKnots& knots,
 /// \param cells   gets the cells of these knots
 /// \param places  gets the places of knots in their tables
 void IsomapLookup::FindKnots(const IsovalueKeys& keys, std::uint64_t which,
-  const RayBatch::Array<std::uint8_t>& directions, const TileKnots& knots, CellList& cells,
+  const RayBatch::Array<std::uint8_t>& directions, const TileKnots& knots, RayCells& cells,
   RayBatch::Array<std::size_t>& places)
 {
   std::array<KnotColumns, NumberOfDirections> columns;
@@ -301,27 +297,27 @@ void IsomapLookup::FindKnots(const IsovalueKeys& keys, std::uint64_t which,
   {
     columns[direction] = KnotColumns(knots.Cells[direction]);
   }
-  int count = 0;
-  for (std::uint64_t left = which; left != 0; left &= left - 1)
+  cells.Rays = 0;
+  CellIndex cell = columns[columns[0].Table ? 0 : 1].Cells[0];
+  for (std::size_t ray = 0; ray < RayBatch::Capacity; ++ray)
   {
-    const std::size_t ray = hwy::Num0BitsBelowLS1Bit_Nonzero64(left);
     const std::size_t direction = directions[ray];
     const KnotColumns& table = columns[direction];
-    if (!table.Begins)
+    if (table.Table)
     {
-      continue;
+      const std::size_t end = table.Begin(ray + 1);
+      const std::size_t hit =
+        FirstNotBelow(table.Paths, table.Begin(ray), end, keys.Key[direction]);
+      const std::uint64_t isFound = static_cast<std::uint64_t>(hit != end) & which >> ray;
+      places[ray] = isFound ? hit : places[ray];
+      cell = isFound ? table.Cells[hit] : cell;
+      cells.Rays |= isFound << ray;
     }
-    const BandScale::Key key = keys.Key[direction];
-    const std::size_t begin = table.Begins->Begin(ray), end = table.Begins->Begin(ray + 1);
-    const std::size_t hit = FirstNotBelow(table.Paths, begin, end, key);
-    if (hit != end)
+    for (std::size_t a = 0; a < 3; ++a)
     {
-      const auto at = static_cast<std::size_t>(count);
-      Put(ray, table.Cells[hit], count++, cells);
-      places[at] = hit;
+      cells.Cell[a][ray] = cell[a];
     }
   }
-  cells.Count = count;
 }
 
 void IsomapLookup::FindInCells(std::size_t surface, std::uint64_t which,
@@ -329,22 +325,26 @@ void IsomapLookup::FindInCells(std::size_t surface, std::uint64_t which,
   Found& found) const
 {
   HitBatch& hits = found.Hits;
-  CellList cells;
+  if (knots.NumberOfKnots() == 0)
+  {
+    return;
+  }
+  RayCells cells;
   cells.Surface = surface;
-  RayBatch::Array<std::size_t> places;
+  RayBatch::Array<std::size_t> places{};
   FindKnots(found.Isovalues[surface], which & RaysOf(rays), directions, knots, cells, places);
-  if (cells.Count > 0)
+  if (cells.Rays != 0)
   {
     found.Unresolved |= this->Tracer->SearchCells(rays, cells, hits);
   }
-  for (std::size_t i = 0; i < static_cast<std::size_t>(cells.Count) && this->HasNormals; ++i)
+  for (std::uint64_t left = this->HasNormals ? cells.Rays : 0; left != 0; left &= left - 1)
   {
-    const std::size_t ray = cells.Ray[i], direction = directions[ray];
+    const std::size_t ray = hwy::Num0BitsBelowLS1Bit_Nonzero64(left), direction = directions[ray];
     if (hits.Surface[ray] == static_cast<int>(surface))
     {
       const CellKnots& table = knots.Cells[direction];
       found.Normals[ray] = NormalInCells(table, knots.Normals[direction].Get<0>(), table.Begin(ray),
-        places[i], found.Isovalues[surface].Key[direction]);
+        places[ray], found.Isovalues[surface].Key[direction]);
     }
   }
 }

@@ -76,7 +76,7 @@ private:
   std::uint64_t BeginOn(std::size_t surface, const TileKnots& knots, const RayBatch& rays,
     RayBatch::Array<std::uint8_t>& directions, Found& found) const;
   static void FindKnots(const IsovalueKeys& keys, std::uint64_t which,
-    const RayBatch::Array<std::uint8_t>& directions, const TileKnots& knots, CellList& cells,
+    const RayBatch::Array<std::uint8_t>& directions, const TileKnots& knots, RayCells& cells,
     RayBatch::Array<std::size_t>& places);
   void FindInCells(std::size_t surface, std::uint64_t which,
     const RayBatch::Array<std::uint8_t>& directions, const RayBatch& rays, const TileKnots& knots,

@@ -82,6 +82,13 @@ public:
                                      : this->template Begins<std::uint16_t>()[ray];
   }
 
+  /// Where the rows of each ray begin, in a table of so few rows that 16 bits tell; else null.
+  /// \pre the table is not empty
+  const std::uint16_t* NarrowBegins() const
+  {
+    return IsWide(this->Head().Rows) ? nullptr : this->template Begins<std::uint16_t>().data();
+  }
+
   std::size_t NumberOfRows() const { return this->Bytes ? this->Head().Rows : 0; }
 
   std::size_t MemoryInBytes() const { return this->Bytes ? SizeFor(this->NumberOfRows()) : 0; }

@@ -110,6 +110,29 @@ struct TypedField
   glm::i64vec3 Strides;
 };
 
+/// Integers of 8 or 16 bits that are adjacent along x, for vectors that gather them.
+template <typename T>
+struct NarrowSamples
+{
+  /// True if the samples of a field are such, and 32 bits tell where in bytes each of them lies.
+  static bool Are(const Field& field)
+  {
+    constexpr std::int64_t most = std::int64_t(1) << 30;
+    return sizeof(T) <= 2 && field.Strides.x == 1 && field.Strides.z * field.Dimensions.z <= most &&
+      field.Strides.y * field.Dimensions.y <= most;
+  }
+
+  explicit NarrowSamples(const Field& field)
+    : Samples(static_cast<const T*>(field.Samples))
+    , StrideY(static_cast<std::int32_t>(field.Strides.y))
+    , StrideZ(static_cast<std::int32_t>(field.Strides.z))
+  {
+  }
+
+  const T* Samples;
+  std::int32_t StrideY, StrideZ;
+};
+
 /// The type the engine computes with: samples of 8 and 16 bits are exact in float, with 8 bits of
 /// the mantissa to spare for interpolation; all others need double.
 template <typename T>

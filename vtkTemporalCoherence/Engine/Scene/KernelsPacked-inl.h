@@ -10,6 +10,7 @@
 #define TemporalCoherence_KernelsPacked_inl_h
 #endif
 
+#include "Scene/Field.h"
 #include "Scene/RayBatch.h"
 
 #include <array>
@@ -98,6 +99,84 @@ struct IntegerRows
     const hn::Rebind<std::int32_t, D> di;
     return hn::ConvertTo(D(), hn::BitCast(di, samples));
   }
+};
+
+/// The same, of a vector of cells, gathered from where they lie in memory.
+template <typename T>
+struct GatheredRows : IntegerRows<T>
+{
+  using typename IntegerRows<T>::V;
+  using typename IntegerRows<T>::DW;
+  using Places = hn::Rebind<std::int32_t, typename IntegerRows<T>::D>;
+
+  /// \param cell first corners, by axis
+  HWY_INLINE GatheredRows(const NarrowSamples<T>& samples, const hn::Vec<Places> cell[3])
+    : From(samples)
+  {
+    const Places d;
+    constexpr auto bytes = static_cast<std::int32_t>(sizeof(T));
+    const auto times = [&](hn::Vec<Places> place, std::int32_t stride) HWY_ATTR
+    { return hn::Mul(place, hn::Set(d, bytes * stride)); };
+    this->Cell = hn::Add(
+      hn::Add(times(cell[0], 1), times(cell[1], samples.StrideY)), times(cell[2], samples.StrideZ));
+  }
+
+  /// A row that is y rows and z slices away from the first corner: the samples of the cell, and the
+  /// one before and the one behind them.
+  HWY_INLINE void Four(int y, int z, V out[4]) const
+  {
+    const std::int32_t first = this->OffsetOf(y, z) - 1;
+    if constexpr (sizeof(T) == 1)
+    {
+      const V all = this->Words(first);
+      out[0] = Unpack<8, 4, 0>(all);
+      out[1] = Unpack<8, 4, 1>(all);
+      out[2] = Unpack<8, 4, 2>(all);
+      out[3] = Unpack<8, 4, 3>(all);
+    }
+    else
+    {
+      const V low = this->Words(first), high = this->Words(first + 2);
+      out[0] = Unpack<16, 2, 0>(low);
+      out[1] = Unpack<16, 2, 1>(low);
+      out[2] = Unpack<16, 2, 0>(high);
+      out[3] = Unpack<16, 2, 1>(high);
+    }
+  }
+
+  /// The samples of the cell. Of bytes, those before and behind are read too.
+  HWY_INLINE void Two(int y, int z, V out[2]) const
+  {
+    const std::int32_t first = this->OffsetOf(y, z);
+    if constexpr (sizeof(T) == 1)
+    {
+      const V all = this->Words(first - 1);
+      out[0] = Unpack<8, 4, 1>(all);
+      out[1] = Unpack<8, 4, 2>(all);
+    }
+    else
+    {
+      const V both = this->Words(first);
+      out[0] = Unpack<16, 2, 0>(both);
+      out[1] = Unpack<16, 2, 1>(both);
+    }
+  }
+
+private:
+  HWY_INLINE std::int32_t OffsetOf(int y, int z) const
+  {
+    return y * this->From.StrideY + z * this->From.StrideZ;
+  }
+
+  /// 32 bits from a sample of each cell on.
+  HWY_INLINE V Words(std::int32_t offset) const
+  {
+    const auto* const base = reinterpret_cast<const std::int32_t*>(this->From.Samples + offset);
+    return hn::BitCast(DW(), hn::GatherOffset(Places(), base, this->Cell));
+  }
+
+  const NarrowSamples<T>& From;
+  hn::Vec<Places> Cell; ///< in bytes from the first sample
 };
 
 }

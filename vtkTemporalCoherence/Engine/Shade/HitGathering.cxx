@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+#include <hwy/base.h>
+
 namespace TemporalCoherence
 {
 namespace
@@ -133,6 +135,7 @@ private:
 void GatherHits(
   const View& view, const PixelRect& part, bool withDefiniteHits, Frame& frame, HitList& hits)
 {
+  hits.Misses = 0;
   const PixelCentres centres(view, part);
   PixelSorter sorter(withDefiniteHits, frame, hits);
   for (int row = 0; row < part.Size.y; ++row)
@@ -144,58 +147,30 @@ void GatherHits(
   FindHitPoints(view, hits);
 }
 
-void TakeHits(const View& view, const TileHits& found, Frame& frame, HitList& hits)
+void TakeHits(const View& view, const TileHits& found, HitList& hits)
 {
-  const auto rays = static_cast<std::size_t>(found.Rays.Count);
-  Array<std::uint8_t> places;
-  std::size_t count = 0;
-  for (std::size_t ray = 0; ray < rays; ++ray)
-  {
-    places[count] = static_cast<std::uint8_t>(ray);
-    count += found.Hits.Surface[ray] != Frame::NoSurface;
-  }
-  hits.Rays.Count = count;
-  if (count == RayBatch::Capacity)
-  {
-    std::copy_n(found.Rays.Pixel.begin(), count, hits.Pixel.begin());
-    std::copy_n(found.Hits.Surface.begin(), count, hits.Surface.begin());
-    std::copy_n(found.Hits.Kind.begin(), count, hits.Kind.begin());
+  hits.Pixel = found.Rays.Pixel;
+  hits.Surface = found.Hits.Surface;
+  hits.Kind = found.Hits.Kind;
+  const std::uint64_t met =
     ShadingKernels::FindPointsFrom(view.Origin, found.World, found.Hits.Depth, hits.Rays);
-    return;
+  hits.Rays.Count = met != 0 ? RayBatch::Capacity : 0;
+  hits.Misses = ~met;
+  for (std::uint64_t left = hits.Misses; left != 0 && met != 0; left &= left - 1)
+  {
+    hits.Surface[hwy::Num0BitsBelowLS1Bit_Nonzero64(left)] =
+      hits.Surface[hwy::Num0BitsBelowLS1Bit_Nonzero64(met)];
   }
-  WorldDirections directions;
-  const auto take = [&](const auto& from, auto& to)
+}
+
+void ClearMisses(const HitList& hits, Frame& frame)
+{
+  for (std::uint64_t left = hits.Misses; left != 0; left &= left - 1)
   {
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      to[i] = from[places[i]];
-    }
-  };
-  take(found.Rays.Pixel, hits.Pixel);
-  take(found.Hits.Surface, hits.Surface);
-  take(found.Hits.Kind, hits.Kind);
-  take(found.Hits.Depth, hits.Rays.T);
-  for (std::size_t a = 0; a < 3; ++a)
-  {
-    take(found.World[a], directions[a]);
-  }
-  for (std::size_t ray = 0; ray < rays; ++ray)
-  {
-    if (found.Hits.Surface[ray] == Frame::NoSurface)
-    {
-      const auto pixel = static_cast<std::size_t>(found.Rays.Pixel[ray]);
-      frame.Normals[pixel] = glm::vec3(0.0f);
-      frame.Colors[pixel] = {};
-    }
-  }
-  if (count > 0)
-  {
-    FillLastVector(count, hits.Rays.T);
-    for (Array<double>& component : directions)
-    {
-      FillLastVector(count, component);
-    }
-    ShadingKernels::FindPointsFrom(view.Origin, directions, hits.Rays.T, hits.Rays);
+    const auto pixel =
+      static_cast<std::size_t>(hits.Pixel[hwy::Num0BitsBelowLS1Bit_Nonzero64(left)]);
+    frame.Normals[pixel] = glm::vec3(0.0f);
+    frame.Colors[pixel] = {};
   }
 }
 

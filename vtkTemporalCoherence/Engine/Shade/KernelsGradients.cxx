@@ -136,89 +136,32 @@ private:
 
 /// The same from samples that lie in memory.
 template <typename T>
-struct GatheringLoader : PackedSamples::HWY_NAMESPACE::IntegerRows<T>
+struct GatheringLoader : PackedSamples::HWY_NAMESPACE::GatheredRows<T>
 {
-  using Rows = PackedSamples::HWY_NAMESPACE::IntegerRows<T>;
-  using Packed = typename Rows::V;
-  using Places = hn::Vec<hn::Rebind<std::int32_t, typename Rows::D>>;
+  using Rows = PackedSamples::HWY_NAMESPACE::GatheredRows<T>;
 
   HWY_INLINE GatheringLoader(
-    const NarrowSamples<T>& samples, const CellPoints<float>& points, std::size_t i)
-    : From(samples)
+    const NarrowSamples<T>& samples, const hn::Vec<typename Rows::Places> cell[3])
+    : Rows(samples, cell)
   {
-    const hn::Rebind<std::int32_t, typename Rows::D> d;
-    const auto along = [&](std::size_t axis, std::int32_t stride) HWY_ATTR
-    { return hn::Mul(hn::LoadU(d, &points.Cell[axis][i]), hn::Set(d, stride)); };
-    constexpr auto bytes = static_cast<std::int32_t>(sizeof(T));
-    this->Cell = hn::Add(hn::Add(along(0, bytes), along(1, bytes * samples.StrideY)),
-      along(2, bytes * samples.StrideZ));
   }
 
-  HWY_INLINE void Along(std::size_t row, Packed out[4]) const
+  HWY_INLINE void Along(std::size_t row, typename Rows::V out[4]) const
   {
-    const std::int32_t offset = this->OffsetOf(static_cast<int>(row & 1u), static_cast<int>(row >> 1u));
-    using namespace PackedSamples::HWY_NAMESPACE;
-    if constexpr (sizeof(T) == 1)
-    {
-      const Packed all = this->Words(offset - 1);
-      out[0] = Unpack<8, 4, 0>(all);
-      out[1] = Unpack<8, 4, 1>(all);
-      out[2] = Unpack<8, 4, 2>(all);
-      out[3] = Unpack<8, 4, 3>(all);
-    }
-    else
-    {
-      const Packed first = this->Words(offset - 1), second = this->Words(offset + 1);
-      out[0] = Unpack<16, 2, 0>(first);
-      out[1] = Unpack<16, 2, 1>(first);
-      out[2] = Unpack<16, 2, 0>(second);
-      out[3] = Unpack<16, 2, 1>(second);
-    }
+    this->Four(static_cast<int>(row & 1u), static_cast<int>(row >> 1u), out);
   }
 
-  HWY_INLINE void Beside(std::size_t row, Packed out[2]) const
+  HWY_INLINE void Beside(std::size_t row, typename Rows::V out[2]) const
   {
-    // Before the cell and behind it along one axis, at both ends of the other.
+    // Before the cell or behind it along one axis, at an end of the other.
     const int across = (row & 2u) != 0 ? 2 : -1, end = static_cast<int>(row & 1u);
-    const std::int32_t offset =
-      row < 4 ? this->OffsetOf(across, end) : this->OffsetOf(end, across);
-    using namespace PackedSamples::HWY_NAMESPACE;
-    if constexpr (sizeof(T) == 1)
-    {
-      // With the sample before: four bytes from the first one on may pass the end of the field.
-      const Packed all = this->Words(offset - 1);
-      out[0] = Unpack<8, 4, 1>(all);
-      out[1] = Unpack<8, 4, 2>(all);
-    }
-    else
-    {
-      const Packed both = this->Words(offset);
-      out[0] = Unpack<16, 2, 0>(both);
-      out[1] = Unpack<16, 2, 1>(both);
-    }
+    this->Two(row < 4 ? across : end, row < 4 ? end : across, out);
   }
 
-  HWY_INLINE hn::Vec<typename Rows::D> Minus(Packed a, Packed b) const
+  HWY_INLINE hn::Vec<typename Rows::D> Minus(typename Rows::V a, typename Rows::V b) const
   {
     return Rows::AsFloats(hn::Sub(a, b));
   }
-
-private:
-  HWY_INLINE std::int32_t OffsetOf(int y, int z) const
-  {
-    return y * this->From.StrideY + z * this->From.StrideZ;
-  }
-
-  /// 32 bits from a sample of each cell on.
-  HWY_INLINE Packed Words(std::int32_t offset) const
-  {
-    const hn::Rebind<std::int32_t, typename Rows::D> d;
-    const auto* const base = reinterpret_cast<const std::int32_t*>(this->From.Samples + offset);
-    return hn::BitCast(typename Rows::DW(), hn::GatherOffset(d, base, this->Cell));
-  }
-
-  const NarrowSamples<T>& From;
-  Places Cell; ///< in bytes from the first sample
 };
 
 /// The same for numbers that may be large or not finite: differences from the isovalue are taken
@@ -417,7 +360,15 @@ HWY_INLINE void InterpolateGathered(
   using Loader = GatheringLoader<T>;
   const glm::ivec3 endless(std::numeric_limits<std::int32_t>::max()); // all cells are inner ones
   InterpolateAll<Loader>(
-    endless, points, [&](std::size_t i) HWY_ATTR { return Loader(samples, points, i); }, gradients);
+    endless, points,
+    [&](std::size_t i) HWY_ATTR
+    {
+      const typename Loader::Places d;
+      const hn::Vec<decltype(d)> cell[3] = { hn::LoadU(d, &points.Cell[0][i]),
+        hn::LoadU(d, &points.Cell[1][i]), hn::LoadU(d, &points.Cell[2][i]) };
+      return Loader(samples, cell);
+    },
+    gradients);
 }
 
 bool CellsFloat(const CellSpace& space, const Vectors& directions, const Vectors& points,
@@ -468,26 +419,26 @@ void GradientsDouble(const glm::ivec3& dimensions, const CellPoints<double>& poi
   InterpolateRows(dimensions, points, rows, gradients);
 }
 
-void GatherUInt8(const NarrowSamples<std::uint8_t>& samples, const CellPoints<float>& points,
-  Vectors& gradients)
+void GatherUInt8(
+  const NarrowSamples<std::uint8_t>& samples, const CellPoints<float>& points, Vectors& gradients)
 {
   InterpolateGathered(samples, points, gradients);
 }
 
-void GatherInt8(const NarrowSamples<std::int8_t>& samples, const CellPoints<float>& points,
-  Vectors& gradients)
+void GatherInt8(
+  const NarrowSamples<std::int8_t>& samples, const CellPoints<float>& points, Vectors& gradients)
 {
   InterpolateGathered(samples, points, gradients);
 }
 
-void GatherUInt16(const NarrowSamples<std::uint16_t>& samples, const CellPoints<float>& points,
-  Vectors& gradients)
+void GatherUInt16(
+  const NarrowSamples<std::uint16_t>& samples, const CellPoints<float>& points, Vectors& gradients)
 {
   InterpolateGathered(samples, points, gradients);
 }
 
-void GatherInt16(const NarrowSamples<std::int16_t>& samples, const CellPoints<float>& points,
-  Vectors& gradients)
+void GatherInt16(
+  const NarrowSamples<std::int16_t>& samples, const CellPoints<float>& points, Vectors& gradients)
 {
   InterpolateGathered(samples, points, gradients);
 }
@@ -564,26 +515,26 @@ void InterpolateGradients(const glm::ivec3& dimensions, const CellPoints<double>
   HWY_DYNAMIC_DISPATCH(GradientsDouble)(dimensions, points, rows, gradients);
 }
 
-void GatherGradients(const NarrowSamples<std::uint8_t>& samples, const CellPoints<float>& points,
-  Vectors& gradients)
+void GatherGradients(
+  const NarrowSamples<std::uint8_t>& samples, const CellPoints<float>& points, Vectors& gradients)
 {
   HWY_DYNAMIC_DISPATCH(GatherUInt8)(samples, points, gradients);
 }
 
-void GatherGradients(const NarrowSamples<std::int8_t>& samples, const CellPoints<float>& points,
-  Vectors& gradients)
+void GatherGradients(
+  const NarrowSamples<std::int8_t>& samples, const CellPoints<float>& points, Vectors& gradients)
 {
   HWY_DYNAMIC_DISPATCH(GatherInt8)(samples, points, gradients);
 }
 
-void GatherGradients(const NarrowSamples<std::uint16_t>& samples, const CellPoints<float>& points,
-  Vectors& gradients)
+void GatherGradients(
+  const NarrowSamples<std::uint16_t>& samples, const CellPoints<float>& points, Vectors& gradients)
 {
   HWY_DYNAMIC_DISPATCH(GatherUInt16)(samples, points, gradients);
 }
 
-void GatherGradients(const NarrowSamples<std::int16_t>& samples, const CellPoints<float>& points,
-  Vectors& gradients)
+void GatherGradients(
+  const NarrowSamples<std::int16_t>& samples, const CellPoints<float>& points, Vectors& gradients)
 {
   HWY_DYNAMIC_DISPATCH(GatherInt16)(samples, points, gradients);
 }

@@ -83,26 +83,15 @@ void InterpolateGradients(const glm::ivec3& dimensions, const CellPoints<double>
 void InterpolateGradients(const glm::ivec3& dimensions, const CellPoints<double>& points,
   const RowBatch<double>& rows, Vectors& gradients);
 
-/// Narrow integers that are adjacent along x.
-template <typename T>
-struct NarrowSamples
-{
-  /// The most samples whose places are known in 32 bits, in bytes too.
-  static constexpr std::int64_t Most = std::int64_t(1) << 30;
-
-  const T* Samples;
-  std::int32_t StrideY, StrideZ;
-};
-
 /// The same in inner cells, whose samples the vectors of the machine gather themselves.
-void GatherGradients(const NarrowSamples<std::uint8_t>& samples, const CellPoints<float>& points,
-  Vectors& gradients);
-void GatherGradients(const NarrowSamples<std::int8_t>& samples, const CellPoints<float>& points,
-  Vectors& gradients);
-void GatherGradients(const NarrowSamples<std::uint16_t>& samples, const CellPoints<float>& points,
-  Vectors& gradients);
-void GatherGradients(const NarrowSamples<std::int16_t>& samples, const CellPoints<float>& points,
-  Vectors& gradients);
+void GatherGradients(
+  const NarrowSamples<std::uint8_t>& samples, const CellPoints<float>& points, Vectors& gradients);
+void GatherGradients(
+  const NarrowSamples<std::int8_t>& samples, const CellPoints<float>& points, Vectors& gradients);
+void GatherGradients(
+  const NarrowSamples<std::uint16_t>& samples, const CellPoints<float>& points, Vectors& gradients);
+void GatherGradients(
+  const NarrowSamples<std::int16_t>& samples, const CellPoints<float>& points, Vectors& gradients);
 
 }
 

@@ -69,23 +69,50 @@ void RayPointsOf(RayPoints& rays)
   }
 }
 
-void PointsFromOf(const glm::dvec3& origin, const std::array<Array<double>, 3>& directions,
+/// One bit for each finite distance.
+std::uint64_t FiniteOf(const Array<double>& distances)
+{
+  const Doubles d;
+  const auto infinity = hn::Set(d, std::numeric_limits<double>::infinity());
+  std::uint64_t finite = 0;
+  for (std::size_t i = 0; i < distances.size(); i += hn::Lanes(d))
+  {
+    std::array<std::uint8_t, 8> bits{};
+    hn::StoreMaskBits(d, hn::Lt(hn::LoadU(d, &distances[i]), infinity), bits.data());
+    finite |= static_cast<std::uint64_t>(bits[0]) << i;
+  }
+  return finite;
+}
+
+std::uint64_t PointsFromOf(const glm::dvec3& origin, const std::array<Array<double>, 3>& directions,
   const Array<double>& distances, RayPoints& rays)
 {
   const Doubles d;
   const hn::Rebind<float, Doubles> df;
-  for (std::size_t i = 0; i < WholeVectors(rays.Count); i += hn::Lanes(d))
+  const std::uint64_t finite = FiniteOf(distances);
+  if (finite == 0)
   {
-    const auto t = hn::LoadU(d, &distances[i]);
+    return 0;
+  }
+  const std::size_t first = hwy::Num0BitsBelowLS1Bit_Nonzero64(finite);
+  const auto infinity = hn::Set(d, std::numeric_limits<double>::infinity());
+  const auto ofFirst = hn::Set(d, distances[first]);
+  for (std::size_t i = 0; i < distances.size(); i += hn::Lanes(d))
+  {
+    const auto distance = hn::LoadU(d, &distances[i]);
+    const auto isHit = hn::Lt(distance, infinity);
+    const auto t = hn::IfThenElse(isHit, distance, ofFirst);
     for (std::size_t a = 0; a < 3; ++a)
     {
       const auto unit = hn::LoadU(d, &directions[a][i]);
       hn::StoreU(unit, d, &rays.Direction[a][i]);
       const auto from = hn::Set(d, origin[static_cast<int>(a)]);
       hn::StoreU(hn::DemoteTo(df, unit), df, &rays.FloatDirection[a][i]);
-      hn::StoreU(hn::Add(from, hn::Mul(t, unit)), d, &rays.Point[a][i]);
+      const auto along = hn::IfThenElse(isHit, unit, hn::Set(d, directions[a][first]));
+      hn::StoreU(hn::Add(from, hn::Mul(t, along)), d, &rays.Point[a][i]);
     }
   }
+  return finite;
 }
 
 void FacingNormalsOf(std::size_t count, const glm::dmat3& m,
@@ -313,6 +340,9 @@ namespace TemporalCoherence
 namespace ShadingKernels
 {
 
+/// Matrices whose largest number is less than this, and more than its inverse, need not be scaled.
+constexpr double AboutOne = 4096.0;
+
 HWY_EXPORT(RayPointsOf);
 HWY_EXPORT(PointsFromOf);
 HWY_EXPORT(FacingNormalsOf);
@@ -325,10 +355,10 @@ void FindRayPoints(RayPoints& rays)
   HWY_DYNAMIC_DISPATCH(RayPointsOf)(rays);
 }
 
-void FindPointsFrom(const glm::dvec3& origin, const std::array<Array<double>, 3>& directions,
-  const Array<double>& distances, RayPoints& rays)
+std::uint64_t FindPointsFrom(const glm::dvec3& origin,
+  const std::array<Array<double>, 3>& directions, const Array<double>& distances, RayPoints& rays)
 {
-  HWY_DYNAMIC_DISPATCH(PointsFromOf)(origin, directions, distances, rays);
+  return HWY_DYNAMIC_DISPATCH(PointsFromOf)(origin, directions, distances, rays);
 }
 
 void FindFacingNormals(std::size_t count, const glm::dmat3& worldFromGradient,
@@ -343,8 +373,9 @@ void FindFacingNormals(std::size_t count, const glm::dmat3& worldFromGradient,
     largest = std::max(largest, std::abs(worldFromGradient[i / 3][i % 3]));
   }
   glm::dmat3 matrix = worldFromGradient;
-  const int exponent = largest > 0.0 ? -std::ilogb(largest) : 0;
-  for (int i = 0; i < 9; ++i)
+  const bool isAboutOne = largest > 1.0 / AboutOne && largest < AboutOne;
+  const int exponent = largest > 0.0 && !isAboutOne ? -std::ilogb(largest) : 0;
+  for (int i = 0; i < 9 && exponent != 0; ++i)
   {
     matrix[i / 3][i % 3] = std::ldexp(matrix[i / 3][i % 3], exponent);
   }

@@ -6,6 +6,7 @@
 #include "Scene/RayBatch.h"
 
 #include <array>
+#include <cstdint>
 
 namespace TemporalCoherence
 {
@@ -32,10 +33,11 @@ struct RayPoints
 };
 void FindRayPoints(RayPoints& rays);
 
-/// The same bits for rays that all begin at one point, and whose directions are known. Both arrays
-/// are read up to the end of the last vector. X, Y and T are not used.
-void FindPointsFrom(const glm::dvec3& origin, const std::array<Array<double>, 3>& directions,
-  const Array<double>& distances, RayPoints& rays);
+/// The same bits for a whole tile of rays that all begin at one point, and whose directions are
+/// known. X, Y and T are not used. A ray without a finite distance gets the point of another one.
+/// \return one bit for each finite distance
+std::uint64_t FindPointsFrom(const glm::dvec3& origin,
+  const std::array<Array<double>, 3>& directions, const Array<double>& distances, RayPoints& rays);
 
 /// Make unit normals that face the viewer from gradients. Where the gradient is 0, the surface is
 /// taken to face the viewer.

@@ -37,6 +37,11 @@ glm::dvec3 At(const std::array<Array<double>, 3>& vectors, std::size_t i)
 void TakeFacesAtCaps(
   const NormalSource& source, const HitList& hits, std::array<Array<double>, 3>& gradients)
 {
+  const auto end = hits.Kind.begin() + static_cast<std::ptrdiff_t>(hits.Rays.Count);
+  if (std::find(hits.Kind.begin(), end, HitKind::Cap) == end)
+  {
+    return;
+  }
   for (std::size_t i = 0; i < hits.Rays.Count; ++i)
   {
     if (hits.Kind[i] == HitKind::Cap)

@@ -16,11 +16,13 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 namespace TemporalCoherence
 {
 
-/// The hits of one tile, gathered into arrays.
+/// The hits of one tile in arrays. Among them may be rays without one, which are shaded as if they
+/// had the hit of another ray, and then cleared.
 struct HitList
 {
   template <typename T>
@@ -31,6 +33,7 @@ struct HitList
   Array<HitKind> Kind;
   ShadingKernels::RayPoints Rays; ///< and the hits on them, in the world
   Array<std::array<float, 3>> Normal;
+  std::uint64_t Misses = 0; ///< one bit for each place without a hit
 };
 
 /// Repeat the last element up to the end of the last vector, so that no lane is uninitialised.
@@ -57,8 +60,12 @@ struct NormalSource
 void GatherHits(
   const View& view, const PixelRect& part, bool withDefiniteHits, Frame& frame, HitList& hits);
 
-/// The same for the hits of a whole tile of a perspective view, which the planes hold already.
-void TakeHits(const View& view, const TileHits& found, Frame& frame, HitList& hits);
+/// The same for a whole tile of a perspective view, whose planes hold its hits already. Misses are
+/// taken too, and not cleared.
+void TakeHits(const View& view, const TileHits& found, HitList& hits);
+
+/// Clear the normals and colours of the misses in a list.
+void ClearMisses(const HitList& hits, Frame& frame);
 
 /// Find the points of hits on the rays of a view. The list must have pixels and distances.
 void FindHitPoints(const View& view, HitList& hits);

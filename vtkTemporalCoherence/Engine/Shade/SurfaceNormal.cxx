@@ -148,6 +148,17 @@ private:
   bool IsLarge;
 };
 
+/// Prefetch the samples around points if they do not fit into the caches.
+template <typename T>
+void PrefetchSamples(const Field& field, const GradientKernels::CellPoints<RealOf<T>>& points)
+{
+  const TypedField<T> samples(field);
+  for (std::size_t i = 0; i < points.Count && field.IsLarge(); ++i)
+  {
+    PrefetchAround(samples, { points.Cell[0][i], points.Cell[1][i], points.Cell[2][i] });
+  }
+}
+
 /// Differences from the isovalues. Integers are finite: their differences are taken from 0.
 template <typename T, typename Rows>
 void SetIsovalues(const GradientQuery& query, std::size_t count,
@@ -170,14 +181,6 @@ void SetIsovalues(const GradientQuery& query, std::size_t count,
   }
 }
 
-/// True if vectors can gather the samples of a field.
-bool CanGather(const Field& field)
-{
-  const std::int64_t samples = field.Strides.z * field.Dimensions.z;
-  return field.Strides.x == 1 && !field.IsLarge() &&
-    samples <= GradientKernels::NarrowSamples<std::uint8_t>::Most;
-}
-
 }
 
 void UniformGradients(const GradientQuery& query, const GradientTile& tile)
@@ -194,11 +197,10 @@ void UniformGradients(const GradientQuery& query, const GradientTile& tile)
         tile.Directions, tile.Points, inCells);
       if constexpr (sizeof(T) <= 2)
       {
-        if (areInner && CanGather(field))
+        if (areInner && NarrowSamples<T>::Are(field))
         {
-          const GradientKernels::NarrowSamples<T> samples{ static_cast<const T*>(field.Samples),
-            static_cast<std::int32_t>(field.Strides.y), static_cast<std::int32_t>(field.Strides.z) };
-          GradientKernels::GatherGradients(samples, inCells, tile.Gradients);
+          PrefetchSamples<T>(field, inCells);
+          GradientKernels::GatherGradients(NarrowSamples<T>(field), inCells, tile.Gradients);
           return;
         }
       }

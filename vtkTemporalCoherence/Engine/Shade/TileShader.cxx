@@ -46,11 +46,11 @@ void TileShader::Shade(std::int64_t tile, const PixelRect& part, const TileHits*
   if (this->NormalsOf != HitSet::None)
   {
     // Parallel rays begin at points of their own, which the tile does not keep.
-    const bool areAtHand =
-      found && found->AreAll && this->NormalsOf == HitSet::All && !this->Key.View.Parallel;
+    const bool areAtHand = found && found->AreAll && found->Rays.Count == RayBatch::Capacity &&
+      this->NormalsOf == HitSet::All && !this->Key.View.Parallel;
     if (areAtHand)
     {
-      TakeHits(this->Key.View, *found, frame, hits);
+      TakeHits(this->Key.View, *found, hits);
     }
     else
     {
@@ -65,6 +65,7 @@ void TileShader::Shade(std::int64_t tile, const PixelRect& part, const TileHits*
     LoadNormals(frame, hits);
   }
   ShadeHits(this->Key.Appearance, hits, frame);
+  ClearMisses(hits, frame);
 }
 
 }

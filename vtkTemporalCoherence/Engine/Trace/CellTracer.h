@@ -39,21 +39,21 @@ public:
   }
 
   std::uint64_t SearchCells(
-    const RayBatch& rays, const CellList& cells, HitBatch& hits) const override
+    const RayBatch& rays, const RayCells& cells, HitBatch& hits) const override
   {
     const auto surface = static_cast<std::int16_t>(cells.Surface);
     std::uint64_t missing = 0;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(cells.Count); ++i)
+    for (std::uint64_t left = cells.Rays; left != 0; left &= left - 1)
     {
-      const std::size_t ray = cells.Ray[i];
-      const glm::ivec3 cell = cells.At(i);
+      const std::size_t ray = hwy::Num0BitsBelowLS1Bit_Nonzero64(left);
+      const glm::ivec3 cell = cells.At(ray);
       const Segment segment(this->Cells.Shape.RayOf(rays, ray), cell);
       const CellHit found = this->Cells.SearchFor(
         segment, this->Cells.Differ(this->Cells.Samples.Read(cell), cells.Surface));
       missing |= static_cast<std::uint64_t>(!std::isfinite(found.Distance)) << ray;
       this->Cells.Keep(segment, found, surface, ray, hits);
     }
-    hits.CellsRead += cells.Count;
+    hits.CellsRead += static_cast<std::int64_t>(hwy::PopCount(cells.Rays));
     return missing;
   }
 

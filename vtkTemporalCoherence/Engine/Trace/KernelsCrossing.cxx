@@ -87,6 +87,10 @@ HWY_INLINE bool FindShares(
   M several = hn::Lt(zero, zero);
   for (std::size_t i = 0; i < static_cast<std::size_t>(segments.Count); i += hn::Lanes(d))
   {
+    if (!IsAnyWanted(segments, i))
+    {
+      continue;
+    }
     V b[4];
     CubicsAlong(d, segments, paths, i, b);
     const M in0 = hn::Ge(b[0], zero), in1 = hn::Ge(b[1], zero);
@@ -152,7 +156,7 @@ HWY_INLINE void FindAll(SegmentBatch<Real>& segments, bool isSolid)
   {
     for (std::size_t i = 0; i < static_cast<std::size_t>(segments.Count); ++i)
     {
-      if (shares[i] == Real(SeveralChanges))
+      if ((segments.Wanted >> i & 1u) != 0 && shares[i] == Real(SeveralChanges))
       {
         shares[i] = FindShare(segments, paths, i);
       }
@@ -163,6 +167,10 @@ HWY_INLINE void FindAll(SegmentBatch<Real>& segments, bool isSolid)
   const auto infinity = hn::Set(d, std::numeric_limits<double>::infinity());
   for (std::size_t i = 0; i < static_cast<std::size_t>(segments.Count); i += hn::Lanes(d))
   {
+    if (!IsAnyWanted(segments, i))
+    {
+      continue;
+    }
     const auto share = LoadAsDoubles(&shares[i]);
     const auto enter = hn::LoadU(d, &segments.Enter[i]);
     const auto length = hn::Sub(hn::LoadU(d, &paths.Leave[i]), enter);

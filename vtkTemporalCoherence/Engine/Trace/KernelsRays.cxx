@@ -154,6 +154,15 @@ void SetUp(const RaySource& source, const glm::ivec2& first, const glm::ivec2& s
   for (int row = 0; row < size.y; ++row)
   {
     const std::int32_t pixel = (first.y + row) * source.Size.x + first.x;
+    if (size.x == TileSize)
+    {
+      for (int column = 0; column < TileSize; ++column) // in vectors
+      {
+        rays.Pixel[ray + static_cast<std::size_t>(column)] = pixel + column;
+      }
+      ray += TileSize;
+      continue;
+    }
     for (int column = 0; column < size.x; ++column)
     {
       rays.Pixel[ray++] = pixel + column;

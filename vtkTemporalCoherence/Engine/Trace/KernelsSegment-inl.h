@@ -101,6 +101,14 @@ HWY_INLINE PathVector<V> FindPath(D d, const RayVector<V>& rays, const V cell[3]
   return path;
 }
 
+/// True if any segment is wanted of the widest vector that holds segment i.
+template <typename Real>
+HWY_INLINE bool IsAnyWanted(const SegmentBatch<Real>& in, std::size_t i)
+{
+  constexpr std::uint64_t all = (std::uint64_t(1) << WidestVector) - 1;
+  return (in.Wanted >> i / WidestVector * WidestVector & all) != 0;
+}
+
 template <typename Real>
 HWY_INLINE void SetUpPaths(SegmentBatch<Real>& in, std::size_t count, Paths<Real>& out)
 {
@@ -108,6 +116,10 @@ HWY_INLINE void SetUpPaths(SegmentBatch<Real>& in, std::size_t count, Paths<Real
   using V = hn::Vec<decltype(d)>;
   for (std::size_t i = 0; i < count; i += hn::Lanes(d))
   {
+    if (!IsAnyWanted(in, i))
+    {
+      continue;
+    }
     RayVector<V> rays;
     V cell[3];
     rays.Begin = hn::LoadU(d, in.BeginOf() + i);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 
 namespace TemporalCoherence
 {
@@ -26,6 +27,8 @@ struct SegmentBatch
   std::array<Array<double>, 3> Origin, Direction, Inverse;
   Array<double> Begin, End;
   const RayBatch* All = nullptr;
+  /// One bit for each segment that is searched. Others may be or not.
+  std::uint64_t Wanted = ~std::uint64_t(0);
 
   std::array<Array<double>, 3> Cell;  ///< its first corner
   std::array<Array<Real>, 8> Corners; ///< differences from the isovalue, [x + 2 y + 4 z]

@@ -15,14 +15,9 @@ void SurfaceTracer::FindNext(const RayBatch& rays, HitBatch& hits) const
   hits.Clear(rays.Count);
 }
 
-std::uint64_t SurfaceTracer::SearchCells(const RayBatch&, const CellList& cells, HitBatch&) const
+std::uint64_t SurfaceTracer::SearchCells(const RayBatch&, const RayCells& cells, HitBatch&) const
 {
-  std::uint64_t missing = 0;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(cells.Count); ++i)
-  {
-    missing |= std::uint64_t(1) << cells.Ray[i];
-  }
-  return missing;
+  return cells.Rays;
 }
 
 }

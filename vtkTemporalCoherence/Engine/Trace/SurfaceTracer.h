@@ -36,16 +36,16 @@ struct TraceScene
 };
 
 /// Cells to search, one for each of some rays of a batch.
-struct CellList
+struct RayCells
 {
   std::size_t Surface = 0; ///< position in the list of isovalues
-  int Count = 0;
-  RayBatch::Array<std::uint8_t> Ray; ///< ascending
+  std::uint64_t Rays = 0;  ///< one bit for each of these rays
+  /// By axis and ray. Other rays have the cell of one of these, up to the capacity of batches.
   std::array<RayBatch::Array<std::int32_t>, 3> Cell;
 
-  glm::ivec3 At(std::size_t i) const
+  glm::ivec3 At(std::size_t ray) const
   {
-    return { this->Cell[0][i], this->Cell[1][i], this->Cell[2][i] };
+    return { this->Cell[0][ray], this->Cell[1][ray], this->Cell[2][ray] };
   }
 };
 
@@ -83,7 +83,7 @@ public:
   /// Thread-safe.
   /// \return one bit for each ray without the surface in its cell
   virtual std::uint64_t SearchCells(
-    const RayBatch& rays, const CellList& cells, HitBatch& hits) const;
+    const RayBatch& rays, const RayCells& cells, HitBatch& hits) const;
 
 protected:
   SurfaceTracer() = default;

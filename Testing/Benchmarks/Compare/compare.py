@@ -5,14 +5,15 @@
 
 Each build is a build directory with its Python module: that of another commit, or the same one
 twice with two numbers of threads. Each scene is drawn by both builds, each in a process of its own,
-in turn, five frames a turn. The table shows the least of all frames: their CPU time of all threads, or
-their wall time. Nothing else should run meanwhile. Volumes that are not in the folder that
+in turn, five frames a turn. The table shows the least of all frames: their CPU time of all threads,
+or their wall time. Nothing else should run meanwhile. Volumes that are not in the folder that
 TEMPORAL_COHERENCE_DATA names are left out.
 """
 
 from __future__ import annotations
 
 import argparse
+import contextlib
 import dataclasses
 import json
 import os
@@ -22,7 +23,7 @@ import sys
 
 import scenes
 
-QUICK = {"size": 128, "rounds": 1}
+QUICK = {"size": 128, "rounds": 1, "scenes": [0, 3, 10, 12]}
 HERE = pathlib.Path(__file__).resolve().parent
 
 
@@ -65,6 +66,14 @@ def ask(worker: subprocess.Popen, request: str):
     return json.loads(answer)
 
 
+def stop(worker: subprocess.Popen) -> None:
+    """End a worker, which may have ended itself."""
+    with contextlib.suppress(BrokenPipeError):
+        worker.stdin.close()
+    worker.wait()
+    worker.stdout.close()
+
+
 def least_times(workers, rounds: int, kind: int) -> list[float]:
     """The least time of each worker, of so many turns."""
     least = [float("inf")] * len(workers)
@@ -93,9 +102,7 @@ def compare(builds, scene: scenes.Scene, arguments) -> list[dict]:
             rows.append({"view": view, "hitPercent": hits, "ms": times})
     finally:
         for worker in workers:
-            worker.stdin.close()
-            worker.wait()
-            worker.stdout.close()
+            stop(worker)
     return rows
 
 
@@ -138,7 +145,8 @@ def view_names(text: str) -> list[str]:
     names = text.split(",")
     for name in names:
         if name not in scenes.VIEWS:
-            raise argparse.ArgumentTypeError(f"there is no view '{name}', only {', '.join(scenes.VIEWS)}")
+            known = " and ".join(scenes.VIEWS)
+            raise argparse.ArgumentTypeError(f"there is no view '{name}', only {known}")
     return names
 
 
@@ -161,14 +169,15 @@ def read_arguments() -> argparse.Namespace:
     add("--threads", type=numbers, default=[0], metavar="NUMBER[,NUMBER]",
         help="threads of both builds, or of the first and the second (all)")
     add("--no-avx512", action="store_true", help="vectors of AVX2 at most")
-    add("--quick", action="store_true", help="small pictures and one turn, to see that all works")
+    add("--quick", action="store_true",
+        help="small pictures, one turn and few scenes, to see that all works")
     add("--json", type=pathlib.Path, metavar="FILE", help="write all figures to this file too")
     arguments = parser.parse_args()
-    for name, usual in (("size", 1024), ("rounds", 5)):
+    for name, usual in (("size", 1024), ("rounds", 5), ("scenes", None)):
         if getattr(arguments, name) is None:
             setattr(arguments, name, QUICK[name] if arguments.quick else usual)
-        elif getattr(arguments, name) < 1:
-            parser.error(f"--{name} needs a number above 0")
+    if min(arguments.size, arguments.rounds) < 1 or min(arguments.threads) < 0:
+        parser.error("--size, --rounds and --threads need numbers above 0")
     if not all(0 <= number < len(scenes.SCENES) for number in arguments.scenes or []):
         parser.error("--scenes needs numbers of the list below --help")
     arguments.names = arguments.names.split(",")

@@ -24,8 +24,10 @@ struct Path
 /// 0.4 % around the stage's isovalue; and anywhere in the range, at random.
 std::vector<Path> AllPaths(const Stage& stage, int steps);
 
-/// One path, drawn by new mappers. Frames are measured in CPU time of all threads, by that of a
-/// cold frame of the same isovalue whose structures are there.
+/// One path, gone twice, each time by a new mapper. Frames are measured in CPU time of all threads,
+/// by that of a cold frame of the same isovalue whose structures are there. Measured times decide
+/// which frame builds a band, so the frames of the two do not match one by one. Of each figure the
+/// lesser counts: the worst frame is to be one that takes long, not one that was disturbed.
 struct Summary
 {
   std::string Path;

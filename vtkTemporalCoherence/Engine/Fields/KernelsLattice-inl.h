@@ -10,7 +10,7 @@
 #define TemporalCoherence_KernelsLattice_inl_h
 #endif
 
-#include "Fields/GridCoordinates.h"
+#include "Scene/GridCoordinates.h"
 #include "Fields/TileBeam.h"
 
 #include "Fields/CellCubics-inl.h"

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fields/RectilinearKind.h"
 
-#include "Fields/LatticeFaces.h"
+#include "Shade/LatticeFaces.h"
 #include "Fields/RectilinearBeam.h"
-#include "Fields/RectilinearGradients.h"
+#include "Shade/RectilinearGradients.h"
 #include "Fields/UniformTracer.h"
 #include "Isomap/CellBandTracer.h"
 #include "Scene/CellBox.h"

@@ -3,7 +3,7 @@
 #ifndef TemporalCoherence_RectilinearKind_h
 #define TemporalCoherence_RectilinearKind_h
 
-#include "Fields/GridCoordinates.h"
+#include "Scene/GridCoordinates.h"
 #include "Scene/FieldKind.h"
 
 #include <memory>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Fields/LatticeFaces.h"
+#include "Shade/LatticeFaces.h"
 #include "Fields/UniformBandTracer.h"
 #include "Fields/UniformCells.h"
 #include "Fields/UniformTracer.h"

@@ -57,6 +57,7 @@ set(engine_files
   Fields/KernelsBeam
   Fields/KernelsBeamSetUp
   Fields/KernelsCorners
+  Fields/KernelsLayerBeam
   Fields/RectilinearKind
   Fields/UniformBandTracer
   Fields/UniformKind

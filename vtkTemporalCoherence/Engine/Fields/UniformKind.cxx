@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Shade/LatticeFaces.h"
 #include "Fields/UniformBandTracer.h"
 #include "Fields/UniformCells.h"
 #include "Fields/UniformTracer.h"
 #include "Scene/FieldKind.h"
+#include "Shade/LatticeFaces.h"
 #include "Shade/SurfaceNormal.h"
 
 #include <algorithm>

@@ -30,6 +30,7 @@ set(engine_files
   Shade/HitGathering
   Shade/KernelsGradients
   Shade/KernelsShading
+  Shade/RectilinearGradients
   Shade/Shader
   Shade/SurfaceNormal
   Shade/TileCompositor
@@ -56,7 +57,7 @@ set(engine_files
   Fields/KernelsBeam
   Fields/KernelsBeamSetUp
   Fields/KernelsCorners
-  Fields/RectilinearGradients
+  Fields/KernelsLayerBeam
   Fields/RectilinearKind
   Fields/UniformBandTracer
   Fields/UniformKind

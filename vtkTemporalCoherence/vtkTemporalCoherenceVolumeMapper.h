@@ -271,6 +271,7 @@ public:
   vtkIdType GetNumberOfPossibleHits();
   vtkIdType GetNumberOfTracedRays();
   vtkIdType GetNumberOfFieldSamples();
+  vtkIdType GetNumberOfLayers();
   vtkIdType GetIsomapMemory();
   vtkIdType GetNumberOfIsomapKnots();
   double GetFrameTime();

@@ -60,6 +60,12 @@ vtkIdType vtkTemporalCoherenceVolumeMapper::GetNumberOfFieldSamples()
 }
 
 //------------------------------------------------------------------------------
+vtkIdType vtkTemporalCoherenceVolumeMapper::GetNumberOfLayers()
+{
+  return this->Internal->Frames.Statistics().Layers;
+}
+
+//------------------------------------------------------------------------------
 vtkIdType vtkTemporalCoherenceVolumeMapper::GetIsomapMemory()
 {
   return static_cast<vtkIdType>(this->Internal->Frames.LastIsomap().MemoryInBytes());

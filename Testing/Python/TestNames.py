@@ -47,9 +47,9 @@ NUMBERS = {
 }
 STATISTICS = (
     "Route", "NumberOfRays", "NumberOfDefiniteHits", "NumberOfDefiniteMisses",
-    "NumberOfPossibleHits", "NumberOfTracedRays", "NumberOfFieldSamples", "IsomapMemory",
-    "NumberOfIsomapKnots", "FrameTime", "TraceTime", "QueryTime", "IsomapBuildTime", "ShadeTime",
-    "PresentTime",
+    "NumberOfPossibleHits", "NumberOfTracedRays", "NumberOfFieldSamples", "NumberOfLayers",
+    "IsomapMemory", "NumberOfIsomapKnots", "FrameTime", "TraceTime", "QueryTime",
+    "IsomapBuildTime", "ShadeTime", "PresentTime",
 )
 ACTIONS = (
     "BuildIsomap", "GetLastFrame", "GetVisibleSurface", "IntersectWithLine", "PickPixel",

@@ -3,8 +3,8 @@
 #ifndef TemporalCoherence_KernelsBeam_h
 #define TemporalCoherence_KernelsBeam_h
 
-#include "Fields/GridCoordinates.h"
 #include "Fields/TileBeam.h"
+#include "Scene/GridCoordinates.h"
 
 #include <vector>
 

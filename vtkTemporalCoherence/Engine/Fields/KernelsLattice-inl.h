@@ -10,8 +10,8 @@
 #define TemporalCoherence_KernelsLattice_inl_h
 #endif
 
-#include "Fields/GridCoordinates.h"
 #include "Fields/TileBeam.h"
+#include "Scene/GridCoordinates.h"
 
 #include "Fields/CellCubics-inl.h"
 

@@ -4,7 +4,7 @@
 #define TemporalCoherence_RectilinearCells_h
 
 #include "Acceleration/HiddenCells.h"
-#include "Fields/GridCoordinates.h"
+#include "Scene/GridCoordinates.h"
 #include "Scene/RayBatch.h"
 #include "Trace/CellRoot.h"
 

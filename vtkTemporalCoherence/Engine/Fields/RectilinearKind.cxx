@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fields/RectilinearKind.h"
 
-#include "Fields/LatticeFaces.h"
+#include "Fields/CellLayerBeam.h"
 #include "Fields/RectilinearBeam.h"
-#include "Fields/RectilinearGradients.h"
 #include "Fields/UniformTracer.h"
 #include "Isomap/CellBandTracer.h"
 #include "Scene/CellBox.h"
+#include "Shade/LatticeFaces.h"
+#include "Shade/RectilinearGradients.h"
 #include "Trace/CellTracer.h"
 
 #include <limits>
@@ -62,6 +63,16 @@ public:
     {
       this->WalkAll(rays, hits);
     }
+  }
+
+  void FindLayers(const RayBatch& rays, LayerBatch& layers) const override
+  {
+    if (this->Levels && AreBeam(this->Cells.Scene, rays, layers.Open))
+    {
+      CellLayerBeam<T, RectilinearCells<T>>(this->Cells, this->Layers, &this->Cells.Shape.Grid)
+        .Trace(rays, layers);
+    }
+    Base::FindLayers(rays, layers);
   }
 
 private:

@@ -3,8 +3,8 @@
 #ifndef TemporalCoherence_RectilinearKind_h
 #define TemporalCoherence_RectilinearKind_h
 
-#include "Fields/GridCoordinates.h"
 #include "Scene/FieldKind.h"
+#include "Scene/GridCoordinates.h"
 
 #include <memory>
 

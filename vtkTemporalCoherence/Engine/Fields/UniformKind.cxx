@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Fields/LatticeFaces.h"
 #include "Fields/UniformCells.h"
 #include "Fields/UniformTracer.h"
 #include "Scene/FieldKind.h"
+#include "Shade/LatticeFaces.h"
 #include "Shade/SurfaceNormal.h"
 
 #include <algorithm>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fields/UniformTracer.h"
 
+#include "Fields/CellLayerBeam.h"
 #include "Fields/KernelsCorners.h"
 #include "Fields/UniformBeam.h"
 #include "Fields/UniformCells.h"
@@ -112,6 +113,18 @@ public:
     {
       this->TraceAll(rays, hits);
     }
+  }
+
+  void FindLayers(const RayBatch& rays, LayerBatch& layers) const override
+  {
+    if constexpr (Between == Interpolation::Linear)
+    {
+      if (this->Levels && AreBeam(this->Cells.Scene, rays, layers.Open))
+      {
+        CellLayerBeam<T, UniformCells<T>>(this->Cells, this->Layers, nullptr).Trace(rays, layers);
+      }
+    }
+    Base::FindLayers(rays, layers);
   }
 
   std::uint64_t SearchCells(

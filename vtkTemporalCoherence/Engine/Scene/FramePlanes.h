@@ -19,6 +19,7 @@ struct TraceCounts
   std::int64_t PossibleHits = 0;
   std::int64_t TracedRays = 0;
   std::int64_t CellsRead = 0;
+  std::int64_t Layers = 0;    ///< surfaces that were composited, if some are translucent
   std::int64_t QueryTime = 0; ///< nanoseconds to query a cached image, in tiles that were timed
   std::int64_t ShadeTime = 0; ///< the same for shading
   std::int64_t TileTime = 0;  ///< the same in total
@@ -32,6 +33,7 @@ struct TraceCounts
     this->PossibleHits += other.PossibleHits;
     this->TracedRays += other.TracedRays;
     this->CellsRead += other.CellsRead;
+    this->Layers += other.Layers;
     this->QueryTime += other.QueryTime;
     this->ShadeTime += other.ShadeTime;
     this->TileTime += other.TileTime;

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shade/TileCompositor.h"
 
+#include "Shade/LayerCanvas.h"
 #include "Trace/RayPieces.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace TemporalCoherence
 {
@@ -15,127 +15,49 @@ namespace
 template <typename T>
 using Array = RayBatch::Array<T>;
 
-/// A lower transmittance is taken as opaque: half a step of a colour.
-constexpr float Opaque = 1.0f / 512.0f;
-
-/// NaN becomes 0.
-float ClampToOne(float value)
+/// Append a surface to those that are shaded next.
+void AppendHit(const LayerHit& hit, const Frame& frame, const View& view, HitList& hits)
 {
-  return value > 0.0f ? std::min(value, 1.0f) : 0.0f;
-}
-
-std::uint8_t RoundToByte(float value)
-{
-  return static_cast<std::uint8_t>(ClampToOne(value) * 255.0f + 0.5f);
-}
-
-/// Append a surface to a layer.
-void AppendHit(const LayerHit& hit, const Frame& frame, const View& view, HitList& layer)
-{
-  const std::size_t at = layer.Rays.Count++;
+  const std::size_t at = hits.Rays.Count++;
   const glm::dvec2 centre = view.PixelCentre(hit.Pixel % frame.Size.x, hit.Pixel / frame.Size.x);
-  layer.Pixel[at] = hit.Pixel;
-  layer.Surface[at] = hit.Isovalue;
-  layer.Kind[at] = hit.Kind;
-  layer.Rays.X[at] = centre.x;
-  layer.Rays.Y[at] = centre.y;
-  layer.Rays.T[at] = hit.Depth;
+  hits.Pixel[at] = hit.Pixel;
+  hits.Surface[at] = hit.Isovalue;
+  hits.Kind[at] = hit.Kind;
+  hits.Rays.X[at] = centre.x;
+  hits.Rays.Y[at] = centre.y;
+  hits.Rays.T[at] = hit.Depth;
 }
 
-/// Append the hit of a ray of one batch to another.
-void AppendHit(const HitBatch& from, std::size_t ray, std::size_t at, HitBatch& to)
+/// Opacities of isovalues, as they are composited. Empty if only shading tells them.
+std::vector<float> AlphasOf(const Surfaces& surfaces)
 {
-  to.Depth[at] = from.Depth[ray];
-  to.Surface[at] = from.Surface[ray];
-  to.Kind[at] = from.Kind[ray];
+  return surfaces.ByGradient.Nodes.empty()
+    ? std::vector<float>(surfaces.Opacities.begin(), surfaces.Opacities.end())
+    : std::vector<float>();
 }
 
-}
-
-/// The pixels of a tile while layers are composited.
-class TileCompositor::Canvas
+/// The pixels of the first of some layers that are kept round by round.
+void FindFirstRound(const std::vector<LayerHit>& layers, HitList& hits)
 {
-public:
-  Canvas(const PixelRect& part, Frame& frame)
-    : Part(part)
-    , Planes(frame)
+  std::size_t& count = hits.Rays.Count;
+  for (count = 0; count < layers.size(); ++count)
   {
-    this->Transmittance.fill(1.0f);
-    for (Array<float>& channel : this->Color)
+    if (count > 0 && layers[count].Pixel <= layers[count - 1].Pixel)
     {
-      channel.fill(0.0f);
+      return;
     }
+    hits.Pixel[count] = layers[count].Pixel;
   }
+}
 
-  const Frame& Picture() const { return this->Planes; }
+}
 
-  /// Composite a surface behind the present ones. The first visible surface is written to the
-  /// planes.
-  void Add(const HitList& layer, std::size_t i, const std::array<float, 3>& color, float alpha)
-  {
-    const std::size_t at = this->PlaceOf(layer.Pixel[i]);
-    const auto pixel = static_cast<std::size_t>(layer.Pixel[i]);
-    if (alpha > 0.0f && this->Transmittance[at] == 1.0f)
-    {
-      this->Planes.Depth[pixel] = layer.Rays.T[i];
-      this->Planes.Isovalues[pixel] = layer.Surface[i];
-      this->Planes.Normals[pixel] = { layer.Normal[i][0], layer.Normal[i][1], layer.Normal[i][2] };
-    }
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      this->Color[c][at] += this->Transmittance[at] * alpha * ClampToOne(color[c]);
-    }
-    this->Transmittance[at] *= 1.0f - alpha;
-    this->Transmittance[at] = this->Transmittance[at] <= Opaque ? 0.0f : this->Transmittance[at];
-  }
-
-  /// True if something behind a pixel's surfaces would be visible.
-  bool IsTranslucent(std::int32_t pixel) const
-  {
-    return this->Transmittance[this->PlaceOf(pixel)] > 0.0f;
-  }
-
-  /// The colour of a pixel if no further surface follows.
-  std::array<std::uint8_t, 4> ColorOf(std::int32_t pixel) const
-  {
-    const std::size_t at = this->PlaceOf(pixel);
-    return { RoundToByte(this->Color[0][at]), RoundToByte(this->Color[1][at]),
-      RoundToByte(this->Color[2][at]), RoundToByte(1.0f - this->Transmittance[at]) };
-  }
-
-  /// Write colours. A pixel whose surfaces are all invisible becomes a miss.
-  void Finish()
-  {
-    for (int y = 0; y < this->Part.Size.y; ++y)
-    {
-      for (int x = 0; x < this->Part.Size.x; ++x)
-      {
-        const glm::ivec2 place = this->Part.First + glm::ivec2(x, y);
-        const std::int32_t pixel = place.y * this->Planes.Size.x + place.x;
-        this->Planes.Colors[static_cast<std::size_t>(pixel)] = this->ColorOf(pixel);
-        if (this->Transmittance[this->PlaceOf(pixel)] == 1.0f)
-        {
-          this->Planes.Depth[static_cast<std::size_t>(pixel)] =
-            std::numeric_limits<double>::infinity();
-          this->Planes.Isovalues[static_cast<std::size_t>(pixel)] = Frame::NoSurface;
-          this->Planes.Normals[static_cast<std::size_t>(pixel)] = glm::vec3(0.0f);
-        }
-      }
-    }
-  }
-
-private:
-  std::size_t PlaceOf(std::int32_t pixel) const
-  {
-    const int x = pixel % this->Planes.Size.x - this->Part.First.x;
-    const int y = pixel / this->Planes.Size.x - this->Part.First.y;
-    return static_cast<std::size_t>(y * TileSize + x);
-  }
-
-  PixelRect Part;
-  Frame& Planes;
-  std::array<Array<float>, 3> Color;
-  Array<float> Transmittance; ///< the share of light from behind that passes
+/// The rays of a tile, and where their pixels are.
+struct TileCompositor::TileRays
+{
+  RayBatch Rays;
+  WorldDirections World;
+  Array<double> X, Y; ///< normalised device coordinates
 };
 
 TileCompositor::TileCompositor(
@@ -145,27 +67,47 @@ TileCompositor::TileCompositor(
   , Bounds(space.Active ? space.Bounds : nullptr)
   , Rays(key.View, key.Transform, key.Samples.Dimensions, key.Region)
   , Tracer(SurfaceTracer::Make({ key.Samples, key.Isosurfaces, source.FiniteRange, space.Active }))
+  , Alphas(AlphasOf(key.Isosurfaces))
 {
 }
 
-/// The rays of a tile and their first hits.
-void TileCompositor::SetUp(std::int64_t tile, const PixelRect& part, const Frame& frame,
-  RayBatch& rays, HitBatch& hits) const
+/// The rays of a tile.
+void TileCompositor::SetUp(std::int64_t tile, const PixelRect& part, TileRays& rays) const
 {
-  this->Rays.SetUp(part.First, part.Size, rays);
+  this->Rays.SetUp(part.First, part.Size, rays.Rays, &rays.World);
   if (this->Bounds)
   {
-    this->Bounds->Narrow(tile, rays);
+    this->Bounds->Narrow(tile, rays.Rays);
   }
-  hits.Clear(rays.Count);
+  std::size_t ray = 0;
+  for (int y = 0; y < part.Size.y; ++y)
+  {
+    for (int x = 0; x < part.Size.x; ++x, ++ray)
+    {
+      const glm::dvec2 centre = this->Key.View.PixelCentre(part.First.x + x, part.First.y + y);
+      rays.X[ray] = centre.x;
+      rays.Y[ray] = centre.y;
+    }
+  }
+}
+
+/// Begin with the first hits of a tile. Where only shading tells which surfaces are opaque, it
+/// looks for few surfaces first.
+void TileCompositor::TakeFirst(const RayBatch& rays, const Frame& frame, LayerBatch& layers) const
+{
+  layers.Begin(static_cast<std::size_t>(rays.Count));
+  layers.Alphas = this->Alphas.empty() ? nullptr : this->Alphas.data();
+  layers.Limit = layers.Alphas ? LayerBatch::MostLayers : 1;
   for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
   {
     const auto pixel = static_cast<std::size_t>(rays.Pixel[ray]);
     if (frame.Isovalues[pixel] != Frame::NoSurface)
     {
-      hits.Depth[ray] = frame.Depth[pixel];
-      hits.Surface[ray] = frame.Isovalues[pixel];
-      hits.Kind[ray] = frame.Kinds[pixel];
+      layers.Append(ray, frame.Depth[pixel], frame.Kinds[pixel], frame.Isovalues[pixel]);
+    }
+    else
+    {
+      layers.Close(ray);
     }
   }
 }
@@ -173,55 +115,107 @@ void TileCompositor::SetUp(std::int64_t tile, const PixelRect& part, const Frame
 void TileCompositor::Composite(
   std::int64_t tile, const PixelRect& part, Frame& frame, TraceCounts& counts) const
 {
-  std::vector<LayerHit>& layers = frame.Layers[static_cast<std::size_t>(tile)];
-  layers.clear();
+  std::vector<LayerHit>& kept = frame.Layers[static_cast<std::size_t>(tile)];
+  kept.clear();
   if (frame.ClearTiles[static_cast<std::size_t>(tile)])
   {
     return;
   }
-  RayBatch rays;
-  HitBatch hits;
-  this->SetUp(tile, part, frame, rays, hits);
-  Canvas canvas(part, frame);
-  HitList first;
-  for (bool isFirst = true; rays.Count > 0; isFirst = false)
+  TileRays rays;
+  this->SetUp(tile, part, rays);
+  LayerBatch layers;
+  this->TakeFirst(rays.Rays, frame, layers);
+  LayerCanvas canvas(part, frame);
+  const auto count = static_cast<std::size_t>(rays.Rays.Count);
+  do
   {
-    HitList layer;
-    layer.Rays.Count = 0;
-    const auto count = static_cast<std::size_t>(rays.Count);
-    const std::size_t begin = layers.size();
-    for (std::size_t ray = 0; ray < count; ++ray)
-    {
-      if (hits.Surface[ray] != Frame::NoSurface)
-      {
-        layers.push_back({ hits.Depth[ray], rays.Pixel[ray], hits.Surface[ray], hits.Kind[ray] });
-        AppendHit(layers.back(), frame, this->Key.View, layer);
-      }
-    }
-    this->AddLayer(layer, layers.data() + begin, canvas);
-    if (isFirst)
-    {
-      first = layer;
-    }
-    // Go on with pixels that are still translucent.
-    RayBatch translucent;
-    HitBatch last;
-    last.CellsRead = 0;
-    for (std::size_t ray = 0; ray < count; ++ray)
-    {
-      if (hits.Surface[ray] != Frame::NoSurface && canvas.IsTranslucent(rays.Pixel[ray]))
-      {
-        AppendHit(hits, ray, static_cast<std::size_t>(translucent.Count), last);
-        AppendRay(rays, ray, translucent);
-      }
-    }
-    rays = translucent;
-    hits = last;
-    this->FindNext(rays, hits);
-    counts.CellsRead += hits.CellsRead;
-  }
+    this->FindLayers(rays.Rays, layers);
+    counts.CellsRead += layers.CellsRead;
+    this->AddLayers(rays, layers, canvas, kept);
+  } while (layers.BeginNext(count, canvas.Transmittance()));
+  counts.Layers += static_cast<std::int64_t>(kept.size());
   canvas.Finish();
-  PaintAnswers(this->Key.Appearance, first, frame);
+  this->Paint(kept, frame);
+}
+
+/// Find the next surfaces of each ray within the region.
+void TileCompositor::FindLayers(const RayBatch& rays, LayerBatch& layers) const
+{
+  if (!this->Rays.Clipper.HasPieces())
+  {
+    this->Tracer->FindLayers(rays, layers);
+    return;
+  }
+  FindLayersInPieces(this->Rays.Clipper, rays, layers,
+    [this](const RayBatch& part, LayerBatch& found) { this->Tracer->FindLayers(part, found); });
+}
+
+/// Shade surfaces, composite them behind the present ones, and keep them: round by round, and by
+/// pixel within a round.
+void TileCompositor::AddLayers(const TileRays& rays, const LayerBatch& layers, LayerCanvas& canvas,
+  std::vector<LayerHit>& kept) const
+{
+  LayerBatch::List<ShadedLayer> shaded;
+  for (std::size_t first = 0; first < layers.Total; first += RayBatch::Capacity)
+  {
+    HitList hits;
+    this->TakeHits(rays, layers, first, hits);
+    this->Shade(hits, shaded.data() + first);
+  }
+  const auto count = static_cast<std::size_t>(rays.Rays.Count);
+  std::uint64_t which = ~std::uint64_t(0) >> (RayBatch::Capacity - count);
+  for (std::size_t round = 0; which != 0; ++round)
+  {
+    ForEachRay(which,
+      [&](std::size_t ray)
+      {
+        if (round == layers.Count[ray] || canvas.Transmittance()[ray] == 0.0f)
+        {
+          which &= ~(std::uint64_t(1) << ray);
+          return;
+        }
+        const std::size_t at = layers.Place[round][ray];
+        LayerHit hit{ layers.Distance[at], rays.Rays.Pixel[ray], layers.Surface[at],
+          layers.Kind[at] };
+        hit.Color = canvas.Add(ray, hit, shaded[at]);
+        kept.push_back(hit);
+      });
+  }
+}
+
+/// Some surfaces, in the order in which they were found: so those in one cell lie together.
+void TileCompositor::TakeHits(
+  const TileRays& rays, const LayerBatch& layers, std::size_t first, HitList& hits) const
+{
+  const std::size_t count =
+    std::min(layers.Total - first, static_cast<std::size_t>(RayBatch::Capacity));
+  hits.Rays.Count = count;
+  std::copy_n(layers.Surface.begin() + first, count, hits.Surface.begin());
+  std::copy_n(layers.Kind.begin() + first, count, hits.Kind.begin());
+  std::copy_n(layers.Distance.begin() + first, count, hits.Rays.T.begin());
+  const auto take = [&](const auto& from, auto& to)
+  {
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      to[i] = from[layers.Ray[first + i]];
+    }
+  };
+  take(rays.Rays.Pixel, hits.Pixel);
+  if (this->Key.View.Parallel)
+  {
+    take(rays.X, hits.Rays.X);
+    take(rays.Y, hits.Rays.Y);
+    FindHitPoints(this->Key.View, hits);
+    return;
+  }
+  WorldDirections directions;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    take(rays.World[a], directions[a]);
+    FillLastVector(count, directions[a]);
+  }
+  FillLastVector(count, hits.Rays.T);
+  ShadingKernels::FindPointsFrom(this->Key.View.Origin, directions, hits.Rays.T, hits.Rays);
 }
 
 void TileCompositor::CompositeAgain(std::int64_t tile, const PixelRect& part, Frame& frame) const
@@ -231,70 +225,61 @@ void TileCompositor::CompositeAgain(std::int64_t tile, const PixelRect& part, Fr
   {
     return;
   }
-  Canvas canvas(part, frame);
-  HitList first;
-  first.Rays.Count = 0;
-  for (std::size_t begin = 0; begin < layers.size();)
+  LayerCanvas canvas(part, frame);
+  std::array<ShadedLayer, RayBatch::Capacity> shaded;
+  for (std::size_t begin = 0; begin < layers.size(); begin += shaded.size())
   {
-    // A new round begins where pixel numbers stop ascending.
-    HitList layer;
-    layer.Rays.Count = 0;
-    std::size_t i = begin;
-    for (; i < layers.size() && (i == begin || layers[i].Pixel > layers[i - 1].Pixel); ++i)
+    const std::size_t end = std::min(begin + shaded.size(), layers.size());
+    HitList hits;
+    hits.Rays.Count = 0;
+    for (std::size_t i = begin; i < end; ++i)
     {
-      AppendHit(layers[i], frame, this->Key.View, layer);
+      AppendHit(layers[i], frame, this->Key.View, hits);
     }
-    this->AddLayer(layer, &layers[begin], canvas);
-    if (begin == 0)
+    FindHitPoints(this->Key.View, hits);
+    this->Shade(hits, shaded.data());
+    for (std::size_t i = begin; i < end; ++i)
     {
-      first = layer;
+      layers[i].Color = canvas.Add(canvas.PlaceOf(layers[i].Pixel), layers[i], shaded[i - begin]);
     }
-    begin = i;
   }
   canvas.Finish();
-  PaintAnswers(this->Key.Appearance, first, frame);
+  this->Paint(layers, frame);
 }
 
-/// Shade a layer and composite it behind the present ones. \param hits the same layer as the frame
-/// stores it
-void TileCompositor::AddLayer(HitList& layer, LayerHit* hits, Canvas& canvas) const
+/// Find normals, colours and opacities of surfaces whose points are known.
+void TileCompositor::Shade(HitList& hits, ShadedLayer* shaded) const
 {
-  if (layer.Rays.Count == 0)
-  {
-    return;
-  }
-  FindHitPoints(this->Key.View, layer);
-  std::array<Array<double>, 3> gradients;
-  ComputeNormals(this->Source, layer, &gradients);
-  ShadingKernels::PhongSums sums;
-  SumLight(this->Key.Appearance, layer, sums);
   const Surfaces& surfaces = this->Key.Isosurfaces;
-  for (std::size_t i = 0; i < layer.Rays.Count; ++i)
+  const GradientOpacity& byGradient = surfaces.ByGradient;
+  std::array<Array<double>, 3> gradients;
+  ComputeNormals(this->Source, hits, byGradient.Nodes.empty() ? nullptr : &gradients);
+  ShadingKernels::PhongSums sums;
+  SumLight(this->Key.Appearance, hits, sums);
+  for (std::size_t i = 0; i < hits.Rays.Count; ++i)
   {
     double alpha = surfaces.Opacities.empty()
       ? 1.0
-      : surfaces.Opacities[static_cast<std::size_t>(layer.Surface[i])];
-    if (!surfaces.ByGradient.Nodes.empty())
+      : surfaces.Opacities[static_cast<std::size_t>(hits.Surface[i])];
+    if (!byGradient.Nodes.empty())
     {
       const glm::dvec3 gradient(gradients[0][i], gradients[1][i], gradients[2][i]);
-      alpha *= surfaces.ByGradient.At(glm::length(gradient * surfaces.ByGradient.PerStep));
+      alpha *= byGradient.At(glm::length(gradient * byGradient.PerStep));
     }
-    canvas.Add(
-      layer, i, { sums.Sum[0][i], sums.Sum[1][i], sums.Sum[2][i] }, static_cast<float>(alpha));
-    hits[i].Color = canvas.ColorOf(layer.Pixel[i]);
+    shaded[i] = { { sums.Sum[0][i], sums.Sum[1][i], sums.Sum[2][i] }, hits.Normal[i],
+      static_cast<float>(alpha) };
   }
 }
 
-/// Find the next surface of each ray within the region.
-void TileCompositor::FindNext(const RayBatch& rays, HitBatch& hits) const
+/// Paint pixels whose first surface the appearance asks to paint.
+void TileCompositor::Paint(const std::vector<LayerHit>& layers, Frame& frame) const
 {
-  if (!this->Rays.Clipper.HasPieces())
+  if (this->Key.Appearance.ColorByAnswer && !layers.empty())
   {
-    this->Tracer->FindNext(rays, hits);
-    return;
+    HitList first;
+    FindFirstRound(layers, first);
+    PaintAnswers(this->Key.Appearance, first, frame);
   }
-  FindInPieces(this->Rays.Clipper, rays, hits,
-    [this](const RayBatch& part, HitBatch& found) { this->Tracer->FindNext(part, found); });
 }
 
 }

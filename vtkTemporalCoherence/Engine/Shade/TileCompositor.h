@@ -8,12 +8,15 @@
 #include "Scene/Frame.h"
 #include "Scene/FrameKey.h"
 #include "Scene/FramePlanes.h"
+#include "Scene/LayerBatch.h"
+#include "Shade/LayerCanvas.h"
 #include "Shade/Shader.h"
 #include "Trace/RaySource.h"
 #include "Trace/SurfaceTracer.h"
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace TemporalCoherence
 {
@@ -43,17 +46,23 @@ public:
   void CompositeAgain(std::int64_t tile, const PixelRect& part, Frame& frame) const;
 
 private:
-  class Canvas;
-  void SetUp(std::int64_t tile, const PixelRect& part, const Frame& frame, RayBatch& rays,
-    HitBatch& hits) const;
-  void FindNext(const RayBatch& rays, HitBatch& hits) const;
-  void AddLayer(HitList& layer, LayerHit* hits, Canvas& canvas) const;
+  struct TileRays;
+  void SetUp(std::int64_t tile, const PixelRect& part, TileRays& rays) const;
+  void TakeFirst(const RayBatch& rays, const Frame& frame, LayerBatch& layers) const;
+  void FindLayers(const RayBatch& rays, LayerBatch& layers) const;
+  void AddLayers(const TileRays& rays, const LayerBatch& layers, LayerCanvas& canvas,
+    std::vector<LayerHit>& kept) const;
+  void TakeHits(
+    const TileRays& rays, const LayerBatch& layers, std::size_t first, HitList& hits) const;
+  void Shade(HitList& hits, ShadedLayer* shaded) const;
+  void Paint(const std::vector<LayerHit>& layers, Frame& frame) const;
 
   const FrameKey& Key;
   const NormalSource& Source;
   const TileBounds* Bounds; ///< null: no space leaping
   RaySource Rays;
   std::shared_ptr<const SurfaceTracer> Tracer;
+  std::vector<float> Alphas; ///< of isovalues; empty if only shading tells them
 };
 
 }

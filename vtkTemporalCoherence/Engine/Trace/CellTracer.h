@@ -83,6 +83,7 @@ protected:
   }
 
   TracedCells<T, Geometry, Between> Cells;
+  LayerSearch<T, Geometry, Between> Layers;
 
 private:
   using Real = typename Geometry::Real;
@@ -143,8 +144,6 @@ private:
       }
     }
   }
-
-  LayerSearch<T, Geometry, Between> Layers;
 };
 
 /// Make the tracer of a scene for a geometry.

@@ -26,51 +26,6 @@ namespace HWY_NAMESPACE
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// RefineCrossing of CellRoot.h on [0, 1], for the lanes in `live`.
-template <typename Real, class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
-HWY_INLINE V RefineCrossings(D d, const V b[4], M live)
-{
-  constexpr int MostSteps = 32;
-  const V tolerance = hn::Set(d, sizeof(Real) == 4 ? Real(1e-6) : Real(1e-12));
-  const V zero = hn::Zero(d), one = hn::Set(d, Real(1)), two = hn::Set(d, Real(2));
-  const V three = hn::Set(d, Real(3)), half = hn::Set(d, Real(0.5));
-
-  const V step01 = hn::Sub(b[1], b[0]), step12 = hn::Sub(b[2], b[1]);
-  const V c0 = b[0];
-  const V c1 = hn::Mul(three, step01);
-  const V c2 = hn::Mul(three, hn::Sub(step12, step01));
-  const V c3 = hn::Sub(hn::Sub(b[3], b[0]), hn::Mul(three, step12));
-  const V slope3 = hn::Mul(three, c3), slope2 = hn::Mul(two, c2);
-
-  const M insideLow = hn::Ge(b[0], zero);
-  const M differs = hn::Ne(b[3], b[0]);
-  const V span = hn::IfThenElse(differs, hn::Sub(b[0], b[3]), one);
-  const V chord = hn::IfThenElse(differs, hn::Div(b[0], span), half);
-  V low = zero, high = one;
-  V s = hn::Min(hn::Max(chord, hn::Set(d, Real(0.0625))), hn::Set(d, Real(0.9375)));
-  for (int step = 0; step < MostSteps && !hn::AllFalse(d, live); ++step)
-  {
-    const V value = hn::Add(hn::Mul(hn::Add(hn::Mul(hn::Add(hn::Mul(c3, s), c2), s), c1), s), c0);
-    const V slope = hn::Add(hn::Mul(hn::Add(hn::Mul(slope3, s), slope2), s), c1);
-    const M isLow = hn::Not(hn::Xor(hn::Ge(value, zero), insideLow));
-    low = hn::IfThenElse(isLow, s, low);
-    high = hn::IfThenElse(isLow, high, s);
-    const M isFlat = hn::Eq(slope, zero);
-    const V newton = hn::Div(hn::Neg(value), hn::IfThenElse(isFlat, one, slope));
-    const V distance = hn::IfThenElse(isFlat, two, newton);
-    V next = hn::Add(s, distance);
-    const M isOut = hn::Not(hn::And(hn::Gt(next, low), hn::Lt(next, high)));
-    const M isDone = hn::And(
-      isOut, hn::Or(hn::Le(hn::Abs(distance), tolerance), hn::Le(hn::Sub(high, low), tolerance)));
-    live = hn::AndNot(isDone, live);
-    next = hn::IfThenElse(isOut, hn::Mul(half, hn::Add(low, high)), next);
-    const V moved = hn::Abs(hn::Sub(next, s));
-    s = hn::IfThenElse(live, next, s);
-    live = hn::AndNot(hn::Le(moved, tolerance), live);
-  }
-  return s;
-}
-
 /// What a lane holds instead of a share of the path in [0, 1].
 constexpr int NoCrossing = -1;
 constexpr int SeveralChanges = -2;
@@ -93,23 +48,16 @@ HWY_INLINE bool FindShares(
     }
     V b[4];
     CubicsAlong(d, segments, paths, i, b);
-    const M in0 = hn::Ge(b[0], zero), in1 = hn::Ge(b[1], zero);
-    const M in2 = hn::Ge(b[2], zero), in3 = hn::Ge(b[3], zero);
-    const M change01 = hn::Xor(in0, in1), change12 = hn::Xor(in1, in2);
-    const M change23 = hn::Xor(in2, in3);
-    const M any = hn::Or(hn::Or(change01, change12), change23);
-    const M odd = hn::Xor(hn::Xor(change01, change12), change23);
-    const M three = hn::And(hn::And(change01, change12), change23);
-    const M one = hn::AndNot(three, odd);
-
-    V share = hn::IfThenElse(any, hn::Set(d, Real(SeveralChanges)), hn::Set(d, Real(NoCrossing)));
-    const M begins = isSolid ? in0 : hn::Lt(zero, zero);
-    const M live = hn::AndNot(begins, one);
+    const SignChanges<M> changes = FindChanges(d, b);
+    V share =
+      hn::IfThenElse(changes.Any, hn::Set(d, Real(SeveralChanges)), hn::Set(d, Real(NoCrossing)));
+    const M begins = isSolid ? changes.Begins : hn::Lt(zero, zero);
+    const M live = hn::AndNot(begins, changes.One);
     if (!hn::AllFalse(d, live))
     {
       share = hn::IfThenElse(live, RefineCrossings<Real>(d, b, live), share);
     }
-    several = hn::Or(several, hn::AndNot(begins, hn::AndNot(one, any)));
+    several = hn::Or(several, hn::AndNot(begins, hn::AndNot(changes.One, changes.Any)));
     hn::StoreU(hn::IfThenElse(begins, zero, share), d, shares + i);
     hn::StoreU(b[0], d, &segments.AtEntry[i]);
   }

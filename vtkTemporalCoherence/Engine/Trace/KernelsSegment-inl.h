@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Paths of rays through cells, in vectors. Kernels include this file once for each kind of vectors,
-// hence the toggling guard.
+// Paths of rays through cells, and where cubics along them cross zero, in vectors. Kernels include
+// this file once for each kind of vectors, hence the toggling guard.
 #if defined(TemporalCoherence_KernelsSegment_inl_h) == defined(HWY_TARGET_TOGGLE)
 #ifdef TemporalCoherence_KernelsSegment_inl_h
 #undef TemporalCoherence_KernelsSegment_inl_h
@@ -189,6 +189,74 @@ HWY_INLINE void CubicsAlong(
     end[a] = hn::LoadU(d, &paths.End[a][i]);
   }
   CubicsBetween(d, v, begin, end, b);
+}
+
+/// How the signs of a cubic's coefficients change.
+template <class M>
+struct SignChanges
+{
+  M Begins; ///< the cubic is inside where it begins
+  M Any;    ///< it may cross zero
+  M One;    ///< it crosses zero once
+};
+
+template <class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
+HWY_INLINE SignChanges<M> FindChanges(D d, const V b[4])
+{
+  const V zero = hn::Zero(d);
+  const M in0 = hn::Ge(b[0], zero), in1 = hn::Ge(b[1], zero);
+  const M in2 = hn::Ge(b[2], zero), in3 = hn::Ge(b[3], zero);
+  const M change01 = hn::Xor(in0, in1), change12 = hn::Xor(in1, in2);
+  const M change23 = hn::Xor(in2, in3);
+  const M any = hn::Or(hn::Or(change01, change12), change23);
+  const M odd = hn::Xor(hn::Xor(change01, change12), change23);
+  const M three = hn::And(hn::And(change01, change12), change23);
+  return { in0, any, hn::AndNot(three, odd) };
+}
+
+/// RefineCrossing of CellRoot.h on [0, 1], for the lanes in `live`.
+template <typename Real, class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
+HWY_INLINE V RefineCrossings(D d, const V b[4], M live)
+{
+  constexpr int MostSteps = 32;
+  const V tolerance = hn::Set(d, sizeof(Real) == 4 ? Real(1e-6) : Real(1e-12));
+  const V zero = hn::Zero(d), one = hn::Set(d, Real(1)), two = hn::Set(d, Real(2));
+  const V three = hn::Set(d, Real(3)), half = hn::Set(d, Real(0.5));
+
+  const V step01 = hn::Sub(b[1], b[0]), step12 = hn::Sub(b[2], b[1]);
+  const V c0 = b[0];
+  const V c1 = hn::Mul(three, step01);
+  const V c2 = hn::Mul(three, hn::Sub(step12, step01));
+  const V c3 = hn::Sub(hn::Sub(b[3], b[0]), hn::Mul(three, step12));
+  const V slope3 = hn::Mul(three, c3), slope2 = hn::Mul(two, c2);
+
+  const M insideLow = hn::Ge(b[0], zero);
+  const M differs = hn::Ne(b[3], b[0]);
+  const V span = hn::IfThenElse(differs, hn::Sub(b[0], b[3]), one);
+  const V chord = hn::IfThenElse(differs, hn::Div(b[0], span), half);
+  V low = zero, high = one;
+  V s = hn::Min(hn::Max(chord, hn::Set(d, Real(0.0625))), hn::Set(d, Real(0.9375)));
+  for (int step = 0; step < MostSteps && !hn::AllFalse(d, live); ++step)
+  {
+    const V value = hn::Add(hn::Mul(hn::Add(hn::Mul(hn::Add(hn::Mul(c3, s), c2), s), c1), s), c0);
+    const V slope = hn::Add(hn::Mul(hn::Add(hn::Mul(slope3, s), slope2), s), c1);
+    const M isLow = hn::Not(hn::Xor(hn::Ge(value, zero), insideLow));
+    low = hn::IfThenElse(isLow, s, low);
+    high = hn::IfThenElse(isLow, high, s);
+    const M isFlat = hn::Eq(slope, zero);
+    const V newton = hn::Div(hn::Neg(value), hn::IfThenElse(isFlat, one, slope));
+    const V distance = hn::IfThenElse(isFlat, two, newton);
+    V next = hn::Add(s, distance);
+    const M isOut = hn::Not(hn::And(hn::Gt(next, low), hn::Lt(next, high)));
+    const M isDone = hn::And(
+      isOut, hn::Or(hn::Le(hn::Abs(distance), tolerance), hn::Le(hn::Sub(high, low), tolerance)));
+    live = hn::AndNot(isDone, live);
+    next = hn::IfThenElse(isOut, hn::Mul(half, hn::Add(low, high)), next);
+    const V moved = hn::Abs(hn::Sub(next, s));
+    s = hn::IfThenElse(live, next, s);
+    live = hn::AndNot(hn::Le(moved, tolerance), live);
+  }
+  return s;
 }
 
 /// The number of segments rounded up to whole vectors of Real, which have more lanes than those of

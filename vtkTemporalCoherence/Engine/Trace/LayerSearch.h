@@ -39,12 +39,14 @@ public:
     for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
     {
       NextHit next(cells.Rules, LastOn(cells.Rules, rays.Begin[ray], ray, hits));
+      const auto consider = [&next](double distance, HitKind kind, std::int16_t surface)
+      { next.Consider(distance, kind, surface); };
       if (rays.Begin[ray] < rays.End[ray])
       {
         const double last = next.Before().Distance;
         if (cells.Rules.IsSolid() && last <= rays.Begin[ray])
         {
-          this->FindCaps(cells, rays, ray, next);
+          this->FindCaps(cells, rays, ray, consider);
         }
         if (!next.IsFound())
         {
@@ -53,6 +55,50 @@ public:
         }
       }
       next.Store(ray, hits);
+    }
+  }
+
+  /// Call consider(distance, kind, surface) for all surfaces in a cell.
+  template <typename Consider>
+  void Search(const Cells& cells, const typename Cells::Segment& segment,
+    const std::array<T, 8>& samples, const Consider& consider) const
+  {
+    const bool isBehindHidden =
+      cells.Rules.AreCappedBehindHidden() && segment.ComesFrom(*cells.Hidden);
+    const auto [first, behind] = this->FindPassed(samples, isBehindHidden);
+    for (std::size_t place = first; place < behind; ++place)
+    {
+      const std::size_t surface = this->Ascending[place];
+      const Corners<Real> corners = cells.Differ(samples, surface);
+      const auto inside = std::count_if(corners.begin(), corners.end(), IsInside<Real>);
+      if (inside != 0 && (inside != 8 || isBehindHidden))
+      {
+        this->SearchFor(surface, cells.Rules.IsSolid(), corners, segment, isBehindHidden, consider);
+      }
+    }
+  }
+
+  /// Call consider(distance, kind, surface) for all solids that are capped where a ray begins.
+  template <typename Consider>
+  void FindCaps(
+    const Cells& cells, const RayBatch& rays, std::size_t ray, const Consider& consider) const
+  {
+    const auto line = cells.Shape.RayOf(rays, ray);
+    const glm::ivec3 cell = line.CellAt(rays.Begin[ray], cells.Count);
+    if (cells.IsHidden(cell))
+    {
+      return;
+    }
+    const Segment segment(line, cell);
+    const std::array<T, 8> samples = cells.Samples.Read(cell);
+    const auto [first, behind] = this->FindPassed(samples, true);
+    for (std::size_t place = first; place < behind; ++place)
+    {
+      const std::size_t surface = this->Ascending[place];
+      if (IsInside(Cells::AtEntry(cells.Differ(samples, surface), segment)))
+      {
+        consider(rays.Begin[ray], HitKind::Cap, static_cast<std::int16_t>(surface));
+      }
     }
   }
 
@@ -83,28 +129,6 @@ private:
     return { withLess ? 0 : placeOf(low, std::less<>()), placeOf(high, std::less_equal<>()) };
   }
 
-  /// Consider solids that are capped where the ray begins.
-  void FindCaps(const Cells& cells, const RayBatch& rays, std::size_t ray, NextHit& next) const
-  {
-    const auto line = cells.Shape.RayOf(rays, ray);
-    const glm::ivec3 cell = line.CellAt(rays.Begin[ray], cells.Count);
-    if (cells.IsHidden(cell))
-    {
-      return;
-    }
-    const Segment segment(line, cell);
-    const std::array<T, 8> samples = cells.Samples.Read(cell);
-    const auto [first, behind] = this->FindPassed(samples, true);
-    for (std::size_t place = first; place < behind; ++place)
-    {
-      const std::size_t surface = this->Ascending[place];
-      if (IsInside(Cells::AtEntry(cells.Differ(samples, surface), segment)))
-      {
-        next.Consider(rays.Begin[ray], HitKind::Cap, static_cast<std::int16_t>(surface));
-      }
-    }
-  }
-
   /// Walk from cell to cell until there is a surface behind the last one.
   void Walk(
     const Cells& cells, const RayBatch& rays, std::size_t ray, NextHit& next, HitBatch& hits) const
@@ -121,33 +145,17 @@ private:
       if (!cells.IsHidden(walk.Here()))
       {
         ++hits.CellsRead;
-        this->Search(cells, Segment(line, walk.Here()), cells.Samples.Read(walk.Here()), next);
-      }
-    }
-  }
-
-  /// Consider all surfaces in a cell.
-  void Search(const Cells& cells, const Segment& segment, const std::array<T, 8>& samples,
-    NextHit& next) const
-  {
-    const bool isBehindHidden =
-      cells.Rules.AreCappedBehindHidden() && segment.ComesFrom(*cells.Hidden);
-    const auto [first, behind] = this->FindPassed(samples, isBehindHidden);
-    for (std::size_t place = first; place < behind; ++place)
-    {
-      const std::size_t surface = this->Ascending[place];
-      const Corners<Real> corners = cells.Differ(samples, surface);
-      const auto inside = std::count_if(corners.begin(), corners.end(), IsInside<Real>);
-      if (inside != 0 && (inside != 8 || isBehindHidden))
-      {
-        this->SearchFor(surface, cells.Rules.IsSolid(), corners, segment, isBehindHidden, next);
+        this->Search(cells, Segment(line, walk.Here()), cells.Samples.Read(walk.Here()),
+          [&next](double distance, HitKind kind, std::int16_t surface)
+          { next.Consider(distance, kind, surface); });
       }
     }
   }
 
   /// Consider the surfaces of one isovalue in a cell.
+  template <typename Consider>
   void SearchFor(std::size_t surface, bool isSolid, const Corners<Real>& corners,
-    const Segment& segment, bool isBehindHidden, NextHit& next) const
+    const Segment& segment, bool isBehindHidden, const Consider& found) const
   {
     const auto number = static_cast<std::int16_t>(surface);
     Cubic<Real> cubic;
@@ -163,14 +171,14 @@ private:
     }
     if (isInside && isBehindHidden)
     {
-      next.Consider(segment.Enter(), HitKind::Cap, number);
+      found(segment.Enter(), HitKind::Cap, number);
     }
     const auto consider = [&](double share)
     {
       isInside = !isInside;
       if (isInside || !isSolid)
       {
-        next.Consider(segment.DistanceAt(share), HitRules::KindOf(!isInside), number);
+        found(segment.DistanceAt(share), HitRules::KindOf(!isInside), number);
       }
       return false;
     };

@@ -110,4 +110,31 @@ void FindInPieces(
   hits = next;
 }
 
+void FindLayersInPieces(const RegionClipper& clipper, const RayBatch& rays, LayerBatch& layers,
+  const std::function<void(const RayBatch& rays, LayerBatch& layers)>& find)
+{
+  const RayPieces pieces(clipper, rays);
+  for (std::size_t piece = 0; piece < RegionClipper::MostPieces && layers.Open != 0; ++piece)
+  {
+    RayBatch parts = rays;
+    std::uint64_t which = pieces.Clip(piece, parts) & layers.Open;
+    ForEachRay(which,
+      [&](std::size_t ray)
+      {
+        // A piece that ends before the last surface is done.
+        const bool isAhead = layers.LastSurface[ray] == Frame::NoSurface ||
+          pieces.EndsOf(ray, piece).y > layers.LastDistance[ray];
+        which &= ~(static_cast<std::uint64_t>(!isAhead) << ray);
+      });
+    // A ray that meets nothing more in this piece goes on to the next one.
+    const std::uint64_t open = layers.Open;
+    layers.Open = which;
+    find(parts, layers);
+    std::uint64_t isDone = 0;
+    ForEachRay(which,
+      [&](std::size_t ray) { isDone |= static_cast<std::uint64_t>(layers.IsDone(ray)) << ray; });
+    layers.Open = open & ~isDone;
+  }
+}
+
 }

@@ -3,6 +3,7 @@
 #ifndef TemporalCoherence_RayPieces_h
 #define TemporalCoherence_RayPieces_h
 
+#include "Scene/LayerBatch.h"
 #include "Scene/RayBatch.h"
 #include "Trace/RegionClipper.h"
 
@@ -44,6 +45,13 @@ using FindSurfaces = std::function<void(const RayBatch& rays, HitBatch& hits)>;
 /// \pre clipper.HasPieces()
 void FindInPieces(
   const RegionClipper& clipper, const RayBatch& rays, HitBatch& hits, const FindSurfaces& find);
+
+/// Append the next surfaces along the open rays of a batch, of which the region keeps several
+/// pieces: first in the nearest pieces, then, for rays that are open still, in the next ones.
+/// \param find is called with pieces of rays, and appends the surfaces in them
+/// \pre clipper.HasPieces()
+void FindLayersInPieces(const RegionClipper& clipper, const RayBatch& rays, LayerBatch& layers,
+  const std::function<void(const RayBatch& rays, LayerBatch& layers)>& find);
 
 }
 

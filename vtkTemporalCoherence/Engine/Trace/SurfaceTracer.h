@@ -5,6 +5,7 @@
 
 #include "Acceleration/ActiveCells.h"
 #include "Scene/Field.h"
+#include "Scene/LayerBatch.h"
 #include "Scene/RayBatch.h"
 #include "Scene/Surfaces.h"
 
@@ -77,6 +78,10 @@ public:
   /// solid is one, and every cap where the ray begins or leaves hidden cells. A kind that does not
   /// override this shows only the first surface.
   virtual void FindNext(const RayBatch& rays, HitBatch& hits) const;
+
+  /// Append the next surfaces along each open ray, as FindNext finds them one by one: up to the
+  /// limit, or to where the ray is opaque. Thread-safe.
+  virtual void FindLayers(const RayBatch& rays, LayerBatch& layers) const;
 
   /// Search only the given cells for one surface. A surface nearer than the hit of its ray becomes
   /// the hit. Only called for kinds that have isomaps.

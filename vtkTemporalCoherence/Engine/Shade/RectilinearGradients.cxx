@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Fields/RectilinearGradients.h"
+#include "Shade/RectilinearGradients.h"
 
 #include "Scene/Difference.h"
 

@@ -3,7 +3,7 @@
 #ifndef TemporalCoherence_RectilinearGradients_h
 #define TemporalCoherence_RectilinearGradients_h
 
-#include "Fields/GridCoordinates.h"
+#include "Scene/GridCoordinates.h"
 #include "Shade/SurfaceNormal.h"
 
 namespace TemporalCoherence

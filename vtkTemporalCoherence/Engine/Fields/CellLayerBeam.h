@@ -1,0 +1,235 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_CellLayerBeam_h
+#define TemporalCoherence_CellLayerBeam_h
+
+#include "Fields/BandBeam.h"
+#include "Fields/KernelsBeam.h"
+#include "Fields/LayerBeam.h"
+#include "Scene/HitOrder.h"
+#include "Trace/LayerSearch.h"
+#include "Trace/TracedCells.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <vector>
+
+namespace TemporalCoherence
+{
+
+/// Finds layers of the rays of a tile by beams, in a field with samples at the corners of cells.
+///
+/// The beam only leaves out cells that a ray does not pass. What is in the others is found as on a
+/// walk. Each ray meets them in its own order, so that a search ends where the ray is opaque.
+template <typename T, typename Geometry>
+class CellLayerBeam final : private LayerBeamScene<typename Geometry::Real>
+{
+public:
+  using Real = typename Geometry::Real;
+  using Traced = TracedCells<T, Geometry, Interpolation::Linear>;
+  using Layers = LayerSearch<T, Geometry, Interpolation::Linear>;
+
+  CellLayerBeam(const Traced& cells, const Layers& search, const GridCoordinates* grid)
+    : Cells(cells)
+    , Search(search)
+    , Grid(grid)
+    , Levels(cells.Differences.size())
+  {
+  }
+
+  /// Append layers of open rays, where these can go as beams. The others stay open.
+  void Trace(const RayBatch& rays, LayerBatch& layers)
+  {
+    this->Rays = &rays;
+    this->FindCaps(layers);
+    RayBatch rest;
+    this->Rays = this->BeginBehind(rays, layers, rest);
+    std::uint64_t mustWalk = 0;
+    for (std::uint64_t left = layers.Open; left != 0;)
+    {
+      const std::uint64_t which = this->AlikeIn(left);
+      left &= ~which;
+      mustWalk |= this->TraceSome(which, layers);
+    }
+    layers.Open = mustWalk;
+  }
+
+private:
+  /// The rays that run the same way along each axis as the first of some, one bit each.
+  std::uint64_t AlikeIn(std::uint64_t rays) const
+  {
+    const auto signsOf = [this](std::size_t ray)
+    {
+      int signs = 0;
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        signs |= static_cast<int>(this->Rays->Direction[a][ray] < 0.0) << a;
+      }
+      return signs;
+    };
+    const int first = signsOf(hwy::Num0BitsBelowLS1Bit_Nonzero64(rays));
+    std::uint64_t alike = 0;
+    ForEachRay(rays,
+      [&](std::size_t ray) { alike |= static_cast<std::uint64_t>(signsOf(ray) == first) << ray; });
+    return alike;
+  }
+
+  /// Rays behind their last surfaces.
+  /// \return the rays that are given, if none of them has met any; else `rest`
+  const RayBatch* BeginBehind(const RayBatch& rays, const LayerBatch& layers, RayBatch& rest) const
+  {
+    const RayBatch* found = &rays;
+    ForEachRay(layers.Open,
+      [&](std::size_t ray)
+      {
+        if (layers.LastDistance[ray] > rays.WalkBegin[ray])
+        {
+          if (found == &rays)
+          {
+            rest = rays;
+            found = &rest;
+          }
+          rest.WalkBegin[ray] = layers.LastDistance[ray];
+        }
+      });
+    return found;
+  }
+
+  /// \return one bit for each ray that must walk
+  std::uint64_t TraceSome(std::uint64_t which, LayerBatch& layers)
+  {
+    TileBeam beam;
+    const std::uint64_t open = layers.Open;
+    layers.Open = 0;
+    ForEachRay(which,
+      [&](std::size_t ray)
+      { layers.Open |= static_cast<std::uint64_t>(this->Rays->HasWalk(ray)) << ray; });
+    std::uint64_t mustWalk = layers.Open;
+    if (mustWalk != 0 && SetUpBeam(*this->Rays, mustWalk, this->Cells.Count, beam) &&
+      AreRaysAlike(beam))
+    {
+      const LayerTask task{ *this->Cells.Scene.Active, *this->Rays, this->Cells.Rules.IsSolid(),
+        !Geometry::HasKernels || this->Cells.Rules.AreCappedBehindHidden(), this->Grid };
+      mustWalk = SearchLayers(task, *this, beam, layers);
+      layers.CellsRead += beam.CellsPassed;
+    }
+    layers.Open = open;
+    return mustWalk;
+  }
+
+  /// Append the caps of solids that rays begin in.
+  void FindCaps(LayerBatch& layers)
+  {
+    if (!this->Cells.Rules.IsSolid())
+    {
+      return;
+    }
+    ForEachRay(layers.Open,
+      [&](std::size_t ray)
+      {
+        const double begin = this->Rays->Begin[ray];
+        if (!(begin < this->Rays->End[ray]) || LastAt(begin, ray, layers) > begin)
+        {
+          return;
+        }
+        CellSurfaces found;
+        this->Search.FindCaps(this->Cells, *this->Rays, ray,
+          [&](double distance, HitKind kind, std::int16_t surface) {
+            this->Insert({ distance, kind, surface }, found);
+          });
+        for (std::size_t i = 0; i < found.Count && layers.IsOpen(ray); ++i)
+        {
+          if (this->IsBehindLast(found.All[i], begin, ray, layers))
+          {
+            layers.Append(ray, begin, HitKind::Cap, found.All[i].Surface);
+          }
+        }
+      });
+  }
+
+  std::uint64_t CellsOf(std::int64_t node, const glm::ivec3& cell) const override
+  {
+    return this->Cells.Scene.Active->CellsOf(this->Cells.Samples.All(), node, cell);
+  }
+
+  const CellLevel<Real>* Read(const glm::ivec3& cell, std::size_t& count) override
+  {
+    const std::array<T, 8> samples = this->Cells.Samples.Read(cell);
+    count = 0;
+    for (std::size_t surface = 0; surface < this->Levels.size(); ++surface)
+    {
+      CellLevel<Real>& level = this->Levels[count];
+      level.Surface = static_cast<std::int16_t>(surface);
+      level.Corners = this->Cells.Differ(samples, surface);
+      count += this->Cells.CanHold(level.Corners);
+    }
+    return this->Levels.data();
+  }
+
+  void SearchCell(const glm::ivec3& cell, std::size_t ray, CellSurfaces& found) override
+  {
+    const typename Geometry::Segment segment(this->Cells.Shape.RayOf(*this->Rays, ray), cell);
+    if (segment.HasLength())
+    {
+      this->Search.Search(this->Cells, segment, this->Cells.Samples.Read(cell),
+        [&](double distance, HitKind kind, std::int16_t surface) {
+          this->Insert({ distance, kind, surface }, found);
+        });
+    }
+  }
+
+  MetSurface SurfaceOf(const CellSurfaces::Met& met) const
+  {
+    return { met.Distance, met.Kind, this->Cells.Rules.IsovalueOf(met.Surface) };
+  }
+
+  /// Keep a surface in its order.
+  void Insert(const CellSurfaces::Met& met, CellSurfaces& found) const
+  {
+    const MetSurface surface = this->SurfaceOf(met);
+    std::size_t at = found.Count;
+    while (at > 0 && IsInFront(surface, this->SurfaceOf(found.All[at - 1])))
+    {
+      --at;
+    }
+    const bool isKnown = at > 0 && !IsInFront(this->SurfaceOf(found.All[at - 1]), surface);
+    if (isKnown || at == found.All.size() || !(met.Distance < Infinity))
+    {
+      return;
+    }
+    found.Count = std::min(found.Count + 1, found.All.size());
+    std::copy_backward(found.All.begin() + static_cast<std::ptrdiff_t>(at),
+      found.All.begin() + static_cast<std::ptrdiff_t>(found.Count) - 1,
+      found.All.begin() + static_cast<std::ptrdiff_t>(found.Count));
+    found.All[at] = met;
+  }
+
+  /// t of the last surface on a ray, or on the piece of it that begins at `begin`.
+  static double LastAt(double begin, std::size_t ray, const LayerBatch& layers)
+  {
+    const double last = layers.LastDistance[ray];
+    return layers.LastSurface[ray] == Frame::NoSurface || last < begin ? -Infinity : last;
+  }
+
+  bool IsBehindLast(
+    const CellSurfaces::Met& met, double begin, std::size_t ray, const LayerBatch& layers) const
+  {
+    return LastAt(begin, ray, layers) == -Infinity ||
+      IsInFront(this->SurfaceOf(
+                  { layers.LastDistance[ray], layers.LastKind[ray], layers.LastSurface[ray] }),
+        this->SurfaceOf(met));
+  }
+
+  static constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+  const Traced& Cells;
+  const Layers& Search;
+  const GridCoordinates* Grid; ///< of samples; null: they lie at integers
+  const RayBatch* Rays = nullptr;
+  std::vector<CellLevel<Real>> Levels; ///< of the present cell
+};
+
+}
+
+#endif

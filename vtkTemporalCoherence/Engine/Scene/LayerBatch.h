@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_LayerBatch_h
+#define TemporalCoherence_LayerBatch_h
+
+#include "Scene/Frame.h"
+#include "Scene/RayBatch.h"
+
+#include <hwy/base.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+namespace TemporalCoherence
+{
+
+/// The share of the light from behind that still passes a ray's surfaces behind one more. A lower
+/// share than half a step of a colour is taken as none.
+inline float PassedBehind(float transmittance, float alpha)
+{
+  constexpr float opaque = 1.0f / 512.0f;
+  const float passed = transmittance * (1.0f - alpha);
+  return passed <= opaque ? 0.0f : passed;
+}
+
+/// Surfaces along the rays of a batch, several of each: the next ones behind the last. They are
+/// found and composited in passes of a few of each ray, so that memory is bounded.
+struct LayerBatch
+{
+  template <typename T>
+  using Array = RayBatch::Array<T>;
+
+  static constexpr std::size_t MostLayers = 16; ///< of a ray in a pass
+  static constexpr std::size_t Capacity = MostLayers * RayBatch::Capacity;
+  template <typename T>
+  using List = std::array<T, Capacity>;
+
+  // The surfaces of this pass, in the order in which they were found: along each ray from front to
+  // back.
+  std::size_t Total = 0;
+  List<double> Distance;
+  List<std::int16_t> Surface;
+  List<HitKind> Kind;
+  List<std::uint8_t> Ray;
+
+  std::size_t Limit = MostLayers; ///< how many of a ray to look for in this pass
+  /// Opacities of the isovalues. Null: only shading tells them.
+  const float* Alphas = nullptr;
+
+  Array<std::uint8_t> Count; ///< of each ray, and their places in the list:
+  std::array<Array<std::uint16_t>, MostLayers> Place;
+
+  /// The last surface of each ray, of this pass or an earlier one; behind it the search goes on.
+  Array<double> LastDistance;
+  Array<std::int16_t> LastSurface;
+  Array<HitKind> LastKind;
+
+  /// The share of light that passes each ray's surfaces. That of this pass is not in it if only
+  /// shading tells opacities.
+  Array<float> Transmittance;
+  std::uint64_t Open = 0; ///< one bit for each ray that may meet more surfaces in this pass
+  std::int64_t CellsRead = 0;
+
+  /// Begin with rays that have met nothing.
+  void Begin(std::size_t rays)
+  {
+    std::fill_n(this->Count.begin(), rays, std::uint8_t(0));
+    std::fill_n(this->LastDistance.begin(), rays, -std::numeric_limits<double>::infinity());
+    std::fill_n(this->LastSurface.begin(), rays, Frame::NoSurface);
+    std::fill_n(this->LastKind.begin(), rays, HitKind::None);
+    std::fill_n(this->Transmittance.begin(), rays, 1.0f);
+    this->Open = rays == 64 ? ~std::uint64_t(0) : (std::uint64_t(1) << rays) - 1;
+    this->Total = 0;
+    this->CellsRead = 0;
+  }
+
+  bool IsOpen(std::size_t ray) const { return this->Open >> ray & 1u; }
+  void Close(std::size_t ray) { this->Open &= ~(std::uint64_t(1) << ray); }
+
+  /// Append the next surface of a ray. A ray that is full or opaque then is open no more.
+  void Append(std::size_t ray, double distance, HitKind kind, std::int16_t surface)
+  {
+    const std::size_t at = this->Total++;
+    this->Distance[at] = distance;
+    this->Surface[at] = surface;
+    this->Kind[at] = kind;
+    this->Ray[at] = static_cast<std::uint8_t>(ray);
+    this->Place[this->Count[ray]++][ray] = static_cast<std::uint16_t>(at);
+    this->LastDistance[ray] = distance;
+    this->LastSurface[ray] = surface;
+    this->LastKind[ray] = kind;
+    if (this->Alphas)
+    {
+      this->Transmittance[ray] =
+        PassedBehind(this->Transmittance[ray], this->Alphas[static_cast<std::size_t>(surface)]);
+    }
+    if (this->IsDone(ray))
+    {
+      this->Close(ray);
+    }
+  }
+
+  /// True if a ray is full or opaque.
+  bool IsDone(std::size_t ray) const
+  {
+    return this->Count[ray] >= this->Limit || this->Transmittance[ray] == 0.0f;
+  }
+
+  /// Begin the next pass: for rays that were full in this one and that are not opaque. It may find
+  /// twice as many surfaces of each.
+  /// \param transmittance that shading tells
+  /// \return false if there are none
+  bool BeginNext(std::size_t rays, const Array<float>& transmittance)
+  {
+    this->Open = 0;
+    for (std::size_t ray = 0; ray < rays; ++ray)
+    {
+      const bool goesOn = this->Count[ray] >= this->Limit && transmittance[ray] > 0.0f;
+      this->Open |= static_cast<std::uint64_t>(goesOn) << ray;
+      this->Count[ray] = 0;
+      this->Transmittance[ray] = transmittance[ray];
+    }
+    this->Limit = std::min(2 * this->Limit, MostLayers);
+    this->Total = 0;
+    this->CellsRead = 0;
+    return this->Open != 0;
+  }
+};
+
+/// Call visit(ray) for each ray whose bit is set.
+template <typename Visit>
+void ForEachRay(std::uint64_t which, const Visit& visit)
+{
+  for (; which != 0; which &= which - 1)
+  {
+    visit(hwy::Num0BitsBelowLS1Bit_Nonzero64(which));
+  }
+}
+
+}
+
+#endif

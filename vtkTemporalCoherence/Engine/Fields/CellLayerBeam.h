@@ -3,7 +3,6 @@
 #ifndef TemporalCoherence_CellLayerBeam_h
 #define TemporalCoherence_CellLayerBeam_h
 
-#include "Fields/BandBeam.h"
 #include "Fields/KernelsBeam.h"
 #include "Fields/LayerBeam.h"
 #include "Scene/HitOrder.h"
@@ -106,8 +105,7 @@ private:
       [&](std::size_t ray)
       { layers.Open |= static_cast<std::uint64_t>(this->Rays->HasWalk(ray)) << ray; });
     std::uint64_t mustWalk = layers.Open;
-    if (mustWalk != 0 && SetUpBeam(*this->Rays, mustWalk, this->Cells.Count, beam) &&
-      AreRaysAlike(beam))
+    if (mustWalk != 0 && SetUpBeam(*this->Rays, mustWalk, this->Cells.Count, beam) && beam.AreAlike)
     {
       const LayerTask task{ *this->Cells.Scene.Active, *this->Rays, this->Cells.Rules.IsSolid(),
         !Geometry::HasKernels || this->Cells.Rules.AreCappedBehindHidden(), this->Grid };

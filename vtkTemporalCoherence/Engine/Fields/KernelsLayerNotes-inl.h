@@ -28,7 +28,7 @@ namespace HWY_NAMESPACE
 {
 
 namespace hn = hwy::HWY_NAMESPACE;
-namespace segments = ::TemporalCoherence::HWY_NAMESPACE;
+namespace segments = SegmentKernels::HWY_NAMESPACE;
 
 /// Notes which surface a ray meets next, and later finds where, for whole vectors of notes at once.
 /// So it is known at once when a ray is full or opaque, but most of the work is done on vectors

@@ -64,7 +64,7 @@ struct LayerTask
 /// layers. They are found as on a walk, with the same bits.
 /// \return one bit for each ray whose surfaces lie too close together to be told in this way. It
 ///         must walk from its last layer on
-/// \pre AreRaysAlike(beam)
+/// \pre beam.AreAlike
 std::uint64_t SearchLayers(
   const LayerTask& task, LayerBeamScene<float>& scene, TileBeam& beam, LayerBatch& layers);
 std::uint64_t SearchLayers(

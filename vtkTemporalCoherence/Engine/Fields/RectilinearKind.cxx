@@ -9,6 +9,7 @@
 #include "Isomap/CellBandTracer.h"
 #include "Scene/CellBox.h"
 #include "Trace/CellTracer.h"
+#include "Trace/KernelsRays.h"
 
 #include <limits>
 #include <memory>

@@ -51,6 +51,16 @@ TEST(RectilinearKind, CoordinatesOfSamplesAndCells)
     EXPECT_EQ(grid.CellOf(1, coordinate), cell) << coordinate;
     EXPECT_EQ(grid.CellOf(0, coordinate), 0) << coordinate;
   }
+  // Whatever the number of cells.
+  for (int cells = 1; cells < 40; ++cells)
+  {
+    grid.Along[2].push_back(cells + 1.0);
+    for (int i = -1; i <= cells + 2; ++i)
+    {
+      EXPECT_EQ(grid.CellOf(2, i), std::clamp(i, 0, cells)) << i;
+      EXPECT_EQ(grid.CellOf(2, i + 0.5), std::clamp(i, 0, cells)) << i;
+    }
+  }
 }
 
 TEST(RectilinearKind, FieldsDifferByTheirCoordinates)

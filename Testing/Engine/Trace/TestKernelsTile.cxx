@@ -9,10 +9,13 @@
 #include "Grid.h"
 #include "Scene/FramePlanes.h"
 #include "Shade/KernelsShading.h"
+#include "Trace/CellWalk.h"
+#include "Trace/KernelsRays.h"
 #include "Trace/RaySource.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <limits>
 #include <random>
 
@@ -176,6 +179,57 @@ TEST_F(KernelsTile, RaysOfPartsOfTiles)
           }
         });
     }
+  }
+}
+
+/// Which rays of a tile still want a walk, and the cells in which rays begin, are what each ray
+/// tells alone, whatever numbers it has.
+TEST_F(KernelsTile, WalksAndFirstCellsOfRays)
+{
+  const glm::ivec3 cells(5, 9, 2);
+  std::mt19937 engine(31);
+  std::uniform_real_distribution<double> near(-1.0, 10.0);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const std::array<double, 6> odd = { 0.0, -0.0, 1e300, -1e300, infinity,
+    std::numeric_limits<double>::quiet_NaN() };
+  const auto any = [&] { return engine() % 8 == 0 ? odd[engine() % odd.size()] : near(engine); };
+  for (const int count : { 1, 5, 16, 33, 63, 64 })
+  {
+    RayBatch rays{};
+    HitBatch hits{};
+    rays.Count = count;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
+    {
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        rays.Origin[a][i] = any();
+        rays.Direction[a][i] = any();
+      }
+      rays.Begin[i] = any();
+      rays.End[i] = any();
+      rays.WalkBegin[i] = any();
+      rays.WalkEnd[i] = any();
+      hits.Kind[i] = engine() % 2 == 0 ? HitKind::None : HitKind::Cap;
+    }
+    this->ForEachTarget(
+      [&](const char* target)
+      {
+        const std::uint64_t walks = WalksWithoutHit(rays, hits);
+        CellsOfRays first;
+        FindFirstCells(rays, cells, first);
+        for (std::size_t i = 0; i < RayBatch::Capacity; ++i)
+        {
+          const bool isRay = i < static_cast<std::size_t>(count);
+          const bool isOne = isRay && rays.HasWalk(i) && hits.Kind[i] == HitKind::None;
+          EXPECT_EQ(walks >> i & 1u, isOne) << target << ", ray " << i << " of " << count;
+          if (isRay)
+          {
+            const glm::ivec3 cell = BatchRay{ rays, i }.CellAt(rays.Begin[i], cells);
+            EXPECT_EQ(glm::ivec3(first[0][i], first[1][i], first[2][i]), cell)
+              << target << ", ray " << i << " of " << count;
+          }
+        }
+      });
   }
 }
 

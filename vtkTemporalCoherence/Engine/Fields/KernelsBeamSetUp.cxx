@@ -65,6 +65,8 @@ HWY_INLINE Extremes FindExtremes(const RayBatch& rays, std::uint64_t which, std:
 }
 
 /// Convert rays; lanes without a ray get those of another.
+/// \tparam AreAll there are none
+template <bool AreAll>
 HWY_INLINE void ConvertRays(
   const RayBatch& rays, std::uint64_t which, std::size_t of, TileBeam& beam)
 {
@@ -73,9 +75,11 @@ HWY_INLINE void ConvertRays(
   const DoubleVector perScale = hn::Set(d, 1.0 / beam.Scale);
   for (std::size_t i = 0; i < beam.Count; i += hn::Lanes(d))
   {
-    const auto isRay = DoublesOf(which, i);
     const auto load = [&](const RayBatch::Array<double>& from) HWY_ATTR
-    { return hn::IfThenElse(isRay, hn::LoadU(d, &from[i]), hn::Set(d, from[of])); };
+    {
+      const DoubleVector values = hn::LoadU(d, &from[i]);
+      return AreAll ? values : hn::IfThenElse(DoublesOf(which, i), values, hn::Set(d, from[of]));
+    };
     for (std::size_t a = 0; a < 3; ++a)
     {
       const DoubleVector direction = load(rays.Direction[a]);
@@ -231,7 +235,7 @@ bool SetUp(const RayBatch& rays, std::uint64_t which, const glm::ivec3& cells, T
   beam.Forward = glm::normalize(direction / beam.Scale);
   beam.Flip =
     (direction.x < 0.0 ? 3 : 0) | (direction.y < 0.0 ? 12 : 0) | (direction.z < 0.0 ? 48 : 0);
-  ConvertRays(rays, which, middle, beam);
+  (~which == 0 ? ConvertRays<true> : ConvertRays<false>)(rays, which, middle, beam);
   if (!SetUpDepths(extremes.Farthest, cells, beam))
   {
     return false;

@@ -147,13 +147,13 @@ inline std::array<glm::vec3, 4> FindNormals(const RayBatch& rays, const TileBeam
   }
   constexpr std::array<std::size_t, 4> corners = { 0, 7, 63, 56 };
   std::array<glm::dvec3, 4> direction, point;
-  const double reach = 64.0 / beam.Scale;
+  const double perScale = 1.0 / beam.Scale, reach = 64.0 * perScale;
   for (std::size_t c = 0; c < 4; ++c)
   {
     for (int a = 0; a < 3; ++a)
     {
       const auto axis = static_cast<std::size_t>(a);
-      direction[c][a] = rays.Direction[axis][corners[c]] / beam.Scale;
+      direction[c][a] = rays.Direction[axis][corners[c]] * perScale;
       point[c][a] = rays.Origin[axis][corners[c]] - beam.Anchor[a] +
         (beam.First + reach) * rays.Direction[axis][corners[c]];
     }
@@ -166,7 +166,7 @@ inline std::array<glm::vec3, 4> FindNormals(const RayBatch& rays, const TileBeam
     const double side = glm::dot(normal, point[across] - point[c]);
     if (length > 1e-12 && std::abs(side) > 1e-9 * length)
     {
-      normals[c] = glm::vec3(normal / (side > 0.0 ? length : -length));
+      normals[c] = glm::vec3(normal * ((side > 0.0 ? 1.0 : -1.0) / length));
     }
   }
   return normals;

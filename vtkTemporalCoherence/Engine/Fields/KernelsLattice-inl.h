@@ -113,10 +113,10 @@ public:
       for (std::size_t a = 0; a < 3; ++a)
       {
         const auto at = hn::Set(d, corner[static_cast<int>(a)]);
-        left = hn::Sub(left, hn::Mul(hn::LoadU(d, &hull.Normal[a][i]), at));
+        left = hn::NegMulAdd(hn::LoadU(d, &hull.Normal[a][i]), at, left);
       }
       const auto reach = hn::LoadU(d, &hull.Reach[i]);
-      hn::StoreU(hn::Sub(hn::Mul(left, perSize), reach), d, &least[i]);
+      hn::StoreU(hn::MulSub(left, perSize, reach), d, &least[i]);
     }
     std::uint64_t kept = 0;
     for (std::size_t i = 0; i < 64; i += hn::Lanes(Floats()))

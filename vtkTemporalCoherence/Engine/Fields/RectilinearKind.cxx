@@ -10,6 +10,7 @@
 #include "Shade/LatticeFaces.h"
 #include "Shade/RectilinearGradients.h"
 #include "Trace/CellTracer.h"
+#include "Trace/KernelsRays.h"
 
 #include <limits>
 #include <memory>

@@ -6,9 +6,9 @@
 #include "Fields/KernelsCorners.h"
 #include "Fields/UniformBeam.h"
 #include "Fields/UniformCells.h"
-#include "Scene/Tiles.h"
 #include "Trace/CellTracer.h"
 #include "Trace/KernelsCrossing.h"
+#include "Trace/KernelsRays.h"
 #include "Trace/KernelsWalk.h"
 
 #include <algorithm>
@@ -29,25 +29,6 @@ constexpr double CoarsestPixel = 0.75;
 
 /// Fewer rays of a tile than this walk.
 constexpr int FewestRays = 16;
-
-/// Voxels between the rays of a whole tile, across them, where one in its middle begins to walk.
-double SpacingOf(const RayBatch& rays)
-{
-  constexpr std::size_t middle = 36, right = 7, above = 56;
-  const double t = rays.WalkBegin[middle];
-  glm::dvec3 direction, alongX, alongY;
-  for (int a = 0; a < 3; ++a)
-  {
-    const auto axis = static_cast<std::size_t>(a);
-    const auto at = [&](std::size_t ray)
-    { return rays.Origin[axis][ray] + t * rays.Direction[axis][ray]; };
-    direction[a] = rays.Direction[axis][middle];
-    alongX[a] = at(right) - at(0);
-    alongY[a] = at(above) - at(0);
-  }
-  const double area = std::abs(glm::dot(direction, glm::cross(alongX, alongY)));
-  return std::sqrt(area / glm::length(direction)) / (TileSize - 1);
-}
 
 }
 
@@ -443,20 +424,28 @@ private:
   {
     Search search;
     SegmentBatch<Real>& segments = search.Segments;
+    CellsOfRays cells;
+    FindFirstCells(rays, this->Cells.Count, cells);
     for (std::size_t surface = 0; surface < this->Cells.Differences.size(); ++surface)
     {
+      // Neighbouring rays often begin in one cell.
+      glm::ivec3 last(-1);
+      Corners<Real> corners{};
+      bool canBeInside = false;
       for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
       {
         if (rays.Begin[ray] < rays.End[ray])
         {
-          const glm::ivec3 cell = BatchRay{ rays, ray }.CellAt(rays.Begin[ray], this->Cells.Count);
-          if (this->Cells.IsHidden(cell))
+          const glm::ivec3 cell(cells[0][ray], cells[1][ray], cells[2][ray]);
+          if (cell != last)
           {
-            continue;
+            last = cell;
+            corners = this->Cells.Differ(this->Cells.Samples.Read(cell), surface);
+            // Where all corners are outside, so is all between them: signs survive interpolation.
+            const Real largest = *std::max_element(corners.begin(), corners.end());
+            canBeInside = IsInside(largest) && !this->Cells.IsHidden(cell);
           }
-          // Where all corners are outside, so is all between them: signs survive interpolation.
-          const Corners<Real> corners = this->Cells.Differ(this->Cells.Samples.Read(cell), surface);
-          if (std::any_of(corners.begin(), corners.end(), IsInside<Real>))
+          if (canBeInside)
           {
             search.Ray[static_cast<std::size_t>(segments.Count)] = ray;
             AppendSegment(rays, ray, cell, corners, segments);

@@ -40,8 +40,16 @@ struct GridCoordinates
   int CellOf(int axis, double coordinate) const
   {
     const std::vector<double>& all = this->Of(axis);
-    const auto above = std::upper_bound(all.begin() + 1, all.end() - 1, coordinate);
-    return static_cast<int>(above - all.begin()) - 1;
+    // std::upper_bound among the planes inside, but without branches that cannot be foreseen.
+    const double* before = all.data();
+    std::size_t left = all.size() - 2;
+    while (left > 0)
+    {
+      const std::size_t step = (left + 1) / 2;
+      before += coordinate < before[step] ? 0 : step;
+      left -= step;
+    }
+    return static_cast<int>(before - all.data());
   }
 
   /// Lengths of the shortest and of the longest edge of a cell along an axis.

@@ -2,19 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/RayBatch.h"
 
+#include "Scene/Tiles.h"
+
+#include <cmath>
+
 namespace TemporalCoherence
 {
-
-std::uint64_t WalksWithoutHit(const RayBatch& rays, const HitBatch& hits)
-{
-  std::uint64_t which = 0;
-  for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
-  {
-    const bool isOne = rays.HasWalk(ray) && hits.Kind[ray] == HitKind::None;
-    which |= static_cast<std::uint64_t>(isOne) << ray;
-  }
-  return which;
-}
 
 void AppendRay(const RayBatch& from, std::size_t ray, RayBatch& to)
 {
@@ -31,6 +24,24 @@ void AppendRay(const RayBatch& from, std::size_t ray, RayBatch& to)
   to.WalkBegin[at] = from.WalkBegin[ray];
   to.WalkEnd[at] = from.WalkEnd[ray];
   to.Pixel[at] = from.Pixel[ray];
+}
+
+double SpacingOf(const RayBatch& rays)
+{
+  constexpr std::size_t middle = 36, right = 7, above = 56;
+  const double t = rays.WalkBegin[middle];
+  glm::dvec3 direction, alongX, alongY;
+  for (int a = 0; a < 3; ++a)
+  {
+    const auto axis = static_cast<std::size_t>(a);
+    const auto at = [&](std::size_t ray)
+    { return rays.Origin[axis][ray] + t * rays.Direction[axis][ray]; };
+    direction[a] = rays.Direction[axis][middle];
+    alongX[a] = at(right) - at(0);
+    alongY[a] = at(above) - at(0);
+  }
+  const double area = std::abs(glm::dot(direction, glm::cross(alongX, alongY)));
+  return std::sqrt(area / glm::length(direction)) / (TileSize - 1);
 }
 
 }

@@ -72,11 +72,12 @@ struct HitBatch
   }
 };
 
-/// The rays that have a walk and no hit yet, one bit each.
-std::uint64_t WalksWithoutHit(const RayBatch& rays, const HitBatch& hits);
-
 /// Append ray `ray` of one batch to another.
 void AppendRay(const RayBatch& from, std::size_t ray, RayBatch& to);
+
+/// Voxels between the rays of a whole tile, across them, where one in its middle begins to walk.
+/// \pre rays.Count == RayBatch::Capacity
+double SpacingOf(const RayBatch& rays);
 
 }
 

@@ -67,17 +67,27 @@ public:
   {
   }
 
-  void SetDifference(const Difference<double>& difference) { this->FromIsovalue = difference; }
+  void SetDifference(const Difference<double>& difference)
+  {
+    this->FromIsovalue = difference;
+    this->CellOfCorners = glm::ivec3(-1);
+  }
 
   double Unscaled(double difference) const
   {
     return Bounded(this->FromIsovalue.Unscaled(difference));
   }
 
-  /// Per unit of index space, interpolated between the corners of the cell.
-  glm::dvec3 At(const CellPoint& point) const
+  /// Per unit of index space, interpolated between the corners of the cell. Those are kept for the
+  /// next point, which often lies in the same cell.
+  glm::dvec3 At(const CellPoint& point)
   {
-    const CornerGradients gradients = this->AtCorners(point.Cell);
+    if (point.Cell != this->CellOfCorners)
+    {
+      this->Corners = this->AtCorners(point.Cell);
+      this->CellOfCorners = point.Cell;
+    }
+    const CornerGradients& gradients = this->Corners;
     glm::dvec3 sum(0.0);
     for (std::size_t corner = 0; corner < 8; ++corner)
     {
@@ -163,6 +173,8 @@ private:
   TypedField<T> Samples;
   const GridCoordinates& Grid;
   Difference<double> FromIsovalue;
+  CornerGradients Corners{}; ///< those of a cell
+  glm::ivec3 CellOfCorners{ -1 };
 };
 
 }

@@ -178,6 +178,59 @@ void SetUp(const RaySource& source, const glm::ivec2& first, const glm::ivec2& s
   SetUpPart(source, centres, size, rays, world);
 }
 
+/// One bit for each lane of a vector that begins at lane `i` of 64.
+template <class D>
+HWY_INLINE std::uint64_t BitsAt(D d, hn::Mask<D> mask, std::size_t i)
+{
+  std::uint8_t bits[8] = { 0 };
+  hn::StoreMaskBits(d, mask, bits);
+  return (static_cast<std::uint64_t>(bits[0]) | static_cast<std::uint64_t>(bits[1]) << 8) << i;
+}
+
+std::uint64_t FindWalks(const RayBatch& rays, const HitBatch& hits)
+{
+  const Doubles d;
+  const hn::CappedTag<std::uint8_t, WidestVector> dk;
+  const std::size_t count = static_cast<std::size_t>(rays.Count), end = WholeVectors(count);
+  std::uint64_t haveWalk = 0, haveNoHit = 0;
+  for (std::size_t i = 0; i < end; i += hn::Lanes(d))
+  {
+    const auto begin = hn::LoadU(d, &rays.Begin[i]), walkBegin = hn::LoadU(d, &rays.WalkBegin[i]);
+    const auto isRay = hn::Lt(begin, hn::LoadU(d, &rays.End[i]));
+    const auto isWalk = hn::Lt(walkBegin, hn::LoadU(d, &rays.WalkEnd[i]));
+    haveWalk |= BitsAt(d, hn::And(isRay, isWalk), i);
+  }
+  const auto none = hn::Set(dk, static_cast<std::uint8_t>(HitKind::None));
+  for (std::size_t i = 0; i < end; i += hn::Lanes(dk))
+  {
+    const auto* const kinds = reinterpret_cast<const std::uint8_t*>(hits.Kind.data());
+    haveNoHit |= BitsAt(dk, hn::Eq(hn::LoadU(dk, kinds + i), none), i);
+  }
+  const std::uint64_t all =
+    count < RayBatch::Capacity ? (std::uint64_t(1) << count) - 1 : ~std::uint64_t(0);
+  return haveWalk & haveNoHit & all;
+}
+
+void FindCells(const RayBatch& rays, const glm::ivec3& count, CellsOfRays& cells)
+{
+  const Doubles d;
+  const hn::Rebind<std::int32_t, Doubles> di;
+  const V zero = hn::Zero(d);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); i += hn::Lanes(d))
+  {
+    const V begin = hn::LoadU(d, &rays.Begin[i]);
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      const V last = hn::Set(d, count[static_cast<int>(a)] - 1.0);
+      const V along = hn::Mul(begin, hn::LoadU(d, &rays.Direction[a][i]));
+      const V at = hn::Add(hn::LoadU(d, &rays.Origin[a][i]), along);
+      const V raised = hn::IfThenElse(hn::Gt(at, zero), at, zero);
+      const V inside = hn::IfThenElse(hn::Lt(raised, last), raised, last);
+      hn::StoreU(hn::DemoteTo(di, inside), di, &cells[a][i]);
+    }
+  }
+}
+
 }
 }
 HWY_AFTER_NAMESPACE();
@@ -187,11 +240,23 @@ namespace TemporalCoherence
 {
 
 HWY_EXPORT(SetUp);
+HWY_EXPORT(FindWalks);
+HWY_EXPORT(FindCells);
 
 void SetUpRays(const RaySource& source, const glm::ivec2& first, const glm::ivec2& size,
   RayBatch& rays, WorldDirections* world)
 {
   HWY_DYNAMIC_DISPATCH(SetUp)(source, first, size, rays, world);
+}
+
+std::uint64_t WalksWithoutHit(const RayBatch& rays, const HitBatch& hits)
+{
+  return HWY_DYNAMIC_DISPATCH(FindWalks)(rays, hits);
+}
+
+void FindFirstCells(const RayBatch& rays, const glm::ivec3& count, CellsOfRays& cells)
+{
+  HWY_DYNAMIC_DISPATCH(FindCells)(rays, count, cells);
 }
 
 }

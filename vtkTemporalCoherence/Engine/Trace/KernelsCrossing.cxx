@@ -24,71 +24,82 @@ namespace HWY_NAMESPACE
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// RefineCrossing of CellRoot.h on [0, 1], for the lanes in `live`.
+/// RefineCrossing of CellRoot.h on [0, 1], step by step.
 template <typename Real, class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
-HWY_INLINE V RefineCrossings(D d, const V b[4], M live)
+struct Refinement
 {
-  constexpr int MostSteps = 32;
-  const V tolerance = hn::Set(d, sizeof(Real) == 4 ? Real(1e-6) : Real(1e-12));
-  const V zero = hn::Zero(d), one = hn::Set(d, Real(1)), two = hn::Set(d, Real(2));
-  const V three = hn::Set(d, Real(3)), half = hn::Set(d, Real(0.5));
+  static constexpr int MostSteps = 32;
 
-  const V step01 = hn::Sub(b[1], b[0]), step12 = hn::Sub(b[2], b[1]);
-  const V c0 = b[0];
-  const V c1 = hn::Mul(three, step01);
-  const V c2 = hn::Mul(three, hn::Sub(step12, step01));
-  const V c3 = hn::Sub(hn::Sub(b[3], b[0]), hn::Mul(three, step12));
-  const V slope3 = hn::Mul(three, c3), slope2 = hn::Mul(two, c2);
-
-  const M insideLow = hn::Ge(b[0], zero);
-  const M differs = hn::Ne(b[3], b[0]);
-  const V span = hn::IfThenElse(differs, hn::Sub(b[0], b[3]), one);
-  const V chord = hn::IfThenElse(differs, hn::Div(b[0], span), half);
-  V low = zero, high = one;
-  V s = hn::Min(hn::Max(chord, hn::Set(d, Real(0.0625))), hn::Set(d, Real(0.9375)));
-  for (int step = 0; step < MostSteps && !hn::AllFalse(d, live); ++step)
+  /// \param live lanes to refine
+  HWY_INLINE void Begin(D d, const V b[4], M live)
   {
-    const V value = hn::Add(hn::Mul(hn::Add(hn::Mul(hn::Add(hn::Mul(c3, s), c2), s), c1), s), c0);
-    const V slope = hn::Add(hn::Mul(hn::Add(hn::Mul(slope3, s), slope2), s), c1);
-    const M isLow = hn::Not(hn::Xor(hn::Ge(value, zero), insideLow));
-    low = hn::IfThenElse(isLow, s, low);
-    high = hn::IfThenElse(isLow, high, s);
+    const V zero = hn::Zero(d), one = hn::Set(d, Real(1)), two = hn::Set(d, Real(2));
+    const V three = hn::Set(d, Real(3)), half = hn::Set(d, Real(0.5));
+    const V step01 = hn::Sub(b[1], b[0]), step12 = hn::Sub(b[2], b[1]);
+    this->C0 = b[0];
+    this->C1 = hn::Mul(three, step01);
+    this->C2 = hn::Mul(three, hn::Sub(step12, step01));
+    this->C3 = hn::Sub(hn::Sub(b[3], b[0]), hn::Mul(three, step12));
+    this->Slope3 = hn::Mul(three, this->C3);
+    this->Slope2 = hn::Mul(two, this->C2);
+    this->InsideLow = hn::Ge(b[0], zero);
+    const M differs = hn::Ne(b[3], b[0]);
+    const V span = hn::IfThenElse(differs, hn::Sub(b[0], b[3]), one);
+    const V chord = hn::IfThenElse(differs, hn::Div(b[0], span), half);
+    this->Low = zero;
+    this->High = one;
+    this->S = hn::Min(hn::Max(chord, hn::Set(d, Real(0.0625))), hn::Set(d, Real(0.9375)));
+    this->Live = live;
+  }
+
+  HWY_INLINE void Step(D d)
+  {
+    const V tolerance = hn::Set(d, sizeof(Real) == 4 ? Real(1e-6) : Real(1e-12));
+    const V zero = hn::Zero(d), one = hn::Set(d, Real(1)), two = hn::Set(d, Real(2));
+    const V half = hn::Set(d, Real(0.5)), s = this->S;
+    const V value = hn::Add(
+      hn::Mul(hn::Add(hn::Mul(hn::Add(hn::Mul(this->C3, s), this->C2), s), this->C1), s), this->C0);
+    const V slope = hn::Add(hn::Mul(hn::Add(hn::Mul(this->Slope3, s), this->Slope2), s), this->C1);
+    const M isLow = hn::Not(hn::Xor(hn::Ge(value, zero), this->InsideLow));
+    this->Low = hn::IfThenElse(isLow, s, this->Low);
+    this->High = hn::IfThenElse(isLow, this->High, s);
     const M isFlat = hn::Eq(slope, zero);
     const V newton = hn::Div(hn::Neg(value), hn::IfThenElse(isFlat, one, slope));
     const V distance = hn::IfThenElse(isFlat, two, newton);
     V next = hn::Add(s, distance);
-    const M isOut = hn::Not(hn::And(hn::Gt(next, low), hn::Lt(next, high)));
-    const M isDone = hn::And(
-      isOut, hn::Or(hn::Le(hn::Abs(distance), tolerance), hn::Le(hn::Sub(high, low), tolerance)));
-    live = hn::AndNot(isDone, live);
-    next = hn::IfThenElse(isOut, hn::Mul(half, hn::Add(low, high)), next);
+    const M isOut = hn::Not(hn::And(hn::Gt(next, this->Low), hn::Lt(next, this->High)));
+    const V width = hn::Sub(this->High, this->Low);
+    const M isDone =
+      hn::And(isOut, hn::Or(hn::Le(hn::Abs(distance), tolerance), hn::Le(width, tolerance)));
+    this->Live = hn::AndNot(isDone, this->Live);
+    next = hn::IfThenElse(isOut, hn::Mul(half, hn::Add(this->Low, this->High)), next);
     const V moved = hn::Abs(hn::Sub(next, s));
-    s = hn::IfThenElse(live, next, s);
-    live = hn::AndNot(hn::Le(moved, tolerance), live);
+    this->S = hn::IfThenElse(this->Live, next, s);
+    this->Live = hn::AndNot(hn::Le(moved, tolerance), this->Live);
   }
-  return s;
-}
+
+  V C0, C1, C2, C3, Slope2, Slope3;
+  V Low, High, S;
+  M InsideLow, Live;
+};
 
 /// What a lane holds instead of a share of the path in [0, 1].
 constexpr int NoCrossing = -1;
 constexpr int SeveralChanges = -2;
 
-/// \return true if some segments have to be searched one by one
+/// Shares of a vector of paths.
 template <typename Real>
-HWY_INLINE bool FindShares(
-  SegmentBatch<Real>& segments, const Paths<Real>& paths, bool isSolid, Real* shares)
+struct ShareSearch
 {
-  const hn::CappedTag<Real, WidestVector> d;
-  using V = hn::Vec<decltype(d)>;
-  using M = hn::Mask<decltype(d)>;
-  const V zero = hn::Zero(d);
-  M several = hn::Lt(zero, zero);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(segments.Count); i += hn::Lanes(d))
+  using D = hn::CappedTag<Real, WidestVector>;
+  using V = hn::Vec<D>;
+  using M = hn::Mask<D>;
+
+  HWY_INLINE ShareSearch(
+    SegmentBatch<Real>& segments, const Paths<Real>& paths, bool isSolid, std::size_t i)
   {
-    if (!IsAnyWanted(segments, i))
-    {
-      continue;
-    }
+    const D d;
+    const V zero = hn::Zero(d);
     V b[4];
     CubicsAlong(d, segments, paths, i, b);
     const M in0 = hn::Ge(b[0], zero), in1 = hn::Ge(b[1], zero);
@@ -99,17 +110,52 @@ HWY_INLINE bool FindShares(
     const M odd = hn::Xor(hn::Xor(change01, change12), change23);
     const M three = hn::And(hn::And(change01, change12), change23);
     const M one = hn::AndNot(three, odd);
-
-    V share = hn::IfThenElse(any, hn::Set(d, Real(SeveralChanges)), hn::Set(d, Real(NoCrossing)));
     const M begins = isSolid ? in0 : hn::Lt(zero, zero);
-    const M live = hn::AndNot(begins, one);
-    if (!hn::AllFalse(d, live))
-    {
-      share = hn::IfThenElse(live, RefineCrossings<Real>(d, b, live), share);
-    }
-    several = hn::Or(several, hn::AndNot(begins, hn::AndNot(one, any)));
-    hn::StoreU(hn::IfThenElse(begins, zero, share), d, shares + i);
+    this->Several = hn::AndNot(begins, hn::AndNot(one, any));
+    this->One = hn::AndNot(begins, one);
+    const V unknown =
+      hn::IfThenElse(any, hn::Set(d, Real(SeveralChanges)), hn::Set(d, Real(NoCrossing)));
+    this->Others = hn::IfThenElse(begins, zero, unknown);
+    this->Root.Begin(d, b, this->One);
     hn::StoreU(b[0], d, &segments.AtEntry[i]);
+  }
+
+  HWY_INLINE bool IsDone() const { return hn::AllFalse(D(), this->Root.Live); }
+  HWY_INLINE V Shares() const { return hn::IfThenElse(this->One, this->Root.S, this->Others); }
+
+  M Several, One;
+  V Others; ///< shares of paths without a single change
+  Refinement<Real, D> Root;
+};
+
+/// \return true if some segments have to be searched one by one
+template <typename Real>
+HWY_INLINE bool FindShares(
+  SegmentBatch<Real>& segments, const Paths<Real>& paths, bool isSolid, Real* shares)
+{
+  using Search = ShareSearch<Real>;
+  const typename Search::D d;
+  const std::size_t lanes = hn::Lanes(d), count = static_cast<std::size_t>(segments.Count);
+  auto several = hn::Lt(hn::Zero(d), hn::Zero(d));
+  // Two vectors at a time, as the steps of each depend on those before. The last may be alone.
+  for (std::size_t i = 0; i < count; i += 2 * lanes)
+  {
+    const std::size_t next = i + lanes < count && IsAnyWanted(segments, i + lanes) ? i + lanes : i;
+    const std::size_t here = IsAnyWanted(segments, i) ? i : next;
+    if (!IsAnyWanted(segments, here))
+    {
+      continue;
+    }
+    Search first(segments, paths, isSolid, here), second(segments, paths, isSolid, next);
+    for (int step = 0;
+         step < decltype(Search::Root)::MostSteps && !(first.IsDone() && second.IsDone()); ++step)
+    {
+      first.Root.Step(d);
+      second.Root.Step(d);
+    }
+    several = hn::Or(several, hn::Or(first.Several, second.Several));
+    hn::StoreU(first.Shares(), d, shares + here);
+    hn::StoreU(second.Shares(), d, shares + next);
   }
   return !hn::AllFalse(d, several);
 }

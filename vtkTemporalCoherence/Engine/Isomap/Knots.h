@@ -92,21 +92,18 @@ struct BandScale
 using CellIndex = std::array<std::uint16_t, 3>;
 using CellKnots = RayTable<BandScale::Key, CellIndex>;
 
-/// The first of the ascending keys begin .. end - 1 that is at least `key`. \pre keys[0] exists
+/// The first of the ascending keys begin .. end - 1 that is at least `key`.
 inline std::size_t FirstNotBelow(
   const BandScale::Key* keys, std::size_t begin, std::size_t end, BandScale::Key key)
 {
-  constexpr std::size_t FewKnots = 7;
+  constexpr std::size_t FewKnots = 8;
   if (end - begin > FewKnots)
   {
     return static_cast<std::size_t>(std::lower_bound(keys + begin, keys + end, key) - keys);
   }
-  // Without branches that depend on the keys, which would be mispredicted.
-  for (const std::size_t step : { std::size_t(4), std::size_t(2), std::size_t(1) })
+  while (begin < end && keys[begin] < key)
   {
-    const std::size_t next = begin + step, last = std::min(next, end);
-    const bool isBelow = keys[last - (last > 0)] < key;
-    begin = (next <= end) & isBelow ? next : begin;
+    ++begin;
   }
   return begin;
 }

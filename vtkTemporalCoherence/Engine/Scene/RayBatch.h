@@ -23,6 +23,12 @@ constexpr std::size_t WholeVectors(std::size_t count)
   return (count + WidestVector - 1) / WidestVector * WidestVector;
 }
 
+/// One value for each ray of a tile, so aligned that no vector lies in two lines of a cache.
+template <typename T>
+struct alignas(64) TileArray : std::array<T, 64>
+{
+};
+
 /// The rays of one tile in index space, as arrays over rays: the form that kernels take.
 ///
 /// A ray is Origin + t Direction. t is the world distance, so that a t found in index space needs
@@ -33,7 +39,7 @@ struct RayBatch
 {
   static constexpr int Capacity = 64;
   template <typename T>
-  using Array = std::array<T, Capacity>;
+  using Array = TileArray<T>;
 
   int Count = 0;
   std::array<Array<double>, 3> Origin, Direction;

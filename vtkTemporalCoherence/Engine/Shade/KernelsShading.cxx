@@ -96,19 +96,20 @@ std::uint64_t PointsFromOf(const glm::dvec3& origin, const std::array<Array<doub
   }
   const std::size_t first = hwy::Num0BitsBelowLS1Bit_Nonzero64(finite);
   const auto infinity = hn::Set(d, std::numeric_limits<double>::infinity());
-  const auto ofFirst = hn::Set(d, distances[first]);
-  for (std::size_t i = 0; i < distances.size(); i += hn::Lanes(d))
+  const auto tOfFirst = hn::Set(d, distances[first]);
+  for (std::size_t a = 0; a < 3; ++a)
   {
-    const auto distance = hn::LoadU(d, &distances[i]);
-    const auto isHit = hn::Lt(distance, infinity);
-    const auto t = hn::IfThenElse(isHit, distance, ofFirst);
-    for (std::size_t a = 0; a < 3; ++a)
+    const auto from = hn::Set(d, origin[static_cast<int>(a)]);
+    const auto ofFirst = hn::Set(d, directions[a][first]);
+    for (std::size_t i = 0; i < distances.size(); i += hn::Lanes(d))
     {
+      const auto distance = hn::LoadU(d, &distances[i]);
+      const auto isHit = hn::Lt(distance, infinity);
+      const auto t = hn::IfThenElse(isHit, distance, tOfFirst);
       const auto unit = hn::LoadU(d, &directions[a][i]);
       hn::StoreU(unit, d, &rays.Direction[a][i]);
-      const auto from = hn::Set(d, origin[static_cast<int>(a)]);
       hn::StoreU(hn::DemoteTo(df, unit), df, &rays.FloatDirection[a][i]);
-      const auto along = hn::IfThenElse(isHit, unit, hn::Set(d, directions[a][first]));
+      const auto along = hn::IfThenElse(isHit, unit, ofFirst);
       hn::StoreU(hn::Add(from, hn::Mul(t, along)), d, &rays.Point[a][i]);
     }
   }

@@ -30,36 +30,68 @@ namespace hn = hwy::HWY_NAMESPACE;
 constexpr int NoCrossing = -1;
 constexpr int SeveralChanges = -2;
 
+/// Shares of a vector of paths.
+template <typename Real>
+struct ShareSearch
+{
+  using D = hn::CappedTag<Real, WidestVector>;
+  using V = hn::Vec<D>;
+  using M = hn::Mask<D>;
+
+  HWY_INLINE ShareSearch(
+    SegmentBatch<Real>& segments, const Paths<Real>& paths, bool isSolid, std::size_t i)
+  {
+    const D d;
+    const V zero = hn::Zero(d);
+    V b[4];
+    CubicsAlong(d, segments, paths, i, b);
+    const SignChanges<M> changes = FindChanges(d, b);
+    const M begins = isSolid ? changes.Begins : hn::Lt(zero, zero);
+    this->Several = hn::AndNot(begins, hn::AndNot(changes.One, changes.Any));
+    this->One = hn::AndNot(begins, changes.One);
+    const V unknown =
+      hn::IfThenElse(changes.Any, hn::Set(d, Real(SeveralChanges)), hn::Set(d, Real(NoCrossing)));
+    this->Others = hn::IfThenElse(begins, zero, unknown);
+    this->Root.Begin(d, b, this->One);
+    hn::StoreU(b[0], d, &segments.AtEntry[i]);
+  }
+
+  HWY_INLINE bool IsDone() const { return hn::AllFalse(D(), this->Root.Live); }
+  HWY_INLINE V Shares() const { return hn::IfThenElse(this->One, this->Root.S, this->Others); }
+
+  M Several, One;
+  V Others; ///< shares of paths without a single change
+  Refinement<Real, D> Root;
+};
+
 /// \return true if some segments have to be searched one by one
 template <typename Real>
 HWY_INLINE bool FindShares(
   SegmentBatch<Real>& segments, const Paths<Real>& paths, bool isSolid, Real* shares)
 {
-  const hn::CappedTag<Real, WidestVector> d;
-  using V = hn::Vec<decltype(d)>;
-  using M = hn::Mask<decltype(d)>;
-  const V zero = hn::Zero(d);
-  M several = hn::Lt(zero, zero);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(segments.Count); i += hn::Lanes(d))
+  using Search = ShareSearch<Real>;
+  const typename Search::D d;
+  const std::size_t lanes = hn::Lanes(d), count = static_cast<std::size_t>(segments.Count);
+  auto several = hn::Lt(hn::Zero(d), hn::Zero(d));
+  // Two vectors at a time, as the steps of each depend on those before. The last may be alone.
+  for (std::size_t i = 0; i < count; i += 2 * lanes)
   {
-    if (!IsAnyWanted(segments, i))
+    const std::size_t next = i + lanes < count && IsAnyWanted(segments, i + lanes) ? i + lanes : i;
+    const std::size_t here = IsAnyWanted(segments, i) ? i : next;
+    if (!IsAnyWanted(segments, here))
     {
       continue;
     }
-    V b[4];
-    CubicsAlong(d, segments, paths, i, b);
-    const SignChanges<M> changes = FindChanges(d, b);
-    V share =
-      hn::IfThenElse(changes.Any, hn::Set(d, Real(SeveralChanges)), hn::Set(d, Real(NoCrossing)));
-    const M begins = isSolid ? changes.Begins : hn::Lt(zero, zero);
-    const M live = hn::AndNot(begins, changes.One);
-    if (!hn::AllFalse(d, live))
+    Search first(segments, paths, isSolid, here), second(segments, paths, isSolid, next);
+    for (int step = 0;
+         step < decltype(Search::Root)::MostSteps && !(first.IsDone() && second.IsDone()); ++step)
     {
-      share = hn::IfThenElse(live, RefineCrossings<Real>(d, b, live), share);
+      first.Root.Step(d);
+      second.Root.Step(d);
     }
-    several = hn::Or(several, hn::AndNot(begins, hn::AndNot(changes.One, changes.Any)));
-    hn::StoreU(hn::IfThenElse(begins, zero, share), d, shares + i);
-    hn::StoreU(b[0], d, &segments.AtEntry[i]);
+    several = hn::Or(several, hn::Or(first.Several, second.Several));
+    hn::StoreU(first.Shares(), d, shares + here);
+    hn::StoreU(second.Shares(), d, shares + next);
   }
   return !hn::AllFalse(d, several);
 }

@@ -214,49 +214,78 @@ HWY_INLINE SignChanges<M> FindChanges(D d, const V b[4])
   return { in0, any, hn::AndNot(three, odd) };
 }
 
-/// RefineCrossing of CellRoot.h on [0, 1], for the lanes in `live`.
+/// RefineCrossing of CellRoot.h on [0, 1], step by step.
 template <typename Real, class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
-HWY_INLINE V RefineCrossings(D d, const V b[4], M live)
+struct Refinement
 {
-  constexpr int MostSteps = 32;
-  const V tolerance = hn::Set(d, sizeof(Real) == 4 ? Real(1e-6) : Real(1e-12));
-  const V zero = hn::Zero(d), one = hn::Set(d, Real(1)), two = hn::Set(d, Real(2));
-  const V three = hn::Set(d, Real(3)), half = hn::Set(d, Real(0.5));
+  static constexpr int MostSteps = 32;
 
-  const V step01 = hn::Sub(b[1], b[0]), step12 = hn::Sub(b[2], b[1]);
-  const V c0 = b[0];
-  const V c1 = hn::Mul(three, step01);
-  const V c2 = hn::Mul(three, hn::Sub(step12, step01));
-  const V c3 = hn::Sub(hn::Sub(b[3], b[0]), hn::Mul(three, step12));
-  const V slope3 = hn::Mul(three, c3), slope2 = hn::Mul(two, c2);
-
-  const M insideLow = hn::Ge(b[0], zero);
-  const M differs = hn::Ne(b[3], b[0]);
-  const V span = hn::IfThenElse(differs, hn::Sub(b[0], b[3]), one);
-  const V chord = hn::IfThenElse(differs, hn::Div(b[0], span), half);
-  V low = zero, high = one;
-  V s = hn::Min(hn::Max(chord, hn::Set(d, Real(0.0625))), hn::Set(d, Real(0.9375)));
-  for (int step = 0; step < MostSteps && !hn::AllFalse(d, live); ++step)
+  /// \param live lanes to refine
+  HWY_INLINE void Begin(D d, const V b[4], M live)
   {
-    const V value = hn::Add(hn::Mul(hn::Add(hn::Mul(hn::Add(hn::Mul(c3, s), c2), s), c1), s), c0);
-    const V slope = hn::Add(hn::Mul(hn::Add(hn::Mul(slope3, s), slope2), s), c1);
-    const M isLow = hn::Not(hn::Xor(hn::Ge(value, zero), insideLow));
-    low = hn::IfThenElse(isLow, s, low);
-    high = hn::IfThenElse(isLow, high, s);
+    const V zero = hn::Zero(d), one = hn::Set(d, Real(1)), two = hn::Set(d, Real(2));
+    const V three = hn::Set(d, Real(3)), half = hn::Set(d, Real(0.5));
+    const V step01 = hn::Sub(b[1], b[0]), step12 = hn::Sub(b[2], b[1]);
+    this->C0 = b[0];
+    this->C1 = hn::Mul(three, step01);
+    this->C2 = hn::Mul(three, hn::Sub(step12, step01));
+    this->C3 = hn::Sub(hn::Sub(b[3], b[0]), hn::Mul(three, step12));
+    this->Slope3 = hn::Mul(three, this->C3);
+    this->Slope2 = hn::Mul(two, this->C2);
+    this->InsideLow = hn::Ge(b[0], zero);
+    const M differs = hn::Ne(b[3], b[0]);
+    const V span = hn::IfThenElse(differs, hn::Sub(b[0], b[3]), one);
+    const V chord = hn::IfThenElse(differs, hn::Div(b[0], span), half);
+    this->Low = zero;
+    this->High = one;
+    this->S = hn::Min(hn::Max(chord, hn::Set(d, Real(0.0625))), hn::Set(d, Real(0.9375)));
+    this->Live = live;
+  }
+
+  HWY_INLINE void Step(D d)
+  {
+    const V tolerance = hn::Set(d, sizeof(Real) == 4 ? Real(1e-6) : Real(1e-12));
+    const V zero = hn::Zero(d), one = hn::Set(d, Real(1)), two = hn::Set(d, Real(2));
+    const V half = hn::Set(d, Real(0.5)), s = this->S;
+    const V value = hn::Add(
+      hn::Mul(hn::Add(hn::Mul(hn::Add(hn::Mul(this->C3, s), this->C2), s), this->C1), s), this->C0);
+    const V slope = hn::Add(hn::Mul(hn::Add(hn::Mul(this->Slope3, s), this->Slope2), s), this->C1);
+    const M isLow = hn::Not(hn::Xor(hn::Ge(value, zero), this->InsideLow));
+    this->Low = hn::IfThenElse(isLow, s, this->Low);
+    this->High = hn::IfThenElse(isLow, this->High, s);
     const M isFlat = hn::Eq(slope, zero);
     const V newton = hn::Div(hn::Neg(value), hn::IfThenElse(isFlat, one, slope));
     const V distance = hn::IfThenElse(isFlat, two, newton);
     V next = hn::Add(s, distance);
-    const M isOut = hn::Not(hn::And(hn::Gt(next, low), hn::Lt(next, high)));
-    const M isDone = hn::And(
-      isOut, hn::Or(hn::Le(hn::Abs(distance), tolerance), hn::Le(hn::Sub(high, low), tolerance)));
-    live = hn::AndNot(isDone, live);
-    next = hn::IfThenElse(isOut, hn::Mul(half, hn::Add(low, high)), next);
+    const M isOut = hn::Not(hn::And(hn::Gt(next, this->Low), hn::Lt(next, this->High)));
+    const V width = hn::Sub(this->High, this->Low);
+    const M isDone =
+      hn::And(isOut, hn::Or(hn::Le(hn::Abs(distance), tolerance), hn::Le(width, tolerance)));
+    this->Live = hn::AndNot(isDone, this->Live);
+    next = hn::IfThenElse(isOut, hn::Mul(half, hn::Add(this->Low, this->High)), next);
     const V moved = hn::Abs(hn::Sub(next, s));
-    s = hn::IfThenElse(live, next, s);
-    live = hn::AndNot(hn::Le(moved, tolerance), live);
+    this->S = hn::IfThenElse(this->Live, next, s);
+    this->Live = hn::AndNot(hn::Le(moved, tolerance), this->Live);
   }
-  return s;
+
+  V C0, C1, C2, C3, Slope2, Slope3;
+  V Low, High, S;
+  M InsideLow, Live;
+};
+
+/// The same to its end, for one vector.
+/// \param live lanes to refine
+template <typename Real, class D, class V = hn::Vec<D>, class M = hn::Mask<D>>
+HWY_INLINE V RefineCrossings(D d, const V b[4], M live)
+{
+  using Steps = Refinement<Real, D>;
+  Steps root;
+  root.Begin(d, b, live);
+  for (int step = 0; step < Steps::MostSteps && !hn::AllFalse(d, root.Live); ++step)
+  {
+    root.Step(d);
+  }
+  return root.S;
 }
 
 /// The number of segments rounded up to whole vectors of Real, which have more lanes than those of

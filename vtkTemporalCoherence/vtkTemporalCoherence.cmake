@@ -28,6 +28,7 @@ set(engine_files
   Trace/SurfaceTracer
   Shade/CapNormal
   Shade/HitGathering
+  Shade/KernelsCells
   Shade/KernelsGradients
   Shade/KernelsShading
   Shade/RectilinearGradients

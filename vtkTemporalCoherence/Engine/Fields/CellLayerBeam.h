@@ -5,7 +5,9 @@
 
 #include "Fields/KernelsBeam.h"
 #include "Fields/LayerBeam.h"
+#include "Fields/UniformTracer.h"
 #include "Scene/HitOrder.h"
+#include "Trace/CellTracer.h"
 #include "Trace/LayerSearch.h"
 #include "Trace/TracedCells.h"
 
@@ -226,6 +228,45 @@ private:
   const GridCoordinates* Grid; ///< of samples; null: they lie at integers
   const RayBatch* Rays = nullptr;
   std::vector<CellLevel<Real>> Levels; ///< of the present cell
+};
+
+/// CellTracer, where the rays of a tile find layers as beams if that is faster.
+template <typename T, typename Geometry, Interpolation Between>
+class LayerBeamTracer : public CellTracer<T, Geometry, Between>
+{
+public:
+  using Base = CellTracer<T, Geometry, Between>;
+
+  /// \param grid coordinates of samples; null: they lie at integers
+  LayerBeamTracer(
+    const TraceScene& scene, const Geometry& shape, const GridCoordinates* grid = nullptr)
+    : Base(scene, shape)
+    , Grid(grid)
+    , CanGo(
+        scene.Active && scene.By != Traversal::Walks && HasBeams(scene.Samples, scene.Isosurfaces))
+  {
+  }
+
+  bool FindsLayersTogether(const RayBatch& rays) const override
+  {
+    return this->CanGo && AreBeam(this->Cells.Scene, rays, ~std::uint64_t(0));
+  }
+
+  void FindLayers(const RayBatch& rays, LayerBatch& layers) const override
+  {
+    if constexpr (Between == Interpolation::Linear)
+    {
+      if (this->CanGo && AreBeam(this->Cells.Scene, rays, layers.Open))
+      {
+        CellLayerBeam<T, Geometry>(this->Cells, this->Layers, this->Grid).Trace(rays, layers);
+      }
+    }
+    Base::FindLayers(rays, layers);
+  }
+
+private:
+  const GridCoordinates* Grid;
+  bool CanGo; ///< as beams, where pixels are fine
 };
 
 }

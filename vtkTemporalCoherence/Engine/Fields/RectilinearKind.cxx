@@ -39,13 +39,14 @@ struct RectilinearPlanes
 
 /// CellTracer of a rectilinear field, where the rays of a tile go as a beam if that is faster.
 template <typename T>
-class RectilinearTracer final : public CellTracer<T, RectilinearCells<T>, Interpolation::Linear>
+class RectilinearTracer final
+  : public LayerBeamTracer<T, RectilinearCells<T>, Interpolation::Linear>
 {
 public:
-  using Base = CellTracer<T, RectilinearCells<T>, Interpolation::Linear>;
+  using Base = LayerBeamTracer<T, RectilinearCells<T>, Interpolation::Linear>;
 
   RectilinearTracer(const TraceScene& scene, const RectilinearCells<T>& shape)
-    : Base(scene, shape)
+    : Base(scene, shape, &shape.Grid)
   {
     if (scene.Active && scene.By != Traversal::Walks && HasBeams(scene.Samples, scene.Isosurfaces))
     {
@@ -64,16 +65,6 @@ public:
     {
       this->WalkAll(rays, hits);
     }
-  }
-
-  void FindLayers(const RayBatch& rays, LayerBatch& layers) const override
-  {
-    if (this->Levels && AreBeam(this->Cells.Scene, rays, layers.Open))
-    {
-      CellLayerBeam<T, RectilinearCells<T>>(this->Cells, this->Layers, &this->Cells.Shape.Grid)
-        .Trace(rays, layers);
-    }
-    Base::FindLayers(rays, layers);
   }
 
 private:

@@ -6,7 +6,6 @@
 #include "Fields/KernelsCorners.h"
 #include "Fields/UniformBeam.h"
 #include "Fields/UniformCells.h"
-#include "Trace/CellTracer.h"
 #include "Trace/KernelsCrossing.h"
 #include "Trace/KernelsRays.h"
 #include "Trace/KernelsWalk.h"
@@ -61,12 +60,12 @@ namespace
 /// CellTracer, with what is done for all rays of a tile at once done in vectors.
 template <typename T, Interpolation Between>
 class UniformTracer final
-  : public CellTracer<T, UniformCells<T>, Between>
+  : public LayerBeamTracer<T, UniformCells<T>, Between>
   , private LeafSource
 {
 public:
   using Real = RealOf<T>;
-  using Base = CellTracer<T, UniformCells<T>, Between>;
+  using Base = LayerBeamTracer<T, UniformCells<T>, Between>;
 
   explicit UniformTracer(const TraceScene& scene)
     : Base(scene, {})
@@ -94,18 +93,6 @@ public:
     {
       this->TraceAll(rays, hits);
     }
-  }
-
-  void FindLayers(const RayBatch& rays, LayerBatch& layers) const override
-  {
-    if constexpr (Between == Interpolation::Linear)
-    {
-      if (this->Levels && AreBeam(this->Cells.Scene, rays, layers.Open))
-      {
-        CellLayerBeam<T, UniformCells<T>>(this->Cells, this->Layers, nullptr).Trace(rays, layers);
-      }
-    }
-    Base::FindLayers(rays, layers);
   }
 
   std::uint64_t SearchCells(

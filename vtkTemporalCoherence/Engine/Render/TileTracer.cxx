@@ -32,6 +32,7 @@ TileTracer::TileTracer(const TileScene& scene)
   , IsSolid(scene.Key.Isosurfaces.Mode == SurfaceMode::Threshold)
   , Tracer(SurfaceTracer::Make({ scene.Key.Samples, scene.Key.Isosurfaces, scene.FiniteRange,
       scene.Active, scene.Hint != nullptr }))
+  , Alphas(scene.Hint ? std::vector<float>() : AlphasOf(scene.Key.Isosurfaces))
 {
 }
 
@@ -110,13 +111,41 @@ void TileTracer::Find(const RayBatch& rays, HitBatch& hits) const
     [this](const RayBatch& part, HitBatch& found) { this->Tracer->Trace(part, found); });
 }
 
+/// Find the first layers along each ray within the region. The nearest ones are the hits.
+void TileTracer::FindLayers(TileHits& found) const
+{
+  LayerBatch& layers = found.Layers;
+  layers.Begin(static_cast<std::size_t>(found.Rays.Count), this->Alphas);
+  FindLayersWithin(this->Rays.Clipper, *this->Tracer, found.Rays, layers);
+  found.HasLayers = true;
+  found.Hits.Clear(found.Rays.Count);
+  found.Hits.CellsRead = layers.CellsRead;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(found.Rays.Count); ++i)
+  {
+    if (layers.Count[i] > 0)
+    {
+      const std::size_t first = layers.Place[0][i];
+      found.Hits.Depth[i] = layers.Distance[first];
+      found.Hits.Surface[i] = layers.Surface[first];
+      found.Hits.Kind[i] = layers.Kind[first];
+    }
+  }
+}
+
 /// Trace the rays of a tile, and again those about which the hint was wrong.
 void TileTracer::TraceRays(const RayHint& hint, const KnownRays& known, TileHits& found,
   Frame& frame, TraceCounts& counts) const
 {
   RayBatch& rays = found.Rays;
   HitBatch& hits = found.Hits;
-  this->Find(rays, hits);
+  if (!this->Alphas.empty() && this->Tracer->FindsLayersTogether(rays))
+  {
+    this->FindLayers(found);
+  }
+  else
+  {
+    this->Find(rays, hits);
+  }
   counts.CellsRead += hits.CellsRead;
   if (!this->Scene.Hint)
   {

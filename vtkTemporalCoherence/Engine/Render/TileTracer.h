@@ -14,6 +14,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace TemporalCoherence
 {
@@ -47,6 +48,7 @@ public:
 private:
   bool CanSkip(std::int64_t tile) const;
   void Find(const RayBatch& rays, HitBatch& hits) const;
+  void FindLayers(TileHits& found) const;
   void TraceRays(const RayHint& hint, const KnownRays& known, TileHits& found, Frame& frame,
     TraceCounts& counts) const;
   void Store(const RayBatch& rays, const HitBatch& hits, Frame& frame, TraceCounts& counts) const;
@@ -57,6 +59,7 @@ private:
   bool HasSurfaces;
   bool IsSolid;
   std::shared_ptr<const SurfaceTracer> Tracer;
+  std::vector<float> Alphas; ///< AlphasOf the surfaces; empty if no layers are to be found
 };
 
 }

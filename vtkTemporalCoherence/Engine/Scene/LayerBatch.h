@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 namespace TemporalCoherence
 {
@@ -65,8 +66,12 @@ struct LayerBatch
   std::int64_t CellsRead = 0;
 
   /// Begin with rays that have met nothing.
-  void Begin(std::size_t rays)
+  /// \param alphas AlphasOf the surfaces. If there are none, one surface is looked for first, as it
+  ///               may be opaque
+  void Begin(std::size_t rays, const std::vector<float>& alphas)
   {
+    this->Alphas = alphas.empty() ? nullptr : alphas.data();
+    this->Limit = alphas.empty() ? 1 : MostLayers;
     std::fill_n(this->Count.begin(), rays, std::uint8_t(0));
     std::fill_n(this->LastDistance.begin(), rays, -std::numeric_limits<double>::infinity());
     std::fill_n(this->LastSurface.begin(), rays, Frame::NoSurface);

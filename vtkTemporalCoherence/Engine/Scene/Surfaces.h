@@ -6,6 +6,7 @@
 #include "Scene/Field.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -78,6 +79,17 @@ struct ValueBand
 
   bool Holds(double isovalue) const { return this->Low <= isovalue && isovalue <= this->High; }
 };
+
+/// Opacities of isovalues, as they are composited. Empty if only shading tells them.
+inline std::vector<float> AlphasOf(const Surfaces& surfaces)
+{
+  std::vector<float> alphas;
+  for (std::size_t i = 0; i < surfaces.Opacities.size() && surfaces.ByGradient.Nodes.empty(); ++i)
+  {
+    alphas.push_back(static_cast<float>(surfaces.Opacities[i]));
+  }
+  return alphas;
+}
 
 /// A sample is *inside* where its difference from the isovalue is not negative.
 template <typename Real>

@@ -3,6 +3,7 @@
 #ifndef TemporalCoherence_TileHits_h
 #define TemporalCoherence_TileHits_h
 
+#include "Scene/LayerBatch.h"
 #include "Scene/RayBatch.h"
 
 #include <array>
@@ -21,6 +22,9 @@ struct TileHits
   WorldDirections World;
   HitBatch Hits;
   bool AreAll = false; ///< the planes of the frame hold these hits, one for each ray
+  /// If surfaces are translucent and layers were found with the hits: the first ones of each ray.
+  LayerBatch Layers;
+  bool HasLayers = false;
 };
 
 }

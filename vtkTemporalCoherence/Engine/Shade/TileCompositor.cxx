@@ -28,14 +28,6 @@ void AppendHit(const LayerHit& hit, const Frame& frame, const View& view, HitLis
   hits.Rays.T[at] = hit.Depth;
 }
 
-/// Opacities of isovalues, as they are composited. Empty if only shading tells them.
-std::vector<float> AlphasOf(const Surfaces& surfaces)
-{
-  return surfaces.ByGradient.Nodes.empty()
-    ? std::vector<float>(surfaces.Opacities.begin(), surfaces.Opacities.end())
-    : std::vector<float>();
-}
-
 /// The pixels of the first of some layers that are kept round by round.
 void FindFirstRound(const std::vector<LayerHit>& layers, HitList& hits)
 {
@@ -52,12 +44,24 @@ void FindFirstRound(const std::vector<LayerHit>& layers, HitList& hits)
 
 }
 
-/// The rays of a tile, and where their pixels are.
-struct TileCompositor::TileRays
+/// Normalised device coordinates of the pixels of a tile, for rays that do not begin at one point.
+struct TileCompositor::PixelCentres
 {
-  RayBatch Rays;
-  WorldDirections World;
-  Array<double> X, Y; ///< normalised device coordinates
+  PixelCentres(const View& view, const PixelRect& part)
+  {
+    std::size_t place = 0;
+    for (int y = 0; y < part.Size.y && view.Parallel; ++y)
+    {
+      for (int x = 0; x < part.Size.x; ++x, ++place)
+      {
+        const glm::dvec2 centre = view.PixelCentre(part.First.x + x, part.First.y + y);
+        this->X[place] = centre.x;
+        this->Y[place] = centre.y;
+      }
+    }
+  }
+
+  Array<double> X, Y;
 };
 
 TileCompositor::TileCompositor(
@@ -71,49 +75,34 @@ TileCompositor::TileCompositor(
 {
 }
 
-/// The rays of a tile.
-void TileCompositor::SetUp(std::int64_t tile, const PixelRect& part, TileRays& rays) const
+/// Set up the rays of a tile, and take their first hits from the planes.
+void TileCompositor::SetUp(
+  std::int64_t tile, const PixelRect& part, const Frame& frame, TileHits& found) const
 {
-  this->Rays.SetUp(part.First, part.Size, rays.Rays, &rays.World);
+  this->Rays.SetUp(part.First, part.Size, found.Rays, &found.World);
   if (this->Bounds)
   {
-    this->Bounds->Narrow(tile, rays.Rays);
+    this->Bounds->Narrow(tile, found.Rays);
   }
-  std::size_t ray = 0;
-  for (int y = 0; y < part.Size.y; ++y)
+  const auto count = static_cast<std::size_t>(found.Rays.Count);
+  found.Layers.Begin(count, this->Alphas);
+  for (std::size_t ray = 0; ray < count; ++ray)
   {
-    for (int x = 0; x < part.Size.x; ++x, ++ray)
-    {
-      const glm::dvec2 centre = this->Key.View.PixelCentre(part.First.x + x, part.First.y + y);
-      rays.X[ray] = centre.x;
-      rays.Y[ray] = centre.y;
-    }
-  }
-}
-
-/// Begin with the first hits of a tile. Where only shading tells which surfaces are opaque, it
-/// looks for few surfaces first.
-void TileCompositor::TakeFirst(const RayBatch& rays, const Frame& frame, LayerBatch& layers) const
-{
-  layers.Begin(static_cast<std::size_t>(rays.Count));
-  layers.Alphas = this->Alphas.empty() ? nullptr : this->Alphas.data();
-  layers.Limit = layers.Alphas ? LayerBatch::MostLayers : 1;
-  for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
-  {
-    const auto pixel = static_cast<std::size_t>(rays.Pixel[ray]);
+    const auto pixel = static_cast<std::size_t>(found.Rays.Pixel[ray]);
     if (frame.Isovalues[pixel] != Frame::NoSurface)
     {
-      layers.Append(ray, frame.Depth[pixel], frame.Kinds[pixel], frame.Isovalues[pixel]);
+      found.Layers.Append(ray, frame.Depth[pixel], frame.Kinds[pixel], frame.Isovalues[pixel]);
     }
     else
     {
-      layers.Close(ray);
+      found.Layers.Close(ray);
     }
   }
+  FindLayersWithin(this->Rays.Clipper, *this->Tracer, found.Rays, found.Layers);
 }
 
-void TileCompositor::Composite(
-  std::int64_t tile, const PixelRect& part, Frame& frame, TraceCounts& counts) const
+void TileCompositor::Composite(std::int64_t tile, const PixelRect& part, TileHits* found,
+  Frame& frame, TraceCounts& counts) const
 {
   std::vector<LayerHit>& kept = frame.Layers[static_cast<std::size_t>(tile)];
   kept.clear();
@@ -121,48 +110,42 @@ void TileCompositor::Composite(
   {
     return;
   }
-  TileRays rays;
-  this->SetUp(tile, part, rays);
-  LayerBatch layers;
-  this->TakeFirst(rays.Rays, frame, layers);
-  LayerCanvas canvas(part, frame);
-  const auto count = static_cast<std::size_t>(rays.Rays.Count);
-  do
+  TileHits fromPlanes;
+  if (!found || !found->HasLayers)
   {
-    this->FindLayers(rays.Rays, layers);
-    counts.CellsRead += layers.CellsRead;
-    this->AddLayers(rays, layers, canvas, kept);
-  } while (layers.BeginNext(count, canvas.Transmittance()));
+    found = &fromPlanes;
+    this->SetUp(tile, part, frame, *found);
+    counts.CellsRead += found->Layers.CellsRead;
+  }
+  const PixelCentres centres(this->Key.View, part);
+  LayerCanvas canvas(part, frame);
+  this->AddLayers(*found, centres, canvas, kept);
+  while (
+    found->Layers.BeginNext(static_cast<std::size_t>(found->Rays.Count), canvas.Transmittance()))
+  {
+    FindLayersWithin(this->Rays.Clipper, *this->Tracer, found->Rays, found->Layers);
+    counts.CellsRead += found->Layers.CellsRead;
+    this->AddLayers(*found, centres, canvas, kept);
+  }
   counts.Layers += static_cast<std::int64_t>(kept.size());
   canvas.Finish();
   this->Paint(kept, frame);
 }
 
-/// Find the next surfaces of each ray within the region.
-void TileCompositor::FindLayers(const RayBatch& rays, LayerBatch& layers) const
-{
-  if (!this->Rays.Clipper.HasPieces())
-  {
-    this->Tracer->FindLayers(rays, layers);
-    return;
-  }
-  FindLayersInPieces(this->Rays.Clipper, rays, layers,
-    [this](const RayBatch& part, LayerBatch& found) { this->Tracer->FindLayers(part, found); });
-}
-
 /// Shade surfaces, composite them behind the present ones, and keep them: round by round, and by
 /// pixel within a round.
-void TileCompositor::AddLayers(const TileRays& rays, const LayerBatch& layers, LayerCanvas& canvas,
-  std::vector<LayerHit>& kept) const
+void TileCompositor::AddLayers(const TileHits& found, const PixelCentres& centres,
+  LayerCanvas& canvas, std::vector<LayerHit>& kept) const
 {
+  const LayerBatch& layers = found.Layers;
   LayerBatch::List<ShadedLayer> shaded;
   for (std::size_t first = 0; first < layers.Total; first += RayBatch::Capacity)
   {
     HitList hits;
-    this->TakeHits(rays, layers, first, hits);
+    this->TakeHits(found, centres, first, hits);
     this->Shade(hits, shaded.data() + first);
   }
-  const auto count = static_cast<std::size_t>(rays.Rays.Count);
+  const auto count = static_cast<std::size_t>(found.Rays.Count);
   std::uint64_t which = ~std::uint64_t(0) >> (RayBatch::Capacity - count);
   for (std::size_t round = 0; which != 0; ++round)
   {
@@ -175,7 +158,7 @@ void TileCompositor::AddLayers(const TileRays& rays, const LayerBatch& layers, L
           return;
         }
         const std::size_t at = layers.Place[round][ray];
-        LayerHit hit{ layers.Distance[at], rays.Rays.Pixel[ray], layers.Surface[at],
+        LayerHit hit{ layers.Distance[at], found.Rays.Pixel[ray], layers.Surface[at],
           layers.Kind[at] };
         hit.Color = canvas.Add(ray, hit, shaded[at]);
         kept.push_back(hit);
@@ -185,8 +168,9 @@ void TileCompositor::AddLayers(const TileRays& rays, const LayerBatch& layers, L
 
 /// Some surfaces, in the order in which they were found: so those in one cell lie together.
 void TileCompositor::TakeHits(
-  const TileRays& rays, const LayerBatch& layers, std::size_t first, HitList& hits) const
+  const TileHits& found, const PixelCentres& centres, std::size_t first, HitList& hits) const
 {
+  const LayerBatch& layers = found.Layers;
   const std::size_t count =
     std::min(layers.Total - first, static_cast<std::size_t>(RayBatch::Capacity));
   hits.Rays.Count = count;
@@ -200,18 +184,18 @@ void TileCompositor::TakeHits(
       to[i] = from[layers.Ray[first + i]];
     }
   };
-  take(rays.Rays.Pixel, hits.Pixel);
+  take(found.Rays.Pixel, hits.Pixel);
   if (this->Key.View.Parallel)
   {
-    take(rays.X, hits.Rays.X);
-    take(rays.Y, hits.Rays.Y);
+    take(centres.X, hits.Rays.X);
+    take(centres.Y, hits.Rays.Y);
     FindHitPoints(this->Key.View, hits);
     return;
   }
   WorldDirections directions;
   for (std::size_t a = 0; a < 3; ++a)
   {
-    take(rays.World[a], directions[a]);
+    take(found.World[a], directions[a]);
     FillLastVector(count, directions[a]);
   }
   FillLastVector(count, hits.Rays.T);

@@ -40,20 +40,21 @@ public:
 
   /// Find and colour the layers behind the first hits of `part`, which is tile number `tile`. The
   /// planes then hold the first visible surface. Thread-safe.
-  void Composite(std::int64_t tile, const PixelRect& part, Frame& frame, TraceCounts& counts) const;
+  /// \param found its rays and first layers, which are used up; null, or without layers: the planes
+  ///              tell the first hits
+  void Composite(std::int64_t tile, const PixelRect& part, TileHits* found, Frame& frame,
+    TraceCounts& counts) const;
 
   /// Colour a tile again from the layers of the frame.
   void CompositeAgain(std::int64_t tile, const PixelRect& part, Frame& frame) const;
 
 private:
-  struct TileRays;
-  void SetUp(std::int64_t tile, const PixelRect& part, TileRays& rays) const;
-  void TakeFirst(const RayBatch& rays, const Frame& frame, LayerBatch& layers) const;
-  void FindLayers(const RayBatch& rays, LayerBatch& layers) const;
-  void AddLayers(const TileRays& rays, const LayerBatch& layers, LayerCanvas& canvas,
+  struct PixelCentres;
+  void SetUp(std::int64_t tile, const PixelRect& part, const Frame& frame, TileHits& found) const;
+  void AddLayers(const TileHits& found, const PixelCentres& centres, LayerCanvas& canvas,
     std::vector<LayerHit>& kept) const;
   void TakeHits(
-    const TileRays& rays, const LayerBatch& layers, std::size_t first, HitList& hits) const;
+    const TileHits& found, const PixelCentres& centres, std::size_t first, HitList& hits) const;
   void Shade(HitList& hits, ShadedLayer* shaded) const;
   void Paint(const std::vector<LayerHit>& layers, Frame& frame) const;
 
@@ -62,7 +63,7 @@ private:
   const TileBounds* Bounds; ///< null: no space leaping
   RaySource Rays;
   std::shared_ptr<const SurfaceTracer> Tracer;
-  std::vector<float> Alphas; ///< of isovalues; empty if only shading tells them
+  std::vector<float> Alphas; ///< AlphasOf the surfaces
 };
 
 }

@@ -21,8 +21,8 @@ TileShader::TileShader(const FrameKey& key, const glm::dvec2& finiteRange, const
   }
 }
 
-void TileShader::Shade(std::int64_t tile, const PixelRect& part, const TileHits* found,
-  Frame& frame, TraceCounts& counts) const
+void TileShader::Shade(std::int64_t tile, const PixelRect& part, TileHits* found, Frame& frame,
+  TraceCounts& counts) const
 {
   if (this->Compositor)
   {
@@ -33,7 +33,7 @@ void TileShader::Shade(std::int64_t tile, const PixelRect& part, const TileHits*
     }
     else
     {
-      this->Compositor->Composite(tile, part, frame, counts);
+      this->Compositor->Composite(tile, part, found, frame, counts);
     }
     return;
   }

@@ -36,8 +36,9 @@ public:
     HitSet normalsOf, HitSet colorsOf);
 
   /// Shade `part`, which is tile number `tile`. Thread-safe.
-  /// \param found its rays and hits, if they are at hand; null: the planes tell them
-  void Shade(std::int64_t tile, const PixelRect& part, const TileHits* found, Frame& frame,
+  /// \param found its rays and hits, if they are at hand; null: the planes tell them. Layers are
+  ///              used up
+  void Shade(std::int64_t tile, const PixelRect& part, TileHits* found, Frame& frame,
     TraceCounts& counts) const;
 
 private:

@@ -110,9 +110,14 @@ void FindInPieces(
   hits = next;
 }
 
-void FindLayersInPieces(const RegionClipper& clipper, const RayBatch& rays, LayerBatch& layers,
-  const std::function<void(const RayBatch& rays, LayerBatch& layers)>& find)
+void FindLayersWithin(const RegionClipper& clipper, const SurfaceTracer& tracer,
+  const RayBatch& rays, LayerBatch& layers)
 {
+  if (!clipper.HasPieces())
+  {
+    tracer.FindLayers(rays, layers);
+    return;
+  }
   const RayPieces pieces(clipper, rays);
   for (std::size_t piece = 0; piece < RegionClipper::MostPieces && layers.Open != 0; ++piece)
   {
@@ -129,7 +134,7 @@ void FindLayersInPieces(const RegionClipper& clipper, const RayBatch& rays, Laye
     // A ray that meets nothing more in this piece goes on to the next one.
     const std::uint64_t open = layers.Open;
     layers.Open = which;
-    find(parts, layers);
+    tracer.FindLayers(parts, layers);
     std::uint64_t isDone = 0;
     ForEachRay(which,
       [&](std::size_t ray) { isDone |= static_cast<std::uint64_t>(layers.IsDone(ray)) << ray; });

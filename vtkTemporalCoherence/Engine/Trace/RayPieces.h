@@ -3,9 +3,9 @@
 #ifndef TemporalCoherence_RayPieces_h
 #define TemporalCoherence_RayPieces_h
 
-#include "Scene/LayerBatch.h"
 #include "Scene/RayBatch.h"
 #include "Trace/RegionClipper.h"
+#include "Trace/SurfaceTracer.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -46,12 +46,11 @@ using FindSurfaces = std::function<void(const RayBatch& rays, HitBatch& hits)>;
 void FindInPieces(
   const RegionClipper& clipper, const RayBatch& rays, HitBatch& hits, const FindSurfaces& find);
 
-/// Append the next surfaces along the open rays of a batch, of which the region keeps several
-/// pieces: first in the nearest pieces, then, for rays that are open still, in the next ones.
-/// \param find is called with pieces of rays, and appends the surfaces in them
-/// \pre clipper.HasPieces()
-void FindLayersInPieces(const RegionClipper& clipper, const RayBatch& rays, LayerBatch& layers,
-  const std::function<void(const RayBatch& rays, LayerBatch& layers)>& find);
+/// Append the next surfaces along the open rays of a batch within a region: SurfaceTracer's
+/// FindLayers. Where the region keeps several pieces of rays, first in the nearest pieces, then,
+/// for rays that are open still, in the next ones.
+void FindLayersWithin(const RegionClipper& clipper, const SurfaceTracer& tracer,
+  const RayBatch& rays, LayerBatch& layers);
 
 }
 

@@ -83,6 +83,9 @@ public:
   /// limit, or to where the ray is opaque. Thread-safe.
   virtual void FindLayers(const RayBatch& rays, LayerBatch& layers) const;
 
+  /// True if FindLayers finds several surfaces of a ray as quickly as one.
+  virtual bool FindsLayersTogether(const RayBatch&) const { return false; }
+
   /// Search only the given cells for one surface. A surface nearer than the hit of its ray becomes
   /// the hit. Only called for kinds that have isomaps.
   /// Thread-safe.

@@ -122,6 +122,10 @@ double ThreadTime()
 /// Prepare the building of bands.
 void MakeBuilders(FrameTask& task, FrameBands& bands)
 {
+  if (bands.NumberOf(GroupWork::Build) == 0)
+  {
+    return; // a look-up builds nothing, and takes no time for it
+  }
   double seconds = 0.0;
   {
     Stopwatch watch(seconds);

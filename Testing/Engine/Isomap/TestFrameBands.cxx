@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <random>
 #include <vector>
 
 // What a frame in a still view may cost more than a cold one while an isomap is built, whatever
@@ -65,7 +67,7 @@ protected:
       this->Builder.Prepare(this->Key, this->Options, this->Pyramid, {}), Isomap::Outcome::Built);
     FrameBands bands({ this->Key, this->Options, before, this->Pyramid }, this->Builder.ToBuild(),
       this->Builder.Drag());
-    bands.MakeBuilders();
+    bands.MakeBuilders([this] { return this->Time += this->PriceOfSetUp; });
     const std::size_t groups = this->Builder.Built().Size();
     Made made;
     made.Work.resize(groups);
@@ -116,6 +118,7 @@ protected:
   IsomapBuilder Builder;
   Prices Price;
   bool IsStopped = false;
+  double Time = 0.0, PriceOfSetUp = 0.0; ///< between two looks at the clock
 };
 
 TEST_F(FrameBandsTest, NoFrameCostsMuchMoreThanACold)
@@ -178,6 +181,7 @@ TEST_F(FrameBandsTest, WhatNeverPaysIsHardlyTried)
   for (const Prices& price : { Prices{ 1000, 300, 30000 }, Prices{ 1000, 1000, 1500 } })
   {
     this->Price = price;
+    this->PriceOfSetUp = 0.03 * static_cast<double>(1000 * NumberOfGroups(this->Key.View.Size));
     this->Builder = IsomapBuilder();
     this->Key.Isosurfaces.Isovalues = { this->At(0.1) };
     this->ShowCold();
@@ -195,6 +199,31 @@ TEST_F(FrameBandsTest, WhatNeverPaysIsHardlyTried)
       made = this->Show({ this->At(0.7 - 0.005 * i) });
     }
     EXPECT_GT(made.CountOf(GroupWork::LookUp), 0);
+  }
+}
+
+/// Clocks are noisy. What tracing is taken to cost must not grow by that while all is looked up.
+TEST(GroupCosts, NoiseDoesNotMakeTracingDearer)
+{
+  constexpr std::size_t groups = 2000;
+  GroupCosts costs;
+  costs.Resize(groups);
+  std::mt19937 engine(7);
+  std::uniform_int_distribution<std::int64_t> cost(100, 900);
+  for (std::size_t group = 0; group < groups; ++group)
+  {
+    costs.SetTraced(group, 1000);
+  }
+  for (int frame = 0; frame < 20; ++frame)
+  {
+    const std::int64_t factor = frame < 10 ? 1 : 3; // more surface in every group
+    for (std::size_t group = 0; group < groups; ++group)
+    {
+      costs.SetLookedUp(group, factor * cost(engine));
+    }
+    const std::vector<double> all = costs.All();
+    const double sum = std::accumulate(all.begin(), all.end(), 0.0);
+    EXPECT_NEAR(sum / groups, 1000.0 * static_cast<double>(factor), 60.0 * factor) << frame;
   }
 }
 
@@ -307,6 +336,35 @@ TEST_F(FrameBandsTest, WithAToleranceTheChoiceIsFixed)
   {
     EXPECT_LE(std::count(work.begin(), work.end(), GroupWork::Build),
       static_cast<std::ptrdiff_t>(work.size()) / 11);
+  }
+}
+
+/// Structures for bands take time of a frame, too. Where they take more than it may cost, they are
+/// hardly made.
+TEST_F(FrameBandsTest, SettingUpIsPaidFor)
+{
+  const auto groups = static_cast<double>(NumberOfGroups(this->Key.View.Size));
+  const double cold = groups * static_cast<double>(this->Price.Trace);
+  for (const double share : { 0.0, 0.02, 0.3 })
+  {
+    this->Builder = IsomapBuilder();
+    this->Key.Isosurfaces.Isovalues = { this->At(0.1) };
+    this->ShowCold();
+    this->PriceOfSetUp = share * cold;
+    this->Time = 0.0;
+    double cost = 0.0;
+    std::ptrdiff_t lookedUp = 0;
+    for (int i = 1; i <= 40; ++i)
+    {
+      const double before = this->Time;
+      const Made made = this->Show({ this->At(0.1 + 0.005 * i) });
+      const double now = made.Cost + (this->Time - before) / cold;
+      EXPECT_TRUE(share > 0.1 || now <= 1.25) << "frame " << i << " at " << share;
+      cost += now / 40.0;
+      lookedUp = made.CountOf(GroupWork::LookUp);
+    }
+    EXPECT_EQ(lookedUp > 0, share < 0.1) << share;
+    EXPECT_LT(cost, share < 0.1 ? 0.65 : 1.15) << share;
   }
 }
 

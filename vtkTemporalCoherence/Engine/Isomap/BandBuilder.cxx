@@ -11,17 +11,25 @@ namespace TemporalCoherence
 {
 
 BandBuilder::BandBuilder(const FrameKey& key, const Isomap& map, const ValueRangePyramid& pyramid,
-  const ValueBand& band, std::size_t most)
+  const ValueBand& band, const TileBounds* bounds, std::size_t most)
   : Key(key)
   , Values(band)
   , Pieces(map.Pieces())
   , Rays(key.View, key.Transform, key.Samples.Dimensions, key.Region)
+  , Bounds(bounds)
 {
   const SurfaceMode mode = key.Isosurfaces.Mode;
   this->Active.Build(key.Samples, pyramid, band, mode);
-  this->Bounds.Build(key.View, key.Transform, this->Active, *key.Samples.Kind);
   this->Tracer = BandTracer::Make({ key.Samples, pyramid.FiniteRange(), &pyramid, &this->Active,
     band, mode, map.Form(), key.Transform, most });
+}
+
+void BandBuilder::FindBounds(
+  const FrameKey& key, const ValueRangePyramid& pyramid, const ValueBand& band, TileBounds& bounds)
+{
+  ActiveCells active;
+  active.Build(key.Samples, pyramid, band, key.Isosurfaces.Mode);
+  bounds.Build(key.View, key.Transform, active, *key.Samples.Kind);
 }
 
 GroupBand BandBuilder::Build(std::size_t group, std::int64_t& cellsRead) const
@@ -59,7 +67,8 @@ GroupBand BandBuilder::Build(std::size_t group, std::int64_t& cellsRead) const
 /// A solid may be capped where there is no active cell.
 bool BandBuilder::CanSkip(std::int64_t tile) const
 {
-  return this->Key.Isosurfaces.Mode == SurfaceMode::Crossing && this->Bounds.At(tile).IsEmpty();
+  return this->Bounds && this->Key.Isosurfaces.Mode == SurfaceMode::Crossing &&
+    this->Bounds->At(tile).IsEmpty();
 }
 
 void BandBuilder::Trace(std::int64_t tile, TileKnots* knots, std::int64_t& cellsRead) const
@@ -67,7 +76,10 @@ void BandBuilder::Trace(std::int64_t tile, TileKnots* knots, std::int64_t& cells
   const PixelRect part = PixelsOfTile(this->Key.View.Size, tile);
   RayBatch rays;
   this->Rays.SetUp(part.First, part.Size, rays);
-  this->Bounds.Narrow(tile, rays);
+  if (this->Bounds)
+  {
+    this->Bounds->Narrow(tile, rays);
+  }
   if (!this->Rays.Clipper.HasPieces())
   {
     cellsRead += this->Tracer->Trace(rays, *knots);

@@ -24,10 +24,16 @@ public:
   /// The arguments must outlive this.
   /// \param map     gives view, data and form of the knots
   /// \param pyramid of the field of `key`
+  /// \param bounds  of the band or of a wider one; null for none. The knots are the same
   /// \param most    bytes of knots in a tile from which the band is too large anyway
   /// \throws std::bad_alloc
   BandBuilder(const FrameKey& key, const Isomap& map, const ValueRangePyramid& pyramid,
-    const ValueBand& band, std::size_t most);
+    const ValueBand& band, const TileBounds* bounds, std::size_t most);
+
+  /// Find the bounds of a band, for builders.
+  /// \throws std::bad_alloc; the bounds are then unusable
+  static void FindBounds(const FrameKey& key, const ValueRangePyramid& pyramid,
+    const ValueBand& band, TileBounds& bounds);
 
   /// Build the band of a group. Thread-safe.
   /// \param cellsRead is increased
@@ -43,7 +49,7 @@ private:
   std::size_t Pieces;
   RaySource Rays;
   ActiveCells Active;
-  TileBounds Bounds;
+  const TileBounds* Bounds;
   std::shared_ptr<const BandTracer> Tracer;
 };
 

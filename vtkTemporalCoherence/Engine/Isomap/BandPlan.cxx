@@ -29,8 +29,9 @@ constexpr double StepsToCome = 40.0;
 /// Half the width of a band around an isovalue that does not move, as a share of the range.
 constexpr double HalfWidthAtRest = 1.0 / 1024.0;
 
-/// A band must save at least this share of the tracing.
-constexpr double LeastGain = 0.1;
+/// A band must save at least this share of the tracing: less does not pay in a drag of 40 steps for
+/// its first ten frames, which cost a fifth more.
+constexpr double LeastGain = 0.2;
 
 /// Old measurements count half after so much of the picture was built, and after so much was looked
 /// up.
@@ -43,6 +44,9 @@ constexpr double GuessAtOnce = 1.4, GuessWide = 2.2, WideGuess = 1.0 / 32.0, Wei
 /// which are all that a frame builds where building is expensive, show soon that it is, or no
 /// longer is.
 constexpr double LeastWeight = 0.02;
+
+/// The bands in use may take this share of the memory: the rest is for those that follow them.
+constexpr double MostMemory = 0.75;
 
 /// What costs less than this share of tracing the picture is empty, and shows nothing.
 constexpr double LeastShare = 2e-4;
@@ -118,7 +122,10 @@ double BandPlan::StepsFor(const Wish& wish) const
   { return (this->CostOf((steps - 1.0) * step) - this->LookUp) / Served(steps); };
   const double best = *std::min_element(AllSteps.begin(), AllSteps.end(),
     [&](double a, double b) { return costOfStep(a) < costOfStep(b); });
-  return std::max(best * this->MemoryShare, AllSteps.front());
+  const double fitting = this->MemoryByWidth > 0.0 && step > 0.0
+    ? 1.0 + MostMemory / (this->MemoryByWidth * step)
+    : AllSteps.back();
+  return std::max(std::min(best, fitting) * this->MemoryShare, AllSteps.front());
 }
 
 ValueBand BandPlan::Choose(const Wish& wish) const
@@ -160,6 +167,12 @@ void BandPlan::Learn(const Measured& measured)
     this->Known.Fade(std::exp2(-share / HalfLifeBuilt));
     this->Known.Add(
       share, measured.Width, std::min(measured.Built / measured.TracingBuilt, 1000.0));
+  }
+  if (measured.Memory > 0.0 && measured.Width > 0.0)
+  {
+    const double byWidth = measured.Memory / measured.Width;
+    double& known = this->MemoryByWidth;
+    known = known > 0.0 ? 0.5 * (known + byWidth) : byWidth;
   }
   if (measured.TracingFound > 0.0)
   {

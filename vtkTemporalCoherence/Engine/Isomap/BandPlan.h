@@ -50,6 +50,8 @@ public:
     double LookedUp = 0.0;     ///< groups looked up
     double TracingFound = 0.0; ///< what tracing these groups costs
     double TracingAll = 0.0;   ///< what tracing all groups costs
+    double Memory =
+      0.0; ///< share of the memory that bands like those built would take in all groups
     bool IsMemoryFull = false; ///< the bands did not fit
   };
   void Learn(const Measured& measured);
@@ -70,7 +72,8 @@ private:
 
   Sums Known{};
   double LookUp = 0.5;
-  double MemoryShare = 1.0; ///< of the steps that the memory allows
+  double MemoryByWidth = 0.0; ///< share of the memory that bands take, by their width; 0: not known
+  double MemoryShare = 1.0;   ///< of the width that is expected to fit: less if it did not
 };
 
 }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <new>
 #include <numeric>
 #include <utility>
@@ -22,13 +23,23 @@ namespace
 constexpr double AllowedAtFirst = 0.1, AllowedExtra = 0.15, SpentOfSavings = 0.8;
 
 /// If no band is worth its cost, every so many frames that share of the picture is built, to see
-/// whether that has changed.
+/// whether that has changed. What it takes to set that up does not count.
 constexpr std::uint64_t FramesBetweenProbes = 6;
 constexpr double ShareOfProbe = 0.02;
 
 /// A group that took more of tracing it, and an average group, than this was interrupted. Beyond
 /// that its time tells nothing of bands.
 constexpr double MostOfTracing = 8.0;
+
+/// Tile bounds are found for a band and this many widths ahead, if that takes no more than a share
+/// of what the frame may cost more. (Engine 70, 1024^2: they take a tenth of a cold frame's time;
+/// bands take 0 to 10 % more without them where pixels are fine, and 50 % where they are coarse.)
+constexpr double BandsInBounds = 2.0, ShareOfSetUp = 0.5;
+
+/// Nothing is built where builders would take more than that share. What they are taken to cost
+/// fades from frame to frame, so that they are tried again: after eight frames if they cost as much
+/// as twice that share.
+constexpr double FadeOfBuilders = 0.9;
 
 /// The share of the groups that a frame builds if the picture depends on it.
 constexpr double FixedShare = 1.0 / 12.0;
@@ -102,14 +113,21 @@ FrameBands::FrameBands(const Source& source, Isomap& map, DragState& state)
   {
     return;
   }
-  double most =
-    SpentOfSavings * saved + (saved > 0.0 ? AllowedExtra : AllowedAtFirst) * this->CostOfAll;
+  const double allowed = saved > 0.0 ? AllowedExtra : AllowedAtFirst;
+  double most = SpentOfSavings * saved + allowed * (this->CostOfAll + source.SetUpCost);
+  this->MostForSetUp = ShareOfSetUp * most;
   if (this->IsExact && !state.Costs.AreKnown())
   {
     most = 0.0; // nobody knows what the frame costs
   }
-  else if (!isWorthIt && this->IsExact)
+  else if (this->IsExact && state.CostOfBuilders > this->MostForSetUp)
   {
+    most = 0.0;
+    state.CostOfBuilders *= FadeOfBuilders;
+  }
+  else if (this->IsExact && !isWorthIt)
+  {
+    this->IsProbe = true;
     most = state.Frame % FramesBetweenProbes == 0 ? ShareOfProbe * this->CostOfAll : 0.0;
   }
   this->MostExtra = static_cast<std::int64_t>(most);
@@ -213,20 +231,26 @@ std::size_t FrameBands::NumberOf(GroupWork work) const
   return static_cast<std::size_t>(std::count(this->Work.begin(), this->Work.end(), work));
 }
 
-void FrameBands::MakeBuilders()
+void FrameBands::MakeBuilders(const Clock& clock)
 {
   if (this->NumberOf(GroupWork::Build) == 0)
   {
     return;
   }
+  const double begin = clock();
+  double ofBounds = 0.0;
   try
   {
+    this->State.Bounds.resize(this->Bands.size());
     for (std::size_t i = 0; i < this->Bands.size(); ++i)
     {
       if (this->IsMissing[i])
       {
-        this->Builders[i] = std::make_unique<BandBuilder>(
-          this->From.Key, this->Map, this->From.Pyramid, this->Bands[i], this->RoomForGroup);
+        const double before = clock();
+        const TileBounds* const bounds = this->BoundsFor(i, clock);
+        ofBounds += clock() - before;
+        this->Builders[i] = std::make_unique<BandBuilder>(this->From.Key, this->Map,
+          this->From.Pyramid, this->Bands[i], bounds, this->RoomForGroup);
       }
     }
   }
@@ -235,6 +259,46 @@ void FrameBands::MakeBuilders()
     std::replace(this->Work.begin(), this->Work.end(), GroupWork::Build, GroupWork::Trace);
     this->IsOutOfMemory = true;
   }
+  const double cost = clock() - begin;
+  this->Extra += this->IsProbe ? 0 : static_cast<std::int64_t>(cost);
+  this->State.CostOfBuilders = cost - ofBounds;
+}
+
+/// The bounds of a band: those kept from another frame, or new ones that frames to come can use,
+/// too. Null if they take too much of what the frame may cost: rays of bands then begin where the
+/// field does.
+const TileBounds* FrameBands::BoundsFor(std::size_t isovalue, const Clock& clock)
+{
+  BandBounds& kept = this->State.Bounds[isovalue];
+  const ValueBand& band = this->Bands[isovalue];
+  if (kept.Values.Holds(band.Low) && kept.Values.Holds(band.High))
+  {
+    return &kept.Bounds;
+  }
+  double& cost = this->State.CostOfBounds;
+  const double expected = cost > 0.0 ? cost : this->From.SetUpCost;
+  if (this->IsExact && expected > this->MostForSetUp)
+  {
+    return nullptr;
+  }
+  const double begin = clock();
+  kept.Values = { 1.0, 0.0 };
+  const ValueBand wide = this->Widened(isovalue);
+  BandBuilder::FindBounds(this->From.Key, this->From.Pyramid, wide, kept.Bounds);
+  kept.Values = wide;
+  cost = clock() - begin;
+  return &kept.Bounds;
+}
+
+/// A band and what a drag comes to next.
+ValueBand FrameBands::Widened(std::size_t isovalue) const
+{
+  const ValueBand& band = this->Bands[isovalue];
+  constexpr double most = std::numeric_limits<double>::max();
+  const double more = BandsInBounds * (band.High - band.Low);
+  const bool isDown = band.High == this->From.Key.Isosurfaces.Isovalues[isovalue];
+  return { isDown ? std::max(band.Low - more, -most) : band.Low,
+    isDown ? band.High : std::min(band.High + more, most) };
 }
 
 GroupWork FrameBands::Prepare(std::size_t group, TraceCounts& counts)
@@ -325,14 +389,16 @@ void FrameBands::Finish()
   {
     measured.Width = std::max(measured.Width, (band.High - band.Low) / (range.y - range.x));
   }
-  if (this->IsExact && std::isfinite(measured.Width))
-  {
-    this->State.Plan.Learn(measured);
-  }
   const std::size_t built = this->NumberOf(GroupWork::Build);
   if (built > 0)
   {
     this->State.BytesOfBand = static_cast<double>(this->Taken.load()) / static_cast<double>(built);
+    measured.Memory = this->State.BytesOfBand * static_cast<double>(this->Work.size()) /
+      std::max(static_cast<double>(this->RoomForAll()), 1.0);
+  }
+  if (this->IsExact && std::isfinite(measured.Width))
+  {
+    this->State.Plan.Learn(measured);
   }
   this->State.HasDropped |= this->IsFull && this->IsLimitedByUser();
 }

@@ -12,6 +12,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -26,15 +27,25 @@ enum class GroupWork : std::uint8_t
   Trace
 };
 
+/// The tile bounds of a band of isovalues, kept for bands that it contains.
+struct BandBounds
+{
+  ValueBand Values{ 1.0, 0.0 };
+  TileBounds Bounds{};
+};
+
 /// The state of a drag in one view, from frame to frame.
 struct DragState
 {
   BandPlan Plan;
   GroupCosts Costs;
-  std::uint64_t Frame = 0;     ///< number of the last frame
-  std::size_t NextGroup = 0;   ///< where the choice of groups to build goes on
-  double BytesOfBand = 4096.0; ///< of a group, on average
-  bool HasDropped = false;     ///< bands, because of the user's limit of memory
+  std::uint64_t Frame = 0;          ///< number of the last frame
+  std::size_t NextGroup = 0;        ///< where the choice of groups to build goes on
+  double BytesOfBand = 4096.0;      ///< of a group, on average
+  std::vector<BandBounds> Bounds{}; ///< for each isovalue
+  double CostOfBounds = 0.0;        ///< the last time; 0: not known
+  double CostOfBuilders = 0.0;      ///< the same, without bounds
+  bool HasDropped = false;          ///< bands, because of the user's limit of memory
 };
 
 /// Decides for each group of a frame whether it is looked up, built or traced, and builds bands
@@ -53,7 +64,11 @@ public:
     const Isomap::Options& Options;
     const std::vector<double>& IsovaluesBefore;
     const ValueRangePyramid& Pyramid; ///< of the key's field
+    double SetUpCost = 0.0; ///< of the frame's own structures, in units of the costs of groups
   };
+
+  /// The time, in units of the costs of groups: that of all threads.
+  using Clock = std::function<double()>;
 
   /// Decide. The arguments must outlive this.
   /// \param map of the view of the key. Bands that nobody needs are dropped if memory is short
@@ -75,12 +90,8 @@ public:
   /// Number of groups for which that is so.
   std::size_t NumberOf(GroupWork work) const;
 
-  /// Prepare the building of bands, if any is planned.
-  /// \throws std::bad_alloc
-  void MakeBuilders();
-
-  /// Add to what the frame costs more than if all was traced, in units of the costs of groups.
-  void Spend(double cost) { this->Extra = this->Extra + static_cast<std::int64_t>(cost); }
+  /// Prepare the building of bands, if any is planned. The time counts as spent.
+  void MakeBuilders(const Clock& clock);
 
   /// Build the bands of a group, if that is planned and the frame may still cost more.
   /// Thread-safe.
@@ -102,6 +113,8 @@ private:
   void Choose(double extra);
   void MakeRoom(std::size_t planned);
   bool Build(std::size_t group, std::int64_t& cellsRead);
+  ValueBand Widened(std::size_t isovalue) const;
+  const TileBounds* BoundsFor(std::size_t isovalue, const Clock& clock);
   std::size_t RoomForAll() const;
   bool IsLimitedByUser() const;
 
@@ -118,6 +131,8 @@ private:
   std::vector<bool> IsMissing;       ///< for each isovalue: some group has no band for it
   std::vector<std::unique_ptr<BandBuilder>> Builders;
   std::int64_t MostExtra = 0;
+  double MostForSetUp = 0.0;
+  bool IsProbe = false;
   std::size_t Room = 0, RoomForGroup = 0; ///< bytes
   std::atomic<std::int64_t> Extra{ 0 };
   std::atomic<std::size_t> Taken{ 0 };

@@ -26,7 +26,8 @@ void GroupCosts::Resize(std::size_t groups)
 
 void GroupCosts::SetTraced(std::size_t group, std::int64_t cost)
 {
-  this->Groups[group] = { Positive(cost), 0.0f };
+  this->Groups[group] = Cost();
+  this->Groups[group].Traced = Positive(cost);
 }
 
 void GroupCosts::SetLookedUp(std::size_t group, std::int64_t cost)
@@ -36,13 +37,32 @@ void GroupCosts::SetLookedUp(std::size_t group, std::int64_t cost)
   {
     return;
   }
-  if (known.ByLookUp == 0.0f)
+  known.LookedUpLast = Positive(cost);
+  if (known.LookedUpFirst == 0.0f)
   {
-    known.ByLookUp = known.Traced / Positive(cost);
-    return;
+    known.TracedFirst = known.Traced;
+    known.LookedUpFirst = known.LookedUpLast;
   }
-  // Single measurements are noisy.
-  known.Traced = 0.5f * (known.Traced + known.ByLookUp * Positive(cost));
+  known.Traced =
+    0.5f * (known.Traced + known.TracedFirst / known.LookedUpFirst * known.LookedUpLast);
+}
+
+/// What the sum of the costs of groups that are looked up is to be divided by. Each is the quotient
+/// of noisy numbers, which is too large on average.
+double GroupCosts::Excess() const
+{
+  double now = 0.0, tracedFirst = 0.0, first = 0.0, last = 0.0;
+  for (const Cost& cost : this->Groups)
+  {
+    if (cost.LookedUpFirst > 0.0f)
+    {
+      now += static_cast<double>(cost.Traced);
+      tracedFirst += static_cast<double>(cost.TracedFirst);
+      first += static_cast<double>(cost.LookedUpFirst);
+      last += static_cast<double>(cost.LookedUpLast);
+    }
+  }
+  return now > 0.0 ? now * first / (tracedFirst * last) : 1.0;
 }
 
 bool GroupCosts::AreKnown() const
@@ -53,19 +73,19 @@ bool GroupCosts::AreKnown() const
 
 std::vector<double> GroupCosts::All() const
 {
+  const double excess = this->Excess();
+  std::vector<double> costs;
   double sum = 0.0;
   std::size_t count = 0;
   for (const Cost& cost : this->Groups)
   {
-    sum += static_cast<double>(cost.Traced);
+    const auto traced = static_cast<double>(cost.Traced);
+    costs.push_back(cost.LookedUpFirst > 0.0f ? traced / excess : traced);
+    sum += costs.back();
     count += cost.Traced > 0.0f;
   }
   const double mean = count > 0 ? sum / static_cast<double>(count) : 1.0;
-  std::vector<double> costs;
-  for (const Cost& cost : this->Groups)
-  {
-    costs.push_back(cost.Traced > 0.0f ? static_cast<double>(cost.Traced) : mean);
-  }
+  std::replace(costs.begin(), costs.end(), 0.0, mean);
   return costs;
 }
 

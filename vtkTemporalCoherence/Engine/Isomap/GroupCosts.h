@@ -12,7 +12,8 @@ namespace TemporalCoherence
 
 /// What it costs to trace and shade each group of tiles of a picture, in units of a clock. A group
 /// costs what it did last. While it is looked up, its cost follows that of its look-ups, which
-/// grows and shrinks with the surface as well.
+/// grows and shrinks with the surface as well. Single look-ups are noisy: the sum of the costs
+/// follows the sum of all.
 class GroupCosts
 {
 public:
@@ -34,10 +35,14 @@ public:
   std::vector<double> All() const;
 
 private:
+  double Excess() const;
+
   struct Cost
   {
-    float Traced = 0.0f;   ///< 0: not known
-    float ByLookUp = 0.0f; ///< quotient of tracing and looking up; 0: not known
+    float Traced = 0.0f;        ///< 0: not known
+    float TracedFirst = 0.0f;   ///< before it was looked up
+    float LookedUpFirst = 0.0f; ///< 0: it was not looked up since
+    float LookedUpLast = 0.0f;
   };
   std::vector<Cost> Groups;
 };

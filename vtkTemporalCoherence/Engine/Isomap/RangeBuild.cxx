@@ -30,7 +30,8 @@ class Work
 {
 public:
   Work(const RangeBuild& wanted, const Isomap& map)
-    : Builder(wanted.Key, map, wanted.Pyramid, wanted.Band, wanted.MemoryLimit)
+    : Bounds(BoundsOf(wanted))
+    , Builder(wanted.Key, map, wanted.Pyramid, wanted.Band, &this->Bounds, wanted.MemoryLimit)
     , Bands(map.Size())
     , IsDone(map.Size(), 0)
     , Frame(wanted.Frame)
@@ -63,6 +64,7 @@ public:
       static_cast<double>(std::max<std::size_t>(this->IsDone.size(), 1));
   }
 
+  TileBounds Bounds;
   BandBuilder Builder;
   std::vector<GroupBand> Bands;
   std::vector<std::uint8_t> IsDone;
@@ -71,6 +73,13 @@ public:
   std::atomic<bool> HasFailed{ false }, HasEnough{ false };
 
 private:
+  static TileBounds BoundsOf(const RangeBuild& wanted)
+  {
+    TileBounds bounds;
+    BandBuilder::FindBounds(wanted.Key, wanted.Pyramid, wanted.Band, bounds);
+    return bounds;
+  }
+
   /// Exceptions do not leave the thread.
   void Build(std::size_t group)
   {

@@ -3,6 +3,8 @@
 #include "Isomap/IsomapLookup.h"
 #include "Render/RouteSteps.h"
 
+#include <vtkSMPTools.h>
+
 #include <algorithm>
 #include <bitset>
 #include <numeric>
@@ -110,21 +112,26 @@ private:
   TileShader Shader, ShaderOfTraced;
 };
 
-/// Prepare the building of bands; its time counts as that of a group.
+/// Nanoseconds of all threads: what one thread does alone keeps the others waiting.
+double ThreadTime()
+{
+  return static_cast<double>(TileTimer::Now()) *
+    static_cast<double>(std::max(vtkSMPTools::GetEstimatedNumberOfThreads(), 1));
+}
+
+/// Prepare the building of bands.
 void MakeBuilders(FrameTask& task, FrameBands& bands)
 {
   if (bands.NumberOf(GroupWork::Build) == 0)
   {
-    return;
+    return; // a look-up builds nothing, and takes no time for it
   }
   double seconds = 0.0;
   {
     Stopwatch watch(seconds);
-    bands.MakeBuilders();
+    bands.MakeBuilders(ThreadTime);
   }
   task.Statistics.IsomapBuildTime += seconds;
-  constexpr double nanosecondsPerSecond = 1e9;
-  bands.Spend(nanosecondsPerSecond * seconds);
 }
 
 void CountTiles(const FrameBands& bands, const glm::ivec2& size, FrameStatistics& statistics)
@@ -145,16 +152,18 @@ void CountTiles(const FrameBands& bands, const glm::ivec2& size, FrameStatistics
 bool LookUp(
   FrameTask& task, IsomapBuilder& map, std::vector<std::uint64_t>& unresolved, bool& isBuilding)
 {
-  FrameBands bands({ task.Key, task.Options.Map, task.Store.Last().Key.Isosurfaces.Isovalues,
-                     task.Structures.Pyramid() },
-    map.ToBuild(), map.Drag());
-  isBuilding |= !bands.AreAllFound();
-  task.Costs = nullptr; // the bands keep them
   // If all is looked up, a walk is only needed for layers behind translucent surfaces.
+  const bool isCovered = map.Built().Covers(task.Key.Isosurfaces.Isovalues);
+  isBuilding |= !isCovered;
   const bool leaps =
-    task.Options.SpaceLeaping && (task.Key.Isosurfaces.IsTranslucent() || !bands.AreAllFound());
+    task.Options.SpaceLeaping && (task.Key.Isosurfaces.IsTranslucent() || !isCovered);
+  task.Costs = nullptr; // the bands keep them
+  const double begin = ThreadTime();
   // A look-up finds no first entries.
   const LeapedSpace space = Begin(task, leaps, { ExtrasOf(task).Disparities, false });
+  FrameBands bands({ task.Key, task.Options.Map, task.Store.Last().Key.Isosurfaces.Isovalues,
+                     task.Structures.Pyramid(), ThreadTime() - begin },
+    map.ToBuild(), map.Drag());
   MakeBuilders(task, bands);
   unresolved.resize(static_cast<std::size_t>(NumberOfTiles(task.Key.View.Size)));
   IsomapTiles tiles(task, space, map.Built(), bands, unresolved);

@@ -112,7 +112,7 @@ private:
       AreRaysAlike(beam))
     {
       const LayerTask task{ *this->Cells.Scene.Active, *this->Rays, this->Cells.Rules.IsSolid(),
-        !Geometry::HasKernels || this->Cells.Rules.AreCappedBehindHidden(), this->Grid };
+        this->Cells.Rules.AreCappedBehindHidden(), this->Grid };
       mustWalk = SearchLayers(task, *this, beam, layers);
       layers.CellsRead += beam.CellsPassed;
     }

@@ -71,7 +71,7 @@ public:
 
   std::int64_t Rays = 0, Hits = 0;
 
-private:
+protected:
   void CompareRays(const TemporalCoherence::RayBatch& rays)
   {
     TemporalCoherence::HitBatch walked, beamed;

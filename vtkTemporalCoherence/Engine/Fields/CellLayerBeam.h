@@ -110,7 +110,7 @@ private:
     if (mustWalk != 0 && SetUpBeam(*this->Rays, mustWalk, this->Cells.Count, beam) && beam.AreAlike)
     {
       const LayerTask task{ *this->Cells.Scene.Active, *this->Rays, this->Cells.Rules.IsSolid(),
-        !Geometry::HasKernels || this->Cells.Rules.AreCappedBehindHidden(), this->Grid };
+        this->Cells.Rules.AreCappedBehindHidden(), this->Grid };
       mustWalk = SearchLayers(task, *this, beam, layers);
       layers.CellsRead += beam.CellsPassed;
     }

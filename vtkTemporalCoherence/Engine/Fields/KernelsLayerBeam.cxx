@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 // This file is compiled once for each kind of vectors, and what runs is chosen by the machine.
 #undef HWY_TARGET_INCLUDE
@@ -23,35 +24,14 @@ namespace HWY_NAMESPACE
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// One bit for each lane.
-template <class D>
-HWY_INLINE std::uint64_t BitsIn(D d, hn::Mask<D> mask)
+/// Between which distances rays may be in a cell.
+struct CellPassages
 {
-  std::uint8_t bits[8] = { 0 };
-  hn::StoreMaskBits(d, mask, bits);
-  return static_cast<std::uint64_t>(bits[0]) | static_cast<std::uint64_t>(bits[1]) << 8;
-}
-
-/// A vector of rays in a cell.
-template <typename Real>
-struct alignas(64) CellPaths
-{
-  Real Begin[3][WidestVector], End[3][WidestVector]; ///< in the coordinates of the cell
-  double Enter[WidestVector], Leave[WidestVector];
-  std::uint64_t Which;   ///< one bit for each that goes through it
-  std::uint64_t IsFirst; ///< where a walk begins in the cell
+  float Enter[RayBatch::Capacity], Leave[RayBatch::Capacity];
 };
 
-/// Where cubics along these cross zero.
-template <typename Real>
-struct alignas(64) CellCrossings
-{
-  Real Cubic[4][WidestVector];
-  std::uint64_t Begins, Any, One; ///< SignChanges, one bit for each ray
-};
-
-/// Finds the surfaces that the rays of a beam meet in cells. Single precision, with the margin of
-/// the beam, only leaves out rays that do not pass a cell.
+/// Finds the surfaces that the rays of a beam meet in cells. Single precision only leaves out rays
+/// that do not pass a cell, or for which it proves that they meet nothing there.
 /// \tparam IsPlain that of the beam
 /// \tparam Lattice tells where cells lie (KernelsLattice-inl.h)
 template <typename Real, bool IsPlain, class Lattice>
@@ -94,14 +74,16 @@ private:
   /// Search a cell for the rays that may pass it.
   void TestCell(const glm::ivec3& cell)
   {
-    const std::uint64_t passing = this->FindPassing(cell) & this->Notes.LiveRays();
+    const typename Lattice::Cell box = this->Places.CellAt(cell);
+    CellPassages passages;
+    const std::uint64_t passing = this->FindPassing(box, passages) & this->Notes.LiveRays();
     if (passing == 0)
     {
       return;
     }
     this->Beam.CellsPassed += static_cast<std::int64_t>(hwy::PopCount(passing));
     bool isNearer = false;
-    if (this->Task.AreOneByOne)
+    if (this->Task.HasCaps)
     {
       ForEachRay(
         passing, [&](std::size_t ray) HWY_ATTR { isNearer |= this->SearchFor(cell, ray); });
@@ -110,15 +92,8 @@ private:
     {
       std::size_t count = 0;
       const CellLevel<Real>* const levels = this->Scene.Read(cell, count);
-      for (std::size_t i = 0; i < RayBatch::Capacity; i += WidestVector)
-      {
-        const std::uint64_t which = passing >> i & 0xffffu;
-        if (which != 0)
-        {
-          this->FindPaths(cell, which, i);
-          isNearer |= this->SearchLevels(cell, levels, count, i);
-        }
-      }
+      const std::uint64_t open = this->FindOpen(box, levels, count, passages, passing);
+      isNearer = open != 0 && this->SearchCell(cell, levels, count, open);
     }
     if (isNearer)
     {
@@ -127,10 +102,10 @@ private:
   }
 
   /// One bit for each ray that may pass a cell on its walk.
-  HWY_INLINE std::uint64_t FindPassing(const glm::ivec3& cell) const
+  HWY_INLINE std::uint64_t FindPassing(
+    const typename Lattice::Cell& box, CellPassages& passages) const
   {
     const TileBeam& beam = this->Beam;
-    const typename Lattice::Cell box = this->Places.CellAt(cell);
     float planes[2][3];
     for (std::size_t a = 0; a < 3; ++a)
     {
@@ -159,99 +134,101 @@ private:
           leave = hn::Min(leave, hn::Mul(hn::Sub(Set(planes[1][a]), origin), inverse));
         }
       }
+      if (!IsPlain)
+      {
+        enter = hn::Max(enter, Load(&beam.Begin[i]));
+      }
       const M isAhead = hn::Le(enter, hn::Min(leave, Load(&beam.Behind[i])));
       passing |= BitsOf(hn::And(isAhead, hn::Ge(leave, Load(&beam.WalkBegin[i])))) << i;
+      hn::StoreU(enter, Floats(), passages.Enter + i);
+      hn::StoreU(leave, Floats(), passages.Leave + i);
     }
     return passing;
   }
 
-  /// Find the paths of rays through a cell, from ray i on.
-  /// \param which of them may pass it
-  HWY_INLINE void FindPaths(const glm::ivec3& cell, std::uint64_t which, std::size_t i)
+  /// One bit for each ray that may cross an isovalue in a cell. (CellSearch tells why.)
+  HWY_INLINE std::uint64_t FindOpen(const typename Lattice::Cell& box,
+    const CellLevel<Real>* levels, std::size_t count, const CellPassages& passages,
+    std::uint64_t passing) const
   {
-    const hn::CappedTag<double, WidestVector / 2> d;
-    using Vector = hn::Vec<decltype(d)>;
-    const RayBatch& rays = this->Task.Rays;
-    constexpr std::uint64_t lanes = (std::uint64_t(1) << hn::MaxLanes(d)) - 1;
-    CellPaths<Real>& paths = this->Paths;
-    Vector place[3];
-    for (int a = 0; a < 3; ++a)
+    const TileBeam& beam = this->Beam;
+    const float margin = beam.Margin * box.LargestShare();
+    constexpr float most = 0x1p-5f;
+    if (!(margin < most))
     {
-      place[a] = hn::Set(d, static_cast<double>(cell[a]));
+      return count > 0 ? passing : 0; // single precision tells nothing
     }
-    paths.Which = paths.IsFirst = 0;
-    for (std::size_t j = 0; j < WidestVector; j += hn::Lanes(d))
+    std::uint64_t open = 0;
+    for (std::size_t level = 0; level < count; ++level)
     {
-      if ((which >> j & lanes) == 0)
+      CellValues values;
+      values.Set(InFloat(levels[level].Corners));
+      const V error = Set(values.Largest * (16.0f * margin + 0x1p-13f) + 1e-30f);
+      for (std::size_t i = 0; i < RayBatch::Capacity; i += hn::Lanes(Floats()))
       {
-        continue;
+        constexpr std::size_t lanes = hn::MaxLanes(Floats());
+        const std::uint64_t which = passing >> i & ((std::uint64_t(1) << lanes) - 1);
+        if (which == 0)
+        {
+          continue;
+        }
+        const M isPassed = MaskOf(which);
+        const V enter = hn::IfThenElseZero(isPassed, Load(passages.Enter + i));
+        const V leave = hn::IfThenElseZero(isPassed, Load(passages.Leave + i));
+        const V length = hn::Sub(leave, enter);
+        V at[3], step[3];
+        for (std::size_t a = 0; a < 3; ++a)
+        {
+          const V direction = Load(&beam.Direction[a][i]);
+          const V origin = hn::Sub(Load(&beam.Origin[a][i]), Set(box.Low(a)));
+          at[a] = box.ShareOf(hn::MulAdd(enter, direction, origin), a);
+          step[a] = box.ShareOf(hn::Mul(length, direction), a);
+        }
+        const Coefficients b = CubicsAlong(values, at, step);
+        const M isOutside = hn::Or(hn::Lt(b.Largest, hn::Neg(error)), hn::Gt(b.Smallest, error));
+        open |= BitsOf(hn::AndNot(isOutside, isPassed)) << i;
       }
-      const std::size_t from = i + j;
-      segments::RayVector<Vector> lines;
-      for (std::size_t a = 0; a < 3; ++a)
-      {
-        lines.Origin[a] = hn::LoadU(d, &rays.Origin[a][from]);
-        lines.Direction[a] = hn::LoadU(d, &rays.Direction[a][from]);
-        lines.Inverse[a] = hn::LoadU(d, &rays.Inverse[a][from]);
-      }
-      lines.Begin = hn::LoadU(d, &rays.Begin[from]);
-      lines.End = hn::LoadU(d, &rays.End[from]);
-      const auto path = segments::FindPath(d, lines, place);
-      for (std::size_t a = 0; a < 3; ++a)
-      {
-        segments::StoreAs(path.Begin[a], &paths.Begin[a][j]);
-        segments::StoreAs(path.End[a], &paths.End[a][j]);
-      }
-      hn::StoreU(path.Enter, d, &paths.Enter[j]);
-      hn::StoreU(path.Leave, d, &paths.Leave[j]);
-      const Vector begin = hn::LoadU(d, &rays.WalkBegin[from]);
-      const auto isOnWalk =
-        hn::And(hn::Ge(path.Leave, begin), hn::Lt(path.Enter, hn::LoadU(d, &rays.WalkEnd[from])));
-      paths.Which |= BitsIn(d, hn::And(hn::Lt(path.Enter, path.Leave), isOnWalk)) << j;
-      paths.IsFirst |= BitsIn(d, hn::Le(path.Enter, begin)) << j;
     }
-    paths.Which &= which;
-    paths.IsFirst &= paths.Which;
+    return open;
   }
 
-  /// Find out where rays may pass an isovalue in a cell.
-  HWY_INLINE void FindCrossings(
-    const Corners<Real>& corners, std::uint64_t which, CellCrossings<Real>& found) const
+  /// Corners in single precision, in any unit.
+  static std::array<float, 8> InFloat(const std::array<float, 8>& corners) { return corners; }
+  static std::array<float, 8> InFloat(const std::array<double, 8>& corners)
   {
-    const hn::CappedTag<Real, WidestVector> d;
-    using Vector = hn::Vec<decltype(d)>;
-    constexpr std::uint64_t lanes = (std::uint64_t(1) << hn::MaxLanes(d)) - 1;
-    const CellPaths<Real>& paths = this->Paths;
-    found.Begins = found.Any = found.One = 0;
-    Vector samples[8];
-    for (std::size_t corner = 0; corner < 8; ++corner)
+    double largest = 0.0;
+    for (const double corner : corners)
     {
-      samples[corner] = hn::Set(d, corners[corner]);
+      largest = std::max(largest, std::abs(corner));
     }
-    for (std::size_t j = 0; j < WidestVector; j += hn::Lanes(d))
+    std::array<float, 8> shares;
+    for (std::size_t i = 0; i < shares.size(); ++i)
     {
-      if ((which >> j & lanes) == 0)
-      {
-        continue;
-      }
-      Vector begin[3], end[3], b[4];
-      for (std::size_t a = 0; a < 3; ++a)
-      {
-        begin[a] = hn::Load(d, &paths.Begin[a][j]);
-        end[a] = hn::Load(d, &paths.End[a][j]);
-      }
-      segments::CubicsBetween(d, samples, begin, end, b);
-      const auto changes = segments::FindChanges(d, b);
-      for (std::size_t c = 0; c < 4; ++c)
-      {
-        hn::Store(b[c], d, &found.Cubic[c][j]);
-      }
-      found.Begins |= BitsIn(d, changes.Begins) << j;
-      found.Any |= BitsIn(d, changes.Any) << j;
-      found.One |= BitsIn(d, changes.One) << j;
+      shares[i] = static_cast<float>(corners[i] / largest);
     }
-    found.Any &= which;
-    found.One &= which;
+    return shares;
+  }
+
+  /// Search a cell for some rays. \return true if one of them is full or opaque then
+  HWY_INLINE bool SearchCell(
+    const glm::ivec3& cell, const CellLevel<Real>* levels, std::size_t count, std::uint64_t which)
+  {
+    bool isDone = false;
+    if (this->Task.Grid)
+    {
+      ForEachRay(which, [&](std::size_t ray) HWY_ATTR { isDone |= this->SearchFor(cell, ray); });
+      return isDone;
+    }
+    for (std::size_t i = 0; i < RayBatch::Capacity; i += RowOfRays)
+    {
+      const std::uint64_t inRow = which >> i & 0xffu;
+      if (inRow != 0)
+      {
+        FindPaths(this->Task.Rays, i, inRow, cell, this->Paths);
+        isDone |= this->SearchLevels(cell, levels, count, i);
+      }
+    }
+    return isDone;
   }
 
   /// Note where some rays of a vector cross an isovalue.
@@ -314,7 +291,7 @@ private:
     for (std::size_t level = 0; level < count; ++level)
     {
       CellCrossings<Real>& found = this->Crossings[level];
-      this->FindCrossings(levels[level].Corners, which & ~oneByOne, found);
+      FindCrossings(this->Paths, levels[level].Corners, which & ~oneByOne, found);
       oneByOne |= met & found.Any;
       met |= found.Any;
     }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Surfaces that the rays of a beam meet for sure, before it is known where.
+// The layers that rays of a beam meet in cells: that there are such, and then where.
 // Included by kernels once for each kind of vectors, hence the guard that turns over.
 #if defined(TemporalCoherence_KernelsLayerNotes_inl_h) == defined(HWY_TARGET_TOGGLE)
 #ifdef TemporalCoherence_KernelsLayerNotes_inl_h
@@ -29,6 +29,126 @@ namespace HWY_NAMESPACE
 
 namespace hn = hwy::HWY_NAMESPACE;
 namespace segments = SegmentKernels::HWY_NAMESPACE;
+
+/// One bit for each lane.
+template <class D>
+HWY_INLINE std::uint64_t BitsIn(D d, hn::Mask<D> mask)
+{
+  std::uint8_t bits[8] = { 0 };
+  hn::StoreMaskBits(d, mask, bits);
+  return static_cast<std::uint64_t>(bits[0]) | static_cast<std::uint64_t>(bits[1]) << 8;
+}
+
+/// Rays that are searched together: a row of a tile.
+constexpr std::size_t RowOfRays = 8;
+
+/// A row of rays in a cell.
+template <typename Real>
+struct alignas(64) CellPaths
+{
+  Real Begin[3][RowOfRays], End[3][RowOfRays]; ///< in the coordinates of the cell
+  double Enter[RowOfRays], Leave[RowOfRays];
+  std::uint64_t Which;   ///< one bit for each that goes through it
+  std::uint64_t IsFirst; ///< where a walk begins in the cell
+};
+
+/// Where cubics along these cross zero.
+template <typename Real>
+struct alignas(64) CellCrossings
+{
+  Real Cubic[4][RowOfRays];
+  std::uint64_t Begins, Any, One; ///< SignChanges, one bit for each ray
+};
+
+/// Find the paths of a row of rays through a cell, from ray i on, as on walks.
+/// \param which of them may pass it
+template <typename Real>
+HWY_INLINE void FindPaths(const RayBatch& rays, std::size_t i, std::uint64_t which,
+  const glm::ivec3& cell, CellPaths<Real>& paths)
+{
+  const hn::CappedTag<double, RowOfRays> d;
+  using Vector = hn::Vec<decltype(d)>;
+  constexpr std::uint64_t lanes = (std::uint64_t(1) << hn::MaxLanes(d)) - 1;
+  Vector place[3];
+  for (int a = 0; a < 3; ++a)
+  {
+    place[a] = hn::Set(d, static_cast<double>(cell[a]));
+  }
+  std::uint64_t isOn = 0, isFirst = 0;
+  for (std::size_t j = 0; j < RowOfRays; j += hn::Lanes(d))
+  {
+    if ((which >> j & lanes) == 0)
+    {
+      continue;
+    }
+    const std::size_t from = i + j;
+    segments::RayVector<Vector> lines;
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      lines.Origin[a] = hn::LoadU(d, &rays.Origin[a][from]);
+      lines.Direction[a] = hn::LoadU(d, &rays.Direction[a][from]);
+      lines.Inverse[a] = hn::LoadU(d, &rays.Inverse[a][from]);
+    }
+    lines.Begin = hn::LoadU(d, &rays.Begin[from]);
+    lines.End = hn::LoadU(d, &rays.End[from]);
+    const auto path = segments::FindPath(d, lines, place);
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      segments::StoreAs(path.Begin[a], &paths.Begin[a][j]);
+      segments::StoreAs(path.End[a], &paths.End[a][j]);
+    }
+    hn::StoreU(path.Enter, d, &paths.Enter[j]);
+    hn::StoreU(path.Leave, d, &paths.Leave[j]);
+    const Vector begin = hn::LoadU(d, &rays.WalkBegin[from]);
+    const auto isOnWalk =
+      hn::And(hn::Ge(path.Leave, begin), hn::Lt(path.Enter, hn::LoadU(d, &rays.WalkEnd[from])));
+    isOn |= BitsIn(d, hn::And(hn::Lt(path.Enter, path.Leave), isOnWalk)) << j;
+    isFirst |= BitsIn(d, hn::Le(path.Enter, begin)) << j;
+  }
+  paths.Which = isOn & which;
+  paths.IsFirst = isFirst & paths.Which;
+}
+
+/// Find out where rays may pass an isovalue in a cell.
+template <typename Real>
+HWY_INLINE void FindCrossings(const CellPaths<Real>& paths, const std::array<Real, 8>& corners,
+  std::uint64_t which, CellCrossings<Real>& found)
+{
+  const hn::CappedTag<Real, RowOfRays> d;
+  using Vector = hn::Vec<decltype(d)>;
+  constexpr std::uint64_t lanes = (std::uint64_t(1) << hn::MaxLanes(d)) - 1;
+  std::uint64_t begins = 0, any = 0, one = 0;
+  Vector samples[8];
+  for (std::size_t corner = 0; corner < 8; ++corner)
+  {
+    samples[corner] = hn::Set(d, corners[corner]);
+  }
+  for (std::size_t j = 0; j < RowOfRays; j += hn::Lanes(d))
+  {
+    if ((which >> j & lanes) == 0)
+    {
+      continue;
+    }
+    Vector begin[3], end[3], b[4];
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      begin[a] = hn::Load(d, &paths.Begin[a][j]);
+      end[a] = hn::Load(d, &paths.End[a][j]);
+    }
+    segments::CubicsBetween(d, samples, begin, end, b);
+    const auto changes = segments::FindChanges(d, b);
+    for (std::size_t c = 0; c < 4; ++c)
+    {
+      hn::Store(b[c], d, &found.Cubic[c][j]);
+    }
+    begins |= BitsIn(d, changes.Begins) << j;
+    any |= BitsIn(d, changes.Any) << j;
+    one |= BitsIn(d, changes.One) << j;
+  }
+  found.Begins = begins;
+  found.Any = any & which;
+  found.One = one & which;
+}
 
 /// Notes which surface a ray meets next, and later finds where, for whole vectors of notes at once.
 /// So it is known at once when a ray is full or opaque, but most of the work is done on vectors

@@ -54,9 +54,10 @@ struct LayerTask
 {
   const ActiveCells& Active;
   const RayBatch& Rays;
-  bool IsSolid;                ///< only entries are surfaces
-  bool AreOneByOne;            ///< the scene searches cells, ray by ray, and not the kernel
-  const GridCoordinates* Grid; ///< of samples; null: they lie at integers
+  bool IsSolid; ///< only entries are surfaces
+  bool HasCaps; ///< the scene tells where rays are in solids behind hidden cells
+  /// Coordinates of samples; null: they lie at integers. On a grid the scene searches cells, too.
+  const GridCoordinates* Grid;
 };
 
 /// Take a beam through active cells, from front to back, up to where all its rays are full or

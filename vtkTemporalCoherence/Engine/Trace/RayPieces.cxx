@@ -140,6 +140,7 @@ void FindLayersWithin(const RegionClipper& clipper, const SurfaceTracer& tracer,
       [&](std::size_t ray) { isDone |= static_cast<std::uint64_t>(layers.IsDone(ray)) << ray; });
     layers.Open = open & ~isDone;
   }
+  layers.Open = 0;
 }
 
 }

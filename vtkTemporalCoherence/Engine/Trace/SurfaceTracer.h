@@ -80,7 +80,7 @@ public:
   virtual void FindNext(const RayBatch& rays, HitBatch& hits) const;
 
   /// Append the next surfaces along each open ray, as FindNext finds them one by one: up to the
-  /// limit, or to where the ray is opaque. Thread-safe.
+  /// limit, or to where the ray is opaque. No ray is open then. Thread-safe.
   virtual void FindLayers(const RayBatch& rays, LayerBatch& layers) const;
 
   /// True if FindLayers finds several surfaces of a ray as quickly as one.

@@ -161,8 +161,7 @@ private:
     std::uint64_t open = 0;
     for (std::size_t level = 0; level < count; ++level)
     {
-      CellValues values;
-      values.Set(InFloat(levels[level].Corners));
+      const CellValues values = ValuesOf(InFloat(levels[level].Corners));
       const V error = Set(values.Largest * (16.0f * margin + 0x1p-13f) + 1e-30f);
       for (std::size_t i = 0; i < RayBatch::Capacity; i += hn::Lanes(Floats()))
       {
@@ -207,6 +206,16 @@ private:
       shares[i] = static_cast<float>(corners[i] / largest);
     }
     return shares;
+  }
+
+  static CellValues ValuesOf(const std::array<float, 8>& corners)
+  {
+    CellValues values;
+    for (std::size_t row = 0; row < 4; ++row)
+    {
+      values.Set(row, corners[2 * row], corners[2 * row + 1]);
+    }
+    return values;
   }
 
   /// Search a cell for some rays. \return true if one of them is full or opaque then

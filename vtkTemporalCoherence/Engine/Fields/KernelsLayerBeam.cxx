@@ -353,7 +353,7 @@ private:
   LayerBeamScene<Real>& Scene;
   TileBeam& Beam;
   LayerNotes<Real> Notes;
-  CellPaths<Real> Paths;
+  CellPaths<Real> Paths{}; ///< lanes without a ray hold finite numbers, too
   CellCrossings<Real> Crossings[MostLevels];
 };
 

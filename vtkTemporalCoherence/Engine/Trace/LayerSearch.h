@@ -89,9 +89,13 @@ public:
     {
       return;
     }
-    const Segment segment(line, cell);
     const std::array<T, 8> samples = cells.Samples.Read(cell);
     const auto [first, behind] = this->FindPassed(samples, true);
+    if (first == behind)
+    {
+      return;
+    }
+    const Segment segment(line, cell);
     for (std::size_t place = first; place < behind; ++place)
     {
       const std::size_t surface = this->Ascending[place];

@@ -197,6 +197,19 @@ TEST_F(LayerBeams, AreThoseOfWalksInManyPasses)
   EXPECT_GT(this->Passes, 500);
 }
 
+/// In one cell a ray meets more surfaces than one pass finds.
+TEST_F(LayerBeams, AreThoseOfWalksInCellsOfManySurfaces)
+{
+  Grid<std::uint8_t> noise(glm::ivec3(6, 7, 8));
+  noise.FillRandomly(0.0, 255.0, 13);
+  std::vector<double> isovalues;
+  for (int i = 0; i < 100; ++i)
+  {
+    isovalues.push_back(0.3 + 2.5 * i);
+  }
+  this->Compare(noise, isovalues, std::vector<float>(isovalues.size(), 0.01f), 16, 16);
+}
+
 TEST_F(LayerBeams, AreThoseOfWalksInNumbersOfAnySize)
 {
   for (const double unit : { 1e-300, 1e300 })

@@ -136,14 +136,11 @@ private:
         CellSurfaces found;
         this->Search.FindCaps(this->Cells, *this->Rays, ray,
           [&](double distance, HitKind kind, std::int16_t surface) {
-            this->Insert({ distance, kind, surface }, found);
+            this->Insert({ distance, kind, surface }, ray, layers, found);
           });
         for (std::size_t i = 0; i < found.Count && layers.IsOpen(ray); ++i)
         {
-          if (this->IsBehindLast(found.All[i], begin, ray, layers))
-          {
-            layers.Append(ray, begin, HitKind::Cap, found.All[i].Surface);
-          }
+          layers.Append(ray, begin, HitKind::Cap, found.All[i].Surface);
         }
       });
   }
@@ -167,14 +164,15 @@ private:
     return this->Levels.data();
   }
 
-  void SearchCell(const glm::ivec3& cell, std::size_t ray, CellSurfaces& found) override
+  void SearchCell(
+    const glm::ivec3& cell, std::size_t ray, const LayerBatch& layers, CellSurfaces& found) override
   {
     const typename Geometry::Segment segment(this->Cells.Shape.RayOf(*this->Rays, ray), cell);
     if (segment.HasLength())
     {
       this->Search.Search(this->Cells, segment, this->Cells.Samples.Read(cell),
         [&](double distance, HitKind kind, std::int16_t surface) {
-          this->Insert({ distance, kind, surface }, found);
+          this->Insert({ distance, kind, surface }, ray, layers, found);
         });
     }
   }
@@ -184,9 +182,14 @@ private:
     return { met.Distance, met.Kind, this->Cells.Rules.IsovalueOf(met.Surface) };
   }
 
-  /// Keep a surface in its order.
-  void Insert(const CellSurfaces::Met& met, CellSurfaces& found) const
+  /// Keep a surface behind the last one of a ray, in its order.
+  void Insert(const CellSurfaces::Met& met, std::size_t ray, const LayerBatch& layers,
+    CellSurfaces& found) const
   {
+    if (!this->IsBehindLast(met, this->Rays->Begin[ray], ray, layers))
+    {
+      return;
+    }
     const MetSurface surface = this->SurfaceOf(met);
     std::size_t at = found.Count;
     while (at > 0 && IsInFront(surface, this->SurfaceOf(found.All[at - 1])))

@@ -318,7 +318,7 @@ private:
   bool SearchFor(const glm::ivec3& cell, std::size_t ray)
   {
     CellSurfaces found;
-    this->Scene.SearchCell(cell, ray, found);
+    this->Scene.SearchCell(cell, ray, this->Notes.Known(), found);
     return this->EndIf(this->Notes.Note(ray, found), ray);
   }
 

@@ -204,20 +204,17 @@ public:
     return true;
   }
 
+  /// Layers that are known: those that are noted are not among them.
+  const LayerBatch& Known() const { return this->Layers; }
+
   /// Note all that a ray meets in a cell. \return true if it is full or opaque then
   bool Note(std::size_t ray, const CellSurfaces& found)
   {
     // A cubic that crosses zero where it is known to.
     constexpr Real known[4] = { Real(-1), Real(-1), Real(1), Real(1) };
-    // If nothing is pending, the last surface is known.
-    const bool isLastKnown = this->Count[ray] == this->Layers.Count[ray];
     for (std::size_t i = 0; i < found.Count; ++i)
     {
       const CellSurfaces::Met& met = found.All[i];
-      if (isLastKnown && this->IsLast(ray, met))
-      {
-        continue;
-      }
       if (this->Note(ray, met.Surface, met.Kind, known, met.Distance, met.Distance))
       {
         return true;
@@ -261,15 +258,6 @@ private:
   static constexpr std::size_t Capacity = 256;
   template <typename T>
   using List = std::array<T, Capacity + WidestVector>;
-
-  /// True if a surface is the last one of a ray, or before it.
-  bool IsLast(std::size_t ray, const CellSurfaces::Met& met) const
-  {
-    const double last = this->Layers.LastDistance[ray];
-    return met.Distance < last ||
-      (met.Distance == last && met.Kind == this->Layers.LastKind[ray] &&
-        met.Surface == this->Layers.LastSurface[ray]);
-  }
 
   /// Replace Enter by the distance of the surface.
   HWY_INLINE void FindDistances()

@@ -23,7 +23,8 @@ struct CellLevel
   std::array<Real, 8> Corners; ///< differences from it
 };
 
-/// What one ray meets in one cell, from front to back. What does not fit is left out from behind.
+/// What one ray meets in one cell behind what it is known to have met, from front to back. What
+/// does not fit is left out from behind: it is as much as a pass may find.
 struct CellSurfaces
 {
   struct Met
@@ -45,8 +46,9 @@ public:
   /// Read a cell. \return the isovalues that pass through it, and how many
   virtual const CellLevel<Real>* Read(const glm::ivec3& cell, std::size_t& count) = 0;
 
-  /// Find all that one ray meets in a cell, as on a walk.
-  virtual void SearchCell(const glm::ivec3& cell, std::size_t ray, CellSurfaces& found) = 0;
+  /// Find all that one ray meets in a cell behind its last layer, as on a walk.
+  virtual void SearchCell(
+    const glm::ivec3& cell, std::size_t ray, const LayerBatch& layers, CellSurfaces& found) = 0;
 };
 
 /// What is searched.

@@ -10,7 +10,7 @@
 struct Options : CommonOptions
 {
   int OrbitFrames = 30;
-  int SweepFrames = 24;
+  int SweepFrames = 48;
   int ColorFrames = 6;
   int RepeatFrames = 10;
   int FramesWithoutReuse = 4; // three times in a tour

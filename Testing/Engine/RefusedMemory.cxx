@@ -25,16 +25,22 @@ RefusedMemory::~RefusedMemory()
   AllowedCalls = All;
 }
 
-// The program's own, which those for arrays call.
+// The program's own, which those for arrays call. All of them, as a sanitizer has others.
+
+void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept
+{
+  void* const memory = AllowedCalls > 0 ? std::malloc(bytes > 0 ? bytes : 1) : nullptr;
+  AllowedCalls -= memory && AllowedCalls < All;
+  return memory;
+}
 
 void* operator new(std::size_t bytes)
 {
-  void* const memory = AllowedCalls > 0 ? std::malloc(bytes > 0 ? bytes : 1) : nullptr;
+  void* const memory = operator new(bytes, std::nothrow);
   if (!memory)
   {
     throw std::bad_alloc();
   }
-  AllowedCalls -= AllowedCalls < All;
   return memory;
 }
 

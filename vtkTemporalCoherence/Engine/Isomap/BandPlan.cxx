@@ -13,7 +13,7 @@ namespace
 {
 
 // All of these were chosen by the mean and the worst frames of drags, `Benchmark --scenarios
-// isomap`. Documentation/Tried.md, "Building the isomap", tells what else was tried.
+// drags`. Documentation/Tried.md, "Building the isomap", tells what else was tried.
 
 /// A change by more than this share of the range is not a step of a drag.
 constexpr double LargestStep = 1.0 / 20.0;

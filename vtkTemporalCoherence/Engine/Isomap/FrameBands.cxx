@@ -16,7 +16,7 @@ namespace TemporalCoherence
 namespace
 {
 
-// Measured by the mean and the worst frames of drags, `Benchmark --scenarios isomap`.
+// Measured by the mean and the worst frames of drags, `Benchmark --scenarios drags`.
 
 /// How much longer a frame may take than if all was traced, as a share: the first one of a drag,
 /// and others. And how much of what look-ups are expected to save may be spent on that.

@@ -40,11 +40,16 @@ HWY_INLINE V Set(float value)
 }
 
 /// One bit for each lane.
-HWY_INLINE std::uint64_t BitsOf(M mask)
+template <class D>
+HWY_INLINE std::uint64_t BitsIn(D d, hn::Mask<D> mask)
 {
   std::uint8_t bits[8] = { 0 };
-  hn::StoreMaskBits(Floats(), mask, bits);
+  hn::StoreMaskBits(d, mask, bits);
   return static_cast<std::uint64_t>(bits[0]) | static_cast<std::uint64_t>(bits[1]) << 8;
+}
+HWY_INLINE std::uint64_t BitsOf(M mask)
+{
+  return BitsIn(Floats(), mask);
 }
 
 HWY_INLINE M MaskOf(std::uint64_t which)

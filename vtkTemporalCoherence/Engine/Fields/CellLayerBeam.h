@@ -21,8 +21,9 @@ namespace TemporalCoherence
 
 /// Finds layers of the rays of a tile by beams, in a field with samples at the corners of cells.
 ///
-/// The beam only leaves out cells that a ray does not pass. What is in the others is found as on a
-/// walk. Each ray meets them in its own order, so that a search ends where the ray is opaque.
+/// The beam only leaves out cells: those that a ray does not pass, and those where single precision
+/// proves that it meets nothing. What is in the others is found as on a walk. Each ray meets them
+/// in its own order, so that a search ends where the ray is opaque.
 template <typename T, typename Geometry>
 class CellLayerBeam final : private LayerBeamScene<typename Geometry::Real>
 {

@@ -28,15 +28,6 @@ namespace segments = SegmentKernels::HWY_NAMESPACE;
 
 using Doubles = hn::CappedTag<double, WidestVector / 2>;
 
-/// One bit for each lane.
-template <class D>
-HWY_INLINE std::uint64_t BitsIn(D d, hn::Mask<D> mask)
-{
-  std::uint8_t bits[8] = { 0 };
-  hn::StoreMaskBits(d, mask, bits);
-  return static_cast<std::uint64_t>(bits[0]) | static_cast<std::uint64_t>(bits[1]) << 8;
-}
-
 /// Tests the cells of leaves against the rays of a beam, and tells the scene of those that can
 /// bring rays on. In single precision, with the margin of the beam, rays are found that may pass a
 /// cell; the rest is as on a walk.
@@ -182,16 +173,7 @@ private:
     for (std::size_t i = 0; i < hn::Lanes(Floats()); i += hn::Lanes(d))
     {
       const std::size_t from = rays.First + i;
-      segments::RayVector<Vector> lines;
-      for (std::size_t a = 0; a < 3; ++a)
-      {
-        lines.Origin[a] = hn::LoadU(d, &this->Rays.Origin[a][from]);
-        lines.Direction[a] = hn::LoadU(d, &this->Rays.Direction[a][from]);
-        lines.Inverse[a] = hn::LoadU(d, &this->Rays.Inverse[a][from]);
-      }
-      lines.Begin = hn::LoadU(d, &this->Rays.Begin[from]);
-      lines.End = hn::LoadU(d, &this->Rays.End[from]);
-      const auto path = segments::FindPath(d, lines, place);
+      const auto path = segments::FindPath(d, segments::LoadRays(d, this->Rays, from), place);
       for (std::size_t a = 0; a < 3; ++a)
       {
         segments::StoreAs(path.Begin[a], &paths.Begin[a][i]);

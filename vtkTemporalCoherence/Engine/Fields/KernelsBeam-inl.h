@@ -59,17 +59,8 @@ public:
   /// Test cells of a leaf, one bit each in the order in which the beam meets them.
   HWY_INLINE void TestCells(const glm::ivec3& leaf, std::uint64_t cells)
   {
-    const TileBeam& beam = this->Beam;
-    const auto reach = this->Places.ReachIn(leaf, 1);
-    for (; cells != 0; cells &= cells - 1)
-    {
-      const int cell = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(cells)) ^ beam.Flip;
-      // What has been found since may hide it.
-      if (reach.Of(cell) >= beam.Around.Offset[TileBeam::Across])
-      {
-        this->TestCell(leaf + glm::ivec3(cell & 3, cell >> 2 & 3, cell >> 4));
-      }
-    }
+    VisitInOrder(this->Places, this->Beam, cells, leaf, 1,
+      [&](const glm::ivec3& place) HWY_ATTR { this->TestCell(leaf + place); });
   }
 
   /// Decide what is left.
@@ -179,15 +170,8 @@ private:
     const V zero = hn::Zero(Floats());
     const V enter = hn::IfThenElse(isPassed, passed.Enter, zero);
     const V leave = hn::IfThenElse(isPassed, passed.Leave, zero);
-    const V length = hn::Sub(leave, enter);
     V at[3], step[3];
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      const V direction = Load(&beam.Direction[a][i]);
-      const V origin = hn::Sub(Load(&beam.Origin[a][i]), Set(box.Low(a)));
-      at[a] = box.ShareOf(hn::MulAdd(enter, direction, origin), a);
-      step[a] = box.ShareOf(hn::Mul(length, direction), a);
-    }
+    FindPathsIn(box, beam, enter, leave, i, at, step);
     const Coefficients b = CubicsAlong(values, at, step);
     M isOpen = hn::Lt(zero, zero);
     for (const float isovalue : this->Task.Isovalues)

@@ -76,18 +76,8 @@ private:
   HWY_INLINE void VisitChildren(
     std::uint64_t word, const glm::ivec3& first, int size, const Visitor& visit)
   {
-    const TileBeam& beam = this->Beam;
-    word = InOrder(word & this->Blocks.Cull(first, size), beam.Flip);
-    const auto reach = this->Blocks.ReachIn(first, size);
-    for (; word != 0; word &= word - 1)
-    {
-      const int child = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(word)) ^ beam.Flip;
-      // What has been found since may hide it.
-      if (reach.Of(child) >= beam.Around.Offset[TileBeam::Across])
-      {
-        visit(glm::ivec3(child & 3, child >> 2 & 3, child >> 4));
-      }
-    }
+    word = InOrder(word & this->Blocks.Cull(first, size), this->Beam.Flip);
+    VisitInOrder(this->Blocks, this->Beam, word, first, size, visit);
   }
 
   void VisitLevel(std::size_t level, const glm::ivec3& block)

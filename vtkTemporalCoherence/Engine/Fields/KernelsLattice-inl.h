@@ -48,6 +48,41 @@ struct CellFaces
   float Near[3], Far[3];
 };
 
+/// Paths of a vector of rays in a cell, in its coordinates: from `enter` to `leave`.
+template <class Box>
+HWY_INLINE void FindPathsIn(
+  const Box& box, const TileBeam& beam, V enter, V leave, std::size_t i, V at[3], V step[3])
+{
+  const V length = hn::Sub(leave, enter);
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    const V direction = Load(&beam.Direction[a][i]);
+    const V origin = hn::Sub(Load(&beam.Origin[a][i]), Set(box.Low(a)));
+    at[a] = box.ShareOf(hn::MulAdd(enter, direction, origin), a);
+    step[a] = box.ShareOf(hn::Mul(length, direction), a);
+  }
+}
+
+/// Call visit(place) for each child of a block whose bit is set, as it lies in the block, from
+/// front to back.
+/// \param word  bits in the order in which the beam meets the children
+/// \param first cell of the block, and cells along an edge of a child
+template <class Lattice, typename Visitor>
+HWY_INLINE void VisitInOrder(const Lattice& lattice, const TileBeam& beam, std::uint64_t word,
+  const glm::ivec3& first, int size, const Visitor& visit)
+{
+  const auto reach = lattice.ReachIn(first, size);
+  for (; word != 0; word &= word - 1)
+  {
+    const int child = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(word)) ^ beam.Flip;
+    // What has been found since may hide it.
+    if (reach.Of(child) >= beam.Around.Offset[TileBeam::Across])
+    {
+      visit(glm::ivec3(child & 3, child >> 2 & 3, child >> 4));
+    }
+  }
+}
+
 /// The lattice of an image: planes between cells lie at integers.
 class UniformLattice
 {

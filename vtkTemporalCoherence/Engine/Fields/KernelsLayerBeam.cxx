@@ -12,6 +12,7 @@
 #include <hwy/foreach_target.h>
 
 #include "Fields/KernelsBeamTree-inl.h"
+#include "Fields/KernelsHull-inl.h"
 #include "Fields/KernelsLayerNotes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -51,16 +52,8 @@ public:
   /// Test cells of a leaf, one bit each in the order in which the beam meets them.
   HWY_INLINE void TestCells(const glm::ivec3& leaf, std::uint64_t cells)
   {
-    const TileBeam& beam = this->Beam;
-    const auto reach = this->Places.ReachIn(leaf, 1);
-    for (; cells != 0; cells &= cells - 1)
-    {
-      const int cell = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(cells)) ^ beam.Flip;
-      if (reach.Of(cell) >= beam.Around.Offset[TileBeam::Across])
-      {
-        this->TestCell(leaf + glm::ivec3(cell & 3, cell >> 2 & 3, cell >> 4));
-      }
-    }
+    VisitInOrder(this->Places, this->Beam, cells, leaf, 1,
+      [&](const glm::ivec3& place) HWY_ATTR { this->TestCell(leaf + place); });
   }
 
   /// \return one bit for each ray that must walk
@@ -97,7 +90,7 @@ private:
     }
     if (isNearer)
     {
-      this->FindDepth();
+      MoveAcrossIfNearer(this->Beam);
     }
   }
 
@@ -106,14 +99,7 @@ private:
     const typename Lattice::Cell& box, CellPassages& passages) const
   {
     const TileBeam& beam = this->Beam;
-    float planes[2][3];
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      const bool isBack = beam.Flip >> (2 * a) & 1;
-      const float low = box.Low(a) - beam.Margin, high = box.High(a) + beam.Margin;
-      planes[0][a] = isBack ? high : low;
-      planes[1][a] = isBack ? low : high;
-    }
+    const CellFaces faces(box, beam.Margin, beam.Flip);
     std::uint64_t passing = 0;
     for (std::size_t i = 0; i < RayBatch::Capacity; i += hn::Lanes(Floats()))
     {
@@ -124,14 +110,14 @@ private:
         if constexpr (IsPlain)
         {
           const V toOrigin = Load(&beam.ToOrigin[a][i]);
-          enter = hn::Max(enter, hn::MulAdd(Set(planes[0][a]), inverse, toOrigin));
-          leave = hn::Min(leave, hn::MulAdd(Set(planes[1][a]), inverse, toOrigin));
+          enter = hn::Max(enter, hn::MulAdd(Set(faces.Near[a]), inverse, toOrigin));
+          leave = hn::Min(leave, hn::MulAdd(Set(faces.Far[a]), inverse, toOrigin));
         }
         else
         {
           const V origin = Load(&beam.Origin[a][i]);
-          enter = hn::Max(enter, hn::Mul(hn::Sub(Set(planes[0][a]), origin), inverse));
-          leave = hn::Min(leave, hn::Mul(hn::Sub(Set(planes[1][a]), origin), inverse));
+          enter = hn::Max(enter, hn::Mul(hn::Sub(Set(faces.Near[a]), origin), inverse));
+          leave = hn::Min(leave, hn::Mul(hn::Sub(Set(faces.Far[a]), origin), inverse));
         }
       }
       if (!IsPlain)
@@ -174,15 +160,8 @@ private:
         const M isPassed = MaskOf(which);
         const V enter = hn::IfThenElseZero(isPassed, Load(passages.Enter + i));
         const V leave = hn::IfThenElseZero(isPassed, Load(passages.Leave + i));
-        const V length = hn::Sub(leave, enter);
         V at[3], step[3];
-        for (std::size_t a = 0; a < 3; ++a)
-        {
-          const V direction = Load(&beam.Direction[a][i]);
-          const V origin = hn::Sub(Load(&beam.Origin[a][i]), Set(box.Low(a)));
-          at[a] = box.ShareOf(hn::MulAdd(enter, direction, origin), a);
-          step[a] = box.ShareOf(hn::Mul(length, direction), a);
-        }
+        FindPathsIn(box, beam, enter, leave, i, at, step);
         const Coefficients b = CubicsAlong(values, at, step);
         const M isOutside = hn::Or(hn::Lt(b.Largest, hn::Neg(error)), hn::Gt(b.Smallest, error));
         open |= BitsOf(hn::AndNot(isOutside, isPassed)) << i;
@@ -330,20 +309,6 @@ private:
       this->Beam.Behind[ray] = -TileBeam::Never;
     }
     return isDone;
-  }
-
-  /// Move the plane across the beam to where all that matters ends.
-  void FindDepth()
-  {
-    TileBeam& beam = this->Beam;
-    V depth = Set(-1e30f);
-    for (std::size_t i = 0; i < beam.Count; i += hn::Lanes(Floats()))
-    {
-      const V along = hn::Mul(Load(&beam.Behind[i]), Load(&beam.PerDepth[i]));
-      depth = hn::Max(depth, hn::Add(Load(&beam.AtDepth[i]), along));
-    }
-    beam.Around.Offset[TileBeam::Across] =
-      -(hn::GetLane(hn::MaxOfLanes(Floats(), depth)) + 4.0f * beam.Margin);
   }
 
   static constexpr std::size_t MostLevels = 4;

@@ -30,15 +30,6 @@ namespace HWY_NAMESPACE
 namespace hn = hwy::HWY_NAMESPACE;
 namespace segments = SegmentKernels::HWY_NAMESPACE;
 
-/// One bit for each lane.
-template <class D>
-HWY_INLINE std::uint64_t BitsIn(D d, hn::Mask<D> mask)
-{
-  std::uint8_t bits[8] = { 0 };
-  hn::StoreMaskBits(d, mask, bits);
-  return static_cast<std::uint64_t>(bits[0]) | static_cast<std::uint64_t>(bits[1]) << 8;
-}
-
 /// Rays that are searched together: a row of a tile.
 constexpr std::size_t RowOfRays = 8;
 
@@ -82,16 +73,7 @@ HWY_INLINE void FindPaths(const RayBatch& rays, std::size_t i, std::uint64_t whi
       continue;
     }
     const std::size_t from = i + j;
-    segments::RayVector<Vector> lines;
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      lines.Origin[a] = hn::LoadU(d, &rays.Origin[a][from]);
-      lines.Direction[a] = hn::LoadU(d, &rays.Direction[a][from]);
-      lines.Inverse[a] = hn::LoadU(d, &rays.Inverse[a][from]);
-    }
-    lines.Begin = hn::LoadU(d, &rays.Begin[from]);
-    lines.End = hn::LoadU(d, &rays.End[from]);
-    const auto path = segments::FindPath(d, lines, place);
+    const auto path = segments::FindPath(d, segments::LoadRays(d, rays, from), place);
     for (std::size_t a = 0; a < 3; ++a)
     {
       segments::StoreAs(path.Begin[a], &paths.Begin[a][j]);

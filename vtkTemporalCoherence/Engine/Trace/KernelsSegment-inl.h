@@ -60,6 +60,22 @@ struct RayVector
   V Begin, End;
 };
 
+/// A vector of rays of a batch, from ray i on.
+template <class D>
+HWY_INLINE RayVector<hn::Vec<D>> LoadRays(D d, const RayBatch& rays, std::size_t i)
+{
+  RayVector<hn::Vec<D>> loaded;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    loaded.Origin[a] = hn::LoadU(d, &rays.Origin[a][i]);
+    loaded.Direction[a] = hn::LoadU(d, &rays.Direction[a][i]);
+    loaded.Inverse[a] = hn::LoadU(d, &rays.Inverse[a][i]);
+  }
+  loaded.Begin = hn::LoadU(d, &rays.Begin[i]);
+  loaded.End = hn::LoadU(d, &rays.End[i]);
+  return loaded;
+}
+
 /// Where each of these enters and leaves a cell, and its path in the coordinates of the cell.
 template <class V>
 struct PathVector

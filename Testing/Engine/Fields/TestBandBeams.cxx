@@ -7,6 +7,7 @@
 #include "Acceleration/ActiveCells.h"
 #include "EachTarget.h"
 #include "Fields/BeamCameras.h"
+#include "Fields/Waves.h"
 #include "Grid.h"
 #include "Isomap/BandTracer.h"
 #include "Scene/Tiles.h"
@@ -185,11 +186,6 @@ protected:
     }
   }
 };
-
-double Wave(int i, int j, int k)
-{
-  return std::sin(0.4 * i) * std::cos(0.3 * j + 0.2 * k) + 0.3 * std::sin(0.9 * k);
-}
 
 TEST_F(BandBeams, LeaveTheKnotsOfWalksInSmoothFields)
 {

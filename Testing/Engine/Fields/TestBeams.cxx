@@ -7,11 +7,11 @@
 #include "EachTarget.h"
 #include "Fields/BeamCameras.h"
 #include "Fields/BothWays.h"
+#include "Fields/Waves.h"
 #include "Grid.h"
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <random>
@@ -52,11 +52,6 @@ protected:
 
   std::int64_t Rays = 0;
 };
-
-double Wave(int i, int j, int k)
-{
-  return std::sin(0.4 * i) * std::cos(0.3 * j + 0.2 * k) + 0.3 * std::sin(0.9 * k);
-}
 
 TEST_F(Beams, MeetWhatWalksMeetOnSmoothFields)
 {
@@ -160,14 +155,7 @@ TEST_F(Beams, MeetTheFirstOfSeveralIsovaluesInFloatsOfAnySize)
   this->CompareAll(doubles, { 1e199, -3e199, 1e308, 0.0 }, 40);
   // Differences of what is not finite are others for each isovalue.
   Grid<float> holes(glm::ivec3(24, 21, 27));
-  holes.Fill(
-    [](int i, int j, int k)
-    {
-      const double infinity = std::numeric_limits<double>::infinity();
-      return i % 7 == 0 ? std::numeric_limits<double>::quiet_NaN()
-        : j % 9 == 0    ? (k % 2 ? infinity : -infinity)
-                        : 1e30 * Wave(i, j, k);
-    });
+  holes.Fill(WaveWithHoles);
   this->CompareAll(holes, { 1e29, -4e29, 1e30, 0.0 }, 40);
 }
 

@@ -9,15 +9,14 @@
 #include "Fields/BothWays.h"
 #include "Fields/Coordinates.h"
 #include "Fields/RectilinearKind.h"
+#include "Fields/Waves.h"
 #include "Grid.h"
 #include "Scene/LayerBatch.h"
 #include "Trace/RayPieces.h"
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <cstdint>
-#include <limits>
 #include <random>
 #include <vector>
 
@@ -135,11 +134,6 @@ protected:
   std::int64_t Layers = 0, Passes = 0;
 };
 
-double Wave(int i, int j, int k)
-{
-  return std::sin(0.4 * i) * std::cos(0.3 * j + 0.2 * k) + 0.3 * std::sin(0.9 * k);
-}
-
 /// A grid of smooth bytes.
 class SmoothGrid : public Grid<std::uint8_t>
 {
@@ -219,14 +213,7 @@ TEST_F(LayerBeams, AreThoseOfWalksInNumbersOfAnySize)
     this->Compare(waves, { 0.1 * unit, -0.2 * unit }, { 0.3f, 0.2f }, 16, 4);
   }
   Grid<float> holes(glm::ivec3(24, 21, 27));
-  holes.Fill(
-    [](int i, int j, int k)
-    {
-      const double infinity = std::numeric_limits<double>::infinity();
-      return i % 7 == 0 ? std::numeric_limits<double>::quiet_NaN()
-        : j % 9 == 0    ? (k % 2 ? infinity : -infinity)
-                        : 1e30 * Wave(i, j, k);
-    });
+  holes.Fill(WaveWithHoles);
   this->Compare(holes, { 1e29, -4e29, 0.0 }, { 0.3f, 0.3f, 0.3f }, 16, 3);
 }
 

@@ -54,11 +54,12 @@ set(engine_files
   Isomap/KnotCollector
   Isomap/Knots
   Isomap/RangeBuild
-  Fields/KernelsBandBeam
-  Fields/KernelsBeam
-  Fields/KernelsBeamSetUp
+  Beams/BeamChoice
+  Beams/KernelsBandBeam
+  Beams/KernelsBeam
+  Beams/KernelsBeamSetUp
+  Beams/KernelsLayerBeam
   Fields/KernelsCorners
-  Fields/KernelsLayerBeam
   Fields/RectilinearKind
   Fields/UniformBandTracer
   Fields/UniformKind

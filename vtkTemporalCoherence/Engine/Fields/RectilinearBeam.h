@@ -3,7 +3,7 @@
 #ifndef TemporalCoherence_RectilinearBeam_h
 #define TemporalCoherence_RectilinearBeam_h
 
-#include "Fields/CellBeam.h"
+#include "Beams/CellBeam.h"
 #include "Fields/RectilinearCells.h"
 
 #include <array>

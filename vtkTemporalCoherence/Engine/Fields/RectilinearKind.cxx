@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fields/RectilinearKind.h"
 
-#include "Fields/CellLayerBeam.h"
+#include "Beams/BeamChoice.h"
+#include "Beams/CellLayerBeam.h"
 #include "Fields/RectilinearBeam.h"
-#include "Fields/UniformTracer.h"
 #include "Isomap/CellBandTracer.h"
 #include "Scene/CellBox.h"
 #include "Shade/LatticeFaces.h"
@@ -48,7 +48,7 @@ public:
   RectilinearTracer(const TraceScene& scene, const RectilinearCells<T>& shape)
     : Base(scene, shape, &shape.Grid)
   {
-    if (scene.Active && scene.By != Traversal::Walks && HasBeams(scene.Samples, scene.Isosurfaces))
+    if (HasBeams(scene))
     {
       this->Levels = std::make_unique<const BeamLevels<double>>(scene);
     }

@@ -3,8 +3,8 @@
 #ifndef TemporalCoherence_UniformBandBeam_h
 #define TemporalCoherence_UniformBandBeam_h
 
-#include "Fields/BandBeam.h"
-#include "Fields/KernelsBeam.h"
+#include "Beams/BandBeam.h"
+#include "Beams/KernelsBeam.h"
 #include "Fields/UniformCells.h"
 #include "Isomap/BandProgress.h"
 #include "Trace/CellWalk.h"

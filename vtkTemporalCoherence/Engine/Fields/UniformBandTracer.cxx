@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fields/UniformTracer.h"
 
+#include "Beams/BeamChoice.h"
 #include "Fields/UniformBandBeam.h"
 #include "Isomap/CellBandTracer.h"
 

@@ -3,7 +3,7 @@
 #ifndef TemporalCoherence_UniformBeam_h
 #define TemporalCoherence_UniformBeam_h
 
-#include "Fields/CellBeam.h"
+#include "Beams/CellBeam.h"
 #include "Fields/UniformCells.h"
 #include "Trace/HiddenSegment.h"
 #include "Trace/KernelsCrossing.h"

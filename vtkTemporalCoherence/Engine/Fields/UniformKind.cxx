@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Beams/BeamChoice.h"
 #include "Fields/UniformCells.h"
 #include "Fields/UniformTracer.h"
 #include "Scene/FieldKind.h"

@@ -12,16 +12,6 @@
 namespace TemporalCoherence
 {
 
-/// True if the rays of tiles can go through a field as beams, where pixels are fine.
-bool HasBeams(const Field& field, const Surfaces& surfaces);
-
-/// True if some rays of a tile, one bit each, are to go through active cells as a beam.
-/// \pre the field has beams
-bool AreBeam(Traversal by, const RayBatch& rays, std::uint64_t wanted);
-
-/// The same for first surfaces.
-bool AreBeam(const TraceScene& scene, const RayBatch& rays, std::uint64_t wanted);
-
 /// The tracer of uniform fields, for the type of the scene's samples: the rays of a tile go from
 /// active cell to active cell together, in vectors.
 /// \throws std::bad_alloc

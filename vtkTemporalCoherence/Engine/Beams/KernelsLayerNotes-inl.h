@@ -10,7 +10,7 @@
 #define TemporalCoherence_KernelsLayerNotes_inl_h
 #endif
 
-#include "Fields/LayerBeam.h"
+#include "Beams/LayerBeam.h"
 
 #include "Trace/KernelsSegment-inl.h"
 

@@ -10,10 +10,10 @@
 #define TemporalCoherence_KernelsLattice_inl_h
 #endif
 
-#include "Fields/TileBeam.h"
+#include "Beams/TileBeam.h"
 #include "Scene/GridCoordinates.h"
 
-#include "Fields/CellCubics-inl.h"
+#include "Beams/CellCubics-inl.h"
 
 #include <algorithm>
 #include <array>

@@ -10,11 +10,11 @@
 #define TemporalCoherence_KernelsBeam_inl_h
 #endif
 
-#include "Fields/KernelsBeam.h"
+#include "Beams/KernelsBeam.h"
 
-#include "Fields/CellCubics-inl.h"
-#include "Fields/KernelsHull-inl.h"
-#include "Fields/KernelsLattice-inl.h"
+#include "Beams/CellCubics-inl.h"
+#include "Beams/KernelsHull-inl.h"
+#include "Beams/KernelsLattice-inl.h"
 
 #include <algorithm>
 #include <array>

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Fields/KernelsBeam.h"
+#include "Beams/KernelsBeam.h"
 
 // This file is compiled once for each kind of vectors, and what runs is chosen by the machine.
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "Fields/KernelsBeam.cxx"
+#define HWY_TARGET_INCLUDE "Beams/KernelsBeam.cxx"
 #include <hwy/foreach_target.h>
 
-#include "Fields/KernelsBeam-inl.h"
-#include "Fields/KernelsBeamTree-inl.h"
+#include "Beams/KernelsBeam-inl.h"
+#include "Beams/KernelsBeamTree-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace TemporalCoherence

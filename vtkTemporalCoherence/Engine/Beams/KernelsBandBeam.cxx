@@ -1,17 +1,17 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Fields/BandBeam.h"
+#include "Beams/BandBeam.h"
 
 #include <algorithm>
 #include <array>
 
 // This file is compiled once for each kind of vectors, and what runs is chosen by the machine.
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "Fields/KernelsBandBeam.cxx"
+#define HWY_TARGET_INCLUDE "Beams/KernelsBandBeam.cxx"
 #include <hwy/foreach_target.h>
 
-#include "Fields/KernelsBeamTree-inl.h"
-#include "Fields/KernelsHull-inl.h"
+#include "Beams/KernelsBeamTree-inl.h"
+#include "Beams/KernelsHull-inl.h"
 #include "Trace/KernelsRange-inl.h"
 #include "Trace/KernelsSegment-inl.h"
 

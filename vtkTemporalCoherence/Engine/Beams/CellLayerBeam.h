@@ -3,9 +3,9 @@
 #ifndef TemporalCoherence_CellLayerBeam_h
 #define TemporalCoherence_CellLayerBeam_h
 
-#include "Fields/KernelsBeam.h"
-#include "Fields/LayerBeam.h"
-#include "Fields/UniformTracer.h"
+#include "Beams/BeamChoice.h"
+#include "Beams/KernelsBeam.h"
+#include "Beams/LayerBeam.h"
 #include "Scene/HitOrder.h"
 #include "Trace/CellTracer.h"
 #include "Trace/LayerSearch.h"
@@ -246,8 +246,7 @@ public:
     const TraceScene& scene, const Geometry& shape, const GridCoordinates* grid = nullptr)
     : Base(scene, shape)
     , Grid(grid)
-    , CanGo(
-        scene.Active && scene.By != Traversal::Walks && HasBeams(scene.Samples, scene.Isosurfaces))
+    , CanGo(HasBeams(scene))
   {
   }
 

@@ -3,7 +3,7 @@
 #ifndef TemporalCoherence_LayerBeam_h
 #define TemporalCoherence_LayerBeam_h
 
-#include "Fields/TileBeam.h"
+#include "Beams/TileBeam.h"
 #include "Scene/GridCoordinates.h"
 #include "Scene/LayerBatch.h"
 #include "Trace/CellRoot.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Fields/KernelsBeam.h"
+#include "Beams/KernelsBeam.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,10 +8,10 @@
 
 // This file is compiled once for each kind of vectors, and what runs is chosen by the machine.
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "Fields/KernelsBeamSetUp.cxx"
+#define HWY_TARGET_INCLUDE "Beams/KernelsBeamSetUp.cxx"
 #include <hwy/foreach_target.h>
 
-#include "Fields/KernelsHull-inl.h"
+#include "Beams/KernelsHull-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace TemporalCoherence

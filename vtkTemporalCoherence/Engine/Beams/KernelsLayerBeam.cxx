@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Fields/LayerBeam.h"
+#include "Beams/LayerBeam.h"
 
 #include <algorithm>
 #include <array>
@@ -8,12 +8,12 @@
 
 // This file is compiled once for each kind of vectors, and what runs is chosen by the machine.
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "Fields/KernelsLayerBeam.cxx"
+#define HWY_TARGET_INCLUDE "Beams/KernelsLayerBeam.cxx"
 #include <hwy/foreach_target.h>
 
-#include "Fields/KernelsBeamTree-inl.h"
-#include "Fields/KernelsHull-inl.h"
-#include "Fields/KernelsLayerNotes-inl.h"
+#include "Beams/KernelsBeamTree-inl.h"
+#include "Beams/KernelsHull-inl.h"
+#include "Beams/KernelsLayerNotes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace TemporalCoherence

@@ -10,9 +10,9 @@
 #define TemporalCoherence_KernelsBeamTree_inl_h
 #endif
 
-#include "Fields/TileBeam.h"
+#include "Beams/TileBeam.h"
 
-#include "Fields/KernelsLattice-inl.h"
+#include "Beams/KernelsLattice-inl.h"
 
 #include <atomic>
 

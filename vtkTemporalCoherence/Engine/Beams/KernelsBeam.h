@@ -3,7 +3,7 @@
 #ifndef TemporalCoherence_KernelsBeam_h
 #define TemporalCoherence_KernelsBeam_h
 
-#include "Fields/TileBeam.h"
+#include "Beams/TileBeam.h"
 #include "Scene/GridCoordinates.h"
 
 #include <vector>

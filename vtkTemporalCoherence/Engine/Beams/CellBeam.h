@@ -3,8 +3,8 @@
 #ifndef TemporalCoherence_CellBeam_h
 #define TemporalCoherence_CellBeam_h
 
-#include "Fields/BeamLevels.h"
-#include "Fields/KernelsBeam.h"
+#include "Beams/BeamLevels.h"
+#include "Beams/KernelsBeam.h"
 #include "Trace/TracedCells.h"
 
 #include <algorithm>

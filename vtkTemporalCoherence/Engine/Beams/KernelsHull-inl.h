@@ -10,7 +10,7 @@
 #define TemporalCoherence_KernelsHull_inl_h
 #endif
 
-#include "Fields/CellCubics-inl.h"
+#include "Beams/CellCubics-inl.h"
 
 #include <algorithm>
 #include <array>

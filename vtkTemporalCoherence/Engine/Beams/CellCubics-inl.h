@@ -10,7 +10,7 @@
 #define TemporalCoherence_CellCubics_inl_h
 #endif
 
-#include "Fields/KernelsBeam.h"
+#include "Beams/KernelsBeam.h"
 
 #include <hwy/highway.h>
 

@@ -3,7 +3,7 @@
 #ifndef TemporalCoherence_BandBeam_h
 #define TemporalCoherence_BandBeam_h
 
-#include "Fields/TileBeam.h"
+#include "Beams/TileBeam.h"
 #include "Isomap/BandCells.h"
 #include "Trace/CellRoot.h"
 

@@ -3,6 +3,7 @@
 #include "FeaturePictures.h"
 
 #include "FeatureScene.h"
+#include "LayerPictures.h"
 #include "Volumes/Volumes.h"
 #include "vtkTemporalCoherencePicker.h"
 
@@ -33,30 +34,6 @@ namespace FeaturePictures
 namespace
 {
 
-using Style::Surface;
-
-const Style::View HeadFromFront = { { -0.5, 1.0, 0.15 }, { 0.0, 0.0, 1.0 }, 1.35 };
-
-Candidate MrHead(const std::vector<double>& isovalues, const Style::View& view)
-{
-  return { "ch2.nii.gz", "MR head 181x217x181", isovalues, view };
-}
-
-Shot Translucent(GallerySettings& settings)
-{
-  const Subject subject =
-    FirstOf({ { "cthead.vti", "CT head 256x256x113", { 600.0, 1500.0 },
-                { { -0.6, -1.0, 0.1 }, { 0.0, 0.0, -1.0 }, 1.45 } },
-              MrHead({ 45.0, 110.0 }, HeadFromFront), SpheresInstead({ 100.0, 180.0 }) },
-      settings);
-  FeatureScene scene(settings, subject);
-  scene.Show(
-    { { subject.Isovalues[0], Style::Skin, 0.35 }, { subject.Isovalues[1], Style::Bone } });
-  return scene.Take("translucent", "Translucent",
-    "isovalues " + Plain(subject.Isovalues[0]) + " and " + Plain(subject.Isovalues[1]) +
-      "; colours and opacities (0.35, 1) of the property's transfer functions");
-}
-
 Shot Capped(GallerySettings& settings)
 {
   const Subject subject =
@@ -75,11 +52,10 @@ Shot Capped(GallerySettings& settings)
 
 Shot Cropped(GallerySettings& settings)
 {
-  const Subject subject =
-    FirstOf({ { "engine.vti", "CT engine 256x256x110", { 70.0, 180.0 },
-                { { 1.0, -1.4, 0.9 }, { 0.0, 0.0, 1.0 }, 1.55 } },
-              MrHead({ 45.0, 105.0 }, HeadFromFront), SpheresInstead({ 100.0, 180.0 }) },
-      settings);
+  const Subject subject = FirstOf({ { "engine.vti", "CT engine 256x256x110", { 70.0, 180.0 },
+                                      { { 1.0, -1.4, 0.9 }, { 0.0, 0.0, 1.0 }, 1.55 } },
+                                    MrHead({ 45.0, 105.0 }), SpheresInstead({ 100.0, 180.0 }) },
+    settings);
   FeatureScene scene(settings, subject);
   scene.Show({ { subject.Isovalues[0], Style::Steel }, { subject.Isovalues[1], Style::Gold } });
   scene.Mapper->SetSurfaceModeToThreshold();
@@ -244,7 +220,7 @@ Shot Blocks(GallerySettings& settings)
 {
   const Subject subject = FirstOf({ { "bonsai.vti", "CT bonsai 256^3", { 40.0 },
                                       { { -1.0, 0.35, 1.6 }, { 0.0, 1.0, 0.0 }, 1.1 } },
-                                    MrHead({ 45.0 }, HeadFromFront), SpheresInstead({ 100.0 }) },
+                                    MrHead({ 45.0 }), SpheresInstead({ 100.0 }) },
     settings);
   FeatureScene scene(settings, subject);
   scene.SetInput(Split(subject.Image, scene.Room), subject.Name, subject.View);
@@ -325,8 +301,7 @@ void AddPins(FeatureScene& scene, int size)
 
 Shot Picked(GallerySettings& settings)
 {
-  const Subject subject =
-    FirstOf({ MrHead({ 45.0 }, HeadFromFront), SpheresInstead({ 100.0 }) }, settings);
+  const Subject subject = FirstOf({ MrHead({ 45.0 }), SpheresInstead({ 100.0 }) }, settings);
   FeatureScene scene(settings, subject);
   scene.Show({ { subject.Isovalues[0], Style::Skin } });
   scene.Room.Photograph();
@@ -343,7 +318,8 @@ struct Feature
 
 const std::vector<Feature>& All()
 {
-  static const std::vector<Feature> features = { { "translucent", Translucent }, { "caps", Capped },
+  static const std::vector<Feature> features = { { "translucent", LayerPictures::Skull },
+    { "flames", LayerPictures::Flames }, { "vessels", LayerPictures::Vessels }, { "caps", Capped },
     { "cropping", Cropped }, { "clipping", Clipped }, { "rectilinear", Rectilinear },
     { "blocks", Blocks }, { "depth", AmongPolygons }, { "picking", Picked } };
   return features;

@@ -50,6 +50,11 @@ void PrintReplaced(const GallerySettings& settings)
   }
 }
 
+Candidate MrHead(const std::vector<double>& isovalues, const Style::View& view)
+{
+  return { "ch2.nii.gz", "MR head 181x217x181", isovalues, view };
+}
+
 Candidate SpheresInstead(const std::vector<double>& isovalues)
 {
   Candidate spheres;

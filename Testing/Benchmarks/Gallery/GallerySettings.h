@@ -48,6 +48,10 @@ bool IsWanted(const std::string& name, const GallerySettings& settings);
 /// takes the place of the first is noted in the settings.
 Subject FirstOf(const std::vector<Candidate>& candidates, GallerySettings& settings);
 
+/// An MR head of Debian's package mricron-data.
+Candidate MrHead(const std::vector<double>& isovalues,
+  const Style::View& view = { { -0.5, 1.0, 0.15 }, { 0.0, 0.0, 1.0 }, 1.35 });
+
 /// The four spheres, for where no real volume is.
 Candidate SpheresInstead(const std::vector<double>& isovalues);
 

@@ -153,6 +153,7 @@ if asked_for builds && [ -d "$build/python" ]; then
   if [ -n "$against" ]; then
     compare "Another build beside this one" against "$against" "$build"
     compare "The same without AVX-512" against-avx2 "$against" "$build" --no-avx512
+    compare "See-through surfaces" against-layers "$against" "$build" --layers --rounds 3
   else
     say "Another build is left out: --against names none."
   fi

@@ -8,6 +8,9 @@ twice with two numbers of threads. Each scene is drawn by both builds, each in a
 in turn, five frames a turn. The table shows the least of all frames: their CPU time of all threads,
 or their wall time. Nothing else should run meanwhile. Volumes that are not in the folder that
 TEMPORAL_COHERENCE_DATA names are left out.
+
+With --layers the scenes are see-through ones, and what a layer takes stands beside what a hit of
+the second build's opaque frame takes.
 """
 
 from __future__ import annotations
@@ -24,6 +27,7 @@ import sys
 import scenes
 
 QUICK = {"size": 128, "rounds": 1, "scenes": [0, 3, 10, 12]}
+QUICK_LAYERS = [2]
 HERE = pathlib.Path(__file__).resolve().parent
 
 
@@ -83,23 +87,27 @@ def least_times(workers, rounds: int, kind: int) -> list[float]:
     return least
 
 
-def compare(builds, scene: scenes.Scene, arguments) -> list[dict]:
-    """A row for each view; none if the volume is not there."""
+def compare(sides, arguments) -> list[dict]:
+    """A row for each view; none if the volume is not there.
+
+    Each side is a build and the scene that it draws.
+    """
     kind = ("cpu", "wall").index(arguments.time)
-    asked = dict(dataclasses.asdict(scene), size=arguments.size, avx512=not arguments.no_avx512)
     rows = []
     workers = []
     try:
-        for build in builds:
-            workers.append(build.start(asked))
+        for build, scene in sides:
+            workers.append(build.start(dict(dataclasses.asdict(scene), size=arguments.size,
+                                            avx512=not arguments.no_avx512)))
         for view in arguments.views:
             hits = [ask(worker, view) for worker in workers]
             if None in hits:
-                print(f"{scene.volume} is left out: it is not in the folder that "
+                print(f"{sides[0][1].volume} is left out: it is not in the folder that "
                       "TEMPORAL_COHERENCE_DATA names.", file=sys.stderr)
                 break
             times = least_times(workers, arguments.rounds, kind)
-            rows.append({"view": view, "hitPercent": hits, "ms": times})
+            rows.append({"view": view, "hitPercent": hits, "ms": times,
+                         "layers": [ask(worker, "layers") for worker in workers]})
     finally:
         for worker in workers:
             stop(worker)
@@ -121,7 +129,7 @@ def print_table(builds, arguments) -> list[dict]:
     results = []
     for number in arguments.scenes or range(len(scenes.SCENES)):
         scene = scenes.SCENES[number]
-        rows = compare(builds, scene, arguments)
+        rows = compare([(build, scene) for build in builds], arguments)
         if not rows:
             continue
         hits = ", ".join(f"{row['hitPercent'][1]:.0f}" for row in rows) + " %"
@@ -134,6 +142,30 @@ def print_table(builds, arguments) -> list[dict]:
                       file=sys.stderr)
         print_row(cells)
         results.append(dict(dataclasses.asdict(scene), views=rows))
+    return results
+
+
+def print_layers(builds, arguments) -> list[dict]:
+    """The same of see-through scenes, a view a row."""
+    names = [build.name for build in builds]
+    head = ["volume", "isovalue", "view", "layers", *names, "times faster", "ns a layer",
+            "ns a hit", "ratio"]
+    print_row(head)
+    print_row(["---"] * len(head))
+    results = []
+    for number in arguments.scenes or range(len(scenes.LAYERS)):
+        scene = scenes.LAYERS[number]
+        opaque = dataclasses.replace(scene, opacity=1.0)
+        rows = compare([(builds[0], scene), (builds[1], scene), (builds[1], opaque)], arguments)
+        for row in rows:
+            before, now, solid = row["ms"]
+            layers = row["layers"][1]
+            hits = 0.01 * row["hitPercent"][2] * arguments.size ** 2
+            each, hit = 1e6 * now / layers, 1e6 * solid / hits
+            print_row([scene.title(), ", ".join(f"{value:g}" for value in scene.isovalues),
+                       row["view"], f"{1e-6 * layers:.2f} M", f"{before:.0f}", f"{now:.0f}",
+                       f"{before / now:.1f}", f"{each:.0f}", f"{hit:.0f}", f"{each / hit:.2f}"])
+        results += [dict(dataclasses.asdict(scene), views=rows)] if rows else []
     return results
 
 
@@ -153,9 +185,9 @@ def view_names(text: str) -> list[str]:
 def read_arguments() -> argparse.Namespace:
     listed = "\n".join(
         f"  {number:2}  {scene.title()} {', '.join(f'{value:g}' for value in scene.isovalues)}"
-        for number, scene in enumerate(scenes.SCENES))
+        for known in (scenes.SCENES, scenes.LAYERS) for number, scene in enumerate(known))
     parser = argparse.ArgumentParser(
-        description=__doc__, epilog="scenes:\n" + listed,
+        description=__doc__, epilog="scenes, and those of --layers:\n" + listed,
         formatter_class=argparse.RawDescriptionHelpFormatter)
     add = parser.add_argument
     add("builds", nargs=2, type=pathlib.Path, metavar="BUILD", help="a build directory")
@@ -163,6 +195,7 @@ def read_arguments() -> argparse.Namespace:
     add("--scenes", type=numbers, metavar="NUMBER,...", help="only these of the scenes below (all)")
     add("--views", type=view_names, default=list(scenes.VIEWS), metavar="NAME,...",
         help="only these of whole and close: ResetCamera, Azimuth 30, Elevation 20, Zoom 1.3 or 2.2")
+    add("--layers", action="store_true", help="see-through scenes: surfaces of opacity 0.4")
     add("--size", type=int, help="pixels of a picture in each direction (1024)")
     add("--rounds", type=int, help="turns of each build (5)")
     add("--time", choices=("cpu", "wall"), default="cpu", help="which time the table shows (cpu)")
@@ -173,12 +206,14 @@ def read_arguments() -> argparse.Namespace:
         help="small pictures, one turn and few scenes, to see that all works")
     add("--json", type=pathlib.Path, metavar="FILE", help="write all figures to this file too")
     arguments = parser.parse_args()
+    known = scenes.LAYERS if arguments.layers else scenes.SCENES
+    quick = dict(QUICK, scenes=QUICK_LAYERS) if arguments.layers else QUICK
     for name, usual in (("size", 1024), ("rounds", 5), ("scenes", None)):
         if getattr(arguments, name) is None:
-            setattr(arguments, name, QUICK[name] if arguments.quick else usual)
+            setattr(arguments, name, quick[name] if arguments.quick else usual)
     if min(arguments.size, arguments.rounds) < 1 or min(arguments.threads) < 0:
         parser.error("--size, --rounds and --threads need numbers above 0")
-    if not all(0 <= number < len(scenes.SCENES) for number in arguments.scenes or []):
+    if not all(0 <= number < len(known) for number in arguments.scenes or []):
         parser.error("--scenes needs numbers of the list below --help")
     arguments.names = arguments.names.split(",")
     if len(arguments.names) != 2 or len(arguments.threads) > 2:
@@ -195,7 +230,7 @@ def main() -> None:
           f"{arguments.time} time of cold frames in {arguments.rounds} turns"
           f"{', without AVX-512' if arguments.no_avx512 else ''}\n")
     try:
-        results = print_table(builds, arguments)
+        results = (print_layers if arguments.layers else print_table)(builds, arguments)
     except Failure as failure:
         sys.exit(str(failure))
     if arguments.json:

@@ -16,6 +16,7 @@ class Scene:
     sample_type: str = ""  # a type of NumPy; empty: as in the file
     is_threshold: bool = False  # surface mode THRESHOLD, not CROSSING
     is_rectilinear: bool = False  # on coordinates of uneven steps
+    opacity: float = 1.0
 
     def title(self) -> str:
         """The first column of the table."""
@@ -43,6 +44,16 @@ SCENES = (
     dataclasses.replace(ENGINE, isovalues=(70.0, 120.0, 180.0)),
     dataclasses.replace(ENGINE, is_rectilinear=True),
 )
+
+# See-through ones.
+LAYERS = tuple(dataclasses.replace(scene, opacity=0.4) for scene in (
+    ENGINE,
+    Scene("brain.vti", (40.0,)),
+    Scene("spheres256", (100.0,)),
+    Scene("marschner-lobb256", (128.0,)),
+    Scene("cthead.vti", (600.0, 1500.0)),
+    dataclasses.replace(ENGINE, is_threshold=True),
+))
 
 # Zooms behind ResetCamera, Azimuth 30, Elevation 20.
 VIEWS = {"whole": 1.3, "close": 2.2}

@@ -7,7 +7,8 @@ usage: worker.py SCENE, with the build's module on PYTHONPATH
 SCENE is JSON: the members of scenes.Scene, "size" and "avx512". Then each line of the standard
 input is a request, answered by a line of JSON: the name of a view by the share of pixels hit there
 in percent (null, once, if the volume is not there), "turn" by the least milliseconds of a few cold
-frames as [CPU time of all threads, wall time].
+frames as [CPU time of all threads, wall time], "layers" by the layers of the last frame (null if
+the build does not tell).
 """
 
 from __future__ import annotations
@@ -63,6 +64,8 @@ class Stage:
         for index, isovalue in enumerate(scene.isovalues):
             look.GetIsoSurfaceValues().SetValue(index, isovalue)
             look.GetRGBTransferFunction().AddRGBPoint(isovalue, 0.9, 0.8 - 0.2 * index, 0.7)
+            if scene.opacity < 1.0:
+                look.GetScalarOpacity().AddPoint(isovalue, scene.opacity)
         self.renderer = vtkRenderer()
         self.color, self.depth = vtkImageData(), vtkImageData()
 
@@ -96,6 +99,11 @@ class Stage:
         """Draw a few frames; the least of each time."""
         return [min(times) for times in zip(*(self.frame() for _ in range(FRAMES_A_TURN)))]
 
+    def layers(self) -> int | None:
+        """Layers of the last frame; None if the build does not tell."""
+        count = getattr(self.mapper, "GetNumberOfLayers", None)
+        return count() if count else None
+
 
 def main() -> None:
     asked = json.loads(sys.argv[1])
@@ -112,8 +120,13 @@ def main() -> None:
     if scene.is_rectilinear:
         image = volumes.on_grid(image)
     stage = Stage(scene, image, size)
-    for request in sys.stdin:
-        answer = stage.turn() if request == "turn\n" else stage.look(request.strip())
+    for request in map(str.strip, sys.stdin):
+        if request == "turn":
+            answer = stage.turn()
+        elif request == "layers":
+            answer = stage.layers()
+        else:
+            answer = stage.look(request)
         print(json.dumps(answer), flush=True)
 
 

@@ -9,14 +9,29 @@ namespace TemporalCoherence
 namespace
 {
 
-/// Voxels between rays from which on they walk: then a cell of a beam is passed by so few rays that
-/// vectors of them do not pay. Beams and walks cost the same at 0.75 (engine) to 0.9 (spheres256,
-/// marschner-lobb256, bonsai), and at 0.43 walks cost 1.3 to 1.8 times as much. Measured by cold
-/// frames of `Benchmark --scenarios routes` at zooms of 0.3 to 2.2.
-constexpr double CoarsestPixel = 0.75;
+/// Voxels between rays from which on they walk to first hits: then a cell of a beam is passed by so
+/// few rays that vectors of them do not pay. Beams take 0.70 to 0.98 of the time of walks at 0.9
+/// (spheres256, marschner-lobb256, engine, bonsai, heptane; AVX2: 0.70 to 0.87), and 0.83
+/// (spheres256) to 1.25 (heptane) at 1.1 to 1.3. Measured by CPU times of cold frames of 256 to 384
+/// pixels a side.
+constexpr double CoarsestPixel = 1.0;
+
+/// The same for layers, to which rays walk one by one. Beams take 0.85 to 0.9 of the time of walks
+/// at 2.2 (engine, bonsai; 0.3 to 0.5 at 1.0), 1.1 at 2.6 (heptane), and twice the time at 4.
+constexpr double CoarsestLayerPixel = 2.4;
 
 /// Fewer rays of a tile than this walk.
 constexpr int FewestRays = 16;
+
+bool AreBeamUpTo(double coarsest, Traversal by, const RayBatch& rays, std::uint64_t wanted)
+{
+  if (by != Traversal::Fastest)
+  {
+    return by == Traversal::Beams && wanted != 0;
+  }
+  return rays.Count == RayBatch::Capacity &&
+    static_cast<int>(hwy::PopCount(wanted)) >= FewestRays && SpacingOf(rays) < coarsest;
+}
 
 }
 
@@ -32,12 +47,7 @@ bool HasBeams(const TraceScene& scene)
 
 bool AreBeam(Traversal by, const RayBatch& rays, std::uint64_t wanted)
 {
-  if (by != Traversal::Fastest)
-  {
-    return by == Traversal::Beams && wanted != 0;
-  }
-  return rays.Count == RayBatch::Capacity &&
-    static_cast<int>(hwy::PopCount(wanted)) >= FewestRays && SpacingOf(rays) < CoarsestPixel;
+  return AreBeamUpTo(CoarsestPixel, by, rays, wanted);
 }
 
 bool AreBeam(const TraceScene& scene, const RayBatch& rays, std::uint64_t wanted)
@@ -46,6 +56,11 @@ bool AreBeam(const TraceScene& scene, const RayBatch& rays, std::uint64_t wanted
   // to 1.06 (engine) times as much, and twice as much without vectors.
   const bool areShort = scene.By == Traversal::Fastest && scene.IsHinted;
   return !areShort && AreBeam(scene.By, rays, wanted);
+}
+
+bool AreLayerBeam(Traversal by, const RayBatch& rays, std::uint64_t wanted)
+{
+  return AreBeamUpTo(CoarsestLayerPixel, by, rays, wanted);
 }
 
 }

@@ -23,6 +23,9 @@ bool AreBeam(Traversal by, const RayBatch& rays, std::uint64_t wanted);
 /// The same for first surfaces.
 bool AreBeam(const TraceScene& scene, const RayBatch& rays, std::uint64_t wanted);
 
+/// The same for layers.
+bool AreLayerBeam(Traversal by, const RayBatch& rays, std::uint64_t wanted);
+
 }
 
 #endif

@@ -252,14 +252,14 @@ public:
 
   bool FindsLayersTogether(const RayBatch& rays) const override
   {
-    return this->CanGo && AreBeam(this->Cells.Scene, rays, ~std::uint64_t(0));
+    return this->CanGo && AreLayerBeam(this->Cells.Scene.By, rays, ~std::uint64_t(0));
   }
 
   void FindLayers(const RayBatch& rays, LayerBatch& layers) const override
   {
     if constexpr (Between == Interpolation::Linear)
     {
-      if (this->CanGo && AreBeam(this->Cells.Scene, rays, layers.Open))
+      if (this->CanGo && AreLayerBeam(this->Cells.Scene.By, rays, layers.Open))
       {
         CellLayerBeam<T, Geometry>(this->Cells, this->Layers, this->Grid).Trace(rays, layers);
       }

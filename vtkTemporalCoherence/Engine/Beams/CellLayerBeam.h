@@ -122,7 +122,7 @@ private:
   /// Append the caps of solids that rays begin in.
   void FindCaps(LayerBatch& layers)
   {
-    if (!this->Cells.Rules.IsSolid())
+    if (!(this->Cells.Rules.IsSolid() && this->Rays->MayBeCapped))
     {
       return;
     }

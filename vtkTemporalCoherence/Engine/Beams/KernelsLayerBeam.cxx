@@ -162,10 +162,28 @@ private:
         FindPathsIn(box, beam, enter, leave, i, at, step);
         const Coefficients b = CubicsAlong(values, at, step);
         const M isOutside = hn::Or(hn::Lt(b.Largest, hn::Neg(error)), hn::Gt(b.Smallest, error));
-        open |= BitsOf(hn::AndNot(isOutside, isPassed)) << i;
+        const M isOpen = hn::AndNot(isOutside, isPassed);
+        open |= BitsOf(hn::AndNot(this->CanOnlyExit(b, error, enter, leave, i), isOpen)) << i;
       }
     }
     return open;
+  }
+
+  /// Those of some rays that surely enter no solid in a cell, as the field falls along them. What
+  /// is searched is as long as what was tested, but for the slack at both ends: at least half of
+  /// it. So its coefficients fall, too, half as much at least: by more than rounding may move them,
+  /// and their signs change once at most.
+  HWY_INLINE M CanOnlyExit(const Coefficients& b, V error, V enter, V leave, std::size_t i) const
+  {
+    if (!(IsPlain && this->Task.IsSolid))
+    {
+      return hn::Lt(error, error);
+    }
+    const TileBeam& beam = this->Beam;
+    const V end = hn::Min(leave, hn::Sub(Load(&beam.End[i]), Set(2.0f * beam.Margin)));
+    const V slack = Load(&beam.Slack[i]), quarter = hn::Mul(Set(0.25f), hn::Sub(leave, enter));
+    const M isLong = hn::And(hn::Lt(slack, quarter), hn::Lt(hn::Sub(leave, end), quarter));
+    return hn::And(isLong, hn::Lt(b.LargestRise, hn::Mul(Set(-8.0f), error)));
   }
 
   /// Corners in single precision, in any unit.

@@ -64,6 +64,7 @@ set(engine_files
   Fields/UniformBandTracer
   Fields/UniformKind
   Fields/UniformTracer
+  Render/CapTiles
   Render/FrameRenderer
   Render/FrameStore
   Render/FrameStructures

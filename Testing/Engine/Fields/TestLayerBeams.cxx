@@ -11,6 +11,7 @@
 #include "Fields/RectilinearKind.h"
 #include "Fields/Waves.h"
 #include "Grid.h"
+#include "RefusedMemory.h"
 #include "Scene/LayerBatch.h"
 #include "Trace/RayPieces.h"
 
@@ -68,8 +69,7 @@ private:
     bool goesOn = true;
     for (int pass = 0; goesOn && pass < most; ++pass)
     {
-      FindLayersWithin(clipper, *this->Walks, rays, walked);
-      FindLayersWithin(clipper, *this->Beams, rays, beamed);
+      this->FindBothWays(clipper, rays, walked, beamed);
       ASSERT_EQ(beamed.Open, 0u);
       for (std::size_t ray = 0; ray < count; ++ray)
       {
@@ -81,6 +81,15 @@ private:
       ASSERT_EQ(beamed.BeginNext(count, shaded), goesOn);
     }
     this->Rays += rays.Count;
+  }
+
+  /// In threads of its own a frame cannot tell that memory is out: tiles need none.
+  void FindBothWays(
+    const RegionClipper& clipper, const RayBatch& rays, LayerBatch& walked, LayerBatch& beamed)
+  {
+    const RefusedMemory refused(0);
+    FindLayersWithin(clipper, *this->Walks, rays, walked);
+    FindLayersWithin(clipper, *this->Beams, rays, beamed);
   }
 
   void CompareRay(const LayerBatch& walked, const LayerBatch& beamed, std::size_t ray)

@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <vector>
 
 namespace TemporalCoherence
 {
@@ -36,7 +35,6 @@ public:
     : Cells(cells)
     , Search(search)
     , Grid(grid)
-    , Levels(cells.Differences.size())
   {
   }
 
@@ -122,7 +120,7 @@ private:
   /// Append the caps of solids that rays begin in.
   void FindCaps(LayerBatch& layers)
   {
-    if (!this->Cells.Rules.IsSolid())
+    if (!(this->Cells.Rules.IsSolid() && this->Rays->MayBeCapped))
     {
       return;
     }
@@ -151,18 +149,18 @@ private:
     return this->Cells.Scene.Active->CellsOf(this->Cells.Samples.All(), node, cell);
   }
 
-  const CellLevel<Real>* Read(const glm::ivec3& cell, std::size_t& count) override
+  void Read(const glm::ivec3& cell, CellLevels<Real>& levels) override
   {
     const std::array<T, 8> samples = this->Cells.Samples.Read(cell);
-    count = 0;
-    for (std::size_t surface = 0; surface < this->Levels.size(); ++surface)
+    levels.Count = 0;
+    const std::size_t count = this->Cells.Differences.size();
+    for (std::size_t surface = 0; surface < count && levels.AreAll(); ++surface)
     {
-      CellLevel<Real>& level = this->Levels[count];
+      CellLevel<Real>& level = levels.All[levels.Count];
       level.Surface = static_cast<std::int16_t>(surface);
       level.Corners = this->Cells.Differ(samples, surface);
-      count += this->Cells.CanHold(level.Corners);
+      levels.Count += this->Cells.CanHold(level.Corners);
     }
-    return this->Levels.data();
   }
 
   void SearchCell(
@@ -231,7 +229,6 @@ private:
   const Layers& Search;
   const GridCoordinates* Grid; ///< of samples; null: they lie at integers
   const RayBatch* Rays = nullptr;
-  std::vector<CellLevel<Real>> Levels; ///< of the present cell
 };
 
 /// CellTracer, where the rays of a tile find layers as beams if that is faster.

@@ -83,10 +83,9 @@ private:
     }
     else
     {
-      std::size_t count = 0;
-      const CellLevel<Real>* const levels = this->Scene.Read(cell, count);
-      const std::uint64_t open = this->FindOpen(box, levels, count, passages, passing);
-      isNearer = open != 0 && this->SearchCell(cell, levels, count, open);
+      this->Scene.Read(cell, this->Levels);
+      const std::uint64_t open = this->FindOpen(box, passages, passing);
+      isNearer = open != 0 && this->SearchCell(cell, open);
     }
     if (isNearer)
     {
@@ -133,21 +132,20 @@ private:
   }
 
   /// One bit for each ray that may cross an isovalue in a cell. (CellSearch tells why.)
-  HWY_INLINE std::uint64_t FindOpen(const typename Lattice::Cell& box,
-    const CellLevel<Real>* levels, std::size_t count, const CellPassages& passages,
-    std::uint64_t passing) const
+  HWY_INLINE std::uint64_t FindOpen(
+    const typename Lattice::Cell& box, const CellPassages& passages, std::uint64_t passing) const
   {
     const TileBeam& beam = this->Beam;
     const float margin = beam.Margin * box.LargestShare();
     constexpr float most = 0x1p-5f;
-    if (!(margin < most))
+    if (!(margin < most && this->Levels.AreAll()))
     {
-      return count > 0 ? passing : 0; // single precision tells nothing
+      return this->Levels.Count > 0 ? passing : 0; // single precision tells nothing
     }
     std::uint64_t open = 0;
-    for (std::size_t level = 0; level < count; ++level)
+    for (std::size_t level = 0; level < this->Levels.Count; ++level)
     {
-      const CellValues values = ValuesOf(InFloat(levels[level].Corners));
+      const CellValues values = ValuesOf(InFloat(this->Levels.All[level].Corners));
       const V error = Set(values.Largest * (16.0f * margin + 0x1p-13f) + 1e-30f);
       for (std::size_t i = 0; i < RayBatch::Capacity; i += hn::Lanes(Floats()))
       {
@@ -164,10 +162,28 @@ private:
         FindPathsIn(box, beam, enter, leave, i, at, step);
         const Coefficients b = CubicsAlong(values, at, step);
         const M isOutside = hn::Or(hn::Lt(b.Largest, hn::Neg(error)), hn::Gt(b.Smallest, error));
-        open |= BitsOf(hn::AndNot(isOutside, isPassed)) << i;
+        const M isOpen = hn::AndNot(isOutside, isPassed);
+        open |= BitsOf(hn::AndNot(this->CanOnlyExit(b, error, enter, leave, i), isOpen)) << i;
       }
     }
     return open;
+  }
+
+  /// Those of some rays that surely enter no solid in a cell, as the field falls along them. What
+  /// is searched is as long as what was tested, but for the slack at both ends: at least half of
+  /// it. So its coefficients fall, too, half as much at least: by more than rounding may move them,
+  /// and their signs change once at most.
+  HWY_INLINE M CanOnlyExit(const Coefficients& b, V error, V enter, V leave, std::size_t i) const
+  {
+    if (!(IsPlain && this->Task.IsSolid))
+    {
+      return hn::Lt(error, error);
+    }
+    const TileBeam& beam = this->Beam;
+    const V end = hn::Min(leave, hn::Sub(Load(&beam.End[i]), Set(2.0f * beam.Margin)));
+    const V slack = Load(&beam.Slack[i]), quarter = hn::Mul(Set(0.25f), hn::Sub(leave, enter));
+    const M isLong = hn::And(hn::Lt(slack, quarter), hn::Lt(hn::Sub(leave, end), quarter));
+    return hn::And(isLong, hn::Lt(b.LargestRise, hn::Mul(Set(-8.0f), error)));
   }
 
   /// Corners in single precision, in any unit.
@@ -198,8 +214,7 @@ private:
   }
 
   /// Search a cell for some rays. \return true if one of them is full or opaque then
-  HWY_INLINE bool SearchCell(
-    const glm::ivec3& cell, const CellLevel<Real>* levels, std::size_t count, std::uint64_t which)
+  HWY_INLINE bool SearchCell(const glm::ivec3& cell, std::uint64_t which)
   {
     bool isDone = false;
     if (this->Task.Grid)
@@ -213,7 +228,7 @@ private:
       if (inRow != 0)
       {
         FindPaths(this->Task.Rays, i, inRow, cell, this->Paths);
-        isDone |= this->SearchLevels(cell, levels, count, i);
+        isDone |= this->SearchLevels(cell, i);
       }
     }
     return isDone;
@@ -268,14 +283,15 @@ private:
 
   /// Search a cell for rays from i on, whose paths are known.
   /// \return true if one of them is full or opaque then
-  HWY_INLINE bool SearchLevels(
-    const glm::ivec3& cell, const CellLevel<Real>* levels, std::size_t count, std::size_t i)
+  HWY_INLINE bool SearchLevels(const glm::ivec3& cell, std::size_t i)
   {
     // Where a walk begins in the cell, what is before that does not count. Of several isovalues it
     // has to be known which one a ray meets first.
     const std::uint64_t which = this->Paths.Which;
-    std::uint64_t oneByOne = count > MostLevels ? which : this->Paths.IsFirst, met = 0;
-    count = count > MostLevels ? 0 : count;
+    const bool areMany = this->Levels.Count > MostLevels;
+    const std::size_t count = areMany ? 0 : this->Levels.Count;
+    const std::array<CellLevel<Real>, CellLevels<Real>::Most + 1>& levels = this->Levels.All;
+    std::uint64_t oneByOne = areMany ? which : this->Paths.IsFirst, met = 0;
     for (std::size_t level = 0; level < count; ++level)
     {
       CellCrossings<Real>& found = this->Crossings[level];
@@ -318,6 +334,7 @@ private:
   LayerBeamScene<Real>& Scene;
   TileBeam& Beam;
   LayerNotes<Real> Notes;
+  CellLevels<Real> Levels; ///< of the present cell
   CellPaths<Real> Paths{}; ///< lanes without a ray hold finite numbers, too
   CellCrossings<Real> Crossings[MostLevels];
 };

@@ -23,6 +23,19 @@ struct CellLevel
   std::array<Real, 8> Corners; ///< differences from it
 };
 
+/// The isovalues that pass through a cell, in their order in the list.
+template <typename Real>
+struct CellLevels
+{
+  static constexpr std::size_t Most = 16;
+
+  /// False if more pass through it. The others are not told then.
+  bool AreAll() const { return this->Count <= Most; }
+
+  std::size_t Count = 0;
+  std::array<CellLevel<Real>, Most + 1> All;
+};
+
 /// What one ray meets in one cell behind what it is known to have met, from front to back. What
 /// does not fit is left out from behind: it is as much as a pass may find.
 struct CellSurfaces
@@ -43,8 +56,8 @@ template <typename Real>
 class LayerBeamScene : public LeafSource
 {
 public:
-  /// Read a cell. \return the isovalues that pass through it, and how many
-  virtual const CellLevel<Real>* Read(const glm::ivec3& cell, std::size_t& count) = 0;
+  /// Read a cell.
+  virtual void Read(const glm::ivec3& cell, CellLevels<Real>& levels) = 0;
 
   /// Find all that one ray meets in a cell behind its last layer, as on a walk.
   virtual void SearchCell(

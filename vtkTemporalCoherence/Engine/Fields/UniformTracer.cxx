@@ -45,7 +45,7 @@ public:
   void Trace(const RayBatch& rays, HitBatch& hits) const override
   {
     hits.Clear(rays.Count);
-    if (this->Cells.Rules.IsSolid())
+    if (this->Cells.Rules.IsSolid() && rays.MayBeCapped)
     {
       this->FindCaps(rays, hits);
     }

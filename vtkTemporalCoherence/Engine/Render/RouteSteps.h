@@ -46,7 +46,8 @@ inline LeapedSpace Begin(FrameTask& task, bool leaps, const FrameExtras& extras)
 
 inline TileScene SceneOf(const FrameTask& task, const LeapedSpace& space, const RayHint* hint)
 {
-  return { task.Key, space.Active, space.Bounds, task.Structures.Pyramid().FiniteRange(), hint };
+  const ValueRangePyramid& ranges = task.Structures.Pyramid();
+  return { task.Key, space.Active, space.Bounds, ranges.FiniteRange(), hint, &ranges };
 }
 
 /// Call work(tile, part, frame) for all tiles of the frame.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Render/TileTracer.h"
 
+#include "Render/CapTiles.h"
 #include "Scene/FramePlanes.h"
 #include "Scene/TileTimer.h"
 #include "Trace/RayPieces.h"
@@ -34,13 +35,24 @@ TileTracer::TileTracer(const TileScene& scene)
       scene.Active, scene.Hint != nullptr }))
   , Alphas(scene.Hint ? std::vector<float>() : AlphasOf(scene.Key.Isosurfaces))
 {
+  if (this->HasSurfaces && this->IsSolid && scene.Active && scene.Ranges)
+  {
+    this->Capped = FindCapTiles(scene.Key, this->Rays, *scene.Ranges);
+  }
+}
+
+/// True if a ray of a tile may begin in a solid.
+bool TileTracer::MayBeCapped(std::int64_t tile) const
+{
+  return this->IsSolid &&
+    (this->Capped.empty() || this->Capped[static_cast<std::size_t>(tile)] != 0);
 }
 
 bool TileTracer::CanSkip(std::int64_t tile) const
 {
   // A solid may be capped where there is no active cell.
   return !this->HasSurfaces ||
-    (this->Scene.Active && !this->IsSolid && this->Scene.Bounds->At(tile).IsEmpty());
+    (this->Scene.Active && this->Scene.Bounds->At(tile).IsEmpty() && !this->MayBeCapped(tile));
 }
 
 TraceCounts TileTracer::Trace(
@@ -54,6 +66,7 @@ TraceCounts TileTracer::Trace(
   if (!isMiss)
   {
     this->Rays.SetUp(part.First, part.Size, rays, &found.World);
+    rays.MayBeCapped = this->MayBeCapped(tile);
     if (this->Scene.Active)
     {
       this->Scene.Bounds->Narrow(tile, rays);
@@ -83,6 +96,7 @@ TraceCounts TileTracer::TraceSome(
   TileHits found;
   RayBatch& rays = found.Rays;
   this->Rays.SetUp(part.First, part.Size, all);
+  all.MayBeCapped = this->MayBeCapped(tile);
   if (this->Scene.Active)
   {
     this->Scene.Bounds->Narrow(tile, all);

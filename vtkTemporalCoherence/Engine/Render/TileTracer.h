@@ -26,7 +26,8 @@ struct TileScene
   const ActiveCells* Active = nullptr; ///< null: no space leaping
   const TileBounds* Bounds = nullptr;  ///< of Active
   glm::dvec2 FiniteRange{ 0.0 };
-  const RayHint* Hint = nullptr; ///< null: no hint, a cold frame
+  const RayHint* Hint = nullptr;             ///< null: no hint, a cold frame
+  const ValueRangePyramid* Ranges = nullptr; ///< of the field; null: they are not known
 };
 
 /// Traces the rays of a tile and writes the planes of the frame. The tile's bounds and the hint
@@ -46,6 +47,7 @@ public:
     std::int64_t tile, const PixelRect& part, std::uint64_t which, Frame& frame) const;
 
 private:
+  bool MayBeCapped(std::int64_t tile) const;
   bool CanSkip(std::int64_t tile) const;
   void Find(const RayBatch& rays, HitBatch& hits) const;
   void FindLayers(TileHits& found) const;
@@ -58,6 +60,7 @@ private:
   RaySource Rays;
   bool HasSurfaces;
   bool IsSolid;
+  std::vector<std::uint8_t> Capped; ///< FindCapTiles; empty: not known
   std::shared_ptr<const SurfaceTracer> Tracer;
   std::vector<float> Alphas; ///< AlphasOf the surfaces; empty if no layers are to be found
 };

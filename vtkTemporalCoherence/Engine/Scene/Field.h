@@ -8,6 +8,7 @@
 #include <glm/glm.hpp>
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <type_traits>
 
@@ -114,12 +115,22 @@ struct TypedField
 template <typename T>
 struct NarrowSamples
 {
-  /// True if the samples of a field are such, and 32 bits tell where in bytes each of them lies.
+  /// True if the samples of a field are such, and 32 bits tell where in bytes each of them lies,
+  /// from the first one on.
+  /// \pre field.HasCells()
   static bool Are(const Field& field)
   {
-    constexpr std::int64_t most = std::int64_t(1) << 30;
-    return sizeof(T) <= 2 && field.Strides.x == 1 && field.Strides.z * field.Dimensions.z <= most &&
-      field.Strides.y * field.Dimensions.y <= most;
+    const glm::i64vec3& strides = field.Strides;
+    if (sizeof(T) > 2 || strides.x != 1 || strides.y < 0 || strides.z < 0)
+    {
+      return false;
+    }
+    // Each product is compared first, so that none overflows.
+    constexpr std::int64_t most =
+      std::numeric_limits<std::int32_t>::max() / static_cast<std::int64_t>(sizeof(T));
+    const glm::i64vec3 last = glm::i64vec3(field.Dimensions) - std::int64_t(1);
+    return strides.y <= most / last.y && strides.z <= most / last.z &&
+      strides.y * last.y + strides.z * last.z + field.Dimensions.x <= most;
   }
 
   explicit NarrowSamples(const Field& field)

@@ -24,6 +24,7 @@ void AppendRay(const RayBatch& from, std::size_t ray, RayBatch& to)
   to.WalkBegin[at] = from.WalkBegin[ray];
   to.WalkEnd[at] = from.WalkEnd[ray];
   to.Pixel[at] = from.Pixel[ray];
+  to.MayBeCapped = from.MayBeCapped || (at > 0 && to.MayBeCapped);
 }
 
 double SpacingOf(const RayBatch& rays)

@@ -47,6 +47,7 @@ struct RayBatch
   Array<double> Begin, End, WalkBegin, WalkEnd;
   Array<double> PerDepth;    ///< t for each unit of depth along the optical axis
   Array<std::int32_t> Pixel; ///< position in the planes of the frame
+  bool MayBeCapped = true;   ///< false: no ray begins in a solid
 
   /// True if a ray runs through the field and may meet a surface.
   bool HasWalk(std::size_t ray) const

@@ -61,9 +61,10 @@ protected:
   /// Cap solids that rays begin in.
   void FindCaps(const RayBatch& rays, HitBatch& hits) const
   {
-    for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
+    const bool mayBe = this->Cells.Rules.IsSolid() && rays.MayBeCapped;
+    for (std::size_t ray = 0; mayBe && ray < static_cast<std::size_t>(rays.Count); ++ray)
     {
-      if (this->Cells.Rules.IsSolid() && rays.Begin[ray] < rays.End[ray])
+      if (rays.Begin[ray] < rays.End[ray])
       {
         this->FindCap(rays, ray, hits);
       }

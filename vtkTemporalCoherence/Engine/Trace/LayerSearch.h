@@ -44,7 +44,7 @@ public:
       if (rays.Begin[ray] < rays.End[ray])
       {
         const double last = next.Before().Distance;
-        if (cells.Rules.IsSolid() && last <= rays.Begin[ray])
+        if (cells.Rules.IsSolid() && rays.MayBeCapped && last <= rays.Begin[ray])
         {
           this->FindCaps(cells, rays, ray, consider);
         }

@@ -268,6 +268,45 @@ TEST_F(FrameBandsTest, MemoryStaysWithinItsLimits)
   }
 }
 
+/// Bounds of tiles that are kept for the next bands count as memory, and go with the isomap.
+TEST_F(FrameBandsTest, BoundsAreCountedAndReleased)
+{
+  const auto drag = [&](std::size_t isovalues)
+  {
+    for (int i = 1; i <= 5; ++i)
+    {
+      const double moved = this->At(0.2 + 0.003 * i);
+      this->Show(isovalues == 1 ? std::vector<double>{ moved } : std::vector{ moved, moved + 9.0 });
+    }
+    const Isomap& map = this->Builder.Built();
+    const std::size_t all = map.MemoryOf([](const GroupBand&) { return true; });
+    EXPECT_GT(map.MemoryOfBounds(), 0u);
+    EXPECT_LE(map.MemoryOfBounds(), isovalues * TileBounds::MemoryFor(this->Key.View.Size))
+      << "no scratch is kept";
+    EXPECT_EQ(map.MemoryInBytes(), Isomap::FixedMemory(this->Key) + all + map.MemoryOfBounds());
+  };
+  this->ShowCold();
+  drag(2);
+  drag(1);
+
+  // They go before any band does.
+  const Isomap& map = this->Builder.Built();
+  const std::size_t bands = map.NumberOfBands();
+  this->Builder.Trim(map.MemoryInBytes() - 1);
+  EXPECT_EQ(map.MemoryOfBounds(), 0u);
+  EXPECT_EQ(map.NumberOfBands(), bands);
+  EXPECT_FALSE(this->Builder.HasDropped());
+
+  // Nothing stays where the isomap is switched off, or the data changes.
+  drag(1);
+  this->Builder.Trim(0);
+  EXPECT_EQ(map.MemoryOfBounds(), 0u);
+  EXPECT_EQ(map.MemoryInBytes(), 0u);
+  drag(1);
+  this->Builder.Release();
+  EXPECT_EQ(map.MemoryOfBounds(), 0u);
+}
+
 /// A range that was asked for takes no memory from a drag when nobody asks for it any more.
 TEST_F(FrameBandsTest, WhatIsNoLongerAskedForMakesRoom)
 {

@@ -154,6 +154,7 @@ void IsomapBuilder::Trim(std::size_t limit)
   {
     return;
   }
+  this->Map.DropBounds();
   const std::size_t fixed = Isomap::FixedMemory(this->Map.FirstKey());
   const bool isDropped =
     this->Map.Trim(limit > fixed ? limit - fixed : 0, [](const GroupBand&) { return true; });

@@ -104,11 +104,6 @@ private:
   std::chrono::steady_clock::time_point Since;
 };
 
-bool IsWithin(const ValueBand& inner, const ValueBand& outer)
-{
-  return outer.Low <= inner.Low && inner.High <= outer.High;
-}
-
 /// The bands of a map that make room for new ones.
 class Room
 {
@@ -161,6 +156,7 @@ Isomap::Outcome BuildRange(const RangeBuild& wanted, Isomap& map, const ReportPr
   bool& isDropped, std::int64_t& cellsRead)
 {
   constexpr double endless = std::numeric_limits<double>::infinity();
+  map.DropBounds();
   Room room(wanted, map);
   Work work(wanted, map);
   for (std::size_t part = 0; part < NumberOfParts; ++part)

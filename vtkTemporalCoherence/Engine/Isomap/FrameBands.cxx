@@ -47,17 +47,6 @@ constexpr double FixedShare = 1.0 / 12.0;
 /// Memory of all bands that nobody asked for, by pixels.
 constexpr std::size_t BytesAPixel = 32;
 
-/// A step from group to group that visits all of `groups`, spread over the picture.
-std::size_t StrideFor(std::size_t groups)
-{
-  std::size_t stride = static_cast<std::size_t>(0.618 * static_cast<double>(groups)) | 1u;
-  while (std::gcd(stride, groups) != 1)
-  {
-    ++stride;
-  }
-  return stride;
-}
-
 /// Bytes for all that nobody asked for, whatever the user's limit.
 std::size_t MostRoom(const glm::ivec2& pixels)
 {
@@ -166,7 +155,7 @@ BandPlan::Wish FrameBands::WishFor(double isovalue) const
 /// \param extra expected cost of building a group beyond tracing it, which costs 1
 void FrameBands::Choose(double extra)
 {
-  const std::size_t groups = this->Work.size(), stride = StrideFor(groups);
+  const std::size_t groups = this->Work.size(), stride = StrideOfGroups(groups);
   const auto most = static_cast<double>(this->MostExtra);
   const auto mostGroups =
     static_cast<std::size_t>(std::ceil(FixedShare * static_cast<double>(groups)));

@@ -41,6 +41,10 @@ constexpr double BandsInBounds = 2.0, ShareOfSetUp = 0.5;
 /// as twice that share.
 constexpr double FadeOfBuilders = 0.9;
 
+/// Of so many groups whose bands end, one is traced first, to see what that costs. Not where
+/// look-ups cost what they did when the groups were traced.
+constexpr std::size_t GroupsToATrial = 8;
+
 /// The share of the groups that a frame builds if the picture depends on it.
 constexpr double FixedShare = 1.0 / 12.0;
 
@@ -159,11 +163,16 @@ void FrameBands::Choose(double extra)
   const auto most = static_cast<double>(this->MostExtra);
   const auto mostGroups =
     static_cast<std::size_t>(std::ceil(FixedShare * static_cast<double>(groups)));
+  const bool areOld = this->IsExact && this->State.Costs.AreOld();
   double planned = 0.0;
-  std::size_t count = 0, group = this->State.NextGroup % groups;
+  std::size_t count = 0, guesses = 0, group = this->State.NextGroup % groups;
   for (std::size_t i = 0; i < groups; ++i, group = (group + stride) % groups)
   {
     if (this->Work[group] != GroupWork::Trace)
+    {
+      continue;
+    }
+    if (areOld && this->State.Costs.IsGuess(group) && guesses++ % GroupsToATrial == 0)
     {
       continue;
     }
@@ -376,6 +385,7 @@ void FrameBands::Done(std::size_t group, std::int64_t cost)
 void FrameBands::Finish()
 {
   this->IsFinished = true;
+  this->State.Costs.Learn();
   this->Map.Count();
   BandPlan::Measured measured;
   measured.TracingAll = this->CostOfAll;

@@ -227,6 +227,58 @@ TEST(GroupCosts, NoiseDoesNotMakeTracingDearer)
   }
 }
 
+/// What groups take that are traced after many look-ups tells of those that still are looked up.
+TEST(GroupCosts, TracingNeedNotFollowLookUps)
+{
+  constexpr std::size_t groups = 2000;
+  for (const double end : { 0.4, 1.0, 2.0 })
+  {
+    GroupCosts costs;
+    costs.Resize(groups);
+    for (std::size_t group = 0; group < groups; ++group)
+    {
+      costs.SetTraced(group, 1000);
+    }
+    costs.Learn();
+    EXPECT_FALSE(costs.AreOld());
+    constexpr int frames = 30;
+    for (int frame = 0; frame < frames; ++frame)
+    {
+      const double along = static_cast<double>(frame) / (frames - 1);
+      const double traced = 1000.0 * std::pow(end, along);
+      const double lookedUp = 300.0 * std::pow(end, 0.4 * along);
+      for (std::size_t group = 0; group < groups; ++group)
+      {
+        const bool isTraced = static_cast<int>(group % 60) == frame;
+        isTraced ? costs.SetTraced(group, std::lround(traced))
+                 : costs.SetLookedUp(group, std::lround(lookedUp));
+      }
+      costs.Learn();
+      const std::vector<double> all = costs.All();
+      const double sum = std::accumulate(all.begin(), all.end(), 0.0);
+      EXPECT_NEAR(sum / (groups * traced), 1.0, 0.12) << "frame " << frame << " to " << end;
+    }
+    EXPECT_EQ(costs.AreOld(), end != 1.0);
+  }
+}
+
+/// Tracing gets cheaper along a drag, and look-ups do, too, but less.
+TEST_F(FrameBandsTest, NoFrameCostsMuchMoreWhereColdOnesBecomeCheaper)
+{
+  this->ShowCold();
+  std::ptrdiff_t lookedUp = 0;
+  for (int i = 1; i <= 60; ++i)
+  {
+    const double left = std::exp2(-0.03 * i);
+    this->Price = { std::lround(1000.0 * left), std::lround(400.0 * std::sqrt(left)),
+      std::lround(2500.0 * std::sqrt(left)) };
+    const Made made = this->Show({ this->At(0.2 + 0.01 * i) });
+    EXPECT_LE(made.Cost, 1.25) << "frame " << i;
+    lookedUp += made.CountOf(GroupWork::LookUp);
+  }
+  EXPECT_GT(lookedUp, 10 * static_cast<std::ptrdiff_t>(this->Builder.Built().Size()));
+}
+
 TEST_F(FrameBandsTest, NothingIsBuiltForAJump)
 {
   this->ShowCold();
@@ -266,6 +318,45 @@ TEST_F(FrameBandsTest, MemoryStaysWithinItsLimits)
     EXPECT_GT(most, std::min(limit, 32 * pixels) / 2) << "what there is is used";
     EXPECT_EQ(this->Builder.HasDropped(), limit < 32 * pixels) << "only the user's limit is news";
   }
+}
+
+/// Bounds of tiles that are kept for the next bands count as memory, and go with the isomap.
+TEST_F(FrameBandsTest, BoundsAreCountedAndReleased)
+{
+  const auto drag = [&](std::size_t isovalues)
+  {
+    for (int i = 1; i <= 5; ++i)
+    {
+      const double moved = this->At(0.2 + 0.003 * i);
+      this->Show(isovalues == 1 ? std::vector<double>{ moved } : std::vector{ moved, moved + 9.0 });
+    }
+    const Isomap& map = this->Builder.Built();
+    const std::size_t all = map.MemoryOf([](const GroupBand&) { return true; });
+    EXPECT_GT(map.MemoryOfBounds(), 0u);
+    EXPECT_LE(map.MemoryOfBounds(), isovalues * TileBounds::MemoryFor(this->Key.View.Size))
+      << "no scratch is kept";
+    EXPECT_EQ(map.MemoryInBytes(), Isomap::FixedMemory(this->Key) + all + map.MemoryOfBounds());
+  };
+  this->ShowCold();
+  drag(2);
+  drag(1);
+
+  // They go before any band does.
+  const Isomap& map = this->Builder.Built();
+  const std::size_t bands = map.NumberOfBands();
+  this->Builder.Trim(map.MemoryInBytes() - 1);
+  EXPECT_EQ(map.MemoryOfBounds(), 0u);
+  EXPECT_EQ(map.NumberOfBands(), bands);
+  EXPECT_FALSE(this->Builder.HasDropped());
+
+  // Nothing stays where the isomap is switched off, or the data changes.
+  drag(1);
+  this->Builder.Trim(0);
+  EXPECT_EQ(map.MemoryOfBounds(), 0u);
+  EXPECT_EQ(map.MemoryInBytes(), 0u);
+  drag(1);
+  this->Builder.Release();
+  EXPECT_EQ(map.MemoryOfBounds(), 0u);
 }
 
 /// A range that was asked for takes no memory from a drag when nobody asks for it any more.

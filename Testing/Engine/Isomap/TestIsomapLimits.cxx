@@ -3,6 +3,7 @@
 #include "Grid.h"
 #include "Isomap/BandTracer.h"
 #include "Isomap/Isomap.h"
+#include "Isomap/IsomapBuilder.h"
 #include "Isomap/RangeBuild.h"
 #include "Trace/RaySource.h"
 
@@ -146,6 +147,84 @@ TEST(IsomapLimits, TheOldestBandsMakeRoom)
   ASSERT_EQ(view.Add(map, { 30.0, 215.0 }, Plenty, Endless, {}), Isomap::Outcome::Built);
   EXPECT_EQ(map.NumberOfBands(), map.Size()) << "one for each group";
   EXPECT_TRUE(map.Holds({ 30.0, 215.0 }));
+}
+
+/// A range that does not fit drops nothing, even if there is no room for any part of it.
+TEST(IsomapLimits, WhatCannotFitDropsNothing)
+{
+  NoiseView view;
+  view.Key.View = LookAt(view.Key.Samples.Dimensions, { 1.0, 2.0, 0.7 }, { 256, 200 });
+  Isomap map;
+  map.Begin(view.Key, {});
+  const ValueBand wide{ 30.0, 210.0 };
+  ASSERT_EQ(view.Add(map, wide, Plenty, Endless, {}), Isomap::Outcome::Built);
+  const std::size_t whole = map.MemoryInBytes();
+  map.Begin(view.Key, {});
+  ASSERT_EQ(view.Add(map, { 100.0, 101.0 }, Plenty, Endless, {}), Isomap::Outcome::Built);
+  const std::size_t kept = map.MemoryInBytes(), bands = map.NumberOfBands();
+  ASSERT_LT(kept, whole * 3 / 5);
+
+  for (const double patience : { Endless, 0.0 })
+  {
+    for (const std::size_t limit : { kept, whole * 3 / 5 })
+    {
+      SCOPED_TRACE(testing::Message() << limit << " of " << whole << " bytes");
+      std::size_t most = 0;
+      const auto watch = [&](double progress)
+      {
+        EXPECT_LT(progress, 0.5) << "what cannot fit is given up soon";
+        most = std::max(most, map.MemoryInBytes());
+        return true;
+      };
+      bool isDropped = true;
+      EXPECT_EQ(view.Add(map, wide, limit, patience, watch, &isDropped), Isomap::Outcome::TooLarge);
+      EXPECT_FALSE(isDropped);
+      EXPECT_EQ(map.MemoryInBytes(), kept);
+      EXPECT_EQ(map.NumberOfBands(), bands);
+      EXPECT_LE(most, limit);
+    }
+  }
+  // What fits takes the place of others, still.
+  EXPECT_EQ(view.Add(map, wide, whole, Endless, {}), Isomap::Outcome::Built);
+}
+
+/// Ranges that take turns and do not fit are tried once each, until the limit is raised.
+TEST(IsomapLimits, RangesThatTakeTurnsAreTriedOnce)
+{
+  NoiseView view;
+  IsomapBuilder builder;
+  Isomap::Options options;
+  options.MemoryLimit = Isomap::FixedMemory(view.Key) + 80000;
+  // Each attempt is a frame of the drag.
+  const auto attempts = [&](const ValueBand& range)
+  {
+    const std::uint64_t before = builder.Drag().Frame;
+    options.Range = range;
+    EXPECT_EQ(builder.Prepare(view.Key, options, view.Pyramid, {}), Isomap::Outcome::Built);
+    return builder.Drag().Frame - before;
+  };
+  const ValueBand small{ 99.9, 100.1 };
+  for (int turn = 0; turn < 3; ++turn)
+  {
+    const std::uint64_t expected = turn == 0 ? 1 : 0;
+    for (const ValueBand& range : { ValueBand{ 30.0, 200.0 }, { 40.0, 210.0 }, { 50.0, 190.0 } })
+    {
+      EXPECT_EQ(attempts(range), expected) << range.Low << " in turn " << turn;
+      EXPECT_TRUE(builder.IsTooLarge());
+    }
+  }
+  EXPECT_EQ(builder.Built().NumberOfBands(), 0u);
+  EXPECT_EQ(attempts(small), 1u);
+  EXPECT_FALSE(builder.IsTooLarge());
+  ASSERT_TRUE(builder.Built().Holds(small));
+
+  view.Key.Isosurfaces.Isovalues = { 120.0 };
+  EXPECT_EQ(attempts({ 30.0, 200.0 }), 0u);
+  EXPECT_TRUE(builder.Built().Holds(small)) << "nothing was dropped for it";
+  options.MemoryLimit = Plenty;
+  EXPECT_EQ(attempts({ 30.0, 200.0 }), 1u);
+  EXPECT_FALSE(builder.IsTooLarge());
+  EXPECT_TRUE(builder.Built().Holds({ 30.0, 200.0 }));
 }
 
 /// What is built and what makes room for it never hold more than the limit together.

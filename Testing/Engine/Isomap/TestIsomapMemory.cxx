@@ -75,7 +75,7 @@ protected:
         return true;
       });
     EXPECT_EQ(map.NumberOfBands(), bands);
-    EXPECT_EQ(map.MemoryInBytes(), map.Size() > 0 ? bytes + fixed : 0);
+    EXPECT_EQ(map.MemoryInBytes(), map.Size() > 0 ? bytes + map.MemoryOfBounds() + fixed : 0);
   }
 
   std::string Before;

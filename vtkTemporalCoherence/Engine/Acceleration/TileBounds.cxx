@@ -326,6 +326,21 @@ void TileBounds::Build(const View& view, const IndexTransform& transform, const 
     });
 }
 
+std::size_t TileBounds::MemoryInBytes() const
+{
+  std::size_t count = this->All.capacity();
+  for (const std::vector<Bounds>& part : this->Parts)
+  {
+    count += part.capacity();
+  }
+  return count * sizeof(Bounds);
+}
+
+std::size_t TileBounds::MemoryFor(const glm::ivec2& pixels)
+{
+  return static_cast<std::size_t>(NumberOfTiles(pixels)) * sizeof(Bounds);
+}
+
 void TileBounds::Narrow(std::int64_t tile, RayBatch& rays) const
 {
   const Bounds& bounds = this->At(tile);

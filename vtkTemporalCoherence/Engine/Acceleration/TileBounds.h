@@ -9,6 +9,7 @@
 #include "Scene/Tiles.h"
 #include "Scene/View.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -47,6 +48,13 @@ public:
 
   const glm::ivec2& Tiles() const { return this->Size; }
   const Bounds& At(std::int64_t tile) const { return this->All[static_cast<std::size_t>(tile)]; }
+
+  /// Free what only the next Build() would use.
+  void ReleaseScratch() { std::vector<std::vector<Bounds>>().swap(this->Parts); }
+
+  /// Bytes of all this, and what it takes for a picture without scratch.
+  std::size_t MemoryInBytes() const;
+  static std::size_t MemoryFor(const glm::ivec2& pixels);
 
   /// Narrow the walks of a tile's rays to its bounds.
   void Narrow(std::int64_t tile, RayBatch& rays) const;

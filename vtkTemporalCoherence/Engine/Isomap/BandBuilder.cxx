@@ -30,6 +30,7 @@ void BandBuilder::FindBounds(
   ActiveCells active;
   active.Build(key.Samples, pyramid, band, key.Isosurfaces.Mode);
   bounds.Build(key.View, key.Transform, active, *key.Samples.Kind);
+  bounds.ReleaseScratch();
 }
 
 GroupBand BandBuilder::Build(std::size_t group, std::int64_t& cellsRead) const

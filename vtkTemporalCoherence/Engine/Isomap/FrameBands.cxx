@@ -41,24 +41,17 @@ constexpr double BandsInBounds = 2.0, ShareOfSetUp = 0.5;
 /// as twice that share.
 constexpr double FadeOfBuilders = 0.9;
 
+/// Of so many groups whose bands end, one is traced first, to see what that costs. Not where
+/// look-ups cost what they did when the groups were traced.
+constexpr std::size_t GroupsToATrial = 8;
+
 /// The share of the groups that a frame builds if the picture depends on it.
 constexpr double FixedShare = 1.0 / 12.0;
 
 /// Memory of all bands that nobody asked for, by pixels.
 constexpr std::size_t BytesAPixel = 32;
 
-/// A step from group to group that visits all of `groups`, spread over the picture.
-std::size_t StrideFor(std::size_t groups)
-{
-  std::size_t stride = static_cast<std::size_t>(0.618 * static_cast<double>(groups)) | 1u;
-  while (std::gcd(stride, groups) != 1)
-  {
-    ++stride;
-  }
-  return stride;
-}
-
-/// Bytes for all bands that nobody asked for, whatever the user's limit.
+/// Bytes for all that nobody asked for, whatever the user's limit.
 std::size_t MostRoom(const glm::ivec2& pixels)
 {
   return BytesAPixel * static_cast<std::size_t>(pixels.x) * static_cast<std::size_t>(pixels.y);
@@ -166,15 +159,20 @@ BandPlan::Wish FrameBands::WishFor(double isovalue) const
 /// \param extra expected cost of building a group beyond tracing it, which costs 1
 void FrameBands::Choose(double extra)
 {
-  const std::size_t groups = this->Work.size(), stride = StrideFor(groups);
+  const std::size_t groups = this->Work.size(), stride = StrideOfGroups(groups);
   const auto most = static_cast<double>(this->MostExtra);
   const auto mostGroups =
     static_cast<std::size_t>(std::ceil(FixedShare * static_cast<double>(groups)));
+  const bool areOld = this->IsExact && this->State.Costs.AreOld();
   double planned = 0.0;
-  std::size_t count = 0, group = this->State.NextGroup % groups;
+  std::size_t count = 0, guesses = 0, group = this->State.NextGroup % groups;
   for (std::size_t i = 0; i < groups; ++i, group = (group + stride) % groups)
   {
     if (this->Work[group] != GroupWork::Trace)
+    {
+      continue;
+    }
+    if (areOld && this->State.Costs.IsGuess(group) && guesses++ % GroupsToATrial == 0)
     {
       continue;
     }
@@ -190,13 +188,29 @@ void FrameBands::Choose(double extra)
   this->MakeRoom(count);
 }
 
-/// Bytes for all bands that nobody asked for.
-std::size_t FrameBands::RoomForAll() const
+/// Bytes that the user's limit leaves for all that nobody asked for.
+std::size_t FrameBands::RoomOfUser() const
 {
   const std::size_t taken = Isomap::FixedMemory(this->From.Key) +
     this->Map.MemoryOf([](const GroupBand& band) { return band.IsAsked; });
   const std::size_t limit = this->From.Options.MemoryLimit;
-  return std::min(limit > taken ? limit - taken : 0, MostRoom(this->From.Key.View.Size));
+  return limit > taken ? limit - taken : 0;
+}
+
+/// Bytes for all bands that nobody asked for.
+std::size_t FrameBands::RoomForAll() const
+{
+  const std::size_t most = std::min(this->RoomOfUser(), MostRoom(this->From.Key.View.Size));
+  const std::size_t bounds = this->Map.MemoryOfBounds();
+  return most > bounds ? most - bounds : 0;
+}
+
+/// Bytes that the bounds of all isovalues may take beyond those that are kept.
+std::size_t FrameBands::BytesOfNewBounds() const
+{
+  const std::size_t most = this->Bands.size() * TileBounds::MemoryFor(this->From.Key.View.Size);
+  const std::size_t kept = this->Map.MemoryOfBounds();
+  return most > kept ? most - kept : 0;
 }
 
 /// Drop bands without the present isovalues if the memory might not suffice for those planned.
@@ -206,8 +220,11 @@ void FrameBands::MakeRoom(std::size_t planned)
   const auto isIdle = [this](const GroupBand& band)
   { return !band.IsAsked && band.LastUse != this->State.Frame; };
   const std::size_t taken = this->Map.MemoryOf(IsAutomatic), idle = this->Map.MemoryOf(isIdle);
-  const double wanted = 1.25 * this->State.BytesOfBand * static_cast<double>(planned);
-  const std::size_t room = limit - std::min(static_cast<std::size_t>(wanted), limit);
+  const std::size_t ofBounds = this->BytesOfNewBounds();
+  const auto wanted =
+    static_cast<std::size_t>(1.25 * this->State.BytesOfBand * static_cast<double>(planned)) +
+    ofBounds;
+  const std::size_t room = limit - std::min(wanted, limit);
   const std::size_t used = taken - idle;
   if (this->Map.Trim(room > used ? room - used : 0, isIdle))
   {
@@ -215,6 +232,8 @@ void FrameBands::MakeRoom(std::size_t planned)
   }
   const std::size_t left = this->Map.MemoryOf(IsAutomatic);
   this->Room = limit > left ? limit - left : 0;
+  this->HasRoomForBounds = ofBounds <= this->Room;
+  this->Room -= this->HasRoomForBounds ? ofBounds : 0;
   // If the picture depends on what is built, so does nothing on which group comes first.
   const std::size_t parts = planned * this->Bands.size();
   this->RoomForGroup = this->IsExact ? this->Room : this->Room / std::max<std::size_t>(parts, 1);
@@ -223,7 +242,7 @@ void FrameBands::MakeRoom(std::size_t planned)
 /// True if the user's limit of memory is lower than that of bands that nobody asked for.
 bool FrameBands::IsLimitedByUser() const
 {
-  return this->RoomForAll() < MostRoom(this->From.Key.View.Size);
+  return this->RoomOfUser() < MostRoom(this->From.Key.View.Size);
 }
 
 std::size_t FrameBands::NumberOf(GroupWork work) const
@@ -241,7 +260,7 @@ void FrameBands::MakeBuilders(const Clock& clock)
   double ofBounds = 0.0;
   try
   {
-    this->State.Bounds.resize(this->Bands.size());
+    this->Map.ResizeBounds(this->Bands.size());
     for (std::size_t i = 0; i < this->Bands.size(); ++i)
     {
       if (this->IsMissing[i])
@@ -265,29 +284,27 @@ void FrameBands::MakeBuilders(const Clock& clock)
 }
 
 /// The bounds of a band: those kept from another frame, or new ones that frames to come can use,
-/// too. Null if they take too much of what the frame may cost: rays of bands then begin where the
-/// field does.
+/// too. Null if they take too much memory, or of what the frame may cost: rays of bands then begin
+/// where the field does.
 const TileBounds* FrameBands::BoundsFor(std::size_t isovalue, const Clock& clock)
 {
-  BandBounds& kept = this->State.Bounds[isovalue];
-  const ValueBand& band = this->Bands[isovalue];
-  if (kept.Values.Holds(band.Low) && kept.Values.Holds(band.High))
+  if (const TileBounds* const kept = this->Map.FindBounds(isovalue, this->Bands[isovalue]))
   {
-    return &kept.Bounds;
+    return kept;
   }
   double& cost = this->State.CostOfBounds;
   const double expected = cost > 0.0 ? cost : this->From.SetUpCost;
-  if (this->IsExact && expected > this->MostForSetUp)
+  if (!this->HasRoomForBounds || (this->IsExact && expected > this->MostForSetUp))
   {
     return nullptr;
   }
   const double begin = clock();
-  kept.Values = { 1.0, 0.0 };
-  const ValueBand wide = this->Widened(isovalue);
-  BandBuilder::FindBounds(this->From.Key, this->From.Pyramid, wide, kept.Bounds);
-  kept.Values = wide;
+  this->Map.KeepBounds(isovalue, {}); // frees the old ones first
+  BandBounds made{ this->Widened(isovalue) };
+  BandBuilder::FindBounds(this->From.Key, this->From.Pyramid, made.Values, made.Tiles);
+  this->Map.KeepBounds(isovalue, std::move(made));
   cost = clock() - begin;
-  return &kept.Bounds;
+  return this->Map.FindBounds(isovalue, this->Bands[isovalue]);
 }
 
 /// A band and what a drag comes to next.
@@ -368,6 +385,7 @@ void FrameBands::Done(std::size_t group, std::int64_t cost)
 void FrameBands::Finish()
 {
   this->IsFinished = true;
+  this->State.Costs.Learn();
   this->Map.Count();
   BandPlan::Measured measured;
   measured.TracingAll = this->CostOfAll;

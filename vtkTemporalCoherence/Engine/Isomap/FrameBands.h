@@ -27,25 +27,17 @@ enum class GroupWork : std::uint8_t
   Trace
 };
 
-/// The tile bounds of a band of isovalues, kept for bands that it contains.
-struct BandBounds
-{
-  ValueBand Values{ 1.0, 0.0 };
-  TileBounds Bounds{};
-};
-
 /// The state of a drag in one view, from frame to frame.
 struct DragState
 {
   BandPlan Plan;
   GroupCosts Costs;
-  std::uint64_t Frame = 0;          ///< number of the last frame
-  std::size_t NextGroup = 0;        ///< where the choice of groups to build goes on
-  double BytesOfBand = 4096.0;      ///< of a group, on average
-  std::vector<BandBounds> Bounds{}; ///< for each isovalue
-  double CostOfBounds = 0.0;        ///< the last time; 0: not known
-  double CostOfBuilders = 0.0;      ///< the same, without bounds
-  bool HasDropped = false;          ///< bands, because of the user's limit of memory
+  std::uint64_t Frame = 0;     ///< number of the last frame
+  std::size_t NextGroup = 0;   ///< where the choice of groups to build goes on
+  double BytesOfBand = 4096.0; ///< of a group, on average
+  double CostOfBounds = 0.0;   ///< the last time; 0: not known
+  double CostOfBuilders = 0.0; ///< the same, without bounds
+  bool HasDropped = false;     ///< bands, because of the user's limit of memory
 };
 
 /// Decides for each group of a frame whether it is looked up, built or traced, and builds bands
@@ -115,6 +107,8 @@ private:
   bool Build(std::size_t group, std::int64_t& cellsRead);
   ValueBand Widened(std::size_t isovalue) const;
   const TileBounds* BoundsFor(std::size_t isovalue, const Clock& clock);
+  std::size_t BytesOfNewBounds() const;
+  std::size_t RoomOfUser() const;
   std::size_t RoomForAll() const;
   bool IsLimitedByUser() const;
 
@@ -134,6 +128,7 @@ private:
   double MostForSetUp = 0.0;
   bool IsProbe = false;
   std::size_t Room = 0, RoomForGroup = 0; ///< bytes
+  bool HasRoomForBounds = false;          ///< those that are missing
   std::atomic<std::int64_t> Extra{ 0 };
   std::atomic<std::size_t> Taken{ 0 };
   std::atomic<bool> IsFull{ false }, IsOutOfMemory{ false };

@@ -13,7 +13,8 @@ namespace TemporalCoherence
 /// What it costs to trace and shade each group of tiles of a picture, in units of a clock. A group
 /// costs what it did last. While it is looked up, its cost follows that of its look-ups, which
 /// grows and shrinks with the surface as well. Single look-ups are noisy: the sum of the costs
-/// follows the sum of all.
+/// follows the sum of all. Where tracing gets cheaper than look-ups tell, groups that are traced
+/// after look-ups tell by how much.
 class GroupCosts
 {
 public:
@@ -25,26 +26,46 @@ public:
   void SetTraced(std::size_t group, std::int64_t cost);
   void SetLookedUp(std::size_t group, std::int64_t cost);
 
+  /// A frame is made: take note of what the groups told. Not beside them.
+  void Learn();
+
   /// Forget all.
-  void Forget() { this->Groups.clear(); }
+  void Forget() { *this = GroupCosts(); }
 
   /// True if the cost of any group is known.
   bool AreKnown() const;
+
+  /// True if the cost of a group is only told by its look-ups.
+  bool IsGuess(std::size_t group) const { return this->Groups[group].LookedUpFirst > 0.0f; }
+
+  /// True if look-ups do not cost what they did when their groups were traced, so that some groups
+  /// should be traced again.
+  bool AreOld() const;
 
   /// The cost of each group: that of the known ones on average for one that is not known.
   std::vector<double> All() const;
 
 private:
-  double Excess() const;
-
   struct Cost
   {
     float Traced = 0.0f;        ///< 0: not known
+    float Guessed = 0.0f;       ///< what it was taken to be before; 0: not looked up
+    bool IsNew = false;         ///< traced since the last call of Learn()
     float TracedFirst = 0.0f;   ///< before it was looked up
     float LookedUpFirst = 0.0f; ///< 0: it was not looked up since
     float LookedUpLast = 0.0f;
   };
+
+  /// Sums over the groups that are looked up.
+  struct Sums
+  {
+    double Now = 0.0, TracedFirst = 0.0, LookedUpFirst = 0.0, LookedUpLast = 0.0;
+  };
+  Sums OfGuesses() const;
+  double Correction() const;
+
   std::vector<Cost> Groups;
+  double Guessed = 0.0, Measured = 0.0; ///< of groups traced after look-ups, the latest ones first
 };
 
 }

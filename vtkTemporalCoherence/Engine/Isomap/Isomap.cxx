@@ -22,11 +22,6 @@ auto FindIn(Bands& bands, double isovalue) -> decltype(bands.data())
   return found != bands.end() ? &*found : nullptr;
 }
 
-bool HoldsAll(const GroupBand& band, const ValueBand& values)
-{
-  return band.Values.Holds(values.Low) && band.Values.Holds(values.High);
-}
-
 }
 
 bool Isomap::CanHold(const Field& field)
@@ -127,7 +122,7 @@ bool Isomap::Holds(const ValueBand& values) const
       [&](const std::vector<GroupBand>& group)
       {
         return std::any_of(group.begin(), group.end(),
-          [&](const GroupBand& band) { return HoldsAll(band, values); });
+          [&](const GroupBand& band) { return IsWithin(values, band.Values); });
       });
 }
 
@@ -148,7 +143,7 @@ void Isomap::MarkAsked(const ValueBand& values)
   {
     for (GroupBand& band : group)
     {
-      band.IsAsked |= HoldsAll(band, values);
+      band.IsAsked |= IsWithin(values, band.Values);
     }
   }
 }
@@ -241,9 +236,47 @@ void Isomap::Drop(const Which& which)
   this->Count();
 }
 
+const TileBounds* Isomap::FindBounds(std::size_t isovalue, const ValueBand& band) const
+{
+  const bool isKept = isovalue < this->Bounds.size();
+  return isKept && IsWithin(band, this->Bounds[isovalue].Values) ? &this->Bounds[isovalue].Tiles
+                                                                 : nullptr;
+}
+
+void Isomap::ResizeBounds(std::size_t isovalues)
+{
+  if (isovalues != this->Bounds.size())
+  {
+    this->Bounds.resize(isovalues);
+    this->Count();
+  }
+}
+
+void Isomap::KeepBounds(std::size_t isovalue, BandBounds&& bounds)
+{
+  this->Bounds[isovalue] = std::move(bounds);
+  this->Count();
+}
+
+void Isomap::DropBounds()
+{
+  std::vector<BandBounds>().swap(this->Bounds);
+  this->Count();
+}
+
+std::size_t Isomap::MemoryOfBounds() const
+{
+  std::size_t bytes = 0;
+  for (const BandBounds& bounds : this->Bounds)
+  {
+    bytes += bounds.Tiles.MemoryInBytes();
+  }
+  return bytes;
+}
+
 void Isomap::Count()
 {
-  this->Memory = this->IsBegun ? FixedMemory(this->Key) : 0;
+  this->Memory = (this->IsBegun ? FixedMemory(this->Key) : 0) + this->MemoryOfBounds();
   this->Knots = this->Bands = 0;
   for (const std::vector<GroupBand>& group : this->Groups)
   {

@@ -3,6 +3,7 @@
 #ifndef TemporalCoherence_Isomap_h
 #define TemporalCoherence_Isomap_h
 
+#include "Acceleration/TileBounds.h"
 #include "Isomap/KnotCollector.h"
 #include "Isomap/Knots.h"
 #include "Isomap/TileGroups.h"
@@ -34,6 +35,13 @@ struct GroupBand
   {
     return this->Tiles.empty() ? nullptr : this->Tiles.data() + tileInGroup * pieces;
   }
+};
+
+/// The tile bounds of a band of isovalues, kept for bands that it contains.
+struct BandBounds
+{
+  ValueBand Values{ 1.0, 0.0 };
+  TileBounds Tiles{};
 };
 
 /// For one view: where the ray of each pixel first passes each isovalue.
@@ -150,7 +158,23 @@ public:
   /// Drop some bands.
   void Drop(const Which& which);
 
-  /// Bytes of all bands, and of what holds them.
+  /// Make room for the bounds of so many isovalues of a frame; drop those of others.
+  /// \throws std::bad_alloc; nothing is changed
+  void ResizeBounds(std::size_t isovalues);
+
+  /// The bounds kept for an isovalue of a frame, by its number, if they serve a band; else null.
+  const TileBounds* FindBounds(std::size_t isovalue, const ValueBand& band) const;
+
+  /// Keep bounds in place of those of an isovalue.
+  void KeepBounds(std::size_t isovalue, BandBounds&& bounds);
+
+  /// Drop all bounds.
+  void DropBounds();
+
+  /// Bytes of all bounds.
+  std::size_t MemoryOfBounds() const;
+
+  /// Bytes of all bands and bounds, and of what holds them.
   std::size_t MemoryInBytes() const { return this->Memory; }
   std::size_t NumberOfKnots() const { return this->Knots; }
   std::size_t NumberOfBands() const { return this->Bands; }
@@ -163,6 +187,7 @@ private:
   KnotForm KnotsAre;
   bool IsBegun = false;
   std::vector<std::vector<GroupBand>> Groups;
+  std::vector<BandBounds> Bounds; ///< for each isovalue of the last frames
   std::size_t Memory = 0, Knots = 0, Bands = 0;
 };
 

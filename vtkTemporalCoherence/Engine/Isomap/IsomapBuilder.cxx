@@ -16,6 +16,11 @@ namespace
 /// of the range of values: about a step of a slider.
 constexpr double HalfWidthAhead = 1.0 / 256.0;
 
+bool AreEqual(const ValueBand& a, const ValueBand& b)
+{
+  return a.Low == b.Low && a.High == b.High;
+}
+
 /// The band that the user asks for, if it holds an isovalue, limited to the range of the samples.
 ValueBand RangeAskedFor(
   const Isomap::Options& options, const ValueRangePyramid& pyramid, double isovalue)
@@ -24,6 +29,9 @@ ValueBand RangeAskedFor(
   return { std::max(options.Range.Low, std::min(samples.x, isovalue)),
     std::min(options.Range.High, std::max(samples.y, isovalue)) };
 }
+
+/// Ranges that are known not to fit. Who asks for more in turn waits for them again.
+constexpr std::size_t MostFailed = 64;
 
 ValueBand BandAround(const ValueRangePyramid& pyramid, double isovalue)
 {
@@ -46,7 +54,7 @@ bool IsomapBuilder::CanBuild(const FrameKey& key, const Isomap::Options& options
 /// If a range is new, what was asked for before is no longer asked for.
 void IsomapBuilder::Ask(const ValueBand& range, const ValueRangePyramid& pyramid)
 {
-  if (range.Low == this->RangeAsked.Low && range.High == this->RangeAsked.High)
+  if (AreEqual(range, this->RangeAsked))
   {
     return;
   }
@@ -76,7 +84,8 @@ bool IsomapBuilder::Begin(
     GroupCosts costs = std::move(this->State.Costs); // of the last frame that was traced
     this->State = DragState();
     this->State.Costs = std::move(costs);
-    this->FailedLimit = this->FailedRange = 0;
+    this->FailedLimit = 0;
+    this->FailedRanges.clear();
     this->Map.Begin(key, options);
   }
   this->Ask(options.Range, pyramid);
@@ -84,16 +93,48 @@ bool IsomapBuilder::Begin(
   return true;
 }
 
-Isomap::Outcome IsomapBuilder::Build(const ValueBand& band, const FrameKey& key,
+/// True if a range is known not to fit into a limit of memory.
+bool IsomapBuilder::HasFailed(const ValueBand& range, std::size_t limit) const
+{
+  return std::any_of(this->FailedRanges.begin(), this->FailedRanges.end(),
+    [&](const FailedRange& failed)
+    { return failed.Limit >= limit && AreEqual(failed.Range, range); });
+}
+
+/// Take note of whether a range fits into a limit of memory.
+void IsomapBuilder::Note(const ValueBand& range, std::size_t limit, bool hasFailed)
+{
+  std::vector<FailedRange>& all = this->FailedRanges;
+  all.erase(std::remove_if(all.begin(), all.end(),
+              [&](const FailedRange& failed) { return AreEqual(failed.Range, range); }),
+    all.end());
+  if (hasFailed)
+  {
+    all.erase(all.begin(), all.size() < MostFailed ? all.begin() : all.begin() + 1);
+    all.push_back({ range, limit });
+  }
+}
+
+Isomap::Outcome IsomapBuilder::Build(const ValueBand& range, const FrameKey& key,
   const Isomap::Options& options, const ValueRangePyramid& pyramid, const ReportProgress& report)
 {
-  if (this->Map.Holds(band))
+  if (this->Map.Holds(range))
   {
-    this->Map.MarkAsked(band);
+    this->Map.MarkAsked(range);
     return Isomap::Outcome::Built;
   }
-  const RangeBuild wanted{ key, pyramid, band, options.MemoryLimit, ++this->State.Frame };
-  return BuildRange(wanted, this->Map, report, this->State.HasDropped, this->Cells);
+  if (this->HasFailed(range, options.MemoryLimit))
+  {
+    return Isomap::Outcome::TooLarge;
+  }
+  const RangeBuild wanted{ key, pyramid, range, options.MemoryLimit, ++this->State.Frame };
+  const Isomap::Outcome outcome =
+    BuildRange(wanted, this->Map, report, this->State.HasDropped, this->Cells);
+  if (outcome != Isomap::Outcome::Stopped)
+  {
+    this->Note(range, options.MemoryLimit, outcome == Isomap::Outcome::TooLarge);
+  }
+  return outcome;
 }
 
 Isomap::Outcome IsomapBuilder::Prepare(const FrameKey& key, const Isomap::Options& options,
@@ -103,12 +144,11 @@ Isomap::Outcome IsomapBuilder::Prepare(const FrameKey& key, const Isomap::Option
   {
     return Isomap::Outcome::TooLarge;
   }
+  this->IsRangeTooLarge = false;
   for (const double isovalue : key.Isosurfaces.Isovalues)
   {
     const ValueBand range = RangeAskedFor(options, pyramid, isovalue);
-    const bool hasFailed = this->FailedRange >= options.MemoryLimit &&
-      this->TooLargeRange.Low == range.Low && this->TooLargeRange.High == range.High;
-    if (!range.Holds(isovalue) || hasFailed || this->Map.Covers({ isovalue }))
+    if (!range.Holds(isovalue) || this->Map.Covers({ isovalue }))
     {
       continue;
     }
@@ -118,8 +158,7 @@ Isomap::Outcome IsomapBuilder::Prepare(const FrameKey& key, const Isomap::Option
       this->ForgetIfEmpty();
       return outcome;
     }
-    this->FailedRange = outcome == Isomap::Outcome::TooLarge ? options.MemoryLimit : 0;
-    this->TooLargeRange = range;
+    this->IsRangeTooLarge |= outcome == Isomap::Outcome::TooLarge;
   }
   return Isomap::Outcome::Built;
 }
@@ -154,6 +193,7 @@ void IsomapBuilder::Trim(std::size_t limit)
   {
     return;
   }
+  this->Map.DropBounds();
   const std::size_t fixed = Isomap::FixedMemory(this->Map.FirstKey());
   const bool isDropped =
     this->Map.Trim(limit > fixed ? limit - fixed : 0, [](const GroupBand&) { return true; });

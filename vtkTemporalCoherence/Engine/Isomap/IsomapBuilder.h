@@ -55,7 +55,7 @@ public:
   std::int64_t CellsRead() const { return this->Cells; }
 
   /// True if the memory limit was too low for what was needed last.
-  bool IsTooLarge() const { return this->FailedLimit > 0 || this->FailedRange > 0; }
+  bool IsTooLarge() const { return this->FailedLimit > 0 || this->IsRangeTooLarge; }
 
   /// True if bands were dropped because of the user's limit of memory.
   bool HasDropped() const { return this->State.HasDropped; }
@@ -83,15 +83,24 @@ private:
   bool Begin(const FrameKey& key, const Isomap::Options& options, const ValueRangePyramid& pyramid);
   void Ask(const ValueBand& range, const ValueRangePyramid& pyramid);
   void ForgetIfEmpty();
-  Isomap::Outcome Build(const ValueBand& band, const FrameKey& key, const Isomap::Options& options,
+  Isomap::Outcome Build(const ValueBand& range, const FrameKey& key, const Isomap::Options& options,
     const ValueRangePyramid& pyramid, const ReportProgress& report);
+
+  /// A range that did not fit into a limit of memory.
+  struct FailedRange
+  {
+    ValueBand Range;
+    std::size_t Limit;
+  };
+  bool HasFailed(const ValueBand& range, std::size_t limit) const;
+  void Note(const ValueBand& range, std::size_t limit, bool hasFailed);
 
   Isomap Map;
   DragState State;
-  std::size_t FailedLimit = 0; ///< memory limit that not even an empty isomap fitted
-  std::size_t FailedRange = 0; ///< memory limit that the range asked for did not fit
-  ValueBand TooLargeRange{ 1.0, 0.0 };
-  ValueBand RangeAsked{ 1.0, 0.0 }; ///< by the last frame that built, or ahead
+  std::size_t FailedLimit = 0;           ///< memory limit that not even an empty isomap fitted
+  std::vector<FailedRange> FailedRanges; ///< of this view, the latest ones
+  bool IsRangeTooLarge = false;          ///< some range that the last frame to build asked for
+  ValueBand RangeAsked{ 1.0, 0.0 };      ///< by the last frame that built, or ahead
   std::int64_t Cells = 0;
 };
 

@@ -30,7 +30,7 @@ struct RangeBuild
 /// \param isDropped set if a band was dropped for want of memory
 /// \param cellsRead is increased
 /// \return Built, or Stopped or TooLarge, which leave nothing of the band. Other bands may have
-///         made room for it.
+///         made room for it, but only if a part of it told that it probably fits.
 /// \throws std::bad_alloc; the same holds
 Isomap::Outcome BuildRange(const RangeBuild& wanted, Isomap& map, const ReportProgress& report,
   bool& isDropped, std::int64_t& cellsRead);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 
 namespace TemporalCoherence
 {
@@ -28,6 +29,17 @@ inline TileRange TilesOfGroup(const glm::ivec2& pixels, std::size_t group)
 {
   const std::int64_t first = static_cast<std::int64_t>(group) * TileGrain;
   return { first, std::min(first + TileGrain, NumberOfTiles(pixels)) };
+}
+
+/// A step from group to group that visits all of `groups`, spread over the picture.
+inline std::size_t StrideOfGroups(std::size_t groups)
+{
+  std::size_t stride = static_cast<std::size_t>(0.618 * static_cast<double>(groups)) | 1u;
+  while (std::gcd(stride, groups) != 1)
+  {
+    ++stride;
+  }
+  return stride;
 }
 
 }

@@ -80,6 +80,11 @@ struct ValueBand
   bool Holds(double isovalue) const { return this->Low <= isovalue && isovalue <= this->High; }
 };
 
+inline bool IsWithin(const ValueBand& inner, const ValueBand& outer)
+{
+  return outer.Holds(inner.Low) && outer.Holds(inner.High);
+}
+
 /// Opacities of isovalues, as they are composited. Empty if only shading tells them.
 inline std::vector<float> AlphasOf(const Surfaces& surfaces)
 {

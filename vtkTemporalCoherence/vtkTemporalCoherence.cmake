@@ -30,6 +30,7 @@ set(engine_files
   Shade/HitGathering
   Shade/KernelsCells
   Shade/KernelsGradients
+  Shade/KernelsRectilinear
   Shade/KernelsShading
   Shade/RectilinearGradients
   Shade/Shader
@@ -59,6 +60,7 @@ set(engine_files
   Beams/KernelsBeam
   Beams/KernelsBeamSetUp
   Beams/KernelsLayerBeam
+  Beams/KernelsMetCells
   Fields/KernelsCorners
   Fields/RectilinearKind
   Fields/UniformBandTracer

@@ -5,11 +5,14 @@
 
 #include "Beams/BeamLevels.h"
 #include "Beams/KernelsBeam.h"
+#include "Beams/KernelsMetCells.h"
 #include "Trace/TracedCells.h"
 
 #include <algorithm>
 #include <array>
 #include <limits>
+
+#include <hwy/base.h>
 
 namespace TemporalCoherence
 {
@@ -59,13 +62,6 @@ public:
   }
 
 protected:
-  /// A cell that the beam has read.
-  struct ReadCell
-  {
-    glm::ivec3 Place;
-    Corners<Real> Differences; ///< from the base
-  };
-
   std::uint64_t CellsOf(std::int64_t node, const glm::ivec3& cell) const final
   {
     return this->Cells.Scene.Active->CellsOf(this->Cells.Samples.All(), node, cell);
@@ -73,8 +69,9 @@ protected:
 
   std::int32_t Read(const glm::ivec3& cell, CellValues& values) final
   {
-    ReadCell& read = this->ReadCells[static_cast<std::size_t>(this->NumberOfRead)];
-    read.Place = cell;
+    const auto number = static_cast<std::size_t>(this->NumberOfRead);
+    Corners<Real>& differences = this->FromBase[number];
+    this->Places[number] = cell;
     const T* const sample = this->Cells.Samples.All().At(cell);
     const glm::i64vec3& s = this->Cells.Samples.All().Strides;
     const std::array<std::int64_t, 4> rows = { 0, s.y, s.z, s.y + s.z };
@@ -89,8 +86,8 @@ protected:
       const T* const from = sample + rows[row];
       const Real low = difference(static_cast<typename Geometry::Value>(from[0]));
       const Real high = difference(static_cast<typename Geometry::Value>(from[s.x]));
-      read.Differences[2 * row] = low;
-      read.Differences[2 * row + 1] = high;
+      differences[2 * row] = low;
+      differences[2 * row + 1] = high;
       values.Set(row, single(low), single(high));
     }
     if (!(this->Given.template AreAlwaysTold<T>() ||
@@ -101,27 +98,56 @@ protected:
     return this->NumberOfRead++;
   }
 
-  const ReadCell& CellOf(std::int32_t number) const
+  /// Let segments be those of the rays in the cells where the beam has seen surfaces for sure.
+  /// \param places of these cells, or more of them
+  /// \return one bit for each ray that has such a cell
+  template <typename Where>
+  std::uint64_t TakeMet(
+    const OfReadCells<Where>& places, const TileBeam& beam, SegmentBatch<Real>& segments) const
   {
-    return this->ReadCells[static_cast<std::size_t>(number)];
+    segments.All = &this->Rays;
+    segments.Count = this->Rays.Count;
+    const std::uint64_t met = GatherPlaces(places, beam.Cell, segments);
+    return this->Rays.Count < RayBatch::Capacity
+      ? met & ((std::uint64_t(1) << this->Rays.Count) - 1)
+      : met;
   }
 
-  /// Call visit(ray, cell) for the cells in which the beam has seen surfaces for sure, and forget
-  /// them.
-  template <typename Visitor>
-  void VisitMet(TileBeam& beam, const Visitor& visit)
+  /// Set the corners of the cells that rays have met.
+  /// \param met one bit for each of the rays
+  /// \return true if any of them may meet the isovalue: segments know which
+  bool SetCorners(const TileBeam& beam, std::uint64_t met, std::size_t isovalue,
+    SegmentBatch<Real>& segments) const
   {
-    for (std::size_t ray = 0; ray < static_cast<std::size_t>(this->Rays.Count); ++ray)
+    segments.Wanted = met;
+    if (this->Given.Isovalues.size() == 1)
     {
-      if (beam.Cell[ray] != TileBeam::NoCell)
-      {
-        visit(ray, this->CellOf(beam.Cell[ray]));
-        beam.Cell[ray] = TileBeam::NoCell;
-      }
+      GatherCorners(this->FromBase, beam.Cell, segments);
+      return met != 0;
     }
+    OfReadCells<Corners<Real>> differences;
+    OfReadCells<std::uint8_t> canHold;
+    for (std::size_t i = 0; i < this->CountOfRead(); ++i)
+    {
+      differences[i] = isovalue == this->Given.Base
+        ? this->FromBase[i]
+        : this->Cells.Differ(this->Cells.Samples.Read(this->Places[i]), isovalue);
+      canHold[i] = this->Cells.CanHold(differences[i]);
+    }
+    for (std::uint64_t left = met; left != 0; left &= left - 1)
+    {
+      const std::size_t ray = hwy::Num0BitsBelowLS1Bit_Nonzero64(left);
+      const bool isWanted = canHold[static_cast<std::size_t>(beam.Cell[ray])] != 0;
+      segments.Wanted ^= static_cast<std::uint64_t>(!isWanted) << ray;
+    }
+    if (segments.Wanted != 0)
+    {
+      GatherCorners(differences, beam.Cell, segments);
+    }
+    return segments.Wanted != 0;
   }
 
-  /// The same for open cells that may hold hits.
+  /// Call visit(ray, cell) for open cells that may hold hits, and forget them.
   template <typename Visitor>
   void VisitOpen(OpenCells& open, const TileBeam& beam, const Visitor& visit)
   {
@@ -130,7 +156,7 @@ protected:
       const std::size_t ray = open.Ray[i];
       if (open.Enter[i] < beam.Behind[ray])
       {
-        visit(ray, this->CellOf(open.Cell[i]));
+        visit(ray, this->Places[static_cast<std::size_t>(open.Cell[i])]);
       }
     }
     open.Count = 0;
@@ -142,16 +168,24 @@ protected:
     beam.Behind[ray] = std::min(beam.Behind[ray], beam.DistanceOf(enter) + beam.Margin);
   }
 
-  void ForgetCells() { this->NumberOfRead = 0; }
+  std::size_t CountOfRead() const { return static_cast<std::size_t>(this->NumberOfRead); }
+
+  /// Forget what the beam has read and met.
+  void ForgetCells(TileBeam& beam)
+  {
+    beam.Cell.fill(TileBeam::NoCell);
+    this->NumberOfRead = 0;
+  }
 
   const Traced& Cells;
   const Levels& Given;
   const RayBatch& Rays;
   HitBatch& Hits;
   RayBatch::Array<double> FirstEnter; ///< where rays enter the cells of their hits
+  OfReadCells<glm::ivec3> Places;     ///< of the cells that are read
 
 private:
-  std::array<ReadCell, MostCells> ReadCells;
+  OfReadCells<Corners<Real>> FromBase; ///< differences at the corners of these cells
   std::int32_t NumberOfRead = 0;
 };
 

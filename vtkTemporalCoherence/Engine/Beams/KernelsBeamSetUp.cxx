@@ -147,9 +147,8 @@ HWY_INLINE bool SetUpDepths(double farthest, const glm::ivec3& cells, TileBeam& 
 HWY_INLINE void ClearRays(std::uint64_t which, TileBeam& beam)
 {
   const Floats d;
-  const hn::RebindToSigned<Floats> di;
   const V margin = hn::Set(d, beam.Margin);
-  const auto none = hn::Set(di, TileBeam::NoCell);
+  beam.Cell.fill(TileBeam::NoCell);
   for (std::size_t i = 0; i < beam.Count; i += hn::Lanes(d))
   {
     const M isRay = MaskOf(which >> i);
@@ -159,7 +158,6 @@ HWY_INLINE void ClearRays(std::uint64_t which, TileBeam& beam)
     const V end = hn::Add(hn::LoadU(d, &beam.Behind[i]), margin);
     const V behind = hn::IfThenElse(isRay, end, hn::Set(d, -1e30f));
     hn::StoreU(behind, d, &beam.Behind[i]);
-    hn::StoreU(none, di, &beam.Cell[i]);
   }
   MoveAcross(beam);
   beam.CellsPassed = 0;

@@ -5,6 +5,7 @@
 
 #include "Beams/CellBeam.h"
 #include "Fields/RectilinearCells.h"
+#include "Trace/KernelsCrossing.h"
 
 #include <array>
 #include <limits>
@@ -12,8 +13,8 @@
 namespace TemporalCoherence
 {
 
-/// Finds the first surfaces of the rays of a tile by a beam, in a rectilinear field. Cells are
-/// searched ray by ray.
+/// Finds the first surfaces of the rays of a tile by a beam, in a rectilinear field. Cells
+/// that it meets for sure are searched by a kernel, others ray by ray.
 template <typename T>
 class RectilinearBeam final : public CellBeam<T, RectilinearCells<T>>
 {
@@ -22,47 +23,72 @@ public:
   using Base::Base;
 
 private:
-  using typename Base::ReadCell;
   using Segment = typename Base::Traced::Segment;
 
   void Decide(OpenCells& open, TileBeam& beam) override
   {
-    const auto search = [&](std::size_t ray, const ReadCell& cell)
-    { this->Search(ray, cell, beam); };
-    this->VisitMet(beam, search);
-    this->VisitOpen(open, beam, search);
-    this->ForgetCells();
+    if (this->CountOfRead() == 0)
+    {
+      return;
+    }
+    this->DecideMet(beam);
+    this->VisitOpen(
+      open, beam, [&](std::size_t ray, const glm::ivec3& cell) { this->Search(ray, cell, beam); });
+    this->ForgetCells(beam);
+  }
+
+  /// Find the surfaces that the beam has seen for sure.
+  void DecideMet(TileBeam& beam)
+  {
+    OfReadCells<CellCorners> boxes;
+    const GridCoordinates& grid = this->Cells.Shape.Grid;
+    for (std::size_t i = 0; i < this->CountOfRead(); ++i)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const int cell = this->Places[i][axis];
+        boxes[i][0][axis] = grid.At(axis, cell);
+        boxes[i][1][axis] = grid.At(axis, cell + 1);
+      }
+    }
+    SegmentBatch<double> segments;
+    const std::uint64_t met = this->TakeMet(boxes, beam, segments);
+    for (std::size_t isovalue = 0; isovalue < this->Given.Isovalues.size(); ++isovalue)
+    {
+      if (this->SetCorners(beam, met, isovalue, segments))
+      {
+        FindCrossingsInBoxes(segments, this->Cells.Rules.IsSolid());
+        for (std::uint64_t left = segments.Wanted; left != 0; left &= left - 1)
+        {
+          const std::size_t ray = hwy::Num0BitsBelowLS1Bit_Nonzero64(left);
+          const auto number = static_cast<std::size_t>(beam.Cell[ray]);
+          this->Keep({ IsInside(segments.AtEntry[ray]), segments.Distance[ray] },
+            segments.Enter[ray], this->Places[number], isovalue, ray, beam);
+        }
+      }
+    }
   }
 
   /// Search a cell, for each isovalue that passes through it.
-  void Search(std::size_t ray, const ReadCell& read, TileBeam& beam)
+  void Search(std::size_t ray, const glm::ivec3& cell, TileBeam& beam)
   {
-    const RectilinearRay line = this->Cells.Shape.RayOf(this->Rays, ray);
-    const Segment segment(line, read.Place);
-    if (this->Given.Isovalues.size() == 1)
+    const Segment segment(this->Cells.Shape.RayOf(this->Rays, ray), cell);
+    const std::array<T, 8> samples = this->Cells.Samples.Read(cell);
+    for (std::size_t isovalue = 0; isovalue < this->Given.Isovalues.size(); ++isovalue)
     {
-      this->SearchFor(read.Differences, 0, segment, ray, beam);
-      return;
-    }
-    const std::array<T, 8> samples = this->Cells.Samples.Read(read.Place);
-    for (std::size_t surface = 0; surface < this->Given.Isovalues.size(); ++surface)
-    {
-      this->SearchFor(this->Cells.Differ(samples, surface), surface, segment, ray, beam);
+      const Corners<double> corners = this->Cells.Differ(samples, isovalue);
+      if (this->Cells.CanHold(corners))
+      {
+        this->Keep(
+          this->Cells.SearchFor(segment, corners), segment.Enter(), cell, isovalue, ray, beam);
+      }
     }
   }
 
-  /// Search a cell for one isovalue. What is found counts if the ray enters no cell with a surface
-  /// before.
-  void SearchFor(const Corners<double>& corners, std::size_t isovalue, const Segment& segment,
+  /// Keep what was found in a cell, if the ray enters no cell with a surface before.
+  void Keep(const CellHit& found, double enter, const glm::ivec3& cell, std::size_t isovalue,
     std::size_t ray, TileBeam& beam)
   {
-    if (!this->Cells.CanHold(corners))
-    {
-      return;
-    }
-    const CellHit found = this->Cells.SearchFor(segment, corners);
-    const auto surface = static_cast<std::int16_t>(isovalue);
-    const double enter = segment.Enter();
     const bool isFound = found.Distance < std::numeric_limits<double>::infinity();
     if (!isFound || !(enter <= this->FirstEnter[ray]))
     {
@@ -75,7 +101,18 @@ private:
       this->Hits.Surface[ray] = Frame::NoSurface;
       this->HideBehind(enter, ray, beam);
     }
-    this->Cells.Keep(segment, found, surface, ray, this->Hits);
+    const auto surface = static_cast<std::int16_t>(isovalue);
+    const HitRules& rules = this->Cells.Rules;
+    rules.KeepFirst(found.Distance, found.FromInside, surface, ray, this->Hits);
+    if (rules.AreCappedBehindHidden() && found.FromInside)
+    {
+      const auto comesFromHidden = [&]
+      {
+        const Segment segment(this->Cells.Shape.RayOf(this->Rays, ray), cell);
+        return segment.ComesFrom(*this->Cells.Hidden);
+      };
+      rules.CapBehindHidden(enter, surface, ray, comesFromHidden, this->Hits);
+    }
   }
 };
 

@@ -25,8 +25,6 @@ public:
   using Base::Base;
 
 private:
-  using typename Base::ReadCell;
-
   /// Segments that are to be searched.
   struct Search
   {
@@ -37,23 +35,41 @@ private:
 
   void Decide(OpenCells& open, TileBeam& beam) override
   {
-    Search search;
-    if (this->Given.Isovalues.size() == 1)
+    if (this->CountOfRead() == 0)
     {
-      this->DecideMet(beam);
+      return;
     }
-    const auto visit = [&](std::size_t ray, const ReadCell& cell)
-    { this->Visit(ray, cell, search, beam); };
-    this->VisitMet(beam, visit);
-    this->VisitOpen(open, beam, visit);
+    this->DecideMet(beam);
+    Search search;
+    this->VisitOpen(open, beam,
+      [&](std::size_t ray, const glm::ivec3& cell) { this->Visit(ray, cell, search, beam); });
     this->Finish(search, beam);
-    this->ForgetCells();
+    this->ForgetCells(beam);
+  }
+
+  /// Find the surfaces that the beam has seen for sure.
+  void DecideMet(TileBeam& beam)
+  {
+    SegmentBatch<Real> segments;
+    const std::uint64_t met = this->TakeMet(this->Places, beam, segments);
+    for (std::size_t isovalue = 0; isovalue < this->Given.Isovalues.size(); ++isovalue)
+    {
+      if (this->SetCorners(beam, met, isovalue, segments))
+      {
+        FindCrossings(segments, this->Cells.Rules.IsSolid());
+        for (std::uint64_t left = segments.Wanted; left != 0; left &= left - 1)
+        {
+          const std::size_t ray = hwy::Num0BitsBelowLS1Bit_Nonzero64(left);
+          this->Keep(segments, ray, static_cast<std::int16_t>(isovalue), ray, beam);
+        }
+      }
+    }
   }
 
   /// Note a ray's segments in a cell, of each isovalue that passes through it.
-  void Visit(std::size_t ray, const ReadCell& cell, Search& search, TileBeam& beam)
+  void Visit(std::size_t ray, const glm::ivec3& cell, Search& search, TileBeam& beam)
   {
-    const std::array<T, 8> samples = this->Cells.Samples.Read(cell.Place);
+    const std::array<T, 8> samples = this->Cells.Samples.Read(cell);
     for (std::size_t surface = 0; surface < this->Given.Isovalues.size(); ++surface)
     {
       const Corners<Real> corners = this->Cells.Differ(samples, surface);
@@ -66,7 +82,7 @@ private:
         this->Finish(search, beam);
       }
       const auto at = static_cast<std::size_t>(search.Segments.Count);
-      AppendSegment(this->Rays, ray, cell.Place, corners, search.Segments);
+      AppendSegment(this->Rays, ray, cell, corners, search.Segments);
       search.Ray[at] = ray;
       search.Surface[at] = static_cast<std::int16_t>(surface);
     }
@@ -79,89 +95,34 @@ private:
     FindCrossings(segments, this->Cells.Rules.IsSolid());
     for (std::size_t i = 0; i < static_cast<std::size_t>(segments.Count); ++i)
     {
-      const std::size_t ray = search.Ray[i];
-      const bool isFound = segments.Distance[i] < std::numeric_limits<double>::infinity();
-      if (isFound && segments.Enter[i] == this->FirstEnter[ray])
-      {
-        // In the same cell.
-        this->Cells.Rules.KeepFirst(
-          segments.Distance[i], IsInside(segments.AtEntry[i]), search.Surface[i], ray, this->Hits);
-        this->CapBehindHidden(segments, i, search.Surface[i], ray);
-      }
-      else if (this->Keep(segments, i, search.Surface[i], ray))
-      {
-        this->HideBehind(segments.Enter[i], ray, beam);
-      }
+      this->Keep(segments, i, search.Surface[i], search.Ray[i], beam);
     }
     segments.Count = 0;
   }
 
-  /// Find the surfaces that the beam has seen for sure.
-  void DecideMet(TileBeam& beam)
+  /// Keep what was found in segment i, if the ray enters no cell with a surface before.
+  void Keep(const SegmentBatch<Real>& segments, std::size_t i, std::int16_t surface,
+    std::size_t ray, TileBeam& beam)
   {
-    const auto count = static_cast<std::size_t>(this->Rays.Count);
-    std::array<std::size_t, RayBatch::Capacity> from;
-    std::size_t met = 0;
-    for (std::size_t ray = 0; ray < count; ++ray)
-    {
-      from[met] = ray;
-      met += beam.Cell[ray] != TileBeam::NoCell;
-    }
-    if (met == 0)
+    const double enter = segments.Enter[i], distance = segments.Distance[i];
+    if (!(distance < std::numeric_limits<double>::infinity() && enter <= this->FirstEnter[ray]))
     {
       return;
     }
-    SegmentBatch<Real> segments;
-    // Rays of a whole tile need not be copied; those that met nothing are searched in vain.
-    const bool areAll = 4 * met > 3 * count;
-    segments.All = areAll ? &this->Rays : nullptr;
-    segments.Count = static_cast<int>(areAll ? count : met);
-    const std::int32_t any = beam.Cell[from[0]];
-    for (std::size_t i = 0; i < static_cast<std::size_t>(segments.Count); ++i)
+    const bool fromInside = IsInside(segments.AtEntry[i]);
+    if (enter < this->FirstEnter[ray])
     {
-      from[i] = areAll ? i : from[i];
-      const std::size_t ray = from[i];
-      const std::int32_t number = beam.Cell[ray] != TileBeam::NoCell ? beam.Cell[ray] : any;
-      const ReadCell& cell = this->CellOf(number);
-      for (std::size_t a = 0; a < 3; ++a)
-      {
-        segments.Cell[a][i] = cell.Place[static_cast<int>(a)];
-      }
-      for (std::size_t corner = 0; corner < 8; ++corner)
-      {
-        segments.Corners[corner][i] = cell.Differences[corner];
-      }
+      this->FirstEnter[ray] = enter;
+      this->Hits.Depth[ray] = distance;
+      this->Hits.Surface[ray] = surface;
+      this->Hits.Kind[ray] = HitRules::KindOf(fromInside);
+      this->HideBehind(enter, ray, beam);
     }
-    if (!areAll)
+    else // in the same cell
     {
-      GatherRays(this->Rays, from, segments);
+      this->Cells.Rules.KeepFirst(distance, fromInside, surface, ray, this->Hits);
     }
-    FindCrossings(segments, this->Cells.Rules.IsSolid());
-    for (std::size_t i = 0; i < static_cast<std::size_t>(segments.Count); ++i)
-    {
-      if (beam.Cell[from[i]] != TileBeam::NoCell)
-      {
-        this->Keep(segments, i, 0, from[i]);
-        beam.Cell[from[i]] = TileBeam::NoCell;
-      }
-    }
-  }
-
-  /// Keep what was found in segment i, if the ray meets it before what it has.
-  bool Keep(
-    const SegmentBatch<Real>& segments, std::size_t i, std::int16_t surface, std::size_t ray)
-  {
-    if (!(segments.Distance[i] < std::numeric_limits<double>::infinity() &&
-          segments.Enter[i] < this->FirstEnter[ray]))
-    {
-      return false;
-    }
-    this->FirstEnter[ray] = segments.Enter[i];
-    this->Hits.Depth[ray] = segments.Distance[i];
-    this->Hits.Surface[ray] = surface;
-    this->Hits.Kind[ray] = HitRules::KindOf(IsInside(segments.AtEntry[i]));
     this->CapBehindHidden(segments, i, surface, ray);
-    return true;
   }
 
   /// Cap a solid that a ray is inside of where it leaves hidden cells.

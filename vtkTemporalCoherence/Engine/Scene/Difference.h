@@ -122,6 +122,16 @@ public:
       std::min(static_cast<double>(this->Limit) / this->Factor, largest) };
   }
 
+  /// How a difference of doubles is taken, for kernels: see operator().
+  struct ScaledParts
+  {
+    double Isovalue, Factor, High, Limit, Least;
+  };
+  ScaledParts PartsOfScaled() const
+  {
+    return { this->Isovalue, this->Factor, this->High, this->Limit, Least };
+  }
+
   Real operator()(T sample) const
   {
     if constexpr (IsScaled)

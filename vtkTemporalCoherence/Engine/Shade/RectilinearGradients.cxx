@@ -3,6 +3,7 @@
 #include "Shade/RectilinearGradients.h"
 
 #include "Scene/Difference.h"
+#include "Shade/KernelsRectilinear.h"
 
 #include <algorithm>
 #include <array>
@@ -19,140 +20,189 @@ namespace
 constexpr double IntoNextBox = 1e-2;
 
 /// Gradients are clamped to this, so that sums of a few of them do not overflow.
+constexpr double LargestGradient = std::numeric_limits<double>::max() / 8.0;
+
 double Bounded(double gradient)
 {
-  constexpr double largest = std::numeric_limits<double>::max() / 8.0;
-  return std::min(std::max(gradient, -largest), largest);
+  return std::min(std::max(gradient, -LargestGradient), LargestGradient);
 }
 
-/// A point and its cell.
-struct CellPoint
+Difference<double> DifferenceFor(const GradientQuery& query, std::int16_t surface)
 {
-  glm::ivec3 Cell{ 0 };
-  glm::dvec3 At{ 0.0 }; ///< in the cell's own coordinates [0, 1]^3
-};
-
-/// \param point, direction in index space
-CellPoint FindCell(const GridCoordinates& grid, Interpolation between, const glm::dvec3& point,
-  const glm::dvec3& direction)
-{
-  CellPoint found;
-  glm::dvec3 along(0.0);
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const int cell = found.Cell[axis] = grid.CellOf(axis, point[axis]);
-    const double low = grid.At(axis, cell);
-    const double size = grid.At(axis, cell + 1) - low;
-    found.At[axis] = std::min(std::max((point[axis] - low) / size, 0.0), 1.0);
-    along[axis] = direction[axis] / size;
-  }
-  if (between == Interpolation::Nearest)
-  {
-    const glm::dvec3 moved = found.At + IntoNextBox * glm::normalize(along);
-    found.At = glm::clamp(glm::floor(moved + 0.5), glm::dvec3(0.0), glm::dvec3(1.0));
-  }
-  return found;
+  const double isovalue = (*query.Isovalues)[static_cast<std::size_t>(surface)];
+  return { isovalue, query.FiniteRange };
 }
 
-/// Computes gradients of the difference from one isovalue.
+/// Finds gradients with linear interpolation: those at the corners of a cell once for all points
+/// in it.
 template <typename T>
-class GradientFinder
+class InterpolatedGradients
 {
 public:
-  GradientFinder(
-    const Field& field, const GridCoordinates& grid, const Difference<double>& difference)
-    : Samples(field)
+  InterpolatedGradients(
+    const GridCoordinates& grid, const GradientQuery& query, const GradientTile& tile)
+    : Samples(query.Samples)
     , Grid(grid)
-    , FromIsovalue(difference)
+    , Query(query)
+    , Tile(tile)
   {
   }
 
-  void SetDifference(const Difference<double>& difference)
+  void Find()
   {
-    this->FromIsovalue = difference;
-    this->CellOfCorners = glm::ivec3(-1);
-  }
-
-  double Unscaled(double difference) const
-  {
-    return Bounded(this->FromIsovalue.Unscaled(difference));
-  }
-
-  /// Per unit of index space, interpolated between the corners of the cell. Those are kept for the
-  /// next point, which often lies in the same cell.
-  glm::dvec3 At(const CellPoint& point)
-  {
-    if (point.Cell != this->CellOfCorners)
+    GradientKernels::CellPoints<double> points;
+    points.Count = this->Tile.Count;
+    GradientKernels::FindGridCells(
+      this->Grid, this->Query.IndexFromWorld, this->Tile.Points, points);
+    RayBatch::Array<std::int32_t> cells;
+    for (std::size_t i = 0; i < points.Count; ++i)
     {
-      this->Corners = this->AtCorners(point.Cell);
-      this->CellOfCorners = point.Cell;
+      const glm::ivec3 place(points.Cell[0][i], points.Cell[1][i], points.Cell[2][i]);
+      cells[i] = this->NumberOf(place, this->Tile.Surfaces[i]);
     }
-    const CornerGradients& gradients = this->Corners;
-    glm::dvec3 sum(0.0);
-    for (std::size_t corner = 0; corner < 8; ++corner)
-    {
-      const bool x = corner & 1, y = corner >> 1 & 1, z = corner >> 2;
-      const double weight = (x ? point.At.x : 1.0 - point.At.x) *
-        (y ? point.At.y : 1.0 - point.At.y) * (z ? point.At.z : 1.0 - point.At.z);
-      for (int axis = 0; axis < 3 && weight > 0.0; ++axis) // not 0 times a hole
-      {
-        sum[axis] += weight * gradients[static_cast<std::size_t>(axis)][corner];
-      }
-    }
-    return sum;
-  }
-
-  /// The same at a sample, which is a corner of the point's cell.
-  glm::dvec3 AtSampleOf(const CellPoint& point) const
-  {
-    return this->AtSample(point.Cell + glm::ivec3(point.At));
+    // So that no lane of the last vector is uninitialised.
+    std::fill(cells.begin() + static_cast<std::ptrdiff_t>(points.Count),
+      cells.begin() + static_cast<std::ptrdiff_t>(WholeVectors(points.Count)), 0);
+    GradientKernels::InterpolateInGrid(
+      this->Cells, cells, points, LargestGradient, this->Tile.Gradients);
   }
 
 private:
-  using CornerGradients = std::array<std::array<double, 8>, 3>;
+  /// The number of a cell, and of the isovalue that differences are taken from.
+  std::int32_t NumberOf(const glm::ivec3& place, std::int16_t surface)
+  {
+    // A table of twice as many places as there may be cells: neighbours fall into different ones.
+    constexpr std::uint32_t mask = 2 * RayBatch::Capacity - 1;
+    const glm::uvec3 p(place);
+    std::uint32_t at = (p.x + 5u * p.y + 25u * p.z + 61u * static_cast<std::uint32_t>(surface));
+    for (at &= mask; this->Places[at] != 0; at = (at + 1) & mask)
+    {
+      const auto known = static_cast<std::size_t>(this->Places[at] - 1);
+      if (this->Cell[known] == place && this->Surface[known] == surface)
+      {
+        return this->Places[at] - 1;
+      }
+    }
+    const std::size_t number = this->Cells.Count++;
+    this->Places[at] = static_cast<std::int32_t>(number + 1);
+    this->Cell[number] = place;
+    this->Surface[number] = surface;
+    this->ReadAround(place, number);
+    const bool isKnown = number > 0 && this->Surface[number - 1] == surface;
+    this->Cells.FromIsovalue[number] = isKnown
+      ? this->Cells.FromIsovalue[number - 1]
+      : DifferenceFor(this->Query, surface).PartsOfScaled();
+    return static_cast<std::int32_t>(number);
+  }
 
-  /// AtSample of all corners of a cell.
-  CornerGradients AtCorners(const glm::ivec3& cell) const
+  /// Read the samples around a cell. At the boundary of the field differences are one-sided.
+  void ReadAround(const glm::ivec3& cell, std::size_t number)
   {
     const TypedField<T>& samples = this->Samples;
     const T* const first = samples.At(cell);
-    CornerGradients gradients;
     for (int a = 0; a < 3; ++a)
     {
       const auto axis = static_cast<std::size_t>(a);
       const int b = a == 0 ? 1 : 0, c = a == 2 ? 1 : 2;
       const bool isFirst = cell[a] == 0, isLast = cell[a] + 2 == samples.Dimensions[a];
       const std::int64_t step = samples.Strides[a];
-      // The samples before the cell, of its two faces, and behind it.
       const std::array<std::int64_t, 4> places = { isFirst ? 0 : -step, 0, step,
         isLast ? step : 2 * step };
-      const double* const at = this->Grid.Of(a).data() + cell[a];
-      const std::array<double, 2> distances = { at[1] - at[isFirst ? 0 : -1],
-        at[isLast ? 1 : 2] - at[0] };
-      for (std::size_t row = 0; row < 4; ++row)
+      const std::array<std::int64_t, 4> edges = { 0, samples.Strides[b], samples.Strides[c],
+        samples.Strides[b] + samples.Strides[c] };
+      for (std::size_t place = 0; place < 4; ++place)
       {
-        const std::size_t onB = row & 1, onC = row >> 1;
-        const T* const sample =
-          first + (onB ? samples.Strides[b] : 0) + (onC ? samples.Strides[c] : 0);
-        std::array<double, 4> values;
-        for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t edge = 0; edge < 4; ++edge)
         {
-          values[i] = this->FromIsovalue(static_cast<double>(sample[places[i]]));
-        }
-        const std::size_t corner = (onB << b) + (onC << c);
-        for (std::size_t side = 0; side < 2; ++side)
-        {
-          gradients[axis][corner + (side << axis)] =
-            Bounded((values[side + 2] - values[side]) / distances[side]);
+          this->Cells.Around[number][axis][place][edge] =
+            static_cast<double>(first[places[place] + edges[edge]]);
         }
       }
+      const double* const at = this->Grid.Of(a).data() + cell[a];
+      this->Cells.Between[number][axis] = { at[1] - at[isFirst ? 0 : -1],
+        at[isLast ? 1 : 2] - at[0] };
     }
-    return gradients;
+  }
+
+  TypedField<T> Samples;
+  const GridCoordinates& Grid;
+  const GradientQuery& Query;
+  const GradientTile& Tile;
+  GradientKernels::GridCells Cells;
+  std::array<glm::ivec3, RayBatch::Capacity> Cell;
+  std::array<std::int16_t, RayBatch::Capacity> Surface;
+  std::array<std::int32_t, 2 * RayBatch::Capacity> Places{}; ///< of cells by hash, from 1 on
+};
+
+/// Finds gradients with nearest interpolation.
+template <typename T>
+class NearestGradients
+{
+public:
+  NearestGradients(
+    const GridCoordinates& grid, const GradientQuery& query, const GradientTile& tile)
+    : Samples(query.Samples)
+    , Grid(grid)
+    , Query(query)
+    , Tile(tile)
+  {
+  }
+
+  void Find() const
+  {
+    const auto at = [](const GradientTile::Vectors& vectors, std::size_t i)
+    { return glm::dvec3(vectors[0][i], vectors[1][i], vectors[2][i]); };
+    const glm::dmat3 turn(this->Query.IndexFromWorld);
+    std::int16_t surface = this->Tile.Surfaces[0];
+    Difference<double> difference = DifferenceFor(this->Query, surface);
+    for (std::size_t i = 0; i < this->Tile.Count; ++i)
+    {
+      if (this->Tile.Surfaces[i] != surface)
+      {
+        surface = this->Tile.Surfaces[i];
+        difference = DifferenceFor(this->Query, surface);
+      }
+      const glm::dvec3 point(
+        this->Query.IndexFromWorld * glm::dvec4(at(this->Tile.Points, i), 1.0));
+      const glm::dvec3 gradient =
+        this->AtSample(this->SampleAt(point, turn * at(this->Tile.Directions, i)), difference);
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        this->Tile.Gradients[a][i] = Bounded(difference.Unscaled(gradient[static_cast<int>(a)]));
+      }
+    }
+    for (RayBatch::Array<double>& along : this->Tile.Gradients)
+    {
+      // So that no lane of the last vector is uninitialised.
+      std::fill(along.begin() + static_cast<std::ptrdiff_t>(this->Tile.Count),
+        along.begin() + static_cast<std::ptrdiff_t>(WholeVectors(this->Tile.Count)),
+        along[this->Tile.Count - 1]);
+    }
+  }
+
+private:
+  /// The sample that is nearest to a point after it is moved along the ray.
+  glm::ivec3 SampleAt(const glm::dvec3& point, const glm::dvec3& direction) const
+  {
+    glm::ivec3 cell(0);
+    glm::dvec3 in(0.0), along(0.0);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      cell[axis] = this->Grid.CellOf(axis, point[axis]);
+      const double low = this->Grid.At(axis, cell[axis]);
+      const double size = this->Grid.At(axis, cell[axis] + 1) - low;
+      in[axis] = std::min(std::max((point[axis] - low) / size, 0.0), 1.0);
+      along[axis] = direction[axis] / size;
+    }
+    const glm::dvec3 moved = in + IntoNextBox * glm::normalize(along);
+    return cell + glm::ivec3(glm::clamp(glm::floor(moved + 0.5), glm::dvec3(0.0), glm::dvec3(1.0)));
   }
 
   /// Central differences, one-sided at the boundary.
-  glm::dvec3 AtSample(const glm::ivec3& sample) const
+  glm::dvec3 AtSample(const glm::ivec3& sample, const Difference<double>& difference) const
   {
+    const auto valueAt = [&](const glm::ivec3& place)
+    { return difference(static_cast<double>(*this->Samples.At(place))); };
     glm::dvec3 gradient;
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -160,21 +210,15 @@ private:
       before[axis] = std::max(sample[axis] - 1, 0);
       behind[axis] = std::min(sample[axis] + 1, this->Samples.Dimensions[axis] - 1);
       const double distance = this->Grid.At(axis, behind[axis]) - this->Grid.At(axis, before[axis]);
-      gradient[axis] = Bounded((this->ValueAt(behind) - this->ValueAt(before)) / distance);
+      gradient[axis] = Bounded((valueAt(behind) - valueAt(before)) / distance);
     }
     return gradient;
   }
 
-  double ValueAt(const glm::ivec3& sample) const
-  {
-    return this->FromIsovalue(static_cast<double>(*this->Samples.At(sample)));
-  }
-
   TypedField<T> Samples;
   const GridCoordinates& Grid;
-  Difference<double> FromIsovalue;
-  CornerGradients Corners{}; ///< those of a cell
-  glm::ivec3 CellOfCorners{ -1 };
+  const GradientQuery& Query;
+  const GradientTile& Tile;
 };
 
 }
@@ -182,44 +226,18 @@ private:
 void RectilinearGradients(
   const GridCoordinates& grid, const GradientQuery& query, const GradientTile& tile)
 {
-  const auto at = [](const GradientTile::Vectors& vectors, std::size_t i)
-  { return glm::dvec3(vectors[0][i], vectors[1][i], vectors[2][i]); };
-  const glm::dmat3 turn(query.IndexFromWorld);
   DispatchScalarType(query.Samples.Type,
     [&](auto type)
     {
-      const auto differenceFor = [&](std::int16_t surface)
+      if (query.Samples.Between == Interpolation::Nearest)
       {
-        const double isovalue = (*query.Isovalues)[static_cast<std::size_t>(surface)];
-        return Difference<double>(isovalue, query.FiniteRange);
-      };
-      std::int16_t surface = tile.Surfaces[0];
-      GradientFinder<decltype(type)> finder(query.Samples, grid, differenceFor(surface));
-      for (std::size_t i = 0; i < tile.Count; ++i)
+        NearestGradients<decltype(type)>(grid, query, tile).Find();
+      }
+      else
       {
-        if (tile.Surfaces[i] != surface)
-        {
-          surface = tile.Surfaces[i];
-          finder.SetDifference(differenceFor(surface));
-        }
-        const glm::dvec3 point(query.IndexFromWorld * glm::dvec4(at(tile.Points, i), 1.0));
-        const CellPoint found =
-          FindCell(grid, query.Samples.Between, point, turn * at(tile.Directions, i));
-        const glm::dvec3 gradient = query.Samples.Between == Interpolation::Nearest
-          ? finder.AtSampleOf(found)
-          : finder.At(found);
-        for (std::size_t a = 0; a < 3; ++a)
-        {
-          tile.Gradients[a][i] = finder.Unscaled(gradient[static_cast<int>(a)]);
-        }
+        InterpolatedGradients<decltype(type)>(grid, query, tile).Find();
       }
     });
-  for (RayBatch::Array<double>& along : tile.Gradients)
-  {
-    // So that no lane of the last vector is uninitialised.
-    std::fill(along.begin() + static_cast<std::ptrdiff_t>(tile.Count),
-      along.begin() + static_cast<std::ptrdiff_t>(WholeVectors(tile.Count)), along[tile.Count - 1]);
-  }
 }
 
 }

@@ -38,7 +38,7 @@ struct ShareSearch
   using V = hn::Vec<D>;
   using M = hn::Mask<D>;
 
-  HWY_INLINE ShareSearch(
+  HWY_INLINE void Begin(
     SegmentBatch<Real>& segments, const Paths<Real>& paths, bool isSolid, std::size_t i)
   {
     const D d;
@@ -64,34 +64,70 @@ struct ShareSearch
   Refinement<Real, D> Root;
 };
 
+/// Search some vectors together, as the steps of each depend on those before.
+/// \param from where the vectors begin
+/// \return lanes that have to be searched one by one
+template <std::size_t Together, typename Real, class Search = ShareSearch<Real>>
+HWY_INLINE typename Search::M FindSharesOf(SegmentBatch<Real>& segments, const Paths<Real>& paths,
+  bool isSolid, const std::size_t* from, Real* shares)
+{
+  const typename Search::D d;
+  Search all[Together];
+  auto several = hn::Lt(hn::Zero(d), hn::Zero(d));
+  for (std::size_t v = 0; v < Together; ++v)
+  {
+    all[v].Begin(segments, paths, isSolid, from[v]);
+    several = hn::Or(several, all[v].Several);
+  }
+  for (int step = 0; step < decltype(Search::Root)::MostSteps; ++step)
+  {
+    bool areDone = true;
+    for (const Search& search : all)
+    {
+      areDone = areDone && search.IsDone();
+    }
+    if (areDone)
+    {
+      break;
+    }
+    for (Search& search : all)
+    {
+      search.Root.Step(d);
+    }
+  }
+  for (std::size_t v = 0; v < Together; ++v)
+  {
+    hn::StoreU(all[v].Shares(), d, shares + from[v]);
+  }
+  return several;
+}
+
 /// \return true if some segments have to be searched one by one
 template <typename Real>
 HWY_INLINE bool FindShares(
   SegmentBatch<Real>& segments, const Paths<Real>& paths, bool isSolid, Real* shares)
 {
-  using Search = ShareSearch<Real>;
-  const typename Search::D d;
-  const std::size_t lanes = hn::Lanes(d), count = static_cast<std::size_t>(segments.Count);
-  auto several = hn::Lt(hn::Zero(d), hn::Zero(d));
-  // Two vectors at a time, as the steps of each depend on those before. The last may be alone.
-  for (std::size_t i = 0; i < count; i += 2 * lanes)
+  const typename ShareSearch<Real>::D d;
+  constexpr std::size_t most = RayBatch::Capacity;
+  std::size_t from[most], count = 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(segments.Count); i += hn::Lanes(d))
   {
-    const std::size_t next = i + lanes < count && IsAnyWanted(segments, i + lanes) ? i + lanes : i;
-    const std::size_t here = IsAnyWanted(segments, i) ? i : next;
-    if (!IsAnyWanted(segments, here))
-    {
-      continue;
-    }
-    Search first(segments, paths, isSolid, here), second(segments, paths, isSolid, next);
-    for (int step = 0;
-         step < decltype(Search::Root)::MostSteps && !(first.IsDone() && second.IsDone()); ++step)
-    {
-      first.Root.Step(d);
-      second.Root.Step(d);
-    }
-    several = hn::Or(several, hn::Or(first.Several, second.Several));
-    hn::StoreU(first.Shares(), d, shares + here);
-    hn::StoreU(second.Shares(), d, shares + next);
+    from[count] = i;
+    count += IsAnyWanted(segments, i);
+  }
+  auto several = hn::Lt(hn::Zero(d), hn::Zero(d));
+  std::size_t v = 0;
+  for (; v + 4 <= count; v += 4)
+  {
+    several = hn::Or(several, FindSharesOf<4>(segments, paths, isSolid, from + v, shares));
+  }
+  for (; v + 2 <= count; v += 2)
+  {
+    several = hn::Or(several, FindSharesOf<2>(segments, paths, isSolid, from + v, shares));
+  }
+  for (; v < count; ++v)
+  {
+    several = hn::Or(several, FindSharesOf<1>(segments, paths, isSolid, from + v, shares));
   }
   return !hn::AllFalse(d, several);
 }
@@ -126,12 +162,12 @@ HWY_INLINE hn::Vec<hn::CappedTag<double, WidestVector / 2>> LoadAsDoubles(const 
   return hn::LoadU(hn::CappedTag<double, WidestVector / 2>(), from);
 }
 
-template <typename Real>
+template <bool AreBoxes = false, typename Real>
 HWY_INLINE void FindAll(SegmentBatch<Real>& segments, bool isSolid)
 {
   Paths<Real> paths;
   RayBatch::Array<Real> shares;
-  SetUpPaths(segments, FullVectors(segments), paths);
+  SetUpPaths<AreBoxes>(segments, FullVectors(segments), paths);
   if (FindShares(segments, paths, isSolid, shares.data()))
   {
     for (std::size_t i = 0; i < static_cast<std::size_t>(segments.Count); ++i)
@@ -168,6 +204,11 @@ void FindFloat(SegmentBatch<float>& segments, bool isSolid)
 void FindDouble(SegmentBatch<double>& segments, bool isSolid)
 {
   FindAll(segments, isSolid);
+}
+
+void FindInBoxes(SegmentBatch<double>& segments, bool isSolid)
+{
+  FindAll<true>(segments, isSolid);
 }
 
 }
@@ -226,6 +267,7 @@ namespace SegmentKernels
 {
 HWY_EXPORT(FindFloat);
 HWY_EXPORT(FindDouble);
+HWY_EXPORT(FindInBoxes);
 }
 
 void FindCrossings(SegmentBatch<float>& segments, bool isSolid)
@@ -250,6 +292,11 @@ void FindCrossings(SegmentBatch<double>& segments, bool isSolid)
   }
   FillLastVector(segments);
   HWY_DYNAMIC_DISPATCH(FindDouble)(segments, isSolid);
+}
+
+void FindCrossingsInBoxes(SegmentBatch<double>& segments, bool isSolid)
+{
+  HWY_DYNAMIC_DISPATCH(SegmentKernels::FindInBoxes)(segments, isSolid);
 }
 
 void FindCrossingsOneByOne(SegmentBatch<float>& segments, bool isSolid)

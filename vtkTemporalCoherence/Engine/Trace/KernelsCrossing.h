@@ -16,7 +16,12 @@ namespace TemporalCoherence
 void FindCrossings(SegmentBatch<float>& segments, bool isSolid);
 void FindCrossings(SegmentBatch<double>& segments, bool isSolid);
 
-/// The same, one by one: the reference that the others are compared with.
+/// The same in cells between any coordinates, of which the segments know the last corners. The
+/// results are bit-identical to those of RectilinearSegment.
+/// \pre arrays are set up to the end of the last vector
+void FindCrossingsInBoxes(SegmentBatch<double>& segments, bool isSolid);
+
+/// The same as FindCrossings, one by one: the reference that the others are compared with.
 void FindCrossingsOneByOne(SegmentBatch<float>& segments, bool isSolid);
 void FindCrossingsOneByOne(SegmentBatch<double>& segments, bool isSolid);
 

@@ -84,9 +84,10 @@ struct PathVector
   V Begin[3], End[3];
 };
 
-/// \param cell first corners
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE PathVector<V> FindPath(D d, const RayVector<V>& rays, const V cell[3])
+/// \param low, high corners of cells
+/// \tparam AreUnits all edges of cells have length 1
+template <bool AreUnits, class D, class V = hn::Vec<D>>
+HWY_INLINE PathVector<V> FindPath(D d, const RayVector<V>& rays, const V low[3], const V high[3])
 {
   const V zero = hn::Zero(d), one = hn::Set(d, 1.0);
   PathVector<V> path;
@@ -95,10 +96,12 @@ HWY_INLINE PathVector<V> FindPath(D d, const RayVector<V>& rays, const V cell[3]
   V ahead[3], enter[3], leave[3];
   for (std::size_t a = 0; a < 3; ++a)
   {
-    ahead[a] = hn::IfThenElse(hn::Gt(rays.Direction[a], zero), one, zero);
-    const V behind = hn::Add(cell[a], hn::Sub(one, ahead[a]));
-    enter[a] = hn::Mul(hn::Sub(behind, rays.Origin[a]), rays.Inverse[a]);
-    leave[a] = hn::Mul(hn::Sub(hn::Add(cell[a], ahead[a]), rays.Origin[a]), rays.Inverse[a]);
+    const auto isAscending = hn::Gt(rays.Direction[a], zero);
+    ahead[a] = hn::IfThenElse(isAscending, one, zero);
+    const V first = hn::IfThenElse(isAscending, low[a], high[a]);
+    const V second = hn::IfThenElse(isAscending, high[a], low[a]);
+    enter[a] = hn::Mul(hn::Sub(first, rays.Origin[a]), rays.Inverse[a]);
+    leave[a] = hn::Mul(hn::Sub(second, rays.Origin[a]), rays.Inverse[a]);
     path.Enter = hn::Max(path.Enter, enter[a]);
     path.Leave = hn::Min(path.Leave, leave[a]);
   }
@@ -107,14 +110,25 @@ HWY_INLINE PathVector<V> FindPath(D d, const RayVector<V>& rays, const V cell[3]
     // On a face the coordinate is exactly 0 or 1, as the neighbour across the face has it.
     const auto at = [&](V t) HWY_ATTR
     {
-      const V x = hn::Sub(hn::Add(rays.Origin[a], hn::Mul(t, rays.Direction[a])), cell[a]);
-      return hn::Min(hn::Max(x, zero), one);
+      const V x = hn::Sub(hn::Add(rays.Origin[a], hn::Mul(t, rays.Direction[a])), low[a]);
+      const V share = AreUnits ? x : hn::Div(x, hn::Sub(high[a], low[a]));
+      return hn::Min(hn::Max(share, zero), one);
     };
     path.Begin[a] =
       hn::IfThenElse(hn::Eq(path.Enter, enter[a]), hn::Sub(one, ahead[a]), at(path.Enter));
     path.End[a] = hn::IfThenElse(hn::Eq(path.Leave, leave[a]), ahead[a], at(path.Leave));
   }
   return path;
+}
+
+/// The same for cells between integers.
+/// \param cell first corners
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE PathVector<V> FindPath(D d, const RayVector<V>& rays, const V cell[3])
+{
+  const V one = hn::Set(d, 1.0);
+  const V high[3] = { hn::Add(cell[0], one), hn::Add(cell[1], one), hn::Add(cell[2], one) };
+  return FindPath<true>(d, rays, cell, high);
 }
 
 /// True if any segment is wanted of the widest vector that holds segment i.
@@ -125,7 +139,8 @@ HWY_INLINE bool IsAnyWanted(const SegmentBatch<Real>& in, std::size_t i)
   return (in.Wanted >> i / WidestVector * WidestVector & all) != 0;
 }
 
-template <typename Real>
+/// \tparam AreBoxes cells lie between their first corners and their last
+template <bool AreBoxes = false, typename Real>
 HWY_INLINE void SetUpPaths(SegmentBatch<Real>& in, std::size_t count, Paths<Real>& out)
 {
   const hn::CappedTag<double, WidestVector / 2> d;
@@ -137,7 +152,7 @@ HWY_INLINE void SetUpPaths(SegmentBatch<Real>& in, std::size_t count, Paths<Real
       continue;
     }
     RayVector<V> rays;
-    V cell[3];
+    V cell[3], last[3];
     rays.Begin = hn::LoadU(d, in.BeginOf() + i);
     rays.End = hn::LoadU(d, in.EndOf() + i);
     for (std::size_t a = 0; a < 3; ++a)
@@ -147,7 +162,11 @@ HWY_INLINE void SetUpPaths(SegmentBatch<Real>& in, std::size_t count, Paths<Real
       rays.Inverse[a] = hn::LoadU(d, in.InverseOf(a) + i);
       cell[a] = hn::LoadU(d, &in.Cell[a][i]);
     }
-    const PathVector<V> path = FindPath(d, rays, cell);
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      last[a] = AreBoxes ? hn::LoadU(d, &in.Last[a][i]) : hn::Add(cell[a], hn::Set(d, 1.0));
+    }
+    const PathVector<V> path = FindPath<!AreBoxes>(d, rays, cell, last);
     hn::StoreU(path.Enter, d, &in.Enter[i]);
     hn::StoreU(path.Leave, d, &out.Leave[i]);
     for (std::size_t a = 0; a < 3; ++a)

@@ -31,6 +31,7 @@ struct SegmentBatch
   std::uint64_t Wanted = ~std::uint64_t(0);
 
   std::array<Array<double>, 3> Cell;  ///< its first corner
+  std::array<Array<double>, 3> Last;  ///< its last corner; used only by FindCrossingsInBoxes
   std::array<Array<Real>, 8> Corners; ///< differences from the isovalue, [x + 2 y + 4 z]
 
   Array<double> Enter;    ///< result: t where the ray enters the cell

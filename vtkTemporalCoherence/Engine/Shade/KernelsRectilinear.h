@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_KernelsRectilinear_h
+#define TemporalCoherence_KernelsRectilinear_h
+
+#include "Scene/Difference.h"
+#include "Scene/GridCoordinates.h"
+#include "Shade/KernelsGradients.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace TemporalCoherence
+{
+
+/// Gradients of a rectilinear field at points, in the widest vectors of the machine. Every kind of
+/// vectors gives bit-identical results.
+namespace GradientKernels
+{
+
+/// Find the cells of points.
+/// \param points in the world, to the end of the last vector
+void FindGridCells(const GridCoordinates& grid, const glm::dmat4& indexFromWorld,
+  const Vectors& points, CellPoints<double>& found);
+
+/// The samples around the cells of a tile's points: what the gradients at the corners of these
+/// cells are made of.
+struct GridCells
+{
+  /// Along each axis: the samples before the cell, on its two faces and behind it; of the four
+  /// edges along that axis, [first other axis + 2 second other axis].
+  using Samples = std::array<std::array<std::array<double, 4>, 4>, 3>;
+  /// Distances between the samples that are subtracted, for the two faces across each axis.
+  using Distances = std::array<std::array<double, 2>, 3>;
+
+  std::size_t Count = 0;
+  std::array<Samples, RayBatch::Capacity> Around;
+  std::array<Distances, RayBatch::Capacity> Between;
+  /// How differences from the cell's isovalue are taken.
+  std::array<Difference<double>::ScaledParts, RayBatch::Capacity> FromIsovalue;
+};
+
+/// Find gradients: central differences at the corners of cells, interpolated to the points.
+/// \param cells    of each point, to the end of the last vector
+/// \param largest  that gradients are clamped to
+/// \param gradients result, per unit of index space
+void InterpolateInGrid(const GridCells& around, const Array<std::int32_t>& cells,
+  const CellPoints<double>& points, double largest, Vectors& gradients);
+
+}
+
+}
+
+#endif

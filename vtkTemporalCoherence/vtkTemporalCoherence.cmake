@@ -31,6 +31,7 @@ set(engine_files
   Shade/KernelsCells
   Shade/KernelsGradients
   Shade/KernelsShading
+  Shade/KnownLayers
   Shade/RectilinearGradients
   Shade/Shader
   Shade/SurfaceNormal

@@ -32,6 +32,7 @@ set(engine_files
   Shade/KernelsGradients
   Shade/KernelsRectilinear
   Shade/KernelsShading
+  Shade/KnownLayers
   Shade/RectilinearGradients
   Shade/Shader
   Shade/SurfaceNormal

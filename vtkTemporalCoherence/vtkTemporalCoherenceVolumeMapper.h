@@ -247,13 +247,14 @@ public:
     ROUTE_ISOMAP_BUILD,   ///< the same, where some tiles are built or traced
     ROUTE_THRESHOLD_HINT, ///< not made any more, since a cold frame is faster
     ROUTE_IMAGE_CACHE,    ///< the view changed: rays start from what a cached image shows
-    ROUTE_TIME_STEP       ///< samples changed: pixels that no changed sample affects are copied
+    ROUTE_TIME_STEP,      ///< samples changed: pixels that no changed sample affects are copied
+    ROUTE_RECOMPOSITE     ///< only opacities changed: known layers are composited again
   };
 
   //@{
   /**
    * Get the route of the last frame: one of Routes, or its name: Cold, Redisplay, Reshade,
-   * IsomapLookup, IsomapBuild, ImageCache or TimeStep.
+   * IsomapLookup, IsomapBuild, ImageCache, TimeStep or Recomposite.
    */
   int GetRoute();
   const char* GetRouteAsString();

@@ -5,6 +5,7 @@
 
 #include "Scene/Frame.h"
 
+#include <algorithm>
 #include <cstring>
 
 /// True if two planes of a frame are the same to the last bit: NaN is NaN, and 0 is not -0.
@@ -21,6 +22,20 @@ inline bool ShowTheSame(const TemporalCoherence::Frame& a, const TemporalCoheren
   return a.Size == b.Size && IsSamePlane(a.Depth, b.Depth) && IsSamePlane(a.Normals, b.Normals) &&
     IsSamePlane(a.Isovalues, b.Isovalues) && IsSamePlane(a.Kinds, b.Kinds) &&
     IsSamePlane(a.Colors, b.Colors);
+}
+
+/// True if two frames have the same layers, in the same order.
+inline bool HaveTheSameLayers(const TemporalCoherence::Frame& a, const TemporalCoherence::Frame& b)
+{
+  using TemporalCoherence::LayerHit;
+  const auto isSameHit = [](const LayerHit& x, const LayerHit& y)
+  {
+    return x.Depth == y.Depth && x.Pixel == y.Pixel && x.Isovalue == y.Isovalue &&
+      x.Kind == y.Kind && x.Color == y.Color;
+  };
+  return std::equal(a.Layers.begin(), a.Layers.end(), b.Layers.begin(), b.Layers.end(),
+    [&](const std::vector<LayerHit>& x, const std::vector<LayerHit>& y)
+    { return std::equal(x.begin(), x.end(), y.begin(), y.end(), isSameHit); });
 }
 
 #endif

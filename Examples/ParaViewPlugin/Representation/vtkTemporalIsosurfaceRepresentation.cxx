@@ -40,7 +40,7 @@ vtkStandardNewMacro(vtkTemporalIsosurfaceRepresentation);
 namespace
 {
 
-constexpr vtkIdType NumberOfRoutes = 8;
+constexpr vtkIdType NumberOfRoutes = 9;
 
 /// Arrays of numbers that could be drawn.
 std::vector<vtkDataArray*> ArraysIn(vtkDataSetAttributes* attributes)

@@ -73,6 +73,7 @@ Scenario Vectors();
 Scenario Structures();
 Scenario Window();
 Scenario Features();
+Scenario Opacities();
 Scenario Floor();
 
 /// All of these, in the order in which they are run.

@@ -120,6 +120,57 @@ void TestEachChange()
   ExpectRoute(scene, "Cold", "after ReleaseReuse");
 }
 
+/// The slider of a user: opacities of what is seen already.
+void TestOpacities()
+{
+  Scene scene(Volumes::Waves(), { 200.0, -300.0 });
+  scene.LookFrom(1.0, 2.0, 0.5);
+  vtkVolumeProperty* property = scene.Volume->GetProperty();
+  const auto set = [&](double high, double low)
+  {
+    vtkNew<vtkPiecewiseFunction> opacity;
+    opacity->AddPoint(-300.0, low);
+    opacity->AddPoint(200.0, high);
+    property->SetScalarOpacity(opacity);
+  };
+  const auto expectNothingTraced = [&](const std::string& what)
+  {
+    Expect(
+      scene.Mapper->GetNumberOfTracedRays() == 0 && scene.Mapper->GetNumberOfFieldSamples() == 0,
+      what + ": rays were traced");
+  };
+  set(0.8, 0.9);
+  ExpectRoute(scene, "Cold", "first frame");
+  const vtkIdType layers = scene.Mapper->GetNumberOfLayers();
+  set(0.3, 0.4);
+  ExpectRoute(scene, "Recomposite", "more light");
+  Expect(scene.Mapper->GetNumberOfTracedRays() > 0, "nothing more is seen");
+  Expect(scene.Mapper->GetNumberOfTracedRays() < scene.Mapper->GetNumberOfRays(), "all was traced");
+  Expect(scene.Mapper->GetNumberOfLayers() > layers, "layers that are seen now are not counted");
+  set(0.8, 0.9);
+  ExpectRoute(scene, "Recomposite", "less light");
+  expectNothingTraced("less light");
+  Expect(scene.Mapper->GetNumberOfLayers() == layers, "layers that no light reaches are counted");
+  property->GetScalarOpacity()->AddPoint(200.0, 0.3); // modifies the function in place
+  property->SetAmbient(0.4);
+  ExpectRoute(scene, "Recomposite", "one opacity, and light");
+  set(1.0, 1.0);
+  ExpectRoute(scene, "Recomposite", "opaque");
+  expectNothingTraced("opaque");
+  set(0.3, 0.4);
+  ExpectRoute(scene, "Recomposite", "translucent again");
+  expectNothingTraced("translucent again");
+  vtkNew<vtkPiecewiseFunction> byGradient;
+  byGradient->AddPoint(0.0, 0.1);
+  byGradient->AddPoint(100.0, 0.9);
+  property->SetGradientOpacity(byGradient);
+  ExpectRoute(scene, "Recomposite", "gradient opacity");
+  scene.Mapper->ImageCacheOff();
+  scene.Mapper->IsomapOff();
+  set(0.5, 0.5);
+  ExpectRoute(scene, "Cold", "nothing may be re-used");
+}
+
 /// Changes in random order, several at a time.
 void TestManyChanges()
 {
@@ -218,6 +269,7 @@ void TestCounters()
 int TestRoutes(int, char*[])
 {
   TestEachChange();
+  TestOpacities();
   TestManyChanges();
   TestThreads();
   TestCounters();

@@ -215,6 +215,7 @@ void TestRoutes()
     Expect(IsRoute(scene, "Reshade"), "only colours changed");
     scene.Volume->GetProperty()->GetScalarOpacity()->AddPoint(0.0, 0.1);
     step("another opacity", true);
+    Expect(IsRoute(scene, "Recomposite"), "only opacities changed");
     scene.Volume->GetProperty()->GetScalarOpacity()->AddPoint(0.0, 0.0);
     step("one left out", true);
     SetColors(scene, { { 0.0, 0.8, 0.3, 0.2, 1.0 } });

@@ -27,16 +27,6 @@ using namespace TemporalCoherence;
 const glm::ivec3 Dimensions(48, 40, 44);
 const glm::ivec2 Size(131, 93);
 
-bool AreSame(const std::vector<LayerHit>& a, const std::vector<LayerHit>& b)
-{
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-    [](const LayerHit& x, const LayerHit& y)
-    {
-      return x.Depth == y.Depth && x.Pixel == y.Pixel && x.Isovalue == y.Isovalue &&
-        x.Kind == y.Kind && x.Color == y.Color;
-    });
-}
-
 /// The planes of an exact picture are those of a cold one, those of answers left out.
 void ExpectSamePlanes(const Frame& made, const Frame& cold, const std::string& what)
 {
@@ -52,11 +42,7 @@ void ExpectSamePlanes(const Frame& made, const Frame& cold, const std::string& w
     made.FirstEntries.empty() != cold.FirstEntries.empty() || IsSamePlane(made.Kinds, cold.Kinds))
     << what;
   EXPECT_TRUE(IsSamePlane(made.Colors, cold.Colors)) << what;
-  ASSERT_EQ(made.Layers.size(), cold.Layers.size()) << what;
-  for (std::size_t tile = 0; tile < made.Layers.size(); ++tile)
-  {
-    ASSERT_TRUE(AreSame(made.Layers[tile], cold.Layers[tile])) << what << ", tile " << tile;
-  }
+  ASSERT_TRUE(HaveTheSameLayers(made, cold)) << what;
 }
 
 /// A clear tile holds misses of the picture's own projection, and nothing else.

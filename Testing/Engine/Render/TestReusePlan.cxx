@@ -80,6 +80,48 @@ TEST(ReusePlan, IsovalueChangedInTheSameView)
   EXPECT_EQ(Plan(key), Route::Cold);
 }
 
+TEST(ReusePlan, OpacityChanged)
+{
+  FrameKey key = BaseKey();
+  key.Isosurfaces.Opacities = { 0.5 };
+  EXPECT_EQ(Plan(key), Route::Recomposite);
+  key.Appearance.Shade = true;
+  EXPECT_EQ(Plan(key), Route::Recomposite) << "and the appearance";
+  HeldForReuse held;
+  held.Isomap = held.Image = true;
+  EXPECT_EQ(Plan(key, {}, held), Route::Recomposite) << "whatever an isomap holds";
+  ReuseSwitches noCache;
+  noCache.ImageCache = false;
+  EXPECT_EQ(Plan(key, noCache), Route::Cold);
+  held.IsExact = false;
+  EXPECT_EQ(Plan(key, {}, held), Route::IsomapLookup) << "the last frame shows what is not there";
+  held.Isomap = false;
+  EXPECT_EQ(Plan(key, {}, held), Route::Cold);
+  key = BaseKey();
+  key.Isosurfaces.ByGradient.Nodes = { { 1.0, 0.5 } };
+  EXPECT_EQ(Plan(key), Route::Recomposite) << "by gradient magnitude";
+}
+
+TEST(ReusePlan, OpacityAndMoreChanged)
+{
+  FrameKey translucent = BaseKey();
+  translucent.Isosurfaces.Opacities = { 0.5 };
+  FrameKey key = translucent;
+  key.Isosurfaces.Isovalues[0] = 4.0;
+  EXPECT_EQ(Plan(key), Route::IsomapBuild);
+  key = translucent;
+  key.Isosurfaces.Mode = SurfaceMode::Threshold;
+  EXPECT_EQ(Plan(key), Route::Cold);
+  key = translucent;
+  key.View.ClipFromWorld[0][0] = 2.0;
+  EXPECT_EQ(Plan(key), Route::Cold);
+  key = translucent;
+  key.Samples.Stamp = 2;
+  HeldForReuse fewTiles;
+  fewTiles.ShareToTrace = 0.1;
+  EXPECT_EQ(Plan(key, {}, fewTiles), Route::Cold);
+}
+
 TEST(ReusePlan, ViewChanged)
 {
   FrameKey key = BaseKey();
@@ -189,6 +231,7 @@ TEST(ReusePlan, RoutesHaveTheirNames)
   EXPECT_STREQ(NameOf(Route::Cold), "Cold");
   EXPECT_STREQ(NameOf(Route::ImageCache), "ImageCache");
   EXPECT_STREQ(NameOf(Route::TimeStep), "TimeStep");
+  EXPECT_STREQ(NameOf(Route::Recomposite), "Recomposite");
 }
 
 }

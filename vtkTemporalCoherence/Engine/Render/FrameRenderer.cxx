@@ -85,6 +85,8 @@ bool FrameRenderer::Make(Route& route, FrameTask& task, CachedImage* nearest)
       return TraceFromImage(task, *nearest);
     case Route::TimeStep:
       return TraceChangedTiles(task, this->Changes);
+    case Route::Recomposite:
+      return CompositeKnownLayers(task);
     case Route::Cold:
       break;
   }

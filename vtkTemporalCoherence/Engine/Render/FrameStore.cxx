@@ -30,7 +30,10 @@ void FrameStore::Begin(const FrameKey& key, const FrameExtras& extras)
   }
   CachedImage& next = *this->Back;
   next.Picture.Resize(key.View.Size, extras);
-  next.Picture.Layers.resize(key.Isosurfaces.IsTranslucent() ? next.Picture.ClearTiles.size() : 0);
+  const std::size_t tiles =
+    key.Isosurfaces.IsTranslucent() ? next.Picture.ClearTiles.size() : std::size_t(0);
+  next.Picture.Layers.resize(tiles);
+  next.Picture.Behind.resize(tiles);
   if (next.Key.View.Parallel != key.View.Parallel)
   {
     // The disparity of a miss differs between projections.
@@ -44,6 +47,13 @@ void FrameStore::Begin(const FrameKey& key, const FrameExtras& extras)
 void FrameStore::Finish(const ImageCache::Options& options)
 {
   this->Back->Free.Clear();
+  if (!MeetSameLayers(this->Front->Key, this->Back->Key))
+  {
+    for (LayersBehind& tile : this->Front->Picture.Behind)
+    {
+      tile = {}; // no later frame needs them
+    }
+  }
   const std::shared_ptr<CachedImage> dropped = this->Images.Keep(this->Back, options);
   std::swap(this->Front, this->Back);
   if (this->Images.Holds(this->Back))

@@ -23,6 +23,7 @@ void FrameStructures::PrepareRanges(const FrameKey& key)
 {
   if (this->NeedsRanges(key))
   {
+    this->BoundSurfaces = nullptr;
     this->OfSurfaces = std::make_shared<const SurfaceCells>();
     this->Shared->Provide(key.Samples, this->OfData);
   }
@@ -37,9 +38,19 @@ void FrameStructures::PrepareActiveCells(const FrameKey& key)
   if (!(this->OfSurfaces->Samples == key.Samples) ||
     !AreMetAlike(this->OfSurfaces->Isosurfaces, key.Isosurfaces))
   {
+    this->BoundSurfaces = nullptr;
     this->Shared->Provide(*this->OfData, key.Isosurfaces, this->OfSurfaces);
   }
-  this->Bounds.Build(key.View, key.Transform, *this->OfSurfaces->Active, *key.Samples.Kind);
+  const bool areBound = this->BoundSurfaces == this->OfSurfaces.get() &&
+    this->BoundView == key.View && this->BoundTransform == key.Transform;
+  if (!areBound)
+  {
+    this->BoundSurfaces = nullptr;
+    this->Bounds.Build(key.View, key.Transform, *this->OfSurfaces->Active, *key.Samples.Kind);
+    this->BoundView = key.View;
+    this->BoundTransform = key.Transform;
+    this->BoundSurfaces = this->OfSurfaces.get();
+  }
 }
 
 std::shared_ptr<const FieldRanges> FrameStructures::RangesOf(const FrameKey& key) const
@@ -60,6 +71,7 @@ void FrameStructures::MoveTo(const Field& now, const Field& before)
   }
   if (this->OfSurfaces->Samples == before)
   {
+    this->BoundSurfaces = nullptr;
     this->Shared->MoveTo(now, this->OfSurfaces);
   }
 }

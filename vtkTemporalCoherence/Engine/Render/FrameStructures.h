@@ -62,6 +62,10 @@ private:
   std::shared_ptr<const FieldRanges> OfData = std::make_shared<const FieldRanges>();
   std::shared_ptr<const SurfaceCells> OfSurfaces = std::make_shared<const SurfaceCells>();
   TileBounds Bounds;
+  // What the bounds are of:
+  const SurfaceCells* BoundSurfaces = nullptr; ///< null: of nothing; else OfSurfaces
+  View BoundView;
+  IndexTransform BoundTransform;
 };
 
 }

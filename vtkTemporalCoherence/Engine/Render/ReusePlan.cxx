@@ -20,6 +20,13 @@ bool CanCopy(const FrameChange& change, const FrameKey& next, const HeldForReuse
     held.ShareToTrace <= MostToTrace;
 }
 
+/// True if the last picture tells the first layers of the next one, and where to look for others.
+bool KnowsLayers(const FrameChange& change, const FrameKey& next, const HeldForReuse& held)
+{
+  return change.Opacity && !change.Data && !change.View && held.IsExact &&
+    !next.Isosurfaces.Isovalues.empty();
+}
+
 }
 
 const char* NameOf(Route route)
@@ -40,6 +47,8 @@ const char* NameOf(Route route)
       return "ImageCache";
     case Route::TimeStep:
       return "TimeStep";
+    case Route::Recomposite:
+      return "Recomposite";
   }
   return "";
 }
@@ -52,6 +61,10 @@ Route PlanRoute(const FrameKey& last, const FrameKey& next, const ReuseSwitches&
   if (isSame && (held.IsExact || !switches.RefineWhenStill))
   {
     return change.Appearance ? Route::Reshade : Route::Redisplay;
+  }
+  if (switches.ImageCache && KnowsLayers(change, next, held))
+  {
+    return Route::Recomposite;
   }
   // An isomap serves whatever the last frame was. But with a tolerance it cannot refine a picture
   // that is not exact.

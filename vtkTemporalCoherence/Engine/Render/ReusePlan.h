@@ -19,7 +19,8 @@ enum class Route : std::uint8_t
   IsomapLookup,   ///< another isovalue in the same view, looked up in the isomap
   IsomapBuild,    ///< the same, where the isomap lacks tiles: they are built or traced
   ImageCache = 6, ///< another view: a cached image tells where walks may begin (5 is no more)
-  TimeStep        ///< other samples in the same view: tiles that they do not affect are copied
+  TimeStep,       ///< other samples in the same view: tiles that they do not affect are copied
+  Recomposite     ///< only opacities changed: known layers are composited again
 };
 
 /// The route's name as in the documentation, for example "Cold".

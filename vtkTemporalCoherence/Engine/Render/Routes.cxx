@@ -41,13 +41,22 @@ bool TraceTiles(FrameTask& task, const LeapedSpace& space, const RayHint* hint,
     });
 }
 
-/// If a picture is shown again, the answers of all pixels were known before.
-void CountKnownHits(FrameTask& task)
+/// If the hits of a picture are those of the last one, the answers of all pixels were known before.
+void CountKnownHits(FrameTask& task, const Frame& picture)
 {
-  const Plane<std::int16_t>& isovalues = task.Store.Last().Picture.Isovalues;
+  const Plane<std::int16_t>& isovalues = picture.Isovalues;
   FrameStatistics& statistics = task.Statistics;
   statistics.DefiniteMisses = std::count(isovalues.begin(), isovalues.end(), Frame::NoSurface);
   statistics.DefiniteHits = statistics.Rays - statistics.DefiniteMisses;
+}
+
+/// What views made from the frame may need, if it is copied: no more than the last frame has.
+FrameExtras ExtrasToCopy(const FrameTask& task)
+{
+  const Frame& last = task.Store.Last().Picture;
+  const FrameExtras extras = ExtrasOf(task);
+  return { extras.Disparities && !last.Disparities.empty(),
+    extras.FirstEntries && !last.FirstEntries.empty() };
 }
 
 /// True if the colours of a cached image may be re-used: surfaces and lights must be the same.
@@ -72,7 +81,7 @@ bool HasColorsFor(const CachedImage& cached, const FrameKey& next)
 
 void ShowAgain(FrameTask& task)
 {
-  CountKnownHits(task);
+  CountKnownHits(task, task.Store.Last().Picture);
 }
 
 void ShadeAgain(FrameTask& task)
@@ -91,7 +100,7 @@ void ShadeAgain(FrameTask& task)
         shader.Shade(tile, PixelsOfTile(last.Picture.Size, tile), nullptr, last.Picture, counts);
       });
   }
-  CountKnownHits(task);
+  CountKnownHits(task, task.Store.Last().Picture);
 }
 
 bool TraceCold(FrameTask& task)
@@ -131,14 +140,35 @@ bool TraceFromImage(FrameTask& task, CachedImage& image)
 
 bool TraceChangedTiles(FrameTask& task, const SampleComparer& changes)
 {
-  // What is copied has no more than the last frame has.
-  const Frame& last = task.Store.Last().Picture;
-  FrameExtras extras = ExtrasOf(task);
-  extras.Disparities &= !last.Disparities.empty();
-  extras.FirstEntries &= !last.FirstEntries.empty();
+  const FrameExtras extras = ExtrasToCopy(task);
   task.Costs = nullptr; // most are copied
   return TraceTiles(
     task, Begin(task, task.Options.SpaceLeaping, extras), nullptr, HitSet::All, &changes);
+}
+
+bool CompositeKnownLayers(FrameTask& task)
+{
+  const Frame& last = task.Store.Last().Picture;
+  task.Costs = nullptr; // few rays are traced
+  const bool leaps = task.Options.SpaceLeaping && task.Key.Isosurfaces.IsTranslucent();
+  const LeapedSpace space = Begin(task, leaps, ExtrasToCopy(task));
+  Frame& next = task.Store.Next().Picture;
+  next.Behind.resize(last.ClearTiles.size()); // opaque surfaces hide layers, too
+  next.IsFromCache = last.IsFromCache;
+  const TileShader shader(
+    task.Key, task.Structures.Pyramid().FiniteRange(), space, HitSet::All, HitSet::All);
+  const bool isDone = WorkOnTiles(task, task.Report,
+    [&](std::int64_t tile, const PixelRect& part, Frame& frame)
+    {
+      TraceCounts counts;
+      shader.ShadeKnown(tile, part, last, frame, counts);
+      return counts;
+    });
+  if (isDone)
+  {
+    CountKnownHits(task, next);
+  }
+  return isDone;
 }
 
 }

@@ -48,6 +48,11 @@ bool TraceFromImage(FrameTask& task, CachedImage& image);
 /// TimeStep: tiles that no changed sample affects are copied from the last frame.
 bool TraceChangedTiles(FrameTask& task, const SampleComparer& changes);
 
+/// Recomposite: only opacities changed, and perhaps the appearance. Layers that the last frame
+/// knows are composited again. Rays that lead on behind the last of them are traced from there.
+/// \pre the last frame is exact
+bool CompositeKnownLayers(FrameTask& task);
+
 /// IsomapLookup and IsomapBuild: hits are looked up in tiles that have bands, and only unresolved
 /// rays are traced. In other tiles bands are built, as long as the frame does not take much longer
 /// than a cold one, or all rays are traced.

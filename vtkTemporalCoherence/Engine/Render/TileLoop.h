@@ -12,8 +12,10 @@
 #include "Scene/Tiles.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <mutex>
+#include <new>
 
 namespace TemporalCoherence
 {
@@ -41,6 +43,7 @@ void CountGroup(const glm::ivec2& size, std::size_t group, TraceCounts& counts, 
 ///               work; threads wait for each other between parts. May be null: there is only one
 ///               part
 /// \return false if the report stopped it
+/// \throws std::bad_alloc if work() does, once no thread works any more
 template <typename Report, typename Work, typename Done>
 bool CountGroups(const glm::ivec2& size, const Report& report, FrameStatistics& statistics,
   const Work& work, const Done& done)
@@ -52,6 +55,7 @@ bool CountGroups(const glm::ivec2& size, const Report& report, FrameStatistics& 
   double seconds = 0.0;
   std::mutex guard;
   TraceCounts sum;
+  std::atomic<bool> isOutOfMemory{ false };
   for (std::int64_t first = 0; first < groups; first += inPart)
   {
     if (report && !report(static_cast<double>(first) / static_cast<double>(groups)))
@@ -64,9 +68,16 @@ bool CountGroups(const glm::ivec2& size, const Report& report, FrameStatistics& 
       {
         TraceCounts inRange;
         std::int64_t before = TileTimer::Now();
-        for (std::int64_t group = first + begin; group < first + end; ++group)
+        for (std::int64_t group = first + begin; group < first + end && !isOutOfMemory; ++group)
         {
-          work(static_cast<std::size_t>(group), inRange);
+          try
+          {
+            work(static_cast<std::size_t>(group), inRange);
+          }
+          catch (const std::bad_alloc&)
+          {
+            isOutOfMemory = true; // not every kind of threads passes exceptions on
+          }
           const std::int64_t now = TileTimer::Now();
           done(static_cast<std::size_t>(group), now - before);
           inRange.GroupTime += now - before;
@@ -75,6 +86,10 @@ bool CountGroups(const glm::ivec2& size, const Report& report, FrameStatistics& 
         const std::lock_guard<std::mutex> lock(guard);
         sum += inRange;
       });
+    if (isOutOfMemory)
+    {
+      throw std::bad_alloc();
+    }
   }
   statistics.Add(sum, seconds);
   return true;

@@ -48,6 +48,15 @@ struct LayerHit
   std::array<std::uint8_t, 4> Color{};
 };
 
+/// What is known about the layers of a tile behind those that are composited.
+struct LayersBehind
+{
+  /// Layers that no light reaches, those of a pixel from front to back. They have no colours.
+  std::vector<LayerHit> Hits;
+  /// One bit for each pixel of the tile, row by row: behind its last known layer there is none.
+  std::uint64_t Ends = 0;
+};
+
 /// One value for each pixel.
 template <typename T>
 using Plane = std::vector<T, DefaultInitAllocator<T>>;
@@ -82,6 +91,10 @@ struct Frame
   /// by pixel within a round. Empty if surfaces are opaque. Colors holds the composite of all
   /// layers; depth, normal and isovalue are those of the first.
   std::vector<std::vector<LayerHit>> Layers;
+
+  /// For each tile, what a picture with other opacities may need. Empty if nothing is known. It is
+  /// no part of the picture.
+  std::vector<LayersBehind> Behind;
 
   /// 1 for each tile whose planes are known to hold definite misses only. Such a tile is neither
   /// read nor written again.

@@ -27,4 +27,10 @@ FrameChange CompareFrames(const FrameKey& last, const FrameKey& next)
   return change;
 }
 
+bool MeetSameLayers(const FrameKey& a, const FrameKey& b)
+{
+  const FrameChange change = CompareFrames(a, b);
+  return !change.Data && !change.View && !change.Surfaces;
+}
+
 }

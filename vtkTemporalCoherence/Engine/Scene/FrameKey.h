@@ -40,6 +40,9 @@ struct FrameChange
 
 FrameChange CompareFrames(const FrameKey& last, const FrameKey& next);
 
+/// True if the rays of two frames meet the same layers, whatever their opacities and colours.
+bool MeetSameLayers(const FrameKey& a, const FrameKey& b);
+
 }
 
 #endif

@@ -52,6 +52,7 @@ TraceCounts CopyTile(
   if (!frame.Layers.empty())
   {
     frame.Layers[place] = from.Layers[place];
+    frame.Behind[place] = from.Behind[place];
   }
   if (from.ClearTiles[place])
   {
@@ -81,6 +82,31 @@ TraceCounts CopyTile(
     }
   }
   return counts;
+}
+
+void CopyRays(const PixelRect& part, const Frame& from, Frame& frame)
+{
+  const auto count = static_cast<std::size_t>(part.Size.x);
+  for (int y = part.First.y; y < part.First.y + part.Size.y; ++y)
+  {
+    const std::size_t row = PlaceOf(frame, part.First.x, y);
+    const auto copy = [&](auto plane)
+    {
+      if (!(frame.*plane).empty())
+      {
+        std::copy_n(&(from.*plane)[row], count, &(frame.*plane)[row]);
+      }
+    };
+    copy(&Frame::Kinds);
+    copy(&Frame::Answers);
+    copy(&Frame::Disparities);
+    copy(&Frame::FirstEntries);
+    if (frame.FirstEntries.empty())
+    {
+      // Only frames with first entries tell where a ray runs inside.
+      std::replace(&frame.Kinds[row], &frame.Kinds[row] + count, HitKind::Within, HitKind::None);
+    }
+  }
 }
 
 float DisparityAt(const RayBatch& rays, std::size_t ray, double t, bool isParallel)

@@ -52,6 +52,10 @@ void StoreMisses(std::int64_t tile, const PixelRect& part, bool isParallel, Fram
 TraceCounts CopyTile(
   std::int64_t tile, const PixelRect& part, const Frame& from, bool isParallel, Frame& frame);
 
+/// Copy what is known about the rays of a tile, whatever the opacities: kinds of hits, answers, and
+/// what views made from the frame need.
+void CopyRays(const PixelRect& part, const Frame& from, Frame& frame);
+
 /// Write the hit of one ray into the planes of a frame.
 void StoreHit(const RayBatch& rays, const HitBatch& hits, std::size_t ray, Answer answer,
   bool isParallel, Frame& frame);

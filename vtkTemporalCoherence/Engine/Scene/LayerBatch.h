@@ -82,6 +82,24 @@ struct LayerBatch
     this->CellsRead = 0;
   }
 
+  /// Begin with rays that have met surfaces already, and that some light passes.
+  /// \param open one bit for each ray that goes on behind its last surface
+  void BeginBehind(std::size_t rays, const std::vector<float>& alphas, std::uint64_t open,
+    const Array<float>& transmittance)
+  {
+    this->Begin(rays, alphas);
+    this->Transmittance = transmittance;
+    this->Open = open;
+  }
+
+  /// Set the last surface of a ray.
+  void SetLast(std::size_t ray, const LayerHit& hit)
+  {
+    this->LastDistance[ray] = hit.Depth;
+    this->LastSurface[ray] = hit.Isovalue;
+    this->LastKind[ray] = hit.Kind;
+  }
+
   bool IsOpen(std::size_t ray) const { return this->Open >> ray & 1u; }
   void Close(std::size_t ray) { this->Open &= ~(std::uint64_t(1) << ray); }
 

@@ -5,6 +5,7 @@
 
 #include <glm/glm.hpp>
 
+#include <cstddef>
 #include <cstdint>
 
 namespace TemporalCoherence
@@ -42,6 +43,22 @@ inline PixelRect PixelsOfTile(const glm::ivec2& pixels, std::int64_t tile)
   const glm::ivec2 first =
     TileSize * glm::ivec2(static_cast<int>(tile % columns), static_cast<int>(tile / columns));
   return { first, glm::min(glm::ivec2(TileSize), pixels - first) };
+}
+
+/// The place of a pixel in its tile, row by row.
+/// \param part  the pixels of the tile
+/// \param width of the picture
+/// \param pixel position in the picture, row by row
+inline std::size_t PlaceInTile(const PixelRect& part, int width, std::int32_t pixel)
+{
+  // A tile has few rows: this is faster than a division.
+  int x = pixel - part.First.y * width - part.First.x;
+  int row = 0;
+  for (; x >= width; x -= width)
+  {
+    ++row;
+  }
+  return static_cast<std::size_t>(row * part.Size.x + x);
 }
 
 }

@@ -40,11 +40,11 @@ public:
     }
   }
 
+  int Width() const { return this->Planes.Size.x; } ///< of the picture
+
   std::size_t PlaceOf(std::int32_t pixel) const
   {
-    const int x = pixel % this->Planes.Size.x - this->Part.First.x;
-    const int y = pixel / this->Planes.Size.x - this->Part.First.y;
-    return static_cast<std::size_t>(y * this->Part.Size.x + x);
+    return PlaceInTile(this->Part, this->Planes.Size.x, pixel);
   }
 
   /// Composite a surface behind the present ones. The first visible surface is written to the
@@ -69,6 +69,18 @@ public:
 
   /// The share of light from behind that passes the surfaces of each pixel.
   const RayBatch::Array<float>& Transmittance() const { return this->Passed; }
+
+  /// One bit for each pixel, row by row: light from behind passes its surfaces.
+  std::uint64_t Passing() const
+  {
+    std::uint64_t passing = 0;
+    for (std::size_t place = 0;
+         place < static_cast<std::size_t>(this->Part.Size.x * this->Part.Size.y); ++place)
+    {
+      passing |= static_cast<std::uint64_t>(this->Passed[place] > 0.0f) << place;
+    }
+    return passing;
+  }
 
   /// Write colours. A pixel whose surfaces are all invisible becomes a miss.
   void Finish()

@@ -16,10 +16,10 @@ template <typename T>
 using Array = RayBatch::Array<T>;
 
 /// Append a surface to those that are shaded next.
-void AppendHit(const LayerHit& hit, const Frame& frame, const View& view, HitList& hits)
+void AppendHit(const LayerHit& hit, const View& view, HitList& hits)
 {
   const std::size_t at = hits.Rays.Count++;
-  const glm::dvec2 centre = view.PixelCentre(hit.Pixel % frame.Size.x, hit.Pixel / frame.Size.x);
+  const glm::dvec2 centre = view.PixelCentre(hit.Pixel % view.Size.x, hit.Pixel / view.Size.x);
   hits.Pixel[at] = hit.Pixel;
   hits.Surface[at] = hit.Isovalue;
   hits.Kind[at] = hit.Kind;
@@ -75,15 +75,20 @@ TileCompositor::TileCompositor(
 {
 }
 
-/// Set up the rays of a tile, and take their first hits from the planes.
-void TileCompositor::SetUp(
-  std::int64_t tile, const PixelRect& part, const Frame& frame, TileHits& found) const
+void TileCompositor::SetUpRays(std::int64_t tile, const PixelRect& part, TileHits& found) const
 {
   this->Rays.SetUp(part.First, part.Size, found.Rays, &found.World);
   if (this->Bounds)
   {
     this->Bounds->Narrow(tile, found.Rays);
   }
+}
+
+/// Set up the rays of a tile, and take their first hits from the planes.
+void TileCompositor::SetUp(
+  std::int64_t tile, const PixelRect& part, const Frame& frame, TileHits& found) const
+{
+  this->SetUpRays(tile, part, found);
   const auto count = static_cast<std::size_t>(found.Rays.Count);
   found.Layers.Begin(count, this->Alphas);
   for (std::size_t ray = 0; ray < count; ++ray)
@@ -106,6 +111,12 @@ void TileCompositor::Composite(std::int64_t tile, const PixelRect& part, TileHit
 {
   std::vector<LayerHit>& kept = frame.Layers[static_cast<std::size_t>(tile)];
   kept.clear();
+  LayersBehind* behind =
+    frame.Behind.empty() ? nullptr : &frame.Behind[static_cast<std::size_t>(tile)];
+  if (behind)
+  {
+    *behind = {};
+  }
   if (frame.ClearTiles[static_cast<std::size_t>(tile)])
   {
     return;
@@ -117,19 +128,120 @@ void TileCompositor::Composite(std::int64_t tile, const PixelRect& part, TileHit
     this->SetUp(tile, part, frame, *found);
     counts.CellsRead += found->Layers.CellsRead;
   }
-  const PixelCentres centres(this->Key.View, part);
   LayerCanvas canvas(part, frame);
-  this->AddLayers(*found, centres, canvas, kept);
-  while (
-    found->Layers.BeginNext(static_cast<std::size_t>(found->Rays.Count), canvas.Transmittance()))
+  this->AddAll(part, *found, canvas, kept, counts);
+  if (behind)
   {
-    FindLayersWithin(this->Rays.Clipper, *this->Tracer, found->Rays, found->Layers);
-    counts.CellsRead += found->Layers.CellsRead;
-    this->AddLayers(*found, centres, canvas, kept);
+    behind->Ends = canvas.Passing(); // else the search would have gone on
   }
   counts.Layers += static_cast<std::int64_t>(kept.size());
   canvas.Finish();
   this->Paint(kept, frame);
+}
+
+/// Shade and composite the layers that were found, and find and add those behind them, until the
+/// pixels are opaque.
+void TileCompositor::AddAll(const PixelRect& part, TileHits& found, LayerCanvas& canvas,
+  std::vector<LayerHit>& kept, TraceCounts& counts) const
+{
+  const PixelCentres centres(this->Key.View, part);
+  this->AddLayers(found, centres, canvas, kept);
+  while (found.Layers.BeginNext(static_cast<std::size_t>(found.Rays.Count), canvas.Transmittance()))
+  {
+    FindLayersWithin(this->Rays.Clipper, *this->Tracer, found.Rays, found.Layers);
+    counts.CellsRead += found.Layers.CellsRead;
+    this->AddLayers(found, centres, canvas, kept);
+  }
+}
+
+void TileCompositor::CompositeKnown(std::int64_t tile, const PixelRect& part, const Frame& last,
+  Frame& frame, TraceCounts& counts) const
+{
+  std::vector<LayerHit>& kept = frame.Layers[static_cast<std::size_t>(tile)];
+  LayersBehind& behind = frame.Behind[static_cast<std::size_t>(tile)];
+  const KnownLayers known(tile, part, last);
+  kept.clear();
+  behind.Hits.clear();
+  LayerCanvas canvas(part, frame);
+  this->AddKnown(known.All(), canvas, kept, behind.Hits);
+  const std::uint64_t open = canvas.Passing() & ~known.Ends();
+  if (open != 0)
+  {
+    this->AddBehind(known, open, tile, part, canvas, kept, counts);
+  }
+  behind.Ends = known.Ends() | canvas.Passing();
+  counts.Layers += static_cast<std::int64_t>(kept.size());
+  canvas.Finish();
+  this->Paint(kept, frame);
+}
+
+/// Shade known layers and composite them behind the present ones, and keep them. Those that no
+/// light reaches are kept elsewhere.
+void TileCompositor::AddKnown(const std::vector<LayerHit>& known, LayerCanvas& canvas,
+  std::vector<LayerHit>& kept, std::vector<LayerHit>& behind) const
+{
+  const View& view = this->Key.View;
+  std::array<ShadedLayer, RayBatch::Capacity> shaded;
+  std::array<const LayerHit*, RayBatch::Capacity> from;
+  const auto isReached = [&canvas](const LayerHit& hit)
+  { return canvas.Transmittance()[canvas.PlaceOf(hit.Pixel)] != 0.0f; };
+  for (auto next = known.begin(); next != known.end();)
+  {
+    HitList hits;
+    std::size_t& count = hits.Rays.Count;
+    for (count = 0; next != known.end() && count < from.size(); ++next)
+    {
+      if (isReached(*next))
+      {
+        from[count] = &*next;
+        AppendHit(*next, view, hits);
+      }
+      else
+      {
+        behind.push_back(*next);
+      }
+    }
+    if (count > 0)
+    {
+      FindHitPoints(view, hits);
+      this->Shade(hits, shaded.data());
+    }
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      // One in front of it may have made its pixel opaque.
+      const bool isAdded = isReached(*from[i]);
+      LayerHit& hit = (isAdded ? kept : behind).emplace_back(*from[i]);
+      if (isAdded)
+      {
+        hit.Color = canvas.Add(canvas.PlaceOf(hit.Pixel), hit, shaded[i]);
+      }
+    }
+  }
+}
+
+/// Find the layers behind all known ones along some rays, one bit each, and add them.
+void TileCompositor::AddBehind(const KnownLayers& known, std::uint64_t open, std::int64_t tile,
+  const PixelRect& part, LayerCanvas& canvas, std::vector<LayerHit>& kept,
+  TraceCounts& counts) const
+{
+  TileHits found;
+  this->SetUpRays(tile, part, found);
+  LayerBatch& layers = found.Layers;
+  layers.BeginBehind(
+    static_cast<std::size_t>(found.Rays.Count), this->Alphas, open, canvas.Transmittance());
+  for (const LayerHit& hit : known.All())
+  {
+    layers.SetLast(canvas.PlaceOf(hit.Pixel), hit); // the last one in the end
+  }
+  FindLayersWithin(this->Rays.Clipper, *this->Tracer, found.Rays, layers);
+  counts.TracedRays += static_cast<std::int64_t>(hwy::PopCount(open));
+  counts.CellsRead += layers.CellsRead;
+  const std::size_t before = kept.size();
+  this->AddAll(part, found, canvas, kept, counts);
+  if (kept.size() > before)
+  {
+    OrderByRounds(part, canvas.Width(), kept);
+  }
 }
 
 /// Shade surfaces, composite them behind the present ones, and keep them: round by round, and by
@@ -218,7 +330,7 @@ void TileCompositor::CompositeAgain(std::int64_t tile, const PixelRect& part, Fr
     hits.Rays.Count = 0;
     for (std::size_t i = begin; i < end; ++i)
     {
-      AppendHit(layers[i], frame, this->Key.View, hits);
+      AppendHit(layers[i], this->Key.View, hits);
     }
     FindHitPoints(this->Key.View, hits);
     this->Shade(hits, shaded.data());

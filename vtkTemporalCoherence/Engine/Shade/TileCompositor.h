@@ -9,6 +9,7 @@
 #include "Scene/FrameKey.h"
 #include "Scene/FramePlanes.h"
 #include "Scene/LayerBatch.h"
+#include "Shade/KnownLayers.h"
 #include "Shade/LayerCanvas.h"
 #include "Shade/Shader.h"
 #include "Trace/RaySource.h"
@@ -45,14 +46,29 @@ public:
   void Composite(std::int64_t tile, const PixelRect& part, TileHits* found, Frame& frame,
     TraceCounts& counts) const;
 
+  /// The same for a picture of other opacities: composite the layers that the last frame knows, and
+  /// find those behind them where light passes. The planes hold nothing yet but what is known about
+  /// the rays.
+  /// \throws std::bad_alloc
+  void CompositeKnown(std::int64_t tile, const PixelRect& part, const Frame& last, Frame& frame,
+    TraceCounts& counts) const;
+
   /// Colour a tile again from the layers of the frame.
   void CompositeAgain(std::int64_t tile, const PixelRect& part, Frame& frame) const;
 
 private:
   struct PixelCentres;
+  void SetUpRays(std::int64_t tile, const PixelRect& part, TileHits& found) const;
   void SetUp(std::int64_t tile, const PixelRect& part, const Frame& frame, TileHits& found) const;
+  void AddAll(const PixelRect& part, TileHits& found, LayerCanvas& canvas,
+    std::vector<LayerHit>& kept, TraceCounts& counts) const;
   void AddLayers(const TileHits& found, const PixelCentres& centres, LayerCanvas& canvas,
     std::vector<LayerHit>& kept) const;
+  void AddKnown(const std::vector<LayerHit>& known, LayerCanvas& canvas,
+    std::vector<LayerHit>& kept, std::vector<LayerHit>& behind) const;
+  void AddBehind(const KnownLayers& known, std::uint64_t open, std::int64_t tile,
+    const PixelRect& part, LayerCanvas& canvas, std::vector<LayerHit>& kept,
+    TraceCounts& counts) const;
   void TakeHits(
     const TileHits& found, const PixelCentres& centres, std::size_t first, HitList& hits) const;
   void Shade(HitList& hits, ShadedLayer* shaded) const;

@@ -68,4 +68,30 @@ void TileShader::Shade(std::int64_t tile, const PixelRect& part, TileHits* found
   ClearMisses(hits, frame);
 }
 
+void TileShader::ShadeKnown(std::int64_t tile, const PixelRect& part, const Frame& last,
+  Frame& frame, TraceCounts& counts) const
+{
+  const auto place = static_cast<std::size_t>(tile);
+  if (last.ClearTiles[place])
+  {
+    if (this->Compositor)
+    {
+      frame.Layers[place].clear();
+    }
+    frame.Behind[place] = {};
+    StoreMisses(tile, part, this->Key.View.Parallel, frame);
+    return;
+  }
+  frame.ClearTiles[place] = 0;
+  CopyRays(part, last, frame);
+  if (this->Compositor)
+  {
+    const TileTimer timer(tile, counts.ShadeTime);
+    this->Compositor->CompositeKnown(tile, part, last, frame, counts);
+    return;
+  }
+  StoreFirstLayers(KnownLayers(tile, part, last), tile, part, frame);
+  this->Shade(tile, part, nullptr, frame, counts);
+}
+
 }

@@ -41,6 +41,11 @@ public:
   void Shade(std::int64_t tile, const PixelRect& part, TileHits* found, Frame& frame,
     TraceCounts& counts) const;
 
+  /// Make and shade a tile from the last frame, from which only opacities and the appearance
+  /// differ. Thread-safe. \throws std::bad_alloc
+  void ShadeKnown(std::int64_t tile, const PixelRect& part, const Frame& last, Frame& frame,
+    TraceCounts& counts) const;
+
 private:
   const FrameKey& Key;
   NormalSource Source;

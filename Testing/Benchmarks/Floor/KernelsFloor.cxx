@@ -211,14 +211,14 @@ HWY_INLINE void Draw(const Picture& picture, const Tile& tile)
     const V y = hn::ConvertTo(d, hn::Add(hn::ShiftRight<3>(pixel), hn::Set(di, tile.FirstY)));
     V direction[3], begin[3], step[3], point[3], corners[8], along[4][4], gradient[3];
     V enter = zero, leave = Set(1e30f);
-    I at = hn::Load(di, &tile.Cell[0][i]);
-    at = hn::Add(at, hn::Mul(hn::Load(di, &tile.Cell[1][i]), hn::Set(di, picture.StrideY)));
-    at = hn::Add(at, hn::Mul(hn::Load(di, &tile.Cell[2][i]), hn::Set(di, picture.StrideZ)));
+    I at = hn::LoadU(di, &tile.Cell[0][i]);
+    at = hn::Add(at, hn::Mul(hn::LoadU(di, &tile.Cell[1][i]), hn::Set(di, picture.StrideY)));
+    at = hn::Add(at, hn::Mul(hn::LoadU(di, &tile.Cell[2][i]), hn::Set(di, picture.StrideZ)));
     for (std::size_t a = 0; a < 3; ++a)
     {
       direction[a] = hn::MulAdd(x, Set(picture.DirectionX[a]),
         hn::MulAdd(y, Set(picture.DirectionY[a]), Set(picture.Direction[a])));
-      const V cell = hn::ConvertTo(d, hn::Load(di, &tile.Cell[a][i]));
+      const V cell = hn::ConvertTo(d, hn::LoadU(di, &tile.Cell[a][i]));
       begin[a] = hn::Sub(Set(picture.Origin[a]), cell);
       const V inverse = hn::Div(one, direction[a]);
       const V toLow = hn::Neg(hn::Mul(begin[a], inverse));

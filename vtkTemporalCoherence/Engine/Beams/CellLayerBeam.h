@@ -124,6 +124,9 @@ private:
     {
       return;
     }
+    // Neighbouring rays often begin in one cell.
+    glm::ivec3 last(-1);
+    bool mayBeInside = false;
     ForEachRay(layers.Open,
       [&](std::size_t ray)
       {
@@ -132,16 +135,31 @@ private:
         {
           return;
         }
-        CellSurfaces found;
-        this->Search.FindCaps(this->Cells, *this->Rays, ray,
-          [&](double distance, HitKind kind, std::int16_t surface) {
-            this->Insert({ distance, kind, surface }, ray, layers, found);
-          });
-        for (std::size_t i = 0; i < found.Count && layers.IsOpen(ray); ++i)
+        const glm::ivec3 cell =
+          this->Cells.Shape.RayOf(*this->Rays, ray).CellAt(begin, this->Cells.Count);
+        if (cell != last)
         {
-          layers.Append(ray, begin, HitKind::Cap, found.All[i].Surface);
+          last = cell;
+          mayBeInside = this->Search.MayHoldSolid(this->Cells, cell);
+        }
+        if (mayBeInside)
+        {
+          this->AppendCaps(ray, cell, layers);
         }
       });
+  }
+
+  void AppendCaps(std::size_t ray, const glm::ivec3& cell, LayerBatch& layers) const
+  {
+    CellSurfaces found;
+    this->Search.FindCaps(this->Cells, *this->Rays, ray, cell,
+      [&](double distance, HitKind kind, std::int16_t surface) {
+        this->Insert({ distance, kind, surface }, ray, layers, found);
+      });
+    for (std::size_t i = 0; i < found.Count && layers.IsOpen(ray); ++i)
+    {
+      layers.Append(ray, this->Rays->Begin[ray], HitKind::Cap, found.All[i].Surface);
+    }
   }
 
   std::uint64_t CellsOf(std::int64_t node, const glm::ivec3& cell) const override

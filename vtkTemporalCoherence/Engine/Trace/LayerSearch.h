@@ -46,7 +46,11 @@ public:
         const double last = next.Before().Distance;
         if (cells.Rules.IsSolid() && rays.MayBeCapped && last <= rays.Begin[ray])
         {
-          this->FindCaps(cells, rays, ray, consider);
+          const glm::ivec3 cell = cells.Shape.RayOf(rays, ray).CellAt(rays.Begin[ray], cells.Count);
+          if (this->MayHoldSolid(cells, cell))
+          {
+            this->FindCaps(cells, rays, ray, cell, consider);
+          }
         }
         if (!next.IsFound())
         {
@@ -78,24 +82,27 @@ public:
     }
   }
 
-  /// Call consider(distance, kind, surface) for all solids that are capped where a ray begins.
-  template <typename Consider>
-  void FindCaps(
-    const Cells& cells, const RayBatch& rays, std::size_t ray, const Consider& consider) const
+  /// True if a point of a cell may be in a solid that is to be seen.
+  bool MayHoldSolid(const Cells& cells, const glm::ivec3& cell) const
   {
-    const auto line = cells.Shape.RayOf(rays, ray);
-    const glm::ivec3 cell = line.CellAt(rays.Begin[ray], cells.Count);
     if (cells.IsHidden(cell))
     {
-      return;
+      return false;
     }
+    const auto [first, behind] = this->FindPassed(cells.Samples.Read(cell), true);
+    return first != behind;
+  }
+
+  /// Call consider(distance, kind, surface) for all solids that are capped where a ray begins.
+  /// \param cell in which it begins
+  /// \pre MayHoldSolid
+  template <typename Consider>
+  void FindCaps(const Cells& cells, const RayBatch& rays, std::size_t ray, const glm::ivec3& cell,
+    const Consider& consider) const
+  {
     const std::array<T, 8> samples = cells.Samples.Read(cell);
     const auto [first, behind] = this->FindPassed(samples, true);
-    if (first == behind)
-    {
-      return;
-    }
-    const Segment segment(line, cell);
+    const Segment segment(cells.Shape.RayOf(rays, ray), cell);
     for (std::size_t place = first; place < behind; ++place)
     {
       const std::size_t surface = this->Ascending[place];

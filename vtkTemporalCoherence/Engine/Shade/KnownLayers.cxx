@@ -5,7 +5,6 @@
 #include "Scene/LayerBatch.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
 namespace TemporalCoherence
@@ -31,63 +30,51 @@ void ForEachPixel(const PixelRect& part, int width, const Visit& visit)
 
 void OrderByRounds(const PixelRect& part, int width, std::vector<LayerHit>& layers)
 {
-  // Pixel by pixel first: `next` is where a pixel's next layer goes.
-  std::array<std::size_t, RayBatch::Capacity + 1> next{};
-  for (const LayerHit& hit : layers)
+  struct Round
   {
-    ++next[PlaceInTile(part, width, hit.Pixel) + 1];
+    std::uint64_t Pixels = 0; ///< those that have so many layers, by their places in the tile
+    std::size_t First = 0;    ///< where the layers of this round begin
+  };
+  const std::vector<LayerHit> before = layers;
+  std::vector<Round> rounds;
+  RayBatch::Array<std::uint32_t> count{};
+  for (const LayerHit& hit : before)
+  {
+    const std::size_t place = PlaceInTile(part, width, hit.Pixel);
+    const std::size_t round = count[place]++;
+    rounds.resize(std::max(rounds.size(), round + 1));
+    rounds[round].Pixels |= std::uint64_t(1) << place;
   }
-  std::uint64_t left = 0;
-  for (std::size_t place = 0; place < RayBatch::Capacity; ++place)
+  for (std::size_t round = 1; round < rounds.size(); ++round)
   {
-    left |= static_cast<std::uint64_t>(next[place + 1] > 0) << place;
-    next[place + 1] += next[place];
+    const Round& last = rounds[round - 1];
+    rounds[round].First = last.First + hwy::PopCount(last.Pixels);
   }
-  std::array<std::size_t, RayBatch::Capacity + 1> first = next;
-  std::vector<LayerHit> byPixel(layers.size());
-  for (const LayerHit& hit : layers)
+  count = {};
+  for (const LayerHit& hit : before)
   {
-    byPixel[next[PlaceInTile(part, width, hit.Pixel)]++] = hit;
-  }
-  // `next` is the end of each pixel's layers now.
-  layers.clear();
-  while (left != 0)
-  {
-    ForEachRay(left,
-      [&](std::size_t place)
-      {
-        layers.push_back(byPixel[first[place]++]);
-        left &= ~(static_cast<std::uint64_t>(first[place] == next[place]) << place);
-      });
+    const std::size_t place = PlaceInTile(part, width, hit.Pixel);
+    const Round& round = rounds[count[place]++];
+    const std::uint64_t inFront = round.Pixels & ((std::uint64_t(1) << place) - 1);
+    layers[round.First + hwy::PopCount(inFront)] = hit;
   }
 }
 
 KnownLayers::KnownLayers(std::int64_t tile, const PixelRect& part, const Frame& frame)
 {
   const auto place = static_cast<std::size_t>(tile);
+  if (!frame.Behind.empty())
+  {
+    this->Hidden = &frame.Behind[place].Hits;
+    this->Ended = frame.Behind[place].Ends;
+  }
   if (frame.Layers.empty())
   {
     this->TakeHits(part, frame);
   }
   else
   {
-    this->List = &frame.Layers[place];
-  }
-  if (frame.Behind.empty())
-  {
-    return;
-  }
-  this->Ended |= frame.Behind[place].Ends;
-  const std::vector<LayerHit>& behind = frame.Behind[place].Hits;
-  if (!behind.empty())
-  {
-    std::vector<LayerHit> all;
-    all.reserve(this->List->size() + behind.size());
-    all.insert(all.end(), this->List->begin(), this->List->end());
-    all.insert(all.end(), behind.begin(), behind.end());
-    OrderByRounds(part, frame.Size.x, all);
-    this->Collected.swap(all);
-    this->List = &this->Collected;
+    this->Seen = &frame.Layers[place];
   }
 }
 
@@ -101,7 +88,7 @@ void KnownLayers::TakeHits(const PixelRect& part, const Frame& frame)
       const std::int16_t surface = frame.Isovalues[at];
       if (surface != Frame::NoSurface)
       {
-        this->Collected.push_back({ frame.Depth[at], pixel, surface, frame.Kinds[at] });
+        this->Hits.push_back({ frame.Depth[at], pixel, surface, frame.Kinds[at] });
       }
       this->Ended |= static_cast<std::uint64_t>(surface == Frame::NoSurface) << place;
     });
@@ -119,19 +106,20 @@ void StoreFirstLayers(
   LayersBehind& behind = frame.Behind[static_cast<std::size_t>(tile)];
   behind.Hits.clear();
   behind.Ends = known.Ends();
-  for (const LayerHit& hit : known.All())
-  {
-    const auto pixel = static_cast<std::size_t>(hit.Pixel);
-    if (frame.Isovalues[pixel] == Frame::NoSurface)
+  known.ForEach(
+    [&](const LayerHit& hit)
     {
-      frame.Depth[pixel] = hit.Depth;
-      frame.Isovalues[pixel] = hit.Isovalue;
-    }
-    else
-    {
-      behind.Hits.push_back(hit);
-    }
-  }
+      const auto pixel = static_cast<std::size_t>(hit.Pixel);
+      if (frame.Isovalues[pixel] == Frame::NoSurface)
+      {
+        frame.Depth[pixel] = hit.Depth;
+        frame.Isovalues[pixel] = hit.Isovalue;
+      }
+      else
+      {
+        behind.Hits.push_back(hit);
+      }
+    });
 }
 
 }

@@ -6,6 +6,7 @@
 #include "Scene/Frame.h"
 #include "Scene/Tiles.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -31,9 +32,19 @@ public:
   KnownLayers(const KnownLayers&) = delete;
   KnownLayers& operator=(const KnownLayers&) = delete;
 
-  /// Those that are composited and those behind, in the order of Frame::Layers. If surfaces are
-  /// opaque, the first ones are the hits.
-  const std::vector<LayerHit>& All() const { return *this->List; }
+  /// Those that are composited, in the order of Frame::Layers. If surfaces are opaque: the hits.
+  const std::vector<LayerHit>& Composited() const { return *this->Seen; }
+
+  /// Those behind them. Their order is that of each pixel, from front to back.
+  const std::vector<LayerHit>& Behind() const { return *this->Hidden; }
+
+  /// Call visit(hit) for all of them, those of each pixel from front to back.
+  template <typename Visit>
+  void ForEach(const Visit& visit) const
+  {
+    std::for_each(this->Seen->begin(), this->Seen->end(), visit);
+    std::for_each(this->Hidden->begin(), this->Hidden->end(), visit);
+  }
 
   /// One bit for each pixel of the tile, row by row: it has no layers but these.
   std::uint64_t Ends() const { return this->Ended; }
@@ -41,8 +52,10 @@ public:
 private:
   void TakeHits(const PixelRect& part, const Frame& frame);
 
-  std::vector<LayerHit> Collected;
-  const std::vector<LayerHit>* List = &this->Collected;
+  std::vector<LayerHit> Hits; ///< of opaque surfaces
+  std::vector<LayerHit> None;
+  const std::vector<LayerHit>* Seen = &this->Hits;
+  const std::vector<LayerHit>* Hidden = &this->None;
   std::uint64_t Ended = 0;
 };
 

@@ -40,8 +40,6 @@ public:
     }
   }
 
-  int Width() const { return this->Planes.Size.x; } ///< of the picture
-
   std::size_t PlaceOf(std::int32_t pixel) const
   {
     return PlaceInTile(this->Part, this->Planes.Size.x, pixel);

@@ -15,19 +15,6 @@ namespace
 template <typename T>
 using Array = RayBatch::Array<T>;
 
-/// Append a surface to those that are shaded next.
-void AppendHit(const LayerHit& hit, const View& view, HitList& hits)
-{
-  const std::size_t at = hits.Rays.Count++;
-  const glm::dvec2 centre = view.PixelCentre(hit.Pixel % view.Size.x, hit.Pixel / view.Size.x);
-  hits.Pixel[at] = hit.Pixel;
-  hits.Surface[at] = hit.Isovalue;
-  hits.Kind[at] = hit.Kind;
-  hits.Rays.X[at] = centre.x;
-  hits.Rays.Y[at] = centre.y;
-  hits.Rays.T[at] = hit.Depth;
-}
-
 /// The pixels of the first of some layers that are kept round by round.
 void FindFirstRound(const std::vector<LayerHit>& layers, HitList& hits)
 {
@@ -44,21 +31,35 @@ void FindFirstRound(const std::vector<LayerHit>& layers, HitList& hits)
 
 }
 
-/// Normalised device coordinates of the pixels of a tile, for rays that do not begin at one point.
+/// Normalised device coordinates of the pixels of a tile, row by row.
 struct TileCompositor::PixelCentres
 {
-  PixelCentres(const View& view, const PixelRect& part)
+  void Find(const View& view, const PixelRect& part)
   {
     std::size_t place = 0;
-    for (int y = 0; y < part.Size.y && view.Parallel; ++y)
+    for (int y = 0; y < part.Size.y; ++y)
     {
+      const double ofRow = view.PixelCentre(0, part.First.y + y).y;
       for (int x = 0; x < part.Size.x; ++x, ++place)
       {
-        const glm::dvec2 centre = view.PixelCentre(part.First.x + x, part.First.y + y);
-        this->X[place] = centre.x;
-        this->Y[place] = centre.y;
+        // All rows have the same columns.
+        this->X[place] =
+          y == 0 ? view.PixelCentre(part.First.x + x, 0).x : this->X[static_cast<std::size_t>(x)];
+        this->Y[place] = ofRow;
       }
     }
+  }
+
+  /// Append a surface to those that are shaded next. \param place of its pixel
+  void Append(const LayerHit& hit, std::size_t place, HitList& hits) const
+  {
+    const std::size_t at = hits.Rays.Count++;
+    hits.Pixel[at] = hit.Pixel;
+    hits.Surface[at] = hit.Isovalue;
+    hits.Kind[at] = hit.Kind;
+    hits.Rays.X[at] = this->X[place];
+    hits.Rays.Y[at] = this->Y[place];
+    hits.Rays.T[at] = hit.Depth;
   }
 
   Array<double> X, Y;
@@ -128,8 +129,13 @@ void TileCompositor::Composite(std::int64_t tile, const PixelRect& part, TileHit
     this->SetUp(tile, part, frame, *found);
     counts.CellsRead += found->Layers.CellsRead;
   }
+  PixelCentres centres;
+  if (this->Key.View.Parallel)
+  {
+    centres.Find(this->Key.View, part); // other rays begin at one point
+  }
   LayerCanvas canvas(part, frame);
-  this->AddAll(part, *found, canvas, kept, counts);
+  this->AddAll(*found, centres, canvas, kept, counts);
   if (behind)
   {
     behind->Ends = canvas.Passing(); // else the search would have gone on
@@ -141,10 +147,9 @@ void TileCompositor::Composite(std::int64_t tile, const PixelRect& part, TileHit
 
 /// Shade and composite the layers that were found, and find and add those behind them, until the
 /// pixels are opaque.
-void TileCompositor::AddAll(const PixelRect& part, TileHits& found, LayerCanvas& canvas,
+void TileCompositor::AddAll(TileHits& found, const PixelCentres& centres, LayerCanvas& canvas,
   std::vector<LayerHit>& kept, TraceCounts& counts) const
 {
-  const PixelCentres centres(this->Key.View, part);
   this->AddLayers(found, centres, canvas, kept);
   while (found.Layers.BeginNext(static_cast<std::size_t>(found.Rays.Count), canvas.Transmittance()))
   {
@@ -162,12 +167,20 @@ void TileCompositor::CompositeKnown(std::int64_t tile, const PixelRect& part, co
   const KnownLayers known(tile, part, last);
   kept.clear();
   behind.Hits.clear();
+  PixelCentres centres;
+  centres.Find(this->Key.View, part);
   LayerCanvas canvas(part, frame);
-  this->AddKnown(known.All(), canvas, kept, behind.Hits);
+  this->AddKnown(known.Composited(), centres, canvas, kept, behind.Hits);
+  const std::size_t inOrder = kept.size();
+  this->AddKnown(known.Behind(), centres, canvas, kept, behind.Hits);
   const std::uint64_t open = canvas.Passing() & ~known.Ends();
   if (open != 0)
   {
-    this->AddBehind(known, open, tile, part, canvas, kept, counts);
+    this->AddUnknown(known, open, tile, part, centres, canvas, kept, counts);
+  }
+  if (kept.size() > inOrder)
+  {
+    OrderByRounds(part, frame.Size.x, kept);
   }
   behind.Ends = known.Ends() | canvas.Passing();
   counts.Layers += static_cast<std::int64_t>(kept.size());
@@ -177,71 +190,63 @@ void TileCompositor::CompositeKnown(std::int64_t tile, const PixelRect& part, co
 
 /// Shade known layers and composite them behind the present ones, and keep them. Those that no
 /// light reaches are kept elsewhere.
-void TileCompositor::AddKnown(const std::vector<LayerHit>& known, LayerCanvas& canvas,
-  std::vector<LayerHit>& kept, std::vector<LayerHit>& behind) const
+void TileCompositor::AddKnown(const std::vector<LayerHit>& known, const PixelCentres& centres,
+  LayerCanvas& canvas, std::vector<LayerHit>& kept, std::vector<LayerHit>& behind) const
 {
-  const View& view = this->Key.View;
+  const RayBatch::Array<float>& transmittance = canvas.Transmittance();
   std::array<ShadedLayer, RayBatch::Capacity> shaded;
   std::array<const LayerHit*, RayBatch::Capacity> from;
-  const auto isReached = [&canvas](const LayerHit& hit)
-  { return canvas.Transmittance()[canvas.PlaceOf(hit.Pixel)] != 0.0f; };
+  std::array<std::size_t, RayBatch::Capacity> places;
   for (auto next = known.begin(); next != known.end();)
   {
     HitList hits;
     std::size_t& count = hits.Rays.Count;
     for (count = 0; next != known.end() && count < from.size(); ++next)
     {
-      if (isReached(*next))
-      {
-        from[count] = &*next;
-        AppendHit(*next, view, hits);
-      }
-      else
+      const std::size_t place = canvas.PlaceOf(next->Pixel);
+      if (transmittance[place] == 0.0f)
       {
         behind.push_back(*next);
+        continue;
       }
+      from[count] = &*next;
+      places[count] = place;
+      centres.Append(*next, place, hits);
     }
     if (count > 0)
     {
-      FindHitPoints(view, hits);
+      FindHitPoints(this->Key.View, hits);
       this->Shade(hits, shaded.data());
     }
     for (std::size_t i = 0; i < count; ++i)
     {
       // One in front of it may have made its pixel opaque.
-      const bool isAdded = isReached(*from[i]);
-      LayerHit& hit = (isAdded ? kept : behind).emplace_back(*from[i]);
-      if (isAdded)
+      const bool isReached = transmittance[places[i]] > 0.0f;
+      LayerHit& hit = (isReached ? kept : behind).emplace_back(*from[i]);
+      if (isReached)
       {
-        hit.Color = canvas.Add(canvas.PlaceOf(hit.Pixel), hit, shaded[i]);
+        hit.Color = canvas.Add(places[i], hit, shaded[i]);
       }
     }
   }
 }
 
 /// Find the layers behind all known ones along some rays, one bit each, and add them.
-void TileCompositor::AddBehind(const KnownLayers& known, std::uint64_t open, std::int64_t tile,
-  const PixelRect& part, LayerCanvas& canvas, std::vector<LayerHit>& kept,
-  TraceCounts& counts) const
+void TileCompositor::AddUnknown(const KnownLayers& known, std::uint64_t open, std::int64_t tile,
+  const PixelRect& part, const PixelCentres& centres, LayerCanvas& canvas,
+  std::vector<LayerHit>& kept, TraceCounts& counts) const
 {
   TileHits found;
   this->SetUpRays(tile, part, found);
   LayerBatch& layers = found.Layers;
   layers.BeginBehind(
     static_cast<std::size_t>(found.Rays.Count), this->Alphas, open, canvas.Transmittance());
-  for (const LayerHit& hit : known.All())
-  {
-    layers.SetLast(canvas.PlaceOf(hit.Pixel), hit); // the last one in the end
-  }
+  known.ForEach([&](const LayerHit& hit)
+    { layers.SetLast(canvas.PlaceOf(hit.Pixel), hit); }); // the last one in the end
   FindLayersWithin(this->Rays.Clipper, *this->Tracer, found.Rays, layers);
   counts.TracedRays += static_cast<std::int64_t>(hwy::PopCount(open));
   counts.CellsRead += layers.CellsRead;
-  const std::size_t before = kept.size();
-  this->AddAll(part, found, canvas, kept, counts);
-  if (kept.size() > before)
-  {
-    OrderByRounds(part, canvas.Width(), kept);
-  }
+  this->AddAll(found, centres, canvas, kept, counts);
 }
 
 /// Shade surfaces, composite them behind the present ones, and keep them: round by round, and by
@@ -321,8 +326,11 @@ void TileCompositor::CompositeAgain(std::int64_t tile, const PixelRect& part, Fr
   {
     return;
   }
+  PixelCentres centres;
+  centres.Find(this->Key.View, part);
   LayerCanvas canvas(part, frame);
   std::array<ShadedLayer, RayBatch::Capacity> shaded;
+  std::array<std::size_t, RayBatch::Capacity> places;
   for (std::size_t begin = 0; begin < layers.size(); begin += shaded.size())
   {
     const std::size_t end = std::min(begin + shaded.size(), layers.size());
@@ -330,13 +338,15 @@ void TileCompositor::CompositeAgain(std::int64_t tile, const PixelRect& part, Fr
     hits.Rays.Count = 0;
     for (std::size_t i = begin; i < end; ++i)
     {
-      AppendHit(layers[i], this->Key.View, hits);
+      const std::size_t place = canvas.PlaceOf(layers[i].Pixel);
+      places[i - begin] = place;
+      centres.Append(layers[i], place, hits);
     }
     FindHitPoints(this->Key.View, hits);
     this->Shade(hits, shaded.data());
     for (std::size_t i = begin; i < end; ++i)
     {
-      layers[i].Color = canvas.Add(canvas.PlaceOf(layers[i].Pixel), layers[i], shaded[i - begin]);
+      layers[i].Color = canvas.Add(places[i - begin], layers[i], shaded[i - begin]);
     }
   }
   canvas.Finish();

@@ -60,15 +60,15 @@ private:
   struct PixelCentres;
   void SetUpRays(std::int64_t tile, const PixelRect& part, TileHits& found) const;
   void SetUp(std::int64_t tile, const PixelRect& part, const Frame& frame, TileHits& found) const;
-  void AddAll(const PixelRect& part, TileHits& found, LayerCanvas& canvas,
+  void AddAll(TileHits& found, const PixelCentres& centres, LayerCanvas& canvas,
     std::vector<LayerHit>& kept, TraceCounts& counts) const;
   void AddLayers(const TileHits& found, const PixelCentres& centres, LayerCanvas& canvas,
     std::vector<LayerHit>& kept) const;
-  void AddKnown(const std::vector<LayerHit>& known, LayerCanvas& canvas,
-    std::vector<LayerHit>& kept, std::vector<LayerHit>& behind) const;
-  void AddBehind(const KnownLayers& known, std::uint64_t open, std::int64_t tile,
-    const PixelRect& part, LayerCanvas& canvas, std::vector<LayerHit>& kept,
-    TraceCounts& counts) const;
+  void AddKnown(const std::vector<LayerHit>& known, const PixelCentres& centres,
+    LayerCanvas& canvas, std::vector<LayerHit>& kept, std::vector<LayerHit>& behind) const;
+  void AddUnknown(const KnownLayers& known, std::uint64_t open, std::int64_t tile,
+    const PixelRect& part, const PixelCentres& centres, LayerCanvas& canvas,
+    std::vector<LayerHit>& kept, TraceCounts& counts) const;
   void TakeHits(
     const TileHits& found, const PixelCentres& centres, std::size_t first, HitList& hits) const;
   void Shade(HitList& hits, ShadedLayer* shaded) const;

@@ -60,6 +60,7 @@ set(engine_files
   Beams/KernelsBandBeam
   Beams/KernelsBeam
   Beams/KernelsBeamSetUp
+  Beams/KernelsCellValues
   Beams/KernelsLayerBeam
   Beams/KernelsMetCells
   Fields/KernelsCorners

@@ -123,25 +123,33 @@ protected:
   {
     Grid<T> grid(dimensions, components, components - 1);
     grid.FillRandomly(low, high, 5);
+    this->CompareBetween<T>(grid.Field, low, high);
     if constexpr (std::is_floating_point_v<T>)
     {
+      // With holes, too.
       for (std::size_t i = 0; i < grid.Samples.size(); i += 7)
       {
         const T infinity = std::numeric_limits<T>::infinity();
         grid.Samples[i] = i % 3 == 0 ? infinity : i % 3 == 1 ? -infinity : T(NAN);
       }
-    }
-    for (const Interpolation between : { Interpolation::Linear, Interpolation::Nearest })
-    {
-      grid.Field.Between = between;
-      for (const int count : { 1, 7, 16, 41, 64 })
-      {
-        this->CompareAt<T>(grid.Field, { low, high }, static_cast<std::size_t>(count));
-      }
+      this->CompareBetween<T>(grid.Field, low, high);
     }
   }
 
 private:
+  template <typename T>
+  void CompareBetween(Field field, double low, double high)
+  {
+    for (const Interpolation between : { Interpolation::Linear, Interpolation::Nearest })
+    {
+      field.Between = between;
+      for (const int count : { 1, 7, 16, 41, 64 })
+      {
+        this->CompareAt<T>(field, { low, high }, static_cast<std::size_t>(count));
+      }
+    }
+  }
+
   template <typename T>
   void CompareAt(const Field& field, const glm::dvec2& range, std::size_t count)
   {
@@ -199,6 +207,8 @@ TEST_F(KernelsGradients, WideIntegersAndReals)
   this->Compare<std::uint64_t>({ 9, 7, 8 }, 0.0, 1e19);
   this->Compare<float>({ 9, 7, 8 }, -3.0, 5.0);
   this->Compare<double>({ 9, 7, 8 }, -1e200, 1e200);
+  this->Compare<double>({ 9, 7, 8 }, -1e-3, 1.0);
+  this->Compare<double>({ 9, 7, 8 }, -1e300, 1e300);
 }
 
 TEST_F(KernelsGradients, OneOfSeveralComponents)

@@ -5,12 +5,14 @@
 
 #include "Beams/BeamLevels.h"
 #include "Beams/KernelsBeam.h"
+#include "Beams/KernelsCellValues.h"
 #include "Beams/KernelsMetCells.h"
 #include "Trace/TracedCells.h"
 
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <type_traits>
 
 #include <hwy/base.h>
 
@@ -72,24 +74,7 @@ protected:
     const auto number = static_cast<std::size_t>(this->NumberOfRead);
     Corners<Real>& differences = this->FromBase[number];
     this->Places[number] = cell;
-    const T* const sample = this->Cells.Samples.All().At(cell);
-    const glm::i64vec3& s = this->Cells.Samples.All().Strides;
-    const std::array<std::int64_t, 4> rows = { 0, s.y, s.z, s.y + s.z };
-    const auto& difference = this->Cells.Differences[this->Given.Base];
-    const auto single = [&](Real value)
-    {
-      return static_cast<float>(
-        sizeof(Real) == sizeof(float) ? value : value * static_cast<Real>(this->Given.Unit));
-    };
-    for (std::size_t row = 0; row < 4; ++row) // in one loop: measured faster than in three
-    {
-      const T* const from = sample + rows[row];
-      const Real low = difference(static_cast<typename Geometry::Value>(from[0]));
-      const Real high = difference(static_cast<typename Geometry::Value>(from[s.x]));
-      differences[2 * row] = low;
-      differences[2 * row + 1] = high;
-      values.Set(row, single(low), single(high));
-    }
+    this->TakeDifferences(cell, differences, values);
     if (!(this->Given.template AreAlwaysTold<T>() ||
           this->Given.AreTold(this->Cells.Samples.Read(cell))))
     {
@@ -103,14 +88,21 @@ protected:
   /// \return one bit for each ray that has such a cell
   template <typename Where>
   std::uint64_t TakeMet(
-    const OfReadCells<Where>& places, const TileBeam& beam, SegmentBatch<Real>& segments) const
+    const OfReadCells<Where>& places, const TileBeam& beam, SegmentBatch<Real>& segments)
   {
     segments.All = &this->Rays;
     segments.Count = this->Rays.Count;
     const std::uint64_t met = GatherPlaces(places, beam.Cell, segments);
-    return this->Rays.Count < RayBatch::Capacity
-      ? met & ((std::uint64_t(1) << this->Rays.Count) - 1)
-      : met;
+    if (this->Given.Isovalues.size() > 1)
+    {
+      std::fill_n(this->MetBy.begin(), this->CountOfRead(), std::uint64_t(0));
+      for (std::uint64_t left = met; left != 0; left &= left - 1)
+      {
+        const std::size_t ray = hwy::Num0BitsBelowLS1Bit_Nonzero64(left);
+        this->MetBy[static_cast<std::size_t>(beam.Cell[ray])] |= std::uint64_t(1) << ray;
+      }
+    }
+    return met;
   }
 
   /// Set the corners of the cells that rays have met.
@@ -126,19 +118,16 @@ protected:
       return met != 0;
     }
     OfReadCells<Corners<Real>> differences;
-    OfReadCells<std::uint8_t> canHold;
+    segments.Wanted = 0;
     for (std::size_t i = 0; i < this->CountOfRead(); ++i)
     {
-      differences[i] = isovalue == this->Given.Base
-        ? this->FromBase[i]
-        : this->Cells.Differ(this->Cells.Samples.Read(this->Places[i]), isovalue);
-      canHold[i] = this->Cells.CanHold(differences[i]);
-    }
-    for (std::uint64_t left = met; left != 0; left &= left - 1)
-    {
-      const std::size_t ray = hwy::Num0BitsBelowLS1Bit_Nonzero64(left);
-      const bool isWanted = canHold[static_cast<std::size_t>(beam.Cell[ray])] != 0;
-      segments.Wanted ^= static_cast<std::uint64_t>(!isWanted) << ray;
+      if (this->MetBy[i] != 0)
+      {
+        differences[i] = isovalue == this->Given.Base
+          ? this->FromBase[i]
+          : this->Cells.Differ(this->Cells.Samples.Read(this->Places[i]), isovalue);
+        segments.Wanted |= this->Cells.CanHold(differences[i]) ? this->MetBy[i] : 0;
+      }
     }
     if (segments.Wanted != 0)
     {
@@ -185,7 +174,41 @@ protected:
   OfReadCells<glm::ivec3> Places;     ///< of the cells that are read
 
 private:
+  /// Take the differences at the corners of a cell from the base.
+  void TakeDifferences(const glm::ivec3& cell, Corners<Real>& differences, CellValues& values) const
+  {
+    const T* const sample = this->Cells.Samples.All().At(cell);
+    const glm::i64vec3& s = this->Cells.Samples.All().Strides;
+    const std::array<std::int64_t, 4> rows = { 0, s.y, s.z, s.y + s.z };
+    const auto& difference = this->Cells.Differences[this->Given.Base];
+    if constexpr (std::is_floating_point_v<T>)
+    {
+      if (s.x == 1)
+      {
+        const CellRows<T> from = { sample, sample + rows[1], sample + rows[2], sample + rows[3] };
+        FindCellValues(from, difference.InDouble(), this->Given.Unit, differences, values);
+        return;
+      }
+    }
+    const auto single = [&](Real value)
+    {
+      return static_cast<float>(
+        sizeof(Real) == sizeof(float) ? value : value * static_cast<Real>(this->Given.Unit));
+    };
+    for (std::size_t row = 0; row < 4; ++row) // in one loop: measured faster than in three
+    {
+      const T* const from = sample + rows[row];
+      const Real low = difference(static_cast<typename Geometry::Value>(from[0]));
+      const Real high = difference(static_cast<typename Geometry::Value>(from[s.x]));
+      differences[2 * row] = low;
+      differences[2 * row + 1] = high;
+      values.Set(row, single(low), single(high));
+    }
+  }
+
   OfReadCells<Corners<Real>> FromBase; ///< differences at the corners of these cells
+  /// Rays that meet a surface in them for sure, one bit each. Only set for several isovalues.
+  OfReadCells<std::uint64_t> MetBy;
   std::int32_t NumberOfRead = 0;
 };
 

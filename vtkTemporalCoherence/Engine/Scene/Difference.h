@@ -81,6 +81,13 @@ struct IsovalueScale
   double Largest = std::numeric_limits<double>::max(), Smallest = 0.0; ///< isovalues
 };
 
+/// How a difference is taken in double.
+struct DifferenceInDouble
+{
+  double Isovalue; ///< samples below it have differences of at most -Least
+  double Factor, High, Low, Limit, Least;
+};
+
 /// Differences of samples from one isovalue, with the exact sign and full relative precision near
 /// the isovalue, in the type the engine computes with. (Integers beyond 2^53 are rounded to
 /// double.)
@@ -122,14 +129,13 @@ public:
       std::min(static_cast<double>(this->Limit) / this->Factor, largest) };
   }
 
-  /// How a difference of doubles is taken, for kernels: see operator().
-  struct ScaledParts
+  /// How a difference is taken, for kernels: see operator().
+  DifferenceInDouble InDouble() const
   {
-    double Isovalue, Factor, High, Limit, Least;
-  };
-  ScaledParts PartsOfScaled() const
-  {
-    return { this->Isovalue, this->Factor, this->High, this->Limit, Least };
+    static_assert(std::is_same_v<Real, double>);
+    constexpr double none = -std::numeric_limits<double>::infinity();
+    return { IsScaled ? this->Isovalue : none, this->Factor, this->High, this->Low, this->Limit,
+      Least };
   }
 
   Real operator()(T sample) const

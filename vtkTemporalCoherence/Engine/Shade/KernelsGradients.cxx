@@ -11,6 +11,7 @@
 #include <hwy/foreach_target.h>
 
 #include "Scene/KernelsPacked-inl.h"
+#include "Shade/RealRows-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace TemporalCoherence
@@ -89,72 +90,6 @@ struct GatheringLoader : PackedSamples::HWY_NAMESPACE::GatheredRows<T>
     return Rows::AsFloats(hn::Sub(a, b));
   }
 };
-
-/// The same for numbers that may be large or not finite: differences from the isovalue are taken
-/// first.
-template <typename Stored>
-struct RealRowLoader
-{
-  using D = hn::CappedTag<double, WidestVector / 2>;
-  using DK = hn::Rebind<Stored, D>;
-  using V = hn::Vec<D>;
-
-  HWY_INLINE RealRowLoader(const RowBatch<Stored>& rows, std::size_t i)
-    : From(rows)
-    , At(i)
-    , High(hn::LoadU(D(), &rows.High[i]))
-    , Low(hn::LoadU(D(), &rows.Low[i]))
-    , Limit(hn::LoadU(D(), &rows.Limit[i]))
-  {
-  }
-
-  HWY_INLINE void Along(std::size_t row, V out[4]) const
-  {
-    hn::Vec<DK> a, b, c, e;
-    hn::LoadInterleaved4(DK(), this->From.Along[row][this->At].data(), a, b, c, e);
-    out[0] = this->FromIsovalue(a);
-    out[1] = this->FromIsovalue(b);
-    out[2] = this->FromIsovalue(c);
-    out[3] = this->FromIsovalue(e);
-  }
-
-  HWY_INLINE void Beside(std::size_t row, V out[2]) const
-  {
-    hn::Vec<DK> a, b;
-    hn::LoadInterleaved2(DK(), this->From.Beside[row][this->At].data(), a, b);
-    out[0] = this->FromIsovalue(a);
-    out[1] = this->FromIsovalue(b);
-  }
-
-  HWY_INLINE V Minus(V a, V b) const { return hn::Sub(a, b); }
-
-private:
-  /// Difference of Surfaces.h.
-  HWY_INLINE V FromIsovalue(hn::Vec<DK> samples) const
-  {
-    V value;
-    if constexpr (sizeof(Stored) == 8)
-    {
-      value = samples;
-    }
-    else
-    {
-      value = hn::PromoteTo(D(), samples);
-    }
-    const V difference = hn::Sub(hn::Sub(value, this->High), this->Low);
-    const V lowest = hn::Neg(this->Limit);
-    const V raised = hn::IfThenElse(hn::Gt(difference, lowest), difference, lowest);
-    return hn::IfThenElse(hn::Lt(raised, this->Limit), raised, this->Limit);
-  }
-
-  const RowBatch<Stored>& From;
-  std::size_t At;
-  V High, Low, Limit;
-};
-
-template <typename Stored>
-using RowLoader =
-  std::conditional_t<std::is_integral_v<Stored>, IntegerRowLoader<Stored>, RealRowLoader<Stored>>;
 
 HWY_INLINE hn::Vec<hn::CappedTag<float, WidestVector>> LoadWhole(
   hn::CappedTag<float, WidestVector> d, const std::int32_t* from)
@@ -270,13 +205,33 @@ HWY_INLINE void InterpolateAll(const glm::ivec3& dimensions, const CellPoints<Re
   }
 }
 
-template <typename Stored, typename Real>
-HWY_INLINE void InterpolateRows(const glm::ivec3& dimensions, const CellPoints<Real>& points,
+template <typename Loader, typename Stored, typename Real>
+HWY_INLINE void InterpolateLoaded(const glm::ivec3& dimensions, const CellPoints<Real>& points,
   const RowBatch<Stored>& rows, Vectors& gradients)
 {
-  using Loader = RowLoader<Stored>;
   InterpolateAll<Loader>(
     dimensions, points, [&](std::size_t i) HWY_ATTR { return Loader(rows, i); }, gradients);
+}
+
+template <typename Stored>
+HWY_INLINE void InterpolateRows(const glm::ivec3& dimensions, const CellPoints<float>& points,
+  const RowBatch<Stored>& rows, Vectors& gradients)
+{
+  InterpolateLoaded<IntegerRowLoader<Stored>>(dimensions, points, rows, gradients);
+}
+
+template <typename Stored>
+HWY_INLINE void InterpolateRows(const glm::ivec3& dimensions, const CellPoints<double>& points,
+  const RowBatch<Stored>& rows, Vectors& gradients)
+{
+  if (AreWithinLimits(rows, points.Count))
+  {
+    InterpolateLoaded<RealRowLoader<Stored, false>>(dimensions, points, rows, gradients);
+  }
+  else
+  {
+    InterpolateLoaded<RealRowLoader<Stored, true>>(dimensions, points, rows, gradients);
+  }
 }
 
 template <typename T>

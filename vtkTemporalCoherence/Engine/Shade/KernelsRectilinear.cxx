@@ -80,8 +80,7 @@ HWY_INLINE V Bounded(V gradient, V largest)
 
 /// Difference of a vector of samples.
 template <class D>
-HWY_INLINE hn::Vec<D> FromIsovalue(
-  D d, const Difference<double>::ScaledParts& parts, const double* samples)
+HWY_INLINE hn::Vec<D> FromIsovalue(D d, const DifferenceInDouble& parts, const double* samples)
 {
   const auto sample = hn::LoadU(d, samples);
   const auto limit = hn::Set(d, parts.Limit), lowest = hn::Set(d, -parts.Limit);

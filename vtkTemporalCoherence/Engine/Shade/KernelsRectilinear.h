@@ -38,7 +38,7 @@ struct GridCells
   std::array<Samples, RayBatch::Capacity> Around;
   std::array<Distances, RayBatch::Capacity> Between;
   /// How differences from the cell's isovalue are taken.
-  std::array<Difference<double>::ScaledParts, RayBatch::Capacity> FromIsovalue;
+  std::array<DifferenceInDouble, RayBatch::Capacity> FromIsovalue;
 };
 
 /// Find gradients: central differences at the corners of cells, interpolated to the points.

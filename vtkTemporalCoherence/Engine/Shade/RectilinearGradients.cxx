@@ -89,9 +89,8 @@ private:
     this->Surface[number] = surface;
     this->ReadAround(place, number);
     const bool isKnown = number > 0 && this->Surface[number - 1] == surface;
-    this->Cells.FromIsovalue[number] = isKnown
-      ? this->Cells.FromIsovalue[number - 1]
-      : DifferenceFor(this->Query, surface).PartsOfScaled();
+    this->Cells.FromIsovalue[number] = isKnown ? this->Cells.FromIsovalue[number - 1]
+                                               : DifferenceFor(this->Query, surface).InDouble();
     return static_cast<std::int32_t>(number);
   }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The cells that points lie in.
+// The cells that hits lie in.
 
 #include "Shade/KernelsGradients.h"
 
@@ -47,8 +47,7 @@ HWY_INLINE void StoreAs(D, hn::Vec<D> value, float* to)
 }
 
 template <typename Real>
-HWY_INLINE bool FindAllCells(
-  const CellSpace& space, const Vectors& directions, const Vectors& points, CellPoints<Real>& found)
+HWY_INLINE bool FindAllCells(const CellSpace& space, const HitRays& rays, CellPoints<Real>& found)
 {
   const hn::CappedTag<double, WidestVector / 2> d;
   const hn::Rebind<std::int32_t, decltype(d)> di;
@@ -59,8 +58,16 @@ HWY_INLINE bool FindAllCells(
   // Up to the end of the widest vectors of Real.
   for (std::size_t i = 0; i < WholeVectors(found.Count); i += hn::Lanes(d))
   {
-    const V x = hn::LoadU(d, &points[0][i]), y = hn::LoadU(d, &points[1][i]),
-            z = hn::LoadU(d, &points[2][i]);
+    const V t = hn::LoadU(d, &rays.T[i]);
+    V unit[3], point[3];
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      unit[a] = hn::LoadU(d, &(*rays.Direction)[a][i]);
+      const V begin =
+        rays.AreApart ? hn::LoadU(d, &rays.Begin[a][i]) : hn::Set(d, rays.Eye[static_cast<int>(a)]);
+      point[a] = hn::Add(begin, hn::Mul(t, unit[a]));
+    }
+    const V x = point[0], y = point[1], z = point[2];
     V p[3];
     for (int a = 0; a < 3; ++a)
     {
@@ -69,12 +76,11 @@ HWY_INLINE bool FindAllCells(
     }
     if (space.IsNearest)
     {
-      const V dx = hn::LoadU(d, &directions[0][i]), dy = hn::LoadU(d, &directions[1][i]),
-              dz = hn::LoadU(d, &directions[2][i]);
       V along[3];
       for (int a = 0; a < 3; ++a)
       {
-        along[a] = Dot(hn::Set(d, m[0][a]), hn::Set(d, m[1][a]), hn::Set(d, m[2][a]), dx, dy, dz);
+        along[a] = Dot(
+          hn::Set(d, m[0][a]), hn::Set(d, m[1][a]), hn::Set(d, m[2][a]), unit[0], unit[1], unit[2]);
       }
       const V square = Dot(along[0], along[1], along[2], along[0], along[1], along[2]);
       const V perLength = hn::Div(one, hn::Sqrt(square));
@@ -97,16 +103,14 @@ HWY_INLINE bool FindAllCells(
   return hn::AllFalse(d, isOuter);
 }
 
-bool CellsFloat(const CellSpace& space, const Vectors& directions, const Vectors& points,
-  CellPoints<float>& found)
+bool CellsFloat(const CellSpace& space, const HitRays& rays, CellPoints<float>& found)
 {
-  return FindAllCells(space, directions, points, found);
+  return FindAllCells(space, rays, found);
 }
 
-bool CellsDouble(const CellSpace& space, const Vectors& directions, const Vectors& points,
-  CellPoints<double>& found)
+bool CellsDouble(const CellSpace& space, const HitRays& rays, CellPoints<double>& found)
 {
-  return FindAllCells(space, directions, points, found);
+  return FindAllCells(space, rays, found);
 }
 
 }
@@ -123,16 +127,14 @@ namespace GradientKernels
 HWY_EXPORT(CellsFloat);
 HWY_EXPORT(CellsDouble);
 
-bool FindCells(const CellSpace& space, const Vectors& directions, const Vectors& points,
-  CellPoints<float>& found)
+bool FindCells(const CellSpace& space, const HitRays& rays, CellPoints<float>& found)
 {
-  return HWY_DYNAMIC_DISPATCH(CellsFloat)(space, directions, points, found);
+  return HWY_DYNAMIC_DISPATCH(CellsFloat)(space, rays, found);
 }
 
-bool FindCells(const CellSpace& space, const Vectors& directions, const Vectors& points,
-  CellPoints<double>& found)
+bool FindCells(const CellSpace& space, const HitRays& rays, CellPoints<double>& found)
 {
-  return HWY_DYNAMIC_DISPATCH(CellsDouble)(space, directions, points, found);
+  return HWY_DYNAMIC_DISPATCH(CellsDouble)(space, rays, found);
 }
 
 }

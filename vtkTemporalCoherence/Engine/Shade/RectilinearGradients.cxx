@@ -182,8 +182,7 @@ private:
 void RectilinearGradients(
   const GridCoordinates& grid, const GradientQuery& query, const GradientTile& tile)
 {
-  const auto at = [](const GradientTile::Vectors& vectors, std::size_t i)
-  { return glm::dvec3(vectors[0][i], vectors[1][i], vectors[2][i]); };
+  const std::size_t count = tile.Rays.Count;
   const glm::dmat3 turn(query.IndexFromWorld);
   DispatchScalarType(query.Samples.Type,
     [&](auto type)
@@ -195,16 +194,16 @@ void RectilinearGradients(
       };
       std::int16_t surface = tile.Surfaces[0];
       GradientFinder<decltype(type)> finder(query.Samples, grid, differenceFor(surface));
-      for (std::size_t i = 0; i < tile.Count; ++i)
+      for (std::size_t i = 0; i < count; ++i)
       {
         if (tile.Surfaces[i] != surface)
         {
           surface = tile.Surfaces[i];
           finder.SetDifference(differenceFor(surface));
         }
-        const glm::dvec3 point(query.IndexFromWorld * glm::dvec4(at(tile.Points, i), 1.0));
+        const glm::dvec3 point(query.IndexFromWorld * glm::dvec4(tile.Rays.PointAt(i), 1.0));
         const CellPoint found =
-          FindCell(grid, query.Samples.Between, point, turn * at(tile.Directions, i));
+          FindCell(grid, query.Samples.Between, point, turn * tile.Rays.DirectionAt(i));
         const glm::dvec3 gradient = query.Samples.Between == Interpolation::Nearest
           ? finder.AtSampleOf(found)
           : finder.At(found);
@@ -217,8 +216,8 @@ void RectilinearGradients(
   for (RayBatch::Array<double>& along : tile.Gradients)
   {
     // So that no lane of the last vector is uninitialised.
-    std::fill(along.begin() + static_cast<std::ptrdiff_t>(tile.Count),
-      along.begin() + static_cast<std::ptrdiff_t>(WholeVectors(tile.Count)), along[tile.Count - 1]);
+    std::fill(along.begin() + static_cast<std::ptrdiff_t>(count),
+      along.begin() + static_cast<std::ptrdiff_t>(WholeVectors(count)), along[count - 1]);
   }
 }
 

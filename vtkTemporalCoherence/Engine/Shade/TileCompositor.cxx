@@ -23,8 +23,8 @@ void AppendHit(const LayerHit& hit, const Frame& frame, const View& view, HitLis
   hits.Pixel[at] = hit.Pixel;
   hits.Surface[at] = hit.Isovalue;
   hits.Kind[at] = hit.Kind;
-  hits.Rays.X[at] = centre.x;
-  hits.Rays.Y[at] = centre.y;
+  hits.X[at] = centre.x;
+  hits.Y[at] = centre.y;
   hits.Rays.T[at] = hit.Depth;
 }
 
@@ -187,19 +187,18 @@ void TileCompositor::TakeHits(
   take(found.Rays.Pixel, hits.Pixel);
   if (this->Key.View.Parallel)
   {
-    take(centres.X, hits.Rays.X);
-    take(centres.Y, hits.Rays.Y);
-    FindHitPoints(this->Key.View, hits);
+    take(centres.X, hits.X);
+    take(centres.Y, hits.Y);
+    FindHitRays(this->Key.View, hits);
     return;
   }
-  WorldDirections directions;
+  hits.Rays.Eye = this->Key.View.Origin;
   for (std::size_t a = 0; a < 3; ++a)
   {
-    take(found.World[a], directions[a]);
-    FillLastVector(count, directions[a]);
+    take(found.World[a], hits.Rays.Own[a]);
+    FillLastVector(count, hits.Rays.Own[a]);
   }
   FillLastVector(count, hits.Rays.T);
-  ShadingKernels::FindPointsFrom(this->Key.View.Origin, directions, hits.Rays.T, hits.Rays);
 }
 
 void TileCompositor::CompositeAgain(std::int64_t tile, const PixelRect& part, Frame& frame) const
@@ -220,7 +219,7 @@ void TileCompositor::CompositeAgain(std::int64_t tile, const PixelRect& part, Fr
     {
       AppendHit(layers[i], frame, this->Key.View, hits);
     }
-    FindHitPoints(this->Key.View, hits);
+    FindHitRays(this->Key.View, hits);
     this->Shade(hits, shaded.data());
     for (std::size_t i = begin; i < end; ++i)
     {

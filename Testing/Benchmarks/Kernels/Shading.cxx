@@ -20,7 +20,8 @@ using Vectors = std::array<Array<double>, 3>;
 /// A full tile at every stage of its shading.
 struct ShadedTile
 {
-  RayPoints Rays;
+  Array<double> X, Y;
+  HitRays Rays;
   Vectors Gradients;
   PhongSums Sums;
 };
@@ -43,27 +44,24 @@ template <typename T>
 std::vector<ShadedTile> ShadedTilesOf(const KernelScene<T>& scene)
 {
   const View& view = scene.Key.View;
-  std::vector<ShadedTile> tiles;
-  for (const auto& full : scene.FullTiles)
+  std::vector<ShadedTile> tiles(scene.FullTiles.size());
+  for (std::size_t number = 0; number < tiles.size(); ++number)
   {
-    ShadedTile tile;
+    const auto& full = scene.FullTiles[number];
+    ShadedTile& tile = tiles[number];
     tile.Rays.Count = tile.Sums.Count = RayBatch::Capacity;
-    tile.Rays.LinearDirection = { view.Direction, view.DirectionX, view.DirectionY };
-    tile.Rays.LinearOrigin = { view.Origin, view.OriginX, view.OriginY };
     tile.Rays.T = full.Hits.Depth;
     for (int i = 0; i < RayBatch::Capacity; ++i)
     {
       const auto ray = static_cast<std::size_t>(i);
       const glm::ivec2 pixel = full.Part.First + glm::ivec2(i % TileSize, i / TileSize);
       const glm::dvec2 at = view.PixelCentre(pixel.x, pixel.y);
-      tile.Rays.X[ray] = at.x;
-      tile.Rays.Y[ray] = at.y;
+      tile.X[ray] = at.x;
+      tile.Y[ray] = at.y;
     }
-    FindRayPoints(tile.Rays);
-    IndexGradients(QueryOf(scene),
-      { RayBatch::Capacity, tile.Rays.Point, tile.Rays.Direction, FirstSurface(), tile.Gradients });
-    FindFacingNormals(
-      RayBatch::Capacity, glm::dmat3(1.0), tile.Gradients, tile.Rays.Direction, tile.Sums.Normal);
+    FindRays(view, tile.X, tile.Y, tile.Rays);
+    IndexGradients(QueryOf(scene), { tile.Rays, FirstSurface(), tile.Gradients });
+    FindFacingNormals(tile.Rays, glm::dmat3(1.0), tile.Gradients, tile.Sums.Normal);
     tile.Sums.Toward = { 0.6f, 0.0f, 0.8f };
     tile.Sums.Diffuse = { 0.7f, 0.7f, 0.7f };
     tile.Sums.Specular = { 0.2f, 0.2f, 0.2f };
@@ -73,7 +71,6 @@ std::vector<ShadedTile> ShadedTilesOf(const KernelScene<T>& scene)
       tile.Sums.Color[channel].fill(0.8f);
       tile.Sums.Sum[channel].fill(0.1f);
     }
-    tiles.push_back(tile);
   }
   return tiles;
 }
@@ -100,14 +97,12 @@ void RegisterGradients(const std::string& type)
         SceneOf<T>().Key.Samples.Dimensions };
       GradientKernels::CellPoints<RealOf<T>> found;
       found.Count = RayBatch::Capacity;
-      FindCells(space, tile.Rays.Direction, tile.Rays.Point, found);
+      FindCells(space, tile.Rays, found);
       benchmark::DoNotOptimize(found);
     });
   Register<T>("IndexGradients/" + type,
-    [surfaces = FirstSurface()](ShadedTile& tile)
-    {
-      IndexGradients(QueryOf(SceneOf<T>()),
-        { RayBatch::Capacity, tile.Rays.Point, tile.Rays.Direction, surfaces, tile.Gradients });
+    [surfaces = FirstSurface()](ShadedTile& tile) {
+      IndexGradients(QueryOf(SceneOf<T>()), { tile.Rays, surfaces, tile.Gradients });
     });
 }
 
@@ -117,13 +112,12 @@ void KernelBenchmarks::RegisterShading()
 {
   RegisterGradients<std::uint8_t>("bytes");
   RegisterGradients<float>("floats");
-  Register<std::uint8_t>("FindRayPoints", [](ShadedTile& tile) { FindRayPoints(tile.Rays); });
+  Register<std::uint8_t>("FindRays",
+    [](ShadedTile& tile)
+    { FindRays(SceneOf<std::uint8_t>().Key.View, tile.X, tile.Y, tile.Rays); });
   Register<std::uint8_t>("FindFacingNormals",
     [](ShadedTile& tile)
-    {
-      FindFacingNormals(
-        RayBatch::Capacity, glm::dmat3(1.0), tile.Gradients, tile.Rays.Direction, tile.Sums.Normal);
-    });
+    { FindFacingNormals(tile.Rays, glm::dmat3(1.0), tile.Gradients, tile.Sums.Normal); });
   Register<std::uint8_t>("AddLight", [](ShadedTile& tile) { AddLight(tile.Rays, tile.Sums); });
   Register<std::uint8_t>("RoundColors",
     [](ShadedTile& tile)

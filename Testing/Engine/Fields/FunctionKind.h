@@ -173,10 +173,10 @@ public:
 
   void FindGradients(const GradientQuery& query, const GradientTile& tile) const override
   {
-    for (std::size_t i = 0; i < WholeVectors(tile.Count); ++i)
+    for (std::size_t i = 0; i < WholeVectors(tile.Rays.Count); ++i)
     {
-      const std::size_t from = std::min(i, tile.Count - 1);
-      const glm::dvec4 world(tile.Points[0][from], tile.Points[1][from], tile.Points[2][from], 1.0);
+      const std::size_t from = std::min(i, tile.Rays.Count - 1);
+      const glm::dvec4 world(tile.Rays.PointAt(from), 1.0);
       const glm::dvec3 gradient = this->Function.Gradient(glm::dvec3(query.IndexFromWorld * world));
       for (std::size_t a = 0; a < 3; ++a)
       {

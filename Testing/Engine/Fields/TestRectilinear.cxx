@@ -5,6 +5,7 @@
 #include "Grid.h"
 #include "Render/FrameRenderer.h"
 #include "SameFrames.h"
+#include "Shade/RaysFromPoints.h"
 #include "Shade/SurfaceNormal.h"
 #include "Trace/SurfaceTracer.h"
 
@@ -223,7 +224,8 @@ TEST(Rectilinear, GradientsAreThoseOfTheWorld)
   for (const Interpolation between : { Interpolation::Linear, Interpolation::Nearest })
   {
     grid.Field.Between = between;
-    std::array<RayBatch::Array<double>, 3> points, directions, gradients;
+    RaysFromPoints rays;
+    HitRays::Vectors gradients;
     RayBatch::Array<std::int16_t> surfaces{};
     for (std::size_t i = 0; i < 64; ++i)
     {
@@ -231,12 +233,12 @@ TEST(Rectilinear, GradientsAreThoseOfTheWorld)
       {
         // Some on the boundary of the field, where differences are one-sided.
         const double last = grid.Field.Dimensions[static_cast<int>(a)] - 1;
-        points[a][i] = i % 7 == a ? 0.0 : i % 5 == a ? last : share(engine) * last;
-        directions[a][i] = share(engine) - 0.5;
+        rays.Begin[a][i] = i % 7 == a ? 0.0 : i % 5 == a ? last : share(engine) * last;
+        rays.Own[a][i] = share(engine) - 0.5;
       }
     }
-    IndexGradients({ grid.Field, glm::dmat4(1.0), { 90.0, 130.0 }, &isovalues },
-      { 64, points, directions, surfaces, gradients });
+    IndexGradients(
+      { grid.Field, glm::dmat4(1.0), { 90.0, 130.0 }, &isovalues }, { rays, surfaces, gradients });
     for (std::size_t i = 0; i < 64; ++i)
     {
       for (std::size_t a = 0; a < 3; ++a)
@@ -262,18 +264,19 @@ TEST(Rectilinear, GradientsOfTheLargestSamplesAreNumbers)
   for (const double ratio : { 50.0, 1e8 })
   {
     grid.Field.Kind = RectilinearKind(Stretched(grid.Field.Dimensions, ratio, 3));
-    std::array<RayBatch::Array<double>, 3> points, directions, gradients;
+    RaysFromPoints rays;
+    HitRays::Vectors gradients;
     RayBatch::Array<std::int16_t> surfaces{};
     for (std::size_t i = 0; i < 64; ++i)
     {
       for (std::size_t a = 0; a < 3; ++a)
       {
-        points[a][i] = share(engine) * (grid.Field.Dimensions[static_cast<int>(a)] - 1);
-        directions[a][i] = share(engine) - 0.5;
+        rays.Begin[a][i] = share(engine) * (grid.Field.Dimensions[static_cast<int>(a)] - 1);
+        rays.Own[a][i] = share(engine) - 0.5;
       }
     }
     IndexGradients({ grid.Field, glm::dmat4(1.0), { -largest, largest }, &isovalues },
-      { 64, points, directions, surfaces, gradients });
+      { rays, surfaces, gradients });
     for (std::size_t i = 0; i < 64; ++i)
     {
       for (std::size_t a = 0; a < 3; ++a)
@@ -296,21 +299,21 @@ TEST(Rectilinear, UniformGradientsAreThoseOfImages)
     grid.Field.Between = between;
     Field rectilinear = grid.Field;
     rectilinear.Kind = RectilinearKind(Uniform(rectilinear.Dimensions));
-    std::array<RayBatch::Array<double>, 3> points, directions, gradients, others;
+    RaysFromPoints rays;
+    HitRays::Vectors gradients, others;
     RayBatch::Array<std::int16_t> surfaces{};
     for (std::size_t i = 0; i < 64; ++i)
     {
       for (std::size_t a = 0; a < 3; ++a)
       {
-        points[a][i] = share(engine) * (grid.Field.Dimensions[static_cast<int>(a)] - 1);
-        directions[a][i] = share(engine) - 0.5;
+        rays.Begin[a][i] = share(engine) * (grid.Field.Dimensions[static_cast<int>(a)] - 1);
+        rays.Own[a][i] = share(engine) - 0.5;
       }
     }
     const glm::dvec2 range(-1000.0, 1000.0);
-    IndexGradients({ grid.Field, glm::dmat4(1.0), range, &isovalues },
-      { 64, points, directions, surfaces, gradients });
-    IndexGradients({ rectilinear, glm::dmat4(1.0), range, &isovalues },
-      { 64, points, directions, surfaces, others });
+    IndexGradients(
+      { grid.Field, glm::dmat4(1.0), range, &isovalues }, { rays, surfaces, gradients });
+    IndexGradients({ rectilinear, glm::dmat4(1.0), range, &isovalues }, { rays, surfaces, others });
     for (std::size_t i = 0; i < 64; ++i)
     {
       for (std::size_t a = 0; a < 3; ++a)

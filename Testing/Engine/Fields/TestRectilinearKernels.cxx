@@ -8,6 +8,7 @@
 #include "Fields/Coordinates.h"
 #include "Fields/RectilinearCells.h"
 #include "Scene/Difference.h"
+#include "Shade/RaysFromPoints.h"
 #include "Shade/SurfaceNormal.h"
 #include "Trace/KernelsCrossing.h"
 
@@ -84,7 +85,9 @@ protected:
     const std::vector<double> isovalues{ 0.5 * low + 0.5 * high, high, 0.25 * low + 0.75 * high };
     for (const std::size_t count : { 1u, 7u, 16u, 41u, 64u })
     {
-      Vectors points, directions, expected;
+      RaysFromPoints rays;
+      rays.Count = count;
+      Vectors expected;
       RayBatch::Array<std::int16_t> surfaces;
       for (std::size_t i = 0; i < RayBatch::Capacity; ++i)
       {
@@ -94,16 +97,15 @@ protected:
           // Some on planes between samples, some a little outside of the field.
           const auto& along = this->Coordinates->Along[a];
           const auto plane = static_cast<std::size_t>(this->Random(0.0, 8.9));
-          points[a][i] =
+          rays.Begin[a][i] =
             this->Random(0.0, 1.0) < 0.3 ? along[plane] : this->Random(-1e-3, along.back() + 1e-3);
-          directions[a][i] = 1.0;
+          rays.Own[a][i] = 1.0;
         }
       }
       for (std::size_t i = 0; i < count; ++i)
       {
         const glm::dvec3 gradient = this->GradientAt(grid,
-          { isovalues[static_cast<std::size_t>(surfaces[i])], { low, high } },
-          { points[0][i], points[1][i], points[2][i] });
+          { isovalues[static_cast<std::size_t>(surfaces[i])], { low, high } }, rays.PointAt(i));
         for (std::size_t a = 0; a < 3; ++a)
         {
           expected[a][i] = gradient[static_cast<int>(a)];
@@ -113,8 +115,8 @@ protected:
         [&](const char* target)
         {
           Vectors found;
-          IndexGradients({ grid.Field, glm::dmat4(1.0), { low, high }, &isovalues },
-            { count, points, directions, surfaces, found });
+          IndexGradients(
+            { grid.Field, glm::dmat4(1.0), { low, high }, &isovalues }, { rays, surfaces, found });
           for (std::size_t a = 0; a < 3; ++a)
           {
             EXPECT_TRUE(AreIdentical(found[a], expected[a], static_cast<int>(count)))

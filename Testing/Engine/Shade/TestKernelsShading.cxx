@@ -7,8 +7,10 @@
 #include "EachTarget.h"
 #include "Grid.h"
 #include "Scene/Difference.h"
+#include "Shade/KernelsGradients.h"
 #include "Shade/KernelsShading.h"
 #include "Shade/RandomDirection.h"
+#include "Shade/RaysFromPoints.h"
 #include "Shade/SurfaceNormal.h"
 
 #include <algorithm>
@@ -154,9 +156,11 @@ private:
   void CompareAt(const Field& field, const glm::dvec2& range, std::size_t count)
   {
     std::mt19937 engine(static_cast<unsigned int>(count));
-    Vectors points, directions{};
-    PlaceRandomly(field.Dimensions, engine, points);
-    directions[0].fill(1.0);
+    RaysFromPoints rays;
+    rays.Count = count;
+    PlaceRandomly(field.Dimensions, engine, rays.Begin);
+    rays.Own = Vectors{};
+    rays.Own[0].fill(1.0);
     const std::vector<double> isovalues = { 0.5 * (range.x + range.y), range.y };
     RayBatch::Array<std::int16_t> surfaces;
     for (std::size_t i = 0; i < surfaces.size(); ++i)
@@ -167,7 +171,7 @@ private:
     for (std::size_t i = 0; i < count; ++i)
     {
       const double isovalue = isovalues[static_cast<std::size_t>(surfaces[i])];
-      glm::dvec3 point(points[0][i], points[1][i], points[2][i]);
+      glm::dvec3 point = rays.PointAt(i);
       if (field.Between == Interpolation::Nearest)
       {
         point.x += 1e-2; // into the box that the ray enters
@@ -182,8 +186,7 @@ private:
       [&](const char* target)
       {
         Vectors found;
-        IndexGradients({ field, glm::dmat4(1.0), range, &isovalues },
-          { count, points, directions, surfaces, found });
+        IndexGradients({ field, glm::dmat4(1.0), range, &isovalues }, { rays, surfaces, found });
         for (std::size_t a = 0; a < 3; ++a)
         {
           EXPECT_TRUE(AreIdentical(found[a], reference[a], static_cast<int>(count)))
@@ -229,47 +232,58 @@ class KernelsShading : public EachTarget
 {
 };
 
-TEST_F(KernelsShading, PointsOfRays)
+/// Rays of views, and the cells that points on them lie in.
+TEST_F(KernelsShading, RaysAndCellsOfHits)
 {
   std::mt19937 engine(3);
   std::uniform_real_distribution<double> around(-1.0, 1.0);
-  RayPoints rays;
-  rays.Count = RayBatch::Capacity;
-  for (auto* linear : { &rays.LinearDirection, &rays.LinearOrigin })
+  const glm::ivec3 dimensions(12, 9, 14);
+  View view;
+  for (auto* vector : { &view.Direction, &view.DirectionX, &view.DirectionY, &view.Origin })
   {
-    for (glm::dvec3& vector : *linear)
-    {
-      vector = RandomDirection(engine);
-    }
+    *vector = RandomDirection(engine);
   }
+  Array<double> x, y;
+  HitRays rays;
+  rays.Count = RayBatch::Capacity;
   for (std::size_t i = 0; i < rays.Count; ++i)
   {
-    rays.X[i] = around(engine);
-    rays.Y[i] = around(engine);
-    rays.T[i] = 100.0 * around(engine);
+    x[i] = around(engine);
+    y[i] = around(engine);
+    rays.T[i] = 10.0 * around(engine);
   }
-  const auto at = [&](const std::array<glm::dvec3, 3>& linear, std::size_t i)
-  { return linear[0] + rays.X[i] * linear[1] + rays.Y[i] * linear[2]; };
-  this->ForEachTarget(
-    [&](const char* target)
-    {
-      RayPoints found = rays;
-      FindRayPoints(found);
-      for (std::size_t i = 0; i < rays.Count; ++i)
+  for (const bool isParallel : { false, true })
+  {
+    view.Parallel = isParallel;
+    view.OriginX = isParallel ? glm::dvec3(0.4, 0.5, -0.2) : glm::dvec3(0.0);
+    view.OriginY = isParallel ? glm::dvec3(0.1, -0.8, 0.3) : glm::dvec3(0.0);
+    this->ForEachTarget(
+      [&](const char* target)
       {
-        const glm::dvec3 along = at(rays.LinearDirection, i);
-        const double square = along.x * along.x + along.y * along.y + along.z * along.z;
-        const glm::dvec3 direction = along * (1.0 / std::sqrt(square));
-        const glm::dvec3 point = at(rays.LinearOrigin, i) + rays.T[i] * direction;
-        for (std::size_t a = 0; a < 3; ++a)
+        FindRays(view, x, y, rays);
+        GradientKernels::CellPoints<double> found;
+        found.Count = rays.Count;
+        GradientKernels::FindCells({ glm::dmat4(1.0), dimensions }, rays, found);
+        for (std::size_t i = 0; i < rays.Count; ++i)
         {
-          const int axis = static_cast<int>(a);
-          EXPECT_EQ(found.Direction[a][i], direction[axis]) << target;
-          EXPECT_EQ(found.FloatDirection[a][i], static_cast<float>(direction[axis])) << target;
-          EXPECT_EQ(found.Point[a][i], point[axis]) << target;
+          const glm::dvec3 along = view.Direction + x[i] * view.DirectionX + y[i] * view.DirectionY;
+          const double square = along.x * along.x + along.y * along.y + along.z * along.z;
+          const glm::dvec3 direction = along * (1.0 / std::sqrt(square));
+          const glm::dvec3 begin = view.Origin + x[i] * view.OriginX + y[i] * view.OriginY;
+          const glm::dvec3 point = begin + rays.T[i] * direction;
+          EXPECT_EQ(rays.DirectionAt(i), direction) << target;
+          EXPECT_EQ(rays.PointAt(i), point) << target;
+          for (int axis = 0; axis < 3; ++axis)
+          {
+            const auto a = static_cast<std::size_t>(axis);
+            const double inBox = std::min(std::max(point[axis], 0.0), dimensions[axis] - 1.0);
+            const double cell = std::min(std::floor(inBox), dimensions[axis] - 2.0);
+            EXPECT_EQ(found.Cell[a][i], cell) << target;
+            EXPECT_EQ(found.At[a][i], inBox - cell) << target;
+          }
         }
-      }
-    });
+      });
+  }
 }
 
 TEST_F(KernelsShading, NormalsFaceTheViewer)
@@ -280,7 +294,9 @@ TEST_F(KernelsShading, NormalsFaceTheViewer)
   {
     m[column] = RandomDirection(engine);
   }
-  Vectors gradients, rays;
+  Vectors gradients;
+  HitRays rays;
+  rays.Count = RayBatch::Capacity;
   for (std::size_t i = 0; i < RayBatch::Capacity; ++i)
   {
     // From none at all to those whose squares are no numbers, some along an axis.
@@ -296,18 +312,18 @@ TEST_F(KernelsShading, NormalsFaceTheViewer)
     for (std::size_t a = 0; a < 3; ++a)
     {
       gradients[a][i] = gradient[static_cast<int>(a)];
-      rays[a][i] = ray[static_cast<int>(a)];
+      rays.Own[a][i] = ray[static_cast<int>(a)];
     }
   }
   this->ForEachTarget(
     [&](const char* target)
     {
       Array<std::array<float, 3>> normals;
-      FindFacingNormals(RayBatch::Capacity, m, gradients, rays, normals);
+      FindFacingNormals(rays, m, gradients, normals);
       for (std::size_t i = 0; i < RayBatch::Capacity; ++i)
       {
         const glm::dvec3 g(gradients[0][i], gradients[1][i], gradients[2][i]);
-        const glm::dvec3 ray(rays[0][i], rays[1][i], rays[2][i]);
+        const glm::dvec3 ray = rays.DirectionAt(i);
         const double largest = std::max({ std::abs(g.x), std::abs(g.y), std::abs(g.z) });
         const bool isFar = largest > 0.0 && (largest < 1e-100 || largest > 1e100);
         const glm::dvec3 scaled = g * (1.0 / (isFar ? largest : 1.0));
@@ -337,7 +353,9 @@ TEST_F(KernelsShading, NormalsHaveUnitLengthWhateverTheEdges)
       for (const glm::dvec3& edge : edges)
       {
         std::mt19937 engine(7);
-        Vectors gradients, rays;
+        Vectors gradients;
+        HitRays rays;
+        rays.Count = RayBatch::Capacity;
         for (std::size_t i = 0; i < RayBatch::Capacity; ++i)
         {
           glm::dvec3 gradient = RandomDirection(engine);
@@ -349,7 +367,7 @@ TEST_F(KernelsShading, NormalsHaveUnitLengthWhateverTheEdges)
           for (std::size_t a = 0; a < 3; ++a)
           {
             gradients[a][i] = gradient[static_cast<int>(a)];
-            rays[a][i] = ray[static_cast<int>(a)];
+            rays.Own[a][i] = ray[static_cast<int>(a)];
           }
         }
         glm::dmat3 m(0.0);
@@ -357,12 +375,12 @@ TEST_F(KernelsShading, NormalsHaveUnitLengthWhateverTheEdges)
         m[1].y = edge.y;
         m[2].z = edge.z;
         Array<std::array<float, 3>> normals;
-        FindFacingNormals(RayBatch::Capacity, m, gradients, rays, normals);
+        FindFacingNormals(rays, m, gradients, normals);
         for (std::size_t i = 0; i < RayBatch::Capacity; ++i)
         {
           const glm::dvec3 n(normals[i][0], normals[i][1], normals[i][2]);
           EXPECT_NEAR(glm::length(n), 1.0, 1e-6) << target << ", " << edge.x << ", hit " << i;
-          EXPECT_LE(n.x * rays[0][i] + n.y * rays[1][i] + n.z * rays[2][i], 1e-6) << target;
+          EXPECT_LE(glm::dot(n, rays.DirectionAt(i)), 1e-6) << target;
         }
       }
     });
@@ -370,14 +388,14 @@ TEST_F(KernelsShading, NormalsHaveUnitLengthWhateverTheEdges)
 
 /// What AddLight and RoundColors make of one hit.
 std::array<std::uint8_t, 4> ColorReference(
-  const PhongSums& sums, const RayPoints& rays, std::size_t i)
+  const PhongSums& sums, const HitRays& rays, std::size_t i)
 {
   const std::array<float, 3>& n = sums.Normal[i];
   std::array<float, 3> l, r;
   for (std::size_t a = 0; a < 3; ++a)
   {
     l[a] = sums.IsPositional ? sums.ToLight[a][i] : sums.Toward[a];
-    r[a] = rays.FloatDirection[a][i];
+    r[a] = static_cast<float>(rays.Own[a][i]);
   }
   const float share = sums.IsPositional ? sums.Share[i] : 1.0f;
   const float cosine = n[0] * l[0] + n[1] * l[1] + n[2] * l[2];
@@ -410,7 +428,7 @@ TEST_F(KernelsShading, ColorsOfALight)
 {
   std::mt19937 engine(5);
   std::uniform_real_distribution<float> share(0.0f, 1.0f);
-  RayPoints rays;
+  HitRays rays;
   PhongSums sums;
   sums.Count = RayBatch::Capacity;
   sums.Toward = { 0.6f, 0.0f, 0.8f };
@@ -425,7 +443,7 @@ TEST_F(KernelsShading, ColorsOfALight)
       const int axis = static_cast<int>(a);
       sums.Normal[i][a] = static_cast<float>(normal[axis]);
       sums.ToLight[a][i] = static_cast<float>(toLight[axis]);
-      rays.FloatDirection[a][i] = static_cast<float>(ray[axis]);
+      rays.Own[a][i] = ray[axis];
       sums.Color[a][i] = share(engine);
       sums.Sum[a][i] = 0.1f * sums.Color[a][i];
     }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The short ways of shading, for rays from one point and for one light on one colour, give the same
-// bits as the long ones.
+// The short ways of shading, for whole tiles and for one light on one colour, give the same bits as
+// the long ones.
 
 #include "EachTarget.h"
 #include "Shade/KernelsShading.h"
@@ -10,6 +10,9 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <random>
 
 namespace
@@ -22,40 +25,32 @@ class KernelsShortcuts : public EachTarget
 {
 };
 
-/// Rays from one point whose directions are known.
-TEST_F(KernelsShortcuts, PointsOfKnownDirections)
+/// Rays without a hit get the distance of the first one that has one.
+TEST_F(KernelsShortcuts, DistancesOfHits)
 {
-  std::mt19937 engine(6);
-  std::uniform_real_distribution<double> around(-1.0, 1.0);
-  RayPoints rays;
-  rays.Count = RayBatch::Capacity;
-  rays.LinearOrigin = { RandomDirection(engine), glm::dvec3(0.0), glm::dvec3(0.0) };
-  for (glm::dvec3& vector : rays.LinearDirection)
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (const std::uint64_t expected : { std::uint64_t(0), std::uint64_t(1) << 63,
+         std::uint64_t(0x123456789ABCDEF0), ~std::uint64_t(0) })
   {
-    vector = RandomDirection(engine);
-  }
-  for (std::size_t i = 0; i < rays.Count; ++i)
-  {
-    rays.X[i] = around(engine);
-    rays.Y[i] = around(engine);
-    rays.T[i] = 100.0 * around(engine);
-  }
-  this->ForEachTarget(
-    [&](const char* target)
+    Array<double> distances;
+    double first = infinity;
+    for (std::size_t i = 0; i < distances.size(); ++i)
     {
-      RayPoints expected = rays, found;
-      FindRayPoints(expected);
-      found.Count = rays.Count;
-      FindPointsFrom(rays.LinearOrigin[0], expected.Direction, rays.T, found);
-      constexpr int count = RayBatch::Capacity;
-      for (std::size_t a = 0; a < 3; ++a)
+      const bool isHit = expected >> i & 1u;
+      distances[i] = isHit ? 100.0 + static_cast<double>(i) : infinity;
+      first = std::min(first, distances[i]);
+    }
+    this->ForEachTarget(
+      [&](const char* target)
       {
-        EXPECT_TRUE(AreIdentical(found.Direction[a], expected.Direction[a], count)) << target;
-        EXPECT_TRUE(AreIdentical(found.FloatDirection[a], expected.FloatDirection[a], count))
-          << target;
-        EXPECT_TRUE(AreIdentical(found.Point[a], expected.Point[a], count)) << target;
-      }
-    });
+        Array<double> finite;
+        ASSERT_EQ(TakeFinite(distances, finite), expected) << target;
+        for (std::size_t i = 0; i < distances.size() && expected != 0; ++i)
+        {
+          EXPECT_EQ(finite[i], expected >> i & 1u ? distances[i] : first) << target;
+        }
+      });
+  }
 }
 
 /// One light on one colour, in one pass.
@@ -66,7 +61,7 @@ TEST_F(KernelsShortcuts, ColorsOfASimpleLight)
   light.Color = { 0.9f, 0.5f, 0.2f };
   light.Toward = { 0.6f, 0.0f, 0.8f };
   light.Diffuse = { 0.7f, 0.8f, 0.9f };
-  RayPoints rays;
+  HitRays rays;
   PhongSums sums;
   sums.Toward = light.Toward;
   sums.Diffuse = light.Diffuse;
@@ -82,7 +77,7 @@ TEST_F(KernelsShortcuts, ColorsOfASimpleLight)
     for (std::size_t a = 0; a < 3; ++a)
     {
       sums.Normal[i][a] = static_cast<float>(normal[static_cast<int>(a)]);
-      rays.FloatDirection[a][i] = static_cast<float>(ray[static_cast<int>(a)]);
+      rays.Own[a][i] = ray[static_cast<int>(a)];
     }
   }
   for (const double power : { 1.0, 10.0, 7.5 })

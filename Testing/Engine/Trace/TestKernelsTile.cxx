@@ -161,20 +161,18 @@ TEST_F(KernelsTile, RaysOfPartsOfTiles)
             EXPECT_EQ(rays.Begin[at], alone.Begin[0]) << target;
             EXPECT_EQ(rays.End[at], alone.End[0]) << target;
             EXPECT_EQ(rays.PerDepth[at], alone.PerDepth[0]) << target;
-            ShadingKernels::RayPoints shaded;
+            HitRays shaded;
             shaded.Count = 1;
-            shaded.LinearDirection = { view.Direction, view.DirectionX, view.DirectionY };
-            shaded.LinearOrigin = { view.Origin, view.OriginX, view.OriginY };
-            shaded.X.fill(view.PixelCentre(pixel.x, pixel.y).x);
-            shaded.Y.fill(view.PixelCentre(pixel.x, pixel.y).y);
-            shaded.T.fill(1.0);
-            ShadingKernels::FindRayPoints(shaded);
+            RayBatch::Array<double> x, y;
+            x.fill(view.PixelCentre(pixel.x, pixel.y).x);
+            y.fill(view.PixelCentre(pixel.x, pixel.y).y);
+            ShadingKernels::FindRays(view, x, y, shaded);
             for (std::size_t a = 0; a < 3; ++a)
             {
               EXPECT_EQ(rays.Origin[a][at], alone.Origin[a][0]) << target;
               EXPECT_EQ(rays.Direction[a][at], alone.Direction[a][0]) << target;
               EXPECT_EQ(rays.Inverse[a][at], alone.Inverse[a][0]) << target;
-              EXPECT_EQ(world[a][at], shaded.Direction[a][0]) << target;
+              EXPECT_EQ(world[a][at], shaded.Own[a][0]) << target;
             }
           }
         });

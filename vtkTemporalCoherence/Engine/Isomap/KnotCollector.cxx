@@ -94,7 +94,11 @@ void KnotCollector::FindNormals(const Place* places, std::size_t count, const Fi
   const glm::dvec2& finiteRange, const IndexTransform& transform,
   std::vector<KnotNormals::Row>& normals) const
 {
-  std::array<RayBatch::Array<double>, 3> points, directions, gradients;
+  HitRays rays; // which begin at their points, in index space
+  rays.Count = count;
+  rays.AreApart = true;
+  rays.T.fill(0.0);
+  HitRays::Vectors gradients;
   RayBatch::Array<std::int16_t> surfaces{};
   for (std::size_t i = 0; i < WholeVectors(count); ++i)
   {
@@ -104,13 +108,13 @@ void KnotCollector::FindNormals(const Place* places, std::size_t count, const Fi
     {
       const double last = field.Dimensions[static_cast<int>(a)] - 1;
       const double at = this->Rays.Origin[a][ray] + t * this->Rays.Direction[a][ray];
-      points[a][i] = std::min(std::max(at, 0.0), last);
-      directions[a][i] = this->Rays.Direction[a][ray];
+      rays.Begin[a][i] = std::min(std::max(at, 0.0), last);
+      rays.Own[a][i] = this->Rays.Direction[a][ray];
     }
   }
   const std::vector<double> reference = { this->Scale.Low };
   const GradientQuery inIndexSpace{ field, glm::dmat4(1.0), finiteRange, &reference };
-  IndexGradients(inIndexSpace, { count, points, directions, surfaces, gradients });
+  IndexGradients(inIndexSpace, { rays, surfaces, gradients });
   const glm::dmat3 toWorld = glm::transpose(glm::dmat3(transform.IndexFromWorld));
   for (std::size_t i = 0; i < count; ++i)
   {

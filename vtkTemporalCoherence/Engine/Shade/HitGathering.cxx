@@ -88,8 +88,8 @@ private:
     }
     std::copy_n(&this->Planes.Isovalues[first], TileSize, &this->Hits.Surface[at]);
     std::copy_n(&this->Planes.Kinds[first], TileSize, &this->Hits.Kind[at]);
-    std::copy_n(x, TileSize, &this->Hits.Rays.X[at]);
-    std::fill_n(&this->Hits.Rays.Y[at], TileSize, y);
+    std::copy_n(x, TileSize, &this->Hits.X[at]);
+    std::fill_n(&this->Hits.Y[at], TileSize, y);
     std::copy_n(&this->Planes.Depth[first], TileSize, &this->Hits.Rays.T[at]);
     this->Hits.Rays.Count = at + TileSize;
   }
@@ -110,8 +110,8 @@ private:
       this->Hits.Pixel[hitCount] = static_cast<std::int32_t>(pixel);
       this->Hits.Surface[hitCount] = this->Planes.Isovalues[pixel];
       this->Hits.Kind[hitCount] = this->Planes.Kinds[pixel];
-      this->Hits.Rays.X[hitCount] = x[i];
-      this->Hits.Rays.Y[hitCount] = y;
+      this->Hits.X[hitCount] = x[i];
+      this->Hits.Y[hitCount] = y;
       this->Hits.Rays.T[hitCount] = this->Planes.Depth[pixel];
       misses[missCount] = pixel;
       hitCount += isMiss || isKnown ? 0 : 1;
@@ -144,7 +144,7 @@ void GatherHits(
     sorter.Sort(static_cast<std::size_t>(first), static_cast<std::size_t>(part.Size.x),
       centres.X.data(), centres.Y[static_cast<std::size_t>(row)]);
   }
-  FindHitPoints(view, hits);
+  FindHitRays(view, hits);
 }
 
 void TakeHits(const View& view, const TileHits& found, HitList& hits)
@@ -152,8 +152,9 @@ void TakeHits(const View& view, const TileHits& found, HitList& hits)
   hits.Pixel = found.Rays.Pixel;
   hits.Surface = found.Hits.Surface;
   hits.Kind = found.Hits.Kind;
-  const std::uint64_t met =
-    ShadingKernels::FindPointsFrom(view.Origin, found.World, found.Hits.Depth, hits.Rays);
+  hits.Rays.Eye = view.Origin;
+  hits.Rays.Direction = &found.World;
+  const std::uint64_t met = ShadingKernels::TakeFinite(found.Hits.Depth, hits.Rays.T);
   hits.Rays.Count = met != 0 ? RayBatch::Capacity : 0;
   hits.Misses = ~met;
   for (std::uint64_t left = hits.Misses; left != 0 && met != 0; left &= left - 1)
@@ -174,17 +175,15 @@ void ClearMisses(const HitList& hits, Frame& frame)
   }
 }
 
-void FindHitPoints(const View& view, HitList& hits)
+void FindHitRays(const View& view, HitList& hits)
 {
-  ShadingKernels::RayPoints& rays = hits.Rays;
-  if (rays.Count > 0)
+  const std::size_t count = hits.Rays.Count;
+  if (count > 0)
   {
-    FillLastVector(rays.Count, rays.X);
-    FillLastVector(rays.Count, rays.Y);
-    FillLastVector(rays.Count, rays.T);
-    rays.LinearDirection = { view.Direction, view.DirectionX, view.DirectionY };
-    rays.LinearOrigin = { view.Origin, view.OriginX, view.OriginY };
-    ShadingKernels::FindRayPoints(rays);
+    FillLastVector(count, hits.X);
+    FillLastVector(count, hits.Y);
+    FillLastVector(count, hits.Rays.T);
+    ShadingKernels::FindRays(view, hits.X, hits.Y, hits.Rays);
   }
 }
 

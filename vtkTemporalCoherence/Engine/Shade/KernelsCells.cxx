@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The cells that points lie in.
+// The cells that hits lie in.
 
 #include "Shade/KernelsGradients.h"
 
@@ -10,6 +10,8 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "Shade/KernelsCells.cxx"
 #include <hwy/foreach_target.h>
+
+#include "Shade/KernelsHitPoints-inl.h"
 
 #include <hwy/highway.h>
 
@@ -47,8 +49,7 @@ HWY_INLINE void StoreAs(D, hn::Vec<D> value, float* to)
 }
 
 template <typename Real>
-HWY_INLINE bool FindAllCells(
-  const CellSpace& space, const Vectors& directions, const Vectors& points, CellPoints<Real>& found)
+HWY_INLINE bool FindAllCells(const CellSpace& space, const HitRays& rays, CellPoints<Real>& found)
 {
   const hn::CappedTag<double, WidestVector / 2> d;
   const hn::Rebind<std::int32_t, decltype(d)> di;
@@ -59,22 +60,19 @@ HWY_INLINE bool FindAllCells(
   // Up to the end of the widest vectors of Real.
   for (std::size_t i = 0; i < WholeVectors(found.Count); i += hn::Lanes(d))
   {
-    const V x = hn::LoadU(d, &points[0][i]), y = hn::LoadU(d, &points[1][i]),
-            z = hn::LoadU(d, &points[2][i]);
     V p[3];
-    for (int a = 0; a < 3; ++a)
-    {
-      const V inPlane = hn::Add(hn::Mul(hn::Set(d, m[0][a]), x), hn::Mul(hn::Set(d, m[1][a]), y));
-      p[a] = hn::Add(inPlane, hn::Add(hn::Mul(hn::Set(d, m[2][a]), z), hn::Set(d, m[3][a])));
-    }
+    HitPoints::HWY_NAMESPACE::Find(d, rays, m, i, p);
     if (space.IsNearest)
     {
-      const V dx = hn::LoadU(d, &directions[0][i]), dy = hn::LoadU(d, &directions[1][i]),
-              dz = hn::LoadU(d, &directions[2][i]);
-      V along[3];
+      V unit[3], along[3];
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        unit[a] = hn::LoadU(d, &(*rays.Direction)[a][i]);
+      }
       for (int a = 0; a < 3; ++a)
       {
-        along[a] = Dot(hn::Set(d, m[0][a]), hn::Set(d, m[1][a]), hn::Set(d, m[2][a]), dx, dy, dz);
+        along[a] = Dot(
+          hn::Set(d, m[0][a]), hn::Set(d, m[1][a]), hn::Set(d, m[2][a]), unit[0], unit[1], unit[2]);
       }
       const V square = Dot(along[0], along[1], along[2], along[0], along[1], along[2]);
       const V perLength = hn::Div(one, hn::Sqrt(square));
@@ -97,16 +95,14 @@ HWY_INLINE bool FindAllCells(
   return hn::AllFalse(d, isOuter);
 }
 
-bool CellsFloat(const CellSpace& space, const Vectors& directions, const Vectors& points,
-  CellPoints<float>& found)
+bool CellsFloat(const CellSpace& space, const HitRays& rays, CellPoints<float>& found)
 {
-  return FindAllCells(space, directions, points, found);
+  return FindAllCells(space, rays, found);
 }
 
-bool CellsDouble(const CellSpace& space, const Vectors& directions, const Vectors& points,
-  CellPoints<double>& found)
+bool CellsDouble(const CellSpace& space, const HitRays& rays, CellPoints<double>& found)
 {
-  return FindAllCells(space, directions, points, found);
+  return FindAllCells(space, rays, found);
 }
 
 }
@@ -123,16 +119,14 @@ namespace GradientKernels
 HWY_EXPORT(CellsFloat);
 HWY_EXPORT(CellsDouble);
 
-bool FindCells(const CellSpace& space, const Vectors& directions, const Vectors& points,
-  CellPoints<float>& found)
+bool FindCells(const CellSpace& space, const HitRays& rays, CellPoints<float>& found)
 {
-  return HWY_DYNAMIC_DISPATCH(CellsFloat)(space, directions, points, found);
+  return HWY_DYNAMIC_DISPATCH(CellsFloat)(space, rays, found);
 }
 
-bool FindCells(const CellSpace& space, const Vectors& directions, const Vectors& points,
-  CellPoints<double>& found)
+bool FindCells(const CellSpace& space, const HitRays& rays, CellPoints<double>& found)
 {
-  return HWY_DYNAMIC_DISPATCH(CellsDouble)(space, directions, points, found);
+  return HWY_DYNAMIC_DISPATCH(CellsDouble)(space, rays, found);
 }
 
 }

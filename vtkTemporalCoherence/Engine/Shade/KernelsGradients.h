@@ -4,7 +4,7 @@
 #define TemporalCoherence_KernelsGradients_h
 
 #include "Scene/Field.h"
-#include "Scene/RayBatch.h"
+#include "Shade/HitRays.h"
 
 #include <array>
 #include <cstdint>
@@ -40,13 +40,10 @@ struct CellPoints
   std::array<Array<Real>, 3> At; ///< position in the cell; 0 or 1 with nearest interpolation
 };
 
-/// Find the cells of points.
-/// \param directions of the rays that found the points
+/// Find the cells of hits.
 /// \return true if all cells are inner ones: no sample around them is missing
-bool FindCells(const CellSpace& space, const Vectors& directions, const Vectors& points,
-  CellPoints<float>& found);
-bool FindCells(const CellSpace& space, const Vectors& directions, const Vectors& points,
-  CellPoints<double>& found);
+bool FindCells(const CellSpace& space, const HitRays& rays, CellPoints<float>& found);
+bool FindCells(const CellSpace& space, const HitRays& rays, CellPoints<double>& found);
 
 /// The type in which samples are stored, four or two in a row: their own, except for integers that
 /// vectors cannot convert to double.

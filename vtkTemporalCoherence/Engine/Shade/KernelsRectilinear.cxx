@@ -8,6 +8,8 @@
 #define HWY_TARGET_INCLUDE "Shade/KernelsRectilinear.cxx"
 #include <hwy/foreach_target.h>
 
+#include "Shade/KernelsHitPoints-inl.h"
+
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
@@ -42,20 +44,19 @@ HWY_INLINE hn::Vec<Integers> CellsOf(const std::vector<double>& all, V coordinat
   return before;
 }
 
-void GridCellsOf(const GridCoordinates& grid, const glm::dmat4& m, const Vectors& points,
-  CellPoints<double>& found)
+void GridCellsOf(
+  const GridCoordinates& grid, const glm::dmat4& m, const HitRays& rays, CellPoints<double>& found)
 {
   const Doubles d;
   const hn::Rebind<std::int32_t, Doubles> dn;
   const V zero = hn::Zero(d), one = hn::Set(d, 1.0);
   for (std::size_t i = 0; i < WholeVectors(found.Count); i += hn::Lanes(d))
   {
-    const V x = hn::LoadU(d, &points[0][i]), y = hn::LoadU(d, &points[1][i]),
-            z = hn::LoadU(d, &points[2][i]);
+    V points[3];
+    HitPoints::HWY_NAMESPACE::Find(d, rays, m, i, points);
     for (int a = 0; a < 3; ++a)
     {
-      const V inPlane = hn::Add(hn::Mul(hn::Set(d, m[0][a]), x), hn::Mul(hn::Set(d, m[1][a]), y));
-      const V at = hn::Add(inPlane, hn::Add(hn::Mul(hn::Set(d, m[2][a]), z), hn::Set(d, m[3][a])));
+      const V at = points[a];
       const std::vector<double>& all = grid.Of(a);
       const auto cell = CellsOf(all, at);
       const V low = hn::GatherIndex(d, all.data(), cell);
@@ -190,9 +191,9 @@ HWY_EXPORT(GridCellsOf);
 HWY_EXPORT(InGrid);
 
 void FindGridCells(const GridCoordinates& grid, const glm::dmat4& indexFromWorld,
-  const Vectors& points, CellPoints<double>& found)
+  const HitRays& rays, CellPoints<double>& found)
 {
-  HWY_DYNAMIC_DISPATCH(GridCellsOf)(grid, indexFromWorld, points, found);
+  HWY_DYNAMIC_DISPATCH(GridCellsOf)(grid, indexFromWorld, rays, found);
 }
 
 void InterpolateInGrid(const GridCells& around, const Array<std::int32_t>& cells,

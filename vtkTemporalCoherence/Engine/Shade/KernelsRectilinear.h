@@ -19,10 +19,9 @@ namespace TemporalCoherence
 namespace GradientKernels
 {
 
-/// Find the cells of points.
-/// \param points in the world, to the end of the last vector
+/// Find the cells of hits, to the end of the last vector.
 void FindGridCells(const GridCoordinates& grid, const glm::dmat4& indexFromWorld,
-  const Vectors& points, CellPoints<double>& found);
+  const HitRays& rays, CellPoints<double>& found);
 
 /// The samples around the cells of a tile's points: what the gradients at the corners of these
 /// cells are made of.

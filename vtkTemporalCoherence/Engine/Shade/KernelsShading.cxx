@@ -33,6 +33,7 @@ constexpr double ShortEnough = 1e-100, LongEnough = 1e100;
 
 using Doubles = hn::CappedTag<double, WidestVector / 2>;
 using Floats = hn::CappedTag<float, WidestVector>;
+using HalfOfFloats = hn::Rebind<float, Doubles>;
 
 template <class V>
 HWY_INLINE V Dot(V ax, V ay, V az, V bx, V by, V bz)
@@ -40,31 +41,48 @@ HWY_INLINE V Dot(V ax, V ay, V az, V bx, V by, V bz)
   return hn::Add(hn::Add(hn::Mul(ax, bx), hn::Mul(ay, by)), hn::Mul(az, bz));
 }
 
-void RayPointsOf(RayPoints& rays)
+/// Doubles as a vector of floats.
+HWY_INLINE hn::Vec<Floats> LoadAsFloats(const double* from)
 {
   const Doubles d;
-  const hn::Rebind<float, Doubles> df;
+  const HalfOfFloats df;
+#if HWY_TARGET == HWY_SCALAR
+  return hn::DemoteTo(df, hn::LoadU(d, from));
+#else
+  const auto low = hn::DemoteTo(df, hn::LoadU(d, from));
+  return hn::Combine(Floats(), hn::DemoteTo(df, hn::LoadU(d, from + hn::Lanes(d))), low);
+#endif
+}
+
+void RaysOf(const View& view, const Array<double>& x, const Array<double>& y, HitRays& rays)
+{
+  const Doubles d;
   using V = hn::Vec<Doubles>;
   const V one = hn::Set(d, 1.0);
   for (std::size_t i = 0; i < WholeVectors(rays.Count); i += hn::Lanes(d))
   {
-    const V x = hn::LoadU(d, &rays.X[i]), y = hn::LoadU(d, &rays.Y[i]);
-    const V t = hn::LoadU(d, &rays.T[i]);
-    const auto at = [&](const std::array<glm::dvec3, 3>& linear, int axis) HWY_ATTR
+    const V atX = hn::LoadU(d, &x[i]), atY = hn::LoadU(d, &y[i]);
+    const auto at = [&](int axis, const glm::dvec3& centre, const glm::dvec3& perX,
+                      const glm::dvec3& perY) HWY_ATTR
     {
-      const V inX = hn::Add(hn::Set(d, linear[0][axis]), hn::Mul(x, hn::Set(d, linear[1][axis])));
-      return hn::Add(inX, hn::Mul(y, hn::Set(d, linear[2][axis])));
+      const V inX = hn::Add(hn::Set(d, centre[axis]), hn::Mul(atX, hn::Set(d, perX[axis])));
+      return hn::Add(inX, hn::Mul(atY, hn::Set(d, perY[axis])));
     };
-    const V dx = at(rays.LinearDirection, 0), dy = at(rays.LinearDirection, 1),
-            dz = at(rays.LinearDirection, 2);
-    const V perLength = hn::Div(one, hn::Sqrt(Dot(dx, dy, dz, dx, dy, dz)));
-    const V unit[3] = { hn::Mul(dx, perLength), hn::Mul(dy, perLength), hn::Mul(dz, perLength) };
+    V along[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      along[axis] = at(axis, view.Direction, view.DirectionX, view.DirectionY);
+    }
+    const V square = Dot(along[0], along[1], along[2], along[0], along[1], along[2]);
+    const V perLength = hn::Div(one, hn::Sqrt(square));
     for (std::size_t a = 0; a < 3; ++a)
     {
-      const V origin = at(rays.LinearOrigin, static_cast<int>(a));
-      hn::StoreU(unit[a], d, &rays.Direction[a][i]);
-      hn::StoreU(hn::DemoteTo(df, unit[a]), df, &rays.FloatDirection[a][i]);
-      hn::StoreU(hn::Add(origin, hn::Mul(t, unit[a])), d, &rays.Point[a][i]);
+      hn::StoreU(hn::Mul(along[a], perLength), d, &rays.Own[a][i]);
+      if (view.Parallel)
+      {
+        const auto axis = static_cast<int>(a);
+        hn::StoreU(at(axis, view.Origin, view.OriginX, view.OriginY), d, &rays.Begin[a][i]);
+      }
     }
   }
 }
@@ -84,53 +102,39 @@ std::uint64_t FiniteOf(const Array<double>& distances)
   return finite;
 }
 
-std::uint64_t PointsFromOf(const glm::dvec3& origin, const std::array<Array<double>, 3>& directions,
-  const Array<double>& distances, RayPoints& rays)
+std::uint64_t TakeFiniteOf(const Array<double>& distances, Array<double>& finite)
 {
   const Doubles d;
-  const hn::Rebind<float, Doubles> df;
-  const std::uint64_t finite = FiniteOf(distances);
-  if (finite == 0)
+  const std::uint64_t which = FiniteOf(distances);
+  if (which == 0)
   {
     return 0;
   }
-  const std::size_t first = hwy::Num0BitsBelowLS1Bit_Nonzero64(finite);
   const auto infinity = hn::Set(d, std::numeric_limits<double>::infinity());
-  const auto tOfFirst = hn::Set(d, distances[first]);
-  for (std::size_t a = 0; a < 3; ++a)
+  const auto first = hn::Set(d, distances[hwy::Num0BitsBelowLS1Bit_Nonzero64(which)]);
+  for (std::size_t i = 0; i < distances.size(); i += hn::Lanes(d))
   {
-    const auto from = hn::Set(d, origin[static_cast<int>(a)]);
-    const auto ofFirst = hn::Set(d, directions[a][first]);
-    for (std::size_t i = 0; i < distances.size(); i += hn::Lanes(d))
-    {
-      const auto distance = hn::LoadU(d, &distances[i]);
-      const auto isHit = hn::Lt(distance, infinity);
-      const auto t = hn::IfThenElse(isHit, distance, tOfFirst);
-      const auto unit = hn::LoadU(d, &directions[a][i]);
-      hn::StoreU(unit, d, &rays.Direction[a][i]);
-      hn::StoreU(hn::DemoteTo(df, unit), df, &rays.FloatDirection[a][i]);
-      const auto along = hn::IfThenElse(isHit, unit, ofFirst);
-      hn::StoreU(hn::Add(from, hn::Mul(t, along)), d, &rays.Point[a][i]);
-    }
+    const auto distance = hn::LoadU(d, &distances[i]);
+    hn::StoreU(hn::IfThenElse(hn::Lt(distance, infinity), distance, first), d, &finite[i]);
   }
-  return finite;
+  return which;
 }
 
-void FacingNormalsOf(std::size_t count, const glm::dmat3& m,
-  const std::array<Array<double>, 3>& gradients, const std::array<Array<double>, 3>& rays,
+void FacingNormalsOf(const HitRays& rays, const glm::dmat3& m, const HitRays::Vectors& gradients,
   Array<std::array<float, 3>>& normals)
 {
   const Doubles d;
-  const hn::Rebind<float, Doubles> df;
+  const HalfOfFloats df;
+  const HitRays::Vectors& directions = *rays.Direction;
   using V = hn::Vec<Doubles>;
   const V zero = hn::Zero(d), one = hn::Set(d, 1.0);
   const V smallest = hn::Set(d, std::numeric_limits<double>::min());
-  for (std::size_t i = 0; i < count; i += hn::Lanes(d))
+  for (std::size_t i = 0; i < rays.Count; i += hn::Lanes(d))
   {
     const V gx = hn::LoadU(d, &gradients[0][i]), gy = hn::LoadU(d, &gradients[1][i]),
             gz = hn::LoadU(d, &gradients[2][i]);
-    const V rx = hn::LoadU(d, &rays[0][i]), ry = hn::LoadU(d, &rays[1][i]),
-            rz = hn::LoadU(d, &rays[2][i]);
+    const V rx = hn::LoadU(d, &directions[0][i]), ry = hn::LoadU(d, &directions[1][i]),
+            rz = hn::LoadU(d, &directions[2][i]);
     // Scale very small or large components first: their squares would underflow or overflow.
     const V largest = hn::Max(hn::Abs(gx), hn::Max(hn::Abs(gy), hn::Abs(gz)));
     const auto hasGradient = hn::Ge(largest, smallest);
@@ -259,7 +263,7 @@ HWY_INLINE hn::Vec<hn::Rebind<std::uint8_t, Floats>> BytesOf(hn::Vec<Floats> sum
   return hn::DemoteTo(db, hn::ConvertTo(di, scaled));
 }
 
-void AddLightTo(const RayPoints& rays, PhongSums& sums)
+void AddLightTo(const HitRays& rays, PhongSums& sums)
 {
   const Floats d;
   using V = hn::Vec<Floats>;
@@ -271,7 +275,7 @@ void AddLightTo(const RayPoints& rays, PhongSums& sums)
     for (std::size_t a = 0; a < 3; ++a)
     {
       light[a] = sums.IsPositional ? hn::LoadU(d, &sums.ToLight[a][i]) : hn::Set(d, sums.Toward[a]);
-      ray[a] = isShiny ? hn::LoadU(d, &rays.FloatDirection[a][i]) : hn::Zero(d);
+      ray[a] = isShiny ? LoadAsFloats(&(*rays.Direction)[a][i]) : hn::Zero(d);
     }
     hn::LoadInterleaved3(d, sums.Normal[i].data(), n[0], n[1], n[2]);
     const V share = sums.IsPositional ? hn::LoadU(d, &sums.Share[i]) : hn::Set(d, 1.0f);
@@ -299,7 +303,7 @@ void ColorsOf(const PhongSums& sums, Array<std::array<std::uint8_t, 4>>& colors)
   }
 }
 
-void SimpleColorsOf(const RayPoints& rays, const Array<std::array<float, 3>>& normals,
+void SimpleColorsOf(const HitRays& rays, const Array<std::array<float, 3>>& normals,
   const SimpleLight& light, Array<std::array<std::uint8_t, 4>>& colors)
 {
   const Floats d;
@@ -315,7 +319,7 @@ void SimpleColorsOf(const RayPoints& rays, const Array<std::array<float, 3>>& no
     hn::LoadInterleaved3(d, normals[i].data(), n[0], n[1], n[2]);
     for (std::size_t a = 0; a < 3; ++a)
     {
-      ray[a] = isShiny ? hn::LoadU(d, &rays.FloatDirection[a][i]) : hn::Zero(d);
+      ray[a] = isShiny ? LoadAsFloats(&(*rays.Direction)[a][i]) : hn::Zero(d);
     }
     const Reflection reflection = Reflect(n, toward, ray, isShiny, raise);
     const auto bytes = [&](std::size_t a) HWY_ATTR
@@ -344,27 +348,28 @@ namespace ShadingKernels
 /// Matrices whose largest number is less than this, and more than its inverse, need not be scaled.
 constexpr double AboutOne = 4096.0;
 
-HWY_EXPORT(RayPointsOf);
-HWY_EXPORT(PointsFromOf);
+HWY_EXPORT(RaysOf);
+HWY_EXPORT(TakeFiniteOf);
 HWY_EXPORT(FacingNormalsOf);
 HWY_EXPORT(AddLightTo);
 HWY_EXPORT(ColorsOf);
 HWY_EXPORT(SimpleColorsOf);
 
-void FindRayPoints(RayPoints& rays)
+void FindRays(const View& view, const Array<double>& x, const Array<double>& y, HitRays& rays)
 {
-  HWY_DYNAMIC_DISPATCH(RayPointsOf)(rays);
+  rays.Eye = view.Origin;
+  rays.AreApart = view.Parallel;
+  rays.Direction = &rays.Own;
+  HWY_DYNAMIC_DISPATCH(RaysOf)(view, x, y, rays);
 }
 
-std::uint64_t FindPointsFrom(const glm::dvec3& origin,
-  const std::array<Array<double>, 3>& directions, const Array<double>& distances, RayPoints& rays)
+std::uint64_t TakeFinite(const Array<double>& distances, Array<double>& finite)
 {
-  return HWY_DYNAMIC_DISPATCH(PointsFromOf)(origin, directions, distances, rays);
+  return HWY_DYNAMIC_DISPATCH(TakeFiniteOf)(distances, finite);
 }
 
-void FindFacingNormals(std::size_t count, const glm::dmat3& worldFromGradient,
-  const std::array<Array<double>, 3>& gradients, const std::array<Array<double>, 3>& rays,
-  Array<std::array<float, 3>>& normals)
+void FindFacingNormals(const HitRays& rays, const glm::dmat3& worldFromGradient,
+  const HitRays::Vectors& gradients, Array<std::array<float, 3>>& normals)
 {
   // Lengths do not matter. Scale the largest number of the matrix to about 1 by a power of two,
   // which changes no digit.
@@ -380,15 +385,15 @@ void FindFacingNormals(std::size_t count, const glm::dmat3& worldFromGradient,
   {
     matrix[i / 3][i % 3] = std::ldexp(matrix[i / 3][i % 3], exponent);
   }
-  HWY_DYNAMIC_DISPATCH(FacingNormalsOf)(count, matrix, gradients, rays, normals);
+  HWY_DYNAMIC_DISPATCH(FacingNormalsOf)(rays, matrix, gradients, normals);
 }
 
-void AddLight(const RayPoints& rays, PhongSums& sums)
+void AddLight(const HitRays& rays, PhongSums& sums)
 {
   HWY_DYNAMIC_DISPATCH(AddLightTo)(rays, sums);
 }
 
-void FindColors(const RayPoints& rays, const Array<std::array<float, 3>>& normals,
+void FindColors(const HitRays& rays, const Array<std::array<float, 3>>& normals,
   const SimpleLight& light, Array<std::array<std::uint8_t, 4>>& colors)
 {
   HWY_DYNAMIC_DISPATCH(SimpleColorsOf)(rays, normals, light, colors);

@@ -3,7 +3,8 @@
 #ifndef TemporalCoherence_KernelsShading_h
 #define TemporalCoherence_KernelsShading_h
 
-#include "Scene/RayBatch.h"
+#include "Scene/View.h"
+#include "Shade/HitRays.h"
 
 #include <array>
 #include <cstdint>
@@ -20,32 +21,19 @@ namespace ShadingKernels
 template <typename T>
 using Array = RayBatch::Array<T>;
 
-/// Rays, and the points at t along them.
-struct RayPoints
-{
-  std::size_t Count = 0;
-  Array<double> X, Y; ///< normalised device coordinates
-  Array<double> T;
-  /// Of any length, and linear in X and Y: [0] + X [1] + Y [2].
-  std::array<glm::dvec3, 3> LinearDirection, LinearOrigin;
-  std::array<Array<double>, 3> Direction, Point; ///< result; directions have unit length
-  std::array<Array<float>, 3> FloatDirection;    ///< the same, rounded
-};
-void FindRayPoints(RayPoints& rays);
+/// Set up the rays of a view, up to the end of the last vector.
+/// \param x, y normalised device coordinates
+void FindRays(const View& view, const Array<double>& x, const Array<double>& y, HitRays& rays);
 
-/// The same bits for a whole tile of rays that all begin at one point, and whose directions are
-/// known. X, Y and T are not used. A ray without a finite distance gets the point of another one.
+/// Copy the distances of a whole tile. The first finite one stands for those that are not finite.
 /// \return one bit for each finite distance
-std::uint64_t FindPointsFrom(const glm::dvec3& origin,
-  const std::array<Array<double>, 3>& directions, const Array<double>& distances, RayPoints& rays);
+std::uint64_t TakeFinite(const Array<double>& distances, Array<double>& finite);
 
 /// Make unit normals that face the viewer from gradients. Where the gradient is 0, the surface is
 /// taken to face the viewer.
-/// \param rays    unit directions
 /// \param normals result
-void FindFacingNormals(std::size_t count, const glm::dmat3& worldFromGradient,
-  const std::array<Array<double>, 3>& gradients, const std::array<Array<double>, 3>& rays,
-  Array<std::array<float, 3>>& normals);
+void FindFacingNormals(const HitRays& rays, const glm::dmat3& worldFromGradient,
+  const HitRays::Vectors& gradients, Array<std::array<float, 3>>& normals);
 
 /// Sums of reflected light (Phong's model).
 struct PhongSums
@@ -62,7 +50,7 @@ struct PhongSums
   std::array<float, 3> Diffuse, Specular;
   double Power = 1.0;
 };
-void AddLight(const RayPoints& rays, PhongSums& sums);
+void AddLight(const HitRays& rays, PhongSums& sums);
 
 /// One light that is not positional, on surfaces of one colour.
 struct SimpleLight
@@ -75,7 +63,7 @@ struct SimpleLight
 
 /// Find the colours of hits in one pass: the same bits as AddLight and RoundColors give. Normals
 /// are read up to the end of the last vector.
-void FindColors(const RayPoints& rays, const Array<std::array<float, 3>>& normals,
+void FindColors(const HitRays& rays, const Array<std::array<float, 3>>& normals,
   const SimpleLight& light, Array<std::array<std::uint8_t, 4>>& colors);
 
 /// Convert the sums to opaque RGBA colours.

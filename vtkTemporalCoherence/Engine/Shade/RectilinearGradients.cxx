@@ -51,9 +51,8 @@ public:
   void Find()
   {
     GradientKernels::CellPoints<double> points;
-    points.Count = this->Tile.Count;
-    GradientKernels::FindGridCells(
-      this->Grid, this->Query.IndexFromWorld, this->Tile.Points, points);
+    points.Count = this->Tile.Rays.Count;
+    GradientKernels::FindGridCells(this->Grid, this->Query.IndexFromWorld, this->Tile.Rays, points);
     RayBatch::Array<std::int32_t> cells;
     for (std::size_t i = 0; i < points.Count; ++i)
     {
@@ -149,12 +148,11 @@ public:
 
   void Find() const
   {
-    const auto at = [](const GradientTile::Vectors& vectors, std::size_t i)
-    { return glm::dvec3(vectors[0][i], vectors[1][i], vectors[2][i]); };
+    const std::size_t count = this->Tile.Rays.Count;
     const glm::dmat3 turn(this->Query.IndexFromWorld);
     std::int16_t surface = this->Tile.Surfaces[0];
     Difference<double> difference = DifferenceFor(this->Query, surface);
-    for (std::size_t i = 0; i < this->Tile.Count; ++i)
+    for (std::size_t i = 0; i < count; ++i)
     {
       if (this->Tile.Surfaces[i] != surface)
       {
@@ -162,9 +160,9 @@ public:
         difference = DifferenceFor(this->Query, surface);
       }
       const glm::dvec3 point(
-        this->Query.IndexFromWorld * glm::dvec4(at(this->Tile.Points, i), 1.0));
+        this->Query.IndexFromWorld * glm::dvec4(this->Tile.Rays.PointAt(i), 1.0));
       const glm::dvec3 gradient =
-        this->AtSample(this->SampleAt(point, turn * at(this->Tile.Directions, i)), difference);
+        this->AtSample(this->SampleAt(point, turn * this->Tile.Rays.DirectionAt(i)), difference);
       for (std::size_t a = 0; a < 3; ++a)
       {
         this->Tile.Gradients[a][i] = Bounded(difference.Unscaled(gradient[static_cast<int>(a)]));
@@ -173,9 +171,8 @@ public:
     for (RayBatch::Array<double>& along : this->Tile.Gradients)
     {
       // So that no lane of the last vector is uninitialised.
-      std::fill(along.begin() + static_cast<std::ptrdiff_t>(this->Tile.Count),
-        along.begin() + static_cast<std::ptrdiff_t>(WholeVectors(this->Tile.Count)),
-        along[this->Tile.Count - 1]);
+      std::fill(along.begin() + static_cast<std::ptrdiff_t>(count),
+        along.begin() + static_cast<std::ptrdiff_t>(WholeVectors(count)), along[count - 1]);
     }
   }
 

@@ -28,11 +28,6 @@ void Set(std::array<Array<double>, 3>& vectors, std::size_t i, const glm::dvec3&
   vectors[2][i] = vector.z;
 }
 
-glm::dvec3 At(const std::array<Array<double>, 3>& vectors, std::size_t i)
-{
-  return { vectors[0][i], vectors[1][i], vectors[2][i] };
-}
-
 /// On caps, replace the gradient by the normal of the plane that clips the solid.
 void TakeFacesAtCaps(
   const NormalSource& source, const HitList& hits, std::array<Array<double>, 3>& gradients)
@@ -47,9 +42,9 @@ void TakeFacesAtCaps(
     if (hits.Kind[i] == HitKind::Cap)
     {
       const glm::dvec3 point(
-        source.Transform.IndexFromWorld * glm::dvec4(At(hits.Rays.Point, i), 1.0));
+        source.Transform.IndexFromWorld * glm::dvec4(hits.Rays.PointAt(i), 1.0));
       const glm::dvec3 direction(
-        source.Transform.IndexFromWorld * glm::dvec4(At(hits.Rays.Direction, i), 0.0));
+        source.Transform.IndexFromWorld * glm::dvec4(hits.Rays.DirectionAt(i), 0.0));
       Set(gradients, i, CapNormal(point, direction, source.Samples, source.CapPlanes));
     }
   }
@@ -108,7 +103,7 @@ void AddLight(const Appearance& appearance, const Light& light, const HitList& h
   for (std::size_t i = 0; i < sums.Count && light.Positional; ++i)
   {
     glm::dvec3 toLight = -light.Direction;
-    const double share = ShareAt(light, At(hits.Rays.Point, i), toLight);
+    const double share = ShareAt(light, hits.Rays.PointAt(i), toLight);
     sums.Share[i] = static_cast<float>(std::min(share, most));
     for (std::size_t a = 0; a < 3; ++a)
     {
@@ -251,20 +246,18 @@ void ComputeNormals(
   {
     return;
   }
-  const auto count = hits.Rays.Count;
   std::array<Array<double>, 3> gradients;
   IndexGradients(
     { source.Samples, source.Transform.IndexFromWorld, source.FiniteRange, &source.Isovalues },
-    { count, hits.Rays.Point, hits.Rays.Direction, hits.Surface, gradients });
+    { hits.Rays, hits.Surface, gradients });
   if (gradientsFound)
   {
     *gradientsFound = gradients;
   }
   TakeFacesAtCaps(source, hits, gradients);
   const glm::dmat3 worldFromGradient = glm::transpose(glm::dmat3(source.Transform.IndexFromWorld));
-  ShadingKernels::FindFacingNormals(
-    count, worldFromGradient, gradients, hits.Rays.Direction, hits.Normal);
-  FillLastVector(count, hits.Normal);
+  ShadingKernels::FindFacingNormals(hits.Rays, worldFromGradient, gradients, hits.Normal);
+  FillLastVector(hits.Rays.Count, hits.Normal);
 }
 
 void StoreNormals(const HitList& hits, Frame& frame)

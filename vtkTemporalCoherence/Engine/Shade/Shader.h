@@ -22,7 +22,7 @@ namespace TemporalCoherence
 {
 
 /// The hits of one tile in arrays. Among them may be rays without one, which are shaded as if they
-/// had the hit of another ray, and then cleared.
+/// had a hit at the distance of another ray's, and then cleared.
 struct HitList
 {
   template <typename T>
@@ -31,7 +31,8 @@ struct HitList
   Array<std::int32_t> Pixel;   ///< position in the planes of the frame
   Array<std::int16_t> Surface; ///< position in the list of isovalues
   Array<HitKind> Kind;
-  ShadingKernels::RayPoints Rays; ///< and the hits on them, in the world
+  Array<double> X, Y; ///< normalised device coordinates, if FindHitRays is to be called
+  HitRays Rays;
   Array<std::array<float, 3>> Normal;
   std::uint64_t Misses = 0; ///< one bit for each place without a hit
 };
@@ -61,14 +62,14 @@ void GatherHits(
   const View& view, const PixelRect& part, bool withDefiniteHits, Frame& frame, HitList& hits);
 
 /// The same for a whole tile of a perspective view, whose planes hold its hits already. Misses are
-/// taken too, and not cleared.
+/// taken too, and not cleared. The list refers to the directions of the tile.
 void TakeHits(const View& view, const TileHits& found, HitList& hits);
 
 /// Clear the normals and colours of the misses in a list.
 void ClearMisses(const HitList& hits, Frame& frame);
 
-/// Find the points of hits on the rays of a view. The list must have pixels and distances.
-void FindHitPoints(const View& view, HitList& hits);
+/// Find the rays of hits from their normalised device coordinates.
+void FindHitRays(const View& view, HitList& hits);
 
 /// Find the normals of hits. They depend on depths and surfaces alone, not on the route.
 /// \param gradients gets the gradients of the field, per index step; may be null

@@ -191,10 +191,10 @@ void UniformGradients(const GradientQuery& query, const GradientTile& tile)
     {
       using T = decltype(type);
       typename RowGatherer<T>::Points inCells;
-      inCells.Count = tile.Count;
+      inCells.Count = tile.Rays.Count;
       const bool areInner = GradientKernels::FindCells(
         { query.IndexFromWorld, field.Dimensions, field.Between == Interpolation::Nearest },
-        tile.Directions, tile.Points, inCells);
+        tile.Rays, inCells);
       if constexpr (sizeof(T) <= 2)
       {
         if (areInner && NarrowSamples<T>::Are(field))
@@ -208,7 +208,7 @@ void UniformGradients(const GradientQuery& query, const GradientTile& tile)
       RowGatherer<T>(field).Gather(inCells, rows);
       if constexpr (sizeof(T) > 2)
       {
-        SetIsovalues<T>(query, tile.Count, tile.Surfaces, rows);
+        SetIsovalues<T>(query, tile.Rays.Count, tile.Surfaces, rows);
       }
       GradientKernels::InterpolateGradients(field.Dimensions, inCells, rows, tile.Gradients);
     });

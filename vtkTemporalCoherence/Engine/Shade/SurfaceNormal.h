@@ -4,8 +4,8 @@
 #define TemporalCoherence_SurfaceNormal_h
 
 #include "Scene/Field.h"
-#include "Scene/RayBatch.h"
 #include "Scene/Surfaces.h"
+#include "Shade/HitRays.h"
 
 #include <array>
 #include <cstddef>
@@ -21,21 +21,20 @@ namespace TemporalCoherence
 /// Between samples they are interpolated as the field is: trilinearly, or from the nearest sample.
 struct GradientQuery
 {
-  Field Samples;
+  const Field& Samples; ///< not a copy: threads would wait for each other to count its pointers
   glm::dmat4 IndexFromWorld{ 1.0 };
   glm::dvec2 FiniteRange{ 0.0 }; ///< smallest and largest finite sample
   /// Differences from the isovalues are taken, so that infinities and NaN do no harm.
   const std::vector<double>* Isovalues = nullptr;
 };
 
-/// Hits of a tile, and the gradients to be found there.
+/// Hits of a tile, and the gradients to be found there. Rays without a hit may be among them, whose
+/// points may lie outside of the field.
 struct GradientTile
 {
   using Vectors = std::array<RayBatch::Array<double>, 3>; ///< by axis
 
-  std::size_t Count;                             ///< at least 1
-  const Vectors& Points;                         ///< in the world, to the end of the last vector
-  const Vectors& Directions;                     ///< of the rays, to the end of the last vector
+  const HitRays& Rays;                           ///< at least 1, to the end of the last vector
   const RayBatch::Array<std::int16_t>& Surfaces; ///< positions in the list of isovalues
   Vectors& Gradients; ///< result: per index step, finite up to the end of the last vector
 };

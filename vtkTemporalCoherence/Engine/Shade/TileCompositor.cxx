@@ -57,8 +57,8 @@ struct TileCompositor::PixelCentres
     hits.Pixel[at] = hit.Pixel;
     hits.Surface[at] = hit.Isovalue;
     hits.Kind[at] = hit.Kind;
-    hits.Rays.X[at] = this->X[place];
-    hits.Rays.Y[at] = this->Y[place];
+    hits.X[at] = this->X[place];
+    hits.Y[at] = this->Y[place];
     hits.Rays.T[at] = hit.Depth;
   }
 
@@ -215,7 +215,7 @@ void TileCompositor::AddKnown(const std::vector<LayerHit>& known, const PixelCen
     }
     if (count > 0)
     {
-      FindHitPoints(this->Key.View, hits);
+      FindHitRays(this->Key.View, hits);
       this->Shade(hits, shaded.data());
     }
     for (std::size_t i = 0; i < count; ++i)
@@ -304,19 +304,18 @@ void TileCompositor::TakeHits(
   take(found.Rays.Pixel, hits.Pixel);
   if (this->Key.View.Parallel)
   {
-    take(centres.X, hits.Rays.X);
-    take(centres.Y, hits.Rays.Y);
-    FindHitPoints(this->Key.View, hits);
+    take(centres.X, hits.X);
+    take(centres.Y, hits.Y);
+    FindHitRays(this->Key.View, hits);
     return;
   }
-  WorldDirections directions;
+  hits.Rays.Eye = this->Key.View.Origin;
   for (std::size_t a = 0; a < 3; ++a)
   {
-    take(found.World[a], directions[a]);
-    FillLastVector(count, directions[a]);
+    take(found.World[a], hits.Rays.Own[a]);
+    FillLastVector(count, hits.Rays.Own[a]);
   }
   FillLastVector(count, hits.Rays.T);
-  ShadingKernels::FindPointsFrom(this->Key.View.Origin, directions, hits.Rays.T, hits.Rays);
 }
 
 void TileCompositor::CompositeAgain(std::int64_t tile, const PixelRect& part, Frame& frame) const
@@ -342,7 +341,7 @@ void TileCompositor::CompositeAgain(std::int64_t tile, const PixelRect& part, Fr
       places[i - begin] = place;
       centres.Append(layers[i], place, hits);
     }
-    FindHitPoints(this->Key.View, hits);
+    FindHitRays(this->Key.View, hits);
     this->Shade(hits, shaded.data());
     for (std::size_t i = begin; i < end; ++i)
     {

@@ -54,6 +54,7 @@ set(engine_files
   Isomap/KnotCollector
   Isomap/Knots
   Isomap/RangeBuild
+  Isomap/TileGroups
   Beams/BeamChoice
   Beams/KernelsBandBeam
   Beams/KernelsBeam

@@ -23,6 +23,10 @@ namespace
 /// and others. And how much of what look-ups are expected to save may be spent on that.
 constexpr double AllowedAtFirst = 0.1, AllowedExtra = 0.15, SpentOfSavings = 0.8;
 
+/// The same where look-ups no longer cost what they did when the groups were traced: nobody knows
+/// well what they save.
+constexpr double SpentOfOldSavings = 0.5;
+
 /// If no band is worth its cost, every so many frames that share of the picture is built, to see
 /// whether that has changed. What it takes to set that up does not count.
 constexpr std::uint64_t FramesBetweenProbes = 6;
@@ -112,7 +116,8 @@ FrameBands::FrameBands(const Source& source, Isomap& map, DragState& state)
     return;
   }
   const double allowed = saved > 0.0 ? AllowedExtra : AllowedAtFirst;
-  double most = SpentOfSavings * saved + allowed * (this->CostOfAll + source.SetUpCost);
+  const double spent = state.Costs.AreOld() ? SpentOfOldSavings : SpentOfSavings;
+  double most = spent * saved + allowed * (this->CostOfAll + source.SetUpCost);
   this->MostForSetUp = ShareOfSetUp * most;
   if (this->IsExact && !state.Costs.AreKnown())
   {

@@ -56,6 +56,7 @@ set(engine_files
   Isomap/KnotCollector
   Isomap/Knots
   Isomap/RangeBuild
+  Isomap/TileGroups
   Beams/BeamChoice
   Beams/KernelsBandBeam
   Beams/KernelsBeam

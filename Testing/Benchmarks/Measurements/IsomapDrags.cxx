@@ -79,6 +79,12 @@ Steps DragOnce(Stage& stage, const Path& path)
   ColdFrames cold(stage);
   stage.SetIsovalue(path.Isovalues.front());
   dragged.Draw(stage);
+  // The second frame of a mapper makes room for its second picture. That belongs to no drag.
+  for (const double degrees : { 1e-3, -1e-3 })
+  {
+    stage.Orbit(degrees);
+    dragged.Draw(stage);
+  }
   cold.DrawNew(stage);
   Steps steps;
   for (std::size_t i = 1; i < path.Isovalues.size(); ++i)

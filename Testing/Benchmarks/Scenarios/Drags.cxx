@@ -33,7 +33,8 @@ bool Run(const Settings& settings, JsonWriter& json)
 {
   std::cout << "CPU time of all threads, by that of a cold frame of the same isovalue whose "
                "structures are there.\ntraced: rays, by those of the cold frames. without isomap: "
-               "cold frames that make\nthe structures of their isovalue\n\n";
+               "cold frames that make\nthe structures of their isovalue. Each drag begins in a "
+               "mapper that has drawn three frames\n\n";
   const MarkdownTable table({ "volume", "isovalue", "drag", "cold, ms", "first", "mean", "95 %",
     "worst", "at isovalue", "without isomap", "traced", "bytes a pixel", "not the cold picture" });
   const auto measure = [&](const Volumes::Sample& volume, Stage& stage)

@@ -9,8 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <random>
 #include <vector>
 
 // What a frame in a still view may cost more than a cold one while an isomap is built, whatever
@@ -199,66 +197,6 @@ TEST_F(FrameBandsTest, WhatNeverPaysIsHardlyTried)
       made = this->Show({ this->At(0.7 - 0.005 * i) });
     }
     EXPECT_GT(made.CountOf(GroupWork::LookUp), 0);
-  }
-}
-
-/// Clocks are noisy. What tracing is taken to cost must not grow by that while all is looked up.
-TEST(GroupCosts, NoiseDoesNotMakeTracingDearer)
-{
-  constexpr std::size_t groups = 2000;
-  GroupCosts costs;
-  costs.Resize(groups);
-  std::mt19937 engine(7);
-  std::uniform_int_distribution<std::int64_t> cost(100, 900);
-  for (std::size_t group = 0; group < groups; ++group)
-  {
-    costs.SetTraced(group, 1000);
-  }
-  for (int frame = 0; frame < 20; ++frame)
-  {
-    const std::int64_t factor = frame < 10 ? 1 : 3; // more surface in every group
-    for (std::size_t group = 0; group < groups; ++group)
-    {
-      costs.SetLookedUp(group, factor * cost(engine));
-    }
-    const std::vector<double> all = costs.All();
-    const double sum = std::accumulate(all.begin(), all.end(), 0.0);
-    EXPECT_NEAR(sum / groups, 1000.0 * static_cast<double>(factor), 60.0 * factor) << frame;
-  }
-}
-
-/// What groups take that are traced after many look-ups tells of those that still are looked up.
-TEST(GroupCosts, TracingNeedNotFollowLookUps)
-{
-  constexpr std::size_t groups = 2000;
-  for (const double end : { 0.4, 1.0, 2.0 })
-  {
-    GroupCosts costs;
-    costs.Resize(groups);
-    for (std::size_t group = 0; group < groups; ++group)
-    {
-      costs.SetTraced(group, 1000);
-    }
-    costs.Learn();
-    EXPECT_FALSE(costs.AreOld());
-    constexpr int frames = 30;
-    for (int frame = 0; frame < frames; ++frame)
-    {
-      const double along = static_cast<double>(frame) / (frames - 1);
-      const double traced = 1000.0 * std::pow(end, along);
-      const double lookedUp = 300.0 * std::pow(end, 0.4 * along);
-      for (std::size_t group = 0; group < groups; ++group)
-      {
-        const bool isTraced = static_cast<int>(group % 60) == frame;
-        isTraced ? costs.SetTraced(group, std::lround(traced))
-                 : costs.SetLookedUp(group, std::lround(lookedUp));
-      }
-      costs.Learn();
-      const std::vector<double> all = costs.All();
-      const double sum = std::accumulate(all.begin(), all.end(), 0.0);
-      EXPECT_NEAR(sum / (groups * traced), 1.0, 0.12) << "frame " << frame << " to " << end;
-    }
-    EXPECT_EQ(costs.AreOld(), end != 1.0);
   }
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Isomap/FrameBands.h"
 
+#include "Isomap/TileGroups.h"
 #include "Scene/TileTimer.h"
 
 #include <algorithm>
@@ -22,6 +23,10 @@ namespace
 /// and others. And how much of what look-ups are expected to save may be spent on that.
 constexpr double AllowedAtFirst = 0.1, AllowedExtra = 0.15, SpentOfSavings = 0.8;
 
+/// The same where look-ups no longer cost what they did when the groups were traced: nobody knows
+/// well what they save.
+constexpr double SpentOfOldSavings = 0.5;
+
 /// If no band is worth its cost, every so many frames that share of the picture is built, to see
 /// whether that has changed. What it takes to set that up does not count.
 constexpr std::uint64_t FramesBetweenProbes = 6;
@@ -40,6 +45,10 @@ constexpr double BandsInBounds = 2.0, ShareOfSetUp = 0.5;
 /// fades from frame to frame, so that they are tried again: after eight frames if they cost as much
 /// as twice that share.
 constexpr double FadeOfBuilders = 0.9;
+
+/// Groups are built in squares of so many rows of tiles, which share what is found out about
+/// leaves.
+constexpr std::int64_t RowsOfSquare = 8;
 
 /// Of so many groups whose bands end, one is traced first, to see what that costs. Not where
 /// look-ups cost what they did when the groups were traced.
@@ -107,7 +116,8 @@ FrameBands::FrameBands(const Source& source, Isomap& map, DragState& state)
     return;
   }
   const double allowed = saved > 0.0 ? AllowedExtra : AllowedAtFirst;
-  double most = SpentOfSavings * saved + allowed * (this->CostOfAll + source.SetUpCost);
+  const double spent = state.Costs.AreOld() ? SpentOfOldSavings : SpentOfSavings;
+  double most = spent * saved + allowed * (this->CostOfAll + source.SetUpCost);
   this->MostForSetUp = ShareOfSetUp * most;
   if (this->IsExact && !state.Costs.AreKnown())
   {
@@ -159,15 +169,21 @@ BandPlan::Wish FrameBands::WishFor(double isovalue) const
 /// \param extra expected cost of building a group beyond tracing it, which costs 1
 void FrameBands::Choose(double extra)
 {
-  const std::size_t groups = this->Work.size(), stride = StrideOfGroups(groups);
+  const std::size_t groups = this->Work.size();
+  const glm::ivec2& size = this->From.Key.View.Size;
+  if (this->State.Order.size() != groups)
+  {
+    this->State.Order = OrderOfGroups(size, this->IsExact ? RowsOfSquare : 1);
+  }
   const auto most = static_cast<double>(this->MostExtra);
   const auto mostGroups =
     static_cast<std::size_t>(std::ceil(FixedShare * static_cast<double>(groups)));
   const bool areOld = this->IsExact && this->State.Costs.AreOld();
   double planned = 0.0;
-  std::size_t count = 0, guesses = 0, group = this->State.NextGroup % groups;
-  for (std::size_t i = 0; i < groups; ++i, group = (group + stride) % groups)
+  std::size_t count = 0, guesses = 0, next = this->State.NextGroup;
+  for (std::size_t i = 0; i < groups; ++i, next = (next + 1) % groups)
   {
+    const std::size_t group = this->State.Order[next];
     if (this->Work[group] != GroupWork::Trace)
     {
       continue;
@@ -184,7 +200,7 @@ void FrameBands::Choose(double extra)
     this->Work[group] = GroupWork::Build;
     ++count;
   }
-  this->State.NextGroup = group;
+  this->State.NextGroup = next;
   this->MakeRoom(count);
 }
 

@@ -32,12 +32,13 @@ struct DragState
 {
   BandPlan Plan;
   GroupCosts Costs;
-  std::uint64_t Frame = 0;     ///< number of the last frame
-  std::size_t NextGroup = 0;   ///< where the choice of groups to build goes on
-  double BytesOfBand = 4096.0; ///< of a group, on average
-  double CostOfBounds = 0.0;   ///< the last time; 0: not known
-  double CostOfBuilders = 0.0; ///< the same, without bounds
-  bool HasDropped = false;     ///< bands, because of the user's limit of memory
+  std::uint64_t Frame = 0;          ///< number of the last frame
+  std::vector<std::size_t> Order{}; ///< in which groups are chosen to be built
+  std::size_t NextGroup = 0;        ///< place in the order where the choice goes on
+  double BytesOfBand = 4096.0;      ///< of a group, on average
+  double CostOfBounds = 0.0;        ///< the last time; 0: not known
+  double CostOfBuilders = 0.0;      ///< the same, without bounds
+  bool HasDropped = false;          ///< bands, because of the user's limit of memory
 };
 
 /// Decides for each group of a frame whether it is looked up, built or traced, and builds bands

@@ -20,6 +20,10 @@ constexpr double HalfLife = 0.03;
 /// What look-ups tell alone counts as much as so much of the picture.
 constexpr double WeightOfLookUps = 0.003;
 
+/// What tracing costs more or less from frame to frame, compared with look-ups, counts half if so
+/// much of the picture was traced.
+constexpr double LeastTraced = 0.02;
+
 /// Look-ups that cost so many times more or less than at first are old.
 constexpr double MostChange = 1.1;
 
@@ -45,9 +49,12 @@ void GroupCosts::Resize(std::size_t groups)
 void GroupCosts::SetTraced(std::size_t group, std::int64_t cost)
 {
   Cost& known = this->Groups[group];
-  const float guessed = known.LookedUpFirst > 0.0f ? known.Traced : 0.0f;
+  const bool isGuess = known.LookedUpFirst > 0.0f;
+  const float before = isGuess ? 0.0f : known.Traced;
+  const float guessed = isGuess ? static_cast<float>(this->GuessOf(known)) : 0.0f;
   known = Cost();
   known.Traced = Positive(cost);
+  known.Before = before;
   known.Guessed = guessed;
   known.IsNew = true;
 }
@@ -59,11 +66,13 @@ void GroupCosts::SetLookedUp(std::size_t group, std::int64_t cost)
   {
     return;
   }
+  known.LookedUpBefore = known.LookedUpLast;
   known.LookedUpLast = Positive(cost);
   if (known.LookedUpFirst == 0.0f)
   {
     known.TracedFirst = known.Traced;
     known.LookedUpFirst = known.LookedUpLast;
+    known.TrendFirst = static_cast<float>(this->Trend);
   }
   known.Traced =
     0.5f * (known.Traced + known.TracedFirst / known.LookedUpFirst * known.LookedUpLast);
@@ -85,9 +94,43 @@ void GroupCosts::Learn()
     cost.IsNew = false;
     cost.Guessed = 0.0f;
   }
+  this->FollowTrend(all);
   const double left = all > 0.0 ? std::exp2(-traced / all / HalfLife) : 0.0;
   this->Guessed = left * this->Guessed + guessed;
   this->Measured = left * this->Measured + measured;
+}
+
+/// \param all what tracing all groups costs
+void GroupCosts::FollowTrend(double all)
+{
+  double before = 0.0, now = 0.0, lookedUpBefore = 0.0, lookedUp = 0.0;
+  for (Cost& cost : this->Groups)
+  {
+    if (cost.Before > 0.0f)
+    {
+      before += static_cast<double>(cost.Before);
+      now +=
+        std::min(static_cast<double>(cost.Traced), MostOfGuess * static_cast<double>(cost.Before));
+    }
+    if (cost.LookedUpBefore > 0.0f)
+    {
+      lookedUpBefore += static_cast<double>(cost.LookedUpBefore);
+      lookedUp += static_cast<double>(cost.LookedUpLast);
+    }
+    cost.Before = cost.LookedUpBefore = 0.0f;
+  }
+  if (before > 0.0 && lookedUpBefore > 0.0)
+  {
+    const double change = now / before * lookedUpBefore / lookedUp;
+    const double weight = before / (before + LeastTraced * all);
+    this->Trend *= std::pow(std::clamp(change, 0.5, 2.0), weight);
+  }
+}
+
+/// What tracing a group costs that is looked up: as its look-ups and the trend tell.
+double GroupCosts::GuessOf(const Cost& cost) const
+{
+  return static_cast<double>(cost.Traced) * this->Trend / static_cast<double>(cost.TrendFirst);
 }
 
 GroupCosts::Sums GroupCosts::OfGuesses() const
@@ -97,8 +140,10 @@ GroupCosts::Sums GroupCosts::OfGuesses() const
   {
     if (cost.LookedUpFirst > 0.0f)
     {
-      sums.Now += static_cast<double>(cost.Traced);
+      sums.Now += this->GuessOf(cost);
       sums.TracedFirst += static_cast<double>(cost.TracedFirst);
+      sums.ByTrend +=
+        static_cast<double>(cost.TracedFirst) * this->Trend / static_cast<double>(cost.TrendFirst);
       sums.LookedUpFirst += static_cast<double>(cost.LookedUpFirst);
       sums.LookedUpLast += static_cast<double>(cost.LookedUpLast);
     }
@@ -108,8 +153,8 @@ GroupCosts::Sums GroupCosts::OfGuesses() const
 
 /// What the costs of groups that are looked up are to be multiplied by. Each is the quotient of
 /// noisy numbers, which is too large on average; and tracing need not follow look-ups. Where these
-/// become cheaper, tracing is taken to become so by as much again, until some groups are traced:
-/// who spends what it saves must not take it for too dear.
+/// become cheaper, tracing is taken to become so by as much again, at least, until some groups are
+/// traced: who spends what it saves must not take it for too dear.
 double GroupCosts::Correction() const
 {
   const Sums sums = this->OfGuesses();
@@ -118,7 +163,9 @@ double GroupCosts::Correction() const
     return 1.0;
   }
   const double change = sums.LookedUpLast / sums.LookedUpFirst;
-  const double byLookUps = sums.TracedFirst * (change < 1.0 ? change * change : change) / sums.Now;
+  const double traced =
+    change < 1.0 ? std::min(sums.ByTrend, sums.TracedFirst * change) : sums.ByTrend;
+  const double byLookUps = traced * change / sums.Now;
   const double weight = WeightOfLookUps * sums.Now;
   return (weight * byLookUps + this->Measured) / (weight + this->Guessed);
 }
@@ -144,8 +191,8 @@ std::vector<double> GroupCosts::All() const
   std::size_t count = 0;
   for (const Cost& cost : this->Groups)
   {
-    const auto traced = static_cast<double>(cost.Traced);
-    costs.push_back(cost.LookedUpFirst > 0.0f ? traced * correction : traced);
+    costs.push_back(cost.LookedUpFirst > 0.0f ? this->GuessOf(cost) * correction
+                                              : static_cast<double>(cost.Traced));
     sum += costs.back();
     count += cost.Traced > 0.0f;
   }

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
+#include <vector>
 
 namespace TemporalCoherence
 {
@@ -32,15 +32,14 @@ inline TileRange TilesOfGroup(const glm::ivec2& pixels, std::size_t group)
 }
 
 /// A step from group to group that visits all of `groups`, spread over the picture.
-inline std::size_t StrideOfGroups(std::size_t groups)
-{
-  std::size_t stride = static_cast<std::size_t>(0.618 * static_cast<double>(groups)) | 1u;
-  while (std::gcd(stride, groups) != 1)
-  {
-    ++stride;
-  }
-  return stride;
-}
+std::size_t StrideOfGroups(std::size_t groups);
+
+/// An order of all groups of a picture: squares of neighbours, one after the other, spread over the
+/// picture. What the rays of a group find out about the cells of a band serves its neighbours in
+/// the same frame.
+/// \param rows of tiles in a square
+/// \throws std::bad_alloc
+std::vector<std::size_t> OrderOfGroups(const glm::ivec2& pixels, std::int64_t rows);
 
 }
 

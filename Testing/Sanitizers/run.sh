@@ -245,7 +245,7 @@ whole_suite() # KIND CTEST_ARGUMENTS...
 # One program of the engine's tests, without the rest.
 engine_tests() # KIND PROGRAM FILTER FLAGS
 {
-  local kind=$1 program=$2 begin=$SECONDS status=0
+  local kind=$1 program=$2 begin=$SECONDS status=0 share shares process processes=()
   prepare "$kind"
   build=$build-engine
   mkdir -p "$build"
@@ -256,7 +256,16 @@ engine_tests() # KIND PROGRAM FILTER FLAGS
     cmake --build "$build" --target "$program"; } >"$build/build.log" 2>&1 ||
     { tail -n 40 "$build/build.log" >&2; fail "The build failed; all that was said is in $build/build.log"; }
   say "Built in $((SECONDS - begin)) s"
-  watched "$kind" "$build/bin/$program" --gtest_brief=1 "--gtest_filter=$3" || status=1
+  # A process for each processor, with a share of the tests.
+  shares=$(nproc 2>/dev/null || echo 2)
+  for ((share = 0; share < shares; ++share)); do
+    watched "$kind" env "GTEST_TOTAL_SHARDS=$shares" "GTEST_SHARD_INDEX=$share" \
+      "$build/bin/$program" --gtest_brief=1 "--gtest_filter=$3" &
+    processes+=($!)
+  done
+  for process in "${processes[@]}"; do
+    wait "$process" || status=1
+  done
   no_reports || status=1
   [ "$status" -eq 0 ] || fail "$kind FAILED in $((SECONDS - begin)) s"
   say "$kind passed in $((SECONDS - begin)) s"

@@ -114,13 +114,15 @@ HWY_EXPORT(ValuesOfDouble);
 void FindCellValues(const CellRows<float>& rows, const DifferenceInDouble& difference, double unit,
   Corners<double>& corners, CellValues& values)
 {
-  HWY_DYNAMIC_DISPATCH(BeamKernels::ValuesOfFloat)(rows, difference, unit, corners, values);
+  using namespace BeamKernels;
+  HWY_DYNAMIC_DISPATCH(ValuesOfFloat)(rows, difference, unit, corners, values);
 }
 
 void FindCellValues(const CellRows<double>& rows, const DifferenceInDouble& difference, double unit,
   Corners<double>& corners, CellValues& values)
 {
-  HWY_DYNAMIC_DISPATCH(BeamKernels::ValuesOfDouble)(rows, difference, unit, corners, values);
+  using namespace BeamKernels;
+  HWY_DYNAMIC_DISPATCH(ValuesOfDouble)(rows, difference, unit, corners, values);
 }
 
 }

@@ -296,7 +296,8 @@ void FindCrossings(SegmentBatch<double>& segments, bool isSolid)
 
 void FindCrossingsInBoxes(SegmentBatch<double>& segments, bool isSolid)
 {
-  HWY_DYNAMIC_DISPATCH(SegmentKernels::FindInBoxes)(segments, isSolid);
+  using namespace SegmentKernels;
+  HWY_DYNAMIC_DISPATCH(FindInBoxes)(segments, isSolid);
 }
 
 void FindCrossingsOneByOne(SegmentBatch<float>& segments, bool isSolid)

@@ -7,6 +7,8 @@
 #define HWY_TARGET_INCLUDE "Beams/KernelsCellValues.cxx"
 #include <hwy/foreach_target.h>
 
+#include "Shade/KernelsDifference-inl.h"
+
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
@@ -65,17 +67,11 @@ HWY_INLINE void FindValues(const CellRows<T>& rows, const DifferenceInDouble& fr
 {
   const Doubles d;
   const hn::Rebind<float, Doubles> df;
-  const V limit = hn::Set(d, from.Limit), lowest = hn::Set(d, -from.Limit);
   std::array<float, Corner> single;
   for (std::size_t corner = 0; corner < Corner; corner += hn::Lanes(d))
   {
     const V sample = LoadCorners(rows, corner);
-    const V inUnits = hn::Mul(sample, hn::Set(d, from.Factor));
-    const V difference = hn::Sub(hn::Sub(inUnits, hn::Set(d, from.High)), hn::Set(d, from.Low));
-    const V raised = hn::IfThenElse(hn::Gt(difference, lowest), difference, lowest);
-    const V clamped = hn::IfThenElse(hn::Lt(raised, limit), raised, limit);
-    const auto isBelow = hn::Lt(sample, hn::Set(d, from.Isovalue));
-    const V result = hn::IfThenElse(isBelow, hn::Min(clamped, hn::Set(d, -from.Least)), clamped);
+    const V result = DifferenceKernels::HWY_NAMESPACE::Differ(d, from, sample);
     hn::StoreU(result, d, &corners[corner]);
     hn::StoreU(hn::DemoteTo(df, hn::Mul(result, hn::Set(d, unit))), df, &single[corner]);
   }

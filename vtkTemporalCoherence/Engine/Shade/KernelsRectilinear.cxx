@@ -8,6 +8,7 @@
 #define HWY_TARGET_INCLUDE "Shade/KernelsRectilinear.cxx"
 #include <hwy/foreach_target.h>
 
+#include "Shade/KernelsDifference-inl.h"
 #include "Shade/KernelsHitPoints-inl.h"
 
 #include <hwy/highway.h>
@@ -79,20 +80,6 @@ HWY_INLINE V Bounded(V gradient, V largest)
   return hn::Min(hn::Max(gradient, hn::Neg(largest)), largest);
 }
 
-/// Difference of a vector of samples.
-template <class D>
-HWY_INLINE hn::Vec<D> FromIsovalue(D d, const DifferenceInDouble& parts, const double* samples)
-{
-  const auto sample = hn::LoadU(d, samples);
-  const auto limit = hn::Set(d, parts.Limit), lowest = hn::Set(d, -parts.Limit);
-  const auto difference =
-    hn::Sub(hn::Mul(sample, hn::Set(d, parts.Factor)), hn::Set(d, parts.High));
-  const auto raised = hn::IfThenElse(hn::Gt(difference, lowest), difference, lowest);
-  const auto clamped = hn::IfThenElse(hn::Lt(raised, limit), raised, limit);
-  const auto isBelow = hn::Lt(sample, hn::Set(d, parts.Isovalue));
-  return hn::IfThenElse(isBelow, hn::Min(clamped, hn::Set(d, -parts.Least)), clamped);
-}
-
 HWY_INLINE void FindCornerGradients(
   const GridCells& around, std::size_t cell, double largest, CornerGradients& gradients)
 {
@@ -102,8 +89,10 @@ HWY_INLINE void FindCornerGradients(
   {
     for (std::size_t edge = 0; edge < 4; edge += hn::Lanes(d))
     {
-      const auto valueAt = [&](std::size_t place) HWY_ATTR {
-        return FromIsovalue(d, around.FromIsovalue[cell], &around.Around[cell][axis][place][edge]);
+      const auto valueAt = [&](std::size_t place) HWY_ATTR
+      {
+        return DifferenceKernels::HWY_NAMESPACE::Differ(
+          d, around.FromIsovalue[cell], hn::LoadU(d, &around.Around[cell][axis][place][edge]));
       };
       const auto first = hn::Sub(valueAt(2), valueAt(0));
       const auto second = hn::Sub(valueAt(3), valueAt(1));

@@ -33,6 +33,7 @@ set(engine_files
   Shade/KernelsRectilinear
   Shade/KernelsShading
   Shade/KnownLayers
+  Shade/LayerMerge
   Shade/RectilinearGradients
   Shade/Shader
   Shade/SurfaceNormal

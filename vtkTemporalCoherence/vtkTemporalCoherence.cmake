@@ -32,6 +32,7 @@ set(engine_files
   Shade/KernelsGradients
   Shade/KernelsRectilinear
   Shade/KernelsShading
+  Shade/KeptLayers
   Shade/KnownLayers
   Shade/LayerMerge
   Shade/RectilinearGradients
@@ -76,6 +77,7 @@ set(engine_files
   Render/FrameStructures
   Render/IsomapRoute
   Render/LineTracer
+  Render/MergeRoute
   Render/ReusePlan
   Render/Routes
   Render/SampleDistance

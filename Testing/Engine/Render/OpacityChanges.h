@@ -72,7 +72,8 @@ protected:
       ASSERT_TRUE(IsSamePlane(made.Answers, cold.Answers)) << step;
       ASSERT_TRUE(made.ClearTiles == cold.ClearTiles) << step;
     }
-    if (this->Statistics().Made == Route::Recomposite)
+    const Route route = this->Statistics().Made;
+    if (route == Route::Recomposite || route == Route::MergeLayers)
     {
       ASSERT_EQ(this->Statistics().Layers, ofCold.Layers) << step;
     }
@@ -88,7 +89,7 @@ protected:
     const Route made = this->Statistics().Made;
     ++this->Routes[made];
     // From what routes that look up find out, other answers follow.
-    this->HasColdAnswers = made == Route::Cold ||
+    this->HasColdAnswers = made == Route::Cold || made == Route::MergeLayers ||
       ((made == Route::Recomposite || made == Route::Reshade) && this->HasColdAnswers);
     this->ExpectCold(what);
   }

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace TemporalCoherence
@@ -29,6 +30,15 @@ public:
   /// \param frame must outlive this
   /// \throws std::bad_alloc
   KnownLayers(std::int64_t tile, const PixelRect& part, const Frame& frame);
+
+  /// \param layers in the order of Frame::Layers
+  /// \param ends   Ends()
+  KnownLayers(std::vector<LayerHit> layers, std::uint64_t ends)
+    : Hits(std::move(layers))
+    , Ended(ends)
+  {
+  }
+
   KnownLayers(const KnownLayers&) = delete;
   KnownLayers& operator=(const KnownLayers&) = delete;
 
@@ -52,7 +62,7 @@ public:
 private:
   void TakeHits(const PixelRect& part, const Frame& frame);
 
-  std::vector<LayerHit> Hits; ///< of opaque surfaces
+  std::vector<LayerHit> Hits; ///< of opaque surfaces, or those that were given
   std::vector<LayerHit> None;
   const std::vector<LayerHit>* Seen = &this->Hits;
   const std::vector<LayerHit>* Hidden = &this->None;

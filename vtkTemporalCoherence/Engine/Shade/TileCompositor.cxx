@@ -159,12 +159,11 @@ void TileCompositor::AddAll(TileHits& found, const PixelCentres& centres, LayerC
   }
 }
 
-void TileCompositor::CompositeKnown(std::int64_t tile, const PixelRect& part, const Frame& last,
-  Frame& frame, TraceCounts& counts) const
+void TileCompositor::CompositeKnown(std::int64_t tile, const PixelRect& part,
+  const KnownLayers& known, Frame& frame, TraceCounts& counts) const
 {
   std::vector<LayerHit>& kept = frame.Layers[static_cast<std::size_t>(tile)];
   LayersBehind& behind = frame.Behind[static_cast<std::size_t>(tile)];
-  const KnownLayers known(tile, part, last);
   kept.clear();
   behind.Hits.clear();
   PixelCentres centres;
@@ -185,7 +184,6 @@ void TileCompositor::CompositeKnown(std::int64_t tile, const PixelRect& part, co
   behind.Ends = known.Ends() | canvas.Passing();
   counts.Layers += static_cast<std::int64_t>(kept.size());
   canvas.Finish();
-  this->Paint(kept, frame);
 }
 
 /// Shade known layers and composite them behind the present ones, and keep them. Those that no
@@ -376,7 +374,6 @@ void TileCompositor::Shade(HitList& hits, ShadedLayer* shaded) const
   }
 }
 
-/// Paint pixels whose first surface the appearance asks to paint.
 void TileCompositor::Paint(const std::vector<LayerHit>& layers, Frame& frame) const
 {
   if (this->Key.Appearance.ColorByAnswer && !layers.empty())

@@ -66,6 +66,10 @@ set(engine_files
   Beams/KernelsCellValues
   Beams/KernelsLayerBeam
   Beams/KernelsMetCells
+  Passages/KernelsPassageBeam
+  Passages/KernelsPassedCells
+  Passages/PassageLookup
+  Passages/PassageSearch
   Fields/KernelsCorners
   Fields/RectilinearKind
   Fields/UniformBandTracer

@@ -76,13 +76,20 @@ SurfaceChange::SurfaceChange(const Surfaces& last, const Surfaces& next)
 }
 
 /// Put a layer behind another one of its pixel, or first.
-void LayerMerge::Link(std::size_t place, std::int32_t before, const LayerHit& hit)
+void LayerMerge::Link(
+  std::size_t place, std::int32_t before, const LayerHit& hit, std::int16_t isovalue)
 {
   const auto at = static_cast<std::int32_t>(this->Nodes.size());
   std::int32_t& next =
     before == None ? this->First[place] : this->Nodes[static_cast<std::size_t>(before)].Next;
   const std::int32_t behind = std::exchange(next, at);
-  this->Nodes.push_back({ hit, behind });
+  // Member by member: to copy the whole would wait for what was written last.
+  Node& node = this->Nodes.emplace_back();
+  node.Hit.Depth = hit.Depth;
+  node.Hit.Pixel = hit.Pixel;
+  node.Hit.Isovalue = isovalue;
+  node.Hit.Kind = hit.Kind;
+  node.Next = behind;
   this->Last[place] = at;
 }
 
@@ -106,10 +113,8 @@ void LayerMerge::Keep(const KnownLayers& known)
       const std::int16_t kept = this->Change.Kept[surface];
       if (kept != Frame::NoSurface)
       {
-        this->Link(place, this->Last[place], hit);
-        LayerHit& now = this->Nodes.back().Hit;
-        now.Isovalue = kept;
-        passed[place] = PassedBehind(passed[place], this->AlphaOf(now));
+        this->Link(place, this->Last[place], hit, kept);
+        passed[place] = PassedBehind(passed[place], this->AlphaOf(kept));
       }
     });
   this->Limited =
@@ -144,7 +149,7 @@ void LayerMerge::Add(std::size_t place, const LayerHit& hit)
     before = next;
     next = this->Nodes[static_cast<std::size_t>(next)].Next;
   }
-  this->Link(place, before, hit);
+  this->Link(place, before, hit, hit.Isovalue);
 }
 
 KnownLayers LayerMerge::Finish() const
@@ -165,7 +170,7 @@ KnownLayers LayerMerge::Finish() const
         const Node& node = this->Nodes[static_cast<std::size_t>(next[place])];
         layers.push_back(node.Hit);
         next[place] = node.Next;
-        passed[place] = PassedBehind(passed[place], this->AlphaOf(node.Hit));
+        passed[place] = PassedBehind(passed[place], this->AlphaOf(node.Hit.Isovalue));
         const bool isOpaque = passed[place] == 0.0f;
         opaque |= static_cast<std::uint64_t>(isOpaque) << place;
         left &= ~(static_cast<std::uint64_t>(isOpaque || node.Next == None) << place);

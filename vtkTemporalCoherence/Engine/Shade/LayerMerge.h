@@ -81,13 +81,13 @@ private:
     return { hit.Depth, hit.Kind, this->Change.Next[static_cast<std::size_t>(hit.Isovalue)] };
   }
 
-  float AlphaOf(const LayerHit& hit) const
+  float AlphaOf(std::int16_t isovalue) const
   {
-    return this->Change.LeastAlphas[static_cast<std::size_t>(hit.Isovalue)];
+    return this->Change.LeastAlphas[static_cast<std::size_t>(isovalue)];
   }
 
   bool IsInFront(const LayerHit& a, const LayerHit& b) const;
-  void Link(std::size_t place, std::int32_t before, const LayerHit& hit);
+  void Link(std::size_t place, std::int32_t before, const LayerHit& hit, std::int16_t isovalue);
 
   const PixelRect Part;
   const int Width;

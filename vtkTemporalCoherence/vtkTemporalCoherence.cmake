@@ -32,7 +32,6 @@ set(engine_files
   Shade/KernelsGradients
   Shade/KernelsRectilinear
   Shade/KernelsShading
-  Shade/KeptLayers
   Shade/KnownLayers
   Shade/LayerMerge
   Shade/RectilinearGradients
@@ -80,8 +79,8 @@ set(engine_files
   Render/FrameStore
   Render/FrameStructures
   Render/IsomapRoute
+  Render/KeepRoute
   Render/LineTracer
-  Render/MergeRoute
   Render/ReusePlan
   Render/Routes
   Render/SampleDistance

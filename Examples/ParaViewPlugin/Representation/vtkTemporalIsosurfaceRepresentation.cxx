@@ -40,7 +40,8 @@ vtkStandardNewMacro(vtkTemporalIsosurfaceRepresentation);
 namespace
 {
 
-constexpr vtkIdType NumberOfRoutes = 9;
+constexpr vtkIdType NumberOfRoutes =
+  vtkTemporalCoherenceVolumeMapper::ROUTE_KEEP_LAYERS + 1; // the last one
 
 /// Arrays of numbers that could be drawn.
 std::vector<vtkDataArray*> ArraysIn(vtkDataSetAttributes* attributes)

@@ -121,8 +121,8 @@ public:
 
   /**
    * How many frames took each route, since this was made: Cold, Redisplay, Reshade, IsomapLookup,
-   * IsomapBuild, ThresholdHint (none any more), ImageCache, TimeStep, Recomposite. Frames that
-   * failed are not counted.
+   * IsomapBuild, ThresholdHint (none any more), ImageCache, TimeStep, Recomposite, KeepLayers.
+   * Frames that failed are not counted.
    */
   vtkIdTypeArray* GetRouteCounts();
 

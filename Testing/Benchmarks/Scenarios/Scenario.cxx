@@ -80,5 +80,5 @@ const std::vector<Volumes::Sample>& FewVolumes()
 std::vector<Scenario> Scenarios::All()
 {
   return { Routes(), Peers(), ImageCache(), Drift(), Isomap(), Drags(), Growth(), Threads(),
-    Vectors(), Structures(), Window(), Features(), Opacities(), Floor() };
+    Vectors(), Structures(), Window(), Features(), Opacities(), Surfaces(), Floor() };
 }

@@ -74,6 +74,7 @@ Scenario Structures();
 Scenario Window();
 Scenario Features();
 Scenario Opacities();
+Scenario Surfaces();
 Scenario Floor();
 
 /// All of these, in the order in which they are run.

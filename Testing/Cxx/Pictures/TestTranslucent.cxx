@@ -206,6 +206,12 @@ void TestRoutes()
     {
       scene.SetIsovalues({ 0.0, 500.0 + 5.0 * (i % 4), -600.0 });
       step("one isovalue of three", true);
+      Expect(IsRoute(scene, "KeepLayers"), "two isovalues are as before");
+    }
+    for (int i = 0; i < 6; ++i)
+    {
+      scene.SetIsovalues({ 1.0 + i, 501.0 + 5.0 * i, -600.0 - i });
+      step("all three isovalues", true);
     }
     scene.Volume->GetProperty()->SetAmbient(0.4);
     step("another light", true);

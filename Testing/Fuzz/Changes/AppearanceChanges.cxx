@@ -113,6 +113,25 @@ void SeveralIsovalues(World& world)
   world.SetIsovalues(isovalues);
 }
 
+/// Keep most isovalues: drop or move one, or add another; perhaps in another order.
+void OneOfSeveral(World& world)
+{
+  std::vector<double> isovalues = Now(world);
+  if (!isovalues.empty() && world.From.OneIn(4))
+  {
+    std::rotate(isovalues.begin(), isovalues.begin() + 1, isovalues.end());
+  }
+  if (isovalues.size() > 1 && !world.From.OneIn(4))
+  {
+    isovalues.pop_back();
+  }
+  if (!world.From.OneIn(4))
+  {
+    isovalues.push_back(AnIsovalue(world));
+  }
+  world.SetIsovalues(isovalues);
+}
+
 void SetOpacities(World& world)
 {
   Bytes& from = world.From;
@@ -241,6 +260,7 @@ const std::vector<ChangeKind>& OfIsovalues()
     { "a small step of isovalues", { 8, 60, 3, 2, 1, 4 }, SmallStep },
     { "the next number as isovalue", { 2, 12, 1, 1, 1, 2 }, NextNumber },
     { "several isovalues", { 5, 10, 2, 2, 2, 8 }, SeveralIsovalues },
+    { "one of several isovalues", { 5, 20, 2, 2, 8, 8 }, OneOfSeveral },
   };
   return kinds;
 }

@@ -3,6 +3,7 @@
 #include "Render/ReusePlan.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace TemporalCoherence
 {
@@ -29,20 +30,22 @@ bool KnowsLayers(const FrameChange& change, const FrameKey& next, const HeldForR
     !next.Isosurfaces.Isovalues.empty();
 }
 
+/// True if some number is in both lists.
+bool HaveCommon(const std::vector<double>& a, std::vector<double> b)
+{
+  std::sort(b.begin(), b.end());
+  return std::any_of(a.begin(), a.end(),
+    [&](double number) { return std::binary_search(b.begin(), b.end(), number); });
+}
+
 /// True if the last picture tells all layers of some surfaces of the next one.
-bool KnowsSomeLayers(const FrameChange& change, const FrameKey& last, const FrameKey& next,
-  const HeldForReuse& held)
+bool KnowsSomeLayers(
+  const FrameChange& change, const FrameKey& last, const FrameKey& next, const HeldForReuse& held)
 {
   const Surfaces& before = last.Isosurfaces;
   const Surfaces& now = next.Isosurfaces;
-  const auto wasThere = [&](double isovalue)
-  {
-    return std::find(before.Isovalues.begin(), before.Isovalues.end(), isovalue) !=
-      before.Isovalues.end();
-  };
   return !change.Data && !change.View && held.IsExact && before.Mode == now.Mode &&
-    before.IsTranslucent() && now.IsTranslucent() &&
-    std::any_of(now.Isovalues.begin(), now.Isovalues.end(), wasThere);
+    before.IsTranslucent() && now.IsTranslucent() && HaveCommon(before.Isovalues, now.Isovalues);
 }
 
 }

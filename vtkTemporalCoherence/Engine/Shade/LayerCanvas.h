@@ -45,6 +45,9 @@ public:
     return PlaceInTile(this->Part, this->Planes.Size.x, pixel);
   }
 
+  /// The same for pixels that ascend most of the time.
+  PlaceFinder Places() const { return { this->Part, this->Planes.Size.x }; }
+
   /// Composite a surface behind the present ones. The first visible surface is written to the
   /// planes. \return the colour of the pixel if no further surface follows
   LayerColor Add(std::size_t place, const LayerHit& hit, const ShadedLayer& layer)

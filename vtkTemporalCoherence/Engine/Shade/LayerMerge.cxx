@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <utility>
 
 namespace TemporalCoherence
@@ -14,11 +15,22 @@ namespace
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-std::int16_t PositionIn(const std::vector<double>& isovalues, double isovalue)
+/// The position of each number of a list in another list, or Frame::NoSurface.
+std::vector<std::int16_t> PositionsIn(
+  const std::vector<double>& list, const std::vector<double>& numbers)
 {
-  const auto found = std::find(isovalues.begin(), isovalues.end(), isovalue);
-  return found == isovalues.end() ? Frame::NoSurface
-                                  : static_cast<std::int16_t>(found - isovalues.begin());
+  std::map<double, std::int16_t> positions;
+  for (std::size_t i = 0; i < list.size(); ++i)
+  {
+    positions.emplace(list[i], static_cast<std::int16_t>(i));
+  }
+  std::vector<std::int16_t> found;
+  for (const double number : numbers)
+  {
+    const auto position = positions.find(number);
+    found.push_back(position == positions.end() ? Frame::NoSurface : position->second);
+  }
+  return found;
 }
 
 std::vector<float> LeastAlphasOf(const Surfaces& surfaces)
@@ -60,15 +72,13 @@ std::uint64_t PixelsWhere(const Test& test)
 SurfaceChange::SurfaceChange(const Surfaces& last, const Surfaces& next)
   : Last(last.Isovalues)
   , Next(next.Isovalues)
+  , Kept(PositionsIn(next.Isovalues, last.Isovalues))
   , LeastAlphas(LeastAlphasOf(next))
 {
-  for (const double isovalue : this->Last)
+  const std::vector<std::int16_t> before = PositionsIn(last.Isovalues, next.Isovalues);
+  for (std::size_t i = 0; i < before.size(); ++i)
   {
-    this->Kept.push_back(PositionIn(this->Next, isovalue));
-  }
-  for (std::size_t i = 0; i < this->Next.size(); ++i)
-  {
-    if (PositionIn(this->Last, this->Next[i]) == Frame::NoSurface)
+    if (before[i] == Frame::NoSurface)
     {
       this->New.push_back(static_cast<std::int16_t>(i));
     }

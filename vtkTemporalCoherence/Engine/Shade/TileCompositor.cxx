@@ -195,13 +195,14 @@ void TileCompositor::AddKnown(const std::vector<LayerHit>& known, const PixelCen
   std::array<ShadedLayer, RayBatch::Capacity> shaded;
   std::array<const LayerHit*, RayBatch::Capacity> from;
   std::array<std::size_t, RayBatch::Capacity> places;
+  PlaceFinder placeOf = canvas.Places();
   for (auto next = known.begin(); next != known.end();)
   {
     HitList hits;
     std::size_t& count = hits.Rays.Count;
     for (count = 0; next != known.end() && count < from.size(); ++next)
     {
-      const std::size_t place = canvas.PlaceOf(next->Pixel);
+      const std::size_t place = placeOf.Find(next->Pixel);
       if (transmittance[place] == 0.0f)
       {
         behind.push_back(*next);
@@ -328,6 +329,7 @@ void TileCompositor::CompositeAgain(std::int64_t tile, const PixelRect& part, Fr
   LayerCanvas canvas(part, frame);
   std::array<ShadedLayer, RayBatch::Capacity> shaded;
   std::array<std::size_t, RayBatch::Capacity> places;
+  PlaceFinder placeOf = canvas.Places();
   for (std::size_t begin = 0; begin < layers.size(); begin += shaded.size())
   {
     const std::size_t end = std::min(begin + shaded.size(), layers.size());
@@ -335,7 +337,7 @@ void TileCompositor::CompositeAgain(std::int64_t tile, const PixelRect& part, Fr
     hits.Rays.Count = 0;
     for (std::size_t i = begin; i < end; ++i)
     {
-      const std::size_t place = canvas.PlaceOf(layers[i].Pixel);
+      const std::size_t place = placeOf.Find(layers[i].Pixel);
       places[i - begin] = place;
       centres.Append(layers[i], place, hits);
     }

@@ -144,7 +144,7 @@ private:
     const auto count = static_cast<std::size_t>(rays.Count);
     HitBatch first;
     first.Clear(rays.Count);
-    PlaceFinder places(part, frame.Size.x);
+    const PlaceFinder places(part, frame.Size.x);
     for (const LayerHit& hit : layers)
     {
       const std::size_t ray = places.Find(hit.Pixel);

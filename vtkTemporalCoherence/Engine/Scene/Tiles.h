@@ -45,52 +45,34 @@ inline PixelRect PixelsOfTile(const glm::ivec2& pixels, std::int64_t tile)
   return { first, glm::min(glm::ivec2(TileSize), pixels - first) };
 }
 
-/// The place of a pixel in its tile, row by row.
-/// \param part  the pixels of the tile
-/// \param width of the picture
-/// \param pixel position in the picture, row by row
-inline std::size_t PlaceInTile(const PixelRect& part, int width, std::int32_t pixel)
-{
-  // A tile has few rows: this is faster than a division.
-  int x = pixel - part.First.y * width - part.First.x;
-  int row = 0;
-  for (; x >= width; x -= width)
-  {
-    ++row;
-  }
-  return static_cast<std::size_t>(row * part.Size.x + x);
-}
-
-/// The same for many pixels, which ascend most of the time.
+/// Finds the places of pixels in their tile, row by row.
 class PlaceFinder
 {
 public:
+  /// \param part  the pixels of the tile
+  /// \param width of the picture
   PlaceFinder(const PixelRect& part, int width)
     : First(part.First.y * width + part.First.x)
-    , Width(width)
-    , Columns(part.Size.x)
-    , OfRow(this->First)
+    , RowEnd(width - part.Size.x)
+    , PerWidth((std::uint64_t(1) << 32) / static_cast<std::uint64_t>(width) + 1)
   {
   }
 
-  std::size_t Find(std::int32_t pixel)
+  /// \param pixel position in the picture, row by row
+  std::size_t Find(std::int32_t pixel) const
   {
-    if (pixel < this->OfRow)
-    {
-      this->OfRow = this->First;
-      this->Before = 0;
-    }
-    for (; pixel - this->OfRow >= this->Width; this->OfRow += this->Width)
-    {
-      this->Before += this->Columns;
-    }
-    return static_cast<std::size_t>(this->Before + pixel - this->OfRow);
+    const std::int32_t behind = pixel - this->First;
+    const auto row =
+      static_cast<std::int32_t>(static_cast<std::uint64_t>(behind) * this->PerWidth >> 32);
+    return static_cast<std::size_t>(behind - row * this->RowEnd);
   }
 
 private:
-  int First, Width, Columns;
-  int OfRow;      ///< the first pixel of the row of the last one
-  int Before = 0; ///< places in the rows before it
+  std::int32_t First;  ///< pixel of the tile
+  std::int32_t RowEnd; ///< pixels between its rows
+  /// 1 / width in units of 2^-32, rounded up. A pixel lies less than eight rows and eight columns
+  /// behind the first one, so that the row is too high in no picture.
+  std::uint64_t PerWidth;
 };
 
 }

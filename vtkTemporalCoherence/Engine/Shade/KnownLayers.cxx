@@ -35,12 +35,13 @@ void OrderByRounds(const PixelRect& part, int width, std::vector<LayerHit>& laye
     std::uint64_t Pixels = 0; ///< those that have so many layers, by their places in the tile
     std::size_t First = 0;    ///< where the layers of this round begin
   };
+  const PlaceFinder places(part, width);
   const std::vector<LayerHit> before = layers;
   std::vector<Round> rounds;
   RayBatch::Array<std::uint32_t> count{};
   for (const LayerHit& hit : before)
   {
-    const std::size_t place = PlaceInTile(part, width, hit.Pixel);
+    const std::size_t place = places.Find(hit.Pixel);
     const std::size_t round = count[place]++;
     rounds.resize(std::max(rounds.size(), round + 1));
     rounds[round].Pixels |= std::uint64_t(1) << place;
@@ -53,7 +54,7 @@ void OrderByRounds(const PixelRect& part, int width, std::vector<LayerHit>& laye
   count = {};
   for (const LayerHit& hit : before)
   {
-    const std::size_t place = PlaceInTile(part, width, hit.Pixel);
+    const std::size_t place = places.Find(hit.Pixel);
     const Round& round = rounds[count[place]++];
     const std::uint64_t inFront = round.Pixels & ((std::uint64_t(1) << place) - 1);
     layers[round.First + hwy::PopCount(inFront)] = hit;

@@ -109,7 +109,7 @@ void LayerMerge::Keep(const KnownLayers& known)
   this->Limits.fill({ -Infinity, HitKind::None, 0.0 });
   RayBatch::Array<float> passed;
   passed.fill(1.0f);
-  PlaceFinder places(this->Part, this->Width);
+  const PlaceFinder places(this->Part, this->Width);
   known.ForEach(
     [&](const LayerHit& hit)
     {

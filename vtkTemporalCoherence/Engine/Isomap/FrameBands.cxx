@@ -5,7 +5,6 @@
 #include "Isomap/TileGroups.h"
 #include "Scene/TileTimer.h"
 
-#include <cstdio>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -57,6 +56,10 @@ constexpr std::size_t GroupsToATrial = 8;
 
 /// The share of the groups that a frame builds if the picture depends on it.
 constexpr double FixedShare = 1.0 / 12.0;
+
+/// Steps of a drag that bands of passages may reach ahead. A ray has the more passages the wider a
+/// band is, and each is built, kept and looked through.
+constexpr double StepsOfPassages = 12.0;
 
 /// Memory of all bands that nobody asked for, by pixels: with knots, and with passages.
 constexpr std::size_t BytesAPixel = 32, BytesOfPassages = 96;
@@ -156,7 +159,12 @@ BandPlan::Wish FrameBands::WishFor(double isovalue) const
   const auto nearest = std::min_element(before.begin(), before.end(),
     [isovalue](double a, double b) { return std::abs(a - isovalue) < std::abs(b - isovalue); });
   const glm::dvec2& range = this->From.Pyramid.FiniteRange();
-  return { isovalue, nearest != before.end() ? *nearest : isovalue, range.y - range.x };
+  BandPlan::Wish wish{ isovalue, nearest != before.end() ? *nearest : isovalue, range.y - range.x };
+  if (this->Map.Form().HasPassages)
+  {
+    wish.MostSteps = StepsOfPassages;
+  }
+  return wish;
 }
 
 /// Choose groups to build among those that would be traced: in each frame others, spread over the
@@ -433,7 +441,6 @@ void FrameBands::Finish()
     measured.Memory = this->State.BytesOfBand * static_cast<double>(this->Work.size()) /
       std::max(static_cast<double>(this->RoomForAll()), 1.0);
   }
-  fprintf(stderr,"DBG width %g built %.2f/%.3f lookup %.2f/%.3f groups %zu mem %.3g full %d\n",measured.Width,measured.Built/measured.TracingBuilt,measured.TracingBuilt/measured.TracingAll,measured.LookedUp/measured.TracingFound,measured.TracingFound/measured.TracingAll,built,measured.Memory,(int)measured.IsMemoryFull);
   if (this->IsExact && std::isfinite(measured.Width))
   {
     this->State.Plan.Learn(measured);

@@ -58,6 +58,10 @@ constexpr std::size_t GroupsToATrial = 8;
 /// The share of the groups that a frame builds if the picture depends on it.
 constexpr double FixedShare = 1.0 / 12.0;
 
+/// Steps of a drag that bands of passages may reach ahead. A ray has the more passages the wider a
+/// band is, and each is built, kept and looked through.
+constexpr double StepsOfPassages = 12.0;
+
 /// Memory of all bands that nobody asked for, by pixels: with knots, and with passages.
 constexpr std::size_t BytesAPixel = 32, BytesOfPassages = 96;
 
@@ -156,7 +160,12 @@ BandPlan::Wish FrameBands::WishFor(double isovalue) const
   const auto nearest = std::min_element(before.begin(), before.end(),
     [isovalue](double a, double b) { return std::abs(a - isovalue) < std::abs(b - isovalue); });
   const glm::dvec2& range = this->From.Pyramid.FiniteRange();
-  return { isovalue, nearest != before.end() ? *nearest : isovalue, range.y - range.x };
+  BandPlan::Wish wish{ isovalue, nearest != before.end() ? *nearest : isovalue, range.y - range.x };
+  if (this->Map.Form().HasPassages)
+  {
+    wish.MostSteps = StepsOfPassages;
+  }
+  return wish;
 }
 
 /// Choose groups to build among those that would be traced: in each frame others, spread over the

@@ -5,6 +5,7 @@
 #include "Isomap/Knots.h"
 
 #include <algorithm>
+#include <limits>
 
 // This file is compiled once for each kind of vectors, and what runs is chosen by the machine.
 #undef HWY_TARGET_INCLUDE
@@ -112,8 +113,8 @@ private:
     constexpr float most = 0x1p-5f;
     if (this->Values.IsAny || this->Task.HasCaps || !(margin < most))
     {
-      this->Keys.Low.fill(0.0f);
-      this->Keys.High.fill(static_cast<float>(BandScale::LargestInKeys));
+      this->Keys.Low.fill(0);
+      this->Keys.High.fill(std::numeric_limits<PassageKey>::max());
       return passing;
     }
     // What LayerCells allows for each isovalue, and more for the rounding of differences between
@@ -140,16 +141,17 @@ private:
     V at[3], step[3];
     FindPathsIn(box, this->Beam, enter, leave, i, at, step);
     const Coefficients b = CubicsAlong(this->Values.Values, at, step);
-    constexpr auto last = static_cast<float>(BandScale::LargestInKeys + KeySlack);
-    const V keys = Set(this->Values.KeysPerUnit);
-    const V low = hn::Mul(hn::Sub(b.Smallest, error), keys);
-    const V high = hn::Mul(hn::Add(b.Largest, error), keys);
-    const M isOutside =
-      hn::Or(hn::Lt(high, Set(static_cast<float>(-KeySlack))), hn::Gt(low, Set(last)));
+    constexpr auto slack = static_cast<float>(KeySlack);
+    constexpr auto last = static_cast<float>(BandScale::LargestInKeys);
+    const V keys = Set(this->Values.KeysPerUnit), zero = Set(0.0f);
+    const V low = hn::Sub(hn::Mul(hn::Sub(b.Smallest, error), keys), Set(slack));
+    const V high = hn::Add(hn::Mul(hn::Add(b.Largest, error), keys), Set(slack));
+    const M isOutside = hn::Or(hn::Lt(high, zero), hn::Gt(low, Set(last)));
     const M isFound =
       hn::AndNot(hn::Or(isOutside, this->CanOnlyExit(b, error, enter, leave, i)), isPassed);
-    hn::StoreU(low, Floats(), &this->Keys.Low[i]);
-    hn::StoreU(high, Floats(), &this->Keys.High[i]);
+    const Integers d;
+    hn::StoreU(hn::ConvertTo(d, hn::Min(hn::Max(low, zero), Set(last))), d, &this->Keys.Low[i]);
+    hn::StoreU(hn::ConvertTo(d, hn::Min(hn::Max(high, zero), Set(last))), d, &this->Keys.High[i]);
     return BitsOf(isFound);
   }
 

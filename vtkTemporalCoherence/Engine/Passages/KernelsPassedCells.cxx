@@ -148,7 +148,7 @@ void FindWithin(const std::uint8_t* low, const std::uint8_t* high, std::size_t c
       hn::And(hn::Eq(hn::Min(lowest, wanted), lowest), hn::Eq(hn::Max(highest, wanted), highest));
     std::uint8_t bits[8] = { 0 };
     hn::StoreMaskBits(d, isWithin, bits);
-    for (std::size_t byte = 0; byte < lanes / 8; ++byte)
+    for (std::size_t byte = 0; byte < (lanes + 7) / 8; ++byte)
     {
       words[i / 64] |= static_cast<std::uint64_t>(bits[byte]) << (i % 64 + 8 * byte);
     }

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <type_traits>
 
 namespace TemporalCoherence
 {
@@ -149,26 +150,22 @@ private:
     {
       Corners<Real> corners;
       const CellReach<Real> reach = this->Band.Read(cell, corners);
-      double largest = 0.0;
-      for (const Real corner : corners)
-      {
-        largest = std::max(largest, std::abs(static_cast<double>(corner)));
-      }
-      const auto span = static_cast<double>(this->Band.Span);
-      const double unit = largest + span;
-      // Numbers so small that their shares lose bits tell nothing.
-      constexpr double least = 1e-270, most = 1e270;
-      values.IsAny = !(reach.IsFinite && unit > least && unit < most && span > 0.0);
+      const Real span = this->Band.Span, lowest = span - reach.Corner[Falling];
+      const Real unit = std::max(std::abs(lowest), std::abs(reach.Corner[Rising])) + span;
+      // Numbers so small or large that their shares lose bits tell nothing.
+      constexpr Real least = std::is_same_v<Real, float> ? Real(1e-30f) : Real(1e-270);
+      constexpr Real most = std::is_same_v<Real, float> ? Real(1e30f) : Real(1e270);
+      values.IsAny = !(reach.IsFinite && unit > least && unit < most && span > Real(0));
       if (!values.IsAny)
       {
-        const double toUnit = 1.0 / unit;
+        const Real toUnit = Real(1) / unit;
         for (std::size_t row = 0; row < 4; ++row)
         {
           values.Values.Set(row, static_cast<float>(corners[2 * row] * toUnit),
             static_cast<float>(corners[2 * row + 1] * toUnit));
         }
-        values.KeysPerUnit =
-          static_cast<float>(std::min(unit / span * (BandScale::LargestInKeys), 1e30));
+        values.KeysPerUnit = static_cast<float>(
+          std::min(static_cast<double>(unit) / span * BandScale::LargestInKeys, 1e30));
       }
     }
 
@@ -180,7 +177,8 @@ private:
       ForEachRay(which,
         [&](std::size_t ray)
         {
-          const KeyRange range = KeyRange::Of(keys.Low[ray], keys.High[ray]);
+          const KeyRange range{ static_cast<PassageKey>(keys.Low[ray]),
+            static_cast<PassageKey>(keys.High[ray]) };
           const bool isDone = this->Rows.Append(ray, range, number);
           done |= static_cast<std::uint64_t>(isDone) << ray;
         });

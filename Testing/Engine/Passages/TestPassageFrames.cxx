@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Drags of translucent isovalues are looked up, and show the cold picture: planes, and layers in
+// their order, whatever else changes in the view, by any kind of field and region.
+
+#include "Acceleration/HiddenCells.h"
+#include "Fields/Coordinates.h"
+#include "Render/OpacityChanges.h"
+
+#include <vtkSMPTools.h>
+
+#include <random>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+using namespace TemporalCoherence;
+
+class PassageFrames : public OpacityChanges
+{
+protected:
+  /// Drag isovalues, and now and then change opacities, colours, or jump.
+  void Drag(unsigned int seed, int steps = 14)
+  {
+    std::mt19937 engine(seed);
+    this->SetOpacity(0.4);
+    this->Render("first");
+    for (int step = 0; step < steps; ++step)
+    {
+      std::vector<double>& isovalues = this->Key.Isosurfaces.Isovalues;
+      const auto change = engine() % 8;
+      if (change == 0)
+      {
+        this->SetOpacity(0.05 + 0.1 * static_cast<double>(engine() % 10)); // never opaque
+      }
+      else if (change == 1)
+      {
+        this->Key.Appearance.Ambient = 0.02 * static_cast<double>(engine() % 20);
+      }
+      else if (change == 2)
+      {
+        isovalues.back() = -60.0 + static_cast<double>(engine() % 120);
+      }
+      else
+      {
+        isovalues[engine() % isovalues.size()] += 0.7 * static_cast<double>(1 + engine() % 2);
+      }
+      this->Render("seed " + std::to_string(seed) + ", step " + std::to_string(step));
+      if (this->HasFatalFailure())
+      {
+        return;
+      }
+    }
+  }
+
+  void ExpectLookUps(int atLeast)
+  {
+    EXPECT_GE(this->Routes[Route::IsomapBuild] + this->Routes[Route::IsomapLookup], atLeast);
+    EXPECT_TRUE(this->Renderer.IsomapOfLastView().Form().HasPassages);
+  }
+};
+
+TEST_F(PassageFrames, OfDragsAreColdOnes)
+{
+  for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
+  {
+    this->Key.Isosurfaces.Mode = mode;
+    this->Drag(1);
+  }
+  this->Key.View = LookAt(Dimensions, { 1.0, 0.2, 0.7 }, { 60, 50 }, true);
+  this->Drag(2);
+  this->ExpectLookUps(15);
+}
+
+TEST_F(PassageFrames, OfARangeThatIsBuiltAtOnceTraceHardlyARay)
+{
+  this->Key.Isosurfaces.Isovalues = { 20.0 };
+  this->Options.Map.Range = { 15.0, 35.0 };
+  this->SetOpacity(0.4);
+  this->Render("first");
+  for (int step = 1; step <= 10; ++step)
+  {
+    this->Key.Isosurfaces.Isovalues = { 20.0 + step };
+    this->Render("step", step == 1 ? Route::IsomapBuild : Route::IsomapLookup);
+    EXPECT_LT(this->Statistics().TracedRays, this->Statistics().Rays / 50);
+    EXPECT_GT(this->Statistics().Layers, 3000);
+  }
+  // Opaque surfaces have an isomap of their own.
+  this->Key.Isosurfaces.Opacities.clear();
+  this->Key.Isosurfaces.Isovalues = { 31.5 };
+  this->Render("opaque");
+  EXPECT_FALSE(this->Renderer.IsomapOfLastView().Form().HasPassages);
+}
+
+TEST_F(PassageFrames, AreExactWhateverTheToleranceIs)
+{
+  this->Options.Map.Tolerance = 0.3;
+  this->Options.Map.HasNormals = true;
+  this->Drag(3);
+  this->ExpectLookUps(4);
+}
+
+TEST_F(PassageFrames, OfOpacityByGradientsAndDeepLayers)
+{
+  this->Key.Isosurfaces.ByGradient.Nodes = { { 5.0, 0.0 }, { 30.0, 0.2 } };
+  this->Drag(4);
+  this->Key.Isosurfaces.ByGradient.Nodes.clear();
+  this->Samples.FillRandomly(-100.0, 100.0, 8); // more layers than a pass finds
+  this->Key.Samples.Stamp += 1;
+  this->Drag(5, 8);
+  this->ExpectLookUps(4);
+}
+
+TEST_F(PassageFrames, OfRegionsHiddenCellsGridsAndNearestSamples)
+{
+  Region& region = this->Key.Region;
+  region.Crops = { glm::dvec2(8.0, 19.0), glm::dvec2(9.0, 18.0), glm::dvec2(7.0, 17.0) };
+  region.Boxes = Region::AllBoxes & ~(1u << 13); // up to three pieces of a ray
+  region.Clips = { { 1.0, 0.3, -0.2, -4.0 } };
+  std::vector<std::uint8_t> flags(29 * 27 * 25);
+  std::mt19937 engine(3);
+  for (std::uint8_t& flag : flags)
+  {
+    flag = engine() % 12 == 0;
+  }
+  const auto hidden = HiddenCells::Make(Dimensions, { flags.data(), 1 });
+  for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
+  {
+    this->Key.Isosurfaces.Mode = mode;
+    this->Key.Samples = this->Samples.Field;
+    this->Drag(6, 8);
+    this->Key.Samples.Hidden = hidden;
+    this->Drag(7, 8);
+    this->Key.Samples.Between = Interpolation::Nearest;
+    this->Drag(8, 6);
+    this->Key.Samples = this->Samples.Field;
+    this->Key.Samples.Kind = RectilinearKind(Stretched(Dimensions, 2.0, 4));
+    this->Drag(9, 6);
+  }
+  this->ExpectLookUps(20);
+}
+
+TEST_F(PassageFrames, KeepWithinTheLimitOfMemory)
+{
+  this->Key.View = LookAt(Dimensions, { 1.0, 2.0, 0.7 }, { 256, 256 });
+  for (const std::size_t limit : { std::size_t(60000), std::size_t(256) << 20 })
+  {
+    this->Options.Map.MemoryLimit = limit;
+    this->SetOpacity(0.3);
+    for (int step = 0; step < 10; ++step)
+    {
+      this->Key.Isosurfaces.Isovalues[0] = 20.0 + 1.5 * step;
+      this->Renderer.Render(this->Key, this->Options);
+      const std::size_t pixels = 256 * 256;
+      EXPECT_LE(this->Renderer.IsomapOfLastView().MemoryInBytes(),
+        std::min(limit, 96 * pixels + Isomap::FixedMemory(this->Key)));
+    }
+    this->ExpectCold("after a drag");
+  }
+}
+
+TEST_F(PassageFrames, AreTheSameForAnyNumberOfThreads)
+{
+  // The backend of plain threads starts as many as it is told, whatever the machine has.
+  const std::string before = vtkSMPTools::GetBackend();
+  ASSERT_TRUE(vtkSMPTools::SetBackend("STDThread"));
+  for (const int threads : { 1, 3 })
+  {
+    vtkSMPTools::Initialize(threads);
+    this->Drag(11, 6);
+  }
+  vtkSMPTools::Initialize(0);
+  vtkSMPTools::SetBackend(before.c_str());
+}
+
+}

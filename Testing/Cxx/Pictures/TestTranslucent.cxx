@@ -204,7 +204,7 @@ void TestRoutes()
     step("still", true);
     for (int i = 0; i < 6; ++i)
     {
-      scene.SetIsovalues({ 0.0, 500.0 + 5.0 * (i % 4), -600.0 });
+      scene.SetIsovalues({ 0.0, 505.0 + 5.0 * (i % 4), -600.0 });
       step("one isovalue of three", true);
       Expect(IsRoute(scene, "KeepLayers"), "two isovalues are as before");
     }

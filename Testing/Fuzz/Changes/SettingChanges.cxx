@@ -136,7 +136,7 @@ void Isomap(World& world)
     default:
     {
       const double tolerance = ATolerance(world);
-      if (!std::isnan(tolerance)) // which is refused: see Acts
+      if (std::isfinite(tolerance)) // others are refused: see Acts
       {
         mapper->SetIsomapTolerance(tolerance);
       }

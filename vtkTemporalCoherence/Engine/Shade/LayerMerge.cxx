@@ -109,6 +109,7 @@ void LayerMerge::Keep(const KnownLayers& known)
   this->Limits.fill({ -Infinity, HitKind::None, 0.0 });
   RayBatch::Array<float> passed;
   passed.fill(1.0f);
+  std::uint64_t goes = 0; // one bit for each pixel whose last layer is of an isovalue that goes
   const PlaceFinder places(this->Part, this->Width);
   known.ForEach(
     [&](const LayerHit& hit)
@@ -121,12 +122,15 @@ void LayerMerge::Keep(const KnownLayers& known)
       const auto surface = static_cast<std::size_t>(hit.Isovalue);
       this->Limits[place] = { hit.Depth, hit.Kind, this->Change.Last[surface] };
       const std::int16_t kept = this->Change.Kept[surface];
+      const std::uint64_t bit = std::uint64_t(1) << place;
+      goes = kept == Frame::NoSurface ? goes | bit : goes & ~bit;
       if (kept != Frame::NoSurface)
       {
         this->Link(place, this->Last[place], hit, kept);
         passed[place] = PassedBehind(passed[place], this->AlphaOf(kept));
       }
     });
+  this->Uncovered = goes & ~known.Ends();
   this->Limited =
     ~known.Ends() | PixelsWhere([&](std::size_t place) { return passed[place] == 0.0f; });
   this->Last.fill(None); // new ones are searched from the front

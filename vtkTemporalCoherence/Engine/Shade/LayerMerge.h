@@ -55,6 +55,10 @@ public:
   /// \throws std::bad_alloc
   void Keep(const KnownLayers& known);
 
+  /// How many rays have a limit only because nothing is known behind a layer of an isovalue that
+  /// goes. Light will go on there, most likely, so that they are searched for all isovalues.
+  std::size_t CountUncovered() const { return hwy::PopCount(this->Uncovered); }
+
   /// The least t behind the limit of a ray, or infinity.
   double EndOf(std::size_t place) const;
 
@@ -97,6 +101,7 @@ private:
   RayBatch::Array<std::int32_t> Last;  ///< that were kept or added
   std::uint64_t Limited = 0;           ///< one bit for each pixel whose ray has a limit
   RayBatch::Array<MetSurface> Limits;
+  std::uint64_t Uncovered = 0; ///< CountUncovered()
 };
 
 }

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+#include <hwy/cache_control.h>
+
 namespace TemporalCoherence
 {
 namespace
@@ -14,6 +16,17 @@ namespace
 
 template <typename T>
 using Array = RayBatch::Array<T>;
+
+/// Prefetch some layers that a frame keeps: from number `first` on, as many as are shaded at once.
+void PrefetchLayers(const std::vector<LayerHit>& layers, std::size_t first)
+{
+  constexpr std::size_t perLine = 64 / sizeof(LayerHit);
+  const std::size_t end = std::min(first + RayBatch::Capacity, layers.size());
+  for (std::size_t i = first; i < end; i += perLine)
+  {
+    hwy::Prefetch(&layers[i]);
+  }
+}
 
 /// The pixels of the first of some layers that are kept round by round.
 void FindFirstRound(const std::vector<LayerHit>& layers, HitList& hits)
@@ -327,6 +340,7 @@ void TileCompositor::CompositeAgain(std::int64_t tile, const PixelRect& part, Fr
   {
     return;
   }
+  PrefetchLayers(layers, 0);
   PixelCentres centres;
   centres.Find(this->Key.View, part);
   LayerCanvas canvas(part, frame);
@@ -343,6 +357,7 @@ void TileCompositor::CompositeAgain(std::int64_t tile, const PixelRect& part, Fr
       list.Append(place, layers[i], shaded[i - begin]);
       centres.Append(layers[i], place, hits);
     }
+    PrefetchLayers(layers, end);
     FindHitRays(this->Key.View, hits);
     this->Shade(hits, shaded.data());
     canvas.Add(list);

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The short ways of shading, for whole tiles and for one light on one colour, give the same bits as
-// the long ones.
+// The short ways of shading, for whole tiles, for one light on one colour and for a round of
+// layers, give the same bits as the long ones.
 
 #include "EachTarget.h"
+#include "Scene/LayerBatch.h"
 #include "Shade/KernelsShading.h"
 #include "Shade/RandomDirection.h"
 
@@ -103,6 +104,69 @@ TEST_F(KernelsShortcuts, ColorsOfASimpleLight)
       }
     }
   }
+}
+
+/// Pixels with a surface change as the "over" operator says, and no others.
+TEST_F(KernelsShortcuts, RoundsOfLayers)
+{
+  const auto clampToOne = [](float value) { return value > 0.0f ? std::min(value, 1.0f) : 0.0f; };
+  const auto rounded = [&](float value)
+  { return static_cast<std::uint8_t>(clampToOne(value) * 255.0f + 0.5f); };
+  constexpr std::uint64_t rounds[] = { ~std::uint64_t(0), 0x00FF00FF12345678, 1,
+    std::uint64_t(1) << 63, 0xFFFF000000000000, ~std::uint64_t(0) };
+  this->ForEachTarget(
+    [&](const char* target)
+    {
+      std::mt19937 engine(3);
+      std::uniform_real_distribution<float> share(0.0f, 1.0f), color(-0.2f, 1.3f);
+      CompositedPixels pixels;
+      pixels.Color = {};
+      pixels.Rounded.fill({});
+      pixels.Passed.fill(1.0f);
+      pixels.Passing = ~std::uint64_t(0);
+      CompositedPixels expected = pixels;
+      for (const std::uint64_t which : rounds)
+      {
+        LayerRound round;
+        round.Which = which;
+        for (std::size_t i = 0; i < round.Alpha.size(); ++i)
+        {
+          const bool isThere = which >> i & 1u;
+          round.Alpha[i] = isThere ? (i % 9 == 0 ? 1.0f : i % 7 == 0 ? 0.0f : share(engine)) : 0.0f;
+          float& passed = expected.Passed[i];
+          for (std::size_t c = 0; c < 3; ++c)
+          {
+            round.Color[c][i] = i % 5 == 0 ? std::numeric_limits<float>::infinity() : color(engine);
+            expected.Color[c][i] += passed * round.Alpha[i] * clampToOne(round.Color[c][i]);
+          }
+          passed = PassedBehind(passed, round.Alpha[i]);
+          if (passed == 0.0f)
+          {
+            expected.Passing &= ~(std::uint64_t(1) << i);
+          }
+          if (isThere)
+          {
+            expected.Rounded[i] = { rounded(expected.Color[0][i]), rounded(expected.Color[1][i]),
+              rounded(expected.Color[2][i]), rounded(1.0f - passed) };
+          }
+        }
+        CompositeRound(round, pixels);
+        for (std::size_t i = 0; i < round.Alpha.size(); ++i)
+        {
+          if (which >> i & 1u)
+          {
+            EXPECT_EQ(pixels.Rounded[i], expected.Rounded[i]) << target << ", pixel " << i;
+          }
+        }
+        EXPECT_TRUE(AreIdentical(pixels.Passed, expected.Passed, RayBatch::Capacity)) << target;
+        EXPECT_EQ(pixels.Passing, expected.Passing) << target;
+        for (std::size_t c = 0; c < 3; ++c)
+        {
+          EXPECT_TRUE(AreIdentical(pixels.Color[c], expected.Color[c], RayBatch::Capacity))
+            << target;
+        }
+      }
+    });
 }
 
 }

@@ -18,13 +18,14 @@
 namespace TemporalCoherence
 {
 
-/// The share of the light from behind that still passes a ray's surfaces behind one more. A lower
-/// share than half a step of a colour is taken as none.
+/// A share of light that is taken as none: half a step of a colour.
+constexpr float NoLight = 1.0f / 512.0f;
+
+/// The share of the light from behind that still passes a ray's surfaces behind one more.
 inline float PassedBehind(float transmittance, float alpha)
 {
-  constexpr float opaque = 1.0f / 512.0f;
   const float passed = transmittance * (1.0f - alpha);
-  return passed <= opaque ? 0.0f : passed;
+  return passed <= NoLight ? 0.0f : passed;
 }
 
 /// Surfaces along the rays of a batch, several of each: the next ones behind the last. They are

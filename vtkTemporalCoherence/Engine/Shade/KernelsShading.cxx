@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shade/KernelsShading.h"
 
+#include "Scene/LayerBatch.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -39,6 +41,14 @@ template <class V>
 HWY_INLINE V Dot(V ax, V ay, V az, V bx, V by, V bz)
 {
   return hn::Add(hn::Add(hn::Mul(ax, bx), hn::Mul(ay, by)), hn::Mul(az, bz));
+}
+
+/// One bit for each lane.
+HWY_INLINE std::uint64_t BitsOf(hn::Mask<Floats> mask)
+{
+  std::array<std::uint8_t, 8> bits{};
+  hn::StoreMaskBits(Floats(), mask, bits.data());
+  return static_cast<std::uint64_t>(bits[0]) | static_cast<std::uint64_t>(bits[1]) << 8;
 }
 
 /// Doubles as a vector of floats.
@@ -251,15 +261,21 @@ HWY_INLINE bool IsShiny(const std::array<float, 3>& specular)
   return specular[0] != 0.0f || specular[1] != 0.0f || specular[2] != 0.0f;
 }
 
+/// NaN becomes 0.
+HWY_INLINE hn::Vec<Floats> ClampToOne(hn::Vec<Floats> value)
+{
+  const Floats d;
+  const auto zero = hn::Zero(d), one = hn::Set(d, 1.0f);
+  const auto raised = hn::IfThenElse(hn::Gt(value, zero), value, zero);
+  return hn::IfThenElse(hn::Lt(raised, one), raised, one);
+}
+
 HWY_INLINE hn::Vec<hn::Rebind<std::uint8_t, Floats>> BytesOf(hn::Vec<Floats> sum)
 {
   const Floats d;
   const hn::Rebind<std::int32_t, Floats> di;
   const hn::Rebind<std::uint8_t, Floats> db;
-  const auto zero = hn::Zero(d), one = hn::Set(d, 1.0f);
-  const auto raised = hn::IfThenElse(hn::Gt(sum, zero), sum, zero);
-  const auto clamped = hn::IfThenElse(hn::Lt(raised, one), raised, one);
-  const auto scaled = hn::Add(hn::Mul(clamped, hn::Set(d, 255.0f)), hn::Set(d, 0.5f));
+  const auto scaled = hn::Add(hn::Mul(ClampToOne(sum), hn::Set(d, 255.0f)), hn::Set(d, 0.5f));
   return hn::DemoteTo(db, hn::ConvertTo(di, scaled));
 }
 
@@ -300,6 +316,48 @@ void ColorsOf(const PhongSums& sums, Array<std::array<std::uint8_t, 4>>& colors)
     { return BytesOf(hn::LoadU(d, &sums.Sum[a][i])); };
     hn::StoreInterleaved4(
       bytes(0), bytes(1), bytes(2), hn::Set(db, std::uint8_t(255)), db, colors[i].data());
+  }
+}
+
+/// Values of a LayerColor.
+HWY_INLINE hn::Vec<hn::Rebind<std::uint16_t, Floats>> ValuesOf(hn::Vec<Floats> sum)
+{
+  const Floats d;
+  const hn::Rebind<std::int32_t, Floats> di;
+  const hn::Rebind<std::uint16_t, Floats> du;
+  const auto steps = hn::Set(d, static_cast<float>(LayerColor::Steps));
+  const auto half = hn::Set(d, static_cast<float>(LayerColor::Half));
+  return hn::DemoteTo(du, hn::ConvertTo(di, hn::Add(hn::Mul(ClampToOne(sum), steps), half)));
+}
+
+void CompositeRoundOf(const LayerRound& round, CompositedPixels& pixels)
+{
+  const Floats d;
+  const hn::Rebind<std::uint16_t, Floats> du;
+  using V = hn::Vec<Floats>;
+  constexpr std::uint64_t lanes = (std::uint64_t(1) << hn::MaxLanes(d)) - 1;
+  const V one = hn::Set(d, 1.0f), none = hn::Set(d, NoLight);
+  for (std::size_t i = 0; i < RayBatch::Capacity; i += hn::Lanes(d))
+  {
+    if ((round.Which >> i & lanes) == 0)
+    {
+      continue;
+    }
+    const V passed = hn::LoadU(d, &pixels.Passed[i]), alpha = hn::LoadU(d, &round.Alpha[i]);
+    const V share = hn::Mul(passed, alpha);
+    V color[3];
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      const V added = hn::Mul(share, ClampToOne(hn::LoadU(d, &round.Color[c][i])));
+      color[c] = hn::Add(hn::LoadU(d, &pixels.Color[c][i]), added);
+      hn::StoreU(color[c], d, &pixels.Color[c][i]);
+    }
+    const V behind = hn::Mul(passed, hn::Sub(one, alpha));
+    const V passes = hn::IfThenZeroElse(hn::Le(behind, none), behind);
+    hn::StoreU(passes, d, &pixels.Passed[i]);
+    pixels.Passing &= ~(BitsOf(hn::Eq(passes, hn::Zero(d))) << i);
+    hn::StoreInterleaved4(ValuesOf(color[0]), ValuesOf(color[1]), ValuesOf(color[2]),
+      ValuesOf(hn::Sub(one, passes)), du, pixels.Rounded[i].Values.data());
   }
 }
 
@@ -353,6 +411,7 @@ HWY_EXPORT(TakeFiniteOf);
 HWY_EXPORT(FacingNormalsOf);
 HWY_EXPORT(AddLightTo);
 HWY_EXPORT(ColorsOf);
+HWY_EXPORT(CompositeRoundOf);
 HWY_EXPORT(SimpleColorsOf);
 
 void FindRays(const View& view, const Array<double>& x, const Array<double>& y, HitRays& rays)
@@ -397,6 +456,11 @@ void FindColors(const HitRays& rays, const Array<std::array<float, 3>>& normals,
   const SimpleLight& light, Array<std::array<std::uint8_t, 4>>& colors)
 {
   HWY_DYNAMIC_DISPATCH(SimpleColorsOf)(rays, normals, light, colors);
+}
+
+void CompositeRound(const LayerRound& round, CompositedPixels& pixels)
+{
+  HWY_DYNAMIC_DISPATCH(CompositeRoundOf)(round, pixels);
 }
 
 void RoundColors(const PhongSums& sums, Array<std::array<std::uint8_t, 4>>& colors)

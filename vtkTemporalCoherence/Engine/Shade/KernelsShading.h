@@ -3,6 +3,7 @@
 #ifndef TemporalCoherence_KernelsShading_h
 #define TemporalCoherence_KernelsShading_h
 
+#include "Scene/Frame.h"
 #include "Scene/View.h"
 #include "Shade/HitRays.h"
 
@@ -65,6 +66,27 @@ struct SimpleLight
 /// are read up to the end of the last vector.
 void FindColors(const HitRays& rays, const Array<std::array<float, 3>>& normals,
   const SimpleLight& light, Array<std::array<std::uint8_t, 4>>& colors);
+
+/// The pixels of a tile while surfaces are composited.
+struct CompositedPixels
+{
+  std::array<Array<float>, 3> Color;
+  Array<float> Passed;   ///< share of light from behind that passes the surfaces
+  std::uint64_t Passing; ///< one bit for each pixel where any does
+  /// With opacity, premultiplied, where a surface was composited last.
+  Array<LayerColor> Rounded;
+};
+
+/// At most one surface of each pixel of a tile.
+struct LayerRound
+{
+  std::uint64_t Which = 0; ///< one bit for each pixel that has one; all others have an alpha of 0
+  std::array<Array<float>, 3> Color{};
+  Array<float> Alpha{};
+};
+
+/// Composite surfaces behind the present ones.
+void CompositeRound(const LayerRound& round, CompositedPixels& pixels);
 
 /// Convert the sums to opaque RGBA colours.
 void RoundColors(const PhongSums& sums, Array<std::array<std::uint8_t, 4>>& colors);

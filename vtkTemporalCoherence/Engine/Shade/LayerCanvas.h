@@ -7,8 +7,8 @@
 #include "Scene/LayerBatch.h"
 #include "Scene/RayBatch.h"
 #include "Scene/Tiles.h"
+#include "Shade/KernelsShading.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -24,6 +24,23 @@ struct ShadedLayer
   float Alpha;
 };
 
+/// Surfaces that are composited together: those of each pixel from front to back.
+struct LayerList
+{
+  std::size_t Count = 0;
+  RayBatch::Array<std::size_t> Place; ///< of the pixel
+  RayBatch::Array<LayerHit*> Hit;
+  RayBatch::Array<const ShadedLayer*> Shaded;
+
+  void Append(std::size_t place, LayerHit& hit, const ShadedLayer& shaded)
+  {
+    const std::size_t at = this->Count++;
+    this->Place[at] = place;
+    this->Hit[at] = &hit;
+    this->Shaded[at] = &shaded;
+  }
+};
+
 /// The pixels of a tile while layers are composited, from front to back with the "over" operator.
 /// A pixel's place is that of its ray: row by row.
 class LayerCanvas
@@ -32,53 +49,63 @@ public:
   LayerCanvas(const PixelRect& part, Frame& frame)
     : Part(part)
     , Planes(frame)
+    , First(part.First.y * frame.Size.x + part.First.x)
+    , PerWidth((std::uint64_t(1) << 32) / static_cast<std::uint64_t>(frame.Size.x) + 1)
   {
-    this->Passed.fill(1.0f);
-    for (RayBatch::Array<float>& channel : this->Color)
+    this->Pixels.Passed.fill(1.0f);
+    for (RayBatch::Array<float>& channel : this->Pixels.Color)
     {
       channel.fill(0.0f);
     }
+    this->Pixels.Rounded.fill({});
+    this->Pixels.Passing = ~std::uint64_t(0) >> (RayBatch::Capacity - part.Size.x * part.Size.y);
   }
 
+  /// PlaceInTile, without a branch.
   std::size_t PlaceOf(std::int32_t pixel) const
   {
-    return PlaceInTile(this->Part, this->Planes.Size.x, pixel);
+    const std::int32_t behind = pixel - this->First;
+    const auto row =
+      static_cast<std::int32_t>(static_cast<std::uint64_t>(behind) * this->PerWidth >> 32);
+    return static_cast<std::size_t>(behind - row * (this->Planes.Size.x - this->Part.Size.x));
   }
 
-  /// Composite a surface behind the present ones. The first visible surface is written to the
-  /// planes. \return the colour of the pixel if no further surface follows
-  LayerColor Add(std::size_t place, const LayerHit& hit, const ShadedLayer& layer)
+  /// Composite surfaces behind the present ones. Each gets the colour of its pixel if no further
+  /// surface follows. The first visible surface of a pixel is written to the planes.
+  /// \return one bit for each surface: light reaches it. Others are left out
+  std::uint64_t Add(const LayerList& layers)
   {
-    const auto pixel = static_cast<std::size_t>(hit.Pixel);
-    float& passed = this->Passed[place];
-    if (layer.Alpha > 0.0f && passed == 1.0f)
+    std::uint64_t reached = 0;
+    for (std::size_t begin = 0, end = 0; begin < layers.Count; begin = end)
     {
-      this->Planes.Depth[pixel] = hit.Depth;
-      this->Planes.Isovalues[pixel] = hit.Isovalue;
-      this->Planes.Normals[pixel] = { layer.Normal[0], layer.Normal[1], layer.Normal[2] };
+      // As many as follow each other with at most one of each pixel.
+      for (; end < layers.Count && (this->Round.Which >> layers.Place[end] & 1u) == 0; ++end)
+      {
+        if (this->Pixels.Passed[layers.Place[end]] > 0.0f)
+        {
+          this->Put(layers, end);
+          reached |= std::uint64_t(1) << end;
+        }
+      }
+      ShadingKernels::CompositeRound(this->Round, this->Pixels);
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        if ((reached >> i & 1u) != 0)
+        {
+          layers.Hit[i]->Color = this->Pixels.Rounded[layers.Place[i]];
+        }
+      }
+      this->Round.Which = 0;
+      this->Round.Alpha.fill(0.0f);
     }
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      this->Color[c][place] += passed * layer.Alpha * ClampToOne(layer.Color[c]);
-    }
-    passed = PassedBehind(passed, layer.Alpha);
-    return this->ColorAt(place);
+    return reached;
   }
 
   /// The share of light from behind that passes the surfaces of each pixel.
-  const RayBatch::Array<float>& Transmittance() const { return this->Passed; }
+  const RayBatch::Array<float>& Transmittance() const { return this->Pixels.Passed; }
 
   /// One bit for each pixel, row by row: light from behind passes its surfaces.
-  std::uint64_t Passing() const
-  {
-    std::uint64_t passing = 0;
-    for (std::size_t place = 0;
-         place < static_cast<std::size_t>(this->Part.Size.x * this->Part.Size.y); ++place)
-    {
-      passing |= static_cast<std::uint64_t>(this->Passed[place] > 0.0f) << place;
-    }
-    return passing;
-  }
+  std::uint64_t Passing() const { return this->Pixels.Passing; }
 
   /// Write colours. A pixel whose surfaces are all invisible becomes a miss.
   void Finish()
@@ -90,8 +117,8 @@ public:
       for (int x = 0; x < this->Part.Size.x; ++x, ++place)
       {
         const auto pixel = static_cast<std::size_t>(first + x);
-        this->Planes.Colors[pixel] = this->ColorAt(place).Bytes();
-        if (this->Passed[place] == 1.0f)
+        this->Planes.Colors[pixel] = this->Pixels.Rounded[place].Bytes();
+        if (this->Pixels.Passed[place] == 1.0f)
         {
           this->Planes.Depth[pixel] = std::numeric_limits<double>::infinity();
           this->Planes.Isovalues[pixel] = Frame::NoSurface;
@@ -102,26 +129,35 @@ public:
   }
 
 private:
-  /// NaN becomes 0.
-  static float ClampToOne(float value) { return value > 0.0f ? std::min(value, 1.0f) : 0.0f; }
-
-  static std::uint16_t ValueOf(float value)
+  /// Put a surface into the next round.
+  void Put(const LayerList& layers, std::size_t i)
   {
-    constexpr auto steps = static_cast<float>(LayerColor::Steps);
-    constexpr auto half = static_cast<float>(LayerColor::Half);
-    return static_cast<std::uint16_t>(ClampToOne(value) * steps + half);
-  }
-
-  LayerColor ColorAt(std::size_t place) const
-  {
-    return { { ValueOf(this->Color[0][place]), ValueOf(this->Color[1][place]),
-      ValueOf(this->Color[2][place]), ValueOf(1.0f - this->Passed[place]) } };
+    const ShadedLayer& layer = *layers.Shaded[i];
+    const std::size_t place = layers.Place[i];
+    if (layer.Alpha > 0.0f && this->Pixels.Passed[place] == 1.0f)
+    {
+      const LayerHit& hit = *layers.Hit[i];
+      const auto pixel = static_cast<std::size_t>(hit.Pixel);
+      this->Planes.Depth[pixel] = hit.Depth;
+      this->Planes.Isovalues[pixel] = hit.Isovalue;
+      this->Planes.Normals[pixel] = { layer.Normal[0], layer.Normal[1], layer.Normal[2] };
+    }
+    this->Round.Which |= std::uint64_t(1) << place;
+    this->Round.Alpha[place] = layer.Alpha;
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      this->Round.Color[c][place] = layer.Color[c];
+    }
   }
 
   PixelRect Part;
   Frame& Planes;
-  std::array<RayBatch::Array<float>, 3> Color;
-  RayBatch::Array<float> Passed;
+  std::int32_t First; ///< pixel of the tile
+  /// 1 / width in units of 2^-32, rounded up. A pixel lies less than eight rows and eight columns
+  /// behind the first one, so that the product is a row too high in no picture.
+  std::uint64_t PerWidth;
+  ShadingKernels::CompositedPixels Pixels;
+  ShadingKernels::LayerRound Round;
 };
 
 }

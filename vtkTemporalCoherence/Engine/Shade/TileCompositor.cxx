@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+#include <hwy/cache_control.h>
+
 namespace TemporalCoherence
 {
 namespace
@@ -14,6 +16,17 @@ namespace
 
 template <typename T>
 using Array = RayBatch::Array<T>;
+
+/// Prefetch some layers that a frame keeps: from number `first` on, as many as are shaded at once.
+void PrefetchLayers(const std::vector<LayerHit>& layers, std::size_t first)
+{
+  constexpr std::size_t perLine = 64 / sizeof(LayerHit);
+  const std::size_t end = std::min(first + RayBatch::Capacity, layers.size());
+  for (std::size_t i = first; i < end; i += perLine)
+  {
+    hwy::Prefetch(&layers[i]);
+  }
+}
 
 /// The pixels of the first of some layers that are kept round by round.
 void FindFirstRound(const std::vector<LayerHit>& layers, HitList& hits)
@@ -195,13 +208,13 @@ void TileCompositor::AddKnown(const std::vector<LayerHit>& known, const PixelCen
 {
   const RayBatch::Array<float>& transmittance = canvas.Transmittance();
   std::array<ShadedLayer, RayBatch::Capacity> shaded;
-  std::array<const LayerHit*, RayBatch::Capacity> from;
-  std::array<std::size_t, RayBatch::Capacity> places;
+  std::array<LayerHit, RayBatch::Capacity> taken;
   for (auto next = known.begin(); next != known.end();)
   {
     HitList hits;
-    std::size_t& count = hits.Rays.Count;
-    for (count = 0; next != known.end() && count < from.size(); ++next)
+    LayerList list;
+    hits.Rays.Count = 0;
+    for (; next != known.end() && list.Count < taken.size(); ++next)
     {
       const std::size_t place = canvas.PlaceOf(next->Pixel);
       if (transmittance[place] == 0.0f)
@@ -209,24 +222,20 @@ void TileCompositor::AddKnown(const std::vector<LayerHit>& known, const PixelCen
         behind.push_back(*next);
         continue;
       }
-      from[count] = &*next;
-      places[count] = place;
+      taken[list.Count] = *next;
+      list.Append(place, taken[list.Count], shaded[list.Count]);
       centres.Append(*next, place, hits);
     }
-    if (count > 0)
+    if (list.Count > 0)
     {
       FindHitRays(this->Key.View, hits);
       this->Shade(hits, shaded.data());
     }
-    for (std::size_t i = 0; i < count; ++i)
+    // Some may have made pixels opaque, and be in front of others.
+    const std::uint64_t reached = canvas.Add(list);
+    for (std::size_t i = 0; i < list.Count; ++i)
     {
-      // One in front of it may have made its pixel opaque.
-      const bool isReached = transmittance[places[i]] > 0.0f;
-      LayerHit& hit = (isReached ? kept : behind).emplace_back(*from[i]);
-      if (isReached)
-      {
-        hit.Color = canvas.Add(places[i], hit, shaded[i]);
-      }
+      ((reached >> i & 1u) != 0 ? kept : behind).push_back(taken[i]);
     }
   }
 }
@@ -262,24 +271,32 @@ void TileCompositor::AddLayers(const TileHits& found, const PixelCentres& centre
     this->TakeHits(found, centres, first, hits);
     this->Shade(hits, shaded.data() + first);
   }
+  // The rays of a round are those with as many layers whose light is not used up.
   const auto count = static_cast<std::size_t>(found.Rays.Count);
-  std::uint64_t which = ~std::uint64_t(0) >> (RayBatch::Capacity - count);
-  for (std::size_t round = 0; which != 0; ++round)
+  std::array<std::uint64_t, LayerBatch::MostLayers + 1> ends{}; // one bit for each ray
+  for (std::size_t ray = 0; ray < count; ++ray)
   {
+    ends[layers.Count[ray]] |= std::uint64_t(1) << ray;
+  }
+  std::array<LayerHit, RayBatch::Capacity> hits;
+  std::uint64_t which = canvas.Passing() & ~ends[0];
+  for (std::size_t round = 0; which != 0; which &= canvas.Passing() & ~ends[++round])
+  {
+    LayerList list;
     ForEachRay(which,
       [&](std::size_t ray)
       {
-        if (round == layers.Count[ray] || canvas.Transmittance()[ray] == 0.0f)
-        {
-          which &= ~(std::uint64_t(1) << ray);
-          return;
-        }
         const std::size_t at = layers.Place[round][ray];
-        LayerHit hit{ layers.Distance[at], found.Rays.Pixel[ray], layers.Surface[at],
-          layers.Kind[at] };
-        hit.Color = canvas.Add(ray, hit, shaded[at]);
-        kept.push_back(hit);
+        LayerHit& hit = hits[list.Count];
+        // One by one: a copy of what was just put together waits for all of its stores.
+        hit.Depth = layers.Distance[at];
+        hit.Pixel = found.Rays.Pixel[ray];
+        hit.Isovalue = layers.Surface[at];
+        hit.Kind = layers.Kind[at];
+        list.Append(ray, hit, shaded[at]);
       });
+    canvas.Add(list);
+    kept.insert(kept.end(), hits.begin(), hits.begin() + static_cast<std::ptrdiff_t>(list.Count));
   }
 }
 
@@ -325,28 +342,27 @@ void TileCompositor::CompositeAgain(std::int64_t tile, const PixelRect& part, Fr
   {
     return;
   }
+  PrefetchLayers(layers, 0);
   PixelCentres centres;
   centres.Find(this->Key.View, part);
   LayerCanvas canvas(part, frame);
   std::array<ShadedLayer, RayBatch::Capacity> shaded;
-  std::array<std::size_t, RayBatch::Capacity> places;
   for (std::size_t begin = 0; begin < layers.size(); begin += shaded.size())
   {
     const std::size_t end = std::min(begin + shaded.size(), layers.size());
     HitList hits;
+    LayerList list;
     hits.Rays.Count = 0;
     for (std::size_t i = begin; i < end; ++i)
     {
       const std::size_t place = canvas.PlaceOf(layers[i].Pixel);
-      places[i - begin] = place;
+      list.Append(place, layers[i], shaded[i - begin]);
       centres.Append(layers[i], place, hits);
     }
+    PrefetchLayers(layers, end);
     FindHitRays(this->Key.View, hits);
     this->Shade(hits, shaded.data());
-    for (std::size_t i = begin; i < end; ++i)
-    {
-      layers[i].Color = canvas.Add(places[i - begin], layers[i], shaded[i - begin]);
-    }
+    canvas.Add(list);
   }
   canvas.Finish();
   this->Paint(layers, frame);

@@ -177,15 +177,12 @@ private:
     const CellValues values = ValuesOf(InFloat(corners));
     const V error = Set(values.Largest * (16.0f * margin + 0x1p-13f) + 1e-30f);
     std::uint64_t open = 0;
-    for (std::size_t i = 0; i < RayBatch::Capacity; i += hn::Lanes(Floats()))
+    while (passing != 0)
     {
       constexpr std::size_t lanes = hn::MaxLanes(Floats());
-      const std::uint64_t which = passing >> i & ((std::uint64_t(1) << lanes) - 1);
-      if (which == 0)
-      {
-        continue;
-      }
-      const M isPassed = MaskOf(which);
+      const std::size_t i = hwy::Num0BitsBelowLS1Bit_Nonzero64(passing) & ~(lanes - 1);
+      const M isPassed = MaskOf(passing >> i);
+      passing &= ~(((std::uint64_t(1) << lanes) - 1) << i);
       const V enter = hn::IfThenElseZero(isPassed, Load(passages.Enter + i));
       const V leave = hn::IfThenElseZero(isPassed, Load(passages.Leave + i));
       V at[3], step[3];

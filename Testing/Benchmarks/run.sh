@@ -128,7 +128,7 @@ if asked_for routes; then
   scenarios "Routes with more pixels" routes-finer routes --views close "${finer[@]}"
 fi
 if asked_for peers; then
-  scenarios "Peers" peers peers --views whole,close
+  scenarios "Peers" peers peers,layer-peers --views whole,close
 fi
 if asked_for drags; then
   scenarios "Drags" drags drags --views whole,close

@@ -17,11 +17,14 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <iostream>
 #include <limits>
+#include <memory>
+#include <vector>
 
 namespace
 {
@@ -29,6 +32,7 @@ namespace
 constexpr int PacketSide = 4, PacketSize = PacketSide * PacketSide, TileSide = 16;
 constexpr float Ambient = 0.1f, Diffuse = 0.7f, Specular = 0.2f;
 constexpr int SpecularDoublings = 3; ///< a power of 8
+constexpr float LeastPassed = 1.0f / 512.0f;
 
 VKLDevice TheDevice()
 {
@@ -115,7 +119,7 @@ public:
     vklSetInt(this->Sampler, "filter", VKL_FILTER_TRILINEAR);
     vklSetInt(this->Sampler, "gradientFilter", VKL_FILTER_TRILINEAR);
     vklCommit(this->Sampler);
-    this->SetIsovalue(stage.Isovalue());
+    this->Tracer::SetIsovalues({ stage.Isovalue() });
   }
 
   ~Tracer() override
@@ -125,39 +129,47 @@ public:
     vklRelease(this->Volume);
   }
 
-  void SetIsovalue(double isovalue) override
+  void SetIsovalues(const std::vector<double>& isovalues) override
   {
     if (this->Context)
     {
       vklRelease(this->Context);
     }
     this->Context = vklNewHitIteratorContext(this->Sampler);
-    const auto value = static_cast<float>(isovalue);
-    VKLData values = vklNewData(TheDevice(), 1, VKL_FLOAT, &value, VKL_DATA_DEFAULT, 0);
+    const std::vector<float> list(isovalues.begin(), isovalues.end());
+    VKLData values =
+      vklNewData(TheDevice(), list.size(), VKL_FLOAT, list.data(), VKL_DATA_DEFAULT, 0);
     vklSetData(this->Context, "values", values);
     vklRelease(values);
     vklCommit(this->Context);
   }
+
+  void SetOpacity(double opacity) override { this->Opacity = static_cast<float>(opacity); }
 
   double Draw(const Stage& stage) override
   {
     return Measuring::TimeOf(
       [&]
       {
+        this->Layers = 0;
         const PixelRays rays(stage);
         const int tiles = (stage.Size + TileSide - 1) / TileSide;
         vtkSMPTools::For(0, static_cast<vtkIdType>(tiles) * tiles, 1,
           [&](vtkIdType begin, vtkIdType end)
           {
             std::vector<char> room(vklGetHitIteratorSize16(this->Context) + Alignment);
+            std::int64_t layers = 0;
             for (vtkIdType tile = begin; tile < end; ++tile)
             {
-              this->DrawTile(static_cast<int>(tile % tiles) * TileSide,
+              layers += this->DrawTile(static_cast<int>(tile % tiles) * TileSide,
                 static_cast<int>(tile / tiles) * TileSide, stage.Size, rays, room);
             }
+            this->Layers += layers;
           });
       });
   }
+
+  std::int64_t NumberOfLayers() const override { return this->Layers; }
 
   double PercentHit() const override
   {
@@ -169,24 +181,44 @@ public:
 private:
   static constexpr std::size_t Alignment = 64;
 
-  void DrawTile(int x, int y, int size, const PixelRays& rays, std::vector<char>& room)
+  /// 16 rays, and what they have met so far.
+  struct Packet
   {
+    vkl_vvec3f16 Origin, Direction;
+    vkl_vrange1f16 Range;
+    // Not a constant: a compiler of Open VKL's kernels has been seen to drop calls with one.
+    alignas(Alignment) std::array<float, PacketSize> Times{};
+    /// -1 for rays that go on, 0 for others.
+    alignas(Alignment) std::array<int, PacketSize> Valid, Found{};
+    std::array<float, PacketSize> Light{};  ///< that surfaces reflect
+    std::array<float, PacketSize> Passed{}; ///< share of the light from behind
+    std::array<float, PacketSize> Depth{};  ///< of the first surface
+  };
+
+  /// \return the number of surfaces shaded
+  std::int64_t DrawTile(int x, int y, int size, const PixelRays& rays, std::vector<char>& room)
+  {
+    std::int64_t layers = 0;
     for (int j = y; j < std::min(y + TileSide, size); j += PacketSide)
     {
       for (int i = x; i < std::min(x + TileSide, size); i += PacketSide)
       {
-        this->DrawPacket(i, j, size, rays, room);
+        Packet packet;
+        if (SetUp(i, j, size, rays, packet))
+        {
+          layers += this->Trace(packet, room);
+        }
+        this->Write(i, j, size, packet);
       }
     }
+    return layers;
   }
 
-  void DrawPacket(int x, int y, int size, const PixelRays& rays, std::vector<char>& room)
+  /// \return false if no ray meets the volume
+  static bool SetUp(int x, int y, int size, const PixelRays& rays, Packet& packet)
   {
-    vkl_vvec3f16 origin, direction;
-    vkl_vrange1f16 range;
-    // Not a constant: a compiler of Open VKL's kernels has been seen to drop calls with one.
-    alignas(Alignment) std::array<float, PacketSize> times{};
-    alignas(Alignment) std::array<int, PacketSize> valid, found{};
+    packet.Passed.fill(1.0f);
+    packet.Depth.fill(std::numeric_limits<float>::infinity());
     bool isAny = false;
     for (int k = 0; k < PacketSize; ++k)
     {
@@ -194,50 +226,87 @@ private:
       double enter, leave;
       const vtkVector3d along = rays.Through(i, j, enter, leave);
       const bool isValid = i < size && j < size && enter < leave;
-      valid[static_cast<std::size_t>(k)] = isValid ? -1 : 0;
+      packet.Valid[static_cast<std::size_t>(k)] = isValid ? -1 : 0;
       isAny = isAny || isValid;
-      origin.x[k] = static_cast<float>(rays.Eye[0]);
-      origin.y[k] = static_cast<float>(rays.Eye[1]);
-      origin.z[k] = static_cast<float>(rays.Eye[2]);
-      direction.x[k] = static_cast<float>(along[0]);
-      direction.y[k] = static_cast<float>(along[1]);
-      direction.z[k] = static_cast<float>(along[2]);
-      range.lower[k] = static_cast<float>(enter);
-      range.upper[k] = static_cast<float>(leave);
+      packet.Origin.x[k] = static_cast<float>(rays.Eye[0]);
+      packet.Origin.y[k] = static_cast<float>(rays.Eye[1]);
+      packet.Origin.z[k] = static_cast<float>(rays.Eye[2]);
+      packet.Direction.x[k] = static_cast<float>(along[0]);
+      packet.Direction.y[k] = static_cast<float>(along[1]);
+      packet.Direction.z[k] = static_cast<float>(along[2]);
+      packet.Range.lower[k] = static_cast<float>(enter);
+      packet.Range.upper[k] = static_cast<float>(leave);
     }
-    VKLHit16 hit{};
-    if (isAny)
-    {
-      void* buffer = room.data();
-      std::size_t space = room.size();
-      std::align(Alignment, space - Alignment, buffer, space);
-      VKLHitIterator16 iterator = vklInitHitIterator16(
-        valid.data(), this->Context, &origin, &direction, &range, times.data(), buffer);
-      vklIterateHit16(valid.data(), iterator, &hit, found.data());
-    }
-    for (std::size_t k = 0; k < PacketSize; ++k)
-    {
-      found[k] = valid[k] != 0 && found[k] != 0 ? -1 : 0;
-    }
-    this->Shade(x, y, size, found, hit, origin, direction, times);
+    return isAny;
   }
 
-  void Shade(int x, int y, int size, const std::array<int, PacketSize>& found, const VKLHit16& hit,
-    const vkl_vvec3f16& origin, const vkl_vvec3f16& direction,
-    const std::array<float, PacketSize>& times)
+  /// Hit after hit, until no light passes. \return the number of hits
+  std::int64_t Trace(Packet& packet, std::vector<char>& room) const
+  {
+    void* buffer = room.data();
+    std::size_t space = room.size();
+    std::align(Alignment, space - Alignment, buffer, space);
+    VKLHitIterator16 iterator = vklInitHitIterator16(packet.Valid.data(), this->Context,
+      &packet.Origin, &packet.Direction, &packet.Range, packet.Times.data(), buffer);
+    VKLHit16 hit{};
+    std::int64_t layers = 0;
+    for (bool isOpen = true; isOpen;)
+    {
+      vklIterateHit16(packet.Valid.data(), iterator, &hit, packet.Found.data());
+      int hits = 0;
+      for (std::size_t k = 0; k < PacketSize; ++k)
+      {
+        packet.Found[k] = packet.Valid[k] != 0 && packet.Found[k] != 0 ? -1 : 0;
+        hits -= packet.Found[k];
+      }
+      layers += hits;
+      isOpen = hits > 0 && this->Shade(packet, hit);
+    }
+    return layers;
+  }
+
+  /// Composite hits. \return true if rays go on
+  bool Shade(Packet& packet, const VKLHit16& hit) const
   {
     vkl_vvec3f16 point{}, gradient{};
-    const bool isAny = std::any_of(found.begin(), found.end(), [](int one) { return one != 0; });
-    if (isAny)
+    for (int k = 0; k < PacketSize; ++k)
     {
-      for (int k = 0; k < PacketSize; ++k)
-      {
-        point.x[k] = origin.x[k] + hit.t[k] * direction.x[k];
-        point.y[k] = origin.y[k] + hit.t[k] * direction.y[k];
-        point.z[k] = origin.z[k] + hit.t[k] * direction.z[k];
-      }
-      vklComputeGradient16(found.data(), this->Sampler, &point, &gradient, 0, times.data());
+      point.x[k] = packet.Origin.x[k] + hit.t[k] * packet.Direction.x[k];
+      point.y[k] = packet.Origin.y[k] + hit.t[k] * packet.Direction.y[k];
+      point.z[k] = packet.Origin.z[k] + hit.t[k] * packet.Direction.z[k];
     }
+    vklComputeGradient16(
+      packet.Found.data(), this->Sampler, &point, &gradient, 0, packet.Times.data());
+    bool isOpen = false;
+    for (std::size_t k = 0; k < PacketSize; ++k)
+    {
+      if (packet.Found[k] == 0)
+      {
+        packet.Valid[k] = 0;
+        continue;
+      }
+      const float along = gradient.x[k] * packet.Direction.x[k] +
+        gradient.y[k] * packet.Direction.y[k] + gradient.z[k] * packet.Direction.z[k];
+      const float length = std::sqrt(gradient.x[k] * gradient.x[k] + gradient.y[k] * gradient.y[k] +
+        gradient.z[k] * gradient.z[k]);
+      const float facing = std::abs(along) / std::max(length, 1e-20f);
+      float shine = facing;
+      for (int doubling = 0; doubling < SpecularDoublings; ++doubling)
+      {
+        shine *= shine;
+      }
+      packet.Depth[k] = packet.Passed[k] == 1.0f ? hit.t[k] : packet.Depth[k];
+      packet.Light[k] += packet.Passed[k] * this->Opacity *
+        std::min(1.0f, Ambient + Diffuse * facing + Specular * shine);
+      packet.Passed[k] *= 1.0f - this->Opacity;
+      packet.Valid[k] = packet.Passed[k] > LeastPassed ? -1 : 0;
+      isOpen = isOpen || packet.Valid[k] != 0;
+    }
+    return isOpen;
+  }
+
+  void Write(int x, int y, int size, const Packet& packet)
+  {
     for (int k = 0; k < PacketSize; ++k)
     {
       const int i = x + k % PacketSide, j = y + k / PacketSide;
@@ -245,38 +314,27 @@ private:
       {
         continue;
       }
-      const bool isHit = found[static_cast<std::size_t>(k)] != 0;
+      const auto ray = static_cast<std::size_t>(k);
       const std::size_t pixel =
         static_cast<std::size_t>(j) * static_cast<std::size_t>(size) + static_cast<std::size_t>(i);
-      this->Depth[pixel] = isHit ? hit.t[k] : std::numeric_limits<float>::infinity();
-      float light = 0.0f;
-      if (isHit)
-      {
-        const float along = gradient.x[k] * direction.x[k] + gradient.y[k] * direction.y[k] +
-          gradient.z[k] * direction.z[k];
-        const float length = std::sqrt(gradient.x[k] * gradient.x[k] +
-          gradient.y[k] * gradient.y[k] + gradient.z[k] * gradient.z[k]);
-        const float facing = std::abs(along) / std::max(length, 1e-20f);
-        float shine = facing;
-        for (int doubling = 0; doubling < SpecularDoublings; ++doubling)
-        {
-          shine *= shine;
-        }
-        light = 255.0f * std::min(1.0f, Ambient + Diffuse * facing + Specular * shine);
-      }
+      this->Depth[pixel] = packet.Depth[ray];
+      const float light = 255.0f * packet.Light[ray];
+      const float passed = packet.Passed[ray] > LeastPassed ? packet.Passed[ray] : 0.0f;
       std::uint8_t* const color = this->Color.data() + 4 * pixel;
       color[0] = static_cast<std::uint8_t>(0.9f * light);
       color[1] = static_cast<std::uint8_t>(0.8f * light);
       color[2] = static_cast<std::uint8_t>(0.7f * light);
-      color[3] = isHit ? 255 : 0;
+      color[3] = static_cast<std::uint8_t>(255.0f * (1.0f - passed));
     }
   }
 
   VKLVolume Volume;
   VKLSampler Sampler;
   VKLHitIteratorContext Context;
+  float Opacity = 1.0f;
   std::vector<std::uint8_t> Color;
   std::vector<float> Depth;
+  std::atomic<std::int64_t> Layers{ 0 };
 };
 
 }

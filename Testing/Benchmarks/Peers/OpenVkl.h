@@ -5,6 +5,7 @@
 
 #include "Stage.h"
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -27,10 +28,18 @@ public:
   OpenVkl(const OpenVkl&) = delete;
   OpenVkl& operator=(const OpenVkl&) = delete;
 
-  virtual void SetIsovalue(double isovalue) = 0;
+  virtual void SetIsovalues(const std::vector<double>& isovalues) = 0;
+  void SetIsovalue(double isovalue) { this->SetIsovalues({ isovalue }); }
+
+  /// The opacity of all surfaces: 1 unless it is set. Behind translucent ones the iterators go on,
+  /// and each further hit is shaded and composited, until less than 1/512 of the light passes.
+  virtual void SetOpacity(double opacity) = 0;
 
   /// Draw the stage's view; milliseconds.
   virtual double Draw(const Stage& stage) = 0;
+
+  /// Surfaces that were shaded for the last picture.
+  virtual std::int64_t NumberOfLayers() const = 0;
 
   /// Share in percent of the last picture's pixels that show a surface.
   virtual double PercentHit() const = 0;

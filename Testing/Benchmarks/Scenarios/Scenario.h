@@ -63,6 +63,7 @@ namespace Scenarios
 
 Scenario Routes();
 Scenario Peers();
+Scenario LayerPeers();
 Scenario ImageCache();
 Scenario Drift();
 Scenario Isomap();

@@ -32,6 +32,7 @@ set(engine_files
   Shade/KernelsGradients
   Shade/KernelsRectilinear
   Shade/KernelsShading
+  Shade/KeptLayers
   Shade/KnownLayers
   Shade/RectilinearGradients
   Shade/Shader
@@ -74,6 +75,7 @@ set(engine_files
   Render/FrameStore
   Render/FrameStructures
   Render/IsomapRoute
+  Render/LayerLimit
   Render/LineTracer
   Render/ReusePlan
   Render/Routes

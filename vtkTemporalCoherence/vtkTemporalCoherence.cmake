@@ -32,8 +32,8 @@ set(engine_files
   Shade/KernelsGradients
   Shade/KernelsRectilinear
   Shade/KernelsShading
-  Shade/KeptLayers
   Shade/KnownLayers
+  Shade/LimitedLayers
   Shade/RectilinearGradients
   Shade/Shader
   Shade/SurfaceNormal

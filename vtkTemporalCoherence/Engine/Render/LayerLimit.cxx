@@ -5,7 +5,7 @@
 #include "Scene/Parallel.h"
 #include "Scene/RayBatch.h"
 #include "Scene/Tiles.h"
-#include "Shade/KeptLayers.h"
+#include "Shade/LimitedLayers.h"
 
 namespace TemporalCoherence
 {
@@ -17,6 +17,7 @@ LayerLimit::LayerLimit(const LayerOptions& options, Frame& frame)
       static_cast<std::int64_t>(options.OfPixel) * frame.Size.x * frame.Size.y > this->MostOfFrame)
 {
   frame.LayersOfPixel = options.OfPixel;
+  this->IsCounted.resize(this->IsNeeded ? frame.Layers.size() : 0);
 }
 
 void LayerLimit::Take(std::int64_t tile, Frame& frame)
@@ -26,6 +27,20 @@ void LayerLimit::Take(std::int64_t tile, Frame& frame)
   {
     return;
   }
+  this->Total += static_cast<std::int64_t>(frame.Layers[place].size());
+  this->Behind += static_cast<std::int64_t>(frame.Behind[place].Hits.size());
+  if (this->AreTooMany())
+  {
+    this->Count(tile, frame);
+    this->Merge(tile, this->OfPixel >> this->CurrentLevel(), frame);
+  }
+}
+
+/// Count the layers of a tile that would be kept with each limit. Most frames need no counts.
+void LayerLimit::Count(std::int64_t tile, const Frame& frame)
+{
+  const auto place = static_cast<std::size_t>(tile);
+  this->IsCounted[place] = 1;
   const PixelRect part = PixelsOfTile(frame.Size, tile);
   RayBatch::Array<std::size_t> ofPixel{};
   for (const LayerHit& hit : frame.Layers[place])
@@ -47,10 +62,9 @@ void LayerLimit::Take(std::int64_t tile, Frame& frame)
     kept += sum;
     limit = limit > 1 ? limit / 2 : 1;
   }
-  this->Merge(tile, this->OfPixel >> this->CurrentLevel(), frame);
 }
 
-/// The level at which the layers of all tiles so far fit.
+/// The level at which the layers of all counted tiles fit.
 std::size_t LayerLimit::CurrentLevel() const
 {
   std::size_t level = 0;
@@ -66,7 +80,7 @@ void LayerLimit::Merge(std::int64_t tile, std::size_t limit, Frame& frame)
   const auto place = static_cast<std::size_t>(tile);
   if (limit < this->OfPixel && !frame.Layers[place].empty())
   {
-    this->Merged += static_cast<std::int64_t>(MergeLayers(limit, PixelsOfTile(frame.Size, tile),
+    this->Merged += static_cast<std::int64_t>(LimitLayers(limit, PixelsOfTile(frame.Size, tile),
       frame.Size.x, frame.Layers[place], frame.Behind[place]));
     GiveBackMemory(frame.Layers[place]);
   }
@@ -74,15 +88,26 @@ void LayerLimit::Merge(std::int64_t tile, std::size_t limit, Frame& frame)
 
 void LayerLimit::Finish(Frame& frame, FrameStatistics& statistics)
 {
-  if (!this->IsNeeded)
+  const std::int64_t tiles = NumberOfTiles(frame.Size);
+  if (this->AreTooMany())
   {
-    return;
+    ParallelFor(tiles, TileGrain,
+      [&](std::int64_t tile)
+      {
+        if (!this->IsCounted[static_cast<std::size_t>(tile)])
+        {
+          this->Count(tile, frame);
+        }
+      });
+    frame.LayersOfPixel = this->OfPixel >> this->CurrentLevel();
+    ParallelFor(
+      tiles, TileGrain, [&](std::int64_t tile) { this->Merge(tile, frame.LayersOfPixel, frame); });
+    statistics.MergedLayers += this->Merged;
   }
-  frame.LayersOfPixel = this->OfPixel >> this->CurrentLevel();
-  ParallelFor(NumberOfTiles(frame.Size), TileGrain,
-    [&](std::int64_t tile) { this->Merge(tile, frame.LayersOfPixel, frame); });
-  this->ForgetBehindIfTooMany(frame);
-  statistics.MergedLayers += this->Merged;
+  if (this->Total + this->Behind > this->MostOfFrame)
+  {
+    this->ForgetBehindIfTooMany(frame);
+  }
 }
 
 /// Forget the layers that no light reaches if they do not fit beside those that are kept.

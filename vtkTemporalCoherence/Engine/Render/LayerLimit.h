@@ -10,6 +10,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace TemporalCoherence
 {
@@ -29,6 +30,7 @@ class LayerLimit
 {
 public:
   /// \param frame begun, and not yet made
+  /// \throws std::bad_alloc
   LayerLimit(const LayerOptions& options, Frame& frame);
 
   /// Count the layers of a tile that is made, and merge them if the frame has too many. Thread-safe
@@ -42,13 +44,18 @@ private:
   static constexpr std::size_t Levels = 6; ///< 32, 16, 8, 4, 2, 1 layers of a pixel
 
   std::size_t CurrentLevel() const;
+  bool AreTooMany() const { return this->Total > this->MostOfFrame; }
+  void Count(std::int64_t tile, const Frame& frame);
   void Merge(std::int64_t tile, std::size_t limit, Frame& frame);
   void ForgetBehindIfTooMany(Frame& frame) const;
 
   std::size_t OfPixel;
   std::int64_t MostOfFrame;
-  bool IsNeeded;                                        ///< the layers may be too many
-  std::array<std::atomic<std::int64_t>, Levels> Kept{}; ///< by all tiles, if this were the level
+  bool IsNeeded;                         ///< the layers may be too many
+  std::atomic<std::int64_t> Total{ 0 };  ///< layers of all tiles, before any are merged here
+  std::atomic<std::int64_t> Behind{ 0 }; ///< those that no light reaches
+  std::vector<std::uint8_t> IsCounted;   ///< 1 for each tile that Kept knows
+  std::array<std::atomic<std::int64_t>, Levels> Kept{}; ///< by these tiles, if this were the level
   std::atomic<std::int64_t> Merged{ 0 };
 };
 

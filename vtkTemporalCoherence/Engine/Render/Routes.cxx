@@ -19,26 +19,6 @@ namespace TemporalCoherence
 namespace
 {
 
-/// Call work(tile, part, frame) for all tiles of the frame, and limit the layers that are kept.
-template <typename Work>
-bool MakeTiles(FrameTask& task, const Work& work)
-{
-  Frame& made = task.Store.Next().Picture;
-  LayerLimit limit(task.Options.Layers, made);
-  const bool isDone = WorkOnTiles(task, task.Report,
-    [&](std::int64_t tile, const PixelRect& part, Frame& frame)
-    {
-      const TraceCounts counts = work(tile, part, frame);
-      limit.Take(tile, frame);
-      return counts;
-    });
-  if (isDone)
-  {
-    limit.Finish(made, task.Statistics);
-  }
-  return isDone;
-}
-
 /// Trace and shade all tiles.
 /// \param shaded  the hits to shade
 /// \param changes tells which tiles to copy from the last frame instead; may be null

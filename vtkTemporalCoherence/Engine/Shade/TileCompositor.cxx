@@ -16,7 +16,8 @@ template <typename T>
 using Array = RayBatch::Array<T>;
 
 /// \param layers that are kept
-void CountLayers(const KeptLayers& kept, const std::vector<LayerHit>& layers, TraceCounts& counts)
+void CountLayers(
+  const LimitedLayers& kept, const std::vector<LayerHit>& layers, TraceCounts& counts)
 {
   counts.Layers += kept.Total();
   counts.MergedLayers += kept.Total() - static_cast<std::int64_t>(layers.size());
@@ -118,7 +119,7 @@ void TileCompositor::Composite(std::int64_t tile, const PixelRect& part, TileHit
   Frame& frame, TraceCounts& counts) const
 {
   std::vector<LayerHit>& layers = frame.Layers[static_cast<std::size_t>(tile)];
-  KeptLayers kept(frame.LayersOfPixel, layers);
+  LimitedLayers kept(frame.LayersOfPixel, layers);
   LayersBehind* behind =
     frame.Behind.empty() ? nullptr : &frame.Behind[static_cast<std::size_t>(tile)];
   if (behind)
@@ -178,7 +179,7 @@ void TileCompositor::CompositeKnown(std::int64_t tile, const PixelRect& part, co
   std::vector<LayerHit>& layers = frame.Layers[static_cast<std::size_t>(tile)];
   LayersBehind& behind = frame.Behind[static_cast<std::size_t>(tile)];
   const KnownLayers known(tile, part, last);
-  KeptLayers kept(frame.LayersOfPixel, layers);
+  LimitedLayers kept(frame.LayersOfPixel, layers);
   behind.Hits.clear();
   PixelCentres centres;
   centres.Find(this->Key.View, part);
@@ -215,7 +216,7 @@ void TileCompositor::CompositeKnown(std::int64_t tile, const PixelRect& part, co
 /// Shade known layers and composite them behind the present ones, and keep them. Those that no
 /// light reaches are kept elsewhere.
 void TileCompositor::AddKnown(const std::vector<LayerHit>& known, const PixelCentres& centres,
-  LayerCanvas& canvas, KeptLayers& kept, std::vector<LayerHit>& behind) const
+  LayerCanvas& canvas, LimitedLayers& kept, std::vector<LayerHit>& behind) const
 {
   const RayBatch::Array<float>& transmittance = canvas.Transmittance();
   std::array<ShadedLayer, RayBatch::Capacity> shaded;

@@ -9,9 +9,9 @@
 #include "Scene/FrameKey.h"
 #include "Scene/FramePlanes.h"
 #include "Scene/LayerBatch.h"
-#include "Shade/KeptLayers.h"
 #include "Shade/KnownLayers.h"
 #include "Shade/LayerCanvas.h"
+#include "Shade/LimitedLayers.h"
 #include "Shade/Shader.h"
 #include "Trace/RaySource.h"
 #include "Trace/SurfaceTracer.h"
@@ -70,7 +70,7 @@ private:
   void AddLayers(
     const TileHits& found, const PixelCentres& centres, LayerCanvas& canvas, Keeper& kept) const;
   void AddKnown(const std::vector<LayerHit>& known, const PixelCentres& centres,
-    LayerCanvas& canvas, KeptLayers& kept, std::vector<LayerHit>& behind) const;
+    LayerCanvas& canvas, LimitedLayers& kept, std::vector<LayerHit>& behind) const;
   template <typename Keeper, typename SetLast>
   void AddUnknown(std::uint64_t open, const SetLast& setLast, std::int64_t tile,
     const PixelRect& part, const PixelCentres& centres, LayerCanvas& canvas, Keeper& kept,

@@ -3,7 +3,7 @@
 #include "Shade/TileShader.h"
 
 #include "Scene/TileTimer.h"
-#include "Shade/KeptLayers.h"
+#include "Shade/LimitedLayers.h"
 
 namespace TemporalCoherence
 {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef TemporalCoherence_KeptLayers_h
-#define TemporalCoherence_KeptLayers_h
+#ifndef TemporalCoherence_LimitedLayers_h
+#define TemporalCoherence_LimitedLayers_h
 
 #include "Scene/Frame.h"
 #include "Scene/RayBatch.h"
@@ -22,12 +22,12 @@ using LayerPositions = std::array<RayBatch::Array<std::uint16_t>, MostKeptLayers
 /// pixel has more, every second one is merged into the one in front of it: from then on, each that
 /// is kept stands for twice as many. So what is kept of a pixel depends on its layers alone, and is
 /// spread evenly over them.
-class KeptLayers
+class LimitedLayers
 {
 public:
   /// \param limit  the most of a pixel: a power of two, at most MostKeptLayers
   /// \param layers gets them
-  KeptLayers(std::size_t limit, std::vector<LayerHit>& layers)
+  LimitedLayers(std::size_t limit, std::vector<LayerHit>& layers)
     : Limit(static_cast<std::uint32_t>(limit))
     , Layers(layers)
   {
@@ -102,13 +102,13 @@ private:
 };
 
 /// Merge layers of a tile until no pixel has more than a lower limit: what is kept is then as if
-/// KeptLayers had had that limit.
+/// LimitedLayers had had that limit.
 /// \param limit  a power of two
 /// \param part   the pixels of the tile
 /// \param width  of the picture
 /// \param behind gets the merged pixels. The hits of these that it has go
 /// \return how many were merged
-std::size_t MergeLayers(std::size_t limit, const PixelRect& part, int width,
+std::size_t LimitLayers(std::size_t limit, const PixelRect& part, int width,
   std::vector<LayerHit>& layers, LayersBehind& behind);
 
 /// Remove the hits of merged pixels, behind which nothing is known.

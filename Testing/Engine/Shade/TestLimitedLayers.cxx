@@ -5,7 +5,7 @@
 // up to the limit; of more, every second, fourth, eighth. Each has the colour of all in front of
 // the next one that is kept.
 
-#include "Shade/KeptLayers.h"
+#include "Shade/LimitedLayers.h"
 
 #include <gtest/gtest.h>
 
@@ -45,7 +45,7 @@ std::vector<LayerHit> Keep(
   const std::vector<std::size_t>& counts, std::size_t limit, std::uint64_t& merged)
 {
   std::vector<LayerHit> layers(3); // of another picture
-  KeptLayers kept(limit, layers);
+  LimitedLayers kept(limit, layers);
   const std::size_t rounds = *std::max_element(counts.begin(), counts.end());
   for (std::size_t round = 0; round < rounds; ++round)
   {
@@ -125,7 +125,7 @@ void ExpectRounds(const std::vector<LayerHit>& layers)
   }
 }
 
-TEST(KeptLayersTest, KeepsAllUpToTheLimitAndThenEverySecond)
+TEST(LimitedLayersTest, KeepsAllUpToTheLimitAndThenEverySecond)
 {
   for (const std::size_t limit : { 1u, 2u, 4u, 8u, 16u, 32u })
   {
@@ -139,7 +139,7 @@ TEST(KeptLayersTest, KeepsAllUpToTheLimitAndThenEverySecond)
   }
 }
 
-TEST(KeptLayersTest, PixelsDoNotDisturbOneAnother)
+TEST(LimitedLayersTest, PixelsDoNotDisturbOneAnother)
 {
   std::mt19937 engine(1);
   for (int round = 0; round < 60; ++round)
@@ -156,7 +156,7 @@ TEST(KeptLayersTest, PixelsDoNotDisturbOneAnother)
 }
 
 /// A lower limit, set afterwards, keeps what it would have kept from the beginning.
-TEST(KeptLayersTest, ALowerLimitAfterwardsIsTheSame)
+TEST(LimitedLayersTest, ALowerLimitAfterwardsIsTheSame)
 {
   std::mt19937 engine(2);
   for (int round = 0; round < 60; ++round)
@@ -174,7 +174,7 @@ TEST(KeptLayersTest, ALowerLimitAfterwardsIsTheSame)
     std::size_t merged = 0;
     for (std::size_t limit = engine() % 2 ? 16 : 8; limit > 0; limit >>= 1 + engine() % 2)
     {
-      merged += MergeLayers(limit, Part, Width, layers, behind);
+      merged += LimitLayers(limit, Part, Width, layers, behind);
       ExpectKept(counts, limit, layers, behind.Merged);
       ExpectRounds(layers);
       EXPECT_EQ(before, layers.size() + merged);
@@ -187,7 +187,7 @@ TEST(KeptLayersTest, ALowerLimitAfterwardsIsTheSame)
   }
 }
 
-TEST(KeptLayersTest, ColoursAreFoundAnew)
+TEST(LimitedLayersTest, ColoursAreFoundAnew)
 {
   const std::vector<std::size_t> counts{ 33, 5, 32, 64, 65, 300 };
   for (const std::size_t limit : { 1u, 2u, 8u, 32u })
@@ -225,7 +225,7 @@ TEST(KeptLayersTest, ColoursAreFoundAnew)
   }
 }
 
-TEST(KeptLayersTest, MemoryThatIsNotUsedIsGivenBack)
+TEST(LimitedLayersTest, MemoryThatIsNotUsedIsGivenBack)
 {
   std::vector<LayerHit> layers(1000);
   layers.resize(400);

@@ -20,15 +20,15 @@ namespace
 using namespace TemporalCoherence;
 
 /// Noise: a surface between almost any two samples.
-class MergedLayers : public OpacityChanges
+class LayersOverTheLimit : public OpacityChanges
 {
 protected:
-  MergedLayers()
+  LayersOverTheLimit()
   {
     this->Samples.FillRandomly(0.0, 100.0, 3);
     this->Key.Isosurfaces.Isovalues = { 18.0, 27.0, 36.0, 45.0, 54.0, 63.0, 72.0, 81.0 };
     this->Key.Appearance.Colors.resize(8, { 0.9, 0.9, 0.3 });
-    this->Key.View = LookAt(Dimensions, { 1.0, 2.0, 0.7 }, { 40, 30 });
+    this->Key.View = LookAt(Dimensions, { 1.0, 2.0, 0.7 }, { 32, 24 });
   }
 
   std::size_t CountKept() const
@@ -96,7 +96,7 @@ protected:
   const std::vector<double> BackAndForth{ 0.01, 0.05, 0.9, 0.01, 0.3, 1.0, 0.02, 0.1 };
 };
 
-TEST_F(MergedLayers, EveryRouteGivesTheColdPicture)
+TEST_F(LayersOverTheLimit, EveryRouteGivesTheColdPicture)
 {
   for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
   {
@@ -119,9 +119,9 @@ TEST_F(MergedLayers, EveryRouteGivesTheColdPicture)
   EXPECT_GT(this->Routes[Route::IsomapBuild] + this->Routes[Route::IsomapLookup], 2);
 }
 
-TEST_F(MergedLayers, InRegionsParallelViewsAndByGradient)
+TEST_F(LayersOverTheLimit, InRegionsParallelViewsAndByGradient)
 {
-  this->Key.View = LookAt(Dimensions, { 1.0, 0.2, 0.7 }, { 40, 30 }, true);
+  this->Key.View = LookAt(Dimensions, { 1.0, 0.2, 0.7 }, { 32, 24 }, true);
   this->Key.Region.Crops = { glm::dvec2(8.0, 19.0), glm::dvec2(9.0, 18.0), glm::dvec2(7.0, 17.0) };
   this->Key.Region.Boxes = Region::AllBoxes & ~(1u << 13); // up to three pieces of a ray
   this->Wander({ 0.01, 0.4, 0.03 });
@@ -135,7 +135,7 @@ TEST_F(MergedLayers, InRegionsParallelViewsAndByGradient)
 }
 
 /// Layers that fit, and one more: the opacity alone decides how many of them light reaches.
-TEST_F(MergedLayers, NoneIsMergedAtTheLimit)
+TEST_F(LayersOverTheLimit, NoneIsMergedAtTheLimit)
 {
   this->SetOpacity(0.01);
   this->Render("first", Route::Cold);
@@ -166,7 +166,7 @@ TEST_F(MergedLayers, NoneIsMergedAtTheLimit)
   EXPECT_GT(whole, 1000u);
 }
 
-TEST_F(MergedLayers, AnyNumberOfThreadsKeepsTheSame)
+TEST_F(LayersOverTheLimit, AnyNumberOfThreadsKeepsTheSame)
 {
   this->Options.Layers.Bytes = 9000 * sizeof(LayerHit);
   this->SetOpacity(0.02);
@@ -187,7 +187,7 @@ TEST_F(MergedLayers, AnyNumberOfThreadsKeepsTheSame)
 }
 
 /// If all layers are too many, each pixel keeps fewer, by one limit that the picture decides.
-TEST_F(MergedLayers, AFrameHasALimit)
+TEST_F(LayersOverTheLimit, AFrameHasALimit)
 {
   this->SetOpacity(0.01);
   this->Render("without a limit", Route::Cold);
@@ -215,7 +215,7 @@ TEST_F(MergedLayers, AFrameHasALimit)
   EXPECT_EQ(lowest, 1u);
 }
 
-TEST_F(MergedLayers, TimeStepsKeepWhatColdFramesKeep)
+TEST_F(LayersOverTheLimit, TimeStepsKeepWhatColdFramesKeep)
 {
   std::vector<Grid<std::int16_t>> steps;
   for (int step = 0; step < 6; ++step)
@@ -244,7 +244,7 @@ TEST_F(MergedLayers, TimeStepsKeepWhatColdFramesKeep)
 }
 
 /// A frame that only gets other colours is changed in place: nothing may fail once it has begun.
-TEST_F(MergedLayers, OtherColoursFailBeforeTheyBegin)
+TEST_F(LayersOverTheLimit, OtherColoursFailBeforeTheyBegin)
 {
   if (IsMemorySanitized)
   {
@@ -279,7 +279,7 @@ TEST_F(MergedLayers, OtherColoursFailBeforeTheyBegin)
 }
 
 /// After a haze comes a clear picture, in the same memory.
-TEST_F(MergedLayers, MemoryShrinksWithThePicture)
+TEST_F(LayersOverTheLimit, MemoryShrinksWithThePicture)
 {
   const auto capacity = [this]
   {
@@ -290,14 +290,14 @@ TEST_F(MergedLayers, MemoryShrinksWithThePicture)
   this->SetOpacity(0.01);
   for (int i = 0; i < 4; ++i)
   {
-    this->Key.View = LookAt(Dimensions, { 1.0, 2.0 + 0.1 * i, 0.7 }, { 40, 30 });
+    this->Key.View = LookAt(Dimensions, { 1.0, 2.0 + 0.1 * i, 0.7 }, { 32, 24 });
     this->Render("haze", Route::Cold);
   }
   const std::size_t before = capacity();
   this->Key.Isosurfaces.Isovalues = { 99.5 };
   for (int i = 0; i < 2; ++i)
   {
-    this->Key.View = LookAt(Dimensions, { 1.0, 3.0 + 0.1 * i, 0.7 }, { 40, 30 });
+    this->Key.View = LookAt(Dimensions, { 1.0, 3.0 + 0.1 * i, 0.7 }, { 32, 24 });
     this->Render("clear", Route::Cold);
     const std::size_t small = 64 * this->Renderer.LastFrame().Layers.size();
     EXPECT_LE(capacity(), 2 * this->CountKept() + small);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Shade/KeptLayers.h"
+#include "Shade/LimitedLayers.h"
 
 #include <algorithm>
 #include <numeric>
@@ -29,7 +29,7 @@ void RemoveMarked(std::vector<LayerHit>& layers)
 }
 
 /// \param number of the layer
-void KeptLayers::KeepOneMore(std::size_t place, std::uint32_t number, const LayerHit& hit)
+void LimitedLayers::KeepOneMore(std::size_t place, std::uint32_t number, const LayerHit& hit)
 {
   if (number == this->Limit << this->Shift[place])
   {
@@ -47,7 +47,7 @@ void KeptLayers::KeepOneMore(std::size_t place, std::uint32_t number, const Laye
   }
 }
 
-void KeptLayers::MergePairs(std::size_t place)
+void LimitedLayers::MergePairs(std::size_t place)
 {
   for (std::size_t i = 0; i < this->Limit / 2; ++i)
   {
@@ -58,7 +58,7 @@ void KeptLayers::MergePairs(std::size_t place)
   ++this->Shift[place];
 }
 
-void KeptLayers::Finish()
+void LimitedLayers::Finish()
 {
   this->Taken = std::accumulate(this->Count.begin(), this->Count.end(), std::int64_t(0));
   if (static_cast<std::size_t>(this->Taken) == this->Layers.size())
@@ -110,7 +110,7 @@ void RecoloredLayers::Keep(std::size_t place, const LayerHit& hit)
   this->MergedHere += !isKept;
 }
 
-std::size_t MergeLayers(std::size_t limit, const PixelRect& part, int width,
+std::size_t LimitLayers(std::size_t limit, const PixelRect& part, int width,
   std::vector<LayerHit>& layers, LayersBehind& behind)
 {
   RayBatch::Array<std::size_t> count{};

@@ -187,6 +187,30 @@ TEST(LimitedLayersTest, ALowerLimitAfterwardsIsTheSame)
   }
 }
 
+TEST(LimitedLayersTest, LayersThatNoLightReachesCountToo)
+{
+  std::vector<LayerHit> layers, behind;
+  LimitedLayers kept(8, layers);
+  const std::vector<std::size_t> lit{ 0, 3, 8, 9 }, hidden{ 9, 5, 1, 1 };
+  for (std::size_t place = 0; place < lit.size(); ++place)
+  {
+    for (std::size_t number = 0; number < lit[place]; ++number)
+    {
+      kept.Keep(place, LayerAt(place, number));
+    }
+    for (std::size_t number = 0; number < hidden[place]; ++number)
+    {
+      kept.KeepBehind(place, LayerAt(place, lit[place] + number), behind);
+    }
+  }
+  kept.Finish();
+  EXPECT_EQ(behind.size(), 8u + 5u);
+  EXPECT_EQ(kept.Merged(), 8u);
+  EXPECT_EQ(kept.Incomplete(), 1u + 4u + 8u) << "all but the one with 3 and 5";
+  EXPECT_EQ(behind[7].Depth, 7.0);
+  EXPECT_EQ(behind[8].Depth, 3.0);
+}
+
 TEST(LimitedLayersTest, ColoursAreFoundAnew)
 {
   const std::vector<std::size_t> counts{ 33, 5, 32, 64, 65, 300 };

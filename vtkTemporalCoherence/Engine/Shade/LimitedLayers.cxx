@@ -26,6 +26,18 @@ void RemoveMarked(std::vector<LayerHit>& layers)
     layers.end());
 }
 
+/// Remove the hits of merged pixels, behind which nothing is known.
+void RemoveHitsOfMerged(const PixelRect& part, int width, LayersBehind& behind)
+{
+  if (behind.Merged != 0)
+  {
+    const auto isMerged = [&](const LayerHit& hit)
+    { return (behind.Merged & BitOf(PlaceInTile(part, width, hit.Pixel))) != 0; };
+    behind.Hits.erase(
+      std::remove_if(behind.Hits.begin(), behind.Hits.end(), isMerged), behind.Hits.end());
+  }
+}
+
 }
 
 /// \param number of the layer
@@ -145,17 +157,6 @@ std::size_t LimitLayers(std::size_t limit, const PixelRect& part, int width,
   behind.Ends &= ~behind.Merged;
   RemoveHitsOfMerged(part, width, behind);
   return before - layers.size();
-}
-
-void RemoveHitsOfMerged(const PixelRect& part, int width, LayersBehind& behind)
-{
-  if (behind.Merged != 0)
-  {
-    const auto isMerged = [&](const LayerHit& hit)
-    { return (behind.Merged & BitOf(PlaceInTile(part, width, hit.Pixel))) != 0; };
-    behind.Hits.erase(
-      std::remove_if(behind.Hits.begin(), behind.Hits.end(), isMerged), behind.Hits.end());
-  }
 }
 
 void GiveBackMemory(std::vector<LayerHit>& layers)

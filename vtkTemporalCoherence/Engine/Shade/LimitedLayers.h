@@ -48,11 +48,30 @@ public:
     this->Layers.push_back(hit);
   }
 
+  /// Keep a layer that no light reaches, if its pixel has room for it.
+  /// \param behind gets it
+  /// \throws std::bad_alloc
+  void KeepBehind(std::size_t place, const LayerHit& hit, std::vector<LayerHit>& behind)
+  {
+    if (this->Count[place] + this->CountBehind[place] < this->Limit)
+    {
+      ++this->CountBehind[place];
+      behind.push_back(hit);
+    }
+    else
+    {
+      this->HasDropped |= std::uint64_t(1) << place;
+    }
+  }
+
   /// Remove what is kept no more. Call this once, after the last layer.
   void Finish();
 
   /// One bit for each pixel with merged layers, by its place. \pre Finish
   std::uint64_t Merged() const { return this->HasMerged; }
+
+  /// One bit for each pixel of which not all layers are kept, by its place. \pre Finish
+  std::uint64_t Incomplete() const { return this->HasMerged | this->HasDropped; }
 
   /// The number of layers that were taken. \pre Finish
   std::int64_t Total() const { return this->Taken; }
@@ -63,10 +82,11 @@ private:
 
   std::uint32_t Limit;
   std::vector<LayerHit>& Layers;
-  RayBatch::Array<std::uint32_t> Count{}; ///< layers that were taken, by place
-  RayBatch::Array<std::uint8_t> Shift{};  ///< each that is kept stands for 1 << Shift layers
-  LayerPositions Positions;               ///< of the first Limit layers, where they were taken
-  std::uint64_t HasMerged = 0;
+  RayBatch::Array<std::uint32_t> Count{};       ///< layers that were taken, by place
+  RayBatch::Array<std::uint32_t> CountBehind{}; ///< those behind them
+  RayBatch::Array<std::uint8_t> Shift{};        ///< each that is kept stands for 1 << Shift layers
+  LayerPositions Positions; ///< of the first Limit layers, where they were taken
+  std::uint64_t HasMerged = 0, HasDropped = 0;
   std::int64_t Taken = 0;
 };
 
@@ -110,9 +130,6 @@ private:
 /// \return how many were merged
 std::size_t LimitLayers(std::size_t limit, const PixelRect& part, int width,
   std::vector<LayerHit>& layers, LayersBehind& behind);
-
-/// Remove the hits of merged pixels, behind which nothing is known.
-void RemoveHitsOfMerged(const PixelRect& part, int width, LayersBehind& behind);
 
 /// Give back memory if most of it is not used.
 void GiveBackMemory(std::vector<LayerHit>& layers);

@@ -204,8 +204,7 @@ void TileCompositor::CompositeKnown(std::int64_t tile, const PixelRect& part, co
     OrderByRounds(part, frame.Size.x, layers);
   }
   behind.Merged = kept.Merged();
-  behind.Ends = (known.Ends() | canvas.Passing()) & ~kept.Merged();
-  RemoveHitsOfMerged(part, frame.Size.x, behind);
+  behind.Ends = (known.Ends() | canvas.Passing()) & ~kept.Incomplete();
   CountLayers(kept, layers, counts);
   GiveBackMemory(layers);
   GiveBackMemory(behind.Hits);
@@ -231,7 +230,7 @@ void TileCompositor::AddKnown(const std::vector<LayerHit>& known, const PixelCen
       const std::size_t place = canvas.PlaceOf(next->Pixel);
       if (transmittance[place] == 0.0f)
       {
-        behind.push_back(*next);
+        kept.KeepBehind(place, *next, behind);
         continue;
       }
       from[count] = &*next;
@@ -254,7 +253,7 @@ void TileCompositor::AddKnown(const std::vector<LayerHit>& known, const PixelCen
       }
       else
       {
-        behind.push_back(*from[i]);
+        kept.KeepBehind(places[i], *from[i], behind);
       }
     }
   }

@@ -32,7 +32,9 @@ set(engine_files
   Shade/KernelsGradients
   Shade/KernelsRectilinear
   Shade/KernelsShading
+  Shade/KeptLayers
   Shade/KnownLayers
+  Shade/LayerMerge
   Shade/LimitedLayers
   Shade/RectilinearGradients
   Shade/Shader
@@ -65,6 +67,10 @@ set(engine_files
   Beams/KernelsCellValues
   Beams/KernelsLayerBeam
   Beams/KernelsMetCells
+  Passages/KernelsPassageBeam
+  Passages/KernelsPassedCells
+  Passages/PassageLookup
+  Passages/PassageSearch
   Fields/KernelsCorners
   Fields/RectilinearKind
   Fields/UniformBandTracer
@@ -77,6 +83,7 @@ set(engine_files
   Render/IsomapRoute
   Render/LayerLimit
   Render/LineTracer
+  Render/MergeRoute
   Render/ReusePlan
   Render/Routes
   Render/SampleDistance

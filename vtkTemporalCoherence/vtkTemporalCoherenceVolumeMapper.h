@@ -248,13 +248,14 @@ public:
     ROUTE_THRESHOLD_HINT, ///< not made any more, since a cold frame is faster
     ROUTE_IMAGE_CACHE,    ///< the view changed: rays start from what a cached image shows
     ROUTE_TIME_STEP,      ///< samples changed: pixels that no changed sample affects are copied
-    ROUTE_RECOMPOSITE     ///< only opacities changed: known layers are composited again
+    ROUTE_RECOMPOSITE,    ///< only opacities changed: known layers are composited again
+    ROUTE_MERGE_LAYERS    ///< some of several isovalues changed: layers of the others are known
   };
 
   //@{
   /**
    * Get the route of the last frame: one of Routes, or its name: Cold, Redisplay, Reshade,
-   * IsomapLookup, IsomapBuild, ImageCache, TimeStep or Recomposite.
+   * IsomapLookup, IsomapBuild, ImageCache, TimeStep, Recomposite or MergeLayers.
    */
   int GetRoute();
   const char* GetRouteAsString();

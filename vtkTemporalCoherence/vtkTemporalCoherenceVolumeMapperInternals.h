@@ -94,13 +94,14 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
       : std::string();
   }
 
-  /// Learn how long rays take, if the last frame traced or looked up most of them.
+  /// Learn how long rays take, if the last frame traced or looked up most of them for all surfaces.
   void Learn(double allowed)
   {
     const TemporalCoherence::FrameStatistics& last = this->Frames.Statistics();
     if (last.Made != TemporalCoherence::Route::Redisplay &&
       last.Made != TemporalCoherence::Route::Reshade &&
-      last.Made != TemporalCoherence::Route::Recomposite)
+      last.Made != TemporalCoherence::Route::Recomposite &&
+      last.Made != TemporalCoherence::Route::MergeLayers)
     {
       // Without the isomap, which the next frames in the view need not build again.
       this->Distances.Learn(

@@ -3,6 +3,7 @@
 #ifndef Testing_OpacityChanges_h
 #define Testing_OpacityChanges_h
 
+#include "Acceleration/HiddenCells.h"
 #include "Fields/Waves.h"
 #include "Grid.h"
 #include "Render/FrameRenderer.h"
@@ -44,6 +45,36 @@ protected:
     this->Key.Isosurfaces.Opacities.assign(this->Key.Isosurfaces.Isovalues.size(), opacity);
   }
 
+  /// Let the region keep up to three pieces of a ray, and cut these.
+  void CutIntoPieces()
+  {
+    TemporalCoherence::Region& region = this->Key.Region;
+    region.Crops = { glm::dvec2(8.0, 19.0), glm::dvec2(9.0, 18.0), glm::dvec2(7.0, 17.0) };
+    region.Boxes = TemporalCoherence::Region::AllBoxes & ~(1u << 13);
+    region.Clips = { { 1.0, 0.3, -0.2, -4.0 } };
+  }
+
+  void HideSomeCells()
+  {
+    std::mt19937 engine(3);
+    const glm::ivec3 cells = Dimensions - 1;
+    std::vector<std::uint8_t> flags(static_cast<std::size_t>(cells.x * cells.y * cells.z));
+    for (std::uint8_t& flag : flags)
+    {
+      flag = engine() % 12 == 0;
+    }
+    this->Key.Samples.Hidden =
+      TemporalCoherence::HiddenCells::Make(Dimensions, { flags.data(), 1, nullptr, 0 });
+  }
+
+  void LookFromWithin()
+  {
+    const glm::dvec3 eye(14.3, 13.0, 12.9);
+    ASSERT_TRUE(TemporalCoherence::MakeView(
+      glm::lookAt(eye, eye + glm::dvec3(1.0, 0.4, 0.2), glm::dvec3(0, 0, 1)),
+      glm::perspective(1.2, 1.5, 0.01, 200.0), { 0.01, 200.0 }, { 75, 50 }, this->Key.View));
+  }
+
   Frame Cold(FrameStatistics* statistics = nullptr) const
   {
     FrameRenderer renderer;
@@ -72,7 +103,8 @@ protected:
       ASSERT_TRUE(IsSamePlane(made.Answers, cold.Answers)) << step;
       ASSERT_TRUE(made.ClearTiles == cold.ClearTiles) << step;
     }
-    if (this->Statistics().Made == Route::Recomposite)
+    const Route route = this->Statistics().Made;
+    if (route == Route::Recomposite || route == Route::MergeLayers)
     {
       ASSERT_EQ(this->Statistics().Layers, ofCold.Layers) << step;
     }
@@ -88,7 +120,7 @@ protected:
     const Route made = this->Statistics().Made;
     ++this->Routes[made];
     // From what routes that look up find out, other answers follow.
-    this->HasColdAnswers = made == Route::Cold ||
+    this->HasColdAnswers = made == Route::Cold || made == Route::MergeLayers ||
       ((made == Route::Recomposite || made == Route::Reshade) && this->HasColdAnswers);
     this->ExpectCold(what);
   }

@@ -4,7 +4,6 @@
 // A new opacity traces only rays that lead on behind the layers that are known, and the picture is
 // the cold one: planes, answers, and layers in their order.
 
-#include "Acceleration/HiddenCells.h"
 #include "Fields/Coordinates.h"
 #include "Render/OpacityChanges.h"
 
@@ -47,9 +46,7 @@ TEST_F(Recomposite, WalksFromWithinAndWithFineAndCoarsePixels)
     this->Key.View = LookAt(Dimensions, { -1.0, 0.4, 0.3 }, glm::ivec2(size));
     this->Walk(4, 8);
   }
-  const glm::dvec3 eye(14.3, 13.0, 12.9);
-  ASSERT_TRUE(MakeView(glm::lookAt(eye, eye + glm::dvec3(1.0, 0.4, 0.2), glm::dvec3(0, 0, 1)),
-    glm::perspective(1.2, 1.5, 0.01, 200.0), { 0.01, 200.0 }, { 75, 50 }, this->Key.View));
+  this->LookFromWithin();
   this->Key.Isosurfaces.Mode = SurfaceMode::Threshold;
   this->Walk(5, 10);
   this->ExpectRoute(12);
@@ -57,10 +54,7 @@ TEST_F(Recomposite, WalksFromWithinAndWithFineAndCoarsePixels)
 
 TEST_F(Recomposite, WalksInRegions)
 {
-  Region& region = this->Key.Region;
-  region.Crops = { glm::dvec2(8.0, 19.0), glm::dvec2(9.0, 18.0), glm::dvec2(7.0, 17.0) };
-  region.Boxes = Region::AllBoxes & ~(1u << 13); // up to three pieces of a ray
-  region.Clips = { { 1.0, 0.3, -0.2, -4.0 } };
+  this->CutIntoPieces();
   for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
   {
     this->Key.Isosurfaces.Mode = mode;
@@ -71,14 +65,7 @@ TEST_F(Recomposite, WalksInRegions)
 
 TEST_F(Recomposite, WalksAmongHiddenCells)
 {
-  std::mt19937 engine(3);
-  const glm::ivec3 cells = Dimensions - 1;
-  std::vector<std::uint8_t> flags(static_cast<std::size_t>(cells.x * cells.y * cells.z));
-  for (std::uint8_t& flag : flags)
-  {
-    flag = engine() % 12 == 0;
-  }
-  this->Key.Samples.Hidden = HiddenCells::Make(Dimensions, { flags.data(), 1, nullptr, 0 });
+  this->HideSomeCells();
   for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
   {
     this->Key.Isosurfaces.Mode = mode;
@@ -203,8 +190,8 @@ TEST_F(Recomposite, FramesOfAnIsomapKnowTheirLayersToo)
   this->Render("first");
   for (const double isovalue : { 41.0, 42.0, 43.0 })
   {
-    this->Key.Isosurfaces.Isovalues[0] = isovalue;
-    this->Render("isovalue");
+    this->Key.Isosurfaces.Isovalues = { isovalue, -isovalue };
+    this->Render("isovalues");
     this->SetOpacity(this->Key.Isosurfaces.Opacities[0] - 0.2);
     this->Render("opacity", Route::Recomposite);
   }

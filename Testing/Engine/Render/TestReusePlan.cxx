@@ -102,6 +102,43 @@ TEST(ReusePlan, OpacityChanged)
   EXPECT_EQ(Plan(key), Route::Recomposite) << "by gradient magnitude";
 }
 
+TEST(ReusePlan, SomeOfSeveralIsovaluesChanged)
+{
+  FrameKey last = BaseKey();
+  last.Isosurfaces.Isovalues = { 3.0, 5.0 };
+  last.Isosurfaces.Opacities = { 0.5, 0.5 };
+  FrameKey key = last;
+  key.Isosurfaces.Isovalues = { 3.0, 4.0 };
+  HeldForReuse held;
+  const auto plan = [&](const ReuseSwitches& switches = {})
+  { return PlanRoute(last, key, switches, held); };
+  EXPECT_EQ(plan(), Route::MergeLayers);
+  key.Isosurfaces.Isovalues = { 5.0, 3.0 };
+  EXPECT_EQ(plan(), Route::MergeLayers) << "another order";
+  key.Isosurfaces.Isovalues = { 7.0, 1.0, 5.0 };
+  key.Isosurfaces.Opacities = { 0.1, 0.2, 1.0 };
+  key.Appearance.Shade = true;
+  EXPECT_EQ(plan(), Route::MergeLayers) << "and opacities, and the appearance";
+  ReuseSwitches noCache;
+  noCache.ImageCache = false;
+  EXPECT_EQ(plan(noCache), Route::IsomapBuild);
+  held.Isomap = true;
+  EXPECT_EQ(plan(), Route::IsomapLookup) << "an isomap holds the new ones, too";
+  held = {};
+  held.IsExact = false;
+  EXPECT_EQ(plan(), Route::IsomapBuild) << "the last frame shows what is not there";
+  held = {};
+  key.Isosurfaces.Opacities.clear();
+  EXPECT_EQ(plan(), Route::IsomapBuild) << "opaque surfaces";
+  key.Isosurfaces = { { 7.0, 8.0 }, SurfaceMode::Crossing, { 0.5, 0.5 } };
+  EXPECT_EQ(plan(), Route::IsomapBuild) << "none is kept";
+  key.Isosurfaces = { { 3.0, 8.0 }, SurfaceMode::Threshold, { 0.5, 0.5 } };
+  EXPECT_EQ(plan(), Route::Cold) << "another mode";
+  key.Isosurfaces.Mode = SurfaceMode::Crossing;
+  key.View.ClipFromWorld[0][0] = 2.0;
+  EXPECT_EQ(plan(), Route::Cold) << "another view";
+}
+
 TEST(ReusePlan, OpacityAndMoreChanged)
 {
   FrameKey translucent = BaseKey();
@@ -232,6 +269,7 @@ TEST(ReusePlan, RoutesHaveTheirNames)
   EXPECT_STREQ(NameOf(Route::ImageCache), "ImageCache");
   EXPECT_STREQ(NameOf(Route::TimeStep), "TimeStep");
   EXPECT_STREQ(NameOf(Route::Recomposite), "Recomposite");
+  EXPECT_STREQ(NameOf(Route::MergeLayers), "MergeLayers");
 }
 
 }

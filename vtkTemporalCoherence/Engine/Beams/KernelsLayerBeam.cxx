@@ -39,13 +39,15 @@ template <typename Real, bool IsPlain, class Lattice>
 class LayerCells
 {
 public:
+  using Box = typename Lattice::Cell;
+
   LayerCells(const LayerTask& task, const Lattice& places, LayerBeamScene<Real>& scene,
     TileBeam& beam, LayerBatch& layers)
     : Task(task)
     , Places(places)
     , Scene(scene)
     , Beam(beam)
-    , Notes(task.Rays, layers)
+    , Notes(task, scene, layers)
   {
   }
 
@@ -59,15 +61,15 @@ public:
   /// \return one bit for each ray that must walk
   std::uint64_t Finish()
   {
-    this->Notes.Finish();
+    this->Notes.Search();
     return this->Notes.UnclearRays();
   }
 
 private:
-  /// Search a cell for the rays that may pass it.
+  /// Note the rays that may meet surfaces in a cell.
   void TestCell(const glm::ivec3& cell)
   {
-    const typename Lattice::Cell box = this->Places.CellAt(cell);
+    const Box box = this->Places.CellAt(cell);
     CellPassages passages;
     const std::uint64_t passing = this->FindPassing(box, passages) & this->Notes.LiveRays();
     if (passing == 0)
@@ -75,27 +77,37 @@ private:
       return;
     }
     this->Beam.CellsPassed += static_cast<std::int64_t>(hwy::PopCount(passing));
-    bool isNearer = false;
     if (this->Task.HasCaps)
     {
-      ForEachRay(
-        passing, [&](std::size_t ray) HWY_ATTR { isNearer |= this->SearchFor(cell, ray); });
+      this->Notes.Note(cell, passing);
     }
     else
     {
       this->Scene.Read(cell, this->Levels);
-      const std::uint64_t open = this->FindOpen(box, passages, passing);
-      isNearer = open != 0 && this->SearchCell(cell, open);
+      this->NoteOpen(cell, box, passages, passing);
     }
-    if (isNearer)
+    if (this->Notes.IsFull())
     {
+      this->SearchNoted();
+    }
+  }
+
+  /// Search what is noted. Rays that are full or opaque then go no farther.
+  void SearchNoted()
+  {
+    const std::uint64_t live = this->Notes.LiveRays();
+    this->Notes.Search();
+    const std::uint64_t done = live & ~this->Notes.LiveRays();
+    if (done != 0)
+    {
+      ForEachRay(
+        done, [&](std::size_t ray) HWY_ATTR { this->Beam.Behind[ray] = -TileBeam::Never; });
       MoveAcrossIfNearer(this->Beam);
     }
   }
 
   /// One bit for each ray that may pass a cell on its walk.
-  HWY_INLINE std::uint64_t FindPassing(
-    const typename Lattice::Cell& box, CellPassages& passages) const
+  HWY_INLINE std::uint64_t FindPassing(const Box& box, CellPassages& passages) const
   {
     const TileBeam& beam = this->Beam;
     const CellFaces faces(box, beam.Margin, beam.Flip);
@@ -131,40 +143,57 @@ private:
     return passing;
   }
 
-  /// One bit for each ray that may cross an isovalue in a cell. (CellSearch tells why.)
-  HWY_INLINE std::uint64_t FindOpen(
-    const typename Lattice::Cell& box, const CellPassages& passages, std::uint64_t passing) const
+  /// Note the rays that may cross isovalues in a cell that was read. Which one a ray meets first
+  /// of several has to be found out ray by ray.
+  HWY_INLINE void NoteOpen(
+    const glm::ivec3& cell, const Box& box, const CellPassages& passages, std::uint64_t passing)
   {
-    const TileBeam& beam = this->Beam;
-    const float margin = beam.Margin * box.LargestShare();
+    const float margin = this->Beam.Margin * box.LargestShare();
     constexpr float most = 0x1p-5f;
     if (!(margin < most && this->Levels.AreAll()))
     {
-      return this->Levels.Count > 0 ? passing : 0; // single precision tells nothing
+      // Single precision tells nothing.
+      this->Notes.Note(cell, this->Levels.Count > 0 ? passing : 0);
+      return;
     }
-    std::uint64_t open = 0;
+    std::uint64_t open[CellLevels<Real>::Most], any = 0, several = 0;
     for (std::size_t level = 0; level < this->Levels.Count; ++level)
     {
-      const CellValues values = ValuesOf(InFloat(this->Levels.All[level].Corners));
-      const V error = Set(values.Largest * (16.0f * margin + 0x1p-13f) + 1e-30f);
-      for (std::size_t i = 0; i < RayBatch::Capacity; i += hn::Lanes(Floats()))
+      open[level] = this->FindOpen(this->Levels.All[level].Corners, margin, box, passages, passing);
+      several |= any & open[level];
+      any |= open[level];
+    }
+    for (std::size_t level = 0; level < this->Levels.Count; ++level)
+    {
+      this->Notes.Note(cell, this->Levels.All[level], open[level] & ~several);
+    }
+    this->Notes.Note(cell, several);
+  }
+
+  /// One bit for each ray that may cross an isovalue in a cell. (CellSearch tells why.)
+  HWY_INLINE std::uint64_t FindOpen(const std::array<Real, 8>& corners, float margin,
+    const Box& box, const CellPassages& passages, std::uint64_t passing) const
+  {
+    const CellValues values = ValuesOf(InFloat(corners));
+    const V error = Set(values.Largest * (16.0f * margin + 0x1p-13f) + 1e-30f);
+    std::uint64_t open = 0;
+    for (std::size_t i = 0; i < RayBatch::Capacity; i += hn::Lanes(Floats()))
+    {
+      constexpr std::size_t lanes = hn::MaxLanes(Floats());
+      const std::uint64_t which = passing >> i & ((std::uint64_t(1) << lanes) - 1);
+      if (which == 0)
       {
-        constexpr std::size_t lanes = hn::MaxLanes(Floats());
-        const std::uint64_t which = passing >> i & ((std::uint64_t(1) << lanes) - 1);
-        if (which == 0)
-        {
-          continue;
-        }
-        const M isPassed = MaskOf(which);
-        const V enter = hn::IfThenElseZero(isPassed, Load(passages.Enter + i));
-        const V leave = hn::IfThenElseZero(isPassed, Load(passages.Leave + i));
-        V at[3], step[3];
-        FindPathsIn(box, beam, enter, leave, i, at, step);
-        const Coefficients b = CubicsAlong(values, at, step);
-        const M isOutside = hn::Or(hn::Lt(b.Largest, hn::Neg(error)), hn::Gt(b.Smallest, error));
-        const M isOpen = hn::AndNot(isOutside, isPassed);
-        open |= BitsOf(hn::AndNot(this->CanOnlyExit(b, error, enter, leave, i), isOpen)) << i;
+        continue;
       }
+      const M isPassed = MaskOf(which);
+      const V enter = hn::IfThenElseZero(isPassed, Load(passages.Enter + i));
+      const V leave = hn::IfThenElseZero(isPassed, Load(passages.Leave + i));
+      V at[3], step[3];
+      FindPathsIn(box, this->Beam, enter, leave, i, at, step);
+      const Coefficients b = CubicsAlong(values, at, step);
+      const M isOutside = hn::Or(hn::Lt(b.Largest, hn::Neg(error)), hn::Gt(b.Smallest, error));
+      const M isOpen = hn::AndNot(isOutside, isPassed);
+      open |= BitsOf(hn::AndNot(this->CanOnlyExit(b, error, enter, leave, i), isOpen)) << i;
     }
     return open;
   }
@@ -213,130 +242,12 @@ private:
     return values;
   }
 
-  /// Search a cell for some rays. \return true if one of them is full or opaque then
-  HWY_INLINE bool SearchCell(const glm::ivec3& cell, std::uint64_t which)
-  {
-    bool isDone = false;
-    if (this->Task.Grid)
-    {
-      ForEachRay(which, [&](std::size_t ray) HWY_ATTR { isDone |= this->SearchFor(cell, ray); });
-      return isDone;
-    }
-    for (std::size_t i = 0; i < RayBatch::Capacity; i += RowOfRays)
-    {
-      const std::uint64_t inRow = which >> i & 0xffu;
-      if (inRow != 0)
-      {
-        FindPaths(this->Task.Rays, i, inRow, cell, this->Paths);
-        isDone |= this->SearchLevels(cell, i);
-      }
-    }
-    return isDone;
-  }
-
-  /// Note where some rays of a vector cross an isovalue.
-  /// \return true if one of them is full or opaque then
-  HWY_INLINE bool NoteCrossings(
-    const CellCrossings<Real>& found, std::uint64_t which, std::int16_t surface, std::size_t i)
-  {
-    bool isDone = false;
-    const std::uint64_t one = found.One & which;
-    ForEachRay(this->Task.IsSolid ? one & ~found.Begins : one,
-      [&](std::size_t lane) HWY_ATTR
-      {
-        const Real b[4] = { found.Cubic[0][lane], found.Cubic[1][lane], found.Cubic[2][lane],
-          found.Cubic[3][lane] };
-        const HitKind kind = found.Begins >> lane & 1u ? HitKind::Exit : HitKind::Entry;
-        const bool isLast = this->Notes.Note(
-          i + lane, surface, kind, b, this->Paths.Enter[lane], this->Paths.Leave[lane]);
-        isDone |= this->EndIf(isLast, i + lane);
-      });
-    ForEachRay(found.Any & ~found.One & which,
-      [&](std::size_t lane) HWY_ATTR
-      {
-        CellSurfaces all;
-        this->FindSeveral(found, lane, surface, all);
-        isDone |= this->EndIf(this->Notes.Note(i + lane, all), i + lane);
-      });
-    return isDone;
-  }
-
-  /// Find where a ray crosses an isovalue that it may cross several times.
-  void FindSeveral(const CellCrossings<Real>& found, std::size_t lane, std::int16_t surface,
-    CellSurfaces& all) const
-  {
-    const double enter = this->Paths.Enter[lane], leave = this->Paths.Leave[lane];
-    bool isInside = found.Begins >> lane & 1u;
-    VisitCrossings(Cubic<Real>{ found.Cubic[0][lane], found.Cubic[1][lane], found.Cubic[2][lane],
-                     found.Cubic[3][lane] },
-      [&](Real share)
-      {
-        isInside = !isInside;
-        if (isInside || !this->Task.IsSolid)
-        {
-          all.All[all.Count++] = { enter + static_cast<double>(share) * (leave - enter),
-            isInside ? HitKind::Entry : HitKind::Exit, surface };
-        }
-        return false;
-      });
-  }
-
-  /// Search a cell for rays from i on, whose paths are known.
-  /// \return true if one of them is full or opaque then
-  HWY_INLINE bool SearchLevels(const glm::ivec3& cell, std::size_t i)
-  {
-    // Where a walk begins in the cell, what is before that does not count. Of several isovalues it
-    // has to be known which one a ray meets first.
-    const std::uint64_t which = this->Paths.Which;
-    const bool areMany = this->Levels.Count > MostLevels;
-    const std::size_t count = areMany ? 0 : this->Levels.Count;
-    const std::array<CellLevel<Real>, CellLevels<Real>::Most + 1>& levels = this->Levels.All;
-    std::uint64_t oneByOne = areMany ? which : this->Paths.IsFirst, met = 0;
-    for (std::size_t level = 0; level < count; ++level)
-    {
-      CellCrossings<Real>& found = this->Crossings[level];
-      FindCrossings(this->Paths, levels[level].Corners, which & ~oneByOne, found);
-      oneByOne |= met & found.Any;
-      met |= found.Any;
-    }
-    bool isDone = false;
-    for (std::size_t level = 0; level < count; ++level)
-    {
-      isDone |= this->NoteCrossings(this->Crossings[level], ~oneByOne, levels[level].Surface, i);
-    }
-    ForEachRay(
-      oneByOne, [&](std::size_t lane) HWY_ATTR { isDone |= this->SearchFor(cell, i + lane); });
-    return isDone;
-  }
-
-  /// Let the scene search a cell for one ray. \return true if it is full or opaque then
-  bool SearchFor(const glm::ivec3& cell, std::size_t ray)
-  {
-    CellSurfaces found;
-    this->Scene.SearchCell(cell, ray, this->Notes.Known(), found);
-    return this->EndIf(this->Notes.Note(ray, found), ray);
-  }
-
-  /// End a ray if it is full or opaque.
-  HWY_INLINE bool EndIf(bool isDone, std::size_t ray)
-  {
-    if (isDone)
-    {
-      this->Beam.Behind[ray] = -TileBeam::Never;
-    }
-    return isDone;
-  }
-
-  static constexpr std::size_t MostLevels = 4;
-
   const LayerTask& Task;
   const Lattice& Places;
   LayerBeamScene<Real>& Scene;
   TileBeam& Beam;
   LayerNotes<Real> Notes;
   CellLevels<Real> Levels; ///< of the present cell
-  CellPaths<Real> Paths{}; ///< lanes without a ray hold finite numbers, too
-  CellCrossings<Real> Crossings[MostLevels];
 };
 
 template <bool IsPlain, typename Real, class Lattice>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The layers that rays of a beam meet in cells: that there are such, and then where.
+// The layers that rays of a beam meet in cells: that there may be such, and then where.
 // Included by kernels once for each kind of vectors, hence the guard that turns over.
 #if defined(TemporalCoherence_KernelsLayerNotes_inl_h) == defined(HWY_TARGET_TOGGLE)
 #ifdef TemporalCoherence_KernelsLayerNotes_inl_h
@@ -14,6 +14,7 @@
 
 #include "Trace/KernelsSegment-inl.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -30,268 +31,315 @@ namespace HWY_NAMESPACE
 namespace hn = hwy::HWY_NAMESPACE;
 namespace segments = SegmentKernels::HWY_NAMESPACE;
 
-/// Rays that are searched together: a row of a tile.
-constexpr std::size_t RowOfRays = 8;
-
-/// A row of rays in a cell.
-template <typename Real>
-struct alignas(64) CellPaths
+/// Numbers as places of what is gathered into vectors of D.
+template <class D>
+HWY_INLINE hn::Vec<hn::RebindToSigned<D>> PlacesFor(D, const std::int32_t* numbers)
 {
-  Real Begin[3][RowOfRays], End[3][RowOfRays]; ///< in the coordinates of the cell
-  double Enter[RowOfRays], Leave[RowOfRays];
-  std::uint64_t Which;   ///< one bit for each that goes through it
-  std::uint64_t IsFirst; ///< where a walk begins in the cell
-};
+  const hn::RebindToSigned<D> di;
+  if constexpr (sizeof(hn::TFromD<D>) == sizeof(std::int32_t))
+  {
+    return hn::LoadU(di, numbers);
+  }
+  else
+  {
+    return hn::PromoteTo(di, hn::LoadU(hn::Rebind<std::int32_t, D>(), numbers));
+  }
+}
 
-/// Where cubics along these cross zero.
+/// A vector of rays of a batch.
+template <class D>
+HWY_INLINE segments::RayVector<hn::Vec<D>> GatherRays(
+  D d, const RayBatch& rays, hn::Vec<hn::RebindToSigned<D>> at)
+{
+  segments::RayVector<hn::Vec<D>> gathered;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    gathered.Origin[a] = hn::GatherIndex(d, rays.Origin[a].data(), at);
+    gathered.Direction[a] = hn::GatherIndex(d, rays.Direction[a].data(), at);
+    gathered.Inverse[a] = hn::GatherIndex(d, rays.Inverse[a].data(), at);
+  }
+  gathered.Begin = hn::GatherIndex(d, rays.Begin.data(), at);
+  gathered.End = hn::GatherIndex(d, rays.End.data(), at);
+  return gathered;
+}
+
+/// What rays meet in cells. One bit stands for each pair of a ray and a cell.
 template <typename Real>
 struct alignas(64) CellCrossings
 {
-  Real Cubic[4][RowOfRays];
-  std::uint64_t Begins, Any, One; ///< SignChanges, one bit for each ray
+  Real Begin[3][WidestVector], End[3][WidestVector]; ///< in the coordinates of the cell
+  double Enter[WidestVector], Leave[WidestVector];
+  Real Cubic[4][WidestVector]; ///< along the ray in the cell
+  Real Share[WidestVector];    ///< of the way in the cell at which it crosses zero, if it does once
+  std::uint64_t Which;         ///< the ray goes through the cell
+  std::uint64_t IsFirst;       ///< and its walk begins there
+  std::uint64_t Begins, Any, One; ///< SignChanges
 };
 
-/// Find the paths of a row of rays through a cell, from ray i on, as on walks.
-/// \param which of them may pass it
-template <typename Real>
-HWY_INLINE void FindPaths(const RayBatch& rays, std::size_t i, std::uint64_t which,
-  const glm::ivec3& cell, CellPaths<Real>& paths)
-{
-  const hn::CappedTag<double, RowOfRays> d;
-  using Vector = hn::Vec<decltype(d)>;
-  constexpr std::uint64_t lanes = (std::uint64_t(1) << hn::MaxLanes(d)) - 1;
-  Vector place[3];
-  for (int a = 0; a < 3; ++a)
-  {
-    place[a] = hn::Set(d, static_cast<double>(cell[a]));
-  }
-  std::uint64_t isOn = 0, isFirst = 0;
-  for (std::size_t j = 0; j < RowOfRays; j += hn::Lanes(d))
-  {
-    if ((which >> j & lanes) == 0)
-    {
-      continue;
-    }
-    const std::size_t from = i + j;
-    const auto path = segments::FindPath(d, segments::LoadRays(d, rays, from), place);
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      segments::StoreAs(path.Begin[a], &paths.Begin[a][j]);
-      segments::StoreAs(path.End[a], &paths.End[a][j]);
-    }
-    hn::StoreU(path.Enter, d, &paths.Enter[j]);
-    hn::StoreU(path.Leave, d, &paths.Leave[j]);
-    const Vector begin = hn::LoadU(d, &rays.WalkBegin[from]);
-    const auto isOnWalk =
-      hn::And(hn::Ge(path.Leave, begin), hn::Lt(path.Enter, hn::LoadU(d, &rays.WalkEnd[from])));
-    isOn |= BitsIn(d, hn::And(hn::Lt(path.Enter, path.Leave), isOnWalk)) << j;
-    isFirst |= BitsIn(d, hn::Le(path.Enter, begin)) << j;
-  }
-  paths.Which = isOn & which;
-  paths.IsFirst = isFirst & paths.Which;
-}
-
-/// Find out where rays may pass an isovalue in a cell.
-template <typename Real>
-HWY_INLINE void FindCrossings(const CellPaths<Real>& paths, const std::array<Real, 8>& corners,
-  std::uint64_t which, CellCrossings<Real>& found)
-{
-  const hn::CappedTag<Real, RowOfRays> d;
-  using Vector = hn::Vec<decltype(d)>;
-  constexpr std::uint64_t lanes = (std::uint64_t(1) << hn::MaxLanes(d)) - 1;
-  std::uint64_t begins = 0, any = 0, one = 0;
-  Vector samples[8];
-  for (std::size_t corner = 0; corner < 8; ++corner)
-  {
-    samples[corner] = hn::Set(d, corners[corner]);
-  }
-  for (std::size_t j = 0; j < RowOfRays; j += hn::Lanes(d))
-  {
-    if ((which >> j & lanes) == 0)
-    {
-      continue;
-    }
-    Vector begin[3], end[3], b[4];
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      begin[a] = hn::Load(d, &paths.Begin[a][j]);
-      end[a] = hn::Load(d, &paths.End[a][j]);
-    }
-    segments::CubicsBetween(d, samples, begin, end, b);
-    const auto changes = segments::FindChanges(d, b);
-    for (std::size_t c = 0; c < 4; ++c)
-    {
-      hn::Store(b[c], d, &found.Cubic[c][j]);
-    }
-    begins |= BitsIn(d, changes.Begins) << j;
-    any |= BitsIn(d, changes.Any) << j;
-    one |= BitsIn(d, changes.One) << j;
-  }
-  found.Begins = begins;
-  found.Any = any & which;
-  found.One = one & which;
-}
-
-/// Notes which surface a ray meets next, and later finds where, for whole vectors of notes at once.
-/// So it is known at once when a ray is full or opaque, but most of the work is done on vectors
-/// without gaps.
+/// Notes that rays may meet surfaces in cells, and searches the cells later, for whole vectors of
+/// such pairs at once: what one cell notes would leave most lanes empty.
 template <typename Real>
 class LayerNotes
 {
 public:
-  LayerNotes(const RayBatch& rays, LayerBatch& layers)
-    : Rays(rays)
+  LayerNotes(const LayerTask& task, LayerBeamScene<Real>& scene, LayerBatch& layers)
+    : Task(task)
+    , Scene(scene)
     , Layers(layers)
-    , Live(layers.Open)
-    , Count(layers.Count)
-    , Transmittance(layers.Transmittance)
   {
   }
 
-  /// One bit for each ray that may meet more surfaces.
-  std::uint64_t LiveRays() const { return this->Live; }
+  /// One bit for each ray that may meet more surfaces behind what has been searched.
+  std::uint64_t LiveRays() const { return this->Layers.Open & ~this->Unclear; }
 
-  /// Note that a ray meets a surface where a cubic crosses zero once.
-  /// \param b of its coefficients
-  /// \param enter, leave where the ray enters the cell and leaves it
-  /// \return true if it is full or opaque then
-  HWY_INLINE bool Note(std::size_t ray, std::int16_t surface, HitKind kind, const Real b[4],
-    double enter, double leave)
+  /// Note that some rays may cross an isovalue in a cell, and no other there.
+  void Note(const glm::ivec3& cell, const CellLevel<Real>& level, std::uint64_t which)
   {
-    if (this->Total == Capacity)
-    {
-      this->Finish();
-    }
-    const std::size_t at = this->Total++;
-    for (std::size_t c = 0; c < 4; ++c)
-    {
-      this->Cubic[c][at] = b[c];
-    }
-    this->Enter[at] = enter;
-    this->Leave[at] = leave;
-    this->Ray[at] = static_cast<std::uint8_t>(ray);
-    this->Surface[at] = surface;
-    this->Kind[at] = kind;
-    ++this->Count[ray];
-    if (this->Layers.Alphas)
-    {
-      this->Transmittance[ray] = PassedBehind(
-        this->Transmittance[ray], this->Layers.Alphas[static_cast<std::size_t>(surface)]);
-    }
-    if (this->Count[ray] < this->Layers.Limit && this->Transmittance[ray] != 0.0f)
-    {
-      return false;
-    }
-    this->Live &= ~(std::uint64_t(1) << ray);
-    return true;
+    this->NoteIn(cell, level.Surface, level.Corners, which);
   }
 
-  /// Layers that are known: those that are noted are not among them.
-  const LayerBatch& Known() const { return this->Layers; }
-
-  /// Note all that a ray meets in a cell. \return true if it is full or opaque then
-  bool Note(std::size_t ray, const CellSurfaces& found)
+  /// Note that some rays may cross any isovalues in a cell.
+  void Note(const glm::ivec3& cell, std::uint64_t which)
   {
-    // A cubic that crosses zero where it is known to.
-    constexpr Real known[4] = { Real(-1), Real(-1), Real(1), Real(1) };
-    for (std::size_t i = 0; i < found.Count; ++i)
-    {
-      const CellSurfaces::Met& met = found.All[i];
-      if (this->Note(ray, met.Surface, met.Kind, known, met.Distance, met.Distance))
-      {
-        return true;
-      }
-    }
-    return false;
+    this->NoteIn(cell, Frame::NoSurface, {}, which);
   }
 
-  /// Find where surfaces are, and append them to the layers of their rays.
-  void Finish()
+  /// True if what is noted has to be searched before the next cell.
+  bool IsFull() const { return this->Total >= Full; }
+
+  /// Search what is noted, and append what is found to the layers of the rays. A ray that is full
+  /// or opaque then is live no more.
+  void Search()
   {
-    this->FindDistances();
-    for (std::size_t i = 0; i < this->Total; ++i)
+    // The scene searches where it has to tell more than a cubic does.
+    const bool areCubics = !(this->Task.Grid || this->Task.HasCaps);
+    this->FillLastVector();
+    for (std::size_t i = 0; i < this->Total; i += WidestVector)
     {
-      const std::size_t ray = this->Ray[i];
-      const std::uint64_t bit = std::uint64_t(1) << ray;
-      if (this->Unclear & bit)
+      if (areCubics)
       {
-        continue;
+        this->FindPaths(i);
+        this->FindCrossings(i);
       }
-      const double last = this->Layers.LastDistance[ray], distance = this->Enter[i];
-      // Farther behind the last than rounding may move either.
-      constexpr double share = 0x1p-49;
-      if (distance - last > share * std::abs(distance) && last < this->Rays.WalkEnd[ray])
-      {
-        this->Layers.Append(ray, distance, this->Kind[i], this->Surface[i]);
-      }
-      else
-      {
-        this->Unclear |= bit;
-        this->Live &= ~bit;
-      }
+      this->AppendFound(i, areCubics);
     }
-    this->Total = 0;
+    this->Total = this->Cells = 0;
   }
 
   /// One bit for each ray whose surfaces are too close together.
   std::uint64_t UnclearRays() const { return this->Unclear; }
 
 private:
-  static constexpr std::size_t Capacity = 256;
+  static constexpr std::size_t Full = 64;
+  static constexpr std::size_t Capacity =
+    Full + RayBatch::Capacity; ///< one cell adds a tile's rays
   template <typename T>
-  using List = std::array<T, Capacity + WidestVector>;
+  using List = std::array<T, Capacity>;
 
-  /// Replace Enter by the distance of the surface.
-  HWY_INLINE void FindDistances()
+  HWY_INLINE void NoteIn(const glm::ivec3& cell, std::int16_t surface,
+    const std::array<Real, 8>& corners, std::uint64_t which)
   {
-    const hn::CappedTag<Real, WidestVector> d;
-    const auto all = hn::Eq(hn::Zero(d), hn::Zero(d));
-    this->FillLastVector();
-    alignas(64) Real shares[WidestVector];
-    for (std::size_t i = 0; i < this->Total; i += hn::Lanes(d))
+    if (which == 0)
     {
-      hn::Vec<decltype(d)> b[4];
-      for (std::size_t c = 0; c < 4; ++c)
-      {
-        b[c] = hn::LoadU(d, &this->Cubic[c][i]);
-      }
-      hn::StoreU(segments::RefineCrossings<Real>(d, b, all), d, shares);
-      for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
-      {
-        const double enter = this->Enter[i + lane];
-        this->Enter[i + lane] =
-          enter + static_cast<double>(shares[lane]) * (this->Leave[i + lane] - enter);
-      }
+      return;
+    }
+    const std::size_t number = this->Cells++;
+    this->Place[number] = cell;
+    this->Surface[number] = surface;
+    this->Corners[number] = corners;
+    for (; which != 0; which &= which - 1)
+    {
+      const std::size_t at = this->Total++;
+      this->Ray[at] = static_cast<std::int32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero64(which));
+      this->Cell[at] = static_cast<std::int32_t>(number);
     }
   }
 
   /// So that no lane is uninitialised.
-  HWY_INLINE void FillLastVector()
+  void FillLastVector()
   {
-    const std::size_t end = WholeVectors(this->Total);
-    for (std::size_t i = this->Total; i < end; ++i)
+    for (std::size_t i = this->Total; i < WholeVectors(this->Total); ++i)
     {
-      for (std::size_t c = 0; c < 4; ++c)
-      {
-        this->Cubic[c][i] = Real(c < 2 ? -1 : 1);
-      }
-      this->Enter[i] = this->Leave[i] = 0.0;
+      this->Ray[i] = this->Ray[0];
+      this->Cell[i] = this->Cell[0];
     }
   }
 
-  const RayBatch& Rays;
-  LayerBatch& Layers;
-  std::uint64_t Live, Unclear = 0;
-  // With what is noted:
-  RayBatch::Array<std::uint8_t> Count;
-  RayBatch::Array<float> Transmittance;
+  /// Find the paths of rays through cells, from pair i on, as on walks.
+  HWY_INLINE void FindPaths(std::size_t i)
+  {
+    const hn::CappedTag<double, WidestVector> d;
+    const hn::Rebind<std::int32_t, decltype(d)> dn;
+    std::uint64_t isOn = 0, isFirst = 0;
+    for (std::size_t j = 0; j < WidestVector; j += hn::Lanes(d))
+    {
+      const auto ray = PlacesFor(d, &this->Ray[i + j]);
+      const auto number = hn::Mul(hn::LoadU(dn, &this->Cell[i + j]), hn::Set(dn, 3));
+      hn::Vec<decltype(d)> cell[3];
+      for (int a = 0; a < 3; ++a)
+      {
+        cell[a] = hn::PromoteTo(d, hn::GatherIndex(dn, &this->Place[0][a], number));
+      }
+      const auto path = segments::FindPath(d, GatherRays(d, this->Task.Rays, ray), cell);
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        segments::StoreAs(path.Begin[a], &this->Found.Begin[a][j]);
+        segments::StoreAs(path.End[a], &this->Found.End[a][j]);
+      }
+      hn::StoreU(path.Enter, d, &this->Found.Enter[j]);
+      hn::StoreU(path.Leave, d, &this->Found.Leave[j]);
+      const auto begin = hn::GatherIndex(d, this->Task.Rays.WalkBegin.data(), ray);
+      const auto end = hn::GatherIndex(d, this->Task.Rays.WalkEnd.data(), ray);
+      const auto isOnWalk = hn::And(hn::Ge(path.Leave, begin), hn::Lt(path.Enter, end));
+      isOn |= BitsIn(d, hn::And(hn::Lt(path.Enter, path.Leave), isOnWalk)) << j;
+      isFirst |= BitsIn(d, hn::Le(path.Enter, begin)) << j;
+    }
+    this->Found.Which = isOn;
+    this->Found.IsFirst = isFirst;
+  }
 
-  std::size_t Total = 0;
-  std::array<List<Real>, 4> Cubic;
-  List<double> Enter, Leave;
-  List<std::uint8_t> Ray;
-  List<std::int16_t> Surface;
-  List<HitKind> Kind;
+  /// Find out where rays pass isovalues in cells, from pair i on, whose paths are known.
+  HWY_INLINE void FindCrossings(std::size_t i)
+  {
+    const hn::CappedTag<Real, WidestVector> d;
+    CellCrossings<Real>& found = this->Found;
+    std::uint64_t begins = 0, any = 0, one = 0;
+    for (std::size_t j = 0; j < WidestVector; j += hn::Lanes(d))
+    {
+      hn::Vec<decltype(d)> corners[8], begin[3], end[3], b[4];
+      const auto number = hn::ShiftLeft<3>(PlacesFor(d, &this->Cell[i + j]));
+      for (std::size_t corner = 0; corner < 8; ++corner)
+      {
+        corners[corner] = hn::GatherIndex(d, &this->Corners[0][corner], number);
+      }
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        begin[a] = hn::Load(d, &found.Begin[a][j]);
+        end[a] = hn::Load(d, &found.End[a][j]);
+      }
+      segments::CubicsBetween(d, corners, begin, end, b);
+      const auto changes = segments::FindChanges(d, b);
+      for (std::size_t c = 0; c < 4; ++c)
+      {
+        hn::Store(b[c], d, &found.Cubic[c][j]);
+      }
+      hn::Store(segments::RefineCrossings<Real>(d, b, changes.One), d, &found.Share[j]);
+      begins |= BitsIn(d, changes.Begins) << j;
+      any |= BitsIn(d, changes.Any) << j;
+      one |= BitsIn(d, changes.One) << j;
+    }
+    found.Begins = begins;
+    found.Any = any;
+    found.One = one;
+  }
+
+  /// Append what was found, from pair i on. Each ray met its cells in their order along it.
+  HWY_INLINE void AppendFound(std::size_t i, bool areCubics)
+  {
+    const std::size_t count = std::min(this->Total - i, WidestVector);
+    std::uint64_t which = (std::uint64_t(1) << count) - 1;
+    if (areCubics)
+    {
+      which &= this->Found.Which;
+    }
+    ForEachRay(which,
+      [&](std::size_t lane) HWY_ATTR
+      {
+        const auto ray = static_cast<std::size_t>(this->Ray[i + lane]);
+        if ((this->LiveRays() >> ray & 1u) == 0)
+        {
+          return;
+        }
+        const auto cell = static_cast<std::size_t>(this->Cell[i + lane]);
+        // Where a walk begins in the cell, what is before that does not count. Of several isovalues
+        // it has to be known which one a ray meets first.
+        if (!areCubics || this->Surface[cell] == Frame::NoSurface ||
+          (this->Found.IsFirst >> lane & 1u) != 0)
+        {
+          CellSurfaces met;
+          this->Scene.SearchCell(this->Place[cell], ray, this->Layers, met);
+          this->Append(ray, met);
+        }
+        else if ((this->Found.One >> lane & 1u) != 0)
+        {
+          const bool isExit = (this->Found.Begins >> lane & 1u) != 0;
+          if (!(isExit && this->Task.IsSolid))
+          {
+            this->Append(ray, this->DistanceAt(lane, this->Found.Share[lane]),
+              isExit ? HitKind::Exit : HitKind::Entry, this->Surface[cell]);
+          }
+        }
+        else if ((this->Found.Any >> lane & 1u) != 0)
+        {
+          CellSurfaces met;
+          this->FindSeveral(lane, this->Surface[cell], met);
+          this->Append(ray, met);
+        }
+      });
+  }
+
+  double DistanceAt(std::size_t lane, Real share) const
+  {
+    const double enter = this->Found.Enter[lane];
+    return enter + static_cast<double>(share) * (this->Found.Leave[lane] - enter);
+  }
+
+  /// Find where a ray crosses an isovalue that it may cross several times.
+  void FindSeveral(std::size_t lane, std::int16_t surface, CellSurfaces& all) const
+  {
+    const auto& b = this->Found.Cubic;
+    bool isInside = (this->Found.Begins >> lane & 1u) != 0;
+    VisitCrossings(Cubic<Real>{ b[0][lane], b[1][lane], b[2][lane], b[3][lane] },
+      [&](Real share)
+      {
+        isInside = !isInside;
+        if (isInside || !this->Task.IsSolid)
+        {
+          all.All[all.Count++] = { this->DistanceAt(lane, share),
+            isInside ? HitKind::Entry : HitKind::Exit, surface };
+        }
+        return false;
+      });
+  }
+
+  void Append(std::size_t ray, const CellSurfaces& met)
+  {
+    for (std::size_t i = 0; i < met.Count && (this->LiveRays() >> ray & 1u) != 0; ++i)
+    {
+      this->Append(ray, met.All[i].Distance, met.All[i].Kind, met.All[i].Surface);
+    }
+  }
+
+  /// Append a surface to the layers of a live ray.
+  HWY_INLINE void Append(std::size_t ray, double distance, HitKind kind, std::int16_t surface)
+  {
+    const double last = this->Layers.LastDistance[ray];
+    // Farther behind the last than rounding may move either.
+    constexpr double share = 0x1p-49;
+    if (distance - last > share * std::abs(distance) && last < this->Task.Rays.WalkEnd[ray])
+    {
+      this->Layers.Append(ray, distance, kind, surface);
+    }
+    else
+    {
+      this->Unclear |= std::uint64_t(1) << ray;
+    }
+  }
+
+  const LayerTask& Task;
+  LayerBeamScene<Real>& Scene;
+  LayerBatch& Layers;
+  std::uint64_t Unclear = 0;
+
+  std::size_t Total = 0, Cells = 0;
+  // Pairs:
+  List<std::int32_t> Ray, Cell;
+  // Cells. What a pair notes comes with one at most.
+  List<glm::ivec3> Place;
+  List<std::int16_t> Surface; ///< Frame::NoSurface: any
+  List<std::array<Real, 8>> Corners;
+
+  CellCrossings<Real> Found;
 };
 
 }

@@ -57,14 +57,8 @@ constexpr std::size_t GroupsToATrial = 8;
 /// The share of the groups that a frame builds if the picture depends on it.
 constexpr double FixedShare = 1.0 / 12.0;
 
-/// Memory of all bands that nobody asked for, by pixels.
-constexpr std::size_t BytesAPixel = 32;
-
-/// Bytes for all that nobody asked for, whatever the user's limit.
-std::size_t MostRoom(const glm::ivec2& pixels)
-{
-  return BytesAPixel * static_cast<std::size_t>(pixels.x) * static_cast<std::size_t>(pixels.y);
-}
+/// Memory of all bands that nobody asked for, by pixels: with knots, and with passages.
+constexpr std::size_t BytesAPixel = 32, BytesOfPassages = 96;
 
 bool IsAutomatic(const GroupBand& band)
 {
@@ -204,6 +198,14 @@ void FrameBands::Choose(double extra)
   this->MakeRoom(count);
 }
 
+/// Bytes for all that nobody asked for, whatever the user's limit.
+std::size_t FrameBands::MostRoom() const
+{
+  const glm::ivec2& pixels = this->From.Key.View.Size;
+  return (this->Map.Form().HasPassages ? BytesOfPassages : BytesAPixel) *
+    static_cast<std::size_t>(pixels.x) * static_cast<std::size_t>(pixels.y);
+}
+
 /// Bytes that the user's limit leaves for all that nobody asked for.
 std::size_t FrameBands::RoomOfUser() const
 {
@@ -216,7 +218,7 @@ std::size_t FrameBands::RoomOfUser() const
 /// Bytes for all bands that nobody asked for.
 std::size_t FrameBands::RoomForAll() const
 {
-  const std::size_t most = std::min(this->RoomOfUser(), MostRoom(this->From.Key.View.Size));
+  const std::size_t most = std::min(this->RoomOfUser(), this->MostRoom());
   const std::size_t bounds = this->Map.MemoryOfBounds();
   return most > bounds ? most - bounds : 0;
 }
@@ -258,7 +260,7 @@ void FrameBands::MakeRoom(std::size_t planned)
 /// True if the user's limit of memory is lower than that of bands that nobody asked for.
 bool FrameBands::IsLimitedByUser() const
 {
-  return this->RoomOfUser() < MostRoom(this->From.Key.View.Size);
+  return this->RoomOfUser() < this->MostRoom();
 }
 
 std::size_t FrameBands::NumberOf(GroupWork work) const

@@ -48,12 +48,16 @@ double Isomap::SmallestTolerance(const Field& field, const IndexTransform& trans
 
 KnotForm Isomap::FormFor(const FrameKey& key, const Options& options)
 {
+  if (key.Isosurfaces.IsTranslucent() && key.Samples.Kind->Abilities().Passages)
+  {
+    return { 0.0, false, true };
+  }
   // With nearest interpolation there are no curves to fit. Behind hidden cells, distances may jump.
   const bool isFitted = key.Samples.Between == Interpolation::Linear && !key.Samples.Hidden &&
     options.Tolerance > 0.0 && options.Tolerance >= SmallestTolerance(key.Samples, key.Transform);
   return { isFitted ? options.Tolerance * key.Samples.Kind->VoxelSizeIn(key.Transform).Shortest
                     : 0.0,
-    options.HasNormals };
+    options.HasNormals, false };
 }
 
 bool Isomap::IsOf(const FrameKey& key, const Options& options) const

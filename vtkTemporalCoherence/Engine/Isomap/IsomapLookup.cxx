@@ -132,7 +132,6 @@ const TileKnots* IsomapLookup::KnotsOf(const IsovalueKeys& keys, std::int64_t ti
   return keys.Band->At(static_cast<std::size_t>(tile % TileGrain), this->Pieces);
 }
 
-/// True if no ray of a tile meets an isovalue of any of the bands.
 bool IsomapLookup::IsMiss(std::int64_t tile, const std::vector<IsovalueKeys>& keys) const
 {
   return std::all_of(keys.begin(), keys.end(),
@@ -171,13 +170,26 @@ TraceCounts IsomapLookup::LookUpTile(std::int64_t tile, const PixelRect& part,
     this->FindSurfaces(tile, 0, rays, found);
   }
   unresolved = found.Unresolved;
+  counts = this->StoreFound(unresolved, tileHits, frame);
+  if (this->HasNormals)
+  {
+    this->StoreNormals(rays, found, frame);
+  }
+  return counts;
+}
+
+TraceCounts IsomapLookup::StoreFound(
+  std::uint64_t unresolved, TileHits& tileHits, Frame& frame) const
+{
+  TraceCounts counts;
+  const RayBatch& rays = tileHits.Rays;
   tileHits.AreAll = true;
-  counts.CellsRead = found.Hits.CellsRead;
+  counts.CellsRead = tileHits.Hits.CellsRead;
   RayBatch::Array<Answer> answers;
   int misses = 0, caps = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
   {
-    const HitKind kind = found.Hits.Kind[i];
+    const HitKind kind = tileHits.Hits.Kind[i];
     misses += kind == HitKind::None;
     caps += kind == HitKind::Cap;
     answers[i] = kind == HitKind::None ? Answer::DefiniteMiss
@@ -187,18 +199,14 @@ TraceCounts IsomapLookup::LookUpTile(std::int64_t tile, const PixelRect& part,
   counts.DefiniteHits = rays.Count - misses - caps;
   for (std::uint64_t left = unresolved; left != 0; left &= left - 1)
   {
-    const HitKind kind = found.Hits.Kind[hwy::Num0BitsBelowLS1Bit_Nonzero64(left)];
+    const HitKind kind = tileHits.Hits.Kind[hwy::Num0BitsBelowLS1Bit_Nonzero64(left)];
     misses -= kind == HitKind::None;
     caps -= kind == HitKind::Cap;
     counts.DefiniteHits -= kind != HitKind::None && kind != HitKind::Cap;
   }
   counts.DefiniteMisses = misses;
   counts.PossibleHits = caps;
-  StoreHits(rays, found.Hits, answers, this->Key.View.Parallel, frame);
-  if (this->HasNormals)
-  {
-    this->StoreNormals(rays, found, frame);
-  }
+  StoreHits(rays, tileHits.Hits, answers, this->Key.View.Parallel, frame);
   return counts;
 }
 

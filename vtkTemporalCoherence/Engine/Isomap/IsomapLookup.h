@@ -54,6 +54,17 @@ public:
     const std::vector<IsovalueKeys>& keys, Frame& frame, std::uint64_t& unresolved,
     TileHits& tileHits) const;
 
+  /// What is stored of a tile for an isovalue, of each piece of its rays; null if they meet
+  /// nothing.
+  const TileKnots* KnotsOf(const IsovalueKeys& keys, std::int64_t tile) const;
+
+  /// True if no ray of a tile meets an isovalue of any of the bands.
+  bool IsMiss(std::int64_t tile, const std::vector<IsovalueKeys>& keys) const;
+
+  /// Write the hits of a tile.
+  /// \param unresolved rays that do not count, one bit each
+  TraceCounts StoreFound(std::uint64_t unresolved, TileHits& tileHits, Frame& frame) const;
+
 private:
   /// What was found in a tile.
   struct Found
@@ -85,9 +96,6 @@ private:
     const RayBatch::Array<std::uint8_t>& directions, const RayBatch& rays, const TileKnots& knots,
     Found& found) const;
   void StoreNormals(const RayBatch& rays, const Found& found, Frame& frame) const;
-
-  const TileKnots* KnotsOf(const IsovalueKeys& keys, std::int64_t tile) const;
-  bool IsMiss(std::int64_t tile, const std::vector<IsovalueKeys>& keys) const;
 
   const FrameKey& Key;
   const Isomap& Map;

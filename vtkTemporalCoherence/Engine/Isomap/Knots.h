@@ -92,6 +92,14 @@ struct BandScale
 using CellIndex = std::array<std::uint16_t, 3>;
 using CellKnots = RayTable<BandScale::Key, CellIndex>;
 
+/// All cells in which the field along a ray may take isovalues of a band, in their order along the
+/// ray: its passages. An isovalue is not met elsewhere; where its key is within a passage, the cell
+/// has to be searched.
+///
+/// Columns: keys of the lowest and the highest value, both included and rounded outwards; first
+/// corner of the cell. Progress rises.
+using PassageTable = RayTable<BandScale::Key, BandScale::Key, CellIndex>;
+
 /// The first of the ascending keys begin .. end - 1 that is at least `key`.
 inline std::size_t FirstNotBelow(
   const BandScale::Key* keys, std::size_t begin, std::size_t end, BandScale::Key key)
@@ -149,22 +157,28 @@ struct TileKnots
   std::array<CellKnots, NumberOfDirections> Cells;     ///< for exact look-ups
   std::array<FittedKnots, NumberOfDirections> Fitted;  ///< or for those with a tolerance
   std::array<KnotNormals, NumberOfDirections> Normals; ///< of the knots, if they are wanted
+  PassageTable Passages;                               ///< or for translucent surfaces, alone
 
   /// The field's difference from the band's lowest isovalue where each ray begins, as stored;
   /// -infinity below the band. Empty if all rays begin below the band.
   std::vector<float> Entries;
 
   /// One bit for each ray that cannot be looked up, because it meets samples that are not finite.
+  /// Of passages: each ray that has more than are stored, and goes on behind its last one.
   std::uint64_t Unresolved = 0;
+
+  /// With passages: some ray may begin in a solid.
+  bool MayBeCapped = false;
 
   bool IsEmpty() const
   {
-    return this->NumberOfKnots() == 0 && this->Entries.empty() && this->Unresolved == 0;
+    return this->NumberOfKnots() == 0 && this->Entries.empty() && this->Unresolved == 0 &&
+      !this->MayBeCapped;
   }
 
   std::size_t NumberOfKnots() const
   {
-    std::size_t knots = 0;
+    std::size_t knots = this->Passages.NumberOfRows();
     for (std::size_t direction = 0; direction < NumberOfDirections; ++direction)
     {
       knots += this->Cells[direction].NumberOfRows() + this->Fitted[direction].NumberOfRows();
@@ -174,7 +188,7 @@ struct TileKnots
 
   std::size_t MemoryInBytes() const
   {
-    std::size_t bytes = this->Entries.capacity() * sizeof(float);
+    std::size_t bytes = this->Entries.capacity() * sizeof(float) + this->Passages.MemoryInBytes();
     for (std::size_t direction = 0; direction < NumberOfDirections; ++direction)
     {
       bytes += this->Cells[direction].MemoryInBytes() + this->Fitted[direction].MemoryInBytes() +

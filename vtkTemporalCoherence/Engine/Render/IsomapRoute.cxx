@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Isomap/IsomapLookup.h"
+#include "Passages/PassageLookup.h"
 #include "Render/RouteSteps.h"
 
 #include <vtkSMPTools.h>
@@ -65,6 +66,8 @@ public:
     , Unresolved(unresolved)
     , Limit(limit)
     , Lookup(task.Key, map, task.Structures.Pyramid().FiniteRange())
+    , Passages(task.Key, this->Lookup, task.Structures.Pyramid().FiniteRange(), space)
+    , HasPassages(map.Form().HasPassages)
     , Tracer(SceneOf(task, space, nullptr))
     , Shader(task.Key, task.Structures.Pyramid().FiniteRange(), space,
         map.Form().HasNormals ? HitSet::NotDefinite : HitSet::All, HitSet::All)
@@ -97,8 +100,9 @@ private:
         std::uint64_t& left = this->Unresolved[static_cast<std::size_t>(tile)];
         left = 0;
         TileHits found;
-        TraceCounts ofTile = isFound ? this->Lookup.LookUpTile(tile, part, keys, frame, left, found)
-                                     : this->Tracer.Trace(tile, part, frame, found);
+        TraceCounts ofTile = !isFound ? this->Tracer.Trace(tile, part, frame, found)
+          : this->HasPassages         ? this->Passages.LookUpTile(tile, part, keys, frame, found)
+                              : this->Lookup.LookUpTile(tile, part, keys, frame, left, found);
         if (left == 0)
         {
           (isFound ? this->Shader : this->ShaderOfTraced).Shade(tile, part, &found, frame, ofTile);
@@ -113,6 +117,8 @@ private:
   std::vector<std::uint64_t>& Unresolved;
   LayerLimit& Limit;
   IsomapLookup Lookup;
+  PassageLookup Passages;
+  bool HasPassages;
   TileTracer Tracer;
   TileShader Shader, ShaderOfTraced;
 };

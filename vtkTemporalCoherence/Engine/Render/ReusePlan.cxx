@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Render/ReusePlan.h"
 
+#include <algorithm>
+
 namespace TemporalCoherence
 {
 namespace
@@ -27,6 +29,22 @@ bool KnowsLayers(const FrameChange& change, const FrameKey& next, const HeldForR
     !next.Isosurfaces.Isovalues.empty();
 }
 
+/// True if the last picture tells all layers of some surfaces of the next one.
+bool KnowsSomeLayers(const FrameChange& change, const FrameKey& last, const FrameKey& next,
+  const HeldForReuse& held)
+{
+  const Surfaces& before = last.Isosurfaces;
+  const Surfaces& now = next.Isosurfaces;
+  const auto wasThere = [&](double isovalue)
+  {
+    return std::find(before.Isovalues.begin(), before.Isovalues.end(), isovalue) !=
+      before.Isovalues.end();
+  };
+  return !change.Data && !change.View && held.IsExact && before.Mode == now.Mode &&
+    before.IsTranslucent() && now.IsTranslucent() &&
+    std::any_of(now.Isovalues.begin(), now.Isovalues.end(), wasThere);
+}
+
 }
 
 const char* NameOf(Route route)
@@ -49,6 +67,8 @@ const char* NameOf(Route route)
       return "TimeStep";
     case Route::Recomposite:
       return "Recomposite";
+    case Route::MergeLayers:
+      return "MergeLayers";
   }
   return "";
 }
@@ -80,6 +100,10 @@ Route PlanRoute(const FrameKey& last, const FrameKey& next, const ReuseSwitches&
   if (change.View)
   {
     return switches.ImageCache && held.Image ? Route::ImageCache : Route::Cold;
+  }
+  if (switches.ImageCache && KnowsSomeLayers(change, last, next, held))
+  {
+    return Route::MergeLayers;
   }
   const std::size_t isovalues = next.Isosurfaces.Isovalues.size();
   if (last.Isosurfaces.Mode != next.Isosurfaces.Mode || isovalues == 0 || change.Opacity)

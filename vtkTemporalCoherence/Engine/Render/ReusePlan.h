@@ -20,7 +20,8 @@ enum class Route : std::uint8_t
   IsomapBuild,    ///< the same, where the isomap lacks tiles: they are built or traced
   ImageCache = 6, ///< another view: a cached image tells where walks may begin (5 is no more)
   TimeStep,       ///< other samples in the same view: tiles that they do not affect are copied
-  Recomposite     ///< only opacities changed: known layers are composited again
+  Recomposite,    ///< only opacities changed: known layers are composited again
+  MergeLayers     ///< some of several isovalues changed: layers of the others are known
 };
 
 /// The route's name as in the documentation, for example "Cold".

@@ -55,27 +55,32 @@ bool TileTracer::CanSkip(std::int64_t tile) const
     (this->Scene.Active && this->Scene.Bounds->At(tile).IsEmpty() && !this->MayBeCapped(tile));
 }
 
+bool TileTracer::SetUp(std::int64_t tile, const PixelRect& part, TileHits& found) const
+{
+  if (this->CanSkip(tile))
+  {
+    return false;
+  }
+  this->Rays.SetUp(part.First, part.Size, found.Rays, &found.World);
+  found.Rays.MayBeCapped = this->MayBeCapped(tile);
+  if (this->Scene.Active)
+  {
+    this->Scene.Bounds->Narrow(tile, found.Rays);
+  }
+  return true;
+}
+
 TraceCounts TileTracer::Trace(
   std::int64_t tile, const PixelRect& part, Frame& frame, TileHits& found) const
 {
   TraceCounts counts;
-  RayBatch& rays = found.Rays;
   KnownRays known;
   const RayHint& hint = this->Scene.Hint ? *this->Scene.Hint : NoHint;
-  bool isMiss = this->CanSkip(tile);
-  if (!isMiss)
+  bool isMiss = !this->SetUp(tile, part, found);
+  if (!isMiss && this->Scene.Hint)
   {
-    this->Rays.SetUp(part.First, part.Size, rays, &found.World);
-    rays.MayBeCapped = this->MayBeCapped(tile);
-    if (this->Scene.Active)
-    {
-      this->Scene.Bounds->Narrow(tile, rays);
-    }
-    if (this->Scene.Hint)
-    {
-      const TileTimer timer(tile, counts.QueryTime);
-      isMiss = !hint.Narrow(rays, known) && !this->IsSolid;
-    }
+    const TileTimer timer(tile, counts.QueryTime);
+    isMiss = !hint.Narrow(found.Rays, known) && !this->IsSolid;
   }
   if (isMiss)
   {
@@ -125,25 +130,18 @@ void TileTracer::Find(const RayBatch& rays, HitBatch& hits) const
     [this](const RayBatch& part, HitBatch& found) { this->Tracer->Trace(part, found); });
 }
 
-/// Find the first layers along each ray within the region. The nearest ones are the hits.
-void TileTracer::FindLayers(TileHits& found) const
+void TileTracer::FindLayers(const RayBatch& rays, LayerBatch& layers) const
+{
+  FindLayersWithin(this->Rays.Clipper, *this->Tracer, rays, layers);
+}
+
+/// Find the first layers of all rays. The nearest ones are the hits.
+void TileTracer::FindFirstLayers(TileHits& found) const
 {
   LayerBatch& layers = found.Layers;
   layers.Begin(static_cast<std::size_t>(found.Rays.Count), this->Alphas);
-  FindLayersWithin(this->Rays.Clipper, *this->Tracer, found.Rays, layers);
-  found.HasLayers = true;
-  found.Hits.Clear(found.Rays.Count);
-  found.Hits.CellsRead = layers.CellsRead;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(found.Rays.Count); ++i)
-  {
-    if (layers.Count[i] > 0)
-    {
-      const std::size_t first = layers.Place[0][i];
-      found.Hits.Depth[i] = layers.Distance[first];
-      found.Hits.Surface[i] = layers.Surface[first];
-      found.Hits.Kind[i] = layers.Kind[first];
-    }
-  }
+  this->FindLayers(found.Rays, layers);
+  found.TakeFirstLayers();
 }
 
 /// Trace the rays of a tile, and again those about which the hint was wrong.
@@ -154,7 +152,7 @@ void TileTracer::TraceRays(const RayHint& hint, const KnownRays& known, TileHits
   HitBatch& hits = found.Hits;
   if (!this->Alphas.empty() && this->Tracer->FindsLayersTogether(rays))
   {
-    this->FindLayers(found);
+    this->FindFirstLayers(found);
   }
   else
   {

@@ -43,6 +43,7 @@ struct FieldAbilities
   bool Isomaps = false; ///< it has a BandTracer, and its SurfaceTracer searches the cells of knots
   bool Samples = false; ///< it has samples at Field::Samples, from which value ranges are made
   bool TimeSteps = false; ///< fingerprints tell which samples changed
+  bool Passages = false;  ///< its isomaps can hold all passages of rays, for translucent surfaces
 };
 
 /// What frames ask of a field, whatever its cells are. A kind is immutable and shared by fields.

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -124,6 +125,14 @@ struct LayerBatch
     {
       this->Close(ray);
     }
+  }
+
+  /// True if a surface is farther behind the last one of a ray than rounding may move either. Else
+  /// it depends on the way of a walk which of them comes first.
+  bool IsClearlyBehind(std::size_t ray, double distance) const
+  {
+    constexpr double share = 0x1p-49;
+    return distance - this->LastDistance[ray] > share * std::abs(distance);
   }
 
   /// True if a ray is full or opaque.

@@ -173,12 +173,11 @@ void TileCompositor::AddAll(TileHits& found, const PixelCentres& centres, LayerC
   }
 }
 
-void TileCompositor::CompositeKnown(std::int64_t tile, const PixelRect& part, const Frame& last,
-  Frame& frame, TraceCounts& counts) const
+void TileCompositor::CompositeKnown(std::int64_t tile, const PixelRect& part,
+  const KnownLayers& known, Frame& frame, TraceCounts& counts) const
 {
   std::vector<LayerHit>& layers = frame.Layers[static_cast<std::size_t>(tile)];
   LayersBehind& behind = frame.Behind[static_cast<std::size_t>(tile)];
-  const KnownLayers known(tile, part, last);
   LimitedLayers kept(frame.LayersOfPixel, layers);
   behind.Hits.clear();
   PixelCentres centres;
@@ -209,7 +208,6 @@ void TileCompositor::CompositeKnown(std::int64_t tile, const PixelRect& part, co
   GiveBackMemory(layers);
   GiveBackMemory(behind.Hits);
   canvas.Finish();
-  this->Paint(layers, frame);
 }
 
 /// Shade known layers and composite them behind the present ones, and keep them. Those that no
@@ -433,7 +431,6 @@ void TileCompositor::Shade(HitList& hits, ShadedLayer* shaded) const
   }
 }
 
-/// Paint pixels whose first surface the appearance asks to paint.
 void TileCompositor::Paint(const std::vector<LayerHit>& layers, Frame& frame) const
 {
   if (this->Key.Appearance.ColorByAnswer && !layers.empty())

@@ -47,12 +47,15 @@ public:
   void Composite(std::int64_t tile, const PixelRect& part, TileHits* found, Frame& frame,
     TraceCounts& counts) const;
 
-  /// The same for a picture of other opacities: composite the layers that the last frame knows, and
-  /// find those behind them where light passes. The planes hold nothing yet but what is known about
-  /// the rays.
+  /// The same where layers are known: composite them, and find those behind them where light
+  /// passes. The planes need not hold anything before. Pixels are not painted.
   /// \throws std::bad_alloc
-  void CompositeKnown(std::int64_t tile, const PixelRect& part, const Frame& last, Frame& frame,
-    TraceCounts& counts) const;
+  void CompositeKnown(std::int64_t tile, const PixelRect& part, const KnownLayers& known,
+    Frame& frame, TraceCounts& counts) const;
+
+  /// Paint pixels whose first surface the appearance asks to paint.
+  /// \param layers of a tile of the frame
+  void Paint(const std::vector<LayerHit>& layers, Frame& frame) const;
 
   /// Colour a tile again from the layers of the frame. Merged layers are traced again. Nothing is
   /// allocated.
@@ -80,7 +83,6 @@ private:
   void TakeHits(
     const TileHits& found, const PixelCentres& centres, std::size_t first, HitList& hits) const;
   void Shade(HitList& hits, ShadedLayer* shaded) const;
-  void Paint(const std::vector<LayerHit>& layers, Frame& frame) const;
 
   const FrameKey& Key;
   const NormalSource& Source;

@@ -4,6 +4,7 @@
 #define TemporalCoherence_HitRules_h
 
 #include "Scene/HitOrder.h"
+#include "Scene/LayerBatch.h"
 #include "Scene/RayBatch.h"
 #include "Scene/Surfaces.h"
 
@@ -150,6 +151,13 @@ public:
 
   const MetSurface& Before() const { return this->Last; }
 
+  double Distance() const { return this->Next.Distance; }
+
+  void Append(std::size_t ray, LayerBatch& layers) const
+  {
+    layers.Append(ray, this->Next.Distance, this->Next.Kind, this->Surface);
+  }
+
   void Store(std::size_t ray, HitBatch& hits) const
   {
     hits.Depth[ray] = this->Next.Distance;
@@ -166,14 +174,25 @@ private:
 
 /// The last surface on a ray that begins at `begin`. A hit on an earlier piece of the ray does not
 /// count.
-inline MetSurface LastOn(const HitRules& rules, double begin, std::size_t ray, const HitBatch& hits)
+inline MetSurface LastOn(
+  const HitRules& rules, double begin, double distance, HitKind kind, std::int16_t surface)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  if (hits.Surface[ray] == Frame::NoSurface || hits.Depth[ray] < begin)
+  if (surface == Frame::NoSurface || distance < begin)
   {
     return { -infinity, HitKind::None, 0.0 };
   }
-  return { hits.Depth[ray], hits.Kind[ray], rules.IsovalueOf(hits.Surface[ray]) };
+  return { distance, kind, rules.IsovalueOf(surface) };
+}
+inline MetSurface LastOn(const HitRules& rules, double begin, std::size_t ray, const HitBatch& hits)
+{
+  return LastOn(rules, begin, hits.Depth[ray], hits.Kind[ray], hits.Surface[ray]);
+}
+inline MetSurface LastOn(
+  const HitRules& rules, double begin, std::size_t ray, const LayerBatch& layers)
+{
+  return LastOn(
+    rules, begin, layers.LastDistance[ray], layers.LastKind[ray], layers.LastSurface[ray]);
 }
 
 }

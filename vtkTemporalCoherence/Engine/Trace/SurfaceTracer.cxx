@@ -63,6 +63,12 @@ void SurfaceTracer::FindLayers(const RayBatch& rays, LayerBatch& layers) const
   }
 }
 
+void SurfaceTracer::SearchPassed(const RayBatch&, PassedCells& cells) const
+{
+  cells.One = cells.Exits = 0;
+  cells.Open = ~std::uint64_t(0);
+}
+
 std::uint64_t SurfaceTracer::SearchCells(const RayBatch&, const RayCells& cells, HitBatch&) const
 {
   return cells.Rays;

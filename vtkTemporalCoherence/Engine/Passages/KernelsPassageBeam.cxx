@@ -1,0 +1,224 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Passages/PassageBeam.h"
+
+#include "Isomap/Knots.h"
+
+#include <algorithm>
+
+// This file is compiled once for each kind of vectors, and what runs is chosen by the machine.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "Passages/KernelsPassageBeam.cxx"
+#include <hwy/foreach_target.h>
+
+#include "Beams/KernelsBeamTree-inl.h"
+#include "Beams/KernelsHull-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace TemporalCoherence
+{
+namespace BeamKernels
+{
+namespace HWY_NAMESPACE
+{
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Finds passages of the rays of a beam in cells.
+/// \tparam IsPlain that of the beam
+/// \tparam Lattice tells where cells lie (KernelsLattice-inl.h)
+template <bool IsPlain, class Lattice>
+class PassageSearch
+{
+public:
+  PassageSearch(const PassageTask& task, const Lattice& places, PassageScene& scene, TileBeam& beam)
+    : Task(task)
+    , Places(places)
+    , Scene(scene)
+    , Beam(beam)
+  {
+  }
+
+  /// Test cells of a leaf, one bit each in the order in which the beam meets them.
+  HWY_INLINE void TestCells(const glm::ivec3& leaf, std::uint64_t cells)
+  {
+    VisitInOrder(this->Places, this->Beam, cells, leaf, 1,
+      [&](const glm::ivec3& place) HWY_ATTR { this->TestCell(leaf + place); });
+  }
+
+private:
+  void TestCell(const glm::ivec3& cell)
+  {
+    const typename Lattice::Cell box = this->Places.CellAt(cell);
+    const std::uint64_t passing = this->FindPassing(box);
+    if (passing == 0)
+    {
+      return;
+    }
+    this->Beam.CellsPassed += static_cast<std::int64_t>(hwy::PopCount(passing));
+    this->Scene.Read(cell, this->Values);
+    const std::uint64_t found = this->FindKeys(box, passing);
+    const std::uint64_t done = found != 0 ? this->Scene.Store(cell, found, this->Keys) : 0;
+    for (std::uint64_t left = done; left != 0; left &= left - 1)
+    {
+      this->Beam.Behind[hwy::Num0BitsBelowLS1Bit_Nonzero64(left)] = -TileBeam::Never;
+    }
+    if (done != 0)
+    {
+      MoveAcrossIfNearer(this->Beam);
+    }
+  }
+
+  /// One bit for each ray that may pass a cell on its walk.
+  HWY_INLINE std::uint64_t FindPassing(const typename Lattice::Cell& box)
+  {
+    const TileBeam& beam = this->Beam;
+    const CellFaces faces(box, beam.Margin, beam.Flip);
+    std::uint64_t passing = 0;
+    for (std::size_t i = 0; i < RayBatch::Capacity; i += hn::Lanes(Floats()))
+    {
+      V enter = IsPlain ? Set(-TileBeam::Never) : Load(&beam.Begin[i]),
+        leave = Set(TileBeam::Never);
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        const V inverse = Load(&beam.Inverse[a][i]);
+        if constexpr (IsPlain)
+        {
+          const V toOrigin = Load(&beam.ToOrigin[a][i]);
+          enter = hn::Max(enter, hn::MulAdd(Set(faces.Near[a]), inverse, toOrigin));
+          leave = hn::Min(leave, hn::MulAdd(Set(faces.Far[a]), inverse, toOrigin));
+        }
+        else
+        {
+          const V origin = Load(&beam.Origin[a][i]);
+          enter = hn::Max(enter, hn::Mul(hn::Sub(Set(faces.Near[a]), origin), inverse));
+          leave = hn::Min(leave, hn::Mul(hn::Sub(Set(faces.Far[a]), origin), inverse));
+        }
+      }
+      const M isAhead = hn::Le(enter, hn::Min(leave, Load(&beam.Behind[i])));
+      passing |= BitsOf(hn::And(isAhead, hn::Ge(leave, Load(&beam.WalkBegin[i])))) << i;
+      hn::StoreU(enter, Floats(), this->Enter + i);
+      hn::StoreU(leave, Floats(), this->Leave + i);
+    }
+    return passing;
+  }
+
+  /// Find the keys of the lowest and highest value of some rays in a cell, rounded outwards.
+  /// \return one bit for each ray that may pass an isovalue of the band
+  HWY_INLINE std::uint64_t FindKeys(const typename Lattice::Cell& box, std::uint64_t passing)
+  {
+    const TileBeam& beam = this->Beam;
+    const float margin = beam.Margin * box.LargestShare();
+    constexpr float most = 0x1p-5f;
+    if (this->Values.IsAny || this->Task.HasCaps || !(margin < most))
+    {
+      this->Keys.Low.fill(0);
+      this->Keys.High.fill(static_cast<std::int32_t>(BandScale::LargestKey));
+      return passing;
+    }
+    // What LayerCells allows for each isovalue, and more for the rounding of differences between
+    // isovalues.
+    const float error = 16.0f * margin + 0x1.2p-13f;
+    std::uint64_t found = 0;
+    for (std::size_t i = 0; i < RayBatch::Capacity; i += hn::Lanes(Floats()))
+    {
+      constexpr std::size_t lanes = hn::MaxLanes(Floats());
+      const std::uint64_t which = passing >> i & ((std::uint64_t(1) << lanes) - 1);
+      if (which != 0)
+      {
+        found |= this->FindKeysOf(box, MaskOf(which), Set(error), i) << i;
+      }
+    }
+    return found;
+  }
+
+  HWY_INLINE std::uint64_t FindKeysOf(
+    const typename Lattice::Cell& box, M isPassed, V error, std::size_t i)
+  {
+    const V enter = hn::IfThenElseZero(isPassed, Load(this->Enter + i));
+    const V leave = hn::IfThenElseZero(isPassed, Load(this->Leave + i));
+    V at[3], step[3];
+    FindPathsIn(box, this->Beam, enter, leave, i, at, step);
+    const Coefficients b = CubicsAlong(this->Values.Values, at, step);
+    // Keys count from 1 at the lowest isovalue of the band, and are rounded up.
+    constexpr float last = static_cast<float>(BandScale::LargestKey) - 2.0f;
+    const V keys = Set(this->Values.KeysPerUnit), zero = Set(0.0f);
+    const V low = hn::Mul(hn::Sub(b.Smallest, error), keys);
+    const V high = hn::Mul(hn::Add(b.Largest, error), keys);
+    const M isOutside = hn::Or(hn::Lt(high, zero), hn::Gt(low, Set(last + 1.0f)));
+    const M isFound =
+      hn::AndNot(hn::Or(isOutside, this->CanOnlyExit(b, error, enter, leave, i)), isPassed);
+    const V lowest = hn::Max(low, zero);
+    const V highest = hn::Add(hn::Min(high, Set(last - 1.0f)), Set(3.0f));
+    hn::StoreU(hn::ConvertTo(Integers(), lowest), Integers(), &this->Keys.Low[i]);
+    hn::StoreU(hn::ConvertTo(Integers(), highest), Integers(), &this->Keys.High[i]);
+    return BitsOf(isFound);
+  }
+
+  /// Those of some rays that surely enter no solid in a cell: LayerCells tells why.
+  HWY_INLINE M CanOnlyExit(const Coefficients& b, V error, V enter, V leave, std::size_t i) const
+  {
+    if (!(IsPlain && this->Task.IsSolid))
+    {
+      return hn::Lt(error, error);
+    }
+    const TileBeam& beam = this->Beam;
+    const V end = hn::Min(leave, hn::Sub(Load(&beam.End[i]), Set(2.0f * beam.Margin)));
+    const V slack = Load(&beam.Slack[i]), quarter = hn::Mul(Set(0.25f), hn::Sub(leave, enter));
+    const M isLong = hn::And(hn::Lt(slack, quarter), hn::Lt(hn::Sub(leave, end), quarter));
+    return hn::And(isLong, hn::Lt(b.LargestRise, hn::Mul(Set(-8.0f), error)));
+  }
+
+  const PassageTask& Task;
+  const Lattice& Places;
+  PassageScene& Scene;
+  TileBeam& Beam;
+
+  // Of the present cell:
+  PassedCell Values;
+  PassedKeys Keys;
+  float Enter[RayBatch::Capacity], Leave[RayBatch::Capacity];
+};
+
+template <bool IsPlain, class Lattice>
+void SearchPassagesIn(
+  const Lattice& lattice, const PassageTask& task, PassageScene& scene, TileBeam& beam)
+{
+  using Search = PassageSearch<IsPlain, Lattice>;
+  Search search(task, lattice, scene, beam);
+  BeamTree<Search, Lattice>(task.Active, scene, lattice, beam, search).Visit();
+}
+
+void SearchPassages(const PassageTask& task, PassageScene& scene, TileBeam& beam)
+{
+  if (task.Grid)
+  {
+    SearchPassagesIn<false>(RectilinearLattice(beam, *task.Grid), task, scene, beam);
+    return;
+  }
+  const UniformLattice lattice(beam);
+  beam.IsPlain ? SearchPassagesIn<true>(lattice, task, scene, beam)
+               : SearchPassagesIn<false>(lattice, task, scene, beam);
+}
+
+}
+}
+}
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace TemporalCoherence
+{
+namespace BeamKernels
+{
+HWY_EXPORT(SearchPassages);
+}
+
+void FindPassages(const PassageTask& task, PassageScene& scene, TileBeam& beam)
+{
+  using namespace BeamKernels;
+  HWY_DYNAMIC_DISPATCH(SearchPassages)(task, scene, beam);
+}
+
+}
+#endif

@@ -116,7 +116,13 @@ TEST_F(LayersOverTheLimit, EveryRouteGivesTheColdPicture)
     this->ExpectLimits("isovalue");
     this->Wander({ this->Key.Isosurfaces.Opacities[0] * 1.2 });
   }
-  EXPECT_GT(this->Routes[Route::IsomapBuild] + this->Routes[Route::IsomapLookup], 2);
+  int others = 0; // of an isomap, say
+  for (const auto& [route, count] : this->Routes)
+  {
+    const bool isOther = route != Route::Cold && route != Route::Reshade;
+    others += isOther && route != Route::Recomposite ? count : 0;
+  }
+  EXPECT_GT(others, 2);
 }
 
 TEST_F(LayersOverTheLimit, InRegionsParallelViewsAndByGradient)
@@ -209,7 +215,7 @@ TEST_F(LayersOverTheLimit, AFrameHasALimit)
       << what;
     EXPECT_EQ(this->Statistics().Layers,
       this->Statistics().MergedLayers + static_cast<std::int64_t>(this->CountKept()));
-    this->Wander({ 0.05, 0.9, 0.02, 1.0, 0.01 });
+    this->Wander({ 0.05, 1.0, 0.01 });
     lowest = std::min(lowest, this->Renderer.LastFrame().LayersOfPixel);
   }
   EXPECT_EQ(lowest, 1u);
@@ -229,6 +235,7 @@ TEST_F(LayersOverTheLimit, TimeStepsKeepWhatColdFramesKeep)
     steps.push_back(std::move(next));
   }
   this->Options.Layers.Bytes = 20000 * sizeof(LayerHit);
+  this->Key.View = LookAt(Dimensions, { 1.0, 2.0, 0.7 }, { 51, 37 });
   this->SetOpacity(0.03);
   this->Render("first");
   for (Grid<std::int16_t>& step : steps)

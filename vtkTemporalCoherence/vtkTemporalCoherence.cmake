@@ -32,7 +32,6 @@ set(engine_files
   Shade/KernelsGradients
   Shade/KernelsRectilinear
   Shade/KernelsShading
-  Shade/KeptLayers
   Shade/KnownLayers
   Shade/LayerMerge
   Shade/LimitedLayers
@@ -81,9 +80,9 @@ set(engine_files
   Render/FrameStore
   Render/FrameStructures
   Render/IsomapRoute
+  Render/KeepRoute
   Render/LayerLimit
   Render/LineTracer
-  Render/MergeRoute
   Render/ReusePlan
   Render/Routes
   Render/SampleDistance

@@ -67,22 +67,31 @@ Compositor::Compositor(Scene& scene, const BruteForceTracer& truth, const int sa
   }
 }
 
-std::array<double, 4> Compositor::ColorAt(int x, int y, int width, int height)
+std::vector<Compositor::Sheet> Compositor::SheetsAt(int x, int y, int width, int height)
 {
   const BruteForceTracer::Line line =
     BruteForceTracer::LineThrough(this->Of.Renderer, x, y, width, height);
-  std::array<double, 4> sum{};
+  std::vector<Sheet> sheets;
   for (const BruteForceTracer::Line& part : this->Region.Of(line))
   {
     for (const Layer& layer : this->LayersOf(part))
     {
-      const std::array<double, 4> color = this->ColorOf(layer, line);
-      for (std::size_t c = 0; c < 3; ++c)
-      {
-        sum[c] += (1.0 - sum[3]) * color[3] * color[c];
-      }
-      sum[3] += (1.0 - sum[3]) * color[3];
+      sheets.push_back({ layer.T, this->ColorOf(layer, line) });
     }
+  }
+  return sheets;
+}
+
+std::array<double, 4> Compositor::ColorAt(int x, int y, int width, int height)
+{
+  std::array<double, 4> sum{};
+  for (const Sheet& sheet : this->SheetsAt(x, y, width, height))
+  {
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      sum[c] += (1.0 - sum[3]) * sheet.Color[3] * sheet.Color[c];
+    }
+    sum[3] += (1.0 - sum[3]) * sheet.Color[3];
   }
   return sum;
 }

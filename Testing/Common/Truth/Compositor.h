@@ -28,6 +28,16 @@ public:
   /// \param samples along each axis
   Compositor(Scene& scene, const BruteForceTracer& truth, const int samples[3]);
 
+  /// A surface as it is seen in a pixel.
+  struct Sheet
+  {
+    double Distance;             ///< along the line of sight, which begins at the eye
+    std::array<double, 4> Color; ///< red, green, blue, alpha; not premultiplied
+  };
+
+  /// The surfaces of a pixel, front to back.
+  std::vector<Sheet> SheetsAt(int x, int y, int width, int height);
+
   /// Premultiplied red, green, blue; and alpha.
   std::array<double, 4> ColorAt(int x, int y, int width, int height);
 

@@ -63,6 +63,16 @@ void SetHit(Frame& frame, const glm::ivec2& pixel, double t, const PixelColor& c
   frame.Colors[PlaceOf(frame, pixel)] = color;
 }
 
+LayerColor LayerColorOf(const PixelColor& color)
+{
+  LayerColor fine;
+  for (std::size_t c = 0; c < color.size(); ++c)
+  {
+    fine.Values[c] = static_cast<std::uint16_t>(fine.Values[c] + 256 * color[c]);
+  }
+  return fine;
+}
+
 /// The picture of a frame is that of its hits.
 void ExpectPicture(const Frame& frame, const std::string& what)
 {
@@ -165,7 +175,8 @@ Frame FrameOfLayers(const glm::ivec2& size, std::mt19937& engine)
           static_cast<std::uint8_t>(Below(engine, 50)), 7,
           static_cast<std::uint8_t>(60 + 60 * layer) };
         frame.Layers[static_cast<std::size_t>(tile)].push_back(
-          { t, static_cast<std::int32_t>(PlaceOf(frame, pixel)), 0, HitKind::Entry, color });
+          { t, static_cast<std::int32_t>(PlaceOf(frame, pixel)), 0, HitKind::Entry,
+            LayerColorOf(color) });
         if (layer == 0)
         {
           SetHit(frame, pixel, t, color);
@@ -188,7 +199,7 @@ PixelColor ColorBefore(const Frame& frame, const View& view, const glm::ivec2& p
       if (static_cast<std::size_t>(layer.Pixel) == PlaceOf(frame, pixel) &&
         WindowDepthOf(view, pixel, layer.Depth) <= depth)
       {
-        color = layer.Color;
+        color = layer.Color.Bytes();
       }
     }
   }

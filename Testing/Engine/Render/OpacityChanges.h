@@ -104,7 +104,7 @@ protected:
       ASSERT_TRUE(made.ClearTiles == cold.ClearTiles) << step;
     }
     const Route route = this->Statistics().Made;
-    if (route == Route::Recomposite || route == Route::MergeLayers)
+    if (route == Route::Recomposite || route == Route::KeepLayers)
     {
       ASSERT_EQ(this->Statistics().Layers, ofCold.Layers) << step;
     }
@@ -120,7 +120,7 @@ protected:
     const Route made = this->Statistics().Made;
     ++this->Routes[made];
     // From what routes that look up find out, other answers follow.
-    this->HasColdAnswers = made == Route::Cold || made == Route::MergeLayers ||
+    this->HasColdAnswers = made == Route::Cold || made == Route::KeepLayers ||
       ((made == Route::Recomposite || made == Route::Reshade) && this->HasColdAnswers);
     this->ExpectCold(what);
   }

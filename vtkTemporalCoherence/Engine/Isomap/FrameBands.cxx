@@ -5,6 +5,7 @@
 #include "Isomap/TileGroups.h"
 #include "Scene/TileTimer.h"
 
+#include <cstdio>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -432,6 +433,7 @@ void FrameBands::Finish()
     measured.Memory = this->State.BytesOfBand * static_cast<double>(this->Work.size()) /
       std::max(static_cast<double>(this->RoomForAll()), 1.0);
   }
+  fprintf(stderr,"DBG width %g built %.2f/%.3f lookup %.2f/%.3f groups %zu mem %.3g full %d\n",measured.Width,measured.Built/measured.TracingBuilt,measured.TracingBuilt/measured.TracingAll,measured.LookedUp/measured.TracingFound,measured.TracingFound/measured.TracingAll,built,measured.Memory,(int)measured.IsMemoryFull);
   if (this->IsExact && std::isfinite(measured.Width))
   {
     this->State.Plan.Learn(measured);

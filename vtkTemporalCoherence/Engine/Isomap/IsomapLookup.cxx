@@ -109,7 +109,7 @@ try
     {
       return false;
     }
-    IsovalueKeys found{ band, {}, {} };
+    IsovalueKeys found{ band, {}, {}, 0 };
     const BandScale scale(this->Key.Samples.Type, band->Values, this->FiniteRange);
     for (const ValueDirection direction : { ValueDirection::Rising, ValueDirection::Falling })
     {
@@ -118,6 +118,7 @@ try
         scale.Unit > 0.0 ? progress / scale.Unit : 0.0;
       found.Key[static_cast<std::size_t>(direction)] = scale.KeyOf(progress);
     }
+    found.InPassages = static_cast<PassageKey>(scale.InKeys(scale.DifferenceOf(isovalue)));
     keys.push_back(found);
   }
   return true;

@@ -36,6 +36,7 @@ public:
     const GroupBand* Band;
     std::array<BandScale::Key, NumberOfDirections> Key; ///< of the isovalue, in each direction
     std::array<double, NumberOfDirections> Progress;    ///< the same, as stored
+    PassageKey InPassages;                              ///< its key there
   };
 
   /// The isovalues of the frame in the bands of a group of tiles.

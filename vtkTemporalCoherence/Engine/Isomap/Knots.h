@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <vector>
 
 namespace TemporalCoherence
@@ -24,6 +25,9 @@ enum class ValueDirection : std::uint8_t
   Falling ///< from above to below; isovalues in descending order, from the band's highest
 };
 constexpr std::size_t NumberOfDirections = 2;
+
+/// What tells values of a band apart in passages.
+using PassageKey = std::uint8_t;
 
 /// Converts isovalues of a band to *progress* in a direction: 0 at the first isovalue of the band,
 /// `Span` at the last. A ray that has reached progress p has passed all isovalues up to p.
@@ -72,6 +76,14 @@ struct BandScale
     return static_cast<Key>(1 + below + (static_cast<double>(below) < at ? 1 : 0));
   }
 
+  /// A difference from the band's lowest isovalue in units of a PassageKey. Isovalues of the band
+  /// lie between 0 and LargestInKeys, and have the integer below as their key.
+  static constexpr double LargestInKeys = 254.0;
+  double InKeys(double difference) const
+  {
+    return this->Span > 0.0 ? difference / this->Span * LargestInKeys : 0.0;
+  }
+
   /// Progress and differences are stored in single precision, relative to the largest difference.
   /// StoredError is the resulting error.
   float Stored(double progress) const
@@ -92,13 +104,25 @@ struct BandScale
 using CellIndex = std::array<std::uint16_t, 3>;
 using CellKnots = RayTable<BandScale::Key, CellIndex>;
 
-/// All cells in which the field along a ray may take isovalues of a band, in their order along the
-/// ray: its passages. An isovalue is not met elsewhere; where its key is within a passage, the cell
+/// All cells in which the field along a ray may take isovalues of a band: its passages, in their
+/// order along it. An isovalue is not met elsewhere; where its key is within a passage, the cell
 /// has to be searched.
-///
-/// Columns: keys of the lowest and the highest value, both included and rounded outwards; first
-/// corner of the cell. Progress rises.
-using PassageTable = RayTable<BandScale::Key, BandScale::Key, CellIndex>;
+struct PassageTable
+{
+  /// Columns: number of the cell, and keys of the lowest and the highest value, both included and
+  /// rounded outwards.
+  using RowsOfRays = RayTable<std::uint16_t, PassageKey, PassageKey>;
+
+  std::size_t MemoryInBytes() const
+  {
+    return this->Rows.MemoryInBytes() + this->NumberOfCells * sizeof(CellIndex);
+  }
+
+  RowsOfRays Rows;
+  std::unique_ptr<CellIndex[]> Cells; ///< by number
+  std::uint16_t NumberOfCells = 0;
+  bool MayBeCapped = false; ///< some ray may begin in a solid
+};
 
 /// The first of the ascending keys begin .. end - 1 that is at least `key`.
 inline std::size_t FirstNotBelow(
@@ -167,18 +191,15 @@ struct TileKnots
   /// Of passages: each ray that has more than are stored, and goes on behind its last one.
   std::uint64_t Unresolved = 0;
 
-  /// With passages: some ray may begin in a solid.
-  bool MayBeCapped = false;
-
   bool IsEmpty() const
   {
     return this->NumberOfKnots() == 0 && this->Entries.empty() && this->Unresolved == 0 &&
-      !this->MayBeCapped;
+      !this->Passages.MayBeCapped;
   }
 
   std::size_t NumberOfKnots() const
   {
-    std::size_t knots = this->Passages.NumberOfRows();
+    std::size_t knots = this->Passages.Rows.NumberOfRows();
     for (std::size_t direction = 0; direction < NumberOfDirections; ++direction)
     {
       knots += this->Cells[direction].NumberOfRows() + this->Fitted[direction].NumberOfRows();

@@ -112,8 +112,8 @@ private:
     constexpr float most = 0x1p-5f;
     if (this->Values.IsAny || this->Task.HasCaps || !(margin < most))
     {
-      this->Keys.Low.fill(0);
-      this->Keys.High.fill(static_cast<std::int32_t>(BandScale::LargestKey));
+      this->Keys.Low.fill(0.0f);
+      this->Keys.High.fill(static_cast<float>(BandScale::LargestInKeys));
       return passing;
     }
     // What LayerCells allows for each isovalue, and more for the rounding of differences between
@@ -140,18 +140,16 @@ private:
     V at[3], step[3];
     FindPathsIn(box, this->Beam, enter, leave, i, at, step);
     const Coefficients b = CubicsAlong(this->Values.Values, at, step);
-    // Keys count from 1 at the lowest isovalue of the band, and are rounded up.
-    constexpr float last = static_cast<float>(BandScale::LargestKey) - 2.0f;
-    const V keys = Set(this->Values.KeysPerUnit), zero = Set(0.0f);
+    constexpr auto last = static_cast<float>(BandScale::LargestInKeys + KeySlack);
+    const V keys = Set(this->Values.KeysPerUnit);
     const V low = hn::Mul(hn::Sub(b.Smallest, error), keys);
     const V high = hn::Mul(hn::Add(b.Largest, error), keys);
-    const M isOutside = hn::Or(hn::Lt(high, zero), hn::Gt(low, Set(last + 1.0f)));
+    const M isOutside =
+      hn::Or(hn::Lt(high, Set(static_cast<float>(-KeySlack))), hn::Gt(low, Set(last)));
     const M isFound =
       hn::AndNot(hn::Or(isOutside, this->CanOnlyExit(b, error, enter, leave, i)), isPassed);
-    const V lowest = hn::Max(low, zero);
-    const V highest = hn::Add(hn::Min(high, Set(last - 1.0f)), Set(3.0f));
-    hn::StoreU(hn::ConvertTo(Integers(), lowest), Integers(), &this->Keys.Low[i]);
-    hn::StoreU(hn::ConvertTo(Integers(), highest), Integers(), &this->Keys.High[i]);
+    hn::StoreU(low, Floats(), &this->Keys.Low[i]);
+    hn::StoreU(high, Floats(), &this->Keys.High[i]);
     return BitsOf(isFound);
   }
 

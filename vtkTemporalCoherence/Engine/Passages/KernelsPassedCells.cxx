@@ -134,6 +134,31 @@ void PassedDouble(SegmentBatch<double>& segments, bool isSolid, PassedCells& cel
   FindAllPassed(segments, isSolid, cells);
 }
 
+void FindWithin(const std::uint8_t* low, const std::uint8_t* high, std::size_t count,
+  std::uint8_t key, std::uint64_t* words)
+{
+  const hn::CappedTag<std::uint8_t, 64> d;
+  const auto wanted = hn::Set(d, key);
+  const std::size_t lanes = hn::Lanes(d), whole = count / lanes * lanes;
+  std::fill_n(words, (count + 63) / 64, std::uint64_t(0));
+  for (std::size_t i = 0; i < whole; i += lanes)
+  {
+    const auto lowest = hn::LoadU(d, low + i), highest = hn::LoadU(d, high + i);
+    const auto isWithin =
+      hn::And(hn::Eq(hn::Min(lowest, wanted), lowest), hn::Eq(hn::Max(highest, wanted), highest));
+    std::uint8_t bits[8] = { 0 };
+    hn::StoreMaskBits(d, isWithin, bits);
+    for (std::size_t byte = 0; byte < lanes / 8; ++byte)
+    {
+      words[i / 64] |= static_cast<std::uint64_t>(bits[byte]) << (i % 64 + 8 * byte);
+    }
+  }
+  for (std::size_t i = whole; i < count; ++i)
+  {
+    words[i / 64] |= static_cast<std::uint64_t>(low[i] <= key && key <= high[i]) << i % 64;
+  }
+}
+
 }
 }
 }
@@ -146,6 +171,7 @@ namespace BeamKernels
 {
 HWY_EXPORT(PassedFloat);
 HWY_EXPORT(PassedDouble);
+HWY_EXPORT(FindWithin);
 }
 
 void FindPassedSurfaces(SegmentBatch<float>& segments, bool isSolid, PassedCells& cells)
@@ -158,6 +184,13 @@ void FindPassedSurfaces(SegmentBatch<double>& segments, bool isSolid, PassedCell
 {
   using namespace BeamKernels;
   HWY_DYNAMIC_DISPATCH(PassedDouble)(segments, isSolid, cells);
+}
+
+void FindHolding(const std::uint8_t* low, const std::uint8_t* high, std::size_t count,
+  std::uint8_t key, std::uint64_t* words)
+{
+  using namespace BeamKernels;
+  HWY_DYNAMIC_DISPATCH(FindWithin)(low, high, count, key, words);
 }
 
 }

@@ -17,6 +17,11 @@ namespace TemporalCoherence
 void FindPassedSurfaces(SegmentBatch<float>& segments, bool isSolid, PassedCells& cells);
 void FindPassedSurfaces(SegmentBatch<double>& segments, bool isSolid, PassedCells& cells);
 
+/// Find the passages whose lowest key is at most `key`, and whose highest is at least that.
+/// \param words get one bit for each
+void FindHolding(const std::uint8_t* low, const std::uint8_t* high, std::size_t count,
+  std::uint8_t key, std::uint64_t* words);
+
 }
 
 #endif

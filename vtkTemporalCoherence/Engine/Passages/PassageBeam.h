@@ -23,10 +23,14 @@ struct PassedCell
   bool IsAny = false;       ///< nothing is told of its values: it may pass any isovalue
 };
 
-/// Rays in a cell, by their numbers: the keys of the lowest and highest value there.
+/// By how much single precision may move what is given in units of keys, and more.
+constexpr double KeySlack = 0.01;
+
+/// Rays in a cell, by their numbers: the lowest and highest value there, in units of keys. Those
+/// beyond the isovalues of the band are cut off somewhere behind these.
 struct PassedKeys
 {
-  alignas(64) std::array<std::int32_t, RayBatch::Capacity> Low, High;
+  alignas(64) std::array<float, RayBatch::Capacity> Low, High;
 };
 
 /// The band that a beam finds passages of.

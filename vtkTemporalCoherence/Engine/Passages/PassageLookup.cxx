@@ -87,8 +87,7 @@ std::uint64_t PassageLookup::Search(std::int64_t tile, std::size_t piece,
   {
     if (const TileKnots* const pieces = this->Bands.KnotsOf(keys[surface], tile))
     {
-      constexpr auto rising = static_cast<std::size_t>(ValueDirection::Rising);
-      search.Add(surface, pieces[piece], keys[surface].Key[rising]);
+      search.Add(surface, pieces[piece], keys[surface].InPassages);
     }
   }
   return search.Search();

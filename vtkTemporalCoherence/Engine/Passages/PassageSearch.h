@@ -34,64 +34,73 @@ public:
   /// \param knots   of the rays
   /// \param key     of the isovalue
   /// \throws std::bad_alloc
-  void Add(std::size_t surface, const TileKnots& knots, BandScale::Key key);
+  void Add(std::size_t surface, const TileKnots& knots, PassageKey key);
 
   /// Append the layers of all open rays, up to where they are full or opaque.
   /// \return one bit for each ray that must be traced behind its last layer
   std::uint64_t Search();
 
 private:
+  /// A passage that holds an isovalue.
+  struct Candidate
+  {
+    std::uint16_t Cell;   ///< its number
+    std::uint16_t Stream; ///< of which isovalue
+  };
+
   /// The passages of one isovalue.
   struct Stream
   {
-    /// Go on to the next passage of a ray that holds the isovalue. \return false if there is none
-    bool Find(std::size_t ray)
-    {
-      std::uint32_t next = this->Next[ray];
-      const std::uint32_t end = this->End[ray];
-      while (next < end && !(this->Low[next] <= this->Wanted && this->Wanted <= this->High[next]))
-      {
-        ++next;
-      }
-      this->Next[ray] = next;
-      return next < end;
-    }
-
-    const CellIndex& CellOf(std::size_t ray) const { return this->Cells[this->Next[ray]]; }
-
-    const BandScale::Key *Low, *High;
-    const CellIndex* Cells;
-    BandScale::Key Wanted;
+    const PassageTable* Table;
+    PassageKey Wanted;
     std::uint64_t Truncated; ///< one bit for each ray with more passages than are stored
-    RayBatch::Array<std::uint32_t> Next, End;
-    PassedCells Found;
   };
 
-  /// A passage to be searched.
-  struct Candidate
+  /// A candidate that is searched next.
+  struct Taken
   {
     std::uint16_t Stream;
     std::uint8_t Place;
     bool IsSameCell; ///< as that before, for another isovalue
   };
 
-  bool TakeNext(std::size_t ray);
-  bool TakeNextOfMany(std::size_t ray);
-  void Take(std::size_t stream, std::size_t ray, bool isSameCell);
+  void Collect();
+  void CollectOf(std::size_t ray, std::uint16_t stream, const std::uint64_t* words);
+  void MergeOf(std::size_t ray, std::size_t first);
+  void CutOff(std::size_t ray, std::size_t first);
   int PlaceAlong(std::size_t ray, const CellIndex& cell) const;
-  bool IsFull() const;
+  const CellIndex& CellOf(const Candidate& candidate) const
+  {
+    return this->Streams[candidate.Stream].Table->Cells[candidate.Cell];
+  }
+  /// True if a ray is neither full nor opaque, nor has to be traced.
+  bool GoesOn(std::size_t ray) const
+  {
+    return this->Layers.IsOpen(ray) && !(this->Unclear >> ray & 1u);
+  }
+
+  void TakeNext(std::size_t ray);
   void Flush();
-  std::size_t Decide(std::size_t first);
+  void DecideAll(const PassedCells& found);
+  std::size_t DecideCell(std::size_t first);
+  void Append(std::size_t ray, const PassedCells& found, std::size_t place);
+  void AppendIn(std::size_t ray, const glm::ivec3& cell);
 
   const SurfaceTracer& Tracer;
   const RayBatch& Rays;
   LayerBatch& Layers;
   std::vector<Stream> Streams;
-  std::vector<Candidate> Order;
+  std::vector<PassedCells> Batches; ///< of each stream: what is searched next
+  std::vector<Taken> Order;         ///< the same of several streams, in the order of searching
+
+  /// Those of each ray, in their order along it.
+  std::vector<Candidate> Candidates;
+  RayBatch::Array<std::uint32_t> Next, End;
+
   bool MayBeCapped = false;
   // One bit for each ray:
-  std::uint64_t Ended = 0;   ///< has come to the end of what is stored, but not of its passages
-  std::uint64_t Unclear = 0; ///< its surfaces are too close together
+  std::uint64_t Truncated = 0; ///< has more passages than are stored
+  std::uint64_t Unclear = 0;   ///< its surfaces are too close together
 };
 
 }

@@ -49,7 +49,7 @@ public:
       wanted = work.TraceBeams(wanted);
     }
     ForEachRay(wanted, [&](std::size_t ray) { work.Walk(ray); });
-    knots.MayBeCapped = this->Band.IsSolid && this->MayBeginInSolid(rays);
+    knots.Passages.MayBeCapped = this->Band.IsSolid && this->MayBeginInSolid(rays);
     work.Rows.HandOver(knots);
     return work.CellsRead;
   }
@@ -107,13 +107,14 @@ private:
         const Real lowest = this->Band.Span - reach.Corner[Falling] - reach.Error;
         if (!reach.IsFinite || this->Tracer.HasCaps)
         {
-          isDone = this->Rows.Append(ray, LowestKey, HighestKey, walk.Here());
+          isDone = this->Rows.Append(ray, KeyRange::OfAll(), this->Rows.AddCell(walk.Here()));
         }
         else if (highest >= Real(0) && lowest <= this->Band.Span)
         {
           const BandScale& scale = this->Band.Scale;
-          isDone = this->Rows.Append(ray, scale.KeyOf(static_cast<double>(lowest)),
-            scale.KeyOf(static_cast<double>(highest)), walk.Here());
+          const KeyRange keys = KeyRange::Of(
+            scale.InKeys(static_cast<double>(lowest)), scale.InKeys(static_cast<double>(highest)));
+          isDone = this->Rows.Append(ray, keys, this->Rows.AddCell(walk.Here()));
         }
       }
     }
@@ -167,19 +168,20 @@ private:
             static_cast<float>(corners[2 * row + 1] * toUnit));
         }
         values.KeysPerUnit =
-          static_cast<float>(std::min(unit / span * (BandScale::LargestKey - 2.0), 1e30));
+          static_cast<float>(std::min(unit / span * (BandScale::LargestInKeys), 1e30));
       }
     }
 
     std::uint64_t Store(
       const glm::ivec3& cell, std::uint64_t which, const PassedKeys& keys) override
     {
+      const std::uint16_t number = this->Rows.AddCell(cell);
       std::uint64_t done = 0;
       ForEachRay(which,
         [&](std::size_t ray)
         {
-          const bool isDone = this->Rows.Append(ray, static_cast<BandScale::Key>(keys.Low[ray]),
-            static_cast<BandScale::Key>(keys.High[ray]), cell);
+          const KeyRange range = KeyRange::Of(keys.Low[ray], keys.High[ray]);
+          const bool isDone = this->Rows.Append(ray, range, number);
           done |= static_cast<std::uint64_t>(isDone) << ray;
         });
       return this->Rows.IsTooLarge() ? this->Wanted : done;

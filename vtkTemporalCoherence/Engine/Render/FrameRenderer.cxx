@@ -87,8 +87,8 @@ bool FrameRenderer::Make(Route& route, FrameTask& task, CachedImage* nearest)
       return TraceChangedTiles(task, this->Changes);
     case Route::Recomposite:
       return CompositeKnownLayers(task);
-    case Route::MergeLayers:
-      return MergeNewLayers(task);
+    case Route::KeepLayers:
+      return KeepKnownLayers(task);
     case Route::Cold:
       break;
   }

@@ -67,8 +67,8 @@ const char* NameOf(Route route)
       return "TimeStep";
     case Route::Recomposite:
       return "Recomposite";
-    case Route::MergeLayers:
-      return "MergeLayers";
+    case Route::KeepLayers:
+      return "KeepLayers";
   }
   return "";
 }
@@ -103,7 +103,7 @@ Route PlanRoute(const FrameKey& last, const FrameKey& next, const ReuseSwitches&
   }
   if (switches.ImageCache && KnowsSomeLayers(change, last, next, held))
   {
-    return Route::MergeLayers;
+    return Route::KeepLayers;
   }
   const std::size_t isovalues = next.Isosurfaces.Isovalues.size();
   if (last.Isosurfaces.Mode != next.Isosurfaces.Mode || isovalues == 0 || change.Opacity)

@@ -21,7 +21,7 @@ enum class Route : std::uint8_t
   ImageCache = 6, ///< another view: a cached image tells where walks may begin (5 is no more)
   TimeStep,       ///< other samples in the same view: tiles that they do not affect are copied
   Recomposite,    ///< only opacities changed: known layers are composited again
-  MergeLayers     ///< some of several isovalues changed: layers of the others are known
+  KeepLayers      ///< some of several isovalues changed: layers of the others are known
 };
 
 /// The route's name as in the documentation, for example "Cold".

@@ -36,6 +36,27 @@ enum class HitKind : std::uint8_t
   Within ///< no hit; the ray is inside where it first enters an active cell
 };
 
+/// The colour of composited layers: premultiplied RGBA. It has more bits than a colour of a
+/// picture, so that the layers can be told apart again.
+struct LayerColor
+{
+  /// Steps of the finest colour: 256 for each step of a byte.
+  static constexpr int Steps = 255 * 256;
+  /// Half a step of a byte is added to each value: its high byte is then the rounded colour.
+  static constexpr std::uint16_t Half = 128;
+
+  std::array<std::uint16_t, 4> Values{ Half, Half, Half, Half };
+
+  /// The rounded colour.
+  std::array<std::uint8_t, 4> Bytes() const
+  {
+    const auto high = [](std::uint16_t value) { return static_cast<std::uint8_t>(value >> 8); };
+    return { high(this->Values[0]), high(this->Values[1]), high(this->Values[2]),
+      high(this->Values[3]) };
+  }
+  bool operator==(const LayerColor& other) const { return this->Values == other.Values; }
+};
+
 /// A surface that a ray meets, opaque or translucent.
 struct LayerHit
 {
@@ -43,9 +64,9 @@ struct LayerHit
   std::int32_t Pixel; ///< position in the planes
   std::int16_t Isovalue;
   HitKind Kind;
-  /// The composited colour of all layers in front of the next one that is kept: premultiplied RGBA.
-  /// That of the last one kept is the pixel's colour.
-  std::array<std::uint8_t, 4> Color{};
+  /// The composited colour of all layers in front of the next one that is kept. That of the last one
+  /// kept is the pixel's colour.
+  LayerColor Color{};
 };
 
 /// How many layers of a pixel a frame keeps. Light that passes so many is either faint or meets a

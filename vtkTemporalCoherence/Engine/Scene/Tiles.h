@@ -61,6 +61,38 @@ inline std::size_t PlaceInTile(const PixelRect& part, int width, std::int32_t pi
   return static_cast<std::size_t>(row * part.Size.x + x);
 }
 
+/// The same for many pixels, which ascend most of the time.
+class PlaceFinder
+{
+public:
+  PlaceFinder(const PixelRect& part, int width)
+    : First(part.First.y * width + part.First.x)
+    , Width(width)
+    , Columns(part.Size.x)
+    , OfRow(this->First)
+  {
+  }
+
+  std::size_t Find(std::int32_t pixel)
+  {
+    if (pixel < this->OfRow)
+    {
+      this->OfRow = this->First;
+      this->Before = 0;
+    }
+    for (; pixel - this->OfRow >= this->Width; this->OfRow += this->Width)
+    {
+      this->Before += this->Columns;
+    }
+    return static_cast<std::size_t>(this->Before + pixel - this->OfRow);
+  }
+
+private:
+  int First, Width, Columns;
+  int OfRow;      ///< the first pixel of the row of the last one
+  int Before = 0; ///< places in the rows before it
+};
+
 }
 
 #endif

@@ -47,7 +47,7 @@ public:
 
   /// Composite a surface behind the present ones. The first visible surface is written to the
   /// planes. \return the colour of the pixel if no further surface follows
-  std::array<std::uint8_t, 4> Add(std::size_t place, const LayerHit& hit, const ShadedLayer& layer)
+  LayerColor Add(std::size_t place, const LayerHit& hit, const ShadedLayer& layer)
   {
     const auto pixel = static_cast<std::size_t>(hit.Pixel);
     float& passed = this->Passed[place];
@@ -90,7 +90,7 @@ public:
       for (int x = 0; x < this->Part.Size.x; ++x, ++place)
       {
         const auto pixel = static_cast<std::size_t>(first + x);
-        this->Planes.Colors[pixel] = this->ColorAt(place);
+        this->Planes.Colors[pixel] = this->ColorAt(place).Bytes();
         if (this->Passed[place] == 1.0f)
         {
           this->Planes.Depth[pixel] = std::numeric_limits<double>::infinity();
@@ -105,15 +105,17 @@ private:
   /// NaN becomes 0.
   static float ClampToOne(float value) { return value > 0.0f ? std::min(value, 1.0f) : 0.0f; }
 
-  static std::uint8_t RoundToByte(float value)
+  static std::uint16_t ValueOf(float value)
   {
-    return static_cast<std::uint8_t>(ClampToOne(value) * 255.0f + 0.5f);
+    constexpr auto steps = static_cast<float>(LayerColor::Steps);
+    constexpr auto half = static_cast<float>(LayerColor::Half);
+    return static_cast<std::uint16_t>(ClampToOne(value) * steps + half);
   }
 
-  std::array<std::uint8_t, 4> ColorAt(std::size_t place) const
+  LayerColor ColorAt(std::size_t place) const
   {
-    return { RoundToByte(this->Color[0][place]), RoundToByte(this->Color[1][place]),
-      RoundToByte(this->Color[2][place]), RoundToByte(1.0f - this->Passed[place]) };
+    return { { ValueOf(this->Color[0][place]), ValueOf(this->Color[1][place]),
+      ValueOf(this->Color[2][place]), ValueOf(1.0f - this->Passed[place]) } };
   }
 
   PixelRect Part;

@@ -55,7 +55,10 @@ bool MapperFrames::Render(const Viewer& viewer, const FrameRequest& request,
       return false;
     }
     state->IsovaluePlaces = request.IsovaluePlaces;
-    state->PictureNumber += state->Engine.Statistics().Made != Route::Redisplay;
+    if (state->Engine.Statistics().Made != Route::Redisplay)
+    {
+      state->PictureNumber = NewPictureNumber();
+    }
     this->Last = this->Mapped = state;
     tell(1.0);
     return true;
@@ -104,8 +107,7 @@ void MapperFrames::Present(vtkRenderer* renderer, vtkVolume* volume, const glm::
     }
     else if (const auto pass = PeelingPass::Of(volume))
     {
-      state->Peels.Present(
-        *pass, renderer, volume, state->Engine.LastFrame(), state->Engine.LastKey().View, error);
+      state->Peels.Present(*pass, renderer, volume, state->Shown(), error);
     }
     else
     {

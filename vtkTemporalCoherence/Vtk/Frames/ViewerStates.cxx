@@ -3,6 +3,7 @@
 #include "Frames/ViewerStates.h"
 
 #include <algorithm>
+#include <atomic>
 
 namespace TemporalCoherence
 {
@@ -27,6 +28,12 @@ bool IsSuccessor(const Viewer& next, const Viewer& before)
     (!before.Camera || before.Camera == next.Camera) && before.Eye == next.Eye;
 }
 
+}
+
+std::uint64_t NewPictureNumber()
+{
+  static std::atomic<std::uint64_t> last(0);
+  return ++last;
 }
 
 Viewer Viewer::Of(vtkRenderer* renderer, vtkVolume* volume)

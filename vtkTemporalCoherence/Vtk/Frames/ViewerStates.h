@@ -61,8 +61,11 @@ struct ViewerState
   PeelPresenter Peels;
   std::vector<int> IsovaluePlaces; ///< position in the property's list, for each isovalue drawn
   glm::ivec2 PictureSize{ 0 };     ///< pixels that the last frame fills
-  std::uint64_t PictureNumber = 0; ///< number of different pictures so far
+  std::uint64_t PictureNumber = 0; ///< another one for each different picture in the process
 };
+
+/// A number that no picture of this process has.
+std::uint64_t NewPictureNumber();
 
 /// The states of the last viewers. Which state serves a viewer affects speed only, never the
 /// picture: a state compares the whole key of a frame with that of its last one.

@@ -64,7 +64,7 @@ private:
       {
         if (depth <= this->Depths[at])
         {
-          this->Colors[at] = layer.Color;
+          this->Colors[at] = layer.Color.Bytes();
         }
       });
   }

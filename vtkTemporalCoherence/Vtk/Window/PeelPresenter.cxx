@@ -15,6 +15,7 @@
 #include <vtkTextureObject.h>
 #include <vtkWeakPointer.h>
 
+#include <cstdint>
 #include <map>
 #include <vector>
 
@@ -68,14 +69,31 @@ struct PeelPresenter::Resources
   std::map<std::string, std::unique_ptr<vtkOpenGLQuadHelper>> Quads; ///< by shader
   vtkNew<vtkTextureObject> Layers;         ///< position and number of each pixel's layers
   vtkNew<vtkTextureObject> Depths, Colors; ///< of the layers
+  std::vector<std::uint64_t> Held;         ///< which layers the textures hold (PeeledPicture)
   bool HasLayers = false;
+  std::shared_ptr<const PeeledLayers> Own; ///< layers of the volume's last picture
+  std::uint64_t OwnNumber = 0;             ///< of that picture
+
+  void TakeLayers(const ShownFrame& shown);
 
   /// \return false if there are more layers than textures can hold
   bool Upload(const PeeledLayers& layers);
 };
 
+/// Find the layers of a picture, if they are not known.
+void PeelPresenter::Resources::TakeLayers(const ShownFrame& shown)
+{
+  if (!this->Own || this->OwnNumber != shown.Number)
+  {
+    this->Own.reset();
+    this->Own = std::make_shared<const PeeledLayers>(PeeledLayers::Of(shown.Picture, shown.View));
+    this->OwnNumber = shown.Number;
+  }
+}
+
 bool PeelPresenter::Resources::Upload(const PeeledLayers& layers)
 {
+  this->Held.clear();
   this->HasLayers = false;
   if (layers.All().empty())
   {
@@ -89,7 +107,7 @@ bool PeelPresenter::Resources::Upload(const PeeledLayers& layers)
     return false;
   }
   std::vector<float> places, depths(rows * RowOfLayers);
-  std::vector<PixelColor> colors(rows * RowOfLayers);
+  std::vector<PeeledLayers::FineColor> colors(rows * RowOfLayers);
   const std::vector<std::size_t>& begins = layers.Begins();
   places.reserve(3 * begins.size());
   for (std::size_t pixel = 0; pixel + 1 < begins.size(); ++pixel)
@@ -108,7 +126,7 @@ bool PeelPresenter::Resources::Upload(const PeeledLayers& layers)
              height = static_cast<unsigned int>(rows);
   this->Layers->Create2DFromRaw(size.x, size.y, 3, VTK_FLOAT, places.data());
   this->Depths->Create2DFromRaw(width, height, 1, VTK_FLOAT, depths.data());
-  this->Colors->Create2DFromRaw(width, height, 4, VTK_UNSIGNED_CHAR, colors.data());
+  this->Colors->Create2DFromRaw(width, height, 4, VTK_UNSIGNED_SHORT, colors.data());
   this->HasLayers = true;
   return true;
 }
@@ -117,7 +135,7 @@ PeelPresenter::PeelPresenter() = default;
 PeelPresenter::~PeelPresenter() = default;
 
 bool PeelPresenter::Present(const PeelingPass& pass, vtkRenderer* renderer, vtkVolume* volume,
-  const Frame& frame, const View& view, std::string& error)
+  const ShownFrame& shown, std::string& error)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetVTKWindow());
   if (!window || !pass.IsKnown())
@@ -137,13 +155,20 @@ bool PeelPresenter::Present(const PeelingPass& pass, vtkRenderer* renderer, vtkV
   const auto picture = PeeledPicture::Of(renderer);
   if (pass.IsFirst())
   {
-    picture->Add(pass, this, ViewportOf(window).Size, frame, view);
-    if (!this->OpenGL->Upload(picture->Layers()))
+    pass.RefineTargets();
+    this->OpenGL->TakeLayers(shown);
+    picture->Add(pass, this, ViewportOf(window).Size, shown.Number, this->OpenGL->Own);
+    if (this->OpenGL->Held != picture->Numbers())
     {
-      error = "The picture has " + std::to_string(picture->Layers().All().size()) +
-        " layers of surfaces in total, more than the textures of this OpenGL can hold; make the "
-        "window smaller, or use a vtkTemporalCoherenceVolume with opaque surfaces.";
-      return false;
+      const PeeledLayers& layers = picture->Merged();
+      if (!this->OpenGL->Upload(layers))
+      {
+        error = "The picture has " + std::to_string(layers.All().size()) +
+          " layers of surfaces in total, more than the textures of this OpenGL can hold; make the "
+          "window smaller, or use a vtkTemporalCoherenceVolume with opaque surfaces.";
+        return false;
+      }
+      this->OpenGL->Held = picture->Numbers();
     }
   }
   else if (picture->IsDrawnBy(this))
@@ -154,10 +179,13 @@ bool PeelPresenter::Present(const PeelingPass& pass, vtkRenderer* renderer, vtkV
   {
     return true;
   }
-  return !this->OpenGL->HasLayers || this->Draw(pass, volume, error);
+  const bool isInPlaceOfOthers = pass.IsFirst() && picture->NumberOfVolumes() > 1;
+  return !this->OpenGL->HasLayers || this->Draw(pass, volume, isInPlaceOfOthers, error);
 }
 
-bool PeelPresenter::Draw(const PeelingPass& pass, vtkVolume* volume, std::string& error)
+/// \param isInPlaceOfOthers overwrite what volumes before this one have drawn
+bool PeelPresenter::Draw(
+  const PeelingPass& pass, vtkVolume* volume, bool isInPlaceOfOthers, std::string& error)
 {
   vtkOpenGLRenderWindow* window = this->OpenGL->Window;
   const std::string source = ShaderOf(pass);
@@ -181,7 +209,7 @@ bool PeelPresenter::Draw(const PeelingPass& pass, vtkVolume* volume, std::string
   vtkOpenGLState::ScopedglEnableDisable keepCullFace(state, Gl::CullFace);
   state->vtkglDisable(Gl::DepthTest);
   state->vtkglDisable(Gl::CullFace);
-  if (!pass.IsBlended())
+  if (isInPlaceOfOthers)
   {
     state->vtkglDisable(Gl::Blend);
   }

@@ -3,9 +3,8 @@
 #ifndef TemporalCoherence_PeelPresenter_h
 #define TemporalCoherence_PeelPresenter_h
 
-#include "Scene/Frame.h"
-#include "Scene/View.h"
 #include "Window/PeelingPass.h"
+#include "Window/PicturePresenter.h"
 #include "vtkTemporalCoherenceCompatibility.h"
 
 #include <memory>
@@ -25,23 +24,25 @@ namespace TemporalCoherence
 ///
 /// If two volumes lie in the same slab, the pass blends their colours by the maximum. So the layers
 /// of several volumes are merged here, by their depths. In the first round each volume draws its
-/// layers with those of all volumes before it; afterwards the last volume draws for all.
+/// layers with those of all volumes before it, in place of what these have drawn; afterwards the
+/// last volume draws for all. Volumes of other mappers are blended as the pass does it.
 class PeelPresenter
 {
 public:
   PeelPresenter();
   ~PeelPresenter();
 
+  /// \param shown its number tells whether the textures of the last picture can be shown again
   /// \param error gets what is wrong if the result is false
   bool Present(const PeelingPass& pass, vtkRenderer* renderer, vtkVolume* volume,
-    const Frame& frame, const View& view, std::string& error);
+    const ShownFrame& shown, std::string& error);
 
   /// Free what is held in the context of a window; in any, if it is null.
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
   struct Resources;
-  bool Draw(const PeelingPass& pass, vtkVolume* volume, std::string& error);
+  bool Draw(const PeelingPass& pass, vtkVolume* volume, bool isInPlaceOfOthers, std::string& error);
 
   std::unique_ptr<Resources> OpenGL; ///< null while nothing is held in a context
 };

@@ -23,22 +23,36 @@ struct LayerLists
   std::vector<std::size_t> Firsts;
 };
 
+using FineColor = PeeledLayers::FineColor;
+
+constexpr std::uint16_t Opaque = 65535;
+
 /// The colour of a layer, from the composites with it and without it.
-PixelColor OwnColor(const PixelColor& with, const PixelColor& without)
+FineColor OwnColor(const LayerColor& with, const LayerColor& without)
 {
-  const double shown = 1.0 - without[3] / 255.0;
-  PixelColor own{};
-  for (std::size_t c = 0; c < own.size(); ++c)
+  const int passed = LayerColor::Steps + LayerColor::Half - without.Values[3];
+  FineColor own{};
+  for (std::size_t c = 0; c < own.size() && passed > 0; ++c)
   {
-    const double value = shown > 0.0 ? (with[c] - without[c]) / shown : 0.0;
-    own[c] = static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
+    const double share = static_cast<double>(with.Values[c] - without.Values[c]) / passed;
+    own[c] = static_cast<std::uint16_t>(std::lround(std::clamp(share, 0.0, 1.0) * Opaque));
   }
+  return own;
+}
+
+/// An opaque surface has no more than the bytes of its colour.
+FineColor OwnColor(const PixelColor& color)
+{
+  constexpr int step = Opaque / 255;
+  FineColor own;
+  std::transform(color.begin(), color.end(), own.begin(),
+    [](std::uint8_t value) { return static_cast<std::uint16_t>(step * value); });
   return own;
 }
 
 bool IsOpaque(const Layer& layer)
 {
-  return layer.Color[3] == 255;
+  return layer.Color[3] == Opaque;
 }
 
 /// Make room for each list behind the one before it.
@@ -56,7 +70,7 @@ void FillWithLayers(const Frame& frame, const View& view, std::int64_t tile, Lay
 {
   const glm::ivec2 first = PixelsOfTile(frame.Size, tile).First;
   std::array<std::size_t, TileSize * TileSize> filled{};
-  std::array<PixelColor, TileSize * TileSize> seen{};
+  std::array<LayerColor, TileSize * TileSize> seen;
   for (const LayerHit& hit : frame.Layers[static_cast<std::size_t>(tile)])
   {
     const glm::ivec2 pixel(hit.Pixel % frame.Size.x, hit.Pixel / frame.Size.x);
@@ -81,7 +95,7 @@ void FillWithHits(const Frame& frame, const View& view, std::int64_t tile, Layer
       if (frame.Isovalues[pixel] != Frame::NoSurface)
       {
         lists.Layers[lists.Firsts[pixel]] = { WindowDepthOf(view, { x, y }, frame.Depth[pixel]),
-          frame.Colors[pixel] };
+          OwnColor(frame.Colors[pixel]) };
       }
     }
   }
@@ -142,17 +156,26 @@ std::size_t Merge(
 
 }
 
+PeeledLayers PeeledLayers::Of(const Frame& frame, const View& view)
+{
+  LayerLists lists = ListsOf(frame, view);
+  PeeledLayers own;
+  own.Pixels = frame.Size;
+  own.Layers.swap(lists.Layers);
+  own.Firsts.swap(lists.Firsts);
+  return own;
+}
+
 void PeeledLayers::Clear(const glm::ivec2& size)
 {
-  this->ViewportSize = size;
+  this->Pixels = size;
   this->Layers.clear();
   this->Firsts.assign(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) + 1, 0);
 }
 
-void PeeledLayers::Add(const Frame& frame, const View& view)
+void PeeledLayers::Add(const PeeledLayers& picture)
 {
-  const LayerLists added = ListsOf(frame, view);
-  const glm::ivec2& size = this->ViewportSize;
+  const glm::ivec2 &size = this->Pixels, &rays = picture.Pixels;
   LayerLists all;
   std::vector<std::size_t> counts(this->Firsts.size() - 1);
   const auto forPixels = [&](const auto& work)
@@ -160,19 +183,19 @@ void PeeledLayers::Add(const Frame& frame, const View& view)
     ParallelFor(size.y, 8,
       [&](std::int64_t y)
       {
-        const std::int64_t row = (2 * y + 1) * frame.Size.y / (2 * size.y) * frame.Size.x;
+        const std::int64_t row = (2 * y + 1) * rays.y / (2 * size.y) * rays.x;
         for (std::int64_t x = 0; x < size.x; ++x)
         {
-          const std::int64_t ray = row + (2 * x + 1) * frame.Size.x / (2 * size.x);
+          const std::int64_t ray = row + (2 * x + 1) * rays.x / (2 * size.x);
           work(static_cast<std::size_t>(y * size.x + x), static_cast<std::size_t>(ray));
         }
       });
   };
   const auto merge = [&](std::size_t pixel, std::size_t ray, Layer* to)
   {
-    const Layer *const old = this->Layers.data(), *const next = added.Layers.data();
-    return Merge(old + this->Firsts[pixel], old + this->Firsts[pixel + 1], next + added.Firsts[ray],
-      next + added.Firsts[ray + 1], to);
+    const Layer *const old = this->Layers.data(), *const next = picture.Layers.data();
+    return Merge(old + this->Firsts[pixel], old + this->Firsts[pixel + 1],
+      next + picture.Firsts[ray], next + picture.Firsts[ray + 1], to);
   };
   forPixels(
     [&](std::size_t pixel, std::size_t ray) { counts[pixel] = merge(pixel, ray, nullptr); });

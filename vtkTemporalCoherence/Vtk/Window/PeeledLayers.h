@@ -5,33 +5,43 @@
 
 #include "Window/WindowPicture.h"
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace TemporalCoherence
 {
 
-/// The layers at each pixel of a viewport, of one picture or several, from front to back up to the
-/// first opaque one.
+/// The layers at each pixel of a picture, or of a viewport with several pictures: from front to
+/// back up to the first opaque one.
 class PeeledLayers
 {
 public:
+  /// A colour as textures of 16 bits hold it: premultiplied RGBA, 65535 is 1. Several layers lie
+  /// over one another in a pixel: their errors add up, and those of bytes would be seen.
+  using FineColor = std::array<std::uint16_t, 4>;
+
   /// A layer at a pixel.
   struct Layer
   {
-    float Depth;      ///< of the depth buffer
-    PixelColor Color; ///< its own, premultiplied
+    float Depth;     ///< of the depth buffer
+    FineColor Color; ///< its own
   };
 
-  /// Remove all pictures.
+  /// Those of one picture, at each of its rays.
+  /// \throws std::bad_alloc
+  static PeeledLayers Of(const Frame& frame, const View& view);
+
+  /// Remove all layers.
   /// \param size pixels of the viewport
   void Clear(const glm::ivec2& size);
 
-  /// Merge a picture with the present ones.
+  /// Merge a picture with the present ones. A pixel takes the layers of the ray at its centre.
   /// \throws std::bad_alloc
-  void Add(const Frame& frame, const View& view);
+  void Add(const PeeledLayers& picture);
 
-  const glm::ivec2& Size() const { return this->ViewportSize; }
+  const glm::ivec2& Size() const { return this->Pixels; }
 
   /// The layers of all pixels, row by row from below. Firsts holds where the layers of each pixel
   /// begin, and the end of the last.
@@ -39,7 +49,7 @@ public:
   const std::vector<std::size_t>& Begins() const { return this->Firsts; }
 
 private:
-  glm::ivec2 ViewportSize{ 0 };
+  glm::ivec2 Pixels{ 0 };
   std::vector<Layer> Layers;
   std::vector<std::size_t> Firsts;
 };

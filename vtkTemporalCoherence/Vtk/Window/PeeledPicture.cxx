@@ -7,6 +7,8 @@
 #include <vtkObjectFactory.h>
 #include <vtkRenderer.h>
 
+#include <utility>
+
 namespace TemporalCoherence
 {
 
@@ -32,17 +34,43 @@ vtkSmartPointer<PeeledPicture> PeeledPicture::Of(vtkRenderer* renderer)
 }
 
 void PeeledPicture::Add(const PeelingPass& pass, const void* who, const glm::ivec2& size,
-  const Frame& frame, const View& view)
+  std::uint64_t number, std::shared_ptr<const PeeledLayers> layers)
 {
   if (this->Pass != pass.Identity() || this->Time != pass.Time())
   {
+    this->ReleaseLayers();
     this->Pass = pass.Identity();
     this->Time = pass.Time();
-    this->Last = nullptr;
-    this->All.Clear(size);
+    this->Size = size;
+    this->Identity = { static_cast<std::uint64_t>(size.x), static_cast<std::uint64_t>(size.y) };
   }
-  this->All.Add(frame, view);
+  this->Added.push_back(std::move(layers));
+  this->Identity.push_back(number);
   this->Last = who;
+}
+
+const PeeledLayers& PeeledPicture::Merged()
+{
+  if (this->Added.size() == 1 && this->Added.front()->Size() == this->Size)
+  {
+    return *this->Added.front();
+  }
+  if (this->NumberMerged == 0)
+  {
+    this->All.Clear(this->Size);
+  }
+  for (; this->NumberMerged < this->Added.size(); ++this->NumberMerged)
+  {
+    this->All.Add(*this->Added[this->NumberMerged]);
+  }
+  return this->All;
+}
+
+void PeeledPicture::ReleaseLayers()
+{
+  this->Added.clear();
+  this->All = PeeledLayers();
+  this->NumberMerged = 0;
 }
 
 }

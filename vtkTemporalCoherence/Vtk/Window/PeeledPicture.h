@@ -10,6 +10,11 @@
 #include <vtkObject.h>
 #include <vtkSmartPointer.h>
 
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
 VTK_ABI_NAMESPACE_BEGIN
 class vtkRenderer;
 VTK_ABI_NAMESPACE_END
@@ -28,23 +33,35 @@ public:
   /// The peeled picture of a renderer, made if it has none.
   static vtkSmartPointer<PeeledPicture> Of(vtkRenderer* renderer);
 
-  /// Add a frame to the picture that a pass is drawing.
-  /// \param who  adds it
-  /// \param size pixels of the viewport
-  /// \throws std::bad_alloc
-  void Add(const PeelingPass& pass, const void* who, const glm::ivec2& size, const Frame& frame,
-    const View& view);
+  /// Add the layers of a volume to the picture that a pass is drawing.
+  /// \param who    adds them
+  /// \param size   pixels of the viewport
+  /// \param number of the volume's picture: another one for other layers, in the whole process
+  void Add(const PeelingPass& pass, const void* who, const glm::ivec2& size, std::uint64_t number,
+    std::shared_ptr<const PeeledLayers> layers);
 
-  /// The one that draws for all: the last one that added a frame.
+  /// The one that draws for all: the last one that added layers.
   bool IsDrawnBy(const void* who) const { return this->Last == who; }
 
-  const PeeledLayers& Layers() const { return this->All; }
+  /// How many volumes have added layers so far.
+  std::size_t NumberOfVolumes() const { return this->Added.size(); }
 
-  /// Free the memory of the layers. No frame can be added afterwards.
-  void ReleaseLayers() { this->All = PeeledLayers(); }
+  /// The same numbers mean the same layers: those of the volumes so far, and the viewport's size.
+  const std::vector<std::uint64_t>& Numbers() const { return this->Identity; }
+
+  /// The layers of the volumes so far.
+  /// \throws std::bad_alloc
+  const PeeledLayers& Merged();
+
+  /// Free the memory of the layers. None can be added afterwards.
+  void ReleaseLayers();
 
 private:
-  PeeledLayers All;
+  glm::ivec2 Size{ 0 };
+  std::vector<std::shared_ptr<const PeeledLayers>> Added;
+  std::vector<std::uint64_t> Identity;
+  PeeledLayers All;             ///< the first ones of Added, merged
+  std::size_t NumberMerged = 0; ///< of Added
   const void* Pass = nullptr;
   vtkMTimeType Time = 0; ///< of the pass
   const void* Last = nullptr;

@@ -3,11 +3,17 @@
 #include "Window/PeelingPass.h"
 
 #include "Window/FindPass.h"
+#include "Window/OpenGLWindow.h"
 
 #include <vtkDualDepthPeelingPass.h>
+#include <vtkPixelBufferObject.h>
 #include <vtkShaderProgram.h>
+#include <vtkSmartPointer.h>
+#include <vtkTextureObject.h>
 #include <vtkVolume.h>
 #include <vtkVolumeMapper.h>
+
+#include <vector>
 
 namespace TemporalCoherence
 {
@@ -21,7 +27,7 @@ constexpr const char* Template = "//VTK::System::Dec\n"
                                  "//VTK::Output::Dec\n"
                                  "in vec2 texCoord;\n"
                                  "uniform vec2 in_inverseWindowSize;\n"
-                                 "const float g_opacityThreshold = 1.0 - 1.0 / 255.0;\n"
+                                 "const float g_opacityThreshold = 1.0;\n"
                                  "//VTK::DepthPeeling::Dec\n"
                                  "//PeeledDeclarations\n"
                                  "void initializeRayCast() {}\n"
@@ -37,6 +43,30 @@ constexpr const char* Template = "//VTK::System::Dec\n"
 /// Textures that the pass binds in certain stages, which tells the stages apart.
 constexpr const char* OfPeels = "lastFrontColorTex";
 constexpr const char* OfRest = "depthRangeTex";
+
+/// Reaches the textures of any pass: they are for derived classes.
+struct Targets : vtkDualDepthPeelingPass
+{
+  static std::vector<vtkTextureObject*> Of(vtkDualDepthPeelingPass* pass)
+  {
+    auto& textures = pass->*(&Targets::Textures);
+    return { textures[BackTemp], textures[Back], textures[FrontA], textures[FrontB] };
+  }
+};
+
+/// Give a texture of bytes another format, and its contents back.
+void Refine(vtkTextureObject* texture)
+{
+  constexpr int channels = 4;
+  unsigned int size[2] = { texture->GetWidth(), texture->GetHeight() };
+  std::vector<unsigned char> pixels(std::size_t(channels) * size[0] * size[1]);
+  vtkIdType increments[2] = { 0, 0 };
+  texture->Activate(); // or it would be bound in place of another one
+  const auto buffer = vtkSmartPointer<vtkPixelBufferObject>::Take(texture->Download());
+  buffer->Download2D(VTK_UNSIGNED_CHAR, pixels.data(), size, channels, increments);
+  texture->SetInternalFormat(Gl::Rgba16);
+  texture->Create2DFromRaw(size[0], size[1], channels, VTK_UNSIGNED_CHAR, pixels.data());
+}
 
 bool Has(const std::string& text, const char* word)
 {
@@ -65,11 +95,6 @@ bool PeelingPass::IsFirst() const
   return !Has(this->Source, OfPeels) && !Has(this->Source, OfRest);
 }
 
-bool PeelingPass::IsBlended() const
-{
-  return Has(this->Source, OfRest);
-}
-
 bool PeelingPass::IsKnown() const
 {
   return !Has(this->Source, Work);
@@ -81,6 +106,17 @@ void PeelingPass::SetUniforms(
   const float inverse[2] = { 1.0f / static_cast<float>(width), 1.0f / static_cast<float>(height) };
   program->SetUniform2f("in_inverseWindowSize", inverse);
   this->Pass->SetShaderParameters(program, volume->GetMapper(), volume, nullptr);
+}
+
+void PeelingPass::RefineTargets() const
+{
+  for (vtkTextureObject* texture : Targets::Of(this->Pass))
+  {
+    if (texture && texture->GetInternalFormat(VTK_UNSIGNED_CHAR, 4, false) == Gl::Rgba8)
+    {
+      Refine(texture);
+    }
+  }
 }
 
 vtkMTimeType PeelingPass::Time() const

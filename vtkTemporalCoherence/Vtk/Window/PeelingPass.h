@@ -23,7 +23,7 @@ namespace TemporalCoherence
 /// between translucent polygons. The pass draws each volume once in front of and behind all
 /// polygons, and then once for each pair of layers that it peels. A volume mapper gives it a shader
 /// that computes the colour between two depths. The pass completes that shader for each stage, and
-/// blends.
+/// blends: by the maximum where several volumes lie in a slab.
 class PeelingPass
 {
 public:
@@ -32,9 +32,6 @@ public:
 
   /// True if the pass draws the volume for the first time in a picture.
   bool IsFirst() const;
-
-  /// True if the present stage is blended over the target instead of replacing it.
-  bool IsBlended() const;
 
   /// The fragment shader. "//PeeledColor" must be replaced by code that returns the premultiplied
   /// colour of the window depths [zStart, zEnd), and "//PeeledDeclarations" by its declarations.
@@ -46,6 +43,10 @@ public:
   /// Set the uniforms that the pass has declared.
   /// \param width, height of the viewport
   void SetUniforms(vtkShaderProgram* program, vtkVolume* volume, int width, int height) const;
+
+  /// Give the pass targets of 16 bits for each channel, once. Its own have 8, and it rounds to them
+  /// twice for each polygon along a line of sight. What is drawn in them stays.
+  void RefineTargets() const;
 
   /// Identify the picture and the pass.
   vtkMTimeType Time() const;

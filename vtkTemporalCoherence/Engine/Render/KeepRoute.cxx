@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Render/RouteSteps.h"
-#include "Shade/KeptLayers.h"
 #include "Shade/LayerMerge.h"
 #include "Shade/TileCompositor.h"
 #include "Trace/RayHint.h"
@@ -15,19 +14,18 @@ namespace TemporalCoherence
 namespace
 {
 
-/// The key of some isovalues of a frame alone, with the least opacities that they may have.
-FrameKey KeyOf(const FrameKey& key, const std::vector<std::int16_t>& isovalues)
+/// The key of the new isovalues of a frame alone.
+FrameKey KeyOfNew(const FrameKey& key, const SurfaceChange& change)
 {
-  FrameKey some = key;
-  some.Isosurfaces = { {}, key.Isosurfaces.Mode };
-  const std::vector<double> least = LeastOpacitiesOf(key.Isosurfaces);
-  for (const std::int16_t isovalue : isovalues)
+  FrameKey ofNew = key;
+  ofNew.Isosurfaces = { {}, key.Isosurfaces.Mode };
+  for (const std::int16_t isovalue : change.New)
   {
     const auto i = static_cast<std::size_t>(isovalue);
-    some.Isosurfaces.Isovalues.push_back(key.Isosurfaces.Isovalues[i]);
-    some.Isosurfaces.Opacities.push_back(least[i]);
+    ofNew.Isosurfaces.Isovalues.push_back(change.Next[i]);
+    ofNew.Isosurfaces.Opacities.push_back(change.LeastAlphas[i]);
   }
-  return some;
+  return ofNew;
 }
 
 /// What the tiles of a frame are made of.
@@ -36,8 +34,8 @@ struct MergeScene
   TileScene All;     ///< of the frame
   LeapedSpace Space; ///< of the frame
   TileScene New;     ///< of the new isovalues alone
-  KeptIsovalues Kept;
-  const CachedImage& Last;
+  const SurfaceChange& Change;
+  const Frame& Last;
 };
 
 /// Makes the tiles of a frame from the layers of kept isovalues and those of new ones.
@@ -55,10 +53,6 @@ public:
     , Compositor(this->Key, this->Source, scene.Space)
     , AlphasOfNew(AlphasOf(scene.New.Key.Isosurfaces))
   {
-    for (const double opacity : LeastOpacitiesOf(this->Key.Isosurfaces))
-    {
-      this->LeastAlphas.push_back(static_cast<float>(opacity));
-    }
   }
 
   TraceCounts Make(std::int64_t tile, const PixelRect& part, Frame& frame) const
@@ -93,24 +87,24 @@ private:
   KnownLayers FindLayers(
     std::int64_t tile, const PixelRect& part, std::uint64_t& traced, TraceCounts& counts) const
   {
-    const CachedImage& last = this->Scene.Last;
-    const int width = this->Key.View.Size.x;
-    const bool wasClear = last.Picture.ClearTiles[static_cast<std::size_t>(tile)];
-    const KnownLayers known =
-      wasClear ? KnownLayers({}, ~std::uint64_t(0)) : KnownLayers(tile, part, last.Picture);
-    KeptLayers kept(
-      known, part, width, last.Key.Isosurfaces.Isovalues, this->Scene.Kept, this->LeastAlphas);
-    std::vector<LayerHit> layers = std::move(kept.Hits);
-    traced = this->AddNew(tile, part, kept, layers, counts);
-    MergeLayers(part, width, this->Key.Isosurfaces.Isovalues, layers);
-    const std::uint64_t opaque = DropUnlit(part, width, this->LeastAlphas, layers);
-    return KnownLayers(std::move(layers), ~(kept.Limited | opaque));
+    const Frame& last = this->Scene.Last;
+    LayerMerge merge(part, last.Size.x, this->Scene.Change);
+    if (last.ClearTiles[static_cast<std::size_t>(tile)])
+    {
+      merge.Keep(KnownLayers({}, ~std::uint64_t(0)));
+    }
+    else
+    {
+      merge.Keep(KnownLayers(tile, part, last));
+    }
+    traced = this->AddNew(tile, part, merge, counts);
+    return merge.Finish();
   }
 
   /// Find the layers of the new isovalues, each ray up to its limit.
   /// \return one bit for each ray that is traced
-  std::uint64_t AddNew(std::int64_t tile, const PixelRect& part, const KeptLayers& kept,
-    std::vector<LayerHit>& layers, TraceCounts& counts) const
+  std::uint64_t AddNew(
+    std::int64_t tile, const PixelRect& part, LayerMerge& merge, TraceCounts& counts) const
   {
     TileHits found;
     if (!this->OfNew.SetUp(tile, part, found))
@@ -124,34 +118,23 @@ private:
     std::uint64_t traced = 0;
     for (std::size_t ray = 0; ray < count; ++ray)
     {
-      rays.WalkEnd[ray] = std::min(rays.WalkEnd[ray], kept.EndOf(ray));
+      rays.WalkEnd[ray] = std::min(rays.WalkEnd[ray], merge.EndOf(ray));
       traced |= static_cast<std::uint64_t>(rays.HasWalk(ray)) << ray;
     }
     do
     {
-      batch.CellsRead = 0;
       this->OfNew.FindLayers(rays, batch);
       counts.CellsRead += batch.CellsRead;
       for (std::size_t i = 0; i < batch.Total; ++i)
       {
-        this->Append(batch, i, rays, kept, layers);
+        const std::size_t ray = batch.Ray[i];
+        merge.Add(ray,
+          { batch.Distance[i], rays.Pixel[ray],
+            this->Scene.Change.New[static_cast<std::size_t>(batch.Surface[i])], batch.Kind[i] });
       }
     } while (batch.BeginNext(count, batch.Transmittance));
     counts.TracedRays += static_cast<std::int64_t>(hwy::PopCount(traced));
     return traced;
-  }
-
-  void Append(const LayerBatch& batch, std::size_t i, const RayBatch& rays, const KeptLayers& kept,
-    std::vector<LayerHit>& layers) const
-  {
-    const auto surface = static_cast<std::size_t>(batch.Surface[i]);
-    const MetSurface met{ batch.Distance[i], batch.Kind[i],
-      this->Scene.New.Key.Isosurfaces.Isovalues[surface] };
-    if (kept.IsWithin(batch.Ray[i], met))
-    {
-      layers.push_back(
-        { met.Distance, rays.Pixel[batch.Ray[i]], this->Scene.Kept.New[surface], met.Kind });
-    }
   }
 
   /// Write what the first layers tell about rays, as in a cold frame.
@@ -161,9 +144,10 @@ private:
     const auto count = static_cast<std::size_t>(rays.Count);
     HitBatch first;
     first.Clear(rays.Count);
+    PlaceFinder places(part, frame.Size.x);
     for (const LayerHit& hit : layers)
     {
-      const std::size_t ray = PlaceInTile(part, frame.Size.x, hit.Pixel);
+      const std::size_t ray = places.Find(hit.Pixel);
       if (first.Kind[ray] != HitKind::None)
       {
         break; // of the second round
@@ -207,20 +191,20 @@ private:
   TileTracer OfAll, OfNew;
   NormalSource Source;
   TileCompositor Compositor;
-  std::vector<float> LeastAlphas, AlphasOfNew;
+  std::vector<float> AlphasOfNew;
 };
 
 }
 
-bool MergeNewLayers(FrameTask& task)
+bool KeepKnownLayers(FrameTask& task)
 {
   const CachedImage& last = task.Store.Last();
+  const SurfaceChange change(last.Key.Isosurfaces, task.Key.Isosurfaces);
+  const FrameKey ofNew = KeyOfNew(task.Key, change);
   const bool leaps = task.Options.SpaceLeaping;
   task.Costs = nullptr; // most layers are known
   // Translucent surfaces leave no first entries.
   const LeapedSpace space = Begin(task, leaps, { ExtrasOf(task).Disparities, false });
-  const KeptIsovalues kept(last.Key.Isosurfaces.Isovalues, task.Key.Isosurfaces.Isovalues);
-  const FrameKey ofNew = KeyOf(task.Key, kept.New);
   FrameStructures structures(task.Structures.Sharing());
   if (leaps)
   {
@@ -231,8 +215,8 @@ bool MergeNewLayers(FrameTask& task)
   const LeapedSpace spaceOfNew = structures.SpaceToLeap(leaps);
   const ValueRangePyramid& ranges = task.Structures.Pyramid();
   const MergeScene scene{ SceneOf(task, space, nullptr), space,
-    { ofNew, spaceOfNew.Active, spaceOfNew.Bounds, ranges.FiniteRange(), nullptr, &ranges }, kept,
-    last };
+    { ofNew, spaceOfNew.Active, spaceOfNew.Bounds, ranges.FiniteRange(), nullptr, &ranges }, change,
+    last.Picture };
   const MergedTiles tiles(scene);
   return MakeTiles(task,
     [&](std::int64_t tile, const PixelRect& part, Frame& frame)

@@ -19,10 +19,10 @@ namespace
 
 using namespace TemporalCoherence;
 
-class MergeLayers : public OpacityChanges
+class KeepLayers : public OpacityChanges
 {
 protected:
-  MergeLayers()
+  KeepLayers()
   {
     this->Options.Reuse.Isomap = false;
     this->Key.Appearance.Colors = { { 1.0, 0.5, 0.2 }, { 0.2, 0.5, 1.0 }, { 0.3, 0.9, 0.4 },
@@ -88,13 +88,13 @@ protected:
     }
   }
 
-  void ExpectMerged(int atLeast)
+  void ExpectKept(int atLeast)
   {
-    EXPECT_GE(this->Routes[Route::MergeLayers], atLeast) << "isovalues made other routes";
+    EXPECT_GE(this->Routes[Route::KeepLayers], atLeast) << "isovalues made other routes";
   }
 };
 
-TEST_F(MergeLayers, WalksThroughIsovalues)
+TEST_F(KeepLayers, WalksThroughIsovalues)
 {
   for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
   {
@@ -102,20 +102,20 @@ TEST_F(MergeLayers, WalksThroughIsovalues)
     this->Walk(1);
     this->Walk(2);
   }
-  this->ExpectMerged(20);
+  this->ExpectKept(20);
 }
 
-TEST_F(MergeLayers, WalksWithoutLeapingAndInParallel)
+TEST_F(KeepLayers, WalksWithoutLeapingAndInParallel)
 {
   this->Key.View = LookAt(Dimensions, { 1.0, 0.2, 0.7 }, { 60, 50 }, true);
   this->Walk(3);
   this->Options.SpaceLeaping = false;
   this->Key.Isosurfaces.Mode = SurfaceMode::Threshold;
   this->Walk(4);
-  this->ExpectMerged(10);
+  this->ExpectKept(10);
 }
 
-TEST_F(MergeLayers, WalksFromWithinAndWithFineAndCoarsePixels)
+TEST_F(KeepLayers, WalksFromWithinAndWithFineAndCoarsePixels)
 {
   for (const int size : { 11, 190 })
   {
@@ -125,10 +125,10 @@ TEST_F(MergeLayers, WalksFromWithinAndWithFineAndCoarsePixels)
   this->LookFromWithin();
   this->Key.Isosurfaces.Mode = SurfaceMode::Threshold;
   this->Walk(6, 12);
-  this->ExpectMerged(8);
+  this->ExpectKept(8);
 }
 
-TEST_F(MergeLayers, WalksInRegions)
+TEST_F(KeepLayers, WalksInRegions)
 {
   this->CutIntoPieces();
   for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
@@ -136,10 +136,10 @@ TEST_F(MergeLayers, WalksInRegions)
     this->Key.Isosurfaces.Mode = mode;
     this->Walk(7);
   }
-  this->ExpectMerged(8);
+  this->ExpectKept(8);
 }
 
-TEST_F(MergeLayers, WalksAmongHiddenCells)
+TEST_F(KeepLayers, WalksAmongHiddenCells)
 {
   this->HideSomeCells();
   for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
@@ -147,10 +147,10 @@ TEST_F(MergeLayers, WalksAmongHiddenCells)
     this->Key.Isosurfaces.Mode = mode;
     this->Walk(8);
   }
-  this->ExpectMerged(8);
+  this->ExpectKept(8);
 }
 
-TEST_F(MergeLayers, WalksInOtherKindsOfFields)
+TEST_F(KeepLayers, WalksInOtherKindsOfFields)
 {
   for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
   {
@@ -167,21 +167,21 @@ TEST_F(MergeLayers, WalksInOtherKindsOfFields)
   this->Key.Samples = holes.Field;
   this->Key.Samples.Stamp = 9;
   this->Walk(11, 10);
-  this->ExpectMerged(16);
+  this->ExpectKept(16);
   this->Renderer.Release(); // the samples go
 }
 
 /// As an isomap is there, look-ups make frames, too.
-TEST_F(MergeLayers, WalksWithAnIsomap)
+TEST_F(KeepLayers, WalksWithAnIsomap)
 {
   this->Options.Reuse.Isomap = true;
   this->Walk(12);
   this->Walk(13);
-  this->ExpectMerged(6);
+  this->ExpectKept(6);
 }
 
 /// Pictures that the paper's image cache starts from.
-TEST_F(MergeLayers, WalksWithWhatOtherViewsNeed)
+TEST_F(KeepLayers, WalksWithWhatOtherViewsNeed)
 {
   this->Options.Accuracy = ReuseAccuracy::Paper;
   this->Options.Reuse.RefineWhenStill = true;
@@ -189,11 +189,11 @@ TEST_F(MergeLayers, WalksWithWhatOtherViewsNeed)
   const Frame cold = this->Cold();
   EXPECT_TRUE(IsSamePlane(cold.Disparities, this->Renderer.LastFrame().Disparities));
   EXPECT_FALSE(cold.Disparities.empty());
-  this->ExpectMerged(3);
+  this->ExpectKept(3);
 }
 
 /// More layers of a ray than one pass finds.
-TEST_F(MergeLayers, ManyLayersOfARay)
+TEST_F(KeepLayers, ManyLayersOfARay)
 {
   Grid<float> plates(Dimensions);
   plates.Fill([](int i, int j, int k) { return (i % 2 ? 50.0 : -50.0) + 0.3 * j + 0.1 * k; });
@@ -205,19 +205,19 @@ TEST_F(MergeLayers, ManyLayersOfARay)
   for (const double opacity : { 0.05, 0.01, 0.2 })
   {
     this->SetIsovalues({ -20.0, 100.0 * opacity, 20.0 }, opacity);
-    this->Render("one of three", Route::MergeLayers);
+    this->Render("one of three", Route::KeepLayers);
     this->Key.Isosurfaces.ByGradient.Nodes = { { 0.0, 0.0 }, { 60.0, 0.5 } };
     this->SetIsovalues({ -25.0 - opacity, 100.0 * opacity, 20.0 }, opacity);
-    this->Render("by gradient", Route::MergeLayers);
+    this->Render("by gradient", Route::KeepLayers);
     this->Key.Isosurfaces.ByGradient.Nodes.clear();
     this->SetIsovalues({ -20.0, 100.0 * opacity, 20.0 }, 0.03);
-    this->Render("more light", Route::MergeLayers);
+    this->Render("more light", Route::KeepLayers);
   }
   this->Renderer.Release(); // the samples go
 }
 
 /// Tiles that show nothing begin to, and the other way round.
-TEST_F(MergeLayers, SurfacesLeaveAndEnterTiles)
+TEST_F(KeepLayers, SurfacesLeaveAndEnterTiles)
 {
   Grid<float> ball(Dimensions);
   ball.Fill(
@@ -228,23 +228,23 @@ TEST_F(MergeLayers, SurfacesLeaveAndEnterTiles)
   for (const double isovalue : { 9.0, 12.0, 4.0, 0.5, 20.0, 8.0 })
   {
     this->SetIsovalues({ 10.5, isovalue }, 0.5);
-    this->Render("another ball", Route::MergeLayers);
+    this->Render("another ball", Route::KeepLayers);
     this->SetOpacity(0.3);
     this->Render("and another opacity", Route::Recomposite);
     this->ExpectNothingTraced("all layers were found");
   }
   this->SetIsovalues({ 30.0, 8.0 }, 0.5);
-  this->Render("a surface that is nowhere", Route::MergeLayers);
+  this->Render("a surface that is nowhere", Route::KeepLayers);
   this->SetIsovalues({ 30.0, 40.0 }, 0.5);
-  this->Render("two of them", Route::MergeLayers);
+  this->Render("two of them", Route::KeepLayers);
   this->SetIsovalues({ 30.0, 8.0 }, 0.5);
-  this->Render("back again", Route::MergeLayers);
+  this->Render("back again", Route::KeepLayers);
   this->Renderer.Release(); // the samples go
 }
 
 /// However long a drag takes: what is searched is the dragged surface alone, and what is kept is
 /// what is seen.
-TEST_F(MergeLayers, NothingOfKeptSurfacesIsTraced)
+TEST_F(KeepLayers, NothingOfKeptSurfacesIsTraced)
 {
   this->Key.View = LookAt(Dimensions, { 1.0, 2.0, 0.7 }, { 45, 37 });
   this->SetIsovalues({ 40.0, -30.0 }, 0.15);
@@ -253,7 +253,7 @@ TEST_F(MergeLayers, NothingOfKeptSurfacesIsTraced)
   {
     const double dragged = 41.0 + 0.4 * step;
     this->SetIsovalues({ dragged, -30.0 }, 0.15);
-    this->Render("step " + std::to_string(step), Route::MergeLayers);
+    this->Render("step " + std::to_string(step), Route::KeepLayers);
     EXPECT_EQ(this->CountBehind(), 0u);
     if (step % 20 == 0)
     {
@@ -270,23 +270,23 @@ TEST_F(MergeLayers, NothingOfKeptSurfacesIsTraced)
   }
 }
 
-TEST_F(MergeLayers, FewerIsovaluesAndAnotherOrderTraceNothing)
+TEST_F(KeepLayers, FewerIsovaluesAndAnotherOrderTraceNothing)
 {
   this->SetIsovalues({ 40.0, -30.0, 10.0 }, 0.15);
   this->Render("first", Route::Cold);
   this->SetIsovalues({ 10.0, 40.0, -30.0 }, 0.15);
-  this->Render("another order", Route::MergeLayers);
+  this->Render("another order", Route::KeepLayers);
   this->ExpectNothingTraced("another order");
   this->SetIsovalues({ -30.0, 40.0 }, 0.2);
-  this->Render("fewer", Route::MergeLayers);
+  this->Render("fewer", Route::KeepLayers);
   this->ExpectNothingTraced("fewer");
   this->SetIsovalues({ 40.0 }, 0.15);
-  this->Render("one", Route::MergeLayers);
+  this->Render("one", Route::KeepLayers);
   this->ExpectNothingTraced("one");
 }
 
 /// Only rays that an opaque surface ended go on, if it goes.
-TEST_F(MergeLayers, LightFallsBehindASurfaceThatGoes)
+TEST_F(KeepLayers, LightFallsBehindASurfaceThatGoes)
 {
   this->SetIsovalues({ 40.0, -30.0 }, 0.15);
   this->Key.Isosurfaces.Opacities[1] = 1.0;
@@ -299,23 +299,23 @@ TEST_F(MergeLayers, LightFallsBehindASurfaceThatGoes)
   }
   ASSERT_GT(ended, 1000);
   this->SetIsovalues({ 40.0 }, 0.15);
-  this->Render("without it", Route::MergeLayers);
+  this->Render("without it", Route::KeepLayers);
   EXPECT_EQ(this->Statistics().TracedRays, ended);
   this->SetIsovalues({ 40.0, 10.0 }, 0.15);
-  this->Render("another one", Route::MergeLayers);
+  this->Render("another one", Route::KeepLayers);
   this->SetOpacity(0.1);
   this->Render("more light", Route::Recomposite);
   this->ExpectNothingTraced("all layers are known again");
 }
 
 /// Behind an opaque surface that stays, the others are not searched.
-TEST_F(MergeLayers, NothingIsSearchedInTheDark)
+TEST_F(KeepLayers, NothingIsSearchedInTheDark)
 {
   this->SetIsovalues({ 40.0, -30.0 }, 0.15);
   this->Key.Isosurfaces.Opacities[1] = 1.0;
   this->Render("first", Route::Cold);
   this->Key.Isosurfaces.Isovalues[0] = 20.0;
-  this->Render("before and behind", Route::MergeLayers);
+  this->Render("before and behind", Route::KeepLayers);
   const FrameStatistics made = this->Statistics();
   this->SetIsovalues({ 20.0 }, 0.15);
   FrameStatistics alone;
@@ -325,22 +325,22 @@ TEST_F(MergeLayers, NothingIsSearchedInTheDark)
 }
 
 /// Also where the moved surface has become opaque at the same time.
-TEST_F(MergeLayers, WhatBecomesDarkIsForgotten)
+TEST_F(KeepLayers, WhatBecomesDarkIsForgotten)
 {
   this->SetIsovalues({ 40.0, -30.0 }, 0.15);
   this->Render("first", Route::Cold);
   this->Key.Isosurfaces.Isovalues[0] = 20.0;
   this->Key.Isosurfaces.Opacities[0] = 1.0;
-  this->Render("opaque", Route::MergeLayers);
+  this->Render("opaque", Route::KeepLayers);
   EXPECT_EQ(this->CountBehind(), 0u);
   this->SetOpacity(0.15);
   this->Render("more light", Route::Recomposite);
   EXPECT_GT(this->Statistics().TracedRays, 1000);
   this->Key.Isosurfaces.Isovalues[1] = -20.0;
-  this->Render("the other one", Route::MergeLayers);
+  this->Render("the other one", Route::KeepLayers);
 }
 
-TEST_F(MergeLayers, IsTheSameForAnyNumberOfThreads)
+TEST_F(KeepLayers, IsTheSameForAnyNumberOfThreads)
 {
   const std::string backend = vtkSMPTools::GetBackend();
   vtkSMPTools::SetBackend("STDThread");
@@ -351,14 +351,14 @@ TEST_F(MergeLayers, IsTheSameForAnyNumberOfThreads)
     this->SetIsovalues({ 40.0, -30.0 }, 0.3);
     this->Render("first", Route::Cold);
     this->Key.Isosurfaces.Isovalues[1] = -35.0;
-    this->Render("second", Route::MergeLayers);
+    this->Render("second", Route::KeepLayers);
   }
   vtkSMPTools::Initialize(0);
   vtkSMPTools::SetBackend(backend.c_str());
 }
 
 /// Wherever a frame is stopped, or memory is refused, the last one is whole, and so is the next.
-TEST_F(MergeLayers, AFrameThatFailsLeavesNoTrace)
+TEST_F(KeepLayers, AFrameThatFailsLeavesNoTrace)
 {
   this->SetIsovalues({ 40.0, -30.0 }, 0.9);
   this->Render("first", Route::Cold);
@@ -392,7 +392,7 @@ TEST_F(MergeLayers, AFrameThatFailsLeavesNoTrace)
     this->ExpectCold("with " + std::to_string(allowed) + " allocations");
   }
   EXPECT_GT(refused, 3);
-  EXPECT_EQ(this->Statistics().Made, Route::MergeLayers);
+  EXPECT_EQ(this->Statistics().Made, Route::KeepLayers);
   vtkSMPTools::SetBackend(backend.c_str());
 }
 

@@ -26,15 +26,16 @@ set(engine_files
   Trace/RaySource
   Trace/RegionClipper
   Trace/SurfaceTracer
+  Layers/KnownLayers
+  Layers/LayerMerge
+  Layers/LimitedLayers
+  Layers/RecoloredLayers
   Shade/CapNormal
   Shade/HitGathering
   Shade/KernelsCells
   Shade/KernelsGradients
   Shade/KernelsRectilinear
   Shade/KernelsShading
-  Shade/KnownLayers
-  Shade/LayerMerge
-  Shade/LimitedLayers
   Shade/RectilinearGradients
   Shade/Shader
   Shade/SurfaceNormal

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Layers/LayerMerge.h"
 #include "Render/RouteSteps.h"
-#include "Shade/LayerMerge.h"
 #include "Shade/TileCompositor.h"
 #include "Trace/RayHint.h"
 

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Render/LayerLimit.h"
 
+#include "Layers/LimitedLayers.h"
 #include "Scene/Parallel.h"
 #include "Scene/RayBatch.h"
 #include "Scene/Tiles.h"
-#include "Shade/LimitedLayers.h"
 
 namespace TemporalCoherence
 {

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shade/TileCompositor.h"
 
-#include "Shade/LayerCanvas.h"
+#include "Layers/LayerCanvas.h"
+#include "Layers/RecoloredLayers.h"
 #include "Trace/RayPieces.h"
 
 #include <algorithm>

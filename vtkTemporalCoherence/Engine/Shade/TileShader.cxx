@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shade/TileShader.h"
 
+#include "Layers/LimitedLayers.h"
 #include "Scene/TileTimer.h"
-#include "Shade/LimitedLayers.h"
 
 namespace TemporalCoherence
 {

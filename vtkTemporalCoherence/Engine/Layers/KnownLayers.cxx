@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Shade/KnownLayers.h"
+#include "Layers/KnownLayers.h"
 
 #include "Scene/LayerBatch.h"
 

@@ -5,7 +5,7 @@
 // up to the limit; of more, every second, fourth, eighth. Each has the colour of all in front of
 // the next one that is kept.
 
-#include "Shade/LimitedLayers.h"
+#include "Layers/RecoloredLayers.h"
 
 #include <gtest/gtest.h>
 
@@ -31,13 +31,13 @@ LayerHit LayerAt(std::size_t place, std::size_t number)
 {
   LayerHit hit{ static_cast<double>(number), PixelAt(place), static_cast<std::int16_t>(number % 3),
     HitKind::Entry };
-  hit.Color = { static_cast<std::uint8_t>(number & 255), static_cast<std::uint8_t>(number >> 8) };
+  hit.Color.Values = { static_cast<std::uint16_t>(number) };
   return hit;
 }
 
 std::size_t NumberIn(const LayerHit& hit)
 {
-  return hit.Color[0] + (static_cast<std::size_t>(hit.Color[1]) << 8);
+  return hit.Color.Values[0];
 }
 
 /// Keep layers of pixels, round by round.
@@ -243,7 +243,8 @@ TEST(LimitedLayersTest, ColoursAreFoundAnew)
       const bool isFirst = limit > 1 && layers[i].Depth == 0.0 && counts[place] <= 2;
       if ((merged >> place & 1u) && !isFirst)
       {
-        EXPECT_EQ(layers[i].Color, before[i].Color) << counts[place] << " layers, limit " << limit;
+        EXPECT_EQ(layers[i].Color.Values, before[i].Color.Values)
+          << counts[place] << " layers, limit " << limit;
       }
     }
   }

@@ -26,14 +26,16 @@ set(engine_files
   Trace/RaySource
   Trace/RegionClipper
   Trace/SurfaceTracer
+  Layers/KnownLayers
+  Layers/LayerMerge
+  Layers/LimitedLayers
+  Layers/RecoloredLayers
   Shade/CapNormal
   Shade/HitGathering
   Shade/KernelsCells
   Shade/KernelsGradients
   Shade/KernelsRectilinear
   Shade/KernelsShading
-  Shade/KnownLayers
-  Shade/LayerMerge
   Shade/RectilinearGradients
   Shade/Shader
   Shade/SurfaceNormal
@@ -80,6 +82,7 @@ set(engine_files
   Render/FrameStructures
   Render/IsomapRoute
   Render/KeepRoute
+  Render/LayerLimit
   Render/LineTracer
   Render/ReusePlan
   Render/Routes

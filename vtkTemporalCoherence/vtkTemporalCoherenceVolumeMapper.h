@@ -274,6 +274,7 @@ public:
   vtkIdType GetNumberOfTracedRays();
   vtkIdType GetNumberOfFieldSamples();
   vtkIdType GetNumberOfLayers();
+  vtkIdType GetNumberOfMergedLayers();
   vtkIdType GetIsomapMemory();
   vtkIdType GetNumberOfIsomapKnots();
   double GetFrameTime();

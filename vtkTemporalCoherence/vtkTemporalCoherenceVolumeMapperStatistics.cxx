@@ -66,6 +66,12 @@ vtkIdType vtkTemporalCoherenceVolumeMapper::GetNumberOfLayers()
 }
 
 //------------------------------------------------------------------------------
+vtkIdType vtkTemporalCoherenceVolumeMapper::GetNumberOfMergedLayers()
+{
+  return this->Internal->Frames.Statistics().MergedLayers;
+}
+
+//------------------------------------------------------------------------------
 vtkIdType vtkTemporalCoherenceVolumeMapper::GetIsomapMemory()
 {
   return static_cast<vtkIdType>(this->Internal->Frames.LastIsomap().MemoryInBytes());

@@ -24,7 +24,7 @@ inline bool ShowTheSame(const TemporalCoherence::Frame& a, const TemporalCoheren
     IsSamePlane(a.Colors, b.Colors);
 }
 
-/// True if two frames have the same layers, in the same order.
+/// True if two frames keep the same layers, in the same order.
 inline bool HaveTheSameLayers(const TemporalCoherence::Frame& a, const TemporalCoherence::Frame& b)
 {
   using TemporalCoherence::LayerHit;
@@ -33,9 +33,16 @@ inline bool HaveTheSameLayers(const TemporalCoherence::Frame& a, const TemporalC
     return x.Depth == y.Depth && x.Pixel == y.Pixel && x.Isovalue == y.Isovalue &&
       x.Kind == y.Kind && x.Color == y.Color;
   };
-  return std::equal(a.Layers.begin(), a.Layers.end(), b.Layers.begin(), b.Layers.end(),
-    [&](const std::vector<LayerHit>& x, const std::vector<LayerHit>& y)
-    { return std::equal(x.begin(), x.end(), y.begin(), y.end(), isSameHit); });
+  using TemporalCoherence::LayersBehind;
+  const auto areMergedAlike = [](const LayersBehind& x, const LayersBehind& y)
+  { return x.Merged == y.Merged; };
+  return a.LayersOfPixel == b.LayersOfPixel &&
+    (a.Layers.empty() ||
+      std::equal(
+        a.Behind.begin(), a.Behind.end(), b.Behind.begin(), b.Behind.end(), areMergedAlike)) &&
+    std::equal(a.Layers.begin(), a.Layers.end(), b.Layers.begin(), b.Layers.end(),
+      [&](const std::vector<LayerHit>& x, const std::vector<LayerHit>& y)
+      { return std::equal(x.begin(), x.end(), y.begin(), y.end(), isSameHit); });
 }
 
 #endif

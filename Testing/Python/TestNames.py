@@ -48,8 +48,8 @@ NUMBERS = {
 STATISTICS = (
     "Route", "NumberOfRays", "NumberOfDefiniteHits", "NumberOfDefiniteMisses",
     "NumberOfPossibleHits", "NumberOfTracedRays", "NumberOfFieldSamples", "NumberOfLayers",
-    "IsomapMemory", "NumberOfIsomapKnots", "FrameTime", "TraceTime", "QueryTime",
-    "IsomapBuildTime", "ShadeTime", "PresentTime",
+    "NumberOfMergedLayers", "IsomapMemory", "NumberOfIsomapKnots", "FrameTime", "TraceTime",
+    "QueryTime", "IsomapBuildTime", "ShadeTime", "PresentTime",
 )
 ACTIONS = (
     "BuildIsomap", "GetLastFrame", "GetVisibleSurface", "IntersectWithLine", "PickPixel",

@@ -137,6 +137,36 @@ void TestGrids()
   }
 }
 
+/// More layers in a pixel than are kept: all of them are drawn, by every route.
+void TestHaze()
+{
+  for (const bool threshold : { false, true })
+  {
+    vtkSmartPointer<vtkImageData> image = Volumes::Noise(25, VTK_SHORT, 0.0, 100.0);
+    const std::vector<double> isovalues{ 22.5, 34.5, 46.5, 58.5, 70.5, 82.5 };
+    Scene scene(image, isovalues);
+    scene.Volume->GetProperty()->ShadeOff();
+    scene.Mapper->SetSurfaceMode(threshold);
+    scene.LookFrom(0.9, 0.7, 0.4);
+    const auto expect = [&](double opacity, const std::string& route)
+    {
+      SetColors(scene, { { 22.5, 0.1, 0.3, 0.9, opacity }, { 82.5, 0.9, 0.5, 0.1, opacity } });
+      const std::string name =
+        "haze of opacity " + std::to_string(opacity) + (threshold ? ", THRESHOLD" : ", CROSSING");
+      ExpectComposite(name, scene, Compositor(scene, image.Get()), 40, 30);
+      Expect(IsRoute(scene, route.c_str()), name + ": by " + scene.Mapper->GetRouteAsString());
+    };
+    expect(0.05, "Cold");
+    expect(0.01, "Recomposite");
+    Expect(scene.Mapper->GetNumberOfMergedLayers() > scene.Mapper->GetNumberOfLayers() / 10,
+      "many layers are merged");
+    expect(0.05, "Recomposite");
+    scene.Volume->GetProperty()->GetRGBTransferFunction()->AddRGBPoint(46.5, 0.1, 0.9, 0.4);
+    ExpectComposite("haze in other colours", scene, Compositor(scene, image.Get()), 40, 30);
+    Expect(IsRoute(scene, "Reshade"), "only colours changed");
+  }
+}
+
 /// Opacity by gradient magnitude; what cannot be seen is not picked.
 void TestGradientOpacity()
 {
@@ -247,6 +277,7 @@ int TestTranslucent(int, char*[])
   TestWavelet();
   TestFields();
   TestGrids();
+  TestHaze();
   TestGradientOpacity();
   TestRoutes();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -111,7 +111,7 @@ TEST_F(KernelsShortcuts, RoundsOfLayers)
 {
   const auto clampToOne = [](float value) { return value > 0.0f ? std::min(value, 1.0f) : 0.0f; };
   const auto rounded = [&](float value)
-  { return static_cast<std::uint8_t>(clampToOne(value) * 255.0f + 0.5f); };
+  { return static_cast<std::uint16_t>(clampToOne(value) * 65280.0f + 128.0f); };
   constexpr std::uint64_t rounds[] = { ~std::uint64_t(0), 0x00FF00FF12345678, 1,
     std::uint64_t(1) << 63, 0xFFFF000000000000, ~std::uint64_t(0) };
   this->ForEachTarget(
@@ -120,8 +120,8 @@ TEST_F(KernelsShortcuts, RoundsOfLayers)
       std::mt19937 engine(3);
       std::uniform_real_distribution<float> share(0.0f, 1.0f), color(-0.2f, 1.3f);
       CompositedPixels pixels;
-      pixels.Color = {};
-      pixels.Rounded.fill({});
+      pixels.Sum = {};
+      pixels.Colors.fill({});
       pixels.Passed.fill(1.0f);
       pixels.Passing = ~std::uint64_t(0);
       CompositedPixels expected = pixels;
@@ -137,7 +137,7 @@ TEST_F(KernelsShortcuts, RoundsOfLayers)
           for (std::size_t c = 0; c < 3; ++c)
           {
             round.Color[c][i] = i % 5 == 0 ? std::numeric_limits<float>::infinity() : color(engine);
-            expected.Color[c][i] += passed * round.Alpha[i] * clampToOne(round.Color[c][i]);
+            expected.Sum[c][i] += passed * round.Alpha[i] * clampToOne(round.Color[c][i]);
           }
           passed = PassedBehind(passed, round.Alpha[i]);
           if (passed == 0.0f)
@@ -146,8 +146,8 @@ TEST_F(KernelsShortcuts, RoundsOfLayers)
           }
           if (isThere)
           {
-            expected.Rounded[i] = { rounded(expected.Color[0][i]), rounded(expected.Color[1][i]),
-              rounded(expected.Color[2][i]), rounded(1.0f - passed) };
+            expected.Colors[i].Values = { rounded(expected.Sum[0][i]), rounded(expected.Sum[1][i]),
+              rounded(expected.Sum[2][i]), rounded(1.0f - passed) };
           }
         }
         CompositeRound(round, pixels);
@@ -155,15 +155,14 @@ TEST_F(KernelsShortcuts, RoundsOfLayers)
         {
           if (which >> i & 1u)
           {
-            EXPECT_EQ(pixels.Rounded[i], expected.Rounded[i]) << target << ", pixel " << i;
+            EXPECT_EQ(pixels.Colors[i], expected.Colors[i]) << target << ", pixel " << i;
           }
         }
         EXPECT_TRUE(AreIdentical(pixels.Passed, expected.Passed, RayBatch::Capacity)) << target;
         EXPECT_EQ(pixels.Passing, expected.Passing) << target;
         for (std::size_t c = 0; c < 3; ++c)
         {
-          EXPECT_TRUE(AreIdentical(pixels.Color[c], expected.Color[c], RayBatch::Capacity))
-            << target;
+          EXPECT_TRUE(AreIdentical(pixels.Sum[c], expected.Sum[c], RayBatch::Capacity)) << target;
         }
       }
     });

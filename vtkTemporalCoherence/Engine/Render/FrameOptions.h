@@ -6,6 +6,7 @@
 #include "ImageCache/ImageCache.h"
 #include "ImageCache/ImageQuery.h"
 #include "Isomap/Isomap.h"
+#include "Render/LayerLimit.h"
 #include "Render/ReusePlan.h"
 
 namespace TemporalCoherence
@@ -21,6 +22,7 @@ struct FrameOptions
     false; ///< colour PAPER's definite hits from the cached image, without shading
   ImageCache::Options Images;
   Isomap::Options Map;
+  LayerOptions Layers;
   bool ReportsTiles = false; ///< trace tiles in parts, with a progress report before each part
 };
 

@@ -22,6 +22,7 @@ struct FrameStatistics
   std::int64_t TracedRays = 0;
   std::int64_t FieldSamples = 0;  ///< samples read to find surfaces and to build an isomap
   std::int64_t Layers = 0;        ///< surfaces that were composited, if some are translucent
+  std::int64_t MergedLayers = 0;  ///< of these, those that share what is kept with one before them
   std::int64_t TilesLookedUp = 0; ///< in bands of an isomap that were there before
   std::int64_t TilesBuilt = 0;    ///< looked up in bands that were built for this frame
   std::int64_t TilesTraced = 0;   ///< on the routes of an isomap
@@ -41,6 +42,7 @@ struct FrameStatistics
     this->TracedRays += counts.TracedRays;
     this->FieldSamples += 8 * counts.CellsRead;
     this->Layers += counts.Layers;
+    this->MergedLayers += counts.MergedLayers;
     const auto shareOf = [](std::int64_t time, std::int64_t total)
     { return total > 0 ? static_cast<double>(time) / static_cast<double>(total) : 0.0; };
     const double build = shareOf(counts.BuildTime, counts.GroupTime) * seconds;

@@ -58,7 +58,15 @@ void FrameStore::Finish(const ImageCache::Options& options)
   std::swap(this->Front, this->Back);
   if (this->Images.Holds(this->Back))
   {
+    // Other views begin with the planes of a cached image, never with its layers.
+    std::vector<std::vector<LayerHit>> layers = std::move(this->Back->Picture.Layers);
+    this->Back->Picture.Layers = {};
+    this->Back->Picture.Behind = {};
     this->Back = dropped;
+    if (this->Back)
+    {
+      this->Back->Picture.Layers = std::move(layers);
+    }
   }
 }
 

@@ -23,8 +23,9 @@ constexpr std::int64_t FewRays = 256;
 /// Trace the rays that an isomap leaves unresolved, one bit each, tile by tile, and shade these
 /// tiles.
 /// \param leaps the active cells of the frame are prepared
+/// \param limit takes these tiles
 bool TraceUnresolvedRays(FrameTask& task, const std::vector<std::uint64_t>& unresolved, bool leaps,
-  const TileShader& shader, const ReportProgress& report)
+  const TileShader& shader, const ReportProgress& report, LayerLimit& limit)
 {
   const std::int64_t rays = std::accumulate(unresolved.begin(), unresolved.end(), std::int64_t(0),
     [](std::int64_t sum, std::uint64_t tile)
@@ -48,6 +49,7 @@ bool TraceUnresolvedRays(FrameTask& task, const std::vector<std::uint64_t>& unre
       {
         counts = tracer.TraceSome(tile, part, which, frame);
         shader.Shade(tile, part, nullptr, frame, counts);
+        limit.Take(tile, frame);
       }
       return counts;
     });
@@ -58,10 +60,11 @@ class IsomapTiles
 {
 public:
   IsomapTiles(FrameTask& task, const LeapedSpace& space, const Isomap& map, FrameBands& bands,
-    std::vector<std::uint64_t>& unresolved)
+    std::vector<std::uint64_t>& unresolved, LayerLimit& limit)
     : Task(task)
     , Bands(bands)
     , Unresolved(unresolved)
+    , Limit(limit)
     , Lookup(task.Key, map, task.Structures.Pyramid().FiniteRange())
     , Passages(task.Key, this->Lookup, task.Structures.Pyramid().FiniteRange(), space)
     , HasPassages(map.Form().HasPassages)
@@ -103,6 +106,7 @@ private:
         if (left == 0)
         {
           (isFound ? this->Shader : this->ShaderOfTraced).Shade(tile, part, &found, frame, ofTile);
+          this->Limit.Take(tile, frame);
         }
         return ofTile;
       });
@@ -111,6 +115,7 @@ private:
   FrameTask& Task;
   FrameBands& Bands;
   std::vector<std::uint64_t>& Unresolved;
+  LayerLimit& Limit;
   IsomapLookup Lookup;
   PassageLookup Passages;
   bool HasPassages;
@@ -172,21 +177,23 @@ bool LookUp(
     map.ToBuild(), map.Drag());
   MakeBuilders(task, bands);
   unresolved.resize(static_cast<std::size_t>(NumberOfTiles(task.Key.View.Size)));
-  IsomapTiles tiles(task, space, map.Built(), bands, unresolved);
+  CachedImage& made = task.Store.Next();
+  LayerLimit limit(task.Options.Layers, made.Picture);
+  IsomapTiles tiles(task, space, map.Built(), bands, unresolved, limit);
   const bool isDone = tiles.MakeAll(PartOf(task.Report, 0.0, 0.5)) &&
     TraceUnresolvedRays(
-      task, unresolved, leaps, tiles.ShaderOfLookUps(), PartOf(task.Report, 0.5, 1.0));
+      task, unresolved, leaps, tiles.ShaderOfLookUps(), PartOf(task.Report, 0.5, 1.0), limit);
   if (!isDone)
   {
     return false;
   }
+  limit.Finish(made.Picture, task.Statistics);
   bands.Finish();
   if (bands.HasFailed())
   {
     map.GiveUp();
   }
   CountTiles(bands, task.Key.View.Size, task.Statistics);
-  CachedImage& made = task.Store.Next();
   const bool isOfMap = bands.NumberOf(GroupWork::Trace) < map.Built().Size();
   made.IsExact = !isOfMap || !(map.Built().Tolerance() > 0.0 || map.Built().Form().HasNormals);
   return true;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Layers/LayerMerge.h"
 #include "Render/RouteSteps.h"
-#include "Shade/LayerMerge.h"
 #include "Shade/TileCompositor.h"
 #include "Trace/RayHint.h"
 
@@ -237,7 +237,7 @@ bool KeepKnownLayers(FrameTask& task)
     { ofNew, spaceOfNew.Active, spaceOfNew.Bounds, ranges.FiniteRange(), nullptr, &ranges }, change,
     last.Picture };
   const MergedTiles tiles(scene);
-  return WorkOnTiles(task, task.Report,
+  return MakeTiles(task,
     [&](std::int64_t tile, const PixelRect& part, Frame& frame)
     { return tiles.Make(tile, part, frame); });
 }

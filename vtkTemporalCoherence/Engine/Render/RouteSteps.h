@@ -71,6 +71,26 @@ bool WorkOnTiles(FrameTask& task, const ReportProgress& report, const Work& work
     });
 }
 
+/// Call work(tile, part, frame) for all tiles of the frame, and limit the layers that are kept.
+template <typename Work>
+bool MakeTiles(FrameTask& task, const Work& work)
+{
+  Frame& made = task.Store.Next().Picture;
+  LayerLimit limit(task.Options.Layers, made);
+  const bool isDone = WorkOnTiles(task, task.Report,
+    [&](std::int64_t tile, const PixelRect& part, Frame& frame)
+    {
+      const TraceCounts counts = work(tile, part, frame);
+      limit.Take(tile, frame);
+      return counts;
+    });
+  if (isDone)
+  {
+    limit.Finish(made, task.Statistics);
+  }
+  return isDone;
+}
+
 }
 
 #endif

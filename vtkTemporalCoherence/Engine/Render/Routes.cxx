@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -27,10 +28,11 @@ bool TraceTiles(FrameTask& task, const LeapedSpace& space, const RayHint* hint,
   const Frame& last = task.Store.Last().Picture;
   const TileTracer tracer(SceneOf(task, space, hint));
   const TileShader shader(task.Key, task.Structures.Pyramid().FiniteRange(), space, shaded, shaded);
-  return WorkOnTiles(task, task.Report,
+  const LayerOptions& layers = task.Options.Layers;
+  return MakeTiles(task,
     [&](std::int64_t tile, const PixelRect& part, Frame& frame)
     {
-      if (changes && changes->CanCopy(tile))
+      if (changes && changes->CanCopy(tile) && KeepsAllLayers(tile, last, layers))
       {
         return CopyTile(tile, part, last, task.Key.View.Parallel, frame);
       }
@@ -79,6 +81,24 @@ bool HasColorsFor(const CachedImage& cached, const FrameKey& next)
 
 }
 
+namespace
+{
+
+/// Where rays can meet surfaces, if a picture has merged layers. These are traced again.
+LeapedSpace SpaceOfMerged(FrameTask& task, const Frame& picture)
+{
+  const bool leaps = task.Options.SpaceLeaping &&
+    std::any_of(picture.Behind.begin(), picture.Behind.end(),
+      [](const LayersBehind& tile) { return tile.Merged != 0; });
+  if (leaps)
+  {
+    task.Structures.PrepareActiveCells(task.Key);
+  }
+  return task.Structures.SpaceToLeap(leaps);
+}
+
+}
+
 void ShowAgain(FrameTask& task)
 {
   CountKnownHits(task, task.Store.Last().Picture);
@@ -87,19 +107,30 @@ void ShowAgain(FrameTask& task)
 void ShadeAgain(FrameTask& task)
 {
   CachedImage& last = task.Store.LastToRecolor();
+  TraceCounts sum;
   {
     Stopwatch watch(task.Statistics.ShadeTime);
     FrameKey key = task.Key;
-    const TileShader shader(
-      task.Key, task.Structures.Pyramid().FiniteRange(), {}, HitSet::None, HitSet::All);
+    const TileShader shader(task.Key, task.Structures.Pyramid().FiniteRange(),
+      SpaceOfMerged(task, last.Picture), HitSet::None, HitSet::All);
     std::swap(last.Key, key); // nothing from here on allocates
-    ParallelFor(NumberOfTiles(last.Picture.Size), TileGrain,
-      [&](std::int64_t tile)
+    std::mutex guard;
+    ParallelForRanges(NumberOfTiles(last.Picture.Size), TileGrain,
+      [&](std::int64_t begin, std::int64_t end)
       {
         TraceCounts counts;
-        shader.Shade(tile, PixelsOfTile(last.Picture.Size, tile), nullptr, last.Picture, counts);
+        for (std::int64_t tile = begin; tile < end; ++tile)
+        {
+          shader.Shade(tile, PixelsOfTile(last.Picture.Size, tile), nullptr, last.Picture, counts);
+        }
+        const std::lock_guard<std::mutex> lock(guard);
+        sum += counts;
       });
   }
+  task.Statistics.TracedRays = sum.TracedRays;
+  task.Statistics.FieldSamples = 8 * sum.CellsRead;
+  task.Statistics.Layers = sum.Layers;
+  task.Statistics.MergedLayers = sum.MergedLayers;
   CountKnownHits(task, task.Store.Last().Picture);
 }
 
@@ -157,7 +188,7 @@ bool CompositeKnownLayers(FrameTask& task)
   next.IsFromCache = last.IsFromCache;
   const TileShader shader(
     task.Key, task.Structures.Pyramid().FiniteRange(), space, HitSet::All, HitSet::All);
-  const bool isDone = WorkOnTiles(task, task.Report,
+  const bool isDone = MakeTiles(task,
     [&](std::int64_t tile, const PixelRect& part, Frame& frame)
     {
       TraceCounts counts;

@@ -64,18 +64,26 @@ struct LayerHit
   std::int32_t Pixel; ///< position in the planes
   std::int16_t Isovalue;
   HitKind Kind;
-  /// The composited colour of all layers up to this one. That of the last layer is the pixel's
-  /// colour.
+  /// The composited colour of all layers in front of the next one that is kept. That of the last
+  /// one kept is the pixel's colour.
   LayerColor Color{};
 };
 
-/// What is known about the layers of a tile behind those that are composited.
+/// How many layers of a pixel a frame keeps. Light that passes so many is either faint or meets a
+/// haze, in which no single layer can be told from the next one.
+constexpr std::size_t MostKeptLayers = 32;
+
+/// What is known about the layers of a tile besides those that are kept as they are composited.
 struct LayersBehind
 {
   /// Layers that no light reaches, those of a pixel from front to back. They have no colours.
   std::vector<LayerHit> Hits;
   /// One bit for each pixel of the tile, row by row: behind its last known layer there is none.
   std::uint64_t Ends = 0;
+  /// One bit for each pixel of the tile, row by row: it has more layers than are kept. Each of
+  /// those kept stands for itself and for all in front of the next one. What lies behind the first
+  /// one is not known.
+  std::uint64_t Merged = 0;
 };
 
 /// One value for each pixel.
@@ -109,13 +117,17 @@ struct Frame
   Plane<float> FirstEntries; ///< disparity at which the ray first entered an active cell
 
   /// If surfaces are translucent, all layers of each tile: round by round from front to back, and
-  /// by pixel within a round. Empty if surfaces are opaque. Colors holds the composite of all
-  /// layers; depth, normal and isovalue are those of the first.
+  /// by pixel within a round. Of a pixel with more than LayersOfPixel layers, every second one is
+  /// kept, or every fourth, and so on. Empty if surfaces are opaque. Colors holds the composite of
+  /// all layers; depth, normal and isovalue are those of the first.
   std::vector<std::vector<LayerHit>> Layers;
 
-  /// For each tile, what a picture with other opacities may need. Empty if nothing is known. It is
-  /// no part of the picture.
+  /// For each tile, which pixels have merged layers, and what a picture with other opacities may
+  /// need. The latter is no part of the picture. Empty if nothing is known.
   std::vector<LayersBehind> Behind;
+
+  /// The most layers that are kept of a pixel: a power of two.
+  std::size_t LayersOfPixel = MostKeptLayers;
 
   /// 1 for each tile whose planes are known to hold definite misses only. Such a tile is neither
   /// read nor written again.

@@ -19,10 +19,11 @@ struct TraceCounts
   std::int64_t PossibleHits = 0;
   std::int64_t TracedRays = 0;
   std::int64_t CellsRead = 0;
-  std::int64_t Layers = 0;    ///< surfaces that were composited, if some are translucent
-  std::int64_t QueryTime = 0; ///< nanoseconds to query a cached image, in tiles that were timed
-  std::int64_t ShadeTime = 0; ///< the same for shading
-  std::int64_t TileTime = 0;  ///< the same in total
+  std::int64_t Layers = 0;       ///< surfaces that were composited, if some are translucent
+  std::int64_t MergedLayers = 0; ///< of these, those that share what is kept with one before them
+  std::int64_t QueryTime = 0;    ///< nanoseconds to query a cached image, in tiles that were timed
+  std::int64_t ShadeTime = 0;    ///< the same for shading
+  std::int64_t TileTime = 0;     ///< the same in total
   std::int64_t BuildTime = 0; ///< nanoseconds to build bands of an isomap, in all groups of tiles
   std::int64_t GroupTime = 0; ///< the same in total
 
@@ -34,6 +35,7 @@ struct TraceCounts
     this->TracedRays += other.TracedRays;
     this->CellsRead += other.CellsRead;
     this->Layers += other.Layers;
+    this->MergedLayers += other.MergedLayers;
     this->QueryTime += other.QueryTime;
     this->ShadeTime += other.ShadeTime;
     this->TileTime += other.TileTime;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shade/TileCompositor.h"
 
+#include "Layers/RecoloredLayers.h"
 #include "Shade/LayerCanvas.h"
 #include "Trace/RayPieces.h"
 
@@ -26,6 +27,14 @@ void PrefetchLayers(const std::vector<LayerHit>& layers, std::size_t first)
   {
     hwy::Prefetch(&layers[i]);
   }
+}
+
+/// \param layers that are kept
+void CountLayers(
+  const LimitedLayers& kept, const std::vector<LayerHit>& layers, TraceCounts& counts)
+{
+  counts.Layers += kept.Total();
+  counts.MergedLayers += kept.Total() - static_cast<std::int64_t>(layers.size());
 }
 
 /// The pixels of the first of some layers that are kept round by round.
@@ -123,8 +132,8 @@ void TileCompositor::SetUp(
 void TileCompositor::Composite(std::int64_t tile, const PixelRect& part, TileHits* found,
   Frame& frame, TraceCounts& counts) const
 {
-  std::vector<LayerHit>& kept = frame.Layers[static_cast<std::size_t>(tile)];
-  kept.clear();
+  std::vector<LayerHit>& layers = frame.Layers[static_cast<std::size_t>(tile)];
+  LimitedLayers kept(frame.LayersOfPixel, layers);
   LayersBehind* behind =
     frame.Behind.empty() ? nullptr : &frame.Behind[static_cast<std::size_t>(tile)];
   if (behind)
@@ -133,6 +142,7 @@ void TileCompositor::Composite(std::int64_t tile, const PixelRect& part, TileHit
   }
   if (frame.ClearTiles[static_cast<std::size_t>(tile)])
   {
+    GiveBackMemory(layers);
     return;
   }
   TileHits fromPlanes;
@@ -149,19 +159,24 @@ void TileCompositor::Composite(std::int64_t tile, const PixelRect& part, TileHit
   }
   LayerCanvas canvas(part, frame);
   this->AddAll(*found, centres, canvas, kept, counts);
+  kept.Finish();
   if (behind)
   {
-    behind->Ends = canvas.Passing(); // else the search would have gone on
+    behind->Merged = kept.Merged();
+    behind->Ends = canvas.Passing() & ~kept.Merged(); // else the search would have gone on
   }
-  counts.Layers += static_cast<std::int64_t>(kept.size());
+  CountLayers(kept, layers, counts);
+  GiveBackMemory(layers);
   canvas.Finish();
-  this->Paint(kept, frame);
+  this->Paint(layers, frame);
 }
 
 /// Shade and composite the layers that were found, and find and add those behind them, until the
 /// pixels are opaque.
+/// \param kept takes the layers
+template <typename Keeper>
 void TileCompositor::AddAll(TileHits& found, const PixelCentres& centres, LayerCanvas& canvas,
-  std::vector<LayerHit>& kept, TraceCounts& counts) const
+  Keeper& kept, TraceCounts& counts) const
 {
   this->AddLayers(found, centres, canvas, kept);
   while (found.Layers.BeginNext(static_cast<std::size_t>(found.Rays.Count), canvas.Transmittance()))
@@ -175,34 +190,44 @@ void TileCompositor::AddAll(TileHits& found, const PixelCentres& centres, LayerC
 void TileCompositor::CompositeKnown(std::int64_t tile, const PixelRect& part,
   const KnownLayers& known, Frame& frame, TraceCounts& counts) const
 {
-  std::vector<LayerHit>& kept = frame.Layers[static_cast<std::size_t>(tile)];
+  std::vector<LayerHit>& layers = frame.Layers[static_cast<std::size_t>(tile)];
   LayersBehind& behind = frame.Behind[static_cast<std::size_t>(tile)];
-  kept.clear();
+  LimitedLayers kept(frame.LayersOfPixel, layers);
   behind.Hits.clear();
   PixelCentres centres;
   centres.Find(this->Key.View, part);
   LayerCanvas canvas(part, frame);
   this->AddKnown(known.Composited(), centres, canvas, kept, behind.Hits);
-  const std::size_t inOrder = kept.size();
+  const std::size_t inOrder = layers.size();
   this->AddKnown(known.Behind(), centres, canvas, kept, behind.Hits);
   const std::uint64_t open = canvas.Passing() & ~known.Ends();
   if (open != 0)
   {
-    this->AddUnknown(known, open, tile, part, centres, canvas, kept, counts);
+    const auto setLast = [&](LayerBatch& next)
+    {
+      known.ForEach([&](const LayerHit& hit)
+        { next.SetLast(canvas.PlaceOf(hit.Pixel), hit); }); // the last one in the end
+    };
+    this->AddUnknown(open, setLast, tile, part, centres, canvas, kept, counts);
   }
-  if (kept.size() > inOrder)
+  const bool isInOrder = layers.size() == inOrder;
+  kept.Finish();
+  if (!isInOrder)
   {
-    OrderByRounds(part, frame.Size.x, kept);
+    OrderByRounds(part, frame.Size.x, layers);
   }
-  behind.Ends = known.Ends() | canvas.Passing();
-  counts.Layers += static_cast<std::int64_t>(kept.size());
+  behind.Merged = kept.Merged();
+  behind.Ends = (known.Ends() | canvas.Passing()) & ~kept.Incomplete();
+  CountLayers(kept, layers, counts);
+  GiveBackMemory(layers);
+  GiveBackMemory(behind.Hits);
   canvas.Finish();
 }
 
 /// Shade known layers and composite them behind the present ones, and keep them. Those that no
 /// light reaches are kept elsewhere.
 void TileCompositor::AddKnown(const std::vector<LayerHit>& known, const PixelCentres& centres,
-  LayerCanvas& canvas, std::vector<LayerHit>& kept, std::vector<LayerHit>& behind) const
+  LayerCanvas& canvas, LimitedLayers& kept, std::vector<LayerHit>& behind) const
 {
   const RayBatch::Array<float>& transmittance = canvas.Transmittance();
   std::array<ShadedLayer, RayBatch::Capacity> shaded;
@@ -217,7 +242,7 @@ void TileCompositor::AddKnown(const std::vector<LayerHit>& known, const PixelCen
       const std::size_t place = canvas.PlaceOf(next->Pixel);
       if (transmittance[place] == 0.0f)
       {
-        behind.push_back(*next);
+        kept.KeepBehind(place, *next, behind);
         continue;
       }
       taken[list.Count] = *next;
@@ -233,23 +258,32 @@ void TileCompositor::AddKnown(const std::vector<LayerHit>& known, const PixelCen
     const std::uint64_t reached = canvas.Add(list);
     for (std::size_t i = 0; i < list.Count; ++i)
     {
-      ((reached >> i & 1u) != 0 ? kept : behind).push_back(taken[i]);
+      if ((reached >> i & 1u) != 0)
+      {
+        kept.Keep(list.Place[i], taken[i]);
+      }
+      else
+      {
+        kept.KeepBehind(list.Place[i], taken[i], behind);
+      }
     }
   }
 }
 
 /// Find the layers behind all known ones along some rays, one bit each, and add them.
-void TileCompositor::AddUnknown(const KnownLayers& known, std::uint64_t open, std::int64_t tile,
-  const PixelRect& part, const PixelCentres& centres, LayerCanvas& canvas,
-  std::vector<LayerHit>& kept, TraceCounts& counts) const
+/// \param setLast tells the last known layers of these rays
+/// \param kept    takes the layers
+template <typename Keeper, typename SetLast>
+void TileCompositor::AddUnknown(std::uint64_t open, const SetLast& setLast, std::int64_t tile,
+  const PixelRect& part, const PixelCentres& centres, LayerCanvas& canvas, Keeper& kept,
+  TraceCounts& counts) const
 {
   TileHits found;
   this->SetUpRays(tile, part, found);
   LayerBatch& layers = found.Layers;
   layers.BeginBehind(
     static_cast<std::size_t>(found.Rays.Count), this->Alphas, open, canvas.Transmittance());
-  known.ForEach([&](const LayerHit& hit)
-    { layers.SetLast(canvas.PlaceOf(hit.Pixel), hit); }); // the last one in the end
+  setLast(layers);
   FindLayersWithin(this->Rays.Clipper, *this->Tracer, found.Rays, layers);
   counts.TracedRays += static_cast<std::int64_t>(hwy::PopCount(open));
   counts.CellsRead += layers.CellsRead;
@@ -258,8 +292,9 @@ void TileCompositor::AddUnknown(const KnownLayers& known, std::uint64_t open, st
 
 /// Shade surfaces, composite them behind the present ones, and keep them: round by round, and by
 /// pixel within a round.
-void TileCompositor::AddLayers(const TileHits& found, const PixelCentres& centres,
-  LayerCanvas& canvas, std::vector<LayerHit>& kept) const
+template <typename Keeper>
+void TileCompositor::AddLayers(
+  const TileHits& found, const PixelCentres& centres, LayerCanvas& canvas, Keeper& kept) const
 {
   const LayerBatch& layers = found.Layers;
   LayerBatch::List<ShadedLayer> shaded;
@@ -294,7 +329,10 @@ void TileCompositor::AddLayers(const TileHits& found, const PixelCentres& centre
         list.Append(ray, hit, shaded[at]);
       });
     canvas.Add(list);
-    kept.insert(kept.end(), hits.begin(), hits.begin() + static_cast<std::ptrdiff_t>(list.Count));
+    for (std::size_t i = 0; i < list.Count; ++i)
+    {
+      kept.Keep(list.Place[i], hits[i]);
+    }
   }
 }
 
@@ -333,7 +371,8 @@ void TileCompositor::TakeHits(
   FillLastVector(count, hits.Rays.T);
 }
 
-void TileCompositor::CompositeAgain(std::int64_t tile, const PixelRect& part, Frame& frame) const
+void TileCompositor::CompositeAgain(
+  std::int64_t tile, const PixelRect& part, Frame& frame, TraceCounts& counts) const
 {
   std::vector<LayerHit>& layers = frame.Layers[static_cast<std::size_t>(tile)];
   if (frame.ClearTiles[static_cast<std::size_t>(tile)])
@@ -344,26 +383,48 @@ void TileCompositor::CompositeAgain(std::int64_t tile, const PixelRect& part, Fr
   PixelCentres centres;
   centres.Find(this->Key.View, part);
   LayerCanvas canvas(part, frame);
+  const std::uint64_t merged = frame.Behind[static_cast<std::size_t>(tile)].Merged;
+  std::uint64_t begun = 0; // pixels with merged layers, of which the first one is done
   std::array<ShadedLayer, RayBatch::Capacity> shaded;
-  for (std::size_t begin = 0; begin < layers.size(); begin += shaded.size())
+  for (std::size_t next = 0; next < layers.size();)
   {
-    const std::size_t end = std::min(begin + shaded.size(), layers.size());
     HitList hits;
     LayerList list;
-    hits.Rays.Count = 0;
-    for (std::size_t i = begin; i < end; ++i)
+    for (hits.Rays.Count = 0; next < layers.size() && list.Count < shaded.size(); ++next)
     {
-      const std::size_t place = canvas.PlaceOf(layers[i].Pixel);
-      list.Append(place, layers[i], shaded[i - begin]);
-      centres.Append(layers[i], place, hits);
+      const std::size_t place = canvas.PlaceOf(layers[next].Pixel);
+      const std::uint64_t bit = std::uint64_t(1) << place & merged;
+      if ((begun & bit) == 0)
+      {
+        begun |= bit;
+        list.Append(place, layers[next], shaded[list.Count]);
+        centres.Append(layers[next], place, hits);
+      }
     }
-    PrefetchLayers(layers, end);
+    PrefetchLayers(layers, next);
     FindHitRays(this->Key.View, hits);
     this->Shade(hits, shaded.data());
     canvas.Add(list);
+    counts.Layers += static_cast<std::int64_t>(list.Count);
+  }
+  if (merged != 0)
+  {
+    this->RecolorMerged(merged, tile, part, centres, canvas, frame, counts);
   }
   canvas.Finish();
   this->Paint(layers, frame);
+}
+
+/// Find the layers behind the first one of pixels with merged layers again, and composite them.
+void TileCompositor::RecolorMerged(std::uint64_t merged, std::int64_t tile, const PixelRect& part,
+  const PixelCentres& centres, LayerCanvas& canvas, Frame& frame, TraceCounts& counts) const
+{
+  RecoloredLayers kept(part, frame.Size.x, merged, frame.Layers[static_cast<std::size_t>(tile)]);
+  const auto setLast = [&](LayerBatch& next)
+  { ForEachRay(merged, [&](std::size_t ray) { next.SetLast(ray, kept.FirstOf(ray)); }); };
+  this->AddUnknown(merged, setLast, tile, part, centres, canvas, kept, counts);
+  counts.Layers += kept.Total();
+  counts.MergedLayers += kept.NumberMerged();
 }
 
 /// Find normals, colours and opacities of surfaces whose points are known.

@@ -5,11 +5,12 @@
 
 #include "Acceleration/ActiveCells.h"
 #include "Acceleration/TileBounds.h"
+#include "Layers/KnownLayers.h"
+#include "Layers/LimitedLayers.h"
 #include "Scene/Frame.h"
 #include "Scene/FrameKey.h"
 #include "Scene/FramePlanes.h"
 #include "Scene/LayerBatch.h"
-#include "Shade/KnownLayers.h"
 #include "Shade/LayerCanvas.h"
 #include "Shade/Shader.h"
 #include "Trace/RaySource.h"
@@ -56,22 +57,29 @@ public:
   /// \param layers of a tile of the frame
   void Paint(const std::vector<LayerHit>& layers, Frame& frame) const;
 
-  /// Colour a tile again from the layers of the frame.
-  void CompositeAgain(std::int64_t tile, const PixelRect& part, Frame& frame) const;
+  /// Colour a tile again from the layers of the frame. Merged layers are traced again. Nothing is
+  /// allocated.
+  void CompositeAgain(
+    std::int64_t tile, const PixelRect& part, Frame& frame, TraceCounts& counts) const;
 
 private:
   struct PixelCentres;
   void SetUpRays(std::int64_t tile, const PixelRect& part, TileHits& found) const;
   void SetUp(std::int64_t tile, const PixelRect& part, const Frame& frame, TileHits& found) const;
-  void AddAll(TileHits& found, const PixelCentres& centres, LayerCanvas& canvas,
-    std::vector<LayerHit>& kept, TraceCounts& counts) const;
-  void AddLayers(const TileHits& found, const PixelCentres& centres, LayerCanvas& canvas,
-    std::vector<LayerHit>& kept) const;
+  template <typename Keeper>
+  void AddAll(TileHits& found, const PixelCentres& centres, LayerCanvas& canvas, Keeper& kept,
+    TraceCounts& counts) const;
+  template <typename Keeper>
+  void AddLayers(
+    const TileHits& found, const PixelCentres& centres, LayerCanvas& canvas, Keeper& kept) const;
   void AddKnown(const std::vector<LayerHit>& known, const PixelCentres& centres,
-    LayerCanvas& canvas, std::vector<LayerHit>& kept, std::vector<LayerHit>& behind) const;
-  void AddUnknown(const KnownLayers& known, std::uint64_t open, std::int64_t tile,
-    const PixelRect& part, const PixelCentres& centres, LayerCanvas& canvas,
-    std::vector<LayerHit>& kept, TraceCounts& counts) const;
+    LayerCanvas& canvas, LimitedLayers& kept, std::vector<LayerHit>& behind) const;
+  template <typename Keeper, typename SetLast>
+  void AddUnknown(std::uint64_t open, const SetLast& setLast, std::int64_t tile,
+    const PixelRect& part, const PixelCentres& centres, LayerCanvas& canvas, Keeper& kept,
+    TraceCounts& counts) const;
+  void RecolorMerged(std::uint64_t merged, std::int64_t tile, const PixelRect& part,
+    const PixelCentres& centres, LayerCanvas& canvas, Frame& frame, TraceCounts& counts) const;
   void TakeHits(
     const TileHits& found, const PixelCentres& centres, std::size_t first, HitList& hits) const;
   void Shade(HitList& hits, ShadedLayer* shaded) const;

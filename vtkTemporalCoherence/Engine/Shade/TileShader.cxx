@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shade/TileShader.h"
 
+#include "Layers/LimitedLayers.h"
 #include "Scene/TileTimer.h"
 
 namespace TemporalCoherence
@@ -29,7 +30,7 @@ void TileShader::Shade(std::int64_t tile, const PixelRect& part, TileHits* found
     const TileTimer timer(tile, counts.ShadeTime);
     if (this->NormalsOf == HitSet::None)
     {
-      this->Compositor->CompositeAgain(tile, part, frame);
+      this->Compositor->CompositeAgain(tile, part, frame, counts);
     }
     else
     {
@@ -77,6 +78,7 @@ void TileShader::ShadeKnown(std::int64_t tile, const PixelRect& part, const Fram
     if (this->Compositor)
     {
       frame.Layers[place].clear();
+      GiveBackMemory(frame.Layers[place]);
     }
     frame.Behind[place] = {};
     StoreMisses(tile, part, this->Key.View.Parallel, frame);

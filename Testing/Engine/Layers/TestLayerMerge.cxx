@@ -5,8 +5,8 @@
 // surfaces, up to where no light passes or where nothing is known of kept surfaces. None is lost,
 // none is there twice, and the result has the order of Frame::Layers.
 
+#include "Layers/LayerMerge.h"
 #include "Scene/HitOrder.h"
-#include "Shade/LayerMerge.h"
 
 #include <gtest/gtest.h>
 

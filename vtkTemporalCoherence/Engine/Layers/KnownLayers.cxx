@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Shade/KnownLayers.h"
+#include "Layers/KnownLayers.h"
 
 #include "Scene/LayerBatch.h"
 
@@ -73,9 +73,30 @@ KnownLayers::KnownLayers(std::int64_t tile, const PixelRect& part, const Frame& 
   {
     this->TakeHits(part, frame);
   }
+  else if (!frame.Behind.empty() && frame.Behind[place].Merged != 0)
+  {
+    this->TakeFirstOfMerged(part, frame.Size.x, frame.Behind[place].Merged, frame.Layers[place]);
+  }
   else
   {
     this->Seen = &frame.Layers[place];
+  }
+}
+
+/// Take layers, but of pixels with merged ones only the first.
+void KnownLayers::TakeFirstOfMerged(
+  const PixelRect& part, int width, std::uint64_t merged, const std::vector<LayerHit>& layers)
+{
+  const PlaceFinder places(part, width);
+  std::uint64_t begun = 0;
+  for (const LayerHit& hit : layers)
+  {
+    const std::uint64_t bit = std::uint64_t(1) << places.Find(hit.Pixel) & merged;
+    if ((begun & bit) == 0)
+    {
+      begun |= bit;
+      this->Hits.push_back(hit);
+    }
   }
 }
 
@@ -107,6 +128,7 @@ void StoreFirstLayers(
   LayersBehind& behind = frame.Behind[static_cast<std::size_t>(tile)];
   behind.Hits.clear();
   behind.Ends = known.Ends();
+  behind.Merged = 0;
   known.ForEach(
     [&](const LayerHit& hit)
     {

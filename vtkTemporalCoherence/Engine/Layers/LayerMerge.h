@@ -3,13 +3,13 @@
 #ifndef TemporalCoherence_LayerMerge_h
 #define TemporalCoherence_LayerMerge_h
 
+#include "Layers/KnownLayers.h"
 #include "Scene/Frame.h"
 #include "Scene/HitOrder.h"
 #include "Scene/LayerBatch.h"
 #include "Scene/RayBatch.h"
 #include "Scene/Surfaces.h"
 #include "Scene/Tiles.h"
-#include "Shade/KnownLayers.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -42,7 +42,8 @@ public:
   KnownLayers(const KnownLayers&) = delete;
   KnownLayers& operator=(const KnownLayers&) = delete;
 
-  /// Those that are composited, in the order of Frame::Layers. If surfaces are opaque: the hits.
+  /// Those that are composited, in the order of Frame::Layers; of pixels with merged layers the
+  /// first one only. If surfaces are opaque: the hits.
   const std::vector<LayerHit>& Composited() const { return *this->Seen; }
 
   /// Those behind them. Their order is that of each pixel, from front to back.
@@ -61,8 +62,10 @@ public:
 
 private:
   void TakeHits(const PixelRect& part, const Frame& frame);
+  void TakeFirstOfMerged(
+    const PixelRect& part, int width, std::uint64_t merged, const std::vector<LayerHit>& layers);
 
-  std::vector<LayerHit> Hits; ///< of opaque surfaces, or those that were given
+  std::vector<LayerHit> Hits; ///< of opaque surfaces, or those that were given or are known
   std::vector<LayerHit> None;
   const std::vector<LayerHit>* Seen = &this->Hits;
   const std::vector<LayerHit>* Hidden = &this->None;

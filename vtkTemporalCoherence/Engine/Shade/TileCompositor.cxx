@@ -232,8 +232,10 @@ void TileCompositor::AddKnown(const std::vector<LayerHit>& known, const PixelCen
   const RayBatch::Array<float>& transmittance = canvas.Transmittance();
   std::array<ShadedLayer, RayBatch::Capacity> shaded;
   std::array<LayerHit, RayBatch::Capacity> taken;
+  PrefetchLayers(known, 0);
   for (auto next = known.begin(); next != known.end();)
   {
+    PrefetchLayers(known, static_cast<std::size_t>(next - known.begin()) + RayBatch::Capacity);
     HitList hits;
     LayerList list;
     hits.Rays.Count = 0;

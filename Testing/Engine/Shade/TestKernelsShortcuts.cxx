@@ -12,6 +12,7 @@
 #include <glm/glm.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <random>
@@ -111,6 +112,8 @@ TEST_F(KernelsShortcuts, RoundsOfLayers)
 {
   const auto clampToOne = [](float value) { return value > 0.0f ? std::min(value, 1.0f) : 0.0f; };
   const auto rounded = [&](float value)
+  { return static_cast<std::uint8_t>(clampToOne(value) * 255.0f + 0.5f); };
+  const auto fine = [&](float value)
   { return static_cast<std::uint16_t>(clampToOne(value) * 65280.0f + 128.0f); };
   constexpr std::uint64_t rounds[] = { ~std::uint64_t(0), 0x00FF00FF12345678, 1,
     std::uint64_t(1) << 63, 0xFFFF000000000000, ~std::uint64_t(0) };
@@ -129,6 +132,7 @@ TEST_F(KernelsShortcuts, RoundsOfLayers)
       {
         LayerRound round;
         round.Which = which;
+        Array<std::array<std::uint8_t, 4>> bytes;
         for (std::size_t i = 0; i < round.Alpha.size(); ++i)
         {
           const bool isThere = which >> i & 1u;
@@ -146,8 +150,10 @@ TEST_F(KernelsShortcuts, RoundsOfLayers)
           }
           if (isThere)
           {
-            expected.Colors[i].Values = { rounded(expected.Sum[0][i]), rounded(expected.Sum[1][i]),
-              rounded(expected.Sum[2][i]), rounded(1.0f - passed) };
+            const std::array<float, 4> sum = { expected.Sum[0][i], expected.Sum[1][i],
+              expected.Sum[2][i], 1.0f - passed };
+            std::transform(sum.begin(), sum.end(), expected.Colors[i].Values.begin(), fine);
+            std::transform(sum.begin(), sum.end(), bytes[i].begin(), rounded);
           }
         }
         CompositeRound(round, pixels);
@@ -156,6 +162,7 @@ TEST_F(KernelsShortcuts, RoundsOfLayers)
           if (which >> i & 1u)
           {
             EXPECT_EQ(pixels.Colors[i], expected.Colors[i]) << target << ", pixel " << i;
+            EXPECT_EQ(pixels.Colors[i].Bytes(), bytes[i]) << target << ", pixel " << i;
           }
         }
         EXPECT_TRUE(AreIdentical(pixels.Passed, expected.Passed, RayBatch::Capacity)) << target;

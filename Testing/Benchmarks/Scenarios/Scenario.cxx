@@ -79,6 +79,6 @@ const std::vector<Volumes::Sample>& FewVolumes()
 
 std::vector<Scenario> Scenarios::All()
 {
-  return { Routes(), Peers(), ImageCache(), Drift(), Isomap(), Drags(), Growth(), Threads(),
-    Vectors(), Structures(), Window(), Features(), Opacities(), Floor() };
+  return { Routes(), Peers(), ImageCache(), Drift(), Isomap(), Drags(), LayerDrags(), Growth(),
+    Threads(), Vectors(), Structures(), Window(), Features(), Opacities(), Floor() };
 }

@@ -124,10 +124,12 @@ public:
    * up, tile by tile. Without it, it makes a cold frame. The picture is the same.
    *
    * - IsomapTolerance: the largest distance between a surface that is looked up and the exact one,
-   *   in voxels (finite). Default: 0, the cold picture byte for byte. Below 0.001 it counts as 0.
+   *   in voxels (finite). Default: 0, the cold picture byte for byte. Below 0.001 it counts as 0,
+   *   and so it does for translucent surfaces.
    * - IsomapRange: the isovalues for which it is built at once. Default: none (lo > hi).
    * - IsomapMemoryLimit: its memory for each viewer, in MiB. Default: 256; 0 switches it off. The
-   *   least recently used bands are dropped. Outside of the range, 32 bytes a pixel are the limit.
+   *   least recently used bands are dropped. Outside of the range, 32 bytes a pixel are the limit,
+   *   and 96 for translucent surfaces.
    */
   vtkSetMacro(Isomap, vtkTypeBool);
   vtkGetMacro(Isomap, vtkTypeBool);

@@ -68,6 +68,7 @@ Scenario ImageCache();
 Scenario Drift();
 Scenario Isomap();
 Scenario Drags();
+Scenario LayerDrags();
 Scenario Growth();
 Scenario Threads();
 Scenario Vectors();

@@ -9,6 +9,8 @@
 #include "Walks/Sweep.h"
 
 #include <vtkFloatingPointExceptions.h>
+#include <vtkNew.h>
+#include <vtkPiecewiseFunction.h>
 #include <vtkSMPTools.h>
 
 #include <algorithm>
@@ -30,12 +32,20 @@ void AskForAll(Scene& scene, const Subject& subject)
 }
 
 /// Up through all isovalues, built as time allows; then anywhere, looked up.
-void SweepField(
-  const Subject& subject, const Sweep::Placing& placing, int steps, int jumps, unsigned seed)
+/// \param opacity of the surfaces
+void SweepField(const Subject& subject, const Sweep::Placing& placing, int steps, int jumps,
+  unsigned seed, double opacity = 1.0)
 {
-  const std::string what = subject.Describe() + ", " + placing.Name;
+  const std::string what = subject.Describe() + ", " + placing.Name +
+    (opacity < 1.0 ? ", opacity " + std::to_string(opacity) : "");
   Scene scene(subject.Image, { 0.0 });
   subject.Prepare(scene);
+  if (opacity < 1.0)
+  {
+    vtkNew<vtkPiecewiseFunction> function;
+    function->AddPoint(0.0, opacity);
+    scene.Volume->GetProperty()->SetScalarOpacity(function);
+  }
   placing.SetCamera(scene);
   Sweep::Routes routes =
     Sweep::ExpectCold(scene, Sweep::Up(subject, steps), Width, Height, what + ", up");
@@ -70,6 +80,19 @@ void TestAllFields()
     }
     // So that modes and fields meet other placings the next time.
     ++turn;
+  }
+}
+
+/// See-through surfaces, whose isomaps hold every passage of a ray.
+void TestTranslucentSurfaces()
+{
+  const std::vector<Sweep::Placing> placings = Sweep::AllPlacings();
+  std::size_t turn = 0;
+  for (Subject subject : Sweep::AllFields())
+  {
+    subject.Mode = static_cast<int>(++turn % 2);
+    subject.IsNearest = turn % 5 == 0;
+    SweepField(subject, placings[turn % 5], 40, 20, static_cast<unsigned>(turn), 0.3);
   }
 }
 
@@ -174,6 +197,7 @@ int TestIsomap(int, char*[])
   // The Debug driver traps operations on what is not a number, which are among the samples.
   vtkFloatingPointExceptions::Disable();
   TestAllFields();
+  TestTranslucentSurfaces();
   TestSeveralIsovalues();
   TestThreads();
   TestRealVolumes();

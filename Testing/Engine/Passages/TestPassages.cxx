@@ -230,6 +230,8 @@ TEST_F(Passages, HoldEverySurfaceInNoiseOfAnyType)
   Grid<float> holes(glm::ivec3(24, 21, 27));
   holes.Fill(WaveWithHoles);
   this->CompareEach(holes, { -4e29, 1e29 }, { -4e29, 0.0, 1e29 });
+  holes.Field.Between = Interpolation::Nearest;
+  this->CompareEach(holes, { -4e29, 1e29 }, { -4e29, 0.0, 1e29 });
 }
 
 TEST_F(Passages, OfSeveralIsovaluesAreSearchedInTheirOrder)

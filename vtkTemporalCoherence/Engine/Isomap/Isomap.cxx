@@ -48,7 +48,9 @@ double Isomap::SmallestTolerance(const Field& field, const IndexTransform& trans
 
 KnotForm Isomap::FormFor(const FrameKey& key, const Options& options)
 {
-  if (key.Isosurfaces.IsTranslucent() && key.Samples.Kind->Abilities().Passages)
+  // With nearest interpolation rays walk anyway, and knots tell the first surface.
+  if (key.Isosurfaces.IsTranslucent() && key.Samples.Between == Interpolation::Linear &&
+    key.Samples.Kind->Abilities().Passages)
   {
     return { 0.0, false, true };
   }

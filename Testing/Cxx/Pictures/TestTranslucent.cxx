@@ -142,7 +142,8 @@ void TestHaze()
 {
   for (const bool threshold : { false, true })
   {
-    vtkSmartPointer<vtkImageData> image = Volumes::Noise(25, VTK_SHORT, 0.0, 100.0);
+    vtkSmartPointer<vtkImageData> image =
+      Volumes::Noise(threshold ? 41 : 21, VTK_SHORT, 0.0, 100.0);
     const std::vector<double> isovalues{ 22.5, 34.5, 46.5, 58.5, 70.5, 82.5 };
     Scene scene(image, isovalues);
     scene.Volume->GetProperty()->ShadeOff();

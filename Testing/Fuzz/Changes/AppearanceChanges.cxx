@@ -90,6 +90,18 @@ void MakeOpaque(World& world)
   Story::Tell("  opaque");
 }
 
+/// Many layers in a pixel, if there are many isovalues.
+void MakeHaze(World& world)
+{
+  const double opacities[] = { 0.01, 0.05, 0.2 };
+  const double opacity = world.From.OneOf(opacities);
+  vtkNew<vtkPiecewiseFunction> same;
+  same->AddPoint(0.0, opacity);
+  world.Property()->SetScalarOpacity(same);
+  world.Property()->DisableGradientOpacityOn();
+  Story::Tell("  haze of opacity ", opacity);
+}
+
 void SeveralIsovalues(World& world)
 {
   std::vector<double> isovalues;
@@ -105,6 +117,10 @@ void SeveralIsovalues(World& world)
   for (int i = 8; i < many; ++i)
   {
     isovalues.push_back(world.Low + i * (world.High - world.Low) / many);
+  }
+  if (many == 100 && world.From.OneIn(2))
+  {
+    MakeHaze(world);
   }
   if (many > 1 && world.From.OneIn(3))
   {

@@ -262,6 +262,7 @@ void Oracle::Compare(const Picture& cold)
   {
     ++this->Sum.WithSurface;
     ++this->Sum.Routes[route];
+    this->Sum.Merged[route] += subject->GetNumberOfMergedLayers() > 0;
   }
   if (world.HasSilentChange)
   {

@@ -16,6 +16,7 @@ struct Tally
   long Refused = 0;                   ///< frames
   long WithSurface = 0;               ///< frames that show a surface
   std::map<std::string, long> Routes; ///< frames of each, which show a surface
+  std::map<std::string, long> Merged; ///< of these, frames with merged layers
   std::map<std::string, long> Acts;   ///< what else was asked of the mapper
   std::map<std::string, long> Errors; ///< by their first words
   double BoundedPixels = 0,

@@ -159,6 +159,7 @@ bool Finish(const Tally& tally, int failures, bool expectsAll)
   std::cout << tally.Steps << " steps in " << tally.Runs << " runs, " << tally.Refused
             << " frames refused, " << tally.WithSurface << " with a surface\n";
   list("routes of frames with a surface:", tally.Routes);
+  list("of these with merged layers:", tally.Merged);
   list("other acts:", tally.Acts);
   list("refusals:", tally.Errors);
   const double bounded = share(tally.BoundedOthers, tally.BoundedPixels);
@@ -176,6 +177,15 @@ bool Finish(const Tally& tally, int failures, bool expectsAll)
       if (tally.Routes.count(route) == 0)
       {
         std::cerr << "FAILED: no frame was made by " << route << '\n';
+        isWell = false;
+      }
+    }
+    for (const char* route : { "Cold", "Reshade", "Recomposite" })
+    {
+      const auto merged = tally.Merged.find(route);
+      if (merged == tally.Merged.end() || merged->second == 0)
+      {
+        std::cerr << "FAILED: no frame made by " << route << " has merged layers\n";
         isWell = false;
       }
     }

@@ -22,6 +22,9 @@ using namespace TemporalCoherence;
 class PassageFrames : public OpacityChanges
 {
 protected:
+  /// Without kept layers: these would serve isovalues that stay, before an isomap is built.
+  PassageFrames() { this->Options.Reuse.ImageCache = false; }
+
   /// Drag isovalues, and now and then change opacities, colours, or jump.
   void Drag(unsigned int seed, int steps = 14)
   {

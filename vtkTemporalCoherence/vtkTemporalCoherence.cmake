@@ -36,6 +36,7 @@ set(engine_files
   Shade/KernelsGradients
   Shade/KernelsRectilinear
   Shade/KernelsShading
+  Shade/LayerShader
   Shade/RectilinearGradients
   Shade/Shader
   Shade/SurfaceNormal

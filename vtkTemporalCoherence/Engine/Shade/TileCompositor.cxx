@@ -3,7 +3,6 @@
 #include "Shade/TileCompositor.h"
 
 #include "Layers/RecoloredLayers.h"
-#include "Shade/LayerCanvas.h"
 #include "Trace/RayPieces.h"
 
 #include <algorithm>
@@ -14,9 +13,6 @@ namespace TemporalCoherence
 {
 namespace
 {
-
-template <typename T>
-using Array = RayBatch::Array<T>;
 
 /// Prefetch some layers that a frame keeps: from number `first` on, as many as are shaded at once.
 void PrefetchLayers(const std::vector<LayerHit>& layers, std::size_t first)
@@ -53,44 +49,10 @@ void FindFirstRound(const std::vector<LayerHit>& layers, HitList& hits)
 
 }
 
-/// Normalised device coordinates of the pixels of a tile, row by row.
-struct TileCompositor::PixelCentres
-{
-  void Find(const View& view, const PixelRect& part)
-  {
-    std::size_t place = 0;
-    for (int y = 0; y < part.Size.y; ++y)
-    {
-      const double ofRow = view.PixelCentre(0, part.First.y + y).y;
-      for (int x = 0; x < part.Size.x; ++x, ++place)
-      {
-        // All rows have the same columns.
-        this->X[place] =
-          y == 0 ? view.PixelCentre(part.First.x + x, 0).x : this->X[static_cast<std::size_t>(x)];
-        this->Y[place] = ofRow;
-      }
-    }
-  }
-
-  /// Append a surface to those that are shaded next. \param place of its pixel
-  void Append(const LayerHit& hit, std::size_t place, HitList& hits) const
-  {
-    const std::size_t at = hits.Rays.Count++;
-    hits.Pixel[at] = hit.Pixel;
-    hits.Surface[at] = hit.Isovalue;
-    hits.Kind[at] = hit.Kind;
-    hits.X[at] = this->X[place];
-    hits.Y[at] = this->Y[place];
-    hits.Rays.T[at] = hit.Depth;
-  }
-
-  Array<double> X, Y;
-};
-
 TileCompositor::TileCompositor(
   const FrameKey& key, const NormalSource& source, const LeapedSpace& space)
   : Key(key)
-  , Source(source)
+  , Shader(key, source)
   , Bounds(space.Active ? space.Bounds : nullptr)
   , Rays(key.View, key.Transform, key.Samples.Dimensions, key.Region)
   , Tracer(SurfaceTracer::Make({ key.Samples, key.Isosurfaces, source.FiniteRange, space.Active }))
@@ -254,7 +216,7 @@ void TileCompositor::AddKnown(const std::vector<LayerHit>& known, const PixelCen
     if (list.Count > 0)
     {
       FindHitRays(this->Key.View, hits);
-      this->Shade(hits, shaded.data());
+      this->Shader.Shade(hits, shaded.data());
     }
     // Some may have made pixels opaque, and be in front of others.
     const std::uint64_t reached = canvas.Add(list);
@@ -303,8 +265,8 @@ void TileCompositor::AddLayers(
   for (std::size_t first = 0; first < layers.Total; first += RayBatch::Capacity)
   {
     HitList hits;
-    this->TakeHits(found, centres, first, hits);
-    this->Shade(hits, shaded.data() + first);
+    this->Shader.TakeHits(found, centres, first, hits);
+    this->Shader.Shade(hits, shaded.data() + first);
   }
   // The rays of a round are those with as many layers whose light is not used up.
   const auto count = static_cast<std::size_t>(found.Rays.Count);
@@ -338,41 +300,6 @@ void TileCompositor::AddLayers(
   }
 }
 
-/// Some surfaces, in the order in which they were found: so those in one cell lie together.
-void TileCompositor::TakeHits(
-  const TileHits& found, const PixelCentres& centres, std::size_t first, HitList& hits) const
-{
-  const LayerBatch& layers = found.Layers;
-  const std::size_t count =
-    std::min(layers.Total - first, static_cast<std::size_t>(RayBatch::Capacity));
-  hits.Rays.Count = count;
-  std::copy_n(layers.Surface.begin() + first, count, hits.Surface.begin());
-  std::copy_n(layers.Kind.begin() + first, count, hits.Kind.begin());
-  std::copy_n(layers.Distance.begin() + first, count, hits.Rays.T.begin());
-  const auto take = [&](const auto& from, auto& to)
-  {
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      to[i] = from[layers.Ray[first + i]];
-    }
-  };
-  take(found.Rays.Pixel, hits.Pixel);
-  if (this->Key.View.Parallel)
-  {
-    take(centres.X, hits.X);
-    take(centres.Y, hits.Y);
-    FindHitRays(this->Key.View, hits);
-    return;
-  }
-  hits.Rays.Eye = this->Key.View.Origin;
-  for (std::size_t a = 0; a < 3; ++a)
-  {
-    take(found.World[a], hits.Rays.Own[a]);
-    FillLastVector(count, hits.Rays.Own[a]);
-  }
-  FillLastVector(count, hits.Rays.T);
-}
-
 void TileCompositor::CompositeAgain(
   std::int64_t tile, const PixelRect& part, Frame& frame, TraceCounts& counts) const
 {
@@ -403,9 +330,13 @@ void TileCompositor::CompositeAgain(
         centres.Append(layers[next], place, hits);
       }
     }
+    if (list.Count == 0)
+    {
+      break; // the rest is merged
+    }
     PrefetchLayers(layers, next);
     FindHitRays(this->Key.View, hits);
-    this->Shade(hits, shaded.data());
+    this->Shader.Shade(hits, shaded.data());
     canvas.Add(list);
     counts.Layers += static_cast<std::int64_t>(list.Count);
   }
@@ -427,30 +358,6 @@ void TileCompositor::RecolorMerged(std::uint64_t merged, std::int64_t tile, cons
   this->AddUnknown(merged, setLast, tile, part, centres, canvas, kept, counts);
   counts.Layers += kept.Total();
   counts.MergedLayers += kept.NumberMerged();
-}
-
-/// Find normals, colours and opacities of surfaces whose points are known.
-void TileCompositor::Shade(HitList& hits, ShadedLayer* shaded) const
-{
-  const Surfaces& surfaces = this->Key.Isosurfaces;
-  const GradientOpacity& byGradient = surfaces.ByGradient;
-  std::array<Array<double>, 3> gradients;
-  ComputeNormals(this->Source, hits, byGradient.Nodes.empty() ? nullptr : &gradients);
-  ShadingKernels::PhongSums sums;
-  SumLight(this->Key.Appearance, hits, sums);
-  for (std::size_t i = 0; i < hits.Rays.Count; ++i)
-  {
-    double alpha = surfaces.Opacities.empty()
-      ? 1.0
-      : surfaces.Opacities[static_cast<std::size_t>(hits.Surface[i])];
-    if (!byGradient.Nodes.empty())
-    {
-      const glm::dvec3 gradient(gradients[0][i], gradients[1][i], gradients[2][i]);
-      alpha *= byGradient.At(glm::length(gradient * byGradient.PerStep));
-    }
-    shaded[i] = { { sums.Sum[0][i], sums.Sum[1][i], sums.Sum[2][i] }, hits.Normal[i],
-      static_cast<float>(alpha) };
-  }
 }
 
 void TileCompositor::Paint(const std::vector<LayerHit>& layers, Frame& frame) const

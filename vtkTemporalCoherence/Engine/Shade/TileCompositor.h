@@ -11,7 +11,7 @@
 #include "Scene/FrameKey.h"
 #include "Scene/FramePlanes.h"
 #include "Scene/LayerBatch.h"
-#include "Shade/LayerCanvas.h"
+#include "Shade/LayerShader.h"
 #include "Shade/Shader.h"
 #include "Trace/RaySource.h"
 #include "Trace/SurfaceTracer.h"
@@ -63,7 +63,6 @@ public:
     std::int64_t tile, const PixelRect& part, Frame& frame, TraceCounts& counts) const;
 
 private:
-  struct PixelCentres;
   void SetUpRays(std::int64_t tile, const PixelRect& part, TileHits& found) const;
   void SetUp(std::int64_t tile, const PixelRect& part, const Frame& frame, TileHits& found) const;
   template <typename Keeper>
@@ -80,12 +79,9 @@ private:
     TraceCounts& counts) const;
   void RecolorMerged(std::uint64_t merged, std::int64_t tile, const PixelRect& part,
     const PixelCentres& centres, LayerCanvas& canvas, Frame& frame, TraceCounts& counts) const;
-  void TakeHits(
-    const TileHits& found, const PixelCentres& centres, std::size_t first, HitList& hits) const;
-  void Shade(HitList& hits, ShadedLayer* shaded) const;
 
   const FrameKey& Key;
-  const NormalSource& Source;
+  LayerShader Shader;
   const TileBounds* Bounds; ///< null: no space leaping
   RaySource Rays;
   std::shared_ptr<const SurfaceTracer> Tracer;

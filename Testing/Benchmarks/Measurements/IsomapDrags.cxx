@@ -38,6 +38,7 @@ public:
     : Beside(stage.Image, stage.Isovalue(), stage.Size, stage.From)
     , Cold(stage)
   {
+    this->Beside.Volume->SetProperty(stage.Volume->GetProperty());
     this->Cold.Mapper->ImageCacheOff();
     this->Cold.Mapper->IsomapOff();
   }

@@ -25,7 +25,7 @@ struct BandCell
 
 /// A vector of rays in a cell, as arrays over them.
 template <typename Real>
-struct alignas(64) CellPassages
+struct alignas(64) CellStays
 {
   template <typename Each>
   using Array = std::array<Each, WidestVector>;
@@ -51,7 +51,7 @@ public:
   /// \param beam rays end where they are done
   /// \return true if some ray is
   virtual bool TakeNote(
-    const BandCell<Real>& cell, const CellPassages<Real>& rays, TileBeam& beam) = 0;
+    const BandCell<Real>& cell, const CellStays<Real>& rays, TileBeam& beam) = 0;
 
   /// What rays have reached, of which a scene keeps account: BandProgress::ReachedIn.
   virtual const Real* ReachedIn(std::size_t direction) const = 0;

@@ -140,7 +140,7 @@ private:
   HWY_INLINE bool SearchCell(const Pair& pair)
   {
     const BandCell<Real>& cell = this->Cells[pair.Cell];
-    CellPassages<Real>& rays = this->Passages;
+    CellStays<Real>& rays = this->Stays;
     rays.First = pair.Rays;
     rays.Which = pair.Which & this->FindBroughtOn(cell.Reach, rays.First);
     if (rays.Which == 0)
@@ -159,8 +159,7 @@ private:
     Real Begin[3][WidestVector], End[3][WidestVector];
   };
 
-  HWY_INLINE void FindPaths(
-    const BandCell<Real>& cell, CellPassages<Real>& rays, Paths& paths) const
+  HWY_INLINE void FindPaths(const BandCell<Real>& cell, CellStays<Real>& rays, Paths& paths) const
   {
     const Doubles d;
     using Vector = hn::Vec<Doubles>;
@@ -189,7 +188,7 @@ private:
   }
 
   HWY_INLINE void FindRanges(
-    const BandCell<Real>& cell, const Paths& paths, CellPassages<Real>& rays) const
+    const BandCell<Real>& cell, const Paths& paths, CellStays<Real>& rays) const
   {
     const hn::CappedTag<Real, WidestVector> d;
     using Vector = hn::Vec<decltype(d)>;
@@ -228,7 +227,7 @@ private:
   glm::ivec3 Places[CellsOfLeaf];
   BandCell<Real> Cells[CellsOfLeaf];
   Pair Pairs[CellsOfLeaf * RayBatch::Capacity / hn::MaxLanes(Floats()) + 1];
-  CellPassages<Real> Passages;
+  CellStays<Real> Stays;
 };
 
 template <typename Real>

@@ -26,7 +26,7 @@ namespace HWY_NAMESPACE
 namespace hn = hwy::HWY_NAMESPACE;
 
 /// Between which distances rays may be in a cell.
-struct CellPassages
+struct CellStays
 {
   float Enter[RayBatch::Capacity], Leave[RayBatch::Capacity];
 };
@@ -70,8 +70,8 @@ private:
   void TestCell(const glm::ivec3& cell)
   {
     const Box box = this->Places.CellAt(cell);
-    CellPassages passages;
-    const std::uint64_t passing = this->FindPassing(box, passages) & this->Notes.LiveRays();
+    CellStays stays;
+    const std::uint64_t passing = this->FindPassing(box, stays) & this->Notes.LiveRays();
     if (passing == 0)
     {
       return;
@@ -84,7 +84,7 @@ private:
     else
     {
       this->Scene.Read(cell, this->Levels);
-      this->NoteOpen(cell, box, passages, passing);
+      this->NoteOpen(cell, box, stays, passing);
     }
     if (this->Notes.IsFull())
     {
@@ -107,7 +107,7 @@ private:
   }
 
   /// One bit for each ray that may pass a cell on its walk.
-  HWY_INLINE std::uint64_t FindPassing(const Box& box, CellPassages& passages) const
+  HWY_INLINE std::uint64_t FindPassing(const Box& box, CellStays& stays) const
   {
     const TileBeam& beam = this->Beam;
     const CellFaces faces(box, beam.Margin, beam.Flip);
@@ -137,8 +137,8 @@ private:
       }
       const M isAhead = hn::Le(enter, hn::Min(leave, Load(&beam.Behind[i])));
       passing |= BitsOf(hn::And(isAhead, hn::Ge(leave, Load(&beam.WalkBegin[i])))) << i;
-      hn::StoreU(enter, Floats(), passages.Enter + i);
-      hn::StoreU(leave, Floats(), passages.Leave + i);
+      hn::StoreU(enter, Floats(), stays.Enter + i);
+      hn::StoreU(leave, Floats(), stays.Leave + i);
     }
     return passing;
   }
@@ -146,7 +146,7 @@ private:
   /// Note the rays that may cross isovalues in a cell that was read. Which one a ray meets first
   /// of several has to be found out ray by ray.
   HWY_INLINE void NoteOpen(
-    const glm::ivec3& cell, const Box& box, const CellPassages& passages, std::uint64_t passing)
+    const glm::ivec3& cell, const Box& box, const CellStays& stays, std::uint64_t passing)
   {
     const float margin = this->Beam.Margin * box.LargestShare();
     constexpr float most = 0x1p-5f;
@@ -159,7 +159,7 @@ private:
     std::uint64_t open[CellLevels<Real>::Most], any = 0, several = 0;
     for (std::size_t level = 0; level < this->Levels.Count; ++level)
     {
-      open[level] = this->FindOpen(this->Levels.All[level].Corners, margin, box, passages, passing);
+      open[level] = this->FindOpen(this->Levels.All[level].Corners, margin, box, stays, passing);
       several |= any & open[level];
       any |= open[level];
     }
@@ -172,7 +172,7 @@ private:
 
   /// One bit for each ray that may cross an isovalue in a cell. (CellSearch tells why.)
   HWY_INLINE std::uint64_t FindOpen(const std::array<Real, 8>& corners, float margin,
-    const Box& box, const CellPassages& passages, std::uint64_t passing) const
+    const Box& box, const CellStays& stays, std::uint64_t passing) const
   {
     const CellValues values = ValuesOf(InFloat(corners));
     const V error = Set(values.Largest * (16.0f * margin + 0x1p-13f) + 1e-30f);
@@ -183,8 +183,8 @@ private:
       const std::size_t i = hwy::Num0BitsBelowLS1Bit_Nonzero64(passing) & ~(lanes - 1);
       const M isPassed = MaskOf(passing >> i);
       passing &= ~(((std::uint64_t(1) << lanes) - 1) << i);
-      const V enter = hn::IfThenElseZero(isPassed, Load(passages.Enter + i));
-      const V leave = hn::IfThenElseZero(isPassed, Load(passages.Leave + i));
+      const V enter = hn::IfThenElseZero(isPassed, Load(stays.Enter + i));
+      const V leave = hn::IfThenElseZero(isPassed, Load(stays.Leave + i));
       V at[3], step[3];
       FindPathsIn(box, this->Beam, enter, leave, i, at, step);
       const Coefficients b = CubicsAlong(values, at, step);

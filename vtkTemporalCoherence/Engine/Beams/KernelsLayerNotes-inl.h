@@ -313,10 +313,8 @@ private:
   /// Append a surface to the layers of a live ray.
   HWY_INLINE void Append(std::size_t ray, double distance, HitKind kind, std::int16_t surface)
   {
-    const double last = this->Layers.LastDistance[ray];
-    // Farther behind the last than rounding may move either.
-    constexpr double share = 0x1p-49;
-    if (distance - last > share * std::abs(distance) && last < this->Task.Rays.WalkEnd[ray])
+    if (this->Layers.IsClearlyBehind(ray, distance) &&
+      this->Layers.LastDistance[ray] < this->Task.Rays.WalkEnd[ray])
     {
       this->Layers.Append(ray, distance, kind, surface);
     }

@@ -102,7 +102,7 @@ private:
     }
   }
 
-  bool TakeNote(const BandCell<Real>& cell, const CellPassages<Real>& at, TileBeam& beam) override
+  bool TakeNote(const BandCell<Real>& cell, const CellStays<Real>& at, TileBeam& beam) override
   {
     const RangesView<Real> ranges{ at.Enter.data(), at.Leave.data(), at.Lowest.data(),
       at.Highest.data(),

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Layers/KnownLayers.h"
 
+#include "Layers/LimitedLayers.h"
+#include "Scene/FramePlanes.h"
 #include "Scene/LayerBatch.h"
 
 #include <algorithm>
@@ -114,6 +116,18 @@ void KnownLayers::TakeHits(const PixelRect& part, const Frame& frame)
       }
       this->Ended |= static_cast<std::uint64_t>(surface == Frame::NoSurface) << place;
     });
+}
+
+void StoreClearTile(std::int64_t tile, const PixelRect& part, bool isParallel, Frame& frame)
+{
+  const auto place = static_cast<std::size_t>(tile);
+  if (!frame.Layers.empty())
+  {
+    frame.Layers[place].clear();
+    GiveBackMemory(frame.Layers[place]);
+  }
+  frame.Behind[place] = {};
+  StoreMisses(tile, part, isParallel, frame);
 }
 
 void StoreFirstLayers(

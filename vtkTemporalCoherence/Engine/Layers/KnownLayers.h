@@ -72,6 +72,10 @@ private:
   std::uint64_t Ended = 0;
 };
 
+/// Store a tile in which no ray meets anything.
+/// \pre frame.Behind has the tile
+void StoreClearTile(std::int64_t tile, const PixelRect& part, bool isParallel, Frame& frame);
+
 /// Make the first layers of a tile the hits of a picture with opaque surfaces. The others are
 /// behind them. \throws std::bad_alloc
 void StoreFirstLayers(

@@ -29,10 +29,10 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// \tparam IsPlain that of the beam
 /// \tparam Lattice tells where cells lie (KernelsLattice-inl.h)
 template <bool IsPlain, class Lattice>
-class PassageSearch
+class PassageCells
 {
 public:
-  PassageSearch(const PassageTask& task, const Lattice& places, PassageScene& scene, TileBeam& beam)
+  PassageCells(const PassageTask& task, const Lattice& places, PassageScene& scene, TileBeam& beam)
     : Task(task)
     , Places(places)
     , Scene(scene)
@@ -184,7 +184,7 @@ template <bool IsPlain, class Lattice>
 void SearchPassagesIn(
   const Lattice& lattice, const PassageTask& task, PassageScene& scene, TileBeam& beam)
 {
-  using Search = PassageSearch<IsPlain, Lattice>;
+  using Search = PassageCells<IsPlain, Lattice>;
   Search search(task, lattice, scene, beam);
   BeamTree<Search, Lattice>(task.Active, scene, lattice, beam, search).Visit();
 }

@@ -149,7 +149,8 @@ void PassageSearch::MergeOf(std::size_t ray, std::size_t first)
   }
 }
 
-/// Leave out what lies behind the last passage that is stored of an isovalue.
+/// Leave out what does not lie before the last passage that is stored of an isovalue. Of cells at
+/// the same place along a ray it is not known which one the ray meets first.
 void PassageSearch::CutOff(std::size_t ray, std::size_t first)
 {
   int last = std::numeric_limits<int>::max();
@@ -163,7 +164,7 @@ void PassageSearch::CutOff(std::size_t ray, std::size_t first)
     }
   }
   while (this->Candidates.size() > first &&
-    this->PlaceAlong(ray, this->CellOf(this->Candidates.back())) > last)
+    this->PlaceAlong(ray, this->CellOf(this->Candidates.back())) >= last)
   {
     this->Candidates.pop_back();
   }

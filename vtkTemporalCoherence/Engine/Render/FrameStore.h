@@ -12,7 +12,7 @@ namespace TemporalCoherence
 
 /// The last frame, the frame being made, and the cached images that later frames may start from. A
 /// finished frame changes places with the last one. So an unfinished frame leaves no trace, and in
-/// steady state nothing is allocated.
+/// steady state no plane is allocated.
 class FrameStore
 {
 public:

@@ -6,7 +6,6 @@
 #include "Trace/RayHint.h"
 
 #include <algorithm>
-#include <limits>
 #include <vector>
 
 namespace TemporalCoherence
@@ -29,7 +28,7 @@ FrameKey KeyOfNew(const FrameKey& key, const SurfaceChange& change)
 }
 
 /// What the tiles of a frame are made of.
-struct MergeScene
+struct KeepScene
 {
   TileScene All;     ///< of the frame
   LeapedSpace Space; ///< of the frame
@@ -39,10 +38,10 @@ struct MergeScene
 };
 
 /// Makes the tiles of a frame from the layers of kept isovalues and those of new ones.
-class MergedTiles
+class KeptTiles
 {
 public:
-  explicit MergedTiles(const MergeScene& scene)
+  explicit KeptTiles(const KeepScene& scene)
     : Scene(scene)
     , Key(scene.All.Key)
     , OfAll(scene.All)
@@ -62,9 +61,7 @@ public:
     TileHits found;
     if (!this->OfAll.SetUp(tile, part, found))
     {
-      frame.Layers[place].clear();
-      frame.Behind[place] = {};
-      StoreMisses(tile, part, this->Key.View.Parallel, frame);
+      StoreClearTile(tile, part, this->Key.View.Parallel, frame);
       counts.DefiniteMisses = static_cast<std::int64_t>(part.Size.x) * part.Size.y;
       return counts;
     }
@@ -205,7 +202,7 @@ private:
     }
   }
 
-  const MergeScene& Scene;
+  const KeepScene& Scene;
   const FrameKey& Key;
   TileTracer OfAll, OfNew;
   NormalSource Source;
@@ -233,10 +230,10 @@ bool KeepKnownLayers(FrameTask& task)
   }
   const LeapedSpace spaceOfNew = structures.SpaceToLeap(leaps);
   const ValueRangePyramid& ranges = task.Structures.Pyramid();
-  const MergeScene scene{ SceneOf(task, space, nullptr), space,
+  const KeepScene scene{ SceneOf(task, space, nullptr), space,
     { ofNew, spaceOfNew.Active, spaceOfNew.Bounds, ranges.FiniteRange(), nullptr, &ranges }, change,
     last.Picture };
-  const MergedTiles tiles(scene);
+  const KeptTiles tiles(scene);
   return MakeTiles(task,
     [&](std::int64_t tile, const PixelRect& part, Frame& frame)
     { return tiles.Make(tile, part, frame); });

@@ -15,7 +15,7 @@ enum class Route : std::uint8_t
 {
   Cold,           ///< every ray is traced, without help from an earlier frame
   Redisplay,      ///< nothing changed: the same picture
-  Reshade,        ///< only the appearance changed: stored hits get new colours
+  Reshade,        ///< only the appearance changed: known hits get new colours
   IsomapLookup,   ///< another isovalue in the same view, looked up in the isomap
   IsomapBuild,    ///< the same, where the isomap lacks tiles: they are built or traced
   ImageCache = 6, ///< another view: a cached image tells where walks may begin (5 is no more)

@@ -79,11 +79,6 @@ bool HasColorsFor(const CachedImage& cached, const FrameKey& next)
     !next.Appearance.ColorByAnswer;
 }
 
-}
-
-namespace
-{
-
 /// Where rays can meet surfaces, if a picture has merged layers. These are traced again.
 LeapedSpace SpaceOfMerged(FrameTask& task, const Frame& picture)
 {

@@ -35,7 +35,7 @@ struct FrameTask
 /// Redisplay: show the last frame again.
 void ShowAgain(FrameTask& task);
 
-/// Reshade: all hits are known; only their colours change.
+/// Reshade: all hits are known; only their colours change. Merged layers are traced again.
 void ShadeAgain(FrameTask& task);
 
 /// Cold: every ray is traced.

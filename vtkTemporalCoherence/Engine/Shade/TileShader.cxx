@@ -75,13 +75,7 @@ void TileShader::ShadeKnown(std::int64_t tile, const PixelRect& part, const Fram
   const auto place = static_cast<std::size_t>(tile);
   if (last.ClearTiles[place])
   {
-    if (this->Compositor)
-    {
-      frame.Layers[place].clear();
-      GiveBackMemory(frame.Layers[place]);
-    }
-    frame.Behind[place] = {};
-    StoreMisses(tile, part, this->Key.View.Parallel, frame);
+    StoreClearTile(tile, part, this->Key.View.Parallel, frame);
     return;
   }
   frame.ClearTiles[place] = 0;

@@ -25,7 +25,8 @@ namespace TemporalCoherence
 /// If two volumes lie in the same slab, the pass blends their colours by the maximum. So the layers
 /// of several volumes are merged here, by their depths. In the first round each volume draws its
 /// layers with those of all volumes before it, in place of what these have drawn; afterwards the
-/// last volume draws for all. Volumes of other mappers are blended as the pass does it.
+/// last volume draws for all. Volumes of other mappers are blended as the pass
+/// does it, but a second volume of ours replaces what they have drawn before it in the first round.
 class PeelPresenter
 {
 public:

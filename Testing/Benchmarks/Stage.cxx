@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iostream>
+#include <vector>
 
 const std::vector<Framing>& AllFramings()
 {
@@ -142,12 +143,17 @@ double Drawer::DrawCold(Stage& stage)
 {
   // From a picture of nothing, nothing is known of the next one.
   vtkContourValues* isovalues = stage.Volume->GetProperty()->GetIsoSurfaceValues();
-  const double isovalue = stage.Isovalue();
+  const int count = isovalues->GetNumberOfContours();
+  const std::vector<double> all(isovalues->GetValues(), isovalues->GetValues() + count);
   const vtkTypeBool isomap = this->Mapper->GetIsomap();
   this->Mapper->IsomapOff();
   isovalues->SetNumberOfContours(0);
   this->Draw(stage);
-  stage.SetIsovalue(isovalue);
+  isovalues->SetNumberOfContours(count);
+  for (int i = 0; i < count; ++i)
+  {
+    isovalues->SetValue(i, all[static_cast<std::size_t>(i)]);
+  }
   const double time = this->Draw(stage);
   this->Mapper->SetIsomap(isomap);
   if (this->Route() != "Cold")

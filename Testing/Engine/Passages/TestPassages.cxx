@@ -172,7 +172,7 @@ protected:
       this->Layers += lookUps.Layers;
       this->MustTrace += lookUps.MustTrace;
     }
-    EXPECT_GT(this->Layers, 500);
+    EXPECT_GT(this->Layers, 500 / static_cast<std::int64_t>(EveryNthCamera));
   }
 
   /// Each isovalue alone.
@@ -282,7 +282,7 @@ TEST_F(Passages, ThatAreTooManyAreToldToBe)
   checks.Fill([](int i, int j, int k)
     { return ((i + j + k) % 2 ? 1.0 : -1.0) * ((i * 7 + j * 3 + k) % 97 ? 0.5 : 1.0); });
   this->Compare(checks, { { 0.1, 0.9 } }, { 0.8 }, 16, 3);
-  EXPECT_GT(this->MustTrace, 100);
+  EXPECT_GT(this->MustTrace, 100 / static_cast<std::int64_t>(EveryNthCamera));
 }
 
 TEST_F(Passages, AreFoundOnEveryKindOfVectors)

@@ -137,6 +137,30 @@ std::vector<Row> Still()
     { "redisplay", "Redisplay", "nothing", nothing, [](Stage&, Drawer&, int) {}, false } };
 }
 
+/// Two surfaces, one within the other, that are seen through.
+std::vector<Row> SeeThrough(const Scene& scene)
+{
+  const double outer = scene.Shown.Isovalues[0], inner = scene.Shown.Isovalues[1];
+  const auto show = [=](Stage& stage, double opacity, double raised)
+  {
+    Style::Show(stage.Volume->GetProperty(),
+      { { outer, Style::Steel, opacity }, { inner + raised, Style::Gold, 0.5 } });
+  };
+  const auto begin = [=](Stage& stage, Drawer& drawer)
+  {
+    drawer.Mapper->IsomapOff();
+    show(stage, 0.4, 0.0);
+  };
+  const auto fade = [=](Stage& stage, Drawer&, int frame)
+  { show(stage, 0.41 + 0.01 * (frame % 2), 0.0); };
+  const auto raise = [=](Stage& stage, Drawer&, int frame)
+  { show(stage, 0.4, stage.ShareOfRange(Step) * (frame + 1)); };
+  return { { "recomposite", "Recomposite", "the opacity of one of two see-through surfaces", begin,
+             fade, false },
+    { "keep", "KeepLayers", "the isovalue of one of two see-through surfaces", begin, raise,
+      false } };
+}
+
 Result Measure(Scene& scene, const Row& row, const GallerySettings& settings, std::string& picture)
 {
   Stage& stage = scene.Place;
@@ -185,7 +209,7 @@ void Make(GallerySettings& settings, JsonWriter& json)
       settings);
   Scene scene(settings, subject);
   std::vector<Row> rows = Orbits(scene.Frames);
-  for (const std::vector<Row>& more : { Isovalues(scene), Still() })
+  for (const std::vector<Row>& more : { Isovalues(scene), Still(), SeeThrough(scene) })
   {
     rows.insert(rows.end(), more.begin(), more.end());
   }

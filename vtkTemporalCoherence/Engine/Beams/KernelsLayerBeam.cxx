@@ -12,6 +12,7 @@
 #include <hwy/foreach_target.h>
 
 #include "Beams/KernelsBeamTree-inl.h"
+#include "Beams/KernelsCellStays-inl.h"
 #include "Beams/KernelsHull-inl.h"
 #include "Beams/KernelsLayerNotes-inl.h"
 
@@ -24,12 +25,6 @@ namespace HWY_NAMESPACE
 {
 
 namespace hn = hwy::HWY_NAMESPACE;
-
-/// Between which distances rays may be in a cell.
-struct CellStays
-{
-  float Enter[RayBatch::Capacity], Leave[RayBatch::Capacity];
-};
 
 /// Finds the surfaces that the rays of a beam meet in cells. Single precision only leaves out rays
 /// that do not pass a cell, or for which it proves that they meet nothing there.
@@ -71,7 +66,8 @@ private:
   {
     const Box box = this->Places.CellAt(cell);
     CellStays stays;
-    const std::uint64_t passing = this->FindPassing(box, stays) & this->Notes.LiveRays();
+    const std::uint64_t passing =
+      FindStays<IsPlain>(box, this->Beam, stays) & this->Notes.LiveRays();
     if (passing == 0)
     {
       return;
@@ -104,43 +100,6 @@ private:
         done, [&](std::size_t ray) HWY_ATTR { this->Beam.Behind[ray] = -TileBeam::Never; });
       MoveAcrossIfNearer(this->Beam);
     }
-  }
-
-  /// One bit for each ray that may pass a cell on its walk.
-  HWY_INLINE std::uint64_t FindPassing(const Box& box, CellStays& stays) const
-  {
-    const TileBeam& beam = this->Beam;
-    const CellFaces faces(box, beam.Margin, beam.Flip);
-    std::uint64_t passing = 0;
-    for (std::size_t i = 0; i < RayBatch::Capacity; i += hn::Lanes(Floats()))
-    {
-      V enter = Set(-TileBeam::Never), leave = Set(TileBeam::Never);
-      for (std::size_t a = 0; a < 3; ++a)
-      {
-        const V inverse = Load(&beam.Inverse[a][i]);
-        if constexpr (IsPlain)
-        {
-          const V toOrigin = Load(&beam.ToOrigin[a][i]);
-          enter = hn::Max(enter, hn::MulAdd(Set(faces.Near[a]), inverse, toOrigin));
-          leave = hn::Min(leave, hn::MulAdd(Set(faces.Far[a]), inverse, toOrigin));
-        }
-        else
-        {
-          const V origin = Load(&beam.Origin[a][i]);
-          enter = hn::Max(enter, hn::Mul(hn::Sub(Set(faces.Near[a]), origin), inverse));
-          leave = hn::Min(leave, hn::Mul(hn::Sub(Set(faces.Far[a]), origin), inverse));
-        }
-      }
-      if (!IsPlain)
-      {
-        enter = hn::Max(enter, Load(&beam.Begin[i]));
-      }
-      const M isAhead = hn::Le(enter, hn::Min(leave, Load(&beam.Behind[i])));
-      passing |= BitsOf(hn::And(isAhead, hn::Ge(leave, Load(&beam.WalkBegin[i])))) << i;
-      hn::StoreU(enter, Floats(), stays.Enter + i);
-      hn::StoreU(leave, Floats(), stays.Leave + i);
-    }
-    return passing;
   }
 
   /// Note the rays that may cross isovalues in a cell that was read. Which one a ray meets first
@@ -189,27 +148,14 @@ private:
       FindPathsIn(box, this->Beam, enter, leave, i, at, step);
       const Coefficients b = CubicsAlong(values, at, step);
       const M isOutside = hn::Or(hn::Lt(b.Largest, hn::Neg(error)), hn::Gt(b.Smallest, error));
-      const M isOpen = hn::AndNot(isOutside, isPassed);
-      open |= BitsOf(hn::AndNot(this->CanOnlyExit(b, error, enter, leave, i), isOpen)) << i;
+      M isOpen = hn::AndNot(isOutside, isPassed);
+      if (IsPlain && this->Task.IsSolid)
+      {
+        isOpen = hn::AndNot(CanOnlyExit(this->Beam, b, error, enter, leave, i), isOpen);
+      }
+      open |= BitsOf(isOpen) << i;
     }
     return open;
-  }
-
-  /// Those of some rays that surely enter no solid in a cell, as the field falls along them. What
-  /// is searched is as long as what was tested, but for the slack at both ends: at least half of
-  /// it. So its coefficients fall, too, half as much at least: by more than rounding may move them,
-  /// and their signs change once at most.
-  HWY_INLINE M CanOnlyExit(const Coefficients& b, V error, V enter, V leave, std::size_t i) const
-  {
-    if (!(IsPlain && this->Task.IsSolid))
-    {
-      return hn::Lt(error, error);
-    }
-    const TileBeam& beam = this->Beam;
-    const V end = hn::Min(leave, hn::Sub(Load(&beam.End[i]), Set(2.0f * beam.Margin)));
-    const V slack = Load(&beam.Slack[i]), quarter = hn::Mul(Set(0.25f), hn::Sub(leave, enter));
-    const M isLong = hn::And(hn::Lt(slack, quarter), hn::Lt(hn::Sub(leave, end), quarter));
-    return hn::And(isLong, hn::Lt(b.LargestRise, hn::Mul(Set(-8.0f), error)));
   }
 
   /// Corners in single precision, in any unit.

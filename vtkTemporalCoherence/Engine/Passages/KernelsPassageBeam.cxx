@@ -13,6 +13,7 @@
 #include <hwy/foreach_target.h>
 
 #include "Beams/KernelsBeamTree-inl.h"
+#include "Beams/KernelsCellStays-inl.h"
 #include "Beams/KernelsHull-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -51,7 +52,7 @@ private:
   void TestCell(const glm::ivec3& cell)
   {
     const typename Lattice::Cell box = this->Places.CellAt(cell);
-    const std::uint64_t passing = this->FindPassing(box);
+    const std::uint64_t passing = FindStays<IsPlain>(box, this->Beam, this->Stays);
     if (passing == 0)
     {
       return;
@@ -70,46 +71,11 @@ private:
     }
   }
 
-  /// One bit for each ray that may pass a cell on its walk.
-  HWY_INLINE std::uint64_t FindPassing(const typename Lattice::Cell& box)
-  {
-    const TileBeam& beam = this->Beam;
-    const CellFaces faces(box, beam.Margin, beam.Flip);
-    std::uint64_t passing = 0;
-    for (std::size_t i = 0; i < RayBatch::Capacity; i += hn::Lanes(Floats()))
-    {
-      V enter = IsPlain ? Set(-TileBeam::Never) : Load(&beam.Begin[i]),
-        leave = Set(TileBeam::Never);
-      for (std::size_t a = 0; a < 3; ++a)
-      {
-        const V inverse = Load(&beam.Inverse[a][i]);
-        if constexpr (IsPlain)
-        {
-          const V toOrigin = Load(&beam.ToOrigin[a][i]);
-          enter = hn::Max(enter, hn::MulAdd(Set(faces.Near[a]), inverse, toOrigin));
-          leave = hn::Min(leave, hn::MulAdd(Set(faces.Far[a]), inverse, toOrigin));
-        }
-        else
-        {
-          const V origin = Load(&beam.Origin[a][i]);
-          enter = hn::Max(enter, hn::Mul(hn::Sub(Set(faces.Near[a]), origin), inverse));
-          leave = hn::Min(leave, hn::Mul(hn::Sub(Set(faces.Far[a]), origin), inverse));
-        }
-      }
-      const M isAhead = hn::Le(enter, hn::Min(leave, Load(&beam.Behind[i])));
-      passing |= BitsOf(hn::And(isAhead, hn::Ge(leave, Load(&beam.WalkBegin[i])))) << i;
-      hn::StoreU(enter, Floats(), this->Enter + i);
-      hn::StoreU(leave, Floats(), this->Leave + i);
-    }
-    return passing;
-  }
-
   /// Find the keys of the lowest and highest value of some rays in a cell, rounded outwards.
   /// \return one bit for each ray that may pass an isovalue of the band
   HWY_INLINE std::uint64_t FindKeys(const typename Lattice::Cell& box, std::uint64_t passing)
   {
-    const TileBeam& beam = this->Beam;
-    const float margin = beam.Margin * box.LargestShare();
+    const float margin = this->Beam.Margin * box.LargestShare();
     constexpr float most = 0x1p-5f;
     if (this->Values.IsAny || this->Task.HasCaps || !(margin < most))
     {
@@ -136,8 +102,8 @@ private:
   HWY_INLINE std::uint64_t FindKeysOf(
     const typename Lattice::Cell& box, M isPassed, V error, std::size_t i)
   {
-    const V enter = hn::IfThenElseZero(isPassed, Load(this->Enter + i));
-    const V leave = hn::IfThenElseZero(isPassed, Load(this->Leave + i));
+    const V enter = hn::IfThenElseZero(isPassed, Load(this->Stays.Enter + i));
+    const V leave = hn::IfThenElseZero(isPassed, Load(this->Stays.Leave + i));
     V at[3], step[3];
     FindPathsIn(box, this->Beam, enter, leave, i, at, step);
     const Coefficients b = CubicsAlong(this->Values.Values, at, step);
@@ -147,26 +113,15 @@ private:
     const V low = hn::Sub(hn::Mul(hn::Sub(b.Smallest, error), keys), Set(slack));
     const V high = hn::Add(hn::Mul(hn::Add(b.Largest, error), keys), Set(slack));
     const M isOutside = hn::Or(hn::Lt(high, zero), hn::Gt(low, Set(last)));
-    const M isFound =
-      hn::AndNot(hn::Or(isOutside, this->CanOnlyExit(b, error, enter, leave, i)), isPassed);
+    M isFound = hn::AndNot(isOutside, isPassed);
+    if (IsPlain && this->Task.IsSolid)
+    {
+      isFound = hn::AndNot(CanOnlyExit(this->Beam, b, error, enter, leave, i), isFound);
+    }
     const Integers d;
     hn::StoreU(hn::ConvertTo(d, hn::Min(hn::Max(low, zero), Set(last))), d, &this->Keys.Low[i]);
     hn::StoreU(hn::ConvertTo(d, hn::Min(hn::Max(high, zero), Set(last))), d, &this->Keys.High[i]);
     return BitsOf(isFound);
-  }
-
-  /// Those of some rays that surely enter no solid in a cell: LayerCells tells why.
-  HWY_INLINE M CanOnlyExit(const Coefficients& b, V error, V enter, V leave, std::size_t i) const
-  {
-    if (!(IsPlain && this->Task.IsSolid))
-    {
-      return hn::Lt(error, error);
-    }
-    const TileBeam& beam = this->Beam;
-    const V end = hn::Min(leave, hn::Sub(Load(&beam.End[i]), Set(2.0f * beam.Margin)));
-    const V slack = Load(&beam.Slack[i]), quarter = hn::Mul(Set(0.25f), hn::Sub(leave, enter));
-    const M isLong = hn::And(hn::Lt(slack, quarter), hn::Lt(hn::Sub(leave, end), quarter));
-    return hn::And(isLong, hn::Lt(b.LargestRise, hn::Mul(Set(-8.0f), error)));
   }
 
   const PassageTask& Task;
@@ -177,7 +132,7 @@ private:
   // Of the present cell:
   PassedCell Values;
   PassedKeys Keys;
-  float Enter[RayBatch::Capacity], Leave[RayBatch::Capacity];
+  CellStays Stays;
 };
 
 template <bool IsPlain, class Lattice>

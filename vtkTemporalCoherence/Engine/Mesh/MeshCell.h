@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_MeshCell_h
+#define TemporalCoherence_MeshCell_h
+
+#include "Mesh/Mesh.h"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace TemporalCoherence
+{
+
+/// How a cell interpolates between its points.
+enum class MeshCellShape : std::uint8_t
+{
+  None,        ///< not a cell with volume, or hidden
+  Tetrahedron, ///< linear; 4 points
+  Hexahedron   ///< trilinear; 8 points, corner (x, y, z) of the unit cube at [x + 2 y + 4 z]
+};
+
+/// A cell, read from a mesh.
+///
+/// Voxels, wedges and pyramids are hexahedra, too. A wedge is a hexahedron with two edges of length
+/// 0, a pyramid one with a face that is a point: the same map from the unit cube, so VTK's own
+/// interpolation. Coordinates and values are as in the mesh, in double precision.
+struct MeshCell
+{
+  MeshCellShape Shape = MeshCellShape::None;
+  std::array<glm::dvec3, 8> Points; ///< in the coordinates of the mesh
+  std::array<double, 8> Values;
+
+  int NumberOfPoints() const
+  {
+    return this->Shape == MeshCellShape::Tetrahedron ? 4
+      : this->Shape == MeshCellShape::Hexahedron     ? 8
+                                                     : 0;
+  }
+};
+
+/// The points of a cell, by their numbers in a part of a mesh, in the order of MeshCell.
+struct MeshCellPoints
+{
+  MeshCellShape Shape = MeshCellShape::None;
+  std::array<std::int64_t, 8> Ids;
+};
+
+/// Which point of a VTK cell is at corner x + 2 y + 4 z of the unit cube.
+using CornerOrder = std::array<std::uint8_t, 8>;
+constexpr CornerOrder VoxelCorners = { 0, 1, 2, 3, 4, 5, 6, 7 };
+constexpr CornerOrder HexahedronCorners = { 0, 1, 3, 2, 4, 5, 7, 6 };
+constexpr CornerOrder WedgeCorners = { 0, 1, 2, 2, 3, 4, 5, 5 };
+constexpr CornerOrder PyramidCorners = { 0, 1, 3, 2, 4, 4, 4, 4 };
+
+/// Find the points of a cell. Its shape is None if it is hidden, or of a type that is left out.
+/// \pre the connectivity is valid
+inline MeshCellPoints PointsOf(const MeshPart& part, std::int64_t cell)
+{
+  MeshCellPoints points;
+  if (part.Flags && (part.Flags[cell] & part.HidingFlags) != 0)
+  {
+    return points;
+  }
+  if (part.Dimensions.x > 0)
+  {
+    const glm::i64vec3 cells = glm::i64vec3(part.Dimensions) - std::int64_t(1);
+    const std::int64_t row = part.Dimensions.x, slice = row * part.Dimensions.y;
+    const std::int64_t first =
+      cell % cells.x + cell / cells.x % cells.y * row + cell / cells.x / cells.y * slice;
+    points.Shape = MeshCellShape::Hexahedron;
+    points.Ids = { first, first + 1, first + row, first + row + 1, first + slice, first + slice + 1,
+      first + slice + row, first + slice + row + 1 };
+    return points;
+  }
+  const std::int64_t first = part.Offsets.IdAt(cell);
+  const auto take = [&](const CornerOrder& order)
+  {
+    points.Shape = MeshCellShape::Hexahedron;
+    for (std::size_t i = 0; i < order.size(); ++i)
+    {
+      points.Ids[i] = part.Connectivity.IdAt(first + order[i]);
+    }
+  };
+  switch (part.Types ? static_cast<MeshCellType>(part.Types[cell]) : MeshCellType::Hexahedron)
+  {
+    case MeshCellType::Tetrahedron:
+      points.Shape = MeshCellShape::Tetrahedron;
+      for (std::size_t i = 0; i < 4; ++i)
+      {
+        points.Ids[i] = part.Connectivity.IdAt(first + static_cast<std::int64_t>(i));
+      }
+      break;
+    case MeshCellType::Voxel:
+      take(VoxelCorners);
+      break;
+    case MeshCellType::Hexahedron:
+      take(HexahedronCorners);
+      break;
+    case MeshCellType::Wedge:
+      take(WedgeCorners);
+      break;
+    case MeshCellType::Pyramid:
+      take(PyramidCorners);
+      break;
+  }
+  return points;
+}
+
+/// Read a cell.
+/// \pre the connectivity is valid
+inline void ReadCell(const MeshPart& part, std::int64_t number, MeshCell& cell)
+{
+  const MeshCellPoints points = PointsOf(part, number);
+  cell.Shape = points.Shape;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(cell.NumberOfPoints()); ++i)
+  {
+    const std::int64_t id = points.Ids[i];
+    cell.Points[i] = { part.Coordinates[0].At(id), part.Coordinates[1].At(id),
+      part.Coordinates[2].At(id) };
+    cell.Values[i] = part.Values.At(id);
+  }
+}
+
+}
+
+#endif

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Acceleration/ActiveCells.h"
 
+#include "Scene/CellBox.h"
 #include "Scene/Parallel.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace TemporalCoherence
@@ -33,6 +35,20 @@ bool IsActive(const ValueRangePyramid::Range<T>& range, const std::vector<ValueB
   return false;
 }
 
+/// Cells with values below this can be active. A solid in a mesh is capped where a ray enters it,
+/// so that cells count that are wholly inside.
+double HighestActive(const Field& field, double isovalue, SurfaceMode mode)
+{
+  return mode == SurfaceMode::Threshold && field.Kind->Abilities().IsMesh
+    ? std::numeric_limits<double>::infinity()
+    : isovalue;
+}
+
+}
+
+std::uint64_t ActiveCells::CellsIn(const FieldKind& kind, const glm::ivec3& firstCell) const
+{
+  return kind.CellsIn({ firstCell, glm::ivec3(LeafSize) }, this->Bands);
 }
 
 void ActiveCells::Build(
@@ -41,7 +57,7 @@ void ActiveCells::Build(
   this->Release();
   for (const double isovalue : surfaces.Isovalues)
   {
-    this->Bands.push_back({ isovalue, isovalue });
+    this->Bands.push_back({ isovalue, HighestActive(field, isovalue, surfaces.Mode) });
   }
   std::sort(this->Bands.begin(), this->Bands.end(),
     [](const ValueBand& a, const ValueBand& b) { return a.Low < b.Low; });
@@ -53,7 +69,7 @@ void ActiveCells::Build(
   const Field& field, const ValueRangePyramid& pyramid, const ValueBand& band, SurfaceMode mode)
 {
   this->Release();
-  this->Bands = { band };
+  this->Bands = { { band.Low, HighestActive(field, band.High, mode) } };
   this->IsCapped = field.Hidden && mode == SurfaceMode::Threshold;
   this->FindLeaves(field, pyramid);
 }

@@ -8,6 +8,7 @@
 #include "Scene/Field.h"
 #include "Scene/Surfaces.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <memory>
@@ -76,14 +77,26 @@ public:
   template <typename T>
   std::uint64_t CellsOf(const TypedField<T>& field, std::int64_t node, const glm::ivec3& cell) const
   {
-    std::atomic<std::uint64_t>& word =
-      this->LeafWords[this->NodeWords[static_cast<std::size_t>(2 * node + 1)] +
-        static_cast<std::size_t>(LeafOf(cell))];
+    std::atomic<std::uint64_t>& word = this->WordOf(node, cell);
     std::uint64_t cells = word.load(std::memory_order_relaxed);
     if (cells == 0)
     {
       // An active leaf has an active cell, so that 0 can mean "not yet known".
       cells = this->FindCells(field, cell & ~3);
+      word.store(cells, std::memory_order_relaxed);
+    }
+    return cells;
+  }
+
+  /// The same for a field without samples.
+  std::uint64_t CellsOf(const FieldKind& kind, std::int64_t node, const glm::ivec3& cell) const
+  {
+    std::atomic<std::uint64_t>& word = this->WordOf(node, cell);
+    std::uint64_t cells = word.load(std::memory_order_relaxed);
+    if (cells == 0)
+    {
+      // The range of a leaf may hold what that of no cell does. One too many does no harm.
+      cells = std::max(this->CellsIn(kind, cell & ~3), std::uint64_t(1));
       word.store(cells, std::memory_order_relaxed);
     }
     return cells;
@@ -116,6 +129,13 @@ public:
   std::size_t MemoryInBytes() const;
 
 private:
+  std::atomic<std::uint64_t>& WordOf(std::int64_t node, const glm::ivec3& cell) const
+  {
+    return this->LeafWords[this->NodeWords[static_cast<std::size_t>(2 * node + 1)] +
+      static_cast<std::size_t>(LeafOf(cell))];
+  }
+
+  std::uint64_t CellsIn(const FieldKind& kind, const glm::ivec3& firstCell) const;
   void FindLeaves(const Field& field, const ValueRangePyramid& pyramid);
   void FindLevelsAbove(const glm::ivec3& nodes);
 

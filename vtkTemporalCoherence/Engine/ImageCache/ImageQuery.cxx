@@ -273,6 +273,10 @@ void ImageQuery::Interpolate(
   frame.Depth[pixel] = known.Hit[ray];
   frame.Isovalues[pixel] = image.Isovalues[stopped];
   frame.Kinds[pixel] = image.Kinds[stopped];
+  if (!frame.Cells.empty())
+  {
+    frame.Cells[pixel] = NoCell;
+  }
   frame.Answers[pixel] = Answer::DefiniteHit;
 
   // Interpolate between the centres of those of four pixels that show the same surface.

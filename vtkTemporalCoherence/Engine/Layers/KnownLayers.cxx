@@ -112,7 +112,8 @@ void KnownLayers::TakeHits(const PixelRect& part, const Frame& frame)
       const std::int16_t surface = frame.Isovalues[at];
       if (surface != Frame::NoSurface)
       {
-        this->Hits.push_back({ frame.Depth[at], pixel, surface, frame.Kinds[at] });
+        const CellNumber cell = frame.Cells.empty() ? NoCell : frame.Cells[at];
+        this->Hits.push_back({ frame.Depth[at], pixel, surface, frame.Kinds[at], {}, cell });
       }
       this->Ended |= static_cast<std::uint64_t>(surface == Frame::NoSurface) << place;
     });

@@ -33,7 +33,7 @@ std::optional<LineHit> TraceLine(const FrameKey& scene, const glm::dvec2& finite
   key.Appearance = Appearance();
   key.Appearance.Colors.resize(key.Isosurfaces.Isovalues.size());
   Frame frame;
-  frame.Resize(key.View.Size);
+  frame.Resize(key.View.Size, { false, false, key.Samples.Kind->Abilities().IsMesh });
   frame.Layers.resize(key.Isosurfaces.IsTranslucent() ? 1 : 0);
   const PixelRect pixel{ glm::ivec2(0), glm::ivec2(1) };
   // No structures: building them pays for whole pictures only, and reading every cell on one line

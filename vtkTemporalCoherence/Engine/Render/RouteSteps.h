@@ -25,7 +25,8 @@ inline FrameExtras ExtrasOf(const FrameTask& task)
   const bool isBounded =
     options.Accuracy == ReuseAccuracy::Bounded && IsFasterFrom(task.Key, task.Key);
   const bool isCached = options.Reuse.ImageCache;
-  return { isCached && (isPaper || isBounded), isCached && isBounded };
+  return { isCached && (isPaper || isBounded), isCached && isBounded,
+    task.Key.Samples.Kind->Abilities().IsMesh };
 }
 
 /// Make room for the frame, and find out where its rays can meet surfaces.

@@ -58,7 +58,7 @@ FrameExtras ExtrasToCopy(const FrameTask& task)
   const Frame& last = task.Store.Last().Picture;
   const FrameExtras extras = ExtrasOf(task);
   return { extras.Disparities && !last.Disparities.empty(),
-    extras.FirstEntries && !last.FirstEntries.empty() };
+    extras.FirstEntries && !last.FirstEntries.empty(), extras.Cells };
 }
 
 /// True if the colours of a cached image may be re-used: surfaces and lights must be the same.

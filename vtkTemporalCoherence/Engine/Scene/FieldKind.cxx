@@ -17,6 +17,11 @@ glm::dvec2 FieldKind::RangeIn(const CellBox&) const
   return { -infinity, infinity };
 }
 
+std::uint64_t FieldKind::CellsIn(const CellBox&, const std::vector<ValueBand>&) const
+{
+  return ~std::uint64_t(0);
+}
+
 IndexBox FieldKind::BoxOf(const CellBox& cells) const
 {
   return { glm::dvec3(cells.First), glm::dvec3(cells.First + cells.Size) };

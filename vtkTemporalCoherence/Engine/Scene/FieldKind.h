@@ -5,8 +5,10 @@
 
 #include <glm/glm.hpp>
 
+#include <cstdint>
 #include <limits>
 #include <memory>
+#include <vector>
 
 namespace TemporalCoherence
 {
@@ -22,6 +24,7 @@ struct IndexTransform;
 struct RayBatch;
 struct Surfaces;
 struct TraceScene;
+struct ValueBand;
 
 /// A box in index space.
 struct IndexBox
@@ -44,6 +47,9 @@ struct FieldAbilities
   bool Samples = false; ///< it has samples at Field::Samples, from which value ranges are made
   bool TimeSteps = false; ///< fingerprints tell which samples changed
   bool Passages = false;  ///< its isomaps can hold all passages of rays, for translucent surfaces
+  /// Its cells have any shape: hits tell their cells, and it has no samples. It has an end anywhere
+  /// in its box, where solids are capped.
+  bool IsMesh = false;
 };
 
 /// What frames ask of a field, whatever its cells are. A kind is immutable and shared by fields.
@@ -65,6 +71,11 @@ public:
   /// Bounds of the field's values in a block of cells. Only called for kinds without samples. Such
   /// a field has the type ScalarType::Float64.
   virtual glm::dvec2 RangeIn(const CellBox& cells) const;
+
+  /// One bit for each cell of a leaf that a surface can pass through, by the bits of ActiveCells.
+  /// Only called for kinds without samples. By default all are.
+  /// \param bands ascending; without an upper end, if cells count that are wholly inside
+  virtual std::uint64_t CellsIn(const CellBox& leaf, const std::vector<ValueBand>& bands) const;
 
   /// True if all blocks of the same number of cells have the same size in index space.
   virtual bool AreBlocksAlike() const { return true; }

@@ -57,6 +57,11 @@ struct LayerColor
   bool operator==(const LayerColor& other) const { return this->Values == other.Values; }
 };
 
+/// The number of a cell of a mesh, for hits in such fields. NoCell: the field is no mesh, or the
+/// cell is not known.
+using CellNumber = std::uint32_t;
+constexpr CellNumber NoCell = ~CellNumber(0);
+
 /// A surface that a ray meets, opaque or translucent.
 struct LayerHit
 {
@@ -67,6 +72,7 @@ struct LayerHit
   /// The composited colour of all layers in front of the next one that is kept. That of the last
   /// one kept is the pixel's colour.
   LayerColor Color{};
+  CellNumber Cell = NoCell;
 };
 
 /// How many layers of a pixel a frame keeps. Light that passes so many is either faint or meets a
@@ -90,11 +96,12 @@ struct LayersBehind
 template <typename T>
 using Plane = std::vector<T, DefaultInitAllocator<T>>;
 
-/// Planes that only views made from a picture need.
+/// Planes that not all pictures need.
 struct FrameExtras
 {
-  bool Disparities = false;
-  bool FirstEntries = false;
+  bool Disparities = false;  ///< views made from the picture need them
+  bool FirstEntries = false; ///< the same
+  bool Cells = false;        ///< the field is a mesh
 };
 
 /// A finished picture: planes with one value for each pixel. Row 0 is the bottom row; pixel (x, y)
@@ -115,6 +122,7 @@ struct Frame
   // FrameExtras: each is empty if no view will need it.
   Plane<float> Disparities;  ///< of the hit, or of a miss (Disparity.h)
   Plane<float> FirstEntries; ///< disparity at which the ray first entered an active cell
+  Plane<CellNumber> Cells;   ///< in which the surface is hit
 
   /// If surfaces are translucent, all layers of each tile: round by round from front to back, and
   /// by pixel within a round. Of a pixel with more than LayersOfPixel layers, every second one is
@@ -147,6 +155,7 @@ struct Frame
     visit(&Frame::Colors, std::array<std::uint8_t, 4>{ 0, 0, 0, 0 });
     visit(&Frame::Disparities, disparityOfMiss);
     visit(&Frame::FirstEntries, disparityOfMiss);
+    visit(&Frame::Cells, NoCell);
   }
 
   /// Resize every plane to `size` pixels. Contents are undefined if that changes anything.
@@ -154,7 +163,7 @@ struct Frame
   void Resize(const glm::ivec2& size, const FrameExtras& extras = {})
   {
     if (size == this->Size && extras.Disparities == !this->Disparities.empty() &&
-      extras.FirstEntries == !this->FirstEntries.empty())
+      extras.FirstEntries == !this->FirstEntries.empty() && extras.Cells == !this->Cells.empty())
     {
       return;
     }
@@ -183,6 +192,10 @@ private:
   static bool IsWanted(Plane<T> Frame::*, const FrameExtras&)
   {
     return true;
+  }
+  static bool IsWanted(Plane<CellNumber> Frame::*, const FrameExtras& extras)
+  {
+    return extras.Cells;
   }
   static bool IsWanted(Plane<float> Frame::*plane, const FrameExtras& extras)
   {

@@ -101,6 +101,7 @@ void CopyRays(const PixelRect& part, const Frame& from, Frame& frame)
     copy(&Frame::Answers);
     copy(&Frame::Disparities);
     copy(&Frame::FirstEntries);
+    copy(&Frame::Cells);
     if (frame.FirstEntries.empty())
     {
       // Only frames with first entries tell where a ray runs inside.
@@ -119,7 +120,7 @@ float DisparityAt(const RayBatch& rays, std::size_t ray, double t, bool isParall
 namespace
 {
 
-/// Write what only views made from the frame need.
+/// Write what not all frames need.
 void StoreExtras(
   const RayBatch& rays, const HitBatch& hits, std::size_t ray, bool isParallel, Frame& frame)
 {
@@ -127,6 +128,10 @@ void StoreExtras(
   if (!frame.Disparities.empty())
   {
     frame.Disparities[pixel] = DisparityAt(rays, ray, hits.Depth[ray], isParallel);
+  }
+  if (!frame.Cells.empty())
+  {
+    frame.Cells[pixel] = hits.Cell[ray];
   }
   if (!frame.FirstEntries.empty())
   {
@@ -178,7 +183,8 @@ void StoreHits(const RayBatch& rays, const HitBatch& hits, const RayBatch::Array
       copy(i, std::integral_constant<int, 1>());
     }
   }
-  const bool hasExtras = !frame.Disparities.empty() || !frame.FirstEntries.empty();
+  const bool hasExtras =
+    !frame.Disparities.empty() || !frame.FirstEntries.empty() || !frame.Cells.empty();
   for (std::size_t i = 0; i < count && hasExtras; ++i)
   {
     StoreExtras(rays, hits, i, isParallel, frame);

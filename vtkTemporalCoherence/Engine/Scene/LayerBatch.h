@@ -47,6 +47,7 @@ struct LayerBatch
   List<double> Distance;
   List<std::int16_t> Surface;
   List<HitKind> Kind;
+  List<CellNumber> Cell; ///< of a mesh
   List<std::uint8_t> Ray;
 
   std::size_t Limit = MostLayers; ///< how many of a ray to look for in this pass
@@ -106,12 +107,14 @@ struct LayerBatch
   void Close(std::size_t ray) { this->Open &= ~(std::uint64_t(1) << ray); }
 
   /// Append the next surface of a ray. A ray that is full or opaque then is open no more.
-  void Append(std::size_t ray, double distance, HitKind kind, std::int16_t surface)
+  void Append(
+    std::size_t ray, double distance, HitKind kind, std::int16_t surface, CellNumber cell = NoCell)
   {
     const std::size_t at = this->Total++;
     this->Distance[at] = distance;
     this->Surface[at] = surface;
     this->Kind[at] = kind;
+    this->Cell[at] = cell;
     this->Ray[at] = static_cast<std::uint8_t>(ray);
     this->Place[this->Count[ray]++][ray] = static_cast<std::uint16_t>(at);
     this->LastDistance[ray] = distance;

@@ -64,7 +64,8 @@ struct HitBatch
   RayBatch::Array<std::uint8_t> FromInside; ///< 1 if it is inside that cell's isovalue there
   RayBatch::Array<std::int16_t> Surface; ///< position in the list of isovalues, or Frame::NoSurface
   RayBatch::Array<HitKind> Kind;
-  std::int64_t CellsRead = 0; ///< cells whose eight samples were read
+  RayBatch::Array<CellNumber> Cell; ///< of a mesh
+  std::int64_t CellsRead = 0;       ///< cells whose eight samples were read
 
   /// Set the first `count` rays to misses.
   void Clear(int count)
@@ -75,6 +76,7 @@ struct HitBatch
     std::fill_n(this->FromInside.begin(), count, std::uint8_t(0));
     std::fill_n(this->Surface.begin(), count, Frame::NoSurface);
     std::fill_n(this->Kind.begin(), count, HitKind::None);
+    std::fill_n(this->Cell.begin(), count, NoCell);
     this->CellsRead = 0;
   }
 };

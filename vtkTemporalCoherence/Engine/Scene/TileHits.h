@@ -40,6 +40,7 @@ struct TileHits
         this->Hits.Depth[i] = this->Layers.Distance[first];
         this->Hits.Surface[i] = this->Layers.Surface[first];
         this->Hits.Kind[i] = this->Layers.Kind[first];
+        this->Hits.Cell[i] = this->Layers.Cell[first];
       }
     }
   }

@@ -88,6 +88,10 @@ private:
     }
     std::copy_n(&this->Planes.Isovalues[first], TileSize, &this->Hits.Surface[at]);
     std::copy_n(&this->Planes.Kinds[first], TileSize, &this->Hits.Kind[at]);
+    if (!this->Planes.Cells.empty())
+    {
+      std::copy_n(&this->Planes.Cells[first], TileSize, &this->Hits.Cell[at]);
+    }
     std::copy_n(x, TileSize, &this->Hits.X[at]);
     std::fill_n(&this->Hits.Y[at], TileSize, y);
     std::copy_n(&this->Planes.Depth[first], TileSize, &this->Hits.Rays.T[at]);
@@ -110,6 +114,7 @@ private:
       this->Hits.Pixel[hitCount] = static_cast<std::int32_t>(pixel);
       this->Hits.Surface[hitCount] = this->Planes.Isovalues[pixel];
       this->Hits.Kind[hitCount] = this->Planes.Kinds[pixel];
+      this->Hits.Cell[hitCount] = this->Planes.Cells.empty() ? NoCell : this->Planes.Cells[pixel];
       this->Hits.X[hitCount] = x[i];
       this->Hits.Y[hitCount] = y;
       this->Hits.Rays.T[hitCount] = this->Planes.Depth[pixel];
@@ -152,6 +157,7 @@ void TakeHits(const View& view, const TileHits& found, HitList& hits)
   hits.Pixel = found.Rays.Pixel;
   hits.Surface = found.Hits.Surface;
   hits.Kind = found.Hits.Kind;
+  hits.Cell = found.Hits.Cell;
   hits.Rays.Eye = view.Origin;
   hits.Rays.Direction = &found.World;
   const std::uint64_t met = ShadingKernels::TakeFinite(found.Hits.Depth, hits.Rays.T);

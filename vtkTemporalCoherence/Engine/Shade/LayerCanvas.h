@@ -133,6 +133,10 @@ private:
       this->Planes.Depth[pixel] = hit.Depth;
       this->Planes.Isovalues[pixel] = hit.Isovalue;
       this->Planes.Normals[pixel] = { layer.Normal[0], layer.Normal[1], layer.Normal[2] };
+      if (!this->Planes.Cells.empty())
+      {
+        this->Planes.Cells[pixel] = hit.Cell;
+      }
     }
     this->Round.Which |= std::uint64_t(1) << place;
     this->Round.Alpha[place] = layer.Alpha;

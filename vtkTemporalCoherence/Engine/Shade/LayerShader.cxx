@@ -17,6 +17,7 @@ void LayerShader::TakeHits(
   hits.Rays.Count = count;
   std::copy_n(layers.Surface.begin() + first, count, hits.Surface.begin());
   std::copy_n(layers.Kind.begin() + first, count, hits.Kind.begin());
+  std::copy_n(layers.Cell.begin() + first, count, hits.Cell.begin());
   std::copy_n(layers.Distance.begin() + first, count, hits.Rays.T.begin());
   const auto take = [&](const auto& from, auto& to)
   {

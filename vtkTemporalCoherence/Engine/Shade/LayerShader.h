@@ -41,6 +41,7 @@ struct PixelCentres
     hits.Pixel[at] = hit.Pixel;
     hits.Surface[at] = hit.Isovalue;
     hits.Kind[at] = hit.Kind;
+    hits.Cell[at] = hit.Cell;
     hits.X[at] = this->X[place];
     hits.Y[at] = this->Y[place];
     hits.Rays.T[at] = hit.Depth;

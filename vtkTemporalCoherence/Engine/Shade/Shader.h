@@ -31,7 +31,8 @@ struct HitList
   Array<std::int32_t> Pixel;   ///< position in the planes of the frame
   Array<std::int16_t> Surface; ///< position in the list of isovalues
   Array<HitKind> Kind;
-  Array<double> X, Y; ///< normalised device coordinates, if FindHitRays is to be called
+  Array<CellNumber> Cell; ///< of a mesh; NoCell also at misses. Not set for other fields
+  Array<double> X, Y;     ///< normalised device coordinates, if FindHitRays is to be called
   HitRays Rays;
   Array<std::array<float, 3>> Normal;
   std::uint64_t Misses = 0; ///< one bit for each place without a hit

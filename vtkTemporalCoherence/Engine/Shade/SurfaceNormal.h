@@ -37,6 +37,8 @@ struct GradientTile
   const HitRays& Rays;                           ///< at least 1, to the end of the last vector
   const RayBatch::Array<std::int16_t>& Surfaces; ///< positions in the list of isovalues
   Vectors& Gradients; ///< result: per index step, finite up to the end of the last vector
+  /// Of a mesh, that were hit, or NoCell. Null: they are not known.
+  const RayBatch::Array<CellNumber>* Cells = nullptr;
 };
 
 /// Find the gradients of a field of any kind.

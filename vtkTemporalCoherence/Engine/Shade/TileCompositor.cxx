@@ -81,7 +81,8 @@ void TileCompositor::SetUp(
     const auto pixel = static_cast<std::size_t>(found.Rays.Pixel[ray]);
     if (frame.Isovalues[pixel] != Frame::NoSurface)
     {
-      found.Layers.Append(ray, frame.Depth[pixel], frame.Kinds[pixel], frame.Isovalues[pixel]);
+      found.Layers.Append(ray, frame.Depth[pixel], frame.Kinds[pixel], frame.Isovalues[pixel],
+        frame.Cells.empty() ? NoCell : frame.Cells[pixel]);
     }
     else
     {
@@ -290,6 +291,7 @@ void TileCompositor::AddLayers(
         hit.Pixel = found.Rays.Pixel[ray];
         hit.Isovalue = layers.Surface[at];
         hit.Kind = layers.Kind[at];
+        hit.Cell = layers.Cell[at];
         list.Append(ray, hit, shaded[at]);
       });
     canvas.Add(list);

@@ -34,6 +34,7 @@ void AppendPiece(const RayBatch& rays, std::size_t ray, const glm::dvec2& ends,
   pieces.Hits.FromInside[at] = 0;
   pieces.Hits.Surface[at] = last.Surface[ray];
   pieces.Hits.Kind[at] = last.Kind[ray];
+  pieces.Hits.Cell[at] = last.Cell[ray];
 }
 
 /// Copy the hit of a piece to its ray.
@@ -42,6 +43,7 @@ void TakeHit(const HitBatch& found, std::size_t i, std::size_t ray, HitBatch& hi
   hits.Depth[ray] = found.Depth[i];
   hits.Surface[ray] = found.Surface[i];
   hits.Kind[ray] = found.Kind[i];
+  hits.Cell[ray] = found.Cell[i];
   if (found.FirstEntry[i] < hits.FirstEntry[ray])
   {
     hits.FirstEntry[ray] = found.FirstEntry[i];

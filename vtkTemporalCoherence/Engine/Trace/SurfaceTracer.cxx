@@ -20,6 +20,7 @@ struct RestOfRays
         this->Hits.Depth[at] = layers.LastDistance[ray];
         this->Hits.Surface[at] = layers.LastSurface[ray];
         this->Hits.Kind[at] = layers.LastKind[ray];
+        this->Hits.Cell[at] = NoCell;
         AppendRay(rays, ray, this->Rays);
       });
     this->Hits.CellsRead = 0;
@@ -53,7 +54,8 @@ void SurfaceTracer::FindLayers(const RayBatch& rays, LayerBatch& layers) const
     {
       if (rest.Hits.Surface[i] != Frame::NoSurface)
       {
-        layers.Append(rest.From[i], rest.Hits.Depth[i], rest.Hits.Kind[i], rest.Hits.Surface[i]);
+        layers.Append(rest.From[i], rest.Hits.Depth[i], rest.Hits.Kind[i], rest.Hits.Surface[i],
+          rest.Hits.Cell[i]);
       }
       else
       {

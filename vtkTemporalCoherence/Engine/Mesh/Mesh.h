@@ -67,6 +67,7 @@ struct MeshPart
 
   const std::uint8_t* Types = nullptr; ///< MeshCellType of each cell; null: all are hexahedra
   MeshArray Offsets, Connectivity;     ///< integers of 32 or 64 bits
+  std::int64_t ConnectivitySize = 0;   ///< numbers in Connectivity, so that offsets can be checked
   glm::ivec3 Dimensions{ 0 };          ///< points along each axis
 
   const std::uint8_t* Flags = nullptr; ///< of each cell; null: no cell is hidden

@@ -77,6 +77,13 @@ set(engine_files
   Fields/UniformBandTracer
   Fields/UniformKind
   Fields/UniformTracer
+  Mesh/MeshBoxes
+  Mesh/MeshCheck
+  Mesh/MeshLeaves
+  Mesh/MeshOrder
+  Mesh/MeshRuns
+  Mesh/MeshTree
+  Mesh/RadixSort
   Render/CapTiles
   Render/FrameRenderer
   Render/FrameStore

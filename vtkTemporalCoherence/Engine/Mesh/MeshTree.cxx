@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mesh/MeshTree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace TemporalCoherence
+{
+
+std::shared_ptr<const MeshTree> MeshTree::Build(const std::shared_ptr<const Mesh>& mesh,
+  const ReportProgress& progress, std::size_t memoryLimit, MeshProblem& problem)
+{
+  // Shares of the time that the steps take.
+  constexpr double Checked = 0.2, Ordered = 0.7;
+  problem = {};
+  const std::shared_ptr<MeshTree> tree(new MeshTree(mesh));
+  const std::vector<CellChunk> chunks = CheckMesh(*mesh, PartOf(progress, 0.0, Checked), problem);
+  if (problem.Defect != MeshDefect::None)
+  {
+    return nullptr;
+  }
+  std::int64_t cells = 0;
+  for (const CellChunk& chunk : chunks)
+  {
+    cells += chunk.NumberOfCells;
+  }
+  if (MemoryToBuild(cells) > memoryLimit)
+  {
+    problem.Defect = MeshDefect::NoMemory;
+    return nullptr;
+  }
+  bool isStopped = false;
+  tree->Order = std::make_shared<const CellNumbers>(
+    OrderCells(tree->Cells, chunks, PartOf(progress, Checked, Ordered), isStopped));
+  if (isStopped)
+  {
+    problem.Defect = MeshDefect::Stopped;
+    return nullptr;
+  }
+  return tree->Refit(mesh, PartOf(progress, Ordered, 1.0), problem);
+}
+
+std::size_t MeshTree::MemoryToBuild(std::int64_t cells)
+{
+  // Boxes are a part of what the order takes.
+  return MemoryToOrder(cells);
+}
+
+std::shared_ptr<const MeshTree> MeshTree::Refit(const std::shared_ptr<const Mesh>& mesh,
+  const ReportProgress& progress, MeshProblem& problem) const
+{
+  problem = {};
+  const std::shared_ptr<MeshTree> tree(new MeshTree(mesh));
+  tree->Order = this->Order;
+  const auto boxes = std::make_shared<MeshBoxes>();
+  if (!boxes->Build(tree->Cells, *tree->Order, progress, problem))
+  {
+    return nullptr;
+  }
+  tree->Boxes = boxes;
+  return tree;
+}
+
+std::shared_ptr<const MeshTree> MeshTree::WithValuesOf(
+  const std::shared_ptr<const Mesh>& mesh) const
+{
+  const std::shared_ptr<MeshTree> tree(new MeshTree(mesh));
+  tree->Order = this->Order;
+  tree->Boxes = this->Boxes;
+  return tree;
+}
+
+CellRange MeshTree::RangeOfLeaf(std::int64_t leaf, CellRange* finite) const
+{
+  CellRange range;
+  const std::int64_t end = std::min(64 * leaf + 64, this->NumberOfCells());
+  for (std::int64_t rank = 64 * leaf; rank < end; ++rank)
+  {
+    this->Cells.ReadValues(this->CellAt(rank),
+      [&](int, double value)
+      {
+        range.Widen(value);
+        if (finite && std::isfinite(value))
+        {
+          finite->Widen(value);
+        }
+      });
+  }
+  return range;
+}
+
+std::uint64_t MeshTree::CellsIn(
+  std::int64_t leaf, const std::vector<ValueBand>& bands, bool isSolid) const
+{
+  std::uint64_t active = 0;
+  const std::int64_t first = 64 * leaf;
+  const std::int64_t end = std::min(first + 64, this->NumberOfCells());
+  for (std::int64_t rank = first; rank < end; ++rank)
+  {
+    const CellRange range = this->Cells.ReadRange(this->CellAt(rank));
+    const bool isActive = std::any_of(bands.begin(), bands.end(),
+      [&](const ValueBand& band)
+      { return range.Max >= band.Low && (isSolid || range.Min < band.High); });
+    active |= static_cast<std::uint64_t>(isActive) << (rank - first);
+  }
+  return active;
+}
+
+std::size_t MeshTree::MemoryInBytes() const
+{
+  return this->Order->capacity() * sizeof(std::uint32_t) + this->Boxes->MemoryInBytes();
+}
+
+}

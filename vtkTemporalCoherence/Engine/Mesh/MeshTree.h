@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_MeshTree_h
+#define TemporalCoherence_MeshTree_h
+
+#include "Mesh/Mesh.h"
+#include "Mesh/MeshBoxes.h"
+#include "Mesh/MeshCheck.h"
+#include "Mesh/MeshLattice.h"
+#include "Mesh/MeshOrder.h"
+#include "Mesh/MeshReader.h"
+#include "Scene/Progress.h"
+#include "Scene/Surfaces.h"
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace TemporalCoherence
+{
+
+/// A tree over the cells of a mesh, laid into the lattice that frames ask for.
+///
+/// Cells with volume that are not hidden are sorted along a curve through space. The *rank* of a
+/// cell is its place in this order. 64 consecutive cells are a leaf, 64 leaves a node, and so on,
+/// each with a box around its cells. Boxes of different leaves may overlap, but each cell is in one
+/// leaf. MeshLattice tells where ranks, leaves and nodes lie in the lattice.
+///
+/// A tree is immutable. It reads the cells from the mesh, and keeps it.
+class MeshTree
+{
+public:
+  /// Check the mesh and order its cells, in parallel. A mesh without cells has an empty tree.
+  /// \param progress    asked now and then by the calling thread
+  /// \param memoryLimit in bytes, for what is needed while the tree is built
+  /// \return null if there is a problem
+  /// \throws std::bad_alloc
+  static std::shared_ptr<const MeshTree> Build(const std::shared_ptr<const Mesh>& mesh,
+    const ReportProgress& progress, std::size_t memoryLimit, MeshProblem& problem);
+
+  /// The memory that is needed while a tree of so many cells is built.
+  static std::size_t MemoryToBuild(std::int64_t cells);
+
+  /// A tree for the same cells and other points, in the same order, with new boxes.
+  /// \pre the mesh has equal cells: CellStamp
+  std::shared_ptr<const MeshTree> Refit(const std::shared_ptr<const Mesh>& mesh,
+    const ReportProgress& progress, MeshProblem& problem) const;
+
+  /// The same tree for other values. Costs nothing.
+  /// \pre the mesh has equal cells and points: CellStamp and PointStamp
+  std::shared_ptr<const MeshTree> WithValuesOf(const std::shared_ptr<const Mesh>& mesh) const;
+
+  const Mesh& TheMesh() const { return *this->Source; }
+  const MeshReader& Reader() const { return this->Cells; }
+
+  /// Of the lattice, in samples: cells + 1. 1 if there is no cell.
+  const glm::ivec3& Dimensions() const { return this->Boxes->Dimensions; }
+
+  /// mesh coordinates = Low + Scale * index. The scale is a power of two.
+  double Scale() const { return this->Boxes->Scale; }
+  const glm::dvec3& Low() const { return this->Boxes->Low; }
+
+  /// Of the cells in the tree.
+  const EdgeLengths& Edges() const { return this->Boxes->Edges; }
+
+  /// Cells in the tree: those with volume that are not hidden.
+  std::int64_t NumberOfCells() const { return static_cast<std::int64_t>(this->Order->size()); }
+  std::int64_t NumberOfLeaves() const { return (this->NumberOfCells() + 63) / 64; }
+
+  /// The rank that lies at a cell of the lattice. It may be NumberOfCells or more: there is no
+  /// cell.
+  static std::int64_t RankOf(const glm::ivec3& latticeCell)
+  {
+    return MeshLattice::NumberOf(latticeCell);
+  }
+  static glm::ivec3 PlaceOf(std::int64_t rank) { return MeshLattice::PlaceOf(rank); }
+
+  /// The number of a cell of the mesh through all parts, given its rank.
+  std::uint32_t CellAt(std::int64_t rank) const
+  {
+    return (*this->Order)[static_cast<std::size_t>(rank)];
+  }
+
+  /// Boxes in index space. Leaf n holds the ranks from 64 n on, node n the leaves from 64 n on, and
+  /// block n of a level the blocks from 64 n on of the level below. Level 0 are leaves, 1 nodes,
+  /// and level 2 + i are the blocks of ActiveCells::LevelsAbove()[i]; the last level is one block.
+  const FloatBox& LeafBox(std::int64_t leaf) const { return this->BlockBox(0, leaf); }
+  const FloatBox& NodeBox(std::int64_t node) const { return this->BlockBox(1, node); }
+  const FloatBox& BlockBox(std::size_t level, std::int64_t block) const
+  {
+    return this->Boxes->Levels[level][static_cast<std::size_t>(block)];
+  }
+  /// The same by the place of a block among those of its level. \pre it holds cells
+  const FloatBox& BlockBox(std::size_t level, const glm::ivec3& block) const
+  {
+    return this->BlockBox(level, MeshLattice::NumberOf(block));
+  }
+  std::size_t NumberOfLevels() const { return this->Boxes->Levels.size(); }
+
+  /// The box around a block of cells of the lattice. A part of a leaf has the leaf's box; a block
+  /// without cells is a point.
+  IndexBox BoxOf(const CellBox& cells) const { return this->Boxes->BoxOf(cells); }
+
+  /// The range of the values of a leaf, read from the mesh. NaN counts as -infinity, so that no
+  /// surface beside it is lost. A leaf without cells has Min > Max.
+  /// \param finite the range of the finite values, if it is asked for
+  CellRange RangeOfLeaf(std::int64_t leaf, CellRange* finite = nullptr) const;
+
+  /// One bit for each cell of a leaf that an isovalue of the ascending bands passes; for solids,
+  /// each cell that is not outside of all.
+  std::uint64_t CellsIn(std::int64_t leaf, const std::vector<ValueBand>& bands, bool isSolid) const;
+
+  std::size_t MemoryInBytes() const;
+
+private:
+  explicit MeshTree(std::shared_ptr<const Mesh> mesh)
+    : Source(std::move(mesh))
+    , Cells(*this->Source)
+  {
+  }
+
+  std::shared_ptr<const Mesh> Source;
+  MeshReader Cells;
+  std::shared_ptr<const CellNumbers> Order; ///< numbers of cells by rank
+  std::shared_ptr<const MeshBoxes> Boxes;
+};
+
+}
+
+#endif

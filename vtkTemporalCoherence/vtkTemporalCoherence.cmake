@@ -26,6 +26,11 @@ set(engine_files
   Trace/RaySource
   Trace/RegionClipper
   Trace/SurfaceTracer
+  Mesh/CellPoints
+  Mesh/HexahedronRoots
+  Mesh/KernelsHexahedra
+  Mesh/KernelsHexahedronSpans
+  Mesh/KernelsTetrahedra
   Layers/KnownLayers
   Layers/LayerMerge
   Layers/LimitedLayers

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_CellPoints_h
+#define TemporalCoherence_CellPoints_h
+
+#include "Mesh/MeshCell.h"
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+
+namespace TemporalCoherence
+{
+namespace MeshKernels
+{
+
+/// Where a point lies in a cell.
+struct PointInCell
+{
+  /// Coordinates of the cell: of a hexahedron in the unit cube, of a tetrahedron the weights of its
+  /// points 1, 2 and 3. Finite.
+  glm::dvec3 At;
+  bool IsIn; ///< it lies in the cell, within the tolerance
+};
+
+/// Find a point in a cell. Where a folded cell covers it more than once, one of these is found.
+/// Where the point is outside, At is one nearby: the end of a search that does not always find the
+/// nearest.
+/// \param tolerance by which coordinates may lie outside of the cell
+PointInCell FindPoint(const MeshCell& cell, const glm::dvec3& point, double tolerance = 1e-9);
+
+/// The interpolated value.
+double ValueAt(const MeshCell& cell, const glm::dvec3& at);
+
+/// The point in the coordinates of the mesh.
+glm::dvec3 PointAt(const MeshCell& cell, const glm::dvec3& at);
+
+/// The gradient of the interpolated value with respect to the coordinates of the mesh. In flat
+/// parts of cells it is the gradient along them. It is always finite.
+glm::dvec3 GradientAt(const MeshCell& cell, const glm::dvec3& at);
+
+/// The gradient at each of these points, which lie in or close to their cells.
+void FindGradients(
+  const MeshCell* cells, const glm::dvec3* points, std::size_t count, glm::dvec3* gradients);
+
+}
+}
+
+#endif

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_HexahedronRoots_h
+#define TemporalCoherence_HexahedronRoots_h
+
+#include "Mesh/KernelsCells.h"
+
+#include <array>
+#include <cstddef>
+
+namespace TemporalCoherence
+{
+namespace MeshKernels
+{
+
+/// A hexahedron as one ray sees it: at each corner the sheared coordinates x and y, the difference,
+/// and the distance along the ray.
+struct SeenHexahedron
+{
+  std::array<double, 8> X, Y, Difference, T;
+};
+
+/// Where x, y and the difference are 0.
+struct HexahedronRoot
+{
+  std::array<double, 3> At; ///< in the cell, from -1 to 1
+  double T;
+  bool Rises; ///< the difference rises along the ray
+};
+
+struct HexahedronRoots
+{
+  std::size_t Count = 0;
+  std::array<HexahedronRoot, Crossings::MostInCell> Roots;
+};
+
+/// Find all roots in a cell, one ray at a time: halve boxes until each holds no root, or one.
+///
+/// Boxes whose roots cannot be told apart are halved down to SmallestBox, and then taken as one
+/// root; at most MostBoxes are looked at. So whole lines or faces of roots end the search, too.
+void FindRoots(const SeenHexahedron& cell, HexahedronRoots& roots);
+
+constexpr double SmallestBox = 1e-10; ///< of the cell's edge
+constexpr int MostBoxes = 4096;
+
+/// Rounding errors of values, where the largest value at a corner is 1.
+constexpr double ValueError = 4e-15;
+
+/// How far outside of a cell roots still count, in the cell's coordinates, beyond rounding errors.
+constexpr double Margin = 1e-12;
+
+/// Rounding errors of roots for which a system is too ill-conditioned to be solved at once.
+constexpr double MostError = 1e-3;
+
+/// Slopes of the nonlinear parts of a preconditioned system, below which it has one root at most in
+/// the box, and Newton's method in the box finds it.
+constexpr double MostNonlinear = 1.0 / 3.0;
+
+/// Systems with a smaller determinant are taken for singular.
+constexpr double LeastDeterminant = 1e-60;
+
+/// Newton's method: it ends after so many steps, or with so short a step.
+constexpr int MostNewtonSteps = 16;
+constexpr double LastStep = 1e-15, LastMove = 1e-16;
+
+/// How often boxes of vectors are cut before a lane is searched alone.
+constexpr int MostRounds = 3;
+
+}
+}
+
+#endif

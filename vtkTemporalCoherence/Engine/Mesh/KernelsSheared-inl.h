@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Cells as vectors of rays see them. Kernels include this file once for each kind of vectors, hence
+// the toggling guard.
+#if defined(TemporalCoherence_KernelsSheared_inl_h) == defined(HWY_TARGET_TOGGLE)
+#ifdef TemporalCoherence_KernelsSheared_inl_h
+#undef TemporalCoherence_KernelsSheared_inl_h
+#else
+#define TemporalCoherence_KernelsSheared_inl_h
+#endif
+
+#include "Mesh/TurnedPairs.h"
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace TemporalCoherence
+{
+namespace MeshKernels
+{
+namespace HWY_NAMESPACE
+{
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Doubles = hn::CappedTag<double, WidestVector / 2>;
+
+/// One bit for each lane.
+template <class D>
+HWY_INLINE std::uint64_t BitsOf(D d, hn::Mask<D> mask)
+{
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(d, mask, bytes);
+  return bytes[0];
+}
+
+/// The points of one cell, the same for all lanes.
+template <class D, class Cell>
+struct SamePoints
+{
+  using V = hn::Vec<D>;
+  HWY_INLINE SamePoints(const Cell& cell, std::size_t axis)
+    : From(cell)
+    , Axes(TurnedAxes(axis))
+  {
+  }
+  HWY_INLINE V At(std::size_t corner, std::size_t a) const
+  {
+    return hn::Set(D(), this->From.Points[corner][this->Axes[a]]);
+  }
+  HWY_INLINE V Value(std::size_t corner) const { return hn::Set(D(), this->From.Values[corner]); }
+
+  const Cell& From;
+  std::array<glm::length_t, 3> Axes;
+};
+
+/// The points of another cell in each lane.
+template <class D, std::size_t Number>
+struct OwnPoints
+{
+  using V = hn::Vec<D>;
+  HWY_INLINE V At(std::size_t corner, std::size_t a) const
+  {
+    return hn::LoadU(D(), &this->From.Points[corner][a][this->First]);
+  }
+  HWY_INLINE V Value(std::size_t corner) const
+  {
+    return hn::LoadU(D(), &this->From.Values[corner][this->First]);
+  }
+
+  const TurnedPairs<Number>& From;
+  std::size_t First;
+};
+
+/// A vector of rays.
+template <class D>
+struct ShearedRays
+{
+  using V = hn::Vec<D>;
+
+  HWY_INLINE ShearedRays(const MeshRays& rays, std::size_t i)
+  {
+    const D d;
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      this->Turned[a] = hn::LoadU(d, &rays.Turned[a][i]);
+    }
+    this->ShearX = hn::LoadU(d, &rays.ShearX[i]);
+    this->ShearY = hn::LoadU(d, &rays.ShearY[i]);
+    this->PerDepth = hn::LoadU(d, &rays.PerDepth[i]);
+    this->Begin = hn::LoadU(d, &rays.Begin[i]);
+    this->End = hn::LoadU(d, &rays.End[i]);
+  }
+
+  /// A corner in sheared coordinates. t is the distance along the ray.
+  template <class Points>
+  HWY_INLINE void See(const Points& points, std::size_t corner, V& x, V& y, V& t) const
+  {
+    const V depth = hn::Sub(points.At(corner, 2), this->Turned[2]);
+    x = hn::Sub(hn::Sub(points.At(corner, 0), this->Turned[0]), hn::Mul(this->ShearX, depth));
+    y = hn::Sub(hn::Sub(points.At(corner, 1), this->Turned[1]), hn::Mul(this->ShearY, depth));
+    t = hn::Mul(depth, this->PerDepth);
+  }
+
+  V Turned[3], ShearX, ShearY, PerDepth, Begin, End;
+};
+
+/// Call work(tag, points, vector of rays, its first ray, bits of its wanted rays) for each vector
+/// with a wanted ray. Rays with different axes are never wanted together.
+template <class Cell, class Work>
+HWY_INLINE void ForEachVector(
+  const MeshRays& rays, std::uint64_t which, const Cell& cell, const Work& work)
+{
+  const Doubles d;
+  constexpr std::uint64_t lanes = (std::uint64_t(1) << hn::MaxLanes(d)) - 1;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const std::uint64_t along = which & rays.Along[axis];
+    const SamePoints<Doubles, Cell> points(cell, axis);
+    for (std::size_t i = 0; i < rays.Count && along >> i != 0; i += hn::Lanes(d))
+    {
+      const std::uint64_t wanted = along >> i & lanes;
+      if (wanted != 0)
+      {
+        work(d, points, ShearedRays<Doubles>(rays, i), i, wanted);
+      }
+    }
+  }
+}
+
+/// The same for pairs.
+template <std::size_t Number, class Work>
+HWY_INLINE void ForEachVectorOfPairs(
+  const MeshRays& rays, const TurnedPairs<Number>& pairs, const Work& work)
+{
+  const Doubles d;
+  for (std::size_t i = 0; i < rays.Count; i += hn::Lanes(d))
+  {
+    const std::size_t left = std::min(hn::Lanes(d), rays.Count - i);
+    const OwnPoints<Doubles, Number> points{ pairs, i };
+    work(d, points, ShearedRays<Doubles>(rays, i), i, (std::uint64_t(1) << left) - 1);
+  }
+}
+
+}
+}
+}
+HWY_AFTER_NAMESPACE();
+
+#endif

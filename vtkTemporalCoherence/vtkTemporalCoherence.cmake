@@ -89,6 +89,14 @@ set(engine_files
   Mesh/MeshRuns
   Mesh/MeshTree
   Mesh/RadixSort
+  MeshFields/ActiveLeaves
+  MeshFields/CellFaces
+  MeshFields/KernelsBoxes
+  MeshFields/MeshBandTracer
+  MeshFields/MeshGradients
+  MeshFields/MeshKind
+  MeshFields/MeshSolids
+  MeshFields/MeshTracer
   Render/CapTiles
   Render/FrameRenderer
   Render/FrameStore

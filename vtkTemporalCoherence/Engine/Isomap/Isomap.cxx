@@ -54,8 +54,10 @@ KnotForm Isomap::FormFor(const FrameKey& key, const Options& options)
   {
     return { 0.0, false, true };
   }
-  // With nearest interpolation there are no curves to fit. Behind hidden cells, distances may jump.
+  // With nearest interpolation there are no curves to fit. Behind hidden cells, distances may jump,
+  // and in meshes anywhere.
   const bool isFitted = key.Samples.Between == Interpolation::Linear && !key.Samples.Hidden &&
+    !key.Samples.Kind->Abilities().IsMesh &&
     options.Tolerance > 0.0 && options.Tolerance >= SmallestTolerance(key.Samples, key.Transform);
   return { isFitted ? options.Tolerance * key.Samples.Kind->VoxelSizeIn(key.Transform).Shortest
                     : 0.0,

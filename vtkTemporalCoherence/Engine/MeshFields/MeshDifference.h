@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_MeshDifference_h
+#define TemporalCoherence_MeshDifference_h
+
+#include "Mesh/MeshCell.h"
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace TemporalCoherence
+{
+
+/// Differences of values in a mesh from one isovalue, with the exact sign.
+///
+/// They are multiplied by a power of two, so that the largest of finite values is near 1: kernels
+/// multiply them by coordinates. Infinities and NaN are clamped to the largest difference; NaN is
+/// below every isovalue.
+class MeshDifference
+{
+public:
+  /// \param finiteRange smallest and largest finite value of the mesh
+  MeshDifference(double isovalue, const glm::dvec2& finiteRange)
+    : Isovalue(isovalue)
+  {
+    const double largest =
+      std::max({ std::abs(isovalue), std::abs(finiteRange.x), std::abs(finiteRange.y) });
+    constexpr int most = 1000;
+    this->Factor =
+      largest > 0.0 ? std::ldexp(1.0, std::clamp(-std::ilogb(largest), -most, most)) : 1.0;
+    this->Scaled = isovalue * this->Factor;
+  }
+
+  double operator()(double value) const
+  {
+    constexpr double least = 0x1p-290, largest = 4.0;
+    if (!(value >= this->Isovalue))
+    {
+      const double difference = value * this->Factor - this->Scaled;
+      return difference > -largest ? std::min(difference, -least) : -largest;
+    }
+    return std::min(
+      value == this->Isovalue ? 0.0 : std::max(value * this->Factor - this->Scaled, least),
+      largest);
+  }
+
+  /// \return false if the isovalue does not pass the cell
+  bool Of(const MeshCell& cell, std::array<double, 8>& differences) const
+  {
+    bool isAnyInside = false, isAnyOutside = false;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(cell.NumberOfPoints()); ++i)
+    {
+      differences[i] = (*this)(cell.Values[i]);
+      isAnyInside |= differences[i] >= 0.0;
+      isAnyOutside |= !(differences[i] >= 0.0);
+    }
+    return isAnyInside && isAnyOutside;
+  }
+
+  /// Units of differences in one of values.
+  double Unit() const { return this->Factor; }
+
+private:
+  double Isovalue, Factor, Scaled;
+};
+
+}
+
+#endif

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_MeshGradients_h
+#define TemporalCoherence_MeshGradients_h
+
+#include "Mesh/MeshTree.h"
+#include "Shade/SurfaceNormal.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace TemporalCoherence
+{
+
+/// Gradients at the points of a mesh, each the mean of those of the cells around it. They are
+/// interpolated as the values are, so that normals are continuous.
+struct PointGradients
+{
+  std::vector<std::vector<glm::vec3>> Parts; ///< by part and point, in the mesh's coordinates
+
+  /// \throws std::bad_alloc
+  static std::shared_ptr<const PointGradients> Make(const MeshTree& tree);
+  std::size_t MemoryInBytes() const;
+};
+
+/// Find the gradients of a mesh at hits.
+/// \param averaged null: those of the interpolant in the cell that is hit
+void FindMeshGradients(const MeshTree& tree, const PointGradients* averaged,
+  const GradientQuery& query, const GradientTile& tile);
+
+/// The cell of the lowest number that holds a point in the coordinates of the mesh; NoCell if there
+/// is none.
+CellNumber FindCellAt(const MeshTree& tree, const glm::dvec3& point);
+
+/// The normal of the face of the mesh nearest to a point, as FieldKind::FaceNormal.
+/// \param point, direction in index space
+glm::dvec3 MeshFaceNormal(
+  const MeshTree& tree, const glm::dvec3& point, const glm::dvec3& direction, double& nearest);
+
+}
+
+#endif

@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MeshFields/MeshKind.h"
+
+#include "MeshFields/MeshBandTracer.h"
+#include "MeshFields/MeshGradients.h"
+#include "MeshFields/MeshTracer.h"
+#include "Scene/CellBox.h"
+
+#include <utility>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+/// Leaf number of a leaf of the lattice.
+std::int64_t LeafAt(const glm::ivec3& firstCell)
+{
+  return MeshTree::RankOf(firstCell) / MeshLattice::SizeOfBlock;
+}
+
+class MeshFieldKind final : public FieldKind
+{
+public:
+  MeshFieldKind(std::shared_ptr<const MeshTree> tree, bool averagedGradients)
+    : Tree(std::move(tree))
+    , Averaged(averagedGradients ? PointGradients::Make(*this->Tree) : nullptr)
+  {
+  }
+
+  bool IsSame(const FieldKind& other) const override
+  {
+    const auto* const same = dynamic_cast<const MeshFieldKind*>(&other);
+    return same && same->Tree == this->Tree &&
+      (same->Averaged != nullptr) == (this->Averaged != nullptr);
+  }
+
+  FieldAbilities Abilities() const override
+  {
+    FieldAbilities abilities;
+    abilities.Isomaps = true;
+    abilities.IsMesh = true;
+    return abilities;
+  }
+
+  glm::dvec2 RangeIn(const CellBox& cells) const override
+  {
+    const CellRange range = this->Tree->RangeOfLeaf(LeafAt(cells.First));
+    return { range.Min, range.Max };
+  }
+
+  std::uint64_t CellsIn(const CellBox& leaf, const std::vector<ValueBand>& bands) const override
+  {
+    return this->Tree->CellsIn(LeafAt(leaf.First), bands, false);
+  }
+
+  bool AreBlocksAlike() const override { return false; }
+
+  IndexBox BoxOf(const CellBox& cells) const override { return this->Tree->BoxOf(cells); }
+
+  /// Bend is the mean edge: few cells are much smaller.
+  VoxelSize VoxelSizeIn(const IndexTransform& transform) const override
+  {
+    const glm::dmat3 edges(transform.WorldFromIndex);
+    const double unit =
+      (glm::length(edges[0]) + glm::length(edges[1]) + glm::length(edges[2])) / 3.0;
+    const double perEdge = unit / this->Tree->Scale();
+    const EdgeLengths& lengths = this->Tree->Edges();
+    return { perEdge * lengths.Shortest, perEdge * lengths.Longest, perEdge * lengths.Mean };
+  }
+
+  std::shared_ptr<const SurfaceTracer> MakeTracer(const TraceScene& scene) const override
+  {
+    return std::make_shared<MeshTracer>(scene, *this, *this->Tree);
+  }
+
+  /// Rays do not walk: a tile looks only at active leaves, wherever its rays begin.
+  bool GainsFromImages(const Field&, const Surfaces&) const override { return false; }
+
+  std::shared_ptr<const BandTracer> MakeBandTracer(const BandScene& scene) const override
+  {
+    return std::make_shared<MeshBandTracer>(scene, *this, *this->Tree);
+  }
+
+  void FindGradients(const GradientQuery& query, const GradientTile& tile) const override
+  {
+    FindMeshGradients(*this->Tree, this->Averaged.get(), query, tile);
+  }
+
+  glm::dvec3 FaceNormal(const Field&, const glm::dvec3& point, const glm::dvec3& direction,
+    double& nearest) const override
+  {
+    return MeshFaceNormal(*this->Tree, point, direction, nearest);
+  }
+
+private:
+  std::shared_ptr<const MeshTree> Tree;
+  std::shared_ptr<const PointGradients> Averaged; ///< null: not wanted
+};
+
+}
+
+std::shared_ptr<const FieldKind> MeshKind(
+  std::shared_ptr<const MeshTree> tree, bool averagedGradients)
+{
+  return std::make_shared<MeshFieldKind>(std::move(tree), averagedGradients);
+}
+
+Field MeshField(const MeshTree& tree, std::shared_ptr<const FieldKind> kind)
+{
+  const Mesh& mesh = tree.TheMesh();
+  Field field;
+  field.Type = ScalarType::Float64;
+  field.Dimensions = tree.Dimensions();
+  field.Stamp = mesh.ValueStamp;
+  field.Kind = std::move(kind);
+  return field;
+}
+
+}

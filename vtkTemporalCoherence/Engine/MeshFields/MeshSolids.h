@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_MeshSolids_h
+#define TemporalCoherence_MeshSolids_h
+
+#include "Mesh/KernelsCells.h"
+#include "Mesh/MeshCell.h"
+#include "Scene/RayBatch.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace TemporalCoherence
+{
+
+/// A part of a ray that is inside a THRESHOLD solid in one cell.
+struct SolidPart
+{
+  double From, To;
+  HitKind Kind; ///< Entry: it begins where the field rises; Cap: where the ray enters the cell
+  std::uint8_t Ray;
+  CellNumber Cell;
+};
+
+/// Append the parts of rays that are inside a cell's solid, between Begin and End of the rays.
+/// Those of a ray ascend.
+/// \param differences of the cell's values from the isovalue
+/// \param inMesh      the rays, without limits (RayLimits::None)
+/// \param which       one bit for each ray
+/// \throws std::bad_alloc
+void AppendSolidParts(const MeshCell& cell, const MeshKernels::CellDifferences& differences,
+  CellNumber number, const RayBatch& rays, const MeshKernels::MeshRays& inMesh, std::uint64_t which,
+  std::vector<SolidPart>& parts);
+
+}
+
+#endif

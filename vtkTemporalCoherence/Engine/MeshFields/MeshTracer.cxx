@@ -1,0 +1,289 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MeshFields/MeshTracer.h"
+
+#include "Mesh/KernelsCells.h"
+#include "Trace/HitRules.h"
+
+#include <algorithm>
+
+namespace TemporalCoherence
+{
+
+MeshTracer::MeshTracer(const TraceScene& scene, const FieldKind& kind, const MeshTree& tree)
+  : Isosurfaces(scene.Isosurfaces)
+  , Tree(tree)
+  , Leaves(kind, tree, scene.Active)
+{
+  for (const double isovalue : scene.Isosurfaces.Isovalues)
+  {
+    this->Differences.emplace_back(isovalue, scene.FiniteRange);
+  }
+}
+
+/// Search a cell for one surface: every crossing, or with THRESHOLD the first point of each ray in
+/// the solid.
+/// \param take called as take(met)
+template <typename Take>
+void MeshTracer::Search(std::size_t surface, CellNumber number, const MeshCell& cell,
+  const RayBatch& rays, const MeshKernels::MeshRays& inMesh, std::uint64_t which,
+  const Take& take) const
+{
+  MeshKernels::CellDifferences differences;
+  const bool isCrossed = this->Differences[surface].Of(cell, differences);
+  const auto isovalue = static_cast<std::int16_t>(surface);
+  const double value = this->IsovalueOf(surface);
+  if (!this->IsSolid())
+  {
+    if (isCrossed)
+    {
+      MeshKernels::Crossings found;
+      MeshKernels::CellCrossings(cell, differences, inMesh, which, found);
+      for (std::size_t i = 0; i < found.Count; ++i)
+      {
+        const HitKind kind = HitRules::KindOf(!found.Rises[i]);
+        take(Met{ { found.T[i], kind, value }, isovalue, found.Ray[i], number });
+      }
+    }
+  }
+  else if (isCrossed || differences[0] >= 0.0)
+  {
+    std::vector<SolidPart> parts;
+    AppendSolidParts(cell, differences, number, rays, inMesh, which, parts);
+    for (const SolidPart& part : parts)
+    {
+      take(Met{ { part.From, part.Kind, value }, isovalue, part.Ray, number });
+    }
+  }
+}
+
+/// True if a surface is nearer than the hit of its ray. Of one that two cells share, the cell with
+/// the lower number counts.
+bool MeshTracer::IsInFrontOfHit(const Met& met, const HitBatch& hits) const
+{
+  const std::int16_t hit = hits.Surface[met.Ray];
+  if (hit == Frame::NoSurface)
+  {
+    return true;
+  }
+  const MetSurface known{ hits.Depth[met.Ray], hits.Kind[met.Ray],
+    this->IsovalueOf(static_cast<std::size_t>(hit)) };
+  return IsInFront(met.Surface, known) ||
+    (!IsInFront(known, met.Surface) && met.Cell < hits.Cell[met.Ray]);
+}
+
+void MeshTracer::Keep(const Met& met, HitBatch& hits) const
+{
+  if (this->IsInFrontOfHit(met, hits))
+  {
+    hits.Depth[met.Ray] = met.Surface.Distance;
+    hits.Kind[met.Ray] = met.Surface.Kind;
+    hits.Surface[met.Ray] = met.Isovalue;
+    hits.Cell[met.Ray] = met.Cell;
+  }
+}
+
+void MeshTracer::Trace(const RayBatch& rays, HitBatch& hits) const
+{
+  hits.Clear(rays.Count);
+  const std::uint64_t wanted = RaysWithWalk(rays);
+  if (wanted == 0)
+  {
+    return;
+  }
+  const MeshTile tile(rays, this->Tree, this->Leaves, this->LimitsOfRays());
+  RayBatch::Array<double> limits = rays.WalkEnd;
+  hits.CellsRead = VisitCells(tile, this->Tree, this->Leaves, wanted, limits,
+    [&](CellNumber number, std::int64_t, const MeshCell& cell, std::uint64_t which)
+    {
+      for (std::size_t surface = 0; surface < this->Differences.size(); ++surface)
+      {
+        this->Search(surface, number, cell, rays, tile.InMesh, which,
+          [&](const Met& met)
+          {
+            this->Keep(met, hits);
+            limits[met.Ray] = std::min(limits[met.Ray], met.Surface.Distance);
+          });
+      }
+    });
+}
+
+std::uint64_t MeshTracer::SearchCells(
+  const RayBatch& rays, const RayCells& cells, HitBatch& hits) const
+{
+  MeshKernels::MeshRays inMesh;
+  SetUpMeshRays(rays, this->Tree, this->LimitsOfRays(), inMesh);
+  std::uint64_t missing = 0;
+  for (std::uint64_t left = cells.Rays; left != 0;)
+  {
+    // All rays whose knots lie in one cell are searched together.
+    const glm::ivec3 place = cells.At(hwy::Num0BitsBelowLS1Bit_Nonzero64(left));
+    std::uint64_t which = 0;
+    for (std::size_t ray = 0; ray < RayBatch::Capacity; ++ray)
+    {
+      const bool isHere = cells.Cell[0][ray] == place.x && cells.Cell[1][ray] == place.y &&
+        cells.Cell[2][ray] == place.z;
+      which |= static_cast<std::uint64_t>(isHere) << ray;
+    }
+    which &= left;
+    left &= ~which;
+    MeshCell cell;
+    const CellNumber number = this->Tree.CellAt(MeshTree::RankOf(place));
+    this->Tree.Reader().Read(number, cell);
+    std::uint64_t met = 0;
+    this->Search(cells.Surface, number, cell, rays, inMesh, which,
+      [&](const Met& found)
+      {
+        met |= std::uint64_t(1) << found.Ray;
+        this->Keep(found, hits);
+      });
+    missing |= which & ~met;
+    ++hits.CellsRead;
+  }
+  return missing;
+}
+
+void MeshTracer::FindNext(const RayBatch& rays, HitBatch& hits) const
+{
+  const HitRules rules(this->Isosurfaces, false);
+  RayBatch::Array<MetSurface> last;
+  for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
+  {
+    last[ray] = LastOn(rules, rays.Begin[ray], ray, hits);
+  }
+  hits.Clear(rays.Count);
+  for (const Met& met : this->FindAll(rays, RaysWithWalk(rays), hits.CellsRead))
+  {
+    if (IsInFront(last[met.Ray], met.Surface))
+    {
+      this->Keep(met, hits);
+    }
+  }
+}
+
+/// All surfaces of some rays, ray by ray, each from front to back.
+/// \throws std::bad_alloc
+std::vector<MeshTracer::Met> MeshTracer::FindAll(
+  const RayBatch& rays, std::uint64_t wanted, std::int64_t& cellsRead) const
+{
+  std::vector<Met> all;
+  if (wanted == 0)
+  {
+    return all;
+  }
+  const MeshTile tile(rays, this->Tree, this->Leaves, this->LimitsOfRays());
+  if (this->IsSolid())
+  {
+    this->FindSolids(tile, wanted, cellsRead, all);
+  }
+  else
+  {
+    this->FindCrossings(tile, wanted, cellsRead, all);
+  }
+  std::sort(all.begin(), all.end(),
+    [](const Met& a, const Met& b)
+    {
+      if (a.Ray != b.Ray)
+      {
+        return a.Ray < b.Ray;
+      }
+      return IsInFront(a.Surface, b.Surface) ||
+        (!IsInFront(b.Surface, a.Surface) && a.Cell < b.Cell);
+    });
+  return all;
+}
+
+void MeshTracer::FindCrossings(
+  const MeshTile& tile, std::uint64_t wanted, std::int64_t& cellsRead, std::vector<Met>& all) const
+{
+  cellsRead += VisitCells(tile, this->Tree, this->Leaves, wanted, tile.Rays.WalkEnd,
+    [&](CellNumber number, std::int64_t, const MeshCell& cell, std::uint64_t which)
+    {
+      for (std::size_t surface = 0; surface < this->Differences.size(); ++surface)
+      {
+        this->Search(surface, number, cell, tile.Rays, tile.InMesh, which,
+          [&](const Met& met) { all.push_back(met); });
+      }
+    });
+}
+
+/// Where rays enter solids: parts in cells that touch are one.
+void MeshTracer::FindSolids(
+  const MeshTile& tile, std::uint64_t wanted, std::int64_t& cellsRead, std::vector<Met>& all) const
+{
+  std::vector<std::vector<SolidPart>> ofSurfaces(this->Differences.size());
+  cellsRead += VisitCells(tile, this->Tree, this->Leaves, wanted, tile.Rays.WalkEnd,
+    [&](CellNumber number, std::int64_t, const MeshCell& cell, std::uint64_t which)
+    {
+      for (std::size_t surface = 0; surface < this->Differences.size(); ++surface)
+      {
+        MeshKernels::CellDifferences differences;
+        if (this->Differences[surface].Of(cell, differences) || differences[0] >= 0.0)
+        {
+          AppendSolidParts(
+            cell, differences, number, tile.Rays, tile.InMesh, which, ofSurfaces[surface]);
+        }
+      }
+    });
+  for (std::size_t surface = 0; surface < ofSurfaces.size(); ++surface)
+  {
+    std::vector<SolidPart>& parts = ofSurfaces[surface];
+    std::sort(parts.begin(), parts.end(),
+      [](const SolidPart& a, const SolidPart& b)
+      {
+        return a.Ray != b.Ray ? a.Ray < b.Ray
+          : a.From != b.From  ? a.From < b.From
+          : a.Kind != b.Kind  ? a.Kind == HitKind::Cap
+                              : a.Cell < b.Cell;
+      });
+    double end = 0.0;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+    {
+      const SolidPart& part = parts[i];
+      const bool isNew = i == 0 || part.Ray != parts[i - 1].Ray || part.From > end;
+      if (isNew)
+      {
+        all.push_back({ { part.From, part.Kind, this->IsovalueOf(surface) },
+          static_cast<std::int16_t>(surface), part.Ray, part.Cell });
+      }
+      end = isNew ? part.To : std::max(end, part.To);
+    }
+  }
+}
+
+namespace
+{
+
+/// True if two surfaces are one that two cells found, within rounding: a ray cannot enter twice
+/// without leaving.
+bool AreOne(const MetSurface& a, const MetSurface& b)
+{
+  constexpr double share = 0x1p-40;
+  return a.Kind == b.Kind && a.Isovalue == b.Isovalue &&
+    b.Distance - a.Distance <= share * b.Distance;
+}
+
+}
+
+void MeshTracer::FindLayers(const RayBatch& rays, LayerBatch& layers) const
+{
+  const HitRules rules(this->Isosurfaces, false);
+  const std::uint64_t open = layers.Open;
+  const std::vector<Met> all = this->FindAll(rays, open & RaysWithWalk(rays), layers.CellsRead);
+  for (auto met = all.begin(); met != all.end();)
+  {
+    const std::size_t ray = met->Ray;
+    MetSurface last = LastOn(rules, rays.Begin[ray], ray, layers);
+    for (; met != all.end() && met->Ray == ray; ++met)
+    {
+      if (layers.IsOpen(ray) && IsInFront(last, met->Surface) && !AreOne(last, met->Surface))
+      {
+        layers.Append(ray, met->Surface.Distance, met->Surface.Kind, met->Isovalue, met->Cell);
+        last = met->Surface;
+      }
+    }
+  }
+  layers.Open = 0;
+}
+
+}

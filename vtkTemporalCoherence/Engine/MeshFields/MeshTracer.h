@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_MeshTracer_h
+#define TemporalCoherence_MeshTracer_h
+
+#include "MeshFields/ActiveLeaves.h"
+#include "MeshFields/MeshDifference.h"
+#include "MeshFields/MeshSolids.h"
+#include "MeshFields/MeshTile.h"
+#include "Scene/HitOrder.h"
+#include "Trace/SurfaceTracer.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace TemporalCoherence
+{
+
+/// Finds surfaces in a mesh. A tile of rays goes from leaf to leaf, and each active cell is
+/// searched for all rays that may pass it.
+///
+/// What a ray meets in a cell depends on both alone (KernelsCells.h). Of surfaces at one distance,
+/// HitOrder tells the first, then the number of the cell. So the order of cells does not matter,
+/// and all routes find the same bits.
+class MeshTracer final : public SurfaceTracer
+{
+public:
+  MeshTracer(const TraceScene& scene, const FieldKind& kind, const MeshTree& tree);
+
+  void Trace(const RayBatch& rays, HitBatch& hits) const override;
+  void FindNext(const RayBatch& rays, HitBatch& hits) const override;
+  void FindLayers(const RayBatch& rays, LayerBatch& layers) const override;
+  bool FindsLayersTogether(const RayBatch&) const override { return true; }
+  std::uint64_t SearchCells(
+    const RayBatch& rays, const RayCells& cells, HitBatch& hits) const override;
+
+private:
+  /// A surface that a ray meets.
+  struct Met
+  {
+    MetSurface Surface;
+    std::int16_t Isovalue;
+    std::uint8_t Ray;
+    CellNumber Cell;
+  };
+
+  template <typename Take>
+  void Search(std::size_t surface, CellNumber number, const MeshCell& cell, const RayBatch& rays,
+    const MeshKernels::MeshRays& inMesh, std::uint64_t which, const Take& take) const;
+  bool IsInFrontOfHit(const Met& met, const HitBatch& hits) const;
+  void Keep(const Met& met, HitBatch& hits) const;
+  bool IsSolid() const { return this->Isosurfaces.Mode == SurfaceMode::Threshold; }
+  RayLimits LimitsOfRays() const
+  {
+    return this->IsSolid() ? RayLimits::None : RayLimits::BeginToEnd;
+  }
+
+  std::vector<Met> FindAll(
+    const RayBatch& rays, std::uint64_t wanted, std::int64_t& cellsRead) const;
+  void FindCrossings(const MeshTile& tile, std::uint64_t wanted, std::int64_t& cellsRead,
+    std::vector<Met>& all) const;
+  void FindSolids(const MeshTile& tile, std::uint64_t wanted, std::int64_t& cellsRead,
+    std::vector<Met>& all) const;
+  double IsovalueOf(std::size_t surface) const { return this->Isosurfaces.Isovalues[surface]; }
+
+  Surfaces Isosurfaces;
+  const MeshTree& Tree;
+  ActiveLeaves Leaves;
+  std::vector<MeshDifference> Differences; ///< from each isovalue
+};
+
+}
+
+#endif

@@ -92,6 +92,8 @@ set(engine_files
   MeshFields/ActiveLeaves
   MeshFields/CellFaces
   MeshFields/KernelsBoxes
+  MeshFields/LeafCells
+  MeshFields/MeshBandRays
   MeshFields/MeshBandTracer
   MeshFields/MeshGradients
   MeshFields/MeshKind

@@ -2,12 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshFields/MeshBandTracer.h"
 
-#include "Isomap/KnotCollector.h"
-#include "Mesh/KernelsCells.h"
-#include "MeshFields/MeshDifference.h"
-
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -17,166 +12,110 @@ namespace
 {
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-constexpr auto Rising = static_cast<std::size_t>(ValueDirection::Rising);
-constexpr auto Falling = static_cast<std::size_t>(ValueDirection::Falling);
 
-/// Between two ways to compute a value, relative to the largest one.
-constexpr double Rounding = 256.0 * std::numeric_limits<double>::epsilon();
-
-/// How far a ray has come through a band.
-struct RayProgress
-{
-  std::array<double, NumberOfDirections> Reached{ -Infinity, -Infinity }; ///< infinity: done
-  std::array<BandScale::Key, NumberOfDirections> Noted{};                 ///< of the last knots
-  bool HasEntered = false;
-
-  bool IsDone() const
-  {
-    return this->Reached[Rising] == Infinity && this->Reached[Falling] == Infinity;
-  }
-};
+/// Leaves between two looks at which rays are done.
+constexpr std::size_t LeavesAtOnce = 6;
 
 }
 
-void MeshBandTracer::Append(const MeshCell& cell, CellNumber, const glm::ivec3& place,
-  const MeshTile& tile, std::uint64_t which, std::vector<Passage>& passages) const
+MeshBandTracer::MeshBandTracer(const BandScene& scene, const FieldKind& kind, const MeshTree& tree)
+  : Scene(scene)
+  , Tree(tree)
+  , Leaves(kind, tree, scene.Active)
+  , Cells(tree, this->Leaves)
+  , FromLowest(scene.Band.Low, scene.FiniteRange)
+  , Unit(BandScale(scene.Samples.Type, scene.Band, scene.FiniteRange).Isovalues.Factor /
+      this->FromLowest.Unit())
 {
-  const BandScale scale(this->Scene.Samples.Type, this->Scene.Band, this->Scene.FiniteRange);
-  const MeshDifference fromLowest(this->Scene.Band.Low, this->Scene.FiniteRange);
-  MeshKernels::CellDifferences differences;
-  fromLowest.Of(cell, differences);
-  const auto count = static_cast<std::size_t>(cell.NumberOfPoints());
-  bool isFinite = true;
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    isFinite &= std::isfinite(cell.Values[i]);
-  }
-  const auto [least, most] = std::minmax_element(
-    differences.begin(), differences.begin() + static_cast<std::ptrdiff_t>(count));
-  const double unit = scale.Isovalues.Factor / fromLowest.Unit();
-  const CellIndex index = { static_cast<std::uint16_t>(place.x),
-    static_cast<std::uint16_t>(place.y), static_cast<std::uint16_t>(place.z) };
-
-  MeshKernels::CellSpans spans;
-  const bool isExact = cell.Shape == MeshCellShape::Tetrahedron;
-  (isExact ? MeshKernels::TetrahedronSpans : MeshKernels::HexahedronSpans)(
-    cell, differences, tile.InMesh, which, spans);
-  ForEachRay(which,
-    [&](std::size_t ray)
-    {
-      for (std::size_t i = 0; i < spans.Count[ray]; ++i)
-      {
-        const MeshKernels::CellSpan& span = spans.Spans[ray][i];
-        if (span.Out < tile.Rays.Begin[ray] || span.In > tile.Rays.End[ray])
-        {
-          continue;
-        }
-        // Where the ray begins within a tetrahedron, values are linear.
-        const double begin = tile.Rays.Begin[ray];
-        const double share = isExact && span.In < begin && span.Out > span.In
-          ? (begin - span.In) / (span.Out - span.In)
-          : 0.0;
-        const double atBegin = (1.0 - share) * span.AtIn + share * span.AtOut;
-        const double low = isExact ? std::min(atBegin, span.AtOut) : *least;
-        const double high = isExact ? std::max(atBegin, span.AtOut) : *most;
-        passages.push_back({ span.In, unit * atBegin, unit * span.AtOut, unit * low, unit * high,
-          isFinite, isExact, static_cast<std::uint8_t>(ray), index });
-      }
-    });
-}
-
-/// Find the passages of all rays, those of a ray in their order along it.
-/// \return number of cells read
-std::int64_t MeshBandTracer::Find(const RayBatch& rays, std::vector<Passage>& passages) const
-{
-  const MeshTile tile(rays, this->Tree, this->Leaves, RayLimits::None);
-  const std::int64_t cellsRead =
-    VisitCells(tile, this->Tree, this->Leaves, RaysWithWalk(rays), rays.WalkEnd,
-      [&](CellNumber number, std::int64_t rank, const MeshCell& cell, std::uint64_t which)
-      { this->Append(cell, number, MeshTree::PlaceOf(rank), tile, which, passages); });
-  std::sort(passages.begin(), passages.end(),
-    [](const Passage& a, const Passage& b) {
-      return a.Ray != b.Ray ? a.Ray < b.Ray : a.In != b.In ? a.In < b.In : a.Place < b.Place;
-    });
-  return cellsRead;
 }
 
 std::int64_t MeshBandTracer::Trace(const RayBatch& rays, TileKnots& knots) const
 {
-  const BandScale scale(this->Scene.Samples.Type, this->Scene.Band, this->Scene.FiniteRange);
-  const bool isSolid = this->Scene.Mode == SurfaceMode::Threshold;
-  std::vector<Passage> passages;
-  const std::int64_t cellsRead = this->Find(rays, passages);
-  KnotCollector collector(rays, this->Scene.Form, scale);
-  std::vector<float> entries(
-    static_cast<std::size_t>(rays.Count), -std::numeric_limits<float>::infinity());
-  bool hasEntries = false;
-  RayProgress progress;
-  for (std::size_t i = 0; i < passages.size(); ++i)
+  MeshBandRays band(this->Scene, rays);
+  const MeshTile tile(rays, this->Tree, this->Leaves, RayLimits::None);
+  std::uint64_t wanted = RaysWithWalk(rays);
+  std::int64_t cellsRead = 0;
+  LeafCells::Cells spare;
+  for (std::size_t i = 0; i < tile.Leaves.size() && wanted != 0; ++i)
   {
-    const Passage& passage = passages[i];
-    if (i == 0 || passage.Ray != passages[i - 1].Ray)
+    const ActiveLeaves::Leaf& leaf = tile.Leaves[i];
+    if (i % LeavesAtOnce == 0)
     {
-      progress = RayProgress();
-      progress.Reached[Falling] = isSolid ? Infinity : -Infinity;
+      wanted &= ~band.GoOnTo(DistancesAt(tile, leaf.Depth));
     }
-    if (progress.IsDone() || collector.MemoryInBytes() > this->Scene.MemoryLimit)
+    const std::uint64_t ofLeaf =
+      RaysThrough(rays, rays.WalkEnd, this->Tree.LeafBox(leaf.Number), tile.Margin) & wanted;
+    if (ofLeaf != 0)
     {
-      continue;
-    }
-    if (!passage.IsFinite)
-    {
-      collector.GiveUp(passage.Ray);
-      progress.Reached.fill(Infinity);
-      continue;
-    }
-    const double error =
-      Rounding * (std::max(std::abs(passage.Low), std::abs(passage.High)) + scale.Span);
-    if (!progress.HasEntered && !isSolid)
-    {
-      // Where a ray begins within a hexahedron, its value there is not known.
-      const bool isClipped = passage.In < rays.Begin[passage.Ray];
-      if (isClipped && !passage.IsExact && passage.High + error >= 0.0)
-      {
-        collector.GiveUp(passage.Ray);
-        progress.Reached.fill(Infinity);
-        continue;
-      }
-      if (passage.AtIn + error >= 0.0)
-      {
-        entries[passage.Ray] = scale.Stored(passage.AtIn);
-        hasEntries = true;
-      }
-      progress.Reached[Rising] = passage.AtIn - error > scale.Span ? Infinity : -Infinity;
-      progress.Reached[Falling] = passage.AtIn + error < 0.0 ? Infinity : -Infinity;
-    }
-    progress.HasEntered = true;
-    const std::array<double, 2> most = { passage.High, scale.Span - passage.Low };
-    const std::array<double, 2> known = { std::max(passage.AtIn, passage.AtOut),
-      scale.Span - std::min(passage.AtIn, passage.AtOut) };
-    for (std::size_t direction = 0; direction < NumberOfDirections; ++direction)
-    {
-      double& reached = progress.Reached[direction];
-      if (reached == Infinity || !(most[direction] > reached))
-      {
-        continue;
-      }
-      const BandScale::Key key = scale.KeyOf(most[direction] + error);
-      if (key > progress.Noted[direction])
-      {
-        progress.Noted[direction] = key;
-        collector.AddCell(direction, passage.Ray, key, passage.Place, passage.In);
-      }
-      reached =
-        most[direction] + error > scale.Span ? Infinity : std::max(reached, known[direction]);
+      cellsRead += VisitCellsOf(this->Cells.Of(leaf.Number, spare), tile.Grid, ofLeaf,
+        [&](const ActiveCell& cell, std::uint64_t which)
+        { this->Append(cell, tile, which, band); });
     }
   }
-  collector.HandOver(this->Scene.Samples, this->Scene.FiniteRange, this->Scene.Transform, knots);
-  if (hasEntries)
-  {
-    knots.Entries = std::move(entries);
-  }
+  band.GoOnTo(DistancesAt(tile, Infinity));
+  band.HandOver(knots);
   return cellsRead;
+}
+
+/// How far each ray has come where it comes to a depth.
+RayBatch::Array<double> MeshBandTracer::DistancesAt(const MeshTile& tile, double depth)
+{
+  RayBatch::Array<double> distances;
+  const RayBatch& rays = tile.Rays;
+  for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
+  {
+    const double from =
+      tile.Grid.DepthOf({ rays.Origin[0][ray], rays.Origin[1][ray], rays.Origin[2][ray] });
+    const double per =
+      tile.Grid.DepthOf({ rays.Direction[0][ray], rays.Direction[1][ray], rays.Direction[2][ray] });
+    constexpr double slack = 1e-9;
+    const double distance = (depth - from) / per;
+    distances[ray] = depth == Infinity ? Infinity
+      : per > 0.0                      ? distance - slack * std::abs(distance)
+                                       : -Infinity;
+  }
+  return distances;
+}
+
+void MeshBandTracer::Append(
+  const ActiveCell& cell, const MeshTile& tile, std::uint64_t which, MeshBandRays& band) const
+{
+  MeshKernels::CellDifferences differences;
+  this->FromLowest.Of(cell.Cell, differences);
+  const auto count = static_cast<std::ptrdiff_t>(cell.Cell.NumberOfPoints());
+  const bool isFinite = std::all_of(cell.Cell.Values.begin(), cell.Cell.Values.begin() + count,
+    [](double value) { return std::isfinite(value); });
+  const auto [least, most] = std::minmax_element(differences.begin(), differences.begin() + count);
+  const glm::ivec3 place = MeshTree::PlaceOf(cell.Rank);
+  const CellIndex index = { static_cast<std::uint16_t>(place.x),
+    static_cast<std::uint16_t>(place.y), static_cast<std::uint16_t>(place.z) };
+
+  MeshKernels::CellSpans spans;
+  const bool isExact = cell.Cell.Shape == MeshCellShape::Tetrahedron;
+  (isExact ? MeshKernels::TetrahedronSpans : MeshKernels::HexahedronSpans)(
+    cell.Cell, differences, tile.InMesh, which, spans);
+  ForEachRay(which,
+    [&](std::size_t ray)
+    {
+      const double begin = tile.Rays.Begin[ray], end = tile.Rays.End[ray];
+      for (std::size_t i = 0; i < spans.Count[ray]; ++i)
+      {
+        const MeshKernels::CellSpan& span = spans.Spans[ray][i];
+        if (span.Out < begin || span.In > end)
+        {
+          continue;
+        }
+        // Where a ray begins within a tetrahedron, its values are linear.
+        const bool beginsHere = span.In < begin;
+        const double share = isExact && beginsHere ? (begin - span.In) / (span.Out - span.In) : 0.0;
+        const double atIn = (1.0 - share) * span.AtIn + share * span.AtOut;
+        const double low = isExact ? std::min(atIn, span.AtOut) : *least;
+        const double high = isExact ? std::max(atIn, span.AtOut) : *most;
+        band.Append({ span.In, this->Unit * atIn, this->Unit * span.AtOut, this->Unit * low,
+          this->Unit * high, isFinite, beginsHere && !isExact, static_cast<std::uint8_t>(ray),
+          index });
+      }
+    });
 }
 
 }

@@ -4,11 +4,14 @@
 #define TemporalCoherence_MeshBandTracer_h
 
 #include "Isomap/BandTracer.h"
+#include "Mesh/KernelsCells.h"
 #include "MeshFields/ActiveLeaves.h"
+#include "MeshFields/LeafCells.h"
+#include "MeshFields/MeshBandRays.h"
+#include "MeshFields/MeshDifference.h"
 #include "MeshFields/MeshTile.h"
 
 #include <cstdint>
-#include <vector>
 
 namespace TemporalCoherence
 {
@@ -21,35 +24,21 @@ namespace TemporalCoherence
 class MeshBandTracer final : public BandTracer
 {
 public:
-  MeshBandTracer(const BandScene& scene, const FieldKind& kind, const MeshTree& tree)
-    : Scene(scene)
-    , Tree(tree)
-    , Leaves(kind, tree, scene.Active)
-  {
-  }
+  MeshBandTracer(const BandScene& scene, const FieldKind& kind, const MeshTree& tree);
 
   std::int64_t Trace(const RayBatch& rays, TileKnots& knots) const override;
 
 private:
-  /// A ray in a cell: differences from the band's lowest isovalue.
-  struct Passage
-  {
-    double In;          ///< where the ray enters the cell
-    double AtIn, AtOut; ///< where it enters, or begins in the cell, and leaves
-    double Low, High;   ///< bounds in between
-    bool IsFinite;      ///< all values of the cell are
-    bool IsExact;       ///< values between are known: the cell is a tetrahedron
-    std::uint8_t Ray;
-    CellIndex Place; ///< of the cell in the lattice
-  };
-
-  std::int64_t Find(const RayBatch& rays, std::vector<Passage>& passages) const;
-  void Append(const MeshCell& cell, CellNumber number, const glm::ivec3& place,
-    const MeshTile& tile, std::uint64_t which, std::vector<Passage>& passages) const;
+  void Append(
+    const ActiveCell& cell, const MeshTile& tile, std::uint64_t which, MeshBandRays& band) const;
+  static RayBatch::Array<double> DistancesAt(const MeshTile& tile, double depth);
 
   BandScene Scene;
   const MeshTree& Tree;
   ActiveLeaves Leaves;
+  LeafCells Cells;
+  MeshDifference FromLowest;
+  double Unit; ///< of the band's scale, in those of differences
 };
 
 }

@@ -18,7 +18,8 @@ namespace
 glm::dvec3 GradientIn(const MeshTree& tree, const PointGradients* averaged, CellNumber number,
   const MeshCell& cell, const glm::dvec3& point)
 {
-  const glm::dvec3 at = MeshKernels::FindPoint(cell, point).At;
+  const bool isConstant = !averaged && cell.Shape == MeshCellShape::Tetrahedron;
+  const glm::dvec3 at = isConstant ? glm::dvec3(0.25) : MeshKernels::FindPoint(cell, point).At;
   if (!averaged)
   {
     return MeshKernels::GradientAt(cell, at);

@@ -7,6 +7,7 @@
 #include "Mesh/MeshTree.h"
 #include "MeshFields/ActiveLeaves.h"
 #include "MeshFields/KernelsBoxes.h"
+#include "MeshFields/LeafCells.h"
 #include "MeshFields/TileGrid.h"
 #include "Scene/LayerBatch.h"
 #include "Scene/RayBatch.h"
@@ -62,7 +63,7 @@ struct MeshTile
   /// \throws std::bad_alloc
   MeshTile(const RayBatch& rays, const MeshTree& tree, const ActiveLeaves& leaves, RayLimits limits)
     : Rays(rays)
-    , Grid(rays)
+    , Grid(rays, tree.Low(), tree.Scale())
     , Margin(ActiveLeaves::MarginOf(rays, tree))
   {
     SetUpMeshRays(rays, tree, limits, this->InMesh);
@@ -76,49 +77,51 @@ struct MeshTile
   std::vector<ActiveLeaves::Leaf> Leaves; ///< from front to back
 };
 
-/// Call visit(number, rank, cell, rays) for each active cell of a tile that rays may pass, leaf by
-/// leaf from front to back, with one bit for each of these rays. \param wanted one bit for each ray
-/// \param limits of rays: what is farther away does not matter. Visits may bring them nearer
+/// Call visit(cell, rays) for each of some cells that rays may pass.
+/// \return number of cells visited
 template <typename Visit>
-std::int64_t VisitCells(const MeshTile& tile, const MeshTree& tree, const ActiveLeaves& leaves,
+std::int64_t VisitCellsOf(
+  const LeafCells::Cells& cells, const TileGrid& grid, std::uint64_t wanted, const Visit& visit)
+{
+  std::int64_t visited = 0;
+  for (const ActiveCell& cell : cells)
+  {
+    std::uint64_t which = wanted;
+    if (grid.IsGrid())
+    {
+      which = grid.MayMeet(cell.Middle, cell.Half)
+        ? which & grid.RaysBetween(cell.Cell.Points.data(), cell.Cell.NumberOfPoints())
+        : 0;
+    }
+    if (which != 0)
+    {
+      ++visited;
+      visit(cell, which);
+    }
+  }
+  return visited;
+}
+
+/// Call visit(cell, rays) for each active cell of a tile that rays may pass, leaf by leaf from
+/// front to back, with one bit for each of these rays. \param wanted one bit for each ray \param
+/// limits of rays: what is farther away does not matter. Visits may bring them nearer \return
+/// number of cells visited \throws std::bad_alloc
+template <typename Visit>
+std::int64_t VisitCells(const MeshTile& tile, const MeshTree& tree, const LeafCells& cells,
   std::uint64_t wanted, const RayBatch::Array<double>& limits, const Visit& visit)
 {
-  std::int64_t cellsRead = 0;
-  MeshCell cell;
-  std::array<glm::dvec3, 8> points;
+  std::int64_t visited = 0;
+  LeafCells::Cells spare;
   for (const ActiveLeaves::Leaf& leaf : tile.Leaves)
   {
     const std::uint64_t ofLeaf =
       RaysThrough(tile.Rays, limits, tree.LeafBox(leaf.Number), tile.Margin) & wanted;
-    if (ofLeaf == 0)
+    if (ofLeaf != 0)
     {
-      continue;
+      visited += VisitCellsOf(cells.Of(leaf.Number, spare), tile.Grid, ofLeaf, visit);
     }
-    ForEachRay(leaves.CellsOf(leaf.Number),
-      [&](std::size_t bit)
-      {
-        const std::int64_t rank =
-          MeshLattice::SizeOfBlock * leaf.Number + static_cast<std::int64_t>(bit);
-        const CellNumber number = tree.CellAt(rank);
-        tree.Reader().Read(number, cell);
-        std::uint64_t ofCell = ofLeaf;
-        if (tile.Grid.IsGrid())
-        {
-          const auto count = static_cast<std::size_t>(cell.NumberOfPoints());
-          for (std::size_t i = 0; i < count; ++i)
-          {
-            points[i] = (cell.Points[i] - tree.Low()) / tree.Scale();
-          }
-          ofCell &= tile.Grid.RaysBetween(points.data(), cell.NumberOfPoints());
-        }
-        if (ofCell != 0)
-        {
-          ++cellsRead;
-          visit(number, rank, cell, ofCell);
-        }
-      });
   }
-  return cellsRead;
+  return visited;
 }
 
 }

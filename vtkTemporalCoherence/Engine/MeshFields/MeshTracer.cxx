@@ -14,6 +14,7 @@ MeshTracer::MeshTracer(const TraceScene& scene, const FieldKind& kind, const Mes
   : Isosurfaces(scene.Isosurfaces)
   , Tree(tree)
   , Leaves(kind, tree, scene.Active)
+  , Cells(tree, this->Leaves)
 {
   for (const double isovalue : scene.Isosurfaces.Isovalues)
   {
@@ -93,12 +94,12 @@ void MeshTracer::Trace(const RayBatch& rays, HitBatch& hits) const
   }
   const MeshTile tile(rays, this->Tree, this->Leaves, this->LimitsOfRays());
   RayBatch::Array<double> limits = rays.WalkEnd;
-  hits.CellsRead = VisitCells(tile, this->Tree, this->Leaves, wanted, limits,
-    [&](CellNumber number, std::int64_t, const MeshCell& cell, std::uint64_t which)
+  hits.CellsRead = VisitCells(tile, this->Tree, this->Cells, wanted, limits,
+    [&](const ActiveCell& cell, std::uint64_t which)
     {
       for (std::size_t surface = 0; surface < this->Differences.size(); ++surface)
       {
-        this->Search(surface, number, cell, rays, tile.InMesh, which,
+        this->Search(surface, cell.Number, cell.Cell, rays, tile.InMesh, which,
           [&](const Met& met)
           {
             this->Keep(met, hits);
@@ -196,12 +197,12 @@ std::vector<MeshTracer::Met> MeshTracer::FindAll(
 void MeshTracer::FindCrossings(
   const MeshTile& tile, std::uint64_t wanted, std::int64_t& cellsRead, std::vector<Met>& all) const
 {
-  cellsRead += VisitCells(tile, this->Tree, this->Leaves, wanted, tile.Rays.WalkEnd,
-    [&](CellNumber number, std::int64_t, const MeshCell& cell, std::uint64_t which)
+  cellsRead += VisitCells(tile, this->Tree, this->Cells, wanted, tile.Rays.WalkEnd,
+    [&](const ActiveCell& cell, std::uint64_t which)
     {
       for (std::size_t surface = 0; surface < this->Differences.size(); ++surface)
       {
-        this->Search(surface, number, cell, tile.Rays, tile.InMesh, which,
+        this->Search(surface, cell.Number, cell.Cell, tile.Rays, tile.InMesh, which,
           [&](const Met& met) { all.push_back(met); });
       }
     });
@@ -212,16 +213,16 @@ void MeshTracer::FindSolids(
   const MeshTile& tile, std::uint64_t wanted, std::int64_t& cellsRead, std::vector<Met>& all) const
 {
   std::vector<std::vector<SolidPart>> ofSurfaces(this->Differences.size());
-  cellsRead += VisitCells(tile, this->Tree, this->Leaves, wanted, tile.Rays.WalkEnd,
-    [&](CellNumber number, std::int64_t, const MeshCell& cell, std::uint64_t which)
+  cellsRead += VisitCells(tile, this->Tree, this->Cells, wanted, tile.Rays.WalkEnd,
+    [&](const ActiveCell& cell, std::uint64_t which)
     {
       for (std::size_t surface = 0; surface < this->Differences.size(); ++surface)
       {
         MeshKernels::CellDifferences differences;
-        if (this->Differences[surface].Of(cell, differences) || differences[0] >= 0.0)
+        if (this->Differences[surface].Of(cell.Cell, differences) || differences[0] >= 0.0)
         {
-          AppendSolidParts(
-            cell, differences, number, tile.Rays, tile.InMesh, which, ofSurfaces[surface]);
+          AppendSolidParts(cell.Cell, differences, cell.Number, tile.Rays, tile.InMesh, which,
+            ofSurfaces[surface]);
         }
       }
     });

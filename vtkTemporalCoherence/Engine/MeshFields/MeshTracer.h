@@ -68,6 +68,7 @@ private:
   Surfaces Isosurfaces;
   const MeshTree& Tree;
   ActiveLeaves Leaves;
+  LeafCells Cells;
   std::vector<MeshDifference> Differences; ///< from each isovalue
 };
 

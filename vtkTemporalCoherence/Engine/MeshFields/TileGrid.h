@@ -19,11 +19,11 @@ namespace TemporalCoherence
 {
 
 /// The rays of a whole tile as a grid of 8 x 8 pixels: which of them can meet a box or a cell.
-/// Everything is in index space.
 class TileGrid
 {
 public:
-  explicit TileGrid(const RayBatch& rays)
+  /// \param low, scale mesh coordinates = low + scale * index
+  TileGrid(const RayBatch& rays, const glm::dvec3& low, double scale)
   {
     const auto originOf = [&](std::size_t ray)
     { return glm::dvec3(rays.Origin[0][ray], rays.Origin[1][ray], rays.Origin[2][ray]); };
@@ -55,12 +55,16 @@ public:
     const glm::dvec3 sum = this->Rows[0] + this->Rows[1] + this->Rows[2];
     this->IsKnown = std::isfinite(sum.x + sum.y + sum.z);
     this->FindPlanes();
+    this->ToMesh(low, scale);
   }
 
   /// False: nothing is known of the tile but its rays.
   bool IsGrid() const { return this->IsKnown; }
 
-  /// Orders boxes from front to back, roughly.
+  /// How far a point of index space lies ahead.
+  double DepthOf(const glm::dvec3& point) const { return glm::dot(this->Forward, point); }
+
+  /// The same for the nearest point of a box.
   double NearestDepth(const FloatBox& box) const
   {
     const glm::dvec3 low(box.Low), high(box.High);
@@ -68,35 +72,35 @@ public:
       (glm::dot(this->Forward, low + high) - glm::dot(glm::abs(this->Forward), high - low));
   }
 
-  /// False if no ray of the tile passes a box.
+  /// False if no ray of the tile passes a box of index space.
   bool MayMeet(const FloatBox& box) const
   {
     const glm::dvec3 middle = 0.5 * (glm::dvec3(box.Low) + glm::dvec3(box.High)) - this->Origin;
-    const glm::dvec3 half = 0.5 * (glm::dvec3(box.High) - glm::dvec3(box.Low));
-    for (const Plane& plane : this->Planes)
-    {
-      if (glm::dot(plane.Normal, middle) + glm::dot(plane.Size, half) + plane.Offset < 0.0)
-      {
-        return false;
-      }
-    }
-    return true;
+    return MayMeet(this->Planes, middle, 0.5 * (glm::dvec3(box.High) - glm::dvec3(box.Low)));
   }
 
-  /// One bit for each ray that can pass between some points.
+  /// The same for a box in the coordinates of the mesh.
+  /// \param half of its edges
+  bool MayMeet(const glm::dvec3& middle, const glm::dvec3& half) const
+  {
+    return MayMeet(this->PlanesInMesh, middle - this->OriginInMesh, half);
+  }
+
+  /// One bit for each ray that can pass between some points, in the coordinates of the mesh.
   std::uint64_t RaysBetween(const glm::dvec3* points, int count) const
   {
     double lowX = 1e30, highX = -1e30, lowY = 1e30, highY = -1e30;
     for (int i = 0; i < count; ++i)
     {
-      const glm::dvec3 from = points[i] - this->Origin;
-      const double depth = this->IsPerspective ? glm::dot(this->Rows[0], from) : 1.0;
+      const glm::dvec3 from = points[i] - this->OriginInMesh;
+      const double depth = this->IsPerspective ? glm::dot(this->RowsInMesh[0], from) : 1.0;
       if (!(depth > 0.0))
       {
         return ~std::uint64_t(0); // beside the eye or behind it
       }
-      const double x = glm::dot(this->Rows[1], from) / depth;
-      const double y = glm::dot(this->Rows[2], from) / depth;
+      const double perDepth = 1.0 / depth;
+      const double x = glm::dot(this->RowsInMesh[1], from) * perDepth;
+      const double y = glm::dot(this->RowsInMesh[2], from) * perDepth;
       lowX = std::min(lowX, x);
       highX = std::max(highX, x);
       lowY = std::min(lowY, y);
@@ -148,11 +152,42 @@ private:
     this->Planes[plane] = { normal, glm::abs(normal), offset };
   }
 
+  static bool MayMeet(
+    const std::array<Plane, 4>& planes, const glm::dvec3& middle, const glm::dvec3& half)
+  {
+    for (const Plane& plane : planes)
+    {
+      if (glm::dot(plane.Normal, middle) + glm::dot(plane.Size, half) + plane.Offset < 0.0)
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// The same planes and rows for points of the mesh.
+  void ToMesh(const glm::dvec3& low, double scale)
+  {
+    this->OriginInMesh = low + scale * this->Origin;
+    for (std::size_t i = 0; i < this->Rows.size(); ++i)
+    {
+      this->RowsInMesh[i] = this->Rows[i] / scale;
+    }
+    for (std::size_t i = 0; i < this->Planes.size(); ++i)
+    {
+      const Plane& plane = this->Planes[i];
+      this->PlanesInMesh[i] = { plane.Normal / scale, plane.Size / scale, plane.Offset };
+    }
+  }
+
   bool IsKnown = false;
   bool IsPerspective = true;
   glm::dvec3 Origin{ 0.0 }, Forward;
   std::array<glm::dvec3, 3> Rows{}; ///< depth and the pixel's place of a point, times depth
   std::array<Plane, 4> Planes{};
+  glm::dvec3 OriginInMesh{ 0.0 };
+  std::array<glm::dvec3, 3> RowsInMesh{};
+  std::array<Plane, 4> PlanesInMesh{};
 };
 
 }

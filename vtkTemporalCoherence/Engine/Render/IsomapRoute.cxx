@@ -171,7 +171,7 @@ bool LookUp(
   task.Costs = nullptr; // the bands keep them
   const double begin = ThreadTime();
   // A look-up finds no first entries.
-  const LeapedSpace space = Begin(task, leaps, { ExtrasOf(task).Disparities, false });
+  const LeapedSpace space = Begin(task, leaps, ExtrasWithoutEntries(task));
   FrameBands bands({ task.Key, task.Options.Map, task.Store.Last().Key.Isosurfaces.Isovalues,
                      task.Structures.Pyramid(), ThreadTime() - begin },
     map.ToBuild(), map.Drag());

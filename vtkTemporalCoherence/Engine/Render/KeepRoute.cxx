@@ -220,7 +220,7 @@ bool KeepKnownLayers(FrameTask& task)
   const bool leaps = task.Options.SpaceLeaping;
   task.Costs = nullptr; // most layers are known
   // Translucent surfaces leave no first entries.
-  const LeapedSpace space = Begin(task, leaps, { ExtrasOf(task).Disparities, false });
+  const LeapedSpace space = Begin(task, leaps, ExtrasWithoutEntries(task));
   FrameStructures structures(task.Structures.Sharing());
   if (leaps)
   {

@@ -29,6 +29,14 @@ inline FrameExtras ExtrasOf(const FrameTask& task)
     task.Key.Samples.Kind->Abilities().IsMesh };
 }
 
+/// The same for a route that finds no first entries.
+inline FrameExtras ExtrasWithoutEntries(const FrameTask& task)
+{
+  FrameExtras extras = ExtrasOf(task);
+  extras.FirstEntries = false;
+  return extras;
+}
+
 /// Make room for the frame, and find out where its rays can meet surfaces.
 inline LeapedSpace Begin(FrameTask& task, bool leaps, const FrameExtras& extras)
 {

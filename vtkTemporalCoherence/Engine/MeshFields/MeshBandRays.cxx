@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MeshFields/MeshBandRays.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+constexpr auto Rising = static_cast<std::size_t>(ValueDirection::Rising);
+constexpr auto Falling = static_cast<std::size_t>(ValueDirection::Falling);
+
+/// Between two ways to compute a value, relative to the largest one.
+constexpr double Rounding = 256.0 * std::numeric_limits<double>::epsilon();
+
+}
+
+MeshBandRays::MeshBandRays(const BandScene& scene, const RayBatch& rays)
+  : Scene(scene)
+  , Rays(rays)
+  , Scale(scene.Samples.Type, scene.Band, scene.FiniteRange)
+  , IsSolid(scene.Mode == SurfaceMode::Threshold)
+  , Knots(rays, scene.Form, this->Scale)
+  , Entries(static_cast<std::size_t>(rays.Count), -std::numeric_limits<float>::infinity())
+{
+  for (Progress& progress : this->OfRay)
+  {
+    progress.Reached = { -Infinity, this->IsSolid ? Infinity : -Infinity };
+  }
+}
+
+std::uint64_t MeshBandRays::GoOnTo(const RayBatch::Array<double>& distances)
+{
+  std::sort(this->Ahead.begin(), this->Ahead.end(),
+    [](const MeshPassage& a, const MeshPassage& b) {
+      return a.Ray != b.Ray ? a.Ray < b.Ray : a.In != b.In ? a.In < b.In : a.Place < b.Place;
+    });
+  auto kept = this->Ahead.begin();
+  for (const MeshPassage& passage : this->Ahead)
+  {
+    if (this->Done >> passage.Ray & 1u)
+    {
+      continue;
+    }
+    if (passage.In < distances[passage.Ray])
+    {
+      this->TakeNote(passage);
+    }
+    else
+    {
+      *kept++ = passage;
+    }
+  }
+  this->Ahead.erase(kept, this->Ahead.end());
+  return this->Knots.MemoryInBytes() > this->Scene.MemoryLimit ? ~std::uint64_t(0) : this->Done;
+}
+
+void MeshBandRays::GiveUp(std::size_t ray)
+{
+  this->Knots.GiveUp(ray);
+  this->Done |= std::uint64_t(1) << ray;
+}
+
+/// A ray comes to its first cell. (A solid is capped where a ray enters the mesh, so there its
+/// value does not matter.)
+void MeshBandRays::Enter(const MeshPassage& passage, double error)
+{
+  Progress& progress = this->OfRay[passage.Ray];
+  progress.HasEntered = true;
+  if (this->IsSolid)
+  {
+    return;
+  }
+  if (passage.AtIn + error >= 0.0)
+  {
+    this->Entries[passage.Ray] = this->Scale.Stored(passage.AtIn);
+    this->HasEntries = true;
+  }
+  if (passage.AtIn - error > this->Scale.Span)
+  {
+    progress.Reached[Rising] = Infinity;
+  }
+  if (passage.AtIn + error < 0.0)
+  {
+    progress.Reached[Falling] = Infinity;
+  }
+}
+
+void MeshBandRays::TakeNote(const MeshPassage& passage)
+{
+  Progress& progress = this->OfRay[passage.Ray];
+  const double largest = std::max(std::abs(passage.Low), std::abs(passage.High));
+  const double error = Rounding * (largest + this->Scale.Span);
+  if (!passage.IsFinite || (passage.BeginsHere && !this->IsSolid && passage.High + error >= 0.0))
+  {
+    this->GiveUp(passage.Ray);
+    return;
+  }
+  if (!progress.HasEntered)
+  {
+    this->Enter(passage, error);
+  }
+  const std::array<double, NumberOfDirections> most = { passage.High,
+    this->Scale.Span - passage.Low };
+  const std::array<double, NumberOfDirections> passed = { std::max(passage.AtIn, passage.AtOut),
+    this->Scale.Span - std::min(passage.AtIn, passage.AtOut) };
+  for (std::size_t direction = 0; direction < NumberOfDirections; ++direction)
+  {
+    double& reached = progress.Reached[direction];
+    if (reached == Infinity || !(most[direction] > reached))
+    {
+      continue;
+    }
+    const BandScale::Key key = this->Scale.KeyOf(most[direction] + error);
+    if (key > progress.Noted[direction])
+    {
+      progress.Noted[direction] = key;
+      this->Knots.AddCell(direction, passage.Ray, key, passage.Place, passage.In);
+    }
+    const bool isDone = passed[direction] - error > this->Scale.Span;
+    reached = isDone ? Infinity : std::max(reached, passed[direction]);
+  }
+  const bool isDone = progress.Reached[Rising] == Infinity && progress.Reached[Falling] == Infinity;
+  this->Done |= static_cast<std::uint64_t>(isDone) << passage.Ray;
+}
+
+void MeshBandRays::HandOver(TileKnots& knots)
+{
+  this->Knots.HandOver(this->Scene.Samples, this->Scene.FiniteRange, this->Scene.Transform, knots);
+  if (this->HasEntries)
+  {
+    knots.Entries = std::move(this->Entries);
+  }
+}
+
+}

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/HexahedronRoots.h"
 
+#include "Mesh/RootItems.h"
 #include "Mesh/Trilinear.h"
 
 #include <algorithm>
@@ -83,7 +84,6 @@ bool FindOnly(const Preconditioned& system, std::array<double, 3>& v)
     most[i] = 1.0 + Margin + system.Error[i];
     v[i] = std::clamp(-system.Functions[i][0], -most[i], most[i]);
   }
-  bool isThere = false;
   for (int step = 0; step < MostNewtonSteps; ++step)
   {
     Row rows[3], value;
@@ -96,23 +96,23 @@ bool FindOnly(const Preconditioned& system, std::array<double, 3>& v)
       Cross(rows[0], rows[1]) };
     const double scale = 1.0 / Dot(rows[0], columns[0]);
     double longest = 0.0, moved = 0.0;
-    isThere = true;
+    bool isIn = true;
     for (std::size_t i = 0; i < 3; ++i)
     {
       const double move =
         ((value[0] * columns[0][i] + value[1] * columns[1][i]) + value[2] * columns[2][i]) * scale;
       const double next = std::clamp(v[i] - move, -most[i], most[i]);
-      isThere = isThere && std::abs(move) <= Margin + system.Error[i];
+      isIn = isIn && std::abs(v[i] - move) <= most[i];
       longest = std::max(longest, std::abs(move));
       moved = std::max(moved, std::abs(next - v[i]));
       v[i] = next;
     }
     if (longest <= LastStep || moved <= LastMove)
     {
-      break;
+      return longest <= LastStep && isIn;
     }
   }
-  return isThere;
+  return false;
 }
 
 class Search
@@ -215,7 +215,7 @@ private:
       {
         return false;
       }
-      isShorter = isShorter || high - low < 1.2;
+      isShorter = isShorter || high - low < 2.0 * EnoughCut;
       box.Middle[i] += 0.5 * (low + high) * box.Half[i];
       box.Half[i] *= 0.5 * (high - low);
     }
@@ -244,21 +244,7 @@ private:
     const double difference = Dot(along, GradientAt(this->Whole[2], at));
     const double distance = Dot(along, GradientAt(this->T, at));
     root.Rises = (difference > 0.0) == (distance > 0.0);
-    for (std::size_t i = 0; i < this->Roots.Count; ++i)
-    {
-      // The same root lies in two boxes if it lies on their common face.
-      const HexahedronRoot& other = this->Roots.Roots[i];
-      double distant = 0.0;
-      for (std::size_t a = 0; a < 3; ++a)
-      {
-        distant = std::max(distant, std::abs(other.At[a] - at[a]));
-      }
-      if (distant <= 10.0 * SmallestBox && other.Rises == root.Rises)
-      {
-        return;
-      }
-    }
-    this->Roots.Roots[this->Roots.Count++] = root;
+    AddRoot(root, this->Roots);
   }
 
   void Put(const Box& box) { this->Boxes[this->Left++] = box; }

@@ -59,12 +59,16 @@ constexpr double MostNonlinear = 1.0 / 3.0;
 /// Systems with a smaller determinant are taken for singular.
 constexpr double LeastDeterminant = 1e-60;
 
-/// Newton's method: it ends after so many steps, or with so short a step.
+/// Newton's method ends after so many steps; with so short a step, whose square no longer matters;
+/// or where the box keeps it from moving.
 constexpr int MostNewtonSteps = 16;
-constexpr double LastStep = 1e-15, LastMove = 1e-16;
+constexpr double LastStep = 2e-8, LastMove = 1e-16;
 
-/// How often boxes of vectors are cut before a lane is searched alone.
-constexpr int MostRounds = 3;
+/// Boxes of which no more than this remains along an axis are not halved.
+constexpr double EnoughCut = 0.6;
+
+/// How often boxes of vectors are cut or halved before a ray is searched alone.
+constexpr int MostRounds = 12;
 
 }
 }

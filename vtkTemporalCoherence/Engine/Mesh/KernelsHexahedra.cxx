@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/KernelsCells.h"
 
-#include "Mesh/HexahedronRoots.h"
+#include "Mesh/FoldedSpans.h"
+#include "Mesh/HexahedronFunctions.h"
+#include "Mesh/RootItems.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 // This file is compiled once for each kind of vectors. The best one for the machine is chosen at
 // run time.
@@ -14,8 +15,7 @@
 #define HWY_TARGET_INCLUDE "Mesh/KernelsHexahedra.cxx"
 #include <hwy/foreach_target.h>
 
-#include "Mesh/KernelsRoots-inl.h"
-#include "Mesh/KernelsSheared-inl.h"
+#include "Mesh/KernelsSeenFunctions-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace TemporalCoherence
@@ -27,328 +27,321 @@ namespace HWY_NAMESPACE
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// A hexahedron as rays see it; x, y and the differences are the functions whose roots are wanted.
-template <class D>
-struct SeenCell
+/// What is searched, and what was found.
+struct RootWork
 {
-  using V = hn::Vec<D>;
-  V Functions[3][8], T[8];
+  const MeshRays& Rays;
+  RootItems *Now, *Next;
+  FoundRoots& Several;
+  std::uint64_t Alone = 0;           ///< rays that have to be searched alone
+  TileArray<std::uint8_t> CountOf{}; ///< boxes of each ray in Next
+
+  HWY_INLINE void Push(std::size_t ray, const double middle[3], const double half[3])
+  {
+    if (this->CountOf[ray] == RootItems::MostOfRay)
+    {
+      this->Alone |= std::uint64_t(1) << ray;
+      return;
+    }
+    ++this->CountOf[ray];
+    RootItems& to = *this->Next;
+    const std::size_t at = to.Count++;
+    to.Ray[at] = static_cast<std::uint8_t>(ray);
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      to.Middle[a][at] = middle[a];
+      to.Half[a][at] = half[a];
+    }
+  }
 };
 
-template <class D, class Points>
-HWY_INLINE void See(const ShearedRays<D>& rays, const Points& points, SeenCell<D>& seen)
-{
-  for (std::size_t corner = 0; corner < 8; ++corner)
-  {
-    rays.See(points, corner, seen.Functions[0][corner], seen.Functions[1][corner], seen.T[corner]);
-    seen.Functions[2][corner] = points.Value(corner);
-  }
-}
-
-template <class V>
-HWY_INLINE void FindRange(const V corners[8], V& low, V& high)
-{
-  low = high = corners[0];
-  for (std::size_t corner = 1; corner < 8; ++corner)
-  {
-    low = hn::Min(low, corners[corner]);
-    high = hn::Max(high, corners[corner]);
-  }
-}
-
-/// A search in a vector of systems.
+/// A vector of boxes.
 template <class D>
-struct RootSearch
+struct RootBoxes
 {
   using V = hn::Vec<D>;
-  using M = hn::Mask<D>;
-  using Use = RootVectors<D>;
+  static constexpr std::size_t Lanes = hn::MaxLanes(D());
 
-  /// Lanes that may have roots between Begin and End, by the values at corners.
-  HWY_INLINE M Begin(const ShearedRays<D>& rays, const SeenCell<D>& seen)
-  {
-    const D d;
-    const V zero = hn::Zero(d);
-    V low, high;
-    FindRange(seen.T, low, high);
-    M isLeft = hn::And(hn::Le(low, rays.End), hn::Ge(high, rays.Begin));
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      FindRange(seen.Functions[i], low, high);
-      const M isBelow = i == 2 ? hn::Ge(low, zero) : hn::Gt(low, zero);
-      isLeft = hn::AndNot(hn::Or(isBelow, hn::Lt(high, zero)), isLeft);
-      this->Largest[i] = hn::Max(hn::Neg(low), high);
-    }
-    this->Active = isLeft;
-    return isLeft;
-  }
-
-  HWY_INLINE void SetUp(const SeenCell<D>& seen)
-  {
-    const D d;
-    const V zero = hn::Zero(d), one = hn::Set(d, 1.0);
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      const M isZero = hn::Eq(this->Largest[i], zero);
-      const V scale = hn::Div(one, hn::IfThenElse(isZero, one, this->Largest[i]));
-      Use::Coefficients(seen.Functions[i], scale, this->System[i]);
-      this->Box.Middle[i] = zero;
-      this->Box.Half[i] = one;
-    }
-    this->IsOnly = this->IsUnknown = hn::Lt(zero, zero);
-  }
-
-  /// Cut off where there is no root, and find lanes with one root at most.
-  /// \return true if another round may find more
-  HWY_INLINE bool Round(bool isFirst)
-  {
-    const D d;
-    V local[3][8];
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      for (std::size_t k = 0; k < 8; ++k)
-      {
-        local[i][k] = this->System[i][k];
-      }
-      if (!isFirst)
-      {
-        this->Restrict(local[i]);
-      }
-    }
-    NearlyLinear<D> near;
-    V rest[3], steepest;
-    const M isRegular = near.SetUp(local);
-    near.Bound(rest, steepest);
-    const V error = hn::Max(hn::Max(near.Error[0], near.Error[1]), near.Error[2]);
-    const V one = hn::Set(d, 1.0), minusOne = hn::Set(d, -1.0), zero = hn::Zero(d);
-    V low[3], high[3];
-    M isEmpty = hn::Lt(one, zero), isShorter = isEmpty;
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      const V reach = Use::Three(rest[i], near.Error[i], hn::Set(d, Margin));
-      low[i] = hn::Max(hn::Neg(hn::Add(near.Parts[i][0], reach)), minusOne);
-      high[i] = hn::Min(hn::Sub(reach, near.Parts[i][0]), one);
-      isEmpty = hn::Or(isEmpty, hn::Gt(low[i], high[i]));
-      isShorter = hn::Or(isShorter, hn::Lt(hn::Sub(high[i], low[i]), hn::Set(d, 1.2)));
-    }
-    this->Active = hn::AndNot(hn::And(isRegular, isEmpty), this->Active);
-    const M isWell = hn::And(isRegular, hn::Lt(error, hn::Set(d, MostError)));
-    const M isOnly =
-      hn::And(this->Active, hn::And(isWell, hn::Lt(steepest, hn::Set(d, MostNonlinear))));
-    if (isFirst)
-    {
-      this->Near = near;
-    }
-    else
-    {
-      this->Near.Take(isOnly, near);
-    }
-    this->IsOnly = hn::Or(this->IsOnly, isOnly);
-    this->Active = hn::AndNot(isOnly, this->Active);
-    const M goesOn = hn::And(this->Active, hn::And(isRegular, isShorter));
-    this->IsUnknown = hn::Or(this->IsUnknown, hn::AndNot(goesOn, this->Active));
-    this->Active = goesOn;
-    this->Cut(goesOn, low, high);
-    return !hn::AllFalse(d, goesOn);
-  }
-
-  /// Solve the lanes with one root at most.
-  /// \param at gets the roots
-  /// \return lanes with a root
-  HWY_INLINE M Solve(V at[3])
-  {
-    const D d;
-    const V zero = hn::Zero(d), one = hn::Set(d, 1.0);
-    V v[3], most[3], least[3];
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      most[i] = hn::Add(hn::Add(one, hn::Set(d, Margin)), this->Near.Error[i]);
-      least[i] = hn::Neg(most[i]);
-      v[i] = hn::Max(least[i], hn::Min(hn::Neg(this->Near.Parts[i][0]), most[i]));
-    }
-    M isLive = this->IsOnly, isThere = hn::Lt(one, zero);
-    for (int step = 0; step < MostNewtonSteps && !hn::AllFalse(d, isLive); ++step)
-    {
-      V move[3], longest = zero, moved = zero;
-      this->Near.Step(v, move);
-      M isNear = isLive;
-      for (std::size_t i = 0; i < 3; ++i)
-      {
-        const V next = hn::Max(least[i], hn::Min(hn::Sub(v[i], move[i]), most[i]));
-        const V length = hn::Abs(move[i]);
-        isNear = hn::And(isNear, hn::Le(length, hn::Add(hn::Set(d, Margin), this->Near.Error[i])));
-        longest = hn::Max(longest, length);
-        moved = hn::Max(moved, hn::Abs(hn::Sub(next, v[i])));
-        v[i] = hn::IfThenElse(isLive, next, v[i]);
-      }
-      isThere = hn::Or(isThere, isNear);
-      const M isDone =
-        hn::Or(hn::Le(longest, hn::Set(d, LastStep)), hn::Le(moved, hn::Set(d, LastMove)));
-      isLive = hn::AndNot(isDone, isLive);
-    }
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      at[i] = hn::Add(this->Box.Middle[i], hn::Mul(this->Box.Half[i], v[i]));
-    }
-    return isThere;
-  }
-
-  V Largest[3], System[3][8];
-  RootBox<D> Box;
-  NearlyLinear<D> Near; ///< of lanes with one root at most
-  M Active, IsOnly, IsUnknown;
-
-private:
-  HWY_INLINE void Restrict(V c[8]) const
+  HWY_INLINE RootBoxes(const RootItems& items, std::size_t first)
+    : Count(std::min(Lanes, items.Count - first))
   {
     for (std::size_t a = 0; a < 3; ++a)
     {
-      const std::size_t bit = std::size_t(1) << a;
-      for (std::size_t k = 0; k < 8; ++k)
+      HWY_ALIGN double middle[Lanes], half[Lanes];
+      for (std::size_t lane = 0; lane < Lanes; ++lane)
       {
-        if ((k & bit) == 0)
-        {
-          c[k] = hn::Add(c[k], hn::Mul(this->Box.Middle[a], c[k + bit]));
-          c[k + bit] = hn::Mul(this->Box.Half[a], c[k + bit]);
-        }
+        const std::size_t at = first + std::min(lane, this->Count - 1);
+        this->Ray[lane] = items.Ray[at];
+        middle[lane] = items.Middle[a][at];
+        half[lane] = items.Half[a][at];
       }
+      this->Middle[a] = hn::Load(D(), middle);
+      this->Half[a] = hn::Load(D(), half);
     }
   }
 
-  HWY_INLINE void Cut(M lanes, const V low[3], const V high[3])
+  /// Where lanes of the box lie in the cell.
+  HWY_INLINE void ToCell(const V v[3], V at[3]) const
   {
-    const V half = hn::Set(D(), 0.5);
-    for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t a = 0; a < 3; ++a)
     {
-      const V middle = hn::Mul(half, hn::Add(low[i], high[i]));
-      const V length = hn::Mul(half, hn::Sub(high[i], low[i]));
-      const V moved = hn::Add(this->Box.Middle[i], hn::Mul(middle, this->Box.Half[i]));
-      this->Box.Middle[i] = hn::IfThenElse(lanes, moved, this->Box.Middle[i]);
-      this->Box.Half[i] =
-        hn::IfThenElse(lanes, hn::Mul(length, this->Box.Half[i]), this->Box.Half[i]);
+      at[a] = hn::Add(this->Middle[a], hn::Mul(this->Half[a], v[a]));
     }
   }
+
+  std::size_t Count;
+  std::size_t Ray[Lanes];
+  V Middle[3], Half[3];
 };
 
-/// Append the roots of lanes that have one at most.
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE void AppendRoots(RootSearch<D>& search, const SeenCell<D>& seen, const MeshRays& rays,
-  std::size_t i, std::uint64_t wanted, Crossings& found)
-{
-  using Use = RootVectors<D>;
-  const D d;
-  V at[3], distances[8], x[3], y[3], along[3], slope[3];
-  wanted &= BitsOf(d, search.Solve(at));
-  if (wanted == 0)
-  {
-    return;
-  }
-  const V zero = hn::Zero(d);
-  Use::Coefficients(seen.T, hn::Set(d, 1.0), distances);
-  Use::GradientAt(search.System[0], at, x);
-  Use::GradientAt(search.System[1], at, y);
-  Use::Cross(x, y, along);
-  Use::GradientAt(search.System[2], at, slope);
-  const auto isUp = hn::Gt(Use::Dot(along, slope), zero);
-  Use::GradientAt(distances, at, slope);
-  const auto isAhead = hn::Gt(Use::Dot(along, slope), zero);
-  const std::uint64_t falling = BitsOf(d, hn::Xor(isUp, isAhead));
-  HWY_ALIGN double t[hn::MaxLanes(d)];
-  hn::Store(hn::Add(Use::ValueAt(distances, at), zero), d, t);
-  for (; wanted != 0; wanted &= wanted - 1)
-  {
-    const auto lane = static_cast<std::size_t>(hwy::Num0BitsBelowLS1Bit_Nonzero64(wanted));
-    if (t[lane] >= rays.Begin[i + lane] && t[lane] <= rays.End[i + lane])
-    {
-      found.Append(i + lane, t[lane], (falling >> lane & 1u) == 0);
-    }
-  }
-}
-
-/// Search a lane alone.
+/// Roots of lanes with one at most.
 template <class D>
-HWY_NOINLINE void AppendSearched(const SeenCell<D>& seen, const MeshRays& rays, std::size_t i,
-  std::uint64_t wanted, Crossings& found)
+HWY_INLINE void AppendRoots(const NearlyLinear<D>& near, hn::Mask<D> lanes,
+  const SeenFunctions<D>& seen, const RootBoxes<D>& boxes, bool isFirst, RootWork& work,
+  Crossings& found)
 {
+  using V = hn::Vec<D>;
+  constexpr std::size_t most = hn::MaxLanes(D());
   const D d;
-  HWY_ALIGN double all[4][8][hn::MaxLanes(d)];
-  for (std::size_t corner = 0; corner < 8; ++corner)
-  {
-    hn::Store(seen.Functions[0][corner], d, all[0][corner]);
-    hn::Store(seen.Functions[1][corner], d, all[1][corner]);
-    hn::Store(seen.Functions[2][corner], d, all[2][corner]);
-    hn::Store(seen.T[corner], d, all[3][corner]);
-  }
-  for (; wanted != 0; wanted &= wanted - 1)
-  {
-    const auto lane = static_cast<std::size_t>(hwy::Num0BitsBelowLS1Bit_Nonzero64(wanted));
-    SeenHexahedron cell;
-    for (std::size_t corner = 0; corner < 8; ++corner)
-    {
-      cell.X[corner] = all[0][corner][lane];
-      cell.Y[corner] = all[1][corner][lane];
-      cell.Difference[corner] = all[2][corner][lane];
-      cell.T[corner] = all[3][corner][lane];
-    }
-    HexahedronRoots roots;
-    FindRoots(cell, roots);
-    for (std::size_t root = 0; root < roots.Count; ++root)
-    {
-      const double t = roots.Roots[root].T;
-      if (t >= rays.Begin[i + lane] && t <= rays.End[i + lane])
-      {
-        found.Append(i + lane, t, roots.Roots[root].Rises);
-      }
-    }
-  }
-}
-
-template <class D, class Points>
-HWY_INLINE void FindCrossings(const ShearedRays<D>& vector, const Points& points,
-  const MeshRays& rays, std::size_t i, std::uint64_t wanted, Crossings& found)
-{
-  const D d;
-  SeenCell<D> seen;
-  See(vector, points, seen);
-  RootSearch<D> search;
-  wanted &= BitsOf(d, search.Begin(vector, seen));
-  if (wanted == 0)
+  V v[3], at[3], rows[3][3], along[3];
+  std::uint64_t left = BitsOf(d, near.Solve(lanes, v)) & ((std::uint64_t(1) << boxes.Count) - 1);
+  if (left == 0)
   {
     return;
   }
-  search.SetUp(seen);
-  for (int round = 0; round < MostRounds; ++round)
+  boxes.ToCell(v, at);
+  GradientAt(seen.System[0], at, rows[0]);
+  GradientAt(seen.System[1], at, rows[1]);
+  GradientAt(seen.T, at, rows[2]);
+  CrossRows(rows[0], rows[1], along);
+  const V zero = hn::Zero(d);
+  // The determinant has the same sign all over a box with one root at most.
+  const std::uint64_t falling =
+    BitsOf(d, hn::Xor(hn::Gt(near.Determinant, zero), hn::Gt(DotRows(along, rows[2]), zero)));
+  HWY_ALIGN double t[most], places[3][most];
+  hn::Store(hn::Add(ValueAt(seen.T, at), zero), d, t);
+  for (std::size_t a = 0; a < 3; ++a)
   {
-    if (!search.Round(round == 0))
+    hn::Store(at[a], d, places[a]);
+  }
+  for (; left != 0; left &= left - 1)
+  {
+    const auto lane = static_cast<std::size_t>(hwy::Num0BitsBelowLS1Bit_Nonzero64(left));
+    const std::size_t ray = boxes.Ray[lane];
+    const bool rises = (falling >> lane & 1u) == 0;
+    if (!isFirst)
     {
-      break;
+      AddRoot({ { places[0][lane], places[1][lane], places[2][lane] }, t[lane], rises },
+        work.Several.Begin(ray));
+    }
+    else if (t[lane] >= work.Rays.Begin[ray] && t[lane] <= work.Rays.End[ray])
+    {
+      found.Append(ray, t[lane], rises);
     }
   }
-  const std::uint64_t only = wanted & BitsOf(d, search.IsOnly);
-  if (only != 0)
+}
+
+/// Look into boxes that are left: the part without known absence of roots, or its halves.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE void PushBoxes(
+  const RootBoxes<D>& boxes, const V low[3], const V high[3], std::uint64_t left, RootWork& work)
+{
+  constexpr std::size_t most = hn::MaxLanes(D());
+  const D d;
+  const V half = hn::Set(d, 0.5);
+  HWY_ALIGN double middles[3][most], halves[3][most], shares[3][most];
+  for (std::size_t a = 0; a < 3; ++a)
   {
-    AppendRoots(search, seen, rays, i, only, found);
+    const V middle = hn::Mul(half, hn::Add(low[a], high[a]));
+    const V share = hn::Mul(half, hn::Sub(high[a], low[a]));
+    hn::Store(hn::Add(boxes.Middle[a], hn::Mul(middle, boxes.Half[a])), d, middles[a]);
+    hn::Store(hn::Mul(share, boxes.Half[a]), d, halves[a]);
+    hn::Store(share, d, shares[a]);
   }
-  const std::uint64_t unknown = wanted & BitsOf(d, hn::Or(search.IsUnknown, search.Active));
-  if (unknown != 0)
+  for (; left != 0; left &= left - 1)
   {
-    AppendSearched(seen, rays, i, unknown, found);
+    const auto lane = static_cast<std::size_t>(hwy::Num0BitsBelowLS1Bit_Nonzero64(left));
+    double middle[3], part[3];
+    std::size_t longest = 0;
+    bool isShort = false;
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      middle[a] = middles[a][lane];
+      part[a] = halves[a][lane];
+      longest = part[a] > part[longest] ? a : longest;
+      isShort = isShort || shares[a][lane] < EnoughCut;
+    }
+    if (isShort)
+    {
+      work.Push(boxes.Ray[lane], middle, part);
+      continue;
+    }
+    part[longest] *= 0.5;
+    middle[longest] -= part[longest];
+    work.Push(boxes.Ray[lane], middle, part);
+    middle[longest] += 2.0 * part[longest];
+    work.Push(boxes.Ray[lane], middle, part);
   }
 }
 
-void HexahedronCrossingsOf(
-  const CornerPoints<8>& points, const MeshRays& rays, std::uint64_t which, Crossings& found)
+/// Look into a vector of boxes.
+template <class D, class Functions>
+HWY_INLINE void Look(const Functions& functions, const RootBoxes<D>& boxes, bool isFirst,
+  RootWork& work, Crossings& found)
 {
-  ForEachVector(rays, which, points,
-    [&](auto, const auto& seen, const auto& vector, std::size_t i, std::uint64_t wanted) HWY_ATTR
-    { FindCrossings(vector, seen, rays, i, wanted, found); });
+  using V = hn::Vec<D>;
+  const D d;
+  const SeenFunctions<D> seen(GatheredRays<D>(work.Rays, boxes.Ray), functions, boxes.Ray);
+  const V one = hn::Set(d, 1.0), minusOne = hn::Set(d, -1.0), zero = hn::Zero(d);
+  V local[3][8];
+  auto isLeft = hn::Lt(zero, one);
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    std::copy(seen.System[i], seen.System[i] + 8, local[i]);
+    if (!isFirst)
+    {
+      Restrict(boxes.Middle, boxes.Half, local[i]);
+    }
+    const V error = hn::Mul(hn::Set(d, ValueError), seen.Largest[i]);
+    isLeft = hn::And(isLeft, hn::Le(hn::Abs(local[i][0]), hn::Add(ReachOf(local[i]), error)));
+  }
+  if (hn::AllFalse(d, isLeft))
+  {
+    return;
+  }
+  const NearlyLinear<D> near(local, seen.Largest);
+  V rest[3], steepest, low[3], high[3];
+  near.Bound(rest, steepest);
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    const V reach = Three(rest[a], near.Error[a], hn::Set(d, Margin));
+    low[a] = hn::Max(hn::Neg(hn::Add(near.Parts[a][0], reach)), minusOne);
+    high[a] = hn::Min(hn::Sub(reach, near.Parts[a][0]), one);
+    isLeft = hn::AndNot(hn::And(near.IsRegular, hn::Gt(low[a], high[a])), isLeft);
+    low[a] = hn::IfThenElse(near.IsRegular, low[a], minusOne);
+    high[a] = hn::IfThenElse(near.IsRegular, high[a], one);
+  }
+  const V error = LargestOf(near.Error[0], near.Error[1], near.Error[2]);
+  const auto isWell = hn::And(near.IsRegular, hn::Lt(error, hn::Set(d, MostError)));
+  const auto isOnly = hn::And(isLeft, hn::And(isWell, hn::Lt(steepest, hn::Set(d, MostNonlinear))));
+  if (!hn::AllFalse(d, isOnly))
+  {
+    AppendRoots(near, isOnly, seen, boxes, isFirst, work, found);
+  }
+  const std::uint64_t left =
+    BitsOf(d, hn::AndNot(isOnly, isLeft)) & ((std::uint64_t(1) << boxes.Count) - 1);
+  if (left != 0)
+  {
+    PushBoxes(boxes, low, high, left, work);
+  }
 }
 
-void HexahedronPairCrossingsOf(const TurnedPairs<8>& pairs, const MeshRays& rays, Crossings& found)
+/// Look into ever smaller boxes, for all rays together.
+template <class D, class Functions>
+HWY_INLINE void LookRoundByRound(const Functions& functions, RootWork& work, Crossings& found)
 {
-  ForEachVectorOfPairs(rays, pairs,
-    [&](auto, const auto& seen, const auto& vector, std::size_t i, std::uint64_t wanted) HWY_ATTR
-    { FindCrossings(vector, seen, rays, i, wanted, found); });
+  for (int round = 0; round < MostRounds && work.Now->Count > 0; ++round)
+  {
+    work.Next->Count = 0;
+    work.CountOf.fill(0);
+    for (std::size_t i = 0; i < work.Now->Count; i += hn::Lanes(D()))
+    {
+      Look(functions, RootBoxes<D>(*work.Now, i), round == 0, work, found);
+    }
+    // Rays that are searched alone are not searched here any more.
+    RootItems& next = *work.Next;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < next.Count && work.Alone != 0; ++i)
+    {
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        next.Middle[a][kept] = next.Middle[a][i];
+        next.Half[a][kept] = next.Half[a][i];
+      }
+      next.Ray[kept] = next.Ray[i];
+      kept += (work.Alone >> next.Ray[i] & 1u) == 0;
+    }
+    next.Count = work.Alone != 0 ? kept : next.Count;
+    std::swap(work.Now, work.Next);
+  }
+  for (std::size_t i = 0; i < work.Now->Count; ++i)
+  {
+    work.Alone |= std::uint64_t(1) << work.Now->Ray[i];
+  }
+}
+
+/// Add a box for each ray that may meet a surface in its cell.
+template <class D, class Functions>
+HWY_INLINE void PushMet(const Functions& functions, const MeshRays& rays, std::size_t i,
+  std::uint64_t wanted, RootWork& work)
+{
+  using V = hn::Vec<D>;
+  const D d;
+  std::size_t ray[hn::MaxLanes(D())];
+  for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
+  {
+    ray[lane] = i + lane;
+  }
+  const ShearedRays<D> vector(rays, i);
+  const SeenFunctions<D> seen(vector, functions, ray);
+  auto isMet = hn::Lt(hn::Zero(d), hn::Set(d, 1.0));
+  for (std::size_t f = 0; f < 2; ++f)
+  {
+    const V error = hn::Mul(hn::Set(d, ValueError), seen.Largest[f]);
+    isMet =
+      hn::And(isMet, hn::Le(hn::Abs(seen.System[f][0]), hn::Add(ReachOf(seen.System[f]), error)));
+  }
+  const V reach = hn::Add(ReachOf(seen.T), hn::Mul(hn::Set(d, Margin), hn::Abs(seen.T[0])));
+  isMet = hn::And(isMet, hn::Le(hn::Sub(seen.T[0], hn::Add(reach, reach)), vector.End));
+  isMet = hn::And(isMet, hn::Ge(hn::Add(seen.T[0], hn::Add(reach, reach)), vector.Begin));
+  constexpr double middle[3] = {}, half[3] = { 1.0, 1.0, 1.0 };
+  for (wanted &= BitsOf(d, isMet); wanted != 0; wanted &= wanted - 1)
+  {
+    const auto lane = static_cast<std::size_t>(hwy::Num0BitsBelowLS1Bit_Nonzero64(wanted));
+    work.Push(i + lane, middle, half);
+  }
+}
+
+/// \return rays that have to be searched alone
+std::uint64_t HexahedronCrossingsOf(const HexahedronFunctions& cell, const MeshRays& rays,
+  std::uint64_t which, FoundRoots& several, Crossings& found)
+{
+  using D = Doubles;
+  RootItems now, next;
+  std::uint64_t alone = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const std::uint64_t along = which & rays.Along[axis];
+    if (along == 0)
+    {
+      continue;
+    }
+    const SameFunctions<D> functions(cell, axis);
+    now.Count = next.Count = 0;
+    RootWork work{ rays, &now, &next, several };
+    ForEachVector(along,
+      [&](std::size_t i, std::uint64_t wanted) HWY_ATTR
+      { PushMet<D>(functions, rays, i, wanted, work); });
+    std::swap(work.Now, work.Next);
+    LookRoundByRound<D>(functions, work, found);
+    alone |= work.Alone;
+  }
+  return alone;
+}
+
+std::uint64_t HexahedronPairCrossingsOf(const HexahedronFunctions* cells, const MeshRays& rays,
+  std::uint64_t which, FoundRoots& several, Crossings& found)
+{
+  using D = Doubles;
+  RootItems now, next;
+  const OwnFunctions<D> functions(cells, rays);
+  RootWork work{ rays, &now, &next, several };
+  ForEachVector(which,
+    [&](std::size_t i, std::uint64_t wanted) HWY_ATTR
+    { PushMet<D>(functions, rays, i, wanted, work); });
+  std::swap(work.Now, work.Next);
+  LookRoundByRound<D>(functions, work, found);
+  return work.Alone;
 }
 
 }
@@ -362,26 +355,73 @@ namespace TemporalCoherence
 namespace MeshKernels
 {
 
+namespace
+{
+
+/// Search rays one by one, and append what was found in several boxes.
+template <typename CellOf, typename DifferencesOf>
+void AppendOthers(const CellOf& cellOf, const DifferencesOf& differencesOf, const MeshRays& rays,
+  std::uint64_t alone, FoundRoots& several, Crossings& found)
+{
+  for (std::uint64_t left = alone | several.Rays; left != 0; left &= left - 1)
+  {
+    const auto ray = static_cast<std::size_t>(hwy::Num0BitsBelowLS1Bit_Nonzero64(left));
+    HexahedronRoots& roots = several.Begin(ray);
+    if ((alone >> ray & 1u) != 0)
+    {
+      SeenHexahedron seen = SeeFrom(cellOf(ray), rays, ray, 0.0);
+      seen.Difference = differencesOf(ray);
+      FindRoots(seen, roots);
+    }
+    for (std::size_t root = 0; root < roots.Count; ++root)
+    {
+      const double t = roots.Roots[root].T;
+      if (t >= rays.Begin[ray] && t <= rays.End[ray])
+      {
+        found.Append(ray, t, roots.Roots[root].Rises);
+      }
+    }
+  }
+}
+
+}
+
 HWY_EXPORT(HexahedronCrossingsOf);
 HWY_EXPORT(HexahedronPairCrossingsOf);
 
 void HexahedronCrossings(const MeshCell& cell, const CellDifferences& differences,
   const MeshRays& rays, std::uint64_t which, Crossings& found)
 {
-  const CornerPoints<8> points = { cell.Points, differences };
-  HWY_DYNAMIC_DISPATCH(HexahedronCrossingsOf)(points, rays, which, found);
+  const HexahedronFunctions functions(cell, differences);
+  if (functions.IsPassed)
+  {
+    FoundRoots several;
+    const std::uint64_t alone =
+      HWY_DYNAMIC_DISPATCH(HexahedronCrossingsOf)(functions, rays, which, several, found);
+    AppendOthers([&](std::size_t) -> const MeshCell& { return cell; },
+      [&](std::size_t) { return differences; }, rays, alone, several, found);
+  }
 }
 
 void HexahedronCrossingsOfPairs(
   const MeshCell* cells, const CellDifferences* differences, const MeshRays& rays, Crossings& found)
 {
-  TurnedPairs<8> pairs;
+  std::array<HexahedronFunctions, MeshRays::Capacity> functions;
+  std::uint64_t which = 0;
   for (std::size_t i = 0; i < rays.Count; ++i)
   {
-    pairs.Set(i, { cells[i].Points, differences[i] }, rays.AxisOf(i));
+    functions[i] = HexahedronFunctions(cells[i], differences[i]);
+    which |= std::uint64_t(functions[i].IsPassed) << i;
   }
-  pairs.FillUp(rays.Count);
-  HWY_DYNAMIC_DISPATCH(HexahedronPairCrossingsOf)(pairs, rays, found);
+  for (std::size_t i = rays.Count; i > 0 && i < WholeVectors(rays.Count); ++i)
+  {
+    functions[i] = functions[i - 1];
+  }
+  FoundRoots several;
+  const std::uint64_t alone =
+    HWY_DYNAMIC_DISPATCH(HexahedronPairCrossingsOf)(functions.data(), rays, which, several, found);
+  AppendOthers([&](std::size_t ray) -> const MeshCell& { return cells[ray]; },
+    [&](std::size_t ray) { return differences[ray]; }, rays, alone, several, found);
 }
 
 }

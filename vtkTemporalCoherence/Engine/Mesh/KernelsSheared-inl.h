@@ -106,6 +106,22 @@ struct ShearedRays
   V Turned[3], ShearX, ShearY, PerDepth, Begin, End;
 };
 
+/// Call work(first ray, bits of its wanted rays) for each vector with a wanted ray.
+template <class Work>
+HWY_INLINE void ForEachVector(std::uint64_t which, const Work& work)
+{
+  const Doubles d;
+  constexpr std::uint64_t lanes = (std::uint64_t(1) << hn::MaxLanes(d)) - 1;
+  for (std::size_t i = 0; i < MeshRays::Capacity && which >> i != 0; i += hn::Lanes(d))
+  {
+    const std::uint64_t wanted = which >> i & lanes;
+    if (wanted != 0)
+    {
+      work(i, wanted);
+    }
+  }
+}
+
 /// Call work(tag, points, vector of rays, its first ray, bits of its wanted rays) for each vector
 /// with a wanted ray. Rays with different axes are never wanted together.
 template <class Cell, class Work>
@@ -113,19 +129,13 @@ HWY_INLINE void ForEachVector(
   const MeshRays& rays, std::uint64_t which, const Cell& cell, const Work& work)
 {
   const Doubles d;
-  constexpr std::uint64_t lanes = (std::uint64_t(1) << hn::MaxLanes(d)) - 1;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const std::uint64_t along = which & rays.Along[axis];
     const SamePoints<Doubles, Cell> points(cell, axis);
-    for (std::size_t i = 0; i < rays.Count && along >> i != 0; i += hn::Lanes(d))
-    {
-      const std::uint64_t wanted = along >> i & lanes;
-      if (wanted != 0)
-      {
-        work(d, points, ShearedRays<Doubles>(rays, i), i, wanted);
-      }
-    }
+    ForEachVector(along,
+      [&](std::size_t i, std::uint64_t wanted) HWY_ATTR
+      { work(d, points, ShearedRays<Doubles>(rays, i), i, wanted); });
   }
 }
 

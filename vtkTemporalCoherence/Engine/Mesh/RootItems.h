@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_RootItems_h
+#define TemporalCoherence_RootItems_h
+
+#include "Mesh/HexahedronRoots.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace TemporalCoherence
+{
+namespace MeshKernels
+{
+
+/// Boxes in hexahedra in which roots are still searched, as arrays over boxes; for many rays.
+struct RootItems
+{
+  /// A ray with more boxes is searched alone.
+  static constexpr std::size_t MostOfRay = 8;
+  static constexpr std::size_t Capacity = MostOfRay * MeshRays::Capacity;
+
+  std::size_t Count = 0;
+  std::array<std::uint8_t, Capacity> Ray;
+  std::array<std::array<double, Capacity>, 3> Middle, Half;
+};
+
+/// Roots of rays that were searched in several boxes.
+struct FoundRoots
+{
+  std::uint64_t Rays = 0; ///< with an entry below
+  TileArray<HexahedronRoots> Of;
+
+  HexahedronRoots& Begin(std::size_t ray)
+  {
+    if ((this->Rays >> ray & 1u) == 0)
+    {
+      this->Rays |= std::uint64_t(1) << ray;
+      this->Of[ray].Count = 0;
+    }
+    return this->Of[ray];
+  }
+};
+
+/// Add a root, unless it is there: a root on the common face of two boxes lies in both.
+inline void AddRoot(const HexahedronRoot& root, HexahedronRoots& roots)
+{
+  for (std::size_t i = 0; i < roots.Count; ++i)
+  {
+    const HexahedronRoot& other = roots.Roots[i];
+    double distant = 0.0;
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      distant = std::max(distant, std::abs(other.At[a] - root.At[a]));
+    }
+    if (distant <= 10.0 * SmallestBox && other.Rises == root.Rises)
+    {
+      return;
+    }
+  }
+  if (roots.Count < roots.Roots.size())
+  {
+    roots.Roots[roots.Count++] = root;
+  }
+}
+
+}
+}
+
+#endif

@@ -125,6 +125,15 @@ set(bridge_files
   Input/ScalarChoice
   Input/SettingCheck
   Input/VectorMagnitude
+  Shapes/AmrBlocks
+  Shapes/AmrLeaves
+  Shapes/AmrMesh
+  Shapes/CellDivision
+  Shapes/CurvedCells
+  Shapes/CurvedDivision
+  Shapes/PolyhedronCells
+  Shapes/SharedPoints
+  Shapes/SubdividedCells
   Window/DepthReader
   Window/LayerDepthClip
   Window/OpenGLWindow

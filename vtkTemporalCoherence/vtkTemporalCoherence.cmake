@@ -118,13 +118,14 @@ set(bridge_files
   Input/HiddenCellsFromImage
   Input/ImageLattice
   Input/ImageOfGrid
-  Input/InputFromMapper
+  Input/ImageSource
   Input/MergedBlocks
   Input/SampleMask
   Input/SamplesOfArray
   Input/ScalarChoice
   Input/SettingCheck
   Input/VectorMagnitude
+  Input/VolumePlace
   Shapes/AmrBlocks
   Shapes/AmrLeaves
   Shapes/AmrMesh
@@ -148,6 +149,7 @@ set(bridge_files
   Window/WindowPicture
   Window/WindowRays
   Request/AppearanceFromVolume
+  Request/FieldFromMapper
   Request/IsovalueCheck
   Request/LightsFromRenderer
   Request/RegionFromMapper

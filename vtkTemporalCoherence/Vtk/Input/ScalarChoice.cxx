@@ -6,9 +6,30 @@
 #include <vtkDataArray.h>
 #include <vtkDataSet.h>
 #include <vtkVolumeMapper.h>
+#include <vtkVolumeProperty.h>
+
+#include <algorithm>
 
 namespace TemporalCoherence
 {
+namespace
+{
+
+/// The component with the largest weight; the first of equal ones.
+int HeaviestComponent(vtkVolumeProperty* property, int components)
+{
+  int heaviest = 0;
+  for (int c = 1; c < std::min(components, VTK_MAX_VRCOMP); ++c)
+  {
+    if (property->GetComponentWeight(c) > property->GetComponentWeight(heaviest))
+    {
+      heaviest = c;
+    }
+  }
+  return heaviest;
+}
+
+}
 
 ScalarChoice ChoiceOf(vtkVolumeMapper* mapper)
 {
@@ -33,6 +54,23 @@ ChosenScalars FindScalars(vtkDataSet* dataSet, const ScalarChoice& choice)
     choice.Name.c_str(), isOnCells);
   scalars.OnCells = isOnCells != 0;
   return scalars;
+}
+
+DrawnComponent ChooseComponent(
+  vtkVolumeProperty* property, const VectorChoice& vectors, int components)
+{
+  using Modes = VectorChoice::Modes;
+  DrawnComponent drawn;
+  drawn.IsMagnitude = vectors.Mode == Modes::Magnitude && components > 1;
+  if (vectors.Mode == Modes::Component)
+  {
+    drawn.Number = vectors.Component;
+  }
+  else if (vectors.Mode == Modes::Property && property->GetIndependentComponents())
+  {
+    drawn.Number = drawn.OfProperty = HeaviestComponent(property, components);
+  }
+  return drawn;
 }
 
 std::string WhyThereAreNoScalars(const ScalarChoice& choice)

@@ -126,6 +126,15 @@ set(bridge_files
   Input/SettingCheck
   Input/VectorMagnitude
   Input/VolumePlace
+  Grids/CellOrigins
+  Grids/CellTypes
+  Grids/GridCells
+  Grids/GridLeaves
+  Grids/GridMesh
+  Grids/GridPoints
+  Grids/GridShape
+  Grids/GridValues
+  Grids/MeanEdge
   Shapes/AmrBlocks
   Shapes/AmrLeaves
   Shapes/AmrMesh

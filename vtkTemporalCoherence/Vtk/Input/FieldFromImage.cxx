@@ -57,26 +57,18 @@ bool MakeField(vtkImageData* image, vtkDataArray* array, bool onCells, int compo
 {
   const vtkIdType tuples = CountSamples(image, onCells);
   field = Field();
-  std::ostringstream what;
-  if (component < 0 || component >= array->GetNumberOfComponents())
+  if (!HasComponent(array, component, error))
   {
-    what << "VectorComponent is " << component << ", but array " << NameOf(array) << " has "
-         << array->GetNumberOfComponents() << " component(s); set one from 0 to "
-         << array->GetNumberOfComponents() - 1 << ".";
-  }
-  else if (array->GetNumberOfTuples() < tuples)
-  {
-    const char* place = onCells ? "cell" : "point";
-    what << "Array " << NameOf(array) << " has " << array->GetNumberOfTuples()
-         << " tuples, but the image has " << tuples << ' ' << place
-         << "s; give it one tuple for each " << place << '.';
-  }
-  if (!what.str().empty())
-  {
-    error = what.str();
     return false;
   }
-
+  if (array->GetNumberOfTuples() < tuples)
+  {
+    const std::string place = onCells ? "cell" : "point";
+    error = "Array " + NameOf(array) + " has " + std::to_string(array->GetNumberOfTuples()) +
+      " tuples, but the image has " + std::to_string(tuples) + ' ' + place +
+      "s; give it one tuple for each " + place + '.';
+    return false;
+  }
   ArraySamples samples;
   if (!FindSamples(array, component, samples, error))
   {

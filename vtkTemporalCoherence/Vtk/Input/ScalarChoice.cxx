@@ -5,6 +5,7 @@
 #include <vtkAbstractMapper.h>
 #include <vtkDataArray.h>
 #include <vtkDataSet.h>
+#include <vtkPointData.h>
 #include <vtkVolumeMapper.h>
 #include <vtkVolumeProperty.h>
 
@@ -54,6 +55,24 @@ ChosenScalars FindScalars(vtkDataSet* dataSet, const ScalarChoice& choice)
     choice.Name.c_str(), isOnCells);
   scalars.OnCells = isOnCells != 0;
   return scalars;
+}
+
+ScalarChoice ChoiceForAll(const std::vector<vtkDataSet*>& dataSets, const ScalarChoice& choice)
+{
+  ScalarChoice same = choice;
+  if (choice.Mode == VTK_SCALAR_MODE_DEFAULT)
+  {
+    const bool isOnPoints = std::any_of(dataSets.begin(), dataSets.end(),
+      [](vtkDataSet* dataSet) { return dataSet->GetPointData()->GetScalars() != nullptr; });
+    same.Mode = isOnPoints ? VTK_SCALAR_MODE_USE_POINT_DATA : VTK_SCALAR_MODE_USE_CELL_DATA;
+  }
+  return same;
+}
+
+bool IsOnCells(const ScalarChoice& choice)
+{
+  return choice.Mode == VTK_SCALAR_MODE_USE_CELL_DATA ||
+    choice.Mode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA;
 }
 
 DrawnComponent ChooseComponent(

@@ -6,6 +6,7 @@
 #include "vtkTemporalCoherenceCompatibility.h"
 
 #include <string>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
@@ -36,6 +37,14 @@ struct ChosenScalars
 };
 
 ChosenScalars FindScalars(vtkDataSet* dataSet, const ScalarChoice& choice);
+
+/// Resolve the default scalar mode for all data sets alike: points if any has scalars there, else
+/// cells.
+ScalarChoice ChoiceForAll(const std::vector<vtkDataSet*>& dataSets, const ScalarChoice& choice);
+
+/// True if a choice is of arrays of cells.
+/// \pre it is not the default, which depends on the data
+bool IsOnCells(const ScalarChoice& choice);
 
 /// Which scalar to draw if arrays have several components.
 struct VectorChoice

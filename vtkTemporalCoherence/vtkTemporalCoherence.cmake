@@ -134,6 +134,8 @@ set(bridge_files
   Grids/GridPoints
   Grids/GridShape
   Grids/GridValues
+  Grids/MeshDefectText
+  Grids/MeshSource
   Grids/MeanEdge
   Shapes/AmrBlocks
   Shapes/AmrLeaves

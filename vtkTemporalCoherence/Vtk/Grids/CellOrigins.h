@@ -3,17 +3,15 @@
 #ifndef TemporalCoherence_CellOrigins_h
 #define TemporalCoherence_CellOrigins_h
 
-#include "vtkTemporalCoherenceCompatibility.h"
-
+#include <vtkDataSet.h>
 #include <vtkType.h>
+#include <vtkWeakPointer.h>
+
+#include <glm/glm.hpp>
 
 #include <cstdint>
 #include <memory>
 #include <vector>
-
-VTK_ABI_NAMESPACE_BEGIN
-class vtkDataSet;
-VTK_ABI_NAMESPACE_END
 
 namespace TemporalCoherence
 {
@@ -23,10 +21,13 @@ struct Mesh;
 /// A cell of the data that a mapper draws.
 struct CellOrigin
 {
-  vtkDataSet* Data = nullptr; ///< only valid as long as the mapper has the data
+  vtkDataSet* Data = nullptr; ///< null if it is gone
   unsigned int Block = 0;     ///< flat index in the composite data set; 0 if there is none
   vtkIdType Cell = -1;        ///< -1 if there is none
 };
+
+/// The point of a cell that is nearest to a place in the data's coordinates; -1 if there is none.
+vtkIdType NearestPointOf(const CellOrigin& cell, const glm::dvec3& place);
 
 /// Tells of which cells of data sets a mesh was made. Immutable, and shared by frames.
 class CellOrigins
@@ -36,7 +37,7 @@ public:
   struct Part
   {
     std::int64_t First;
-    vtkDataSet* Data;
+    vtkWeakPointer<vtkDataSet> Data;
     unsigned int Block;
   };
 
@@ -46,6 +47,10 @@ public:
 
   /// \param cell through all parts of the mesh; there is no origin if it is not one of these
   CellOrigin Of(std::int64_t cell) const;
+
+  /// The largest ids of points and cells of the data sets; -1 if there are none.
+  vtkIdType LargestPoint() const;
+  vtkIdType LargestCell() const;
 
 private:
   std::shared_ptr<const Mesh> OfCells;

@@ -14,6 +14,7 @@
 #include <vtkSmartPointer.h>
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,27 @@ struct FieldQuery
   ReportProgress Report;           ///< of what takes long; it may stop it
 };
 
+class CellOrigins;
+
+/// What had to be done to set up a field.
+enum class SetUpWork
+{
+  None,      ///< nothing that is told: the field is no mesh
+  Kept,      ///< everything was there
+  NewValues, ///< only values are new: the tree over the cells was kept
+  Refitted,  ///< points are new: the boxes of the tree were made again
+  Built      ///< cells are new: the tree was built
+};
+
+/// How a field was set up.
+struct FieldSetUp
+{
+  SetUpWork Work = SetUpWork::None;
+  double Seconds = 0.0;
+  std::size_t Memory = 0;     ///< bytes of what is kept
+  bool AveragesCells = false; ///< values of cells were averaged to points
+};
+
 /// A field, and where it lies.
 struct PlacedField
 {
@@ -46,6 +68,9 @@ struct PlacedField
   IndexTransform Transform;
   ImageAxes Axes;            ///< index space in the coordinates of cropping planes
   glm::dvec3 PerStep{ 1.0 }; ///< of GradientOpacity
+
+  FieldSetUp SetUp;
+  std::shared_ptr<const CellOrigins> Cells; ///< of a mesh: which cells of the data are its cells
 
   /// Keeps what is read alive if an observer gives the mapper another input meanwhile.
   std::vector<vtkSmartPointer<vtkObjectBase>> Read;

@@ -39,8 +39,8 @@ bool FieldFromMapper::Find(vtkVolumeMapper* mapper, vtkVolumeProperty* property,
   vtkDataObject* data = mapper->GetDataObjectInput();
   if (!data)
   {
-    error = "There is no input; give the mapper a vtkImageData or a vtkRectilinearGrid with "
-            "SetInputData or SetInputConnection.";
+    error = "There is no input; give the mapper an image or a grid with SetInputData or "
+            "SetInputConnection.";
     return false;
   }
   if (const int port = OtherInputPort(mapper))
@@ -67,6 +67,13 @@ bool FieldFromMapper::Find(vtkVolumeMapper* mapper, vtkVolumeProperty* property,
 
 bool FieldFromMapper::ChooseSource(vtkDataObject* data, std::string& error)
 {
+  if (IsMesh(data))
+  {
+    this->Images.Release();
+    this->Source = &this->Meshes;
+    return true;
+  }
+  this->Meshes.Release();
   if (vtkImageData::SafeDownCast(data) || vtkRectilinearGrid::SafeDownCast(data) ||
     vtkDataObjectTree::SafeDownCast(data))
   {
@@ -74,18 +81,29 @@ bool FieldFromMapper::ChooseSource(vtkDataObject* data, std::string& error)
     return true;
   }
   error = std::string("The input is a ") + data->GetClassName() +
-    ", but only vtkImageData, blocks of them and vtkRectilinearGrid can be drawn; resample it "
-    "with vtkResampleToImage.";
+    ", but only images, rectilinear, curvilinear, explicit structured and unstructured grids, and "
+    "blocks of these, can be drawn; resample it with vtkResampleToImage.";
   return false;
 }
 
 bool FieldFromMapper::Make(const FieldQuery& query, PlacedField& field, std::string& error)
 {
-  return this->Source->Make(query, field, error);
+  try
+  {
+    return this->Source->Make(query, field, error);
+  }
+  catch (const std::exception&)
+  {
+    error = "There is not enough memory to set up the cells of the input; free memory, or draw a "
+            "part of it (vtkExtractCells).";
+    return false;
+  }
 }
 
 void FieldFromMapper::Release()
 {
+  this->Source = nullptr;
+  this->Meshes.Release();
   this->Images.Release();
 }
 

@@ -3,6 +3,7 @@
 #ifndef TemporalCoherence_FieldFromMapper_h
 #define TemporalCoherence_FieldFromMapper_h
 
+#include "Grids/MeshSource.h"
 #include "Input/ImageSource.h"
 #include "vtkTemporalCoherenceCompatibility.h"
 
@@ -47,6 +48,7 @@ private:
   bool ChooseSource(vtkDataObject* data, std::string& error);
 
   ImageSource Images;
+  MeshSource Meshes;
   FieldSource* Source = nullptr; ///< of the data that were found
 };
 

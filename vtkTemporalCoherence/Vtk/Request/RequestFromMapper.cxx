@@ -137,6 +137,8 @@ bool RequestFromMapper::MakeScene(
   key.Isosurfaces.ByGradient.PerStep = field.PerStep;
   key.Samples = field.Samples;
   key.Transform = field.Transform;
+  request.SetUp = field.SetUp;
+  request.Cells = field.Cells;
   request.Read = field.Read;
   return true;
 }

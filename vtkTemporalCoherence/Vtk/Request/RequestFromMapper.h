@@ -12,6 +12,7 @@
 #include <vtkSmartPointer.h>
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,9 @@ struct FrameRequest
   FrameKey Key;
   std::vector<int> IsovaluePlaces; ///< position in the list, for each isovalue of the key
   vtkSmartPointer<vtkContourValues> IsovalueList; ///< including transparent ones
+
+  FieldSetUp SetUp;
+  std::shared_ptr<const CellOrigins> Cells; ///< of a mesh: which cells of the data are its cells
 
   /// Keeps what is read alive if an observer gives the mapper another input meanwhile.
   std::vector<vtkSmartPointer<vtkObjectBase>> Read;

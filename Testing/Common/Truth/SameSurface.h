@@ -39,7 +39,7 @@ inline void ExpectSameSurface(
       longest = std::max(longest, there);
     }
   }
-  Expect(hits > Size * Size / 20, name + ": only " + std::to_string(hits) + " hits");
+  Expect(hits > Size * Size / 50, name + ": only " + std::to_string(hits) + " hits");
   Expect(edges <= Size * Size / 1000,
     name + ": " + std::to_string(edges) + " pixels hit one surface only");
   Expect(

@@ -43,7 +43,7 @@ Image Waves(int type = VTK_FLOAT)
 Image Slope()
 {
   const Image image = Volumes::FromFormula(9, VTK_DOUBLE,
-    [](double x, double y, double z) { return 100.0 + 30.0 * x - 50.0 * y + 20.0 * z; });
+    [](double x, double y, double z) { return 100.0 + 30.0 * x + 50.0 * y + 20.0 * z; });
   image->SetSpacing(0.25, 0.5, 0.125);
   return image;
 }

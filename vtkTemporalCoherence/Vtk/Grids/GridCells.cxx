@@ -161,7 +161,8 @@ void NoteCells(const GridLeaf& leaf, MadeFrom& from)
   from.Add(static_cast<double>(leaf.Data->GetNumberOfPoints()));
   if (vtkCellArray* cells = CellsOf(leaf.Data))
   {
-    from.Add(cells->GetOffsetsArray());
+    // Whoever writes cells may call Modified() of an array or of all cells.
+    from.Add(cells->GetOffsetsArray(), cells->GetMTime());
     from.Add(cells->GetConnectivityArray());
     from.Add(static_cast<double>(leaf.Data->GetNumberOfCells()));
   }

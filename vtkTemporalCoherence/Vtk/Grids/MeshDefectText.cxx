@@ -16,14 +16,14 @@ namespace
 
 constexpr const char* Correct = "; correct it or leave it out with vtkExtractCells.";
 
-/// The part with a cell.
-const MeshPart* PartWith(const Mesh& mesh, std::int64_t cell)
+/// The part with a cell, whose number in the part it gets; null if there is none.
+const MeshPart* PartWith(const Mesh& mesh, std::int64_t& cell)
 {
   for (const MeshPart& part : mesh.Parts)
   {
     if (cell < part.NumberOfCells)
     {
-      return &part;
+      return cell < 0 ? nullptr : &part;
     }
     cell -= part.NumberOfCells;
   }
@@ -51,6 +51,26 @@ std::string TextOfPoint(const MeshPart* part, std::int64_t point)
   return text.str();
 }
 
+std::string TextOfCount(const MeshPart* part, std::int64_t cell)
+{
+  std::ostringstream text;
+  text << " has ";
+  if (part && part->Offsets.First)
+  {
+    text << part->Offsets.IdAt(cell + 1) - part->Offsets.IdAt(cell);
+  }
+  else
+  {
+    text << "other";
+  }
+  text << " points, which is not the number for its type";
+  if (part && part->Types)
+  {
+    text << ' ' << static_cast<int>(part->Types[cell]);
+  }
+  return text.str();
+}
+
 std::string TextOfMemory(const Mesh& mesh, std::size_t limit)
 {
   const std::int64_t cells = mesh.NumberOfCells();
@@ -65,7 +85,8 @@ std::string TextOfMemory(const Mesh& mesh, std::size_t limit)
 std::string TextOf(const MeshProblem& problem, const Mesh& mesh, const CellOrigins& origins,
   const std::vector<GridLeaf>& leaves, std::size_t limit)
 {
-  const MeshPart* const part = PartWith(mesh, problem.Cell);
+  std::int64_t inPart = problem.Cell;
+  const MeshPart* const part = PartWith(mesh, inPart);
   const std::string cell = NameOf(origins.Of(problem.Cell), leaves);
   switch (problem.Defect)
   {
@@ -81,8 +102,7 @@ std::string TextOf(const MeshProblem& problem, const Mesh& mesh, const CellOrigi
         std::to_string(part ? part->ConnectivitySize : 0) +
         " point ids of its vtkCellArray; give SetData offsets that ascend up to their number.";
     case MeshDefect::WrongNumberOfPoints:
-      return cell + " has " + std::to_string(problem.Point) +
-        " points, which is not the number for its type" + Correct;
+      return cell + TextOfCount(part, inPart) + Correct;
     case MeshDefect::PointNotFinite:
       return cell + TextOfPoint(part, problem.Point) + ", which is not finite or too far away" +
         Correct;

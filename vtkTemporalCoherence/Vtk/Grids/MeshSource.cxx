@@ -4,8 +4,8 @@
 
 #include "Grids/MeshDefectText.h"
 #include "Input/VolumePlace.h"
-#include "Mesh/MeshKind.h"
 #include "Mesh/MeshTree.h"
+#include "MeshFields/MeshKind.h"
 #include "Scene/Stopwatch.h"
 
 #include <vtkDataSet.h>
@@ -72,18 +72,11 @@ bool MeshSource::Make(const FieldQuery& query, PlacedField& field, std::string& 
   {
     return false;
   }
-  const Mesh& mesh = *this->Grids.Made();
   const MeshTree& tree = *this->Tree;
   done.Memory = tree.MemoryInBytes();
   done.AveragesCells = std::any_of(
     this->Leaves.begin(), this->Leaves.end(), [](const GridLeaf& leaf) { return leaf.OnCells; });
-  field.Samples.Type = ScalarType::Float64;
-  field.Samples.Dimensions = tree.Dimensions();
-  field.Samples.Stamp = std::max({ mesh.CellStamp, mesh.PointStamp, mesh.ValueStamp });
-  if (this->Kind)
-  {
-    field.Samples.Kind = this->Kind;
-  }
+  field.Samples = MeshField(tree, this->Kind);
   field.Cells = this->Grids.Origins();
   field.Axes = { tree.Low(), glm::dvec3(tree.Scale()) };
   field.PerStep = glm::dvec3(tree.Edges().Mean / tree.Scale());
@@ -129,11 +122,9 @@ bool MeshSource::SetUpTree(const FieldQuery& query, FieldSetUp& done, std::strin
     error = TextOf(problem, *mesh, *this->Grids.Origins(), this->Leaves, query.MeshMemoryLimit);
     return false;
   }
-  const bool hasCells = this->Tree->NumberOfCells() > 0;
-  if (hasCells &&
-    (!this->Kind || this->Tree != before || this->HasAveragedGradients != query.AveragedGradients))
+  if (!this->Kind || this->Tree != before || this->HasAveragedGradients != query.AveragedGradients)
   {
-    this->Kind = MeshKind(mesh, this->Tree, query.AveragedGradients);
+    this->Kind = MeshKind(this->Tree, query.AveragedGradients);
     this->HasAveragedGradients = query.AveragedGradients;
   }
   return true;

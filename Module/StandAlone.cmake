@@ -30,7 +30,7 @@ set(vtk_components
   RenderingCore RenderingOpenGL2 RenderingVolume RenderingVolumeOpenGL2)
 if (BUILD_TESTING OR TEMPORAL_COHERENCE_BUILD_BENCHMARKS)
   list(APPEND vtk_components
-    CommonSystem FiltersCore FiltersGeometry FiltersSources ImagingCore InteractionStyle IOImage IOLegacy IOXML
+    CommonSystem FiltersAMR FiltersCore FiltersGeometry FiltersSources ImagingCore InteractionStyle IOImage IOLegacy IOXML
     TestingCore TestingRendering zlib)
 endif ()
 set(vtk_chart_components)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GpuMapperSettings.h"
 
-#include "Input/InputFromMapper.h"
+#include "Request/FieldFromMapper.h"
 #include "vtkTemporalCoherenceVolumeMapper.h"
 
 #include <vtkAlgorithmOutput.h>

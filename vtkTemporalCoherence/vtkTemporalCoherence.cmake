@@ -120,13 +120,34 @@ set(bridge_files
   Input/HiddenCellsFromImage
   Input/ImageLattice
   Input/ImageOfGrid
-  Input/InputFromMapper
+  Input/ImageSource
   Input/MergedBlocks
   Input/SampleMask
   Input/SamplesOfArray
   Input/ScalarChoice
   Input/SettingCheck
   Input/VectorMagnitude
+  Input/VolumePlace
+  Grids/CellOrigins
+  Grids/CellTypes
+  Grids/GridCells
+  Grids/GridLeaves
+  Grids/GridMesh
+  Grids/GridPoints
+  Grids/GridShape
+  Grids/GridValues
+  Grids/MeshDefectText
+  Grids/MeshSource
+  Grids/MeanEdge
+  Shapes/AmrBlocks
+  Shapes/AmrLeaves
+  Shapes/AmrMesh
+  Shapes/CellDivision
+  Shapes/CurvedCells
+  Shapes/CurvedDivision
+  Shapes/PolyhedronCells
+  Shapes/SharedPoints
+  Shapes/SubdividedCells
   Window/DepthReader
   Window/LayerDepthClip
   Window/OpenGLWindow
@@ -141,6 +162,7 @@ set(bridge_files
   Window/WindowPicture
   Window/WindowRays
   Request/AppearanceFromVolume
+  Request/FieldFromMapper
   Request/IsovalueCheck
   Request/LightsFromRenderer
   Request/RegionFromMapper

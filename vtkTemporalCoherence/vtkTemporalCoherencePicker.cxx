@@ -4,7 +4,10 @@
 
 #include "vtkTemporalCoherenceGPUVolumeRayCastMapper.h"
 #include "vtkTemporalCoherenceVolumeMapper.h"
+#include "vtkTemporalCoherenceVolumeMapperInternals.h"
 
+#include "vtkCell.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkLODProp3D.h"
@@ -15,11 +18,15 @@
 #include "vtkObjectFactory.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkStructuredData.h"
+#include "vtkStructuredGrid.h"
 #include "vtkTransform.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 vtkStandardNewMacro(vtkTemporalCoherencePicker);
@@ -114,12 +121,12 @@ double vtkTemporalCoherencePicker::IntersectVolumeWithLine(const double p1[3], c
   }
   this->Transform->TransformPoint(begin, begin);
   this->Transform->TransformPoint(end, end);
-  double share, normal[3];
-  int isovalueIndex;
-  if (!surfaces->IntersectWithLine(volume, begin, end, share, nullptr, normal, &isovalueIndex))
+  const auto found = surfaces->Internal->FindOnLine(volume, begin, end);
+  if (!found)
   {
     return VTK_DOUBLE_MAX;
   }
+  const double share = found->Hit.Distance / std::sqrt(vtkMath::Distance2BetweenPoints(begin, end));
   const double t = t1 + share * (t2 - t1);
   if (!(t < this->GlobalTMin))
   {
@@ -128,7 +135,8 @@ double vtkTemporalCoherencePicker::IntersectVolumeWithLine(const double p1[3], c
 
   this->ResetPickInfo();
   this->Mapper = mapper;
-  this->IsovalueIndex = isovalueIndex;
+  this->IsovalueIndex = found->IsovaluePlace;
+  const glm::dvec3& normal = found->Hit.Normal;
   for (int i = 0; i < 3; ++i)
   {
     this->MapperPosition[i] = p1[i] + t * (p2[i] - p1[i]);
@@ -137,7 +145,14 @@ double vtkTemporalCoherencePicker::IntersectVolumeWithLine(const double p1[3], c
       matrix->GetElement(1, i) * normal[1] + matrix->GetElement(2, i) * normal[2];
   }
   vtkMath::Normalize(this->MapperNormal);
-  if (vtkDataSet* data = surfaces->GetDataSetInput())
+  if (found->Cell.Data)
+  {
+    this->CompositeDataSet = vtkCompositeDataSet::SafeDownCast(surfaces->GetDataObjectInput());
+    this->FlatBlockIndex = this->CompositeDataSet ? found->Cell.Block : -1;
+    this->DataSet = found->Cell.Data;
+    this->SetCellPickInfo(found->Cell.Data, found->Cell.Cell);
+  }
+  else if (vtkDataSet* data = surfaces->GetDataSetInput())
   {
     this->DataSet = data;
     this->SetDataPickInfo(data);
@@ -174,6 +189,26 @@ void vtkTemporalCoherencePicker::SetDataPickInfo(vtkDataSet* data)
   this->PointId = vtkStructuredData::ComputePointIdForExtent(extent, this->PointIJK);
   this->CellId = vtkStructuredData::ComputeCellIdForExtent(extent, this->CellIJK);
   this->SubId = 0;
+}
+
+//------------------------------------------------------------------------------
+/// Take the cell of a mesh, and of its points the one that is nearest to the mapper's position.
+void vtkTemporalCoherencePicker::SetCellPickInfo(vtkDataSet* data, vtkIdType cellId)
+{
+  const double* at = this->MapperPosition;
+  this->CellId = cellId;
+  this->PointId =
+    TemporalCoherence::NearestPointOf({ data, 0, cellId }, glm::dvec3(at[0], at[1], at[2]));
+  vtkCell* const cell = data->GetCell(cellId);
+  std::vector<double> weights(static_cast<std::size_t>(cell->GetNumberOfPoints()));
+  double nearest[3], distance;
+  cell->EvaluatePosition(at, nearest, this->SubId, this->PCoords, distance, weights.data());
+  if (auto* grid = vtkStructuredGrid::SafeDownCast(data))
+  {
+    const int* extent = grid->GetExtent();
+    vtkStructuredData::ComputeCellStructuredCoordsForExtent(cellId, extent, this->CellIJK);
+    vtkStructuredData::ComputePointStructuredCoordsForExtent(this->PointId, extent, this->PointIJK);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -12,9 +12,10 @@
  * is picked as vtkVolumePicker does it.
  *
  * After such a pick, PickPosition and MapperPosition lie on the surface. PickNormal and
- * MapperNormal are its normal and face the viewer. DataSet is the mapper's input. CellId, CellIJK
- * and PCoords tell where in it the surface was hit, and PointId and PointIJK are those of the
- * nearest sample. GetIsovalueIndex() tells which isovalue was hit.
+ * MapperNormal are its normal and face the viewer. DataSet is the mapper's input or, of blocks that
+ * are drawn as a mesh, the block that was hit (FlatBlockIndex). CellId, CellIJK and PCoords tell
+ * where in it the surface was hit, and PointId and PointIJK are those of the nearest sample.
+ * GetIsovalueIndex() tells which isovalue was hit.
  *
  * vtkCellPicker and vtkVolumePicker cannot pick isosurfaces, because they use the scalar opacity
  * only. They read the opacity where the line passes from cell to cell, and stop where it is above
@@ -68,6 +69,7 @@ private:
   void operator=(const vtkTemporalCoherencePicker&) = delete;
 
   void SetDataPickInfo(vtkDataSet* data);
+  void SetCellPickInfo(vtkDataSet* data, vtkIdType cellId);
   int FindCroppingPlane(vtkTemporalCoherenceVolumeMapper* mapper, const double p1[3],
     const double p2[3], double t1, double t2, double tHit);
 

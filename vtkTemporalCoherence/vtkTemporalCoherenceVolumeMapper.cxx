@@ -72,6 +72,12 @@ int vtkTemporalCoherenceVolumeMapper::FillInputPortInformation(int port, vtkInfo
 }
 
 //------------------------------------------------------------------------------
+void vtkTemporalCoherenceVolumeMapper::SetInputData(vtkDataSet* data)
+{
+  this->SetInputDataInternal(0, data);
+}
+
+//------------------------------------------------------------------------------
 double* vtkTemporalCoherenceVolumeMapper::GetBounds()
 {
   auto* blocks = vtkCompositeDataSet::SafeDownCast(this->GetDataObjectInput());
@@ -190,10 +196,15 @@ bool vtkTemporalCoherenceVolumeMapper::BuildIsomap(vtkRenderer* renderer, vtkVol
     return false;
   }
 
+  Internals::SharedProgress progress(
+    [&](double done)
+    {
+      this->UpdateProgress(done);
+      return !this->GetAbortExecute() && Internals::MayGoOn(renderer->GetRenderWindow());
+    });
   TemporalCoherence::FrameRequest request;
   std::string error;
-  if (!internal.Requests.Make(
-        this, TemporalCoherence::SettingsOf(this), volume, sight, request, error))
+  if (!internal.MakeRequest(volume, sight, progress, request, error))
   {
     internal.ReportOnce(error);
     return false;
@@ -202,14 +213,8 @@ bool vtkTemporalCoherenceVolumeMapper::BuildIsomap(vtkRenderer* renderer, vtkVol
   Outcome outcome = Outcome::Impossible;
   {
     const Internals::Busy busy(internal);
-    outcome = internal.Frames.BuildIsomap(
-      TemporalCoherence::Viewer::Of(renderer, volume), request, TemporalCoherence::OptionsOf(this),
-      [&](double progress)
-      {
-        this->UpdateProgress(progress);
-        return !this->GetAbortExecute() && Internals::MayGoOn(renderer->GetRenderWindow());
-      },
-      error);
+    outcome = internal.Frames.BuildIsomap(TemporalCoherence::Viewer::Of(renderer, volume), request,
+      TemporalCoherence::OptionsOf(this), progress.OfRest(), error);
     if (error.empty())
     {
       internal.WarnOfIsomapLimit(outcome == Outcome::TooLarge);

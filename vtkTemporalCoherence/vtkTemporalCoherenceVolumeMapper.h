@@ -4,11 +4,12 @@
  * @class   vtkTemporalCoherenceVolumeMapper
  * @brief   ray casts isosurfaces on the CPU and re-uses earlier frames
  *
- * This mapper draws the isosurfaces of a vtkImageData, of a vtkRectilinearGrid, or of composite
- * data whose blocks are images on one lattice. It is a vtkGPUVolumeRayCastMapper and can replace
- * one in a vtkVolume, but it needs no GPU. The isovalues are those of
- * vtkVolumeProperty::GetIsoSurfaceValues(). The property's transfer functions give each surface its
- * colour and opacity. It keeps the last frames of each viewer and does only what a change requires.
+ * This mapper draws the isosurfaces of images and of rectilinear, curvilinear (vtkStructuredGrid),
+ * explicit structured and unstructured grids, and of blocks of these. It is a
+ * vtkGPUVolumeRayCastMapper and can replace one in a vtkVolume, but it needs no GPU. The isovalues
+ * are those of vtkVolumeProperty::GetIsoSurfaceValues(). The property's transfer functions give
+ * each surface its colour and opacity. It keeps the last frames of each viewer and does only what a
+ * change requires.
  *
  * Documentation/Mapper.md has an example and the details of all settings. It defines the terms that
  * are used here (such as voxel). The image cache and the isomap are those of "Accelerating Volume
@@ -78,6 +79,22 @@ public:
   void SetVectorModeToComponent() { this->SetVectorMode(COMPONENT); }
   vtkSetMacro(VectorComponent, int);
   vtkGetMacro(VectorComponent, int);
+  //@}
+
+  //@{
+  /**
+   * Set/Get where normals of meshes come from: the gradient in the cell that is hit (off, default),
+   * which has facets, or gradients that are averaged at the points (on), which is smooth.
+   */
+  vtkSetMacro(AveragedGradients, vtkTypeBool);
+  vtkGetMacro(AveragedGradients, vtkTypeBool);
+  vtkBooleanMacro(AveragedGradients, vtkTypeBool);
+  //@}
+
+  //@{
+  /** Set/Get the most memory to set up a mesh with, in MiB. Default: 0, no limit. */
+  vtkSetClampMacro(MeshMemoryLimit, int, 0, VTK_INT_MAX);
+  vtkGetMacro(MeshMemoryLimit, int);
   //@}
 
   //@{
@@ -230,6 +247,13 @@ public:
   bool PickPixel(int x, int y, double position[3], double normal[3], int* isovalueIndex);
 
   /**
+   * Get the cell of a mesh in which the last frame shows a surface at a pixel, and the flat index
+   * of its block, which is 0 without blocks, and may be null.
+   * @return -1 if there is no surface or no mesh. Nothing is written then.
+   */
+  vtkIdType PickCell(int x, int y, unsigned int* block);
+
+  /**
    * Find the first surface on the line from p1 to p2 in world coordinates. No frame is needed, and
    * the last frame is kept. The line begins at p1 as a ray does at the near plane.
    * @param t gets the share of the way from p1 to p2 at which the surface is met, 0 to 1. The other
@@ -286,6 +310,30 @@ public:
   double GetShadeTime();
   double GetPresentTime();
   //@}
+
+  /** What the last frame had to do to set up its mesh. */
+  enum MeshSetUps
+  {
+    MESH_NONE,       ///< the input is no mesh
+    MESH_KEPT,       ///< nothing
+    MESH_NEW_VALUES, ///< only read new values
+    MESH_REFITTED,   ///< bound the same cells with new points
+    MESH_BUILT       ///< order new cells
+  };
+
+  //@{
+  /**
+   * Get what the last frame had to do to set up its mesh: one of MeshSetUps, the time in seconds,
+   * and the memory of what is kept, in bytes; and whether scalars of cells were averaged to points.
+   */
+  int GetMeshSetUp();
+  double GetMeshSetUpTime();
+  vtkIdType GetMeshMemory();
+  bool GetScalarsWereAveraged();
+  //@}
+
+  /** Set the data to draw without a pipeline: an image or a grid. */
+  void SetInputData(vtkDataSet* data) override;
 
   //@{
   /** Get the bounds of the input in its own coordinates; for blocks, the bounds of all of them. */
@@ -381,6 +429,8 @@ private:
   int SurfaceMode = CROSSING;
   int VectorMode = DISABLED;
   int VectorComponent = 0;
+  vtkTypeBool AveragedGradients = 0;
+  int MeshMemoryLimit = 0;
   vtkTypeBool ImageCache = 1;
   int NumberOfCachedImages = 1;
   int ReuseAccuracy = EXACT;
@@ -399,6 +449,7 @@ private:
 
   struct Internals;
   std::unique_ptr<Internals> Internal;
+  friend class vtkTemporalCoherencePicker;                 // finds cells
   friend class vtkTemporalCoherenceGPUVolumeRayCastMapper; // asks why a frame would be refused
 };
 VTK_ABI_NAMESPACE_END

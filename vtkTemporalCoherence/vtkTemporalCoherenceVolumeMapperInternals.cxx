@@ -68,10 +68,15 @@ bool vtkTemporalCoherenceVolumeMapper::Internals::RenderFrame(vtkRenderer* rende
       " pixels is too large; ask for at most " + std::to_string(VTK_INT_MAX) + " pixels.");
     return false;
   }
+  SharedProgress progress(
+    [&](double done)
+    {
+      this->Self->InvokeEvent(vtkCommand::VolumeMapperRenderProgressEvent, &done);
+      return window ? MayGoOn(window) : !this->Self->GetAbortExecute();
+    });
   TemporalCoherence::FrameRequest request;
   std::string error;
-  if (!this->Requests.Make(this->Self, TemporalCoherence::SettingsOf(this->Self), volume,
-        { renderer, { width, height }, aspect }, request, error))
+  if (!this->MakeRequest(volume, { renderer, { width, height }, aspect }, progress, request, error))
   {
     this->ReportOnce(error);
     return false;
@@ -83,15 +88,10 @@ bool vtkTemporalCoherenceVolumeMapper::Internals::RenderFrame(vtkRenderer* rende
   {
     const Busy busy(*this);
     isMade = this->Frames.Render(
-      TemporalCoherence::Viewer::Of(renderer, volume), request, options,
-      [&](double progress)
-      {
-        this->Self->InvokeEvent(vtkCommand::VolumeMapperRenderProgressEvent, &progress);
-        return window ? MayGoOn(window) : !this->Self->GetAbortExecute();
-      },
-      error);
+      TemporalCoherence::Viewer::Of(renderer, volume), request, options, progress.OfRest(), error);
     if (isMade)
     {
+      this->SetUp = request.SetUp;
       this->WarnOfIsomapLimit(this->Frames.IsIsomapTooLarge());
       if (this->Self->WarnOfIsovalues)
       {
@@ -102,6 +102,16 @@ bool vtkTemporalCoherenceVolumeMapper::Internals::RenderFrame(vtkRenderer* rende
   }
   this->ReportOnce(error);
   return isMade;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTemporalCoherenceVolumeMapper::Internals::MakeRequest(vtkVolume* volume,
+  const TemporalCoherence::FrameSight& sight, SharedProgress& progress,
+  TemporalCoherence::FrameRequest& request, std::string& error)
+{
+  const Busy busy(*this); // observers of the progress may call anything
+  return this->Requests.Make(this->Self, TemporalCoherence::SettingsOf(this->Self), volume, sight,
+    request, error, progress.OfSetUp());
 }
 
 //------------------------------------------------------------------------------

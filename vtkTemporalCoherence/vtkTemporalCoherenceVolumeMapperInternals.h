@@ -10,7 +10,9 @@
 #include "Window/WindowRays.h"
 #include "vtkTemporalCoherenceVolumeMapper.h"
 
+#include <optional>
 #include <string>
+#include <utility>
 
 VTK_ABI_NAMESPACE_BEGIN
 /// The state of a mapper besides its settings, and how it makes a frame with them.
@@ -27,9 +29,10 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
   TemporalCoherence::SampleDistanceChooser Distances;
   TemporalCoherence::WindowRays Rays;
   TemporalCoherence::IsovalueCheck Isovalues;
-  std::string LastError;  ///< reported already; empty after a frame without error
-  bool HasWarned = false; ///< of the memory limit
-  bool IsMaking = false;  ///< a frame or an isomap, while observers may call anything
+  std::string LastError;               ///< reported already; empty after a frame without error
+  bool HasWarned = false;              ///< of the memory limit
+  TemporalCoherence::FieldSetUp SetUp; ///< of the last frame
+  bool IsMaking = false;               ///< a frame or an isomap, while observers may call anything
 
   /// Sets IsMaking for as long as it lives.
   class Busy
@@ -48,6 +51,37 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
     Internals& Of;
   };
 
+  /// Progress that a mesh which has to be set up shares with what follows: half and half.
+  class SharedProgress
+  {
+  public:
+    explicit SharedProgress(TemporalCoherence::ReportProgress whole)
+      : Whole(std::move(whole))
+    {
+    }
+
+    TemporalCoherence::ReportProgress OfSetUp()
+    {
+      return [this](double progress)
+      {
+        this->IsShared = true;
+        return this->Whole(0.5 * progress);
+      };
+    }
+    TemporalCoherence::ReportProgress OfRest() const
+    {
+      return this->IsShared ? TemporalCoherence::PartOf(this->Whole, 0.5, 1.0) : this->Whole;
+    }
+
+  private:
+    TemporalCoherence::ReportProgress Whole;
+    bool IsShared = false;
+  };
+
+  /// Make a request for a frame; see RequestFromMapper::Make.
+  bool MakeRequest(vtkVolume* volume, const TemporalCoherence::FrameSight& sight,
+    SharedProgress& progress, TemporalCoherence::FrameRequest& request, std::string& error);
+
   /// Make a frame for a window, as coarse or as fine as is wished.
   /// \return false if it is not made
   bool RenderForWindow(vtkRenderer* renderer, vtkVolume* volume, int width, int height);
@@ -61,6 +95,18 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
   /// \param window may stop it; or null
   bool RenderFrame(vtkRenderer* renderer, vtkVolume* volume, int width, int height, double aspect,
     vtkRenderWindow* window);
+
+  /// The first surface on a line, and of which cell of the input it is.
+  struct FoundOnLine
+  {
+    TemporalCoherence::LineHit Hit;
+    int IsovaluePlace; ///< in the property's list
+    TemporalCoherence::CellOrigin Cell;
+  };
+
+  /// Find the first surface on a line in the world, for IntersectWithLine. What is wrong is
+  /// reported.
+  std::optional<FoundOnLine> FindOnLine(vtkVolume* volume, const double p1[3], const double p2[3]);
 
   /// What the error of a frame for a window would be; empty if it can be made.
   std::string WhyRefused(vtkRenderer* renderer, vtkVolume* volume);

@@ -48,18 +48,29 @@ bool vtkTemporalCoherenceVolumeMapper::PickPixel(
 }
 
 //------------------------------------------------------------------------------
-bool vtkTemporalCoherenceVolumeMapper::IntersectWithLine(vtkVolume* volume, const double p1[3],
-  const double p2[3], double& t, double position[3], double normal[3], int* isovalueIndex)
+vtkIdType vtkTemporalCoherenceVolumeMapper::PickCell(int x, int y, unsigned int* block)
 {
-  if (this->Internal->IsBusy("IntersectWithLine"))
+  const TemporalCoherence::CellOrigin cell = this->Internal->Frames.FindCell(x, y);
+  if (block && cell.Cell >= 0)
   {
-    return false;
+    *block = cell.Block;
+  }
+  return cell.Cell;
+}
+
+//------------------------------------------------------------------------------
+std::optional<vtkTemporalCoherenceVolumeMapper::Internals::FoundOnLine>
+vtkTemporalCoherenceVolumeMapper::Internals::FindOnLine(
+  vtkVolume* volume, const double p1[3], const double p2[3])
+{
+  if (this->IsBusy("IntersectWithLine"))
+  {
+    return std::nullopt;
   }
   if (!volume || !p1 || !p2)
   {
-    this->Internal->ReportOnce(
-      "IntersectWithLine needs a volume and two points; one of them is null.");
-    return false;
+    this->ReportOnce("IntersectWithLine needs a volume and two points; one of them is null.");
+    return std::nullopt;
   }
   const glm::dvec3 begin(p1[0], p1[1], p1[2]), end(p2[0], p2[1], p2[2]);
   const double length = glm::distance(begin, end);
@@ -69,32 +80,46 @@ bool vtkTemporalCoherenceVolumeMapper::IntersectWithLine(vtkVolume* volume, cons
     what << "IntersectWithLine needs two different points with finite coordinates, got (" << p1[0]
          << ", " << p1[1] << ", " << p1[2] << ") and (" << p2[0] << ", " << p2[1] << ", " << p2[2]
          << ").";
-    this->Internal->ReportOnce(what.str());
-    return false;
+    this->ReportOnce(what.str());
+    return std::nullopt;
   }
-  if (this->GetNumberOfInputConnections(0) > 0)
+  if (this->Self->GetNumberOfInputConnections(0) > 0)
   {
-    this->Update();
+    this->Self->Update();
   }
   TemporalCoherence::FrameRequest request;
   std::string error;
   std::optional<TemporalCoherence::LineHit> hit;
-  if (this->Internal->Requests.Make(
-        this, TemporalCoherence::SettingsOf(this), volume, {}, request, error))
+  if (this->Requests.Make(
+        this->Self, TemporalCoherence::SettingsOf(this->Self), volume, {}, request, error))
   {
-    hit = this->Internal->Frames.FindHit(request, begin, end, error);
+    hit = this->Frames.FindHit(request, begin, end, error);
   }
-  this->Internal->ReportOnce(error);
+  this->ReportOnce(error);
   if (!hit)
+  {
+    return std::nullopt;
+  }
+  return FoundOnLine{ *hit, request.IsovaluePlaces[static_cast<std::size_t>(hit->Surface)],
+    request.Cells ? request.Cells->Of(hit->Cell) : TemporalCoherence::CellOrigin() };
+}
+
+//------------------------------------------------------------------------------
+bool vtkTemporalCoherenceVolumeMapper::IntersectWithLine(vtkVolume* volume, const double p1[3],
+  const double p2[3], double& t, double position[3], double normal[3], int* isovalueIndex)
+{
+  const auto found = this->Internal->FindOnLine(volume, p1, p2);
+  if (!found)
   {
     return false;
   }
-  t = hit->Distance / length;
-  CopyTo(position, hit->Position);
-  CopyTo(normal, hit->Normal);
+  t = found->Hit.Distance /
+    glm::distance(glm::dvec3(p1[0], p1[1], p1[2]), glm::dvec3(p2[0], p2[1], p2[2]));
+  CopyTo(position, found->Hit.Position);
+  CopyTo(normal, found->Hit.Normal);
   if (isovalueIndex)
   {
-    *isovalueIndex = request.IsovaluePlaces[static_cast<std::size_t>(hit->Surface)];
+    *isovalueIndex = found->IsovaluePlace;
   }
   return true;
 }

@@ -120,6 +120,34 @@ double vtkTemporalCoherenceVolumeMapper::GetPresentTime()
 }
 
 //------------------------------------------------------------------------------
+int vtkTemporalCoherenceVolumeMapper::GetMeshSetUp()
+{
+  using TemporalCoherence::SetUpWork;
+  static_assert(static_cast<int>(SetUpWork::None) == MESH_NONE &&
+      static_cast<int>(SetUpWork::Built) == MESH_BUILT,
+    "MeshSetUps tells the same as SetUpWork");
+  return static_cast<int>(this->Internal->SetUp.Work);
+}
+
+//------------------------------------------------------------------------------
+double vtkTemporalCoherenceVolumeMapper::GetMeshSetUpTime()
+{
+  return this->Internal->SetUp.Seconds;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkTemporalCoherenceVolumeMapper::GetMeshMemory()
+{
+  return static_cast<vtkIdType>(this->Internal->SetUp.Memory);
+}
+
+//------------------------------------------------------------------------------
+bool vtkTemporalCoherenceVolumeMapper::GetScalarsWereAveraged()
+{
+  return this->Internal->SetUp.AveragesCells;
+}
+
+//------------------------------------------------------------------------------
 void vtkTemporalCoherenceVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -127,6 +155,8 @@ void vtkTemporalCoherenceVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
      << endl;
   os << indent << "VectorMode: " << this->VectorMode << endl;
   os << indent << "VectorComponent: " << this->VectorComponent << endl;
+  os << indent << "AveragedGradients: " << this->AveragedGradients << endl;
+  os << indent << "MeshMemoryLimit: " << this->MeshMemoryLimit << endl;
   os << indent << "ImageCache: " << this->ImageCache << endl;
   os << indent << "Isomap: " << this->Isomap << endl;
   os << indent << "SpaceLeaping: " << this->SpaceLeaping << endl;

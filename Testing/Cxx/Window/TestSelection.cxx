@@ -7,14 +7,18 @@
 #include "Scenes/OffScreen.h"
 #include "Scenes/Scene.h"
 #include "Volumes/Volumes.h"
+#include "Volumes/VtkMeshes.h"
 #include "vtkTemporalCoherenceVolume.h"
 
 #include <vtkActor.h>
 #include <vtkDataObject.h>
 #include <vtkFloatingPointExceptions.h>
 #include <vtkHardwareSelector.h>
+#include <vtkIdList.h>
 #include <vtkInformation.h>
 #include <vtkMath.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkPointSet.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkPropPicker.h>
 #include <vtkProperty.h>
@@ -158,6 +162,61 @@ void TestEveryPixel(vtkVolume* volume, int association, const std::string& name)
     name + ": the picture is as it was");
 }
 
+/// Of grids the cell that is hit is selected, its nearest point, and its block.
+void TestGrids(int association, const std::string& name)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  const vtkSmartPointer<vtkImageData> ball = Ball();
+  const vtkSmartPointer<vtkDataSet> grids[] = { VtkMeshes::Unstructured(ball, VTK_HEXAHEDRON),
+    VtkMeshes::Curvilinear(ball) };
+  for (unsigned int i = 0; i < 2; ++i)
+  {
+    auto* points = vtkPointSet::SafeDownCast(grids[i])->GetPoints();
+    for (vtkIdType p = 0; p < points->GetNumberOfPoints() && i; ++p)
+    {
+      const double* at = points->GetPoint(p);
+      points->SetPoint(p, at[0] + 1.2, at[1] + 0.3, at[2]);
+    }
+    points->Modified();
+    blocks->SetBlock(i, grids[i]);
+  }
+  Scene scene(nullptr, { -Radius });
+  scene.Mapper->SetInputDataObject(blocks);
+  scene.LookFrom(0.2, -2.0, 0.3);
+  scene.Renderer->GetActiveCamera()->Zoom(1.6);
+  vtkNew<vtkRenderWindow> window;
+  OpenWindow(window, scene.Renderer, Size, Size);
+  window->Render();
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(scene.Renderer);
+  selector->SetArea(0, 0, Size - 1, Size - 1);
+  selector->SetFieldAssociation(association);
+  Expect(selector->CaptureBuffers(), name + ": captured");
+  int hits[2] = {}, wrong = 0;
+  for (unsigned int pixel = 0; pixel < Size * Size; ++pixel)
+  {
+    const unsigned int place[2] = { pixel % Size, pixel / Size };
+    const int x = static_cast<int>(place[0]), y = static_cast<int>(place[1]);
+    unsigned int block = 0;
+    const vtkIdType cell = scene.Mapper->PickCell(x, y, &block);
+    const auto found = selector->GetPixelInformation(place);
+    wrong += found.Valid != (cell >= 0);
+    if (!found.Valid || cell < 0)
+    {
+      continue;
+    }
+    ++hits[block - 1];
+    vtkNew<vtkIdList> points;
+    grids[block - 1]->GetCellPoints(cell, points);
+    const bool isSame = association == vtkDataObject::FIELD_ASSOCIATION_POINTS
+      ? points->IsId(found.AttributeID) >= 0
+      : found.AttributeID == cell;
+    wrong += !isSame || found.CompositeID != static_cast<int>(block);
+  }
+  Expect(hits[0] > 500 && hits[1] > 500, name + ": both blocks are selected");
+  Expect(wrong == 0, name + ": " + std::to_string(wrong) + " pixels are wrong");
+}
+
 /// The selection of a rectangle holds the numbers of what is seen in it.
 void TestRectangle()
 {
@@ -231,6 +290,8 @@ int TestSelection(int, char*[])
   TestEveryPixel(nullptr, vtkDataObject::FIELD_ASSOCIATION_CELLS, "cells");
   TestEveryPixel(nullptr, vtkDataObject::FIELD_ASSOCIATION_POINTS, "points");
   TestEveryPixel(volume, vtkDataObject::FIELD_ASSOCIATION_CELLS, "cells, opaque pass");
+  TestGrids(vtkDataObject::FIELD_ASSOCIATION_CELLS, "cells of grids");
+  TestGrids(vtkDataObject::FIELD_ASSOCIATION_POINTS, "points of grids");
   TestRectangle();
   TestPropPicker();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;

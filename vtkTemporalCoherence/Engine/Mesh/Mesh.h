@@ -73,6 +73,8 @@ struct MeshPart
   const std::uint8_t* Flags = nullptr; ///< of each cell; null: no cell is hidden
   std::uint8_t HidingFlags = 0;        ///< a cell with any of these bits is hidden
 
+  MeshArray Originals; ///< number of each cell in the data set; null: its own number
+
   /// Keeps arrays that were made for this part; null if all belong to somebody else.
   std::shared_ptr<const void> Owner;
 };

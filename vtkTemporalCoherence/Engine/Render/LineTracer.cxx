@@ -49,7 +49,7 @@ std::optional<LineHit> TraceLine(const FrameKey& scene, const glm::dvec2& finite
     return std::nullopt;
   }
   return LineHit{ frame.Depth[0], frame.Isovalues[0], begin + frame.Depth[0] * key.View.Direction,
-    glm::dvec3(frame.Normals[0]) };
+    glm::dvec3(frame.Normals[0]), frame.Cells.empty() ? NoCell : frame.Cells[0] };
 }
 
 }

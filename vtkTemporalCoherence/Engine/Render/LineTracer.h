@@ -3,6 +3,7 @@
 #ifndef TemporalCoherence_LineTracer_h
 #define TemporalCoherence_LineTracer_h
 
+#include "Scene/Frame.h"
 #include "Scene/FrameKey.h"
 
 #include <glm/glm.hpp>
@@ -19,6 +20,7 @@ struct LineHit
   int Surface;     ///< position in the list of isovalues
   glm::dvec3 Position;
   glm::dvec3 Normal; ///< unit normal, facing the beginning of the line
+  CellNumber Cell;   ///< of a mesh, in which the surface is hit
 };
 
 /// Find the first surface on the line from `begin` to `end`, as a cold frame would: the line is the

@@ -55,6 +55,7 @@ bool MapperFrames::Render(const Viewer& viewer, const FrameRequest& request,
       return false;
     }
     state->IsovaluePlaces = request.IsovaluePlaces;
+    state->Cells = request.Cells;
     if (state->Engine.Statistics().Made != Route::Redisplay)
     {
       state->PictureNumber = NewPictureNumber();
@@ -200,6 +201,12 @@ std::optional<PixelHit> MapperFrames::FindHit(int x, int y) const
 {
   const FrameRenderer& frames = this->Last->Engine;
   return FindPixelHit(frames.LastFrame(), frames.LastKey().View, this->Last->PictureSize, x, y);
+}
+
+CellOrigin MapperFrames::FindCell(int x, int y) const
+{
+  const auto hit = this->FindHit(x, y);
+  return hit && this->Last->Cells ? this->Last->Cells->Of(hit->Cell) : CellOrigin();
 }
 
 std::optional<LineHit> MapperFrames::FindHit(

@@ -71,6 +71,10 @@ public:
   /// What a pixel of the last frame shows, in pixels of the window.
   std::optional<PixelHit> FindHit(int x, int y) const;
 
+  /// The cell of the data in which a pixel of the last frame shows a surface; none unless the data
+  /// are a mesh.
+  CellOrigin FindCell(int x, int y) const;
+
   /// The first surface on a line in the world; see LineTracer.h.
   std::optional<LineHit> FindHit(const FrameRequest& request, const glm::dvec3& begin,
     const glm::dvec3& end, std::string& error);

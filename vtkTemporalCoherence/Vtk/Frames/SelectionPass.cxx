@@ -64,38 +64,75 @@ vtkIdType NumberAt(vtkDataSet* data, glm::dvec3 place, bool isPoint)
 /// The id to draw for a ray with a hit.
 using ColorOfRay = std::function<PixelColor(const glm::ivec2&)>;
 
-/// The id of the point or the cell at the hit.
-ColorOfRay NumbersOf(
-  const ShownFrame& shown, vtkVolume* volume, vtkDataSet* data, bool isPoint, int shift)
+/// What is selected.
+struct Selection
 {
-  if (!data)
+  vtkHardwareSelector* Selector;
+  vtkVolume* Volume;
+  vtkDataSet* Data;         ///< or null
+  const CellOrigins* Cells; ///< of a mesh; or null
+};
+
+/// The world in the data's coordinates.
+glm::dmat4 DataFromWorld(vtkVolume* volume)
+{
+  volume->ComputeMatrix();
+  return glm::inverse(MatrixFromVtk(volume->GetMatrix()));
+}
+
+/// The id of the point or the cell at the hit.
+ColorOfRay NumbersOf(const ShownFrame& shown, const Selection& of, bool isPoint, int shift)
+{
+  if (!of.Data && !of.Cells)
   {
     return [](const glm::ivec2&) { return ColorOf(0); };
   }
-  volume->ComputeMatrix();
-  const glm::dmat4 dataFromWorld = glm::inverse(MatrixFromVtk(volume->GetMatrix()));
+  const glm::dmat4 dataFromWorld = DataFromWorld(of.Volume);
   return [=](const glm::ivec2& ray)
   {
-    const glm::dvec4 place(PositionOfHit(shown.Picture, shown.View, ray.x, ray.y), 1.0);
-    return ColorOf(NumberAt(data, glm::dvec3(dataFromWorld * place), isPoint) >> shift);
+    const glm::dvec3 place(
+      dataFromWorld * glm::dvec4(PositionOfHit(shown.Picture, shown.View, ray.x, ray.y), 1.0));
+    if (!of.Cells)
+    {
+      return ColorOf(NumberAt(of.Data, place, isPoint) >> shift);
+    }
+    const CellOrigin cell = of.Cells->Of(CellOfHit(shown.Picture, ray.x, ray.y));
+    const vtkIdType number = isPoint ? NearestPointOf(cell, place) : cell.Cell;
+    return ColorOf(std::max<vtkIdType>(number, 0) >> shift);
   };
 }
 
-ColorOfRay ColorsOf(
-  vtkHardwareSelector* selector, const ShownFrame& shown, vtkVolume* volume, vtkDataSet* data)
+/// The block of the cell that is hit, in the colours of the selector.
+ColorOfRay BlocksOf(const ShownFrame& shown, const Selection& of)
 {
-  switch (selector->GetCurrentPass())
+  if (!of.Cells)
+  {
+    of.Selector->RenderCompositeIndex(0);
+    return [color = ColorOfProp(of.Selector)](const glm::ivec2&) { return color; };
+  }
+  return [=](const glm::ivec2& ray)
+  {
+    of.Selector->RenderCompositeIndex(of.Cells->Of(CellOfHit(shown.Picture, ray.x, ray.y)).Block);
+    return ColorOfProp(of.Selector);
+  };
+}
+
+ColorOfRay ColorsOf(const ShownFrame& shown, const Selection& of)
+{
+  switch (of.Selector->GetCurrentPass())
   {
     case vtkHardwareSelector::POINT_ID_LOW24:
-      return NumbersOf(shown, volume, data, true, 0);
+      return NumbersOf(shown, of, true, 0);
     case vtkHardwareSelector::POINT_ID_HIGH24:
-      return NumbersOf(shown, volume, data, true, 24);
+      return NumbersOf(shown, of, true, 24);
     case vtkHardwareSelector::CELL_ID_LOW24:
-      return NumbersOf(shown, volume, data, false, 0);
+      return NumbersOf(shown, of, false, 0);
     case vtkHardwareSelector::CELL_ID_HIGH24:
-      return NumbersOf(shown, volume, data, false, 24);
+      return NumbersOf(shown, of, false, 24);
+    case vtkHardwareSelector::COMPOSITE_INDEX_PASS:
+      return BlocksOf(shown, of);
     default:
-      return [color = ColorOfProp(selector)](const glm::ivec2&) { return color; };
+      return [color = ColorOfProp(of.Selector)](const glm::ivec2&) { return color; };
   }
 }
 
@@ -106,18 +143,19 @@ bool PresentToSelector(vtkRenderer* renderer, vtkVolume* volume, vtkDataSet* dat
 {
   vtkHardwareSelector* selector = renderer->GetSelector();
   const ShownFrame shown = state.Shown();
+  const Selection of = { selector, volume, data, state.Cells.get() };
   selector->BeginRenderProp();
-  if (selector->GetCurrentPass() == vtkHardwareSelector::COMPOSITE_INDEX_PASS)
+  if (of.Cells)
   {
-    selector->RenderCompositeIndex(0);
+    selector->UpdateMaximumPointId(of.Cells->LargestPoint());
+    selector->UpdateMaximumCellId(of.Cells->LargestCell());
   }
-  if (data)
+  else if (data)
   {
     selector->UpdateMaximumPointId(data->GetNumberOfPoints() - 1);
     selector->UpdateMaximumCellId(data->GetNumberOfCells() - 1);
   }
-  const bool isShown =
-    state.Presenter.PresentColors(renderer, shown, ColorsOf(selector, shown, volume, data), error);
+  const bool isShown = state.Presenter.PresentColors(renderer, shown, ColorsOf(shown, of), error);
   selector->EndRenderProp();
   return isShown;
 }

@@ -19,8 +19,9 @@ namespace TemporalCoherence
 
 /// Draw a viewer's last frame for the hardware selector of its renderer: with its depths, and in
 /// colours that encode the numbers for the present pass of the selector. These are the ids of the
-/// prop, of the process, of the point nearest to a hit, or of the cell around it.
-/// \param data  with the points and cells; null: their ids are 0
+/// prop, of the process, of the block that is hit, of the point nearest to a hit, or of the cell
+/// around it. Of a mesh these are the cell that is hit, and the nearest of its points.
+/// \param data  with the points and cells, unless it is a mesh; null: their ids are 0
 /// \param error gets what is wrong if the result is false
 /// \throws std::bad_alloc
 bool PresentToSelector(vtkRenderer* renderer, vtkVolume* volume, vtkDataSet* data,

@@ -4,6 +4,7 @@
 #define TemporalCoherence_ViewerStates_h
 
 #include "Acceleration/FieldStructures.h"
+#include "Grids/CellOrigins.h"
 #include "Render/FrameRenderer.h"
 #include "Window/PeelPresenter.h"
 #include "Window/PicturePresenter.h"
@@ -60,7 +61,8 @@ struct ViewerState
   PicturePresenter Presenter;
   PeelPresenter Peels;
   std::vector<int> IsovaluePlaces; ///< position in the property's list, for each isovalue drawn
-  glm::ivec2 PictureSize{ 0 };     ///< pixels that the last frame fills
+  std::shared_ptr<const CellOrigins> Cells; ///< of which cells the mesh drawn is made; or null
+  glm::ivec2 PictureSize{ 0 };              ///< pixels that the last frame fills
   std::uint64_t PictureNumber = 0; ///< another one for each different picture in the process
 };
 

@@ -4,45 +4,18 @@
 
 #include "Input/MatrixFromVtk.h"
 #include "Input/SamplesOfArray.h"
+#include "Input/VolumePlace.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
-#include <vtkVolume.h>
 
 #include <algorithm>
-#include <cmath>
 #include <sstream>
 
 namespace TemporalCoherence
 {
 namespace
 {
-
-/// A transform is singular if it maps the unit box to less than this share of the volume of a box
-/// with the same edges.
-constexpr double FlattestBox = 1e-12;
-
-bool IsFinite(const glm::dmat4& matrix)
-{
-  for (int i = 0; i < 16; ++i)
-  {
-    if (!std::isfinite(matrix[i / 4][i % 4]))
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-/// Volume of the transformed unit box, as a share of that of a box with the same edges; 0 if the
-/// matrix is singular.
-double Flatness(const glm::dmat4& matrix)
-{
-  const glm::dmat3 m(matrix);
-  const double edges = glm::length(m[0]) * glm::length(m[1]) * glm::length(m[2]);
-  const double share = edges > 0.0 ? std::abs(glm::determinant(m)) / edges : 0.0;
-  return std::isfinite(share) ? share : 0.0;
-}
 
 /// Make the transform from sample indices, counted from 0, to the image's coordinates.
 bool PlaceImage(
@@ -66,7 +39,7 @@ bool PlaceImage(
          << "), its origin (" << origin[0] << ", " << origin[1] << ", " << origin[2]
          << ") or its direction matrix is not finite; set finite numbers.";
   }
-  else if (Flatness(physicalFromIndex) < FlattestBox)
+  else if (IsFlat(physicalFromIndex))
   {
     what
       << "The image's spacing (" << spacing[0] << ", " << spacing[1] << ", " << spacing[2]
@@ -77,45 +50,6 @@ bool PlaceImage(
   return error.empty();
 }
 
-/// Apply the transform of the volume.
-bool PlaceVolume(vtkVolume* volume, IndexTransform& transform, std::string& error)
-{
-  volume->ComputeMatrix();
-  vtkMatrix4x4* matrix = volume->GetMatrix();
-  const glm::dmat4 volumeMatrix = MatrixFromVtk(matrix);
-  transform.WorldFromIndex = volumeMatrix * transform.WorldFromIndex;
-
-  // The matrix of the prop, including its user matrix.
-  const glm::dvec3 scale(
-    glm::length(volumeMatrix[0]), glm::length(volumeMatrix[1]), glm::length(volumeMatrix[2]));
-  const double* last = matrix->GetData() + 12;
-  std::ostringstream what;
-  if (!IsFinite(volumeMatrix) || !IsFinite(transform.WorldFromIndex))
-  {
-    what << "The transform of the volume is not finite (its scale is " << scale[0] << ", "
-         << scale[1] << ", " << scale[2]
-         << "); give it a position, orientation, scale and user matrix of finite numbers.";
-  }
-  else if (last[0] != 0.0 || last[1] != 0.0 || last[2] != 0.0 || last[3] != 1.0)
-  {
-    what << "The last row of the volume's matrix is (" << last[0] << ", " << last[1] << ", "
-         << last[2] << ", " << last[3]
-         << "), a projection; give it a user matrix whose last row is (0, 0, 0, 1).";
-  }
-  else if (Flatness(transform.WorldFromIndex) < FlattestBox)
-  {
-    what << "The transform of the volume is singular (its scale is " << scale[0] << ", " << scale[1]
-         << ", " << scale[2] << "); give it a scale other than 0 and an invertible user matrix.";
-  }
-  error = what.str();
-  if (!error.empty())
-  {
-    return false;
-  }
-  transform.IndexFromWorld = glm::inverse(transform.WorldFromIndex);
-  return true;
-}
-
 }
 
 bool MakeField(vtkImageData* image, vtkDataArray* array, bool onCells, int component, Field& field,
@@ -123,26 +57,18 @@ bool MakeField(vtkImageData* image, vtkDataArray* array, bool onCells, int compo
 {
   const vtkIdType tuples = CountSamples(image, onCells);
   field = Field();
-  std::ostringstream what;
-  if (component < 0 || component >= array->GetNumberOfComponents())
+  if (!HasComponent(array, component, error))
   {
-    what << "VectorComponent is " << component << ", but array " << NameOf(array) << " has "
-         << array->GetNumberOfComponents() << " component(s); set one from 0 to "
-         << array->GetNumberOfComponents() - 1 << ".";
-  }
-  else if (array->GetNumberOfTuples() < tuples)
-  {
-    const char* place = onCells ? "cell" : "point";
-    what << "Array " << NameOf(array) << " has " << array->GetNumberOfTuples()
-         << " tuples, but the image has " << tuples << ' ' << place
-         << "s; give it one tuple for each " << place << '.';
-  }
-  if (!what.str().empty())
-  {
-    error = what.str();
     return false;
   }
-
+  if (array->GetNumberOfTuples() < tuples)
+  {
+    const std::string place = onCells ? "cell" : "point";
+    error = "Array " + NameOf(array) + " has " + std::to_string(array->GetNumberOfTuples()) +
+      " tuples, but the image has " + std::to_string(tuples) + ' ' + place +
+      "s; give it one tuple for each " + place + '.';
+    return false;
+  }
   ArraySamples samples;
   if (!FindSamples(array, component, samples, error))
   {

@@ -3,16 +3,15 @@
 #include "Input/MergedBlocks.h"
 
 #include "Input/BlockCopy.h"
+#include "Input/BlockName.h"
 #include "Input/GhostArray.h"
 #include "Input/SamplesOfArray.h"
 
 #include <vtkAbstractMapper.h>
 #include <vtkCellData.h>
-#include <vtkCompositeDataSet.h>
 #include <vtkDataArray.h>
 #include <vtkDataObjectTree.h>
 #include <vtkDataObjectTreeIterator.h>
-#include <vtkInformation.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkUnsignedCharArray.h>
@@ -31,17 +30,6 @@ using Block = MergedBlocks::Block;
 constexpr double LargestGrowth = 4.0;
 constexpr double SmallImage = 64.0 * (1 << 20); // bytes
 
-std::string NameOfLeaf(vtkDataObjectTreeIterator* leaf)
-{
-  std::string name = "Block " + std::to_string(leaf->GetCurrentFlatIndex());
-  vtkInformation* about = leaf->HasCurrentMetaData() ? leaf->GetCurrentMetaData() : nullptr;
-  if (about && about->Has(vtkCompositeDataSet::NAME()))
-  {
-    name += std::string(" ('") + about->Get(vtkCompositeDataSet::NAME()) + "')";
-  }
-  return name;
-}
-
 /// The images with cells, in the order of the tree.
 bool FindImages(vtkDataObjectTree* tree, std::vector<Block>& images, std::string& error)
 {
@@ -56,8 +44,8 @@ bool FindImages(vtkDataObjectTree* tree, std::vector<Block>& images, std::string
     if (!block.Image && !(dataSet && dataSet->GetNumberOfPoints() == 0))
     {
       error = block.Name + " is a " + object->GetClassName() +
-        ", but only blocks of vtkImageData can be drawn; resample it with vtkResampleToImage or "
-        "leave it out with vtkExtractBlock.";
+        ", but only blocks of images and of grids with cells can be drawn; resample it with "
+        "vtkResampleToImage or leave it out with vtkExtractBlock.";
       return false;
     }
     const int* dimensions = block.Image ? block.Image->GetDimensions() : nullptr;
@@ -67,27 +55,6 @@ bool FindImages(vtkDataObjectTree* tree, std::vector<Block>& images, std::string
     }
   }
   return true;
-}
-
-/// Resolve the default scalar mode for all blocks alike: points if any block has scalars there,
-/// else cells.
-ScalarChoice ChoiceForAll(const std::vector<Block>& images, const ScalarChoice& choice)
-{
-  ScalarChoice same = choice;
-  if (choice.Mode == VTK_SCALAR_MODE_DEFAULT)
-  {
-    const bool isOnPoints = std::any_of(images.begin(), images.end(),
-      [](const Block& block) { return block.Image->GetPointData()->GetScalars() != nullptr; });
-    same.Mode = isOnPoints ? VTK_SCALAR_MODE_USE_POINT_DATA : VTK_SCALAR_MODE_USE_CELL_DATA;
-  }
-  return same;
-}
-
-/// \pre the mode is one of a place
-bool IsOnCells(const ScalarChoice& choice)
-{
-  return choice.Mode == VTK_SCALAR_MODE_USE_CELL_DATA ||
-    choice.Mode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA;
 }
 
 /// Drop the blocks without the array.
@@ -247,7 +214,12 @@ bool MergedBlocks::Merge(vtkDataObjectTree* tree, const ScalarChoice& choice, st
   {
     return false;
   }
-  const ScalarChoice same = ChoiceForAll(blocks, choice);
+  std::vector<vtkDataSet*> images;
+  for (const Block& block : blocks)
+  {
+    images.push_back(block.Image);
+  }
+  const ScalarChoice same = ChoiceForAll(images, choice);
   if (!FindArrays(same, blocks, error))
   {
     return false;

@@ -11,6 +11,7 @@
 #include <vtkDataObjectTree.h>
 #include <vtkImageData.h>
 #include <vtkPiecewiseFunction.h>
+#include <vtkRectilinearGrid.h>
 #include <vtkVolumeMapper.h>
 #include <vtkVolumeProperty.h>
 
@@ -130,10 +131,18 @@ bool FindMask(const MaskSettings& settings, vtkVolumeMapper* mapper, const glm::
       return true; // the mask has no effect
     }
   }
-  if (vtkDataObjectTree::SafeDownCast(mapper->GetDataObjectInput()))
+  vtkDataObject* input = mapper->GetDataObjectInput();
+  if (vtkDataObjectTree::SafeDownCast(input))
   {
     error = "A mask cannot be used with blocks; hide cells of the blocks with "
             "vtkUniformGrid::BlankCell, or call SetMaskInput(nullptr).";
+    return false;
+  }
+  if (!vtkImageData::SafeDownCast(input) && !vtkRectilinearGrid::SafeDownCast(input))
+  {
+    error = std::string("A mask cannot be used with a ") + input->GetClassName() +
+      "; hide cells with an array vtkGhostType (vtkDataSet::AllocateCellGhostArray), or call "
+      "SetMaskInput(nullptr).";
     return false;
   }
   ChosenScalars scalars = FindScalars(image, ChoiceOf(mapper));

@@ -97,6 +97,19 @@ bool FindSamples(vtkDataArray* array, int component, ArraySamples& samples, std:
   return false;
 }
 
+bool HasComponent(vtkDataArray* array, int component, std::string& error)
+{
+  const int components = array->GetNumberOfComponents();
+  if (component >= 0 && component < components)
+  {
+    return true;
+  }
+  error = "VectorComponent is " + std::to_string(component) + ", but array " + NameOf(array) +
+    " has " + std::to_string(components) + " component(s); set one from 0 to " +
+    std::to_string(components - 1) + ".";
+  return false;
+}
+
 std::int64_t CountSamples(vtkImageData* image, bool onCells)
 {
   constexpr double most = 1e18;

@@ -30,6 +30,10 @@ struct ArraySamples
 /// \return false if the samples are not equally spaced in memory
 bool FindSamples(vtkDataArray* array, int component, ArraySamples& samples, std::string& error);
 
+/// \param error gets what is wrong and what to do about it
+/// \return false if the array lacks a component that the user chose
+bool HasComponent(vtkDataArray* array, int component, std::string& error);
+
 /// The number of cells or points of an image. If it overflows, which VTK does not notice, the
 /// largest number, so that no array has enough tuples.
 std::int64_t CountSamples(vtkImageData* image, bool onCells);

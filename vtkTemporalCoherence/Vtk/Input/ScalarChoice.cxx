@@ -5,10 +5,32 @@
 #include <vtkAbstractMapper.h>
 #include <vtkDataArray.h>
 #include <vtkDataSet.h>
+#include <vtkPointData.h>
 #include <vtkVolumeMapper.h>
+#include <vtkVolumeProperty.h>
+
+#include <algorithm>
 
 namespace TemporalCoherence
 {
+namespace
+{
+
+/// The component with the largest weight; the first of equal ones.
+int HeaviestComponent(vtkVolumeProperty* property, int components)
+{
+  int heaviest = 0;
+  for (int c = 1; c < std::min(components, VTK_MAX_VRCOMP); ++c)
+  {
+    if (property->GetComponentWeight(c) > property->GetComponentWeight(heaviest))
+    {
+      heaviest = c;
+    }
+  }
+  return heaviest;
+}
+
+}
 
 ScalarChoice ChoiceOf(vtkVolumeMapper* mapper)
 {
@@ -33,6 +55,41 @@ ChosenScalars FindScalars(vtkDataSet* dataSet, const ScalarChoice& choice)
     choice.Name.c_str(), isOnCells);
   scalars.OnCells = isOnCells != 0;
   return scalars;
+}
+
+ScalarChoice ChoiceForAll(const std::vector<vtkDataSet*>& dataSets, const ScalarChoice& choice)
+{
+  ScalarChoice same = choice;
+  if (choice.Mode == VTK_SCALAR_MODE_DEFAULT)
+  {
+    const bool isOnPoints = std::any_of(dataSets.begin(), dataSets.end(),
+      [](vtkDataSet* dataSet) { return dataSet->GetPointData()->GetScalars() != nullptr; });
+    same.Mode = isOnPoints ? VTK_SCALAR_MODE_USE_POINT_DATA : VTK_SCALAR_MODE_USE_CELL_DATA;
+  }
+  return same;
+}
+
+bool IsOnCells(const ScalarChoice& choice)
+{
+  return choice.Mode == VTK_SCALAR_MODE_USE_CELL_DATA ||
+    choice.Mode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA;
+}
+
+DrawnComponent ChooseComponent(
+  vtkVolumeProperty* property, const VectorChoice& vectors, int components)
+{
+  using Modes = VectorChoice::Modes;
+  DrawnComponent drawn;
+  drawn.IsMagnitude = vectors.Mode == Modes::Magnitude && components > 1;
+  if (vectors.Mode == Modes::Component)
+  {
+    drawn.Number = vectors.Component;
+  }
+  else if (vectors.Mode == Modes::Property && property->GetIndependentComponents())
+  {
+    drawn.Number = drawn.OfProperty = HeaviestComponent(property, components);
+  }
+  return drawn;
 }
 
 std::string WhyThereAreNoScalars(const ScalarChoice& choice)

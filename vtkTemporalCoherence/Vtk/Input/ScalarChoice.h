@@ -6,11 +6,13 @@
 #include "vtkTemporalCoherenceCompatibility.h"
 
 #include <string>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
 class vtkDataSet;
 class vtkVolumeMapper;
+class vtkVolumeProperty;
 VTK_ABI_NAMESPACE_END
 
 namespace TemporalCoherence
@@ -35,6 +37,40 @@ struct ChosenScalars
 };
 
 ChosenScalars FindScalars(vtkDataSet* dataSet, const ScalarChoice& choice);
+
+/// Resolve the default scalar mode for all data sets alike: points if any has scalars there, else
+/// cells.
+ScalarChoice ChoiceForAll(const std::vector<vtkDataSet*>& dataSets, const ScalarChoice& choice);
+
+/// True if a choice is of arrays of cells.
+/// \pre it is not the default, which depends on the data
+bool IsOnCells(const ScalarChoice& choice);
+
+/// Which scalar to draw if arrays have several components.
+struct VectorChoice
+{
+  enum class Modes
+  {
+    Property, ///< as the volume's property treats components
+    Magnitude,
+    Component
+  };
+
+  Modes Mode = Modes::Property;
+  int Component = 0;
+};
+
+/// The scalar that is drawn of an array's tuples.
+struct DrawnComponent
+{
+  bool IsMagnitude = false; ///< the length of each tuple
+  int Number = 0;           ///< of the component, which the array may lack
+  int OfProperty = 0;       ///< component of the property that gives colour and shading
+};
+
+/// \param components of the array; 0 if there is none
+DrawnComponent ChooseComponent(
+  vtkVolumeProperty* property, const VectorChoice& vectors, int components);
 
 /// The error message if there are no scalars for a choice.
 std::string WhyThereAreNoScalars(const ScalarChoice& choice);

@@ -139,8 +139,8 @@ bool FindSurfaces(vtkContourValues* list, vtkVolumeProperty* property, int compo
   return true;
 }
 
-bool MakeGradientOpacity(vtkVolumeProperty* property, int component, const glm::dvec3& distances,
-  GradientOpacity& made, std::string& error)
+bool MakeGradientOpacity(
+  vtkVolumeProperty* property, int component, GradientOpacity& made, std::string& error)
 {
   // Nodes are joined by straight lines, unless they have a midpoint or a sharpness of their own.
   constexpr int ManyNodes = 4096;
@@ -181,7 +181,6 @@ bool MakeGradientOpacity(vtkVolumeProperty* property, int component, const glm::
   {
     made.Nodes.clear();
   }
-  made.PerStep = (distances.x + distances.y + distances.z) / 3.0 / distances;
   return true;
 }
 
@@ -192,8 +191,7 @@ bool IsOpaque(vtkContourValues* list, vtkVolumeProperty* property, int component
   std::vector<int> places;
   std::string error;
   return FindSurfaces(list, property, component, surfaces, places, error) &&
-    surfaces.Opacities.empty() &&
-    MakeGradientOpacity(property, component, glm::dvec3(1.0), byGradient, error) &&
+    surfaces.Opacities.empty() && MakeGradientOpacity(property, component, byGradient, error) &&
     byGradient.Nodes.empty();
 }
 

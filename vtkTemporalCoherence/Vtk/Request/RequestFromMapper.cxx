@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Request/RequestFromMapper.h"
 
-#include "Input/FieldFromImage.h"
 #include "Input/SettingCheck.h"
 #include "Request/AppearanceFromVolume.h"
 #include "Request/RegionFromMapper.h"
@@ -55,7 +54,8 @@ bool SpreadColors(const PictureSettings& settings, Appearance& appearance, std::
 }
 
 bool RequestFromMapper::Make(vtkVolumeMapper* mapper, const PictureSettings& settings,
-  vtkVolume* volume, const FrameSight& sight, FrameRequest& request, std::string& error)
+  vtkVolume* volume, const FrameSight& sight, FrameRequest& request, std::string& error,
+  const ReportProgress& report)
 {
   if (IsOfSeveral(volume))
   {
@@ -66,21 +66,20 @@ bool RequestFromMapper::Make(vtkVolumeMapper* mapper, const PictureSettings& set
   vtkVolumeProperty* property = volume->GetProperty();
   FrameKey& key = request.Key;
   request.IsovalueList = ChooseIsovalues(property, settings.DepthPass);
-  MapperInput input;
-  if (!this->Input.Find(mapper, property, settings.Vectors, input, error) ||
-    !FindSurfaces(request.IsovalueList, property, input.PropertyComponent, key.Isosurfaces,
+  DrawnComponent drawn;
+  if (!this->Fields.Find(mapper, property, settings.Vectors, drawn, error) ||
+    !FindSurfaces(request.IsovalueList, property, drawn.OfProperty, key.Isosurfaces,
       request.IsovaluePlaces, error))
   {
     return false;
   }
   key.Isosurfaces.Mode = settings.Mode;
-  request.Read = input.Array;
 
   if (sight.Renderer)
   {
     key.Appearance = {};
     if (!MakeView(sight.Renderer, sight.Size, sight.Aspect, key.View, error) ||
-      !MakeAppearance(property, input.PropertyComponent, sight.Renderer, key.Isosurfaces.Isovalues,
+      !MakeAppearance(property, drawn.OfProperty, sight.Renderer, key.Isosurfaces.Isovalues,
         key.Appearance, error) ||
       !SpreadColors(settings, key.Appearance, error))
     {
@@ -89,8 +88,16 @@ bool RequestFromMapper::Make(vtkVolumeMapper* mapper, const PictureSettings& set
     key.Appearance.ColorByAnswer = settings.ColorByAnswer;
   }
 
-  // An image without points has no array: an empty picture, as for images without cells.
-  return !input.Array || this->MakeScene(mapper, settings.Mask, volume, input, key, error);
+  FieldQuery query;
+  query.Mapper = mapper;
+  query.Volume = volume;
+  query.Isovalues = &key.Isosurfaces.Isovalues;
+  query.Mask = settings.Mask;
+  query.AveragedGradients = settings.AveragedGradients;
+  query.MeshMemoryLimit = settings.MeshMemoryLimit;
+  query.Report = report;
+  // Without points: an empty picture, as for images without cells.
+  return this->Fields.IsEmpty() || this->MakeScene(query, drawn.OfProperty, request, error);
 }
 
 namespace
@@ -114,29 +121,25 @@ bool AreFewEnough(const Surfaces& surfaces, std::string& error)
 
 }
 
-/// Make the samples, transform, region and hidden cells of a key.
-bool RequestFromMapper::MakeScene(vtkVolumeMapper* mapper, const MaskSettings& mask,
-  vtkVolume* volume, const MapperInput& input, FrameKey& key, std::string& error)
+/// Make the samples, transform and region of a key, and what its surfaces need of the field.
+bool RequestFromMapper::MakeScene(
+  const FieldQuery& query, int component, FrameRequest& request, std::string& error)
 {
-  vtkVolumeProperty* property = volume->GetProperty();
-  SampleMask ofSamples;
-  const ImageAxes axes = AxesOf(input.Image, input.OnCells);
-  if (!MakeGradientOpacity(property, input.PropertyComponent, glm::abs(axes.Step),
-        key.Isosurfaces.ByGradient, error) ||
-    !AreFewEnough(key.Isosurfaces, error) ||
-    !MakeField(input.Image, input.Array, input.OnCells, input.Component, key.Samples, error) ||
-    !FindMask(mask, mapper, key.Samples.Dimensions, property, key.Isosurfaces.Isovalues, ofSamples,
-      error) ||
-    !this->Hidden.Find(input.Image, input.OnCells, ofSamples, key.Samples.Hidden, error) ||
-    !MakeIndexTransform(input.Image, input.OnCells, volume, key.Transform, error) ||
-    !MakeRegion(mapper, axes, key.Region, error))
+  FrameKey& key = request.Key;
+  PlacedField field;
+  if (!MakeGradientOpacity(
+        query.Volume->GetProperty(), component, key.Isosurfaces.ByGradient, error) ||
+    !AreFewEnough(key.Isosurfaces, error) || !this->Fields.Make(query, field, error) ||
+    !MakeRegion(query.Mapper, field.Axes, key.Region, error))
   {
     return false;
   }
-  key.Samples.Kind = input.Kind;
-  key.Samples.Between = property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION
-    ? Interpolation::Nearest
-    : Interpolation::Linear;
+  key.Isosurfaces.ByGradient.PerStep = field.PerStep;
+  key.Samples = field.Samples;
+  key.Transform = field.Transform;
+  request.SetUp = field.SetUp;
+  request.Cells = field.Cells;
+  request.Read = field.Read;
   return true;
 }
 
@@ -148,17 +151,16 @@ bool RequestFromMapper::IsOpaque(
     return true; // nothing to draw
   }
   vtkVolumeProperty* property = volume->GetProperty();
-  MapperInput input;
+  DrawnComponent drawn;
   std::string error; // the next frame reports it
-  this->Input.Find(mapper, property, settings.Vectors, input, error);
+  this->Fields.Find(mapper, property, settings.Vectors, drawn, error);
   return TemporalCoherence::IsOpaque(
-    ChooseIsovalues(property, settings.DepthPass), property, input.PropertyComponent);
+    ChooseIsovalues(property, settings.DepthPass), property, drawn.OfProperty);
 }
 
 void RequestFromMapper::Release()
 {
-  this->Input.Release();
-  this->Hidden.Release();
+  this->Fields.Release();
 }
 
 }

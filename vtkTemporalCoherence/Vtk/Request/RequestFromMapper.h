@@ -3,15 +3,16 @@
 #ifndef TemporalCoherence_RequestFromMapper_h
 #define TemporalCoherence_RequestFromMapper_h
 
-#include "Input/HiddenCellsFromImage.h"
-#include "Input/InputFromMapper.h"
+#include "Request/FieldFromMapper.h"
 #include "Scene/FrameKey.h"
 #include "vtkTemporalCoherenceCompatibility.h"
 
 #include <vtkContourValues.h>
-#include <vtkDataArray.h>
+#include <vtkObjectBase.h>
 #include <vtkSmartPointer.h>
 
+#include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,8 @@ struct PictureSettings
   double ColorWindow = 1.0, ColorLevel = 0.5; ///< maps colours level +- window / 2 to [0, 1]
   vtkContourValues* DepthPass = nullptr;      ///< isovalues if the property has none; or null
   MaskSettings Mask;
+  bool AveragedGradients = false;  ///< of meshes
+  std::size_t MeshMemoryLimit = 0; ///< bytes for what is made of a mesh; 0: no limit
 };
 
 /// The viewer and the size of a frame.
@@ -50,8 +53,11 @@ struct FrameRequest
   std::vector<int> IsovaluePlaces; ///< position in the list, for each isovalue of the key
   vtkSmartPointer<vtkContourValues> IsovalueList; ///< including transparent ones
 
-  /// Keeps the samples alive if an observer gives the mapper another input meanwhile.
-  vtkSmartPointer<vtkDataArray> Read;
+  FieldSetUp SetUp;
+  std::shared_ptr<const CellOrigins> Cells; ///< of a mesh: which cells of the data are its cells
+
+  /// Keeps what is read alive if an observer gives the mapper another input meanwhile.
+  std::vector<vtkSmartPointer<vtkObjectBase>> Read;
 };
 
 /// Reads everything that a frame depends on from a mapper, a volume and a renderer, and keeps what
@@ -60,9 +66,12 @@ class RequestFromMapper
 {
 public:
   /// \param error gets what is wrong and what to do about it
-  /// \return false on error. An input without points is no error: its frame is empty.
+  /// \param report told how far a mesh is set up, if it has to be; it may stop it
+  /// \return false on error, or, without one, if it was stopped. An input without points is no
+  ///         error: its frame is empty.
   bool Make(vtkVolumeMapper* mapper, const PictureSettings& settings, vtkVolume* volume,
-    const FrameSight& sight, FrameRequest& request, std::string& error);
+    const FrameSight& sight, FrameRequest& request, std::string& error,
+    const ReportProgress& report = {});
 
   /// True if all surfaces of a mapper are opaque.
   bool IsOpaque(vtkVolumeMapper* mapper, const PictureSettings& settings, vtkVolume* volume);
@@ -71,11 +80,9 @@ public:
   void Release();
 
 private:
-  bool MakeScene(vtkVolumeMapper* mapper, const MaskSettings& mask, vtkVolume* volume,
-    const MapperInput& input, FrameKey& key, std::string& error);
+  bool MakeScene(const FieldQuery& query, int component, FrameRequest& request, std::string& error);
 
-  InputFromMapper Input;
-  HiddenCellsOfImage Hidden;
+  FieldFromMapper Fields;
 };
 
 }

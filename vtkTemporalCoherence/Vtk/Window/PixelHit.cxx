@@ -21,7 +21,7 @@ std::optional<PixelHit> FindPixelHit(
   }
   const std::size_t place = IndexOfPixel(frame, ray->x, ray->y);
   return PixelHit{ PositionOfHit(frame, view, ray->x, ray->y), glm::dvec3(frame.Normals[place]),
-    frame.Isovalues[place] };
+    frame.Isovalues[place], CellOfHit(frame, ray->x, ray->y) };
 }
 
 }

@@ -18,6 +18,7 @@ struct PixelHit
   glm::dvec3 Position; ///< in the world
   glm::dvec3 Normal;   ///< unit normal in the world, facing the viewer
   int Surface;         ///< position in the list of isovalues
+  CellNumber Cell;     ///< of a mesh
 };
 
 /// Position of pixel (x, y) in the planes of a frame.
@@ -25,6 +26,12 @@ inline std::size_t IndexOfPixel(const Frame& frame, int x, int y)
 {
   return static_cast<std::size_t>(y) * static_cast<std::size_t>(frame.Size.x) +
     static_cast<std::size_t>(x);
+}
+
+/// The cell of a mesh that pixel (x, y) shows.
+inline CellNumber CellOfHit(const Frame& frame, int x, int y)
+{
+  return frame.Cells.empty() ? NoCell : frame.Cells[IndexOfPixel(frame, x, y)];
 }
 
 /// World position of the hit of pixel (x, y).

@@ -1,0 +1,255 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Mistakes in grids get one sentence with value and remedy, and the last picture stays. Grids
+// without anything to draw make an empty picture.
+
+#include "Checks/Expect.h"
+#include "Scenes/Mistake.h"
+#include "Scenes/Scene.h"
+#include "Volumes/Volumes.h"
+#include "Volumes/VtkMeshes.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkFloatingPointExceptions.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSphereSource.h>
+#include <vtkTestErrorObserver.h>
+#include <vtkTypeInt32Array.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <limits>
+#include <string>
+
+namespace
+{
+
+using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
+
+vtkSmartPointer<vtkImageData> Ball()
+{
+  return Volumes::FromFormula(8, VTK_DOUBLE,
+    [](double x, double y, double z) { return 200.0 - 100.0 * std::hypot(x, y, z); });
+}
+
+Grid Balls(int cellType = VTK_HEXAHEDRON)
+{
+  Grid grid = Grid::New();
+  grid->DeepCopy(VtkMeshes::Unstructured(Ball(), cellType));
+  return grid;
+}
+
+/// Draw a grid, spoil it, expect one error with `words`, and draw a good one again.
+void ExpectRefused(const std::string& words, const std::function<void(Grid&, Scene&)>& spoil)
+{
+  Grid grid = Balls();
+  Scene scene(grid, { 130.0 });
+  scene.LookFrom(1.0, 2.0, 0.5);
+  Mistake mistake(scene, words);
+  spoil(grid, scene);
+  grid->Modified();
+  mistake.ExpectRefused();
+  Expect(!mistake.Message.empty() && mistake.Message.find(';') != std::string::npos,
+    words + ": tells no remedy: " + mistake.Message);
+  scene.Mapper->SetMaskInput(nullptr);
+  scene.Mapper->SetMeshMemoryLimit(0);
+  scene.Mapper->SetVectorModeToDisabled();
+  scene.Mapper->SetInputData(Balls());
+  mistake.ExpectMended();
+}
+
+/// Points of the cells of a grid, as numbers that can be written.
+vtkDataArray* IdsOf(vtkUnstructuredGrid* grid)
+{
+  grid->GetCells()->Modified();
+  return grid->GetCells()->GetConnectivityArray();
+}
+
+void TestPoints()
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double bad : { nan, infinity, -infinity })
+  {
+    ExpectRefused("Cell 0 of the input has the point 9 at (-0.714286, ",
+      [=](Grid& grid, Scene&)
+      {
+        grid->GetPoints()->GetData()->SetComponent(9, 1, bad);
+        grid->GetPoints()->Modified();
+      });
+  }
+  ExpectRefused("Cell 7 of the input has the point 512, but there are 512 points",
+    [](Grid& grid, Scene&) { IdsOf(grid)->SetComponent(8 * 7 + 3, 0, 512.0); });
+  ExpectRefused("Cell 7 of the input has the point -1, but there are 512 points",
+    [](Grid& grid, Scene&) { IdsOf(grid)->SetComponent(8 * 7 + 3, 0, -1.0); });
+}
+
+void TestCells()
+{
+  ExpectRefused("Cell 3 of the input has points that begin or end outside",
+    [](Grid& grid, Scene&)
+    {
+      grid->GetCells()->GetOffsetsArray()->SetComponent(4, 0, 1e6);
+      grid->GetCells()->Modified();
+    });
+  ExpectRefused("cells of type 200, which VTK does not know",
+    [](Grid& grid, Scene&)
+    {
+      grid->GetCellTypesArray()->SetValue(5, 200);
+      grid->GetCellTypesArray()->Modified();
+    });
+  ExpectRefused("Cell 0 of the input has 4 points, which is not the number for its type 13",
+    [](Grid& grid, Scene& scene)
+    {
+      grid = Balls(VTK_TETRA);
+      grid->GetCellTypesArray()->SetValue(0, VTK_WEDGE);
+      scene.Mapper->SetInputData(grid);
+    });
+  ExpectRefused("no cells with volume, but 1 cell of less than three dimensions",
+    [](Grid&, Scene& scene)
+    {
+      vtkNew<vtkUnstructuredGrid> sheet;
+      sheet->SetPoints(VtkMeshes::PointsOf(Ball()));
+      sheet->GetPointData()->ShallowCopy(Ball()->GetPointData());
+      const vtkIdType ids[] = { 0, 1, 2 };
+      sheet->InsertNextCell(VTK_TRIANGLE, 3, ids);
+      scene.Mapper->SetInputData(sheet);
+    });
+}
+
+void TestScalars()
+{
+  ExpectRefused("has an array 'few' of 17 tuples, but 512 points",
+    [](Grid& grid, Scene&)
+    {
+      vtkNew<vtkDoubleArray> few;
+      few->SetName("few");
+      few->SetNumberOfTuples(17);
+      grid->GetPointData()->SetScalars(few);
+    });
+  ExpectRefused("has an array 'few' of 17 tuples, but 343 cells",
+    [](Grid& grid, Scene&)
+    {
+      vtkNew<vtkDoubleArray> few;
+      few->SetName("few");
+      few->SetNumberOfTuples(17);
+      grid->GetPointData()->Initialize();
+      grid->GetCellData()->SetScalars(few);
+    });
+  ExpectRefused("no scalars", [](Grid& grid, Scene&) { grid->GetPointData()->Initialize(); });
+  ExpectRefused("VectorComponent is 3",
+    [](Grid&, Scene& scene)
+    {
+      scene.Mapper->SetVectorModeToComponent();
+      scene.Mapper->SetVectorComponent(3);
+    });
+  ExpectRefused("of 7 tuples of 1 component(s), but 343 cells",
+    [](Grid& grid, Scene&)
+    {
+      vtkNew<vtkUnsignedCharArray> ghosts;
+      ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+      ghosts->SetNumberOfTuples(7);
+      ghosts->FillValue(0);
+      grid->GetCellData()->AddArray(ghosts);
+    });
+}
+
+void TestSettings()
+{
+  ExpectRefused("A mask cannot be used with a vtkUnstructuredGrid",
+    [](Grid&, Scene& scene)
+    {
+      scene.Mapper->SetMaskInput(Ball());
+      scene.Mapper->SetMaskTypeToBinary();
+    });
+  ExpectRefused("more than MeshMemoryLimit (1 MiB)",
+    [](Grid& grid, Scene& scene)
+    {
+      scene.Mapper->SetMeshMemoryLimit(1);
+      const auto many = Volumes::Noise(50, VTK_FLOAT, 0.0, 1.0);
+      grid = VtkMeshes::Unstructured(many, VTK_TETRA);
+      scene.Mapper->SetInputData(grid);
+    });
+}
+
+void TestBlocks()
+{
+  ExpectRefused("Cell 2 of Block 2 has the point 999, but there are 512 points",
+    [](Grid& grid, Scene& scene)
+    {
+      IdsOf(grid)->SetComponent(8 * 2, 0, 999.0);
+      vtkNew<vtkMultiBlockDataSet> tree;
+      tree->SetBlock(0, Balls());
+      tree->SetBlock(1, grid);
+      scene.Mapper->SetInputDataObject(tree);
+    });
+  ExpectRefused("Block 2 is a vtkPolyData",
+    [](Grid& grid, Scene& scene)
+    {
+      vtkNew<vtkSphereSource> sphere;
+      sphere->Update();
+      vtkNew<vtkMultiBlockDataSet> tree;
+      tree->SetBlock(0, grid);
+      tree->SetBlock(1, sphere->GetOutput());
+      scene.Mapper->SetInputDataObject(tree);
+    });
+}
+
+/// No mistakes, but nothing to see.
+void TestEmptyPictures()
+{
+  const auto isEmpty = [](const std::string& name, vtkDataSet* data)
+  {
+    Scene scene(Balls(), { 130.0 });
+    scene.LookFrom(1.0, 2.0, 0.5);
+    vtkNew<vtkTest::ErrorObserver> observer;
+    scene.Mapper->AddObserver(vtkCommand::ErrorEvent, observer);
+    scene.Mapper->SetInputData(data);
+    for (int i = 0; i < 2; ++i)
+    {
+      Expect(scene.Render(30, 30) && !observer->GetError(),
+        name + ": no error, but: " + observer->GetErrorMessage());
+    }
+    bool empty = true;
+    for (int pixel = 0; pixel < 30 * 30; ++pixel)
+    {
+      empty = empty && std::isinf(scene.DepthAt(pixel % 30, pixel / 30));
+    }
+    Expect(empty, name + ": an empty picture");
+    double t;
+    const double begin[] = { 3.0, 3.0, 3.0 }, end[] = { -3.0, -3.0, -3.0 };
+    Expect(!scene.Mapper->IntersectWithLine(scene.Volume, begin, end, t, nullptr, nullptr, nullptr),
+      name + ": nothing on a line");
+  };
+  isEmpty("no cells", vtkNew<vtkUnstructuredGrid>().Get());
+  isEmpty("no points", vtkNew<vtkStructuredGrid>().Get());
+  Grid hidden = Balls();
+  hidden->AllocateCellGhostArray();
+  hidden->GetCellGhostArray()->FillValue(vtkDataSetAttributes::HIDDENCELL);
+  isEmpty("hidden", hidden);
+  Grid nowhere = Balls();
+  nowhere->GetPointData()->GetScalars()->Fill(std::numeric_limits<double>::quiet_NaN());
+  isEmpty("NaN", nowhere);
+}
+
+}
+
+int TestGridErrors(int, char*[])
+{
+  // The Debug driver traps operations on what is not a number, which is what is tested here.
+  vtkFloatingPointExceptions::Disable();
+  TestPoints();
+  TestCells();
+  TestScalars();
+  TestSettings();
+  TestBlocks();
+  TestEmptyPictures();
+  return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_GridCells_h
+#define TemporalCoherence_GridCells_h
+
+#include "Grids/GridLeaves.h"
+#include "Grids/MadeFrom.h"
+#include "Mesh/Mesh.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace TemporalCoherence
+{
+
+/// What a data set has besides cells that a part of a mesh takes as they are.
+struct CellCensus
+{
+  bool HasVolume = false; ///< some cell has three dimensions, whether it is shown or not
+  bool HasOthers = false; ///< such as quadratic cells and polyhedra: to be divided
+};
+
+/// The flags of cells that were made, as the data set's own do not serve; null if these do.
+using MadeFlags = std::shared_ptr<const std::vector<std::uint8_t>>;
+
+/// Note everything that tells which cells a data set has and which are hidden.
+void NoteCells(const GridLeaf& leaf, MadeFrom& from);
+
+/// Set the cells of a part, in place, and which of them are hidden. Ghost arrays of cells hide
+/// those that are flagged as hidden, refined or duplicate, and ghost arrays of points the cells
+/// around a hidden point. Cells that are no tetrahedra, voxels, hexahedra, wedges or pyramids are
+/// left out.
+/// \param made   gets the flags if they had to be made
+/// \param census gets what there is
+/// \param error  gets what is wrong and what to do about it
+/// \return false on error
+/// \throws std::bad_alloc
+bool SetCells(
+  const GridLeaf& leaf, MeshPart& part, MadeFlags& made, CellCensus& census, std::string& error);
+
+}
+
+#endif

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_GridMesh_h
+#define TemporalCoherence_GridMesh_h
+
+#include "Grids/CellOrigins.h"
+#include "Grids/GridCells.h"
+#include "Grids/GridLeaves.h"
+#include "Grids/GridPoints.h"
+#include "Grids/GridValues.h"
+#include "Grids/MadeFrom.h"
+#include "Mesh/Mesh.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace TemporalCoherence
+{
+
+/// The mesh of some data sets. It is made once, and of what changes, only that is made again.
+class GridMesh
+{
+public:
+  /// Make the mesh, or bring it up to date.
+  /// \param error gets what is wrong and what to do about it
+  /// \return false on error. There is no mesh then.
+  /// \throws std::bad_alloc
+  bool See(
+    const std::vector<GridLeaf>& leaves, const DrawnComponent& component, std::string& error);
+
+  /// The mesh, another one after each change; null if there is none.
+  const std::shared_ptr<const Mesh>& Made() const { return this->OfLeaves; }
+
+  /// Which cells of the data sets those of the mesh are.
+  const std::shared_ptr<const CellOrigins>& Origins() const { return this->OfCells; }
+
+  void Release() { *this = GridMesh(); }
+
+private:
+  /// What was made for a part, and keeps its arrays alive.
+  struct Makings
+  {
+    MadeFlags Flags;
+    MadePoints Points;
+    PointValues Values;
+  };
+
+  /// A data set as a part.
+  struct LeafPart
+  {
+    MeshPart Part;
+    Makings Made;
+    CellCensus Census;
+  };
+
+  bool SeeLeaf(
+    const GridLeaf& leaf, const DrawnComponent& component, LeafPart& made, std::string& error);
+  bool Assemble(const std::vector<GridLeaf>& leaves, std::string& error);
+
+  /// What a mesh was made from, and the stamps of that.
+  struct Provenance
+  {
+    MadeFrom Cells, Points, Values;
+  };
+
+  Provenance From;
+  bool AreCellsNew = true, ArePointsNew = true, AreValuesNew = true; ///< as they are made
+  std::vector<LeafPart> Parts;
+  std::uint64_t CellStamp = 0, PointStamp = 0, ValueStamp = 0;
+  std::shared_ptr<const Mesh> OfLeaves;
+  std::shared_ptr<const CellOrigins> OfCells;
+};
+
+}
+
+#endif

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_GridShape_h
+#define TemporalCoherence_GridShape_h
+
+#include "vtkTemporalCoherenceCompatibility.h"
+
+#include <glm/glm.hpp>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkCellArray;
+class vtkDataSet;
+VTK_ABI_NAMESPACE_END
+
+namespace TemporalCoherence
+{
+
+/// The points along each axis of a grid whose cells follow from these; 0 for all other data sets.
+glm::ivec3 DimensionsOf(vtkDataSet* data);
+
+/// The cells of a data set that has them one by one; else null.
+vtkCellArray* CellsOf(vtkDataSet* data);
+
+}
+
+#endif

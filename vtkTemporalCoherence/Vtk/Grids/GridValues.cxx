@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Grids/GridValues.h"
+
+#include "Grids/CellTypes.h"
+#include "Grids/PartPoints.h"
+#include "Input/GhostArray.h"
+#include "Input/SamplesOfArray.h"
+
+#include <vtkCellData.h>
+#include <vtkDataSet.h>
+#include <vtkDoubleArray.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+constexpr std::uint8_t WithoutValue =
+  vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
+
+/// For each type, whether its cells have volume.
+std::array<bool, 256> FindTypesWithVolume(const MeshPart& part)
+{
+  std::array<bool, 256> haveVolume{};
+  const TypeCounts counts = CountTypes(part.Types, part.NumberOfCells);
+  for (std::size_t type = 0; type < counts.size(); ++type)
+  {
+    haveVolume[type] = counts[type] > 0 && DimensionOfType(static_cast<int>(type)) == 3;
+  }
+  return haveVolume;
+}
+
+/// The mean of the cells around each point; 0 if there are none.
+vtkSmartPointer<vtkDataArray> AverageToPoints(
+  const MeshPart& part, const MeshArray& ofCells, const std::uint8_t* ghosts)
+{
+  const auto averages = vtkSmartPointer<vtkDoubleArray>::New();
+  averages->SetNumberOfTuples(part.NumberOfPoints);
+  double* const sums = averages->GetPointer(0);
+  std::fill_n(sums, part.NumberOfPoints, 0.0);
+  std::vector<std::int32_t> counts(static_cast<std::size_t>(part.NumberOfPoints), 0);
+  const auto haveVolume = part.Types ? FindTypesWithVolume(part) : std::array<bool, 256>();
+  // In the order of the cells, so that the sums do not depend on the number of threads.
+  for (std::int64_t cell = 0; cell < part.NumberOfCells; ++cell)
+  {
+    if ((part.Types && !haveVolume[part.Types[cell]]) || (ghosts && (ghosts[cell] & WithoutValue)))
+    {
+      continue;
+    }
+    const double value = ofCells.At(cell);
+    ForEachPoint(part, cell,
+      [&](std::int64_t point)
+      {
+        sums[point] += value;
+        ++counts[static_cast<std::size_t>(point)];
+      });
+  }
+  for (std::int64_t point = 0; point < part.NumberOfPoints; ++point)
+  {
+    sums[point] /= std::max(counts[static_cast<std::size_t>(point)], 1);
+  }
+  return averages;
+}
+
+bool HasEnough(const GridLeaf& leaf, std::string& error)
+{
+  const vtkIdType tuples = leaf.Array->GetNumberOfTuples();
+  const vtkIdType needed =
+    leaf.OnCells ? leaf.Data->GetNumberOfCells() : leaf.Data->GetNumberOfPoints();
+  if (tuples >= needed)
+  {
+    return true;
+  }
+  const std::string place = leaf.OnCells ? "cell" : "point";
+  error = leaf.Name + " has an array " + NameOf(leaf.Array) + " of " + std::to_string(tuples) +
+    " tuples, but " + std::to_string(needed) + ' ' + place + "s; give it one tuple for each " +
+    place + '.';
+  return false;
+}
+
+bool FindValues(const PointValues& values, MeshArray& found, std::string& error)
+{
+  ArraySamples samples;
+  if (!FindSamples(values.Array, values.Component, samples, error))
+  {
+    return false;
+  }
+  found = { samples.First, samples.Type, samples.Step };
+  return true;
+}
+
+}
+
+void NoteValues(const GridLeaf& leaf, const DrawnComponent& component, MadeFrom& from)
+{
+  // As for images: whoever writes values may call Modified() of the array or of the data set.
+  from.Add(leaf.Array, leaf.Data->GetMTime());
+  from.Add(leaf.OnCells ? 1.0 : 0.0);
+  from.Add(component.IsMagnitude ? -1.0 : component.Number);
+}
+
+bool SetValues(const GridLeaf& leaf, const DrawnComponent& component, MeshPart& part,
+  PointValues& values, std::string& error)
+{
+  values = { leaf.Array, component.IsMagnitude ? 0 : component.Number };
+  if (!HasEnough(leaf, error) || !HasComponent(leaf.Array, values.Component, error))
+  {
+    return false;
+  }
+  if (component.IsMagnitude && leaf.Array->GetNumberOfComponents() > 1)
+  {
+    VectorMagnitude lengths;
+    values.Array = lengths.Of(leaf.Array, 0, error);
+    if (!values.Array)
+    {
+      return false;
+    }
+  }
+  if (!FindValues(values, part.Values, error))
+  {
+    return false;
+  }
+  if (!leaf.OnCells)
+  {
+    return true;
+  }
+  vtkUnsignedCharArray* ghosts = GhostsOf(leaf.Data->GetCellData());
+  values.Array = AverageToPoints(part, part.Values, ghosts ? ghosts->GetPointer(0) : nullptr);
+  values.Component = 0;
+  return FindValues(values, part.Values, error);
+}
+
+}

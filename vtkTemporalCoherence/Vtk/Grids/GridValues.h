@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_GridValues_h
+#define TemporalCoherence_GridValues_h
+
+#include "Grids/GridLeaves.h"
+#include "Grids/MadeFrom.h"
+#include "Input/VectorMagnitude.h"
+#include "Mesh/Mesh.h"
+
+#include <vtkDataArray.h>
+#include <vtkSmartPointer.h>
+
+#include <string>
+
+namespace TemporalCoherence
+{
+
+/// The array whose component has a value for each point of a data set.
+struct PointValues
+{
+  vtkSmartPointer<vtkDataArray> Array;
+  int Component = 0;
+};
+
+/// Note everything that tells the values at points.
+void NoteValues(const GridLeaf& leaf, const DrawnComponent& component, MadeFrom& from);
+
+/// Set the values of a part: in place if they are a component of an array of points. Lengths of
+/// vectors are computed. Values of cells are averaged as by vtkCellDataToPointData: a point has the
+/// mean of the cells around it that have volume and are neither hidden nor refined. Duplicates
+/// count, so that parts of distributed data have equal values at the points that they share.
+/// \pre     the part has its cells
+/// \param error  gets what is wrong and what to do about it
+/// \return false on error
+/// \throws std::bad_alloc
+bool SetValues(const GridLeaf& leaf, const DrawnComponent& component, MeshPart& part,
+  PointValues& values, std::string& error);
+
+}
+
+#endif

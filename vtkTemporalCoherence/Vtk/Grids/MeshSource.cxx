@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Grids/MeshSource.h"
+
+#include "Grids/MeshDefectText.h"
+#include "Input/VolumePlace.h"
+#include "Mesh/MeshTree.h"
+#include "MeshFields/MeshKind.h"
+#include "Scene/Stopwatch.h"
+
+#include <vtkDataSet.h>
+#include <vtkVolume.h>
+#include <vtkVolumeProperty.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+/// The most components of the arrays of all data sets.
+int MostComponents(const std::vector<GridLeaf>& leaves)
+{
+  int most = 0;
+  for (const GridLeaf& leaf : leaves)
+  {
+    most = std::max(most, leaf.Array->GetNumberOfComponents());
+  }
+  return most;
+}
+
+/// Keep all that a mesh reads.
+void Keep(const std::vector<GridLeaf>& leaves, PlacedField& field)
+{
+  for (const GridLeaf& leaf : leaves)
+  {
+    const auto copy = vtkSmartPointer<vtkDataSet>::Take(leaf.Data->NewInstance());
+    copy->ShallowCopy(leaf.Data); // the arrays stay if the data set gets others
+    field.Read.emplace_back(copy);
+  }
+}
+
+}
+
+bool MeshSource::Find(vtkDataObject* data, const ScalarChoice& choice, vtkVolumeProperty* property,
+  const VectorChoice& vectors, DrawnComponent& found, std::string& error)
+{
+  if (!FindLeaves(data, choice, this->Leaves, error))
+  {
+    this->Leaves.clear();
+    return false;
+  }
+  found = this->Component = ChooseComponent(property, vectors, MostComponents(this->Leaves));
+  return true;
+}
+
+bool MeshSource::Make(const FieldQuery& query, PlacedField& field, std::string& error)
+{
+  SampleMask mask; // an error, unless it has no effect
+  if (!FindMask(query.Mask, query.Mapper, glm::ivec3(0), query.Volume->GetProperty(),
+        *query.Isovalues, mask, error))
+  {
+    return false;
+  }
+  FieldSetUp& done = field.SetUp;
+  const Stopwatch watch(done.Seconds);
+  Keep(this->Leaves, field);
+  if (!this->Grids.See(this->Leaves, this->Component, error) ||
+    !this->SetUpTree(query, done, error))
+  {
+    return false;
+  }
+  const MeshTree& tree = *this->Tree;
+  done.Memory = tree.MemoryInBytes();
+  done.AveragesCells = std::any_of(
+    this->Leaves.begin(), this->Leaves.end(), [](const GridLeaf& leaf) { return leaf.OnCells; });
+  field.Samples = MeshField(tree, this->Kind);
+  field.Cells = this->Grids.Origins();
+  field.Axes = { tree.Low(), glm::dvec3(tree.Scale()) };
+  field.PerStep = glm::dvec3(tree.Edges().Mean / tree.Scale());
+  glm::dmat4& place = field.Transform.WorldFromIndex;
+  place = glm::dmat4(tree.Scale());
+  place[3] = glm::dvec4(tree.Low(), 1.0);
+  return PlaceVolume(query.Volume, field.Transform, error);
+}
+
+/// Make a tree for the mesh, or bring it up to date.
+bool MeshSource::SetUpTree(const FieldQuery& query, FieldSetUp& done, std::string& error)
+{
+  const std::shared_ptr<const Mesh>& mesh = this->Grids.Made();
+  const Mesh* const last = this->Tree ? &this->Tree->TheMesh() : nullptr;
+  const std::shared_ptr<const MeshTree> before = this->Tree;
+  MeshProblem problem;
+  if (!last || last->CellStamp != mesh->CellStamp)
+  {
+    done.Work = SetUpWork::Built;
+    this->Kind = nullptr;
+    this->Tree = nullptr;
+    const std::size_t limit =
+      query.MeshMemoryLimit ? query.MeshMemoryLimit : std::numeric_limits<std::size_t>::max();
+    this->Tree = MeshTree::Build(mesh, query.Report, limit, problem);
+  }
+  else if (last->PointStamp != mesh->PointStamp)
+  {
+    done.Work = SetUpWork::Refitted;
+    this->Tree = this->Tree->Refit(mesh, query.Report, problem);
+  }
+  else if (last->ValueStamp != mesh->ValueStamp)
+  {
+    done.Work = SetUpWork::NewValues;
+    this->Tree = this->Tree->WithValuesOf(mesh);
+  }
+  else
+  {
+    done.Work = SetUpWork::Kept;
+  }
+  if (!this->Tree)
+  {
+    this->Kind = nullptr;
+    error = TextOf(problem, *mesh, *this->Grids.Origins(), this->Leaves, query.MeshMemoryLimit);
+    return false;
+  }
+  if (!this->Kind || this->Tree != before || this->HasAveragedGradients != query.AveragedGradients)
+  {
+    this->Kind = MeshKind(this->Tree, query.AveragedGradients);
+    this->HasAveragedGradients = query.AveragedGradients;
+  }
+  return true;
+}
+
+}

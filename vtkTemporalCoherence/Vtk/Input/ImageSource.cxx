@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Input/ImageSource.h"
+
+#include <vtkDataArray.h>
+#include <vtkDataObjectTree.h>
+#include <vtkImageData.h>
+#include <vtkRectilinearGrid.h>
+#include <vtkVolume.h>
+#include <vtkVolumeProperty.h>
+
+#include <algorithm>
+
+namespace TemporalCoherence
+{
+
+bool ImageSource::Find(vtkDataObject* data, const ScalarChoice& choice, vtkVolumeProperty* property,
+  const VectorChoice& vectors, DrawnComponent& found, std::string& error)
+{
+  this->Found = FoundImage();
+  const bool isFound =
+    this->FindImage(data, choice, error) && this->FindScalar(property, vectors, error);
+  found = this->Found.Component;
+  return isFound;
+}
+
+/// Find the image, or an image that stands for the data, and its array.
+bool ImageSource::FindImage(vtkDataObject* data, const ScalarChoice& choice, std::string& error)
+{
+  ChosenScalars scalars;
+  auto* tree = vtkDataObjectTree::SafeDownCast(data);
+  auto* grid = vtkRectilinearGrid::SafeDownCast(data);
+  if (tree)
+  {
+    if (!this->Blocks.Merge(tree, choice, error))
+    {
+      return false;
+    }
+    this->Found.Image = this->Blocks.Image();
+    scalars = this->Blocks.Scalars();
+  }
+  else
+  {
+    this->Found.Image = vtkImageData::SafeDownCast(data);
+    this->Blocks.Release();
+    scalars = FindScalars(vtkDataSet::SafeDownCast(data), choice);
+  }
+  vtkDataSet* dataSet = grid ? static_cast<vtkDataSet*>(grid) : this->Found.Image;
+  if (!scalars.Array && dataSet->GetNumberOfPoints() != 0)
+  {
+    error = WhyThereAreNoScalars(choice);
+    return false;
+  }
+  this->Found.Array = dataSet->GetNumberOfPoints() != 0 ? scalars.Array : nullptr;
+  this->Found.OnCells = scalars.OnCells;
+  if (!grid)
+  {
+    this->Grid.Release();
+    return true;
+  }
+  if (!this->Grid.See(grid, this->Found.OnCells, error))
+  {
+    return false;
+  }
+  this->Found.Image = this->Grid.Image();
+  this->Found.Kind = this->Grid.Kind();
+  return true;
+}
+
+bool ImageSource::FindScalar(
+  vtkVolumeProperty* property, const VectorChoice& vectors, std::string& error)
+{
+  const int components = this->Found.Array ? this->Found.Array->GetNumberOfComponents() : 0;
+  this->Found.Component = ChooseComponent(property, vectors, components);
+  if (!this->Found.Component.IsMagnitude)
+  {
+    this->Magnitude.Release();
+    return true;
+  }
+  // As for the samples: whoever writes them may call Modified() of the array or of the image.
+  const vtkMTimeType stamp = std::max(this->Found.Image->GetMTime(), this->Found.Array->GetMTime());
+  this->Found.Array = this->Magnitude.Of(this->Found.Array, stamp, error);
+  return this->Found.Array != nullptr;
+}
+
+bool ImageSource::Make(const FieldQuery& query, PlacedField& field, std::string& error)
+{
+  vtkVolumeProperty* property = query.Volume->GetProperty();
+  const FoundImage& found = this->Found;
+  SampleMask ofSamples;
+  if (!MakeField(
+        found.Image, found.Array, found.OnCells, found.Component.Number, field.Samples, error) ||
+    !FindMask(query.Mask, query.Mapper, field.Samples.Dimensions, property, *query.Isovalues,
+      ofSamples, error) ||
+    !this->Hidden.Find(found.Image, found.OnCells, ofSamples, field.Samples.Hidden, error) ||
+    !MakeIndexTransform(found.Image, found.OnCells, query.Volume, field.Transform, error))
+  {
+    return false;
+  }
+  field.Samples.Kind = found.Kind;
+  field.Samples.Between = property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION
+    ? Interpolation::Nearest
+    : Interpolation::Linear;
+  field.Axes = AxesOf(found.Image, found.OnCells);
+  const glm::dvec3 distances = glm::abs(field.Axes.Step);
+  field.PerStep = (distances.x + distances.y + distances.z) / 3.0 / distances;
+  field.Read = { found.Array };
+  return true;
+}
+
+void ImageSource::Release()
+{
+  this->Found = FoundImage();
+  this->Blocks.Release();
+  this->Magnitude.Release();
+  this->Grid.Release();
+  this->Hidden.Release();
+}
+
+}

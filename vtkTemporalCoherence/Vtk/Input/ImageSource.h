@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_ImageSource_h
+#define TemporalCoherence_ImageSource_h
+
+#include "Input/FieldSource.h"
+#include "Input/HiddenCellsFromImage.h"
+#include "Input/ImageOfGrid.h"
+#include "Input/MergedBlocks.h"
+#include "Input/VectorMagnitude.h"
+#include "vtkTemporalCoherenceCompatibility.h"
+
+#include <memory>
+#include <string>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkDataArray;
+class vtkImageData;
+VTK_ABI_NAMESPACE_END
+
+namespace TemporalCoherence
+{
+
+/// The fields of images, of rectilinear grids, and of blocks that are images on one lattice.
+class ImageSource : public FieldSource
+{
+public:
+  bool Find(vtkDataObject* data, const ScalarChoice& choice, vtkVolumeProperty* property,
+    const VectorChoice& vectors, DrawnComponent& found, std::string& error) override;
+  bool IsEmpty() const override { return !this->Found.Array; }
+  bool Make(const FieldQuery& query, PlacedField& field, std::string& error) override;
+  void Release() override;
+
+private:
+  bool FindImage(vtkDataObject* data, const ScalarChoice& choice, std::string& error);
+  bool FindScalar(vtkVolumeProperty* property, const VectorChoice& vectors, std::string& error);
+
+  /// What was found. The pointers are not owned.
+  struct FoundImage
+  {
+    vtkImageData* Image = nullptr; ///< also stands for a rectilinear grid
+    vtkDataArray* Array = nullptr; ///< null if the image has no points
+    bool OnCells = false;          ///< one tuple for each cell, otherwise for each point
+    DrawnComponent Component;
+    std::shared_ptr<const FieldKind> Kind = UniformKind(); ///< for example where samples lie
+  };
+
+  FoundImage Found;
+  MergedBlocks Blocks;
+  VectorMagnitude Magnitude;
+  ImageOfGrid Grid;
+  HiddenCellsOfImage Hidden;
+};
+
+}
+
+#endif

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Input/VolumePlace.h"
+
+#include "Input/MatrixFromVtk.h"
+
+#include <vtkVolume.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+/// A transform is singular if it maps the unit box to less than this share of the volume of a box
+/// with the same edges.
+constexpr double FlattestBox = 1e-12;
+
+/// Volume of the transformed unit box, as a share of that of a box with the same edges; 0 if the
+/// matrix is singular.
+double Flatness(const glm::dmat4& matrix)
+{
+  const glm::dmat3 m(matrix);
+  const double edges = glm::length(m[0]) * glm::length(m[1]) * glm::length(m[2]);
+  const double share = edges > 0.0 ? std::abs(glm::determinant(m)) / edges : 0.0;
+  return std::isfinite(share) ? share : 0.0;
+}
+
+}
+
+bool IsFinite(const glm::dmat4& matrix)
+{
+  for (int i = 0; i < 16; ++i)
+  {
+    if (!std::isfinite(matrix[i / 4][i % 4]))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool IsFlat(const glm::dmat4& matrix)
+{
+  return Flatness(matrix) < FlattestBox;
+}
+
+bool PlaceVolume(vtkVolume* volume, IndexTransform& transform, std::string& error)
+{
+  volume->ComputeMatrix();
+  vtkMatrix4x4* matrix = volume->GetMatrix();
+  const glm::dmat4 volumeMatrix = MatrixFromVtk(matrix);
+  transform.WorldFromIndex = volumeMatrix * transform.WorldFromIndex;
+
+  // The matrix of the prop, including its user matrix.
+  const glm::dvec3 scale(
+    glm::length(volumeMatrix[0]), glm::length(volumeMatrix[1]), glm::length(volumeMatrix[2]));
+  const double* last = matrix->GetData() + 12;
+  std::ostringstream what;
+  if (!IsFinite(volumeMatrix) || !IsFinite(transform.WorldFromIndex))
+  {
+    what << "The transform of the volume is not finite (its scale is " << scale[0] << ", "
+         << scale[1] << ", " << scale[2]
+         << "); give it a position, orientation, scale and user matrix of finite numbers.";
+  }
+  else if (last[0] != 0.0 || last[1] != 0.0 || last[2] != 0.0 || last[3] != 1.0)
+  {
+    what << "The last row of the volume's matrix is (" << last[0] << ", " << last[1] << ", "
+         << last[2] << ", " << last[3]
+         << "), a projection; give it a user matrix whose last row is (0, 0, 0, 1).";
+  }
+  else if (IsFlat(transform.WorldFromIndex))
+  {
+    what << "The transform of the volume is singular (its scale is " << scale[0] << ", " << scale[1]
+         << ", " << scale[2] << "); give it a scale other than 0 and an invertible user matrix.";
+  }
+  error = what.str();
+  if (!error.empty())
+  {
+    return false;
+  }
+  transform.IndexFromWorld = glm::inverse(transform.WorldFromIndex);
+  return true;
+}
+
+}

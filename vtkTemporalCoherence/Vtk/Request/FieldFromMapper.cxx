@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Request/FieldFromMapper.h"
+
+#include <vtkDataObjectTree.h>
+#include <vtkImageData.h>
+#include <vtkRectilinearGrid.h>
+#include <vtkVolumeMapper.h>
+
+#include <exception>
+
+namespace TemporalCoherence
+{
+
+int OtherInputPort(vtkVolumeMapper* mapper)
+{
+  for (int port = 1; port < mapper->GetNumberOfInputPorts(); ++port)
+  {
+    if (mapper->GetNumberOfInputConnections(port) > 0)
+    {
+      return port;
+    }
+  }
+  return 0;
+}
+
+bool FieldFromMapper::Find(vtkVolumeMapper* mapper, vtkVolumeProperty* property,
+  const VectorChoice& vectors, DrawnComponent& found, std::string& error)
+{
+  found = DrawnComponent();
+  if (mapper->GetBlendMode() != vtkVolumeMapper::ISOSURFACE_BLEND)
+  {
+    error = "Blend mode " + std::to_string(mapper->GetBlendMode()) +
+      " is not supported: this mapper draws isosurfaces only; call SetBlendModeToIsoSurface(). For "
+      "other blend modes use vtkGPUVolumeRayCastMapper. After "
+      "vtkTemporalCoherenceObjectFactory::UseEverywhere() it draws isosurfaces with this mapper.";
+    return false;
+  }
+  vtkDataObject* data = mapper->GetDataObjectInput();
+  if (!data)
+  {
+    error = "There is no input; give the mapper an image or a grid with SetInputData or "
+            "SetInputConnection.";
+    return false;
+  }
+  if (const int port = OtherInputPort(mapper))
+  {
+    error = "There is an input at port " + std::to_string(port) +
+      ", but only port 0 is drawn; give each input a mapper and a vtkVolume of its own, or use "
+      "vtkGPUVolumeRayCastMapper.";
+    return false;
+  }
+  try
+  {
+    return this->ChooseSource(data, error) &&
+      this->Source->Find(data, ChoiceOf(mapper), property, vectors, found, error);
+  }
+  catch (const std::exception&)
+  {
+    error =
+      "There is not enough memory to merge the blocks or to compute the lengths of vectors; free "
+      "memory, choose fewer blocks with vtkExtractBlock, or draw one component with "
+      "SetVectorModeToComponent().";
+    return false;
+  }
+}
+
+bool FieldFromMapper::ChooseSource(vtkDataObject* data, std::string& error)
+{
+  if (IsMesh(data))
+  {
+    this->Images.Release();
+    this->Source = &this->Meshes;
+    return true;
+  }
+  this->Meshes.Release();
+  if (vtkImageData::SafeDownCast(data) || vtkRectilinearGrid::SafeDownCast(data) ||
+    vtkDataObjectTree::SafeDownCast(data))
+  {
+    this->Source = &this->Images;
+    return true;
+  }
+  error = std::string("The input is a ") + data->GetClassName() +
+    ", but only images, rectilinear, curvilinear, explicit structured and unstructured grids, and "
+    "blocks of these, can be drawn; resample it with vtkResampleToImage.";
+  return false;
+}
+
+bool FieldFromMapper::Make(const FieldQuery& query, PlacedField& field, std::string& error)
+{
+  try
+  {
+    return this->Source->Make(query, field, error);
+  }
+  catch (const std::exception&)
+  {
+    error = "There is not enough memory to set up the cells of the input; free memory, or draw a "
+            "part of it (vtkExtractCells).";
+    return false;
+  }
+}
+
+void FieldFromMapper::Release()
+{
+  this->Source = nullptr;
+  this->Meshes.Release();
+  this->Images.Release();
+}
+
+}

@@ -1,0 +1,241 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Shapes/AmrBlocks.h"
+
+#include "Input/GhostArray.h"
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkMatrix3x3.h>
+#include <vtkUniformGrid.h>
+#include <vtkUniformGridAMR.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <sstream>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+/// Lattices may be off by this part of a cell.
+constexpr double LargestOffset = 1e-3;
+
+/// Beyond, cells of the finest lattice could not be numbered.
+constexpr double MostCellsAlong = 1e15;
+
+std::string NumberText(double number)
+{
+  std::ostringstream text;
+  text << number;
+  return text.str();
+}
+
+/// The grid of a block; null if it has no cells.
+vtkUniformGrid* GridOf(vtkUniformGridAMR* amr, unsigned int level, unsigned int index)
+{
+  vtkUniformGrid* grid = amr->GetDataSet(level, index);
+  return grid && grid->GetNumberOfPoints() > 0 ? grid : nullptr;
+}
+
+glm::dvec3 SpacingOf(vtkUniformGrid* grid)
+{
+  return { grid->GetSpacing()[0], grid->GetSpacing()[1], grid->GetSpacing()[2] };
+}
+
+/// The corner with the lowest coordinates, whatever the extent begins with.
+glm::dvec3 CornerOf(vtkUniformGrid* grid)
+{
+  const int* extent = grid->GetExtent();
+  glm::dvec3 corner;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    corner[axis] = grid->GetOrigin()[axis] + extent[2 * axis] * grid->GetSpacing()[axis];
+  }
+  return corner;
+}
+
+bool HasArray(AmrBlock& block, const ScalarChoice& choice, std::string& error)
+{
+  const ChosenScalars scalars = FindScalars(block.Grid, choice);
+  block.Array = scalars.Array;
+  if (block.Array && !scalars.OnCells)
+  {
+    error = block.Name +
+      " has values at its points, but adaptive grids with several levels are "
+      "drawn by values of cells; make some with vtkPointDataToCellData.";
+    return false;
+  }
+  if (block.Array && block.Array->GetNumberOfTuples() < block.Grid->GetNumberOfCells())
+  {
+    error = block.Name + " has an array of " + std::to_string(block.Array->GetNumberOfTuples()) +
+      " tuples, but needs " + std::to_string(block.Grid->GetNumberOfCells()) +
+      "; give it one for each cell.";
+    return false;
+  }
+  return true;
+}
+
+/// The blocks with the array, the finest ones first. Their cells are not known yet.
+bool FindBlocks(
+  vtkUniformGridAMR* amr, const ScalarChoice& choice, AmrBlocks& found, std::string& error)
+{
+  for (unsigned int level = amr->GetNumberOfLevels(); level-- > 0;)
+  {
+    const std::size_t before = found.Blocks.size();
+    for (unsigned int index = 0; index < amr->GetNumberOfDataSets(level); ++index)
+    {
+      AmrBlock block;
+      block.Grid = GridOf(amr, level, index);
+      block.Name = "Block " + std::to_string(index) + " of level " + std::to_string(level);
+      if (!block.Grid)
+      {
+        continue;
+      }
+      const int* points = block.Grid->GetDimensions();
+      if (*std::min_element(points, points + 3) < 2)
+      {
+        error = block.Name +
+          " has no cells with a volume, but only adaptive grids in three "
+          "dimensions can be drawn; draw another data set.";
+        return false;
+      }
+      if (!HasArray(block, choice, error))
+      {
+        return false;
+      }
+      if (block.Array)
+      {
+        block.Level = found.Levels.size(); // from the finest one, for now
+        vtkUnsignedCharArray* ghosts = GhostsOf(block.Grid->GetCellData());
+        const bool hasAll = ghosts && HasOneForEach(ghosts, block.Grid->GetNumberOfCells());
+        block.Ghosts = hasAll ? ghosts->GetPointer(0) : nullptr;
+        found.Blocks.push_back(block);
+      }
+    }
+    if (found.Blocks.size() > before)
+    {
+      found.Levels.push_back({ SpacingOf(found.Blocks.back().Grid), glm::i64vec3(1) });
+    }
+  }
+  std::reverse(found.Levels.begin(), found.Levels.end());
+  for (AmrBlock& block : found.Blocks)
+  {
+    block.Level = found.Levels.size() - 1 - block.Level;
+  }
+  if (found.Blocks.empty())
+  {
+    error = WhyThereAreNoScalars(choice);
+  }
+  return !found.Blocks.empty();
+}
+
+/// A number is whole, but for rounding.
+bool IsWhole(double number, double tolerance)
+{
+  return std::abs(number - std::round(number)) <= tolerance && std::abs(number) < MostCellsAlong;
+}
+
+/// Each level's cells are divided into whole cells of the next one.
+bool FitLevels(AmrBlocks& found, std::string& error)
+{
+  for (std::size_t l = found.Levels.size() - 1; l-- > 0;)
+  {
+    AmrLevel& level = found.Levels[l];
+    const AmrLevel& finer = found.Levels[l + 1];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double ratio = level.Spacing[axis] / finer.Spacing[axis];
+      if (!(ratio > 0.5) || !IsWhole(ratio, LargestOffset) ||
+        !(ratio * static_cast<double>(finer.Ratio[axis]) < MostCellsAlong))
+      {
+        error = "A level has cells of size " + NumberText(level.Spacing[axis]) + " along axis " +
+          std::to_string(axis) + ", but the next one has " + NumberText(finer.Spacing[axis]) +
+          ", which does not divide them; resample the data with vtkAMRResampleFilter.";
+        return false;
+      }
+      level.Ratio[axis] = static_cast<std::int64_t>(std::round(ratio)) * finer.Ratio[axis];
+    }
+  }
+  return true;
+}
+
+bool FitBlock(const AmrBlocks& found, AmrBlock& block, std::string& error)
+{
+  const AmrLevel& level = found.Levels[block.Level];
+  const glm::dvec3 spacing = SpacingOf(block.Grid), corner = CornerOf(block.Grid);
+  const int* points = block.Grid->GetDimensions();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double first = (corner[axis] - found.Origin[axis]) / level.Spacing[axis];
+    const double off = std::abs(spacing[axis] / level.Spacing[axis] - 1.0) * points[axis];
+    if (!(off <= LargestOffset) || !IsWhole(first, LargestOffset) ||
+      !block.Grid->GetDirectionMatrix()->IsIdentity())
+    {
+      error = block.Name + " does not lie on the lattice of its level: it begins at " +
+        NumberText(corner[axis]) + " and has cells of size " + NumberText(spacing[axis]) +
+        " along axis " + std::to_string(axis) + "; resample the data with vtkAMRResampleFilter.";
+      return false;
+    }
+    block.Cells.First[axis] = static_cast<std::int64_t>(std::round(first));
+    block.Cells.End[axis] = block.Cells.First[axis] + points[axis] - 1;
+  }
+  block.Finest = { block.Cells.First * level.Ratio, block.Cells.End * level.Ratio };
+  return true;
+}
+
+/// Blocks whose boxes on the finest lattice touch: by their begins along x.
+void FindNeighbours(AmrBlocks& found)
+{
+  const std::size_t count = found.Blocks.size();
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  const auto begin = [&](std::size_t b) { return found.Blocks[b].Finest.First.x; };
+  std::sort(order.begin(), order.end(),
+    [&](std::size_t a, std::size_t b)
+    { return begin(a) != begin(b) ? begin(a) < begin(b) : a < b; });
+  found.Neighbours.assign(count, {});
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const AmrBox& box = found.Blocks[order[i]].Finest;
+    for (std::size_t j = i + 1; j < count && begin(order[j]) <= box.End.x; ++j)
+    {
+      const AmrBox& other = found.Blocks[order[j]].Finest;
+      if (!IsEmpty(Common({ box.First - std::int64_t(1), box.End + std::int64_t(1) }, other)))
+      {
+        found.Neighbours[order[i]].push_back(order[j]);
+        found.Neighbours[order[j]].push_back(order[i]);
+      }
+    }
+  }
+  for (std::vector<std::size_t>& neighbours : found.Neighbours)
+  {
+    std::sort(neighbours.begin(), neighbours.end());
+  }
+}
+
+}
+
+bool FindAmrBlocks(
+  vtkUniformGridAMR* amr, const ScalarChoice& choice, AmrBlocks& found, std::string& error)
+{
+  if (!FindBlocks(amr, choice, found, error) || !FitLevels(found, error))
+  {
+    return false;
+  }
+  // A corner of the coarsest level, so that all blocks begin at whole numbers.
+  found.Origin = CornerOf(found.Blocks.back().Grid);
+  for (AmrBlock& block : found.Blocks)
+  {
+    if (!FitBlock(found, block, error))
+    {
+      return false;
+    }
+  }
+  FindNeighbours(found);
+  return true;
+}
+
+}

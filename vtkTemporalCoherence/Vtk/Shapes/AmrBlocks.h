@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_AmrBlocks_h
+#define TemporalCoherence_AmrBlocks_h
+
+#include "Input/ScalarChoice.h"
+#include "vtkTemporalCoherenceCompatibility.h"
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkDataArray;
+class vtkUniformGrid;
+class vtkUniformGridAMR;
+VTK_ABI_NAMESPACE_END
+
+namespace TemporalCoherence
+{
+
+/// A box of whole numbers: from First up to, but without, End.
+struct AmrBox
+{
+  glm::i64vec3 First, End;
+
+  glm::i64vec3 Size() const { return this->End - this->First; }
+};
+
+inline AmrBox Common(const AmrBox& a, const AmrBox& b)
+{
+  return { glm::max(a.First, b.First), glm::min(a.End, b.End) };
+}
+
+inline bool IsEmpty(const AmrBox& box)
+{
+  return box.Size().x <= 0 || box.Size().y <= 0 || box.Size().z <= 0;
+}
+
+/// A block of an adaptive grid.
+struct AmrBlock
+{
+  vtkUniformGrid* Grid = nullptr; ///< not owned
+  vtkDataArray* Array = nullptr;  ///< a tuple for each cell
+  std::size_t Level = 0;
+  AmrBox Cells;                         ///< on the lattice of the level
+  AmrBox Finest;                        ///< the same on the finest lattice
+  std::string Name;                     ///< for messages
+  const std::uint8_t* Ghosts = nullptr; ///< flags of each cell; null: there are none
+
+  std::int64_t NumberOf(const glm::i64vec3& cell) const
+  {
+    const glm::i64vec3 size = this->Cells.Size(), at = cell - this->Cells.First;
+    return at.x + size.x * (at.y + size.y * at.z);
+  }
+};
+
+/// A level of an adaptive grid: a lattice, in which cell (i, j, k) begins at Origin + (i, j, k)
+/// Spacing.
+struct AmrLevel
+{
+  glm::dvec3 Spacing;
+  glm::i64vec3 Ratio; ///< cells of the finest lattice along a cell
+};
+
+/// The blocks of an adaptive grid on lattices that fit each other.
+struct AmrBlocks
+{
+  glm::dvec3 Origin;
+  std::vector<AmrLevel> Levels; ///< those with blocks, the finest one last
+  std::vector<AmrBlock> Blocks; ///< the finest level first; those of a level as in the data set
+
+  /// For each block: the blocks that have cells in it or next to it, except itself, in the same
+  /// order.
+  std::vector<std::vector<std::size_t>> Neighbours;
+};
+
+/// Find the blocks with data, their lattices and their neighbours.
+/// \param error gets what is wrong and what to do about it
+/// \return false on error
+/// \throws std::bad_alloc
+bool FindAmrBlocks(
+  vtkUniformGridAMR* amr, const ScalarChoice& choice, AmrBlocks& found, std::string& error);
+
+}
+
+#endif

@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Shapes/AmrLeaves.h"
+
+#include <vtkDataSetAttributes.h>
+#include <vtkSMPTools.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+bool HasFlag(const AmrBlock& block, std::int64_t cell, int flag)
+{
+  return block.Ghosts && (block.Ghosts[cell] & flag) != 0;
+}
+
+/// Do something with each cell of a block in a box of the finest lattice, also with those that are
+/// only partly in it.
+template <typename Action>
+void ForCellsIn(
+  const AmrBlocks& blocks, const AmrBlock& block, const AmrBox& finest, const Action& action)
+{
+  const glm::i64vec3 ratio = blocks.Levels[block.Level].Ratio;
+  const glm::i64vec3 first = (finest.First - block.Finest.First) / ratio + block.Cells.First;
+  const glm::i64vec3 end =
+    (finest.End - block.Finest.First + ratio - std::int64_t(1)) / ratio + block.Cells.First;
+  for (std::int64_t z = first.z; z < end.z; ++z)
+  {
+    for (std::int64_t y = first.y; y < end.y; ++y)
+    {
+      for (std::int64_t x = first.x; x < end.x; ++x)
+      {
+        action(glm::i64vec3(x, y, z));
+      }
+    }
+  }
+}
+
+/// Mark the leaves of a block with 0 and its other cells with -1.
+void MarkLeaves(const AmrBlocks& blocks, std::size_t number, std::vector<std::int32_t>& marks)
+{
+  const AmrBlock& block = blocks.Blocks[number];
+  const glm::i64vec3 size = block.Cells.Size();
+  marks.assign(static_cast<std::size_t>(size.x * size.y * size.z), 0);
+  constexpr int hiding = vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
+  for (std::size_t cell = 0; block.Ghosts && cell < marks.size(); ++cell)
+  {
+    marks[cell] = HasFlag(block, static_cast<std::int64_t>(cell), hiding) ? -1 : 0;
+  }
+  for (const std::size_t neighbour : blocks.Neighbours[number])
+  {
+    const AmrBlock& other = blocks.Blocks[neighbour];
+    const AmrBox both = Common(block.Finest, other.Finest);
+    if (neighbour > number || IsEmpty(both))
+    {
+      continue;
+    }
+    const bool isFiner = other.Level != block.Level;
+    ForCellsIn(blocks, block, both,
+      [&](const glm::i64vec3& cell)
+      {
+        if (isFiner || !HasFlag(other, other.NumberOf(cell), vtkDataSetAttributes::HIDDENCELL))
+        {
+          marks[static_cast<std::size_t>(block.NumberOf(cell))] = -1;
+        }
+      });
+  }
+}
+
+}
+
+bool AmrLeaves::Find(const AmrBlocks& blocks)
+{
+  const std::size_t count = blocks.Blocks.size();
+  this->Numbers.assign(count, {});
+  std::vector<std::int64_t> counts(count);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(count),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (auto b = static_cast<std::size_t>(begin); b < static_cast<std::size_t>(end); ++b)
+      {
+        std::vector<std::int32_t>& marks = this->Numbers[b];
+        MarkLeaves(blocks, b, marks);
+        counts[b] = std::count(marks.begin(), marks.end(), 0);
+      }
+    });
+  std::int64_t total = 0;
+  for (std::int64_t& ofBlock : counts)
+  {
+    total += ofBlock;
+    ofBlock = total - ofBlock; // the number of its first leaf
+  }
+  if (total > std::numeric_limits<std::int32_t>::max())
+  {
+    return false;
+  }
+  this->Total = static_cast<std::int32_t>(total);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(count),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (auto b = static_cast<std::size_t>(begin); b < static_cast<std::size_t>(end); ++b)
+      {
+        auto next = static_cast<std::int32_t>(counts[b]);
+        for (std::int32_t& number : this->Numbers[b])
+        {
+          number = number < 0 ? -1 : next++;
+        }
+      }
+    });
+  return true;
+}
+
+LeafSearch::LeafSearch(const AmrBlocks& blocks, const AmrLeaves& leaves, std::size_t block)
+  : Blocks(blocks)
+  , Leaves(leaves)
+  , Block(block)
+{
+  this->Last.fill(block);
+}
+
+AmrLeaf LeafSearch::LeafIn(std::size_t number, const glm::i64vec3& finest) const
+{
+  const AmrBlock& block = this->Blocks.Blocks[number];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (finest[axis] < block.Finest.First[axis] || finest[axis] >= block.Finest.End[axis])
+    {
+      return { number, -1 };
+    }
+  }
+  const glm::i64vec3 at =
+    (finest - block.Finest.First) / this->Blocks.Levels[block.Level].Ratio + block.Cells.First;
+  return { number, this->Leaves.NumberOf(number, block.NumberOf(at)) };
+}
+
+AmrLeaf LeafSearch::FindLeaf(const glm::i64vec3& finest, std::size_t& last) const
+{
+  // As leaves do not overlap, the first one found is the only one.
+  AmrLeaf leaf = this->LeafIn(last, finest);
+  if (leaf.Number < 0 && last != this->Block)
+  {
+    leaf = this->LeafIn(this->Block, finest);
+  }
+  const std::vector<std::size_t>& neighbours = this->Blocks.Neighbours[this->Block];
+  for (std::size_t n = 0; n < neighbours.size() && leaf.Number < 0; ++n)
+  {
+    leaf = this->LeafIn(neighbours[n], finest);
+  }
+  last = leaf.Number < 0 ? this->Block : leaf.Block;
+  return leaf;
+}
+
+bool LeafSearch::FindAround(const glm::i64vec3& vertex, std::array<std::int32_t, 8>& numbers)
+{
+  const AmrBlock& block = this->Blocks.Blocks[this->Block];
+  const glm::i64vec3 corner = vertex * this->Blocks.Levels[block.Level].Ratio;
+  for (std::size_t octant = 0; octant < 8; ++octant)
+  {
+    const glm::i64vec3 finest(corner.x - (octant & 1u ? 0 : 1), corner.y - (octant & 2u ? 0 : 1),
+      corner.z - (octant & 4u ? 0 : 1));
+    const AmrLeaf leaf = this->FindLeaf(finest, this->Last[octant]);
+    if (leaf.Number < 0 || leaf.Block < this->Block)
+    {
+      return false;
+    }
+    numbers[octant] = leaf.Number;
+  }
+  return true;
+}
+
+}

@@ -1,0 +1,227 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Shapes/AmrMesh.h"
+
+#include "Shapes/AmrLeaves.h"
+#include "Shapes/MadeCells.h"
+#include "Shapes/PointReader.h"
+
+#include <vtkDataArray.h>
+#include <vtkSMPTools.h>
+#include <vtkUniformGrid.h>
+#include <vtkUniformGridAMR.h>
+
+#include <algorithm>
+#include <memory>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+/// Cells or vertices of a block at one height: what one thread does in one go.
+struct Slice
+{
+  std::size_t Block;
+  std::int64_t Z; ///< on the lattice of the block's level
+};
+
+std::vector<Slice> SlicesOf(const AmrBlocks& blocks, int more)
+{
+  std::vector<Slice> slices;
+  for (std::size_t b = 0; b < blocks.Blocks.size(); ++b)
+  {
+    const AmrBox& cells = blocks.Blocks[b].Cells;
+    for (std::int64_t z = cells.First.z; z < cells.End.z + more; ++z)
+    {
+      slices.push_back({ b, z });
+    }
+  }
+  return slices;
+}
+
+template <typename Action>
+void InParallel(const std::vector<Slice>& slices, const Action& action)
+{
+  vtkSMPTools::For(0, static_cast<vtkIdType>(slices.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (auto s = static_cast<std::size_t>(begin); s < static_cast<std::size_t>(end); ++s)
+      {
+        action(s);
+      }
+    });
+}
+
+/// A point for each leaf.
+void MakePoints(
+  const AmrBlocks& blocks, const AmrLeaves& leaves, int component, std::vector<PointValue>& points)
+{
+  points.resize(static_cast<std::size_t>(leaves.Count()));
+  const std::vector<Slice> slices = SlicesOf(blocks, 0);
+  InParallel(slices,
+    [&](std::size_t s)
+    {
+      const AmrBlock& block = blocks.Blocks[slices[s].Block];
+      const glm::dvec3 spacing = blocks.Levels[block.Level].Spacing;
+      for (std::int64_t y = block.Cells.First.y; y < block.Cells.End.y; ++y)
+      {
+        for (std::int64_t x = block.Cells.First.x; x < block.Cells.End.x; ++x)
+        {
+          const glm::i64vec3 cell(x, y, slices[s].Z);
+          const std::int64_t number = block.NumberOf(cell);
+          const std::int32_t leaf = leaves.NumberOf(slices[s].Block, number);
+          if (leaf >= 0)
+          {
+            const glm::dvec3 at = blocks.Origin + (glm::dvec3(cell) + 0.5) * spacing;
+            points[static_cast<std::size_t>(leaf)] = { at.x, at.y, at.z,
+              ValueOf(block.Array, number, component) };
+          }
+        }
+      }
+    });
+}
+
+/// Call something with the corners of each hexahedron around a vertex of a slice.
+template <typename Action>
+void ForHexahedra(
+  const AmrBlocks& blocks, const AmrLeaves& leaves, const Slice& slice, const Action& action)
+{
+  const AmrBlock& block = blocks.Blocks[slice.Block];
+  const glm::i64vec3 size = block.Cells.Size();
+  const std::int32_t* numbers = leaves.NumbersOf(slice.Block);
+  LeafSearch search(blocks, leaves, slice.Block);
+  const glm::i64vec3 first = block.Cells.First, end = block.Cells.End;
+  for (std::int64_t y = first.y; y <= end.y; ++y)
+  {
+    const bool isRowInside = y > first.y && y < end.y && slice.Z > first.z && slice.Z < end.z;
+    const std::int64_t row = size.x * (y - first.y - 1 + size.y * (slice.Z - first.z - 1));
+    for (std::int64_t x = first.x; x <= end.x; ++x)
+    {
+      std::array<std::int32_t, 8> corners;
+      if (isRowInside && x > first.x && x < end.x)
+      {
+        const std::int32_t* at = numbers + row + (x - first.x - 1);
+        const std::int64_t up = size.x * size.y;
+        corners = { at[0], at[1], at[size.x], at[size.x + 1], at[up], at[up + 1], at[up + size.x],
+          at[up + size.x + 1] };
+        if (*std::min_element(corners.begin(), corners.end()) >= 0)
+        {
+          action(corners);
+          continue;
+        }
+      }
+      if (search.FindAround({ x, y, slice.Z }, corners))
+      {
+        action(corners);
+      }
+    }
+  }
+}
+
+/// The hexahedra, in the order of the slices.
+/// \return false if there are too many
+bool MakeHexahedra(const AmrBlocks& blocks, const AmrLeaves& leaves, MadeCells& made)
+{
+  const std::vector<Slice> slices = SlicesOf(blocks, 1);
+  std::vector<std::int64_t> counts(slices.size());
+  InParallel(slices,
+    [&](std::size_t s)
+    {
+      std::int64_t count = 0;
+      ForHexahedra(blocks, leaves, slices[s], [&](const auto&) { ++count; });
+      counts[s] = count;
+    });
+  std::int64_t total = 0;
+  for (std::int64_t& ofSlice : counts)
+  {
+    total += ofSlice;
+    ofSlice = total - ofSlice; // the number of its first one
+  }
+  if (8 * total > MostMadeIds)
+  {
+    return false;
+  }
+  made.Connectivity.resize(static_cast<std::size_t>(8 * total));
+  InParallel(slices,
+    [&](std::size_t s)
+    {
+      std::int32_t* next = made.Connectivity.data() + 8 * counts[s];
+      ForHexahedra(blocks, leaves, slices[s],
+        [&](const std::array<std::int32_t, 8>& corners)
+        {
+          for (const std::size_t corner : { 0, 1, 3, 2, 4, 5, 7, 6 }) // VTK's order
+          {
+            *next++ = corners[corner];
+          }
+        });
+    });
+  made.Offsets.resize(static_cast<std::size_t>(total + 1));
+  for (std::size_t c = 0; c < made.Offsets.size(); ++c)
+  {
+    made.Offsets[c] = static_cast<std::int32_t>(8 * c);
+  }
+  return true;
+}
+
+template <typename Action>
+void ForGrids(vtkUniformGridAMR* amr, const Action& action)
+{
+  for (unsigned int level = 0; level < amr->GetNumberOfLevels(); ++level)
+  {
+    for (unsigned int index = 0; index < amr->GetNumberOfDataSets(level); ++index)
+    {
+      vtkUniformGrid* grid = amr->GetDataSet(level, index);
+      if (grid && grid->GetNumberOfPoints() > 0)
+      {
+        action(level, grid);
+      }
+    }
+  }
+}
+
+}
+
+bool HasOneLevel(vtkUniformGridAMR* amr)
+{
+  unsigned int lowest = ~0u, highest = 0;
+  ForGrids(amr,
+    [&](unsigned int level, vtkUniformGrid*)
+    {
+      lowest = std::min(lowest, level);
+      highest = std::max(highest, level);
+    });
+  return lowest >= highest;
+}
+
+vtkSmartPointer<vtkMultiBlockDataSet> BlocksOf(vtkUniformGridAMR* amr)
+{
+  const auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  ForGrids(amr,
+    [&](unsigned int, vtkUniformGrid* grid)
+    { blocks->SetBlock(blocks->GetNumberOfBlocks(), grid); });
+  return blocks;
+}
+
+bool AppendAmrMesh(vtkUniformGridAMR* amr, const ScalarChoice& choice, int component,
+  std::vector<MeshPart>& parts, std::string& error)
+{
+  AmrBlocks blocks;
+  if (!FindAmrBlocks(amr, choice, blocks, error))
+  {
+    return false;
+  }
+  AmrLeaves leaves;
+  const auto made = std::make_shared<MadeCells>();
+  if (!leaves.Find(blocks) || !MakeHexahedra(blocks, leaves, *made))
+  {
+    error = "The adaptive grid has more than " + std::to_string(MostMadeIds / 8) +
+      " cells; draw fewer levels of it, for example with vtkExtractLevel.";
+    return false;
+  }
+  MakePoints(blocks, leaves, component, made->Points);
+  parts.push_back(PartOf(made));
+  return true;
+}
+
+}

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_AmrMesh_h
+#define TemporalCoherence_AmrMesh_h
+
+#include "Input/ScalarChoice.h"
+#include "Mesh/Mesh.h"
+#include "vtkTemporalCoherenceCompatibility.h"
+
+#include <vtkMultiBlockDataSet.h>
+#include <vtkSmartPointer.h>
+
+#include <string>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkUniformGridAMR;
+VTK_ABI_NAMESPACE_END
+
+namespace TemporalCoherence
+{
+
+/// True if no more than one level of an adaptive grid has cells: then it is drawn as blocks of one
+/// lattice (MergedBlocks).
+bool HasOneLevel(vtkUniformGridAMR* amr);
+
+/// The blocks of all levels. They are the same objects, not copies.
+vtkSmartPointer<vtkMultiBlockDataSet> BlocksOf(vtkUniformGridAMR* amr);
+
+/// Make hexahedra between the values of cells of an adaptive grid, which lie at the centres of the
+/// cells.
+///
+/// For each vertex of the cells that are not refined, the cells in the eight octants around it make
+/// a hexahedron; a cell that fills several octants is repeated. So hexahedra share faces also
+/// between levels, and no value is resampled. There is none if an octant has no cell, or a hidden
+/// one.
+///
+/// \param component negative: the length of vectors
+/// \param parts gets one more part
+/// \param error gets what is wrong and what to do about it
+/// \return false on error
+/// \throws std::bad_alloc
+bool AppendAmrMesh(vtkUniformGridAMR* amr, const ScalarChoice& choice, int component,
+  std::vector<MeshPart>& parts, std::string& error);
+
+}
+
+#endif

@@ -1,0 +1,260 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Shapes/CurvedCells.h"
+
+#include <vtkCell.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkCellType.h>
+#include <vtkPointData.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+/// Tables of VTK's Lagrange and Bezier cells end here.
+constexpr int HighestOrder = 10;
+
+struct CurvedType
+{
+  int Type;
+  CurvedShape Shape;
+  int NumberOfPoints; ///< 0: depends on the order
+  int Order;
+  const char* Name;
+};
+
+/// Cells with a point inside of a triangle hold terms of the third order. The functions of a
+/// quadratic pyramid are not polynomials in its straight shape.
+const std::array<CurvedType, 15> CurvedTypes = { {
+  { VTK_QUADRATIC_TETRA, CurvedShape::Tetrahedron, 10, 2, "VTK_QUADRATIC_TETRA" },
+  { VTK_QUADRATIC_HEXAHEDRON, CurvedShape::Hexahedron, 20, 2, "VTK_QUADRATIC_HEXAHEDRON" },
+  { VTK_QUADRATIC_WEDGE, CurvedShape::Wedge, 15, 2, "VTK_QUADRATIC_WEDGE" },
+  { VTK_QUADRATIC_PYRAMID, CurvedShape::Pyramid, 13, 3, "VTK_QUADRATIC_PYRAMID" },
+  { VTK_TRIQUADRATIC_HEXAHEDRON, CurvedShape::Hexahedron, 27, 2, "VTK_TRIQUADRATIC_HEXAHEDRON" },
+  { VTK_TRIQUADRATIC_PYRAMID, CurvedShape::Pyramid, 19, 3, "VTK_TRIQUADRATIC_PYRAMID" },
+  { VTK_QUADRATIC_LINEAR_WEDGE, CurvedShape::Wedge, 12, 2, "VTK_QUADRATIC_LINEAR_WEDGE" },
+  { VTK_BIQUADRATIC_QUADRATIC_WEDGE, CurvedShape::Wedge, 18, 2, "VTK_BIQUADRATIC_QUADRATIC_WEDGE" },
+  { VTK_BIQUADRATIC_QUADRATIC_HEXAHEDRON, CurvedShape::Hexahedron, 24, 2,
+    "VTK_BIQUADRATIC_QUADRATIC_HEXAHEDRON" },
+  { VTK_LAGRANGE_TETRAHEDRON, CurvedShape::Tetrahedron, 0, 0, "VTK_LAGRANGE_TETRAHEDRON" },
+  { VTK_LAGRANGE_HEXAHEDRON, CurvedShape::Hexahedron, 0, 0, "VTK_LAGRANGE_HEXAHEDRON" },
+  { VTK_LAGRANGE_WEDGE, CurvedShape::Wedge, 0, 0, "VTK_LAGRANGE_WEDGE" },
+  { VTK_BEZIER_TETRAHEDRON, CurvedShape::Tetrahedron, 0, 0, "VTK_BEZIER_TETRAHEDRON" },
+  { VTK_BEZIER_HEXAHEDRON, CurvedShape::Hexahedron, 0, 0, "VTK_BEZIER_HEXAHEDRON" },
+  { VTK_BEZIER_WEDGE, CurvedShape::Wedge, 0, 0, "VTK_BEZIER_WEDGE" },
+} };
+
+const CurvedType* Find(int type)
+{
+  const auto found = std::find_if(CurvedTypes.begin(), CurvedTypes.end(),
+    [&](const CurvedType& candidate) { return candidate.Type == type; });
+  return found == CurvedTypes.end() ? nullptr : &*found;
+}
+
+bool IsBezier(int type)
+{
+  return type == VTK_BEZIER_TETRAHEDRON || type == VTK_BEZIER_HEXAHEDRON ||
+    type == VTK_BEZIER_WEDGE;
+}
+
+int CountPoints(CurvedShape shape, const std::array<int, 3>& degrees)
+{
+  const auto [a, b, c] = degrees;
+  switch (shape)
+  {
+    case CurvedShape::Tetrahedron:
+      return (a + 1) * (a + 2) * (a + 3) / 6;
+    case CurvedShape::Wedge:
+      return (a + 1) * (a + 2) / 2 * (c + 1);
+    case CurvedShape::Hexahedron:
+    case CurvedShape::Pyramid:
+      break;
+  }
+  return (a + 1) * (b + 1) * (c + 1);
+}
+
+/// The order of a cell of any order by its points; 0 if there is none.
+int FindOrder(CurvedShape shape, int points, std::array<int, 3> degrees)
+{
+  // VTK's cells of order 2 with points in the middle of each face and of the cell.
+  if ((shape == CurvedShape::Tetrahedron && points == 15) ||
+    (shape == CurvedShape::Wedge && points == 21))
+  {
+    return 3;
+  }
+  if (degrees[0] > 0)
+  {
+    const int most = *std::max_element(degrees.begin(), degrees.end());
+    const int least = *std::min_element(degrees.begin(), degrees.end());
+    return least >= 1 && most <= HighestOrder && CountPoints(shape, degrees) == points ? most : 0;
+  }
+  for (int order = 1; order <= HighestOrder; ++order)
+  {
+    if (CountPoints(shape, { order, order, order }) == points)
+    {
+      return order;
+    }
+  }
+  return 0;
+}
+
+/// Where VTK's functions of a pyramid have its base: those of VTK_TRIQUADRATIC_PYRAMID have it at
+/// the height 0.5 (VTK 9.1).
+double BaseOf(vtkCell* cell)
+{
+  std::vector<double> weights(static_cast<std::size_t>(cell->GetNumberOfPoints()) + 32);
+  const std::array<double, 3> corner{ 0.0, 0.0, 0.0 };
+  cell->InterpolateFunctions(corner.data(), weights.data());
+  return std::abs(weights[0] - 1.0) < 1e-6 ? 0.0 : 0.5;
+}
+
+/// VTK's parameters. Those of a quadratic pyramid are of a cube whose upper face is the apex.
+glm::dvec3 ParametersAt(int type, double base, const glm::dvec3& place)
+{
+  if (type == VTK_QUADRATIC_PYRAMID)
+  {
+    const double width = 1.0 - place.z;
+    return width > 1e-9
+      ? glm::dvec3((place.x - 0.5 * place.z) / width, (place.y - 0.5 * place.z) / width, place.z)
+      : glm::dvec3(0.5, 0.5, 1.0);
+  }
+  return type == VTK_TRIQUADRATIC_PYRAMID
+    ? glm::dvec3(place.x, place.y, base + (1.0 - base) * place.z)
+    : place;
+}
+
+}
+
+bool IsCurved(int type)
+{
+  return Find(type) != nullptr;
+}
+
+CurvedCellFinder::CurvedCellFinder(vtkUnstructuredGrid* grid)
+  : Grid(grid)
+{
+}
+
+std::array<int, 3> CurvedCellFinder::DegreesOf(vtkIdType cell) const
+{
+  vtkDataArray* degrees = this->Grid->GetCellData()->GetHigherOrderDegrees();
+  if (!degrees || degrees->GetNumberOfComponents() != 3 || degrees->GetNumberOfTuples() <= cell)
+  {
+    return { 0, 0, 0 };
+  }
+  std::array<int, 3> found;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const double degree = degrees->GetComponent(cell, static_cast<int>(axis));
+    found[axis] = degree > 0.0 && degree < 100.0 ? static_cast<int>(degree) : 0;
+  }
+  return found;
+}
+
+bool CurvedCellFinder::FindKind(
+  vtkIdType cell, int points, CurvedKind& kind, std::string& error) const
+{
+  const int number = this->Grid->GetCellType(cell);
+  const CurvedType& type = *Find(number);
+  const int order =
+    type.NumberOfPoints > 0 ? type.Order : FindOrder(type.Shape, points, this->DegreesOf(cell));
+  if (order == 0 || (type.NumberOfPoints > 0 && type.NumberOfPoints != points))
+  {
+    error = "Cell " + std::to_string(cell) + " is a " + type.Name + " with " +
+      std::to_string(points) + " points, but needs " +
+      (type.NumberOfPoints > 0
+          ? std::to_string(type.NumberOfPoints)
+          : "as many as an order of up to " + std::to_string(HighestOrder) + " has") +
+      "; correct the cell or leave it out with vtkExtractCells.";
+    return false;
+  }
+  kind = { number, type.Shape, points, order,
+    IsBezier(number) && this->Grid->GetPointData()->GetRationalWeights() != nullptr, cell };
+  return true;
+}
+
+bool CurvedCellFinder::Add(vtkIdType cell, std::string& error)
+{
+  const int points = static_cast<int>(this->Grid->GetCells()->GetCellSize(cell));
+  const int type = this->Grid->GetCellType(cell);
+  std::array<int, 3> degrees{ 0, 0, 0 };
+  if (Find(type)->NumberOfPoints == 0)
+  {
+    degrees = this->DegreesOf(cell);
+  }
+  const std::array<int, 5> key{ type, points, degrees[0], degrees[1], degrees[2] };
+  auto known = this->Known.find(key);
+  if (known == this->Known.end())
+  {
+    CurvedKind kind;
+    if (!this->FindKind(cell, points, kind, error))
+    {
+      return false;
+    }
+    known = this->Known.emplace(key, static_cast<std::uint32_t>(this->Found.Kinds.size())).first;
+    this->Found.Kinds.push_back(kind);
+  }
+  this->Found.Cells.push_back(cell);
+  this->Found.KindOf.push_back(known->second);
+  return true;
+}
+
+std::vector<double> WeightsAt(
+  vtkCell* cell, CurvedShape shape, const std::vector<glm::dvec3>& places)
+{
+  const auto points = static_cast<std::size_t>(cell->GetNumberOfPoints());
+  const double base = shape == CurvedShape::Pyramid ? BaseOf(cell) : 0.0;
+  std::vector<double> all(places.size() * points);
+  std::vector<double> weights(points + 32); // some of VTK's functions write more than they have
+  for (std::size_t p = 0; p < places.size(); ++p)
+  {
+    const glm::dvec3 at = ParametersAt(cell->GetCellType(), base, places[p]);
+    const std::array<double, 3> parameters{ at.x, at.y, at.z };
+    cell->InterpolateFunctions(parameters.data(), weights.data());
+    std::copy_n(weights.begin(), points, all.begin() + static_cast<std::ptrdiff_t>(p * points));
+  }
+  return all;
+}
+
+PointValue Weigh(const double* weights, const std::vector<PointValue>& points)
+{
+  constexpr double rounding = 1e-13;
+  const PointValue* first = nullptr; // with a weight
+  PointValue sum{ 0.0, 0.0, 0.0, 0.0 };
+  bool isAlone = true;
+  for (std::size_t p = 0; p < points.size(); ++p)
+  {
+    if (std::abs(weights[p]) <= rounding)
+    {
+      continue;
+    }
+    if (!first)
+    {
+      first = &points[p];
+      continue;
+    }
+    isAlone = false;
+    for (std::size_t c = 0; c < sum.size(); ++c)
+    {
+      sum[c] += weights[p] * (points[p][c] - (*first)[c]);
+    }
+  }
+  if (!first || isAlone)
+  {
+    return first ? *first : points.front();
+  }
+  for (std::size_t c = 0; c < sum.size(); ++c)
+  {
+    sum[c] += (*first)[c];
+  }
+  return sum;
+}
+
+}

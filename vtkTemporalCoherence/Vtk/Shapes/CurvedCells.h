@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_CurvedCells_h
+#define TemporalCoherence_CurvedCells_h
+
+#include "Shapes/CellDivision.h"
+#include "Shapes/PointReader.h"
+#include "vtkTemporalCoherenceCompatibility.h"
+
+#include <vtkType.h>
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkCell;
+class vtkUnstructuredGrid;
+VTK_ABI_NAMESPACE_END
+
+namespace TemporalCoherence
+{
+
+/// Cells of the same type, order and number of points: the same functions interpolate in all.
+struct CurvedKind
+{
+  int Type; ///< VTK's
+  CurvedShape Shape;
+  int NumberOfPoints;
+  int Order;
+  bool IsRational;   ///< each cell has weights of its own
+  vtkIdType Example; ///< a cell of this kind
+};
+
+/// The cells of a grid that have an order of 2 or more.
+struct CurvedCells
+{
+  std::vector<vtkIdType> Cells;
+  std::vector<std::uint32_t> KindOf; ///< of each cell: its place in Kinds
+  std::vector<CurvedKind> Kinds;
+};
+
+/// True for types of cells with an order of 2 or more and a volume.
+bool IsCurved(int type);
+
+/// Finds kinds of cells, one cell after the other.
+class CurvedCellFinder
+{
+public:
+  explicit CurvedCellFinder(vtkUnstructuredGrid* grid);
+
+  /// \pre the cell has a curved type
+  /// \return false on error
+  bool Add(vtkIdType cell, std::string& error);
+
+  CurvedCells Found;
+
+private:
+  bool FindKind(vtkIdType cell, int points, CurvedKind& kind, std::string& error) const;
+  std::array<int, 3> DegreesOf(vtkIdType cell) const;
+
+  vtkUnstructuredGrid* Grid;
+  std::map<std::array<int, 5>, std::uint32_t> Known; ///< type, points and degrees
+};
+
+/// The values of VTK's interpolation functions of a cell: a row for each place.
+/// \param places in the straight cell with edges of length 1
+std::vector<double> WeightsAt(
+  vtkCell* cell, CurvedShape shape, const std::vector<glm::dvec3>& places);
+
+/// What a row of weights makes of the points of a cell. Exact where all are equal, and at points.
+PointValue Weigh(const double* weights, const std::vector<PointValue>& points);
+
+}
+
+#endif

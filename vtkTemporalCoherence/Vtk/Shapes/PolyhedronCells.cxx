@@ -1,0 +1,235 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Shapes/PolyhedronCells.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellType.h>
+#include <vtkGenericCell.h>
+#include <vtkIdList.h>
+#include <vtkPoints.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace TemporalCoherence
+{
+
+bool IsPolyhedron(int type)
+{
+  return type == VTK_POLYHEDRON || type == VTK_PENTAGONAL_PRISM || type == VTK_HEXAGONAL_PRISM ||
+    type == VTK_CONVEX_POINT_SET;
+}
+
+PolyhedronCells::PolyhedronCells(
+  vtkUnstructuredGrid* grid, const PointReader& reader, SharedPoints& shared, MadeCells& made)
+  : Grid(grid)
+  , Reader(reader)
+  , Shared(shared)
+  , Made(made)
+{
+}
+
+bool PolyhedronCells::Add(vtkIdType cell, std::string& error)
+{
+  switch (this->Grid->GetCellType(cell))
+  {
+    case VTK_POLYHEDRON:
+      return this->AddPolyhedron(cell, error);
+    case VTK_CONVEX_POINT_SET:
+      this->AddConvexSet(cell);
+      return true;
+    default:
+      return this->AddPrism(cell, error);
+  }
+}
+
+/// The faces of a polyhedron. Those with less than three points are left out.
+bool PolyhedronCells::ReadFaces(vtkIdType cell, std::vector<Face>& faces) const
+{
+  this->Grid->GetFaceStream(cell, this->Ids);
+  const vtkIdType length = this->Ids->GetNumberOfIds();
+  vtkIdType at = 1;
+  for (vtkIdType f = 0; length > 0 && f < this->Ids->GetId(0); ++f)
+  {
+    const vtkIdType count = at < length ? this->Ids->GetId(at++) : -1;
+    if (count < 0 || count > length - at)
+    {
+      return false;
+    }
+    Face face;
+    for (vtkIdType p = 0; p < count; ++p)
+    {
+      const vtkIdType point = this->Ids->GetId(at++);
+      if (point < 0 || point >= this->Grid->GetNumberOfPoints())
+      {
+        return false;
+      }
+      face.push_back(point);
+    }
+    if (face.size() >= 3)
+    {
+      faces.push_back(face);
+    }
+  }
+  return true;
+}
+
+bool PolyhedronCells::AddPolyhedron(vtkIdType cell, std::string& error)
+{
+  std::vector<Face> faces;
+  if (!this->ReadFaces(cell, faces))
+  {
+    error = "Cell " + std::to_string(cell) +
+      " is a VTK_POLYHEDRON with faces that name points which are not there; correct its faces or "
+      "leave it out with vtkExtractCells.";
+    return false;
+  }
+  Face corners;
+  for (const Face& face : faces)
+  {
+    corners.insert(corners.end(), face.begin(), face.end());
+  }
+  std::sort(corners.begin(), corners.end());
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  if (faces.size() == 4 && corners.size() == 4)
+  {
+    std::array<std::int32_t, 4> ids;
+    std::transform(corners.begin(), corners.end(), ids.begin(),
+      [this](vtkIdType point) { return this->NumberOf(point); });
+    this->Made.AddCell(MeshCellType::Tetrahedron, ids, cell);
+  }
+  else if (faces.size() > 4)
+  {
+    const std::int32_t apex = this->Made.AddPoint(this->MeanOf(corners));
+    for (const Face& face : faces)
+    {
+      this->AddConeOver(face, apex, cell);
+    }
+  }
+  return true;
+}
+
+void PolyhedronCells::AddConeOver(const Face& face, std::int32_t apex, vtkIdType cell)
+{
+  std::vector<std::int32_t> ids(face.size());
+  std::transform(face.begin(), face.end(), ids.begin(),
+    [this](vtkIdType point) { return this->NumberOf(point); });
+  if (face.size() <= 4)
+  {
+    ids.push_back(apex);
+    this->Made.AddCell(
+      face.size() == 3 ? MeshCellType::Tetrahedron : MeshCellType::Pyramid, ids, cell);
+    return;
+  }
+  const std::int32_t middle = this->MiddleOf(face);
+  for (std::size_t p = 0; p < ids.size(); ++p)
+  {
+    this->Made.AddCell(MeshCellType::Tetrahedron,
+      std::array<std::int32_t, 4>{ ids[p], ids[(p + 1) % ids.size()], middle, apex }, cell);
+  }
+}
+
+/// Wedges around the axis.
+bool PolyhedronCells::AddPrism(vtkIdType cell, std::string& error)
+{
+  const bool hasFive = this->Grid->GetCellType(cell) == VTK_PENTAGONAL_PRISM;
+  const vtkIdType corners = hasFive ? 5 : 6;
+  this->Grid->GetCells()->GetCellAtId(cell, this->Ids);
+  if (this->Ids->GetNumberOfIds() != 2 * corners)
+  {
+    error = "Cell " + std::to_string(cell) + " is a " +
+      (hasFive ? "VTK_PENTAGONAL_PRISM" : "VTK_HEXAGONAL_PRISM") + " with " +
+      std::to_string(this->Ids->GetNumberOfIds()) + " points, but needs " +
+      std::to_string(2 * corners) + "; correct the cell or leave it out with vtkExtractCells.";
+    return false;
+  }
+  std::array<Face, 2> ends;
+  for (vtkIdType p = 0; p < 2 * corners; ++p)
+  {
+    ends[p < corners ? 0 : 1].push_back(this->Ids->GetId(p));
+  }
+  const std::array<std::int32_t, 2> middles{ this->MiddleOf(ends[0]), this->MiddleOf(ends[1]) };
+  for (std::size_t p = 0; p < ends[0].size(); ++p)
+  {
+    std::array<std::int32_t, 6> ids;
+    for (std::size_t end = 0; end < 2; ++end)
+    {
+      ids[3 * end] = middles[end];
+      ids[3 * end + 1] = this->NumberOf(ends[end][p]);
+      ids[3 * end + 2] = this->NumberOf(ends[end][(p + 1) % ends[end].size()]);
+    }
+    this->Made.AddCell(MeshCellType::Wedge, ids, cell);
+  }
+  return true;
+}
+
+/// VTK's own interpolation in such a cell is that of its tetrahedra. It splits faces by the numbers
+/// of their points, so neighbours agree.
+void PolyhedronCells::AddConvexSet(vtkIdType cell)
+{
+  this->Grid->GetCell(cell, this->Cell);
+  if (this->Cell->GetNumberOfPoints() < 4)
+  {
+    return;
+  }
+  this->Cell->Triangulate(0, this->Ids, this->Corners);
+  for (vtkIdType p = 0; p + 3 < this->Ids->GetNumberOfIds(); p += 4)
+  {
+    std::array<std::int32_t, 4> ids;
+    for (vtkIdType corner = 0; corner < 4; ++corner)
+    {
+      ids[static_cast<std::size_t>(corner)] = this->NumberOf(this->Ids->GetId(p + corner));
+    }
+    this->Made.AddCell(MeshCellType::Tetrahedron, ids, cell);
+  }
+}
+
+std::int32_t PolyhedronCells::NumberOf(vtkIdType point)
+{
+  const auto next = static_cast<std::int32_t>(this->Made.Points.size());
+  const std::int32_t number = this->Shared.Find(point, next);
+  if (number == next)
+  {
+    this->Made.AddPoint(this->Reader.Read(point));
+  }
+  return number;
+}
+
+std::int32_t PolyhedronCells::MiddleOf(const Face& face)
+{
+  SharedPoints::Name name;
+  for (const vtkIdType point : face)
+  {
+    name.emplace_back(point, 1);
+  }
+  const auto next = static_cast<std::int32_t>(this->Made.Points.size());
+  const std::int32_t number = this->Shared.Find(name, next);
+  if (number == next)
+  {
+    this->Made.AddPoint(this->MeanOf(face));
+  }
+  return number;
+}
+
+PointValue PolyhedronCells::MeanOf(const Face& points) const
+{
+  const PointValue first = this->Reader.Read(points.front());
+  PointValue mean{ 0.0, 0.0, 0.0, 0.0 };
+  for (const vtkIdType id : points)
+  {
+    const PointValue point = this->Reader.Read(id);
+    for (std::size_t c = 0; c < mean.size(); ++c)
+    {
+      mean[c] += (point[c] - first[c]) / static_cast<double>(points.size());
+    }
+  }
+  for (std::size_t c = 0; c < mean.size(); ++c)
+  {
+    mean[c] += first[c];
+  }
+  return mean;
+}
+
+}

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_SharedPoints_h
+#define TemporalCoherence_SharedPoints_h
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace TemporalCoherence
+{
+
+/// Numbers of points that cells share, by names: points of the data set with whole numbers as
+/// weights. So neighbours find the same point without comparing coordinates.
+class SharedPoints
+{
+public:
+  using Name = std::vector<std::pair<std::int64_t, std::int64_t>>; ///< point, weight; in any order
+
+  /// The number of the point with this name. If it is new, it gets the number given.
+  /// \param name is sorted, and its equal points are merged
+  /// \throws std::bad_alloc
+  std::int32_t Find(Name& name, std::int32_t ifNew);
+
+  /// Of a point of the data set.
+  std::int32_t Find(std::int64_t point, std::int32_t ifNew);
+
+private:
+  /// 128 bits of a name. Two names with the same bits are taken to be equal: in 10^9 names, the
+  /// chance is 1e-21.
+  struct Key
+  {
+    std::uint64_t First, Second;
+  };
+  struct Entry
+  {
+    Key Bits;
+    std::int32_t Number = -1; ///< of no point
+  };
+
+  std::int32_t Find(const Key& key, std::int32_t ifNew);
+  Entry& EntryOf(const Key& key);
+  void Grow();
+
+  std::vector<Entry> Entries; ///< as many as a power of two; at most half of them are used
+  std::size_t Used = 0;
+};
+
+}
+
+#endif

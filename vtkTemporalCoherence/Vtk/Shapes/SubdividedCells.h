@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_SubdividedCells_h
+#define TemporalCoherence_SubdividedCells_h
+
+#include "Mesh/Mesh.h"
+#include "vtkTemporalCoherenceCompatibility.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkDataArray;
+class vtkUnstructuredGrid;
+VTK_ABI_NAMESPACE_END
+
+namespace TemporalCoherence
+{
+
+/// What linear cells made of others differ by.
+struct Subdivision
+{
+  int Parts = 1;            ///< of each edge of a curved cell
+  std::int64_t Curved = 0;  ///< cells with an order of 2 or more
+  std::int64_t Others = 0;  ///< polyhedra, prisms and convex sets of points
+  double ErrorOfPoints = 0; ///< of the size of a curved cell
+  double ErrorOfValues = 0; ///< of the range of values in it
+};
+
+/// The error that curved cells are divided for: of their size, and of the range of their values.
+/// Where values hardly differ, it is of 1 % of the range of all cells.
+constexpr double SubdivisionGoal = 1e-3;
+
+/// Edges are divided into no more parts, and cells into no more cells (1.4 GiB).
+constexpr int MostParts = 8;
+constexpr std::int64_t MostSubdividedCells = std::int64_t(1) << 25;
+
+/// True for types of cells that AppendSubdividedCells draws.
+bool IsSubdivided(int type);
+
+/// Make linear cells of the cells that have a volume, but are neither a tetrahedron, voxel,
+/// hexahedron, wedge nor pyramid. Cells of all other types are ignored.
+///
+/// Cells with an order of 2 or more are divided; all edges into the same number of parts, so that
+/// neighbours share all points. Polyhedra become pyramids and tetrahedra around their centre,
+/// prisms become wedges around their axis, convex sets of points the tetrahedra that VTK makes of
+/// them.
+///
+/// \param pointScalars a tuple for each point
+/// \param component negative: the length of vectors
+/// \param flags of each cell, or null. Cells with a hiding flag are left out.
+/// \param parts gets one more part if there are such cells
+/// \param error gets what is wrong and what to do about it
+/// \return false on error
+/// \throws std::bad_alloc
+bool AppendSubdividedCells(vtkUnstructuredGrid* grid, vtkDataArray* pointScalars, int component,
+  const std::uint8_t* flags, std::uint8_t hidingFlags, std::vector<MeshPart>& parts,
+  std::string& error, Subdivision* told = nullptr);
+
+}
+
+#endif

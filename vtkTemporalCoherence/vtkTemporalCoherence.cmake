@@ -142,9 +142,14 @@ set(bridge_files
   Shapes/AmrBlocks
   Shapes/AmrLeaves
   Shapes/AmrMesh
+  Shapes/AmrNeighbours
   Shapes/CellDivision
   Shapes/CurvedCells
   Shapes/CurvedDivision
+  Shapes/CurvedError
+  Shapes/CurvedWeights
+  Shapes/DivisionChecks
+  Shapes/LeafSearch
   Shapes/PolyhedronCells
   Shapes/SharedPoints
   Shapes/SubdividedCells

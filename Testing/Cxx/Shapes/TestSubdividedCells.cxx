@@ -9,6 +9,7 @@
 #include "CurvedGrids.h"
 #include "LinearCells.h"
 #include "Shapes/CurvedCells.h"
+#include "Shapes/CurvedWeights.h"
 #include "Shapes/SubdividedCells.h"
 
 #include <vtkCellData.h>

@@ -3,6 +3,7 @@
 #include "Shapes/AmrBlocks.h"
 
 #include "Input/GhostArray.h"
+#include "Shapes/AmrNeighbours.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -12,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <sstream>
 
 namespace TemporalCoherence
@@ -186,36 +186,6 @@ bool FitBlock(const AmrBlocks& found, AmrBlock& block, std::string& error)
   return true;
 }
 
-/// Blocks whose boxes on the finest lattice touch: by their begins along x.
-void FindNeighbours(AmrBlocks& found)
-{
-  const std::size_t count = found.Blocks.size();
-  std::vector<std::size_t> order(count);
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  const auto begin = [&](std::size_t b) { return found.Blocks[b].Finest.First.x; };
-  std::sort(order.begin(), order.end(),
-    [&](std::size_t a, std::size_t b)
-    { return begin(a) != begin(b) ? begin(a) < begin(b) : a < b; });
-  found.Neighbours.assign(count, {});
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const AmrBox& box = found.Blocks[order[i]].Finest;
-    for (std::size_t j = i + 1; j < count && begin(order[j]) <= box.End.x; ++j)
-    {
-      const AmrBox& other = found.Blocks[order[j]].Finest;
-      if (!IsEmpty(Common({ box.First - std::int64_t(1), box.End + std::int64_t(1) }, other)))
-      {
-        found.Neighbours[order[i]].push_back(order[j]);
-        found.Neighbours[order[j]].push_back(order[i]);
-      }
-    }
-  }
-  for (std::vector<std::size_t>& neighbours : found.Neighbours)
-  {
-    std::sort(neighbours.begin(), neighbours.end());
-  }
-}
-
 }
 
 bool FindAmrBlocks(
@@ -234,7 +204,7 @@ bool FindAmrBlocks(
       return false;
     }
   }
-  FindNeighbours(found);
+  found.Neighbours = NeighboursOf(found.Blocks);
   return true;
 }
 

@@ -3,6 +3,7 @@
 #include "Shapes/AmrMesh.h"
 
 #include "Shapes/AmrLeaves.h"
+#include "Shapes/LeafSearch.h"
 #include "Shapes/MadeCells.h"
 #include "Shapes/PointReader.h"
 

@@ -105,31 +105,6 @@ int FindOrder(CurvedShape shape, int points, std::array<int, 3> degrees)
   return 0;
 }
 
-/// Where VTK's functions of a pyramid have its base: those of VTK_TRIQUADRATIC_PYRAMID have it at
-/// the height 0.5 (VTK 9.1).
-double BaseOf(vtkCell* cell)
-{
-  std::vector<double> weights(static_cast<std::size_t>(cell->GetNumberOfPoints()) + 32);
-  const std::array<double, 3> corner{ 0.0, 0.0, 0.0 };
-  cell->InterpolateFunctions(corner.data(), weights.data());
-  return std::abs(weights[0] - 1.0) < 1e-6 ? 0.0 : 0.5;
-}
-
-/// VTK's parameters. Those of a quadratic pyramid are of a cube whose upper face is the apex.
-glm::dvec3 ParametersAt(int type, double base, const glm::dvec3& place)
-{
-  if (type == VTK_QUADRATIC_PYRAMID)
-  {
-    const double width = 1.0 - place.z;
-    return width > 1e-9
-      ? glm::dvec3((place.x - 0.5 * place.z) / width, (place.y - 0.5 * place.z) / width, place.z)
-      : glm::dvec3(0.5, 0.5, 1.0);
-  }
-  return type == VTK_TRIQUADRATIC_PYRAMID
-    ? glm::dvec3(place.x, place.y, base + (1.0 - base) * place.z)
-    : place;
-}
-
 }
 
 bool IsCurved(int type)
@@ -204,57 +179,6 @@ bool CurvedCellFinder::Add(vtkIdType cell, std::string& error)
   this->Found.Cells.push_back(cell);
   this->Found.KindOf.push_back(known->second);
   return true;
-}
-
-std::vector<double> WeightsAt(
-  vtkCell* cell, CurvedShape shape, const std::vector<glm::dvec3>& places)
-{
-  const auto points = static_cast<std::size_t>(cell->GetNumberOfPoints());
-  const double base = shape == CurvedShape::Pyramid ? BaseOf(cell) : 0.0;
-  std::vector<double> all(places.size() * points);
-  std::vector<double> weights(points + 32); // some of VTK's functions write more than they have
-  for (std::size_t p = 0; p < places.size(); ++p)
-  {
-    const glm::dvec3 at = ParametersAt(cell->GetCellType(), base, places[p]);
-    const std::array<double, 3> parameters{ at.x, at.y, at.z };
-    cell->InterpolateFunctions(parameters.data(), weights.data());
-    std::copy_n(weights.begin(), points, all.begin() + static_cast<std::ptrdiff_t>(p * points));
-  }
-  return all;
-}
-
-PointValue Weigh(const double* weights, const std::vector<PointValue>& points)
-{
-  constexpr double rounding = 1e-13;
-  const PointValue* first = nullptr; // with a weight
-  PointValue sum{ 0.0, 0.0, 0.0, 0.0 };
-  bool isAlone = true;
-  for (std::size_t p = 0; p < points.size(); ++p)
-  {
-    if (std::abs(weights[p]) <= rounding)
-    {
-      continue;
-    }
-    if (!first)
-    {
-      first = &points[p];
-      continue;
-    }
-    isAlone = false;
-    for (std::size_t c = 0; c < sum.size(); ++c)
-    {
-      sum[c] += weights[p] * (points[p][c] - (*first)[c]);
-    }
-  }
-  if (!first || isAlone)
-  {
-    return first ? *first : points.front();
-  }
-  for (std::size_t c = 0; c < sum.size(); ++c)
-  {
-    sum[c] += (*first)[c];
-  }
-  return sum;
 }
 
 }

@@ -4,7 +4,6 @@
 #define TemporalCoherence_CurvedCells_h
 
 #include "Shapes/CellDivision.h"
-#include "Shapes/PointReader.h"
 #include "vtkTemporalCoherenceCompatibility.h"
 
 #include <vtkType.h>
@@ -64,14 +63,6 @@ private:
   vtkUnstructuredGrid* Grid;
   std::map<std::array<int, 5>, std::uint32_t> Known; ///< type, points and degrees
 };
-
-/// The values of VTK's interpolation functions of a cell: a row for each place.
-/// \param places in the straight cell with edges of length 1
-std::vector<double> WeightsAt(
-  vtkCell* cell, CurvedShape shape, const std::vector<glm::dvec3>& places);
-
-/// What a row of weights makes of the points of a cell. Exact where all are equal, and at points.
-PointValue Weigh(const double* weights, const std::vector<PointValue>& points);
 
 }
 

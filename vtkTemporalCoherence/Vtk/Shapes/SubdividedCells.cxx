@@ -3,6 +3,7 @@
 #include "Shapes/SubdividedCells.h"
 
 #include "Shapes/CurvedDivision.h"
+#include "Shapes/CurvedError.h"
 #include "Shapes/PolyhedronCells.h"
 
 #include <vtkCellArray.h>

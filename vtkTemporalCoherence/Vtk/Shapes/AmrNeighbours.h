@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_AmrNeighbours_h
+#define TemporalCoherence_AmrNeighbours_h
+
+#include "Shapes/AmrBlocks.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace TemporalCoherence
+{
+
+/// For each block, those whose boxes on the finest lattice touch or overlap its own, in order.
+/// \throws std::bad_alloc
+std::vector<std::vector<std::size_t>> NeighboursOf(const std::vector<AmrBlock>& blocks);
+
+}
+
+#endif

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_CurvedWeights_h
+#define TemporalCoherence_CurvedWeights_h
+
+#include "Shapes/CurvedCells.h"
+#include "Shapes/PointReader.h"
+
+#include <vtkGenericCell.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace TemporalCoherence
+{
+
+/// The values of VTK's interpolation functions of a cell: a row for each place.
+/// \param places in the straight cell with edges of length 1
+std::vector<double> WeightsAt(
+  vtkCell* cell, CurvedShape shape, const std::vector<glm::dvec3>& places);
+
+/// What a row of weights makes of the points of a cell. Exact where all are equal, and at points.
+PointValue Weigh(const double* weights, const std::vector<PointValue>& points);
+
+/// Weights of interpolation at given places of each kind of cells.
+class KindWeights
+{
+public:
+  KindWeights(vtkUnstructuredGrid* grid, const CurvedCells& curved,
+    const std::vector<std::vector<glm::dvec3>>& places);
+
+  /// The rows of a cell.
+  /// \param cell, own for cells with weights of their own
+  const double* Of(std::size_t number, vtkGenericCell* cell, std::vector<double>& own) const;
+
+private:
+  vtkUnstructuredGrid* Grid;
+  const CurvedCells& Curved;
+  const std::vector<std::vector<glm::dvec3>>& Places;
+  std::vector<std::vector<double>> Weights;
+};
+
+/// What a thread works with.
+struct CurvedWorkplace
+{
+  CurvedWorkplace() = default;
+  CurvedWorkplace(const CurvedWorkplace&) {} // each thread has its own
+  CurvedWorkplace& operator=(const CurvedWorkplace&) { return *this; }
+
+  void Read(vtkUnstructuredGrid* grid, vtkIdType cell, const PointReader& reader);
+
+  vtkNew<vtkIdList> Ids;
+  vtkNew<vtkGenericCell> Cell;
+  std::vector<PointValue> Points;
+  std::vector<double> Own; ///< weights of the cell
+};
+
+std::vector<glm::dvec3> PlacesOf(const CellDivision& division);
+
+}
+
+#endif

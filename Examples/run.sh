@@ -12,7 +12,8 @@ Show a volume's isosurface: pictures of an orbit and of a sweep of its isovalue,
 
 usage: Examples/run.sh [VOLUME [ISOVALUE]] [OPTIONS]
 
-VOLUME is a file .vti .vtk .mhd .mha .nii .nii.gz .slc, a directory with a DICOM series, or, with
+VOLUME is an image (.vti .vtk .mhd .mha .nii .nii.gz .slc), a grid (.vtu .vts .vtr .vtm .vth .vtk,
+Exodus .ex2 .exo .e, .cgns, PLOT3D .xyz or xyz.bin), a directory with a DICOM series, or, with
 --raw, a file of bare samples. Without VOLUME: a magnetic resonance image of a head from Debian's
 package mricron-data, or four generated spheres where that cannot be had.
 
@@ -26,6 +27,8 @@ against what is installed there.
   --output DIR           where the pictures go; default ./pictures
   --threshold            a solid, capped where the volume ends, instead of a surface
   --from AXIS, --up AXIS where the viewer stands and which way is up, for example +y and +z
+  --array NAME           which array of a file with several; default: the first one with ISOVALUE in it
+  --time-step N          which time step of a file with several; default 1
   --raw NX,NY,NZ,TYPE[,SX,SY,SZ], --big-endian
                          what a file of bare samples holds, for example 256,256,110,uchar,1,1,2
   --quick                small pictures, few frames
@@ -46,7 +49,7 @@ head_isovalue=45 # skin
 # Options of the program that a value follows: the value is not the name of a volume.
 takes_value()
 {
-  [[ $1 =~ ^--(size|frames|output|isovalue|from|up|raw|spheres|session|log|screenshot|measure-drag)$ ]]
+  [[ $1 =~ ^--(size|frames|output|isovalue|from|up|array|time-step|raw|spheres|session|log|screenshot|measure-drag)$ ]]
 }
 
 program=OrbitAndSweep

@@ -34,13 +34,17 @@ if (BUILD_TESTING OR TEMPORAL_COHERENCE_BUILD_BENCHMARKS)
     TestingCore TestingRendering zlib)
 endif ()
 set(vtk_chart_components)
+set(vtk_reader_components) # of meshes, for examples and benchmarks
+if (BUILD_TESTING OR TEMPORAL_COHERENCE_BUILD_BENCHMARKS)
+  set(vtk_reader_components IOCGNSReader IOExodus IOParallel)
+endif ()
 if (TEMPORAL_COHERENCE_BUILD_BENCHMARKS)
   set(vtk_chart_components
     ChartsCore IOExport RenderingContext2D RenderingContextOpenGL2 RenderingFreeType)
 endif ()
 find_package(VTK 9.1 REQUIRED
   COMPONENTS ${vtk_components}
-  OPTIONAL_COMPONENTS ${vtk_chart_components})
+  OPTIONAL_COMPONENTS ${vtk_chart_components} ${vtk_reader_components})
 
 # Shared exactly when VTK is.
 get_target_property(vtk_library_type VTK::CommonCore TYPE)

@@ -5,18 +5,22 @@
 
 #include <vtkType.h>
 
-class vtkImageData;
+#include <string>
+
+struct Volume;
 
 // What VTK needs without the mapper, and without a GPU, for each new isovalue: all triangles of
 // the surface again.
 struct Extraction
 {
+  std::string Filter; // the class that extracts
   double Ms = 0.0;
   vtkIdType Triangles = 0;
   double Isovalue = 0.0;
 };
 
-// Times one run of vtkFlyingEdges3D, with the normals that shading needs.
-Extraction TimeExtraction(vtkImageData* image, double isovalue);
+// Times one run of vtkFlyingEdges3D, or of vtkContourFilter for what is no image, with the normals
+// that shading needs.
+Extraction TimeExtraction(const Volume& volume, double isovalue);
 
 #endif

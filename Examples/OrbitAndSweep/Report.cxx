@@ -89,10 +89,9 @@ void PrintGain(const std::vector<FrameRecord>& records, const Extraction& extrac
     std::printf(" %s %.1f x%s", change, without / MedianMs(records, change),
       change == std::string("repeat") ? ".\n" : ",");
   }
-  std::printf(
-    "A new threshold is in the picture after %.1f ms; vtkFlyingEdges3D takes %.1f ms for the "
-    "extraction alone of\nthe %lld triangles at isovalue %g, which are then still to be "
-    "drawn.\n",
-    MedianMs(records, "threshold"), extraction.Ms, static_cast<long long>(extraction.Triangles),
-    extraction.Isovalue);
+  std::printf("A new threshold is in the picture after %.1f ms; %s takes %.1f ms for the "
+              "extraction alone of\nthe %lld triangles at isovalue %g, which are then still to be "
+              "drawn.\n",
+    MedianMs(records, "threshold"), extraction.Filter.c_str(), extraction.Ms,
+    static_cast<long long>(extraction.Triangles), extraction.Isovalue);
 }

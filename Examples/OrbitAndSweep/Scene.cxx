@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene.h"
 
-#include "Files/VolumeReader.h"
+#include "Files/Arrays.h"
 #include "Options.h"
 #include "View/Isovalue.h"
 #include "View/Light.h"
@@ -14,7 +14,8 @@
 
 Scene::Scene(const Volume& source, const IsovalueChoice& isovalue, const Options& options)
 {
-  this->Mapper->SetInputData(source.Image);
+  this->Mapper->SetInputDataObject(source.Data);
+  ShowArray(source, this->Mapper);
   if (options.ThresholdMode)
   {
     this->Mapper->SetSurfaceModeToThreshold();

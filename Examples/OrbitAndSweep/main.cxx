@@ -3,6 +3,7 @@
 // Orbits around a volume's isosurface and sweeps its isovalue with
 // vtkTemporalCoherenceVolumeMapper: pictures, and a table of what each kind of change took.
 #include "Extraction.h"
+#include "Files/Arrays.h"
 #include "Files/VolumeReader.h"
 #include "Options.h"
 #include "Pictures.h"
@@ -23,10 +24,8 @@ namespace
 
 void Describe(const Volume& volume, const IsovalueChoice& isovalue, const Options& options)
 {
-  int n[3];
-  volume.Image->GetDimensions(n);
-  std::printf("Volume: %s, %d x %d x %d %s, values %g to %g\n", volume.Name.c_str(), n[0], n[1],
-    n[2], volume.Image->GetScalarTypeAsString(), isovalue.Range[0], isovalue.Range[1]);
+  std::printf("Volume: %s, %s, values %g to %g\n", volume.Name.c_str(),
+    DescriptionOf(volume).c_str(), isovalue.Range[0], isovalue.Range[1]);
   std::printf("Isovalue: %g%s\n", isovalue.Value,
     isovalue.IsChosen ? " (chosen from the histogram; give one after the volume)" : "");
   std::printf("Pictures: %d x %d pixels, %d threads\n", options.Width, options.Height,
@@ -35,16 +34,16 @@ void Describe(const Volume& volume, const IsovalueChoice& isovalue, const Option
 
 void Run(const Options& options)
 {
-  const Volume volume = ReadVolume(options.Source);
-  const std::string name = Quoted(volume.Name);
+  Volume volume = ReadVolume(options.Source);
+  ChooseArray(volume, options.Source.Array, options.Isovalue);
   const IsovalueChoice isovalue =
-    ChooseIsovalue(CountSamples(volume.Image, name), options.Isovalue, name);
+    ChooseIsovalue(CountSamples(volume), options.Isovalue, Quoted(volume.Name));
   Describe(volume, isovalue, options);
   Scene scene(volume, isovalue, options);
   PictureBook book(options.OutputDirectory);
   const std::vector<FrameRecord> records = RunTour(scene, isovalue, options, book);
   book.WriteContactSheet();
-  const Extraction extraction = TimeExtraction(volume.Image, isovalue.Value);
+  const Extraction extraction = TimeExtraction(volume, isovalue.Value);
 
   PrintTable(records);
   PrintGain(records, extraction);

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import math
 
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonDataModel import vtkDataSet
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkVolume
 from vtkTemporalCoherence import Planes, render, vtkTemporalCoherenceVolumeMapper
 
@@ -22,10 +22,10 @@ class Scene:
     Attributes: mapper; limits, the least and the greatest value of the volume.
     """
 
-    def __init__(self, image: vtkImageData, what: str = "the volume") -> None:
-        self.limits = value_range(image, what)
+    def __init__(self, data: vtkDataSet, what: str = "the volume") -> None:
+        self.limits = value_range(data, what)
         self.mapper = vtkTemporalCoherenceVolumeMapper()
-        self.mapper.SetInputData(image)
+        self.mapper.SetInputDataObject(data)
         self._volume = vtkVolume()
         self._volume.SetMapper(self.mapper)
         appearance = self._volume.GetProperty()

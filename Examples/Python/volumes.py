@@ -18,7 +18,7 @@ from mistakes import UserError, printable, quoted, shortened
 try:
     import numpy
     from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
-    from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkImageData
+    from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkDataSetAttributes, vtkImageData
     from vtkmodules.vtkIOImage import vtkMetaImageReader, vtkNIFTIImageReader, vtkSLCReader
     from vtkmodules.vtkIOLegacy import vtkStructuredPointsReader
     from vtkmodules.vtkIOXML import vtkXMLImageDataReader
@@ -106,7 +106,7 @@ def read_volume(path: str) -> vtkImageData:
     check_header(path)
     reader = READERS[suffix]()
     reader.SetFileName(path)
-    with _errors_of_vtk() as errors:
+    with errors_of_vtk() as errors:
         reader.Update()
     image = reader.GetOutput()
     if errors() or image.GetNumberOfPoints() == 0:
@@ -165,9 +165,9 @@ def _check_place(image: vtkImageData, what: str) -> None:
             f"them in its header.")
 
 
-def value_range(image: vtkImageData, what: str) -> tuple[float, float]:
+def value_range(data: vtkDataSet, what: str) -> tuple[float, float]:
     """The least and the greatest number among the scalars; an error if there is no surface."""
-    low, high = image.GetPointData().GetScalars().GetFiniteRange(0)
+    low, high = data.GetPointData().GetScalars().GetFiniteRange(0)
     if not low < high:
         raise UserError(
             f"The samples of {what} are all the same or no numbers, so that it has no isosurface: "
@@ -201,7 +201,7 @@ def _has_errors(said: str | bytes) -> bool:
 
 
 @contextlib.contextmanager
-def _errors_of_vtk() -> Iterator[Callable[[], bool]]:
+def errors_of_vtk() -> Iterator[Callable[[], bool]]:
     """Keep VTK and its libraries silent, and tell whether there were errors."""
     window, before = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
     vtkOutputWindow.SetInstance(window)

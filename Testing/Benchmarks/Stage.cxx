@@ -28,10 +28,11 @@ const std::vector<Framing>& AllFramings()
   return framings;
 }
 
-Stage::Stage(vtkImageData* image, double isovalue, int size, const Framing& framing)
+Stage::Stage(vtkDataSet* data, double isovalue, int size, const Framing& framing)
   : Size(size)
   , From(framing)
-  , Image(image)
+  , Data(data)
+  , Image(vtkImageData::SafeDownCast(data))
 {
   vtkNew<vtkColorTransferFunction> color;
   color->AddRGBPoint(isovalue, 0.9, 0.8, 0.7);
@@ -54,7 +55,7 @@ void Stage::ResetView()
     camera->SetViewUp(0.0, 0.0, 1.0);
   }
   this->Renderer->SetActiveCamera(camera);
-  this->Renderer->ResetCamera(this->Image->GetBounds());
+  this->Renderer->ResetCamera(this->Data->GetBounds());
   if (!isAfar)
   {
     camera->Azimuth(30.0);
@@ -66,7 +67,7 @@ void Stage::ResetView()
 
 void Stage::FitClippingRange()
 {
-  this->Renderer->ResetCameraClippingRange(this->Image->GetBounds());
+  this->Renderer->ResetCameraClippingRange(this->Data->GetBounds());
 }
 
 void Stage::Orbit(double degrees)
@@ -101,24 +102,31 @@ double Stage::Isovalue() const
 
 double Stage::ShareOfRange(double share) const
 {
-  const double* range = this->Image->GetScalarRange();
+  const double* range = this->Data->GetScalarRange();
   return share * (range[1] - range[0]);
 }
 
 double Stage::IsovalueAt(double share) const
 {
-  return this->Image->GetScalarRange()[0] + this->ShareOfRange(share);
+  return this->Data->GetScalarRange()[0] + this->ShareOfRange(share);
 }
 
 double Stage::VoxelSize() const
 {
+  if (!this->Image)
+  {
+    const double* bounds = this->Data->GetBounds();
+    const double volume =
+      (bounds[1] - bounds[0]) * (bounds[3] - bounds[2]) * (bounds[5] - bounds[4]);
+    return std::cbrt(volume / static_cast<double>(this->Data->GetNumberOfCells()));
+  }
   const double* spacing = this->Image->GetSpacing();
   return std::min({ std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2]) });
 }
 
 Drawer::Drawer(const Stage& stage)
 {
-  this->Mapper->SetInputData(stage.Image);
+  this->Mapper->SetInputDataObject(stage.Data);
 }
 
 double Drawer::Draw(const Stage& stage)

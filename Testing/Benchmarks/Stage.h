@@ -33,7 +33,7 @@ class Stage
 public:
   /// \param size pixels of the square picture in each direction
   Stage(
-    vtkImageData* image, double isovalue, int size, const Framing& framing = AllFramings().front());
+    vtkDataSet* data, double isovalue, int size, const Framing& framing = AllFramings().front());
 
   /// Back to the framing's view: from the front, a little from above.
   void ResetView();
@@ -57,12 +57,14 @@ public:
   /// The isovalue at a share of the range of values.
   double IsovalueAt(double share) const;
 
-  /// The shortest distance between two samples, in the world.
+  /// The shortest distance between two samples of an image, in the world; of a mesh the mean edge
+  /// of its cells, if they filled the box around them.
   double VoxelSize() const;
 
   const int Size;
   const Framing From;
-  const vtkSmartPointer<vtkImageData> Image;
+  const vtkSmartPointer<vtkDataSet> Data;
+  const vtkSmartPointer<vtkImageData> Image; ///< the same; null if it is none
   vtkNew<vtkVolume> Volume;
   vtkNew<vtkRenderer> Renderer;
 

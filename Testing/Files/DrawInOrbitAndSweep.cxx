@@ -24,8 +24,7 @@ void DrawInOrbitAndSweep(const VolumeSource& source)
 {
   const Options options;
   const Volume volume = ReadVolume(source);
-  const std::string name = Quoted(volume.Name);
-  const IsovalueChoice isovalue = ChooseIsovalue(CountSamples(volume.Image, name), {}, name);
+  const IsovalueChoice isovalue = ChooseIsovalue(CountSamples(volume), {}, Quoted(volume.Name));
   Scene scene(volume, isovalue, options);
   vtkNew<vtkImageData> picture;
   for (const double degrees : { 0.0, 2.0 })
@@ -36,5 +35,5 @@ void DrawInOrbitAndSweep(const VolumeSource& source)
       throw UserError("The mapper could not draw the volume; its message above says what to do.");
     }
   }
-  TimeExtraction(volume.Image, isovalue.Value);
+  TimeExtraction(volume, isovalue.Value);
 }

@@ -21,9 +21,11 @@ import unittest
 
 import numpy
 from spheres import SAMPLES, distances, image_of
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkStructuredGrid
 from vtkmodules.vtkIOImage import vtkPNGReader
-from vtkmodules.vtkIOXML import vtkXMLImageDataWriter
+from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLStructuredGridWriter
 
 EXAMPLES = pathlib.Path(__file__).resolve().parents[2] / "Examples" / "Python"
 PROGRAMS = ("threshold_sweep.py", "render_server.py")
@@ -202,6 +204,49 @@ class ThresholdSweep(Example):
             command, cwd=self.folder, stdout=writer, stderr=subprocess.PIPE, text=True, check=False)
         os.close(writer)
         self.assertEqual((done.returncode, done.stderr), (1, ""))
+
+
+class MeshSweep(Example):
+    def test_scattered_points(self):
+        said = self.run_well(
+            "mesh_sweep.py", "--points", 400, "--frames", 4, "--size", "120x90", "--output", "a.png")
+        pixels = read_png(path=self.folder / "a.png")
+        self.assertEqual(pixels.shape, (90, 120, 3))
+        self.assertTrue(0.1 < pixels.any(axis=2).mean() < 0.9)
+        rows = re.findall(r"^ +\d +\S+ +(\w+) +[\d.]+ +[\d.]+ +(\d+)$", said, re.MULTILINE)
+        self.assertEqual([route for route, _ in rows], [
+            "Cold", "IsomapBuild", "IsomapLookup", "IsomapLookup"])
+        self.assertGreater(int(rows[0][1]), 100)
+
+    def test_files(self):
+        grid = vtkStructuredGrid()
+        grid.SetDimensions(SAMPLES, SAMPLES, SAMPLES)
+        axis = numpy.arange(SAMPLES, dtype=float)
+        z, y, x = numpy.meshgrid(axis, axis, axis, indexing="ij")
+        points = numpy.stack([x.ravel(), y.ravel(), z.ravel()], axis=1)
+        grid.SetPoints(vtkPoints())
+        grid.GetPoints().SetData(numpy_to_vtk(points, deep=1))
+        scalars = image_of(distances()).GetPointData().GetScalars()
+        scalars.SetName("distance")
+        grid.GetPointData().AddArray(scalars)
+        writer = vtkXMLStructuredGridWriter()
+        writer.SetInputData(grid)
+        writer.SetFileName(str(self.folder / "sphere.vts"))
+        writer.Write()
+        self.run_well(
+            "mesh_sweep.py", "sphere.vts", "--from", 0.4, "--to", 0.5, "--frames", 2, "--azimuth", 0,
+            "--size", "200x200", "--output", "a.png")
+        self.assert_shows_sphere(read_png(path=self.folder / "a.png"), 0.5)
+
+    def test_mistakes(self):
+        (self.folder / "broken.vtu").write_text("This is no XML.")
+        (self.folder / "notes.txt").write_text("This is no mesh.")
+        for words, arguments in (
+                ("could not be read", ["broken.vtu"]),
+                ("could not be read", ["missing.vts"]),
+                ("none of .vtu, .vts", ["notes.txt"]),
+                ("Isovalue 900 is outside", ["--points", "50", "--from", "900"])):
+            self.assert_refused(words, "mesh_sweep.py", *arguments)
 
 
 class Volumes(Example):

@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Files/FileCheck.h"
 
+#include "Files/Reading.h"
 #include "Program/Quoted.h"
 
 #include <algorithm>
-#include <cctype>
 #include <climits>
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <set>
 #include <sstream>
 #include <vector>
 
@@ -25,16 +26,10 @@ const std::map<std::string, double> BytesOfType = { { "bit", 0.125 }, { "char", 
   { "unsigned_long", 8.0 }, { "vtktypeint64", 8.0 }, { "vtktypeuint64", 8.0 }, { "float", 4.0 },
   { "double", 8.0 } };
 
-const std::map<std::string, std::string> ClassOf = { { "structured_grid", "vtkStructuredGrid" },
-  { "rectilinear_grid", "vtkRectilinearGrid" }, { "polydata", "vtkPolyData" },
-  { "unstructured_grid", "vtkUnstructuredGrid" }, { "field", "vtkDataObject" } };
-
-std::string LowerCase(std::string text)
-{
-  std::transform(text.begin(), text.end(), text.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
+const std::set<std::string> Kinds = { "structured_points", "structured_grid", "rectilinear_grid",
+  "unstructured_grid" };
+const std::map<std::string, std::string> Refused = { { "polydata", "vtkPolyData" },
+  { "field", "vtkDataObject" } };
 
 // The arrays that follow the word FIELD: the reader takes their sizes without asking whether they
 // are numbers.
@@ -115,8 +110,12 @@ bool IsOfScalars(const std::string& before)
 
 // Keywords by which words there is a number by which VTK's reader takes memory, or begins anew so
 // often.
-const std::map<std::string, int> Counted = { { "FIELD", 1 }, { "INFORMATION", 0 },
-  { "LOOKUP_TABLE", 1 }, { "SCALARS", 2 }, { "COLOR_SCALARS", 1 }, { "TEXTURE_COORDINATES", 1 } };
+const std::map<std::string, int> Counted = { { "CELLS", 0 }, { "CELL_TYPES", 0 }, { "FIELD", 1 },
+  { "INFORMATION", 0 }, { "LOOKUP_TABLE", 1 }, { "POINTS", 0 }, { "SCALARS", 2 },
+  { "COLOR_SCALARS", 1 }, { "TEXTURE_COORDINATES", 1 }, { "X_COORDINATES", 0 },
+  { "Y_COORDINATES", 0 }, { "Z_COORDINATES", 0 } };
+const std::set<std::string> OfGrids = { "CELLS", "CELL_TYPES", "POINTS", "X_COORDINATES",
+  "Y_COORDINATES", "Z_COORDINATES" };
 
 // \param titleEnd what comes before are no keywords
 void CheckCounts(const std::string& path, std::streamoff titleEnd, bool isBinary, double there)
@@ -160,7 +159,9 @@ void CheckCounts(const std::string& path, std::streamoff titleEnd, bool isBinary
         long long number = 0;
         const bool isCounted = IsWhole(count, LLONG_MIN, LLONG_MAX, number);
         // Each takes some characters.
-        if (word == keyword && isCounted && static_cast<double>(number) > there / 4.0)
+        const bool isNegative = number < 0 && OfGrids.count(word) == 1;
+        if (word == keyword && isCounted &&
+          (isNegative || static_cast<double>(number) > there / 4.0))
         {
           throw Damaged(path, "it tells of " + count + " entries of " + keyword);
         }
@@ -178,7 +179,7 @@ void CheckCounts(const std::string& path, std::streamoff titleEnd, bool isBinary
 
 }
 
-void CheckLegacyFile(const std::string& path)
+std::string CheckLegacyFile(const std::string& path)
 {
   std::istringstream in(BytesOf(path, MostHeader));
   std::string line, kind;
@@ -200,13 +201,13 @@ void CheckLegacyFile(const std::string& path)
   {
     kind = "field";
   }
-  const auto other = ClassOf.find(kind);
-  if (other != ClassOf.end())
+  const auto other = Refused.find(kind);
+  if (other != Refused.end())
   {
     throw UserError(Quoted(path) + " holds a " + other->second +
-      ", not an image; resample it with vtkResampleToImage and save it as .vti.");
+      ", which has no cells with a volume; choose a file with an image or a grid.");
   }
-  if (LowerCase(keyword) != "dataset" || kind != "structured_points")
+  if (LowerCase(keyword) != "dataset" || Kinds.count(kind) == 0)
   {
     throw Damaged(path, "its header tells of no dataset");
   }
@@ -235,4 +236,5 @@ void CheckLegacyFile(const std::string& path)
       RequireSamples(path, samples, 0.125, there);
     }
   }
+  return kind;
 }

@@ -13,11 +13,11 @@
 // and must fit what the file has. Each throws UserError where it does not; a file that passes may
 // still be refused by its reader.
 void CheckDicomFiles(const std::string& directory);
-void CheckLegacyFile(const std::string& path);
+std::string CheckLegacyFile(const std::string& path); // "structured_points" or a mesh
 void CheckMetaImage(const std::string& path);
 void CheckNifti(const std::string& path);
 void CheckSlc(const std::string& path);
-void CheckXmlImage(const std::string& path);
+void CheckXmlFile(const std::string& path);
 
 // The sentence that tells what is wrong with a file.
 UserError Damaged(const std::string& path, const std::string& reason);

@@ -2,17 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Files/VolumeReader.h"
 
+#include "Files/Arrays.h"
 #include "Files/FileCheck.h"
 #include "Files/FourSpheres.h"
+#include "Files/MeshReader.h"
+#include "Files/PlaceCheck.h"
+#include "Files/Reading.h"
 #include "Program/Quoted.h"
 #include "Program/Silence.h"
 #include "Program/UserError.h"
 
-#include <vtkAlgorithm.h>
 #include <vtkBitArray.h>
-#include <vtkCallbackCommand.h>
 #include <vtkDICOMImageReader.h>
 #include <vtkDataArray.h>
+#include <vtkImageData.h>
 #include <vtkImageReader2.h>
 #include <vtkMetaImageReader.h>
 #include <vtkNIFTIImageReader.h>
@@ -26,7 +29,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
@@ -49,72 +51,7 @@ std::string ListOfSuffixes()
   {
     list += std::string(list.empty() ? "" : ", ") + suffix;
   }
-  return list;
-}
-
-// Passes a reader's progress on, and what is answered back.
-class Watch
-{
-public:
-  Watch(vtkAlgorithm* reader, const ReadingProgress& progress)
-    : Reader(reader)
-    , Progress(progress)
-  {
-    if (this->Progress)
-    {
-      this->Command->SetClientData(this);
-      this->Command->SetCallback(&Watch::OnProgress);
-      this->Reader->AddObserver(vtkCommand::ProgressEvent, this->Command);
-    }
-  }
-  ~Watch() { this->Reader->RemoveObserver(this->Command); }
-  Watch(const Watch&) = delete;
-  Watch& operator=(const Watch&) = delete;
-
-  // Reads the file. Throws UserError if it was stopped.
-  void Update(const std::string& path)
-  {
-    this->Reader->Update();
-    if (this->IsStopped)
-    {
-      throw UserError("Reading " + Quoted(path) + " was stopped; open it again to read all of it.");
-    }
-  }
-
-private:
-  static void OnProgress(vtkObject*, unsigned long, void* clientData, void* callData)
-  {
-    auto* self = static_cast<Watch*>(clientData);
-    if (!self->IsStopped && !self->Progress(*static_cast<double*>(callData)))
-    {
-      self->IsStopped = true;
-      self->Reader->SetAbortExecute(1);
-    }
-  }
-
-  vtkAlgorithm* Reader;
-  const ReadingProgress& Progress;
-  vtkNew<vtkCallbackCommand> Command;
-  bool IsStopped = false;
-};
-
-bool EndsWith(const std::string& text, const std::string& end)
-{
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
-std::string LowerCase(std::string text)
-{
-  std::transform(text.begin(), text.end(), text.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
-UserError Unreadable(const std::string& path)
-{
-  return UserError(Quoted(path) +
-    " could not be read as what its suffix says; check that the file is whole and of that "
-    "format.");
+  return list + ", " + ListOfMeshSuffixes();
 }
 
 // For the readers of IOImage, which know their files by CanReadFile.
@@ -198,7 +135,7 @@ Volume ReadNifti(const std::string& path, const ReadingProgress& progress)
 {
   Volume volume;
   vtkNew<vtkNIFTIImageReader> reader;
-  volume.Image = ReadImage(reader.Get(), path, progress);
+  volume.Data = ReadImage(reader.Get(), path, progress);
   vtkMatrix4x4* placement =
     reader->GetSFormMatrix() ? reader->GetSFormMatrix() : reader->GetQFormMatrix();
   if (placement && std::abs(placement->Determinant()) > 0.0)
@@ -209,24 +146,35 @@ Volume ReadNifti(const std::string& path, const ReadingProgress& progress)
   return volume;
 }
 
-Volume ReadFile(const std::string& path, const ReadingProgress& progress)
+Volume ReadFile(const VolumeSource& source, const ReadingProgress& progress)
 {
+  const std::string& path = source.Path;
   const std::string name = LowerCase(path);
   Volume volume;
-  if (EndsWith(name, ".vti"))
+  if (IsMeshName(path))
   {
-    CheckXmlImage(path);
-    volume.Image = ReadImage(vtkNew<vtkXMLImageDataReader>().Get(), path, progress);
+    ReadMesh(source, progress, volume);
+  }
+  else if (EndsWith(name, ".vti"))
+  {
+    CheckXmlFile(path);
+    volume.Data = ReadImage(vtkNew<vtkXMLImageDataReader>().Get(), path, progress);
   }
   else if (EndsWith(name, ".vtk"))
   {
-    CheckLegacyFile(path);
-    volume.Image = ReadLegacy(path, progress);
+    if (CheckLegacyFile(path) == "structured_points")
+    {
+      volume.Data = ReadLegacy(path, progress);
+    }
+    else
+    {
+      ReadMesh(source, progress, volume);
+    }
   }
   else if (EndsWith(name, ".mhd") || EndsWith(name, ".mha"))
   {
     CheckMetaImage(path);
-    volume.Image = ReadImage(vtkNew<vtkMetaImageReader>().Get(), path, progress);
+    volume.Data = ReadImage(vtkNew<vtkMetaImageReader>().Get(), path, progress);
   }
   else if (EndsWith(name, ".nii") || EndsWith(name, ".nii.gz"))
   {
@@ -236,7 +184,7 @@ Volume ReadFile(const std::string& path, const ReadingProgress& progress)
   else if (EndsWith(name, ".slc"))
   {
     CheckSlc(path);
-    volume.Image = ReadImage(vtkNew<vtkSLCReader>().Get(), path, progress);
+    volume.Data = ReadImage(vtkNew<vtkSLCReader>().Get(), path, progress);
   }
   else
   {
@@ -279,32 +227,6 @@ void CheckImage(vtkImageData* image, const std::string& name)
   }
 }
 
-// Cameras are placed by the box of the samples: it must be one that numbers can tell of.
-// \param corner of the box
-// \param edges from there
-bool CanBeSeen(const vtkVector3d& corner, const std::array<vtkVector3d, 3>& edges)
-{
-  constexpr double Largest = 1e15, Farthest = 1e9, Flattest = 1e-6;
-  for (const vtkVector3d& v : { corner, edges[0], edges[1], edges[2] })
-  {
-    // False for what is no number, too.
-    if (!(std::abs(v[0]) <= Largest && std::abs(v[1]) <= Largest && std::abs(v[2]) <= Largest))
-    {
-      return false;
-    }
-  }
-  const std::array<double, 3> lengths = { edges[0].Norm(), edges[1].Norm(), edges[2].Norm() };
-  const auto [shortest, longest] = std::minmax_element(lengths.begin(), lengths.end());
-  if (!(*shortest >= std::max(1.0 / Largest, Flattest * *longest)))
-  {
-    return false;
-  }
-  // Of edges at right angles it would be 1.
-  const double upright =
-    std::abs(edges[0].Cross(edges[1]).Dot(edges[2])) / (lengths[0] * lengths[1] * lengths[2]);
-  return upright >= Flattest && corner.Norm() <= Farthest * *longest;
-}
-
 // \param placement may be null
 void CheckPlace(vtkImageData* image, vtkMatrix4x4* placement, const std::string& name)
 {
@@ -337,8 +259,9 @@ void CheckPlace(vtkImageData* image, vtkMatrix4x4* placement, const std::string&
 bool HasVolumeSuffix(const std::string& path)
 {
   const std::string name = LowerCase(path);
-  return std::any_of(KnownSuffixes.begin(), KnownSuffixes.end(),
-    [&name](const char* suffix) { return EndsWith(name, suffix); });
+  return IsMeshName(path) ||
+    std::any_of(KnownSuffixes.begin(), KnownSuffixes.end(),
+      [&name](const char* suffix) { return EndsWith(name, suffix); });
 }
 
 namespace
@@ -357,7 +280,7 @@ Volume ReadPath(const VolumeSource& source, const ReadingProgress& progress)
   }
   if (fs::is_directory(path, error))
   {
-    volume.Image = ReadDicom(path, progress);
+    volume.Data = ReadDicom(path, progress);
     volume.From = "+y";
   }
   else if (!fs::is_regular_file(path, error))
@@ -371,20 +294,33 @@ Volume ReadPath(const VolumeSource& source, const ReadingProgress& progress)
   }
   else if (source.Raw)
   {
-    volume.Image = ReadRaw(path, *source.Raw, source.BigEndian, progress);
+    volume.Data = ReadRaw(path, *source.Raw, source.BigEndian, progress);
   }
   else
   {
-    volume = ReadFile(path, progress);
+    volume = ReadFile(source, progress);
   }
   if (silence.HeardErrors())
   {
     throw Unreadable(path);
   }
   volume.Name = Printable(fs::path(path).filename().string());
-  CheckImage(volume.Image, Quoted(path));
-  CheckPlace(volume.Image, nullptr, Quoted(path));
-  CheckPlace(volume.Image, volume.Placement, Quoted(path));
+  if (source.TimeStep > volume.TimeSteps)
+  {
+    throw UserError(Quoted(path) + " has " + std::to_string(volume.TimeSteps) +
+      " time steps; choose one of these instead of " + std::to_string(source.TimeStep) + ".");
+  }
+  if (auto* image = vtkImageData::SafeDownCast(volume.Data))
+  {
+    CheckImage(image, Quoted(path));
+    CheckPlace(image, nullptr, Quoted(path));
+    CheckPlace(image, volume.Placement, Quoted(path));
+  }
+  else
+  {
+    CheckMesh(volume.Data, Quoted(path));
+  }
+  ChooseArray(volume, source.Array);
   return volume;
 }
 
@@ -395,9 +331,9 @@ Volume ReadVolume(const VolumeSource& source, const ReadingProgress& progress)
   if (source.Path.empty())
   {
     Volume volume;
-    volume.Image = MakeFourSpheres(source.Spheres);
+    volume.Data = MakeFourSpheres(source.Spheres);
     volume.Name = "four generated spheres";
-    CheckImage(volume.Image, "The generated volume");
+    CheckImage(vtkImageData::SafeDownCast(volume.Data), "The generated volume");
     return volume;
   }
   try

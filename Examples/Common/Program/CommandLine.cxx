@@ -167,6 +167,9 @@ CommandLine::CommandLine(CommonOptions& options)
     { "--spheres",
       [&o](Text name, Text value) { o.Source.Spheres = ParseCount(name, value, 2048); } },
     { "--isovalue", [&o](Text, Text value) { o.Isovalue = ParseIsovalue(value); } },
+    { "--array", [&o](Text, Text value) { o.Source.Array = value; } },
+    { "--time-step",
+      [&o](Text name, Text value) { o.Source.TimeStep = ParseCount(name, value, INT_MAX); } },
     { "--raw", [&o](Text, Text value) { o.Source.Raw = ParseRaw(value); } },
     { "--from", [&o](Text name, Text value) { o.From = ParseAxis(name, value); } },
     { "--up", [&o](Text name, Text value) { o.Up = ParseAxis(name, value); } } };
@@ -250,6 +253,9 @@ const char* const CommonOptionsHelp =
   --from AXIS            where the viewer stands: +x -x +y -y +z -z; default: +y for NIfTI and
                          DICOM, -y otherwise
   --up AXIS              which way is up in the picture; default +z
+  --array NAME           which array of numbers, of points or cells; default: that of the image; of
+                         a grid, the first one that holds ISOVALUE
+  --time-step N          which time step of a file that has several; default 1
   --raw NX,NY,NZ,TYPE[,SX,SY,SZ]
                          samples, type (uchar char ushort short uint int float double) and spacing
                          of a raw file, for example 256,256,110,uchar,1,1,2

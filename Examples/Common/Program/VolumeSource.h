@@ -22,6 +22,8 @@ struct VolumeSource
   int Spheres = 256; // samples along an axis of the generated volume
   std::optional<RawLayout> Raw;
   bool BigEndian = false; // of raw samples
+  std::string Array;      // name of what is drawn; empty: chosen
+  int TimeStep = 1;       // of the file, from 1
 };
 
 #endif

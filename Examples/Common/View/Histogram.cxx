@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "View/Histogram.h"
 
+#include "Files/Arrays.h"
+#include "Program/Quoted.h"
 #include "Program/UserError.h"
 
 #include <vtkArrayDispatch.h>
 #include <vtkDataArray.h>
 #include <vtkDataArrayRange.h>
-#include <vtkImageData.h>
-#include <vtkPointData.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <sstream>
@@ -38,13 +39,34 @@ struct Counter
   }
 };
 
+// Of the finite values in all arrays; the first larger than the second if there are none.
+std::array<double, 2> RangeOf(const std::vector<vtkDataArray*>& arrays)
+{
+  std::array<double, 2> range = { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
+  for (vtkDataArray* array : arrays)
+  {
+    double own[2];
+    array->GetFiniteRange(own, 0);
+    range = { std::min(range[0], own[0]), std::max(range[1], own[1]) };
+  }
+  return range;
 }
 
-Histogram CountSamples(vtkImageData* image, const std::string& name)
+// The volume, and the array if it was chosen among others.
+std::string NameOf(const Volume& volume)
+{
+  const std::string& array = volume.Array.Name;
+  return array.empty() ? Quoted(volume.Name) : Quoted(array) + " in " + Quoted(volume.Name);
+}
+
+}
+
+Histogram CountSamples(const Volume& volume)
 {
   Histogram histogram;
-  vtkDataArray* array = image->GetPointData()->GetScalars();
-  array->GetFiniteRange(histogram.Range.data(), 0);
+  const std::string name = NameOf(volume);
+  const std::vector<vtkDataArray*> arrays = ShownArrays(volume);
+  histogram.Range = RangeOf(arrays);
   if (histogram.Range[0] > histogram.Range[1])
   {
     throw UserError("No sample of " + name +
@@ -67,15 +89,20 @@ Histogram CountSamples(vtkImageData* image, const std::string& name)
   }
   // Few whole numbers get a bin each: bins between them would be empty.
   const double values = histogram.Range[1] - histogram.Range[0] + 1.0;
-  const bool isWhole = array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE;
+  const bool isWhole = std::all_of(arrays.begin(), arrays.end(),
+    [](vtkDataArray* array)
+    { return array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE; });
   if (isWhole && values < static_cast<double>(histogram.Bins.size()))
   {
     histogram.Bins.resize(static_cast<std::size_t>(values));
   }
   Counter counter{ histogram };
-  if (!vtkArrayDispatch::Dispatch::Execute(array, counter))
+  for (vtkDataArray* array : arrays)
   {
-    counter(array);
+    if (!vtkArrayDispatch::Dispatch::Execute(array, counter))
+    {
+      counter(array);
+    }
   }
   return histogram;
 }

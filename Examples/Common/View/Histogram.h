@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-class vtkImageData;
+struct Volume;
 
 // How many samples of a volume's first component lie around each of evenly spaced values: those of
 // the first bin around Range[0], those of the last around Range[1].
@@ -17,8 +17,7 @@ struct Histogram
   std::vector<double> Bins = std::vector<double>(256, 0.0); // fewer for few whole numbers
 };
 
-// Throws UserError if all samples are the same.
-// \param name of the volume, for messages
-Histogram CountSamples(vtkImageData* image, const std::string& name);
+// Of the array that is drawn. Throws UserError if all samples are the same.
+Histogram CountSamples(const Volume& volume);
 
 #endif

@@ -15,6 +15,9 @@ const std::vector<Action>& AllActions()
     { Do::Save, "save", "Save", 'w', "save the session" },
     { Do::Restore, "restore", "Restore", 'z', "restore the saved session" },
     { Do::ResetView, "reset", "Reset view", 'h', "see all of the volume" },
+    { Do::NextArray, "next-array", "", 'n', "the next array of the file" },
+    { Do::EarlierStep, "earlier", "", ',', "the time step before" },
+    { Do::LaterStep, "later", "", '.', "the next time step" },
     { Do::Help, "help", "Keys", '?', "show or hide these lines; also F1" },
     { Do::Quit, "quit", "", 'q', "end" },
   };

@@ -17,6 +17,9 @@ enum class Do
   Save,
   Restore,
   ResetView,
+  NextArray,
+  EarlierStep,
+  LaterStep,
   Help,
   Quit,
 };

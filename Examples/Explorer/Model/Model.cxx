@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Model/Model.h"
 
+#include "Files/Arrays.h"
 #include "Program/Quoted.h"
+#include "Program/UserError.h"
 #include "View/Isovalue.h"
 
 #include <algorithm>
-#include <sstream>
+#include <utility>
 
 namespace
 {
@@ -21,24 +23,23 @@ Model::Model(const std::string& from, const std::string& up)
 {
 }
 
+Volume Model::Read(const VolumeSource& source)
+{
+  return ReadVolume(source,
+    [this, &source](double share)
+    { return !this->Report || this->Report("Reading " + source.Path, share); });
+}
+
 void Model::Open(const Session& session)
 {
-  const std::string& path = session.Source.Path;
-  Volume volume = ReadVolume(session.Source,
-    [this, &path](double share)
-    { return !this->Report || this->Report("Reading " + path, share); });
-  const std::string name = Quoted(volume.Name);
-  Histogram samples = CountSamples(volume.Image, name);
-  const IsovalueChoice isovalue = ChooseIsovalue(samples, session.Isovalue, name);
+  Volume volume = this->Read(session.Source);
+  ChooseArray(volume, session.Source.Array, session.Isovalue);
+  Histogram samples = CountSamples(volume);
+  Session opened = session;
+  opened.Isovalue = ChooseIsovalue(samples, session.Isovalue, Quoted(volume.Name)).Value;
 
   // Nothing can go wrong from here on.
-  this->Shown = std::move(volume);
-  this->Samples = std::move(samples);
-  this->Current = session;
-  this->Ahead = {};
-  this->View.Show(this->Shown, this->Samples.Range);
-  this->View.Apply(this->Current.Choices);
-  this->SetIsovalue(isovalue.Value);
+  this->Show(std::move(volume), std::move(samples), opened);
   if (session.Camera)
   {
     this->View.SetCamera(*session.Camera);
@@ -49,17 +50,62 @@ void Model::Open(const Session& session)
   }
 }
 
+// All but the camera.
+void Model::Show(Volume volume, Histogram samples, const Session& session)
+{
+  this->Shown = std::move(volume);
+  this->Samples = std::move(samples);
+  this->Current = session;
+  this->Ahead = {};
+  this->View.Show(this->Shown, this->Samples.Range);
+  this->View.Apply(this->Current.Choices);
+  this->SetIsovalue(*session.Isovalue);
+}
+
 std::string Model::Description() const
 {
-  std::ostringstream text;
-  if (this->Shown.Image)
+  std::string text = this->Shown.Data ? DescriptionOf(this->Shown) : "";
+  if (this->Shown.TimeSteps > 1)
   {
-    int n[3];
-    this->Shown.Image->GetDimensions(n);
-    text << n[0] << " x " << n[1] << " x " << n[2] << "  "
-         << this->Shown.Image->GetScalarTypeAsString();
+    text += "  step " + std::to_string(this->Current.Source.TimeStep) + " of " +
+      std::to_string(this->Shown.TimeSteps);
   }
-  return text.str();
+  return text;
+}
+
+void Model::TurnArray()
+{
+  const std::string name = NextArray(this->Shown);
+  if (name.empty())
+  {
+    throw UserError(
+      Quoted(this->Shown.Name) + " has one array only; open a file that has several to turn them.");
+  }
+  // If all its values are the same, the key leads past it.
+  ChooseArray(this->Shown, name);
+  Histogram samples = CountSamples(this->Shown);
+  Session session = this->Current;
+  session.Source.Array = name;
+  session.Isovalue = ChooseIsovalue(samples, std::nullopt, Quoted(name)).Value;
+  this->Show(this->Shown, std::move(samples), session);
+}
+
+void Model::TurnTimeStep(int steps)
+{
+  const int count = this->Shown.TimeSteps;
+  if (count < 2)
+  {
+    throw UserError(
+      Quoted(this->Shown.Name) + " has one time step only; open a file that has several.");
+  }
+  Session session = this->Current;
+  session.Source.TimeStep = (session.Source.TimeStep - 1 + steps + count) % count + 1;
+  session.Source.Array = this->Shown.Array.Name;
+  Volume volume = this->Read(session.Source);
+  Histogram samples = CountSamples(volume);
+  // The isovalue stays if it can.
+  session.Isovalue = std::clamp(this->Isovalue(), samples.Range[0], samples.Range[1]);
+  this->Show(std::move(volume), std::move(samples), session);
 }
 
 void Model::SetIsovalue(double isovalue)

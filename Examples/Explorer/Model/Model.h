@@ -33,6 +33,10 @@ public:
   const std::string& Name() const { return this->Shown.Name; }
   std::string Description() const; // "256 x 256 x 110 uchar"
 
+  // The next array of the file; another time step. The view stays. Both throw UserError.
+  void TurnArray();
+  void TurnTimeStep(int steps);
+
   // The nearest isovalue there is in the data.
   void SetIsovalue(double isovalue);
   void StepIsovalue(double steps); // of 1/256 of the range
@@ -50,6 +54,9 @@ public:
   VolumeView View;
 
 private:
+  Volume Read(const VolumeSource& source);
+  void Show(Volume volume, Histogram samples, const Session& session);
+
   // What an isomap belongs to, of one volume.
   struct Sight
   {

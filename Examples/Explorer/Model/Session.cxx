@@ -10,6 +10,7 @@
 #include <vtkVectorOperators.h>
 
 #include <algorithm>
+#include <climits>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -93,6 +94,9 @@ std::map<std::string, Taker> Takers()
     { "spheres", [](Session& s, Text v) { s.Source.Spheres = ParseCount("spheres", v, 2048); } },
     { "raw", [](Session& s, Text v) { s.Source.Raw = ParseRaw(v); } },
     { "big-endian", [](Session& s, Text v) { s.Source.BigEndian = v == "on"; } },
+    { "array", [](Session& s, Text v) { s.Source.Array = v; } },
+    { "time-step",
+      [](Session& s, Text v) { s.Source.TimeStep = ParseCount("time-step", v, INT_MAX); } },
     { "isovalue", [](Session& s, Text v) { s.Isovalue = ParseNumber(v); } },
     { "camera-position", [](Session& s, Text v) { Parse(v, CameraOf(s).Position); } },
     { "camera-focal-point", [](Session& s, Text v) { Parse(v, CameraOf(s).FocalPoint); } },
@@ -166,6 +170,14 @@ void WriteSession(const Session& session, const std::string& path)
   {
     file << "raw = " << RawAsText(*source.Raw) << '\n'
          << "big-endian = " << (source.BigEndian ? "on" : "off") << '\n';
+  }
+  if (!source.Array.empty())
+  {
+    file << "array = " << source.Array << '\n';
+  }
+  if (source.TimeStep > 1)
+  {
+    file << "time-step = " << source.TimeStep << '\n';
   }
   if (session.Isovalue)
   {

@@ -3,6 +3,7 @@
 #include "Model/VolumeView.h"
 
 #include "Drawing/Theme.h"
+#include "Files/Arrays.h"
 #include "Model/Appearance.h"
 #include "Program/UserError.h"
 #include "View/Picture.h"
@@ -59,7 +60,8 @@ void VolumeView::Show(const Volume& volume, const std::array<double, 2>& range)
 {
   this->Range = range;
   this->Mapper->ReleaseReuse();
-  this->Mapper->SetInputData(volume.Image);
+  this->Mapper->SetInputDataObject(volume.Data);
+  ShowArray(volume, this->Mapper);
   this->Actor->SetUserMatrix(volume.Placement);
   vtkNew<vtkPiecewiseFunction> opaque;
   opaque->AddPoint(range[0], 1.0);

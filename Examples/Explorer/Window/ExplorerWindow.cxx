@@ -89,6 +89,22 @@ void ExplorerWindow::Open(const Session& session)
   this->Log.Event("opened", this->Data.Name());
 }
 
+// Another array or time step of the file.
+void ExplorerWindow::ShowOther(const std::function<void()>& turn)
+{
+  this->Try(
+    [&]
+    {
+      {
+        const Work work(*this);
+        turn();
+      }
+      this->Parts.Statistics.SetVolume(this->Data.Name(), this->Data.Description());
+      this->Parts.Invalidate();
+      this->Log.Event("shown", this->Data.Description());
+    });
+}
+
 void ExplorerWindow::Run()
 {
   this->Render();
@@ -218,7 +234,10 @@ void ExplorerWindow::OpenPath(const std::string& path)
       }
       // Another volume is looked at in the same way.
       Session session = this->Data.State();
-      session.Source = { path, session.Source.Spheres, {}, false };
+      VolumeSource source;
+      source.Path = path;
+      source.Spheres = session.Source.Spheres;
+      session.Source = source;
       session.Isovalue.reset();
       session.Camera.reset();
       this->Open(session);

@@ -55,6 +55,7 @@ private:
   void Turn(Choose what, int steps);
   void SetIsovalueAt(int x);
   void OpenPath(const std::string& path);
+  void ShowOther(const std::function<void()>& turn);
   void BuildIsomap();
   void PrepareDrag();
   void SavePicture();

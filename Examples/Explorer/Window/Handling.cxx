@@ -260,6 +260,15 @@ void ExplorerWindow::Perform(Do action)
     case Do::ResetView:
       this->Try([this] { this->Data.ResetView(); });
       break;
+    case Do::NextArray:
+      this->ShowOther([this] { this->Data.TurnArray(); });
+      break;
+    case Do::EarlierStep:
+      this->ShowOther([this] { this->Data.TurnTimeStep(-1); });
+      break;
+    case Do::LaterStep:
+      this->ShowOther([this] { this->Data.TurnTimeStep(1); });
+      break;
     case Do::Help:
       this->ToggleHelp();
       break;

@@ -4,6 +4,7 @@
 
 #include "FeatureScene.h"
 #include "LayerPictures.h"
+#include "MeshPictures.h"
 #include "Volumes/Volumes.h"
 #include "vtkTemporalCoherencePicker.h"
 
@@ -321,7 +322,9 @@ const std::vector<Feature>& All()
   static const std::vector<Feature> features = { { "translucent", LayerPictures::Skull },
     { "flames", LayerPictures::Flames }, { "vessels", LayerPictures::Vessels }, { "caps", Capped },
     { "cropping", Cropped }, { "clipping", Clipped }, { "rectilinear", Rectilinear },
-    { "blocks", Blocks }, { "depth", AmongPolygons }, { "picking", Picked } };
+    { "blocks", Blocks }, { "unstructured", MeshPictures::Unstructured },
+    { "curvilinear", MeshPictures::Curvilinear }, { "depth", AmongPolygons },
+    { "picking", Picked } };
   return features;
 }
 

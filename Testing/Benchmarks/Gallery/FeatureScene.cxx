@@ -9,12 +9,18 @@
 #include <vtkVolumeProperty.h>
 
 FeatureScene::FeatureScene(const GallerySettings& settings, const Subject& subject)
+  : FeatureScene(settings, subject.Image, subject.Name, subject.View)
+{
+}
+
+FeatureScene::FeatureScene(const GallerySettings& settings, vtkDataObject* data,
+  const std::string& name, const Style::View& view)
   : Room(settings.Size)
   , Settings(settings)
 {
   this->Volume->SetMapper(this->Mapper);
   this->Room.Renderer->AddVolume(this->Volume);
-  this->SetInput(subject.Image, subject.Name, subject.View);
+  this->SetInput(data, name, view);
 }
 
 void FeatureScene::SetInput(vtkDataObject* data, const std::string& name, const Style::View& view)

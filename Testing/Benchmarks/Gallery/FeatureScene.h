@@ -31,6 +31,8 @@ struct FeatureScene
   static constexpr double Degrees = 2.0; ///< of the orbit that is timed, a frame
 
   FeatureScene(const GallerySettings& settings, const Subject& subject);
+  FeatureScene(const GallerySettings& settings, vtkDataObject* data, const std::string& name,
+    const Style::View& view);
 
   void Show(const std::vector<Style::Surface>& surfaces);
 

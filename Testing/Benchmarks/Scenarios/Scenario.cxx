@@ -79,7 +79,7 @@ const std::vector<Volumes::Sample>& FewVolumes()
 
 std::vector<Scenario> Scenarios::All()
 {
-  return { Routes(), Peers(), LayerPeers(), ImageCache(), Drift(), Isomap(), Drags(), LayerDrags(),
-    Growth(), Threads(), Vectors(), Structures(), Window(), Features(), Opacities(), Surfaces(),
-    Floor() };
+  return { Routes(), Peers(), LayerPeers(), Meshes(), ImageCache(), Drift(), Isomap(), Drags(),
+    LayerDrags(), Growth(), Threads(), Vectors(), Structures(), Window(), Features(), Opacities(),
+    Surfaces(), Floor() };
 }

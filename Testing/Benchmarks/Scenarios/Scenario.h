@@ -64,6 +64,7 @@ namespace Scenarios
 Scenario Routes();
 Scenario Peers();
 Scenario LayerPeers();
+Scenario Meshes();
 Scenario ImageCache();
 Scenario Drift();
 Scenario Isomap();

@@ -10,6 +10,7 @@
 #include <climits>
 #include <cmath>
 #include <map>
+#include <set>
 #include <sstream>
 #include <vector>
 
@@ -27,6 +28,11 @@ const std::map<std::string, double> BytesOfType = { { "Int8", 1.0 }, { "UInt8", 
 const std::map<std::string, double> Compressors = { { "", 1.0 },
   { "vtkZLibDataCompressor", MostByDeflation }, { "vtkLZ4DataCompressor", 256.0 },
   { "vtkLZMADataCompressor", 1e5 } };
+
+// What files may hold: a grid, or a list of files with parts of one.
+const std::set<std::string> Types = { "ImageData", "RectilinearGrid", "StructuredGrid",
+  "UnstructuredGrid", "PRectilinearGrid", "PStructuredGrid", "PUnstructuredGrid",
+  "vtkMultiBlockDataSet", "vtkOverlappingAMR", "vtkHierarchicalBoxDataSet" };
 
 // The name and the attributes of an element, and where its content begins.
 struct Element
@@ -169,17 +175,25 @@ private:
     {
       this->LookAtFile(element);
     }
-    else if (name == "ImageData")
+    else if (name == "ImageData" || name == "StructuredGrid" || name == "RectilinearGrid")
     {
       this->PointsOf(element["WholeExtent"]);
       this->WholePoints = this->Points;
     }
     else if (name == "Piece")
     {
-      this->PointsOf(element["Extent"]);
-      this->PiecePoints += this->Points;
+      if (element.Attributes.count("NumberOfPoints") == 1)
+      {
+        this->PointsOfMesh(element);
+      }
+      else if (element.Attributes.count("Source") == 0)
+      {
+        this->PointsOf(element["Extent"]);
+        this->PiecePoints += this->Points;
+      }
     }
-    else if (name == "PointData" || name == "CellData" || name == "FieldData")
+    else if (name == "PointData" || name == "CellData" || name == "FieldData" || name == "Points" ||
+      name == "Cells" || name == "Coordinates")
     {
       this->Place = name;
     }
@@ -196,9 +210,9 @@ private:
     const bool isKnown = (header.empty() || header == "UInt32" || header == "UInt64") &&
       (order.empty() || order == "LittleEndian" || order == "BigEndian") &&
       Compressors.count(this->Compressor) == 1;
-    if (!isKnown || element["type"] != "ImageData")
+    if (!isKnown || Types.count(element["type"]) == 0)
     {
-      throw Damaged(this->Path, "its element VTKFile is not that of an image");
+      throw Damaged(this->Path, "its element VTKFile is not that of an image or a grid");
     }
     this->HeaderSize = header == "UInt64" ? 8 : 4;
     this->IsBig = order == "BigEndian";
@@ -227,6 +241,20 @@ private:
     RequireSamples(this->Path, this->Points, 0.125, this->Size, Compressors.at(this->Compressor));
   }
 
+  void PointsOfMesh(const Element& element)
+  {
+    long long points = 0, cells = 0;
+    if (!IsWhole(element["NumberOfPoints"], 0, LLONG_MAX, points) ||
+      !IsWhole(element["NumberOfCells"], 0, LLONG_MAX, cells))
+    {
+      throw Damaged(this->Path, "its numbers of points and cells are no numbers");
+    }
+    this->Points = static_cast<double>(points);
+    this->Cells = static_cast<double>(cells);
+    const double most = std::max(this->Points, this->Cells);
+    RequireSamples(this->Path, most, 1.0, this->Size, Compressors.at(this->Compressor));
+  }
+
   void LookAtArray(const Element& element)
   {
     long long components = 1, tuples = 0, offset = 0;
@@ -239,6 +267,10 @@ private:
       throw Damaged(this->Path,
         "its array " + Quoted(element["Name"]) +
           " has a type, components, tuples or an offset that there are not");
+    }
+    if (this->Place == "Cells" || this->Place == "Coordinates")
+    {
+      return; // how many there are, only other arrays tell
     }
     const double count = this->Place == "FieldData" ? static_cast<double>(tuples)
       : this->Place == "CellData"                   ? this->Cells
@@ -361,7 +393,7 @@ private:
 
 }
 
-void CheckXmlImage(const std::string& path)
+void CheckXmlFile(const std::string& path)
 {
   Check(path).Run();
 }

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Arrays_h
+#define Arrays_h
+
+#include "Files/Volume.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+class vtkAbstractVolumeMapper;
+class vtkDataArray;
+class vtkDataSet;
+
+// The data sets of a data object: itself, or its leaves.
+std::vector<vtkDataSet*> DataSetsOf(vtkDataObject* data);
+
+// The arrays of numbers that a data set or any leaf has, those at points first.
+std::vector<ArrayChoice> AllArrays(vtkDataObject* data);
+
+// The array that is drawn, of each data set that has it.
+std::vector<vtkDataArray*> ShownArrays(const Volume& volume);
+
+// Choose what is drawn by its name; without one, the first array that holds the isovalue, or else
+// the first one. Throws UserError if there is no such array.
+void ChooseArray(
+  Volume& volume, const std::string& name, const std::optional<double>& isovalue = std::nullopt);
+
+// The array after the one that is drawn; the first follows the last. Empty if there is no other.
+std::string NextArray(const Volume& volume);
+
+// Let a mapper draw the volume's array.
+void ShowArray(const Volume& volume, vtkAbstractVolumeMapper* mapper);
+
+// "256 x 256 x 110  uchar", or "7472 cells  double Temp"
+std::string DescriptionOf(const Volume& volume);
+
+#endif

@@ -1,0 +1,224 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Files/MeshReader.h"
+
+#include "Files/FileCheck.h"
+#include "Program/Quoted.h"
+
+#include <vtkGenericDataObjectReader.h>
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+#include <vtkXMLMultiBlockDataReader.h>
+#include <vtkXMLPRectilinearGridReader.h>
+#include <vtkXMLPStructuredGridReader.h>
+#include <vtkXMLPUnstructuredGridReader.h>
+#include <vtkXMLRectilinearGridReader.h>
+#include <vtkXMLStructuredGridReader.h>
+#include <vtkXMLUniformGridAMRReader.h>
+#include <vtkXMLUnstructuredGridReader.h>
+
+#ifdef EXAMPLES_HAVE_IOCGNSReader
+#include <vtkCGNSReader.h>
+#endif
+#ifdef EXAMPLES_HAVE_IOExodus
+#include <vtkExodusIIReader.h>
+#endif
+#ifdef EXAMPLES_HAVE_IOParallel
+#include <vtkMultiBlockPLOT3DReader.h>
+#endif
+
+#include <array>
+#include <filesystem>
+#include <functional>
+#include <vector>
+
+namespace
+{
+
+// A way to make a reader of a file, which may be refused.
+struct Format
+{
+  std::vector<const char*> Suffixes;
+  std::function<vtkSmartPointer<vtkAlgorithm>(const std::string& path)> Open;
+};
+
+template <typename Reader>
+vtkSmartPointer<vtkAlgorithm> OpenXml(const std::string& path)
+{
+  CheckXmlFile(path);
+  const auto reader = vtkSmartPointer<Reader>::New();
+  if (!reader->CanReadFile(path.c_str()))
+  {
+    throw Unreadable(path);
+  }
+  reader->SetFileName(path.c_str());
+  return reader;
+}
+
+vtkSmartPointer<vtkAlgorithm> OpenLegacy(const std::string& path)
+{
+  const auto reader = vtkSmartPointer<vtkGenericDataObjectReader>::New();
+  reader->SetFileName(path.c_str());
+  reader->ReadAllScalarsOn();
+  reader->ReadAllVectorsOn();
+  reader->ReadAllFieldsOn();
+  return reader;
+}
+
+#if defined(EXAMPLES_HAVE_IOExodus) || defined(EXAMPLES_HAVE_IOCGNSReader)
+// The libraries below these readers say more than one sentence of other files.
+void RequireBeginning(const std::string& path, const std::vector<std::string>& beginnings)
+{
+  const std::string begin = BytesOf(path, 64);
+  for (const std::string& beginning : beginnings)
+  {
+    if (begin.find(beginning) < 8)
+    {
+      return;
+    }
+  }
+  throw Unreadable(path);
+}
+#endif
+
+#ifdef EXAMPLES_HAVE_IOExodus
+vtkSmartPointer<vtkAlgorithm> OpenExodus(const std::string& path)
+{
+  RequireBeginning(path, { "CDF\x01", "CDF\x02", "CDF\x05", "HDF" });
+  const auto reader = vtkSmartPointer<vtkExodusIIReader>::New();
+  if (!reader->CanReadFile(path.c_str()))
+  {
+    throw Unreadable(path);
+  }
+  reader->SetFileName(path.c_str());
+  reader->UpdateInformation();
+  reader->GenerateObjectIdCellArrayOff();
+  reader->SetAllArrayStatus(vtkExodusIIReader::NODAL, 1);
+  reader->SetAllArrayStatus(vtkExodusIIReader::ELEM_BLOCK, 1);
+  return reader;
+}
+#endif
+
+#ifdef EXAMPLES_HAVE_IOCGNSReader
+vtkSmartPointer<vtkAlgorithm> OpenCgns(const std::string& path)
+{
+  RequireBeginning(path, { "HDF", "ADF" });
+  const auto reader = vtkSmartPointer<vtkCGNSReader>::New();
+  if (!reader->CanReadFile(path.c_str()))
+  {
+    throw Unreadable(path);
+  }
+  reader->SetFileName(path.c_str());
+  reader->UpdateInformation();
+  reader->EnableAllBases();
+  reader->EnableAllPointArrays();
+  reader->EnableAllCellArrays();
+  return reader;
+}
+#endif
+
+#ifdef EXAMPLES_HAVE_IOParallel
+// The values lie in another file, whose name has a q instead of xyz.
+std::string NameOfValues(const std::string& path)
+{
+  const std::filesystem::path whole(path);
+  std::string name = whole.filename().string();
+  const std::size_t at = name.rfind("xyz");
+  name.replace(at, 3, "q");
+  return (whole.parent_path() / name).string();
+}
+
+vtkSmartPointer<vtkAlgorithm> OpenPlot3D(const std::string& path)
+{
+  const std::string values = NameOfValues(path);
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(values, error))
+  {
+    throw UserError(Quoted(path) + " has the points of a PLOT3D grid, but there is no file " +
+      Quoted(values) + " with its values; put it beside the other.");
+  }
+  const auto reader = vtkSmartPointer<vtkMultiBlockPLOT3DReader>::New();
+  reader->AutoDetectFormatOn();
+  reader->SetXYZFileName(path.c_str());
+  reader->SetQFileName(values.c_str());
+  return reader;
+}
+#endif
+
+const std::vector<Format>& Formats()
+{
+  static const std::vector<Format> formats = {
+    { { ".vtu" }, OpenXml<vtkXMLUnstructuredGridReader> },
+    { { ".pvtu" }, OpenXml<vtkXMLPUnstructuredGridReader> },
+    { { ".vts" }, OpenXml<vtkXMLStructuredGridReader> },
+    { { ".pvts" }, OpenXml<vtkXMLPStructuredGridReader> },
+    { { ".vtr" }, OpenXml<vtkXMLRectilinearGridReader> },
+    { { ".pvtr" }, OpenXml<vtkXMLPRectilinearGridReader> },
+    { { ".vtm", ".vtmb" }, OpenXml<vtkXMLMultiBlockDataReader> },
+    { { ".vth", ".vthb" }, OpenXml<vtkXMLUniformGridAMRReader> },
+#ifdef EXAMPLES_HAVE_IOExodus
+    { { ".ex2", ".exo", ".e" }, OpenExodus },
+#endif
+#ifdef EXAMPLES_HAVE_IOCGNSReader
+    { { ".cgns" }, OpenCgns },
+#endif
+#ifdef EXAMPLES_HAVE_IOParallel
+    { { ".xyz", "xyz.bin" }, OpenPlot3D },
+#endif
+  };
+  return formats;
+}
+
+const Format* FormatOf(const std::string& path)
+{
+  const std::string name = LowerCase(path);
+  for (const Format& format : Formats())
+  {
+    for (const char* suffix : format.Suffixes)
+    {
+      if (EndsWith(name, suffix))
+      {
+        return &format;
+      }
+    }
+  }
+  return nullptr;
+}
+
+}
+
+bool IsMeshName(const std::string& path)
+{
+  return FormatOf(path) != nullptr;
+}
+
+std::string ListOfMeshSuffixes()
+{
+  std::string list;
+  for (const Format& format : Formats())
+  {
+    for (const char* suffix : format.Suffixes)
+    {
+      list += std::string(list.empty() ? "" : ", ") + suffix;
+    }
+  }
+  return list;
+}
+
+void ReadMesh(const VolumeSource& source, const ReadingProgress& progress, Volume& volume)
+{
+  const Format* format = FormatOf(source.Path);
+  const vtkSmartPointer<vtkAlgorithm> reader =
+    format ? format->Open(source.Path) : OpenLegacy(source.Path);
+  reader->UpdateInformation();
+  volume.TimeSteps = TimeStepsOf(reader);
+  if (source.TimeStep <= volume.TimeSteps)
+  {
+    Watch(reader, progress).Update(source.Path, source.TimeStep);
+  }
+  volume.Data = reader->GetOutputDataObject(0);
+  if (!volume.Data)
+  {
+    throw Unreadable(source.Path);
+  }
+}

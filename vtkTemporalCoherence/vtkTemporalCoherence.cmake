@@ -90,8 +90,10 @@ set(engine_files
   Mesh/MeshTree
   Mesh/RadixSort
   MeshFields/ActiveLeaves
+  MeshFields/BoxLevels
   MeshFields/CellFaces
   MeshFields/KernelsBoxes
+  MeshFields/KernelsTileGrid
   MeshFields/LeafCells
   MeshFields/MeshBandRays
   MeshFields/MeshBandTracer
@@ -138,7 +140,6 @@ set(bridge_files
   Grids/GridValues
   Grids/MeshDefectText
   Grids/MeshSource
-  Grids/MeanEdge
   Shapes/AmrBlocks
   Shapes/AmrLeaves
   Shapes/AmrMesh

@@ -79,7 +79,12 @@ void ActiveLeaves::Find(const RayBatch& rays, const TileGrid& grid, std::vector<
   while (count > 0)
   {
     const Block block = open[--count];
-    ForEachRay(this->WordOf(block.Level, block.Number),
+    std::uint64_t word = this->WordOf(block.Level, block.Number);
+    if (grid.IsGrid())
+    {
+      word &= BoxesWithin(grid.Planes(), this->Boxes.ChildrenOf(block.Level, block.Number));
+    }
+    ForEachRay(word,
       [&](std::size_t bit)
       {
         const Block child{ block.Level - 1,

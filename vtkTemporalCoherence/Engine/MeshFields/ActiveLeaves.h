@@ -5,6 +5,7 @@
 
 #include "Acceleration/ActiveCells.h"
 #include "Mesh/MeshTree.h"
+#include "MeshFields/BoxLevels.h"
 #include "MeshFields/TileGrid.h"
 #include "Scene/FieldKind.h"
 #include "Scene/RayBatch.h"
@@ -20,9 +21,11 @@ class ActiveLeaves
 {
 public:
   /// \param active null: all leaves and all of their cells are active
-  ActiveLeaves(const FieldKind& kind, const MeshTree& tree, const ActiveCells* active)
+  ActiveLeaves(
+    const FieldKind& kind, const MeshTree& tree, const BoxLevels& boxes, const ActiveCells* active)
     : Kind(kind)
     , Tree(tree)
+    , Boxes(boxes)
     , Active(active)
   {
   }
@@ -50,6 +53,7 @@ private:
 
   const FieldKind& Kind;
   const MeshTree& Tree;
+  const BoxLevels& Boxes;
   const ActiveCells* Active;
 };
 

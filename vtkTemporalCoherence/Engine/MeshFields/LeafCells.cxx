@@ -4,6 +4,8 @@
 
 #include "Scene/LayerBatch.h"
 
+#include <algorithm>
+
 namespace TemporalCoherence
 {
 
@@ -58,14 +60,14 @@ void LeafCells::Read(std::int64_t leaf, Cells& cells) const
       cell.Rank = MeshLattice::SizeOfBlock * leaf + static_cast<std::int64_t>(bit);
       cell.Number = this->Tree.CellAt(cell.Rank);
       this->Tree.Reader().Read(cell.Number, cell.Cell);
-      glm::dvec3 low = cell.Cell.Points[0], high = low;
-      for (std::size_t i = 1; i < static_cast<std::size_t>(cell.Cell.NumberOfPoints()); ++i)
+      const auto count = static_cast<std::size_t>(cell.Cell.NumberOfPoints());
+      for (std::size_t i = 0; i < 8; ++i)
       {
-        low = glm::min(low, cell.Cell.Points[i]);
-        high = glm::max(high, cell.Cell.Points[i]);
+        const glm::dvec3& point = cell.Cell.Points[std::min(i, count - 1)];
+        cell.Points[0][i] = point.x;
+        cell.Points[1][i] = point.y;
+        cell.Points[2][i] = point.z;
       }
-      cell.Middle = 0.5 * (low + high);
-      cell.Half = 0.5 * (high - low);
     });
 }
 

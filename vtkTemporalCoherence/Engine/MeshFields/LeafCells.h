@@ -5,9 +5,8 @@
 
 #include "Mesh/MeshTree.h"
 #include "MeshFields/ActiveLeaves.h"
+#include "MeshFields/KernelsTileGrid.h"
 #include "Scene/Frame.h"
-
-#include <glm/glm.hpp>
 
 #include <atomic>
 #include <cstddef>
@@ -23,8 +22,8 @@ struct ActiveCell
 {
   CellNumber Number;
   std::int64_t Rank;
-  glm::dvec3 Middle, Half; ///< of the box around it, in the coordinates of the mesh
   MeshCell Cell;
+  PointLanes Points; ///< those of the cell
 };
 
 /// Reads the active cells of leaves, each leaf once, for all tiles of a frame. Thread-safe.

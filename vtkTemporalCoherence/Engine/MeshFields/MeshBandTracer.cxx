@@ -18,10 +18,11 @@ constexpr std::size_t LeavesAtOnce = 6;
 
 }
 
-MeshBandTracer::MeshBandTracer(const BandScene& scene, const FieldKind& kind, const MeshTree& tree)
+MeshBandTracer::MeshBandTracer(
+  const BandScene& scene, const FieldKind& kind, const MeshTree& tree, const BoxLevels& boxes)
   : Scene(scene)
   , Tree(tree)
-  , Leaves(kind, tree, scene.Active)
+  , Leaves(kind, tree, boxes, scene.Active)
   , Cells(tree, this->Leaves)
   , FromLowest(scene.Band.Low, scene.FiniteRange)
   , Unit(BandScale(scene.Samples.Type, scene.Band, scene.FiniteRange).Isovalues.Factor /

@@ -24,7 +24,8 @@ namespace TemporalCoherence
 class MeshBandTracer final : public BandTracer
 {
 public:
-  MeshBandTracer(const BandScene& scene, const FieldKind& kind, const MeshTree& tree);
+  MeshBandTracer(
+    const BandScene& scene, const FieldKind& kind, const MeshTree& tree, const BoxLevels& boxes);
 
   std::int64_t Trace(const RayBatch& rays, TileKnots& knots) const override;
 

@@ -25,6 +25,7 @@ class MeshFieldKind final : public FieldKind
 public:
   MeshFieldKind(std::shared_ptr<const MeshTree> tree, bool averagedGradients)
     : Tree(std::move(tree))
+    , Boxes(*this->Tree)
     , Averaged(averagedGradients ? PointGradients::Make(*this->Tree) : nullptr)
   {
   }
@@ -72,7 +73,7 @@ public:
 
   std::shared_ptr<const SurfaceTracer> MakeTracer(const TraceScene& scene) const override
   {
-    return std::make_shared<MeshTracer>(scene, *this, *this->Tree);
+    return std::make_shared<MeshTracer>(scene, *this, *this->Tree, this->Boxes);
   }
 
   /// Rays do not walk: a tile looks only at active leaves, wherever its rays begin.
@@ -80,7 +81,7 @@ public:
 
   std::shared_ptr<const BandTracer> MakeBandTracer(const BandScene& scene) const override
   {
-    return std::make_shared<MeshBandTracer>(scene, *this, *this->Tree);
+    return std::make_shared<MeshBandTracer>(scene, *this, *this->Tree, this->Boxes);
   }
 
   void FindGradients(const GradientQuery& query, const GradientTile& tile) const override
@@ -96,6 +97,7 @@ public:
 
 private:
   std::shared_ptr<const MeshTree> Tree;
+  BoxLevels Boxes;
   std::shared_ptr<const PointGradients> Averaged; ///< null: not wanted
 };
 

@@ -63,7 +63,7 @@ struct MeshTile
   /// \throws std::bad_alloc
   MeshTile(const RayBatch& rays, const MeshTree& tree, const ActiveLeaves& leaves, RayLimits limits)
     : Rays(rays)
-    , Grid(rays, tree.Low(), tree.Scale())
+    , Grid(rays, tree)
     , Margin(ActiveLeaves::MarginOf(rays, tree))
   {
     SetUpMeshRays(rays, tree, limits, this->InMesh);
@@ -89,9 +89,7 @@ std::int64_t VisitCellsOf(
     std::uint64_t which = wanted;
     if (grid.IsGrid())
     {
-      which = grid.MayMeet(cell.Middle, cell.Half)
-        ? which & grid.RaysBetween(cell.Cell.Points.data(), cell.Cell.NumberOfPoints())
-        : 0;
+      which &= grid.RaysAround(cell.Points, cell.Cell.NumberOfPoints());
     }
     if (which != 0)
     {

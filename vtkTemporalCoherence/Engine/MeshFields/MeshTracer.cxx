@@ -10,10 +10,11 @@
 namespace TemporalCoherence
 {
 
-MeshTracer::MeshTracer(const TraceScene& scene, const FieldKind& kind, const MeshTree& tree)
+MeshTracer::MeshTracer(
+  const TraceScene& scene, const FieldKind& kind, const MeshTree& tree, const BoxLevels& boxes)
   : Isosurfaces(scene.Isosurfaces)
   , Tree(tree)
-  , Leaves(kind, tree, scene.Active)
+  , Leaves(kind, tree, boxes, scene.Active)
   , Cells(tree, this->Leaves)
 {
   for (const double isovalue : scene.Isosurfaces.Isovalues)

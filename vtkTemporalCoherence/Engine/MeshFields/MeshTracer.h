@@ -27,7 +27,8 @@ namespace TemporalCoherence
 class MeshTracer final : public SurfaceTracer
 {
 public:
-  MeshTracer(const TraceScene& scene, const FieldKind& kind, const MeshTree& tree);
+  MeshTracer(
+    const TraceScene& scene, const FieldKind& kind, const MeshTree& tree, const BoxLevels& boxes);
 
   void Trace(const RayBatch& rays, HitBatch& hits) const override;
   void FindNext(const RayBatch& rays, HitBatch& hits) const override;

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_KernelsTileGrid_h
+#define TemporalCoherence_KernelsTileGrid_h
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace TemporalCoherence
+{
+
+/// The 64 boxes of a block of boxes: their middles and halves of their edges, by axis. Those that
+/// do not exist have negative edges.
+struct alignas(64) BoxLanes
+{
+  std::array<std::array<float, 64>, 3> Middle, Half;
+};
+
+/// Four planes around a tile of rays: Normal . point + Offset >= 0 on their side. By coefficient
+/// and plane.
+struct TilePlanes
+{
+  std::array<std::array<float, 4>, 3> Normal;
+  std::array<float, 4> Offset;
+};
+
+/// One bit for each box that is not outside of a plane.
+std::uint64_t BoxesWithin(const TilePlanes& planes, const BoxLanes& boxes);
+
+/// The points of a cell by axis; the last one is repeated to the end.
+using PointLanes = std::array<std::array<double, 8>, 3>;
+
+/// How points are seen by a tile: at column Row[1] . p / Row[0] . p, in row Row[2] . p / Row[0] .
+/// p, where p is the point relative to Origin. In parallel views, nothing is divided.
+struct TileRows
+{
+  std::array<glm::dvec3, 3> Row;
+  glm::dvec3 Origin;
+  bool IsPerspective;
+  double Margin; ///< pixels around a cell, against rounding
+};
+
+/// One bit for each pixel of a tile in the rectangle around a cell: column + 8 row.
+std::uint64_t PixelsAround(const TileRows& rows, const PointLanes& points, int count);
+
+}
+
+#endif

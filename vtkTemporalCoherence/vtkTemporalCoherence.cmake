@@ -128,17 +128,6 @@ set(bridge_files
   Input/SettingCheck
   Input/VectorMagnitude
   Input/VolumePlace
-  Grids/CellOrigins
-  Grids/CellTypes
-  Grids/GridCells
-  Grids/GridLeaves
-  Grids/GridMesh
-  Grids/GridPoints
-  Grids/GridShape
-  Grids/GridValues
-  Grids/MeshDefectText
-  Grids/MeshSource
-  Grids/MeanEdge
   Shapes/AmrBlocks
   Shapes/AmrLeaves
   Shapes/AmrMesh
@@ -153,6 +142,16 @@ set(bridge_files
   Shapes/PolyhedronCells
   Shapes/SharedPoints
   Shapes/SubdividedCells
+  Grids/CellOrigins
+  Grids/CellTypes
+  Grids/GridCells
+  Grids/GridLeaves
+  Grids/GridMesh
+  Grids/GridPoints
+  Grids/GridShape
+  Grids/GridValues
+  Grids/MeshDefectText
+  Grids/MeshSource
   Window/DepthReader
   Window/LayerDepthClip
   Window/OpenGLWindow

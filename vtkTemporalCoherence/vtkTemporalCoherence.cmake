@@ -130,16 +130,6 @@ set(bridge_files
   Input/SettingCheck
   Input/VectorMagnitude
   Input/VolumePlace
-  Grids/CellOrigins
-  Grids/CellTypes
-  Grids/GridCells
-  Grids/GridLeaves
-  Grids/GridMesh
-  Grids/GridPoints
-  Grids/GridShape
-  Grids/GridValues
-  Grids/MeshDefectText
-  Grids/MeshSource
   Shapes/AmrBlocks
   Shapes/AmrLeaves
   Shapes/AmrMesh
@@ -154,6 +144,16 @@ set(bridge_files
   Shapes/PolyhedronCells
   Shapes/SharedPoints
   Shapes/SubdividedCells
+  Grids/CellOrigins
+  Grids/CellTypes
+  Grids/GridCells
+  Grids/GridLeaves
+  Grids/GridMesh
+  Grids/GridPoints
+  Grids/GridShape
+  Grids/GridValues
+  Grids/MeshDefectText
+  Grids/MeshSource
   Window/DepthReader
   Window/LayerDepthClip
   Window/OpenGLWindow

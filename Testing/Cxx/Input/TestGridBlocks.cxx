@@ -254,7 +254,7 @@ void TestPicks()
   window->AddRenderer(scene.Renderer);
   vtkNew<vtkTemporalCoherencePicker> picker;
   int picked = 0;
-  for (int pixel = 0; pixel < 60 * 60; pixel += 67)
+  for (int pixel = 0; pixel < 60 * 60; pixel += 29)
   {
     unsigned int block = 0;
     const int x = pixel % 60, y = pixel / 60;

@@ -16,9 +16,9 @@
 #include <vtkDoubleArray.h>
 #include <vtkExecutive.h>
 #include <vtkFloatingPointExceptions.h>
+#include <vtkHyperTreeGrid.h>
 #include <vtkMatrix4x4.h>
 #include <vtkMultiVolume.h>
-#include <vtkOverlappingAMR.h>
 #include <vtkPiecewiseFunction.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -140,7 +140,7 @@ void TestInputs()
   // Nor has the pipeline anything to say.
   for (const vtkSmartPointer<vtkDataObject>& object :
     { vtkSmartPointer<vtkDataObject>(vtkSmartPointer<vtkTable>::New()),
-      vtkSmartPointer<vtkDataObject>(vtkSmartPointer<vtkOverlappingAMR>::New()) })
+      vtkSmartPointer<vtkDataObject>(vtkSmartPointer<vtkHyperTreeGrid>::New()) })
   {
     vtkNew<vtkTest::ErrorObserver> pipeline;
     ExpectError(

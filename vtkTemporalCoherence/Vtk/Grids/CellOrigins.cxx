@@ -59,7 +59,8 @@ CellOrigin CellOrigins::Of(std::int64_t cell) const
   {
     return {};
   }
-  return { this->Parts[place].Data, this->Parts[place].Block, static_cast<vtkIdType>(inPart) };
+  const std::int64_t origin = part.Originals.First ? part.Originals.IdAt(inPart) : inPart;
+  return { this->Parts[place].Data, this->Parts[place].Block, static_cast<vtkIdType>(origin) };
 }
 
 vtkIdType CellOrigins::LargestPoint() const

@@ -8,6 +8,7 @@
 #include "Input/GhostArray.h"
 #include "Input/SamplesOfArray.h"
 #include "Scene/Parallel.h"
+#include "Shapes/SubdividedCells.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -88,8 +89,16 @@ bool SetTypes(vtkUnstructuredGrid* grid, const GridLeaf& leaf, MeshPart& part, C
         std::to_string(type) + ", which VTK does not know; leave them out with vtkExtractCells.";
       return false;
     }
+    const bool isOther = dimension == 3 && !IsLinear(static_cast<int>(type));
+    if (isOther && !IsSubdivided(static_cast<int>(type)))
+    {
+      error = leaf.Name + " has " + std::to_string(counts[type]) + " cells of type " +
+        std::to_string(type) + ", which cannot be drawn; make others of them, for example with " +
+        "vtkDataSetTriangleFilter.";
+      return false;
+    }
     census.HasVolume = census.HasVolume || dimension == 3;
-    census.HasOthers = census.HasOthers || (dimension == 3 && !IsLinear(static_cast<int>(type)));
+    census.HasOthers = census.HasOthers || isOther;
   }
   return true;
 }

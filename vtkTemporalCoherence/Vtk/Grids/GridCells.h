@@ -18,7 +18,7 @@ namespace TemporalCoherence
 struct CellCensus
 {
   bool HasVolume = false; ///< some cell has three dimensions, whether it is shown or not
-  bool HasOthers = false; ///< such as quadratic cells and polyhedra: to be divided
+  bool HasOthers = false; ///< such as quadratic cells and polyhedra: to be made of linear ones
 };
 
 /// The flags of cells that were made, as the data set's own do not serve; null if these do.

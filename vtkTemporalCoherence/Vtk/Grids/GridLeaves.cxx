@@ -11,6 +11,7 @@
 #include <vtkRectilinearGrid.h>
 #include <vtkSmartPointer.h>
 #include <vtkStructuredGrid.h>
+#include <vtkUniformGridAMR.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
@@ -77,7 +78,7 @@ bool IsMesh(vtkDataObject* data)
   auto* tree = vtkDataObjectTree::SafeDownCast(data);
   if (!tree)
   {
-    return IsIrregular(data);
+    return IsIrregular(data) || vtkUniformGridAMR::SafeDownCast(data);
   }
   const auto leaf = LeavesOf(tree);
   for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())

@@ -28,12 +28,12 @@ struct GridLeaf
   std::string Name;       ///< for messages: "The input", or "Block 4 ('rotor')"
 };
 
-/// True if data are drawn as a mesh: an unstructured, curvilinear or explicit structured grid, or
-/// blocks, one of which is a grid of any sort.
+/// True if data are drawn as a mesh: an unstructured, curvilinear, explicit structured or adaptive
+/// grid, or blocks, one of which is a grid of any sort.
 bool IsMesh(vtkDataObject* data);
 
 /// Find the data sets with cells and with the chosen array.
-/// \pre IsMesh(data)
+/// \pre IsMesh(data), and it is no adaptive grid
 /// \param error gets what is wrong and what to do about it
 /// \return false on error: if a block is something else, or if no data set has the array
 bool FindLeaves(vtkDataObject* data, const ScalarChoice& choice, std::vector<GridLeaf>& leaves,

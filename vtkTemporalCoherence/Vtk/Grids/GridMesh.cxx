@@ -2,9 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Grids/GridMesh.h"
 
-#include <vtkDataSet.h>
+#include "Grids/AmrGrids.h"
+#include "Shapes/AmrMesh.h"
+#include "Shapes/SubdividedCells.h"
 
+#include <vtkDataSet.h>
+#include <vtkUniformGrid.h>
+#include <vtkUniformGridAMR.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
 #include <atomic>
+#include <utility>
 
 namespace TemporalCoherence
 {
@@ -44,6 +53,7 @@ bool GridMesh::See(
     return true;
   }
   this->OfLeaves = nullptr; // what follows may fail
+  this->AreOthersNew = false;
   this->Parts.resize(leaves.size());
   for (std::size_t i = 0; i < leaves.size(); ++i)
   {
@@ -51,6 +61,7 @@ bool GridMesh::See(
     {
       return false;
     }
+    this->Parts[i].AreValuesMade = this->Parts[i].Made.Values.Array != leaves[i].Array;
   }
   this->From = now;
   return this->Assemble(leaves, error);
@@ -68,7 +79,28 @@ bool GridMesh::SeeLeaf(
     }
   }
   return (!this->ArePointsNew || SetPoints(leaf, made.Part, made.Made.Points, error)) &&
-    (!this->AreValuesNew || SetValues(leaf, component, made.Part, made.Made.Values, error));
+    (!this->AreValuesNew || SetValues(leaf, component, made.Part, made.Made.Values, error)) &&
+    (!made.Census.HasOthers || this->SeeOthers(leaf, made, error));
+}
+
+/// Make linear cells of those that are not.
+bool GridMesh::SeeOthers(const GridLeaf& leaf, LeafPart& made, std::string& error)
+{
+  const std::vector<MeshPart> last = std::move(made.Others);
+  made.Others.clear();
+  const PointValues& values = made.Made.Values;
+  if (!AppendSubdividedCells(vtkUnstructuredGrid::SafeDownCast(leaf.Data), values.Array,
+        values.Component, made.Part.Flags, made.Part.HidingFlags, made.Others, error))
+  {
+    return false;
+  }
+  // Into how many cells each one is divided depends on points and values.
+  const bool areSame = !this->ArePointsNew &&
+    std::equal(last.begin(), last.end(), made.Others.begin(), made.Others.end(),
+      [](const MeshPart& a, const MeshPart& b)
+      { return a.NumberOfCells == b.NumberOfCells && a.NumberOfPoints == b.NumberOfPoints; });
+  this->AreOthersNew = this->AreOthersNew || !areSame;
+  return true;
 }
 
 /// Make the mesh of its parts.
@@ -78,13 +110,21 @@ bool GridMesh::Assemble(const std::vector<GridLeaf>& leaves, std::string& error)
   std::vector<CellOrigins::Part> origins;
   std::int64_t first = 0, cells = 0;
   bool hasVolume = false;
+  const auto append = [&](const GridLeaf& leaf, const MeshPart& part)
+  {
+    mesh->Parts.push_back(part);
+    origins.push_back({ first, leaf.Data, leaf.Block });
+    first += part.NumberOfCells;
+  };
   for (std::size_t i = 0; i < leaves.size(); ++i)
   {
     LeafPart& made = this->Parts[i];
     made.Part.Owner = std::make_shared<Makings>(made.Made);
-    mesh->Parts.push_back(made.Part);
-    origins.push_back({ first, leaves[i].Data, leaves[i].Block });
-    first += made.Part.NumberOfCells;
+    append(leaves[i], made.Part);
+    for (const MeshPart& other : made.Others)
+    {
+      append(leaves[i], other);
+    }
     cells += leaves[i].Data->GetNumberOfCells();
     hasVolume = hasVolume || made.Census.HasVolume;
   }
@@ -95,15 +135,75 @@ bool GridMesh::Assemble(const std::vector<GridLeaf>& leaves, std::string& error)
       "vtkPolyDataMapper.";
     return false;
   }
-  this->CellStamp = this->AreCellsNew ? NewStamp() : this->CellStamp;
-  this->PointStamp = this->ArePointsNew ? NewStamp() : this->PointStamp;
-  this->ValueStamp = this->AreValuesNew ? NewStamp() : this->ValueStamp;
-  mesh->CellStamp = this->CellStamp;
-  mesh->PointStamp = this->PointStamp;
-  mesh->ValueStamp = this->ValueStamp;
+  this->Stamp(*mesh);
   this->OfLeaves = mesh;
   this->OfCells = std::make_shared<CellOrigins>(mesh, std::move(origins));
   return true;
+}
+
+void GridMesh::Stamp(Mesh& mesh)
+{
+  const bool areCellsNew = this->AreCellsNew || this->AreOthersNew;
+  this->CellStamp = areCellsNew ? NewStamp() : this->CellStamp;
+  this->PointStamp = areCellsNew || this->ArePointsNew ? NewStamp() : this->PointStamp;
+  this->ValueStamp = areCellsNew || this->AreValuesNew ? NewStamp() : this->ValueStamp;
+  mesh.CellStamp = this->CellStamp;
+  mesh.PointStamp = this->PointStamp;
+  mesh.ValueStamp = this->ValueStamp;
+}
+
+bool GridMesh::See(vtkUniformGridAMR* amr, const ScalarChoice& choice,
+  const DrawnComponent& component, std::string& error)
+{
+  Provenance now;
+  now.Cells.Add(amr);
+  now.Cells.Add(choice.Mode);
+  now.Cells.Add(component.IsMagnitude ? -1.0 : component.Number);
+  ForEachGrid(amr,
+    [&](vtkUniformGrid* grid)
+    {
+      const ChosenScalars scalars = FindScalars(grid, choice);
+      now.Cells.Add(scalars.Array, grid->GetMTime());
+    });
+  if (this->OfLeaves && now.Cells == this->From.Cells)
+  {
+    return true;
+  }
+  this->Release();
+  const auto mesh = std::make_shared<Mesh>();
+  if (!AppendAmrMesh(
+        amr, choice, component.IsMagnitude ? -1 : component.Number, mesh->Parts, error))
+  {
+    return false;
+  }
+  this->From = now;
+  this->Stamp(*mesh);
+  this->OfLeaves = mesh;
+  return true;
+}
+
+std::size_t GridMesh::MemoryInBytes() const
+{
+  std::size_t bytes = 0;
+  const auto add = [&](const MeshPart& part)
+  {
+    bytes += static_cast<std::size_t>(part.NumberOfPoints) * 4 * sizeof(double) +
+      static_cast<std::size_t>(part.ConnectivitySize + part.NumberOfCells) * sizeof(std::int32_t);
+  };
+  for (const LeafPart& made : this->Parts)
+  {
+    bytes += made.Made.Flags ? made.Made.Flags->size() : 0;
+    bytes += made.Made.Points ? made.Made.Points->size() * sizeof(double) : 0;
+    bytes += made.AreValuesMade
+      ? static_cast<std::size_t>(made.Made.Values.Array->GetActualMemorySize()) << 10
+      : 0;
+    std::for_each(made.Others.begin(), made.Others.end(), add);
+  }
+  if (this->Parts.empty() && this->OfLeaves)
+  {
+    std::for_each(this->OfLeaves->Parts.begin(), this->OfLeaves->Parts.end(), add);
+  }
+  return bytes;
 }
 
 }

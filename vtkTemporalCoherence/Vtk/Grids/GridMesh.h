@@ -11,9 +11,14 @@
 #include "Grids/MadeFrom.h"
 #include "Mesh/Mesh.h"
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkUniformGridAMR;
+VTK_ABI_NAMESPACE_END
 
 namespace TemporalCoherence
 {
@@ -29,11 +34,19 @@ public:
   bool See(
     const std::vector<GridLeaf>& leaves, const DrawnComponent& component, std::string& error);
 
+  /// The same of an adaptive grid with several levels. Its cells are made of those of the grid, and
+  /// have no origins.
+  bool See(vtkUniformGridAMR* amr, const ScalarChoice& choice, const DrawnComponent& component,
+    std::string& error);
+
   /// The mesh, another one after each change; null if there is none.
   const std::shared_ptr<const Mesh>& Made() const { return this->OfLeaves; }
 
   /// Which cells of the data sets those of the mesh are.
   const std::shared_ptr<const CellOrigins>& Origins() const { return this->OfCells; }
+
+  /// Bytes of points, values and cells that had to be made.
+  std::size_t MemoryInBytes() const;
 
   void Release() { *this = GridMesh(); }
 
@@ -50,13 +63,17 @@ private:
   struct LeafPart
   {
     MeshPart Part;
+    std::vector<MeshPart> Others; ///< made of cells that Part leaves out
     Makings Made;
     CellCensus Census;
+    bool AreValuesMade = false; ///< they are not those of the data set
   };
 
+  bool SeeOthers(const GridLeaf& leaf, LeafPart& made, std::string& error);
   bool SeeLeaf(
     const GridLeaf& leaf, const DrawnComponent& component, LeafPart& made, std::string& error);
   bool Assemble(const std::vector<GridLeaf>& leaves, std::string& error);
+  void Stamp(Mesh& mesh);
 
   /// What a mesh was made from, and the stamps of that.
   struct Provenance
@@ -66,6 +83,7 @@ private:
 
   Provenance From;
   bool AreCellsNew = true, ArePointsNew = true, AreValuesNew = true; ///< as they are made
+  bool AreOthersNew = false;
   std::vector<LeafPart> Parts;
   std::uint64_t CellStamp = 0, PointStamp = 0, ValueStamp = 0;
   std::shared_ptr<const Mesh> OfLeaves;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Grids/MeshSource.h"
 
+#include "Grids/AmrGrids.h"
 #include "Grids/MeshDefectText.h"
 #include "Input/VolumePlace.h"
 #include "Mesh/MeshTree.h"
@@ -31,6 +32,18 @@ int MostComponents(const std::vector<GridLeaf>& leaves)
   return most;
 }
 
+int ComponentsOf(vtkUniformGridAMR* amr, const ScalarChoice& choice)
+{
+  int components = 0;
+  ForEachGrid(amr,
+    [&](vtkUniformGrid* grid)
+    {
+      vtkDataArray* array = FindScalars(grid, choice).Array;
+      components = std::max(components, array ? array->GetNumberOfComponents() : 0);
+    });
+  return components;
+}
+
 /// Keep all that a mesh reads.
 void Keep(const std::vector<GridLeaf>& leaves, PlacedField& field)
 {
@@ -47,12 +60,16 @@ void Keep(const std::vector<GridLeaf>& leaves, PlacedField& field)
 bool MeshSource::Find(vtkDataObject* data, const ScalarChoice& choice, vtkVolumeProperty* property,
   const VectorChoice& vectors, DrawnComponent& found, std::string& error)
 {
-  if (!FindLeaves(data, choice, this->Leaves, error))
+  this->Leaves.clear();
+  this->Choice = choice;
+  this->Amr = vtkUniformGridAMR::SafeDownCast(data);
+  if (!this->Amr && !FindLeaves(data, choice, this->Leaves, error))
   {
     this->Leaves.clear();
     return false;
   }
-  found = this->Component = ChooseComponent(property, vectors, MostComponents(this->Leaves));
+  const int components = this->Amr ? ComponentsOf(this->Amr, choice) : MostComponents(this->Leaves);
+  found = this->Component = ChooseComponent(property, vectors, components);
   return true;
 }
 
@@ -67,13 +84,14 @@ bool MeshSource::Make(const FieldQuery& query, PlacedField& field, std::string& 
   FieldSetUp& done = field.SetUp;
   const Stopwatch watch(done.Seconds);
   Keep(this->Leaves, field);
-  if (!this->Grids.See(this->Leaves, this->Component, error) ||
-    !this->SetUpTree(query, done, error))
+  const bool isSeen = this->Amr ? this->Grids.See(this->Amr, this->Choice, this->Component, error)
+                                : this->Grids.See(this->Leaves, this->Component, error);
+  if (!isSeen || !this->SetUpTree(query, done, error))
   {
     return false;
   }
   const MeshTree& tree = *this->Tree;
-  done.Memory = tree.MemoryInBytes();
+  done.Memory = tree.MemoryInBytes() + this->Grids.MemoryInBytes();
   done.AveragesCells = std::any_of(
     this->Leaves.begin(), this->Leaves.end(), [](const GridLeaf& leaf) { return leaf.OnCells; });
   field.Samples = MeshField(tree, this->Kind);
@@ -119,7 +137,9 @@ bool MeshSource::SetUpTree(const FieldQuery& query, FieldSetUp& done, std::strin
   if (!this->Tree)
   {
     this->Kind = nullptr;
-    error = TextOf(problem, *mesh, *this->Grids.Origins(), this->Leaves, query.MeshMemoryLimit);
+    const auto origins = this->Grids.Origins();
+    error = TextOf(problem, *mesh, origins ? *origins : CellOrigins(mesh, {}), this->Leaves,
+      query.MeshMemoryLimit);
     return false;
   }
   if (!this->Kind || this->Tree != before || this->HasAveragedGradients != query.AveragedGradients)

@@ -15,8 +15,8 @@ namespace TemporalCoherence
 
 class MeshTree;
 
-/// The fields of unstructured, curvilinear and explicit structured grids, and of blocks of these,
-/// of images and of rectilinear grids.
+/// The fields of unstructured, curvilinear and explicit structured grids, of blocks of these, of
+/// images and of rectilinear grids, and of adaptive grids with several levels.
 ///
 /// The mesh and the tree over it are made once. New values leave the tree as it is, and new points
 /// of the same cells move its boxes.
@@ -25,14 +25,16 @@ class MeshSource : public FieldSource
 public:
   bool Find(vtkDataObject* data, const ScalarChoice& choice, vtkVolumeProperty* property,
     const VectorChoice& vectors, DrawnComponent& found, std::string& error) override;
-  bool IsEmpty() const override { return this->Leaves.empty(); }
+  bool IsEmpty() const override { return this->Leaves.empty() && !this->Amr; }
   bool Make(const FieldQuery& query, PlacedField& field, std::string& error) override;
   void Release() override { *this = MeshSource(); }
 
 private:
   bool SetUpTree(const FieldQuery& query, FieldSetUp& done, std::string& error);
 
-  std::vector<GridLeaf> Leaves; ///< that were found
+  std::vector<GridLeaf> Leaves;     ///< that were found
+  vtkUniformGridAMR* Amr = nullptr; ///< that was found instead
+  ScalarChoice Choice;
   DrawnComponent Component;
   GridMesh Grids;
   std::shared_ptr<const MeshTree> Tree;

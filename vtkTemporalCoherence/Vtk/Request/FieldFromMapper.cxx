@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Request/FieldFromMapper.h"
 
+#include "Shapes/AmrMesh.h"
+
 #include <vtkDataObjectTree.h>
 #include <vtkImageData.h>
 #include <vtkRectilinearGrid.h>
+#include <vtkUniformGridAMR.h>
 #include <vtkVolumeMapper.h>
 
 #include <exception>
@@ -52,6 +55,10 @@ bool FieldFromMapper::Find(vtkVolumeMapper* mapper, vtkVolumeProperty* property,
   }
   try
   {
+    // Levels of an adaptive grid are a mesh together, but one alone is an image.
+    auto* amr = vtkUniformGridAMR::SafeDownCast(data);
+    this->OnlyLevel = amr && HasOneLevel(amr) ? BlocksOf(amr) : nullptr;
+    data = this->OnlyLevel ? this->OnlyLevel.Get() : data;
     return this->ChooseSource(data, error) &&
       this->Source->Find(data, ChoiceOf(mapper), property, vectors, found, error);
   }

@@ -7,6 +7,9 @@
 #include "Input/ImageSource.h"
 #include "vtkTemporalCoherenceCompatibility.h"
 
+#include <vtkDataObject.h>
+#include <vtkSmartPointer.h>
+
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -49,7 +52,8 @@ private:
 
   ImageSource Images;
   MeshSource Meshes;
-  FieldSource* Source = nullptr; ///< of the data that were found
+  FieldSource* Source = nullptr;            ///< of the data that were found
+  vtkSmartPointer<vtkDataObject> OnlyLevel; ///< of an adaptive grid, as blocks; or null
 };
 
 }

@@ -90,8 +90,7 @@ void ActiveLeaves::Find(const RayBatch& rays, const TileGrid& grid, std::vector<
         const Block child{ block.Level - 1,
           Children * block.Number + static_cast<std::int64_t>(bit) };
         const FloatBox& box = this->Tree.BlockBox(child.Level, child.Number);
-        const bool mayMeet =
-          grid.IsGrid() ? grid.MayMeet(box) : RaysThrough(rays, rays.WalkEnd, box, margin) != 0;
+        const bool mayMeet = grid.IsGrid() || RaysThrough(rays, rays.WalkEnd, box, margin) != 0;
         if (mayMeet && child.Level > 0)
         {
           open[count++] = child;

@@ -16,22 +16,12 @@ constexpr std::int64_t Children = MeshLattice::SizeOfBlock;
 /// The children of a block. \param count of blocks on the level of children
 BoxLanes LanesOf(const MeshTree& tree, std::size_t level, std::int64_t block, std::int64_t count)
 {
-  BoxLanes lanes{};
-  for (std::array<float, 64>& half : lanes.Half)
-  {
-    half.fill(-1.0f);
-  }
+  BoxLanes lanes = NoBoxes();
   const std::int64_t first = Children * block;
   for (std::int64_t child = first; child < std::min(first + Children, count); ++child)
   {
     const FloatBox& box = tree.BlockBox(level - 1, child);
-    const auto lane = static_cast<std::size_t>(child - first);
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      const auto axis = static_cast<int>(a);
-      lanes.Middle[a][lane] = 0.5f * (box.Low[axis] + box.High[axis]);
-      lanes.Half[a][lane] = 0.5f * (box.High[axis] - box.Low[axis]);
-    }
+    lanes.Set(static_cast<std::size_t>(child - first), glm::dvec3(box.Low), glm::dvec3(box.High));
   }
   return lanes;
 }

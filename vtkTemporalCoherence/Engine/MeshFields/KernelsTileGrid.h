@@ -16,8 +16,29 @@ namespace TemporalCoherence
 /// do not exist have negative edges.
 struct alignas(64) BoxLanes
 {
+  void Set(std::size_t lane, const glm::dvec3& low, const glm::dvec3& high)
+  {
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      const auto axis = static_cast<int>(a);
+      this->Middle[a][lane] = static_cast<float>(0.5 * (low[axis] + high[axis]));
+      this->Half[a][lane] = static_cast<float>(0.5 * (high[axis] - low[axis]));
+    }
+  }
+
   std::array<std::array<float, 64>, 3> Middle, Half;
 };
+
+/// Lanes without a box.
+inline BoxLanes NoBoxes()
+{
+  BoxLanes lanes{};
+  for (std::array<float, 64>& half : lanes.Half)
+  {
+    half.fill(-1.0f);
+  }
+  return lanes;
+}
 
 /// Four planes around a tile of rays: Normal . point + Offset >= 0 on their side. By coefficient
 /// and plane.

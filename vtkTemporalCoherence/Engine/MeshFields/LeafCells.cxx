@@ -12,7 +12,7 @@ namespace TemporalCoherence
 LeafCells::LeafCells(const MeshTree& tree, const ActiveLeaves& leaves)
   : Tree(tree)
   , Leaves(leaves)
-  , Kept(new std::atomic<const Cells*>[static_cast<std::size_t>(tree.NumberOfLeaves())]())
+  , Kept(new std::atomic<const Leaf*>[static_cast<std::size_t>(tree.NumberOfLeaves())]())
 {
 }
 
@@ -24,10 +24,10 @@ LeafCells::~LeafCells()
   }
 }
 
-const LeafCells::Cells& LeafCells::Of(std::int64_t leaf, Cells& spare) const
+const LeafCells::Leaf& LeafCells::Of(std::int64_t leaf, Leaf& spare) const
 {
-  std::atomic<const Cells*>& kept = this->Kept[static_cast<std::size_t>(leaf)];
-  if (const Cells* const known = kept.load(std::memory_order_acquire))
+  std::atomic<const Leaf*>& kept = this->Kept[static_cast<std::size_t>(leaf)];
+  if (const Leaf* const known = kept.load(std::memory_order_acquire))
   {
     return *known;
   }
@@ -36,10 +36,11 @@ const LeafCells::Cells& LeafCells::Of(std::int64_t leaf, Cells& spare) const
     this->Read(leaf, spare);
     return spare;
   }
-  auto made = std::make_unique<Cells>();
+  auto made = std::make_unique<Leaf>();
   this->Read(leaf, *made);
-  const auto bytes = static_cast<std::int64_t>(made->size() * sizeof(ActiveCell));
-  const Cells* known = nullptr;
+  const auto bytes =
+    static_cast<std::int64_t>(sizeof(Leaf) + made->Cells.size() * sizeof(ActiveCell));
+  const Leaf* known = nullptr;
   if (kept.compare_exchange_strong(known, made.get(), std::memory_order_acq_rel))
   {
     this->Bytes += bytes;
@@ -48,26 +49,32 @@ const LeafCells::Cells& LeafCells::Of(std::int64_t leaf, Cells& spare) const
   return *known; // another thread was faster
 }
 
-void LeafCells::Read(std::int64_t leaf, Cells& cells) const
+void LeafCells::Read(std::int64_t leaf, Leaf& read) const
 {
   const std::uint64_t word = this->Leaves.CellsOf(leaf);
-  cells.resize(hwy::PopCount(word));
-  auto next = cells.begin();
+  read.Cells.resize(hwy::PopCount(word));
+  read.Boxes = NoBoxes();
+  std::size_t lane = 0;
   ForEachRay(word,
     [&](std::size_t bit)
     {
-      ActiveCell& cell = *next++;
+      ActiveCell& cell = read.Cells[lane];
       cell.Rank = MeshLattice::SizeOfBlock * leaf + static_cast<std::int64_t>(bit);
       cell.Number = this->Tree.CellAt(cell.Rank);
       this->Tree.Reader().Read(cell.Number, cell.Cell);
       const auto count = static_cast<std::size_t>(cell.Cell.NumberOfPoints());
+      glm::dvec3 low = cell.Cell.Points[0], high = low;
       for (std::size_t i = 0; i < 8; ++i)
       {
         const glm::dvec3& point = cell.Cell.Points[std::min(i, count - 1)];
+        low = glm::min(low, point);
+        high = glm::max(high, point);
         cell.Points[0][i] = point.x;
         cell.Points[1][i] = point.y;
         cell.Points[2][i] = point.z;
       }
+      read.Boxes.Set(lane++, (low - this->Tree.Low()) / this->Tree.Scale(),
+        (high - this->Tree.Low()) / this->Tree.Scale());
     });
 }
 

@@ -30,7 +30,12 @@ struct ActiveCell
 class LeafCells
 {
 public:
-  using Cells = std::vector<ActiveCell>;
+  /// The active cells of a leaf.
+  struct Leaf
+  {
+    std::vector<ActiveCell> Cells;
+    BoxLanes Boxes; ///< around them, in index space
+  };
 
   /// The arguments must outlive this.
   /// \throws std::bad_alloc
@@ -42,17 +47,17 @@ public:
   /// The active cells of an active leaf.
   /// \param spare holds them, if there is no room to keep them
   /// \throws std::bad_alloc
-  const Cells& Of(std::int64_t leaf, Cells& spare) const;
+  const Leaf& Of(std::int64_t leaf, Leaf& spare) const;
 
 private:
   /// What is kept for a frame at most. Measured: the surfaces of 10 million tetrahedra take 40 MB.
   static constexpr std::int64_t MostBytes = 256 << 20;
 
-  void Read(std::int64_t leaf, Cells& cells) const;
+  void Read(std::int64_t leaf, Leaf& read) const;
 
   const MeshTree& Tree;
   const ActiveLeaves& Leaves;
-  std::unique_ptr<std::atomic<const Cells*>[]> Kept;
+  std::unique_ptr<std::atomic<const Leaf*>[]> Kept;
   mutable std::atomic<std::int64_t> Bytes{ 0 };
 };
 

@@ -36,7 +36,7 @@ std::int64_t MeshBandTracer::Trace(const RayBatch& rays, TileKnots& knots) const
   const MeshTile tile(rays, this->Tree, this->Leaves, RayLimits::None);
   std::uint64_t wanted = RaysWithWalk(rays);
   std::int64_t cellsRead = 0;
-  LeafCells::Cells spare;
+  LeafCells::Leaf spare;
   for (std::size_t i = 0; i < tile.Leaves.size() && wanted != 0; ++i)
   {
     const ActiveLeaves::Leaf& leaf = tile.Leaves[i];

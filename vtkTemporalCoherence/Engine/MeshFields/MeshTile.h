@@ -77,26 +77,35 @@ struct MeshTile
   std::vector<ActiveLeaves::Leaf> Leaves; ///< from front to back
 };
 
-/// Call visit(cell, rays) for each of some cells that rays may pass.
+/// Call visit(cell, rays) for each cell of a leaf that rays may pass.
 /// \return number of cells visited
 template <typename Visit>
 std::int64_t VisitCellsOf(
-  const LeafCells::Cells& cells, const TileGrid& grid, std::uint64_t wanted, const Visit& visit)
+  const LeafCells::Leaf& leaf, const TileGrid& grid, std::uint64_t wanted, const Visit& visit)
 {
   std::int64_t visited = 0;
-  for (const ActiveCell& cell : cells)
+  const auto visitCell = [&](const ActiveCell& cell, std::uint64_t which)
   {
-    std::uint64_t which = wanted;
-    if (grid.IsGrid())
-    {
-      which &= grid.RaysAround(cell.Points, cell.Cell.NumberOfPoints());
-    }
     if (which != 0)
     {
       ++visited;
       visit(cell, which);
     }
+  };
+  if (!grid.IsGrid())
+  {
+    for (const ActiveCell& cell : leaf.Cells)
+    {
+      visitCell(cell, wanted);
+    }
+    return visited;
   }
+  ForEachRay(BoxesWithin(grid.Planes(), leaf.Boxes),
+    [&](std::size_t i)
+    {
+      const ActiveCell& cell = leaf.Cells[i];
+      visitCell(cell, wanted & grid.RaysAround(cell.Points, cell.Cell.NumberOfPoints()));
+    });
   return visited;
 }
 
@@ -109,7 +118,7 @@ std::int64_t VisitCells(const MeshTile& tile, const MeshTree& tree, const LeafCe
   std::uint64_t wanted, const RayBatch::Array<double>& limits, const Visit& visit)
 {
   std::int64_t visited = 0;
-  LeafCells::Cells spare;
+  LeafCells::Leaf spare;
   for (const ActiveLeaves::Leaf& leaf : tile.Leaves)
   {
     const std::uint64_t ofLeaf =

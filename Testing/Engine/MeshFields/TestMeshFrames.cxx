@@ -1,0 +1,331 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Checks/Sanitized.h"
+#include "Grid.h"
+#include "Mesh/KernelsCells.h"
+#include "Mesh/MeshTree.h"
+#include "MeshFields/MeshDifference.h"
+#include "MeshFields/MeshKind.h"
+#include "Render/FrameRenderer.h"
+#include "SameFrames.h"
+#include "Volumes/Meshes.h"
+
+#include <vtkSMPTools.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <random>
+#include <string>
+#include <vector>
+
+// Frames of meshes: cold ones against a search of every cell for every ray, and every route against
+// the cold one.
+
+namespace
+{
+
+using namespace TemporalCoherence;
+
+/// Steps of a random walk.
+constexpr int Steps = IsMemorySanitized ? 20 : 120;
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+class MeshFrames : public ::testing::TestWithParam<Meshes::Cells>
+{
+protected:
+  MeshFrames() { this->Show(Meshes::MeshOf(Meshes::MakeBlock(this->GetParam(), {}))); }
+
+  void Show(std::shared_ptr<const Mesh> mesh, bool averagedGradients = false)
+  {
+    MeshProblem problem;
+    this->Tree = MeshTree::Build(mesh, nullptr, ~std::size_t(0), problem);
+    ASSERT_TRUE(this->Tree);
+    this->Key.Samples = MeshField(*this->Tree, MeshKind(this->Tree, averagedGradients));
+    this->Key.Isosurfaces.Isovalues = { 0.3 };
+    this->Key.Appearance.Colors.assign(3, { 1.0, 0.5, 0.2 });
+    this->Key.Appearance.Shade = true;
+    this->Key.Appearance.Lights = { Light() };
+    this->LookFrom({ 1.0, 2.0, 0.7 });
+  }
+
+  void LookFrom(
+    const glm::dvec3& direction, bool parallel = false, const glm::ivec2& size = { 93, 71 })
+  {
+    const glm::ivec3 box(glm::ceil(glm::dvec3(1.0 / this->Tree->Scale())));
+    this->Key.View = LookAt(box + 1, direction, size, parallel);
+  }
+
+  Frame Cold() const
+  {
+    FrameRenderer renderer;
+    renderer.Render(this->Key, {});
+    EXPECT_EQ(renderer.Statistics().Made, Route::Cold);
+    return renderer.LastFrame();
+  }
+
+  /// The first surface of a ray: every cell is searched.
+  struct Met
+  {
+    double Distance = Infinity;
+    std::int16_t Isovalue = Frame::NoSurface;
+  };
+  std::vector<Met> SearchAllCells() const
+  {
+    const int width = this->Key.View.Size.x, count = width * this->Key.View.Size.y;
+    std::vector<Met> all(static_cast<std::size_t>(count));
+    for (int first = 0; first < count; first += 64)
+    {
+      MeshKernels::MeshRays rays;
+      rays.Count = static_cast<std::size_t>(std::min(count - first, 64));
+      for (std::size_t i = 0; i < rays.Count; ++i)
+      {
+        const int pixel = first + static_cast<int>(i);
+        const Ray ray = this->Key.View.RayThrough(pixel % width, pixel / width);
+        for (std::size_t a = 0; a < 3; ++a)
+        {
+          const auto axis = static_cast<int>(a);
+          rays.Origin[a][i] = this->Tree->Low()[axis] + this->Tree->Scale() * ray.Origin[axis];
+          rays.Direction[a][i] = this->Tree->Scale() * ray.Direction[axis];
+        }
+        const double perDepth = 1.0 / glm::dot(ray.Direction, this->Key.View.Forward);
+        rays.Begin[i] = this->Key.View.Near * perDepth;
+        rays.End[i] = this->Key.View.Far * perDepth;
+      }
+      rays.Prepare();
+      this->SearchAllCells(rays, &all[static_cast<std::size_t>(first)]);
+    }
+    return all;
+  }
+
+  std::shared_ptr<const MeshTree> Tree;
+  FrameKey Key;
+
+private:
+  void SearchAllCells(const MeshKernels::MeshRays& rays, Met* met) const
+  {
+    const std::uint64_t which = ~std::uint64_t(0) >> (64 - rays.Count);
+    const std::vector<double>& isovalues = this->Key.Isosurfaces.Isovalues;
+    for (std::uint32_t number = 0; number < this->Tree->TheMesh().NumberOfCells(); ++number)
+    {
+      MeshCell cell;
+      this->Tree->Reader().Read(number, cell);
+      for (std::size_t i = 0; i < isovalues.size() && cell.Shape != MeshCellShape::None; ++i)
+      {
+        MeshKernels::CellDifferences differences;
+        if (MeshDifference(isovalues[i], { -3.0, 3.0 }).Of(cell, differences))
+        {
+          MeshKernels::Crossings found;
+          MeshKernels::CellCrossings(cell, differences, rays, which, found);
+          for (std::size_t k = 0; k < found.Count; ++k)
+          {
+            if (found.T[k] < met[found.Ray[k]].Distance)
+            {
+              met[found.Ray[k]] = { found.T[k], static_cast<std::int16_t>(i) };
+            }
+          }
+        }
+      }
+    }
+  }
+};
+
+TEST_P(MeshFrames, ColdFramesFindWhatEveryCellHolds)
+{
+  this->Key.Isosurfaces.Isovalues = { 0.3, -0.5 };
+  for (const bool isParallel : { false, true })
+  {
+    this->LookFrom({ 1.0, 2.0, 0.7 }, isParallel);
+    const Frame frame = this->Cold();
+    const std::vector<Met> truth = this->SearchAllCells();
+    int hits = 0, wrong = 0;
+    for (std::size_t pixel = 0; pixel < truth.size(); ++pixel)
+    {
+      hits += truth[pixel].Isovalue != Frame::NoSurface;
+      const bool isSame = frame.Isovalues[pixel] == truth[pixel].Isovalue &&
+        (truth[pixel].Isovalue == Frame::NoSurface ||
+          std::abs(frame.Depth[pixel] - truth[pixel].Distance) <= 1e-9 * truth[pixel].Distance);
+      wrong += !isSame;
+    }
+    EXPECT_GT(hits, 1000) << isParallel;
+    EXPECT_EQ(wrong, 0) << isParallel;
+  }
+}
+
+TEST_P(MeshFrames, HitsTellTheirCellsAndNormalsFaceTheViewer)
+{
+  const Frame frame = this->Cold();
+  for (std::size_t pixel = 0; pixel < frame.Depth.size(); ++pixel)
+  {
+    const bool isHit = frame.Isovalues[pixel] != Frame::NoSurface;
+    EXPECT_EQ(frame.Cells[pixel] != NoCell, isHit) << pixel;
+    if (isHit)
+    {
+      const int x = static_cast<int>(pixel) % frame.Size.x,
+                y = static_cast<int>(pixel) / frame.Size.x;
+      const glm::dvec3 direction = this->Key.View.RayThrough(x, y).Direction;
+      EXPECT_LE(glm::dot(glm::dvec3(frame.Normals[pixel]), direction), 1e-6) << pixel;
+      EXPECT_NEAR(glm::length(frame.Normals[pixel]), 1.0f, 1e-5f) << pixel;
+    }
+  }
+}
+
+/// The isovalues of a drag, and what each route has to show.
+TEST_P(MeshFrames, SweepsAreColdFrames)
+{
+  for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
+  {
+    for (const bool isTranslucent : { false, true })
+    {
+      this->Key.Isosurfaces.Mode = mode;
+      this->Key.Isosurfaces.Opacities.assign(isTranslucent ? 1 : 0, 0.5);
+      FrameRenderer renderer;
+      std::map<Route, int> routes;
+      for (int step = 0; step < 40; ++step)
+      {
+        this->Key.Isosurfaces.Isovalues = { 0.3 + 0.01 * step };
+        renderer.Render(this->Key, {});
+        ++routes[renderer.Statistics().Made];
+        ASSERT_TRUE(ShowTheSame(renderer.LastFrame(), this->Cold()))
+          << step << NameOf(renderer.Statistics().Made) << int(mode) << isTranslucent;
+        ASSERT_TRUE(IsSamePlane(renderer.LastFrame().Cells, this->Cold().Cells)) << step;
+        ASSERT_TRUE(HaveTheSameLayers(renderer.LastFrame(), this->Cold())) << step;
+      }
+      EXPECT_GT(routes[Route::IsomapBuild] + routes[Route::IsomapLookup], 10);
+    }
+  }
+}
+
+TEST_P(MeshFrames, RangesOfIsomapsServeLookUps)
+{
+  for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })
+  {
+    this->Key.Isosurfaces.Mode = mode;
+    this->Key.Isosurfaces.Isovalues = { 0.3 };
+    FrameRenderer::Options options;
+    options.Map.Range = { -0.5, 1.5 };
+    FrameRenderer renderer;
+    renderer.Render(this->Key, options);
+    ASSERT_EQ(renderer.BuildIsomap(this->Key, options), Isomap::Outcome::Built);
+    for (int step = 0; step < 20; ++step)
+    {
+      this->Key.Isosurfaces.Isovalues = { -0.45 + 0.09 * step };
+      renderer.Render(this->Key, options);
+      EXPECT_EQ(renderer.Statistics().Made, Route::IsomapLookup);
+      ASSERT_TRUE(ShowTheSame(renderer.LastFrame(), this->Cold())) << step;
+      ASSERT_TRUE(IsSamePlane(renderer.LastFrame().Cells, this->Cold().Cells)) << step;
+    }
+  }
+}
+
+/// Views, isovalues, opacities, modes and clipping change at random.
+TEST_P(MeshFrames, RandomWalksAreColdFrames)
+{
+  std::mt19937 engine(7);
+  const auto chance = [&](unsigned int of) { return engine() % of == 0; };
+  std::uniform_real_distribution<double> anywhere(-1.0, 1.0);
+  FrameRenderer renderer;
+  std::map<Route, int> routes;
+  for (int step = 0; step < Steps; ++step)
+  {
+    if (chance(4))
+    {
+      this->LookFrom({ anywhere(engine), anywhere(engine), anywhere(engine) }, chance(3));
+    }
+    if (chance(2))
+    {
+      this->Key.Isosurfaces.Isovalues = { 0.2 + anywhere(engine) };
+      if (chance(3))
+      {
+        this->Key.Isosurfaces.Isovalues.push_back(anywhere(engine) - 1.0);
+      }
+    }
+    if (chance(5))
+    {
+      this->Key.Isosurfaces.Mode = chance(2) ? SurfaceMode::Crossing : SurfaceMode::Threshold;
+    }
+    const bool isTranslucent = chance(3);
+    this->Key.Isosurfaces.Opacities.assign(
+      isTranslucent ? this->Key.Isosurfaces.Isovalues.size() : 0, 0.4);
+    this->Key.Appearance.Ambient = 0.1 * (engine() % 3);
+    renderer.Render(this->Key, {});
+    ++routes[renderer.Statistics().Made];
+    ASSERT_TRUE(ShowTheSame(renderer.LastFrame(), this->Cold()))
+      << step << NameOf(renderer.Statistics().Made);
+    ASSERT_TRUE(HaveTheSameLayers(renderer.LastFrame(), this->Cold())) << step;
+  }
+  EXPECT_GT(routes.size(), 3u);
+}
+
+TEST_P(MeshFrames, ThreadsMakeNoDifference)
+{
+  this->Key.Isosurfaces.Opacities = { 0.5 };
+  const Frame frame = this->Cold();
+  const std::string before = vtkSMPTools::GetBackend();
+  vtkSMPTools::SetBackend("Sequential");
+  const Frame alone = this->Cold();
+  vtkSMPTools::SetBackend(before.c_str());
+  EXPECT_TRUE(ShowTheSame(frame, alone));
+  EXPECT_TRUE(HaveTheSameLayers(frame, alone));
+}
+
+/// A solid that fills the mesh shows its faces.
+TEST_P(MeshFrames, SolidsAreCappedWhereTheMeshEnds)
+{
+  this->Key.Isosurfaces.Mode = SurfaceMode::Threshold;
+  this->Key.Isosurfaces.Isovalues = { -4.0 };
+  const Frame frame = this->Cold();
+  int caps = 0;
+  for (std::size_t pixel = 0; pixel < frame.Kinds.size(); ++pixel)
+  {
+    if (frame.Isovalues[pixel] != Frame::NoSurface)
+    {
+      ASSERT_EQ(frame.Kinds[pixel], HitKind::Cap);
+      ++caps;
+    }
+  }
+  EXPECT_GT(caps, 1500);
+  // Seen through, it has one cap on each ray that meets it, and no surface within.
+  this->Key.Isosurfaces.Opacities = { 0.4 };
+  const Frame clear = this->Cold();
+  std::size_t layers = 0;
+  for (const std::vector<LayerHit>& tile : clear.Layers)
+  {
+    layers += tile.size();
+  }
+  // Where cells are missing, a ray may leave and enter again.
+  const bool isWhole = this->GetParam() != Meshes::Cells::Mixed;
+  EXPECT_GE(layers, static_cast<std::size_t>(caps));
+  EXPECT_LE(layers, static_cast<std::size_t>(isWhole ? caps + 2 : 2 * caps));
+}
+
+TEST_P(MeshFrames, AveragedGradientsAreContinuous)
+{
+  const Frame facets = this->Cold();
+  this->Show(Meshes::MeshOf(Meshes::MakeBlock(this->GetParam(), {})), true);
+  const Frame smooth = this->Cold();
+  const auto roughnessOf = [](const Frame& frame)
+  {
+    double sum = 0.0;
+    for (std::size_t pixel = 1; pixel < frame.Normals.size(); ++pixel)
+    {
+      const bool areHits = frame.Isovalues[pixel] != Frame::NoSurface &&
+        frame.Isovalues[pixel - 1] != Frame::NoSurface;
+      sum += areHits ? glm::distance(frame.Normals[pixel], frame.Normals[pixel - 1]) : 0.0f;
+    }
+    return sum;
+  };
+  EXPECT_TRUE(IsSamePlane(facets.Depth, smooth.Depth));
+  EXPECT_LT(roughnessOf(smooth), roughnessOf(facets));
+}
+
+INSTANTIATE_TEST_SUITE_P(AllCells, MeshFrames,
+  ::testing::Values(Meshes::Cells::FiveTetrahedra, Meshes::Cells::SixTetrahedra,
+    Meshes::Cells::Hexahedra, Meshes::Cells::Wedges, Meshes::Cells::Pyramids,
+    Meshes::Cells::Mixed));
+
+}

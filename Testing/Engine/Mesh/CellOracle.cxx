@@ -21,8 +21,8 @@ Number Largest(const Vector& v)
   return std::max({ std::abs(v.x), std::abs(v.y), std::abs(v.z) });
 }
 
-/// Four values at the corners of a cube: offsets from the ray in two directions, the difference, and
-/// the distance along the ray.
+/// Four values at the corners of a cube: offsets from the ray in two directions, the difference,
+/// and the distance along the ray.
 struct Corner
 {
   Vector Value;
@@ -47,7 +47,8 @@ struct Cube
     const Row x00 = mix(v[0], v[1], u.x), x10 = mix(v[2], v[3], u.x), x01 = mix(v[4], v[5], u.x),
               x11 = mix(v[6], v[7], u.x);
     const Row y0 = mix(x00, x10, u.y), y1 = mix(x01, x11, u.y), all = mix(y0, y1, u.z);
-    const Row alongX = mix(mix(v[1] - v[0], v[3] - v[2], u.y), mix(v[5] - v[4], v[7] - v[6], u.y), u.z);
+    const Row alongX =
+      mix(mix(v[1] - v[0], v[3] - v[2], u.y), mix(v[5] - v[4], v[7] - v[6], u.y), u.z);
     const Row alongY = mix(x10 - x00, x11 - x01, u.z), alongZ = y1 - y0;
     for (int i = 0; i < 4; ++i)
     {
@@ -104,8 +105,8 @@ public:
           }
         }
       }
-      this->Cut(corners, low + size / 2 * Vector(part & 1, part >> 1 & 1, part >> 2), size / 2,
-        depth + 1);
+      this->Cut(
+        corners, low + size / 2 * Vector(part & 1, part >> 1 & 1, part >> 2), size / 2, depth + 1);
     }
   }
 
@@ -184,7 +185,8 @@ private:
     root.Condition = 0;
     for (const Vector& row : inverse)
     {
-      root.Condition = std::max(root.Condition, std::abs(row.x) + std::abs(row.y) + std::abs(row.z));
+      root.Condition =
+        std::max(root.Condition, std::abs(row.x) + std::abs(row.y) + std::abs(row.z));
     }
     this->Found.IsDoubtful = this->Found.IsDoubtful || root.Condition > IllConditioned;
     for (const Root& other : this->Found.All)
@@ -232,7 +234,8 @@ Roots FindInHexahedron(const TemporalCoherence::MeshCell& cell,
   {
     const Vector from = Vector(cell.Points[c]) - ray.Origin;
     cube.Corners[c].Value = { glm::dot(from, across), glm::dot(from, up), differences[c] };
-    cube.Corners[c].T = glm::dot(from, direction) / std::sqrt(glm::dot(ray.Direction, ray.Direction));
+    cube.Corners[c].T =
+      glm::dot(from, direction) / std::sqrt(glm::dot(ray.Direction, ray.Direction));
     most = glm::max(most, glm::abs(cube.Corners[c].Value));
   }
   for (std::size_t c = 0; c < 8; ++c)
@@ -246,6 +249,13 @@ Roots FindInHexahedron(const TemporalCoherence::MeshCell& cell,
   Search search(cube, depth);
   search.Cut(values, Vector(0), 1, 0);
   search.TryCorners();
+  int through = 0;
+  for (const Corner& corner : cube.Corners)
+  {
+    through += std::max(std::abs(corner.Value.x), std::abs(corner.Value.y)) < 1e-12L;
+  }
+  // Through corners that coincide: the ray is at once in all points between them.
+  search.Found.IsDoubtful = search.Found.IsDoubtful || through > 1;
   return search.Found;
 }
 

@@ -24,11 +24,11 @@ struct Ray
 
 struct Root
 {
-  Vector At;         ///< in the unit cube, up to Beyond outside of it
+  Vector At; ///< in the unit cube, up to Beyond outside of it
   Number T;
   bool Rises;
-  Number Condition;  ///< how much coordinates change with errors of values; large: ill-conditioned
-  Number Speed;      ///< how far the ray is from being stuck, 0 to 1; small: Rises means nothing
+  Number Condition; ///< how much coordinates change with errors of values; large: ill-conditioned
+  Number Speed;     ///< how far the ray is from being stuck, 0 to 1; small: Rises means nothing
 };
 
 /// How far outside of the cube roots are found, too.
@@ -40,8 +40,8 @@ struct Roots
   bool IsDoubtful = false; ///< there may be roots that are not single ones
 };
 
-/// The roots in a hexahedron: it is cut into 8^depth boxes, and Newton's method is begun in each one
-/// whose corners do not exclude a root.
+/// The roots in a hexahedron: it is cut into 8^depth boxes, and Newton's method is begun in each
+/// one whose corners do not exclude a root.
 Roots FindInHexahedron(const TemporalCoherence::MeshCell& cell,
   const std::array<double, 8>& differences, const Ray& ray, int depth);
 
@@ -52,8 +52,8 @@ struct Span
   bool IsFlat = false; ///< nothing can be said
   Number In, Out, AtIn, AtOut;
 };
-Span FindInTetrahedron(
-  const TemporalCoherence::MeshCell& cell, const std::array<double, 8>& differences, const Ray& ray);
+Span FindInTetrahedron(const TemporalCoherence::MeshCell& cell,
+  const std::array<double, 8>& differences, const Ray& ray);
 
 }
 

@@ -96,9 +96,9 @@ public:
     origin = target - distance * direction;
   }
 
-  double Scale = 1.0;           ///< of the last cell
-  glm::dvec3 Middle{ 0.0 };     ///< of the last cell
-  bool HasScales = true;        ///< cells may be huge or tiny
+  double Scale = 1.0;       ///< of the last cell
+  glm::dvec3 Middle{ 0.0 }; ///< of the last cell
+  bool HasScales = true;    ///< cells may be huge or tiny
 private:
   /// Make some cells degenerate.
   void Spoil(TemporalCoherence::MeshCell& cell)

@@ -33,7 +33,8 @@ std::vector<Crossing> ListOf(const Crossings& found)
   {
     list.push_back({ found.Ray[i], found.T[i], found.Rises[i] });
   }
-  std::stable_sort(list.begin(), list.end(), [](const Crossing& a, const Crossing& b)
+  std::stable_sort(list.begin(), list.end(),
+    [](const Crossing& a, const Crossing& b)
     { return a.Ray != b.Ray ? a.Ray < b.Ray : a.T < b.T; });
   return list;
 }
@@ -41,7 +42,8 @@ std::vector<Crossing> ListOf(const Crossings& found)
 bool AreSame(const std::vector<Crossing>& a, const std::vector<Crossing>& b)
 {
   return a.size() == b.size() &&
-    std::equal(a.begin(), a.end(), b.begin(), [](const Crossing& x, const Crossing& y)
+    std::equal(a.begin(), a.end(), b.begin(),
+      [](const Crossing& x, const Crossing& y)
       { return x.Ray == y.Ray && !std::memcmp(&x.T, &y.T, sizeof x.T) && x.Rises == y.Rises; });
 }
 
@@ -71,7 +73,8 @@ public:
     for (const CellOracle::Root& root : truth.All)
     {
       const auto outside = static_cast<double>(
-        std::max({ std::abs(root.At.x - 0.5L), std::abs(root.At.y - 0.5L), std::abs(root.At.z - 0.5L) }) -
+        std::max(
+          { std::abs(root.At.x - 0.5L), std::abs(root.At.y - 0.5L), std::abs(root.At.z - 0.5L) }) -
         0.5L);
       const auto condition = static_cast<double>(root.Condition);
       // In so far as it is certain that it lies in the cell and that it is a single root.
@@ -87,8 +90,10 @@ public:
         const bool isIt = apart < rounding * (1.0 + condition);
         met += isIt && (root.Speed < 1e-6L || crossing.Rises == root.Rises);
       }
-      const bool hasTwin = std::count_if(truth.All.begin(), truth.All.end(), [&](const auto& other)
-        { return std::abs(static_cast<double>(other.T - root.T)) / size < 1e-6; }) > 1;
+      const bool hasTwin = std::count_if(truth.All.begin(), truth.All.end(),
+                             [&](const auto& other) {
+                               return std::abs(static_cast<double>(other.T - root.T)) / size < 1e-6;
+                             }) > 1;
       this->Missed += met == 0;
       this->Repeated += met > 1 && !hasTwin;
     }
@@ -126,8 +131,7 @@ TEST_F(Hexahedra, AgreeWithBruteForce)
   {
     const auto pairs = std::make_unique<CellPairs>(random, false);
     const auto found = std::make_unique<Crossings>();
-    HexahedronCrossingsOfPairs(
-      pairs->Cells.data(), pairs->Differences.data(), pairs->Rays, *found);
+    HexahedronCrossingsOfPairs(pairs->Cells.data(), pairs->Differences.data(), pairs->Rays, *found);
     const std::vector<Crossing> list = ListOf(*found);
     auto next = list.begin();
     for (std::size_t i = 0; i < 64; ++i)
@@ -201,13 +205,14 @@ void ExpectSameBits(bool areTetrahedra, const OneCell& findInCell, const Pairs& 
       [&](const char* target)
       {
         const auto inCell = std::make_unique<Crossings>(), inPairs = std::make_unique<Crossings>();
-        const std::uint64_t there = rays->Count == 64 ? which : which & ((std::uint64_t(1) << rays->Count) - 1);
+        const std::uint64_t there =
+          rays->Count == 64 ? which : which & ((std::uint64_t(1) << rays->Count) - 1);
         findInCell(cell, cell.Values, *rays, there, *inCell);
         findInPairs(cells.data(), differences.data(), *rays, *inPairs);
         const std::vector<Crossing> list = ListOf(*inCell);
         std::vector<Crossing> others = ListOf(*inPairs);
-        others.erase(std::remove_if(others.begin(), others.end(), [&](const Crossing& crossing)
-                       { return (there >> crossing.Ray & 1u) == 0; }),
+        others.erase(std::remove_if(others.begin(), others.end(),
+                       [&](const Crossing& crossing) { return (there >> crossing.Ray & 1u) == 0; }),
           others.end());
         EXPECT_TRUE(AreSame(list, others)) << target << ", round " << round;
         EXPECT_TRUE(expected.empty() || AreSame(list, expected)) << target << ", round " << round;
@@ -249,14 +254,14 @@ TEST_F(Hexahedra, SpansAreTheSameBitsForTilesPairsAndVectors)
         {
           const auto spans = std::make_unique<CellSpans>();
           arePairs ? HexahedronSpansOfPairs(cells.data(), differences.data(), *rays, *spans)
-                   : HexahedronSpans(cell, cell.Values, *rays,
-                       ~std::uint64_t(0) >> (64 - rays->Count), *spans);
+                   : HexahedronSpans(
+                       cell, cell.Values, *rays, ~std::uint64_t(0) >> (64 - rays->Count), *spans);
           for (std::size_t ray = 0; ray < rays->Count; ++ray)
           {
             const std::size_t count = expected->Count[ray];
             ASSERT_EQ(spans->Count[ray], count) << target;
-            EXPECT_TRUE(!std::memcmp(spans->Spans[ray].data(), expected->Spans[ray].data(),
-              count * sizeof(CellSpan)))
+            EXPECT_TRUE(!std::memcmp(
+              spans->Spans[ray].data(), expected->Spans[ray].data(), count * sizeof(CellSpan)))
               << target;
             number += count;
           }
@@ -291,8 +296,8 @@ TEST_F(Hexahedra, SpansEndOnTheSidesThatCrossingsTell)
         continue; // a folded cell
       }
       const CellSpan& span = spans->Spans[ray][0];
-      const bool isClear = span.Out - span.In > 1e-6 && std::abs(span.AtIn) > 1e-6 &&
-        std::abs(span.AtOut) > 1e-6;
+      const bool isClear =
+        span.Out - span.In > 1e-6 && std::abs(span.AtIn) > 1e-6 && std::abs(span.AtOut) > 1e-6;
       compared += isClear;
       wrong += isClear && ((span.AtIn < 0.0) != (span.AtOut < 0.0)) != (crossings[ray] % 2 == 1);
     }

@@ -36,8 +36,8 @@ struct RootWork
   std::uint64_t Alone = 0;           ///< rays that have to be searched alone
   TileArray<std::uint8_t> CountOf{}; ///< boxes of each ray in Next
 
-  HWY_INLINE void Push(std::size_t ray, const std::array<double, 3>& middle,
-    const std::array<double, 3>& half)
+  HWY_INLINE void Push(
+    std::size_t ray, const std::array<double, 3>& middle, const std::array<double, 3>& half)
   {
     if (this->CountOf[ray] == RootItems::MostOfRay)
     {

@@ -163,8 +163,9 @@ struct NearlyLinear
       }
       const V sum = Three(hn::Mul(hn::Abs(inverse[0]), largest[0]),
         hn::Mul(hn::Abs(inverse[1]), largest[1]), hn::Mul(hn::Abs(inverse[2]), largest[2]));
-      const V ofInverse = hn::Add(all, Three(hn::Mul(sums[0][i], constant[0]),
-        hn::Mul(sums[1][i], constant[1]), hn::Mul(sums[2][i], constant[2])));
+      const V ofInverse = hn::Add(all,
+        Three(hn::Mul(sums[0][i], constant[0]), hn::Mul(sums[1][i], constant[1]),
+          hn::Mul(sums[2][i], constant[2])));
       this->Error[i] = hn::Add(hn::Mul(lost, ofInverse), hn::Mul(error, sum));
       constexpr std::size_t terms[5] = { 0, 3, 5, 6, 7 };
       for (std::size_t term = 0; term < 5; ++term)

@@ -11,6 +11,7 @@
 int main(int argc, char* argv[])
 {
   vtkSMPTools::SetBackend("Sequential");
+  KernelBenchmarks::RegisterCells();
   KernelBenchmarks::RegisterCrossings();
   KernelBenchmarks::RegisterShading();
   KernelBenchmarks::RegisterImages();

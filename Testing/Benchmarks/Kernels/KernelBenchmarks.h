@@ -14,6 +14,7 @@
 namespace KernelBenchmarks
 {
 
+void RegisterCells();
 void RegisterCrossings();
 void RegisterImages();
 void RegisterShading();

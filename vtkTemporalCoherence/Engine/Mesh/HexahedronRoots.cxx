@@ -46,17 +46,25 @@ bool Precondition(const System& system, Preconditioned& out)
     return false;
   }
   const double scale = 1.0 / determinant;
-  double lost = ValueError * std::abs(scale); // of the inverse, too
-  for (std::size_t i = 0; i < 3; ++i)
+  // Rounding errors of the inverse: those of its products, whose amounts are added up.
+  Row amounts[3], sums[3];
+  for (std::size_t j = 0; j < 3; ++j)
   {
-    lost *= std::max(
-      { std::abs(rows[i][0]), std::abs(rows[i][1]), std::abs(rows[i][2]), std::abs(system[i][0]) });
+    amounts[j] = { std::abs(rows[j][0]), std::abs(rows[j][1]), std::abs(rows[j][2]) };
   }
+  for (std::size_t j = 0; j < 3; ++j)
+  {
+    const Row &a = amounts[(j + 1) % 3], &b = amounts[(j + 2) % 3];
+    sums[j] = { a[1] * b[2] + a[2] * b[1], a[2] * b[0] + a[0] * b[2], a[0] * b[1] + a[1] * b[0] };
+  }
+  const Row constant = { std::abs(system[0][0]), std::abs(system[1][0]), std::abs(system[2][0]) };
+  const double all = Dot(amounts[0], sums[0]), lost = ValueError * std::abs(scale);
   for (std::size_t i = 0; i < 3; ++i)
   {
     const Row inverse = { columns[0][i] * scale, columns[1][i] * scale, columns[2][i] * scale };
-    out.Error[i] =
-      lost + ValueError * ((std::abs(inverse[0]) + std::abs(inverse[1])) + std::abs(inverse[2]));
+    const Row inverted = { std::abs(inverse[0]), std::abs(inverse[1]), std::abs(inverse[2]) };
+    out.Error[i] = lost * (all + Dot({ sums[0][i], sums[1][i], sums[2][i] }, constant)) +
+      ValueError * (inverted[0] + inverted[1] + inverted[2]);
     Trilinear& function = out.Functions[i];
     for (std::size_t k = 0; k < 8; ++k)
     {
@@ -207,18 +215,19 @@ private:
   /// \return false if nothing is left
   static bool Shorten(const Preconditioned& near, Box& box, bool& isShorter)
   {
+    std::array<double, 3> middle, share;
     for (std::size_t i = 0; i < 3; ++i)
     {
-      const double reach = near.Rest[i] + near.Error[i] + Margin, middle = -near.Functions[i][0];
-      const double low = std::max(middle - reach, -1.0), high = std::min(middle + reach, 1.0);
+      const double reach = near.Rest[i] + near.Error[i] + Margin, at = -near.Functions[i][0];
+      const double low = std::max(at - reach, -1.0), high = std::min(at + reach, 1.0);
       if (low > high)
       {
         return false;
       }
-      isShorter = isShorter || high - low < 2.0 * EnoughCut;
-      box.Middle[i] += 0.5 * (low + high) * box.Half[i];
-      box.Half[i] *= 0.5 * (high - low);
+      middle[i] = 0.5 * (low + high);
+      share[i] = 0.5 * (high - low);
     }
+    isShorter = CutBox(middle, share, box.Middle, box.Half);
     return true;
   }
 

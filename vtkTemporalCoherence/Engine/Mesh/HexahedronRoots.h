@@ -50,7 +50,7 @@ constexpr double ValueError = 4e-15;
 constexpr double Margin = 1e-12;
 
 /// Rounding errors of roots for which a system is too ill-conditioned to be solved at once.
-constexpr double MostError = 1e-3;
+constexpr double MostError = 0.03;
 
 /// Slopes of the nonlinear parts of a preconditioned system, below which it has one root at most in
 /// the box, and Newton's method in the box finds it.
@@ -66,6 +66,9 @@ constexpr double LastStep = 2e-8, LastMove = 1e-16;
 
 /// Boxes of which no more than this remains along an axis are not halved.
 constexpr double EnoughCut = 0.6;
+
+/// The shortest edge of a box that was cut, by its longest one.
+constexpr double Thinnest = 1.0 / 64.0;
 
 /// How often boxes of vectors are cut or halved before a ray is searched alone.
 constexpr int MostRounds = 12;

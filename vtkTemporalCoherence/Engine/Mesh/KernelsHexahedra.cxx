@@ -36,7 +36,8 @@ struct RootWork
   std::uint64_t Alone = 0;           ///< rays that have to be searched alone
   TileArray<std::uint8_t> CountOf{}; ///< boxes of each ray in Next
 
-  HWY_INLINE void Push(std::size_t ray, const double middle[3], const double half[3])
+  HWY_INLINE void Push(
+    std::size_t ray, const std::array<double, 3>& middle, const std::array<double, 3>& half)
   {
     if (this->CountOf[ray] == RootItems::MostOfRay)
     {
@@ -149,38 +150,37 @@ HWY_INLINE void PushBoxes(
   constexpr std::size_t most = hn::MaxLanes(D());
   const D d;
   const V half = hn::Set(d, 0.5);
-  HWY_ALIGN double middles[3][most], halves[3][most], shares[3][most];
+  HWY_ALIGN double parts[3][most], shares[3][most], middles[3][most], halves[3][most];
   for (std::size_t a = 0; a < 3; ++a)
   {
-    const V middle = hn::Mul(half, hn::Add(low[a], high[a]));
-    const V share = hn::Mul(half, hn::Sub(high[a], low[a]));
-    hn::Store(hn::Add(boxes.Middle[a], hn::Mul(middle, boxes.Half[a])), d, middles[a]);
-    hn::Store(hn::Mul(share, boxes.Half[a]), d, halves[a]);
-    hn::Store(share, d, shares[a]);
+    hn::Store(hn::Mul(half, hn::Add(low[a], high[a])), d, parts[a]);
+    hn::Store(hn::Mul(half, hn::Sub(high[a], low[a])), d, shares[a]);
+    hn::Store(boxes.Middle[a], d, middles[a]);
+    hn::Store(boxes.Half[a], d, halves[a]);
   }
   for (; left != 0; left &= left - 1)
   {
     const auto lane = static_cast<std::size_t>(hwy::Num0BitsBelowLS1Bit_Nonzero64(left));
-    double middle[3], part[3];
-    std::size_t longest = 0;
-    bool isShort = false;
+    std::array<double, 3> part, share, box, edge;
     for (std::size_t a = 0; a < 3; ++a)
     {
-      middle[a] = middles[a][lane];
-      part[a] = halves[a][lane];
-      longest = part[a] > part[longest] ? a : longest;
-      isShort = isShort || shares[a][lane] < EnoughCut;
+      part[a] = parts[a][lane];
+      share[a] = shares[a][lane];
+      box[a] = middles[a][lane];
+      edge[a] = halves[a][lane];
     }
-    if (isShort)
+    if (CutBox(part, share, box, edge))
     {
-      work.Push(boxes.Ray[lane], middle, part);
+      work.Push(boxes.Ray[lane], box, edge);
       continue;
     }
-    part[longest] *= 0.5;
-    middle[longest] -= part[longest];
-    work.Push(boxes.Ray[lane], middle, part);
-    middle[longest] += 2.0 * part[longest];
-    work.Push(boxes.Ray[lane], middle, part);
+    const auto longest =
+      static_cast<std::size_t>(std::max_element(edge.begin(), edge.end()) - edge.begin());
+    edge[longest] *= 0.5;
+    box[longest] -= edge[longest];
+    work.Push(boxes.Ray[lane], box, edge);
+    box[longest] += 2.0 * edge[longest];
+    work.Push(boxes.Ray[lane], box, edge);
   }
 }
 
@@ -294,7 +294,7 @@ HWY_INLINE void PushMet(const Functions& functions, const MeshRays& rays, std::s
   const V reach = hn::Add(ReachOf(seen.T), hn::Mul(hn::Set(d, Margin), hn::Abs(seen.T[0])));
   isMet = hn::And(isMet, hn::Le(hn::Sub(seen.T[0], hn::Add(reach, reach)), vector.End));
   isMet = hn::And(isMet, hn::Ge(hn::Add(seen.T[0], hn::Add(reach, reach)), vector.Begin));
-  constexpr double middle[3] = {}, half[3] = { 1.0, 1.0, 1.0 };
+  constexpr std::array<double, 3> middle{}, half = { 1.0, 1.0, 1.0 };
   for (wanted &= BitsOf(d, isMet); wanted != 0; wanted &= wanted - 1)
   {
     const auto lane = static_cast<std::size_t>(hwy::Num0BitsBelowLS1Bit_Nonzero64(wanted));

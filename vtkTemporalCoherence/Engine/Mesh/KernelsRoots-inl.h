@@ -61,6 +61,20 @@ HWY_INLINE V Adjoint(const V rows[3][3], V columns[3][3])
   return DotRows(rows[0], columns[0]);
 }
 
+/// The same with all differences as sums: how much was added up.
+template <class V>
+HWY_INLINE V AmountOfAdjoint(const V rows[3][3], V columns[3][3])
+{
+  for (std::size_t j = 0; j < 3; ++j)
+  {
+    const V *const a = rows[(j + 1) % 3], *const b = rows[(j + 2) % 3];
+    columns[j][0] = hn::Add(hn::Mul(a[1], b[2]), hn::Mul(a[2], b[1]));
+    columns[j][1] = hn::Add(hn::Mul(a[2], b[0]), hn::Mul(a[0], b[2]));
+    columns[j][2] = hn::Add(hn::Mul(a[0], b[1]), hn::Mul(a[1], b[0]));
+  }
+  return DotRows(rows[0], columns[0]);
+}
+
 /// ValueAt and GradientAt of Trilinear.h.
 template <class V>
 HWY_INLINE V ValueAt(const V c[8], const V u[3])
@@ -129,12 +143,17 @@ struct NearlyLinear
     this->IsRegular = hn::Gt(hn::Abs(this->Determinant), hn::Mul(least, most));
     const V scale = hn::Div(one, hn::IfThenElse(this->IsRegular, this->Determinant, one));
     const V error = hn::Set(d, ValueError);
-    V lost = hn::Mul(error, hn::Abs(scale)); // of the inverse
-    for (std::size_t i = 0; i < 3; ++i)
+    // Rounding errors of the inverse: those of its products, whose amounts are added up.
+    V amounts[3][3], sums[3][3];
+    for (std::size_t j = 0; j < 3; ++j)
     {
-      lost = hn::Mul(
-        lost, hn::Max(LargestOf(rows[i][0], rows[i][1], rows[i][2]), hn::Abs(system[i][0])));
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        amounts[j][i] = hn::Abs(rows[j][i]);
+      }
     }
+    const V all = AmountOfAdjoint(amounts, sums), lost = hn::Mul(error, hn::Abs(scale));
+    const V constant[3] = { hn::Abs(system[0][0]), hn::Abs(system[1][0]), hn::Abs(system[2][0]) };
     for (std::size_t i = 0; i < 3; ++i)
     {
       V inverse[3];
@@ -144,7 +163,10 @@ struct NearlyLinear
       }
       const V sum = Three(hn::Mul(hn::Abs(inverse[0]), largest[0]),
         hn::Mul(hn::Abs(inverse[1]), largest[1]), hn::Mul(hn::Abs(inverse[2]), largest[2]));
-      this->Error[i] = hn::Add(lost, hn::Mul(error, sum));
+      const V ofInverse = hn::Add(all,
+        Three(hn::Mul(sums[0][i], constant[0]), hn::Mul(sums[1][i], constant[1]),
+          hn::Mul(sums[2][i], constant[2])));
+      this->Error[i] = hn::Add(hn::Mul(lost, ofInverse), hn::Mul(error, sum));
       constexpr std::size_t terms[5] = { 0, 3, 5, 6, 7 };
       for (std::size_t term = 0; term < 5; ++term)
       {

@@ -50,6 +50,7 @@ struct SamePoints
     return hn::Set(D(), this->From.Points[corner][this->Axes[a]]);
   }
   HWY_INLINE V Value(std::size_t corner) const { return hn::Set(D(), this->From.Values[corner]); }
+  HWY_INLINE V Handedness() const { return hn::Set(D(), this->From.Handedness); }
 
   const Cell& From;
   std::array<glm::length_t, 3> Axes;
@@ -68,6 +69,7 @@ struct OwnPoints
   {
     return hn::LoadU(D(), &this->From.Values[corner][this->First]);
   }
+  HWY_INLINE V Handedness() const { return hn::LoadU(D(), &this->From.Handedness[this->First]); }
 
   const TurnedPairs<Number>& From;
   std::size_t First;

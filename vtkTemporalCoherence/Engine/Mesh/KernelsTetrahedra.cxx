@@ -119,6 +119,22 @@ HWY_INLINE SeenTetrahedron<D> See(const ShearedRays<D>& rays, const Points& poin
   return seen;
 }
 
+/// Rays that touch a cell only enter it, or only leave it. Distances ascend.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE void Finish(D d, TetrahedronSpan<D>& span)
+{
+  const V most = hn::Set(d, std::numeric_limits<double>::max());
+  const auto isIn = hn::Lt(span.In, most), isOut = hn::Gt(span.Out, hn::Neg(most));
+  span.IsHit = hn::Or(isIn, isOut);
+  span.AtIn = hn::IfThenElse(isIn, span.AtIn, span.AtOut);
+  span.AtOut = hn::IfThenElse(isOut, span.AtOut, span.AtIn);
+  const V in = hn::IfThenElseZero(span.IsHit, hn::IfThenElse(isIn, span.In, span.Out));
+  const V out = hn::IfThenElseZero(span.IsHit, hn::IfThenElse(isOut, span.Out, span.In));
+  const auto isReversed = hn::Gt(in, out);
+  span.In = hn::IfThenElse(isReversed, out, in);
+  span.Out = hn::IfThenElse(isReversed, in, out);
+}
+
 template <class D, class Points, class V = hn::Vec<D>>
 HWY_INLINE TetrahedronSpan<D> FindSpan(D d, const ShearedRays<D>& rays, const Points& points)
 {
@@ -130,11 +146,14 @@ HWY_INLINE TetrahedronSpan<D> FindSpan(D d, const ShearedRays<D>& rays, const Po
     isLow[edge] = hn::Le(seen.Edge[edge], zero);
     isHigh[edge] = hn::Ge(seen.Edge[edge], zero);
   }
+  const V most = hn::Set(d, std::numeric_limits<double>::max());
   TetrahedronSpan<D> span;
-  span.In = hn::Set(d, std::numeric_limits<double>::max());
-  span.Out = hn::Neg(span.In);
+  span.In = most;
+  span.Out = hn::Neg(most);
   span.AtIn = span.AtOut = zero;
-  span.IsHit = hn::Lt(zero, zero);
+  // Which faces are entered is told by how the tetrahedron lies, not by distances, whose order
+  // rounding errors may change. So rays pass a chain of cells in its order, however thin they are.
+  auto isEntered = hn::Lt(hn::Mul(rays.PerDepth, points.Handedness()), zero);
   for (const FaceParts& face : Faces)
   {
     // The edges of a face look the same way round, or the ray passes it by.
@@ -143,6 +162,7 @@ HWY_INLINE TetrahedronSpan<D> FindSpan(D d, const ShearedRays<D>& rays, const Po
     const auto isRight = hn::And(hn::And(isLow[first], isHigh[second]), isLow[third]);
     const auto isSeenFlat = hn::And(isLeft, isRight);
     const auto isHit = hn::AndNot(isSeenFlat, hn::Or(isLeft, isRight));
+    isEntered = hn::Not(isEntered);
     if (hn::AllFalse(d, isHit))
     {
       continue;
@@ -155,16 +175,15 @@ HWY_INLINE TetrahedronSpan<D> FindSpan(D d, const ShearedRays<D>& rays, const Po
     {
       TakeEdges(d, seen, face, point);
     }
-    const auto isFirst = hn::And(isHit, hn::Lt(point.T, span.In));
-    const auto isLast = hn::And(isHit, hn::Gt(point.T, span.Out));
+    const auto isIn = hn::And(isHit, hn::Xor(isEntered, isLeft));
+    const auto isFirst = hn::And(isIn, hn::Lt(point.T, span.In));
+    const auto isLast = hn::And(hn::AndNot(isIn, isHit), hn::Gt(point.T, span.Out));
     span.In = hn::IfThenElse(isFirst, point.T, span.In);
     span.AtIn = hn::IfThenElse(isFirst, point.Value, span.AtIn);
     span.Out = hn::IfThenElse(isLast, point.T, span.Out);
     span.AtOut = hn::IfThenElse(isLast, point.Value, span.AtOut);
-    span.IsHit = hn::Or(span.IsHit, isHit);
   }
-  span.In = hn::IfThenElseZero(span.IsHit, span.In);
-  span.Out = hn::IfThenElseZero(span.IsHit, span.Out);
+  Finish(d, span);
   return span;
 }
 

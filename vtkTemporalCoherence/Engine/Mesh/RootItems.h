@@ -16,6 +16,32 @@ namespace TemporalCoherence
 namespace MeshKernels
 {
 
+/// Take a part of a box, in the box's coordinates; a little more than that where the box would get
+/// so thin that rounding errors matter.
+inline bool CutBox(std::array<double, 3> part, std::array<double, 3> share,
+  std::array<double, 3>& middle, std::array<double, 3>& half)
+{
+  double longest = 0.0;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    longest = std::max(longest, share[a] * half[a]);
+  }
+  bool isShort = false;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    const double least = Thinnest * longest;
+    if (share[a] * half[a] < least)
+    {
+      share[a] = std::min(least / half[a], 1.0);
+      part[a] = std::min(std::max(part[a], share[a] - 1.0), 1.0 - share[a]);
+    }
+    middle[a] += part[a] * half[a];
+    half[a] *= share[a];
+    isShort = isShort || share[a] < EnoughCut;
+  }
+  return isShort;
+}
+
 /// Boxes in hexahedra in which roots are still searched, as arrays over boxes; for many rays.
 struct RootItems
 {

@@ -31,6 +31,9 @@ struct TetrahedronPoints : CornerPoints<4>
       this->Points[rank[i]] = cell.Points[i];
       this->Values[rank[i]] = differences[i];
     }
+    const glm::dvec3 &first = this->Points[0], &last = this->Points[3];
+    const glm::dvec3 across = glm::cross(this->Points[1] - first, this->Points[2] - first);
+    this->Handedness = glm::dot(across, last - first) < 0.0 ? -1.0 : 1.0;
   }
 
 private:

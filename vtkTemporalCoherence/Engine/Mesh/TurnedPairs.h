@@ -22,6 +22,7 @@ struct CornerPoints
   static constexpr std::size_t Corners = Number;
   std::array<glm::dvec3, Number> Points;
   std::array<double, Number> Values;
+  double Handedness = 1.0; ///< of a tetrahedron: -1 if its points are seen the other way round
 };
 
 /// The coordinates that rays along an axis shear: x, y, and the axis itself.
@@ -37,6 +38,7 @@ struct TurnedPairs
 {
   std::array<std::array<TileArray<double>, 3>, Number> Points;
   std::array<TileArray<double>, Number> Values;
+  TileArray<double> Handedness;
 
   void Set(std::size_t at, const CornerPoints<Number>& cell, std::size_t axis)
   {
@@ -49,6 +51,7 @@ struct TurnedPairs
       }
       this->Values[corner][at] = cell.Values[corner];
     }
+    this->Handedness[at] = cell.Handedness;
   }
 
   /// Repeat the last cell up to the end of the last vector, so that no lane is uninitialised.
@@ -64,6 +67,7 @@ struct TurnedPairs
         }
         this->Values[corner][at] = this->Values[corner][at - 1];
       }
+      this->Handedness[at] = this->Handedness[at - 1];
     }
   }
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Acceleration/ActiveCells.h"
 #include "Checks/Sanitized.h"
+#include "Mesh/HilbertCurve.h"
 #include "MeshTrees.h"
 
 #include <vtkSMPTools.h>
@@ -108,6 +109,29 @@ TEST(MeshLattice, RanksAndPlaces)
     const auto places =
       static_cast<std::int64_t>(farthest.x + 1) * (farthest.y + 1) * (farthest.z + 1);
     ASSERT_LT(places, 2 * count + 2) << "few places are empty";
+  }
+}
+
+/// Each step of the curve goes to a neighbour, and the curve passes every place once.
+TEST(HilbertCurve, StepsToNeighbours)
+{
+  for (const int bits : { 1, 2, 3, 4 })
+  {
+    const int size = 1 << bits;
+    std::vector<glm::ivec3> places(static_cast<std::size_t>(size * size * size), glm::ivec3(-1));
+    for (std::uint32_t i = 0; i < places.size(); ++i)
+    {
+      const std::uint32_t mask = (1u << bits) - 1;
+      const std::uint32_t x = i & mask, y = i >> bits & mask, z = i >> 2 * bits;
+      places[HilbertCurve::NumberOf(x, y, z, bits)] = glm::ivec3(x, y, z);
+    }
+    EXPECT_EQ(places[0], glm::ivec3(0));
+    for (std::size_t i = 1; i < places.size(); ++i)
+    {
+      ASSERT_GE(places[i].x, 0);
+      const glm::ivec3 step = glm::abs(places[i] - places[i - 1]);
+      ASSERT_EQ(step.x + step.y + step.z, 1);
+    }
   }
 }
 

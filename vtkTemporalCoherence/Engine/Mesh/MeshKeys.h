@@ -3,6 +3,7 @@
 #ifndef TemporalCoherence_MeshKeys_h
 #define TemporalCoherence_MeshKeys_h
 
+#include "Mesh/HilbertCurve.h"
 #include "Mesh/MeshCheck.h"
 
 #include <glm/glm.hpp>
@@ -46,17 +47,7 @@ struct KeyLayout
   }
 };
 
-/// Put two zeros between the lowest 21 bits.
-inline std::uint64_t Spread(std::uint64_t bits)
-{
-  bits = (bits | bits << 32) & 0x001f00000000ffffu;
-  bits = (bits | bits << 16) & 0x001f0000ff0000ffu;
-  bits = (bits | bits << 8) & 0x100f00f00f00f00fu;
-  bits = (bits | bits << 4) & 0x10c30c30c30c30c3u;
-  return (bits | bits << 2) & 0x1249249249249249u;
-}
-
-/// Places along a Morton curve through a cube around a box.
+/// Places along a Hilbert curve through a cube around a box.
 class Curve
 {
 public:
@@ -75,10 +66,10 @@ public:
   std::uint64_t KeyOf(const glm::dvec3& centre, std::uint32_t number) const
   {
     const glm::dvec3 place = glm::min((centre - this->Low) * this->PerLength, this->Last);
-    const std::uint64_t code = Spread(static_cast<std::uint64_t>(place.x)) |
-      Spread(static_cast<std::uint64_t>(place.y)) << 1 |
-      Spread(static_cast<std::uint64_t>(place.z)) << 2;
-    return code << this->Layout.NumberBits | number;
+    const std::uint64_t along = HilbertCurve::NumberOf(static_cast<std::uint32_t>(place.x),
+      static_cast<std::uint32_t>(place.y), static_cast<std::uint32_t>(place.z),
+      this->Layout.AxisBits);
+    return along << this->Layout.NumberBits | number;
   }
 
 private:

@@ -145,20 +145,31 @@ double vtkTemporalCoherencePicker::IntersectVolumeWithLine(const double p1[3], c
       matrix->GetElement(1, i) * normal[1] + matrix->GetElement(2, i) * normal[2];
   }
   vtkMath::Normalize(this->MapperNormal);
-  if (found->Cell.Data)
+  const TemporalCoherence::CellOrigin& cell = found->Cell;
+  if (cell.Data)
   {
     this->CompositeDataSet = vtkCompositeDataSet::SafeDownCast(surfaces->GetDataObjectInput());
-    this->FlatBlockIndex = this->CompositeDataSet ? found->Cell.Block : -1;
-    this->DataSet = found->Cell.Data;
-    this->SetCellPickInfo(found->Cell.Data, found->Cell.Cell);
+    this->FlatBlockIndex = this->CompositeDataSet ? cell.Block : -1;
   }
-  else if (vtkDataSet* data = surfaces->GetDataSetInput())
-  {
-    this->DataSet = data;
-    this->SetDataPickInfo(data);
-  }
+  this->SetPickedData(cell.Data ? cell.Data : surfaces->GetDataSetInput(), cell.Cell);
   this->CroppingPlaneId = this->FindCroppingPlane(surfaces, p1, p2, t1, t2, t);
   return t;
+}
+
+//------------------------------------------------------------------------------
+/// Tell what was picked of the data.
+/// \param cellId of a mesh; otherwise -1
+void vtkTemporalCoherencePicker::SetPickedData(vtkDataSet* data, vtkIdType cellId)
+{
+  this->DataSet = data;
+  if (data && cellId >= 0)
+  {
+    this->SetCellPickInfo(data, cellId);
+  }
+  else if (data)
+  {
+    this->SetDataPickInfo(data);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -68,6 +68,7 @@ private:
   vtkTemporalCoherencePicker(const vtkTemporalCoherencePicker&) = delete;
   void operator=(const vtkTemporalCoherencePicker&) = delete;
 
+  void SetPickedData(vtkDataSet* data, vtkIdType cellId);
   void SetDataPickInfo(vtkDataSet* data);
   void SetCellPickInfo(vtkDataSet* data, vtkIdType cellId);
   int FindCroppingPlane(vtkTemporalCoherenceVolumeMapper* mapper, const double p1[3],

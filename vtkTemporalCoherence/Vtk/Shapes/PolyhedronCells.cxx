@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shapes/PolyhedronCells.h"
 
+#include <vtkBoundingBox.h>
 #include <vtkCellArray.h>
 #include <vtkCellType.h>
-#include <vtkGenericCell.h>
-#include <vtkIdList.h>
-#include <vtkPoints.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 namespace TemporalCoherence
@@ -165,22 +164,53 @@ bool PolyhedronCells::AddPrism(vtkIdType cell, std::string& error)
   return true;
 }
 
-/// VTK's own interpolation in such a cell is that of its tetrahedra. It splits faces by the numbers
-/// of their points, so neighbours agree.
+/// The Delaunay tetrahedra. Of points on one sphere, those with lower numbers decide, so that
+/// neighbours split a face alike. (vtkConvexPointSet goes by the order of points in the cell and
+/// stretches each cell to a cube, which neighbours do not agree on.)
 void PolyhedronCells::AddConvexSet(vtkIdType cell)
 {
-  this->Grid->GetCell(cell, this->Cell);
-  if (this->Cell->GetNumberOfPoints() < 4)
+  vtkNew<vtkIdList> points;
+  this->Grid->GetCells()->GetCellAtId(cell, points);
+  Face unique(points->begin(), points->end());
+  std::sort(unique.begin(), unique.end());
+  unique.erase(std::unique(unique.begin(), unique.end()), unique.end());
+  vtkBoundingBox box;
+  bool isFinite = true;
+  for (const vtkIdType point : unique)
+  {
+    std::array<double, 3> at;
+    this->Grid->GetPoint(point, at.data());
+    box.AddPoint(at.data());
+    isFinite &= std::isfinite(at[0] + at[1] + at[2]);
+  }
+  if (unique.size() < 4 || !isFinite || !(box.GetMaxLength() > 0.0))
   {
     return;
   }
-  this->Cell->Triangulate(0, this->Ids, this->Corners);
+  this->Triangulator->InitTriangulation(
+    0.0, 1.0, 0.0, 1.0, 0.0, 1.0, static_cast<int>(unique.size()));
+  for (std::size_t p = 0; p < unique.size(); ++p)
+  {
+    std::array<double, 3> at, scaled;
+    this->Grid->GetPoint(unique[p], at.data());
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const auto a = static_cast<std::size_t>(axis);
+      scaled[a] = (at[a] - box.GetBound(2 * axis)) / box.GetMaxLength();
+    }
+    this->Triangulator->InsertPoint(static_cast<vtkIdType>(p), at.data(), scaled.data(), 0);
+  }
+  this->Triangulator->Triangulate();
+  this->Ids->Reset();
+  this->Corners->Reset();
+  this->Triangulator->AddTetras(0, this->Ids, this->Corners); // appends
   for (vtkIdType p = 0; p + 3 < this->Ids->GetNumberOfIds(); p += 4)
   {
     std::array<std::int32_t, 4> ids;
     for (vtkIdType corner = 0; corner < 4; ++corner)
     {
-      ids[static_cast<std::size_t>(corner)] = this->NumberOf(this->Ids->GetId(p + corner));
+      ids[static_cast<std::size_t>(corner)] =
+        this->NumberOf(unique[static_cast<std::size_t>(this->Ids->GetId(p + corner))]);
     }
     this->Made.AddCell(MeshCellType::Tetrahedron, ids, cell);
   }

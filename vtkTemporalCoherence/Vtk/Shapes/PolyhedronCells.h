@@ -8,16 +8,16 @@
 #include "Shapes/SharedPoints.h"
 #include "vtkTemporalCoherenceCompatibility.h"
 
+#include <vtkIdList.h>
 #include <vtkNew.h>
+#include <vtkOrderedTriangulator.h>
+#include <vtkPoints.h>
 #include <vtkType.h>
 
 #include <string>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
-class vtkGenericCell;
-class vtkIdList;
-class vtkPoints;
 class vtkUnstructuredGrid;
 VTK_ABI_NAMESPACE_END
 
@@ -59,7 +59,7 @@ private:
   PointReader Reader;
   SharedPoints& Shared;
   MadeCells& Made;
-  vtkNew<vtkGenericCell> Cell;
+  vtkNew<vtkOrderedTriangulator> Triangulator;
   vtkNew<vtkIdList> Ids;
   vtkNew<vtkPoints> Corners;
 };

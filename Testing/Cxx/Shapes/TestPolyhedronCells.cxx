@@ -1,0 +1,297 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Linear cells made of polyhedra, prisms and convex sets of points, without a picture: neighbours
+// of any type share all points of their faces, they fill the space of the grid, and linear fields
+// stay linear. Wrong cells get one sentence.
+
+#include "Checks/Expect.h"
+#include "CurvedGrids.h"
+#include "LinearCells.h"
+#include "Shapes/SubdividedCells.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellTypeSource.h>
+#include <vtkIdList.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <cstdlib>
+#include <string>
+
+namespace
+{
+
+using namespace TemporalCoherence;
+using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
+using Corners = std::vector<vtkIdType>;
+
+double Linear(const glm::dvec3& at)
+{
+  return 2.0 * at.x - 3.0 * at.y + 0.5 * at.z + 1.0;
+}
+
+MeshPart PartOf(vtkUnstructuredGrid* grid, const std::string& what)
+{
+  std::vector<MeshPart> parts;
+  std::string error;
+  Subdivision told;
+  Expect(AppendSubdividedCells(
+           grid, grid->GetPointData()->GetScalars(), 0, nullptr, 0, parts, error, &told),
+    what + ": cells are made " + error);
+  Expect(told.Others == grid->GetNumberOfCells(), what + ": all cells count");
+  return parts.empty() ? MeshPart() : parts.front();
+}
+
+/// Prisms over a pattern of hexagons, in layers.
+class Honeycomb
+{
+public:
+  /// \param typeOf of each cell: a polyhedron, or a hexagonal prism
+  Honeycomb(int across, int layers, const std::function<int(int)>& typeOf)
+  {
+    this->Points->SetDataTypeToDouble();
+    for (int c = 0; c < across * across * layers; ++c)
+    {
+      const int column = c % across, row = c / across % across, layer = c / across / across;
+      Corners ends;
+      for (int corner = 0; corner < 12; ++corner)
+      {
+        const double angle = (corner % 6 + 0.5) * 3.14159265358979323846 / 3.0;
+        ends.push_back(
+          this->PointAt({ std::sqrt(3.0) * (column + 0.5 * (row % 2)) + std::cos(angle),
+            1.5 * row + std::sin(angle), double(layer + corner / 6) }));
+      }
+      if (typeOf(c) == VTK_POLYHEDRON)
+      {
+        this->AddPolyhedron(ends);
+      }
+      else
+      {
+        this->Made->InsertNextCell(VTK_HEXAGONAL_PRISM, 12, ends.data());
+      }
+    }
+    this->Made->SetPoints(this->Points);
+  }
+
+  Grid Made = Grid::New();
+
+private:
+  vtkIdType PointAt(const glm::dvec3& at)
+  {
+    const std::array<long, 3> key{ std::lround(at.x * 1e6), std::lround(at.y * 1e6),
+      std::lround(at.z * 1e6) };
+    const auto found = this->Known.emplace(key, this->Points->GetNumberOfPoints());
+    if (found.second)
+    {
+      this->Points->InsertNextPoint(at.x, at.y, at.z);
+    }
+    return found.first->second;
+  }
+
+  /// Its faces begin with any corner.
+  void AddPolyhedron(const Corners& ends)
+  {
+    Corners stream;
+    for (std::size_t face = 0; face < 6; ++face)
+    {
+      const std::size_t next = (face + 1) % 6;
+      stream.insert(stream.end(), { 4, ends[next], ends[6 + next], ends[6 + face], ends[face] });
+    }
+    for (std::size_t end = 0; end < 2; ++end)
+    {
+      stream.push_back(6);
+      for (std::size_t corner = 0; corner < 6; ++corner)
+      {
+        stream.push_back(ends[6 * end + (corner + 2 * end) % 6]);
+      }
+    }
+    this->Made->InsertNextCell(VTK_POLYHEDRON, 12, ends.data(), 8, stream.data());
+  }
+
+  vtkNew<vtkPoints> Points;
+  std::map<std::array<long, 3>, vtkIdType> Known;
+};
+
+void GiveLinear(vtkUnstructuredGrid* grid)
+{
+  vtkNew<vtkDoubleArray> values;
+  for (vtkIdType p = 0; p < grid->GetNumberOfPoints(); ++p)
+  {
+    glm::dvec3 at;
+    grid->GetPoint(p, &at.x);
+    values->InsertNextValue(Linear(at));
+  }
+  grid->GetPointData()->SetScalars(values);
+}
+
+void ExpectLinear(const MeshPart& part, const std::string& what)
+{
+  bool isLinear = part.NumberOfPoints > 0;
+  for (std::int64_t p = 0; p < part.NumberOfPoints; ++p)
+  {
+    const glm::dvec3 at(
+      part.Coordinates[0].At(p), part.Coordinates[1].At(p), part.Coordinates[2].At(p));
+    isLinear &= std::abs(part.Values.At(p) - Linear(at)) < 1e-12;
+  }
+  Expect(isLinear, what + ": a linear field stays linear");
+}
+
+void ExpectSpace(
+  const MeshPart& part, double volume, std::size_t outerFaces, const std::string& what)
+{
+  double sum = 0.0;
+  for (std::int64_t c = 0; c < part.NumberOfCells; ++c)
+  {
+    MeshCell cell;
+    ReadCell(part, c, cell);
+    sum += std::abs(VolumeOf(cell)); // polyhedra are not turned in any direction
+  }
+  Expect(std::abs(sum - volume) < 1e-9 * volume,
+    what + ": volume " + std::to_string(sum) + ", not " + std::to_string(volume));
+  std::size_t single = 0;
+  for (const auto& [face, count] : CountFaces(part))
+  {
+    Expect(count <= 2, what + ": a face has at most two cells");
+    single += count == 1;
+  }
+  Expect(single == outerFaces,
+    what + ": " + std::to_string(single) + " faces with one cell, not " +
+      std::to_string(outerFaces));
+}
+
+void TestHoneycomb()
+{
+  for (const int kind : { 0, 1, 2 })
+  {
+    const std::string what = kind == 0 ? "polyhedra" : kind == 1 ? "prisms" : "both";
+    const Honeycomb comb(4, 3,
+      [&](int cell)
+      { return kind == 0 || (kind == 2 && cell % 3 == 1) ? VTK_POLYHEDRON : VTK_HEXAGONAL_PRISM; });
+    GiveLinear(comb.Made);
+    const MeshPart part = PartOf(comb.Made, what);
+    ExpectLinear(part, what);
+    // A rhombus of 4 x 4 hexagons has 30 edges around it: 6 * 16, without twice the 33 inner ones.
+    ExpectSpace(part, 16 * 3 * 1.5 * std::sqrt(3.0), 30 * 3 + 2 * 16 * 6, what);
+  }
+}
+
+void TestOthers()
+{
+  for (const int type : { VTK_PENTAGONAL_PRISM, VTK_HEXAGONAL_PRISM })
+  {
+    vtkNew<vtkCellTypeSource> source;
+    source->SetCellType(type);
+    source->SetBlocksDimensions(2, 2, 2);
+    source->Update();
+    const Grid grid = Grid::New();
+    grid->DeepCopy(source->GetOutput());
+    GiveLinear(grid);
+    const std::string what = "VTK's source of type " + std::to_string(type);
+    const MeshPart part = PartOf(grid, what);
+    double sum = 0.0;
+    for (std::int64_t c = 0; c < part.NumberOfCells; ++c)
+    {
+      MeshCell cell;
+      ReadCell(part, c, cell);
+      sum += std::abs(VolumeOf(cell));
+    }
+    Expect(std::abs(sum - 8.0) < 1e-5, what + ": volume " + std::to_string(sum));
+    ExpectLinear(part, what);
+  }
+  const Grid sets = TileCubes(VTK_CONVEX_POINT_SET, HexahedronPattern(VTK_HEXAHEDRON), 3);
+  GiveLinear(sets);
+  const MeshPart part = PartOf(sets, "convex sets");
+  ExpectLinear(part, "convex sets");
+  ExpectSpace(part, 1.0, 6 * 9 * 2, "convex sets");
+}
+
+/// A cell with a flag is left out, and its neighbours keep their numbers.
+void TestHidden()
+{
+  const Honeycomb comb(
+    2, 1, [](int cell) { return cell % 2 ? VTK_POLYHEDRON : VTK_HEXAGONAL_PRISM; });
+  GiveLinear(comb.Made);
+  const std::array<std::uint8_t, 4> flags{ 0, 2, 0, 1 };
+  std::vector<MeshPart> parts;
+  std::string error;
+  Expect(AppendSubdividedCells(
+           comb.Made, comb.Made->GetPointData()->GetScalars(), 0, flags.data(), 2, parts, error) &&
+      parts.size() == 1,
+    "cells are made");
+  std::map<std::int64_t, int> originals;
+  for (std::int64_t c = 0; c < parts.front().NumberOfCells; ++c)
+  {
+    ++originals[parts.front().Originals.IdAt(c)];
+  }
+  const std::map<std::int64_t, int> expected{ { 0, 6 }, { 2, 6 }, { 3, 6 + 2 * 6 } };
+  Expect(originals == expected, "cells have their numbers, and that with the flag is left out");
+}
+
+void ExpectError(vtkUnstructuredGrid* grid, const std::string& part)
+{
+  std::vector<MeshPart> parts;
+  std::string error;
+  Expect(
+    !AppendSubdividedCells(grid, grid->GetPointData()->GetScalars(), 0, nullptr, 0, parts, error) &&
+      parts.empty(),
+    "an error: " + part);
+  Expect(error.find(part) != std::string::npos, "'" + error + "' tells '" + part + "'");
+}
+
+Grid WithCell(int type, const Corners& ids)
+{
+  const Grid grid = TileCubes(VTK_HEXAHEDRON, HexahedronPattern(VTK_HEXAHEDRON), 3);
+  grid->InsertNextCell(type, static_cast<vtkIdType>(ids.size()), ids.data());
+  GiveLinear(grid);
+  return grid;
+}
+
+void TestErrors()
+{
+  ExpectError(WithCell(VTK_QUADRATIC_TETRA, { 0, 1, 2, 3, 4, 5, 6, 7, 8 }),
+    "Cell 27 is a VTK_QUADRATIC_TETRA with 9 points, but needs 10");
+  ExpectError(WithCell(VTK_LAGRANGE_HEXAHEDRON, { 0, 1, 2, 3, 4, 5, 6, 7, 8 }),
+    "Cell 27 is a VTK_LAGRANGE_HEXAHEDRON with 9 points");
+  ExpectError(WithCell(VTK_HEXAGONAL_PRISM, { 0, 1, 2, 3, 4, 5, 6, 7 }), "8 points, but needs 12");
+  ExpectError(WithCell(VTK_PENTAGONAL_PRISM, { 0, 1, 2, 3, 4, 5, 6, 7, 8, 99 }), "point number 99");
+  // Cells of other types are not looked at.
+  std::vector<MeshPart> parts;
+  std::string error;
+  const Grid grid = WithCell(VTK_TETRA, { 0, 1, 99 });
+  Expect(
+    AppendSubdividedCells(grid, grid->GetPointData()->GetScalars(), 0, nullptr, 0, parts, error) &&
+      parts.empty(),
+    "nothing to do");
+}
+
+/// All points of a cell at one place, or on a line, or one of them NaN: no crash, no endless loop.
+void TestDegenerate()
+{
+  const Grid grid = Grid::New();
+  grid->DeepCopy(
+    TileCubes(VTK_TRIQUADRATIC_HEXAHEDRON, HexahedronPattern(VTK_TRIQUADRATIC_HEXAHEDRON), 2));
+  Bend(grid, 1.0, 0.05, 0.1);
+  for (vtkIdType p = 0; p < grid->GetNumberOfPoints(); p += 3)
+  {
+    grid->GetPoints()->SetPoint(p, 0.0, 0.0, p % 2 ? std::nan("") : 0.0);
+  }
+  const Corners same(27, 5);
+  grid->InsertNextCell(VTK_TRIQUADRATIC_HEXAHEDRON, 27, same.data());
+  std::vector<MeshPart> parts;
+  std::string error;
+  Expect(
+    AppendSubdividedCells(grid, grid->GetPointData()->GetScalars(), 0, nullptr, 0, parts, error),
+    "degenerate cells are divided " + error);
+}
+
+}
+
+int TestPolyhedronCells(int, char*[])
+{
+  TestHoneycomb();
+  TestOthers();
+  TestHidden();
+  TestErrors();
+  TestDegenerate();
+  return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}

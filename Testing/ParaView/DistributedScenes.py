@@ -9,7 +9,8 @@ import os
 
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
-from Stage import (Delete, LegacyVTKReader, PointDatatoCellData, ProgrammableSource, Render, check,
+from Stage import (AMRGaussianPulseSource, Calculator, Delete, GroupDatasets, LegacyVTKReader,
+                   PointDatatoCellData, ProgrammableSource, Render, Tetrahedralize, Transform, check,
                    look_from, make_view, make_wavelet, show, statistic, take_picture)
 
 PROCESSES = vtkMultiProcessController.GetGlobalController().GetNumberOfProcesses()
@@ -104,6 +105,24 @@ def draw(name, source, isovalues, fxaa=0, **settings):
     Delete(view)
 
 
+def meshes(wavelet):
+    """Grids other than images: each process draws its own cells."""
+    tetrahedra = Tetrahedralize(Input=wavelet)
+    draw("tetrahedra", tetrahedra, [150.0])
+    draw("tetrahedra-solid", tetrahedra, [120.0, 200.0], SurfaceMode="Threshold")
+    draw("translucent-tetrahedra", tetrahedra, [120.0, 200.0], Opacity=0.4)
+    draw("tetrahedra-cells", PointDatatoCellData(Input=tetrahedra), [150.0])
+    twisted = Calculator(Input=wavelet, CoordinateResults=1, ResultArrayName="Places",
+                         Function="iHat*(coordsX+0.01*coordsY*coordsZ)+jHat*(coordsY+0.1*coordsX)"
+                         "+kHat*coordsZ")
+    draw("curvilinear", twisted, [150.0])
+    draw("mixed", GroupDatasets(Input=[tetrahedra, Transform(Input=tetrahedra)]), [150.0])
+    amr = AMRGaussianPulseSource()
+    amr.UpdatePipeline()
+    display = amr.CellData[0]
+    draw("adaptive", amr, [0.5 * (display.GetRange()[0] + display.GetRange()[1])])
+
+
 def main():
     """All scenes."""
     wavelet = make_wavelet()
@@ -119,6 +138,7 @@ def main():
     draw("cropped", wavelet, [120.0], SurfaceMode="Threshold", UseCropping=1,
          CroppingOrigin=[3.0, 0.0, 0.0], CroppingScale=[0.6, 0.7, 0.8])
     draw("cells", PointDatatoCellData(Input=wavelet), [150.0])
+    meshes(wavelet)
     for kind in OUTPUTS:
         draw(f"parts-{kind}", make_parts(kind), [150.0])
     # Not a .vti: with recent updates of Debian 12's expat, its VTK cannot read some of these.

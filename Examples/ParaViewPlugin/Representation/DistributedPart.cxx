@@ -13,6 +13,7 @@
 #include "vtkImageData.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
+#include "vtkOverlappingAMR.h"
 #include "vtkPointData.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkUnsignedCharArray.h"
@@ -43,6 +44,11 @@ bool HasGhostCells(vtkDataSet* dataSet)
     }
   }
   return false;
+}
+
+bool IsMesh(vtkDataSet* dataSet)
+{
+  return !vtkImageData::SafeDownCast(dataSet) && !vtkRectilinearGrid::SafeDownCast(dataSet);
 }
 
 /// Points of an image or grid; false for anything else and where there are no cells.
@@ -197,11 +203,11 @@ double VolumeOf(const vtkBoundingBox& box)
 }
 
 /// What this process draws. If that is a box, and ghost arrays say nothing else, they are taken
-/// away.
-void FindOwnedPart(const std::vector<vtkDataSet*>& dataSets, DistributedPart& part)
+/// away. Meshes are not cut: their cells say what is hidden.
+void FindOwnedPart(const std::vector<vtkDataSet*>& dataSets, bool haveMeshes, DistributedPart& part)
 {
   constexpr double rounding = 1e-10;
-  bool isAllSaid = true, hasGhosts = false;
+  bool isAllSaid = !haveMeshes, hasGhosts = false;
   double volume = 0.0;
   for (vtkDataSet* dataSet : dataSets)
   {
@@ -386,6 +392,13 @@ std::vector<vtkDataSet*> DataSetsOf(vtkDataObject* data)
   return vtkCompositeDataSet::GetDataSets<vtkDataSet>(data);
 }
 
+bool HasMeshes(vtkDataObject* data)
+{
+  const std::vector<vtkDataSet*> dataSets = DataSetsOf(data);
+  return vtkOverlappingAMR::SafeDownCast(data) ||
+    std::any_of(dataSets.begin(), dataSets.end(), IsMesh);
+}
+
 vtkSmartPointer<vtkDataObject> WithGhostCells(
   vtkDataObject* input, vtkMultiProcessController* controller)
 {
@@ -399,7 +412,8 @@ vtkSmartPointer<vtkDataObject> WithGhostCells(
 
   const auto copy = vtkSmartPointer<vtkDataObject>::Take(input->NewInstance());
   const bool isSplit = all[0] > 1, isLayered = all[1] > 0;
-  if (!isSplit || isLayered)
+  // The levels of an adaptive grid tell themselves what is hidden.
+  if (!isSplit || isLayered || vtkOverlappingAMR::SafeDownCast(input))
   {
     copy->ShallowCopy(input);
     return copy;
@@ -420,14 +434,14 @@ DistributedPart Describe(
 {
   DistributedPart part;
   const std::vector<vtkDataSet*> dataSets = DataSetsOf(data);
-  FindOwnedPart(dataSets, part);
+  FindOwnedPart(dataSets, HasMeshes(data), part);
   for (vtkDataSet* dataSet : dataSets)
   {
     if (vtkDataArray* array = choice.In(dataSet))
     {
       AddRanges(array, part);
     }
-    if (choice.IsOnCells)
+    if (choice.IsOnCells && !IsMesh(dataSet) && !vtkOverlappingAMR::SafeDownCast(data))
     {
       ShowDuplicates(dataSet);
     }

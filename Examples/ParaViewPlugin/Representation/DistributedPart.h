@@ -45,6 +45,10 @@ struct DistributedPart
 /// The data sets of a data object: itself, or its leaves.
 std::vector<vtkDataSet*> DataSetsOf(vtkDataObject* data);
 
+/// True if there are grids other than images and rectilinear ones: their cells that belong to
+/// another process are not drawn, and nothing has to be cut.
+bool HasMeshes(vtkDataObject* data);
+
 /// Layers of cells beyond the own: one for gradients, and one more for scalars of cells, whose
 /// samples lie half a cell farther inside.
 constexpr int NumberOfGhostLayers = 2;

@@ -256,6 +256,12 @@ int vtkTemporalIsosurfaceRepresentation::ProcessViewRequest(
   {
     // Opaque surfaces have depths, by which pictures can be put together in any order.
     outInfo->Set(vtkPVRenderView::NEED_ORDERED_COMPOSITING(), this->IsTranslucent() ? 1 : 0);
+    if (this->Cache && HasMeshes(this->Cache))
+    {
+      // Parts of meshes may reach around one another: for translucent ones cells are exchanged.
+      vtkPVRenderView::SetOrderedCompositingConfiguration(inInfo, this,
+        vtkPVRenderView::DATA_IS_REDISTRIBUTABLE | vtkPVRenderView::USE_DATA_FOR_LOAD_BALANCING);
+    }
   }
   return 1;
 }
@@ -469,18 +475,6 @@ void vtkTemporalIsosurfaceRepresentation::ReportOnce(const std::string& message)
   if (!message.empty() && (!controller || controller->GetLocalProcessId() == 0))
   {
     vtkWarningMacro(<< message);
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkTemporalIsosurfaceRepresentation::SetInputArrayToProcess(
-  int index, int port, int connection, int association, const char* name)
-{
-  const vtkMTimeType before = this->GetMTime();
-  this->Superclass::SetInputArrayToProcess(index, port, connection, association, name);
-  if (this->GetMTime() > before)
-  {
-    this->MarkModified(); // the values in all processes are asked for again
   }
 }
 

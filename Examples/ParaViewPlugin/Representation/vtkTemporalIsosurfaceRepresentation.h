@@ -2,14 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkTemporalIsosurfaceRepresentation
- * @brief   ParaView's representation "Temporal Isosurface" of images and rectilinear grids
+ * @brief   ParaView's representation "Temporal Isosurface" of images and grids
  *
- * It draws with a vtkTemporalCoherenceVolumeMapper: a vtkImageData, a vtkRectilinearGrid, or all
- * images of a composite data set together, as blocks of one lattice. The scalars are the array that
+ * It draws with a vtkTemporalCoherenceVolumeMapper: a vtkImageData, a vtkRectilinearGrid, all
+ * images of a composite data set together, as blocks of one lattice, unstructured, curvilinear and
+ * adaptive grids, and composites of these. The scalars are the array that
  * is chosen for colouring; where none is, the active scalars, in a solid colour.
  *
  * In a distributed run each process draws its own part, cut where that of another begins, with
- * ghost cells beyond the cut so that gradients go on. If surfaces are opaque, processes'
+ * ghost cells beyond the cut so that gradients go on. Of grids other than images and rectilinear
+ * ones each draws its own cells. If surfaces are opaque, processes'
  * pictures are put together by depth; else in the order of the parts.
  */
 
@@ -142,6 +144,7 @@ protected:
   bool AddToView(vtkView* view) override;
   bool RemoveFromView(vtkView* view) override;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,

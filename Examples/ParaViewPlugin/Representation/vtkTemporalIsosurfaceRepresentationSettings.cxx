@@ -25,6 +25,30 @@ void SetAt(std::vector<double>& values, int i, double value)
 }
 
 //------------------------------------------------------------------------------
+int vtkTemporalIsosurfaceRepresentation::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (!this->Superclass::FillInputPortInformation(port, info))
+  {
+    return 0;
+  }
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalIsosurfaceRepresentation::SetInputArrayToProcess(
+  int index, int port, int connection, int association, const char* name)
+{
+  const vtkMTimeType before = this->GetMTime();
+  this->Superclass::SetInputArrayToProcess(index, port, connection, association, name);
+  if (this->GetMTime() > before)
+  {
+    this->MarkModified(); // the values in all processes are asked for again
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkTemporalIsosurfaceRepresentation::SetNumberOfIsovalues(int number)
 {
   this->Isovalues.resize(static_cast<std::size_t>(std::max(number, 0)));

@@ -97,9 +97,12 @@ struct FaceFunction
     }
     const auto isFirst = hn::Ge(hn::Abs(slope[0]), hn::Abs(slope[1]));
     const V steep = hn::IfThenElse(isFirst, slope[0], slope[1]);
-    const V zero = hn::Zero(d), isFlat = hn::Set(d, 1.0);
+    const V zero = hn::Zero(d), one = hn::Set(d, 1.0);
     const V from = hn::Neg(hn::IfThenElse(isFirst, value[0], value[1]));
-    return hn::Div(from, hn::IfThenElse(hn::Eq(steep, zero), isFlat, steep));
+    // Where an edge is a point, b there solves the equation without a for every ray. Only a ray
+    // through this point meets the face there; for others, a is infinite.
+    const auto isAnywhere = hn::And(hn::Eq(steep, zero), hn::Eq(from, zero));
+    return hn::Div(from, hn::IfThenElse(isAnywhere, one, steep));
   }
 
   V Low[2], AlongA[2], AlongB[2], Bend[2], Largest;

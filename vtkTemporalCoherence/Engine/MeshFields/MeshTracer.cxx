@@ -209,6 +209,15 @@ void MeshTracer::FindCrossings(
     });
 }
 
+namespace
+{
+
+/// Parts of a ray in two cells touch if they are no farther apart than rounding may move their
+/// ends, as a share of the distance.
+constexpr double Touching = 0x1p-36;
+
+}
+
 /// Where rays enter solids: parts in cells that touch are one.
 void MeshTracer::FindSolids(
   const MeshTile& tile, std::uint64_t wanted, std::int64_t& cellsRead, std::vector<Met>& all) const
@@ -242,7 +251,8 @@ void MeshTracer::FindSolids(
     for (std::size_t i = 0; i < parts.size(); ++i)
     {
       const SolidPart& part = parts[i];
-      const bool isNew = i == 0 || part.Ray != parts[i - 1].Ray || part.From > end;
+      const bool isNew =
+        i == 0 || part.Ray != parts[i - 1].Ray || part.From - end > Touching * std::abs(end);
       if (isNew)
       {
         all.push_back({ { part.From, part.Kind, this->IsovalueOf(surface) },

@@ -218,6 +218,46 @@ void TestProgress()
     "progress rises from the beginning of the set-up to the end of the frame");
 }
 
+/// Observers of the set-up may take the data away, and ask: the frame is that of the data.
+void TestObservers()
+{
+  Scene truth(Hexahedra(Waves()), { 60.0 }), scene(Hexahedra(Waves()), { 60.0 });
+  struct Meddler
+  {
+    explicit Meddler(Scene& scene)
+      : Of(scene)
+    {
+      this->Command->SetClientData(this);
+      this->Command->SetCallback(
+        [](vtkObject*, unsigned long, void* self, void*)
+        {
+          Scene& of = static_cast<Meddler*>(self)->Of;
+          of.Mapper->SetInputData(static_cast<vtkDataSet*>(nullptr));
+          static_cast<Meddler*>(self)->IsOpaque &= of.Mapper->IsOpaque(of.Volume);
+          static_cast<Meddler*>(self)->IsTold = true;
+        });
+      scene.Mapper->AddObserver(vtkCommand::VolumeMapperRenderProgressEvent, this->Command);
+    }
+    ~Meddler() { this->Of.Mapper->RemoveObserver(this->Command); }
+
+    Scene& Of;
+    bool IsOpaque = true, IsTold = false;
+    vtkNew<vtkCallbackCommand> Command;
+  };
+  for (Scene* each : { &truth, &scene })
+  {
+    each->LookFrom(1.0, 2.0, 0.7);
+  }
+  Expect(truth.Render(60, 60), "meddlers: truth");
+  {
+    const Meddler meddler(scene);
+    Expect(scene.Render(60, 60) && meddler.IsTold && meddler.IsOpaque, "meddlers: rendered");
+  }
+  Expect(AreIdentical(truth.Color, scene.Color), "meddlers: another picture");
+  scene.Mapper->SetInputData(Hexahedra(Waves()));
+  Expect(scene.Render(60, 60) && AreIdentical(truth.Color, scene.Color), "meddlers: afterwards");
+}
+
 }
 
 int TestGridChanges(int, char*[])
@@ -226,5 +266,6 @@ int TestGridChanges(int, char*[])
   TestTimeSteps();
   TestTwoRenderers();
   TestProgress();
+  TestObservers();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

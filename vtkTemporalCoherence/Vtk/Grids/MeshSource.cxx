@@ -3,13 +3,19 @@
 #include "Grids/MeshSource.h"
 
 #include "Grids/AmrGrids.h"
+#include "Grids/GridShape.h"
 #include "Grids/MeshDefectText.h"
+#include "Input/GhostArray.h"
 #include "Input/VolumePlace.h"
 #include "Mesh/MeshTree.h"
 #include "MeshFields/MeshKind.h"
 #include "Scene/Stopwatch.h"
 
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkDataSet.h>
+#include <vtkPointSet.h>
+#include <vtkUnstructuredGrid.h>
 #include <vtkVolume.h>
 #include <vtkVolumeProperty.h>
 
@@ -44,14 +50,19 @@ int ComponentsOf(vtkUniformGridAMR* amr, const ScalarChoice& choice)
   return components;
 }
 
-/// Keep all that a mesh reads.
+/// Keep all that a mesh reads, also if a data set gets other arrays.
 void Keep(const std::vector<GridLeaf>& leaves, PlacedField& field)
 {
   for (const GridLeaf& leaf : leaves)
   {
-    const auto copy = vtkSmartPointer<vtkDataSet>::Take(leaf.Data->NewInstance());
-    copy->ShallowCopy(leaf.Data); // the arrays stay if the data set gets others
-    field.Read.emplace_back(copy);
+    auto* const points = vtkPointSet::SafeDownCast(leaf.Data);
+    auto* const grid = vtkUnstructuredGrid::SafeDownCast(leaf.Data);
+    vtkCellArray* const cells = CellsOf(leaf.Data);
+    field.Read.insert(field.Read.end(),
+      { leaf.Data, leaf.Array, GhostsOf(leaf.Data->GetCellData()),
+        points && points->GetPoints() ? points->GetPoints()->GetData() : nullptr,
+        cells ? cells->GetOffsetsArray() : nullptr, cells ? cells->GetConnectivityArray() : nullptr,
+        grid ? grid->GetCellTypesArray() : nullptr });
   }
 }
 

@@ -96,8 +96,13 @@ bool RequestFromMapper::Make(vtkVolumeMapper* mapper, const PictureSettings& set
   query.AveragedGradients = settings.AveragedGradients;
   query.MeshMemoryLimit = settings.MeshMemoryLimit;
   query.Report = report;
+  this->Drawn = drawn;
+  this->IsMakingField = true;
   // Without points: an empty picture, as for images without cells.
-  return this->Fields.IsEmpty() || this->MakeScene(query, drawn.OfProperty, request, error);
+  const bool isMade =
+    this->Fields.IsEmpty() || this->MakeScene(query, drawn.OfProperty, request, error);
+  this->IsMakingField = false;
+  return isMade;
 }
 
 namespace
@@ -151,9 +156,12 @@ bool RequestFromMapper::IsOpaque(
     return true; // nothing to draw
   }
   vtkVolumeProperty* property = volume->GetProperty();
-  DrawnComponent drawn;
+  DrawnComponent drawn = this->Drawn;
   std::string error; // the next frame reports it
-  this->Fields.Find(mapper, property, settings.Vectors, drawn, error);
+  if (!this->IsMakingField)
+  {
+    this->Fields.Find(mapper, property, settings.Vectors, drawn, error);
+  }
   return TemporalCoherence::IsOpaque(
     ChooseIsovalues(property, settings.DepthPass), property, drawn.OfProperty);
 }

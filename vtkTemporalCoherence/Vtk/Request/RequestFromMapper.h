@@ -83,6 +83,8 @@ private:
   bool MakeScene(const FieldQuery& query, int component, FrameRequest& request, std::string& error);
 
   FieldFromMapper Fields;
+  DrawnComponent Drawn;       ///< that was found last
+  bool IsMakingField = false; ///< meanwhile observers may ask anything
 };
 
 }

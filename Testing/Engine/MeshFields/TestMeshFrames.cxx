@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -31,14 +32,21 @@ namespace
 using namespace TemporalCoherence;
 
 /// Steps of a random walk.
-constexpr int Steps = IsMemorySanitized ? 20 : 120;
+constexpr int Steps = IsMemorySanitized ? 10 : 50;
+
+Meshes::Block Small()
+{
+  Meshes::Block block;
+  block.Cubes = { 6, 5, 6 };
+  return block;
+}
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 class MeshFrames : public ::testing::TestWithParam<Meshes::Cells>
 {
 protected:
-  MeshFrames() { this->Show(Meshes::MeshOf(Meshes::MakeBlock(this->GetParam(), {}))); }
+  MeshFrames() { this->Show(Meshes::MeshOf(Meshes::MakeBlock(this->GetParam(), Small()))); }
 
   void Show(std::shared_ptr<const Mesh> mesh, bool averagedGradients = false)
   {
@@ -54,7 +62,7 @@ protected:
   }
 
   void LookFrom(
-    const glm::dvec3& direction, bool parallel = false, const glm::ivec2& size = { 93, 71 })
+    const glm::dvec3& direction, bool parallel = false, const glm::ivec2& size = { 61, 47 })
   {
     const glm::ivec3 box(glm::ceil(glm::dvec3(1.0 / this->Tree->Scale())));
     this->Key.View = LookAt(box + 1, direction, size, parallel);
@@ -151,7 +159,7 @@ TEST_P(MeshFrames, ColdFramesFindWhatEveryCellHolds)
           std::abs(frame.Depth[pixel] - truth[pixel].Distance) <= 1e-9 * truth[pixel].Distance);
       wrong += !isSame;
     }
-    EXPECT_GT(hits, 1000) << isParallel;
+    EXPECT_GT(hits, 200) << isParallel;
     EXPECT_EQ(wrong, 0) << isParallel;
   }
 }
@@ -185,17 +193,18 @@ TEST_P(MeshFrames, SweepsAreColdFrames)
       this->Key.Isosurfaces.Opacities.assign(isTranslucent ? 1 : 0, 0.5);
       FrameRenderer renderer;
       std::map<Route, int> routes;
-      for (int step = 0; step < 40; ++step)
+      for (int step = 0; step < 16; ++step)
       {
-        this->Key.Isosurfaces.Isovalues = { 0.3 + 0.01 * step };
+        this->Key.Isosurfaces.Isovalues = { 0.3 + 0.02 * step };
         renderer.Render(this->Key, {});
         ++routes[renderer.Statistics().Made];
-        ASSERT_TRUE(ShowTheSame(renderer.LastFrame(), this->Cold()))
+        const Frame cold = this->Cold();
+        ASSERT_TRUE(ShowTheSame(renderer.LastFrame(), cold))
           << step << NameOf(renderer.Statistics().Made) << int(mode) << isTranslucent;
-        ASSERT_TRUE(IsSamePlane(renderer.LastFrame().Cells, this->Cold().Cells)) << step;
-        ASSERT_TRUE(HaveTheSameLayers(renderer.LastFrame(), this->Cold())) << step;
+        ASSERT_TRUE(IsSamePlane(renderer.LastFrame().Cells, cold.Cells)) << step;
+        ASSERT_TRUE(HaveTheSameLayers(renderer.LastFrame(), cold)) << step;
       }
-      EXPECT_GT(routes[Route::IsomapBuild] + routes[Route::IsomapLookup], 10);
+      EXPECT_GT(routes[Route::IsomapBuild] + routes[Route::IsomapLookup], 5);
     }
   }
 }
@@ -211,13 +220,14 @@ TEST_P(MeshFrames, RangesOfIsomapsServeLookUps)
     FrameRenderer renderer;
     renderer.Render(this->Key, options);
     ASSERT_EQ(renderer.BuildIsomap(this->Key, options), Isomap::Outcome::Built);
-    for (int step = 0; step < 20; ++step)
+    for (int step = 0; step < 8; ++step)
     {
-      this->Key.Isosurfaces.Isovalues = { -0.45 + 0.09 * step };
+      this->Key.Isosurfaces.Isovalues = { -0.45 + 0.23 * step };
       renderer.Render(this->Key, options);
       EXPECT_EQ(renderer.Statistics().Made, Route::IsomapLookup);
-      ASSERT_TRUE(ShowTheSame(renderer.LastFrame(), this->Cold())) << step;
-      ASSERT_TRUE(IsSamePlane(renderer.LastFrame().Cells, this->Cold().Cells)) << step;
+      const Frame cold = this->Cold();
+      ASSERT_TRUE(ShowTheSame(renderer.LastFrame(), cold)) << step;
+      ASSERT_TRUE(IsSamePlane(renderer.LastFrame().Cells, cold.Cells)) << step;
     }
   }
 }
@@ -254,9 +264,10 @@ TEST_P(MeshFrames, RandomWalksAreColdFrames)
     this->Key.Appearance.Ambient = 0.1 * (engine() % 3);
     renderer.Render(this->Key, {});
     ++routes[renderer.Statistics().Made];
-    ASSERT_TRUE(ShowTheSame(renderer.LastFrame(), this->Cold()))
+    const Frame cold = this->Cold();
+    ASSERT_TRUE(ShowTheSame(renderer.LastFrame(), cold))
       << step << NameOf(renderer.Statistics().Made);
-    ASSERT_TRUE(HaveTheSameLayers(renderer.LastFrame(), this->Cold())) << step;
+    ASSERT_TRUE(HaveTheSameLayers(renderer.LastFrame(), cold)) << step;
   }
   EXPECT_GT(routes.size(), 3u);
 }
@@ -288,7 +299,7 @@ TEST_P(MeshFrames, SolidsAreCappedWhereTheMeshEnds)
       ++caps;
     }
   }
-  EXPECT_GT(caps, 1500);
+  EXPECT_GT(caps, 500);
   // Seen through, it has one cap on each ray that meets it, and no surface within.
   this->Key.Isosurfaces.Opacities = { 0.4 };
   const Frame clear = this->Cold();
@@ -303,24 +314,37 @@ TEST_P(MeshFrames, SolidsAreCappedWhereTheMeshEnds)
   EXPECT_LE(layers, static_cast<std::size_t>(isWhole ? caps + 2 : 2 * caps));
 }
 
-TEST_P(MeshFrames, AveragedGradientsAreContinuous)
+/// The normals of a sphere: those of averaged gradients are nearer to the truth.
+TEST_P(MeshFrames, AveragedGradientsAreSmooth)
 {
-  const Frame facets = this->Cold();
-  this->Show(Meshes::MeshOf(Meshes::MakeBlock(this->GetParam(), {})), true);
-  const Frame smooth = this->Cold();
-  const auto roughnessOf = [](const Frame& frame)
+  const glm::dvec3 centre(0.5);
+  const auto mesh = Meshes::MeshOf(Meshes::MakeBlock(
+    this->GetParam(), {}, [&](const glm::dvec3& p) { return glm::distance(p, centre); }));
+  std::array<double, 2> error{};
+  for (const bool areAveraged : { false, true })
   {
-    double sum = 0.0;
-    for (std::size_t pixel = 1; pixel < frame.Normals.size(); ++pixel)
+    this->Show(mesh, areAveraged);
+    this->Key.Isosurfaces.Isovalues = { 0.35 };
+    const Frame frame = this->Cold();
+    int hits = 0;
+    for (std::size_t pixel = 0; pixel < frame.Depth.size(); ++pixel)
     {
-      const bool areHits = frame.Isovalues[pixel] != Frame::NoSurface &&
-        frame.Isovalues[pixel - 1] != Frame::NoSurface;
-      sum += areHits ? glm::distance(frame.Normals[pixel], frame.Normals[pixel - 1]) : 0.0f;
+      if (frame.Isovalues[pixel] != Frame::NoSurface)
+      {
+        const int x = static_cast<int>(pixel) % frame.Size.x;
+        const Ray ray = this->Key.View.RayThrough(x, static_cast<int>(pixel) / frame.Size.x);
+        const glm::dvec3 point = this->Tree->Low() +
+          this->Tree->Scale() * (ray.Origin + frame.Depth[pixel] * ray.Direction);
+        const glm::dvec3 normal(frame.Normals[pixel]);
+        error[areAveraged] += 1.0 - std::abs(glm::dot(normal, glm::normalize(point - centre)));
+        ++hits;
+      }
     }
-    return sum;
-  };
-  EXPECT_TRUE(IsSamePlane(facets.Depth, smooth.Depth));
-  EXPECT_LT(roughnessOf(smooth), roughnessOf(facets));
+    EXPECT_GT(hits, 200);
+    error[areAveraged] /= hits;
+  }
+  EXPECT_LT(error[0], 0.05);
+  EXPECT_LT(error[1], 0.7 * error[0]);
 }
 
 INSTANTIATE_TEST_SUITE_P(AllCells, MeshFrames,

@@ -17,8 +17,8 @@ namespace TemporalCoherence
 
 using CellNumbers = std::vector<std::uint32_t, DefaultInitAllocator<std::uint32_t>>;
 
-/// Sort the cells of chunks along a Hilbert curve, so that neighbours in the order are neighbours in
-/// space. Cells whose centres the curve cannot tell apart are sorted along a finer curve.
+/// Sort the cells of chunks along a Hilbert curve, so that neighbours in the order are neighbours
+/// in space. Cells whose centres the curve cannot tell apart are sorted along a finer curve.
 /// \return the numbers of cells; the same for any number of threads; empty if it was stopped
 /// \throws std::bad_alloc
 CellNumbers OrderCells(const MeshReader& reader, const std::vector<CellChunk>& chunks,

@@ -5,9 +5,9 @@
 #include "Grids/AmrGrids.h"
 #include "Grids/MeshDefectText.h"
 #include "Input/VolumePlace.h"
-#include "Mesh/MeshTree.h"
 #include "MeshFields/MeshKind.h"
 #include "Scene/Stopwatch.h"
+#include "Trees/MeshTree.h"
 
 #include <vtkDataSet.h>
 #include <vtkVolume.h>

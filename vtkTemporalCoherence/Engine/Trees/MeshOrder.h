@@ -3,10 +3,10 @@
 #ifndef TemporalCoherence_MeshOrder_h
 #define TemporalCoherence_MeshOrder_h
 
-#include "Mesh/MeshCheck.h"
-#include "Mesh/MeshReader.h"
 #include "Scene/DefaultInitAllocator.h"
 #include "Scene/Progress.h"
+#include "Trees/MeshCheck.h"
+#include "Trees/MeshReader.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -82,13 +82,13 @@ set(engine_files
   Fields/UniformBandTracer
   Fields/UniformKind
   Fields/UniformTracer
-  Mesh/MeshBoxes
-  Mesh/MeshCheck
-  Mesh/MeshLeaves
-  Mesh/MeshOrder
-  Mesh/MeshRuns
-  Mesh/MeshTree
-  Mesh/RadixSort
+  Trees/MeshBoxes
+  Trees/MeshCheck
+  Trees/MeshLeaves
+  Trees/MeshOrder
+  Trees/MeshRuns
+  Trees/MeshTree
+  Trees/RadixSort
   MeshFields/ActiveLeaves
   MeshFields/BoxLevels
   MeshFields/CellFaces

@@ -3,7 +3,7 @@
 #ifndef Testing_MeshTrees_h
 #define Testing_MeshTrees_h
 
-#include "Mesh/MeshTree.h"
+#include "Trees/MeshTree.h"
 #include "Volumes/Meshes.h"
 
 #include <gtest/gtest.h>

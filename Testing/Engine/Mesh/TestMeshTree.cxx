@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Acceleration/ActiveCells.h"
 #include "Checks/Sanitized.h"
-#include "Mesh/HilbertCurve.h"
 #include "MeshTrees.h"
+#include "Trees/HilbertCurve.h"
 
 #include <vtkSMPTools.h>
 

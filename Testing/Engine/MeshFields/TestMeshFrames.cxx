@@ -3,11 +3,11 @@
 #include "Checks/Sanitized.h"
 #include "Grid.h"
 #include "Mesh/KernelsCells.h"
-#include "Mesh/MeshTree.h"
 #include "MeshFields/MeshDifference.h"
 #include "MeshFields/MeshKind.h"
 #include "Render/FrameRenderer.h"
 #include "SameFrames.h"
+#include "Trees/MeshTree.h"
 #include "Volumes/Meshes.h"
 
 #include <vtkSMPTools.h>

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshFields/ActiveLeaves.h"
 
-#include "Mesh/MeshLattice.h"
 #include "MeshFields/KernelsBoxes.h"
 #include "Scene/LayerBatch.h"
+#include "Trees/MeshLattice.h"
 
 #include <algorithm>
 #include <array>

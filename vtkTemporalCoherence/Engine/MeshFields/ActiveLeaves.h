@@ -4,11 +4,11 @@
 #define TemporalCoherence_ActiveLeaves_h
 
 #include "Acceleration/ActiveCells.h"
-#include "Mesh/MeshTree.h"
 #include "MeshFields/BoxLevels.h"
 #include "MeshFields/TileGrid.h"
 #include "Scene/FieldKind.h"
 #include "Scene/RayBatch.h"
+#include "Trees/MeshTree.h"
 
 #include <cstdint>
 #include <vector>

@@ -3,8 +3,8 @@
 #ifndef TemporalCoherence_BoxLevels_h
 #define TemporalCoherence_BoxLevels_h
 
-#include "Mesh/MeshTree.h"
 #include "MeshFields/KernelsTileGrid.h"
+#include "Trees/MeshTree.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -3,8 +3,8 @@
 #ifndef TemporalCoherence_KernelsBoxes_h
 #define TemporalCoherence_KernelsBoxes_h
 
-#include "Mesh/MeshBoxes.h"
 #include "Scene/RayBatch.h"
+#include "Trees/MeshBoxes.h"
 
 #include <cstdint>
 

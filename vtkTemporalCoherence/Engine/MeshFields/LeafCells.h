@@ -3,10 +3,10 @@
 #ifndef TemporalCoherence_LeafCells_h
 #define TemporalCoherence_LeafCells_h
 
-#include "Mesh/MeshTree.h"
 #include "MeshFields/ActiveLeaves.h"
 #include "MeshFields/KernelsTileGrid.h"
 #include "Scene/Frame.h"
+#include "Trees/MeshTree.h"
 
 #include <atomic>
 #include <cstddef>

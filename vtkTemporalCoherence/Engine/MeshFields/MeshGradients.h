@@ -3,8 +3,8 @@
 #ifndef TemporalCoherence_MeshGradients_h
 #define TemporalCoherence_MeshGradients_h
 
-#include "Mesh/MeshTree.h"
 #include "Shade/SurfaceNormal.h"
+#include "Trees/MeshTree.h"
 
 #include <glm/glm.hpp>
 

@@ -3,8 +3,8 @@
 #ifndef TemporalCoherence_MeshKind_h
 #define TemporalCoherence_MeshKind_h
 
-#include "Mesh/MeshTree.h"
 #include "Scene/Field.h"
+#include "Trees/MeshTree.h"
 
 #include <memory>
 

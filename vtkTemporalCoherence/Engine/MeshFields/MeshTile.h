@@ -4,13 +4,13 @@
 #define TemporalCoherence_MeshTile_h
 
 #include "Mesh/CellRays.h"
-#include "Mesh/MeshTree.h"
 #include "MeshFields/ActiveLeaves.h"
 #include "MeshFields/KernelsBoxes.h"
 #include "MeshFields/LeafCells.h"
 #include "MeshFields/TileGrid.h"
 #include "Scene/LayerBatch.h"
 #include "Scene/RayBatch.h"
+#include "Trees/MeshTree.h"
 
 #include <array>
 #include <cstddef>

@@ -3,10 +3,10 @@
 #ifndef TemporalCoherence_TileGrid_h
 #define TemporalCoherence_TileGrid_h
 
-#include "Mesh/MeshTree.h"
 #include "MeshFields/KernelsTileGrid.h"
 #include "Scene/RayBatch.h"
 #include "Scene/Tiles.h"
+#include "Trees/MeshTree.h"
 
 #include <glm/glm.hpp>
 

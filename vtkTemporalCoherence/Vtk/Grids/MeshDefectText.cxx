@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Grids/MeshDefectText.h"
 
-#include "Mesh/MeshTree.h"
+#include "Trees/MeshTree.h"
 
 #include <vtkDataSet.h>
 

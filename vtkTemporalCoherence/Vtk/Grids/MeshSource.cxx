@@ -7,9 +7,9 @@
 #include "Grids/MeshDefectText.h"
 #include "Input/GhostArray.h"
 #include "Input/VolumePlace.h"
-#include "Mesh/MeshTree.h"
 #include "MeshFields/MeshKind.h"
 #include "Scene/Stopwatch.h"
+#include "Trees/MeshTree.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>

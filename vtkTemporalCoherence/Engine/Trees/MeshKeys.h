@@ -3,8 +3,8 @@
 #ifndef TemporalCoherence_MeshKeys_h
 #define TemporalCoherence_MeshKeys_h
 
-#include "Mesh/HilbertCurve.h"
-#include "Mesh/MeshCheck.h"
+#include "Trees/HilbertCurve.h"
+#include "Trees/MeshCheck.h"
 
 #include <glm/glm.hpp>
 

@@ -4,13 +4,13 @@
 #define TemporalCoherence_MeshTree_h
 
 #include "Mesh/Mesh.h"
-#include "Mesh/MeshBoxes.h"
-#include "Mesh/MeshCheck.h"
-#include "Mesh/MeshLattice.h"
-#include "Mesh/MeshOrder.h"
-#include "Mesh/MeshReader.h"
 #include "Scene/Progress.h"
 #include "Scene/Surfaces.h"
+#include "Trees/MeshBoxes.h"
+#include "Trees/MeshCheck.h"
+#include "Trees/MeshLattice.h"
+#include "Trees/MeshOrder.h"
+#include "Trees/MeshReader.h"
 
 #include <glm/glm.hpp>
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Mesh/MeshLeaves.h"
+#include "Trees/MeshLeaves.h"
 
-#include "Mesh/MeshLattice.h"
-#include "Mesh/MeshSteps.h"
+#include "Trees/MeshLattice.h"
+#include "Trees/MeshSteps.h"
 
 #include <algorithm>
 #include <array>

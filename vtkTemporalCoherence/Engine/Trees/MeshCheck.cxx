@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Mesh/MeshCheck.h"
+#include "Trees/MeshCheck.h"
 
 #include "Mesh/MeshCell.h"
-#include "Mesh/MeshReader.h"
-#include "Mesh/MeshSteps.h"
+#include "Trees/MeshReader.h"
+#include "Trees/MeshSteps.h"
 
 #include <algorithm>
 

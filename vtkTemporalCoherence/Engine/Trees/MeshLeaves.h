@@ -3,11 +3,11 @@
 #ifndef TemporalCoherence_MeshLeaves_h
 #define TemporalCoherence_MeshLeaves_h
 
-#include "Mesh/MeshCheck.h"
-#include "Mesh/MeshEdges.h"
-#include "Mesh/MeshOrder.h"
-#include "Mesh/MeshReader.h"
 #include "Scene/Progress.h"
+#include "Trees/MeshCheck.h"
+#include "Trees/MeshEdges.h"
+#include "Trees/MeshOrder.h"
+#include "Trees/MeshReader.h"
 
 #include <cstdint>
 #include <vector>

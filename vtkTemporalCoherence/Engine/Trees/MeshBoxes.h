@@ -3,13 +3,13 @@
 #ifndef TemporalCoherence_MeshBoxes_h
 #define TemporalCoherence_MeshBoxes_h
 
-#include "Mesh/MeshCheck.h"
-#include "Mesh/MeshEdges.h"
-#include "Mesh/MeshOrder.h"
-#include "Mesh/MeshReader.h"
 #include "Scene/CellBox.h"
 #include "Scene/FieldKind.h"
 #include "Scene/Progress.h"
+#include "Trees/MeshCheck.h"
+#include "Trees/MeshEdges.h"
+#include "Trees/MeshOrder.h"
+#include "Trees/MeshReader.h"
 
 #include <glm/glm.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Mesh/RadixSort.h"
+#include "Trees/RadixSort.h"
 
 #include "Scene/Parallel.h"
 

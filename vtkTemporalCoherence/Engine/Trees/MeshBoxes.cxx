@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Mesh/MeshBoxes.h"
+#include "Trees/MeshBoxes.h"
 
-#include "Mesh/MeshLattice.h"
-#include "Mesh/MeshLeaves.h"
+#include "Trees/MeshLattice.h"
+#include "Trees/MeshLeaves.h"
 
 #include <algorithm>
 #include <cmath>

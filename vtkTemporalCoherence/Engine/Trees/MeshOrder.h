@@ -3,10 +3,10 @@
 #ifndef TemporalCoherence_MeshOrder_h
 #define TemporalCoherence_MeshOrder_h
 
-#include "Mesh/MeshCheck.h"
-#include "Mesh/MeshReader.h"
 #include "Scene/DefaultInitAllocator.h"
 #include "Scene/Progress.h"
+#include "Trees/MeshCheck.h"
+#include "Trees/MeshReader.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -17,8 +17,8 @@ namespace TemporalCoherence
 
 using CellNumbers = std::vector<std::uint32_t, DefaultInitAllocator<std::uint32_t>>;
 
-/// Sort the cells of chunks along a Hilbert curve, so that neighbours in the order are neighbours in
-/// space. Cells whose centres the curve cannot tell apart are sorted along a finer curve.
+/// Sort the cells of chunks along a Hilbert curve, so that neighbours in the order are neighbours
+/// in space. Cells whose centres the curve cannot tell apart are sorted along a finer curve.
 /// \return the numbers of cells; the same for any number of threads; empty if it was stopped
 /// \throws std::bad_alloc
 CellNumbers OrderCells(const MeshReader& reader, const std::vector<CellChunk>& chunks,

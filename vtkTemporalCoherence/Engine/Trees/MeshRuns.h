@@ -3,9 +3,9 @@
 #ifndef TemporalCoherence_MeshRuns_h
 #define TemporalCoherence_MeshRuns_h
 
-#include "Mesh/MeshKeys.h"
-#include "Mesh/MeshReader.h"
-#include "Mesh/RadixSort.h"
+#include "Trees/MeshKeys.h"
+#include "Trees/MeshReader.h"
+#include "Trees/RadixSort.h"
 
 #include <cstdint>
 

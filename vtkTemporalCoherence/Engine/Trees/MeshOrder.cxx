@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Mesh/MeshOrder.h"
+#include "Trees/MeshOrder.h"
 
-#include "Mesh/MeshKeys.h"
-#include "Mesh/MeshRuns.h"
-#include "Mesh/MeshSteps.h"
+#include "Trees/MeshKeys.h"
+#include "Trees/MeshRuns.h"
+#include "Trees/MeshSteps.h"
 
 #include <array>
 

@@ -57,8 +57,8 @@ KnotForm Isomap::FormFor(const FrameKey& key, const Options& options)
   // With nearest interpolation there are no curves to fit. Behind hidden cells, distances may jump,
   // and in meshes anywhere.
   const bool isFitted = key.Samples.Between == Interpolation::Linear && !key.Samples.Hidden &&
-    !key.Samples.Kind->Abilities().IsMesh &&
-    options.Tolerance > 0.0 && options.Tolerance >= SmallestTolerance(key.Samples, key.Transform);
+    !key.Samples.Kind->Abilities().IsMesh && options.Tolerance > 0.0 &&
+    options.Tolerance >= SmallestTolerance(key.Samples, key.Transform);
   return { isFitted ? options.Tolerance * key.Samples.Kind->VoxelSizeIn(key.Transform).Shortest
                     : 0.0,
     options.HasNormals, false };

@@ -12,6 +12,7 @@
 #include "Scene/RayBatch.h"
 #include "Trees/MeshTree.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -57,6 +58,13 @@ inline std::uint64_t RaysWithWalk(const RayBatch& rays)
   return wanted;
 }
 
+/// Of the lattice of a tree.
+inline double LongestAxis(const MeshTree& tree)
+{
+  const glm::ivec3& size = tree.Dimensions();
+  return std::max({ size.x, size.y, size.z });
+}
+
 /// The rays of a tile, and the active leaves of a mesh along them.
 struct MeshTile
 {
@@ -65,6 +73,7 @@ struct MeshTile
     : Rays(rays)
     , Grid(rays, tree)
     , Margin(ActiveLeaves::MarginOf(rays, tree))
+    , MarginOfLanes(Margin + BoxLanes::Rounding * LongestAxis(tree))
   {
     SetUpMeshRays(rays, tree, limits, this->InMesh);
     leaves.Find(rays, this->Grid, this->Leaves);
@@ -72,40 +81,67 @@ struct MeshTile
 
   const RayBatch& Rays;
   TileGrid Grid;
-  double Margin; ///< against rounding, in index space
+  double Margin;        ///< against rounding, in index space
+  double MarginOfLanes; ///< the same for BoxLanes, whose boxes are rounded
   MeshKernels::MeshRays InMesh;
   std::vector<ActiveLeaves::Leaf> Leaves; ///< from front to back
+};
+
+/// The cells of a leaf that a tile may see, from front to back, roughly.
+struct CellsInOrder
+{
+  CellsInOrder(const LeafCells::Leaf& leaf, const TileGrid& grid)
+  {
+    const std::uint64_t all =
+      leaf.Cells.size() < 64 ? (std::uint64_t(1) << leaf.Cells.size()) - 1 : ~std::uint64_t(0);
+    std::array<double, 64> depths;
+    ForEachRay(grid.IsGrid() ? BoxesWithin(grid.Planes(), leaf.Boxes) : all,
+      [&](std::size_t i)
+      {
+        const double depth = grid.NearestDepth(leaf.Boxes.BoxAt(i));
+        std::size_t at = this->Count++;
+        for (; at > 0 && depths[at - 1] > depth; --at)
+        {
+          depths[at] = depths[at - 1];
+          this->Places[at] = this->Places[at - 1];
+        }
+        depths[at] = depth;
+        this->Places[at] = static_cast<std::uint8_t>(i);
+      });
+  }
+
+  const std::uint8_t* begin() const { return this->Places.data(); }
+  const std::uint8_t* end() const { return this->Places.data() + this->Count; }
+
+  std::array<std::uint8_t, 64> Places;
+  std::size_t Count = 0;
 };
 
 /// Call visit(cell, rays) for each cell of a leaf that rays may pass.
 /// \return number of cells visited
 template <typename Visit>
-std::int64_t VisitCellsOf(
-  const LeafCells::Leaf& leaf, const TileGrid& grid, std::uint64_t wanted, const Visit& visit)
+std::int64_t VisitCellsOf(const LeafCells::Leaf& leaf, const MeshTile& tile, std::uint64_t wanted,
+  const RayBatch::Array<double>& limits, const Visit& visit)
 {
   std::int64_t visited = 0;
-  const auto visitCell = [&](const ActiveCell& cell, std::uint64_t which)
+  for (const std::uint8_t place : CellsInOrder(leaf, tile.Grid))
   {
+    const ActiveCell& cell = leaf.Cells[place];
+    const bool isHexahedron = cell.Cell.Shape == MeshCellShape::Hexahedron;
+    std::uint64_t which = tile.Grid.IsGrid()
+      ? wanted & tile.Grid.RaysAround(cell.Points, cell.Cell.NumberOfPoints())
+      : wanted;
+    // It takes longer to search a hexahedron than to find out that nothing nearer is in it.
+    if (which != 0 && (isHexahedron || !tile.Grid.IsGrid()))
+    {
+      which &= RaysThrough(tile.Rays, limits, leaf.Boxes.BoxAt(place), tile.MarginOfLanes);
+    }
     if (which != 0)
     {
       ++visited;
       visit(cell, which);
     }
-  };
-  if (!grid.IsGrid())
-  {
-    for (const ActiveCell& cell : leaf.Cells)
-    {
-      visitCell(cell, wanted);
-    }
-    return visited;
   }
-  ForEachRay(BoxesWithin(grid.Planes(), leaf.Boxes),
-    [&](std::size_t i)
-    {
-      const ActiveCell& cell = leaf.Cells[i];
-      visitCell(cell, wanted & grid.RaysAround(cell.Points, cell.Cell.NumberOfPoints()));
-    });
   return visited;
 }
 
@@ -125,7 +161,7 @@ std::int64_t VisitCells(const MeshTile& tile, const MeshTree& tree, const LeafCe
       RaysThrough(tile.Rays, limits, tree.LeafBox(leaf.Number), tile.Margin) & wanted;
     if (ofLeaf != 0)
     {
-      visited += VisitCellsOf(cells.Of(leaf.Number, spare), tile.Grid, ofLeaf, visit);
+      visited += VisitCellsOf(cells.Of(leaf.Number, spare), tile, ofLeaf, limits, visit);
     }
   }
   return visited;

@@ -6,6 +6,8 @@
 #include "Trace/HitRules.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace TemporalCoherence
 {
@@ -110,27 +112,61 @@ void MeshTracer::Trace(const RayBatch& rays, HitBatch& hits) const
     });
 }
 
+namespace
+{
+
+/// The cells that rays are to be searched in: all rays of one cell are searched together.
+class CellGroups
+{
+public:
+  struct Group
+  {
+    glm::ivec3 Place;
+    std::uint64_t Rays; ///< one bit each
+  };
+
+  explicit CellGroups(const RayCells& cells)
+  {
+    ForEachRay(cells.Rays,
+      [&](std::size_t ray)
+      {
+        const glm::ivec3 place = cells.At(ray);
+        // Rays beside each other are mostly in one cell, and else in one of the last.
+        std::size_t group = this->Count;
+        while (group > 0 && this->All[group - 1].Place != place)
+        {
+          --group;
+        }
+        if (group == 0)
+        {
+          this->All[this->Count++] = { place, 0 };
+          group = this->Count;
+        }
+        this->All[group - 1].Rays |= std::uint64_t(1) << ray;
+      });
+  }
+
+  const Group* begin() const { return this->All.data(); }
+  const Group* end() const { return this->All.data() + this->Count; }
+
+private:
+  std::array<Group, RayBatch::Capacity> All;
+  std::size_t Count = 0;
+};
+
+}
+
 std::uint64_t MeshTracer::SearchCells(
   const RayBatch& rays, const RayCells& cells, HitBatch& hits) const
 {
   MeshKernels::MeshRays inMesh;
   SetUpMeshRays(rays, this->Tree, this->LimitsOfRays(), inMesh);
   std::uint64_t missing = 0;
-  for (std::uint64_t left = cells.Rays; left != 0;)
+  for (const CellGroups::Group& group : CellGroups(cells))
   {
-    // All rays whose knots lie in one cell are searched together.
-    const glm::ivec3 place = cells.At(hwy::Num0BitsBelowLS1Bit_Nonzero64(left));
-    std::uint64_t which = 0;
-    for (std::size_t ray = 0; ray < RayBatch::Capacity; ++ray)
-    {
-      const bool isHere = cells.Cell[0][ray] == place.x && cells.Cell[1][ray] == place.y &&
-        cells.Cell[2][ray] == place.z;
-      which |= static_cast<std::uint64_t>(isHere) << ray;
-    }
-    which &= left;
-    left &= ~which;
+    const std::uint64_t which = group.Rays;
     MeshCell cell;
-    const CellNumber number = this->Tree.CellAt(MeshTree::RankOf(place));
+    const CellNumber number = this->Tree.CellAt(MeshTree::RankOf(group.Place));
     this->Tree.Reader().Read(number, cell);
     std::uint64_t met = 0;
     this->Search(cells.Surface, number, cell, rays, inMesh, which,

@@ -94,6 +94,10 @@ std::vector<Times> Measure(const Subject& subject, int rounds, bool hasWindow)
     way->SetCamera(stage.Renderer->GetActiveCamera());
     samples.emplace_back();
     samples.back().First0 = way->Draw();
+    if (way == ways.front())
+    {
+      way->Memory = static_cast<double>(way->Ours()->Mapper->GetMeshMemory());
+    }
     compared.emplace_back();
     compared.back().PercentDrawn = way->PercentDrawn();
     Compare(*ways.front(), *way, stage, compared.back());

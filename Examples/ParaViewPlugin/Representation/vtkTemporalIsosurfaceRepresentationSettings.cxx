@@ -5,6 +5,7 @@
 #include "vtkColorTransferFunction.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkTemporalCoherenceVolumeMapper.h"
 #include "vtkTextActor.h"

@@ -17,7 +17,10 @@ using MeshPeers::Subject;
 using MeshPeers::Way;
 
 constexpr double Degrees = 2.0; ///< of the orbit, a round
-constexpr int LaterSteps = 3;   ///< isovalues in a view, after the first new one
+/// The first new isovalue of a view is this share of the range away; those after it lie between.
+constexpr double FirstStep = 1.0 / 256.0;
+constexpr int LaterSteps = 8; ///< of ours, which learns as it goes: the last half counts
+constexpr int LaterStepsOfPeers = 2;
 
 /// What is measured of one way.
 struct Samples
@@ -58,11 +61,21 @@ void Compare(const Way& ours, const Way& other, const Stage& stage, Times& times
 void MeasureView(Way& way, const Stage& stage, Samples& samples)
 {
   samples.NewView.push_back(way.Draw());
-  for (int step = 0; step <= LaterSteps; ++step)
+  const int steps = way.Ours() ? LaterSteps : LaterStepsOfPeers;
+  for (int step = 0; step <= steps; ++step)
   {
-    way.SetIsovalue(stage.Isovalue() + stage.SweepStep(step));
-    (step == 0 ? samples.First : samples.Later).push_back(way.Draw());
-    samples.LookedUp += step > 0 && way.Ours() && way.Ours()->Route() == "IsomapLookup" ? 1 : 0;
+    const double share = FirstStep * (steps + 1 - step) / (steps + 1);
+    way.SetIsovalue(stage.Isovalue() + stage.ShareOfRange(share));
+    const double time = way.Draw();
+    if (step == 0)
+    {
+      samples.First.push_back(time);
+    }
+    else if (2 * step > steps)
+    {
+      samples.Later.push_back(time);
+      samples.LookedUp += way.Ours() && way.Ours()->Route() == "IsomapLookup" ? 1 : 0;
+    }
   }
   way.SetIsovalue(stage.Isovalue());
   samples.Cold.push_back(way.DrawCold());
@@ -94,6 +107,10 @@ std::vector<Times> Measure(const Subject& subject, int rounds, bool hasWindow)
     way->SetCamera(stage.Renderer->GetActiveCamera());
     samples.emplace_back();
     samples.back().First0 = way->Draw();
+    if (way == ways.front())
+    {
+      way->Memory = static_cast<double>(way->Ours()->Mapper->GetMeshMemory());
+    }
     compared.emplace_back();
     compared.back().PercentDrawn = way->PercentDrawn();
     Compare(*ways.front(), *way, stage, compared.back());

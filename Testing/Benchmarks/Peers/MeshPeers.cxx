@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshPeers.h"
 
-#include "Checks/ProcessMemory.h"
 #include "Measuring.h"
 #include "OffScreenWindow.h"
 #include "Report.h"
@@ -58,15 +57,6 @@ public:
   double DrawCold() override { return this->Caster.DrawCold(this->Scene); }
   const Drawer* Ours() const override { return &this->Caster; }
   double PercentDrawn() override { return PercentHit(this->Caster); }
-
-  /// Memory of the structures: that of a picture of one pixel.
-  void MeasureMemory(const Subject& subject)
-  {
-    const double before = ProcessMemory::Resident();
-    Stage pixel(this->Scene.Data, subject.Isovalue, 1, subject.From);
-    this->Caster.Draw(pixel);
-    this->Memory = ProcessMemory::Resident() - before;
-  }
 
 private:
   Stage Scene;
@@ -202,9 +192,7 @@ double Way::DrawCold()
 std::vector<std::unique_ptr<Way>> All(const Subject& subject, bool hasWindow)
 {
   std::vector<std::unique_ptr<Way>> ways;
-  auto ours = std::make_unique<Cast>("this mapper", subject, subject.Mesh);
-  ours->MeasureMemory(subject);
-  ways.push_back(std::move(ours));
+  ways.push_back(std::make_unique<Cast>("this mapper", subject, subject.Mesh));
   const bool isLarge = static_cast<double>(subject.Mesh->GetNumberOfCells()) > ManyCells;
   if (vtkUnstructuredGrid::SafeDownCast(subject.Mesh))
   {

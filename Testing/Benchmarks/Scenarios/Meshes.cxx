@@ -64,8 +64,8 @@ void Print(const MarkdownTable& table, const std::string& name, double meshBytes
     Fixed(1e-3 * t.SetUp, 2) + (t.Remark.empty() ? "" : " (" + t.Remark + ")"),
     Fixed(t.Memory / MiB, 0), Fixed(Ratio(t.Memory, meshBytes), 2), Fixed(t.Cold, 1),
     Fixed(t.NewView, 1), Fixed(t.FirstIsovalue, 1), Fixed(t.LaterIsovalue, 1),
-    Fixed(Ratio(t.LaterIsovalue, ours.LaterIsovalue), 1), Fixed(t.PercentWrong, 2),
-    Fixed(t.DepthOff, 3) + " / " + Fixed(t.DepthFarOff, 2) });
+    Fixed(Ratio(t.LaterIsovalue, ours.LaterIsovalue), 1), Fixed(t.LaterLookedUp, 0),
+    Fixed(t.PercentWrong, 2), Fixed(t.DepthOff, 3) + " / " + Fixed(t.DepthFarOff, 2) });
 }
 
 bool Run(const Settings& settings, JsonWriter& json)
@@ -75,10 +75,11 @@ bool Run(const Settings& settings, JsonWriter& json)
   std::cout
     << "Medians in ms; set-up in s: the first frame less a new view; memory: MiB beside "
        "the mesh, and by the mesh's; cold: what depends on the isovalue is made anew; "
-       "first, later: new isovalues in a view; wrong: % of the pixels hit in one picture "
+       "first, later: new isovalues in a view, and how many of the later ones were looked up; "
+       "wrong: % of the pixels hit in one picture "
        "only; depth off: from that of the mesh, in mean edges of cells, median and 99 %\n\n";
   const MarkdownTable table({ "mesh", "who", "drawn %", "set-up", "memory", "/ mesh", "cold",
-    "new view", "first", "later", "/ ours", "wrong", "depth off" });
+    "new view", "first", "later", "/ ours", "looked up %", "wrong", "depth off" });
   json.OpenList("meshes");
   bool isMeasured = false;
   for (const Volumes::Sample& sample : settings.IsQuick ? SmallMeshes() : UsualMeshes())

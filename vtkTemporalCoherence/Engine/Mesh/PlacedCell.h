@@ -20,8 +20,8 @@ namespace MeshKernels
 /// divided by a power of two near the cell's own length.
 struct alignas(64) PlacedCell
 {
-  /// The last of Newton's steps is at most so long; the error after it is far smaller.
-  static constexpr double ShortStep = 1e-9;
+  /// The last of Newton's steps is at most so long; the error after it is about its square.
+  static constexpr double ShortStep = 1e-6;
   /// A longer step is from a place without volume.
   static constexpr double LongStep = 1e6;
   /// Places are kept in [-FarAway, FarAway].

@@ -28,6 +28,7 @@ set(engine_files
   Trace/SurfaceTracer
   Mesh/CellPoints
   Mesh/HexahedronRoots
+  Mesh/KernelsCellGradients
   Mesh/KernelsHexahedra
   Mesh/KernelsHexahedronSpans
   Mesh/KernelsTetrahedra

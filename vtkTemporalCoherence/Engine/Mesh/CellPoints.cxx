@@ -273,16 +273,5 @@ glm::dvec3 GradientAt(const MeshCell& cell, const glm::dvec3& at)
   return FlatGradient(slopes);
 }
 
-void FindGradients(
-  const MeshCell* cells, const glm::dvec3* points, std::size_t count, glm::dvec3* gradients)
-{
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    gradients[i] = cells[i].Shape == MeshCellShape::Tetrahedron
-      ? GradientAt(cells[i], glm::dvec3(0.25))
-      : GradientAt(cells[i], FindPoint(cells[i], points[i]).At);
-  }
-}
-
 }
 }

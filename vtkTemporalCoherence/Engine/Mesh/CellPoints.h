@@ -7,8 +7,6 @@
 
 #include <glm/glm.hpp>
 
-#include <cstddef>
-
 namespace TemporalCoherence
 {
 namespace MeshKernels
@@ -38,10 +36,6 @@ glm::dvec3 PointAt(const MeshCell& cell, const glm::dvec3& at);
 /// The gradient of the interpolated value with respect to the coordinates of the mesh. In flat
 /// parts of cells it is the gradient along them. It is always finite.
 glm::dvec3 GradientAt(const MeshCell& cell, const glm::dvec3& at);
-
-/// The gradient at each of these points, which lie in or close to their cells.
-void FindGradients(
-  const MeshCell* cells, const glm::dvec3* points, std::size_t count, glm::dvec3* gradients);
 
 }
 }

@@ -3,39 +3,105 @@
 #include "MeshFields/MeshGradients.h"
 
 #include "Mesh/CellPoints.h"
+#include "Mesh/KernelsCellGradients.h"
 #include "MeshFields/CellFaces.h"
 #include "Scene/Parallel.h"
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 namespace TemporalCoherence
 {
 namespace
 {
 
-/// The gradient at a point of a cell.
-glm::dvec3 GradientIn(const MeshTree& tree, const PointGradients* averaged, CellNumber number,
-  const MeshCell& cell, const glm::dvec3& point)
+/// The cells of some hits, each once, and the hits in the order of their cells.
+struct HitCells
 {
-  const bool isConstant = !averaged && cell.Shape == MeshCellShape::Tetrahedron;
-  const glm::dvec3 at = isConstant ? glm::dvec3(0.25) : MeshKernels::FindPoint(cell, point).At;
-  if (!averaged)
+  static constexpr std::size_t Most = 64;
+
+  std::size_t Count = 0;
+  std::array<CellNumber, Most> Numbers;
+  std::array<std::uint8_t, Most> Hits; ///< by their places among the points that are searched
+
+  /// \return where it is in the list
+  std::size_t Add(CellNumber number)
   {
-    return MeshKernels::GradientAt(cell, at);
+    std::size_t place = 0;
+    while (place < this->Count && this->Numbers[place] != number)
+    {
+      ++place;
+    }
+    if (place == this->Count)
+    {
+      this->Numbers[this->Count++] = number;
+    }
+    return place;
   }
-  std::size_t part;
-  std::int64_t inPart;
-  tree.Reader().Locate(number, part, inPart);
-  const MeshCellPoints points = MeshReader::FindPoints(tree.Reader().PartAt(part), inPart);
-  const std::array<double, 8> weights = WeightsAt(cell, at);
-  glm::dvec3 gradient(0.0);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(cell.NumberOfPoints()); ++i)
+};
+
+/// The cells that hits lie in, and these points, cell by cell. Hits without a cell are left out.
+void Gather(const MeshTree& tree, const GradientQuery& query, const GradientTile& tile,
+  HitCells& cells, MeshKernels::PointsInCells& points)
+{
+  constexpr std::uint8_t none = HitCells::Most;
+  std::array<std::uint8_t, HitCells::Most> cellOf;
+  std::array<glm::dvec3, HitCells::Most> at;
+  std::array<std::uint8_t, HitCells::Most + 1> next{};
+  for (std::size_t i = 0; i < tile.Rays.Count; ++i)
   {
-    gradient +=
-      weights[i] * glm::dvec3(averaged->Parts[part][static_cast<std::size_t>(points.Ids[i])]);
+    const glm::dvec3 index(query.IndexFromWorld * glm::dvec4(tile.Rays.PointAt(i), 1.0));
+    at[i] = tree.Low() + tree.Scale() * index;
+    const CellNumber number = tile.Cells ? (*tile.Cells)[i] : FindCellAt(tree, at[i]);
+    cellOf[i] = number == NoCell ? none : static_cast<std::uint8_t>(cells.Add(number));
+    if (cellOf[i] != none)
+    {
+      ++next[cellOf[i] + std::size_t(1)];
+    }
   }
-  return gradient;
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  points.Count = next[cells.Count];
+  for (std::size_t i = 0; i < tile.Rays.Count; ++i)
+  {
+    if (cellOf[i] != none)
+    {
+      const std::size_t place = next[cellOf[i]]++;
+      cells.Hits[place] = static_cast<std::uint8_t>(i);
+      points.Set(place, cellOf[i], at[i]);
+    }
+  }
+}
+
+/// Replace gradients by the means of those at the points of cells.
+void TakeAveraged(const MeshTree& tree, const PointGradients& averaged, const HitCells& cells,
+  const MeshCell* read, MeshKernels::PointsInCells& points)
+{
+  std::size_t last = HitCells::Most, part = 0;
+  MeshCellPoints ids;
+  for (std::size_t i = 0; i < points.Count; ++i)
+  {
+    const std::size_t cell = points.Cell[i];
+    if (cell != last)
+    {
+      std::int64_t inPart;
+      tree.Reader().Locate(cells.Numbers[cell], part, inPart);
+      ids = MeshReader::FindPoints(tree.Reader().PartAt(part), inPart);
+      last = cell;
+    }
+    const std::array<double, 8> weights =
+      WeightsAt(read[cell], { points.At[0][i], points.At[1][i], points.At[2][i] });
+    glm::dvec3 gradient(0.0);
+    for (std::size_t p = 0; p < static_cast<std::size_t>(read[cell].NumberOfPoints()); ++p)
+    {
+      gradient +=
+        weights[p] * glm::dvec3(averaged.Parts[part][static_cast<std::size_t>(ids.Ids[p])]);
+    }
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      points.Gradient[a][i] = gradient[static_cast<int>(a)];
+    }
+  }
 }
 
 /// Call visit(cell number, cell) for each cell of a leaf whose box holds a point, until it returns
@@ -139,26 +205,26 @@ glm::dvec3 MeshFaceNormal(
 void FindMeshGradients(const MeshTree& tree, const PointGradients* averaged,
   const GradientQuery& query, const GradientTile& tile)
 {
-  MeshCell cell;
-  CellNumber last = NoCell;
-  for (std::size_t i = 0; i < tile.Rays.Count; ++i)
+  HitCells cells;
+  MeshKernels::PointsInCells points;
+  Gather(tree, query, tile, cells, points);
+  std::array<MeshCell, HitCells::Most> read;
+  for (std::size_t i = 0; i < cells.Count; ++i)
   {
-    const glm::dvec3 index(query.IndexFromWorld * glm::dvec4(tile.Rays.PointAt(i), 1.0));
-    const glm::dvec3 point = tree.Low() + tree.Scale() * index;
-    const CellNumber number = tile.Cells ? (*tile.Cells)[i] : FindCellAt(tree, point);
-    glm::dvec3 gradient(0.0);
-    if (number != NoCell)
+    tree.Reader().Read(cells.Numbers[i], read[i]);
+  }
+  points.HasPlaces = averaged != nullptr;
+  FindCellGradients(read.data(), cells.Count, points);
+  if (averaged)
+  {
+    TakeAveraged(tree, *averaged, cells, read.data(), points);
+  }
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    std::fill_n(tile.Gradients[a].begin(), tile.Rays.Count, 0.0);
+    for (std::size_t i = 0; i < points.Count; ++i)
     {
-      if (number != last)
-      {
-        tree.Reader().Read(number, cell);
-        last = number;
-      }
-      gradient = tree.Scale() * GradientIn(tree, averaged, number, cell, point);
-    }
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      tile.Gradients[a][i] = gradient[static_cast<int>(a)];
+      tile.Gradients[a][cells.Hits[i]] = tree.Scale() * points.Gradient[a][i];
     }
   }
   for (std::size_t i = tile.Rays.Count; i < WholeVectors(tile.Rays.Count); ++i)
@@ -192,8 +258,8 @@ std::shared_ptr<const PointGradients> PointGradients::Make(const MeshTree& tree)
     for (std::size_t i = 0; i < static_cast<std::size_t>(cell.NumberOfPoints()); ++i)
     {
       const auto id = static_cast<std::size_t>(points.Ids[i]);
-      made->Parts[part][id] +=
-        glm::vec3(MeshKernels::GradientAt(cell, MeshKernels::FindPoint(cell, cell.Points[i]).At));
+      const glm::dvec3 corner(i & 1u, i >> 1 & 1u, i >> 2 & 1u);
+      made->Parts[part][id] += glm::vec3(MeshKernels::GradientAt(cell, corner));
       ++counts[part][id];
     }
   }

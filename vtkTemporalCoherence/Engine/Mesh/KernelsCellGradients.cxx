@@ -1,0 +1,362 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mesh/KernelsCellGradients.h"
+
+#include "Mesh/CellPoints.h"
+#include "Mesh/PlacedCell.h"
+
+#include <array>
+
+// This file is compiled once for each kind of vectors. The best one for the machine is chosen at
+// run time.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "Mesh/KernelsCellGradients.cxx"
+#include <hwy/foreach_target.h>
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace TemporalCoherence
+{
+namespace MeshKernels
+{
+namespace HWY_NAMESPACE
+{
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// A vector for each axis.
+template <class V>
+struct Axes
+{
+  V X, Y, Z;
+};
+
+template <class V>
+HWY_INLINE Axes<V> Cross(const Axes<V>& a, const Axes<V>& b)
+{
+  return { hn::Sub(hn::Mul(a.Y, b.Z), hn::Mul(a.Z, b.Y)),
+    hn::Sub(hn::Mul(a.Z, b.X), hn::Mul(a.X, b.Z)), hn::Sub(hn::Mul(a.X, b.Y), hn::Mul(a.Y, b.X)) };
+}
+
+template <class V>
+HWY_INLINE V Dot(const Axes<V>& a, const Axes<V>& b)
+{
+  return hn::Add(hn::Add(hn::Mul(a.X, b.X), hn::Mul(a.Y, b.Y)), hn::Mul(a.Z, b.Z));
+}
+
+/// The largest coordinate without its sign.
+template <class V>
+HWY_INLINE V LargestOf(const Axes<V>& a)
+{
+  return hn::Max(hn::Abs(a.X), hn::Max(hn::Abs(a.Y), hn::Abs(a.Z)));
+}
+
+/// True where all coordinates are between -limit and limit, and so none is NaN.
+template <class V>
+HWY_INLINE auto AreWithin(const Axes<V>& a, V limit)
+{
+  return hn::And(
+    hn::And(hn::Le(hn::Abs(a.X), limit), hn::Le(hn::Abs(a.Y), limit)), hn::Le(hn::Abs(a.Z), limit));
+}
+
+/// A trilinear function, in vectors of points.
+template <class V>
+struct TrilinearVectors
+{
+  V C[8];
+
+  HWY_INLINE V ValueAt(const Axes<V>& u) const
+  {
+    const V low =
+      hn::Add(hn::Add(C[0], hn::Mul(u.X, C[1])), hn::Mul(u.Y, hn::Add(C[2], hn::Mul(u.X, C[3]))));
+    const V high =
+      hn::Add(hn::Add(C[4], hn::Mul(u.X, C[5])), hn::Mul(u.Y, hn::Add(C[6], hn::Mul(u.X, C[7]))));
+    return hn::Add(low, hn::Mul(u.Z, high));
+  }
+
+  HWY_INLINE Axes<V> SlopesAt(const Axes<V>& u) const
+  {
+    const V z = hn::Add(C[6], hn::Mul(u.X, C[7]));
+    return { hn::Add(
+               hn::Add(C[1], hn::Mul(u.Y, C[3])), hn::Mul(u.Z, hn::Add(C[5], hn::Mul(u.Y, C[7])))),
+      hn::Add(hn::Add(C[2], hn::Mul(u.X, C[3])), hn::Mul(u.Z, z)),
+      hn::Add(hn::Add(C[4], hn::Mul(u.X, C[5])), hn::Mul(u.Y, z)) };
+  }
+};
+
+/// The cells of a vector of points: one cell, or each its own.
+template <class D>
+struct CellVectors
+{
+  using V = hn::Vec<D>;
+  TrilinearVectors<V> Place[3], Value;
+
+  HWY_INLINE CellVectors(D d, const PlacedCell* cells, const PointsInCells& points, std::size_t i)
+  {
+    const std::size_t first = points.Cell[i], last = points.Cell[i + hn::Lanes(d) - 1];
+    bool isSame = first == last;
+    for (std::size_t lane = 1; lane + 1 < hn::Lanes(d); ++lane)
+    {
+      isSame = isSame && points.Cell[i + lane] == first;
+    }
+    if (isSame)
+    {
+      this->Take([&](std::size_t k) HWY_ATTR { return hn::Set(d, cells[first].Numbers[k]); });
+      return;
+    }
+    constexpr std::size_t stride = sizeof(PlacedCell) / sizeof(double);
+    const hn::RebindToSigned<D> di;
+    HWY_ALIGN std::int64_t from[hn::MaxLanes(d)];
+    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
+    {
+      from[lane] = static_cast<std::int64_t>(points.Cell[i + lane] * stride);
+    }
+    const auto at = hn::Load(di, from);
+    const double* numbers = cells[0].Numbers.data();
+    this->Take([&](std::size_t k) HWY_ATTR { return hn::GatherIndex(d, numbers + k, at); });
+  }
+
+private:
+  template <class Read>
+  HWY_INLINE void Take(const Read& read)
+  {
+    for (std::size_t k = 0; k < 8; ++k)
+    {
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        this->Place[a].C[k] = read(8 * a + k);
+      }
+      this->Value.C[k] = read(24 + k);
+    }
+  }
+};
+
+/// How places change along the coordinates of cells: by coordinate of the place.
+template <class V>
+struct Jacobian
+{
+  Axes<V> X, Y, Z;
+
+  HWY_INLINE Jacobian(const TrilinearVectors<V> place[3], const Axes<V>& u)
+    : X(place[0].SlopesAt(u))
+    , Y(place[1].SlopesAt(u))
+    , Z(place[2].SlopesAt(u))
+  {
+  }
+};
+
+/// Where points are in their cells, in [-1, 1].
+/// \return where Newton's method found them
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE hn::Mask<D> FindPlaces(
+  D d, const CellVectors<D>& cells, const Axes<V>& point, Axes<V>& at)
+{
+  // Each point stops by itself, so that it does not matter which others are in its vector.
+  constexpr int mostSteps = 8;
+  const V zero = hn::Zero(d), one = hn::Set(d, 1.0);
+  const V isShort = hn::Set(d, PlacedCell::ShortStep), isLong = hn::Set(d, PlacedCell::LongStep);
+  const V most = hn::Set(d, PlacedCell::FarAway), least = hn::Neg(most);
+  at = { zero, zero, zero };
+  hn::Mask<D> isOpen = hn::Eq(zero, zero), isFound = hn::Ne(zero, zero);
+  for (int step = 0; step < mostSteps && !hn::AllFalse(d, isOpen); ++step)
+  {
+    const Axes<V> wrong = { hn::Sub(cells.Place[0].ValueAt(at), point.X),
+      hn::Sub(cells.Place[1].ValueAt(at), point.Y), hn::Sub(cells.Place[2].ValueAt(at), point.Z) };
+    const Jacobian<V> slopes(cells.Place, at);
+    // Cramer's rule with the rows of the Jacobian.
+    const Axes<V> yz = Cross(slopes.Y, slopes.Z), zx = Cross(slopes.Z, slopes.X);
+    const Axes<V> xy = Cross(slopes.X, slopes.Y);
+    const V volume = Dot(slopes.X, yz);
+    const V scale = hn::Div(one, hn::IfThenElse(hn::Eq(volume, zero), one, volume));
+    const V x = hn::Mul(wrong.X, scale), y = hn::Mul(wrong.Y, scale), z = hn::Mul(wrong.Z, scale);
+    const auto moveOf = [&](const V& ofX, const V& ofY, const V& ofZ) HWY_ATTR
+    { return hn::Add(hn::Add(hn::Mul(x, ofX), hn::Mul(y, ofY)), hn::Mul(z, ofZ)); };
+    const Axes<V> move = { moveOf(yz.X, zx.X, xy.X), moveOf(yz.Y, zx.Y, xy.Y),
+      moveOf(yz.Z, zx.Z, xy.Z) };
+    // Lanes without a number, or without volume, are given up.
+    isOpen = hn::And(isOpen, hn::And(AreWithin(move, isLong), hn::Ne(volume, zero)));
+    const auto moved = [&](const V& from, const V& by) HWY_ATTR
+    { return hn::IfThenElse(isOpen, hn::Min(hn::Max(hn::Sub(from, by), least), most), from); };
+    at = { moved(at.X, move.X), moved(at.Y, move.Y), moved(at.Z, move.Z) };
+    const auto isDone = hn::And(isOpen, AreWithin(move, isShort));
+    isFound = hn::Or(isFound, isDone);
+    isOpen = hn::AndNot(isDone, isOpen);
+  }
+  isFound = hn::And(isFound, AreWithin(at, hn::Set(d, PlacedCell::Border)));
+  const auto inside = [&](const V& u) HWY_ATTR { return hn::Min(hn::Max(u, hn::Neg(one)), one); };
+  at = { inside(at.X), inside(at.Y), inside(at.Z) };
+  return isFound;
+}
+
+/// \return where they were found
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE hn::Mask<D> FindSlopes(
+  D d, const CellVectors<D>& cells, const Axes<V>& at, Axes<V>& gradient)
+{
+  const Jacobian<V> slopes(cells.Place, at);
+  // Cramer's rule with the columns of the Jacobian.
+  const Axes<V> alongX = { slopes.X.X, slopes.Y.X, slopes.Z.X };
+  const Axes<V> alongY = { slopes.X.Y, slopes.Y.Y, slopes.Z.Y };
+  const Axes<V> alongZ = { slopes.X.Z, slopes.Y.Z, slopes.Z.Z };
+  const Axes<V> yz = Cross(alongY, alongZ), zx = Cross(alongZ, alongX);
+  const Axes<V> xy = Cross(alongX, alongY), value = cells.Value.SlopesAt(at);
+  const V volume = Dot(alongX, yz);
+  const V box = hn::Mul(LargestOf(alongX), hn::Mul(LargestOf(alongY), LargestOf(alongZ)));
+  const auto isThick = hn::Gt(hn::Abs(volume), hn::Mul(hn::Set(d, PlacedCell::LeastVolume), box));
+  const V scale = hn::Div(hn::Set(d, 1.0), hn::IfThenElse(isThick, volume, hn::Set(d, 1.0)));
+  const auto meanOf = [&](const V& ofX, const V& ofY, const V& ofZ) HWY_ATTR
+  {
+    return hn::Mul(
+      scale, hn::Add(hn::Add(hn::Mul(value.X, ofX), hn::Mul(value.Y, ofY)), hn::Mul(value.Z, ofZ)));
+  };
+  gradient = { meanOf(yz.X, zx.X, xy.X), meanOf(yz.Y, zx.Y, xy.Y), meanOf(yz.Z, zx.Z, xy.Z) };
+  return hn::And(isThick, AreWithin(gradient, hn::Set(d, PlacedCell::Steepest)));
+}
+
+/// Points are relative to their cells, to the end of the last vector.
+/// \return a bit for each point that is found; results of others have no meaning
+std::uint64_t GradientsInCells(const PlacedCell* cells, PointsInCells& points)
+{
+  using D = hn::CappedTag<double, 8>;
+  using V = hn::Vec<D>;
+  const D d;
+  const std::size_t lanes = hn::Lanes(d);
+  const V half = hn::Set(d, 0.5);
+  std::uint64_t found = 0;
+  for (std::size_t i = 0; i < points.Count; i += lanes)
+  {
+    const CellVectors<D> placed(d, cells, points, i);
+    const Axes<V> point = { hn::Load(d, points.Point[0].data() + i),
+      hn::Load(d, points.Point[1].data() + i), hn::Load(d, points.Point[2].data() + i) };
+    Axes<V> at, gradient;
+    const auto isIn = FindPlaces(d, placed, point, at);
+    const auto isSloped = FindSlopes(d, placed, at, gradient);
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(d, hn::And(isIn, isSloped), bits);
+    found |= std::uint64_t(bits[0]) << i;
+    const auto store = [&](const V& u, std::size_t a) HWY_ATTR
+    { hn::Store(hn::Add(half, hn::Mul(half, u)), d, points.At[a].data() + i); };
+    store(at.X, 0);
+    store(at.Y, 1);
+    store(at.Z, 2);
+    hn::Store(gradient.X, d, points.Gradient[0].data() + i);
+    hn::Store(gradient.Y, d, points.Gradient[1].data() + i);
+    hn::Store(gradient.Z, d, points.Gradient[2].data() + i);
+  }
+  return found;
+}
+
+}
+}
+}
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace TemporalCoherence
+{
+namespace MeshKernels
+{
+
+namespace
+{
+
+void Set(PointsInCells::Vectors& vectors, std::size_t i, const glm::dvec3& vector)
+{
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    vectors[a][i] = vector[static_cast<int>(a)];
+  }
+}
+
+glm::dvec3 Get(const PointsInCells::Vectors& vectors, std::size_t i)
+{
+  return { vectors[0][i], vectors[1][i], vectors[2][i] };
+}
+
+/// Points that vectors search, relative to their cells.
+struct SearchedPoints
+{
+  std::array<PlacedCell, PointsInCells::Capacity> Cells;
+  PointsInCells Points;
+  std::array<std::uint8_t, PointsInCells::Capacity> From; ///< which point each of them is
+
+  /// All that cells need: in a tetrahedron, only places are searched.
+  void Take(const MeshCell* cells, std::size_t numberOfCells, const PointsInCells& points)
+  {
+    const auto isSearched = [&](std::size_t cell)
+    { return points.HasPlaces || cells[cell].Shape != MeshCellShape::Tetrahedron; };
+    for (std::size_t cell = 0; cell < numberOfCells; ++cell)
+    {
+      if (isSearched(cell))
+      {
+        this->Cells[cell].Place(cells[cell]);
+      }
+    }
+    for (std::size_t i = 0; i < points.Count; ++i)
+    {
+      if (isSearched(points.Cell[i]))
+      {
+        const std::size_t place = this->Points.Count++;
+        this->From[place] = static_cast<std::uint8_t>(i);
+        const PlacedCell& cell = this->Cells[points.Cell[i]];
+        this->Points.Set(place, points.Cell[i], cell.Relative(Get(points.Point, i)));
+      }
+    }
+    this->FillUp();
+  }
+
+private:
+  /// To the end of the last vector, with the last point.
+  void FillUp()
+  {
+    const std::size_t count = this->Points.Count;
+    for (std::size_t i = count; i < WholeVectors(count); ++i)
+    {
+      this->Points.Set(i, this->Points.Cell[count - 1], Get(this->Points.Point, count - 1));
+    }
+  }
+};
+
+}
+
+HWY_EXPORT(GradientsInCells);
+
+void FindCellGradients(const MeshCell* cells, std::size_t numberOfCells, PointsInCells& points)
+{
+  SearchedPoints searched;
+  searched.Take(cells, numberOfCells, points);
+  const PointsInCells& results = searched.Points;
+  const std::uint64_t found =
+    HWY_DYNAMIC_DISPATCH(GradientsInCells)(searched.Cells.data(), searched.Points);
+  for (std::size_t i = 0; i < results.Count; ++i)
+  {
+    const std::size_t point = searched.From[i], cell = results.Cell[i];
+    if ((found >> i & 1u) != 0)
+    {
+      Set(points.At, point, Get(results.At, i));
+      Set(points.Gradient, point, searched.Cells[cell].PerLength * Get(results.Gradient, i));
+      continue;
+    }
+    const glm::dvec3 at = FindPoint(cells[cell], Get(points.Point, point)).At;
+    Set(points.At, point, at);
+    Set(points.Gradient, point, GradientAt(cells[cell], at));
+  }
+  // A tetrahedron has one gradient.
+  std::size_t last = PointsInCells::Capacity;
+  glm::dvec3 constant(0.0);
+  for (std::size_t i = 0; i < points.Count; ++i)
+  {
+    const std::size_t cell = points.Cell[i];
+    if (cells[cell].Shape == MeshCellShape::Tetrahedron)
+    {
+      constant = cell == last ? constant : GradientAt(cells[cell], glm::dvec3(0.25));
+      last = cell;
+      Set(points.Gradient, i, constant);
+    }
+  }
+}
+
+}
+}
+#endif

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_KernelsCellGradients_h
+#define TemporalCoherence_KernelsCellGradients_h
+
+#include "Mesh/MeshCell.h"
+#include "Scene/RayBatch.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace TemporalCoherence
+{
+namespace MeshKernels
+{
+
+/// Points in some cells, and what is to be found there.
+///
+/// It depends on the point and its cell alone: not on the other points, not on the kind of vectors.
+struct PointsInCells
+{
+  static constexpr std::size_t Capacity = 64;
+  using Vectors = std::array<TileArray<double>, 3>; ///< by axis
+
+  std::size_t Count = 0;
+  /// The number of each point's cell. Points of a cell should be neighbours, which is faster.
+  TileArray<std::uint8_t> Cell;
+  Vectors Point; ///< in the coordinates of the mesh
+  /// At is wanted in tetrahedra, too. Their gradients do not need it.
+  bool HasPlaces = true;
+
+  Vectors At;       ///< result: as PointInCell::At
+  Vectors Gradient; ///< result: as GradientAt
+
+  void Set(std::size_t i, std::size_t cell, const glm::dvec3& point)
+  {
+    this->Cell[i] = static_cast<std::uint8_t>(cell);
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      this->Point[a][i] = point[static_cast<int>(a)];
+    }
+  }
+};
+
+/// Find where points lie in their cells, and the gradients there: as FindPoint and GradientAt do
+/// up to rounding errors, and these are asked where cells are too flat or folded for vectors.
+/// Tetrahedra have one gradient each.
+/// \param cells at most PointsInCells::Capacity, none of shape None
+void FindCellGradients(const MeshCell* cells, std::size_t numberOfCells, PointsInCells& points);
+
+}
+}
+
+#endif

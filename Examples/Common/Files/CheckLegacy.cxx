@@ -117,6 +117,16 @@ const std::map<std::string, int> Counted = { { "CELLS", 0 }, { "CELL_TYPES", 0 }
 const std::set<std::string> OfGrids = { "CELLS", "CELL_TYPES", "POINTS", "X_COORDINATES",
   "Y_COORDINATES", "Z_COORDINATES" };
 
+// The numbers of all cells together follow their number. Of too few the reader takes more.
+void CheckCells(const std::string& path, const std::string& count, const std::string& entries)
+{
+  long long cells = 0, numbers = 0;
+  if (IsWhole(count, 2, LLONG_MAX, cells) && !IsWhole(entries, cells - 1, LLONG_MAX, numbers))
+  {
+    throw Damaged(path, "it tells of " + count + " CELLS with too few numbers");
+  }
+}
+
 // \param titleEnd what comes before are no keywords
 void CheckCounts(const std::string& path, std::streamoff titleEnd, bool isBinary, double there)
 {
@@ -167,6 +177,11 @@ void CheckCounts(const std::string& path, std::streamoff titleEnd, bool isBinary
         }
         // Within a line it may be a name.
         const bool isLine = at > 0 && text[at - 1] == '\n';
+        if (word == "CELLS" && isLine)
+        {
+          in >> other;
+          CheckCells(path, count, other);
+        }
         if (word == "FIELD" && (isLine || isCounted) &&
           begin + static_cast<std::streamoff>(at) >= titleEnd)
         {

@@ -104,6 +104,17 @@ bool HasFinitePoints(vtkDataSet* set)
     [](double coordinate) { return std::isfinite(coordinate); });
 }
 
+// Of unstructured grids the mapper knows.
+bool HasVolume(vtkDataSet* set)
+{
+  int n[3] = { 2, 2, 2 };
+  if (auto* grid = vtkStructuredGrid::SafeDownCast(set))
+  {
+    grid->GetDimensions(n);
+  }
+  return n[0] > 1 && n[1] > 1 && n[2] > 1;
+}
+
 void RemoveUnfitting(vtkDataSetAttributes* attributes, vtkIdType tuples)
 {
   for (int i = attributes->GetNumberOfArrays() - 1; i >= 0; --i)
@@ -166,11 +177,12 @@ void CheckMesh(vtkDataObject* data, const std::string& name)
     double bounds[6];
     set->GetBounds(bounds);
     box.AddBounds(bounds);
-    cells += set->GetNumberOfCells();
+    cells += HasVolume(set) ? set->GetNumberOfCells() : 0;
   }
   if (cells == 0)
   {
-    throw UserError(name + " has no cells; check that the file is whole, or choose another.");
+    throw UserError(
+      name + " has no cells with volume; check that the file is whole, or choose another.");
   }
   vtkVector3d corner, lengths;
   box.GetMinPoint(corner.GetData());

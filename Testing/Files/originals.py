@@ -16,6 +16,8 @@ import zlib
 from dataclasses import dataclass, field
 from typing import Callable
 
+import meshes
+
 SIZE = (9, 8, 7)
 Twist = Callable[[object], object]
 
@@ -365,6 +367,12 @@ def dicom_with_report(twist: Twist) -> Original:
     return original
 
 
+# --- Meshes -------------------------------------------------------------------------------------
+
+def mesh(name: str, make: Callable[[Twist], bytes]) -> Callable[[Twist], Original]:
+    return lambda twist: Original(name, {name: make(twist)}, words=meshes.WORDS)
+
+
 # --- Others -------------------------------------------------------------------------------------
 
 def raw(twist: Twist) -> Original:
@@ -439,6 +447,9 @@ ORIGINALS: dict[str, Callable[[Twist], Original]] = {
     "dicom": dicom(False),
     "dicom-implicit": dicom(True),
     "dicom-report": dicom_with_report,
+    "vtu": mesh("a.vtu", meshes.vtu),
+    "vts": mesh("a.vts", meshes.vts),
+    "vtk-mesh": mesh("a.vtk", meshes.legacy),
     "raw": raw,
     "session": session,
     "npy": npy,

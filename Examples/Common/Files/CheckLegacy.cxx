@@ -6,8 +6,10 @@
 #include "Program/Quoted.h"
 
 #include <algorithm>
+#include <array>
 #include <climits>
 #include <cmath>
+#include <cstdint>
 #include <fstream>
 #include <map>
 #include <set>
@@ -117,6 +119,60 @@ const std::map<std::string, int> Counted = { { "CELLS", 0 }, { "CELL_TYPES", 0 }
 const std::set<std::string> OfGrids = { "CELLS", "CELL_TYPES", "POINTS", "X_COORDINATES",
   "Y_COORDINATES", "Z_COORDINATES" };
 
+// Each cell is the number of its points and these. The reader believes what it is told of them.
+void CheckCells(const std::string& path, std::streamoff at, bool isBinary)
+{
+  std::ifstream in(path, std::ios::binary);
+  in.seekg(at);
+  std::string word, count, entries;
+  in >> word >> count >> entries;
+  long long cells = 0, numbers = 0;
+  if (!IsWhole(count, 0, LLONG_MAX, cells) || !IsWhole(entries, 0, LLONG_MAX, numbers))
+  {
+    throw Damaged(path, "it tells of no numbers of CELLS");
+  }
+  std::getline(in, word); // what is left of the line
+  const std::streamoff begin = in.tellg();
+  if (in >> word && LowerCase(word) == "offsets")
+  {
+    return; // as files are since version 5, which are checked when they are read
+  }
+  in.clear();
+  in.seekg(begin);
+  const auto next = [&in, isBinary]
+  {
+    long long number = -1;
+    if (!isBinary)
+    {
+      in >> number;
+      return in ? number : -1;
+    }
+    std::array<unsigned char, 4> bytes{};
+    in.read(reinterpret_cast<char*>(bytes.data()), 4);
+    const std::uint32_t bits = std::uint32_t(bytes[0]) << 24 | std::uint32_t(bytes[1]) << 16 |
+      std::uint32_t(bytes[2]) << 8 | std::uint32_t(bytes[3]);
+    return in ? static_cast<long long>(static_cast<std::int32_t>(bits)) : -1;
+  };
+  long long left = numbers;
+  for (long long cell = 0; cell < cells; ++cell)
+  {
+    const long long points = left > 0 ? next() : -1;
+    left -= points + 1;
+    if (points < 0 || left < 0)
+    {
+      throw Damaged(path, "its CELLS have other numbers of points than it tells of");
+    }
+    for (long long point = 0; point < points && in; ++point)
+    {
+      next();
+    }
+  }
+  if (left != 0)
+  {
+    throw Damaged(path, "its CELLS have other numbers of points than it tells of");
+  }
+}
+
 // \param titleEnd what comes before are no keywords
 void CheckCounts(const std::string& path, std::streamoff titleEnd, bool isBinary, double there)
 {
@@ -167,6 +223,10 @@ void CheckCounts(const std::string& path, std::streamoff titleEnd, bool isBinary
         }
         // Within a line it may be a name.
         const bool isLine = at > 0 && text[at - 1] == '\n';
+        if (word == "CELLS" && isLine && begin + static_cast<std::streamoff>(at) >= titleEnd)
+        {
+          CheckCells(path, begin + static_cast<std::streamoff>(at), isBinary);
+        }
         if (word == "FIELD" && (isLine || isCounted) &&
           begin + static_cast<std::streamoff>(at) >= titleEnd)
         {

@@ -6,11 +6,16 @@
 #include "Program/UserError.h"
 
 #include <vtkBoundingBox.h>
+#include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkCellType.h>
 #include <vtkDataArray.h>
+#include <vtkDataArrayRange.h>
 #include <vtkPointData.h>
+#include <vtkPointSet.h>
 #include <vtkRectilinearGrid.h>
 #include <vtkStructuredGrid.h>
+#include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
 #include <cmath>
@@ -37,6 +42,77 @@ bool IsWholeGrid(vtkDataSet* set)
       grid->GetPoints()->GetNumberOfPoints() == static_cast<vtkIdType>(n[0]) * n[1] * n[2];
   }
   return true;
+}
+
+// How many points a linear cell has; 0 for cells of other types.
+vtkIdType PointsOfType(int type)
+{
+  switch (type)
+  {
+    case VTK_TETRA:
+      return 4;
+    case VTK_PYRAMID:
+      return 5;
+    case VTK_WEDGE:
+      return 6;
+    case VTK_VOXEL:
+    case VTK_HEXAHEDRON:
+      return 8;
+    default:
+      return 0;
+  }
+}
+
+// Readers believe what files say of cells, and filters what readers say.
+bool HasWholeCells(vtkUnstructuredGrid* grid)
+{
+  vtkCellArray* const cells = grid->GetCells();
+  if (!cells)
+  {
+    return true;
+  }
+  const auto offsets = vtk::DataArrayValueRange<1>(cells->GetOffsetsArray());
+  const auto points = vtk::DataArrayValueRange<1>(cells->GetConnectivityArray());
+  const double count = static_cast<double>(grid->GetNumberOfPoints());
+  const double size = static_cast<double>(points.size());
+  double begin = 0.0;
+  vtkIdType cell = -1;
+  for (const double end : offsets)
+  {
+    const vtkIdType needed = cell < 0 ? 0 : PointsOfType(grid->GetCellType(cell));
+    const double has = end - begin;
+    if (has < 0.0 || end > size || (needed > 0 && has != static_cast<double>(needed)))
+    {
+      return false;
+    }
+    begin = end;
+    ++cell;
+  }
+  return std::all_of(
+    points.begin(), points.end(), [count](double point) { return point >= 0.0 && point < count; });
+}
+
+bool HasFinitePoints(vtkDataSet* set)
+{
+  auto* const points = vtkPointSet::SafeDownCast(set);
+  if (!points || !points->GetPoints())
+  {
+    return true;
+  }
+  const auto coordinates = vtk::DataArrayValueRange<3>(points->GetPoints()->GetData());
+  return std::all_of(coordinates.begin(), coordinates.end(),
+    [](double coordinate) { return std::isfinite(coordinate); });
+}
+
+// Of unstructured grids the mapper knows.
+bool HasVolume(vtkDataSet* set)
+{
+  int n[3] = { 2, 2, 2 };
+  if (auto* grid = vtkStructuredGrid::SafeDownCast(set))
+  {
+    grid->GetDimensions(n);
+  }
+  return n[0] > 1 && n[1] > 1 && n[2] > 1;
 }
 
 void RemoveUnfitting(vtkDataSetAttributes* attributes, vtkIdType tuples)
@@ -86,16 +162,27 @@ void CheckMesh(vtkDataObject* data, const std::string& name)
       throw UserError(
         name + " has fewer or more points than its dimensions say; check that the file is whole.");
     }
+    auto* const grid = vtkUnstructuredGrid::SafeDownCast(set);
+    if (grid && !HasWholeCells(grid))
+    {
+      throw UserError(
+        name + " has cells with points that are not there; check that the file is whole.");
+    }
+    if (!HasFinitePoints(set))
+    {
+      throw UserError(name + " has points with coordinates that are no numbers; correct them.");
+    }
     RemoveUnfitting(set->GetPointData(), set->GetNumberOfPoints());
     RemoveUnfitting(set->GetCellData(), set->GetNumberOfCells());
     double bounds[6];
     set->GetBounds(bounds);
     box.AddBounds(bounds);
-    cells += set->GetNumberOfCells();
+    cells += HasVolume(set) ? set->GetNumberOfCells() : 0;
   }
   if (cells == 0)
   {
-    throw UserError(name + " has no cells; check that the file is whole, or choose another.");
+    throw UserError(
+      name + " has no cells with volume; check that the file is whole, or choose another.");
   }
   vtkVector3d corner, lengths;
   box.GetMinPoint(corner.GetData());

@@ -1,0 +1,111 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Small meshes in formats that the examples open: hexahedra with a value at each point."""
+
+from __future__ import annotations
+
+import math
+from typing import Callable
+
+SIZE = (5, 4, 4)
+HEXAHEDRON = 12
+
+WORDS = [
+    b"UnstructuredGrid", b"StructuredGrid", b"ImageData", b"PolyData", b"Points", b"Cells", b"types",
+    b"connectivity", b"offsets", b"faces", b"faceoffsets", b"Float64", b"Float32", b"Int32", b"UInt8",
+    b"String", b"PointData", b"CellData", b"DataArray", b"Piece", b"NumberOfCells", b"Scalars",
+    b"UNSTRUCTURED_GRID", b"STRUCTURED_GRID", b"CELLS", b"CELL_TYPES", b"OFFSETS", b"CONNECTIVITY",
+    b"POINTS", b"POINT_DATA", b"SCALARS", b"double", b"vtktypeint64", b"bit", b"10", b"42", b"71"]
+
+
+def points() -> list[tuple[int, int, int]]:
+    nx, ny, nz = SIZE
+    return [(i, j, k) for k in range(nz) for j in range(ny) for i in range(nx)]
+
+
+def values() -> list[float]:
+    middle = [(n - 1) / 2 for n in SIZE]
+    return [max(0.0, 200.0 - 80.0 * math.dist(point, middle)) for point in points()]
+
+
+def cells() -> list[list[int]]:
+    nx, ny, nz = SIZE
+    corners = (0, 1, nx + 1, nx)
+    first = [i + nx * (j + ny * k)
+             for k in range(nz - 1) for j in range(ny - 1) for i in range(nx - 1)]
+    return [[at + up + corner for up in (0, nx * ny) for corner in corners] for at in first]
+
+
+def text_of(numbers, twist) -> str:
+    return " ".join(str(twist(number)) for number in numbers)
+
+
+def array(name: str, kind: str, numbers, twist, components: int = 1) -> str:
+    return f'<DataArray type="{kind}" Name="{name}" NumberOfComponents="{twist(components)}" ' \
+        f'format="ascii">{text_of(numbers, twist)}</DataArray>\n'
+
+
+def xml(kind: str, piece: str, content: str, attributes: str = "") -> bytes:
+    return f"""<?xml version="1.0"?>
+<VTKFile type="{kind}" version="0.1" byte_order="LittleEndian">
+<{kind}{attributes}>
+<Piece {piece}>
+{content}</Piece>
+</{kind}>
+</VTKFile>
+""".encode()
+
+
+def coordinates() -> list[float]:
+    return [coordinate for point in points() for coordinate in point]
+
+
+def vtu(twist) -> bytes:
+    t, rarely = twist, rarer(twist)
+    ids = [number for cell in cells() for number in cell]
+    content = '<PointData Scalars="ball">\n' + array("ball", "Float32", values(), rarely) + \
+        "</PointData>\n<Points>\n" + array("Points", "Float32", coordinates(), rarely, 3) + \
+        "</Points>\n<Cells>\n" + array("connectivity", "Int64", ids, rarely) + \
+        array("offsets", "Int64", range(8, len(ids) + 1, 8), rarely) + \
+        array("types", "UInt8", len(cells()) * [HEXAHEDRON], rarely) + "</Cells>\n"
+    return xml("UnstructuredGrid",
+               f'NumberOfPoints="{t(len(points()))}" NumberOfCells="{t(len(cells()))}"', content)
+
+
+def vts(twist) -> bytes:
+    rarely = rarer(twist)
+    extent = " ".join(f"0 {twist(n - 1)}" for n in SIZE)
+    content = '<PointData Scalars="ball">\n' + array("ball", "Float32", values(), rarely) + \
+        "</PointData>\n<Points>\n" + array("Points", "Float32", coordinates(), rarely, 3) + "</Points>\n"
+    return xml("StructuredGrid", f'Extent="{extent}"', content, f' WholeExtent="{extent}"')
+
+
+def legacy(twist) -> bytes:
+    t, rarely = twist, rarer(twist)
+    listed = [number for cell in cells() for number in (8, *cell)]
+    return f"""# vtk DataFile Version {t(3)}.0
+a ball
+ASCII
+DATASET UNSTRUCTURED_GRID
+POINTS {t(len(points()))} float
+{text_of(coordinates(), rarely)}
+CELLS {t(len(cells()))} {t(len(listed))}
+{text_of(listed, rarely)}
+CELL_TYPES {t(len(cells()))}
+{text_of(len(cells()) * [HEXAHEDRON], rarely)}
+POINT_DATA {t(len(points()))}
+SCALARS ball float {t(1)}
+LOOKUP_TABLE default
+{text_of(values(), rarely)}
+""".encode()
+
+
+def rarer(twist) -> Callable[[object], object]:
+    """Of many numbers only a few are made others."""
+    count = 0
+
+    def made(number):
+        nonlocal count
+        count += 1
+        return twist(number) if count % 16 == 1 else number
+    return made

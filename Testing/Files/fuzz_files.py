@@ -21,7 +21,7 @@ import time
 import unicodedata
 
 from mutations import Mutator
-from originals import ORIGINALS, Original
+from originals import MESHES, ORIGINALS, Original
 
 MOST_GROWTH = 1.5  # of memory, beside the whole file
 MOST_KIB = 256 * 1024  # and beyond that
@@ -138,7 +138,8 @@ class Campaign:
             wrong = what_is_wrong(status, said, [original.main, "--raw takes"] if original.layout else names)
             if number == 0:
                 self._needed[kind, way] = memory
-                wrong = wrong or ("the whole file is refused" if status and "grid" not in kind else "")
+                may_refuse = "grid" in kind or (way == "python" and kind in MESHES)
+                wrong = wrong or ("the whole file is refused" if status and not may_refuse else "")
             elif memory > self._needed.get((kind, way), 0) * MOST_GROWTH + MOST_KIB:
                 wrong = wrong or f"it takes {memory >> 10} MiB"
             if wrong:

@@ -417,6 +417,9 @@ def npy(twist: Twist) -> Original:
         b"<f4", b">f8", b"|O", b"<U9", b"<M8[s]", b"True", b"False", b"shape", b"()", b"|b1", b"<c8"])
 
 
+#: What the examples in Python do not open.
+MESHES = ("vtu", "vts", "vtk-mesh")
+
 ORIGINALS: dict[str, Callable[[Twist], Original]] = {
     "vti-ascii": vti("ascii"),
     "vti-no-format": vti_without_format,

@@ -21,6 +21,7 @@
 #include <map>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 // Frames of meshes: cold ones against a search of every cell for every ray, and every route against
@@ -345,6 +346,27 @@ TEST_P(MeshFrames, AveragedGradientsAreSmooth)
   }
   EXPECT_LT(error[0], 0.05);
   EXPECT_LT(error[1], 0.7 * error[0]);
+}
+
+TEST_P(MeshFrames, ValuesThatAreNotFiniteDoNoHarm)
+{
+  Meshes::DoubleArrays arrays = Meshes::MakeBlock(this->GetParam(), Small());
+  for (std::size_t point = 0; point < arrays.Values.size(); point += 7)
+  {
+    arrays.Values[point] = point % 2 == 0 ? std::numeric_limits<double>::quiet_NaN() : Infinity;
+  }
+  this->Show(Meshes::MeshOf(std::move(arrays)));
+  FrameRenderer renderer;
+  for (int step = 0; step < 6; ++step)
+  {
+    this->Key.Isosurfaces.Isovalues = { 0.3 + 0.02 * step };
+    renderer.Render(this->Key, {});
+    const Frame cold = this->Cold();
+    EXPECT_TRUE(ShowTheSame(renderer.LastFrame(), cold)) << step;
+    EXPECT_TRUE(std::all_of(cold.Normals.begin(), cold.Normals.end(),
+      [](const glm::vec3& normal) { return std::isfinite(normal.x + normal.y + normal.z); }));
+    EXPECT_GT(std::count(cold.Kinds.begin(), cold.Kinds.end(), HitKind::Entry), 50);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(AllCells, MeshFrames,

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 
 namespace TemporalCoherence
@@ -224,7 +225,9 @@ void FindMeshGradients(const MeshTree& tree, const PointGradients* averaged,
     std::fill_n(tile.Gradients[a].begin(), tile.Rays.Count, 0.0);
     for (std::size_t i = 0; i < points.Count; ++i)
     {
-      tile.Gradients[a][cells.Hits[i]] = tree.Scale() * points.Gradient[a][i];
+      // Values that are not finite have no gradient.
+      const double gradient = tree.Scale() * points.Gradient[a][i];
+      tile.Gradients[a][cells.Hits[i]] = std::isfinite(gradient) ? gradient : 0.0;
     }
   }
   for (std::size_t i = tile.Rays.Count; i < WholeVectors(tile.Rays.Count); ++i)

@@ -329,6 +329,41 @@ void IsomapLookup::FindKnots(const IsovalueKeys& keys, std::uint64_t which,
   }
 }
 
+/// Search the cells of further knots: in a mesh it is not always known whether a ray reaches the
+/// key of a knot in its cell.
+/// \param missing one bit for each ray that has no surface in the cell of its knot
+/// \param places  of these knots; gets those of the last ones that are searched
+/// \return those for which no surface is found
+std::uint64_t IsomapLookup::SearchNextKnots(std::uint64_t missing,
+  const RayBatch::Array<std::uint8_t>& directions, const RayBatch& rays, const TileKnots& knots,
+  RayCells& cells, RayBatch::Array<std::size_t>& places, HitBatch& hits) const
+{
+  constexpr int mostKnots = 6; // a ray that meets nothing in so many is traced
+  std::uint64_t lost = 0;
+  for (int knot = 0; knot < mostKnots && missing != 0; ++knot)
+  {
+    cells.Rays = missing;
+    for (std::uint64_t left = missing; left != 0; left &= left - 1)
+    {
+      const std::size_t ray = hwy::Num0BitsBelowLS1Bit_Nonzero64(left);
+      const CellKnots& table = knots.Cells[directions[ray]];
+      if (++places[ray] >= table.Begin(ray + 1))
+      {
+        cells.Rays &= ~Bit(ray);
+        lost |= Bit(ray);
+        continue;
+      }
+      const CellIndex& cell = table.Get<1>()[places[ray]];
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        cells.Cell[a][ray] = cell[a];
+      }
+    }
+    missing = cells.Rays != 0 ? this->Tracer->SearchCells(rays, cells, hits) : 0;
+  }
+  return lost | missing;
+}
+
 void IsomapLookup::FindInCells(std::size_t surface, std::uint64_t which,
   const RayBatch::Array<std::uint8_t>& directions, const RayBatch& rays, const TileKnots& knots,
   Found& found) const
@@ -344,7 +379,10 @@ void IsomapLookup::FindInCells(std::size_t surface, std::uint64_t which,
   FindKnots(found.Isovalues[surface], which & RaysOf(rays), directions, knots, cells, places);
   if (cells.Rays != 0)
   {
-    found.Unresolved |= this->Tracer->SearchCells(rays, cells, hits);
+    const std::uint64_t missing = this->Tracer->SearchCells(rays, cells, hits);
+    found.Unresolved |= this->Key.Samples.Kind->Abilities().IsMesh
+      ? this->SearchNextKnots(missing, directions, rays, knots, cells, places, hits)
+      : missing;
   }
   for (std::uint64_t left = this->HasNormals ? cells.Rays : 0; left != 0; left &= left - 1)
   {

@@ -90,6 +90,9 @@ private:
   static void FindKnots(const IsovalueKeys& keys, std::uint64_t which,
     const RayBatch::Array<std::uint8_t>& directions, const TileKnots& knots, RayCells& cells,
     RayBatch::Array<std::size_t>& places);
+  std::uint64_t SearchNextKnots(std::uint64_t missing,
+    const RayBatch::Array<std::uint8_t>& directions, const RayBatch& rays, const TileKnots& knots,
+    RayCells& cells, RayBatch::Array<std::size_t>& places, HitBatch& hits) const;
   void FindInCells(std::size_t surface, std::uint64_t which,
     const RayBatch::Array<std::uint8_t>& directions, const RayBatch& rays, const TileKnots& knots,
     Found& found) const;

@@ -116,10 +116,13 @@ void MeshBandRays::TakeNote(const MeshPassage& passage)
     {
       continue;
     }
-    const BandScale::Key key = this->Scale.KeyOf(most[direction] + error);
-    if (key > progress.Noted[direction])
+    // An isovalue up to the last key is met in an earlier cell, if the ray has reached it.
+    // Otherwise that cell only might hold it, and so might this one.
+    BandScale::Key& last = progress.Noted[direction];
+    const BandScale::Key key = std::max(last, this->Scale.KeyOf(most[direction] + error));
+    if (key > last || this->Scale.KeyOf(reached + error) < key)
     {
-      progress.Noted[direction] = key;
+      last = key;
       this->Knots.AddCell(direction, passage.Ray, key, passage.Place, passage.In);
     }
     const bool isDone = passed[direction] - error > this->Scale.Span;

@@ -93,6 +93,7 @@ set(engine_files
   MeshFields/ActiveLeaves
   MeshFields/BoxLevels
   MeshFields/CellFaces
+  MeshFields/CellValues
   MeshFields/KernelsBoxes
   MeshFields/KernelsTileGrid
   MeshFields/LeafCells

@@ -19,38 +19,84 @@ namespace HWY_NAMESPACE
 
 namespace hn = hwy::HWY_NAMESPACE;
 
+/// Where rays enter and leave a box.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE void ClipToBox(
+  D d, const RayBatch& rays, std::size_t i, const FloatBox& box, double margin, V& enter, V& leave)
+{
+  // Where a ray runs along a face, its inverse is infinite. A product with 0 would be no number.
+  const V largest = hn::Set(d, 1e300), smallest = hn::Set(d, -1e300);
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    const auto axis = static_cast<int>(a);
+    const V origin = hn::Load(d, &rays.Origin[a][i]);
+    const V inverse = hn::Max(hn::Min(hn::Load(d, &rays.Inverse[a][i]), largest), smallest);
+    const V low =
+      hn::Mul(hn::Sub(hn::Set(d, static_cast<double>(box.Low[axis]) - margin), origin), inverse);
+    const V high =
+      hn::Mul(hn::Sub(hn::Set(d, static_cast<double>(box.High[axis]) + margin), origin), inverse);
+    enter = hn::Max(enter, hn::Min(low, high));
+    leave = hn::Min(leave, hn::Max(low, high));
+  }
+}
+
+template <class D>
+HWY_INLINE std::uint64_t BitsOfLanes(D d, hn::Mask<D> mask)
+{
+  std::uint8_t bits[8] = {};
+  hn::StoreMaskBits(d, mask, bits);
+  std::uint64_t lanes = 0;
+  for (std::size_t byte = 0; byte < (hn::Lanes(d) + 7) / 8; ++byte)
+  {
+    lanes |= static_cast<std::uint64_t>(bits[byte]) << 8 * byte;
+  }
+  return lanes;
+}
+
+std::uint64_t FindRaysAcross(const RayBatch& rays, std::uint64_t which, const FloatBox& box,
+  double margin, const NearlyLinear& values, double isovalue)
+{
+  const hn::ScalableTag<double> d;
+  // What rounding may move a point by, it moves values by.
+  const auto bend = hn::Set(d, values.Bend + margin * glm::length(values.Gradient));
+  std::uint64_t across = 0;
+  const std::uint64_t lanes = (std::uint64_t(1) << hn::Lanes(d)) - 1;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); i += hn::Lanes(d))
+  {
+    if ((which >> i & lanes) == 0)
+    {
+      continue;
+    }
+    auto enter = hn::Set(d, -1e300), leave = hn::Set(d, 1e300);
+    ClipToBox(d, rays, i, box, margin, enter, leave);
+    auto atOrigin = hn::Set(d, values.AtZero - isovalue), perT = hn::Zero(d);
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      const auto slope = hn::Set(d, values.Gradient[static_cast<int>(a)]);
+      atOrigin = hn::MulAdd(slope, hn::Load(d, &rays.Origin[a][i]), atOrigin);
+      perT = hn::MulAdd(slope, hn::Load(d, &rays.Direction[a][i]), perT);
+    }
+    const auto atEnter = hn::MulAdd(perT, enter, atOrigin);
+    const auto atLeave = hn::MulAdd(perT, leave, atOrigin);
+    const auto isAbove = hn::Gt(hn::Min(atEnter, atLeave), bend);
+    const auto isBelow = hn::Lt(hn::Max(atEnter, atLeave), hn::Neg(bend));
+    across |= (BitsOfLanes(d, hn::Not(hn::Or(isAbove, isBelow))) & lanes) << i;
+  }
+  return across & which;
+}
+
 std::uint64_t FindRaysThrough(
   const RayBatch& rays, const RayBatch::Array<double>& limits, const FloatBox& box, double margin)
 {
   const hn::ScalableTag<double> d;
-  // Where a ray runs along a face, its inverse is infinite. A product with 0 would be no number.
-  const auto largest = hn::Set(d, 1e300), smallest = hn::Set(d, -1e300);
   std::uint64_t passing = 0;
   const auto count = static_cast<std::size_t>(rays.Count);
   for (std::size_t i = 0; i < count; i += hn::Lanes(d))
   {
     auto enter = hn::Load(d, &rays.WalkBegin[i]);
     auto leave = hn::Min(hn::Load(d, &rays.WalkEnd[i]), hn::Load(d, &limits[i]));
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      const auto axis = static_cast<int>(a);
-      const auto origin = hn::Load(d, &rays.Origin[a][i]);
-      const auto inverse = hn::Max(hn::Min(hn::Load(d, &rays.Inverse[a][i]), largest), smallest);
-      const auto low =
-        hn::Mul(hn::Sub(hn::Set(d, static_cast<double>(box.Low[axis]) - margin), origin), inverse);
-      const auto high =
-        hn::Mul(hn::Sub(hn::Set(d, static_cast<double>(box.High[axis]) + margin), origin), inverse);
-      enter = hn::Max(enter, hn::Min(low, high));
-      leave = hn::Min(leave, hn::Max(low, high));
-    }
-    std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(d, hn::Le(enter, leave), bits);
-    std::uint64_t ofVector = 0;
-    for (std::size_t byte = 0; byte < (hn::Lanes(d) + 7) / 8; ++byte)
-    {
-      ofVector |= static_cast<std::uint64_t>(bits[byte]) << 8 * byte;
-    }
-    passing |= ofVector << i;
+    ClipToBox(d, rays, i, box, margin, enter, leave);
+    passing |= BitsOfLanes(d, hn::Le(enter, leave)) << i;
   }
   return count < 64 ? passing & ((std::uint64_t(1) << count) - 1) : passing;
 }
@@ -63,7 +109,14 @@ HWY_AFTER_NAMESPACE();
 namespace TemporalCoherence
 {
 
+HWY_EXPORT(FindRaysAcross);
 HWY_EXPORT(FindRaysThrough);
+
+std::uint64_t RaysAcross(const RayBatch& rays, std::uint64_t which, const FloatBox& box,
+  double margin, const NearlyLinear& values, double isovalue)
+{
+  return HWY_DYNAMIC_DISPATCH(FindRaysAcross)(rays, which, box, margin, values, isovalue);
+}
 
 std::uint64_t RaysThrough(
   const RayBatch& rays, const RayBatch::Array<double>& limits, const FloatBox& box, double margin)

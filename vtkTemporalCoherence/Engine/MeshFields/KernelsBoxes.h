@@ -6,10 +6,27 @@
 #include "Scene/RayBatch.h"
 #include "Trees/MeshBoxes.h"
 
+#include <glm/glm.hpp>
+
 #include <cstdint>
+#include <limits>
 
 namespace TemporalCoherence
 {
+
+/// Bounds of the values in a cell, by the point in index space: within Bend of
+/// Gradient . point + AtZero.
+struct NearlyLinear
+{
+  glm::dvec3 Gradient{ 0.0 };
+  double AtZero = 0.0;
+  double Bend = std::numeric_limits<double>::infinity();
+};
+
+/// Which of some rays may meet an isovalue in the box of a cell, by what is known of its values.
+/// \param which one bit for each ray that passes the box
+std::uint64_t RaysAcross(const RayBatch& rays, std::uint64_t which, const FloatBox& box,
+  double margin, const NearlyLinear& values, double isovalue);
 
 /// Which rays pass a box of index space between WalkBegin and a limit, one bit each. Rays that pass
 /// within a margin of the box count, too.

@@ -5,6 +5,7 @@
 #include "Scene/LayerBatch.h"
 
 #include <algorithm>
+#include <array>
 
 namespace TemporalCoherence
 {
@@ -73,8 +74,18 @@ void LeafCells::Read(std::int64_t leaf, Leaf& read) const
         cell.Points[1][i] = point.y;
         cell.Points[2][i] = point.z;
       }
-      read.Boxes.Set(lane++, (low - this->Tree.Low()) / this->Tree.Scale(),
+      if (cell.Cell.Shape == MeshCellShape::Hexahedron)
+      {
+        std::array<glm::dvec3, 8> index;
+        for (std::size_t i = 0; i < 8; ++i)
+        {
+          index[i] = (cell.Cell.Points[i] - this->Tree.Low()) / this->Tree.Scale();
+        }
+        cell.Values = NearlyLinearOf(index, cell.Cell.Values);
+      }
+      read.Boxes.Set(lane, (low - this->Tree.Low()) / this->Tree.Scale(),
         (high - this->Tree.Low()) / this->Tree.Scale());
+      cell.Box = read.Boxes.BoxAt(lane++);
     });
 }
 

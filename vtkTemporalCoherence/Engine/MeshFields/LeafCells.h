@@ -4,6 +4,7 @@
 #define TemporalCoherence_LeafCells_h
 
 #include "MeshFields/ActiveLeaves.h"
+#include "MeshFields/CellValues.h"
 #include "MeshFields/KernelsTileGrid.h"
 #include "Scene/Frame.h"
 #include "Trees/MeshTree.h"
@@ -23,7 +24,9 @@ struct ActiveCell
   CellNumber Number;
   std::int64_t Rank;
   MeshCell Cell;
-  PointLanes Points; ///< those of the cell
+  PointLanes Points;   ///< those of the cell
+  NearlyLinear Values; ///< of a hexahedron, if all are finite
+  FloatBox Box;        ///< in index space
 };
 
 /// Reads the active cells of leaves, each leaf once, for all tiles of a frame. Thread-safe.

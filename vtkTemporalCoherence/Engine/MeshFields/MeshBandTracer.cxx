@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshFields/MeshBandTracer.h"
 
+#include "MeshFields/CellValues.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,38 +17,6 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 /// Leaves between two looks at which rays are done.
 constexpr std::size_t LeavesAtOnce = 6;
-
-/// How far the values of a hexahedron are from a linear function of the point: the largest less the
-/// smallest difference. Where a ray runs from one value to another, it does not pass any that is
-/// farther beyond both. Infinite in a flat cell.
-double BendOf(const MeshCell& cell, const MeshKernels::CellDifferences& values)
-{
-  // The linear function has the mean slopes of the cell. The difference is trilinear, so its
-  // largest and smallest values are at corners.
-  glm::dmat3 edges(0.0);
-  glm::dvec3 slopes(0.0);
-  for (std::size_t corner = 0; corner < 8; ++corner)
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const double sign = (corner >> axis & 1u) != 0 ? 0.25 : -0.25;
-      edges[axis] += sign * cell.Points[corner];
-      slopes[axis] += sign * values[corner];
-    }
-  }
-  const glm::dvec3 gradient = glm::transpose(glm::inverse(edges)) * slopes;
-  double low = Infinity, high = -Infinity, largest = 0.0;
-  for (std::size_t corner = 0; corner < 8; ++corner)
-  {
-    const double linear = glm::dot(gradient, cell.Points[corner] - cell.Points[0]);
-    low = std::min(low, values[corner] - linear);
-    high = std::max(high, values[corner] - linear);
-    largest = std::max({ largest, std::abs(values[corner]), std::abs(linear) });
-  }
-  constexpr double rounding = 1e-12;
-  const double bend = high - low + rounding * largest;
-  return bend >= 0.0 ? bend : Infinity;
-}
 
 }
 
@@ -125,7 +95,7 @@ void MeshBandTracer::Append(
 
   MeshKernels::CellSpans spans;
   const bool isExact = cell.Cell.Shape == MeshCellShape::Tetrahedron;
-  const double bend = isExact ? 0.0 : BendOf(cell.Cell, differences);
+  const double bend = isExact ? 0.0 : BendOf(cell.Cell.Points, differences);
   (isExact ? MeshKernels::TetrahedronSpans : MeshKernels::HexahedronSpans)(
     cell.Cell, differences, tile.InMesh, which, spans);
   ForEachRay(which,

@@ -20,7 +20,7 @@ namespace TemporalCoherence
 /// what a ray has reached.
 ///
 /// In a tetrahedron it is known what a ray reaches. In a hexahedron it may be less than the highest
-/// value of the cell, so that a look-up may find no crossing there. Such a ray is traced.
+/// value of the cell, so that a look-up may find no crossing there. It goes on to the next knots.
 class MeshBandTracer final : public BandTracer
 {
 public:

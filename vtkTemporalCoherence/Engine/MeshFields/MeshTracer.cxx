@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace TemporalCoherence
 {
@@ -87,6 +88,17 @@ void MeshTracer::Keep(const Met& met, HitBatch& hits) const
   }
 }
 
+/// Leave out rays that surely do not pass an isovalue in a hexahedron: it takes longer to search
+/// it.
+std::uint64_t MeshTracer::RaysAcross(
+  std::size_t surface, const ActiveCell& cell, const MeshTile& tile, std::uint64_t which) const
+{
+  return this->IsSolid() || !(cell.Values.Bend < std::numeric_limits<double>::infinity())
+    ? which
+    : TemporalCoherence::RaysAcross(
+        tile.Rays, which, cell.Box, tile.MarginOfLanes, cell.Values, this->IsovalueOf(surface));
+}
+
 void MeshTracer::Trace(const RayBatch& rays, HitBatch& hits) const
 {
   hits.Clear(rays.Count);
@@ -102,7 +114,8 @@ void MeshTracer::Trace(const RayBatch& rays, HitBatch& hits) const
     {
       for (std::size_t surface = 0; surface < this->Differences.size(); ++surface)
       {
-        this->Search(surface, cell.Number, cell.Cell, rays, tile.InMesh, which,
+        this->Search(surface, cell.Number, cell.Cell, rays, tile.InMesh,
+          this->RaysAcross(surface, cell, tile, which),
           [&](const Met& met)
           {
             this->Keep(met, hits);

@@ -50,6 +50,8 @@ private:
   template <typename Take>
   void Search(std::size_t surface, CellNumber number, const MeshCell& cell, const RayBatch& rays,
     const MeshKernels::MeshRays& inMesh, std::uint64_t which, const Take& take) const;
+  std::uint64_t RaysAcross(
+    std::size_t surface, const ActiveCell& cell, const MeshTile& tile, std::uint64_t which) const;
   bool IsInFrontOfHit(const Met& met, const HitBatch& hits) const;
   void Keep(const Met& met, HitBatch& hits) const;
   bool IsSolid() const { return this->Isosurfaces.Mode == SurfaceMode::Threshold; }

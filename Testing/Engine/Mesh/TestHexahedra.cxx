@@ -123,7 +123,7 @@ class Hexahedra : public EachTarget
 
 TEST_F(Hexahedra, AgreeWithBruteForce)
 {
-  const int batches = IsMemorySanitized ? 200 : 11000;
+  const int batches = IsMemorySanitized ? 100 : 4000;
   RandomCells random(20);
   std::int64_t certain = 0, doubtful = 0;
   int missed = 0, invented = 0, repeated = 0;

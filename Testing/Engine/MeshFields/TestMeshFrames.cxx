@@ -33,7 +33,10 @@ namespace
 using namespace TemporalCoherence;
 
 /// Steps of a random walk.
-constexpr int Steps = IsMemorySanitized ? 10 : 50;
+constexpr int Steps = IsMemorySanitized ? 8 : 50;
+
+/// Steps of a drag.
+constexpr int DragSteps = IsMemorySanitized ? 3 : 16;
 
 Meshes::Block Small()
 {
@@ -194,7 +197,7 @@ TEST_P(MeshFrames, SweepsAreColdFrames)
       this->Key.Isosurfaces.Opacities.assign(isTranslucent ? 1 : 0, 0.5);
       FrameRenderer renderer;
       std::map<Route, int> routes;
-      for (int step = 0; step < 16; ++step)
+      for (int step = 0; step < DragSteps; ++step)
       {
         this->Key.Isosurfaces.Isovalues = { 0.3 + 0.02 * step };
         renderer.Render(this->Key, {});
@@ -205,7 +208,7 @@ TEST_P(MeshFrames, SweepsAreColdFrames)
         ASSERT_TRUE(IsSamePlane(renderer.LastFrame().Cells, cold.Cells)) << step;
         ASSERT_TRUE(HaveTheSameLayers(renderer.LastFrame(), cold)) << step;
       }
-      EXPECT_GT(routes[Route::IsomapBuild] + routes[Route::IsomapLookup], 5);
+      EXPECT_GT(routes[Route::IsomapBuild] + routes[Route::IsomapLookup], DragSteps / 3);
     }
   }
 }
@@ -270,7 +273,7 @@ TEST_P(MeshFrames, RandomWalksAreColdFrames)
       << step << NameOf(renderer.Statistics().Made);
     ASSERT_TRUE(HaveTheSameLayers(renderer.LastFrame(), cold)) << step;
   }
-  EXPECT_GT(routes.size(), 3u);
+  EXPECT_GT(routes.size(), IsMemorySanitized ? 1u : 3u);
 }
 
 TEST_P(MeshFrames, ThreadsMakeNoDifference)

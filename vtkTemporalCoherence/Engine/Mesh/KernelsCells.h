@@ -64,6 +64,7 @@ struct CellSpans
 };
 
 using CellDifferences = std::array<double, 8>;
+struct HexahedronFunctions;
 
 /// Append the crossings between Begin and End of rays with a cell.
 /// \param which one bit for each ray that is searched
@@ -73,6 +74,11 @@ void TetrahedronCrossings(const MeshCell& cell, const CellDifferences& differenc
   const MeshRays& rays, std::uint64_t which, Crossings& found);
 void HexahedronCrossings(const MeshCell& cell, const CellDifferences& differences,
   const MeshRays& rays, std::uint64_t which, Crossings& found);
+
+/// The same with the functions of this cell and these differences, which many batches of rays
+/// share.
+void HexahedronCrossings(const HexahedronFunctions& functions, const MeshCell& cell,
+  const CellDifferences& differences, const MeshRays& rays, std::uint64_t which, Crossings& found);
 
 /// The same for pairs: ray k with cell k.
 /// \param cells, differences one for each ray

@@ -225,7 +225,10 @@ void ExpectSameBits(bool areTetrahedra, const OneCell& findInCell, const Pairs& 
 
 TEST_F(Hexahedra, AreTheSameBitsForTilesPairsAndVectors)
 {
-  ExpectSameBits(false, HexahedronCrossings, HexahedronCrossingsOfPairs,
+  const auto findInCell = [](const MeshCell& cell, const CellDifferences& differences,
+                            const MeshRays& rays, std::uint64_t which, Crossings& found)
+  { HexahedronCrossings(cell, differences, rays, which, found); };
+  ExpectSameBits(false, findInCell, HexahedronCrossingsOfPairs,
     [&](const auto& check) { this->ForEachTarget(check); });
 }
 

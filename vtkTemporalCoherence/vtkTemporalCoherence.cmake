@@ -90,13 +90,16 @@ set(engine_files
   Trees/MeshRuns
   Trees/MeshTree
   Trees/RadixSort
-  MeshFields/ActiveLeaves
-  MeshFields/BoxLevels
+  MeshTiles/ActiveLeaves
+  MeshTiles/BoxLevels
+  MeshTiles/CellValues
+  MeshTiles/KernelsBoxes
+  MeshTiles/KernelsOutlines
+  MeshTiles/KernelsTileGrid
+  MeshTiles/LeafCells
+  MeshTiles/PreparedCells
+  MeshTiles/PreparedLeaves
   MeshFields/CellFaces
-  MeshFields/CellValues
-  MeshFields/KernelsBoxes
-  MeshFields/KernelsTileGrid
-  MeshFields/LeafCells
   MeshFields/MeshBandRays
   MeshFields/MeshBandTracer
   MeshFields/MeshGradients

@@ -3,7 +3,7 @@
 #include "Checks/Sanitized.h"
 #include "Grid.h"
 #include "Mesh/KernelsCells.h"
-#include "MeshFields/MeshDifference.h"
+#include "MeshTiles/MeshDifference.h"
 #include "MeshFields/MeshKind.h"
 #include "Render/FrameRenderer.h"
 #include "SameFrames.h"

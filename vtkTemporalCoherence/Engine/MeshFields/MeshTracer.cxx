@@ -9,20 +9,51 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace TemporalCoherence
 {
 
-MeshTracer::MeshTracer(
-  const TraceScene& scene, const FieldKind& kind, const MeshTree& tree, const BoxLevels& boxes)
+MeshTracer::MeshTracer(const TraceScene& scene, const FieldKind& kind, const MeshTree& tree,
+  const BoxLevels& boxes, std::shared_ptr<const PreparedLeaves> prepared)
   : Isosurfaces(scene.Isosurfaces)
   , Tree(tree)
   , Leaves(kind, tree, boxes, scene.Active)
-  , Cells(tree, this->Leaves)
+  , Prepared(std::move(prepared))
 {
   for (const double isovalue : scene.Isosurfaces.Isovalues)
   {
     this->Differences.emplace_back(isovalue, scene.FiniteRange);
+  }
+}
+
+/// Call take(met) for all that was found in a cell.
+template <typename Take>
+void MeshTracer::TakeCrossings(std::size_t surface, CellNumber number,
+  const MeshKernels::Crossings& found, const Take& take) const
+{
+  const auto isovalue = static_cast<std::int16_t>(surface);
+  const double value = this->IsovalueOf(surface);
+  for (std::size_t i = 0; i < found.Count; ++i)
+  {
+    const HitKind kind = HitRules::KindOf(!found.Rises[i]);
+    take(Met{ { found.T[i], kind, value }, isovalue, found.Ray[i], number });
+  }
+}
+
+/// The same for the first points of rays in the solid of a cell.
+template <typename Take>
+void MeshTracer::TakeSolids(std::size_t surface, CellNumber number, const MeshCell& cell,
+  const MeshKernels::CellDifferences& differences, const RayBatch& rays,
+  const MeshKernels::MeshRays& inMesh, std::uint64_t which, const Take& take) const
+{
+  const auto isovalue = static_cast<std::int16_t>(surface);
+  const double value = this->IsovalueOf(surface);
+  std::vector<SolidPart> parts;
+  AppendSolidParts(cell, differences, number, rays, inMesh, which, parts);
+  for (const SolidPart& part : parts)
+  {
+    take(Met{ { part.From, part.Kind, value }, isovalue, part.Ray, number });
   }
 }
 
@@ -36,30 +67,43 @@ void MeshTracer::Search(std::size_t surface, CellNumber number, const MeshCell& 
 {
   MeshKernels::CellDifferences differences;
   const bool isCrossed = this->Differences[surface].Of(cell, differences);
-  const auto isovalue = static_cast<std::int16_t>(surface);
-  const double value = this->IsovalueOf(surface);
-  if (!this->IsSolid())
+  if (this->IsSolid() && (isCrossed || differences[0] >= 0.0))
   {
-    if (isCrossed)
-    {
-      MeshKernels::Crossings found;
-      MeshKernels::CellCrossings(cell, differences, inMesh, which, found);
-      for (std::size_t i = 0; i < found.Count; ++i)
-      {
-        const HitKind kind = HitRules::KindOf(!found.Rises[i]);
-        take(Met{ { found.T[i], kind, value }, isovalue, found.Ray[i], number });
-      }
-    }
+    this->TakeSolids(surface, number, cell, differences, rays, inMesh, which, take);
   }
-  else if (isCrossed || differences[0] >= 0.0)
+  else if (isCrossed)
   {
-    std::vector<SolidPart> parts;
-    AppendSolidParts(cell, differences, number, rays, inMesh, which, parts);
-    for (const SolidPart& part : parts)
-    {
-      take(Met{ { part.From, part.Kind, value }, isovalue, part.Ray, number });
-    }
+    MeshKernels::Crossings found;
+    MeshKernels::CellCrossings(cell, differences, inMesh, which, found);
+    this->TakeCrossings(surface, number, found, take);
   }
+}
+
+/// The same for a cell that is prepared.
+template <typename Take>
+void MeshTracer::Search(std::size_t surface, const PreparedCells& cells, std::size_t at,
+  const MeshTile& tile, std::uint64_t which, const Take& take) const
+{
+  const CellNumber number = cells.Numbers[at];
+  if (this->IsSolid())
+  {
+    const SolidCell cell = cells.SolidAt(at);
+    this->TakeSolids(
+      surface, number, cell.Cell, cell.Differences, tile.Rays, tile.InMesh, which, take);
+    return;
+  }
+  MeshKernels::Crossings found;
+  if (cells.IsTetrahedron(at))
+  {
+    MeshKernels::TetrahedronCrossings(cells.Tetrahedra[at], tile.InMesh, which, found);
+  }
+  else
+  {
+    const PreparedHexahedron& cell = cells.HexahedronAt(at);
+    MeshKernels::HexahedronCrossings(cell.Functions, cell.Cell, cell.Differences, tile.InMesh,
+      this->RaysAcross(surface, cell, tile, which), found);
+  }
+  this->TakeCrossings(surface, number, found, take);
 }
 
 /// True if a surface is nearer than the hit of its ray. Of one that two cells share, the cell with
@@ -90,13 +134,13 @@ void MeshTracer::Keep(const Met& met, HitBatch& hits) const
 
 /// Leave out rays that surely do not pass an isovalue in a hexahedron: it takes longer to search
 /// it.
-std::uint64_t MeshTracer::RaysAcross(
-  std::size_t surface, const ActiveCell& cell, const MeshTile& tile, std::uint64_t which) const
+std::uint64_t MeshTracer::RaysAcross(std::size_t surface, const PreparedHexahedron& cell,
+  const MeshTile& tile, std::uint64_t which) const
 {
-  return this->IsSolid() || !(cell.Values.Bend < std::numeric_limits<double>::infinity())
-    ? which
-    : TemporalCoherence::RaysAcross(
-        tile.Rays, which, cell.Box, tile.MarginOfLanes, cell.Values, this->IsovalueOf(surface));
+  return cell.Values.Bend < std::numeric_limits<double>::infinity()
+    ? TemporalCoherence::RaysAcross(
+        tile.Rays, which, cell.Box, tile.MarginOfLanes, cell.Values, this->IsovalueOf(surface))
+    : which;
 }
 
 void MeshTracer::Trace(const RayBatch& rays, HitBatch& hits) const
@@ -109,19 +153,15 @@ void MeshTracer::Trace(const RayBatch& rays, HitBatch& hits) const
   }
   const MeshTile tile(rays, this->Tree, this->Leaves, this->LimitsOfRays());
   RayBatch::Array<double> limits = rays.WalkEnd;
-  hits.CellsRead = VisitCells(tile, this->Tree, this->Cells, wanted, limits,
-    [&](const ActiveCell& cell, std::uint64_t which)
+  hits.CellsRead = VisitCells(tile, this->Leaves, *this->Prepared, wanted, limits,
+    [&](std::size_t surface, const PreparedCells& cells, std::size_t at, std::uint64_t which)
     {
-      for (std::size_t surface = 0; surface < this->Differences.size(); ++surface)
-      {
-        this->Search(surface, cell.Number, cell.Cell, rays, tile.InMesh,
-          this->RaysAcross(surface, cell, tile, which),
-          [&](const Met& met)
-          {
-            this->Keep(met, hits);
-            limits[met.Ray] = std::min(limits[met.Ray], met.Surface.Distance);
-          });
-      }
+      this->Search(surface, cells, at, tile, which,
+        [&](const Met& met)
+        {
+          this->Keep(met, hits);
+          limits[met.Ray] = std::min(limits[met.Ray], met.Surface.Distance);
+        });
     });
 }
 
@@ -247,14 +287,9 @@ std::vector<MeshTracer::Met> MeshTracer::FindAll(
 void MeshTracer::FindCrossings(
   const MeshTile& tile, std::uint64_t wanted, std::int64_t& cellsRead, std::vector<Met>& all) const
 {
-  cellsRead += VisitCells(tile, this->Tree, this->Cells, wanted, tile.Rays.WalkEnd,
-    [&](const ActiveCell& cell, std::uint64_t which)
-    {
-      for (std::size_t surface = 0; surface < this->Differences.size(); ++surface)
-      {
-        this->Search(surface, cell.Number, cell.Cell, tile.Rays, tile.InMesh, which,
-          [&](const Met& met) { all.push_back(met); });
-      }
+  cellsRead += VisitCells(tile, this->Leaves, *this->Prepared, wanted, tile.Rays.WalkEnd,
+    [&](std::size_t surface, const PreparedCells& cells, std::size_t at, std::uint64_t which) {
+      this->Search(surface, cells, at, tile, which, [&](const Met& met) { all.push_back(met); });
     });
 }
 
@@ -272,18 +307,12 @@ void MeshTracer::FindSolids(
   const MeshTile& tile, std::uint64_t wanted, std::int64_t& cellsRead, std::vector<Met>& all) const
 {
   std::vector<std::vector<SolidPart>> ofSurfaces(this->Differences.size());
-  cellsRead += VisitCells(tile, this->Tree, this->Cells, wanted, tile.Rays.WalkEnd,
-    [&](const ActiveCell& cell, std::uint64_t which)
+  cellsRead += VisitCells(tile, this->Leaves, *this->Prepared, wanted, tile.Rays.WalkEnd,
+    [&](std::size_t surface, const PreparedCells& cells, std::size_t at, std::uint64_t which)
     {
-      for (std::size_t surface = 0; surface < this->Differences.size(); ++surface)
-      {
-        MeshKernels::CellDifferences differences;
-        if (this->Differences[surface].Of(cell.Cell, differences) || differences[0] >= 0.0)
-        {
-          AppendSolidParts(cell.Cell, differences, cell.Number, tile.Rays, tile.InMesh, which,
-            ofSurfaces[surface]);
-        }
-      }
+      const SolidCell cell = cells.SolidAt(at);
+      AppendSolidParts(cell.Cell, cell.Differences, cells.Numbers[at], tile.Rays, tile.InMesh,
+        which, ofSurfaces[surface]);
     });
   for (std::size_t surface = 0; surface < ofSurfaces.size(); ++surface)
   {

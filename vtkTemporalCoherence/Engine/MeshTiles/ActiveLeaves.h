@@ -4,8 +4,8 @@
 #define TemporalCoherence_ActiveLeaves_h
 
 #include "Acceleration/ActiveCells.h"
-#include "MeshFields/BoxLevels.h"
-#include "MeshFields/TileGrid.h"
+#include "MeshTiles/BoxLevels.h"
+#include "MeshTiles/TileGrid.h"
 #include "Scene/FieldKind.h"
 #include "Scene/RayBatch.h"
 #include "Trees/MeshTree.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "MeshFields/ActiveLeaves.h"
+#include "MeshTiles/ActiveLeaves.h"
 
-#include "MeshFields/KernelsBoxes.h"
+#include "MeshTiles/KernelsBoxes.h"
 #include "Scene/LayerBatch.h"
 #include "Trees/MeshLattice.h"
 

@@ -63,6 +63,7 @@ public:
   CellPreparer(const MeshTree& tree, std::int64_t leaf, const MeshDifference& difference,
     SurfaceMode mode, PreparedCells& cells)
     : Tree(tree)
+    , PerScale(1.0 / tree.Scale())
     , Middle(MiddleOf(tree.LeafBox(leaf)))
     , Difference(difference)
     , IsSolid(mode == SurfaceMode::Threshold)
@@ -85,6 +86,10 @@ public:
     if (cell.Shape == MeshCellShape::Tetrahedron)
     {
       this->Cells.Numbers.push_back(number);
+      if (this->Cells.Tetrahedra.empty())
+      {
+        this->Cells.Tetrahedra.reserve(this->Cells.Numbers.capacity());
+      }
       this->Cells.Tetrahedra.emplace_back(cell, differences);
     }
     else if (cell.Shape == MeshCellShape::Hexahedron)
@@ -114,7 +119,7 @@ public:
 private:
   glm::dvec3 ToIndex(const glm::dvec3& point) const
   {
-    return (point - this->Tree.Low()) / this->Tree.Scale();
+    return (point - this->Tree.Low()) * this->PerScale;
   }
 
   void Outline(std::size_t at, const MeshKernels::TetrahedronPoints& cell)
@@ -149,6 +154,7 @@ private:
   }
 
   const MeshTree& Tree;
+  double PerScale; ///< exact: the scale is a power of two
   glm::dvec3 Middle;
   const MeshDifference& Difference;
   bool IsSolid;
@@ -162,6 +168,7 @@ void PrepareCells(const MeshTree& tree, std::int64_t leaf, std::uint64_t which,
   const MeshDifference& difference, SurfaceMode mode, PreparedCells& cells)
 {
   CellPreparer preparer(tree, leaf, difference, mode, cells);
+  cells.Numbers.reserve(hwy::PopCount(which));
   MeshCell cell;
   ForEachRay(which,
     [&](std::size_t bit)

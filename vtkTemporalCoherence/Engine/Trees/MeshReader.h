@@ -8,6 +8,8 @@
 
 #include <glm/glm.hpp>
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -65,6 +67,25 @@ public:
   }
 
   const MeshPart& PartAt(std::size_t part) const { return this->Parts[part]; }
+
+  /// Ask the memory for the connectivity of cells that will be read soon. All are waited for
+  /// together, where cells lie apart.
+  void Prefetch(const std::uint32_t* numbers, std::size_t count) const
+  {
+    if (this->FirstCells.size() > 2 || this->Parts->Dimensions.x > 0)
+    {
+      return;
+    }
+    const MeshPart& part = *this->Parts;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      hwy::Prefetch(AddressIn(part.Offsets, numbers[i]));
+    }
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      hwy::Prefetch(AddressIn(part.Connectivity, part.Offsets.IdAt(numbers[i])));
+    }
+  }
 
   /// Read a cell.
   /// \pre the connectivity is valid
@@ -175,6 +196,12 @@ public:
   }
 
 private:
+  static const char* AddressIn(const MeshArray& array, std::int64_t at)
+  {
+    const std::int64_t bytes = array.Type == ScalarType::Int32 ? 4 : 8;
+    return static_cast<const char*>(array.First) + at * array.Step * bytes;
+  }
+
   template <typename Id>
   static MeshCellPoints FindPoints(const MeshPart& part, std::int64_t cell)
   {

@@ -97,6 +97,7 @@ std::uint64_t MeshTree::CellsIn(
   std::uint64_t active = 0;
   const std::int64_t first = 64 * leaf;
   const std::int64_t end = std::min(first + 64, this->NumberOfCells());
+  this->Cells.Prefetch(this->Order->data() + first, static_cast<std::size_t>(end - first));
   for (std::int64_t rank = first; rank < end; ++rank)
   {
     const CellRange range = this->Cells.ReadRange(this->CellAt(rank));

@@ -70,8 +70,8 @@ FloatBox MeshBoxes::InIndexSpace(const PointBox& box) const
 {
   const glm::ivec3& size = this->Dimensions;
   const double margin = std::ldexp(std::max({ size.x, size.y, size.z }), -40);
-  const glm::dvec3 low = (box.Low - this->Low) / this->Scale - margin;
-  const glm::dvec3 high = (box.High - this->Low) / this->Scale + margin;
+  const glm::dvec3 low = this->ToIndex(box.Low) - margin;
+  const glm::dvec3 high = this->ToIndex(box.High) + margin;
   return { Below(low), -Below(-high) };
 }
 

@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trees/MeshTree.h"
 
-#include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace TemporalCoherence
 {
@@ -75,7 +73,7 @@ std::shared_ptr<const MeshTree> MeshTree::WithValuesOf(
 CellRange MeshTree::RangeOfLeaf(std::int64_t leaf, CellRange* finite) const
 {
   CellRange range;
-  const std::int64_t end = std::min(64 * leaf + 64, this->NumberOfCells());
+  const std::int64_t end = this->EndOfLeaf(leaf);
   for (std::int64_t rank = 64 * leaf; rank < end; ++rank)
   {
     this->Cells.ReadValues(this->CellAt(rank),
@@ -91,18 +89,15 @@ CellRange MeshTree::RangeOfLeaf(std::int64_t leaf, CellRange* finite) const
   return range;
 }
 
-std::uint64_t MeshTree::CellsIn(
-  std::int64_t leaf, const std::vector<ValueBand>& bands, bool isSolid) const
+std::uint64_t MeshTree::CellsIn(std::int64_t leaf, const std::vector<ValueBand>& bands) const
 {
   std::uint64_t active = 0;
-  const std::int64_t first = 64 * leaf;
-  const std::int64_t end = std::min(first + 64, this->NumberOfCells());
+  const std::int64_t first = 64 * leaf, end = this->EndOfLeaf(leaf);
   for (std::int64_t rank = first; rank < end; ++rank)
   {
     const CellRange range = this->Cells.ReadRange(this->CellAt(rank));
     const bool isActive = std::any_of(bands.begin(), bands.end(),
-      [&](const ValueBand& band)
-      { return range.Max >= band.Low && (isSolid || range.Min < band.High); });
+      [&](const ValueBand& band) { return range.Max >= band.Low && range.Min < band.High; });
     active |= static_cast<std::uint64_t>(isActive) << (rank - first);
   }
   return active;

@@ -87,6 +87,7 @@ set(engine_files
   Trees/MeshCheck
   Trees/MeshLeaves
   Trees/MeshOrder
+  Trees/MeshRanges
   Trees/MeshRuns
   Trees/MeshTree
   Trees/RadixSort

@@ -98,10 +98,11 @@ protected:
       {
         const int pixel = first + static_cast<int>(i);
         const Ray ray = this->Key.View.RayThrough(pixel % width, pixel / width);
+        const glm::dvec3 origin = this->Tree->ToMesh(ray.Origin);
         for (std::size_t a = 0; a < 3; ++a)
         {
           const auto axis = static_cast<int>(a);
-          rays.Origin[a][i] = this->Tree->Low()[axis] + this->Tree->Scale() * ray.Origin[axis];
+          rays.Origin[a][i] = origin[axis];
           rays.Direction[a][i] = this->Tree->Scale() * ray.Direction[axis];
         }
         const double perDepth = 1.0 / glm::dot(ray.Direction, this->Key.View.Forward);
@@ -337,8 +338,8 @@ TEST_P(MeshFrames, AveragedGradientsAreSmooth)
       {
         const int x = static_cast<int>(pixel) % frame.Size.x;
         const Ray ray = this->Key.View.RayThrough(x, static_cast<int>(pixel) / frame.Size.x);
-        const glm::dvec3 point = this->Tree->Low() +
-          this->Tree->Scale() * (ray.Origin + frame.Depth[pixel] * ray.Direction);
+        const glm::dvec3 point =
+          this->Tree->ToMesh(ray.Origin + frame.Depth[pixel] * ray.Direction);
         const glm::dvec3 normal(frame.Normals[pixel]);
         error[areAveraged] += 1.0 - std::abs(glm::dot(normal, glm::normalize(point - centre)));
         ++hits;

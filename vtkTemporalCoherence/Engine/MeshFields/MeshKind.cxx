@@ -54,7 +54,7 @@ public:
 
   std::uint64_t CellsIn(const CellBox& leaf, const std::vector<ValueBand>& bands) const override
   {
-    return this->Tree->CellsIn(LeafAt(leaf.First), bands, false);
+    return this->Tree->CellsIn(LeafAt(leaf.First), bands);
   }
 
   bool AreBlocksAlike() const override { return false; }

@@ -49,7 +49,6 @@ public:
 
 private:
   std::uint64_t WordOf(std::size_t level, std::int64_t block) const;
-  std::int64_t BlocksOf(std::size_t level) const;
 
   const FieldKind& Kind;
   const MeshTree& Tree;

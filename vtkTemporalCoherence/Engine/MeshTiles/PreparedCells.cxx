@@ -63,7 +63,6 @@ public:
   CellPreparer(const MeshTree& tree, std::int64_t leaf, const MeshDifference& difference,
     SurfaceMode mode, PreparedCells& cells)
     : Tree(tree)
-    , PerScale(1.0 / tree.Scale())
     , Middle(MiddleOf(tree.LeafBox(leaf)))
     , Difference(difference)
     , IsSolid(mode == SurfaceMode::Threshold)
@@ -117,17 +116,12 @@ public:
   }
 
 private:
-  glm::dvec3 ToIndex(const glm::dvec3& point) const
-  {
-    return (point - this->Tree.Low()) * this->PerScale;
-  }
-
   void Outline(std::size_t at, const MeshKernels::TetrahedronPoints& cell)
   {
     CellOutlines::Points points;
     for (std::size_t i = 0; i < 4; ++i)
     {
-      points[i] = points[i + 4] = this->ToIndex(cell.Points[i]) - this->Middle;
+      points[i] = points[i + 4] = this->Tree.ToIndex(cell.Points[i]) - this->Middle;
     }
     if (!this->IsSolid)
     {
@@ -140,7 +134,7 @@ private:
   {
     CellOutlines::Points points;
     std::transform(cell.Cell.Points.begin(), cell.Cell.Points.end(), points.begin(),
-      [&](const glm::dvec3& point) { return this->ToIndex(point); });
+      [&](const glm::dvec3& point) { return this->Tree.ToIndex(point); });
     cell.Box = BoxAround(points.data(), points.size());
     if (!this->IsSolid)
     {
@@ -154,7 +148,6 @@ private:
   }
 
   const MeshTree& Tree;
-  double PerScale; ///< exact: the scale is a power of two
   glm::dvec3 Middle;
   const MeshDifference& Difference;
   bool IsSolid;
@@ -205,7 +198,7 @@ FloatBox PreparedCells::BoxOf(std::size_t cell, const MeshTree& tree) const
   std::array<glm::dvec3, 4> points = this->Tetrahedra[cell].Points;
   for (glm::dvec3& point : points)
   {
-    point = (point - tree.Low()) / tree.Scale();
+    point = tree.ToIndex(point);
   }
   return BoxAround(points.data(), points.size());
 }

@@ -116,7 +116,7 @@ public:
     const MeshPart& part, std::int64_t inPart, std::array<glm::dvec3, 8>& result)
   {
     const MeshCellPoints points = FindPoints(part, inPart);
-    const int count = CountOf(points.Shape);
+    const int count = NumberOfPointsIn(points.Shape);
     ReadCoordinates(part, points, result);
     return count;
   }
@@ -130,7 +130,7 @@ public:
     this->Locate(number, at, inPart);
     const MeshPart& part = this->Parts[at];
     const MeshCellPoints points = FindPoints(part, inPart);
-    ReadValues(part, points, CountOf(points.Shape), take);
+    ReadValues(part, points, NumberOfPointsIn(points.Shape), take);
   }
 
   /// The range of the values of a cell.
@@ -158,7 +158,7 @@ public:
     {
       return PointsOf(part, cell);
     }
-    if (part.Flags && (part.Flags[cell] & part.HidingFlags) != 0)
+    if (IsHidden(part, cell))
     {
       return {};
     }
@@ -166,16 +166,11 @@ public:
                                      : FindPoints<std::int64_t>(part, cell);
   }
 
-  static int CountOf(MeshCellShape shape)
-  {
-    return shape == MeshCellShape::Tetrahedron ? 4 : shape == MeshCellShape::Hexahedron ? 8 : 0;
-  }
-
   /// Read where points lie.
   static void ReadCoordinates(
     const MeshPart& part, const MeshCellPoints& points, std::array<glm::dvec3, 8>& result)
   {
-    const int count = CountOf(points.Shape);
+    const int count = NumberOfPointsIn(points.Shape);
     const auto& [x, y, z] = part.Coordinates;
     if (x.Type == ScalarType::Float32 && y.Type == x.Type && z.Type == x.Type)
     {
@@ -205,42 +200,12 @@ private:
   template <typename Id>
   static MeshCellPoints FindPoints(const MeshPart& part, std::int64_t cell)
   {
-    MeshCellPoints points;
     const std::int64_t offset =
       static_cast<const Id*>(part.Offsets.First)[cell * part.Offsets.Step];
     const std::int64_t step = part.Connectivity.Step;
     const Id* const first = static_cast<const Id*>(part.Connectivity.First) + offset * step;
-    const auto take = [&](const CornerOrder& order)
-    {
-      points.Shape = MeshCellShape::Hexahedron;
-      for (std::size_t i = 0; i < order.size(); ++i)
-      {
-        points.Ids[i] = first[order[i] * step];
-      }
-    };
-    switch (part.Types ? static_cast<MeshCellType>(part.Types[cell]) : MeshCellType::Hexahedron)
-    {
-      case MeshCellType::Tetrahedron:
-        points.Shape = MeshCellShape::Tetrahedron;
-        for (std::size_t i = 0; i < 4; ++i)
-        {
-          points.Ids[i] = first[static_cast<std::int64_t>(i) * step];
-        }
-        break;
-      case MeshCellType::Voxel:
-        take(VoxelCorners);
-        break;
-      case MeshCellType::Hexahedron:
-        take(HexahedronCorners);
-        break;
-      case MeshCellType::Wedge:
-        take(WedgeCorners);
-        break;
-      case MeshCellType::Pyramid:
-        take(PyramidCorners);
-        break;
-    }
-    return points;
+    return PointsInOrder(
+      part, cell, [first, step](std::int64_t i) -> std::int64_t { return first[i * step]; });
   }
 
   template <typename T>

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Acceleration/ValueRangePyramid.h"
 #include "Checks/Sanitized.h"
 #include "Grid.h"
 #include "Mesh/KernelsCells.h"
@@ -350,6 +351,33 @@ TEST_P(MeshFrames, AveragedGradientsAreSmooth)
   }
   EXPECT_LT(error[0], 0.05);
   EXPECT_LT(error[1], 0.7 * error[0]);
+}
+
+/// No leaf is free of values that are not finite, and the range of the others is known all the
+/// same.
+TEST_P(MeshFrames, FiniteRangeBesideOtherValues)
+{
+  auto arrays = Meshes::MakeBlock(this->GetParam(), Small());
+  glm::dvec2 finite(Infinity, -Infinity);
+  for (std::size_t i = 0; i < arrays.Values.size(); ++i)
+  {
+    const std::size_t kind = i % 9;
+    arrays.Values[i] = kind == 0 ? std::nan("") : kind == 1 ? Infinity : arrays.Values[i];
+    finite.x = kind > 1 ? std::min(finite.x, arrays.Values[i]) : finite.x;
+    finite.y = kind > 1 ? std::max(finite.y, arrays.Values[i]) : finite.y;
+  }
+  this->Show(Meshes::MeshOf(arrays));
+  ValueRangePyramid pyramid;
+  pyramid.Build(this->Key.Samples);
+  EXPECT_EQ(pyramid.FiniteRange(), finite);
+  EXPECT_EQ(pyramid.WholeRange(), glm::dvec2(-Infinity, Infinity));
+  for (double& value : arrays.Values)
+  {
+    value = std::nan("");
+  }
+  this->Show(Meshes::MeshOf(arrays));
+  pyramid.Build(this->Key.Samples);
+  EXPECT_EQ(pyramid.FiniteRange(), glm::dvec2(0.0)) << "no value is finite";
 }
 
 TEST_P(MeshFrames, ValuesThatAreNotFiniteDoNoHarm)

@@ -52,6 +52,13 @@ public:
     return { range.Min, range.Max };
   }
 
+  glm::dvec2 FiniteRangeIn(const CellBox& cells) const override
+  {
+    CellRange finite;
+    this->Tree->RangeOfLeaf(LeafAt(cells.First), &finite);
+    return { finite.Min, finite.Max };
+  }
+
   std::uint64_t CellsIn(const CellBox& leaf, const std::vector<ValueBand>& bands) const override
   {
     return this->Tree->CellsIn(LeafAt(leaf.First), bands);

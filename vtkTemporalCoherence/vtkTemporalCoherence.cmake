@@ -99,6 +99,7 @@ set(engine_files
   MeshFields/LeafCells
   MeshFields/MeshBandRays
   MeshFields/MeshBandTracer
+  MeshFields/MeshCellSearch
   MeshFields/MeshGradients
   MeshFields/MeshKind
   MeshFields/MeshSolids

@@ -4,10 +4,10 @@
 #define TemporalCoherence_MeshTracer_h
 
 #include "MeshFields/ActiveLeaves.h"
+#include "MeshFields/MeshCellSearch.h"
 #include "MeshFields/MeshDifference.h"
 #include "MeshFields/MeshSolids.h"
 #include "MeshFields/MeshTile.h"
-#include "Scene/HitOrder.h"
 #include "Trace/SurfaceTracer.h"
 
 #include <cstddef>
@@ -38,34 +38,23 @@ public:
     const RayBatch& rays, const RayCells& cells, HitBatch& hits) const override;
 
 private:
-  /// A surface that a ray meets.
-  struct Met
-  {
-    MetSurface Surface;
-    std::int16_t Isovalue;
-    std::uint8_t Ray;
-    CellNumber Cell;
-  };
-
   template <typename Take>
   void Search(std::size_t surface, CellNumber number, const MeshCell& cell, const RayBatch& rays,
     const MeshKernels::MeshRays& inMesh, std::uint64_t which, const Take& take) const;
   std::uint64_t RaysAcross(
     std::size_t surface, const ActiveCell& cell, const MeshTile& tile, std::uint64_t which) const;
-  bool IsInFrontOfHit(const Met& met, const HitBatch& hits) const;
-  void Keep(const Met& met, HitBatch& hits) const;
   bool IsSolid() const { return this->Isosurfaces.Mode == SurfaceMode::Threshold; }
   RayLimits LimitsOfRays() const
   {
     return this->IsSolid() ? RayLimits::None : RayLimits::BeginToEnd;
   }
 
-  std::vector<Met> FindAll(
+  std::vector<MetInCell> FindAll(
     const RayBatch& rays, std::uint64_t wanted, std::int64_t& cellsRead) const;
   void FindCrossings(const MeshTile& tile, std::uint64_t wanted, std::int64_t& cellsRead,
-    std::vector<Met>& all) const;
+    std::vector<MetInCell>& all) const;
   void FindSolids(const MeshTile& tile, std::uint64_t wanted, std::int64_t& cellsRead,
-    std::vector<Met>& all) const;
+    std::vector<MetInCell>& all) const;
   double IsovalueOf(std::size_t surface) const { return this->Isosurfaces.Isovalues[surface]; }
 
   Surfaces Isosurfaces;

@@ -31,6 +31,7 @@ set(engine_files
   Mesh/KernelsCellGradients
   Mesh/KernelsHexahedra
   Mesh/KernelsHexahedronSpans
+  Mesh/KernelsKnownTetrahedra
   Mesh/KernelsTetrahedra
   Layers/KnownLayers
   Layers/LayerMerge
@@ -92,7 +93,6 @@ set(engine_files
   Trees/RadixSort
   MeshFields/ActiveLeaves
   MeshFields/BoxLevels
-  MeshFields/CellFaces
   MeshFields/CellValues
   MeshFields/KernelsBoxes
   MeshFields/KernelsTileGrid
@@ -102,6 +102,7 @@ set(engine_files
   MeshFields/MeshCellSearch
   MeshFields/MeshGradients
   MeshFields/MeshKind
+  MeshFields/MeshPlaces
   MeshFields/MeshSolids
   MeshFields/MeshTracer
   Render/CapTiles

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshFields/MeshCellSearch.h"
 
-#include "MeshFields/MeshSolids.h"
+#include "Mesh/KernelsKnownTetrahedra.h"
+#include "MeshFields/DistinctKeys.h"
 #include "MeshFields/MeshTile.h"
 #include "Trace/HitRules.h"
 
@@ -30,48 +31,43 @@ void KeepNearest(const MetInCell& met, const std::vector<double>& isovalues, Hit
   hits.Cell[met.Ray] = met.Cell;
 }
 
-/// A cell, and the rays that are to be searched in it, one bit each.
-struct MeshCellSearch::Group
-{
-  glm::ivec3 Place;
-  std::uint64_t Rays;
-};
-
 namespace
 {
 
 /// The cells that rays are to be searched in: all rays of one cell are searched together.
-template <typename Group>
-class CellGroups
+struct KnownCells
 {
-public:
-  explicit CellGroups(const RayCells& cells)
+  static constexpr std::size_t Most = DistinctKeys::Most;
+
+  std::size_t Count;
+  std::array<CellNumber, Most> Numbers;
+  std::array<std::uint64_t, Most> Rays{}; ///< of each cell, one bit each
+  RayBatch::Array<CellNumber> OfRay;
+
+  KnownCells(const RayCells& cells, const MeshTree& tree)
   {
+    constexpr int bits = 21; // of a coordinate in a key
+    DistinctKeys places;
+    std::array<std::uint8_t, RayBatch::Capacity> placeOf;
     ForEachRay(cells.Rays,
       [&](std::size_t ray)
       {
-        const glm::ivec3 place = cells.At(ray);
-        // Rays beside each other are mostly in one cell, and else in one of the last.
-        std::size_t group = this->Count;
-        while (group > 0 && this->All[group - 1].Place != place)
-        {
-          --group;
-        }
-        if (group == 0)
-        {
-          this->All[this->Count++] = { place, 0 };
-          group = this->Count;
-        }
-        this->All[group - 1].Rays |= std::uint64_t(1) << ray;
+        const auto part = [&](std::size_t a)
+        { return static_cast<std::uint64_t>(cells.Cell[a][ray]); };
+        const std::size_t at = places.Add(part(0) | part(1) << bits | part(2) << 2 * bits);
+        this->Rays[at] |= std::uint64_t(1) << ray;
+        placeOf[ray] = static_cast<std::uint8_t>(at);
       });
+    this->Count = places.Count();
+    for (std::size_t i = 0; i < this->Count; ++i)
+    {
+      const auto part = [&](int a)
+      { return static_cast<int>(places[i] >> a * bits & ((1u << bits) - 1)); };
+      this->Numbers[i] = tree.CellAt(MeshTree::RankOf({ part(0), part(1), part(2) }));
+    }
+    ForEachRay(
+      cells.Rays, [&](std::size_t ray) { this->OfRay[ray] = this->Numbers[placeOf[ray]]; });
   }
-
-  const Group* begin() const { return this->All.data(); }
-  const Group* end() const { return this->All.data() + this->Count; }
-
-private:
-  std::array<Group, RayBatch::Capacity> All;
-  std::size_t Count = 0;
 };
 
 }
@@ -79,53 +75,77 @@ private:
 std::uint64_t MeshCellSearch::Search(
   const RayBatch& rays, const RayCells& cells, HitBatch& hits) const
 {
+  const KnownCells known(cells, this->Tree);
+  std::array<MeshCell, KnownCells::Most> read;
+  this->Tree.Reader().ReadAll(known.Numbers, known.Count, read);
+  hits.CellsRead += static_cast<std::int64_t>(known.Count);
+
   const bool isSolid = this->Isosurfaces.Mode == SurfaceMode::Threshold;
   MeshKernels::MeshRays inMesh;
   SetUpMeshRays(rays, this->Tree, isSolid ? RayLimits::None : RayLimits::BeginToEnd, inMesh);
-  std::uint64_t missing = 0;
-  for (const Group& group : CellGroups<Group>(cells))
-  {
-    missing |= group.Rays & ~this->SearchGroup(group, cells.Surface, rays, inMesh, hits);
-    ++hits.CellsRead;
-  }
-  return missing;
-}
-
-/// \return one bit for each ray that meets the surface
-std::uint64_t MeshCellSearch::SearchGroup(const Group& group, std::size_t surface,
-  const RayBatch& rays, const MeshKernels::MeshRays& inMesh, HitBatch& hits) const
-{
-  const CellNumber number = this->Tree.CellAt(MeshTree::RankOf(group.Place));
-  MeshCell cell;
-  this->Tree.Reader().Read(number, cell);
-  MeshKernels::CellDifferences differences;
-  const bool isCrossed = this->Differences[surface].Of(cell, differences);
+  MeshKernels::KnownTetrahedra tetrahedra;
+  std::vector<SolidPart> parts;
   std::uint64_t met = 0;
-  const auto keep = [&](double distance, HitKind kind, std::size_t ray)
+  for (std::size_t i = 0; i < known.Count; ++i)
   {
-    met |= std::uint64_t(1) << ray;
-    const std::vector<double>& isovalues = this->Isosurfaces.Isovalues;
-    KeepNearest({ { distance, kind, isovalues[surface] }, static_cast<std::int16_t>(surface),
-                  static_cast<std::uint8_t>(ray), number },
-      isovalues, hits);
-  };
-  if (this->Isosurfaces.Mode == SurfaceMode::Threshold)
-  {
-    std::vector<SolidPart> parts;
-    AppendSolidParts(cell, differences, number, rays, inMesh, group.Rays, parts);
-    for (const SolidPart& part : parts)
+    const MeshCell& cell = read[i];
+    MeshKernels::CellDifferences differences;
+    const bool isCrossed = this->Differences[cells.Surface].Of(cell, differences);
+    if (isSolid && (isCrossed || differences[0] >= 0.0))
     {
-      keep(part.From, part.Kind, part.Ray);
+      AppendSolidParts(cell, differences, known.Numbers[i], rays, inMesh, known.Rays[i], parts);
+    }
+    else if (isCrossed && cell.Shape == MeshCellShape::Tetrahedron)
+    {
+      tetrahedra.Add(MeshKernels::TetrahedronPoints(cell, differences), known.Rays[i]);
+    }
+    else if (isCrossed)
+    {
+      MeshKernels::Crossings found;
+      MeshKernels::CellCrossings(cell, differences, inMesh, known.Rays[i], found);
+      met |= this->Keep(found, cells.Surface, known.OfRay, hits);
     }
   }
-  else if (isCrossed)
+  if (tetrahedra.Count > 0)
   {
     MeshKernels::Crossings found;
-    MeshKernels::CellCrossings(cell, differences, inMesh, group.Rays, found);
-    for (std::size_t i = 0; i < found.Count; ++i)
-    {
-      keep(found.T[i], HitRules::KindOf(!found.Rises[i]), found.Ray[i]);
-    }
+    MeshKernels::KnownTetrahedronCrossings(tetrahedra, inMesh, found);
+    met |= this->Keep(found, cells.Surface, known.OfRay, hits);
+  }
+  return cells.Rays & ~(met | this->KeepSolid(parts, cells.Surface, hits));
+}
+
+/// Keep the nearest surface of each ray.
+/// \param cells in which rays were searched
+/// \return one bit for each ray that meets any
+std::uint64_t MeshCellSearch::Keep(const MeshKernels::Crossings& found, std::size_t surface,
+  const RayBatch::Array<CellNumber>& cells, HitBatch& hits) const
+{
+  const std::vector<double>& isovalues = this->Isosurfaces.Isovalues;
+  std::uint64_t met = 0;
+  for (std::size_t i = 0; i < found.Count; ++i)
+  {
+    const std::size_t ray = found.Ray[i];
+    met |= std::uint64_t(1) << ray;
+    KeepNearest({ { found.T[i], HitRules::KindOf(!found.Rises[i]), isovalues[surface] },
+                  static_cast<std::int16_t>(surface), found.Ray[i], cells[ray] },
+      isovalues, hits);
+  }
+  return met;
+}
+
+/// The same for parts of rays in a solid.
+std::uint64_t MeshCellSearch::KeepSolid(
+  const std::vector<SolidPart>& parts, std::size_t surface, HitBatch& hits) const
+{
+  const std::vector<double>& isovalues = this->Isosurfaces.Isovalues;
+  std::uint64_t met = 0;
+  for (const SolidPart& part : parts)
+  {
+    met |= std::uint64_t(1) << part.Ray;
+    KeepNearest({ { part.From, part.Kind, isovalues[surface] }, static_cast<std::int16_t>(surface),
+                  part.Ray, part.Cell },
+      isovalues, hits);
   }
   return met;
 }

@@ -6,6 +6,7 @@
 #include "Mesh/CellRays.h"
 #include "Mesh/KernelsCells.h"
 #include "MeshFields/MeshDifference.h"
+#include "MeshFields/MeshSolids.h"
 #include "Scene/HitOrder.h"
 #include "Scene/RayBatch.h"
 #include "Scene/Surfaces.h"
@@ -50,9 +51,10 @@ public:
   std::uint64_t Search(const RayBatch& rays, const RayCells& cells, HitBatch& hits) const;
 
 private:
-  struct Group;
-  std::uint64_t SearchGroup(const Group& group, std::size_t surface, const RayBatch& rays,
-    const MeshKernels::MeshRays& inMesh, HitBatch& hits) const;
+  std::uint64_t Keep(const MeshKernels::Crossings& found, std::size_t surface,
+    const RayBatch::Array<CellNumber>& cells, HitBatch& hits) const;
+  std::uint64_t KeepSolid(
+    const std::vector<SolidPart>& parts, std::size_t surface, HitBatch& hits) const;
 
   const Surfaces& Isosurfaces;
   const MeshTree& Tree;

@@ -31,6 +31,7 @@ set(engine_files
   Mesh/KernelsCellGradients
   Mesh/KernelsHexahedra
   Mesh/KernelsHexahedronSpans
+  Mesh/KernelsKnownTetrahedra
   Mesh/KernelsTetrahedra
   Layers/KnownLayers
   Layers/LayerMerge
@@ -100,11 +101,12 @@ set(engine_files
   MeshTiles/LeafCells
   MeshTiles/PreparedCells
   MeshTiles/PreparedLeaves
-  MeshFields/CellFaces
   MeshFields/MeshBandRays
   MeshFields/MeshBandTracer
+  MeshFields/MeshCellSearch
   MeshFields/MeshGradients
   MeshFields/MeshKind
+  MeshFields/MeshPlaces
   MeshFields/MeshSolids
   MeshFields/MeshTracer
   Render/CapTiles

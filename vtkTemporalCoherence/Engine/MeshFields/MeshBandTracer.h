@@ -5,9 +5,9 @@
 
 #include "Isomap/BandTracer.h"
 #include "Mesh/KernelsCells.h"
+#include "MeshFields/MeshBandRays.h"
 #include "MeshTiles/ActiveLeaves.h"
 #include "MeshTiles/LeafCells.h"
-#include "MeshFields/MeshBandRays.h"
 #include "MeshTiles/MeshDifference.h"
 #include "MeshTiles/MeshTile.h"
 

@@ -4,6 +4,7 @@
 
 #include "MeshFields/MeshBandTracer.h"
 #include "MeshFields/MeshGradients.h"
+#include "MeshFields/MeshPlaces.h"
 #include "MeshFields/MeshTracer.h"
 #include "Scene/CellBox.h"
 

@@ -37,7 +37,7 @@ void MeshTracer::TakeCrossings(std::size_t surface, CellNumber number,
   for (std::size_t i = 0; i < found.Count; ++i)
   {
     const HitKind kind = HitRules::KindOf(!found.Rises[i]);
-    take(Met{ { found.T[i], kind, value }, isovalue, found.Ray[i], number });
+    take(MetInCell{ { found.T[i], kind, value }, isovalue, found.Ray[i], number });
   }
 }
 
@@ -53,33 +53,13 @@ void MeshTracer::TakeSolids(std::size_t surface, CellNumber number, const MeshCe
   AppendSolidParts(cell, differences, number, rays, inMesh, which, parts);
   for (const SolidPart& part : parts)
   {
-    take(Met{ { part.From, part.Kind, value }, isovalue, part.Ray, number });
+    take(MetInCell{ { part.From, part.Kind, value }, isovalue, part.Ray, number });
   }
 }
 
 /// Search a cell for one surface: every crossing, or with THRESHOLD the first point of each ray in
 /// the solid.
 /// \param take called as take(met)
-template <typename Take>
-void MeshTracer::Search(std::size_t surface, CellNumber number, const MeshCell& cell,
-  const RayBatch& rays, const MeshKernels::MeshRays& inMesh, std::uint64_t which,
-  const Take& take) const
-{
-  MeshKernels::CellDifferences differences;
-  const bool isCrossed = this->Differences[surface].Of(cell, differences);
-  if (this->IsSolid() && (isCrossed || differences[0] >= 0.0))
-  {
-    this->TakeSolids(surface, number, cell, differences, rays, inMesh, which, take);
-  }
-  else if (isCrossed)
-  {
-    MeshKernels::Crossings found;
-    MeshKernels::CellCrossings(cell, differences, inMesh, which, found);
-    this->TakeCrossings(surface, number, found, take);
-  }
-}
-
-/// The same for a cell that is prepared.
 template <typename Take>
 void MeshTracer::Search(std::size_t surface, const PreparedCells& cells, std::size_t at,
   const MeshTile& tile, std::uint64_t which, const Take& take) const
@@ -104,32 +84,6 @@ void MeshTracer::Search(std::size_t surface, const PreparedCells& cells, std::si
       this->RaysAcross(surface, cell, tile, which), found);
   }
   this->TakeCrossings(surface, number, found, take);
-}
-
-/// True if a surface is nearer than the hit of its ray. Of one that two cells share, the cell with
-/// the lower number counts.
-bool MeshTracer::IsInFrontOfHit(const Met& met, const HitBatch& hits) const
-{
-  const std::int16_t hit = hits.Surface[met.Ray];
-  if (hit == Frame::NoSurface)
-  {
-    return true;
-  }
-  const MetSurface known{ hits.Depth[met.Ray], hits.Kind[met.Ray],
-    this->IsovalueOf(static_cast<std::size_t>(hit)) };
-  return IsInFront(met.Surface, known) ||
-    (!IsInFront(known, met.Surface) && met.Cell < hits.Cell[met.Ray]);
-}
-
-void MeshTracer::Keep(const Met& met, HitBatch& hits) const
-{
-  if (this->IsInFrontOfHit(met, hits))
-  {
-    hits.Depth[met.Ray] = met.Surface.Distance;
-    hits.Kind[met.Ray] = met.Surface.Kind;
-    hits.Surface[met.Ray] = met.Isovalue;
-    hits.Cell[met.Ray] = met.Cell;
-  }
 }
 
 /// Leave out rays that surely do not pass an isovalue in a hexahedron: it takes longer to search
@@ -157,81 +111,18 @@ void MeshTracer::Trace(const RayBatch& rays, HitBatch& hits) const
     [&](std::size_t surface, const PreparedCells& cells, std::size_t at, std::uint64_t which)
     {
       this->Search(surface, cells, at, tile, which,
-        [&](const Met& met)
+        [&](const MetInCell& met)
         {
-          this->Keep(met, hits);
+          KeepNearest(met, this->Isosurfaces.Isovalues, hits);
           limits[met.Ray] = std::min(limits[met.Ray], met.Surface.Distance);
         });
     });
 }
 
-namespace
-{
-
-/// The cells that rays are to be searched in: all rays of one cell are searched together.
-class CellGroups
-{
-public:
-  struct Group
-  {
-    glm::ivec3 Place;
-    std::uint64_t Rays; ///< one bit each
-  };
-
-  explicit CellGroups(const RayCells& cells)
-  {
-    ForEachRay(cells.Rays,
-      [&](std::size_t ray)
-      {
-        const glm::ivec3 place = cells.At(ray);
-        // Rays beside each other are mostly in one cell, and else in one of the last.
-        std::size_t group = this->Count;
-        while (group > 0 && this->All[group - 1].Place != place)
-        {
-          --group;
-        }
-        if (group == 0)
-        {
-          this->All[this->Count++] = { place, 0 };
-          group = this->Count;
-        }
-        this->All[group - 1].Rays |= std::uint64_t(1) << ray;
-      });
-  }
-
-  const Group* begin() const { return this->All.data(); }
-  const Group* end() const { return this->All.data() + this->Count; }
-
-private:
-  std::array<Group, RayBatch::Capacity> All;
-  std::size_t Count = 0;
-};
-
-}
-
 std::uint64_t MeshTracer::SearchCells(
   const RayBatch& rays, const RayCells& cells, HitBatch& hits) const
 {
-  MeshKernels::MeshRays inMesh;
-  SetUpMeshRays(rays, this->Tree, this->LimitsOfRays(), inMesh);
-  std::uint64_t missing = 0;
-  for (const CellGroups::Group& group : CellGroups(cells))
-  {
-    const std::uint64_t which = group.Rays;
-    MeshCell cell;
-    const CellNumber number = this->Tree.CellAt(MeshTree::RankOf(group.Place));
-    this->Tree.Reader().Read(number, cell);
-    std::uint64_t met = 0;
-    this->Search(cells.Surface, number, cell, rays, inMesh, which,
-      [&](const Met& found)
-      {
-        met |= std::uint64_t(1) << found.Ray;
-        this->Keep(found, hits);
-      });
-    missing |= which & ~met;
-    ++hits.CellsRead;
-  }
-  return missing;
+  return MeshCellSearch(this->Isosurfaces, this->Tree, this->Differences).Search(rays, cells, hits);
 }
 
 void MeshTracer::FindNext(const RayBatch& rays, HitBatch& hits) const
@@ -243,21 +134,21 @@ void MeshTracer::FindNext(const RayBatch& rays, HitBatch& hits) const
     last[ray] = LastOn(rules, rays.Begin[ray], ray, hits);
   }
   hits.Clear(rays.Count);
-  for (const Met& met : this->FindAll(rays, RaysWithWalk(rays), hits.CellsRead))
+  for (const MetInCell& met : this->FindAll(rays, RaysWithWalk(rays), hits.CellsRead))
   {
     if (IsInFront(last[met.Ray], met.Surface))
     {
-      this->Keep(met, hits);
+      KeepNearest(met, this->Isosurfaces.Isovalues, hits);
     }
   }
 }
 
 /// All surfaces of some rays, ray by ray, each from front to back.
 /// \throws std::bad_alloc
-std::vector<MeshTracer::Met> MeshTracer::FindAll(
+std::vector<MetInCell> MeshTracer::FindAll(
   const RayBatch& rays, std::uint64_t wanted, std::int64_t& cellsRead) const
 {
-  std::vector<Met> all;
+  std::vector<MetInCell> all;
   if (wanted == 0)
   {
     return all;
@@ -272,7 +163,7 @@ std::vector<MeshTracer::Met> MeshTracer::FindAll(
     this->FindCrossings(tile, wanted, cellsRead, all);
   }
   std::sort(all.begin(), all.end(),
-    [](const Met& a, const Met& b)
+    [](const MetInCell& a, const MetInCell& b)
     {
       if (a.Ray != b.Ray)
       {
@@ -284,12 +175,14 @@ std::vector<MeshTracer::Met> MeshTracer::FindAll(
   return all;
 }
 
-void MeshTracer::FindCrossings(
-  const MeshTile& tile, std::uint64_t wanted, std::int64_t& cellsRead, std::vector<Met>& all) const
+void MeshTracer::FindCrossings(const MeshTile& tile, std::uint64_t wanted, std::int64_t& cellsRead,
+  std::vector<MetInCell>& all) const
 {
   cellsRead += VisitCells(tile, this->Leaves, *this->Prepared, wanted, tile.Rays.WalkEnd,
-    [&](std::size_t surface, const PreparedCells& cells, std::size_t at, std::uint64_t which) {
-      this->Search(surface, cells, at, tile, which, [&](const Met& met) { all.push_back(met); });
+    [&](std::size_t surface, const PreparedCells& cells, std::size_t at, std::uint64_t which)
+    {
+      this->Search(
+        surface, cells, at, tile, which, [&](const MetInCell& met) { all.push_back(met); });
     });
 }
 
@@ -303,8 +196,8 @@ constexpr double Touching = 0x1p-36;
 }
 
 /// Where rays enter solids: parts in cells that touch are one.
-void MeshTracer::FindSolids(
-  const MeshTile& tile, std::uint64_t wanted, std::int64_t& cellsRead, std::vector<Met>& all) const
+void MeshTracer::FindSolids(const MeshTile& tile, std::uint64_t wanted, std::int64_t& cellsRead,
+  std::vector<MetInCell>& all) const
 {
   std::vector<std::vector<SolidPart>> ofSurfaces(this->Differences.size());
   cellsRead += VisitCells(tile, this->Leaves, *this->Prepared, wanted, tile.Rays.WalkEnd,
@@ -359,7 +252,8 @@ void MeshTracer::FindLayers(const RayBatch& rays, LayerBatch& layers) const
 {
   const HitRules rules(this->Isosurfaces, false);
   const std::uint64_t open = layers.Open;
-  const std::vector<Met> all = this->FindAll(rays, open & RaysWithWalk(rays), layers.CellsRead);
+  const std::vector<MetInCell> all =
+    this->FindAll(rays, open & RaysWithWalk(rays), layers.CellsRead);
   for (auto met = all.begin(); met != all.end();)
   {
     const std::size_t ray = met->Ray;

@@ -3,12 +3,12 @@
 #ifndef TemporalCoherence_MeshTracer_h
 #define TemporalCoherence_MeshTracer_h
 
+#include "MeshFields/MeshCellSearch.h"
 #include "MeshFields/MeshSolids.h"
 #include "MeshTiles/ActiveLeaves.h"
 #include "MeshTiles/MeshDifference.h"
 #include "MeshTiles/MeshTile.h"
 #include "MeshTiles/PreparedLeaves.h"
-#include "Scene/HitOrder.h"
 #include "Trace/SurfaceTracer.h"
 
 #include <cstddef>
@@ -40,18 +40,6 @@ public:
     const RayBatch& rays, const RayCells& cells, HitBatch& hits) const override;
 
 private:
-  /// A surface that a ray meets.
-  struct Met
-  {
-    MetSurface Surface;
-    std::int16_t Isovalue;
-    std::uint8_t Ray;
-    CellNumber Cell;
-  };
-
-  template <typename Take>
-  void Search(std::size_t surface, CellNumber number, const MeshCell& cell, const RayBatch& rays,
-    const MeshKernels::MeshRays& inMesh, std::uint64_t which, const Take& take) const;
   template <typename Take>
   void Search(std::size_t surface, const PreparedCells& cells, std::size_t at, const MeshTile& tile,
     std::uint64_t which, const Take& take) const;
@@ -64,20 +52,18 @@ private:
     const MeshKernels::MeshRays& inMesh, std::uint64_t which, const Take& take) const;
   std::uint64_t RaysAcross(std::size_t surface, const PreparedHexahedron& cell,
     const MeshTile& tile, std::uint64_t which) const;
-  bool IsInFrontOfHit(const Met& met, const HitBatch& hits) const;
-  void Keep(const Met& met, HitBatch& hits) const;
   bool IsSolid() const { return this->Isosurfaces.Mode == SurfaceMode::Threshold; }
   RayLimits LimitsOfRays() const
   {
     return this->IsSolid() ? RayLimits::None : RayLimits::BeginToEnd;
   }
 
-  std::vector<Met> FindAll(
+  std::vector<MetInCell> FindAll(
     const RayBatch& rays, std::uint64_t wanted, std::int64_t& cellsRead) const;
   void FindCrossings(const MeshTile& tile, std::uint64_t wanted, std::int64_t& cellsRead,
-    std::vector<Met>& all) const;
+    std::vector<MetInCell>& all) const;
   void FindSolids(const MeshTile& tile, std::uint64_t wanted, std::int64_t& cellsRead,
-    std::vector<Met>& all) const;
+    std::vector<MetInCell>& all) const;
   double IsovalueOf(std::size_t surface) const { return this->Isosurfaces.Isovalues[surface]; }
 
   Surfaces Isosurfaces;

@@ -161,16 +161,21 @@ void PrepareCells(const MeshTree& tree, std::int64_t leaf, std::uint64_t which,
   const MeshDifference& difference, SurfaceMode mode, PreparedCells& cells)
 {
   CellPreparer preparer(tree, leaf, difference, mode, cells);
-  cells.Numbers.reserve(hwy::PopCount(which));
-  MeshCell cell;
+  std::array<CellNumber, MeshLattice::SizeOfBlock> numbers;
+  std::size_t count = 0;
   ForEachRay(which,
     [&](std::size_t bit)
     {
-      const CellNumber number =
+      numbers[count++] =
         tree.CellAt(MeshLattice::SizeOfBlock * leaf + static_cast<std::int64_t>(bit));
-      tree.Reader().Read(number, cell);
-      preparer.Take(number, cell);
     });
+  std::array<MeshCell, MeshLattice::SizeOfBlock> read;
+  tree.Reader().ReadAll(numbers, count, read);
+  cells.Numbers.reserve(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    preparer.Take(numbers[i], read[i]);
+  }
   preparer.Finish();
 }
 

@@ -8,14 +8,14 @@
 
 #include <glm/glm.hpp>
 
-#include <hwy/cache_control.h>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <vector>
+
+#include <hwy/cache_control.h>
 
 namespace TemporalCoherence
 {
@@ -68,25 +68,6 @@ public:
 
   const MeshPart& PartAt(std::size_t part) const { return this->Parts[part]; }
 
-  /// Ask the memory for the connectivity of cells that will be read soon. All are waited for
-  /// together, where cells lie apart.
-  void Prefetch(const std::uint32_t* numbers, std::size_t count) const
-  {
-    if (this->FirstCells.size() > 2 || this->Parts->Dimensions.x > 0)
-    {
-      return;
-    }
-    const MeshPart& part = *this->Parts;
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      hwy::Prefetch(AddressIn(part.Offsets, numbers[i]));
-    }
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      hwy::Prefetch(AddressIn(part.Connectivity, part.Offsets.IdAt(numbers[i])));
-    }
-  }
-
   /// Read a cell.
   /// \pre the connectivity is valid
   void Read(std::int64_t number, MeshCell& cell) const
@@ -95,12 +76,34 @@ public:
     std::int64_t inPart;
     this->Locate(number, at, inPart);
     const MeshPart& part = this->Parts[at];
-    const MeshCellPoints points = FindPoints(part, inPart);
-    cell.Shape = points.Shape;
-    const int count = cell.NumberOfPoints();
-    ReadCoordinates(part, points, cell.Points);
-    ReadValues(part, points, count,
-      [&](int i, double value) { cell.Values[static_cast<std::size_t>(i)] = value; });
+    Read(part, FindPoints(part, inPart), cell);
+  }
+
+  /// Read several cells. That is faster: while one is waited for, memory brings the next ones.
+  /// \param most of them at once
+  template <std::size_t most>
+  void ReadAll(const std::array<std::uint32_t, most>& numbers, std::size_t count,
+    std::array<MeshCell, most>& cells) const
+  {
+    std::array<const MeshPart*, most> parts;
+    std::array<std::int64_t, most> inPart;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      std::size_t part;
+      this->Locate(numbers[i], part, inPart[i]);
+      parts[i] = &this->Parts[part];
+      PrefetchCell(*parts[i], inPart[i]);
+    }
+    std::array<MeshCellPoints, most> points;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      points[i] = FindPoints(*parts[i], inPart[i]);
+      PrefetchPoints(*parts[i], points[i]);
+    }
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      Read(*parts[i], points[i], cells[i]);
+    }
   }
 
   /// Read where the points of a cell lie.
@@ -116,7 +119,7 @@ public:
     const MeshPart& part, std::int64_t inPart, std::array<glm::dvec3, 8>& result)
   {
     const MeshCellPoints points = FindPoints(part, inPart);
-    const int count = NumberOfPointsIn(points.Shape);
+    const int count = CountOf(points.Shape);
     ReadCoordinates(part, points, result);
     return count;
   }
@@ -130,7 +133,7 @@ public:
     this->Locate(number, at, inPart);
     const MeshPart& part = this->Parts[at];
     const MeshCellPoints points = FindPoints(part, inPart);
-    ReadValues(part, points, NumberOfPointsIn(points.Shape), take);
+    ReadValues(part, points, CountOf(points.Shape), take);
   }
 
   /// The range of the values of a cell.
@@ -158,7 +161,7 @@ public:
     {
       return PointsOf(part, cell);
     }
-    if (IsHidden(part, cell))
+    if (part.Flags && (part.Flags[cell] & part.HidingFlags) != 0)
     {
       return {};
     }
@@ -166,11 +169,16 @@ public:
                                      : FindPoints<std::int64_t>(part, cell);
   }
 
+  static int CountOf(MeshCellShape shape)
+  {
+    return shape == MeshCellShape::Tetrahedron ? 4 : shape == MeshCellShape::Hexahedron ? 8 : 0;
+  }
+
   /// Read where points lie.
   static void ReadCoordinates(
     const MeshPart& part, const MeshCellPoints& points, std::array<glm::dvec3, 8>& result)
   {
-    const int count = NumberOfPointsIn(points.Shape);
+    const int count = CountOf(points.Shape);
     const auto& [x, y, z] = part.Coordinates;
     if (x.Type == ScalarType::Float32 && y.Type == x.Type && z.Type == x.Type)
     {
@@ -191,21 +199,81 @@ public:
   }
 
 private:
-  static const char* AddressIn(const MeshArray& array, std::int64_t at)
+  static void Read(const MeshPart& part, const MeshCellPoints& points, MeshCell& cell)
   {
-    const std::int64_t bytes = array.Type == ScalarType::Int32 ? 4 : 8;
-    return static_cast<const char*>(array.First) + at * array.Step * bytes;
+    cell.Shape = points.Shape;
+    ReadCoordinates(part, points, cell.Points);
+    ReadValues(part, points, cell.NumberOfPoints(),
+      [&](int i, double value) { cell.Values[static_cast<std::size_t>(i)] = value; });
+  }
+
+  static void Prefetch(const MeshArray& array, std::int64_t i)
+  {
+    DispatchScalarType(array.Type,
+      [&](auto type)
+      { hwy::Prefetch(static_cast<const decltype(type)*>(array.First) + i * array.Step); });
+  }
+
+  static void PrefetchCell(const MeshPart& part, std::int64_t inPart)
+  {
+    if (part.Dimensions.x == 0)
+    {
+      Prefetch(part.Offsets, inPart);
+      if (part.Types)
+      {
+        hwy::Prefetch(part.Types + inPart);
+      }
+    }
+  }
+
+  static void PrefetchPoints(const MeshPart& part, const MeshCellPoints& points)
+  {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(CountOf(points.Shape)); ++i)
+    {
+      Prefetch(part.Coordinates[0], points.Ids[i]); // mostly, the others lie beside it
+      Prefetch(part.Values, points.Ids[i]);
+    }
   }
 
   template <typename Id>
   static MeshCellPoints FindPoints(const MeshPart& part, std::int64_t cell)
   {
+    MeshCellPoints points;
     const std::int64_t offset =
       static_cast<const Id*>(part.Offsets.First)[cell * part.Offsets.Step];
     const std::int64_t step = part.Connectivity.Step;
     const Id* const first = static_cast<const Id*>(part.Connectivity.First) + offset * step;
-    return PointsInOrder(
-      part, cell, [first, step](std::int64_t i) -> std::int64_t { return first[i * step]; });
+    const auto take = [&](const CornerOrder& order)
+    {
+      points.Shape = MeshCellShape::Hexahedron;
+      for (std::size_t i = 0; i < order.size(); ++i)
+      {
+        points.Ids[i] = first[order[i] * step];
+      }
+    };
+    switch (part.Types ? static_cast<MeshCellType>(part.Types[cell]) : MeshCellType::Hexahedron)
+    {
+      case MeshCellType::Tetrahedron:
+        points.Shape = MeshCellShape::Tetrahedron;
+        for (std::size_t i = 0; i < 4; ++i)
+        {
+          points.Ids[i] = first[static_cast<std::int64_t>(i) * step];
+        }
+        break;
+      case MeshCellType::Voxel:
+        take(VoxelCorners);
+        break;
+      case MeshCellType::Hexahedron:
+        take(HexahedronCorners);
+        break;
+      case MeshCellType::Wedge:
+        take(WedgeCorners);
+        break;
+      case MeshCellType::Pyramid:
+        take(PyramidCorners);
+        break;
+    }
+    return points;
   }
 
   template <typename T>

@@ -107,7 +107,6 @@ std::uint64_t MeshTree::CellsIn(std::int64_t leaf, const std::vector<ValueBand>&
   {
     return active;
   }
-  this->Cells.Prefetch(this->Order->data() + first, static_cast<std::size_t>(end - first));
   for (std::int64_t rank = first; rank < end; ++rank)
   {
     const CellRange range = this->Cells.ReadRange(this->CellAt(rank));

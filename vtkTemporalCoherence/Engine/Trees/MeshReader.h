@@ -94,6 +94,10 @@ public:
       parts[i] = &this->Parts[part];
       PrefetchCell(*parts[i], inPart[i]);
     }
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      PrefetchConnectivity(*parts[i], inPart[i]);
+    }
     std::array<MeshCellPoints, most> points;
     for (std::size_t i = 0; i < count; ++i)
     {
@@ -223,6 +227,14 @@ private:
       {
         hwy::Prefetch(part.Types + inPart);
       }
+    }
+  }
+
+  static void PrefetchConnectivity(const MeshPart& part, std::int64_t inPart)
+  {
+    if (part.Dimensions.x == 0)
+    {
+      Prefetch(part.Connectivity, part.Offsets.IdAt(inPart));
     }
   }
 

@@ -88,15 +88,19 @@ set(engine_files
   Trees/MeshCheck
   Trees/MeshLeaves
   Trees/MeshOrder
+  Trees/MeshRanges
   Trees/MeshRuns
   Trees/MeshTree
   Trees/RadixSort
-  MeshFields/ActiveLeaves
-  MeshFields/BoxLevels
-  MeshFields/CellValues
-  MeshFields/KernelsBoxes
-  MeshFields/KernelsTileGrid
-  MeshFields/LeafCells
+  MeshTiles/ActiveLeaves
+  MeshTiles/BoxLevels
+  MeshTiles/CellValues
+  MeshTiles/KernelsBoxes
+  MeshTiles/KernelsOutlines
+  MeshTiles/KernelsTileGrid
+  MeshTiles/LeafCells
+  MeshTiles/PreparedCells
+  MeshTiles/PreparedLeaves
   MeshFields/MeshBandRays
   MeshFields/MeshBandTracer
   MeshFields/MeshCellSearch

@@ -225,13 +225,13 @@ void ExpectSameBits(bool areTetrahedra, const OneCell& findInCell, const Pairs& 
 
 TEST_F(Hexahedra, AreTheSameBitsForTilesPairsAndVectors)
 {
-  ExpectSameBits(false, HexahedronCrossings, HexahedronCrossingsOfPairs,
+  ExpectSameBits(false, CellCrossings, HexahedronCrossingsOfPairs,
     [&](const auto& check) { this->ForEachTarget(check); });
 }
 
 TEST_F(Hexahedra, TetrahedraAreTheSameBitsForTilesPairsAndVectors)
 {
-  ExpectSameBits(true, TetrahedronCrossings, TetrahedronCrossingsOfPairs,
+  ExpectSameBits(true, CellCrossings, TetrahedronCrossingsOfPairs,
     [&](const auto& check) { this->ForEachTarget(check); });
 }
 

@@ -111,7 +111,13 @@ HWY_EXPORT(HexahedronPairCrossingsOf);
 void HexahedronCrossings(const MeshCell& cell, const CellDifferences& differences,
   const MeshRays& rays, std::uint64_t which, Crossings& found)
 {
-  const HexahedronFunctions functions(cell, differences);
+  HexahedronCrossings(
+    HexahedronFunctions(cell, differences), cell, differences, rays, which, found);
+}
+
+void HexahedronCrossings(const HexahedronFunctions& functions, const MeshCell& cell,
+  const CellDifferences& differences, const MeshRays& rays, std::uint64_t which, Crossings& found)
+{
   if (functions.IsPassed)
   {
     FoundRoots several;

@@ -4,7 +4,7 @@
 
 #include "Mesh/KernelsKnownTetrahedra.h"
 #include "MeshFields/DistinctKeys.h"
-#include "MeshFields/MeshTile.h"
+#include "MeshTiles/MeshTile.h"
 #include "Trace/HitRules.h"
 
 #include <array>

@@ -5,8 +5,8 @@
 
 #include "Mesh/CellRays.h"
 #include "Mesh/KernelsCells.h"
-#include "MeshFields/MeshDifference.h"
 #include "MeshFields/MeshSolids.h"
+#include "MeshTiles/MeshDifference.h"
 #include "Scene/HitOrder.h"
 #include "Scene/RayBatch.h"
 #include "Scene/Surfaces.h"

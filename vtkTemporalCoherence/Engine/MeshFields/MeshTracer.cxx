@@ -6,18 +6,20 @@
 #include "Trace/HitRules.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace TemporalCoherence
 {
 
-MeshTracer::MeshTracer(
-  const TraceScene& scene, const FieldKind& kind, const MeshTree& tree, const BoxLevels& boxes)
+MeshTracer::MeshTracer(const TraceScene& scene, const FieldKind& kind, const MeshTree& tree,
+  const BoxLevels& boxes, std::shared_ptr<const PreparedLeaves> prepared)
   : Isosurfaces(scene.Isosurfaces)
   , Tree(tree)
   , Leaves(kind, tree, boxes, scene.Active)
-  , Cells(tree, this->Leaves)
+  , Prepared(std::move(prepared))
 {
   for (const double isovalue : scene.Isosurfaces.Isovalues)
   {
@@ -25,51 +27,74 @@ MeshTracer::MeshTracer(
   }
 }
 
+/// Call take(met) for all that was found in a cell.
+template <typename Take>
+void MeshTracer::TakeCrossings(std::size_t surface, CellNumber number,
+  const MeshKernels::Crossings& found, const Take& take) const
+{
+  const auto isovalue = static_cast<std::int16_t>(surface);
+  const double value = this->IsovalueOf(surface);
+  for (std::size_t i = 0; i < found.Count; ++i)
+  {
+    const HitKind kind = HitRules::KindOf(!found.Rises[i]);
+    take(MetInCell{ { found.T[i], kind, value }, isovalue, found.Ray[i], number });
+  }
+}
+
+/// The same for the first points of rays in the solid of a cell.
+template <typename Take>
+void MeshTracer::TakeSolids(std::size_t surface, CellNumber number, const MeshCell& cell,
+  const MeshKernels::CellDifferences& differences, const RayBatch& rays,
+  const MeshKernels::MeshRays& inMesh, std::uint64_t which, const Take& take) const
+{
+  const auto isovalue = static_cast<std::int16_t>(surface);
+  const double value = this->IsovalueOf(surface);
+  std::vector<SolidPart> parts;
+  AppendSolidParts(cell, differences, number, rays, inMesh, which, parts);
+  for (const SolidPart& part : parts)
+  {
+    take(MetInCell{ { part.From, part.Kind, value }, isovalue, part.Ray, number });
+  }
+}
+
 /// Search a cell for one surface: every crossing, or with THRESHOLD the first point of each ray in
 /// the solid.
 /// \param take called as take(met)
 template <typename Take>
-void MeshTracer::Search(std::size_t surface, CellNumber number, const MeshCell& cell,
-  const RayBatch& rays, const MeshKernels::MeshRays& inMesh, std::uint64_t which,
-  const Take& take) const
+void MeshTracer::Search(std::size_t surface, const PreparedCells& cells, std::size_t at,
+  const MeshTile& tile, std::uint64_t which, const Take& take) const
 {
-  MeshKernels::CellDifferences differences;
-  const bool isCrossed = this->Differences[surface].Of(cell, differences);
-  const auto isovalue = static_cast<std::int16_t>(surface);
-  const double value = this->IsovalueOf(surface);
-  if (!this->IsSolid())
+  const CellNumber number = cells.Numbers[at];
+  if (this->IsSolid())
   {
-    if (isCrossed)
-    {
-      MeshKernels::Crossings found;
-      MeshKernels::CellCrossings(cell, differences, inMesh, which, found);
-      for (std::size_t i = 0; i < found.Count; ++i)
-      {
-        const HitKind kind = HitRules::KindOf(!found.Rises[i]);
-        take(MetInCell{ { found.T[i], kind, value }, isovalue, found.Ray[i], number });
-      }
-    }
+    const SolidCell cell = cells.SolidAt(at);
+    this->TakeSolids(
+      surface, number, cell.Cell, cell.Differences, tile.Rays, tile.InMesh, which, take);
+    return;
   }
-  else if (isCrossed || differences[0] >= 0.0)
+  MeshKernels::Crossings found;
+  if (cells.IsTetrahedron(at))
   {
-    std::vector<SolidPart> parts;
-    AppendSolidParts(cell, differences, number, rays, inMesh, which, parts);
-    for (const SolidPart& part : parts)
-    {
-      take(MetInCell{ { part.From, part.Kind, value }, isovalue, part.Ray, number });
-    }
+    MeshKernels::TetrahedronCrossings(cells.Tetrahedra[at], tile.InMesh, which, found);
   }
+  else
+  {
+    const PreparedHexahedron& cell = cells.HexahedronAt(at);
+    MeshKernels::HexahedronCrossings(cell.Functions, cell.Cell, cell.Differences, tile.InMesh,
+      this->RaysAcross(surface, cell, tile, which), found);
+  }
+  this->TakeCrossings(surface, number, found, take);
 }
 
 /// Leave out rays that surely do not pass an isovalue in a hexahedron: it takes longer to search
 /// it.
-std::uint64_t MeshTracer::RaysAcross(
-  std::size_t surface, const ActiveCell& cell, const MeshTile& tile, std::uint64_t which) const
+std::uint64_t MeshTracer::RaysAcross(std::size_t surface, const PreparedHexahedron& cell,
+  const MeshTile& tile, std::uint64_t which) const
 {
-  return this->IsSolid() || !(cell.Values.Bend < std::numeric_limits<double>::infinity())
-    ? which
-    : TemporalCoherence::RaysAcross(
-        tile.Rays, which, cell.Box, tile.MarginOfLanes, cell.Values, this->IsovalueOf(surface));
+  return cell.Values.Bend < std::numeric_limits<double>::infinity()
+    ? TemporalCoherence::RaysAcross(
+        tile.Rays, which, cell.Box, tile.MarginOfLanes, cell.Values, this->IsovalueOf(surface))
+    : which;
 }
 
 void MeshTracer::Trace(const RayBatch& rays, HitBatch& hits) const
@@ -82,19 +107,15 @@ void MeshTracer::Trace(const RayBatch& rays, HitBatch& hits) const
   }
   const MeshTile tile(rays, this->Tree, this->Leaves, this->LimitsOfRays());
   RayBatch::Array<double> limits = rays.WalkEnd;
-  hits.CellsRead = VisitCells(tile, this->Tree, this->Cells, wanted, limits,
-    [&](const ActiveCell& cell, std::uint64_t which)
+  hits.CellsRead = VisitCells(tile, this->Leaves, *this->Prepared, wanted, limits,
+    [&](std::size_t surface, const PreparedCells& cells, std::size_t at, std::uint64_t which)
     {
-      for (std::size_t surface = 0; surface < this->Differences.size(); ++surface)
-      {
-        this->Search(surface, cell.Number, cell.Cell, rays, tile.InMesh,
-          this->RaysAcross(surface, cell, tile, which),
-          [&](const MetInCell& met)
-          {
-            KeepNearest(met, this->Isosurfaces.Isovalues, hits);
-            limits[met.Ray] = std::min(limits[met.Ray], met.Surface.Distance);
-          });
-      }
+      this->Search(surface, cells, at, tile, which,
+        [&](const MetInCell& met)
+        {
+          KeepNearest(met, this->Isosurfaces.Isovalues, hits);
+          limits[met.Ray] = std::min(limits[met.Ray], met.Surface.Distance);
+        });
     });
 }
 
@@ -157,14 +178,11 @@ std::vector<MetInCell> MeshTracer::FindAll(
 void MeshTracer::FindCrossings(const MeshTile& tile, std::uint64_t wanted, std::int64_t& cellsRead,
   std::vector<MetInCell>& all) const
 {
-  cellsRead += VisitCells(tile, this->Tree, this->Cells, wanted, tile.Rays.WalkEnd,
-    [&](const ActiveCell& cell, std::uint64_t which)
+  cellsRead += VisitCells(tile, this->Leaves, *this->Prepared, wanted, tile.Rays.WalkEnd,
+    [&](std::size_t surface, const PreparedCells& cells, std::size_t at, std::uint64_t which)
     {
-      for (std::size_t surface = 0; surface < this->Differences.size(); ++surface)
-      {
-        this->Search(surface, cell.Number, cell.Cell, tile.Rays, tile.InMesh, which,
-          [&](const MetInCell& met) { all.push_back(met); });
-      }
+      this->Search(
+        surface, cells, at, tile, which, [&](const MetInCell& met) { all.push_back(met); });
     });
 }
 
@@ -182,18 +200,12 @@ void MeshTracer::FindSolids(const MeshTile& tile, std::uint64_t wanted, std::int
   std::vector<MetInCell>& all) const
 {
   std::vector<std::vector<SolidPart>> ofSurfaces(this->Differences.size());
-  cellsRead += VisitCells(tile, this->Tree, this->Cells, wanted, tile.Rays.WalkEnd,
-    [&](const ActiveCell& cell, std::uint64_t which)
+  cellsRead += VisitCells(tile, this->Leaves, *this->Prepared, wanted, tile.Rays.WalkEnd,
+    [&](std::size_t surface, const PreparedCells& cells, std::size_t at, std::uint64_t which)
     {
-      for (std::size_t surface = 0; surface < this->Differences.size(); ++surface)
-      {
-        MeshKernels::CellDifferences differences;
-        if (this->Differences[surface].Of(cell.Cell, differences) || differences[0] >= 0.0)
-        {
-          AppendSolidParts(cell.Cell, differences, cell.Number, tile.Rays, tile.InMesh, which,
-            ofSurfaces[surface]);
-        }
-      }
+      const SolidCell cell = cells.SolidAt(at);
+      AppendSolidParts(cell.Cell, cell.Differences, cells.Numbers[at], tile.Rays, tile.InMesh,
+        which, ofSurfaces[surface]);
     });
   for (std::size_t surface = 0; surface < ofSurfaces.size(); ++surface)
   {

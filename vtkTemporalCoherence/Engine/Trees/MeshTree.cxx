@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trees/MeshTree.h"
 
-#include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace TemporalCoherence
 {
@@ -60,6 +58,7 @@ std::shared_ptr<const MeshTree> MeshTree::Refit(const std::shared_ptr<const Mesh
     return nullptr;
   }
   tree->Boxes = boxes;
+  tree->Ranges = std::make_unique<MeshRanges>(tree->NumberOfLeaves());
   return tree;
 }
 
@@ -69,40 +68,50 @@ std::shared_ptr<const MeshTree> MeshTree::WithValuesOf(
   const std::shared_ptr<MeshTree> tree(new MeshTree(mesh));
   tree->Order = this->Order;
   tree->Boxes = this->Boxes;
+  tree->Ranges = std::make_unique<MeshRanges>(tree->NumberOfLeaves());
   return tree;
 }
 
 CellRange MeshTree::RangeOfLeaf(std::int64_t leaf, CellRange* finite) const
 {
   CellRange range;
-  const std::int64_t end = std::min(64 * leaf + 64, this->NumberOfCells());
-  for (std::int64_t rank = 64 * leaf; rank < end; ++rank)
+  MeshRanges::OfCells ofCells;
+  const std::int64_t first = 64 * leaf, end = this->EndOfLeaf(leaf);
+  for (std::int64_t rank = first; rank < end; ++rank)
   {
+    CellRange& ofCell = ofCells[static_cast<std::size_t>(rank - first)];
     this->Cells.ReadValues(this->CellAt(rank),
       [&](int, double value)
       {
-        range.Widen(value);
+        ofCell.Widen(value);
         if (finite && std::isfinite(value))
         {
           finite->Widen(value);
         }
       });
+    range.Widen(ofCell.Min);
+    range.Widen(ofCell.Max);
+  }
+  if (first < end)
+  {
+    this->Ranges->Keep(leaf, ofCells, static_cast<std::size_t>(end - first));
   }
   return range;
 }
 
-std::uint64_t MeshTree::CellsIn(
-  std::int64_t leaf, const std::vector<ValueBand>& bands, bool isSolid) const
+std::uint64_t MeshTree::CellsIn(std::int64_t leaf, const std::vector<ValueBand>& bands) const
 {
   std::uint64_t active = 0;
-  const std::int64_t first = 64 * leaf;
-  const std::int64_t end = std::min(first + 64, this->NumberOfCells());
+  const std::int64_t first = 64 * leaf, end = this->EndOfLeaf(leaf);
+  if (first >= end || this->Ranges->FindCells(leaf, bands, active))
+  {
+    return active;
+  }
   for (std::int64_t rank = first; rank < end; ++rank)
   {
     const CellRange range = this->Cells.ReadRange(this->CellAt(rank));
     const bool isActive = std::any_of(bands.begin(), bands.end(),
-      [&](const ValueBand& band)
-      { return range.Max >= band.Low && (isSolid || range.Min < band.High); });
+      [&](const ValueBand& band) { return range.Max >= band.Low && range.Min < band.High; });
     active |= static_cast<std::uint64_t>(isActive) << (rank - first);
   }
   return active;
@@ -110,7 +119,8 @@ std::uint64_t MeshTree::CellsIn(
 
 std::size_t MeshTree::MemoryInBytes() const
 {
-  return this->Order->capacity() * sizeof(std::uint32_t) + this->Boxes->MemoryInBytes();
+  return this->Order->capacity() * sizeof(std::uint32_t) + this->Boxes->MemoryInBytes() +
+    this->Ranges->MemoryInBytes();
 }
 
 }

@@ -212,6 +212,7 @@ vtk_module_add_module(VTK::TemporalCoherence
     "${module_directory}/vtkTemporalCoherenceDropInMapper.cxx"
     "${module_directory}/vtkTemporalCoherenceGPUVolumeRayCastMapper.cxx"
     "${module_directory}/vtkTemporalCoherenceObjectFactory.cxx"
+    "${module_directory}/vtkTemporalCoherencePaperMapper.cxx"
     "${module_directory}/vtkTemporalCoherencePicker.cxx"
     "${module_directory}/vtkTemporalCoherenceVolume.cxx"
     "${module_directory}/vtkTemporalCoherenceVolumeMapper.cxx"
@@ -228,6 +229,7 @@ vtk_module_add_module(VTK::TemporalCoherence
     "${module_directory}/vtkTemporalCoherenceDropInMapper.h"
     "${module_directory}/vtkTemporalCoherenceGPUVolumeRayCastMapper.h"
     "${module_directory}/vtkTemporalCoherenceObjectFactory.h"
+    "${module_directory}/vtkTemporalCoherencePaperMapper.h"
     "${module_directory}/vtkTemporalCoherencePicker.h"
     "${module_directory}/vtkTemporalCoherenceVolume.h"
     "${module_directory}/vtkTemporalCoherenceVolumeMapper.h")

@@ -15,11 +15,64 @@ namespace TemporalCoherence
 namespace MeshKernels
 {
 
+/// Which coefficients of trilinear functions are not linear.
+constexpr std::array<std::size_t, 4> BentTerms = { 3, 5, 6, 7 };
+
+/// A hexahedron in coordinates w in which its linear part is the cube [-1, 1]^3:
+///   w = Inverse (p - middle) = u + Bends(u), with the difference = linear in w +
+///   DifferenceBends(u),
+/// where bends are the terms BentTerms.
+struct StraightCell
+{
+  std::array<Row, 3> Inverse; ///< [a] is what coordinate a adds. 0 in flat cells
+  std::array<std::array<double, 4>, 3> Bends;
+  std::array<double, 4> DifferenceBends;
+  Row Reach; ///< how far points that are 1 apart along all axes may be apart in w
+  Row Lost;  ///< how far Inverse is from the inverse
+
+  StraightCell() = default;
+  StraightCell(const std::array<Trilinear, 3>& coordinates, const Trilinear& difference)
+  {
+    // Rows of the matrix whose columns are edges.
+    const Row edges[3] = { { coordinates[0][1], coordinates[0][2], coordinates[0][4] },
+      { coordinates[1][1], coordinates[1][2], coordinates[1][4] },
+      { coordinates[2][1], coordinates[2][2], coordinates[2][4] } };
+    this->Inverse = { Cross(edges[1], edges[2]), Cross(edges[2], edges[0]),
+      Cross(edges[0], edges[1]) };
+    const double determinant = Dot(edges[0], this->Inverse[0]);
+    const double scale = determinant != 0.0 ? 1.0 / determinant : 0.0;
+    for (Row& column : this->Inverse)
+    {
+      column = { column[0] * scale, column[1] * scale, column[2] * scale };
+    }
+    this->DifferenceBends = { difference[3], difference[5], difference[6], difference[7] };
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const Row row = { this->Inverse[0][i], this->Inverse[1][i], this->Inverse[2][i] };
+      this->Reach[i] = (std::abs(row[0]) + std::abs(row[1])) + std::abs(row[2]);
+      this->Lost[i] = 0.0;
+      for (std::size_t j = 0; j < 3; ++j)
+      {
+        const double one = Dot(row, { edges[0][j], edges[1][j], edges[2][j] });
+        this->Lost[i] += std::abs(one - (i == j ? 1.0 : 0.0));
+      }
+      for (std::size_t term = 0; term < 4; ++term)
+      {
+        const std::size_t k = BentTerms[term];
+        const double bend = Dot(row, { coordinates[0][k], coordinates[1][k], coordinates[2][k] });
+        this->Bends[i][term] = bend;
+        this->DifferenceBends[term] -= difference[std::size_t(1) << i] * bend;
+      }
+    }
+  }
+};
+
 /// The trilinear functions of a hexahedron: coordinates and difference.
 struct HexahedronFunctions
 {
   std::array<Trilinear, 3> Coordinates;
   Trilinear Difference;
+  StraightCell Straight;
   double Far;               ///< how far coordinates are from 0 at most, all axes together
   double LargestDifference; ///< at corners, by amount
   bool IsPassed;            ///< some corners are inside, some outside
@@ -48,6 +101,7 @@ struct HexahedronFunctions
       this->Coordinates[a][0] += first;
       this->Far += far;
     }
+    this->Straight = StraightCell(this->Coordinates, this->Difference);
   }
 };
 

@@ -64,6 +64,21 @@ constexpr double LeastDeterminant = 1e-60;
 constexpr int MostNewtonSteps = 16;
 constexpr double LastStep = 2e-8, LastMove = 1e-16;
 
+/// In vectors, systems with larger rounding errors are searched alone, roots with larger ones in
+/// smaller boxes. A root in a cell may lie beyond it by so many times its rounding error.
+constexpr double MostErrorOfSystem = 1e-6, MostErrorOfRoot = 1e-3, MostOfErrors = 4.0;
+
+/// By the lengths of the slopes of a system, the smallest volume that they may span; and how much
+/// farther than bends and rounding errors say roots may lie from those of the linear part: more
+/// than the inverse of such slopes is inexact.
+constexpr double LeastVolume = 0x1p-20, Slack = 0x1p-20;
+
+/// A system has one root at most if the spectral radius of its slopes is less.
+constexpr double MostSlope = 0.9;
+
+/// So far beyond a box, by its size, roots are found, too: then it is known that they lie outside.
+constexpr double MostAround = 0.125;
+
 /// Boxes of which no more than this remains along an axis are not halved.
 constexpr double EnoughCut = 0.6;
 

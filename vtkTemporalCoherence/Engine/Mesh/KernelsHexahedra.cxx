@@ -40,9 +40,8 @@ std::uint64_t HexahedronCrossingsOf(const HexahedronFunctions& cell, const MeshR
     RootWork work{ rays, &now, &next, several };
     ForEachVector(along,
       [&](std::size_t i, std::uint64_t wanted) HWY_ATTR
-      { PushMet<D>(functions, rays, i, wanted, work); });
-    std::swap(work.Now, work.Next);
-    LookRoundByRound<D>(functions, work, found);
+      { LookIntoCell<D>(functions, i, wanted, work, found); });
+    LookRoundByRound<D>(functions, work);
     alone |= work.Alone;
   }
   return alone;
@@ -57,9 +56,8 @@ std::uint64_t HexahedronPairCrossingsOf(const HexahedronFunctions* cells, const 
   RootWork work{ rays, &now, &next, several };
   ForEachVector(which,
     [&](std::size_t i, std::uint64_t wanted) HWY_ATTR
-    { PushMet<D>(functions, rays, i, wanted, work); });
-  std::swap(work.Now, work.Next);
-  LookRoundByRound<D>(functions, work, found);
+    { LookIntoCell<D>(functions, i, wanted, work, found); });
+  LookRoundByRound<D>(functions, work);
   return work.Alone;
 }
 

@@ -10,7 +10,7 @@
 #define TemporalCoherence_KernelsRootSearch_inl_h
 #endif
 
-#include "Mesh/KernelsSeenFunctions-inl.h"
+#include "Mesh/KernelsRoots-inl.h"
 #include "Mesh/RootItems.h"
 
 #include <algorithm>
@@ -81,71 +81,57 @@ struct RootBoxes
     }
   }
 
-  /// Where lanes of the box lie in the cell.
-  HWY_INLINE void ToCell(const V v[3], V at[3]) const
+  /// Whole cells, one for each ray from the first one on.
+  HWY_INLINE explicit RootBoxes(std::size_t first)
+    : Count(Lanes)
   {
+    for (std::size_t lane = 0; lane < Lanes; ++lane)
+    {
+      this->Ray[lane] = static_cast<std::int64_t>(first + lane);
+    }
     for (std::size_t a = 0; a < 3; ++a)
     {
-      at[a] = hn::Add(this->Middle[a], hn::Mul(this->Half[a], v[a]));
+      this->Middle[a] = hn::Zero(D());
+      this->Half[a] = hn::Set(D(), 1.0);
     }
   }
 
   std::size_t Count;
-  std::size_t Ray[Lanes];
+  HWY_ALIGN std::int64_t Ray[Lanes];
   V Middle[3], Half[3];
 };
 
-/// Roots of lanes with one at most.
+/// Crossings of a vector of rays, where they are found.
 template <class D>
-HWY_INLINE void AppendRoots(const NearlyLinear<D>& near, hn::Mask<D> lanes,
-  const SeenFunctions<D>& seen, const RootBoxes<D>& boxes, bool isFirst, RootWork& work,
-  Crossings& found)
+struct CrossingVector
 {
-  using V = hn::Vec<D>;
-  constexpr std::size_t most = hn::MaxLanes(D());
-  const D d;
-  V v[3], at[3], rows[3][3], along[3];
-  std::uint64_t left = BitsOf(d, near.Solve(lanes, v)) & ((std::uint64_t(1) << boxes.Count) - 1);
-  if (left == 0)
+  template <class Functions, class Rays>
+  HWY_INLINE CrossingVector(const Functions& functions, const Rays& rays, Places<D> ray,
+    const StraightSystem<D>& system, const OnlyRoots<D>& roots)
   {
-    return;
-  }
-  boxes.ToCell(v, at);
-  GradientAt(seen.System[0], at, rows[0]);
-  GradientAt(seen.System[1], at, rows[1]);
-  GradientAt(seen.T, at, rows[2]);
-  CrossRows(rows[0], rows[1], along);
-  const V zero = hn::Zero(d);
-  // The determinant has the same sign all over a box with one root at most.
-  const std::uint64_t falling =
-    BitsOf(d, hn::Xor(hn::Gt(near.Determinant, zero), hn::Gt(DotRows(along, rows[2]), zero)));
-  HWY_ALIGN double t[most], places[3][most];
-  hn::Store(hn::Add(ValueAt(seen.T, at), zero), d, t);
-  for (std::size_t a = 0; a < 3; ++a)
-  {
-    hn::Store(at[a], d, places[a]);
-  }
-  for (; left != 0; left &= left - 1)
-  {
-    const auto lane = static_cast<std::size_t>(hwy::Num0BitsBelowLS1Bit_Nonzero64(left));
-    const std::size_t ray = boxes.Ray[lane];
-    const bool rises = (falling >> lane & 1u) == 0;
-    if (!isFirst)
+    const D d;
+    const auto zero = hn::Zero(d);
+    hn::Vec<D> depths[8];
+    for (std::size_t k = 0; k < 8; ++k)
     {
-      AddRoot({ { places[0][lane], places[1][lane], places[2][lane] }, t[lane], rises },
-        work.Several.Begin(ray));
+      depths[k] = functions.OfAxis(functions.First.Coordinates, 2, k, ray);
     }
-    else if (t[lane] >= work.Rays.Begin[ray] && t[lane] <= work.Rays.End[ray])
-    {
-      found.Append(ray, t[lane], rises);
-    }
+    depths[0] = hn::Sub(depths[0], rays.Turned[2]);
+    hn::Store(hn::Add(hn::Mul(ValueAt(depths, roots.At), rays.PerDepth), zero), d, this->T);
+    // What rises linearly along the ray does so in the cell, too, unless bends turn it over.
+    const auto rises = hn::Gt(hn::Mul(system.PerDepth, rays.PerDepth), zero);
+    const auto isTurned = hn::Xor(roots.IsPositive, IsUnfolded<D>(functions, ray, roots.At));
+    this->Rising = BitsOf(d, hn::Xor(rises, isTurned));
   }
-}
 
-/// Look into boxes that are left: the part without known absence of roots, or its halves.
+  HWY_ALIGN double T[hn::MaxLanes(D())];
+  std::uint64_t Rising;
+};
+
+/// Look into parts of boxes that are left, or into their halves.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE void PushBoxes(
-  const RootBoxes<D>& boxes, const V low[3], const V high[3], std::uint64_t left, RootWork& work)
+HWY_INLINE void PushParts(
+  const RootBoxes<D>& boxes, const KnownPart<D>& part, std::uint64_t left, RootWork& work)
 {
   constexpr std::size_t most = hn::MaxLanes(D());
   const D d;
@@ -153,100 +139,148 @@ HWY_INLINE void PushBoxes(
   HWY_ALIGN double parts[3][most], shares[3][most], middles[3][most], halves[3][most];
   for (std::size_t a = 0; a < 3; ++a)
   {
-    hn::Store(hn::Mul(half, hn::Add(low[a], high[a])), d, parts[a]);
-    hn::Store(hn::Mul(half, hn::Sub(high[a], low[a])), d, shares[a]);
+    const V middle = hn::Mul(half, hn::Add(part.Low[a], part.High[a]));
+    const V share = hn::Mul(half, hn::Sub(part.High[a], part.Low[a]));
+    hn::Store(hn::Div(hn::Sub(middle, boxes.Middle[a]), boxes.Half[a]), d, parts[a]);
+    hn::Store(hn::Div(share, boxes.Half[a]), d, shares[a]);
     hn::Store(boxes.Middle[a], d, middles[a]);
     hn::Store(boxes.Half[a], d, halves[a]);
   }
   for (; left != 0; left &= left - 1)
   {
     const auto lane = static_cast<std::size_t>(hwy::Num0BitsBelowLS1Bit_Nonzero64(left));
-    std::array<double, 3> part, share, box, edge;
+    const auto ray = static_cast<std::size_t>(boxes.Ray[lane]);
+    std::array<double, 3> at, share, box, edge;
     for (std::size_t a = 0; a < 3; ++a)
     {
-      part[a] = parts[a][lane];
+      at[a] = parts[a][lane];
       share[a] = shares[a][lane];
       box[a] = middles[a][lane];
       edge[a] = halves[a][lane];
     }
-    if (CutBox(part, share, box, edge))
+    if (CutBox(at, share, box, edge))
     {
-      work.Push(boxes.Ray[lane], box, edge);
+      work.Push(ray, box, edge);
       continue;
     }
     const auto longest =
       static_cast<std::size_t>(std::max_element(edge.begin(), edge.end()) - edge.begin());
     edge[longest] *= 0.5;
     box[longest] -= edge[longest];
-    work.Push(boxes.Ray[lane], box, edge);
+    work.Push(ray, box, edge);
     box[longest] += 2.0 * edge[longest];
-    work.Push(boxes.Ray[lane], box, edge);
+    work.Push(ray, box, edge);
+  }
+}
+
+/// Look into a part of each box.
+/// \param take called as take(crossings, bits of lanes that have one)
+/// \return bits of lanes that have to be looked into again
+template <class D, class Functions, class Rays, class Take>
+HWY_INLINE std::uint64_t LookInto(const Functions& functions, const Rays& rays, Places<D> ray,
+  const StraightSystem<D>& system, KnownPart<D>& part, std::uint64_t wanted, const Take& take)
+{
+  const D d;
+  part.Narrow(system);
+  wanted &= ~BitsOf(d, part.IsOut);
+  const std::uint64_t only = wanted & BitsOf(d, part.IsOnly);
+  if (only == 0)
+  {
+    return wanted;
+  }
+  const OnlyRoots<D> roots(system, part, hn::AndNot(part.IsOut, part.IsOnly));
+  const std::uint64_t met = only & BitsOf(d, roots.IsInCell);
+  if (met != 0)
+  {
+    take(CrossingVector<D>(functions, rays, ray, system, roots), roots, met);
+  }
+  return wanted & ~(only & BitsOf(d, roots.IsFound));
+}
+
+/// Find the crossings of a vector of rays with a cell; what takes longer becomes boxes.
+template <class D, class Functions>
+HWY_INLINE void LookIntoCell(
+  const Functions& functions, std::size_t i, std::uint64_t wanted, RootWork& work, Crossings& found)
+{
+  const D d;
+  const ShearedRays<D> rays(work.Rays, i);
+  const auto ray = hn::Iota(hn::RebindToSigned<D>(), static_cast<std::int64_t>(i));
+  const StraightSystem<D> system(functions, rays, ray);
+  KnownPart<D> part(system);
+  wanted &= ~BitsOf(d, part.IsOut);
+  const std::uint64_t alone = wanted &
+    ~BitsOf(d,
+      hn::Lt(
+        Three(system.Error[0], system.Error[1], system.Error[2]), hn::Set(d, MostErrorOfSystem)));
+  work.Alone |= alone << i;
+  wanted &= ~alone;
+  if (wanted == 0)
+  {
+    return;
+  }
+  const std::uint64_t left = LookInto(functions, rays, ray, system, part, wanted,
+    [&](const auto& crossings, const auto&, std::uint64_t met) HWY_ATTR
+    {
+      for (; met != 0; met &= met - 1)
+      {
+        const auto lane = static_cast<std::size_t>(hwy::Num0BitsBelowLS1Bit_Nonzero64(met));
+        const double t = crossings.T[lane];
+        if (t >= work.Rays.Begin[i + lane] && t <= work.Rays.End[i + lane])
+        {
+          found.Append(i + lane, t, (crossings.Rising >> lane & 1u) != 0);
+        }
+      }
+    });
+  if (left != 0)
+  {
+    PushParts(RootBoxes<D>(i), part, left, work);
   }
 }
 
 /// Look into a vector of boxes.
 template <class D, class Functions>
-HWY_INLINE void Look(const Functions& functions, const RootBoxes<D>& boxes, bool isFirst,
-  RootWork& work, Crossings& found)
+HWY_INLINE void Look(const Functions& functions, const RootBoxes<D>& boxes, RootWork& work)
 {
-  using V = hn::Vec<D>;
   const D d;
-  const SeenFunctions<D> seen(GatheredRays<D>(work.Rays, boxes.Ray), functions, boxes.Ray);
-  const V one = hn::Set(d, 1.0), minusOne = hn::Set(d, -1.0), zero = hn::Zero(d);
-  V local[3][8];
-  auto isLeft = hn::Lt(zero, one);
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    std::copy(seen.System[i], seen.System[i] + 8, local[i]);
-    if (!isFirst)
+  const auto ray = hn::Load(hn::RebindToSigned<D>(), boxes.Ray);
+  const GatheredRays<D> rays(work.Rays, ray);
+  const StraightSystem<D> system(functions, rays, ray);
+  KnownPart<D> part(boxes.Middle, boxes.Half);
+  const std::uint64_t wanted = (std::uint64_t(1) << boxes.Count) - 1;
+  const std::uint64_t left = LookInto(functions, rays, ray, system, part, wanted,
+    [&](const auto& crossings, const auto& roots, std::uint64_t met) HWY_ATTR
     {
-      Restrict(boxes.Middle, boxes.Half, local[i]);
-    }
-    const V error = hn::Mul(hn::Set(d, ValueError), seen.Largest[i]);
-    isLeft = hn::And(isLeft, hn::Le(hn::Abs(local[i][0]), hn::Add(ReachOf(local[i]), error)));
-  }
-  if (hn::AllFalse(d, isLeft))
-  {
-    return;
-  }
-  const NearlyLinear<D> near(local, seen.Largest);
-  V rest[3], steepest, low[3], high[3];
-  near.Bound(rest, steepest);
-  for (std::size_t a = 0; a < 3; ++a)
-  {
-    const V reach = Three(rest[a], near.Error[a], hn::Set(d, Margin));
-    low[a] = hn::Max(hn::Neg(hn::Add(near.Parts[a][0], reach)), minusOne);
-    high[a] = hn::Min(hn::Sub(reach, near.Parts[a][0]), one);
-    isLeft = hn::AndNot(hn::And(near.IsRegular, hn::Gt(low[a], high[a])), isLeft);
-    low[a] = hn::IfThenElse(near.IsRegular, low[a], minusOne);
-    high[a] = hn::IfThenElse(near.IsRegular, high[a], one);
-  }
-  const V error = LargestOf(near.Error[0], near.Error[1], near.Error[2]);
-  const auto isWell = hn::And(near.IsRegular, hn::Lt(error, hn::Set(d, MostError)));
-  const auto isOnly = hn::And(isLeft, hn::And(isWell, hn::Lt(steepest, hn::Set(d, MostNonlinear))));
-  if (!hn::AllFalse(d, isOnly))
-  {
-    AppendRoots(near, isOnly, seen, boxes, isFirst, work, found);
-  }
-  const std::uint64_t left =
-    BitsOf(d, hn::AndNot(isOnly, isLeft)) & ((std::uint64_t(1) << boxes.Count) - 1);
+      HWY_ALIGN double at[3][hn::MaxLanes(D())];
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        hn::Store(roots.At[a], d, at[a]);
+      }
+      for (; met != 0; met &= met - 1)
+      {
+        const auto lane = static_cast<std::size_t>(hwy::Num0BitsBelowLS1Bit_Nonzero64(met));
+        const bool rises = (crossings.Rising >> lane & 1u) != 0;
+        AddRoot({ { at[0][lane], at[1][lane], at[2][lane] }, crossings.T[lane], rises },
+          work.Several.Begin(static_cast<std::size_t>(boxes.Ray[lane])));
+      }
+    });
   if (left != 0)
   {
-    PushBoxes(boxes, low, high, left, work);
+    PushParts(boxes, part, left, work);
   }
 }
 
 /// Look into ever smaller boxes, for all rays together.
 template <class D, class Functions>
-HWY_INLINE void LookRoundByRound(const Functions& functions, RootWork& work, Crossings& found)
+HWY_INLINE void LookRoundByRound(const Functions& functions, RootWork& work)
 {
+  std::swap(work.Now, work.Next);
   for (int round = 0; round < MostRounds && work.Now->Count > 0; ++round)
   {
     work.Next->Count = 0;
     work.CountOf.fill(0);
     for (std::size_t i = 0; i < work.Now->Count; i += hn::Lanes(D()))
     {
-      Look(functions, RootBoxes<D>(*work.Now, i), round == 0, work, found);
+      Look(functions, RootBoxes<D>(*work.Now, i), work);
     }
     // Rays that are searched alone are not searched here any more.
     RootItems& next = *work.Next;
@@ -267,38 +301,6 @@ HWY_INLINE void LookRoundByRound(const Functions& functions, RootWork& work, Cro
   for (std::size_t i = 0; i < work.Now->Count; ++i)
   {
     work.Alone |= std::uint64_t(1) << work.Now->Ray[i];
-  }
-}
-
-/// Add a box for each ray that may meet a surface in its cell.
-template <class D, class Functions>
-HWY_INLINE void PushMet(const Functions& functions, const MeshRays& rays, std::size_t i,
-  std::uint64_t wanted, RootWork& work)
-{
-  using V = hn::Vec<D>;
-  const D d;
-  std::size_t ray[hn::MaxLanes(D())];
-  for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
-  {
-    ray[lane] = i + lane;
-  }
-  const ShearedRays<D> vector(rays, i);
-  const SeenFunctions<D> seen(vector, functions, ray);
-  auto isMet = hn::Lt(hn::Zero(d), hn::Set(d, 1.0));
-  for (std::size_t f = 0; f < 2; ++f)
-  {
-    const V error = hn::Mul(hn::Set(d, ValueError), seen.Largest[f]);
-    isMet =
-      hn::And(isMet, hn::Le(hn::Abs(seen.System[f][0]), hn::Add(ReachOf(seen.System[f]), error)));
-  }
-  const V reach = hn::Add(ReachOf(seen.T), hn::Mul(hn::Set(d, Margin), hn::Abs(seen.T[0])));
-  isMet = hn::And(isMet, hn::Le(hn::Sub(seen.T[0], hn::Add(reach, reach)), vector.End));
-  isMet = hn::And(isMet, hn::Ge(hn::Add(seen.T[0], hn::Add(reach, reach)), vector.Begin));
-  constexpr std::array<double, 3> middle{}, half = { 1.0, 1.0, 1.0 };
-  for (wanted &= BitsOf(d, isMet); wanted != 0; wanted &= wanted - 1)
-  {
-    const auto lane = static_cast<std::size_t>(hwy::Num0BitsBelowLS1Bit_Nonzero64(wanted));
-    work.Push(i + lane, middle, half);
   }
 }
 

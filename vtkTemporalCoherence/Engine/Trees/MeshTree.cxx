@@ -77,24 +77,24 @@ CellRange MeshTree::RangeOfLeaf(std::int64_t leaf, CellRange* finite) const
   CellRange range;
   MeshRanges::OfCells ofCells;
   const std::int64_t first = 64 * leaf, end = this->EndOfLeaf(leaf);
-  for (std::int64_t rank = first; rank < end; ++rank)
-  {
-    CellRange& ofCell = ofCells[static_cast<std::size_t>(rank - first)];
-    this->Cells.ReadValues(this->CellAt(rank),
-      [&](int, double value)
+  const auto count = static_cast<std::size_t>(std::max<std::int64_t>(end - first, 0));
+  this->Cells.ReadValuesOfAll(this->Order->data() + first, count,
+    [&](std::size_t cell, double value)
+    {
+      ofCells[cell].Widen(value);
+      if (finite && std::isfinite(value))
       {
-        ofCell.Widen(value);
-        if (finite && std::isfinite(value))
-        {
-          finite->Widen(value);
-        }
-      });
-    range.Widen(ofCell.Min);
-    range.Widen(ofCell.Max);
-  }
-  if (first < end)
+        finite->Widen(value);
+      }
+    });
+  for (std::size_t cell = 0; cell < count; ++cell)
   {
-    this->Ranges->Keep(leaf, ofCells, static_cast<std::size_t>(end - first));
+    range.Widen(ofCells[cell].Min);
+    range.Widen(ofCells[cell].Max);
+  }
+  if (count > 0)
+  {
+    this->Ranges->Keep(leaf, ofCells, count);
   }
   return range;
 }

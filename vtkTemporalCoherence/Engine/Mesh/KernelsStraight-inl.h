@@ -1,0 +1,202 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Hexahedra as vectors of rays see them, as systems of three functions. Kernels include this file
+// once for each kind of vectors, hence the toggling guard.
+#if defined(TemporalCoherence_KernelsStraight_inl_h) == defined(HWY_TARGET_TOGGLE)
+#ifdef TemporalCoherence_KernelsStraight_inl_h
+#undef TemporalCoherence_KernelsStraight_inl_h
+#else
+#define TemporalCoherence_KernelsStraight_inl_h
+#endif
+
+#include "Mesh/HexahedronRoots.h"
+#include "Mesh/KernelsCellFunctions-inl.h"
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace TemporalCoherence
+{
+namespace MeshKernels
+{
+namespace HWY_NAMESPACE
+{
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+template <class V>
+HWY_INLINE V Three(V a, V b, V c)
+{
+  return hn::Add(hn::Add(a, b), c);
+}
+
+template <class V>
+HWY_INLINE void CrossRows(const V a[3], const V b[3], V out[3])
+{
+  out[0] = hn::Sub(hn::Mul(a[1], b[2]), hn::Mul(a[2], b[1]));
+  out[1] = hn::Sub(hn::Mul(a[2], b[0]), hn::Mul(a[0], b[2]));
+  out[2] = hn::Sub(hn::Mul(a[0], b[1]), hn::Mul(a[1], b[0]));
+}
+
+template <class V>
+HWY_INLINE V DotRows(const V a[3], const V b[3])
+{
+  return Three(hn::Mul(a[0], b[0]), hn::Mul(a[1], b[1]), hn::Mul(a[2], b[2]));
+}
+
+/// The columns of a matrix's inverse, multiplied by its determinant.
+/// \return the determinant
+template <class V>
+HWY_INLINE V Adjoint(const V rows[3][3], V columns[3][3])
+{
+  CrossRows(rows[1], rows[2], columns[0]);
+  CrossRows(rows[2], rows[0], columns[1]);
+  CrossRows(rows[0], rows[1], columns[2]);
+  return DotRows(rows[0], columns[0]);
+}
+
+/// ValueAt of Trilinear.h.
+template <class V>
+HWY_INLINE V ValueAt(const V c[8], const V u[3])
+{
+  const V low =
+    hn::Add(hn::Add(c[0], hn::Mul(u[0], c[1])), hn::Mul(u[1], hn::Add(c[2], hn::Mul(u[0], c[3]))));
+  const V high =
+    hn::Add(hn::Add(c[4], hn::Mul(u[0], c[5])), hn::Mul(u[1], hn::Add(c[6], hn::Mul(u[0], c[7]))));
+  return hn::Add(low, hn::Mul(u[2], high));
+}
+
+/// The products that belong to BentTerms.
+template <class V>
+HWY_INLINE void ProductsOf(const V u[3], V products[4])
+{
+  products[0] = hn::Mul(u[0], u[1]);
+  products[1] = hn::Mul(u[0], u[2]);
+  products[2] = hn::Mul(u[1], u[2]);
+  products[3] = hn::Mul(products[0], u[2]);
+}
+
+template <class V>
+HWY_INLINE V BendAt(const V bends[4], const V products[4])
+{
+  return hn::Add(hn::Add(hn::Mul(bends[0], products[0]), hn::Mul(bends[1], products[1])),
+    hn::Add(hn::Mul(bends[2], products[2]), hn::Mul(bends[3], products[3])));
+}
+
+/// The slopes of bends.
+template <class V>
+HWY_INLINE void SlopesOf(const V bends[4], const V u[3], const V products[4], V slopes[3])
+{
+  const V* const b = bends;
+  slopes[0] = Three(hn::Mul(b[0], u[1]), hn::Mul(b[1], u[2]), hn::Mul(b[3], products[2]));
+  slopes[1] = Three(hn::Mul(b[0], u[0]), hn::Mul(b[2], u[2]), hn::Mul(b[3], products[1]));
+  slopes[2] = Three(hn::Mul(b[1], u[0]), hn::Mul(b[2], u[1]), hn::Mul(b[3], products[0]));
+}
+
+/// What rays see in a cell: three functions u + Constant + Bends(u), which are 0 where a ray meets
+/// the surface.
+///
+/// A ray is linear in the coordinates w of StraightCell, and so is the difference, but for bends.
+/// This gives the depth of the surface, which is put into the equation of the ray.
+template <class D>
+struct StraightSystem
+{
+  using V = hn::Vec<D>;
+
+  /// \param ray the place of each ray, for functions of pairs
+  template <class Functions, class Rays>
+  HWY_INLINE StraightSystem(const Functions& functions, const Rays& rays, Places<D> ray)
+  {
+    const D d;
+    const HexahedronFunctions& cell = functions.First;
+    V from[3], origin[3], along[3];
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      from[a] = hn::Sub(functions.OfAxis(cell.Coordinates, a, 0, ray), rays.Turned[a]);
+    }
+    // Where the ray is as deep as the middle of the cell. There, numbers are small.
+    const V x = hn::Sub(hn::Mul(rays.ShearX, from[2]), from[0]);
+    const V y = hn::Sub(hn::Mul(rays.ShearY, from[2]), from[1]);
+    const V far = Three(hn::Abs(rays.Turned[0]), hn::Abs(rays.Turned[1]), hn::Abs(rays.Turned[2]));
+    const V error = hn::Set(d, ValueError);
+    const V rounded = hn::Mul(error, hn::Add(far, functions.Of(cell.Far, ray)));
+    V value = functions.Of(cell.Difference[0], ray);
+    V lost = hn::Mul(hn::Add(error, error), functions.Of(cell.LargestDifference, ray));
+    this->PerDepth = hn::Zero(d);
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const V perX = functions.OfAxis(cell.Straight.Inverse, 0, i, ray);
+      const V perY = functions.OfAxis(cell.Straight.Inverse, 1, i, ray);
+      origin[i] = hn::Add(hn::Mul(perX, x), hn::Mul(perY, y));
+      along[i] = Three(hn::Mul(perX, rays.ShearX), hn::Mul(perY, rays.ShearY),
+        functions.OfAxis(cell.Straight.Inverse, 2, i, ray));
+      this->Error[i] = hn::Add(hn::Mul(rounded, functions.Of(cell.Straight.Reach[i], ray)),
+        functions.Of(cell.Straight.Lost[i], ray));
+      const V slope = functions.Of(cell.Difference[std::size_t(1) << i], ray);
+      value = hn::Add(value, hn::Mul(slope, origin[i]));
+      this->PerDepth = hn::Add(this->PerDepth, hn::Mul(slope, along[i]));
+      lost = hn::Add(lost, hn::Mul(hn::Abs(slope), this->Error[i]));
+    }
+    const V depthPerValue = hn::Div(hn::Set(d, 1.0), this->PerDepth);
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const V perValue = hn::Mul(along[i], depthPerValue);
+      this->Constant[i] = hn::Sub(hn::Mul(perValue, value), origin[i]);
+      this->Error[i] = hn::Add(this->Error[i], hn::Mul(hn::Abs(perValue), lost));
+      for (std::size_t term = 0; term < BentTerms.size(); ++term)
+      {
+        const V ofDifference = functions.Of(cell.Straight.DifferenceBends[term], ray);
+        this->Bends[i][term] =
+          hn::Add(functions.Of(cell.Straight.Bends[i][term], ray), hn::Mul(perValue, ofDifference));
+      }
+    }
+  }
+
+  HWY_INLINE void ValuesAt(const V u[3], const V products[4], V values[3]) const
+  {
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      values[i] = Three(this->Constant[i], u[i], BendAt(this->Bends[i], products));
+    }
+  }
+
+  HWY_INLINE void SlopesAt(const V u[3], const V products[4], V rows[3][3]) const
+  {
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      SlopesOf(this->Bends[i], u, products, rows[i]);
+      rows[i][i] = hn::Add(rows[i][i], hn::Set(D(), 1.0));
+    }
+  }
+
+  V Constant[3], Bends[3][4];
+  V Error[3]; ///< bounds of rounding errors
+  V PerDepth; ///< how the linear part of the difference rises with the depth
+};
+
+/// Lanes in which a point of a cell is not turned over, compared with its middle.
+template <class D, class Functions, class V = hn::Vec<D>>
+HWY_INLINE hn::Mask<D> IsUnfolded(const Functions& functions, Places<D> ray, const V u[3])
+{
+  V products[4], rows[3][3], columns[3][3];
+  ProductsOf(u, products);
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    V bends[4];
+    for (std::size_t term = 0; term < BentTerms.size(); ++term)
+    {
+      bends[term] = functions.Of(functions.First.Straight.Bends[i][term], ray);
+    }
+    SlopesOf(bends, u, products, rows[i]);
+    rows[i][i] = hn::Add(rows[i][i], hn::Set(D(), 1.0));
+  }
+  return hn::Gt(Adjoint(rows, columns), hn::Zero(D()));
+}
+
+}
+}
+}
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -19,6 +19,32 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 /// Leaves between two looks at which rays are done.
 constexpr std::size_t LeavesAtOnce = 6;
 
+/// Bounds of what a ray meets in a cell.
+struct Bounds
+{
+  double Low, High;
+};
+
+/// Bounds of the values along a ray in a hexahedron, by the linear function that they are near to.
+Bounds BoundsAlong(
+  const NearlyLinear& values, const RayBatch& rays, std::size_t ray, double in, double out)
+{
+  double atIn = values.AtZero, atOut = values.AtZero, largest = std::abs(values.AtZero);
+  const double farther = std::max(std::abs(in), std::abs(out));
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    const double slope = values.Gradient[static_cast<int>(a)];
+    const double origin = rays.Origin[a][ray], direction = rays.Direction[a][ray];
+    atIn += slope * (origin + in * direction);
+    atOut += slope * (origin + out * direction);
+    largest += std::abs(slope) * (std::abs(origin) + farther * std::abs(direction));
+  }
+  // Far more than rounding errors of distances and places.
+  constexpr double rounding = 1e-12;
+  const double bend = values.Bend + rounding * largest;
+  return { std::min(atIn, atOut) - bend, std::max(atIn, atOut) + bend };
+}
+
 }
 
 MeshBandTracer::MeshBandTracer(
@@ -112,7 +138,7 @@ void MeshBandTracer::Append(const PreparedCells& cells, std::size_t cell, std::i
   const double* const end = differences + (isExact ? 4 : 8);
   const bool isFinite = std::all_of(differences, end, MeshDifference::IsFinite);
   const auto [least, most] = std::minmax_element(differences, end);
-  const double bend = isExact ? 0.0 : 2.0 * cells.HexahedronAt(cell).Values.Bend;
+  const NearlyLinear values = isExact ? NearlyLinear() : cells.HexahedronAt(cell).Values;
   const glm::ivec3 place = MeshTree::PlaceOf(MeshLattice::SizeOfBlock * leaf + cells.Places[cell]);
   const CellIndex index = { static_cast<std::uint16_t>(place.x),
     static_cast<std::uint16_t>(place.y), static_cast<std::uint16_t>(place.z) };
@@ -131,11 +157,17 @@ void MeshBandTracer::Append(const PreparedCells& cells, std::size_t cell, std::i
         const bool beginsHere = span.In < begin;
         const double share = isExact && beginsHere ? (begin - span.In) / (span.Out - span.In) : 0.0;
         const double atIn = (1.0 - share) * span.AtIn + share * span.AtOut;
-        const double low = std::max(*least, std::min(atIn, span.AtOut) - bend);
-        const double high = std::min(*most, std::max(atIn, span.AtOut) + bend);
-        band.Append({ span.In, this->Unit * atIn, this->Unit * span.AtOut, this->Unit * low,
-          this->Unit * high, isFinite, beginsHere && !isExact, static_cast<std::uint8_t>(ray),
-          index });
+        Bounds bounds{ std::min(atIn, span.AtOut), std::max(atIn, span.AtOut) };
+        if (!isExact)
+        {
+          // Two bounds, of which either may be the better one.
+          const Bounds linear = BoundsAlong(values, tile.Rays, ray, span.In, span.Out);
+          bounds.Low = std::max({ *least, bounds.Low - 2.0 * values.Bend, linear.Low });
+          bounds.High = std::min({ *most, bounds.High + 2.0 * values.Bend, linear.High });
+        }
+        band.Append({ span.In, this->Unit * atIn, this->Unit * span.AtOut, this->Unit * bounds.Low,
+          this->Unit * bounds.High, isFinite, beginsHere && !isExact,
+          static_cast<std::uint8_t>(ray), index });
       }
     });
 }

@@ -40,8 +40,7 @@ PreparedLeaves::Slot& PreparedLeaves::SlotOf(std::int64_t leaf, std::size_t isov
 void PreparedLeaves::Prepare(
   std::int64_t leaf, std::size_t isovalue, std::uint64_t active, PreparedCells& cells) const
 {
-  PrepareCells(
-    this->Tree, leaf, active, this->Differences[isovalue], this->Purpose, cells);
+  PrepareCells(this->Tree, leaf, active, this->Differences[isovalue], this->Purpose, cells);
 }
 
 const PreparedCells& PreparedLeaves::Of(

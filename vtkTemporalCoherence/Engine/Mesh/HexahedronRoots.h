@@ -28,9 +28,10 @@ struct HexahedronRoot
   bool Rises; ///< the difference rises along the ray
 };
 
+/// Nothing is set at first: whole batches of rays have room for roots, and most find none here.
 struct HexahedronRoots
 {
-  std::size_t Count = 0;
+  std::size_t Count;
   std::array<HexahedronRoot, Crossings::MostInCell> Roots;
 };
 

@@ -67,6 +67,62 @@ struct KnownPart
     }
   }
 
+  /// Keep what is along the ray, without the surface. This helps where the ray is nearly along it.
+  template <class Functions>
+  HWY_INLINE void CutToRay(
+    const Functions& functions, Places<D> ray, const StraightSystem<D>& system)
+  {
+    const D d;
+    const V half = hn::Set(d, 0.5), largest = hn::Set(d, 1e300), smallest = hn::Set(d, -1e300);
+    V middle[3], size[3], products[4], sizes[4], lowBend[3], highBend[3];
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      middle[i] = hn::Mul(half, hn::Add(this->Low[i], this->High[i]));
+      size[i] = hn::Mul(half, hn::Sub(this->High[i], this->Low[i]));
+    }
+    ProductsOf(middle, products);
+    ProductsOf(size, sizes);
+    V in = smallest, out = largest;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      V bends[4], slopes[3];
+      BendsOfCell(functions, ray, i, bends);
+      SlopesOf(bends, middle, products, slopes);
+      const V bend = BendAt(bends, products);
+      V reach = Three(system.Error[i], hn::Set(d, Slack), hn::Mul(hn::Abs(bends[3]), sizes[3]));
+      V reachOfPoint = hn::Mul(hn::Abs(hn::Add(slopes[i], hn::Set(d, 1.0))), size[i]);
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        const V pair = hn::Abs(hn::Add(bends[a], hn::Mul(bends[3], middle[2 - a])));
+        reach = hn::Add(reach, hn::Mul(pair, sizes[a]));
+        if (a != i)
+        {
+          reach = hn::Add(reach, hn::Mul(hn::Abs(slopes[a]), size[a]));
+        }
+      }
+      reachOfPoint = hn::Add(reachOfPoint, reach);
+      reach = hn::Add(reach, hn::Mul(hn::Abs(slopes[i]), size[i]));
+      lowBend[i] = hn::Sub(bend, reach);
+      highBend[i] = hn::Add(bend, reach);
+      const V from = hn::Sub(hn::Add(middle[i], bend), system.Origin[i]);
+      const V perW = hn::Max(hn::Min(hn::Div(hn::Set(d, 1.0), system.Along[i]), largest), smallest);
+      const V first = hn::Mul(hn::Sub(from, reachOfPoint), perW);
+      const V last = hn::Mul(hn::Add(from, reachOfPoint), perW);
+      in = hn::Max(in, hn::Min(first, last));
+      out = hn::Min(out, hn::Max(first, last));
+    }
+    this->IsOut = hn::Or(this->IsOut, hn::Gt(in, out));
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const V first = hn::Mul(in, system.Along[i]), last = hn::Mul(out, system.Along[i]);
+      const V low = hn::Sub(hn::Add(system.Origin[i], hn::Min(first, last)), highBend[i]);
+      const V high = hn::Sub(hn::Add(system.Origin[i], hn::Max(first, last)), lowBend[i]);
+      this->Low[i] = hn::Max(this->Low[i], low);
+      this->High[i] = hn::Min(this->High[i], high);
+      this->IsOut = hn::Or(this->IsOut, hn::Gt(this->Low[i], this->High[i]));
+    }
+  }
+
   /// Multiply a system by the inverse of its slopes in the middle of the part. What then bends
   /// tells where roots are, and whether there is more than one.
   HWY_INLINE void Narrow(const StraightSystem<D>& system)

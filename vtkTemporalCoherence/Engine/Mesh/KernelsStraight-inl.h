@@ -110,7 +110,7 @@ struct StraightSystem
   {
     const D d;
     const HexahedronFunctions& cell = functions.First;
-    V from[3], origin[3], along[3];
+    V from[3];
     for (std::size_t a = 0; a < 3; ++a)
     {
       from[a] = hn::Sub(functions.OfAxis(cell.Coordinates, a, 0, ray), rays.Turned[a]);
@@ -128,21 +128,21 @@ struct StraightSystem
     {
       const V perX = functions.OfAxis(cell.Straight.Inverse, 0, i, ray);
       const V perY = functions.OfAxis(cell.Straight.Inverse, 1, i, ray);
-      origin[i] = hn::Add(hn::Mul(perX, x), hn::Mul(perY, y));
-      along[i] = Three(hn::Mul(perX, rays.ShearX), hn::Mul(perY, rays.ShearY),
+      this->Origin[i] = hn::Add(hn::Mul(perX, x), hn::Mul(perY, y));
+      this->Along[i] = Three(hn::Mul(perX, rays.ShearX), hn::Mul(perY, rays.ShearY),
         functions.OfAxis(cell.Straight.Inverse, 2, i, ray));
       this->Error[i] = hn::Add(hn::Mul(rounded, functions.Of(cell.Straight.Reach[i], ray)),
         functions.Of(cell.Straight.Lost[i], ray));
       const V slope = functions.Of(cell.Difference[std::size_t(1) << i], ray);
-      value = hn::Add(value, hn::Mul(slope, origin[i]));
-      this->PerDepth = hn::Add(this->PerDepth, hn::Mul(slope, along[i]));
+      value = hn::Add(value, hn::Mul(slope, this->Origin[i]));
+      this->PerDepth = hn::Add(this->PerDepth, hn::Mul(slope, this->Along[i]));
       lost = hn::Add(lost, hn::Mul(hn::Abs(slope), this->Error[i]));
     }
     const V depthPerValue = hn::Div(hn::Set(d, 1.0), this->PerDepth);
     for (std::size_t i = 0; i < 3; ++i)
     {
-      const V perValue = hn::Mul(along[i], depthPerValue);
-      this->Constant[i] = hn::Sub(hn::Mul(perValue, value), origin[i]);
+      const V perValue = hn::Mul(this->Along[i], depthPerValue);
+      this->Constant[i] = hn::Sub(hn::Mul(perValue, value), this->Origin[i]);
       this->Error[i] = hn::Add(this->Error[i], hn::Mul(hn::Abs(perValue), lost));
       for (std::size_t term = 0; term < BentTerms.size(); ++term)
       {
@@ -170,10 +170,22 @@ struct StraightSystem
     }
   }
 
+  V Origin[3], Along[3]; ///< the ray in coordinates w, by the depth from the middle of the cell on
   V Constant[3], Bends[3][4];
   V Error[3]; ///< bounds of rounding errors
   V PerDepth; ///< how the linear part of the difference rises with the depth
 };
+
+/// Bends of the cell itself, along one axis.
+template <class Functions, class V>
+HWY_INLINE void BendsOfCell(
+  const Functions& functions, Places<hn::DFromV<V>> ray, std::size_t i, V bends[4])
+{
+  for (std::size_t term = 0; term < BentTerms.size(); ++term)
+  {
+    bends[term] = functions.Of(functions.First.Straight.Bends[i][term], ray);
+  }
+}
 
 /// Lanes in which a point of a cell is not turned over, compared with its middle.
 template <class D, class Functions, class V = hn::Vec<D>>
@@ -184,10 +196,7 @@ HWY_INLINE hn::Mask<D> IsUnfolded(const Functions& functions, Places<D> ray, con
   for (std::size_t i = 0; i < 3; ++i)
   {
     V bends[4];
-    for (std::size_t term = 0; term < BentTerms.size(); ++term)
-    {
-      bends[term] = functions.Of(functions.First.Straight.Bends[i][term], ray);
-    }
+    BendsOfCell(functions, ray, i, bends);
     SlopesOf(bends, u, products, rows[i]);
     rows[i][i] = hn::Add(rows[i][i], hn::Set(D(), 1.0));
   }

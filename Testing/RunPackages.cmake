@@ -79,6 +79,7 @@ set(contents_of_libvtktemporalcoherence-dev
   include/vtkTemporalCoherence/vtkTemporalCoherenceDropInMapper.h
   include/vtkTemporalCoherence/vtkTemporalCoherenceGPUVolumeRayCastMapper.h
   include/vtkTemporalCoherence/vtkTemporalCoherenceObjectFactory.h
+  include/vtkTemporalCoherence/vtkTemporalCoherencePaperMapper.h
   include/vtkTemporalCoherence/vtkTemporalCoherencePicker.h
   include/vtkTemporalCoherence/vtkTemporalCoherenceVolume.h
   include/vtkTemporalCoherence/vtkTemporalCoherenceVolumeMapper.h)

@@ -31,6 +31,7 @@ set(engine_files
   Mesh/KernelsCellGradients
   Mesh/KernelsHexahedra
   Mesh/KernelsHexahedronSpans
+  Mesh/KernelsKnownTetrahedra
   Mesh/KernelsTetrahedra
   Layers/KnownLayers
   Layers/LayerMerge
@@ -87,20 +88,25 @@ set(engine_files
   Trees/MeshCheck
   Trees/MeshLeaves
   Trees/MeshOrder
+  Trees/MeshRanges
   Trees/MeshRuns
   Trees/MeshTree
   Trees/RadixSort
-  MeshFields/ActiveLeaves
-  MeshFields/BoxLevels
-  MeshFields/CellFaces
-  MeshFields/CellValues
-  MeshFields/KernelsBoxes
-  MeshFields/KernelsTileGrid
-  MeshFields/LeafCells
+  MeshTiles/ActiveLeaves
+  MeshTiles/BoxLevels
+  MeshTiles/CellValues
+  MeshTiles/KernelsBoxes
+  MeshTiles/KernelsOutlines
+  MeshTiles/KernelsTileGrid
+  MeshTiles/LeafCells
+  MeshTiles/PreparedCells
+  MeshTiles/PreparedLeaves
   MeshFields/MeshBandRays
   MeshFields/MeshBandTracer
+  MeshFields/MeshCellSearch
   MeshFields/MeshGradients
   MeshFields/MeshKind
+  MeshFields/MeshPlaces
   MeshFields/MeshSolids
   MeshFields/MeshTracer
   Render/CapTiles
@@ -206,6 +212,7 @@ vtk_module_add_module(VTK::TemporalCoherence
     "${module_directory}/vtkTemporalCoherenceDropInMapper.cxx"
     "${module_directory}/vtkTemporalCoherenceGPUVolumeRayCastMapper.cxx"
     "${module_directory}/vtkTemporalCoherenceObjectFactory.cxx"
+    "${module_directory}/vtkTemporalCoherencePaperMapper.cxx"
     "${module_directory}/vtkTemporalCoherencePicker.cxx"
     "${module_directory}/vtkTemporalCoherenceVolume.cxx"
     "${module_directory}/vtkTemporalCoherenceVolumeMapper.cxx"
@@ -222,6 +229,7 @@ vtk_module_add_module(VTK::TemporalCoherence
     "${module_directory}/vtkTemporalCoherenceDropInMapper.h"
     "${module_directory}/vtkTemporalCoherenceGPUVolumeRayCastMapper.h"
     "${module_directory}/vtkTemporalCoherenceObjectFactory.h"
+    "${module_directory}/vtkTemporalCoherencePaperMapper.h"
     "${module_directory}/vtkTemporalCoherencePicker.h"
     "${module_directory}/vtkTemporalCoherenceVolume.h"
     "${module_directory}/vtkTemporalCoherenceVolumeMapper.h")

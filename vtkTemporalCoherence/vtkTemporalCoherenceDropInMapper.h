@@ -4,7 +4,7 @@
  * @class   vtkTemporalCoherenceDropInMapper
  * @brief   settings of VTK's volume mappers that have no effect on isosurfaces
  *
- * This is the base class of vtkTemporalCoherenceVolumeMapper. It lets a program that was written
+ * This is a base class of vtkTemporalCoherenceVolumeMapper. It lets a program that was written
  * for one of VTK's volume mappers compile when only the name of the class is changed. It is a
  * vtkGPUVolumeRayCastMapper. It adds methods that only vtkSmartVolumeMapper,
  * vtkFixedPointVolumeRayCastMapper, vtkMultiBlockVolumeMapper and vtkOpenGLGPUVolumeRayCastMapper

@@ -5,7 +5,7 @@
  * @brief   ray casts isosurfaces on the CPU and re-uses earlier frames
  *
  * This mapper draws the isosurfaces of images and of rectilinear, curvilinear (vtkStructuredGrid),
- * explicit structured and unstructured grids, and of blocks of these. It is a
+ * explicit structured, unstructured and adaptive grids, and of blocks of these. It is a
  * vtkGPUVolumeRayCastMapper and can replace one in a vtkVolume, but it needs no GPU. The isovalues
  * are those of vtkVolumeProperty::GetIsoSurfaceValues(). The property's transfer functions give
  * each surface its colour and opacity. It keeps the last frames of each viewer and does only what a
@@ -15,14 +15,15 @@
  * are used here (such as voxel). The image cache and the isomap are those of "Accelerating Volume
  * Visualization by Exploiting Temporal Coherence".
  *
- * @sa vtkTemporalCoherenceDropInMapper vtkTemporalCoherenceVolume vtkTemporalCoherencePicker
+ * @sa vtkTemporalCoherenceVolume vtkTemporalCoherencePicker vtkTemporalCoherencePaperMapper
+ * vtkTemporalCoherenceDropInMapper
  */
 
 #ifndef vtkTemporalCoherenceVolumeMapper_h
 #define vtkTemporalCoherenceVolumeMapper_h
 
-#include "vtkTemporalCoherenceDropInMapper.h"
 #include "vtkTemporalCoherenceModule.h" // For export macro
+#include "vtkTemporalCoherencePaperMapper.h"
 
 #include <memory> // For std::unique_ptr
 
@@ -34,11 +35,11 @@ class vtkVolume;
 class vtkWindow;
 
 class VTKTEMPORALCOHERENCE_EXPORT VTK_MARSHALAUTO vtkTemporalCoherenceVolumeMapper
-  : public vtkTemporalCoherenceDropInMapper
+  : public vtkTemporalCoherencePaperMapper
 {
 public:
   static vtkTemporalCoherenceVolumeMapper* New();
-  vtkTypeMacro(vtkTemporalCoherenceVolumeMapper, vtkTemporalCoherenceDropInMapper);
+  vtkTypeMacro(vtkTemporalCoherenceVolumeMapper, vtkTemporalCoherencePaperMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum SurfaceModes
@@ -84,15 +85,12 @@ public:
   //@{
   /**
    * Set/Get where normals of meshes come from: the gradient in the cell that is hit (off, default),
-   * which has facets, or gradients that are averaged at the points (on), which is smooth.
+   * which has facets, or gradients that are averaged at the points (on), which is smooth. And the
+   * most memory to set up a mesh with, in MiB. Default: 0, no limit.
    */
   vtkSetMacro(AveragedGradients, vtkTypeBool);
   vtkGetMacro(AveragedGradients, vtkTypeBool);
   vtkBooleanMacro(AveragedGradients, vtkTypeBool);
-  //@}
-
-  //@{
-  /** Set/Get the most memory to set up a mesh with, in MiB. Default: 0, no limit. */
   vtkSetClampMacro(MeshMemoryLimit, int, 0, VTK_INT_MAX);
   vtkGetMacro(MeshMemoryLimit, int);
   //@}
@@ -114,7 +112,7 @@ public:
   {
     BOUNDED = 0,
     EXACT = 1,
-    PAPER = 2 ///< for comparison with the paper: see SetReuseAccuracyToPaper()
+    PAPER = 2 ///< for comparison with the paper; applications do not need it
   };
 
   //@{
@@ -124,12 +122,14 @@ public:
    * frame, and at most 0.05 % in any frame. A pixel differs if only one picture shows a surface
    * there, or if the surfaces are more than a voxel (the shortest edge of a cell) apart. It starts
    * from a cached image only where that is faster, which is not where cold frames go by tile beams.
-   * RefineWhenStill (default: on) makes the next frame of the view exact if this one is not.
+   * PAPER: the published method; silhouettes erode a little in every frame. RefineWhenStill
+   * (default: on) makes the next frame of the view exact if this one is not.
    */
   vtkSetClampMacro(ReuseAccuracy, int, BOUNDED, PAPER);
   vtkGetMacro(ReuseAccuracy, int);
   void SetReuseAccuracyToBounded() { this->SetReuseAccuracy(BOUNDED); }
   void SetReuseAccuracyToExact() { this->SetReuseAccuracy(EXACT); }
+  void SetReuseAccuracyToPaper() { this->SetReuseAccuracy(PAPER); }
   vtkSetMacro(RefineWhenStill, vtkTypeBool);
   vtkGetMacro(RefineWhenStill, vtkTypeBool);
   vtkBooleanMacro(RefineWhenStill, vtkTypeBool);
@@ -356,66 +356,6 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window) override;
   //@}
 
-  // For comparison with the paper (applications need none of these) -----------------------------
-
-  /** Make frames of a new view by the published method. Silhouettes erode a little every time. */
-  void SetReuseAccuracyToPaper() { this->SetReuseAccuracy(PAPER); }
-
-  enum ImageCachePolicies
-  {
-    LATEST = 0,
-    KEY_IMAGE = 1
-  };
-
-  //@{
-  /**
-   * Set/Get which frames the image cache keeps. LATEST (default): every frame. KEY_IMAGE: cold
-   * frames only, one of which is made every KeyImageInterval frames (default: 7, at least 1).
-   */
-  vtkSetClampMacro(ImageCachePolicy, int, LATEST, KEY_IMAGE);
-  vtkGetMacro(ImageCachePolicy, int);
-  void SetImageCachePolicyToLatest() { this->SetImageCachePolicy(LATEST); }
-  void SetImageCachePolicyToKeyImage() { this->SetImageCachePolicy(KEY_IMAGE); }
-  vtkSetClampMacro(KeyImageInterval, int, 1, VTK_INT_MAX);
-  vtkGetMacro(KeyImageInterval, int);
-  //@}
-
-  enum Shadings
-  {
-    RESHADE = 0,
-    INTERPOLATE = 1
-  };
-
-  //@{
-  /**
-   * Set/Get how known hits are shaded. RESHADE (default) computes normals and colours from the
-   * field. INTERPOLATE is faster, but not exact: ImageCacheShading (for definite hits with PAPER)
-   * takes colours from the cached image, IsomapShading takes normals from the isomap's knots.
-   */
-  vtkSetClampMacro(ImageCacheShading, int, RESHADE, INTERPOLATE);
-  vtkGetMacro(ImageCacheShading, int);
-  void SetImageCacheShadingToReshade() { this->SetImageCacheShading(RESHADE); }
-  void SetImageCacheShadingToInterpolate() { this->SetImageCacheShading(INTERPOLATE); }
-  vtkSetClampMacro(IsomapShading, int, RESHADE, INTERPOLATE);
-  vtkGetMacro(IsomapShading, int);
-  void SetIsomapShadingToReshade() { this->SetIsomapShading(RESHADE); }
-  void SetIsomapShadingToInterpolate() { this->SetIsomapShading(INTERPOLATE); }
-  //@}
-
-  //@{
-  /**
-   * ColorByAnswer (default: off) paints those surfaces yellow that the image cache did not help to
-   * find. It affects frames of the route ImageCache only. SpaceLeaping (default: on) skips blocks
-   * of cells that hold none of the isovalues. Without it, a ray reads every cell on its way.
-   */
-  vtkSetMacro(ColorByAnswer, vtkTypeBool);
-  vtkGetMacro(ColorByAnswer, vtkTypeBool);
-  vtkBooleanMacro(ColorByAnswer, vtkTypeBool);
-  vtkSetMacro(SpaceLeaping, vtkTypeBool);
-  vtkGetMacro(SpaceLeaping, vtkTypeBool);
-  vtkBooleanMacro(SpaceLeaping, vtkTypeBool);
-  //@}
-
 protected:
   vtkTemporalCoherenceVolumeMapper();
   ~vtkTemporalCoherenceVolumeMapper() override;
@@ -440,12 +380,6 @@ private:
   double IsomapRange[2] = { 1.0, 0.0 };
   int IsomapMemoryLimit = 256;
   vtkTypeBool WarnOfIsovalues = 1;
-  int ImageCachePolicy = LATEST;
-  int KeyImageInterval = 7;
-  int ImageCacheShading = RESHADE;
-  int IsomapShading = RESHADE;
-  vtkTypeBool ColorByAnswer = 0;
-  vtkTypeBool SpaceLeaping = 1;
 
   struct Internals;
   std::unique_ptr<Internals> Internal;

@@ -159,18 +159,12 @@ void vtkTemporalCoherenceVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MeshMemoryLimit: " << this->MeshMemoryLimit << endl;
   os << indent << "ImageCache: " << this->ImageCache << endl;
   os << indent << "Isomap: " << this->Isomap << endl;
-  os << indent << "SpaceLeaping: " << this->SpaceLeaping << endl;
-  os << indent << "ColorByAnswer: " << this->ColorByAnswer << endl;
   os << indent << "ReuseAccuracy: " << this->ReuseAccuracy << endl;
   os << indent << "RefineWhenStill: " << this->RefineWhenStill << endl;
-  os << indent << "ImageCachePolicy: " << this->ImageCachePolicy << endl;
-  os << indent << "KeyImageInterval: " << this->KeyImageInterval << endl;
   os << indent << "NumberOfCachedImages: " << this->NumberOfCachedImages << endl;
-  os << indent << "ImageCacheShading: " << this->ImageCacheShading << endl;
   os << indent << "IsomapTolerance: " << this->IsomapTolerance << endl;
   os << indent << "IsomapRange: " << this->IsomapRange[0] << ", " << this->IsomapRange[1] << endl;
   os << indent << "IsomapMemoryLimit: " << this->IsomapMemoryLimit << endl;
-  os << indent << "IsomapShading: " << this->IsomapShading << endl;
   os << indent << "WarnOfIsovalues: " << this->WarnOfIsovalues << endl;
   os << indent << "Route: " << this->GetRouteAsString() << endl;
 }

@@ -10,13 +10,13 @@ import vtkTemporalCoherence
 from vtkmodules.vtkRenderingVolume import vtkVolumeMapper
 from vtkTemporalCoherence import (
     vtkTemporalCoherenceDropInMapper, vtkTemporalCoherenceGPUVolumeRayCastMapper,
-    vtkTemporalCoherenceObjectFactory, vtkTemporalCoherencePicker, vtkTemporalCoherenceVolume,
-    vtkTemporalCoherenceVolumeMapper)
+    vtkTemporalCoherenceObjectFactory, vtkTemporalCoherencePaperMapper, vtkTemporalCoherencePicker,
+    vtkTemporalCoherenceVolume, vtkTemporalCoherenceVolumeMapper)
 
 CLASSES = (
     vtkTemporalCoherenceDropInMapper, vtkTemporalCoherenceGPUVolumeRayCastMapper,
-    vtkTemporalCoherenceObjectFactory, vtkTemporalCoherencePicker, vtkTemporalCoherenceVolume,
-    vtkTemporalCoherenceVolumeMapper)
+    vtkTemporalCoherenceObjectFactory, vtkTemporalCoherencePaperMapper, vtkTemporalCoherencePicker,
+    vtkTemporalCoherenceVolume, vtkTemporalCoherenceVolumeMapper)
 
 # Set...To..., the value that Get... returns then, and the constant of that value.
 CHOICES = {

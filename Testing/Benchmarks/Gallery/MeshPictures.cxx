@@ -33,7 +33,7 @@ void AddEdges(Studio& room, vtkDataSet* mesh)
   vtkProperty* property = room.AddPolygons(surface, Style::Lines)->GetProperty();
   property->SetRepresentationToWireframe();
   property->LightingOff();
-  property->SetOpacity(0.25);
+  property->SetOpacity(0.12);
 }
 
 Shot TakeOf(const Candidate& wanted, const Candidate& instead, const std::string& name,
@@ -60,7 +60,7 @@ Shot TakeOf(const Candidate& wanted, const Candidate& instead, const std::string
 Shot Unstructured(GallerySettings& settings)
 {
   return TakeOf({ "disk_out_ref.ex2", "reactor, 7472 hexahedra", { 400.0, 600.0, 800.0 },
-                  { { -1.0, -1.6, 0.7 }, { 0.0, 0.0, 1.0 }, 1.4 } },
+                  { { -1.0, -1.6, 0.5 }, { 0.0, 0.0, 1.0 }, 1.05 } },
     { "tetrahedra12", "10368 tetrahedra", Shells, {} }, "unstructured", "Unstructured grids",
     "a `vtkUnstructuredGrid` as input: rays meet the cells themselves, nothing is resampled; three "
     "temperatures, two of them translucent",
@@ -69,8 +69,8 @@ Shot Unstructured(GallerySettings& settings)
 
 Shot Curvilinear(GallerySettings& settings)
 {
-  return TakeOf({ "bluntfinxyz.bin", "air at a blunt fin, 40x32x32", { 1.2, 2.0, 3.5 },
-                  { { -1.0, -1.6, 0.9 }, { 0.0, 0.0, 1.0 }, 1.4 } },
+  return TakeOf({ "bluntfinxyz.bin", "air at a blunt fin, 40x32x32", { 1.3, 2.0, 3.5 },
+                  { { -1.6, 1.3, 0.9 }, { 0.0, 0.0, 1.0 }, 1.35 } },
     { "curvilinear16", "a curvilinear grid 17^3", Shells, {} }, "curvilinear", "Curvilinear grids",
     "a `vtkStructuredGrid` as input, whose cells are stretched up to 1:100; three densities, two "
     "of them translucent",

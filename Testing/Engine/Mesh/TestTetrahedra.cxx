@@ -3,6 +3,7 @@
 #include "CellOracle.h"
 #include "Checks/Sanitized.h"
 #include "EachTarget.h"
+#include "Mesh/KernelsKnownTetrahedra.h"
 #include "RandomCells.h"
 
 #include <gtest/gtest.h>
@@ -265,6 +266,56 @@ TEST_F(TetrahedronBlocks, RaysLeaveACellWhereTheyEnterTheNext)
   EXPECT_GT(chains, 40 * 64 / 2);
   EXPECT_GT(links, 10000);
   EXPECT_GT(crossings, 5000);
+}
+
+TEST_F(TetrahedronBlocks, KnownCellsHoldTheSameCrossings)
+{
+  RandomCells random(32);
+  std::size_t crossings = 0;
+  const auto found = std::make_unique<Crossings>(), expected = std::make_unique<Crossings>();
+  for (int round = 0; round < 40; ++round)
+  {
+    const Block block(random, round % 4 != 0, round % 2 == 0);
+    const auto rays = std::make_unique<MeshRays>();
+    Aim(random, block, *rays);
+    // Each ray is searched in one of the cells that it crosses, if there is any.
+    const auto known = std::make_unique<KnownTetrahedra>();
+    expected->Count = 0;
+    for (const MeshCell& cell : block.Cells)
+    {
+      found->Count = 0;
+      TetrahedronCrossings(cell, cell.Values, *rays, ~known->Rays, *found);
+      std::uint64_t met = 0;
+      for (std::size_t i = 0; i < found->Count; ++i)
+      {
+        met |= std::uint64_t(1) << found->Ray[i];
+        expected->Append(found->Ray[i], found->T[i], found->Rises[i]);
+      }
+      if (met != 0)
+      {
+        known->Add(TetrahedronPoints(cell, cell.Values), met);
+      }
+    }
+    ASSERT_GT(known->Count, 0u);
+    crossings += expected->Count;
+    this->ForEachTarget(
+      [&](const char* target)
+      {
+        found->Count = 0;
+        KnownTetrahedronCrossings(*known, *rays, *found);
+        ASSERT_EQ(found->Count, expected->Count) << target;
+        for (std::size_t i = 0; i < found->Count; ++i)
+        {
+          const auto* const same =
+            std::find(expected->Ray.data(), expected->Ray.data() + expected->Count, found->Ray[i]);
+          const auto at = static_cast<std::size_t>(same - expected->Ray.data());
+          ASSERT_LT(at, expected->Count) << target;
+          EXPECT_EQ(found->T[i], expected->T[at]) << target;
+          EXPECT_EQ(found->Rises[i], expected->Rises[at]) << target;
+        }
+      });
+  }
+  EXPECT_GT(crossings, 1000u);
 }
 
 }

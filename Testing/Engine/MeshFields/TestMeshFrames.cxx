@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Acceleration/ValueRangePyramid.h"
 #include "Checks/Sanitized.h"
 #include "Grid.h"
 #include "Mesh/KernelsCells.h"
-#include "MeshFields/MeshDifference.h"
+#include "MeshTiles/MeshDifference.h"
 #include "MeshFields/MeshKind.h"
 #include "Render/FrameRenderer.h"
 #include "SameFrames.h"
@@ -98,10 +99,11 @@ protected:
       {
         const int pixel = first + static_cast<int>(i);
         const Ray ray = this->Key.View.RayThrough(pixel % width, pixel / width);
+        const glm::dvec3 origin = this->Tree->ToMesh(ray.Origin);
         for (std::size_t a = 0; a < 3; ++a)
         {
           const auto axis = static_cast<int>(a);
-          rays.Origin[a][i] = this->Tree->Low()[axis] + this->Tree->Scale() * ray.Origin[axis];
+          rays.Origin[a][i] = origin[axis];
           rays.Direction[a][i] = this->Tree->Scale() * ray.Direction[axis];
         }
         const double perDepth = 1.0 / glm::dot(ray.Direction, this->Key.View.Forward);
@@ -337,8 +339,8 @@ TEST_P(MeshFrames, AveragedGradientsAreSmooth)
       {
         const int x = static_cast<int>(pixel) % frame.Size.x;
         const Ray ray = this->Key.View.RayThrough(x, static_cast<int>(pixel) / frame.Size.x);
-        const glm::dvec3 point = this->Tree->Low() +
-          this->Tree->Scale() * (ray.Origin + frame.Depth[pixel] * ray.Direction);
+        const glm::dvec3 point =
+          this->Tree->ToMesh(ray.Origin + frame.Depth[pixel] * ray.Direction);
         const glm::dvec3 normal(frame.Normals[pixel]);
         error[areAveraged] += 1.0 - std::abs(glm::dot(normal, glm::normalize(point - centre)));
         ++hits;
@@ -349,6 +351,33 @@ TEST_P(MeshFrames, AveragedGradientsAreSmooth)
   }
   EXPECT_LT(error[0], 0.05);
   EXPECT_LT(error[1], 0.7 * error[0]);
+}
+
+/// No leaf is free of values that are not finite, and the range of the others is known all the
+/// same.
+TEST_P(MeshFrames, FiniteRangeBesideOtherValues)
+{
+  auto arrays = Meshes::MakeBlock(this->GetParam(), Small());
+  glm::dvec2 finite(Infinity, -Infinity);
+  for (std::size_t i = 0; i < arrays.Values.size(); ++i)
+  {
+    const std::size_t kind = i % 9;
+    arrays.Values[i] = kind == 0 ? std::nan("") : kind == 1 ? Infinity : arrays.Values[i];
+    finite.x = kind > 1 ? std::min(finite.x, arrays.Values[i]) : finite.x;
+    finite.y = kind > 1 ? std::max(finite.y, arrays.Values[i]) : finite.y;
+  }
+  this->Show(Meshes::MeshOf(arrays));
+  ValueRangePyramid pyramid;
+  pyramid.Build(this->Key.Samples);
+  EXPECT_EQ(pyramid.FiniteRange(), finite);
+  EXPECT_EQ(pyramid.WholeRange(), glm::dvec2(-Infinity, Infinity));
+  for (double& value : arrays.Values)
+  {
+    value = std::nan("");
+  }
+  this->Show(Meshes::MeshOf(arrays));
+  pyramid.Build(this->Key.Samples);
+  EXPECT_EQ(pyramid.FiniteRange(), glm::dvec2(0.0)) << "no value is finite";
 }
 
 TEST_P(MeshFrames, ValuesThatAreNotFiniteDoNoHarm)

@@ -16,7 +16,7 @@ namespace TemporalCoherence
 namespace
 {
 
-constexpr int NodeSize = ValueRangePyramid::NodeSize;
+constexpr int LeafSize = ValueRangePyramid::LeafSize, NodeSize = ValueRangePyramid::NodeSize;
 
 template <typename T>
 using Range = ValueRangePyramid::Range<T>;
@@ -85,18 +85,37 @@ Range<T> FiniteRangeOfRows(const TypedField<T>& field, const glm::ivec2& first,
   return all;
 }
 
-/// The range of the leaf that begins at a cell, as the kind tells it. Empty beyond the end of the
-/// field.
-Range<double> RangeOfLeaf(const Field& field, const glm::ivec3& first)
+/// The cells of a leaf of a node. Their size is not positive beyond the end of the field.
+CellBox CellsOfLeaf(const Field& field, const glm::ivec3& node, int leaf)
 {
-  const glm::ivec3 size =
-    glm::min(field.Dimensions - 1 - first, glm::ivec3(ValueRangePyramid::LeafSize));
-  if (glm::any(glm::lessThan(size, glm::ivec3(1))))
+  const glm::ivec3 first =
+    NodeSize * node + LeafSize * glm::ivec3(leaf & 3, leaf >> 2 & 3, leaf >> 4);
+  return { first, glm::min(field.Dimensions - 1 - first, glm::ivec3(LeafSize)) };
+}
+
+/// The ranges of a node and its leaves, as the kind tells them. Empty beyond the end of the field.
+/// \param finite is widened by the finite values
+void AskKind(const Field& field, const glm::ivec3& place, Range<double>* leaves,
+  Range<double>& node, Range<double>& finite)
+{
+  node = ValueRangePyramid::Empty<double>();
+  for (int leaf = 0; leaf < ValueRangePyramid::LeavesPerNode; ++leaf)
   {
-    return ValueRangePyramid::Empty<double>();
+    leaves[leaf] = ValueRangePyramid::Empty<double>();
+    const CellBox cells = CellsOfLeaf(field, place, leaf);
+    if (glm::any(glm::lessThan(cells.Size, glm::ivec3(1))))
+    {
+      continue;
+    }
+    const glm::dvec2 range = field.Kind->RangeIn(cells);
+    leaves[leaf] = { range.x, range.y };
+    node.Min = std::min(node.Min, range.x);
+    node.Max = std::max(node.Max, range.y);
+    const bool isKnown = IsFinite(leaves[leaf]) || range.x > range.y;
+    const glm::dvec2 known = isKnown ? range : field.Kind->FiniteRangeIn(cells);
+    finite.Min = std::isfinite(known.x) ? std::min(finite.Min, known.x) : finite.Min;
+    finite.Max = std::isfinite(known.y) ? std::max(finite.Max, known.y) : finite.Max;
   }
-  const glm::dvec2 range = field.Kind->RangeIn({ first, size });
-  return { range.x, range.y };
 }
 
 }
@@ -152,30 +171,20 @@ void ValueRangePyramid::BuildFromKind(const Field& field)
   this->Bytes.resize(static_cast<std::size_t>(count * (LeavesPerNode + 1)) * sizeof(Range<double>));
   auto* const leaves = reinterpret_cast<Range<double>*>(this->Bytes.data());
   Range<double>* const ofNodes = leaves + count * LeavesPerNode;
+  Range<double> finite = Empty<double>();
+  std::mutex guard;
   ParallelFor(count, 1,
     [&](std::int64_t node)
     {
       const glm::ivec3 place(node % this->Nodes.x, node / this->Nodes.x % this->Nodes.y,
         node / this->Nodes.x / this->Nodes.y);
-      ofNodes[node] = Empty<double>();
-      for (int leaf = 0; leaf < LeavesPerNode; ++leaf)
-      {
-        Range<double>& range = leaves[node * LeavesPerNode + leaf];
-        range = RangeOfLeaf(
-          field, NodeSize * place + LeafSize * glm::ivec3(leaf & 3, leaf >> 2 & 3, leaf >> 4));
-        ofNodes[node].Min = std::min(ofNodes[node].Min, range.Min);
-        ofNodes[node].Max = std::max(ofNodes[node].Max, range.Max);
-      }
+      Range<double> inNode = Empty<double>();
+      AskKind(field, place, leaves + node * LeavesPerNode, ofNodes[node], inNode);
+      const std::lock_guard<std::mutex> lock(guard);
+      finite.Min = std::min(finite.Min, inNode.Min);
+      finite.Max = std::max(finite.Max, inNode.Max);
     });
   this->Whole = WholeRangeOf(ofNodes, count);
-  Range<double> finite = Empty<double>();
-  for (std::int64_t leaf = 0; leaf < count * LeavesPerNode; ++leaf)
-  {
-    finite.Min =
-      std::isfinite(leaves[leaf].Min) ? std::min(finite.Min, leaves[leaf].Min) : finite.Min;
-    finite.Max =
-      std::isfinite(leaves[leaf].Max) ? std::max(finite.Max, leaves[leaf].Max) : finite.Max;
-  }
   this->Finite = finite.Min <= finite.Max ? glm::dvec2(finite.Min, finite.Max) : glm::dvec2(0.0);
 }
 

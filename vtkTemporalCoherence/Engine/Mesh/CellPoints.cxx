@@ -16,17 +16,14 @@ namespace MeshKernels
 namespace
 {
 
-/// Edges span no volume if it is less than this, by the product of their lengths.
-constexpr double LeastVolume = 1e-12;
-
 /// How far coordinates are moved towards the middle of a cell, out of a corner without volume.
 constexpr double OutOfCorner = 1e-4;
 
 /// Added to the diagonal of normal equations, by their trace.
 constexpr double Damping = 1e-12;
 
-/// Weights of the eight corners, or by how much they change along an axis.
-std::array<double, 8> WeightsAt(const glm::dvec3& at, int along)
+/// Weights of the corners of a hexahedron, or by how much they change along an axis.
+std::array<double, 8> WeightsOfCorners(const glm::dvec3& at, int along)
 {
   std::array<double, 8> weights;
   for (std::size_t corner = 0; corner < 8; ++corner)
@@ -64,7 +61,7 @@ Slopes SlopesAt(const MeshCell& cell, const glm::dvec3& at)
       continue;
     }
     // Differences along edges first: large coordinates cancel exactly.
-    const std::array<double, 8> weights = WeightsAt(at, a);
+    const std::array<double, 8> weights = WeightsOfCorners(at, a);
     const std::size_t bit = std::size_t(1) << a;
     slopes.Point[axis] = glm::dvec3(0.0);
     slopes.Value[a] = 0.0;
@@ -221,6 +218,21 @@ PointInCell FindPoint(const MeshCell& cell, const glm::dvec3& point, double tole
   return found;
 }
 
+std::array<double, 8> WeightsAt(const MeshCell& cell, const glm::dvec3& at)
+{
+  if (cell.Shape == MeshCellShape::Tetrahedron)
+  {
+    return { 1.0 - at.x - at.y - at.z, at.x, at.y, at.z, 0.0, 0.0, 0.0, 0.0 };
+  }
+  return WeightsOfCorners(at, AlongNone);
+}
+
+glm::dmat3 JacobianAt(const MeshCell& cell, const glm::dvec3& at)
+{
+  const Slopes slopes = SlopesAt(cell, at);
+  return { slopes.Point[0], slopes.Point[1], slopes.Point[2] };
+}
+
 double ValueAt(const MeshCell& cell, const glm::dvec3& at)
 {
   if (cell.Shape == MeshCellShape::Tetrahedron)
@@ -228,7 +240,7 @@ double ValueAt(const MeshCell& cell, const glm::dvec3& at)
     const auto& v = cell.Values;
     return (1.0 - at.x - at.y - at.z) * v[0] + at.x * v[1] + at.y * v[2] + at.z * v[3];
   }
-  const std::array<double, 8> weights = WeightsAt(at, AlongNone);
+  const std::array<double, 8> weights = WeightsOfCorners(at, AlongNone);
   double value = 0.0;
   for (std::size_t corner = 0; corner < 8; ++corner)
   {
@@ -244,7 +256,7 @@ glm::dvec3 PointAt(const MeshCell& cell, const glm::dvec3& at)
   {
     return p[0] + at.x * (p[1] - p[0]) + at.y * (p[2] - p[0]) + at.z * (p[3] - p[0]);
   }
-  const std::array<double, 8> weights = WeightsAt(at, AlongNone);
+  const std::array<double, 8> weights = WeightsOfCorners(at, AlongNone);
   glm::dvec3 offset(0.0);
   for (std::size_t corner = 1; corner < 8; ++corner)
   {

@@ -7,6 +7,8 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
+
 namespace TemporalCoherence
 {
 namespace MeshKernels
@@ -21,11 +23,20 @@ struct PointInCell
   bool IsIn; ///< it lies in the cell, within the tolerance
 };
 
+/// Edges span no volume if it is less than this, by the product of their lengths.
+constexpr double LeastVolume = 1e-12;
+
 /// Find a point in a cell. Where a folded cell covers it more than once, one of these is found.
 /// Where the point is outside, At is one nearby: the end of a search that does not always find the
 /// nearest.
 /// \param tolerance by which coordinates may lie outside of the cell
 PointInCell FindPoint(const MeshCell& cell, const glm::dvec3& point, double tolerance = 1e-9);
+
+/// The weights of the points of a cell. A tetrahedron has four.
+std::array<double, 8> WeightsAt(const MeshCell& cell, const glm::dvec3& at);
+
+/// How the coordinates of the mesh change with those of a cell, in columns.
+glm::dmat3 JacobianAt(const MeshCell& cell, const glm::dvec3& at);
 
 /// The interpolated value.
 double ValueAt(const MeshCell& cell, const glm::dvec3& at);

@@ -5,6 +5,7 @@
 #include "Mesh/CellPoints.h"
 #include "Mesh/PlacedCell.h"
 
+#include <algorithm>
 #include <array>
 
 // This file is compiled once for each kind of vectors. The best one for the machine is chosen at
@@ -214,6 +215,82 @@ HWY_INLINE hn::Mask<D> FindSlopes(
   return hn::And(isThick, AreWithin(gradient, hn::Set(d, PlacedCell::Steepest)));
 }
 
+/// Tetrahedra, one in each lane.
+template <class D>
+struct TetrahedronVectors
+{
+  using V = hn::Vec<D>;
+  Axes<V> Edge[3]; ///< from point 0 to the others
+  V Rise[3];       ///< of values along them
+
+  HWY_INLINE TetrahedronVectors(D d, const MeshCell* cells, std::size_t count, std::size_t i)
+  {
+    HWY_ALIGN double numbers[16][hn::MaxLanes(d)];
+    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
+    {
+      const MeshCell& cell = cells[std::min(i + lane, count - 1)];
+      for (std::size_t point = 0; point < 4; ++point)
+      {
+        numbers[4 * point][lane] = cell.Points[point].x;
+        numbers[4 * point + 1][lane] = cell.Points[point].y;
+        numbers[4 * point + 2][lane] = cell.Points[point].z;
+        numbers[4 * point + 3][lane] = cell.Values[point];
+      }
+    }
+    const auto along = [&](std::size_t edge, std::size_t k) HWY_ATTR
+    { return hn::Sub(hn::Load(d, numbers[4 * edge + 4 + k]), hn::Load(d, numbers[k])); };
+    for (std::size_t edge = 0; edge < 3; ++edge)
+    {
+      this->Edge[edge] = { along(edge, 0), along(edge, 1), along(edge, 2) };
+      this->Rise[edge] = along(edge, 3);
+    }
+  }
+};
+
+/// The gradients of tetrahedra, step by step as GradientAt finds them.
+/// \return a bit for each tetrahedron with volume; results of others have no meaning
+std::uint64_t GradientsOfTetrahedra(
+  const MeshCell* cells, std::size_t count, PointsInCells::Vectors& gradients)
+{
+  using D = hn::CappedTag<double, 8>;
+  using V = hn::Vec<D>;
+  const D d;
+  std::uint64_t found = 0;
+  for (std::size_t i = 0; i < count; i += hn::Lanes(d))
+  {
+    const TetrahedronVectors<D> cell(d, cells, count, i);
+    Axes<V> unit[3];
+    V rise[3];
+    auto isThick = hn::Eq(hn::Zero(d), hn::Zero(d));
+    for (std::size_t edge = 0; edge < 3; ++edge)
+    {
+      const Axes<V>& along = cell.Edge[edge];
+      const V largest = LargestOf(along);
+      isThick = hn::And(isThick, hn::Gt(largest, hn::Zero(d)));
+      unit[edge] = { hn::Div(along.X, largest), hn::Div(along.Y, largest),
+        hn::Div(along.Z, largest) };
+      rise[edge] = hn::Div(cell.Rise[edge], largest);
+    }
+    const Axes<V> yz = Cross(unit[1], unit[2]), zx = Cross(unit[2], unit[0]);
+    const Axes<V> xy = Cross(unit[0], unit[1]);
+    const V volume = Dot(unit[0], yz);
+    isThick = hn::And(isThick, hn::Gt(hn::Abs(volume), hn::Set(d, LeastVolume)));
+    const auto store = [&](const V& ofX, const V& ofY, const V& ofZ, std::size_t a) HWY_ATTR
+    {
+      const V sum =
+        hn::Add(hn::Add(hn::Mul(rise[0], ofX), hn::Mul(rise[1], ofY)), hn::Mul(rise[2], ofZ));
+      hn::Store(hn::Div(sum, volume), d, gradients[a].data() + i);
+    };
+    store(yz.X, zx.X, xy.X, 0);
+    store(yz.Y, zx.Y, xy.Y, 1);
+    store(yz.Z, zx.Z, xy.Z, 2);
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(d, isThick, bits);
+    found |= std::uint64_t(bits[0]) << i;
+  }
+  return found;
+}
+
 /// Points are relative to their cells, to the end of the last vector.
 /// \return a bit for each point that is found; results of others have no meaning
 std::uint64_t GradientsInCells(const PlacedCell* cells, PointsInCells& points)
@@ -321,6 +398,7 @@ private:
 }
 
 HWY_EXPORT(GradientsInCells);
+HWY_EXPORT(GradientsOfTetrahedra);
 
 void FindCellGradients(const MeshCell* cells, std::size_t numberOfCells, PointsInCells& points)
 {
@@ -342,17 +420,33 @@ void FindCellGradients(const MeshCell* cells, std::size_t numberOfCells, PointsI
     Set(points.At, point, at);
     Set(points.Gradient, point, GradientAt(cells[cell], at));
   }
-  // A tetrahedron has one gradient.
-  std::size_t last = PointsInCells::Capacity;
-  glm::dvec3 constant(0.0);
-  for (std::size_t i = 0; i < points.Count; ++i)
+  const bool hasTetrahedra = std::any_of(cells, cells + numberOfCells,
+    [](const MeshCell& cell) { return cell.Shape == MeshCellShape::Tetrahedron; });
+  if (hasTetrahedra)
   {
-    const std::size_t cell = points.Cell[i];
-    if (cells[cell].Shape == MeshCellShape::Tetrahedron)
+    PointsInCells::Vectors gradients;
+    FindTetrahedronGradients(cells, numberOfCells, gradients);
+    for (std::size_t i = 0; i < points.Count; ++i)
     {
-      constant = cell == last ? constant : GradientAt(cells[cell], glm::dvec3(0.25));
-      last = cell;
-      Set(points.Gradient, i, constant);
+      const std::size_t cell = points.Cell[i];
+      if (cells[cell].Shape == MeshCellShape::Tetrahedron)
+      {
+        Set(points.Gradient, i, Get(gradients, cell));
+      }
+    }
+  }
+}
+
+void FindTetrahedronGradients(
+  const MeshCell* cells, std::size_t numberOfCells, PointsInCells::Vectors& gradients)
+{
+  const std::uint64_t found =
+    HWY_DYNAMIC_DISPATCH(GradientsOfTetrahedra)(cells, numberOfCells, gradients);
+  for (std::size_t i = 0; i < numberOfCells; ++i)
+  {
+    if ((found >> i & 1u) == 0 && cells[i].Shape == MeshCellShape::Tetrahedron)
+    {
+      Set(gradients, i, GradientAt(cells[i], glm::dvec3(0.25)));
     }
   }
 }

@@ -65,6 +65,7 @@ struct CellSpans
 
 using CellDifferences = std::array<double, 8>;
 struct HexahedronFunctions;
+struct TetrahedronPoints;
 
 /// Append the crossings between Begin and End of rays with a cell.
 /// \param which one bit for each ray that is searched
@@ -75,8 +76,10 @@ void TetrahedronCrossings(const MeshCell& cell, const CellDifferences& differenc
 void HexahedronCrossings(const MeshCell& cell, const CellDifferences& differences,
   const MeshRays& rays, std::uint64_t which, Crossings& found);
 
-/// The same with the functions of this cell and these differences, which many batches of rays
-/// share.
+/// The same for a cell that was prepared for many batches of rays: its points, or the functions of
+/// this cell and these differences.
+void TetrahedronCrossings(
+  const TetrahedronPoints& points, const MeshRays& rays, std::uint64_t which, Crossings& found);
 void HexahedronCrossings(const HexahedronFunctions& functions, const MeshCell& cell,
   const CellDifferences& differences, const MeshRays& rays, std::uint64_t which, Crossings& found);
 

@@ -83,10 +83,16 @@ HWY_EXPORT(SpansOf);
 HWY_EXPORT(CrossingsOfPairs);
 HWY_EXPORT(SpansOfPairs);
 
+void TetrahedronCrossings(
+  const TetrahedronPoints& points, const MeshRays& rays, std::uint64_t which, Crossings& found)
+{
+  HWY_DYNAMIC_DISPATCH(CrossingsOf)(points, rays, which, found);
+}
+
 void TetrahedronCrossings(const MeshCell& cell, const CellDifferences& differences,
   const MeshRays& rays, std::uint64_t which, Crossings& found)
 {
-  HWY_DYNAMIC_DISPATCH(CrossingsOf)(TetrahedronPoints(cell, differences), rays, which, found);
+  TetrahedronCrossings(TetrahedronPoints(cell, differences), rays, which, found);
 }
 
 void TetrahedronSpans(const MeshCell& cell, const CellDifferences& differences,

@@ -22,6 +22,12 @@ enum class MeshCellShape : std::uint8_t
   Hexahedron   ///< trilinear; 8 points, corner (x, y, z) of the unit cube at [x + 2 y + 4 z]
 };
 
+/// How many points a cell of a shape has.
+constexpr int NumberOfPointsIn(MeshCellShape shape)
+{
+  return shape == MeshCellShape::Tetrahedron ? 4 : shape == MeshCellShape::Hexahedron ? 8 : 0;
+}
+
 /// A cell, read from a mesh.
 ///
 /// Voxels, wedges and pyramids are hexahedra, too. A wedge is a hexahedron with two edges of length
@@ -33,12 +39,7 @@ struct MeshCell
   std::array<glm::dvec3, 8> Points; ///< in the coordinates of the mesh
   std::array<double, 8> Values;
 
-  int NumberOfPoints() const
-  {
-    return this->Shape == MeshCellShape::Tetrahedron ? 4
-      : this->Shape == MeshCellShape::Hexahedron     ? 8
-                                                     : 0;
-  }
+  int NumberOfPoints() const { return NumberOfPointsIn(this->Shape); }
 };
 
 /// The points of a cell, by their numbers in a part of a mesh, in the order of MeshCell.
@@ -55,42 +56,34 @@ constexpr CornerOrder HexahedronCorners = { 0, 1, 3, 2, 4, 5, 7, 6 };
 constexpr CornerOrder WedgeCorners = { 0, 1, 2, 2, 3, 4, 5, 5 };
 constexpr CornerOrder PyramidCorners = { 0, 1, 3, 2, 4, 4, 4, 4 };
 
-/// Find the points of a cell. Its shape is None if it is hidden, or of a type that is left out.
-/// \pre the connectivity is valid
-inline MeshCellPoints PointsOf(const MeshPart& part, std::int64_t cell)
+/// True if a flag of a cell says that it is not drawn.
+inline bool IsHidden(const MeshPart& part, std::int64_t cell)
+{
+  return part.Flags && (part.Flags[cell] & part.HidingFlags) != 0;
+}
+
+/// The points of a cell of a list, in the order of MeshCell. The shape is None if the cell is of a
+/// type that is left out.
+/// \param idAt `idAt(i)` is the i-th point in VTK's order
+template <typename IdAt>
+MeshCellPoints PointsInOrder(const MeshPart& part, std::int64_t cell, const IdAt& idAt)
 {
   MeshCellPoints points;
-  if (part.Flags && (part.Flags[cell] & part.HidingFlags) != 0)
-  {
-    return points;
-  }
-  if (part.Dimensions.x > 0)
-  {
-    const glm::i64vec3 cells = glm::i64vec3(part.Dimensions) - std::int64_t(1);
-    const std::int64_t row = part.Dimensions.x, slice = row * part.Dimensions.y;
-    const std::int64_t first =
-      cell % cells.x + cell / cells.x % cells.y * row + cell / cells.x / cells.y * slice;
-    points.Shape = MeshCellShape::Hexahedron;
-    points.Ids = { first, first + 1, first + row, first + row + 1, first + slice, first + slice + 1,
-      first + slice + row, first + slice + row + 1 };
-    return points;
-  }
-  const std::int64_t first = part.Offsets.IdAt(cell);
   const auto take = [&](const CornerOrder& order)
   {
     points.Shape = MeshCellShape::Hexahedron;
     for (std::size_t i = 0; i < order.size(); ++i)
     {
-      points.Ids[i] = part.Connectivity.IdAt(first + order[i]);
+      points.Ids[i] = idAt(order[i]);
     }
   };
   switch (part.Types ? static_cast<MeshCellType>(part.Types[cell]) : MeshCellType::Hexahedron)
   {
     case MeshCellType::Tetrahedron:
       points.Shape = MeshCellShape::Tetrahedron;
-      for (std::size_t i = 0; i < 4; ++i)
+      for (std::int64_t i = 0; i < 4; ++i)
       {
-        points.Ids[i] = part.Connectivity.IdAt(first + static_cast<std::int64_t>(i));
+        points.Ids[static_cast<std::size_t>(i)] = idAt(i);
       }
       break;
     case MeshCellType::Voxel:
@@ -107,6 +100,35 @@ inline MeshCellPoints PointsOf(const MeshPart& part, std::int64_t cell)
       break;
   }
   return points;
+}
+
+/// The points of a cell of a curvilinear grid.
+inline MeshCellPoints PointsInGrid(const glm::ivec3& dimensions, std::int64_t cell)
+{
+  const glm::i64vec3 cells = glm::i64vec3(dimensions) - std::int64_t(1);
+  const std::int64_t row = dimensions.x, slice = row * dimensions.y;
+  const std::int64_t first =
+    cell % cells.x + cell / cells.x % cells.y * row + cell / cells.x / cells.y * slice;
+  return { MeshCellShape::Hexahedron,
+    { first, first + 1, first + row, first + row + 1, first + slice, first + slice + 1,
+      first + slice + row, first + slice + row + 1 } };
+}
+
+/// Find the points of a cell. Its shape is None if it is hidden, or of a type that is left out.
+/// \pre the connectivity is valid
+inline MeshCellPoints PointsOf(const MeshPart& part, std::int64_t cell)
+{
+  if (IsHidden(part, cell))
+  {
+    return {};
+  }
+  if (part.Dimensions.x > 0)
+  {
+    return PointsInGrid(part.Dimensions, cell);
+  }
+  const std::int64_t first = part.Offsets.IdAt(cell);
+  return PointsInOrder(
+    part, cell, [&](std::int64_t i) { return part.Connectivity.IdAt(first + i); });
 }
 
 /// Read a cell.

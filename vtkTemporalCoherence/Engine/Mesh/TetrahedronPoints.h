@@ -14,6 +14,7 @@ namespace MeshKernels
 /// a face have its vertices in the same order, and compute the same bits there.
 struct TetrahedronPoints : CornerPoints<4>
 {
+  TetrahedronPoints() = default;
   TetrahedronPoints(const MeshCell& cell, const CellDifferences& differences)
   {
     std::array<std::size_t, 4> rank{};
@@ -40,12 +41,12 @@ private:
   static bool IsLess(
     const MeshCell& cell, const CellDifferences& differences, std::size_t i, std::size_t j)
   {
+    // Without branches, which would be mispredicted: points of a regular mesh share coordinates.
     const glm::dvec3 &a = cell.Points[i], &b = cell.Points[j];
-    if (a.x == b.x)
-    {
-      return a.y != b.y ? a.y < b.y : a.z != b.z ? a.z < b.z : differences[i] < differences[j];
-    }
-    return a.x < b.x;
+    const bool byValue = differences[i] < differences[j];
+    const bool byZ = (a.z < b.z) | ((a.z == b.z) & byValue);
+    const bool byY = (a.y < b.y) | ((a.y == b.y) & byZ);
+    return (a.x < b.x) | ((a.x == b.x) & byY);
   }
 };
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshFields/MeshBandTracer.h"
 
-#include "MeshFields/CellValues.h"
+#include "MeshTiles/CellValues.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,11 +5,11 @@
 
 #include "Isomap/BandTracer.h"
 #include "Mesh/KernelsCells.h"
-#include "MeshFields/ActiveLeaves.h"
-#include "MeshFields/LeafCells.h"
 #include "MeshFields/MeshBandRays.h"
-#include "MeshFields/MeshDifference.h"
-#include "MeshFields/MeshTile.h"
+#include "MeshTiles/ActiveLeaves.h"
+#include "MeshTiles/LeafCells.h"
+#include "MeshTiles/MeshDifference.h"
+#include "MeshTiles/MeshTile.h"
 
 #include <cstdint>
 

@@ -4,8 +4,8 @@
 
 #include "Mesh/CellPoints.h"
 #include "Mesh/KernelsCellGradients.h"
-#include "MeshFields/CellFaces.h"
-#include "Scene/Parallel.h"
+#include "MeshFields/DistinctKeys.h"
+#include "MeshFields/MeshPlaces.h"
 
 #include <algorithm>
 #include <array>
@@ -17,66 +17,74 @@ namespace TemporalCoherence
 namespace
 {
 
-/// The cells of some hits, each once, and the hits in the order of their cells.
+/// The cells of the hits of a tile, each once.
 struct HitCells
 {
-  static constexpr std::size_t Most = 64;
+  static constexpr std::size_t Most = DistinctKeys::Most;
+  static constexpr std::uint8_t None = Most;
 
   std::size_t Count = 0;
   std::array<CellNumber, Most> Numbers;
-  std::array<std::uint8_t, Most> Hits; ///< by their places among the points that are searched
+  std::array<MeshCell, Most> Cells;
+  RayBatch::Array<std::uint8_t> OfHit; ///< the place of its cell, or None
 
-  /// \return where it is in the list
-  std::size_t Add(CellNumber number)
+  /// \param placeOf tells where a hit lies in the mesh, if its cell is not known
+  template <typename PlaceOf>
+  HitCells(const MeshTree& tree, const GradientTile& tile, const PlaceOf& placeOf)
   {
-    std::size_t place = 0;
-    while (place < this->Count && this->Numbers[place] != number)
+    DistinctKeys distinct;
+    for (std::size_t i = 0; i < tile.Rays.Count; ++i)
     {
-      ++place;
+      const CellNumber number = tile.Cells ? (*tile.Cells)[i] : FindCellAt(tree, placeOf(i));
+      this->OfHit[i] = number == NoCell ? None : static_cast<std::uint8_t>(distinct.Add(number));
     }
-    if (place == this->Count)
+    this->Count = distinct.Count();
+    for (std::size_t cell = 0; cell < this->Count; ++cell)
     {
-      this->Numbers[this->Count++] = number;
+      this->Numbers[cell] = static_cast<CellNumber>(distinct[cell]);
     }
-    return place;
+    tree.Reader().ReadAll(this->Numbers, this->Count, this->Cells);
+  }
+
+  bool AreTetrahedra() const
+  {
+    return std::all_of(this->Cells.begin(),
+      this->Cells.begin() + static_cast<std::ptrdiff_t>(this->Count),
+      [](const MeshCell& cell) { return cell.Shape == MeshCellShape::Tetrahedron; });
   }
 };
 
-/// The cells that hits lie in, and these points, cell by cell. Hits without a cell are left out.
-void Gather(const MeshTree& tree, const GradientQuery& query, const GradientTile& tile,
-  HitCells& cells, MeshKernels::PointsInCells& points)
+/// Points in the cells of a tile, cell by cell. Hits without a cell are left out.
+struct HitPoints
 {
-  constexpr std::uint8_t none = HitCells::Most;
-  std::array<std::uint8_t, HitCells::Most> cellOf;
-  std::array<glm::dvec3, HitCells::Most> at;
-  std::array<std::uint8_t, HitCells::Most + 1> next{};
-  for (std::size_t i = 0; i < tile.Rays.Count; ++i)
+  MeshKernels::PointsInCells Points;
+  std::array<std::uint8_t, HitCells::Most> Hits; ///< which hit each of the points is
+
+  template <typename PlaceOf>
+  HitPoints(const HitCells& cells, std::size_t numberOfHits, const PlaceOf& placeOf)
   {
-    const glm::dvec3 index(query.IndexFromWorld * glm::dvec4(tile.Rays.PointAt(i), 1.0));
-    at[i] = tree.Low() + tree.Scale() * index;
-    const CellNumber number = tile.Cells ? (*tile.Cells)[i] : FindCellAt(tree, at[i]);
-    cellOf[i] = number == NoCell ? none : static_cast<std::uint8_t>(cells.Add(number));
-    if (cellOf[i] != none)
+    std::array<std::uint8_t, HitCells::Most + 2> next{};
+    for (std::size_t i = 0; i < numberOfHits; ++i)
     {
-      ++next[cellOf[i] + std::size_t(1)];
+      ++next[cells.OfHit[i] + std::size_t(1)];
+    }
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    this->Points.Count = next[HitCells::None];
+    for (std::size_t i = 0; i < numberOfHits; ++i)
+    {
+      if (cells.OfHit[i] != HitCells::None)
+      {
+        const std::size_t place = next[cells.OfHit[i]]++;
+        this->Hits[place] = static_cast<std::uint8_t>(i);
+        this->Points.Set(place, cells.OfHit[i], placeOf(i));
+      }
     }
   }
-  std::partial_sum(next.begin(), next.end(), next.begin());
-  points.Count = next[cells.Count];
-  for (std::size_t i = 0; i < tile.Rays.Count; ++i)
-  {
-    if (cellOf[i] != none)
-    {
-      const std::size_t place = next[cellOf[i]]++;
-      cells.Hits[place] = static_cast<std::uint8_t>(i);
-      points.Set(place, cellOf[i], at[i]);
-    }
-  }
-}
+};
 
 /// Replace gradients by the means of those at the points of cells.
 void TakeAveraged(const MeshTree& tree, const PointGradients& averaged, const HitCells& cells,
-  const MeshCell* read, MeshKernels::PointsInCells& points)
+  MeshKernels::PointsInCells& points)
 {
   std::size_t last = HitCells::Most, part = 0;
   MeshCellPoints ids;
@@ -90,10 +98,11 @@ void TakeAveraged(const MeshTree& tree, const PointGradients& averaged, const Hi
       ids = MeshReader::FindPoints(tree.Reader().PartAt(part), inPart);
       last = cell;
     }
+    const MeshCell& read = cells.Cells[cell];
     const std::array<double, 8> weights =
-      WeightsAt(read[cell], { points.At[0][i], points.At[1][i], points.At[2][i] });
+      MeshKernels::WeightsAt(read, { points.At[0][i], points.At[1][i], points.At[2][i] });
     glm::dvec3 gradient(0.0);
-    for (std::size_t p = 0; p < static_cast<std::size_t>(read[cell].NumberOfPoints()); ++p)
+    for (std::size_t p = 0; p < static_cast<std::size_t>(read.NumberOfPoints()); ++p)
     {
       gradient +=
         weights[p] * glm::dvec3(averaged.Parts[part][static_cast<std::size_t>(ids.Ids[p])]);
@@ -105,130 +114,72 @@ void TakeAveraged(const MeshTree& tree, const PointGradients& averaged, const Hi
   }
 }
 
-/// Call visit(cell number, cell) for each cell of a leaf whose box holds a point, until it returns
-/// true.
-template <typename Visit>
-void VisitCellsAt(const MeshTree& tree, const glm::dvec3& point, double margin, const Visit& visit)
+/// In index space. Values that are not finite have no gradient.
+double InIndexSpace(const MeshTree& tree, double gradient)
 {
-  struct Block
+  const double scaled = tree.Scale() * gradient;
+  return std::isfinite(scaled) ? scaled : 0.0;
+}
+
+/// The gradients of hits in tetrahedra, which are the same everywhere in a cell.
+void FindConstant(const MeshTree& tree, const HitCells& cells, const GradientTile& tile)
+{
+  MeshKernels::PointsInCells::Vectors ofCells;
+  MeshKernels::FindTetrahedronGradients(cells.Cells.data(), cells.Count, ofCells);
+  for (std::size_t a = 0; a < 3; ++a)
   {
-    std::size_t Level;
-    std::int64_t Number;
-  };
-  if (tree.NumberOfCells() == 0)
-  {
-    return;
-  }
-  const glm::dvec3 index = (point - tree.Low()) / tree.Scale();
-  const auto holds = [&](const FloatBox& box)
-  {
-    return glm::all(glm::greaterThanEqual(index + margin, glm::dvec3(box.Low))) &&
-      glm::all(glm::lessThanEqual(index - margin, glm::dvec3(box.High)));
-  };
-  const auto blocksOf = [&](std::size_t level)
-  {
-    std::int64_t blocks = tree.NumberOfCells();
-    for (std::size_t i = 0; i <= level; ++i)
+    for (std::size_t cell = 0; cell < cells.Count; ++cell)
     {
-      blocks = (blocks + MeshLattice::SizeOfBlock - 1) / MeshLattice::SizeOfBlock;
+      ofCells[a][cell] = InIndexSpace(tree, ofCells[a][cell]);
     }
-    return blocks;
-  };
-  constexpr std::size_t mostLevels = 12;
-  std::array<Block, mostLevels * MeshLattice::SizeOfBlock> open;
-  std::size_t count = 0;
-  open[count++] = { tree.NumberOfLevels() - 1, 0 };
-  MeshCell cell;
-  while (count > 0)
-  {
-    const Block block = open[--count];
-    if (!holds(tree.BlockBox(block.Level, block.Number)))
+    for (std::size_t i = 0; i < tile.Rays.Count; ++i)
     {
-      continue;
-    }
-    const std::int64_t first = MeshLattice::SizeOfBlock * block.Number;
-    const std::int64_t all = block.Level > 0 ? blocksOf(block.Level - 1) : tree.NumberOfCells();
-    const std::int64_t end = std::min(first + MeshLattice::SizeOfBlock, all);
-    for (std::int64_t child = first; child < end; ++child)
-    {
-      if (block.Level > 0)
-      {
-        open[count++] = { block.Level - 1, child };
-        continue;
-      }
-      const CellNumber number = tree.CellAt(child);
-      tree.Reader().Read(number, cell);
-      visit(number, cell);
+      const std::size_t cell = cells.OfHit[i];
+      tile.Gradients[a][i] = cell == HitCells::None ? 0.0 : ofCells[a][cell];
     }
   }
 }
 
-/// How far outside of a cell a point on its face may seem to be, in its own coordinates.
-constexpr double OnFace = 1e-7;
-
+/// The same in cells of all kinds.
+template <typename PlaceOf>
+void FindAtPoints(const MeshTree& tree, const PointGradients* averaged, const HitCells& cells,
+  const PlaceOf& placeOf, const GradientTile& tile)
+{
+  HitPoints hits(cells, tile.Rays.Count, placeOf);
+  hits.Points.HasPlaces = averaged != nullptr;
+  MeshKernels::FindCellGradients(cells.Cells.data(), cells.Count, hits.Points);
+  if (averaged)
+  {
+    TakeAveraged(tree, *averaged, cells, hits.Points);
+  }
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    std::fill_n(tile.Gradients[a].begin(), tile.Rays.Count, 0.0);
+    for (std::size_t i = 0; i < hits.Points.Count; ++i)
+    {
+      tile.Gradients[a][hits.Hits[i]] = InIndexSpace(tree, hits.Points.Gradient[a][i]);
+    }
+  }
 }
 
-CellNumber FindCellAt(const MeshTree& tree, const glm::dvec3& point)
-{
-  CellNumber found = NoCell;
-  VisitCellsAt(tree, point, 0.0,
-    [&](CellNumber number, const MeshCell& cell)
-    {
-      if (number < found && MeshKernels::FindPoint(cell, point, OnFace).IsIn)
-      {
-        found = number;
-      }
-    });
-  return found;
-}
-
-glm::dvec3 MeshFaceNormal(
-  const MeshTree& tree, const glm::dvec3& point, const glm::dvec3& direction, double& nearest)
-{
-  glm::dvec3 normal(0.0);
-  const glm::dvec3 inMesh = tree.Low() + tree.Scale() * point;
-  VisitCellsAt(tree, inMesh, nearest,
-    [&](CellNumber, const MeshCell& cell)
-    {
-      constexpr double beside = 1e-3;
-      const MeshKernels::PointInCell at = MeshKernels::FindPoint(cell, inMesh, beside);
-      const NearestFace face = FindNearestFace(cell, at.At);
-      if (at.IsIn && face.Distance < tree.Scale() * nearest &&
-        glm::dot(face.Normal, direction) < 0.0)
-      {
-        nearest = face.Distance / tree.Scale();
-        normal = face.Normal;
-      }
-    });
-  return normal;
 }
 
 void FindMeshGradients(const MeshTree& tree, const PointGradients* averaged,
   const GradientQuery& query, const GradientTile& tile)
 {
-  HitCells cells;
-  MeshKernels::PointsInCells points;
-  Gather(tree, query, tile, cells, points);
-  std::array<MeshCell, HitCells::Most> read;
-  for (std::size_t i = 0; i < cells.Count; ++i)
+  const auto placeOf = [&](std::size_t hit)
   {
-    tree.Reader().Read(cells.Numbers[i], read[i]);
+    const glm::dvec3 index(query.IndexFromWorld * glm::dvec4(tile.Rays.PointAt(hit), 1.0));
+    return tree.Low() + tree.Scale() * index;
+  };
+  const HitCells cells(tree, tile, placeOf);
+  if (!averaged && cells.AreTetrahedra())
+  {
+    FindConstant(tree, cells, tile);
   }
-  points.HasPlaces = averaged != nullptr;
-  FindCellGradients(read.data(), cells.Count, points);
-  if (averaged)
+  else
   {
-    TakeAveraged(tree, *averaged, cells, read.data(), points);
-  }
-  for (std::size_t a = 0; a < 3; ++a)
-  {
-    std::fill_n(tile.Gradients[a].begin(), tile.Rays.Count, 0.0);
-    for (std::size_t i = 0; i < points.Count; ++i)
-    {
-      // Values that are not finite have no gradient.
-      const double gradient = tree.Scale() * points.Gradient[a][i];
-      tile.Gradients[a][cells.Hits[i]] = std::isfinite(gradient) ? gradient : 0.0;
-    }
+    FindAtPoints(tree, averaged, cells, placeOf, tile);
   }
   for (std::size_t i = tile.Rays.Count; i < WholeVectors(tile.Rays.Count); ++i)
   {

@@ -4,9 +4,11 @@
 
 #include "MeshFields/MeshBandTracer.h"
 #include "MeshFields/MeshGradients.h"
+#include "MeshFields/MeshPlaces.h"
 #include "MeshFields/MeshTracer.h"
 #include "Scene/CellBox.h"
 
+#include <mutex>
 #include <utility>
 
 namespace TemporalCoherence
@@ -51,9 +53,16 @@ public:
     return { range.Min, range.Max };
   }
 
+  glm::dvec2 FiniteRangeIn(const CellBox& cells) const override
+  {
+    CellRange finite;
+    this->Tree->RangeOfLeaf(LeafAt(cells.First), &finite);
+    return { finite.Min, finite.Max };
+  }
+
   std::uint64_t CellsIn(const CellBox& leaf, const std::vector<ValueBand>& bands) const override
   {
-    return this->Tree->CellsIn(LeafAt(leaf.First), bands, false);
+    return this->Tree->CellsIn(LeafAt(leaf.First), bands);
   }
 
   bool AreBlocksAlike() const override { return false; }
@@ -73,7 +82,8 @@ public:
 
   std::shared_ptr<const SurfaceTracer> MakeTracer(const TraceScene& scene) const override
   {
-    return std::make_shared<MeshTracer>(scene, *this, *this->Tree, this->Boxes);
+    return std::make_shared<MeshTracer>(
+      scene, *this, *this->Tree, this->Boxes, this->PreparedFor(scene));
   }
 
   /// Rays do not walk: a tile looks only at active leaves, wherever its rays begin.
@@ -96,9 +106,24 @@ public:
   }
 
 private:
+  /// The cells of the last surfaces are kept: of most scenes only the view is new.
+  std::shared_ptr<const PreparedLeaves> PreparedFor(const TraceScene& scene) const
+  {
+    const std::lock_guard<std::mutex> lock(this->Guard);
+    if (!this->LastPrepared || !this->LastPrepared->AreOf(scene.Isosurfaces, scene.FiniteRange))
+    {
+      this->LastPrepared.reset();
+      this->LastPrepared =
+        std::make_shared<PreparedLeaves>(*this->Tree, scene.Isosurfaces, scene.FiniteRange);
+    }
+    return this->LastPrepared;
+  }
+
   std::shared_ptr<const MeshTree> Tree;
   BoxLevels Boxes;
-  std::shared_ptr<const PointGradients> Averaged; ///< null: not wanted
+  mutable std::mutex Guard;
+  mutable std::shared_ptr<const PreparedLeaves> LastPrepared; ///< null: none so far
+  std::shared_ptr<const PointGradients> Averaged;             ///< null: not wanted
 };
 
 }

@@ -9,16 +9,17 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace TemporalCoherence
 {
 
-MeshTracer::MeshTracer(
-  const TraceScene& scene, const FieldKind& kind, const MeshTree& tree, const BoxLevels& boxes)
+MeshTracer::MeshTracer(const TraceScene& scene, const FieldKind& kind, const MeshTree& tree,
+  const BoxLevels& boxes, std::shared_ptr<const PreparedLeaves> prepared)
   : Isosurfaces(scene.Isosurfaces)
   , Tree(tree)
   , Leaves(kind, tree, boxes, scene.Active)
-  , Cells(tree, this->Leaves)
+  , Prepared(std::move(prepared))
 {
   for (const double isovalue : scene.Isosurfaces.Isovalues)
   {
@@ -26,77 +27,74 @@ MeshTracer::MeshTracer(
   }
 }
 
+/// Call take(met) for all that was found in a cell.
+template <typename Take>
+void MeshTracer::TakeCrossings(std::size_t surface, CellNumber number,
+  const MeshKernels::Crossings& found, const Take& take) const
+{
+  const auto isovalue = static_cast<std::int16_t>(surface);
+  const double value = this->IsovalueOf(surface);
+  for (std::size_t i = 0; i < found.Count; ++i)
+  {
+    const HitKind kind = HitRules::KindOf(!found.Rises[i]);
+    take(MetInCell{ { found.T[i], kind, value }, isovalue, found.Ray[i], number });
+  }
+}
+
+/// The same for the first points of rays in the solid of a cell.
+template <typename Take>
+void MeshTracer::TakeSolids(std::size_t surface, CellNumber number, const MeshCell& cell,
+  const MeshKernels::CellDifferences& differences, const RayBatch& rays,
+  const MeshKernels::MeshRays& inMesh, std::uint64_t which, const Take& take) const
+{
+  const auto isovalue = static_cast<std::int16_t>(surface);
+  const double value = this->IsovalueOf(surface);
+  std::vector<SolidPart> parts;
+  AppendSolidParts(cell, differences, number, rays, inMesh, which, parts);
+  for (const SolidPart& part : parts)
+  {
+    take(MetInCell{ { part.From, part.Kind, value }, isovalue, part.Ray, number });
+  }
+}
+
 /// Search a cell for one surface: every crossing, or with THRESHOLD the first point of each ray in
 /// the solid.
 /// \param take called as take(met)
 template <typename Take>
-void MeshTracer::Search(std::size_t surface, CellNumber number, const MeshCell& cell,
-  const RayBatch& rays, const MeshKernels::MeshRays& inMesh, std::uint64_t which,
-  const Take& take) const
+void MeshTracer::Search(std::size_t surface, const PreparedCells& cells, std::size_t at,
+  const MeshTile& tile, std::uint64_t which, const Take& take) const
 {
-  MeshKernels::CellDifferences differences;
-  const bool isCrossed = this->Differences[surface].Of(cell, differences);
-  const auto isovalue = static_cast<std::int16_t>(surface);
-  const double value = this->IsovalueOf(surface);
-  if (!this->IsSolid())
+  const CellNumber number = cells.Numbers[at];
+  if (this->IsSolid())
   {
-    if (isCrossed)
-    {
-      MeshKernels::Crossings found;
-      MeshKernels::CellCrossings(cell, differences, inMesh, which, found);
-      for (std::size_t i = 0; i < found.Count; ++i)
-      {
-        const HitKind kind = HitRules::KindOf(!found.Rises[i]);
-        take(Met{ { found.T[i], kind, value }, isovalue, found.Ray[i], number });
-      }
-    }
+    const SolidCell cell = cells.SolidAt(at);
+    this->TakeSolids(
+      surface, number, cell.Cell, cell.Differences, tile.Rays, tile.InMesh, which, take);
+    return;
   }
-  else if (isCrossed || differences[0] >= 0.0)
+  MeshKernels::Crossings found;
+  if (cells.IsTetrahedron(at))
   {
-    std::vector<SolidPart> parts;
-    AppendSolidParts(cell, differences, number, rays, inMesh, which, parts);
-    for (const SolidPart& part : parts)
-    {
-      take(Met{ { part.From, part.Kind, value }, isovalue, part.Ray, number });
-    }
+    MeshKernels::TetrahedronCrossings(cells.Tetrahedra[at], tile.InMesh, which, found);
   }
-}
-
-/// True if a surface is nearer than the hit of its ray. Of one that two cells share, the cell with
-/// the lower number counts.
-bool MeshTracer::IsInFrontOfHit(const Met& met, const HitBatch& hits) const
-{
-  const std::int16_t hit = hits.Surface[met.Ray];
-  if (hit == Frame::NoSurface)
+  else
   {
-    return true;
+    const PreparedHexahedron& cell = cells.HexahedronAt(at);
+    MeshKernels::HexahedronCrossings(cell.Functions, cell.Cell, cell.Differences, tile.InMesh,
+      this->RaysAcross(surface, cell, tile, which), found);
   }
-  const MetSurface known{ hits.Depth[met.Ray], hits.Kind[met.Ray],
-    this->IsovalueOf(static_cast<std::size_t>(hit)) };
-  return IsInFront(met.Surface, known) ||
-    (!IsInFront(known, met.Surface) && met.Cell < hits.Cell[met.Ray]);
-}
-
-void MeshTracer::Keep(const Met& met, HitBatch& hits) const
-{
-  if (this->IsInFrontOfHit(met, hits))
-  {
-    hits.Depth[met.Ray] = met.Surface.Distance;
-    hits.Kind[met.Ray] = met.Surface.Kind;
-    hits.Surface[met.Ray] = met.Isovalue;
-    hits.Cell[met.Ray] = met.Cell;
-  }
+  this->TakeCrossings(surface, number, found, take);
 }
 
 /// Leave out rays that surely do not pass an isovalue in a hexahedron: it takes longer to search
 /// it.
-std::uint64_t MeshTracer::RaysAcross(
-  std::size_t surface, const ActiveCell& cell, const MeshTile& tile, std::uint64_t which) const
+std::uint64_t MeshTracer::RaysAcross(std::size_t surface, const PreparedHexahedron& cell,
+  const MeshTile& tile, std::uint64_t which) const
 {
-  return this->IsSolid() || !(cell.Values.Bend < std::numeric_limits<double>::infinity())
-    ? which
-    : TemporalCoherence::RaysAcross(
-        tile.Rays, which, cell.Box, tile.MarginOfLanes, cell.Values, this->IsovalueOf(surface));
+  return cell.Values.Bend < std::numeric_limits<double>::infinity()
+    ? TemporalCoherence::RaysAcross(
+        tile.Rays, which, cell.Box, tile.MarginOfLanes, cell.Values, this->IsovalueOf(surface))
+    : which;
 }
 
 void MeshTracer::Trace(const RayBatch& rays, HitBatch& hits) const
@@ -109,89 +107,22 @@ void MeshTracer::Trace(const RayBatch& rays, HitBatch& hits) const
   }
   const MeshTile tile(rays, this->Tree, this->Leaves, this->LimitsOfRays());
   RayBatch::Array<double> limits = rays.WalkEnd;
-  hits.CellsRead = VisitCells(tile, this->Tree, this->Cells, wanted, limits,
-    [&](const ActiveCell& cell, std::uint64_t which)
+  hits.CellsRead = VisitCells(tile, this->Leaves, *this->Prepared, wanted, limits,
+    [&](std::size_t surface, const PreparedCells& cells, std::size_t at, std::uint64_t which)
     {
-      for (std::size_t surface = 0; surface < this->Differences.size(); ++surface)
-      {
-        this->Search(surface, cell.Number, cell.Cell, rays, tile.InMesh,
-          this->RaysAcross(surface, cell, tile, which),
-          [&](const Met& met)
-          {
-            this->Keep(met, hits);
-            limits[met.Ray] = std::min(limits[met.Ray], met.Surface.Distance);
-          });
-      }
+      this->Search(surface, cells, at, tile, which,
+        [&](const MetInCell& met)
+        {
+          KeepNearest(met, this->Isosurfaces.Isovalues, hits);
+          limits[met.Ray] = std::min(limits[met.Ray], met.Surface.Distance);
+        });
     });
-}
-
-namespace
-{
-
-/// The cells that rays are to be searched in: all rays of one cell are searched together.
-class CellGroups
-{
-public:
-  struct Group
-  {
-    glm::ivec3 Place;
-    std::uint64_t Rays; ///< one bit each
-  };
-
-  explicit CellGroups(const RayCells& cells)
-  {
-    ForEachRay(cells.Rays,
-      [&](std::size_t ray)
-      {
-        const glm::ivec3 place = cells.At(ray);
-        // Rays beside each other are mostly in one cell, and else in one of the last.
-        std::size_t group = this->Count;
-        while (group > 0 && this->All[group - 1].Place != place)
-        {
-          --group;
-        }
-        if (group == 0)
-        {
-          this->All[this->Count++] = { place, 0 };
-          group = this->Count;
-        }
-        this->All[group - 1].Rays |= std::uint64_t(1) << ray;
-      });
-  }
-
-  const Group* begin() const { return this->All.data(); }
-  const Group* end() const { return this->All.data() + this->Count; }
-
-private:
-  std::array<Group, RayBatch::Capacity> All;
-  std::size_t Count = 0;
-};
-
 }
 
 std::uint64_t MeshTracer::SearchCells(
   const RayBatch& rays, const RayCells& cells, HitBatch& hits) const
 {
-  MeshKernels::MeshRays inMesh;
-  SetUpMeshRays(rays, this->Tree, this->LimitsOfRays(), inMesh);
-  std::uint64_t missing = 0;
-  for (const CellGroups::Group& group : CellGroups(cells))
-  {
-    const std::uint64_t which = group.Rays;
-    MeshCell cell;
-    const CellNumber number = this->Tree.CellAt(MeshTree::RankOf(group.Place));
-    this->Tree.Reader().Read(number, cell);
-    std::uint64_t met = 0;
-    this->Search(cells.Surface, number, cell, rays, inMesh, which,
-      [&](const Met& found)
-      {
-        met |= std::uint64_t(1) << found.Ray;
-        this->Keep(found, hits);
-      });
-    missing |= which & ~met;
-    ++hits.CellsRead;
-  }
-  return missing;
+  return MeshCellSearch(this->Isosurfaces, this->Tree, this->Differences).Search(rays, cells, hits);
 }
 
 void MeshTracer::FindNext(const RayBatch& rays, HitBatch& hits) const
@@ -203,21 +134,21 @@ void MeshTracer::FindNext(const RayBatch& rays, HitBatch& hits) const
     last[ray] = LastOn(rules, rays.Begin[ray], ray, hits);
   }
   hits.Clear(rays.Count);
-  for (const Met& met : this->FindAll(rays, RaysWithWalk(rays), hits.CellsRead))
+  for (const MetInCell& met : this->FindAll(rays, RaysWithWalk(rays), hits.CellsRead))
   {
     if (IsInFront(last[met.Ray], met.Surface))
     {
-      this->Keep(met, hits);
+      KeepNearest(met, this->Isosurfaces.Isovalues, hits);
     }
   }
 }
 
 /// All surfaces of some rays, ray by ray, each from front to back.
 /// \throws std::bad_alloc
-std::vector<MeshTracer::Met> MeshTracer::FindAll(
+std::vector<MetInCell> MeshTracer::FindAll(
   const RayBatch& rays, std::uint64_t wanted, std::int64_t& cellsRead) const
 {
-  std::vector<Met> all;
+  std::vector<MetInCell> all;
   if (wanted == 0)
   {
     return all;
@@ -232,7 +163,7 @@ std::vector<MeshTracer::Met> MeshTracer::FindAll(
     this->FindCrossings(tile, wanted, cellsRead, all);
   }
   std::sort(all.begin(), all.end(),
-    [](const Met& a, const Met& b)
+    [](const MetInCell& a, const MetInCell& b)
     {
       if (a.Ray != b.Ray)
       {
@@ -244,17 +175,14 @@ std::vector<MeshTracer::Met> MeshTracer::FindAll(
   return all;
 }
 
-void MeshTracer::FindCrossings(
-  const MeshTile& tile, std::uint64_t wanted, std::int64_t& cellsRead, std::vector<Met>& all) const
+void MeshTracer::FindCrossings(const MeshTile& tile, std::uint64_t wanted, std::int64_t& cellsRead,
+  std::vector<MetInCell>& all) const
 {
-  cellsRead += VisitCells(tile, this->Tree, this->Cells, wanted, tile.Rays.WalkEnd,
-    [&](const ActiveCell& cell, std::uint64_t which)
+  cellsRead += VisitCells(tile, this->Leaves, *this->Prepared, wanted, tile.Rays.WalkEnd,
+    [&](std::size_t surface, const PreparedCells& cells, std::size_t at, std::uint64_t which)
     {
-      for (std::size_t surface = 0; surface < this->Differences.size(); ++surface)
-      {
-        this->Search(surface, cell.Number, cell.Cell, tile.Rays, tile.InMesh, which,
-          [&](const Met& met) { all.push_back(met); });
-      }
+      this->Search(
+        surface, cells, at, tile, which, [&](const MetInCell& met) { all.push_back(met); });
     });
 }
 
@@ -268,22 +196,16 @@ constexpr double Touching = 0x1p-36;
 }
 
 /// Where rays enter solids: parts in cells that touch are one.
-void MeshTracer::FindSolids(
-  const MeshTile& tile, std::uint64_t wanted, std::int64_t& cellsRead, std::vector<Met>& all) const
+void MeshTracer::FindSolids(const MeshTile& tile, std::uint64_t wanted, std::int64_t& cellsRead,
+  std::vector<MetInCell>& all) const
 {
   std::vector<std::vector<SolidPart>> ofSurfaces(this->Differences.size());
-  cellsRead += VisitCells(tile, this->Tree, this->Cells, wanted, tile.Rays.WalkEnd,
-    [&](const ActiveCell& cell, std::uint64_t which)
+  cellsRead += VisitCells(tile, this->Leaves, *this->Prepared, wanted, tile.Rays.WalkEnd,
+    [&](std::size_t surface, const PreparedCells& cells, std::size_t at, std::uint64_t which)
     {
-      for (std::size_t surface = 0; surface < this->Differences.size(); ++surface)
-      {
-        MeshKernels::CellDifferences differences;
-        if (this->Differences[surface].Of(cell.Cell, differences) || differences[0] >= 0.0)
-        {
-          AppendSolidParts(cell.Cell, differences, cell.Number, tile.Rays, tile.InMesh, which,
-            ofSurfaces[surface]);
-        }
-      }
+      const SolidCell cell = cells.SolidAt(at);
+      AppendSolidParts(cell.Cell, cell.Differences, cells.Numbers[at], tile.Rays, tile.InMesh,
+        which, ofSurfaces[surface]);
     });
   for (std::size_t surface = 0; surface < ofSurfaces.size(); ++surface)
   {
@@ -330,7 +252,8 @@ void MeshTracer::FindLayers(const RayBatch& rays, LayerBatch& layers) const
 {
   const HitRules rules(this->Isosurfaces, false);
   const std::uint64_t open = layers.Open;
-  const std::vector<Met> all = this->FindAll(rays, open & RaysWithWalk(rays), layers.CellsRead);
+  const std::vector<MetInCell> all =
+    this->FindAll(rays, open & RaysWithWalk(rays), layers.CellsRead);
   for (auto met = all.begin(); met != all.end();)
   {
     const std::size_t ray = met->Ray;

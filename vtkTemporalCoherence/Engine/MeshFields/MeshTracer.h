@@ -3,11 +3,12 @@
 #ifndef TemporalCoherence_MeshTracer_h
 #define TemporalCoherence_MeshTracer_h
 
-#include "MeshFields/ActiveLeaves.h"
-#include "MeshFields/MeshDifference.h"
+#include "MeshFields/MeshCellSearch.h"
 #include "MeshFields/MeshSolids.h"
-#include "MeshFields/MeshTile.h"
-#include "Scene/HitOrder.h"
+#include "MeshTiles/ActiveLeaves.h"
+#include "MeshTiles/MeshDifference.h"
+#include "MeshTiles/MeshTile.h"
+#include "MeshTiles/PreparedLeaves.h"
 #include "Trace/SurfaceTracer.h"
 
 #include <cstddef>
@@ -27,8 +28,9 @@ namespace TemporalCoherence
 class MeshTracer final : public SurfaceTracer
 {
 public:
-  MeshTracer(
-    const TraceScene& scene, const FieldKind& kind, const MeshTree& tree, const BoxLevels& boxes);
+  /// \param prepared the cells of the scene's surfaces
+  MeshTracer(const TraceScene& scene, const FieldKind& kind, const MeshTree& tree,
+    const BoxLevels& boxes, std::shared_ptr<const PreparedLeaves> prepared);
 
   void Trace(const RayBatch& rays, HitBatch& hits) const override;
   void FindNext(const RayBatch& rays, HitBatch& hits) const override;
@@ -38,40 +40,36 @@ public:
     const RayBatch& rays, const RayCells& cells, HitBatch& hits) const override;
 
 private:
-  /// A surface that a ray meets.
-  struct Met
-  {
-    MetSurface Surface;
-    std::int16_t Isovalue;
-    std::uint8_t Ray;
-    CellNumber Cell;
-  };
-
   template <typename Take>
-  void Search(std::size_t surface, CellNumber number, const MeshCell& cell, const RayBatch& rays,
+  void Search(std::size_t surface, const PreparedCells& cells, std::size_t at, const MeshTile& tile,
+    std::uint64_t which, const Take& take) const;
+  template <typename Take>
+  void TakeCrossings(std::size_t surface, CellNumber number, const MeshKernels::Crossings& found,
+    const Take& take) const;
+  template <typename Take>
+  void TakeSolids(std::size_t surface, CellNumber number, const MeshCell& cell,
+    const MeshKernels::CellDifferences& differences, const RayBatch& rays,
     const MeshKernels::MeshRays& inMesh, std::uint64_t which, const Take& take) const;
-  std::uint64_t RaysAcross(
-    std::size_t surface, const ActiveCell& cell, const MeshTile& tile, std::uint64_t which) const;
-  bool IsInFrontOfHit(const Met& met, const HitBatch& hits) const;
-  void Keep(const Met& met, HitBatch& hits) const;
+  std::uint64_t RaysAcross(std::size_t surface, const PreparedHexahedron& cell,
+    const MeshTile& tile, std::uint64_t which) const;
   bool IsSolid() const { return this->Isosurfaces.Mode == SurfaceMode::Threshold; }
   RayLimits LimitsOfRays() const
   {
     return this->IsSolid() ? RayLimits::None : RayLimits::BeginToEnd;
   }
 
-  std::vector<Met> FindAll(
+  std::vector<MetInCell> FindAll(
     const RayBatch& rays, std::uint64_t wanted, std::int64_t& cellsRead) const;
   void FindCrossings(const MeshTile& tile, std::uint64_t wanted, std::int64_t& cellsRead,
-    std::vector<Met>& all) const;
+    std::vector<MetInCell>& all) const;
   void FindSolids(const MeshTile& tile, std::uint64_t wanted, std::int64_t& cellsRead,
-    std::vector<Met>& all) const;
+    std::vector<MetInCell>& all) const;
   double IsovalueOf(std::size_t surface) const { return this->Isosurfaces.Isovalues[surface]; }
 
   Surfaces Isosurfaces;
   const MeshTree& Tree;
   ActiveLeaves Leaves;
-  LeafCells Cells;
+  std::shared_ptr<const PreparedLeaves> Prepared;
   std::vector<MeshDifference> Differences; ///< from each isovalue
 };
 

@@ -72,6 +72,11 @@ public:
   /// a field has the type ScalarType::Float64.
   virtual glm::dvec2 RangeIn(const CellBox& cells) const;
 
+  /// Bounds of the finite values alone, at least those of the samples that RangeIn tells of. Only
+  /// asked where RangeIn is not finite. An end that is not finite tells nothing. By default
+  /// RangeIn.
+  virtual glm::dvec2 FiniteRangeIn(const CellBox& cells) const { return this->RangeIn(cells); }
+
   /// One bit for each cell of a leaf that a surface can pass through, by the bits of ActiveCells.
   /// Only called for kinds without samples. By default all are.
   /// \param bands ascending; without an upper end, if cells count that are wholly inside

@@ -63,6 +63,7 @@ void MeshBoxes::Place(const PointBox& whole, std::int64_t leaves)
     std::frexp(needed, &exponent);
   }
   this->Scale = std::ldexp(1.0, std::max(exponent, LeastExponent));
+  this->PerScale = 1.0 / this->Scale;
   this->Low = this->Scale * glm::floor(whole.Low / this->Scale - 0.5);
 }
 
@@ -70,8 +71,8 @@ FloatBox MeshBoxes::InIndexSpace(const PointBox& box) const
 {
   const glm::ivec3& size = this->Dimensions;
   const double margin = std::ldexp(std::max({ size.x, size.y, size.z }), -40);
-  const glm::dvec3 low = (box.Low - this->Low) / this->Scale - margin;
-  const glm::dvec3 high = (box.High - this->Low) / this->Scale + margin;
+  const glm::dvec3 low = this->ToIndex(box.Low) - margin;
+  const glm::dvec3 high = this->ToIndex(box.High) + margin;
   return { Below(low), -Below(-high) };
 }
 

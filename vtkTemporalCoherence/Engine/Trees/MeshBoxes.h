@@ -52,8 +52,13 @@ public:
 
   std::size_t MemoryInBytes() const;
 
+  /// From index space to the coordinates of the mesh, and back.
+  glm::dvec3 ToMesh(const glm::dvec3& index) const { return this->Low + this->Scale * index; }
+  glm::dvec3 ToIndex(const glm::dvec3& point) const { return (point - this->Low) * this->PerScale; }
+
   glm::ivec3 Dimensions{ 1 }; ///< of the lattice, in samples: cells + 1
   double Scale = 1.0;         ///< mesh coordinates = Low + Scale * index; a power of two
+  double PerScale = 1.0;      ///< 1 / Scale, exactly
   glm::dvec3 Low{ 0.0 };
   EdgeLengths Edges;
   /// From the leaves to one box around all. There are three levels or more, unless no cell exists.

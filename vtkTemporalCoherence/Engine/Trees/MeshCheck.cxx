@@ -64,7 +64,7 @@ MeshProblem CheckChunk(const MeshPart& part, CellChunk& chunk)
       return { defect, number, -1 };
     }
     const MeshCellPoints ids = MeshReader::FindPoints(part, cell);
-    const auto count = static_cast<std::size_t>(MeshReader::CountOf(ids.Shape));
+    const auto count = static_cast<std::size_t>(NumberOfPointsIn(ids.Shape));
     for (std::size_t i = 0; i < count; ++i)
     {
       if (ids.Ids[i] < 0 || ids.Ids[i] >= part.NumberOfPoints)

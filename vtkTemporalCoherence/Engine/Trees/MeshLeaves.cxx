@@ -27,6 +27,35 @@ struct NodeFacts
   MeshProblem Problem;
 };
 
+/// Read the cells of a leaf.
+/// \param box around them
+void ReadLeaf(const MeshReader& reader, const std::uint32_t* cells, std::size_t count,
+  PointBox& box, NodeFacts& facts)
+{
+  reader.ReadPointsOfAll(cells, count,
+    [&](std::size_t cell, const std::array<glm::dvec3, 8>& points, int corners)
+    {
+      for (std::size_t i = 0; i < static_cast<std::size_t>(corners); ++i)
+      {
+        if (!IsPointUsable(points[i]) && facts.Problem.Defect == MeshDefect::None)
+        {
+          facts.Problem = { MeshDefect::PointNotFinite, cells[cell],
+            reader.PointAt(cells[cell], i) };
+        }
+        box.Widen(points[i]);
+      }
+      const bool isSample = cell % EdgeSample == 0;
+      if (corners == 4)
+      {
+        facts.Edges.Add(points, TetrahedronEdges, isSample);
+      }
+      else
+      {
+        facts.Edges.Add(points, HexahedronEdges, isSample);
+      }
+    });
+}
+
 /// Read the cells of a node.
 /// \param boxes of its leaves
 void ReadNode(const MeshReader& reader, const CellNumbers& order, std::int64_t node,
@@ -35,33 +64,15 @@ void ReadNode(const MeshReader& reader, const CellNumbers& order, std::int64_t n
   const std::int64_t first = node * LeavesInNode * CellsInLeaf;
   const auto count = static_cast<std::int64_t>(order.size());
   const std::int64_t end = std::min(first + LeavesInNode * CellsInLeaf, count);
-  std::array<glm::dvec3, 8> points;
-  for (std::int64_t rank = first; rank < end; ++rank)
-  {
-    const std::uint32_t cell = order[static_cast<std::size_t>(rank)];
-    const int corners = reader.ReadPoints(cell, points);
-    PointBox& box = boxes[(rank - first) / CellsInLeaf];
-    for (std::size_t i = 0; i < static_cast<std::size_t>(corners); ++i)
-    {
-      if (!IsPointUsable(points[i]))
-      {
-        facts.Problem = { MeshDefect::PointNotFinite, cell, reader.PointAt(cell, i) };
-        return;
-      }
-      box.Widen(points[i]);
-    }
-    const bool isSample = rank % EdgeSample == 0;
-    if (corners == 4)
-    {
-      facts.Edges.Add(points, TetrahedronEdges, isSample);
-    }
-    else
-    {
-      facts.Edges.Add(points, HexahedronEdges, isSample);
-    }
-  }
   for (std::int64_t leaf = 0; leaf * CellsInLeaf < end - first; ++leaf)
   {
+    const std::int64_t begin = first + leaf * CellsInLeaf;
+    ReadLeaf(reader, order.data() + begin,
+      static_cast<std::size_t>(std::min(CellsInLeaf, end - begin)), boxes[leaf], facts);
+    if (facts.Problem.Defect != MeshDefect::None)
+    {
+      return;
+    }
     facts.Box.Widen(boxes[leaf]);
   }
 }

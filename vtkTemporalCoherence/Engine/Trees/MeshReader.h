@@ -8,12 +8,16 @@
 
 #include <glm/glm.hpp>
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <vector>
+
+#include <hwy/cache_control.h>
 
 namespace TemporalCoherence
 {
@@ -74,12 +78,56 @@ public:
     std::int64_t inPart;
     this->Locate(number, at, inPart);
     const MeshPart& part = this->Parts[at];
-    const MeshCellPoints points = FindPoints(part, inPart);
-    cell.Shape = points.Shape;
-    const int count = cell.NumberOfPoints();
-    ReadCoordinates(part, points, cell.Points);
-    ReadValues(part, points, count,
-      [&](int i, double value) { cell.Values[static_cast<std::size_t>(i)] = value; });
+    Read(part, FindPoints(part, inPart), cell);
+  }
+
+  /// Several cells, read together. That is faster: while one is waited for, memory brings the next
+  /// ones.
+  static constexpr std::size_t MostTogether = 64;
+  template <typename T>
+  using Together = std::array<T, MostTogether>;
+
+  /// Read the first `count` of some cells.
+  void ReadAll(
+    const Together<std::uint32_t>& numbers, std::size_t count, Together<MeshCell>& cells) const
+  {
+    Found found;
+    this->Find(numbers.data(), count, found);
+    found.ForEach(count, PrefetchCoordinates);
+    found.ForEach(count, PrefetchValues);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      Read(*found.Parts[i], found.Points[i], cells[i]);
+    }
+  }
+
+  /// Call take(i, points, their number) for each of some cells.
+  template <typename Take>
+  void ReadPointsOfAll(const std::uint32_t* numbers, std::size_t count, const Take& take) const
+  {
+    Found found;
+    this->Find(numbers, count, found);
+    found.ForEach(count, PrefetchCoordinates);
+    std::array<glm::dvec3, 8> points;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      ReadCoordinates(*found.Parts[i], found.Points[i], points);
+      take(i, points, NumberOfPointsIn(found.Points[i].Shape));
+    }
+  }
+
+  /// Call take(i, value) for each value of each of some cells.
+  template <typename Take>
+  void ReadValuesOfAll(const std::uint32_t* numbers, std::size_t count, const Take& take) const
+  {
+    Found found;
+    this->Find(numbers, count, found);
+    found.ForEach(count, PrefetchValues);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      ReadValues(*found.Parts[i], found.Points[i], NumberOfPointsIn(found.Points[i].Shape),
+        [&](int, double value) { take(i, value); });
+    }
   }
 
   /// Read where the points of a cell lie.
@@ -95,7 +143,7 @@ public:
     const MeshPart& part, std::int64_t inPart, std::array<glm::dvec3, 8>& result)
   {
     const MeshCellPoints points = FindPoints(part, inPart);
-    const int count = CountOf(points.Shape);
+    const int count = NumberOfPointsIn(points.Shape);
     ReadCoordinates(part, points, result);
     return count;
   }
@@ -109,7 +157,7 @@ public:
     this->Locate(number, at, inPart);
     const MeshPart& part = this->Parts[at];
     const MeshCellPoints points = FindPoints(part, inPart);
-    ReadValues(part, points, CountOf(points.Shape), take);
+    ReadValues(part, points, NumberOfPointsIn(points.Shape), take);
   }
 
   /// The range of the values of a cell.
@@ -137,7 +185,7 @@ public:
     {
       return PointsOf(part, cell);
     }
-    if (part.Flags && (part.Flags[cell] & part.HidingFlags) != 0)
+    if (IsHidden(part, cell))
     {
       return {};
     }
@@ -145,16 +193,11 @@ public:
                                      : FindPoints<std::int64_t>(part, cell);
   }
 
-  static int CountOf(MeshCellShape shape)
-  {
-    return shape == MeshCellShape::Tetrahedron ? 4 : shape == MeshCellShape::Hexahedron ? 8 : 0;
-  }
-
   /// Read where points lie.
   static void ReadCoordinates(
     const MeshPart& part, const MeshCellPoints& points, std::array<glm::dvec3, 8>& result)
   {
-    const int count = CountOf(points.Shape);
+    const int count = NumberOfPointsIn(points.Shape);
     const auto& [x, y, z] = part.Coordinates;
     if (x.Type == ScalarType::Float32 && y.Type == x.Type && z.Type == x.Type)
     {
@@ -175,45 +218,110 @@ public:
   }
 
 private:
+  static void Read(const MeshPart& part, const MeshCellPoints& points, MeshCell& cell)
+  {
+    cell.Shape = points.Shape;
+    ReadCoordinates(part, points, cell.Points);
+    ReadValues(part, points, cell.NumberOfPoints(),
+      [&](int i, double value) { cell.Values[static_cast<std::size_t>(i)] = value; });
+  }
+
+  /// Where some cells are.
+  struct Found
+  {
+    Together<const MeshPart*> Parts;
+    Together<MeshCellPoints> Points;
+
+    template <typename Visit>
+    void ForEach(std::size_t count, const Visit& visit) const
+    {
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        visit(*this->Parts[i], this->Points[i]);
+      }
+    }
+  };
+
+  void Find(const std::uint32_t* numbers, std::size_t count, Found& found) const
+  {
+    Together<std::int64_t> inPart;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      std::size_t part;
+      this->Locate(numbers[i], part, inPart[i]);
+      found.Parts[i] = &this->Parts[part];
+      PrefetchCell(*found.Parts[i], inPart[i]);
+    }
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      PrefetchConnectivity(*found.Parts[i], inPart[i]);
+    }
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      found.Points[i] = FindPoints(*found.Parts[i], inPart[i]);
+    }
+  }
+
+  static void Prefetch(const MeshArray& array, std::int64_t i)
+  {
+    DispatchScalarType(array.Type,
+      [&](auto type)
+      { hwy::Prefetch(static_cast<const decltype(type)*>(array.First) + i * array.Step); });
+  }
+
+  static void PrefetchCell(const MeshPart& part, std::int64_t inPart)
+  {
+    if (part.Dimensions.x == 0)
+    {
+      Prefetch(part.Offsets, inPart);
+      if (part.Types)
+      {
+        hwy::Prefetch(part.Types + inPart);
+      }
+    }
+  }
+
+  static void PrefetchConnectivity(const MeshPart& part, std::int64_t inPart)
+  {
+    if (part.Dimensions.x == 0)
+    {
+      Prefetch(part.Connectivity, part.Offsets.IdAt(inPart));
+    }
+  }
+
+  static void PrefetchCoordinates(const MeshPart& part, const MeshCellPoints& points)
+  {
+    Prefetch(part.Coordinates[0], points); // mostly, the others lie beside it
+  }
+
+  static void PrefetchValues(const MeshPart& part, const MeshCellPoints& points)
+  {
+    Prefetch(part.Values, points);
+  }
+
+  static void Prefetch(const MeshArray& array, const MeshCellPoints& points)
+  {
+    const auto count = static_cast<std::size_t>(NumberOfPointsIn(points.Shape));
+    DispatchScalarType(array.Type,
+      [&](auto type)
+      {
+        const auto* const first = static_cast<const decltype(type)*>(array.First);
+        for (std::size_t i = 0; i < count; ++i)
+        {
+          hwy::Prefetch(first + points.Ids[i] * array.Step);
+        }
+      });
+  }
+
   template <typename Id>
   static MeshCellPoints FindPoints(const MeshPart& part, std::int64_t cell)
   {
-    MeshCellPoints points;
     const std::int64_t offset =
       static_cast<const Id*>(part.Offsets.First)[cell * part.Offsets.Step];
     const std::int64_t step = part.Connectivity.Step;
     const Id* const first = static_cast<const Id*>(part.Connectivity.First) + offset * step;
-    const auto take = [&](const CornerOrder& order)
-    {
-      points.Shape = MeshCellShape::Hexahedron;
-      for (std::size_t i = 0; i < order.size(); ++i)
-      {
-        points.Ids[i] = first[order[i] * step];
-      }
-    };
-    switch (part.Types ? static_cast<MeshCellType>(part.Types[cell]) : MeshCellType::Hexahedron)
-    {
-      case MeshCellType::Tetrahedron:
-        points.Shape = MeshCellShape::Tetrahedron;
-        for (std::size_t i = 0; i < 4; ++i)
-        {
-          points.Ids[i] = first[static_cast<std::int64_t>(i) * step];
-        }
-        break;
-      case MeshCellType::Voxel:
-        take(VoxelCorners);
-        break;
-      case MeshCellType::Hexahedron:
-        take(HexahedronCorners);
-        break;
-      case MeshCellType::Wedge:
-        take(WedgeCorners);
-        break;
-      case MeshCellType::Pyramid:
-        take(PyramidCorners);
-        break;
-    }
-    return points;
+    return PointsInOrder(
+      part, cell, [first, step](std::int64_t i) -> std::int64_t { return first[i * step]; });
   }
 
   template <typename T>

@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Trees/MeshTree.h"
 
-#include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace TemporalCoherence
 {
@@ -60,6 +58,7 @@ std::shared_ptr<const MeshTree> MeshTree::Refit(const std::shared_ptr<const Mesh
     return nullptr;
   }
   tree->Boxes = boxes;
+  tree->Ranges = std::make_unique<MeshRanges>(tree->NumberOfLeaves());
   return tree;
 }
 
@@ -69,40 +68,50 @@ std::shared_ptr<const MeshTree> MeshTree::WithValuesOf(
   const std::shared_ptr<MeshTree> tree(new MeshTree(mesh));
   tree->Order = this->Order;
   tree->Boxes = this->Boxes;
+  tree->Ranges = std::make_unique<MeshRanges>(tree->NumberOfLeaves());
   return tree;
 }
 
 CellRange MeshTree::RangeOfLeaf(std::int64_t leaf, CellRange* finite) const
 {
   CellRange range;
-  const std::int64_t end = std::min(64 * leaf + 64, this->NumberOfCells());
-  for (std::int64_t rank = 64 * leaf; rank < end; ++rank)
-  {
-    this->Cells.ReadValues(this->CellAt(rank),
-      [&](int, double value)
+  MeshRanges::OfCells ofCells;
+  const std::int64_t first = 64 * leaf, end = this->EndOfLeaf(leaf);
+  const auto count = static_cast<std::size_t>(std::max<std::int64_t>(end - first, 0));
+  this->Cells.ReadValuesOfAll(this->Order->data() + first, count,
+    [&](std::size_t cell, double value)
+    {
+      ofCells[cell].Widen(value);
+      if (finite && std::isfinite(value))
       {
-        range.Widen(value);
-        if (finite && std::isfinite(value))
-        {
-          finite->Widen(value);
-        }
-      });
+        finite->Widen(value);
+      }
+    });
+  for (std::size_t cell = 0; cell < count; ++cell)
+  {
+    range.Widen(ofCells[cell].Min);
+    range.Widen(ofCells[cell].Max);
+  }
+  if (count > 0)
+  {
+    this->Ranges->Keep(leaf, ofCells, count);
   }
   return range;
 }
 
-std::uint64_t MeshTree::CellsIn(
-  std::int64_t leaf, const std::vector<ValueBand>& bands, bool isSolid) const
+std::uint64_t MeshTree::CellsIn(std::int64_t leaf, const std::vector<ValueBand>& bands) const
 {
   std::uint64_t active = 0;
-  const std::int64_t first = 64 * leaf;
-  const std::int64_t end = std::min(first + 64, this->NumberOfCells());
+  const std::int64_t first = 64 * leaf, end = this->EndOfLeaf(leaf);
+  if (first >= end || this->Ranges->FindCells(leaf, bands, active))
+  {
+    return active;
+  }
   for (std::int64_t rank = first; rank < end; ++rank)
   {
     const CellRange range = this->Cells.ReadRange(this->CellAt(rank));
     const bool isActive = std::any_of(bands.begin(), bands.end(),
-      [&](const ValueBand& band)
-      { return range.Max >= band.Low && (isSolid || range.Min < band.High); });
+      [&](const ValueBand& band) { return range.Max >= band.Low && range.Min < band.High; });
     active |= static_cast<std::uint64_t>(isActive) << (rank - first);
   }
   return active;
@@ -110,7 +119,8 @@ std::uint64_t MeshTree::CellsIn(
 
 std::size_t MeshTree::MemoryInBytes() const
 {
-  return this->Order->capacity() * sizeof(std::uint32_t) + this->Boxes->MemoryInBytes();
+  return this->Order->capacity() * sizeof(std::uint32_t) + this->Boxes->MemoryInBytes() +
+    this->Ranges->MemoryInBytes();
 }
 
 }

@@ -10,13 +10,16 @@
 #include "Trees/MeshCheck.h"
 #include "Trees/MeshLattice.h"
 #include "Trees/MeshOrder.h"
+#include "Trees/MeshRanges.h"
 #include "Trees/MeshReader.h"
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace TemporalCoherence
@@ -49,7 +52,7 @@ public:
   std::shared_ptr<const MeshTree> Refit(const std::shared_ptr<const Mesh>& mesh,
     const ReportProgress& progress, MeshProblem& problem) const;
 
-  /// The same tree for other values. Costs nothing.
+  /// The same tree for other values. Nothing is read.
   /// \pre the mesh has equal cells and points: CellStamp and PointStamp
   std::shared_ptr<const MeshTree> WithValuesOf(const std::shared_ptr<const Mesh>& mesh) const;
 
@@ -62,6 +65,8 @@ public:
   /// mesh coordinates = Low + Scale * index. The scale is a power of two.
   double Scale() const { return this->Boxes->Scale; }
   const glm::dvec3& Low() const { return this->Boxes->Low; }
+  glm::dvec3 ToMesh(const glm::dvec3& index) const { return this->Boxes->ToMesh(index); }
+  glm::dvec3 ToIndex(const glm::dvec3& point) const { return this->Boxes->ToIndex(point); }
 
   /// Of the cells in the tree.
   const EdgeLengths& Edges() const { return this->Boxes->Edges; }
@@ -69,6 +74,12 @@ public:
   /// Cells in the tree: those with volume that are not hidden.
   std::int64_t NumberOfCells() const { return static_cast<std::int64_t>(this->Order->size()); }
   std::int64_t NumberOfLeaves() const { return (this->NumberOfCells() + 63) / 64; }
+  /// The rank behind the last cell of a leaf, which begins with rank 64 * leaf. Not behind the
+  /// beginning if the leaf holds no cells.
+  std::int64_t EndOfLeaf(std::int64_t leaf) const
+  {
+    return std::min(64 * leaf + 64, this->NumberOfCells());
+  }
 
   /// The rank that lies at a cell of the lattice. It may be NumberOfCells or more: there is no
   /// cell.
@@ -99,6 +110,10 @@ public:
     return this->BlockBox(level, MeshLattice::NumberOf(block));
   }
   std::size_t NumberOfLevels() const { return this->Boxes->Levels.size(); }
+  std::int64_t NumberOfBlocks(std::size_t level) const
+  {
+    return static_cast<std::int64_t>(this->Boxes->Levels[level].size());
+  }
 
   /// The box around a block of cells of the lattice. A part of a leaf has the leaf's box; a block
   /// without cells is a point.
@@ -109,9 +124,9 @@ public:
   /// \param finite the range of the finite values, if it is asked for
   CellRange RangeOfLeaf(std::int64_t leaf, CellRange* finite = nullptr) const;
 
-  /// One bit for each cell of a leaf that an isovalue of the ascending bands passes; for solids,
-  /// each cell that is not outside of all.
-  std::uint64_t CellsIn(std::int64_t leaf, const std::vector<ValueBand>& bands, bool isSolid) const;
+  /// One bit for each cell of a leaf that an isovalue of the bands passes. A few more are set if
+  /// the range of the leaf was asked for: then no value is read.
+  std::uint64_t CellsIn(std::int64_t leaf, const std::vector<ValueBand>& bands) const;
 
   std::size_t MemoryInBytes() const;
 
@@ -126,6 +141,7 @@ private:
   MeshReader Cells;
   std::shared_ptr<const CellNumbers> Order; ///< numbers of cells by rank
   std::shared_ptr<const MeshBoxes> Boxes;
+  std::unique_ptr<MeshRanges> Ranges; ///< of leaves whose range was asked for
 };
 
 }

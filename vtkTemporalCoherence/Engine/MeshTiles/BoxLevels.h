@@ -3,7 +3,7 @@
 #ifndef TemporalCoherence_BoxLevels_h
 #define TemporalCoherence_BoxLevels_h
 
-#include "MeshFields/KernelsTileGrid.h"
+#include "MeshTiles/KernelsTileGrid.h"
 #include "Trees/MeshTree.h"
 
 #include <cstddef>

@@ -4,8 +4,8 @@
 #define TemporalCoherence_ActiveLeaves_h
 
 #include "Acceleration/ActiveCells.h"
-#include "MeshFields/BoxLevels.h"
-#include "MeshFields/TileGrid.h"
+#include "MeshTiles/BoxLevels.h"
+#include "MeshTiles/TileGrid.h"
 #include "Scene/FieldKind.h"
 #include "Scene/RayBatch.h"
 #include "Trees/MeshTree.h"
@@ -49,7 +49,6 @@ public:
 
 private:
   std::uint64_t WordOf(std::size_t level, std::int64_t block) const;
-  std::int64_t BlocksOf(std::size_t level) const;
 
   const FieldKind& Kind;
   const MeshTree& Tree;

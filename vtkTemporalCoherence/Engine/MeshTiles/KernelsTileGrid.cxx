@@ -3,10 +3,10 @@
 
 // What a tile can see, in vectors of boxes and of points.
 
-#include "MeshFields/KernelsTileGrid.h"
+#include "MeshTiles/KernelsTileGrid.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "MeshFields/KernelsTileGrid.cxx"
+#define HWY_TARGET_INCLUDE "MeshTiles/KernelsTileGrid.cxx"
 #include <hwy/foreach_target.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "MeshFields/CellValues.h"
+#include "MeshTiles/CellValues.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "MeshFields/ActiveLeaves.h"
+#include "MeshTiles/ActiveLeaves.h"
 
-#include "MeshFields/KernelsBoxes.h"
+#include "MeshTiles/KernelsBoxes.h"
 #include "Scene/LayerBatch.h"
 #include "Trees/MeshLattice.h"
 
@@ -37,22 +37,12 @@ double ActiveLeaves::MarginOf(const RayBatch& rays, const MeshTree& tree)
   return 0x1p-40 * farthest;
 }
 
-std::int64_t ActiveLeaves::BlocksOf(std::size_t level) const
-{
-  std::int64_t blocks = this->Tree.NumberOfLeaves();
-  for (; level > 0; --level)
-  {
-    blocks = (blocks + Children - 1) / Children;
-  }
-  return blocks;
-}
-
 /// One bit for each active child of a block of a level above the leaves.
 std::uint64_t ActiveLeaves::WordOf(std::size_t level, std::int64_t block) const
 {
   if (!this->Active)
   {
-    return FirstBits(this->BlocksOf(level - 1) - Children * block);
+    return FirstBits(this->Tree.NumberOfBlocks(level - 1) - Children * block);
   }
   const glm::ivec3 place = MeshLattice::PlaceOf(block);
   return level == 1 ? this->Active->LeavesOf(this->Active->NodeOf(ActiveCells::NodeSize * place))

@@ -3,7 +3,7 @@
 #ifndef TemporalCoherence_CellValues_h
 #define TemporalCoherence_CellValues_h
 
-#include "MeshFields/KernelsBoxes.h"
+#include "MeshTiles/KernelsBoxes.h"
 
 #include <glm/glm.hpp>
 

@@ -3,10 +3,10 @@
 
 // Vectors of rays and one box.
 
-#include "MeshFields/KernelsBoxes.h"
+#include "MeshTiles/KernelsBoxes.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "MeshFields/KernelsBoxes.cxx"
+#define HWY_TARGET_INCLUDE "MeshTiles/KernelsBoxes.cxx"
 #include <hwy/foreach_target.h>
 
 #include <hwy/highway.h>

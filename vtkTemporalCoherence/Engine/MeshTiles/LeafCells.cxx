@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "MeshFields/LeafCells.h"
+#include "MeshTiles/LeafCells.h"
 
 #include "Scene/LayerBatch.h"
 

@@ -3,7 +3,8 @@
 #ifndef TemporalCoherence_TileGrid_h
 #define TemporalCoherence_TileGrid_h
 
-#include "MeshFields/KernelsTileGrid.h"
+#include "MeshTiles/KernelsOutlines.h"
+#include "MeshTiles/KernelsTileGrid.h"
 #include "Scene/RayBatch.h"
 #include "Scene/Tiles.h"
 #include "Trees/MeshTree.h"
@@ -31,6 +32,7 @@ public:
     {
       this->FindRows(rays);
       this->FindPlanes();
+      this->InIndexSpace = this->Seen;
       this->Seen.Origin = tree.Low() + scale * this->Seen.Origin;
       for (glm::dvec3& row : this->Seen.Row)
       {
@@ -60,6 +62,36 @@ public:
   std::uint64_t RaysAround(const PointLanes& points, int count) const
   {
     return PixelsAround(this->Seen, points, count);
+  }
+
+  /// How the tile sees what lies in a box of index space, relative to its middle.
+  /// \return false if it is not known: the box is too near the eye, or too large
+  bool See(const FloatBox& box, OutlineView& view) const
+  {
+    constexpr double nearest = 0.125, farthest = 0x1p16;
+    const glm::dvec3 low(box.Low), high(box.High);
+    const glm::dvec3 middle = 0.5 * (low + high) - this->InIndexSpace.Origin;
+    const glm::dvec3 half = 0.5 * (high - low);
+    std::array<double, 3> reach;
+    for (std::size_t row = 0; row < 3; ++row)
+    {
+      const glm::dvec3& along = this->InIndexSpace.Row[row];
+      const double at = glm::dot(along, middle), around = glm::dot(glm::abs(along), half);
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        view.Row[row][a] = static_cast<float>(along[static_cast<int>(a)]);
+      }
+      view.Middle[row] = static_cast<float>(at);
+      reach[row] = row == 0 ? at - around : std::abs(at) + around;
+    }
+    view.IsPerspective = this->InIndexSpace.IsPerspective;
+    view.Margin = static_cast<float>(Margin);
+    const double depth = view.IsPerspective ? reach[0] : 1.0;
+    const double pixels = std::max(reach[1], reach[2]) / depth;
+    view.Reach = static_cast<float>(pixels);
+    const bool isAhead =
+      !view.IsPerspective || reach[0] > nearest * static_cast<double>(view.Middle[0]);
+    return this->IsKnown && isAhead && pixels < farthest;
   }
 
 private:
@@ -137,6 +169,7 @@ private:
   bool IsKnown = false;
   glm::dvec3 Forward;
   TileRows Seen{}; ///< of points in the coordinates of the mesh
+  TileRows InIndexSpace{};
   TilePlanes Around{};
 };
 

@@ -3,9 +3,9 @@
 #ifndef TemporalCoherence_LeafCells_h
 #define TemporalCoherence_LeafCells_h
 
-#include "MeshFields/ActiveLeaves.h"
-#include "MeshFields/CellValues.h"
-#include "MeshFields/KernelsTileGrid.h"
+#include "MeshTiles/ActiveLeaves.h"
+#include "MeshTiles/CellValues.h"
+#include "MeshTiles/KernelsTileGrid.h"
 #include "Scene/Frame.h"
 #include "Trees/MeshTree.h"
 

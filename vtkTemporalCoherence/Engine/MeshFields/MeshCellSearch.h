@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_MeshCellSearch_h
+#define TemporalCoherence_MeshCellSearch_h
+
+#include "Mesh/CellRays.h"
+#include "Mesh/KernelsCells.h"
+#include "MeshFields/MeshSolids.h"
+#include "MeshTiles/MeshDifference.h"
+#include "Scene/HitOrder.h"
+#include "Scene/RayBatch.h"
+#include "Scene/Surfaces.h"
+#include "Trace/SurfaceTracer.h"
+#include "Trees/MeshTree.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace TemporalCoherence
+{
+
+/// A surface that a ray of a tile meets in a cell.
+struct MetInCell
+{
+  MetSurface Surface;
+  std::int16_t Isovalue; ///< position in the list
+  std::uint8_t Ray;
+  CellNumber Cell;
+};
+
+/// Make a surface the hit of its ray if it is nearer. Of one that two cells share, the cell with
+/// the lower number counts.
+void KeepNearest(const MetInCell& met, const std::vector<double>& isovalues, HitBatch& hits);
+
+/// Searches cells of a mesh that are known for each ray, as look-ups in isomaps do.
+class MeshCellSearch
+{
+public:
+  /// The arguments must outlive this.
+  /// \param differences from each isovalue
+  MeshCellSearch(
+    const Surfaces& surfaces, const MeshTree& tree, const std::vector<MeshDifference>& differences)
+    : Isosurfaces(surfaces)
+    , Tree(tree)
+    , Differences(differences)
+  {
+  }
+
+  /// As SurfaceTracer::SearchCells.
+  std::uint64_t Search(const RayBatch& rays, const RayCells& cells, HitBatch& hits) const;
+
+private:
+  std::uint64_t Keep(const MeshKernels::Crossings& found, std::size_t surface,
+    const RayBatch::Array<CellNumber>& cells, HitBatch& hits) const;
+  std::uint64_t KeepSolid(
+    const std::vector<SolidPart>& parts, std::size_t surface, HitBatch& hits) const;
+
+  const Surfaces& Isosurfaces;
+  const MeshTree& Tree;
+  const std::vector<MeshDifference>& Differences;
+};
+
+}
+
+#endif

@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MeshTiles/PreparedCells.h"
+
+#include "MeshTiles/CellValues.h"
+#include "Scene/LayerBatch.h"
+
+#include <algorithm>
+#include <array>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+/// The box around points in index space.
+FloatBox BoxAround(const glm::dvec3* points, std::size_t count)
+{
+  FloatBox box;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const glm::vec3 point(points[i]);
+    box.Low = glm::min(box.Low, point);
+    box.High = glm::max(box.High, point);
+  }
+  return box;
+}
+
+/// The corners of the polygon in which a tetrahedron is cut where its values are 0.
+/// \pre some values are negative, some are not
+void FindPolygon(const glm::dvec3* points, const std::array<double, 4>& values, glm::dvec3* polygon)
+{
+  std::array<std::size_t, 4> inside, outside;
+  std::size_t numberInside = 0, numberOutside = 0;
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    (values[i] >= 0.0 ? inside[numberInside++] : outside[numberOutside++]) = i;
+  }
+  const auto cut = [&](std::size_t i, std::size_t j)
+  { return points[i] + values[i] / (values[i] - values[j]) * (points[j] - points[i]); };
+  if (numberInside == 2)
+  {
+    polygon[0] = cut(inside[0], outside[0]);
+    polygon[1] = cut(inside[0], outside[1]);
+    polygon[2] = cut(inside[1], outside[1]);
+    polygon[3] = cut(inside[1], outside[0]);
+    return;
+  }
+  const bool isOneInside = numberInside == 1;
+  const std::size_t lone = isOneInside ? inside[0] : outside[0];
+  const std::array<std::size_t, 4>& others = isOneInside ? outside : inside;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    polygon[i] = cut(lone, others[i]);
+  }
+  polygon[3] = polygon[2];
+}
+
+/// Reads the cells of a leaf.
+class CellPreparer
+{
+public:
+  CellPreparer(const MeshTree& tree, std::int64_t leaf, const MeshDifference& difference,
+    SurfaceMode mode, PreparedCells& cells)
+    : Tree(tree)
+    , Middle(MiddleOf(tree.LeafBox(leaf)))
+    , Difference(difference)
+    , IsSolid(mode == SurfaceMode::Threshold)
+    , Cells(cells)
+  {
+    cells.Numbers.clear();
+    cells.Tetrahedra.clear();
+    cells.Hexahedra.clear();
+  }
+
+  /// Keep a cell, if it counts.
+  void Take(CellNumber number, const MeshCell& cell)
+  {
+    MeshKernels::CellDifferences differences;
+    const bool isCrossed = this->Difference.Of(cell, differences);
+    if (!isCrossed && !(this->IsSolid && differences[0] >= 0.0))
+    {
+      return;
+    }
+    if (cell.Shape == MeshCellShape::Tetrahedron)
+    {
+      this->Cells.Numbers.push_back(number);
+      if (this->Cells.Tetrahedra.empty())
+      {
+        this->Cells.Tetrahedra.reserve(this->Cells.Numbers.capacity());
+      }
+      this->Cells.Tetrahedra.emplace_back(cell, differences);
+    }
+    else if (cell.Shape == MeshCellShape::Hexahedron)
+    {
+      this->OfHexahedra[this->Cells.Hexahedra.size()] = number;
+      this->Cells.Hexahedra.push_back(
+        { cell, differences, MeshKernels::HexahedronFunctions(cell, differences), {}, {} });
+    }
+  }
+
+  /// Outline all cells.
+  void Finish()
+  {
+    this->Cells.Numbers.insert(this->Cells.Numbers.end(), this->OfHexahedra.begin(),
+      this->OfHexahedra.begin() + static_cast<std::ptrdiff_t>(this->Cells.Hexahedra.size()));
+    this->Cells.Outlines.Resize(this->Cells.Count());
+    for (std::size_t i = 0; i < this->Cells.Tetrahedra.size(); ++i)
+    {
+      this->Outline(i, this->Cells.Tetrahedra[i]);
+    }
+    for (std::size_t i = this->Cells.Tetrahedra.size(); i < this->Cells.Count(); ++i)
+    {
+      this->Outline(i, this->Cells.Hexahedra[i - this->Cells.Tetrahedra.size()]);
+    }
+  }
+
+private:
+  void Outline(std::size_t at, const MeshKernels::TetrahedronPoints& cell)
+  {
+    CellOutlines::Points points;
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      points[i] = points[i + 4] = this->Tree.ToIndex(cell.Points[i]) - this->Middle;
+    }
+    if (!this->IsSolid)
+    {
+      FindPolygon(points.data(), cell.Values, &points[4]);
+    }
+    this->Cells.Outlines.Set(at, points, !this->IsSolid);
+  }
+
+  void Outline(std::size_t at, PreparedHexahedron& cell)
+  {
+    CellOutlines::Points points;
+    std::transform(cell.Cell.Points.begin(), cell.Cell.Points.end(), points.begin(),
+      [&](const glm::dvec3& point) { return this->Tree.ToIndex(point); });
+    cell.Box = BoxAround(points.data(), points.size());
+    if (!this->IsSolid)
+    {
+      cell.Values = NearlyLinearOf(points, cell.Cell.Values);
+    }
+    for (glm::dvec3& point : points)
+    {
+      point -= this->Middle;
+    }
+    this->Cells.Outlines.Set(at, points, false);
+  }
+
+  const MeshTree& Tree;
+  glm::dvec3 Middle;
+  const MeshDifference& Difference;
+  bool IsSolid;
+  PreparedCells& Cells;
+  std::array<CellNumber, MeshLattice::SizeOfBlock> OfHexahedra; ///< their numbers
+};
+
+}
+
+void PrepareCells(const MeshTree& tree, std::int64_t leaf, std::uint64_t which,
+  const MeshDifference& difference, SurfaceMode mode, PreparedCells& cells)
+{
+  CellPreparer preparer(tree, leaf, difference, mode, cells);
+  std::array<CellNumber, MeshLattice::SizeOfBlock> numbers;
+  std::size_t count = 0;
+  ForEachRay(which,
+    [&](std::size_t bit)
+    {
+      numbers[count++] =
+        tree.CellAt(MeshLattice::SizeOfBlock * leaf + static_cast<std::int64_t>(bit));
+    });
+  std::array<MeshCell, MeshLattice::SizeOfBlock> read;
+  tree.Reader().ReadAll(numbers, count, read);
+  cells.Numbers.reserve(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    preparer.Take(numbers[i], read[i]);
+  }
+  preparer.Finish();
+}
+
+SolidCell PreparedCells::SolidAt(std::size_t cell) const
+{
+  if (!this->IsTetrahedron(cell))
+  {
+    const PreparedHexahedron& hexahedron = this->HexahedronAt(cell);
+    return { hexahedron.Cell, hexahedron.Differences };
+  }
+  const MeshKernels::TetrahedronPoints& points = this->Tetrahedra[cell];
+  SolidCell solid;
+  solid.Cell.Shape = MeshCellShape::Tetrahedron;
+  std::copy(points.Points.begin(), points.Points.end(), solid.Cell.Points.begin());
+  std::copy(points.Values.begin(), points.Values.end(), solid.Differences.begin());
+  return solid;
+}
+
+FloatBox PreparedCells::BoxOf(std::size_t cell, const MeshTree& tree) const
+{
+  if (!this->IsTetrahedron(cell))
+  {
+    return this->HexahedronAt(cell).Box;
+  }
+  std::array<glm::dvec3, 4> points = this->Tetrahedra[cell].Points;
+  for (glm::dvec3& point : points)
+  {
+    point = tree.ToIndex(point);
+  }
+  return BoxAround(points.data(), points.size());
+}
+
+std::size_t PreparedCells::SizeInBytes() const
+{
+  return sizeof(PreparedCells) + this->Outlines.SizeInBytes() +
+    this->Numbers.capacity() * sizeof(CellNumber) +
+    this->Tetrahedra.capacity() * sizeof(MeshKernels::TetrahedronPoints) +
+    this->Hexahedra.capacity() * sizeof(PreparedHexahedron);
+}
+
+}

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_PreparedCells_h
+#define TemporalCoherence_PreparedCells_h
+
+#include "Mesh/HexahedronFunctions.h"
+#include "Mesh/MeshCell.h"
+#include "Mesh/TetrahedronPoints.h"
+#include "MeshTiles/CellOutlines.h"
+#include "MeshTiles/KernelsBoxes.h"
+#include "MeshTiles/MeshDifference.h"
+#include "Scene/Frame.h"
+#include "Scene/Surfaces.h"
+#include "Trees/MeshTree.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace TemporalCoherence
+{
+
+/// A hexahedron, ready to be searched for a surface.
+struct PreparedHexahedron
+{
+  MeshCell Cell;
+  MeshKernels::CellDifferences Differences;
+  MeshKernels::HexahedronFunctions Functions;
+  NearlyLinear Values; ///< if all are finite
+  FloatBox Box;        ///< in index space, rounded as those of BoxLanes
+};
+
+/// A cell as it is searched for parts of rays in a solid.
+struct SolidCell
+{
+  MeshCell Cell;
+  MeshKernels::CellDifferences Differences;
+};
+
+/// The cells of a leaf that a surface passes, ready to be searched: read from the mesh, with
+/// differences from the isovalue. Tetrahedra come first.
+struct PreparedCells
+{
+  std::size_t Count() const { return this->Numbers.size(); }
+  bool IsTetrahedron(std::size_t cell) const { return cell < this->Tetrahedra.size(); }
+  const PreparedHexahedron& HexahedronAt(std::size_t cell) const
+  {
+    return this->Hexahedra[cell - this->Tetrahedra.size()];
+  }
+
+  SolidCell SolidAt(std::size_t cell) const;
+
+  /// The box around a cell in index space, rounded as those of BoxLanes.
+  FloatBox BoxOf(std::size_t cell, const MeshTree& tree) const;
+
+  std::size_t SizeInBytes() const;
+
+  std::vector<CellNumber> Numbers;
+  CellOutlines Outlines;
+  std::vector<MeshKernels::TetrahedronPoints> Tetrahedra;
+  std::vector<PreparedHexahedron> Hexahedra;
+};
+
+/// Read and prepare cells of a leaf.
+/// \param which one bit for each cell that the surface may pass
+/// \param mode  with THRESHOLD, cells that are wholly inside count, too
+/// \param cells gets those that count
+/// \throws std::bad_alloc
+void PrepareCells(const MeshTree& tree, std::int64_t leaf, std::uint64_t which,
+  const MeshDifference& difference, SurfaceMode mode, PreparedCells& cells);
+
+/// The middle of a leaf's box, to which outlines are relative.
+inline glm::dvec3 MiddleOf(const FloatBox& box)
+{
+  return 0.5 * (glm::dvec3(box.Low) + glm::dvec3(box.High));
+}
+
+}
+
+#endif

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MeshTiles/PreparedLeaves.h"
+
+namespace TemporalCoherence
+{
+
+PreparedLeaves::PreparedLeaves(
+  const MeshTree& tree, const Surfaces& surfaces, const glm::dvec2& finiteRange)
+  : Tree(tree)
+  , Isosurfaces(surfaces)
+  , FiniteRange(finiteRange)
+{
+  for (const double isovalue : surfaces.Isovalues)
+  {
+    this->Differences.emplace_back(isovalue, finiteRange);
+  }
+}
+
+PreparedLeaves::~PreparedLeaves()
+{
+  if (this->Kept)
+  {
+    const std::size_t slots =
+      this->Differences.size() * static_cast<std::size_t>(this->Tree.NumberOfLeaves());
+    for (std::size_t slot = 0; slot < slots; ++slot)
+    {
+      delete this->Kept[slot].load(std::memory_order_relaxed);
+    }
+  }
+}
+
+bool PreparedLeaves::AreOf(const Surfaces& surfaces, const glm::dvec2& finiteRange) const
+{
+  return AreMetAlike(this->Isosurfaces, surfaces) && this->FiniteRange == finiteRange;
+}
+
+PreparedLeaves::Slot& PreparedLeaves::SlotOf(std::int64_t leaf, std::size_t surface) const
+{
+  const auto leaves = static_cast<std::size_t>(this->Tree.NumberOfLeaves());
+  std::call_once(
+    this->IsAsked, [&] { this->Kept.reset(new Slot[this->Differences.size() * leaves]()); });
+  return this->Kept[surface * leaves + static_cast<std::size_t>(leaf)];
+}
+
+void PreparedLeaves::Prepare(
+  std::int64_t leaf, std::size_t surface, std::uint64_t active, PreparedCells& cells) const
+{
+  PrepareCells(this->Tree, leaf, active, this->Differences[surface], this->Isosurfaces.Mode, cells);
+}
+
+const PreparedCells& PreparedLeaves::Of(
+  std::int64_t leaf, std::size_t surface, std::uint64_t active, PreparedCells& spare) const
+{
+  Slot& slot = this->SlotOf(leaf, surface);
+  if (const PreparedCells* const known = slot.load(std::memory_order_acquire))
+  {
+    return *known;
+  }
+  if (this->Bytes.load(std::memory_order_relaxed) > MostBytes)
+  {
+    this->Prepare(leaf, surface, active, spare);
+    return spare;
+  }
+  auto made = std::make_unique<PreparedCells>();
+  this->Prepare(leaf, surface, active, *made);
+  const auto bytes = static_cast<std::int64_t>(made->SizeInBytes());
+  const PreparedCells* known = nullptr;
+  if (slot.compare_exchange_strong(known, made.get(), std::memory_order_acq_rel))
+  {
+    this->Bytes += bytes;
+    return *made.release();
+  }
+  return *known; // another thread was faster
+}
+
+}

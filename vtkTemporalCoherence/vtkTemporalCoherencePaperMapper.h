@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkTemporalCoherencePaperMapper
+ * @brief   settings for a comparison with the paper
+ *
+ * This is a base class of vtkTemporalCoherenceVolumeMapper. It keeps settings that choose between
+ * the method of "Accelerating Volume Visualization by Exploiting Temporal Coherence" as it was
+ * published and as it is here. Applications need none of them.
+ *
+ * @sa vtkTemporalCoherenceVolumeMapper
+ */
+
+#ifndef vtkTemporalCoherencePaperMapper_h
+#define vtkTemporalCoherencePaperMapper_h
+
+#include "vtkTemporalCoherenceDropInMapper.h"
+#include "vtkTemporalCoherenceModule.h" // For export macro
+
+VTK_ABI_NAMESPACE_BEGIN
+class VTKTEMPORALCOHERENCE_EXPORT VTK_MARSHALAUTO vtkTemporalCoherencePaperMapper
+  : public vtkTemporalCoherenceDropInMapper
+{
+public:
+  vtkAbstractTypeMacro(vtkTemporalCoherencePaperMapper, vtkTemporalCoherenceDropInMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum ImageCachePolicies
+  {
+    LATEST = 0,
+    KEY_IMAGE = 1
+  };
+
+  //@{
+  /**
+   * Set/Get which frames the image cache keeps. LATEST (default): every frame. KEY_IMAGE: cold
+   * frames only, one of which is made every KeyImageInterval frames (default: 7, at least 1).
+   */
+  vtkSetClampMacro(ImageCachePolicy, int, LATEST, KEY_IMAGE);
+  vtkGetMacro(ImageCachePolicy, int);
+  void SetImageCachePolicyToLatest() { this->SetImageCachePolicy(LATEST); }
+  void SetImageCachePolicyToKeyImage() { this->SetImageCachePolicy(KEY_IMAGE); }
+  vtkSetClampMacro(KeyImageInterval, int, 1, VTK_INT_MAX);
+  vtkGetMacro(KeyImageInterval, int);
+  //@}
+
+  enum Shadings
+  {
+    RESHADE = 0,
+    INTERPOLATE = 1
+  };
+
+  //@{
+  /**
+   * Set/Get how known hits are shaded. RESHADE (default) computes normals and colours from the
+   * field. INTERPOLATE is faster, but not exact: ImageCacheShading (for definite hits with PAPER)
+   * takes colours from the cached image, IsomapShading takes normals from the isomap's knots.
+   */
+  vtkSetClampMacro(ImageCacheShading, int, RESHADE, INTERPOLATE);
+  vtkGetMacro(ImageCacheShading, int);
+  void SetImageCacheShadingToReshade() { this->SetImageCacheShading(RESHADE); }
+  void SetImageCacheShadingToInterpolate() { this->SetImageCacheShading(INTERPOLATE); }
+  vtkSetClampMacro(IsomapShading, int, RESHADE, INTERPOLATE);
+  vtkGetMacro(IsomapShading, int);
+  void SetIsomapShadingToReshade() { this->SetIsomapShading(RESHADE); }
+  void SetIsomapShadingToInterpolate() { this->SetIsomapShading(INTERPOLATE); }
+  //@}
+
+  //@{
+  /**
+   * ColorByAnswer (default: off) paints those surfaces yellow that the image cache did not help to
+   * find. It affects frames of the route ImageCache only. SpaceLeaping (default: on) skips blocks
+   * of cells that hold none of the isovalues. Without it, a ray reads every cell on its way.
+   */
+  vtkSetMacro(ColorByAnswer, vtkTypeBool);
+  vtkGetMacro(ColorByAnswer, vtkTypeBool);
+  vtkBooleanMacro(ColorByAnswer, vtkTypeBool);
+  vtkSetMacro(SpaceLeaping, vtkTypeBool);
+  vtkGetMacro(SpaceLeaping, vtkTypeBool);
+  vtkBooleanMacro(SpaceLeaping, vtkTypeBool);
+  //@}
+
+protected:
+  vtkTemporalCoherencePaperMapper();
+  ~vtkTemporalCoherencePaperMapper() override;
+
+private:
+  vtkTemporalCoherencePaperMapper(const vtkTemporalCoherencePaperMapper&) = delete;
+  void operator=(const vtkTemporalCoherencePaperMapper&) = delete;
+
+  int ImageCachePolicy = LATEST;
+  int KeyImageInterval = 7;
+  int ImageCacheShading = RESHADE;
+  int IsomapShading = RESHADE;
+  vtkTypeBool ColorByAnswer = 0;
+  vtkTypeBool SpaceLeaping = 1;
+};
+VTK_ABI_NAMESPACE_END
+
+#endif

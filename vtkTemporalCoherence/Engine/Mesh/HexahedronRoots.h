@@ -72,7 +72,7 @@ constexpr double MostErrorOfSystem = 1e-6, MostErrorOfRoot = 1e-3, MostOfErrors 
 /// By the lengths of the slopes of a system, the smallest volume that they may span; and how much
 /// farther than bends and rounding errors say roots may lie from those of the linear part: more
 /// than the inverse of such slopes is inexact.
-constexpr double LeastVolume = 0x1p-20, Slack = 0x1p-20;
+constexpr double LeastSpan = 0x1p-20, Slack = 0x1p-20;
 
 /// A system has one root at most if the spectral radius of its slopes is less.
 constexpr double MostSlope = 0.9;

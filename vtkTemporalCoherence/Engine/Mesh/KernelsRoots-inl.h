@@ -146,7 +146,7 @@ struct KnownPart
     }
     const V determinant = Adjoint(rows, columns);
     // Not true where something is no number.
-    this->IsRegular = hn::Gt(hn::Abs(determinant), hn::Mul(hn::Set(d, LeastVolume), most));
+    this->IsRegular = hn::Gt(hn::Abs(determinant), hn::Mul(hn::Set(d, LeastSpan), most));
     const V scale = hn::Div(one, hn::IfThenElse(this->IsRegular, determinant, one));
     for (std::size_t i = 0; i < 3; ++i)
     {

@@ -47,7 +47,7 @@ std::int64_t MeshBandTracer::Trace(const RayBatch& rays, TileKnots& knots) const
       wanted &= ~band.GoOnTo(DistancesAt(tile, leaf.Depth));
     }
     const std::uint64_t ofLeaf =
-      RaysThrough(rays, rays.WalkEnd, this->Tree.LeafBox(leaf.Number), tile.Margin) & wanted;
+      RaysThrough(rays, wanted, rays.WalkEnd, this->Tree.LeafBox(leaf.Number), tile.Margin);
     if (ofLeaf != 0)
     {
       cellsRead += VisitCellsOf(this->Cells.Of(leaf.Number, spare), tile, ofLeaf, rays.WalkEnd,

@@ -85,20 +85,24 @@ std::uint64_t FindRaysAcross(const RayBatch& rays, std::uint64_t which, const Fl
   return across & which;
 }
 
-std::uint64_t FindRaysThrough(
-  const RayBatch& rays, const RayBatch::Array<double>& limits, const FloatBox& box, double margin)
+std::uint64_t FindRaysThrough(const RayBatch& rays, std::uint64_t which,
+  const RayBatch::Array<double>& limits, const FloatBox& box, double margin)
 {
   const hn::ScalableTag<double> d;
   std::uint64_t passing = 0;
-  const auto count = static_cast<std::size_t>(rays.Count);
-  for (std::size_t i = 0; i < count; i += hn::Lanes(d))
+  const std::uint64_t lanes = (std::uint64_t(1) << hn::Lanes(d)) - 1;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); i += hn::Lanes(d))
   {
+    if ((which >> i & lanes) == 0)
+    {
+      continue;
+    }
     auto enter = hn::Load(d, &rays.WalkBegin[i]);
     auto leave = hn::Min(hn::Load(d, &rays.WalkEnd[i]), hn::Load(d, &limits[i]));
     ClipToBox(d, rays, i, box, margin, enter, leave);
     passing |= BitsOfLanes(d, hn::Le(enter, leave)) << i;
   }
-  return count < 64 ? passing & ((std::uint64_t(1) << count) - 1) : passing;
+  return passing & which;
 }
 
 }
@@ -118,10 +122,10 @@ std::uint64_t RaysAcross(const RayBatch& rays, std::uint64_t which, const FloatB
   return HWY_DYNAMIC_DISPATCH(FindRaysAcross)(rays, which, box, margin, values, isovalue);
 }
 
-std::uint64_t RaysThrough(
-  const RayBatch& rays, const RayBatch::Array<double>& limits, const FloatBox& box, double margin)
+std::uint64_t RaysThrough(const RayBatch& rays, std::uint64_t which,
+  const RayBatch::Array<double>& limits, const FloatBox& box, double margin)
 {
-  return HWY_DYNAMIC_DISPATCH(FindRaysThrough)(rays, limits, box, margin);
+  return HWY_DYNAMIC_DISPATCH(FindRaysThrough)(rays, which, limits, box, margin);
 }
 
 }

@@ -138,7 +138,7 @@ std::int64_t VisitCellsOf(const LeafCells::Leaf& leaf, const MeshTile& tile, std
     // It takes longer to search a hexahedron than to find out that nothing nearer is in it.
     if (which != 0 && (isHexahedron || !tile.Grid.IsGrid()))
     {
-      which &= RaysThrough(tile.Rays, limits, leaf.Boxes.BoxAt(place), tile.MarginOfLanes);
+      which = RaysThrough(tile.Rays, which, limits, leaf.Boxes.BoxAt(place), tile.MarginOfLanes);
     }
     if (which != 0)
     {
@@ -216,7 +216,7 @@ std::int64_t VisitCells(const MeshTile& tile, const ActiveLeaves& active,
   for (const ActiveLeaves::Leaf& leaf : tile.Leaves)
   {
     const FloatBox& box = tile.Tree.LeafBox(leaf.Number);
-    const std::uint64_t ofLeaf = RaysThrough(tile.Rays, limits, box, tile.Margin) & wanted;
+    const std::uint64_t ofLeaf = RaysThrough(tile.Rays, wanted, limits, box, tile.Margin);
     for (std::size_t surface = 0; ofLeaf != 0 && surface < prepared.NumberOfSurfaces(); ++surface)
     {
       const PreparedCells& cells =
@@ -228,7 +228,8 @@ std::int64_t VisitCells(const MeshTile& tile, const ActiveLeaves& active,
         // It takes longer to search a hexahedron than to find out that nothing nearer is in it.
         if (!order.AreSeen() || !cells.IsTetrahedron(cell))
         {
-          which &= RaysThrough(tile.Rays, limits, cells.BoxOf(cell, tile.Tree), tile.MarginOfLanes);
+          which =
+            RaysThrough(tile.Rays, which, limits, cells.BoxOf(cell, tile.Tree), tile.MarginOfLanes);
         }
         if (which != 0)
         {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Isomap/IsomapLookup.h"
 
+#include "Isomap/TileGroups.h"
 #include "Trace/RayPieces.h"
 
 #include <algorithm>
@@ -145,6 +146,24 @@ bool IsomapLookup::IsMiss(std::int64_t tile, const std::vector<IsovalueKeys>& ke
     });
 }
 
+/// Have memory bring the knots of the next tile while this one is looked up.
+void IsomapLookup::PrefetchNext(std::int64_t tile, const std::vector<IsovalueKeys>& keys) const
+{
+  const auto group = static_cast<std::size_t>(tile / TileGrain);
+  if (tile + 1 == TilesOfGroup(this->Key.View.Size, group).End || this->Tolerance > 0.0)
+  {
+    return;
+  }
+  for (const IsovalueKeys& each : keys)
+  {
+    const TileKnots* const next = this->KnotsOf(each, tile + 1);
+    for (std::size_t piece = 0; next && piece < this->Pieces; ++piece)
+    {
+      next[piece].Prefetch();
+    }
+  }
+}
+
 TraceCounts IsomapLookup::LookUpTile(std::int64_t tile, const PixelRect& part,
   const std::vector<IsovalueKeys>& keys, Frame& frame, std::uint64_t& unresolved,
   TileHits& tileHits) const
@@ -157,6 +176,7 @@ TraceCounts IsomapLookup::LookUpTile(std::int64_t tile, const PixelRect& part,
     counts.DefiniteMisses += static_cast<std::int64_t>(part.Size.x) * part.Size.y;
     return counts;
   }
+  this->PrefetchNext(tile, keys);
   frame.ClearTiles[static_cast<std::size_t>(tile)] = 0;
   RayBatch& rays = tileHits.Rays;
   this->Rays.SetUp(part.First, part.Size, rays, &tileHits.World);

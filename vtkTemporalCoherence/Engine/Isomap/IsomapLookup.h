@@ -83,6 +83,7 @@ private:
     RayBatch::Array<glm::vec3> Normals;
   };
 
+  void PrefetchNext(std::int64_t tile, const std::vector<IsovalueKeys>& keys) const;
   void FindInPieces(std::int64_t tile, const RayBatch& rays, Found& found) const;
   void FindSurfaces(std::int64_t tile, std::size_t piece, const RayBatch& rays, Found& found) const;
   std::uint64_t BeginOn(std::size_t surface, const TileKnots& knots, const RayBatch& rays,

@@ -15,6 +15,8 @@
 #include <memory>
 #include <vector>
 
+#include <hwy/cache_control.h>
+
 namespace TemporalCoherence
 {
 
@@ -186,6 +188,7 @@ struct TileKnots
   /// The field's difference from the band's lowest isovalue where each ray begins, as stored;
   /// -infinity below the band. Empty if all rays begin below the band.
   std::vector<float> Entries;
+  static constexpr std::size_t RaysOfLine = 16; ///< in a line of a cache
 
   /// One bit for each ray that cannot be looked up, because it meets samples that are not finite.
   /// Of passages: each ray that has more than are stored, and goes on behind its last one.
@@ -193,8 +196,24 @@ struct TileKnots
 
   bool IsEmpty() const
   {
-    return this->NumberOfKnots() == 0 && this->Entries.empty() && this->Unresolved == 0 &&
+    const auto isEmpty = [](const auto& table) { return table.IsEmpty(); };
+    return std::all_of(this->Cells.begin(), this->Cells.end(), isEmpty) &&
+      std::all_of(this->Fitted.begin(), this->Fitted.end(), isEmpty) &&
+      this->Passages.Rows.IsEmpty() && this->Entries.empty() && this->Unresolved == 0 &&
       !this->Passages.MayBeCapped;
+  }
+
+  /// Have memory bring the cells and entries.
+  void Prefetch() const
+  {
+    for (const CellKnots& table : this->Cells)
+    {
+      table.Prefetch();
+    }
+    for (std::size_t ray = 0; ray < this->Entries.size(); ray += RaysOfLine)
+    {
+      hwy::Prefetch(&this->Entries[ray]);
+    }
   }
 
   std::size_t NumberOfKnots() const

@@ -14,6 +14,8 @@
 #include <tuple>
 #include <vector>
 
+#include <hwy/cache_control.h>
+
 namespace TemporalCoherence
 {
 
@@ -74,6 +76,17 @@ public:
   }
 
   bool IsEmpty() const { return !this->Bytes; }
+
+  /// Have memory bring the table, as far as it is not very long.
+  void Prefetch() const
+  {
+    constexpr std::size_t line = 64, most = 64 * line;
+    const std::size_t size = std::min(this->MemoryInBytes(), most);
+    for (std::size_t at = 0; at < size; at += line)
+    {
+      hwy::Prefetch(this->Bytes.get() + at);
+    }
+  }
 
   /// Rows Begin(ray) .. Begin(ray + 1) - 1 belong to a ray. \pre the table is not empty
   std::size_t Begin(std::size_t ray) const

@@ -104,7 +104,7 @@ bool Solve(const std::array<glm::dvec3, 3>& rows, const glm::dvec3& right, glm::
   const glm::dvec3 across[3] = { glm::cross(units[1], units[2]), glm::cross(units[2], units[0]),
     glm::cross(units[0], units[1]) };
   const double volume = glm::dot(units[0], across[0]);
-  if (!(std::abs(volume) > LeastVolume))
+  if (!(std::abs(volume) > LeastCornerVolume))
   {
     return false;
   }

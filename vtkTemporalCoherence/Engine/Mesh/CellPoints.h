@@ -24,7 +24,7 @@ struct PointInCell
 };
 
 /// Edges span no volume if it is less than this, by the product of their lengths.
-constexpr double LeastVolume = 1e-12;
+constexpr double LeastCornerVolume = 1e-12;
 
 /// Find a point in a cell. Where a folded cell covers it more than once, one of these is found.
 /// Where the point is outside, At is one nearby: the end of a search that does not always find the

@@ -274,7 +274,7 @@ std::uint64_t GradientsOfTetrahedra(
     const Axes<V> yz = Cross(unit[1], unit[2]), zx = Cross(unit[2], unit[0]);
     const Axes<V> xy = Cross(unit[0], unit[1]);
     const V volume = Dot(unit[0], yz);
-    isThick = hn::And(isThick, hn::Gt(hn::Abs(volume), hn::Set(d, LeastVolume)));
+    isThick = hn::And(isThick, hn::Gt(hn::Abs(volume), hn::Set(d, LeastCornerVolume)));
     const auto store = [&](const V& ofX, const V& ofY, const V& ofZ, std::size_t a) HWY_ATTR
     {
       const V sum =

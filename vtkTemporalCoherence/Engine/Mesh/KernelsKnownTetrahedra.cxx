@@ -18,41 +18,32 @@ namespace MeshKernels
 namespace HWY_NAMESPACE
 {
 
-/// The points of a cell for each lane, among those of a tile.
+/// The points of the cells of a vector of rays.
 template <class D>
-struct ChosenPoints
+struct KnownPoints
 {
   using V = hn::Vec<D>;
-  using Indices = hn::RebindToSigned<D>;
-  static constexpr std::size_t Stride = sizeof(TetrahedronPoints) / sizeof(double);
 
-  HWY_INLINE ChosenPoints(const KnownTetrahedra& known, std::size_t i, std::size_t axis)
+  HWY_INLINE KnownPoints(const KnownTetrahedra& known, std::size_t i, std::size_t axis)
     : Axes(TurnedAxes(axis))
-    , First(known.Cells[0])
+    , Hand(hn::Load(D(), &known.Handedness[i]))
   {
-    HWY_ALIGN std::int64_t from[hn::MaxLanes(D())];
-    for (std::size_t lane = 0; lane < hn::Lanes(D()); ++lane)
+    for (std::size_t corner = 0; corner < 4; ++corner)
     {
-      from[lane] = static_cast<std::int64_t>(known.Cell[i + lane] * Stride);
+      V* const point = this->Points[corner];
+      hn::LoadInterleaved4(
+        D(), known.Corners[corner][i].data(), point[0], point[1], point[2], this->Values[corner]);
     }
-    this->From = hn::Load(Indices(), from);
   }
   HWY_INLINE V At(std::size_t corner, std::size_t a) const
   {
-    return hn::GatherIndex(D(), &this->First.Points[corner][this->Axes[a]], this->From);
+    return this->Points[corner][this->Axes[a]];
   }
-  HWY_INLINE V Value(std::size_t corner) const
-  {
-    return hn::GatherIndex(D(), &this->First.Values[corner], this->From);
-  }
-  HWY_INLINE V Handedness() const
-  {
-    return hn::GatherIndex(D(), &this->First.Handedness, this->From);
-  }
+  HWY_INLINE V Value(std::size_t corner) const { return this->Values[corner]; }
+  HWY_INLINE V Handedness() const { return this->Hand; }
 
   std::array<glm::length_t, 3> Axes;
-  const TetrahedronPoints& First;
-  hn::Vec<Indices> From;
+  V Points[4][3], Values[4], Hand;
 };
 
 void KnownCrossingsOf(const KnownTetrahedra& known, const MeshRays& rays, Crossings& found)
@@ -63,7 +54,7 @@ void KnownCrossingsOf(const KnownTetrahedra& known, const MeshRays& rays, Crossi
     ForEachVector(known.Rays & rays.Along[axis],
       [&](std::size_t i, std::uint64_t wanted) HWY_ATTR
       {
-        const ChosenPoints<Doubles> points(known, i, axis);
+        const KnownPoints<Doubles> points(known, i, axis);
         AppendCrossings(
           d, FindSpan(d, ShearedRays<Doubles>(rays, i), points), rays, i, wanted, found);
       });

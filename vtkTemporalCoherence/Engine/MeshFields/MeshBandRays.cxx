@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace TemporalCoherence
@@ -34,15 +35,40 @@ MeshBandRays::MeshBandRays(const BandScene& scene, const RayBatch& rays)
   }
 }
 
-std::uint64_t MeshBandRays::GoOnTo(const RayBatch::Array<double>& distances)
+/// Sort passages by their rays, and along each ray. They come nearly in order, so insertion is
+/// fast.
+void MeshBandRays::Sort()
 {
-  std::sort(this->Ahead.begin(), this->Ahead.end(),
-    [](const MeshPassage& a, const MeshPassage& b) {
-      return a.Ray != b.Ray ? a.Ray < b.Ray : a.In != b.In ? a.In < b.In : a.Place < b.Place;
-    });
-  auto kept = this->Ahead.begin();
+  std::array<std::uint32_t, RayBatch::Capacity + 1> next{};
   for (const MeshPassage& passage : this->Ahead)
   {
+    ++next[passage.Ray + std::size_t(1)];
+  }
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  const std::array<std::uint32_t, RayBatch::Capacity + 1> begins = next;
+  this->Order.resize(this->Ahead.size());
+  const auto isBefore = [this](const Entry& a, const Entry& b)
+  { return a.In != b.In ? a.In < b.In : this->Ahead[a.At].Place < this->Ahead[b.At].Place; };
+  for (std::uint32_t i = 0; i < this->Ahead.size(); ++i)
+  {
+    const MeshPassage& passage = this->Ahead[i];
+    const Entry entry{ passage.In, i };
+    std::uint32_t at = next[passage.Ray]++;
+    for (; at > begins[passage.Ray] && isBefore(entry, this->Order[at - 1]); --at)
+    {
+      this->Order[at] = this->Order[at - 1];
+    }
+    this->Order[at] = entry;
+  }
+}
+
+std::uint64_t MeshBandRays::GoOnTo(const RayBatch::Array<double>& distances)
+{
+  this->Sort();
+  this->Kept.clear();
+  for (const Entry& entry : this->Order)
+  {
+    const MeshPassage& passage = this->Ahead[entry.At];
     if (this->Done >> passage.Ray & 1u)
     {
       continue;
@@ -53,10 +79,10 @@ std::uint64_t MeshBandRays::GoOnTo(const RayBatch::Array<double>& distances)
     }
     else
     {
-      *kept++ = passage;
+      this->Kept.push_back(passage);
     }
   }
-  this->Ahead.erase(kept, this->Ahead.end());
+  this->Ahead.swap(this->Kept);
   return this->Knots.MemoryInBytes() > this->Scene.MemoryLimit ? ~std::uint64_t(0) : this->Done;
 }
 

@@ -54,6 +54,14 @@ private:
     bool HasEntered = false;
   };
 
+  /// A passage, by its place among those that are ahead.
+  struct Entry
+  {
+    double In;
+    std::uint32_t At;
+  };
+
+  void Sort();
   void TakeNote(const MeshPassage& passage);
   void Enter(const MeshPassage& passage, double error);
   void GiveUp(std::size_t ray);
@@ -64,6 +72,8 @@ private:
   bool IsSolid;
   KnotCollector Knots;
   std::vector<MeshPassage> Ahead; ///< not yet noted
+  std::vector<Entry> Order;       ///< of these, by ray and along it
+  std::vector<MeshPassage> Kept;  ///< room for those that stay ahead
   std::array<Progress, RayBatch::Capacity> OfRay;
   std::uint64_t Done = 0;
   std::vector<float> Entries;

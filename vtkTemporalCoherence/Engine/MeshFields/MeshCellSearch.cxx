@@ -59,11 +59,17 @@ struct KnownCells
         placeOf[ray] = static_cast<std::uint8_t>(at);
       });
     this->Count = places.Count();
+    std::array<std::int64_t, Most> ranks;
     for (std::size_t i = 0; i < this->Count; ++i)
     {
       const auto part = [&](int a)
       { return static_cast<int>(places[i] >> a * bits & ((1u << bits) - 1)); };
-      this->Numbers[i] = tree.CellAt(MeshTree::RankOf({ part(0), part(1), part(2) }));
+      ranks[i] = MeshTree::RankOf({ part(0), part(1), part(2) });
+      tree.PrefetchCellAt(ranks[i]);
+    }
+    for (std::size_t i = 0; i < this->Count; ++i)
+    {
+      this->Numbers[i] = tree.CellAt(ranks[i]);
     }
     ForEachRay(
       cells.Rays, [&](std::size_t ray) { this->OfRay[ray] = this->Numbers[placeOf[ray]]; });
@@ -106,7 +112,7 @@ std::uint64_t MeshCellSearch::Search(
       met |= this->Keep(found, cells.Surface, known.OfRay, hits);
     }
   }
-  if (tetrahedra.Count > 0)
+  if (tetrahedra.Rays != 0)
   {
     MeshKernels::Crossings found;
     MeshKernels::KnownTetrahedronCrossings(tetrahedra, inMesh, found);

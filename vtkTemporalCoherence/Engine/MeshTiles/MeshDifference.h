@@ -37,15 +37,12 @@ public:
 
   double operator()(double value) const
   {
+    // Without branches, as nothing tells on which side the next value is.
     constexpr double least = 0x1p-290, largest = 4.0;
-    if (!(value >= this->Isovalue))
-    {
-      const double difference = value * this->Factor - this->Scaled;
-      return difference > -largest ? std::min(difference, -least) : -largest;
-    }
-    return std::min(
-      value == this->Isovalue ? 0.0 : std::max(value * this->Factor - this->Scaled, least),
-      largest);
+    const double difference = value * this->Factor - this->Scaled;
+    const double below = difference > -largest ? std::min(difference, -least) : -largest;
+    const double above = std::min(std::max(difference, least), largest);
+    return !(value >= this->Isovalue) ? below : value == this->Isovalue ? 0.0 : above;
   }
 
   /// \return false if the isovalue does not pass the cell

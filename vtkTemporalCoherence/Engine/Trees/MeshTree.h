@@ -22,6 +22,8 @@
 #include <utility>
 #include <vector>
 
+#include <hwy/cache_control.h>
+
 namespace TemporalCoherence
 {
 
@@ -94,6 +96,9 @@ public:
   {
     return (*this->Order)[static_cast<std::size_t>(rank)];
   }
+
+  /// Have memory bring what CellAt needs.
+  void PrefetchCellAt(std::int64_t rank) const { hwy::Prefetch(this->Order->data() + rank); }
 
   /// Boxes in index space. Leaf n holds the ranks from 64 n on, node n the leaves from 64 n on, and
   /// block n of a level the blocks from 64 n on of the level below. Level 0 are leaves, 1 nodes,

@@ -226,7 +226,13 @@ std::int64_t VisitCells(const MeshTile& tile, const ActiveLeaves& active,
       {
         std::uint64_t which = order.RaysOf(cell);
         // It takes longer to search a hexahedron than to find out that nothing nearer is in it.
-        if (!order.AreSeen() || !cells.IsTetrahedron(cell))
+        if (!cells.IsTetrahedron(cell))
+        {
+          const PreparedHexahedron& hexahedron = cells.HexahedronAt(cell);
+          which = RaysAcross(
+            tile.Rays, which, limits, hexahedron.Box, tile.MarginOfLanes, hexahedron.Values);
+        }
+        else if (!order.AreSeen())
         {
           which =
             RaysThrough(tile.Rays, which, limits, cells.BoxOf(cell, tile.Tree), tile.MarginOfLanes);

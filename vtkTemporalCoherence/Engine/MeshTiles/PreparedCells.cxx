@@ -138,7 +138,7 @@ private:
     cell.Box = BoxAround(points.data(), points.size());
     if (!this->IsSolid)
     {
-      cell.Values = NearlyLinearOf(points, cell.Cell.Values);
+      cell.Values = NearlyLinearOf(points, cell.Differences);
     }
     for (glm::dvec3& point : points)
     {

@@ -26,7 +26,7 @@ struct PreparedHexahedron
   MeshCell Cell;
   MeshKernels::CellDifferences Differences;
   MeshKernels::HexahedronFunctions Functions;
-  NearlyLinear Values; ///< if all are finite
+  NearlyLinear Values; ///< of differences; not known in solids
   FloatBox Box;        ///< in index space, rounded as those of BoxLanes
 };
 

@@ -65,6 +65,9 @@ constexpr double LeastDeterminant = 1e-60;
 constexpr int MostNewtonSteps = 16;
 constexpr double LastStep = 2e-8, LastMove = 1e-16;
 
+/// In vectors, it is left to smaller boxes after so many steps, as others wait.
+constexpr int MostStepsOfVectors = 8;
+
 /// In vectors, systems with larger rounding errors are searched alone, roots with larger ones in
 /// smaller boxes. A root in a cell may lie beyond it by so many times its rounding error.
 constexpr double MostErrorOfSystem = 1e-6, MostErrorOfRoot = 1e-3, MostOfErrors = 4.0;

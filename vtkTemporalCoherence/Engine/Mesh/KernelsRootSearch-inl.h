@@ -203,10 +203,8 @@ HWY_INLINE void LookIntoCell(
   const StraightSystem<D> system(functions, rays, ray);
   KnownPart<D> part(system);
   wanted &= ~BitsOf(d, part.IsOut);
-  const std::uint64_t alone = wanted &
-    ~BitsOf(d,
-      hn::Lt(
-        Three(system.Error[0], system.Error[1], system.Error[2]), hn::Set(d, MostErrorOfSystem)));
+  const std::uint64_t alone =
+    wanted & ~BitsOf(d, hn::Lt(system.Error, hn::Set(d, MostErrorOfSystem)));
   work.Alone |= alone << i;
   wanted &= ~alone;
   if (wanted == 0)

@@ -121,8 +121,9 @@ struct StraightSystem
     const V far = Three(hn::Abs(rays.Turned[0]), hn::Abs(rays.Turned[1]), hn::Abs(rays.Turned[2]));
     const V error = hn::Set(d, ValueError);
     const V rounded = hn::Mul(error, hn::Add(far, functions.Of(cell.Far, ray)));
+    const V lost = hn::Add(hn::Mul(rounded, functions.Of(cell.Straight.Reach, ray)),
+      functions.Of(cell.Straight.Lost, ray));
     V value = functions.Of(cell.Difference[0], ray);
-    V lost = hn::Mul(hn::Add(error, error), functions.Of(cell.LargestDifference, ray));
     this->PerDepth = hn::Zero(d);
     for (std::size_t i = 0; i < 3; ++i)
     {
@@ -131,19 +132,17 @@ struct StraightSystem
       this->Origin[i] = hn::Add(hn::Mul(perX, x), hn::Mul(perY, y));
       this->Along[i] = Three(hn::Mul(perX, rays.ShearX), hn::Mul(perY, rays.ShearY),
         functions.OfAxis(cell.Straight.Inverse, 2, i, ray));
-      this->Error[i] = hn::Add(hn::Mul(rounded, functions.Of(cell.Straight.Reach[i], ray)),
-        functions.Of(cell.Straight.Lost[i], ray));
       const V slope = functions.Of(cell.Difference[std::size_t(1) << i], ray);
       value = hn::Add(value, hn::Mul(slope, this->Origin[i]));
       this->PerDepth = hn::Add(this->PerDepth, hn::Mul(slope, this->Along[i]));
-      lost = hn::Add(lost, hn::Mul(hn::Abs(slope), this->Error[i]));
     }
     const V depthPerValue = hn::Div(hn::Set(d, 1.0), this->PerDepth);
+    V most = hn::Zero(d);
     for (std::size_t i = 0; i < 3; ++i)
     {
       const V perValue = hn::Mul(this->Along[i], depthPerValue);
       this->Constant[i] = hn::Sub(hn::Mul(perValue, value), this->Origin[i]);
-      this->Error[i] = hn::Add(this->Error[i], hn::Mul(hn::Abs(perValue), lost));
+      most = hn::Add(most, hn::Abs(perValue));
       for (std::size_t term = 0; term < BentTerms.size(); ++term)
       {
         const V ofDifference = functions.Of(cell.Straight.DifferenceBends[term], ray);
@@ -151,6 +150,9 @@ struct StraightSystem
           hn::Add(functions.Of(cell.Straight.Bends[i][term], ray), hn::Mul(perValue, ofDifference));
       }
     }
+    const V ofDifference = hn::Add(hn::Mul(functions.Of(cell.Straight.Slope, ray), lost),
+      hn::Mul(hn::Add(error, error), functions.Of(cell.LargestDifference, ray)));
+    this->Error = hn::Add(lost, hn::Mul(most, ofDifference));
   }
 
   HWY_INLINE void ValuesAt(const V u[3], const V products[4], V values[3]) const
@@ -172,7 +174,7 @@ struct StraightSystem
 
   V Origin[3], Along[3]; ///< the ray in coordinates w, by the depth from the middle of the cell on
   V Constant[3], Bends[3][4];
-  V Error[3]; ///< bounds of rounding errors
+  V Error;    ///< a bound of rounding errors
   V PerDepth; ///< how the linear part of the difference rises with the depth
 };
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace TemporalCoherence
 {
@@ -27,8 +28,9 @@ struct StraightCell
   std::array<Row, 3> Inverse; ///< [a] is what coordinate a adds. 0 in flat cells
   std::array<std::array<double, 4>, 3> Bends;
   std::array<double, 4> DifferenceBends;
-  Row Reach; ///< how far points that are 1 apart along all axes may be apart in w
-  Row Lost;  ///< how far Inverse is from the inverse
+  double Reach; ///< how far points that are 1 apart along all axes may be apart in w
+  double Lost;  ///< how far Inverse is from the inverse
+  double Slope; ///< of the difference, along all axes together
 
   StraightCell() = default;
   StraightCell(const std::array<Trilinear, 3>& coordinates, const Trilinear& difference)
@@ -40,22 +42,27 @@ struct StraightCell
     this->Inverse = { Cross(edges[1], edges[2]), Cross(edges[2], edges[0]),
       Cross(edges[0], edges[1]) };
     const double determinant = Dot(edges[0], this->Inverse[0]);
-    const double scale = determinant != 0.0 ? 1.0 / determinant : 0.0;
+    const double scale =
+      std::abs(determinant) > std::numeric_limits<double>::min() ? 1.0 / determinant : 0.0;
     for (Row& column : this->Inverse)
     {
       column = { column[0] * scale, column[1] * scale, column[2] * scale };
     }
+    this->Reach = this->Lost = this->Slope = 0.0;
     this->DifferenceBends = { difference[3], difference[5], difference[6], difference[7] };
     for (std::size_t i = 0; i < 3; ++i)
     {
       const Row row = { this->Inverse[0][i], this->Inverse[1][i], this->Inverse[2][i] };
-      this->Reach[i] = (std::abs(row[0]) + std::abs(row[1])) + std::abs(row[2]);
-      this->Lost[i] = 0.0;
+      double lost = 0.0;
       for (std::size_t j = 0; j < 3; ++j)
       {
         const double one = Dot(row, { edges[0][j], edges[1][j], edges[2][j] });
-        this->Lost[i] += std::abs(one - (i == j ? 1.0 : 0.0));
+        lost += std::abs(one - (i == j ? 1.0 : 0.0));
       }
+      const double reach = (std::abs(row[0]) + std::abs(row[1])) + std::abs(row[2]);
+      this->Reach = std::max(this->Reach, reach);
+      this->Lost = std::max(this->Lost, lost);
+      this->Slope += std::abs(difference[std::size_t(1) << i]);
       for (std::size_t term = 0; term < 4; ++term)
       {
         const std::size_t k = BentTerms[term];

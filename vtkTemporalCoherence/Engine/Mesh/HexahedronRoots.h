@@ -28,9 +28,10 @@ struct HexahedronRoot
   bool Rises; ///< the difference rises along the ray
 };
 
+/// Nothing is set at first: whole batches of rays have room for roots, and most find none here.
 struct HexahedronRoots
 {
-  std::size_t Count = 0;
+  std::size_t Count;
   std::array<HexahedronRoot, Crossings::MostInCell> Roots;
 };
 
@@ -64,6 +65,9 @@ constexpr double LeastDeterminant = 1e-60;
 constexpr int MostNewtonSteps = 16;
 constexpr double LastStep = 2e-8, LastMove = 1e-16;
 
+/// In vectors, it is left to smaller boxes after so many steps, as others wait.
+constexpr int MostStepsOfVectors = 8;
+
 /// In vectors, systems with larger rounding errors are searched alone, roots with larger ones in
 /// smaller boxes. A root in a cell may lie beyond it by so many times its rounding error.
 constexpr double MostErrorOfSystem = 1e-6, MostErrorOfRoot = 1e-3, MostOfErrors = 4.0;
@@ -71,7 +75,7 @@ constexpr double MostErrorOfSystem = 1e-6, MostErrorOfRoot = 1e-3, MostOfErrors 
 /// By the lengths of the slopes of a system, the smallest volume that they may span; and how much
 /// farther than bends and rounding errors say roots may lie from those of the linear part: more
 /// than the inverse of such slopes is inexact.
-constexpr double LeastVolume = 0x1p-20, Slack = 0x1p-20;
+constexpr double LeastSpan = 0x1p-20, Slack = 0x1p-20;
 
 /// A system has one root at most if the spectral radius of its slopes is less.
 constexpr double MostSlope = 0.9;

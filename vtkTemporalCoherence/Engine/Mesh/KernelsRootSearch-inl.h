@@ -47,7 +47,7 @@ struct RootWork
     ++this->CountOf[ray];
     RootItems& to = *this->Next;
     const std::size_t at = to.Count++;
-    to.Ray[at] = static_cast<std::uint8_t>(ray);
+    to.Ray[at] = static_cast<std::int64_t>(ray);
     for (std::size_t a = 0; a < 3; ++a)
     {
       to.Middle[a][at] = middle[a];
@@ -61,34 +61,24 @@ template <class D>
 struct RootBoxes
 {
   using V = hn::Vec<D>;
-  static constexpr std::size_t Lanes = hn::MaxLanes(D());
 
+  /// \pre items are filled up
   HWY_INLINE RootBoxes(const RootItems& items, std::size_t first)
-    : Count(std::min(Lanes, items.Count - first))
+    : Count(std::min(hn::Lanes(D()), items.Count - first))
+    , Ray(hn::LoadU(DI(), &items.Ray[first]))
   {
     for (std::size_t a = 0; a < 3; ++a)
     {
-      HWY_ALIGN double middle[Lanes], half[Lanes];
-      for (std::size_t lane = 0; lane < Lanes; ++lane)
-      {
-        const std::size_t at = first + std::min(lane, this->Count - 1);
-        this->Ray[lane] = items.Ray[at];
-        middle[lane] = items.Middle[a][at];
-        half[lane] = items.Half[a][at];
-      }
-      this->Middle[a] = hn::Load(D(), middle);
-      this->Half[a] = hn::Load(D(), half);
+      this->Middle[a] = hn::LoadU(D(), &items.Middle[a][first]);
+      this->Half[a] = hn::LoadU(D(), &items.Half[a][first]);
     }
   }
 
   /// Whole cells, one for each ray from the first one on.
   HWY_INLINE explicit RootBoxes(std::size_t first)
-    : Count(Lanes)
+    : Count(hn::Lanes(D()))
+    , Ray(hn::Iota(DI(), static_cast<std::int64_t>(first)))
   {
-    for (std::size_t lane = 0; lane < Lanes; ++lane)
-    {
-      this->Ray[lane] = static_cast<std::int64_t>(first + lane);
-    }
     for (std::size_t a = 0; a < 3; ++a)
     {
       this->Middle[a] = hn::Zero(D());
@@ -97,8 +87,11 @@ struct RootBoxes
   }
 
   std::size_t Count;
-  HWY_ALIGN std::int64_t Ray[Lanes];
+  Places<D> Ray;
   V Middle[3], Half[3];
+
+private:
+  using DI = hn::RebindToSigned<D>;
 };
 
 /// Crossings of a vector of rays, where they are found.
@@ -146,10 +139,12 @@ HWY_INLINE void PushParts(
     hn::Store(boxes.Middle[a], d, middles[a]);
     hn::Store(boxes.Half[a], d, halves[a]);
   }
+  HWY_ALIGN std::int64_t rays[most];
+  hn::Store(boxes.Ray, hn::RebindToSigned<D>(), rays);
   for (; left != 0; left &= left - 1)
   {
     const auto lane = static_cast<std::size_t>(hwy::Num0BitsBelowLS1Bit_Nonzero64(left));
-    const auto ray = static_cast<std::size_t>(boxes.Ray[lane]);
+    const auto ray = static_cast<std::size_t>(rays[lane]);
     std::array<double, 3> at, share, box, edge;
     for (std::size_t a = 0; a < 3; ++a)
     {
@@ -208,10 +203,8 @@ HWY_INLINE void LookIntoCell(
   const StraightSystem<D> system(functions, rays, ray);
   KnownPart<D> part(system);
   wanted &= ~BitsOf(d, part.IsOut);
-  const std::uint64_t alone = wanted &
-    ~BitsOf(d,
-      hn::Lt(
-        Three(system.Error[0], system.Error[1], system.Error[2]), hn::Set(d, MostErrorOfSystem)));
+  const std::uint64_t alone =
+    wanted & ~BitsOf(d, hn::Lt(system.Error, hn::Set(d, MostErrorOfSystem)));
   work.Alone |= alone << i;
   wanted &= ~alone;
   if (wanted == 0)
@@ -241,26 +234,31 @@ HWY_INLINE void LookIntoCell(
 template <class D, class Functions>
 HWY_INLINE void Look(const Functions& functions, const RootBoxes<D>& boxes, RootWork& work)
 {
-  const D d;
-  const auto ray = hn::Load(hn::RebindToSigned<D>(), boxes.Ray);
-  const GatheredRays<D> rays(work.Rays, ray);
-  const StraightSystem<D> system(functions, rays, ray);
+  const GatheredRays<D> rays(work.Rays, boxes.Ray);
+  const StraightSystem<D> system(functions, rays, boxes.Ray);
   KnownPart<D> part(boxes.Middle, boxes.Half);
-  const std::uint64_t wanted = (std::uint64_t(1) << boxes.Count) - 1;
-  const std::uint64_t left = LookInto(functions, rays, ray, system, part, wanted,
+  part.CutToRay(functions, boxes.Ray, system);
+  const std::uint64_t wanted = ((std::uint64_t(1) << boxes.Count) - 1) & ~BitsOf(D(), part.IsOut);
+  if (wanted == 0)
+  {
+    return;
+  }
+  const std::uint64_t left = LookInto(functions, rays, boxes.Ray, system, part, wanted,
     [&](const auto& crossings, const auto& roots, std::uint64_t met) HWY_ATTR
     {
       HWY_ALIGN double at[3][hn::MaxLanes(D())];
+      HWY_ALIGN std::int64_t places[hn::MaxLanes(D())];
+      hn::Store(boxes.Ray, hn::RebindToSigned<D>(), places);
       for (std::size_t a = 0; a < 3; ++a)
       {
-        hn::Store(roots.At[a], d, at[a]);
+        hn::Store(roots.At[a], D(), at[a]);
       }
       for (; met != 0; met &= met - 1)
       {
         const auto lane = static_cast<std::size_t>(hwy::Num0BitsBelowLS1Bit_Nonzero64(met));
         const bool rises = (crossings.Rising >> lane & 1u) != 0;
         AddRoot({ { at[0][lane], at[1][lane], at[2][lane] }, crossings.T[lane], rises },
-          work.Several.Begin(static_cast<std::size_t>(boxes.Ray[lane])));
+          work.Several.Begin(static_cast<std::size_t>(places[lane])));
       }
     });
   if (left != 0)
@@ -278,6 +276,7 @@ HWY_INLINE void LookRoundByRound(const Functions& functions, RootWork& work)
   {
     work.Next->Count = 0;
     work.CountOf.fill(0);
+    work.Now->FillUp();
     for (std::size_t i = 0; i < work.Now->Count; i += hn::Lanes(D()))
     {
       Look(functions, RootBoxes<D>(*work.Now, i), work);

@@ -38,13 +38,14 @@ struct KnownPart
   {
     const D d;
     const V one = hn::Set(d, 1.0), minusOne = hn::Set(d, -1.0);
+    const V around = hn::Add(system.Error, hn::Set(d, Margin));
     this->IsOut = hn::Lt(one, minusOne);
     for (std::size_t i = 0; i < 3; ++i)
     {
       const V* const b = system.Bends[i];
       const V bend =
         hn::Add(hn::Add(hn::Abs(b[0]), hn::Abs(b[1])), hn::Add(hn::Abs(b[2]), hn::Abs(b[3])));
-      const V reach = Three(bend, system.Error[i], hn::Set(d, Margin));
+      const V reach = hn::Add(bend, around);
       const V low = hn::Neg(hn::Add(reach, system.Constant[i]));
       const V high = hn::Sub(reach, system.Constant[i]);
       this->IsOut = hn::Or(this->IsOut, hn::Or(hn::Gt(low, one), hn::Lt(high, minusOne)));
@@ -64,6 +65,62 @@ struct KnownPart
       this->Low[i] = hn::Sub(middle[i], half[i]);
       this->High[i] = hn::Add(middle[i], half[i]);
       this->Around[i] = hn::Mul(half[i], hn::Set(d, MostAround));
+    }
+  }
+
+  /// Keep what is along the ray, without the surface. This helps where the ray is nearly along it.
+  template <class Functions>
+  HWY_INLINE void CutToRay(
+    const Functions& functions, Places<D> ray, const StraightSystem<D>& system)
+  {
+    const D d;
+    const V half = hn::Set(d, 0.5), largest = hn::Set(d, 1e300), smallest = hn::Set(d, -1e300);
+    V middle[3], size[3], products[4], sizes[4], lowBend[3], highBend[3];
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      middle[i] = hn::Mul(half, hn::Add(this->Low[i], this->High[i]));
+      size[i] = hn::Mul(half, hn::Sub(this->High[i], this->Low[i]));
+    }
+    ProductsOf(middle, products);
+    ProductsOf(size, sizes);
+    V in = smallest, out = largest;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      V bends[4], slopes[3];
+      BendsOfCell(functions, ray, i, bends);
+      SlopesOf(bends, middle, products, slopes);
+      const V bend = BendAt(bends, products);
+      V reach = Three(system.Error, hn::Set(d, Slack), hn::Mul(hn::Abs(bends[3]), sizes[3]));
+      V reachOfPoint = hn::Mul(hn::Abs(hn::Add(slopes[i], hn::Set(d, 1.0))), size[i]);
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        const V pair = hn::Abs(hn::Add(bends[a], hn::Mul(bends[3], middle[2 - a])));
+        reach = hn::Add(reach, hn::Mul(pair, sizes[a]));
+        if (a != i)
+        {
+          reach = hn::Add(reach, hn::Mul(hn::Abs(slopes[a]), size[a]));
+        }
+      }
+      reachOfPoint = hn::Add(reachOfPoint, reach);
+      reach = hn::Add(reach, hn::Mul(hn::Abs(slopes[i]), size[i]));
+      lowBend[i] = hn::Sub(bend, reach);
+      highBend[i] = hn::Add(bend, reach);
+      const V from = hn::Sub(hn::Add(middle[i], bend), system.Origin[i]);
+      const V perW = hn::Max(hn::Min(hn::Div(hn::Set(d, 1.0), system.Along[i]), largest), smallest);
+      const V first = hn::Mul(hn::Sub(from, reachOfPoint), perW);
+      const V last = hn::Mul(hn::Add(from, reachOfPoint), perW);
+      in = hn::Max(in, hn::Min(first, last));
+      out = hn::Min(out, hn::Max(first, last));
+    }
+    this->IsOut = hn::Or(this->IsOut, hn::Gt(in, out));
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const V first = hn::Mul(in, system.Along[i]), last = hn::Mul(out, system.Along[i]);
+      const V low = hn::Sub(hn::Add(system.Origin[i], hn::Min(first, last)), highBend[i]);
+      const V high = hn::Sub(hn::Add(system.Origin[i], hn::Max(first, last)), lowBend[i]);
+      this->Low[i] = hn::Max(this->Low[i], low);
+      this->High[i] = hn::Min(this->High[i], high);
+      this->IsOut = hn::Or(this->IsOut, hn::Gt(this->Low[i], this->High[i]));
     }
   }
 
@@ -90,17 +147,25 @@ struct KnownPart
     }
     const V determinant = Adjoint(rows, columns);
     // Not true where something is no number.
-    this->IsRegular = hn::Gt(hn::Abs(determinant), hn::Mul(hn::Set(d, LeastVolume), most));
+    this->IsRegular = hn::Gt(hn::Abs(determinant), hn::Mul(hn::Set(d, LeastSpan), most));
     const V scale = hn::Div(one, hn::IfThenElse(this->IsRegular, determinant, one));
+    V inverse[3][3];
+    this->Error = hn::Zero(d);
     for (std::size_t i = 0; i < 3; ++i)
     {
-      const V inverse[3] = { hn::Mul(columns[0][i], scale), hn::Mul(columns[1][i], scale),
-        hn::Mul(columns[2][i], scale) };
-      this->Bound(system, inverse, bends[i]);
-      this->Error[i] = Three(hn::Mul(hn::Abs(inverse[0]), system.Error[0]),
-        hn::Mul(hn::Abs(inverse[1]), system.Error[1]),
-        hn::Mul(hn::Abs(inverse[2]), system.Error[2]));
-      this->Cut(DotRows(inverse, values), BendAt(bends[i], sizes), size[i], i);
+      for (std::size_t j = 0; j < 3; ++j)
+      {
+        inverse[i][j] = hn::Mul(columns[j][i], scale);
+      }
+      this->Error = hn::Max(
+        this->Error, Three(hn::Abs(inverse[i][0]), hn::Abs(inverse[i][1]), hn::Abs(inverse[i][2])));
+    }
+    this->Error = hn::Mul(this->Error, system.Error);
+    const V slack = hn::Add(this->Error, hn::Set(d, Slack));
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      this->Bound(system, inverse[i], bends[i]);
+      this->Cut(DotRows(inverse[i], values), hn::Add(BendAt(bends[i], sizes), slack), size[i], i);
     }
     this->FindWhetherOnly(bends);
   }
@@ -110,7 +175,7 @@ struct KnownPart
   V Middle[3];       ///< of the part before it was narrowed
   V Reach[3];        ///< no two roots are so near to the middle, if IsOnly
   V Start[3];        ///< near the root
-  V Error[3];        ///< rounding errors of roots
+  V Error;           ///< a bound of rounding errors of roots
   M IsOut, IsOnly, IsRegular;
 
 private:
@@ -130,10 +195,8 @@ private:
   }
 
   /// Keep what is so near to the root of the linear part as the bend allows.
-  HWY_INLINE void Cut(V value, V bend, V size, std::size_t i)
+  HWY_INLINE void Cut(V value, V reach, V size, std::size_t i)
   {
-    const D d;
-    const V reach = Three(bend, this->Error[i], hn::Set(d, Slack));
     const V low = hn::Neg(hn::Add(reach, value)), high = hn::Sub(reach, value);
     const auto isBeside = hn::Or(hn::Gt(low, size), hn::Lt(high, hn::Neg(size)));
     this->IsOut = hn::Or(this->IsOut, hn::And(this->IsRegular, isBeside));
@@ -167,8 +230,7 @@ private:
     const V minor2 = hn::Add(product(1, 0, 2, 1), product(1, 1, 2, 0));
     const V third = hn::Sub(hn::Mul(rows[0][0], minor0),
       hn::Add(hn::Mul(rows[0][1], minor1), hn::Mul(rows[0][2], minor2)));
-    const V error = Three(this->Error[0], this->Error[1], this->Error[2]);
-    const auto isWell = hn::And(this->IsRegular, hn::Lt(error, hn::Set(d, MostErrorOfRoot)));
+    const auto isWell = hn::And(this->IsRegular, hn::Lt(this->Error, hn::Set(d, MostErrorOfRoot)));
     this->IsOnly = hn::And(hn::And(isWell, hn::Gt(rows[0][0], zero)),
       hn::And(hn::Gt(second, zero), hn::Gt(third, zero)));
   }
@@ -188,7 +250,7 @@ struct OnlyRoots
     const V zero = hn::Zero(d), one = hn::Set(d, 1.0), lastStep = hn::Set(d, LastStep);
     std::copy(part.Start, part.Start + 3, this->At);
     this->IsFound = this->IsPositive = hn::Lt(one, zero);
-    for (int step = 0; step < MostNewtonSteps && !hn::AllFalse(d, lanes); ++step)
+    for (int step = 0; step < MostStepsOfVectors && !hn::AllFalse(d, lanes); ++step)
     {
       V products[4], rows[3][3], values[3], columns[3][3];
       ProductsOf(this->At, products);
@@ -217,10 +279,10 @@ struct OnlyRoots
       lanes = hn::AndNot(hn::Or(isLast, hn::Le(moved, hn::Set(d, LastMove))), lanes);
     }
     this->IsInCell = this->IsFound;
+    const V error = hn::Mul(hn::Set(d, MostOfErrors), part.Error);
+    const V most = Three(one, hn::Set(d, Margin), error);
     for (std::size_t i = 0; i < 3; ++i)
     {
-      const V error = hn::Mul(hn::Set(d, MostOfErrors), part.Error[i]);
-      const V most = Three(one, hn::Set(d, Margin), error);
       this->IsInCell = hn::And(this->IsInCell, hn::Le(hn::Abs(this->At[i]), most));
     }
   }

@@ -110,7 +110,7 @@ struct StraightSystem
   {
     const D d;
     const HexahedronFunctions& cell = functions.First;
-    V from[3], origin[3], along[3];
+    V from[3];
     for (std::size_t a = 0; a < 3; ++a)
     {
       from[a] = hn::Sub(functions.OfAxis(cell.Coordinates, a, 0, ray), rays.Turned[a]);
@@ -121,29 +121,28 @@ struct StraightSystem
     const V far = Three(hn::Abs(rays.Turned[0]), hn::Abs(rays.Turned[1]), hn::Abs(rays.Turned[2]));
     const V error = hn::Set(d, ValueError);
     const V rounded = hn::Mul(error, hn::Add(far, functions.Of(cell.Far, ray)));
+    const V lost = hn::Add(hn::Mul(rounded, functions.Of(cell.Straight.Reach, ray)),
+      functions.Of(cell.Straight.Lost, ray));
     V value = functions.Of(cell.Difference[0], ray);
-    V lost = hn::Mul(hn::Add(error, error), functions.Of(cell.LargestDifference, ray));
     this->PerDepth = hn::Zero(d);
     for (std::size_t i = 0; i < 3; ++i)
     {
       const V perX = functions.OfAxis(cell.Straight.Inverse, 0, i, ray);
       const V perY = functions.OfAxis(cell.Straight.Inverse, 1, i, ray);
-      origin[i] = hn::Add(hn::Mul(perX, x), hn::Mul(perY, y));
-      along[i] = Three(hn::Mul(perX, rays.ShearX), hn::Mul(perY, rays.ShearY),
+      this->Origin[i] = hn::Add(hn::Mul(perX, x), hn::Mul(perY, y));
+      this->Along[i] = Three(hn::Mul(perX, rays.ShearX), hn::Mul(perY, rays.ShearY),
         functions.OfAxis(cell.Straight.Inverse, 2, i, ray));
-      this->Error[i] = hn::Add(hn::Mul(rounded, functions.Of(cell.Straight.Reach[i], ray)),
-        functions.Of(cell.Straight.Lost[i], ray));
       const V slope = functions.Of(cell.Difference[std::size_t(1) << i], ray);
-      value = hn::Add(value, hn::Mul(slope, origin[i]));
-      this->PerDepth = hn::Add(this->PerDepth, hn::Mul(slope, along[i]));
-      lost = hn::Add(lost, hn::Mul(hn::Abs(slope), this->Error[i]));
+      value = hn::Add(value, hn::Mul(slope, this->Origin[i]));
+      this->PerDepth = hn::Add(this->PerDepth, hn::Mul(slope, this->Along[i]));
     }
     const V depthPerValue = hn::Div(hn::Set(d, 1.0), this->PerDepth);
+    V most = hn::Zero(d);
     for (std::size_t i = 0; i < 3; ++i)
     {
-      const V perValue = hn::Mul(along[i], depthPerValue);
-      this->Constant[i] = hn::Sub(hn::Mul(perValue, value), origin[i]);
-      this->Error[i] = hn::Add(this->Error[i], hn::Mul(hn::Abs(perValue), lost));
+      const V perValue = hn::Mul(this->Along[i], depthPerValue);
+      this->Constant[i] = hn::Sub(hn::Mul(perValue, value), this->Origin[i]);
+      most = hn::Add(most, hn::Abs(perValue));
       for (std::size_t term = 0; term < BentTerms.size(); ++term)
       {
         const V ofDifference = functions.Of(cell.Straight.DifferenceBends[term], ray);
@@ -151,6 +150,9 @@ struct StraightSystem
           hn::Add(functions.Of(cell.Straight.Bends[i][term], ray), hn::Mul(perValue, ofDifference));
       }
     }
+    const V ofDifference = hn::Add(hn::Mul(functions.Of(cell.Straight.Slope, ray), lost),
+      hn::Mul(hn::Add(error, error), functions.Of(cell.LargestDifference, ray)));
+    this->Error = hn::Add(lost, hn::Mul(most, ofDifference));
   }
 
   HWY_INLINE void ValuesAt(const V u[3], const V products[4], V values[3]) const
@@ -170,10 +172,22 @@ struct StraightSystem
     }
   }
 
+  V Origin[3], Along[3]; ///< the ray in coordinates w, by the depth from the middle of the cell on
   V Constant[3], Bends[3][4];
-  V Error[3]; ///< bounds of rounding errors
+  V Error;    ///< a bound of rounding errors
   V PerDepth; ///< how the linear part of the difference rises with the depth
 };
+
+/// Bends of the cell itself, along one axis.
+template <class Functions, class V>
+HWY_INLINE void BendsOfCell(
+  const Functions& functions, Places<hn::DFromV<V>> ray, std::size_t i, V bends[4])
+{
+  for (std::size_t term = 0; term < BentTerms.size(); ++term)
+  {
+    bends[term] = functions.Of(functions.First.Straight.Bends[i][term], ray);
+  }
+}
 
 /// Lanes in which a point of a cell is not turned over, compared with its middle.
 template <class D, class Functions, class V = hn::Vec<D>>
@@ -184,10 +198,7 @@ HWY_INLINE hn::Mask<D> IsUnfolded(const Functions& functions, Places<D> ray, con
   for (std::size_t i = 0; i < 3; ++i)
   {
     V bends[4];
-    for (std::size_t term = 0; term < BentTerms.size(); ++term)
-    {
-      bends[term] = functions.Of(functions.First.Straight.Bends[i][term], ray);
-    }
+    BendsOfCell(functions, ray, i, bends);
     SlopesOf(bends, u, products, rows[i]);
     rows[i][i] = hn::Add(rows[i][i], hn::Set(D(), 1.0));
   }

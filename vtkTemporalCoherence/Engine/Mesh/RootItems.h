@@ -49,8 +49,22 @@ struct RootItems
   static constexpr std::size_t MostOfRay = 8;
   static constexpr std::size_t Capacity = MostOfRay * MeshRays::Capacity;
 
+  /// Repeat the last box up to the end of the last vector, so that no lane is uninitialised.
+  void FillUp()
+  {
+    for (std::size_t i = this->Count; i > 0 && i < WholeVectors(this->Count); ++i)
+    {
+      this->Ray[i] = this->Ray[i - 1];
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        this->Middle[a][i] = this->Middle[a][i - 1];
+        this->Half[a][i] = this->Half[a][i - 1];
+      }
+    }
+  }
+
   std::size_t Count = 0;
-  std::array<std::uint8_t, Capacity> Ray;
+  std::array<std::int64_t, Capacity> Ray;
   std::array<std::array<double, Capacity>, 3> Middle, Half;
 };
 

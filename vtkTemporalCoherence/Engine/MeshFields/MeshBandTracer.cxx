@@ -73,7 +73,7 @@ std::int64_t MeshBandTracer::Trace(const RayBatch& rays, TileKnots& knots) const
       wanted &= ~band.GoOnTo(DistancesAt(tile, leaf.Depth));
     }
     const FloatBox& box = this->Tree.LeafBox(leaf.Number);
-    const std::uint64_t ofLeaf = RaysThrough(rays, rays.WalkEnd, box, tile.Margin) & wanted;
+    const std::uint64_t ofLeaf = RaysThrough(rays, wanted, rays.WalkEnd, box, tile.Margin);
     if (ofLeaf != 0)
     {
       const PreparedCells& cells =

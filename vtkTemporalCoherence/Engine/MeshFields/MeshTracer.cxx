@@ -81,21 +81,10 @@ void MeshTracer::Search(std::size_t surface, const PreparedCells& cells, std::si
   else
   {
     const PreparedHexahedron& cell = cells.HexahedronAt(at);
-    MeshKernels::HexahedronCrossings(cell.Functions, cell.Cell, cell.Differences, tile.InMesh,
-      this->RaysAcross(surface, cell, tile, which), found);
+    MeshKernels::HexahedronCrossings(
+      cell.Functions, cell.Cell, cell.Differences, tile.InMesh, which, found);
   }
   this->TakeCrossings(surface, number, found, take);
-}
-
-/// Leave out rays that surely do not pass an isovalue in a hexahedron: it takes longer to search
-/// it.
-std::uint64_t MeshTracer::RaysAcross(std::size_t surface, const PreparedHexahedron& cell,
-  const MeshTile& tile, std::uint64_t which) const
-{
-  return cell.Values.Bend < std::numeric_limits<double>::infinity()
-    ? TemporalCoherence::RaysAcross(
-        tile.Rays, which, cell.Box, tile.MarginOfLanes, cell.Values, this->IsovalueOf(surface))
-    : which;
 }
 
 void MeshTracer::Trace(const RayBatch& rays, HitBatch& hits) const

@@ -50,8 +50,6 @@ private:
   void TakeSolids(std::size_t surface, CellNumber number, const MeshCell& cell,
     const MeshKernels::CellDifferences& differences, const RayBatch& rays,
     const MeshKernels::MeshRays& inMesh, std::uint64_t which, const Take& take) const;
-  std::uint64_t RaysAcross(std::size_t surface, const PreparedHexahedron& cell,
-    const MeshTile& tile, std::uint64_t which) const;
   bool IsSolid() const { return this->Isosurfaces.Mode == SurfaceMode::Threshold; }
   RayLimits LimitsOfRays() const
   {

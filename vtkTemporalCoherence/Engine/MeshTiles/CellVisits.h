@@ -85,9 +85,16 @@ std::int64_t VisitCellsOf(const PreparedCells& cells, const FloatBox& box, const
   {
     std::uint64_t which = order.RaysOf(cell);
     // It takes longer to search a hexahedron than to find out that nothing nearer is in it.
-    if (!order.AreSeen() || !cells.IsTetrahedron(cell))
+    if (!cells.IsTetrahedron(cell) && cells.Purpose != CellPurpose::Bands)
     {
-      which &= RaysThrough(tile.Rays, limits, cells.BoxOf(cell, tile.Tree), tile.MarginOfLanes);
+      const PreparedHexahedron& hexahedron = cells.HexahedronAt(cell);
+      which =
+        RaysAcross(tile.Rays, which, limits, hexahedron.Box, tile.MarginOfLanes, hexahedron.Values);
+    }
+    else if (!order.AreSeen() || !cells.IsTetrahedron(cell))
+    {
+      which =
+        RaysThrough(tile.Rays, which, limits, cells.BoxOf(cell, tile.Tree), tile.MarginOfLanes);
     }
     if (which != 0)
     {
@@ -113,7 +120,7 @@ std::int64_t VisitCells(const MeshTile& tile, const ActiveLeaves& active,
   for (const ActiveLeaves::Leaf& leaf : tile.Leaves)
   {
     const FloatBox& box = tile.Tree.LeafBox(leaf.Number);
-    const std::uint64_t ofLeaf = RaysThrough(tile.Rays, limits, box, tile.Margin) & wanted;
+    const std::uint64_t ofLeaf = RaysThrough(tile.Rays, wanted, limits, box, tile.Margin);
     for (std::size_t surface = 0; ofLeaf != 0 && surface < prepared.NumberOfIsovalues(); ++surface)
     {
       const PreparedCells& cells =

@@ -53,13 +53,14 @@ HWY_INLINE std::uint64_t BitsOfLanes(D d, hn::Mask<D> mask)
   return lanes;
 }
 
-std::uint64_t FindRaysAcross(const RayBatch& rays, std::uint64_t which, const FloatBox& box,
-  double margin, const NearlyLinear& values, double isovalue)
+/// Where rays that are asked for are in a box, for each vector with one of them.
+/// \param test called as test(tag, first ray, enter, leave): which of them count
+template <class Test>
+HWY_INLINE std::uint64_t FindRays(const RayBatch& rays, std::uint64_t which,
+  const RayBatch::Array<double>& limits, const FloatBox& box, double margin, const Test& test)
 {
   const hn::ScalableTag<double> d;
-  // What rounding may move a point by, it moves values by.
-  const auto bend = hn::Set(d, values.Bend + margin * glm::length(values.Gradient));
-  std::uint64_t across = 0;
+  std::uint64_t found = 0;
   const std::uint64_t lanes = (std::uint64_t(1) << hn::Lanes(d)) - 1;
   for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); i += hn::Lanes(d))
   {
@@ -67,38 +68,45 @@ std::uint64_t FindRaysAcross(const RayBatch& rays, std::uint64_t which, const Fl
     {
       continue;
     }
-    auto enter = hn::Set(d, -1e300), leave = hn::Set(d, 1e300);
-    ClipToBox(d, rays, i, box, margin, enter, leave);
-    auto atOrigin = hn::Set(d, values.AtZero - isovalue), perT = hn::Zero(d);
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      const auto slope = hn::Set(d, values.Gradient[static_cast<int>(a)]);
-      atOrigin = hn::MulAdd(slope, hn::Load(d, &rays.Origin[a][i]), atOrigin);
-      perT = hn::MulAdd(slope, hn::Load(d, &rays.Direction[a][i]), perT);
-    }
-    const auto atEnter = hn::MulAdd(perT, enter, atOrigin);
-    const auto atLeave = hn::MulAdd(perT, leave, atOrigin);
-    const auto isAbove = hn::Gt(hn::Min(atEnter, atLeave), bend);
-    const auto isBelow = hn::Lt(hn::Max(atEnter, atLeave), hn::Neg(bend));
-    across |= (BitsOfLanes(d, hn::Not(hn::Or(isAbove, isBelow))) & lanes) << i;
-  }
-  return across & which;
-}
-
-std::uint64_t FindRaysThrough(
-  const RayBatch& rays, const RayBatch::Array<double>& limits, const FloatBox& box, double margin)
-{
-  const hn::ScalableTag<double> d;
-  std::uint64_t passing = 0;
-  const auto count = static_cast<std::size_t>(rays.Count);
-  for (std::size_t i = 0; i < count; i += hn::Lanes(d))
-  {
     auto enter = hn::Load(d, &rays.WalkBegin[i]);
     auto leave = hn::Min(hn::Load(d, &rays.WalkEnd[i]), hn::Load(d, &limits[i]));
     ClipToBox(d, rays, i, box, margin, enter, leave);
-    passing |= BitsOfLanes(d, hn::Le(enter, leave)) << i;
+    const auto counts = hn::And(hn::Le(enter, leave), test(d, i, enter, leave));
+    found |= BitsOfLanes(d, counts) << i;
   }
-  return count < 64 ? passing & ((std::uint64_t(1) << count) - 1) : passing;
+  return found & which;
+}
+
+std::uint64_t FindRaysThrough(const RayBatch& rays, std::uint64_t which,
+  const RayBatch::Array<double>& limits, const FloatBox& box, double margin)
+{
+  return FindRays(rays, which, limits, box, margin,
+    [](auto, std::size_t, auto enter, auto leave) HWY_ATTR { return hn::Le(enter, leave); });
+}
+
+std::uint64_t FindRaysAcross(const RayBatch& rays, std::uint64_t which,
+  const RayBatch::Array<double>& limits, const FloatBox& box, double margin,
+  const NearlyLinear& differences)
+{
+  // What rounding may move a point by, it moves differences by.
+  const double most = differences.Bend + margin * glm::length(differences.Gradient);
+  return FindRays(rays, which, limits, box, margin,
+    [&](auto d, std::size_t i, auto enter, auto leave) HWY_ATTR
+    {
+      const auto bend = hn::Set(d, most);
+      auto atOrigin = hn::Set(d, differences.AtZero), perT = hn::Zero(d);
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        const auto slope = hn::Set(d, differences.Gradient[static_cast<int>(a)]);
+        atOrigin = hn::MulAdd(slope, hn::Load(d, &rays.Origin[a][i]), atOrigin);
+        perT = hn::MulAdd(slope, hn::Load(d, &rays.Direction[a][i]), perT);
+      }
+      const auto atEnter = hn::MulAdd(perT, enter, atOrigin);
+      const auto atLeave = hn::MulAdd(perT, leave, atOrigin);
+      const auto isAbove = hn::Gt(hn::Min(atEnter, atLeave), bend);
+      const auto isBelow = hn::Lt(hn::Max(atEnter, atLeave), hn::Neg(bend));
+      return hn::Not(hn::Or(isAbove, isBelow));
+    });
 }
 
 }
@@ -112,16 +120,17 @@ namespace TemporalCoherence
 HWY_EXPORT(FindRaysAcross);
 HWY_EXPORT(FindRaysThrough);
 
-std::uint64_t RaysAcross(const RayBatch& rays, std::uint64_t which, const FloatBox& box,
-  double margin, const NearlyLinear& values, double isovalue)
+std::uint64_t RaysAcross(const RayBatch& rays, std::uint64_t which,
+  const RayBatch::Array<double>& limits, const FloatBox& box, double margin,
+  const NearlyLinear& differences)
 {
-  return HWY_DYNAMIC_DISPATCH(FindRaysAcross)(rays, which, box, margin, values, isovalue);
+  return HWY_DYNAMIC_DISPATCH(FindRaysAcross)(rays, which, limits, box, margin, differences);
 }
 
-std::uint64_t RaysThrough(
-  const RayBatch& rays, const RayBatch::Array<double>& limits, const FloatBox& box, double margin)
+std::uint64_t RaysThrough(const RayBatch& rays, std::uint64_t which,
+  const RayBatch::Array<double>& limits, const FloatBox& box, double margin)
 {
-  return HWY_DYNAMIC_DISPATCH(FindRaysThrough)(rays, limits, box, margin);
+  return HWY_DYNAMIC_DISPATCH(FindRaysThrough)(rays, which, limits, box, margin);
 }
 
 }

@@ -23,16 +23,25 @@ struct NearlyLinear
   double Bend = std::numeric_limits<double>::infinity();
 };
 
-/// Which of some rays may meet an isovalue in the box of a cell, by what is known of its values.
-/// \param which one bit for each ray that passes the box
-std::uint64_t RaysAcross(const RayBatch& rays, std::uint64_t which, const FloatBox& box,
-  double margin, const NearlyLinear& values, double isovalue);
-
-/// Which rays pass a box of index space between WalkBegin and a limit, one bit each. Rays that pass
-/// within a margin of the box count, too.
+/// Which of some rays pass a box of index space between WalkBegin and a limit, one bit each. Rays
+/// that pass within a margin of the box count, too.
 /// \param limits of all rays, to the end of the last vector
-std::uint64_t RaysThrough(
-  const RayBatch& rays, const RayBatch::Array<double>& limits, const FloatBox& box, double margin);
+std::uint64_t RaysThrough(const RayBatch& rays, std::uint64_t which,
+  const RayBatch::Array<double>& limits, const FloatBox& box, double margin);
+
+/// Of these, rays whose difference may be 0 there.
+std::uint64_t RaysAcross(const RayBatch& rays, std::uint64_t which,
+  const RayBatch::Array<double>& limits, const FloatBox& box, double margin,
+  const NearlyLinear& differences);
+
+/// RaysThrough of all rays.
+inline std::uint64_t RaysThrough(
+  const RayBatch& rays, const RayBatch::Array<double>& limits, const FloatBox& box, double margin)
+{
+  const std::uint64_t others =
+    rays.Count < RayBatch::Capacity ? ~std::uint64_t(0) << rays.Count : 0;
+  return RaysThrough(rays, ~others, limits, box, margin);
+}
 
 }
 

@@ -68,6 +68,7 @@ public:
     , Purpose(purpose)
     , Cells(cells)
   {
+    cells.Purpose = purpose;
     cells.Numbers.clear();
     cells.Places.clear();
     cells.Tetrahedra.clear();
@@ -161,8 +162,7 @@ private:
     cell.Box = BoxAround(points.data(), points.size());
     if (this->Purpose != CellPurpose::Solids)
     {
-      const bool isBand = this->Purpose == CellPurpose::Bands;
-      cell.Values = NearlyLinearOf(points, isBand ? cell.Differences : cell.Cell.Values);
+      cell.Values = NearlyLinearOf(points, cell.Differences);
     }
     for (glm::dvec3& point : points)
     {

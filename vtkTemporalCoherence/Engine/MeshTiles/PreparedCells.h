@@ -33,8 +33,8 @@ struct PreparedHexahedron
   MeshCell Cell;
   MeshKernels::CellDifferences Differences;
   MeshKernels::HexahedronFunctions Functions; ///< only for crossings
-  NearlyLinear Values; ///< for crossings those of the cell, for bands differences; if finite
-  FloatBox Box;        ///< in index space, rounded as those of BoxLanes
+  NearlyLinear Values;                        ///< of differences; not known in solids
+  FloatBox Box;                               ///< in index space, rounded as those of BoxLanes
 };
 
 /// A cell as it is searched for parts of rays in a solid.
@@ -62,6 +62,7 @@ struct PreparedCells
 
   std::size_t SizeInBytes() const;
 
+  CellPurpose Purpose;
   std::vector<CellNumber> Numbers;
   std::vector<std::uint8_t> Places; ///< in the leaf
   CellOutlines Outlines;

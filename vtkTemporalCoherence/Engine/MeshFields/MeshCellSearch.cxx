@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include <hwy/base.h>
 
@@ -119,8 +120,8 @@ std::uint64_t MeshCellSearch::SearchCrossings(
   std::array<MeshCell, KnownCells::Most> read;
   this->Tree.Reader().ReadAll(known.Numbers, known.Count, read);
   const RaysInOrder inOrder(known, rays, this->Tree);
-  MeshKernels::KnownTetrahedra tetrahedra;
-  RayBatch::Array<CellNumber> numbers; // of the cells of the rays in order
+  std::optional<MeshKernels::KnownTetrahedra> tetrahedra; // large
+  RayBatch::Array<CellNumber> numbers;                    // of the cells of the rays in order
   std::uint64_t met = 0;
   std::size_t first = 0;
   for (std::size_t i = 0; i < known.Count; ++i)
@@ -136,17 +137,21 @@ std::uint64_t MeshCellSearch::SearchCrossings(
     }
     if (read[i].Shape == MeshCellShape::Tetrahedron)
     {
-      tetrahedra.Add(MeshKernels::TetrahedronPoints(read[i], differences), which);
+      if (!tetrahedra)
+      {
+        tetrahedra.emplace();
+      }
+      tetrahedra->Add(MeshKernels::TetrahedronPoints(read[i], differences), which);
       continue;
     }
     MeshKernels::Crossings found;
     MeshKernels::CellCrossings(read[i], differences, inOrder.InMesh, which, found);
     met |= this->Keep(found, surface, inOrder.Ray, numbers, hits);
   }
-  if (tetrahedra.Rays != 0)
+  if (tetrahedra)
   {
     MeshKernels::Crossings found;
-    MeshKernels::KnownTetrahedronCrossings(tetrahedra, inOrder.InMesh, found);
+    MeshKernels::KnownTetrahedronCrossings(*tetrahedra, inOrder.InMesh, found);
     met |= this->Keep(found, surface, inOrder.Ray, numbers, hits);
   }
   return met;

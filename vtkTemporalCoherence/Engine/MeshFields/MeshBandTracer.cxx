@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshFields/MeshBandTracer.h"
 
-#include "MeshTiles/CellValues.h"
+#include "MeshTiles/CellVisits.h"
+#include "MeshTiles/MeshDifference.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,8 +26,8 @@ struct Bounds
 };
 
 /// Bounds of the values along a ray in a hexahedron, by the linear function that they are near to.
-Bounds BoundsAlong(const NearlyLinear& values, const MeshKernels::MeshRays& rays, std::size_t ray,
-  double in, double out)
+Bounds BoundsAlong(
+  const NearlyLinear& values, const RayBatch& rays, std::size_t ray, double in, double out)
 {
   double atIn = values.AtZero, atOut = values.AtZero, largest = std::abs(values.AtZero);
   const double farther = std::max(std::abs(in), std::abs(out));
@@ -51,10 +52,9 @@ MeshBandTracer::MeshBandTracer(
   : Scene(scene)
   , Tree(tree)
   , Leaves(kind, tree, boxes, scene.Active)
-  , Cells(tree, this->Leaves)
-  , FromLowest(scene.Band.Low, scene.FiniteRange)
+  , Prepared(tree, { scene.Band.Low }, scene.FiniteRange, CellPurpose::Bands)
   , Unit(BandScale(scene.Samples.Type, scene.Band, scene.FiniteRange).Isovalues.Factor /
-      this->FromLowest.Unit())
+      MeshDifference(scene.Band.Low, scene.FiniteRange).Unit())
 {
 }
 
@@ -64,7 +64,7 @@ std::int64_t MeshBandTracer::Trace(const RayBatch& rays, TileKnots& knots) const
   const MeshTile tile(rays, this->Tree, this->Leaves, RayLimits::None);
   std::uint64_t wanted = RaysWithWalk(rays);
   std::int64_t cellsRead = 0;
-  LeafCells::Leaf spare;
+  PreparedCells spare;
   for (std::size_t i = 0; i < tile.Leaves.size() && wanted != 0; ++i)
   {
     const ActiveLeaves::Leaf& leaf = tile.Leaves[i];
@@ -72,13 +72,15 @@ std::int64_t MeshBandTracer::Trace(const RayBatch& rays, TileKnots& knots) const
     {
       wanted &= ~band.GoOnTo(DistancesAt(tile, leaf.Depth));
     }
-    const std::uint64_t ofLeaf =
-      RaysThrough(rays, rays.WalkEnd, this->Tree.LeafBox(leaf.Number), tile.Margin) & wanted;
+    const FloatBox& box = this->Tree.LeafBox(leaf.Number);
+    const std::uint64_t ofLeaf = RaysThrough(rays, rays.WalkEnd, box, tile.Margin) & wanted;
     if (ofLeaf != 0)
     {
-      cellsRead += VisitCellsOf(this->Cells.Of(leaf.Number, spare), tile, ofLeaf, rays.WalkEnd,
-        [&](const ActiveCell& cell, std::uint64_t which)
-        { this->Append(cell, tile, which, band); });
+      const PreparedCells& cells =
+        this->Prepared.Of(leaf.Number, 0, this->Leaves.CellsOf(leaf.Number), spare);
+      cellsRead += VisitCellsOf(cells, box, tile, ofLeaf, rays.WalkEnd,
+        [&](std::size_t cell, std::uint64_t which)
+        { this->Append(cells, cell, leaf.Number, tile, which, band); });
     }
   }
   band.GoOnTo(DistancesAt(tile, Infinity));
@@ -106,33 +108,48 @@ RayBatch::Array<double> MeshBandTracer::DistancesAt(const MeshTile& tile, double
   return distances;
 }
 
-void MeshBandTracer::Append(
-  const ActiveCell& cell, const MeshTile& tile, std::uint64_t which, MeshBandRays& band) const
+namespace
 {
-  MeshKernels::CellDifferences differences;
-  this->FromLowest.Of(cell.Cell, differences);
-  const auto count = static_cast<std::ptrdiff_t>(cell.Cell.NumberOfPoints());
-  const bool isFinite = std::all_of(cell.Cell.Values.begin(), cell.Cell.Values.begin() + count,
-    [](double value) { return std::isfinite(value); });
-  const auto [least, most] = std::minmax_element(differences.begin(), differences.begin() + count);
-  const glm::ivec3 place = MeshTree::PlaceOf(cell.Rank);
+
+/// Find the parts of rays in a prepared cell.
+/// \return its differences
+const double* FindSpans(const PreparedCells& cells, std::size_t cell,
+  const MeshKernels::MeshRays& rays, std::uint64_t which, MeshKernels::CellSpans& spans)
+{
+  if (cells.IsTetrahedron(cell))
+  {
+    const MeshKernels::TetrahedronPoints& points = cells.Tetrahedra[cell];
+    MeshKernels::TetrahedronSpans(points, rays, which, spans);
+    return points.Values.data();
+  }
+  const PreparedHexahedron& hexahedron = cells.HexahedronAt(cell);
+  MeshKernels::HexahedronSpans(hexahedron.Cell, hexahedron.Differences, rays, which, spans);
+  return hexahedron.Differences.data();
+}
+
+}
+
+void MeshBandTracer::Append(const PreparedCells& cells, std::size_t cell, std::int64_t leaf,
+  const MeshTile& tile, std::uint64_t which, MeshBandRays& band) const
+{
+  MeshKernels::CellSpans spans;
+  const bool isExact = cells.IsTetrahedron(cell);
+  const double* const differences = FindSpans(cells, cell, tile.InMesh, which, spans);
+  const double* const end = differences + (isExact ? 4 : 8);
+  const bool isFinite = std::all_of(differences, end, MeshDifference::IsFinite);
+  const auto [least, most] = std::minmax_element(differences, end);
+  const NearlyLinear values = isExact ? NearlyLinear() : cells.HexahedronAt(cell).Values;
+  const glm::ivec3 place = MeshTree::PlaceOf(MeshLattice::SizeOfBlock * leaf + cells.Places[cell]);
   const CellIndex index = { static_cast<std::uint16_t>(place.x),
     static_cast<std::uint16_t>(place.y), static_cast<std::uint16_t>(place.z) };
-
-  MeshKernels::CellSpans spans;
-  const bool isExact = cell.Cell.Shape == MeshCellShape::Tetrahedron;
-  const NearlyLinear values =
-    isExact ? NearlyLinear() : NearlyLinearOf(cell.Cell.Points, differences);
-  (isExact ? MeshKernels::TetrahedronSpans : MeshKernels::HexahedronSpans)(
-    cell.Cell, differences, tile.InMesh, which, spans);
   ForEachRay(which,
     [&](std::size_t ray)
     {
-      const double begin = tile.Rays.Begin[ray], end = tile.Rays.End[ray];
+      const double begin = tile.Rays.Begin[ray], stop = tile.Rays.End[ray];
       for (std::size_t i = 0; i < spans.Count[ray]; ++i)
       {
         const MeshKernels::CellSpan& span = spans.Spans[ray][i];
-        if (span.Out < begin || span.In > end)
+        if (span.Out < begin || span.In > stop)
         {
           continue;
         }
@@ -144,7 +161,7 @@ void MeshBandTracer::Append(
         if (!isExact)
         {
           // Two bounds, of which either may be the better one.
-          const Bounds linear = BoundsAlong(values, tile.InMesh, ray, span.In, span.Out);
+          const Bounds linear = BoundsAlong(values, tile.Rays, ray, span.In, span.Out);
           bounds.Low = std::max({ *least, bounds.Low - 2.0 * values.Bend, linear.Low });
           bounds.High = std::min({ *most, bounds.High + 2.0 * values.Bend, linear.High });
         }

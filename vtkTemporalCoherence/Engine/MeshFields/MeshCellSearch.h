@@ -5,7 +5,6 @@
 
 #include "Mesh/CellRays.h"
 #include "Mesh/KernelsCells.h"
-#include "MeshFields/MeshSolids.h"
 #include "MeshTiles/MeshDifference.h"
 #include "Scene/HitOrder.h"
 #include "Scene/RayBatch.h"
@@ -13,6 +12,7 @@
 #include "Trace/SurfaceTracer.h"
 #include "Trees/MeshTree.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -51,10 +51,15 @@ public:
   std::uint64_t Search(const RayBatch& rays, const RayCells& cells, HitBatch& hits) const;
 
 private:
+  struct KnownCells;
+  struct RaysInOrder;
+  std::uint64_t SearchCrossings(
+    const KnownCells& known, std::size_t surface, const RayBatch& rays, HitBatch& hits) const;
+  std::uint64_t SearchSolid(
+    const KnownCells& known, std::size_t surface, const RayBatch& rays, HitBatch& hits) const;
   std::uint64_t Keep(const MeshKernels::Crossings& found, std::size_t surface,
+    const std::array<std::uint8_t, RayBatch::Capacity>& order,
     const RayBatch::Array<CellNumber>& cells, HitBatch& hits) const;
-  std::uint64_t KeepSolid(
-    const std::vector<SolidPart>& parts, std::size_t surface, HitBatch& hits) const;
 
   const Surfaces& Isosurfaces;
   const MeshTree& Tree;

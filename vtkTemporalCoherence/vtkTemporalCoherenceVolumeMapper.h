@@ -325,11 +325,16 @@ public:
   /**
    * Get what the last frame had to do to set up its mesh: one of MeshSetUps, the time in seconds,
    * and the memory of what is kept, in bytes; and whether scalars of cells were averaged to points.
+   * Curved cells (quadratic, Lagrange, Bezier) are divided into linear ones: MeshPointError bounds
+   * how far these are from the curved ones, in parts of the cell's diagonal, and MeshValueError how
+   * much values differ, in parts of their range in the cell. Both are 0 if no cell was divided.
    */
   int GetMeshSetUp();
   double GetMeshSetUpTime();
   vtkIdType GetMeshMemory();
   bool GetScalarsWereAveraged();
+  double GetMeshPointError();
+  double GetMeshValueError();
   //@}
 
   /** Set the data to draw without a pipeline: an image or a grid. */

@@ -148,6 +148,18 @@ bool vtkTemporalCoherenceVolumeMapper::GetScalarsWereAveraged()
 }
 
 //------------------------------------------------------------------------------
+double vtkTemporalCoherenceVolumeMapper::GetMeshPointError()
+{
+  return this->Internal->SetUp.Error.OfPoints;
+}
+
+//------------------------------------------------------------------------------
+double vtkTemporalCoherenceVolumeMapper::GetMeshValueError()
+{
+  return this->Internal->SetUp.Error.OfValues;
+}
+
+//------------------------------------------------------------------------------
 void vtkTemporalCoherenceVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -166,6 +178,8 @@ void vtkTemporalCoherenceVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "IsomapRange: " << this->IsomapRange[0] << ", " << this->IsomapRange[1] << endl;
   os << indent << "IsomapMemoryLimit: " << this->IsomapMemoryLimit << endl;
   os << indent << "WarnOfIsovalues: " << this->WarnOfIsovalues << endl;
+  os << indent << "MeshPointError: " << this->GetMeshPointError() << endl;
+  os << indent << "MeshValueError: " << this->GetMeshValueError() << endl;
   os << indent << "Route: " << this->GetRouteAsString() << endl;
 }
 VTK_ABI_NAMESPACE_END

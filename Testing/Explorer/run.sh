@@ -201,6 +201,13 @@ make_files()
   printf 'ObjectType = Image\nNDims = 3\nDimSize = 24 24 24\nElementType = MET_UCHAR\nElementDataFile = ball.raw\n' \
     >"$scratch/files/ball.mhd"
   printf 'This is no XML.' >"$scratch/files/broken.vti"
+  # Half of a coarse ball, of hexahedra: a mesh.
+  perl -e '$n = 9; print "# vtk DataFile Version 3.0\nball\nASCII\nDATASET STRUCTURED_GRID\n";
+    print "DIMENSIONS $n $n $n\nPOINTS ", $n**3, " float\n";
+    for $k (0..$n-1) { for $j (0..$n-1) { for $i (0..$n-1) { print "$i $j ", $k + 0.1 * $i, "\n"; } } }
+    print "POINT_DATA ", $n**3, "\nSCALARS distance float 1\nLOOKUP_TABLE default\n";
+    for $k (0..$n-1) { for $j (0..$n-1) { for $i (0..$n-1) {
+      print sqrt($i**2 + ($j-4)**2 + ($k-4)**2), "\n"; } } }' >"$scratch/files/half.vtk"
 }
 
 check_refusals()
@@ -462,6 +469,26 @@ check_session()
   say "A session restored in another process shows the same picture, byte for byte"
 }
 
+# Normals of meshes: a switch that only meshes have.
+check_mesh()
+{
+  ! grep -q '^place gradients ' "$scratch/first.log" || fail "an image has a switch for meshes"
+  start mesh half.vtk 3.5
+  take_picture
+  cp "$picture" "$scratch/facets.png"
+  click gradients '^gradients smooth'
+  settle
+  take_picture
+  ! cmp -s "$picture" "$scratch/facets.png" || fail "smooth normals of a mesh cannot be seen"
+  key g '^gradients facets'
+  settle
+  take_picture
+  cmp "$picture" "$scratch/facets.png" || fail "the normals of cells did not come back"
+  key q '^quit'
+  expect_end
+  say "Meshes have a switch for smooth normals"
+}
+
 make_files
 start_display
 check_refusals
@@ -481,5 +508,6 @@ check_recording
 check_map
 check_opening
 check_session
+check_mesh
 "$explorer" "${volume[@]}" --measure-drag 100 || fail "the drag could not be measured"
 say "PASSED in $SECONDS s"

@@ -49,7 +49,8 @@ STATISTICS = (
     "Route", "NumberOfRays", "NumberOfDefiniteHits", "NumberOfDefiniteMisses",
     "NumberOfPossibleHits", "NumberOfTracedRays", "NumberOfFieldSamples", "NumberOfLayers",
     "NumberOfMergedLayers", "IsomapMemory", "NumberOfIsomapKnots", "FrameTime", "TraceTime",
-    "QueryTime", "IsomapBuildTime", "ShadeTime", "PresentTime",
+    "QueryTime", "IsomapBuildTime", "ShadeTime", "PresentTime", "MeshSetUp",
+    "MeshSetUpTime", "MeshMemory", "MeshPointError", "MeshValueError",
 )
 ACTIONS = (
     "BuildIsomap", "GetLastFrame", "GetVisibleSurface", "IntersectWithLine", "PickPixel",

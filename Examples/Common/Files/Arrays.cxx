@@ -12,6 +12,8 @@
 #include <vtkCompositeDataSet.h>
 #include <vtkImageData.h>
 #include <vtkPointData.h>
+#include <vtkRectilinearGrid.h>
+#include <vtkUniformGridAMR.h>
 
 #include <algorithm>
 #include <sstream>
@@ -78,6 +80,15 @@ std::vector<vtkDataSet*> DataSetsOf(vtkDataObject* data)
     sets.push_back(set);
   }
   return sets;
+}
+
+bool HasMeshes(vtkDataObject* data)
+{
+  const std::vector<vtkDataSet*> sets = DataSetsOf(data);
+  return vtkUniformGridAMR::SafeDownCast(data) ||
+    std::any_of(sets.begin(), sets.end(),
+      [](vtkDataSet* set)
+      { return !vtkImageData::SafeDownCast(set) && !vtkRectilinearGrid::SafeDownCast(set); });
 }
 
 std::vector<ArrayChoice> AllArrays(vtkDataObject* data)

@@ -16,6 +16,9 @@ class vtkDataSet;
 // The data sets of a data object: itself, or its leaves.
 std::vector<vtkDataSet*> DataSetsOf(vtkDataObject* data);
 
+// Whether a data set is more than an image or a rectilinear grid, or the data is adaptive.
+bool HasMeshes(vtkDataObject* data);
+
 // The arrays of numbers that a data set or any leaf has, those at points first.
 std::vector<ArrayChoice> AllArrays(vtkDataObject* data);
 

@@ -26,6 +26,8 @@ const std::vector<Choice>& AllChoices()
     { Choose::Scale, "scale", "Picture scale", 'x', "size of a saved picture, in views",
       { "1", "2", "4" } },
     { Choose::Film, "film", "Film", 'f', "recordings as pictures or as a film", { "png", "ogv" } },
+    { Choose::Gradients, "gradients", "Mesh normals", 'g',
+      "normals of meshes: those of cells, with facets, or smooth", { "facets", "smooth" }, true },
   };
   return choices;
 }

@@ -24,8 +24,9 @@ enum class Choose
   Answers,
   Scale,
   Film,
+  Gradients,
 };
-constexpr std::size_t NumberOfChoices = 12;
+constexpr std::size_t NumberOfChoices = 13;
 
 struct Choice
 {
@@ -35,6 +36,7 @@ struct Choice
   char Key;
   const char* Help;
   std::vector<const char*> Values;
+  bool IsForMeshes = false; // has no effect on images and rectilinear grids
 
   bool IsSwitch() const { return std::string(this->Values[0]) == "off"; }
 };

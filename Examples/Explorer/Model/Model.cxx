@@ -55,6 +55,7 @@ void Model::Show(Volume volume, Histogram samples, const Session& session)
 {
   this->Shown = std::move(volume);
   this->Samples = std::move(samples);
+  this->IsMesh = HasMeshes(this->Shown.Data);
   this->Current = session;
   this->Ahead = {};
   this->View.Show(this->Shown, this->Samples.Range);

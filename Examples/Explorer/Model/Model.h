@@ -41,6 +41,9 @@ public:
   void SetIsovalue(double isovalue);
   void StepIsovalue(double steps); // of 1/256 of the range
 
+  // False if a choice has no effect on what is shown: for meshes, of other data.
+  bool Offers(const Choice& choice) const { return this->IsMesh || !choice.IsForMeshes; }
+
   // The next value of a choice, or the one before; the first follows the last.
   void Turn(Choose what, int steps);
 
@@ -76,6 +79,7 @@ private:
   Session Current;
   Volume Shown;
   Histogram Samples;
+  bool IsMesh = false; // Shown
 
   Sight Ahead; // whose isomap was built, or stopped
 };

@@ -85,6 +85,7 @@ void VolumeView::Apply(const Chosen& choices)
   SetMaterial(property, choices[Choose::Material]);
   SetLight(this->Renderer, choices[Choose::Light]);
   this->Mapper->SetSurfaceMode(choices[Choose::Surface]);
+  this->Mapper->SetAveragedGradients(choices.IsOn(Choose::Gradients));
   this->Mapper->SetReuseAccuracy(choices[Choose::Accuracy]);
   this->Mapper->SetImageCache(choices.IsOn(Choose::ImageCache));
   this->Mapper->SetIsomap(choices.IsOn(Choose::Isomap));

@@ -60,6 +60,11 @@ void SwitchBar::SetRecording(bool isRecording)
   this->Invalidate();
 }
 
+bool SwitchBar::HasRow(std::size_t choice) const
+{
+  return this->Shown.Offers(AllChoices()[choice]);
+}
+
 Rect SwitchBar::RowOf(std::size_t choice) const
 {
   return { Theme::Margin, this->RowHeight / 2 + static_cast<int>(choice) * this->RowHeight,
@@ -88,7 +93,7 @@ SwitchBar::Target SwitchBar::At(int x, int y) const
   y -= this->Placed().Y;
   for (std::size_t i = 0; i < NumberOfChoices; ++i)
   {
-    if (this->RowOf(i).Contains(x, y))
+    if (this->HasRow(i) && this->RowOf(i).Contains(x, y))
     {
       target.Turned = AllChoices()[i].What;
     }
@@ -113,7 +118,10 @@ void SwitchBar::ForEachPlace(
   };
   for (std::size_t i = 0; i < NumberOfChoices; ++i)
   {
-    middle(AllChoices()[i].Name, this->RowOf(i));
+    if (this->HasRow(i))
+    {
+      middle(AllChoices()[i].Name, this->RowOf(i));
+    }
   }
   for (std::size_t i = 0; i < this->Buttons.size(); ++i)
   {
@@ -166,7 +174,10 @@ void SwitchBar::Draw(Canvas& canvas)
     { Theme::Margin, this->RowHeight / 4, canvas.Width() - 2 * Theme::Margin, 1 }, Theme::Line);
   for (std::size_t i = 0; i < NumberOfChoices; ++i)
   {
-    this->DrawChoice(canvas, AllChoices()[i], this->RowOf(i));
+    if (this->HasRow(i))
+    {
+      this->DrawChoice(canvas, AllChoices()[i], this->RowOf(i));
+    }
   }
   for (std::size_t i = 0; i < this->Buttons.size(); ++i)
   {

@@ -41,6 +41,7 @@ protected:
   void Draw(Canvas& canvas) override;
 
 private:
+  bool HasRow(std::size_t choice) const;
   Rect RowOf(std::size_t choice) const;    // in the panel
   Rect ButtonOf(std::size_t button) const; // in the panel
   void DrawChoice(Canvas& canvas, const Choice& choice, const Rect& row) const;

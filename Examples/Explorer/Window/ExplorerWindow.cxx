@@ -86,6 +86,7 @@ void ExplorerWindow::Open(const Session& session)
   }
   this->Parts.Statistics.SetVolume(this->Data.Name(), this->Data.Description());
   this->Parts.Invalidate();
+  this->ArePlacesKnown = false; // meshes have one switch more
   this->Log.Event("opened", this->Data.Name());
 }
 

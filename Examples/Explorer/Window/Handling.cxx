@@ -175,7 +175,8 @@ void ExplorerWindow::Key(const std::string& name, char character, bool hasShift)
   }
   for (const Choice& choice : AllChoices())
   {
-    if (choice.Key == std::tolower(static_cast<unsigned char>(character)))
+    if (choice.Key == std::tolower(static_cast<unsigned char>(character)) &&
+      this->Data.Offers(choice))
     {
       this->Turn(choice.What, std::isupper(static_cast<unsigned char>(character)) ? -1 : 1);
       return;

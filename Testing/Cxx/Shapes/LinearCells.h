@@ -58,6 +58,20 @@ inline double VolumeOf(const TemporalCoherence::MeshCell& cell)
   return volume;
 }
 
+/// True if a part has points, and the value at each is that of a function there.
+template <typename Function>
+bool HasValuesOf(const Function& function, const TemporalCoherence::MeshPart& part, double error)
+{
+  bool areRight = part.NumberOfPoints > 0;
+  for (std::int64_t p = 0; p < part.NumberOfPoints; ++p)
+  {
+    const glm::dvec3 at(
+      part.Coordinates[0].At(p), part.Coordinates[1].At(p), part.Coordinates[2].At(p));
+    areRight &= std::abs(part.Values.At(p) - function(at)) < error;
+  }
+  return areRight;
+}
+
 /// The corners of a face in order; repeated ones once.
 using FacePoints = std::vector<std::int64_t>;
 

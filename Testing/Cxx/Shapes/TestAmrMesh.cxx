@@ -142,14 +142,8 @@ double Function(const glm::dvec3& at)
 
 void ExpectValues(const MeshPart& part, const std::string& what)
 {
-  bool areRight = part.NumberOfPoints > 0;
-  for (std::int64_t p = 0; p < part.NumberOfPoints; ++p)
-  {
-    const glm::dvec3 at(
-      part.Coordinates[0].At(p), part.Coordinates[1].At(p), part.Coordinates[2].At(p));
-    areRight &= std::abs(part.Values.At(p) - Function(at)) < 1e-9;
-  }
-  Expect(areRight, what + ": values are those of the cells, at their centres");
+  Expect(
+    HasValuesOf(Function, part, 1e-9), what + ": values are those of the cells, at their centres");
 }
 
 void TestRandom()

@@ -126,14 +126,7 @@ void GiveLinear(vtkUnstructuredGrid* grid)
 
 void ExpectLinear(const MeshPart& part, const std::string& what)
 {
-  bool isLinear = part.NumberOfPoints > 0;
-  for (std::int64_t p = 0; p < part.NumberOfPoints; ++p)
-  {
-    const glm::dvec3 at(
-      part.Coordinates[0].At(p), part.Coordinates[1].At(p), part.Coordinates[2].At(p));
-    isLinear &= std::abs(part.Values.At(p) - Linear(at)) < 1e-12;
-  }
-  Expect(isLinear, what + ": a linear field stays linear");
+  Expect(HasValuesOf(Linear, part, 1e-12), what + ": a linear field stays linear");
 }
 
 void ExpectSpace(

@@ -138,6 +138,8 @@ void TestCurved()
     }
   }
   Expect(hits > 50 && wrong == 0, "curved cells: " + std::to_string(wrong) + " wrong cells");
+  Expect(curved.Mapper->GetMeshPointError() < 1e-9 && curved.Mapper->GetMeshValueError() < 1e-9,
+    "curved cells: straight ones are exact");
   values->Modified();
   Expect(curved.Render(50, 50) && curved.Mapper->GetMeshSetUp() == Mapper::MESH_NEW_VALUES,
     "curved cells: new values");
@@ -145,6 +147,12 @@ void TestCurved()
   grid->GetPoints()->Modified();
   Expect(curved.Render(50, 50) && curved.Mapper->GetMeshSetUp() == Mapper::MESH_BUILT,
     "curved cells: new points");
+  const double error = curved.Mapper->GetMeshPointError();
+  Expect(error > 1e-6 && error <= 1e-3, "curved cells: told " + std::to_string(error));
+  Expect(curved.Render(50, 50) && curved.Mapper->GetMeshPointError() == error,
+    "curved cells: the error of a kept mesh");
+  Expect(straight.Mapper->GetMeshPointError() == 0.0 && straight.Mapper->GetMeshValueError() == 0.0,
+    "curved cells: an image has no error");
 }
 
 }

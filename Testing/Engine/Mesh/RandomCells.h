@@ -10,6 +10,34 @@
 #include <cmath>
 #include <random>
 
+/// How the rays of a tile go: all from one point, or all the same way.
+struct TileAim
+{
+  bool AreParallel = false;
+  glm::dvec3 Eye{ 0.0 }, Along{ 0.0 };
+
+  /// \param nextTarget `nextTarget()` is a point that the next ray goes through
+  template <typename NextTarget>
+  void At(const NextTarget& nextTarget, TemporalCoherence::MeshKernels::MeshRays& rays) const
+  {
+    rays.Count = rays.Capacity;
+    for (std::size_t ray = 0; ray < rays.Count; ++ray)
+    {
+      const glm::dvec3 target = nextTarget();
+      const glm::dvec3 direction = this->AreParallel ? this->Along : target - this->Eye;
+      const glm::dvec3 origin = this->AreParallel ? target - 32.0 * this->Along : this->Eye;
+      for (int a = 0; a < 3; ++a)
+      {
+        rays.Origin[static_cast<std::size_t>(a)][ray] = origin[a];
+        rays.Direction[static_cast<std::size_t>(a)][ray] = direction[a];
+      }
+      rays.Begin[ray] = -1e30;
+      rays.End[ray] = 1e30;
+    }
+    rays.Prepare();
+  }
+};
+
 /// Cells of all kinds, good and bad, and rays that meet them.
 class RandomCells
 {
@@ -65,6 +93,16 @@ public:
     }
     this->Move(cell);
     return cell;
+  }
+
+  /// From a point at most so far away along each axis, or along an axis.
+  TileAim Aim(double distance)
+  {
+    TileAim aim;
+    aim.AreParallel = this->Below(2) == 0;
+    aim.Eye = distance * this->Point();
+    aim.Along[this->Below(3)] = 1.0;
+    return aim;
   }
 
   /// A ray that goes to somewhere in a cell, or exactly through a vertex or the middle of an edge.

@@ -52,32 +52,21 @@ std::vector<MeshCell> MakeBlock(RandomCells& random, double moved)
 /// Rays through points and edges of a block, and anywhere.
 void Aim(RandomCells& random, const std::vector<MeshCell>& cells, MeshRays& rays)
 {
-  rays.Count = MeshRays::Capacity;
-  const bool areParallel = random.Below(2) == 0;
-  const glm::dvec3 eye = 4.0 * static_cast<double>(Edge) * random.Point() + glm::dvec3(20.0);
-  glm::dvec3 along(0.0);
-  along[random.Below(3)] = 1.0;
-  for (std::size_t ray = 0; ray < rays.Count; ++ray)
-  {
-    const MeshCell& cell =
-      cells[static_cast<std::size_t>(random.Below(static_cast<int>(cells.size())))];
-    const auto corner = static_cast<std::size_t>(random.Below(8));
-    const glm::dvec3 middle = 0.5 * (cell.Points[corner] + cell.Points[corner ^ 1]);
-    const int special = random.Below(3);
-    const glm::dvec3 target = special == 0 ? cell.Points[corner]
-      : special == 1                       ? middle
-                                           : middle + 0.3 * random.Point();
-    const glm::dvec3 direction = areParallel ? along : target - eye;
-    const glm::dvec3 origin = areParallel ? target - 32.0 * along : eye;
-    for (int a = 0; a < 3; ++a)
+  TileAim aim = random.Aim(4.0 * Edge);
+  aim.Eye += 20.0;
+  aim.At(
+    [&]
     {
-      rays.Origin[static_cast<std::size_t>(a)][ray] = origin[a];
-      rays.Direction[static_cast<std::size_t>(a)][ray] = direction[a];
-    }
-    rays.Begin[ray] = -1e30;
-    rays.End[ray] = 1e30;
-  }
-  rays.Prepare();
+      const MeshCell& cell =
+        cells[static_cast<std::size_t>(random.Below(static_cast<int>(cells.size())))];
+      const auto corner = static_cast<std::size_t>(random.Below(8));
+      const glm::dvec3 middle = 0.5 * (cell.Points[corner] + cell.Points[corner ^ 1]);
+      const int special = random.Below(3);
+      return special == 0 ? cell.Points[corner]
+        : special == 1    ? middle
+                          : middle + 0.3 * random.Point();
+    },
+    rays);
 }
 
 /// What rays meet and where they are, in all cells of a block.

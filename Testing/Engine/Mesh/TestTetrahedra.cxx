@@ -155,34 +155,22 @@ protected:
   /// Rays through points, edges and anything else of a block, along axes, diagonals or anywhere.
   static void Aim(RandomCells& random, const Block& block, MeshRays& rays)
   {
-    rays.Count = MeshRays::Capacity;
-    const bool areParallel = random.Below(2) == 0;
-    const glm::dvec3 eye = 4.0 * static_cast<double>(Block::Edge) * random.Point();
-    glm::dvec3 along(0.0);
-    along[random.Below(3)] = 1.0;
-    along += random.Below(2) == 0 ? glm::dvec3(0.0) : glm::dvec3(1.0, 0.5, 0.25);
-    for (std::size_t ray = 0; ray < rays.Count; ++ray)
-    {
-      const MeshCell& cell =
-        block.Cells[static_cast<std::size_t>(random.Below(static_cast<int>(block.Cells.size())))];
-      glm::dvec3 target =
-        0.25 * (cell.Points[0] + cell.Points[1] + cell.Points[2] + cell.Points[3]);
-      const int special = random.Below(4);
-      target = special == 0 ? cell.Points[0]
-        : special == 1      ? 0.5 * (cell.Points[0] + cell.Points[1])
-        : special == 2      ? target + 0.1 * random.Point()
-                            : target;
-      const glm::dvec3 direction = areParallel ? along : target - eye;
-      const glm::dvec3 origin = areParallel ? target - 32.0 * along : eye;
-      for (int a = 0; a < 3; ++a)
+    TileAim aim = random.Aim(4.0 * Block::Edge);
+    aim.Along += random.Below(2) == 0 ? glm::dvec3(0.0) : glm::dvec3(1.0, 0.5, 0.25);
+    aim.At(
+      [&]
       {
-        rays.Origin[static_cast<std::size_t>(a)][ray] = origin[a];
-        rays.Direction[static_cast<std::size_t>(a)][ray] = direction[a];
-      }
-      rays.Begin[ray] = -1e30;
-      rays.End[ray] = 1e30;
-    }
-    rays.Prepare();
+        const MeshCell& cell =
+          block.Cells[static_cast<std::size_t>(random.Below(static_cast<int>(block.Cells.size())))];
+        const glm::dvec3 middle =
+          0.25 * (cell.Points[0] + cell.Points[1] + cell.Points[2] + cell.Points[3]);
+        const int special = random.Below(4);
+        return special == 0 ? cell.Points[0]
+          : special == 1    ? 0.5 * (cell.Points[0] + cell.Points[1])
+          : special == 2    ? middle + 0.1 * random.Point()
+                            : middle;
+      },
+      rays);
   }
 };
 

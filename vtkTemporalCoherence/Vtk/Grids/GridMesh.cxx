@@ -89,11 +89,13 @@ bool GridMesh::SeeOthers(const GridLeaf& leaf, LeafPart& made, std::string& erro
   const std::vector<MeshPart> last = std::move(made.Others);
   made.Others.clear();
   const PointValues& values = made.Made.Values;
+  Subdivision division;
   if (!AppendSubdividedCells(vtkUnstructuredGrid::SafeDownCast(leaf.Data), values.Array,
-        values.Component, made.Part.Flags, made.Part.HidingFlags, made.Others, error))
+        values.Component, made.Part.Flags, made.Part.HidingFlags, made.Others, error, &division))
   {
     return false;
   }
+  made.Error = { division.ErrorOfPoints, division.ErrorOfValues };
   // Into how many cells each one is divided depends on points and values.
   const bool areSame = !this->ArePointsNew &&
     std::equal(last.begin(), last.end(), made.Others.begin(), made.Others.end(),
@@ -180,6 +182,17 @@ bool GridMesh::See(vtkUniformGridAMR* amr, const ScalarChoice& choice,
   this->Stamp(*mesh);
   this->OfLeaves = mesh;
   return true;
+}
+
+DivisionError GridMesh::ErrorOfDivision() const
+{
+  DivisionError largest;
+  for (const LeafPart& part : this->Parts)
+  {
+    largest.OfPoints = std::max(largest.OfPoints, part.Error.OfPoints);
+    largest.OfValues = std::max(largest.OfValues, part.Error.OfValues);
+  }
+  return largest;
 }
 
 std::size_t GridMesh::MemoryInBytes() const

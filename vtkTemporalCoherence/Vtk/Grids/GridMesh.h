@@ -9,6 +9,7 @@
 #include "Grids/GridPoints.h"
 #include "Grids/GridValues.h"
 #include "Grids/MadeFrom.h"
+#include "Input/FieldSource.h"
 #include "Mesh/Mesh.h"
 
 #include <cstddef>
@@ -45,6 +46,9 @@ public:
   /// Which cells of the data sets those of the mesh are.
   const std::shared_ptr<const CellOrigins>& Origins() const { return this->OfCells; }
 
+  /// The largest errors of cells that were divided, of all data sets; 0 where none was.
+  DivisionError ErrorOfDivision() const;
+
   /// Bytes of points, values and cells that had to be made.
   std::size_t MemoryInBytes() const;
 
@@ -66,6 +70,7 @@ private:
     std::vector<MeshPart> Others; ///< made of cells that Part leaves out
     Makings Made;
     CellCensus Census;
+    DivisionError Error;        ///< of Others
     bool AreValuesMade = false; ///< they are not those of the data set
   };
 

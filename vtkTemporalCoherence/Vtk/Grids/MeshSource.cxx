@@ -103,6 +103,7 @@ bool MeshSource::Make(const FieldQuery& query, PlacedField& field, std::string& 
   }
   const MeshTree& tree = *this->Tree;
   done.Memory = tree.MemoryInBytes() + this->Grids.MemoryInBytes();
+  done.Error = this->Grids.ErrorOfDivision();
   done.AveragesCells = std::any_of(
     this->Leaves.begin(), this->Leaves.end(), [](const GridLeaf& leaf) { return leaf.OnCells; });
   field.Samples = MeshField(tree, this->Kind);

@@ -52,6 +52,13 @@ enum class SetUpWork
   Built      ///< cells are new: the tree was built
 };
 
+/// Bounds of what linear cells made of curved ones differ by.
+struct DivisionError
+{
+  double OfPoints = 0.0; ///< in parts of the diagonal of the curved cell
+  double OfValues = 0.0; ///< in parts of the range of values in it, or of 1 % of that in the grid
+};
+
 /// How a field was set up.
 struct FieldSetUp
 {
@@ -59,6 +66,7 @@ struct FieldSetUp
   double Seconds = 0.0;
   std::size_t Memory = 0;     ///< bytes of what is kept
   bool AveragesCells = false; ///< values of cells were averaged to points
+  DivisionError Error;        ///< of cells that were divided
 };
 
 /// A field, and where it lies.

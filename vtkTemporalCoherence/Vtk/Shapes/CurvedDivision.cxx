@@ -7,8 +7,6 @@
 #include <vtkCellArray.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
-#include <vtkSMPThreadLocal.h>
-#include <vtkSMPTools.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <cstddef>
@@ -100,21 +98,12 @@ void DivideCurvedCells(vtkUnstructuredGrid* grid, const CurvedCells& curved,
   }
   made.Points.resize(first + numbers.Places.size());
 
-  const KindWeights weights(grid, curved, places);
-  vtkSMPThreadLocal<CurvedWorkplace> workplaces;
-  vtkSMPTools::For(0, static_cast<vtkIdType>(curved.Cells.size()),
-    [&](vtkIdType begin, vtkIdType end)
+  ForEachCurvedCell(grid, curved, reader, places,
+    [&](std::size_t cell, const std::vector<PointValue>& points, const double* rows)
     {
-      CurvedWorkplace& work = workplaces.Local();
-      for (auto c = static_cast<std::size_t>(begin); c < static_cast<std::size_t>(end); ++c)
+      for (std::size_t p = begins[cell]; p < begins[cell + 1]; ++p)
       {
-        work.Read(grid, curved.Cells[c], reader);
-        const double* rows = weights.Of(c, work.Cell, work.Own);
-        for (std::size_t p = begins[c]; p < begins[c + 1]; ++p)
-        {
-          made.Points[first + p] =
-            Weigh(rows + numbers.Places[p] * work.Points.size(), work.Points);
-        }
+        made.Points[first + p] = Weigh(rows + numbers.Places[p] * points.size(), points);
       }
     });
 }

@@ -5,9 +5,6 @@
 #include "Shapes/CurvedWeights.h"
 #include "Shapes/DivisionChecks.h"
 
-#include <vtkSMPThreadLocal.h>
-#include <vtkSMPTools.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -143,20 +140,10 @@ CurvedError MeasureError(
   vtkUnstructuredGrid* grid, const CurvedCells& curved, const PointReader& reader, int parts)
 {
   const ErrorPlaces places(curved, parts);
-  const KindWeights weights(grid, curved, places.Places);
   std::vector<CellError> errors(curved.Cells.size());
-  vtkSMPThreadLocal<CurvedWorkplace> workplaces;
-  vtkSMPTools::For(0, static_cast<vtkIdType>(curved.Cells.size()),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      CurvedWorkplace& work = workplaces.Local();
-      for (auto c = static_cast<std::size_t>(begin); c < static_cast<std::size_t>(end); ++c)
-      {
-        work.Read(grid, curved.Cells[c], reader);
-        const double* rows = weights.Of(c, work.Cell, work.Own);
-        errors[c] = places.ErrorOf(curved.KindOf[c], work.Points, rows);
-      }
-    });
+  ForEachCurvedCell(grid, curved, reader, places.Places,
+    [&](std::size_t cell, const std::vector<PointValue>& points, const double* rows)
+    { errors[cell] = places.ErrorOf(curved.KindOf[cell], points, rows); });
   Range all;
   for (const CellError& error : errors)
   {

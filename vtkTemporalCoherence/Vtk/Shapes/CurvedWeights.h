@@ -9,6 +9,8 @@
 #include <vtkGenericCell.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
+#include <vtkSMPThreadLocal.h>
+#include <vtkSMPTools.h>
 
 #include <cstddef>
 #include <vector>
@@ -56,6 +58,27 @@ struct CurvedWorkplace
   std::vector<PointValue> Points;
   std::vector<double> Own; ///< weights of the cell
 };
+
+/// Call `visit(number, points, rows)` for each curved cell, in parallel: with its number among
+/// them, its points, and the rows of its weights at the places of its kind.
+template <typename Visit>
+void ForEachCurvedCell(vtkUnstructuredGrid* grid, const CurvedCells& curved,
+  const PointReader& reader, const std::vector<std::vector<glm::dvec3>>& places, const Visit& visit)
+{
+  const KindWeights weights(grid, curved, places);
+  vtkSMPThreadLocal<CurvedWorkplace> workplaces;
+  vtkSMPTools::For(0, static_cast<vtkIdType>(curved.Cells.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      CurvedWorkplace& work = workplaces.Local();
+      for (auto c = static_cast<std::size_t>(begin); c < static_cast<std::size_t>(end); ++c)
+      {
+        work.Read(grid, curved.Cells[c], reader);
+        const double* const rows = weights.Of(c, work.Cell, work.Own);
+        visit(c, work.Points, rows);
+      }
+    });
+}
 
 std::vector<glm::dvec3> PlacesOf(const CellDivision& division);
 

@@ -98,7 +98,6 @@ set(engine_files
   MeshTiles/KernelsBoxes
   MeshTiles/KernelsOutlines
   MeshTiles/KernelsTileGrid
-  MeshTiles/LeafCells
   MeshTiles/PreparedCells
   MeshTiles/PreparedLeaves
   MeshFields/MeshBandRays

@@ -91,6 +91,8 @@ void HexahedronCrossingsOfPairs(const MeshCell* cells, const CellDifferences* di
   const MeshRays& rays, Crossings& found);
 
 /// Find the parts of rays in a cell. Cells that share a face have the same bits there.
+void TetrahedronSpans(
+  const TetrahedronPoints& points, const MeshRays& rays, std::uint64_t which, CellSpans& spans);
 void TetrahedronSpans(const MeshCell& cell, const CellDifferences& differences,
   const MeshRays& rays, std::uint64_t which, CellSpans& spans);
 void HexahedronSpans(const MeshCell& cell, const CellDifferences& differences, const MeshRays& rays,
@@ -113,6 +115,23 @@ inline void CellCrossings(const MeshCell& cell, const CellDifferences& differenc
   else if (cell.Shape == MeshCellShape::Hexahedron)
   {
     HexahedronCrossings(cell, differences, rays, which, found);
+  }
+}
+
+inline void FindCellSpans(const MeshCell& cell, const CellDifferences& differences,
+  const MeshRays& rays, std::uint64_t which, CellSpans& spans)
+{
+  if (cell.Shape == MeshCellShape::Tetrahedron)
+  {
+    TetrahedronSpans(cell, differences, rays, which, spans);
+  }
+  else if (cell.Shape == MeshCellShape::Hexahedron)
+  {
+    HexahedronSpans(cell, differences, rays, which, spans);
+  }
+  else
+  {
+    spans.Count.fill(0);
   }
 }
 

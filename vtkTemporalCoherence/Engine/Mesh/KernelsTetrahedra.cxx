@@ -95,11 +95,17 @@ void TetrahedronCrossings(const MeshCell& cell, const CellDifferences& differenc
   TetrahedronCrossings(TetrahedronPoints(cell, differences), rays, which, found);
 }
 
+void TetrahedronSpans(
+  const TetrahedronPoints& points, const MeshRays& rays, std::uint64_t which, CellSpans& spans)
+{
+  spans.Count.fill(0);
+  HWY_DYNAMIC_DISPATCH(SpansOf)(points, rays, which, spans);
+}
+
 void TetrahedronSpans(const MeshCell& cell, const CellDifferences& differences,
   const MeshRays& rays, std::uint64_t which, CellSpans& spans)
 {
-  spans.Count.fill(0);
-  HWY_DYNAMIC_DISPATCH(SpansOf)(TetrahedronPoints(cell, differences), rays, which, spans);
+  TetrahedronSpans(TetrahedronPoints(cell, differences), rays, which, spans);
 }
 
 void TetrahedronCrossingsOfPairs(

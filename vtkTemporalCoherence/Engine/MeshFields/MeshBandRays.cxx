@@ -133,8 +133,10 @@ void MeshBandRays::TakeNote(const MeshPassage& passage)
   }
   const std::array<double, NumberOfDirections> most = { passage.High,
     this->Scale.Span - passage.Low };
-  const std::array<double, NumberOfDirections> passed = { std::max(passage.AtIn, passage.AtOut),
-    this->Scale.Span - std::min(passage.AtIn, passage.AtOut) };
+  // What is before the ray's beginning in the cell is not passed.
+  const double atIn = passage.BeginsHere ? passage.AtOut : passage.AtIn;
+  const std::array<double, NumberOfDirections> passed = { std::max(atIn, passage.AtOut),
+    this->Scale.Span - std::min(atIn, passage.AtOut) };
   for (std::size_t direction = 0; direction < NumberOfDirections; ++direction)
   {
     double& reached = progress.Reached[direction];

@@ -7,10 +7,10 @@
 #include "Mesh/KernelsCells.h"
 #include "MeshFields/MeshBandRays.h"
 #include "MeshTiles/ActiveLeaves.h"
-#include "MeshTiles/LeafCells.h"
-#include "MeshTiles/MeshDifference.h"
 #include "MeshTiles/MeshTile.h"
+#include "MeshTiles/PreparedLeaves.h"
 
+#include <cstddef>
 #include <cstdint>
 
 namespace TemporalCoherence
@@ -30,15 +30,14 @@ public:
   std::int64_t Trace(const RayBatch& rays, TileKnots& knots) const override;
 
 private:
-  void Append(
-    const ActiveCell& cell, const MeshTile& tile, std::uint64_t which, MeshBandRays& band) const;
+  void Append(const PreparedCells& cells, std::size_t cell, std::int64_t leaf, const MeshTile& tile,
+    std::uint64_t which, MeshBandRays& band) const;
   static RayBatch::Array<double> DistancesAt(const MeshTile& tile, double depth);
 
   BandScene Scene;
   const MeshTree& Tree;
   ActiveLeaves Leaves;
-  LeafCells Cells;
-  MeshDifference FromLowest;
+  PreparedLeaves Prepared;
   double Unit; ///< of the band's scale, in those of differences
 };
 

@@ -110,11 +110,16 @@ private:
   std::shared_ptr<const PreparedLeaves> PreparedFor(const TraceScene& scene) const
   {
     const std::lock_guard<std::mutex> lock(this->Guard);
-    if (!this->LastPrepared || !this->LastPrepared->AreOf(scene.Isosurfaces, scene.FiniteRange))
+    if (!this->LastPrepared || !AreMetAlike(this->LastSurfaces, scene.Isosurfaces) ||
+      this->LastRange != scene.FiniteRange)
     {
       this->LastPrepared.reset();
+      this->LastSurfaces = scene.Isosurfaces;
+      this->LastRange = scene.FiniteRange;
+      const bool isSolid = scene.Isosurfaces.Mode == SurfaceMode::Threshold;
       this->LastPrepared =
-        std::make_shared<PreparedLeaves>(*this->Tree, scene.Isosurfaces, scene.FiniteRange);
+        std::make_shared<PreparedLeaves>(*this->Tree, scene.Isosurfaces.Isovalues,
+          scene.FiniteRange, isSolid ? CellPurpose::Solids : CellPurpose::Crossings);
     }
     return this->LastPrepared;
   }
@@ -122,8 +127,10 @@ private:
   std::shared_ptr<const MeshTree> Tree;
   BoxLevels Boxes;
   mutable std::mutex Guard;
-  mutable std::shared_ptr<const PreparedLeaves> LastPrepared; ///< null: none so far
-  std::shared_ptr<const PointGradients> Averaged;             ///< null: not wanted
+  mutable std::shared_ptr<const PreparedLeaves> LastPrepared; ///< null: none so far; else of:
+  mutable Surfaces LastSurfaces;
+  mutable glm::dvec2 LastRange{ 0.0 };
+  std::shared_ptr<const PointGradients> Averaged; ///< null: not wanted
 };
 
 }

@@ -92,9 +92,7 @@ void AppendSolidParts(const MeshCell& cell, const MeshKernels::CellDifferences& 
   std::vector<SolidPart>& parts)
 {
   MeshKernels::CellSpans spans;
-  const bool isTetrahedron = cell.Shape == MeshCellShape::Tetrahedron;
-  (isTetrahedron ? MeshKernels::TetrahedronSpans : MeshKernels::HexahedronSpans)(
-    cell, differences, inMesh, which, spans);
+  MeshKernels::FindCellSpans(cell, differences, inMesh, which, spans);
   MeshKernels::Crossings crossings;
   MeshKernels::CellCrossings(cell, differences, inMesh, which, crossings);
   ForEachRay(which,

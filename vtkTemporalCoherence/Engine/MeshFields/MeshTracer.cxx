@@ -3,6 +3,7 @@
 #include "MeshFields/MeshTracer.h"
 
 #include "Mesh/KernelsCells.h"
+#include "MeshTiles/CellVisits.h"
 #include "Trace/HitRules.h"
 
 #include <algorithm>

@@ -13,16 +13,10 @@ namespace TemporalCoherence
 {
 
 /// The values of a hexahedron as a linear function of the point, and how far they are from it at
-/// most. Bend is infinite in a flat cell.
+/// most. Bend is infinite in a flat cell. Where a ray runs from one value to another in the cell,
+/// it does not pass any that is more than twice Bend farther beyond both.
 NearlyLinear NearlyLinearOf(
   const std::array<glm::dvec3, 8>& points, const std::array<double, 8>& values);
-
-/// Where a ray runs from one value to another in a hexahedron, it does not pass any that is so much
-/// farther beyond both.
-inline double BendOf(const std::array<glm::dvec3, 8>& points, const std::array<double, 8>& values)
-{
-  return 2.0 * NearlyLinearOf(points, values).Bend;
-}
 
 }
 

@@ -123,7 +123,10 @@ struct PolygonEdges
 
   /// \param isSure of which cells the polygon can be trusted; others have edges that leave nothing
   ///               out
-  HWY_INLINE void Set(const SeenOutlines& seen, hn::Mask<Floats> isSure, Cells turn, float margin)
+  /// \param lost   how much rounding may change a function within the polygon's rectangle: the
+  ///               direction of a short edge is inexact
+  HWY_INLINE void Set(
+    const SeenOutlines& seen, hn::Mask<Floats> isSure, Cells turn, float margin, Cells lost)
   {
     const Floats d;
     const Cells one = hn::Set(d, 1.0f), room = hn::Set(d, margin);
@@ -133,7 +136,8 @@ struct PolygonEdges
       const Cells a = hn::Mul(turn, hn::Sub(seen.Y[from], seen.Y[to]));
       const Cells b = hn::Mul(turn, hn::Sub(seen.X[to], seen.X[from]));
       const Cells through = hn::MulAdd(a, seen.X[from], hn::Mul(b, seen.Y[from]));
-      const Cells c = hn::Sub(hn::Mul(room, hn::Add(hn::Abs(a), hn::Abs(b))), through);
+      const Cells slack = hn::MulAdd(room, hn::Add(hn::Abs(a), hn::Abs(b)), lost);
+      const Cells c = hn::Sub(slack, through);
       hn::Store(hn::IfThenElseZero(isSure, a), d, this->A[edge]);
       hn::Store(hn::IfThenElseZero(isSure, b), d, this->B[edge]);
       hn::Store(hn::IfThenElse(isSure, c, one), d, this->C[edge]);
@@ -207,7 +211,8 @@ HWY_INLINE void FindPixelsOf(
   const float margin = view.Margin + 4.0f * Rounding * view.Reach;
   PolygonEdges edges;
   edges.Set(outlines, isSure,
-    hn::IfThenElse(hn::Lt(area, hn::Zero(d)), hn::Set(d, -1.0f), hn::Set(d, 1.0f)), margin);
+    hn::IfThenElse(hn::Lt(area, hn::Zero(d)), hn::Set(d, -1.0f), hn::Set(d, 1.0f)), margin,
+    hn::Mul(error, hn::Add(size, hn::Set(d, 1.0f))));
 
   HWY_ALIGN float sides[4][16];
   const Cells room = hn::Set(d, margin);

@@ -68,22 +68,6 @@ struct TilePlanes
 /// One bit for each box that is not outside of a plane.
 std::uint64_t BoxesWithin(const TilePlanes& planes, const BoxLanes& boxes);
 
-/// The points of a cell by axis; the last one is repeated to the end.
-using PointLanes = std::array<std::array<double, 8>, 3>;
-
-/// How points are seen by a tile: at column Row[1] . p / Row[0] . p, in row Row[2] . p / Row[0] .
-/// p, where p is the point relative to Origin. In parallel views, nothing is divided.
-struct TileRows
-{
-  std::array<glm::dvec3, 3> Row;
-  glm::dvec3 Origin;
-  bool IsPerspective;
-  double Margin; ///< pixels around a cell, against rounding
-};
-
-/// One bit for each pixel of a tile in the rectangle around a cell: column + 8 row.
-std::uint64_t PixelsAround(const TileRows& rows, const PointLanes& points, int count);
-
 }
 
 #endif

@@ -38,7 +38,7 @@ public:
   double operator()(double value) const
   {
     // Without branches, as nothing tells on which side the next value is.
-    constexpr double least = 0x1p-290, largest = 4.0;
+    constexpr double least = 0x1p-290, largest = Largest;
     const double difference = value * this->Factor - this->Scaled;
     const double below = difference > -largest ? std::min(difference, -least) : -largest;
     const double above = std::min(std::max(difference, least), largest);
@@ -58,10 +58,15 @@ public:
     return isAnyInside && isAnyOutside;
   }
 
+  /// False for the difference of an infinity or of NaN.
+  static bool IsFinite(double difference) { return std::abs(difference) < Largest; }
+
   /// Units of differences in one of values.
   double Unit() const { return this->Factor; }
 
 private:
+  static constexpr double Largest = 4.0; ///< more than any of finite values
+
   double Isovalue, Factor, Scaled;
 };
 

@@ -61,49 +61,72 @@ class CellPreparer
 {
 public:
   CellPreparer(const MeshTree& tree, std::int64_t leaf, const MeshDifference& difference,
-    SurfaceMode mode, PreparedCells& cells)
+    CellPurpose purpose, PreparedCells& cells)
     : Tree(tree)
     , Middle(MiddleOf(tree.LeafBox(leaf)))
     , Difference(difference)
-    , IsSolid(mode == SurfaceMode::Threshold)
+    , Purpose(purpose)
     , Cells(cells)
   {
     cells.Numbers.clear();
+    cells.Places.clear();
     cells.Tetrahedra.clear();
     cells.Hexahedra.clear();
   }
 
-  /// Keep a cell, if it counts.
-  void Take(CellNumber number, const MeshCell& cell)
+  /// Keep the tetrahedra of some cells that count, and then the hexahedra.
+  void Take(const MeshReader::Together<std::uint8_t>& places,
+    const MeshReader::Together<CellNumber>& numbers, const MeshReader::Together<MeshCell>& cells,
+    std::size_t count)
+  {
+    this->Cells.Numbers.reserve(count);
+    this->Cells.Places.reserve(count);
+    for (const MeshCellShape shape : { MeshCellShape::Tetrahedron, MeshCellShape::Hexahedron })
+    {
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        if (cells[i].Shape == shape && this->Take(cells[i], count - i))
+        {
+          this->Cells.Numbers.push_back(numbers[i]);
+          this->Cells.Places.push_back(places[i]);
+        }
+      }
+    }
+    this->Outline();
+  }
+
+private:
+  /// \param left cells at most
+  /// \return false if it does not count
+  bool Take(const MeshCell& cell, std::size_t left)
   {
     MeshKernels::CellDifferences differences;
     const bool isCrossed = this->Difference.Of(cell, differences);
-    if (!isCrossed && !(this->IsSolid && differences[0] >= 0.0))
+    const bool isInside = !isCrossed && differences[0] >= 0.0;
+    if (!isCrossed && this->Purpose != CellPurpose::Bands &&
+      !(isInside && this->Purpose == CellPurpose::Solids))
     {
-      return;
+      return false;
     }
     if (cell.Shape == MeshCellShape::Tetrahedron)
     {
-      this->Cells.Numbers.push_back(number);
       if (this->Cells.Tetrahedra.empty())
       {
-        this->Cells.Tetrahedra.reserve(this->Cells.Numbers.capacity());
+        this->Cells.Tetrahedra.reserve(left);
       }
       this->Cells.Tetrahedra.emplace_back(cell, differences);
+      return true;
     }
-    else if (cell.Shape == MeshCellShape::Hexahedron)
+    this->Cells.Hexahedra.push_back({ cell, differences, {}, {}, {} });
+    if (this->Purpose == CellPurpose::Crossings)
     {
-      this->OfHexahedra[this->Cells.Hexahedra.size()] = number;
-      this->Cells.Hexahedra.push_back(
-        { cell, differences, MeshKernels::HexahedronFunctions(cell, differences), {}, {} });
+      this->Cells.Hexahedra.back().Functions = MeshKernels::HexahedronFunctions(cell, differences);
     }
+    return true;
   }
 
-  /// Outline all cells.
-  void Finish()
+  void Outline()
   {
-    this->Cells.Numbers.insert(this->Cells.Numbers.end(), this->OfHexahedra.begin(),
-      this->OfHexahedra.begin() + static_cast<std::ptrdiff_t>(this->Cells.Hexahedra.size()));
     this->Cells.Outlines.Resize(this->Cells.Count());
     for (std::size_t i = 0; i < this->Cells.Tetrahedra.size(); ++i)
     {
@@ -115,7 +138,6 @@ public:
     }
   }
 
-private:
   void Outline(std::size_t at, const MeshKernels::TetrahedronPoints& cell)
   {
     CellOutlines::Points points;
@@ -123,11 +145,12 @@ private:
     {
       points[i] = points[i + 4] = this->Tree.ToIndex(cell.Points[i]) - this->Middle;
     }
-    if (!this->IsSolid)
+    const bool isCut = this->Purpose == CellPurpose::Crossings;
+    if (isCut)
     {
       FindPolygon(points.data(), cell.Values, &points[4]);
     }
-    this->Cells.Outlines.Set(at, points, !this->IsSolid);
+    this->Cells.Outlines.Set(at, points, isCut);
   }
 
   void Outline(std::size_t at, PreparedHexahedron& cell)
@@ -136,7 +159,7 @@ private:
     std::transform(cell.Cell.Points.begin(), cell.Cell.Points.end(), points.begin(),
       [&](const glm::dvec3& point) { return this->Tree.ToIndex(point); });
     cell.Box = BoxAround(points.data(), points.size());
-    if (!this->IsSolid)
+    if (this->Purpose != CellPurpose::Solids)
     {
       cell.Values = NearlyLinearOf(points, cell.Differences);
     }
@@ -150,33 +173,28 @@ private:
   const MeshTree& Tree;
   glm::dvec3 Middle;
   const MeshDifference& Difference;
-  bool IsSolid;
+  CellPurpose Purpose;
   PreparedCells& Cells;
-  std::array<CellNumber, MeshLattice::SizeOfBlock> OfHexahedra; ///< their numbers
 };
 
 }
 
 void PrepareCells(const MeshTree& tree, std::int64_t leaf, std::uint64_t which,
-  const MeshDifference& difference, SurfaceMode mode, PreparedCells& cells)
+  const MeshDifference& difference, CellPurpose purpose, PreparedCells& cells)
 {
-  CellPreparer preparer(tree, leaf, difference, mode, cells);
-  std::array<CellNumber, MeshLattice::SizeOfBlock> numbers;
+  MeshReader::Together<std::uint8_t> places;
+  MeshReader::Together<CellNumber> numbers;
   std::size_t count = 0;
   ForEachRay(which,
     [&](std::size_t bit)
     {
+      places[count] = static_cast<std::uint8_t>(bit);
       numbers[count++] =
         tree.CellAt(MeshLattice::SizeOfBlock * leaf + static_cast<std::int64_t>(bit));
     });
-  std::array<MeshCell, MeshLattice::SizeOfBlock> read;
+  MeshReader::Together<MeshCell> read;
   tree.Reader().ReadAll(numbers, count, read);
-  cells.Numbers.reserve(count);
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    preparer.Take(numbers[i], read[i]);
-  }
-  preparer.Finish();
+  CellPreparer(tree, leaf, difference, purpose, cells).Take(places, numbers, read, count);
 }
 
 SolidCell PreparedCells::SolidAt(std::size_t cell) const
@@ -211,7 +229,7 @@ FloatBox PreparedCells::BoxOf(std::size_t cell, const MeshTree& tree) const
 std::size_t PreparedCells::SizeInBytes() const
 {
   return sizeof(PreparedCells) + this->Outlines.SizeInBytes() +
-    this->Numbers.capacity() * sizeof(CellNumber) +
+    this->Numbers.capacity() * sizeof(CellNumber) + this->Places.capacity() +
     this->Tetrahedra.capacity() * sizeof(MeshKernels::TetrahedronPoints) +
     this->Hexahedra.capacity() * sizeof(PreparedHexahedron);
 }

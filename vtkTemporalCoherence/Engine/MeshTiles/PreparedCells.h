@@ -10,7 +10,6 @@
 #include "MeshTiles/KernelsBoxes.h"
 #include "MeshTiles/MeshDifference.h"
 #include "Scene/Frame.h"
-#include "Scene/Surfaces.h"
 #include "Trees/MeshTree.h"
 
 #include <cstddef>
@@ -20,13 +19,21 @@
 namespace TemporalCoherence
 {
 
-/// A hexahedron, ready to be searched for a surface.
+/// What cells are prepared for.
+enum class CellPurpose : std::uint8_t
+{
+  Crossings, ///< to find where rays pass an isovalue
+  Solids,    ///< to find parts of rays in a solid: cells that are wholly inside count, too
+  Bands      ///< to find what rays reach above the lowest isovalue of a band: all cells count
+};
+
+/// A hexahedron, ready to be searched.
 struct PreparedHexahedron
 {
   MeshCell Cell;
   MeshKernels::CellDifferences Differences;
-  MeshKernels::HexahedronFunctions Functions;
-  NearlyLinear Values; ///< of differences; not known in solids
+  MeshKernels::HexahedronFunctions Functions; ///< only for crossings
+  NearlyLinear Values; ///< of differences, for crossings and bands; if finite
   FloatBox Box;        ///< in index space, rounded as those of BoxLanes
 };
 
@@ -37,7 +44,7 @@ struct SolidCell
   MeshKernels::CellDifferences Differences;
 };
 
-/// The cells of a leaf that a surface passes, ready to be searched: read from the mesh, with
+/// The cells of a leaf that an isovalue passes, ready to be searched: read from the mesh, with
 /// differences from the isovalue. Tetrahedra come first.
 struct PreparedCells
 {
@@ -56,18 +63,18 @@ struct PreparedCells
   std::size_t SizeInBytes() const;
 
   std::vector<CellNumber> Numbers;
+  std::vector<std::uint8_t> Places; ///< in the leaf
   CellOutlines Outlines;
   std::vector<MeshKernels::TetrahedronPoints> Tetrahedra;
   std::vector<PreparedHexahedron> Hexahedra;
 };
 
 /// Read and prepare cells of a leaf.
-/// \param which one bit for each cell that the surface may pass
-/// \param mode  with THRESHOLD, cells that are wholly inside count, too
+/// \param which one bit for each cell that may count
 /// \param cells gets those that count
 /// \throws std::bad_alloc
 void PrepareCells(const MeshTree& tree, std::int64_t leaf, std::uint64_t which,
-  const MeshDifference& difference, SurfaceMode mode, PreparedCells& cells);
+  const MeshDifference& difference, CellPurpose purpose, PreparedCells& cells);
 
 /// The middle of a leaf's box, to which outlines are relative.
 inline glm::dvec3 MiddleOf(const FloatBox& box)

@@ -5,13 +5,12 @@
 namespace TemporalCoherence
 {
 
-PreparedLeaves::PreparedLeaves(
-  const MeshTree& tree, const Surfaces& surfaces, const glm::dvec2& finiteRange)
+PreparedLeaves::PreparedLeaves(const MeshTree& tree, const std::vector<double>& isovalues,
+  const glm::dvec2& finiteRange, CellPurpose purpose)
   : Tree(tree)
-  , Isosurfaces(surfaces)
-  , FiniteRange(finiteRange)
+  , Purpose(purpose)
 {
-  for (const double isovalue : surfaces.Isovalues)
+  for (const double isovalue : isovalues)
   {
     this->Differences.emplace_back(isovalue, finiteRange);
   }
@@ -30,40 +29,35 @@ PreparedLeaves::~PreparedLeaves()
   }
 }
 
-bool PreparedLeaves::AreOf(const Surfaces& surfaces, const glm::dvec2& finiteRange) const
-{
-  return AreMetAlike(this->Isosurfaces, surfaces) && this->FiniteRange == finiteRange;
-}
-
-PreparedLeaves::Slot& PreparedLeaves::SlotOf(std::int64_t leaf, std::size_t surface) const
+PreparedLeaves::Slot& PreparedLeaves::SlotOf(std::int64_t leaf, std::size_t isovalue) const
 {
   const auto leaves = static_cast<std::size_t>(this->Tree.NumberOfLeaves());
   std::call_once(
     this->IsAsked, [&] { this->Kept.reset(new Slot[this->Differences.size() * leaves]()); });
-  return this->Kept[surface * leaves + static_cast<std::size_t>(leaf)];
+  return this->Kept[isovalue * leaves + static_cast<std::size_t>(leaf)];
 }
 
 void PreparedLeaves::Prepare(
-  std::int64_t leaf, std::size_t surface, std::uint64_t active, PreparedCells& cells) const
+  std::int64_t leaf, std::size_t isovalue, std::uint64_t active, PreparedCells& cells) const
 {
-  PrepareCells(this->Tree, leaf, active, this->Differences[surface], this->Isosurfaces.Mode, cells);
+  PrepareCells(this->Tree, leaf, active, this->Differences[isovalue], this->Purpose, cells);
 }
 
 const PreparedCells& PreparedLeaves::Of(
-  std::int64_t leaf, std::size_t surface, std::uint64_t active, PreparedCells& spare) const
+  std::int64_t leaf, std::size_t isovalue, std::uint64_t active, PreparedCells& spare) const
 {
-  Slot& slot = this->SlotOf(leaf, surface);
+  Slot& slot = this->SlotOf(leaf, isovalue);
   if (const PreparedCells* const known = slot.load(std::memory_order_acquire))
   {
     return *known;
   }
   if (this->Bytes.load(std::memory_order_relaxed) > MostBytes)
   {
-    this->Prepare(leaf, surface, active, spare);
+    this->Prepare(leaf, isovalue, active, spare);
     return spare;
   }
   auto made = std::make_unique<PreparedCells>();
-  this->Prepare(leaf, surface, active, *made);
+  this->Prepare(leaf, isovalue, active, *made);
   const auto bytes = static_cast<std::int64_t>(made->SizeInBytes());
   const PreparedCells* known = nullptr;
   if (slot.compare_exchange_strong(known, made.get(), std::memory_order_acq_rel))

@@ -5,7 +5,6 @@
 
 #include "MeshTiles/MeshDifference.h"
 #include "MeshTiles/PreparedCells.h"
-#include "Scene/Surfaces.h"
 #include "Trees/MeshTree.h"
 
 #include <atomic>
@@ -18,27 +17,28 @@
 namespace TemporalCoherence
 {
 
-/// The cells that surfaces pass, by leaf and surface. The first tile that asks for those of a leaf
-/// prepares them; they are kept for other tiles, and for other views. Thread-safe.
+/// The cells that isovalues pass, by leaf and isovalue. The first tile that asks for those of a
+/// leaf prepares them; they are kept for other tiles, and for other views. Thread-safe.
 class PreparedLeaves
 {
 public:
-  /// \param tree outlives this
-  PreparedLeaves(const MeshTree& tree, const Surfaces& surfaces, const glm::dvec2& finiteRange);
+  /// \param tree        outlives this
+  /// \param finiteRange smallest and largest finite value of the mesh
+  PreparedLeaves(const MeshTree& tree, const std::vector<double>& isovalues,
+    const glm::dvec2& finiteRange, CellPurpose purpose);
   ~PreparedLeaves();
   PreparedLeaves(const PreparedLeaves&) = delete;
   PreparedLeaves& operator=(const PreparedLeaves&) = delete;
 
-  bool AreOf(const Surfaces& surfaces, const glm::dvec2& finiteRange) const;
+  std::size_t NumberOfIsovalues() const { return this->Differences.size(); }
 
-  std::size_t NumberOfSurfaces() const { return this->Differences.size(); }
-
-  /// The cells of a leaf that a surface passes.
-  /// \param active one bit for each cell of the leaf that any of the surfaces may pass
-  /// \param spare  holds them, if there is no room to keep them
+  /// The cells of a leaf that an isovalue passes.
+  /// \param isovalue its position in the list
+  /// \param active   one bit for each cell of the leaf that any of the isovalues may pass
+  /// \param spare    holds them, if there is no room to keep them
   /// \throws std::bad_alloc
   const PreparedCells& Of(
-    std::int64_t leaf, std::size_t surface, std::uint64_t active, PreparedCells& spare) const;
+    std::int64_t leaf, std::size_t isovalue, std::uint64_t active, PreparedCells& spare) const;
 
 private:
   /// What is kept at most. Measured: the surfaces of 10 million tetrahedra take 100 MB.
@@ -46,16 +46,15 @@ private:
 
   using Slot = std::atomic<const PreparedCells*>;
 
-  Slot& SlotOf(std::int64_t leaf, std::size_t surface) const;
+  Slot& SlotOf(std::int64_t leaf, std::size_t isovalue) const;
   void Prepare(
-    std::int64_t leaf, std::size_t surface, std::uint64_t active, PreparedCells& cells) const;
+    std::int64_t leaf, std::size_t isovalue, std::uint64_t active, PreparedCells& cells) const;
 
   const MeshTree& Tree;
-  Surfaces Isosurfaces;
-  glm::dvec2 FiniteRange;
   std::vector<MeshDifference> Differences; ///< from each isovalue
+  CellPurpose Purpose;
   mutable std::once_flag IsAsked;
-  mutable std::unique_ptr<Slot[]> Kept; ///< by surface and leaf; null: none was asked for
+  mutable std::unique_ptr<Slot[]> Kept; ///< by isovalue and leaf; null: none was asked for
   mutable std::atomic<std::int64_t> Bytes{ 0 };
 };
 

@@ -26,18 +26,11 @@ public:
   TileGrid(const RayBatch& rays, const MeshTree& tree)
     : Lattice(tree.Dimensions().x + tree.Dimensions().y + tree.Dimensions().z)
   {
-    const double scale = tree.Scale();
     this->Forward = AheadOf(rays, 0);
     if (rays.Count == RayBatch::Capacity)
     {
       this->FindRows(rays);
       this->FindPlanes();
-      this->InIndexSpace = this->Seen;
-      this->Seen.Origin = tree.Low() + scale * this->Seen.Origin;
-      for (glm::dvec3& row : this->Seen.Row)
-      {
-        row /= scale;
-      }
     }
   }
 
@@ -58,24 +51,18 @@ public:
   /// Planes around the tile, in index space.
   const TilePlanes& Planes() const { return this->Around; }
 
-  /// One bit for each ray that can pass between the points of a cell.
-  std::uint64_t RaysAround(const PointLanes& points, int count) const
-  {
-    return PixelsAround(this->Seen, points, count);
-  }
-
   /// How the tile sees what lies in a box of index space, relative to its middle.
   /// \return false if it is not known: the box is too near the eye, or too large
   bool See(const FloatBox& box, OutlineView& view) const
   {
     constexpr double nearest = 0.125, farthest = 0x1p16;
     const glm::dvec3 low(box.Low), high(box.High);
-    const glm::dvec3 middle = 0.5 * (low + high) - this->InIndexSpace.Origin;
+    const glm::dvec3 middle = 0.5 * (low + high) - this->Seen.Origin;
     const glm::dvec3 half = 0.5 * (high - low);
     std::array<double, 3> reach;
     for (std::size_t row = 0; row < 3; ++row)
     {
-      const glm::dvec3& along = this->InIndexSpace.Row[row];
+      const glm::dvec3& along = this->Seen.Row[row];
       const double at = glm::dot(along, middle), around = glm::dot(glm::abs(along), half);
       for (std::size_t a = 0; a < 3; ++a)
       {
@@ -84,7 +71,7 @@ public:
       view.Middle[row] = static_cast<float>(at);
       reach[row] = row == 0 ? at - around : std::abs(at) + around;
     }
-    view.IsPerspective = this->InIndexSpace.IsPerspective;
+    view.IsPerspective = this->Seen.IsPerspective;
     view.Margin = static_cast<float>(Margin);
     const double depth = view.IsPerspective ? reach[0] : 1.0;
     const double pixels = std::max(reach[1], reach[2]) / depth;
@@ -95,6 +82,15 @@ public:
   }
 
 private:
+  /// How points p of index space are seen: at column Row[1] . q / Row[0] . q, in row
+  /// Row[2] . q / Row[0] . q, where q = p - Origin. In parallel views, nothing is divided.
+  struct TileRows
+  {
+    std::array<glm::dvec3, 3> Row;
+    glm::dvec3 Origin;
+    bool IsPerspective;
+  };
+
   /// Pixels around the tile and around cells, against rounding.
   static constexpr double Margin = 0x1p-6;
 
@@ -130,7 +126,6 @@ private:
     }
     this->Seen.Origin = origin;
     this->Seen.IsPerspective = isPerspective;
-    this->Seen.Margin = Margin;
     this->IsKnown = std::isfinite(sum);
   }
 
@@ -168,8 +163,7 @@ private:
   double Lattice; ///< lengths of all of its axes
   bool IsKnown = false;
   glm::dvec3 Forward;
-  TileRows Seen{}; ///< of points in the coordinates of the mesh
-  TileRows InIndexSpace{};
+  TileRows Seen{};
   TilePlanes Around{};
 };
 

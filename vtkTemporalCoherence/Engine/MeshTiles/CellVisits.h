@@ -72,10 +72,12 @@ private:
 };
 
 /// Call visit(place, rays) for each of the prepared cells of a leaf that rays may pass, with one
-/// bit for each of these rays. Rays that surely do not pass the surface of a cell are left out, but
-/// for bands. \param box    of the leaf \param wanted one bit for each ray \param
-/// limits of rays: what is farther away does not matter. Visits may bring them nearer \return
-/// number of cells visited
+/// bit for each of these rays. Visits may bring limits nearer. But for bands, rays that surely do
+/// not pass the surface in a hexahedron are left out.
+/// \param box of the leaf
+/// \param wanted one bit for each ray
+/// \param limits of rays: what is farther away does not matter
+/// \return number of cells visited
 template <typename Visit>
 std::int64_t VisitCellsOf(const PreparedCells& cells, CellPurpose purpose, const FloatBox& box,
   const MeshTile& tile, std::uint64_t wanted, const RayBatch::Array<double>& limits,

@@ -72,9 +72,11 @@ private:
 };
 
 /// Call visit(place, rays) for each of the prepared cells of a leaf that rays may pass, with one
-/// bit for each of these rays. \param box    of the leaf \param wanted one bit for each ray \param
-/// limits of rays: what is farther away does not matter. Visits may bring them nearer \return
-/// number of cells visited
+/// bit for each of these rays. Visits may bring limits nearer.
+/// \param box    of the leaf
+/// \param wanted one bit for each ray
+/// \param limits of rays: what is farther away does not matter
+/// \return number of cells visited
 template <typename Visit>
 std::int64_t VisitCellsOf(const PreparedCells& cells, const FloatBox& box, const MeshTile& tile,
   std::uint64_t wanted, const RayBatch::Array<double>& limits, const Visit& visit)

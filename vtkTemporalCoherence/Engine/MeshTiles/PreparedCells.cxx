@@ -101,7 +101,7 @@ private:
   /// \return false if it does not count
   bool Take(const MeshCell& cell, std::size_t left)
   {
-    MeshKernels::CellDifferences differences;
+    MeshKernels::CellDifferences differences{};
     const bool isCrossed = this->Difference.Of(cell, differences);
     const bool isInside = !isCrossed && differences[0] >= 0.0;
     if (!isCrossed && this->Purpose != CellPurpose::Bands &&

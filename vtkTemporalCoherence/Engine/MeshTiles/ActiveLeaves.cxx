@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 
 namespace TemporalCoherence
@@ -24,6 +25,12 @@ std::uint64_t FirstBits(std::int64_t count)
                            : (std::uint64_t(1) << std::max<std::int64_t>(count, 0)) - 1;
 }
 
+}
+
+std::uint64_t ActiveLeaves::NewStamp()
+{
+  static std::atomic<std::uint64_t> last{ 0 };
+  return ++last;
 }
 
 double ActiveLeaves::MarginOf(const RayBatch& rays, const MeshTree& tree)
@@ -49,13 +56,12 @@ std::uint64_t ActiveLeaves::WordOf(std::size_t level, std::int64_t block) const
                     : this->Active->LevelsAbove()[level - 2].WordOf(place);
 }
 
-void ActiveLeaves::Find(const RayBatch& rays, const TileGrid& grid, std::vector<Leaf>& leaves) const
+/// Go down from the root.
+/// \param within within(level, block, active) tells which of the active children are looked at
+/// \param take   called as take(leaf)
+template <typename Within, typename Take>
+void ActiveLeaves::FindBelow(const Within& within, const Take& take) const
 {
-  leaves.clear();
-  if (this->Tree.NumberOfCells() == 0)
-  {
-    return;
-  }
   struct Block
   {
     std::size_t Level;
@@ -64,31 +70,105 @@ void ActiveLeaves::Find(const RayBatch& rays, const TileGrid& grid, std::vector<
   constexpr std::size_t mostLevels = 12;
   std::array<Block, mostLevels * Children> open;
   std::size_t count = 0;
-  const double margin = MarginOf(rays, this->Tree);
   open[count++] = { this->Tree.NumberOfLevels() - 1, 0 };
   while (count > 0)
   {
     const Block block = open[--count];
-    std::uint64_t word = this->WordOf(block.Level, block.Number);
-    if (grid.IsGrid())
-    {
-      word &= BoxesWithin(grid.Planes(), this->Boxes.ChildrenOf(block.Level, block.Number));
-    }
-    ForEachRay(word,
+    ForEachRay(within(block.Level, block.Number, this->WordOf(block.Level, block.Number)),
       [&](std::size_t bit)
       {
         const Block child{ block.Level - 1,
           Children * block.Number + static_cast<std::int64_t>(bit) };
-        const FloatBox& box = this->Tree.BlockBox(child.Level, child.Number);
-        const bool mayMeet = grid.IsGrid() || RaysThrough(rays, rays.WalkEnd, box, margin) != 0;
-        if (mayMeet && child.Level > 0)
+        if (child.Level > 0)
         {
           open[count++] = child;
         }
-        else if (mayMeet)
+        else
         {
-          leaves.push_back({ grid.NearestDepth(box), child.Number });
+          take(child.Number);
         }
+      });
+  }
+}
+
+/// The active leaves along a row of tiles. A thread goes from tile to tile in it, and has to go
+/// down the tree only once.
+struct ActiveLeaves::Row
+{
+  static constexpr int Columns = 8 * TileSize; ///< as many as a thread takes at a time
+
+  void Append(std::int64_t leaf, const FloatBox& box)
+  {
+    const std::size_t lane = this->Leaves.size() % static_cast<std::size_t>(Children);
+    if (lane == 0)
+    {
+      this->Boxes.push_back(NoBoxes());
+    }
+    this->Boxes.back().Set(lane, glm::dvec3(box.Low), glm::dvec3(box.High));
+    this->Leaves.push_back(leaf);
+  }
+
+  std::uint64_t Stamp = 0; ///< of the ActiveLeaves that found it; 0: of none
+  TilePlanes Around;
+  std::vector<std::int64_t> Leaves;
+  std::vector<BoxLanes> Boxes; ///< of the leaves, 64 at a time
+};
+
+void ActiveLeaves::FindRow(const TileGrid& grid, Row& row) const
+{
+  row.Stamp = 0;
+  row.Leaves.clear();
+  row.Boxes.clear();
+  row.Around = grid.PlanesAlong(Row::Columns);
+  this->FindBelow([&](std::size_t level, std::int64_t block, std::uint64_t active)
+    { return active & BoxesWithin(row.Around, this->Boxes.ChildrenOf(level, block)); },
+    [&](std::int64_t leaf) { row.Append(leaf, this->Tree.LeafBox(leaf)); });
+  row.Stamp = this->Stamp;
+}
+
+void ActiveLeaves::Find(const RayBatch& rays, const TileGrid& grid, std::vector<Leaf>& leaves) const
+{
+  leaves.clear();
+  if (this->Tree.NumberOfCells() == 0)
+  {
+    return;
+  }
+  if (grid.IsGrid())
+  {
+    thread_local Row row;
+    if (row.Stamp != this->Stamp || !grid.IsWithin(row.Around, rays))
+    {
+      this->FindRow(grid, row);
+    }
+    for (std::size_t i = 0; i < row.Boxes.size(); ++i)
+    {
+      ForEachRay(BoxesWithin(grid.Planes(), row.Boxes[i]),
+        [&](std::size_t lane)
+        {
+          leaves.push_back({ grid.NearestDepth(row.Boxes[i].BoxAt(lane)),
+            row.Leaves[i * static_cast<std::size_t>(Children) + lane] });
+        });
+    }
+  }
+  else
+  {
+    const double margin = MarginOf(rays, this->Tree);
+    const auto mayMeet = [&](const FloatBox& box)
+    { return RaysThrough(rays, ~std::uint64_t(0), rays.WalkEnd, box, margin) != 0; };
+    this->FindBelow(
+      [&](std::size_t level, std::int64_t block, std::uint64_t active)
+      {
+        std::uint64_t met = 0;
+        ForEachRay(active,
+          [&](std::size_t bit)
+          {
+            const std::int64_t child = Children * block + static_cast<std::int64_t>(bit);
+            met |= std::uint64_t(mayMeet(this->Tree.BlockBox(level - 1, child))) << bit;
+          });
+        return met;
+      },
+      [&](std::int64_t leaf) {
+        leaves.push_back({ grid.NearestDepth(this->Tree.LeafBox(leaf)), leaf });
       });
   }
   std::sort(leaves.begin(), leaves.end(),

@@ -27,6 +27,7 @@ public:
     , Tree(tree)
     , Boxes(boxes)
     , Active(active)
+    , Stamp(NewStamp())
   {
   }
 
@@ -48,12 +49,19 @@ public:
   static double MarginOf(const RayBatch& rays, const MeshTree& tree);
 
 private:
+  struct Row;
+
+  template <typename Within, typename Take>
+  void FindBelow(const Within& within, const Take& take) const;
+  void FindRow(const TileGrid& grid, Row& row) const;
+  static std::uint64_t NewStamp();
   std::uint64_t WordOf(std::size_t level, std::int64_t block) const;
 
   const FieldKind& Kind;
   const MeshTree& Tree;
   const BoxLevels& Boxes;
   const ActiveCells* Active;
+  std::uint64_t Stamp; ///< of this and no other object
 };
 
 }

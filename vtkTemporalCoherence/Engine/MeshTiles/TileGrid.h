@@ -30,7 +30,11 @@ public:
     if (rays.Count == RayBatch::Capacity)
     {
       this->FindRows(rays);
-      this->FindPlanes();
+      this->Around = this->PlanesAlong(TileSize);
+      for (const float offset : this->Around.Offset)
+      {
+        this->IsKnown &= std::isfinite(offset);
+      }
     }
   }
 
@@ -50,6 +54,46 @@ public:
 
   /// Planes around the tile, in index space.
   const TilePlanes& Planes() const { return this->Around; }
+
+  /// The same around so many columns of pixels, from the first one of the tile on.
+  TilePlanes PlanesAlong(int columns) const
+  {
+    const std::array<double, 2> last = { columns - 1 + Margin, TileSize - 1 + Margin };
+    const glm::dvec3 depth = this->Seen.IsPerspective ? this->Seen.Row[0] : glm::dvec3(0.0);
+    const double one = this->Seen.IsPerspective ? 0.0 : 1.0;
+    TilePlanes planes;
+    for (std::size_t axis = 0; axis < 2; ++axis)
+    {
+      const glm::dvec3& along = this->Seen.Row[axis + 1];
+      this->SetPlane(2 * axis, along + Margin * depth, Margin * one, planes);
+      this->SetPlane(2 * axis + 1, last[axis] * depth - along, last[axis] * one, planes);
+    }
+    return planes;
+  }
+
+  /// True if the tile lies between planes of another one, so that whatever its rays meet does, too.
+  /// \pre IsGrid()
+  bool IsWithin(const TilePlanes& planes, const RayBatch& rays) const
+  {
+    // A part of the slack is left for single precision.
+    const double slack = 0.5 * this->Slack();
+    for (const std::size_t corner : { 0, TileSize - 1, 64 - TileSize, 63 })
+    {
+      const glm::dvec3 from = OriginOf(rays, corner), along = DirectionOf(rays, corner);
+      const glm::dvec3 to = from + 2.0 * this->Reach() / glm::length(along) * along;
+      for (std::size_t plane = 0; plane < planes.Offset.size(); ++plane)
+      {
+        const glm::dvec3 normal(
+          planes.Normal[0][plane], planes.Normal[1][plane], planes.Normal[2][plane]);
+        const double offset = static_cast<double>(planes.Offset[plane]) - slack;
+        if (!(glm::dot(normal, from) + offset >= 0.0 && glm::dot(normal, to) + offset >= 0.0))
+        {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
 
   /// How the tile sees what lies in a box of index space, relative to its middle.
   /// \return false if it is not known: the box is too near the eye, or too large
@@ -99,11 +143,15 @@ private:
     return { rays.Origin[0][ray], rays.Origin[1][ray], rays.Origin[2][ray] };
   }
 
+  static glm::dvec3 DirectionOf(const RayBatch& rays, std::size_t ray)
+  {
+    return { rays.Direction[0][ray], rays.Direction[1][ray], rays.Direction[2][ray] };
+  }
+
   /// How far a ray comes for a unit of depth: an affine function of the pixel.
   static glm::dvec3 AheadOf(const RayBatch& rays, std::size_t ray)
   {
-    return rays.PerDepth[ray] *
-      glm::dvec3(rays.Direction[0][ray], rays.Direction[1][ray], rays.Direction[2][ray]);
+    return rays.PerDepth[ray] * DirectionOf(rays, ray);
   }
 
   /// Depth, column and row of a point are linear in the steps from pixel to pixel.
@@ -129,35 +177,32 @@ private:
     this->IsKnown = std::isfinite(sum);
   }
 
-  /// Planes through the outermost pixels.
-  void FindPlanes()
+  /// How far the lattice may lie from 0 or from the eye, and more.
+  double Reach() const
   {
-    constexpr double last = TileSize - 1 + Margin;
-    const glm::dvec3 depth = this->Seen.IsPerspective ? this->Seen.Row[0] : glm::dvec3(0.0);
-    const double one = this->Seen.IsPerspective ? 0.0 : 1.0;
-    for (std::size_t axis = 0; axis < 2; ++axis)
-    {
-      const glm::dvec3& along = this->Seen.Row[axis + 1];
-      this->SetPlane(2 * axis, along + Margin * depth, Margin * one);
-      this->SetPlane(2 * axis + 1, last * depth - along, last * one);
-    }
+    const glm::dvec3& origin = this->Seen.Origin;
+    return std::abs(origin.x) + std::abs(origin.y) + std::abs(origin.z) + this->Lattice;
   }
 
-  /// normal . (point - Origin) + offset >= 0, with room for single precision.
-  void SetPlane(std::size_t plane, const glm::dvec3& normal, double offset)
+  /// Room for single precision.
+  double Slack() const
   {
     constexpr double rounding = 1e-6;
+    return rounding * this->Reach();
+  }
+
+  /// normal . (point - Origin) + offset >= 0, with room.
+  void SetPlane(
+    std::size_t plane, const glm::dvec3& normal, double offset, TilePlanes& planes) const
+  {
     const double size = glm::length(normal);
     const glm::dvec3 unit = normal / size;
-    const glm::dvec3& origin = this->Seen.Origin;
-    const double reach = std::abs(origin.x) + std::abs(origin.y) + std::abs(origin.z);
-    const double slack = rounding * (reach + this->Lattice);
     for (std::size_t a = 0; a < 3; ++a)
     {
-      this->Around.Normal[a][plane] = static_cast<float>(unit[static_cast<int>(a)]);
+      planes.Normal[a][plane] = static_cast<float>(unit[static_cast<int>(a)]);
     }
-    this->Around.Offset[plane] = static_cast<float>(offset / size - glm::dot(unit, origin) + slack);
-    this->IsKnown &= std::isfinite(this->Around.Offset[plane]);
+    planes.Offset[plane] =
+      static_cast<float>(offset / size - glm::dot(unit, this->Seen.Origin) + this->Slack());
   }
 
   double Lattice; ///< lengths of all of its axes

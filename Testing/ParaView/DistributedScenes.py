@@ -112,15 +112,16 @@ def meshes(wavelet):
     draw("tetrahedra-solid", tetrahedra, [120.0, 200.0], SurfaceMode="Threshold")
     draw("translucent-tetrahedra", tetrahedra, [120.0, 200.0], Opacity=0.4)
     draw("tetrahedra-cells", PointDatatoCellData(Input=tetrahedra), [150.0])
-    twisted = Calculator(Input=wavelet, CoordinateResults=1, ResultArrayName="Places",
+    # Of an image, Transform makes a curvilinear grid; only the places of such points can be new.
+    twisted = Calculator(Input=Transform(Input=wavelet), CoordinateResults=1, ResultArrayName="Places",
                          Function="iHat*(coordsX+0.01*coordsY*coordsZ)+jHat*(coordsY+0.1*coordsX)"
                          "+kHat*coordsZ")
     draw("curvilinear", twisted, [150.0])
     draw("mixed", GroupDatasets(Input=[tetrahedra, Transform(Input=tetrahedra)]), [150.0])
     amr = AMRGaussianPulseSource()
     amr.UpdatePipeline()
-    display = amr.CellData[0]
-    draw("adaptive", amr, [0.5 * (display.GetRange()[0] + display.GetRange()[1])])
+    lengths = amr.CellData[0].GetRange(-1)  # the first array is drawn, which is of vectors
+    draw("adaptive", amr, [0.5 * (lengths[0] + lengths[1])])
 
 
 def main():

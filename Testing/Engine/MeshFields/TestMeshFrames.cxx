@@ -238,6 +238,46 @@ TEST_P(MeshFrames, RangesOfIsomapsServeLookUps)
   }
 }
 
+/// Slabs with gaps between them: a ray leaves the mesh at one value, and enters it again at another
+/// one that it has not passed.
+TEST_P(MeshFrames, RangesOfIsomapsServeLookUpsInSlabs)
+{
+  std::mt19937 engine(3);
+  const auto random = [&](double low, double high)
+  { return std::uniform_real_distribution<double>(low, high)(engine); };
+  FrameRenderer::Options options;
+  options.Map.Range = { -0.6, 0.6 };
+  int lookedUp = 0;
+  for (int round = 0; round < (IsMemorySanitized ? 2 : 12); ++round)
+  {
+    Meshes::Block block;
+    block.Cubes = { 3, 1, 3 };
+    std::vector<Meshes::DoubleArrays> slabs;
+    for (int i = 0; i < 5; ++i)
+    {
+      const double offset = random(-1.0, 1.0), slope = random(-2.0, 2.0), wave = random(0.0, 1.0);
+      slabs.push_back(Meshes::MakeBlock(this->GetParam(), block,
+        [&](const glm::dvec3& p)
+        { return offset + slope * (p.y - 0.5) + wave * std::sin(5.0 * (p.x + p.z)); }));
+      Meshes::Transform(slabs.back(),
+        glm::scale(glm::translate(glm::dmat4(1.0), { 0.0, 0.2 * i, 0.0 }), { 1.0, 0.12, 1.0 }));
+    }
+    this->Show(Meshes::MeshOf(slabs[0], slabs[1], slabs[2], slabs[3], slabs[4]));
+    this->LookFrom({ 0.2, round % 2 == 0 ? 1.0 : -1.0, 0.3 });
+    FrameRenderer renderer;
+    renderer.Render(this->Key, options);
+    ASSERT_EQ(renderer.BuildIsomap(this->Key, options), Isomap::Outcome::Built);
+    for (int step = 0; step < 12; ++step)
+    {
+      this->Key.Isosurfaces.Isovalues = { random(-0.59, 0.59) };
+      renderer.Render(this->Key, options);
+      lookedUp += renderer.Statistics().Made == Route::IsomapLookup ? 1 : 0;
+      ASSERT_TRUE(ShowTheSame(renderer.LastFrame(), this->Cold())) << round << ", " << step;
+    }
+  }
+  EXPECT_GT(lookedUp, 10);
+}
+
 /// Views, isovalues, opacities, modes and clipping change at random.
 TEST_P(MeshFrames, RandomWalksAreColdFrames)
 {

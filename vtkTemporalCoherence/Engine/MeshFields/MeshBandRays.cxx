@@ -117,12 +117,32 @@ void MeshBandRays::Enter(const MeshPassage& passage, double error)
   }
 }
 
+/// True if a ray left the mesh and enters it again where isovalues of the band lie between what it
+/// has passed and the value there: it has not passed them, and now is on their other side.
+bool MeshBandRays::Jumps(const MeshPassage& passage, double error) const
+{
+  const Progress& progress = this->OfRay[passage.Ray];
+  if (!progress.HasEntered || this->IsSolid || passage.BeginsHere)
+  {
+    return false;
+  }
+  const double highest = progress.Reached[Rising];
+  const double lowest = this->Scale.Span - progress.Reached[Falling];
+  return std::min(passage.AtIn, this->Scale.Span) - std::max(highest, 0.0) > error ||
+    std::min(lowest, this->Scale.Span) - std::max(passage.AtIn, 0.0) > error;
+}
+
 void MeshBandRays::TakeNote(const MeshPassage& passage)
 {
   Progress& progress = this->OfRay[passage.Ray];
   const double largest = std::max(std::abs(passage.Low), std::abs(passage.High));
   const double error = Rounding * (largest + this->Scale.Span);
-  if (!passage.IsFinite || (passage.BeginsHere && !this->IsSolid && passage.High + error >= 0.0))
+  const bool isOutside = passage.High + error < 0.0 || passage.Low - error > this->Scale.Span;
+  if (passage.IsFinite && isOutside && !this->IsSolid)
+  {
+    return;
+  }
+  if (!passage.IsFinite || (passage.BeginsHere && !this->IsSolid) || this->Jumps(passage, error))
   {
     this->GiveUp(passage.Ray);
     return;

@@ -63,6 +63,7 @@ private:
 
   void Sort();
   void TakeNote(const MeshPassage& passage);
+  bool Jumps(const MeshPassage& passage, double error) const;
   void Enter(const MeshPassage& passage, double error);
   void GiveUp(std::size_t ray);
 

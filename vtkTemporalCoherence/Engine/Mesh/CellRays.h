@@ -63,29 +63,6 @@ struct MeshRays
     this->FillUp();
   }
 
-  /// Append a ray of other rays, which are prepared. FillUp has to follow the last one.
-  void Append(const MeshRays& from, std::size_t ray)
-  {
-    const std::size_t at = this->Count++;
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      this->Origin[a][at] = from.Origin[a][ray];
-      this->Direction[a][at] = from.Direction[a][ray];
-      this->Turned[a][at] = from.Turned[a][ray];
-    }
-    this->Begin[at] = from.Begin[ray];
-    this->End[at] = from.End[ray];
-    this->ShearX[at] = from.ShearX[ray];
-    this->ShearY[at] = from.ShearY[ray];
-    this->PerDepth[at] = from.PerDepth[ray];
-    const std::uint64_t bit = std::uint64_t(1) << at;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      const bool isAlong = (from.Along[axis] >> ray & 1u) != 0;
-      this->Along[axis] = (this->Along[axis] & ~bit) | (isAlong ? bit : 0);
-    }
-  }
-
   /// Repeat the last ray up to the end of the last vector, so that no lane is uninitialised.
   void FillUp()
   {

@@ -50,9 +50,8 @@ struct PointsInCells
 void FindCellGradients(const MeshCell* cells, std::size_t numberOfCells, PointsInCells& points);
 
 /// Find the gradients of tetrahedra, with the bits of GradientAt.
-/// \param cells     at most PointsInCells::Capacity. What is found for those of another shape has
-/// no
-///                  meaning
+/// What is found for cells of another shape has no meaning.
+/// \param cells     at most PointsInCells::Capacity
 /// \param gradients result: those of the cells, in their order
 void FindTetrahedronGradients(
   const MeshCell* cells, std::size_t numberOfCells, PointsInCells::Vectors& gradients);

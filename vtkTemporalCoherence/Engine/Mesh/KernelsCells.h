@@ -42,9 +42,6 @@ struct Crossings
     this->Rises[this->Count] = rises;
     ++this->Count;
   }
-
-  /// True if one more cell can be searched for all rays.
-  bool HasRoom() const { return this->Count + MostInCell * MeshRays::Capacity <= Capacity; }
 };
 
 /// A part of a ray in a cell: between which t, and the differences there. Begin and End of the ray

@@ -91,8 +91,6 @@ struct ShearedRays
     this->ShearX = hn::LoadU(d, &rays.ShearX[i]);
     this->ShearY = hn::LoadU(d, &rays.ShearY[i]);
     this->PerDepth = hn::LoadU(d, &rays.PerDepth[i]);
-    this->Begin = hn::LoadU(d, &rays.Begin[i]);
-    this->End = hn::LoadU(d, &rays.End[i]);
   }
 
   /// A corner in sheared coordinates. t is the distance along the ray.
@@ -105,7 +103,7 @@ struct ShearedRays
     t = hn::Mul(depth, this->PerDepth);
   }
 
-  V Turned[3], ShearX, ShearY, PerDepth, Begin, End;
+  V Turned[3], ShearX, ShearY, PerDepth;
 };
 
 /// Call work(first ray, bits of its wanted rays) for each vector with a wanted ray.

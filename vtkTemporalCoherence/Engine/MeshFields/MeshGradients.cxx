@@ -170,7 +170,7 @@ void FindMeshGradients(const MeshTree& tree, const PointGradients* averaged,
   const auto placeOf = [&](std::size_t hit)
   {
     const glm::dvec3 index(query.IndexFromWorld * glm::dvec4(tile.Rays.PointAt(hit), 1.0));
-    return tree.Low() + tree.Scale() * index;
+    return tree.ToMesh(index);
   };
   const HitCells cells(tree, tile, placeOf);
   if (!averaged && cells.AreTetrahedra())

@@ -8,6 +8,7 @@
 #include "MeshFields/MeshTracer.h"
 #include "Scene/CellBox.h"
 
+#include <array>
 #include <mutex>
 #include <utility>
 
@@ -106,30 +107,43 @@ public:
   }
 
 private:
-  /// The cells of the last surfaces are kept: of most scenes only the view is new.
+  /// Cells that are prepared for some surfaces.
+  struct KeptCells
+  {
+    Surfaces Isosurfaces;
+    glm::dvec2 FiniteRange{ 0.0 };
+    std::shared_ptr<const PreparedLeaves> Prepared; ///< null: none
+  };
+
+  /// The cells of the last surfaces are kept: of most scenes only the view is new. Those before
+  /// them are kept, too, as a frame may ask for all of its surfaces and for some.
   std::shared_ptr<const PreparedLeaves> PreparedFor(const TraceScene& scene) const
   {
     const std::lock_guard<std::mutex> lock(this->Guard);
-    if (!this->LastPrepared || !AreMetAlike(this->LastSurfaces, scene.Isosurfaces) ||
-      this->LastRange != scene.FiniteRange)
+    const auto isSame = [&](const KeptCells& kept)
     {
-      this->LastPrepared.reset();
-      this->LastSurfaces = scene.Isosurfaces;
-      this->LastRange = scene.FiniteRange;
-      const bool isSolid = scene.Isosurfaces.Mode == SurfaceMode::Threshold;
-      this->LastPrepared =
-        std::make_shared<PreparedLeaves>(*this->Tree, scene.Isosurfaces.Isovalues,
-          scene.FiniteRange, isSolid ? CellPurpose::Solids : CellPurpose::Crossings);
+      return kept.Prepared && AreMetAlike(kept.Isosurfaces, scene.Isosurfaces) &&
+        kept.FiniteRange == scene.FiniteRange;
+    };
+    if (!isSame(this->Last[0]))
+    {
+      std::swap(this->Last[0], this->Last[1]);
     }
-    return this->LastPrepared;
+    if (!isSame(this->Last[0]))
+    {
+      this->Last[0] = {};
+      const bool isSolid = scene.Isosurfaces.Mode == SurfaceMode::Threshold;
+      this->Last[0] = { scene.Isosurfaces, scene.FiniteRange,
+        std::make_shared<PreparedLeaves>(*this->Tree, scene.Isosurfaces.Isovalues,
+          scene.FiniteRange, isSolid ? CellPurpose::Solids : CellPurpose::Crossings) };
+    }
+    return this->Last[0].Prepared;
   }
 
   std::shared_ptr<const MeshTree> Tree;
   BoxLevels Boxes;
   mutable std::mutex Guard;
-  mutable std::shared_ptr<const PreparedLeaves> LastPrepared; ///< null: none so far; else of:
-  mutable Surfaces LastSurfaces;
-  mutable glm::dvec2 LastRange{ 0.0 };
+  mutable std::array<KeptCells, 2> Last;
   std::shared_ptr<const PointGradients> Averaged; ///< null: not wanted
 };
 

@@ -35,15 +35,6 @@ void VisitCellsAt(const MeshTree& tree, const glm::dvec3& point, double margin, 
     return glm::all(glm::greaterThanEqual(index + margin, glm::dvec3(box.Low))) &&
       glm::all(glm::lessThanEqual(index - margin, glm::dvec3(box.High)));
   };
-  const auto blocksOf = [&](std::size_t level)
-  {
-    std::int64_t blocks = tree.NumberOfCells();
-    for (std::size_t i = 0; i <= level; ++i)
-    {
-      blocks = (blocks + MeshLattice::SizeOfBlock - 1) / MeshLattice::SizeOfBlock;
-    }
-    return blocks;
-  };
   constexpr std::size_t mostLevels = 12;
   std::array<Block, mostLevels * MeshLattice::SizeOfBlock> open;
   std::size_t count = 0;
@@ -57,7 +48,8 @@ void VisitCellsAt(const MeshTree& tree, const glm::dvec3& point, double margin, 
       continue;
     }
     const std::int64_t first = MeshLattice::SizeOfBlock * block.Number;
-    const std::int64_t all = block.Level > 0 ? blocksOf(block.Level - 1) : tree.NumberOfCells();
+    const std::int64_t all =
+      block.Level > 0 ? tree.NumberOfBlocks(block.Level - 1) : tree.NumberOfCells();
     const std::int64_t end = std::min(first + MeshLattice::SizeOfBlock, all);
     for (std::int64_t child = first; child < end; ++child)
     {
@@ -133,7 +125,7 @@ glm::dvec3 MeshFaceNormal(
   const MeshTree& tree, const glm::dvec3& point, const glm::dvec3& direction, double& nearest)
 {
   glm::dvec3 normal(0.0);
-  const glm::dvec3 inMesh = tree.Low() + tree.Scale() * point;
+  const glm::dvec3 inMesh = tree.ToMesh(point);
   VisitCellsAt(tree, inMesh, nearest,
     [&](CellNumber, const MeshCell& cell)
     {

@@ -145,8 +145,8 @@ void ActiveLeaves::Find(const RayBatch& rays, const TileGrid& grid, std::vector<
       ForEachRay(BoxesWithin(grid.Planes(), row.Boxes[i]),
         [&](std::size_t lane)
         {
-          leaves.push_back({ grid.NearestDepth(row.Boxes[i].BoxAt(lane)),
-            row.Leaves[i * static_cast<std::size_t>(Children) + lane] });
+          const std::int64_t leaf = row.Leaves[i * static_cast<std::size_t>(Children) + lane];
+          leaves.push_back({ grid.NearestDepth(this->Tree.LeafBox(leaf)), leaf });
         });
     }
   }
@@ -154,7 +154,7 @@ void ActiveLeaves::Find(const RayBatch& rays, const TileGrid& grid, std::vector<
   {
     const double margin = MarginOf(rays, this->Tree);
     const auto mayMeet = [&](const FloatBox& box)
-    { return RaysThrough(rays, ~std::uint64_t(0), rays.WalkEnd, box, margin) != 0; };
+    { return RaysThrough(rays, rays.WalkEnd, box, margin) != 0; };
     this->FindBelow(
       [&](std::size_t level, std::int64_t block, std::uint64_t active)
       {

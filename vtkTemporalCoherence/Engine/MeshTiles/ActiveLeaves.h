@@ -33,7 +33,7 @@ public:
 
   struct Leaf
   {
-    double Depth; ///< orders them from front to back, roughly
+    double Depth; ///< of the nearest point of the box: no ray meets the leaf before
     std::int64_t Number;
   };
 

@@ -9,7 +9,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace TemporalCoherence
@@ -20,8 +19,8 @@ namespace TemporalCoherence
 ///
 /// Eight points surround a cell. Those of a tetrahedron are its four vertices, and then the corners
 /// of the flat polygon in which it is cut by the surface, in their order around it; those of a
-/// triangle end with the third one twice. Points are relative to the middle of the leaf's box, in
-/// index space, in single precision.
+/// triangle end with the third one twice. If it is not cut, the vertices come twice. Points are
+/// relative to the middle of the leaf's box, in index space, in single precision.
 struct CellOutlines
 {
   static constexpr std::size_t Corners = 8;

@@ -44,7 +44,7 @@ struct SolidCell
   MeshKernels::CellDifferences Differences;
 };
 
-/// The cells of a leaf that an isovalue passes, ready to be searched: read from the mesh, with
+/// The cells of a leaf that count for a purpose, ready to be searched: read from the mesh, with
 /// differences from the isovalue. Tetrahedra come first.
 struct PreparedCells
 {

@@ -2,13 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshTiles/PreparedLeaves.h"
 
+#include <limits>
+
 namespace TemporalCoherence
 {
 
 PreparedLeaves::PreparedLeaves(const MeshTree& tree, const std::vector<double>& isovalues,
   const glm::dvec2& finiteRange, CellPurpose purpose)
   : Tree(tree)
+  , NumberOfSlots(isovalues.size() * static_cast<std::size_t>(tree.NumberOfLeaves()))
+  , Isovalues(isovalues)
   , Purpose(purpose)
+  , Bytes(static_cast<std::int64_t>(this->NumberOfSlots * sizeof(Slot)))
 {
   for (const double isovalue : isovalues)
   {
@@ -20,9 +25,7 @@ PreparedLeaves::~PreparedLeaves()
 {
   if (this->Kept)
   {
-    const std::size_t slots =
-      this->Differences.size() * static_cast<std::size_t>(this->Tree.NumberOfLeaves());
-    for (std::size_t slot = 0; slot < slots; ++slot)
+    for (std::size_t slot = 0; slot < this->NumberOfSlots; ++slot)
     {
       delete this->Kept[slot].load(std::memory_order_relaxed);
     }
@@ -32,20 +35,31 @@ PreparedLeaves::~PreparedLeaves()
 PreparedLeaves::Slot& PreparedLeaves::SlotOf(std::int64_t leaf, std::size_t isovalue) const
 {
   const auto leaves = static_cast<std::size_t>(this->Tree.NumberOfLeaves());
-  std::call_once(
-    this->IsAsked, [&] { this->Kept.reset(new Slot[this->Differences.size() * leaves]()); });
+  std::call_once(this->IsAsked, [&] { this->Kept.reset(new Slot[this->NumberOfSlots]()); });
   return this->Kept[isovalue * leaves + static_cast<std::size_t>(leaf)];
 }
 
 void PreparedLeaves::Prepare(
   std::int64_t leaf, std::size_t isovalue, std::uint64_t active, PreparedCells& cells) const
 {
+  if (this->Isovalues.size() > 1)
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const double low = this->Isovalues[isovalue];
+    active &=
+      this->Tree.CellsIn(leaf, { { low, this->Purpose == CellPurpose::Solids ? infinity : low } });
+  }
   PrepareCells(this->Tree, leaf, active, this->Differences[isovalue], this->Purpose, cells);
 }
 
 const PreparedCells& PreparedLeaves::Of(
   std::int64_t leaf, std::size_t isovalue, std::uint64_t active, PreparedCells& spare) const
 {
+  if (this->NumberOfSlots * sizeof(Slot) > static_cast<std::size_t>(MostBytes))
+  {
+    this->Prepare(leaf, isovalue, active, spare);
+    return spare;
+  }
   Slot& slot = this->SlotOf(leaf, isovalue);
   if (const PreparedCells* const known = slot.load(std::memory_order_acquire))
   {

@@ -17,8 +17,8 @@
 namespace TemporalCoherence
 {
 
-/// The cells that isovalues pass, by leaf and isovalue. The first tile that asks for those of a
-/// leaf prepares them; they are kept for other tiles, and for other views. Thread-safe.
+/// The cells that count for isovalues, by leaf and isovalue. The first tile that asks for those of
+/// a leaf prepares them; they are kept for other tiles, and for other views. Thread-safe.
 class PreparedLeaves
 {
 public:
@@ -32,7 +32,7 @@ public:
 
   std::size_t NumberOfIsovalues() const { return this->Differences.size(); }
 
-  /// The cells of a leaf that an isovalue passes.
+  /// The cells of a leaf that count for an isovalue.
   /// \param isovalue its position in the list
   /// \param active   one bit for each cell of the leaf that any of the isovalues may pass
   /// \param spare    holds them, if there is no room to keep them
@@ -41,7 +41,8 @@ public:
     std::int64_t leaf, std::size_t isovalue, std::uint64_t active, PreparedCells& spare) const;
 
 private:
-  /// What is kept at most. Measured: the surfaces of 10 million tetrahedra take 100 MB.
+  /// What is kept at most, with a slot for each leaf and isovalue. Measured: the surfaces of 10
+  /// million tetrahedra take 100 MB.
   static constexpr std::int64_t MostBytes = 256 << 20;
 
   using Slot = std::atomic<const PreparedCells*>;
@@ -51,11 +52,13 @@ private:
     std::int64_t leaf, std::size_t isovalue, std::uint64_t active, PreparedCells& cells) const;
 
   const MeshTree& Tree;
+  std::size_t NumberOfSlots;
+  std::vector<double> Isovalues;
   std::vector<MeshDifference> Differences; ///< from each isovalue
   CellPurpose Purpose;
   mutable std::once_flag IsAsked;
-  mutable std::unique_ptr<Slot[]> Kept; ///< by isovalue and leaf; null: none was asked for
-  mutable std::atomic<std::int64_t> Bytes{ 0 };
+  mutable std::unique_ptr<Slot[]> Kept;    ///< by isovalue and leaf; null: none was asked for
+  mutable std::atomic<std::int64_t> Bytes; ///< of what is kept, with slots
 };
 
 }

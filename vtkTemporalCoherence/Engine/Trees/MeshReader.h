@@ -8,8 +8,6 @@
 
 #include <glm/glm.hpp>
 
-#include <hwy/cache_control.h>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>

@@ -104,7 +104,6 @@ public:
   /// block n of a level the blocks from 64 n on of the level below. Level 0 are leaves, 1 nodes,
   /// and level 2 + i are the blocks of ActiveCells::LevelsAbove()[i]; the last level is one block.
   const FloatBox& LeafBox(std::int64_t leaf) const { return this->BlockBox(0, leaf); }
-  const FloatBox& NodeBox(std::int64_t node) const { return this->BlockBox(1, node); }
   const FloatBox& BlockBox(std::size_t level, std::int64_t block) const
   {
     return this->Boxes->Levels[level][static_cast<std::size_t>(block)];
@@ -129,8 +128,8 @@ public:
   /// \param finite the range of the finite values, if it is asked for
   CellRange RangeOfLeaf(std::int64_t leaf, CellRange* finite = nullptr) const;
 
-  /// One bit for each cell of a leaf that an isovalue of the bands passes. A few more are set if
-  /// the range of the leaf was asked for: then no value is read.
+  /// One bit for each cell of a leaf that an isovalue of the bands passes. If the range of the leaf
+  /// was asked for, no value is read, and cells that an isovalue nearly passes are set, too.
   std::uint64_t CellsIn(std::int64_t leaf, const std::vector<ValueBand>& bands) const;
 
   std::size_t MemoryInBytes() const;

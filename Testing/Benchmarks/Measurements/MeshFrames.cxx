@@ -21,11 +21,12 @@ constexpr double Degrees = 2.0; ///< of the orbit, a round
 constexpr double FirstStep = 1.0 / 256.0;
 constexpr int LaterSteps = 8; ///< of ours, which learns as it goes: the last half counts
 constexpr int LaterStepsOfPeers = 2;
+constexpr int StepsInRange = 5;
 
 /// What is measured of one way.
 struct Samples
 {
-  std::vector<double> Cold, NewView, First, Later;
+  std::vector<double> Cold, NewView, First, Later, InRange;
   double First0 = 0.0; ///< of the very first frame
   int LookedUp = 0;
 };
@@ -57,6 +58,23 @@ void Compare(const Way& ours, const Way& other, const Stage& stage, Times& times
   times.DepthFarOff = Measuring::Percentile(apart, 99) / stage.VoxelSize();
 }
 
+/// New isovalues of a range that was built before, as for a slider whose ends are known.
+void MeasureRange(Way& way, const Stage& stage, Samples& samples)
+{
+  vtkTemporalCoherenceVolumeMapper* const mapper = way.Ours()->Mapper;
+  mapper->SetIsomapRange(stage.Isovalue(), stage.Isovalue() + stage.ShareOfRange(FirstStep));
+  for (int step = 0; step <= StepsInRange; ++step)
+  {
+    way.SetIsovalue(stage.Isovalue() + stage.ShareOfRange(FirstStep * (step + 0.5) / LaterSteps));
+    const double time = way.Draw();
+    if (step > 0 && way.Ours()->Route() == "IsomapLookup")
+    {
+      samples.InRange.push_back(time);
+    }
+  }
+  mapper->SetIsomapRange(1.0, 0.0);
+}
+
 /// One view: a frame of it, new isovalues, and a cold frame.
 void MeasureView(Way& way, const Stage& stage, Samples& samples)
 {
@@ -77,6 +95,10 @@ void MeasureView(Way& way, const Stage& stage, Samples& samples)
       samples.LookedUp += way.Ours() && way.Ours()->Route() == "IsomapLookup" ? 1 : 0;
     }
   }
+  if (way.Ours())
+  {
+    MeasureRange(way, stage, samples);
+  }
   way.SetIsovalue(stage.Isovalue());
   samples.Cold.push_back(way.DrawCold());
 }
@@ -88,6 +110,7 @@ Times TimesOf(const Samples& samples)
   times.SetUp = std::max(0.0, samples.First0 - times.NewView);
   times.FirstIsovalue = Measuring::Median(samples.First);
   times.LaterIsovalue = Measuring::Median(samples.Later);
+  times.InRange = Measuring::Median(samples.InRange);
   times.Cold = Measuring::Median(samples.Cold);
   times.LaterLookedUp =
     100.0 * Measuring::Ratio(samples.LookedUp, static_cast<double>(samples.Later.size()));

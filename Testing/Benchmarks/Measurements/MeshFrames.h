@@ -24,6 +24,7 @@ struct Times
   double NewView = 0.0;
   double FirstIsovalue = 0.0; ///< the first new one in a view
   double LaterIsovalue = 0.0; ///< those after it
+  double InRange = 0.0;       ///< new ones of a range that was built before; None if not looked up
   double LaterLookedUp = 0.0; ///< of these the share in percent that was looked up
   double PercentWrong = 0.0;  ///< pixels hit in one picture and not in ours
   double DepthOff = 0.0;      ///< median, in mean edges of cells, where both are hit

@@ -51,6 +51,7 @@ void AddTo(JsonWriter& json, const MeshFrames::Times& t)
   json.Add("firstIsovalueMs", t.FirstIsovalue);
   json.Add("laterIsovalueMs", t.LaterIsovalue);
   json.Add("laterLookedUpPercent", t.LaterLookedUp);
+  json.Add("inRangeMs", t.InRange);
   json.Add("wrongPercent", t.PercentWrong);
   json.Add("depthOffEdges", t.DepthOff);
   json.Add("depthFarOffEdges", t.DepthFarOff);
@@ -65,7 +66,8 @@ void Print(const MarkdownTable& table, const std::string& name, double meshBytes
     Fixed(t.Memory / MiB, 0), Fixed(Ratio(t.Memory, meshBytes), 2), Fixed(t.Cold, 1),
     Fixed(t.NewView, 1), Fixed(t.FirstIsovalue, 1), Fixed(t.LaterIsovalue, 1),
     Fixed(Ratio(t.LaterIsovalue, ours.LaterIsovalue), 1), Fixed(t.LaterLookedUp, 0),
-    Fixed(t.PercentWrong, 2), Fixed(t.DepthOff, 3) + " / " + Fixed(t.DepthFarOff, 2) });
+    Fixed(t.InRange, 1), Fixed(t.PercentWrong, 2),
+    Fixed(t.DepthOff, 3) + " / " + Fixed(t.DepthFarOff, 2) });
 }
 
 bool Run(const Settings& settings, JsonWriter& json)
@@ -76,10 +78,11 @@ bool Run(const Settings& settings, JsonWriter& json)
     << "Medians in ms; set-up in s: the first frame less a new view; memory: MiB beside "
        "the mesh, and by the mesh's; cold: what depends on the isovalue is made anew; "
        "first, later: new isovalues in a view, and how many of the later ones were looked up; "
+       "in range: new isovalues of a range that the isomap was built for; "
        "wrong: % of the pixels hit in one picture "
        "only; depth off: from that of the mesh, in mean edges of cells, median and 99 %\n\n";
   const MarkdownTable table({ "mesh", "who", "drawn %", "set-up", "memory", "/ mesh", "cold",
-    "new view", "first", "later", "/ ours", "looked up %", "wrong", "depth off" });
+    "new view", "first", "later", "/ ours", "looked up %", "in range", "wrong", "depth off" });
   json.OpenList("meshes");
   bool isMeasured = false;
   for (const Volumes::Sample& sample : settings.IsQuick ? SmallMeshes() : UsualMeshes())

@@ -47,7 +47,8 @@ struct SameFunctions
   }
   /// \param number in First
   HWY_INLINE V Of(const double& number, Places<D>) const { return hn::Set(D(), number); }
-  /// Number k of a turned axis. \param numbers in First, of all axes
+  /// Number k of a turned axis.
+  /// \param numbers in First, of all axes
   template <std::size_t Number>
   HWY_INLINE V OfAxis(const std::array<std::array<double, Number>, 3>& numbers, std::size_t a,
     std::size_t k, Places<D>) const

@@ -87,14 +87,7 @@ struct MeshCellSearch::RaysInOrder
       ForEachRay(known.Rays[i],
         [&](std::size_t ray)
         {
-          for (std::size_t a = 0; a < 3; ++a)
-          {
-            this->InMesh.Origin[a][count] =
-              tree.Low()[static_cast<int>(a)] + tree.Scale() * rays.Origin[a][ray];
-            this->InMesh.Direction[a][count] = tree.Scale() * rays.Direction[a][ray];
-          }
-          this->InMesh.Begin[count] = rays.Begin[ray];
-          this->InMesh.End[count] = rays.End[ray];
+          SetMeshRay(rays, ray, tree, this->InMesh, count);
           this->Ray[count++] = static_cast<std::uint8_t>(ray);
         });
     }

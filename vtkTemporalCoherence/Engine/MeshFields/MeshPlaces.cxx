@@ -29,7 +29,7 @@ void VisitCellsAt(const MeshTree& tree, const glm::dvec3& point, double margin, 
   {
     return;
   }
-  const glm::dvec3 index = (point - tree.Low()) / tree.Scale();
+  const glm::dvec3 index = tree.ToIndex(point);
   const auto holds = [&](const FloatBox& box)
   {
     return glm::all(glm::greaterThanEqual(index + margin, glm::dvec3(box.Low))) &&

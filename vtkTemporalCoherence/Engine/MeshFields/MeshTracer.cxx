@@ -22,10 +22,6 @@ MeshTracer::MeshTracer(const TraceScene& scene, const FieldKind& kind, const Mes
   , Leaves(kind, tree, boxes, scene.Active)
   , Prepared(std::move(prepared))
 {
-  for (const double isovalue : scene.Isosurfaces.Isovalues)
-  {
-    this->Differences.emplace_back(isovalue, scene.FiniteRange);
-  }
 }
 
 /// Call take(met) for all that was found in a cell.
@@ -112,7 +108,8 @@ void MeshTracer::Trace(const RayBatch& rays, HitBatch& hits) const
 std::uint64_t MeshTracer::SearchCells(
   const RayBatch& rays, const RayCells& cells, HitBatch& hits) const
 {
-  return MeshCellSearch(this->Isosurfaces, this->Tree, this->Differences).Search(rays, cells, hits);
+  return MeshCellSearch(this->Isosurfaces, this->Tree, this->Prepared->Differences())
+    .Search(rays, cells, hits);
 }
 
 void MeshTracer::FindNext(const RayBatch& rays, HitBatch& hits) const
@@ -189,7 +186,7 @@ constexpr double Touching = 0x1p-36;
 void MeshTracer::FindSolids(const MeshTile& tile, std::uint64_t wanted, std::int64_t& cellsRead,
   std::vector<MetInCell>& all) const
 {
-  std::vector<std::vector<SolidPart>> ofSurfaces(this->Differences.size());
+  std::vector<std::vector<SolidPart>> ofSurfaces(this->Isosurfaces.Isovalues.size());
   cellsRead += VisitCells(tile, this->Leaves, *this->Prepared, wanted, tile.Rays.WalkEnd,
     [&](std::size_t surface, const PreparedCells& cells, std::size_t at, std::uint64_t which)
     {

@@ -6,7 +6,6 @@
 #include "MeshFields/MeshCellSearch.h"
 #include "MeshFields/MeshSolids.h"
 #include "MeshTiles/ActiveLeaves.h"
-#include "MeshTiles/MeshDifference.h"
 #include "MeshTiles/MeshTile.h"
 #include "MeshTiles/PreparedLeaves.h"
 #include "Trace/SurfaceTracer.h"
@@ -68,7 +67,6 @@ private:
   const MeshTree& Tree;
   ActiveLeaves Leaves;
   std::shared_ptr<const PreparedLeaves> Prepared;
-  std::vector<MeshDifference> Differences; ///< from each isovalue
 };
 
 }

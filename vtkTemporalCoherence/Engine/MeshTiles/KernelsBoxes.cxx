@@ -54,7 +54,7 @@ HWY_INLINE std::uint64_t BitsOfLanes(D d, hn::Mask<D> mask)
 }
 
 /// Where rays that are asked for are in a box, for each vector with one of them.
-/// \param test called as test(tag, first ray, enter, leave): which of them count
+/// \param test called as test(tag, first ray, enter, leave, which pass the box): which count
 template <class Test>
 HWY_INLINE std::uint64_t FindRays(const RayBatch& rays, std::uint64_t which,
   const RayBatch::Array<double>& limits, const FloatBox& box, double margin, const Test& test)
@@ -71,8 +71,7 @@ HWY_INLINE std::uint64_t FindRays(const RayBatch& rays, std::uint64_t which,
     auto enter = hn::Load(d, &rays.WalkBegin[i]);
     auto leave = hn::Min(hn::Load(d, &rays.WalkEnd[i]), hn::Load(d, &limits[i]));
     ClipToBox(d, rays, i, box, margin, enter, leave);
-    const auto counts = hn::And(hn::Le(enter, leave), test(d, i, enter, leave));
-    found |= BitsOfLanes(d, counts) << i;
+    found |= BitsOfLanes(d, test(d, i, enter, leave, hn::Le(enter, leave))) << i;
   }
   return found & which;
 }
@@ -81,7 +80,7 @@ std::uint64_t FindRaysThrough(const RayBatch& rays, std::uint64_t which,
   const RayBatch::Array<double>& limits, const FloatBox& box, double margin)
 {
   return FindRays(rays, which, limits, box, margin,
-    [](auto, std::size_t, auto enter, auto leave) HWY_ATTR { return hn::Le(enter, leave); });
+    [](auto, std::size_t, auto, auto, auto passes) HWY_ATTR { return passes; });
 }
 
 std::uint64_t FindRaysAcross(const RayBatch& rays, std::uint64_t which,
@@ -91,7 +90,7 @@ std::uint64_t FindRaysAcross(const RayBatch& rays, std::uint64_t which,
   // What rounding may move a point by, it moves differences by.
   const double most = differences.Bend + margin * glm::length(differences.Gradient);
   return FindRays(rays, which, limits, box, margin,
-    [&](auto d, std::size_t i, auto enter, auto leave) HWY_ATTR
+    [&](auto d, std::size_t i, auto enter, auto leave, auto passes) HWY_ATTR
     {
       const auto bend = hn::Set(d, most);
       auto atOrigin = hn::Set(d, differences.AtZero), perT = hn::Zero(d);
@@ -105,7 +104,7 @@ std::uint64_t FindRaysAcross(const RayBatch& rays, std::uint64_t which,
       const auto atLeave = hn::MulAdd(perT, leave, atOrigin);
       const auto isAbove = hn::Gt(hn::Min(atEnter, atLeave), bend);
       const auto isBelow = hn::Lt(hn::Max(atEnter, atLeave), hn::Neg(bend));
-      return hn::Not(hn::Or(isAbove, isBelow));
+      return hn::AndNot(hn::Or(isAbove, isBelow), passes);
     });
 }
 

@@ -63,7 +63,7 @@ public:
   CellPreparer(const MeshTree& tree, std::int64_t leaf, const MeshDifference& difference,
     CellPurpose purpose, PreparedCells& cells)
     : Tree(tree)
-    , Middle(MiddleOf(tree.LeafBox(leaf)))
+    , Middle(tree.LeafBox(leaf).Middle())
     , Difference(difference)
     , Purpose(purpose)
     , Cells(cells)

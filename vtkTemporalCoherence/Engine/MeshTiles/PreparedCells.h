@@ -77,12 +77,6 @@ struct PreparedCells
 void PrepareCells(const MeshTree& tree, std::int64_t leaf, std::uint64_t which,
   const MeshDifference& difference, CellPurpose purpose, PreparedCells& cells);
 
-/// The middle of a leaf's box, to which outlines are relative.
-inline glm::dvec3 MiddleOf(const FloatBox& box)
-{
-  return 0.5 * (glm::dvec3(box.Low) + glm::dvec3(box.High));
-}
-
 }
 
 #endif

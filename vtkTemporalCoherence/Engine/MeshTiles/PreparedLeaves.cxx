@@ -17,7 +17,7 @@ PreparedLeaves::PreparedLeaves(const MeshTree& tree, const std::vector<double>& 
 {
   for (const double isovalue : isovalues)
   {
-    this->Differences.emplace_back(isovalue, finiteRange);
+    this->FromIsovalues.emplace_back(isovalue, finiteRange);
   }
 }
 
@@ -49,7 +49,7 @@ void PreparedLeaves::Prepare(
     active &=
       this->Tree.CellsIn(leaf, { { low, this->Purpose == CellPurpose::Solids ? infinity : low } });
   }
-  PrepareCells(this->Tree, leaf, active, this->Differences[isovalue], this->Purpose, cells);
+  PrepareCells(this->Tree, leaf, active, this->FromIsovalues[isovalue], this->Purpose, cells);
 }
 
 const PreparedCells& PreparedLeaves::Of(

@@ -30,7 +30,10 @@ public:
   PreparedLeaves(const PreparedLeaves&) = delete;
   PreparedLeaves& operator=(const PreparedLeaves&) = delete;
 
-  std::size_t NumberOfIsovalues() const { return this->Differences.size(); }
+  std::size_t NumberOfIsovalues() const { return this->Isovalues.size(); }
+
+  /// From each isovalue.
+  const std::vector<MeshDifference>& Differences() const { return this->FromIsovalues; }
 
   /// The cells of a leaf that count for an isovalue.
   /// \param isovalue its position in the list
@@ -54,7 +57,7 @@ private:
   const MeshTree& Tree;
   std::size_t NumberOfSlots;
   std::vector<double> Isovalues;
-  std::vector<MeshDifference> Differences; ///< from each isovalue
+  std::vector<MeshDifference> FromIsovalues;
   CellPurpose Purpose;
   mutable std::once_flag IsAsked;
   mutable std::unique_ptr<Slot[]> Kept;    ///< by isovalue and leaf; null: none was asked for

@@ -101,9 +101,8 @@ public:
   bool See(const FloatBox& box, OutlineView& view) const
   {
     constexpr double nearest = 0.125, farthest = 0x1p16;
-    const glm::dvec3 low(box.Low), high(box.High);
-    const glm::dvec3 middle = 0.5 * (low + high) - this->Seen.Origin;
-    const glm::dvec3 half = 0.5 * (high - low);
+    const glm::dvec3 middle = box.Middle() - this->Seen.Origin;
+    const glm::dvec3 half = 0.5 * (glm::dvec3(box.High) - glm::dvec3(box.Low));
     std::array<double, 3> reach;
     for (std::size_t row = 0; row < 3; ++row)
     {

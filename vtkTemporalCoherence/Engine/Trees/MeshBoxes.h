@@ -27,6 +27,8 @@ struct FloatBox
   glm::vec3 Low{ std::numeric_limits<float>::infinity() };
   glm::vec3 High{ -std::numeric_limits<float>::infinity() };
 
+  glm::dvec3 Middle() const { return 0.5 * (glm::dvec3(this->Low) + glm::dvec3(this->High)); }
+
   void Widen(const FloatBox& box)
   {
     this->Low = glm::min(this->Low, box.Low);

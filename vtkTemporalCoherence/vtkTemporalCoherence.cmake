@@ -100,6 +100,7 @@ set(engine_files
   MeshTiles/KernelsTileGrid
   MeshTiles/PreparedCells
   MeshTiles/PreparedLeaves
+  MeshTiles/SeenStrip
   MeshFields/MeshBandRays
   MeshFields/MeshBandTracer
   MeshFields/MeshCellSearch

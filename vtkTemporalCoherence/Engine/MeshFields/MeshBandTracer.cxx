@@ -78,7 +78,7 @@ std::int64_t MeshBandTracer::Trace(const RayBatch& rays, TileKnots& knots) const
     {
       const PreparedCells& cells =
         this->Prepared.Of(leaf.Number, 0, this->Leaves.CellsOf(leaf.Number), spare);
-      cellsRead += VisitCellsOf(cells, box, tile, ofLeaf, rays.WalkEnd,
+      cellsRead += VisitCellsOf(cells, leaf.Number, box, tile, ofLeaf, rays.WalkEnd,
         [&](std::size_t cell, std::uint64_t which)
         { this->Append(cells, cell, leaf.Number, tile, which, band); });
     }

@@ -31,6 +31,9 @@ public:
   {
   }
 
+  /// No other object has it.
+  std::uint64_t StampOf() const { return this->Stamp; }
+
   struct Leaf
   {
     double Depth; ///< of the nearest point of the box: no ray meets the leaf before

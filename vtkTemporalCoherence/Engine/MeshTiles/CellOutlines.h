@@ -7,61 +7,66 @@
 
 #include <glm/glm.hpp>
 
-#include <array>
 #include <cstddef>
 #include <vector>
 
 namespace TemporalCoherence
 {
 
-/// Where the cells of a leaf lie, as arrays over cells: what a tile needs to know which of its rays
-/// can meet a surface in each.
-///
-/// Eight points surround a cell. Those of a tetrahedron are its four vertices, and then the corners
-/// of the flat polygon in which it is cut by the surface, in their order around it; those of a
-/// triangle end with the third one twice. If it is not cut, the vertices come twice. Points are
-/// relative to the middle of the leaf's box, in index space, in single precision.
-struct CellOutlines
+/// Some points of each of many cells, as arrays over cells. Points are relative to the middle of
+/// the leaf's box, in index space, in single precision.
+struct OutlinePoints
 {
-  static constexpr std::size_t Corners = 8;
-  using Points = std::array<glm::dvec3, Corners>;
-
   /// Make room for so many cells.
   /// \throws std::bad_alloc
-  void Resize(std::size_t count)
+  void Resize(std::size_t count, std::size_t corners)
   {
     this->Count = count;
+    this->Corners = corners;
     this->Lanes = WholeVectors(count);
-    this->At.resize(3 * Corners * this->Lanes);
-    this->IsCut.resize(this->Lanes);
+    this->At.resize(3 * corners * this->Lanes);
   }
 
-  /// \param isCut the last four points are those of a polygon
-  void Set(std::size_t cell, const Points& points, bool isCut)
+  /// \param points one for each corner
+  void Set(std::size_t cell, const glm::dvec3* points)
   {
     for (std::size_t a = 0; a < 3; ++a)
     {
-      for (std::size_t corner = 0; corner < Corners; ++corner)
+      for (std::size_t corner = 0; corner < this->Corners; ++corner)
       {
         this->At[this->PlaceOf(a, corner) + cell] =
           static_cast<float>(points[corner][static_cast<glm::length_t>(a)]);
       }
     }
-    this->IsCut[cell] = isCut ? 1.0f : 0.0f;
   }
 
   /// Where a coordinate of a corner of all cells begins.
   std::size_t PlaceOf(std::size_t axis, std::size_t corner) const
   {
-    return (axis * Corners + corner) * this->Lanes;
+    return (axis * this->Corners + corner) * this->Lanes;
   }
 
-  std::size_t SizeInBytes() const { return sizeof(float) * (this->At.size() + this->IsCut.size()); }
-
   std::size_t Count = 0; ///< cells
-  std::size_t Lanes = 0; ///< the same in whole vectors; those beyond Count have no meaning
+  std::size_t Corners = 0;
+  std::size_t Lanes = 0; ///< Count in whole vectors; lanes beyond Count have no meaning
   std::vector<float> At;
-  std::vector<float> IsCut; ///< 1 for each cell with a polygon
+};
+
+/// Where the cells of a leaf lie: what a tile needs to know which of its rays can meet a surface in
+/// each. The cells with polygons come first.
+struct CellOutlines
+{
+  /// The four vertices of a tetrahedron, and then the corners of the flat polygon in which the
+  /// surface cuts it, in their order around it; those of a triangle end with the third one twice.
+  OutlinePoints Polygons;
+
+  /// Points whose convex hull holds the surface in a cell.
+  OutlinePoints Hulls;
+
+  std::size_t SizeInBytes() const
+  {
+    return sizeof(float) * (this->Polygons.At.capacity() + this->Hulls.At.capacity());
+  }
 };
 
 }

@@ -53,25 +53,20 @@ HWY_INLINE std::uint64_t BitsOfLanes(D d, hn::Mask<D> mask)
   return lanes;
 }
 
-/// Where rays that are asked for are in a box, for each vector with one of them.
-/// \param test called as test(tag, first ray, enter, leave, which pass the box): which count
+/// Which lanes pass a test, of vectors with a ray that is asked for.
+/// \param test called as test(tag, first ray)
 template <class Test>
-HWY_INLINE std::uint64_t FindRays(const RayBatch& rays, std::uint64_t which,
-  const RayBatch::Array<double>& limits, const FloatBox& box, double margin, const Test& test)
+HWY_INLINE std::uint64_t FindRays(const RayBatch& rays, std::uint64_t which, const Test& test)
 {
   const hn::ScalableTag<double> d;
   std::uint64_t found = 0;
   const std::uint64_t lanes = (std::uint64_t(1) << hn::Lanes(d)) - 1;
   for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); i += hn::Lanes(d))
   {
-    if ((which >> i & lanes) == 0)
+    if ((which >> i & lanes) != 0)
     {
-      continue;
+      found |= BitsOfLanes(d, test(d, i)) << i;
     }
-    auto enter = hn::Load(d, &rays.WalkBegin[i]);
-    auto leave = hn::Min(hn::Load(d, &rays.WalkEnd[i]), hn::Load(d, &limits[i]));
-    ClipToBox(d, rays, i, box, margin, enter, leave);
-    found |= BitsOfLanes(d, test(d, i, enter, leave, hn::Le(enter, leave))) << i;
   }
   return found & which;
 }
@@ -79,32 +74,24 @@ HWY_INLINE std::uint64_t FindRays(const RayBatch& rays, std::uint64_t which,
 std::uint64_t FindRaysThrough(const RayBatch& rays, std::uint64_t which,
   const RayBatch::Array<double>& limits, const FloatBox& box, double margin)
 {
-  return FindRays(rays, which, limits, box, margin,
-    [](auto, std::size_t, auto, auto, auto passes) HWY_ATTR { return passes; });
+  return FindRays(rays, which,
+    [&](auto d, std::size_t i) HWY_ATTR
+    {
+      auto enter = hn::Load(d, &rays.WalkBegin[i]);
+      auto leave = hn::Min(hn::Load(d, &rays.WalkEnd[i]), hn::Load(d, &limits[i]));
+      ClipToBox(d, rays, i, box, margin, enter, leave);
+      return hn::Le(enter, leave);
+    });
 }
 
-std::uint64_t FindRaysAcross(const RayBatch& rays, std::uint64_t which,
-  const RayBatch::Array<double>& limits, const FloatBox& box, double margin,
-  const NearlyLinear& differences)
+std::uint64_t FindRaysReaching(
+  const RayBatch& rays, std::uint64_t which, const RayBatch::Array<double>& limits, double depth)
 {
-  // What rounding may move a point by, it moves differences by.
-  const double most = differences.Bend + margin * glm::length(differences.Gradient);
-  return FindRays(rays, which, limits, box, margin,
-    [&](auto d, std::size_t i, auto enter, auto leave, auto passes) HWY_ATTR
+  return FindRays(rays, which,
+    [&](auto d, std::size_t i) HWY_ATTR
     {
-      const auto bend = hn::Set(d, most);
-      auto atOrigin = hn::Set(d, differences.AtZero), perT = hn::Zero(d);
-      for (std::size_t a = 0; a < 3; ++a)
-      {
-        const auto slope = hn::Set(d, differences.Gradient[static_cast<int>(a)]);
-        atOrigin = hn::MulAdd(slope, hn::Load(d, &rays.Origin[a][i]), atOrigin);
-        perT = hn::MulAdd(slope, hn::Load(d, &rays.Direction[a][i]), perT);
-      }
-      const auto atEnter = hn::MulAdd(perT, enter, atOrigin);
-      const auto atLeave = hn::MulAdd(perT, leave, atOrigin);
-      const auto isAbove = hn::Gt(hn::Min(atEnter, atLeave), bend);
-      const auto isBelow = hn::Lt(hn::Max(atEnter, atLeave), hn::Neg(bend));
-      return hn::AndNot(hn::Or(isAbove, isBelow), passes);
+      const auto at = hn::Mul(hn::Set(d, depth), hn::Load(d, &rays.PerDepth[i]));
+      return hn::Le(at, hn::Load(d, &limits[i]));
     });
 }
 
@@ -116,14 +103,13 @@ HWY_AFTER_NAMESPACE();
 namespace TemporalCoherence
 {
 
-HWY_EXPORT(FindRaysAcross);
+HWY_EXPORT(FindRaysReaching);
 HWY_EXPORT(FindRaysThrough);
 
-std::uint64_t RaysAcross(const RayBatch& rays, std::uint64_t which,
-  const RayBatch::Array<double>& limits, const FloatBox& box, double margin,
-  const NearlyLinear& differences)
+std::uint64_t RaysReaching(
+  const RayBatch& rays, std::uint64_t which, const RayBatch::Array<double>& limits, double depth)
 {
-  return HWY_DYNAMIC_DISPATCH(FindRaysAcross)(rays, which, limits, box, margin, differences);
+  return HWY_DYNAMIC_DISPATCH(FindRaysReaching)(rays, which, limits, depth);
 }
 
 std::uint64_t RaysThrough(const RayBatch& rays, std::uint64_t which,

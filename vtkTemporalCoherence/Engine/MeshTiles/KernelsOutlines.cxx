@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Which pixels of a tile can see cells: outlines in vectors of cells, then polygons in vectors of
-// pixels.
+// Which pixels of a tile can see cells: outlines in vectors of cells, then those of a cell in
+// vectors of pixels or of directions.
 
 #include "MeshTiles/KernelsOutlines.h"
+
+#include "MeshTiles/PixelMasks.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "MeshTiles/KernelsOutlines.cxx"
 #include <hwy/foreach_target.h>
-
-#include <algorithm>
 
 #include <hwy/highway.h>
 
@@ -22,39 +22,98 @@ namespace HWY_NAMESPACE
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-using Floats = hn::CappedTag<float, 16>;
+using Floats = hn::CappedTag<float, SeenBlock::Size>;
 using Cells = hn::Vec<Floats>;
 
 /// How much rounding may move a coordinate, as a share of OutlineView::Reach.
 constexpr float Rounding = 1e-6f;
 
-/// Cells as the tile sees them, in pixels.
-struct SeenOutlines
+/// The corners of cells in pixels.
+struct SeenPoints
 {
-  HWY_INLINE SeenOutlines(const OutlineView& view, const CellOutlines& cells, std::size_t i)
+  HWY_INLINE SeenPoints(const OutlineView& view, const OutlinePoints& cells, std::size_t i)
+    : View(view)
+    , At(cells)
+    , I(i)
+  {
+  }
+
+  HWY_INLINE void See(std::size_t corner, Cells& column, Cells& row, Cells& depth) const
   {
     const Floats d;
-    for (std::size_t corner = 0; corner < CellOutlines::Corners; ++corner)
+    const Cells x = hn::LoadU(d, &this->At.At[this->At.PlaceOf(0, corner) + this->I]);
+    const Cells y = hn::LoadU(d, &this->At.At[this->At.PlaceOf(1, corner) + this->I]);
+    const Cells z = hn::LoadU(d, &this->At.At[this->At.PlaceOf(2, corner) + this->I]);
+    const auto along = [&](std::size_t k) HWY_ATTR
     {
-      const Cells x = hn::LoadU(d, &cells.At[cells.PlaceOf(0, corner) + i]);
-      const Cells y = hn::LoadU(d, &cells.At[cells.PlaceOf(1, corner) + i]);
-      const Cells z = hn::LoadU(d, &cells.At[cells.PlaceOf(2, corner) + i]);
-      const auto along = [&](std::size_t row) HWY_ATTR
+      const auto& to = this->View.Row[k];
+      return hn::MulAdd(x, hn::Set(d, to[0]),
+        hn::MulAdd(y, hn::Set(d, to[1]),
+          hn::MulAdd(z, hn::Set(d, to[2]), hn::Set(d, this->View.Middle[k]))));
+    };
+    depth = along(0);
+    column = along(1);
+    row = along(2);
+    if (this->View.IsPerspective)
+    {
+      const Cells perDepth = hn::Div(hn::Set(d, 1.0f), depth);
+      column = hn::Mul(column, perDepth);
+      row = hn::Mul(row, perDepth);
+    }
+  }
+
+  const OutlineView& View;
+  const OutlinePoints& At;
+  std::size_t I;
+};
+
+/// Some of the lanes of a block.
+struct LanesOf
+{
+  HWY_INLINE void Store(SeenBlock::Lanes& to, Cells value) const
+  {
+    hn::Store(value, Floats(), &to[this->First]);
+  }
+
+  /// Store numbers of each cell side by side.
+  HWY_INLINE void StoreSides(const Cells* values, std::size_t count) const
+  {
+    HWY_ALIGN float by[SeenBlock::Size][hn::MaxLanes(Floats())];
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      hn::Store(values[k], Floats(), by[k]);
+    }
+    for (std::size_t lane = 0; lane < hn::Lanes(Floats()); ++lane)
+    {
+      for (std::size_t k = 0; k < count; ++k)
       {
-        return hn::MulAdd(x, hn::Set(d, view.Row[row][0]),
-          hn::MulAdd(y, hn::Set(d, view.Row[row][1]),
-            hn::MulAdd(z, hn::Set(d, view.Row[row][2]), hn::Set(d, view.Middle[row]))));
-      };
-      const Cells w = along(0);
-      this->Nearest = corner == 0 ? w : hn::Min(this->Nearest, w);
-      this->X[corner] = along(1);
-      this->Y[corner] = along(2);
-      if (view.IsPerspective)
-      {
-        const Cells perDepth = hn::Div(hn::Set(d, 1.0f), w);
-        this->X[corner] = hn::Mul(this->X[corner], perDepth);
-        this->Y[corner] = hn::Mul(this->Y[corner], perDepth);
+        this->Block.Sides[this->First + lane][k] = by[k][lane];
       }
+    }
+  }
+
+  /// \param nearest w of the nearest point
+  HWY_INLINE void StoreDepth(const OutlineView& view, Cells nearest) const
+  {
+    this->Store(this->Block.Depth, hn::Sub(nearest, hn::Set(Floats(), Rounding * view.DepthReach)));
+  }
+
+  SeenBlock& Block;
+  std::size_t First;
+};
+
+/// Tetrahedra, and the polygons in which they are cut.
+struct SeenPolygons
+{
+  static constexpr std::size_t Corners = 8;
+
+  HWY_INLINE explicit SeenPolygons(const SeenPoints& points)
+  {
+    for (std::size_t corner = 0; corner < Corners; ++corner)
+    {
+      Cells depth;
+      points.See(corner, this->X[corner], this->Y[corner], depth);
+      this->Nearest = corner == 0 ? depth : hn::Min(this->Nearest, depth);
     }
   }
 
@@ -81,13 +140,13 @@ struct SeenOutlines
     return hn::Gt(smallest, least);
   }
 
-  Cells X[CellOutlines::Corners], Y[CellOutlines::Corners], Nearest;
+  Cells X[Corners], Y[Corners], Nearest;
 };
 
 /// The rectangles around cells.
 struct Rectangles
 {
-  HWY_INLINE Rectangles(const SeenOutlines& seen, std::size_t first)
+  HWY_INLINE Rectangles(const SeenPolygons& seen, std::size_t first)
     : LowX(seen.X[first])
     , HighX(seen.X[first])
     , LowY(seen.Y[first])
@@ -95,7 +154,7 @@ struct Rectangles
   {
   }
 
-  HWY_INLINE void Widen(const SeenOutlines& seen, std::size_t first, std::size_t end)
+  HWY_INLINE void Widen(const SeenPolygons& seen, std::size_t first, std::size_t end)
   {
     for (std::size_t corner = first; corner < end; ++corner)
     {
@@ -119,14 +178,13 @@ struct Rectangles
 struct PolygonEdges
 {
   static constexpr std::size_t Count = 4;
-  HWY_ALIGN float A[Count][16], B[Count][16], C[Count][16];
 
   /// \param isSure of which cells the polygon can be trusted; others have edges that leave nothing
   ///               out
   /// \param lost   how much rounding may change a function within the polygon's rectangle: the
   ///               direction of a short edge is inexact
-  HWY_INLINE void Set(
-    const SeenOutlines& seen, hn::Mask<Floats> isSure, Cells turn, float margin, Cells lost)
+  HWY_INLINE PolygonEdges(
+    const SeenPolygons& seen, hn::Mask<Floats> isSure, Cells turn, float margin, Cells lost)
   {
     const Floats d;
     const Cells one = hn::Set(d, 1.0f), room = hn::Set(d, margin);
@@ -137,121 +195,201 @@ struct PolygonEdges
       const Cells b = hn::Mul(turn, hn::Sub(seen.X[to], seen.X[from]));
       const Cells through = hn::MulAdd(a, seen.X[from], hn::Mul(b, seen.Y[from]));
       const Cells slack = hn::MulAdd(room, hn::Add(hn::Abs(a), hn::Abs(b)), lost);
-      const Cells c = hn::Sub(slack, through);
-      hn::Store(hn::IfThenElseZero(isSure, a), d, this->A[edge]);
-      hn::Store(hn::IfThenElseZero(isSure, b), d, this->B[edge]);
-      hn::Store(hn::IfThenElse(isSure, c, one), d, this->C[edge]);
+      this->Functions[edge] = hn::IfThenElseZero(isSure, a);
+      this->Functions[Count + edge] = hn::IfThenElseZero(isSure, b);
+      this->Functions[2 * Count + edge] = hn::IfThenElse(isSure, hn::Sub(slack, through), one);
     }
   }
 
-  /// One bit for each pixel on the side of all edges of a cell.
-  HWY_INLINE std::uint64_t PixelsOf(std::size_t lane) const
-  {
-    const Floats d;
-    const Cells steps = hn::Iota(d, 0.0f);
-    constexpr float columns = 8.0f;
-    std::uint64_t pixels = 0;
-    for (std::size_t first = 0; first < 64; first += hn::Lanes(d))
-    {
-      const Cells pixel = hn::Add(steps, hn::Set(d, static_cast<float>(first)));
-      const Cells row = hn::Floor(hn::Mul(pixel, hn::Set(d, 1.0f / columns)));
-      const Cells column = hn::NegMulAdd(row, hn::Set(d, columns), pixel);
-      Cells least = hn::Set(d, 1.0f);
-      for (std::size_t edge = 0; edge < Count; ++edge)
-      {
-        const Cells value = hn::MulAdd(hn::Set(d, this->A[edge][lane]), column,
-          hn::MulAdd(hn::Set(d, this->B[edge][lane]), row, hn::Set(d, this->C[edge][lane])));
-        least = hn::Min(least, value);
-      }
-      std::uint8_t bits[8] = {};
-      hn::StoreMaskBits(d, hn::Ge(least, hn::Zero(d)), bits);
-      pixels |= static_cast<std::uint64_t>(bits[0] | bits[1] << 8) << first;
-    }
-    return pixels;
-  }
+  Cells Functions[3 * Count];
 };
 
-/// Bits of the pixels of a row of a tile between two coordinates.
-HWY_INLINE std::uint64_t BitsBetween(float low, float high)
-{
-  // Moved above 0, where conversion rounds down.
-  const int from = static_cast<int>(9.0f - std::min(std::max(-0.5f, low), 8.0f));  // 9 - ceil(low)
-  const int last = static_cast<int>(std::max(std::min(7.0f, high), -1.0f) + 1.0f); // floor + 1
-  const int first = 9 - from;
-  return first >= last ? 0 : ((std::uint64_t(1) << last) - 1) & ~((std::uint64_t(1) << first) - 1);
-}
-
-/// One bit for each pixel of a rectangle.
-HWY_INLINE std::uint64_t PixelsWithin(float lowX, float highX, float lowY, float highY)
-{
-  const std::uint64_t columns = BitsBetween(lowX, highX), lines = BitsBetween(lowY, highY);
-  // Spread the bits of the rows over bytes (seven by one product), and fill these with the columns.
-  const std::uint64_t spread =
-    ((lines & 0x7f) * 0x0002040810204081u & 0x0101010101010101u) | lines >> 7 << 56;
-  return spread * columns;
-}
-
-/// The same for a vector of cells.
-HWY_INLINE void FindPixelsOf(
-  const OutlineView& view, const CellOutlines& cells, std::size_t i, SeenCells& seen)
+HWY_INLINE void SeePolygons(
+  const OutlineView& view, const OutlinePoints& cells, std::size_t i, const LanesOf& to)
 {
   const Floats d;
-  const SeenOutlines outlines(view, cells, i);
+  const SeenPolygons outlines(SeenPoints(view, cells, i));
   Rectangles polygon(outlines, 4);
   polygon.Widen(outlines, 5, 8);
   Rectangles whole = polygon;
   whole.Widen(outlines, 0, 4);
   const Cells error = hn::Set(d, 8.0f * Rounding * view.Reach);
-  const auto isCut = hn::And(
-    hn::Gt(hn::LoadU(d, &cells.IsCut[i]), hn::Zero(d)), outlines.AreFacesSeen(whole.Size(), error));
+  const auto isCut = outlines.AreFacesSeen(whole.Size(), error);
   const Cells area = hn::Add(outlines.AreaOf(4, 5, 6), outlines.AreaOf(4, 6, 7));
   const Cells size = polygon.Size();
   const auto isSure = hn::And(
     isCut, hn::Gt(hn::Abs(area), hn::Mul(size, hn::MulAdd(size, hn::Set(d, 1e-5f), error))));
   const float margin = view.Margin + 4.0f * Rounding * view.Reach;
-  PolygonEdges edges;
-  edges.Set(outlines, isSure,
+  const PolygonEdges edges(outlines, isSure,
     hn::IfThenElse(hn::Lt(area, hn::Zero(d)), hn::Set(d, -1.0f), hn::Set(d, 1.0f)), margin,
     hn::Mul(error, hn::Add(size, hn::Set(d, 1.0f))));
-
-  HWY_ALIGN float sides[4][16];
+  to.StoreSides(edges.Functions, 3 * PolygonEdges::Count);
   const Cells room = hn::Set(d, margin);
-  const Cells lowX = hn::Sub(hn::IfThenElse(isCut, polygon.LowX, whole.LowX), room);
-  const Cells highX = hn::Add(hn::IfThenElse(isCut, polygon.HighX, whole.HighX), room);
-  const Cells lowY = hn::Sub(hn::IfThenElse(isCut, polygon.LowY, whole.LowY), room);
-  const Cells highY = hn::Add(hn::IfThenElse(isCut, polygon.HighY, whole.HighY), room);
-  hn::Store(lowX, d, sides[0]);
-  hn::Store(highX, d, sides[1]);
-  hn::Store(lowY, d, sides[2]);
-  hn::Store(highY, d, sides[3]);
-  hn::Store(outlines.Nearest, d, &seen.Depth[i]);
-  const Cells last = hn::Set(d, 7.0f), zero = hn::Zero(d);
-  const auto isNear = hn::And(hn::And(hn::Ge(highX, zero), hn::Le(lowX, last)),
-    hn::And(hn::Ge(highY, zero), hn::Le(lowY, last)));
-  std::uint8_t bits[2][8] = {};
-  hn::StoreMaskBits(d, isNear, bits[0]);
-  hn::StoreMaskBits(d, isSure, bits[1]);
-  const unsigned int near = bits[0][0] | bits[0][1] << 8, sure = bits[1][0] | bits[1][1] << 8;
-  for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
+  to.Store(to.Block.LowX, hn::Sub(hn::IfThenElse(isCut, polygon.LowX, whole.LowX), room));
+  to.Store(to.Block.HighX, hn::Add(hn::IfThenElse(isCut, polygon.HighX, whole.HighX), room));
+  to.Store(to.Block.LowY, hn::Sub(hn::IfThenElse(isCut, polygon.LowY, whole.LowY), room));
+  to.Store(to.Block.HighY, hn::Add(hn::IfThenElse(isCut, polygon.HighY, whole.HighY), room));
+  to.StoreDepth(view, outlines.Nearest);
+}
+
+HWY_INLINE void SeeHulls(
+  const OutlineView& view, const OutlinePoints& cells, std::size_t i, const LanesOf& to)
+{
+  const Floats d;
+  const SeenPoints points(view, cells, i);
+  const Cells far = hn::Set(d, 1e30f);
+  Cells low[Directions], high[Directions], nearest = far;
+  for (std::size_t k = 0; k < Directions; ++k)
   {
-    std::uint64_t pixels = 0;
-    if ((near >> lane & 1u) != 0)
+    low[k] = far;
+    high[k] = hn::Neg(far);
+  }
+  for (std::size_t corner = 0; corner < cells.Corners; ++corner)
+  {
+    Cells x, y, depth;
+    points.See(corner, x, y, depth);
+    const Cells sum = hn::Add(x, y), difference = hn::Sub(x, y);
+    const Cells along[Directions] = { x, y, sum, difference, hn::Add(x, sum),
+      hn::Add(x, difference), hn::Add(sum, y), hn::Sub(difference, y) };
+    nearest = hn::Min(nearest, depth);
+    for (std::size_t k = 0; k < Directions; ++k)
     {
-      pixels = PixelsWithin(sides[0][lane], sides[1][lane], sides[2][lane], sides[3][lane]);
-      if (pixels != 0 && (sure >> lane & 1u) != 0)
-      {
-        pixels &= edges.PixelsOf(lane);
-      }
+      low[k] = hn::Min(low[k], along[k]);
+      high[k] = hn::Max(high[k], along[k]);
     }
-    seen.Pixels[i + lane] = pixels;
+  }
+  const float margin = view.Margin + 4.0f * Rounding * view.Reach;
+  Cells bounds[SidesOfHull];
+  for (std::size_t k = 0; k < Directions; ++k)
+  {
+    const int steps =
+      (StepsX[k] < 0 ? -StepsX[k] : StepsX[k]) + (StepsY[k] < 0 ? -StepsY[k] : StepsY[k]);
+    const Cells room = hn::Set(d, margin * static_cast<float>(steps));
+    low[k] = hn::Sub(low[k], room);
+    high[k] = hn::Add(high[k], room);
+    bounds[k] = high[k];
+    bounds[Directions + k] = hn::Neg(low[k]);
+  }
+  to.StoreSides(bounds, SidesOfHull);
+  to.Store(to.Block.LowX, low[0]);
+  to.Store(to.Block.HighX, high[0]);
+  to.Store(to.Block.LowY, low[1]);
+  to.Store(to.Block.HighY, high[1]);
+  to.StoreDepth(view, nearest);
+}
+
+template <class See>
+HWY_INLINE void AppendBlocks(const OutlinePoints& cells, std::size_t first, bool isOfPolygons,
+  std::vector<SeenBlock>& blocks, const See& see)
+{
+  for (std::size_t i = 0; i < cells.Count; i += SeenBlock::Size)
+  {
+    blocks.emplace_back();
+    SeenBlock& block = blocks.back();
+    block.IsOfPolygons = isOfPolygons;
+    block.First = first + i;
+    block.Count = HWY_MIN(cells.Count - i, SeenBlock::Size);
+    for (std::size_t j = 0; j < block.Count; j += hn::Lanes(Floats()))
+    {
+      see(i + j, LanesOf{ block, j });
+    }
   }
 }
 
-void FindPixelsOfCells(const OutlineView& view, const CellOutlines& cells, SeenCells& seen)
+void AppendSeenCells(
+  const OutlineView& view, const CellOutlines& cells, std::vector<SeenBlock>& blocks)
 {
-  for (std::size_t i = 0; i < cells.Count; i += hn::Lanes(Floats()))
+  AppendBlocks(cells.Polygons, 0, true, blocks,
+    [&](std::size_t i, const LanesOf& to) HWY_ATTR { SeePolygons(view, cells.Polygons, i, to); });
+  AppendBlocks(cells.Hulls, cells.Polygons.Count, false, blocks,
+    [&](std::size_t i, const LanesOf& to) HWY_ATTR { SeeHulls(view, cells.Hulls, i, to); });
+}
+
+/// One bit for each pixel of a tile within the bounds of a hull.
+HWY_INLINE std::uint64_t PixelsOfHull(const SeenBlock::Lanes& sides, float column)
+{
+  const Floats d;
+  const hn::RebindToSigned<Floats> di;
+  HWY_ALIGN std::int32_t numbers[SidesOfHull];
+  const Cells first = hn::Set(d, column), zero = hn::Zero(d);
+  const Cells last = hn::Set(d, static_cast<float>(PixelsUpTo::Numbers - 1));
+  for (std::size_t k = 0; k < SidesOfHull; k += hn::Lanes(d))
   {
-    FindPixelsOf(view, cells, i, seen);
+    const Cells moved = hn::NegMulAdd(first, hn::Load(d, &Pixels.PerColumn[k]),
+      hn::Add(hn::Load(d, &sides[k]), hn::Load(d, &Pixels.Add[k])));
+    hn::Store(hn::ConvertTo(di, hn::Min(hn::Max(moved, zero), last)), di, &numbers[k]);
+  }
+  std::uint64_t pixels = ~std::uint64_t(0);
+  for (std::size_t k = 0; k < SidesOfHull; ++k)
+  {
+    pixels &= Pixels.Masks[k][numbers[k]];
+  }
+  return pixels;
+}
+
+/// One bit for each pixel of a tile on the side of all edges of a polygon, and in its rectangle.
+HWY_INLINE std::uint64_t PixelsOfPolygon(const SeenBlock& block, std::size_t cell, float column)
+{
+  const Floats d;
+  constexpr std::size_t count = PolygonEdges::Count;
+  const SeenBlock::Lanes& sides = block.Sides[cell];
+  const Cells lowX = hn::Set(d, block.LowX[cell] - column);
+  const Cells highX = hn::Set(d, block.HighX[cell] - column);
+  const Cells lowY = hn::Set(d, block.LowY[cell]), highY = hn::Set(d, block.HighY[cell]);
+  std::uint64_t pixels = 0;
+  for (std::size_t first = 0; first < 64; first += hn::Lanes(d))
+  {
+    const Cells x = hn::Load(d, &Places.Column[first]), y = hn::Load(d, &Places.Row[first]);
+    Cells least = hn::Min(
+      hn::Min(hn::Sub(x, lowX), hn::Sub(highX, x)), hn::Min(hn::Sub(y, lowY), hn::Sub(highY, y)));
+    for (std::size_t edge = 0; edge < count; ++edge)
+    {
+      const Cells a = hn::Set(d, sides[edge]), b = hn::Set(d, sides[count + edge]);
+      const Cells c = hn::Set(d, sides[2 * count + edge] + sides[edge] * column);
+      least = hn::Min(least, hn::MulAdd(a, x, hn::MulAdd(b, y, c)));
+    }
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(d, hn::Ge(least, hn::Zero(d)), bits);
+    pixels |= static_cast<std::uint64_t>(bits[0] | bits[1] << 8) << first;
+  }
+  return pixels;
+}
+
+/// One bit for each cell of a block whose rectangle meets a tile.
+HWY_INLINE std::uint32_t CellsAt(const SeenBlock& block, float column)
+{
+  const Floats d;
+  std::uint32_t near = 0;
+  const Cells left = hn::Set(d, column), right = hn::Set(d, column + 7.0f);
+  const Cells bottom = hn::Zero(d), top = hn::Set(d, 7.0f);
+  for (std::size_t i = 0; i < SeenBlock::Size; i += hn::Lanes(d))
+  {
+    const auto isBeside = hn::Or(
+      hn::Lt(hn::Load(d, &block.HighX[i]), left), hn::Gt(hn::Load(d, &block.LowX[i]), right));
+    const auto isAbove = hn::Or(
+      hn::Lt(hn::Load(d, &block.HighY[i]), bottom), hn::Gt(hn::Load(d, &block.LowY[i]), top));
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(d, hn::Or(isBeside, isAbove), bits);
+    near |= static_cast<std::uint32_t>(bits[0] | bits[1] << 8) << i;
+  }
+  return ~near & ((1u << block.Count) - 1u);
+}
+
+void FindPixelsOfCells(const SeenBlock* blocks, std::size_t count, float column, SeenCells& seen)
+{
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const SeenBlock& block = blocks[i];
+    for (std::uint32_t near = CellsAt(block, column); near != 0; near &= near - 1)
+    {
+      const std::size_t cell = hwy::Num0BitsBelowLS1Bit_Nonzero32(near);
+      const std::uint64_t pixels = block.IsOfPolygons ? PixelsOfPolygon(block, cell, column)
+                                                      : PixelsOfHull(block.Sides[cell], column);
+      if (pixels != 0)
+      {
+        seen.Append(block.First + cell, pixels, block.Depth[cell]);
+      }
+    }
   }
 }
 
@@ -263,11 +401,17 @@ HWY_AFTER_NAMESPACE();
 namespace TemporalCoherence
 {
 
+HWY_EXPORT(AppendSeenCells);
 HWY_EXPORT(FindPixelsOfCells);
 
-void PixelsOfCells(const OutlineView& view, const CellOutlines& cells, SeenCells& seen)
+void SeeCells(const OutlineView& view, const CellOutlines& cells, std::vector<SeenBlock>& blocks)
 {
-  HWY_DYNAMIC_DISPATCH(FindPixelsOfCells)(view, cells, seen);
+  HWY_DYNAMIC_DISPATCH(AppendSeenCells)(view, cells, blocks);
+}
+
+void PixelsOfCells(const SeenBlock* blocks, std::size_t count, float column, SeenCells& seen)
+{
+  HWY_DYNAMIC_DISPATCH(FindPixelsOfCells)(blocks, count, column, seen);
 }
 
 }

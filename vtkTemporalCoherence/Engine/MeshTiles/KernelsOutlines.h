@@ -6,12 +6,15 @@
 #include "MeshTiles/CellOutlines.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace TemporalCoherence
 {
 
-/// How the outlines of a leaf are seen by a tile of 8 x 8 pixels. For a point p,
+/// How the outlines of a leaf are seen by a tile of 8 x 8 pixels, or by a strip of such tiles. For
+/// a point p,
 ///   w = Middle[0] + Row[0] . p,  column = (Middle[1] + Row[1] . p) / w,  row likewise.
 /// In parallel views, nothing is divided; w orders points from front to back all the same.
 struct OutlineView
@@ -19,19 +22,60 @@ struct OutlineView
   std::array<std::array<float, 3>, 3> Row;
   std::array<float, 3> Middle; ///< of the leaf
   bool IsPerspective;
-  float Reach;  ///< farthest coordinate of the leaf in pixels: rounding errors grow with it
-  float Margin; ///< pixels around a cell, against rounding
+  float Reach;      ///< farthest coordinate of the leaf in pixels: rounding errors grow with it
+  float DepthReach; ///< the same for w
+  float Margin;     ///< pixels around a cell, against rounding
 };
 
-/// What a tile sees of the cells of a leaf.
+/// Sixteen cells of a leaf, as they are seen.
+struct alignas(64) SeenBlock
+{
+  static constexpr std::size_t Size = 16;
+  using Lanes = std::array<float, Size>;
+
+  Lanes LowX, HighX, LowY, HighY; ///< the rectangle around what is seen of a cell
+  Lanes Depth;                    ///< w of the nearest point, and less
+
+  /// By the cell. Of a polygon A, B and C of its four edges: A column + B row + C is not negative
+  /// on their side. Of a hull bounds of the pixels in it, along SideDirections.
+  std::array<Lanes, Size> Sides;
+  bool IsOfPolygons;
+  std::size_t First, Count; ///< cells
+};
+
+/// The cells of a leaf that a tile sees, from front to back, roughly.
 struct SeenCells
 {
-  alignas(64) std::array<std::uint64_t, 64> Pixels; ///< one bit each: column + 8 row
-  alignas(64) std::array<float, 64> Depth;          ///< w of the nearest corner
+  std::size_t Count = 0;
+  std::array<std::uint8_t, 64> Cell;
+  std::array<std::uint64_t, 64> Pixels; ///< that may see a surface there, one bit each:
+                                        ///< column + 8 row
+  std::array<float, 64> Depth;          ///< w of the nearest point, or less
+
+  void Append(std::size_t cell, std::uint64_t pixels, float depth)
+  {
+    std::size_t at = this->Count++;
+    for (; at > 0 && this->Depth[at - 1] > depth; --at)
+    {
+      this->Cell[at] = this->Cell[at - 1];
+      this->Pixels[at] = this->Pixels[at - 1];
+      this->Depth[at] = this->Depth[at - 1];
+    }
+    this->Cell[at] = static_cast<std::uint8_t>(cell);
+    this->Pixels[at] = pixels;
+    this->Depth[at] = depth;
+  }
 };
 
-/// Find the pixels that may see a surface in each cell.
-void PixelsOfCells(const OutlineView& view, const CellOutlines& cells, SeenCells& seen);
+/// See the cells of a leaf.
+/// \param blocks are appended
+/// \throws std::bad_alloc
+void SeeCells(const OutlineView& view, const CellOutlines& cells, std::vector<SeenBlock>& blocks);
+
+/// Find the pixels of a tile that may see a surface in cells.
+/// \param column the first one of the tile in the view of the blocks
+/// \param seen   cells are added
+void PixelsOfCells(const SeenBlock* blocks, std::size_t count, float column, SeenCells& seen);
 
 }
 

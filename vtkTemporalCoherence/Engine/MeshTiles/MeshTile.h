@@ -86,6 +86,8 @@ struct MeshTile
     , Grid(rays, tree)
     , Margin(ActiveLeaves::MarginOf(rays, tree))
     , MarginOfLanes(Margin + BoxLanes::Rounding * LongestAxis(tree))
+    , Stamp(leaves.StampOf())
+    , Number(NewNumber())
   {
     SetUpMeshRays(rays, tree, limits, this->InMesh);
     leaves.Find(rays, this->Grid, this->Leaves);
@@ -96,8 +98,17 @@ struct MeshTile
   TileGrid Grid;
   double Margin;        ///< against rounding, in index space
   double MarginOfLanes; ///< the same for BoxLanes, whose boxes are rounded
+  std::uint64_t Stamp;  ///< of the active leaves
+  std::uint64_t Number; ///< no other tile of this thread has it
   MeshKernels::MeshRays InMesh;
   std::vector<ActiveLeaves::Leaf> Leaves; ///< from front to back
+
+private:
+  static std::uint64_t NewNumber()
+  {
+    thread_local std::uint64_t last = 0;
+    return ++last;
+  }
 };
 
 }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace TemporalCoherence
 {
@@ -54,6 +55,51 @@ void FindPolygon(const glm::dvec3* points, const std::array<double, 4>& values, 
     polygon[i] = cut(lone, others[i]);
   }
   polygon[3] = polygon[2];
+}
+
+/// A hexahedron has no more pairs of corners on different sides of a surface.
+constexpr std::size_t MostHullPoints = 16;
+
+/// Points around the surface in a hexahedron: where it cuts the lines between corners on different
+/// sides. A point of the cell is a mean of corners, with weights that are products; where the mean
+/// of the values is 0, the weights can be split among such pairs so that it is 0 in each.
+/// \pre some values are negative, some are not
+std::array<glm::dvec3, MostHullPoints> HullOf(
+  const std::array<glm::dvec3, 8>& points, const MeshKernels::CellDifferences& values)
+{
+  double largest = 0.0;
+  for (const double value : values)
+  {
+    largest = std::max(largest, std::abs(value));
+  }
+  // Corners on which the surface nearly lies count themselves: in pairs, rounding errors of their
+  // values would matter.
+  const double least = 1e-6 * largest;
+  std::array<glm::dvec3, MostHullPoints> hull;
+  std::array<std::size_t, 8> inside, outside;
+  std::size_t count = 0, numberInside = 0, numberOutside = 0;
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    if (std::abs(values[i]) <= least)
+    {
+      hull[count++] = points[i];
+    }
+    else
+    {
+      (values[i] > 0.0 ? inside[numberInside++] : outside[numberOutside++]) = i;
+    }
+  }
+  for (std::size_t k = 0; k < numberInside; ++k)
+  {
+    const std::size_t i = inside[k];
+    for (std::size_t l = 0; l < numberOutside; ++l)
+    {
+      const std::size_t j = outside[l];
+      hull[count++] = points[i] + values[i] / (values[i] - values[j]) * (points[j] - points[i]);
+    }
+  }
+  std::fill(hull.begin() + static_cast<std::ptrdiff_t>(count), hull.end(), hull[count - 1]);
+  return hull;
 }
 
 /// Reads the cells of a leaf.
@@ -126,41 +172,45 @@ private:
     return true;
   }
 
+  /// \pre cells that count are there
   void Outline()
   {
-    this->Cells.Outlines.Resize(this->Cells.Count());
-    for (std::size_t i = 0; i < this->Cells.Tetrahedra.size(); ++i)
+    const bool areCut = this->Purpose == CellPurpose::Crossings;
+    const std::size_t tetrahedra = this->Cells.Tetrahedra.size(), count = this->Cells.Count();
+    CellOutlines& outlines = this->Cells.Outlines;
+    outlines.Polygons.Resize(areCut ? tetrahedra : 0, 8);
+    outlines.Hulls.Resize(count - outlines.Polygons.Count, areCut ? MostHullPoints : 8);
+    for (std::size_t i = 0; i < tetrahedra; ++i)
     {
-      this->Outline(i, this->Cells.Tetrahedra[i]);
+      this->Outline(i, this->Cells.Tetrahedra[i], areCut ? outlines.Polygons : outlines.Hulls);
     }
-    for (std::size_t i = this->Cells.Tetrahedra.size(); i < this->Cells.Count(); ++i)
+    for (std::size_t i = tetrahedra; i < count; ++i)
     {
-      this->Outline(i, this->Cells.Hexahedra[i - this->Cells.Tetrahedra.size()]);
+      this->Outline(i - outlines.Polygons.Count, this->Cells.Hexahedra[i - tetrahedra]);
     }
   }
 
-  void Outline(std::size_t at, const MeshKernels::TetrahedronPoints& cell)
+  void Outline(std::size_t at, const MeshKernels::TetrahedronPoints& cell, OutlinePoints& outlines)
   {
-    CellOutlines::Points points;
+    std::array<glm::dvec3, 8> points;
     for (std::size_t i = 0; i < 4; ++i)
     {
       points[i] = points[i + 4] = this->Tree.ToIndex(cell.Points[i]) - this->Middle;
     }
-    const bool isCut = this->Purpose == CellPurpose::Crossings;
-    if (isCut)
+    if (this->Purpose == CellPurpose::Crossings)
     {
       FindPolygon(points.data(), cell.Values, &points[4]);
     }
-    this->Cells.Outlines.Set(at, points, isCut);
+    outlines.Set(at, points.data());
   }
 
   void Outline(std::size_t at, PreparedHexahedron& cell)
   {
-    CellOutlines::Points points;
+    std::array<glm::dvec3, 8> points;
     std::transform(cell.Cell.Points.begin(), cell.Cell.Points.end(), points.begin(),
       [&](const glm::dvec3& point) { return this->Tree.ToIndex(point); });
     cell.Box = BoxAround(points.data(), points.size());
-    if (this->Purpose != CellPurpose::Solids)
+    if (this->Purpose == CellPurpose::Bands)
     {
       cell.Values = NearlyLinearOf(points, cell.Differences);
     }
@@ -168,7 +218,14 @@ private:
     {
       point -= this->Middle;
     }
-    this->Cells.Outlines.Set(at, points, false);
+    if (this->Purpose == CellPurpose::Crossings)
+    {
+      this->Cells.Outlines.Hulls.Set(at, HullOf(points, cell.Differences).data());
+    }
+    else
+    {
+      this->Cells.Outlines.Hulls.Set(at, points.data());
+    }
   }
 
   const MeshTree& Tree;

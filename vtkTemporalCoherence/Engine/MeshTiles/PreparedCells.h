@@ -33,7 +33,7 @@ struct PreparedHexahedron
   MeshCell Cell;
   MeshKernels::CellDifferences Differences;
   MeshKernels::HexahedronFunctions Functions; ///< only for crossings
-  NearlyLinear Values;                        ///< of differences; not known in solids
+  NearlyLinear Values;                        ///< of differences; only for bands
   FloatBox Box;                               ///< in index space, rounded as those of BoxLanes
 };
 

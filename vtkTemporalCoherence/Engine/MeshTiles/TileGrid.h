@@ -24,6 +24,7 @@ namespace TemporalCoherence
 class TileGrid
 {
 public:
+  TileGrid() = default;
   TileGrid(const RayBatch& rays, const MeshTree& tree)
     : Lattice(tree.Dimensions().x + tree.Dimensions().y + tree.Dimensions().z)
   {
@@ -31,6 +32,7 @@ public:
     if (rays.Count == RayBatch::Capacity)
     {
       this->FindRows(rays);
+      this->Forward = this->IsKnown ? this->Seen.Row[0] : this->Forward;
       this->Around = this->PlanesAlong(TileSize);
       for (const float offset : this->Around.Offset)
       {
@@ -44,6 +46,14 @@ public:
 
   /// How far a point of index space lies ahead.
   double DepthOf(const glm::dvec3& point) const { return glm::dot(this->Forward, point); }
+
+  /// w of a depth, as in OutlineView, or less. Ray i comes to it at t = w PerDepth[i].
+  /// \param margin in index space
+  /// \pre IsGrid()
+  double ToSeenDepth(double depth, double margin) const
+  {
+    return depth - this->DepthOf(this->Seen.Origin) - margin * glm::length(this->Seen.Row[0]);
+  }
 
   /// The same for the nearest point of a box. Orders boxes from front to back, roughly.
   double NearestDepth(const FloatBox& box) const
@@ -96,6 +106,34 @@ public:
     return true;
   }
 
+  /// True if the rays are those of a tile beside this one, in the same rows of pixels.
+  /// \param column gets its first one in this grid
+  /// \pre IsGrid(), and so is the grid of the rays
+  bool HasBeside(const RayBatch& rays, double& column) const
+  {
+    constexpr double most = 1e-4;
+    const double reach = this->Reach();
+    for (const std::size_t corner : { 0, TileSize - 1, 64 - TileSize, 63 })
+    {
+      const glm::dvec3 from = OriginOf(rays, corner) - this->Seen.Origin;
+      const glm::dvec3 along = AheadOf(rays, corner);
+      const glm::dvec3 start = this->Seen.Place(from), step = this->Seen.Place(along);
+      const glm::dvec3& at = this->Seen.IsPerspective ? step : start;
+      const glm::dvec3 beside = this->Seen.IsPerspective
+        ? reach * glm::abs(start)
+        : glm::abs(glm::dvec3(start.x, reach * step.y, reach * step.z));
+      const double x = static_cast<double>(corner % TileSize);
+      const double y = static_cast<double>(corner / TileSize);
+      column = corner == 0 ? std::round(at.y) : column;
+      if (!(std::max({ std::abs(at.y - column - x), std::abs(at.z - y), std::abs(step.x - 1.0),
+              beside.x, beside.y, beside.z }) < most))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
   /// How the tile sees what lies in a box of index space, relative to its middle.
   /// \return false if it is not known: the box is too near the eye, or too large
   bool See(const FloatBox& box, OutlineView& view) const
@@ -104,6 +142,7 @@ public:
     const glm::dvec3 middle = box.Middle() - this->Seen.Origin;
     const glm::dvec3 half = 0.5 * (glm::dvec3(box.High) - glm::dvec3(box.Low));
     std::array<double, 3> reach;
+    const double aroundDepth = glm::dot(glm::abs(this->Seen.Row[0]), half);
     for (std::size_t row = 0; row < 3; ++row)
     {
       const glm::dvec3& along = this->Seen.Row[row];
@@ -120,6 +159,7 @@ public:
     const double depth = view.IsPerspective ? reach[0] : 1.0;
     const double pixels = std::max(reach[1], reach[2]) / depth;
     view.Reach = static_cast<float>(pixels);
+    view.DepthReach = static_cast<float>(std::abs(view.Middle[0]) + aroundDepth);
     const bool isAhead =
       !view.IsPerspective || reach[0] > nearest * static_cast<double>(view.Middle[0]);
     return this->IsKnown && isAhead && pixels < farthest;
@@ -130,6 +170,13 @@ private:
   /// Row[2] . q / Row[0] . q, where q = p - Origin. In parallel views, nothing is divided.
   struct TileRows
   {
+    /// Depth, column and row of what is so far away from Origin, in parallel views.
+    glm::dvec3 Place(const glm::dvec3& distance) const
+    {
+      return { glm::dot(this->Row[0], distance), glm::dot(this->Row[1], distance),
+        glm::dot(this->Row[2], distance) };
+    }
+
     std::array<glm::dvec3, 3> Row;
     glm::dvec3 Origin;
     bool IsPerspective;
@@ -205,9 +252,9 @@ private:
       static_cast<float>(offset / size - glm::dot(unit, this->Seen.Origin) + this->Slack());
   }
 
-  double Lattice; ///< lengths of all of its axes
+  double Lattice = 0.0; ///< lengths of all of its axes
   bool IsKnown = false;
-  glm::dvec3 Forward;
+  glm::dvec3 Forward{ 0.0 };
   TileRows Seen{};
   TilePlanes Around{};
 };

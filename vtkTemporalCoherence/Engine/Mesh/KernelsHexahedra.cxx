@@ -38,9 +38,7 @@ std::uint64_t HexahedronCrossingsOf(const HexahedronFunctions& cell, const MeshR
     const SameFunctions<D> functions(cell, axis);
     now.Count = next.Count = 0;
     RootWork work{ rays, &now, &next, several };
-    ForEachVector(along,
-      [&](std::size_t i, std::uint64_t wanted) HWY_ATTR
-      { LookIntoCell<D>(functions, i, wanted, work, found); });
+    LookIntoCell<D>(functions, along, work, found);
     LookRoundByRound<D>(functions, work);
     alone |= work.Alone;
   }
@@ -54,9 +52,7 @@ std::uint64_t HexahedronPairCrossingsOf(const HexahedronFunctions* cells, const 
   RootItems now, next;
   const OwnFunctions<D> functions(cells, rays);
   RootWork work{ rays, &now, &next, several };
-  ForEachVector(which,
-    [&](std::size_t i, std::uint64_t wanted) HWY_ATTR
-    { LookIntoCell<D>(functions, i, wanted, work, found); });
+  LookIntoCell<D>(functions, which, work, found);
   LookRoundByRound<D>(functions, work);
   return work.Alone;
 }

@@ -74,10 +74,10 @@ struct RootBoxes
     }
   }
 
-  /// Whole cells, one for each ray from the first one on.
-  HWY_INLINE explicit RootBoxes(std::size_t first)
+  /// Whole cells, one for each ray.
+  HWY_INLINE explicit RootBoxes(Places<D> rays)
     : Count(hn::Lanes(D()))
-    , Ray(hn::Iota(DI(), static_cast<std::int64_t>(first)))
+    , Ray(rays)
   {
     for (std::size_t a = 0; a < 3; ++a)
     {
@@ -193,20 +193,24 @@ HWY_INLINE std::uint64_t LookInto(const Functions& functions, const Rays& rays, 
 }
 
 /// Find the crossings of a vector of rays with a cell; what takes longer becomes boxes.
-template <class D, class Functions>
-HWY_INLINE void LookIntoCell(
-  const Functions& functions, std::size_t i, std::uint64_t wanted, RootWork& work, Crossings& found)
+/// \param ray    of each lane
+/// \param wanted bits of lanes
+template <class D, class Functions, class Rays>
+HWY_INLINE void LookIntoCell(const Functions& functions, const Rays& rays, Places<D> ray,
+  std::uint64_t wanted, RootWork& work, Crossings& found)
 {
   const D d;
-  const ShearedRays<D> rays(work.Rays, i);
-  const auto ray = hn::Iota(hn::RebindToSigned<D>(), static_cast<std::int64_t>(i));
+  HWY_ALIGN std::int64_t places[hn::MaxLanes(D())];
+  hn::Store(ray, hn::RebindToSigned<D>(), places);
   const StraightSystem<D> system(functions, rays, ray);
   KnownPart<D> part(system);
   wanted &= ~BitsOf(d, part.IsOut);
-  const std::uint64_t alone =
-    wanted & ~BitsOf(d, hn::Lt(system.Error, hn::Set(d, MostErrorOfSystem)));
-  work.Alone |= alone << i;
+  std::uint64_t alone = wanted & ~BitsOf(d, hn::Lt(system.Error, hn::Set(d, MostErrorOfSystem)));
   wanted &= ~alone;
+  for (; alone != 0; alone &= alone - 1)
+  {
+    work.Alone |= std::uint64_t(1) << places[hwy::Num0BitsBelowLS1Bit_Nonzero64(alone)];
+  }
   if (wanted == 0)
   {
     return;
@@ -217,16 +221,42 @@ HWY_INLINE void LookIntoCell(
       for (; met != 0; met &= met - 1)
       {
         const auto lane = static_cast<std::size_t>(hwy::Num0BitsBelowLS1Bit_Nonzero64(met));
+        const auto place = static_cast<std::size_t>(places[lane]);
         const double t = crossings.T[lane];
-        if (t >= work.Rays.Begin[i + lane] && t <= work.Rays.End[i + lane])
+        if (t >= work.Rays.Begin[place] && t <= work.Rays.End[place])
         {
-          found.Append(i + lane, t, (crossings.Rising >> lane & 1u) != 0);
+          found.Append(place, t, (crossings.Rising >> lane & 1u) != 0);
         }
       }
     });
   if (left != 0)
   {
-    PushParts(RootBoxes<D>(i), part, left, work);
+    PushParts(RootBoxes<D>(ray), part, left, work);
+  }
+}
+
+/// The same for all wanted rays, side by side, so that vectors are full: of a tile's rows of
+/// pixels, a cell covers parts.
+template <class D, class Functions>
+HWY_INLINE void LookIntoCell(
+  const Functions& functions, std::uint64_t which, RootWork& work, Crossings& found)
+{
+  const hn::RebindToSigned<D> di;
+  constexpr std::size_t most = hn::MaxLanes(D());
+  HWY_ALIGN std::int64_t places[MeshRays::Capacity + most];
+  std::size_t count = 0;
+  for (std::uint64_t left = which; left != 0; left &= left - 1)
+  {
+    places[count++] = static_cast<std::int64_t>(hwy::Num0BitsBelowLS1Bit_Nonzero64(left));
+  }
+  // No lane is uninitialised.
+  std::fill_n(places + count, most, places[count - 1]);
+  for (std::size_t i = 0; i < count; i += hn::Lanes(D()))
+  {
+    const std::size_t lanes = std::min(hn::Lanes(D()), count - i);
+    const auto ray = hn::Load(di, &places[i]);
+    LookIntoCell<D>(functions, GatheredRays<D>(work.Rays, ray), ray,
+      (std::uint64_t(1) << lanes) - 1, work, found);
   }
 }
 

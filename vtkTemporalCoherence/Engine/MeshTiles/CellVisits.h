@@ -12,11 +12,65 @@
 #include "MeshTiles/SeenStrip.h"
 #include "Scene/RayBatch.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
 namespace TemporalCoherence
 {
+
+/// The prepared cells of a leaf, and what a tile sees of them.
+struct CellsInLeaf
+{
+  /// \param key   of the leaf and the cells
+  /// \param box   of the leaf
+  /// \param which one bit for each ray that may pass the leaf
+  /// \throws std::bad_alloc
+  void See(const PreparedCells& cells, std::int64_t key, const FloatBox& box, const MeshTile& tile,
+    std::uint64_t which)
+  {
+    this->Cells = &cells;
+    this->Which = which;
+    this->Seen.Count = 0;
+    this->AreSeen = tile.Grid.IsGrid() &&
+      SeenStrip::OfThread().FindPixels(tile, key, cells.Outlines, box, this->Seen);
+    for (std::size_t i = 0; i < this->Seen.Count; ++i)
+    {
+      cells.Prefetch(this->Seen.Cell[i]);
+    }
+  }
+
+  /// Call visit(place, rays) for each cell that rays may pass.
+  /// \param limits as below
+  /// \return number of cells visited
+  template <typename Visit>
+  std::int64_t VisitAll(
+    const MeshTile& tile, const RayBatch::Array<double>& limits, const Visit& visit) const
+  {
+    std::int64_t visited = 0;
+    const std::size_t count = this->AreSeen ? this->Seen.Count : this->Cells->Count();
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const std::size_t cell = this->AreSeen ? this->Seen.Cell[i] : i;
+      const std::uint64_t which = this->AreSeen
+        ? RaysReaching(tile.Rays, this->Which & this->Seen.Pixels[i], limits,
+            static_cast<double>(this->Seen.Depth[i]))
+        : RaysThrough(tile.Rays, this->Which, limits, this->Cells->BoxOf(cell, tile.Tree),
+            tile.MarginOfLanes);
+      if (which != 0)
+      {
+        ++visited;
+        visit(cell, which);
+      }
+    }
+    return visited;
+  }
+
+  const PreparedCells* Cells;
+  SeenCells Seen;
+  std::uint64_t Which;
+  bool AreSeen; ///< false: nothing is known of the rays but that they may pass the leaf
+};
 
 /// Call visit(place, rays) for each of the prepared cells of a leaf that rays may pass, with one
 /// bit for each of these rays. Visits may bring limits nearer.
@@ -31,32 +85,9 @@ std::int64_t VisitCellsOf(const PreparedCells& cells, std::int64_t key, const Fl
   const MeshTile& tile, std::uint64_t wanted, const RayBatch::Array<double>& limits,
   const Visit& visit)
 {
-  std::int64_t visited = 0;
-  const auto visitIfAny = [&](std::size_t cell, std::uint64_t which)
-  {
-    if (which != 0)
-    {
-      ++visited;
-      visit(cell, which);
-    }
-  };
-  SeenCells seen;
-  if (tile.Grid.IsGrid() && SeenStrip::OfThread().FindPixels(tile, key, cells.Outlines, box, seen))
-  {
-    for (std::size_t i = 0; i < seen.Count; ++i)
-    {
-      visitIfAny(seen.Cell[i],
-        RaysReaching(
-          tile.Rays, wanted & seen.Pixels[i], limits, static_cast<double>(seen.Depth[i])));
-    }
-    return visited;
-  }
-  for (std::size_t cell = 0; cell < cells.Count(); ++cell)
-  {
-    visitIfAny(cell,
-      RaysThrough(tile.Rays, wanted, limits, cells.BoxOf(cell, tile.Tree), tile.MarginOfLanes));
-  }
-  return visited;
+  CellsInLeaf leaf;
+  leaf.See(cells, key, box, tile, wanted);
+  return leaf.VisitAll(tile, limits, visit);
 }
 
 /// Of some rays, those that may pass a leaf before their limits.
@@ -66,6 +97,27 @@ inline std::uint64_t RaysInto(const ActiveLeaves::Leaf& leaf, const MeshTile& ti
   return tile.Grid.IsGrid()
     ? RaysReaching(tile.Rays, wanted, limits, tile.Grid.ToSeenDepth(leaf.Depth, tile.Margin))
     : RaysThrough(tile.Rays, wanted, limits, tile.Tree.LeafBox(leaf.Number), tile.Margin);
+}
+
+/// Ask for the memory of leaves that come soon.
+HWY_INLINE void PrefetchLeaves(const MeshTile& tile, const PreparedLeaves& prepared, std::size_t i)
+{
+  constexpr std::size_t soon = 2, later = 4;
+  if (i + later < tile.Leaves.size())
+  {
+    if (const PreparedCells* const cells = prepared.Known(tile.Leaves[i + later].Number, 0))
+    {
+      PrefetchAll(cells, 1);
+    }
+  }
+  if (i + soon < tile.Leaves.size() && tile.Grid.IsGrid())
+  {
+    const std::int64_t leaf = tile.Leaves[i + soon].Number;
+    if (const PreparedCells* const cells = prepared.Known(leaf, 0))
+    {
+      SeenStrip::OfThread().Prefetch(prepared.KeyOf(leaf, 0), cells->Outlines);
+    }
+  }
 }
 
 /// Call visit(surface, cells, place in these, rays) for each cell that a surface passes and rays
@@ -79,29 +131,40 @@ std::int64_t VisitCells(const MeshTile& tile, const ActiveLeaves& active,
   const Visit& visit)
 {
   std::int64_t visited = 0;
-  PreparedCells spare;
-  const std::size_t surfaces = prepared.NumberOfIsovalues();
-  for (const ActiveLeaves::Leaf& leaf : tile.Leaves)
+  // Cells are visited after those of the next leaf were seen, which takes as long as memory needs
+  // to bring them.
+  std::array<CellsInLeaf, 2> leaves;
+  std::array<PreparedCells, 2> spare;
+  std::size_t seen = 0, surfaceSeen = 0;
+  const auto visitLast = [&]
   {
+    const CellsInLeaf& last = leaves[(seen + 1) % 2];
+    visited += seen == 0 ? 0
+                         : last.VisitAll(tile, limits,
+                             [&](std::size_t cell, std::uint64_t which)
+                             { visit(surfaceSeen, *last.Cells, cell, which); });
+  };
+  for (std::size_t i = 0; i < tile.Leaves.size(); ++i)
+  {
+    const ActiveLeaves::Leaf& leaf = tile.Leaves[i];
     const std::uint64_t ofLeaf = RaysInto(leaf, tile, wanted, limits);
-    if (ofLeaf == 0)
+    if (ofLeaf == 0 && tile.Grid.IsGrid())
     {
-      if (tile.Grid.IsGrid())
-      {
-        break; // Leaves farther away are not nearer than limits, either.
-      }
-      continue;
+      break; // Leaves farther away are not nearer than limits, either.
     }
-    for (std::size_t surface = 0; surface < surfaces; ++surface)
+    PrefetchLeaves(tile, prepared, i);
+    for (std::size_t surface = 0; ofLeaf != 0 && surface < prepared.NumberOfIsovalues(); ++surface)
     {
       const PreparedCells& cells =
-        prepared.Of(leaf.Number, surface, active.CellsOf(leaf.Number), spare);
-      const auto key =
-        leaf.Number * static_cast<std::int64_t>(surfaces) + static_cast<std::int64_t>(surface);
-      visited += VisitCellsOf(cells, key, tile.Tree.LeafBox(leaf.Number), tile, ofLeaf, limits,
-        [&](std::size_t cell, std::uint64_t which) { visit(surface, cells, cell, which); });
+        prepared.Of(leaf.Number, surface, active.CellsOf(leaf.Number), spare[seen % 2]);
+      leaves[seen % 2].See(
+        cells, prepared.KeyOf(leaf.Number, surface), tile.Tree.LeafBox(leaf.Number), tile, ofLeaf);
+      visitLast();
+      surfaceSeen = surface;
+      ++seen;
     }
   }
+  visitLast();
   return visited;
 }
 

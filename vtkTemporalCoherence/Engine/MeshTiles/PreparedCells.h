@@ -16,8 +16,25 @@
 #include <cstdint>
 #include <vector>
 
+#include <hwy/cache_control.h>
+
 namespace TemporalCoherence
 {
+
+/// Ask for memory that will be read. GCC leaves out calls that do no more than this, so what calls
+/// it has to be inlined, too.
+template <typename T>
+HWY_INLINE void PrefetchAll(const T* first, std::size_t count)
+{
+  constexpr std::size_t line = 64;
+  const char* const begin = reinterpret_cast<const char*>(first);
+  const char* const end = begin + count * sizeof(T);
+  for (const char* at = begin; at < end; at += line)
+  {
+    hwy::Prefetch(at);
+  }
+  hwy::Prefetch(end - 1); // It may lie in one more line.
+}
 
 /// What cells are prepared for.
 enum class CellPurpose : std::uint8_t
@@ -56,6 +73,19 @@ struct PreparedCells
   }
 
   SolidCell SolidAt(std::size_t cell) const;
+
+  /// Ask for what a search reads of a cell.
+  HWY_INLINE void Prefetch(std::size_t cell) const
+  {
+    if (this->IsTetrahedron(cell))
+    {
+      PrefetchAll(&this->Tetrahedra[cell], 1);
+    }
+    else
+    {
+      PrefetchAll(&this->HexahedronAt(cell).Functions, 1);
+    }
+  }
 
   /// The box around a cell in index space, rounded as those of BoxLanes.
   FloatBox BoxOf(std::size_t cell, const MeshTree& tree) const;

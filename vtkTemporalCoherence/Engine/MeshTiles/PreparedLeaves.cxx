@@ -52,10 +52,16 @@ void PreparedLeaves::Prepare(
   PrepareCells(this->Tree, leaf, active, this->FromIsovalues[isovalue], this->Purpose, cells);
 }
 
+const PreparedCells* PreparedLeaves::Known(std::int64_t leaf, std::size_t isovalue) const
+{
+  return this->IsRoomForSlots() ? this->SlotOf(leaf, isovalue).load(std::memory_order_acquire)
+                                : nullptr;
+}
+
 const PreparedCells& PreparedLeaves::Of(
   std::int64_t leaf, std::size_t isovalue, std::uint64_t active, PreparedCells& spare) const
 {
-  if (this->NumberOfSlots * sizeof(Slot) > static_cast<std::size_t>(MostBytes))
+  if (!this->IsRoomForSlots())
   {
     this->Prepare(leaf, isovalue, active, spare);
     return spare;
@@ -65,7 +71,7 @@ const PreparedCells& PreparedLeaves::Of(
   {
     return *known;
   }
-  if (this->Bytes.load(std::memory_order_relaxed) > MostBytes)
+  if (this->Bytes.load(std::memory_order_relaxed) > static_cast<std::int64_t>(MostBytes))
   {
     this->Prepare(leaf, isovalue, active, spare);
     return spare;

@@ -43,13 +43,24 @@ public:
   const PreparedCells& Of(
     std::int64_t leaf, std::size_t isovalue, std::uint64_t active, PreparedCells& spare) const;
 
+  /// The same cells, or null if they are not kept, or not yet.
+  const PreparedCells* Known(std::int64_t leaf, std::size_t isovalue) const;
+
+  /// No other cells have this number.
+  std::int64_t KeyOf(std::int64_t leaf, std::size_t isovalue) const
+  {
+    return leaf * static_cast<std::int64_t>(this->Isovalues.size()) +
+      static_cast<std::int64_t>(isovalue);
+  }
+
 private:
   /// What is kept at most, with a slot for each leaf and isovalue. Measured: the surfaces of 10
   /// million tetrahedra take 100 MB.
-  static constexpr std::int64_t MostBytes = 256 << 20;
+  static constexpr std::size_t MostBytes = 256 << 20;
 
   using Slot = std::atomic<const PreparedCells*>;
 
+  bool IsRoomForSlots() const { return this->NumberOfSlots * sizeof(Slot) <= MostBytes; }
   Slot& SlotOf(std::int64_t leaf, std::size_t isovalue) const;
   void Prepare(
     std::int64_t leaf, std::size_t isovalue, std::uint64_t active, PreparedCells& cells) const;

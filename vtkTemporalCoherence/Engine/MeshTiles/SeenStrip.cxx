@@ -27,9 +27,9 @@ void SeenStrip::Enter(const MeshTile& tile)
 
 void SeenStrip::Forget()
 {
-  if (this->Used > 0 || this->Entries.empty())
+  if (this->Used > 0)
   {
-    this->Entries.assign(std::max(this->Entries.size(), LeastEntries), Entry());
+    std::fill(this->Entries.begin(), this->Entries.end(), Entry());
   }
   this->Used = 0;
   this->Blocks.clear();

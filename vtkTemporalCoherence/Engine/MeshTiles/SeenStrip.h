@@ -5,6 +5,7 @@
 
 #include "MeshTiles/KernelsOutlines.h"
 #include "MeshTiles/MeshTile.h"
+#include "MeshTiles/PreparedCells.h"
 #include "Trees/MeshBoxes.h"
 
 #include <cstddef>
@@ -33,6 +34,16 @@ public:
   bool FindPixels(const MeshTile& tile, std::int64_t key, const CellOutlines& cells,
     const FloatBox& box, SeenCells& seen);
 
+  /// Ask for the outlines of a leaf that will be seen.
+  HWY_INLINE void Prefetch(std::int64_t key, const CellOutlines& cells)
+  {
+    if (this->At(key).Key != key)
+    {
+      PrefetchAll(cells.Polygons.At.data(), cells.Polygons.At.size());
+      PrefetchAll(cells.Hulls.At.data(), cells.Hulls.At.size());
+    }
+  }
+
 private:
   /// The blocks of a leaf.
   struct Entry
@@ -53,11 +64,12 @@ private:
   Entry& At(std::int64_t key);
   const Entry& See(std::int64_t key, const CellOutlines& cells, const FloatBox& box);
 
-  std::uint64_t Stamp = 0;    ///< of the active leaves
-  std::uint64_t Tile = 0;     ///< the number of the last one
-  TileGrid Grid;              ///< of the first tile
-  double Column = 0.0;        ///< the first one of the last tile, in the grid
-  std::vector<Entry> Entries; ///< a table by the key, a power of two; at most half are in use
+  std::uint64_t Stamp = 0; ///< of the active leaves
+  std::uint64_t Tile = 0;  ///< the number of the last one
+  TileGrid Grid;           ///< of the first tile
+  double Column = 0.0;     ///< the first one of the last tile, in the grid
+  std::vector<Entry> Entries = std::vector<Entry>(
+    LeastEntries); ///< a table by the key, a power of two; at most half are in use
   std::size_t Used = 0;
   std::vector<SeenBlock> Blocks;
 };

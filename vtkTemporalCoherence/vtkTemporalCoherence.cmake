@@ -97,9 +97,11 @@ set(engine_files
   MeshTiles/CellValues
   MeshTiles/KernelsBoxes
   MeshTiles/KernelsOutlines
+  MeshTiles/KernelsSlabs
   MeshTiles/KernelsTileGrid
   MeshTiles/PreparedCells
   MeshTiles/PreparedLeaves
+  MeshTiles/SlabOutlines
   MeshFields/MeshBandRays
   MeshFields/MeshBandTracer
   MeshFields/MeshCellSearch

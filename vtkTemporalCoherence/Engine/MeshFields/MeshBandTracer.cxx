@@ -3,9 +3,11 @@
 #include "MeshFields/MeshBandTracer.h"
 
 #include "MeshTiles/CellVisits.h"
+#include "MeshTiles/KernelsSlabs.h"
 #include "MeshTiles/MeshDifference.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -18,9 +20,6 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 /// Passages of a tile that are kept at most before rays take note of them.
 constexpr std::size_t MostAhead = 4096;
-
-/// Room for rounding errors of differences, which are not much larger than 1: far more than needed.
-constexpr double SlackOfValues = 0x1p-40;
 
 /// Bounds of what a ray meets in a cell.
 struct Bounds
@@ -55,11 +54,11 @@ MeshBandTracer::MeshBandTracer(
   : Scene(scene)
   , Tree(tree)
   , Leaves(kind, tree, boxes, scene.Active)
-  , Prepared(tree, { scene.Band.Low }, scene.FiniteRange, CellPurpose::Bands)
   , Unit(BandScale(scene.Samples.Type, scene.Band, scene.FiniteRange).Isovalues.Factor /
       MeshDifference(scene.Band.Low, scene.FiniteRange).Unit())
   , Width(BandScale(scene.Samples.Type, scene.Band, scene.FiniteRange).Span / this->Unit)
-  , Slack(SlackOfValues * (1.0 + this->Width))
+  , Prepared(tree, { scene.Band.Low }, scene.FiniteRange, CellPurpose::Bands,
+      scene.Mode == SurfaceMode::Threshold ? Infinity : this->Width)
 {
 }
 
@@ -100,31 +99,49 @@ std::int64_t MeshBandTracer::Visit(const PreparedCells& cells, std::int64_t leaf
   const MeshTile& tile, std::uint64_t wanted, MeshBandRays& band) const
 {
   std::int64_t visited = 0;
-  const CellsToVisit order(cells, this->Tree.LeafBox(leaf), tile.Grid, wanted);
-  for (const std::uint8_t cell : order)
+  const FloatBox& box = this->Tree.LeafBox(leaf);
+  const auto placeOf = [&](std::size_t cell)
   {
-    std::uint64_t which = order.RaysOf(cell);
-    const bool isTetrahedron = cells.IsTetrahedron(cell);
-    if (!order.AreSeen() || !isTetrahedron)
-    {
-      which = RaysThrough(
-        tile.Rays, which, band.Limits(), cells.BoxOf(cell, this->Tree), tile.MarginOfLanes);
-    }
+    const glm::ivec3 place =
+      MeshTree::PlaceOf(MeshLattice::SizeOfBlock * leaf + cells.Places[cell]);
+    return CellIndex{ static_cast<std::uint16_t>(place.x), static_cast<std::uint16_t>(place.y),
+      static_cast<std::uint16_t>(place.z) };
+  };
+  const auto throughBox = [&](std::size_t cell, std::uint64_t which)
+  {
+    return RaysThrough(
+      tile.Rays, which, band.Limits(), cells.BoxOf(cell, this->Tree), tile.MarginOfLanes);
+  };
+  const std::size_t tetrahedra = cells.Tetrahedra.size();
+  OutlineView view;
+  const bool areSeen = tetrahedra > 0 && tile.Grid.See(box, view);
+  std::array<std::uint64_t, MeshLattice::SizeOfBlock> pixels;
+  if (areSeen)
+  {
+    PixelsOfSlabs(view, cells.Slabs, pixels);
+  }
+  for (std::size_t cell = 0; cell < tetrahedra; ++cell)
+  {
+    const std::uint64_t which = areSeen ? pixels[cell] & wanted : throughBox(cell, wanted);
     if (which != 0)
     {
       ++visited;
-      const glm::ivec3 place =
-        MeshTree::PlaceOf(MeshLattice::SizeOfBlock * leaf + cells.Places[cell]);
-      const CellIndex index = { static_cast<std::uint16_t>(place.x),
-        static_cast<std::uint16_t>(place.y), static_cast<std::uint16_t>(place.z) };
-      if (isTetrahedron)
-      {
-        this->Append(cells.Tetrahedra[cell], index, tile, which, band);
-      }
-      else
-      {
-        this->Append(cells.HexahedronAt(cell), index, tile, which, band);
-      }
+      this->Append(cells.Tetrahedra[cell], placeOf(cell), tile, which, band);
+    }
+  }
+  if (tetrahedra == cells.Count())
+  {
+    return visited;
+  }
+  const CellsToVisit order(cells, box, tile.Grid, wanted);
+  for (const std::uint8_t cell : order)
+  {
+    const std::uint64_t which =
+      cells.IsTetrahedron(cell) ? 0 : throughBox(cell, order.RaysOf(cell));
+    if (which != 0)
+    {
+      ++visited;
+      this->Append(cells.HexahedronAt(cell), placeOf(cell), tile, which, band);
     }
   }
   return visited;
@@ -157,7 +174,7 @@ void MeshBandTracer::Append(const MeshKernels::TetrahedronPoints& cell, const Ce
     std::all_of(cell.Values.begin(), cell.Values.end(), MeshDifference::IsFinite);
   // What lies beside the band does not matter, but for solids.
   const bool isAll = !isFinite || this->Scene.Mode == SurfaceMode::Threshold;
-  const double slack = isAll ? Infinity : this->Slack;
+  const double slack = isAll ? Infinity : MeshDifference::Slack(this->Width);
   MeshKernels::SpanList spans;
   MeshKernels::TetrahedronSpansWithin(cell, tile.InMesh, which, -slack, this->Width + slack, spans);
   for (std::size_t i = 0; i < spans.Count; ++i)

@@ -41,10 +41,9 @@ private:
   BandScene Scene;
   const MeshTree& Tree;
   ActiveLeaves Leaves;
-  PreparedLeaves Prepared;
   double Unit;  ///< of the band's scale, in those of differences
   double Width; ///< of the band, as a difference
-  double Slack; ///< of differences, against rounding
+  PreparedLeaves Prepared;
 };
 
 }

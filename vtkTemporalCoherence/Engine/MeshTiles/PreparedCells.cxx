@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace TemporalCoherence
 {
@@ -61,11 +62,12 @@ class CellPreparer
 {
 public:
   CellPreparer(const MeshTree& tree, std::int64_t leaf, const MeshDifference& difference,
-    CellPurpose purpose, PreparedCells& cells)
+    CellPurpose purpose, double width, PreparedCells& cells)
     : Tree(tree)
     , Middle(tree.LeafBox(leaf).Middle())
     , Difference(difference)
     , Purpose(purpose)
+    , Width(width)
     , Cells(cells)
   {
     cells.Purpose = purpose;
@@ -128,15 +130,39 @@ private:
 
   void Outline()
   {
-    this->Cells.Outlines.Resize(this->Cells.Count());
-    for (std::size_t i = 0; i < this->Cells.Tetrahedra.size(); ++i)
+    const std::size_t tetrahedra = this->Cells.Tetrahedra.size(), count = this->Cells.Count();
+    const bool isBand = this->Purpose == CellPurpose::Bands;
+    this->Cells.Slabs.Resize(isBand ? tetrahedra : 0);
+    this->Cells.Outlines.Resize(isBand && tetrahedra == count ? 0 : count);
+    for (std::size_t i = 0; i < tetrahedra; ++i)
     {
-      this->Outline(i, this->Cells.Tetrahedra[i]);
+      isBand ? this->OutlineSlab(i, this->Cells.Tetrahedra[i])
+             : this->Outline(i, this->Cells.Tetrahedra[i]);
     }
-    for (std::size_t i = this->Cells.Tetrahedra.size(); i < this->Cells.Count(); ++i)
+    for (std::size_t i = tetrahedra; i < count; ++i)
     {
-      this->Outline(i, this->Cells.Hexahedra[i - this->Cells.Tetrahedra.size()]);
+      this->Outline(i, this->Cells.Hexahedra[i - tetrahedra]);
     }
+  }
+
+  void OutlineSlab(std::size_t at, const MeshKernels::TetrahedronPoints& cell)
+  {
+    SlabOutlines::Points points;
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      points[i] = this->Tree.ToIndex(cell.Points[i]) - this->Middle;
+    }
+    const bool isFinite =
+      std::all_of(cell.Values.begin(), cell.Values.end(), MeshDifference::IsFinite);
+    // Whatever is not finite may have any value of the band.
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const double slack = isFinite ? MeshDifference::Slack(this->Width) : infinity;
+    glm::dvec3* const slab = &points[SlabOutlines::Vertices];
+    if (!FindSlab(points.data(), cell.Values, -slack, this->Width + slack, slab))
+    {
+      std::fill_n(slab, SlabOutlines::SlabCorners, points[0]); // beside the band
+    }
+    this->Cells.Slabs.Set(at, points);
   }
 
   void Outline(std::size_t at, const MeshKernels::TetrahedronPoints& cell)
@@ -175,13 +201,14 @@ private:
   glm::dvec3 Middle;
   const MeshDifference& Difference;
   CellPurpose Purpose;
+  double Width;
   PreparedCells& Cells;
 };
 
 }
 
 void PrepareCells(const MeshTree& tree, std::int64_t leaf, std::uint64_t which,
-  const MeshDifference& difference, CellPurpose purpose, PreparedCells& cells)
+  const MeshDifference& difference, CellPurpose purpose, PreparedCells& cells, double width)
 {
   MeshReader::Together<std::uint8_t> places;
   MeshReader::Together<CellNumber> numbers;
@@ -195,7 +222,7 @@ void PrepareCells(const MeshTree& tree, std::int64_t leaf, std::uint64_t which,
     });
   MeshReader::Together<MeshCell> read;
   tree.Reader().ReadAll(numbers, count, read);
-  CellPreparer(tree, leaf, difference, purpose, cells).Take(places, numbers, read, count);
+  CellPreparer(tree, leaf, difference, purpose, width, cells).Take(places, numbers, read, count);
 }
 
 SolidCell PreparedCells::SolidAt(std::size_t cell) const
@@ -229,7 +256,7 @@ FloatBox PreparedCells::BoxOf(std::size_t cell, const MeshTree& tree) const
 
 std::size_t PreparedCells::SizeInBytes() const
 {
-  return sizeof(PreparedCells) + this->Outlines.SizeInBytes() +
+  return sizeof(PreparedCells) + this->Outlines.SizeInBytes() + this->Slabs.SizeInBytes() +
     this->Numbers.capacity() * sizeof(CellNumber) + this->Places.capacity() +
     this->Tetrahedra.capacity() * sizeof(MeshKernels::TetrahedronPoints) +
     this->Hexahedra.capacity() * sizeof(PreparedHexahedron);

@@ -9,6 +9,7 @@
 #include "MeshTiles/CellOutlines.h"
 #include "MeshTiles/KernelsBoxes.h"
 #include "MeshTiles/MeshDifference.h"
+#include "MeshTiles/SlabOutlines.h"
 #include "Scene/Frame.h"
 #include "Trees/MeshTree.h"
 
@@ -65,7 +66,8 @@ struct PreparedCells
   CellPurpose Purpose;
   std::vector<CellNumber> Numbers;
   std::vector<std::uint8_t> Places; ///< in the leaf
-  CellOutlines Outlines;
+  CellOutlines Outlines;            ///< in bands only if there are hexahedra
+  SlabOutlines Slabs;               ///< of tetrahedra, in bands
   std::vector<MeshKernels::TetrahedronPoints> Tetrahedra;
   std::vector<PreparedHexahedron> Hexahedra;
 };
@@ -73,9 +75,10 @@ struct PreparedCells
 /// Read and prepare cells of a leaf.
 /// \param which one bit for each cell that may count
 /// \param cells gets those that count
+/// \param width of a band, as a difference
 /// \throws std::bad_alloc
 void PrepareCells(const MeshTree& tree, std::int64_t leaf, std::uint64_t which,
-  const MeshDifference& difference, CellPurpose purpose, PreparedCells& cells);
+  const MeshDifference& difference, CellPurpose purpose, PreparedCells& cells, double width = 0.0);
 
 }
 

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_KernelsSlabs_h
+#define TemporalCoherence_KernelsSlabs_h
+
+#include "MeshTiles/KernelsOutlines.h"
+#include "MeshTiles/SlabOutlines.h"
+
+#include <array>
+#include <cstdint>
+
+namespace TemporalCoherence
+{
+
+/// Find the pixels of a tile that may see values of the band in each tetrahedron of a leaf.
+/// \param pixels one bit each for every cell: column + 8 row
+void PixelsOfSlabs(
+  const OutlineView& view, const SlabOutlines& cells, std::array<std::uint64_t, 64>& pixels);
+
+}
+
+#endif

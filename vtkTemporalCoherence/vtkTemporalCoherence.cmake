@@ -101,7 +101,6 @@ set(engine_files
   MeshTiles/KernelsTileGrid
   MeshTiles/PreparedCells
   MeshTiles/PreparedLeaves
-  MeshTiles/SlabOutlines
   MeshFields/MeshBandRays
   MeshFields/MeshBandTracer
   MeshFields/MeshCellSearch

@@ -57,8 +57,7 @@ MeshBandTracer::MeshBandTracer(
   , Unit(BandScale(scene.Samples.Type, scene.Band, scene.FiniteRange).Isovalues.Factor /
       MeshDifference(scene.Band.Low, scene.FiniteRange).Unit())
   , Width(BandScale(scene.Samples.Type, scene.Band, scene.FiniteRange).Span / this->Unit)
-  , Prepared(tree, { scene.Band.Low }, scene.FiniteRange, CellPurpose::Bands,
-      scene.Mode == SurfaceMode::Threshold ? Infinity : this->Width)
+  , Prepared(tree, { scene.Band.Low }, scene.FiniteRange, CellPurpose::Bands)
 {
 }
 
@@ -118,7 +117,7 @@ std::int64_t MeshBandTracer::Visit(const PreparedCells& cells, std::int64_t leaf
   std::array<std::uint64_t, MeshLattice::SizeOfBlock> pixels;
   if (areSeen)
   {
-    PixelsOfSlabs(view, cells.Slabs, pixels);
+    PixelsOfSlabs(view, cells.Slabs, this->IsSolid() ? Infinity : this->Width, pixels);
   }
   for (std::size_t cell = 0; cell < tetrahedra; ++cell)
   {
@@ -173,7 +172,7 @@ void MeshBandTracer::Append(const MeshKernels::TetrahedronPoints& cell, const Ce
   const bool isFinite =
     std::all_of(cell.Values.begin(), cell.Values.end(), MeshDifference::IsFinite);
   // What lies beside the band does not matter, but for solids.
-  const bool isAll = !isFinite || this->Scene.Mode == SurfaceMode::Threshold;
+  const bool isAll = !isFinite || this->IsSolid();
   const double slack = isAll ? Infinity : MeshDifference::Slack(this->Width);
   MeshKernels::SpanList spans;
   MeshKernels::TetrahedronSpansWithin(cell, tile.InMesh, which, -slack, this->Width + slack, spans);

@@ -30,6 +30,7 @@ public:
   std::int64_t Trace(const RayBatch& rays, TileKnots& knots) const override;
 
 private:
+  bool IsSolid() const { return this->Scene.Mode == SurfaceMode::Threshold; }
   std::int64_t Visit(const PreparedCells& cells, std::int64_t leaf, const MeshTile& tile,
     std::uint64_t wanted, MeshBandRays& band) const;
   void Append(const MeshKernels::TetrahedronPoints& cell, const CellIndex& index,

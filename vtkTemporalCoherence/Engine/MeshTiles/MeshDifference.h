@@ -68,9 +68,9 @@ public:
   /// Units of differences in one of values.
   double Unit() const { return this->Factor; }
 
-private:
   static constexpr double Largest = 4.0; ///< more than any of finite values
 
+private:
   double Isovalue, Factor, Scaled;
 };
 

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 namespace TemporalCoherence
 {
@@ -62,12 +61,11 @@ class CellPreparer
 {
 public:
   CellPreparer(const MeshTree& tree, std::int64_t leaf, const MeshDifference& difference,
-    CellPurpose purpose, double width, PreparedCells& cells)
+    CellPurpose purpose, PreparedCells& cells)
     : Tree(tree)
     , Middle(tree.LeafBox(leaf).Middle())
     , Difference(difference)
     , Purpose(purpose)
-    , Width(width)
     , Cells(cells)
   {
     cells.Purpose = purpose;
@@ -152,17 +150,7 @@ private:
     {
       points[i] = this->Tree.ToIndex(cell.Points[i]) - this->Middle;
     }
-    const bool isFinite =
-      std::all_of(cell.Values.begin(), cell.Values.end(), MeshDifference::IsFinite);
-    // Whatever is not finite may have any value of the band.
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    const double slack = isFinite ? MeshDifference::Slack(this->Width) : infinity;
-    glm::dvec3* const slab = &points[SlabOutlines::Vertices];
-    if (!FindSlab(points.data(), cell.Values, -slack, this->Width + slack, slab))
-    {
-      std::fill_n(slab, SlabOutlines::SlabCorners, points[0]); // beside the band
-    }
-    this->Cells.Slabs.Set(at, points);
+    this->Cells.Slabs.Set(at, points, cell.Values);
   }
 
   void Outline(std::size_t at, const MeshKernels::TetrahedronPoints& cell)
@@ -201,14 +189,13 @@ private:
   glm::dvec3 Middle;
   const MeshDifference& Difference;
   CellPurpose Purpose;
-  double Width;
   PreparedCells& Cells;
 };
 
 }
 
 void PrepareCells(const MeshTree& tree, std::int64_t leaf, std::uint64_t which,
-  const MeshDifference& difference, CellPurpose purpose, PreparedCells& cells, double width)
+  const MeshDifference& difference, CellPurpose purpose, PreparedCells& cells)
 {
   MeshReader::Together<std::uint8_t> places;
   MeshReader::Together<CellNumber> numbers;
@@ -222,7 +209,7 @@ void PrepareCells(const MeshTree& tree, std::int64_t leaf, std::uint64_t which,
     });
   MeshReader::Together<MeshCell> read;
   tree.Reader().ReadAll(numbers, count, read);
-  CellPreparer(tree, leaf, difference, purpose, width, cells).Take(places, numbers, read, count);
+  CellPreparer(tree, leaf, difference, purpose, cells).Take(places, numbers, read, count);
 }
 
 SolidCell PreparedCells::SolidAt(std::size_t cell) const

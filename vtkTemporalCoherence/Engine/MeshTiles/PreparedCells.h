@@ -75,10 +75,9 @@ struct PreparedCells
 /// Read and prepare cells of a leaf.
 /// \param which one bit for each cell that may count
 /// \param cells gets those that count
-/// \param width of a band, as a difference
 /// \throws std::bad_alloc
 void PrepareCells(const MeshTree& tree, std::int64_t leaf, std::uint64_t which,
-  const MeshDifference& difference, CellPurpose purpose, PreparedCells& cells, double width = 0.0);
+  const MeshDifference& difference, CellPurpose purpose, PreparedCells& cells);
 
 }
 

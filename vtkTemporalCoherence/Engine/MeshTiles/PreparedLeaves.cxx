@@ -8,12 +8,11 @@ namespace TemporalCoherence
 {
 
 PreparedLeaves::PreparedLeaves(const MeshTree& tree, const std::vector<double>& isovalues,
-  const glm::dvec2& finiteRange, CellPurpose purpose, double width)
+  const glm::dvec2& finiteRange, CellPurpose purpose)
   : Tree(tree)
   , NumberOfSlots(isovalues.size() * static_cast<std::size_t>(tree.NumberOfLeaves()))
   , Isovalues(isovalues)
   , Purpose(purpose)
-  , Width(width)
   , Bytes(static_cast<std::int64_t>(this->NumberOfSlots * sizeof(Slot)))
 {
   for (const double isovalue : isovalues)
@@ -50,8 +49,7 @@ void PreparedLeaves::Prepare(
     active &=
       this->Tree.CellsIn(leaf, { { low, this->Purpose == CellPurpose::Solids ? infinity : low } });
   }
-  PrepareCells(
-    this->Tree, leaf, active, this->FromIsovalues[isovalue], this->Purpose, cells, this->Width);
+  PrepareCells(this->Tree, leaf, active, this->FromIsovalues[isovalue], this->Purpose, cells);
 }
 
 const PreparedCells& PreparedLeaves::Of(

@@ -14,17 +14,12 @@
 namespace TemporalCoherence
 {
 
-/// Where the tetrahedra of a leaf have values of a band, as arrays over cells: what a tile needs to
-/// know which of its rays can meet the band in each.
-///
-/// Of each cell there are its four vertices, and then up to eight corners of its part between the
-/// lowest and the highest value of the band, its slab; the last one is repeated. The first four of
-/// these go around the slab, if it is thin. Points are relative to the middle of the leaf's box, in
-/// index space, in single precision.
+/// The vertices of the tetrahedra of a leaf and their values, as arrays over cells: what a tile
+/// needs to know which of its rays can meet a band in each. In single precision.
 struct SlabOutlines
 {
-  static constexpr std::size_t Vertices = 4, SlabCorners = 8, Corners = Vertices + SlabCorners;
-  using Points = std::array<glm::dvec3, Corners>;
+  static constexpr std::size_t Vertices = 4;
+  using Points = std::array<glm::dvec3, Vertices>;
 
   /// Make room for so many cells.
   /// \throws std::bad_alloc
@@ -32,25 +27,28 @@ struct SlabOutlines
   {
     this->Count = count;
     this->Lanes = WholeVectors(count);
-    this->At.resize(3 * Corners * this->Lanes);
+    this->At.resize(4 * Vertices * this->Lanes);
   }
 
-  void Set(std::size_t cell, const Points& points)
+  /// \param points relative to the middle of the leaf's box, in index space
+  /// \param values differences from the lowest value of the band
+  void Set(std::size_t cell, const Points& points, const std::array<double, Vertices>& values)
   {
-    for (std::size_t a = 0; a < 3; ++a)
+    for (std::size_t vertex = 0; vertex < Vertices; ++vertex)
     {
-      for (std::size_t corner = 0; corner < Corners; ++corner)
+      for (std::size_t a = 0; a < 3; ++a)
       {
-        this->At[this->PlaceOf(a, corner) + cell] =
-          static_cast<float>(points[corner][static_cast<glm::length_t>(a)]);
+        this->At[this->PlaceOf(a, vertex) + cell] =
+          static_cast<float>(points[vertex][static_cast<glm::length_t>(a)]);
       }
+      this->At[this->PlaceOf(3, vertex) + cell] = static_cast<float>(values[vertex]);
     }
   }
 
-  /// Where a coordinate of a corner of all cells begins.
-  std::size_t PlaceOf(std::size_t axis, std::size_t corner) const
+  /// Where a coordinate of a vertex of all cells begins, or (axis 3) its value.
+  std::size_t PlaceOf(std::size_t axis, std::size_t vertex) const
   {
-    return (axis * Corners + corner) * this->Lanes;
+    return (axis * Vertices + vertex) * this->Lanes;
   }
 
   std::size_t SizeInBytes() const { return sizeof(float) * this->At.capacity(); }
@@ -59,12 +57,6 @@ struct SlabOutlines
   std::size_t Lanes = 0; ///< the same in whole vectors; those beyond Count have no meaning
   std::vector<float> At;
 };
-
-/// Find the corners of the part of a tetrahedron between two values.
-/// \param corners gets eight points in index space, the last one repeated
-/// \return false if no part of it lies there
-bool FindSlab(const glm::dvec3* vertices, const std::array<double, 4>& values, double low,
-  double high, glm::dvec3* corners);
 
 }
 

@@ -21,6 +21,16 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 /// Passages of a tile that are kept at most before rays take note of them.
 constexpr std::size_t MostAhead = 4096;
 
+bool AreFinite(const double* differences, std::size_t count)
+{
+  bool areFinite = true;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    areFinite &= MeshDifference::IsFinite(differences[i]);
+  }
+  return areFinite;
+}
+
 /// Bounds of what a ray meets in a cell.
 struct Bounds
 {
@@ -92,6 +102,17 @@ std::int64_t MeshBandTracer::Trace(const RayBatch& rays, TileKnots& knots) const
   return cellsRead;
 }
 
+/// Values of a hexahedron as differences from the middle of the band. They may be 0 wherever they
+/// are within the band.
+NearlyLinear MeshBandTracer::FromMiddle(const PreparedHexahedron& cell) const
+{
+  NearlyLinear values = cell.Values;
+  values.AtZero -= 0.5 * this->Width;
+  values.Bend += 0.5 * this->Width + MeshDifference::Slack(this->Width);
+  const bool isAll = this->IsSolid() || !AreFinite(cell.Differences.data(), 8);
+  return isAll ? NearlyLinear() : values;
+}
+
 /// Visit the cells of a leaf that rays pass.
 /// \return their number
 std::int64_t MeshBandTracer::Visit(const PreparedCells& cells, std::int64_t leaf,
@@ -106,11 +127,6 @@ std::int64_t MeshBandTracer::Visit(const PreparedCells& cells, std::int64_t leaf
     return CellIndex{ static_cast<std::uint16_t>(place.x), static_cast<std::uint16_t>(place.y),
       static_cast<std::uint16_t>(place.z) };
   };
-  const auto throughBox = [&](std::size_t cell, std::uint64_t which)
-  {
-    return RaysThrough(
-      tile.Rays, which, band.Limits(), cells.BoxOf(cell, this->Tree), tile.MarginOfLanes);
-  };
   const std::size_t tetrahedra = cells.Tetrahedra.size();
   OutlineView view;
   const bool areSeen = tetrahedra > 0 && tile.Grid.See(box, view);
@@ -121,7 +137,9 @@ std::int64_t MeshBandTracer::Visit(const PreparedCells& cells, std::int64_t leaf
   }
   for (std::size_t cell = 0; cell < tetrahedra; ++cell)
   {
-    const std::uint64_t which = areSeen ? pixels[cell] & wanted : throughBox(cell, wanted);
+    const std::uint64_t which = areSeen ? pixels[cell] & wanted
+                                        : RaysThrough(tile.Rays, wanted, band.Limits(),
+                                            cells.BoxOf(cell, this->Tree), tile.MarginOfLanes);
     if (which != 0)
     {
       ++visited;
@@ -135,12 +153,17 @@ std::int64_t MeshBandTracer::Visit(const PreparedCells& cells, std::int64_t leaf
   const CellsToVisit order(cells, box, tile.Grid, wanted);
   for (const std::uint8_t cell : order)
   {
-    const std::uint64_t which =
-      cells.IsTetrahedron(cell) ? 0 : throughBox(cell, order.RaysOf(cell));
+    if (cells.IsTetrahedron(cell))
+    {
+      continue;
+    }
+    const PreparedHexahedron& hexahedron = cells.HexahedronAt(cell);
+    const std::uint64_t which = RaysAcross(tile.Rays, order.RaysOf(cell), band.Limits(),
+      hexahedron.Box, tile.MarginOfLanes, this->FromMiddle(hexahedron));
     if (which != 0)
     {
       ++visited;
-      this->Append(cells.HexahedronAt(cell), placeOf(cell), tile, which, band);
+      this->Append(hexahedron, placeOf(cell), tile, which, band);
     }
   }
   return visited;
@@ -169,8 +192,7 @@ RayBatch::Array<double> MeshBandTracer::DistancesAt(const MeshTile& tile, double
 void MeshBandTracer::Append(const MeshKernels::TetrahedronPoints& cell, const CellIndex& index,
   const MeshTile& tile, std::uint64_t which, MeshBandRays& band) const
 {
-  const bool isFinite =
-    std::all_of(cell.Values.begin(), cell.Values.end(), MeshDifference::IsFinite);
+  const bool isFinite = AreFinite(cell.Values.data(), cell.Values.size());
   // What lies beside the band does not matter, but for solids.
   const bool isAll = !isFinite || this->IsSolid();
   const double slack = isAll ? Infinity : MeshDifference::Slack(this->Width);
@@ -199,8 +221,7 @@ void MeshBandTracer::Append(const PreparedHexahedron& cell, const CellIndex& ind
   MeshKernels::CellSpans spans;
   MeshKernels::HexahedronSpans(cell.Cell, cell.Differences, tile.InMesh, which, spans);
   const auto& differences = cell.Differences;
-  const bool isFinite =
-    std::all_of(differences.begin(), differences.end(), MeshDifference::IsFinite);
+  const bool isFinite = AreFinite(differences.data(), differences.size());
   const auto [least, most] = std::minmax_element(differences.begin(), differences.end());
   ForEachRay(which,
     [&](std::size_t ray)

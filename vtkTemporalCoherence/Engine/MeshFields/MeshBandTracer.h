@@ -31,6 +31,7 @@ public:
 
 private:
   bool IsSolid() const { return this->Scene.Mode == SurfaceMode::Threshold; }
+  NearlyLinear FromMiddle(const PreparedHexahedron& cell) const;
   std::int64_t Visit(const PreparedCells& cells, std::int64_t leaf, const MeshTile& tile,
     std::uint64_t wanted, MeshBandRays& band) const;
   void Append(const MeshKernels::TetrahedronPoints& cell, const CellIndex& index,

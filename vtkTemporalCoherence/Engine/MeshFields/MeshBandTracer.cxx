@@ -215,36 +215,74 @@ void MeshBandTracer::Append(const MeshKernels::TetrahedronPoints& cell, const Ce
   }
 }
 
+namespace
+{
+
+/// Some rays of a tile side by side, so that vectors of them are full.
+struct PackedRays
+{
+  PackedRays(const MeshKernels::MeshRays& rays, std::uint64_t which)
+  {
+    MeshKernels::MeshRays& own = this->Rays;
+    own.Count = 0;
+    own.Along = {};
+    ForEachRay(which,
+      [&](std::size_t ray)
+      {
+        const std::size_t at = own.Count++;
+        this->From[at] = static_cast<std::uint8_t>(ray);
+        own.Along[rays.AxisOf(ray)] |= std::uint64_t(1) << at;
+        for (std::size_t a = 0; a < 3; ++a)
+        {
+          own.Turned[a][at] = rays.Turned[a][ray];
+        }
+        own.ShearX[at] = rays.ShearX[ray];
+        own.ShearY[at] = rays.ShearY[ray];
+        own.PerDepth[at] = rays.PerDepth[ray];
+        own.Begin[at] = rays.Begin[ray];
+        own.End[at] = rays.End[ray];
+      });
+    own.FillUp();
+  }
+
+  MeshKernels::MeshRays Rays;
+  std::array<std::uint8_t, MeshKernels::MeshRays::Capacity> From;
+};
+
+}
+
 void MeshBandTracer::Append(const PreparedHexahedron& cell, const CellIndex& index,
   const MeshTile& tile, std::uint64_t which, MeshBandRays& band) const
 {
   MeshKernels::CellSpans spans;
-  MeshKernels::HexahedronSpans(cell.Cell, cell.Differences, tile.InMesh, which, spans);
+  const PackedRays packed(tile.InMesh, which);
+  const std::size_t count = packed.Rays.Count;
+  MeshKernels::HexahedronSpans(cell.Cell, cell.Differences, packed.Rays,
+    ~std::uint64_t(0) >> (MeshKernels::MeshRays::Capacity - count), spans);
   const auto& differences = cell.Differences;
   const bool isFinite = AreFinite(differences.data(), differences.size());
   const auto [least, most] = std::minmax_element(differences.begin(), differences.end());
-  ForEachRay(which,
-    [&](std::size_t ray)
+  for (std::size_t at = 0; at < count; ++at)
+  {
+    const std::size_t ray = packed.From[at];
+    const double begin = tile.Rays.Begin[ray], stop = tile.Rays.End[ray];
+    for (std::size_t i = 0; i < spans.Count[at]; ++i)
     {
-      const double begin = tile.Rays.Begin[ray], stop = tile.Rays.End[ray];
-      for (std::size_t i = 0; i < spans.Count[ray]; ++i)
+      const MeshKernels::CellSpan& span = spans.Spans[at][i];
+      if (span.Out < begin || span.In > stop)
       {
-        const MeshKernels::CellSpan& span = spans.Spans[ray][i];
-        if (span.Out < begin || span.In > stop)
-        {
-          continue;
-        }
-        // Two bounds, of which either may be the better one.
-        const double bend = 2.0 * cell.Values.Bend;
-        const Bounds linear = BoundsAlong(cell.Values, tile.Rays, ray, span.In, span.Out);
-        const double low = std::max({ *least, std::min(span.AtIn, span.AtOut) - bend, linear.Low });
-        const double high =
-          std::min({ *most, std::max(span.AtIn, span.AtOut) + bend, linear.High });
-        band.Append(
-          { span.In, span.Out, this->Unit * span.AtIn, this->Unit * span.AtOut, this->Unit * low,
-            this->Unit * high, isFinite, span.In < begin, static_cast<std::uint8_t>(ray), index });
+        continue;
       }
-    });
+      // Two bounds, of which either may be the better one.
+      const double bend = 2.0 * cell.Values.Bend;
+      const Bounds linear = BoundsAlong(cell.Values, tile.Rays, ray, span.In, span.Out);
+      const double low = std::max({ *least, std::min(span.AtIn, span.AtOut) - bend, linear.Low });
+      const double high = std::min({ *most, std::max(span.AtIn, span.AtOut) + bend, linear.High });
+      band.Append(
+        { span.In, span.Out, this->Unit * span.AtIn, this->Unit * span.AtOut, this->Unit * low,
+          this->Unit * high, isFinite, span.In < begin, static_cast<std::uint8_t>(ray), index });
+    }
+  }
 }
 
 }

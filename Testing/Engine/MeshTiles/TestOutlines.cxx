@@ -130,7 +130,7 @@ protected:
     {
       const auto number = static_cast<std::int64_t>(leaf);
       PrepareCells(*this->Tree, number, active.CellsOf(number),
-        MeshDifference(this->Isovalue, { -2.0, 2.0 }), CellPurpose::Crossings, leaves[leaf]);
+        MeshDifference(this->Isovalue, { -2.0, 2.0 }), 0.0, CellPurpose::Crossings, leaves[leaf]);
     }
     for (const std::int64_t target : VectorTarget::All())
     {

@@ -46,10 +46,6 @@ constexpr double BandsInBounds = 2.0, ShareOfSetUp = 0.5;
 /// as twice that share.
 constexpr double FadeOfBuilders = 0.9;
 
-/// Groups are built in squares of so many rows of tiles, which share what is found out about
-/// leaves.
-constexpr std::int64_t RowsOfSquare = 8;
-
 /// Of so many groups whose bands end, one is traced first, to see what that costs. Not where
 /// look-ups cost what they did when the groups were traced.
 constexpr std::size_t GroupsToATrial = 8;

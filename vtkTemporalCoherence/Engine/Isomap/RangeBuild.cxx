@@ -44,8 +44,15 @@ public:
     , Bands(map.Size())
     , States(map.Size(), State::Open)
     , Bytes(map.Size(), 0)
+    , Order(map.Size())
+    , Size(wanted.Key.View.Size)
     , Frame(wanted.Frame)
   {
+    const std::size_t groups = map.Size(), stride = StrideOfGroups(groups);
+    for (std::size_t i = 0; i < groups; ++i)
+    {
+      this->Order[i] = i * stride % groups;
+    }
   }
 
   /// Build some groups, to see what they take, until all of them are seen or it is time for a
@@ -78,25 +85,22 @@ public:
       static_cast<double>(std::max<std::size_t>(this->States.size(), 1));
   }
 
-  /// Bytes that all groups will most probably take at least, by those that were seen.
-  double MemoryAtLeast() const
+  /// If some groups were tried and all will surely fit, the others are built in squares.
+  /// \throws std::bad_alloc
+  void ChooseOrder(double room)
   {
-    double count = 0.0, sum = 0.0, squares = 0.0;
-    for (std::size_t group = 0; group < this->Bytes.size(); ++group)
+    this->AreInSquares = this->MemoryOfAll(Doubt) <= room;
+    if (this->AreInSquares)
     {
-      const auto bytes = static_cast<double>(this->Bytes[group]);
-      count += this->States[group] != State::Open;
-      sum += bytes;
-      squares += bytes * bytes;
+      this->Order = OrderOfGroups(this->Size, RowsOfSquare);
     }
-    if (count < 2.0)
-    {
-      return sum;
-    }
-    const double mean = sum / count;
-    const double variance = std::max(squares / count - mean * mean, 0.0);
-    const double least = mean - Doubt * std::sqrt(variance / (count - 1.0));
-    return sum + std::max(least, 0.0) * (static_cast<double>(this->Bytes.size()) - count);
+  }
+
+  /// True if the groups will most probably take more. Where they are built in squares, those that
+  /// were seen do not tell of the others.
+  bool IsMoreThan(double room) const
+  {
+    return !this->AreInSquares && this->MemoryOfAll(-Doubt) > room;
   }
 
   TileBounds Bounds;
@@ -129,19 +133,40 @@ private:
     return bounds;
   }
 
+  /// What all groups take, by those that were seen.
+  /// \param doubt standard errors that are added to the mean
+  double MemoryOfAll(double doubt) const
+  {
+    double count = 0.0, sum = 0.0, squares = 0.0;
+    for (std::size_t group = 0; group < this->Bytes.size(); ++group)
+    {
+      const auto bytes = static_cast<double>(this->Bytes[group]);
+      count += this->States[group] != State::Open;
+      sum += bytes;
+      squares += bytes * bytes;
+    }
+    if (count < 2.0)
+    {
+      return sum;
+    }
+    const double mean = sum / count;
+    const double variance = std::max(squares / count - mean * mean, 0.0);
+    const double most = mean + doubt * std::sqrt(variance / (count - 1.0));
+    return sum + std::max(most, 0.0) * (static_cast<double>(this->Bytes.size()) - count);
+  }
+
   /// Call build(group) for groups that are not as far as `wanted`, until it is true or patience
-  /// ends. Numbers of groups are those of an order that is spread over the picture.
+  /// ends. Numbers of groups are those of the order.
   template <typename BuildGroup>
   void ForGroups(
     std::size_t first, std::size_t end, State wanted, double patience, const BuildGroup& build)
   {
     const auto since = std::chrono::steady_clock::now();
-    const std::size_t groups = this->Bands.size(), stride = StrideOfGroups(groups);
     this->HasEnough = false;
     ParallelFor(static_cast<std::int64_t>(end - first), 1,
       [&](std::int64_t i)
       {
-        const std::size_t group = (first + static_cast<std::size_t>(i)) * stride % groups;
+        const std::size_t group = this->Order[first + static_cast<std::size_t>(i)];
         if (this->States[group] < wanted && !this->HasEnough)
         {
           const bool isEnough = build(group) || this->HasFailed;
@@ -181,6 +206,9 @@ private:
 
   std::vector<State> States;      ///< of the groups
   std::vector<std::size_t> Bytes; ///< of their bands, as far as they were seen
+  std::vector<std::size_t> Order; ///< of groups, spread over the picture
+  bool AreInSquares = false;      ///< they are, in that order
+  glm::ivec2 Size;                ///< of the picture
   std::uint64_t Frame;
 };
 
@@ -270,12 +298,13 @@ Isomap::Outcome BuildRange(const RangeBuild& wanted, Isomap& map, const ReportPr
   {
     return tried;
   }
+  work.ChooseOrder(most);
   for (std::size_t part = 0; part < NumberOfParts; ++part)
   {
     const double whole = static_cast<double>(part + 1) / NumberOfParts;
     for (bool isWhole = false; !isWhole;)
     {
-      if (work.MemoryAtLeast() > most)
+      if (work.IsMoreThan(most))
       {
         return Isomap::Outcome::TooLarge;
       }

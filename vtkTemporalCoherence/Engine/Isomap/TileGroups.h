@@ -34,6 +34,10 @@ inline TileRange TilesOfGroup(const glm::ivec2& pixels, std::size_t group)
 /// A step from group to group that visits all of `groups`, spread over the picture.
 std::size_t StrideOfGroups(std::size_t groups);
 
+/// Groups are built in squares of so many rows of tiles, which share what is found out about
+/// leaves.
+constexpr std::int64_t RowsOfSquare = 8;
+
 /// An order of all groups of a picture: squares of neighbours, one after the other, spread over the
 /// picture. What the rays of a group find out about the cells of a band serves its neighbours in
 /// the same frame.

@@ -60,6 +60,16 @@ struct CellSpans
   TileArray<std::array<CellSpan, Most>> Spans;
 };
 
+/// Parts of rays in a tetrahedron, one after the other: one of a ray at most.
+struct SpanList
+{
+  static constexpr std::size_t Capacity = MeshRays::Capacity + WidestVector;
+
+  std::size_t Count = 0;
+  std::array<std::uint8_t, Capacity> Ray;
+  std::array<double, Capacity> In, Out, AtIn, AtOut;
+};
+
 using CellDifferences = std::array<double, 8>;
 struct HexahedronFunctions;
 struct TetrahedronPoints;
@@ -95,7 +105,11 @@ void TetrahedronSpans(const MeshCell& cell, const CellDifferences& differences,
 void HexahedronSpans(const MeshCell& cell, const CellDifferences& differences, const MeshRays& rays,
   std::uint64_t which, CellSpans& spans);
 
-/// The same for pairs: ray k with cell k.
+/// Of these, only the parts with differences between `low` and `high`.
+void TetrahedronSpansWithin(const TetrahedronPoints& points, const MeshRays& rays,
+  std::uint64_t which, double low, double high, SpanList& found);
+
+/// The parts of rays in cells, for pairs: ray k with cell k.
 void TetrahedronSpansOfPairs(const MeshCell* cells, const CellDifferences* differences,
   const MeshRays& rays, CellSpans& spans);
 void HexahedronSpansOfPairs(const MeshCell* cells, const CellDifferences* differences,

@@ -235,23 +235,35 @@ HWY_INLINE void StoreSpans(D d, const FaceHits<D>& hits, const SeenFace<V> faces
   }
 }
 
-/// \param at which corners are those of a face: at(face, corner) is the place in points
-template <class D, class Points, class At>
-HWY_INLINE void FindSpans(D d, const ShearedRays<D>& vector, const Points& points, const At& at,
-  std::size_t i, std::uint64_t wanted, CellSpans& spans, HexahedronHits& others)
+/// The eight corners of one cell as rays see them.
+template <class D>
+struct SeenCorners
+{
+  using V = hn::Vec<D>;
+  template <class Points>
+  HWY_INLINE SeenCorners(const ShearedRays<D>& rays, const Points& points)
+  {
+    for (std::size_t corner = 0; corner < 8; ++corner)
+    {
+      rays.See(points, corner, this->X[corner], this->Y[corner], this->T[corner]);
+      this->Value[corner] = points.Value(corner);
+    }
+  }
+
+  V X[8], Y[8], T[8], Value[8];
+};
+
+/// \param see gives the faces, as see(face, gets it)
+template <class D, class See>
+HWY_INLINE void FindSpans(D d, const See& see, std::size_t i, std::uint64_t wanted,
+  CellSpans& spans, HexahedronHits& others)
 {
   SeenFace<hn::Vec<D>> faces[6];
   FaceHits<D> hits;
   for (std::size_t face = 0; face < 6; ++face)
   {
-    SeenFace<hn::Vec<D>>& seen = faces[face];
-    for (std::size_t corner = 0; corner < 4; ++corner)
-    {
-      const std::size_t place = at(face, corner);
-      vector.See(points, place, seen.X[corner], seen.Y[corner], seen.T[corner]);
-      seen.Value[corner] = points.Value(place);
-    }
-    AddHits(d, seen, 2 * face, hits);
+    see(face, faces[face]);
+    AddHits(d, faces[face], 2 * face, hits);
   }
   StoreSpans(d, hits, faces, i, wanted, spans, others);
 }

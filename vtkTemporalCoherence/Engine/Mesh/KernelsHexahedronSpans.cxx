@@ -28,20 +28,42 @@ namespace HWY_NAMESPACE
 void HexahedronSpansOf(const CornerPoints<8>& points, const HexahedronFaces& faces,
   const MeshRays& rays, std::uint64_t which, CellSpans& spans, HexahedronHits& others)
 {
-  const auto at = [&](std::size_t face, std::size_t corner)
-  { return static_cast<std::size_t>(faces.Corners[face][corner]); };
   ForEachVector(rays, which, points,
-    [&](auto d, const auto& seen, const auto& vector, std::size_t i, std::uint64_t wanted) HWY_ATTR
-    { FindSpans(d, vector, seen, at, i, wanted, spans, others); });
+    [&](auto d, const auto& cell, const auto& vector, std::size_t i, std::uint64_t wanted) HWY_ATTR
+    {
+      const SeenCorners<decltype(d)> corners(vector, cell);
+      const auto see = [&](std::size_t face, auto& seen) HWY_ATTR
+      {
+        for (std::size_t corner = 0; corner < 4; ++corner)
+        {
+          const std::size_t from = faces.Corners[face][corner];
+          seen.X[corner] = corners.X[from];
+          seen.Y[corner] = corners.Y[from];
+          seen.T[corner] = corners.T[from];
+          seen.Value[corner] = corners.Value[from];
+        }
+      };
+      FindSpans(d, see, i, wanted, spans, others);
+    });
 }
 
 void HexahedronPairSpansOf(
   const TurnedPairs<24>& pairs, const MeshRays& rays, CellSpans& spans, HexahedronHits& others)
 {
-  const auto at = [](std::size_t face, std::size_t corner) { return 4 * face + corner; };
   ForEachVectorOfPairs(rays, pairs,
-    [&](auto d, const auto& seen, const auto& vector, std::size_t i, std::uint64_t wanted) HWY_ATTR
-    { FindSpans(d, vector, seen, at, i, wanted, spans, others); });
+    [&](auto d, const auto& cells, const auto& vector, std::size_t i, std::uint64_t wanted) HWY_ATTR
+    {
+      const auto see = [&](std::size_t face, auto& seen) HWY_ATTR
+      {
+        for (std::size_t corner = 0; corner < 4; ++corner)
+        {
+          const std::size_t from = 4 * face + corner;
+          vector.See(cells, from, seen.X[corner], seen.Y[corner], seen.T[corner]);
+          seen.Value[corner] = cells.Value(from);
+        }
+      };
+      FindSpans(d, see, i, wanted, spans, others);
+    });
 }
 
 }

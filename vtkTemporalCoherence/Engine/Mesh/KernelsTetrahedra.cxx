@@ -36,6 +36,17 @@ void SpansOf(
     { StoreSpans(d, FindSpan(d, vector, seen), i, wanted, spans); });
 }
 
+void SpansWithin(const TetrahedronPoints& points, const MeshRays& rays, std::uint64_t which,
+  double low, double high, SpanList& found)
+{
+  ForEachVector(rays, which, points,
+    [&](auto d, const auto& seen, const auto& vector, std::size_t i, std::uint64_t wanted) HWY_ATTR
+    {
+      AppendSpans(
+        d, FindSpan(d, vector, seen), hn::Set(d, low), hn::Set(d, high), i, wanted, found);
+    });
+}
+
 void CrossingsOfPairs(const TurnedPairs<4>& pairs, const MeshRays& rays, Crossings& found)
 {
   ForEachVectorOfPairs(rays, pairs,
@@ -80,6 +91,7 @@ TurnedPairs<4> TurnPairs(
 
 HWY_EXPORT(CrossingsOf);
 HWY_EXPORT(SpansOf);
+HWY_EXPORT(SpansWithin);
 HWY_EXPORT(CrossingsOfPairs);
 HWY_EXPORT(SpansOfPairs);
 
@@ -100,6 +112,13 @@ void TetrahedronSpans(
 {
   spans.Count.fill(0);
   HWY_DYNAMIC_DISPATCH(SpansOf)(points, rays, which, spans);
+}
+
+void TetrahedronSpansWithin(const TetrahedronPoints& points, const MeshRays& rays,
+  std::uint64_t which, double low, double high, SpanList& found)
+{
+  found.Count = 0;
+  HWY_DYNAMIC_DISPATCH(SpansWithin)(points, rays, which, low, high, found);
 }
 
 void TetrahedronSpans(const MeshCell& cell, const CellDifferences& differences,

@@ -241,6 +241,31 @@ HWY_INLINE void StoreSpans(
   }
 }
 
+/// Append what lies between two values in a vector of rays, the first of which is ray i.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE void AppendSpans(D d, const TetrahedronSpan<D>& span, V low, V high, std::size_t i,
+  std::uint64_t wanted, SpanList& found)
+{
+  const auto isAbove = hn::Gt(hn::Min(span.AtIn, span.AtOut), high);
+  const auto isBelow = hn::Lt(hn::Max(span.AtIn, span.AtOut), low);
+  wanted &= BitsOf(d, hn::AndNot(hn::Or(isAbove, isBelow), span.IsHit));
+  if (wanted == 0)
+  {
+    return;
+  }
+  const std::uint8_t bits[8] = { static_cast<std::uint8_t>(wanted) };
+  const auto isTaken = hn::LoadMaskBits(d, bits);
+  hn::CompressBlendedStore(span.In, isTaken, d, &found.In[found.Count]);
+  hn::CompressBlendedStore(span.Out, isTaken, d, &found.Out[found.Count]);
+  hn::CompressBlendedStore(span.AtIn, isTaken, d, &found.AtIn[found.Count]);
+  hn::CompressBlendedStore(span.AtOut, isTaken, d, &found.AtOut[found.Count]);
+  for (; wanted != 0; wanted &= wanted - 1)
+  {
+    found.Ray[found.Count++] =
+      static_cast<std::uint8_t>(i + hwy::Num0BitsBelowLS1Bit_Nonzero64(wanted));
+  }
+}
+
 }
 }
 }

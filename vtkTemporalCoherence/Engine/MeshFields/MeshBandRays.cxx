@@ -33,6 +33,55 @@ MeshBandRays::MeshBandRays(const BandScene& scene, const RayBatch& rays)
   {
     progress.Reached = { -Infinity, this->IsSolid ? Infinity : -Infinity };
   }
+  // Only from below to above does a ray enter a solid.
+  this->Below.fill(this->IsSolid ? -Infinity : Infinity);
+  this->Above.fill(Infinity);
+  this->Ends = rays.WalkEnd;
+}
+
+double MeshBandRays::ErrorOf(const MeshPassage& passage) const
+{
+  const double largest = std::max(std::abs(passage.Low), std::abs(passage.High));
+  return Rounding * (largest + this->Scale.Span);
+}
+
+void MeshBandRays::Append(const MeshPassage& passage)
+{
+  const double error = this->ErrorOf(passage);
+  const bool isOutside = passage.High + error < 0.0 || passage.Low - error > this->Scale.Span;
+  if (passage.IsFinite && isOutside && !this->IsSolid)
+  {
+    return;
+  }
+  this->Ahead.push_back(passage);
+  if (passage.IsFinite)
+  {
+    this->Narrow(passage, error);
+  }
+}
+
+/// A ray ends where it was on both sides of the band. (If it left the mesh in between, the last
+/// passage tells whether it jumps. So passages beside the band end no ray.)
+void MeshBandRays::Narrow(const MeshPassage& passage, double error)
+{
+  const std::size_t ray = passage.Ray;
+  const auto take = [&](double value, double at)
+  {
+    if (value < -error)
+    {
+      this->Below[ray] = std::min(this->Below[ray], at);
+    }
+    else if (value - error > this->Scale.Span)
+    {
+      this->Above[ray] = std::min(this->Above[ray], at);
+    }
+  };
+  if (!passage.BeginsHere)
+  {
+    take(passage.AtIn, std::max(passage.In, this->Rays.Begin[ray]));
+  }
+  take(passage.AtOut, passage.Out);
+  this->Ends[ray] = std::min(this->Ends[ray], std::max(this->Below[ray], this->Above[ray]));
 }
 
 /// Sort passages by their rays, and along each ray. They come nearly in order, so insertion is
@@ -62,7 +111,7 @@ void MeshBandRays::Sort()
   }
 }
 
-std::uint64_t MeshBandRays::GoOnTo(const RayBatch::Array<double>& distances)
+bool MeshBandRays::GoOnTo(const RayBatch::Array<double>& distances)
 {
   this->Sort();
   this->Kept.clear();
@@ -83,13 +132,14 @@ std::uint64_t MeshBandRays::GoOnTo(const RayBatch::Array<double>& distances)
     }
   }
   this->Ahead.swap(this->Kept);
-  return this->Knots.MemoryInBytes() > this->Scene.MemoryLimit ? ~std::uint64_t(0) : this->Done;
+  return this->Knots.MemoryInBytes() <= this->Scene.MemoryLimit;
 }
 
 void MeshBandRays::GiveUp(std::size_t ray)
 {
   this->Knots.GiveUp(ray);
   this->Done |= std::uint64_t(1) << ray;
+  this->Ends[ray] = -Infinity;
 }
 
 /// A ray comes to its first cell. (A solid is capped where a ray enters the mesh, so there its
@@ -135,13 +185,7 @@ bool MeshBandRays::Jumps(const MeshPassage& passage, double error) const
 void MeshBandRays::TakeNote(const MeshPassage& passage)
 {
   Progress& progress = this->OfRay[passage.Ray];
-  const double largest = std::max(std::abs(passage.Low), std::abs(passage.High));
-  const double error = Rounding * (largest + this->Scale.Span);
-  const bool isOutside = passage.High + error < 0.0 || passage.Low - error > this->Scale.Span;
-  if (passage.IsFinite && isOutside && !this->IsSolid)
-  {
-    return;
-  }
+  const double error = this->ErrorOf(passage);
   if (!passage.IsFinite || (passage.BeginsHere && !this->IsSolid) || this->Jumps(passage, error))
   {
     this->GiveUp(passage.Ray);

@@ -18,7 +18,7 @@ namespace TemporalCoherence
 /// A ray in a cell: differences from the lowest isovalue of a band, in the units of its scale.
 struct MeshPassage
 {
-  double In;          ///< where the ray enters the cell
+  double In, Out;     ///< where the ray enters the cell, and leaves it
   double AtIn, AtOut; ///< where it enters, or begins in the cell, and where it leaves
   double Low, High;   ///< bounds in between
   bool IsFinite;      ///< all values of the cell are
@@ -31,16 +31,25 @@ struct MeshPassage
 ///
 /// Cells come in any order. A ray takes note of those that lie before a distance up to which all
 /// are known.
+///
+/// Where a ray was below the whole band and above it, it has passed all of its isovalues: what lies
+/// behind both places does not matter, whatever lies between them.
 class MeshBandRays
 {
 public:
   MeshBandRays(const BandScene& scene, const RayBatch& rays);
 
-  void Append(const MeshPassage& passage) { this->Ahead.push_back(passage); }
+  void Append(const MeshPassage& passage);
+
+  /// Where each ray has passed the whole band, or ends.
+  const RayBatch::Array<double>& Limits() const { return this->Ends; }
+
+  /// Passages that were not taken note of.
+  std::size_t NumberAhead() const { return this->Ahead.size(); }
 
   /// Take note of what lies before a distance along each ray.
-  /// \return one bit for each ray that is done: nothing ahead of it matters
-  std::uint64_t GoOnTo(const RayBatch::Array<double>& distances);
+  /// \return false if the knots take too much memory
+  bool GoOnTo(const RayBatch::Array<double>& distances);
 
   /// Hand the knots over. \throws std::bad_alloc
   void HandOver(TileKnots& knots);
@@ -61,6 +70,8 @@ private:
     std::uint32_t At;
   };
 
+  double ErrorOf(const MeshPassage& passage) const;
+  void Narrow(const MeshPassage& passage, double error);
   void Sort();
   void TakeNote(const MeshPassage& passage);
   bool Jumps(const MeshPassage& passage, double error) const;
@@ -76,6 +87,8 @@ private:
   std::vector<Entry> Order;       ///< of these, by ray and along it
   std::vector<MeshPassage> Kept;  ///< room for those that stay ahead
   std::array<Progress, RayBatch::Capacity> OfRay;
+  RayBatch::Array<double> Below, Above; ///< where each ray first is beside the band
+  RayBatch::Array<double> Ends;
   std::uint64_t Done = 0;
   std::vector<float> Entries;
   bool HasEntries = false;

@@ -6,6 +6,7 @@
 #include "MeshTiles/MeshDifference.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -16,8 +17,18 @@ namespace
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// Leaves between two looks at which rays are done.
-constexpr std::size_t LeavesAtOnce = 6;
+/// Passages of a tile that are kept at most before rays take note of them.
+constexpr std::size_t MostAhead = 4096;
+
+bool AreFinite(const double* differences, std::size_t count)
+{
+  bool areFinite = true;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    areFinite &= MeshDifference::IsFinite(differences[i]);
+  }
+  return areFinite;
+}
 
 /// Bounds of what a ray meets in a cell.
 struct Bounds
@@ -52,9 +63,11 @@ MeshBandTracer::MeshBandTracer(
   : Scene(scene)
   , Tree(tree)
   , Leaves(kind, tree, boxes, scene.Active)
-  , Prepared(tree, { scene.Band.Low }, scene.FiniteRange, CellPurpose::Bands)
   , Unit(BandScale(scene.Samples.Type, scene.Band, scene.FiniteRange).Isovalues.Factor /
       MeshDifference(scene.Band.Low, scene.FiniteRange).Unit())
+  , Width(BandScale(scene.Samples.Type, scene.Band, scene.FiniteRange).Span / this->Unit)
+  , Prepared(tree, { scene.Band.Low }, scene.FiniteRange, CellPurpose::Bands,
+      this->IsSolid() ? Infinity : this->Width)
 {
 }
 
@@ -62,30 +75,72 @@ std::int64_t MeshBandTracer::Trace(const RayBatch& rays, TileKnots& knots) const
 {
   MeshBandRays band(this->Scene, rays);
   const MeshTile tile(rays, this->Tree, this->Leaves, RayLimits::None);
-  std::uint64_t wanted = RaysWithWalk(rays);
+  const std::uint64_t wanted = RaysWithWalk(rays);
   std::int64_t cellsRead = 0;
   PreparedCells spare;
-  for (std::size_t i = 0; i < tile.Leaves.size() && wanted != 0; ++i)
+  std::size_t mostAhead = MostAhead;
+  bool hasRoom = true;
+  for (std::size_t i = 0; i < tile.Leaves.size() && hasRoom; ++i)
   {
     const ActiveLeaves::Leaf& leaf = tile.Leaves[i];
-    if (i % LeavesAtOnce == 0)
-    {
-      wanted &= ~band.GoOnTo(DistancesAt(tile, leaf.Depth));
-    }
     const FloatBox& box = this->Tree.LeafBox(leaf.Number);
-    const std::uint64_t ofLeaf = RaysThrough(rays, wanted, rays.WalkEnd, box, tile.Margin);
+    const std::uint64_t ofLeaf = RaysThrough(rays, wanted, band.Limits(), box, tile.Margin);
     if (ofLeaf != 0)
     {
       const PreparedCells& cells =
         this->Prepared.Of(leaf.Number, 0, this->Leaves.CellsOf(leaf.Number), spare);
-      cellsRead += VisitCellsOf(cells, leaf.Number, box, tile, ofLeaf, rays.WalkEnd,
-        [&](std::size_t cell, std::uint64_t which)
-        { this->Append(cells, cell, leaf.Number, tile, which, band); });
+      cellsRead += this->Visit(cells, leaf.Number, tile, ofLeaf, band);
+    }
+    if (band.NumberAhead() > mostAhead)
+    {
+      hasRoom = band.GoOnTo(DistancesAt(tile, leaf.Depth));
+      mostAhead = std::max(MostAhead, 2 * band.NumberAhead());
     }
   }
   band.GoOnTo(DistancesAt(tile, Infinity));
   band.HandOver(knots);
   return cellsRead;
+}
+
+/// Values of a hexahedron as differences from the middle of the band. They may be 0 wherever they
+/// are within the band.
+NearlyLinear MeshBandTracer::FromMiddle(const PreparedHexahedron& cell) const
+{
+  NearlyLinear values = cell.Values;
+  values.AtZero -= 0.5 * this->Width;
+  values.Bend += 0.5 * this->Width + MeshDifference::Slack(this->Width);
+  const bool isAll = this->IsSolid() || !AreFinite(cell.Differences.data(), 8);
+  return isAll ? NearlyLinear() : values;
+}
+
+/// Visit the cells of a leaf that rays pass.
+/// \return their number
+std::int64_t MeshBandTracer::Visit(const PreparedCells& cells, std::int64_t leaf,
+  const MeshTile& tile, std::uint64_t wanted, MeshBandRays& band) const
+{
+  const auto placeOf = [&](std::size_t cell)
+  {
+    const glm::ivec3 place =
+      MeshTree::PlaceOf(MeshLattice::SizeOfBlock * leaf + cells.Places[cell]);
+    return CellIndex{ static_cast<std::uint16_t>(place.x), static_cast<std::uint16_t>(place.y),
+      static_cast<std::uint16_t>(place.z) };
+  };
+  return VisitCellsOf(cells, leaf, this->Tree.LeafBox(leaf), tile, wanted, band.Limits(),
+    [&](std::size_t cell, std::uint64_t which)
+    {
+      if (cells.IsTetrahedron(cell))
+      {
+        this->Append(cells.Tetrahedra[cell], placeOf(cell), tile, which, band);
+        return;
+      }
+      const PreparedHexahedron& hexahedron = cells.HexahedronAt(cell);
+      which = RaysAcross(tile.Rays, which, band.Limits(), hexahedron.Box, tile.MarginOfLanes,
+        this->FromMiddle(hexahedron));
+      if (which != 0)
+      {
+        this->Append(hexahedron, placeOf(cell), tile, which, band);
+      }
+    });
 }
 
 /// How far each ray has come where it comes to a depth.
@@ -108,68 +163,100 @@ RayBatch::Array<double> MeshBandTracer::DistancesAt(const MeshTile& tile, double
   return distances;
 }
 
+void MeshBandTracer::Append(const MeshKernels::TetrahedronPoints& cell, const CellIndex& index,
+  const MeshTile& tile, std::uint64_t which, MeshBandRays& band) const
+{
+  const bool isFinite = AreFinite(cell.Values.data(), cell.Values.size());
+  // What lies beside the band does not matter, but for solids.
+  const bool isAll = !isFinite || this->IsSolid();
+  const double slack = isAll ? Infinity : MeshDifference::Slack(this->Width);
+  MeshKernels::SpanList spans;
+  MeshKernels::TetrahedronSpansWithin(cell, tile.InMesh, which, -slack, this->Width + slack, spans);
+  for (std::size_t i = 0; i < spans.Count; ++i)
+  {
+    const std::size_t ray = spans.Ray[i];
+    const double begin = tile.Rays.Begin[ray], in = spans.In[i], out = spans.Out[i];
+    if (out < begin || in > tile.Rays.End[ray])
+    {
+      continue;
+    }
+    // Where a ray begins within a tetrahedron, its values are linear.
+    const double share = in < begin ? (begin - in) / (out - in) : 0.0;
+    const double atIn = this->Unit * ((1.0 - share) * spans.AtIn[i] + share * spans.AtOut[i]);
+    const double atOut = this->Unit * spans.AtOut[i];
+    band.Append({ in, out, atIn, atOut, std::min(atIn, atOut), std::max(atIn, atOut), isFinite,
+      false, spans.Ray[i], index });
+  }
+}
+
 namespace
 {
 
-/// Find the parts of rays in a prepared cell.
-/// \return its differences
-const double* FindSpans(const PreparedCells& cells, std::size_t cell,
-  const MeshKernels::MeshRays& rays, std::uint64_t which, MeshKernels::CellSpans& spans)
+/// Some rays of a tile side by side, so that vectors of them are full.
+struct PackedRays
 {
-  if (cells.IsTetrahedron(cell))
+  PackedRays(const MeshKernels::MeshRays& rays, std::uint64_t which)
   {
-    const MeshKernels::TetrahedronPoints& points = cells.Tetrahedra[cell];
-    MeshKernels::TetrahedronSpans(points, rays, which, spans);
-    return points.Values.data();
+    MeshKernels::MeshRays& own = this->Rays;
+    own.Count = 0;
+    own.Along = {};
+    ForEachRay(which,
+      [&](std::size_t ray)
+      {
+        const std::size_t at = own.Count++;
+        this->From[at] = static_cast<std::uint8_t>(ray);
+        own.Along[rays.AxisOf(ray)] |= std::uint64_t(1) << at;
+        for (std::size_t a = 0; a < 3; ++a)
+        {
+          own.Turned[a][at] = rays.Turned[a][ray];
+        }
+        own.ShearX[at] = rays.ShearX[ray];
+        own.ShearY[at] = rays.ShearY[ray];
+        own.PerDepth[at] = rays.PerDepth[ray];
+        own.Begin[at] = rays.Begin[ray];
+        own.End[at] = rays.End[ray];
+      });
+    own.FillUp();
   }
-  const PreparedHexahedron& hexahedron = cells.HexahedronAt(cell);
-  MeshKernels::HexahedronSpans(hexahedron.Cell, hexahedron.Differences, rays, which, spans);
-  return hexahedron.Differences.data();
-}
+
+  MeshKernels::MeshRays Rays;
+  std::array<std::uint8_t, MeshKernels::MeshRays::Capacity> From;
+};
 
 }
 
-void MeshBandTracer::Append(const PreparedCells& cells, std::size_t cell, std::int64_t leaf,
+void MeshBandTracer::Append(const PreparedHexahedron& cell, const CellIndex& index,
   const MeshTile& tile, std::uint64_t which, MeshBandRays& band) const
 {
   MeshKernels::CellSpans spans;
-  const bool isExact = cells.IsTetrahedron(cell);
-  const double* const differences = FindSpans(cells, cell, tile.InMesh, which, spans);
-  const double* const end = differences + (isExact ? 4 : 8);
-  const bool isFinite = std::all_of(differences, end, MeshDifference::IsFinite);
-  const auto [least, most] = std::minmax_element(differences, end);
-  const NearlyLinear values = isExact ? NearlyLinear() : cells.HexahedronAt(cell).Values;
-  const glm::ivec3 place = MeshTree::PlaceOf(MeshLattice::SizeOfBlock * leaf + cells.Places[cell]);
-  const CellIndex index = { static_cast<std::uint16_t>(place.x),
-    static_cast<std::uint16_t>(place.y), static_cast<std::uint16_t>(place.z) };
-  ForEachRay(which,
-    [&](std::size_t ray)
+  const PackedRays packed(tile.InMesh, which);
+  const std::size_t count = packed.Rays.Count;
+  MeshKernels::HexahedronSpans(cell.Cell, cell.Differences, packed.Rays,
+    ~std::uint64_t(0) >> (MeshKernels::MeshRays::Capacity - count), spans);
+  const auto& differences = cell.Differences;
+  const bool isFinite = AreFinite(differences.data(), differences.size());
+  const auto [least, most] = std::minmax_element(differences.begin(), differences.end());
+  for (std::size_t at = 0; at < count; ++at)
+  {
+    const std::size_t ray = packed.From[at];
+    const double begin = tile.Rays.Begin[ray], stop = tile.Rays.End[ray];
+    for (std::size_t i = 0; i < spans.Count[at]; ++i)
     {
-      const double begin = tile.Rays.Begin[ray], stop = tile.Rays.End[ray];
-      for (std::size_t i = 0; i < spans.Count[ray]; ++i)
+      const MeshKernels::CellSpan& span = spans.Spans[at][i];
+      if (span.Out < begin || span.In > stop)
       {
-        const MeshKernels::CellSpan& span = spans.Spans[ray][i];
-        if (span.Out < begin || span.In > stop)
-        {
-          continue;
-        }
-        // Where a ray begins within a tetrahedron, its values are linear.
-        const bool beginsHere = span.In < begin;
-        const double share = isExact && beginsHere ? (begin - span.In) / (span.Out - span.In) : 0.0;
-        const double atIn = (1.0 - share) * span.AtIn + share * span.AtOut;
-        Bounds bounds{ std::min(atIn, span.AtOut), std::max(atIn, span.AtOut) };
-        if (!isExact)
-        {
-          // Two bounds, of which either may be the better one.
-          const Bounds linear = BoundsAlong(values, tile.Rays, ray, span.In, span.Out);
-          bounds.Low = std::max({ *least, bounds.Low - 2.0 * values.Bend, linear.Low });
-          bounds.High = std::min({ *most, bounds.High + 2.0 * values.Bend, linear.High });
-        }
-        band.Append({ span.In, this->Unit * atIn, this->Unit * span.AtOut, this->Unit * bounds.Low,
-          this->Unit * bounds.High, isFinite, beginsHere && !isExact,
-          static_cast<std::uint8_t>(ray), index });
+        continue;
       }
-    });
+      // Two bounds, of which either may be the better one.
+      const double bend = 2.0 * cell.Values.Bend;
+      const Bounds linear = BoundsAlong(cell.Values, tile.Rays, ray, span.In, span.Out);
+      const double low = std::max({ *least, std::min(span.AtIn, span.AtOut) - bend, linear.Low });
+      const double high = std::min({ *most, std::max(span.AtIn, span.AtOut) + bend, linear.High });
+      band.Append(
+        { span.In, span.Out, this->Unit * span.AtIn, this->Unit * span.AtOut, this->Unit * low,
+          this->Unit * high, isFinite, span.In < begin, static_cast<std::uint8_t>(ray), index });
+    }
+  }
 }
 
 }

@@ -30,15 +30,22 @@ public:
   std::int64_t Trace(const RayBatch& rays, TileKnots& knots) const override;
 
 private:
-  void Append(const PreparedCells& cells, std::size_t cell, std::int64_t leaf, const MeshTile& tile,
+  bool IsSolid() const { return this->Scene.Mode == SurfaceMode::Threshold; }
+  NearlyLinear FromMiddle(const PreparedHexahedron& cell) const;
+  std::int64_t Visit(const PreparedCells& cells, std::int64_t leaf, const MeshTile& tile,
+    std::uint64_t wanted, MeshBandRays& band) const;
+  void Append(const MeshKernels::TetrahedronPoints& cell, const CellIndex& index,
+    const MeshTile& tile, std::uint64_t which, MeshBandRays& band) const;
+  void Append(const PreparedHexahedron& cell, const CellIndex& index, const MeshTile& tile,
     std::uint64_t which, MeshBandRays& band) const;
   static RayBatch::Array<double> DistancesAt(const MeshTile& tile, double depth);
 
   BandScene Scene;
   const MeshTree& Tree;
   ActiveLeaves Leaves;
+  double Unit;  ///< of the band's scale, in those of differences
+  double Width; ///< of the band, as a difference
   PreparedLeaves Prepared;
-  double Unit; ///< of the band's scale, in those of differences
 };
 
 }

@@ -53,19 +53,24 @@ struct OutlinePoints
 };
 
 /// Where the cells of a leaf lie: what a tile needs to know which of its rays can meet a surface in
-/// each. The cells with polygons come first.
+/// each. The cells with polygons come first, then those with slabs.
 struct CellOutlines
 {
   /// The four vertices of a tetrahedron, and then the corners of the flat polygon in which the
   /// surface cuts it, in their order around it; those of a triangle end with the third one twice.
   OutlinePoints Polygons;
 
+  /// The four vertices of a tetrahedron, and then points whose convex hull is its part within a
+  /// band.
+  OutlinePoints Slabs;
+
   /// Points whose convex hull holds the surface in a cell.
   OutlinePoints Hulls;
 
   std::size_t SizeInBytes() const
   {
-    return sizeof(float) * (this->Polygons.At.capacity() + this->Hulls.At.capacity());
+    return sizeof(float) *
+      (this->Polygons.At.capacity() + this->Slabs.At.capacity() + this->Hulls.At.capacity());
   }
 };
 

@@ -19,11 +19,13 @@ namespace HWY_NAMESPACE
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Where rays enter and leave a box.
+/// Where rays enter and leave a box, between WalkBegin and their limits.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE void ClipToBox(
-  D d, const RayBatch& rays, std::size_t i, const FloatBox& box, double margin, V& enter, V& leave)
+HWY_INLINE void ClipToBox(D d, const RayBatch& rays, const RayBatch::Array<double>& limits,
+  std::size_t i, const FloatBox& box, double margin, V& enter, V& leave)
 {
+  enter = hn::Load(d, &rays.WalkBegin[i]);
+  leave = hn::Min(hn::Load(d, &rays.WalkEnd[i]), hn::Load(d, &limits[i]));
   // Where a ray runs along a face, its inverse is infinite. A product with 0 would be no number.
   const V largest = hn::Set(d, 1e300), smallest = hn::Set(d, -1e300);
   for (std::size_t a = 0; a < 3; ++a)
@@ -77,10 +79,36 @@ std::uint64_t FindRaysThrough(const RayBatch& rays, std::uint64_t which,
   return FindRays(rays, which,
     [&](auto d, std::size_t i) HWY_ATTR
     {
-      auto enter = hn::Load(d, &rays.WalkBegin[i]);
-      auto leave = hn::Min(hn::Load(d, &rays.WalkEnd[i]), hn::Load(d, &limits[i]));
-      ClipToBox(d, rays, i, box, margin, enter, leave);
+      hn::Vec<decltype(d)> enter, leave;
+      ClipToBox(d, rays, limits, i, box, margin, enter, leave);
       return hn::Le(enter, leave);
+    });
+}
+
+std::uint64_t FindRaysAcross(const RayBatch& rays, std::uint64_t which,
+  const RayBatch::Array<double>& limits, const FloatBox& box, double margin,
+  const NearlyLinear& differences)
+{
+  // What rounding may move a point by, it moves differences by.
+  const double most = differences.Bend + margin * glm::length(differences.Gradient);
+  return FindRays(rays, which,
+    [&](auto d, std::size_t i) HWY_ATTR
+    {
+      hn::Vec<decltype(d)> enter, leave;
+      ClipToBox(d, rays, limits, i, box, margin, enter, leave);
+      const auto bend = hn::Set(d, most);
+      auto atOrigin = hn::Set(d, differences.AtZero), perT = hn::Zero(d);
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        const auto slope = hn::Set(d, differences.Gradient[static_cast<int>(a)]);
+        atOrigin = hn::MulAdd(slope, hn::Load(d, &rays.Origin[a][i]), atOrigin);
+        perT = hn::MulAdd(slope, hn::Load(d, &rays.Direction[a][i]), perT);
+      }
+      const auto atEnter = hn::MulAdd(perT, enter, atOrigin);
+      const auto atLeave = hn::MulAdd(perT, leave, atOrigin);
+      const auto isAbove = hn::Gt(hn::Min(atEnter, atLeave), bend);
+      const auto isBelow = hn::Lt(hn::Max(atEnter, atLeave), hn::Neg(bend));
+      return hn::AndNot(hn::Or(isAbove, isBelow), hn::Le(enter, leave));
     });
 }
 
@@ -103,8 +131,16 @@ HWY_AFTER_NAMESPACE();
 namespace TemporalCoherence
 {
 
+HWY_EXPORT(FindRaysAcross);
 HWY_EXPORT(FindRaysReaching);
 HWY_EXPORT(FindRaysThrough);
+
+std::uint64_t RaysAcross(const RayBatch& rays, std::uint64_t which,
+  const RayBatch::Array<double>& limits, const FloatBox& box, double margin,
+  const NearlyLinear& differences)
+{
+  return HWY_DYNAMIC_DISPATCH(FindRaysAcross)(rays, which, limits, box, margin, differences);
+}
 
 std::uint64_t RaysReaching(
   const RayBatch& rays, std::uint64_t which, const RayBatch::Array<double>& limits, double depth)

@@ -29,6 +29,11 @@ struct NearlyLinear
 std::uint64_t RaysThrough(const RayBatch& rays, std::uint64_t which,
   const RayBatch::Array<double>& limits, const FloatBox& box, double margin);
 
+/// Of these, rays whose difference may be 0 there.
+std::uint64_t RaysAcross(const RayBatch& rays, std::uint64_t which,
+  const RayBatch::Array<double>& limits, const FloatBox& box, double margin,
+  const NearlyLinear& differences);
+
 /// Of some rays, those whose limits are not before a depth: t = depth PerDepth.
 std::uint64_t RaysReaching(
   const RayBatch& rays, std::uint64_t which, const RayBatch::Array<double>& limits, double depth);

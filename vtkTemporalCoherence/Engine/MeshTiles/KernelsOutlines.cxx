@@ -102,12 +102,12 @@ struct LanesOf
   std::size_t First;
 };
 
-/// Tetrahedra, and the polygons in which they are cut.
-struct SeenPolygons
+/// The first corners of cells: the vertices of tetrahedra, and those of the polygons in which they
+/// are cut.
+template <std::size_t Corners>
+struct SeenCorners
 {
-  static constexpr std::size_t Corners = 8;
-
-  HWY_INLINE explicit SeenPolygons(const SeenPoints& points)
+  HWY_INLINE explicit SeenCorners(const SeenPoints& points)
   {
     for (std::size_t corner = 0; corner < Corners; ++corner)
     {
@@ -143,10 +143,14 @@ struct SeenPolygons
   Cells X[Corners], Y[Corners], Nearest;
 };
 
+using SeenVertices = SeenCorners<4>;
+using SeenPolygons = SeenCorners<8>;
+
 /// The rectangles around cells.
 struct Rectangles
 {
-  HWY_INLINE Rectangles(const SeenPolygons& seen, std::size_t first)
+  template <std::size_t Corners>
+  HWY_INLINE Rectangles(const SeenCorners<Corners>& seen, std::size_t first)
     : LowX(seen.X[first])
     , HighX(seen.X[first])
     , LowY(seen.Y[first])
@@ -154,7 +158,8 @@ struct Rectangles
   {
   }
 
-  HWY_INLINE void Widen(const SeenPolygons& seen, std::size_t first, std::size_t end)
+  template <std::size_t Corners>
+  HWY_INLINE void Widen(const SeenCorners<Corners>& seen, std::size_t first, std::size_t end)
   {
     for (std::size_t corner = first; corner < end; ++corner)
     {
@@ -232,50 +237,94 @@ HWY_INLINE void SeePolygons(
   to.StoreDepth(view, outlines.Nearest);
 }
 
+/// Bounds of points of cells along all directions.
+struct HullBounds
+{
+  HWY_INLINE HullBounds()
+    : Nearest(hn::Set(Floats(), Far))
+  {
+    for (std::size_t k = 0; k < Directions; ++k)
+    {
+      this->Low[k] = hn::Set(Floats(), Far);
+      this->High[k] = hn::Set(Floats(), -Far);
+    }
+  }
+
+  HWY_INLINE void Widen(const SeenPoints& points, std::size_t first, std::size_t end)
+  {
+    for (std::size_t corner = first; corner < end; ++corner)
+    {
+      Cells x, y, depth;
+      points.See(corner, x, y, depth);
+      const Cells sum = hn::Add(x, y), difference = hn::Sub(x, y);
+      const Cells along[Directions] = { x, y, sum, difference, hn::Add(x, sum),
+        hn::Add(x, difference), hn::Add(sum, y), hn::Sub(difference, y) };
+      this->Nearest = hn::Min(this->Nearest, depth);
+      for (std::size_t k = 0; k < Directions; ++k)
+      {
+        this->Low[k] = hn::Min(this->Low[k], along[k]);
+        this->High[k] = hn::Max(this->High[k], along[k]);
+      }
+    }
+  }
+
+  HWY_INLINE void Store(const OutlineView& view, const LanesOf& to)
+  {
+    const Floats d;
+    const float margin = view.Margin + 4.0f * Rounding * view.Reach;
+    Cells bounds[SidesOfHull];
+    for (std::size_t k = 0; k < Directions; ++k)
+    {
+      const int steps =
+        (StepsX[k] < 0 ? -StepsX[k] : StepsX[k]) + (StepsY[k] < 0 ? -StepsY[k] : StepsY[k]);
+      const Cells room = hn::Set(d, margin * static_cast<float>(steps));
+      this->Low[k] = hn::Sub(this->Low[k], room);
+      this->High[k] = hn::Add(this->High[k], room);
+      bounds[k] = this->High[k];
+      bounds[Directions + k] = hn::Neg(this->Low[k]);
+    }
+    to.StoreSides(bounds, SidesOfHull);
+    to.Store(to.Block.LowX, this->Low[0]);
+    to.Store(to.Block.HighX, this->High[0]);
+    to.Store(to.Block.LowY, this->Low[1]);
+    to.Store(to.Block.HighY, this->High[1]);
+    to.StoreDepth(view, this->Nearest);
+  }
+
+  static constexpr float Far = 1e30f;
+  Cells Low[Directions], High[Directions], Nearest;
+};
+
 HWY_INLINE void SeeHulls(
+  const OutlineView& view, const OutlinePoints& cells, std::size_t i, const LanesOf& to)
+{
+  HullBounds hull;
+  hull.Widen(SeenPoints(view, cells, i), 0, cells.Corners);
+  hull.Store(view, to);
+}
+
+/// A slab counts where the faces of its tetrahedron are seen; elsewhere the whole tetrahedron does.
+HWY_INLINE void SeeSlabs(
   const OutlineView& view, const OutlinePoints& cells, std::size_t i, const LanesOf& to)
 {
   const Floats d;
   const SeenPoints points(view, cells, i);
-  const Cells far = hn::Set(d, 1e30f);
-  Cells low[Directions], high[Directions], nearest = far;
+  const SeenVertices vertices(points);
+  Rectangles rectangle(vertices, 0);
+  rectangle.Widen(vertices, 1, 4);
+  const auto areSeen =
+    vertices.AreFacesSeen(rectangle.Size(), hn::Set(d, 8.0f * Rounding * view.Reach));
+  HullBounds hull;
+  hull.Widen(points, 4, cells.Corners);
+  HullBounds whole = hull;
+  whole.Widen(points, 0, 4);
+  hull.Nearest = whole.Nearest;
   for (std::size_t k = 0; k < Directions; ++k)
   {
-    low[k] = far;
-    high[k] = hn::Neg(far);
+    hull.Low[k] = hn::IfThenElse(areSeen, hull.Low[k], whole.Low[k]);
+    hull.High[k] = hn::IfThenElse(areSeen, hull.High[k], whole.High[k]);
   }
-  for (std::size_t corner = 0; corner < cells.Corners; ++corner)
-  {
-    Cells x, y, depth;
-    points.See(corner, x, y, depth);
-    const Cells sum = hn::Add(x, y), difference = hn::Sub(x, y);
-    const Cells along[Directions] = { x, y, sum, difference, hn::Add(x, sum),
-      hn::Add(x, difference), hn::Add(sum, y), hn::Sub(difference, y) };
-    nearest = hn::Min(nearest, depth);
-    for (std::size_t k = 0; k < Directions; ++k)
-    {
-      low[k] = hn::Min(low[k], along[k]);
-      high[k] = hn::Max(high[k], along[k]);
-    }
-  }
-  const float margin = view.Margin + 4.0f * Rounding * view.Reach;
-  Cells bounds[SidesOfHull];
-  for (std::size_t k = 0; k < Directions; ++k)
-  {
-    const int steps =
-      (StepsX[k] < 0 ? -StepsX[k] : StepsX[k]) + (StepsY[k] < 0 ? -StepsY[k] : StepsY[k]);
-    const Cells room = hn::Set(d, margin * static_cast<float>(steps));
-    low[k] = hn::Sub(low[k], room);
-    high[k] = hn::Add(high[k], room);
-    bounds[k] = high[k];
-    bounds[Directions + k] = hn::Neg(low[k]);
-  }
-  to.StoreSides(bounds, SidesOfHull);
-  to.Store(to.Block.LowX, low[0]);
-  to.Store(to.Block.HighX, high[0]);
-  to.Store(to.Block.LowY, low[1]);
-  to.Store(to.Block.HighY, high[1]);
-  to.StoreDepth(view, nearest);
+  hull.Store(view, to);
 }
 
 template <class See>
@@ -301,7 +350,9 @@ void AppendSeenCells(
 {
   AppendBlocks(cells.Polygons, 0, true, blocks,
     [&](std::size_t i, const LanesOf& to) HWY_ATTR { SeePolygons(view, cells.Polygons, i, to); });
-  AppendBlocks(cells.Hulls, cells.Polygons.Count, false, blocks,
+  AppendBlocks(cells.Slabs, cells.Polygons.Count, false, blocks,
+    [&](std::size_t i, const LanesOf& to) HWY_ATTR { SeeSlabs(view, cells.Slabs, i, to); });
+  AppendBlocks(cells.Hulls, cells.Polygons.Count + cells.Slabs.Count, false, blocks,
     [&](std::size_t i, const LanesOf& to) HWY_ATTR { SeeHulls(view, cells.Hulls, i, to); });
 }
 

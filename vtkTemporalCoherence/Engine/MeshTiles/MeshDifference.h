@@ -61,12 +61,16 @@ public:
   /// False for the difference of an infinity or of NaN.
   static bool IsFinite(double difference) { return std::abs(difference) < Largest; }
 
+  /// Room for rounding errors of differences up to this one, and of finite ones: far more than
+  /// needed.
+  static double Slack(double difference) { return 0x1p-40 * (1.0 + difference); }
+
   /// Units of differences in one of values.
   double Unit() const { return this->Factor; }
 
-private:
   static constexpr double Largest = 4.0; ///< more than any of finite values
 
+private:
   double Isovalue, Factor, Scaled;
 };
 

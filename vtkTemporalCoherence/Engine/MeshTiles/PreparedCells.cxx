@@ -57,6 +57,39 @@ void FindPolygon(const glm::dvec3* points, const std::array<double, 4>& values, 
   polygon[3] = polygon[2];
 }
 
+/// A tetrahedron's part between two planes has no more corners.
+constexpr std::size_t MostSlabPoints = 8;
+
+/// The corners of the part of a tetrahedron whose values are within bounds.
+/// \pre some values of the tetrahedron are
+void FindSlab(const glm::dvec3* points, const std::array<double, 4>& values,
+  const glm::dvec2& bounds, glm::dvec3* slab)
+{
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    if (values[i] >= bounds[0] && values[i] <= bounds[1])
+    {
+      slab[count++] = points[i];
+    }
+  }
+  for (int side = 0; side < 2; ++side)
+  {
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      for (std::size_t j = 0; j < values.size(); ++j)
+      {
+        if (values[i] < bounds[side] && values[j] > bounds[side])
+        {
+          const double share = (bounds[side] - values[i]) / (values[j] - values[i]);
+          slab[count++] = points[i] + share * (points[j] - points[i]);
+        }
+      }
+    }
+  }
+  std::fill(slab + count, slab + MostSlabPoints, slab[0]);
+}
+
 /// A hexahedron has no more pairs of corners on different sides of a surface.
 constexpr std::size_t MostHullPoints = 16;
 
@@ -107,10 +140,11 @@ class CellPreparer
 {
 public:
   CellPreparer(const MeshTree& tree, std::int64_t leaf, const MeshDifference& difference,
-    CellPurpose purpose, PreparedCells& cells)
+    double width, CellPurpose purpose, PreparedCells& cells)
     : Tree(tree)
     , Middle(tree.LeafBox(leaf).Middle())
     , Difference(difference)
+    , Slab(SlabOf(width))
     , Purpose(purpose)
     , Cells(cells)
   {
@@ -150,8 +184,10 @@ private:
     MeshKernels::CellDifferences differences{};
     const bool isCrossed = this->Difference.Of(cell, differences);
     const bool isInside = !isCrossed && differences[0] >= 0.0;
-    if (!isCrossed && this->Purpose != CellPurpose::Bands &&
-      !(isInside && this->Purpose == CellPurpose::Solids))
+    const bool counts = this->Purpose == CellPurpose::Bands
+      ? this->IsInSlab(cell, differences)
+      : isCrossed || (isInside && this->Purpose == CellPurpose::Solids);
+    if (!counts)
     {
       return false;
     }
@@ -172,36 +208,65 @@ private:
     return true;
   }
 
+  /// The differences of a band, and what rounding errors may add.
+  static glm::dvec2 SlabOf(double width)
+  {
+    const double slack = 1e-9 * (1.0 + std::min(width, MeshDifference::Largest));
+    return { -slack, width + slack };
+  }
+
+  /// True if a cell has values of the band.
+  bool IsInSlab(const MeshCell& cell, const MeshKernels::CellDifferences& differences) const
+  {
+    const auto count = static_cast<std::ptrdiff_t>(cell.NumberOfPoints());
+    const auto [least, most] =
+      std::minmax_element(differences.begin(), differences.begin() + count);
+    return *most >= this->Slab[0] && *least <= this->Slab[1];
+  }
+
   /// \pre cells that count are there
   void Outline()
   {
     const bool areCut = this->Purpose == CellPurpose::Crossings;
+    const bool areSlabs = this->Purpose == CellPurpose::Bands;
     const std::size_t tetrahedra = this->Cells.Tetrahedra.size(), count = this->Cells.Count();
     CellOutlines& outlines = this->Cells.Outlines;
     outlines.Polygons.Resize(areCut ? tetrahedra : 0, 8);
-    outlines.Hulls.Resize(count - outlines.Polygons.Count, areCut ? MostHullPoints : 8);
+    outlines.Slabs.Resize(areSlabs ? tetrahedra : 0, 4 + MostSlabPoints);
+    this->FirstHull = outlines.Polygons.Count + outlines.Slabs.Count;
+    outlines.Hulls.Resize(count - this->FirstHull, areCut ? MostHullPoints : 8);
     for (std::size_t i = 0; i < tetrahedra; ++i)
     {
-      this->Outline(i, this->Cells.Tetrahedra[i], areCut ? outlines.Polygons : outlines.Hulls);
+      this->Outline(i, this->Cells.Tetrahedra[i]);
     }
     for (std::size_t i = tetrahedra; i < count; ++i)
     {
-      this->Outline(i - outlines.Polygons.Count, this->Cells.Hexahedra[i - tetrahedra]);
+      this->Outline(i - this->FirstHull, this->Cells.Hexahedra[i - tetrahedra]);
     }
   }
 
-  void Outline(std::size_t at, const MeshKernels::TetrahedronPoints& cell, OutlinePoints& outlines)
+  void Outline(std::size_t at, const MeshKernels::TetrahedronPoints& cell)
   {
-    std::array<glm::dvec3, 8> points;
+    std::array<glm::dvec3, 4 + MostSlabPoints> points;
     for (std::size_t i = 0; i < 4; ++i)
     {
       points[i] = points[i + 4] = this->Tree.ToIndex(cell.Points[i]) - this->Middle;
     }
-    if (this->Purpose == CellPurpose::Crossings)
+    CellOutlines& outlines = this->Cells.Outlines;
+    switch (this->Purpose)
     {
-      FindPolygon(points.data(), cell.Values, &points[4]);
+      case CellPurpose::Crossings:
+        FindPolygon(points.data(), cell.Values, &points[4]);
+        outlines.Polygons.Set(at, points.data());
+        break;
+      case CellPurpose::Bands:
+        FindSlab(points.data(), cell.Values, this->Slab, &points[4]);
+        outlines.Slabs.Set(at, points.data());
+        break;
+      case CellPurpose::Solids:
+        outlines.Hulls.Set(at, points.data());
+        break;
     }
-    outlines.Set(at, points.data());
   }
 
   void Outline(std::size_t at, PreparedHexahedron& cell)
@@ -231,14 +296,16 @@ private:
   const MeshTree& Tree;
   glm::dvec3 Middle;
   const MeshDifference& Difference;
+  glm::dvec2 Slab; ///< differences within the band, and a little more
   CellPurpose Purpose;
   PreparedCells& Cells;
+  std::size_t FirstHull = 0; ///< the first cell with a hull
 };
 
 }
 
 void PrepareCells(const MeshTree& tree, std::int64_t leaf, std::uint64_t which,
-  const MeshDifference& difference, CellPurpose purpose, PreparedCells& cells)
+  const MeshDifference& difference, double width, CellPurpose purpose, PreparedCells& cells)
 {
   MeshReader::Together<std::uint8_t> places;
   MeshReader::Together<CellNumber> numbers;
@@ -252,7 +319,7 @@ void PrepareCells(const MeshTree& tree, std::int64_t leaf, std::uint64_t which,
     });
   MeshReader::Together<MeshCell> read;
   tree.Reader().ReadAll(numbers, count, read);
-  CellPreparer(tree, leaf, difference, purpose, cells).Take(places, numbers, read, count);
+  CellPreparer(tree, leaf, difference, width, purpose, cells).Take(places, numbers, read, count);
 }
 
 SolidCell PreparedCells::SolidAt(std::size_t cell) const

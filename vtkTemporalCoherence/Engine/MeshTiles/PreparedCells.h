@@ -41,7 +41,7 @@ enum class CellPurpose : std::uint8_t
 {
   Crossings, ///< to find where rays pass an isovalue
   Solids,    ///< to find parts of rays in a solid: cells that are wholly inside count, too
-  Bands      ///< to find what rays reach above the lowest isovalue of a band: all cells count
+  Bands      ///< to find what rays reach in a band: cells with values in it count
 };
 
 /// A hexahedron, ready to be searched.
@@ -102,10 +102,13 @@ struct PreparedCells
 
 /// Read and prepare cells of a leaf.
 /// \param which one bit for each cell that may count
+/// \param width how far a band goes above its lowest isovalue, as a difference; infinite: all
+/// values
+///              above it count
 /// \param cells gets those that count
 /// \throws std::bad_alloc
 void PrepareCells(const MeshTree& tree, std::int64_t leaf, std::uint64_t which,
-  const MeshDifference& difference, CellPurpose purpose, PreparedCells& cells);
+  const MeshDifference& difference, double width, CellPurpose purpose, PreparedCells& cells);
 
 }
 

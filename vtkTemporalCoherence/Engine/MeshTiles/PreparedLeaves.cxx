@@ -8,11 +8,12 @@ namespace TemporalCoherence
 {
 
 PreparedLeaves::PreparedLeaves(const MeshTree& tree, const std::vector<double>& isovalues,
-  const glm::dvec2& finiteRange, CellPurpose purpose)
+  const glm::dvec2& finiteRange, CellPurpose purpose, double width)
   : Tree(tree)
   , NumberOfSlots(isovalues.size() * static_cast<std::size_t>(tree.NumberOfLeaves()))
   , Isovalues(isovalues)
   , Purpose(purpose)
+  , Width(width)
   , Bytes(static_cast<std::int64_t>(this->NumberOfSlots * sizeof(Slot)))
 {
   for (const double isovalue : isovalues)
@@ -49,7 +50,8 @@ void PreparedLeaves::Prepare(
     active &=
       this->Tree.CellsIn(leaf, { { low, this->Purpose == CellPurpose::Solids ? infinity : low } });
   }
-  PrepareCells(this->Tree, leaf, active, this->FromIsovalues[isovalue], this->Purpose, cells);
+  PrepareCells(
+    this->Tree, leaf, active, this->FromIsovalues[isovalue], this->Width, this->Purpose, cells);
 }
 
 const PreparedCells* PreparedLeaves::Known(std::int64_t leaf, std::size_t isovalue) const

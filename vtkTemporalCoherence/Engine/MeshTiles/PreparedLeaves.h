@@ -24,8 +24,9 @@ class PreparedLeaves
 public:
   /// \param tree        outlives this
   /// \param finiteRange smallest and largest finite value of the mesh
+  /// \param width       of bands above isovalues, as for PrepareCells
   PreparedLeaves(const MeshTree& tree, const std::vector<double>& isovalues,
-    const glm::dvec2& finiteRange, CellPurpose purpose);
+    const glm::dvec2& finiteRange, CellPurpose purpose, double width = 0.0);
   ~PreparedLeaves();
   PreparedLeaves(const PreparedLeaves&) = delete;
   PreparedLeaves& operator=(const PreparedLeaves&) = delete;
@@ -70,6 +71,7 @@ private:
   std::vector<double> Isovalues;
   std::vector<MeshDifference> FromIsovalues;
   CellPurpose Purpose;
+  double Width;
   mutable std::once_flag IsAsked;
   mutable std::unique_ptr<Slot[]> Kept;    ///< by isovalue and leaf; null: none was asked for
   mutable std::atomic<std::int64_t> Bytes; ///< of what is kept, with slots

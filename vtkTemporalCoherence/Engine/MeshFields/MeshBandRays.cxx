@@ -118,15 +118,16 @@ bool MeshBandRays::GoOnTo(const RayBatch::Array<double>& distances)
   for (const Entry& entry : this->Order)
   {
     const MeshPassage& passage = this->Ahead[entry.At];
-    if (this->Done >> passage.Ray & 1u)
+    const bool isDone = (this->Done >> passage.Ray & 1u) != 0;
+    if (this->Overlaps(passage))
     {
-      continue;
+      this->GiveUp(passage.Ray);
     }
-    if (passage.In < distances[passage.Ray])
+    else if (!isDone && passage.In < distances[passage.Ray])
     {
       this->TakeNote(passage);
     }
-    else
+    else if (!isDone)
     {
       this->Kept.push_back(passage);
     }
@@ -167,6 +168,15 @@ void MeshBandRays::Enter(const MeshPassage& passage, double error)
   }
 }
 
+/// True if a ray enters a cell before it has left the last ones.
+bool MeshBandRays::Overlaps(const MeshPassage& passage) const
+{
+  // Distances of a face differ by rounding errors from cell to cell.
+  constexpr double slack = 1e-9;
+  const double left = this->OfRay[passage.Ray].Left;
+  return passage.In < left - slack * std::abs(left);
+}
+
 /// True if a ray left the mesh and enters it again where isovalues of the band lie between what it
 /// has passed and the value there: it has not passed them, and now is on their other side.
 bool MeshBandRays::Jumps(const MeshPassage& passage, double error) const
@@ -185,6 +195,7 @@ bool MeshBandRays::Jumps(const MeshPassage& passage, double error) const
 void MeshBandRays::TakeNote(const MeshPassage& passage)
 {
   Progress& progress = this->OfRay[passage.Ray];
+  progress.Left = std::max(progress.Left, passage.Out);
   const double error = this->ErrorOf(passage);
   if (!passage.IsFinite || (passage.BeginsHere && !this->IsSolid) || this->Jumps(passage, error))
   {

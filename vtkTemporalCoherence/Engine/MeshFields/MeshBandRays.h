@@ -34,6 +34,9 @@ struct MeshPassage
 ///
 /// Where a ray was below the whole band and above it, it has passed all of its isovalues: what lies
 /// behind both places does not matter, whatever lies between them.
+///
+/// Rays that are in two cells at once are given up: an isovalue that is known to be met in one may
+/// be met nearer in the other.
 class MeshBandRays
 {
 public:
@@ -60,6 +63,7 @@ private:
   {
     std::array<double, NumberOfDirections> Reached{};       ///< infinity: nothing ahead matters
     std::array<BandScale::Key, NumberOfDirections> Noted{}; ///< of the last knots
+    double Left = -std::numeric_limits<double>::infinity(); ///< the cells up to now
     bool HasEntered = false;
   };
 
@@ -74,6 +78,7 @@ private:
   void Narrow(const MeshPassage& passage, double error);
   void Sort();
   void TakeNote(const MeshPassage& passage);
+  bool Overlaps(const MeshPassage& passage) const;
   bool Jumps(const MeshPassage& passage, double error) const;
   void Enter(const MeshPassage& passage, double error);
   void GiveUp(std::size_t ray);

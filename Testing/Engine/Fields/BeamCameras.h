@@ -3,6 +3,7 @@
 #ifndef Testing_BeamCameras_h
 #define Testing_BeamCameras_h
 
+#include "Checks/Sanitized.h"
 #include "Scene/View.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -35,11 +36,7 @@ inline TemporalCoherence::View ViewFrom(const Camera& camera, int pixels)
 }
 
 /// All cameras, or every fifth where a sanitizer makes each ten times as slow.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr std::size_t EveryNthCamera = 5;
-#else
-constexpr std::size_t EveryNthCamera = 1;
-#endif
+constexpr std::size_t EveryNthCamera = IsMemorySanitized ? 5 : 1;
 
 /// Cameras around a grid, in it, along its axes, faces and edges, near and far.
 inline std::vector<Camera> CamerasFor(const glm::ivec3& dimensions)

@@ -4,6 +4,7 @@
 // Beams in rectilinear fields: cells of any size, thin ones among them, of which single precision
 // tells nothing. The rays of a tile that go as a beam meet what they meet on walks, bit by bit, on
 // every kind of vectors.
+#include "Checks/Sanitized.h"
 #include "EachTarget.h"
 #include "Fields/BeamCameras.h"
 #include "Fields/BothWays.h"
@@ -29,7 +30,7 @@ class RectilinearBeams : public EachTarget
 protected:
   template <typename T>
   void Compare(Grid<T>& grid, const Coordinates& coordinates, const std::vector<double>& isovalues,
-    int pixels = 40)
+    int pixels = IsMemorySanitized ? 16 : 40)
   {
     grid.Field.Kind = RectilinearKind(coordinates);
     for (const SurfaceMode mode : { SurfaceMode::Crossing, SurfaceMode::Threshold })

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Checks/Sanitized.h"
 #include "Grid.h"
 #include "Isomap/FrameBands.h"
 #include "Isomap/IsomapBuilder.h"
@@ -48,10 +49,12 @@ protected:
     this->Field.Fill(
       [](int i, int j, int k) { return 100.0 + 60.0 * std::sin(0.4 * i + 0.3 * j) + 3.0 * k; });
     this->Key.Samples = this->Field.Field;
-    this->Key.View = LookAt(this->Field.Field.Dimensions, { 1.0, 2.0, 0.7 }, { 512, 384 });
+    this->Key.View = LookAt(this->Field.Field.Dimensions, { 1.0, 2.0, 0.7 }, Size);
     this->Key.Isosurfaces.Isovalues = { this->At(0.2) };
     this->Pyramid.Build(this->Key.Samples);
   }
+
+  static constexpr glm::ivec2 Size{ IsMemorySanitized ? 256 : 512, IsMemorySanitized ? 192 : 384 };
 
   /// The isovalue at a share of the range.
   double At(double share) const { return 45.0 + 160.0 * share; }
@@ -238,7 +241,7 @@ TEST_F(FrameBandsTest, OfSeveralIsovaluesOneMoves)
 
 TEST_F(FrameBandsTest, MemoryStaysWithinItsLimits)
 {
-  constexpr std::size_t pixels = std::size_t(512) * 384;
+  constexpr std::size_t pixels = std::size_t(Size.x) * Size.y;
   for (const std::size_t limit : { std::size_t(1) << 30, std::size_t(1) << 20, 40 * pixels })
   {
     this->Builder = IsomapBuilder();

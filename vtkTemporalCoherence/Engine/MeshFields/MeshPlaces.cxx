@@ -20,49 +20,37 @@ namespace
 template <typename Visit>
 void VisitCellsAt(const MeshTree& tree, const glm::dvec3& point, double margin, const Visit& visit)
 {
-  struct Block
-  {
-    std::size_t Level;
-    std::int64_t Number;
-  };
-  if (tree.NumberOfCells() == 0)
-  {
-    return;
-  }
   const glm::dvec3 index = tree.ToIndex(point);
   const auto holds = [&](const FloatBox& box)
   {
     return glm::all(glm::greaterThanEqual(index + margin, glm::dvec3(box.Low))) &&
       glm::all(glm::lessThanEqual(index - margin, glm::dvec3(box.High)));
   };
-  constexpr std::size_t mostLevels = 12;
-  std::array<Block, mostLevels * MeshLattice::SizeOfBlock> open;
-  std::size_t count = 0;
-  open[count++] = { tree.NumberOfLevels() - 1, 0 };
-  MeshCell cell;
-  while (count > 0)
-  {
-    const Block block = open[--count];
-    if (!holds(tree.BlockBox(block.Level, block.Number)))
+  const auto childAt = [](std::int64_t block, std::size_t bit)
+  { return MeshLattice::SizeOfBlock * block + static_cast<std::int64_t>(bit); };
+  tree.VisitLeaves(
+    [&](std::size_t level, std::int64_t block)
     {
-      continue;
-    }
-    const std::int64_t first = MeshLattice::SizeOfBlock * block.Number;
-    const std::int64_t all =
-      block.Level > 0 ? tree.NumberOfBlocks(block.Level - 1) : tree.NumberOfCells();
-    const std::int64_t end = std::min(first + MeshLattice::SizeOfBlock, all);
-    for (std::int64_t child = first; child < end; ++child)
+      std::uint64_t holding = 0;
+      ForEachRay(tree.ChildrenOf(level, block),
+        [&](std::size_t bit)
+        {
+          const FloatBox& box = tree.BlockBox(level - 1, childAt(block, bit));
+          holding |= static_cast<std::uint64_t>(holds(box)) << bit;
+        });
+      return holding;
+    },
+    [&](std::int64_t leaf)
     {
-      if (block.Level > 0)
-      {
-        open[count++] = { block.Level - 1, child };
-        continue;
-      }
-      const CellNumber number = tree.CellAt(child);
-      tree.Reader().Read(number, cell);
-      visit(number, cell);
-    }
-  }
+      MeshCell cell;
+      ForEachRay(tree.ChildrenOf(0, leaf),
+        [&](std::size_t bit)
+        {
+          const CellNumber number = tree.CellAt(childAt(leaf, bit));
+          tree.Reader().Read(number, cell);
+          visit(number, cell);
+        });
+    });
 }
 
 /// The face of a cell that is nearest to a place in it.

@@ -3,11 +3,9 @@
 #include "MeshTiles/ActiveLeaves.h"
 
 #include "MeshTiles/KernelsBoxes.h"
-#include "Scene/LayerBatch.h"
 #include "Trees/MeshLattice.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
 
@@ -17,13 +15,6 @@ namespace
 {
 
 constexpr std::int64_t Children = MeshLattice::SizeOfBlock;
-
-/// One bit for each of the first `count` children of a block.
-std::uint64_t FirstBits(std::int64_t count)
-{
-  return count >= Children ? ~std::uint64_t(0)
-                           : (std::uint64_t(1) << std::max<std::int64_t>(count, 0)) - 1;
-}
 
 }
 
@@ -49,46 +40,11 @@ std::uint64_t ActiveLeaves::WordOf(std::size_t level, std::int64_t block) const
 {
   if (!this->Active)
   {
-    return FirstBits(this->Tree.NumberOfBlocks(level - 1) - Children * block);
+    return this->Tree.ChildrenOf(level, block);
   }
   const glm::ivec3 place = MeshLattice::PlaceOf(block);
   return level == 1 ? this->Active->LeavesOf(this->Active->NodeOf(ActiveCells::NodeSize * place))
                     : this->Active->LevelsAbove()[level - 2].WordOf(place);
-}
-
-/// Go down from the root.
-/// \param within within(level, block, active) tells which of the active children are looked at
-/// \param take   called as take(leaf)
-template <typename Within, typename Take>
-void ActiveLeaves::FindBelow(const Within& within, const Take& take) const
-{
-  struct Block
-  {
-    std::size_t Level;
-    std::int64_t Number;
-  };
-  constexpr std::size_t mostLevels = 12;
-  std::array<Block, mostLevels * Children> open;
-  std::size_t count = 0;
-  open[count++] = { this->Tree.NumberOfLevels() - 1, 0 };
-  while (count > 0)
-  {
-    const Block block = open[--count];
-    ForEachRay(within(block.Level, block.Number, this->WordOf(block.Level, block.Number)),
-      [&](std::size_t bit)
-      {
-        const Block child{ block.Level - 1,
-          Children * block.Number + static_cast<std::int64_t>(bit) };
-        if (child.Level > 0)
-        {
-          open[count++] = child;
-        }
-        else
-        {
-          take(child.Number);
-        }
-      });
-  }
 }
 
 /// The active leaves along a row of tiles. A thread goes from tile to tile in it, and has to go
@@ -120,8 +76,12 @@ void ActiveLeaves::FindRow(const TileGrid& grid, Row& row) const
   row.Leaves.clear();
   row.Boxes.clear();
   row.Around = grid.PlanesAlong(Row::Columns);
-  this->FindBelow([&](std::size_t level, std::int64_t block, std::uint64_t active)
-    { return active & BoxesWithin(row.Around, this->Boxes.ChildrenOf(level, block)); },
+  this->Tree.VisitLeaves(
+    [&](std::size_t level, std::int64_t block)
+    {
+      return this->WordOf(level, block) &
+        BoxesWithin(row.Around, this->Boxes.ChildrenOf(level, block));
+    },
     [&](std::int64_t leaf) { row.Append(leaf, this->Tree.LeafBox(leaf)); });
   row.Stamp = this->Stamp;
 }
@@ -155,11 +115,11 @@ void ActiveLeaves::Find(const RayBatch& rays, const TileGrid& grid, std::vector<
     const double margin = MarginOf(rays, this->Tree);
     const auto mayMeet = [&](const FloatBox& box)
     { return RaysThrough(rays, rays.WalkEnd, box, margin) != 0; };
-    this->FindBelow(
-      [&](std::size_t level, std::int64_t block, std::uint64_t active)
+    this->Tree.VisitLeaves(
+      [&](std::size_t level, std::int64_t block)
       {
         std::uint64_t met = 0;
-        ForEachRay(active,
+        ForEachRay(this->WordOf(level, block),
           [&](std::size_t bit)
           {
             const std::int64_t child = Children * block + static_cast<std::int64_t>(bit);
@@ -180,7 +140,7 @@ std::uint64_t ActiveLeaves::CellsOf(std::int64_t leaf) const
 {
   if (!this->Active)
   {
-    return FirstBits(this->Tree.NumberOfCells() - Children * leaf);
+    return this->Tree.ChildrenOf(0, leaf);
   }
   const glm::ivec3 cell = ActiveCells::LeafSize * MeshLattice::PlaceOf(leaf);
   return this->Active->CellsOf(this->Kind, this->Active->NodeOf(cell), cell);

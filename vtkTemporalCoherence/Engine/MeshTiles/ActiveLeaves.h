@@ -54,8 +54,6 @@ public:
 private:
   struct Row;
 
-  template <typename Within, typename Take>
-  void FindBelow(const Within& within, const Take& take) const;
   void FindRow(const TileGrid& grid, Row& row) const;
   static std::uint64_t NewStamp();
   std::uint64_t WordOf(std::size_t level, std::int64_t block) const;

@@ -4,6 +4,7 @@
 #define TemporalCoherence_MeshTree_h
 
 #include "Mesh/Mesh.h"
+#include "Scene/LayerBatch.h"
 #include "Scene/Progress.h"
 #include "Scene/Surfaces.h"
 #include "Trees/MeshBoxes.h"
@@ -16,6 +17,7 @@
 #include <glm/glm.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -117,6 +119,53 @@ public:
   std::int64_t NumberOfBlocks(std::size_t level) const
   {
     return static_cast<std::int64_t>(this->Boxes->Levels[level].size());
+  }
+
+  /// One bit for each child of a block: the blocks of the level below that are in it or, of a leaf,
+  /// the cells.
+  std::uint64_t ChildrenOf(std::size_t level, std::int64_t block) const
+  {
+    const std::int64_t all = level > 0 ? this->NumberOfBlocks(level - 1) : this->NumberOfCells();
+    const std::int64_t left = all - MeshLattice::SizeOfBlock * block;
+    return left >= MeshLattice::SizeOfBlock
+      ? ~std::uint64_t(0)
+      : (std::uint64_t(1) << std::max<std::int64_t>(left, 0)) - 1;
+  }
+
+  /// Call visit(leaf) for leaves of the tree, going down from the root.
+  /// \param childrenOf childrenOf(level, block) tells which children of a block to go to, one bit
+  ///                   each
+  template <typename ChildrenToVisit, typename Visit>
+  void VisitLeaves(const ChildrenToVisit& childrenOf, const Visit& visit) const
+  {
+    struct Block
+    {
+      std::size_t Level;
+      std::int64_t Number;
+    };
+    if (this->NumberOfCells() == 0)
+    {
+      return;
+    }
+    constexpr std::size_t mostLevels = 12;
+    std::array<Block, mostLevels * MeshLattice::SizeOfBlock> open;
+    std::size_t count = 0;
+    open[count++] = { this->NumberOfLevels() - 1, 0 };
+    while (count > 0)
+    {
+      const Block block = open[--count];
+      if (block.Level == 0)
+      {
+        visit(block.Number);
+        continue;
+      }
+      ForEachRay(childrenOf(block.Level, block.Number),
+        [&](std::size_t bit)
+        {
+          open[count++] = { block.Level - 1,
+            MeshLattice::SizeOfBlock * block.Number + static_cast<std::int64_t>(bit) };
+        });
+    }
   }
 
   /// The box around a block of cells of the lattice. A part of a leaf has the leaf's box; a block

@@ -27,10 +27,6 @@ namespace HWY_NAMESPACE
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Places of rays.
-template <class D>
-using Places = hn::Vec<hn::RebindToSigned<D>>;
-
 /// The functions of one cell, the same for all rays, which have the same axis.
 template <class D>
 struct SameFunctions
@@ -103,27 +99,6 @@ struct OwnFunctions
 private:
   using DI = hn::RebindToSigned<D>;
   TileArray<std::int64_t> Axes[3], Start; ///< of rays
-};
-
-/// Some rays, in any order.
-template <class D>
-struct GatheredRays
-{
-  using V = hn::Vec<D>;
-
-  HWY_INLINE GatheredRays(const MeshRays& rays, Places<D> ray)
-  {
-    const D d;
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      this->Turned[a] = hn::GatherIndex(d, rays.Turned[a].data(), ray);
-    }
-    this->ShearX = hn::GatherIndex(d, rays.ShearX.data(), ray);
-    this->ShearY = hn::GatherIndex(d, rays.ShearY.data(), ray);
-    this->PerDepth = hn::GatherIndex(d, rays.PerDepth.data(), ray);
-  }
-
-  V Turned[3], ShearX, ShearY, PerDepth;
 };
 
 }

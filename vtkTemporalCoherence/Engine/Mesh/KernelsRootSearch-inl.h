@@ -193,15 +193,15 @@ HWY_INLINE std::uint64_t LookInto(const Functions& functions, const Rays& rays, 
 }
 
 /// Find the crossings of a vector of rays with a cell; what takes longer becomes boxes.
-/// \param ray    of each lane
+/// \param places of the rays
 /// \param wanted bits of lanes
-template <class D, class Functions, class Rays>
-HWY_INLINE void LookIntoCell(const Functions& functions, const Rays& rays, Places<D> ray,
+template <class D, class Functions>
+HWY_INLINE void LookIntoCell(const Functions& functions, const std::int64_t* places,
   std::uint64_t wanted, RootWork& work, Crossings& found)
 {
   const D d;
-  HWY_ALIGN std::int64_t places[hn::MaxLanes(D())];
-  hn::Store(ray, hn::RebindToSigned<D>(), places);
+  const auto ray = hn::LoadU(hn::RebindToSigned<D>(), places);
+  const ShearedRays<D> rays(work.Rays, ray);
   const StraightSystem<D> system(functions, rays, ray);
   KnownPart<D> part(system);
   wanted &= ~BitsOf(d, part.IsOut);
@@ -235,36 +235,21 @@ HWY_INLINE void LookIntoCell(const Functions& functions, const Rays& rays, Place
   }
 }
 
-/// The same for all wanted rays, side by side, so that vectors are full: of a tile's rows of
-/// pixels, a cell covers parts.
+/// The same for all wanted rays.
 template <class D, class Functions>
 HWY_INLINE void LookIntoCell(
   const Functions& functions, std::uint64_t which, RootWork& work, Crossings& found)
 {
-  const hn::RebindToSigned<D> di;
-  constexpr std::size_t most = hn::MaxLanes(D());
-  HWY_ALIGN std::int64_t places[MeshRays::Capacity + most];
-  std::size_t count = 0;
-  for (std::uint64_t left = which; left != 0; left &= left - 1)
-  {
-    places[count++] = static_cast<std::int64_t>(hwy::Num0BitsBelowLS1Bit_Nonzero64(left));
-  }
-  // No lane is uninitialised.
-  std::fill_n(places + count, most, places[count - 1]);
-  for (std::size_t i = 0; i < count; i += hn::Lanes(D()))
-  {
-    const std::size_t lanes = std::min(hn::Lanes(D()), count - i);
-    const auto ray = hn::Load(di, &places[i]);
-    LookIntoCell<D>(functions, GatheredRays<D>(work.Rays, ray), ray,
-      (std::uint64_t(1) << lanes) - 1, work, found);
-  }
+  ForEachFullVector(which,
+    [&](const std::int64_t* places, std::uint64_t wanted) HWY_ATTR
+    { LookIntoCell<D>(functions, places, wanted, work, found); });
 }
 
 /// Look into a vector of boxes.
 template <class D, class Functions>
 HWY_INLINE void Look(const Functions& functions, const RootBoxes<D>& boxes, RootWork& work)
 {
-  const GatheredRays<D> rays(work.Rays, boxes.Ray);
+  const ShearedRays<D> rays(work.Rays, boxes.Ray);
   const StraightSystem<D> system(functions, rays, boxes.Ray);
   KnownPart<D> part(boxes.Middle, boxes.Half);
   part.CutToRay(functions, boxes.Ray, system);

@@ -12,6 +12,8 @@
 
 #include "Mesh/TurnedPairs.h"
 
+#include <algorithm>
+
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
@@ -75,11 +77,28 @@ struct OwnPoints
   std::size_t First;
 };
 
+/// Places of rays.
+template <class D>
+using Places = hn::Vec<hn::RebindToSigned<D>>;
+
 /// A vector of rays.
 template <class D>
 struct ShearedRays
 {
   using V = hn::Vec<D>;
+
+  /// Rays in any order.
+  HWY_INLINE ShearedRays(const MeshRays& rays, Places<D> ray)
+  {
+    const D d;
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      this->Turned[a] = hn::GatherIndex(d, rays.Turned[a].data(), ray);
+    }
+    this->ShearX = hn::GatherIndex(d, rays.ShearX.data(), ray);
+    this->ShearY = hn::GatherIndex(d, rays.ShearY.data(), ray);
+    this->PerDepth = hn::GatherIndex(d, rays.PerDepth.data(), ray);
+  }
 
   HWY_INLINE ShearedRays(const MeshRays& rays, std::size_t i)
   {
@@ -119,6 +138,26 @@ HWY_INLINE void ForEachVector(std::uint64_t which, const Work& work)
     {
       work(i, wanted);
     }
+  }
+}
+
+/// Call work(places of rays, bits of lanes) for vectors of wanted rays, side by side, so that
+/// vectors are full: of a tile's rows of pixels, a cell covers parts.
+template <class Work>
+HWY_INLINE void ForEachFullVector(std::uint64_t which, const Work& work)
+{
+  constexpr std::size_t lanes = hn::MaxLanes(Doubles());
+  HWY_ALIGN std::int64_t places[MeshRays::Capacity + lanes];
+  std::size_t count = 0;
+  for (std::uint64_t left = which; left != 0; left &= left - 1)
+  {
+    places[count++] = static_cast<std::int64_t>(hwy::Num0BitsBelowLS1Bit_Nonzero64(left));
+  }
+  // No lane is uninitialised.
+  std::fill_n(places + count, lanes, count > 0 ? places[count - 1] : 0);
+  for (std::size_t i = 0; i < count; i += lanes)
+  {
+    work(places + i, (std::uint64_t(1) << std::min(lanes, count - i)) - 1);
   }
 }
 

@@ -23,9 +23,18 @@ namespace HWY_NAMESPACE
 void CrossingsOf(
   const TetrahedronPoints& points, const MeshRays& rays, std::uint64_t which, Crossings& found)
 {
-  ForEachVector(rays, which, points,
-    [&](auto d, const auto& seen, const auto& vector, std::size_t i, std::uint64_t wanted) HWY_ATTR
-    { AppendCrossings(d, FindSpan(d, vector, seen), rays, i, wanted, found); });
+  using D = Doubles;
+  const D d;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const SamePoints<D, TetrahedronPoints> seen(points, axis);
+    ForEachFullVector(which & rays.Along[axis],
+      [&](const std::int64_t* places, std::uint64_t wanted) HWY_ATTR
+      {
+        const ShearedRays<D> vector(rays, hn::LoadU(hn::RebindToSigned<D>(), places));
+        AppendCrossings(d, FindSpan(d, vector, seen), rays, places, wanted, found);
+      });
+  }
 }
 
 void SpansOf(

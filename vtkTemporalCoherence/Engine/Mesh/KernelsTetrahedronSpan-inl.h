@@ -188,10 +188,11 @@ HWY_INLINE TetrahedronSpan<D> FindSpan(D d, const ShearedRays<D>& rays, const Po
   return span;
 }
 
-/// Append what is found in a vector of rays, the first of which is ray i.
+/// Append what is found in a vector of rays.
+/// \param places of the rays
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE void AppendCrossings(D d, const TetrahedronSpan<D>& span, const MeshRays& rays,
-  std::size_t i, std::uint64_t wanted, Crossings& found)
+  const std::int64_t* places, std::uint64_t wanted, Crossings& found)
 {
   const V zero = hn::Zero(d), one = hn::Set(d, 1.0);
   const auto rises = hn::Lt(span.AtIn, zero);
@@ -217,11 +218,23 @@ HWY_INLINE void AppendCrossings(D d, const TetrahedronSpan<D>& span, const MeshR
     {
       all[lane] = std::nextafter(all[lane], -std::numeric_limits<double>::max());
     }
-    if (all[lane] >= rays.Begin[i + lane] && all[lane] <= rays.End[i + lane])
+    const auto ray = static_cast<std::size_t>(places[lane]);
+    if (all[lane] >= rays.Begin[ray] && all[lane] <= rays.End[ray])
     {
-      found.Append(i + lane, all[lane], isRising);
+      found.Append(ray, all[lane], isRising);
     }
   }
+}
+
+/// The same for rays from the first one on.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE void AppendCrossings(D d, const TetrahedronSpan<D>& span, const MeshRays& rays,
+  std::size_t first, std::uint64_t wanted, Crossings& found)
+{
+  const hn::RebindToSigned<D> di;
+  HWY_ALIGN std::int64_t places[hn::MaxLanes(di)];
+  hn::Store(hn::Iota(di, static_cast<std::int64_t>(first)), di, places);
+  AppendCrossings(d, span, rays, places, wanted, found);
 }
 
 template <class D>

@@ -47,13 +47,22 @@ std::uint64_t ActiveLeaves::WordOf(std::size_t level, std::int64_t block) const
                     : this->Active->LevelsAbove()[level - 2].WordOf(place);
 }
 
-/// The active leaves along a row of tiles. A thread goes from tile to tile in it, and has to go
-/// down the tree only once.
+/// Put leaves in order, from front to back.
+void ActiveLeaves::SortLeaves(std::vector<Leaf>& leaves)
+{
+  std::sort(leaves.begin(), leaves.end(),
+    [](const Leaf& a, const Leaf& b)
+    { return a.Depth != b.Depth ? a.Depth < b.Depth : a.Number < b.Number; });
+}
+
+/// The active leaves along a row of tiles, in the order of all of them. A thread goes from tile to
+/// tile in it, and has to go down the tree only once.
 struct ActiveLeaves::Row
 {
+  using Leaf = ActiveLeaves::Leaf;
   static constexpr int Columns = 8 * TileSize; ///< as many as a thread takes at a time
 
-  void Append(std::int64_t leaf, const FloatBox& box)
+  void Append(const Leaf& leaf, const FloatBox& box)
   {
     const std::size_t lane = this->Leaves.size() % static_cast<std::size_t>(Children);
     if (lane == 0)
@@ -64,9 +73,17 @@ struct ActiveLeaves::Row
     this->Leaves.push_back(leaf);
   }
 
+  /// True if the leaves that a tile may pass are among these, in its order.
+  bool HasTile(std::uint64_t stamp, const RayBatch& rays, const TileGrid& grid) const
+  {
+    return this->Stamp == stamp && grid.HasDepthsOf(this->Grid) &&
+      grid.IsWithin(this->Around, rays);
+  }
+
   std::uint64_t Stamp = 0; ///< of the ActiveLeaves that found it; 0: of none
+  TileGrid Grid;           ///< of the first tile
   TilePlanes Around;
-  std::vector<std::int64_t> Leaves;
+  std::vector<Leaf> Leaves;    ///< from front to back
   std::vector<BoxLanes> Boxes; ///< of the leaves, 64 at a time
 };
 
@@ -76,13 +93,23 @@ void ActiveLeaves::FindRow(const TileGrid& grid, Row& row) const
   row.Leaves.clear();
   row.Boxes.clear();
   row.Around = grid.PlanesAlong(Row::Columns);
+  thread_local std::vector<Leaf> found;
+  found.clear();
   this->Tree.VisitLeaves(
     [&](std::size_t level, std::int64_t block)
     {
       return this->WordOf(level, block) &
         BoxesWithin(row.Around, this->Boxes.ChildrenOf(level, block));
     },
-    [&](std::int64_t leaf) { row.Append(leaf, this->Tree.LeafBox(leaf)); });
+    [&](std::int64_t leaf) {
+      found.push_back({ grid.NearestDepth(this->Tree.LeafBox(leaf)), leaf });
+    });
+  SortLeaves(found);
+  for (const Leaf& leaf : found)
+  {
+    row.Append(leaf, this->Tree.LeafBox(leaf.Number));
+  }
+  row.Grid = grid;
   row.Stamp = this->Stamp;
 }
 
@@ -96,7 +123,7 @@ void ActiveLeaves::Find(const RayBatch& rays, const TileGrid& grid, std::vector<
   if (grid.IsGrid())
   {
     thread_local Row row;
-    if (row.Stamp != this->Stamp || !grid.IsWithin(row.Around, rays))
+    if (!row.HasTile(this->Stamp, rays, grid))
     {
       this->FindRow(grid, row);
     }
@@ -104,10 +131,7 @@ void ActiveLeaves::Find(const RayBatch& rays, const TileGrid& grid, std::vector<
     {
       ForEachRay(BoxesWithin(grid.Planes(), row.Boxes[i]),
         [&](std::size_t lane)
-        {
-          const std::int64_t leaf = row.Leaves[i * static_cast<std::size_t>(Children) + lane];
-          leaves.push_back({ grid.NearestDepth(this->Tree.LeafBox(leaf)), leaf });
-        });
+        { leaves.push_back(row.Leaves[i * static_cast<std::size_t>(Children) + lane]); });
     }
   }
   else
@@ -130,10 +154,8 @@ void ActiveLeaves::Find(const RayBatch& rays, const TileGrid& grid, std::vector<
       [&](std::int64_t leaf) {
         leaves.push_back({ grid.NearestDepth(this->Tree.LeafBox(leaf)), leaf });
       });
+    SortLeaves(leaves);
   }
-  std::sort(leaves.begin(), leaves.end(),
-    [](const Leaf& a, const Leaf& b)
-    { return a.Depth != b.Depth ? a.Depth < b.Depth : a.Number < b.Number; });
 }
 
 std::uint64_t ActiveLeaves::CellsOf(std::int64_t leaf) const

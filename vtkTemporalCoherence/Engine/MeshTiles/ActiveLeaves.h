@@ -56,6 +56,7 @@ private:
 
   void FindRow(const TileGrid& grid, Row& row) const;
   static std::uint64_t NewStamp();
+  static void SortLeaves(std::vector<Leaf>& leaves);
   std::uint64_t WordOf(std::size_t level, std::int64_t block) const;
 
   const FieldKind& Kind;

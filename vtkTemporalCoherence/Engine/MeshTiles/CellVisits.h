@@ -95,7 +95,7 @@ inline std::uint64_t RaysInto(const ActiveLeaves::Leaf& leaf, const MeshTile& ti
   std::uint64_t wanted, const RayBatch::Array<double>& limits)
 {
   return tile.Grid.IsGrid()
-    ? RaysReaching(tile.Rays, wanted, limits, tile.Grid.ToSeenDepth(leaf.Depth, tile.Margin))
+    ? RaysReaching(tile.Rays, wanted, limits, tile.Grid.ToSeenDepth(leaf.Depth))
     : RaysThrough(tile.Rays, wanted, limits, tile.Tree.LeafBox(leaf.Number), tile.Margin);
 }
 

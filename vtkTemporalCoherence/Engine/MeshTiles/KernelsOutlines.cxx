@@ -75,20 +75,11 @@ struct LanesOf
     hn::Store(value, Floats(), &to[this->First]);
   }
 
-  /// Store numbers of each cell side by side.
   HWY_INLINE void StoreSides(const Cells* values, std::size_t count) const
   {
-    HWY_ALIGN float by[SeenBlock::Size][hn::MaxLanes(Floats())];
     for (std::size_t k = 0; k < count; ++k)
     {
-      hn::Store(values[k], Floats(), by[k]);
-    }
-    for (std::size_t lane = 0; lane < hn::Lanes(Floats()); ++lane)
-    {
-      for (std::size_t k = 0; k < count; ++k)
-      {
-        this->Block.Sides[this->First + lane][k] = by[k][lane];
-      }
+      this->Store(this->Block.Sides[k], values[k]);
     }
   }
 
@@ -357,17 +348,19 @@ void AppendSeenCells(
 }
 
 /// One bit for each pixel of a tile within the bounds of a hull.
-HWY_INLINE std::uint64_t PixelsOfHull(const SeenBlock::Lanes& sides, float column)
+HWY_INLINE std::uint64_t PixelsOfHull(const SeenBlock& block, std::size_t cell, float column)
 {
   const Floats d;
   const hn::RebindToSigned<Floats> di;
   HWY_ALIGN std::int32_t numbers[SidesOfHull];
   const Cells first = hn::Set(d, column), zero = hn::Zero(d);
   const Cells last = hn::Set(d, static_cast<float>(PixelsUpTo::Numbers - 1));
+  const auto steps =
+    hn::Mul(hn::Iota(di, 0), hn::Set(di, static_cast<std::int32_t>(SeenBlock::Size)));
   for (std::size_t k = 0; k < SidesOfHull; k += hn::Lanes(d))
   {
     const Cells moved = hn::NegMulAdd(first, hn::Load(d, &Pixels.PerColumn[k]),
-      hn::Add(hn::Load(d, &sides[k]), hn::Load(d, &Pixels.Add[k])));
+      hn::Add(hn::GatherIndex(d, &block.Sides[k][cell], steps), hn::Load(d, &Pixels.Add[k])));
     hn::Store(hn::ConvertTo(di, hn::Min(hn::Max(moved, zero), last)), di, &numbers[k]);
   }
   std::uint64_t pixels = ~std::uint64_t(0);
@@ -383,7 +376,7 @@ HWY_INLINE std::uint64_t PixelsOfPolygon(const SeenBlock& block, std::size_t cel
 {
   const Floats d;
   constexpr std::size_t count = PolygonEdges::Count;
-  const SeenBlock::Lanes& sides = block.Sides[cell];
+  const auto side = [&](std::size_t k) { return block.Sides[k][cell]; };
   const Cells lowX = hn::Set(d, block.LowX[cell] - column);
   const Cells highX = hn::Set(d, block.HighX[cell] - column);
   const Cells lowY = hn::Set(d, block.LowY[cell]), highY = hn::Set(d, block.HighY[cell]);
@@ -395,8 +388,8 @@ HWY_INLINE std::uint64_t PixelsOfPolygon(const SeenBlock& block, std::size_t cel
       hn::Min(hn::Sub(x, lowX), hn::Sub(highX, x)), hn::Min(hn::Sub(y, lowY), hn::Sub(highY, y)));
     for (std::size_t edge = 0; edge < count; ++edge)
     {
-      const Cells a = hn::Set(d, sides[edge]), b = hn::Set(d, sides[count + edge]);
-      const Cells c = hn::Set(d, sides[2 * count + edge] + sides[edge] * column);
+      const Cells a = hn::Set(d, side(edge)), b = hn::Set(d, side(count + edge));
+      const Cells c = hn::Set(d, side(2 * count + edge) + side(edge) * column);
       least = hn::Min(least, hn::MulAdd(a, x, hn::MulAdd(b, y, c)));
     }
     std::uint8_t bits[8] = {};
@@ -435,7 +428,7 @@ void FindPixelsOfCells(const SeenBlock* blocks, std::size_t count, float column,
     {
       const std::size_t cell = hwy::Num0BitsBelowLS1Bit_Nonzero32(near);
       const std::uint64_t pixels = block.IsOfPolygons ? PixelsOfPolygon(block, cell, column)
-                                                      : PixelsOfHull(block.Sides[cell], column);
+                                                      : PixelsOfHull(block, cell, column);
       if (pixels != 0)
       {
         seen.Append(block.First + cell, pixels, block.Depth[cell]);

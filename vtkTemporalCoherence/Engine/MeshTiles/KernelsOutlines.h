@@ -36,9 +36,10 @@ struct alignas(64) SeenBlock
   Lanes LowX, HighX, LowY, HighY; ///< the rectangle around what is seen of a cell
   Lanes Depth;                    ///< w of the nearest point, and less
 
-  /// By the cell. Of a polygon A, B and C of its four edges: A column + B row + C is not negative
-  /// on their side. Of a hull bounds of the pixels in it, along SideDirections.
-  std::array<Lanes, Size> Sides;
+  /// Of polygons A, B and C of their four edges: A column + B row + C is not negative on their
+  /// side. Of hulls bounds of the pixels in them (PixelsUpTo).
+  static constexpr std::size_t MostSides = 16;
+  std::array<Lanes, MostSides> Sides;
   bool IsOfPolygons;
   std::size_t First, Count; ///< cells
 };

@@ -200,10 +200,16 @@ private:
       this->Cells.Tetrahedra.emplace_back(cell, differences);
       return true;
     }
-    this->Cells.Hexahedra.push_back({ cell, differences, {}, {}, {} });
+    if (this->Cells.Hexahedra.empty())
+    {
+      this->Cells.Hexahedra.reserve(left);
+    }
+    PreparedHexahedron& hexahedron = this->Cells.Hexahedra.emplace_back();
+    hexahedron.Cell = cell;
+    hexahedron.Differences = differences;
     if (this->Purpose == CellPurpose::Crossings)
     {
-      this->Cells.Hexahedra.back().Functions = MeshKernels::HexahedronFunctions(cell, differences);
+      hexahedron.Functions = MeshKernels::HexahedronFunctions(cell, differences);
     }
     return true;
   }

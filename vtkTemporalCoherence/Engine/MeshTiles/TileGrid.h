@@ -47,12 +47,19 @@ public:
   /// How far a point of index space lies ahead.
   double DepthOf(const glm::dvec3& point) const { return glm::dot(this->Forward, point); }
 
-  /// w of a depth, as in OutlineView, or less. Ray i comes to it at t = w PerDepth[i].
-  /// \param margin in index space
-  /// \pre IsGrid()
-  double ToSeenDepth(double depth, double margin) const
+  /// True if depths of another grid are those of this one, within rounding: they are of one view.
+  bool HasDepthsOf(const TileGrid& other) const
   {
-    return depth - this->DepthOf(this->Seen.Origin) - margin * glm::length(this->Seen.Row[0]);
+    return glm::length(other.Forward - this->Forward) <= SameDepth * glm::length(this->Forward);
+  }
+
+  /// w of a depth of a grid with the same depths, as in OutlineView, or less. Ray i comes to it at
+  /// t = w PerDepth[i].
+  /// \pre IsGrid()
+  double ToSeenDepth(double depth) const
+  {
+    const double slack = 2.0 * SameDepth * this->Reach() * glm::length(this->Forward);
+    return depth - this->DepthOf(this->Seen.Origin) - slack;
   }
 
   /// The same for the nearest point of a box. Orders boxes from front to back, roughly.
@@ -181,6 +188,9 @@ private:
     glm::dvec3 Origin;
     bool IsPerspective;
   };
+
+  /// How far directions of depths may differ, by their length.
+  static constexpr double SameDepth = 1e-10;
 
   /// Pixels around the tile and around cells, against rounding.
   static constexpr double Margin = 0x1p-6;

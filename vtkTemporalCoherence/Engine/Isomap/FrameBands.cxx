@@ -23,6 +23,10 @@ namespace
 /// and others. And how much of what look-ups are expected to save may be spent on that.
 constexpr double AllowedAtFirst = 0.1, AllowedExtra = 0.15, SpentOfSavings = 0.8;
 
+/// The same for any frame of a mesh: look-ups there save most of a frame, so that what is built
+/// soon pays soon.
+constexpr double AllowedInMeshes = 0.22;
+
 /// The same where look-ups no longer cost what they did when the groups were traced: nobody knows
 /// well what they save.
 constexpr double SpentOfOldSavings = 0.5;
@@ -109,7 +113,9 @@ FrameBands::FrameBands(const Source& source, Isomap& map, DragState& state)
   {
     return;
   }
-  const double allowed = saved > 0.0 ? AllowedExtra : AllowedAtFirst;
+  const double allowed = source.Key.Samples.Kind->Abilities().IsMesh ? AllowedInMeshes
+    : saved > 0.0                                                    ? AllowedExtra
+                                                                     : AllowedAtFirst;
   const double spent = state.Costs.AreOld() ? SpentOfOldSavings : SpentOfSavings;
   double most = spent * saved + allowed * (this->CostOfAll + source.SetUpCost);
   this->MostForSetUp = ShareOfSetUp * most;

@@ -105,9 +105,10 @@ void TetrahedronSpans(const MeshCell& cell, const CellDifferences& differences,
 void HexahedronSpans(const MeshCell& cell, const CellDifferences& differences, const MeshRays& rays,
   std::uint64_t which, CellSpans& spans);
 
-/// Of these, only the parts with differences between `low` and `high`.
+/// Of these, only the parts with differences between `low` and `high` that begin up to limits.
+/// \param limits of all rays, to the end of the last vector
 void TetrahedronSpansWithin(const TetrahedronPoints& points, const MeshRays& rays,
-  std::uint64_t which, double low, double high, SpanList& found);
+  std::uint64_t which, double low, double high, const TileArray<double>& limits, SpanList& found);
 
 /// The parts of rays in cells, for pairs: ray k with cell k.
 void TetrahedronSpansOfPairs(const MeshCell* cells, const CellDifferences* differences,

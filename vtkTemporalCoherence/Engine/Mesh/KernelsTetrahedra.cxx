@@ -46,13 +46,15 @@ void SpansOf(
 }
 
 void SpansWithin(const TetrahedronPoints& points, const MeshRays& rays, std::uint64_t which,
-  double low, double high, SpanList& found)
+  double low, double high, const TileArray<double>& limits, SpanList& found)
 {
   ForEachVector(rays, which, points,
     [&](auto d, const auto& seen, const auto& vector, std::size_t i, std::uint64_t wanted) HWY_ATTR
     {
+      const auto span = FindSpan(d, vector, seen);
+      const auto isBefore = hn::Le(span.In, hn::LoadU(d, &limits[i]));
       AppendSpans(
-        d, FindSpan(d, vector, seen), hn::Set(d, low), hn::Set(d, high), i, wanted, found);
+        d, span, hn::Set(d, low), hn::Set(d, high), i, wanted & BitsOf(d, isBefore), found);
     });
 }
 
@@ -124,10 +126,10 @@ void TetrahedronSpans(
 }
 
 void TetrahedronSpansWithin(const TetrahedronPoints& points, const MeshRays& rays,
-  std::uint64_t which, double low, double high, SpanList& found)
+  std::uint64_t which, double low, double high, const TileArray<double>& limits, SpanList& found)
 {
   found.Count = 0;
-  HWY_DYNAMIC_DISPATCH(SpansWithin)(points, rays, which, low, high, found);
+  HWY_DYNAMIC_DISPATCH(SpansWithin)(points, rays, which, low, high, limits, found);
 }
 
 void TetrahedronSpans(const MeshCell& cell, const CellDifferences& differences,

@@ -20,6 +20,12 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 /// Passages of a tile that are kept at most before rays take note of them.
 constexpr std::size_t MostAhead = 4096;
 
+/// Leaves between two looks at where the rays of a tile end.
+constexpr std::size_t LeavesAtOnce = 8;
+
+/// Room for rounding errors of depths, as a share of them.
+constexpr double RoundingOfDepth = 1e-9;
+
 bool AreFinite(const double* differences, std::size_t count)
 {
   bool areFinite = true;
@@ -83,6 +89,10 @@ std::int64_t MeshBandTracer::Trace(const RayBatch& rays, TileKnots& knots) const
   for (std::size_t i = 0; i < tile.Leaves.size() && hasRoom; ++i)
   {
     const ActiveLeaves::Leaf& leaf = tile.Leaves[i];
+    if (i % LeavesAtOnce == 0 && leaf.Depth > FarthestDepth(tile, wanted, band.Limits()))
+    {
+      break; // all rays have ended
+    }
     const FloatBox& box = this->Tree.LeafBox(leaf.Number);
     const std::uint64_t ofLeaf = RaysThrough(rays, wanted, band.Limits(), box, tile.Margin);
     if (ofLeaf != 0)
@@ -143,6 +153,29 @@ std::int64_t MeshBandTracer::Visit(const PreparedCells& cells, std::int64_t leaf
     });
 }
 
+/// The depth to which some rays go at most.
+double MeshBandTracer::FarthestDepth(
+  const MeshTile& tile, std::uint64_t which, const RayBatch::Array<double>& limits)
+{
+  double farthest = -Infinity;
+  const RayBatch& rays = tile.Rays;
+  ForEachRay(which,
+    [&](std::size_t ray)
+    {
+      const double from =
+        tile.Grid.DepthOf({ rays.Origin[0][ray], rays.Origin[1][ray], rays.Origin[2][ray] });
+      const double per = tile.Grid.DepthOf(
+        { rays.Direction[0][ray], rays.Direction[1][ray], rays.Direction[2][ray] });
+      const double way = limits[ray] * per;
+      const double slack = RoundingOfDepth * (std::abs(from) + std::abs(way));
+      if (limits[ray] > -Infinity)
+      {
+        farthest = std::max(farthest, per > 0.0 ? from + way + slack : Infinity);
+      }
+    });
+  return farthest;
+}
+
 /// How far each ray has come where it comes to a depth.
 RayBatch::Array<double> MeshBandTracer::DistancesAt(const MeshTile& tile, double depth)
 {
@@ -154,10 +187,9 @@ RayBatch::Array<double> MeshBandTracer::DistancesAt(const MeshTile& tile, double
       tile.Grid.DepthOf({ rays.Origin[0][ray], rays.Origin[1][ray], rays.Origin[2][ray] });
     const double per =
       tile.Grid.DepthOf({ rays.Direction[0][ray], rays.Direction[1][ray], rays.Direction[2][ray] });
-    constexpr double slack = 1e-9;
     const double distance = (depth - from) / per;
     distances[ray] = depth == Infinity ? Infinity
-      : per > 0.0                      ? distance - slack * std::abs(distance)
+      : per > 0.0                      ? distance - RoundingOfDepth * std::abs(distance)
                                        : -Infinity;
   }
   return distances;
@@ -171,7 +203,8 @@ void MeshBandTracer::Append(const MeshKernels::TetrahedronPoints& cell, const Ce
   const bool isAll = !isFinite || this->IsSolid();
   const double slack = isAll ? Infinity : MeshDifference::Slack(this->Width);
   MeshKernels::SpanList spans;
-  MeshKernels::TetrahedronSpansWithin(cell, tile.InMesh, which, -slack, this->Width + slack, spans);
+  MeshKernels::TetrahedronSpansWithin(
+    cell, tile.InMesh, which, -slack, this->Width + slack, band.Limits(), spans);
   for (std::size_t i = 0; i < spans.Count; ++i)
   {
     const std::size_t ray = spans.Ray[i];

@@ -38,6 +38,8 @@ private:
     const MeshTile& tile, std::uint64_t which, MeshBandRays& band) const;
   void Append(const PreparedHexahedron& cell, const CellIndex& index, const MeshTile& tile,
     std::uint64_t which, MeshBandRays& band) const;
+  static double FarthestDepth(
+    const MeshTile& tile, std::uint64_t which, const RayBatch::Array<double>& limits);
   static RayBatch::Array<double> DistancesAt(const MeshTile& tile, double depth);
 
   BandScene Scene;

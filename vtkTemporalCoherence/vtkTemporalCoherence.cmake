@@ -96,11 +96,15 @@ set(engine_files
   MeshTiles/BoxLevels
   MeshTiles/CellValues
   MeshTiles/KernelsBoxes
+  MeshTiles/KernelsMeshRays
   MeshTiles/KernelsOutlines
   MeshTiles/KernelsTileGrid
   MeshTiles/PreparedCells
   MeshTiles/PreparedLeaves
   MeshTiles/SeenStrip
+  MeshFields/KernelsDistinct
+  MeshFields/KernelsHitPlaces
+  MeshFields/KernelsSortedTetrahedra
   MeshFields/MeshBandRays
   MeshFields/MeshBandTracer
   MeshFields/MeshCellSearch

@@ -63,6 +63,21 @@ struct MeshRays
     this->FillUp();
   }
 
+  /// Take a prepared ray of another batch.
+  void Take(const MeshRays& from, std::size_t ray, std::size_t at)
+  {
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      this->Turned[a][at] = from.Turned[a][ray];
+      this->Along[a] |= (from.Along[a] >> ray & 1u) << at;
+    }
+    this->ShearX[at] = from.ShearX[ray];
+    this->ShearY[at] = from.ShearY[ray];
+    this->PerDepth[at] = from.PerDepth[ray];
+    this->Begin[at] = from.Begin[ray];
+    this->End[at] = from.End[ray];
+  }
+
   /// Repeat the last ray up to the end of the last vector, so that no lane is uninitialised.
   void FillUp()
   {

@@ -86,49 +86,22 @@ struct TrilinearVectors
   }
 };
 
-/// The cells of a vector of points: one cell, or each its own.
+/// A cell as functions.
 template <class D>
 struct CellVectors
 {
   using V = hn::Vec<D>;
   TrilinearVectors<V> Place[3], Value;
 
-  HWY_INLINE CellVectors(D d, const PlacedCell* cells, const PointsInCells& points, std::size_t i)
-  {
-    const std::size_t first = points.Cell[i], last = points.Cell[i + hn::Lanes(d) - 1];
-    bool isSame = first == last;
-    for (std::size_t lane = 1; lane + 1 < hn::Lanes(d); ++lane)
-    {
-      isSame = isSame && points.Cell[i + lane] == first;
-    }
-    if (isSame)
-    {
-      this->Take([&](std::size_t k) HWY_ATTR { return hn::Set(d, cells[first].Numbers[k]); });
-      return;
-    }
-    constexpr std::size_t stride = sizeof(PlacedCell) / sizeof(double);
-    const hn::RebindToSigned<D> di;
-    HWY_ALIGN std::int64_t from[hn::MaxLanes(d)];
-    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
-    {
-      from[lane] = static_cast<std::int64_t>(points.Cell[i + lane] * stride);
-    }
-    const auto at = hn::Load(di, from);
-    const double* numbers = cells[0].Numbers.data();
-    this->Take([&](std::size_t k) HWY_ATTR { return hn::GatherIndex(d, numbers + k, at); });
-  }
-
-private:
-  template <class Read>
-  HWY_INLINE void Take(const Read& read)
+  HWY_INLINE CellVectors(D d, const PlacedCell& cell)
   {
     for (std::size_t k = 0; k < 8; ++k)
     {
       for (std::size_t a = 0; a < 3; ++a)
       {
-        this->Place[a].C[k] = read(8 * a + k);
+        this->Place[a].C[k] = hn::Set(d, cell.Numbers[8 * a + k]);
       }
-      this->Value.C[k] = read(24 + k);
+      this->Value.C[k] = hn::Set(d, cell.Numbers[24 + k]);
     }
   }
 };
@@ -223,22 +196,13 @@ struct TetrahedronVectors
   Axes<V> Edge[3]; ///< from point 0 to the others
   V Rise[3];       ///< of values along them
 
-  HWY_INLINE TetrahedronVectors(D d, const MeshCell* cells, std::size_t count, std::size_t i)
+  HWY_INLINE TetrahedronVectors(D d, const TetrahedronLanes& cells, std::size_t i)
   {
-    HWY_ALIGN double numbers[16][hn::MaxLanes(d)];
-    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
-    {
-      const MeshCell& cell = cells[std::min(i + lane, count - 1)];
-      for (std::size_t point = 0; point < 4; ++point)
-      {
-        numbers[4 * point][lane] = cell.Points[point].x;
-        numbers[4 * point + 1][lane] = cell.Points[point].y;
-        numbers[4 * point + 2][lane] = cell.Points[point].z;
-        numbers[4 * point + 3][lane] = cell.Values[point];
-      }
-    }
     const auto along = [&](std::size_t edge, std::size_t k) HWY_ATTR
-    { return hn::Sub(hn::Load(d, numbers[4 * edge + 4 + k]), hn::Load(d, numbers[k])); };
+    {
+      const V to = hn::Load(d, &cells.Numbers[edge + 1][k][i]);
+      return hn::Sub(to, hn::Load(d, &cells.Numbers[0][k][i]));
+    };
     for (std::size_t edge = 0; edge < 3; ++edge)
     {
       this->Edge[edge] = { along(edge, 0), along(edge, 1), along(edge, 2) };
@@ -250,15 +214,15 @@ struct TetrahedronVectors
 /// The gradients of tetrahedra, step by step as GradientAt finds them.
 /// \return a bit for each tetrahedron with volume; results of others have no meaning
 std::uint64_t GradientsOfTetrahedra(
-  const MeshCell* cells, std::size_t count, PointsInCells::Vectors& gradients)
+  const TetrahedronLanes& cells, PointsInCells::Vectors& gradients)
 {
   using D = hn::CappedTag<double, 8>;
   using V = hn::Vec<D>;
   const D d;
   std::uint64_t found = 0;
-  for (std::size_t i = 0; i < count; i += hn::Lanes(d))
+  for (std::size_t i = 0; i < cells.Count; i += hn::Lanes(d))
   {
-    const TetrahedronVectors<D> cell(d, cells, count, i);
+    const TetrahedronVectors<D> cell(d, cells, i);
     Axes<V> unit[3];
     V rise[3];
     auto isThick = hn::Eq(hn::Zero(d), hn::Zero(d));
@@ -291,35 +255,96 @@ std::uint64_t GradientsOfTetrahedra(
   return found;
 }
 
-/// Points are relative to their cells, to the end of the last vector.
-/// \return a bit for each point that is found; results of others have no meaning
-std::uint64_t GradientsInCells(const PlacedCell* cells, PointsInCells& points)
+/// Some points of a cell, as many as a vector has lanes.
+template <class D>
+struct PointVector
+{
+  using V = hn::Vec<D>;
+  using DI = hn::RebindToSigned<D>;
+
+  /// Take the first of some points, one bit each.
+  HWY_INLINE PointVector(std::uint64_t& left, const PointsInCells::Vectors& points)
+  {
+    const D d;
+    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
+    {
+      // Lanes that are left over repeat the last point.
+      this->Which[lane] = left != 0
+        ? static_cast<std::int64_t>(hwy::Num0BitsBelowLS1Bit_Nonzero64(left))
+        : this->Which[lane - 1];
+      this->Count += left != 0;
+      left &= left - 1 + (left == 0);
+    }
+    const auto which = hn::Load(DI(), this->Which);
+    this->At = { hn::GatherIndex(d, points[0].data(), which),
+      hn::GatherIndex(d, points[1].data(), which), hn::GatherIndex(d, points[2].data(), which) };
+  }
+
+  HWY_INLINE void Put(const Axes<V>& values, PointsInCells::Vectors& points) const
+  {
+    const D d;
+    HWY_ALIGN double all[3][hn::MaxLanes(d)];
+    hn::Store(values.X, d, all[0]);
+    hn::Store(values.Y, d, all[1]);
+    hn::Store(values.Z, d, all[2]);
+    for (std::size_t lane = 0; lane < this->Count; ++lane)
+    {
+      const auto to = static_cast<std::size_t>(this->Which[lane]);
+      points[0][to] = all[0][lane];
+      points[1][to] = all[1][lane];
+      points[2][to] = all[2][lane];
+    }
+  }
+
+  /// \param bits of lanes
+  HWY_INLINE std::uint64_t PointsOf(std::uint64_t bits) const
+  {
+    std::uint64_t points = 0;
+    for (std::size_t lane = 0; lane < this->Count; ++lane)
+    {
+      points |= (bits >> lane & 1u) << this->Which[lane];
+    }
+    return points;
+  }
+
+  Axes<V> At;
+
+private:
+  HWY_ALIGN std::int64_t Which[hn::MaxLanes(D())];
+  std::size_t Count = 0;
+};
+
+/// \param which points of the cell, one bit each
+/// \return those that are found; results of others have no meaning
+std::uint64_t GradientsInCell(const PlacedCell& cell, std::uint64_t which, PointsInCells& points)
 {
   using D = hn::CappedTag<double, 8>;
   using V = hn::Vec<D>;
   const D d;
-  const std::size_t lanes = hn::Lanes(d);
-  const V half = hn::Set(d, 0.5);
+  const V half = hn::Set(d, 0.5), perLength = hn::Set(d, cell.PerLength);
+  const CellVectors<D> placed(d, cell);
   std::uint64_t found = 0;
-  for (std::size_t i = 0; i < points.Count; i += lanes)
+  while (which != 0)
   {
-    const CellVectors<D> placed(d, cells, points, i);
-    const Axes<V> point = { hn::Load(d, points.Point[0].data() + i),
-      hn::Load(d, points.Point[1].data() + i), hn::Load(d, points.Point[2].data() + i) };
+    const PointVector<D> vector(which, points.Point);
+    const auto relative = [&](const V& coordinate, int a) HWY_ATTR
+    { return hn::Mul(perLength, hn::Sub(coordinate, hn::Set(d, cell.Origin[a]))); };
+    const Axes<V> point = { relative(vector.At.X, 0), relative(vector.At.Y, 1),
+      relative(vector.At.Z, 2) };
     Axes<V> at, gradient;
     const auto isIn = FindPlaces(d, placed, point, at);
     const auto isSloped = FindSlopes(d, placed, at, gradient);
     std::uint8_t bits[8] = {};
     hn::StoreMaskBits(d, hn::And(isIn, isSloped), bits);
-    found |= std::uint64_t(bits[0]) << i;
-    const auto store = [&](const V& u, std::size_t a) HWY_ATTR
-    { hn::Store(hn::Add(half, hn::Mul(half, u)), d, points.At[a].data() + i); };
-    store(at.X, 0);
-    store(at.Y, 1);
-    store(at.Z, 2);
-    hn::Store(gradient.X, d, points.Gradient[0].data() + i);
-    hn::Store(gradient.Y, d, points.Gradient[1].data() + i);
-    hn::Store(gradient.Z, d, points.Gradient[2].data() + i);
+    found |= vector.PointsOf(bits[0]);
+    if (points.HasPlaces)
+    {
+      const auto inUnit = [&](const V& u) HWY_ATTR { return hn::Add(half, hn::Mul(half, u)); };
+      vector.Put({ inUnit(at.X), inUnit(at.Y), inUnit(at.Z) }, points.At);
+    }
+    vector.Put({ hn::Mul(perLength, gradient.X), hn::Mul(perLength, gradient.Y),
+                 hn::Mul(perLength, gradient.Z) },
+      points.Gradient);
   }
   return found;
 }
@@ -351,102 +376,72 @@ glm::dvec3 Get(const PointsInCells::Vectors& vectors, std::size_t i)
   return { vectors[0][i], vectors[1][i], vectors[2][i] };
 }
 
-/// Points that vectors search, relative to their cells.
-struct SearchedPoints
-{
-  std::array<PlacedCell, PointsInCells::Capacity> Cells;
-  PointsInCells Points;
-  std::array<std::uint8_t, PointsInCells::Capacity> From; ///< which point each of them is
-
-  /// All that cells need: in a tetrahedron, only places are searched.
-  void Take(const MeshCell* cells, std::size_t numberOfCells, const PointsInCells& points)
-  {
-    const auto isSearched = [&](std::size_t cell)
-    { return points.HasPlaces || cells[cell].Shape != MeshCellShape::Tetrahedron; };
-    for (std::size_t cell = 0; cell < numberOfCells; ++cell)
-    {
-      if (isSearched(cell))
-      {
-        this->Cells[cell].Place(cells[cell]);
-      }
-    }
-    for (std::size_t i = 0; i < points.Count; ++i)
-    {
-      if (isSearched(points.Cell[i]))
-      {
-        const std::size_t place = this->Points.Count++;
-        this->From[place] = static_cast<std::uint8_t>(i);
-        const PlacedCell& cell = this->Cells[points.Cell[i]];
-        this->Points.Set(place, points.Cell[i], cell.Relative(Get(points.Point, i)));
-      }
-    }
-    this->FillUp();
-  }
-
-private:
-  /// To the end of the last vector, with the last point.
-  void FillUp()
-  {
-    const std::size_t count = this->Points.Count;
-    for (std::size_t i = count; i < WholeVectors(count); ++i)
-    {
-      this->Points.Set(i, this->Points.Cell[count - 1], Get(this->Points.Point, count - 1));
-    }
-  }
-};
-
 }
 
-HWY_EXPORT(GradientsInCells);
+HWY_EXPORT(GradientsInCell);
 HWY_EXPORT(GradientsOfTetrahedra);
 
 void FindCellGradients(const MeshCell* cells, std::size_t numberOfCells, PointsInCells& points)
 {
-  SearchedPoints searched;
-  searched.Take(cells, numberOfCells, points);
-  const PointsInCells& results = searched.Points;
-  const std::uint64_t found =
-    HWY_DYNAMIC_DISPATCH(GradientsInCells)(searched.Cells.data(), searched.Points);
-  for (std::size_t i = 0; i < results.Count; ++i)
+  std::array<std::uint64_t, PointsInCells::Capacity + 1> ofCells{};
+  for (std::size_t i = 0; i < points.Count; ++i)
   {
-    const std::size_t point = searched.From[i], cell = results.Cell[i];
-    if ((found >> i & 1u) != 0)
+    ofCells[points.Cell[i]] |= std::uint64_t(1) << i;
+  }
+  for (std::size_t cell = 0; cell < numberOfCells; ++cell)
+  {
+    // In a tetrahedron, only places are searched.
+    if (ofCells[cell] == 0 ||
+      (!points.HasPlaces && cells[cell].Shape == MeshCellShape::Tetrahedron))
     {
-      Set(points.At, point, Get(results.At, i));
-      Set(points.Gradient, point, searched.Cells[cell].PerLength * Get(results.Gradient, i));
       continue;
     }
-    const glm::dvec3 at = FindPoint(cells[cell], Get(points.Point, point)).At;
-    Set(points.At, point, at);
-    Set(points.Gradient, point, GradientAt(cells[cell], at));
+    PlacedCell placed;
+    placed.Place(cells[cell]);
+    const std::uint64_t found =
+      HWY_DYNAMIC_DISPATCH(GradientsInCell)(placed, ofCells[cell], points);
+    ForEachRay(ofCells[cell] & ~found,
+      [&](std::size_t point)
+      {
+        const glm::dvec3 at = FindPoint(cells[cell], Get(points.Point, point)).At;
+        Set(points.At, point, at);
+        Set(points.Gradient, point, GradientAt(cells[cell], at));
+      });
   }
-  const bool hasTetrahedra = std::any_of(cells, cells + numberOfCells,
-    [](const MeshCell& cell) { return cell.Shape == MeshCellShape::Tetrahedron; });
-  if (hasTetrahedra)
+  std::array<std::uint8_t, PointsInCells::Capacity> lanes;
+  TetrahedronLanes tetrahedra;
+  for (std::size_t cell = 0; cell < numberOfCells; ++cell)
   {
+    if (cells[cell].Shape == MeshCellShape::Tetrahedron)
+    {
+      lanes[cell] = static_cast<std::uint8_t>(tetrahedra.Count);
+      tetrahedra.Append(cells[cell]);
+    }
+  }
+  if (tetrahedra.Count > 0)
+  {
+    tetrahedra.FillUp();
     PointsInCells::Vectors gradients;
-    FindTetrahedronGradients(cells, numberOfCells, gradients);
+    FindTetrahedronGradients(tetrahedra, gradients);
     for (std::size_t i = 0; i < points.Count; ++i)
     {
       const std::size_t cell = points.Cell[i];
-      if (cells[cell].Shape == MeshCellShape::Tetrahedron)
+      if (cell < numberOfCells && cells[cell].Shape == MeshCellShape::Tetrahedron)
       {
-        Set(points.Gradient, i, Get(gradients, cell));
+        Set(points.Gradient, i, Get(gradients, lanes[cell]));
       }
     }
   }
 }
 
-void FindTetrahedronGradients(
-  const MeshCell* cells, std::size_t numberOfCells, PointsInCells::Vectors& gradients)
+void FindTetrahedronGradients(const TetrahedronLanes& cells, PointsInCells::Vectors& gradients)
 {
-  const std::uint64_t found =
-    HWY_DYNAMIC_DISPATCH(GradientsOfTetrahedra)(cells, numberOfCells, gradients);
-  for (std::size_t i = 0; i < numberOfCells; ++i)
+  const std::uint64_t found = HWY_DYNAMIC_DISPATCH(GradientsOfTetrahedra)(cells, gradients);
+  for (std::size_t i = 0; i < cells.Count; ++i)
   {
-    if ((found >> i & 1u) == 0 && cells[i].Shape == MeshCellShape::Tetrahedron)
+    if ((found >> i & 1u) == 0)
     {
-      Set(gradients, i, GradientAt(cells[i], glm::dvec3(0.25)));
+      Set(gradients, i, GradientAt(cells.CellAt(i), glm::dvec3(0.25)));
     }
   }
 }

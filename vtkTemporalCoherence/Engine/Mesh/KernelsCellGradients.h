@@ -3,6 +3,7 @@
 #ifndef TemporalCoherence_KernelsCellGradients_h
 #define TemporalCoherence_KernelsCellGradients_h
 
+#include "Mesh/KernelsKnownTetrahedra.h"
 #include "Mesh/MeshCell.h"
 #include "Scene/RayBatch.h"
 
@@ -23,11 +24,12 @@ struct PointsInCells
   static constexpr std::size_t Capacity = 64;
   using Vectors = std::array<TileArray<double>, 3>; ///< by axis
 
+  static constexpr std::uint8_t NoCell = Capacity; ///< of points that do not count
+
   std::size_t Count = 0;
-  /// The number of each point's cell. Points of a cell should be neighbours, which is faster.
-  TileArray<std::uint8_t> Cell;
-  Vectors Point; ///< in the coordinates of the mesh
-  /// At is wanted in tetrahedra, too. Their gradients do not need it.
+  TileArray<std::uint8_t> Cell; ///< the number of each point's cell
+  Vectors Point;                ///< in the coordinates of the mesh
+  /// At is wanted. Gradients of tetrahedra do not need it.
   bool HasPlaces = true;
 
   Vectors At;       ///< result: as PointInCell::At
@@ -50,11 +52,9 @@ struct PointsInCells
 void FindCellGradients(const MeshCell* cells, std::size_t numberOfCells, PointsInCells& points);
 
 /// Find the gradients of tetrahedra, with the bits of GradientAt.
-/// What is found for cells of another shape has no meaning.
-/// \param cells     at most PointsInCells::Capacity
+/// \pre cells are filled up
 /// \param gradients result: those of the cells, in their order
-void FindTetrahedronGradients(
-  const MeshCell* cells, std::size_t numberOfCells, PointsInCells::Vectors& gradients);
+void FindTetrahedronGradients(const TetrahedronLanes& cells, PointsInCells::Vectors& gradients);
 
 }
 }

@@ -24,7 +24,7 @@ struct KnownPoints
 {
   using V = hn::Vec<D>;
 
-  HWY_INLINE KnownPoints(const KnownTetrahedra& known, std::size_t i, std::size_t axis)
+  HWY_INLINE KnownPoints(const SortedTetrahedra& known, std::size_t i, std::size_t axis)
     : Axes(TurnedAxes(axis))
     , Hand(hn::Load(D(), &known.Handedness[i]))
   {
@@ -46,17 +46,65 @@ struct KnownPoints
   V Points[4][3], Values[4], Hand;
 };
 
-void KnownCrossingsOf(const KnownTetrahedra& known, const MeshRays& rays, Crossings& found)
+/// Give each ray its cell.
+/// \return one bit for each ray that has one; the others have a cell without volume
+HWY_INLINE std::uint64_t TakeCells(const SortedTetrahedra& tetrahedra,
+  const TileArray<std::uint64_t>& cells, std::size_t count, SortedTetrahedra& ofRays)
+{
+  const hn::CappedTag<double, 4> d;
+  const auto take = [&](std::uint64_t rays, const double* const from[4], double hand) HWY_ATTR
+  {
+    for (; rays != 0; rays &= rays - 1)
+    {
+      const std::size_t ray = hwy::Num0BitsBelowLS1Bit_Nonzero64(rays);
+      for (std::size_t corner = 0; corner < 4; ++corner)
+      {
+        for (std::size_t i = 0; i < 4; i += hn::Lanes(d))
+        {
+          hn::StoreU(hn::LoadU(d, from[corner] + i), d, &ofRays.Corners[corner][ray][i]);
+        }
+      }
+      ofRays.Handedness[ray] = hand;
+    }
+  };
+  std::uint64_t all = 0;
+  for (std::size_t cell = 0; cell < count; ++cell)
+  {
+    const double* const from[4] = { tetrahedra.Corners[0][cell].data(),
+      tetrahedra.Corners[1][cell].data(), tetrahedra.Corners[2][cell].data(),
+      tetrahedra.Corners[3][cell].data() };
+    take(cells[cell], from, tetrahedra.Handedness[cell]);
+    all |= cells[cell];
+  }
+  constexpr SortedTetrahedra::Corner none{};
+  const double* const nothing[4] = { none.data(), none.data(), none.data(), none.data() };
+  take(~all, nothing, 1.0);
+  return all;
+}
+
+void KnownCrossingsOf(const SortedTetrahedra& tetrahedra, const TileArray<std::uint64_t>& cells,
+  std::size_t count, const MeshRays& rays, KnownCrossings& found)
 {
   const Doubles d;
+  SortedTetrahedra ofRays;
+  const std::uint64_t all = TakeCells(tetrahedra, cells, count, ofRays);
+  found.Met = found.Rising = 0;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    ForEachVector(known.Rays & rays.Along[axis],
+    ForEachVector(all & rays.Along[axis],
       [&](std::size_t i, std::uint64_t wanted) HWY_ATTR
       {
-        const KnownPoints<Doubles> points(known, i, axis);
-        AppendCrossings(
-          d, FindSpan(d, ShearedRays<Doubles>(rays, i), points), rays, i, wanted, found);
+        const KnownPoints<Doubles> points(ofRays, i, axis);
+        const auto span = FindSpan(d, ShearedRays<Doubles>(rays, i), points);
+        const CrossingsOfSpan<Doubles> crossings(d, span, wanted);
+        const std::uint64_t met = crossings.Met &
+          BitsOf(d,
+            hn::And(hn::Ge(crossings.T, hn::LoadU(d, &rays.Begin[i])),
+              hn::Le(crossings.T, hn::LoadU(d, &rays.End[i]))));
+        const std::uint8_t bits[8] = { static_cast<std::uint8_t>(met) };
+        hn::BlendedStore(crossings.T, hn::LoadMaskBits(d, bits), d, &found.T[i]);
+        found.Met |= met << i;
+        found.Rising |= crossings.Rising << i;
       });
   }
 }
@@ -74,10 +122,10 @@ namespace MeshKernels
 
 HWY_EXPORT(KnownCrossingsOf);
 
-void KnownTetrahedronCrossings(
-  const KnownTetrahedra& tetrahedra, const MeshRays& rays, Crossings& found)
+void FindKnownCrossings(const SortedTetrahedra& tetrahedra, const TileArray<std::uint64_t>& cells,
+  std::size_t count, const MeshRays& rays, KnownCrossings& found)
 {
-  HWY_DYNAMIC_DISPATCH(KnownCrossingsOf)(tetrahedra, rays, found);
+  HWY_DYNAMIC_DISPATCH(KnownCrossingsOf)(tetrahedra, cells, count, rays, found);
 }
 
 }

@@ -188,40 +188,72 @@ HWY_INLINE TetrahedronSpan<D> FindSpan(D d, const ShearedRays<D>& rays, const Po
   return span;
 }
 
-/// Append what is found in a vector of rays.
+/// Where a vector of rays crosses the surface.
+template <class D>
+struct CrossingsOfSpan
+{
+  using V = hn::Vec<D>;
+
+  HWY_INLINE CrossingsOfSpan(D d, const TetrahedronSpan<D>& span, std::uint64_t wanted)
+  {
+    const V zero = hn::Zero(d), one = hn::Set(d, 1.0);
+    const auto rises = hn::Lt(span.AtIn, zero);
+    const auto isCrossed = hn::And(span.IsHit, hn::Xor(rises, hn::Lt(span.AtOut, zero)));
+    this->T = zero;
+    this->Met = this->Rising = 0;
+    wanted &= BitsOf(d, isCrossed);
+    if (wanted == 0)
+    {
+      return;
+    }
+    const V change = hn::IfThenElse(isCrossed, hn::Sub(span.AtIn, span.AtOut), one);
+    const V t = hn::Add(span.In, hn::Mul(hn::Div(span.AtIn, change), hn::Sub(span.Out, span.In)));
+    const V at = hn::Max(span.In, hn::Min(t, span.Out));
+    this->T = hn::Add(at, zero);
+    // An entry comes before whatever begins where the ray leaves the cell.
+    const auto isLate = hn::And(hn::Ge(at, span.Out), hn::Lt(span.In, span.Out));
+    this->Rising = wanted & BitsOf(d, rises);
+    this->ComeBefore(d, this->Rising & BitsOf(d, isLate));
+    this->Met = wanted;
+  }
+
+  V T;
+  std::uint64_t Met, Rising; ///< one bit for each ray
+
+private:
+  HWY_INLINE void ComeBefore(D d, std::uint64_t late)
+  {
+    if (late == 0)
+    {
+      return;
+    }
+    HWY_ALIGN double all[hn::MaxLanes(d)];
+    hn::Store(this->T, d, all);
+    for (; late != 0; late &= late - 1)
+    {
+      double& t = all[hwy::Num0BitsBelowLS1Bit_Nonzero64(late)];
+      t = std::nextafter(t, -std::numeric_limits<double>::max());
+    }
+    this->T = hn::Load(d, all);
+  }
+};
+
+/// Append what is found in a vector of rays between their begins and ends.
 /// \param places of the rays
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE void AppendCrossings(D d, const TetrahedronSpan<D>& span, const MeshRays& rays,
   const std::int64_t* places, std::uint64_t wanted, Crossings& found)
 {
-  const V zero = hn::Zero(d), one = hn::Set(d, 1.0);
-  const auto rises = hn::Lt(span.AtIn, zero);
-  const auto isCrossed = hn::And(span.IsHit, hn::Xor(rises, hn::Lt(span.AtOut, zero)));
-  wanted &= BitsOf(d, isCrossed);
-  if (wanted == 0)
-  {
-    return;
-  }
-  const V change = hn::IfThenElse(isCrossed, hn::Sub(span.AtIn, span.AtOut), one);
-  const V t = hn::Add(span.In, hn::Mul(hn::Div(span.AtIn, change), hn::Sub(span.Out, span.In)));
-  const V at = hn::Max(span.In, hn::Min(t, span.Out));
-  const std::uint64_t rising = BitsOf(d, rises);
-  // An entry comes before whatever begins where the ray leaves the cell.
-  const std::uint64_t isLate = BitsOf(d, hn::And(hn::Ge(at, span.Out), hn::Lt(span.In, span.Out)));
+  const CrossingsOfSpan<D> crossings(d, span, wanted);
   HWY_ALIGN double all[hn::MaxLanes(d)];
-  hn::Store(hn::Add(at, zero), d, all);
-  for (; wanted != 0; wanted &= wanted - 1)
+  hn::Store(crossings.T, d, all);
+  for (std::uint64_t left = crossings.Met; left != 0; left &= left - 1)
   {
-    const auto lane = static_cast<std::size_t>(hwy::Num0BitsBelowLS1Bit_Nonzero64(wanted));
-    const bool isRising = (rising >> lane & 1u) != 0;
-    if (isRising && (isLate >> lane & 1u) != 0)
-    {
-      all[lane] = std::nextafter(all[lane], -std::numeric_limits<double>::max());
-    }
+    const auto lane = static_cast<std::size_t>(hwy::Num0BitsBelowLS1Bit_Nonzero64(left));
     const auto ray = static_cast<std::size_t>(places[lane]);
     if (all[lane] >= rays.Begin[ray] && all[lane] <= rays.End[ray])
     {
-      found.Append(ray, all[lane], isRising);
+      found.Append(ray, all[lane], (crossings.Rising >> lane & 1u) != 0);
     }
   }
 }

@@ -2,22 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshFields/MeshCellSearch.h"
 
+#include "Mesh/KernelsCellGradients.h"
 #include "Mesh/KernelsKnownTetrahedra.h"
-#include "MeshFields/DistinctKeys.h"
+#include "MeshFields/KernelsDistinct.h"
+#include "MeshFields/KernelsSortedTetrahedra.h"
+#include "MeshFields/MeshGradients.h"
 #include "MeshFields/MeshSolids.h"
 #include "MeshTiles/MeshTile.h"
 #include "Trace/HitRules.h"
 
-#include <algorithm>
 #include <array>
-#include <optional>
 
 #include <hwy/base.h>
 
 namespace TemporalCoherence
 {
 
-void KeepNearest(const MetInCell& met, const std::vector<double>& isovalues, HitBatch& hits)
+bool KeepNearest(const MetInCell& met, const std::vector<double>& isovalues, HitBatch& hits)
 {
   const std::int16_t hit = hits.Surface[met.Ray];
   if (hit != Frame::NoSurface)
@@ -27,78 +28,155 @@ void KeepNearest(const MetInCell& met, const std::vector<double>& isovalues, Hit
     const bool isOne = !IsInFront(met.Surface, known) && !IsInFront(known, met.Surface);
     if (isOne ? met.Cell >= hits.Cell[met.Ray] : !IsInFront(met.Surface, known))
     {
-      return;
+      return false;
     }
   }
   hits.Depth[met.Ray] = met.Surface.Distance;
   hits.Kind[met.Ray] = met.Surface.Kind;
   hits.Surface[met.Ray] = met.Isovalue;
   hits.Cell[met.Ray] = met.Cell;
+  hits.Gradients.Forget(met.Ray);
+  return true;
 }
 
 /// The cells that rays are to be searched in: all rays of one cell are searched together.
 struct MeshCellSearch::KnownCells
 {
-  static constexpr std::size_t Most = DistinctKeys::Most;
-
   std::size_t Count;
-  std::array<CellNumber, Most> Numbers;
-  std::array<std::uint64_t, Most> Rays{}; ///< of each cell, one bit each
+  RayBatch::Array<std::uint64_t> Rays; ///< of each cell, one bit each
+  RayBatch::Array<CellNumber> Numbers;
+  RayBatch::Array<const MeshCell*> Cells;
+  RayBatch::Array<RecentHexahedron*> Hexahedra; ///< null: it is another cell
 
-  KnownCells(const RayCells& cells, const MeshTree& tree)
+  KnownCells(const RayCells& cells, const MeshTree& tree, RecentHexahedra& recent)
   {
-    constexpr int bits = 21; // of a coordinate in a key
-    DistinctKeys places;
-    ForEachRay(cells.Rays,
-      [&](std::size_t ray)
+    RayBatch::Array<std::uint32_t> ranks;
+    FindRanks(cells, ranks);
+    DistinctCells distinct;
+    FindDistinct(ranks, cells.Rays, distinct);
+    this->Count = distinct.Count;
+    this->Rays = distinct.Rays;
+    recent.Begin();
+    std::array<std::uint8_t, RayBatch::Capacity> missing;
+    std::size_t missed = 0;
+    for (std::size_t i = 0; i < this->Count; ++i)
+    {
+      this->Hexahedra[i] = recent.Find(distinct.Numbers[i]);
+      if (this->Hexahedra[i])
       {
-        const auto part = [&](std::size_t a)
-        { return static_cast<std::uint64_t>(cells.Cell[a][ray]); };
-        const std::size_t at = places.Add(part(0) | part(1) << bits | part(2) << 2 * bits);
-        this->Rays[at] |= std::uint64_t(1) << ray;
-      });
-    this->Count = places.Count();
-    std::array<std::int64_t, Most> ranks;
-    for (std::size_t i = 0; i < this->Count; ++i)
-    {
-      const auto part = [&](int a)
-      { return static_cast<int>(places[i] >> a * bits & ((1u << bits) - 1)); };
-      ranks[i] = MeshTree::RankOf({ part(0), part(1), part(2) });
-      tree.PrefetchCellAt(ranks[i]);
+        this->Numbers[i] = this->Hexahedra[i]->Number;
+        this->Cells[i] = &this->Hexahedra[i]->Cell;
+        continue;
+      }
+      missing[missed++] = static_cast<std::uint8_t>(i);
+      tree.PrefetchCellAt(distinct.Numbers[i]);
     }
-    for (std::size_t i = 0; i < this->Count; ++i)
+    this->ReadMissing(tree, distinct, missing.data(), missed, recent);
+  }
+
+private:
+  void ReadMissing(const MeshTree& tree, const DistinctCells& distinct, const std::uint8_t* missing,
+    std::size_t count, RecentHexahedra& recent)
+  {
+    MeshReader::Together<CellNumber> numbers;
+    for (std::size_t k = 0; k < count; ++k)
     {
-      this->Numbers[i] = tree.CellAt(ranks[i]);
+      numbers[k] = tree.CellAt(distinct.Numbers[missing[k]]);
     }
+    tree.Reader().ReadAll(numbers, count, this->Read);
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      const std::size_t i = missing[k];
+      this->Numbers[i] = numbers[k];
+      this->Cells[i] = &this->Read[k];
+      if (this->Read[k].Shape == MeshCellShape::Hexahedron)
+      {
+        this->Hexahedra[i] = &recent.Add(distinct.Numbers[i], numbers[k], this->Read[k]);
+      }
+    }
+  }
+
+  MeshReader::Together<MeshCell> Read;
+};
+
+/// Those of the cells that are tetrahedra.
+struct MeshCellSearch::ReadTetrahedra
+{
+  MeshKernels::TetrahedronLanes Cells;
+  RayBatch::Array<std::uint64_t> Rays;
+  RayBatch::Array<CellNumber> Numbers;
+
+  explicit ReadTetrahedra(const KnownCells& known)
+  {
+    for (std::size_t i = 0; i < known.Count; ++i)
+    {
+      const MeshCell& cell = *known.Cells[i];
+      if (cell.Shape == MeshCellShape::Tetrahedron)
+      {
+        this->Rays[this->Cells.Count] = known.Rays[i];
+        this->Numbers[this->Cells.Count] = known.Numbers[i];
+        this->Cells.Append(cell);
+      }
+    }
+    this->Cells.FillUp();
   }
 };
 
-/// Rays in the coordinates of the mesh, cell by cell, so that vectors of them are full.
+/// Rays cell by cell. Each cell begins a vector, so that vectors are full of rays of one cell.
 struct MeshCellSearch::RaysInOrder
 {
-  MeshKernels::MeshRays InMesh;
-  std::array<std::uint8_t, RayBatch::Capacity> Ray; ///< which ray each of them is
+  static constexpr std::size_t Lanes = WidestVector / 2;
 
-  RaysInOrder(const KnownCells& known, const RayBatch& rays, const MeshTree& tree)
+  MeshKernels::MeshRays InMesh;
+  RayBatch::Array<std::uint8_t> Ray; ///< which ray each of them is
+
+  explicit RaysInOrder(const MeshKernels::MeshRays& rays)
+    : Rays(rays)
   {
-    std::size_t& count = this->InMesh.Count;
-    for (std::size_t i = 0; i < known.Count; ++i)
-    {
-      ForEachRay(known.Rays[i],
-        [&](std::size_t ray)
-        {
-          SetMeshRay(rays, ray, tree, this->InMesh, count);
-          this->Ray[count++] = static_cast<std::uint8_t>(ray);
-        });
-    }
-    this->InMesh.Prepare();
+    this->InMesh.Along = {};
   }
+
+  /// Take rays of a cell, instead of all others if there is no room for them.
+  /// \return one bit for each place of these rays
+  std::uint64_t Take(std::uint64_t which)
+  {
+    const std::size_t count = hwy::PopCount(which);
+    std::size_t first = (this->InMesh.Count + Lanes - 1) / Lanes * Lanes;
+    if (first + count > MeshKernels::MeshRays::Capacity)
+    {
+      this->InMesh.Along = {};
+      first = 0;
+    }
+    this->InMesh.Count = first;
+    ForEachRay(which,
+      [&](std::size_t ray)
+      {
+        const std::size_t at = this->InMesh.Count++;
+        this->Ray[at] = static_cast<std::uint8_t>(ray);
+        this->InMesh.Take(this->Rays, ray, at);
+      });
+    this->FillVector();
+    return ~std::uint64_t(0) >> (RayBatch::Capacity - count) << first;
+  }
+
+private:
+  /// Repeat the last ray up to the end of the vector, so that no lane is uninitialised.
+  void FillVector()
+  {
+    const std::size_t last = this->InMesh.Count - 1;
+    for (std::size_t at = this->InMesh.Count; at % Lanes != 0; ++at)
+    {
+      this->InMesh.Take(this->InMesh, last, at);
+    }
+  }
+
+  const MeshKernels::MeshRays& Rays;
 };
 
 std::uint64_t MeshCellSearch::Search(
   const RayBatch& rays, const RayCells& cells, HitBatch& hits) const
 {
-  const KnownCells known(cells, this->Tree);
+  const KnownCells known(cells, this->Tree, this->Recent);
   hits.CellsRead += static_cast<std::int64_t>(known.Count);
   return cells.Rays &
     ~(this->Isosurfaces.Mode == SurfaceMode::Threshold
@@ -110,42 +188,86 @@ std::uint64_t MeshCellSearch::Search(
 std::uint64_t MeshCellSearch::SearchCrossings(
   const KnownCells& known, std::size_t surface, const RayBatch& rays, HitBatch& hits) const
 {
-  std::array<MeshCell, KnownCells::Most> read;
-  this->Tree.Reader().ReadAll(known.Numbers, known.Count, read);
-  const RaysInOrder inOrder(known, rays, this->Tree);
-  std::optional<MeshKernels::KnownTetrahedra> tetrahedra; // large
-  RayBatch::Array<CellNumber> numbers;                    // of the cells of the rays in order
+  MeshKernels::MeshRays inMesh;
+  SetUpMeshRays(rays, this->Tree, RayLimits::BeginToEnd, inMesh);
+  const ReadTetrahedra tetrahedra(known);
   std::uint64_t met = 0;
-  std::size_t first = 0;
+  if (tetrahedra.Cells.Count > 0)
+  {
+    met |= this->SearchTetrahedra(tetrahedra, surface, inMesh, hits);
+  }
+  if (tetrahedra.Cells.Count < known.Count)
+  {
+    met |= this->SearchHexahedra(known, surface, inMesh, hits);
+  }
+  return met;
+}
+
+/// \return one bit for each ray that meets the surface in a tetrahedron
+std::uint64_t MeshCellSearch::SearchTetrahedra(const ReadTetrahedra& cells, std::size_t surface,
+  const MeshKernels::MeshRays& inMesh, HitBatch& hits) const
+{
+  MeshKernels::SortedTetrahedra sorted;
+  const std::uint64_t passed = SortTetrahedra(cells.Cells, this->Differences[surface], sorted);
+  RayBatch::Array<std::uint64_t> rays;
+  for (std::size_t i = 0; i < cells.Cells.Count; ++i)
+  {
+    rays[i] = (passed >> i & 1u) != 0 ? cells.Rays[i] : 0;
+  }
+  MeshKernels::KnownCrossings found;
+  MeshKernels::FindKnownCrossings(sorted, rays, cells.Cells.Count, inMesh, found);
+  MeshKernels::PointsInCells::Vectors gradients;
+  MeshKernels::FindTetrahedronGradients(cells.Cells, gradients);
+  const std::vector<double>& isovalues = this->Isosurfaces.Isovalues;
+  for (std::size_t i = 0; i < cells.Cells.Count; ++i)
+  {
+    std::array<double, 3> gradient;
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      gradient[a] = GradientInIndexSpace(this->Tree, gradients[a][i]);
+    }
+    ForEachRay(rays[i] & found.Met,
+      [&](std::size_t ray)
+      {
+        const bool isKept = KeepNearest(
+          { { found.T[ray], HitRules::KindOf((found.Rising >> ray & 1u) == 0), isovalues[surface] },
+            static_cast<std::int16_t>(surface), static_cast<std::uint8_t>(ray), cells.Numbers[i] },
+          isovalues, hits);
+        if (isKept)
+        {
+          hits.Gradients.Set(ray, gradient);
+        }
+      });
+  }
+  return found.Met;
+}
+
+/// \return one bit for each ray that meets the surface in another cell
+std::uint64_t MeshCellSearch::SearchHexahedra(const KnownCells& known, std::size_t surface,
+  const MeshKernels::MeshRays& inMesh, HitBatch& hits) const
+{
+  RaysInOrder inOrder(inMesh);
+  const std::vector<double>& isovalues = this->Isosurfaces.Isovalues;
+  std::uint64_t met = 0;
   for (std::size_t i = 0; i < known.Count; ++i)
   {
-    const std::size_t count = hwy::PopCount(known.Rays[i]);
-    const std::uint64_t which = ~std::uint64_t(0) >> (RayBatch::Capacity - count) << first;
-    std::fill_n(numbers.begin() + static_cast<std::ptrdiff_t>(first), count, known.Numbers[i]);
-    first += count;
-    MeshKernels::CellDifferences differences;
-    if (!this->Differences[surface].Of(read[i], differences))
+    RecentHexahedron* const each = known.Hexahedra[i];
+    if (!each || !each->PrepareFor(surface, this->Differences[surface]))
     {
       continue;
     }
-    if (read[i].Shape == MeshCellShape::Tetrahedron)
+    const std::uint64_t places = inOrder.Take(known.Rays[i]);
+    MeshKernels::Crossings found;
+    MeshKernels::HexahedronCrossings(
+      each->Functions, each->Cell, each->Differences, inOrder.InMesh, places, found);
+    for (std::size_t k = 0; k < found.Count; ++k)
     {
-      if (!tetrahedra)
-      {
-        tetrahedra.emplace();
-      }
-      tetrahedra->Add(MeshKernels::TetrahedronPoints(read[i], differences), which);
-      continue;
+      const std::uint8_t ray = inOrder.Ray[found.Ray[k]];
+      met |= std::uint64_t(1) << ray;
+      KeepNearest({ { found.T[k], HitRules::KindOf(!found.Rises[k]), isovalues[surface] },
+                    static_cast<std::int16_t>(surface), ray, each->Number },
+        isovalues, hits);
     }
-    MeshKernels::Crossings found;
-    MeshKernels::CellCrossings(read[i], differences, inOrder.InMesh, which, found);
-    met |= this->Keep(found, surface, inOrder.Ray, numbers, hits);
-  }
-  if (tetrahedra)
-  {
-    MeshKernels::Crossings found;
-    MeshKernels::KnownTetrahedronCrossings(*tetrahedra, inOrder.InMesh, found);
-    met |= this->Keep(found, surface, inOrder.Ray, numbers, hits);
   }
   return met;
 }
@@ -156,15 +278,14 @@ std::uint64_t MeshCellSearch::SearchSolid(
 {
   MeshKernels::MeshRays inMesh;
   SetUpMeshRays(rays, this->Tree, RayLimits::None, inMesh);
-  std::array<MeshCell, KnownCells::Most> read;
-  this->Tree.Reader().ReadAll(known.Numbers, known.Count, read);
   std::vector<SolidPart> parts;
   for (std::size_t i = 0; i < known.Count; ++i)
   {
+    const MeshCell& cell = *known.Cells[i];
     MeshKernels::CellDifferences differences;
-    if (this->Differences[surface].Of(read[i], differences) || differences[0] >= 0.0)
+    if (this->Differences[surface].Of(cell, differences) || differences[0] >= 0.0)
     {
-      AppendSolidParts(read[i], differences, known.Numbers[i], rays, inMesh, known.Rays[i], parts);
+      AppendSolidParts(cell, differences, known.Numbers[i], rays, inMesh, known.Rays[i], parts);
     }
   }
   const std::vector<double>& isovalues = this->Isosurfaces.Isovalues;
@@ -174,26 +295,6 @@ std::uint64_t MeshCellSearch::SearchSolid(
     met |= std::uint64_t(1) << part.Ray;
     KeepNearest({ { part.From, part.Kind, isovalues[surface] }, static_cast<std::int16_t>(surface),
                   part.Ray, part.Cell },
-      isovalues, hits);
-  }
-  return met;
-}
-
-/// Keep the nearest surface of each ray.
-/// \param order, cells which ray each of those in `found` is, and the cell it was searched in
-/// \return one bit for each ray that meets any
-std::uint64_t MeshCellSearch::Keep(const MeshKernels::Crossings& found, std::size_t surface,
-  const std::array<std::uint8_t, RayBatch::Capacity>& order,
-  const RayBatch::Array<CellNumber>& cells, HitBatch& hits) const
-{
-  const std::vector<double>& isovalues = this->Isosurfaces.Isovalues;
-  std::uint64_t met = 0;
-  for (std::size_t i = 0; i < found.Count; ++i)
-  {
-    const std::uint8_t ray = order[found.Ray[i]];
-    met |= std::uint64_t(1) << ray;
-    KeepNearest({ { found.T[i], HitRules::KindOf(!found.Rises[i]), isovalues[surface] },
-                  static_cast<std::int16_t>(surface), ray, cells[found.Ray[i]] },
       isovalues, hits);
   }
   return met;

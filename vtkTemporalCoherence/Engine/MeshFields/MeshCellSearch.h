@@ -5,6 +5,7 @@
 
 #include "Mesh/CellRays.h"
 #include "Mesh/KernelsCells.h"
+#include "MeshFields/RecentHexahedra.h"
 #include "MeshTiles/MeshDifference.h"
 #include "Scene/HitOrder.h"
 #include "Scene/RayBatch.h"
@@ -31,7 +32,8 @@ struct MetInCell
 
 /// Make a surface the hit of its ray if it is nearer. Of one that two cells share, the cell with
 /// the lower number counts.
-void KeepNearest(const MetInCell& met, const std::vector<double>& isovalues, HitBatch& hits);
+/// \return true if it is the hit now
+bool KeepNearest(const MetInCell& met, const std::vector<double>& isovalues, HitBatch& hits);
 
 /// Searches cells of a mesh that are known for each ray, as look-ups in isomaps do.
 class MeshCellSearch
@@ -39,11 +41,13 @@ class MeshCellSearch
 public:
   /// The arguments must outlive this.
   /// \param differences from each isovalue
-  MeshCellSearch(
-    const Surfaces& surfaces, const MeshTree& tree, const std::vector<MeshDifference>& differences)
+  /// \param recent      of this thread, for these surfaces
+  MeshCellSearch(const Surfaces& surfaces, const MeshTree& tree,
+    const std::vector<MeshDifference>& differences, RecentHexahedra& recent)
     : Isosurfaces(surfaces)
     , Tree(tree)
     , Differences(differences)
+    , Recent(recent)
   {
   }
 
@@ -53,17 +57,20 @@ public:
 private:
   struct KnownCells;
   struct RaysInOrder;
+  struct ReadTetrahedra;
   std::uint64_t SearchCrossings(
     const KnownCells& known, std::size_t surface, const RayBatch& rays, HitBatch& hits) const;
+  std::uint64_t SearchTetrahedra(const ReadTetrahedra& cells, std::size_t surface,
+    const MeshKernels::MeshRays& inMesh, HitBatch& hits) const;
+  std::uint64_t SearchHexahedra(const KnownCells& known, std::size_t surface,
+    const MeshKernels::MeshRays& inMesh, HitBatch& hits) const;
   std::uint64_t SearchSolid(
     const KnownCells& known, std::size_t surface, const RayBatch& rays, HitBatch& hits) const;
-  std::uint64_t Keep(const MeshKernels::Crossings& found, std::size_t surface,
-    const std::array<std::uint8_t, RayBatch::Capacity>& order,
-    const RayBatch::Array<CellNumber>& cells, HitBatch& hits) const;
 
   const Surfaces& Isosurfaces;
   const MeshTree& Tree;
   const std::vector<MeshDifference>& Differences;
+  RecentHexahedra& Recent;
 };
 
 }

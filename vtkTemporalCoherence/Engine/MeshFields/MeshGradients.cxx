@@ -4,13 +4,13 @@
 
 #include "Mesh/CellPoints.h"
 #include "Mesh/KernelsCellGradients.h"
-#include "MeshFields/DistinctKeys.h"
+#include "MeshFields/KernelsDistinct.h"
+#include "MeshFields/KernelsHitPlaces.h"
 #include "MeshFields/MeshPlaces.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
 namespace TemporalCoherence
 {
@@ -20,8 +20,8 @@ namespace
 /// The cells of the hits of a tile, each once.
 struct HitCells
 {
-  static constexpr std::size_t Most = DistinctKeys::Most;
-  static constexpr std::uint8_t None = Most;
+  static constexpr std::size_t Most = RayBatch::Capacity;
+  static constexpr std::uint8_t None = MeshKernels::PointsInCells::NoCell;
 
   std::size_t Count = 0;
   std::array<CellNumber, Most> Numbers;
@@ -32,16 +32,23 @@ struct HitCells
   template <typename PlaceOf>
   HitCells(const MeshTree& tree, const GradientTile& tile, const PlaceOf& placeOf)
   {
-    DistinctKeys distinct;
+    RayBatch::Array<CellNumber> numbers;
+    numbers.fill(NoCell);
+    std::uint64_t inCells = 0;
     for (std::size_t i = 0; i < tile.Rays.Count; ++i)
     {
-      const CellNumber number = tile.Cells ? (*tile.Cells)[i] : FindCellAt(tree, placeOf(i));
-      this->OfHit[i] = number == NoCell ? None : static_cast<std::uint8_t>(distinct.Add(number));
+      numbers[i] = tile.Cells ? (*tile.Cells)[i] : FindCellAt(tree, placeOf(i));
+      inCells |= static_cast<std::uint64_t>(numbers[i] != NoCell) << i;
     }
-    this->Count = distinct.Count();
+    DistinctCells distinct;
+    FindDistinct(numbers, inCells, distinct);
+    this->Count = distinct.Count;
+    this->OfHit.fill(None);
     for (std::size_t cell = 0; cell < this->Count; ++cell)
     {
-      this->Numbers[cell] = static_cast<CellNumber>(distinct[cell]);
+      this->Numbers[cell] = distinct.Numbers[cell];
+      ForEachRay(distinct.Rays[cell],
+        [&](std::size_t hit) { this->OfHit[hit] = static_cast<std::uint8_t>(cell); });
     }
     tree.Reader().ReadAll(this->Numbers, this->Count, this->Cells);
   }
@@ -54,34 +61,6 @@ struct HitCells
   }
 };
 
-/// Points in the cells of a tile, cell by cell. Hits without a cell are left out.
-struct HitPoints
-{
-  MeshKernels::PointsInCells Points;
-  std::array<std::uint8_t, HitCells::Most> Hits; ///< which hit each of the points is
-
-  template <typename PlaceOf>
-  HitPoints(const HitCells& cells, std::size_t numberOfHits, const PlaceOf& placeOf)
-  {
-    std::array<std::uint8_t, HitCells::Most + 2> next{};
-    for (std::size_t i = 0; i < numberOfHits; ++i)
-    {
-      ++next[cells.OfHit[i] + std::size_t(1)];
-    }
-    std::partial_sum(next.begin(), next.end(), next.begin());
-    this->Points.Count = next[HitCells::None];
-    for (std::size_t i = 0; i < numberOfHits; ++i)
-    {
-      if (cells.OfHit[i] != HitCells::None)
-      {
-        const std::size_t place = next[cells.OfHit[i]]++;
-        this->Hits[place] = static_cast<std::uint8_t>(i);
-        this->Points.Set(place, cells.OfHit[i], placeOf(i));
-      }
-    }
-  }
-};
-
 /// Replace gradients by the means of those at the points of cells.
 void TakeAveraged(const MeshTree& tree, const PointGradients& averaged, const HitCells& cells,
   MeshKernels::PointsInCells& points)
@@ -91,6 +70,10 @@ void TakeAveraged(const MeshTree& tree, const PointGradients& averaged, const Hi
   for (std::size_t i = 0; i < points.Count; ++i)
   {
     const std::size_t cell = points.Cell[i];
+    if (cell == HitCells::None)
+    {
+      continue;
+    }
     if (cell != last)
     {
       std::int64_t inPart;
@@ -114,23 +97,63 @@ void TakeAveraged(const MeshTree& tree, const PointGradients& averaged, const Hi
   }
 }
 
-/// In index space. Values that are not finite have no gradient.
-double InIndexSpace(const MeshTree& tree, double gradient)
+/// Repeat the last gradient up to the end of the last vector.
+void FillUp(const GradientTile& tile)
 {
-  const double scaled = tree.Scale() * gradient;
-  return std::isfinite(scaled) ? scaled : 0.0;
+  for (std::size_t i = tile.Rays.Count; i < WholeVectors(tile.Rays.Count); ++i)
+  {
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      tile.Gradients[a][i] = tile.Gradients[a][tile.Rays.Count - 1];
+    }
+  }
+}
+
+/// Take gradients that the search found.
+/// \return false if one is missing
+bool TakeKnown(const GradientTile& tile)
+{
+  if (!tile.Known || !tile.Cells)
+  {
+    return false;
+  }
+  std::uint64_t inCells = 0;
+  for (std::size_t i = 0; i < tile.Rays.Count; ++i)
+  {
+    inCells |= static_cast<std::uint64_t>((*tile.Cells)[i] != NoCell) << i;
+  }
+  if ((inCells & ~tile.Known->Rays) != 0)
+  {
+    return false;
+  }
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    for (std::size_t i = 0; i < tile.Rays.Count; ++i)
+    {
+      const double known = tile.Known->Gradient[a][i];
+      tile.Gradients[a][i] = (inCells >> i & 1u) != 0 ? known : 0.0;
+    }
+  }
+  FillUp(tile);
+  return true;
 }
 
 /// The gradients of hits in tetrahedra, which are the same everywhere in a cell.
 void FindConstant(const MeshTree& tree, const HitCells& cells, const GradientTile& tile)
 {
+  MeshKernels::TetrahedronLanes tetrahedra;
+  for (std::size_t cell = 0; cell < cells.Count; ++cell)
+  {
+    tetrahedra.Append(cells.Cells[cell]);
+  }
+  tetrahedra.FillUp();
   MeshKernels::PointsInCells::Vectors ofCells;
-  MeshKernels::FindTetrahedronGradients(cells.Cells.data(), cells.Count, ofCells);
+  MeshKernels::FindTetrahedronGradients(tetrahedra, ofCells);
   for (std::size_t a = 0; a < 3; ++a)
   {
     for (std::size_t cell = 0; cell < cells.Count; ++cell)
     {
-      ofCells[a][cell] = InIndexSpace(tree, ofCells[a][cell]);
+      ofCells[a][cell] = GradientInIndexSpace(tree, ofCells[a][cell]);
     }
     for (std::size_t i = 0; i < tile.Rays.Count; ++i)
     {
@@ -141,23 +164,25 @@ void FindConstant(const MeshTree& tree, const HitCells& cells, const GradientTil
 }
 
 /// The same in cells of all kinds.
-template <typename PlaceOf>
 void FindAtPoints(const MeshTree& tree, const PointGradients* averaged, const HitCells& cells,
-  const PlaceOf& placeOf, const GradientTile& tile)
+  const glm::dmat4& indexFromWorld, const GradientTile& tile)
 {
-  HitPoints hits(cells, tile.Rays.Count, placeOf);
-  hits.Points.HasPlaces = averaged != nullptr;
-  MeshKernels::FindCellGradients(cells.Cells.data(), cells.Count, hits.Points);
+  MeshKernels::PointsInCells points;
+  points.Count = tile.Rays.Count;
+  points.Cell = cells.OfHit;
+  points.HasPlaces = averaged != nullptr;
+  FindHitPlaces(tile.Rays, indexFromWorld, tree.Low(), tree.Scale(), points.Point);
+  MeshKernels::FindCellGradients(cells.Cells.data(), cells.Count, points);
   if (averaged)
   {
-    TakeAveraged(tree, *averaged, cells, hits.Points);
+    TakeAveraged(tree, *averaged, cells, points);
   }
   for (std::size_t a = 0; a < 3; ++a)
   {
-    std::fill_n(tile.Gradients[a].begin(), tile.Rays.Count, 0.0);
-    for (std::size_t i = 0; i < hits.Points.Count; ++i)
+    for (std::size_t i = 0; i < points.Count; ++i)
     {
-      tile.Gradients[a][hits.Hits[i]] = InIndexSpace(tree, hits.Points.Gradient[a][i]);
+      const bool isKnown = points.Cell[i] != HitCells::None;
+      tile.Gradients[a][i] = isKnown ? GradientInIndexSpace(tree, points.Gradient[a][i]) : 0.0;
     }
   }
 }
@@ -167,6 +192,10 @@ void FindAtPoints(const MeshTree& tree, const PointGradients* averaged, const Hi
 void FindMeshGradients(const MeshTree& tree, const PointGradients* averaged,
   const GradientQuery& query, const GradientTile& tile)
 {
+  if (!averaged && TakeKnown(tile))
+  {
+    return;
+  }
   const auto placeOf = [&](std::size_t hit)
   {
     const glm::dvec3 index(query.IndexFromWorld * glm::dvec4(tile.Rays.PointAt(hit), 1.0));
@@ -179,15 +208,9 @@ void FindMeshGradients(const MeshTree& tree, const PointGradients* averaged,
   }
   else
   {
-    FindAtPoints(tree, averaged, cells, placeOf, tile);
+    FindAtPoints(tree, averaged, cells, query.IndexFromWorld, tile);
   }
-  for (std::size_t i = tile.Rays.Count; i < WholeVectors(tile.Rays.Count); ++i)
-  {
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      tile.Gradients[a][i] = tile.Gradients[a][tile.Rays.Count - 1];
-    }
-  }
+  FillUp(tile);
 }
 
 std::shared_ptr<const PointGradients> PointGradients::Make(const MeshTree& tree)

@@ -8,6 +8,7 @@
 
 #include <glm/glm.hpp>
 
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -25,6 +26,13 @@ struct PointGradients
   static std::shared_ptr<const PointGradients> Make(const MeshTree& tree);
   std::size_t MemoryInBytes() const;
 };
+
+/// A component of a gradient in index space. Values that are not finite have no gradient.
+inline double GradientInIndexSpace(const MeshTree& tree, double gradient)
+{
+  const double scaled = tree.Scale() * gradient;
+  return std::isfinite(scaled) ? scaled : 0.0;
+}
 
 /// Find the gradients of a mesh at hits.
 /// \param averaged null: those of the interpolant in the cell that is hit

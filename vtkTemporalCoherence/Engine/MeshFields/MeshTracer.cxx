@@ -108,7 +108,12 @@ void MeshTracer::Trace(const RayBatch& rays, HitBatch& hits) const
 std::uint64_t MeshTracer::SearchCells(
   const RayBatch& rays, const RayCells& cells, HitBatch& hits) const
 {
-  return MeshCellSearch(this->Isosurfaces, this->Tree, this->Prepared->Differences())
+  std::shared_ptr<RecentHexahedra>& recent = this->Recent.Local();
+  if (!recent)
+  {
+    recent = std::make_shared<RecentHexahedra>();
+  }
+  return MeshCellSearch(this->Isosurfaces, this->Tree, this->Prepared->Differences(), *recent)
     .Search(rays, cells, hits);
 }
 

@@ -5,10 +5,13 @@
 
 #include "MeshFields/MeshCellSearch.h"
 #include "MeshFields/MeshSolids.h"
+#include "MeshFields/RecentHexahedra.h"
 #include "MeshTiles/ActiveLeaves.h"
 #include "MeshTiles/MeshTile.h"
 #include "MeshTiles/PreparedLeaves.h"
 #include "Trace/SurfaceTracer.h"
+
+#include <vtkSMPThreadLocal.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -67,6 +70,7 @@ private:
   const MeshTree& Tree;
   ActiveLeaves Leaves;
   std::shared_ptr<const PreparedLeaves> Prepared;
+  mutable vtkSMPThreadLocal<std::shared_ptr<RecentHexahedra>> Recent; ///< those of SearchCells
 };
 
 }

@@ -38,7 +38,7 @@ public:
   double operator()(double value) const
   {
     // Without branches, as nothing tells on which side the next value is.
-    constexpr double least = 0x1p-290, largest = Largest;
+    constexpr double least = Least, largest = Largest;
     const double difference = value * this->Factor - this->Scaled;
     const double below = difference > -largest ? std::min(difference, -least) : -largest;
     const double above = std::min(std::max(difference, least), largest);
@@ -67,7 +67,10 @@ public:
 
   /// Units of differences in one of values.
   double Unit() const { return this->Factor; }
+  double Level() const { return this->Isovalue; }
 
+  // Limits of differences that are not 0:
+  static constexpr double Least = 0x1p-290;
   static constexpr double Largest = 4.0; ///< more than any of finite values
 
 private:

@@ -5,6 +5,7 @@
 
 #include "Mesh/CellRays.h"
 #include "MeshTiles/ActiveLeaves.h"
+#include "MeshTiles/KernelsMeshRays.h"
 #include "MeshTiles/KernelsTileGrid.h"
 #include "MeshTiles/TileGrid.h"
 #include "Scene/LayerBatch.h"
@@ -27,35 +28,17 @@ enum class RayLimits : std::uint8_t
   None        ///< everywhere: it matters what is before the ray's beginning
 };
 
-/// Put a ray of a batch into the coordinates of a mesh.
-inline void SetMeshRay(const RayBatch& rays, std::size_t ray, const MeshTree& tree,
-  MeshKernels::MeshRays& inMesh, std::size_t at)
-{
-  for (std::size_t a = 0; a < 3; ++a)
-  {
-    inMesh.Origin[a][at] = tree.Low()[static_cast<int>(a)] + tree.Scale() * rays.Origin[a][ray];
-    inMesh.Direction[a][at] = tree.Scale() * rays.Direction[a][ray];
-  }
-  inMesh.Begin[at] = rays.Begin[ray];
-  inMesh.End[at] = rays.End[ray];
-}
-
 /// The rays of a batch in the coordinates of a mesh.
 inline void SetUpMeshRays(
   const RayBatch& rays, const MeshTree& tree, RayLimits limits, MeshKernels::MeshRays& inMesh)
 {
   constexpr double far = 1e300;
-  inMesh.Count = static_cast<std::size_t>(rays.Count);
-  for (std::size_t ray = 0; ray < inMesh.Count; ++ray)
+  PutIntoMesh(rays, tree.Low(), tree.Scale(), inMesh);
+  if (limits == RayLimits::None)
   {
-    SetMeshRay(rays, ray, tree, inMesh, ray);
-    if (limits == RayLimits::None)
-    {
-      inMesh.Begin[ray] = -far;
-      inMesh.End[ray] = far;
-    }
+    inMesh.Begin.fill(-far);
+    inMesh.End.fill(far);
   }
-  inMesh.Prepare();
 }
 
 /// One bit for each ray of a batch that may meet a surface.

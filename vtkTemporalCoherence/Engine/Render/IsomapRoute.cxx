@@ -19,6 +19,7 @@ namespace
 /// Fewer rays than this are traced without space leaping: that is faster than finding active cells
 /// first. Measured by the look-ups of `Benchmark --scenarios routes`.
 constexpr std::int64_t FewRays = 256;
+constexpr std::int64_t FewRaysInMesh = 64; ///< the same where a tile looks at all of its leaves
 
 /// Trace the rays that an isomap leaves unresolved, one bit each, tile by tile, and shade these
 /// tiles.
@@ -34,7 +35,8 @@ bool TraceUnresolvedRays(FrameTask& task, const std::vector<std::uint64_t>& unre
   {
     return true;
   }
-  if (!leaps && task.Options.SpaceLeaping && rays > FewRays)
+  const std::int64_t few = task.Key.Samples.Kind->Abilities().IsMesh ? FewRaysInMesh : FewRays;
+  if (!leaps && task.Options.SpaceLeaping && rays > few)
   {
     task.Structures.PrepareActiveCells(task.Key);
     leaps = true;

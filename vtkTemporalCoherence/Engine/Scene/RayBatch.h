@@ -56,6 +56,23 @@ struct RayBatch
   }
 };
 
+/// Gradients of the field at hits of a batch, in index space, where a search knows them.
+struct KnownGradients
+{
+  std::uint64_t Rays = 0; ///< one bit for each ray whose gradient is known
+  std::array<RayBatch::Array<double>, 3> Gradient;
+
+  void Set(std::size_t ray, const std::array<double, 3>& gradient)
+  {
+    this->Rays |= std::uint64_t(1) << ray;
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      this->Gradient[a][ray] = gradient[a];
+    }
+  }
+  void Forget(std::size_t ray) { this->Rays &= ~(std::uint64_t(1) << ray); }
+};
+
 /// The hits of a batch, as arrays over rays.
 struct HitBatch
 {
@@ -65,7 +82,8 @@ struct HitBatch
   RayBatch::Array<std::int16_t> Surface; ///< position in the list of isovalues, or Frame::NoSurface
   RayBatch::Array<HitKind> Kind;
   RayBatch::Array<CellNumber> Cell; ///< of a mesh
-  std::int64_t CellsRead = 0;       ///< cells whose eight samples were read
+  KnownGradients Gradients;
+  std::int64_t CellsRead = 0; ///< cells whose eight samples were read
 
   /// Set the first `count` rays to misses.
   void Clear(int count)
@@ -77,6 +95,7 @@ struct HitBatch
     std::fill_n(this->Surface.begin(), count, Frame::NoSurface);
     std::fill_n(this->Kind.begin(), count, HitKind::None);
     std::fill_n(this->Cell.begin(), count, NoCell);
+    this->Gradients.Rays = 0;
     this->CellsRead = 0;
   }
 };

@@ -158,6 +158,7 @@ void TakeHits(const View& view, const TileHits& found, HitList& hits)
   hits.Surface = found.Hits.Surface;
   hits.Kind = found.Hits.Kind;
   hits.Cell = found.Hits.Cell;
+  hits.Gradients = &found.Hits.Gradients;
   hits.Rays.Eye = view.Origin;
   hits.Rays.Direction = &found.World;
   const std::uint64_t met = ShadingKernels::TakeFinite(found.Hits.Depth, hits.Rays.T);

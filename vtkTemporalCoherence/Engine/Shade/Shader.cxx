@@ -249,7 +249,7 @@ void ComputeNormals(
   std::array<Array<double>, 3> gradients;
   IndexGradients(
     { source.Samples, source.Transform.IndexFromWorld, source.FiniteRange, &source.Isovalues },
-    { hits.Rays, hits.Surface, gradients, &hits.Cell });
+    { hits.Rays, hits.Surface, gradients, &hits.Cell, hits.Gradients });
   if (gradientsFound)
   {
     *gradientsFound = gradients;

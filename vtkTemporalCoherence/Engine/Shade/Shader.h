@@ -35,7 +35,8 @@ struct HitList
   Array<double> X, Y;     ///< normalised device coordinates, if FindHitRays is to be called
   HitRays Rays;
   Array<std::array<float, 3>> Normal;
-  std::uint64_t Misses = 0; ///< one bit for each place without a hit
+  std::uint64_t Misses = 0;                  ///< one bit for each place without a hit
+  const KnownGradients* Gradients = nullptr; ///< of some of the hits; null: none is known
 };
 
 /// Repeat the last element up to the end of the last vector, so that no lane is uninitialised.

@@ -39,6 +39,8 @@ struct GradientTile
   Vectors& Gradients; ///< result: per index step, finite up to the end of the last vector
   /// Of a mesh, that were hit, or NoCell. Null: they are not known.
   const RayBatch::Array<CellNumber>* Cells = nullptr;
+  /// Of hits in a mesh. Null: none is known.
+  const KnownGradients* Known = nullptr;
 };
 
 /// Find the gradients of a field of any kind.

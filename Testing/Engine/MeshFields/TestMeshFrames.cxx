@@ -238,6 +238,47 @@ TEST_P(MeshFrames, RangesOfIsomapsServeLookUps)
   }
 }
 
+/// Ranges narrower than a cell, and a little wider, from any side: of a cell only the part within
+/// the range is looked at.
+TEST_P(MeshFrames, NarrowRangesOfIsomapsServeLookUpsInTetrahedra)
+{
+  if (this->GetParam() != Meshes::Cells::FiveTetrahedra &&
+    this->GetParam() != Meshes::Cells::SixTetrahedra)
+  {
+    return;
+  }
+  std::mt19937 engine(11);
+  std::uniform_real_distribution<double> anywhere(-1.0, 1.0);
+  int lookedUp = 0, hits = 0;
+  for (int round = 0; round < (IsMemorySanitized ? 3 : 15); ++round)
+  {
+    const bool isParallel = round % 4 == 3;
+    this->LookFrom(
+      { anywhere(engine), anywhere(engine), anywhere(engine) }, isParallel, { 73, 81 });
+    this->Key.Isosurfaces.Mode = round % 5 == 4 ? SurfaceMode::Threshold : SurfaceMode::Crossing;
+    const double low = 0.9 * anywhere(engine), width = std::pow(10.0, -3 + round % 3);
+    FrameRenderer::Options options;
+    options.Map.Range = { low, low + width };
+    this->Key.Isosurfaces.Isovalues = { low };
+    FrameRenderer renderer;
+    renderer.Render(this->Key, options);
+    ASSERT_EQ(renderer.BuildIsomap(this->Key, options), Isomap::Outcome::Built);
+    for (const double share : { 0.0, 0.3, 0.5, 0.8, 1.0 })
+    {
+      this->Key.Isosurfaces.Isovalues = { share < 1.0 ? low + share * width : low + width };
+      renderer.Render(this->Key, options);
+      lookedUp += renderer.Statistics().Made == Route::IsomapLookup ? 1 : 0;
+      const Frame cold = this->Cold();
+      ASSERT_TRUE(ShowTheSame(renderer.LastFrame(), cold)) << round << ", " << share;
+      ASSERT_TRUE(IsSamePlane(renderer.LastFrame().Cells, cold.Cells)) << round << ", " << share;
+      hits += static_cast<int>(std::count_if(
+        cold.Depth.begin(), cold.Depth.end(), [](auto depth) { return std::isfinite(depth); }));
+    }
+  }
+  EXPECT_GT(lookedUp, IsMemorySanitized ? 10 : 50);
+  EXPECT_GT(hits, 1000);
+}
+
 /// Slabs with gaps between them: a ray leaves the mesh at one value, and enters it again at another
 /// one that it has not passed. Slabs that overlap: what is behind in one may be nearer in another.
 TEST_P(MeshFrames, RangesOfIsomapsServeLookUpsInSlabs)

@@ -49,12 +49,12 @@ void MeshBandRays::Append(const MeshPassage& passage)
 {
   const double error = this->ErrorOf(passage);
   const bool isOutside = passage.High + error < 0.0 || passage.Low - error > this->Scale.Span;
-  if (passage.IsFinite && isOutside && !this->IsSolid)
+  if (passage.IsSimple && isOutside && !this->IsSolid)
   {
     return;
   }
   this->Ahead.push_back(passage);
-  if (passage.IsFinite)
+  if (passage.IsSimple)
   {
     this->Narrow(passage, error);
   }
@@ -197,7 +197,7 @@ void MeshBandRays::TakeNote(const MeshPassage& passage)
   Progress& progress = this->OfRay[passage.Ray];
   progress.Left = std::max(progress.Left, passage.Out);
   const double error = this->ErrorOf(passage);
-  if (!passage.IsFinite || (passage.BeginsHere && !this->IsSolid) || this->Jumps(passage, error))
+  if (!passage.IsSimple || (passage.BeginsHere && !this->IsSolid) || this->Jumps(passage, error))
   {
     this->GiveUp(passage.Ray);
     return;

@@ -21,7 +21,7 @@ struct MeshPassage
   double In, Out;     ///< where the ray enters the cell, and leaves it
   double AtIn, AtOut; ///< where it enters, or begins in the cell, and where it leaves
   double Low, High;   ///< bounds in between
-  bool IsFinite;      ///< all values of the cell are
+  bool IsSimple;      ///< all values of the cell are finite, and the ray passes it only once
   bool BeginsHere;    ///< the ray begins in the cell, and AtIn is not known
   std::uint8_t Ray;
   CellIndex Place; ///< of the cell in the lattice
@@ -36,7 +36,8 @@ struct MeshPassage
 /// behind both places does not matter, whatever lies between them.
 ///
 /// Rays that are in two cells at once are given up: an isovalue that is known to be met in one may
-/// be met nearer in the other.
+/// be met nearer in the other. So are rays that pass a cell twice: look-ups search it as a whole,
+/// and might find what lies behind other cells.
 class MeshBandRays
 {
 public:

@@ -273,6 +273,7 @@ void MeshBandTracer::Append(const PreparedHexahedron& cell, const CellIndex& ind
   {
     const std::size_t ray = packed.From[at];
     const double begin = tile.Rays.Begin[ray], stop = tile.Rays.End[ray];
+    const bool isSimple = isFinite && spans.Count[at] == 1;
     for (std::size_t i = 0; i < spans.Count[at]; ++i)
     {
       const MeshKernels::CellSpan& span = spans.Spans[at][i];
@@ -287,7 +288,7 @@ void MeshBandTracer::Append(const PreparedHexahedron& cell, const CellIndex& ind
       const double high = std::min({ *most, std::max(span.AtIn, span.AtOut) + bend, linear.High });
       band.Append(
         { span.In, span.Out, this->Unit * span.AtIn, this->Unit * span.AtOut, this->Unit * low,
-          this->Unit * high, isFinite, span.In < begin, static_cast<std::uint8_t>(ray), index });
+          this->Unit * high, isSimple, span.In < begin, static_cast<std::uint8_t>(ray), index });
     }
   }
 }

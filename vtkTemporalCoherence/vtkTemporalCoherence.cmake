@@ -94,6 +94,7 @@ set(engine_files
   Trees/RadixSort
   MeshTiles/ActiveLeaves
   MeshTiles/BoxLevels
+  MeshTiles/CellCuts
   MeshTiles/CellValues
   MeshTiles/KernelsBoxes
   MeshTiles/KernelsMeshRays

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshTiles/PreparedCells.h"
 
+#include "MeshTiles/CellCuts.h"
 #include "MeshTiles/CellValues.h"
 #include "Scene/LayerBatch.h"
 
@@ -25,114 +26,6 @@ FloatBox BoxAround(const glm::dvec3* points, std::size_t count)
     box.High = glm::max(box.High, point);
   }
   return box;
-}
-
-/// The corners of the polygon in which a tetrahedron is cut where its values are 0.
-/// \pre some values are negative, some are not
-void FindPolygon(const glm::dvec3* points, const std::array<double, 4>& values, glm::dvec3* polygon)
-{
-  std::array<std::size_t, 4> inside, outside;
-  std::size_t numberInside = 0, numberOutside = 0;
-  for (std::size_t i = 0; i < values.size(); ++i)
-  {
-    (values[i] >= 0.0 ? inside[numberInside++] : outside[numberOutside++]) = i;
-  }
-  const auto cut = [&](std::size_t i, std::size_t j)
-  { return points[i] + values[i] / (values[i] - values[j]) * (points[j] - points[i]); };
-  if (numberInside == 2)
-  {
-    polygon[0] = cut(inside[0], outside[0]);
-    polygon[1] = cut(inside[0], outside[1]);
-    polygon[2] = cut(inside[1], outside[1]);
-    polygon[3] = cut(inside[1], outside[0]);
-    return;
-  }
-  const bool isOneInside = numberInside == 1;
-  const std::size_t lone = isOneInside ? inside[0] : outside[0];
-  const std::array<std::size_t, 4>& others = isOneInside ? outside : inside;
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    polygon[i] = cut(lone, others[i]);
-  }
-  polygon[3] = polygon[2];
-}
-
-/// A tetrahedron's part between two planes has no more corners.
-constexpr std::size_t MostSlabPoints = 8;
-
-/// The corners of the part of a tetrahedron whose values are within bounds.
-/// \pre some values of the tetrahedron are
-void FindSlab(const glm::dvec3* points, const std::array<double, 4>& values,
-  const glm::dvec2& bounds, glm::dvec3* slab)
-{
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < values.size(); ++i)
-  {
-    if (values[i] >= bounds[0] && values[i] <= bounds[1])
-    {
-      slab[count++] = points[i];
-    }
-  }
-  for (int side = 0; side < 2; ++side)
-  {
-    for (std::size_t i = 0; i < values.size(); ++i)
-    {
-      for (std::size_t j = 0; j < values.size(); ++j)
-      {
-        if (values[i] < bounds[side] && values[j] > bounds[side])
-        {
-          const double share = (bounds[side] - values[i]) / (values[j] - values[i]);
-          slab[count++] = points[i] + share * (points[j] - points[i]);
-        }
-      }
-    }
-  }
-  std::fill(slab + count, slab + MostSlabPoints, slab[0]);
-}
-
-/// A hexahedron has no more pairs of corners on different sides of a surface.
-constexpr std::size_t MostHullPoints = 16;
-
-/// Points around the surface in a hexahedron: where it cuts the lines between corners on different
-/// sides. A point of the cell is a mean of corners, with weights that are products; where the mean
-/// of the values is 0, the weights can be split among such pairs so that it is 0 in each.
-/// \pre some values are negative, some are not
-std::array<glm::dvec3, MostHullPoints> HullOf(
-  const std::array<glm::dvec3, 8>& points, const MeshKernels::CellDifferences& values)
-{
-  double largest = 0.0;
-  for (const double value : values)
-  {
-    largest = std::max(largest, std::abs(value));
-  }
-  // Corners on which the surface nearly lies count themselves: in pairs, rounding errors of their
-  // values would matter.
-  const double least = 1e-6 * largest;
-  std::array<glm::dvec3, MostHullPoints> hull;
-  std::array<std::size_t, 8> inside, outside;
-  std::size_t count = 0, numberInside = 0, numberOutside = 0;
-  for (std::size_t i = 0; i < values.size(); ++i)
-  {
-    if (std::abs(values[i]) <= least)
-    {
-      hull[count++] = points[i];
-    }
-    else
-    {
-      (values[i] > 0.0 ? inside[numberInside++] : outside[numberOutside++]) = i;
-    }
-  }
-  for (std::size_t k = 0; k < numberInside; ++k)
-  {
-    const std::size_t i = inside[k];
-    for (std::size_t l = 0; l < numberOutside; ++l)
-    {
-      const std::size_t j = outside[l];
-      hull[count++] = points[i] + values[i] / (values[i] - values[j]) * (points[j] - points[i]);
-    }
-  }
-  std::fill(hull.begin() + static_cast<std::ptrdiff_t>(count), hull.end(), hull[count - 1]);
-  return hull;
 }
 
 /// Reads the cells of a leaf.

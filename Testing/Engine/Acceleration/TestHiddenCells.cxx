@@ -272,9 +272,10 @@ TEST(HiddenCells, CapsHaveTheNormalsOfTheirFaces)
   ForEach(field.Dimensions - 1,
     [&](const glm::ivec3& cell) { flags.push_back(cell.x >= 4 && cell.x < 9 && cell.y >= 6); });
   field.Hidden = HiddenCells::Make(field.Dimensions, { flags.data(), 1, nullptr, 0 });
-  const auto expect =
-    [&](const glm::dvec3& point, const glm::dvec3& direction, const glm::dvec3& normal)
-  { EXPECT_EQ(CapNormal(point, direction, field, {}), normal); };
+  const auto expect = [&](const glm::dvec3& point, const glm::dvec3& direction,
+                        const glm::dvec3& normal) {
+    EXPECT_EQ(CapNormal({ point, direction }, field, {}), normal);
+  };
   expect({ 9.0, 7.3, 2.2 }, { 1.0, 0.5, 0.2 }, { -1.0, 0.0, 0.0 });
   expect({ 4.0, 7.3, 2.2 }, { -1.0, 0.5, 0.2 }, { 1.0, 0.0, 0.0 });
   expect({ 5.5, 6.0, 2.2 }, { 1.0, -0.5, 0.2 }, { 0.0, 1.0, 0.0 });

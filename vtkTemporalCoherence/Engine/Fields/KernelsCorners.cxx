@@ -8,7 +8,7 @@
 #define HWY_TARGET_INCLUDE "Fields/KernelsCorners.cxx"
 #include <hwy/foreach_target.h>
 
-#include "Scene/KernelsPacked-inl.h"
+#include "Shade/KernelsPacked-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace TemporalCoherence

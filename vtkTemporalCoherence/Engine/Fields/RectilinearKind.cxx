@@ -167,10 +167,9 @@ public:
     RectilinearGradients(*this->Grid, query, tile);
   }
 
-  glm::dvec3 FaceNormal(const Field& field, const glm::dvec3& point, const glm::dvec3& direction,
-    double& nearest) const override
+  glm::dvec3 FaceNormal(const Field& field, const CapPoint& cap, double& nearest) const override
   {
-    return LatticeFaceNormal(RectilinearPlanes{ *this->Grid }, field, point, direction, nearest);
+    return LatticeFaceNormal(RectilinearPlanes{ *this->Grid }, field, cap, nearest);
   }
 
 private:

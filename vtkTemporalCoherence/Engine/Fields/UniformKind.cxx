@@ -58,10 +58,9 @@ public:
     UniformGradients(query, tile);
   }
 
-  glm::dvec3 FaceNormal(const Field& field, const glm::dvec3& point, const glm::dvec3& direction,
-    double& nearest) const override
+  glm::dvec3 FaceNormal(const Field& field, const CapPoint& cap, double& nearest) const override
   {
-    return LatticeFaceNormal(UniformPlanes{ field.Dimensions }, field, point, direction, nearest);
+    return LatticeFaceNormal(UniformPlanes{ field.Dimensions }, field, cap, nearest);
   }
 };
 

@@ -223,15 +223,16 @@ std::shared_ptr<const PointGradients> PointGradients::Make(const MeshTree& tree)
     made->Parts.emplace_back(static_cast<std::size_t>(part.NumberOfPoints), glm::vec3(0.0f));
     counts.emplace_back(static_cast<std::size_t>(part.NumberOfPoints), 0u);
   }
+  // By their numbers: a tree that was made for other points has the cells in another order, and the
+  // sums must not depend on it.
   MeshCell cell;
-  for (std::int64_t rank = 0; rank < tree.NumberOfCells(); ++rank)
+  for (std::int64_t number = 0; number < tree.Reader().NumberOfCells(); ++number)
   {
-    const CellNumber number = tree.CellAt(rank);
     std::size_t part;
     std::int64_t inPart;
     tree.Reader().Locate(number, part, inPart);
     const MeshCellPoints points = MeshReader::FindPoints(tree.Reader().PartAt(part), inPart);
-    tree.Reader().Read(number, cell);
+    tree.Reader().Read(number, cell); // hidden ones have no points
     for (std::size_t i = 0; i < static_cast<std::size_t>(cell.NumberOfPoints()); ++i)
     {
       const auto id = static_cast<std::size_t>(points.Ids[i]);

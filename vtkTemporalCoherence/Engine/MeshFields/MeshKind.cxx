@@ -100,10 +100,9 @@ public:
     FindMeshGradients(*this->Tree, this->Averaged.get(), query, tile);
   }
 
-  glm::dvec3 FaceNormal(const Field&, const glm::dvec3& point, const glm::dvec3& direction,
-    double& nearest) const override
+  glm::dvec3 FaceNormal(const Field&, const CapPoint& cap, double& nearest) const override
   {
-    return MeshFaceNormal(*this->Tree, point, direction, nearest);
+    return MeshFaceNormal(*this->Tree, cap, nearest);
   }
 
 private:

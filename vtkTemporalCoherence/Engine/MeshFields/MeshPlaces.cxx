@@ -15,16 +15,32 @@ namespace TemporalCoherence
 namespace
 {
 
+/// How far outside of a cell a point on its face may seem to be, in its own coordinates.
+constexpr double OnFace = 1e-7;
+
+/// False if a point surely lies outside of a cell, farther than OnFace.
+bool MayHold(const MeshCell& cell, const glm::dvec3& point)
+{
+  glm::dvec3 low = cell.Points[0], high = low;
+  for (std::size_t i = 1; i < static_cast<std::size_t>(cell.NumberOfPoints()); ++i)
+  {
+    low = glm::min(low, cell.Points[i]);
+    high = glm::max(high, cell.Points[i]);
+  }
+  const glm::dvec3 margin = 10.0 * OnFace * (high - low) + OnFace * glm::abs(point);
+  return glm::all(glm::greaterThanEqual(point + margin, low)) &&
+    glm::all(glm::lessThanEqual(point - margin, high));
+}
+
 /// Call visit(cell number, cell) for each cell of the leaves whose boxes hold a point.
-/// \param margin in index space, by which the point may lie outside of a box
 template <typename Visit>
-void VisitCellsAt(const MeshTree& tree, const glm::dvec3& point, double margin, const Visit& visit)
+void VisitCellsAt(const MeshTree& tree, const glm::dvec3& point, const Visit& visit)
 {
   const glm::dvec3 index = tree.ToIndex(point);
   const auto holds = [&](const FloatBox& box)
   {
-    return glm::all(glm::greaterThanEqual(index + margin, glm::dvec3(box.Low))) &&
-      glm::all(glm::lessThanEqual(index - margin, glm::dvec3(box.High)));
+    return glm::all(glm::greaterThanEqual(index, glm::dvec3(box.Low))) &&
+      glm::all(glm::lessThanEqual(index, glm::dvec3(box.High)));
   };
   const auto childAt = [](std::int64_t block, std::size_t bit)
   { return MeshLattice::SizeOfBlock * block + static_cast<std::int64_t>(bit); };
@@ -53,25 +69,31 @@ void VisitCellsAt(const MeshTree& tree, const glm::dvec3& point, double margin, 
     });
 }
 
-/// The face of a cell that is nearest to a place in it.
-struct NearestFace
+/// The face of a cell through which a ray came to a place in it.
+struct EntryFace
 {
   double Distance;   ///< in the coordinates of the mesh; infinite if the cell is flat there
   glm::dvec3 Normal; ///< out of the cell, of unit length
 };
 
-NearestFace FindNearestFace(const MeshCell& cell, const glm::dvec3& at)
+EntryFace FindEntryFace(const MeshCell& cell, const glm::dvec3& at, const glm::dvec3& direction)
 {
   // On a face a coordinate is 0 or 1, or those of a tetrahedron sum to 1. The gradient of such a
   // coordinate is the face's normal, and its length tells how fast it grows away from the face.
-  NearestFace nearest{ std::numeric_limits<double>::infinity(), glm::dvec3(0.0) };
+  // The ray entered through the last of the faces that it came through. Rounding errors count, so
+  // that on an edge it is not a face that the ray runs along.
+  constexpr double rounding = 1e-12;
+  double last = std::numeric_limits<double>::infinity();
+  EntryFace entry{ last, glm::dvec3(0.0) };
   const glm::dmat3 rows = glm::transpose(glm::inverse(MeshKernels::JacobianAt(cell, at)));
   const auto consider = [&](double inCell, const glm::dvec3& inward)
   {
-    const double length = glm::length(inward), distance = std::abs(inCell) / length;
-    if (std::isfinite(length) && length > 0.0 && distance < nearest.Distance)
+    const double length = glm::length(inward), rise = glm::dot(inward, direction);
+    const double ago = (std::abs(inCell) + rounding) / rise;
+    if (std::isfinite(length) && rise > 0.0 && ago < last)
     {
-      nearest = { distance, -inward / length };
+      last = ago;
+      entry = { std::abs(inCell) / length, -inward / length };
     }
   };
   const bool isTetrahedron = cell.Shape == MeshCellShape::Tetrahedron;
@@ -87,21 +109,19 @@ NearestFace FindNearestFace(const MeshCell& cell, const glm::dvec3& at)
   {
     consider(1.0 - at.x - at.y - at.z, -(rows[0] + rows[1] + rows[2]));
   }
-  return nearest;
+  return entry;
 }
-
-/// How far outside of a cell a point on its face may seem to be, in its own coordinates.
-constexpr double OnFace = 1e-7;
 
 }
 
 CellNumber FindCellAt(const MeshTree& tree, const glm::dvec3& point)
 {
   CellNumber found = NoCell;
-  VisitCellsAt(tree, point, 0.0,
+  VisitCellsAt(tree, point,
     [&](CellNumber number, const MeshCell& cell)
     {
-      if (number < found && MeshKernels::FindPoint(cell, point, OnFace).IsIn)
+      if (number < found && MayHold(cell, point) &&
+        MeshKernels::FindPoint(cell, point, OnFace).IsIn)
       {
         found = number;
       }
@@ -109,25 +129,24 @@ CellNumber FindCellAt(const MeshTree& tree, const glm::dvec3& point)
   return found;
 }
 
-glm::dvec3 MeshFaceNormal(
-  const MeshTree& tree, const glm::dvec3& point, const glm::dvec3& direction, double& nearest)
+glm::dvec3 MeshFaceNormal(const MeshTree& tree, const CapPoint& cap, double& nearest)
 {
-  glm::dvec3 normal(0.0);
-  const glm::dvec3 inMesh = tree.ToMesh(point);
-  VisitCellsAt(tree, inMesh, nearest,
-    [&](CellNumber, const MeshCell& cell)
-    {
-      constexpr double beside = 1e-3;
-      const MeshKernels::PointInCell at = MeshKernels::FindPoint(cell, inMesh, beside);
-      const NearestFace face = FindNearestFace(cell, at.At);
-      if (at.IsIn && face.Distance < tree.Scale() * nearest &&
-        glm::dot(face.Normal, direction) < 0.0)
-      {
-        nearest = face.Distance / tree.Scale();
-        normal = face.Normal;
-      }
-    });
-  return normal;
+  constexpr double beside = 1e-3;
+  if (cap.Cell == NoCell)
+  {
+    return glm::dvec3(0.0);
+  }
+  MeshCell cell;
+  tree.Reader().Read(cap.Cell, cell);
+  const glm::dvec3 at = MeshKernels::FindPoint(cell, tree.ToMesh(cap.At), beside).At;
+  const EntryFace face = FindEntryFace(cell, at, cap.Direction);
+  const double distance = face.Distance / tree.Scale();
+  if (!(distance < nearest))
+  {
+    return glm::dvec3(0.0);
+  }
+  nearest = distance;
+  return face.Normal;
 }
 
 }

@@ -3,6 +3,7 @@
 #ifndef TemporalCoherence_MeshPlaces_h
 #define TemporalCoherence_MeshPlaces_h
 
+#include "Scene/CapPoint.h"
 #include "Scene/Frame.h"
 #include "Trees/MeshTree.h"
 
@@ -15,10 +16,9 @@ namespace TemporalCoherence
 /// is none.
 CellNumber FindCellAt(const MeshTree& tree, const glm::dvec3& point);
 
-/// The normal of the face of the mesh nearest to a point, as FieldKind::FaceNormal.
-/// \param point, direction in index space
-glm::dvec3 MeshFaceNormal(
-  const MeshTree& tree, const glm::dvec3& point, const glm::dvec3& direction, double& nearest);
+/// The normal of the face through which a ray enters the cell that it hits, as
+/// FieldKind::FaceNormal.
+glm::dvec3 MeshFaceNormal(const MeshTree& tree, const CapPoint& cap, double& nearest);
 
 }
 

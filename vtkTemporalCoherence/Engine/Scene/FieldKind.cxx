@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/FieldKind.h"
 
+#include "Scene/CapPoint.h"
 #include "Scene/CellBox.h"
 #include "Scene/Field.h"
 
@@ -45,19 +46,18 @@ bool FieldKind::GainsFromImages(const Field&, const Surfaces&) const
   return true;
 }
 
-glm::dvec3 FieldKind::FaceNormal(
-  const Field& field, const glm::dvec3& point, const glm::dvec3& direction, double& nearest) const
+glm::dvec3 FieldKind::FaceNormal(const Field& field, const CapPoint& cap, double& nearest) const
 {
   glm::dvec3 normal(0.0);
   for (int axis = 0; axis < 3; ++axis)
   {
-    const double face = direction[axis] > 0.0 ? 0.0 : field.Dimensions[axis] - 1;
-    const double distance = std::abs(point[axis] - face);
-    if (direction[axis] != 0.0 && distance < nearest)
+    const double face = cap.Direction[axis] > 0.0 ? 0.0 : field.Dimensions[axis] - 1;
+    const double distance = std::abs(cap.At[axis] - face);
+    if (cap.Direction[axis] != 0.0 && distance < nearest)
     {
       nearest = distance;
       normal = glm::dvec3(0.0);
-      normal[axis] = direction[axis] > 0.0 ? -1.0 : 1.0;
+      normal[axis] = cap.Direction[axis] > 0.0 ? -1.0 : 1.0;
     }
   }
   return normal;

@@ -16,6 +16,7 @@ namespace TemporalCoherence
 class BandTracer;
 class SurfaceTracer;
 struct BandScene;
+struct CapPoint;
 struct CellBox;
 struct Field;
 struct GradientQuery;
@@ -107,14 +108,12 @@ public:
   virtual void FindGradients(const GradientQuery& query, const GradientTile& tile) const = 0;
 
   /// The normal of the face through which a ray enters visible cells, from outside of the field or
-  /// from hidden cells. Solids are capped there.
-  /// \param point, direction of the ray, in index space
+  /// from hidden cells. Solids are capped there. In a mesh it is a face of the cell that is hit.
   /// \param nearest faces farther from the point than this are ignored; gets the distance of the
   ///                face found
   /// \return in index space, of unit length, facing against the ray; the zero vector if there is
   /// none
-  virtual glm::dvec3 FaceNormal(const Field& field, const glm::dvec3& point,
-    const glm::dvec3& direction, double& nearest) const;
+  virtual glm::dvec3 FaceNormal(const Field& field, const CapPoint& cap, double& nearest) const;
 };
 
 /// The same for two pointers to kinds.

@@ -3,6 +3,7 @@
 #ifndef TemporalCoherence_CapNormal_h
 #define TemporalCoherence_CapNormal_h
 
+#include "Scene/CapPoint.h"
 #include "Scene/Field.h"
 
 #include <glm/glm.hpp>
@@ -14,11 +15,10 @@ namespace TemporalCoherence
 
 /// The normal of a cap, in index space: of a face of the field, of a face of the hidden cell that
 /// the ray comes from, or of a plane that clips the field.
-/// \param point, direction of the ray, in index space
 /// \param planes that clip the field: unit normal and offset
 /// \return of unit length, facing against the ray; the zero vector if the point is on none of them
-glm::dvec3 CapNormal(const glm::dvec3& point, const glm::dvec3& direction, const Field& field,
-  const std::vector<glm::dvec4>& planes);
+glm::dvec3 CapNormal(
+  const CapPoint& cap, const Field& field, const std::vector<glm::dvec4>& planes);
 
 }
 

@@ -10,7 +10,7 @@
 #define HWY_TARGET_INCLUDE "Shade/KernelsGradients.cxx"
 #include <hwy/foreach_target.h>
 
-#include "Scene/KernelsPacked-inl.h"
+#include "Shade/KernelsPacked-inl.h"
 #include "Shade/RealRows-inl.h"
 
 HWY_BEFORE_NAMESPACE();

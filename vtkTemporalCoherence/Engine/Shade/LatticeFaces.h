@@ -4,6 +4,7 @@
 #define TemporalCoherence_LatticeFaces_h
 
 #include "Acceleration/HiddenCells.h"
+#include "Scene/CapPoint.h"
 #include "Scene/Field.h"
 
 #include <glm/glm.hpp>
@@ -18,9 +19,10 @@ namespace TemporalCoherence
 ///               coordinate; and CellOf(axis, x): the cell that holds a coordinate, or the nearest
 ///               one
 template <typename Planes>
-glm::dvec3 LatticeFaceNormal(const Planes& planes, const Field& field, const glm::dvec3& point,
-  const glm::dvec3& direction, double& nearest)
+glm::dvec3 LatticeFaceNormal(
+  const Planes& planes, const Field& field, const CapPoint& cap, double& nearest)
 {
+  const glm::dvec3 &point = cap.At, &direction = cap.Direction;
   const auto comesFromNothing = [&](int plane, int axis)
   {
     glm::ivec3 before(

@@ -41,11 +41,10 @@ void TakeFacesAtCaps(
   {
     if (hits.Kind[i] == HitKind::Cap)
     {
-      const glm::dvec3 point(
-        source.Transform.IndexFromWorld * glm::dvec4(hits.Rays.PointAt(i), 1.0));
-      const glm::dvec3 direction(
-        source.Transform.IndexFromWorld * glm::dvec4(hits.Rays.DirectionAt(i), 0.0));
-      Set(gradients, i, CapNormal(point, direction, source.Samples, source.CapPlanes));
+      const glm::dmat4& toIndex = source.Transform.IndexFromWorld;
+      const CapPoint cap{ glm::dvec3(toIndex * glm::dvec4(hits.Rays.PointAt(i), 1.0)),
+        glm::dvec3(toIndex * glm::dvec4(hits.Rays.DirectionAt(i), 0.0)), hits.Cell[i] };
+      Set(gradients, i, CapNormal(cap, source.Samples, source.CapPlanes));
     }
   }
 }

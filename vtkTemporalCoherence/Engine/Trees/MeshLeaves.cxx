@@ -16,8 +16,9 @@ namespace
 constexpr std::int64_t CellsInLeaf = MeshLattice::SizeOfBlock;
 constexpr std::int64_t LeavesInNode = MeshLattice::SizeOfBlock;
 
-/// Every so many cells of a leaf tell the mean length of edges.
-constexpr std::int64_t EdgeSample = 16;
+/// Of so many cells with consecutive numbers, the first with volume tells the mean length of edges.
+/// A prime: where cubes are divided alike, all of their cells have their turn.
+constexpr std::int64_t CellsOfSample = 13;
 
 /// What is found out about a node.
 struct NodeFacts
@@ -26,6 +27,18 @@ struct NodeFacts
   EdgeSums Edges;
   MeshProblem Problem;
 };
+
+void AddEdges(const std::array<glm::dvec3, 8>& points, int corners, bool isSample, EdgeSums& edges)
+{
+  if (corners == 4)
+  {
+    edges.Add(points, TetrahedronEdges, isSample);
+  }
+  else
+  {
+    edges.Add(points, HexahedronEdges, isSample);
+  }
+}
 
 /// Read the cells of a leaf.
 /// \param box around them
@@ -44,16 +57,58 @@ void ReadLeaf(const MeshReader& reader, const std::uint32_t* cells, std::size_t 
         }
         box.Widen(points[i]);
       }
-      const bool isSample = cell % EdgeSample == 0;
-      if (corners == 4)
-      {
-        facts.Edges.Add(points, TetrahedronEdges, isSample);
-      }
-      else
-      {
-        facts.Edges.Add(points, HexahedronEdges, isSample);
-      }
+      AddEdges(points, corners, false, facts.Edges);
     });
+}
+
+/// The first cell with volume, from one cell on; `end` if there is none before it.
+std::int64_t FirstWithVolume(const MeshReader& reader, std::int64_t from, std::int64_t end)
+{
+  const auto hasVolume = [&](std::int64_t cell)
+  {
+    std::size_t part;
+    std::int64_t inPart;
+    reader.Locate(cell, part, inPart);
+    return MeshReader::FindPoints(reader.PartAt(part), inPart).Shape != MeshCellShape::None;
+  };
+  while (from < end && !hasVolume(from))
+  {
+    ++from;
+  }
+  return from;
+}
+
+/// Sum the edges of a sample of all cells. It is taken and summed in the order of the cells'
+/// numbers, so that meshes with equal points have equal sums, whatever the order of their trees.
+EdgeSums SampleEdges(const MeshReader& reader)
+{
+  constexpr std::int64_t inChunk = MeshReader::MostTogether * CellsOfSample;
+  const std::int64_t cells = reader.NumberOfCells(), chunks = (cells + inChunk - 1) / inChunk;
+  std::vector<EdgeSums> sums(static_cast<std::size_t>(chunks));
+  ParallelFor(chunks, 1,
+    [&](std::int64_t chunk)
+    {
+      MeshReader::Together<std::uint32_t> sample;
+      std::size_t count = 0;
+      const std::int64_t endOfChunk = std::min((chunk + 1) * inChunk, cells);
+      for (std::int64_t first = chunk * inChunk; first < endOfChunk; first += CellsOfSample)
+      {
+        const std::int64_t end = std::min(first + CellsOfSample, endOfChunk);
+        const std::int64_t cell = FirstWithVolume(reader, first, end);
+        sample[count] = static_cast<std::uint32_t>(cell);
+        count += cell < end ? 1 : 0;
+      }
+      EdgeSums& edges = sums[static_cast<std::size_t>(chunk)];
+      reader.ReadPointsOfAll(sample.data(), count,
+        [&](std::size_t, const std::array<glm::dvec3, 8>& points, int corners)
+        { AddEdges(points, corners, true, edges); });
+    });
+  EdgeSums whole;
+  for (const EdgeSums& edges : sums)
+  {
+    whole.Add(edges);
+  }
+  return whole;
 }
 
 /// Read the cells of a node.
@@ -110,6 +165,10 @@ MeshLeaves ReadLeaves(const MeshReader& reader, const CellNumbers& order,
     }
     result.Whole.Widen(node.Box);
     edges.Add(node.Edges);
+  }
+  if (problem.Defect == MeshDefect::None)
+  {
+    edges.Add(SampleEdges(reader));
   }
   result.Edges = edges.Lengths();
   return result;

@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mesh/CellPoints.h"
+#include "MeshFields/MeshKind.h"
+#include "Scene/CapPoint.h"
+#include "Scene/Field.h"
+#include "Shade/CapNormal.h"
+#include "Trees/MeshTree.h"
+#include "Volumes/Meshes.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <vector>
+
+// Caps have the normals of the faces of the cells that are hit.
+
+namespace
+{
+
+using namespace TemporalCoherence;
+
+/// The middle of a face, and two directions along it, in the coordinates of the mesh.
+struct Face
+{
+  glm::dvec3 Middle, U, V;
+
+  bool IsFlat() const { return glm::length(glm::cross(this->U, this->V)) < 1e-9; }
+};
+
+std::vector<Face> FacesOf(const MeshCell& cell)
+{
+  std::vector<Face> faces;
+  if (cell.Shape == MeshCellShape::Tetrahedron)
+  {
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      const glm::dvec3 &a = cell.Points[(i + 1) % 4], &b = cell.Points[(i + 2) % 4],
+                       &c = cell.Points[(i + 3) % 4];
+      faces.push_back({ (a + b + c) / 3.0, b - a, c - a });
+    }
+    return faces;
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (const double side : { 0.0, 1.0 })
+    {
+      glm::dvec3 at(0.5), u(0.0), v(0.0);
+      at[axis] = side;
+      u[(axis + 1) % 3] = v[(axis + 2) % 3] = 0.5;
+      const auto along = [&](const glm::dvec3& half)
+      { return MeshKernels::PointAt(cell, at + half) - MeshKernels::PointAt(cell, at - half); };
+      faces.push_back({ MeshKernels::PointAt(cell, at), along(u), along(v) });
+    }
+  }
+  return faces;
+}
+
+class MeshPlaces : public ::testing::TestWithParam<Meshes::Cells>
+{
+protected:
+  MeshPlaces()
+  {
+    Meshes::Block block;
+    block.Cubes = { 3, 4, 3 };
+    MeshProblem problem;
+    this->Tree = MeshTree::Build(
+      Meshes::MeshOf(Meshes::MakeBlock(this->GetParam(), block)), {}, ~std::size_t(0), problem);
+    this->Samples = MeshField(*this->Tree, MeshKind(this->Tree, false));
+  }
+
+  /// \param point, direction in the coordinates of the mesh
+  glm::dvec3 NormalAt(const glm::dvec3& point, const glm::dvec3& direction, CellNumber cell) const
+  {
+    return CapNormal({ this->Tree->ToIndex(point), direction, cell }, this->Samples, {});
+  }
+
+  template <typename Visit>
+  void ForEachCell(const Visit& visit) const
+  {
+    MeshCell cell;
+    for (std::int64_t rank = 0; rank < this->Tree->NumberOfCells(); ++rank)
+    {
+      this->Tree->Reader().Read(this->Tree->CellAt(rank), cell);
+      visit(this->Tree->CellAt(rank), cell);
+    }
+  }
+
+  std::shared_ptr<const MeshTree> Tree;
+  Field Samples;
+};
+
+TEST_P(MeshPlaces, CapsHaveTheNormalsOfTheFacesOfCells)
+{
+  this->ForEachCell(
+    [&](CellNumber number, const MeshCell& cell)
+    {
+      const bool isTetrahedron = cell.Shape == MeshCellShape::Tetrahedron;
+      const glm::dvec3 middle = MeshKernels::PointAt(cell, glm::dvec3(isTetrahedron ? 0.25 : 0.5));
+      for (const Face& face : FacesOf(cell))
+      {
+        const glm::dvec3 direction = middle - face.Middle;
+        const glm::dvec3 across = glm::cross(face.U, face.V);
+        if (!face.IsFlat())
+        {
+          const glm::dvec3 expected =
+            glm::normalize(glm::dot(across, direction) > 0.0 ? -across : across);
+          const glm::dvec3 normal = this->NormalAt(face.Middle, direction, number);
+          EXPECT_LT(glm::distance(normal, expected), 1e-6) << number;
+          EXPECT_EQ(this->NormalAt(middle, direction, number), glm::dvec3(0.0)) << number;
+        }
+      }
+    });
+}
+
+/// A ray that runs along a face enters through another one.
+TEST_P(MeshPlaces, CapsHaveNormalsOnEdges)
+{
+  this->ForEachCell(
+    [&](CellNumber number, const MeshCell& cell)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        glm::dvec3 at(0.0);
+        at[(axis + 1) % 3] = 0.4;
+        glm::dvec3 behind = at;
+        behind[axis] = 0.6;
+        const glm::dvec3 point = MeshKernels::PointAt(cell, at);
+        const glm::dvec3 direction = MeshKernels::PointAt(cell, behind) - point;
+        const glm::dvec3 normal = this->NormalAt(point, direction, number);
+        EXPECT_NEAR(glm::length(normal), 1.0, 1e-9) << number;
+        EXPECT_LT(glm::dot(normal, direction), -1e-6) << number;
+      }
+    });
+}
+
+INSTANTIATE_TEST_SUITE_P(AllCells, MeshPlaces,
+  ::testing::Values(Meshes::Cells::FiveTetrahedra, Meshes::Cells::SixTetrahedra,
+    Meshes::Cells::Hexahedra, Meshes::Cells::Wedges, Meshes::Cells::Pyramids,
+    Meshes::Cells::Mixed));
+
+}

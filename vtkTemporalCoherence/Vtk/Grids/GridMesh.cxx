@@ -27,11 +27,6 @@ std::uint64_t NewStamp()
   return ++last;
 }
 
-std::string CountText(std::int64_t count, const char* what)
-{
-  return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
-}
-
 }
 
 bool GridMesh::See(
@@ -64,7 +59,8 @@ bool GridMesh::See(
     this->Parts[i].AreValuesMade = this->Parts[i].Made.Values.Array != leaves[i].Array;
   }
   this->From = now;
-  return this->Assemble(leaves, error);
+  this->Assemble(leaves);
+  return true;
 }
 
 bool GridMesh::SeeLeaf(
@@ -106,12 +102,11 @@ bool GridMesh::SeeOthers(const GridLeaf& leaf, LeafPart& made, std::string& erro
 }
 
 /// Make the mesh of its parts.
-bool GridMesh::Assemble(const std::vector<GridLeaf>& leaves, std::string& error)
+void GridMesh::Assemble(const std::vector<GridLeaf>& leaves)
 {
   const auto mesh = std::make_shared<Mesh>();
   std::vector<CellOrigins::Part> origins;
-  std::int64_t first = 0, cells = 0;
-  bool hasVolume = false;
+  std::int64_t first = 0;
   const auto append = [&](const GridLeaf& leaf, const MeshPart& part)
   {
     mesh->Parts.push_back(part);
@@ -127,20 +122,10 @@ bool GridMesh::Assemble(const std::vector<GridLeaf>& leaves, std::string& error)
     {
       append(leaves[i], other);
     }
-    cells += leaves[i].Data->GetNumberOfCells();
-    hasVolume = hasVolume || made.Census.HasVolume;
-  }
-  if (!hasVolume)
-  {
-    error = "The input has no cells with volume, but " + CountText(cells, "cell") +
-      " of less than three dimensions; draw its contours with vtkContourFilter and "
-      "vtkPolyDataMapper.";
-    return false;
   }
   this->Stamp(*mesh);
   this->OfLeaves = mesh;
   this->OfCells = std::make_shared<CellOrigins>(mesh, std::move(origins));
-  return true;
 }
 
 void GridMesh::Stamp(Mesh& mesh)

@@ -77,7 +77,7 @@ private:
   bool SeeOthers(const GridLeaf& leaf, LeafPart& made, std::string& error);
   bool SeeLeaf(
     const GridLeaf& leaf, const DrawnComponent& component, LeafPart& made, std::string& error);
-  bool Assemble(const std::vector<GridLeaf>& leaves, std::string& error);
+  void Assemble(const std::vector<GridLeaf>& leaves);
   void Stamp(Mesh& mesh);
 
   /// What a mesh was made from, and the stamps of that.

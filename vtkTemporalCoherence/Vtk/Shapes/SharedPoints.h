@@ -3,6 +3,7 @@
 #ifndef TemporalCoherence_SharedPoints_h
 #define TemporalCoherence_SharedPoints_h
 
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -24,6 +25,8 @@ public:
 
   /// Of a point of the data set.
   std::int32_t Find(std::int64_t point, std::int32_t ifNew);
+
+  std::size_t MemoryInBytes() const { return this->Entries.size() * sizeof(Entry); }
 
 private:
   /// 128 bits of a name. Two names with the same bits are taken to be equal: in 10^9 names, the

@@ -35,7 +35,8 @@ public:
   void Number(vtkIdList* ids, const CellDivision& division)
   {
     this->Numbers.resize(division.Points.size());
-    for (std::size_t p = 0; p < division.Points.size(); ++p)
+    this->Keys.resize(division.Points.size());
+    for (std::size_t p = 0; p < division.Points.size(); ++p) // first, as memory takes its time
     {
       const DivisionPoint& point = division.Points[p];
       this->Name.clear();
@@ -43,8 +44,16 @@ public:
       {
         this->Name.emplace_back(ids->GetId(point.Corners[c]), point.Weights[c]);
       }
-      this->Numbers[p] =
-        this->Name.empty() ? this->Next : this->Shared.Find(this->Name, this->Next);
+      if (!this->Name.empty())
+      {
+        this->Keys[p] = SharedPoints::KeyOf(this->Name);
+        this->Shared.Prefetch(this->Keys[p]);
+      }
+    }
+    for (std::size_t p = 0; p < division.Points.size(); ++p)
+    {
+      const bool isInside = division.Points[p].NumberOfCorners == 0;
+      this->Numbers[p] = isInside ? this->Next : this->Shared.Find(this->Keys[p], this->Next);
       if (this->Numbers[p] == this->Next)
       {
         this->Places.push_back(static_cast<std::uint16_t>(p));
@@ -72,6 +81,7 @@ private:
   std::vector<std::uint16_t>& Places;
   std::int32_t Next;
   SharedPoints::Name Name;
+  std::vector<SharedPoints::Key> Keys; ///< of the points of a cell
   std::vector<std::int32_t> Numbers, Ids;
 };
 

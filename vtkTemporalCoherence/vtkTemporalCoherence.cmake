@@ -181,6 +181,7 @@ set(bridge_files
   Window/WindowPicture
   Window/WindowRays
   Request/AppearanceFromVolume
+  Request/EmptyInput
   Request/FieldFromMapper
   Request/IsovalueCheck
   Request/LightsFromRenderer

@@ -3,12 +3,14 @@
 #include "DistributedPart.h"
 
 #include "vtkCellData.h"
+#include "vtkCellTypes.h"
 #include "vtkCommunicator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkGenericCell.h"
 #include "vtkGhostCellsGenerator.h"
 #include "vtkImageData.h"
 #include "vtkMultiProcessController.h"
@@ -16,7 +18,9 @@
 #include "vtkOverlappingAMR.h"
 #include "vtkPointData.h"
 #include "vtkRectilinearGrid.h"
+#include "vtkStructuredGrid.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 
@@ -390,6 +394,31 @@ DistributedPart DistributedPart::ReadFrom(vtkDataObject* data)
 std::vector<vtkDataSet*> DataSetsOf(vtkDataObject* data)
 {
   return vtkCompositeDataSet::GetDataSets<vtkDataSet>(data);
+}
+
+bool HasVolume(vtkDataSet* dataSet)
+{
+  if (auto* curvilinear = vtkStructuredGrid::SafeDownCast(dataSet))
+  {
+    return curvilinear->GetDataDimension() == 3;
+  }
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(dataSet);
+  if (!grid || grid->GetNumberOfCells() == 0)
+  {
+    return dataSet->GetNumberOfCells() > 0 && dataSet->GetNumberOfPoints() > 0;
+  }
+  vtkNew<vtkCellTypes> types;
+  grid->GetCellTypes(types);
+  vtkNew<vtkGenericCell> cell;
+  for (vtkIdType i = 0; i < types->GetNumberOfTypes(); ++i)
+  {
+    cell->SetCellType(types->GetCellType(i));
+    if (cell->GetCellDimension() == 3)
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 bool HasMeshes(vtkDataObject* data)

@@ -45,6 +45,10 @@ struct DistributedPart
 /// The data sets of a data object: itself, or its leaves.
 std::vector<vtkDataSet*> DataSetsOf(vtkDataObject* data);
 
+/// True unless all cells of a data set are of less than three dimensions. The mapper takes data
+/// without volume for a mistake, but a process may well have none of the cells.
+bool HasVolume(vtkDataSet* dataSet);
+
 /// True if there are grids other than images and rectilinear ones: their cells that belong to
 /// another process are not drawn, and nothing has to be cut.
 bool HasMeshes(vtkDataObject* data);

@@ -312,8 +312,11 @@ void vtkTemporalIsosurfaceRepresentation::UpdateMapperParameters()
   const ArrayChoice choice = this->ChooseArray(data);
   const DistributedPart part = DistributedPart::ReadFrom(data);
   const std::vector<vtkDataSet*> dataSets = DataSetsOf(data);
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  const bool isAlone = !controller || controller->GetNumberOfProcesses() < 2;
   this->Actor->SetVisibility(std::any_of(dataSets.begin(), dataSets.end(),
-    [&](vtkDataSet* dataSet) { return choice.In(dataSet) != nullptr; }));
+    [&](vtkDataSet* dataSet)
+    { return choice.In(dataSet) != nullptr && (isAlone || HasVolume(dataSet)); }));
   this->ShowScalars(choice);
   this->ShowColors();
   this->ShowRegion(part);

@@ -21,9 +21,11 @@
 #include <vtkRenderWindow.h>
 #include <vtkSOADataArrayTemplate.h>
 #include <vtkSphereSource.h>
+#include <vtkTable.h>
 #include <vtkTestErrorObserver.h>
 #include <vtkUniformGrid.h>
 #include <vtkUnsignedCharArray.h>
+#include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
 #include <cmath>
@@ -323,15 +325,22 @@ void TestMistakes()
 {
   const auto fourth = [](vtkMultiBlockDataSet* tree)
   { return vtkImageData::SafeDownCast(tree->GetBlock(3)); };
-  ExpectError("Block 4 ('the fourth') is a vtkPolyData",
+  ExpectError("The input has no cells;",
     [](vtkMultiBlockDataSet* tree)
     {
-      vtkNew<vtkSphereSource> sphere;
-      sphere->Update();
-      tree->SetBlock(3, sphere->GetOutput());
+      tree->Initialize();
+      tree->SetBlock(3, nullptr);
     });
+  ExpectError("Block 4 ('the fourth') is a vtkTable",
+    [](vtkMultiBlockDataSet* tree) { tree->SetBlock(3, vtkNew<vtkTable>().Get()); });
   ExpectError("Block 4 ('the fourth') does not fit the points of Block 1: its spacing",
     [&](vtkMultiBlockDataSet* tree) { fourth(tree)->SetSpacing(0.0625, 0.0625, 0.0626); });
+  ExpectError("Block 4 ('the fourth') does not fit the points of Block 1: its spacing",
+    [&](vtkMultiBlockDataSet* tree)
+    {
+      fourth(tree)->SetSpacing(0.0625, 0.0625, 0.0626);
+      tree->SetBlock(8, vtkNew<vtkUnstructuredGrid>().Get()); // changes nothing
+    });
   ExpectError("does not fit the points of Block 1: its spacing (nan",
     [&](vtkMultiBlockDataSet* tree)
     { fourth(tree)->SetSpacing(std::numeric_limits<double>::quiet_NaN(), 1.0, 1.0); });
@@ -400,19 +409,23 @@ void TestPartialAndEmpty()
   partial.LookFrom(1.0, -2.0, 0.6);
   ExpectSame("a block without the array", partial, fewer, Size);
 
-  vtkNew<vtkMultiBlockDataSet> none, flat;
-  none->SetBlock(3, nullptr);
+  vtkNew<vtkSphereSource> sphere; // inside, so that the clipping range stays
+  sphere->SetCenter(-0.5, -0.5, -0.5);
+  sphere->SetRadius(0.2);
+  sphere->Update();
+  tree->SetBlock(8, sphere->GetOutput());
+  tree->SetBlock(9, vtkNew<vtkUnstructuredGrid>().Get());
+  ExpectSame("beside polygons and an empty grid", partial, fewer, Size);
+
+  vtkNew<vtkMultiBlockDataSet> flat;
   flat->SetBlock(0, Part(whole, { 0, N - 1, 0, N - 1, 3, 3 }));
-  for (vtkMultiBlockDataSet* each : { none.Get(), flat.Get() })
-  {
-    Scene scene(nullptr, { 60.0 });
-    scene.Mapper->SetInputDataObject(each);
-    scene.LookFrom(1.0, -2.0, 0.6);
-    vtkNew<vtkTest::ErrorObserver> observer;
-    scene.Mapper->AddObserver(vtkCommand::ErrorEvent, observer);
-    Expect(scene.Render(30, 30) && !observer->GetError(), "no cells are no error");
-    Expect(!scene.Mapper->PickPixel(15, 15, nullptr, nullptr, nullptr), "nothing is seen");
-  }
+  Scene scene(nullptr, { 60.0 });
+  scene.Mapper->SetInputDataObject(flat);
+  scene.LookFrom(1.0, -2.0, 0.6);
+  vtkNew<vtkTest::ErrorObserver> observer;
+  scene.Mapper->AddObserver(vtkCommand::ErrorEvent, observer);
+  Expect(scene.Render(30, 30) && !observer->GetError(), "a slice is no error");
+  Expect(!scene.Mapper->PickPixel(15, 15, nullptr, nullptr, nullptr), "nothing is seen");
 }
 
 }

@@ -20,7 +20,9 @@
 #include <vtkPartitionedDataSet.h>
 #include <vtkPartitionedDataSetCollection.h>
 #include <vtkPointData.h>
+#include <vtkPolyData.h>
 #include <vtkRenderWindow.h>
+#include <vtkSphereSource.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
@@ -100,8 +102,8 @@ void TestBlocksOfAllSorts()
   ExpectBlocks("partitions", partitions, image);
   ExpectBlocks("a collection", collection, image);
 
-  // A block of surfaces beside one with volume is ignored.
-  vtkNew<vtkMultiBlockDataSet> withSheet;
+  // Blocks of surfaces beside one with volume are ignored.
+  vtkNew<vtkMultiBlockDataSet> withSheet, withPatches;
   vtkNew<vtkUnstructuredGrid> sheet;
   sheet->SetPoints(VtkMeshes::PointsOf(image));
   sheet->GetPointData()->ShallowCopy(image->GetPointData());
@@ -110,6 +112,12 @@ void TestBlocksOfAllSorts()
   withSheet->SetBlock(0, sheet);
   withSheet->SetBlock(1, VtkMeshes::Curvilinear(image));
   ExpectBlocks("beside a sheet", withSheet, image);
+  vtkNew<vtkSphereSource> patches;
+  patches->Update();
+  withPatches->SetBlock(0, patches->GetOutput());
+  withPatches->SetBlock(1, VtkMeshes::Curvilinear(image));
+  withPatches->SetBlock(2, vtkNew<vtkPolyData>().Get());
+  ExpectBlocks("beside polygons", withPatches, image);
 }
 
 /// Hidden, refined and duplicate cells, and cells around hidden points, are not drawn.

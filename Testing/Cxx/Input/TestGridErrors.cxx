@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Mistakes in grids get one sentence with value and remedy, and the last picture stays. Grids
-// without anything to draw make an empty picture.
+// Mistakes in grids get one sentence with value and remedy, and the last picture stays: also if no
+// cell has volume. Grids with nothing but hidden cells make an empty picture, and so do empty
+// pieces.
 
 #include "Checks/Expect.h"
 #include "Scenes/Mistake.h"
@@ -15,10 +16,13 @@
 #include <vtkDoubleArray.h>
 #include <vtkFloatingPointExceptions.h>
 #include <vtkMultiBlockDataSet.h>
+#include <vtkOverlappingAMR.h>
+#include <vtkPartitionedDataSetCollection.h>
 #include <vtkPointData.h>
-#include <vtkPolyData.h>
 #include <vtkSphereSource.h>
+#include <vtkTable.h>
 #include <vtkTestErrorObserver.h>
+#include <vtkTrivialProducer.h>
 #include <vtkTypeInt32Array.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -112,16 +116,48 @@ void TestCells()
       grid->GetCellTypesArray()->SetValue(0, VTK_WEDGE);
       scene.Mapper->SetInputData(grid);
     });
-  ExpectRefused("no cells with volume, but 1 cell of less than three dimensions",
-    [](Grid&, Scene& scene)
-    {
-      vtkNew<vtkUnstructuredGrid> sheet;
-      sheet->SetPoints(VtkMeshes::PointsOf(Ball()));
-      sheet->GetPointData()->ShallowCopy(Ball()->GetPointData());
-      const vtkIdType ids[] = { 0, 1, 2 };
-      sheet->InsertNextCell(VTK_TRIANGLE, 3, ids);
-      scene.Mapper->SetInputData(sheet);
-    });
+}
+
+/// Points of a ball, and a triangle.
+Grid Sheet()
+{
+  Grid sheet = Grid::New();
+  sheet->SetPoints(VtkMeshes::PointsOf(Ball()));
+  sheet->GetPointData()->ShallowCopy(Ball()->GetPointData());
+  const vtkIdType ids[] = { 0, 1, 2 };
+  sheet->InsertNextCell(VTK_TRIANGLE, 3, ids);
+  return sheet;
+}
+
+void TestWithoutVolume()
+{
+  const auto refuse = [](const std::string& words, vtkDataObject* data)
+  { ExpectRefused(words, [=](Grid&, Scene& scene) { scene.Mapper->SetInputDataObject(data); }); };
+  refuse("no cells with volume, but 1 cell of less than three dimensions", Sheet());
+  refuse("The input has no cells;", vtkNew<vtkUnstructuredGrid>().Get());
+  refuse("The input has no cells;", vtkNew<vtkStructuredGrid>().Get());
+  refuse("The input has no cells;", vtkNew<vtkExplicitStructuredGrid>().Get());
+  refuse("The input has no cells;", vtkNew<vtkOverlappingAMR>().Get());
+  refuse("The input has no cells;", vtkNew<vtkMultiBlockDataSet>().Get());
+  refuse("The input has no cells;", vtkNew<vtkPartitionedDataSetCollection>().Get());
+  Grid points = Sheet();
+  points->SetCells(VTK_TRIANGLE, vtkNew<vtkCellArray>().Get());
+  refuse("The input has no cells, but 512 points;", points);
+  vtkNew<vtkStructuredGrid> slice;
+  slice->SetDimensions(64, 8, 1);
+  slice->SetPoints(VtkMeshes::PointsOf(Ball()));
+  slice->GetPointData()->ShallowCopy(Ball()->GetPointData());
+  refuse("no cells with volume, but 441 cells of less than three dimensions", slice);
+
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  vtkNew<vtkSphereSource> sphere;
+  sphere->Update();
+  blocks->SetBlock(0, nullptr);
+  blocks->SetBlock(1, vtkNew<vtkUnstructuredGrid>().Get());
+  refuse("The input has no cells;", blocks);
+  blocks->SetBlock(2, Sheet());
+  blocks->SetBlock(3, sphere->GetOutput());
+  refuse("no cells with volume, but 97 cells of less than three dimensions", blocks);
 }
 
 void TestScalars()
@@ -190,14 +226,12 @@ void TestBlocks()
       tree->SetBlock(1, grid);
       scene.Mapper->SetInputDataObject(tree);
     });
-  ExpectRefused("Block 2 is a vtkPolyData",
+  ExpectRefused("Block 2 is a vtkTable",
     [](Grid& grid, Scene& scene)
     {
-      vtkNew<vtkSphereSource> sphere;
-      sphere->Update();
       vtkNew<vtkMultiBlockDataSet> tree;
       tree->SetBlock(0, grid);
-      tree->SetBlock(1, sphere->GetOutput());
+      tree->SetBlock(1, vtkNew<vtkTable>().Get());
       scene.Mapper->SetInputDataObject(tree);
     });
 }
@@ -205,13 +239,13 @@ void TestBlocks()
 /// No mistakes, but nothing to see.
 void TestEmptyPictures()
 {
-  const auto isEmpty = [](const std::string& name, vtkDataSet* data)
+  const auto isEmpty = [](const std::string& name, vtkAlgorithm* source)
   {
     Scene scene(Balls(), { 130.0 });
     scene.LookFrom(1.0, 2.0, 0.5);
     vtkNew<vtkTest::ErrorObserver> observer;
     scene.Mapper->AddObserver(vtkCommand::ErrorEvent, observer);
-    scene.Mapper->SetInputData(data);
+    scene.Mapper->SetInputConnection(source->GetOutputPort());
     for (int i = 0; i < 2; ++i)
     {
       Expect(scene.Render(30, 30) && !observer->GetError(),
@@ -228,15 +262,29 @@ void TestEmptyPictures()
     Expect(!scene.Mapper->IntersectWithLine(scene.Volume, begin, end, t, nullptr, nullptr, nullptr),
       name + ": nothing on a line");
   };
-  isEmpty("no cells", vtkNew<vtkUnstructuredGrid>().Get());
-  isEmpty("no points", vtkNew<vtkStructuredGrid>().Get());
+  const auto isEmptyData = [&](const std::string& name, vtkDataSet* data)
+  {
+    vtkNew<vtkTrivialProducer> producer;
+    producer->SetOutput(data);
+    isEmpty(name, producer);
+  };
+  const auto isEmptyPiece = [&](const std::string& name, vtkDataSet* data)
+  {
+    vtkNew<vtkTrivialProducer> producer;
+    producer->SetOutput(data);
+    producer->UpdatePiece(1, 2, 0);
+    isEmpty(name, producer);
+  };
+  isEmptyPiece("a piece without cells", vtkNew<vtkUnstructuredGrid>().Get());
+  isEmptyPiece("a piece without points", vtkNew<vtkStructuredGrid>().Get());
+  isEmptyPiece("a piece of surfaces", Sheet());
   Grid hidden = Balls();
   hidden->AllocateCellGhostArray();
   hidden->GetCellGhostArray()->FillValue(vtkDataSetAttributes::HIDDENCELL);
-  isEmpty("hidden", hidden);
+  isEmptyData("hidden", hidden);
   Grid nowhere = Balls();
   nowhere->GetPointData()->GetScalars()->Fill(std::numeric_limits<double>::quiet_NaN());
-  isEmpty("NaN", nowhere);
+  isEmptyData("NaN", nowhere);
 }
 
 }
@@ -247,6 +295,7 @@ int TestGridErrors(int, char*[])
   vtkFloatingPointExceptions::Disable();
   TestPoints();
   TestCells();
+  TestWithoutVolume();
   TestScalars();
   TestSettings();
   TestBlocks();

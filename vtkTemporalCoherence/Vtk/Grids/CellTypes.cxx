@@ -9,6 +9,8 @@
 #include <vtkGenericCell.h>
 #include <vtkSmartPointer.h>
 
+#include <algorithm>
+
 namespace TemporalCoherence
 {
 
@@ -30,6 +32,18 @@ int DimensionOfType(int type)
   }
   const auto cell = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(type));
   return cell ? cell->GetCellDimension() : -1;
+}
+
+bool HaveVolume(const std::uint8_t* types, std::int64_t cells)
+{
+  std::array<bool, 256> isFlat{}; // and has been seen
+  return std::any_of(types, types + cells,
+    [&](std::uint8_t type)
+    {
+      const int dimension = isFlat[type] ? 0 : DimensionOfType(type);
+      isFlat[type] = dimension >= 0 && dimension < 3;
+      return !isFlat[type];
+    });
 }
 
 bool IsLinear(int type)

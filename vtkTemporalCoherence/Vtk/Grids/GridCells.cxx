@@ -97,7 +97,6 @@ bool SetTypes(vtkUnstructuredGrid* grid, const GridLeaf& leaf, MeshPart& part, C
         "vtkDataSetTriangleFilter.";
       return false;
     }
-    census.HasVolume = census.HasVolume || dimension == 3;
     census.HasOthers = census.HasOthers || isOther;
   }
   return true;
@@ -204,16 +203,6 @@ bool SetCells(
   else if (!cells)
   {
     part.Dimensions = DimensionsOf(leaf.Data);
-    census.HasVolume = glm::all(glm::greaterThan(part.Dimensions, glm::ivec3(1)));
-    if (!census.HasVolume)
-    {
-      part.NumberOfCells = 0; // sheets and lines
-      return true;
-    }
-  }
-  else
-  {
-    census.HasVolume = part.NumberOfCells > 0;
   }
   return SetFlags(leaf, part, made, error);
 }

@@ -17,7 +17,6 @@ namespace TemporalCoherence
 /// What a data set has besides cells that a part of a mesh takes as they are.
 struct CellCensus
 {
-  bool HasVolume = false; ///< some cell has three dimensions, whether it is shown or not
   bool HasOthers = false; ///< such as quadratic cells and polyhedra: to be made of linear ones
 };
 

@@ -2,16 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Grids/GridLeaves.h"
 
+#include "Grids/CellTypes.h"
+#include "Grids/GridShape.h"
 #include "Input/BlockName.h"
 
+#include <vtkCellArray.h>
 #include <vtkDataArray.h>
 #include <vtkDataObjectTree.h>
 #include <vtkExplicitStructuredGrid.h>
 #include <vtkImageData.h>
+#include <vtkPolyData.h>
 #include <vtkRectilinearGrid.h>
 #include <vtkSmartPointer.h>
 #include <vtkStructuredGrid.h>
 #include <vtkUniformGridAMR.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
@@ -28,25 +33,48 @@ bool IsIrregular(vtkDataObject* data)
     vtkExplicitStructuredGrid::SafeDownCast(data);
 }
 
-bool IsBlock(vtkDataObject* data)
-{
-  return IsIrregular(data) || vtkImageData::SafeDownCast(data) ||
-    vtkRectilinearGrid::SafeDownCast(data);
-}
-
 vtkSmartPointer<vtkDataObjectTreeIterator> LeavesOf(vtkDataObjectTree* tree)
 {
   return vtkSmartPointer<vtkDataObjectTreeIterator>::Take(tree->NewTreeIterator());
 }
 
-/// The data sets with cells, in the order of the tree.
+/// True unless all cells of a data set are of less than three dimensions, as those of vtkPolyData
+/// are. What is wrong with cells is told later.
+bool MayHaveVolume(vtkDataSet* data)
+{
+  if (vtkPolyData::SafeDownCast(data) || data->GetNumberOfCells() == 0)
+  {
+    return false;
+  }
+  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
+  {
+    vtkUnsignedCharArray* types = grid->GetCellTypesArray();
+    return !types || HaveVolume(types->GetPointer(0), types->GetNumberOfValues());
+  }
+  if (vtkExplicitStructuredGrid::SafeDownCast(data))
+  {
+    vtkCellArray* cells = CellsOf(data); // an empty grid counts cells that it has not
+    return cells && cells->GetNumberOfCells() > 0;
+  }
+  const glm::ivec3 dimensions = DimensionsOf(data);
+  return dimensions == glm::ivec3(0) || glm::all(glm::greaterThan(dimensions, glm::ivec3(1)));
+}
+
+/// True for data sets that can be drawn, if they have cells with volume.
+bool IsDrawn(vtkDataSet* data)
+{
+  return IsIrregular(data) || vtkImageData::SafeDownCast(data) ||
+    vtkRectilinearGrid::SafeDownCast(data);
+}
+
+/// The data sets with volume, in the order of the tree.
 bool FindDataSets(vtkDataObject* data, std::vector<GridLeaf>& leaves, std::string& error)
 {
   auto* tree = vtkDataObjectTree::SafeDownCast(data);
   if (!tree)
   {
     auto* dataSet = vtkDataSet::SafeDownCast(data);
-    if (dataSet->GetNumberOfCells() > 0)
+    if (MayHaveVolume(dataSet))
     {
       leaves.push_back({ dataSet, nullptr, false, 0, "The input" });
     }
@@ -56,17 +84,18 @@ bool FindDataSets(vtkDataObject* data, std::vector<GridLeaf>& leaves, std::strin
   for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
   {
     auto* dataSet = vtkDataSet::SafeDownCast(leaf->GetCurrentDataObject());
-    if (!IsBlock(dataSet) && !(dataSet && dataSet->GetNumberOfPoints() == 0))
+    if (dataSet && !MayHaveVolume(dataSet))
+    {
+      continue; // such as the patches of a boundary
+    }
+    if (!IsDrawn(dataSet))
     {
       error = NameOfLeaf(leaf) + " is a " + leaf->GetCurrentDataObject()->GetClassName() +
         ", but only blocks of images and of grids with cells can be drawn; leave it out with "
         "vtkExtractBlock.";
       return false;
     }
-    if (dataSet->GetNumberOfCells() > 0)
-    {
-      leaves.push_back({ dataSet, nullptr, false, leaf->GetCurrentFlatIndex(), NameOfLeaf(leaf) });
-    }
+    leaves.push_back({ dataSet, nullptr, false, leaf->GetCurrentFlatIndex(), NameOfLeaf(leaf) });
   }
   return true;
 }
@@ -83,8 +112,8 @@ bool IsMesh(vtkDataObject* data)
   const auto leaf = LeavesOf(tree);
   for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
   {
-    vtkDataObject* block = leaf->GetCurrentDataObject();
-    if (IsIrregular(block) || vtkRectilinearGrid::SafeDownCast(block))
+    auto* block = vtkDataSet::SafeDownCast(leaf->GetCurrentDataObject());
+    if ((IsIrregular(block) || vtkRectilinearGrid::SafeDownCast(block)) && MayHaveVolume(block))
     {
       return true;
     }

@@ -27,15 +27,10 @@ std::uint64_t NewStamp()
   return ++last;
 }
 
-std::string CountText(std::int64_t count, const char* what)
-{
-  return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
 }
 
-}
-
-bool GridMesh::See(
-  const std::vector<GridLeaf>& leaves, const DrawnComponent& component, std::string& error)
+bool GridMesh::See(const std::vector<GridLeaf>& leaves, const DrawnComponent& component,
+  MakingBudget& budget, std::string& error)
 {
   Provenance now;
   for (const GridLeaf& leaf : leaves)
@@ -57,18 +52,26 @@ bool GridMesh::See(
   this->Parts.resize(leaves.size());
   for (std::size_t i = 0; i < leaves.size(); ++i)
   {
-    if (!this->SeeLeaf(leaves[i], component, this->Parts[i], error))
+    const auto share = [&](std::size_t leaf)
+    { return static_cast<double>(leaf) / static_cast<double>(leaves.size()); };
+    MakingBudget rest = budget;
+    rest.Report = PartOf(budget.Report, share(i), share(i + 1));
+    const std::size_t others = this->MemoryInBytes() - MemoryOf(this->Parts[i]);
+    rest.Memory -= std::min(rest.Memory, others);
+    if (!this->SeeLeaf(leaves[i], component, this->Parts[i], rest, error))
     {
+      budget.Allows(rest.NeededMemory() + others, 0);
       return false;
     }
     this->Parts[i].AreValuesMade = this->Parts[i].Made.Values.Array != leaves[i].Array;
   }
   this->From = now;
-  return this->Assemble(leaves, error);
+  this->Assemble(leaves);
+  return true;
 }
 
-bool GridMesh::SeeLeaf(
-  const GridLeaf& leaf, const DrawnComponent& component, LeafPart& made, std::string& error)
+bool GridMesh::SeeLeaf(const GridLeaf& leaf, const DrawnComponent& component, LeafPart& made,
+  MakingBudget& budget, std::string& error)
 {
   if (this->AreCellsNew)
   {
@@ -80,18 +83,33 @@ bool GridMesh::SeeLeaf(
   }
   return (!this->ArePointsNew || SetPoints(leaf, made.Part, made.Made.Points, error)) &&
     (!this->AreValuesNew || SetValues(leaf, component, made.Part, made.Made.Values, error)) &&
-    (!made.Census.HasOthers || this->SeeOthers(leaf, made, error));
+    (!made.Census.HasOthers || this->SeeOthers(leaf, made, budget, error));
 }
 
 /// Make linear cells of those that are not.
-bool GridMesh::SeeOthers(const GridLeaf& leaf, LeafPart& made, std::string& error)
+bool GridMesh::SeeOthers(
+  const GridLeaf& leaf, LeafPart& made, MakingBudget& budget, std::string& error)
 {
+  auto* const grid = vtkUnstructuredGrid::SafeDownCast(leaf.Data);
+  bool isStopped = false;
+  if (!this->ArePointsNew && !made.Others.empty() &&
+    SetSubdividedValues(grid, made.Made.Values.Array, made.Made.Values.Component, budget.Report,
+      made.Kept, made.Others.front(), isStopped))
+  {
+    made.Error = { made.Kept.Told.ErrorOfPoints, made.Kept.Told.ErrorOfValues };
+    return true;
+  }
+  if (isStopped)
+  {
+    return false;
+  }
   const std::vector<MeshPart> last = std::move(made.Others);
   made.Others.clear();
+  made.Kept = KeptDivision();
   const PointValues& values = made.Made.Values;
   Subdivision division;
-  if (!AppendSubdividedCells(vtkUnstructuredGrid::SafeDownCast(leaf.Data), values.Array,
-        values.Component, made.Part.Flags, made.Part.HidingFlags, made.Others, error, &division))
+  if (!AppendSubdividedCells(grid, values.Array, values.Component, made.Part.Flags,
+        made.Part.HidingFlags, made.Others, error, &division, &budget, &made.Kept))
   {
     return false;
   }
@@ -106,12 +124,11 @@ bool GridMesh::SeeOthers(const GridLeaf& leaf, LeafPart& made, std::string& erro
 }
 
 /// Make the mesh of its parts.
-bool GridMesh::Assemble(const std::vector<GridLeaf>& leaves, std::string& error)
+void GridMesh::Assemble(const std::vector<GridLeaf>& leaves)
 {
   const auto mesh = std::make_shared<Mesh>();
   std::vector<CellOrigins::Part> origins;
-  std::int64_t first = 0, cells = 0;
-  bool hasVolume = false;
+  std::int64_t first = 0;
   const auto append = [&](const GridLeaf& leaf, const MeshPart& part)
   {
     mesh->Parts.push_back(part);
@@ -127,20 +144,10 @@ bool GridMesh::Assemble(const std::vector<GridLeaf>& leaves, std::string& error)
     {
       append(leaves[i], other);
     }
-    cells += leaves[i].Data->GetNumberOfCells();
-    hasVolume = hasVolume || made.Census.HasVolume;
-  }
-  if (!hasVolume)
-  {
-    error = "The input has no cells with volume, but " + CountText(cells, "cell") +
-      " of less than three dimensions; draw its contours with vtkContourFilter and "
-      "vtkPolyDataMapper.";
-    return false;
   }
   this->Stamp(*mesh);
   this->OfLeaves = mesh;
   this->OfCells = std::make_shared<CellOrigins>(mesh, std::move(origins));
-  return true;
 }
 
 void GridMesh::Stamp(Mesh& mesh)
@@ -155,7 +162,7 @@ void GridMesh::Stamp(Mesh& mesh)
 }
 
 bool GridMesh::See(vtkUniformGridAMR* amr, const ScalarChoice& choice,
-  const DrawnComponent& component, std::string& error)
+  const DrawnComponent& component, MakingBudget& budget, std::string& error)
 {
   Provenance now;
   now.Cells.Add(amr);
@@ -174,7 +181,7 @@ bool GridMesh::See(vtkUniformGridAMR* amr, const ScalarChoice& choice,
   this->Release();
   const auto mesh = std::make_shared<Mesh>();
   if (!AppendAmrMesh(
-        amr, choice, component.IsMagnitude ? -1 : component.Number, mesh->Parts, error))
+        amr, choice, component.IsMagnitude ? -1 : component.Number, mesh->Parts, error, &budget))
   {
     return false;
   }
@@ -195,26 +202,43 @@ DivisionError GridMesh::ErrorOfDivision() const
   return largest;
 }
 
+std::size_t GridMesh::MemoryOf(const MeshPart& made)
+{
+  const std::size_t bytesOfCell =
+    sizeof(std::int32_t) + (made.Types ? 1 : 0) + (made.Originals.First ? sizeof(std::int64_t) : 0);
+  return static_cast<std::size_t>(made.NumberOfPoints) * sizeof(PointValue) +
+    static_cast<std::size_t>(made.ConnectivitySize) * sizeof(std::int32_t) +
+    static_cast<std::size_t>(made.NumberOfCells) * bytesOfCell;
+}
+
+std::size_t GridMesh::MemoryOf(const LeafPart& made)
+{
+  std::size_t bytes = made.Kept.MemoryInBytes();
+  bytes += made.Made.Flags ? made.Made.Flags->size() : 0;
+  bytes += made.Made.Points ? made.Made.Points->size() * sizeof(double) : 0;
+  bytes += made.AreValuesMade
+    ? static_cast<std::size_t>(made.Made.Values.Array->GetActualMemorySize()) << 10
+    : 0;
+  for (const MeshPart& other : made.Others)
+  {
+    bytes += MemoryOf(other);
+  }
+  return bytes;
+}
+
 std::size_t GridMesh::MemoryInBytes() const
 {
   std::size_t bytes = 0;
-  const auto add = [&](const MeshPart& part)
-  {
-    bytes += static_cast<std::size_t>(part.NumberOfPoints) * 4 * sizeof(double) +
-      static_cast<std::size_t>(part.ConnectivitySize + part.NumberOfCells) * sizeof(std::int32_t);
-  };
   for (const LeafPart& made : this->Parts)
   {
-    bytes += made.Made.Flags ? made.Made.Flags->size() : 0;
-    bytes += made.Made.Points ? made.Made.Points->size() * sizeof(double) : 0;
-    bytes += made.AreValuesMade
-      ? static_cast<std::size_t>(made.Made.Values.Array->GetActualMemorySize()) << 10
-      : 0;
-    std::for_each(made.Others.begin(), made.Others.end(), add);
+    bytes += MemoryOf(made);
   }
   if (this->Parts.empty() && this->OfLeaves)
   {
-    std::for_each(this->OfLeaves->Parts.begin(), this->OfLeaves->Parts.end(), add);
+    for (const MeshPart& made : this->OfLeaves->Parts)
+    {
+      bytes += MemoryOf(made);
+    }
   }
   return bytes;
 }

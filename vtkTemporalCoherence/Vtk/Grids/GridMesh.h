@@ -11,6 +11,7 @@
 #include "Grids/MadeFrom.h"
 #include "Input/FieldSource.h"
 #include "Mesh/Mesh.h"
+#include "Shapes/SubdividedCells.h"
 
 #include <cstddef>
 #include <memory>
@@ -29,16 +30,19 @@ class GridMesh
 {
 public:
   /// Make the mesh, or bring it up to date.
-  /// \param error gets what is wrong and what to do about it
+  /// \param budget of cells that are made
+  /// \param error  gets what is wrong and what to do about it; empty if the budget does not do, or
+  /// if
+  ///               it was stopped
   /// \return false on error. There is no mesh then.
   /// \throws std::bad_alloc
-  bool See(
-    const std::vector<GridLeaf>& leaves, const DrawnComponent& component, std::string& error);
+  bool See(const std::vector<GridLeaf>& leaves, const DrawnComponent& component,
+    MakingBudget& budget, std::string& error);
 
   /// The same of an adaptive grid with several levels. Its cells are made of those of the grid, and
   /// have no origins.
   bool See(vtkUniformGridAMR* amr, const ScalarChoice& choice, const DrawnComponent& component,
-    std::string& error);
+    MakingBudget& budget, std::string& error);
 
   /// The mesh, another one after each change; null if there is none.
   const std::shared_ptr<const Mesh>& Made() const { return this->OfLeaves; }
@@ -70,14 +74,17 @@ private:
     std::vector<MeshPart> Others; ///< made of cells that Part leaves out
     Makings Made;
     CellCensus Census;
+    KeptDivision Kept;          ///< of Others, if it is
     DivisionError Error;        ///< of Others
     bool AreValuesMade = false; ///< they are not those of the data set
   };
 
-  bool SeeOthers(const GridLeaf& leaf, LeafPart& made, std::string& error);
-  bool SeeLeaf(
-    const GridLeaf& leaf, const DrawnComponent& component, LeafPart& made, std::string& error);
-  bool Assemble(const std::vector<GridLeaf>& leaves, std::string& error);
+  static std::size_t MemoryOf(const MeshPart& made);
+  static std::size_t MemoryOf(const LeafPart& made);
+  bool SeeOthers(const GridLeaf& leaf, LeafPart& made, MakingBudget& budget, std::string& error);
+  bool SeeLeaf(const GridLeaf& leaf, const DrawnComponent& component, LeafPart& made,
+    MakingBudget& budget, std::string& error);
+  void Assemble(const std::vector<GridLeaf>& leaves);
   void Stamp(Mesh& mesh);
 
   /// What a mesh was made from, and the stamps of that.

@@ -71,19 +71,10 @@ std::string TextOfCount(const MeshPart* part, std::int64_t cell)
   return text.str();
 }
 
-std::string TextOfMemory(const Mesh& mesh, std::size_t limit)
-{
-  const std::int64_t cells = mesh.NumberOfCells();
-  const std::size_t needed = (MeshTree::MemoryToBuild(cells) >> 20) + 1;
-  return "The input has " + std::to_string(cells) + " cells, which need " + std::to_string(needed) +
-    " MiB to be set up, more than MeshMemoryLimit (" + std::to_string(limit >> 20) +
-    " MiB); raise it with SetMeshMemoryLimit, or draw a part of the input (vtkExtractCells).";
-}
-
 }
 
 std::string TextOf(const MeshProblem& problem, const Mesh& mesh, const CellOrigins& origins,
-  const std::vector<GridLeaf>& leaves, std::size_t limit)
+  const std::vector<GridLeaf>& leaves)
 {
   std::int64_t inPart = problem.Cell;
   const MeshPart* const part = PartWith(mesh, inPart);
@@ -107,12 +98,19 @@ std::string TextOf(const MeshProblem& problem, const Mesh& mesh, const CellOrigi
       return cell + TextOfPoint(part, problem.Point) + ", which is not finite or too far away" +
         Correct;
     case MeshDefect::NoMemory:
-      return TextOfMemory(mesh, limit);
     case MeshDefect::None:
     case MeshDefect::Stopped:
       break;
   }
   return std::string();
+}
+
+std::string TextOfMemory(std::int64_t cells, std::size_t needed, std::size_t limit)
+{
+  return "The input has " + std::to_string(cells) + " cells, which need at least " +
+    std::to_string((needed >> 20) + 1) + " MiB to be set up, more than MeshMemoryLimit (" +
+    std::to_string(limit >> 20) +
+    " MiB); raise it with SetMeshMemoryLimit, or draw a part of the input (vtkExtractCells).";
 }
 
 }

@@ -7,6 +7,7 @@
 #include "Grids/GridLeaves.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -17,10 +18,14 @@ struct Mesh;
 struct MeshProblem;
 
 /// What is wrong with a mesh and what to do about it. Empty if it was not set up because it was
-/// stopped.
-/// \param limit of memory, in bytes
+/// stopped, or for lack of memory.
 std::string TextOf(const MeshProblem& problem, const Mesh& mesh, const CellOrigins& origins,
-  const std::vector<GridLeaf>& leaves, std::size_t limit);
+  const std::vector<GridLeaf>& leaves);
+
+/// Tells that a mesh needs too much memory, and what to do about it.
+/// \param cells of the input
+/// \param needed at least, and the limit, in bytes
+std::string TextOfMemory(std::int64_t cells, std::size_t needed, std::size_t limit);
 
 }
 

@@ -50,6 +50,21 @@ int ComponentsOf(vtkUniformGridAMR* amr, const ScalarChoice& choice)
   return components;
 }
 
+/// The cells of the input, as the user counts them.
+std::int64_t CountCells(const std::vector<GridLeaf>& leaves, vtkUniformGridAMR* amr)
+{
+  std::int64_t cells = 0;
+  for (const GridLeaf& leaf : leaves)
+  {
+    cells += leaf.Data->GetNumberOfCells();
+  }
+  if (amr)
+  {
+    ForEachGrid(amr, [&](vtkUniformGrid* grid) { cells += grid->GetNumberOfCells(); });
+  }
+  return cells;
+}
+
 /// Keep all that a mesh reads, also if a data set gets other arrays.
 void Keep(const std::vector<GridLeaf>& leaves, PlacedField& field)
 {
@@ -95,9 +110,7 @@ bool MeshSource::Make(const FieldQuery& query, PlacedField& field, std::string& 
   FieldSetUp& done = field.SetUp;
   const Stopwatch watch(done.Seconds);
   Keep(this->Leaves, field);
-  const bool isSeen = this->Amr ? this->Grids.See(this->Amr, this->Choice, this->Component, error)
-                                : this->Grids.See(this->Leaves, this->Component, error);
-  if (!isSeen || !this->SetUpTree(query, done, error))
+  if (!this->SetUp(query, done, error))
   {
     return false;
   }
@@ -116,8 +129,37 @@ bool MeshSource::Make(const FieldQuery& query, PlacedField& field, std::string& 
   return PlaceVolume(query.Volume, field.Transform, error);
 }
 
+/// Make the mesh and its tree, or bring them up to date.
+bool MeshSource::SetUp(const FieldQuery& query, FieldSetUp& done, std::string& error)
+{
+  constexpr double shareOfCells = 0.5; // of the progress, if any are made
+  double made = 0.0;
+  MakingBudget budget;
+  budget.Memory =
+    query.MeshMemoryLimit ? query.MeshMemoryLimit : std::numeric_limits<std::size_t>::max();
+  budget.PerCell = MeshTree::MemoryToBuild(1);
+  budget.Report = [&](double share)
+  {
+    made = shareOfCells;
+    return !query.Report || query.Report(shareOfCells * share);
+  };
+  const bool isSeen = this->Amr
+    ? this->Grids.See(this->Amr, this->Choice, this->Component, budget, error)
+    : this->Grids.See(this->Leaves, this->Component, budget, error);
+  const bool isSetUp = isSeen &&
+    this->SetUpTree(query.AveragedGradients, PartOf(query.Report, made, 1.0), budget, done, error);
+  if (budget.IsTooSmall())
+  {
+    error = TextOfMemory(
+      CountCells(this->Leaves, this->Amr), budget.NeededMemory(), query.MeshMemoryLimit);
+  }
+  return isSetUp;
+}
+
 /// Make a tree for the mesh, or bring it up to date.
-bool MeshSource::SetUpTree(const FieldQuery& query, FieldSetUp& done, std::string& error)
+/// \param budget is told what it needs
+bool MeshSource::SetUpTree(bool averagesGradients, const ReportProgress& progress,
+  MakingBudget& budget, FieldSetUp& done, std::string& error)
 {
   const std::shared_ptr<const Mesh>& mesh = this->Grids.Made();
   const Mesh* const last = this->Tree ? &this->Tree->TheMesh() : nullptr;
@@ -128,14 +170,18 @@ bool MeshSource::SetUpTree(const FieldQuery& query, FieldSetUp& done, std::strin
     done.Work = SetUpWork::Built;
     this->Kind = nullptr;
     this->Tree = nullptr;
-    const std::size_t limit =
-      query.MeshMemoryLimit ? query.MeshMemoryLimit : std::numeric_limits<std::size_t>::max();
-    this->Tree = MeshTree::Build(mesh, query.Report, limit, problem);
+    const std::size_t made = this->Grids.MemoryInBytes();
+    const std::size_t limit = budget.Memory - std::min(budget.Memory, made);
+    this->Tree = MeshTree::Build(mesh, progress, limit, problem);
+    if (problem.Defect == MeshDefect::NoMemory)
+    {
+      budget.Allows(made, mesh->NumberOfCells());
+    }
   }
   else if (last->PointStamp != mesh->PointStamp)
   {
     done.Work = SetUpWork::Refitted;
-    this->Tree = this->Tree->Refit(mesh, query.Report, problem);
+    this->Tree = this->Tree->Refit(mesh, progress, problem);
   }
   else if (last->ValueStamp != mesh->ValueStamp)
   {
@@ -150,14 +196,13 @@ bool MeshSource::SetUpTree(const FieldQuery& query, FieldSetUp& done, std::strin
   {
     this->Kind = nullptr;
     const auto origins = this->Grids.Origins();
-    error = TextOf(problem, *mesh, origins ? *origins : CellOrigins(mesh, {}), this->Leaves,
-      query.MeshMemoryLimit);
+    error = TextOf(problem, *mesh, origins ? *origins : CellOrigins(mesh, {}), this->Leaves);
     return false;
   }
-  if (!this->Kind || this->Tree != before || this->HasAveragedGradients != query.AveragedGradients)
+  if (!this->Kind || this->Tree != before || this->HasAveragedGradients != averagesGradients)
   {
-    this->Kind = MeshKind(this->Tree, query.AveragedGradients);
-    this->HasAveragedGradients = query.AveragedGradients;
+    this->Kind = MeshKind(this->Tree, averagesGradients);
+    this->HasAveragedGradients = averagesGradients;
   }
   return true;
 }

@@ -30,7 +30,9 @@ public:
   void Release() override { *this = MeshSource(); }
 
 private:
-  bool SetUpTree(const FieldQuery& query, FieldSetUp& done, std::string& error);
+  bool SetUp(const FieldQuery& query, FieldSetUp& done, std::string& error);
+  bool SetUpTree(bool averagesGradients, const ReportProgress& progress, MakingBudget& budget,
+    FieldSetUp& done, std::string& error);
 
   std::vector<GridLeaf> Leaves;     ///< that were found
   vtkUniformGridAMR* Amr = nullptr; ///< that was found instead

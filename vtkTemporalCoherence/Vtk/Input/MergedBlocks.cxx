@@ -30,7 +30,8 @@ using Block = MergedBlocks::Block;
 constexpr double LargestGrowth = 4.0;
 constexpr double SmallImage = 64.0 * (1 << 20); // bytes
 
-/// The images with cells, in the order of the tree.
+/// The images with cells, in the order of the tree. Other data sets have no volume, or all would be
+/// a mesh, and are ignored.
 bool FindImages(vtkDataObjectTree* tree, std::vector<Block>& images, std::string& error)
 {
   const auto leaf = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(tree->NewTreeIterator());
@@ -40,12 +41,11 @@ bool FindImages(vtkDataObjectTree* tree, std::vector<Block>& images, std::string
     Block block;
     block.Image = vtkImageData::SafeDownCast(object);
     block.Name = NameOfLeaf(leaf);
-    auto* dataSet = vtkDataSet::SafeDownCast(object);
-    if (!block.Image && !(dataSet && dataSet->GetNumberOfPoints() == 0))
+    if (!vtkDataSet::SafeDownCast(object))
     {
       error = block.Name + " is a " + object->GetClassName() +
-        ", but only blocks of images and of grids with cells can be drawn; resample it with "
-        "vtkResampleToImage or leave it out with vtkExtractBlock.";
+        ", but only blocks of images and of grids with cells can be drawn; leave it out with "
+        "vtkExtractBlock.";
       return false;
     }
     const int* dimensions = block.Image ? block.Image->GetDimensions() : nullptr;

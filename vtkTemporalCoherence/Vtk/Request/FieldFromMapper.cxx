@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Request/FieldFromMapper.h"
 
+#include "Request/EmptyInput.h"
 #include "Shapes/AmrMesh.h"
 
 #include <vtkDataObjectTree.h>
@@ -58,9 +59,14 @@ bool FieldFromMapper::Find(vtkVolumeMapper* mapper, vtkVolumeProperty* property,
     // Levels of an adaptive grid are a mesh together, but one alone is an image.
     auto* amr = vtkUniformGridAMR::SafeDownCast(data);
     this->OnlyLevel = amr && HasOneLevel(amr) ? BlocksOf(amr) : nullptr;
-    data = this->OnlyLevel ? this->OnlyLevel.Get() : data;
-    return this->ChooseSource(data, error) &&
-      this->Source->Find(data, ChoiceOf(mapper), property, vectors, found, error);
+    vtkDataObject* drawn = this->OnlyLevel ? this->OnlyLevel.Get() : data;
+    if (!this->ChooseSource(drawn, error) ||
+      !this->Source->Find(drawn, ChoiceOf(mapper), property, vectors, found, error))
+    {
+      return false;
+    }
+    error = this->IsEmpty() && !MayBeEmpty(data) ? WhyThereIsNoVolume(data) : std::string();
+    return error.empty();
   }
   catch (const std::exception&)
   {

@@ -35,7 +35,7 @@ public:
   bool Find(vtkVolumeMapper* mapper, vtkVolumeProperty* property, const VectorChoice& vectors,
     DrawnComponent& found, std::string& error);
 
-  /// True if there is nothing to draw of what was found: the picture is empty.
+  /// True if there is nothing to draw of what was found, which is no mistake: the picture is empty.
   bool IsEmpty() const { return this->Source->IsEmpty(); }
 
   /// Make the field of what was found.

@@ -98,7 +98,7 @@ bool RequestFromMapper::Make(vtkVolumeMapper* mapper, const PictureSettings& set
   query.Report = report;
   this->Drawn = drawn;
   this->IsMakingField = true;
-  // Without points: an empty picture, as for images without cells.
+  // Without cells, which is no mistake: an empty picture.
   const bool isMade =
     this->Fields.IsEmpty() || this->MakeScene(query, drawn.OfProperty, request, error);
   this->IsMakingField = false;

@@ -121,8 +121,9 @@ void ForHexahedra(
 }
 
 /// The hexahedra, in the order of the slices.
-/// \return false if there are too many
-bool MakeHexahedra(const AmrBlocks& blocks, const AmrLeaves& leaves, MadeCells& made)
+/// \return false if there are too many, also for the budget
+bool MakeHexahedra(
+  const AmrBlocks& blocks, const AmrLeaves& leaves, MakingBudget& budget, MadeCells& made)
 {
   const std::vector<Slice> slices = SlicesOf(blocks, 1);
   std::vector<std::int64_t> counts(slices.size());
@@ -139,7 +140,9 @@ bool MakeHexahedra(const AmrBlocks& blocks, const AmrLeaves& leaves, MadeCells& 
     total += ofSlice;
     ofSlice = total - ofSlice; // the number of its first one
   }
-  if (8 * total > MostMadeIds)
+  const std::size_t bytes = static_cast<std::size_t>(9 * total) * sizeof(std::int32_t) +
+    static_cast<std::size_t>(leaves.Count()) * sizeof(PointValue);
+  if (8 * total > MostMadeIds || !budget.Allows(bytes, total))
   {
     return false;
   }
@@ -163,6 +166,18 @@ bool MakeHexahedra(const AmrBlocks& blocks, const AmrLeaves& leaves, MadeCells& 
     made.Offsets[c] = static_cast<std::int32_t>(8 * c);
   }
   return true;
+}
+
+/// Of a number for each cell.
+std::size_t MemoryOfNumbers(const AmrBlocks& blocks)
+{
+  std::size_t cells = 0;
+  for (const AmrBlock& block : blocks.Blocks)
+  {
+    const glm::i64vec3 size = block.Cells.Size();
+    cells += static_cast<std::size_t>(size.x * size.y * size.z);
+  }
+  return cells * sizeof(std::int32_t);
 }
 
 template <typename Action>
@@ -205,19 +220,33 @@ vtkSmartPointer<vtkMultiBlockDataSet> BlocksOf(vtkUniformGridAMR* amr)
 }
 
 bool AppendAmrMesh(vtkUniformGridAMR* amr, const ScalarChoice& choice, int component,
-  std::vector<MeshPart>& parts, std::string& error)
+  std::vector<MeshPart>& parts, std::string& error, MakingBudget* budget)
 {
+  MakingBudget unlimited;
+  MakingBudget& limits = budget ? *budget : unlimited;
   AmrBlocks blocks;
   if (!FindAmrBlocks(amr, choice, blocks, error))
   {
     return false;
   }
+  if (!limits.Allows(MemoryOfNumbers(blocks), 0) || !limits.GoesOn(0.0))
+  {
+    return false;
+  }
   AmrLeaves leaves;
   const auto made = std::make_shared<MadeCells>();
-  if (!leaves.Find(blocks) || !MakeHexahedra(blocks, leaves, *made))
+  if (!leaves.Find(blocks) || !MakeHexahedra(blocks, leaves, limits, *made))
   {
+    if (limits.IsTooSmall())
+    {
+      return false;
+    }
     error = "The adaptive grid has more than " + std::to_string(MostMadeIds / 8) +
       " cells; draw fewer levels of it, for example with vtkExtractLevel.";
+    return false;
+  }
+  if (!limits.GoesOn(0.7))
+  {
     return false;
   }
   MakePoints(blocks, leaves, component, made->Points);

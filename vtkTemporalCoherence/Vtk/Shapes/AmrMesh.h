@@ -5,6 +5,7 @@
 
 #include "Input/ScalarChoice.h"
 #include "Mesh/Mesh.h"
+#include "Shapes/MadeCells.h"
 #include "vtkTemporalCoherenceCompatibility.h"
 
 #include <vtkMultiBlockDataSet.h>
@@ -37,11 +38,12 @@ vtkSmartPointer<vtkMultiBlockDataSet> BlocksOf(vtkUniformGridAMR* amr);
 ///
 /// \param component negative: the length of vectors
 /// \param parts gets one more part
-/// \param error gets what is wrong and what to do about it
+/// \param error gets what is wrong and what to do about it; empty if the budget does not do, or if
+///              it was stopped
 /// \return false on error
 /// \throws std::bad_alloc
 bool AppendAmrMesh(vtkUniformGridAMR* amr, const ScalarChoice& choice, int component,
-  std::vector<MeshPart>& parts, std::string& error);
+  std::vector<MeshPart>& parts, std::string& error, MakingBudget* budget = nullptr);
 
 }
 

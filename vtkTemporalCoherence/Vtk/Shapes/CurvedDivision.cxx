@@ -16,13 +16,17 @@ namespace TemporalCoherence
 namespace
 {
 
+constexpr std::size_t CellsBetweenReports = 256;
+
 /// Numbers the points of divided cells, one cell after the other.
 class PointNumbers
 {
 public:
-  PointNumbers(SharedPoints& shared, MadeCells& made)
+  /// \param places gets those of new points in the division of the cell that made them
+  PointNumbers(SharedPoints& shared, MadeCells& made, std::vector<std::uint16_t>& places)
     : Shared(shared)
     , Made(made)
+    , Places(places)
     , Next(static_cast<std::int32_t>(made.Points.size()))
   {
   }
@@ -31,7 +35,8 @@ public:
   void Number(vtkIdList* ids, const CellDivision& division)
   {
     this->Numbers.resize(division.Points.size());
-    for (std::size_t p = 0; p < division.Points.size(); ++p)
+    this->Keys.resize(division.Points.size());
+    for (std::size_t p = 0; p < division.Points.size(); ++p) // first, as memory takes its time
     {
       const DivisionPoint& point = division.Points[p];
       this->Name.clear();
@@ -39,8 +44,16 @@ public:
       {
         this->Name.emplace_back(ids->GetId(point.Corners[c]), point.Weights[c]);
       }
-      this->Numbers[p] =
-        this->Name.empty() ? this->Next : this->Shared.Find(this->Name, this->Next);
+      if (!this->Name.empty())
+      {
+        this->Keys[p] = SharedPoints::KeyOf(this->Name);
+        this->Shared.Prefetch(this->Keys[p]);
+      }
+    }
+    for (std::size_t p = 0; p < division.Points.size(); ++p)
+    {
+      const bool isInside = division.Points[p].NumberOfCorners == 0;
+      this->Numbers[p] = isInside ? this->Next : this->Shared.Find(this->Keys[p], this->Next);
       if (this->Numbers[p] == this->Next)
       {
         this->Places.push_back(static_cast<std::uint16_t>(p));
@@ -62,31 +75,46 @@ public:
     }
   }
 
-  std::vector<std::uint16_t> Places; ///< of new points in the division of the cell that made them
-
 private:
   SharedPoints& Shared;
   MadeCells& Made;
+  std::vector<std::uint16_t>& Places;
   std::int32_t Next;
   SharedPoints::Name Name;
+  std::vector<SharedPoints::Key> Keys; ///< of the points of a cell
   std::vector<std::int32_t> Numbers, Ids;
 };
 
 }
 
-void DivideCurvedCells(vtkUnstructuredGrid* grid, const CurvedCells& curved,
-  const PointReader& reader, int parts, SharedPoints& shared, MadeCells& made)
+std::int64_t CountDivisionIds(const CurvedCells& curved, int parts)
+{
+  std::vector<std::int64_t> ids;
+  for (const CurvedKind& kind : curved.Kinds)
+  {
+    ids.push_back(0);
+    for (const DivisionCell& cell : Divide(kind.Shape, parts).Cells)
+    {
+      ids.back() += cell.NumberOfPoints;
+    }
+  }
+  std::int64_t count = 0;
+  for (const std::uint32_t kind : curved.KindOf)
+  {
+    count += ids[kind];
+  }
+  return count;
+}
+
+bool DivideCurvedCells(vtkUnstructuredGrid* grid, const CurvedCells& curved, int parts,
+  MakingBudget& budget, SharedPoints& shared, MadeCells& made, CurvedPoints& points)
 {
   std::vector<CellDivision> divisions;
-  std::vector<std::vector<glm::dvec3>> places;
   for (const CurvedKind& kind : curved.Kinds)
   {
     divisions.push_back(Divide(kind.Shape, parts));
-    places.push_back(PlacesOf(divisions.back()));
   }
-  const std::size_t first = made.Points.size();
-  std::vector<std::size_t> begins{ 0 }; // of the new points of each cell
-  PointNumbers numbers(shared, made);
+  PointNumbers numbers(shared, made, points.Places);
   vtkNew<vtkIdList> ids;
   for (std::size_t c = 0; c < curved.Cells.size(); ++c)
   {
@@ -94,16 +122,35 @@ void DivideCurvedCells(vtkUnstructuredGrid* grid, const CurvedCells& curved,
     grid->GetCells()->GetCellAtId(curved.Cells[c], ids);
     numbers.Number(ids, division);
     numbers.AddCells(division, curved.Cells[c]);
-    begins.push_back(numbers.Places.size());
-  }
-  made.Points.resize(first + numbers.Places.size());
-
-  ForEachCurvedCell(grid, curved, reader, places,
-    [&](std::size_t cell, const std::vector<PointValue>& points, const double* rows)
+    points.Begins.push_back(points.Places.size());
+    if (c % CellsBetweenReports == 0 &&
+      (!budget.Allows(
+         made.MemoryInBytes() + shared.MemoryInBytes() + points.Places.size() * sizeof(PointValue),
+         made.NumberOfCells()) ||
+        !budget.GoesOn(static_cast<double>(c) / static_cast<double>(curved.Cells.size()))))
     {
-      for (std::size_t p = begins[cell]; p < begins[cell + 1]; ++p)
+      return false;
+    }
+  }
+  return budget.Allows(
+    made.MemoryInBytes() + points.Places.size() * sizeof(PointValue), made.NumberOfCells());
+}
+
+bool PlaceCurvedPoints(vtkUnstructuredGrid* grid, const CurvedCells& curved,
+  const PointReader& reader, int parts, const CurvedPoints& points, const ReportProgress& progress,
+  PointValue* at)
+{
+  std::vector<std::vector<glm::dvec3>> places;
+  for (const CurvedKind& kind : curved.Kinds)
+  {
+    places.push_back(PlacesOf(Divide(kind.Shape, parts)));
+  }
+  return ForEachCurvedCell(grid, curved, reader, places, progress,
+    [&](std::size_t cell, const std::vector<PointValue>& ofCell, const double* rows)
+    {
+      for (std::size_t p = points.Begins[cell]; p < points.Begins[cell + 1]; ++p)
       {
-        made.Points[first + p] = Weigh(rows + numbers.Places[p] * points.size(), points);
+        at[p] = Weigh(rows + points.Places[p] * ofCell.size(), ofCell);
       }
     });
 }

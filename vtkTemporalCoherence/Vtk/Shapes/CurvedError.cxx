@@ -136,28 +136,31 @@ int OrderOf(const CurvedCells& curved)
   return order;
 }
 
-CurvedError MeasureError(
-  vtkUnstructuredGrid* grid, const CurvedCells& curved, const PointReader& reader, int parts)
+bool MeasureError(vtkUnstructuredGrid* grid, const CurvedCells& curved, const PointReader& reader,
+  int parts, const ReportProgress& progress, CurvedError& worst)
 {
   const ErrorPlaces places(curved, parts);
   std::vector<CellError> errors(curved.Cells.size());
-  ForEachCurvedCell(grid, curved, reader, places.Places,
-    [&](std::size_t cell, const std::vector<PointValue>& points, const double* rows)
-    { errors[cell] = places.ErrorOf(curved.KindOf[cell], points, rows); });
+  if (!ForEachCurvedCell(grid, curved, reader, places.Places, progress,
+        [&](std::size_t cell, const std::vector<PointValue>& points, const double* rows)
+        { errors[cell] = places.ErrorOf(curved.KindOf[cell], points, rows); }))
+  {
+    return false;
+  }
   Range all;
   for (const CellError& error : errors)
   {
     all.Add(error.Values.Low);
     all.Add(error.Values.High);
   }
-  CurvedError worst;
+  worst = CurvedError();
   for (const CellError& error : errors)
   {
     const double length = std::max(error.Values.Length(), SmallestRange * all.Length());
     worst.OfPoints = std::max(worst.OfPoints, error.Size > 0.0 ? error.OfPoints / error.Size : 0.0);
     worst.OfValues = std::max(worst.OfValues, length > 0.0 ? error.OfValues / length : 0.0);
   }
-  return worst;
+  return true;
 }
 
 }

@@ -3,6 +3,7 @@
 #ifndef TemporalCoherence_CurvedError_h
 #define TemporalCoherence_CurvedError_h
 
+#include "Scene/Progress.h"
 #include "Shapes/CurvedCells.h"
 #include "Shapes/PointReader.h"
 
@@ -17,9 +18,10 @@ struct CurvedError
 };
 
 /// Bound the error if edges are divided into this many parts (DivisionChecks).
+/// \return false if progress stopped it
 /// \throws std::bad_alloc
-CurvedError MeasureError(
-  vtkUnstructuredGrid* grid, const CurvedCells& curved, const PointReader& reader, int parts);
+bool MeasureError(vtkUnstructuredGrid* grid, const CurvedCells& curved, const PointReader& reader,
+  int parts, const ReportProgress& progress, CurvedError& error);
 
 /// The highest order of the cells.
 int OrderOf(const CurvedCells& curved);

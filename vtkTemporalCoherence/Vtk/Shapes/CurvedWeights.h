@@ -3,6 +3,7 @@
 #ifndef TemporalCoherence_CurvedWeights_h
 #define TemporalCoherence_CurvedWeights_h
 
+#include "Scene/Progress.h"
 #include "Shapes/CurvedCells.h"
 #include "Shapes/PointReader.h"
 
@@ -12,6 +13,7 @@
 #include <vtkSMPThreadLocal.h>
 #include <vtkSMPTools.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -61,23 +63,35 @@ struct CurvedWorkplace
 
 /// Call `visit(number, points, rows)` for each curved cell, in parallel: with its number among
 /// them, its points, and the rows of its weights at the places of its kind.
+/// \return false if progress stopped it
 template <typename Visit>
-void ForEachCurvedCell(vtkUnstructuredGrid* grid, const CurvedCells& curved,
-  const PointReader& reader, const std::vector<std::vector<glm::dvec3>>& places, const Visit& visit)
+bool ForEachCurvedCell(vtkUnstructuredGrid* grid, const CurvedCells& curved,
+  const PointReader& reader, const std::vector<std::vector<glm::dvec3>>& places,
+  const ReportProgress& progress, const Visit& visit)
 {
+  constexpr vtkIdType cellsBetweenReports = 4096;
   const KindWeights weights(grid, curved, places);
   vtkSMPThreadLocal<CurvedWorkplace> workplaces;
-  vtkSMPTools::For(0, static_cast<vtkIdType>(curved.Cells.size()),
-    [&](vtkIdType begin, vtkIdType end)
+  const auto work = [&](vtkIdType begin, vtkIdType end)
+  {
+    CurvedWorkplace& place = workplaces.Local();
+    for (auto c = static_cast<std::size_t>(begin); c < static_cast<std::size_t>(end); ++c)
     {
-      CurvedWorkplace& work = workplaces.Local();
-      for (auto c = static_cast<std::size_t>(begin); c < static_cast<std::size_t>(end); ++c)
-      {
-        work.Read(grid, curved.Cells[c], reader);
-        const double* const rows = weights.Of(c, work.Cell, work.Own);
-        visit(c, work.Points, rows);
-      }
-    });
+      place.Read(grid, curved.Cells[c], reader);
+      const double* const rows = weights.Of(c, place.Cell, place.Own);
+      visit(c, place.Points, rows);
+    }
+  };
+  const auto count = static_cast<vtkIdType>(curved.Cells.size());
+  for (vtkIdType done = 0; done < count; done += cellsBetweenReports)
+  {
+    if (progress && !progress(static_cast<double>(done) / static_cast<double>(count)))
+    {
+      return false;
+    }
+    vtkSMPTools::For(done, std::min(done + cellsBetweenReports, count), work);
+  }
+  return true;
 }
 
 std::vector<glm::dvec3> PlacesOf(const CellDivision& division);

@@ -4,12 +4,15 @@
 #define TemporalCoherence_MadeCells_h
 
 #include "Mesh/Mesh.h"
+#include "Scene/Progress.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace TemporalCoherence
@@ -40,18 +43,67 @@ struct MadeCells
     this->Offsets.push_back(static_cast<std::int32_t>(this->Connectivity.size()));
     this->Originals.push_back(original);
   }
+
+  /// For so many cells with so many numbers in their connectivity.
+  void Reserve(std::int64_t cells, std::int64_t ids)
+  {
+    this->Types.reserve(static_cast<std::size_t>(cells));
+    this->Offsets.reserve(static_cast<std::size_t>(cells) + 1);
+    this->Connectivity.reserve(static_cast<std::size_t>(ids));
+    this->Originals.reserve(static_cast<std::size_t>(cells));
+  }
+
+  std::int64_t NumberOfCells() const { return static_cast<std::int64_t>(this->Offsets.size()) - 1; }
+
+  std::size_t MemoryInBytes() const
+  {
+    return this->Points.size() * sizeof(PointValue) + this->Types.size() +
+      (this->Offsets.size() + this->Connectivity.size()) * sizeof(std::int32_t) +
+      this->Originals.size() * sizeof(std::int64_t);
+  }
+};
+
+using MadePointValues = std::shared_ptr<const std::vector<PointValue>>;
+
+/// What may be spent on cells that are made. Whoever makes them asks before it takes memory, and
+/// now and then while it works.
+class MakingBudget
+{
+public:
+  std::size_t Memory = std::numeric_limits<std::size_t>::max(); ///< bytes
+  std::size_t PerCell = 0; ///< bytes that each made cell takes later
+  ReportProgress Report;   ///< called by the calling thread only
+
+  /// \return false if so much memory for so many cells is too much. Then making ends.
+  bool Allows(std::size_t bytes, std::int64_t cells)
+  {
+    this->Needed = std::max(this->Needed, bytes + this->PerCell * static_cast<std::size_t>(cells));
+    return !this->IsTooSmall();
+  }
+
+  bool IsTooSmall() const { return this->Needed > this->Memory; }
+
+  /// Bytes that are needed at least, as far as is known.
+  std::size_t NeededMemory() const { return this->Needed; }
+
+  /// \param share of the work that is done
+  /// \return false if making is stopped
+  bool GoesOn(double share) const { return !this->Report || this->Report(share); }
+
+private:
+  std::size_t Needed = 0;
 };
 
 /// The most numbers in a connectivity.
 constexpr std::int64_t MostMadeIds = std::numeric_limits<std::int32_t>::max();
 
-/// The cells as a part of a mesh, which owns them.
-inline MeshPart PartOf(const std::shared_ptr<const MadeCells>& cells)
+/// The cells between points as a part of a mesh, which owns both.
+inline MeshPart PartOf(const std::shared_ptr<const MadeCells>& cells, const MadePointValues& points)
 {
   MeshPart part;
-  part.NumberOfPoints = static_cast<std::int64_t>(cells->Points.size());
-  part.NumberOfCells = static_cast<std::int64_t>(cells->Offsets.size()) - 1;
-  const double* first = cells->Points.empty() ? nullptr : cells->Points.front().data();
+  part.NumberOfPoints = static_cast<std::int64_t>(points->size());
+  part.NumberOfCells = cells->NumberOfCells();
+  const double* first = points->empty() ? nullptr : points->front().data();
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     part.Coordinates[axis] = { first ? first + axis : nullptr, ScalarType::Float64, 4 };
@@ -65,8 +117,15 @@ inline MeshPart PartOf(const std::shared_ptr<const MadeCells>& cells)
   {
     part.Originals = { cells->Originals.data(), ScalarType::Int64, 1 };
   }
-  part.Owner = cells;
+  part.Owner =
+    std::make_shared<std::pair<std::shared_ptr<const MadeCells>, MadePointValues>>(cells, points);
   return part;
+}
+
+/// The same with the points of the cells.
+inline MeshPart PartOf(const std::shared_ptr<const MadeCells>& cells)
+{
+  return PartOf(cells, MadePointValues(cells, &cells->Points));
 }
 
 }

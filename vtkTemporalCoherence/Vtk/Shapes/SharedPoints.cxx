@@ -53,7 +53,7 @@ void MakeUnique(SharedPoints::Name& name)
 
 }
 
-std::int32_t SharedPoints::Find(Name& name, std::int32_t ifNew)
+SharedPoints::Key SharedPoints::KeyOf(Name& name)
 {
   MakeUnique(name);
   Key key{ 0x9e3779b97f4a7c15u, 0xd1b54a32d192ed03u };
@@ -65,7 +65,7 @@ std::int32_t SharedPoints::Find(Name& name, std::int32_t ifNew)
       key.Second = Mix((key.Second ^ static_cast<std::uint64_t>(number)) * 0xd6e8feb86659fd93u);
     }
   }
-  return this->Find(key, ifNew);
+  return key;
 }
 
 std::int32_t SharedPoints::Find(std::int64_t point, std::int32_t ifNew)

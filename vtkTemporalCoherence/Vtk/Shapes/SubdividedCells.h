@@ -4,9 +4,12 @@
 #define TemporalCoherence_SubdividedCells_h
 
 #include "Mesh/Mesh.h"
+#include "Shapes/CurvedDivision.h"
 #include "vtkTemporalCoherenceCompatibility.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -26,6 +29,18 @@ struct Subdivision
   std::int64_t Others = 0;  ///< polyhedra, prisms and convex sets of points
   double ErrorOfPoints = 0; ///< of the size of a curved cell
   double ErrorOfValues = 0; ///< of the range of values in it
+};
+
+/// What was made of a grid that has curved cells and no others to be replaced: for other values,
+/// the linear cells stay.
+struct KeptDivision
+{
+  CurvedCells Curved;
+  Subdivision Told;
+  CurvedPoints Points;
+  std::shared_ptr<const MadeCells> Made; ///< without points; null: nothing is kept
+
+  std::size_t MemoryInBytes() const;
 };
 
 /// The error that curved cells are divided for: of their size, and of the range of their values.
@@ -51,12 +66,24 @@ bool IsSubdivided(int type);
 /// \param component negative: the length of vectors
 /// \param flags of each cell, or null. Cells with a hiding flag are left out.
 /// \param parts gets one more part if there are such cells
-/// \param error gets what is wrong and what to do about it
+/// \param error gets what is wrong and what to do about it; empty if the budget does not do, or if
+///              it was stopped
+/// \param kept  gets what SetSubdividedValues needs; may be null
 /// \return false on error
 /// \throws std::bad_alloc
 bool AppendSubdividedCells(vtkUnstructuredGrid* grid, vtkDataArray* pointScalars, int component,
   const std::uint8_t* flags, std::uint8_t hidingFlags, std::vector<MeshPart>& parts,
-  std::string& error, Subdivision* told = nullptr);
+  std::string& error, Subdivision* told = nullptr, MakingBudget* budget = nullptr,
+  KeptDivision* kept = nullptr);
+
+/// Give the linear cells other values, in parallel.
+/// \pre   cells, flags and points of the grid are those of which `kept` was made
+/// \param part gets the same cells with other points
+/// \param isStopped true if progress stopped it
+/// \return false if the values need another number of parts, if nothing is kept, or if it was
+/// stopped \throws std::bad_alloc
+bool SetSubdividedValues(vtkUnstructuredGrid* grid, vtkDataArray* pointScalars, int component,
+  const ReportProgress& progress, KeptDivision& kept, MeshPart& part, bool& isStopped);
 
 }
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Grids/GridMesh.h"
 
+#include "Adaptive/AmrMesh.h"
 #include "Grids/AmrGrids.h"
-#include "Shapes/AmrMesh.h"
 #include "Shapes/SubdividedCells.h"
 
 #include <vtkDataSet.h>
@@ -90,8 +90,10 @@ bool GridMesh::SeeOthers(const GridLeaf& leaf, LeafPart& made, std::string& erro
   made.Others.clear();
   const PointValues& values = made.Made.Values;
   Subdivision division;
-  if (!AppendSubdividedCells(vtkUnstructuredGrid::SafeDownCast(leaf.Data), values.Array,
-        values.Component, made.Part.Flags, made.Part.HidingFlags, made.Others, error, &division))
+  const GivenCells cells(
+    vtkUnstructuredGrid::SafeDownCast(leaf.Data), leaf.Block ? leaf.Name : "the input");
+  if (!AppendSubdividedCells(cells, values.Array, values.Component, made.Part.Flags,
+        made.Part.HidingFlags, made.Others, error, &division))
   {
     return false;
   }

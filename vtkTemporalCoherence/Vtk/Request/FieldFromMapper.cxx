@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Request/FieldFromMapper.h"
 
-#include "Shapes/AmrMesh.h"
+#include "Adaptive/AmrMesh.h"
 
 #include <vtkDataObjectTree.h>
 #include <vtkImageData.h>

@@ -6,7 +6,6 @@
 #include "Shapes/CurvedError.h"
 #include "Shapes/PolyhedronCells.h"
 
-#include <vtkCellArray.h>
 #include <vtkDataArray.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
@@ -28,27 +27,11 @@ struct CellsToReplace
   std::vector<vtkIdType> Others;
 };
 
-bool AreIdsValid(vtkUnstructuredGrid* grid, vtkIdType cell, vtkIdList* ids, std::string& error)
-{
-  grid->GetCells()->GetCellAtId(cell, ids);
-  const vtkIdType points = grid->GetNumberOfPoints();
-  for (const vtkIdType id : *ids)
-  {
-    if (id < 0 || id >= points)
-    {
-      error = "Cell " + std::to_string(cell) + " has a point number " + std::to_string(id) +
-        ", but there are " + std::to_string(points) +
-        " points; correct the cell or leave it out with vtkExtractCells.";
-      return false;
-    }
-  }
-  return true;
-}
-
-bool FindCells(vtkUnstructuredGrid* grid, const std::uint8_t* flags, std::uint8_t hidingFlags,
+bool FindCells(const GivenCells& given, const std::uint8_t* flags, std::uint8_t hidingFlags,
   CellsToReplace& cells, std::string& error)
 {
-  CurvedCellFinder finder(grid);
+  vtkUnstructuredGrid* const grid = given.Grid;
+  CurvedCellFinder finder(given);
   vtkNew<vtkIdList> ids;
   for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
   {
@@ -57,7 +40,7 @@ bool FindCells(vtkUnstructuredGrid* grid, const std::uint8_t* flags, std::uint8_
     {
       continue;
     }
-    if (!AreIdsValid(grid, cell, ids, error) || (IsCurved(type) && !finder.Add(cell, error)))
+    if (!given.ReadPoints(cell, ids, error) || (IsCurved(type) && !finder.Add(cell, error)))
     {
       return false;
     }
@@ -130,7 +113,7 @@ bool IsSubdivided(int type)
   return IsCurved(type) || IsPolyhedron(type);
 }
 
-bool AppendSubdividedCells(vtkUnstructuredGrid* grid, vtkDataArray* pointScalars, int component,
+bool AppendSubdividedCells(const GivenCells& given, vtkDataArray* pointScalars, int component,
   const std::uint8_t* flags, std::uint8_t hidingFlags, std::vector<MeshPart>& parts,
   std::string& error, Subdivision* told)
 {
@@ -139,7 +122,7 @@ bool AppendSubdividedCells(vtkUnstructuredGrid* grid, vtkDataArray* pointScalars
     *told = Subdivision();
   }
   CellsToReplace cells;
-  if (!FindCells(grid, flags, hidingFlags, cells, error))
+  if (!FindCells(given, flags, hidingFlags, cells, error))
   {
     return false;
   }
@@ -147,6 +130,7 @@ bool AppendSubdividedCells(vtkUnstructuredGrid* grid, vtkDataArray* pointScalars
   {
     return true;
   }
+  vtkUnstructuredGrid* const grid = given.Grid;
   const PointReader reader{ grid->GetPoints(), pointScalars, component };
   const Subdivision plan = Plan(grid, cells, reader);
   if (8 * CountCells(cells.Curved, plan.Parts) > MostMadeIds)
@@ -157,7 +141,7 @@ bool AppendSubdividedCells(vtkUnstructuredGrid* grid, vtkDataArray* pointScalars
   const auto made = std::make_shared<MadeCells>();
   SharedPoints shared;
   DivideCurvedCells(grid, cells.Curved, reader, plan.Parts, shared, *made);
-  PolyhedronCells others(grid, reader, shared, *made);
+  PolyhedronCells others(given, reader, shared, *made);
   for (const vtkIdType cell : cells.Others)
   {
     if (!others.Add(cell, error))

@@ -4,6 +4,7 @@
 #define TemporalCoherence_SubdividedCells_h
 
 #include "Mesh/Mesh.h"
+#include "Shapes/GivenCells.h"
 #include "vtkTemporalCoherenceCompatibility.h"
 
 #include <cstdint>
@@ -12,7 +13,6 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
-class vtkUnstructuredGrid;
 VTK_ABI_NAMESPACE_END
 
 namespace TemporalCoherence
@@ -54,7 +54,7 @@ bool IsSubdivided(int type);
 /// \param error gets what is wrong and what to do about it
 /// \return false on error
 /// \throws std::bad_alloc
-bool AppendSubdividedCells(vtkUnstructuredGrid* grid, vtkDataArray* pointScalars, int component,
+bool AppendSubdividedCells(const GivenCells& given, vtkDataArray* pointScalars, int component,
   const std::uint8_t* flags, std::uint8_t hidingFlags, std::vector<MeshPart>& parts,
   std::string& error, Subdivision* told = nullptr);
 

@@ -161,6 +161,7 @@ set(bridge_files
   Grids/GridPoints
   Grids/GridShape
   Grids/GridValues
+  Grids/MadeFrom
   Grids/MeshDefectText
   Grids/MeshSource
   Window/DepthReader

@@ -6,16 +6,25 @@
 #include "AmrGrids.h"
 #include "Checks/Expect.h"
 #include "CurvedGrids.h"
+#include "Scenes/Mistake.h"
 #include "Scenes/Scene.h"
 #include "Truth/SameSurface.h"
 
+#include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkCellTypeSource.h>
+#include <vtkIdTypeArray.h>
 #include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkMultiBlockDataSet.h>
 #include <vtkPointData.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkVersionMacros.h>
 
 #include <cmath>
 #include <cstdlib>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -155,6 +164,156 @@ void TestCurved()
     "curved cells: an image has no error");
 }
 
+/// Render, and expect that all is set up, for the picture of a mapper without a past.
+void ExpectBuilt(const std::string& name, Scene& scene, vtkUnstructuredGrid* grid)
+{
+  vtkNew<vtkImageData> before;
+  before->DeepCopy(scene.Depth);
+  Expect(scene.Render(70, 60) && scene.Mapper->GetMeshSetUp() == Mapper::MESH_BUILT,
+    name + ": set up " + std::to_string(scene.Mapper->GetMeshSetUp()));
+  Scene cold(grid, { 0.6 });
+  cold.Renderer->GetActiveCamera()->DeepCopy(scene.Renderer->GetActiveCamera());
+  Expect(cold.Render(70, 60), name + ": cold");
+  Expect(AreIdentical(cold.Color, scene.Color) && AreIdentical(cold.Depth, scene.Depth),
+    name + ": not the cold picture");
+  Expect(!AreIdentical(before, scene.Depth), name + ": another picture");
+}
+
+void GiveSlope(vtkUnstructuredGrid* grid)
+{
+  vtkNew<vtkDoubleArray> values;
+  for (vtkIdType p = 0; p < grid->GetNumberOfPoints(); ++p)
+  {
+    glm::dvec3 at;
+    grid->GetPoint(p, &at.x);
+    values->InsertNextValue(Slope(at));
+  }
+  grid->GetPointData()->SetScalars(values);
+}
+
+/// Cubes as polyhedra.
+/// \param missing gets the faces of its neighbour instead of its own
+vtkSmartPointer<vtkUnstructuredGrid> Polyhedra(vtkIdType missing)
+{
+  constexpr int faces[6][4] = { { 0, 3, 2, 1 }, { 4, 5, 6, 7 }, { 0, 1, 5, 4 }, { 1, 2, 6, 5 },
+    { 2, 3, 7, 6 }, { 3, 0, 4, 7 } };
+  const auto cubes = TileCubes(VTK_HEXAHEDRON, HexahedronPattern(VTK_HEXAHEDRON), 4);
+  const auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->SetPoints(cubes->GetPoints());
+  for (vtkIdType cell = 0; cell < cubes->GetNumberOfCells(); ++cell)
+  {
+    vtkNew<vtkIdList> own, shown;
+    cubes->GetCellPoints(cell, own);
+    cubes->GetCellPoints(cell == missing ? cell ^ 1 : cell, shown);
+    std::vector<vtkIdType> stream;
+    for (const auto& face : faces)
+    {
+      stream.push_back(4);
+      for (const int corner : face)
+      {
+        stream.push_back(shown->GetId(corner));
+      }
+    }
+    grid->InsertNextCell(VTK_POLYHEDRON, 8, own->GetPointer(0), 6, stream.data());
+  }
+  GiveSlope(grid);
+  return grid;
+}
+
+/// Other faces are noticed, whether they are new objects or written in place.
+void TestNewFaces()
+{
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 4, 0) // later ones have no stream of faces
+  for (const bool isInPlace : { true, false })
+  {
+    const auto grid = Polyhedra(-1);
+    Scene scene(grid, { 0.6 });
+    scene.LookFrom(1.0, 2.0, 0.7);
+    Expect(scene.Render(70, 60), "faces: rendered");
+    const vtkIdType seen = scene.Mapper->PickCell(35, 30, nullptr);
+    Expect(seen >= 0, "faces: a cell is seen");
+    const auto other = Polyhedra(seen);
+    if (isInPlace)
+    {
+      grid->GetFaces()->DeepCopy(other->GetFaces());
+      grid->GetFaces()->Modified();
+    }
+    else
+    {
+      grid->SetCells(
+        grid->GetCellTypesArray(), grid->GetCells(), other->GetFaceLocations(), other->GetFaces());
+    }
+    ExpectBuilt(isInPlace ? "faces in place" : "new faces", scene, grid);
+  }
+#endif
+}
+
+/// Weights and degrees tell where the points lie that are made.
+void TestWeightsAndDegrees()
+{
+  vtkNew<vtkCellTypeSource> source;
+  source->SetCellType(VTK_BEZIER_HEXAHEDRON);
+  source->SetCellOrder(2);
+  source->SetBlocksDimensions(2, 2, 2);
+  source->Update();
+  const auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->DeepCopy(source->GetOutput());
+  vtkNew<vtkDoubleArray> weights;
+  weights->SetName("weights");
+  for (vtkIdType p = 0; p < grid->GetNumberOfPoints(); ++p)
+  {
+    double at[3];
+    grid->GetPoint(p, at);
+    grid->GetPoints()->SetPoint(p, at[0] + 0.1 * std::sin(3.0 * at[1]), at[1], at[2]);
+    weights->InsertNextValue(1.0);
+  }
+  GiveSlope(grid);
+  grid->GetPointData()->SetRationalWeights(weights);
+  Scene scene(grid, { 0.6 });
+  scene.LookFrom(1.0, 2.0, 0.7);
+  Expect(scene.Render(70, 60), "weights: rendered");
+  const auto spoil = [&](double by)
+  {
+    for (vtkIdType p = 0; p < weights->GetNumberOfTuples(); p += 2)
+    {
+      weights->SetValue(p, weights->GetValue(p) * by);
+    }
+  };
+  spoil(3.0);
+  weights->Modified();
+  ExpectBuilt("weights", scene, grid);
+  spoil(2.0);
+  grid->Modified();
+  ExpectBuilt("weights, told by the grid", scene, grid);
+  vtkNew<vtkDoubleArray> others;
+  others->DeepCopy(weights);
+  others->FillValue(1.0);
+  grid->GetPointData()->SetRationalWeights(others);
+  ExpectBuilt("new weights", scene, grid);
+}
+
+/// A wrong cell is told with its block, and the last picture stays.
+void TestMistakes()
+{
+  const auto grid = Polyhedra(-1);
+  Scene scene(grid, { 0.6 });
+  scene.LookFrom(1.0, 2.0, 0.7);
+  Mistake mistake(
+    scene, "Cell 2 of Block 2 ('rotor') has points that begin or end outside of the 160 point ids");
+  const auto curved =
+    TileCubes(VTK_QUADRATIC_HEXAHEDRON, HexahedronPattern(VTK_QUADRATIC_HEXAHEDRON), 2);
+  GiveSlope(curved);
+  curved->GetCells()->GetOffsetsArray()->SetComponent(3, 0, 1e8);
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, grid);
+  blocks->SetBlock(1, curved);
+  blocks->GetMetaData(1u)->Set(vtkCompositeDataSet::NAME(), "rotor");
+  scene.Mapper->SetInputDataObject(blocks);
+  mistake.ExpectRefused();
+  scene.Mapper->SetInputData(grid);
+  mistake.ExpectMended();
+}
+
 }
 
 int TestShapesDrawn(int, char*[])
@@ -162,5 +321,8 @@ int TestShapesDrawn(int, char*[])
   TestOneLevel();
   TestLevels();
   TestCurved();
+  TestNewFaces();
+  TestWeightsAndDegrees();
+  TestMistakes();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -8,6 +8,7 @@
 #include "Input/GhostArray.h"
 #include "Input/SamplesOfArray.h"
 #include "Scene/Parallel.h"
+#include "Shapes/GivenCells.h"
 #include "Shapes/SubdividedCells.h"
 
 #include <vtkCellArray.h>
@@ -178,6 +179,12 @@ void NoteCells(const GridLeaf& leaf, MadeFrom& from)
   if (auto* grid = vtkUnstructuredGrid::SafeDownCast(leaf.Data))
   {
     from.Add(grid->GetCellTypesArray());
+    for (const auto& [array, time] : FaceArraysOf(grid))
+    {
+      from.Add(array, time);
+    }
+    from.Add(grid->GetPointData()->GetRationalWeights());
+    from.Add(grid->GetCellData()->GetHigherOrderDegrees());
   }
   from.Add(GhostsOf(leaf.Data->GetCellData()));
   from.Add(GhostsOf(leaf.Data->GetPointData()));

@@ -4,6 +4,7 @@
 
 #include "Adaptive/AmrMesh.h"
 #include "Grids/AmrGrids.h"
+#include "Shapes/MadeCells.h"
 #include "Shapes/SubdividedCells.h"
 
 #include <vtkDataSet.h>
@@ -98,11 +99,10 @@ bool GridMesh::SeeOthers(const GridLeaf& leaf, LeafPart& made, std::string& erro
     return false;
   }
   made.Error = { division.ErrorOfPoints, division.ErrorOfValues };
-  // Into how many cells each one is divided depends on points and values.
+  // Into how many cells each one is divided depends on points and values. Weights and faces may
+  // have changed, too: Modified() of the grid tells no more than that something did.
   const bool areSame = !this->ArePointsNew &&
-    std::equal(last.begin(), last.end(), made.Others.begin(), made.Others.end(),
-      [](const MeshPart& a, const MeshPart& b)
-      { return a.NumberOfCells == b.NumberOfCells && a.NumberOfPoints == b.NumberOfPoints; });
+    std::equal(last.begin(), last.end(), made.Others.begin(), made.Others.end(), HaveSameCells);
   this->AreOthersNew = this->AreOthersNew || !areSame;
   return true;
 }

@@ -113,6 +113,27 @@ FacesFound FindFaces(
 
 }
 
+std::vector<std::pair<vtkDataArray*, vtkMTimeType>> FaceArraysOf(vtkUnstructuredGrid* grid)
+{
+  std::vector<std::pair<vtkDataArray*, vtkMTimeType>> arrays;
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
+  for (vtkCellArray* lists : { grid->GetPolyhedronFaces(), grid->GetPolyhedronFaceLocations() })
+  {
+    if (lists)
+    {
+      arrays.emplace_back(lists->GetOffsetsArray(), lists->GetMTime());
+      arrays.emplace_back(lists->GetConnectivityArray(), lists->GetMTime());
+    }
+  }
+#else
+  for (vtkIdTypeArray* numbers : { grid->GetFaces(), grid->GetFaceLocations() })
+  {
+    arrays.emplace_back(numbers, 0);
+  }
+#endif
+  return arrays;
+}
+
 GivenCells::GivenCells(vtkUnstructuredGrid* grid, std::string name)
   : Grid(grid)
   , Name(std::move(name))

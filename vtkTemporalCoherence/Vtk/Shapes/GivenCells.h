@@ -8,9 +8,11 @@
 #include <vtkType.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
+class vtkDataArray;
 class vtkIdList;
 class vtkUnstructuredGrid;
 VTK_ABI_NAMESPACE_END
@@ -48,6 +50,9 @@ private:
 
   std::string Name;
 };
+
+/// The arrays that tell the faces of polyhedra, and the times of what they belong to.
+std::vector<std::pair<vtkDataArray*, vtkMTimeType>> FaceArraysOf(vtkUnstructuredGrid* grid);
 
 }
 

@@ -23,6 +23,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -292,9 +293,39 @@ void TestWeightsAndDegrees()
   ExpectBuilt("new weights", scene, grid);
 }
 
+/// A point is told by its number in the data, not in the cells that are made.
+void TestBadPoint()
+{
+  for (const double bad : { std::nan(""), std::numeric_limits<double>::infinity() })
+  {
+    for (const bool isCurved : { false, true })
+    {
+      const auto grid = isCurved
+        ? TileCubes(VTK_QUADRATIC_HEXAHEDRON, HexahedronPattern(VTK_QUADRATIC_HEXAHEDRON), 4)
+        : Polyhedra(-1);
+      GiveSlope(grid);
+      Scene scene(grid, { 0.6 });
+      scene.LookFrom(1.0, 2.0, 0.7);
+      vtkNew<vtkIdList> corners;
+      grid->GetCellPoints(20, corners);
+      const vtkIdType spoilt = corners->GetId(5);
+      Mistake mistake(scene, " of the input has the point " + std::to_string(spoilt) + " at (");
+      double place[3];
+      grid->GetPoint(spoilt, place);
+      grid->GetPoints()->SetPoint(spoilt, place[0], bad, place[2]);
+      grid->GetPoints()->Modified();
+      mistake.ExpectRefused();
+      grid->GetPoints()->SetPoint(spoilt, place);
+      grid->GetPoints()->Modified();
+      mistake.ExpectMended();
+    }
+  }
+}
+
 /// A wrong cell is told with its block, and the last picture stays.
 void TestMistakes()
 {
+  TestBadPoint();
   const auto grid = Polyhedra(-1);
   Scene scene(grid, { 0.6 });
   scene.LookFrom(1.0, 2.0, 0.7);

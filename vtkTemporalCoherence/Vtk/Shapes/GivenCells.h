@@ -44,11 +44,10 @@ public:
   std::string NameOf(vtkIdType cell) const;
 
   vtkUnstructuredGrid* const Grid;
+  const std::string Name;
 
 private:
   bool HasPoint(vtkIdType point) const;
-
-  std::string Name;
 };
 
 /// The arrays that tell the faces of polyhedra, and the times of what they belong to.

@@ -98,12 +98,12 @@ Subdivision Plan(vtkUnstructuredGrid* grid, const CellsToReplace& cells, const P
   return plan;
 }
 
-std::string HaveTooMany(const CellsToReplace& cells)
+std::string HaveTooMany(const GivenCells& given, const CellsToReplace& cells)
 {
-  return "The grid has " + std::to_string(cells.Curved.Cells.size()) + " curved cells and " +
-    std::to_string(cells.Others.size()) +
-    " polyhedra, which are too many to be divided; draw parts of it, for example with "
-    "vtkExtractCells, with a vtkVolume and a mapper each.";
+  return "There are " + std::to_string(cells.Curved.Cells.size()) + " curved cells and " +
+    std::to_string(cells.Others.size()) + " polyhedra in " + given.Name +
+    ", which are too many to be divided; draw parts of it, for example with vtkExtractCells, with "
+    "a vtkVolume and a mapper each.";
 }
 
 }
@@ -135,7 +135,7 @@ bool AppendSubdividedCells(const GivenCells& given, vtkDataArray* pointScalars, 
   const Subdivision plan = Plan(grid, cells, reader);
   if (8 * CountCells(cells.Curved, plan.Parts) > MostMadeIds)
   {
-    error = HaveTooMany(cells);
+    error = HaveTooMany(given, cells);
     return false;
   }
   const auto made = std::make_shared<MadeCells>();
@@ -150,7 +150,7 @@ bool AppendSubdividedCells(const GivenCells& given, vtkDataArray* pointScalars, 
     }
     if (made->Connectivity.size() > static_cast<std::size_t>(MostMadeIds) - (1 << 20))
     {
-      error = HaveTooMany(cells);
+      error = HaveTooMany(given, cells);
       return false;
     }
   }

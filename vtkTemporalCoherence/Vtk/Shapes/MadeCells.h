@@ -5,7 +5,6 @@
 
 #include "Mesh/Mesh.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -68,20 +67,6 @@ inline MeshPart PartOf(const std::shared_ptr<const MadeCells>& cells)
   }
   part.Owner = cells;
   return part;
-}
-
-/// True if parts that PartOf made differ in nothing but values.
-inline bool HaveSameCells(const MeshPart& a, const MeshPart& b)
-{
-  const auto made = [](const MeshPart& part)
-  { return std::static_pointer_cast<const MadeCells>(part.Owner); };
-  const std::shared_ptr<const MadeCells> first = made(a), second = made(b);
-  return first->Types == second->Types && first->Offsets == second->Offsets &&
-    first->Connectivity == second->Connectivity && first->Originals == second->Originals &&
-    std::equal(first->Points.begin(), first->Points.end(), second->Points.begin(),
-      second->Points.end(),
-      [](const PointValue& p, const PointValue& q)
-      { return std::equal(p.begin(), p.begin() + 3, q.begin()); });
 }
 
 }

@@ -143,20 +143,21 @@ set(bridge_files
   Input/SettingCheck
   Input/VectorMagnitude
   Input/VolumePlace
-  Shapes/AmrBlocks
-  Shapes/AmrLeaves
-  Shapes/AmrMesh
-  Shapes/AmrNeighbours
   Shapes/CellDivision
   Shapes/CurvedCells
   Shapes/CurvedDivision
   Shapes/CurvedError
   Shapes/CurvedWeights
   Shapes/DivisionChecks
-  Shapes/LeafSearch
+  Shapes/GivenCells
   Shapes/PolyhedronCells
   Shapes/SharedPoints
   Shapes/SubdividedCells
+  Adaptive/AmrBlocks
+  Adaptive/AmrLeaves
+  Adaptive/AmrMesh
+  Adaptive/AmrNeighbours
+  Adaptive/LeafSearch
   Grids/CellOrigins
   Grids/CellTypes
   Grids/GridCells
@@ -165,6 +166,7 @@ set(bridge_files
   Grids/GridPoints
   Grids/GridShape
   Grids/GridValues
+  Grids/MadeFrom
   Grids/MeshDefectText
   Grids/MeshSource
   Window/DepthReader

@@ -248,7 +248,7 @@ public:
 
   /**
    * Get the cell of a mesh in which the last frame shows a surface at a pixel, and the flat index
-   * of its block, which is 0 without blocks, and may be null.
+   * of its block, which is 0 without blocks, and may be null. Python passes a list, [0], or None.
    * @return -1 if there is no surface or no mesh. Nothing is written then.
    */
   vtkIdType PickCell(int x, int y, unsigned int* block);
@@ -327,7 +327,8 @@ public:
    * and the memory of what is kept, in bytes; and whether scalars of cells were averaged to points.
    * Curved cells (quadratic, Lagrange, Bezier) are divided into linear ones: MeshPointError bounds
    * how far these are from the curved ones, in parts of the cell's diagonal, and MeshValueError how
-   * much values differ, in parts of their range in the cell. Both are 0 if no cell was divided.
+   * much values differ, in parts of their range in the cell. Both are 0 without curved cells: the
+   * surface in polyhedra, prisms and convex sets of points is defined as that of their parts.
    */
   int GetMeshSetUp();
   double GetMeshSetUpTime();

@@ -43,7 +43,10 @@ class Scene:
             raise UserError(f"Azimuth {azimuth} is no angle: give degrees, for example 30.")
         self._volume.GetProperty().GetIsoSurfaceValues().SetValue(0, isovalue)
         self._place_camera(azimuth, size)
-        return render(self._volume, self._renderer, size)
+        try:
+            return render(self._volume, self._renderer, size)
+        except ValueError as error:  # what the mapper says of the data
+            raise UserError(str(error)) from error
 
     def how(self) -> tuple[str, float]:
         """The route by which the last picture was made, and the milliseconds that it took."""

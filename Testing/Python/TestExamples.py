@@ -238,6 +238,22 @@ class MeshSweep(Example):
             "--size", "200x200", "--output", "a.png")
         self.assert_shows_sphere(read_png(path=self.folder / "a.png"), 0.5)
 
+    def test_wrong_cells(self):
+        grid = vtkStructuredGrid()
+        grid.SetDimensions(3, 3, 3)
+        points = vtkPoints()
+        for point in range(27):
+            points.InsertNextPoint(point % 3, point // 3 % 3, point // 9)
+        points.SetPoint(13, float("nan"), 1.0, 1.0)
+        grid.SetPoints(points)
+        grid.GetPointData().SetScalars(numpy_to_vtk(numpy.arange(27.0), deep=1))
+        grid.GetPointData().GetScalars().SetName("number")
+        writer = vtkXMLStructuredGridWriter()
+        writer.SetInputData(grid)
+        writer.SetFileName(str(self.folder / "nowhere.vts"))
+        writer.Write()
+        self.assert_refused(r"has the point 13 at \(nan, 1, 1\)", "mesh_sweep.py", "nowhere.vts")
+
     def test_mistakes(self):
         (self.folder / "broken.vtu").write_text("This is no XML.")
         (self.folder / "notes.txt").write_text("This is no mesh.")

@@ -21,6 +21,8 @@ Arguments that the wrapped methods fill are lists, but for t, which is a referen
 
     position, normal, index = [0.0] * 3, [0.0] * 3, [-1]
     if mapper.PickPixel(x, y, position, normal, index): ...
+    block = [0]  # or None
+    cell = mapper.PickCell(x, y, block)
     t = vtkmodules.vtkCommonCore.reference(0.0)
     if mapper.IntersectWithLine(volume, p1, p2, t, position, normal, index): ...
 """

@@ -15,6 +15,7 @@
 #include <vtkCommand.h>
 #include <vtkDoubleArray.h>
 #include <vtkPointData.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -145,6 +146,45 @@ void TestTimeSteps()
   Expect(scene.Render(70, 60) && scene.Mapper->GetMeshSetUp() == Mapper::MESH_NONE, "an image");
 }
 
+/// VTK moves the numbers of an array that grows or shrinks, and its time stays the same.
+void TestMovedArrays()
+{
+  Grid grid = Hexahedra(Waves());
+  Scene scene(grid, { 60.0 });
+  scene.LookFrom(1.0, 2.0, 0.7);
+  ExpectSetUp("arrays stay", scene, Mapper::MESH_BUILT);
+  // What is freed is written over, so that a picture of it differs.
+  const auto move = [](vtkDataArray* array)
+  {
+    const vtkMTimeType before = array->GetMTime();
+    array->Resize(1000 * array->GetNumberOfTuples());
+    std::vector<std::vector<double>> others;
+    for (int i = 0; i < 8; ++i)
+    {
+      others.emplace_back(static_cast<std::size_t>(array->GetNumberOfValues()), 1e3);
+    }
+    Expect(array->GetMTime() == before, "arrays move: VTK tells it");
+  };
+  const auto turn = [&] { scene.Renderer->GetActiveCamera()->Azimuth(7.0); };
+  move(grid->GetPointData()->GetScalars());
+  turn();
+  ExpectSetUp("moved values", scene, Mapper::MESH_NEW_VALUES);
+  move(grid->GetPoints()->GetData());
+  turn();
+  ExpectSetUp("moved points", scene, Mapper::MESH_REFITTED);
+  move(grid->GetCells()->GetConnectivityArray());
+  turn();
+  ExpectSetUp("moved point ids", scene, Mapper::MESH_BUILT);
+  move(grid->GetCells()->GetOffsetsArray());
+  turn();
+  ExpectSetUp("moved offsets", scene, Mapper::MESH_BUILT);
+  move(grid->GetCellTypesArray());
+  turn();
+  ExpectSetUp("moved types", scene, Mapper::MESH_BUILT);
+  turn();
+  ExpectSetUp("nothing moved", scene, Mapper::MESH_KEPT);
+}
+
 /// Two renderers of one mapper share what is set up.
 void TestTwoRenderers()
 {
@@ -264,6 +304,7 @@ int TestGridChanges(int, char*[])
 {
   TestChanges();
   TestTimeSteps();
+  TestMovedArrays();
   TestTwoRenderers();
   TestProgress();
   TestObservers();

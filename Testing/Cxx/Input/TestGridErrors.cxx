@@ -65,6 +65,7 @@ void ExpectRefused(const std::string& words, const std::function<void(Grid&, Sce
   scene.Mapper->SetMaskInput(nullptr);
   scene.Mapper->SetMeshMemoryLimit(0);
   scene.Mapper->SetVectorModeToDisabled();
+  scene.Mapper->SetScalarModeToDefault();
   scene.Mapper->SetInputData(Balls());
   mistake.ExpectMended();
 }
@@ -103,7 +104,7 @@ void TestCells()
       grid->GetCells()->GetOffsetsArray()->SetComponent(4, 0, 1e6);
       grid->GetCells()->Modified();
     });
-  ExpectRefused("cells of type 200, which VTK does not know",
+  ExpectRefused("The input has 1 cell of type 200, which VTK does not know; leave it out",
     [](Grid& grid, Scene&)
     {
       grid->GetCellTypesArray()->SetValue(5, 200);
@@ -178,6 +179,25 @@ void TestScalars()
       few->SetNumberOfTuples(17);
       grid->GetPointData()->Initialize();
       grid->GetCellData()->SetScalars(few);
+    });
+  const auto choose = [](const char* name)
+  {
+    return [name](Grid&, Scene& scene)
+    {
+      scene.Mapper->SetScalarModeToUsePointFieldData();
+      if (name)
+      {
+        scene.Mapper->SelectScalarArray(name);
+      }
+    };
+  };
+  ExpectRefused("ScalarMode asks for an array on points, but none is chosen;", choose(nullptr));
+  ExpectRefused("no array of numbers named 'pressure' on its points;", choose("pressure"));
+  ExpectRefused("no array number 7 on its cells, or it holds no numbers;",
+    [](Grid&, Scene& scene)
+    {
+      scene.Mapper->SetScalarModeToUseCellFieldData();
+      scene.Mapper->SelectScalarArray(7);
     });
   ExpectRefused("no scalars", [](Grid& grid, Scene&) { grid->GetPointData()->Initialize(); });
   ExpectRefused("VectorComponent is 3",

@@ -273,7 +273,8 @@ void TestMistakes()
   ExpectError("no array of numbers named 'names'", ofPoints("names"));
   for (const int number : { 7, -1 })
   {
-    ExpectError("number " + std::to_string(number) + " on its points",
+    ExpectError(number < 0 ? "ScalarMode asks for an array on points, but none is chosen"
+                           : "no array number 7 on its points, or it holds no numbers",
       [number](Scene& scene)
       {
         scene.Mapper->SetScalarModeToUsePointFieldData();

@@ -4,13 +4,13 @@
 // Pictures of adaptive grids. With one level they are those of an image, byte for byte. With
 // several levels, no ray through the faces between them finds a hole.
 
+#include "Adaptive/AmrMesh.h"
 #include "AmrGrids.h"
 #include "Checks/AreIdentical.h"
 #include "Checks/Expect.h"
 #include "Checks/Sanitized.h"
 #include "LinearCells.h"
 #include "Scenes/Scene.h"
-#include "Shapes/AmrMesh.h"
 
 #include <vtkAbstractMapper.h>
 #include <vtkMultiBlockDataSet.h>

@@ -5,10 +5,10 @@
 // search at every vertex of the finest lattice finds, they fill the space between the cells'
 // centres without a gap, and their values are those of the cells.
 
+#include "Adaptive/AmrMesh.h"
 #include "AmrGrids.h"
 #include "Checks/Expect.h"
 #include "LinearCells.h"
-#include "Shapes/AmrMesh.h"
 
 #include <vtkAMRGaussianPulseSource.h>
 #include <vtkAbstractMapper.h>

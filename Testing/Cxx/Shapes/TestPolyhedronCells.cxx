@@ -13,7 +13,9 @@
 #include <vtkCellArray.h>
 #include <vtkCellTypeSource.h>
 #include <vtkIdList.h>
+#include <vtkIdTypeArray.h>
 #include <vtkUnsignedCharArray.h>
+#include <vtkVersionMacros.h>
 
 #include <cstdlib>
 #include <string>
@@ -207,8 +209,8 @@ void TestHidden()
   const std::array<std::uint8_t, 4> flags{ 0, 2, 0, 1 };
   std::vector<MeshPart> parts;
   std::string error;
-  Expect(AppendSubdividedCells(
-           comb.Made, comb.Made->GetPointData()->GetScalars(), 0, flags.data(), 2, parts, error) &&
+  Expect(AppendSubdividedCells(comb.Made.Get(), comb.Made->GetPointData()->GetScalars(), 0,
+           flags.data(), 2, parts, error) &&
       parts.size() == 1,
     "cells are made");
   std::map<std::int64_t, int> originals;
@@ -220,12 +222,13 @@ void TestHidden()
   Expect(originals == expected, "cells have their numbers, and that with the flag is left out");
 }
 
-void ExpectError(vtkUnstructuredGrid* grid, const std::string& part)
+void ExpectError(const GivenCells& cells, const std::string& part)
 {
+  vtkUnstructuredGrid* const grid = cells.Grid;
   std::vector<MeshPart> parts;
   std::string error;
-  Expect(
-    !AppendSubdividedCells(grid, grid->GetPointData()->GetScalars(), 0, nullptr, 0, parts, error) &&
+  Expect(!AppendSubdividedCells(
+           cells, grid->GetPointData()->GetScalars(), 0, nullptr, 0, parts, error) &&
       parts.empty(),
     "an error: " + part);
   Expect(error.find(part) != std::string::npos, "'" + error + "' tells '" + part + "'");
@@ -241,20 +244,91 @@ Grid WithCell(int type, const Corners& ids)
 
 void TestErrors()
 {
-  ExpectError(WithCell(VTK_QUADRATIC_TETRA, { 0, 1, 2, 3, 4, 5, 6, 7, 8 }),
-    "Cell 27 is a VTK_QUADRATIC_TETRA with 9 points, but needs 10");
-  ExpectError(WithCell(VTK_LAGRANGE_HEXAHEDRON, { 0, 1, 2, 3, 4, 5, 6, 7, 8 }),
-    "Cell 27 is a VTK_LAGRANGE_HEXAHEDRON with 9 points");
-  ExpectError(WithCell(VTK_HEXAGONAL_PRISM, { 0, 1, 2, 3, 4, 5, 6, 7 }), "8 points, but needs 12");
-  ExpectError(WithCell(VTK_PENTAGONAL_PRISM, { 0, 1, 2, 3, 4, 5, 6, 7, 8, 99 }), "point number 99");
+  ExpectError(WithCell(VTK_QUADRATIC_TETRA, { 0, 1, 2, 3, 4, 5, 6, 7, 8 }).Get(),
+    "Cell 27 of the input is a VTK_QUADRATIC_TETRA with 9 points, but needs 10");
+  ExpectError(WithCell(VTK_LAGRANGE_HEXAHEDRON, { 0, 1, 2, 3, 4, 5, 6, 7, 8 }).Get(),
+    "Cell 27 of the input is a VTK_LAGRANGE_HEXAHEDRON with 9 points");
+  ExpectError(
+    WithCell(VTK_HEXAGONAL_PRISM, { 0, 1, 2, 3, 4, 5, 6, 7 }).Get(), "8 points, but needs 12");
+  ExpectError(WithCell(VTK_PENTAGONAL_PRISM, { 0, 1, 2, 3, 4, 5, 6, 7, 8, 99 }).Get(),
+    "has the point 99, but");
   // Cells of other types are not looked at.
   std::vector<MeshPart> parts;
   std::string error;
   const Grid grid = WithCell(VTK_TETRA, { 0, 1, 99 });
-  Expect(
-    AppendSubdividedCells(grid, grid->GetPointData()->GetScalars(), 0, nullptr, 0, parts, error) &&
+  Expect(AppendSubdividedCells(
+           grid.Get(), grid->GetPointData()->GetScalars(), 0, nullptr, 0, parts, error) &&
       parts.empty(),
     "nothing to do");
+}
+
+/// An offset that is wrong by much or little, before or after its array.
+void TestWrongOffsets()
+{
+  for (const int type : { VTK_QUADRATIC_HEXAHEDRON, VTK_CONVEX_POINT_SET })
+  {
+    for (const double wrong : { -1.0, -1e12, -9e18, 7.0, 1e6, 1e8, 1e12, 9e18 })
+    {
+      const Grid grid = TileCubes(type, HexahedronPattern(type), 2);
+      GiveLinear(grid);
+      grid->GetCells()->GetOffsetsArray()->SetComponent(3, 0, wrong);
+      ExpectError({ grid, "Block 2 ('rotor')" },
+        "Cell 2 of Block 2 ('rotor') has points that begin or end outside of the ");
+    }
+  }
+}
+
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 4, 0) // later ones have no stream of faces
+
+/// Wrong numbers of faces and points, and wrong places of them.
+void TestWrongFaces()
+{
+  const auto expect =
+    [](const std::string& part, const std::function<void(vtkUnstructuredGrid*)>& spoil)
+  {
+    const Honeycomb comb(2, 1, [](int) { return VTK_POLYHEDRON; });
+    GiveLinear(comb.Made);
+    spoil(comb.Made);
+    ExpectError(comb.Made.Get(), part);
+  };
+  const auto outside = [&](vtkIdType at, vtkIdType wrong)
+  {
+    expect("Cell 0 of the input is a VTK_POLYHEDRON with faces that begin or end outside",
+      [=](vtkUnstructuredGrid* grid) { grid->GetFaces()->SetValue(at, wrong); });
+  };
+  for (const vtkIdType wrong : { vtkIdType(-1), vtkIdType(1000000000), vtkIdType(1) << 62 })
+  {
+    outside(0, wrong); // faces
+    outside(1, wrong); // points of the first face
+    expect("Cell 0 of the input is a VTK_POLYHEDRON with faces that name points which are not",
+      [=](vtkUnstructuredGrid* grid) { grid->GetFaces()->SetValue(2, wrong); });
+  }
+  for (const vtkIdType wrong : { vtkIdType(-2), vtkIdType(1) << 40 })
+  {
+    expect("Cell 1 of the input is a VTK_POLYHEDRON with faces that begin or end outside",
+      [=](vtkUnstructuredGrid* grid) { grid->GetFaceLocations()->SetValue(1, wrong); });
+  }
+  expect("Cell 2 of the input is a VTK_POLYHEDRON with faces that begin or end outside",
+    [](vtkUnstructuredGrid* grid) { grid->GetFaceLocations()->SetNumberOfValues(2); });
+  for (const bool hasLocation : { false, true })
+  {
+    expect("Cell 3 of the input is a VTK_POLYHEDRON without faces",
+      [=](vtkUnstructuredGrid* grid)
+      {
+        const vtkIdType location = grid->GetFaceLocations()->GetValue(3);
+        grid->GetFaces()->SetValue(location, 0);
+        grid->GetFaceLocations()->SetValue(3, hasLocation ? location : -1);
+      });
+  }
+}
+
+#endif
+
+void TestWithoutFaces()
+{
+  const Grid grid = WithCell(VTK_HEXAHEDRON, { 0, 1, 4, 3, 9, 10, 13, 12 });
+  grid->GetCellTypesArray()->SetValue(5, VTK_POLYHEDRON);
+  ExpectError(grid.Get(), "Cell 5 of the input is a VTK_POLYHEDRON without faces; give them");
 }
 
 /// All points of a cell at one place, or on a line, or one of them NaN: no crash, no endless loop.
@@ -272,8 +346,8 @@ void TestDegenerate()
   grid->InsertNextCell(VTK_TRIQUADRATIC_HEXAHEDRON, 27, same.data());
   std::vector<MeshPart> parts;
   std::string error;
-  Expect(
-    AppendSubdividedCells(grid, grid->GetPointData()->GetScalars(), 0, nullptr, 0, parts, error),
+  Expect(AppendSubdividedCells(
+           grid.Get(), grid->GetPointData()->GetScalars(), 0, nullptr, 0, parts, error),
     "degenerate cells are divided " + error);
 }
 
@@ -285,6 +359,11 @@ int TestPolyhedronCells(int, char*[])
   TestOthers();
   TestHidden();
   TestErrors();
+  TestWrongOffsets();
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 4, 0)
+  TestWrongFaces();
+#endif
+  TestWithoutFaces();
   TestDegenerate();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -4,21 +4,26 @@
 // The mapper draws adaptive grids and curved cells, keeps what it made, and notices changes.
 
 #include "AmrGrids.h"
-#include "Checks/EventCounter.h"
 #include "Checks/Expect.h"
 #include "CurvedGrids.h"
+#include "Scenes/Mistake.h"
 #include "Scenes/Scene.h"
 #include "Truth/SameSurface.h"
 
-#include <vtkCallbackCommand.h>
+#include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkCellTypeSource.h>
+#include <vtkIdTypeArray.h>
 #include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkMultiBlockDataSet.h>
 #include <vtkPointData.h>
-#include <vtkTestErrorObserver.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkVersionMacros.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -160,129 +165,184 @@ void TestCurved()
     "curved cells: an image has no error");
 }
 
-/// Bent quadratic cells, of which many linear ones are made.
-vtkSmartPointer<vtkUnstructuredGrid> BentGrid(int n)
+/// Render, and expect that all is set up, for the picture of a mapper without a past.
+void ExpectBuilt(const std::string& name, Scene& scene, vtkUnstructuredGrid* grid)
 {
-  auto grid = TileCubes(VTK_QUADRATIC_HEXAHEDRON, HexahedronPattern(VTK_QUADRATIC_HEXAHEDRON), n);
-  Bend(grid, 1.0, 0.1, 0.0);
+  vtkNew<vtkImageData> before;
+  before->DeepCopy(scene.Depth);
+  Expect(scene.Render(70, 60) && scene.Mapper->GetMeshSetUp() == Mapper::MESH_BUILT,
+    name + ": set up " + std::to_string(scene.Mapper->GetMeshSetUp()));
+  Scene cold(grid, { 0.6 });
+  cold.Renderer->GetActiveCamera()->DeepCopy(scene.Renderer->GetActiveCamera());
+  Expect(cold.Render(70, 60), name + ": cold");
+  Expect(AreIdentical(cold.Color, scene.Color) && AreIdentical(cold.Depth, scene.Depth),
+    name + ": not the cold picture");
+  Expect(!AreIdentical(before, scene.Depth), name + ": another picture");
+}
+
+void GiveSlope(vtkUnstructuredGrid* grid)
+{
   vtkNew<vtkDoubleArray> values;
   for (vtkIdType p = 0; p < grid->GetNumberOfPoints(); ++p)
   {
     glm::dvec3 at;
     grid->GetPoint(p, &at.x);
-    values->InsertNextValue(glm::length(at - 0.45));
+    values->InsertNextValue(Slope(at));
   }
   grid->GetPointData()->SetScalars(values);
+}
+
+/// Cubes as polyhedra.
+/// \param missing gets the faces of its neighbour instead of its own
+vtkSmartPointer<vtkUnstructuredGrid> Polyhedra(vtkIdType missing)
+{
+  constexpr int faces[6][4] = { { 0, 3, 2, 1 }, { 4, 5, 6, 7 }, { 0, 1, 5, 4 }, { 1, 2, 6, 5 },
+    { 2, 3, 7, 6 }, { 3, 0, 4, 7 } };
+  const auto cubes = TileCubes(VTK_HEXAHEDRON, HexahedronPattern(VTK_HEXAHEDRON), 4);
+  const auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->SetPoints(cubes->GetPoints());
+  for (vtkIdType cell = 0; cell < cubes->GetNumberOfCells(); ++cell)
+  {
+    vtkNew<vtkIdList> own, shown;
+    cubes->GetCellPoints(cell, own);
+    cubes->GetCellPoints(cell == missing ? cell ^ 1 : cell, shown);
+    std::vector<vtkIdType> stream;
+    for (const auto& face : faces)
+    {
+      stream.push_back(4);
+      for (const int corner : face)
+      {
+        stream.push_back(shown->GetId(corner));
+      }
+    }
+    grid->InsertNextCell(VTK_POLYHEDRON, 8, own->GetPointer(0), 6, stream.data());
+  }
+  GiveSlope(grid);
   return grid;
 }
 
-/// What is made of cells counts: it is refused before it is there, and the user's cells are told.
-void ExpectLimit(const std::string& what, vtkDataObject* data, double isovalue, vtkIdType cells)
+/// Other faces are noticed, whether they are new objects or written in place.
+void TestNewFaces()
 {
-  Scene scene(nullptr, { isovalue });
-  scene.Mapper->SetInputDataObject(data);
-  scene.LookFrom(1.0, 2.0, 0.7);
-  Expect(scene.Render(30, 30), what + ": drawn without a limit");
-  const double needed = scene.Mapper->GetMeshMemory();
-  Expect(needed > 3 << 20, what + ": needs " + std::to_string(needed) + " bytes");
-  int drawn = 0;
-  for (int limit = 1; limit < 3.0 * needed / (1 << 20) && drawn < 2; ++limit)
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 4, 0) // later ones have no stream of faces
+  for (const bool isInPlace : { true, false })
   {
-    Scene limited(nullptr, { isovalue });
-    limited.Mapper->SetInputDataObject(data);
-    limited.Mapper->SetMeshMemoryLimit(limit);
-    limited.LookFrom(1.0, 2.0, 0.7);
-    vtkNew<vtkTest::ErrorObserver> observer;
-    limited.Mapper->AddObserver(vtkCommand::ErrorEvent, observer);
-    const bool isDrawn = limited.Render(30, 30);
-    drawn += isDrawn;
-    const std::string name = what + ", " + std::to_string(limit) + " MiB: ";
-    const double kept = limited.Mapper->GetMeshMemory();
-    Expect(!isDrawn || kept <= limit * 1048576.0, name + "keeps " + std::to_string(kept));
-    const std::string words = "The input has " + std::to_string(cells) + " cells, which need";
-    Expect(isDrawn || observer->GetErrorMessage().find(words) != std::string::npos,
-      name + "tells " + observer->GetErrorMessage());
-  }
-  Expect(drawn == 2, what + ": a limit that does");
-}
-
-void TestMemoryLimit()
-{
-  const auto grid = BentGrid(6);
-  ExpectLimit("curved cells", grid, 0.3, grid->GetNumberOfCells());
-  AmrTestLevels levels;
-  levels.Spacing = glm::dvec3(0.5);
-  levels.Ratios = { 2 };
-  levels.Boxes = { CutBox({ glm::ivec3(0), glm::ivec3(39) }, 20),
-    CutBox({ glm::ivec3(8), glm::ivec3(47) }, 20) };
-  ExpectLimit("levels", MakeAmr(levels, Slope), 6.0, 2 * 40 * 40 * 40);
-}
-
-/// New values of the same cells need no new cells, and nothing tells what was drawn before.
-void TestNewValuesOfCurved()
-{
-  const auto grid = BentGrid(5);
-  Scene scene(grid, { 0.3 });
-  scene.LookFrom(1.0, 2.0, 0.7);
-  Expect(scene.Render(90, 90), "new values: drawn");
-  vtkDataArray* values = grid->GetPointData()->GetScalars();
-  for (const double wave : { 0.0, 0.02, 1.0, 0.0 })
-  {
-    for (vtkIdType p = 0; p < grid->GetNumberOfPoints(); ++p)
+    const auto grid = Polyhedra(-1);
+    Scene scene(grid, { 0.6 });
+    scene.LookFrom(1.0, 2.0, 0.7);
+    Expect(scene.Render(70, 60), "faces: rendered");
+    const vtkIdType seen = scene.Mapper->PickCell(35, 30, nullptr);
+    Expect(seen >= 0, "faces: a cell is seen");
+    const auto other = Polyhedra(seen);
+    if (isInPlace)
     {
-      glm::dvec3 at;
-      grid->GetPoint(p, &at.x);
-      values->SetComponent(p, 0, glm::length(at - 0.48) + wave * std::sin(40.0 * at.x));
+      grid->GetFaces()->DeepCopy(other->GetFaces());
+      grid->GetFaces()->Modified();
     }
-    values->Modified();
-    Scene fresh(grid, { 0.3 });
-    fresh.Renderer->SetActiveCamera(scene.Renderer->GetActiveCamera());
-    Expect(scene.Render(90, 90) && fresh.Render(90, 90), "new values: drawn again");
-    Expect(AreIdentical(scene.Depth, fresh.Depth) && AreIdentical(scene.Color, fresh.Color),
-      "new values: another picture than that of a new mapper");
-    Expect(scene.Mapper->GetMeshValueError() == fresh.Mapper->GetMeshValueError() &&
-        scene.Mapper->GetMeshPointError() == fresh.Mapper->GetMeshPointError(),
-      "new values: another error");
+    else
+    {
+      grid->SetCells(
+        grid->GetCellTypesArray(), grid->GetCells(), other->GetFaceLocations(), other->GetFaces());
+    }
+    ExpectBuilt(isInPlace ? "faces in place" : "new faces", scene, grid);
+  }
+#endif
+}
+
+/// Weights and degrees tell where the points lie that are made.
+void TestWeightsAndDegrees()
+{
+  vtkNew<vtkCellTypeSource> source;
+  source->SetCellType(VTK_BEZIER_HEXAHEDRON);
+  source->SetCellOrder(2);
+  source->SetBlocksDimensions(2, 2, 2);
+  source->Update();
+  const auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->DeepCopy(source->GetOutput());
+  vtkNew<vtkDoubleArray> weights;
+  weights->SetName("weights");
+  for (vtkIdType p = 0; p < grid->GetNumberOfPoints(); ++p)
+  {
+    double at[3];
+    grid->GetPoint(p, at);
+    grid->GetPoints()->SetPoint(p, at[0] + 0.1 * std::sin(3.0 * at[1]), at[1], at[2]);
+    weights->InsertNextValue(1.0);
+  }
+  GiveSlope(grid);
+  grid->GetPointData()->SetRationalWeights(weights);
+  Scene scene(grid, { 0.6 });
+  scene.LookFrom(1.0, 2.0, 0.7);
+  Expect(scene.Render(70, 60), "weights: rendered");
+  const auto spoil = [&](double by)
+  {
+    for (vtkIdType p = 0; p < weights->GetNumberOfTuples(); p += 2)
+    {
+      weights->SetValue(p, weights->GetValue(p) * by);
+    }
+  };
+  spoil(3.0);
+  weights->Modified();
+  ExpectBuilt("weights", scene, grid);
+  spoil(2.0);
+  grid->Modified();
+  ExpectBuilt("weights, told by the grid", scene, grid);
+  vtkNew<vtkDoubleArray> others;
+  others->DeepCopy(weights);
+  others->FillValue(1.0);
+  grid->GetPointData()->SetRationalWeights(others);
+  ExpectBuilt("new weights", scene, grid);
+}
+
+/// A point is told by its number in the data, not in the cells that are made.
+void TestBadPoint()
+{
+  for (const double bad : { std::nan(""), std::numeric_limits<double>::infinity() })
+  {
+    for (const bool isCurved : { false, true })
+    {
+      const auto grid = isCurved
+        ? TileCubes(VTK_QUADRATIC_HEXAHEDRON, HexahedronPattern(VTK_QUADRATIC_HEXAHEDRON), 4)
+        : Polyhedra(-1);
+      GiveSlope(grid);
+      Scene scene(grid, { 0.6 });
+      scene.LookFrom(1.0, 2.0, 0.7);
+      vtkNew<vtkIdList> corners;
+      grid->GetCellPoints(20, corners);
+      const vtkIdType spoilt = corners->GetId(5);
+      Mistake mistake(scene, " of the input has the point " + std::to_string(spoilt) + " at (");
+      double place[3];
+      grid->GetPoint(spoilt, place);
+      grid->GetPoints()->SetPoint(spoilt, place[0], bad, place[2]);
+      grid->GetPoints()->Modified();
+      mistake.ExpectRefused();
+      grid->GetPoints()->SetPoint(spoilt, place);
+      grid->GetPoints()->Modified();
+      mistake.ExpectMended();
+    }
   }
 }
 
-/// Dividing cells tells of progress from the beginning, and can be stopped.
-void TestProgress()
+/// A wrong cell is told with its block, and the last picture stays.
+void TestMistakes()
 {
-  struct Listener
-  {
-    Mapper* Of = nullptr;
-    double StopAt = 2.0;
-    std::vector<double> Told;
-  } listener;
-  const auto grid = BentGrid(12);
-  Scene scene(grid, { 0.3 });
+  TestBadPoint();
+  const auto grid = Polyhedra(-1);
+  Scene scene(grid, { 0.6 });
   scene.LookFrom(1.0, 2.0, 0.7);
-  vtkNew<vtkCallbackCommand> command;
-  command->SetClientData(&listener);
-  command->SetCallback(
-    [](vtkObject*, unsigned long, void* to, void* progress)
-    {
-      auto& of = *static_cast<Listener*>(to);
-      of.Told.push_back(*static_cast<double*>(progress));
-      if (of.Told.back() >= of.StopAt)
-      {
-        of.Of->SetAbortExecute(1);
-      }
-    });
-  scene.Mapper->AddObserver(vtkCommand::VolumeMapperRenderProgressEvent, command);
-  for (const double stopAt : { 0.0, 0.05, 0.15, 0.24 })
-  {
-    listener = { scene.Mapper, stopAt, {} };
-    EventCounter errors(scene.Mapper, vtkCommand::ErrorEvent);
-    Expect(!scene.Render(30, 30) && errors.Count == 0 && !listener.Told.empty() &&
-        listener.Told.back() < stopAt + 0.1,
-      "progress: stopped at " + std::to_string(stopAt));
-  }
-  listener = { scene.Mapper, 2.0, {} };
-  Expect(scene.Render(30, 30) && std::is_sorted(listener.Told.begin(), listener.Told.end()) &&
-      listener.Told.front() < 0.01 && listener.Told.back() == 1.0,
-    "progress: from the beginning to the end");
+  Mistake mistake(
+    scene, "Cell 2 of Block 2 ('rotor') has points that begin or end outside of the 160 point ids");
+  const auto curved =
+    TileCubes(VTK_QUADRATIC_HEXAHEDRON, HexahedronPattern(VTK_QUADRATIC_HEXAHEDRON), 2);
+  GiveSlope(curved);
+  curved->GetCells()->GetOffsetsArray()->SetComponent(3, 0, 1e8);
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, grid);
+  blocks->SetBlock(1, curved);
+  blocks->GetMetaData(1u)->Set(vtkCompositeDataSet::NAME(), "rotor");
+  scene.Mapper->SetInputDataObject(blocks);
+  mistake.ExpectRefused();
+  scene.Mapper->SetInputData(grid);
+  mistake.ExpectMended();
 }
 
 }
@@ -292,8 +352,8 @@ int TestShapesDrawn(int, char*[])
   TestOneLevel();
   TestLevels();
   TestCurved();
-  TestMemoryLimit();
-  TestNewValuesOfCurved();
-  TestProgress();
+  TestNewFaces();
+  TestWeightsAndDegrees();
+  TestMistakes();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -8,6 +8,7 @@
 #include "Input/GhostArray.h"
 #include "Input/SamplesOfArray.h"
 #include "Scene/Parallel.h"
+#include "Shapes/GivenCells.h"
 #include "Shapes/SubdividedCells.h"
 
 #include <vtkCellArray.h>
@@ -63,6 +64,13 @@ bool SetConnectivity(const GridLeaf& leaf, vtkCellArray* cells, MeshPart& part, 
     FindIds(leaf, cells->GetConnectivityArray(), "point ids", part.Connectivity, error);
 }
 
+/// That a data set has cells of a type, for a message.
+std::string TextOfType(const GridLeaf& leaf, std::size_t type, std::int64_t count)
+{
+  return leaf.Name + " has " + std::to_string(count) + (count == 1 ? " cell" : " cells") +
+    " of type " + std::to_string(type) + ", which ";
+}
+
 bool SetTypes(vtkUnstructuredGrid* grid, const GridLeaf& leaf, MeshPart& part, CellCensus& census,
   std::string& error)
 {
@@ -85,16 +93,15 @@ bool SetTypes(vtkUnstructuredGrid* grid, const GridLeaf& leaf, MeshPart& part, C
     const int dimension = DimensionOfType(static_cast<int>(type));
     if (dimension < 0)
     {
-      error = leaf.Name + " has " + std::to_string(counts[type]) + " cells of type " +
-        std::to_string(type) + ", which VTK does not know; leave them out with vtkExtractCells.";
+      error = TextOfType(leaf, type, counts[type]) + "VTK does not know; leave " +
+        (counts[type] == 1 ? "it" : "them") + " out with vtkExtractCells.";
       return false;
     }
     const bool isOther = dimension == 3 && !IsLinear(static_cast<int>(type));
     if (isOther && !IsSubdivided(static_cast<int>(type)))
     {
-      error = leaf.Name + " has " + std::to_string(counts[type]) + " cells of type " +
-        std::to_string(type) + ", which cannot be drawn; make others of them, for example with " +
-        "vtkDataSetTriangleFilter.";
+      error = TextOfType(leaf, type, counts[type]) + "cannot be drawn; make others of " +
+        (counts[type] == 1 ? "it" : "them") + ", for example with vtkDataSetTriangleFilter.";
       return false;
     }
     census.HasOthers = census.HasOthers || isOther;
@@ -177,6 +184,12 @@ void NoteCells(const GridLeaf& leaf, MadeFrom& from)
   if (auto* grid = vtkUnstructuredGrid::SafeDownCast(leaf.Data))
   {
     from.Add(grid->GetCellTypesArray());
+    for (const auto& [array, time] : FaceArraysOf(grid))
+    {
+      from.Add(array, time);
+    }
+    from.Add(grid->GetPointData()->GetRationalWeights());
+    from.Add(grid->GetCellData()->GetHigherOrderDegrees());
   }
   from.Add(GhostsOf(leaf.Data->GetCellData()));
   from.Add(GhostsOf(leaf.Data->GetPointData()));

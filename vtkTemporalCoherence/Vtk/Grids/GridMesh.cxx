@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Grids/GridMesh.h"
 
+#include "Adaptive/AmrMesh.h"
 #include "Grids/AmrGrids.h"
-#include "Shapes/AmrMesh.h"
 #include "Shapes/SubdividedCells.h"
 
 #include <vtkDataSet.h>
+#include <vtkPointData.h>
 #include <vtkUniformGrid.h>
 #include <vtkUniformGridAMR.h>
 #include <vtkUnstructuredGrid.h>
@@ -25,6 +26,30 @@ std::uint64_t NewStamp()
 {
   static std::atomic<std::uint64_t> last(0);
   return ++last;
+}
+
+bool HasSameNumbers(const MeshArray& a, const MeshArray& b, std::int64_t count)
+{
+  std::int64_t i = 0;
+  while (i < count && a.At(i) == b.At(i))
+  {
+    ++i;
+  }
+  return i >= count;
+}
+
+/// True if parts that were made of the same data set differ in nothing but values.
+bool HaveSameCells(const MeshPart& a, const MeshPart& b)
+{
+  return a.NumberOfCells == b.NumberOfCells && a.NumberOfPoints == b.NumberOfPoints &&
+    a.ConnectivitySize == b.ConnectivitySize &&
+    std::equal(a.Types, a.Types + a.NumberOfCells, b.Types) &&
+    HasSameNumbers(a.Offsets, b.Offsets, a.NumberOfCells + 1) &&
+    HasSameNumbers(a.Connectivity, b.Connectivity, a.ConnectivitySize) &&
+    HasSameNumbers(a.Originals, b.Originals, a.NumberOfCells) &&
+    HasSameNumbers(a.Coordinates[0], b.Coordinates[0], a.NumberOfPoints) &&
+    HasSameNumbers(a.Coordinates[1], b.Coordinates[1], a.NumberOfPoints) &&
+    HasSameNumbers(a.Coordinates[2], b.Coordinates[2], a.NumberOfPoints);
 }
 
 }
@@ -92,7 +117,9 @@ bool GridMesh::SeeOthers(
 {
   auto* const grid = vtkUnstructuredGrid::SafeDownCast(leaf.Data);
   bool isStopped = false;
-  if (!this->ArePointsNew && !made.Others.empty() &&
+  // Rational weights move points, and Modified() of the grid tells of nothing in particular.
+  const bool arePointsKept = !this->ArePointsNew && !grid->GetPointData()->GetRationalWeights();
+  if (arePointsKept && !made.Others.empty() &&
     SetSubdividedValues(grid, made.Made.Values.Array, made.Made.Values.Component, budget.Report,
       made.Kept, made.Others.front(), isStopped))
   {
@@ -108,17 +135,17 @@ bool GridMesh::SeeOthers(
   made.Kept = KeptDivision();
   const PointValues& values = made.Made.Values;
   Subdivision division;
-  if (!AppendSubdividedCells(grid, values.Array, values.Component, made.Part.Flags,
+  const GivenCells cells(grid, leaf.Block ? leaf.Name : "the input");
+  if (!AppendSubdividedCells(cells, values.Array, values.Component, made.Part.Flags,
         made.Part.HidingFlags, made.Others, error, &division, &budget, &made.Kept))
   {
     return false;
   }
   made.Error = { division.ErrorOfPoints, division.ErrorOfValues };
-  // Into how many cells each one is divided depends on points and values.
+  // Into how many cells each one is divided depends on points and values. Weights and faces may
+  // have changed, too: Modified() of the grid tells no more than that something did.
   const bool areSame = !this->ArePointsNew &&
-    std::equal(last.begin(), last.end(), made.Others.begin(), made.Others.end(),
-      [](const MeshPart& a, const MeshPart& b)
-      { return a.NumberOfCells == b.NumberOfCells && a.NumberOfPoints == b.NumberOfPoints; });
+    std::equal(last.begin(), last.end(), made.Others.begin(), made.Others.end(), HaveSameCells);
   this->AreOthersNew = this->AreOthersNew || !areSame;
   return true;
 }

@@ -3,37 +3,48 @@
 #ifndef TemporalCoherence_MadeFrom_h
 #define TemporalCoherence_MadeFrom_h
 
-#include <vtkObject.h>
+#include "vtkTemporalCoherenceCompatibility.h"
 
-#include <algorithm>
+#include <vtkType.h>
+
 #include <utility>
 #include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkDataArray;
+class vtkObject;
+VTK_ABI_NAMESPACE_END
 
 namespace TemporalCoherence
 {
 
 /// What something was made from, to be compared: arrays by their addresses and times, and numbers.
 /// An address may dangle. But no two objects of a process have the same address and time.
+///
+/// The numbers of an array are also compared by where they lie and how many there are: an array
+/// that grows or shrinks moves them, and its time stays the same.
 class MadeFrom
 {
 public:
-  /// \param array may be null
-  /// \param time  if others than the array tell that it may have changed
-  void Add(vtkObject* array, vtkMTimeType time = 0)
-  {
-    this->Arrays.emplace_back(array, array ? std::max(time, array->GetMTime()) : 0);
-  }
+  /// \param object may be null
+  /// \param time   if others than the object tell that it may have changed
+  void Add(vtkObject* object, vtkMTimeType time = 0);
+
+  /// The same of an array.
+  void Add(vtkDataArray* array, vtkMTimeType time = 0);
 
   void Add(double number) { this->Numbers.push_back(number); }
 
   bool operator==(const MadeFrom& other) const
   {
-    return this->Arrays == other.Arrays && this->Numbers == other.Numbers;
+    return this->Objects == other.Objects && this->Places == other.Places &&
+      this->Numbers == other.Numbers;
   }
   bool operator!=(const MadeFrom& other) const { return !(*this == other); }
 
 private:
-  std::vector<std::pair<const vtkObject*, vtkMTimeType>> Arrays;
+  std::vector<std::pair<const vtkObject*, vtkMTimeType>> Objects;
+  std::vector<const void*> Places;
   std::vector<double> Numbers;
 };
 

@@ -5,8 +5,12 @@
 #include "Trees/MeshTree.h"
 
 #include <vtkDataSet.h>
+#include <vtkIdList.h>
+#include <vtkNew.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace TemporalCoherence
@@ -51,6 +55,53 @@ std::string TextOfPoint(const MeshPart* part, std::int64_t point)
   return text.str();
 }
 
+/// The point of a cell for which one that was made of it is not finite or too far away: it is not
+/// finite itself, or the farthest; -1 if there is none.
+vtkIdType WorstPointOf(const CellOrigin& cell)
+{
+  vtkIdType worst = -1;
+  if (!cell.Data || cell.Cell < 0)
+  {
+    return worst;
+  }
+  vtkNew<vtkIdList> points;
+  cell.Data->GetCellPoints(cell.Cell, points);
+  double farthest = -1.0;
+  for (const vtkIdType point : *points)
+  {
+    glm::dvec3 at;
+    cell.Data->GetPoint(point, &at.x);
+    const glm::dvec3 along = glm::abs(at);
+    const double distance = std::isfinite(along.x + along.y + along.z)
+      ? std::max({ along.x, along.y, along.z })
+      : std::numeric_limits<double>::infinity();
+    if (distance > farthest)
+    {
+      farthest = distance;
+      worst = point;
+    }
+  }
+  return worst;
+}
+
+/// The point that is not finite or too far away, by the number that it has in the data.
+std::string TextOfBadPoint(const MeshPart* part, std::int64_t point, const CellOrigin& origin)
+{
+  if (!part || !part->Originals.First)
+  {
+    return TextOfPoint(part, point);
+  }
+  const vtkIdType given = WorstPointOf(origin);
+  if (given < 0)
+  {
+    return " has a point";
+  }
+  const double* const at = origin.Data->GetPoint(given);
+  std::ostringstream text;
+  text << " has the point " << given << " at (" << at[0] << ", " << at[1] << ", " << at[2] << ')';
+  return text.str();
+}
+
 std::string TextOfCount(const MeshPart* part, std::int64_t cell)
 {
   std::ostringstream text;
@@ -78,7 +129,8 @@ std::string TextOf(const MeshProblem& problem, const Mesh& mesh, const CellOrigi
 {
   std::int64_t inPart = problem.Cell;
   const MeshPart* const part = PartWith(mesh, inPart);
-  const std::string cell = NameOf(origins.Of(problem.Cell), leaves);
+  const CellOrigin origin = origins.Of(problem.Cell);
+  const std::string cell = NameOf(origin, leaves);
   switch (problem.Defect)
   {
     case MeshDefect::TooManyCells:
@@ -95,8 +147,8 @@ std::string TextOf(const MeshProblem& problem, const Mesh& mesh, const CellOrigi
     case MeshDefect::WrongNumberOfPoints:
       return cell + TextOfCount(part, inPart) + Correct;
     case MeshDefect::PointNotFinite:
-      return cell + TextOfPoint(part, problem.Point) + ", which is not finite or too far away" +
-        Correct;
+      return cell + TextOfBadPoint(part, problem.Point, origin) +
+        ", which is not finite or too far away" + Correct;
     case MeshDefect::NoMemory:
     case MeshDefect::None:
     case MeshDefect::Stopped:

@@ -92,10 +92,28 @@ DrawnComponent ChooseComponent(
   return drawn;
 }
 
+namespace
+{
+
+std::string WhyThereIsNoSuchArray(const ScalarChoice& choice)
+{
+  const std::string places = IsOnCells(choice) ? "cells" : "points";
+  if (choice.IsByName ? choice.Name.empty() : choice.Number < 0)
+  {
+    return "ScalarMode asks for an array on " + places +
+      ", but none is chosen; choose one with SelectScalarArray.";
+  }
+  return (choice.IsByName
+             ? "The input has no array of numbers named '" + choice.Name + "' on its " + places
+             : "The input has no array number " + std::to_string(choice.Number) + " on its " +
+               places + ", or it holds no numbers") +
+    "; choose an existing one with SelectScalarArray.";
+}
+
+}
+
 std::string WhyThereAreNoScalars(const ScalarChoice& choice)
 {
-  const std::string array =
-    choice.IsByName ? "named '" + choice.Name + "'" : "number " + std::to_string(choice.Number);
   switch (choice.Mode)
   {
     case VTK_SCALAR_MODE_DEFAULT:
@@ -112,9 +130,7 @@ std::string WhyThereAreNoScalars(const ScalarChoice& choice)
              "SetScalarModeToDefault or SetScalarModeToUsePointData.";
     case VTK_SCALAR_MODE_USE_POINT_FIELD_DATA:
     case VTK_SCALAR_MODE_USE_CELL_FIELD_DATA:
-      return "The input has no array of numbers " + array + " on its " +
-        (choice.Mode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA ? "cells" : "points") +
-        "; choose an existing one with SelectScalarArray.";
+      return WhyThereIsNoSuchArray(choice);
     case VTK_SCALAR_MODE_USE_FIELD_DATA:
       return "Arrays of field data (ScalarMode VTK_SCALAR_MODE_USE_FIELD_DATA) have no place in "
              "space; call SetScalarModeToUsePointFieldData or SetScalarModeToUseCellFieldData.";

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Request/FieldFromMapper.h"
 
+#include "Adaptive/AmrMesh.h"
 #include "Request/EmptyInput.h"
-#include "Shapes/AmrMesh.h"
 
 #include <vtkDataObjectTree.h>
 #include <vtkImageData.h>

@@ -112,8 +112,9 @@ bool IsCurved(int type)
   return Find(type) != nullptr;
 }
 
-CurvedCellFinder::CurvedCellFinder(vtkUnstructuredGrid* grid)
-  : Grid(grid)
+CurvedCellFinder::CurvedCellFinder(const GivenCells& given)
+  : Given(given)
+  , Grid(given.Grid)
 {
 }
 
@@ -142,8 +143,8 @@ bool CurvedCellFinder::FindKind(
     type.NumberOfPoints > 0 ? type.Order : FindOrder(type.Shape, points, this->DegreesOf(cell));
   if (order == 0 || (type.NumberOfPoints > 0 && type.NumberOfPoints != points))
   {
-    error = "Cell " + std::to_string(cell) + " is a " + type.Name + " with " +
-      std::to_string(points) + " points, but needs " +
+    error = this->Given.NameOf(cell) + " is a " + type.Name + " with " + std::to_string(points) +
+      " points, but needs " +
       (type.NumberOfPoints > 0
           ? std::to_string(type.NumberOfPoints)
           : "as many as an order of up to " + std::to_string(HighestOrder) + " has") +

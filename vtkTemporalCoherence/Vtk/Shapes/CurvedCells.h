@@ -4,6 +4,7 @@
 #define TemporalCoherence_CurvedCells_h
 
 #include "Shapes/CellDivision.h"
+#include "Shapes/GivenCells.h"
 #include "vtkTemporalCoherenceCompatibility.h"
 
 #include <vtkType.h>
@@ -48,7 +49,7 @@ bool IsCurved(int type);
 class CurvedCellFinder
 {
 public:
-  explicit CurvedCellFinder(vtkUnstructuredGrid* grid);
+  explicit CurvedCellFinder(const GivenCells& given);
 
   /// \pre the cell has a curved type
   /// \return false on error
@@ -60,6 +61,7 @@ private:
   bool FindKind(vtkIdType cell, int points, CurvedKind& kind, std::string& error) const;
   std::array<int, 3> DegreesOf(vtkIdType cell) const;
 
+  GivenCells Given;
   vtkUnstructuredGrid* Grid;
   std::map<std::array<int, 5>, std::uint32_t> Known; ///< type, points and degrees
 };

@@ -22,8 +22,9 @@ bool IsPolyhedron(int type)
 }
 
 PolyhedronCells::PolyhedronCells(
-  vtkUnstructuredGrid* grid, const PointReader& reader, SharedPoints& shared, MadeCells& made)
-  : Grid(grid)
+  const GivenCells& given, const PointReader& reader, SharedPoints& shared, MadeCells& made)
+  : Given(given)
+  , Grid(given.Grid)
   , Reader(reader)
   , Shared(shared)
   , Made(made)
@@ -44,45 +45,11 @@ bool PolyhedronCells::Add(vtkIdType cell, std::string& error)
   }
 }
 
-/// The faces of a polyhedron. Those with less than three points are left out.
-bool PolyhedronCells::ReadFaces(vtkIdType cell, std::vector<Face>& faces) const
-{
-  this->Grid->GetFaceStream(cell, this->Ids);
-  const vtkIdType length = this->Ids->GetNumberOfIds();
-  vtkIdType at = 1;
-  for (vtkIdType f = 0; length > 0 && f < this->Ids->GetId(0); ++f)
-  {
-    const vtkIdType count = at < length ? this->Ids->GetId(at++) : -1;
-    if (count < 0 || count > length - at)
-    {
-      return false;
-    }
-    Face face;
-    for (vtkIdType p = 0; p < count; ++p)
-    {
-      const vtkIdType point = this->Ids->GetId(at++);
-      if (point < 0 || point >= this->Grid->GetNumberOfPoints())
-      {
-        return false;
-      }
-      face.push_back(point);
-    }
-    if (face.size() >= 3)
-    {
-      faces.push_back(face);
-    }
-  }
-  return true;
-}
-
 bool PolyhedronCells::AddPolyhedron(vtkIdType cell, std::string& error)
 {
   std::vector<Face> faces;
-  if (!this->ReadFaces(cell, faces))
+  if (!this->Given.ReadFaces(cell, faces, error))
   {
-    error = "Cell " + std::to_string(cell) +
-      " is a VTK_POLYHEDRON with faces that name points which are not there; correct its faces or "
-      "leave it out with vtkExtractCells.";
     return false;
   }
   Face corners;
@@ -138,7 +105,7 @@ bool PolyhedronCells::AddPrism(vtkIdType cell, std::string& error)
   this->Grid->GetCells()->GetCellAtId(cell, this->Ids);
   if (this->Ids->GetNumberOfIds() != 2 * corners)
   {
-    error = "Cell " + std::to_string(cell) + " is a " +
+    error = this->Given.NameOf(cell) + " is a " +
       (hasFive ? "VTK_PENTAGONAL_PRISM" : "VTK_HEXAGONAL_PRISM") + " with " +
       std::to_string(this->Ids->GetNumberOfIds()) + " points, but needs " +
       std::to_string(2 * corners) + "; correct the cell or leave it out with vtkExtractCells.";

@@ -3,6 +3,7 @@
 #ifndef TemporalCoherence_PolyhedronCells_h
 #define TemporalCoherence_PolyhedronCells_h
 
+#include "Shapes/GivenCells.h"
 #include "Shapes/MadeCells.h"
 #include "Shapes/PointReader.h"
 #include "Shapes/SharedPoints.h"
@@ -36,25 +37,25 @@ class PolyhedronCells
 {
 public:
   PolyhedronCells(
-    vtkUnstructuredGrid* grid, const PointReader& reader, SharedPoints& shared, MadeCells& made);
+    const GivenCells& given, const PointReader& reader, SharedPoints& shared, MadeCells& made);
 
   /// \pre the cell has such a type
   /// \return false on error
   bool Add(vtkIdType cell, std::string& error);
 
 private:
-  using Face = std::vector<vtkIdType>;
+  using Face = GivenCells::Face;
 
   bool AddPolyhedron(vtkIdType cell, std::string& error);
   bool AddPrism(vtkIdType cell, std::string& error);
   void AddConvexSet(vtkIdType cell);
   void AddConeOver(const Face& face, std::int32_t apex, vtkIdType cell);
-  bool ReadFaces(vtkIdType cell, std::vector<Face>& faces) const;
 
   std::int32_t NumberOf(vtkIdType point);
   std::int32_t MiddleOf(const Face& face);
   PointValue MeanOf(const Face& points) const;
 
+  GivenCells Given;
   vtkUnstructuredGrid* Grid;
   PointReader Reader;
   SharedPoints& Shared;

@@ -6,7 +6,6 @@
 #include "Shapes/CurvedError.h"
 #include "Shapes/PolyhedronCells.h"
 
-#include <vtkCellArray.h>
 #include <vtkDataArray.h>
 #include <vtkIdList.h>
 #include <vtkNew.h>
@@ -28,27 +27,11 @@ struct CellsToReplace
   std::vector<vtkIdType> Others;
 };
 
-bool AreIdsValid(vtkUnstructuredGrid* grid, vtkIdType cell, vtkIdList* ids, std::string& error)
-{
-  grid->GetCells()->GetCellAtId(cell, ids);
-  const vtkIdType points = grid->GetNumberOfPoints();
-  for (const vtkIdType id : *ids)
-  {
-    if (id < 0 || id >= points)
-    {
-      error = "Cell " + std::to_string(cell) + " has a point number " + std::to_string(id) +
-        ", but there are " + std::to_string(points) +
-        " points; correct the cell or leave it out with vtkExtractCells.";
-      return false;
-    }
-  }
-  return true;
-}
-
-bool FindCells(vtkUnstructuredGrid* grid, const std::uint8_t* flags, std::uint8_t hidingFlags,
+bool FindCells(const GivenCells& given, const std::uint8_t* flags, std::uint8_t hidingFlags,
   CellsToReplace& cells, std::string& error)
 {
-  CurvedCellFinder finder(grid);
+  vtkUnstructuredGrid* const grid = given.Grid;
+  CurvedCellFinder finder(given);
   vtkNew<vtkIdList> ids;
   for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
   {
@@ -57,7 +40,7 @@ bool FindCells(vtkUnstructuredGrid* grid, const std::uint8_t* flags, std::uint8_
     {
       continue;
     }
-    if (!AreIdsValid(grid, cell, ids, error) || (IsCurved(type) && !finder.Add(cell, error)))
+    if (!given.ReadPoints(cell, ids, error) || (IsCurved(type) && !finder.Add(cell, error)))
     {
       return false;
     }
@@ -162,22 +145,21 @@ bool MakeCurvedCells(vtkUnstructuredGrid* grid, const CurvedCells& curved,
     grid, curved, reader, parts, points, PartOf(whole, Divided, Placed), made.Points.data());
 }
 
-std::string HaveTooMany(const CellsToReplace& cells)
+std::string HaveTooMany(const GivenCells& given, const CellsToReplace& cells)
 {
-  return "The grid has " + std::to_string(cells.Curved.Cells.size()) + " curved cells and " +
-    std::to_string(cells.Others.size()) +
-    " polyhedra, which are too many to be divided; draw parts of it, for example with "
-    "vtkExtractCells, with a vtkVolume and a mapper each.";
+  return "There are " + std::to_string(cells.Curved.Cells.size()) + " curved cells and " +
+    std::to_string(cells.Others.size()) + " polyhedra in " + given.Name +
+    ", which are too many to be divided; draw parts of it, for example with vtkExtractCells, with "
+    "a vtkVolume and a mapper each.";
 }
 
 /// Make linear cells of polyhedra.
 /// \param error empty if the budget does not do, or if it was stopped
-bool MakePolyhedra(vtkUnstructuredGrid* grid, const CellsToReplace& cells,
-  const PointReader& reader, MakingBudget& budget, SharedPoints& shared, MadeCells& made,
-  std::string& error)
+bool MakePolyhedra(const GivenCells& given, const CellsToReplace& cells, const PointReader& reader,
+  MakingBudget& budget, SharedPoints& shared, MadeCells& made, std::string& error)
 {
   constexpr std::size_t cellsBetweenReports = 256;
-  PolyhedronCells others(grid, reader, shared, made);
+  PolyhedronCells others(given, reader, shared, made);
   for (std::size_t c = 0; c < cells.Others.size(); ++c)
   {
     if (!others.Add(cells.Others[c], error))
@@ -186,7 +168,7 @@ bool MakePolyhedra(vtkUnstructuredGrid* grid, const CellsToReplace& cells,
     }
     if (made.Connectivity.size() > static_cast<std::size_t>(MostMadeIds) - (1 << 20))
     {
-      error = HaveTooMany(cells);
+      error = HaveTooMany(given, cells);
       return false;
     }
     const double share = static_cast<double>(c) / static_cast<double>(cells.Others.size());
@@ -207,7 +189,7 @@ bool IsSubdivided(int type)
   return IsCurved(type) || IsPolyhedron(type);
 }
 
-bool AppendSubdividedCells(vtkUnstructuredGrid* grid, vtkDataArray* pointScalars, int component,
+bool AppendSubdividedCells(const GivenCells& given, vtkDataArray* pointScalars, int component,
   const std::uint8_t* flags, std::uint8_t hidingFlags, std::vector<MeshPart>& parts,
   std::string& error, Subdivision* told, MakingBudget* budget, KeptDivision* kept)
 {
@@ -215,10 +197,11 @@ bool AppendSubdividedCells(vtkUnstructuredGrid* grid, vtkDataArray* pointScalars
   MakingBudget& limits = budget ? *budget : unlimited;
   Subdivision plan;
   CellsToReplace cells;
-  if (!FindCells(grid, flags, hidingFlags, cells, error))
+  if (!FindCells(given, flags, hidingFlags, cells, error))
   {
     return false;
   }
+  vtkUnstructuredGrid* const grid = given.Grid;
   const PointReader reader{ grid->GetPoints(), pointScalars, component };
   if (!limits.GoesOn(0.0) ||
     !Plan(grid, cells.Curved, reader, PartOf(limits.Report, 0.0, Planned), plan))
@@ -236,14 +219,14 @@ bool AppendSubdividedCells(vtkUnstructuredGrid* grid, vtkDataArray* pointScalars
   }
   if (8 * CountCells(cells.Curved, plan.Parts) > MostMadeIds)
   {
-    error = HaveTooMany(cells);
+    error = HaveTooMany(given, cells);
     return false;
   }
   const auto made = std::make_shared<MadeCells>();
   SharedPoints shared;
   CurvedPoints points;
   if (!MakeCurvedCells(grid, cells.Curved, reader, plan.Parts, limits, shared, *made, points) ||
-    !MakePolyhedra(grid, cells, reader, limits, shared, *made, error))
+    !MakePolyhedra(given, cells, reader, limits, shared, *made, error))
   {
     return false;
   }

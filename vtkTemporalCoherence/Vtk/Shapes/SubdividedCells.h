@@ -5,6 +5,7 @@
 
 #include "Mesh/Mesh.h"
 #include "Shapes/CurvedDivision.h"
+#include "Shapes/GivenCells.h"
 #include "vtkTemporalCoherenceCompatibility.h"
 
 #include <cstddef>
@@ -15,7 +16,6 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
-class vtkUnstructuredGrid;
 VTK_ABI_NAMESPACE_END
 
 namespace TemporalCoherence
@@ -71,7 +71,7 @@ bool IsSubdivided(int type);
 /// \param kept  gets what SetSubdividedValues needs; may be null
 /// \return false on error
 /// \throws std::bad_alloc
-bool AppendSubdividedCells(vtkUnstructuredGrid* grid, vtkDataArray* pointScalars, int component,
+bool AppendSubdividedCells(const GivenCells& given, vtkDataArray* pointScalars, int component,
   const std::uint8_t* flags, std::uint8_t hidingFlags, std::vector<MeshPart>& parts,
   std::string& error, Subdivision* told = nullptr, MakingBudget* budget = nullptr,
   KeptDivision* kept = nullptr);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Shapes/LeafSearch.h"
+#include "Adaptive/LeafSearch.h"
 
 namespace TemporalCoherence
 {

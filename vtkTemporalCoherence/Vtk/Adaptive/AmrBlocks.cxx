@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Shapes/AmrBlocks.h"
+#include "Adaptive/AmrBlocks.h"
 
+#include "Adaptive/AmrNeighbours.h"
 #include "Input/GhostArray.h"
-#include "Shapes/AmrNeighbours.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>

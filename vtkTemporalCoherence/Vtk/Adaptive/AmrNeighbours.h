@@ -3,7 +3,7 @@
 #ifndef TemporalCoherence_AmrNeighbours_h
 #define TemporalCoherence_AmrNeighbours_h
 
-#include "Shapes/AmrBlocks.h"
+#include "Adaptive/AmrBlocks.h"
 
 #include <cstddef>
 #include <vector>

@@ -3,7 +3,7 @@
 #ifndef TemporalCoherence_AmrLeaves_h
 #define TemporalCoherence_AmrLeaves_h
 
-#include "Shapes/AmrBlocks.h"
+#include "Adaptive/AmrBlocks.h"
 
 #include <array>
 #include <cstddef>

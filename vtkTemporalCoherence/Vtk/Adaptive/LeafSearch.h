@@ -3,7 +3,7 @@
 #ifndef TemporalCoherence_LeafSearch_h
 #define TemporalCoherence_LeafSearch_h
 
-#include "Shapes/AmrLeaves.h"
+#include "Adaptive/AmrLeaves.h"
 
 #include <array>
 #include <cstddef>

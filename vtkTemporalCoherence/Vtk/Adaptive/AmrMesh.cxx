@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Shapes/AmrMesh.h"
+#include "Adaptive/AmrMesh.h"
 
-#include "Shapes/AmrLeaves.h"
-#include "Shapes/LeafSearch.h"
+#include "Adaptive/AmrLeaves.h"
+#include "Adaptive/LeafSearch.h"
 #include "Shapes/MadeCells.h"
 #include "Shapes/PointReader.h"
 

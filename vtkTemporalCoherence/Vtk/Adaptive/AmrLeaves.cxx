@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Shapes/AmrLeaves.h"
+#include "Adaptive/AmrLeaves.h"
 
 #include <vtkDataSetAttributes.h>
 #include <vtkSMPTools.h>

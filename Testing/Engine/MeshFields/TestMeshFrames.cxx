@@ -399,30 +399,6 @@ TEST_P(MeshFrames, SolidsAreCappedWhereTheMeshEnds)
   EXPECT_LE(layers, static_cast<std::size_t>(isWhole ? caps + 2 : 2 * caps));
 }
 
-/// The normal of a cap is that of one face of one cell: it costs little more than a gradient.
-TEST_P(MeshFrames, CapsCostAboutWhatOtherHitsCost)
-{
-  this->LookFrom({ 1.0, 2.0, 0.7 }, false, glm::ivec2(IsMemorySanitized ? 64 : 160));
-  const auto costOfHit = [&](SurfaceMode mode, double isovalue)
-  {
-    this->Key.Isosurfaces.Mode = mode;
-    this->Key.Isosurfaces.Isovalues = { isovalue };
-    double least = Infinity;
-    for (int round = 0; round < 5; ++round)
-    {
-      FrameRenderer renderer;
-      renderer.Render(this->Key, {});
-      const Plane<HitKind>& kinds = renderer.LastFrame().Kinds;
-      const auto misses = std::count(kinds.begin(), kinds.end(), HitKind::None);
-      least = std::min(least,
-        renderer.Statistics().FrameTime / static_cast<double>(kinds.size() - std::size_t(misses)));
-    }
-    return least;
-  };
-  // It is 1 to 8 times, with noise. Where each cap was searched for in the mesh, it was hundreds.
-  EXPECT_LT(costOfHit(SurfaceMode::Threshold, -4.0), 25.0 * costOfHit(SurfaceMode::Crossing, 0.3));
-}
-
 /// The normals of a sphere: those of averaged gradients are nearer to the truth.
 TEST_P(MeshFrames, AveragedGradientsAreSmooth)
 {

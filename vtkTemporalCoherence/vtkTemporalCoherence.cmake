@@ -169,6 +169,7 @@ set(bridge_files
   Grids/MadeFrom
   Grids/MeshDefectText
   Grids/MeshSource
+  Grids/SameCells
   Window/DepthReader
   Window/LayerDepthClip
   Window/OpenGLWindow

@@ -155,6 +155,8 @@ void TestProgress()
     "progress: from the beginning to the end");
 }
 
+}
+
 int TestMadeCells(int, char*[])
 {
   TestMemoryLimit();

@@ -4,6 +4,7 @@
 
 #include "Adaptive/AmrMesh.h"
 #include "Grids/AmrGrids.h"
+#include "Grids/SameCells.h"
 #include "Shapes/SubdividedCells.h"
 
 #include <vtkDataSet.h>
@@ -26,30 +27,6 @@ std::uint64_t NewStamp()
 {
   static std::atomic<std::uint64_t> last(0);
   return ++last;
-}
-
-bool HasSameNumbers(const MeshArray& a, const MeshArray& b, std::int64_t count)
-{
-  std::int64_t i = 0;
-  while (i < count && a.At(i) == b.At(i))
-  {
-    ++i;
-  }
-  return i >= count;
-}
-
-/// True if parts that were made of the same data set differ in nothing but values.
-bool HaveSameCells(const MeshPart& a, const MeshPart& b)
-{
-  return a.NumberOfCells == b.NumberOfCells && a.NumberOfPoints == b.NumberOfPoints &&
-    a.ConnectivitySize == b.ConnectivitySize &&
-    std::equal(a.Types, a.Types + a.NumberOfCells, b.Types) &&
-    HasSameNumbers(a.Offsets, b.Offsets, a.NumberOfCells + 1) &&
-    HasSameNumbers(a.Connectivity, b.Connectivity, a.ConnectivitySize) &&
-    HasSameNumbers(a.Originals, b.Originals, a.NumberOfCells) &&
-    HasSameNumbers(a.Coordinates[0], b.Coordinates[0], a.NumberOfPoints) &&
-    HasSameNumbers(a.Coordinates[1], b.Coordinates[1], a.NumberOfPoints) &&
-    HasSameNumbers(a.Coordinates[2], b.Coordinates[2], a.NumberOfPoints);
 }
 
 }

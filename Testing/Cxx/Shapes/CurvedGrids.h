@@ -150,4 +150,18 @@ inline void Bend(vtkUnstructuredGrid* grid, double size, double bend, double noi
   grid->GetPointData()->SetScalars(values);
 }
 
+/// Give points the values of a function of their places.
+template <typename Function>
+void GiveValues(const Function& function, vtkUnstructuredGrid* grid)
+{
+  vtkNew<vtkDoubleArray> values;
+  for (vtkIdType p = 0; p < grid->GetNumberOfPoints(); ++p)
+  {
+    glm::dvec3 at;
+    grid->GetPoint(p, &at.x);
+    values->InsertNextValue(function(at));
+  }
+  grid->GetPointData()->SetScalars(values);
+}
+
 #endif

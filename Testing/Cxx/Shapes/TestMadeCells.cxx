@@ -35,14 +35,7 @@ vtkSmartPointer<vtkUnstructuredGrid> BentGrid(int n)
 {
   auto grid = TileCubes(VTK_QUADRATIC_HEXAHEDRON, HexahedronPattern(VTK_QUADRATIC_HEXAHEDRON), n);
   Bend(grid, 1.0, 0.1, 0.0);
-  vtkNew<vtkDoubleArray> values;
-  for (vtkIdType p = 0; p < grid->GetNumberOfPoints(); ++p)
-  {
-    glm::dvec3 at;
-    grid->GetPoint(p, &at.x);
-    values->InsertNextValue(glm::length(at - 0.45));
-  }
-  grid->GetPointData()->SetScalars(values);
+  GiveValues([](const glm::dvec3& at) { return glm::length(at - 0.45); }, grid);
   return grid;
 }
 

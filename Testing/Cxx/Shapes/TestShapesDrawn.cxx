@@ -108,14 +108,7 @@ void TestCurved()
   constexpr int N = 5;
   const auto grid =
     TileCubes(VTK_QUADRATIC_HEXAHEDRON, HexahedronPattern(VTK_QUADRATIC_HEXAHEDRON), N);
-  vtkNew<vtkDoubleArray> values;
-  for (vtkIdType p = 0; p < grid->GetNumberOfPoints(); ++p)
-  {
-    glm::dvec3 at;
-    grid->GetPoint(p, &at.x);
-    values->InsertNextValue(Slope(at));
-  }
-  grid->GetPointData()->SetScalars(values);
+  GiveValues(Slope, grid);
   const auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(N + 1, N + 1, N + 1);
   image->SetSpacing(1.0 / N, 1.0 / N, 1.0 / N);
@@ -150,7 +143,7 @@ void TestCurved()
   Expect(hits > 50 && wrong == 0, "curved cells: " + std::to_string(wrong) + " wrong cells");
   Expect(curved.Mapper->GetMeshPointError() < 1e-9 && curved.Mapper->GetMeshValueError() < 1e-9,
     "curved cells: straight ones are exact");
-  values->Modified();
+  grid->GetPointData()->GetScalars()->Modified();
   Expect(curved.Render(50, 50) && curved.Mapper->GetMeshSetUp() == Mapper::MESH_NEW_VALUES,
     "curved cells: new values");
   grid->GetPoints()->SetPoint(1, 0.21, -0.01, 0.0);
@@ -180,18 +173,6 @@ void ExpectBuilt(const std::string& name, Scene& scene, vtkUnstructuredGrid* gri
   Expect(!AreIdentical(before, scene.Depth), name + ": another picture");
 }
 
-void GiveSlope(vtkUnstructuredGrid* grid)
-{
-  vtkNew<vtkDoubleArray> values;
-  for (vtkIdType p = 0; p < grid->GetNumberOfPoints(); ++p)
-  {
-    glm::dvec3 at;
-    grid->GetPoint(p, &at.x);
-    values->InsertNextValue(Slope(at));
-  }
-  grid->GetPointData()->SetScalars(values);
-}
-
 /// Cubes as polyhedra.
 /// \param missing gets the faces of its neighbour instead of its own
 vtkSmartPointer<vtkUnstructuredGrid> Polyhedra(vtkIdType missing)
@@ -217,7 +198,7 @@ vtkSmartPointer<vtkUnstructuredGrid> Polyhedra(vtkIdType missing)
     }
     grid->InsertNextCell(VTK_POLYHEDRON, 8, own->GetPointer(0), 6, stream.data());
   }
-  GiveSlope(grid);
+  GiveValues(Slope, grid);
   return grid;
 }
 
@@ -268,7 +249,7 @@ void TestWeightsAndDegrees()
     grid->GetPoints()->SetPoint(p, at[0] + 0.1 * std::sin(3.0 * at[1]), at[1], at[2]);
     weights->InsertNextValue(1.0);
   }
-  GiveSlope(grid);
+  GiveValues(Slope, grid);
   grid->GetPointData()->SetRationalWeights(weights);
   Scene scene(grid, { 0.6 });
   scene.LookFrom(1.0, 2.0, 0.7);
@@ -303,7 +284,7 @@ void TestBadPoint()
       const auto grid = isCurved
         ? TileCubes(VTK_QUADRATIC_HEXAHEDRON, HexahedronPattern(VTK_QUADRATIC_HEXAHEDRON), 4)
         : Polyhedra(-1);
-      GiveSlope(grid);
+      GiveValues(Slope, grid);
       Scene scene(grid, { 0.6 });
       scene.LookFrom(1.0, 2.0, 0.7);
       vtkNew<vtkIdList> corners;
@@ -333,7 +314,7 @@ void TestMistakes()
     scene, "Cell 2 of Block 2 ('rotor') has points that begin or end outside of the 160 point ids");
   const auto curved =
     TileCubes(VTK_QUADRATIC_HEXAHEDRON, HexahedronPattern(VTK_QUADRATIC_HEXAHEDRON), 2);
-  GiveSlope(curved);
+  GiveValues(Slope, curved);
   curved->GetCells()->GetOffsetsArray()->SetComponent(3, 0, 1e8);
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->SetBlock(0, grid);

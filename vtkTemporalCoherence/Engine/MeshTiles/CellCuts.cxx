@@ -67,35 +67,30 @@ void FindSlab(const glm::dvec3* points, const std::array<double, 4>& values,
 std::array<glm::dvec3, MostHullPoints> HullOf(
   const std::array<glm::dvec3, 8>& points, const std::array<double, 8>& values)
 {
-  double largest = 0.0;
+  double largest = 0.0, smallest = std::abs(values[0]);
   for (const double value : values)
   {
     largest = std::max(largest, std::abs(value));
+    smallest = std::min(smallest, std::abs(value));
   }
-  // Corners on which the surface nearly lies count themselves: in pairs, rounding errors of their
-  // values would matter.
-  const double least = 1e-6 * largest;
   std::array<glm::dvec3, MostHullPoints> hull;
-  std::array<std::size_t, 8> inside, outside;
-  std::size_t count = 0, numberInside = 0, numberOutside = 0;
-  for (std::size_t i = 0; i < values.size(); ++i)
+  std::size_t count = 0;
+  // Where the surface nearly passes a corner, beside one with a far larger value, the search is
+  // less exact than elsewhere.
+  const bool isNearCorner = smallest <= 1e-4 * largest;
+  if (isNearCorner)
   {
-    if (std::abs(values[i]) <= least)
-    {
-      hull[count++] = points[i];
-    }
-    else
-    {
-      (values[i] > 0.0 ? inside[numberInside++] : outside[numberOutside++]) = i;
-    }
+    std::copy(points.begin(), points.end(), hull.begin());
+    count = points.size();
   }
-  for (std::size_t k = 0; k < numberInside; ++k)
+  for (std::size_t i = 0; i < values.size() && !isNearCorner; ++i)
   {
-    const std::size_t i = inside[k];
-    for (std::size_t l = 0; l < numberOutside; ++l)
+    for (std::size_t j = 0; j < values.size(); ++j)
     {
-      const std::size_t j = outside[l];
-      hull[count++] = points[i] + values[i] / (values[i] - values[j]) * (points[j] - points[i]);
+      if (values[i] > 0.0 && values[j] < 0.0)
+      {
+        hull[count++] = points[i] + values[i] / (values[i] - values[j]) * (points[j] - points[i]);
+      }
     }
   }
   std::fill(hull.begin() + static_cast<std::ptrdiff_t>(count), hull.end(), hull[count - 1]);

@@ -31,7 +31,8 @@ constexpr std::size_t MostHullPoints = 16;
 
 /// Points around the surface in a hexahedron: where it cuts the lines between corners on different
 /// sides. A point of the cell is a mean of corners, with weights that are products; where the mean
-/// of the values is 0, the weights can be split among such pairs so that it is 0 in each.
+/// of the values is 0, the weights can be split among such pairs so that it is 0 in each. All
+/// corners, where the surface nearly passes one.
 /// \pre some values are negative, some are not
 std::array<glm::dvec3, MostHullPoints> HullOf(
   const std::array<glm::dvec3, 8>& points, const std::array<double, 8>& values);

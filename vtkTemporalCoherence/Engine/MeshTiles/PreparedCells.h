@@ -26,6 +26,10 @@ namespace TemporalCoherence
 template <typename T>
 HWY_INLINE void PrefetchAll(const T* first, std::size_t count)
 {
+  if (count == 0)
+  {
+    return;
+  }
   constexpr std::size_t line = 64;
   const char* const begin = reinterpret_cast<const char*>(first);
   const char* const end = begin + count * sizeof(T);

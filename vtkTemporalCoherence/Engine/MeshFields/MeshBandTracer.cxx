@@ -230,26 +230,16 @@ struct PackedRays
 {
   PackedRays(const MeshKernels::MeshRays& rays, std::uint64_t which)
   {
-    MeshKernels::MeshRays& own = this->Rays;
-    own.Count = 0;
-    own.Along = {};
+    this->Rays.Count = 0;
+    this->Rays.Along = {};
     ForEachRay(which,
       [&](std::size_t ray)
       {
-        const std::size_t at = own.Count++;
+        const std::size_t at = this->Rays.Count++;
         this->From[at] = static_cast<std::uint8_t>(ray);
-        own.Along[rays.AxisOf(ray)] |= std::uint64_t(1) << at;
-        for (std::size_t a = 0; a < 3; ++a)
-        {
-          own.Turned[a][at] = rays.Turned[a][ray];
-        }
-        own.ShearX[at] = rays.ShearX[ray];
-        own.ShearY[at] = rays.ShearY[ray];
-        own.PerDepth[at] = rays.PerDepth[ray];
-        own.Begin[at] = rays.Begin[ray];
-        own.End[at] = rays.End[ray];
+        this->Rays.Take(rays, ray, at);
       });
-    own.FillUp();
+    this->Rays.FillUp();
   }
 
   MeshKernels::MeshRays Rays;

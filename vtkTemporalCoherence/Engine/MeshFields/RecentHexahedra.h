@@ -45,8 +45,7 @@ struct alignas(64) RecentHexahedron
 };
 
 /// Hexahedra that a thread searched for a frame's surfaces not long ago: neighbouring tiles share
-/// them. (Tetrahedra are read as fast as they are
-/// found here.)
+/// them. (Tetrahedra are read as fast as they are found here.)
 class RecentHexahedra
 {
 public:

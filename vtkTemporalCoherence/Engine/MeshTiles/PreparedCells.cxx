@@ -41,7 +41,6 @@ public:
     , Purpose(purpose)
     , Cells(cells)
   {
-    cells.Purpose = purpose;
     cells.Numbers.clear();
     cells.Places.clear();
     cells.Tetrahedra.clear();

@@ -96,7 +96,6 @@ struct PreparedCells
 
   std::size_t SizeInBytes() const;
 
-  CellPurpose Purpose;
   std::vector<CellNumber> Numbers;
   std::vector<std::uint8_t> Places; ///< in the leaf
   CellOutlines Outlines;
@@ -106,9 +105,8 @@ struct PreparedCells
 
 /// Read and prepare cells of a leaf.
 /// \param which one bit for each cell that may count
-/// \param width how far a band goes above its lowest isovalue, as a difference; infinite: all
-/// values
-///              above it count
+/// \param width how far a band goes above its lowest isovalue, as a difference; infinite: to the
+///              largest value
 /// \param cells gets those that count
 /// \throws std::bad_alloc
 void PrepareCells(const MeshTree& tree, std::int64_t leaf, std::uint64_t which,

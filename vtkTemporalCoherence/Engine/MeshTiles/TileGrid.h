@@ -62,7 +62,7 @@ public:
     return depth - this->DepthOf(this->Seen.Origin) - slack;
   }
 
-  /// The same for the nearest point of a box. Orders boxes from front to back, roughly.
+  /// The depth of the nearest point of a box. Orders boxes from front to back, roughly.
   double NearestDepth(const FloatBox& box) const
   {
     const glm::dvec3 low(box.Low), high(box.High);

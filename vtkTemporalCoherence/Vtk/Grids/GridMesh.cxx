@@ -52,19 +52,24 @@ bool GridMesh::See(const std::vector<GridLeaf>& leaves, const DrawnComponent& co
   this->OfLeaves = nullptr; // what follows may fail
   this->AreOthersNew = false;
   this->Parts.resize(leaves.size());
+  std::size_t all = this->MemoryInBytes();
   for (std::size_t i = 0; i < leaves.size(); ++i)
   {
     const auto share = [&](std::size_t leaf)
     { return static_cast<double>(leaf) / static_cast<double>(leaves.size()); };
     MakingBudget rest = budget;
     rest.Report = PartOf(budget.Report, share(i), share(i + 1));
-    const std::size_t others = this->MemoryInBytes() - MemoryOf(this->Parts[i]);
+    const std::size_t others = all - MemoryOf(this->Parts[i]);
     rest.Memory -= std::min(rest.Memory, others);
     if (!this->SeeLeaf(leaves[i], component, this->Parts[i], rest, error))
     {
-      budget.Allows(rest.NeededMemory() + others, 0);
+      if (error.empty())
+      {
+        budget.Allows(rest.NeededMemory() + others, 0);
+      }
       return false;
     }
+    all = others + MemoryOf(this->Parts[i]);
     this->Parts[i].AreValuesMade = this->Parts[i].Made.Values.Array != leaves[i].Array;
   }
   this->From = now;

@@ -31,8 +31,7 @@ class GridMesh
 public:
   /// Make the mesh, or bring it up to date.
   /// \param budget of cells that are made
-  /// \param error  gets what is wrong and what to do about it; empty if the budget does not do, or
-  /// if
+  /// \param error  gets what is wrong and what to do about it; empty if the budget does not do or
   ///               it was stopped
   /// \return false on error. There is no mesh then.
   /// \throws std::bad_alloc

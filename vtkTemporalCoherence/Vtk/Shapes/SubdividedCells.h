@@ -80,8 +80,8 @@ bool AppendSubdividedCells(const GivenCells& given, vtkDataArray* pointScalars, 
 /// \pre   cells, flags and points of the grid are those of which `kept` was made
 /// \param part gets the same cells with other points
 /// \param isStopped true if progress stopped it
-/// \return false if the values need another number of parts, if nothing is kept, or if it was
-/// stopped \throws std::bad_alloc
+/// \return false if the values need another number of parts, nothing is kept, or it was stopped
+/// \throws std::bad_alloc
 bool SetSubdividedValues(vtkUnstructuredGrid* grid, vtkDataArray* pointScalars, int component,
   const ReportProgress& progress, KeptDivision& kept, MeshPart& part, bool& isStopped);
 

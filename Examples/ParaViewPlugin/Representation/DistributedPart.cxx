@@ -3,7 +3,7 @@
 #include "DistributedPart.h"
 
 #include "vtkCellData.h"
-#include "vtkCellTypes.h"
+#include "vtkCellType.h"
 #include "vtkCommunicator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
@@ -23,6 +23,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <array>
 
 namespace
 {
@@ -407,15 +408,21 @@ bool HasVolume(vtkDataSet* dataSet)
   {
     return dataSet->GetNumberOfCells() > 0 && dataSet->GetNumberOfPoints() > 0;
   }
-  vtkNew<vtkCellTypes> types;
-  grid->GetCellTypes(types);
-  vtkNew<vtkGenericCell> cell;
-  for (vtkIdType i = 0; i < types->GetNumberOfTypes(); ++i)
+  std::array<bool, VTK_NUMBER_OF_CELL_TYPES> isThere{};
+  for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
   {
-    cell->SetCellType(types->GetCellType(i));
-    if (cell->GetCellDimension() == 3)
+    isThere[static_cast<std::size_t>(grid->GetCellType(i)) % isThere.size()] = true;
+  }
+  vtkNew<vtkGenericCell> cell;
+  for (int type = 0; type < VTK_NUMBER_OF_CELL_TYPES; ++type)
+  {
+    if (isThere[static_cast<std::size_t>(type)])
     {
-      return true;
+      cell->SetCellType(type);
+      if (cell->GetCellDimension() == 3)
+      {
+        return true;
+      }
     }
   }
   return false;

@@ -271,7 +271,7 @@ TEST_P(MeshFrames, NarrowRangesOfIsomapsServeLookUps)
     }
   }
   EXPECT_GT(lookedUp, IsMemorySanitized ? 10 : 50);
-  EXPECT_GT(hits, 1000);
+  EXPECT_GT(hits, IsMemorySanitized ? 300 : 1000);
 }
 
 /// Slabs with gaps between them: a ray leaves the mesh at one value, and enters it again at another

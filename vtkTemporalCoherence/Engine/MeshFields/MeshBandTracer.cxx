@@ -36,6 +36,21 @@ bool AreFinite(const double* differences, std::size_t count)
   return areFinite;
 }
 
+/// The depth of a ray: From + distance Per.
+struct DepthOfRay
+{
+  DepthOfRay(const MeshTile& tile, std::size_t ray)
+  {
+    const RayBatch& rays = tile.Rays;
+    this->From =
+      tile.Grid.DepthOf({ rays.Origin[0][ray], rays.Origin[1][ray], rays.Origin[2][ray] });
+    this->Per =
+      tile.Grid.DepthOf({ rays.Direction[0][ray], rays.Direction[1][ray], rays.Direction[2][ray] });
+  }
+
+  double From, Per;
+};
+
 /// Bounds of what a ray meets in a cell.
 struct Bounds
 {
@@ -158,19 +173,15 @@ double MeshBandTracer::FarthestDepth(
   const MeshTile& tile, std::uint64_t which, const RayBatch::Array<double>& limits)
 {
   double farthest = -Infinity;
-  const RayBatch& rays = tile.Rays;
   ForEachRay(which,
     [&](std::size_t ray)
     {
-      const double from =
-        tile.Grid.DepthOf({ rays.Origin[0][ray], rays.Origin[1][ray], rays.Origin[2][ray] });
-      const double per = tile.Grid.DepthOf(
-        { rays.Direction[0][ray], rays.Direction[1][ray], rays.Direction[2][ray] });
-      const double way = limits[ray] * per;
-      const double slack = RoundingOfDepth * (std::abs(from) + std::abs(way));
+      const DepthOfRay depth(tile, ray);
+      const double way = limits[ray] * depth.Per;
+      const double slack = RoundingOfDepth * (std::abs(depth.From) + std::abs(way));
       if (limits[ray] > -Infinity)
       {
-        farthest = std::max(farthest, per > 0.0 ? from + way + slack : Infinity);
+        farthest = std::max(farthest, depth.Per > 0.0 ? depth.From + way + slack : Infinity);
       }
     });
   return farthest;
@@ -180,16 +191,12 @@ double MeshBandTracer::FarthestDepth(
 RayBatch::Array<double> MeshBandTracer::DistancesAt(const MeshTile& tile, double depth)
 {
   RayBatch::Array<double> distances;
-  const RayBatch& rays = tile.Rays;
-  for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
+  for (std::size_t ray = 0; ray < static_cast<std::size_t>(tile.Rays.Count); ++ray)
   {
-    const double from =
-      tile.Grid.DepthOf({ rays.Origin[0][ray], rays.Origin[1][ray], rays.Origin[2][ray] });
-    const double per =
-      tile.Grid.DepthOf({ rays.Direction[0][ray], rays.Direction[1][ray], rays.Direction[2][ray] });
-    const double distance = (depth - from) / per;
+    const DepthOfRay ofRay(tile, ray);
+    const double distance = (depth - ofRay.From) / ofRay.Per;
     distances[ray] = depth == Infinity ? Infinity
-      : per > 0.0                      ? distance - RoundingOfDepth * std::abs(distance)
+      : ofRay.Per > 0.0                ? distance - RoundingOfDepth * std::abs(distance)
                                        : -Infinity;
   }
   return distances;

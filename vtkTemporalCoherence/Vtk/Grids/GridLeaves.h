@@ -33,9 +33,11 @@ struct GridLeaf
 bool IsMesh(vtkDataObject* data);
 
 /// Find the data sets with volume and with the chosen array. Blocks whose cells are all of less
-/// than three dimensions are ignored. \pre IsMesh(data), and it is no adaptive grid \param error
-/// gets what is wrong and what to do about it \return false on error: if a block is something else,
-/// or if none of the data sets has the array
+/// than three dimensions are ignored.
+///
+/// \pre IsMesh(data), and it is no adaptive grid
+/// \param error gets what is wrong and what to do about it
+/// \return false on error: if a block is something else, or if none of the data sets has the array
 bool FindLeaves(vtkDataObject* data, const ScalarChoice& choice, std::vector<GridLeaf>& leaves,
   std::string& error);
 

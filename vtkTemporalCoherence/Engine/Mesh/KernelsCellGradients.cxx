@@ -266,14 +266,17 @@ struct PointVector
   HWY_INLINE PointVector(std::uint64_t& left, const PointsInCells::Vectors& points)
   {
     const D d;
+    std::int64_t point = 0;
     for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
     {
       // Lanes that are left over repeat the last point.
-      this->Which[lane] = left != 0
-        ? static_cast<std::int64_t>(hwy::Num0BitsBelowLS1Bit_Nonzero64(left))
-        : this->Which[lane - 1];
-      this->Count += left != 0;
-      left &= left - 1 + (left == 0);
+      if (left != 0)
+      {
+        point = static_cast<std::int64_t>(hwy::Num0BitsBelowLS1Bit_Nonzero64(left));
+        left &= left - 1;
+        ++this->Count;
+      }
+      this->Which[lane] = point;
     }
     const auto which = hn::Load(DI(), this->Which);
     this->At = { hn::GatherIndex(d, points[0].data(), which),

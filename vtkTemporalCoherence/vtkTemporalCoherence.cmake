@@ -4,6 +4,7 @@ find_package(glm REQUIRED)
 find_package(hwy REQUIRED)
 
 set(engine_files
+  Scene/Blending
   Scene/FieldKind
   Scene/FrameKey
   Scene/FramePlanes
@@ -114,6 +115,7 @@ set(engine_files
   MeshFields/MeshPlaces
   MeshFields/MeshSolids
   MeshFields/MeshTracer
+  Render/BlendRoute
   Render/CapTiles
   Render/FrameRenderer
   Render/FrameStore

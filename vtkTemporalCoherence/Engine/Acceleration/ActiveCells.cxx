@@ -74,6 +74,14 @@ void ActiveCells::Build(
   this->FindLeaves(field, pyramid);
 }
 
+void ActiveCells::BuildVisible(
+  const Field& field, const ValueRangePyramid& pyramid, const std::vector<ValueBand>& bands)
+{
+  this->Release();
+  this->Bands = bands;
+  this->FindLeaves(field, pyramid);
+}
+
 /// The active leaves of a node with hidden cells. There the value range of a leaf does not tell
 /// whether it has an active cell.
 /// \param firstCell of the node

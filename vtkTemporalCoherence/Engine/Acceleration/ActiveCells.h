@@ -17,7 +17,8 @@
 namespace TemporalCoherence
 {
 
-/// The cells that a set of isovalues, or a band of them, can pass through, as a tree of bits.
+/// The cells that a set of isovalues, or a band of them, can pass through, as a tree of bits. Or
+/// those that hold values that are seen.
 ///
 /// A cell is *active* if some of its eight samples are inside an isovalue and some are not: only
 /// such a cell can hold a surface. For a band, some samples must be at least the lowest isovalue
@@ -42,6 +43,11 @@ public:
   void Build(const Field& field, const ValueRangePyramid& pyramid, const Surfaces& surfaces);
   void Build(const Field& field, const ValueRangePyramid& pyramid, const ValueBand& band,
     SurfaceMode mode = SurfaceMode::Crossing);
+
+  /// The same for ranges of values that are seen.
+  /// \param bands ascending; a value at the upper end is not seen
+  void BuildVisible(
+    const Field& field, const ValueRangePyramid& pyramid, const std::vector<ValueBand>& bands);
 
   void Release();
 

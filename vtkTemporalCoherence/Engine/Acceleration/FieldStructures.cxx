@@ -70,6 +70,23 @@ void FieldStructures::Provide(
   held = found;
 }
 
+void FieldStructures::Provide(const FieldRanges& ranges, const std::vector<ValueBand>& bands,
+  std::shared_ptr<const VisibleCells>& held)
+{
+  held = std::make_shared<const VisibleCells>();
+  auto found = FindHeld(this->Visible,
+    [&](const VisibleCells& cells)
+    { return cells.Samples == ranges.Samples && cells.Bands == bands; });
+  if (!found)
+  {
+    const auto active = std::make_shared<ActiveCells>();
+    active->BuildVisible(ranges.Samples, *ranges.Pyramid, bands);
+    found = std::make_shared<const VisibleCells>(VisibleCells{ ranges.Samples, bands, active });
+    this->Visible.push_back(found);
+  }
+  held = found;
+}
+
 void FieldStructures::Provide(const Field& field, std::shared_ptr<const FieldFingerprint>& held)
 {
   auto found =

@@ -31,6 +31,14 @@ struct SurfaceCells
   std::shared_ptr<const ActiveCells> Active = std::make_shared<const ActiveCells>();
 };
 
+/// The cells of a field that hold values that are seen.
+struct VisibleCells
+{
+  Field Samples;
+  std::vector<ValueBand> Bands;
+  std::shared_ptr<const ActiveCells> Active = std::make_shared<const ActiveCells>();
+};
+
 /// Structures that do not depend on the view. All viewers of the same data share them: the first
 /// request builds a structure, and the last release frees it.
 class FieldStructures
@@ -46,6 +54,10 @@ public:
   void Provide(
     const FieldRanges& ranges, const Surfaces& surfaces, std::shared_ptr<const SurfaceCells>& held);
 
+  /// The same for cells that hold values of some bands.
+  void Provide(const FieldRanges& ranges, const std::vector<ValueBand>& bands,
+    std::shared_ptr<const VisibleCells>& held);
+
   /// The same for fingerprints. On an exception, `held` is unchanged.
   void Provide(const Field& field, std::shared_ptr<const FieldFingerprint>& held);
 
@@ -57,6 +69,7 @@ public:
 private:
   std::vector<std::weak_ptr<const FieldRanges>> Ranges; ///< still in use
   std::vector<std::weak_ptr<const SurfaceCells>> Cells;
+  std::vector<std::weak_ptr<const VisibleCells>> Visible;
   std::vector<std::weak_ptr<const FieldFingerprint>> Prints;
 };
 

@@ -34,12 +34,12 @@ bool CanServe(const FrameKey& cached, const FrameKey& next)
 {
   // Pictures of another size are not used: too much can hide between their pixels.
   const FrameChange change = CompareFrames(cached, next);
-  return !change.Data && !change.Surfaces && cached.View.Size == next.View.Size;
+  return !change.Data && !change.Surfaces && !change.Volume && cached.View.Size == next.View.Size;
 }
 
 bool IsFasterFrom(const FrameKey& cached, const FrameKey& next)
 {
-  return next.Samples.Kind->GainsFromImages(next.Samples, next.Isosurfaces) &&
+  return !next.Volume.IsOn() && next.Samples.Kind->GainsFromImages(next.Samples, next.Isosurfaces) &&
     !next.Isosurfaces.IsTranslucent() && CosineOfTurn(cached, next) >= SmallTurn;
 }
 

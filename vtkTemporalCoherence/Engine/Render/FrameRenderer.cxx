@@ -92,7 +92,7 @@ bool FrameRenderer::Make(Route& route, FrameTask& task, CachedImage* nearest)
     case Route::Cold:
       break;
   }
-  return TraceCold(task);
+  return task.Key.Volume.IsOn() ? BlendCold(task) : TraceCold(task);
 }
 
 /// The new frame becomes the last frame, if the route made one.

@@ -2,61 +2,88 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Render/FrameStructures.h"
 
+#include <optional>
+#include <vector>
+
 namespace TemporalCoherence
 {
 namespace
 {
 
-bool HasSurfaces(const FrameKey& key)
+/// True if anything of the field may be seen.
+bool IsSeen(const FrameKey& key)
 {
-  return key.Samples.HasCells() && !key.Isosurfaces.Isovalues.empty();
+  return key.Samples.HasCells() && (key.Volume.IsOn() || !key.Isosurfaces.Isovalues.empty());
 }
 
 }
 
 bool FrameStructures::NeedsRanges(const FrameKey& key) const
 {
-  return HasSurfaces(key) && !(this->OfData->Samples == key.Samples);
+  return IsSeen(key) && !(this->OfData->Samples == key.Samples);
 }
 
 void FrameStructures::PrepareRanges(const FrameKey& key)
 {
   if (this->NeedsRanges(key))
   {
-    this->BoundSurfaces = nullptr;
+    this->BoundCells = nullptr;
     this->OfSurfaces = std::make_shared<const SurfaceCells>();
+    this->OfVolume = std::make_shared<const VisibleCells>();
     this->Shared->Provide(key.Samples, this->OfData);
   }
 }
 
 void FrameStructures::PrepareActiveCells(const FrameKey& key)
 {
-  if (!HasSurfaces(key))
+  if (!IsSeen(key))
   {
     return;
   }
   if (!(this->OfSurfaces->Samples == key.Samples) ||
     !AreMetAlike(this->OfSurfaces->Isosurfaces, key.Isosurfaces))
   {
-    this->BoundSurfaces = nullptr;
+    this->BoundCells = nullptr;
     this->Shared->Provide(*this->OfData, key.Isosurfaces, this->OfSurfaces);
   }
-  const bool areBound = this->BoundSurfaces == this->OfSurfaces.get() &&
-    this->BoundView == key.View && this->BoundTransform == key.Transform;
+  this->PrepareBounds(key, *this->OfSurfaces->Active);
+}
+
+bool FrameStructures::PrepareVisibleCells(const FrameKey& key)
+{
+  const std::optional<std::vector<ValueBand>> bands = VisibleBands(key.Volume);
+  if (!IsSeen(key) || !bands)
+  {
+    return false;
+  }
+  if (!(this->OfVolume->Samples == key.Samples) || !(this->OfVolume->Bands == *bands))
+  {
+    this->BoundCells = nullptr;
+    this->Shared->Provide(*this->OfData, *bands, this->OfVolume);
+  }
+  this->PrepareBounds(key, *this->OfVolume->Active);
+  return true;
+}
+
+/// Find the bounds of tiles, unless they are those of these cells.
+void FrameStructures::PrepareBounds(const FrameKey& key, const ActiveCells& cells)
+{
+  const bool areBound = this->BoundCells == &cells && this->BoundView == key.View &&
+    this->BoundTransform == key.Transform;
   if (!areBound)
   {
-    this->BoundSurfaces = nullptr;
-    this->Bounds.Build(key.View, key.Transform, *this->OfSurfaces->Active, *key.Samples.Kind);
+    this->BoundCells = nullptr;
+    this->Bounds.Build(key.View, key.Transform, cells, *key.Samples.Kind);
     this->BoundView = key.View;
     this->BoundTransform = key.Transform;
-    this->BoundSurfaces = this->OfSurfaces.get();
+    this->BoundCells = &cells;
   }
 }
 
 std::shared_ptr<const FieldRanges> FrameStructures::RangesOf(const FrameKey& key) const
 {
   std::shared_ptr<const FieldRanges> ranges = this->OfData;
-  if (HasSurfaces(key) && !(ranges->Samples == key.Samples))
+  if (IsSeen(key) && !(ranges->Samples == key.Samples))
   {
     this->Shared->Provide(key.Samples, ranges);
   }
@@ -71,8 +98,13 @@ void FrameStructures::MoveTo(const Field& now, const Field& before)
   }
   if (this->OfSurfaces->Samples == before)
   {
-    this->BoundSurfaces = nullptr;
+    this->BoundCells = nullptr;
     this->Shared->MoveTo(now, this->OfSurfaces);
+  }
+  if (this->OfVolume->Samples == before)
+  {
+    this->BoundCells = nullptr;
+    this->OfVolume = std::make_shared<const VisibleCells>();
   }
 }
 

@@ -38,6 +38,10 @@ public:
   /// \throws std::bad_alloc
   void PrepareActiveCells(const FrameKey& key);
 
+  /// The same for the cells in which the volume of a key can be seen.
+  /// \return false if every cell may be
+  bool PrepareVisibleCells(const FrameKey& key);
+
   const FieldRanges& Ranges() const { return *this->OfData; }
   const ValueRangePyramid& Pyramid() const { return *this->OfData->Pyramid; }
 
@@ -45,6 +49,12 @@ public:
   LeapedSpace SpaceToLeap(bool leaps) const
   {
     return { leaps ? this->OfSurfaces->Active.get() : nullptr, &this->Bounds };
+  }
+
+  /// The same for visible cells.
+  LeapedSpace VisibleSpace(bool leaps) const
+  {
+    return { leaps ? this->OfVolume->Active.get() : nullptr, &this->Bounds };
   }
 
   /// The value ranges of a key's samples, which need not be those prepared here.
@@ -58,12 +68,15 @@ public:
   const std::shared_ptr<FieldStructures>& Sharing() const { return this->Shared; }
 
 private:
+  void PrepareBounds(const FrameKey& key, const ActiveCells& cells);
+
   std::shared_ptr<FieldStructures> Shared;
   std::shared_ptr<const FieldRanges> OfData = std::make_shared<const FieldRanges>();
   std::shared_ptr<const SurfaceCells> OfSurfaces = std::make_shared<const SurfaceCells>();
+  std::shared_ptr<const VisibleCells> OfVolume = std::make_shared<const VisibleCells>();
   TileBounds Bounds;
   // What the bounds are of:
-  const SurfaceCells* BoundSurfaces = nullptr; ///< null: of nothing; else OfSurfaces
+  const ActiveCells* BoundCells = nullptr; ///< null: of nothing; else those of one of the above
   View BoundView;
   IndexTransform BoundTransform;
 };

@@ -48,6 +48,14 @@ bool KnowsSomeLayers(
     before.IsTranslucent() && now.IsTranslucent() && HaveCommon(before.Isovalues, now.Isovalues);
 }
 
+/// The route to or from a picture without isosurfaces.
+Route PlanVolume(const FrameChange& change)
+{
+  const bool isSame = !change.Data && !change.View && !change.Surfaces && !change.Opacity &&
+    !change.Appearance && !change.Volume;
+  return isSame ? Route::Redisplay : Route::Cold;
+}
+
 }
 
 const char* NameOf(Route route)
@@ -80,6 +88,10 @@ Route PlanRoute(const FrameKey& last, const FrameKey& next, const ReuseSwitches&
   const HeldForReuse& held)
 {
   const FrameChange change = CompareFrames(last, next);
+  if (last.Volume.IsOn() || next.Volume.IsOn())
+  {
+    return PlanVolume(change);
+  }
   const bool isSame = !change.Data && !change.View && !change.Surfaces && !change.Opacity;
   if (isSame && (held.IsExact || !switches.RefineWhenStill))
   {

@@ -41,6 +41,9 @@ void ShadeAgain(FrameTask& task);
 /// Cold: every ray is traced.
 bool TraceCold(FrameTask& task);
 
+/// Cold, for a volume that is not drawn by isosurfaces: what all rays see is blended.
+bool BlendCold(FrameTask& task);
+
 /// ImageCache: a cached image tells where walks begin.
 /// \pre the accuracy is not Exact
 bool TraceFromImage(FrameTask& task, CachedImage& image);

@@ -41,6 +41,11 @@ std::shared_ptr<const BandTracer> FieldKind::MakeBandTracer(const BandScene&) co
   return nullptr;
 }
 
+std::shared_ptr<const BlendTracer> FieldKind::MakeBlendTracer(const BlendScene&) const
+{
+  return nullptr;
+}
+
 bool FieldKind::GainsFromImages(const Field&, const Surfaces&) const
 {
   return true;

@@ -14,8 +14,10 @@ namespace TemporalCoherence
 {
 
 class BandTracer;
+class BlendTracer;
 class SurfaceTracer;
 struct BandScene;
+struct BlendScene;
 struct CapPoint;
 struct CellBox;
 struct Field;
@@ -103,6 +105,10 @@ public:
   /// Make a tracer of value ranges along rays, for isomaps. Null if the kind has no isomaps.
   /// \throws std::bad_alloc
   virtual std::shared_ptr<const BandTracer> MakeBandTracer(const BandScene& scene) const;
+
+  /// Make a tracer of what rays see of a volume. Null if the kind can only be drawn by isosurfaces.
+  /// \throws std::bad_alloc
+  virtual std::shared_ptr<const BlendTracer> MakeBlendTracer(const BlendScene& scene) const;
 
   /// Find the gradients of the field at the hits of a tile.
   virtual void FindGradients(const GradientQuery& query, const GradientTile& tile) const = 0;

@@ -24,13 +24,14 @@ FrameChange CompareFrames(const FrameKey& last, const FrameKey& next)
   change.Surfaces = !AreMetAlike(last.Isosurfaces, next.Isosurfaces);
   change.Opacity = !change.Surfaces && !(last.Isosurfaces == next.Isosurfaces);
   change.Appearance = !(last.Appearance == next.Appearance);
+  change.Volume = !(last.Volume == next.Volume);
   return change;
 }
 
 bool MeetSameLayers(const FrameKey& a, const FrameKey& b)
 {
   const FrameChange change = CompareFrames(a, b);
-  return !change.Data && !change.View && !change.Surfaces;
+  return !change.Data && !change.View && !change.Surfaces && !change.Volume;
 }
 
 }

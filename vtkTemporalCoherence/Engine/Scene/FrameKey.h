@@ -4,6 +4,7 @@
 #define TemporalCoherence_FrameKey_h
 
 #include "Scene/Appearance.h"
+#include "Scene/Blending.h"
 #include "Scene/Field.h"
 #include "Scene/Region.h"
 #include "Scene/Surfaces.h"
@@ -21,6 +22,7 @@ struct FrameKey
   TemporalCoherence::View View;
   Surfaces Isosurfaces;
   TemporalCoherence::Appearance Appearance;
+  Blending Volume; ///< if it is on, there are no isosurfaces
 };
 
 /// True if two fields can differ in nothing but the values of their samples, so that fingerprints
@@ -36,6 +38,7 @@ struct FrameChange
   bool Surfaces = false; ///< isovalues or mode
   bool Opacity = false;
   bool Appearance = false;
+  bool Volume = false; ///< how the volume is blended
 };
 
 FrameChange CompareFrames(const FrameKey& last, const FrameKey& next);

@@ -80,6 +80,11 @@ struct ValueBand
   bool Holds(double isovalue) const { return this->Low <= isovalue && isovalue <= this->High; }
 };
 
+inline bool operator==(const ValueBand& a, const ValueBand& b)
+{
+  return a.Low == b.Low && a.High == b.High;
+}
+
 inline bool IsWithin(const ValueBand& inner, const ValueBand& outer)
 {
   return outer.Holds(inner.Low) && outer.Holds(inner.High);

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/Blending.h"
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+/// The ranges of values that have an opacity. Each holds its Low, and not its High.
+std::vector<ValueBand> OpaqueBands(const TransferFunction& transfer)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const std::vector<glm::dvec4>& nodes = transfer.Nodes;
+  const std::size_t last = nodes.size() - 1;
+  const double step = (transfer.Range.y - transfer.Range.x) / static_cast<double>(last);
+  const auto valueAt = [&](std::size_t node)
+  { return transfer.Range.x + static_cast<double>(node) * step; };
+  std::vector<ValueBand> bands;
+  for (std::size_t node = 0; node <= last; ++node)
+  {
+    if (nodes[node].w > 0.0)
+    {
+      // Between a node with an opacity and its neighbours there is some, too.
+      const double low = node == 0 ? -infinity : std::nextafter(valueAt(node - 1), -infinity);
+      const double high = node == last ? infinity : std::nextafter(valueAt(node + 1), infinity);
+      if (!bands.empty() && low <= bands.back().High)
+      {
+        bands.back().High = high;
+      }
+      else
+      {
+        bands.push_back({ low, high });
+      }
+    }
+  }
+  return bands;
+}
+
+}
+
+bool operator==(const Blending& a, const Blending& b)
+{
+  if (!a.IsOn() && !b.IsOn())
+  {
+    return true;
+  }
+  const bool haveSameEnds = a.Ends == b.Ends || (a.Ends && b.Ends && *a.Ends == *b.Ends);
+  return a.Mode == b.Mode && a.Use == b.Use && a.Looks == b.Looks && a.Others == b.Others &&
+    a.AverageRange == b.AverageRange && a.ScalarRanges == b.ScalarRanges &&
+    a.SampleDistance == b.SampleDistance && haveSameEnds;
+}
+
+std::optional<std::vector<ValueBand>> VisibleBands(const Blending& blending)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (blending.Looks.size() != 1 || !blending.Others.empty())
+  {
+    return std::nullopt;
+  }
+  switch (blending.Mode)
+  {
+    case BlendMode::Composite:
+    case BlendMode::Additive:
+      return OpaqueBands(blending.Looks.front().Transfer);
+    case BlendMode::Average:
+      return std::vector<ValueBand>{ { blending.AverageRange.x,
+        std::nextafter(blending.AverageRange.y, infinity) } };
+    default:
+      return std::nullopt;
+  }
+}
+
+}

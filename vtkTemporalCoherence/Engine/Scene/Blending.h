@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_Blending_h
+#define TemporalCoherence_Blending_h
+
+#include "Scene/Field.h"
+#include "Scene/Surfaces.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace TemporalCoherence
+{
+
+/// What a ray makes of the values that it passes.
+enum class BlendMode : std::uint8_t
+{
+  Isosurface, ///< only surfaces are seen: FrameKey::Isosurfaces tells which
+  Composite,  ///< the volume emits and absorbs light (Max 1995)
+  Maximum,    ///< the largest value on the ray is seen
+  Minimum,    ///< the smallest
+  Average,    ///< the mean of the values in Blending::AverageRange
+  Additive    ///< the integral of value times opacity
+};
+
+/// Colour and opacity as functions of a value: linear between nodes, constant beyond the range.
+struct TransferFunction
+{
+  glm::dvec2 Range{ 0.0, 1.0 };  ///< values of the first and the last node, ascending
+  std::vector<glm::dvec4> Nodes; ///< RGB and opacity, all in [0, 1]; equidistant; at least two
+};
+
+inline bool operator==(const TransferFunction& a, const TransferFunction& b)
+{
+  return a.Range == b.Range && a.Nodes == b.Nodes;
+}
+
+/// How light falls on a component: VTK's Phong model, with the lights of the Appearance.
+struct Material
+{
+  bool Shade = false;
+  double Ambient = 0.1;
+  double Diffuse = 0.7;
+  double Specular = 0.2;
+  double SpecularPower = 10.0;
+};
+
+inline bool operator==(const Material& a, const Material& b)
+{
+  return a.Shade == b.Shade &&
+    (!a.Shade ||
+      (a.Ambient == b.Ambient && a.Diffuse == b.Diffuse && a.Specular == b.Specular &&
+        a.SpecularPower == b.SpecularPower));
+}
+
+/// How the values of one component look.
+struct ComponentLook
+{
+  TransferFunction Transfer;
+  double UnitDistance = 1.0; ///< world distance over which an opacity counts; positive
+  GradientOpacity ByGradient;
+  TemporalCoherence::Material Material;
+  double Weight = 1.0; ///< among several components, in [0, 1]
+};
+
+inline bool operator==(const ComponentLook& a, const ComponentLook& b)
+{
+  return a.Transfer == b.Transfer && a.UnitDistance == b.UnitDistance &&
+    a.ByGradient == b.ByGradient && a.Material == b.Material && a.Weight == b.Weight;
+}
+
+/// How the components of a field are seen together.
+enum class ComponentUse : std::uint8_t
+{
+  Independent,  ///< each has a look of its own
+  ColorOpacity, ///< two: the first gives the colour, the second the opacity
+  RgbOpacity    ///< four: the first three are a colour, the fourth gives the opacity
+};
+
+/// How a volume is drawn, other than by isosurfaces.
+struct Blending
+{
+  BlendMode Mode = BlendMode::Isosurface;
+  ComponentUse Use = ComponentUse::Independent;
+  std::vector<ComponentLook> Looks; ///< one for each component, but one in all if they depend
+  /// Components 1, 2 and 3, if there are. They differ from FrameKey::Samples in their values alone.
+  std::vector<Field> Others;
+  glm::dvec2 AverageRange{ 0.0 }; ///< values that count for Average, both ends included
+  /// By component, the values that Additive shows as 0 and as 1, and RgbOpacity, too.
+  std::vector<glm::dvec2> ScalarRanges;
+  /// World distance between samples; 0: they are as dense as the picture needs.
+  double SampleDistance = 0.0;
+  /// For each pixel, the t at which something opaque hides the volume; null: nothing does.
+  std::shared_ptr<const std::vector<double>> Ends;
+
+  bool IsOn() const { return this->Mode != BlendMode::Isosurface; }
+};
+
+/// True if both give the same picture of the same samples.
+bool operator==(const Blending& a, const Blending& b);
+
+/// The ranges of values that can be seen, ascending; all others are transparent. None if every
+/// value may be seen, or if there are several components.
+std::optional<std::vector<ValueBand>> VisibleBands(const Blending& blending);
+
+}
+
+#endif

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Beams/BeamChoice.h"
-#include "Blending/CompositeTracer.h"
+#include "Fields/UniformBlending.h"
 #include "Fields/UniformCells.h"
 #include "Fields/UniformTracer.h"
 #include "Scene/FieldKind.h"
@@ -56,7 +56,7 @@ public:
 
   std::shared_ptr<const BlendTracer> MakeBlendTracer(const BlendScene& scene) const override
   {
-    return MakeCompositeTracer(scene);
+    return MakeUniformBlendTracer(scene, nullptr);
   }
 
   void FindGradients(const GradientQuery& query, const GradientTile& tile) const override

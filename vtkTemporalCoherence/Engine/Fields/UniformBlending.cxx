@@ -3,6 +3,7 @@
 #include "Fields/UniformBlending.h"
 
 #include "Blending/ProjectionTracer.h"
+#include "Fields/ExtremeSearches.h"
 
 namespace TemporalCoherence
 {
@@ -14,7 +15,7 @@ std::shared_ptr<const BlendTracer> MakeUniformBlendTracer(
   {
     case BlendMode::Maximum:
     case BlendMode::Minimum:
-      return MakeExtremeTracer(scene, grid);
+      return MakeExtremeTracer(scene, grid, &MakeExtremeSearch);
     case BlendMode::Composite: // here goes MakeCompositeTracer(scene, grid), for one component
     default:
       return nullptr;

@@ -22,6 +22,7 @@ set(engine_files
   Blending/FieldProbe
   Blending/KernelsExtremes
   Blending/ProjectionTracer
+  Blending/ShareTracer
   Trace/KernelsCrossing
   Trace/KernelsRange
   Trace/KernelsRays
@@ -90,6 +91,7 @@ set(engine_files
   Fields/ExtremeSearches
   Fields/KernelsCorners
   Fields/RectilinearKind
+  Fields/SegmentSources
   Fields/UniformBandTracer
   Fields/UniformBlending
   Fields/UniformKind

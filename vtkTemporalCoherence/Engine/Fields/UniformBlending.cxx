@@ -4,7 +4,9 @@
 
 #include "Blending/CompositeTracer.h"
 #include "Blending/ProjectionTracer.h"
+#include "Blending/ShareTracer.h"
 #include "Fields/ExtremeSearches.h"
+#include "Fields/SegmentSources.h"
 
 namespace TemporalCoherence
 {
@@ -31,6 +33,9 @@ std::shared_ptr<const BlendTracer> MakeUniformBlendTracer(
       return MakeExtremeTracer(scene, grid, &MakeExtremeSearch);
     case BlendMode::Composite:
       return IsPlain(scene, grid) ? MakeCompositeTracer(scene) : nullptr;
+    case BlendMode::Average:
+    case BlendMode::Additive:
+      return MakeShareTracer(scene, grid, &MakeSegmentSource);
     default:
       return nullptr;
   }

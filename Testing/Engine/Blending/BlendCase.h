@@ -9,7 +9,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <ostream>
 #include <vector>
 
 /// A point of a transfer function: where between the least and the largest value, and RGBA.

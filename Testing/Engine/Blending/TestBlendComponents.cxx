@@ -35,7 +35,7 @@ protected:
         const std::size_t from = c % 2 == 0 ? i : count - 1 - i;
         const int value = volume.Samples[from];
         this->Samples[i * static_cast<std::size_t>(components) + static_cast<std::size_t>(c)] =
-          static_cast<std::uint8_t>(c < 2 ? value : 255 - value * value / 300);
+          static_cast<std::uint8_t>(c < 2 ? value : 255 - value);
       }
       Field field = volume.Field;
       field.Samples = this->Samples.data() + c;

@@ -3,6 +3,7 @@
 #include "BlendCase.h"
 #include "BlendFrames.h"
 
+#include <ostream>
 #include <string>
 #include <tuple>
 
@@ -18,6 +19,11 @@ struct NamedLook
   const char* Name;
   Points Look;
 };
+
+void PrintTo(const NamedLook& look, std::ostream* to)
+{
+  *to << look.Name;
+}
 
 const NamedLook Looks[] = { { "Bone", &BlendLooks::Bone }, { "Skin", &BlendLooks::Skin },
   { "Peaks", &BlendLooks::Peaks }, { "Step", &BlendLooks::Step }, { "Fog", &BlendLooks::Fog } };

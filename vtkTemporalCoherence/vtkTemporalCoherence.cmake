@@ -186,12 +186,14 @@ set(bridge_files
   Window/WindowPicture
   Window/WindowRays
   Request/AppearanceFromVolume
+  Request/BlendingFromVolume
   Request/EmptyInput
   Request/FieldFromMapper
   Request/IsovalueCheck
   Request/LightsFromRenderer
   Request/RegionFromMapper
   Request/RequestFromMapper
+  Request/SampledTransfer
   Request/ViewFromRenderer
   Output/BufferImages
   Output/ImageFromFrame

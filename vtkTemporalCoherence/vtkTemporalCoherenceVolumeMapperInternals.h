@@ -135,7 +135,7 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
   std::string CheckIsovalues(
     const TemporalCoherence::DrawnVolume& drawn, const TemporalCoherence::FrameRequest& request)
   {
-    return request.Key.Samples.HasCells()
+    return request.Key.Samples.HasCells() && !request.Key.Volume.IsOn()
       ? this->Isovalues.Check(drawn, request, this->Frames.LastRanges())
       : std::string();
   }

@@ -184,6 +184,12 @@ bool MapperFrames::WriteSurface(vtkPolyData* points, std::string& error) const
   {
     return false;
   }
+  if (frames.LastKey().Volume.IsOn())
+  {
+    error = "The last frame shows no surface, since its volume is blended; call "
+            "SetBlendModeToIsoSurface() and render, or read depths with GetLastFrame.";
+    return false;
+  }
   try
   {
     WritePoints(frames.LastFrame(), frames.LastKey(), this->Last->IsovaluePlaces, points);

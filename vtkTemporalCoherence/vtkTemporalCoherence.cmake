@@ -183,6 +183,7 @@ set(bridge_files
   Window/PicturePresenter
   Window/PixelHit
   Window/PixelRays
+  Window/RayEnds
   Window/WindowPicture
   Window/WindowRays
   Request/AppearanceFromVolume

@@ -56,6 +56,7 @@ bool MapperFrames::Render(const Viewer& viewer, const FrameRequest& request,
     }
     state->IsovaluePlaces = request.IsovaluePlaces;
     state->Cells = request.Cells;
+    state->ComparesDepths = request.ComparesDepths;
     if (state->Engine.Statistics().Made != Route::Redisplay)
     {
       state->PictureNumber = NewPictureNumber();

@@ -55,6 +55,8 @@ struct FrameRequest
   std::vector<int> IsovaluePlaces; ///< position in the list, for each isovalue of the key
   vtkSmartPointer<vtkContourValues> IsovalueList; ///< including transparent ones
 
+  bool ComparesDepths = true; ///< with those of a window, when it is shown there
+
   FieldSetUp SetUp;
   std::shared_ptr<const CellOrigins> Cells; ///< of a mesh: which cells of the data are its cells
 

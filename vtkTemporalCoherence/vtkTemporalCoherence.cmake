@@ -19,6 +19,9 @@ set(engine_files
   Acceleration/SampleComparer
   Acceleration/TileBounds
   Acceleration/ValueRangePyramid
+  Blending/ExtremeSearch
+  Blending/FieldProbe
+  Blending/ProjectionTracer
   Trace/KernelsCrossing
   Trace/KernelsRange
   Trace/KernelsRays
@@ -83,6 +86,7 @@ set(engine_files
   Fields/KernelsCorners
   Fields/RectilinearKind
   Fields/UniformBandTracer
+  Fields/UniformBlending
   Fields/UniformKind
   Fields/UniformTracer
   Trees/MeshBoxes

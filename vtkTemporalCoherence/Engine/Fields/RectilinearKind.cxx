@@ -5,6 +5,7 @@
 #include "Beams/BeamChoice.h"
 #include "Beams/CellLayerBeam.h"
 #include "Fields/RectilinearBeam.h"
+#include "Fields/UniformBlending.h"
 #include "Isomap/CellBandTracer.h"
 #include "Passages/PassageTracer.h"
 #include "Scene/CellBox.h"
@@ -160,6 +161,11 @@ public:
         }
         return MakeCellBandTracer<T>(scene, shape);
       });
+  }
+
+  std::shared_ptr<const BlendTracer> MakeBlendTracer(const BlendScene& scene) const override
+  {
+    return MakeUniformBlendTracer(scene, this->Grid.get());
   }
 
   void FindGradients(const GradientQuery& query, const GradientTile& tile) const override

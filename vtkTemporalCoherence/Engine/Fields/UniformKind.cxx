@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Beams/BeamChoice.h"
+#include "Fields/UniformBlending.h"
 #include "Fields/UniformCells.h"
 #include "Fields/UniformTracer.h"
 #include "Scene/FieldKind.h"
@@ -51,6 +52,11 @@ public:
   std::shared_ptr<const BandTracer> MakeBandTracer(const BandScene& scene) const override
   {
     return MakeUniformBandTracer(scene);
+  }
+
+  std::shared_ptr<const BlendTracer> MakeBlendTracer(const BlendScene& scene) const override
+  {
+    return MakeUniformBlendTracer(scene);
   }
 
   void FindGradients(const GradientQuery& query, const GradientTile& tile) const override

@@ -53,6 +53,10 @@ set(engine_files
   Shade/SurfaceNormal
   Shade/TileCompositor
   Shade/TileShader
+  Blending/CompositeTracer
+  Blending/KernelsEmission
+  Blending/KernelsVolumeSegments
+  Blending/TransferTables
   ImageCache/FreeSpace
   ImageCache/FreeSpaceHint
   ImageCache/ImageCache

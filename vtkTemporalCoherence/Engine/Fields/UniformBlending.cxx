@@ -2,10 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fields/UniformBlending.h"
 
+#include "Blending/CompositeTracer.h"
 #include "Blending/ProjectionTracer.h"
 
 namespace TemporalCoherence
 {
+namespace
+{
+
+/// True if a volume has one component on the grid of an image, and its picture may converge.
+bool IsPlain(const BlendScene& scene, const GridCoordinates* grid)
+{
+  const Blending& volume = scene.Key.Volume;
+  return !grid && scene.Key.Samples.Between == Interpolation::Linear && volume.Others.empty() &&
+    volume.SampleDistance == 0.0;
+}
+
+}
 
 std::shared_ptr<const BlendTracer> MakeUniformBlendTracer(
   const BlendScene& scene, const GridCoordinates* grid)
@@ -15,7 +28,8 @@ std::shared_ptr<const BlendTracer> MakeUniformBlendTracer(
     case BlendMode::Maximum:
     case BlendMode::Minimum:
       return MakeExtremeTracer(scene, grid);
-    case BlendMode::Composite: // here goes MakeCompositeTracer(scene, grid), for one component
+    case BlendMode::Composite:
+      return IsPlain(scene, grid) ? MakeCompositeTracer(scene) : nullptr;
     default:
       return nullptr;
   }

@@ -56,7 +56,7 @@ public:
 
   std::shared_ptr<const BlendTracer> MakeBlendTracer(const BlendScene& scene) const override
   {
-    return MakeUniformBlendTracer(scene);
+    return MakeUniformBlendTracer(scene, nullptr);
   }
 
   void FindGradients(const GradientQuery& query, const GradientTile& tile) const override

@@ -39,7 +39,8 @@ bool CanServe(const FrameKey& cached, const FrameKey& next)
 
 bool IsFasterFrom(const FrameKey& cached, const FrameKey& next)
 {
-  return !next.Volume.IsOn() && next.Samples.Kind->GainsFromImages(next.Samples, next.Isosurfaces) &&
+  return !next.Volume.IsOn() &&
+    next.Samples.Kind->GainsFromImages(next.Samples, next.Isosurfaces) &&
     !next.Isosurfaces.IsTranslucent() && CosineOfTurn(cached, next) >= SmallTurn;
 }
 

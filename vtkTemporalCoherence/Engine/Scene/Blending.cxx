@@ -65,7 +65,6 @@ std::optional<std::vector<ValueBand>> VisibleBands(const Blending& blending)
   switch (blending.Mode)
   {
     case BlendMode::Composite:
-    case BlendMode::Additive:
       return OpaqueBands(blending.Looks.front().Transfer);
     case BlendMode::Average:
       return std::vector<ValueBand>{ { blending.AverageRange.x,

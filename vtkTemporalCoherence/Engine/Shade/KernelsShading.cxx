@@ -14,7 +14,7 @@
 #define HWY_TARGET_INCLUDE "Shade/KernelsShading.cxx"
 #include <hwy/foreach_target.h>
 
-#include <hwy/highway.h>
+#include "Shade/KernelsPower-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace TemporalCoherence
@@ -36,6 +36,7 @@ constexpr double ShortEnough = 1e-100, LongEnough = 1e100;
 using Doubles = hn::CappedTag<double, WidestVector / 2>;
 using Floats = hn::CappedTag<float, WidestVector>;
 using HalfOfFloats = hn::Rebind<float, Doubles>;
+using Raiser = Powers::HWY_NAMESPACE::Raiser;
 
 template <class V>
 HWY_INLINE V Dot(V ax, V ay, V az, V bx, V by, V bz)
@@ -180,53 +181,6 @@ void FacingNormalsOf(const HitRays& rays, const glm::dmat3& m, const HitRays::Ve
       normals[i].data());
   }
 }
-
-/// Raises numbers in [0, 1] to a power. 0 stays 0.
-class Raiser
-{
-public:
-  explicit Raiser(double power)
-    : Power(static_cast<float>(power))
-    , Whole(power == std::floor(power) && power >= 1.0 && power <= LargestWhole
-          ? static_cast<int>(power)
-          : 0)
-  {
-  }
-
-  HWY_INLINE hn::Vec<Floats> operator()(hn::Vec<Floats> base) const
-  {
-    const Floats d;
-    if (this->Whole == 0)
-    {
-      return this->RaiseOneByOne(base);
-    }
-    hn::Vec<Floats> result = hn::Set(d, 1.0f);
-    for (int rest = this->Whole; rest > 0; rest >>= 1)
-    {
-      result = (rest & 1) != 0 ? hn::Mul(result, base) : result;
-      base = hn::Mul(base, base);
-    }
-    return result;
-  }
-
-private:
-  static constexpr double LargestWhole = 1024.0;
-
-  hn::Vec<Floats> RaiseOneByOne(hn::Vec<Floats> base) const
-  {
-    const Floats d;
-    std::array<float, WidestVector> values;
-    hn::StoreU(base, d, values.data());
-    for (std::size_t i = 0; i < hn::Lanes(d); ++i)
-    {
-      values[i] = values[i] > 0.0f ? std::pow(values[i], this->Power) : 0.0f;
-    }
-    return hn::LoadU(d, values.data());
-  }
-
-  float Power;
-  int Whole; ///< the power if it is an integer that few multiplications reach; else 0
-};
 
 /// What of a light from one direction a surface reflects, matt and mirrored.
 struct Reflection

@@ -1,0 +1,333 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Blending/CompositeTracer.h"
+
+#include "Blending/KernelsEmission.h"
+#include "Blending/KernelsVolumeSegments.h"
+#include "Blending/TransferTables.h"
+#include "Blending/VolumeSegments.h"
+#include "Trace/KernelsWalk.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+/// Less light than this from behind is not seen.
+constexpr float LeastPassed = 1.0f / 1024.0f;
+
+/// How far the optical depth of a cell may be off.
+constexpr float Tolerance = 1.0f / 1024.0f;
+
+/// Optical depth of the shortest edge of a cell where the opacity is 1.
+constexpr double MostDepth = 64.0;
+
+/// What may be seen, in bins; a list that is too long counts as one band.
+SegmentsKernels::SeenBins SeenBinsOf(
+  const std::optional<std::vector<ValueBand>>& bands, const TransferTables& tables)
+{
+  SegmentsKernels::SeenBins seen;
+  if (!bands || bands->size() > SegmentsKernels::SeenBins::Most)
+  {
+    return seen;
+  }
+  // A list without bands shows nothing.
+  seen.Count = std::max<std::size_t>(bands->size(), 1);
+  seen.Bands[0] = { std::numeric_limits<float>::infinity(),
+    -std::numeric_limits<float>::infinity() };
+  const auto binOf = [&](double value)
+  { return static_cast<float>((value - tables.Low) * tables.PerValue); };
+  for (std::size_t i = 0; i < bands->size(); ++i)
+  {
+    seen.Bands[i] = { binOf((*bands)[i].Low), binOf((*bands)[i].High) };
+  }
+  return seen;
+}
+
+template <typename T>
+class CompositeTracer final
+  : public BlendTracer
+  , private LeafSource
+{
+public:
+  explicit CompositeTracer(const BlendScene& scene)
+    : Samples(scene.Key.Samples)
+    , Look(scene.Key.Volume.Looks.front())
+    , Tables(Look, MostDepth / ShortestEdge(scene))
+    , ByGradient(Look.ByGradient)
+    , Active(scene.Visible)
+    , Seen(SeenBinsOf(VisibleBands(scene.Key.Volume), Tables))
+    , Volume{ Tables, ByGradient, glm::vec3(1.0f), glm::mat3(1.0f), Look.Material,
+      scene.Key.Appearance, Tolerance }
+    , Position(scene.Key.View.Position)
+    , IsParallel(scene.Key.View.Parallel)
+    , WorldFromIndex(scene.Key.Transform.WorldFromIndex)
+    , IsNarrow(sizeof(T) <= 2 && Samples.HasCells() && NarrowSamples<T>::Are(Samples))
+  {
+    // Kernels make gradients of differences of samples that are two steps apart, in bins.
+    this->Volume.PerStep = glm::vec3(this->Look.ByGradient.PerStep * (0.5 / this->Tables.PerValue));
+    this->Volume.WorldFromGradient = NormalMatrix(scene.Key.Transform);
+    if (!this->Active)
+    {
+      constexpr double infinity = std::numeric_limits<double>::infinity();
+      this->All.BuildVisible(this->Samples, *scene.Ranges, { { -infinity, infinity } });
+      this->Active = &this->All;
+    }
+  }
+
+  void Trace(const RayBatch& rays, const WorldDirections& world, BlendedRays& seen) const override
+  {
+    std::uint64_t which = 0;
+    EmissionKernels::LitRays lit;
+    for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
+    {
+      if (rays.HasWalk(ray) && seen.Passed[ray] > LeastPassed)
+      {
+        which |= std::uint64_t(1) << ray;
+      }
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        lit.Direction[a][ray] = static_cast<float>(world[a][ray]);
+        lit.Begin[a][ray] =
+          static_cast<float>(this->BeginOf(rays, world, ray)[static_cast<int>(a)]);
+      }
+    }
+    if (which == 0)
+    {
+      return;
+    }
+    RayWalks walks(rays, which);
+    VolumeSegments segments;
+    BlendedRays::Array<double> first;
+    first.fill(std::numeric_limits<double>::infinity());
+    std::swap(first, seen.First);
+    const WalkScene scene{ *this->Active, *this, this->Samples.Dimensions - 1 };
+    for (FindActiveCells(scene, walks); walks.Rays.Count > 0; FindActiveCells(scene, walks))
+    {
+      seen.CellsRead += walks.Rays.Count;
+      this->FindSegments(walks, segments);
+      if (segments.Count > 0)
+      {
+        this->AddSegments(lit, segments, seen);
+      }
+      for (std::size_t i = 0; i < static_cast<std::size_t>(walks.Rays.Count); ++i)
+      {
+        const auto ray = static_cast<std::size_t>(walks.From[i]);
+        const bool isDone = seen.Passed[ray] <= LeastPassed;
+        walks.Distance[i] = isDone ? 0.0 : std::numeric_limits<double>::infinity();
+      }
+    }
+    // Kernels count distances from where rays begin.
+    for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
+    {
+      seen.First[ray] = std::min(first[ray], rays.Begin[ray] + seen.First[ray]);
+    }
+  }
+
+private:
+  static double ShortestEdge(const BlendScene& scene)
+  {
+    return scene.Key.Samples.Kind->VoxelSizeIn(scene.Key.Transform).Shortest;
+  }
+
+  /// From gradients of index space to normals in the world, of about the same length.
+  static glm::mat3 NormalMatrix(const IndexTransform& transform)
+  {
+    const glm::dmat3 matrix = glm::transpose(glm::dmat3(transform.IndexFromWorld));
+    double largest = 0.0;
+    for (int column = 0; column < 3; ++column)
+    {
+      for (int row = 0; row < 3; ++row)
+      {
+        largest = std::max(largest, std::abs(matrix[column][row]));
+      }
+    }
+    return glm::mat3(largest > 0.0 ? matrix / largest : matrix);
+  }
+
+  /// Where a ray begins, in the world.
+  glm::dvec3 BeginOf(const RayBatch& rays, const WorldDirections& world, std::size_t ray) const
+  {
+    if (!this->IsParallel)
+    {
+      return this->Position +
+        rays.Begin[ray] * glm::dvec3(world[0][ray], world[1][ray], world[2][ray]);
+    }
+    const double t = rays.Begin[ray];
+    const glm::dvec3 inIndex(rays.Origin[0][ray] + t * rays.Direction[0][ray],
+      rays.Origin[1][ray] + t * rays.Direction[1][ray],
+      rays.Origin[2][ray] + t * rays.Direction[2][ray]);
+    return glm::dvec3(this->WorldFromIndex * glm::dvec4(inIndex, 1.0));
+  }
+
+  std::uint64_t CellsOf(std::int64_t node, const glm::ivec3& cell) const override
+  {
+    return this->Active->CellsOf(TypedField<T>(this->Samples), node, cell);
+  }
+
+  float BinOf(T sample) const
+  {
+    return static_cast<float>(
+      (static_cast<double>(sample) - this->Tables.Low) * this->Tables.PerValue);
+  }
+
+  void FindSegments(const RayWalks& walks, VolumeSegments& segments) const
+  {
+    if constexpr (sizeof(T) <= 2)
+    {
+      if (this->IsNarrow)
+      {
+        const SegmentsKernels::BinScale scale{ static_cast<float>(this->Tables.PerValue),
+          static_cast<float>(-this->Tables.Low * this->Tables.PerValue) };
+        SegmentsKernels::FindSegments(
+          walks, NarrowSamples<T>(this->Samples), scale, this->Seen, segments);
+        return;
+      }
+    }
+    SegmentsKernels::CornerValues corners;
+    const TypedField<T> samples(this->Samples);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(walks.Rays.Count); ++i)
+    {
+      const T* const origin = samples.At(static_cast<int>(walks.Cell[0][i]),
+        static_cast<int>(walks.Cell[1][i]), static_cast<int>(walks.Cell[2][i]));
+      for (std::size_t corner = 0; corner < 8; ++corner)
+      {
+        const T* const at = origin + ((corner & 1u) != 0 ? samples.Strides.x : 0) +
+          ((corner & 2u) != 0 ? samples.Strides.y : 0) +
+          ((corner & 4u) != 0 ? samples.Strides.z : 0);
+        corners[corner][i] = this->BinOf(*at);
+      }
+    }
+    for (auto& values : corners)
+    {
+      const auto count = static_cast<std::size_t>(walks.Rays.Count);
+      std::fill(values.begin() + static_cast<std::ptrdiff_t>(count),
+        values.begin() + static_cast<std::ptrdiff_t>(WholeVectors(count)), 0.0f);
+    }
+    SegmentsKernels::FindSegments(walks, corners, this->Seen, segments);
+  }
+
+  void AddSegments(
+    const EmissionKernels::LitRays& rays, const VolumeSegments& segments, BlendedRays& seen) const
+  {
+    if constexpr (sizeof(T) <= 2)
+    {
+      if (this->IsNarrow && (!this->Volume.HasGradients() || this->AreInside(segments)))
+      {
+        EmissionKernels::AddSegments(this->Volume, rays, segments, NarrowSamples<T>(this->Samples),
+          static_cast<float>(this->Tables.PerValue), seen);
+        return;
+      }
+    }
+    SamplesAround around;
+    if (this->Volume.HasGradients())
+    {
+      this->ReadAround(segments, around);
+    }
+    EmissionKernels::AddSegments(this->Volume, rays, segments, around, seen);
+  }
+
+  /// True if no cell is at the boundary.
+  bool AreInside(const VolumeSegments& segments) const
+  {
+    bool areInside = true;
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      const int last = this->Samples.Dimensions[static_cast<int>(a)] - 2;
+      for (std::size_t i = 0; i < static_cast<std::size_t>(segments.Count); ++i)
+      {
+        areInside &= segments.Cell[a][i] > 0 && segments.Cell[a][i] < last;
+      }
+    }
+    return areInside;
+  }
+
+  /// Read the samples around cells. Beyond the boundary the field goes on as it ends, so that
+  /// central differences are one-sided ones there.
+  void ReadAround(const VolumeSegments& segments, SamplesAround& around) const
+  {
+    const TypedField<T> samples(this->Samples);
+    const glm::ivec3 last = this->Samples.Dimensions - 1;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(segments.Count); ++i)
+    {
+      const glm::ivec3 cell(segments.Cell[0][i], segments.Cell[1][i], segments.Cell[2][i]);
+      const auto at = [&](int x, int y, int z)
+      {
+        const glm::ivec3 place = cell + glm::ivec3(x, y, z);
+        const glm::ivec3 near = glm::clamp(place, glm::ivec3(0), last);
+        const float value = this->BinOf(*samples.At(near));
+        return place == near ? value : 2.0f * value - this->BinOf(*samples.At(2 * near - place));
+      };
+      for (int row = 0; row < 4; ++row)
+      {
+        for (int x = 0; x < 4; ++x)
+        {
+          around.Along[static_cast<std::size_t>(row)][static_cast<std::size_t>(x)][i] =
+            at(x - 1, row & 1, row >> 1);
+        }
+      }
+      for (int row = 0; row < 8; ++row)
+      {
+        const int across = (row & 2) != 0 ? 2 : -1, end = row & 1;
+        for (int x = 0; x < 2; ++x)
+        {
+          around.Beside[static_cast<std::size_t>(row)][static_cast<std::size_t>(x)][i] =
+            row < 4 ? at(x, across, end) : at(x, end, across);
+        }
+      }
+    }
+    FillLastVectors(segments, around);
+  }
+
+  /// So that no lane of the last vector is uninitialised.
+  static void FillLastVectors(const VolumeSegments& segments, SamplesAround& around)
+  {
+    const auto count = static_cast<std::size_t>(segments.Count);
+    const auto fill = [count](auto& rows)
+    {
+      for (auto& row : rows)
+      {
+        for (auto& values : row)
+        {
+          std::fill(values.begin() + static_cast<std::ptrdiff_t>(count),
+            values.begin() + static_cast<std::ptrdiff_t>(WholeVectors(count)), 0.0f);
+        }
+      }
+    };
+    fill(around.Along);
+    fill(around.Beside);
+  }
+
+  const Field& Samples;
+  const ComponentLook& Look;
+  TransferTables Tables;
+  GradientTable ByGradient;
+  const ActiveCells* Active;
+  ActiveCells All; ///< all cells, if none are left out
+  SegmentsKernels::SeenBins Seen;
+  EmissionKernels::EmittingVolume Volume;
+  glm::dvec3 Position;
+  bool IsParallel;
+  glm::dmat4 WorldFromIndex;
+  bool IsNarrow;
+};
+
+}
+
+std::shared_ptr<const BlendTracer> MakeCompositeTracer(const BlendScene& scene)
+{
+  return DispatchScalarType(scene.Key.Samples.Type,
+    [&](auto type) -> std::shared_ptr<const BlendTracer>
+    { return std::make_shared<CompositeTracer<decltype(type)>>(scene); });
+}
+
+}

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_TransferTables_h
+#define TemporalCoherence_TransferTables_h
+
+#include "Scene/Blending.h"
+
+#include <array>
+#include <vector>
+
+namespace TemporalCoherence
+{
+
+/// Extinction, and the light that it emits: red, green and blue times the extinction.
+using Emission = std::array<float, 4>;
+
+/// A transfer function integrated over values, so that a stretch of a ray on which the field is
+/// linear takes two look-ups, however often the function bends in between (pre-integration).
+///
+/// Values are counted in bins: u = (value - Low) * PerValue. Bin 0 and the last one stand for all
+/// values below and above the range.
+struct TransferTables
+{
+  /// \param mostExtinction per world distance, which stands for an opacity of 1
+  /// \throws std::bad_alloc
+  TransferTables(const ComponentLook& look, double mostExtinction);
+
+  double Low, PerValue;
+  int Bins; ///< within the range
+  /// By bin + 1: extinction and emission per world distance, as the mean over the bin.
+  std::vector<Emission> Means;
+  /// By bin + 1: the integral of the means from the beginning of the range to the bin, in bins.
+  std::vector<Emission> Sums;
+  /// The largest change of extinction from bin to bin, around blocks of bins.
+  static constexpr int BlockBits = 6;
+  std::vector<float> Steepness;
+};
+
+/// Gradient opacity by the magnitude of gradients, as a table: linear between entries, constant
+/// beyond.
+struct GradientTable
+{
+  /// \throws std::bad_alloc
+  explicit GradientTable(const GradientOpacity& opacity);
+
+  double Low = 0.0, PerMagnitude = 0.0; ///< entry = (magnitude - Low) * PerMagnitude
+  std::vector<float> Opacities;         ///< empty: 1
+};
+
+}
+
+#endif

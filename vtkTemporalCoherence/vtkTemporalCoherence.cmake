@@ -191,15 +191,18 @@ set(bridge_files
   Window/PicturePresenter
   Window/PixelHit
   Window/PixelRays
+  Window/RayEnds
   Window/WindowPicture
   Window/WindowRays
   Request/AppearanceFromVolume
+  Request/BlendingFromVolume
   Request/EmptyInput
   Request/FieldFromMapper
   Request/IsovalueCheck
   Request/LightsFromRenderer
   Request/RegionFromMapper
   Request/RequestFromMapper
+  Request/SampledTransfer
   Request/ViewFromRenderer
   Output/BufferImages
   Output/ImageFromFrame

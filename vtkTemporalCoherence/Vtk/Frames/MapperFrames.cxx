@@ -56,6 +56,7 @@ bool MapperFrames::Render(const Viewer& viewer, const FrameRequest& request,
     }
     state->IsovaluePlaces = request.IsovaluePlaces;
     state->Cells = request.Cells;
+    state->ComparesDepths = request.ComparesDepths;
     if (state->Engine.Statistics().Made != Route::Redisplay)
     {
       state->PictureNumber = NewPictureNumber();
@@ -182,6 +183,12 @@ bool MapperFrames::WriteSurface(vtkPolyData* points, std::string& error) const
   const FrameRenderer& frames = this->Last->Engine;
   if (frames.LastFrame().IsEmpty())
   {
+    return false;
+  }
+  if (frames.LastKey().Volume.IsOn())
+  {
+    error = "The last frame shows no surface, since its volume is blended; call "
+            "SetBlendModeToIsoSurface() and render, or read depths with GetLastFrame.";
     return false;
   }
   try

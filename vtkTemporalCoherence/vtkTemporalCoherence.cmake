@@ -203,6 +203,7 @@ set(bridge_files
   Request/RegionFromMapper
   Request/RequestFromMapper
   Request/SampledTransfer
+  Request/TransferNodes
   Request/ViewFromRenderer
   Output/BufferImages
   Output/ImageFromFrame

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 // This file is compiled once for each kind of vectors, and what runs is chosen by the machine.
@@ -31,6 +32,12 @@ using V = hn::Vec<Floats>;
 using I = hn::Vec<Integers>;
 using M = hn::Mask<Floats>;
 using Line = Cubics::HWY_NAMESPACE::Cubic<V>;
+
+/// A segment is cut into steps of no more optical depth, unless there are too many.
+constexpr float MostDepthOfStep = 0.5f, MostSteps = 16.0f;
+
+/// Steps for each unit by which a gradient turns (TurnOf).
+constexpr float StepsOfTurn = 8.0f;
 
 /// exp(-x) for x >= 0.
 HWY_INLINE V ExpOfMinus(V x)
@@ -161,7 +168,6 @@ public:
     , IsSegment(hn::FirstN(Floats(), static_cast<std::size_t>(segments.Count) - first))
   {
     const Floats d;
-    const V one = hn::Set(d, 1.0f);
     const auto load = [&](const VolumeSegments::Array<float>& array) HWY_ATTR
     { return hn::IfThenElseZero(this->IsSegment, hn::LoadU(d, &array[first])); };
     this->Ray = hn::IfThenElseZero(
@@ -172,8 +178,8 @@ public:
     {
       this->Values.C[power] = load(segments.Cubic[power]);
     }
-    this->Steps = this->StepsFor(load(segments.Middle), load(segments.Bend));
-    this->Share = hn::Div(one, this->Steps);
+    this->Middle = load(segments.Middle);
+    this->Bend = load(segments.Bend);
     this->Passed = hn::GatherIndex(d, seen.Passed.data(), this->Ray);
     for (std::size_t a = 0; a < 3; ++a)
     {
@@ -185,22 +191,35 @@ public:
   HWY_INLINE void Add(const Line gradients[3])
   {
     const Floats d;
-    const float most = hn::GetLane(hn::MaxOfLanes(d, this->Steps));
-    const V depthPerMean = hn::Mul(this->Length, this->Share);
+    const V one = hn::Set(d, 1.0f);
     V value = this->Values.C[0];
-    EmissionAt last;
+    const V atEnd = this->Values.At(one);
+    EmissionAt last, end;
     this->LookUp(value, last);
+    this->LookUp(atEnd, end);
+    this->SetSteps(last, atEnd, end, gradients);
+    const V length = hn::Mul(this->Length, this->Share);
+    const float most = hn::GetLane(hn::MaxOfLanes(d, this->Steps));
     for (float step = 0.0f; step < most; step += 1.0f)
     {
-      const M isStep = hn::And(this->IsSegment, hn::Lt(hn::Set(d, step), this->Steps));
-      const V end = hn::Mul(hn::Set(d, step + 1.0f), this->Share);
-      const V middle = hn::Mul(hn::Set(d, step + 0.5f), this->Share);
-      const V next = this->Values.At(end);
-      EmissionAt there;
-      this->LookUp(next, there);
+      const V begin = hn::Mul(hn::Set(d, step), this->Share);
+      const V steps = hn::Set(d, step + 1.0f);
+      const M isStep = hn::Le(steps, this->Steps);
+      V next = atEnd;
+      EmissionAt there = end;
+      if (!hn::AllFalse(d, hn::Lt(steps, this->Steps)))
+      {
+        next = this->Values.At(hn::Mul(steps, this->Share));
+        this->LookUp(next, there);
+      }
       V mean[4];
       MeanBetween(value, last, next, there, mean);
-      this->AddStep(isStep, middle, depthPerMean, mean, gradients);
+      const V depth = hn::IfThenElseZero(isStep, hn::Mul(mean[0], length));
+      if (!hn::AllFalse(d, hn::Gt(depth, hn::Zero(d))))
+      {
+        const V centre = CentreOf(last.Mean[0], there.Mean[0], depth);
+        this->AddStep(hn::Add(begin, hn::Mul(centre, this->Share)), depth, mean, gradients);
+      }
       value = next;
       last = there;
     }
@@ -234,24 +253,59 @@ public:
   }
 
 private:
-  /// Into how many steps of equal length a segment is cut.
-  HWY_INLINE V StepsFor(V middle, V bend) const
+  /// Cut segments into steps of equal length.
+  HWY_INLINE void SetSteps(
+    const EmissionAt& begin, V valueAtEnd, const EmissionAt& end, const Line gradients[3])
   {
     const Floats d;
+    const V one = hn::Set(d, 1.0f);
     const TransferTables& tables = this->Volume.Tables;
     const V blocks = hn::Set(d, static_cast<float>(tables.Steepness.size() - 1));
-    const V block = hn::Min(
-      hn::Max(hn::Mul(middle, hn::Set(d, 1.0f / (1 << TransferTables::BlockBits))), hn::Zero(d)),
-      blocks);
+    const V block =
+      hn::Min(hn::Max(hn::Mul(this->Middle, hn::Set(d, 1.0f / (1 << TransferTables::BlockBits))),
+                hn::Zero(d)),
+        blocks);
     const V steepness =
       hn::GatherIndex(d, tables.Steepness.data(), hn::ConvertTo(Integers(), block));
     // A chord of a parabola is off by its bend, which falls with the square of the steps.
-    const V error = hn::Mul(
-      hn::Mul(steepness, hn::Mul(bend, this->Length)), hn::Set(d, 1.0f / this->Volume.Tolerance));
-    const V steps = hn::Ceil(hn::Sqrt(error));
-    const float least = this->Volume.HasGradients() ? 2.0f : 1.0f;
-    return hn::IfThenElse(
-      this->IsSegment, hn::Min(hn::Max(steps, hn::Set(d, least)), hn::Set(d, 16.0f)), hn::Zero(d));
+    const V error = hn::Mul(hn::Mul(steepness, hn::Mul(this->Bend, this->Length)),
+      hn::Set(d, 1.0f / this->Volume.Tolerance));
+    V mean[4];
+    MeanBetween(this->Values.C[0], begin, valueAtEnd, end, mean);
+    const V depth = hn::Mul(mean[0], this->Length);
+    V steps = hn::Max(hn::Sqrt(error), hn::Mul(depth, hn::Set(d, 1.0f / MostDepthOfStep)));
+    if (this->Volume.Surface.Shade)
+    {
+      const V turn = TurnOf(gradients);
+      steps = hn::Max(steps, hn::Mul(turn, hn::Set(d, StepsOfTurn)));
+    }
+    this->Steps = hn::IfThenElseZero(
+      this->IsSegment, hn::Min(hn::Max(hn::Ceil(steps), one), hn::Set(d, MostSteps)));
+    this->Share = hn::Div(one, hn::Max(this->Steps, one));
+  }
+
+  /// How far gradients turn along segments: 1 - the cosine between their ends.
+  static HWY_INLINE V TurnOf(const Line gradients[3])
+  {
+    const Floats d;
+    const V one = hn::Set(d, 1.0f), least = hn::Set(d, 1e-20f);
+    const V first[3] = { gradients[0].C[0], gradients[1].C[0], gradients[2].C[0] };
+    const V last[3] = { gradients[0].At(one), gradients[1].At(one), gradients[2].At(one) };
+    const V square = hn::Mul(hn::Max(Dot(first, first), least), hn::Max(Dot(last, last), least));
+    return hn::Sub(one, hn::Div(Dot(first, last), hn::Sqrt(square)));
+  }
+
+  /// The mean place of what is emitted in a step, whose ends have these extinctions.
+  static HWY_INLINE V CentreOf(V first, V last, V depth)
+  {
+    const Floats d;
+    const V sum = hn::Add(first, last);
+    const V isEmpty = hn::Set(d, 1e-20f);
+    const V third = hn::Set(d, 1.0f / 3.0f);
+    const V linear =
+      hn::Mul(third, hn::Add(hn::Set(d, 1.0f), hn::Div(last, hn::Max(sum, isEmpty))));
+    const V pulled = hn::Mul(hn::Min(depth, hn::Set(d, 3.0f)), hn::Set(d, 1.0f / 12.0f));
+    return hn::Sub(hn::IfThenElse(hn::Gt(sum, isEmpty), linear, hn::Set(d, 0.5f)), pulled);
   }
 
   HWY_INLINE void LookUp(V value, EmissionAt& at) const
@@ -262,13 +316,21 @@ private:
     const V last = hn::Set(d, static_cast<float>(tables.Bins));
     const V bin = hn::Min(hn::Max(hn::Floor(value), hn::Set(d, -1.0f)), last);
     const V behind = hn::Sub(value, hn::Max(bin, hn::Zero(d)));
-    const I place = hn::ShiftLeft<2>(hn::Add(hn::ConvertTo(di, bin), hn::Set(di, 1)));
-    const float* means = tables.Means.data()->data();
-    const float* sums = tables.Sums.data()->data();
+    std::int32_t bins[WidestVector];
+    hn::StoreU(hn::Add(hn::ConvertTo(di, bin), hn::Set(di, 1)), di, bins);
+    // Four numbers lie side by side: copies of all of them are faster than gathering each.
+    HWY_ALIGN float means[4 * WidestVector], sums[4 * WidestVector];
+    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
+    {
+      const BinOfEmission& from = tables.All[static_cast<std::size_t>(bins[lane])];
+      std::memcpy(means + 4 * lane, from.Mean.data(), sizeof(from.Mean));
+      std::memcpy(sums + 4 * lane, from.Sum.data(), sizeof(from.Sum));
+    }
+    hn::LoadInterleaved4(d, means, at.Mean[0], at.Mean[1], at.Mean[2], at.Mean[3]);
+    hn::LoadInterleaved4(d, sums, at.Sum[0], at.Sum[1], at.Sum[2], at.Sum[3]);
     for (std::size_t i = 0; i < 4; ++i)
     {
-      at.Mean[i] = hn::GatherIndex(d, means + i, place);
-      at.Sum[i] = hn::Add(hn::GatherIndex(d, sums + i, place), hn::Mul(behind, at.Mean[i]));
+      at.Sum[i] = hn::Add(at.Sum[i], hn::Mul(behind, at.Mean[i]));
     }
   }
 
@@ -291,15 +353,10 @@ private:
   }
 
   /// Composite a step behind what has been seen.
-  HWY_INLINE void AddStep(M isStep, V at, V length, const V mean[4], const Line gradients[3])
+  HWY_INLINE void AddStep(V at, V depth, const V mean[4], const Line gradients[3])
   {
     const Floats d;
-    const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
-    V depth = hn::IfThenElseZero(isStep, hn::Mul(mean[0], length));
-    if (hn::AllFalse(d, hn::Gt(depth, zero)))
-    {
-      return;
-    }
+    const V one = hn::Set(d, 1.0f);
     V color[3];
     const V perMean = hn::Div(one, hn::Max(mean[0], hn::Set(d, 1e-30f)));
     for (std::size_t a = 0; a < 3; ++a)
@@ -321,7 +378,7 @@ private:
     {
       this->Color[a] = hn::Add(this->Color[a], hn::Mul(emitted, color[a]));
     }
-    this->NoteFirst(hn::And(isStep, hn::Gt(depth, hn::Set(d, 1e-4f))), at);
+    this->NoteFirst(hn::Gt(depth, hn::Set(d, 1e-4f)), at);
     this->Passed = left;
   }
 
@@ -396,7 +453,7 @@ private:
   BlendedRays& Seen;
   M IsSegment;
   I Ray;
-  V Enter, Length, Steps, Share;
+  V Enter, Length, Middle, Bend, Steps, Share;
   Line Values;
   V Passed, Color[3];
 };

@@ -57,15 +57,14 @@ TransferTables::TransferTables(const ComponentLook& look, double mostExtinction)
     const glm::dvec3 color = 0.5 * (glm::dvec3(first) + glm::dvec3(second));
     const std::array<double, 4> mean = { extinction, extinction * color.x, extinction * color.y,
       extinction * color.z };
-    Emission means, sums;
+    BinOfEmission made;
     for (std::size_t i = 0; i < 4; ++i)
     {
-      means[i] = static_cast<float>(mean[i]);
-      sums[i] = static_cast<float>(sum[i]);
+      made.Mean[i] = static_cast<float>(mean[i]);
+      made.Sum[i] = static_cast<float>(sum[i]);
       sum[i] += bin == -1 ? 0.0 : mean[i];
     }
-    this->Means.push_back(means);
-    this->Sums.push_back(sums);
+    this->All.push_back(made);
   }
 
   // Over 2 blocks on each side, as a stretch of a ray may reach so far.
@@ -76,7 +75,7 @@ TransferTables::TransferTables(const ComponentLook& look, double mostExtinction)
   {
     const auto at = static_cast<std::size_t>(bin);
     float& most = own[at >> BlockBits];
-    most = std::max(most, std::abs(this->Means[at + 1][0] - this->Means[at][0]));
+    most = std::max(most, std::abs(this->All[at + 1].Mean[0] - this->All[at].Mean[0]));
   }
   for (int block = 0; block < blocks; ++block)
   {

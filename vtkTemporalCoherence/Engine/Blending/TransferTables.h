@@ -14,6 +14,13 @@ namespace TemporalCoherence
 /// Extinction, and the light that it emits: red, green and blue times the extinction.
 using Emission = std::array<float, 4>;
 
+/// Emission in a bin of values.
+struct BinOfEmission
+{
+  Emission Mean; ///< per world distance
+  Emission Sum;  ///< the integral of the means from the beginning of the range to the bin, in bins
+};
+
 /// A transfer function integrated over values, so that a stretch of a ray on which the field is
 /// linear takes two look-ups, however often the function bends in between (pre-integration).
 ///
@@ -26,11 +33,8 @@ struct TransferTables
   TransferTables(const ComponentLook& look, double mostExtinction);
 
   double Low, PerValue;
-  int Bins; ///< within the range
-  /// By bin + 1: extinction and emission per world distance, as the mean over the bin.
-  std::vector<Emission> Means;
-  /// By bin + 1: the integral of the means from the beginning of the range to the bin, in bins.
-  std::vector<Emission> Sums;
+  int Bins;                       ///< within the range
+  std::vector<BinOfEmission> All; ///< [bin + 1]
   /// The largest change of extinction from bin to bin, around blocks of bins.
   static constexpr int BlockBits = 6;
   std::vector<float> Steepness;

@@ -19,8 +19,8 @@ set(engine_files
   Acceleration/SampleComparer
   Acceleration/TileBounds
   Acceleration/ValueRangePyramid
-  Blending/ExtremeSearch
   Blending/FieldProbe
+  Blending/KernelsExtremes
   Blending/ProjectionTracer
   Trace/KernelsCrossing
   Trace/KernelsRange
@@ -87,6 +87,7 @@ set(engine_files
   Passages/KernelsPassedCells
   Passages/PassageLookup
   Passages/PassageSearch
+  Fields/ExtremeSearches
   Fields/KernelsCorners
   Fields/RectilinearKind
   Fields/UniformBandTracer

@@ -19,8 +19,8 @@ set(engine_files
   Acceleration/SampleComparer
   Acceleration/TileBounds
   Acceleration/ValueRangePyramid
-  Blending/ExtremeSearch
   Blending/FieldProbe
+  Blending/KernelsExtremes
   Blending/ProjectionTracer
   Trace/KernelsCrossing
   Trace/KernelsRange
@@ -87,6 +87,7 @@ set(engine_files
   Passages/KernelsPassedCells
   Passages/PassageLookup
   Passages/PassageSearch
+  Fields/ExtremeSearches
   Fields/KernelsCorners
   Fields/RectilinearKind
   Fields/UniformBandTracer
@@ -192,6 +193,7 @@ set(bridge_files
   Window/PixelHit
   Window/PixelRays
   Window/RayEnds
+  Window/SoftwareOpenGL
   Window/WindowPicture
   Window/WindowRays
   Request/AppearanceFromVolume
@@ -203,6 +205,7 @@ set(bridge_files
   Request/RegionFromMapper
   Request/RequestFromMapper
   Request/SampledTransfer
+  Request/TransferNodes
   Request/ViewFromRenderer
   Output/BufferImages
   Output/ImageFromFrame

@@ -80,7 +80,7 @@ INSTANTIATE_TEST_SUITE_P(Composite, BlendModes,
 INSTANTIATE_TEST_SUITE_P(Projections, BlendModes,
   ::testing::Combine(::testing::Values(BlendMode::Maximum, BlendMode::Minimum, BlendMode::Average,
                        BlendMode::Additive),
-    ::testing::Values(Looks[1], Looks[2], Looks[4]), ::testing::Bool()),
+    ::testing::Values(Looks[1], Looks[3], Looks[4]), ::testing::Bool()),
   NameOfCase);
 
 }

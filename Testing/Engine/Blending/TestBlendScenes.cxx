@@ -22,7 +22,8 @@ class BlendScenes : public ::testing::TestWithParam<BlendMode>
 protected:
   BlendScenes()
     : Volume(BlendSize)
-    , Key(MakeBlendKey(Volume, GetParam(), BlendLooks::Skin))
+    , Key(MakeBlendKey(
+        Volume, GetParam(), GetParam() == BlendMode::Minimum ? BlendLooks::Fog : BlendLooks::Skin))
   {
     this->Key.Volume.Looks[0].Material.Shade = true;
     this->Key.Volume.Looks[0].UnitDistance = GetParam() == BlendMode::Additive ? 20.0 : 1.0;

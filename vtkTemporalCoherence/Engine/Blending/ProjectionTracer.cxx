@@ -33,23 +33,21 @@ void AddLight(const glm::dvec4& color, double weight, std::size_t ray, BlendedRa
 class ExtremeTracer final : public BlendTracer
 {
 public:
-  ExtremeTracer(const BlendScene& scene, const GridCoordinates* grid)
+  ExtremeTracer(const BlendScene& scene, const GridCoordinates* grid, ExtremeSearchMaker make)
     : Volume(scene.Key.Volume)
     , AreIndependent(Volume.Use == ComponentUse::Independent || Volume.Others.empty())
   {
     const bool isMinimum = this->Volume.Mode == BlendMode::Minimum;
     if (this->AreIndependent)
     {
-      this->Searches.push_back(
-        MakeExtremeSearch({ scene.Key.Samples, scene.Ranges, grid, isMinimum }));
+      this->Searches.push_back(make({ scene.Key.Samples, scene.Ranges, grid, isMinimum }));
       for (const Field& other : this->Volume.Others)
       {
-        this->Searches.push_back(MakeExtremeSearch({ other, nullptr, grid, isMinimum }));
+        this->Searches.push_back(make({ other, nullptr, grid, isMinimum }));
       }
       return;
     }
-    this->Searches.push_back(
-      MakeExtremeSearch({ this->Volume.Others.back(), nullptr, grid, isMinimum }));
+    this->Searches.push_back(make({ this->Volume.Others.back(), nullptr, grid, isMinimum }));
     this->Probes.emplace_back(scene.Key.Samples, grid);
     for (std::size_t i = 0; i + 1 < this->Volume.Others.size(); ++i)
     {
@@ -132,9 +130,9 @@ private:
 }
 
 std::shared_ptr<const BlendTracer> MakeExtremeTracer(
-  const BlendScene& scene, const GridCoordinates* grid)
+  const BlendScene& scene, const GridCoordinates* grid, ExtremeSearchMaker make)
 {
-  return std::make_shared<ExtremeTracer>(scene, grid);
+  return std::make_shared<ExtremeTracer>(scene, grid, make);
 }
 
 }

@@ -4,6 +4,7 @@
 
 #include "Blending/CompositeTracer.h"
 #include "Blending/ProjectionTracer.h"
+#include "Fields/ExtremeSearches.h"
 
 namespace TemporalCoherence
 {
@@ -27,7 +28,7 @@ std::shared_ptr<const BlendTracer> MakeUniformBlendTracer(
   {
     case BlendMode::Maximum:
     case BlendMode::Minimum:
-      return MakeExtremeTracer(scene, grid);
+      return MakeExtremeTracer(scene, grid, &MakeExtremeSearch);
     case BlendMode::Composite:
       return IsPlain(scene, grid) ? MakeCompositeTracer(scene) : nullptr;
     default:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Request/SampledTransfer.h"
 
-#include "Input/SettingCheck.h"
+#include "Request/TransferNodes.h"
 
 #include <vtkColorTransferFunction.h>
 #include <vtkPiecewiseFunction.h>
@@ -12,7 +12,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace TemporalCoherence
@@ -26,98 +25,6 @@ constexpr std::size_t MostIntervals = 1 << 16, FewestIntervals = 1 << 4;
 /// What straight lines between nodes may differ by from the samples. Opacities add up along a ray.
 constexpr double LargestColorError = 0.0005, LargestOpacityError = 1e-5;
 
-/// The functions of a component.
-struct Functions
-{
-  Functions(vtkVolumeProperty* property, int component)
-    : Color(property->GetColorChannels(component) == 3 ? property->GetRGBTransferFunction(component)
-                                                       : nullptr)
-    , Gray(this->Color ? nullptr : property->GetGrayTransferFunction(component))
-    , Opacity(property->GetScalarOpacity(component))
-  {
-  }
-
-  vtkObject* Colors() const
-  {
-    return this->Color ? static_cast<vtkObject*>(this->Color) : this->Gray;
-  }
-
-  vtkColorTransferFunction* Color; ///< or null
-  vtkPiecewiseFunction* Gray;      ///< or null
-  vtkPiecewiseFunction* Opacity;
-};
-
-/// The values of the nodes of functions.
-struct NodeRange
-{
-  void Include(double value)
-  {
-    this->Low = std::min(this->Low, value);
-    this->High = std::max(this->High, value);
-  }
-
-  double Low = std::numeric_limits<double>::infinity();
-  double High = -std::numeric_limits<double>::infinity();
-};
-
-bool CheckShape(SettingCheck& check, const double* midpointAndSharpness, const char* remedy)
-{
-  const NumberRange share = { 0.0, 1.0 };
-  check("Midpoint", midpointAndSharpness[0], share, remedy);
-  check("Sharpness", midpointAndSharpness[1], share, remedy);
-  return check.HasPassed();
-}
-
-/// \param name of the function, in words
-bool CheckNodes(vtkPiecewiseFunction* function, const NumberRange& allowed, const char* name,
-  const char* remedy, NodeRange& range, std::string& error)
-{
-  for (int i = 0; i < function->GetSize(); ++i)
-  {
-    double node[4]; // position, value, midpoint, sharpness
-    function->GetNodeValue(i, node);
-    SettingCheck check({ "node", i, name }, error);
-    check("Position", node[0], Allowed::FieldValue, remedy);
-    check("Value", node[1], allowed, remedy);
-    if (!CheckShape(check, node + 2, remedy))
-    {
-      return false;
-    }
-    range.Include(node[0]);
-  }
-  return true;
-}
-
-bool CheckNodes(vtkColorTransferFunction* function, NodeRange& range, std::string& error)
-{
-  const char* const remedy = "GetRGBTransferFunction()->SetNodeValue or AddRGBPoint";
-  for (int i = 0; i < function->GetSize(); ++i)
-  {
-    double node[6]; // position, colour, midpoint, sharpness
-    function->GetNodeValue(i, node);
-    SettingCheck check({ "node", i, "the colours of the volume's property" }, error);
-    check("Position", node[0], Allowed::FieldValue, remedy);
-    check("Colour", node + 1, Allowed::Color, remedy);
-    if (!CheckShape(check, node + 4, remedy))
-    {
-      return false;
-    }
-    range.Include(node[0]);
-  }
-  return true;
-}
-
-bool CheckNodes(const Functions& functions, NodeRange& range, std::string& error)
-{
-  const bool areColorsFine = functions.Color
-    ? CheckNodes(functions.Color, range, error)
-    : CheckNodes(functions.Gray, Allowed::Color, "the gray values of the volume's property",
-        "GetGrayTransferFunction()->SetNodeValue or AddPoint", range, error);
-  return areColorsFine &&
-    CheckNodes(functions.Opacity, Allowed::Opacity, "the scalar opacity of the volume's property",
-      "GetScalarOpacity()->SetNodeValue or AddPoint", range, error);
-}
-
 /// A number that is invalid although the nodes are valid, as by logarithms of negative positions.
 double ShareOf(double value)
 {
@@ -128,18 +35,27 @@ double ShareOf(double value)
 class Sampler
 {
 public:
-  Sampler(const Functions& functions, const NodeRange& nodes)
+  Sampler(const TransferFunctions& functions, const std::vector<double>& nodes)
     : Of(functions)
   {
-    // Four of the intervals may lie beyond the nodes.
-    const auto intervals = static_cast<double>(MostIntervals);
-    const double inside = intervals - 4.0;
-    const double largest = std::max(std::abs(nodes.Low), std::abs(nodes.High));
-    const double smallest =
-      std::max(largest * 0x1p-50, std::numeric_limits<double>::min() * 0x1p60);
-    this->Step =
-      std::exp2(std::ceil(std::log2(std::max((nodes.High - nodes.Low) / inside, smallest))));
-    this->First = (std::floor(nodes.Low / this->Step) - 1.0) * this->Step;
+    constexpr auto intervals = static_cast<double>(MostIntervals);
+    const double low = nodes.front(), range = nodes.back() - low;
+    const double common = CommonStep(nodes, 0.5 * intervals);
+    if (common > 0.0)
+    {
+      // Also where samples are left out, there is one at each node.
+      const double parts = std::floor(std::log2(intervals / (range / common + 2.0)));
+      this->Step = common / std::exp2(parts);
+      this->First = low - common;
+    }
+    else
+    {
+      // Of the intervals, four may lie beyond the nodes. A step is more than a rounding error.
+      const double largest = std::max(std::abs(low), std::abs(nodes.back()));
+      const double least = std::max(largest * 0x1p-50, 0x1p-960);
+      this->Step = std::exp2(std::ceil(std::log2(std::max(range / (intervals - 4.0), least))));
+      this->First = (std::floor(low / this->Step) - 1.0) * this->Step;
+    }
     this->Made.Range = { this->First, this->First + intervals * this->Step };
     this->Made.Nodes.resize(MostIntervals + 1);
     this->SampleColors();
@@ -164,6 +80,12 @@ private:
       {
         nodes[i] = glm::dvec4(colors[i], 0.0);
       }
+      // A table that begins before the first node is black at that node itself.
+      double first[6] = {};
+      this->Of.Color->GetNodeValue(0, first);
+      const double place = std::round((first[0] - this->First) / this->Step);
+      const auto at = static_cast<std::size_t>(std::clamp(place, 0.0, this->Count() - 1.0));
+      this->Of.Color->GetColor(this->At(at), &nodes[at].x);
     }
     else if (this->Of.Color)
     {
@@ -196,7 +118,7 @@ private:
     }
   }
 
-  Functions Of;
+  TransferFunctions Of;
   double Step = 1.0, First = 0.0;
 };
 
@@ -241,7 +163,7 @@ void Thin(TransferFunction& transfer)
 
 bool SampledTransfer::Sample(vtkVolumeProperty* property, int component, std::string& error)
 {
-  const Functions functions(property, component);
+  const TransferFunctions functions(property, component);
   const vtkMTimeType colorTime = functions.Colors()->GetMTime();
   const vtkMTimeType opacityTime = functions.Opacity->GetMTime();
   if (!this->Transfer.Nodes.empty() && this->Colors == functions.Colors() &&
@@ -250,14 +172,10 @@ bool SampledTransfer::Sample(vtkVolumeProperty* property, int component, std::st
   {
     return true;
   }
-  NodeRange nodes;
-  if (!CheckNodes(functions, nodes, error))
+  std::vector<double> nodes;
+  if (!FindNodes(functions, nodes, error))
   {
     return false;
-  }
-  if (nodes.Low > nodes.High)
-  {
-    nodes = { 0.0, 0.0 }; // without nodes, functions are 0 everywhere
   }
   this->Transfer = Sampler(functions, nodes).Made;
   Thin(this->Transfer);

@@ -23,8 +23,8 @@ namespace TemporalCoherence
 /// functions change.
 ///
 /// The functions themselves are asked at each sample, so that midpoints, sharpness, scales, spaces
-/// of colours and clamping have VTK's meaning. Distances of samples are powers of two, or the range
-/// of values divided by one: nodes at integers are met exactly.
+/// of colours and clamping have VTK's meaning. There is a sample at each node if all nodes have
+/// places in one grid, such as integers or decimals.
 class SampledTransfer
 {
 public:

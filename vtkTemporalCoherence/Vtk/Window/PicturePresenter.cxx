@@ -303,9 +303,12 @@ void PicturePresenter::Draw(vtkTextureObject* color, const Parts& parts)
   vtkOpenGLState::ScopedglViewport keepViewport(state);
   const PixelRect target = InWindow(this->OpenGL->Window, this->OpenGL->Size, this->OpenGL->Rect);
   state->vtkglViewport(target.First.x, target.First.y, target.Size.x, target.Size.y);
-  parts.ComparesDepths ? state->vtkglEnable(Gl::DepthTest) : state->vtkglDisable(Gl::DepthTest);
+  state->vtkglEnable(Gl::DepthTest);
   state->vtkglDepthFunc(Gl::LessOrEqual);
-  state->vtkglBlendFuncSeparate(Gl::One, Gl::OneMinusSourceAlpha, Gl::One, Gl::OneMinusSourceAlpha);
+  if (!parts.ComparesDepths)
+  {
+    state->vtkglDisable(Gl::DepthTest);
+  }
 
   vtkShaderProgram* program = this->OpenGL->Quad->Program;
   vtkTextureObject* depth = this->OpenGL->Depth;
@@ -313,17 +316,24 @@ void PicturePresenter::Draw(vtkTextureObject* color, const Parts& parts)
   depth->Activate();
   program->SetUniformi("colorTexture", color->GetTextureUnit());
   program->SetUniformi("depthTexture", depth->GetTextureUnit());
-  if (parts.Opaque)
+  if (parts.Opaque && !parts.AreBlended)
   {
-    state->vtkglDepthMask(parts.AreBlended ? Gl::False : Gl::True);
-    parts.AreBlended ? state->vtkglEnable(Gl::Blend) : state->vtkglDisable(Gl::Blend);
+    state->vtkglDepthMask(Gl::True);
+    state->vtkglDisable(Gl::Blend);
     program->SetUniformi("isOpaquePart", 1);
     this->OpenGL->Quad->Render();
   }
-  if (parts.Translucent)
+  if (parts.Translucent || parts.AreBlended)
   {
     state->vtkglDepthMask(Gl::False);
     state->vtkglEnable(Gl::Blend);
+    state->vtkglBlendFuncSeparate(
+      Gl::One, Gl::OneMinusSourceAlpha, Gl::One, Gl::OneMinusSourceAlpha);
+    if (parts.Opaque && parts.AreBlended)
+    {
+      program->SetUniformi("isOpaquePart", 1);
+      this->OpenGL->Quad->Render();
+    }
     program->SetUniformi("isOpaquePart", 0);
     this->OpenGL->Quad->Render();
   }

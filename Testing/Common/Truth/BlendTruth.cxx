@@ -32,35 +32,6 @@ void ClipTo(double atBegin, double slope, double& begin, double& end)
   end = slope < 0.0 ? std::min(end, root) : end;
 }
 
-/// The coefficients of the cubic with these values at 0, 1/3, 2/3 and 1.
-std::array<double, 4> CubicThrough(const std::array<double, 4>& v)
-{
-  return { v[0], (-11.0 * v[0] + 18.0 * v[1] - 9.0 * v[2] + 2.0 * v[3]) / 2.0,
-    9.0 * (2.0 * v[0] - 5.0 * v[1] + 4.0 * v[2] - v[3]) / 2.0,
-    9.0 * (-v[0] + 3.0 * v[1] - 3.0 * v[2] + v[3]) / 2.0 };
-}
-
-/// Where in (0, 1) a cubic turns.
-std::vector<double> TurnsOf(const std::array<double, 4>& c)
-{
-  const double a = 3.0 * c[3], b = 2.0 * c[2], d = c[1];
-  const double root = b * b - 4.0 * a * d;
-  std::vector<double> turns;
-  if (root >= 0.0)
-  {
-    const double q = -0.5 * (b + std::copysign(std::sqrt(root), b));
-    for (const double turn : { a != 0.0 ? q / a : -1.0, q != 0.0 ? d / q : -1.0 })
-    {
-      if (turn > 0.0 && turn < 1.0)
-      {
-        turns.push_back(turn);
-      }
-    }
-  }
-  std::sort(turns.begin(), turns.end());
-  return turns;
-}
-
 }
 
 /// What is found along a ray.
@@ -227,39 +198,26 @@ std::array<double, 4> BlendTruth::ValuesAt(
   return values;
 }
 
-/// Where in a cell a component turns, or comes to a bend of its functions.
+/// Where in a cell a component turns, or comes to a bend of its functions; and its gradient.
 std::vector<double> BlendTruth::BreaksOf(
   const Line& line, const BlendTruthField::Cell& cell, const Part& part) const
 {
   std::vector<double> breaks{ part.Begin, part.End };
-  const double length = part.End - part.Begin;
   for (std::size_t c = 0; c < this->Field.Components() && !this->Field.IsNearest(); ++c)
   {
-    const auto valueAt = [&](double t) { return this->Field.ValueAt(cell, c, line.At(t).Index); };
-    const std::array<double, 4> values{ valueAt(part.Begin), valueAt(part.Begin + length / 3.0),
-      valueAt(part.End - length / 3.0), valueAt(part.End) };
-    std::vector<double> turns{ part.Begin };
-    for (const double turn : TurnsOf(CubicThrough(values)))
+    BlendTruthBreaks::AddOfCubic([&](double t)
+      { return this->Field.ValueAt(cell, c, line.At(t).Index); },
+      part, this->Bends[c], breaks);
+  }
+  const bool isLit = this->Key.Volume.Mode == BlendMode::Composite && !this->Field.IsNearest();
+  for (std::size_t c = 0; c < this->Look.Parts() && isLit; ++c)
+  {
+    const std::vector<double> bends = this->Look.GradientBends(c);
+    if (!bends.empty())
     {
-      turns.push_back(part.Begin + turn * length);
-    }
-    turns.push_back(part.End);
-    breaks.insert(breaks.end(), turns.begin(), turns.end());
-    for (std::size_t i = 1; i < turns.size(); ++i)
-    {
-      const double from = valueAt(turns[i - 1]), to = valueAt(turns[i]);
-      const auto first =
-        std::upper_bound(this->Bends[c].begin(), this->Bends[c].end(), std::min(from, to));
-      for (auto bend = first; bend != this->Bends[c].end() && *bend < std::max(from, to); ++bend)
-      {
-        double low = turns[i - 1], high = turns[i];
-        for (double middle = 0.5 * (low + high); low < middle && middle < high;
-             middle = 0.5 * (low + high))
-        {
-          ((valueAt(middle) < *bend) == (from < to) ? low : high) = middle;
-        }
-        breaks.push_back(high);
-      }
+      BlendTruthBreaks::AddOfSmooth([&](double t)
+        { return this->Look.SteepnessAt(c, cell, line.At(t).Index); },
+        part, bends, breaks);
     }
   }
   std::sort(breaks.begin(), breaks.end());

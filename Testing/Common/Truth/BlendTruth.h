@@ -4,6 +4,7 @@
 #define Testing_BlendTruth_h
 
 #include "Scene/FrameKey.h"
+#include "Truth/BlendTruthBreaks.h"
 #include "Truth/BlendTruthField.h"
 #include "Truth/BlendTruthLook.h"
 
@@ -41,11 +42,7 @@ private:
     glm::dvec3 IndexOrigin, IndexDirection; ///< in index space
     BlendTruthLook::Place At(double t) const;
   };
-  /// A part of a ray in which everything is smooth.
-  struct Part
-  {
-    double Begin, End;
-  };
+  using Part = BlendTruthBreaks::Part;
   struct Sums;
 
   std::vector<Part> KeptOf(const Line& line, double end, double& entry) const;

@@ -136,6 +136,30 @@ double BlendTruthLook::WeighedShareOf(
   return this->ColorOf(component, values).w * share;
 }
 
+/// Dependent components have one gradient: that of the first, or of the opacity beside a colour.
+std::size_t BlendTruthLook::GradientComponent(std::size_t component) const
+{
+  return this->Key.Volume.Use == ComponentUse::RgbOpacity ? 3 : component;
+}
+
+std::vector<double> BlendTruthLook::GradientBends(std::size_t component) const
+{
+  std::vector<double> bends;
+  for (const glm::dvec2& node : this->LookOf(component).ByGradient.Nodes)
+  {
+    bends.push_back(node.x);
+  }
+  return bends;
+}
+
+double BlendTruthLook::SteepnessAt(
+  std::size_t component, const BlendTruthField::Cell& cell, const glm::dvec3& index) const
+{
+  const glm::dvec3 gradient =
+    this->Field.GradientAt(cell, this->GradientComponent(component), index);
+  return glm::length(this->LookOf(component).ByGradient.PerStep * gradient);
+}
+
 BlendTruthLook::Part BlendTruthLook::PartAt(
   std::size_t component, const BlendTruthField::Cell& cell, const Place& place) const
 {
@@ -151,14 +175,14 @@ BlendTruthLook::Part BlendTruthLook::PartAt(
   {
     return part;
   }
-  const bool isRgb = this->Key.Volume.Use == ComponentUse::RgbOpacity;
-  const glm::dvec3 gradient = this->Field.GradientAt(cell, isRgb ? 3 : component, place.Index);
   if (!look.ByGradient.Nodes.empty())
   {
-    part.Share = look.ByGradient.At(glm::length(look.ByGradient.PerStep * gradient));
+    part.Share = look.ByGradient.At(this->SteepnessAt(component, cell, place.Index));
   }
   if (look.Material.Shade)
   {
+    const glm::dvec3 gradient =
+      this->Field.GradientAt(cell, this->GradientComponent(component), place.Index);
     part.Color = this->Lit(look.Material, part.Color, gradient, place);
   }
   return part;

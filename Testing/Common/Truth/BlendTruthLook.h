@@ -35,6 +35,12 @@ public:
   /// Values of a component between which its functions are smooth, ascending.
   std::vector<double> Bends(std::size_t component) const;
 
+  /// The same for the opacity by the length of gradients, and this length. No bends if there is
+  /// none.
+  std::vector<double> GradientBends(std::size_t component) const;
+  double SteepnessAt(
+    std::size_t component, const BlendTruthField::Cell& cell, const glm::dvec3& index) const;
+
   Medium MediumAt(const BlendTruthField::Cell& cell, const Place& place) const;
 
   /// The same if a step of finite length is made: what it adds is Emission, and what it takes away
@@ -62,6 +68,7 @@ private:
 
   const TemporalCoherence::ComponentLook& LookOf(std::size_t component) const;
   glm::dvec4 ColorOf(std::size_t component, const std::array<double, 4>& values) const;
+  std::size_t GradientComponent(std::size_t component) const;
   Part PartAt(std::size_t component, const BlendTruthField::Cell& cell, const Place& place) const;
   glm::dvec3 Lit(const TemporalCoherence::Material& material, const glm::dvec3& color,
     const glm::dvec3& gradient, const Place& place) const;

@@ -194,15 +194,20 @@ set(bridge_files
   Window/PicturePresenter
   Window/PixelHit
   Window/PixelRays
+  Window/RayEnds
+  Window/SoftwareOpenGL
   Window/WindowPicture
   Window/WindowRays
   Request/AppearanceFromVolume
+  Request/BlendingFromVolume
   Request/EmptyInput
   Request/FieldFromMapper
   Request/IsovalueCheck
   Request/LightsFromRenderer
   Request/RegionFromMapper
   Request/RequestFromMapper
+  Request/SampledTransfer
+  Request/TransferNodes
   Request/ViewFromRenderer
   Output/BufferImages
   Output/ImageFromFrame

@@ -13,6 +13,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <limits>
 #include <memory>
 
@@ -60,6 +61,12 @@ struct BlendedRays
     this->First.fill(std::numeric_limits<double>::infinity());
     this->CellsRead = 0;
   }
+};
+
+/// Thrown where a volume cannot be blended: its kind of field has no tracer for what is asked.
+struct NoBlendTracer : std::exception
+{
+  const char* what() const noexcept override { return "the field has no tracer for this blending"; }
 };
 
 /// Blends what rays see of a volume, in one mode, for one kind of field. What a ray sees depends on

@@ -50,24 +50,21 @@ void SetColors(vtkVolumeProperty* property, RandomViews& views)
 
 }
 
-std::vector<Change> OfMode(Scene& scene, RandomViews& views)
+std::vector<Change> OfMode(Scene& scene, RandomViews& views, const std::vector<int>& modes)
 {
   vtkTemporalCoherenceVolumeMapper* mapper = scene.Mapper;
-  return {
-    { false, [=] { mapper->SetBlendModeToComposite(); } },
-    { false, [=] { mapper->SetBlendModeToComposite(); } },
-    { false, [=] { mapper->SetBlendModeToMaximumIntensity(); } },
-    { false, [=] { mapper->SetBlendModeToMinimumIntensity(); } },
-    { false, [=] { mapper->SetBlendModeToAverageIntensity(); } },
-    { false, [=] { mapper->SetBlendModeToAdditive(); } },
-    { false, [=] { mapper->SetBlendModeToIsoSurface(); } },
-    { false,
-      [=, &views]
-      {
-        const double low = views.Between(-Largest, Largest);
-        mapper->SetAverageIPScalarRange(low, low + views.Between(0.0, Largest));
-      } },
-  };
+  std::vector<Change> changes;
+  for (const int mode : modes)
+  {
+    changes.push_back({ false, [=] { mapper->SetBlendMode(mode); } });
+  }
+  changes.push_back({ false,
+    [=, &views]
+    {
+      const double low = views.Between(-Largest, Largest);
+      mapper->SetAverageIPScalarRange(low, low + views.Between(0.0, Largest));
+    } });
+  return changes;
 }
 
 std::vector<Change> OfLook(Scene& scene, RandomViews& views)

@@ -11,8 +11,8 @@
 namespace BlendChanges
 {
 
-/// Every mode, isosurfaces among them.
-std::vector<Change> OfMode(Scene& scene, RandomViews& views);
+/// One of some modes of vtkVolumeMapper, and what counts for averages.
+std::vector<Change> OfMode(Scene& scene, RandomViews& views, const std::vector<int>& modes);
 
 /// Ramps, jumps and colours, unit distances and ranges.
 std::vector<Change> OfLook(Scene& scene, RandomViews& views);

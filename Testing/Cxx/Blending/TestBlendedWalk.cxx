@@ -3,6 +3,7 @@
 
 // Blended volumes on random walks: each frame is that of a mapper without a past.
 
+#include "Checks/EventCounter.h"
 #include "Checks/Expect.h"
 #include "Scenes/Scene.h"
 #include "Volumes/Volumes.h"
@@ -15,6 +16,28 @@
 namespace
 {
 
+/// The modes that are drawn with either interpolation, and isosurfaces.
+std::vector<int> DrawnModes(vtkImageData* image)
+{
+  std::vector<int> modes{ vtkVolumeMapper::ISOSURFACE_BLEND };
+  for (const int mode : { vtkVolumeMapper::COMPOSITE_BLEND,
+         vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND, vtkVolumeMapper::MINIMUM_INTENSITY_BLEND,
+         vtkVolumeMapper::AVERAGE_INTENSITY_BLEND, vtkVolumeMapper::ADDITIVE_BLEND })
+  {
+    bool isDrawn = true;
+    for (const int interpolation : { VTK_LINEAR_INTERPOLATION, VTK_NEAREST_INTERPOLATION })
+    {
+      Scene scene(image, {});
+      const EventCounter errors(scene.Mapper, vtkCommand::ErrorEvent);
+      scene.Mapper->SetBlendMode(mode);
+      scene.Volume->GetProperty()->SetInterpolationType(interpolation);
+      isDrawn = scene.Render(16, 16) && isDrawn;
+    }
+    modes.insert(modes.end(), isDrawn ? 1 : 0, mode);
+  }
+  return modes;
+}
+
 Sweep::Routes Walk(unsigned seed, const Twelfths& often, int steps)
 {
   const vtkSmartPointer<vtkImageData> image = Volumes::Waves();
@@ -23,12 +46,18 @@ Sweep::Routes Walk(unsigned seed, const Twelfths& often, int steps)
   scene.Volume->GetProperty()->SetScalarOpacityUnitDistance(0.1);
   RandomViews views(scene, seed, 60);
   std::vector<KindOfChange> kinds = KindsOfChange(scene, image, views, often);
-  kinds.push_back({ 2, BlendChanges::OfMode(scene, views) });
+  kinds.push_back({ 2, BlendChanges::OfMode(scene, views, DrawnModes(image)) });
   kinds.push_back({ 4, BlendChanges::OfLook(scene, views) });
-  kinds.push_back({ 1, FeatureChanges::OfRegion(scene, views) });
+  // A region may change and keep what it kept: then the picture is shown again.
+  std::vector<Change> ofRegion = FeatureChanges::OfRegion(scene, views);
+  for (Change& change : ofRegion)
+  {
+    change.IsOfData = false;
+  }
+  kinds.push_back({ 1, ofRegion });
   kinds.push_back({ 1, FeatureChanges::OfOpacity(scene, views) });
   kinds.push_back({ 2, FeatureChanges::OfAppearance(scene, views) });
-  BlendChanges::OfMode(scene, views).front().Make();
+  scene.Mapper->SetBlendModeToMaximumIntensity();
   return Wander(scene, views, kinds, "seed " + std::to_string(seed), steps);
 }
 

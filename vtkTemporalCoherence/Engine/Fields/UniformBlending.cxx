@@ -4,6 +4,7 @@
 
 #include "Blending/CompositeTracer.h"
 #include "Blending/ProjectionTracer.h"
+#include "Blending/SampledTracer.h"
 #include "Blending/ShareTracer.h"
 #include "Fields/ExtremeSearches.h"
 #include "Fields/SegmentSources.h"
@@ -32,7 +33,8 @@ std::shared_ptr<const BlendTracer> MakeUniformBlendTracer(
     case BlendMode::Minimum:
       return MakeExtremeTracer(scene, grid, &MakeExtremeSearch);
     case BlendMode::Composite:
-      return IsPlain(scene, grid) ? MakeCompositeTracer(scene) : nullptr;
+      return IsPlain(scene, grid) ? MakeCompositeTracer(scene)
+                                  : MakeSampledTracer(scene, grid, &MakeSegmentSource);
     case BlendMode::Average:
     case BlendMode::Additive:
       return MakeShareTracer(scene, grid, &MakeSegmentSource);

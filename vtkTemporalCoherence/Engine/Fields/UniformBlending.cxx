@@ -31,7 +31,9 @@ std::shared_ptr<const BlendTracer> MakeUniformBlendTracer(
   {
     case BlendMode::Maximum:
     case BlendMode::Minimum:
-      return MakeExtremeTracer(scene, grid, &MakeExtremeSearch);
+      return scene.Key.Volume.SampleDistance > 0.0
+        ? MakeSampledExtremes(scene, grid, &MakeSegmentSource)
+        : MakeExtremeTracer(scene, grid, &MakeExtremeSearch);
     case BlendMode::Composite:
       return IsPlain(scene, grid) ? MakeCompositeTracer(scene)
                                   : MakeSampledTracer(scene, grid, &MakeSegmentSource);

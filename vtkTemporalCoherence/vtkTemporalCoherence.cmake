@@ -22,6 +22,9 @@ set(engine_files
   Blending/FieldProbe
   Blending/KernelsExtremes
   Blending/ProjectionTracer
+  Blending/Medium
+  Blending/PhongLight
+  Blending/SampledTracer
   Blending/ShareTracer
   Trace/KernelsCrossing
   Trace/KernelsRange

@@ -52,6 +52,12 @@ public:
     return this->AreIndependent() ? part : this->NumberOfComponents - 1;
   }
 
+  /// The component whose gradient a part has.
+  std::size_t GradientOf(std::size_t part) const
+  {
+    return this->Volume.Use == ComponentUse::RgbOpacity ? this->OpacityOf(part) : part;
+  }
+
   /// Colour and opacity.
   glm::dvec4 ColorOf(std::size_t part, const ComponentValues& values) const
   {

@@ -52,6 +52,9 @@ struct ComponentSegment
   std::array<Cubic<double>, 4> Cubics;    ///< if not IsNearest
 };
 
+/// Gradients in index space at the corners of a cell, as Corners.
+using CornerGradients = std::array<glm::dvec3, 8>;
+
 /// Is told of a segment; returns false if the ray ends there.
 using SegmentVisitor = std::function<bool(const ComponentSegment& segment)>;
 
@@ -68,6 +71,11 @@ public:
   /// \return how many cells were read
   virtual std::int64_t Visit(
     const RayBatch& rays, std::size_t ray, const SegmentVisitor& visit) const = 0;
+
+  /// The gradients of a component at the corners of a cell: central differences, or one-sided ones
+  /// at the boundary.
+  virtual void FindGradients(
+    std::size_t component, const glm::ivec3& cell, CornerGradients& gradients) const = 0;
 
 protected:
   SegmentSource() = default;

@@ -27,8 +27,10 @@ template <typename T, typename Geometry>
 class ComponentWalk final : public SegmentSource
 {
 public:
-  ComponentWalk(const BlendScene& scene, const Geometry& shape)
+  /// \param grid where samples lie; null: at integers
+  ComponentWalk(const BlendScene& scene, const Geometry& shape, const GridCoordinates* grid)
     : Shape(shape)
+    , Grid(grid)
     , Count(scene.Key.Samples.Dimensions - 1)
     , IsNearest(scene.Key.Samples.Between == Interpolation::Nearest)
     , Hidden(scene.Key.Samples.Hidden.get())
@@ -60,6 +62,20 @@ public:
       }
     }
     return cells;
+  }
+
+  void FindGradients(
+    std::size_t component, const glm::ivec3& cell, CornerGradients& gradients) const override
+  {
+    const TypedField<T>& samples = this->Components[component].All();
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      const glm::ivec3 at = cell + glm::ivec3(corner & 1, corner >> 1 & 1, corner >> 2);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        gradients[static_cast<std::size_t>(corner)][axis] = this->SlopeAt(samples, at, axis);
+      }
+    }
   }
 
 private:
@@ -111,8 +127,22 @@ private:
     return true;
   }
 
+  /// The gradient at a sample along an axis.
+  double SlopeAt(const TypedField<T>& samples, const glm::ivec3& at, int axis) const
+  {
+    glm::ivec3 low = at, high = at;
+    low[axis] = std::max(at[axis] - 1, 0);
+    high[axis] = std::min(at[axis] + 1, this->Count[axis]);
+    const double rise =
+      static_cast<double>(*samples.At(high)) - static_cast<double>(*samples.At(low));
+    return rise /
+      (this->Grid ? this->Grid->At(axis, high[axis]) - this->Grid->At(axis, low[axis])
+                  : static_cast<double>(high[axis] - low[axis]));
+  }
+
   Geometry Shape;
-  glm::ivec3 Count; ///< of cells along each axis
+  const GridCoordinates* Grid; ///< null: samples lie at integers
+  glm::ivec3 Count;            ///< of cells along each axis
   bool IsNearest;
   const HiddenCells* Hidden;
   const ActiveCells* Visible; ///< null: all

@@ -3,6 +3,7 @@
 #include "Blending/ShareTracer.h"
 
 #include "Blending/ComponentLooks.h"
+#include "Blending/RaySamples.h"
 #include "Blending/SegmentBreaks.h"
 
 #include <algorithm>
@@ -28,6 +29,7 @@ public:
     : Volume(scene.Key.Volume)
     , IsAverage(Volume.Mode == BlendMode::Average)
     , Looks(Volume)
+    , Samples(scene.Key)
     , Cells(make(scene, grid))
     , RangeEnds{ Volume.AverageRange.x, Volume.AverageRange.y }
   {
@@ -37,7 +39,7 @@ public:
     }
   }
 
-  void Trace(const RayBatch& rays, const WorldDirections&, BlendedRays& seen) const override
+  void Trace(const RayBatch& rays, const WorldDirections& world, BlendedRays& seen) const override
   {
     for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
     {
@@ -49,12 +51,21 @@ public:
       }
       if (rays.HasWalk(ray))
       {
+        const double entry =
+          this->Samples.AreAsked() ? this->Samples.EntryOf(rays, world, ray) : 0.0;
         seen.CellsRead += this->Cells->Visit(rays, ray,
           [&](const ComponentSegment& segment)
           {
             for (std::size_t part = 0; part < this->Looks.Parts(); ++part)
             {
-              this->AddSegment(segment, part, ray, seen);
+              if (this->Samples.AreAsked())
+              {
+                this->AddSamples(segment, entry, part, ray, seen);
+              }
+              else
+              {
+                this->AddSegment(segment, part, ray, seen);
+              }
             }
             return true;
           });
@@ -112,7 +123,7 @@ private:
       [&](double from, double to)
       {
         const double middle = segment.ValueAt(part, 0.5 * (from + to));
-        if (this->IsAverage && !(this->RangeEnds[0] <= middle && middle <= this->RangeEnds[1]))
+        if (this->IsAverage && !this->Counts(middle))
         {
           return;
         }
@@ -132,6 +143,33 @@ private:
     }
   }
 
+  /// The same by samples at a fixed distance.
+  void AddSamples(const ComponentSegment& segment, double entry, std::size_t part, std::size_t ray,
+    BlendedRays& seen) const
+  {
+    this->Samples.ForEach(segment, entry,
+      [&](double share)
+      {
+        if (this->IsAverage && !this->Counts(segment.ValueAt(part, share)))
+        {
+          return;
+        }
+        const double step = this->Samples.Distance();
+        SumOf(seen, part)[ray] += step * this->WeighedShareAt(segment, part, share);
+        if (this->IsAverage)
+        {
+          LengthOf(seen, part)[ray] += step;
+          seen.First[ray] = std::min(seen.First[ray], segment.DistanceAt(share));
+        }
+      });
+  }
+
+  /// True if an average takes a value into account.
+  bool Counts(double value) const
+  {
+    return this->RangeEnds[0] <= value && value <= this->RangeEnds[1];
+  }
+
   /// Opacity times the value as a share of the scalar range.
   double WeighedShareAt(const ComponentSegment& segment, std::size_t part, double share) const
   {
@@ -145,6 +183,7 @@ private:
   const Blending& Volume;
   bool IsAverage;
   ComponentLooks Looks;
+  RaySamples Samples;
   std::unique_ptr<const SegmentSource> Cells;
   std::vector<double> RangeEnds;          ///< of an average
   std::vector<std::vector<double>> Bends; ///< of the opacity of each part

@@ -19,9 +19,9 @@ std::unique_ptr<const SegmentSource> MakeSegmentSource(
       if (grid)
       {
         using Cells = RectilinearCells<T>;
-        return std::make_unique<ComponentWalk<T, Cells>>(scene, Cells(*grid));
+        return std::make_unique<ComponentWalk<T, Cells>>(scene, Cells(*grid), grid);
       }
-      return std::make_unique<ComponentWalk<T, UniformCells<T>>>(scene, UniformCells<T>());
+      return std::make_unique<ComponentWalk<T, UniformCells<T>>>(scene, UniformCells<T>(), grid);
     });
 }
 

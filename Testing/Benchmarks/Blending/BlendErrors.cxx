@@ -3,9 +3,9 @@
 #include "BlendErrors.h"
 
 #include "Input/FieldFromImage.h"
+#include "Integral/BlendTruth.h"
 #include "Measuring.h"
 #include "Request/ViewFromRenderer.h"
-#include "Truth/BlendTruth.h"
 
 #include <vtkCamera.h>
 #include <vtkPointData.h>

@@ -6,7 +6,7 @@
 #include "BlendLooks.h"
 #include "BlendWays.h"
 
-/// How near pictures are to the volume rendering integral (Truth/BlendTruth.h).
+/// How near pictures are to the volume rendering integral (Integral/BlendTruth.h).
 namespace BlendErrors
 {
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Grid.h"
-#include "Truth/BlendTruth.h"
+#include "Integral/BlendTruth.h"
 
 #include <gtest/gtest.h>
 

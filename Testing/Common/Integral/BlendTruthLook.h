@@ -3,8 +3,8 @@
 #ifndef Testing_BlendTruthLook_h
 #define Testing_BlendTruthLook_h
 
+#include "Integral/BlendTruthField.h"
 #include "Scene/FrameKey.h"
-#include "Truth/BlendTruthField.h"
 
 #include <glm/glm.hpp>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Truth/BlendTruth.h"
+#include "Integral/BlendTruth.h"
 
 #include <algorithm>
 #include <array>

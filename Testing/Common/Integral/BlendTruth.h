@@ -3,10 +3,10 @@
 #ifndef Testing_BlendTruth_h
 #define Testing_BlendTruth_h
 
+#include "Integral/BlendTruthBreaks.h"
+#include "Integral/BlendTruthField.h"
+#include "Integral/BlendTruthLook.h"
 #include "Scene/FrameKey.h"
-#include "Truth/BlendTruthBreaks.h"
-#include "Truth/BlendTruthField.h"
-#include "Truth/BlendTruthLook.h"
 
 #include <glm/glm.hpp>
 

@@ -82,10 +82,12 @@ private:
       }
       // A table that begins before the first node is black at that node itself.
       double first[6] = {};
-      this->Of.Color->GetNodeValue(0, first);
-      const double place = std::round((first[0] - this->First) / this->Step);
-      const auto at = static_cast<std::size_t>(std::clamp(place, 0.0, this->Count() - 1.0));
-      this->Of.Color->GetColor(this->At(at), &nodes[at].x);
+      if (this->Of.Color->GetSize() > 0 && this->Of.Color->GetNodeValue(0, first) >= 0)
+      {
+        const double place = std::round((first[0] - this->First) / this->Step);
+        const auto at = static_cast<std::size_t>(std::clamp(place, 0.0, this->Count() - 1.0));
+        this->Of.Color->GetColor(this->At(at), &nodes[at].x);
+      }
     }
     else if (this->Of.Color)
     {

@@ -52,12 +52,11 @@ void HandOverScalarChoice(vtkGPUVolumeRayCastMapper* from, vtkTemporalCoherenceV
 
 }
 
-std::string WhyNotIsosurfaces(
-  vtkGPUVolumeRayCastMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
+std::string WhyNotDrawn(vtkGPUVolumeRayCastMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
 {
-  if (mapper->GetBlendMode() != vtkVolumeMapper::ISOSURFACE_BLEND)
+  if (mapper->GetBlendMode() == vtkVolumeMapper::COMPOSITE_BLEND && mapper->GetUseDepthPass())
   {
-    return "the blend mode is not ISOSURFACE_BLEND";
+    return "UseDepthPass is on";
   }
   if (vtkMultiVolume::SafeDownCast(volume) || OtherInputPort(mapper) > 0)
   {
@@ -107,6 +106,8 @@ void HandOver(vtkGPUVolumeRayCastMapper* from, vtkTemporalCoherenceVolumeMapper*
   to->SetMaskType(from->GetMaskType());
   to->SetMaskBlendFactor(from->GetMaskBlendFactor());
   to->SetBlendMode(from->GetBlendMode());
+  // But not the distance between samples: without one, pictures are as dense samples would show.
+  to->SetAverageIPScalarRange(from->GetAverageIPScalarRange());
   to->SetAutoAdjustSampleDistances(from->GetAutoAdjustSampleDistances());
   to->SetMinimumImageSampleDistance(from->GetMinimumImageSampleDistance());
   to->SetMaximumImageSampleDistance(from->GetMaximumImageSampleDistance());

@@ -18,8 +18,8 @@ namespace TemporalCoherence
 {
 
 /// Why vtkTemporalCoherenceVolumeMapper cannot draw what a GPU mapper has to draw, as the end of a
-/// sentence; empty if it can.
-std::string WhyNotIsosurfaces(
+/// sentence; empty if it can. Who blends volumes is not asked.
+std::string WhyNotDrawn(
   vtkGPUVolumeRayCastMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
 
 /// Copy the input and all relevant settings of a mapper to another. Equal settings are not

@@ -52,6 +52,7 @@ PictureSettings SettingsOf(Mapper* mapper)
   settings.DepthPass = mapper->GetUseDepthPass() ? mapper->GetDepthPassContourValues() : nullptr;
   settings.Mask = { mapper->GetMaskInput(), mapper->GetMaskType() == Mapper::LabelMapMaskType,
     mapper->GetMaskBlendFactor() };
+  settings.SampleDistance = static_cast<double>(mapper->GetSampleDistance());
   settings.AveragedGradients = mapper->GetAveragedGradients() != 0;
   settings.MeshMemoryLimit = static_cast<std::size_t>(mapper->GetMeshMemoryLimit()) << 20;
   return settings;

@@ -19,9 +19,13 @@ set(engine_files
   Acceleration/SampleComparer
   Acceleration/TileBounds
   Acceleration/ValueRangePyramid
-  Blending/ExtremeSearch
   Blending/FieldProbe
+  Blending/KernelsExtremes
   Blending/ProjectionTracer
+  Blending/Medium
+  Blending/PhongLight
+  Blending/SampledTracer
+  Blending/ShareTracer
   Trace/KernelsCrossing
   Trace/KernelsRange
   Trace/KernelsRays
@@ -87,8 +91,10 @@ set(engine_files
   Passages/KernelsPassedCells
   Passages/PassageLookup
   Passages/PassageSearch
+  Fields/ExtremeSearches
   Fields/KernelsCorners
   Fields/RectilinearKind
+  Fields/SegmentSources
   Fields/UniformBandTracer
   Fields/UniformBlending
   Fields/UniformKind
@@ -191,15 +197,20 @@ set(bridge_files
   Window/PicturePresenter
   Window/PixelHit
   Window/PixelRays
+  Window/RayEnds
+  Window/SoftwareOpenGL
   Window/WindowPicture
   Window/WindowRays
   Request/AppearanceFromVolume
+  Request/BlendingFromVolume
   Request/EmptyInput
   Request/FieldFromMapper
   Request/IsovalueCheck
   Request/LightsFromRenderer
   Request/RegionFromMapper
   Request/RequestFromMapper
+  Request/SampledTransfer
+  Request/TransferNodes
   Request/ViewFromRenderer
   Output/BufferImages
   Output/ImageFromFrame

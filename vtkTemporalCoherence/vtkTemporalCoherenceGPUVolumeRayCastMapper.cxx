@@ -3,6 +3,7 @@
 #include "vtkTemporalCoherenceGPUVolumeRayCastMapper.h"
 
 #include "GpuMapperSettings.h"
+#include "Window/SoftwareOpenGL.h"
 #include "vtkTemporalCoherenceVolumeMapper.h"
 #include "vtkTemporalCoherenceVolumeMapperInternals.h"
 
@@ -14,6 +15,7 @@
 #include "vtkVolume.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cctype>
 #include <cstdlib>
 #include <mutex>
@@ -24,14 +26,36 @@ vtkStandardNewMacro(vtkTemporalCoherenceGPUVolumeRayCastMapper);
 namespace
 {
 
-/// False if the user's environment turns this mapper off.
-bool IsAllowedByEnvironment()
+/// A variable of the user's environment, in upper case; empty if it is not set.
+std::string WordInEnvironment(const char* name)
 {
-  const char* const value = std::getenv("VTK_TEMPORAL_COHERENCE");
+  const char* const value = std::getenv(name);
   std::string word = value ? value : "";
   std::transform(word.begin(), word.end(), word.begin(),
     [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return word;
+}
+
+/// False if the user's environment turns this mapper off.
+bool IsAllowedByEnvironment()
+{
+  const std::string word = WordInEnvironment("VTK_TEMPORAL_COHERENCE");
   return word != "OFF" && word != "NO" && word != "FALSE" && word != "0";
+}
+
+/// The rule for mappers that are constructed next.
+std::atomic<int>& DefaultRule()
+{
+  using Mapper = vtkTemporalCoherenceGPUVolumeRayCastMapper;
+  const auto ofEnvironment = []()
+  {
+    const std::string word = WordInEnvironment("VTK_TEMPORAL_COHERENCE_BLEND_VOLUMES");
+    return word == "NEVER" ? Mapper::BLEND_NEVER
+      : word == "ALWAYS"   ? Mapper::BLEND_ALWAYS
+                           : Mapper::BLEND_ON_SOFTWARE_OPENGL;
+  };
+  static std::atomic<int> rule(ofEnvironment());
+  return rule;
 }
 
 /// Write a line to VTK's log, unless it was the last line written: a volume of many blocks has a
@@ -53,6 +77,7 @@ void LogOnce(const std::string& line)
 //------------------------------------------------------------------------------
 vtkTemporalCoherenceGPUVolumeRayCastMapper::vtkTemporalCoherenceGPUVolumeRayCastMapper()
   : TemporalCoherence(IsAllowedByEnvironment())
+  , BlendVolumes(GetDefaultBlendVolumes())
 {
   this->Forwarder->SetTarget(this);
   this->Isosurfaces->AddObserver(vtkCommand::VolumeMapperRenderStartEvent, this->Forwarder);
@@ -76,7 +101,8 @@ vtkTemporalCoherenceVolumeMapper* vtkTemporalCoherenceGPUVolumeRayCastMapper::Ge
 //------------------------------------------------------------------------------
 void vtkTemporalCoherenceGPUVolumeRayCastMapper::GetReductionRatio(double ratio[3])
 {
-  if (this->TemporalCoherence && this->BlendMode == ISOSURFACE_BLEND)
+  if (this->TemporalCoherence &&
+    (this->BlendMode == ISOSURFACE_BLEND || this->DrawnBy == Drawer::Isosurfaces))
   {
     std::fill_n(ratio, 3, 1.0);
     return;
@@ -90,7 +116,11 @@ void vtkTemporalCoherenceGPUVolumeRayCastMapper::Render(vtkRenderer* renderer, v
   const std::string why = this->WhySuperclassDraws(renderer, volume);
   if (why.empty())
   {
-    this->TellWhoDraws(renderer, Drawer::Isosurfaces, "the blend mode is ISOSURFACE_BLEND");
+    const char* const reason = this->BlendMode == ISOSURFACE_BLEND
+      ? "the blend mode is ISOSURFACE_BLEND"
+      : this->BlendVolumes == BLEND_ALWAYS ? "BlendVolumes is BLEND_ALWAYS"
+                                           : "OpenGL runs on the CPU";
+    this->TellWhoDraws(renderer, Drawer::Isosurfaces, reason);
     this->Isosurfaces->Render(renderer, volume);
     this->TimeToDraw = this->Isosurfaces->GetTimeToDraw();
     return;
@@ -115,13 +145,54 @@ std::string vtkTemporalCoherenceGPUVolumeRayCastMapper::WhySuperclassDraws(
   {
     return "the call is not for a frame in a window";
   }
-  const std::string why = TemporalCoherence::WhyNotIsosurfaces(this, renderer, volume);
+  std::string why = this->WhySuperclassBlends(renderer);
+  if (why.empty())
+  {
+    why = TemporalCoherence::WhyNotDrawn(this, renderer, volume);
+  }
   if (!why.empty())
   {
     return why;
   }
   this->PrepareIsosurfaces();
   return this->Isosurfaces->Internal->WhyRefused(renderer, volume);
+}
+
+//------------------------------------------------------------------------------
+/// Why the superclass has to draw a blend mode, whatever the volume is; empty for isosurfaces.
+std::string vtkTemporalCoherenceGPUVolumeRayCastMapper::WhySuperclassBlends(vtkRenderer* renderer)
+{
+  if (this->BlendMode == ISOSURFACE_BLEND)
+  {
+    return std::string();
+  }
+  if (this->BlendVolumes == BLEND_ON_SOFTWARE_OPENGL)
+  {
+    vtkRenderWindow* const window = renderer->GetRenderWindow();
+    if (window && this->LastWindow != window)
+    {
+      this->LastWindow = window;
+      this->IsSoftware = TemporalCoherence::HasSoftwareOpenGL(window);
+    }
+    return window && this->IsSoftware
+      ? std::string()
+      : "the blend mode is not ISOSURFACE_BLEND, and OpenGL has a GPU";
+  }
+  return this->BlendVolumes == BLEND_ALWAYS ? std::string()
+                                            : "the blend mode is not ISOSURFACE_BLEND";
+}
+
+//------------------------------------------------------------------------------
+void vtkTemporalCoherenceGPUVolumeRayCastMapper::SetDefaultBlendVolumes(int rule)
+{
+  DefaultRule() =
+    std::min(std::max(rule, static_cast<int>(BLEND_NEVER)), static_cast<int>(BLEND_ALWAYS));
+}
+
+//------------------------------------------------------------------------------
+int vtkTemporalCoherenceGPUVolumeRayCastMapper::GetDefaultBlendVolumes()
+{
+  return DefaultRule();
 }
 
 //------------------------------------------------------------------------------
@@ -194,6 +265,7 @@ void vtkTemporalCoherenceGPUVolumeRayCastMapper::PrintSelf(ostream& os, vtkInden
   const char* const names[] = { "(none)", "vtkTemporalCoherenceVolumeMapper",
     "vtkOpenGLGPUVolumeRayCastMapper" };
   os << indent << "TemporalCoherence: " << this->TemporalCoherence << endl;
+  os << indent << "BlendVolumes: " << this->BlendVolumes << endl;
   os << indent << "Drawn by: " << names[static_cast<int>(this->DrawnBy)] << endl;
   os << indent << "Since: " << this->Reason << endl;
   os << indent << "Isosurface mapper:" << endl;

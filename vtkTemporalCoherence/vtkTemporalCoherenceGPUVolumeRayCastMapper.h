@@ -10,13 +10,17 @@
  * vtkOpenGLGPUVolumeRayCastMapper that holds a vtkTemporalCoherenceVolumeMapper. In every frame the
  * settings decide which of the two draws.
  *
- * vtkTemporalCoherenceVolumeMapper draws if the blend mode is ISOSURFACE_BLEND.
+ * vtkTemporalCoherenceVolumeMapper draws if the blend mode is ISOSURFACE_BLEND. It also draws
+ * COMPOSITE_BLEND, MAXIMUM_INTENSITY_BLEND, MINIMUM_INTENSITY_BLEND, AVERAGE_INTENSITY_BLEND and
+ * ADDITIVE_BLEND if BlendVolumes allows it: by default where OpenGL has no GPU. Such a picture has
+ * no distance between samples; it is what VTK's mapper draws with very dense ones.
  *
- * vtkOpenGLGPUVolumeRayCastMapper draws all other blend modes. It also draws isosurfaces
+ * vtkOpenGLGPUVolumeRayCastMapper draws SLICE_BLEND. It also draws
  * - of several inputs (vtkMultiVolume),
  * - in a renderer that peels volumes by depth (UseDepthPeelingForVolumes),
  * - with user-defined shaders (vtkShaderProperty),
  * - with two-dimensional transfer functions,
+ * - composite volumes with UseDepthPass,
  * - with scattered light or with normals that come from the opacity (VTK >= 9.2),
  * - after RenderToImageOn(), because only its textures hold that image,
  * - if vtkTemporalCoherenceVolumeMapper refuses the input or a setting.
@@ -44,7 +48,8 @@
 
 #include "vtkNew.h" // For the mapper that is held
 #include "vtkOpenGLGPUVolumeRayCastMapper.h"
-#include "vtkRenderer.h" // For weak pointers to it
+#include "vtkRenderWindow.h" // For weak pointers to it
+#include "vtkRenderer.h"     // For weak pointers to it
 #include "vtkTemporalCoherenceCompatibility.h"
 #include "vtkTemporalCoherenceModule.h" // For export macro
 #include "vtkWeakPointer.h"             // For renderers
@@ -67,7 +72,7 @@ public:
 
   //@{
   /**
-   * Allow vtkTemporalCoherenceVolumeMapper to draw isosurfaces. Default: on, unless the environment
+   * Allow vtkTemporalCoherenceVolumeMapper to draw. Default: on, unless the environment
    * variable VTK_TEMPORAL_COHERENCE is OFF, NO, FALSE or 0 when the mapper is constructed.
    */
   vtkSetMacro(TemporalCoherence, vtkTypeBool);
@@ -75,9 +80,41 @@ public:
   vtkBooleanMacro(TemporalCoherence, vtkTypeBool);
   //@}
 
+  enum BlendingRules
+  {
+    BLEND_NEVER = 0,
+    BLEND_ON_SOFTWARE_OPENGL = 1,
+    BLEND_ALWAYS = 2
+  };
+
   //@{
   /**
-   * Get the mapper that draws isosurfaces, and whether it drew the last frame. If it did, its route
+   * Set/Get when vtkTemporalCoherenceVolumeMapper draws blend modes other than ISOSURFACE_BLEND.
+   * BLEND_ON_SOFTWARE_OPENGL: if OpenGL itself runs on the CPU, which is told from the name of its
+   * renderer (llvmpipe, softpipe, swrast, SWR, SwiftShader, or one with "software"). The default is
+   * that of DefaultBlendVolumes when the mapper is constructed.
+   */
+  vtkSetClampMacro(BlendVolumes, int, BLEND_NEVER, BLEND_ALWAYS);
+  vtkGetMacro(BlendVolumes, int);
+  void SetBlendVolumesToNever() { this->SetBlendVolumes(BLEND_NEVER); }
+  void SetBlendVolumesToOnSoftwareOpenGL() { this->SetBlendVolumes(BLEND_ON_SOFTWARE_OPENGL); }
+  void SetBlendVolumesToAlways() { this->SetBlendVolumes(BLEND_ALWAYS); }
+  //@}
+
+  //@{
+  /**
+   * Set/Get BlendVolumes of all mappers that are constructed from then on, as those that other
+   * mappers hold. Default: BLEND_ON_SOFTWARE_OPENGL, or what the environment variable
+   * VTK_TEMPORAL_COHERENCE_BLEND_VOLUMES says: NEVER, SOFTWARE or ALWAYS.
+   */
+  static void SetDefaultBlendVolumes(int rule);
+  static int GetDefaultBlendVolumes();
+  //@}
+
+  //@{
+  /**
+   * Get the mapper that draws isosurfaces and blended volumes, and whether it drew the last frame,
+   * whatever its blend mode was. If it did, its route
    * and its counters are those of that frame.
    */
   vtkTemporalCoherenceVolumeMapper* GetIsosurfaceMapper();
@@ -92,7 +129,7 @@ public:
 
   /**
    * Get the ratio by which the input is reduced to fit into memory: 1 along each axis if
-   * isosurfaces are drawn on the CPU.
+   * isosurfaces are drawn on the CPU, or if the last frame was.
    */
   void GetReductionRatio(double ratio[3]) override;
 
@@ -126,11 +163,15 @@ private:
   };
 
   std::string WhySuperclassDraws(vtkRenderer* renderer, vtkVolume* volume);
+  std::string WhySuperclassBlends(vtkRenderer* renderer);
   void PrepareIsosurfaces();
   void ForwardEvents();
   void TellWhoDraws(vtkRenderer* renderer, Drawer drawer, const std::string& reason);
 
   vtkTypeBool TemporalCoherence;
+  int BlendVolumes;
+  vtkWeakPointer<vtkRenderWindow> LastWindow;
+  bool IsSoftware = false; ///< the OpenGL of that window
   vtkNew<vtkTemporalCoherenceVolumeMapper> Isosurfaces;
   vtkNew<vtkEventForwarderCommand> Forwarder;
   Drawer DrawnBy = Drawer::Nobody;

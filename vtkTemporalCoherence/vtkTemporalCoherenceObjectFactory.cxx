@@ -37,7 +37,7 @@ vtkTemporalCoherenceObjectFactory* FindRegistered()
 vtkTemporalCoherenceObjectFactory::vtkTemporalCoherenceObjectFactory()
 {
   this->RegisterOverride("vtkGPUVolumeRayCastMapper", "vtkTemporalCoherenceGPUVolumeRayCastMapper",
-    "Isosurfaces by temporal coherence, everything else by OpenGL", 1,
+    "Isosurfaces and, without a GPU, blended volumes by temporal coherence; all else by OpenGL", 1,
     vtkObjectFactoryCreatevtkTemporalCoherenceGPUVolumeRayCastMapper);
 }
 
@@ -86,7 +86,7 @@ const char* vtkTemporalCoherenceObjectFactory::GetVTKSourceVersion() VTK_FUTURE_
 //------------------------------------------------------------------------------
 const char* vtkTemporalCoherenceObjectFactory::GetDescription() VTK_FUTURE_CONST
 {
-  return "vtkTemporalCoherence: isosurfaces of volumes that re-use the last frame";
+  return "vtkTemporalCoherence: pictures of volumes that re-use the last frame";
 }
 
 //------------------------------------------------------------------------------

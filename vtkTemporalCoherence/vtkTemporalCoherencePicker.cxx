@@ -34,14 +34,15 @@ vtkStandardNewMacro(vtkTemporalCoherencePicker);
 namespace
 {
 
-/// The mapper of isosurfaces that a mapper is or holds; null if it draws something else.
+/// The mapper of isosurfaces that a mapper is or holds; null if something else is drawn.
 vtkTemporalCoherenceVolumeMapper* SurfacesOf(vtkAbstractVolumeMapper* mapper)
 {
   if (auto* holder = vtkTemporalCoherenceGPUVolumeRayCastMapper::SafeDownCast(mapper))
   {
-    return holder->GetDrewIsosurfaces() ? holder->GetIsosurfaceMapper() : nullptr;
+    return holder->GetDrewIsosurfaces() ? SurfacesOf(holder->GetIsosurfaceMapper()) : nullptr;
   }
-  return vtkTemporalCoherenceVolumeMapper::SafeDownCast(mapper);
+  auto* own = vtkTemporalCoherenceVolumeMapper::SafeDownCast(mapper);
+  return own && own->GetBlendMode() == vtkVolumeMapper::ISOSURFACE_BLEND ? own : nullptr;
 }
 
 vtkVolumeProperty* PropertyOf(vtkProp3D* prop)

@@ -53,6 +53,7 @@ vtkTemporalCoherenceVolumeMapper::vtkTemporalCoherenceVolumeMapper()
 {
   this->SetBlendModeToIsoSurface();
   this->AutoAdjustSampleDistances = 0;
+  this->SampleDistance = 0.0f; // blended volumes converge
 }
 
 //------------------------------------------------------------------------------

@@ -6,6 +6,7 @@
 
 #include "Request/ViewFromRenderer.h"
 #include "SettingsFromMapper.h"
+#include "Window/RayEnds.h"
 
 #include "vtkCommand.h"
 #include "vtkRenderWindow.h"
@@ -13,6 +14,7 @@
 #include "vtkVolume.h"
 
 #include <algorithm>
+#include <exception>
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -82,6 +84,13 @@ bool vtkTemporalCoherenceVolumeMapper::Internals::RenderFrame(vtkRenderer* rende
     return false;
   }
 
+  if (window && request.Key.Volume.IsOn() &&
+    !this->EndAtOpaqueProps(renderer, volume, request, error))
+  {
+    this->ReportOnce(error);
+    return false;
+  }
+
   TemporalCoherence::FrameRenderer::Options options = TemporalCoherence::OptionsOf(this->Self);
   options.ReportsTiles = IsHeard(*this->Self, window);
   bool isMade = false;
@@ -102,6 +111,26 @@ bool vtkTemporalCoherenceVolumeMapper::Internals::RenderFrame(vtkRenderer* rende
   }
   this->ReportOnce(error);
   return isMade;
+}
+
+//------------------------------------------------------------------------------
+bool vtkTemporalCoherenceVolumeMapper::Internals::EndAtOpaqueProps(vtkRenderer* renderer,
+  vtkVolume* volume, TemporalCoherence::FrameRequest& request, std::string& error)
+{
+  TemporalCoherence::FrameKey& key = request.Key;
+  try
+  {
+    request.ComparesDepths =
+      !TemporalCoherence::FindRayEnds(renderer, volume, key.View, key.Volume.Ends);
+    return true;
+  }
+  catch (const std::exception&)
+  {
+    error = "There is not enough memory for the depths of " + std::to_string(key.View.Size.x) +
+      " x " + std::to_string(key.View.Size.y) +
+      " pixels, behind which the volume is hidden; free memory or make the window smaller.";
+    return false;
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -82,6 +82,11 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
   bool MakeRequest(vtkVolume* volume, const TemporalCoherence::FrameSight& sight,
     SharedProgress& progress, TemporalCoherence::FrameRequest& request, std::string& error);
 
+  /// End the rays of a blended volume at what the window shows.
+  /// \return false if there is not enough memory
+  static bool EndAtOpaqueProps(vtkRenderer* renderer, vtkVolume* volume,
+    TemporalCoherence::FrameRequest& request, std::string& error);
+
   /// Make a frame for a window, as coarse or as fine as is wished.
   /// \return false if it is not made
   bool RenderForWindow(vtkRenderer* renderer, vtkVolume* volume, int width, int height);
@@ -135,7 +140,7 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
   std::string CheckIsovalues(
     const TemporalCoherence::DrawnVolume& drawn, const TemporalCoherence::FrameRequest& request)
   {
-    return request.Key.Samples.HasCells()
+    return request.Key.Samples.HasCells() && !request.Key.Volume.IsOn()
       ? this->Isovalues.Check(drawn, request, this->Frames.LastRanges())
       : std::string();
   }

@@ -93,6 +93,13 @@ vtkTemporalCoherenceVolumeMapper::Internals::FindOnLine(
   if (this->Requests.Make(
         this->Self, TemporalCoherence::SettingsOf(this->Self), volume, {}, request, error))
   {
+    if (request.Key.Volume.IsOn())
+    {
+      error = "IntersectWithLine finds isosurfaces only; call SetBlendModeToIsoSurface(), or pick "
+              "in the last frame with PickPixel.";
+      this->ReportOnce(error);
+      return std::nullopt;
+    }
     hit = this->Frames.FindHit(request, begin, end, error);
   }
   this->ReportOnce(error);

@@ -282,7 +282,7 @@ void TestRefusals()
   {
     Scene scene(data, { -0.5 });
     Mistake mistake(scene, "vtkGPUVolumeRayCastMapper");
-    scene.Mapper->SetBlendModeToMaximumIntensity();
+    scene.Mapper->SetBlendModeToSlice();
     mistake.ExpectRefused();
     scene.Mapper->SetBlendModeToIsoSurface();
     mistake.ExpectMended();

@@ -154,7 +154,7 @@ void TestInputs()
     Expect(!pipeline->GetError(), "said twice: " + pipeline->GetErrorMessage());
   }
   ExpectError(
-    "Blend mode", [](Scene& scene) { scene.Mapper->SetBlendModeToComposite(); },
+    "Blend mode", [](Scene& scene) { scene.Mapper->SetBlendModeToSlice(); },
     [](Scene& scene) { scene.Mapper->SetBlendModeToIsoSurface(); });
 }
 

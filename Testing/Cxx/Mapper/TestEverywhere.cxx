@@ -461,6 +461,9 @@ void TestLifeOfInnerMapper()
 int TestEverywhere(int, char*[])
 {
   vtkFloatingPointExceptions::Disable();
+  // TestBlendedEverywhere has the other rules.
+  using Door = vtkTemporalCoherenceGPUVolumeRayCastMapper;
+  Door::SetDefaultBlendVolumes(Door::BLEND_NEVER);
   TestFactory();
   TestSwitching();
   TestReuse();

@@ -183,7 +183,7 @@ void TestSpecialCases()
   AddSandwich(spoilt);
   spoilt.ExpectOrder("before a mistake", Bound);
   const EventCounter errors(spoilt.Piles.front()->Mapper.Get(), vtkCommand::ErrorEvent);
-  spoilt.Piles.front()->Mapper->SetBlendModeToComposite();
+  spoilt.Piles.front()->Mapper->SetBlendModeToSlice();
   spoilt.Window->Render();
   spoilt.Window->Render();
   Expect(errors.Count == 1, "a mistake: " + std::to_string(errors.Count) + " errors");

@@ -13,6 +13,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <limits>
 #include <memory>
 
@@ -36,7 +37,8 @@ struct BlendedRays
   std::array<Array<float>, 3> Color; ///< multiplied by its opacity
   Array<float> Passed;               ///< share of the light from behind that passes
   Array<double> Value; ///< Maximum, Minimum: the extreme so far, or NaN; else a sum over length
-  std::array<Array<double>, 3> OtherValues; ///< Maximum, Minimum: the same of components 1 to 3
+  std::array<Array<double>, 3> OtherValues;  ///< the same of components 1 to 3
+  std::array<Array<double>, 3> OtherLengths; ///< Length of components 1 to 3
   Array<double> Length;                     ///< Average: world distance over which values counted
   Array<double> First;                      ///< t of the first thing seen, or infinity
   std::int64_t CellsRead = 0;               ///< cells whose eight samples were read
@@ -50,14 +52,21 @@ struct BlendedRays
     }
     this->Passed.fill(1.0f);
     this->Value.fill(0.0);
-    for (Array<double>& values : this->OtherValues)
+    for (std::size_t other = 0; other < this->OtherValues.size(); ++other)
     {
-      values.fill(0.0);
+      this->OtherValues[other].fill(0.0);
+      this->OtherLengths[other].fill(0.0);
     }
     this->Length.fill(0.0);
     this->First.fill(std::numeric_limits<double>::infinity());
     this->CellsRead = 0;
   }
+};
+
+/// Thrown where a volume cannot be blended: its kind of field has no tracer for what is asked.
+struct NoBlendTracer : std::exception
+{
+  const char* what() const noexcept override { return "the field has no tracer for this blending"; }
 };
 
 /// Blends what rays see of a volume, in one mode, for one kind of field. What a ray sees depends on

@@ -47,10 +47,11 @@ struct ExtremeTask
   const ValueRangePyramid* Ranges; ///< of the samples; null: not known
   const GridCoordinates* Grid;     ///< where samples lie; null: at integers
   bool IsMinimum;
+  bool ByBeams = true; ///< where there are ranges
 };
 
-/// \throws std::bad_alloc
-std::unique_ptr<const ExtremeSearch> MakeExtremeSearch(const ExtremeTask& task);
+/// Makes the search for a task; throws std::bad_alloc.
+using ExtremeSearchMaker = std::unique_ptr<const ExtremeSearch> (*)(const ExtremeTask& task);
 
 }
 

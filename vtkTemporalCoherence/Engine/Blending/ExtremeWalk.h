@@ -39,14 +39,15 @@ template <typename Real>
 SegmentExtreme<Real> LargestOf(const Cubic<Real>& b)
 {
   SegmentExtreme<Real> largest{ b[0] };
-  if (std::max(b[1], b[2]) > std::max(b[0], b[3]))
+  const Real most = std::max(b[1], b[2]);
+  if (most > std::max(b[0], b[3]))
   {
     int count = 0;
     const std::array<Real, 2> turns = TurningPoints(b, count);
     for (int turn = 0; turn < count; ++turn)
     {
       const Real share = turns[static_cast<std::size_t>(turn)];
-      largest.Widen(Evaluate(b, share), static_cast<double>(share));
+      largest.Widen(std::min(Evaluate(b, share), most), static_cast<double>(share));
     }
   }
   largest.Widen(b[3], 1.0);
@@ -122,7 +123,8 @@ private:
     }
     SegmentExtreme<Real> largest = LargestIn(segment, corners);
     // Rounding must not lead out of what the corners allow.
-    largest.Value = std::min(largest.Value, *std::max_element(corners.begin(), corners.end()));
+    const auto [lowest, highest] = std::minmax_element(corners.begin(), corners.end());
+    largest.Value = std::min(std::max(largest.Value, *lowest), *highest);
     const double value = static_cast<double>(this->Sign * largest.Value);
     const double at = segment.DistanceAt(largest.Share);
     const double before = found.Value[ray];

@@ -4,6 +4,8 @@
 #define TemporalCoherence_ProjectionTracer_h
 
 #include "Blending/BlendTracer.h"
+#include "Blending/ComponentSegment.h"
+#include "Blending/ExtremeSearch.h"
 #include "Scene/GridCoordinates.h"
 
 #include <memory>
@@ -16,9 +18,14 @@ namespace TemporalCoherence
 /// one that gives the opacity counts, and the colour is that of its place. A ray that meets no cell
 /// shows nothing.
 /// \param grid where samples lie; null: at integers
+/// \param make the search in a component
 /// \throws std::bad_alloc
 std::shared_ptr<const BlendTracer> MakeExtremeTracer(
-  const BlendScene& scene, const GridCoordinates* grid);
+  const BlendScene& scene, const GridCoordinates* grid, ExtremeSearchMaker make);
+
+/// The same of samples at a fixed distance.
+std::shared_ptr<const BlendTracer> MakeSampledExtremes(
+  const BlendScene& scene, const GridCoordinates* grid, SegmentSourceMaker make);
 
 }
 

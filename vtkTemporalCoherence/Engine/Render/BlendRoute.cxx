@@ -26,6 +26,7 @@ std::uint8_t ByteOf(double share)
 class TileBlender
 {
 public:
+  /// \throws NoBlendTracer, std::bad_alloc
   TileBlender(const FrameTask& task, const LeapedSpace& space)
     : Key(task.Key)
     , Space(space)
@@ -34,6 +35,10 @@ public:
           ? BlendTracer::Make({ Key, space.Active, &task.Structures.Pyramid() })
           : nullptr)
   {
+    if (!this->Tracer && Key.Samples.HasCells())
+    {
+      throw NoBlendTracer();
+    }
   }
 
   TraceCounts Blend(std::int64_t tile, const PixelRect& part, Frame& frame) const

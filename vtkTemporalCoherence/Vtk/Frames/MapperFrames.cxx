@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Frames/MapperFrames.h"
 
+#include "Blending/BlendTracer.h"
 #include "Frames/SelectionPass.h"
 #include "Output/BufferImages.h"
 #include "Output/PointsFromFrame.h"
@@ -40,6 +41,35 @@ ReportProgress Rising(const ReportProgress& report, double& farthest)
 
 }
 
+namespace
+{
+
+/// The error message for a volume whose kind of field has no tracer for how it is blended.
+std::string WhyNotBlended(const FrameKey& key)
+{
+  const Blending& volume = key.Volume;
+  if (!volume.Others.empty())
+  {
+    return "The " + std::to_string(volume.Others.size() + 1) +
+      " components of the array cannot be blended in this blend mode; draw one with "
+      "SetVectorModeToComponent(), or call SetBlendModeToMaximumIntensity().";
+  }
+  if (volume.SampleDistance > 0.0)
+  {
+    return "This input cannot be blended with a distance between samples; call "
+           "SetSampleDistance(0), which converges.";
+  }
+  if (key.Samples.Between == Interpolation::Nearest)
+  {
+    return "This input cannot be blended with nearest interpolation in this blend mode; call "
+           "SetInterpolationTypeToLinear() of the volume's property.";
+  }
+  return "This input can only be drawn by isosurfaces in this blend mode; call "
+         "SetBlendModeToIsoSurface(), or resample it with vtkResampleToImage.";
+}
+
+}
+
 // Where memory ends is a bad_alloc, or a length_error where a size has no number.
 
 bool MapperFrames::Render(const Viewer& viewer, const FrameRequest& request,
@@ -56,6 +86,7 @@ bool MapperFrames::Render(const Viewer& viewer, const FrameRequest& request,
     }
     state->IsovaluePlaces = request.IsovaluePlaces;
     state->Cells = request.Cells;
+    state->ComparesDepths = request.ComparesDepths;
     if (state->Engine.Statistics().Made != Route::Redisplay)
     {
       state->PictureNumber = NewPictureNumber();
@@ -63,6 +94,11 @@ bool MapperFrames::Render(const Viewer& viewer, const FrameRequest& request,
     this->Last = this->Mapped = state;
     tell(1.0);
     return true;
+  }
+  catch (const NoBlendTracer&)
+  {
+    error = WhyNotBlended(request.Key);
+    return false;
   }
   catch (const std::exception&)
   {
@@ -182,6 +218,12 @@ bool MapperFrames::WriteSurface(vtkPolyData* points, std::string& error) const
   const FrameRenderer& frames = this->Last->Engine;
   if (frames.LastFrame().IsEmpty())
   {
+    return false;
+  }
+  if (frames.LastKey().Volume.IsOn())
+  {
+    error = "The last frame shows no surface, since its volume is blended; call "
+            "SetBlendModeToIsoSurface() and render, or read depths with GetLastFrame.";
     return false;
   }
   try

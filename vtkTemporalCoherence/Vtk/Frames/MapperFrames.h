@@ -79,10 +79,11 @@ public:
   std::optional<LineHit> FindHit(const FrameRequest& request, const glm::dvec3& begin,
     const glm::dvec3& end, std::string& error);
 
-  /// Position in the property's list of an isovalue of the last frame.
+  /// Position in the property's list of an isovalue of the last frame; -1 if that is blended.
   int PlaceOf(int surface) const
   {
-    return this->Last->IsovaluePlaces[static_cast<std::size_t>(surface)];
+    const std::vector<int>& places = this->Last->IsovaluePlaces;
+    return places.empty() ? -1 : places[static_cast<std::size_t>(surface)];
   }
 
   /// Rays of the last frame along each axis; 0 if there is none.

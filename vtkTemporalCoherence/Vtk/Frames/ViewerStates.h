@@ -53,7 +53,7 @@ struct ViewerState
   ShownFrame Shown() const
   {
     return { this->Engine.LastFrame(), this->Engine.LastKey().View, this->PictureSize,
-      this->PictureNumber };
+      this->PictureNumber, this->Engine.LastKey().Volume.IsOn(), this->ComparesDepths };
   }
 
   Viewer Of;
@@ -63,6 +63,7 @@ struct ViewerState
   std::vector<int> IsovaluePlaces; ///< position in the property's list, for each isovalue drawn
   std::shared_ptr<const CellOrigins> Cells; ///< of which cells the mesh drawn is made; or null
   glm::ivec2 PictureSize{ 0 };              ///< pixels that the last frame fills
+  bool ComparesDepths = true;               ///< ShownFrame::ComparesDepths
   std::uint64_t PictureNumber = 0; ///< another one for each different picture in the process
 };
 

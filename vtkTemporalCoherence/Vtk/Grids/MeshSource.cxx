@@ -103,7 +103,7 @@ bool MeshSource::Make(const FieldQuery& query, PlacedField& field, std::string& 
 {
   SampleMask mask; // an error, unless it has no effect
   if (!FindMask(query.Mask, query.Mapper, glm::ivec3(0), query.Volume->GetProperty(),
-        *query.Isovalues, mask, error))
+        query.Isovalues, mask, error))
   {
     return false;
   }

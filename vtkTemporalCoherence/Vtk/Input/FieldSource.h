@@ -33,8 +33,9 @@ struct FieldQuery
 {
   vtkVolumeMapper* Mapper = nullptr;
   vtkVolume* Volume = nullptr;
-  const std::vector<double>* Isovalues = nullptr; ///< to draw
+  const std::vector<double>* Isovalues = nullptr; ///< to draw; null if the volume is blended
   MaskSettings Mask;
+  bool NeedsScalarRanges = false;  ///< PlacedField::ScalarRanges
   bool AveragedGradients = false;  ///< of meshes
   std::size_t MeshMemoryLimit = 0; ///< bytes for what is made of a mesh; 0: no limit
   ReportProgress Report;           ///< of what takes long; it may stop it
@@ -73,6 +74,8 @@ struct FieldSetUp
 struct PlacedField
 {
   Field Samples;
+  std::vector<Field> Others;            ///< of the components drawn, all but the first
+  std::vector<glm::dvec2> ScalarRanges; ///< of the finite samples, by component drawn
   IndexTransform Transform;
   ImageAxes Axes;            ///< index space in the coordinates of cropping planes
   glm::dvec3 PerStep{ 1.0 }; ///< of GradientOpacity

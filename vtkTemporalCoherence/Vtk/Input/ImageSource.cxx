@@ -90,7 +90,7 @@ bool ImageSource::Make(const FieldQuery& query, PlacedField& field, std::string&
   SampleMask ofSamples;
   if (!MakeField(
         found.Image, found.Array, found.OnCells, found.Component.Number, field.Samples, error) ||
-    !FindMask(query.Mask, query.Mapper, field.Samples.Dimensions, property, *query.Isovalues,
+    !FindMask(query.Mask, query.Mapper, field.Samples.Dimensions, property, query.Isovalues,
       ofSamples, error) ||
     !this->Hidden.Find(found.Image, found.OnCells, ofSamples, field.Samples.Hidden, error) ||
     !MakeIndexTransform(found.Image, found.OnCells, query.Volume, field.Transform, error))
@@ -101,10 +101,41 @@ bool ImageSource::Make(const FieldQuery& query, PlacedField& field, std::string&
   field.Samples.Between = property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION
     ? Interpolation::Nearest
     : Interpolation::Linear;
+  if (!this->MakeOthers(field, error))
+  {
+    return false;
+  }
+  for (int i = 0; query.NeedsScalarRanges && i < found.Component.Count; ++i)
+  {
+    glm::dvec2 range(0.0);
+    found.Array->GetFiniteRange(&range.x, found.Component.Number + i);
+    field.ScalarRanges.push_back(range);
+  }
   field.Axes = AxesOf(found.Image, found.OnCells);
   const glm::dvec3 distances = glm::abs(field.Axes.Step);
   field.PerStep = (distances.x + distances.y + distances.z) / 3.0 / distances;
   field.Read = { found.Array };
+  return true;
+}
+
+/// Make the fields of all components but the first.
+bool ImageSource::MakeOthers(PlacedField& field, std::string& error) const
+{
+  const FoundImage& found = this->Found;
+  for (int i = 1; i < found.Component.Count; ++i)
+  {
+    Field other;
+    if (!MakeField(
+          found.Image, found.Array, found.OnCells, found.Component.Number + i, other, error))
+    {
+      return false;
+    }
+    const Field& first = field.Samples;
+    other.Between = first.Between;
+    other.Kind = first.Kind;
+    other.Hidden = first.Hidden;
+    field.Others.push_back(other);
+  }
   return true;
 }
 

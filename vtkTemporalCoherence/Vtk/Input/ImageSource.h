@@ -33,6 +33,7 @@ public:
 
 private:
   bool FindImage(vtkDataObject* data, const ScalarChoice& choice, std::string& error);
+  bool MakeOthers(PlacedField& field, std::string& error) const;
   bool FindScalar(vtkVolumeProperty* property, const VectorChoice& vectors, std::string& error);
 
   /// What was found. The pointers are not owned.

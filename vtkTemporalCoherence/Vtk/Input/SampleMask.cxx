@@ -109,7 +109,7 @@ std::string WhyUnusable(
 }
 
 bool FindMask(const MaskSettings& settings, vtkVolumeMapper* mapper, const glm::ivec3& samples,
-  vtkVolumeProperty* property, const std::vector<double>& isovalues, SampleMask& mask,
+  vtkVolumeProperty* property, const std::vector<double>* isovalues, SampleMask& mask,
   std::string& error)
 {
   mask = SampleMask();
@@ -121,8 +121,14 @@ bool FindMask(const MaskSettings& settings, vtkVolumeMapper* mapper, const glm::
   mask.IsLabelMap = settings.IsLabelMap;
   if (mask.IsLabelMap)
   {
-    const bool countsAlone = settings.BlendFactor >= 1.0f;
-    if (countsAlone && !FindHiddenLabels(property, isovalues, mask.HiddenLabels, error))
+    if (!isovalues && settings.BlendFactor > 0.0f && !property->GetLabelMapLabels().empty())
+    {
+      error = "Labels of a mask can hide isosurfaces only; call SetBlendModeToIsoSurface, "
+              "SetMaskTypeToBinary or SetMaskBlendFactor(0).";
+      return false;
+    }
+    const bool countsAlone = isovalues && settings.BlendFactor >= 1.0f;
+    if (countsAlone && !FindHiddenLabels(property, *isovalues, mask.HiddenLabels, error))
     {
       return false;
     }

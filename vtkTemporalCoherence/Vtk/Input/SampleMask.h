@@ -53,11 +53,11 @@ struct SampleMask
 /// \param mapper    its scalar mode chooses the array of the mask
 /// \param samples   of the field along each axis
 /// \param property  knows the labels
-/// \param isovalues to draw
+/// \param isovalues to draw; null if the volume is blended, which labels cannot change
 /// \param error     gets what is wrong and what to do about it
 /// \return false on error
 bool FindMask(const MaskSettings& settings, vtkVolumeMapper* mapper, const glm::ivec3& samples,
-  vtkVolumeProperty* property, const std::vector<double>& isovalues, SampleMask& mask,
+  vtkVolumeProperty* property, const std::vector<double>* isovalues, SampleMask& mask,
   std::string& error);
 
 /// One byte for each sample of the field, 0 if the mask hides it.

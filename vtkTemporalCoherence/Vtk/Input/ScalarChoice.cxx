@@ -85,6 +85,10 @@ DrawnComponent ChooseComponent(
   {
     drawn.Number = vectors.Component;
   }
+  else if (vectors.Mode == Modes::Property && vectors.AreBlended)
+  {
+    drawn.Count = std::max(components, 1);
+  }
   else if (vectors.Mode == Modes::Property && property->GetIndependentComponents())
   {
     drawn.Number = drawn.OfProperty = HeaviestComponent(property, components);

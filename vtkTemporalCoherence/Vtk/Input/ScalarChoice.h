@@ -58,6 +58,7 @@ struct VectorChoice
 
   Modes Mode = Modes::Property;
   int Component = 0;
+  bool AreBlended = false; ///< Property: all components are drawn, not only one
 };
 
 /// The scalar that is drawn of an array's tuples.
@@ -66,6 +67,7 @@ struct DrawnComponent
   bool IsMagnitude = false; ///< the length of each tuple
   int Number = 0;           ///< of the component, which the array may lack
   int OfProperty = 0;       ///< component of the property that gives colour and shading
+  int Count = 1;            ///< components drawn, that one and the next ones
 };
 
 /// \param components of the array; 0 if there is none

@@ -133,9 +133,11 @@ struct PixelRange
         return this->Copy(this->From.Normals, values);
       case IsovalueIndexArray:
         return this->Convert(this->From.Isovalues, values,
-          [this](std::int16_t surface) {
-            return surface == Frame::NoSurface ? -1
-                                               : this->Places[static_cast<std::size_t>(surface)];
+          [this](std::int16_t surface)
+          {
+            return surface == Frame::NoSurface || this->Places.empty()
+              ? -1
+              : this->Places[static_cast<std::size_t>(surface)];
           });
       default:
         return this->Convert(this->From.Answers, values,

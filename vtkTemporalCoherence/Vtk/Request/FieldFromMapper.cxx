@@ -32,14 +32,6 @@ bool FieldFromMapper::Find(vtkVolumeMapper* mapper, vtkVolumeProperty* property,
   const VectorChoice& vectors, DrawnComponent& found, std::string& error)
 {
   found = DrawnComponent();
-  if (mapper->GetBlendMode() != vtkVolumeMapper::ISOSURFACE_BLEND)
-  {
-    error = "Blend mode " + std::to_string(mapper->GetBlendMode()) +
-      " is not supported: this mapper draws isosurfaces only; call SetBlendModeToIsoSurface(). For "
-      "other blend modes use vtkGPUVolumeRayCastMapper. After "
-      "vtkTemporalCoherenceObjectFactory::UseEverywhere() it draws isosurfaces with this mapper.";
-    return false;
-  }
   vtkDataObject* data = mapper->GetDataObjectInput();
   if (!data)
   {
@@ -60,7 +52,7 @@ bool FieldFromMapper::Find(vtkVolumeMapper* mapper, vtkVolumeProperty* property,
     auto* amr = vtkUniformGridAMR::SafeDownCast(data);
     this->OnlyLevel = amr && HasOneLevel(amr) ? BlocksOf(amr) : nullptr;
     vtkDataObject* drawn = this->OnlyLevel ? this->OnlyLevel.Get() : data;
-    if (!this->ChooseSource(drawn, error) ||
+    if (!this->ChooseSource(drawn, vectors.AreBlended, error) ||
       !this->Source->Find(drawn, ChoiceOf(mapper), property, vectors, found, error))
     {
       return false;
@@ -78,10 +70,17 @@ bool FieldFromMapper::Find(vtkVolumeMapper* mapper, vtkVolumeProperty* property,
   }
 }
 
-bool FieldFromMapper::ChooseSource(vtkDataObject* data, std::string& error)
+bool FieldFromMapper::ChooseSource(vtkDataObject* data, bool areBlended, std::string& error)
 {
   if (IsMesh(data))
   {
+    if (areBlended)
+    {
+      error = std::string("The input is a ") + data->GetClassName() +
+        ", which can only be drawn by isosurfaces; call SetBlendModeToIsoSurface(), or resample it "
+        "with vtkResampleToImage.";
+      return false;
+    }
     this->Images.Release();
     this->Source = &this->Meshes;
     return true;

@@ -28,7 +28,7 @@ int OtherInputPort(vtkVolumeMapper* mapper);
 class FieldFromMapper
 {
 public:
-  /// Find what there is to draw.
+  /// Find what there is to draw, by isosurfaces or, if components are to be blended, otherwise.
   /// \param found gets which components are drawn
   /// \param error gets what is wrong and what to do about it
   /// \return false on error
@@ -48,7 +48,7 @@ public:
   void Release();
 
 private:
-  bool ChooseSource(vtkDataObject* data, std::string& error);
+  bool ChooseSource(vtkDataObject* data, bool areBlended, std::string& error);
 
   ImageSource Images;
   MeshSource Meshes;

@@ -12,6 +12,7 @@
 #include <vtkVolumeProperty.h>
 
 #include <cmath>
+#include <optional>
 #include <sstream>
 
 namespace TemporalCoherence
@@ -63,36 +64,31 @@ bool RequestFromMapper::Make(vtkVolumeMapper* mapper, const PictureSettings& set
             "mapper of its own in the same renderer, where they hide one another by their depths.";
     return false;
   }
-  vtkVolumeProperty* property = volume->GetProperty();
-  FrameKey& key = request.Key;
-  request.IsovalueList = ChooseIsovalues(property, settings.DepthPass);
   DrawnComponent drawn;
-  if (!this->Fields.Find(mapper, property, settings.Vectors, drawn, error) ||
-    !FindSurfaces(request.IsovalueList, property, drawn.OfProperty, key.Isosurfaces,
-      request.IsovaluePlaces, error))
+  if (!this->FindDrawn(mapper, settings, volume, drawn, error))
   {
     return false;
   }
-  key.Isosurfaces.Mode = settings.Mode;
-
-  if (sight.Renderer)
+  FrameKey& key = request.Key;
+  const bool isBlended = mapper->GetBlendMode() != vtkVolumeMapper::ISOSURFACE_BLEND;
+  key.Appearance = {};
+  if ((sight.Renderer && !MakeView(sight.Renderer, sight.Size, sight.Aspect, key.View, error)) ||
+    !(isBlended
+        ? this->MakeBlending(mapper, settings, volume, sight.Renderer, drawn, request, error)
+        : MakeSurfaces(settings, volume, sight.Renderer, drawn, request, error)) ||
+    (sight.Renderer && !SpreadColors(settings, key.Appearance, error)))
   {
-    key.Appearance = {};
-    if (!MakeView(sight.Renderer, sight.Size, sight.Aspect, key.View, error) ||
-      !MakeAppearance(property, drawn.OfProperty, sight.Renderer, key.Isosurfaces.Isovalues,
-        key.Appearance, error) ||
-      !SpreadColors(settings, key.Appearance, error))
-    {
-      return false;
-    }
-    key.Appearance.ColorByAnswer = settings.ColorByAnswer;
+    return false;
   }
+  key.Appearance.ColorByAnswer = settings.ColorByAnswer && !isBlended;
 
   FieldQuery query;
   query.Mapper = mapper;
   query.Volume = volume;
-  query.Isovalues = &key.Isosurfaces.Isovalues;
+  query.Isovalues = isBlended ? nullptr : &key.Isosurfaces.Isovalues;
   query.Mask = settings.Mask;
+  query.NeedsScalarRanges = key.Volume.Mode == BlendMode::Additive ||
+    key.Volume.Mode == BlendMode::Average || key.Volume.Use == ComponentUse::RgbOpacity;
   query.AveragedGradients = settings.AveragedGradients;
   query.MeshMemoryLimit = settings.MeshMemoryLimit;
   query.Report = report;
@@ -103,6 +99,53 @@ bool RequestFromMapper::Make(vtkVolumeMapper* mapper, const PictureSettings& set
     this->Fields.IsEmpty() || this->MakeScene(query, drawn.OfProperty, request, error);
   this->IsMakingField = false;
   return isMade;
+}
+
+/// Find out what the mapper draws of its input.
+bool RequestFromMapper::FindDrawn(vtkVolumeMapper* mapper, const PictureSettings& settings,
+  vtkVolume* volume, DrawnComponent& drawn, std::string& error)
+{
+  const std::optional<BlendMode> mode = BlendModeOf(mapper);
+  if (!mode)
+  {
+    error = "Blend mode " + std::to_string(mapper->GetBlendMode()) +
+      " is not supported; call SetBlendModeToIsoSurface(), ToComposite(), ToMaximumIntensity(), "
+      "ToMinimumIntensity(), ToAverageIntensity() or ToAdditive(), or use "
+      "vtkGPUVolumeRayCastMapper.";
+    return false;
+  }
+  VectorChoice vectors = settings.Vectors;
+  vectors.AreBlended = *mode != BlendMode::Isosurface;
+  return this->Fields.Find(mapper, volume->GetProperty(), vectors, drawn, error);
+}
+
+/// Make the isosurfaces of a key and, for a viewer, how they look.
+bool RequestFromMapper::MakeSurfaces(const PictureSettings& settings, vtkVolume* volume,
+  vtkRenderer* renderer, const DrawnComponent& drawn, FrameRequest& request, std::string& error)
+{
+  FrameKey& key = request.Key;
+  vtkVolumeProperty* property = volume->GetProperty();
+  request.IsovalueList = ChooseIsovalues(property, settings.DepthPass);
+  if (!FindSurfaces(request.IsovalueList, property, drawn.OfProperty, key.Isosurfaces,
+        request.IsovaluePlaces, error))
+  {
+    return false;
+  }
+  key.Isosurfaces.Mode = settings.Mode;
+  return !renderer ||
+    MakeAppearance(
+      property, drawn.OfProperty, renderer, key.Isosurfaces.Isovalues, key.Appearance, error);
+}
+
+/// Make how the volume of a key is blended and, for a viewer, its lights.
+bool RequestFromMapper::MakeBlending(vtkVolumeMapper* mapper, const PictureSettings& settings,
+  vtkVolume* volume, vtkRenderer* renderer, const DrawnComponent& drawn, FrameRequest& request,
+  std::string& error)
+{
+  Blending& blending = request.Key.Volume;
+  return this->Blendings.Make(mapper, volume, drawn, settings.SampleDistance, blending, error) &&
+    (!renderer ||
+      BlendingFromVolume::MakeLights(renderer, blending, request.Key.Appearance, error));
 }
 
 namespace
@@ -131,15 +174,24 @@ bool RequestFromMapper::MakeScene(
   const FieldQuery& query, int component, FrameRequest& request, std::string& error)
 {
   FrameKey& key = request.Key;
+  const bool isBlended = key.Volume.IsOn();
   PlacedField field;
-  if (!MakeGradientOpacity(
-        query.Volume->GetProperty(), component, key.Isosurfaces.ByGradient, error) ||
-    !AreFewEnough(key.Isosurfaces, error) || !this->Fields.Make(query, field, error) ||
+  if ((!isBlended &&
+        (!MakeGradientOpacity(
+           query.Volume->GetProperty(), component, key.Isosurfaces.ByGradient, error) ||
+          !AreFewEnough(key.Isosurfaces, error))) ||
+    !this->Fields.Make(query, field, error) ||
     !MakeRegion(query.Mapper, field.Axes, key.Region, error))
   {
     return false;
   }
   key.Isosurfaces.ByGradient.PerStep = field.PerStep;
+  for (ComponentLook& look : key.Volume.Looks)
+  {
+    look.ByGradient.PerStep = field.PerStep;
+  }
+  key.Volume.Others = field.Others;
+  key.Volume.ScalarRanges = field.ScalarRanges;
   key.Samples = field.Samples;
   key.Transform = field.Transform;
   request.SetUp = field.SetUp;
@@ -155,13 +207,17 @@ bool RequestFromMapper::IsOpaque(
   {
     return true; // nothing to draw
   }
-  vtkVolumeProperty* property = volume->GetProperty();
+  if (mapper->GetBlendMode() != vtkVolumeMapper::ISOSURFACE_BLEND)
+  {
+    return false;
+  }
   DrawnComponent drawn = this->Drawn;
   std::string error; // the next frame reports it
   if (!this->IsMakingField)
   {
-    this->Fields.Find(mapper, property, settings.Vectors, drawn, error);
+    this->FindDrawn(mapper, settings, volume, drawn, error);
   }
+  vtkVolumeProperty* property = volume->GetProperty();
   return TemporalCoherence::IsOpaque(
     ChooseIsovalues(property, settings.DepthPass), property, drawn.OfProperty);
 }

@@ -3,6 +3,7 @@
 #ifndef TemporalCoherence_RequestFromMapper_h
 #define TemporalCoherence_RequestFromMapper_h
 
+#include "Request/BlendingFromVolume.h"
 #include "Request/FieldFromMapper.h"
 #include "Scene/FrameKey.h"
 #include "vtkTemporalCoherenceCompatibility.h"
@@ -34,6 +35,7 @@ struct PictureSettings
   double ColorWindow = 1.0, ColorLevel = 0.5; ///< maps colours level +- window / 2 to [0, 1]
   vtkContourValues* DepthPass = nullptr;      ///< isovalues if the property has none; or null
   MaskSettings Mask;
+  double SampleDistance = 0.0;     ///< of blended volumes; 0: as dense as the picture needs
   bool AveragedGradients = false;  ///< of meshes
   std::size_t MeshMemoryLimit = 0; ///< bytes for what is made of a mesh; 0: no limit
 };
@@ -52,6 +54,8 @@ struct FrameRequest
   FrameKey Key;
   std::vector<int> IsovaluePlaces; ///< position in the list, for each isovalue of the key
   vtkSmartPointer<vtkContourValues> IsovalueList; ///< including transparent ones
+
+  bool ComparesDepths = true; ///< with those of a window, when it is shown there
 
   FieldSetUp SetUp;
   std::shared_ptr<const CellOrigins> Cells; ///< of a mesh: which cells of the data are its cells
@@ -73,16 +77,23 @@ public:
     const FrameSight& sight, FrameRequest& request, std::string& error,
     const ReportProgress& report = {});
 
-  /// True if all surfaces of a mapper are opaque.
+  /// True if a mapper draws surfaces, and all are opaque.
   bool IsOpaque(vtkVolumeMapper* mapper, const PictureSettings& settings, vtkVolume* volume);
 
   /// Drop what was computed.
   void Release();
 
 private:
+  bool FindDrawn(vtkVolumeMapper* mapper, const PictureSettings& settings, vtkVolume* volume,
+    DrawnComponent& drawn, std::string& error);
+  static bool MakeSurfaces(const PictureSettings& settings, vtkVolume* volume,
+    vtkRenderer* renderer, const DrawnComponent& drawn, FrameRequest& request, std::string& error);
+  bool MakeBlending(vtkVolumeMapper* mapper, const PictureSettings& settings, vtkVolume* volume,
+    vtkRenderer* renderer, const DrawnComponent& drawn, FrameRequest& request, std::string& error);
   bool MakeScene(const FieldQuery& query, int component, FrameRequest& request, std::string& error);
 
   FieldFromMapper Fields;
+  BlendingFromVolume Blendings;
   DrawnComponent Drawn;       ///< that was found last
   bool IsMakingField = false; ///< meanwhile observers may ask anything
 };

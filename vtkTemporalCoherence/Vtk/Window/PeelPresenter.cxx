@@ -86,7 +86,8 @@ void PeelPresenter::Resources::TakeLayers(const ShownFrame& shown)
   if (!this->Own || this->OwnNumber != shown.Number)
   {
     this->Own.reset();
-    this->Own = std::make_shared<const PeeledLayers>(PeeledLayers::Of(shown.Picture, shown.View));
+    this->Own = std::make_shared<const PeeledLayers>(
+      PeeledLayers::Of(shown.Picture, shown.View, shown.IsBlended));
     this->OwnNumber = shown.Number;
   }
 }

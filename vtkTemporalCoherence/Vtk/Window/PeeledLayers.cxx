@@ -156,9 +156,15 @@ std::size_t Merge(
 
 }
 
-PeeledLayers PeeledLayers::Of(const Frame& frame, const View& view)
+PeeledLayers PeeledLayers::Of(const Frame& frame, const View& view, bool isBlended)
 {
   LayerLists lists = ListsOf(frame, view);
+  // A volume may be seen first where something opaque ends it, and lies before that.
+  constexpr float before = 1e-6f;
+  for (std::size_t i = 0; isBlended && i < lists.Layers.size(); ++i)
+  {
+    lists.Layers[i].Depth = std::max(lists.Layers[i].Depth - before, 0.0f);
+  }
   PeeledLayers own;
   own.Pixels = frame.Size;
   own.Layers.swap(lists.Layers);

@@ -30,8 +30,9 @@ public:
   };
 
   /// Those of one picture, at each of its rays.
+  /// \param isBlended the picture shows a volume, which is one layer where it is first seen
   /// \throws std::bad_alloc
-  static PeeledLayers Of(const Frame& frame, const View& view);
+  static PeeledLayers Of(const Frame& frame, const View& view, bool isBlended);
 
   /// Remove all layers.
   /// \param size pixels of the viewport

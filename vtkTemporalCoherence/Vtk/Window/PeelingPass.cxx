@@ -13,6 +13,8 @@
 #include <vtkVolume.h>
 #include <vtkVolumeMapper.h>
 
+#include <array>
+#include <cstddef>
 #include <vector>
 
 namespace TemporalCoherence
@@ -51,6 +53,10 @@ struct Targets : vtkDualDepthPeelingPass
   {
     auto& textures = pass->*(&Targets::Textures);
     return { textures[BackTemp], textures[Back], textures[FrontA], textures[FrontB] };
+  }
+  static vtkTextureObject* OpaqueDepthsOf(vtkDualDepthPeelingPass* pass)
+  {
+    return (pass->*(&Targets::Textures))[OpaqueDepth];
   }
 };
 
@@ -117,6 +123,22 @@ void PeelingPass::RefineTargets() const
       Refine(texture);
     }
   }
+}
+
+bool PeelingPass::ReadOpaqueDepths(const glm::ivec2& size, std::vector<float>& depths) const
+{
+  vtkTextureObject* texture = Targets::OpaqueDepthsOf(this->Pass);
+  if (!texture || glm::ivec2(texture->GetWidth(), texture->GetHeight()) != size ||
+    texture->GetVTKDataType() != VTK_FLOAT)
+  {
+    return false;
+  }
+  depths.resize(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
+  std::array<unsigned int, 2> area{ texture->GetWidth(), texture->GetHeight() };
+  std::array<vtkIdType, 2> gaps{ 0, 0 };
+  texture->Activate(); // or it would be bound in place of another one
+  const auto buffer = vtkSmartPointer<vtkPixelBufferObject>::Take(texture->Download());
+  return buffer->Download2D(VTK_FLOAT, depths.data(), area.data(), 1, gaps.data());
 }
 
 vtkMTimeType PeelingPass::Time() const

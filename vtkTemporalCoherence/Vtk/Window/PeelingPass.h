@@ -5,10 +5,13 @@
 
 #include "vtkTemporalCoherenceCompatibility.h"
 
+#include <glm/glm.hpp>
+
 #include <vtkType.h>
 
 #include <optional>
 #include <string>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkDualDepthPeelingPass;
@@ -47,6 +50,12 @@ public:
   /// Give the pass targets of 16 bits for each channel, once. Its own have 8, and it rounds to them
   /// twice for each polygon along a line of sight. What is drawn in them stays.
   void RefineTargets() const;
+
+  /// Read the depths of what was opaque before the pass began, row by row from below.
+  /// \param size of the viewport
+  /// \return false if they cannot be read
+  /// \throws std::bad_alloc
+  bool ReadOpaqueDepths(const glm::ivec2& size, std::vector<float>& depths) const;
 
   /// Identify the picture and the pass.
   vtkMTimeType Time() const;

@@ -99,11 +99,12 @@ bool PicturePresenter::Present(
   }
   if (isClipped)
   {
-    this->Draw(this->OpenGL->Clipped, this->Shown.HasOpaque, true);
+    this->Draw(this->OpenGL->Clipped, { this->Shown.HasOpaque, true });
   }
   else
   {
-    this->Draw(this->OpenGL->Color, this->Shown.HasOpaque, this->Shown.HasTranslucent);
+    this->Draw(this->OpenGL->Color,
+      { this->Shown.HasOpaque, this->Shown.HasTranslucent, shown.IsBlended, shown.ComparesDepths });
   }
   if (output == PassOutput::Occluder)
   {
@@ -143,7 +144,7 @@ bool PicturePresenter::PresentColors(vtkRenderer* renderer, const ShownFrame& sh
   PrepareTexture(texture, this->OpenGL->Window);
   texture->Create2DFromRaw(static_cast<unsigned int>(rect.Size.x),
     static_cast<unsigned int>(rect.Size.y), 4, VTK_UNSIGNED_CHAR, part.data());
-  this->Draw(texture, true, false);
+  this->Draw(texture, { true, false });
   return true;
 }
 
@@ -290,8 +291,8 @@ void PicturePresenter::UploadNormals(const Frame& frame)
   this->OpenGL->NormalsPicture = this->OpenGL->PictureNumber;
 }
 
-/// Draw the opaque hits, the translucent ones or both, in the colours of a texture.
-void PicturePresenter::Draw(vtkTextureObject* color, bool isOpaque, bool isTranslucent)
+/// Draw hits in the colours of a texture.
+void PicturePresenter::Draw(vtkTextureObject* color, const Parts& parts)
 {
   vtkOpenGLState* state = this->OpenGL->Window->GetState();
   vtkOpenGLState::ScopedglEnableDisable keepDepthTest(state, Gl::DepthTest);
@@ -304,6 +305,10 @@ void PicturePresenter::Draw(vtkTextureObject* color, bool isOpaque, bool isTrans
   state->vtkglViewport(target.First.x, target.First.y, target.Size.x, target.Size.y);
   state->vtkglEnable(Gl::DepthTest);
   state->vtkglDepthFunc(Gl::LessOrEqual);
+  if (!parts.ComparesDepths)
+  {
+    state->vtkglDisable(Gl::DepthTest);
+  }
 
   vtkShaderProgram* program = this->OpenGL->Quad->Program;
   vtkTextureObject* depth = this->OpenGL->Depth;
@@ -311,19 +316,24 @@ void PicturePresenter::Draw(vtkTextureObject* color, bool isOpaque, bool isTrans
   depth->Activate();
   program->SetUniformi("colorTexture", color->GetTextureUnit());
   program->SetUniformi("depthTexture", depth->GetTextureUnit());
-  if (isOpaque)
+  if (parts.Opaque && !parts.AreBlended)
   {
     state->vtkglDepthMask(Gl::True);
     state->vtkglDisable(Gl::Blend);
     program->SetUniformi("isOpaquePart", 1);
     this->OpenGL->Quad->Render();
   }
-  if (isTranslucent)
+  if (parts.Translucent || parts.AreBlended)
   {
     state->vtkglDepthMask(Gl::False);
     state->vtkglEnable(Gl::Blend);
     state->vtkglBlendFuncSeparate(
       Gl::One, Gl::OneMinusSourceAlpha, Gl::One, Gl::OneMinusSourceAlpha);
+    if (parts.Opaque && parts.AreBlended)
+    {
+      program->SetUniformi("isOpaquePart", 1);
+      this->OpenGL->Quad->Render();
+    }
     program->SetUniformi("isOpaquePart", 0);
     this->OpenGL->Quad->Render();
   }

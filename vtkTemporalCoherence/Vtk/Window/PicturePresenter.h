@@ -28,8 +28,10 @@ struct ShownFrame
 {
   const Frame& Picture;
   const TemporalCoherence::View& View;
-  glm::ivec2 Pixels;    ///< of the viewport; their number may differ from that of the rays
-  std::uint64_t Number; ///< changes whenever the frame or the view does
+  glm::ivec2 Pixels;          ///< of the viewport; their number may differ from that of the rays
+  std::uint64_t Number;       ///< changes whenever the frame or the view does
+  bool IsBlended = false;     ///< it shows no surfaces, however opaque it is
+  bool ComparesDepths = true; ///< false if its rays end at what hides them in the window
 };
 
 /// Draws a finished frame into the renderer's window: colour and depth as two textures on one quad,
@@ -41,7 +43,8 @@ struct ShownFrame
 ///
 /// Opaque hits are drawn with their depths. Translucent ones are blended over what lies behind them
 /// in the window, and write no depth. If another prop lies among translucent layers, the layers in
-/// front of it are drawn.
+/// front of it are drawn. A volume that is blended is drawn as translucent hits are, wherever it is
+/// opaque, and without regard to depths if its rays end at other props.
 class PicturePresenter
 {
 public:
@@ -68,7 +71,15 @@ private:
   bool ClipLayers(const Frame& frame, const View& view);
   bool ClipColorsAt(const glm::ivec2& size, const Frame& frame, const View& view);
   void UploadNormals(const Frame& frame);
-  void Draw(vtkTextureObject* color, bool isOpaque, bool isTranslucent);
+
+  /// Which hits are drawn, and how.
+  struct Parts
+  {
+    bool Opaque, Translucent;
+    bool AreBlended = false;    ///< also the opaque ones: they write no depth
+    bool ComparesDepths = true; ///< with those of the window
+  };
+  void Draw(vtkTextureObject* color, const Parts& parts);
 
   std::unique_ptr<Resources> OpenGL; ///< null without resources in a context
   WindowPicture Shown;               ///< members to re-use their memory, like those below

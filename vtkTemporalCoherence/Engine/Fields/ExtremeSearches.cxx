@@ -1,10 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Blending/ExtremeSearch.h"
+#include "Fields/ExtremeSearches.h"
 
+#include "Blending/ExtremeBeams.h"
 #include "Blending/ExtremeWalk.h"
 #include "Fields/RectilinearCells.h"
 #include "Fields/UniformCells.h"
+
+#include <utility>
 
 namespace TemporalCoherence
 {
@@ -12,13 +15,18 @@ namespace
 {
 
 template <typename T, typename Geometry>
-std::unique_ptr<const ExtremeSearch> MakeWalk(const ExtremeTask& task, const Geometry& shape)
+std::unique_ptr<const ExtremeSearch> MakeSearch(const ExtremeTask& task, const Geometry& shape)
 {
   if (task.Samples.Between == Interpolation::Nearest)
   {
     return std::make_unique<ExtremeWalk<T, Geometry, Interpolation::Nearest>>(task, shape);
   }
-  return std::make_unique<ExtremeWalk<T, Geometry, Interpolation::Linear>>(task, shape);
+  auto walk = std::make_unique<ExtremeWalk<T, Geometry, Interpolation::Linear>>(task, shape);
+  if (task.Ranges && task.ByBeams)
+  {
+    return std::make_unique<ExtremeBeams<T, typename Geometry::Real>>(task, std::move(walk));
+  }
+  return walk;
 }
 
 }
@@ -29,8 +37,8 @@ std::unique_ptr<const ExtremeSearch> MakeExtremeSearch(const ExtremeTask& task)
     [&](auto type)
     {
       using T = decltype(type);
-      return task.Grid ? MakeWalk<T>(task, RectilinearCells<T>(*task.Grid))
-                       : MakeWalk<T>(task, UniformCells<T>());
+      return task.Grid ? MakeSearch<T>(task, RectilinearCells<T>(*task.Grid))
+                       : MakeSearch<T>(task, UniformCells<T>());
     });
 }
 

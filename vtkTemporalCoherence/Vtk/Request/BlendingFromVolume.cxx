@@ -1,0 +1,207 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Request/BlendingFromVolume.h"
+
+#include "Input/MatrixFromVtk.h"
+#include "Input/SettingCheck.h"
+#include "Request/AppearanceFromVolume.h"
+#include "Request/LightsFromRenderer.h"
+
+#include <vtkRenderer.h>
+#include <vtkVolume.h>
+#include <vtkVolumeMapper.h>
+#include <vtkVolumeProperty.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <sstream>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+bool MakeMaterial(vtkVolumeProperty* property, int component, Material& made, std::string& error)
+{
+  made.Shade = property->GetShade(component) != 0;
+  if (!made.Shade)
+  {
+    return true; // its numbers have no effect
+  }
+  made.Ambient = property->GetAmbient(component);
+  made.Diffuse = property->GetDiffuse(component);
+  made.Specular = property->GetSpecular(component);
+  made.SpecularPower = property->GetSpecularPower(component);
+  SettingCheck check({ "the volume's property" }, error);
+  check("Ambient", made.Ambient, Allowed::Coefficient, "SetAmbient");
+  check("Diffuse", made.Diffuse, Allowed::Coefficient, "SetDiffuse");
+  check("Specular", made.Specular, Allowed::Coefficient, "SetSpecular");
+  check("Specular power", made.SpecularPower, Allowed::SpecularPower, "SetSpecularPower");
+  return check.HasPassed();
+}
+
+/// How long a unit of the data's coordinates is in the world. VTK's mappers measure distances along
+/// rays in the data's coordinates.
+double LengthOfUnit(vtkVolume* volume)
+{
+  volume->ComputeMatrix();
+  const glm::dmat3 axes(MatrixFromVtk(volume->GetMatrix()));
+  const double length = std::cbrt(std::abs(glm::determinant(axes)));
+  return length > 0.0 && std::isfinite(length) ? length : 1.0; // PlaceVolume tells what is wrong
+}
+
+/// How components are used together.
+/// \return false if that many are not
+bool FindUse(
+  vtkVolumeProperty* property, const DrawnComponent& drawn, ComponentUse& use, std::string& error)
+{
+  use = ComponentUse::Independent;
+  const bool areIndependent = drawn.Count == 1 || property->GetIndependentComponents();
+  std::ostringstream what;
+  if (areIndependent && drawn.Count > MostBlended)
+  {
+    what << "The array has " << drawn.Count << " components, more than the " << MostBlended
+         << " that are blended";
+  }
+  else if (!areIndependent && drawn.Count != 2 && drawn.Count != 4)
+  {
+    what
+      << "The array has " << drawn.Count
+      << " components that depend on one another (IndependentComponentsOff), but only 2 (colour, "
+         "opacity) or 4 (red, green, blue, opacity) have a meaning";
+  }
+  else if (!areIndependent)
+  {
+    use = drawn.Count == 2 ? ComponentUse::ColorOpacity : ComponentUse::RgbOpacity;
+  }
+  error = what.str();
+  if (!error.empty())
+  {
+    error += "; draw one with SetVectorModeToComponent(), or their length with "
+             "SetVectorModeToMagnitude().";
+  }
+  return error.empty();
+}
+
+bool MakeAverageRange(vtkVolumeMapper* mapper, glm::dvec2& made, std::string& error)
+{
+  const double* range = mapper->GetAverageIPScalarRange();
+  made = { range[0], range[1] };
+  if (made.x <= made.y)
+  {
+    return true; // an end may be infinite
+  }
+  std::ostringstream what;
+  what << "AverageIPScalarRange of the mapper must begin with its lower end, got " << made.x
+       << " to " << made.y << "; call SetAverageIPScalarRange(low, high).";
+  error = what.str();
+  return false;
+}
+
+}
+
+std::optional<BlendMode> BlendModeOf(vtkVolumeMapper* mapper)
+{
+  switch (mapper->GetBlendMode())
+  {
+    case vtkVolumeMapper::ISOSURFACE_BLEND:
+      return BlendMode::Isosurface;
+    case vtkVolumeMapper::COMPOSITE_BLEND:
+      return BlendMode::Composite;
+    case vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND:
+      return BlendMode::Maximum;
+    case vtkVolumeMapper::MINIMUM_INTENSITY_BLEND:
+      return BlendMode::Minimum;
+    case vtkVolumeMapper::AVERAGE_INTENSITY_BLEND:
+      return BlendMode::Average;
+    case vtkVolumeMapper::ADDITIVE_BLEND:
+      return BlendMode::Additive;
+    default:
+      return std::nullopt;
+  }
+}
+
+bool BlendingFromVolume::Make(vtkVolumeMapper* mapper, vtkVolume* volume,
+  const DrawnComponent& drawn, double sampleDistance, Blending& made, std::string& error)
+{
+  vtkVolumeProperty* property = volume->GetProperty();
+  made.Mode = BlendModeOf(mapper).value_or(BlendMode::Composite);
+  if (!FindUse(property, drawn, made.Use, error) ||
+    (made.Mode == BlendMode::Average && !MakeAverageRange(mapper, made.AverageRange, error)))
+  {
+    return false;
+  }
+  SettingCheck check({ "the mapper" }, error);
+  check("SampleDistance", sampleDistance, { 0.0, Allowed::Distance.High },
+    "SetSampleDistance(0), which converges");
+  if (!check.HasPassed())
+  {
+    return false;
+  }
+  made.SampleDistance = sampleDistance * LengthOfUnit(volume);
+  const int looks = made.Use == ComponentUse::Independent ? drawn.Count : 1;
+  made.Looks.assign(static_cast<std::size_t>(looks), ComponentLook());
+  for (int i = 0; i < looks; ++i)
+  {
+    if (!this->MakeLook(
+          volume, drawn.OfProperty + i, made.Looks[static_cast<std::size_t>(i)], error))
+    {
+      return false;
+    }
+  }
+  if (looks == 1)
+  {
+    made.Looks.front().Weight = 1.0; // nothing to weigh it against
+  }
+  return true;
+}
+
+bool BlendingFromVolume::MakeLook(
+  vtkVolume* volume, int component, ComponentLook& look, std::string& error)
+{
+  vtkVolumeProperty* property = volume->GetProperty();
+  const double unit = property->GetScalarOpacityUnitDistance(component);
+  const double weight = property->GetComponentWeight(component);
+  SettingCheck check({ "the volume's property" }, error);
+  check("Scalar opacity unit distance", unit, Allowed::Distance, "SetScalarOpacityUnitDistance");
+  check("Component weight", weight, { 0.0, 1.0 }, "SetComponentWeight");
+  SampledTransfer& transfer = this->Transfers[static_cast<std::size_t>(component)];
+  if (!check.HasPassed() || !transfer.Sample(property, component, error) ||
+    !MakeGradientOpacity(property, component, look.ByGradient, error) ||
+    !MakeMaterial(property, component, look.Material, error))
+  {
+    return false;
+  }
+  look.Transfer = transfer.Made();
+  look.UnitDistance = unit * LengthOfUnit(volume);
+  look.Weight = weight;
+  return true;
+}
+
+bool BlendingFromVolume::MakeLights(
+  vtkRenderer* renderer, Blending& blending, Appearance& appearance, std::string& error)
+{
+  const auto isShaded = [](const ComponentLook& look) { return look.Material.Shade; };
+  appearance.Shade = std::any_of(blending.Looks.begin(), blending.Looks.end(), isShaded);
+  if (!appearance.Shade)
+  {
+    return true;
+  }
+  if (!FindLights(renderer, appearance.Lights, error))
+  {
+    return false;
+  }
+  appearance.TwoSided = renderer->GetTwoSidedLighting() != 0;
+  if (appearance.Lights.empty())
+  {
+    // As isosurfaces look without a light: lit evenly, not black.
+    for (ComponentLook& look : blending.Looks)
+    {
+      look.Material.Ambient += look.Material.Diffuse;
+    }
+  }
+  return true;
+}
+
+}

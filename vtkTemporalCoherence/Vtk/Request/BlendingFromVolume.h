@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_BlendingFromVolume_h
+#define TemporalCoherence_BlendingFromVolume_h
+
+#include "Input/ScalarChoice.h"
+#include "Request/SampledTransfer.h"
+#include "Scene/Appearance.h"
+#include "Scene/Blending.h"
+#include "vtkTemporalCoherenceCompatibility.h"
+
+#include <array>
+#include <optional>
+#include <string>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkRenderer;
+class vtkVolume;
+class vtkVolumeMapper;
+VTK_ABI_NAMESPACE_END
+
+namespace TemporalCoherence
+{
+
+/// The most components that are blended.
+constexpr int MostBlended = 4;
+
+/// The mode of a mapper; none if this library does not have it.
+std::optional<BlendMode> BlendModeOf(vtkVolumeMapper* mapper);
+
+/// Makes what a volume looks like other than by isosurfaces. It keeps the samples of transfer
+/// functions.
+class BlendingFromVolume
+{
+public:
+  /// Make all that mapper and property tell. Samples of other components, ranges of scalars and
+  /// ends of rays are not touched.
+  /// \param drawn          the components of the array, and of the property
+  /// \param sampleDistance as set by the user, in coordinates of the data; 0: as dense as the
+  ///                       picture needs
+  /// \param error          gets what is wrong and what to do about it
+  /// \return false on error, for example if an opacity is NaN
+  bool Make(vtkVolumeMapper* mapper, vtkVolume* volume, const DrawnComponent& drawn,
+    double sampleDistance, Blending& made, std::string& error);
+
+  /// Make the lights, if a component is shaded.
+  /// \param appearance is empty before
+  /// \param error      as above
+  static bool MakeLights(
+    vtkRenderer* renderer, Blending& blending, Appearance& appearance, std::string& error);
+
+private:
+  bool MakeLook(vtkVolume* volume, int component, ComponentLook& look, std::string& error);
+
+  std::array<SampledTransfer, MostBlended> Transfers;
+};
+
+}
+
+#endif

@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Request/SampledTransfer.h"
+
+#include "Request/TransferNodes.h"
+
+#include <vtkColorTransferFunction.h>
+#include <vtkPiecewiseFunction.h>
+#include <vtkVolumeProperty.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+/// Intervals between samples, before and after samples are left out.
+constexpr std::size_t MostIntervals = 1 << 16, FewestIntervals = 1 << 4;
+
+/// What straight lines between nodes may differ by from the samples. Opacities add up along a ray.
+constexpr double LargestColorError = 0.0005, LargestOpacityError = 1e-5;
+
+/// A number that is invalid although the nodes are valid, as by logarithms of negative positions.
+double ShareOf(double value)
+{
+  return value >= 0.0 ? std::min(value, 1.0) : 0.0;
+}
+
+/// Samples functions at equal distances, from below their first node to above their last.
+class Sampler
+{
+public:
+  Sampler(const TransferFunctions& functions, const std::vector<double>& nodes)
+    : Of(functions)
+  {
+    constexpr auto intervals = static_cast<double>(MostIntervals);
+    const double low = nodes.front(), range = nodes.back() - low;
+    const double common = CommonStep(nodes, 0.5 * intervals);
+    if (common > 0.0)
+    {
+      // Also where samples are left out, there is one at each node.
+      const double parts = std::floor(std::log2(intervals / (range / common + 2.0)));
+      this->Step = common / std::exp2(parts);
+      this->First = low - common;
+    }
+    else
+    {
+      // Of the intervals, four may lie beyond the nodes. A step is more than a rounding error.
+      const double largest = std::max(std::abs(low), std::abs(nodes.back()));
+      const double least = std::max(largest * 0x1p-50, 0x1p-960);
+      this->Step = std::exp2(std::ceil(std::log2(std::max(range / (intervals - 4.0), least))));
+      this->First = (std::floor(low / this->Step) - 1.0) * this->Step;
+    }
+    this->Made.Range = { this->First, this->First + intervals * this->Step };
+    this->Made.Nodes.resize(MostIntervals + 1);
+    this->SampleColors();
+    this->SampleOpacities();
+  }
+
+  TransferFunction Made;
+
+private:
+  double At(std::size_t i) const { return this->First + static_cast<double>(i) * this->Step; }
+  int Count() const { return static_cast<int>(this->Made.Nodes.size()); }
+
+  void SampleColors()
+  {
+    std::vector<glm::dvec4>& nodes = this->Made.Nodes;
+    const glm::dvec2& range = this->Made.Range;
+    if (this->Of.Color && this->Of.Color->GetScale() == VTK_CTF_LINEAR)
+    {
+      std::vector<glm::dvec3> colors(nodes.size());
+      this->Of.Color->GetTable(range.x, range.y, this->Count(), &colors.front().x);
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+      {
+        nodes[i] = glm::dvec4(colors[i], 0.0);
+      }
+      // A table that begins before the first node is black at that node itself.
+      double first[6] = {};
+      if (this->Of.Color->GetSize() > 0 && this->Of.Color->GetNodeValue(0, first) >= 0)
+      {
+        const double place = std::round((first[0] - this->First) / this->Step);
+        const auto at = static_cast<std::size_t>(std::clamp(place, 0.0, this->Count() - 1.0));
+        this->Of.Color->GetColor(this->At(at), &nodes[at].x);
+      }
+    }
+    else if (this->Of.Color)
+    {
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+      {
+        this->Of.Color->GetColor(this->At(i), &nodes[i].x);
+      }
+    }
+    else
+    {
+      std::vector<double> grays(nodes.size());
+      this->Of.Gray->GetTable(range.x, range.y, this->Count(), grays.data());
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+      {
+        nodes[i] = glm::dvec4(glm::dvec3(grays[i]), 0.0);
+      }
+    }
+  }
+
+  /// Sample opacities, and bring all shares into their range.
+  void SampleOpacities()
+  {
+    std::vector<double> opacities(this->Made.Nodes.size());
+    this->Of.Opacity->GetTable(
+      this->Made.Range.x, this->Made.Range.y, this->Count(), opacities.data());
+    for (std::size_t i = 0; i < opacities.size(); ++i)
+    {
+      glm::dvec4& node = this->Made.Nodes[i];
+      node = { ShareOf(node.x), ShareOf(node.y), ShareOf(node.z), ShareOf(opacities[i]) };
+    }
+  }
+
+  TransferFunctions Of;
+  double Step = 1.0, First = 0.0;
+};
+
+/// True if straight lines between every `stride`-th sample meet all samples.
+bool IsEnough(const std::vector<glm::dvec4>& samples, std::size_t stride)
+{
+  for (std::size_t first = 0; first + stride < samples.size(); first += stride)
+  {
+    const glm::dvec4 &low = samples[first], &high = samples[first + stride];
+    for (std::size_t i = 1; i < stride; ++i)
+    {
+      const double share = static_cast<double>(i) / static_cast<double>(stride);
+      const glm::dvec4 error = glm::abs(low + share * (high - low) - samples[first + i]);
+      if (std::max({ error.x, error.y, error.z }) > LargestColorError ||
+        error.w > LargestOpacityError)
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// Leave out samples that others tell.
+void Thin(TransferFunction& transfer)
+{
+  const std::vector<glm::dvec4>& samples = transfer.Nodes;
+  std::size_t stride = 1;
+  while ((samples.size() - 1) / (2 * stride) >= FewestIntervals && IsEnough(samples, 2 * stride))
+  {
+    stride *= 2;
+  }
+  std::vector<glm::dvec4> nodes;
+  for (std::size_t i = 0; i < samples.size(); i += stride)
+  {
+    nodes.push_back(samples[i]);
+  }
+  transfer.Nodes.swap(nodes);
+}
+
+}
+
+bool SampledTransfer::Sample(vtkVolumeProperty* property, int component, std::string& error)
+{
+  const TransferFunctions functions(property, component);
+  const vtkMTimeType colorTime = functions.Colors()->GetMTime();
+  const vtkMTimeType opacityTime = functions.Opacity->GetMTime();
+  if (!this->Transfer.Nodes.empty() && this->Colors == functions.Colors() &&
+    this->Opacities == functions.Opacity && this->ColorTime == colorTime &&
+    this->OpacityTime == opacityTime)
+  {
+    return true;
+  }
+  std::vector<double> nodes;
+  if (!FindNodes(functions, nodes, error))
+  {
+    return false;
+  }
+  this->Transfer = Sampler(functions, nodes).Made;
+  Thin(this->Transfer);
+  this->Colors = functions.Colors();
+  this->Opacities = functions.Opacity;
+  this->ColorTime = colorTime;
+  this->OpacityTime = opacityTime;
+  return true;
+}
+
+}

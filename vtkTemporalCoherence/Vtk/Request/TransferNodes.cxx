@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Request/TransferNodes.h"
+
+#include "Input/SettingCheck.h"
+
+#include <vtkColorTransferFunction.h>
+#include <vtkPiecewiseFunction.h>
+#include <vtkVolumeProperty.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+bool CheckShape(SettingCheck& check, const double* midpointAndSharpness, const char* remedy)
+{
+  const NumberRange share = { 0.0, 1.0 };
+  check("Midpoint", midpointAndSharpness[0], share, remedy);
+  check("Sharpness", midpointAndSharpness[1], share, remedy);
+  return check.HasPassed();
+}
+
+/// \param name of the function, in words
+bool CheckNodes(vtkPiecewiseFunction* function, const NumberRange& allowed, const char* name,
+  const char* remedy, std::vector<double>& nodes, std::string& error)
+{
+  for (int i = 0; i < function->GetSize(); ++i)
+  {
+    double node[4]; // position, value, midpoint, sharpness
+    function->GetNodeValue(i, node);
+    SettingCheck check({ "node", i, name }, error);
+    check("Position", node[0], Allowed::FieldValue, remedy);
+    check("Value", node[1], allowed, remedy);
+    if (!CheckShape(check, node + 2, remedy))
+    {
+      return false;
+    }
+    nodes.push_back(node[0]);
+  }
+  return true;
+}
+
+bool CheckNodes(vtkColorTransferFunction* function, std::vector<double>& nodes, std::string& error)
+{
+  const char* const remedy = "GetRGBTransferFunction()->SetNodeValue or AddRGBPoint";
+  for (int i = 0; i < function->GetSize(); ++i)
+  {
+    double node[6]; // position, colour, midpoint, sharpness
+    function->GetNodeValue(i, node);
+    SettingCheck check({ "node", i, "the colours of the volume's property" }, error);
+    check("Position", node[0], Allowed::FieldValue, remedy);
+    check("Colour", node + 1, Allowed::Color, remedy);
+    if (!CheckShape(check, node + 4, remedy))
+    {
+      return false;
+    }
+    nodes.push_back(node[0]);
+  }
+  return true;
+}
+
+bool CheckNodes(const TransferFunctions& functions, std::vector<double>& nodes, std::string& error)
+{
+  const bool areColorsFine = functions.Color
+    ? CheckNodes(functions.Color, nodes, error)
+    : CheckNodes(functions.Gray, Allowed::Color, "the gray values of the volume's property",
+        "GetGrayTransferFunction()->SetNodeValue or AddPoint", nodes, error);
+  return areColorsFine &&
+    CheckNodes(functions.Opacity, Allowed::Opacity, "the scalar opacity of the volume's property",
+      "GetScalarOpacity()->SetNodeValue or AddPoint", nodes, error);
+}
+
+}
+
+TransferFunctions::TransferFunctions(vtkVolumeProperty* property, int component)
+{
+  if (property->GetColorChannels(component) == 3)
+  {
+    this->Color = property->GetRGBTransferFunction(component);
+  }
+  else
+  {
+    this->Gray = property->GetGrayTransferFunction(component);
+  }
+  this->Opacity = property->GetScalarOpacity(component);
+}
+
+vtkObject* TransferFunctions::Colors() const
+{
+  return this->Color ? static_cast<vtkObject*>(this->Color) : this->Gray;
+}
+
+bool FindNodes(const TransferFunctions& functions, std::vector<double>& nodes, std::string& error)
+{
+  nodes.clear();
+  if (!CheckNodes(functions, nodes, error))
+  {
+    return false;
+  }
+  if (nodes.empty())
+  {
+    nodes.push_back(0.0); // functions are 0 everywhere
+  }
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return true;
+}
+
+double CommonStep(const std::vector<double>& nodes, double most)
+{
+  constexpr int MostParts = 12;
+  constexpr double Rounding = 1e-6;
+  double gap = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < nodes.size(); ++i)
+  {
+    gap = std::min(gap, nodes[i] - nodes[i - 1]);
+  }
+  const double range = nodes.back() - nodes.front();
+  for (int parts = 1; parts <= MostParts && range * parts <= most * gap; ++parts)
+  {
+    const double step = gap / parts;
+    const auto isMet = [&](double node)
+    {
+      const double steps = (node - nodes.front()) / step;
+      return std::abs(steps - std::round(steps)) <= Rounding;
+    };
+    if (nodes.size() > 1 && std::all_of(nodes.begin(), nodes.end(), isMet))
+    {
+      return step;
+    }
+  }
+  return 0.0;
+}
+
+}

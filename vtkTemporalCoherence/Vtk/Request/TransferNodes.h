@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_TransferNodes_h
+#define TemporalCoherence_TransferNodes_h
+
+#include "vtkTemporalCoherenceCompatibility.h"
+
+#include <string>
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkColorTransferFunction;
+class vtkObject;
+class vtkPiecewiseFunction;
+class vtkVolumeProperty;
+VTK_ABI_NAMESPACE_END
+
+namespace TemporalCoherence
+{
+
+/// The functions of values of a component. The pointers are not owned.
+struct TransferFunctions
+{
+  TransferFunctions(vtkVolumeProperty* property, int component);
+
+  vtkObject* Colors() const;
+
+  vtkColorTransferFunction* Color = nullptr; ///< or null
+  vtkPiecewiseFunction* Gray = nullptr;      ///< if that is null
+  vtkPiecewiseFunction* Opacity = nullptr;
+};
+
+/// Find the values at which functions have nodes: ascending, each once. Without nodes, {0}.
+/// \param error gets what is wrong and what to do about it
+/// \return false on error, for example if a colour is NaN
+bool FindNodes(const TransferFunctions& functions, std::vector<double>& nodes, std::string& error);
+
+/// The longest step that leads from each of some values to the next, in at most `most` steps from
+/// the first to the last one; 0 if none is found.
+/// \param nodes ascending
+double CommonStep(const std::vector<double>& nodes, double most);
+
+}
+
+#endif

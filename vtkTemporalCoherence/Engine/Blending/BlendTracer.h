@@ -39,9 +39,9 @@ struct BlendedRays
   Array<double> Value; ///< Maximum, Minimum: the extreme so far, or NaN; else a sum over length
   std::array<Array<double>, 3> OtherValues;  ///< the same of components 1 to 3
   std::array<Array<double>, 3> OtherLengths; ///< Length of components 1 to 3
-  Array<double> Length;                     ///< Average: world distance over which values counted
-  Array<double> First;                      ///< t of the first thing seen, or infinity
-  std::int64_t CellsRead = 0;               ///< cells whose eight samples were read
+  Array<double> Length;                      ///< Average: world distance over which values counted
+  Array<double> First;                       ///< t of the first thing seen, or infinity
+  std::int64_t CellsRead = 0;                ///< cells whose eight samples were read
 
   /// Nothing is seen yet.
   void Clear()

@@ -22,6 +22,10 @@ set(engine_files
   Blending/FieldProbe
   Blending/KernelsExtremes
   Blending/ProjectionTracer
+  Blending/Medium
+  Blending/PhongLight
+  Blending/SampledTracer
+  Blending/ShareTracer
   Trace/KernelsCrossing
   Trace/KernelsRange
   Trace/KernelsRays
@@ -90,6 +94,7 @@ set(engine_files
   Fields/ExtremeSearches
   Fields/KernelsCorners
   Fields/RectilinearKind
+  Fields/SegmentSources
   Fields/UniformBandTracer
   Fields/UniformBlending
   Fields/UniformKind

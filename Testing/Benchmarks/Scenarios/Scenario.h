@@ -79,6 +79,7 @@ Scenario Features();
 Scenario Opacities();
 Scenario Surfaces();
 Scenario Floor();
+Scenario BlendedVolumes();
 
 /// All of these, in the order in which they are run.
 std::vector<Scenario> All();

@@ -69,6 +69,8 @@ double ShortestEdge(vtkDataObject* data, vtkVolume* volume)
 bool ColdWitness::Draw(Scene& scene)
 {
   this->Mapper->SetInputDataObject(scene.Mapper->GetInputDataObject(0, 0));
+  this->Mapper->SetBlendMode(scene.Mapper->GetBlendMode());
+  this->Mapper->SetAverageIPScalarRange(scene.Mapper->GetAverageIPScalarRange());
   this->Mapper->SetSurfaceMode(scene.Mapper->GetSurfaceMode());
   this->Mapper->SetVectorMode(scene.Mapper->GetVectorMode());
   this->Mapper->SetVectorComponent(scene.Mapper->GetVectorComponent());

@@ -37,7 +37,8 @@ struct BlendedRays
   std::array<Array<float>, 3> Color; ///< multiplied by its opacity
   Array<float> Passed;               ///< share of the light from behind that passes
   Array<double> Value; ///< Maximum, Minimum: the extreme so far, or NaN; else a sum over length
-  std::array<Array<double>, 3> OtherValues; ///< Maximum, Minimum: the same of components 1 to 3
+  std::array<Array<double>, 3> OtherValues;  ///< the same of components 1 to 3
+  std::array<Array<double>, 3> OtherLengths; ///< Length of components 1 to 3
   Array<double> Length;                     ///< Average: world distance over which values counted
   Array<double> First;                      ///< t of the first thing seen, or infinity
   std::int64_t CellsRead = 0;               ///< cells whose eight samples were read
@@ -51,9 +52,10 @@ struct BlendedRays
     }
     this->Passed.fill(1.0f);
     this->Value.fill(0.0);
-    for (Array<double>& values : this->OtherValues)
+    for (std::size_t other = 0; other < this->OtherValues.size(); ++other)
     {
-      values.fill(0.0);
+      this->OtherValues[other].fill(0.0);
+      this->OtherLengths[other].fill(0.0);
     }
     this->Length.fill(0.0);
     this->First.fill(std::numeric_limits<double>::infinity());

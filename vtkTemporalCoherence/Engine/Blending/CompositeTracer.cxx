@@ -25,11 +25,8 @@ namespace
 /// Less light than this from behind is not seen.
 constexpr float LeastPassed = 1.0f / 1024.0f;
 
-/// How far the optical depth of a cell may be off.
-constexpr float Tolerance = 1.0f / 1024.0f;
-
 /// Optical depth of the shortest edge of a cell where the opacity is 1.
-constexpr double MostDepth = 64.0;
+constexpr double MostDepth = 256.0;
 
 /// What may be seen, in bins; a list that is too long counts as one band.
 SegmentsKernels::SeenBins SeenBinsOf(
@@ -66,8 +63,8 @@ public:
     , ByGradient(Look.ByGradient)
     , Active(scene.Visible)
     , Seen(SeenBinsOf(VisibleBands(scene.Key.Volume), Tables))
-    , Volume{ Tables, ByGradient, glm::vec3(1.0f), glm::mat3(1.0f), Look.Material,
-      scene.Key.Appearance, Tolerance }
+    , Lights(scene.Key.Appearance, Look.Material)
+    , Volume{ Tables, ByGradient, Look.Material.Shade ? &Lights : nullptr }
     , Position(scene.Key.View.Position)
     , IsParallel(scene.Key.View.Parallel)
     , WorldFromIndex(scene.Key.Transform.WorldFromIndex)
@@ -314,6 +311,7 @@ private:
   const ActiveCells* Active;
   ActiveCells All; ///< all cells, if none are left out
   SegmentsKernels::SeenBins Seen;
+  VolumeLights Lights;
   EmissionKernels::EmittingVolume Volume;
   glm::dvec3 Position;
   bool IsParallel;

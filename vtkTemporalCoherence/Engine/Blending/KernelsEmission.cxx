@@ -33,11 +33,20 @@ using I = hn::Vec<Integers>;
 using M = hn::Mask<Floats>;
 using Line = Cubics::HWY_NAMESPACE::Cubic<V>;
 
-/// A segment is cut into steps of no more optical depth, unless there are too many.
-constexpr float MostDepthOfStep = 0.5f, MostSteps = 16.0f;
+/// A segment is cut into no more steps at first, and in the end into no shorter ones.
+constexpr float MostSteps = 64.0f, ShortestStep = 1.0f / 4096.0f;
 
-/// Steps for each unit by which a gradient turns (TurnOf).
-constexpr float StepsOfTurn = 8.0f;
+/// The optical depth of a step, as far as it is seen: at first, and at most.
+constexpr float DepthOfStep = 0.5f, MostDepthOfStep = 1.0f;
+
+/// How far the optical depth of a segment may be off, as far as it is seen.
+constexpr float DepthTolerance = 1.0f / 256.0f;
+
+/// The square of the steps for each unit by which a gradient turns (TurnOf), as far as it is seen.
+constexpr float StepsOfTurn = 512.0f;
+
+/// How much a gradient opacity may change in a step, as far as it is seen.
+constexpr float MostOpacityChange = 1.0f / 16.0f;
 
 /// exp(-x) for x >= 0.
 HWY_INLINE V ExpOfMinus(V x)
@@ -62,6 +71,8 @@ HWY_INLINE V ExpOfMinus(V x)
 /// Loads the samples around a vector of cells.
 struct ArrayLoader
 {
+  using S = V;
+
   HWY_INLINE void Four(std::size_t row, V out[4]) const
   {
     for (std::size_t x = 0; x < 4; ++x)
@@ -82,78 +93,122 @@ struct ArrayLoader
   std::size_t At;
 };
 
+/// The same for narrow integers, whose rows are copied from where they lie. Where each lane needs
+/// several numbers that lie side by side, copies are faster than gathering them one by one.
 template <typename T>
-struct GatheringLoader : PackedSamples::HWY_NAMESPACE::GatheredRows<T>
+class RowLoader
 {
-  using Rows = PackedSamples::HWY_NAMESPACE::GatheredRows<T>;
+public:
+  using Rows = PackedSamples::HWY_NAMESPACE::IntegerRows<T>;
   using S = typename Rows::V;
 
-  HWY_INLINE GatheringLoader(const NarrowSamples<T>& samples, const I cell[3], float perValue)
-    : Rows(samples, cell)
-    , PerValue(perValue)
+  HWY_INLINE RowLoader(const NarrowSamples<T>& samples, const VolumeSegments& segments,
+    std::size_t first, float perValue)
+    : PerValue(perValue)
   {
+    const std::size_t lanes = hn::Lanes(Floats());
+    const std::size_t last = static_cast<std::size_t>(segments.Count) - 1;
+    for (std::size_t lane = 0; lane < lanes; ++lane)
+    {
+      // Lanes behind the last segment repeat it.
+      const std::size_t i = std::min(first + lane, last);
+      const T* const from = samples.Samples + segments.Cell[0][i] - 1 +
+        static_cast<std::ptrdiff_t>(segments.Cell[1][i]) * samples.StrideY +
+        static_cast<std::ptrdiff_t>(segments.Cell[2][i]) * samples.StrideZ;
+      for (std::size_t row = 0; row < 12; ++row)
+      {
+        const T* const at = from + StepsY[row] * samples.StrideY + StepsZ[row] * samples.StrideZ;
+        std::memcpy(&this->All[row][lane], at, sizeof(this->All[row][lane]));
+      }
+    }
   }
-  HWY_INLINE void Four(std::size_t row, S out[4]) const
-  {
-    Rows::Four(static_cast<int>(row & 1u), static_cast<int>(row >> 1u), out);
-  }
+
+  HWY_INLINE void Four(std::size_t row, S out[4]) const { Rows::Load(this->All[row].data(), out); }
   HWY_INLINE void Two(std::size_t row, S out[2]) const
   {
-    const int across = (row & 2u) != 0 ? 2 : -1, end = static_cast<int>(row & 1u);
-    Rows::Two(row < 4 ? across : end, row < 4 ? end : across, out);
+    S four[4];
+    Rows::Load(this->All[4 + row].data(), four);
+    out[0] = four[1];
+    out[1] = four[2];
   }
   HWY_INLINE V Minus(S a, S b) const
   {
     return hn::Mul(Rows::AsFloats(hn::Sub(a, b)), hn::Set(Floats(), this->PerValue));
   }
 
+private:
+  /// Where the rows of SamplesAround lie: its four, then its eight.
+  static constexpr std::int32_t StepsY[12] = { 0, 1, 0, 1, -1, -1, 2, 2, 0, 1, 0, 1 };
+  static constexpr std::int32_t StepsZ[12] = { 0, 0, 1, 1, 0, 1, 0, 1, -1, -1, 2, 2 };
+
+  HWY_ALIGN std::array<std::array<std::array<T, 4>, WidestVector>, 12> All;
   float PerValue;
 };
 
-/// Twice the gradients along lines through cells, by axis: differences of samples two steps apart.
-template <typename S, typename Loader>
-HWY_INLINE void FindGradients(
-  const Loader& loader, const V begin[3], const V across[3], Line gradients[3])
+/// Twice the gradients of a field at the corners of a vector of cells: differences of samples two
+/// steps apart.
+struct CornerGradients
 {
-  S corner[8], row[4], before[2], behind[2];
-  V at[8];
-  for (std::size_t yz = 0; yz < 4; ++yz)
+  template <typename Loader>
+  HWY_INLINE explicit CornerGradients(const Loader& loader)
   {
-    loader.Four(yz, row);
-    corner[2 * yz] = row[1];
-    corner[2 * yz + 1] = row[2];
-    at[2 * yz] = loader.Minus(row[2], row[0]);
-    at[2 * yz + 1] = loader.Minus(row[3], row[1]);
-  }
-  gradients[0] = Cubics::HWY_NAMESPACE::CubicAlong(at, begin, across);
-  for (std::size_t z = 0; z < 2; ++z)
-  {
-    loader.Two(z, before);
-    loader.Two(2 + z, behind);
-    for (std::size_t x = 0; x < 2; ++x)
+    using S = typename Loader::S;
+    S corner[8], row[4], before[2], behind[2];
+    for (std::size_t yz = 0; yz < 4; ++yz)
     {
-      at[4 * z + x] = loader.Minus(corner[4 * z + 2 + x], before[x]);
-      at[4 * z + 2 + x] = loader.Minus(behind[x], corner[4 * z + x]);
+      loader.Four(yz, row);
+      corner[2 * yz] = row[1];
+      corner[2 * yz + 1] = row[2];
+      this->Along[0][2 * yz] = loader.Minus(row[2], row[0]);
+      this->Along[0][2 * yz + 1] = loader.Minus(row[3], row[1]);
+    }
+    for (std::size_t end = 0; end < 2; ++end)
+    {
+      loader.Two(end, before);
+      loader.Two(2 + end, behind);
+      for (std::size_t x = 0; x < 2; ++x)
+      {
+        this->Along[1][4 * end + x] = loader.Minus(corner[4 * end + 2 + x], before[x]);
+        this->Along[1][4 * end + 2 + x] = loader.Minus(behind[x], corner[4 * end + x]);
+      }
+      loader.Two(4 + end, before);
+      loader.Two(6 + end, behind);
+      for (std::size_t x = 0; x < 2; ++x)
+      {
+        this->Along[2][2 * end + x] = loader.Minus(corner[4 + 2 * end + x], before[x]);
+        this->Along[2][4 + 2 * end + x] = loader.Minus(behind[x], corner[2 * end + x]);
+      }
     }
   }
-  gradients[1] = Cubics::HWY_NAMESPACE::CubicAlong(at, begin, across);
-  for (std::size_t y = 0; y < 2; ++y)
+  HWY_INLINE CornerGradients()
   {
-    loader.Two(4 + y, before);
-    loader.Two(6 + y, behind);
-    for (std::size_t x = 0; x < 2; ++x)
+    for (auto& corners : this->Along)
     {
-      at[2 * y + x] = loader.Minus(corner[4 + 2 * y + x], before[x]);
-      at[4 + 2 * y + x] = loader.Minus(behind[x], corner[2 * y + x]);
+      std::fill_n(corners, 8, hn::Zero(Floats()));
     }
   }
-  gradients[2] = Cubics::HWY_NAMESPACE::CubicAlong(at, begin, across);
-}
 
-/// Emission at a value: its integral up to there, and its mean in the bin.
+  /// \param at place in the cells
+  HWY_INLINE void At(const V at[3], V gradient[3]) const
+  {
+    const auto mix = [&](V a, V b, V share) HWY_ATTR
+    { return hn::Add(a, hn::Mul(share, hn::Sub(b, a))); };
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const V* const v = this->Along[axis];
+      const V low = mix(mix(v[0], v[1], at[0]), mix(v[2], v[3], at[0]), at[1]);
+      const V high = mix(mix(v[4], v[5], at[0]), mix(v[6], v[7], at[0]), at[1]);
+      gradient[axis] = mix(low, high, at[2]);
+    }
+  }
+
+  V Along[3][8]; ///< by axis, [x + 2 y + 4 z]
+};
+
+/// Emission at a value, and its integral up to there.
 struct EmissionAt
 {
-  V Sum[4], Mean[4];
+  V Value[4], Sum[4], Moment;
 };
 
 /// What a vector of segments adds to its rays.
@@ -163,7 +218,6 @@ public:
   HWY_INLINE SegmentVector(const EmittingVolume& volume, const LitRays& rays,
     const VolumeSegments& segments, std::size_t first, BlendedRays& seen)
     : Volume(volume)
-    , Rays(rays)
     , Seen(seen)
     , IsSegment(hn::FirstN(Floats(), static_cast<std::size_t>(segments.Count) - first))
   {
@@ -184,44 +238,66 @@ public:
     for (std::size_t a = 0; a < 3; ++a)
     {
       this->Color[a] = hn::Zero(d);
+      this->Begin[a] = load(segments.Begin[a]);
+      this->Across[a] = load(segments.Across[a]);
+      this->Direction[a] = hn::GatherIndex(d, rays.Direction[a].data(), this->Ray);
+      this->Eye[a] = hn::GatherIndex(d, rays.Begin[a].data(), this->Ray);
     }
+    this->LookUp(this->Values.C[0], this->AtBegin);
+    this->ValueAtEnd = this->Values.At(hn::Set(d, 1.0f));
+    this->LookUp(this->ValueAtEnd, this->AtEnd);
   }
 
-  /// \param gradients twice those along the segments, if the volume has any
-  HWY_INLINE void Add(const Line gradients[3])
+  /// \param gradients of the cells, if the volume has any
+  HWY_INLINE void Add(const CornerGradients& gradients)
   {
     const Floats d;
-    const V one = hn::Set(d, 1.0f);
-    V value = this->Values.C[0];
-    const V atEnd = this->Values.At(one);
-    EmissionAt last, end;
-    this->LookUp(value, last);
-    this->LookUp(atEnd, end);
-    this->SetSteps(last, atEnd, end, gradients);
-    const V length = hn::Mul(this->Length, this->Share);
-    const float most = hn::GetLane(hn::MaxOfLanes(d, this->Steps));
-    for (float step = 0.0f; step < most; step += 1.0f)
+    const V zero = hn::Zero(d), one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f);
+    const V first = this->FirstStep(gradients);
+    V begin = zero, step = first, value = this->Values.C[0];
+    EmissionAt last = this->AtBegin;
+    V opacity = this->OpacityAt(gradients, zero);
+    M isOn = this->IsSegment;
+    while (!hn::AllFalse(d, isOn))
     {
-      const V begin = hn::Mul(hn::Set(d, step), this->Share);
-      const V steps = hn::Set(d, step + 1.0f);
-      const M isStep = hn::Le(steps, this->Steps);
-      V next = atEnd;
-      EmissionAt there = end;
-      if (!hn::AllFalse(d, hn::Lt(steps, this->Steps)))
+      // What is left over of a segment is a part of its last step.
+      const M isLast = hn::Gt(hn::Add(begin, hn::Mul(step, hn::Set(d, 1.001f))), one);
+      const V end = hn::IfThenElse(isLast, one, hn::Add(begin, step));
+      V next = this->ValueAtEnd;
+      EmissionAt there = this->AtEnd;
+      if (!hn::AllTrue(d, hn::Or(isLast, hn::Not(isOn))))
       {
-        next = this->Values.At(hn::Mul(steps, this->Share));
+        next = this->Values.At(end);
         this->LookUp(next, there);
       }
+      const V share = hn::Sub(end, begin);
+      const V middle = this->Values.At(hn::Add(begin, hn::Mul(half, share)));
+      const V lift =
+        hn::Mul(hn::Set(d, 2.0f / 3.0f), hn::Sub(middle, hn::Mul(half, hn::Add(value, next))));
       V mean[4];
-      MeanBetween(value, last, next, there, mean);
-      const V depth = hn::IfThenElseZero(isStep, hn::Mul(mean[0], length));
-      if (!hn::AllFalse(d, hn::Gt(depth, hn::Zero(d))))
+      MeanBetween(value, last, next, there, lift, mean);
+      V depth = hn::Mul(hn::Mul(mean[0], this->Length), share);
+      const V opacityThere = this->OpacityAt(gradients, end);
+      const M isShort = hn::Le(share, hn::Set(d, ShortestStep));
+      const M isTaken =
+        hn::And(isOn, hn::Or(isShort, this->IsGood(depth, hn::Sub(opacityThere, opacity))));
+      depth =
+        hn::IfThenElseZero(isTaken, hn::Mul(depth, hn::Mul(half, hn::Add(opacity, opacityThere))));
+      if (!hn::AllFalse(d, hn::Gt(depth, zero)))
       {
-        const V centre = CentreOf(last.Mean[0], there.Mean[0], depth);
-        this->AddStep(hn::Add(begin, hn::Mul(centre, this->Share)), depth, mean, gradients);
+        const V centre = CentreOf(value, last, next, there, depth);
+        const V at = hn::Add(begin, hn::Mul(centre, share));
+        this->AddStep(
+          at, depth, mean, this->Volume.Lights ? this->LightAt(gradients, at) : Unlit());
       }
-      value = next;
-      last = there;
+      // Steps that are too long are tried again, and what follows short ones is longer again.
+      step = hn::IfThenElse(
+        isTaken, hn::Min(first, hn::Add(step, step)), hn::Mul(hn::Set(d, 0.25f), share));
+      begin = hn::IfThenElse(isTaken, end, begin);
+      value = hn::IfThenElse(isTaken, next, value);
+      opacity = hn::IfThenElse(isTaken, opacityThere, opacity);
+      Take(isTaken, there, last);
+      isOn = hn::And(isOn, hn::And(hn::Lt(begin, one), hn::Gt(this->Passed, hn::Set(d, 1e-4f))));
     }
   }
 
@@ -229,13 +305,13 @@ public:
   HWY_INLINE void Finish() const
   {
     const Floats d;
+    const std::size_t count = hn::CountTrue(d, this->IsSegment);
+    std::int32_t rays[WidestVector];
+    hn::StoreU(this->Ray, Integers(), rays);
     const auto store = [&](V value, RayBatch::Array<float>& array) HWY_ATTR
     {
       float values[WidestVector];
-      std::int32_t rays[WidestVector];
       hn::StoreU(value, d, values);
-      hn::StoreU(this->Ray, Integers(), rays);
-      const std::size_t count = hn::CountTrue(d, this->IsSegment);
       for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
       {
         if (lane < count)
@@ -253,59 +329,112 @@ public:
   }
 
 private:
-  /// Cut segments into steps of equal length.
-  HWY_INLINE void SetSteps(
-    const EmissionAt& begin, V valueAtEnd, const EmissionAt& end, const Line gradients[3])
+  /// The length of the first steps, as a share of the segments.
+  HWY_INLINE V FirstStep(const CornerGradients& gradients) const
   {
     const Floats d;
     const V one = hn::Set(d, 1.0f);
     const TransferTables& tables = this->Volume.Tables;
     const V blocks = hn::Set(d, static_cast<float>(tables.Steepness.size() - 1));
-    const V block =
-      hn::Min(hn::Max(hn::Mul(this->Middle, hn::Set(d, 1.0f / (1 << TransferTables::BlockBits))),
-                hn::Zero(d)),
-        blocks);
+    const V perBlock = hn::Set(d, 1.0f / (1 << TransferTables::BlockBits));
+    const V block = hn::Min(hn::Max(hn::Mul(this->Middle, perBlock), hn::Zero(d)), blocks);
     const V steepness =
       hn::GatherIndex(d, tables.Steepness.data(), hn::ConvertTo(Integers(), block));
-    // A chord of a parabola is off by its bend, which falls with the square of the steps.
-    const V error = hn::Mul(hn::Mul(steepness, hn::Mul(this->Bend, this->Length)),
-      hn::Set(d, 1.0f / this->Volume.Tolerance));
+    // What a straight line misses falls with the square of the steps.
+    V square = hn::Mul(
+      hn::Mul(steepness, hn::Mul(this->Bend, this->Length)), hn::Set(d, 1.0f / DepthTolerance));
     V mean[4];
-    MeanBetween(this->Values.C[0], begin, valueAtEnd, end, mean);
+    MeanBetween(this->Values.C[0], this->AtBegin, this->ValueAtEnd, this->AtEnd, hn::Zero(d), mean);
     const V depth = hn::Mul(mean[0], this->Length);
-    V steps = hn::Max(hn::Sqrt(error), hn::Mul(depth, hn::Set(d, 1.0f / MostDepthOfStep)));
-    if (this->Volume.Surface.Shade)
+    if (this->Volume.Lights)
     {
-      const V turn = TurnOf(gradients);
-      steps = hn::Max(steps, hn::Mul(turn, hn::Set(d, StepsOfTurn)));
+      const V turn = hn::Mul(this->TurnOf(gradients), hn::Min(depth, one));
+      square = hn::Add(square, hn::Mul(turn, hn::Set(d, StepsOfTurn)));
     }
-    this->Steps = hn::IfThenElseZero(
-      this->IsSegment, hn::Min(hn::Max(hn::Ceil(steps), one), hn::Set(d, MostSteps)));
-    this->Share = hn::Div(one, hn::Max(this->Steps, one));
+    const V steps = hn::Max(hn::Sqrt(hn::Mul(this->Passed, square)),
+      hn::Mul(hn::Mul(depth, this->Passed), hn::Set(d, 1.0f / DepthOfStep)));
+    return hn::Div(one, hn::Min(hn::Max(hn::Ceil(steps), one), hn::Set(d, MostSteps)));
+  }
+
+  /// True where a step may be taken.
+  /// \param change of the gradient opacity
+  HWY_INLINE M IsGood(V depth, V change) const
+  {
+    const Floats d;
+    const V seen = hn::Mul(this->Passed, hn::Min(depth, hn::Set(d, 1.0f)));
+    return hn::And(hn::Le(hn::Mul(depth, this->Passed), hn::Set(d, MostDepthOfStep)),
+      hn::Le(hn::Mul(hn::Abs(change), seen), hn::Set(d, MostOpacityChange)));
+  }
+
+  static HWY_INLINE void Take(M isTaken, const EmissionAt& there, EmissionAt& last)
+  {
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      last.Value[i] = hn::IfThenElse(isTaken, there.Value[i], last.Value[i]);
+      last.Sum[i] = hn::IfThenElse(isTaken, there.Sum[i], last.Sum[i]);
+    }
+    last.Moment = hn::IfThenElse(isTaken, there.Moment, last.Moment);
+  }
+
+  static HWY_INLINE ReflectedLight<V> Unlit()
+  {
+    const Floats d;
+    const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
+    return { { one, one, one }, { zero, zero, zero } };
+  }
+
+  HWY_INLINE void PlaceAt(V share, V place[3]) const
+  {
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      place[a] = hn::Add(this->Begin[a], hn::Mul(share, this->Across[a]));
+    }
+  }
+
+  HWY_INLINE ReflectedLight<V> LightAt(const CornerGradients& gradients, V share) const
+  {
+    V place[3], gradient[3], normal[3], point[3];
+    this->PlaceAt(share, place);
+    gradients.At(place, gradient);
+    FindNormals(this->Volume.WorldFromGradient, gradient, normal);
+    const V t = hn::Add(this->Enter, hn::Mul(share, this->Length));
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      point[a] = hn::Add(this->Eye[a], hn::Mul(t, this->Direction[a]));
+    }
+    return Reflect<V>(*this->Volume.Lights, { normal, this->Direction, point });
   }
 
   /// How far gradients turn along segments: 1 - the cosine between their ends.
-  static HWY_INLINE V TurnOf(const Line gradients[3])
+  HWY_INLINE V TurnOf(const CornerGradients& gradients) const
   {
     const Floats d;
     const V one = hn::Set(d, 1.0f), least = hn::Set(d, 1e-20f);
-    const V first[3] = { gradients[0].C[0], gradients[1].C[0], gradients[2].C[0] };
-    const V last[3] = { gradients[0].At(one), gradients[1].At(one), gradients[2].At(one) };
+    V place[3], first[3], last[3];
+    gradients.At(this->Begin, first);
+    this->PlaceAt(one, place);
+    gradients.At(place, last);
     const V square = hn::Mul(hn::Max(Dot(first, first), least), hn::Max(Dot(last, last), least));
     return hn::Sub(one, hn::Div(Dot(first, last), hn::Sqrt(square)));
   }
 
-  /// The mean place of what is emitted in a step, whose ends have these extinctions.
-  static HWY_INLINE V CentreOf(V first, V last, V depth)
+  /// The mean place of what is emitted in a step, as a share of it.
+  static HWY_INLINE V CentreOf(V a, const EmissionAt& atA, V b, const EmissionAt& atB, V depth)
   {
     const Floats d;
-    const V sum = hn::Add(first, last);
-    const V isEmpty = hn::Set(d, 1e-20f);
-    const V third = hn::Set(d, 1.0f / 3.0f);
-    const V linear =
-      hn::Mul(third, hn::Add(hn::Set(d, 1.0f), hn::Div(last, hn::Max(sum, isEmpty))));
+    const V one = hn::Set(d, 1.0f), least = hn::Set(d, 1e-20f);
+    const V difference = hn::Sub(b, a), sum = hn::Sub(atB.Sum[0], atA.Sum[0]);
+    const V product = hn::Mul(difference, sum);
+    const M isFar =
+      hn::And(hn::Ge(hn::Abs(difference), hn::Set(d, 4.0f)), hn::Gt(hn::Abs(product), least));
+    const V moment = hn::Sub(hn::Sub(atB.Moment, atA.Moment), hn::Mul(a, sum));
+    const V ends = hn::Add(hn::Add(atA.Value[0], atB.Value[0]), least);
+    // Where values are close together, extinction changes evenly.
+    const V above =
+      hn::IfThenElse(isFar, moment, hn::Mul(hn::Set(d, 1.0f / 3.0f), hn::Add(ends, atB.Value[0])));
+    const V share = hn::Div(above, hn::IfThenElse(isFar, product, ends));
     const V pulled = hn::Mul(hn::Min(depth, hn::Set(d, 3.0f)), hn::Set(d, 1.0f / 12.0f));
-    return hn::Sub(hn::IfThenElse(hn::Gt(sum, isEmpty), linear, hn::Set(d, 0.5f)), pulled);
+    return hn::Min(hn::Max(hn::Sub(share, pulled), hn::Zero(d)), one);
   }
 
   HWY_INLINE void LookUp(V value, EmissionAt& at) const
@@ -313,70 +442,77 @@ private:
     const Floats d;
     const Integers di;
     const TransferTables& tables = this->Volume.Tables;
-    const V last = hn::Set(d, static_cast<float>(tables.Bins));
-    const V bin = hn::Min(hn::Max(hn::Floor(value), hn::Set(d, -1.0f)), last);
-    const V behind = hn::Sub(value, hn::Max(bin, hn::Zero(d)));
+    const V zero = hn::Zero(d), one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f);
+    const V last = hn::Set(d, static_cast<float>(tables.Bins - 1));
+    const V bin = hn::Min(hn::Max(hn::Floor(value), zero), last);
+    const V share = hn::Min(hn::Max(hn::Sub(value, bin), zero), one);
+    const V beyond = hn::Sub(hn::Sub(value, bin), share);
     std::int32_t bins[WidestVector];
-    hn::StoreU(hn::Add(hn::ConvertTo(di, bin), hn::Set(di, 1)), di, bins);
+    hn::StoreU(hn::ConvertTo(di, bin), di, bins);
     // Four numbers lie side by side: copies of all of them are faster than gathering each.
-    HWY_ALIGN float means[4 * WidestVector], sums[4 * WidestVector];
+    HWY_ALIGN float values[4 * WidestVector], rises[4 * WidestVector], sums[4 * WidestVector];
+    HWY_ALIGN float moments[WidestVector];
     for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
     {
-      const BinOfEmission& from = tables.All[static_cast<std::size_t>(bins[lane])];
-      std::memcpy(means + 4 * lane, from.Mean.data(), sizeof(from.Mean));
+      const EmissionNode& from = tables.Nodes[static_cast<std::size_t>(bins[lane])];
+      std::memcpy(values + 4 * lane, from.Value.data(), sizeof(from.Value));
+      std::memcpy(rises + 4 * lane, from.Rise.data(), sizeof(from.Rise));
       std::memcpy(sums + 4 * lane, from.Sum.data(), sizeof(from.Sum));
+      moments[lane] = from.Moment;
     }
-    hn::LoadInterleaved4(d, means, at.Mean[0], at.Mean[1], at.Mean[2], at.Mean[3]);
+    V rise[4];
+    hn::LoadInterleaved4(d, values, at.Value[0], at.Value[1], at.Value[2], at.Value[3]);
+    hn::LoadInterleaved4(d, rises, rise[0], rise[1], rise[2], rise[3]);
     hn::LoadInterleaved4(d, sums, at.Sum[0], at.Sum[1], at.Sum[2], at.Sum[3]);
+    // The moment of what lies between the node and the value, about half way.
+    const V middle = hn::Add(bin, hn::Mul(half, hn::Add(share, beyond)));
+    const V between = hn::Mul(hn::Add(share, beyond), middle);
     for (std::size_t i = 0; i < 4; ++i)
     {
-      at.Sum[i] = hn::Add(at.Sum[i], hn::Mul(behind, at.Mean[i]));
+      const V mean = hn::Add(at.Value[i], hn::Mul(hn::Mul(half, share), rise[i]));
+      at.Value[i] = hn::Add(at.Value[i], hn::Mul(share, rise[i]));
+      at.Sum[i] = hn::Add(at.Sum[i], hn::Add(hn::Mul(share, mean), hn::Mul(beyond, at.Value[i])));
+      if (i == 0)
+      {
+        at.Moment = hn::Add(hn::Load(d, moments), hn::Mul(between, mean));
+      }
     }
   }
 
   /// The mean emission of a stretch on which values go from one to another.
+  /// \param lift how far the mean value is above that of both ends
   static HWY_INLINE void MeanBetween(
-    V a, const EmissionAt& atA, V b, const EmissionAt& atB, V mean[4])
+    V a, const EmissionAt& atA, V b, const EmissionAt& atB, V lift, V mean[4])
   {
     const Floats d;
+    const V one = hn::Set(d, 1.0f);
     const V difference = hn::Sub(b, a);
     // The difference of sums loses its digits where these are close together.
     const M isClose = hn::Lt(hn::Abs(difference), hn::Set(d, 4.0f));
-    const V perBin =
-      hn::Div(hn::Set(d, 1.0f), hn::IfThenElse(isClose, hn::Set(d, 1.0f), difference));
+    const V perBin = hn::Div(one, hn::IfThenElse(isClose, one, difference));
+    const V lifted = hn::IfThenElseZero(hn::Not(isClose), lift);
     for (std::size_t i = 0; i < 4; ++i)
     {
-      const V far = hn::Mul(hn::Sub(atB.Sum[i], atA.Sum[i]), perBin);
-      const V close = hn::Mul(hn::Set(d, 0.5f), hn::Add(atA.Mean[i], atB.Mean[i]));
+      // The sums of the straight line that has the same mean value.
+      const V more = hn::Mul(lifted, hn::Sub(atB.Value[i], atA.Value[i]));
+      const V far = hn::Mul(hn::Add(hn::Sub(atB.Sum[i], atA.Sum[i]), more), perBin);
+      const V close = hn::Mul(hn::Set(d, 0.5f), hn::Add(atA.Value[i], atB.Value[i]));
       mean[i] = hn::Max(hn::IfThenElse(isClose, close, far), hn::Zero(d));
     }
   }
 
   /// Composite a step behind what has been seen.
-  HWY_INLINE void AddStep(V at, V depth, const V mean[4], const Line gradients[3])
+  HWY_INLINE void AddStep(V at, V depth, const V mean[4], const ReflectedLight<V>& light)
   {
     const Floats d;
-    const V one = hn::Set(d, 1.0f);
-    V color[3];
-    const V perMean = hn::Div(one, hn::Max(mean[0], hn::Set(d, 1e-30f)));
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      color[a] = hn::Mul(mean[a + 1], perMean);
-    }
-    if (this->Volume.HasGradients())
-    {
-      const V gradient[3] = { gradients[0].At(at), gradients[1].At(at), gradients[2].At(at) };
-      depth = hn::Mul(depth, this->OpacityOf(gradient));
-      if (this->Volume.Surface.Shade)
-      {
-        this->Light(at, gradient, color);
-      }
-    }
+    const V zero = hn::Zero(d);
     const V left = hn::Mul(this->Passed, ExpOfMinus(depth));
-    const V emitted = hn::Sub(this->Passed, left);
+    const V perMean = hn::Div(hn::Sub(this->Passed, left), hn::Max(mean[0], hn::Set(d, 1e-30f)));
     for (std::size_t a = 0; a < 3; ++a)
     {
-      this->Color[a] = hn::Add(this->Color[a], hn::Mul(emitted, color[a]));
+      const V lit = hn::Add(hn::Mul(mean[a + 1], light.Matt[a]), hn::Mul(mean[0], light.Shine[a]));
+      const V emitted = hn::Min(hn::Max(lit, zero), mean[0]);
+      this->Color[a] = hn::Add(this->Color[a], hn::Mul(perMean, emitted));
     }
     this->NoteFirst(hn::Gt(depth, hn::Set(d, 1e-4f)), at);
     this->Passed = left;
@@ -386,7 +522,7 @@ private:
   HWY_INLINE void NoteFirst(M isSeen, V at) const
   {
     const Floats d;
-    const M isFirst = hn::And(isSeen, hn::Eq(this->Passed, hn::Set(d, 1.0f)));
+    const M isFirst = hn::And(isSeen, hn::Gt(this->Passed, hn::Set(d, 0.9999f)));
     if (hn::AllFalse(d, isFirst))
     {
       return;
@@ -406,7 +542,7 @@ private:
     }
   }
 
-  HWY_INLINE V OpacityOf(const V gradient[3]) const
+  HWY_INLINE V OpacityAt(const CornerGradients& gradients, V share) const
   {
     const Floats d;
     const Integers di;
@@ -415,6 +551,9 @@ private:
     {
       return hn::Set(d, 1.0f);
     }
+    V place[3], gradient[3];
+    this->PlaceAt(share, place);
+    gradients.At(place, gradient);
     V square = hn::Zero(d);
     for (std::size_t a = 0; a < 3; ++a)
     {
@@ -425,65 +564,33 @@ private:
       hn::Set(d, static_cast<float>(table.PerMagnitude)));
     const V last = hn::Set(d, static_cast<float>(table.Opacities.size() - 2));
     const V clamped = hn::Min(hn::Max(entry, hn::Zero(d)), hn::Add(last, hn::Set(d, 1.0f)));
-    const V place = hn::Min(hn::Floor(clamped), last);
-    const V share = hn::Sub(clamped, place);
-    const I index = hn::ConvertTo(di, place);
+    const V floor = hn::Min(hn::Floor(clamped), last);
+    const I index = hn::ConvertTo(di, floor);
     const V low = hn::GatherIndex(d, table.Opacities.data(), index);
     const V high = hn::GatherIndex(d, table.Opacities.data() + 1, index);
-    return hn::Add(low, hn::Mul(share, hn::Sub(high, low)));
-  }
-
-  HWY_INLINE void Light(V at, const V gradient[3], V color[3]) const
-  {
-    const Floats d;
-    V normal[3], direction[3], point[3];
-    FindNormals(this->Volume.WorldFromGradient, gradient, normal);
-    const V t = hn::Add(this->Enter, hn::Mul(at, this->Length));
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      direction[a] = hn::GatherIndex(d, this->Rays.Direction[a].data(), this->Ray);
-      point[a] = hn::Add(
-        hn::GatherIndex(d, this->Rays.Begin[a].data(), this->Ray), hn::Mul(t, direction[a]));
-    }
-    LightColors(this->Volume.Lights, this->Volume.Surface, { normal, direction, point }, color);
+    return hn::Add(low, hn::Mul(hn::Sub(clamped, floor), hn::Sub(high, low)));
   }
 
   const EmittingVolume& Volume;
-  const LitRays& Rays;
   BlendedRays& Seen;
   M IsSegment;
   I Ray;
-  V Enter, Length, Middle, Bend, Steps, Share;
+  V Enter, Length, Middle, Bend;
   Line Values;
-  V Passed, Color[3];
+  V ValueAtEnd;
+  EmissionAt AtBegin, AtEnd;
+  V Passed, Color[3], Direction[3], Eye[3], Begin[3], Across[3];
 };
 
-/// \param gradientsOf finds the gradients of the segments from one on
-template <typename GradientsOf>
+/// \param loaderAt makes what loads the samples around the cells of a vector
+template <typename LoaderAt>
 HWY_INLINE void AddAll(const EmittingVolume& volume, const LitRays& rays,
-  const VolumeSegments& segments, const GradientsOf& gradientsOf, BlendedRays& seen)
+  const VolumeSegments& segments, const LoaderAt& loaderAt, BlendedRays& seen)
 {
-  const Floats d;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(segments.Count); i += hn::Lanes(d))
+  for (std::size_t i = 0; i < static_cast<std::size_t>(segments.Count); i += hn::Lanes(Floats()))
   {
-    Line gradients[3];
-    if (volume.HasGradients())
-    {
-      V begin[3], across[3];
-      for (std::size_t a = 0; a < 3; ++a)
-      {
-        begin[a] = hn::LoadU(d, &segments.Begin[a][i]);
-        across[a] = hn::LoadU(d, &segments.Across[a][i]);
-      }
-      gradientsOf(i, begin, across, gradients);
-    }
-    else
-    {
-      const V zero = hn::Zero(d);
-      std::fill_n(gradients, 3, Line{ { zero, zero, zero, zero } });
-    }
     SegmentVector vector(volume, rays, segments, i, seen);
-    vector.Add(gradients);
+    vector.Add(volume.HasGradients() ? CornerGradients(loaderAt(i)) : CornerGradients());
     vector.Finish();
   }
 }
@@ -493,8 +600,8 @@ void AddOfValues(const EmittingVolume& volume, const LitRays& rays, const Volume
 {
   AddAll(
     volume, rays, segments,
-    [&](std::size_t i, const V begin[3], const V across[3], Line gradients[3]) HWY_ATTR {
-      FindGradients<V>(ArrayLoader{ around, i }, begin, across, gradients);
+    [&](std::size_t i) HWY_ATTR {
+      return ArrayLoader{ around, i };
     },
     seen);
 }
@@ -506,21 +613,7 @@ HWY_INLINE void AddOfSamples(const EmittingVolume& volume, const LitRays& rays,
 {
   AddAll(
     volume, rays, segments,
-    [&](std::size_t i, const V begin[3], const V across[3], Line gradients[3]) HWY_ATTR
-    {
-      const Integers di;
-      // Lanes behind the last segment read the cell of the first one.
-      const auto isSegment = hn::FirstN(di, static_cast<std::size_t>(segments.Count) - i);
-      I cell[3];
-      for (std::size_t a = 0; a < 3; ++a)
-      {
-        cell[a] = hn::IfThenElse(
-          isSegment, hn::LoadU(di, &segments.Cell[a][i]), hn::Set(di, segments.Cell[a][0]));
-      }
-      using Loader = GatheringLoader<T>;
-      FindGradients<typename Loader::S>(Loader(samples, cell, perValue), begin, across, gradients);
-    },
-    seen);
+    [&](std::size_t i) HWY_ATTR { return RowLoader<T>(samples, segments, i, perValue); }, seen);
 }
 
 void AddOfUInt8(const EmittingVolume& volume, const LitRays& rays, const VolumeSegments& segments,

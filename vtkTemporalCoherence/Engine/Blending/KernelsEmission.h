@@ -6,8 +6,8 @@
 #include "Blending/BlendTracer.h"
 #include "Blending/KernelsVolumeSegments.h"
 #include "Blending/TransferTables.h"
+#include "Blending/VolumeLights.h"
 #include "Blending/VolumeSegments.h"
-#include "Scene/Appearance.h"
 
 #include <glm/glm.hpp>
 
@@ -28,14 +28,11 @@ struct EmittingVolume
 {
   const TransferTables& Tables;
   const GradientTable& ByGradient;
-  glm::vec3 PerStep{ 1.0f }; ///< scales gradients in bins to those that ByGradient knows
+  const VolumeLights* Lights; ///< null: it is not shaded
+  glm::vec3 PerStep{ 1.0f };  ///< scales gradients in bins to those that ByGradient knows
   glm::mat3 WorldFromGradient{ 1.0f };
-  const Material& Surface;
-  const Appearance& Lights;
-  /// The picture is as good as it has to be if each cell is off by no more.
-  float Tolerance = 0.0f;
 
-  bool HasGradients() const { return this->Surface.Shade || !this->ByGradient.Opacities.empty(); }
+  bool HasGradients() const { return this->Lights || !this->ByGradient.Opacities.empty(); }
 };
 
 /// The rays of a tile, as far as lights ask for them.

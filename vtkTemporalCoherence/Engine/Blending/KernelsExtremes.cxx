@@ -17,8 +17,8 @@
 
 #include "Beams/KernelsHull-inl.h"
 #include "Beams/KernelsLattice-inl.h"
+#include "Blending/KernelsCellStay-inl.h"
 #include "Blending/KernelsLargest-inl.h"
-#include "Trace/KernelsSegment-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace TemporalCoherence
@@ -27,54 +27,6 @@ namespace ExtremeKernels
 {
 namespace HWY_NAMESPACE
 {
-
-namespace hn = hwy::HWY_NAMESPACE;
-namespace beams = BeamKernels::HWY_NAMESPACE;
-namespace segments = SegmentKernels::HWY_NAMESPACE;
-
-using beams::BitsIn;
-using beams::BitsOf;
-using beams::Floats;
-using beams::Load;
-using beams::M;
-using beams::Set;
-using beams::V;
-using Doubles = hn::CappedTag<double, WidestVector / 2>;
-
-/// A box in the coordinates of a beam, for CellFaces.
-struct BeamBox
-{
-  HWY_INLINE float Low(std::size_t a) const { return this->Lows[a]; }
-  HWY_INLINE float High(std::size_t a) const { return this->Highs[a]; }
-
-  float Lows[3], Highs[3];
-};
-
-/// Where the planes of a field lie.
-struct UniformPlanes
-{
-  static constexpr bool AreUnits = true;
-  using Lattice = beams::UniformLattice;
-
-  double At(int, int plane) const { return plane; }
-  static Lattice LatticeFor(const TileBeam& beam, const GridCoordinates*) { return Lattice(beam); }
-
-  const GridCoordinates* Grid;
-};
-
-struct RectilinearPlanes
-{
-  static constexpr bool AreUnits = false;
-  using Lattice = beams::RectilinearLattice;
-
-  double At(int axis, int plane) const { return this->Grid->At(axis, plane); }
-  static Lattice LatticeFor(const TileBeam& beam, const GridCoordinates* grid)
-  {
-    return Lattice(beam, *grid);
-  }
-
-  const GridCoordinates* Grid;
-};
 
 /// Searches the blocks that a beam passes, the most promising ones first. What cannot be more than
 /// rays have met, nor as much and nearer, is left out.
@@ -96,7 +48,7 @@ public:
     {
       this->NoteReached(i);
     }
-    this->FindLeast();
+    this->Least = this->LeastOf(which);
   }
 
   void Search()
@@ -110,8 +62,8 @@ public:
       {
         break;
       }
-      if (this->MayWiden(node.Place * ValueRangePyramid::NodeSize, ValueRangePyramid::NodeSize,
-            node.Bound, this->Wanted) != 0)
+      if (this->FindWidened(
+            node.Place * ValueRangePyramid::NodeSize, ValueRangePyramid::NodeSize, node.Bound) != 0)
       {
         this->SearchNode(node);
       }
@@ -144,16 +96,17 @@ private:
       std::isfinite(first) ? this->Beam.DistanceOf(first) + this->Beam.Margin : TileBeam::Never;
   }
 
-  /// The least that a wanted ray has met.
-  void FindLeast()
+  /// The least that one of some rays, one bit each, has met.
+  float LeastOf(std::uint64_t rays) const
   {
-    V least = Set(std::numeric_limits<float>::infinity());
+    const V infinity = Set(std::numeric_limits<float>::infinity());
+    V least = infinity;
     for (std::size_t i = 0; i < RayBatch::Capacity; i += hn::Lanes(Floats()))
     {
-      const M isWanted = beams::MaskOf(this->Wanted >> i);
-      least = hn::Min(least, hn::IfThenElse(isWanted, Load(&this->Reached[i]), least));
+      const M isRay = beams::MaskOf(rays >> i);
+      least = hn::Min(least, hn::IfThenElse(isRay, Load(&this->Reached[i]), infinity));
     }
-    this->Least = hn::GetLane(hn::MinOfLanes(Floats(), least));
+    return hn::GetLane(hn::MinOfLanes(Floats(), least));
   }
 
   /// False if no ray can meet more in a block, or if there is nothing in it.
@@ -233,29 +186,81 @@ private:
     return box;
   }
 
-  /// Those of some rays, one bit each, that may pass a block on their walk and meet more in it.
-  HWY_INLINE std::uint64_t MayWiden(
-    const glm::ivec3& first, int size, float bound, std::uint64_t which) const
+  /// Where a vector of rays passes a box, and those that may meet more in it.
+  struct Passage
+  {
+    V Enter, Leave;
+    M Widens;
+  };
+
+  HWY_INLINE Passage Pass(const beams::CellFaces& faces, float bound, std::size_t i) const
   {
     const TileBeam& beam = this->Beam;
-    const beams::CellFaces faces(this->BoxOf(first, size), beam.Margin, beam.Flip);
-    std::uint64_t widens = 0;
+    Passage passed{ Set(-TileBeam::Never), Set(TileBeam::Never), {} };
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      const V origin = Load(&beam.Origin[a][i]), inverse = Load(&beam.Inverse[a][i]);
+      passed.Enter = hn::Max(passed.Enter, hn::Mul(hn::Sub(Set(faces.Near[a]), origin), inverse));
+      passed.Leave = hn::Min(passed.Leave, hn::Mul(hn::Sub(Set(faces.Far[a]), origin), inverse));
+    }
+    const V behind = Load(&beam.Behind[i]), begin = Load(&beam.WalkBegin[i]);
+    const M passes =
+      hn::And(hn::Le(passed.Enter, hn::Min(passed.Leave, behind)), hn::Ge(passed.Leave, begin));
+    const V reached = Load(&this->Reached[i]), all = Set(bound);
+    const M isAsMuch = hn::And(hn::Eq(reached, all), hn::Le(passed.Enter, Load(&this->At[i])));
+    passed.Widens = hn::And(passes, hn::Or(hn::Lt(reached, all), isAsMuch));
+    return passed;
+  }
+
+  /// The wanted rays, one bit each, that may pass a block on their walk and meet more in it.
+  HWY_INLINE std::uint64_t FindWidened(const glm::ivec3& first, int size, float bound) const
+  {
+    const beams::CellFaces faces(this->BoxOf(first, size), this->Beam.Margin, this->Beam.Flip);
+    std::uint64_t widened = 0;
     for (std::size_t i = 0; i < RayBatch::Capacity; i += hn::Lanes(Floats()))
     {
-      V enter = Set(-TileBeam::Never), leave = Set(TileBeam::Never);
-      for (std::size_t a = 0; a < 3; ++a)
-      {
-        const V origin = Load(&beam.Origin[a][i]), inverse = Load(&beam.Inverse[a][i]);
-        enter = hn::Max(enter, hn::Mul(hn::Sub(Set(faces.Near[a]), origin), inverse));
-        leave = hn::Min(leave, hn::Mul(hn::Sub(Set(faces.Far[a]), origin), inverse));
-      }
-      const V behind = Load(&beam.Behind[i]), begin = Load(&beam.WalkBegin[i]);
-      const M passes = hn::And(hn::Le(enter, hn::Min(leave, behind)), hn::Ge(leave, begin));
-      const V reached = Load(&this->Reached[i]), all = Set(bound);
-      const M isAsMuch = hn::And(hn::Eq(reached, all), hn::Le(enter, Load(&this->At[i])));
-      widens |= BitsOf(hn::And(passes, hn::Or(hn::Lt(reached, all), isAsMuch))) << i;
+      widened |= BitsOf(this->Pass(faces, bound, i).Widens) << i;
     }
-    return widens & which;
+    return widened & this->Wanted;
+  }
+
+  /// Those of some rays that may pass a cell and meet more in it, by the cubic along them in single
+  /// precision.
+  HWY_INLINE std::uint64_t FindWidened(const ExtremeCell<Real>& cell, std::uint64_t which) const
+  {
+    const TileBeam& beam = this->Beam;
+    const auto box = this->Lattice.CellAt(cell.Place);
+    const beams::CellFaces faces(box, beam.Margin, beam.Flip);
+    CellValues values;
+    for (std::size_t row = 0; row < 4; ++row)
+    {
+      values.Set(row, static_cast<float>(cell.Samples[2 * row]),
+        static_cast<float>(cell.Samples[2 * row + 1]));
+    }
+    const float margin = beam.Margin * box.LargestShare();
+    // As for isosurfaces (CellSearch::ErrorIn). In a cell that is too thin nothing is told.
+    const float error = margin < 0x1p-5f ? values.Largest * (16.0f * margin + 0x1p-13f) + 1e-30f
+                                         : std::numeric_limits<float>::infinity();
+    std::uint64_t widened = 0;
+    constexpr std::uint64_t vector = (std::uint64_t(1) << hn::MaxLanes(Floats())) - 1;
+    for (std::size_t i = 0; i < RayBatch::Capacity; i += hn::Lanes(Floats()))
+    {
+      if ((which >> i & vector) == 0)
+      {
+        continue;
+      }
+      const Passage passed = this->Pass(faces, cell.Bound, i);
+      if (!hn::AllFalse(Floats(), passed.Widens))
+      {
+        V at[3], step[3];
+        beams::FindPathsIn(box, beam, hn::Max(passed.Enter, Load(&beam.Begin[i])),
+          hn::Min(passed.Leave, Load(&beam.End[i])), i, at, step);
+        const V most = beams::CubicsAlong(values, at, step).Largest;
+        const M isLess = hn::Lt(hn::Add(most, Set(error)), Load(&this->Reached[i]));
+        widened |= BitsOf(hn::AndNot(isLess, passed.Widens)) << i;
+      }
+    }
+    return widened & which;
   }
 
   void SearchNode(const ExtremeBlock& node)
@@ -282,7 +287,7 @@ private:
     {
       const glm::ivec3 first = ValueRangePyramid::LeafSize * leaves[i].Place;
       const std::uint64_t rays =
-        this->MayWiden(first, ValueRangePyramid::LeafSize, leaves[i].Bound, this->Wanted);
+        this->FindWidened(first, ValueRangePyramid::LeafSize, leaves[i].Bound);
       if (rays != 0)
       {
         this->SearchLeaf(first, rays);
@@ -293,19 +298,20 @@ private:
   void SearchLeaf(const glm::ivec3& leaf, std::uint64_t rays)
   {
     const std::size_t count = this->Blocks.Read(leaf, this->Lattice.Cull(leaf, 1), this->Cells);
+    const float least = this->LeastOf(rays);
     for (std::size_t i = 0; i < count; ++i)
     {
       const ExtremeCell<Real>& cell = this->Cells[i];
-      if (this->IsWorth(cell.Bound))
+      if (cell.Bound >= least)
       {
-        const std::uint64_t widens = this->MayWiden(cell.Place, 1, cell.Bound, rays);
+        const std::uint64_t widens = this->FindWidened(cell, rays);
         if (widens != 0)
         {
           this->SearchCell(cell, widens);
         }
       }
     }
-    this->FindLeast();
+    this->Least = this->LeastOf(this->Wanted);
   }
 
   void SearchCell(const ExtremeCell<Real>& cell, std::uint64_t rays)
@@ -324,8 +330,8 @@ private:
   HWY_INLINE void SearchVector(
     const ExtremeCell<Real>& cell, std::size_t first, std::uint64_t which)
   {
-    Stays stays;
-    which &= this->FindStays(cell, first, stays);
+    CellStay<Real> stays;
+    which &= FindStay(this->Between, cell.Place, this->Rays, first, stays);
     this->Found.CellsRead += static_cast<std::int64_t>(hwy::PopCount(which));
     if (which == 0)
     {
@@ -361,43 +367,7 @@ private:
     this->Keep(first, which, stays, values, shares);
   }
 
-  /// Where a vector of rays is in a cell: distances, and the path in its coordinates.
-  struct alignas(64) Stays
-  {
-    double Enter[WidestVector], Leave[WidestVector];
-    Real Begin[3][WidestVector], End[3][WidestVector];
-  };
-
-  /// \return one bit for each ray that does more than touch the cell
-  HWY_INLINE std::uint64_t FindStays(
-    const ExtremeCell<Real>& cell, std::size_t first, Stays& stays) const
-  {
-    const Doubles d;
-    hn::Vec<Doubles> low[3], high[3];
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      low[axis] = hn::Set(d, this->Between.At(axis, cell.Place[axis]));
-      high[axis] = hn::Set(d, this->Between.At(axis, cell.Place[axis] + 1));
-    }
-    std::uint64_t pass = 0;
-    constexpr std::size_t lanes = hn::MaxLanes(hn::CappedTag<Real, WidestVector>());
-    for (std::size_t i = 0; i < lanes; i += hn::Lanes(d))
-    {
-      const auto path = segments::FindPath<Planes::AreUnits>(
-        d, segments::LoadRays(d, this->Rays, first + i), low, high);
-      for (std::size_t a = 0; a < 3; ++a)
-      {
-        segments::StoreAs(path.Begin[a], &stays.Begin[a][i]);
-        segments::StoreAs(path.End[a], &stays.End[a][i]);
-      }
-      hn::StoreU(path.Enter, d, &stays.Enter[i]);
-      hn::StoreU(path.Leave, d, &stays.Leave[i]);
-      pass |= BitsIn(d, hn::Lt(path.Enter, path.Leave)) << i;
-    }
-    return pass;
-  }
-
-  HWY_INLINE void Keep(std::size_t first, std::uint64_t which, const Stays& stays,
+  HWY_INLINE void Keep(std::size_t first, std::uint64_t which, const CellStay<Real>& stays,
     const Real* values, const Real* shares)
   {
     for (; which != 0; which &= which - 1)

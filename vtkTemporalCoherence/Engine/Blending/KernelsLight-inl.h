@@ -10,15 +10,13 @@
 #define TemporalCoherence_KernelsLight_inl_h
 #endif
 
-#include "Scene/Appearance.h"
-#include "Scene/Blending.h"
+#include "Blending/VolumeLights.h"
 #include "Scene/RayBatch.h"
 #include "Shade/KernelsPower-inl.h"
 
 #include <glm/glm.hpp>
 #include <hwy/highway.h>
 
-#include <cmath>
 #include <cstddef>
 
 HWY_BEFORE_NAMESPACE();
@@ -71,81 +69,83 @@ HWY_INLINE void FindNormals(const glm::mat3& worldFromGradient, const V gradient
 
 /// The share of a positional light that arrives at points, and unit vectors towards it.
 template <class V>
-HWY_INLINE V ShareAt(const Light& light, const V point[3], V toward[3])
+HWY_INLINE V ShareAt(const VolumeLight& light, const V point[3], V toward[3])
 {
   const hn::DFromV<V> d;
-  const auto set = [&](double value) HWY_ATTR { return hn::Set(d, static_cast<float>(value)); };
+  const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
   for (int a = 0; a < 3; ++a)
   {
-    toward[a] = hn::Sub(set(light.Position[a]), point[a]);
+    toward[a] = hn::Sub(hn::Set(d, light.Position[a]), point[a]);
   }
   const V square = Dot(toward, toward);
-  const auto isAway = hn::Gt(square, hn::Zero(d));
+  const auto isAway = hn::Gt(square, zero);
   const V distance = hn::Sqrt(square);
-  const V perLength = hn::Div(set(1.0), hn::IfThenElse(isAway, distance, set(1.0)));
+  const V perLength = hn::Div(one, hn::IfThenElse(isAway, distance, one));
   for (int a = 0; a < 3; ++a)
   {
     toward[a] = hn::Mul(toward[a], perLength);
   }
-  const V fall = hn::Add(set(light.Attenuation.x),
-    hn::Mul(
-      distance, hn::Add(set(light.Attenuation.y), hn::Mul(distance, set(light.Attenuation.z)))));
-  const auto fades = hn::And(isAway, hn::Gt(fall, hn::Zero(d)));
-  V share = hn::IfThenElseZero(isAway, hn::Div(set(1.0), hn::IfThenElse(fades, fall, set(1.0))));
-  if (light.ConeAngle < 90.0)
+  const V linear =
+    hn::Add(hn::Set(d, light.Attenuation.y), hn::Mul(distance, hn::Set(d, light.Attenuation.z)));
+  const V fall = hn::Add(hn::Set(d, light.Attenuation.x), hn::Mul(distance, linear));
+  const auto fades = hn::And(isAway, hn::Gt(fall, zero));
+  V share = hn::IfThenElseZero(isAway, hn::Div(one, hn::IfThenElse(fades, fall, one)));
+  if (light.IsSpot)
   {
-    constexpr double pi = 3.14159265358979323846;
-    const V axis[3] = { set(-light.Direction.x), set(-light.Direction.y), set(-light.Direction.z) };
+    const V axis[3] = { hn::Set(d, light.Toward.x), hn::Set(d, light.Toward.y),
+      hn::Set(d, light.Toward.z) };
     const V cosine = Dot(axis, toward);
-    const auto isInside = hn::Ge(cosine, set(std::cos(light.ConeAngle * pi / 180.0)));
+    const auto isInside = hn::Ge(cosine, hn::Set(d, light.CosineOfCone));
     const Powers::HWY_NAMESPACE::Raiser raise(light.Exponent);
-    const V spot = raise(hn::Min(hn::Max(cosine, hn::Zero(d)), set(1.0)));
+    const V spot = raise(hn::Min(hn::Max(cosine, zero), one));
     share = hn::IfThenElseZero(isInside, hn::Mul(share, spot));
   }
   return share;
 }
 
-/// Light colours, which lie in [0, 1] afterwards.
+/// What points reflect of the lights: shares of their own colour, and highlights.
 template <class V>
-HWY_INLINE void LightColors(
-  const Appearance& appearance, const Material& material, const LitPoints& at, V color[3])
+struct ReflectedLight
+{
+  V Matt[3], Shine[3];
+};
+
+template <class V>
+HWY_INLINE ReflectedLight<V> Reflect(const VolumeLights& lights, const LitPoints& at)
 {
   const hn::DFromV<V> d;
   const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
-  const auto set = [&](double value) HWY_ATTR { return hn::Set(d, static_cast<float>(value)); };
-  const Powers::HWY_NAMESPACE::Raiser raise(material.SpecularPower);
-  V matt[3], shine[3];
+  const Powers::HWY_NAMESPACE::Raiser raise(lights.SpecularPower);
+  ReflectedLight<V> sum;
   for (int a = 0; a < 3; ++a)
   {
-    matt[a] = set(material.Ambient);
-    shine[a] = zero;
+    sum.Matt[a] = hn::Set(d, lights.Ambient);
+    sum.Shine[a] = zero;
   }
   const V rise = Dot(at.Normal, at.Direction);
-  for (const Light& light : appearance.Lights)
+  for (const VolumeLight& light : lights.All)
   {
-    V toward[3] = { set(-light.Direction.x), set(-light.Direction.y), set(-light.Direction.z) };
-    const V share = light.Positional ? ShareAt(light, at.Point, toward) : one;
+    V toward[3] = { hn::Set(d, light.Toward.x), hn::Set(d, light.Toward.y),
+      hn::Set(d, light.Toward.z) };
+    const V share = light.IsPositional ? ShareAt(light, at.Point, toward) : one;
     const V cosine = Dot(at.Normal, toward);
-    const V lit = appearance.TwoSided ? hn::Abs(cosine) : hn::Max(cosine, zero);
-    const V diffuse = hn::Mul(hn::Mul(share, lit), set(material.Diffuse));
-    // The light that the surface mirrors, along the way back to the viewer.
-    const V mirrored = hn::Sub(Dot(toward, at.Direction), hn::Mul(hn::Add(cosine, cosine), rise));
-    const auto isMirrored = hn::And(hn::Gt(lit, zero), hn::Gt(mirrored, zero));
-    const V highlight = material.Specular == 0.0
-      ? zero
-      : hn::Mul(hn::Mul(share, raise(hn::Min(hn::IfThenElseZero(isMirrored, mirrored), one))),
-          set(material.Specular));
+    const V lit = lights.AreTwoSided ? hn::Abs(cosine) : hn::Max(cosine, zero);
+    const V diffuse = hn::Mul(share, lit);
+    V highlight = zero;
+    if (lights.AreShiny)
+    {
+      // The light that the surface mirrors, along the way back to the viewer.
+      const V mirrored = hn::Sub(Dot(toward, at.Direction), hn::Mul(hn::Add(cosine, cosine), rise));
+      const auto isMirrored = hn::And(hn::Gt(lit, zero), hn::Gt(mirrored, zero));
+      highlight = hn::Mul(share, raise(hn::Min(hn::IfThenElseZero(isMirrored, mirrored), one)));
+    }
     for (int a = 0; a < 3; ++a)
     {
-      matt[a] = hn::Add(matt[a], hn::Mul(diffuse, set(light.Diffuse[a])));
-      shine[a] = hn::Add(shine[a], hn::Mul(highlight, set(light.Specular[a])));
+      sum.Matt[a] = hn::Add(sum.Matt[a], hn::Mul(diffuse, hn::Set(d, light.Diffuse[a])));
+      sum.Shine[a] = hn::Add(sum.Shine[a], hn::Mul(highlight, hn::Set(d, light.Specular[a])));
     }
   }
-  for (int a = 0; a < 3; ++a)
-  {
-    const V lit = hn::Add(hn::Mul(color[a], matt[a]), shine[a]);
-    color[a] = hn::Min(hn::Max(lit, zero), one);
-  }
+  return sum;
 }
 
 }

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Blending/ProjectionTracer.h"
 
-#include "Blending/ExtremeSearch.h"
+#include "Blending/ComponentLooks.h"
 #include "Blending/FieldProbe.h"
+#include "Blending/RaySamples.h"
 #include "Blending/TransferLookup.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -30,31 +30,10 @@ void AddLight(const glm::dvec4& color, double weight, std::size_t ray, BlendedRa
   seen.Passed[ray] -= static_cast<float>(color.w * weight);
 }
 
-class ExtremeTracer final : public BlendTracer
+/// Shows the extremes that rays have met.
+class ExtremeLook : public BlendTracer
 {
 public:
-  ExtremeTracer(const BlendScene& scene, const GridCoordinates* grid, ExtremeSearchMaker make)
-    : Volume(scene.Key.Volume)
-    , AreIndependent(Volume.Use == ComponentUse::Independent || Volume.Others.empty())
-  {
-    const bool isMinimum = this->Volume.Mode == BlendMode::Minimum;
-    if (this->AreIndependent)
-    {
-      this->Searches.push_back(make({ scene.Key.Samples, scene.Ranges, grid, isMinimum }));
-      for (const Field& other : this->Volume.Others)
-      {
-        this->Searches.push_back(make({ other, nullptr, grid, isMinimum }));
-      }
-      return;
-    }
-    this->Searches.push_back(make({ this->Volume.Others.back(), nullptr, grid, isMinimum }));
-    this->Probes.emplace_back(scene.Key.Samples, grid);
-    for (std::size_t i = 0; i + 1 < this->Volume.Others.size(); ++i)
-    {
-      this->Probes.emplace_back(this->Volume.Others[i], grid);
-    }
-  }
-
   void Begin(BlendedRays& seen) const override
   {
     seen.Clear();
@@ -65,66 +44,147 @@ public:
     }
   }
 
-  void Trace(const RayBatch& rays, const WorldDirections&, BlendedRays& seen) const override
-  {
-    this->Searches.front()->Search(rays, { seen.Value, seen.First, seen.CellsRead });
-    for (std::size_t i = 1; i < this->Searches.size(); ++i)
-    {
-      RayBatch::Array<double> first;
-      first.fill(Infinity);
-      this->Searches[i]->Search(rays, { seen.OtherValues[i - 1], first, seen.CellsRead });
-    }
-  }
-
   void Finish(const RayBatch& rays, const WorldDirections&, BlendedRays& seen) const override
   {
     for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
     {
-      if (!this->AreIndependent)
+      if (!std::isnan(seen.Value[ray]) && !this->Looks.AreIndependent())
       {
-        this->ShowDependent(rays, ray, seen);
-        continue;
+        this->Show(rays, ray, seen);
       }
-      for (std::size_t i = 0; i < this->Searches.size(); ++i)
+      for (std::size_t part = 0; this->Looks.AreIndependent() && part < this->Looks.Parts(); ++part)
       {
-        const double value = i == 0 ? seen.Value[ray] : seen.OtherValues[i - 1][ray];
-        const ComponentLook& look = this->Volume.Looks[i];
-        const double weight = this->Searches.size() == 1 ? 1.0 : look.Weight;
+        const double value = ValueOf(seen, part)[ray];
         if (!std::isnan(value))
         {
-          AddLight(LookUp(look.Transfer, value), weight, ray, seen);
+          const glm::dvec4 color = LookUp(this->Looks.Of(part).Transfer, value);
+          AddLight(color, this->Looks.WeightOf(part), ray, seen);
         }
       }
     }
   }
 
-private:
-  void ShowDependent(const RayBatch& rays, std::size_t ray, BlendedRays& seen) const
+protected:
+  ExtremeLook(const BlendScene& scene, const GridCoordinates* grid)
+    : Volume(scene.Key.Volume)
+    , Looks(Volume)
   {
-    if (std::isnan(seen.Value[ray]))
+    if (!this->Looks.AreIndependent())
     {
-      return;
+      this->Probes.emplace_back(scene.Key.Samples, grid);
+      for (const Field& other : this->Volume.Others)
+      {
+        this->Probes.emplace_back(other, grid);
+      }
     }
-    const TransferFunction& transfer = this->Volume.Looks.front().Transfer;
-    glm::dvec4 color = LookUp(transfer, seen.Value[ray]);
-    if (this->Volume.Use == ComponentUse::ColorOpacity)
-    {
-      const double value = this->Probes.front().At(rays, ray, seen.First[ray]);
-      color = glm::dvec4(glm::dvec3(LookUp(transfer, value)), color.w);
-    }
-    for (std::size_t i = 0; this->Volume.Use == ComponentUse::RgbOpacity && i < 3; ++i)
-    {
-      const glm::dvec2& range = this->Volume.ScalarRanges[i];
-      const double value = this->Probes[i].At(rays, ray, seen.First[ray]);
-      color[static_cast<int>(i)] = std::clamp((value - range.x) / (range.y - range.x), 0.0, 1.0);
-    }
-    AddLight(color, 1.0, ray, seen);
   }
 
+  static BlendedRays::Array<double>& ValueOf(BlendedRays& seen, std::size_t part)
+  {
+    return part == 0 ? seen.Value : seen.OtherValues[part - 1];
+  }
+
+  bool IsMinimum() const { return this->Volume.Mode == BlendMode::Minimum; }
+
   const Blending& Volume;
-  bool AreIndependent;
-  std::vector<std::unique_ptr<const ExtremeSearch>> Searches; ///< one for each extreme
-  std::vector<FieldProbe> Probes; ///< if components depend: those that give the colour
+  ComponentLooks Looks;
+
+private:
+  /// Show components that depend on each other, where the one that gives the opacity has its
+  /// extreme.
+  void Show(const RayBatch& rays, std::size_t ray, BlendedRays& seen) const
+  {
+    ComponentValues values{};
+    for (std::size_t c = 0; c + 1 < this->Probes.size(); ++c)
+    {
+      values[c] = this->Probes[c].At(rays, ray, seen.First[ray]);
+    }
+    values[this->Probes.size() - 1] = seen.Value[ray];
+    AddLight(this->Looks.ColorOf(0, values), 1.0, ray, seen);
+  }
+
+  std::vector<FieldProbe> Probes; ///< of all components, if they depend on each other
+};
+
+/// Finds extremes exactly.
+class ExtremeTracer final : public ExtremeLook
+{
+public:
+  ExtremeTracer(const BlendScene& scene, const GridCoordinates* grid, ExtremeSearchMaker make)
+    : ExtremeLook(scene, grid)
+  {
+    for (std::size_t part = 0; part < this->Looks.Parts(); ++part)
+    {
+      const std::size_t component = this->Looks.OpacityOf(part);
+      const bool isFirst = component == 0;
+      this->Searches.push_back(
+        make({ isFirst ? scene.Key.Samples : this->Volume.Others[component - 1],
+          isFirst ? scene.Ranges : nullptr, grid, this->IsMinimum() }));
+    }
+  }
+
+  void Trace(const RayBatch& rays, const WorldDirections&, BlendedRays& seen) const override
+  {
+    for (std::size_t part = 0; part < this->Searches.size(); ++part)
+    {
+      RayBatch::Array<double> first;
+      first.fill(Infinity);
+      this->Searches[part]->Search(
+        rays, { ValueOf(seen, part), part == 0 ? seen.First : first, seen.CellsRead });
+    }
+  }
+
+private:
+  std::vector<std::unique_ptr<const ExtremeSearch>> Searches; ///< one for each part
+};
+
+/// Finds the extremes of samples at a fixed distance.
+class SampledExtremes final : public ExtremeLook
+{
+public:
+  SampledExtremes(const BlendScene& scene, const GridCoordinates* grid, SegmentSourceMaker make)
+    : ExtremeLook(scene, grid)
+    , Samples(scene.Key)
+    , Cells(make(scene, grid))
+  {
+  }
+
+  void Trace(const RayBatch& rays, const WorldDirections& world, BlendedRays& seen) const override
+  {
+    for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
+    {
+      if (rays.HasWalk(ray))
+      {
+        const double entry = this->Samples.EntryOf(rays, world, ray);
+        seen.CellsRead += this->Cells->Visit(rays, ray,
+          [&](const ComponentSegment& segment)
+          {
+            this->Samples.ForEach(
+              segment, entry, [&](double share) { this->Widen(segment, share, ray, seen); });
+            return true;
+          });
+      }
+    }
+  }
+
+private:
+  void Widen(
+    const ComponentSegment& segment, double share, std::size_t ray, BlendedRays& seen) const
+  {
+    for (std::size_t part = 0; part < this->Looks.Parts(); ++part)
+    {
+      const double value = segment.ValueAt(this->Looks.OpacityOf(part), share);
+      double& extreme = ValueOf(seen, part)[ray];
+      if (std::isnan(extreme) || (this->IsMinimum() ? value < extreme : value > extreme))
+      {
+        extreme = value;
+        seen.First[ray] = part == 0 ? segment.DistanceAt(share) : seen.First[ray];
+      }
+    }
+  }
+
+  RaySamples Samples;
+  std::unique_ptr<const SegmentSource> Cells;
 };
 
 }
@@ -133,6 +193,12 @@ std::shared_ptr<const BlendTracer> MakeExtremeTracer(
   const BlendScene& scene, const GridCoordinates* grid, ExtremeSearchMaker make)
 {
   return std::make_shared<ExtremeTracer>(scene, grid, make);
+}
+
+std::shared_ptr<const BlendTracer> MakeSampledExtremes(
+  const BlendScene& scene, const GridCoordinates* grid, SegmentSourceMaker make)
+{
+  return std::make_shared<SampledExtremes>(scene, grid, make);
 }
 
 }

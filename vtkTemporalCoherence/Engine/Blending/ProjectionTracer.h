@@ -4,6 +4,7 @@
 #define TemporalCoherence_ProjectionTracer_h
 
 #include "Blending/BlendTracer.h"
+#include "Blending/ComponentSegment.h"
 #include "Blending/ExtremeSearch.h"
 #include "Scene/GridCoordinates.h"
 
@@ -21,6 +22,10 @@ namespace TemporalCoherence
 /// \throws std::bad_alloc
 std::shared_ptr<const BlendTracer> MakeExtremeTracer(
   const BlendScene& scene, const GridCoordinates* grid, ExtremeSearchMaker make);
+
+/// The same of samples at a fixed distance.
+std::shared_ptr<const BlendTracer> MakeSampledExtremes(
+  const BlendScene& scene, const GridCoordinates* grid, SegmentSourceMaker make);
 
 }
 

@@ -12,22 +12,7 @@ namespace
 {
 
 /// Bins are at most as wide as this share of the range.
-constexpr int FewestBins = 1024;
-
-/// The integral of -ln(1 - x) from 0 to an opacity.
-double SumOfDepths(double opacity)
-{
-  return opacity >= 1.0 ? 1.0 : (1.0 - opacity) * std::log1p(-opacity) + opacity;
-}
-
-/// The mean of -ln(1 - x) between two opacities, at most `most`.
-double MeanDepth(double a, double b, double most)
-{
-  const double middle = 0.5 * (a + b);
-  const double mean = std::abs(b - a) > 1e-4 ? (SumOfDepths(b) - SumOfDepths(a)) / (b - a)
-                                             : (middle >= 1.0 ? most : -std::log1p(-middle));
-  return std::min(mean, most);
-}
+constexpr int FewestBins = 2048;
 
 }
 
@@ -48,23 +33,30 @@ TransferTables::TransferTables(const ComponentLook& look, double mostExtinction)
     return glm::mix(
       nodes[static_cast<std::size_t>(node)], nodes[static_cast<std::size_t>(node + 1)], share);
   };
-  const double mostDepth = mostExtinction * look.UnitDistance;
-  std::array<double, 4> sum{};
-  for (int bin = -1; bin <= this->Bins; ++bin)
+  const auto emissionAt = [&](int bin)
   {
-    const glm::dvec4 first = nodeAt(bin), second = nodeAt(bin == -1 ? 0 : bin + 1);
-    const double extinction = MeanDepth(first.w, second.w, mostDepth) / look.UnitDistance;
-    const glm::dvec3 color = 0.5 * (glm::dvec3(first) + glm::dvec3(second));
-    const std::array<double, 4> mean = { extinction, extinction * color.x, extinction * color.y,
-      extinction * color.z };
-    BinOfEmission made;
-    for (std::size_t i = 0; i < 4; ++i)
+    const glm::dvec4 node = nodeAt(bin);
+    const double depth = node.w >= 1.0 ? mostExtinction * look.UnitDistance : -std::log1p(-node.w);
+    const double extinction = std::min(depth / look.UnitDistance, mostExtinction);
+    return extinction * glm::dvec4(1.0, glm::dvec3(node));
+  };
+  glm::dvec4 sum(0.0);
+  double moment = 0.0;
+  for (int bin = 0; bin < this->Bins; ++bin)
+  {
+    const glm::dvec4 value = emissionAt(bin), rise = emissionAt(bin + 1) - value;
+    EmissionNode made;
+    for (int i = 0; i < 4; ++i)
     {
-      made.Mean[i] = static_cast<float>(mean[i]);
-      made.Sum[i] = static_cast<float>(sum[i]);
-      sum[i] += bin == -1 ? 0.0 : mean[i];
+      const auto at = static_cast<std::size_t>(i);
+      made.Value[at] = static_cast<float>(value[i]);
+      made.Rise[at] = static_cast<float>(rise[i]);
+      made.Sum[at] = static_cast<float>(sum[i]);
     }
-    this->All.push_back(made);
+    made.Moment = static_cast<float>(moment);
+    sum += value + 0.5 * rise;
+    moment += (bin + 0.5) * value.x + (0.5 * bin + 1.0 / 3.0) * rise.x;
+    this->Nodes.push_back(made);
   }
 
   // Over 2 blocks on each side, as a stretch of a ray may reach so far.
@@ -75,7 +67,7 @@ TransferTables::TransferTables(const ComponentLook& look, double mostExtinction)
   {
     const auto at = static_cast<std::size_t>(bin);
     float& most = own[at >> BlockBits];
-    most = std::max(most, std::abs(this->All[at + 1].Mean[0] - this->All[at].Mean[0]));
+    most = std::max(most, std::abs(this->Nodes[at].Rise[0]));
   }
   for (int block = 0; block < blocks; ++block)
   {

@@ -14,18 +14,20 @@ namespace TemporalCoherence
 /// Extinction, and the light that it emits: red, green and blue times the extinction.
 using Emission = std::array<float, 4>;
 
-/// Emission in a bin of values.
-struct BinOfEmission
+/// Emission at a node, which is where a bin of values begins.
+struct EmissionNode
 {
-  Emission Mean; ///< per world distance
-  Emission Sum;  ///< the integral of the means from the beginning of the range to the bin, in bins
+  Emission Value; ///< per world distance
+  Emission Rise;  ///< from here to the next node
+  Emission Sum;   ///< the integral of the values from the beginning of the range to here, in bins
+  float Moment;   ///< the same of extinction times value in bins
 };
 
 /// A transfer function integrated over values, so that a stretch of a ray on which the field is
 /// linear takes two look-ups, however often the function bends in between (pre-integration).
 ///
-/// Values are counted in bins: u = (value - Low) * PerValue. Bin 0 and the last one stand for all
-/// values below and above the range.
+/// Values are counted in bins: u = (value - Low) * PerValue. Between nodes emission is linear, and
+/// beyond the range it is constant.
 struct TransferTables
 {
   /// \param mostExtinction per world distance, which stands for an opacity of 1
@@ -33,8 +35,8 @@ struct TransferTables
   TransferTables(const ComponentLook& look, double mostExtinction);
 
   double Low, PerValue;
-  int Bins;                       ///< within the range
-  std::vector<BinOfEmission> All; ///< [bin + 1]
+  int Bins;                        ///< within the range
+  std::vector<EmissionNode> Nodes; ///< one for each bin
   /// The largest change of extinction from bin to bin, around blocks of bins.
   static constexpr int BlockBits = 6;
   std::vector<float> Steepness;

@@ -4,7 +4,10 @@
 
 #include "Blending/CompositeTracer.h"
 #include "Blending/ProjectionTracer.h"
+#include "Blending/SampledTracer.h"
+#include "Blending/ShareTracer.h"
 #include "Fields/ExtremeSearches.h"
+#include "Fields/SegmentSources.h"
 
 namespace TemporalCoherence
 {
@@ -28,9 +31,15 @@ std::shared_ptr<const BlendTracer> MakeUniformBlendTracer(
   {
     case BlendMode::Maximum:
     case BlendMode::Minimum:
-      return MakeExtremeTracer(scene, grid, &MakeExtremeSearch);
+      return scene.Key.Volume.SampleDistance > 0.0
+        ? MakeSampledExtremes(scene, grid, &MakeSegmentSource)
+        : MakeExtremeTracer(scene, grid, &MakeExtremeSearch);
     case BlendMode::Composite:
-      return IsPlain(scene, grid) ? MakeCompositeTracer(scene) : nullptr;
+      return IsPlain(scene, grid) ? MakeCompositeTracer(scene)
+                                  : MakeSampledTracer(scene, grid, &MakeSegmentSource);
+    case BlendMode::Average:
+    case BlendMode::Additive:
+      return MakeShareTracer(scene, grid, &MakeSegmentSource);
     default:
       return nullptr;
   }

@@ -87,8 +87,8 @@ bool RequestFromMapper::Make(vtkVolumeMapper* mapper, const PictureSettings& set
   query.Volume = volume;
   query.Isovalues = isBlended ? nullptr : &key.Isosurfaces.Isovalues;
   query.Mask = settings.Mask;
-  query.NeedsScalarRanges =
-    key.Volume.Mode == BlendMode::Additive || key.Volume.Use == ComponentUse::RgbOpacity;
+  query.NeedsScalarRanges = key.Volume.Mode == BlendMode::Additive ||
+    key.Volume.Mode == BlendMode::Average || key.Volume.Use == ComponentUse::RgbOpacity;
   query.AveragedGradients = settings.AveragedGradients;
   query.MeshMemoryLimit = settings.MeshMemoryLimit;
   query.Report = report;

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Testing_BlendFrames_h
+#define Testing_BlendFrames_h
+
+#include "Acceleration/ValueRangePyramid.h"
+#include "Blending/BlendTracer.h"
+#include "Integral/BlendTruth.h"
+#include "Render/FrameRenderer.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+
+inline constexpr TemporalCoherence::BlendMode AllBlendModes[] = {
+  TemporalCoherence::BlendMode::Composite, TemporalCoherence::BlendMode::Maximum,
+  TemporalCoherence::BlendMode::Minimum, TemporalCoherence::BlendMode::Average,
+  TemporalCoherence::BlendMode::Additive
+};
+
+inline std::string NameOf(TemporalCoherence::BlendMode mode)
+{
+  constexpr const char* names[] = { "Isosurface", "Composite", "Maximum", "Minimum", "Average",
+    "Additive" };
+  return names[static_cast<int>(mode)];
+}
+
+inline std::string NameOfMode(const ::testing::TestParamInfo<TemporalCoherence::BlendMode>& info)
+{
+  return NameOf(info.param);
+}
+
+/// True if the engine draws a volume of this kind in this mode.
+inline bool CanBlend(const TemporalCoherence::FrameKey& key)
+{
+  TemporalCoherence::ValueRangePyramid ranges;
+  ranges.Build(key.Samples);
+  return TemporalCoherence::BlendTracer::Make({ key, nullptr, &ranges }) != nullptr;
+}
+
+/// Leave a test of a volume that the engine does not draw yet.
+#define SKIP_UNLESS_BLENDED(key)                                                                   \
+  if (!CanBlend(key))                                                                              \
+  {                                                                                                \
+    GTEST_SKIP() << "no tracer blends this volume";                                                \
+  }                                                                                                \
+  static_assert(true)
+
+inline TemporalCoherence::Frame BlendedFrame(
+  const TemporalCoherence::FrameKey& key, const TemporalCoherence::FrameOptions& options = {})
+{
+  TemporalCoherence::FrameRenderer renderer;
+  EXPECT_TRUE(renderer.Render(key, options));
+  return renderer.LastFrame();
+}
+
+/// How far pixels are from the truth.
+struct BlendErrors
+{
+  int Compared = 0, Seen = 0, BeyondOne = 0, BeyondThree = 0;
+  double Largest = 0.0;
+  glm::ivec2 Worst{ 0 };
+};
+
+/// Compare some of the pixels of a frame with the truth.
+/// \param step only each such pixel
+inline BlendErrors CompareWithTruth(const TemporalCoherence::FrameKey& key,
+  const TemporalCoherence::Frame& frame, int step = 3,
+  const TemporalCoherence::GridCoordinates* coordinates = nullptr)
+{
+  const BlendTruth truth(key, coordinates);
+  BlendErrors errors;
+  const glm::ivec2& size = key.View.Size;
+  for (int pixel = 0; pixel < size.x * size.y; pixel += step)
+  {
+    const int x = pixel % size.x, y = pixel / size.x;
+    const glm::dvec4 shown = truth.ShownAt(x, y);
+    const auto& color = frame.Colors[static_cast<std::size_t>(pixel)];
+    const glm::dvec4 difference =
+      glm::abs(shown - glm::dvec4(color[0], color[1], color[2], color[3]));
+    const double error = std::max({ difference.x, difference.y, difference.z, difference.w });
+    ++errors.Compared;
+    errors.Seen += shown.w > 0.5;
+    errors.BeyondOne += error > 1.0;
+    errors.BeyondThree += error > 3.0;
+    errors.Worst = error > errors.Largest ? glm::ivec2(x, y) : errors.Worst;
+    errors.Largest = std::max(errors.Largest, error);
+  }
+  return errors;
+}
+
+/// At most 0.1 % of the pixels are off by more than 1/255, and none by more than 3/255.
+inline void ExpectBlendTruth(const TemporalCoherence::FrameKey& key, int step = 3,
+  const TemporalCoherence::GridCoordinates* coordinates = nullptr)
+{
+  const BlendErrors errors = CompareWithTruth(key, BlendedFrame(key), step, coordinates);
+  EXPECT_LE(errors.BeyondOne * 1000, errors.Compared)
+    << "the worst, by " << errors.Largest << ", is (" << errors.Worst.x << ", " << errors.Worst.y
+    << ")";
+  EXPECT_EQ(errors.BeyondThree, 0) << "the worst, by " << errors.Largest << ", is ("
+                                   << errors.Worst.x << ", " << errors.Worst.y << ")";
+  EXPECT_GT(errors.Seen * 25, errors.Compared) << "there is little to see";
+}
+
+#endif

@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BlendCase.h"
+#include "BlendFrames.h"
+
+namespace
+{
+
+using namespace TemporalCoherence;
+
+/// How a composite volume looks: light, gradients, opacities.
+class BlendLook : public ::testing::Test
+{
+protected:
+  BlendLook()
+    : Volume(BlendSize)
+    , Key(MakeBlendKey(Volume, BlendMode::Composite, BlendLooks::Skin))
+  {
+    this->Of().Material.Shade = true;
+  }
+
+  ComponentLook& Of() { return this->Key.Volume.Looks[0]; }
+  void Take(const std::vector<LookPoint>& points, std::size_t nodes = 4097)
+  {
+    this->Of().Transfer = MakeTransfer(this->Volume.Range, points, nodes);
+  }
+
+  BlendVolume<std::uint8_t> Volume;
+  FrameKey Key;
+};
+
+TEST_F(BlendLook, SeveralLights)
+{
+  SKIP_UNLESS_BLENDED(this->Key);
+  Light spot;
+  spot.Positional = true;
+  spot.Position = { 60.0, 70.0, 50.0 };
+  spot.Direction = glm::normalize(glm::dvec3(-1.0, -1.2, -0.7));
+  spot.ConeAngle = 25.0;
+  spot.Exponent = 3.0;
+  spot.Diffuse = { 1.5, 0.3, 0.9 };
+  spot.Attenuation = { 0.2, 0.01, 1e-4 };
+  Light lamp;
+  lamp.Positional = true;
+  lamp.Position = { 20.0, 18.0, 22.0 };
+  lamp.Specular = { 0.0, 1.0, 0.0 };
+  lamp.Attenuation = { 0.0, 0.1, 0.0 };
+  this->Key.Appearance.Lights.push_back(spot);
+  this->Key.Appearance.Lights.push_back(lamp);
+  ExpectBlendTruth(this->Key);
+  this->Take(BlendLooks::Step);
+  ExpectBlendTruth(this->Key);
+}
+
+TEST_F(BlendLook, LightFromBehind)
+{
+  SKIP_UNLESS_BLENDED(this->Key);
+  this->Key.Appearance.Lights[0].Direction = glm::normalize(glm::dvec3(1.0, 1.7, 0.9));
+  for (const bool isTwoSided : { true, false })
+  {
+    this->Key.Appearance.TwoSided = isTwoSided;
+    this->Take(BlendLooks::Fog);
+    ExpectBlendTruth(this->Key);
+    this->Take(BlendLooks::Step);
+    ExpectBlendTruth(this->Key);
+  }
+}
+
+TEST_F(BlendLook, OneSidedLightingLeavesInsidesDark)
+{
+  SKIP_UNLESS_BLENDED(this->Key);
+  this->Key.Appearance.TwoSided = false;
+  for (const auto* points : { &BlendLooks::Valley, &BlendLooks::Peaks, &BlendLooks::Bone })
+  {
+    this->Take(*points);
+    ExpectBlendTruth(this->Key);
+  }
+}
+
+TEST_F(BlendLook, HighlightsOfAnyPower)
+{
+  SKIP_UNLESS_BLENDED(this->Key);
+  this->Take(BlendLooks::Step);
+  for (const double power : { 0.0, 0.7, 1.0, 13.5, 40.0 })
+  {
+    this->Of().Material.Specular = 0.9;
+    this->Of().Material.SpecularPower = power;
+    ExpectBlendTruth(this->Key, 5);
+  }
+}
+
+TEST_F(BlendLook, BrightColorsAreClampedWhereTheyAre)
+{
+  SKIP_UNLESS_BLENDED(this->Key);
+  this->Of().Material.Ambient = 1.0;
+  this->Of().Material.Diffuse = 1.0;
+  this->Of().Material.Specular = 1.0;
+  ExpectBlendTruth(this->Key);
+}
+
+TEST_F(BlendLook, NoLights)
+{
+  SKIP_UNLESS_BLENDED(this->Key);
+  this->Key.Appearance.Lights.clear();
+  this->Of().Material.Ambient = 0.6;
+  ExpectBlendTruth(this->Key);
+}
+
+TEST_F(BlendLook, GradientOpacity)
+{
+  SKIP_UNLESS_BLENDED(this->Key);
+  for (const bool isShaded : { false, true })
+  {
+    this->Of().Material.Shade = isShaded;
+    this->Of().ByGradient.Nodes = { { 2.0, 0.0 }, { 6.0, 0.3 }, { 25.0, 1.0 } };
+    this->Take(BlendLooks::Skin);
+    ExpectBlendTruth(this->Key);
+    this->Take(BlendLooks::Peaks);
+    ExpectBlendTruth(this->Key);
+    // Nearly a step, and opaque values.
+    this->Of().ByGradient.Nodes = { { 10.0, 0.0 }, { 10.01, 1.0 } };
+    this->Take(BlendLooks::Step);
+    ExpectBlendTruth(this->Key);
+  }
+}
+
+TEST_F(BlendLook, ShortAndLongUnitDistances)
+{
+  SKIP_UNLESS_BLENDED(this->Key);
+  for (const double unit : { 0.01, 0.2, 5.0, 100.0 })
+  {
+    this->Of().UnitDistance = unit;
+    this->Take(unit > 50.0 ? BlendLooks::Bone : BlendLooks::Skin);
+    ExpectBlendTruth(this->Key, 5);
+  }
+}
+
+TEST_F(BlendLook, FewAndManyNodes)
+{
+  SKIP_UNLESS_BLENDED(this->Key);
+  for (const std::size_t nodes : { std::size_t(2), std::size_t(3), std::size_t(100001) })
+  {
+    this->Take(nodes == 2 ? BlendLooks::Fog : BlendLooks::Peaks, nodes);
+    if (nodes == 3)
+    {
+      this->Take(BlendLooks::Bone, nodes);
+    }
+    ExpectBlendTruth(this->Key, 5);
+  }
+}
+
+TEST_F(BlendLook, ConstantVolumes)
+{
+  SKIP_UNLESS_BLENDED(this->Key);
+  this->Of().UnitDistance = 20.0;
+  for (const int value : { 0, 100, 170, 255 })
+  {
+    this->Volume.Fill([&](int, int, int) { return value; });
+    ++this->Key.Samples.Stamp;
+    this->Take(BlendLooks::Fog);
+    ExpectBlendTruth(this->Key, 7);
+  }
+}
+
+TEST_F(BlendLook, ValuesOnNodes)
+{
+  // Whole faces of samples lie where opacity jumps.
+  this->Volume.Fill([](int i, int j, int k) { return i > 20 ? 128 : (j + k) % 9 * 16; });
+  this->Key.Samples = this->Volume.Field;
+  SKIP_UNLESS_BLENDED(this->Key);
+  this->Volume.Range = { 0.0, 256.0 };
+  this->Take(BlendLooks::Step, 257);
+  ExpectBlendTruth(this->Key);
+}
+
+}

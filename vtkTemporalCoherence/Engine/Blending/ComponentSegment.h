@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_ComponentSegment_h
+#define TemporalCoherence_ComponentSegment_h
+
+#include "Blending/BlendTracer.h"
+#include "Scene/GridCoordinates.h"
+#include "Scene/RayBatch.h"
+#include "Trace/CellRoot.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+namespace TemporalCoherence
+{
+
+/// One value for each component; the last ones are unused if there are fewer.
+using ComponentValues = std::array<double, 4>;
+
+/// A part of a ray in one cell, with the samples of all components.
+struct ComponentSegment
+{
+  double Length() const { return this->Leave - this->Enter; }
+  double DistanceAt(double share) const { return this->Enter + share * this->Length(); }
+
+  double ValueAt(std::size_t component, double share) const
+  {
+    return this->IsNearest ? this->Samples[component][this->CornerAt(share)]
+                           : Evaluate(this->Cubics[component], share);
+  }
+
+  /// The corner whose sample is the nearest.
+  std::size_t CornerAt(double share) const
+  {
+    std::size_t step = 0;
+    while (step + 1 < this->Nearest.Count && share >= this->Nearest.Shares[step + 1])
+    {
+      ++step;
+    }
+    return this->Nearest.Corners[step];
+  }
+
+  glm::ivec3 Cell;
+  double Enter, Leave;   ///< t
+  CellPath<double> Path; ///< in the coordinates of the cell
+  bool IsNearest;
+  NearestPath Nearest;                    ///< if IsNearest
+  std::array<Corners<double>, 4> Samples; ///< by component
+  std::array<Cubic<double>, 4> Cubics;    ///< if not IsNearest
+};
+
+/// Gradients in index space at the corners of a cell, as Corners.
+using CornerGradients = std::array<glm::dvec3, 8>;
+
+/// Is told of a segment; returns false if the ray ends there.
+using SegmentVisitor = std::function<bool(const ComponentSegment& segment)>;
+
+/// Takes rays through cells.
+class SegmentSource
+{
+public:
+  virtual ~SegmentSource() = default;
+  SegmentSource(const SegmentSource&) = delete;
+  SegmentSource& operator=(const SegmentSource&) = delete;
+
+  /// Visit the cells in which a ray may see something, from front to back. Hidden cells and those
+  /// with a sample that is not finite are left out.
+  /// \return how many cells were read
+  virtual std::int64_t Visit(
+    const RayBatch& rays, std::size_t ray, const SegmentVisitor& visit) const = 0;
+
+  /// The gradients of a component at the corners of a cell: central differences, or one-sided ones
+  /// at the boundary.
+  virtual void FindGradients(
+    std::size_t component, const glm::ivec3& cell, CornerGradients& gradients) const = 0;
+
+protected:
+  SegmentSource() = default;
+};
+
+/// Makes the source for a scene; throws std::bad_alloc.
+/// \param grid where samples lie; null: at integers
+using SegmentSourceMaker = std::unique_ptr<const SegmentSource> (*)(
+  const BlendScene& scene, const GridCoordinates* grid);
+
+}
+
+#endif

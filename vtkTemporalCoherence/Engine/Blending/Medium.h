@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_Medium_h
+#define TemporalCoherence_Medium_h
+
+#include "Blending/ComponentLooks.h"
+#include "Blending/ComponentSegment.h"
+#include "Scene/FrameKey.h"
+#include "Scene/TileHits.h"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstddef>
+
+namespace TemporalCoherence
+{
+
+/// What a place of a volume does to light.
+struct Medium
+{
+  double Extinction = 0.0;    ///< per world distance, or what a step takes away
+  glm::dvec3 Emission{ 0.0 }; ///< per world distance, or what a step adds
+  bool IsOpaque = false;      ///< nothing passes; Emission is then what is seen
+};
+
+/// Tells what a ray meets in one of its segments, of all components together: VTK's blending of
+/// components, in the limit of small steps or for one of finite length.
+class SegmentMedium
+{
+public:
+  /// \param cells tell gradients; all of these outlive this
+  SegmentMedium(const FrameKey& key, const ComponentLooks& looks, const SegmentSource& cells,
+    const RayBatch& rays, const WorldDirections& world, std::size_t ray);
+
+  /// Go to a segment of the ray, which outlives the look-ups.
+  void Enter(const ComponentSegment& segment);
+
+  /// \param share of the segment
+  Medium At(double share);
+
+  /// The same for a step of finite length.
+  Medium StepAt(double share, double length);
+
+private:
+  /// What a component is at a place.
+  struct Part
+  {
+    glm::dvec3 Color;
+    double Opacity;
+    double Share; ///< by its gradient
+  };
+
+  Part PartAt(std::size_t part, double share);
+  glm::dvec3 GradientAt(std::size_t component, double share);
+
+  const FrameKey& Key;
+  const ComponentLooks& Looks;
+  const SegmentSource& Cells;
+  glm::dvec3 Origin, Direction; ///< of the ray, in the world
+  glm::dmat3 WorldFromGradient; ///< for normals
+  const ComponentSegment* Present = nullptr;
+  std::array<CornerGradients, 4> Gradients; ///< of the present cell, by component
+  std::array<bool, 4> HasGradients{};
+};
+
+}
+
+#endif

@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Blending/ShareTracer.h"
+
+#include "Blending/ComponentLooks.h"
+#include "Blending/RaySamples.h"
+#include "Blending/SegmentBreaks.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+/// Gauss's points and weights on [0, 1], exact for polynomials of degree 7: in a part of a cell
+/// without bends, opacity and value are cubics.
+constexpr std::array<double, 4> GaussAt{ 0.06943184420297371, 0.33000947820757187,
+  0.6699905217924281, 0.9305681557970263 };
+constexpr std::array<double, 4> GaussWeight{ 0.17392742256872692, 0.3260725774312731,
+  0.3260725774312731, 0.17392742256872692 };
+
+class ShareTracer final : public BlendTracer
+{
+public:
+  ShareTracer(const BlendScene& scene, const GridCoordinates* grid, SegmentSourceMaker make)
+    : Volume(scene.Key.Volume)
+    , IsAverage(Volume.Mode == BlendMode::Average)
+    , Looks(Volume)
+    , Samples(scene.Key)
+    , Cells(make(scene, grid))
+    , RangeEnds{ Volume.AverageRange.x, Volume.AverageRange.y }
+  {
+    for (std::size_t part = 0; part < this->Looks.Parts(); ++part)
+    {
+      this->Bends.push_back(this->Looks.BendsOf(this->Looks.OpacityOf(part)));
+    }
+  }
+
+  void Trace(const RayBatch& rays, const WorldDirections& world, BlendedRays& seen) const override
+  {
+    for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
+    {
+      if (!this->IsAverage && rays.Begin[ray] < rays.End[ray])
+      {
+        // VTK shows a sum of nothing as black.
+        seen.Length[ray] += rays.End[ray] - rays.Begin[ray];
+        seen.First[ray] = std::min(seen.First[ray], rays.Begin[ray]);
+      }
+      if (rays.HasWalk(ray))
+      {
+        const double entry =
+          this->Samples.AreAsked() ? this->Samples.EntryOf(rays, world, ray) : 0.0;
+        seen.CellsRead += this->Cells->Visit(rays, ray,
+          [&](const ComponentSegment& segment)
+          {
+            for (std::size_t part = 0; part < this->Looks.Parts(); ++part)
+            {
+              if (this->Samples.AreAsked())
+              {
+                this->AddSamples(segment, entry, part, ray, seen);
+              }
+              else
+              {
+                this->AddSegment(segment, part, ray, seen);
+              }
+            }
+            return true;
+          });
+      }
+    }
+  }
+
+  void Finish(const RayBatch& rays, const WorldDirections&, BlendedRays& seen) const override
+  {
+    for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
+    {
+      double grey = 0.0;
+      bool isSeen = false;
+      for (std::size_t part = 0; part < this->Looks.Parts(); ++part)
+      {
+        const double passed = LengthOf(seen, part)[ray];
+        const double length = this->IsAverage ? passed : this->Looks.Of(part).UnitDistance;
+        isSeen = isSeen || passed > 0.0;
+        grey += length > 0.0 ? this->Looks.WeightOf(part) * SumOf(seen, part)[ray] / length : 0.0;
+      }
+      if (isSeen)
+      {
+        for (auto& channel : seen.Color)
+        {
+          channel[ray] = static_cast<float>(std::clamp(grey, 0.0, 1.0));
+        }
+        seen.Passed[ray] = 0.0f;
+      }
+    }
+  }
+
+private:
+  using Array = BlendedRays::Array<double>;
+
+  static Array& SumOf(BlendedRays& seen, std::size_t part)
+  {
+    return part == 0 ? seen.Value : seen.OtherValues[part - 1];
+  }
+  static Array& LengthOf(BlendedRays& seen, std::size_t part)
+  {
+    return part == 0 ? seen.Length : seen.OtherLengths[part - 1];
+  }
+
+  void AddSegment(
+    const ComponentSegment& segment, std::size_t part, std::size_t ray, BlendedRays& seen) const
+  {
+    SegmentBreaks breaks(segment);
+    if (this->IsAverage)
+    {
+      breaks.AddBends(part, this->RangeEnds);
+    }
+    breaks.AddBends(this->Looks.OpacityOf(part), this->Bends[part]);
+    double sum = 0.0, length = 0.0, first = 1.0;
+    breaks.ForEachPart(
+      [&](double from, double to)
+      {
+        const double middle = segment.ValueAt(part, 0.5 * (from + to));
+        if (this->IsAverage && !this->Counts(middle))
+        {
+          return;
+        }
+        first = std::min(first, from);
+        length += to - from;
+        for (std::size_t i = 0; i < GaussAt.size(); ++i)
+        {
+          const double share = from + GaussAt[i] * (to - from);
+          sum += GaussWeight[i] * (to - from) * this->WeighedShareAt(segment, part, share);
+        }
+      });
+    SumOf(seen, part)[ray] += sum * segment.Length();
+    if (this->IsAverage && length > 0.0)
+    {
+      LengthOf(seen, part)[ray] += length * segment.Length();
+      seen.First[ray] = std::min(seen.First[ray], segment.DistanceAt(first));
+    }
+  }
+
+  /// The same by samples at a fixed distance.
+  void AddSamples(const ComponentSegment& segment, double entry, std::size_t part, std::size_t ray,
+    BlendedRays& seen) const
+  {
+    this->Samples.ForEach(segment, entry,
+      [&](double share)
+      {
+        if (this->IsAverage && !this->Counts(segment.ValueAt(part, share)))
+        {
+          return;
+        }
+        const double step = this->Samples.Distance();
+        SumOf(seen, part)[ray] += step * this->WeighedShareAt(segment, part, share);
+        if (this->IsAverage)
+        {
+          LengthOf(seen, part)[ray] += step;
+          seen.First[ray] = std::min(seen.First[ray], segment.DistanceAt(share));
+        }
+      });
+  }
+
+  /// True if an average takes a value into account.
+  bool Counts(double value) const
+  {
+    return this->RangeEnds[0] <= value && value <= this->RangeEnds[1];
+  }
+
+  /// Opacity times the value as a share of the scalar range.
+  double WeighedShareAt(const ComponentSegment& segment, std::size_t part, double share) const
+  {
+    const std::size_t from = this->Looks.OpacityOf(part);
+    const double value = segment.ValueAt(part, share);
+    const double opacity =
+      LookUp(this->Looks.Of(part).Transfer, from == part ? value : segment.ValueAt(from, share)).w;
+    return opacity * this->Looks.ShareOf(part, value);
+  }
+
+  const Blending& Volume;
+  bool IsAverage;
+  ComponentLooks Looks;
+  RaySamples Samples;
+  std::unique_ptr<const SegmentSource> Cells;
+  std::vector<double> RangeEnds;          ///< of an average
+  std::vector<std::vector<double>> Bends; ///< of the opacity of each part
+};
+
+}
+
+std::shared_ptr<const BlendTracer> MakeShareTracer(
+  const BlendScene& scene, const GridCoordinates* grid, SegmentSourceMaker make)
+{
+  return std::make_shared<ShareTracer>(scene, grid, make);
+}
+
+}

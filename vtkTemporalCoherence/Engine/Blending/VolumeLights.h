@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_VolumeLights_h
+#define TemporalCoherence_VolumeLights_h
+
+#include "Scene/Appearance.h"
+#include "Scene/Blending.h"
+
+#include <glm/glm.hpp>
+
+#include <cmath>
+#include <vector>
+
+namespace TemporalCoherence
+{
+
+/// A light as kernels take it. Its colours are multiplied by those shares of it that a material
+/// reflects.
+struct VolumeLight
+{
+  bool IsPositional = false, IsSpot = false;
+  glm::vec3 Position{ 0.0f }, Toward{ 0.0f }; ///< Toward: of unit length, against its direction
+  glm::vec3 Diffuse{ 0.0f }, Specular{ 0.0f };
+  glm::vec3 Attenuation{ 0.0f };
+  float CosineOfCone = 0.0f;
+  double Exponent = 1.0;
+};
+
+/// The lights of a volume.
+struct VolumeLights
+{
+  /// \throws std::bad_alloc
+  VolumeLights(const Appearance& appearance, const Material& material)
+    : Ambient(static_cast<float>(material.Ambient))
+    , SpecularPower(material.SpecularPower)
+    , AreTwoSided(appearance.TwoSided)
+    , AreShiny(material.Specular != 0.0)
+  {
+    constexpr double pi = 3.14159265358979323846;
+    for (const Light& light : appearance.Lights)
+    {
+      VolumeLight made;
+      made.IsPositional = light.Positional;
+      made.IsSpot = light.ConeAngle < 90.0;
+      made.Position = light.Position;
+      made.Toward = -light.Direction;
+      made.Diffuse = material.Diffuse * light.Diffuse;
+      made.Specular = material.Specular * light.Specular;
+      made.Attenuation = light.Attenuation;
+      made.CosineOfCone = static_cast<float>(std::cos(light.ConeAngle * pi / 180.0));
+      made.Exponent = light.Exponent;
+      this->All.push_back(made);
+    }
+  }
+
+  std::vector<VolumeLight> All;
+  float Ambient;
+  double SpecularPower;
+  bool AreTwoSided, AreShiny;
+};
+
+}
+
+#endif

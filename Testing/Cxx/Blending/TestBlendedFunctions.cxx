@@ -228,6 +228,10 @@ int TestBlendedFunctions(int, char*[])
 {
   for (const int mode : BlendModes)
   {
+    if (IsGrey(mode))
+    {
+      continue;
+    }
     TestShapes(mode);
     TestNodes(mode);
     TestProperty(mode);

@@ -58,6 +58,15 @@ vtkVolumeProperty* PropertyOf(vtkProp3D* prop)
   return property;
 }
 
+/// A point of a line: 0 and 1 are its ends.
+void PointAt(const double p1[3], const double p2[3], double share, double point[3])
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    point[i] = p1[i] + share * (p2[i] - p1[i]);
+  }
+}
+
 /// The cell along an axis that holds a coordinate, and the position in it. A coordinate that
 /// rounding put outside counts as on the border.
 int FindCell(vtkDataArray* axis, double x, double& share)
@@ -114,19 +123,16 @@ double vtkTemporalCoherencePicker::IntersectVolumeWithLine(const double p1[3], c
   volume->SetUserMatrix(matrix);
   volume->SetProperty(property);
   double begin[3], end[3];
-  for (int i = 0; i < 3; ++i)
-  {
-    begin[i] = p1[i] + t1 * (p2[i] - p1[i]);
-    end[i] = p1[i] + t2 * (p2[i] - p1[i]);
-  }
+  PointAt(p1, p2, t1, begin);
+  PointAt(p1, p2, t2, end);
   this->Transform->TransformPoint(begin, begin);
   this->Transform->TransformPoint(end, end);
   if (surfaces->GetBlendMode() != vtkVolumeMapper::ISOSURFACE_BLEND)
   {
-    // The superclass reads the samples as they are, and cannot bear mistakes.
-    return surfaces->Internal->CanDraw(volume)
-      ? this->Superclass::IntersectVolumeWithLine(p1, p2, t1, t2, prop, mapper)
-      : VTK_DOUBLE_MAX;
+    // The superclass cannot bear mistakes in its input.
+    const bool canDraw = surfaces->Internal->CanDraw(volume);
+    return canDraw ? this->Superclass::IntersectVolumeWithLine(p1, p2, t1, t2, prop, mapper)
+                   : VTK_DOUBLE_MAX;
   }
   const auto found = surfaces->Internal->FindOnLine(volume, begin, end);
   if (!found)
@@ -144,9 +150,9 @@ double vtkTemporalCoherencePicker::IntersectVolumeWithLine(const double p1[3], c
   this->Mapper = mapper;
   this->IsovalueIndex = found->IsovaluePlace;
   const glm::dvec3& normal = found->Hit.Normal;
+  PointAt(p1, p2, t, this->MapperPosition);
   for (int i = 0; i < 3; ++i)
   {
-    this->MapperPosition[i] = p1[i] + t * (p2[i] - p1[i]);
     // To the mapper's coordinates: normals transform by the transposed inverse.
     this->MapperNormal[i] = matrix->GetElement(0, i) * normal[0] +
       matrix->GetElement(1, i) * normal[1] + matrix->GetElement(2, i) * normal[2];

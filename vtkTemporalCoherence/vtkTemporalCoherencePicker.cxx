@@ -67,6 +67,18 @@ void PointAt(const double p1[3], const double p2[3], double share, double point[
   }
 }
 
+/// A normal of the world in the coordinates of a mapper: normals transform by the transposed
+/// inverse.
+void NormalIn(vtkMatrix4x4* worldFromMapper, const glm::dvec3& normal, double made[3])
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    made[i] = worldFromMapper->GetElement(0, i) * normal[0] +
+      worldFromMapper->GetElement(1, i) * normal[1] + worldFromMapper->GetElement(2, i) * normal[2];
+  }
+  vtkMath::Normalize(made);
+}
+
 /// The cell along an axis that holds a coordinate, and the position in it. A coordinate that
 /// rounding put outside counts as on the border.
 int FindCell(vtkDataArray* axis, double x, double& share)
@@ -139,8 +151,8 @@ double vtkTemporalCoherencePicker::IntersectVolumeWithLine(const double p1[3], c
   {
     return VTK_DOUBLE_MAX;
   }
-  const double share = found->Hit.Distance / std::sqrt(vtkMath::Distance2BetweenPoints(begin, end));
-  const double t = t1 + share * (t2 - t1);
+  const double length = std::sqrt(vtkMath::Distance2BetweenPoints(begin, end));
+  const double t = t1 + found->Hit.Distance / length * (t2 - t1);
   if (!(t < this->GlobalTMin))
   {
     return t; // something else is nearer
@@ -149,15 +161,8 @@ double vtkTemporalCoherencePicker::IntersectVolumeWithLine(const double p1[3], c
   this->ResetPickInfo();
   this->Mapper = mapper;
   this->IsovalueIndex = found->IsovaluePlace;
-  const glm::dvec3& normal = found->Hit.Normal;
   PointAt(p1, p2, t, this->MapperPosition);
-  for (int i = 0; i < 3; ++i)
-  {
-    // To the mapper's coordinates: normals transform by the transposed inverse.
-    this->MapperNormal[i] = matrix->GetElement(0, i) * normal[0] +
-      matrix->GetElement(1, i) * normal[1] + matrix->GetElement(2, i) * normal[2];
-  }
-  vtkMath::Normalize(this->MapperNormal);
+  NormalIn(matrix, found->Hit.Normal, this->MapperNormal);
   const TemporalCoherence::CellOrigin& cell = found->Cell;
   if (cell.Data)
   {

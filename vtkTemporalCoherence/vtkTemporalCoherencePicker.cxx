@@ -34,15 +34,14 @@ vtkStandardNewMacro(vtkTemporalCoherencePicker);
 namespace
 {
 
-/// The mapper of isosurfaces that a mapper is or holds; null if something else is drawn.
+/// Our mapper that a mapper is or holds; null if VTK's draws.
 vtkTemporalCoherenceVolumeMapper* SurfacesOf(vtkAbstractVolumeMapper* mapper)
 {
   if (auto* holder = vtkTemporalCoherenceGPUVolumeRayCastMapper::SafeDownCast(mapper))
   {
-    return holder->GetDrewIsosurfaces() ? SurfacesOf(holder->GetIsosurfaceMapper()) : nullptr;
+    return holder->GetDrewIsosurfaces() ? holder->GetIsosurfaceMapper() : nullptr;
   }
-  auto* own = vtkTemporalCoherenceVolumeMapper::SafeDownCast(mapper);
-  return own && own->GetBlendMode() == vtkVolumeMapper::ISOSURFACE_BLEND ? own : nullptr;
+  return vtkTemporalCoherenceVolumeMapper::SafeDownCast(mapper);
 }
 
 vtkVolumeProperty* PropertyOf(vtkProp3D* prop)
@@ -57,6 +56,27 @@ vtkVolumeProperty* PropertyOf(vtkProp3D* prop)
     levels->GetLODProperty(levels->GetPickLODID(), &property);
   }
   return property;
+}
+
+/// A point of a line: 0 and 1 are its ends.
+void PointAt(const double p1[3], const double p2[3], double share, double point[3])
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    point[i] = p1[i] + share * (p2[i] - p1[i]);
+  }
+}
+
+/// A normal of the world in the coordinates of a mapper: normals transform by the transposed
+/// inverse.
+void NormalIn(vtkMatrix4x4* worldFromMapper, const glm::dvec3& normal, double made[3])
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    made[i] = worldFromMapper->GetElement(0, i) * normal[0] +
+      worldFromMapper->GetElement(1, i) * normal[1] + worldFromMapper->GetElement(2, i) * normal[2];
+  }
+  vtkMath::Normalize(made);
 }
 
 /// The cell along an axis that holds a coordinate, and the position in it. A coordinate that
@@ -115,20 +135,24 @@ double vtkTemporalCoherencePicker::IntersectVolumeWithLine(const double p1[3], c
   volume->SetUserMatrix(matrix);
   volume->SetProperty(property);
   double begin[3], end[3];
-  for (int i = 0; i < 3; ++i)
-  {
-    begin[i] = p1[i] + t1 * (p2[i] - p1[i]);
-    end[i] = p1[i] + t2 * (p2[i] - p1[i]);
-  }
+  PointAt(p1, p2, t1, begin);
+  PointAt(p1, p2, t2, end);
   this->Transform->TransformPoint(begin, begin);
   this->Transform->TransformPoint(end, end);
+  if (surfaces->GetBlendMode() != vtkVolumeMapper::ISOSURFACE_BLEND)
+  {
+    // The superclass cannot bear mistakes in its input.
+    const bool canDraw = surfaces->Internal->CanDraw(volume);
+    return canDraw ? this->Superclass::IntersectVolumeWithLine(p1, p2, t1, t2, prop, mapper)
+                   : VTK_DOUBLE_MAX;
+  }
   const auto found = surfaces->Internal->FindOnLine(volume, begin, end);
   if (!found)
   {
     return VTK_DOUBLE_MAX;
   }
-  const double share = found->Hit.Distance / std::sqrt(vtkMath::Distance2BetweenPoints(begin, end));
-  const double t = t1 + share * (t2 - t1);
+  const double length = std::sqrt(vtkMath::Distance2BetweenPoints(begin, end));
+  const double t = t1 + found->Hit.Distance / length * (t2 - t1);
   if (!(t < this->GlobalTMin))
   {
     return t; // something else is nearer
@@ -137,15 +161,8 @@ double vtkTemporalCoherencePicker::IntersectVolumeWithLine(const double p1[3], c
   this->ResetPickInfo();
   this->Mapper = mapper;
   this->IsovalueIndex = found->IsovaluePlace;
-  const glm::dvec3& normal = found->Hit.Normal;
-  for (int i = 0; i < 3; ++i)
-  {
-    this->MapperPosition[i] = p1[i] + t * (p2[i] - p1[i]);
-    // To the mapper's coordinates: normals transform by the transposed inverse.
-    this->MapperNormal[i] = matrix->GetElement(0, i) * normal[0] +
-      matrix->GetElement(1, i) * normal[1] + matrix->GetElement(2, i) * normal[2];
-  }
-  vtkMath::Normalize(this->MapperNormal);
+  PointAt(p1, p2, t, this->MapperPosition);
+  NormalIn(matrix, found->Hit.Normal, this->MapperNormal);
   const TemporalCoherence::CellOrigin& cell = found->Cell;
   if (cell.Data)
   {

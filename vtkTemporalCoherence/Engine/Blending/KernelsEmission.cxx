@@ -287,6 +287,7 @@ public:
       {
         const V centre = CentreOf(value, last, next, there, depth);
         const V at = hn::Add(begin, hn::Mul(centre, share));
+        PullColors(last, there, depth, mean);
         this->AddStep(
           at, depth, mean, this->Volume.Lights ? this->LightAt(gradients, at) : Unlit());
       }
@@ -435,6 +436,27 @@ private:
     const V share = hn::Div(above, hn::IfThenElse(isFar, product, ends));
     const V pulled = hn::Mul(hn::Min(depth, hn::Set(d, 3.0f)), hn::Set(d, 1.0f / 12.0f));
     return hn::Min(hn::Max(hn::Sub(share, pulled), hn::Zero(d)), one);
+  }
+
+  /// Of what is emitted in a step, more is seen of its beginning than of its end. Where both emit,
+  /// colours change evenly in between.
+  static HWY_INLINE void PullColors(
+    const EmissionAt& begin, const EmissionAt& end, V depth, V mean[4])
+  {
+    const Floats d;
+    const V one = hn::Set(d, 1.0f), least = hn::Set(d, 1e-20f);
+    const V larger = hn::Max(begin.Value[0], end.Value[0]);
+    const V smaller = hn::Min(begin.Value[0], end.Value[0]);
+    const M isPulled = hn::Gt(smaller, hn::Mul(hn::Set(d, 1e-3f), larger));
+    const V perBegin = hn::Div(one, hn::Max(begin.Value[0], least));
+    const V perEnd = hn::Div(one, hn::Max(end.Value[0], least));
+    const V pull = hn::IfThenElseZero(isPulled,
+      hn::Mul(hn::Mul(hn::Min(depth, hn::Set(d, 3.0f)), hn::Set(d, 1.0f / 12.0f)), mean[0]));
+    for (std::size_t i = 1; i < 4; ++i)
+    {
+      const V rise = hn::Sub(hn::Mul(end.Value[i], perEnd), hn::Mul(begin.Value[i], perBegin));
+      mean[i] = hn::Max(hn::Sub(mean[i], hn::Mul(pull, rise)), hn::Zero(d));
+    }
   }
 
   HWY_INLINE void LookUp(V value, EmissionAt& at) const

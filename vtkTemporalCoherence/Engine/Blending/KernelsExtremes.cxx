@@ -55,7 +55,8 @@ public:
 
   void Search()
   {
-    std::vector<ExtremeBlock>& nodes = Room();
+    std::vector<ExtremeBlock> nodes;
+    nodes.reserve(64);
     this->CollectNodes(nodes);
     std::sort(nodes.begin(), nodes.end());
     for (const ExtremeBlock& node : nodes)
@@ -74,14 +75,6 @@ public:
 
 private:
   static constexpr int GroupSize = 4 * ValueRangePyramid::NodeSize;
-
-  /// Memory that a thread uses for one tile after the other.
-  static std::vector<ExtremeBlock>& Room()
-  {
-    thread_local std::vector<ExtremeBlock> nodes;
-    nodes.clear();
-    return nodes;
-  }
 
   /// What a ray has met, for blocks: rounded down, and its distance in the beam.
   void NoteReached(std::size_t ray)

@@ -55,9 +55,14 @@ public:
 
   void Search()
   {
-    std::vector<ExtremeBlock>& nodes = Room();
+    std::vector<ExtremeBlock> nodes;
+    nodes.reserve(64);
     this->CollectNodes(nodes);
     std::sort(nodes.begin(), nodes.end());
+    // The most promising node alone, so that it rules out many, and then all leaves of the others.
+    std::vector<ExtremeBlock> leaves;
+    leaves.reserve(256);
+    bool isFirst = true;
     for (const ExtremeBlock& node : nodes)
     {
       if (!this->IsWorth(node.Bound))
@@ -67,21 +72,19 @@ public:
       if (this->FindWidened(
             node.Place * ValueRangePyramid::NodeSize, ValueRangePyramid::NodeSize, node.Bound) != 0)
       {
-        this->SearchNode(node);
+        this->CollectLeaves(node, leaves);
+        if (isFirst)
+        {
+          this->SearchLeaves(leaves);
+          isFirst = false;
+        }
       }
     }
+    this->SearchLeaves(leaves);
   }
 
 private:
   static constexpr int GroupSize = 4 * ValueRangePyramid::NodeSize;
-
-  /// Memory that a thread uses for one tile after the other.
-  static std::vector<ExtremeBlock>& Room()
-  {
-    thread_local std::vector<ExtremeBlock> nodes;
-    nodes.clear();
-    return nodes;
-  }
 
   /// What a ray has met, for blocks: rounded down, and its distance in the beam.
   void NoteReached(std::size_t ray)
@@ -263,36 +266,43 @@ private:
     return widened & which;
   }
 
-  void SearchNode(const ExtremeBlock& node)
+  void CollectLeaves(const ExtremeBlock& node, std::vector<ExtremeBlock>& leaves)
   {
     const auto& dimensions = this->Blocks.Nodes().Dimensions;
     this->Blocks.BoundLeaves(node.Place.x +
         static_cast<std::int64_t>(dimensions.x) *
           (node.Place.y + static_cast<std::int64_t>(dimensions.y) * node.Place.z),
       this->Bounds);
-    std::array<ExtremeBlock, 64> leaves;
-    std::size_t count = 0;
     this->ForEachChild(ValueRangePyramid::NodeSize * node.Place, ValueRangePyramid::LeafSize,
       [&](const glm::ivec3& child, int number) HWY_ATTR
       {
         const float bound = this->Bounds[static_cast<std::size_t>(number)];
         if (this->IsWorth(bound))
         {
-          leaves[count++] = { 4 * node.Place + child, bound,
-            this->DepthOf(child, ValueRangePyramid::LeafSize) };
+          const glm::ivec3 leaf = 4 * node.Place + child;
+          leaves.push_back({ leaf, bound, this->DepthOf(leaf, ValueRangePyramid::LeafSize) });
         }
       });
-    std::sort(leaves.begin(), leaves.begin() + count);
-    for (std::size_t i = 0; i < count; ++i)
+  }
+
+  /// Search leaves, and forget them.
+  void SearchLeaves(std::vector<ExtremeBlock>& leaves)
+  {
+    std::sort(leaves.begin(), leaves.end());
+    for (const ExtremeBlock& leaf : leaves)
     {
-      const glm::ivec3 first = ValueRangePyramid::LeafSize * leaves[i].Place;
-      const std::uint64_t rays =
-        this->FindWidened(first, ValueRangePyramid::LeafSize, leaves[i].Bound);
+      if (!this->IsWorth(leaf.Bound))
+      {
+        break;
+      }
+      const glm::ivec3 first = ValueRangePyramid::LeafSize * leaf.Place;
+      const std::uint64_t rays = this->FindWidened(first, ValueRangePyramid::LeafSize, leaf.Bound);
       if (rays != 0)
       {
         this->SearchLeaf(first, rays);
       }
     }
+    leaves.clear();
   }
 
   void SearchLeaf(const glm::ivec3& leaf, std::uint64_t rays)

@@ -198,7 +198,6 @@ set(bridge_files
   Window/PixelHit
   Window/PixelRays
   Window/RayEnds
-  Window/SoftwareOpenGL
   Window/WindowPicture
   Window/WindowRays
   Request/AppearanceFromVolume

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkTemporalCoherenceDropInMapper
- * @brief   settings of VTK's volume mappers that have no effect on isosurfaces
+ * @brief   settings of VTK's volume mappers that have no effect
  *
  * This is a base class of vtkTemporalCoherenceVolumeMapper. It lets a program that was written
  * for one of VTK's volume mappers compile when only the name of the class is changed. It is a
@@ -11,9 +11,10 @@
  * have. Newer versions of VTK have some of them in vtkGPUVolumeRayCastMapper, too.
  *
  * All settings of this header except SetSharedDepthTexture are stored and returned, but they do not
- * change the picture. Rays are intersected exactly, so that there is no distance between samples.
- * No volume is kept on the GPU.
- * These settings of vtkGPUVolumeRayCastMapper have no effect either: SampleDistance,
+ * change the picture. Rays are intersected exactly, so that there is no distance between samples of
+ * isosurfaces. No volume is kept on the GPU. SampleDistance is 0 at first: blended volumes are
+ * sampled as densely as their pictures need. Any other distance has VTK's meaning for them.
+ * These settings of vtkGPUVolumeRayCastMapper have no effect either:
  * LockSampleDistanceToInputSpacing, UseJittering, MaxMemoryInBytes, MaxMemoryFraction,
  * ReportProgress, Transfer2DYAxisArray, GlobalIlluminationReach, VolumetricScatteringBlending,
  * ComputeNormalFromOpacity, ColorRangeType, ScalarOpacityRangeType and GradientOpacityRangeType.
@@ -167,7 +168,7 @@ public:
   /**
    * Set/Get how light is scattered, and whether normals are computed from the gradient of the
    * opacity. Defaults: 0, 0 and off. The superclasses have these settings since VTK 9.2. No effect
-   * on isosurfaces.
+   * here.
    */
   vtkSetClampMacro(GlobalIlluminationReach, float, 0.0f, 1.0f);
   vtkGetMacro(GlobalIlluminationReach, float);

@@ -3,7 +3,7 @@
 #include "vtkTemporalCoherenceGPUVolumeRayCastMapper.h"
 
 #include "GpuMapperSettings.h"
-#include "Window/SoftwareOpenGL.h"
+#include "Window/OpenGLWindow.h"
 #include "vtkTemporalCoherenceVolumeMapper.h"
 #include "vtkTemporalCoherenceVolumeMapperInternals.h"
 

@@ -34,15 +34,14 @@ vtkStandardNewMacro(vtkTemporalCoherencePicker);
 namespace
 {
 
-/// The mapper of isosurfaces that a mapper is or holds; null if something else is drawn.
+/// Our mapper that a mapper is or holds; null if VTK's draws.
 vtkTemporalCoherenceVolumeMapper* SurfacesOf(vtkAbstractVolumeMapper* mapper)
 {
   if (auto* holder = vtkTemporalCoherenceGPUVolumeRayCastMapper::SafeDownCast(mapper))
   {
-    return holder->GetDrewIsosurfaces() ? SurfacesOf(holder->GetIsosurfaceMapper()) : nullptr;
+    return holder->GetDrewIsosurfaces() ? holder->GetIsosurfaceMapper() : nullptr;
   }
-  auto* own = vtkTemporalCoherenceVolumeMapper::SafeDownCast(mapper);
-  return own && own->GetBlendMode() == vtkVolumeMapper::ISOSURFACE_BLEND ? own : nullptr;
+  return vtkTemporalCoherenceVolumeMapper::SafeDownCast(mapper);
 }
 
 vtkVolumeProperty* PropertyOf(vtkProp3D* prop)
@@ -122,6 +121,13 @@ double vtkTemporalCoherencePicker::IntersectVolumeWithLine(const double p1[3], c
   }
   this->Transform->TransformPoint(begin, begin);
   this->Transform->TransformPoint(end, end);
+  if (surfaces->GetBlendMode() != vtkVolumeMapper::ISOSURFACE_BLEND)
+  {
+    // The superclass reads the samples as they are, and cannot bear mistakes.
+    return surfaces->Internal->CanDraw(volume)
+      ? this->Superclass::IntersectVolumeWithLine(p1, p2, t1, t2, prop, mapper)
+      : VTK_DOUBLE_MAX;
+  }
   const auto found = surfaces->Internal->FindOnLine(volume, begin, end);
   if (!found)
   {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkTemporalCoherenceVolumeMapper
- * @brief   ray casts isosurfaces on the CPU and re-uses earlier frames
+ * @brief   ray casts volumes on the CPU and re-uses earlier frames
  *
  * This mapper draws the isosurfaces of images and of rectilinear, curvilinear (vtkStructuredGrid),
  * explicit structured, unstructured and adaptive grids, and of blocks of these. It is a
@@ -10,6 +10,11 @@
  * are those of vtkVolumeProperty::GetIsoSurfaceValues(). The property's transfer functions give
  * each surface its colour and opacity. It keeps the last frames of each viewer and does only what a
  * change requires.
+ *
+ * Images, rectilinear grids and blocks of images can also be blended: SetBlendModeToComposite(),
+ * ToMaximumIntensity(), ToMinimumIntensity(), ToAverageIntensity() and ToAdditive(). Then no
+ * isovalue is needed. A picture is what ever denser samples lead to (SetSampleDistance(0), the
+ * default), and rays end at opaque props.
  *
  * Documentation/Mapper.md has an example and the details of all settings. It defines the terms that
  * are used here (such as voxel). The image cache and the isomap are those of "Accelerating Volume
@@ -234,14 +239,17 @@ public:
 
   /**
    * Get the surface that the last frame shows: a point and a vertex for each pixel with a surface.
-   * Its point arrays are Normals, IsovalueIndex, Color and Isovalue (double).
+   * Its point arrays are Normals, IsovalueIndex, Color and Isovalue (double). A blended volume has
+   * no surface, which is an error.
    * @return false if there is no frame, or after an error. The points are then unchanged.
    */
   bool GetVisibleSurface(vtkPolyData* points);
 
   /**
    * Get what the last frame shows at a pixel; (0, 0) is at the lower left. Position and normal are
-   * in world coordinates; the normal is a unit vector and faces the viewer. Each may be null.
+   * in world coordinates; the normal is a unit vector and faces the viewer. Each may be null. Of a
+   * blended volume, the position is where the ray first sees anything, the normal is 0, and the
+   * index is -1.
    * @return false if there is no surface, no such pixel or no frame. Nothing is written then.
    */
   bool PickPixel(int x, int y, double position[3], double normal[3], int* isovalueIndex);
@@ -349,7 +357,7 @@ public:
 
   /**
    * Return true if everything that this mapper draws of the volume is opaque: no isovalue has a
-   * scalar opacity between 0 and 1, and there is no gradient opacity.
+   * scalar opacity between 0 and 1, and there is no gradient opacity. Blended volumes are not.
    */
   bool IsOpaque(vtkVolume* volume);
 

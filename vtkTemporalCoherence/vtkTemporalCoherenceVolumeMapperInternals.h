@@ -113,6 +113,9 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
   /// reported.
   std::optional<FoundOnLine> FindOnLine(vtkVolume* volume, const double p1[3], const double p2[3]);
 
+  /// True if input, settings and property are without mistakes. What is wrong is reported.
+  bool CanDraw(vtkVolume* volume);
+
   /// What the error of a frame for a window would be; empty if it can be made.
   std::string WhyRefused(vtkRenderer* renderer, vtkVolume* volume);
 

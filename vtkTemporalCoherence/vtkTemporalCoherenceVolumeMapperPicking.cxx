@@ -59,6 +59,25 @@ vtkIdType vtkTemporalCoherenceVolumeMapper::PickCell(int x, int y, unsigned int*
 }
 
 //------------------------------------------------------------------------------
+bool vtkTemporalCoherenceVolumeMapper::Internals::CanDraw(vtkVolume* volume)
+{
+  if (this->IsBusy("A pick"))
+  {
+    return false;
+  }
+  if (this->Self->GetNumberOfInputConnections(0) > 0)
+  {
+    this->Self->Update();
+  }
+  TemporalCoherence::FrameRequest request;
+  std::string error;
+  const bool isMade = this->Requests.Make(
+    this->Self, TemporalCoherence::SettingsOf(this->Self), volume, {}, request, error);
+  this->ReportOnce(error);
+  return isMade && request.Key.Samples.HasCells();
+}
+
+//------------------------------------------------------------------------------
 std::optional<vtkTemporalCoherenceVolumeMapper::Internals::FoundOnLine>
 vtkTemporalCoherenceVolumeMapper::Internals::FindOnLine(
   vtkVolume* volume, const double p1[3], const double p2[3])

@@ -182,10 +182,21 @@ class UnchangedScripts(unittest.TestCase):
             with self.subTest(mapper):
                 before, pixels, _ = self.run_script(mapper, "composite")
                 after, _, told = self.run_script(
-                    mapper, "composite", **gain(mapper))
+                    mapper, "composite", VTK_TEMPORAL_COHERENCE_BLEND_VOLUMES="NEVER",
+                    **gain(mapper))
                 self.assertGreater(pixels.any(axis=2).mean(), 0.1)
                 self.assertIn("A volume is drawn by vtkOpenGLGPUVolumeRayCastMapper", told)
                 self.assertEqual(before, after)
+
+    def test_composite_pictures_on_the_cpu(self):
+        _, before, _ = self.run_script("vtkGPUVolumeRayCastMapper", "composite")
+        _, after, told = self.run_script(
+            "vtkGPUVolumeRayCastMapper", "composite", VTK_AUTOLOAD_PATH=AUTOLOAD_PATH,
+            VTK_TEMPORAL_COHERENCE_BLEND_VOLUMES="always")
+        self.assertIn(
+            "vtkTemporalCoherenceVolumeMapper, since BlendVolumes is BLEND_ALWAYS", told)
+        self.assertGreater(after.any(axis=2).mean(), 0.1)
+        self.assertLess(numpy.abs(before - after).mean(), 4.0)
 
     def test_off(self):
         before, _, _ = self.run_script("vtkSmartVolumeMapper", "isosurface")

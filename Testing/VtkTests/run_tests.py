@@ -56,6 +56,8 @@ def run_test(arguments, run, name):
     environment = {key: value for key, value in os.environ.items() if not key.startswith("VTK_")}
     if has_factory:
         environment["VTK_AUTOLOAD_PATH"] = str(arguments.autoload)
+        # Whatever OpenGL runs on: what VTK's mapper blends is compared byte for byte.
+        environment["VTK_TEMPORAL_COHERENCE_BLEND_VOLUMES"] = "NEVER"
         if asks_no_factory(arguments.sources / f"{name}.cxx"):
             environment["LD_PRELOAD"] = str(next(arguments.autoload.glob("*.so")))
     if scene:

@@ -17,8 +17,16 @@
 #include <string>
 
 /// The modes that blend a volume.
-inline const std::array<int, 2> BlendModes = { vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND,
-  vtkVolumeMapper::MINIMUM_INTENSITY_BLEND };
+inline const std::array<int, 5> BlendModes = { vtkVolumeMapper::COMPOSITE_BLEND,
+  vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND, vtkVolumeMapper::MINIMUM_INTENSITY_BLEND,
+  vtkVolumeMapper::AVERAGE_INTENSITY_BLEND, vtkVolumeMapper::ADDITIVE_BLEND };
+
+/// True if a mode shows no colours, but shares of the range of all samples, in grey.
+inline bool IsGrey(int mode)
+{
+  return mode == vtkVolumeMapper::AVERAGE_INTENSITY_BLEND ||
+    mode == vtkVolumeMapper::ADDITIVE_BLEND;
+}
 
 inline std::string NameOfMode(int mode)
 {

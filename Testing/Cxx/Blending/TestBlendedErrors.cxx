@@ -94,6 +94,12 @@ void TestInputs()
 void TestNumbers()
 {
   ExpectError(
+    Maximum, "two-dimensional transfer functions",
+    [](Scene& scene)
+    { scene.Volume->GetProperty()->SetTransferFunctionMode(vtkVolumeProperty::TF_2D); },
+    [](Scene& scene)
+    { scene.Volume->GetProperty()->SetTransferFunctionMode(vtkVolumeProperty::TF_1D); });
+  ExpectError(
     Composite, "Value of node 1 of the scalar opacity",
     [](Scene& scene)
     {

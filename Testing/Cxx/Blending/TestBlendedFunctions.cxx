@@ -166,6 +166,9 @@ void TestNodes(int mode)
   ExpectFunctions(scene, name + ", one node", { -1.0, 1e9, 2e9 });
   scene.Opacity->RemoveAllPoints();
   ExpectFunctions(scene, name + ", no node", { -1.0, 0.0, 2.0 });
+  scene.Color->RemoveAllPoints();
+  ExpectFunctions(scene, name + ", no node at all", { -1.0, 0.0, 2.0 });
+  scene.Color->AddRGBPoint(0.0, 1.0, 1.0, 1.0);
   scene.Opacity->AddPoint(-2e-12, 0.1);
   scene.Opacity->AddPoint(3e-12, 0.8);
   ExpectFunctions(scene, name + ", tiny values", { -3e-12, 0.0, 1e-12, 4e-12 });
@@ -225,6 +228,10 @@ int TestBlendedFunctions(int, char*[])
 {
   for (const int mode : BlendModes)
   {
+    if (IsGrey(mode))
+    {
+      continue;
+    }
     TestShapes(mode);
     TestNodes(mode);
     TestProperty(mode);

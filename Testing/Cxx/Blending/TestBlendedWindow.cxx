@@ -6,10 +6,14 @@
 
 #include "BlendedScene.h"
 #include "Checks/Expect.h"
+#include "vtkTemporalCoherencePicker.h"
 #include "vtkTemporalCoherenceVolume.h"
 
 #include <vtkFloatingPointExceptions.h>
 #include <vtkPlane.h>
+#include <vtkPointData.h>
+#include <vtkPropPicker.h>
+#include <vtkWindowToImageFilter.h>
 
 #include <algorithm>
 #include <array>
@@ -48,13 +52,13 @@ PictureDifference CompareOver(vtkUnsignedCharArray* pixels, const Scene& scene,
 }
 
 /// RenderToImage of only what lies before a plane.
-void RenderBefore(BlendedScene& scene, const std::array<double, 3>& centre)
+void RenderBefore(BlendedScene& scene, const std::array<double, 3>& centre, int size = Size)
 {
   vtkNew<vtkPlane> plane;
   plane->SetOrigin(centre.data());
   plane->SetNormal(ToViewer[0], ToViewer[1], ToViewer[2]);
   scene.Mapper->AddClippingPlane(plane);
-  Expect(scene.Render(Size, Size), "RenderToImage of a part");
+  Expect(scene.Render(size, size), "RenderToImage of a part");
   scene.Mapper->RemoveAllClippingPlanes();
 }
 
@@ -268,6 +272,55 @@ void TestTwoVolumes(int mode)
     NameOfMode(mode) + ", two volumes: " + std::to_string(different) + " channels differ");
 }
 
+/// A picture that is larger than the window, made tile by tile.
+void TestTiles(int mode)
+{
+  BlendedScene scene(mode);
+  BluePlane plane(Centre, ToViewer);
+  scene.Renderer->AddActor(plane.Actor);
+  vtkNew<vtkRenderWindow> window;
+  OpenWindow(window, scene.Renderer, Size, Size);
+  vtkNew<vtkWindowToImageFilter> shot;
+  shot->SetInput(window);
+  shot->SetScale(2);
+  shot->SetInputBufferTypeToRGBA();
+  shot->ReadFrontBufferOff();
+  shot->Update();
+  auto* pixels =
+    vtkUnsignedCharArray::SafeDownCast(shot->GetOutput()->GetPointData()->GetScalars());
+  RenderBefore(scene, Centre, 2 * Size);
+  ExpectSame(CompareOver(pixels, scene, { 0.0, 0.0, 1.0 }), NameOfMode(mode) + ", in tiles", 30);
+}
+
+/// Hardware selection and picks find a volume where it is seen.
+void TestPicks(int mode)
+{
+  const std::string name = NameOfMode(mode);
+  BlendedScene scene(mode);
+  vtkNew<vtkRenderWindow> window;
+  OpenWindow(window, scene.Renderer, Size, Size);
+  window->Render();
+  vtkNew<vtkPropPicker> props;
+  const auto isPicked = [&](int x, int y)
+  { return props->PickProp(x, y, scene.Renderer) && props->GetViewProp() == scene.Volume; };
+  int wrong = 0, seen = 0;
+  for (int i = 0; i < 100; ++i)
+  {
+    const int x = Size / 10 * (i % 10) + 5, y = Size / 10 * (i / 10) + 5;
+    double position[3];
+    const bool isSeen = scene.Mapper->PickPixel(x, y, position, nullptr, nullptr);
+    wrong += isSeen != isPicked(x, y);
+    seen += isSeen;
+  }
+  Expect(wrong == 0 && seen > 10 && seen < 100,
+    name + ": " + std::to_string(wrong) + " wrong picks, seen " + std::to_string(seen));
+  vtkNew<vtkTemporalCoherencePicker> picker;
+  picker->SetVolumeOpacityIsovalue(0.01);
+  Expect(picker->Pick(Size / 2.0, Size / 2.0, 0.0, scene.Renderer) &&
+      picker->GetIsovalueIndex() == -1 && picker->GetVolume() == scene.Volume,
+    name + ": our picker picks as VTK's");
+}
+
 }
 
 int TestBlendedWindow(int, char*[])
@@ -282,6 +335,8 @@ int TestBlendedWindow(int, char*[])
     TestViewports(mode);
     TestOtherProps(mode);
     TestTwoVolumes(mode);
+    TestTiles(mode);
+    TestPicks(mode);
   }
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

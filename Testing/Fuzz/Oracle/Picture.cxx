@@ -59,6 +59,7 @@ std::string FirstOf(const char* array, const Picture& a, const Picture& b)
 
 bool Picture::Render(World& world, Mapper* mapper)
 {
+  this->IsBlended = mapper->GetBlendMode() != Mapper::ISOSURFACE_BLEND;
   return mapper->RenderToImage(
     world.Renderer(), world.Volume(), world.Width, world.Height, this->Frame);
 }
@@ -71,6 +72,7 @@ bool Picture::Fetch(Mapper* mapper)
 void Picture::Copy(const Picture& other)
 {
   this->Frame->DeepCopy(other.Frame);
+  this->IsBlended = other.IsBlended;
 }
 
 int Picture::IsovalueAt(int x, int y) const
@@ -80,8 +82,19 @@ int Picture::IsovalueAt(int x, int y) const
 
 vtkIdType Picture::CountHits() const
 {
-  const int* indices = DataOf<int>(*this, "IsovalueIndex");
-  return this->CountPixels() - std::count(indices, indices + this->CountPixels(), -1);
+  vtkIdType hits = 0;
+  for (vtkIdType i = 0; i < this->CountPixels(); ++i)
+  {
+    hits += this->IsHit(i);
+  }
+  return hits;
+}
+
+bool Picture::IsHit(vtkIdType pixel) const
+{
+  const unsigned char* color = DataOf<unsigned char>(*this, "Color") + 4 * pixel;
+  return this->IsBlended ? std::any_of(color, color + 4, [](unsigned char c) { return c > 0; })
+                         : DataOf<int>(*this, "IsovalueIndex")[pixel] >= 0;
 }
 
 std::string Picture::Difference(const Picture& other, bool inColors, bool inNormals) const
@@ -131,13 +144,14 @@ std::string Picture::Nonsense(int isovalues, bool isTame) const
   {
     const float* n = normals + 3 * i;
     const unsigned char* c = colors + 4 * i;
-    const bool isHit = indices[i] >= 0;
+    const bool isHit = this->IsHit(i);
     const float length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-    const bool isIndex = indices[i] >= -1 && indices[i] < isovalues;
+    const bool isIndex = indices[i] >= -1 && indices[i] < (this->IsBlended ? 0 : isovalues);
     // A distance may be too large for a float.
     const bool isDepth = !std::isnan(depths[i]) && (!std::isfinite(depths[i]) || isHit) &&
       (std::isfinite(depths[i]) || !isHit || !isTame);
-    const bool isNormal = isHit ? std::abs(length - 1.0f) < 1e-3f : length == 0.0f;
+    const bool isNormal =
+      isHit && !this->IsBlended ? std::abs(length - 1.0f) < 1e-3f : length == 0.0f;
     const bool isColor = isHit ? std::max({ c[0], c[1], c[2] }) <= c[3] || !isTame
                                : c[0] == 0 && c[1] == 0 && c[2] == 0 && c[3] == 0;
     if (!isIndex || !isDepth || !isNormal || !isColor || answers[i] > 2)

@@ -26,6 +26,9 @@ struct Picture
   vtkIdType CountPixels() const { return this->Frame->GetNumberOfPoints(); }
   vtkIdType CountHits() const;
 
+  /// True if anything is seen at a pixel.
+  bool IsHit(vtkIdType pixel) const;
+
   /// Position in the property's list of the isovalue at a pixel; -1 for none.
   int IsovalueAt(int x, int y) const;
 
@@ -40,6 +43,7 @@ struct Picture
   std::string Nonsense(int isovalues, bool isTame) const;
 
   vtkNew<vtkImageData> Frame; ///< with all arrays
+  bool IsBlended = false;     ///< it was rendered in another blend mode than that of isosurfaces
 };
 
 }

@@ -115,7 +115,8 @@ void PickPixels(World& world, Oracle& oracle)
     const bool isHit = world.Subject->PickPixel(x, y, position, normal, &isovalue);
     const bool isInside = x >= 0 && y >= 0 && x < size[0] && y < size[1];
     const int shown = isInside ? last.IsovalueAt(x, y) : -1;
-    Require(isHit == (shown >= 0) && isovalue == (isHit ? shown : -7),
+    const bool isSeen = isInside && last.IsHit(y * static_cast<vtkIdType>(size[0]) + x);
+    Require(isHit == isSeen && isovalue == (isHit ? shown : -7),
       "pixel " + std::to_string(x) + ", " + std::to_string(y) + " shows isovalue " +
         std::to_string(shown) + ", but picked is " + std::to_string(isovalue));
     Require(!std::isnan(position[0] + position[1] + position[2]), "what is picked is nowhere");
@@ -126,6 +127,12 @@ void FindVisibleSurface(World& world, Oracle& oracle)
 {
   vtkNew<vtkPolyData> points;
   const bool isThere = world.Subject->GetVisibleSurface(points);
+  if (!oracle.Last().IsEmpty() && oracle.Last().IsBlended)
+  {
+    Require(!isThere || oracle.IsLastRefused(), "a blended volume has a visible surface");
+    oracle.ExpectOneErrorAtMost("GetVisibleSurface");
+    return;
+  }
   Require(isThere == !oracle.Last().IsEmpty() || oracle.IsLastRefused(),
     "GetVisibleSurface and the last frame");
   if (isThere && !oracle.Last().IsEmpty())

@@ -123,7 +123,8 @@ private:
       const bool isSeen = color[0] + color[1] + color[2] + color[3] != 0;
       if (isSeen)
       {
-        hits.Depth[i] = seen.First[i];
+        // What no place of a ray shows alone lies where the ray begins.
+        hits.Depth[i] = std::isfinite(seen.First[i]) ? seen.First[i] : rays.Begin[i];
         hits.Surface[i] = 0;
         hits.Kind[i] = HitKind::Entry;
       }

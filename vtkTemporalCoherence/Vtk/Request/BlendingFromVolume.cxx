@@ -127,6 +127,12 @@ bool BlendingFromVolume::Make(vtkVolumeMapper* mapper, vtkVolume* volume,
 {
   vtkVolumeProperty* property = volume->GetProperty();
   made.Mode = BlendModeOf(mapper).value_or(BlendMode::Composite);
+  if (property->GetTransferFunctionMode() != vtkVolumeProperty::TF_1D)
+  {
+    error = "Volumes are not blended by two-dimensional transfer functions; call "
+            "SetTransferFunctionMode(vtkVolumeProperty::TF_1D), or use vtkGPUVolumeRayCastMapper.";
+    return false;
+  }
   if (!FindUse(property, drawn, made.Use, error) ||
     (made.Mode == BlendMode::Average && !MakeAverageRange(mapper, made.AverageRange, error)))
   {

@@ -80,14 +80,7 @@ private:
       {
         nodes[i] = glm::dvec4(colors[i], 0.0);
       }
-      // A table that begins before the first node is black at that node itself.
-      double first[6] = {};
-      if (this->Of.Color->GetSize() > 0 && this->Of.Color->GetNodeValue(0, first) >= 0)
-      {
-        const double place = std::round((first[0] - this->First) / this->Step);
-        const auto at = static_cast<std::size_t>(std::clamp(place, 0.0, this->Count() - 1.0));
-        this->Of.Color->GetColor(this->At(at), &nodes[at].x);
-      }
+      this->MendFirstNode();
     }
     else if (this->Of.Color)
     {
@@ -104,6 +97,18 @@ private:
       {
         nodes[i] = glm::dvec4(glm::dvec3(grays[i]), 0.0);
       }
+    }
+  }
+
+  /// A table of VTK that begins before the first node is black at that node itself.
+  void MendFirstNode()
+  {
+    double node[6]; // position, colour, midpoint, sharpness
+    if (this->Of.Color->GetSize() > 0 && this->Of.Color->GetNodeValue(0, node) == 1)
+    {
+      const double place = std::round((node[0] - this->First) / this->Step);
+      const auto at = static_cast<std::size_t>(std::clamp(place, 0.0, this->Count() - 1.0));
+      this->Of.Color->GetColor(this->At(at), &this->Made.Nodes[at].x);
     }
   }
 

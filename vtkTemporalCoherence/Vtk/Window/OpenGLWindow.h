@@ -6,8 +6,11 @@
 #include "Scene/Tiles.h"
 #include "vtkTemporalCoherenceCompatibility.h"
 
+#include <string>
+
 VTK_ABI_NAMESPACE_BEGIN
 class vtkOpenGLRenderWindow;
+class vtkRenderWindow;
 class vtkTextureObject;
 VTK_ABI_NAMESPACE_END
 
@@ -38,6 +41,12 @@ constexpr unsigned char False = 0;
 
 /// The part of the window that is being drawn.
 PixelRect ViewportOf(vtkOpenGLRenderWindow* window);
+
+/// True if the name of an OpenGL renderer is that of a rasteriser that runs on the CPU.
+bool IsSoftwareRenderer(const std::string& name);
+
+/// True if the OpenGL of a window, whose context is current, runs on the CPU. Takes a while.
+bool HasSoftwareOpenGL(vtkRenderWindow* window);
 
 /// Prepare a texture of a window, with nearest filtering.
 void PrepareTexture(vtkTextureObject* texture, vtkOpenGLRenderWindow* window);

@@ -10,6 +10,8 @@
 
 #include <vtkVolumeMapper.h>
 
+#include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -23,22 +25,22 @@ constexpr int UsualRounds = 5;
 
 const char* const ChangeNames[] = { "viewMs", "rampMs", "colorMs", "lightMs" };
 
+/// The volumes that were asked for, or the usual ones. Those of others have no second value.
 std::vector<BlendLooks::Subject> SubjectsOf(const Settings& settings)
 {
   const std::vector<BlendLooks::Subject>& all = BlendLooks::Subjects();
-  if (settings.IsQuick)
+  if (settings.Volumes.empty())
   {
-    return { all.front() };
+    return settings.IsQuick ? std::vector<BlendLooks::Subject>{ all.front() } : all;
   }
   std::vector<BlendLooks::Subject> asked;
-  for (const BlendLooks::Subject& subject : all)
+  for (const Volumes::Sample& volume : settings.Volumes)
   {
-    bool isAsked = settings.Volumes.empty();
-    for (const Volumes::Sample& volume : settings.Volumes)
-    {
-      isAsked = isAsked || volume.Name == subject.Volume;
-    }
-    asked.insert(asked.end(), isAsked ? 1 : 0, subject);
+    const auto known = std::find_if(all.begin(), all.end(),
+      [&](const BlendLooks::Subject& subject) { return subject.Volume == volume.Name; });
+    asked.push_back(known != all.end()
+        ? *known
+        : BlendLooks::Subject{ volume.Name, volume.Isovalue, Measuring::None });
   }
   return asked;
 }
@@ -99,7 +101,7 @@ bool Run(const Settings& settings, JsonWriter& json)
     { "volume", "look", "who", "view", "ramp", "colour", "light", "mean", "99.9 %", "> 1, %" });
   json.OpenList("volumes");
   bool isMeasured = false;
-  for (const BlendLooks::Subject& subject : SubjectsOf(settings))
+  for (BlendLooks::Subject subject : SubjectsOf(settings))
   {
     const vtkSmartPointer<vtkImageData> image = LoadOrTell(subject.Volume);
     if (!image)
@@ -107,6 +109,7 @@ bool Run(const Settings& settings, JsonWriter& json)
       continue;
     }
     const double* range = image->GetScalarRange();
+    subject.Hard = std::isnan(subject.Hard) ? 0.5 * (subject.Soft + range[1]) : subject.Hard;
     const std::vector<BlendLooks::Look> looks = BlendLooks::Of(subject, { range[0], range[1] });
     for (const BlendLooks::Look& look : looks)
     {

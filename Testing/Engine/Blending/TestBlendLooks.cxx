@@ -165,7 +165,10 @@ TEST_F(BlendLook, ConstantVolumes)
 TEST_F(BlendLook, ValuesOnNodes)
 {
   // Whole faces of samples lie where opacity jumps.
-  this->Volume.Fill([](int i, int j, int k) { return i > 20 ? 128 : (j + k) % 9 * 16; });
+  this->Volume.Fill(
+    [](int i, int j, int k) { return i < 6 ? 200
+                                : i > 20   ? 128
+                                           : (j + k) % 9 * 16; });
   this->Key.Samples = this->Volume.Field;
   SKIP_UNLESS_BLENDED(this->Key);
   this->Volume.Range = { 0.0, 256.0 };

@@ -150,6 +150,15 @@ TYPED_TEST(ExtremeBeamsOf, RectilinearGrids)
   this->ExpectSameInViews(grid.get());
 }
 
+TYPED_TEST(ExtremeBeamsOf, NearestInterpolation)
+{
+  this->Samples.Field.Between = Interpolation::Nearest;
+  this->FillWithNoise();
+  this->ExpectSameInViews();
+  this->FillWithPlateaus();
+  this->ExpectSameInViews();
+}
+
 TYPED_TEST(ExtremeBeamsOf, HiddenCells)
 {
   std::vector<std::uint8_t> cells(42 * 21 * 36, 0);

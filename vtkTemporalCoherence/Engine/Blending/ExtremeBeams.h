@@ -18,16 +18,19 @@
 namespace TemporalCoherence
 {
 
-/// Finds extremes tile by tile, with linear interpolation: rays that run the same way along each
+/// Finds extremes tile by tile: rays that run the same way along each
 /// axis go as a beam, from block to block. Others walk.
 /// \tparam Real that of the geometry of cells
 template <typename T, typename Real>
 class ExtremeBeams final : public ExtremeSearch
 {
 public:
-  /// \param walk for rays that cannot go as a beam
-  ExtremeBeams(const ExtremeTask& task, std::unique_ptr<const ExtremeSearch> walk)
-    : Blocks(task.Samples, *task.Ranges, task.IsMinimum)
+  /// \param walk    for rays that cannot go as a beam
+  /// \param meeting with nearest interpolation: that walk; else null
+  ExtremeBeams(const ExtremeTask& task, std::unique_ptr<const ExtremeSearch> walk,
+    const CellMeeting<Real>* meeting)
+    : Blocks(task.Samples, task.Ranges ? *task.Ranges : this->Build(task.Samples), task.IsMinimum)
+    , Meeting(meeting)
     , Grid(task.Grid)
     , Sign(task.IsMinimum ? -1.0 : 1.0)
     , Walk(std::move(walk))
@@ -48,7 +51,7 @@ public:
     for (const std::uint64_t which : Alike(rays))
     {
       const bool isDone =
-        which == 0 || FindExtremes(this->Blocks, this->Grid, rays, which, largest);
+        which == 0 || FindExtremes(this->Blocks, this->Meeting, this->Grid, rays, which, largest);
       walking |= isDone ? 0 : which;
     }
     for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
@@ -67,6 +70,12 @@ public:
   }
 
 private:
+  const ValueRangePyramid& Build(const Field& samples)
+  {
+    this->Own.Build(samples);
+    return this->Own;
+  }
+
   /// The rays, one bit each, by the way they run along the axes.
   static std::array<std::uint64_t, 8> Alike(const RayBatch& rays)
   {
@@ -91,7 +100,9 @@ private:
     this->Walk->Search(walking, found);
   }
 
+  ValueRangePyramid Own; ///< where the ranges of the field are not known
   TypedExtremeBlocks<T, Real> Blocks;
+  const CellMeeting<Real>* Meeting;
   const GridCoordinates* Grid;
   double Sign;
   std::unique_ptr<const ExtremeSearch> Walk;

@@ -6,6 +6,7 @@
 #include "Acceleration/HiddenCells.h"
 #include "Acceleration/ValueRangePyramid.h"
 #include "Scene/Field.h"
+#include "Scene/RayBatch.h"
 #include "Trace/CellRoot.h"
 #include "Trace/CellSamples.h"
 
@@ -22,6 +23,27 @@
 namespace TemporalCoherence
 {
 
+/// The smallest number in single precision that is not less.
+template <typename Real>
+float RoundedUp(Real value)
+{
+  using Limits = std::numeric_limits<float>;
+  constexpr auto most = static_cast<Real>(Limits::max());
+  if (value > most)
+  {
+    return Limits::infinity();
+  }
+  const auto rounded = static_cast<float>(std::max(value, -most));
+  return static_cast<Real>(rounded) < value ? std::nextafter(rounded, Limits::infinity()) : rounded;
+}
+
+/// The largest one that is not more.
+template <typename Real>
+float RoundedDown(Real value)
+{
+  return -RoundedUp(-value);
+}
+
 /// A cell that may hold the largest value of a ray.
 template <typename Real>
 struct ExtremeCell
@@ -30,6 +52,20 @@ struct ExtremeCell
   Corners<Real> Samples; ///< negated, if the smallest value is asked for
   Real Smallest, Largest;
   float Bound; ///< not less than the largest
+};
+
+/// Searches single cells for single rays.
+template <typename Real>
+class CellMeeting
+{
+public:
+  virtual ~CellMeeting() = default;
+
+  /// The largest value of a ray in a cell.
+  /// \param at gets the t at which it is taken first
+  /// \return false if the ray only touches the cell
+  virtual bool Meet(const RayBatch& rays, std::size_t ray, const ExtremeCell<Real>& cell,
+    Real& value, double& at) const = 0;
 };
 
 /// A block of cells to be searched.
@@ -206,20 +242,6 @@ private:
       return -std::numeric_limits<float>::infinity();
     }
     return RoundedUp(this->Sign * static_cast<Real>(this->Sign > Real(0) ? range.Max : range.Min));
-  }
-
-  /// The smallest number in single precision that is not less.
-  static float RoundedUp(Real value)
-  {
-    using Limits = std::numeric_limits<float>;
-    constexpr auto most = static_cast<Real>(Limits::max());
-    if (value > most)
-    {
-      return Limits::infinity();
-    }
-    const auto rounded = static_cast<float>(std::max(value, -most));
-    return static_cast<Real>(rounded) < value ? std::nextafter(rounded, Limits::infinity())
-                                              : rounded;
   }
 
   const ValueRangePyramid& Ranges;

@@ -44,10 +44,10 @@ protected:
 struct ExtremeTask
 {
   Field Samples;
-  const ValueRangePyramid* Ranges; ///< of the samples; null: not known
+  const ValueRangePyramid* Ranges; ///< of the samples; null: they are found
   const GridCoordinates* Grid;     ///< where samples lie; null: at integers
   bool IsMinimum;
-  bool ByBeams = true; ///< where there are ranges
+  bool ByBeams = true; ///< false: rays walk from cell to cell
 };
 
 /// Makes the search for a task; throws std::bad_alloc.

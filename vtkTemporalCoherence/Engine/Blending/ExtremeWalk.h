@@ -4,6 +4,7 @@
 #define TemporalCoherence_ExtremeWalk_h
 
 #include "Acceleration/HiddenCells.h"
+#include "Blending/ExtremeBlocks.h"
 #include "Blending/ExtremeSearch.h"
 #include "Trace/CellRoot.h"
 #include "Trace/CellSamples.h"
@@ -57,7 +58,9 @@ SegmentExtreme<Real> LargestOf(const Cubic<Real>& b)
 /// Finds extremes ray by ray, from cell to cell, for any geometry of cells (TracedCells.h). A
 /// minimum is found as the maximum of the negated samples.
 template <typename T, typename Geometry, Interpolation Between>
-class ExtremeWalk final : public ExtremeSearch
+class ExtremeWalk final
+  : public ExtremeSearch
+  , public CellMeeting<typename Geometry::Real>
 {
 public:
   using Real = typename Geometry::Real;
@@ -81,6 +84,13 @@ public:
         this->Walk(rays, ray, found);
       }
     }
+  }
+
+  bool Meet(const RayBatch& rays, std::size_t ray, const ExtremeCell<Real>& cell, Real& value,
+    double& at) const override
+  {
+    const Segment segment(this->Shape.RayOf(rays, ray), cell.Place);
+    return MeetIn(segment, cell.Samples, value, at);
   }
 
 private:
@@ -117,16 +127,13 @@ private:
   void SearchCell(const Segment& segment, const Corners<Real>& corners, std::size_t ray,
     const RayExtremes& found) const
   {
-    if (!segment.HasLength())
+    Real largest;
+    double at;
+    if (!MeetIn(segment, corners, largest, at))
     {
       return;
     }
-    SegmentExtreme<Real> largest = LargestIn(segment, corners);
-    // Rounding must not lead out of what the corners allow.
-    const auto [lowest, highest] = std::minmax_element(corners.begin(), corners.end());
-    largest.Value = std::min(std::max(largest.Value, *lowest), *highest);
-    const double value = static_cast<double>(this->Sign * largest.Value);
-    const double at = segment.DistanceAt(largest.Share);
+    const double value = static_cast<double>(this->Sign * largest);
     const double before = found.Value[ray];
     const bool isBeyond = this->Sign > Real(0) ? value > before : value < before;
     if (std::isnan(before) || isBeyond || (value == before && at < found.First[ray]))
@@ -134,6 +141,21 @@ private:
       found.Value[ray] = value;
       found.First[ray] = at;
     }
+  }
+
+  /// \return false if the ray only touches the cell
+  static bool MeetIn(const Segment& segment, const Corners<Real>& corners, Real& value, double& at)
+  {
+    if (!segment.HasLength())
+    {
+      return false;
+    }
+    const SegmentExtreme<Real> largest = LargestIn(segment, corners);
+    // Rounding must not lead out of what the corners allow.
+    const auto ends = std::minmax_element(corners.begin(), corners.end());
+    value = std::min(std::max(largest.Value, *ends.first), *ends.second);
+    at = segment.DistanceAt(largest.Share);
+    return true;
   }
 
   static SegmentExtreme<Real> LargestIn(const Segment& segment, const Corners<Real>& corners)

@@ -34,9 +34,11 @@ template <typename Real, class Planes>
 class ExtremeBeam
 {
 public:
-  ExtremeBeam(const ExtremeBlocks<Real>& blocks, const Planes& planes, const RayBatch& rays,
-    std::uint64_t which, TileBeam& beam, BeamExtremes<Real>& found)
+  ExtremeBeam(const ExtremeBlocks<Real>& blocks, const Planes& planes,
+    const CellMeeting<Real>* meeting, const RayBatch& rays, std::uint64_t which, TileBeam& beam,
+    BeamExtremes<Real>& found)
     : Blocks(blocks)
+    , Meeting(meeting)
     , Between(planes)
     , Lattice(Planes::LatticeFor(beam, planes.Grid))
     , Rays(rays)
@@ -53,9 +55,14 @@ public:
 
   void Search()
   {
-    std::vector<ExtremeBlock>& nodes = Room();
+    std::vector<ExtremeBlock> nodes;
+    nodes.reserve(64);
     this->CollectNodes(nodes);
     std::sort(nodes.begin(), nodes.end());
+    // The most promising node alone, so that it rules out many, and then all leaves of the others.
+    std::vector<ExtremeBlock> leaves;
+    leaves.reserve(256);
+    bool isFirst = true;
     for (const ExtremeBlock& node : nodes)
     {
       if (!this->IsWorth(node.Bound))
@@ -65,32 +72,24 @@ public:
       if (this->FindWidened(
             node.Place * ValueRangePyramid::NodeSize, ValueRangePyramid::NodeSize, node.Bound) != 0)
       {
-        this->SearchNode(node);
+        this->CollectLeaves(node, leaves);
+        if (isFirst)
+        {
+          this->SearchLeaves(leaves);
+          isFirst = false;
+        }
       }
     }
+    this->SearchLeaves(leaves);
   }
 
 private:
   static constexpr int GroupSize = 4 * ValueRangePyramid::NodeSize;
 
-  /// Memory that a thread uses for one tile after the other.
-  static std::vector<ExtremeBlock>& Room()
-  {
-    thread_local std::vector<ExtremeBlock> nodes;
-    nodes.clear();
-    return nodes;
-  }
-
   /// What a ray has met, for blocks: rounded down, and its distance in the beam.
   void NoteReached(std::size_t ray)
   {
-    const Real value = this->Found.Value[ray];
-    using Limits = std::numeric_limits<float>;
-    constexpr auto most = static_cast<Real>(Limits::max());
-    float reached = value < -most ? -Limits::infinity() : static_cast<float>(std::min(value, most));
-    reached =
-      static_cast<Real>(reached) > value ? std::nextafter(reached, -Limits::infinity()) : reached;
-    this->Reached[ray] = reached;
+    this->Reached[ray] = RoundedDown(this->Found.Value[ray]);
     const double first = this->Found.First[ray];
     this->At[ray] =
       std::isfinite(first) ? this->Beam.DistanceOf(first) + this->Beam.Margin : TileBeam::Never;
@@ -250,7 +249,11 @@ private:
         continue;
       }
       const Passage passed = this->Pass(faces, cell.Bound, i);
-      if (!hn::AllFalse(Floats(), passed.Widens))
+      if (this->Meeting)
+      {
+        widened |= BitsOf(passed.Widens) << i;
+      }
+      else if (!hn::AllFalse(Floats(), passed.Widens))
       {
         V at[3], step[3];
         beams::FindPathsIn(box, beam, hn::Max(passed.Enter, Load(&beam.Begin[i])),
@@ -263,36 +266,43 @@ private:
     return widened & which;
   }
 
-  void SearchNode(const ExtremeBlock& node)
+  void CollectLeaves(const ExtremeBlock& node, std::vector<ExtremeBlock>& leaves)
   {
     const auto& dimensions = this->Blocks.Nodes().Dimensions;
     this->Blocks.BoundLeaves(node.Place.x +
         static_cast<std::int64_t>(dimensions.x) *
           (node.Place.y + static_cast<std::int64_t>(dimensions.y) * node.Place.z),
       this->Bounds);
-    std::array<ExtremeBlock, 64> leaves;
-    std::size_t count = 0;
     this->ForEachChild(ValueRangePyramid::NodeSize * node.Place, ValueRangePyramid::LeafSize,
       [&](const glm::ivec3& child, int number) HWY_ATTR
       {
         const float bound = this->Bounds[static_cast<std::size_t>(number)];
         if (this->IsWorth(bound))
         {
-          leaves[count++] = { 4 * node.Place + child, bound,
-            this->DepthOf(child, ValueRangePyramid::LeafSize) };
+          const glm::ivec3 leaf = 4 * node.Place + child;
+          leaves.push_back({ leaf, bound, this->DepthOf(leaf, ValueRangePyramid::LeafSize) });
         }
       });
-    std::sort(leaves.begin(), leaves.begin() + count);
-    for (std::size_t i = 0; i < count; ++i)
+  }
+
+  /// Search leaves, and forget them.
+  void SearchLeaves(std::vector<ExtremeBlock>& leaves)
+  {
+    std::sort(leaves.begin(), leaves.end());
+    for (const ExtremeBlock& leaf : leaves)
     {
-      const glm::ivec3 first = ValueRangePyramid::LeafSize * leaves[i].Place;
-      const std::uint64_t rays =
-        this->FindWidened(first, ValueRangePyramid::LeafSize, leaves[i].Bound);
+      if (!this->IsWorth(leaf.Bound))
+      {
+        break;
+      }
+      const glm::ivec3 first = ValueRangePyramid::LeafSize * leaf.Place;
+      const std::uint64_t rays = this->FindWidened(first, ValueRangePyramid::LeafSize, leaf.Bound);
       if (rays != 0)
       {
         this->SearchLeaf(first, rays);
       }
     }
+    leaves.clear();
   }
 
   void SearchLeaf(const glm::ivec3& leaf, std::uint64_t rays)
@@ -314,8 +324,29 @@ private:
     this->Least = this->LeastOf(this->Wanted);
   }
 
+  /// Let rays, one bit each, meet a cell one by one.
+  void MeetCell(const ExtremeCell<Real>& cell, std::uint64_t rays)
+  {
+    this->Found.CellsRead += static_cast<std::int64_t>(hwy::PopCount(rays));
+    for (; rays != 0; rays &= rays - 1)
+    {
+      const std::size_t ray = hwy::Num0BitsBelowLS1Bit_Nonzero64(rays);
+      Real value;
+      double at;
+      if (this->Meeting->Meet(this->Rays, ray, cell, value, at))
+      {
+        this->Keep(ray, value, at);
+      }
+    }
+  }
+
   void SearchCell(const ExtremeCell<Real>& cell, std::uint64_t rays)
   {
+    if (this->Meeting)
+    {
+      this->MeetCell(cell, rays);
+      return;
+    }
     constexpr std::size_t lanes = hn::MaxLanes(hn::CappedTag<Real, WidestVector>());
     while (rays != 0)
     {
@@ -375,16 +406,23 @@ private:
       const std::size_t i = hwy::Num0BitsBelowLS1Bit_Nonzero64(which), ray = first + i;
       const double at =
         stays.Enter[i] + static_cast<double>(shares[i]) * (stays.Leave[i] - stays.Enter[i]);
-      if (values[i] > this->Found.Value[ray] || at < this->Found.First[ray])
-      {
-        this->Found.Value[ray] = values[i];
-        this->Found.First[ray] = at;
-        this->NoteReached(ray);
-      }
+      this->Keep(ray, values[i], at);
+    }
+  }
+
+  HWY_INLINE void Keep(std::size_t ray, Real value, double at)
+  {
+    const Real before = this->Found.Value[ray];
+    if (value > before || (value == before && at < this->Found.First[ray]))
+    {
+      this->Found.Value[ray] = value;
+      this->Found.First[ray] = at;
+      this->NoteReached(ray);
     }
   }
 
   const ExtremeBlocks<Real>& Blocks;
+  const CellMeeting<Real>* Meeting; ///< with nearest interpolation
   Planes Between;
   typename Planes::Lattice Lattice;
   const RayBatch& Rays;
@@ -398,31 +436,35 @@ private:
 };
 
 template <typename Real>
-void FindAll(const ExtremeBlocks<Real>& blocks, const GridCoordinates* grid, const RayBatch& rays,
-  std::uint64_t which, TileBeam& beam, BeamExtremes<Real>& found)
+void FindAll(const ExtremeBlocks<Real>& blocks, const CellMeeting<Real>* meeting,
+  const GridCoordinates* grid, const RayBatch& rays, std::uint64_t which, TileBeam& beam,
+  BeamExtremes<Real>& found)
 {
   if (grid)
   {
     const RectilinearPlanes planes{ grid };
-    ExtremeBeam<Real, RectilinearPlanes>(blocks, planes, rays, which, beam, found).Search();
+    ExtremeBeam<Real, RectilinearPlanes>(blocks, planes, meeting, rays, which, beam, found)
+      .Search();
   }
   else
   {
     const UniformPlanes planes{ nullptr };
-    ExtremeBeam<Real, UniformPlanes>(blocks, planes, rays, which, beam, found).Search();
+    ExtremeBeam<Real, UniformPlanes>(blocks, planes, meeting, rays, which, beam, found).Search();
   }
 }
 
-void FindFloat(const ExtremeBlocks<float>& blocks, const GridCoordinates* grid,
-  const RayBatch& rays, std::uint64_t which, TileBeam& beam, BeamExtremes<float>& found)
+void FindFloat(const ExtremeBlocks<float>& blocks, const CellMeeting<float>* meeting,
+  const GridCoordinates* grid, const RayBatch& rays, std::uint64_t which, TileBeam& beam,
+  BeamExtremes<float>& found)
 {
-  FindAll(blocks, grid, rays, which, beam, found);
+  FindAll(blocks, meeting, grid, rays, which, beam, found);
 }
 
-void FindDouble(const ExtremeBlocks<double>& blocks, const GridCoordinates* grid,
-  const RayBatch& rays, std::uint64_t which, TileBeam& beam, BeamExtremes<double>& found)
+void FindDouble(const ExtremeBlocks<double>& blocks, const CellMeeting<double>* meeting,
+  const GridCoordinates* grid, const RayBatch& rays, std::uint64_t which, TileBeam& beam,
+  BeamExtremes<double>& found)
 {
-  FindAll(blocks, grid, rays, which, beam, found);
+  FindAll(blocks, meeting, grid, rays, which, beam, found);
 }
 
 }
@@ -439,8 +481,9 @@ HWY_EXPORT(FindFloat);
 HWY_EXPORT(FindDouble);
 }
 
-bool FindExtremes(const ExtremeBlocks<float>& blocks, const GridCoordinates* grid,
-  const RayBatch& rays, std::uint64_t which, BeamExtremes<float>& found)
+bool FindExtremes(const ExtremeBlocks<float>& blocks, const CellMeeting<float>* meeting,
+  const GridCoordinates* grid, const RayBatch& rays, std::uint64_t which,
+  BeamExtremes<float>& found)
 {
   using namespace ExtremeKernels;
   TileBeam beam;
@@ -448,12 +491,13 @@ bool FindExtremes(const ExtremeBlocks<float>& blocks, const GridCoordinates* gri
   {
     return false;
   }
-  HWY_DYNAMIC_DISPATCH(FindFloat)(blocks, grid, rays, which, beam, found);
+  HWY_DYNAMIC_DISPATCH(FindFloat)(blocks, meeting, grid, rays, which, beam, found);
   return true;
 }
 
-bool FindExtremes(const ExtremeBlocks<double>& blocks, const GridCoordinates* grid,
-  const RayBatch& rays, std::uint64_t which, BeamExtremes<double>& found)
+bool FindExtremes(const ExtremeBlocks<double>& blocks, const CellMeeting<double>* meeting,
+  const GridCoordinates* grid, const RayBatch& rays, std::uint64_t which,
+  BeamExtremes<double>& found)
 {
   using namespace ExtremeKernels;
   TileBeam beam;
@@ -461,7 +505,7 @@ bool FindExtremes(const ExtremeBlocks<double>& blocks, const GridCoordinates* gr
   {
     return false;
   }
-  HWY_DYNAMIC_DISPATCH(FindDouble)(blocks, grid, rays, which, beam, found);
+  HWY_DYNAMIC_DISPATCH(FindDouble)(blocks, meeting, grid, rays, which, beam, found);
   return true;
 }
 

@@ -24,12 +24,15 @@ struct BeamExtremes
 
 /// Widen the largest values by those that some rays, one bit each, meet: the same bits as
 /// ExtremeWalk finds.
-/// \param grid where samples lie; null: at integers
+/// \param meeting with nearest interpolation: searches cells; null: interpolation is linear
+/// \param grid    where samples lie; null: at integers
 /// \return false if these rays cannot go as a beam
-bool FindExtremes(const ExtremeBlocks<float>& blocks, const GridCoordinates* grid,
-  const RayBatch& rays, std::uint64_t which, BeamExtremes<float>& found);
-bool FindExtremes(const ExtremeBlocks<double>& blocks, const GridCoordinates* grid,
-  const RayBatch& rays, std::uint64_t which, BeamExtremes<double>& found);
+bool FindExtremes(const ExtremeBlocks<float>& blocks, const CellMeeting<float>* meeting,
+  const GridCoordinates* grid, const RayBatch& rays, std::uint64_t which,
+  BeamExtremes<float>& found);
+bool FindExtremes(const ExtremeBlocks<double>& blocks, const CellMeeting<double>* meeting,
+  const GridCoordinates* grid, const RayBatch& rays, std::uint64_t which,
+  BeamExtremes<double>& found);
 
 }
 

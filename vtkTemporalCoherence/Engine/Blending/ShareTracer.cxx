@@ -112,12 +112,18 @@ private:
   void AddSegment(
     const ComponentSegment& segment, std::size_t part, std::size_t ray, BlendedRays& seen) const
   {
+    const std::size_t from = this->Looks.OpacityOf(part);
+    if (from == part && !segment.IsNearest &&
+      this->AddSmooth(segment.Cubics[part], segment, part, ray, seen))
+    {
+      return;
+    }
     SegmentBreaks breaks(segment);
     if (this->IsAverage)
     {
       breaks.AddBends(part, this->RangeEnds);
     }
-    breaks.AddBends(this->Looks.OpacityOf(part), this->Bends[part]);
+    breaks.AddBends(from, this->Bends[part]);
     double sum = 0.0, length = 0.0, first = 1.0;
     breaks.ForEachPart(
       [&](double from, double to)
@@ -141,6 +147,45 @@ private:
       LengthOf(seen, part)[ray] += length * segment.Length();
       seen.First[ray] = std::min(seen.First[ray], segment.DistanceAt(first));
     }
+  }
+
+  /// The same if nothing bends in a segment, so that opacity is linear in its values.
+  /// \return false if something may bend
+  bool AddSmooth(const Cubic<double>& b, const ComponentSegment& segment, std::size_t part,
+    std::size_t ray, BlendedRays& seen) const
+  {
+    const double low = std::min(std::min(b[0], b[1]), std::min(b[2], b[3]));
+    const double high = std::max(std::max(b[0], b[1]), std::max(b[2], b[3]));
+    const auto isBetween = [&](const std::vector<double>& values)
+    {
+      const auto next = std::upper_bound(values.begin(), values.end(), low);
+      return next != values.end() && *next < high;
+    };
+    if (isBetween(this->Bends[part]) || (this->IsAverage && isBetween(this->RangeEnds)))
+    {
+      return false;
+    }
+    if (this->IsAverage && !this->Counts(0.5 * (low + high)))
+    {
+      return true;
+    }
+    const TransferFunction& transfer = this->Looks.Of(part).Transfer;
+    const double atLow = LookUp(transfer, low).w;
+    const double slope = high > low ? (LookUp(transfer, high).w - atLow) / (high - low) : 0.0;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < GaussAt.size(); ++i)
+    {
+      const double value = Evaluate(b, GaussAt[i]);
+      const double opacity = atLow + slope * (value - low);
+      sum += GaussWeight[i] * opacity * this->Looks.ShareOf(part, value);
+    }
+    SumOf(seen, part)[ray] += sum * segment.Length();
+    if (this->IsAverage)
+    {
+      LengthOf(seen, part)[ray] += segment.Length();
+      seen.First[ray] = std::min(seen.First[ray], segment.Enter);
+    }
+    return true;
   }
 
   /// The same by samples at a fixed distance.

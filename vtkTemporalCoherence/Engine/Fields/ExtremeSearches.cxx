@@ -17,16 +17,18 @@ namespace
 template <typename T, typename Geometry>
 std::unique_ptr<const ExtremeSearch> MakeSearch(const ExtremeTask& task, const Geometry& shape)
 {
+  using Beams = ExtremeBeams<T, typename Geometry::Real>;
+  using Search = std::unique_ptr<const ExtremeSearch>;
   if (task.Samples.Between == Interpolation::Nearest)
   {
-    return std::make_unique<ExtremeWalk<T, Geometry, Interpolation::Nearest>>(task, shape);
+    auto walk = std::make_unique<ExtremeWalk<T, Geometry, Interpolation::Nearest>>(task, shape);
+    const CellMeeting<typename Geometry::Real>* const meeting = walk.get();
+    return task.ByBeams ? Search(std::make_unique<Beams>(task, std::move(walk), meeting))
+                        : Search(std::move(walk));
   }
   auto walk = std::make_unique<ExtremeWalk<T, Geometry, Interpolation::Linear>>(task, shape);
-  if (task.Ranges && task.ByBeams)
-  {
-    return std::make_unique<ExtremeBeams<T, typename Geometry::Real>>(task, std::move(walk));
-  }
-  return walk;
+  return task.ByBeams ? Search(std::make_unique<Beams>(task, std::move(walk), nullptr))
+                      : Search(std::move(walk));
 }
 
 }

@@ -44,7 +44,10 @@ public:
   TraceCounts Blend(std::int64_t tile, const PixelRect& part, Frame& frame) const
   {
     TraceCounts counts;
-    if (!this->Tracer || (this->Space.Active && this->Space.Bounds->At(tile).IsEmpty()))
+    // A sum of nothing is black.
+    const bool isEmpty = this->Space.Active && this->Space.Bounds->At(tile).IsEmpty() &&
+      this->Key.Volume.Mode != BlendMode::Additive;
+    if (!this->Tracer || isEmpty)
     {
       StoreMisses(tile, part, this->Key.View.Parallel, frame);
       counts.DefiniteMisses = static_cast<std::int64_t>(part.Size.x) * part.Size.y;

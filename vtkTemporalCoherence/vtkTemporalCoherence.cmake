@@ -19,13 +19,6 @@ set(engine_files
   Acceleration/SampleComparer
   Acceleration/TileBounds
   Acceleration/ValueRangePyramid
-  Blending/FieldProbe
-  Blending/KernelsExtremes
-  Blending/ProjectionTracer
-  Blending/Medium
-  Blending/PhongLight
-  Blending/SampledTracer
-  Blending/ShareTracer
   Trace/KernelsCrossing
   Trace/KernelsRange
   Trace/KernelsRays
@@ -60,7 +53,14 @@ set(engine_files
   Blending/CompositeTracer
   Blending/KernelsEmission
   Blending/KernelsVolumeSegments
+  Blending/Medium
+  Blending/PhongLight
+  Blending/SampledTracer
   Blending/TransferTables
+  Projections/FieldProbe
+  Projections/KernelsExtremes
+  Projections/ProjectionTracer
+  Projections/ShareTracer
   ImageCache/FreeSpace
   ImageCache/FreeSpaceHint
   ImageCache/ImageCache

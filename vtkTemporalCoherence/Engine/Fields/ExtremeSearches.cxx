@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fields/ExtremeSearches.h"
 
-#include "Blending/ExtremeBeams.h"
-#include "Blending/ExtremeWalk.h"
 #include "Fields/RectilinearCells.h"
 #include "Fields/UniformCells.h"
+#include "Projections/ExtremeBeams.h"
+#include "Projections/ExtremeWalk.h"
 
 #include <utility>
 

@@ -3,7 +3,7 @@
 #ifndef TemporalCoherence_ExtremeSearches_h
 #define TemporalCoherence_ExtremeSearches_h
 
-#include "Blending/ExtremeSearch.h"
+#include "Projections/ExtremeSearch.h"
 
 #include <memory>
 

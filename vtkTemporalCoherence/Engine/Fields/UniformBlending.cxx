@@ -3,11 +3,11 @@
 #include "Fields/UniformBlending.h"
 
 #include "Blending/CompositeTracer.h"
-#include "Blending/ProjectionTracer.h"
 #include "Blending/SampledTracer.h"
-#include "Blending/ShareTracer.h"
 #include "Fields/ExtremeSearches.h"
 #include "Fields/SegmentSources.h"
+#include "Projections/ProjectionTracer.h"
+#include "Projections/ShareTracer.h"
 
 namespace TemporalCoherence
 {

@@ -4,7 +4,7 @@
 #define TemporalCoherence_KernelsExtremes_h
 
 #include "Beams/TileBeam.h"
-#include "Blending/ExtremeBlocks.h"
+#include "Projections/ExtremeBlocks.h"
 #include "Scene/GridCoordinates.h"
 #include "Scene/RayBatch.h"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Blending/FieldProbe.h"
+#include "Projections/FieldProbe.h"
 
 #include "Trace/CellRoot.h"
 #include "Trace/CellSamples.h"

@@ -14,6 +14,9 @@
 #include "Beams/KernelsLattice-inl.h"
 #include "Trace/KernelsSegment-inl.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();
@@ -71,6 +74,36 @@ struct RectilinearPlanes
 
   const GridCoordinates* Grid;
 };
+
+/// The box around a block of cells.
+/// \param cells of the field along each axis
+template <class Planes>
+HWY_INLINE BeamBox BoxOf(const Planes& planes, const TileBeam& beam, const glm::ivec3& cells,
+  const glm::ivec3& first, int size)
+{
+  BeamBox box;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double anchor = beam.Anchor[axis];
+    const int last = std::min(first[axis] + size, cells[axis]);
+    box.Lows[axis] = static_cast<float>(planes.At(axis, first[axis]) - anchor);
+    box.Highs[axis] = static_cast<float>(planes.At(axis, last) - anchor);
+  }
+  return box;
+}
+
+/// How far a block lies along a beam, among those of its size.
+HWY_INLINE float DepthOf(const TileBeam& beam, const glm::ivec3& block, int size)
+{
+  float depth = 0.0f;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const bool isBack = beam.Flip >> (2 * axis) & 1;
+    depth += static_cast<float>((isBack ? -block[axis] : block[axis]) * size) *
+      std::abs(beam.Forward[axis]);
+  }
+  return depth;
+}
 
 /// Where a vector of rays is in a cell: distances, and the path in its coordinates.
 template <typename Real>

@@ -5,7 +5,7 @@
 
 #include "Blending/BlendTracer.h"
 #include "Blending/ComponentSegment.h"
-#include "Blending/ExtremeSearch.h"
+#include "Projections/ExtremeSearch.h"
 #include "Scene/GridCoordinates.h"
 
 #include <memory>

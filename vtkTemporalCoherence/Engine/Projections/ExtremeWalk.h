@@ -4,8 +4,8 @@
 #define TemporalCoherence_ExtremeWalk_h
 
 #include "Acceleration/HiddenCells.h"
-#include "Blending/ExtremeBlocks.h"
-#include "Blending/ExtremeSearch.h"
+#include "Projections/ExtremeBlocks.h"
+#include "Projections/ExtremeSearch.h"
 #include "Trace/CellRoot.h"
 #include "Trace/CellSamples.h"
 #include "Trace/CellWalk.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Blending/ShareTracer.h"
+#include "Projections/ShareTracer.h"
 
 #include "Blending/ComponentLooks.h"
 #include "Blending/RaySamples.h"

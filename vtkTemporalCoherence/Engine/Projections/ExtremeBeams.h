@@ -3,9 +3,9 @@
 #ifndef TemporalCoherence_ExtremeBeams_h
 #define TemporalCoherence_ExtremeBeams_h
 
-#include "Blending/ExtremeBlocks.h"
-#include "Blending/ExtremeSearch.h"
-#include "Blending/KernelsExtremes.h"
+#include "Projections/ExtremeBlocks.h"
+#include "Projections/ExtremeSearch.h"
+#include "Projections/KernelsExtremes.h"
 
 #include <array>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Blending/KernelsExtremes.h"
+#include "Projections/KernelsExtremes.h"
 
 #include "Beams/KernelsBeam.h"
 
@@ -12,13 +12,13 @@
 
 // This file is compiled once for each kind of vectors, and what runs is chosen by the machine.
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "Blending/KernelsExtremes.cxx"
+#define HWY_TARGET_INCLUDE "Projections/KernelsExtremes.cxx"
 #include <hwy/foreach_target.h>
 
 #include "Beams/KernelsHull-inl.h"
 #include "Beams/KernelsLattice-inl.h"
-#include "Blending/KernelsCellStay-inl.h"
-#include "Blending/KernelsLargest-inl.h"
+#include "Projections/KernelsCellStay-inl.h"
+#include "Projections/KernelsLargest-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace TemporalCoherence
@@ -114,18 +114,6 @@ private:
     return bound >= this->Least && bound > -std::numeric_limits<float>::infinity();
   }
 
-  float DepthOf(const glm::ivec3& block, int size) const
-  {
-    float depth = 0.0f;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const bool isBack = this->Beam.Flip >> (2 * axis) & 1;
-      depth += static_cast<float>((isBack ? -block[axis] : block[axis]) * size) *
-        std::abs(this->Beam.Forward[axis]);
-    }
-    return depth;
-  }
-
   /// Call visit(place) for the children of a block that the beam passes.
   template <typename Visit>
   HWY_INLINE void ForEachChild(const glm::ivec3& first, int size, const Visit& visit) const
@@ -167,22 +155,9 @@ private:
         if (glm::all(glm::lessThan(node, all.Dimensions)) && this->IsWorth(all.BoundOf(node)))
         {
           nodes.push_back(
-            { node, all.BoundOf(node), this->DepthOf(node, ValueRangePyramid::NodeSize) });
+            { node, all.BoundOf(node), DepthOf(this->Beam, node, ValueRangePyramid::NodeSize) });
         }
       });
-  }
-
-  BeamBox BoxOf(const glm::ivec3& first, int size) const
-  {
-    BeamBox box;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const double anchor = this->Beam.Anchor[axis];
-      const int last = std::min(first[axis] + size, this->Blocks.Cells()[axis]);
-      box.Lows[axis] = static_cast<float>(this->Between.At(axis, first[axis]) - anchor);
-      box.Highs[axis] = static_cast<float>(this->Between.At(axis, last) - anchor);
-    }
-    return box;
   }
 
   /// Where a vector of rays passes a box, and those that may meet more in it.
@@ -214,7 +189,9 @@ private:
   /// The wanted rays, one bit each, that may pass a block on their walk and meet more in it.
   HWY_INLINE std::uint64_t FindWidened(const glm::ivec3& first, int size, float bound) const
   {
-    const beams::CellFaces faces(this->BoxOf(first, size), this->Beam.Margin, this->Beam.Flip);
+    const beams::CellFaces faces(
+      BoxOf(this->Between, this->Beam, this->Blocks.Cells(), first, size), this->Beam.Margin,
+      this->Beam.Flip);
     std::uint64_t widened = 0;
     for (std::size_t i = 0; i < RayBatch::Capacity; i += hn::Lanes(Floats()))
     {
@@ -280,7 +257,7 @@ private:
         if (this->IsWorth(bound))
         {
           const glm::ivec3 leaf = 4 * node.Place + child;
-          leaves.push_back({ leaf, bound, this->DepthOf(leaf, ValueRangePyramid::LeafSize) });
+          leaves.push_back({ leaf, bound, DepthOf(this->Beam, leaf, ValueRangePyramid::LeafSize) });
         }
       });
   }

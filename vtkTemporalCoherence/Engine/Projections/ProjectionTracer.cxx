@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Blending/ProjectionTracer.h"
+#include "Projections/ProjectionTracer.h"
 
 #include "Blending/ComponentLooks.h"
-#include "Blending/FieldProbe.h"
 #include "Blending/RaySamples.h"
 #include "Blending/TransferLookup.h"
+#include "Projections/FieldProbe.h"
 
 #include <cmath>
 #include <limits>

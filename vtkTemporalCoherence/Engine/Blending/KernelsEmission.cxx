@@ -34,7 +34,7 @@ using M = hn::Mask<Floats>;
 using Line = Cubics::HWY_NAMESPACE::Cubic<V>;
 
 /// A segment is cut into no more steps at first, and in the end into no shorter ones.
-constexpr float MostSteps = 64.0f, ShortestStep = 1.0f / 4096.0f;
+constexpr float MostSteps = 64.0f, ShortestStep = 1.0f / 1024.0f;
 
 /// The optical depth of a step, as far as it is seen: at first, and at most.
 constexpr float DepthOfStep = 0.5f, MostDepthOfStep = 1.0f;
@@ -42,9 +42,8 @@ constexpr float DepthOfStep = 0.5f, MostDepthOfStep = 1.0f;
 /// How far the optical depth of a segment may be off, as far as it is seen.
 constexpr float DepthTolerance = 1.0f / 256.0f;
 
-/// Light follows a parabola in each piece of a segment. Pieces for each unit by which a gradient
-/// turns (TurnOf), by the third root of this for what is seen.
-constexpr float PiecesOfTurn = 160.0f, MostPieces = 16.0f;
+/// The square of the steps for each unit by which a gradient turns (TurnOf), as far as it is seen.
+constexpr float StepsOfTurn = 2048.0f;
 
 /// How much a gradient opacity may change in a step, as far as it is seen.
 constexpr float MostOpacityChange = 1.0f / 16.0f;
@@ -212,50 +211,6 @@ struct EmissionAt
   V Value[4], Sum[4], Moment;
 };
 
-/// Light along a piece of a vector of segments: parabolas.
-class LightParabola
-{
-public:
-  using Light = ReflectedLight<V>;
-
-  HWY_INLINE LightParabola(const Light& begin, const Light& middle, const Light& end)
-    : First(begin)
-  {
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      Fit(begin.Matt[a], middle.Matt[a], end.Matt[a], this->Slope.Matt[a], this->Bend.Matt[a]);
-      Fit(begin.Shine[a], middle.Shine[a], end.Shine[a], this->Slope.Shine[a], this->Bend.Shine[a]);
-    }
-  }
-
-  /// The mean light around a place.
-  /// \param spread the mean square of the distance from it
-  HWY_INLINE Light At(V share, V spread) const
-  {
-    const V square = hn::Add(hn::Mul(share, share), spread);
-    const auto at = [&](V first, V slope, V bend) HWY_ATTR
-    { return hn::Add(first, hn::Add(hn::Mul(share, slope), hn::Mul(square, bend))); };
-    Light light;
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      light.Matt[a] = at(this->First.Matt[a], this->Slope.Matt[a], this->Bend.Matt[a]);
-      light.Shine[a] = at(this->First.Shine[a], this->Slope.Shine[a], this->Bend.Shine[a]);
-    }
-    return light;
-  }
-
-private:
-  static HWY_INLINE void Fit(V begin, V middle, V end, V& slope, V& bend)
-  {
-    const Floats d;
-    const V rise = hn::Sub(end, begin), up = hn::Sub(middle, begin);
-    bend = hn::Sub(hn::Add(rise, rise), hn::Mul(hn::Set(d, 4.0f), up));
-    slope = hn::Sub(rise, bend);
-  }
-
-  Light First, Slope, Bend;
-};
-
 /// What a vector of segments adds to its rays.
 class SegmentVector
 {
@@ -297,44 +252,53 @@ public:
   HWY_INLINE void Add(const CornerGradients& gradients)
   {
     const Floats d;
-    const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
-    V mean[4];
-    MeanBetween(this->Values.C[0], this->AtBegin, this->ValueAtEnd, this->AtEnd, zero, mean);
-    const V depth = hn::Mul(mean[0], this->Length);
-    this->FirstStep = this->StepFor(depth);
-    this->Step = this->FirstStep;
-    this->From = zero;
-    this->Value = this->Values.C[0];
-    this->Here = this->AtBegin;
-    this->Opacity = this->OpacityAt(gradients, zero);
-    if (!this->Volume.Lights)
+    const V zero = hn::Zero(d), one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f);
+    const V first = this->FirstStep(gradients);
+    V begin = zero, step = first, value = this->Values.C[0];
+    EmissionAt last = this->AtBegin;
+    V opacity = this->OpacityAt(gradients, zero);
+    M isOn = this->IsSegment;
+    while (!hn::AllFalse(d, isOn))
     {
-      this->AddTo(one, gradients, [](V, V) HWY_ATTR { return Unlit(); });
-      return;
-    }
-    const float pieces = this->PiecesFor(depth, gradients);
-    if (pieces < 0.5f)
-    {
-      this->AddTo(one, gradients, [&](V at, V) HWY_ATTR { return this->LightAt(gradients, at); });
-      return;
-    }
-    const float count = std::ceil(pieces);
-    ReflectedLight<V> light = this->LightAt(gradients, zero);
-    for (float piece = 0.0f; piece < count; piece += 1.0f)
-    {
-      const V begin = hn::Set(d, piece / count), end = hn::Set(d, (piece + 1.0f) / count);
-      const ReflectedLight<V> next = this->LightAt(gradients, end);
-      const LightParabola along(
-        light, this->LightAt(gradients, hn::Set(d, (piece + 0.5f) / count)), next);
-      const V perPiece = hn::Set(d, count);
-      this->AddTo(end, gradients,
-        [&](V at, V share) HWY_ATTR
-        {
-          const V inPiece = hn::Mul(share, perPiece);
-          return along.At(hn::Mul(hn::Sub(at, begin), perPiece),
-            hn::Mul(hn::Mul(inPiece, inPiece), hn::Set(d, 1.0f / 12.0f)));
-        });
-      light = next;
+      // What is left over of a segment is a part of its last step.
+      const M isLast = hn::Gt(hn::Add(begin, hn::Mul(step, hn::Set(d, 1.001f))), one);
+      const V end = hn::IfThenElse(isLast, one, hn::Add(begin, step));
+      V next = this->ValueAtEnd;
+      EmissionAt there = this->AtEnd;
+      if (!hn::AllTrue(d, hn::Or(isLast, hn::Not(isOn))))
+      {
+        next = this->Values.At(end);
+        this->LookUp(next, there);
+      }
+      const V share = hn::Sub(end, begin);
+      const V middle = this->Values.At(hn::Add(begin, hn::Mul(half, share)));
+      const V lift =
+        hn::Mul(hn::Set(d, 2.0f / 3.0f), hn::Sub(middle, hn::Mul(half, hn::Add(value, next))));
+      V mean[4];
+      MeanBetween(value, last, next, there, lift, mean);
+      V depth = hn::Mul(hn::Mul(mean[0], this->Length), share);
+      const V opacityThere = this->OpacityAt(gradients, end);
+      const M isShort = hn::Le(share, hn::Set(d, ShortestStep));
+      const M isTaken =
+        hn::And(isOn, hn::Or(isShort, this->IsGood(depth, hn::Sub(opacityThere, opacity))));
+      depth =
+        hn::IfThenElseZero(isTaken, hn::Mul(depth, hn::Mul(half, hn::Add(opacity, opacityThere))));
+      if (!hn::AllFalse(d, hn::Gt(depth, zero)))
+      {
+        const V centre = CentreOf(value, last, next, there, depth);
+        const V at = hn::Add(begin, hn::Mul(centre, share));
+        PullColors(last, there, depth, mean);
+        this->AddStep(
+          at, depth, mean, this->Volume.Lights ? this->LightAt(gradients, at) : Unlit());
+      }
+      // Steps that are too long are tried again, and what follows short ones is longer again.
+      step = hn::IfThenElse(
+        isTaken, hn::Min(first, hn::Add(step, step)), hn::Mul(hn::Set(d, 0.25f), share));
+      begin = hn::IfThenElse(isTaken, end, begin);
+      value = hn::IfThenElse(isTaken, next, value);
+      opacity = hn::IfThenElse(isTaken, opacityThere, opacity);
+      Take(isTaken, there, last);
+      isOn = hn::And(isOn, hn::And(hn::Lt(begin, one), hn::Gt(this->Passed, hn::Set(d, 1e-4f))));
     }
   }
 
@@ -367,7 +331,7 @@ public:
 
 private:
   /// The length of the first steps, as a share of the segments.
-  HWY_INLINE V StepFor(V depth) const
+  HWY_INLINE V FirstStep(const CornerGradients& gradients) const
   {
     const Floats d;
     const V one = hn::Set(d, 1.0f);
@@ -378,73 +342,19 @@ private:
     const V steepness =
       hn::GatherIndex(d, tables.Steepness.data(), hn::ConvertTo(Integers(), block));
     // What a straight line misses falls with the square of the steps.
-    const V square = hn::Mul(hn::Mul(steepness, hn::Mul(this->Bend, this->Length)),
-      hn::Mul(this->Passed, hn::Set(d, 1.0f / DepthTolerance)));
-    const V steps = hn::Max(
-      hn::Sqrt(square), hn::Mul(hn::Mul(depth, this->Passed), hn::Set(d, 1.0f / DepthOfStep)));
-    return hn::Div(one, hn::Min(hn::Max(hn::Ceil(steps), one), hn::Set(d, MostSteps)));
-  }
-
-  /// In how many pieces light follows parabolas; less than a half: it hardly changes.
-  HWY_INLINE float PiecesFor(V depth, const CornerGradients& gradients) const
-  {
-    const Floats d;
-    const V seen =
-      hn::IfThenElseZero(this->IsSegment, hn::Mul(this->Passed, hn::Min(depth, hn::Set(d, 1.0f))));
-    const V turn = this->TurnOf(gradients);
-    // The cube of the pieces: compared as such, since roots of vectors are dear.
-    const V square = hn::Add(turn, turn);
-    const V cube =
-      hn::Mul(hn::Mul(square, hn::Sqrt(square)), hn::Mul(seen, hn::Set(d, PiecesOfTurn)));
-    return std::min(std::cbrt(hn::GetLane(hn::MaxOfLanes(d, cube))), MostPieces);
-  }
-
-  /// Add segments up to a place, step by step.
-  /// \param lightAt finds the light around a place, from the length of the step
-  template <typename LightAt>
-  HWY_INLINE void AddTo(V target, const CornerGradients& gradients, const LightAt& lightAt)
-  {
-    const Floats d;
-    const V half = hn::Set(d, 0.5f), least = hn::Set(d, 1e-4f);
-    M isOn = hn::And(this->IsSegment, hn::Gt(this->Passed, least));
-    while (!hn::AllFalse(d, isOn))
+    V square = hn::Mul(
+      hn::Mul(steepness, hn::Mul(this->Bend, this->Length)), hn::Set(d, 1.0f / DepthTolerance));
+    V mean[4];
+    MeanBetween(this->Values.C[0], this->AtBegin, this->ValueAtEnd, this->AtEnd, hn::Zero(d), mean);
+    const V depth = hn::Mul(mean[0], this->Length);
+    if (this->Volume.Lights)
     {
-      // What is left over is a part of the last step.
-      const M isLast = hn::Gt(hn::Add(this->From, hn::Mul(this->Step, hn::Set(d, 1.001f))), target);
-      const V to = hn::IfThenElse(isLast, target, hn::Add(this->From, this->Step));
-      const V next = this->Values.At(to);
-      EmissionAt there;
-      this->LookUp(next, there);
-      const V share = hn::Sub(to, this->From);
-      const V middle = this->Values.At(hn::Add(this->From, hn::Mul(half, share)));
-      const V lift = hn::Mul(
-        hn::Set(d, 2.0f / 3.0f), hn::Sub(middle, hn::Mul(half, hn::Add(this->Value, next))));
-      V mean[4];
-      MeanBetween(this->Value, this->Here, next, there, lift, mean);
-      V depth = hn::Mul(hn::Mul(mean[0], this->Length), share);
-      const V opacity = this->OpacityAt(gradients, to);
-      const M isShort = hn::Le(share, hn::Set(d, ShortestStep));
-      const M isTaken =
-        hn::And(isOn, hn::Or(isShort, this->IsGood(depth, hn::Sub(opacity, this->Opacity))));
-      depth =
-        hn::IfThenElseZero(isTaken, hn::Mul(depth, hn::Mul(half, hn::Add(this->Opacity, opacity))));
-      if (!hn::AllFalse(d, hn::Gt(depth, hn::Zero(d))))
-      {
-        const V centre = CentreOf(this->Value, this->Here, next, there, depth);
-        const V at = hn::Add(this->From, hn::Mul(centre, share));
-        PullColors(this->Here, there, depth, mean);
-        this->AddStep(at, depth, mean, lightAt(at, share));
-      }
-      // Steps that are too long are tried again, and what follows short ones is longer again.
-      this->Step =
-        hn::IfThenElse(isTaken, hn::Min(this->FirstStep, hn::Add(this->Step, this->Step)),
-          hn::IfThenElse(isOn, hn::Mul(hn::Set(d, 0.25f), share), this->Step));
-      this->From = hn::IfThenElse(isTaken, to, this->From);
-      this->Value = hn::IfThenElse(isTaken, next, this->Value);
-      this->Opacity = hn::IfThenElse(isTaken, opacity, this->Opacity);
-      Take(isTaken, there, this->Here);
-      isOn = hn::And(isOn, hn::And(hn::Lt(this->From, target), hn::Gt(this->Passed, least)));
+      const V turn = hn::Mul(this->TurnOf(gradients), hn::Min(depth, one));
+      square = hn::Add(square, hn::Mul(turn, hn::Set(d, StepsOfTurn)));
     }
+    const V steps = hn::Max(hn::Sqrt(hn::Mul(this->Passed, square)),
+      hn::Mul(hn::Mul(depth, this->Passed), hn::Set(d, 1.0f / DepthOfStep)));
+    return hn::Div(one, hn::Min(hn::Max(hn::Ceil(steps), one), hn::Set(d, MostSteps)));
   }
 
   /// True where a step may be taken.
@@ -570,14 +480,15 @@ private:
     hn::StoreU(hn::ConvertTo(di, bin), di, bins);
     // Four numbers lie side by side: copies of all of them are faster than gathering each.
     HWY_ALIGN float values[4 * WidestVector], rises[4 * WidestVector], sums[4 * WidestVector];
-    HWY_ALIGN float moments[WidestVector];
+    HWY_ALIGN float moments[WidestVector], boosts[WidestVector];
     for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
     {
-      const EmissionNode& from = tables.Nodes[static_cast<std::size_t>(bins[lane])];
+      const EmissionBin& from = tables.All[static_cast<std::size_t>(bins[lane])];
       std::memcpy(values + 4 * lane, from.Value.data(), sizeof(from.Value));
       std::memcpy(rises + 4 * lane, from.Rise.data(), sizeof(from.Rise));
       std::memcpy(sums + 4 * lane, from.Sum.data(), sizeof(from.Sum));
       moments[lane] = from.Moment;
+      boosts[lane] = from.Boost;
     }
     V rise[4];
     hn::LoadInterleaved4(d, values, at.Value[0], at.Value[1], at.Value[2], at.Value[3]);
@@ -586,11 +497,13 @@ private:
     // The moment of what lies between the node and the value, about half way.
     const V middle = hn::Add(bin, hn::Mul(half, hn::Add(share, beyond)));
     const V between = hn::Mul(hn::Add(share, beyond), middle);
+    const V boost = hn::IfThenElse(hn::Eq(share, zero), hn::Load(d, boosts), one);
     for (std::size_t i = 0; i < 4; ++i)
     {
       const V mean = hn::Add(at.Value[i], hn::Mul(hn::Mul(half, share), rise[i]));
-      at.Value[i] = hn::Add(at.Value[i], hn::Mul(share, rise[i]));
-      at.Sum[i] = hn::Add(at.Sum[i], hn::Add(hn::Mul(share, mean), hn::Mul(beyond, at.Value[i])));
+      const V here = hn::Add(at.Value[i], hn::Mul(share, rise[i]));
+      at.Value[i] = hn::Mul(boost, here);
+      at.Sum[i] = hn::Add(at.Sum[i], hn::Add(hn::Mul(share, mean), hn::Mul(beyond, here)));
       if (i == 0)
       {
         at.Moment = hn::Add(hn::Load(d, moments), hn::Mul(between, mean));
@@ -600,14 +513,17 @@ private:
 
   /// The mean emission of a stretch on which values go from one to another.
   /// \param lift how far the mean value is above that of both ends
-  static HWY_INLINE void MeanBetween(
-    V a, const EmissionAt& atA, V b, const EmissionAt& atB, V lift, V mean[4])
+  HWY_INLINE void MeanBetween(
+    V a, const EmissionAt& atA, V b, const EmissionAt& atB, V lift, V mean[4]) const
   {
     const Floats d;
     const V one = hn::Set(d, 1.0f);
     const V difference = hn::Sub(b, a);
     // The difference of sums loses its digits where these are close together.
     const M isClose = hn::Lt(hn::Abs(difference), hn::Set(d, 4.0f));
+    // Sums do not count all of what is opaque at once.
+    const M isOpaque =
+      hn::Gt(hn::Max(atA.Value[0], atB.Value[0]), hn::Set(d, this->Volume.Tables.MostCounted));
     const V perBin = hn::Div(one, hn::IfThenElse(isClose, one, difference));
     const V lifted = hn::IfThenElseZero(hn::Not(isClose), lift);
     for (std::size_t i = 0; i < 4; ++i)
@@ -616,7 +532,7 @@ private:
       const V more = hn::Mul(lifted, hn::Sub(atB.Value[i], atA.Value[i]));
       const V far = hn::Mul(hn::Add(hn::Sub(atB.Sum[i], atA.Sum[i]), more), perBin);
       const V close = hn::Mul(hn::Set(d, 0.5f), hn::Add(atA.Value[i], atB.Value[i]));
-      mean[i] = hn::Max(hn::IfThenElse(isClose, close, far), hn::Zero(d));
+      mean[i] = hn::Max(hn::IfThenElse(hn::Or(isClose, isOpaque), close, far), hn::Zero(d));
     }
   }
 
@@ -698,9 +614,6 @@ private:
   Line Values;
   V ValueAtEnd;
   EmissionAt AtBegin, AtEnd;
-  // Where the next step begins:
-  V From, Step, FirstStep, Value, Opacity;
-  EmissionAt Here;
   V Passed, Color[3], Direction[3], Eye[3], Begin[3], Across[3];
 };
 

@@ -233,6 +233,7 @@ public:
       this->Values.C[power] = load(segments.Cubic[power]);
     }
     this->Middle = load(segments.Middle);
+    this->Span = load(segments.Span);
     this->Bend = load(segments.Bend);
     this->Passed = hn::GatherIndex(d, seen.Passed.data(), this->Ray);
     for (std::size_t a = 0; a < 3; ++a)
@@ -336,11 +337,7 @@ private:
     const Floats d;
     const V one = hn::Set(d, 1.0f);
     const TransferTables& tables = this->Volume.Tables;
-    const V blocks = hn::Set(d, static_cast<float>(tables.Steepness.size() - 1));
-    const V perBlock = hn::Set(d, 1.0f / (1 << TransferTables::BlockBits));
-    const V block = hn::Min(hn::Max(hn::Mul(this->Middle, perBlock), hn::Zero(d)), blocks);
-    const V steepness =
-      hn::GatherIndex(d, tables.Steepness.data(), hn::ConvertTo(Integers(), block));
+    const V steepness = this->SteepnessOf(tables);
     // What a straight line misses falls with the square of the steps.
     V square = hn::Mul(
       hn::Mul(steepness, hn::Mul(this->Bend, this->Length)), hn::Set(d, 1.0f / DepthTolerance));
@@ -355,6 +352,24 @@ private:
     const V steps = hn::Max(hn::Sqrt(hn::Mul(this->Passed, square)),
       hn::Mul(hn::Mul(depth, this->Passed), hn::Set(d, 1.0f / DepthOfStep)));
     return hn::Div(one, hn::Min(hn::Max(hn::Ceil(steps), one), hn::Set(d, MostSteps)));
+  }
+
+  /// The largest change of extinction from bin to bin in segments.
+  HWY_INLINE V SteepnessOf(const TransferTables& tables) const
+  {
+    const Floats d;
+    const std::size_t count = tables.Steepness.size() / TransferTables::Levels;
+    const V last = hn::Set(d, static_cast<float>(count - 1));
+    const V perBlock = hn::Set(d, 1.0f / (1 << TransferTables::BlockBits));
+    const V block = hn::Floor(hn::Min(hn::Max(hn::Mul(this->Middle, perBlock), hn::Zero(d)), last));
+    V place = block;
+    for (int level = 0; level < TransferTables::Levels - 1; ++level)
+    {
+      const V reach = hn::Set(d, static_cast<float>(1 << (TransferTables::BlockBits + level)));
+      place = hn::Add(place,
+        hn::IfThenElseZero(hn::Gt(this->Span, reach), hn::Set(d, static_cast<float>(count))));
+    }
+    return hn::GatherIndex(d, tables.Steepness.data(), hn::ConvertTo(Integers(), place));
   }
 
   /// True where a step may be taken.
@@ -520,7 +535,7 @@ private:
     const V one = hn::Set(d, 1.0f);
     const V difference = hn::Sub(b, a);
     // The difference of sums loses its digits where these are close together.
-    const M isClose = hn::Lt(hn::Abs(difference), hn::Set(d, 4.0f));
+    const M isClose = hn::Lt(hn::Abs(difference), hn::Set(d, this->Volume.Tables.Closest));
     // Sums do not count all of what is opaque at once.
     const M isOpaque =
       hn::Gt(hn::Max(atA.Value[0], atB.Value[0]), hn::Set(d, this->Volume.Tables.MostCounted));
@@ -610,7 +625,7 @@ private:
   BlendedRays& Seen;
   M IsSegment;
   I Ray;
-  V Enter, Length, Middle, Bend;
+  V Enter, Length, Middle, Span, Bend;
   Line Values;
   V ValueAtEnd;
   EmissionAt AtBegin, AtEnd;

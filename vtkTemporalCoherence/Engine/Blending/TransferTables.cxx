@@ -16,10 +16,14 @@ constexpr int FewestBins = 2048;
 
 /// What sums count of a range of values that is opaque at once, in shares of the largest extinction
 /// times bins. They would lose the digits of what comes behind it.
-constexpr double MostOfRange = 16.0;
+constexpr double MostOfRange = 0.25;
 
 /// Larger extinctions than this share of the largest one are opaque at once.
 constexpr double ShareOfOpaque = 1.0 / 256.0;
+
+/// The mean of a stretch is wanted to this share of a typical one. A float has this share of
+/// errors.
+constexpr double WantedDigits = 1e-3, Rounding = 6e-8;
 
 /// The integral of -ln(1 - x) from 0 to an opacity.
 double SumOfDepths(double opacity)
@@ -76,11 +80,9 @@ std::vector<double> SharesCounted(const std::vector<DepthOfBin>& depths, double 
   return shares;
 }
 
-/// The largest change of extinction from bin to bin, over 2 blocks on each side: a stretch of a ray
-/// may reach so far.
+/// TransferTables::Steepness.
 std::vector<float> SteepnessOf(const std::vector<EmissionBin>& bins, float opaque)
 {
-  constexpr std::size_t around = 2;
   const std::size_t blocks = (bins.size() >> TransferTables::BlockBits) + 1;
   std::vector<float> own(blocks, 0.0f), steepness;
   for (std::size_t bin = 0; bin < bins.size(); ++bin)
@@ -88,13 +90,18 @@ std::vector<float> SteepnessOf(const std::vector<EmissionBin>& bins, float opaqu
     float& most = own[bin >> TransferTables::BlockBits];
     most = std::max(most, std::min(std::abs(bins[bin].Rise[0]), opaque));
   }
-  for (std::size_t block = 0; block < blocks; ++block)
+  for (int level = 0; level < TransferTables::Levels; ++level)
   {
-    const auto begin =
-      own.begin() + static_cast<std::ptrdiff_t>(block < around ? 0 : block - around);
-    const auto end =
-      own.begin() + static_cast<std::ptrdiff_t>(std::min(block + around + 1, blocks));
-    steepness.push_back(*std::max_element(begin, end));
+    const bool isHighest = level == TransferTables::Levels - 1;
+    const std::size_t around = isHighest ? blocks : std::size_t(1) << level;
+    for (std::size_t block = 0; block < blocks; ++block)
+    {
+      const auto begin =
+        own.begin() + static_cast<std::ptrdiff_t>(block < around ? 0 : block - around);
+      const auto end =
+        own.begin() + static_cast<std::ptrdiff_t>(std::min(block + around + 1, blocks));
+      steepness.push_back(*std::max_element(begin, end));
+    }
   }
   return steepness;
 }
@@ -149,6 +156,7 @@ TransferTables::TransferTables(const ComponentLook& look, double mostExtinction)
     moment += counted[at] * ((bin + 0.5) * value.x + (0.5 * bin + 1.0 / 3.0) * rise.x);
     this->All.push_back(made);
   }
+  this->Closest = static_cast<float>(std::clamp(sum.x * Rounding / WantedDigits, 0.25, 4.0));
   this->Steepness = SteepnessOf(this->All, this->MostCounted);
 }
 

@@ -38,9 +38,12 @@ struct TransferTables
   double Low, PerValue;
   int Bins; ///< within the range
   std::vector<EmissionBin> All;
+  /// Where values differ less, in bins, the difference of their sums has too few digits.
+  float Closest;
   float MostCounted; ///< extinction above this is opaque at once, and Sum does not count all of it
-  /// The largest change of extinction from bin to bin, around blocks of bins.
-  static constexpr int BlockBits = 6;
+  /// The largest change of extinction from bin to bin, for blocks of bins and as many blocks on
+  /// each side as the level tells, 1, 2, 4 and so on: [level * blocks + block].
+  static constexpr int BlockBits = 6, Levels = 6;
   std::vector<float> Steepness;
 };
 

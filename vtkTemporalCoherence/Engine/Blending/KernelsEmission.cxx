@@ -40,10 +40,10 @@ constexpr float MostSteps = 64.0f, ShortestStep = 1.0f / 1024.0f;
 constexpr float DepthOfStep = 0.5f, MostDepthOfStep = 1.0f;
 
 /// How far the optical depth of a segment may be off, as far as it is seen.
-constexpr float DepthTolerance = 1.0f / 256.0f;
+constexpr float DepthTolerance = 1.0f / 1024.0f;
 
 /// The square of the steps for each unit by which a gradient turns (TurnOf), as far as it is seen.
-constexpr float StepsOfTurn = 2048.0f;
+constexpr float StepsOfTurn = 8192.0f;
 
 /// How much a gradient opacity may change in a step, as far as it is seen.
 constexpr float MostOpacityChange = 1.0f / 16.0f;
@@ -487,9 +487,11 @@ private:
     const Integers di;
     const TransferTables& tables = this->Volume.Tables;
     const V zero = hn::Zero(d), one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f);
-    const V last = hn::Set(d, static_cast<float>(tables.Bins - 1));
+    const V last = hn::Set(d, static_cast<float>(tables.Bins));
     const V bin = hn::Min(hn::Max(hn::Floor(value), zero), last);
-    const V share = hn::Min(hn::Max(hn::Sub(value, bin), zero), one);
+    // Above the range there is only the beginning of a bin.
+    const V inBin = hn::IfThenElseZero(hn::Lt(bin, last), hn::Sub(value, bin));
+    const V share = hn::Min(hn::Max(inBin, zero), one);
     const V beyond = hn::Sub(hn::Sub(value, bin), share);
     std::int32_t bins[WidestVector];
     hn::StoreU(hn::ConvertTo(di, bin), di, bins);

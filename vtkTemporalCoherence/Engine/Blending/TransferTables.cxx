@@ -126,21 +126,22 @@ TransferTables::TransferTables(const ComponentLook& look, double mostExtinction)
   };
   const double most = mostExtinction * look.UnitDistance;
   std::vector<DepthOfBin> depths;
-  for (int bin = 0; bin < this->Bins; ++bin)
+  for (int bin = 0; bin <= this->Bins; ++bin)
   {
-    depths.push_back(DepthBetween(nodeAt(bin).w, nodeAt(bin + 1).w, most));
+    depths.push_back(DepthBetween(nodeAt(bin).w, nodeAt(std::min(bin + 1, this->Bins)).w, most));
   }
   const std::vector<double> counted = SharesCounted(depths, most);
   glm::dvec4 sum(0.0);
   double moment = 0.0;
-  for (int bin = 0; bin < this->Bins; ++bin)
+  for (int bin = 0; bin <= this->Bins; ++bin)
   {
     const auto at = static_cast<std::size_t>(bin);
     const glm::dvec4 node = nodeAt(bin);
+    const glm::dvec4 next = nodeAt(std::min(bin + 1, this->Bins));
     const glm::dvec4 value =
       depths[at].First / look.UnitDistance * glm::dvec4(1.0, glm::dvec3(node));
     const glm::dvec4 rise =
-      depths[at].Last / look.UnitDistance * glm::dvec4(1.0, glm::dvec3(nodeAt(bin + 1))) - value;
+      depths[at].Last / look.UnitDistance * glm::dvec4(1.0, glm::dvec3(next)) - value;
     EmissionBin made;
     for (int i = 0; i < 4; ++i)
     {

@@ -36,8 +36,8 @@ struct TransferTables
   TransferTables(const ComponentLook& look, double mostExtinction);
 
   double Low, PerValue;
-  int Bins; ///< within the range
-  std::vector<EmissionBin> All;
+  int Bins;                     ///< within the range
+  std::vector<EmissionBin> All; ///< and one for what lies above the range
   /// Where values differ less, in bins, the difference of their sums has too few digits.
   float Closest;
   float MostCounted; ///< extinction above this is opaque at once, and Sum does not count all of it

@@ -42,11 +42,15 @@ constexpr float DepthOfStep = 0.5f, MostDepthOfStep = 1.0f;
 /// How far the optical depth of a segment may be off, as far as it is seen.
 constexpr float DepthTolerance = 1.0f / 1024.0f;
 
-/// The square of the steps for each unit by which a gradient turns (TurnOf), as far as it is seen.
-constexpr float StepsOfTurn = 8192.0f;
+/// The square of the steps for each unit by which light, or a gradient opacity, is off a straight
+/// line, as far as it is seen.
+constexpr float StepsOfBend = 1600.0f, StepsOfOpacity = 4096.0f;
+
+/// Up to this square of steps, light follows a parabola.
+constexpr float MostOfParabola = 0.5f;
 
 /// How much a gradient opacity may change in a step, as far as it is seen.
-constexpr float MostOpacityChange = 1.0f / 16.0f;
+constexpr float MostOpacityChange = 1.0f / 64.0f;
 
 /// exp(-x) for x >= 0.
 HWY_INLINE V ExpOfMinus(V x)
@@ -211,6 +215,59 @@ struct EmissionAt
   V Value[4], Sum[4], Moment;
 };
 
+/// Light along a vector of segments, as parabolas through three places.
+class LightParabola
+{
+public:
+  using Light = ReflectedLight<V>;
+
+  HWY_INLINE LightParabola(const Light& begin, const Light& middle, const Light& end)
+    : First(begin)
+  {
+    this->Off = hn::Zero(Floats());
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      this->Fit(
+        begin.Matt[a], middle.Matt[a], end.Matt[a], this->Slope.Matt[a], this->Bend.Matt[a]);
+      this->Fit(
+        begin.Shine[a], middle.Shine[a], end.Shine[a], this->Slope.Shine[a], this->Bend.Shine[a]);
+    }
+  }
+
+  /// The mean light around a place.
+  /// \param spread the mean square of the distance from it
+  HWY_INLINE Light At(V share, V spread) const
+  {
+    const V square = hn::Add(hn::Mul(share, share), spread);
+    const auto at = [&](V first, V slope, V bend) HWY_ATTR
+    { return hn::Add(first, hn::Add(hn::Mul(share, slope), hn::Mul(square, bend))); };
+    Light light;
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      light.Matt[a] = at(this->First.Matt[a], this->Slope.Matt[a], this->Bend.Matt[a]);
+      light.Shine[a] = at(this->First.Shine[a], this->Slope.Shine[a], this->Bend.Shine[a]);
+    }
+    return light;
+  }
+
+  /// How far light is off a straight line. Where it only seems straight, its slope counts a little.
+  V Off;
+
+private:
+  HWY_INLINE void Fit(V begin, V middle, V end, V& slope, V& bend)
+  {
+    const Floats d;
+    const V rise = hn::Sub(end, begin), up = hn::Sub(middle, begin);
+    bend = hn::Sub(hn::Add(rise, rise), hn::Mul(hn::Set(d, 4.0f), up));
+    slope = hn::Sub(rise, bend);
+    const V off =
+      hn::Add(hn::Mul(hn::Set(d, 0.5f), hn::Abs(bend)), hn::Mul(hn::Set(d, 0.05f), hn::Abs(rise)));
+    this->Off = hn::Max(this->Off, off);
+  }
+
+  Light First, Slope, Bend;
+};
+
 /// What a vector of segments adds to its rays.
 class SegmentVector
 {
@@ -253,8 +310,108 @@ public:
   HWY_INLINE void Add(const CornerGradients& gradients)
   {
     const Floats d;
+    const V zero = hn::Zero(d);
+    V mean[4];
+    MeanBetween(this->Values.C[0], this->AtBegin, this->ValueAtEnd, this->AtEnd, zero, mean);
+    const V depth = hn::Mul(mean[0], this->Length);
+    const V seen =
+      hn::IfThenElseZero(this->IsSegment, hn::Mul(this->Passed, hn::Min(depth, hn::Set(d, 1.0f))));
+    V square = this->SquareOfSteps(depth);
+    if (!this->Volume.ByGradient.Opacities.empty())
+    {
+      square = hn::Add(square, hn::Mul(seen, this->OpacityBend(gradients)));
+    }
+    if (!this->Volume.Lights)
+    {
+      this->AddSteps(square, gradients, [](V, V) HWY_ATTR { return Unlit(); });
+      return;
+    }
+    V squares[3]; // of gradients
+    const LightParabola light(this->LightAt(gradients, zero, squares[0]),
+      this->LightAt(gradients, hn::Set(d, 0.5f), squares[1]),
+      this->LightAt(gradients, hn::Set(d, 1.0f), squares[2]));
+    const V off = hn::Add(light.Off, Flip(squares));
+    const V ofLight = hn::Mul(hn::Mul(seen, off), hn::Set(d, StepsOfBend));
+    const M isSmooth = hn::Le(ofLight, hn::Set(d, MostOfParabola));
+    this->AddSteps(hn::Add(square, hn::IfThenElseZero(hn::Not(isSmooth), ofLight)), gradients,
+      [&](V at, V spread) HWY_ATTR
+      {
+        ReflectedLight<V> found = light.At(at, spread);
+        if (!hn::AllTrue(d, isSmooth))
+        {
+          V ignored;
+          const ReflectedLight<V> exact = this->LightAt(gradients, at, ignored);
+          for (std::size_t a = 0; a < 3; ++a)
+          {
+            found.Matt[a] = hn::IfThenElse(isSmooth, found.Matt[a], exact.Matt[a]);
+            found.Shine[a] = hn::IfThenElse(isSmooth, found.Shine[a], exact.Shine[a]);
+          }
+        }
+        return found;
+      });
+  }
+
+  /// Store what the rays have seen.
+  HWY_INLINE void Finish() const
+  {
+    const Floats d;
+    const std::size_t count = hn::CountTrue(d, this->IsSegment);
+    std::int32_t rays[WidestVector];
+    hn::StoreU(this->Ray, Integers(), rays);
+    const auto store = [&](V value, RayBatch::Array<float>& array) HWY_ATTR
+    {
+      float values[WidestVector];
+      hn::StoreU(value, d, values);
+      for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
+      {
+        if (lane < count)
+        {
+          array[static_cast<std::size_t>(rays[lane])] = values[lane];
+        }
+      }
+    };
+    store(this->Passed, this->Seen.Passed);
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      const V before = hn::GatherIndex(d, this->Seen.Color[a].data(), this->Ray);
+      store(hn::Add(before, this->Color[a]), this->Seen.Color[a]);
+    }
+  }
+
+private:
+  /// The square of the steps that the field and the transfer function ask for.
+  HWY_INLINE V SquareOfSteps(V depth) const
+  {
+    const Floats d;
+    // What a straight line misses falls with the square of the steps.
+    const V off =
+      hn::Mul(this->SteepnessOf(this->Volume.Tables), hn::Mul(this->Bend, this->Length));
+    const V steps = hn::Mul(hn::Mul(depth, this->Passed), hn::Set(d, 1.0f / DepthOfStep));
+    return hn::Max(hn::Mul(hn::Mul(off, this->Passed), hn::Set(d, 1.0f / DepthTolerance)),
+      hn::Mul(steps, steps));
+  }
+
+  /// The square of the steps that gradient opacities ask for, where all is seen of a segment.
+  HWY_INLINE V OpacityBend(const CornerGradients& gradients) const
+  {
+    const Floats d;
+    const V middle = this->OpacityAt(gradients, hn::Set(d, 0.5f));
+    const V first = hn::Sub(middle, this->OpacityAt(gradients, hn::Zero(d)));
+    const V second = hn::Sub(this->OpacityAt(gradients, hn::Set(d, 1.0f)), middle);
+    const V change = hn::Max(hn::Max(hn::Abs(first), hn::Abs(second)), hn::Set(d, 0.01f));
+    return hn::Mul(change, hn::Set(d, StepsOfOpacity));
+  }
+
+  /// Add segments step by step.
+  /// \param square  of the number of first steps
+  /// \param lightAt finds the light around a place, with the mean square of the distance from it
+  template <typename LightAt>
+  HWY_INLINE void AddSteps(V square, const CornerGradients& gradients, const LightAt& lightAt)
+  {
+    const Floats d;
     const V zero = hn::Zero(d), one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f);
-    const V first = this->FirstStep(gradients);
+    const V first =
+      hn::Div(one, hn::Min(hn::Max(hn::Ceil(hn::Sqrt(square)), one), hn::Set(d, MostSteps)));
     V begin = zero, step = first, value = this->Values.C[0];
     EmissionAt last = this->AtBegin;
     V opacity = this->OpacityAt(gradients, zero);
@@ -289,8 +446,8 @@ public:
         const V centre = CentreOf(value, last, next, there, depth);
         const V at = hn::Add(begin, hn::Mul(centre, share));
         PullColors(last, there, depth, mean);
-        this->AddStep(
-          at, depth, mean, this->Volume.Lights ? this->LightAt(gradients, at) : Unlit());
+        const V spread = hn::Mul(hn::Mul(share, share), hn::Set(d, 1.0f / 12.0f));
+        this->AddStep(at, depth, mean, lightAt(at, spread));
       }
       // Steps that are too long are tried again, and what follows short ones is longer again.
       step = hn::IfThenElse(
@@ -301,57 +458,6 @@ public:
       Take(isTaken, there, last);
       isOn = hn::And(isOn, hn::And(hn::Lt(begin, one), hn::Gt(this->Passed, hn::Set(d, 1e-4f))));
     }
-  }
-
-  /// Store what the rays have seen.
-  HWY_INLINE void Finish() const
-  {
-    const Floats d;
-    const std::size_t count = hn::CountTrue(d, this->IsSegment);
-    std::int32_t rays[WidestVector];
-    hn::StoreU(this->Ray, Integers(), rays);
-    const auto store = [&](V value, RayBatch::Array<float>& array) HWY_ATTR
-    {
-      float values[WidestVector];
-      hn::StoreU(value, d, values);
-      for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
-      {
-        if (lane < count)
-        {
-          array[static_cast<std::size_t>(rays[lane])] = values[lane];
-        }
-      }
-    };
-    store(this->Passed, this->Seen.Passed);
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      const V before = hn::GatherIndex(d, this->Seen.Color[a].data(), this->Ray);
-      store(hn::Add(before, this->Color[a]), this->Seen.Color[a]);
-    }
-  }
-
-private:
-  /// The length of the first steps, as a share of the segments.
-  HWY_INLINE V FirstStep(const CornerGradients& gradients) const
-  {
-    const Floats d;
-    const V one = hn::Set(d, 1.0f);
-    const TransferTables& tables = this->Volume.Tables;
-    const V steepness = this->SteepnessOf(tables);
-    // What a straight line misses falls with the square of the steps.
-    V square = hn::Mul(
-      hn::Mul(steepness, hn::Mul(this->Bend, this->Length)), hn::Set(d, 1.0f / DepthTolerance));
-    V mean[4];
-    MeanBetween(this->Values.C[0], this->AtBegin, this->ValueAtEnd, this->AtEnd, hn::Zero(d), mean);
-    const V depth = hn::Mul(mean[0], this->Length);
-    if (this->Volume.Lights)
-    {
-      const V turn = hn::Mul(this->TurnOf(gradients), hn::Min(depth, one));
-      square = hn::Add(square, hn::Mul(turn, hn::Set(d, StepsOfTurn)));
-    }
-    const V steps = hn::Max(hn::Sqrt(hn::Mul(this->Passed, square)),
-      hn::Mul(hn::Mul(depth, this->Passed), hn::Set(d, 1.0f / DepthOfStep)));
-    return hn::Div(one, hn::Min(hn::Max(hn::Ceil(steps), one), hn::Set(d, MostSteps)));
   }
 
   /// The largest change of extinction from bin to bin in segments.
@@ -407,12 +513,14 @@ private:
     }
   }
 
-  HWY_INLINE ReflectedLight<V> LightAt(const CornerGradients& gradients, V share) const
+  /// \param square of the gradient there
+  HWY_INLINE ReflectedLight<V> LightAt(const CornerGradients& gradients, V share, V& square) const
   {
     V place[3], gradient[3], normal[3], point[3];
     this->PlaceAt(share, place);
     gradients.At(place, gradient);
     FindNormals(this->Volume.WorldFromGradient, gradient, normal);
+    square = Dot(gradient, gradient);
     const V t = hn::Add(this->Enter, hn::Mul(share, this->Length));
     for (std::size_t a = 0; a < 3; ++a)
     {
@@ -421,24 +529,14 @@ private:
     return Reflect<V>(*this->Volume.Lights, { normal, this->Direction, point });
   }
 
-  /// How far gradients turn along segments, by way of their middle: the larger one of 1 - the
-  /// cosines from there to both ends.
-  HWY_INLINE V TurnOf(const CornerGradients& gradients) const
+  /// Where a gradient almost vanishes on its way, it may turn round, unseen at three places.
+  static HWY_INLINE V Flip(const V squares[3])
   {
     const Floats d;
-    V first[3], middle[3], last[3], place[3];
-    gradients.At(this->Begin, first);
-    this->PlaceAt(hn::Set(d, 0.5f), place);
-    gradients.At(place, middle);
-    this->PlaceAt(hn::Set(d, 1.0f), place);
-    gradients.At(place, last);
-    const V least = hn::Set(d, 1e-20f);
-    const V square = hn::Max(Dot(middle, middle), least);
-    const V toFirst = hn::Mul(square, hn::Max(Dot(first, first), least));
-    const V toLast = hn::Mul(square, hn::Max(Dot(last, last), least));
-    const V cosine = hn::Min(
-      hn::Div(Dot(first, middle), hn::Sqrt(toFirst)), hn::Div(Dot(middle, last), hn::Sqrt(toLast)));
-    return hn::Sub(hn::Set(d, 1.0f), cosine);
+    const V smallest = hn::Min(hn::Min(squares[0], squares[1]), squares[2]);
+    const V largest = hn::Max(hn::Max(squares[0], squares[1]), squares[2]);
+    const M isSmall = hn::Lt(smallest, hn::Mul(hn::Set(d, 0.1f), largest));
+    return hn::IfThenElseZero(isSmall, hn::Set(d, 0.1f));
   }
 
   /// The mean place of what is emitted in a step, as a share of it.

@@ -27,7 +27,7 @@ namespace
 constexpr float LeastPassed = 1.0f / 1024.0f;
 
 /// Optical depth of the shortest edge of a cell where the opacity is 1.
-constexpr double MostDepth = 256.0;
+constexpr double MostDepth = 65536.0;
 
 /// What may be seen, in bins; a list that is too long counts as one band.
 SegmentsKernels::SeenBins SeenBinsOf(

@@ -34,20 +34,23 @@ using M = hn::Mask<Floats>;
 using Line = Cubics::HWY_NAMESPACE::Cubic<V>;
 
 /// A segment is cut into no more steps at first, and in the end into no shorter ones.
-constexpr float MostSteps = 64.0f, ShortestStep = 1.0f / 4096.0f;
+constexpr float MostSteps = 64.0f, ShortestStep = 1.0f / 1024.0f;
 
 /// The optical depth of a step, as far as it is seen: at first, and at most.
 constexpr float DepthOfStep = 0.5f, MostDepthOfStep = 1.0f;
 
 /// How far the optical depth of a segment may be off, as far as it is seen.
-constexpr float DepthTolerance = 1.0f / 256.0f;
+constexpr float DepthTolerance = 1.0f / 1024.0f;
 
-/// Light follows a parabola in each piece of a segment. Pieces for each unit by which a gradient
-/// turns (TurnOf), by the third root of this for what is seen.
-constexpr float PiecesOfTurn = 160.0f, MostPieces = 16.0f;
+/// The square of the steps for each unit by which light, or a gradient opacity, is off a straight
+/// line, as far as it is seen.
+constexpr float StepsOfBend = 1600.0f, StepsOfOpacity = 4096.0f;
+
+/// Up to this square of steps, light follows a parabola.
+constexpr float MostOfParabola = 0.5f;
 
 /// How much a gradient opacity may change in a step, as far as it is seen.
-constexpr float MostOpacityChange = 1.0f / 16.0f;
+constexpr float MostOpacityChange = 1.0f / 64.0f;
 
 /// exp(-x) for x >= 0.
 HWY_INLINE V ExpOfMinus(V x)
@@ -212,7 +215,7 @@ struct EmissionAt
   V Value[4], Sum[4], Moment;
 };
 
-/// Light along a piece of a vector of segments: parabolas.
+/// Light along a vector of segments, as parabolas through three places.
 class LightParabola
 {
 public:
@@ -221,10 +224,13 @@ public:
   HWY_INLINE LightParabola(const Light& begin, const Light& middle, const Light& end)
     : First(begin)
   {
+    this->Off = hn::Zero(Floats());
     for (std::size_t a = 0; a < 3; ++a)
     {
-      Fit(begin.Matt[a], middle.Matt[a], end.Matt[a], this->Slope.Matt[a], this->Bend.Matt[a]);
-      Fit(begin.Shine[a], middle.Shine[a], end.Shine[a], this->Slope.Shine[a], this->Bend.Shine[a]);
+      this->Fit(
+        begin.Matt[a], middle.Matt[a], end.Matt[a], this->Slope.Matt[a], this->Bend.Matt[a]);
+      this->Fit(
+        begin.Shine[a], middle.Shine[a], end.Shine[a], this->Slope.Shine[a], this->Bend.Shine[a]);
     }
   }
 
@@ -244,13 +250,19 @@ public:
     return light;
   }
 
+  /// How far light is off a straight line. Where it only seems straight, its slope counts a little.
+  V Off;
+
 private:
-  static HWY_INLINE void Fit(V begin, V middle, V end, V& slope, V& bend)
+  HWY_INLINE void Fit(V begin, V middle, V end, V& slope, V& bend)
   {
     const Floats d;
     const V rise = hn::Sub(end, begin), up = hn::Sub(middle, begin);
     bend = hn::Sub(hn::Add(rise, rise), hn::Mul(hn::Set(d, 4.0f), up));
     slope = hn::Sub(rise, bend);
+    const V off =
+      hn::Add(hn::Mul(hn::Set(d, 0.5f), hn::Abs(bend)), hn::Mul(hn::Set(d, 0.05f), hn::Abs(rise)));
+    this->Off = hn::Max(this->Off, off);
   }
 
   Light First, Slope, Bend;
@@ -278,6 +290,7 @@ public:
       this->Values.C[power] = load(segments.Cubic[power]);
     }
     this->Middle = load(segments.Middle);
+    this->Span = load(segments.Span);
     this->Bend = load(segments.Bend);
     this->Passed = hn::GatherIndex(d, seen.Passed.data(), this->Ray);
     for (std::size_t a = 0; a < 3; ++a)
@@ -297,45 +310,45 @@ public:
   HWY_INLINE void Add(const CornerGradients& gradients)
   {
     const Floats d;
-    const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
+    const V zero = hn::Zero(d);
     V mean[4];
     MeanBetween(this->Values.C[0], this->AtBegin, this->ValueAtEnd, this->AtEnd, zero, mean);
     const V depth = hn::Mul(mean[0], this->Length);
-    this->FirstStep = this->StepFor(depth);
-    this->Step = this->FirstStep;
-    this->From = zero;
-    this->Value = this->Values.C[0];
-    this->Here = this->AtBegin;
-    this->Opacity = this->OpacityAt(gradients, zero);
+    const V seen =
+      hn::IfThenElseZero(this->IsSegment, hn::Mul(this->Passed, hn::Min(depth, hn::Set(d, 1.0f))));
+    V square = this->SquareOfSteps(depth);
+    if (!this->Volume.ByGradient.Opacities.empty())
+    {
+      square = hn::Add(square, hn::Mul(seen, this->OpacityBend(gradients)));
+    }
     if (!this->Volume.Lights)
     {
-      this->AddTo(one, gradients, [](V, V) HWY_ATTR { return Unlit(); });
+      this->AddSteps(square, gradients, [](V, V) HWY_ATTR { return Unlit(); });
       return;
     }
-    const float pieces = this->PiecesFor(depth, gradients);
-    if (pieces < 0.5f)
-    {
-      this->AddTo(one, gradients, [&](V at, V) HWY_ATTR { return this->LightAt(gradients, at); });
-      return;
-    }
-    const float count = std::ceil(pieces);
-    ReflectedLight<V> light = this->LightAt(gradients, zero);
-    for (float piece = 0.0f; piece < count; piece += 1.0f)
-    {
-      const V begin = hn::Set(d, piece / count), end = hn::Set(d, (piece + 1.0f) / count);
-      const ReflectedLight<V> next = this->LightAt(gradients, end);
-      const LightParabola along(
-        light, this->LightAt(gradients, hn::Set(d, (piece + 0.5f) / count)), next);
-      const V perPiece = hn::Set(d, count);
-      this->AddTo(end, gradients,
-        [&](V at, V share) HWY_ATTR
+    V squares[3]; // of gradients
+    const LightParabola light(this->LightAt(gradients, zero, squares[0]),
+      this->LightAt(gradients, hn::Set(d, 0.5f), squares[1]),
+      this->LightAt(gradients, hn::Set(d, 1.0f), squares[2]));
+    const V off = hn::Add(light.Off, Flip(squares));
+    const V ofLight = hn::Mul(hn::Mul(seen, off), hn::Set(d, StepsOfBend));
+    const M isSmooth = hn::Le(ofLight, hn::Set(d, MostOfParabola));
+    this->AddSteps(hn::Add(square, hn::IfThenElseZero(hn::Not(isSmooth), ofLight)), gradients,
+      [&](V at, V spread) HWY_ATTR
+      {
+        ReflectedLight<V> found = light.At(at, spread);
+        if (!hn::AllTrue(d, isSmooth))
         {
-          const V inPiece = hn::Mul(share, perPiece);
-          return along.At(hn::Mul(hn::Sub(at, begin), perPiece),
-            hn::Mul(hn::Mul(inPiece, inPiece), hn::Set(d, 1.0f / 12.0f)));
-        });
-      light = next;
-    }
+          V ignored;
+          const ReflectedLight<V> exact = this->LightAt(gradients, at, ignored);
+          for (std::size_t a = 0; a < 3; ++a)
+          {
+            found.Matt[a] = hn::IfThenElse(isSmooth, found.Matt[a], exact.Matt[a]);
+            found.Shine[a] = hn::IfThenElse(isSmooth, found.Shine[a], exact.Shine[a]);
+          }
+        }
+        return found;
+      });
   }
 
   /// Store what the rays have seen.
@@ -366,85 +379,103 @@ public:
   }
 
 private:
-  /// The length of the first steps, as a share of the segments.
-  HWY_INLINE V StepFor(V depth) const
+  /// The square of the steps that the field and the transfer function ask for.
+  HWY_INLINE V SquareOfSteps(V depth) const
   {
     const Floats d;
-    const V one = hn::Set(d, 1.0f);
-    const TransferTables& tables = this->Volume.Tables;
-    const V blocks = hn::Set(d, static_cast<float>(tables.Steepness.size() - 1));
-    const V perBlock = hn::Set(d, 1.0f / (1 << TransferTables::BlockBits));
-    const V block = hn::Min(hn::Max(hn::Mul(this->Middle, perBlock), hn::Zero(d)), blocks);
-    const V steepness =
-      hn::GatherIndex(d, tables.Steepness.data(), hn::ConvertTo(Integers(), block));
     // What a straight line misses falls with the square of the steps.
-    const V square = hn::Mul(hn::Mul(steepness, hn::Mul(this->Bend, this->Length)),
-      hn::Mul(this->Passed, hn::Set(d, 1.0f / DepthTolerance)));
-    const V steps = hn::Max(
-      hn::Sqrt(square), hn::Mul(hn::Mul(depth, this->Passed), hn::Set(d, 1.0f / DepthOfStep)));
-    return hn::Div(one, hn::Min(hn::Max(hn::Ceil(steps), one), hn::Set(d, MostSteps)));
+    const V off =
+      hn::Mul(this->SteepnessOf(this->Volume.Tables), hn::Mul(this->Bend, this->Length));
+    const V steps = hn::Mul(hn::Mul(depth, this->Passed), hn::Set(d, 1.0f / DepthOfStep));
+    return hn::Max(hn::Mul(hn::Mul(off, this->Passed), hn::Set(d, 1.0f / DepthTolerance)),
+      hn::Mul(steps, steps));
   }
 
-  /// In how many pieces light follows parabolas; less than a half: it hardly changes.
-  HWY_INLINE float PiecesFor(V depth, const CornerGradients& gradients) const
+  /// The square of the steps that gradient opacities ask for, where all is seen of a segment.
+  HWY_INLINE V OpacityBend(const CornerGradients& gradients) const
   {
     const Floats d;
-    const V seen =
-      hn::IfThenElseZero(this->IsSegment, hn::Mul(this->Passed, hn::Min(depth, hn::Set(d, 1.0f))));
-    const V turn = this->TurnOf(gradients);
-    // The cube of the pieces: compared as such, since roots of vectors are dear.
-    const V square = hn::Add(turn, turn);
-    const V cube =
-      hn::Mul(hn::Mul(square, hn::Sqrt(square)), hn::Mul(seen, hn::Set(d, PiecesOfTurn)));
-    return std::min(std::cbrt(hn::GetLane(hn::MaxOfLanes(d, cube))), MostPieces);
+    const V middle = this->OpacityAt(gradients, hn::Set(d, 0.5f));
+    const V first = hn::Sub(middle, this->OpacityAt(gradients, hn::Zero(d)));
+    const V second = hn::Sub(this->OpacityAt(gradients, hn::Set(d, 1.0f)), middle);
+    const V change = hn::Max(hn::Max(hn::Abs(first), hn::Abs(second)), hn::Set(d, 0.01f));
+    return hn::Mul(change, hn::Set(d, StepsOfOpacity));
   }
 
-  /// Add segments up to a place, step by step.
-  /// \param lightAt finds the light around a place, from the length of the step
+  /// Add segments step by step.
+  /// \param square  of the number of first steps
+  /// \param lightAt finds the light around a place, with the mean square of the distance from it
   template <typename LightAt>
-  HWY_INLINE void AddTo(V target, const CornerGradients& gradients, const LightAt& lightAt)
+  HWY_INLINE void AddSteps(V square, const CornerGradients& gradients, const LightAt& lightAt)
   {
     const Floats d;
-    const V half = hn::Set(d, 0.5f), least = hn::Set(d, 1e-4f);
-    M isOn = hn::And(this->IsSegment, hn::Gt(this->Passed, least));
+    const V zero = hn::Zero(d), one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f);
+    const V first =
+      hn::Div(one, hn::Min(hn::Max(hn::Ceil(hn::Sqrt(square)), one), hn::Set(d, MostSteps)));
+    V begin = zero, step = first, value = this->Values.C[0];
+    EmissionAt last = this->AtBegin;
+    V opacity = this->OpacityAt(gradients, zero);
+    M isOn = this->IsSegment;
     while (!hn::AllFalse(d, isOn))
     {
-      // What is left over is a part of the last step.
-      const M isLast = hn::Gt(hn::Add(this->From, hn::Mul(this->Step, hn::Set(d, 1.001f))), target);
-      const V to = hn::IfThenElse(isLast, target, hn::Add(this->From, this->Step));
-      const V next = this->Values.At(to);
-      EmissionAt there;
-      this->LookUp(next, there);
-      const V share = hn::Sub(to, this->From);
-      const V middle = this->Values.At(hn::Add(this->From, hn::Mul(half, share)));
-      const V lift = hn::Mul(
-        hn::Set(d, 2.0f / 3.0f), hn::Sub(middle, hn::Mul(half, hn::Add(this->Value, next))));
+      // What is left over of a segment is a part of its last step.
+      const M isLast = hn::Gt(hn::Add(begin, hn::Mul(step, hn::Set(d, 1.001f))), one);
+      const V end = hn::IfThenElse(isLast, one, hn::Add(begin, step));
+      V next = this->ValueAtEnd;
+      EmissionAt there = this->AtEnd;
+      if (!hn::AllTrue(d, hn::Or(isLast, hn::Not(isOn))))
+      {
+        next = this->Values.At(end);
+        this->LookUp(next, there);
+      }
+      const V share = hn::Sub(end, begin);
+      const V middle = this->Values.At(hn::Add(begin, hn::Mul(half, share)));
+      const V lift =
+        hn::Mul(hn::Set(d, 2.0f / 3.0f), hn::Sub(middle, hn::Mul(half, hn::Add(value, next))));
       V mean[4];
-      MeanBetween(this->Value, this->Here, next, there, lift, mean);
+      MeanBetween(value, last, next, there, lift, mean);
       V depth = hn::Mul(hn::Mul(mean[0], this->Length), share);
-      const V opacity = this->OpacityAt(gradients, to);
+      const V opacityThere = this->OpacityAt(gradients, end);
       const M isShort = hn::Le(share, hn::Set(d, ShortestStep));
       const M isTaken =
-        hn::And(isOn, hn::Or(isShort, this->IsGood(depth, hn::Sub(opacity, this->Opacity))));
+        hn::And(isOn, hn::Or(isShort, this->IsGood(depth, hn::Sub(opacityThere, opacity))));
       depth =
-        hn::IfThenElseZero(isTaken, hn::Mul(depth, hn::Mul(half, hn::Add(this->Opacity, opacity))));
-      if (!hn::AllFalse(d, hn::Gt(depth, hn::Zero(d))))
+        hn::IfThenElseZero(isTaken, hn::Mul(depth, hn::Mul(half, hn::Add(opacity, opacityThere))));
+      if (!hn::AllFalse(d, hn::Gt(depth, zero)))
       {
-        const V centre = CentreOf(this->Value, this->Here, next, there, depth);
-        const V at = hn::Add(this->From, hn::Mul(centre, share));
-        PullColors(this->Here, there, depth, mean);
-        this->AddStep(at, depth, mean, lightAt(at, share));
+        const V centre = CentreOf(value, last, next, there, depth);
+        const V at = hn::Add(begin, hn::Mul(centre, share));
+        PullColors(last, there, depth, mean);
+        const V spread = hn::Mul(hn::Mul(share, share), hn::Set(d, 1.0f / 12.0f));
+        this->AddStep(at, depth, mean, lightAt(at, spread));
       }
       // Steps that are too long are tried again, and what follows short ones is longer again.
-      this->Step =
-        hn::IfThenElse(isTaken, hn::Min(this->FirstStep, hn::Add(this->Step, this->Step)),
-          hn::IfThenElse(isOn, hn::Mul(hn::Set(d, 0.25f), share), this->Step));
-      this->From = hn::IfThenElse(isTaken, to, this->From);
-      this->Value = hn::IfThenElse(isTaken, next, this->Value);
-      this->Opacity = hn::IfThenElse(isTaken, opacity, this->Opacity);
-      Take(isTaken, there, this->Here);
-      isOn = hn::And(isOn, hn::And(hn::Lt(this->From, target), hn::Gt(this->Passed, least)));
+      step = hn::IfThenElse(
+        isTaken, hn::Min(first, hn::Add(step, step)), hn::Mul(hn::Set(d, 0.25f), share));
+      begin = hn::IfThenElse(isTaken, end, begin);
+      value = hn::IfThenElse(isTaken, next, value);
+      opacity = hn::IfThenElse(isTaken, opacityThere, opacity);
+      Take(isTaken, there, last);
+      isOn = hn::And(isOn, hn::And(hn::Lt(begin, one), hn::Gt(this->Passed, hn::Set(d, 1e-4f))));
     }
+  }
+
+  /// The largest change of extinction from bin to bin in segments.
+  HWY_INLINE V SteepnessOf(const TransferTables& tables) const
+  {
+    const Floats d;
+    const std::size_t count = tables.Steepness.size() / TransferTables::Levels;
+    const V last = hn::Set(d, static_cast<float>(count - 1));
+    const V perBlock = hn::Set(d, 1.0f / (1 << TransferTables::BlockBits));
+    const V block = hn::Floor(hn::Min(hn::Max(hn::Mul(this->Middle, perBlock), hn::Zero(d)), last));
+    V place = block;
+    for (int level = 0; level < TransferTables::Levels - 1; ++level)
+    {
+      const V reach = hn::Set(d, static_cast<float>(1 << (TransferTables::BlockBits + level)));
+      place = hn::Add(place,
+        hn::IfThenElseZero(hn::Gt(this->Span, reach), hn::Set(d, static_cast<float>(count))));
+    }
+    return hn::GatherIndex(d, tables.Steepness.data(), hn::ConvertTo(Integers(), place));
   }
 
   /// True where a step may be taken.
@@ -482,12 +513,14 @@ private:
     }
   }
 
-  HWY_INLINE ReflectedLight<V> LightAt(const CornerGradients& gradients, V share) const
+  /// \param square of the gradient there
+  HWY_INLINE ReflectedLight<V> LightAt(const CornerGradients& gradients, V share, V& square) const
   {
     V place[3], gradient[3], normal[3], point[3];
     this->PlaceAt(share, place);
     gradients.At(place, gradient);
     FindNormals(this->Volume.WorldFromGradient, gradient, normal);
+    square = Dot(gradient, gradient);
     const V t = hn::Add(this->Enter, hn::Mul(share, this->Length));
     for (std::size_t a = 0; a < 3; ++a)
     {
@@ -496,24 +529,14 @@ private:
     return Reflect<V>(*this->Volume.Lights, { normal, this->Direction, point });
   }
 
-  /// How far gradients turn along segments, by way of their middle: the larger one of 1 - the
-  /// cosines from there to both ends.
-  HWY_INLINE V TurnOf(const CornerGradients& gradients) const
+  /// Where a gradient almost vanishes on its way, it may turn round, unseen at three places.
+  static HWY_INLINE V Flip(const V squares[3])
   {
     const Floats d;
-    V first[3], middle[3], last[3], place[3];
-    gradients.At(this->Begin, first);
-    this->PlaceAt(hn::Set(d, 0.5f), place);
-    gradients.At(place, middle);
-    this->PlaceAt(hn::Set(d, 1.0f), place);
-    gradients.At(place, last);
-    const V least = hn::Set(d, 1e-20f);
-    const V square = hn::Max(Dot(middle, middle), least);
-    const V toFirst = hn::Mul(square, hn::Max(Dot(first, first), least));
-    const V toLast = hn::Mul(square, hn::Max(Dot(last, last), least));
-    const V cosine = hn::Min(
-      hn::Div(Dot(first, middle), hn::Sqrt(toFirst)), hn::Div(Dot(middle, last), hn::Sqrt(toLast)));
-    return hn::Sub(hn::Set(d, 1.0f), cosine);
+    const V smallest = hn::Min(hn::Min(squares[0], squares[1]), squares[2]);
+    const V largest = hn::Max(hn::Max(squares[0], squares[1]), squares[2]);
+    const M isSmall = hn::Lt(smallest, hn::Mul(hn::Set(d, 0.1f), largest));
+    return hn::IfThenElseZero(isSmall, hn::Set(d, 0.1f));
   }
 
   /// The mean place of what is emitted in a step, as a share of it.
@@ -562,22 +585,25 @@ private:
     const Integers di;
     const TransferTables& tables = this->Volume.Tables;
     const V zero = hn::Zero(d), one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f);
-    const V last = hn::Set(d, static_cast<float>(tables.Bins - 1));
+    const V last = hn::Set(d, static_cast<float>(tables.Bins));
     const V bin = hn::Min(hn::Max(hn::Floor(value), zero), last);
-    const V share = hn::Min(hn::Max(hn::Sub(value, bin), zero), one);
+    // Above the range there is only the beginning of a bin.
+    const V inBin = hn::IfThenElseZero(hn::Lt(bin, last), hn::Sub(value, bin));
+    const V share = hn::Min(hn::Max(inBin, zero), one);
     const V beyond = hn::Sub(hn::Sub(value, bin), share);
     std::int32_t bins[WidestVector];
     hn::StoreU(hn::ConvertTo(di, bin), di, bins);
     // Four numbers lie side by side: copies of all of them are faster than gathering each.
     HWY_ALIGN float values[4 * WidestVector], rises[4 * WidestVector], sums[4 * WidestVector];
-    HWY_ALIGN float moments[WidestVector];
+    HWY_ALIGN float moments[WidestVector], boosts[WidestVector];
     for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
     {
-      const EmissionNode& from = tables.Nodes[static_cast<std::size_t>(bins[lane])];
+      const EmissionBin& from = tables.All[static_cast<std::size_t>(bins[lane])];
       std::memcpy(values + 4 * lane, from.Value.data(), sizeof(from.Value));
       std::memcpy(rises + 4 * lane, from.Rise.data(), sizeof(from.Rise));
       std::memcpy(sums + 4 * lane, from.Sum.data(), sizeof(from.Sum));
       moments[lane] = from.Moment;
+      boosts[lane] = from.Boost;
     }
     V rise[4];
     hn::LoadInterleaved4(d, values, at.Value[0], at.Value[1], at.Value[2], at.Value[3]);
@@ -586,11 +612,13 @@ private:
     // The moment of what lies between the node and the value, about half way.
     const V middle = hn::Add(bin, hn::Mul(half, hn::Add(share, beyond)));
     const V between = hn::Mul(hn::Add(share, beyond), middle);
+    const V boost = hn::IfThenElse(hn::Eq(share, zero), hn::Load(d, boosts), one);
     for (std::size_t i = 0; i < 4; ++i)
     {
       const V mean = hn::Add(at.Value[i], hn::Mul(hn::Mul(half, share), rise[i]));
-      at.Value[i] = hn::Add(at.Value[i], hn::Mul(share, rise[i]));
-      at.Sum[i] = hn::Add(at.Sum[i], hn::Add(hn::Mul(share, mean), hn::Mul(beyond, at.Value[i])));
+      const V here = hn::Add(at.Value[i], hn::Mul(share, rise[i]));
+      at.Value[i] = hn::Mul(boost, here);
+      at.Sum[i] = hn::Add(at.Sum[i], hn::Add(hn::Mul(share, mean), hn::Mul(beyond, here)));
       if (i == 0)
       {
         at.Moment = hn::Add(hn::Load(d, moments), hn::Mul(between, mean));
@@ -600,14 +628,17 @@ private:
 
   /// The mean emission of a stretch on which values go from one to another.
   /// \param lift how far the mean value is above that of both ends
-  static HWY_INLINE void MeanBetween(
-    V a, const EmissionAt& atA, V b, const EmissionAt& atB, V lift, V mean[4])
+  HWY_INLINE void MeanBetween(
+    V a, const EmissionAt& atA, V b, const EmissionAt& atB, V lift, V mean[4]) const
   {
     const Floats d;
     const V one = hn::Set(d, 1.0f);
     const V difference = hn::Sub(b, a);
     // The difference of sums loses its digits where these are close together.
-    const M isClose = hn::Lt(hn::Abs(difference), hn::Set(d, 4.0f));
+    const M isClose = hn::Lt(hn::Abs(difference), hn::Set(d, this->Volume.Tables.Closest));
+    // Sums do not count all of what is opaque at once.
+    const M isOpaque =
+      hn::Gt(hn::Max(atA.Value[0], atB.Value[0]), hn::Set(d, this->Volume.Tables.MostCounted));
     const V perBin = hn::Div(one, hn::IfThenElse(isClose, one, difference));
     const V lifted = hn::IfThenElseZero(hn::Not(isClose), lift);
     for (std::size_t i = 0; i < 4; ++i)
@@ -616,7 +647,7 @@ private:
       const V more = hn::Mul(lifted, hn::Sub(atB.Value[i], atA.Value[i]));
       const V far = hn::Mul(hn::Add(hn::Sub(atB.Sum[i], atA.Sum[i]), more), perBin);
       const V close = hn::Mul(hn::Set(d, 0.5f), hn::Add(atA.Value[i], atB.Value[i]));
-      mean[i] = hn::Max(hn::IfThenElse(isClose, close, far), hn::Zero(d));
+      mean[i] = hn::Max(hn::IfThenElse(hn::Or(isClose, isOpaque), close, far), hn::Zero(d));
     }
   }
 
@@ -694,13 +725,10 @@ private:
   BlendedRays& Seen;
   M IsSegment;
   I Ray;
-  V Enter, Length, Middle, Bend;
+  V Enter, Length, Middle, Span, Bend;
   Line Values;
   V ValueAtEnd;
   EmissionAt AtBegin, AtEnd;
-  // Where the next step begins:
-  V From, Step, FirstStep, Value, Opacity;
-  EmissionAt Here;
   V Passed, Color[3], Direction[3], Eye[3], Begin[3], Across[3];
 };
 

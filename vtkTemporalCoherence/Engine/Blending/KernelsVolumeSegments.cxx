@@ -140,6 +140,7 @@ HWY_INLINE void FindSeen(const RayWalks& walks, const LoadCorners& loadCorners,
       keep(cubic.C[power], found.Cubic[power]);
     }
     keep(hn::Mul(hn::Set(d, 0.5f), hn::Add(bounds.Low, bounds.High)), found.Middle);
+    keep(hn::Mul(hn::Set(d, 0.5f), hn::Sub(bounds.High, bounds.Low)), found.Span);
     keep(bounds.Bend, found.Bend);
     std::int32_t rays[WidestVector];
     for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)

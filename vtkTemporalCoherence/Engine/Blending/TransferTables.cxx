@@ -14,6 +14,98 @@ namespace
 /// Bins are at most as wide as this share of the range.
 constexpr int FewestBins = 2048;
 
+/// What sums count of a range of values that is opaque at once, in shares of the largest extinction
+/// times bins. They would lose the digits of what comes behind it.
+constexpr double MostOfRange = 0.25;
+
+/// Larger extinctions than this share of the largest one are opaque at once.
+constexpr double ShareOfOpaque = 1.0 / 256.0;
+
+/// The mean of a stretch is wanted to this share of a typical one. A float has this share of
+/// errors.
+constexpr double WantedDigits = 1e-3, Rounding = 6e-8;
+
+/// The integral of -ln(1 - x) from 0 to an opacity.
+double SumOfDepths(double opacity)
+{
+  return opacity >= 1.0 ? 1.0 : (1.0 - opacity) * std::log1p(-opacity) + opacity;
+}
+
+double DepthOf(double opacity)
+{
+  return -std::log1p(-opacity);
+}
+
+/// The optical depth of a bin of opacities, which is linear in it.
+struct DepthOfBin
+{
+  double First, Last;
+};
+
+/// The depth has no bound where an opacity comes to 1, but its mean has. A line with that mean
+/// stands for it.
+DepthOfBin DepthBetween(double a, double b, double most)
+{
+  if (a >= 1.0 && b >= 1.0)
+  {
+    return { most, most };
+  }
+  if (a < 1.0 && b < 1.0)
+  {
+    return { std::min(DepthOf(a), most), std::min(DepthOf(b), most) };
+  }
+  const double mean = (SumOfDepths(b) - SumOfDepths(a)) / (b - a);
+  const double other = DepthOf(std::min(a, b));
+  const double atOne = std::max(2.0 * mean - other, 0.0);
+  return a >= 1.0 ? DepthOfBin{ atOne, other } : DepthOfBin{ other, atOne };
+}
+
+/// The share of extinctions in a bin that sums count: by the length of the opaque range around it.
+std::vector<double> SharesCounted(const std::vector<DepthOfBin>& depths, double most)
+{
+  std::vector<double> shares(depths.size(), 1.0);
+  for (std::size_t begin = 0; begin < depths.size(); ++begin)
+  {
+    std::size_t end = begin;
+    while (end < depths.size() && depths[end].First >= most && depths[end].Last >= most)
+    {
+      ++end;
+    }
+    const auto length = static_cast<double>(end - begin);
+    std::fill(shares.begin() + static_cast<std::ptrdiff_t>(begin),
+      shares.begin() + static_cast<std::ptrdiff_t>(end),
+      std::min(1.0, MostOfRange / std::max(length, 1.0)));
+    begin = std::max(begin, end);
+  }
+  return shares;
+}
+
+/// TransferTables::Steepness.
+std::vector<float> SteepnessOf(const std::vector<EmissionBin>& bins, float opaque)
+{
+  const std::size_t blocks = (bins.size() >> TransferTables::BlockBits) + 1;
+  std::vector<float> own(blocks, 0.0f), steepness;
+  for (std::size_t bin = 0; bin < bins.size(); ++bin)
+  {
+    float& most = own[bin >> TransferTables::BlockBits];
+    most = std::max(most, std::min(std::abs(bins[bin].Rise[0]), opaque));
+  }
+  for (int level = 0; level < TransferTables::Levels; ++level)
+  {
+    const bool isHighest = level == TransferTables::Levels - 1;
+    const std::size_t around = isHighest ? blocks : std::size_t(1) << level;
+    for (std::size_t block = 0; block < blocks; ++block)
+    {
+      const auto begin =
+        own.begin() + static_cast<std::ptrdiff_t>(block < around ? 0 : block - around);
+      const auto end =
+        own.begin() + static_cast<std::ptrdiff_t>(std::min(block + around + 1, blocks));
+      steepness.push_back(*std::max_element(begin, end));
+    }
+  }
+  return steepness;
+}
+
 }
 
 TransferTables::TransferTables(const ComponentLook& look, double mostExtinction)
@@ -23,58 +115,50 @@ TransferTables::TransferTables(const ComponentLook& look, double mostExtinction)
   const int perNode = (FewestBins + between - 1) / between;
   this->Bins = perNode * between;
   this->Low = look.Transfer.Range.x;
-  const double width = look.Transfer.Range.y - look.Transfer.Range.x;
-  this->PerValue = this->Bins / width;
+  this->PerValue = this->Bins / (look.Transfer.Range.y - look.Transfer.Range.x);
+  this->MostCounted = static_cast<float>(ShareOfOpaque * mostExtinction);
   const auto nodeAt = [&](int bin)
   {
-    const int clamped = std::clamp(bin, 0, this->Bins);
-    const int node = std::min(clamped / perNode, between - 1);
-    const double share = static_cast<double>(clamped - node * perNode) / perNode;
+    const int node = std::min(bin / perNode, between - 1);
+    const double share = static_cast<double>(bin - node * perNode) / perNode;
     return glm::mix(
       nodes[static_cast<std::size_t>(node)], nodes[static_cast<std::size_t>(node + 1)], share);
   };
-  const auto emissionAt = [&](int bin)
+  const double most = mostExtinction * look.UnitDistance;
+  std::vector<DepthOfBin> depths;
+  for (int bin = 0; bin <= this->Bins; ++bin)
   {
-    const glm::dvec4 node = nodeAt(bin);
-    const double depth = node.w >= 1.0 ? mostExtinction * look.UnitDistance : -std::log1p(-node.w);
-    const double extinction = std::min(depth / look.UnitDistance, mostExtinction);
-    return extinction * glm::dvec4(1.0, glm::dvec3(node));
-  };
+    depths.push_back(DepthBetween(nodeAt(bin).w, nodeAt(std::min(bin + 1, this->Bins)).w, most));
+  }
+  const std::vector<double> counted = SharesCounted(depths, most);
   glm::dvec4 sum(0.0);
   double moment = 0.0;
-  for (int bin = 0; bin < this->Bins; ++bin)
-  {
-    const glm::dvec4 value = emissionAt(bin), rise = emissionAt(bin + 1) - value;
-    EmissionNode made;
-    for (int i = 0; i < 4; ++i)
-    {
-      const auto at = static_cast<std::size_t>(i);
-      made.Value[at] = static_cast<float>(value[i]);
-      made.Rise[at] = static_cast<float>(rise[i]);
-      made.Sum[at] = static_cast<float>(sum[i]);
-    }
-    made.Moment = static_cast<float>(moment);
-    sum += value + 0.5 * rise;
-    moment += (bin + 0.5) * value.x + (0.5 * bin + 1.0 / 3.0) * rise.x;
-    this->Nodes.push_back(made);
-  }
-
-  // Over 2 blocks on each side, as a stretch of a ray may reach so far.
-  constexpr int around = 2;
-  const int blocks = (this->Bins >> BlockBits) + 1;
-  std::vector<float> own(static_cast<std::size_t>(blocks), 0.0f);
-  for (int bin = 0; bin < this->Bins; ++bin)
+  for (int bin = 0; bin <= this->Bins; ++bin)
   {
     const auto at = static_cast<std::size_t>(bin);
-    float& most = own[at >> BlockBits];
-    most = std::max(most, std::abs(this->Nodes[at].Rise[0]));
+    const glm::dvec4 node = nodeAt(bin);
+    const glm::dvec4 next = nodeAt(std::min(bin + 1, this->Bins));
+    const glm::dvec4 value =
+      depths[at].First / look.UnitDistance * glm::dvec4(1.0, glm::dvec3(node));
+    const glm::dvec4 rise =
+      depths[at].Last / look.UnitDistance * glm::dvec4(1.0, glm::dvec3(next)) - value;
+    EmissionBin made;
+    for (int i = 0; i < 4; ++i)
+    {
+      const auto place = static_cast<std::size_t>(i);
+      made.Value[place] = static_cast<float>(value[i]);
+      made.Rise[place] = static_cast<float>(rise[i]);
+      made.Sum[place] = static_cast<float>(sum[i]);
+    }
+    made.Moment = static_cast<float>(moment);
+    const bool isPeak = node.w >= 1.0 && value.x > 0.0;
+    made.Boost = isPeak ? static_cast<float>(mostExtinction / value.x) : 1.0f;
+    sum += counted[at] * (value + 0.5 * rise);
+    moment += counted[at] * ((bin + 0.5) * value.x + (0.5 * bin + 1.0 / 3.0) * rise.x);
+    this->All.push_back(made);
   }
-  for (int block = 0; block < blocks; ++block)
-  {
-    const auto begin = own.begin() + std::max(block - around, 0);
-    const auto end = own.begin() + std::min(block + around + 1, blocks);
-    this->Steepness.push_back(*std::max_element(begin, end));
-  }
+  this->Closest = static_cast<float>(std::clamp(sum.x * Rounding / WantedDigits, 0.25, 4.0));
+  this->Steepness = SteepnessOf(this->All, this->MostCounted);
 }
 
 GradientTable::GradientTable(const GradientOpacity& opacity)

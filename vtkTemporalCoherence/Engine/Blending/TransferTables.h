@@ -14,19 +14,20 @@ namespace TemporalCoherence
 /// Extinction, and the light that it emits: red, green and blue times the extinction.
 using Emission = std::array<float, 4>;
 
-/// Emission at a node, which is where a bin of values begins.
-struct EmissionNode
+/// Emission in a bin of values.
+struct EmissionBin
 {
-  Emission Value; ///< per world distance
-  Emission Rise;  ///< from here to the next node
-  Emission Sum;   ///< the integral of the values from the beginning of the range to here, in bins
+  Emission Value; ///< where the bin begins, per world distance
+  Emission Rise;  ///< from there to its end
+  Emission Sum;   ///< the integral from the beginning of the range to the bin, in bins
   float Moment;   ///< the same of extinction times value in bins
+  float Boost;    ///< Value times this is emitted at the very beginning, where a peak may be
 };
 
 /// A transfer function integrated over values, so that a stretch of a ray on which the field is
 /// linear takes two look-ups, however often the function bends in between (pre-integration).
 ///
-/// Values are counted in bins: u = (value - Low) * PerValue. Between nodes emission is linear, and
+/// Values are counted in bins: u = (value - Low) * PerValue. In a bin emission is linear, and
 /// beyond the range it is constant.
 struct TransferTables
 {
@@ -35,10 +36,14 @@ struct TransferTables
   TransferTables(const ComponentLook& look, double mostExtinction);
 
   double Low, PerValue;
-  int Bins;                        ///< within the range
-  std::vector<EmissionNode> Nodes; ///< one for each bin
-  /// The largest change of extinction from bin to bin, around blocks of bins.
-  static constexpr int BlockBits = 6;
+  int Bins;                     ///< within the range
+  std::vector<EmissionBin> All; ///< and one for what lies above the range
+  /// Where values differ less, in bins, the difference of their sums has too few digits.
+  float Closest;
+  float MostCounted; ///< extinction above this is opaque at once, and Sum does not count all of it
+  /// The largest change of extinction from bin to bin, for blocks of bins and as many blocks on
+  /// each side as the level tells, 1, 2, 4 and so on: [level * blocks + block].
+  static constexpr int BlockBits = 6, Levels = 6;
   std::vector<float> Steepness;
 };
 

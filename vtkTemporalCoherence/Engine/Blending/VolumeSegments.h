@@ -30,7 +30,8 @@ struct VolumeSegments
   std::array<Array<float>, 3> Begin;  ///< where the ray enters, in the coordinates of the cell
   std::array<Array<float>, 3> Across; ///< from there to where it leaves
   std::array<Array<float>, 4> Cubic;  ///< the field at share x: the sum of Cubic[i] x^i
-  Array<float> Middle;                ///< between the bounds of the field
+  Array<float> Middle;                ///< between bounds of the field
+  Array<float> Span;                  ///< from there to the bounds
   Array<float> Bend;                  ///< the largest second difference of its Bernstein points
 };
 

@@ -11,6 +11,8 @@ from vtkmodules.vtkIOImage import vtkPNGReader
 # Of 255: pixels that differ by less are no outline. A translucent surface may have, by chance, the
 # very colour of what is behind it.
 LEAST_SEEN = 16
+# Pixels that differ by more show something else.
+FAR = 48
 
 
 def read_picture(path):
@@ -44,6 +46,33 @@ def astray(mask, other):
     outside = numpy.pad(~mask, 1, constant_values=True)
     at_outline = widened(outside)[1:-1, 1:-1]
     return mask & ~other & ~(widened(other) & at_outline)
+
+
+@dataclasses.dataclass
+class Likeness:
+    """How far the pixels are apart that one of two pictures covers, of 255: in the mean, and the
+    share of those that are far apart."""
+    seen: int
+    mean: float
+    far: float
+
+    def is_within(self, mean, far):
+        """Whether there is something to see, and it looks alike."""
+        return self.seen > 0 and self.mean <= mean and self.far <= far
+
+    def __str__(self):
+        return f"{self.seen} pixels apart by {self.mean:.2f}, {100 * self.far:.2f} % of them far"
+
+
+def likeness(picture, reference, ground):
+    """How alike two pictures are where they are unlike the ground."""
+    if not picture.shape == reference.shape == ground.shape:
+        return Likeness(0, 255.0, 1.0)
+    difference = numpy.abs(picture - reference).max(axis=2)
+    seen = (picture != ground).any(axis=2) | (reference != ground).any(axis=2)
+    count = max(int(seen.sum()), 1)
+    return Likeness(int(seen.sum()), float(difference[seen].sum() / count),
+                    float((difference[seen] > FAR).sum() / count))
 
 
 @dataclasses.dataclass

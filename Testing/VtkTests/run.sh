@@ -36,14 +36,14 @@ The tests are run on a display of their own, and judged by four doors:
 
   factory           as they are, with VTK_AUTOLOAD_PATH: the picture of VTK's mapper, byte for byte;
                     where they show isosurfaces, their outlines within a pixel
-  renamed           with the name changed: VTK's outlines; or exactly one message by each mapper that
+  renamed           with the name changed: VTK's look, or at least its outlines; or exactly one message by each mapper that
                     tells why it draws nothing, and the picture without its volume; or, where a test
                     never sets a blend mode, the isosurfaces of its property as polygons have them
   surfaces-factory  as they are, with VTK_AUTOLOAD_PATH and each volume made to show an opaque
                     isosurface: the outlines of polygons within a pixel, unless VTK's mapper draws
   surfaces-renamed  the same with the name changed
 
-The verdicts are: same (byte for byte), outline, as documented, VTK draws, SKIPPED; and where something
+The verdicts are: same (byte for byte), look, outline, as documented, VTK draws, SKIPPED; and where something
 is wrong DIFFERENT, SILENT (nothing drawn, nothing told), CRASH, TOO SLOW, NO PICTURE, NOT RUN.
 README.md beside this script has the table for VTK 9.1; differences.txt has the pictures that differ
 for a good reason.

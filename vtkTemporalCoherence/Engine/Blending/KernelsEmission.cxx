@@ -43,8 +43,8 @@ constexpr float DepthOfStep = 0.5f, MostDepthOfStep = 1.0f;
 constexpr float DepthTolerance = 1.0f / 1024.0f;
 
 /// The square of the steps for each unit by which light, or a gradient opacity, is off a straight
-/// line, as far as it is seen.
-constexpr float StepsOfBend = 1600.0f, StepsOfOpacity = 4096.0f;
+/// line, and by which a normal turns (1 - the cosine), as far as it is seen.
+constexpr float StepsOfBend = 1600.0f, StepsOfOpacity = 4096.0f, StepsOfTurn = 2048.0f;
 
 /// Up to this square of steps, light follows a parabola.
 constexpr float MostOfParabola = 0.5f;
@@ -326,12 +326,15 @@ public:
       this->AddSteps(square, gradients, [](V, V) HWY_ATTR { return Unlit(); });
       return;
     }
-    V squares[3]; // of gradients
-    const LightParabola light(this->LightAt(gradients, zero, squares[0]),
-      this->LightAt(gradients, hn::Set(d, 0.5f), squares[1]),
-      this->LightAt(gradients, hn::Set(d, 1.0f), squares[2]));
-    const V off = hn::Add(light.Off, Flip(squares));
-    const V ofLight = hn::Mul(hn::Mul(seen, off), hn::Set(d, StepsOfBend));
+    V normals[3][3];
+    const LightParabola light(this->LightAt(gradients, zero, normals[0]),
+      this->LightAt(gradients, hn::Set(d, 0.5f), normals[1]),
+      this->LightAt(gradients, hn::Set(d, 1.0f), normals[2]));
+    // Two measures, as each is blind for some turns of normals between these places.
+    const V turn =
+      hn::Sub(hn::Set(d, 1.0f), hn::Min(Dot(normals[0], normals[1]), Dot(normals[1], normals[2])));
+    const V ofLight = hn::Mul(seen,
+      hn::Max(hn::Mul(light.Off, hn::Set(d, StepsOfBend)), hn::Mul(turn, hn::Set(d, StepsOfTurn))));
     const M isSmooth = hn::Le(ofLight, hn::Set(d, MostOfParabola));
     this->AddSteps(hn::Add(square, hn::IfThenElseZero(hn::Not(isSmooth), ofLight)), gradients,
       [&](V at, V spread) HWY_ATTR
@@ -339,7 +342,7 @@ public:
         ReflectedLight<V> found = light.At(at, spread);
         if (!hn::AllTrue(d, isSmooth))
         {
-          V ignored;
+          V ignored[3];
           const ReflectedLight<V> exact = this->LightAt(gradients, at, ignored);
           for (std::size_t a = 0; a < 3; ++a)
           {
@@ -513,30 +516,19 @@ private:
     }
   }
 
-  /// \param square of the gradient there
-  HWY_INLINE ReflectedLight<V> LightAt(const CornerGradients& gradients, V share, V& square) const
+  /// \param normal there, of unit length
+  HWY_INLINE ReflectedLight<V> LightAt(const CornerGradients& gradients, V share, V normal[3]) const
   {
-    V place[3], gradient[3], normal[3], point[3];
+    V place[3], gradient[3], point[3];
     this->PlaceAt(share, place);
     gradients.At(place, gradient);
     FindNormals(this->Volume.WorldFromGradient, gradient, normal);
-    square = Dot(gradient, gradient);
     const V t = hn::Add(this->Enter, hn::Mul(share, this->Length));
     for (std::size_t a = 0; a < 3; ++a)
     {
       point[a] = hn::Add(this->Eye[a], hn::Mul(t, this->Direction[a]));
     }
     return Reflect<V>(*this->Volume.Lights, { normal, this->Direction, point });
-  }
-
-  /// Where a gradient almost vanishes on its way, it may turn round, unseen at three places.
-  static HWY_INLINE V Flip(const V squares[3])
-  {
-    const Floats d;
-    const V smallest = hn::Min(hn::Min(squares[0], squares[1]), squares[2]);
-    const V largest = hn::Max(hn::Max(squares[0], squares[1]), squares[2]);
-    const M isSmall = hn::Lt(smallest, hn::Mul(hn::Set(d, 0.1f), largest));
-    return hn::IfThenElseZero(isSmall, hn::Set(d, 0.1f));
   }
 
   /// The mean place of what is emitted in a step, as a share of it.

@@ -4,7 +4,6 @@ find_package(glm REQUIRED)
 find_package(hwy REQUIRED)
 
 set(engine_files
-  Scene/Blending
   Scene/FieldKind
   Scene/FrameKey
   Scene/FramePlanes
@@ -57,6 +56,8 @@ set(engine_files
   Blending/PhongLight
   Blending/SampledTracer
   Blending/TransferTables
+  Blending/VisibleBands
+  Projections/ExtremeLook
   Projections/FieldProbe
   Projections/KernelsExtremes
   Projections/ProjectionTracer
@@ -204,12 +205,14 @@ set(bridge_files
   Request/BlendingFromVolume
   Request/EmptyInput
   Request/FieldFromMapper
+  Request/GradientOpacityFromVolume
   Request/IsovalueCheck
   Request/LightsFromRenderer
   Request/RegionFromMapper
   Request/RequestFromMapper
   Request/SampledTransfer
   Request/TransferNodes
+  Request/TransferSamples
   Request/ViewFromRenderer
   Output/BufferImages
   Output/ImageFromFrame

@@ -3,7 +3,7 @@
 #include "vtkTemporalCoherenceVolumeMapper.h"
 
 #include "Request/ViewFromRenderer.h"
-#include "Scene/Stopwatch.h"
+#include "Scene/Timers.h"
 #include "SettingsFromMapper.h"
 #include "Window/PeelingPass.h"
 #include "vtkTemporalCoherenceVolumeMapperInternals.h"

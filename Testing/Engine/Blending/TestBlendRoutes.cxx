@@ -4,10 +4,6 @@
 #include "BlendFrames.h"
 #include "SameFrames.h"
 
-#include <vtkSMPTools.h>
-
-#include <string>
-
 namespace
 {
 
@@ -68,22 +64,6 @@ protected:
   BlendVolume<std::uint8_t> Volume;
   FrameKey Key;
 };
-
-TEST_P(BlendRoutes, SamePictureForAnyNumberOfThreads)
-{
-  SKIP_UNLESS_BLENDED(this->Key);
-  const std::string backend = vtkSMPTools::GetBackend();
-  vtkSMPTools::SetBackend("STDThread");
-  vtkSMPTools::Initialize(1);
-  const Frame one = BlendedFrame(this->Key);
-  for (const int threads : { 2, 7 })
-  {
-    vtkSMPTools::Initialize(threads);
-    EXPECT_TRUE(ShowTheSame(one, BlendedFrame(this->Key))) << threads;
-  }
-  vtkSMPTools::Initialize(0);
-  vtkSMPTools::SetBackend(backend.c_str());
-}
 
 TEST_P(BlendRoutes, SpaceLeapingDoesNotChangeThePicture)
 {

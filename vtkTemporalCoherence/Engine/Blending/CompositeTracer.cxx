@@ -5,6 +5,7 @@
 #include "Blending/KernelsEmission.h"
 #include "Blending/KernelsVolumeSegments.h"
 #include "Blending/TransferTables.h"
+#include "Blending/VisibleBands.h"
 #include "Blending/VolumeSegments.h"
 #include "Trace/KernelsWalk.h"
 

@@ -3,7 +3,7 @@
 #include "Isomap/FrameBands.h"
 
 #include "Isomap/TileGroups.h"
-#include "Scene/TileTimer.h"
+#include "Scene/Timers.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Projections/ProjectionTracer.h"
 
-#include "Blending/ComponentLooks.h"
 #include "Blending/RaySamples.h"
-#include "Blending/TransferLookup.h"
-#include "Projections/FieldProbe.h"
+#include "Projections/ExtremeLook.h"
 
 #include <cmath>
 #include <limits>
@@ -17,94 +15,6 @@ namespace
 {
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-constexpr double Nothing = std::numeric_limits<double>::quiet_NaN();
-
-/// What a component adds to a colour.
-void AddLight(const glm::dvec4& color, double weight, std::size_t ray, BlendedRays& seen)
-{
-  for (int channel = 0; channel < 3; ++channel)
-  {
-    seen.Color[static_cast<std::size_t>(channel)][ray] +=
-      static_cast<float>(color[channel] * color.w * weight);
-  }
-  seen.Passed[ray] -= static_cast<float>(color.w * weight);
-}
-
-/// Shows the extremes that rays have met.
-class ExtremeLook : public BlendTracer
-{
-public:
-  void Begin(BlendedRays& seen) const override
-  {
-    seen.Clear();
-    seen.Value.fill(Nothing);
-    for (auto& values : seen.OtherValues)
-    {
-      values.fill(Nothing);
-    }
-  }
-
-  void Finish(const RayBatch& rays, const WorldDirections&, BlendedRays& seen) const override
-  {
-    for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
-    {
-      if (!std::isnan(seen.Value[ray]) && !this->Looks.AreIndependent())
-      {
-        this->Show(rays, ray, seen);
-      }
-      for (std::size_t part = 0; this->Looks.AreIndependent() && part < this->Looks.Parts(); ++part)
-      {
-        const double value = ValueOf(seen, part)[ray];
-        if (!std::isnan(value))
-        {
-          const glm::dvec4 color = LookUp(this->Looks.Of(part).Transfer, value);
-          AddLight(color, this->Looks.WeightOf(part), ray, seen);
-        }
-      }
-    }
-  }
-
-protected:
-  ExtremeLook(const BlendScene& scene, const GridCoordinates* grid)
-    : Volume(scene.Key.Volume)
-    , Looks(Volume)
-  {
-    if (!this->Looks.AreIndependent())
-    {
-      this->Probes.emplace_back(scene.Key.Samples, grid);
-      for (const Field& other : this->Volume.Others)
-      {
-        this->Probes.emplace_back(other, grid);
-      }
-    }
-  }
-
-  static BlendedRays::Array<double>& ValueOf(BlendedRays& seen, std::size_t part)
-  {
-    return part == 0 ? seen.Value : seen.OtherValues[part - 1];
-  }
-
-  bool IsMinimum() const { return this->Volume.Mode == BlendMode::Minimum; }
-
-  const Blending& Volume;
-  ComponentLooks Looks;
-
-private:
-  /// Show components that depend on each other, where the one that gives the opacity has its
-  /// extreme.
-  void Show(const RayBatch& rays, std::size_t ray, BlendedRays& seen) const
-  {
-    ComponentValues values{};
-    for (std::size_t c = 0; c + 1 < this->Probes.size(); ++c)
-    {
-      values[c] = this->Probes[c].At(rays, ray, seen.First[ray]);
-    }
-    values[this->Probes.size() - 1] = seen.Value[ray];
-    AddLight(this->Looks.ColorOf(0, values), 1.0, ray, seen);
-  }
-
-  std::vector<FieldProbe> Probes; ///< of all components, if they depend on each other
-};
 
 /// Finds extremes exactly.
 class ExtremeTracer final : public ExtremeLook

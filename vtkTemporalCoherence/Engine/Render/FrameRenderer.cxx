@@ -3,7 +3,7 @@
 #include "Render/FrameRenderer.h"
 
 #include "Render/Routes.h"
-#include "Scene/Stopwatch.h"
+#include "Scene/Timers.h"
 
 #include <new>
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Render/FrameStructures.h"
 
+#include "Blending/VisibleBands.h"
+
 #include <optional>
 #include <vector>
 

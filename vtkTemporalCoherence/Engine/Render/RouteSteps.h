@@ -6,7 +6,7 @@
 #include "Render/Routes.h"
 #include "Render/TileLoop.h"
 #include "Render/TileTracer.h"
-#include "Scene/Stopwatch.h"
+#include "Scene/Timers.h"
 #include "Shade/TileShader.h"
 
 #include <cstddef>

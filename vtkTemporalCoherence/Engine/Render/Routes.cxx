@@ -5,7 +5,7 @@
 #include "ImageCache/FreeSpaceHint.h"
 #include "ImageCache/PaperHint.h"
 #include "Render/RouteSteps.h"
-#include "Scene/Stopwatch.h"
+#include "Scene/Timers.h"
 #include "Shade/TileShader.h"
 
 #include <algorithm>

@@ -7,9 +7,8 @@
 #include "Render/FrameStatistics.h"
 #include "Scene/FramePlanes.h"
 #include "Scene/Parallel.h"
-#include "Scene/Stopwatch.h"
-#include "Scene/TileTimer.h"
 #include "Scene/Tiles.h"
+#include "Scene/Timers.h"
 
 #include <algorithm>
 #include <atomic>

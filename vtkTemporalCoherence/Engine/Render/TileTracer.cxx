@@ -4,7 +4,7 @@
 
 #include "Render/CapTiles.h"
 #include "Scene/FramePlanes.h"
-#include "Scene/TileTimer.h"
+#include "Scene/Timers.h"
 #include "Trace/RayPieces.h"
 
 #include <algorithm>

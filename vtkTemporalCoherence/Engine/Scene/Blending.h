@@ -10,7 +10,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace TemporalCoherence
@@ -101,11 +100,17 @@ struct Blending
 };
 
 /// True if both give the same picture of the same samples.
-bool operator==(const Blending& a, const Blending& b);
-
-/// The ranges of values that can be seen, ascending; all others are transparent. None if every
-/// value may be seen, or if there are several components.
-std::optional<std::vector<ValueBand>> VisibleBands(const Blending& blending);
+inline bool operator==(const Blending& a, const Blending& b)
+{
+  if (!a.IsOn() && !b.IsOn())
+  {
+    return true;
+  }
+  const bool haveSameEnds = a.Ends == b.Ends || (a.Ends && b.Ends && *a.Ends == *b.Ends);
+  return a.Mode == b.Mode && a.Use == b.Use && a.Looks == b.Looks && a.Others == b.Others &&
+    a.AverageRange == b.AverageRange && a.ScalarRanges == b.ScalarRanges &&
+    a.SampleDistance == b.SampleDistance && haveSameEnds;
+}
 
 }
 

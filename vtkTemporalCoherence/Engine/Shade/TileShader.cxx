@@ -3,7 +3,7 @@
 #include "Shade/TileShader.h"
 
 #include "Layers/LimitedLayers.h"
-#include "Scene/TileTimer.h"
+#include "Scene/Timers.h"
 
 namespace TemporalCoherence
 {

@@ -6,7 +6,7 @@
 #include "Frames/SelectionPass.h"
 #include "Output/BufferImages.h"
 #include "Output/PointsFromFrame.h"
-#include "Scene/Stopwatch.h"
+#include "Scene/Timers.h"
 
 #include <vtkRenderer.h>
 

@@ -8,7 +8,7 @@
 #include "Input/GhostArray.h"
 #include "Input/VolumePlace.h"
 #include "MeshFields/MeshKind.h"
-#include "Scene/Stopwatch.h"
+#include "Scene/Timers.h"
 #include "Trees/MeshTree.h"
 
 #include <vtkCellArray.h>

@@ -3,6 +3,7 @@
 #include "Request/AppearanceFromVolume.h"
 
 #include "Input/SettingCheck.h"
+#include "Request/GradientOpacityFromVolume.h"
 #include "Request/LightsFromRenderer.h"
 
 #include <vtkColorTransferFunction.h>
@@ -66,18 +67,6 @@ bool FindColors(vtkVolumeProperty* property, int component, const std::vector<do
   return true;
 }
 
-bool CheckNode(int i, const double node[4], std::string& error)
-{
-  const char* const remedy = "GetGradientOpacity()->SetNodeValue or AddPoint";
-  const NumberRange share = { 0.0, 1.0 };
-  SettingCheck check({ "node", i, "the gradient opacity of the volume's property" }, error);
-  check("Position", node[0], Allowed::GradientMagnitude, remedy);
-  check("Value", node[1], Allowed::Opacity, remedy);
-  check("Midpoint", node[2], share, remedy);
-  check("Sharpness", node[3], share, remedy);
-  return check.HasPassed();
-}
-
 }
 
 vtkContourValues* ChooseIsovalues(vtkVolumeProperty* property, vtkContourValues* other)
@@ -135,51 +124,6 @@ bool FindSurfaces(vtkContourValues* list, vtkVolumeProperty* property, int compo
   if (std::all_of(surfaces.Opacities.begin(), surfaces.Opacities.end(), isOpaque))
   {
     surfaces.Opacities.clear();
-  }
-  return true;
-}
-
-bool MakeGradientOpacity(
-  vtkVolumeProperty* property, int component, GradientOpacity& made, std::string& error)
-{
-  // Nodes are joined by straight lines, unless they have a midpoint or a sharpness of their own.
-  constexpr int ManyNodes = 4096;
-  made.Nodes.clear();
-  if (property->GetDisableGradientOpacity(component) || !property->HasGradientOpacity(component))
-  {
-    return true;
-  }
-  vtkPiecewiseFunction* function = property->GetGradientOpacity(component);
-  bool isStraight = true;
-  for (int i = 0; i < function->GetSize(); ++i)
-  {
-    double node[4]; // position, value, midpoint, sharpness
-    function->GetNodeValue(i, node);
-    isStraight = isStraight && node[2] == 0.5 && node[3] == 0.0;
-    made.Nodes.emplace_back(node[0], node[1]);
-    if (!CheckNode(i, node, error))
-    {
-      return false;
-    }
-  }
-  if (!isStraight)
-  {
-    const double first = made.Nodes.front().x, last = made.Nodes.back().x;
-    made.Nodes.clear();
-    for (int i = 0; i < ManyNodes; ++i)
-    {
-      const double at = first + (last - first) * i / (ManyNodes - 1);
-      made.Nodes.emplace_back(at, function->GetValue(at));
-    }
-  }
-  for (glm::dvec2& node : made.Nodes)
-  {
-    node.y = std::min(std::max(node.y, 0.0), 1.0);
-  }
-  if (std::all_of(
-        made.Nodes.begin(), made.Nodes.end(), [](const glm::dvec2& node) { return node.y == 1.0; }))
-  {
-    made.Nodes.clear();
   }
   return true;
 }

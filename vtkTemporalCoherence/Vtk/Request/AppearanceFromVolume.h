@@ -32,12 +32,6 @@ vtkContourValues* ChooseIsovalues(vtkVolumeProperty* property, vtkContourValues*
 bool FindSurfaces(vtkContourValues* list, vtkVolumeProperty* property, int component,
   Surfaces& surfaces, std::vector<int>& places, std::string& error);
 
-/// Make the nodes of the gradient opacity of a component of the property.
-/// \param error gets what is wrong and what to do about it
-/// \return false on error, for example if a node is NaN
-bool MakeGradientOpacity(
-  vtkVolumeProperty* property, int component, GradientOpacity& made, std::string& error);
-
 /// True if all surfaces of a component of a property are opaque, whatever the gradient.
 bool IsOpaque(vtkContourValues* list, vtkVolumeProperty* property, int component);
 

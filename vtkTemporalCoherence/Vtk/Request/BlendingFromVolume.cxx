@@ -4,7 +4,7 @@
 
 #include "Input/MatrixFromVtk.h"
 #include "Input/SettingCheck.h"
-#include "Request/AppearanceFromVolume.h"
+#include "Request/GradientOpacityFromVolume.h"
 #include "Request/LightsFromRenderer.h"
 
 #include <vtkRenderer.h>

@@ -4,6 +4,7 @@
 
 #include "Input/SettingCheck.h"
 #include "Request/AppearanceFromVolume.h"
+#include "Request/GradientOpacityFromVolume.h"
 #include "Request/RegionFromMapper.h"
 #include "Request/ViewFromRenderer.h"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Scene/Blending.h"
+#include "Blending/VisibleBands.h"
 
 #include <cmath>
 #include <cstddef>
@@ -41,18 +41,6 @@ std::vector<ValueBand> OpaqueBands(const TransferFunction& transfer)
   return bands;
 }
 
-}
-
-bool operator==(const Blending& a, const Blending& b)
-{
-  if (!a.IsOn() && !b.IsOn())
-  {
-    return true;
-  }
-  const bool haveSameEnds = a.Ends == b.Ends || (a.Ends && b.Ends && *a.Ends == *b.Ends);
-  return a.Mode == b.Mode && a.Use == b.Use && a.Looks == b.Looks && a.Others == b.Others &&
-    a.AverageRange == b.AverageRange && a.ScalarRanges == b.ScalarRanges &&
-    a.SampleDistance == b.SampleDistance && haveSameEnds;
 }
 
 std::optional<std::vector<ValueBand>> VisibleBands(const Blending& blending)

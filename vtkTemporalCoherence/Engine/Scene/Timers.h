@@ -1,13 +1,35 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef TemporalCoherence_TileTimer_h
-#define TemporalCoherence_TileTimer_h
+#ifndef TemporalCoherence_Timers_h
+#define TemporalCoherence_Timers_h
 
 #include <chrono>
 #include <cstdint>
 
 namespace TemporalCoherence
 {
+
+/// Adds its lifetime to a number of seconds.
+class Stopwatch
+{
+public:
+  explicit Stopwatch(double& seconds)
+    : Seconds(seconds)
+    , Begin(std::chrono::steady_clock::now())
+  {
+  }
+  ~Stopwatch()
+  {
+    const auto now = std::chrono::steady_clock::now();
+    this->Seconds += std::chrono::duration<double>(now - this->Begin).count();
+  }
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+
+private:
+  double& Seconds;
+  std::chrono::steady_clock::time_point Begin;
+};
 
 /// Adds its lifetime to a number of nanoseconds, but only in one of several tiles: reading the
 /// clock costs as much as a ray, so the stages of a frame are timed by sampling.

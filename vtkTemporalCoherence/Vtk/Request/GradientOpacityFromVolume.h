@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_GradientOpacityFromVolume_h
+#define TemporalCoherence_GradientOpacityFromVolume_h
+
+#include "Scene/Surfaces.h"
+#include "vtkTemporalCoherenceCompatibility.h"
+
+#include <string>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkVolumeProperty;
+VTK_ABI_NAMESPACE_END
+
+namespace TemporalCoherence
+{
+
+/// Make the nodes of the gradient opacity of a component of the property.
+/// \param error gets what is wrong and what to do about it
+/// \return false on error, for example if a node is NaN
+bool MakeGradientOpacity(
+  vtkVolumeProperty* property, int component, GradientOpacity& made, std::string& error);
+
+}
+
+#endif

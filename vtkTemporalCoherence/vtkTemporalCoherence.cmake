@@ -58,8 +58,11 @@ set(engine_files
   Blending/SampledTracer
   Blending/TransferTables
   Projections/FieldProbe
+  Projections/ImageShares
   Projections/KernelsExtremes
+  Projections/KernelsShares
   Projections/ProjectionTracer
+  Projections/ShareTable
   Projections/ShareTracer
   ImageCache/FreeSpace
   ImageCache/FreeSpaceHint

@@ -59,8 +59,11 @@ set(engine_files
   Blending/VisibleBands
   Projections/ExtremeLook
   Projections/FieldProbe
+  Projections/ImageShares
   Projections/KernelsExtremes
+  Projections/KernelsShares
   Projections/ProjectionTracer
+  Projections/ShareTable
   Projections/ShareTracer
   ImageCache/FreeSpace
   ImageCache/FreeSpaceHint

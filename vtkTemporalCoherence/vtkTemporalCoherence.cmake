@@ -52,9 +52,9 @@ set(engine_files
   Blending/CompositeTracer
   Blending/KernelsEmission
   Blending/KernelsVolumeSegments
-  Blending/Medium
-  Blending/PhongLight
-  Blending/SampledTracer
+  Sampling/Medium
+  Sampling/PhongLight
+  Sampling/SampledTracer
   Blending/TransferTables
   Blending/VisibleBands
   Projections/ExtremeLook

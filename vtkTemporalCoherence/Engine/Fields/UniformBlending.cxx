@@ -3,12 +3,12 @@
 #include "Fields/UniformBlending.h"
 
 #include "Blending/CompositeTracer.h"
-#include "Blending/SampledTracer.h"
 #include "Fields/ExtremeSearches.h"
 #include "Fields/SegmentSources.h"
 #include "Projections/ImageShares.h"
 #include "Projections/ProjectionTracer.h"
 #include "Projections/ShareTracer.h"
+#include "Sampling/SampledTracer.h"
 
 namespace TemporalCoherence
 {

@@ -4,7 +4,7 @@
 #define TemporalCoherence_ShareLook_h
 
 #include "Blending/BlendTracer.h"
-#include "Blending/ComponentLooks.h"
+#include "Sampling/ComponentLooks.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Projections/ShareTracer.h"
 
-#include "Blending/RaySamples.h"
-#include "Blending/SegmentBreaks.h"
 #include "Projections/ShareLook.h"
+#include "Sampling/RaySamples.h"
+#include "Sampling/SegmentBreaks.h"
 
 #include <algorithm>
 #include <array>

@@ -52,15 +52,18 @@ set(engine_files
   Blending/CompositeTracer
   Blending/KernelsEmission
   Blending/KernelsVolumeSegments
-  Blending/Medium
-  Blending/PhongLight
-  Blending/SampledTracer
+  Sampling/Medium
+  Sampling/PhongLight
+  Sampling/SampledTracer
   Blending/TransferTables
   Blending/VisibleBands
   Projections/ExtremeLook
   Projections/FieldProbe
+  Projections/ImageShares
   Projections/KernelsExtremes
+  Projections/KernelsShares
   Projections/ProjectionTracer
+  Projections/ShareTable
   Projections/ShareTracer
   ImageCache/FreeSpace
   ImageCache/FreeSpaceHint

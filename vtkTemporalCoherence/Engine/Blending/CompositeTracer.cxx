@@ -4,6 +4,7 @@
 
 #include "Blending/KernelsEmission.h"
 #include "Blending/KernelsVolumeSegments.h"
+#include "Blending/SegmentReader.h"
 #include "Blending/TransferTables.h"
 #include "Blending/VisibleBands.h"
 #include "Blending/VolumeSegments.h"
@@ -61,6 +62,7 @@ public:
     : Samples(scene.Key.Samples)
     , Look(scene.Key.Volume.Looks.front())
     , Tables(Look, MostDepth / ShortestEdge(scene))
+    , Reader(Samples, Tables.Low, Tables.PerValue)
     , ByGradient(Look.ByGradient)
     , Active(scene.Visible)
     , Seen(SeenBinsOf(VisibleBands(scene.Key.Volume), Tables))
@@ -69,7 +71,6 @@ public:
     , Position(scene.Key.View.Position)
     , IsParallel(scene.Key.View.Parallel)
     , WorldFromIndex(scene.Key.Transform.WorldFromIndex)
-    , IsNarrow(sizeof(T) <= 2 && Samples.HasCells() && NarrowSamples<T>::Are(Samples))
   {
     // Kernels make gradients of differences of samples that are two steps apart, in bins.
     this->Volume.PerStep = glm::vec3(this->Look.ByGradient.PerStep * (0.5 / this->Tables.PerValue));
@@ -112,7 +113,7 @@ public:
     for (FindActiveCells(scene, walks); walks.Rays.Count > 0; FindActiveCells(scene, walks))
     {
       seen.CellsRead += walks.Rays.Count;
-      this->FindSegments(walks, segments);
+      this->Reader.Find(walks, this->Seen, segments);
       if (segments.Count > 0)
       {
         this->AddSegments(lit, segments, seen);
@@ -172,54 +173,12 @@ private:
     return this->Active->CellsOf(TypedField<T>(this->Samples), node, cell);
   }
 
-  float BinOf(T sample) const
-  {
-    return static_cast<float>(
-      (static_cast<double>(sample) - this->Tables.Low) * this->Tables.PerValue);
-  }
-
-  void FindSegments(const RayWalks& walks, VolumeSegments& segments) const
-  {
-    if constexpr (sizeof(T) <= 2)
-    {
-      if (this->IsNarrow)
-      {
-        const SegmentsKernels::BinScale scale{ static_cast<float>(this->Tables.PerValue),
-          static_cast<float>(-this->Tables.Low * this->Tables.PerValue) };
-        SegmentsKernels::FindSegments(
-          walks, NarrowSamples<T>(this->Samples), scale, this->Seen, segments);
-        return;
-      }
-    }
-    SegmentsKernels::CornerValues corners;
-    const TypedField<T> samples(this->Samples);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(walks.Rays.Count); ++i)
-    {
-      const T* const origin = samples.At(static_cast<int>(walks.Cell[0][i]),
-        static_cast<int>(walks.Cell[1][i]), static_cast<int>(walks.Cell[2][i]));
-      for (std::size_t corner = 0; corner < 8; ++corner)
-      {
-        const T* const at = origin + ((corner & 1u) != 0 ? samples.Strides.x : 0) +
-          ((corner & 2u) != 0 ? samples.Strides.y : 0) +
-          ((corner & 4u) != 0 ? samples.Strides.z : 0);
-        corners[corner][i] = this->BinOf(*at);
-      }
-    }
-    for (auto& values : corners)
-    {
-      const auto count = static_cast<std::size_t>(walks.Rays.Count);
-      std::fill(values.begin() + static_cast<std::ptrdiff_t>(count),
-        values.begin() + static_cast<std::ptrdiff_t>(WholeVectors(count)), 0.0f);
-    }
-    SegmentsKernels::FindSegments(walks, corners, this->Seen, segments);
-  }
-
   void AddSegments(
     const EmissionKernels::LitRays& rays, const VolumeSegments& segments, BlendedRays& seen) const
   {
     if constexpr (sizeof(T) <= 2)
     {
-      if (this->IsNarrow && (!this->Volume.HasGradients() || this->AreInside(segments)))
+      if (this->Reader.IsNarrow() && (!this->Volume.HasGradients() || this->AreInside(segments)))
       {
         EmissionKernels::AddSegments(this->Volume, rays, segments, NarrowSamples<T>(this->Samples),
           static_cast<float>(this->Tables.PerValue), seen);
@@ -262,8 +221,9 @@ private:
       {
         const glm::ivec3 place = cell + glm::ivec3(x, y, z);
         const glm::ivec3 near = glm::clamp(place, glm::ivec3(0), last);
-        const float value = this->BinOf(*samples.At(near));
-        return place == near ? value : 2.0f * value - this->BinOf(*samples.At(2 * near - place));
+        const float value = this->Reader.BinOf(*samples.At(near));
+        return place == near ? value
+                             : 2.0f * value - this->Reader.BinOf(*samples.At(2 * near - place));
       };
       for (int row = 0; row < 4; ++row)
       {
@@ -308,6 +268,7 @@ private:
   const Field& Samples;
   const ComponentLook& Look;
   TransferTables Tables;
+  SegmentReader<T> Reader;
   GradientTable ByGradient;
   const ActiveCells* Active;
   ActiveCells All; ///< all cells, if none are left out
@@ -317,7 +278,6 @@ private:
   glm::dvec3 Position;
   bool IsParallel;
   glm::dmat4 WorldFromIndex;
-  bool IsNarrow;
 };
 
 }

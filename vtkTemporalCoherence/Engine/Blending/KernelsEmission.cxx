@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 // This file is compiled once for each kind of vectors, and what runs is chosen by the machine.
@@ -12,9 +11,11 @@
 #define HWY_TARGET_INCLUDE "Blending/KernelsEmission.cxx"
 #include <hwy/foreach_target.h>
 
+#include "Blending/KernelsCellSamples-inl.h"
 #include "Blending/KernelsCubic-inl.h"
 #include "Blending/KernelsLight-inl.h"
-#include "Shade/KernelsPacked-inl.h"
+#include "Blending/KernelsStretch-inl.h"
+#include "Blending/KernelsVectors-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace TemporalCoherence
@@ -26,11 +27,6 @@ namespace HWY_NAMESPACE
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-using Floats = hn::CappedTag<float, WidestVector>;
-using Integers = hn::Rebind<std::int32_t, Floats>;
-using V = hn::Vec<Floats>;
-using I = hn::Vec<Integers>;
-using M = hn::Mask<Floats>;
 using Line = Cubics::HWY_NAMESPACE::Cubic<V>;
 
 /// A segment is cut into no more steps at first, and in the end into no shorter ones.
@@ -43,230 +39,14 @@ constexpr float DepthOfStep = 0.5f, MostDepthOfStep = 1.0f;
 constexpr float DepthTolerance = 1.0f / 1024.0f;
 
 /// The square of the steps for each unit by which light, or a gradient opacity, is off a straight
-/// line, as far as it is seen.
-constexpr float StepsOfBend = 1600.0f, StepsOfOpacity = 4096.0f;
+/// line, and by which a normal turns (1 - the cosine), as far as it is seen.
+constexpr float StepsOfBend = 1600.0f, StepsOfOpacity = 4096.0f, StepsOfTurn = 2048.0f;
 
 /// Up to this square of steps, light follows a parabola.
 constexpr float MostOfParabola = 0.5f;
 
 /// How much a gradient opacity may change in a step, as far as it is seen.
 constexpr float MostOpacityChange = 1.0f / 64.0f;
-
-/// exp(-x) for x >= 0.
-HWY_INLINE V ExpOfMinus(V x)
-{
-  const Floats d;
-  const Integers di;
-  const V bounded = hn::Min(x, hn::Set(d, 80.0f));
-  const V whole = hn::Floor(hn::Add(hn::Mul(bounded, hn::Set(d, 1.44269504f)), hn::Set(d, 0.5f)));
-  // What is left lies in [-ln 2 / 2, ln 2 / 2]. ln 2 is split, so that its product is exact.
-  const V rest = hn::Sub(hn::Sub(hn::Mul(whole, hn::Set(d, 0.693359375f)), bounded),
-    hn::Mul(whole, hn::Set(d, 2.12194440e-4f)));
-  V sum = hn::Set(d, 1.0f / 720.0f);
-  const float factors[] = { 1.0f / 120.0f, 1.0f / 24.0f, 1.0f / 6.0f, 0.5f, 1.0f, 1.0f };
-  for (const float factor : factors)
-  {
-    sum = hn::Add(hn::Mul(sum, rest), hn::Set(d, factor));
-  }
-  const I exponent = hn::Sub(hn::Set(di, 127), hn::ConvertTo(di, whole));
-  return hn::Mul(sum, hn::BitCast(d, hn::ShiftLeft<23>(exponent)));
-}
-
-/// Loads the samples around a vector of cells.
-struct ArrayLoader
-{
-  using S = V;
-
-  HWY_INLINE void Four(std::size_t row, V out[4]) const
-  {
-    for (std::size_t x = 0; x < 4; ++x)
-    {
-      out[x] = hn::LoadU(Floats(), &this->Around.Along[row][x][this->At]);
-    }
-  }
-  HWY_INLINE void Two(std::size_t row, V out[2]) const
-  {
-    for (std::size_t x = 0; x < 2; ++x)
-    {
-      out[x] = hn::LoadU(Floats(), &this->Around.Beside[row][x][this->At]);
-    }
-  }
-  HWY_INLINE V Minus(V a, V b) const { return hn::Sub(a, b); }
-
-  const SamplesAround& Around;
-  std::size_t At;
-};
-
-/// The same for narrow integers, whose rows are copied from where they lie. Where each lane needs
-/// several numbers that lie side by side, copies are faster than gathering them one by one.
-template <typename T>
-class RowLoader
-{
-public:
-  using Rows = PackedSamples::HWY_NAMESPACE::IntegerRows<T>;
-  using S = typename Rows::V;
-
-  HWY_INLINE RowLoader(const NarrowSamples<T>& samples, const VolumeSegments& segments,
-    std::size_t first, float perValue)
-    : PerValue(perValue)
-  {
-    const std::size_t lanes = hn::Lanes(Floats());
-    const std::size_t last = static_cast<std::size_t>(segments.Count) - 1;
-    for (std::size_t lane = 0; lane < lanes; ++lane)
-    {
-      // Lanes behind the last segment repeat it.
-      const std::size_t i = std::min(first + lane, last);
-      const T* const from = samples.Samples + segments.Cell[0][i] - 1 +
-        static_cast<std::ptrdiff_t>(segments.Cell[1][i]) * samples.StrideY +
-        static_cast<std::ptrdiff_t>(segments.Cell[2][i]) * samples.StrideZ;
-      for (std::size_t row = 0; row < 12; ++row)
-      {
-        const T* const at = from + StepsY[row] * samples.StrideY + StepsZ[row] * samples.StrideZ;
-        std::memcpy(&this->All[row][lane], at, sizeof(this->All[row][lane]));
-      }
-    }
-  }
-
-  HWY_INLINE void Four(std::size_t row, S out[4]) const { Rows::Load(this->All[row].data(), out); }
-  HWY_INLINE void Two(std::size_t row, S out[2]) const
-  {
-    S four[4];
-    Rows::Load(this->All[4 + row].data(), four);
-    out[0] = four[1];
-    out[1] = four[2];
-  }
-  HWY_INLINE V Minus(S a, S b) const
-  {
-    return hn::Mul(Rows::AsFloats(hn::Sub(a, b)), hn::Set(Floats(), this->PerValue));
-  }
-
-private:
-  /// Where the rows of SamplesAround lie: its four, then its eight.
-  static constexpr std::int32_t StepsY[12] = { 0, 1, 0, 1, -1, -1, 2, 2, 0, 1, 0, 1 };
-  static constexpr std::int32_t StepsZ[12] = { 0, 0, 1, 1, 0, 1, 0, 1, -1, -1, 2, 2 };
-
-  HWY_ALIGN std::array<std::array<std::array<T, 4>, WidestVector>, 12> All;
-  float PerValue;
-};
-
-/// Twice the gradients of a field at the corners of a vector of cells: differences of samples two
-/// steps apart.
-struct CornerGradients
-{
-  template <typename Loader>
-  HWY_INLINE explicit CornerGradients(const Loader& loader)
-  {
-    using S = typename Loader::S;
-    S corner[8], row[4], before[2], behind[2];
-    for (std::size_t yz = 0; yz < 4; ++yz)
-    {
-      loader.Four(yz, row);
-      corner[2 * yz] = row[1];
-      corner[2 * yz + 1] = row[2];
-      this->Along[0][2 * yz] = loader.Minus(row[2], row[0]);
-      this->Along[0][2 * yz + 1] = loader.Minus(row[3], row[1]);
-    }
-    for (std::size_t end = 0; end < 2; ++end)
-    {
-      loader.Two(end, before);
-      loader.Two(2 + end, behind);
-      for (std::size_t x = 0; x < 2; ++x)
-      {
-        this->Along[1][4 * end + x] = loader.Minus(corner[4 * end + 2 + x], before[x]);
-        this->Along[1][4 * end + 2 + x] = loader.Minus(behind[x], corner[4 * end + x]);
-      }
-      loader.Two(4 + end, before);
-      loader.Two(6 + end, behind);
-      for (std::size_t x = 0; x < 2; ++x)
-      {
-        this->Along[2][2 * end + x] = loader.Minus(corner[4 + 2 * end + x], before[x]);
-        this->Along[2][4 + 2 * end + x] = loader.Minus(behind[x], corner[2 * end + x]);
-      }
-    }
-  }
-  HWY_INLINE CornerGradients()
-  {
-    for (auto& corners : this->Along)
-    {
-      std::fill_n(corners, 8, hn::Zero(Floats()));
-    }
-  }
-
-  /// \param at place in the cells
-  HWY_INLINE void At(const V at[3], V gradient[3]) const
-  {
-    const auto mix = [&](V a, V b, V share) HWY_ATTR
-    { return hn::Add(a, hn::Mul(share, hn::Sub(b, a))); };
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      const V* const v = this->Along[axis];
-      const V low = mix(mix(v[0], v[1], at[0]), mix(v[2], v[3], at[0]), at[1]);
-      const V high = mix(mix(v[4], v[5], at[0]), mix(v[6], v[7], at[0]), at[1]);
-      gradient[axis] = mix(low, high, at[2]);
-    }
-  }
-
-  V Along[3][8]; ///< by axis, [x + 2 y + 4 z]
-};
-
-/// Emission at a value, and its integral up to there.
-struct EmissionAt
-{
-  V Value[4], Sum[4], Moment;
-};
-
-/// Light along a vector of segments, as parabolas through three places.
-class LightParabola
-{
-public:
-  using Light = ReflectedLight<V>;
-
-  HWY_INLINE LightParabola(const Light& begin, const Light& middle, const Light& end)
-    : First(begin)
-  {
-    this->Off = hn::Zero(Floats());
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      this->Fit(
-        begin.Matt[a], middle.Matt[a], end.Matt[a], this->Slope.Matt[a], this->Bend.Matt[a]);
-      this->Fit(
-        begin.Shine[a], middle.Shine[a], end.Shine[a], this->Slope.Shine[a], this->Bend.Shine[a]);
-    }
-  }
-
-  /// The mean light around a place.
-  /// \param spread the mean square of the distance from it
-  HWY_INLINE Light At(V share, V spread) const
-  {
-    const V square = hn::Add(hn::Mul(share, share), spread);
-    const auto at = [&](V first, V slope, V bend) HWY_ATTR
-    { return hn::Add(first, hn::Add(hn::Mul(share, slope), hn::Mul(square, bend))); };
-    Light light;
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      light.Matt[a] = at(this->First.Matt[a], this->Slope.Matt[a], this->Bend.Matt[a]);
-      light.Shine[a] = at(this->First.Shine[a], this->Slope.Shine[a], this->Bend.Shine[a]);
-    }
-    return light;
-  }
-
-  /// How far light is off a straight line. Where it only seems straight, its slope counts a little.
-  V Off;
-
-private:
-  HWY_INLINE void Fit(V begin, V middle, V end, V& slope, V& bend)
-  {
-    const Floats d;
-    const V rise = hn::Sub(end, begin), up = hn::Sub(middle, begin);
-    bend = hn::Sub(hn::Add(rise, rise), hn::Mul(hn::Set(d, 4.0f), up));
-    slope = hn::Sub(rise, bend);
-    const V off =
-      hn::Add(hn::Mul(hn::Set(d, 0.5f), hn::Abs(bend)), hn::Mul(hn::Set(d, 0.05f), hn::Abs(rise)));
-    this->Off = hn::Max(this->Off, off);
-  }
-
-  Light First, Slope, Bend;
-};
 
 /// What a vector of segments adds to its rays.
 class SegmentVector
@@ -301,9 +81,9 @@ public:
       this->Direction[a] = hn::GatherIndex(d, rays.Direction[a].data(), this->Ray);
       this->Eye[a] = hn::GatherIndex(d, rays.Begin[a].data(), this->Ray);
     }
-    this->LookUp(this->Values.C[0], this->AtBegin);
+    LookUp(this->Volume.Tables, this->Values.C[0], this->AtBegin);
     this->ValueAtEnd = this->Values.At(hn::Set(d, 1.0f));
-    this->LookUp(this->ValueAtEnd, this->AtEnd);
+    LookUp(this->Volume.Tables, this->ValueAtEnd, this->AtEnd);
   }
 
   /// \param gradients of the cells, if the volume has any
@@ -312,7 +92,8 @@ public:
     const Floats d;
     const V zero = hn::Zero(d);
     V mean[4];
-    MeanBetween(this->Values.C[0], this->AtBegin, this->ValueAtEnd, this->AtEnd, zero, mean);
+    MeanBetween(this->Volume.Tables, this->Values.C[0], this->AtBegin, this->ValueAtEnd,
+      this->AtEnd, zero, mean);
     const V depth = hn::Mul(mean[0], this->Length);
     const V seen =
       hn::IfThenElseZero(this->IsSegment, hn::Mul(this->Passed, hn::Min(depth, hn::Set(d, 1.0f))));
@@ -326,12 +107,15 @@ public:
       this->AddSteps(square, gradients, [](V, V) HWY_ATTR { return Unlit(); });
       return;
     }
-    V squares[3]; // of gradients
-    const LightParabola light(this->LightAt(gradients, zero, squares[0]),
-      this->LightAt(gradients, hn::Set(d, 0.5f), squares[1]),
-      this->LightAt(gradients, hn::Set(d, 1.0f), squares[2]));
-    const V off = hn::Add(light.Off, Flip(squares));
-    const V ofLight = hn::Mul(hn::Mul(seen, off), hn::Set(d, StepsOfBend));
+    V normals[3][3];
+    const LightParabola light(this->LightAt(gradients, zero, normals[0]),
+      this->LightAt(gradients, hn::Set(d, 0.5f), normals[1]),
+      this->LightAt(gradients, hn::Set(d, 1.0f), normals[2]));
+    // Two measures, as each is blind for some turns of normals between these places.
+    const V turn =
+      hn::Sub(hn::Set(d, 1.0f), hn::Min(Dot(normals[0], normals[1]), Dot(normals[1], normals[2])));
+    const V ofLight = hn::Mul(seen,
+      hn::Max(hn::Mul(light.Off, hn::Set(d, StepsOfBend)), hn::Mul(turn, hn::Set(d, StepsOfTurn))));
     const M isSmooth = hn::Le(ofLight, hn::Set(d, MostOfParabola));
     this->AddSteps(hn::Add(square, hn::IfThenElseZero(hn::Not(isSmooth), ofLight)), gradients,
       [&](V at, V spread) HWY_ATTR
@@ -339,7 +123,7 @@ public:
         ReflectedLight<V> found = light.At(at, spread);
         if (!hn::AllTrue(d, isSmooth))
         {
-          V ignored;
+          V ignored[3];
           const ReflectedLight<V> exact = this->LightAt(gradients, at, ignored);
           for (std::size_t a = 0; a < 3; ++a)
           {
@@ -426,14 +210,14 @@ private:
       if (!hn::AllTrue(d, hn::Or(isLast, hn::Not(isOn))))
       {
         next = this->Values.At(end);
-        this->LookUp(next, there);
+        LookUp(this->Volume.Tables, next, there);
       }
       const V share = hn::Sub(end, begin);
       const V middle = this->Values.At(hn::Add(begin, hn::Mul(half, share)));
       const V lift =
         hn::Mul(hn::Set(d, 2.0f / 3.0f), hn::Sub(middle, hn::Mul(half, hn::Add(value, next))));
       V mean[4];
-      MeanBetween(value, last, next, there, lift, mean);
+      MeanBetween(this->Volume.Tables, value, last, next, there, lift, mean);
       V depth = hn::Mul(hn::Mul(mean[0], this->Length), share);
       const V opacityThere = this->OpacityAt(gradients, end);
       const M isShort = hn::Le(share, hn::Set(d, ShortestStep));
@@ -513,142 +297,19 @@ private:
     }
   }
 
-  /// \param square of the gradient there
-  HWY_INLINE ReflectedLight<V> LightAt(const CornerGradients& gradients, V share, V& square) const
+  /// \param normal there, of unit length
+  HWY_INLINE ReflectedLight<V> LightAt(const CornerGradients& gradients, V share, V normal[3]) const
   {
-    V place[3], gradient[3], normal[3], point[3];
+    V place[3], gradient[3], point[3];
     this->PlaceAt(share, place);
     gradients.At(place, gradient);
     FindNormals(this->Volume.WorldFromGradient, gradient, normal);
-    square = Dot(gradient, gradient);
     const V t = hn::Add(this->Enter, hn::Mul(share, this->Length));
     for (std::size_t a = 0; a < 3; ++a)
     {
       point[a] = hn::Add(this->Eye[a], hn::Mul(t, this->Direction[a]));
     }
     return Reflect<V>(*this->Volume.Lights, { normal, this->Direction, point });
-  }
-
-  /// Where a gradient almost vanishes on its way, it may turn round, unseen at three places.
-  static HWY_INLINE V Flip(const V squares[3])
-  {
-    const Floats d;
-    const V smallest = hn::Min(hn::Min(squares[0], squares[1]), squares[2]);
-    const V largest = hn::Max(hn::Max(squares[0], squares[1]), squares[2]);
-    const M isSmall = hn::Lt(smallest, hn::Mul(hn::Set(d, 0.1f), largest));
-    return hn::IfThenElseZero(isSmall, hn::Set(d, 0.1f));
-  }
-
-  /// The mean place of what is emitted in a step, as a share of it.
-  static HWY_INLINE V CentreOf(V a, const EmissionAt& atA, V b, const EmissionAt& atB, V depth)
-  {
-    const Floats d;
-    const V one = hn::Set(d, 1.0f), least = hn::Set(d, 1e-20f);
-    const V difference = hn::Sub(b, a), sum = hn::Sub(atB.Sum[0], atA.Sum[0]);
-    const V product = hn::Mul(difference, sum);
-    const M isFar =
-      hn::And(hn::Ge(hn::Abs(difference), hn::Set(d, 4.0f)), hn::Gt(hn::Abs(product), least));
-    const V moment = hn::Sub(hn::Sub(atB.Moment, atA.Moment), hn::Mul(a, sum));
-    const V ends = hn::Add(hn::Add(atA.Value[0], atB.Value[0]), least);
-    // Where values are close together, extinction changes evenly.
-    const V above =
-      hn::IfThenElse(isFar, moment, hn::Mul(hn::Set(d, 1.0f / 3.0f), hn::Add(ends, atB.Value[0])));
-    const V share = hn::Div(above, hn::IfThenElse(isFar, product, ends));
-    const V pulled = hn::Mul(hn::Min(depth, hn::Set(d, 3.0f)), hn::Set(d, 1.0f / 12.0f));
-    return hn::Min(hn::Max(hn::Sub(share, pulled), hn::Zero(d)), one);
-  }
-
-  /// Of what is emitted in a step, more is seen of its beginning than of its end. Where both emit,
-  /// colours change evenly in between.
-  static HWY_INLINE void PullColors(
-    const EmissionAt& begin, const EmissionAt& end, V depth, V mean[4])
-  {
-    const Floats d;
-    const V one = hn::Set(d, 1.0f), least = hn::Set(d, 1e-20f);
-    const V larger = hn::Max(begin.Value[0], end.Value[0]);
-    const V smaller = hn::Min(begin.Value[0], end.Value[0]);
-    const M isPulled = hn::Gt(smaller, hn::Mul(hn::Set(d, 1e-3f), larger));
-    const V perBegin = hn::Div(one, hn::Max(begin.Value[0], least));
-    const V perEnd = hn::Div(one, hn::Max(end.Value[0], least));
-    const V pull = hn::IfThenElseZero(isPulled,
-      hn::Mul(hn::Mul(hn::Min(depth, hn::Set(d, 3.0f)), hn::Set(d, 1.0f / 12.0f)), mean[0]));
-    for (std::size_t i = 1; i < 4; ++i)
-    {
-      const V rise = hn::Sub(hn::Mul(end.Value[i], perEnd), hn::Mul(begin.Value[i], perBegin));
-      mean[i] = hn::Max(hn::Sub(mean[i], hn::Mul(pull, rise)), hn::Zero(d));
-    }
-  }
-
-  HWY_INLINE void LookUp(V value, EmissionAt& at) const
-  {
-    const Floats d;
-    const Integers di;
-    const TransferTables& tables = this->Volume.Tables;
-    const V zero = hn::Zero(d), one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f);
-    const V last = hn::Set(d, static_cast<float>(tables.Bins));
-    const V bin = hn::Min(hn::Max(hn::Floor(value), zero), last);
-    // Above the range there is only the beginning of a bin.
-    const V inBin = hn::IfThenElseZero(hn::Lt(bin, last), hn::Sub(value, bin));
-    const V share = hn::Min(hn::Max(inBin, zero), one);
-    const V beyond = hn::Sub(hn::Sub(value, bin), share);
-    std::int32_t bins[WidestVector];
-    hn::StoreU(hn::ConvertTo(di, bin), di, bins);
-    // Four numbers lie side by side: copies of all of them are faster than gathering each.
-    HWY_ALIGN float values[4 * WidestVector], rises[4 * WidestVector], sums[4 * WidestVector];
-    HWY_ALIGN float moments[WidestVector], boosts[WidestVector];
-    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
-    {
-      const EmissionBin& from = tables.All[static_cast<std::size_t>(bins[lane])];
-      std::memcpy(values + 4 * lane, from.Value.data(), sizeof(from.Value));
-      std::memcpy(rises + 4 * lane, from.Rise.data(), sizeof(from.Rise));
-      std::memcpy(sums + 4 * lane, from.Sum.data(), sizeof(from.Sum));
-      moments[lane] = from.Moment;
-      boosts[lane] = from.Boost;
-    }
-    V rise[4];
-    hn::LoadInterleaved4(d, values, at.Value[0], at.Value[1], at.Value[2], at.Value[3]);
-    hn::LoadInterleaved4(d, rises, rise[0], rise[1], rise[2], rise[3]);
-    hn::LoadInterleaved4(d, sums, at.Sum[0], at.Sum[1], at.Sum[2], at.Sum[3]);
-    // The moment of what lies between the node and the value, about half way.
-    const V middle = hn::Add(bin, hn::Mul(half, hn::Add(share, beyond)));
-    const V between = hn::Mul(hn::Add(share, beyond), middle);
-    const V boost = hn::IfThenElse(hn::Eq(share, zero), hn::Load(d, boosts), one);
-    for (std::size_t i = 0; i < 4; ++i)
-    {
-      const V mean = hn::Add(at.Value[i], hn::Mul(hn::Mul(half, share), rise[i]));
-      const V here = hn::Add(at.Value[i], hn::Mul(share, rise[i]));
-      at.Value[i] = hn::Mul(boost, here);
-      at.Sum[i] = hn::Add(at.Sum[i], hn::Add(hn::Mul(share, mean), hn::Mul(beyond, here)));
-      if (i == 0)
-      {
-        at.Moment = hn::Add(hn::Load(d, moments), hn::Mul(between, mean));
-      }
-    }
-  }
-
-  /// The mean emission of a stretch on which values go from one to another.
-  /// \param lift how far the mean value is above that of both ends
-  HWY_INLINE void MeanBetween(
-    V a, const EmissionAt& atA, V b, const EmissionAt& atB, V lift, V mean[4]) const
-  {
-    const Floats d;
-    const V one = hn::Set(d, 1.0f);
-    const V difference = hn::Sub(b, a);
-    // The difference of sums loses its digits where these are close together.
-    const M isClose = hn::Lt(hn::Abs(difference), hn::Set(d, this->Volume.Tables.Closest));
-    // Sums do not count all of what is opaque at once.
-    const M isOpaque =
-      hn::Gt(hn::Max(atA.Value[0], atB.Value[0]), hn::Set(d, this->Volume.Tables.MostCounted));
-    const V perBin = hn::Div(one, hn::IfThenElse(isClose, one, difference));
-    const V lifted = hn::IfThenElseZero(hn::Not(isClose), lift);
-    for (std::size_t i = 0; i < 4; ++i)
-    {
-      // The sums of the straight line that has the same mean value.
-      const V more = hn::Mul(lifted, hn::Sub(atB.Value[i], atA.Value[i]));
-      const V far = hn::Mul(hn::Add(hn::Sub(atB.Sum[i], atA.Sum[i]), more), perBin);
-      const V close = hn::Mul(hn::Set(d, 0.5f), hn::Add(atA.Value[i], atB.Value[i]));
-      mean[i] = hn::Max(hn::IfThenElse(hn::Or(isClose, isOpaque), close, far), hn::Zero(d));
-    }
   }
 
   /// Composite a step behind what has been seen.
@@ -695,7 +356,6 @@ private:
   HWY_INLINE V OpacityAt(const CornerGradients& gradients, V share) const
   {
     const Floats d;
-    const Integers di;
     const GradientTable& table = this->Volume.ByGradient;
     if (table.Opacities.empty())
     {
@@ -710,15 +370,7 @@ private:
       const V scaled = hn::Mul(gradient[a], hn::Set(d, this->Volume.PerStep[static_cast<int>(a)]));
       square = hn::Add(square, hn::Mul(scaled, scaled));
     }
-    const V entry = hn::Mul(hn::Sub(hn::Sqrt(square), hn::Set(d, static_cast<float>(table.Low))),
-      hn::Set(d, static_cast<float>(table.PerMagnitude)));
-    const V last = hn::Set(d, static_cast<float>(table.Opacities.size() - 2));
-    const V clamped = hn::Min(hn::Max(entry, hn::Zero(d)), hn::Add(last, hn::Set(d, 1.0f)));
-    const V floor = hn::Min(hn::Floor(clamped), last);
-    const I index = hn::ConvertTo(di, floor);
-    const V low = hn::GatherIndex(d, table.Opacities.data(), index);
-    const V high = hn::GatherIndex(d, table.Opacities.data() + 1, index);
-    return hn::Add(low, hn::Mul(hn::Sub(clamped, floor), hn::Sub(high, low)));
+    return OpacityOf(table, hn::Sqrt(square));
   }
 
   const EmittingVolume& Volume;

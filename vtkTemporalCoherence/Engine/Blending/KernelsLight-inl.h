@@ -10,6 +10,7 @@
 #define TemporalCoherence_KernelsLight_inl_h
 #endif
 
+#include "Blending/KernelsVectors-inl.h"
 #include "Blending/VolumeLights.h"
 #include "Scene/RayBatch.h"
 #include "Shade/KernelsPower-inl.h"
@@ -147,6 +148,59 @@ HWY_INLINE ReflectedLight<V> Reflect(const VolumeLights& lights, const LitPoints
   }
   return sum;
 }
+
+/// Light along a vector of segments, as parabolas through three places.
+class LightParabola
+{
+public:
+  using Light = ReflectedLight<V>;
+
+  HWY_INLINE LightParabola(const Light& begin, const Light& middle, const Light& end)
+    : First(begin)
+  {
+    this->Off = hn::Zero(Floats());
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      this->Fit(
+        begin.Matt[a], middle.Matt[a], end.Matt[a], this->Slope.Matt[a], this->Bend.Matt[a]);
+      this->Fit(
+        begin.Shine[a], middle.Shine[a], end.Shine[a], this->Slope.Shine[a], this->Bend.Shine[a]);
+    }
+  }
+
+  /// The mean light around a place.
+  /// \param spread the mean square of the distance from it
+  HWY_INLINE Light At(V share, V spread) const
+  {
+    const V square = hn::Add(hn::Mul(share, share), spread);
+    const auto at = [&](V first, V slope, V bend) HWY_ATTR
+    { return hn::Add(first, hn::Add(hn::Mul(share, slope), hn::Mul(square, bend))); };
+    Light light;
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      light.Matt[a] = at(this->First.Matt[a], this->Slope.Matt[a], this->Bend.Matt[a]);
+      light.Shine[a] = at(this->First.Shine[a], this->Slope.Shine[a], this->Bend.Shine[a]);
+    }
+    return light;
+  }
+
+  /// How far light is off a straight line. Where it only seems straight, its slope counts a little.
+  V Off;
+
+private:
+  HWY_INLINE void Fit(V begin, V middle, V end, V& slope, V& bend)
+  {
+    const Floats d;
+    const V rise = hn::Sub(end, begin), up = hn::Sub(middle, begin);
+    bend = hn::Sub(hn::Add(rise, rise), hn::Mul(hn::Set(d, 4.0f), up));
+    slope = hn::Sub(rise, bend);
+    const V off =
+      hn::Add(hn::Mul(hn::Set(d, 0.5f), hn::Abs(bend)), hn::Mul(hn::Set(d, 0.05f), hn::Abs(rise)));
+    this->Off = hn::Max(this->Off, off);
+  }
+
+  Light First, Slope, Bend;
+};
 
 }
 }

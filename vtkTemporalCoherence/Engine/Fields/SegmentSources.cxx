@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fields/SegmentSources.h"
 
-#include "Blending/ComponentWalk.h"
 #include "Fields/RectilinearCells.h"
 #include "Fields/UniformCells.h"
+#include "Sampling/ComponentWalk.h"
 
 namespace TemporalCoherence
 {

@@ -3,7 +3,7 @@
 #ifndef TemporalCoherence_SegmentSources_h
 #define TemporalCoherence_SegmentSources_h
 
-#include "Blending/ComponentSegment.h"
+#include "Sampling/ComponentSegment.h"
 
 #include <memory>
 

@@ -3,11 +3,12 @@
 #include "Fields/UniformBlending.h"
 
 #include "Blending/CompositeTracer.h"
-#include "Blending/SampledTracer.h"
 #include "Fields/ExtremeSearches.h"
 #include "Fields/SegmentSources.h"
+#include "Projections/ImageShares.h"
 #include "Projections/ProjectionTracer.h"
 #include "Projections/ShareTracer.h"
+#include "Sampling/SampledTracer.h"
 
 namespace TemporalCoherence
 {
@@ -20,6 +21,13 @@ bool IsPlain(const BlendScene& scene, const GridCoordinates* grid)
   const Blending& volume = scene.Key.Volume;
   return !grid && scene.Key.Samples.Between == Interpolation::Linear && volume.Others.empty() &&
     volume.SampleDistance == 0.0;
+}
+
+/// True if colours depend on values.
+bool HasTransferRange(const Blending& volume)
+{
+  const glm::dvec2& range = volume.Looks.front().Transfer.Range;
+  return range.x < range.y;
 }
 
 }
@@ -39,7 +47,9 @@ std::shared_ptr<const BlendTracer> MakeUniformBlendTracer(
                                   : MakeSampledTracer(scene, grid, &MakeSegmentSource);
     case BlendMode::Average:
     case BlendMode::Additive:
-      return MakeShareTracer(scene, grid, &MakeSegmentSource);
+      return IsPlain(scene, grid) && HasTransferRange(scene.Key.Volume)
+        ? MakeImageShares(scene)
+        : MakeShareTracer(scene, grid, &MakeSegmentSource);
     default:
       return nullptr;
   }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Projections/ExtremeLook.h"
 
-#include "Blending/TransferLookup.h"
+#include "Sampling/TransferLookup.h"
 
 #include <cmath>
 #include <limits>

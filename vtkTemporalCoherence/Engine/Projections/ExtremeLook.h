@@ -4,8 +4,8 @@
 #define TemporalCoherence_ExtremeLook_h
 
 #include "Blending/BlendTracer.h"
-#include "Blending/ComponentLooks.h"
 #include "Projections/FieldProbe.h"
+#include "Sampling/ComponentLooks.h"
 
 #include <cstddef>
 #include <vector>

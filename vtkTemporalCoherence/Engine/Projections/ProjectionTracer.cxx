@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Projections/ProjectionTracer.h"
 
-#include "Blending/RaySamples.h"
 #include "Projections/ExtremeLook.h"
+#include "Sampling/RaySamples.h"
 
 #include <cmath>
 #include <limits>

@@ -4,8 +4,8 @@
 #define TemporalCoherence_ProjectionTracer_h
 
 #include "Blending/BlendTracer.h"
-#include "Blending/ComponentSegment.h"
 #include "Projections/ExtremeSearch.h"
+#include "Sampling/ComponentSegment.h"
 #include "Scene/GridCoordinates.h"
 
 #include <memory>

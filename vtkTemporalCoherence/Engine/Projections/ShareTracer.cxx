@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Projections/ShareTracer.h"
 
-#include "Blending/ComponentLooks.h"
-#include "Blending/RaySamples.h"
-#include "Blending/SegmentBreaks.h"
+#include "Projections/ShareLook.h"
+#include "Sampling/RaySamples.h"
+#include "Sampling/SegmentBreaks.h"
 
 #include <algorithm>
 #include <array>
@@ -22,16 +22,14 @@ constexpr std::array<double, 4> GaussAt{ 0.06943184420297371, 0.3300094782075718
 constexpr std::array<double, 4> GaussWeight{ 0.17392742256872692, 0.3260725774312731,
   0.3260725774312731, 0.17392742256872692 };
 
-class ShareTracer final : public BlendTracer
+class ShareTracer final : public ShareLook
 {
 public:
   ShareTracer(const BlendScene& scene, const GridCoordinates* grid, SegmentSourceMaker make)
-    : Volume(scene.Key.Volume)
-    , IsAverage(Volume.Mode == BlendMode::Average)
-    , Looks(Volume)
+    : ShareLook(scene.Key.Volume)
     , Samples(scene.Key)
     , Cells(make(scene, grid))
-    , RangeEnds{ Volume.AverageRange.x, Volume.AverageRange.y }
+    , RangeEnds{ scene.Key.Volume.AverageRange.x, scene.Key.Volume.AverageRange.y }
   {
     for (std::size_t part = 0; part < this->Looks.Parts(); ++part)
     {
@@ -43,12 +41,7 @@ public:
   {
     for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
     {
-      if (!this->IsAverage && rays.Begin[ray] < rays.End[ray])
-      {
-        // VTK shows a sum of nothing as black.
-        seen.Length[ray] += rays.End[ray] - rays.Begin[ray];
-        seen.First[ray] = std::min(seen.First[ray], rays.Begin[ray]);
-      }
+      this->BeginSum(rays, ray, seen);
       if (rays.HasWalk(ray))
       {
         const double entry =
@@ -73,42 +66,7 @@ public:
     }
   }
 
-  void Finish(const RayBatch& rays, const WorldDirections&, BlendedRays& seen) const override
-  {
-    for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
-    {
-      double grey = 0.0;
-      bool isSeen = false;
-      for (std::size_t part = 0; part < this->Looks.Parts(); ++part)
-      {
-        const double passed = LengthOf(seen, part)[ray];
-        const double length = this->IsAverage ? passed : this->Looks.Of(part).UnitDistance;
-        isSeen = isSeen || passed > 0.0;
-        grey += length > 0.0 ? this->Looks.WeightOf(part) * SumOf(seen, part)[ray] / length : 0.0;
-      }
-      if (isSeen)
-      {
-        for (auto& channel : seen.Color)
-        {
-          channel[ray] = static_cast<float>(std::clamp(grey, 0.0, 1.0));
-        }
-        seen.Passed[ray] = 0.0f;
-      }
-    }
-  }
-
 private:
-  using Array = BlendedRays::Array<double>;
-
-  static Array& SumOf(BlendedRays& seen, std::size_t part)
-  {
-    return part == 0 ? seen.Value : seen.OtherValues[part - 1];
-  }
-  static Array& LengthOf(BlendedRays& seen, std::size_t part)
-  {
-    return part == 0 ? seen.Length : seen.OtherLengths[part - 1];
-  }
-
   void AddSegment(
     const ComponentSegment& segment, std::size_t part, std::size_t ray, BlendedRays& seen) const
   {
@@ -225,9 +183,6 @@ private:
     return opacity * this->Looks.ShareOf(part, value);
   }
 
-  const Blending& Volume;
-  bool IsAverage;
-  ComponentLooks Looks;
   RaySamples Samples;
   std::unique_ptr<const SegmentSource> Cells;
   std::vector<double> RangeEnds;          ///< of an average

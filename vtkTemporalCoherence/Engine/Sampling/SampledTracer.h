@@ -4,7 +4,7 @@
 #define TemporalCoherence_SampledTracer_h
 
 #include "Blending/BlendTracer.h"
-#include "Blending/ComponentSegment.h"
+#include "Sampling/ComponentSegment.h"
 
 #include <memory>
 

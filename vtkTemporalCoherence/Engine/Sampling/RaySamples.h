@@ -3,7 +3,7 @@
 #ifndef TemporalCoherence_RaySamples_h
 #define TemporalCoherence_RaySamples_h
 
-#include "Blending/ComponentSegment.h"
+#include "Sampling/ComponentSegment.h"
 #include "Scene/FrameKey.h"
 #include "Scene/RayBatch.h"
 #include "Scene/TileHits.h"

@@ -3,7 +3,7 @@
 #ifndef TemporalCoherence_SegmentBreaks_h
 #define TemporalCoherence_SegmentBreaks_h
 
-#include "Blending/ComponentSegment.h"
+#include "Sampling/ComponentSegment.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Blending/PhongLight.h"
+#include "Sampling/PhongLight.h"
 
 #include <algorithm>
 #include <cmath>

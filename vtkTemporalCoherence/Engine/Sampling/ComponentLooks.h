@@ -3,8 +3,8 @@
 #ifndef TemporalCoherence_ComponentLooks_h
 #define TemporalCoherence_ComponentLooks_h
 
-#include "Blending/ComponentSegment.h"
-#include "Blending/TransferLookup.h"
+#include "Sampling/ComponentSegment.h"
+#include "Sampling/TransferLookup.h"
 #include "Scene/Blending.h"
 
 #include <algorithm>

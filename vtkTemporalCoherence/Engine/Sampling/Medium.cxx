@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Blending/Medium.h"
+#include "Sampling/Medium.h"
 
-#include "Blending/PhongLight.h"
+#include "Sampling/PhongLight.h"
 
 #include <algorithm>
 #include <cmath>

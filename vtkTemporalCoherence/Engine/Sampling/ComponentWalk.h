@@ -5,7 +5,7 @@
 
 #include "Acceleration/HiddenCells.h"
 #include "Blending/BlendTracer.h"
-#include "Blending/ComponentSegment.h"
+#include "Sampling/ComponentSegment.h"
 #include "Scene/Field.h"
 #include "Trace/CellRoot.h"
 #include "Trace/CellSamples.h"

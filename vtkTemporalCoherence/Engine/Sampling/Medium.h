@@ -3,8 +3,8 @@
 #ifndef TemporalCoherence_Medium_h
 #define TemporalCoherence_Medium_h
 
-#include "Blending/ComponentLooks.h"
-#include "Blending/ComponentSegment.h"
+#include "Sampling/ComponentLooks.h"
+#include "Sampling/ComponentSegment.h"
 #include "Scene/FrameKey.h"
 #include "Scene/TileHits.h"
 

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Blending/SampledTracer.h"
+#include "Sampling/SampledTracer.h"
 
-#include "Blending/ComponentLooks.h"
-#include "Blending/Medium.h"
-#include "Blending/RaySamples.h"
-#include "Blending/SegmentBreaks.h"
+#include "Sampling/ComponentLooks.h"
+#include "Sampling/Medium.h"
+#include "Sampling/RaySamples.h"
+#include "Sampling/SegmentBreaks.h"
 
 #include <algorithm>
 #include <array>

@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Emission of stretches of rays on which values go evenly from one to another.
+// Kernels include this file once for each kind of vectors, hence the toggling guard.
+#if defined(TemporalCoherence_KernelsStretch_inl_h) == defined(HWY_TARGET_TOGGLE)
+#ifdef TemporalCoherence_KernelsStretch_inl_h
+#undef TemporalCoherence_KernelsStretch_inl_h
+#else
+#define TemporalCoherence_KernelsStretch_inl_h
+#endif
+
+#include "Blending/KernelsVectors-inl.h"
+#include "Blending/TransferTables.h"
+
+#include <hwy/highway.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+HWY_BEFORE_NAMESPACE();
+namespace TemporalCoherence
+{
+namespace EmissionKernels
+{
+namespace HWY_NAMESPACE
+{
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// exp(-x) for x >= 0.
+HWY_INLINE V ExpOfMinus(V x)
+{
+  const Floats d;
+  const Integers di;
+  const V bounded = hn::Min(x, hn::Set(d, 80.0f));
+  const V whole = hn::Floor(hn::Add(hn::Mul(bounded, hn::Set(d, 1.44269504f)), hn::Set(d, 0.5f)));
+  // What is left lies in [-ln 2 / 2, ln 2 / 2]. ln 2 is split, so that its product is exact.
+  const V rest = hn::Sub(hn::Sub(hn::Mul(whole, hn::Set(d, 0.693359375f)), bounded),
+    hn::Mul(whole, hn::Set(d, 2.12194440e-4f)));
+  V sum = hn::Set(d, 1.0f / 720.0f);
+  const float factors[] = { 1.0f / 120.0f, 1.0f / 24.0f, 1.0f / 6.0f, 0.5f, 1.0f, 1.0f };
+  for (const float factor : factors)
+  {
+    sum = hn::Add(hn::Mul(sum, rest), hn::Set(d, factor));
+  }
+  const I exponent = hn::Sub(hn::Set(di, 127), hn::ConvertTo(di, whole));
+  return hn::Mul(sum, hn::BitCast(d, hn::ShiftLeft<23>(exponent)));
+}
+
+/// Emission at a value, and its integral up to there.
+struct EmissionAt
+{
+  V Value[4], Sum[4], Moment;
+};
+
+HWY_INLINE void LookUp(const TransferTables& tables, V value, EmissionAt& at)
+{
+  const Floats d;
+  const Integers di;
+  const V zero = hn::Zero(d), one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f);
+  const V last = hn::Set(d, static_cast<float>(tables.Bins));
+  const V bin = hn::Min(hn::Max(hn::Floor(value), zero), last);
+  // Above the range there is only the beginning of a bin.
+  const V inBin = hn::IfThenElseZero(hn::Lt(bin, last), hn::Sub(value, bin));
+  const V share = hn::Min(hn::Max(inBin, zero), one);
+  const V beyond = hn::Sub(hn::Sub(value, bin), share);
+  std::int32_t bins[WidestVector];
+  hn::StoreU(hn::ConvertTo(di, bin), di, bins);
+  // Four numbers lie side by side: copies of all of them are faster than gathering each.
+  HWY_ALIGN float values[4 * WidestVector], rises[4 * WidestVector], sums[4 * WidestVector];
+  HWY_ALIGN float moments[WidestVector], boosts[WidestVector];
+  for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
+  {
+    const EmissionBin& from = tables.All[static_cast<std::size_t>(bins[lane])];
+    std::memcpy(values + 4 * lane, from.Value.data(), sizeof(from.Value));
+    std::memcpy(rises + 4 * lane, from.Rise.data(), sizeof(from.Rise));
+    std::memcpy(sums + 4 * lane, from.Sum.data(), sizeof(from.Sum));
+    moments[lane] = from.Moment;
+    boosts[lane] = from.Boost;
+  }
+  V rise[4];
+  hn::LoadInterleaved4(d, values, at.Value[0], at.Value[1], at.Value[2], at.Value[3]);
+  hn::LoadInterleaved4(d, rises, rise[0], rise[1], rise[2], rise[3]);
+  hn::LoadInterleaved4(d, sums, at.Sum[0], at.Sum[1], at.Sum[2], at.Sum[3]);
+  // The moment of what lies between the node and the value, about half way.
+  const V middle = hn::Add(bin, hn::Mul(half, hn::Add(share, beyond)));
+  const V between = hn::Mul(hn::Add(share, beyond), middle);
+  const V boost = hn::IfThenElse(hn::Eq(share, zero), hn::Load(d, boosts), one);
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    const V mean = hn::Add(at.Value[i], hn::Mul(hn::Mul(half, share), rise[i]));
+    const V here = hn::Add(at.Value[i], hn::Mul(share, rise[i]));
+    at.Value[i] = hn::Mul(boost, here);
+    at.Sum[i] = hn::Add(at.Sum[i], hn::Add(hn::Mul(share, mean), hn::Mul(beyond, here)));
+    if (i == 0)
+    {
+      at.Moment = hn::Add(hn::Load(d, moments), hn::Mul(between, mean));
+    }
+  }
+}
+
+/// The mean emission of a stretch on which values go from one to another.
+/// \param lift how far the mean value is above that of both ends
+HWY_INLINE void MeanBetween(const TransferTables& tables, V a, const EmissionAt& atA, V b,
+  const EmissionAt& atB, V lift, V mean[4])
+{
+  const Floats d;
+  const V one = hn::Set(d, 1.0f);
+  const V difference = hn::Sub(b, a);
+  // The difference of sums loses its digits where these are close together.
+  const M isClose = hn::Lt(hn::Abs(difference), hn::Set(d, tables.Closest));
+  // Sums do not count all of what is opaque at once.
+  const M isOpaque = hn::Gt(hn::Max(atA.Value[0], atB.Value[0]), hn::Set(d, tables.MostCounted));
+  const V perBin = hn::Div(one, hn::IfThenElse(isClose, one, difference));
+  const V lifted = hn::IfThenElseZero(hn::Not(isClose), lift);
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    // The sums of the straight line that has the same mean value.
+    const V more = hn::Mul(lifted, hn::Sub(atB.Value[i], atA.Value[i]));
+    const V far = hn::Mul(hn::Add(hn::Sub(atB.Sum[i], atA.Sum[i]), more), perBin);
+    const V close = hn::Mul(hn::Set(d, 0.5f), hn::Add(atA.Value[i], atB.Value[i]));
+    mean[i] = hn::Max(hn::IfThenElse(hn::Or(isClose, isOpaque), close, far), hn::Zero(d));
+  }
+}
+
+/// The mean place of what is emitted in a step, as a share of it.
+HWY_INLINE V CentreOf(V a, const EmissionAt& atA, V b, const EmissionAt& atB, V depth)
+{
+  const Floats d;
+  const V one = hn::Set(d, 1.0f), least = hn::Set(d, 1e-20f);
+  const V difference = hn::Sub(b, a), sum = hn::Sub(atB.Sum[0], atA.Sum[0]);
+  const V product = hn::Mul(difference, sum);
+  const M isFar =
+    hn::And(hn::Ge(hn::Abs(difference), hn::Set(d, 4.0f)), hn::Gt(hn::Abs(product), least));
+  const V moment = hn::Sub(hn::Sub(atB.Moment, atA.Moment), hn::Mul(a, sum));
+  const V ends = hn::Add(hn::Add(atA.Value[0], atB.Value[0]), least);
+  // Where values are close together, extinction changes evenly.
+  const V above =
+    hn::IfThenElse(isFar, moment, hn::Mul(hn::Set(d, 1.0f / 3.0f), hn::Add(ends, atB.Value[0])));
+  const V share = hn::Div(above, hn::IfThenElse(isFar, product, ends));
+  const V pulled = hn::Mul(hn::Min(depth, hn::Set(d, 3.0f)), hn::Set(d, 1.0f / 12.0f));
+  return hn::Min(hn::Max(hn::Sub(share, pulled), hn::Zero(d)), one);
+}
+
+/// Of what is emitted in a step, more is seen of its beginning than of its end. Where both emit,
+/// colours change evenly in between.
+HWY_INLINE void PullColors(const EmissionAt& begin, const EmissionAt& end, V depth, V mean[4])
+{
+  const Floats d;
+  const V one = hn::Set(d, 1.0f), least = hn::Set(d, 1e-20f);
+  const V larger = hn::Max(begin.Value[0], end.Value[0]);
+  const V smaller = hn::Min(begin.Value[0], end.Value[0]);
+  const M isPulled = hn::Gt(smaller, hn::Mul(hn::Set(d, 1e-3f), larger));
+  const V perBegin = hn::Div(one, hn::Max(begin.Value[0], least));
+  const V perEnd = hn::Div(one, hn::Max(end.Value[0], least));
+  const V pull = hn::IfThenElseZero(isPulled,
+    hn::Mul(hn::Mul(hn::Min(depth, hn::Set(d, 3.0f)), hn::Set(d, 1.0f / 12.0f)), mean[0]));
+  for (std::size_t i = 1; i < 4; ++i)
+  {
+    const V rise = hn::Sub(hn::Mul(end.Value[i], perEnd), hn::Mul(begin.Value[i], perBegin));
+    mean[i] = hn::Max(hn::Sub(mean[i], hn::Mul(pull, rise)), hn::Zero(d));
+  }
+}
+
+/// The opacity at magnitudes of gradients.
+HWY_INLINE V OpacityOf(const GradientTable& table, V magnitude)
+{
+  const Floats d;
+  const Integers di;
+  const V entry = hn::Mul(hn::Sub(magnitude, hn::Set(d, static_cast<float>(table.Low))),
+    hn::Set(d, static_cast<float>(table.PerMagnitude)));
+  const V last = hn::Set(d, static_cast<float>(table.Opacities.size() - 2));
+  const V clamped = hn::Min(hn::Max(entry, hn::Zero(d)), hn::Add(last, hn::Set(d, 1.0f)));
+  const V floor = hn::Min(hn::Floor(clamped), last);
+  const I index = hn::ConvertTo(di, floor);
+  const V low = hn::GatherIndex(d, table.Opacities.data(), index);
+  const V high = hn::GatherIndex(d, table.Opacities.data() + 1, index);
+  return hn::Add(low, hn::Mul(hn::Sub(clamped, floor), hn::Sub(high, low)));
+}
+
+}
+}
+}
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_SegmentReader_h
+#define TemporalCoherence_SegmentReader_h
+
+#include "Blending/KernelsVolumeSegments.h"
+#include "Scene/Field.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace TemporalCoherence
+{
+
+/// Reads the cells that rays are in, and finds the segments there, with values in bins.
+template <typename T>
+class SegmentReader
+{
+public:
+  /// \param low where bins begin
+  SegmentReader(const Field& samples, double low, double perValue)
+    : Samples(samples)
+    , Low(low)
+    , PerValue(perValue)
+    , AreNarrow(sizeof(T) <= 2 && samples.HasCells() && NarrowSamples<T>::Are(samples))
+  {
+  }
+
+  /// True if vectors can gather the samples.
+  bool IsNarrow() const { return this->AreNarrow; }
+
+  float BinOf(T sample) const
+  {
+    return static_cast<float>((static_cast<double>(sample) - this->Low) * this->PerValue);
+  }
+
+  void Find(
+    const RayWalks& walks, const SegmentsKernels::SeenBins& seen, VolumeSegments& segments) const
+  {
+    if constexpr (sizeof(T) <= 2)
+    {
+      if (this->AreNarrow)
+      {
+        const SegmentsKernels::BinScale scale{ static_cast<float>(this->PerValue),
+          static_cast<float>(-this->Low * this->PerValue) };
+        SegmentsKernels::FindSegments(
+          walks, NarrowSamples<T>(this->Samples), scale, seen, segments);
+        return;
+      }
+    }
+    SegmentsKernels::CornerValues corners;
+    this->ReadCorners(walks, corners);
+    SegmentsKernels::FindSegments(walks, corners, seen, segments);
+  }
+
+private:
+  void ReadCorners(const RayWalks& walks, SegmentsKernels::CornerValues& corners) const
+  {
+    const TypedField<T> samples(this->Samples);
+    const auto count = static_cast<std::size_t>(walks.Rays.Count);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const T* const origin = samples.At(static_cast<int>(walks.Cell[0][i]),
+        static_cast<int>(walks.Cell[1][i]), static_cast<int>(walks.Cell[2][i]));
+      for (std::size_t corner = 0; corner < 8; ++corner)
+      {
+        const T* const at = origin + ((corner & 1u) != 0 ? samples.Strides.x : 0) +
+          ((corner & 2u) != 0 ? samples.Strides.y : 0) +
+          ((corner & 4u) != 0 ? samples.Strides.z : 0);
+        corners[corner][i] = this->BinOf(*at);
+      }
+    }
+    // So that no lane of the last vector is uninitialised.
+    for (auto& values : corners)
+    {
+      std::fill(values.begin() + static_cast<std::ptrdiff_t>(count),
+        values.begin() + static_cast<std::ptrdiff_t>(WholeVectors(count)), 0.0f);
+    }
+  }
+
+  const Field& Samples;
+  double Low, PerValue;
+  bool AreNarrow;
+};
+
+}
+
+#endif

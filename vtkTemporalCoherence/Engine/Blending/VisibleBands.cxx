@@ -53,6 +53,7 @@ std::optional<std::vector<ValueBand>> VisibleBands(const Blending& blending)
   switch (blending.Mode)
   {
     case BlendMode::Composite:
+    case BlendMode::Additive: // elsewhere its picture is black
       return OpaqueBands(blending.Looks.front().Transfer);
     case BlendMode::Average:
       return std::vector<ValueBand>{ { blending.AverageRange.x,

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Blending/KernelsVolumeSegments.h"
 
+#include <array>
+#include <cstddef>
+#include <cstring>
 #include <limits>
 
 // This file is compiled once for each kind of vectors, and what runs is chosen by the machine.
@@ -172,25 +175,34 @@ template <typename T>
 HWY_INLINE void FindOfSamples(const RayWalks& walks, const NarrowSamples<T>& samples,
   const BinScale& scale, const SeenBins& seen, VolumeSegments& found)
 {
-  using Rows = PackedSamples::HWY_NAMESPACE::GatheredRows<T>;
+  using Rows = PackedSamples::HWY_NAMESPACE::IntegerRows<T>;
   const Floats d;
-  const Integers di;
   const V perValue = hn::Set(d, scale.PerValue), shift = hn::Set(d, scale.Shift);
   FindSeen(
     walks,
     [&](const CellPaths& paths, std::size_t i, V values[8]) HWY_ATTR
     {
-      const hn::Vec<Integers> cell[3] = { hn::LoadU(di, &paths.Cell[0][i]),
-        hn::LoadU(di, &paths.Cell[1][i]), hn::LoadU(di, &paths.Cell[2][i]) };
-      const Rows rows(samples, cell);
-      for (int yz = 0; yz < 4; ++yz)
+      // Not gathered, as a gather reads more than the two samples of a row.
+      HWY_ALIGN std::array<std::array<std::array<T, 2>, WidestVector>, 4> rows;
+      for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
+      {
+        const T* const from = samples.Samples + paths.Cell[0][i + lane] +
+          static_cast<std::ptrdiff_t>(paths.Cell[1][i + lane]) * samples.StrideY +
+          static_cast<std::ptrdiff_t>(paths.Cell[2][i + lane]) * samples.StrideZ;
+        for (std::size_t yz = 0; yz < 4; ++yz)
+        {
+          const T* const at =
+            from + ((yz & 1u) != 0 ? samples.StrideY : 0) + ((yz & 2u) != 0 ? samples.StrideZ : 0);
+          std::memcpy(&rows[yz][lane], at, sizeof(rows[yz][lane]));
+        }
+      }
+      for (std::size_t yz = 0; yz < 4; ++yz)
       {
         typename Rows::V row[2];
-        rows.Two(yz & 1, yz >> 1, row);
+        Rows::Load(rows[yz].data(), row);
         for (std::size_t x = 0; x < 2; ++x)
         {
-          values[2 * static_cast<std::size_t>(yz) + x] =
-            hn::Add(hn::Mul(Rows::AsFloats(row[x]), perValue), shift);
+          values[2 * yz + x] = hn::Add(hn::Mul(Rows::AsFloats(row[x]), perValue), shift);
         }
       }
     },

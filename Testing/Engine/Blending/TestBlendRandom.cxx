@@ -96,7 +96,7 @@ protected:
       EXPECT_EQ(errors.BeyondThree, 0) << "seed " << seed << ": the worst, by " << errors.Largest
                                        << ", is " << errors.Worst.x << ", " << errors.Worst.y;
     }
-    EXPECT_LE(beyondOne * 1000, compared);
+    EXPECT_LE(beyondOne * 1000, compared * PixelsForOne);
   }
 };
 

@@ -40,7 +40,7 @@ TEST_F(BlendShares, ASumOfNothingIsBlack)
   this->Key.Volume.Mode = BlendMode::Additive;
   const BlendErrors errors = this->Errors();
   EXPECT_LT(errors.Largest, 1.0);
-  EXPECT_GT(errors.Seen, 500);
+  EXPECT_GT(errors.Seen * PixelsForOne, 500);
 }
 
 TEST_F(BlendShares, AnAverageOfNothingIsNotSeen)
@@ -49,7 +49,7 @@ TEST_F(BlendShares, AnAverageOfNothingIsNotSeen)
   this->Key.Volume.AverageRange = { 30.5, 80.0 };
   const BlendErrors errors = this->Errors();
   EXPECT_LT(errors.Largest, 1.0);
-  EXPECT_GT(errors.Seen, 20);
+  EXPECT_GT(errors.Seen * PixelsForOne, 20);
   EXPECT_LT(errors.Seen, 500);
 }
 

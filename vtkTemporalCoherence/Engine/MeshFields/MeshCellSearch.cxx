@@ -78,7 +78,7 @@ private:
   void ReadMissing(const MeshTree& tree, const DistinctCells& distinct, const std::uint8_t* missing,
     std::size_t count, RecentHexahedra& recent)
   {
-    MeshReader::Together<CellNumber> numbers;
+    MeshReader::Together<CellNumber> numbers{};
     for (std::size_t k = 0; k < count; ++k)
     {
       numbers[k] = tree.CellAt(distinct.Numbers[missing[k]]);

@@ -68,15 +68,14 @@ public:
   using S = typename Rows::V;
 
   HWY_INLINE RowLoader(const NarrowSamples<T>& samples, const VolumeSegments& segments,
-    std::size_t first, float perValue)
+    std::size_t first, std::size_t end, float perValue)
     : PerValue(perValue)
   {
     const std::size_t lanes = hn::Lanes(Floats());
-    const std::size_t last = static_cast<std::size_t>(segments.Count) - 1;
     for (std::size_t lane = 0; lane < lanes; ++lane)
     {
       // Lanes behind the last segment repeat it.
-      const std::size_t i = std::min(first + lane, last);
+      const std::size_t i = std::min(first + lane, end - 1);
       const T* const from = samples.Samples + segments.Cell[0][i] - 1 +
         static_cast<std::ptrdiff_t>(segments.Cell[1][i]) * samples.StrideY +
         static_cast<std::ptrdiff_t>(segments.Cell[2][i]) * samples.StrideZ;

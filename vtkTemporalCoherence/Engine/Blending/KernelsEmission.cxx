@@ -53,10 +53,11 @@ class SegmentVector
 {
 public:
   HWY_INLINE SegmentVector(const EmittingVolume& volume, const LitRays& rays,
-    const VolumeSegments& segments, std::size_t first, BlendedRays& seen)
+    const VolumeSegments& segments, std::size_t first, std::size_t count, BlendedRays& seen)
     : Volume(volume)
     , Seen(seen)
-    , IsSegment(hn::FirstN(Floats(), static_cast<std::size_t>(segments.Count) - first))
+    , Count(count)
+    , IsSegment(hn::FirstN(Floats(), count))
   {
     const Floats d;
     const auto load = [&](const VolumeSegments::Array<float>& array) HWY_ATTR
@@ -73,6 +74,7 @@ public:
     this->Span = load(segments.Span);
     this->Bend = load(segments.Bend);
     this->Passed = hn::GatherIndex(d, seen.Passed.data(), this->Ray);
+    this->IsSegment = hn::And(this->IsSegment, hn::Gt(this->Passed, hn::Set(d, LeastPassed)));
     for (std::size_t a = 0; a < 3; ++a)
     {
       this->Color[a] = hn::Zero(d);
@@ -139,7 +141,6 @@ public:
   HWY_INLINE void Finish() const
   {
     const Floats d;
-    const std::size_t count = hn::CountTrue(d, this->IsSegment);
     std::int32_t rays[WidestVector];
     hn::StoreU(this->Ray, Integers(), rays);
     const auto store = [&](V value, RayBatch::Array<float>& array) HWY_ATTR
@@ -148,7 +149,7 @@ public:
       hn::StoreU(value, d, values);
       for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
       {
-        if (lane < count)
+        if (lane < this->Count)
         {
           array[static_cast<std::size_t>(rays[lane])] = values[lane];
         }
@@ -375,7 +376,8 @@ private:
 
   const EmittingVolume& Volume;
   BlendedRays& Seen;
-  M IsSegment;
+  std::size_t Count;
+  M IsSegment; ///< what lies behind something opaque is none
   I Ray;
   V Enter, Length, Middle, Span, Bend;
   Line Values;
@@ -389,10 +391,11 @@ template <typename LoaderAt>
 HWY_INLINE void AddAll(const EmittingVolume& volume, const LitRays& rays,
   const VolumeSegments& segments, const LoaderAt& loaderAt, BlendedRays& seen)
 {
-  for (std::size_t i = 0; i < static_cast<std::size_t>(segments.Count); i += hn::Lanes(Floats()))
+  for (std::size_t i = 0, end = 0; i < static_cast<std::size_t>(segments.Count); i = end)
   {
-    SegmentVector vector(volume, rays, segments, i, seen);
-    vector.Add(volume.HasGradients() ? CornerGradients(loaderAt(i)) : CornerGradients());
+    end = segments.EndOfVector(i, hn::Lanes(Floats()));
+    SegmentVector vector(volume, rays, segments, i, end - i, seen);
+    vector.Add(volume.HasGradients() ? CornerGradients(loaderAt(i, end)) : CornerGradients());
     vector.Finish();
   }
 }
@@ -402,7 +405,7 @@ void AddOfValues(const EmittingVolume& volume, const LitRays& rays, const Volume
 {
   AddAll(
     volume, rays, segments,
-    [&](std::size_t i) HWY_ATTR {
+    [&](std::size_t i, std::size_t) HWY_ATTR {
       return ArrayLoader{ around, i };
     },
     seen);
@@ -415,7 +418,9 @@ HWY_INLINE void AddOfSamples(const EmittingVolume& volume, const LitRays& rays,
 {
   AddAll(
     volume, rays, segments,
-    [&](std::size_t i) HWY_ATTR { return RowLoader<T>(samples, segments, i, perValue); }, seen);
+    [&](std::size_t i, std::size_t end) HWY_ATTR
+    { return RowLoader<T>(samples, segments, i, end, perValue); },
+    seen);
 }
 
 void AddOfUInt8(const EmittingVolume& volume, const LitRays& rays, const VolumeSegments& segments,

@@ -38,18 +38,18 @@ struct CellPaths
   std::array<RayBatch::Array<std::int32_t>, 3> Cell;
 };
 
-HWY_INLINE void FindPaths(const RayWalks& walks, CellPaths& paths)
+HWY_INLINE void FindPaths(const CellRow& row, CellPaths& paths)
 {
   const hn::CappedTag<double, WidestVector / 2> d;
   const hn::Rebind<float, decltype(d)> df;
   const hn::Rebind<std::int32_t, decltype(d)> di;
   using VD = hn::Vec<decltype(d)>;
-  const std::size_t count = WholeVectors(static_cast<std::size_t>(walks.Rays.Count));
+  const std::size_t count = WholeVectors(static_cast<std::size_t>(row.Walks.Rays.Count));
   for (std::size_t i = 0; i < count; i += hn::Lanes(d))
   {
-    const auto rays = SegmentKernels::HWY_NAMESPACE::LoadRays(d, walks.Rays, i);
-    const VD cell[3] = { hn::LoadU(d, &walks.Cell[0][i]), hn::LoadU(d, &walks.Cell[1][i]),
-      hn::LoadU(d, &walks.Cell[2][i]) };
+    const auto rays = SegmentKernels::HWY_NAMESPACE::LoadRays(d, row.Walks.Rays, i);
+    const VD cell[3] = { hn::LoadU(d, &row.Cells()[0][i]), hn::LoadU(d, &row.Cells()[1][i]),
+      hn::LoadU(d, &row.Cells()[2][i]) };
     const auto path = SegmentKernels::HWY_NAMESPACE::FindPath(d, rays, cell);
     hn::StoreU(hn::DemoteTo(df, hn::Sub(path.Enter, rays.Begin)), df, &paths.Enter[i]);
     hn::StoreU(hn::DemoteTo(df, hn::Sub(path.Leave, path.Enter)), df, &paths.Length[i]);
@@ -62,13 +62,15 @@ HWY_INLINE void FindPaths(const RayWalks& walks, CellPaths& paths)
   }
 }
 
+using Line = Cubics::HWY_NAMESPACE::Cubic<V>;
+
 /// Bounds of cubics, by their Bernstein points.
 struct CubicBounds
 {
-  V Low, High, Bend;
+  V Low, High, Slope, Bend;
 };
 
-HWY_INLINE CubicBounds BoundsOf(const Cubics::HWY_NAMESPACE::Cubic<V>& cubic)
+HWY_INLINE CubicBounds BoundsOf(const Line& cubic)
 {
   const Floats d;
   const V third = hn::Set(d, 1.0f / 3.0f);
@@ -76,10 +78,10 @@ HWY_INLINE CubicBounds BoundsOf(const Cubics::HWY_NAMESPACE::Cubic<V>& cubic)
   const V b1 = hn::Add(b0, hn::Mul(third, cubic.C[1]));
   const V b2 = hn::Add(hn::Add(b1, hn::Mul(third, cubic.C[1])), hn::Mul(third, cubic.C[2]));
   const V b3 = hn::Add(hn::Add(b0, cubic.C[1]), hn::Add(cubic.C[2], cubic.C[3]));
-  const V first = hn::Sub(hn::Sub(b2, b1), hn::Sub(b1, b0));
-  const V second = hn::Sub(hn::Sub(b3, b2), hn::Sub(b2, b1));
+  const V r0 = hn::Sub(b1, b0), r1 = hn::Sub(b2, b1), r2 = hn::Sub(b3, b2);
+  const V rise = hn::Max(hn::Abs(r0), hn::Max(hn::Abs(r1), hn::Abs(r2)));
   return { hn::Min(hn::Min(b0, b1), hn::Min(b2, b3)), hn::Max(hn::Max(b0, b1), hn::Max(b2, b3)),
-    hn::Max(hn::Abs(first), hn::Abs(second)) };
+    hn::Mul(hn::Set(d, 3.0f), rise), hn::Max(hn::Abs(hn::Sub(r1, r0)), hn::Abs(hn::Sub(r2, r1))) };
 }
 
 /// True where something may be seen between the bounds, which are numbers.
@@ -100,17 +102,72 @@ HWY_INLINE hn::Mask<Floats> IsSeen(const CubicBounds& bounds, const SeenBins& se
       hn::And(hn::Lt(hn::Abs(bounds.High), largest), hn::Lt(bounds.Bend, largest))));
 }
 
+/// How far values are from what is seen.
+HWY_INLINE V DistanceToSeen(V value, const SeenBins& seen)
+{
+  const Floats d;
+  V distance = hn::Set(d, seen.Count == 0 ? 0.0f : 1e30f);
+  for (std::size_t i = 0; i < seen.Count; ++i)
+  {
+    const V below = hn::Sub(hn::Set(d, seen.Bands[i][0]), value);
+    const V above = hn::Sub(value, hn::Set(d, seen.Bands[i][1]));
+    distance = hn::Min(distance, hn::Max(below, above));
+  }
+  return hn::Max(distance, hn::Zero(d));
+}
+
+/// Where something may be seen of segments, in shares of them.
+struct SeenPart
+{
+  V Begin, End;
+};
+
+/// From both ends, leap as far as the steepest slope leaves nothing to see.
+HWY_INLINE SeenPart PartSeen(const Line& cubic, const CubicBounds& bounds, const SeenBins& seen)
+{
+  const Floats d;
+  constexpr int Leaps = 3;
+  const V one = hn::Set(d, 1.0f);
+  // A little less, for the rounding of values.
+  const V perValue = hn::Div(hn::Set(d, 0.999f), hn::Max(bounds.Slope, hn::Set(d, 1e-20f)));
+  SeenPart part{ hn::Zero(d), one };
+  for (int leap = 0; leap < Leaps; ++leap)
+  {
+    const V fromBegin = DistanceToSeen(cubic.At(part.Begin), seen);
+    const V fromEnd = DistanceToSeen(cubic.At(part.End), seen);
+    part.Begin = hn::Add(part.Begin, hn::Min(hn::Mul(fromBegin, perValue), one));
+    part.End = hn::Sub(part.End, hn::Min(hn::Mul(fromEnd, perValue), one));
+  }
+  return part;
+}
+
+/// The same cubic, counted from where the part begins to where it ends.
+HWY_INLINE Line Within(const Line& cubic, const SeenPart& part)
+{
+  const Floats d;
+  const V x = part.Begin, width = hn::Sub(part.End, part.Begin);
+  const V third = hn::Mul(hn::Set(d, 3.0f), hn::Mul(cubic.C[3], x));
+  const V slope = hn::Add(cubic.C[1], hn::Mul(x, hn::Add(hn::Add(cubic.C[2], cubic.C[2]), third)));
+  Line within;
+  within.C[0] = cubic.At(x);
+  within.C[1] = hn::Mul(width, slope);
+  within.C[2] = hn::Mul(hn::Mul(width, width), hn::Add(cubic.C[2], third));
+  within.C[3] = hn::Mul(hn::Mul(width, width), hn::Mul(width, cubic.C[3]));
+  return within;
+}
+
 /// \param loadCorners fills the corners of the cells from ray i on
 template <typename LoadCorners>
-HWY_INLINE void FindSeen(const RayWalks& walks, const LoadCorners& loadCorners,
-  const SeenBins& seen, VolumeSegments& found)
+HWY_INLINE void FindSeen(
+  const CellRow& row, const LoadCorners& loadCorners, const SeenBins& seen, VolumeSegments& found)
 {
   const Floats d;
   const Integers di;
   CellPaths paths;
-  FindPaths(walks, paths);
-  const auto count = static_cast<std::size_t>(walks.Rays.Count);
-  std::size_t to = 0;
+  FindPaths(row, paths);
+  const auto count = static_cast<std::size_t>(row.Walks.Rays.Count);
+  auto to = static_cast<std::size_t>(found.Count);
+  const auto place = hn::Set(di, static_cast<std::int32_t>(row.Place));
   for (std::size_t i = 0; i < count; i += hn::Lanes(d))
   {
     V corners[8], begin[3], across[3];
@@ -121,21 +178,32 @@ HWY_INLINE void FindSeen(const RayWalks& walks, const LoadCorners& loadCorners,
       across[a] = hn::LoadU(d, &paths.Across[a][i]);
     }
     const V length = hn::LoadU(d, &paths.Length[i]);
-    const auto cubic = Cubics::HWY_NAMESPACE::CubicAlong(corners, begin, across);
+    const auto whole = Cubics::HWY_NAMESPACE::CubicAlong(corners, begin, across);
+    const CubicBounds wholeBounds = BoundsOf(whole);
+    const SeenPart part = PartSeen(whole, wholeBounds, seen);
+    const V share = hn::Sub(part.End, part.Begin);
+    const auto isListed =
+      hn::And(hn::FirstN(di, count - i), hn::Gt(hn::LoadU(di, &row.Next.Count[i]), place));
+    const auto isPath =
+      hn::And(hn::RebindMask(d, isListed), hn::Gt(hn::Mul(share, length), hn::Zero(d)));
+    const auto isSeen = hn::And(isPath, IsSeen(wholeBounds, seen));
+    if (hn::AllFalse(d, isSeen))
+    {
+      continue;
+    }
+    const auto cubic = Within(whole, part);
     const CubicBounds bounds = BoundsOf(cubic);
-    const auto isPath = hn::And(hn::FirstN(d, count - i), hn::Gt(length, hn::Zero(d)));
-    const auto isSeen = hn::And(isPath, IsSeen(bounds, seen));
     const auto keep = [&](V value, VolumeSegments::Array<float>& array) HWY_ATTR
     { hn::CompressStore(value, isSeen, d, &array[to]); };
     const auto keepWhole = [&](const std::int32_t* from, VolumeSegments::Array<std::int32_t>& array)
                              HWY_ATTR
     { hn::CompressStore(hn::LoadU(di, from), hn::RebindMask(di, isSeen), di, &array[to]); };
-    keep(hn::LoadU(d, &paths.Enter[i]), found.Enter);
-    keep(length, found.Length);
+    keep(hn::Add(hn::LoadU(d, &paths.Enter[i]), hn::Mul(part.Begin, length)), found.Enter);
+    keep(hn::Mul(share, length), found.Length);
     for (std::size_t a = 0; a < 3; ++a)
     {
-      keep(begin[a], found.Begin[a]);
-      keep(across[a], found.Across[a]);
+      keep(hn::Add(begin[a], hn::Mul(part.Begin, across[a])), found.Begin[a]);
+      keep(hn::Mul(share, across[a]), found.Across[a]);
       keepWhole(&paths.Cell[a][i], found.Cell[a]);
     }
     for (std::size_t power = 0; power < 4; ++power)
@@ -148,7 +216,7 @@ HWY_INLINE void FindSeen(const RayWalks& walks, const LoadCorners& loadCorners,
     std::int32_t rays[WidestVector];
     for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
     {
-      rays[lane] = static_cast<std::int32_t>(i + lane < count ? walks.From[i + lane] : 0);
+      rays[lane] = static_cast<std::int32_t>(i + lane < count ? row.Walks.From[i + lane] : 0);
     }
     keepWhole(rays, found.Ray);
     to += hn::CountTrue(d, isSeen);
@@ -157,10 +225,10 @@ HWY_INLINE void FindSeen(const RayWalks& walks, const LoadCorners& loadCorners,
 }
 
 void FindOfValues(
-  const RayWalks& walks, const CornerValues& corners, const SeenBins& seen, VolumeSegments& found)
+  const CellRow& row, const CornerValues& corners, const SeenBins& seen, VolumeSegments& found)
 {
   FindSeen(
-    walks,
+    row,
     [&](const CellPaths&, std::size_t i, V values[8]) HWY_ATTR
     {
       for (std::size_t corner = 0; corner < 8; ++corner)
@@ -172,14 +240,14 @@ void FindOfValues(
 }
 
 template <typename T>
-HWY_INLINE void FindOfSamples(const RayWalks& walks, const NarrowSamples<T>& samples,
+HWY_INLINE void FindOfSamples(const CellRow& row, const NarrowSamples<T>& samples,
   const BinScale& scale, const SeenBins& seen, VolumeSegments& found)
 {
   using Rows = PackedSamples::HWY_NAMESPACE::IntegerRows<T>;
   const Floats d;
   const V perValue = hn::Set(d, scale.PerValue), shift = hn::Set(d, scale.Shift);
   FindSeen(
-    walks,
+    row,
     [&](const CellPaths& paths, std::size_t i, V values[8]) HWY_ATTR
     {
       // Not gathered, as a gather reads more than the two samples of a row.
@@ -198,39 +266,39 @@ HWY_INLINE void FindOfSamples(const RayWalks& walks, const NarrowSamples<T>& sam
       }
       for (std::size_t yz = 0; yz < 4; ++yz)
       {
-        typename Rows::V row[2];
-        Rows::Load(rows[yz].data(), row);
+        typename Rows::V two[2];
+        Rows::Load(rows[yz].data(), two);
         for (std::size_t x = 0; x < 2; ++x)
         {
-          values[2 * yz + x] = hn::Add(hn::Mul(Rows::AsFloats(row[x]), perValue), shift);
+          values[2 * yz + x] = hn::Add(hn::Mul(Rows::AsFloats(two[x]), perValue), shift);
         }
       }
     },
     seen, found);
 }
 
-void FindOfUInt8(const RayWalks& walks, const NarrowSamples<std::uint8_t>& samples,
+void FindOfUInt8(const CellRow& row, const NarrowSamples<std::uint8_t>& samples,
   const BinScale& scale, const SeenBins& seen, VolumeSegments& found)
 {
-  FindOfSamples(walks, samples, scale, seen, found);
+  FindOfSamples(row, samples, scale, seen, found);
 }
 
-void FindOfInt8(const RayWalks& walks, const NarrowSamples<std::int8_t>& samples,
+void FindOfInt8(const CellRow& row, const NarrowSamples<std::int8_t>& samples,
   const BinScale& scale, const SeenBins& seen, VolumeSegments& found)
 {
-  FindOfSamples(walks, samples, scale, seen, found);
+  FindOfSamples(row, samples, scale, seen, found);
 }
 
-void FindOfUInt16(const RayWalks& walks, const NarrowSamples<std::uint16_t>& samples,
+void FindOfUInt16(const CellRow& row, const NarrowSamples<std::uint16_t>& samples,
   const BinScale& scale, const SeenBins& seen, VolumeSegments& found)
 {
-  FindOfSamples(walks, samples, scale, seen, found);
+  FindOfSamples(row, samples, scale, seen, found);
 }
 
-void FindOfInt16(const RayWalks& walks, const NarrowSamples<std::int16_t>& samples,
+void FindOfInt16(const CellRow& row, const NarrowSamples<std::int16_t>& samples,
   const BinScale& scale, const SeenBins& seen, VolumeSegments& found)
 {
-  FindOfSamples(walks, samples, scale, seen, found);
+  FindOfSamples(row, samples, scale, seen, found);
 }
 
 }
@@ -251,33 +319,33 @@ HWY_EXPORT(FindOfUInt16);
 HWY_EXPORT(FindOfInt16);
 
 void FindSegments(
-  const RayWalks& rays, const CornerValues& corners, const SeenBins& seen, VolumeSegments& found)
+  const CellRow& row, const CornerValues& corners, const SeenBins& seen, VolumeSegments& found)
 {
-  HWY_DYNAMIC_DISPATCH(FindOfValues)(rays, corners, seen, found);
+  HWY_DYNAMIC_DISPATCH(FindOfValues)(row, corners, seen, found);
 }
 
-void FindSegments(const RayWalks& rays, const NarrowSamples<std::uint8_t>& samples,
+void FindSegments(const CellRow& row, const NarrowSamples<std::uint8_t>& samples,
   const BinScale& scale, const SeenBins& seen, VolumeSegments& found)
 {
-  HWY_DYNAMIC_DISPATCH(FindOfUInt8)(rays, samples, scale, seen, found);
+  HWY_DYNAMIC_DISPATCH(FindOfUInt8)(row, samples, scale, seen, found);
 }
 
-void FindSegments(const RayWalks& rays, const NarrowSamples<std::int8_t>& samples,
+void FindSegments(const CellRow& row, const NarrowSamples<std::int8_t>& samples,
   const BinScale& scale, const SeenBins& seen, VolumeSegments& found)
 {
-  HWY_DYNAMIC_DISPATCH(FindOfInt8)(rays, samples, scale, seen, found);
+  HWY_DYNAMIC_DISPATCH(FindOfInt8)(row, samples, scale, seen, found);
 }
 
-void FindSegments(const RayWalks& rays, const NarrowSamples<std::uint16_t>& samples,
+void FindSegments(const CellRow& row, const NarrowSamples<std::uint16_t>& samples,
   const BinScale& scale, const SeenBins& seen, VolumeSegments& found)
 {
-  HWY_DYNAMIC_DISPATCH(FindOfUInt16)(rays, samples, scale, seen, found);
+  HWY_DYNAMIC_DISPATCH(FindOfUInt16)(row, samples, scale, seen, found);
 }
 
-void FindSegments(const RayWalks& rays, const NarrowSamples<std::int16_t>& samples,
+void FindSegments(const CellRow& row, const NarrowSamples<std::int16_t>& samples,
   const BinScale& scale, const SeenBins& seen, VolumeSegments& found)
 {
-  HWY_DYNAMIC_DISPATCH(FindOfInt16)(rays, samples, scale, seen, found);
+  HWY_DYNAMIC_DISPATCH(FindOfInt16)(row, samples, scale, seen, found);
 }
 
 }

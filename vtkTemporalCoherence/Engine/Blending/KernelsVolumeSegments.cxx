@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Blending/KernelsVolumeSegments.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstring>
@@ -156,6 +157,82 @@ HWY_INLINE Line Within(const Line& cubic, const SeenPart& part)
   return within;
 }
 
+/// Appends lanes of vectors to segments.
+class Appender
+{
+public:
+  HWY_INLINE Appender(hn::Mask<Floats> lanes, VolumeSegments& found)
+    : Lanes(lanes)
+    , To(static_cast<std::size_t>(found.Count))
+  {
+  }
+
+  // Stored whole, as there is room behind: stores of some lanes are slow on some machines.
+  HWY_INLINE void operator()(V value, VolumeSegments::Array<float>& array) const
+  {
+    hn::StoreU(hn::Compress(value, this->Lanes), Floats(), &array[this->To]);
+  }
+  HWY_INLINE void operator()(
+    const std::int32_t* from, VolumeSegments::Array<std::int32_t>& array) const
+  {
+    const Integers di;
+    const auto lanes = hn::RebindMask(di, this->Lanes);
+    hn::StoreU(hn::Compress(hn::LoadU(di, from), lanes), di, &array[this->To]);
+  }
+
+private:
+  hn::Mask<Floats> Lanes;
+  std::size_t To;
+};
+
+/// A vector of cell segments.
+struct SegmentsOfCells
+{
+  V Enter, Length, Begin[3], Across[3];
+  Line Values;
+};
+
+/// Append those parts of a vector of segments in which something may be seen.
+/// \param which lanes are segments
+/// \param cells their cells, by axis
+HWY_INLINE void AppendSeen(hn::Mask<Floats> which, const SegmentsOfCells& segments,
+  const std::int32_t* const cells[3], const std::int32_t* rays, const SeenBins& seen,
+  VolumeSegments& found)
+{
+  const Floats d;
+  const V half = hn::Set(d, 0.5f);
+  const CubicBounds bounds = BoundsOf(segments.Values);
+  const SeenPart part = PartSeen(segments.Values, bounds, seen);
+  const V share = hn::Sub(part.End, part.Begin);
+  const V length = hn::Mul(share, segments.Length);
+  const auto isSeen =
+    hn::And(which, hn::And(hn::Gt(hn::Min(share, length), hn::Zero(d)), IsSeen(bounds, seen)));
+  if (hn::AllFalse(d, isSeen))
+  {
+    return;
+  }
+  const Appender append(isSeen, found);
+  append(hn::Add(segments.Enter, hn::Mul(part.Begin, segments.Length)), found.Enter);
+  append(length, found.Length);
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    append(hn::Add(segments.Begin[a], hn::Mul(part.Begin, segments.Across[a])), found.Begin[a]);
+    append(hn::Mul(share, segments.Across[a]), found.Across[a]);
+    append(cells[a], found.Cell[a]);
+  }
+  const Line within = Within(segments.Values, part);
+  for (std::size_t power = 0; power < 4; ++power)
+  {
+    append(within.C[power], found.Cubic[power]);
+  }
+  const CubicBounds inside = BoundsOf(within);
+  append(hn::Mul(half, hn::Add(inside.Low, inside.High)), found.Middle);
+  append(hn::Mul(half, hn::Sub(inside.High, inside.Low)), found.Span);
+  append(inside.Bend, found.Bend);
+  append(rays, found.Ray);
+  found.Count += static_cast<int>(hn::CountTrue(d, isSeen));
+}
+
 /// \param loadCorners fills the corners of the cells from ray i on
 template <typename LoadCorners>
 HWY_INLINE void FindSeen(
@@ -165,63 +242,33 @@ HWY_INLINE void FindSeen(
   const Integers di;
   CellPaths paths;
   FindPaths(row, paths);
+  RayBatch::Array<std::int32_t> rays;
   const auto count = static_cast<std::size_t>(row.Walks.Rays.Count);
-  auto to = static_cast<std::size_t>(found.Count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    rays[i] = static_cast<std::int32_t>(row.Walks.From[i]);
+  }
+  std::fill(&rays[count - 1] + 1, rays.data() + WholeVectors(count), 0);
   const auto place = hn::Set(di, static_cast<std::int32_t>(row.Place));
   for (std::size_t i = 0; i < count; i += hn::Lanes(d))
   {
-    V corners[8], begin[3], across[3];
+    V corners[8];
     loadCorners(paths, i, corners);
+    SegmentsOfCells segments;
+    segments.Enter = hn::LoadU(d, &paths.Enter[i]);
+    segments.Length = hn::LoadU(d, &paths.Length[i]);
     for (std::size_t a = 0; a < 3; ++a)
     {
-      begin[a] = hn::LoadU(d, &paths.Begin[a][i]);
-      across[a] = hn::LoadU(d, &paths.Across[a][i]);
+      segments.Begin[a] = hn::LoadU(d, &paths.Begin[a][i]);
+      segments.Across[a] = hn::LoadU(d, &paths.Across[a][i]);
     }
-    const V length = hn::LoadU(d, &paths.Length[i]);
-    const auto whole = Cubics::HWY_NAMESPACE::CubicAlong(corners, begin, across);
-    const CubicBounds wholeBounds = BoundsOf(whole);
-    const SeenPart part = PartSeen(whole, wholeBounds, seen);
-    const V share = hn::Sub(part.End, part.Begin);
+    segments.Values = Cubics::HWY_NAMESPACE::CubicAlong(corners, segments.Begin, segments.Across);
     const auto isListed =
       hn::And(hn::FirstN(di, count - i), hn::Gt(hn::LoadU(di, &row.Next.Count[i]), place));
-    const auto isPath =
-      hn::And(hn::RebindMask(d, isListed), hn::Gt(hn::Mul(share, length), hn::Zero(d)));
-    const auto isSeen = hn::And(isPath, IsSeen(wholeBounds, seen));
-    if (hn::AllFalse(d, isSeen))
-    {
-      continue;
-    }
-    const auto cubic = Within(whole, part);
-    const CubicBounds bounds = BoundsOf(cubic);
-    const auto keep = [&](V value, VolumeSegments::Array<float>& array) HWY_ATTR
-    { hn::CompressStore(value, isSeen, d, &array[to]); };
-    const auto keepWhole = [&](const std::int32_t* from, VolumeSegments::Array<std::int32_t>& array)
-                             HWY_ATTR
-    { hn::CompressStore(hn::LoadU(di, from), hn::RebindMask(di, isSeen), di, &array[to]); };
-    keep(hn::Add(hn::LoadU(d, &paths.Enter[i]), hn::Mul(part.Begin, length)), found.Enter);
-    keep(hn::Mul(share, length), found.Length);
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      keep(hn::Add(begin[a], hn::Mul(part.Begin, across[a])), found.Begin[a]);
-      keep(hn::Mul(share, across[a]), found.Across[a]);
-      keepWhole(&paths.Cell[a][i], found.Cell[a]);
-    }
-    for (std::size_t power = 0; power < 4; ++power)
-    {
-      keep(cubic.C[power], found.Cubic[power]);
-    }
-    keep(hn::Mul(hn::Set(d, 0.5f), hn::Add(bounds.Low, bounds.High)), found.Middle);
-    keep(hn::Mul(hn::Set(d, 0.5f), hn::Sub(bounds.High, bounds.Low)), found.Span);
-    keep(bounds.Bend, found.Bend);
-    std::int32_t rays[WidestVector];
-    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
-    {
-      rays[lane] = static_cast<std::int32_t>(i + lane < count ? row.Walks.From[i + lane] : 0);
-    }
-    keepWhole(rays, found.Ray);
-    to += hn::CountTrue(d, isSeen);
+    const std::int32_t* const cells[3] = { &paths.Cell[0][i], &paths.Cell[1][i],
+      &paths.Cell[2][i] };
+    AppendSeen(hn::RebindMask(d, isListed), segments, cells, &rays[i], seen, found);
   }
-  found.Count = static_cast<int>(to);
 }
 
 void FindOfValues(

@@ -3,12 +3,12 @@
 #include "Projections/KernelsExtremes.h"
 
 #include "Beams/KernelsBeam.h"
+#include "Projections/BlockQueue.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <vector>
 
 // This file is compiled once for each kind of vectors, and what runs is chosen by the machine.
 #undef HWY_TARGET_INCLUDE
@@ -56,31 +56,29 @@ public:
 
   void Search()
   {
-    std::vector<ExtremeBlock> nodes;
-    nodes.reserve(64);
+    BlockQueue nodes(64), leaves(256);
     this->CollectNodes(nodes);
-    std::sort(nodes.begin(), nodes.end());
     // The most promising node alone, so that it rules out many, and then all leaves of the others.
-    std::vector<ExtremeBlock> leaves;
-    leaves.reserve(256);
     bool isFirst = true;
-    for (const ExtremeBlock& node : nodes)
-    {
-      if (!this->IsWorth(node.Bound))
+    nodes.Empty(
+      [&](const ExtremeBlock& node) HWY_ATTR
       {
-        break;
-      }
-      if (this->FindWidened(
-            node.Place * ValueRangePyramid::NodeSize, ValueRangePyramid::NodeSize, node.Bound) != 0)
-      {
-        this->CollectLeaves(node, leaves);
-        if (isFirst)
+        if (!this->IsWorth(node.Bound))
         {
-          this->SearchLeaves(leaves);
-          isFirst = false;
+          return false;
         }
-      }
-    }
+        if (this->FindWidened(node.Place * ValueRangePyramid::NodeSize, ValueRangePyramid::NodeSize,
+              node.Bound) != 0)
+        {
+          this->CollectLeaves(node, leaves);
+          if (isFirst)
+          {
+            this->SearchLeaves(leaves);
+            isFirst = false;
+          }
+        }
+        return true;
+      });
     this->SearchLeaves(leaves);
     this->Decide();
   }
@@ -145,7 +143,7 @@ private:
     }
   }
 
-  void CollectNodes(std::vector<ExtremeBlock>& nodes)
+  void CollectNodes(BlockQueue& nodes)
   {
     const auto& groups = this->Blocks.Groups();
     const glm::ivec3 tops = (groups.Dimensions + 3) / 4;
@@ -165,7 +163,7 @@ private:
     }
   }
 
-  void CollectIn(const glm::ivec3& group, std::vector<ExtremeBlock>& nodes)
+  void CollectIn(const glm::ivec3& group, BlockQueue& nodes)
   {
     const auto& all = this->Blocks.Nodes();
     this->ForEachChild(GroupSize * group, ValueRangePyramid::NodeSize,
@@ -174,7 +172,7 @@ private:
         const glm::ivec3 node = 4 * group + child;
         if (glm::all(glm::lessThan(node, all.Dimensions)) && this->IsWorth(all.BoundOf(node)))
         {
-          nodes.push_back(
+          nodes.Add(
             { node, all.BoundOf(node), DepthOf(this->Beam, node, ValueRangePyramid::NodeSize) });
         }
       });
@@ -213,7 +211,7 @@ private:
     return widened & this->Wanted;
   }
 
-  void CollectLeaves(const ExtremeBlock& node, std::vector<ExtremeBlock>& leaves)
+  void CollectLeaves(const ExtremeBlock& node, BlockQueue& leaves)
   {
     const auto& dimensions = this->Blocks.Nodes().Dimensions;
     this->Blocks.BoundLeaves(node.Place.x +
@@ -227,35 +225,36 @@ private:
     {
       const int number = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(children));
       const glm::ivec3 leaf = 4 * node.Place + glm::ivec3(number & 3, number >> 2 & 3, number >> 4);
-      leaves.push_back({ leaf, this->Bounds[static_cast<std::size_t>(number)],
+      leaves.Add({ leaf, this->Bounds[static_cast<std::size_t>(number)],
         DepthOf(this->Beam, leaf, ValueRangePyramid::LeafSize) });
     }
   }
 
   /// Search leaves, and forget them.
-  void SearchLeaves(std::vector<ExtremeBlock>& leaves)
+  void SearchLeaves(BlockQueue& leaves)
   {
-    std::sort(leaves.begin(), leaves.end());
-    for (const ExtremeBlock& leaf : leaves)
-    {
-      if (!this->IsWorth(leaf.Bound))
+    leaves.Empty(
+      [&](const ExtremeBlock& leaf) HWY_ATTR
       {
-        break;
-      }
-      const glm::ivec3 first = ValueRangePyramid::LeafSize * leaf.Place;
-      const std::uint64_t rays = this->FindWidened(first, ValueRangePyramid::LeafSize, leaf.Bound);
-      if (rays != 0)
-      {
-        this->SearchLeaf(first, rays);
-      }
-    }
-    leaves.clear();
+        if (!this->IsWorth(leaf.Bound))
+        {
+          return false;
+        }
+        const glm::ivec3 first = ValueRangePyramid::LeafSize * leaf.Place;
+        const std::uint64_t rays =
+          this->FindWidened(first, ValueRangePyramid::LeafSize, leaf.Bound);
+        if (rays != 0)
+        {
+          this->SearchLeaf(first, rays);
+        }
+        return true;
+      });
   }
 
   void SearchLeaf(const glm::ivec3& first, std::uint64_t rays)
   {
     this->Blocks.Read(first, this->Leaf);
-    BoundCells(this->Leaf, this->Bounds);
+    FindEnds(this->Leaf, this->Ends, this->Bounds);
     std::uint64_t cells = this->Leaf.Cells & FindAtLeast(this->Bounds, this->LeastOf(rays));
     cells &= cells != 0 ? this->Lattice.Cull(first, 1) : 0;
     for (; cells != 0; cells &= cells - 1)
@@ -264,10 +263,10 @@ private:
       ExtremeCell<Real>& cell = this->Cells[this->NumberOfCells];
       cell.Place = first + glm::ivec3(number & 3, number >> 2 & 3, number >> 4);
       cell.Samples = this->Leaf.CornersOf(number);
-      const auto ends = std::minmax_element(cell.Samples.begin(), cell.Samples.end());
-      cell.Smallest = *ends.first;
-      cell.Largest = *ends.second;
-      this->SearchCell(cell, this->Bounds[static_cast<std::size_t>(number)], rays);
+      const auto at = static_cast<std::size_t>(number);
+      cell.Smallest = this->Ends.Smallest[at];
+      cell.Largest = this->Ends.Largest[at];
+      this->SearchCell(cell, this->Bounds[at], rays);
     }
     this->Least = this->LeastOf(this->Wanted);
   }
@@ -367,6 +366,7 @@ private:
   alignas(64)
     typename ExtremeBlocks<Real>::Children Bounds; ///< of a node's leaves, or a leaf's cells
   ExtremeLeaf<Real> Leaf;
+  CellEnds<Real> Ends; ///< of its cells
   std::size_t NumberOfCells = 0, NumberOpen = 0;
   ExtremeCell<Real> Cells[MostCells]; ///< those that are open, and the one that is looked at
   OpenCell Open[MostOpen];

@@ -48,9 +48,17 @@ HWY_INLINE void StoreRoundedUp(D d, Vector values, float* to)
   }
 }
 
-/// Bounds of the samples of each cell of a leaf, whether or not the cell is there.
+/// The smallest and the largest samples of the cells of a leaf, whether or not they are there.
 template <typename Real>
-HWY_INLINE void BoundCells(const ExtremeLeaf<Real>& leaf, std::array<float, 64>& bounds)
+struct alignas(64) CellEnds
+{
+  std::array<Real, 64> Smallest, Largest;
+};
+
+/// \param bounds get the largest ones, rounded up
+template <typename Real>
+HWY_INLINE void FindEnds(
+  const ExtremeLeaf<Real>& leaf, CellEnds<Real>& ends, std::array<float, 64>& bounds)
 {
   constexpr std::size_t cells = ValueRangePyramid::LeafSize, edge = ExtremeLeaf<Real>::Edge;
   const hn::CappedTag<Real, cells> d;
@@ -58,25 +66,32 @@ HWY_INLINE void BoundCells(const ExtremeLeaf<Real>& leaf, std::array<float, 64>&
   for (std::size_t x = 0; x < cells; x += hn::Lanes(d))
   {
     const Vector none = hn::Zero(d);
-    Vector before[cells] = { none, none, none, none }; // of the plane before
+    Vector low[cells] = { none, none, none, none }, high[cells] = { none, none, none, none };
     for (std::size_t z = 0; z < edge; ++z)
     {
-      Vector rowBefore = none;
+      Vector lowBefore = none, highBefore = none; // of the row before; above, of the plane before
       for (std::size_t y = 0; y < edge; ++y)
       {
-        const Real* const from = leaf.Row(y, z) + x;
-        const Vector row = hn::Max(hn::LoadU(d, from), hn::LoadU(d, from + 1));
+        const Vector here = hn::LoadU(d, leaf.Row(y, z) + x);
+        const Vector next = hn::LoadU(d, leaf.Row(y, z) + x + 1);
+        const Vector lowRow = hn::Min(here, next), highRow = hn::Max(here, next);
         if (y > 0)
         {
-          const Vector plane = hn::Max(rowBefore, row);
+          const Vector lowPlane = hn::Min(lowBefore, lowRow);
+          const Vector highPlane = hn::Max(highBefore, highRow);
           if (z > 0)
           {
-            StoreRoundedUp(
-              d, hn::Max(before[y - 1], plane), &bounds[16 * (z - 1) + 4 * (y - 1) + x]);
+            const std::size_t cell = 16 * (z - 1) + 4 * (y - 1) + x;
+            const Vector largest = hn::Max(high[y - 1], highPlane);
+            hn::StoreU(hn::Min(low[y - 1], lowPlane), d, &ends.Smallest[cell]);
+            hn::StoreU(largest, d, &ends.Largest[cell]);
+            StoreRoundedUp(d, largest, &bounds[cell]);
           }
-          before[y - 1] = plane;
+          low[y - 1] = lowPlane;
+          high[y - 1] = highPlane;
         }
-        rowBefore = row;
+        lowBefore = lowRow;
+        highBefore = highRow;
       }
     }
   }

@@ -86,10 +86,20 @@ public:
 private:
   static constexpr int GroupSize = 4 * ValueRangePyramid::NodeSize;
 
+  static constexpr std::size_t Lanes = hn::MaxLanes(Floats());
+
+  /// How a vector of rays passes the cell that is looked at.
+  struct alignas(64) Passed
+  {
+    float Enter[Lanes], Leave[Lanes];
+    std::uint64_t Which; ///< one bit for each ray that may have its largest value there
+    float LeastReached;  ///< by one of the rays that pass the leaf
+  };
+
   /// A cell in which some rays of a vector may have their largest value.
   struct alignas(64) OpenCell
   {
-    float Most[hn::MaxLanes(Floats())], Enter[hn::MaxLanes(Floats())];
+    float Most[Lanes], Enter[Lanes];
     std::uint64_t Which; ///< one bit for each of these rays
     std::size_t First;   ///< ray of the vector
     std::size_t Cell;    ///< among those that are open
@@ -116,14 +126,19 @@ private:
   /// The least that one of some rays, one bit each, has met.
   float LeastOf(std::uint64_t rays) const
   {
-    const V infinity = Set(std::numeric_limits<float>::infinity());
-    V least = infinity;
-    for (std::size_t i = 0; i < RayBatch::Capacity; i += hn::Lanes(Floats()))
+    V least = this->LeastIn(rays, 0);
+    for (std::size_t i = Lanes; i < RayBatch::Capacity; i += Lanes)
     {
-      const M isRay = beams::MaskOf(rays >> i);
-      least = hn::Min(least, hn::IfThenElse(isRay, Load(&this->Reached[i]), infinity));
+      least = hn::Min(least, this->LeastIn(rays, i));
     }
     return hn::GetLane(hn::MinOfLanes(Floats(), least));
+  }
+
+  /// What those of some rays that are in a vector have met; infinity where there is none.
+  HWY_INLINE V LeastIn(std::uint64_t rays, std::size_t i) const
+  {
+    const V infinity = Set(std::numeric_limits<float>::infinity());
+    return hn::IfThenElse(beams::MaskOf(rays >> i), Load(&this->Reached[i]), infinity);
   }
 
   /// False if no ray can meet more in a block, or if there is nothing in it.
@@ -255,48 +270,76 @@ private:
   {
     this->Blocks.Read(first, this->Leaf);
     FindEnds(this->Leaf, this->Ends, this->Bounds);
-    std::uint64_t cells = this->Leaf.Cells & FindAtLeast(this->Bounds, this->LeastOf(rays));
+    float least = std::numeric_limits<float>::infinity();
+    for (std::size_t i = 0; i < RayBatch::Capacity; i += Lanes)
+    {
+      Passed& passed = this->OfCell[i / Lanes];
+      passed.LeastReached = hn::GetLane(hn::MinOfLanes(Floats(), this->LeastIn(rays, i)));
+      least = std::min(least, passed.LeastReached);
+    }
+    std::uint64_t cells = this->Leaf.Cells & FindAtLeast(this->Bounds, least);
     cells &= cells != 0 ? this->Lattice.Cull(first, 1) : 0;
     for (; cells != 0; cells &= cells - 1)
     {
       const int number = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(cells));
-      ExtremeCell<Real>& cell = this->Cells[this->NumberOfCells];
-      cell.Place = first + glm::ivec3(number & 3, number >> 2 & 3, number >> 4);
-      cell.Samples = this->Leaf.CornersOf(number);
-      const auto at = static_cast<std::size_t>(number);
-      cell.Smallest = this->Ends.Smallest[at];
-      cell.Largest = this->Ends.Largest[at];
-      this->SearchCell(cell, this->Bounds[at], rays);
+      const glm::ivec3 place = first + glm::ivec3(number & 3, number >> 2 & 3, number >> 4);
+      const auto box = this->Lattice.CellAt(place);
+      if (this->FindPassed(box, this->Bounds[static_cast<std::size_t>(number)], rays))
+      {
+        this->SearchCell(place, box, number);
+      }
     }
     this->Least = this->LeastOf(this->Wanted);
   }
 
-  /// Find out which of some rays, one bit each, may have their largest value in a cell.
-  HWY_INLINE void SearchCell(const ExtremeCell<Real>& cell, float bound, std::uint64_t which)
+  /// Find which of some rays, one bit each, may have their largest value in a cell, by its bound.
+  /// \return false if there is none
+  template <class Box>
+  HWY_INLINE bool FindPassed(const Box& box, float bound, std::uint64_t rays)
   {
-    const auto box = this->Lattice.CellAt(cell.Place);
     const beams::CellFaces faces(box, this->Beam.Margin, this->Beam.Flip);
-    const BoundedCell<Real, decltype(box)> bounded(cell, bound, box, this->Beam);
-    constexpr std::size_t lanes = hn::MaxLanes(Floats());
-    constexpr std::uint64_t vector = (std::uint64_t(1) << lanes) - 1;
-    bool isOpen = false;
-    for (std::size_t i = 0; i < RayBatch::Capacity; i += lanes)
+    std::uint64_t any = 0;
+    for (std::size_t i = 0; i < RayBatch::Capacity; i += Lanes)
     {
-      if ((which >> i & vector) == 0)
+      Passed& passed = this->OfCell[i / Lanes];
+      passed.Which = 0;
+      if (bound >= passed.LeastReached)
       {
-        continue;
+        const Interval passage = FindPassage(this->Beam, faces, i);
+        passed.Which = BitsOf(this->MayWiden(passage, Set(bound), i)) & rays >> i;
+        hn::StoreU(passage.Enter, Floats(), passed.Enter);
+        hn::StoreU(passage.Leave, Floats(), passed.Leave);
+        any |= passed.Which;
       }
-      const Interval passage = FindPassage(this->Beam, faces, i);
-      std::uint64_t open = BitsOf(this->MayWiden(passage, Set(bound), i)) & which >> i;
-      this->Found.CellsRead += static_cast<std::int64_t>(hwy::PopCount(open));
-      if (open != 0 && this->IsNearest)
+    }
+    return any != 0;
+  }
+
+  /// Search a cell of the leaf for the rays that pass it.
+  template <class Box>
+  HWY_INLINE void SearchCell(const glm::ivec3& place, const Box& box, int number)
+  {
+    const auto at = static_cast<std::size_t>(number);
+    ExtremeCell<Real>& cell = this->Cells[this->NumberOfCells];
+    cell.Place = place;
+    cell.Samples = this->Leaf.CornersOf(number);
+    cell.Smallest = this->Ends.Smallest[at];
+    cell.Largest = this->Ends.Largest[at];
+    const BoundedCell<Real, Box> bounded(cell, this->Bounds[at], box, this->Beam);
+    bool isOpen = false;
+    for (std::size_t i = 0; i < RayBatch::Capacity; i += Lanes)
+    {
+      const Passed& passed = this->OfCell[i / Lanes];
+      this->Found.CellsRead += static_cast<std::int64_t>(hwy::PopCount(passed.Which));
+      if (passed.Which != 0 && this->IsNearest)
       {
-        this->NoteReached(this->Exactly.Search(cell, i, open));
+        this->NoteReached(this->Exactly.Search(cell, i, passed.Which));
       }
-      else if (open != 0)
+      else if (passed.Which != 0)
       {
+        const Interval passage{ Load(passed.Enter), Load(passed.Leave) };
         const MetValues met = bounded.Meet(passage, Load(&this->Reached[i]), i);
-        open &= BitsOf(this->IsOpen(passage.Enter, met.Most, i));
+        const std::uint64_t open = passed.Which & BitsOf(this->IsOpen(passage.Enter, met.Most, i));
         if (open != 0)
         {
           this->NoteLeast(passage, met.Least, beams::MaskOf(open), i);
@@ -350,7 +393,7 @@ private:
 
   /// Cells that are open at a time, and entries of their rays.
   static constexpr std::size_t MostCells = 64;
-  static constexpr std::size_t MostOpen = MostCells * RayBatch::Capacity / hn::MaxLanes(Floats());
+  static constexpr std::size_t MostOpen = MostCells * RayBatch::Capacity / Lanes;
 
   const ExtremeBlocks<Real>& Blocks;
   bool IsNearest; ///< interpolation is: cells are met in full precision at once
@@ -367,6 +410,7 @@ private:
     typename ExtremeBlocks<Real>::Children Bounds; ///< of a node's leaves, or a leaf's cells
   ExtremeLeaf<Real> Leaf;
   CellEnds<Real> Ends; ///< of its cells
+  Passed OfCell[RayBatch::Capacity / Lanes];
   std::size_t NumberOfCells = 0, NumberOpen = 0;
   ExtremeCell<Real> Cells[MostCells]; ///< those that are open, and the one that is looked at
   OpenCell Open[MostOpen];

@@ -16,6 +16,7 @@
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkStructuredData.h"
 #include "vtkStructuredGrid.h"
@@ -56,6 +57,20 @@ vtkVolumeProperty* PropertyOf(vtkProp3D* prop)
     levels->GetLODProperty(levels->GetPickLODID(), &property);
   }
   return property;
+}
+
+/// The superclass reads the active scalars of an image's points, where they lie in memory, and
+/// cannot bear mistakes. False if others are drawn.
+bool CanBePickedByVtk(vtkTemporalCoherenceVolumeMapper* mapper)
+{
+  auto* image = vtkImageData::SafeDownCast(mapper->GetDataSetInput());
+  vtkDataArray* const active = image ? image->GetPointData()->GetScalars() : nullptr;
+  int isOfCells = 0;
+  return active && active->HasStandardMemoryLayout() &&
+    active->GetNumberOfTuples() == image->GetNumberOfPoints() &&
+    active ==
+    vtkAbstractMapper::GetScalars(image, mapper->GetScalarMode(), mapper->GetArrayAccessMode(),
+      mapper->GetArrayId(), mapper->GetArrayName(), isOfCells);
 }
 
 /// A point of a line: 0 and 1 are its ends.
@@ -141,10 +156,10 @@ double vtkTemporalCoherencePicker::IntersectVolumeWithLine(const double p1[3], c
   this->Transform->TransformPoint(end, end);
   if (surfaces->GetBlendMode() != vtkVolumeMapper::ISOSURFACE_BLEND)
   {
-    // The superclass cannot bear mistakes in its input.
-    const bool canDraw = surfaces->Internal->CanDraw(volume);
-    return canDraw ? this->Superclass::IntersectVolumeWithLine(p1, p2, t1, t2, prop, mapper)
-                   : VTK_DOUBLE_MAX;
+    const bool isFinite = std::isfinite(vtkMath::Distance2BetweenPoints(begin, end));
+    return isFinite && CanBePickedByVtk(surfaces) && surfaces->Internal->CanDraw(volume)
+      ? this->Superclass::IntersectVolumeWithLine(p1, p2, t1, t2, prop, mapper)
+      : VTK_DOUBLE_MAX;
   }
   const auto found = surfaces->Internal->FindOnLine(volume, begin, end);
   if (!found)

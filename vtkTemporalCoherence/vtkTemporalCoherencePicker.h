@@ -21,7 +21,11 @@
  * only. They read the opacity where the line passes from cell to cell, and stop where it is above
  * VolumeOpacityIsovalue. The opacity function of a new property is 1 everywhere, so that every pick
  * ends on the volume's box. VolumeOpacityIsovalue and UseVolumeGradientOpacity have no effect on
- * volumes of this mapper.
+ * isosurfaces of this mapper.
+ *
+ * In the other blend modes, volumes are picked by the superclasses. These can only pick images of
+ * which the active scalars of points are drawn; of other volumes nothing is picked. PickPixel tells
+ * for any volume where the last picture begins.
  *
  * With PickCroppingPlanes or PickClippingPlanes on, the planes that crop or clip the volume are
  * picked instead of the volume, as by the superclasses.

@@ -56,7 +56,7 @@ class Maxima(unittest.TestCase):
         numpy.testing.assert_array_equal(first, second)
         volume.GetProperty().GetScalarOpacity().AddPoint(0.0, 0.5)
         self.assertLess(render(volume, renderer, SIZE).color[..., 3].max(), 130)
-        self.assertEqual(volume.GetMapper().GetRouteAsString(), "Cold")
+        self.assertEqual(volume.GetMapper().GetRouteAsString(), "KeepValues")
 
     def test_defaults(self):
         mapper = vtkTemporalCoherenceVolumeMapper()

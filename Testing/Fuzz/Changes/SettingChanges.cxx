@@ -58,15 +58,23 @@ void DefaultScalars(World& world)
 
 void BlendMode(World& world)
 {
-  if (world.From.IsWild())
+  Bytes& from = world.From;
+  Mapper* mapper = world.Subject;
+  const int modes[] = { vtkVolumeMapper::COMPOSITE_BLEND, vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND,
+    vtkVolumeMapper::MINIMUM_INTENSITY_BLEND, vtkVolumeMapper::AVERAGE_INTENSITY_BLEND,
+    vtkVolumeMapper::ADDITIVE_BLEND };
+  mapper->SetBlendMode(from.IsWild() ? from.Pick(7)
+      : from.OneIn(2)                ? from.OneOf(modes)
+                                     : vtkVolumeMapper::ISOSURFACE_BLEND);
+  if (from.OneIn(4))
   {
-    world.Subject->SetBlendMode(world.From.Pick(7));
+    const double low = world.Low + from.Between(-0.1, 1.0) * (world.High - world.Low);
+    const double high = low + from.Between(-0.1, 0.6) * (world.High - world.Low);
+    mapper->SetAverageIPScalarRange(
+      from.IsWild() ? from.Wild() : low, from.IsWild() ? from.Wild() : high);
   }
-  else
-  {
-    world.Subject->SetBlendModeToIsoSurface();
-  }
-  Story::Tell("  blend mode ", world.Subject->GetBlendMode());
+  const double* range = mapper->GetAverageIPScalarRange();
+  Story::Tell("  blend mode ", mapper->GetBlendMode(), ", average of ", range[0], " to ", range[1]);
 }
 
 void ImageCache(World& world)
@@ -201,7 +209,7 @@ const std::vector<ChangeKind>& OfSettings()
     { "vectors", { 2, 1, 1, 1, 1, 5 }, Vectors },
     { "the choice of scalars", { 1, 0, 0, 0, 0, 6 }, Scalars },
     { "default scalars", { 2, 1, 1, 1, 1, 12 }, DefaultScalars },
-    { "the blend mode", { 1, 0, 0, 0, 0, 3 }, BlendMode },
+    { "the blend mode", { 3, 1, 1, 1, 6, 4 }, BlendMode },
     { "the image cache", { 5, 2, 12, 2, 1, 3 }, ImageCache },
     { "the isomap", { 5, 12, 1, 1, 1, 3 }, Isomap },
     { "leaping", { 3, 3, 3, 2, 1, 1 }, Leaping },

@@ -92,6 +92,7 @@ vtkSmartPointer<Mapper> Oracle::MakeFresh() const
   auto fresh = vtkSmartPointer<Mapper>::New();
   fresh->SetInputDataObject(subject->GetInputDataObject(0, 0));
   fresh->SetBlendMode(subject->GetBlendMode());
+  fresh->SetAverageIPScalarRange(subject->GetAverageIPScalarRange());
   fresh->SetSurfaceMode(subject->GetSurfaceMode());
   fresh->SetVectorMode(subject->GetVectorMode());
   fresh->SetVectorComponent(subject->GetVectorComponent());

@@ -65,7 +65,7 @@ void Form::OnChange(QWidget* widget, const std::function<void()>& refresh)
       refresh();
     }
   };
-  QObject::connect(&this->Bench, &Workbench::Changed, widget, act);
+  QObject::connect(&this->Bench, &Workbench::Settled, widget, act);
   QObject::connect(&this->Bench, &Workbench::Opened, widget, act);
 }
 

@@ -14,7 +14,7 @@ namespace
 {
 
 constexpr std::size_t MostFrames = 200;
-constexpr int PaintEvery = 50; // ms
+constexpr int PaintEvery = 100; // ms
 
 const QColor Hit(84, 184, 148), Possible(236, 196, 72), Miss(110, 124, 148);
 

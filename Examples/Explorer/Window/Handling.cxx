@@ -17,6 +17,8 @@
 #include <QSettings>
 #include <QToolButton>
 
+#include <utility>
+
 namespace
 {
 
@@ -256,17 +258,22 @@ void MainWindow::LogPlaces()
   const auto tell = [this](const QString& name, const QWidget* widget, const QPoint& place)
   {
     const QPoint point = widget->mapTo(widget->window(), place) * this->devicePixelRatioF();
-    this->Bench.Log.Place(name.toStdString(), point.x(), point.y());
+    if (std::exchange(this->Places[name], point) != point)
+    {
+      this->Bench.Log.Place(name.toStdString(), point.x(), point.y());
+    }
   };
   tell("isovalue-least", this->Samples, this->Samples->PlaceOf(0.0));
   tell("isovalue-greatest", this->Samples, this->Samples->PlaceOf(1.0));
   for (const QWidget* widget : this->findChildren<QWidget*>())
   {
     const QString name = widget->objectName();
-    if (!name.isEmpty() && !name.startsWith("qt_") && widget->isVisible() &&
+    if (!name.isEmpty() && !name.startsWith("qt_") && widget->window() == this &&
       !widget->visibleRegion().isEmpty())
     {
-      tell(name, widget, widget->rect().center());
+      // Boxes to tick are where their rows begin.
+      const QPoint middle = widget->rect().center();
+      tell(name, widget, { std::min(middle.x(), middle.y()), middle.y() });
     }
   }
 }

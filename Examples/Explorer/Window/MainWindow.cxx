@@ -39,6 +39,9 @@ class Style : public vtkInteractorStyleTrackballCamera
 public:
   static Style* New();
   void OnChar() override {}
+  // Whoever presses again soon wants to drag again.
+  void OnLeftButtonDoubleClick() override { this->OnLeftButtonDown(); }
+  void OnRightButtonDoubleClick() override { this->OnRightButtonDown(); }
 };
 
 vtkStandardNewMacro(Style);
@@ -92,7 +95,7 @@ MainWindow::MainWindow(Workbench& bench)
       this->Progress->setRange(0, 100);
       this->Progress->setValue(static_cast<int>(100.0 * share));
     });
-  QObject::connect(&bench, &Workbench::Changed, this, &MainWindow::ShowState);
+  QObject::connect(&bench, &Workbench::Settled, this, &MainWindow::ShowState);
   QObject::connect(&bench, &Workbench::Opened, this,
     [this]
     {
@@ -107,6 +110,7 @@ MainWindow::MainWindow(Workbench& bench)
       this->ShowState();
     });
   this->ShowState();
+  this->Picture->setFocus();
 }
 
 void MainWindow::MakeMenus()

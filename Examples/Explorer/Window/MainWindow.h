@@ -55,6 +55,7 @@ private:
   QProgressBar* Progress;
   QWidget* StopButton;
   std::map<Do, QAction*> Actions;
+  std::map<QString, QPoint> Places; // as they were told last
 };
 
 #endif

@@ -10,8 +10,6 @@
 #include <vtkRenderWindow.h>
 #include <vtkTimerLog.h>
 
-#include <QTimer>
-
 #include <cstdio>
 #include <exception>
 #include <memory>
@@ -21,6 +19,7 @@ namespace
 {
 
 constexpr double ProgressStep = 0.01; // of the whole
+constexpr int SettleAfter = 100;      // ms: what is drawn in each frame delays it
 
 class Change : public QUndoCommand
 {
@@ -78,6 +77,16 @@ Workbench::Workbench(const Options& options)
   , SessionFile(options.SessionFile)
 {
   this->ListenToMapper();
+  this->Settling.setSingleShot(true);
+  QObject::connect(&this->Settling, &QTimer::timeout, this, &Workbench::Settled);
+  QObject::connect(this, &Workbench::Changed, this,
+    [this]
+    {
+      if (!this->Settling.isActive())
+      {
+        this->Settling.start(SettleAfter);
+      }
+    });
 }
 
 Workbench::~Workbench()
@@ -365,10 +374,10 @@ void Workbench::BuildIsomap()
   this->Build(
     [this](bool isBuilt)
     {
-      this->Say(isBuilt ? "The isomap of this view is built: any isovalue is looked up."
-          : this->IsStopped
+      this->Say(this->IsStopped
           ? "The isomap was stopped; the parts that are needed are built as you drag."
-          : "There can be no isomap here; isovalues are found without it.",
+          : isBuilt ? "The isomap of this view is built: any isovalue is looked up."
+                    : "There can be no isomap here; isovalues are found without it.",
         !isBuilt && !this->IsStopped);
     });
 }

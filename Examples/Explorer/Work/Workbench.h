@@ -9,6 +9,7 @@
 #include "Work/Recorder.h"
 
 #include <QObject>
+#include <QTimer>
 #include <QUndoStack>
 
 #include <atomic>
@@ -71,6 +72,7 @@ public:
 signals:
   void Opened();              // other data
   void Changed();             // settings, the selected surface, what is going on
+  void Settled();             // the same, soon and less often: most panels need no more
   void FrameDrawn(double ms); // of the window
   void Progressed(double share);
   void Said(const QString& sentence, bool isWarning);
@@ -84,6 +86,7 @@ private:
   void OnFrameEnd();
 
   vtkRenderWindow* Window = nullptr;
+  QTimer Settling;
   std::thread Thread;
   std::string What;
   std::function<void(const std::string&)> Refused; // until something is open

@@ -189,11 +189,11 @@ choose() # NAME KEY PATTERN
 # Turns the view, waiting for each frame.
 orbit() # STEPS
 {
-  local step from x=300
-  xdotool mousemove "$x" 250 mousedown 1
+  local step from x=$((300 * scale)) y=$((250 * scale))
+  xdotool mousemove "$x" "$y" mousedown 1
   for step in $(seq "$1"); do
     from=$(lines)
-    xdotool mousemove $((x + 4 * step)) $((250 + step))
+    xdotool mousemove $((x + 4 * step)) $((y + step))
     expect '^frame' "$from"
   done
   xdotool mouseup 1
@@ -226,6 +226,17 @@ make_files()
   printf 'ObjectType = Image\nNDims = 3\nDimSize = 24 24 24\nElementType = MET_UCHAR\nElementDataFile = ball.raw\n' \
     >"$scratch/files/ball.mhd"
   cp "$scratch/files/ball.mhd" "$scratch/files/球 كرة.mhd"
+  # A tetrahedron whose values rise with time.
+  perl -e 'print qq(<VTKFile type="UnstructuredGrid" version="0.1"><UnstructuredGrid TimeValues="0 1 2">
+      <Piece NumberOfPoints="4" NumberOfCells="1"><PointData Scalars="value">);
+    for $t (0..2) { $v = 10 * $t; $w = $v + 100;
+      print qq(<DataArray type="Float32" Name="value" format="ascii" TimeStep="$t">$v $v $v $w</DataArray>); }
+    print qq(</PointData><Points><DataArray type="Float32" NumberOfComponents="3" format="ascii">
+      0 0 0 1 0 0 0 1 0 0 0 1</DataArray></Points><Cells>
+      <DataArray type="Int32" Name="connectivity" format="ascii">0 1 2 3</DataArray>
+      <DataArray type="Int32" Name="offsets" format="ascii">4</DataArray>
+      <DataArray type="UInt8" Name="types" format="ascii">10</DataArray></Cells></Piece>
+      </UnstructuredGrid></VTKFile>);' >"$scratch/files/series.vtu"
   printf 'This is no XML.' >"$scratch/files/broken.vti"
   # Half of a coarse ball, of hexahedra: a mesh.
   perl -e '$n = 9; print "# vtk DataFile Version 3.0\nball\nASCII\nDATASET STRUCTURED_GRID\n";
@@ -530,6 +541,64 @@ check_mesh()
   say "Meshes have a switch for smooth normals"
 }
 
+# A file with three time steps is played; a press stops it.
+check_time()
+{
+  local from
+  start time series.vtu
+  from=$(lines)
+  key . '^shown .*step 2 of 3'
+  settle
+  key comma '^shown .*step 1 of 3'
+  settle
+  key space '^shown .*step 2 of 3'
+  expect '^shown .*step 3 of 3' "$from"
+  key space '.'
+  settle
+  key q '^quit'
+  expect_end
+  say "Time steps are turned and played"
+}
+
+# The plane's arrow is dragged in the view.
+check_clipping()
+{
+  local x y from before after
+  start clip --spheres 64
+  take_picture
+  cp "$picture" "$scratch/whole.png"
+  key t '^frame'
+  settle
+  take_picture
+  ! cmp -s "$picture" "$scratch/whole.png" || fail "nothing is clipped"
+  cp "$picture" "$scratch/clipped.png"
+  # The plane stands in the middle of the view, its arrow to the side.
+  read -r x y <<<"$(place view-middle)"
+  from=$(lines)
+  xdotool mousemove "$x" "$y" mousedown 1 mousemove $((x - 20 * scale)) "$y" \
+    mousemove $((x - 40 * scale)) "$y" mouseup 1
+  expect '^frame' "$from"
+  settle
+  take_picture
+  ! cmp -s "$picture" "$scratch/clipped.png" || fail "the plane was not dragged"
+  key ctrl+z '^frame'
+  settle
+  take_picture
+  cmp "$picture" "$scratch/clipped.png" || fail "the plane's drag was not undone"
+  key t '^frame'
+  settle
+  take_picture
+  cmp "$picture" "$scratch/whole.png" || fail "without the plane not all is seen"
+  key e '^frame'
+  key e '^frame'
+  key ctrl+n '^frame'
+  key ctrl+d '^frame'
+  turn_all d drawing surfaces composite maximum minimum average additive
+  key q '^quit'
+  expect_end
+  say "The volume is clipped by a plane that is dragged, blended, and all is undone"
+}
+
 make_files
 start_display
 check_refusals
@@ -538,6 +607,15 @@ if [ -r "${TEMPORAL_COHERENCE_DATA:-}/engine.vti" ]; then
   volume=("$TEMPORAL_COHERENCE_DATA/engine.vti")
 fi
 start first "${volume[@]}"
+if [ "$dpi" -gt 96 ]; then
+  # The main ways: turn, open, play, clip, save and restore.
+  check_opening
+  check_session
+  check_time
+  check_clipping
+  say "PASSED at $dpi dpi in $SECONDS s"
+  exit 0
+fi
 check_help
 check_drag
 check_arrows
@@ -550,5 +628,7 @@ check_map
 check_opening
 check_session
 check_mesh
+check_time
+check_clipping
 "$explorer" "${volume[@]}" --measure-drag 100 || fail "the drag could not be measured"
 say "PASSED in $SECONDS s"

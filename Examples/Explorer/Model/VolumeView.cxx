@@ -143,6 +143,8 @@ void VolumeView::Show(
   }
   SetInput(volume, component, this->Mapper);
   this->Actor->SetUserMatrix(volume.Placement);
+  this->Mapper->GetBounds(this->Box.data());
+  std::copy_n(this->Actor->GetBounds(), 6, this->BoxInWorld.begin());
   if (!this->Renderer->HasViewProp(this->Actor))
   {
     this->Renderer->AddVolume(this->Actor);
@@ -225,7 +227,7 @@ void VolumeView::SetBlending(const Look& look)
     }
   }
   property->SetScalarOpacity(opacity);
-  const std::array<double, 6> box = this->DataBounds();
+  const std::array<double, 6> box = this->Box;
   const double diagonal = std::hypot(box[1] - box[0], box[3] - box[2], box[5] - box[4]);
   property->SetScalarOpacityUnitDistance(std::max(0.01 * diagonal / look.Density, 1e-30));
 }
@@ -247,6 +249,8 @@ void VolumeView::Apply(const Look& look)
   SetLight(this->Renderer, choices[Choose::Light]);
   const int drawing = this->HasCells ? DrawSurfaces : choices[Choose::Drawing];
   this->Mapper->SetBlendMode(BlendModes[static_cast<std::size_t>(drawing)]);
+  // Rays of blended volumes take long: fewer of them while something is dragged.
+  this->Mapper->SetAutoAdjustSampleDistances(drawing != DrawSurfaces);
   if (drawing == DrawSurfaces)
   {
     this->SetSurfaces(look);
@@ -366,18 +370,4 @@ FrameFacts VolumeView::Facts()
 vtkColorTransferFunction* VolumeView::Colors() const
 {
   return this->Actor->GetProperty()->GetRGBTransferFunction();
-}
-
-std::array<double, 6> VolumeView::DataBounds() const
-{
-  std::array<double, 6> bounds;
-  this->Mapper->GetBounds(bounds.data());
-  return bounds;
-}
-
-std::array<double, 6> VolumeView::WorldBounds() const
-{
-  std::array<double, 6> bounds;
-  std::copy_n(this->Actor->GetBounds(), 6, bounds.begin());
-  return bounds;
 }

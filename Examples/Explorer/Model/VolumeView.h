@@ -68,8 +68,9 @@ public:
   FrameFacts Facts();
   vtkColorTransferFunction* Colors() const;
   const std::array<double, 2>& ValueRange() const { return this->Range; }
-  std::array<double, 6> DataBounds() const;
-  std::array<double, 6> WorldBounds() const;
+  // As they were when it was shown: the mapper is not asked, which may be at work.
+  const std::array<double, 6>& DataBounds() const { return this->Box; }
+  const std::array<double, 6>& WorldBounds() const { return this->BoxInWorld; }
   vtkMatrix4x4* Placement() const { return this->Actor->GetUserMatrix(); } // may be null
   bool IsMesh() const { return this->HasCells; }
 
@@ -83,6 +84,7 @@ private:
   vtkNew<vtkVolume> Actor;
   vtkNew<vtkPlane> Clip;
   std::array<double, 2> Range = { 0.0, 1.0 };
+  std::array<double, 6> Box = {}, BoxInWorld = {};
   bool HasCells = false;
 };
 

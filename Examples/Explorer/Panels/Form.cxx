@@ -170,7 +170,13 @@ QSlider* Form::AddSlider(const QString& label, const QString& help, double most,
   slider->setPageStep(SliderSteps / 10);
   slider->setSingleStep(SliderSteps / 100);
   this->AddRow(label, help, slider);
-  QObject::connect(slider, &QSlider::sliderPressed, [&bench] { bench.BeginGesture(); });
+  QObject::connect(slider, &QSlider::sliderPressed,
+    [&bench]
+    {
+      bench.BeginGesture();
+      bench.SetDragging(true);
+    });
+  QObject::connect(slider, &QSlider::sliderReleased, [&bench] { bench.SetDragging(false); });
   QObject::connect(slider, &QSlider::valueChanged,
     [&bench, label, most, set](int value)
     { bench.Edit(label, [&](Look& look) { set(look, most * value / SliderSteps); }); });

@@ -320,6 +320,7 @@ void HistogramPanel::mousePressEvent(QMouseEvent* event)
 {
   if (event->button() == Qt::LeftButton && this->Bench.Data.IsOpen())
   {
+    this->Bench.SetDragging(true);
     this->Grab(event->pos());
     if (this->Bench.Data.DrawsSurfaces())
     {
@@ -334,6 +335,11 @@ void HistogramPanel::mouseMoveEvent(QMouseEvent* event)
   {
     this->DragTo(event->pos());
   }
+}
+
+void HistogramPanel::mouseReleaseEvent(QMouseEvent*)
+{
+  this->Bench.SetDragging(false);
 }
 
 void HistogramPanel::mouseDoubleClickEvent(QMouseEvent* event)

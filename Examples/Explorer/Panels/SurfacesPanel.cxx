@@ -23,6 +23,16 @@ enum Column
   Opacity,
 };
 
+// The same where it is selected.
+QIcon IconOf(const QColor& color)
+{
+  QPixmap pixmap(32, 32);
+  pixmap.fill(color);
+  QIcon icon(pixmap);
+  icon.addPixmap(pixmap, QIcon::Selected);
+  return icon;
+}
+
 // A row for each surface.
 class SurfaceTable : public QTableWidget
 {
@@ -75,7 +85,8 @@ public:
       value->setText(Short(surface.Isovalue));
       value->setCheckState(surface.IsVisible ? Qt::Checked : Qt::Unchecked);
       QTableWidgetItem* color = this->ItemAt(row, Colour);
-      color->setData(Qt::DecorationRole, ColorOf(rgb));
+      color->setIcon(IconOf(ColorOf(rgb)));
+      color->setData(Qt::UserRole, ColorOf(rgb));
       color->setText(surface.Color ? ColorOf(rgb).name() : tr("palette"));
       color->setFlags(color->flags() & ~Qt::ItemIsEditable);
       this->ItemAt(row, Opacity)
@@ -137,7 +148,7 @@ private:
   {
     if (column == Colour)
     {
-      const auto color = this->currentItem()->data(Qt::DecorationRole).value<QColor>();
+      const auto color = this->currentItem()->data(Qt::UserRole).value<QColor>();
       AskColor(this, color, [this](const Rgb& rgb) { this->SetColor(rgb); });
     }
   }

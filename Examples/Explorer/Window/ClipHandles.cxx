@@ -38,13 +38,15 @@ void ClipHandles::Place()
 {
   auto box = this->Bench.Data.View.DataBounds();
   this->BoxShape->PlaceWidget(box.data());
-  this->PlaneShape->PlaceWidget(this->Bench.Data.View.WorldBounds().data());
+  auto world = this->Bench.Data.View.WorldBounds();
+  this->PlaneShape->PlaceWidget(world.data());
   this->Show();
 }
 
 void ClipHandles::Show()
 {
-  if (!this->Bench.Data.IsOpen())
+  // While an isomap is built, nothing in the view may change.
+  if (!this->Bench.Data.IsOpen() || this->Bench.IsBuilding())
   {
     return;
   }
@@ -55,7 +57,7 @@ void ClipHandles::Show()
     this->PlaneShape->SetOrigin(plane.Origin.data());
     this->PlaneShape->SetNormal(plane.Normal.data());
   }
-  this->PlaneWidget->SetEnabled(look.Clip && !this->Bench.IsBuilding());
+  this->PlaneWidget->SetEnabled(look.Clip.has_value());
   if (look.Crop)
   {
     // From the whole box to the part of it, and to where the data lie in the world.
@@ -72,7 +74,7 @@ void ClipHandles::Show()
     transform->Translate(-box[0], -box[2], -box[4]);
     this->BoxShape->SetTransform(transform);
   }
-  this->BoxWidget->SetEnabled(look.Crop && !this->Bench.IsBuilding());
+  this->BoxWidget->SetEnabled(look.Crop.has_value());
 }
 
 void ClipHandles::TakePlane()

@@ -265,6 +265,7 @@ void MainWindow::LogPlaces()
   };
   tell("isovalue-least", this->Samples, this->Samples->PlaceOf(0.0));
   tell("isovalue-greatest", this->Samples, this->Samples->PlaceOf(1.0));
+  tell("view-middle", this->Picture, this->Picture->rect().center());
   for (const QWidget* widget : this->findChildren<QWidget*>())
   {
     const QString name = widget->objectName();

@@ -21,6 +21,9 @@ namespace
 constexpr double ProgressStep = 0.01; // of the whole
 constexpr int SettleAfter = 100;      // ms: what is drawn in each frame delays it
 
+constexpr double RateOfDrags = 15.0; // frames a second
+constexpr double RateOfStills = 1e-4;
+
 class Change : public QUndoCommand
 {
 public:
@@ -180,6 +183,15 @@ void Workbench::Edit(const QString& name, const std::function<void(Look&)>& chan
     Look look = this->Data.Settings();
     change(look);
     this->Changes.push(new Change(*this, name, this->Gesture, look));
+  }
+}
+
+void Workbench::SetDragging(bool isDragging)
+{
+  this->Window->SetDesiredUpdateRate(isDragging ? RateOfDrags : RateOfStills);
+  if (!isDragging && this->Data.IsOpen() && !this->Data.DrawsSurfaces())
+  {
+    this->RenderSoon();
   }
 }
 

@@ -39,7 +39,8 @@ public:
   // drag, are undone together.
   void Edit(const QString& name, const std::function<void(Look&)>& change);
   void BeginGesture() { ++this->Gesture; }
-  void Show(const Look& look); // as it is, for undo
+  void SetDragging(bool isDragging); // frames are to be made fast, or well
+  void Show(const Look& look);       // as it is, for undo
   void Turn(Choose what, int steps);
 
   void Open(const Session& session);

@@ -465,7 +465,14 @@ answer() # TITLE PATH
     sleep 0.05
     waited=$((waited + 1))
   done
-  settle
+  # Keys go to it once it has the focus, and are lost before.
+  local from
+  from=$(lines)
+  until tail -n "+$((from + 1))" "$log" | grep -q '^key'; do
+    [ "$waited" -lt $((patience * 20)) ] || fail "the dialog '$1' takes no keys"
+    xdotool key Shift_L sleep 0.05
+    waited=$((waited + 1))
+  done
   xdotool type "$2"
   xdotool key Return
 }
@@ -547,13 +554,13 @@ check_time()
   local from
   start time series.vtu
   from=$(lines)
-  key . '^shown .*step 2 of 3'
+  key period '^shown .*step 2 of 3'
   settle
   key comma '^shown .*step 1 of 3'
   settle
   key space '^shown .*step 2 of 3'
   expect '^shown .*step 3 of 3' "$from"
-  key space '.'
+  xdotool key space
   settle
   key q '^quit'
   expect_end
@@ -572,8 +579,10 @@ check_clipping()
   take_picture
   ! cmp -s "$picture" "$scratch/whole.png" || fail "nothing is clipped"
   cp "$picture" "$scratch/clipped.png"
-  # The plane stands in the middle of the view, its arrow to the side.
+  # The plane goes through the middle of the view; there it has a handle of another kind.
   read -r x y <<<"$(place view-middle)"
+  x=$((x + 60 * scale))
+  y=$((y + 60 * scale))
   from=$(lines)
   xdotool mousemove "$x" "$y" mousedown 1 mousemove $((x - 20 * scale)) "$y" \
     mousemove $((x - 40 * scale)) "$y" mouseup 1

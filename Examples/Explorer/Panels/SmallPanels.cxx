@@ -8,6 +8,7 @@
 #include "Program/Quoted.h"
 
 #include <vtkDataArray.h>
+#include <vtkVector.h>
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -31,15 +32,26 @@ std::array<double, 4> ShadingOf(const Look& look)
   return look.Shading.value_or(presets[static_cast<std::size_t>(look.Choices[Choose::Material])]);
 }
 
+// Through the middle, slantwise: the volume is open to the viewer, and the plane can be seen.
 Plane MiddlePlane(const Workbench& bench)
 {
   Plane plane;
   const std::array<double, 6> box = bench.Data.View.WorldBounds();
-  for (std::size_t i = 0; i < 3; ++i)
+  const CameraState camera = bench.Data.View.Camera();
+  vtkVector3d forward, up(camera.ViewUp.data());
+  for (int i = 0; i < 3; ++i)
   {
-    plane.Origin[i] = 0.5 * (box[2 * i] + box[2 * i + 1]);
+    const auto axis = static_cast<std::size_t>(i);
+    plane.Origin[axis] = 0.5 * (box[2 * axis] + box[2 * axis + 1]);
+    forward[i] = camera.FocalPoint[axis] - camera.Position[axis];
   }
-  plane.Normal = { -1.0, 0.0, 0.0 };
+  forward.Normalize();
+  vtkVector3d right = forward.Cross(up);
+  right.Normalize();
+  for (int i = 0; i < 3; ++i)
+  {
+    plane.Normal[static_cast<std::size_t>(i)] = 0.8 * forward[i] - 0.6 * right[i];
+  }
   return plane;
 }
 

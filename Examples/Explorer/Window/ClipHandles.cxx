@@ -13,7 +13,8 @@ ClipHandles::ClipHandles(Workbench& bench, vtkRenderWindowInteractor* interactor
 {
   this->PlaneWidget->SetRepresentation(this->PlaneShape);
   this->PlaneShape->SetPlaceFactor(1.0);
-  this->PlaneShape->DrawPlaneOff();
+  this->PlaneShape->GetPlaneProperty()->SetOpacity(0.15);
+  this->PlaneShape->GetSelectedPlaneProperty()->SetOpacity(0.25);
   this->PlaneShape->DrawOutlineOff();
   this->PlaneShape->ScaleEnabledOff();
   this->BoxWidget->SetRepresentation(this->BoxShape);

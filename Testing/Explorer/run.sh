@@ -617,7 +617,8 @@ if [ -r "${TEMPORAL_COHERENCE_DATA:-}/engine.vti" ]; then
 fi
 start first "${volume[@]}"
 if [ "$dpi" -gt 96 ]; then
-  # The main ways: turn, open, play, clip, save and restore.
+  # The main ways: drag, turn, open, save, restore, play, clip.
+  check_drag
   check_opening
   check_session
   check_time

@@ -258,6 +258,11 @@ void Model::LookFrom(const std::string& from)
 
 void Model::Save(const std::string& path)
 {
+  // Cameras make the way up a unit vector, each time by a bit or two: until it stays.
+  for (int i = 0; i < 8; ++i)
+  {
+    this->View.SetCamera(this->View.Camera());
+  }
   this->Current.Camera = this->View.Camera();
   WriteSession(this->Current, path);
 }

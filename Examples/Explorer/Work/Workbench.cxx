@@ -415,6 +415,7 @@ void Workbench::SaveSession(const std::string& path)
     {
       this->Data.Save(path);
       this->SessionFile = path;
+      this->RenderSoon();
       this->Say("Saved " + path);
     });
 }

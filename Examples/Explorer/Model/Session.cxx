@@ -350,6 +350,10 @@ Session ReadSession(const std::string& path)
         " cannot be understood: " + Quoted(line) + "; correct it or take it out.");
     }
   }
+  if (!session.Isovalue && !session.Settings.Surfaces.empty())
+  {
+    session.Isovalue = session.Settings.Surfaces[0].Isovalue;
+  }
   if (session.Camera && !IsUsable(*session.Camera))
   {
     throw UserError("The camera of the session " + Quoted(path) +

@@ -108,6 +108,7 @@ QWidget* MakeKeysPanel()
   auto* label = new QLabel(text + "</table>");
   label->setTextFormat(Qt::RichText);
   label->setAlignment(Qt::AlignTop);
+  label->setWordWrap(true);
   label->setMargin(label->fontMetrics().height() / 2);
   return label;
 }

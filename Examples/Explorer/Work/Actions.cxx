@@ -18,7 +18,7 @@ const std::vector<Action>& AllActions()
     { Do::WindowPicture, "&File", "Save Picture of &Window", "Shift+S",
       "save a picture of the window, panels and all" },
     { Do::Record, "&File", "&Record", "R", "begin and end a recording of every frame" },
-    { Do::Film, "&File", "&Film...", "Ctrl+F", "make a film of a turn, an isovalue or time" },
+    { Do::Film, "&File", "&Film...", "Ctrl+F", "make a film of a turn, or of all isovalues" },
     { Do::Quit, "&File", "&Quit", "Q; Ctrl+Q", "end" },
     { Do::Undo, "&Edit", "&Undo", "Ctrl+Z", "undo the last change of settings" },
     { Do::Redo, "&Edit", "&Redo", "Ctrl+Shift+Z; Ctrl+Y", "do again what was undone" },

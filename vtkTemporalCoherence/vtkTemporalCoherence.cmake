@@ -62,6 +62,7 @@ set(engine_files
   Projections/ImageShares
   Projections/KernelsExtremes
   Projections/KernelsShares
+  Projections/MetValues
   Projections/ProjectionTracer
   Projections/ShareTable
   Projections/ShareTracer

@@ -12,7 +12,7 @@ int vtkTemporalCoherenceVolumeMapper::GetRoute()
 {
   using TemporalCoherence::Route;
   static_assert(static_cast<int>(Route::Cold) == ROUTE_COLD &&
-      static_cast<int>(Route::KeepLayers) == ROUTE_KEEP_LAYERS,
+      static_cast<int>(Route::KeepValues) == ROUTE_KEEP_VALUES,
     "Routes tells the same as Route");
   return static_cast<int>(this->Internal->Frames.Statistics().Made);
 }

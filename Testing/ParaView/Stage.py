@@ -12,7 +12,7 @@ from vtkmodules.vtkIOImage import vtkPNGReader
 LoadPlugin(os.environ["TEMPORAL_ISOSURFACE_PLUGIN"], remote=False, ns=globals())
 
 ROUTES = ("Cold", "Redisplay", "Reshade", "IsomapLookup", "IsomapBuild", "ThresholdHint",
-          "ImageCache", "TimeStep", "Recomposite", "KeepLayers")
+          "ImageCache", "TimeStep", "Recomposite", "KeepLayers", "KeepValues")
 
 
 def check(is_right, what, found=""):

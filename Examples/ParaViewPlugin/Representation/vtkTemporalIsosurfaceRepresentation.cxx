@@ -41,7 +41,7 @@ namespace
 {
 
 constexpr vtkIdType NumberOfRoutes =
-  vtkTemporalCoherenceVolumeMapper::ROUTE_KEEP_LAYERS + 1; // the last one
+  vtkTemporalCoherenceVolumeMapper::ROUTE_KEEP_VALUES + 1; // the last one
 
 /// Arrays of numbers that could be drawn.
 std::vector<vtkDataArray*> ArraysIn(vtkDataSetAttributes* attributes)

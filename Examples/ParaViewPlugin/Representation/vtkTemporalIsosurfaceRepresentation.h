@@ -123,7 +123,8 @@ public:
 
   /**
    * How many frames took each route, since this was made: Cold, Redisplay, Reshade, IsomapLookup,
-   * IsomapBuild, ThresholdHint (none any more), ImageCache, TimeStep, Recomposite, KeepLayers.
+   * IsomapBuild, ThresholdHint (none any more), ImageCache, TimeStep, Recomposite, KeepLayers,
+   * KeepValues.
    * Frames that failed are not counted.
    */
   vtkIdTypeArray* GetRouteCounts();

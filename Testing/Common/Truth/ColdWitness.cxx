@@ -71,6 +71,8 @@ bool ColdWitness::Draw(Scene& scene)
   this->Mapper->SetInputDataObject(scene.Mapper->GetInputDataObject(0, 0));
   this->Mapper->SetBlendMode(scene.Mapper->GetBlendMode());
   this->Mapper->SetAverageIPScalarRange(scene.Mapper->GetAverageIPScalarRange());
+  this->Mapper->SetFinalColorWindow(scene.Mapper->GetFinalColorWindow());
+  this->Mapper->SetFinalColorLevel(scene.Mapper->GetFinalColorLevel());
   this->Mapper->SetSurfaceMode(scene.Mapper->GetSurfaceMode());
   this->Mapper->SetVectorMode(scene.Mapper->GetVectorMode());
   this->Mapper->SetVectorComponent(scene.Mapper->GetVectorComponent());

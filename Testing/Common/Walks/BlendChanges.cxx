@@ -69,6 +69,7 @@ std::vector<Change> OfMode(Scene& scene, RandomViews& views, const std::vector<i
 
 std::vector<Change> OfLook(Scene& scene, RandomViews& views)
 {
+  vtkTemporalCoherenceVolumeMapper* mapper = scene.Mapper;
   vtkVolumeProperty* property = scene.Volume->GetProperty();
   return {
     { false,
@@ -92,6 +93,12 @@ std::vector<Change> OfLook(Scene& scene, RandomViews& views)
       } },
     { false, [=, &views] { SetColors(property, views); } },
     { false, [=, &views] { property->SetScalarOpacityUnitDistance(views.Between(0.02, 0.5)); } },
+    { false,
+      [=, &views]
+      {
+        mapper->SetFinalColorWindow(static_cast<float>(views.Between(0.5, 1.5)));
+        mapper->SetFinalColorLevel(static_cast<float>(views.Between(0.3, 0.7)));
+      } },
   };
 }
 

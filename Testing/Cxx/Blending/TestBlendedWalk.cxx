@@ -75,6 +75,7 @@ int TestBlendedWalk(int, char*[])
   Twelfths steps;
   steps.View = 1;
   steps.Scene = 9;
-  Walk(23, steps, 100);
+  Sweep::Routes routes = Walk(23, steps, 100);
+  Expect(routes["KeepValues"] > 3, "what rays of projections have met is kept");
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

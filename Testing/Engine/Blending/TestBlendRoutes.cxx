@@ -4,6 +4,10 @@
 #include "BlendFrames.h"
 #include "SameFrames.h"
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 namespace
 {
 
@@ -102,6 +106,96 @@ TEST_P(BlendRoutes, ExactFramesAreColdOnes)
     EXPECT_TRUE(ShowTheSame(renderer.LastFrame(), BlendedFrame(this->Key))) << step;
   }
 }
+
+TEST_P(BlendRoutes, OtherColorsOfAProjectionNeedNoSearch)
+{
+  SKIP_UNLESS_BLENDED(this->Key);
+  FrameRenderer renderer;
+  renderer.Render(this->Key, {});
+  std::vector<glm::dvec4>& nodes = this->Key.Volume.Looks[0].Transfer.Nodes;
+  const auto expect = [&](const char* what, bool areTraced)
+  {
+    renderer.Render(this->Key, {});
+    EXPECT_TRUE(ShowTheSame(renderer.LastFrame(), BlendedFrame(this->Key))) << what;
+    const bool isKept = GetParam() != BlendMode::Composite;
+    EXPECT_EQ(renderer.Statistics().Made, isKept ? Route::KeepValues : Route::Cold) << what;
+    EXPECT_EQ(renderer.Statistics().TracedRays > 0, areTraced || !isKept) << what;
+  };
+  for (glm::dvec4& node : nodes)
+  {
+    node = { node.y, node.z, 0.5 * node.x, node.w };
+  }
+  expect("colours", false);
+  this->Key.Appearance.ColorScale = 0.5;
+  this->Key.Appearance.ColorShift = 0.1;
+  expect("window and level", false);
+  this->Key.Volume.Looks[0].Material.Diffuse = 0.3;
+  expect("light", false);
+  FrameOptions options;
+  options.Reuse.ImageCache = false;
+  this->Key.Appearance.ColorScale = 0.6;
+  renderer.Render(this->Key, options);
+  EXPECT_EQ(renderer.Statistics().Made, Route::Cold);
+  this->Key.Appearance.ColorScale = 0.7;
+  renderer.Render(this->Key, {});
+  EXPECT_EQ(renderer.Statistics().Made, Route::Cold) << "nothing was kept";
+}
+
+/// Opacities of extremes that are dragged.
+class ExtremeRoutes : public BlendRoutes
+{
+protected:
+  /// A ramp of opacity between two shares of the range of values, counted from the lowest for
+  /// maxima, and from the highest for minima.
+  void SetRamp(double low, double high)
+  {
+    std::vector<LookPoint> points{ { 0.0, { 1.0, 0.5, 0.2, low > 0.0 ? 0.0 : 0.2 } },
+      { low, { 1.0, 0.5, 0.2, 0.0 } }, { high, { 0.2, 0.5, 1.0, 1.0 } },
+      { 1.0, { 0.2, 0.9, 0.1, high < 0.9 ? 0.0 : 1.0 } } };
+    if (GetParam() == BlendMode::Minimum)
+    {
+      std::reverse(points.begin(), points.end());
+      for (LookPoint& point : points)
+      {
+        point.At = 1.0 - point.At;
+      }
+    }
+    this->Key.Volume.Looks[0].Transfer = MakeTransfer(this->Volume.Range, points);
+  }
+};
+
+TEST_P(ExtremeRoutes, RampsAreDragged)
+{
+  FrameRenderer renderer;
+  renderer.Render(this->Key, {});
+  int notTraced = 0, traced = 0;
+  for (int step = 0; step < 60; ++step)
+  {
+    const double low = 0.35 + 0.3 * std::sin(0.7 * step) * std::cos(0.11 * step);
+    this->SetRamp(step % 13 == 5 ? 0.0 : low, low + (step % 7 == 0 ? 0.6 : 0.2));
+    this->Key.Region.Clips.clear();
+    if (step % 20 > 10)
+    {
+      this->Key.Region.Clips = { { 1.0, 0.0, 0.0, -12.0 } };
+    }
+    FrameOptions options;
+    options.SpaceLeaping = step % 3 != 0;
+    renderer.Render(this->Key, options);
+    ASSERT_TRUE(ShowTheSame(renderer.LastFrame(), BlendedFrame(this->Key))) << step;
+    const FrameStatistics& statistics = renderer.Statistics();
+    EXPECT_EQ(statistics.Rays,
+      statistics.DefiniteHits + statistics.DefiniteMisses + statistics.PossibleHits);
+    if (statistics.Made == Route::KeepValues)
+    {
+      ++(statistics.TracedRays > 0 ? traced : notTraced);
+    }
+  }
+  EXPECT_GT(traced, 8);
+  EXPECT_GT(notTraced, 8);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+  Modes, ExtremeRoutes, ::testing::Values(BlendMode::Maximum, BlendMode::Minimum), NameOfMode);
 
 TEST_P(BlendRoutes, VolumesAndSurfacesInTurn)
 {

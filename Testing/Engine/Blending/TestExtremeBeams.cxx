@@ -56,6 +56,13 @@ protected:
       });
   }
 
+  /// All extremes are asked for.
+  static double LeastOf(bool isMinimum)
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    return isMinimum ? infinity : -infinity;
+  }
+
   /// Compare beams with walks, on all kinds of vectors.
   void ExpectSame(const View& view, const GridCoordinates* grid = nullptr)
   {
@@ -64,10 +71,11 @@ protected:
     const RaySource source(view, IndexTransform(), Dimensions);
     for (const bool isMinimum : { false, true })
     {
-      const ExtremeTask task{ this->Samples.Field, &pyramid, grid, isMinimum, true };
+      const ExtremeTask task{ this->Samples.Field, &pyramid, grid, isMinimum, LeastOf(isMinimum),
+        true };
       const auto beams = MakeExtremeSearch(task);
-      const auto walks =
-        MakeExtremeSearch({ this->Samples.Field, &pyramid, grid, isMinimum, false });
+      const auto walks = MakeExtremeSearch(
+        { this->Samples.Field, &pyramid, grid, isMinimum, LeastOf(isMinimum), false });
       for (std::int64_t tile = 0; tile < NumberOfTiles(view.Size); ++tile)
       {
         const PixelRect part = PixelsOfTile(view.Size, tile);
@@ -129,6 +137,22 @@ protected:
   Grid<T> Samples;
 };
 
+/// What is found if extremes up to `least` need not be: the others as if all were asked for.
+inline void ExpectWhatIsSeen(
+  const Extremes& found, const Extremes& all, double least, bool isMinimum, int count)
+{
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
+  {
+    const auto isSeen = [&](double value) { return isMinimum ? value < least : value > least; };
+    ASSERT_EQ(isSeen(found.Value[i]), isSeen(all.Value[i])) << i;
+    if (isSeen(all.Value[i]))
+    {
+      ASSERT_EQ(found.Value[i], all.Value[i]) << i;
+      ASSERT_EQ(found.First[i], all.First[i]) << i;
+    }
+  }
+}
+
 using Types = ::testing::Types<std::uint8_t, std::int16_t, float, double, std::int64_t>;
 TYPED_TEST_SUITE(ExtremeBeamsOf, Types);
 
@@ -138,6 +162,33 @@ TYPED_TEST(ExtremeBeamsOf, FindWhatWalksFind)
   this->ExpectSameInViews();
   this->FillWithPlateaus();
   this->ExpectSameInViews();
+}
+
+TYPED_TEST(ExtremeBeamsOf, WhatCannotBeSeenNeedNotBeFound)
+{
+  this->FillWithPlateaus();
+  ValueRangePyramid pyramid;
+  pyramid.Build(this->Samples.Field);
+  const View view = LookAt(this->Dimensions, { 1.0, 0.7, 0.4 }, this->Size);
+  const RaySource source(view, IndexTransform(), this->Dimensions);
+  for (const double least : { 0.0, 37.0, 70.5, 119.0, 120.0 })
+  {
+    for (const bool isMinimum : { false, true })
+    {
+      ExtremeTask task{ this->Samples.Field, &pyramid, nullptr, isMinimum, least };
+      const auto search = MakeExtremeSearch(task);
+      task.LeastSeen = this->LeastOf(isMinimum);
+      const auto whole = MakeExtremeSearch(task);
+      for (std::int64_t tile = 0; tile < NumberOfTiles(view.Size); ++tile)
+      {
+        const PixelRect part = PixelsOfTile(view.Size, tile);
+        RayBatch rays;
+        source.SetUp(part.First, part.Size, rays);
+        ExpectWhatIsSeen(
+          this->Search(*search, rays), this->Search(*whole, rays), least, isMinimum, rays.Count);
+      }
+    }
+  }
 }
 
 TYPED_TEST(ExtremeBeamsOf, RectilinearGrids)

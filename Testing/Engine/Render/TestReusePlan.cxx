@@ -263,6 +263,39 @@ TEST(ReusePlan, OtherSamplesThatFewTilesCanSee)
   EXPECT_EQ(PlanRoute(last, key, {}, held), Route::Cold) << "colours of answers";
 }
 
+TEST(ReusePlan, OtherColorsOfAProjection)
+{
+  FrameKey last, key;
+  last.Volume.Mode = key.Volume.Mode = BlendMode::Maximum;
+  last.Volume.Looks.resize(1);
+  key.Volume.Looks.resize(1);
+  HeldForReuse held;
+  held.Values = true;
+  EXPECT_EQ(PlanRoute(last, key, {}, held), Route::Redisplay);
+  key.Appearance.ColorScale = 0.5;
+  EXPECT_EQ(PlanRoute(last, key, {}, held), Route::KeepValues);
+  key.Volume.Looks[0].Transfer.Nodes = { { 0.0, 0.0, 0.0, 0.1 }, { 1.0, 1.0, 1.0, 0.2 } };
+  EXPECT_EQ(PlanRoute(last, key, {}, held), Route::KeepValues);
+  EXPECT_EQ(PlanRoute(last, key, {}, {}), Route::Cold) << "nothing is kept";
+  ReuseSwitches off;
+  off.ImageCache = false;
+  EXPECT_EQ(PlanRoute(last, key, off, held), Route::Cold);
+  last.Volume.Mode = key.Volume.Mode = BlendMode::Average;
+  EXPECT_EQ(PlanRoute(last, key, {}, held), Route::Cold) << "opacities are averaged";
+  last.Volume.Looks = key.Volume.Looks;
+  key.Volume.Looks[0].Transfer.Nodes[0].x = 0.7;
+  EXPECT_EQ(PlanRoute(last, key, {}, held), Route::KeepValues);
+  FrameKey other = key;
+  other.Volume.AverageRange.x = -1.0;
+  EXPECT_EQ(PlanRoute(last, other, {}, held), Route::Cold);
+  other = key;
+  other.View.Parallel = !other.View.Parallel;
+  EXPECT_EQ(PlanRoute(last, other, {}, held), Route::Cold);
+  other = key;
+  other.Volume.Mode = BlendMode::Additive;
+  EXPECT_EQ(PlanRoute(last, other, {}, held), Route::Cold);
+}
+
 TEST(ReusePlan, RoutesHaveTheirNames)
 {
   EXPECT_STREQ(NameOf(Route::Cold), "Cold");
@@ -270,6 +303,7 @@ TEST(ReusePlan, RoutesHaveTheirNames)
   EXPECT_STREQ(NameOf(Route::TimeStep), "TimeStep");
   EXPECT_STREQ(NameOf(Route::Recomposite), "Recomposite");
   EXPECT_STREQ(NameOf(Route::KeepLayers), "KeepLayers");
+  EXPECT_STREQ(NameOf(Route::KeepValues), "KeepValues");
 }
 
 }

@@ -62,7 +62,8 @@ HWY_INLINE M MaskOf(std::uint64_t which)
 /// Bernstein coefficients, of which the smallest and largest bound the cubic.
 struct Coefficients
 {
-  V First, Last, Smallest, Largest;
+  V First, Second, Third, Last;
+  V Smallest, Largest;
   V LargestRise; ///< from one to the next
 };
 
@@ -97,7 +98,7 @@ HWY_INLINE Coefficients CubicsAlong(const CellValues& cell, const V at[3], const
   const V b2 = hn::MulAdd(hn::Add(c1, c2), third, b1);
   const V b3 = hn::Add(hn::Add(c0, c1), hn::Add(c2, c3));
   const V rise = hn::Max(hn::Sub(b1, c0), hn::Max(hn::Sub(b2, b1), hn::Sub(b3, b2)));
-  return { c0, b3, hn::Min(hn::Min(c0, b1), hn::Min(b2, b3)),
+  return { c0, b1, b2, b3, hn::Min(hn::Min(c0, b1), hn::Min(b2, b3)),
     hn::Max(hn::Max(c0, b1), hn::Max(b2, b3)), rise };
 }
 

@@ -5,10 +5,10 @@
 #include "Blending/KernelsEmission.h"
 #include "Blending/KernelsVolumeSegments.h"
 #include "Blending/SegmentReader.h"
+#include "Blending/SegmentWalk.h"
 #include "Blending/TransferTables.h"
 #include "Blending/VisibleBands.h"
 #include "Blending/VolumeSegments.h"
-#include "Trace/KernelsWalk.h"
 
 #include <algorithm>
 #include <array>
@@ -24,8 +24,7 @@ namespace TemporalCoherence
 namespace
 {
 
-/// Less light than this from behind is not seen.
-constexpr float LeastPassed = 1.0f / 1024.0f;
+using EmissionKernels::LeastPassed;
 
 /// Optical depth of the shortest edge of a cell where the opacity is 1.
 constexpr double MostDepth = 65536.0;
@@ -104,27 +103,16 @@ public:
     {
       return;
     }
-    RayWalks walks(rays, which);
-    VolumeSegments segments;
     BlendedRays::Array<double> first;
     first.fill(std::numeric_limits<double>::infinity());
     std::swap(first, seen.First);
     const WalkScene scene{ *this->Active, *this, this->Samples.Dimensions - 1 };
-    for (FindActiveCells(scene, walks); walks.Rays.Count > 0; FindActiveCells(scene, walks))
-    {
-      seen.CellsRead += walks.Rays.Count;
-      this->Reader.Find(walks, this->Seen, segments);
-      if (segments.Count > 0)
-      {
-        this->AddSegments(lit, segments, seen);
-      }
-      for (std::size_t i = 0; i < static_cast<std::size_t>(walks.Rays.Count); ++i)
-      {
-        const auto ray = static_cast<std::size_t>(walks.From[i]);
-        const bool isDone = seen.Passed[ray] <= LeastPassed;
-        walks.Distance[i] = isDone ? 0.0 : std::numeric_limits<double>::infinity();
-      }
-    }
+    seen.CellsRead +=
+      SegmentWalk<T>(scene, this->Reader, this->Seen)
+        .Trace(
+          rays, which,
+          [&](const VolumeSegments& segments) { this->AddSegments(lit, segments, seen); },
+          [&](std::size_t ray) { return seen.Passed[ray] > LeastPassed; });
     // Kernels count distances from where rays begin.
     for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
     {
@@ -249,15 +237,14 @@ private:
   /// So that no lane of the last vector is uninitialised.
   static void FillLastVectors(const VolumeSegments& segments, SamplesAround& around)
   {
-    const auto count = static_cast<std::size_t>(segments.Count);
+    const auto count = static_cast<std::ptrdiff_t>(segments.Count);
     const auto fill = [count](auto& rows)
     {
       for (auto& row : rows)
       {
         for (auto& values : row)
         {
-          std::fill(values.begin() + static_cast<std::ptrdiff_t>(count),
-            values.begin() + static_cast<std::ptrdiff_t>(WholeVectors(count)), 0.0f);
+          std::fill_n(values.begin() + count, WidestVector, 0.0f);
         }
       }
     };

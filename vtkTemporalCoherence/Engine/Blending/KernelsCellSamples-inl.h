@@ -10,6 +10,7 @@
 #define TemporalCoherence_KernelsCellSamples_inl_h
 #endif
 
+#include "Blending/KernelsCubic-inl.h"
 #include "Blending/KernelsVectors-inl.h"
 #include "Blending/VolumeSegments.h"
 #include "Scene/Field.h"
@@ -68,15 +69,14 @@ public:
   using S = typename Rows::V;
 
   HWY_INLINE RowLoader(const NarrowSamples<T>& samples, const VolumeSegments& segments,
-    std::size_t first, float perValue)
+    std::size_t first, std::size_t end, float perValue)
     : PerValue(perValue)
   {
     const std::size_t lanes = hn::Lanes(Floats());
-    const std::size_t last = static_cast<std::size_t>(segments.Count) - 1;
     for (std::size_t lane = 0; lane < lanes; ++lane)
     {
       // Lanes behind the last segment repeat it.
-      const std::size_t i = std::min(first + lane, last);
+      const std::size_t i = std::min(first + lane, end - 1);
       const T* const from = samples.Samples + segments.Cell[0][i] - 1 +
         static_cast<std::ptrdiff_t>(segments.Cell[1][i]) * samples.StrideY +
         static_cast<std::ptrdiff_t>(segments.Cell[2][i]) * samples.StrideZ;
@@ -153,21 +153,31 @@ struct CornerGradients
     }
   }
 
-  /// \param at place in the cells
-  HWY_INLINE void At(const V at[3], V gradient[3]) const
+  V Along[3][8]; ///< by axis, [x + 2 y + 4 z]
+};
+
+/// Twice the gradients of a field along a vector of segments. Between corners, each of their
+/// components is a trilinear function.
+struct LineGradients
+{
+  /// \param begin, across paths through the cells
+  HWY_INLINE LineGradients(const CornerGradients& corners, const V begin[3], const V across[3])
   {
-    const auto mix = [&](V a, V b, V share) HWY_ATTR
-    { return hn::Add(a, hn::Mul(share, hn::Sub(b, a))); };
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      const V* const v = this->Along[axis];
-      const V low = mix(mix(v[0], v[1], at[0]), mix(v[2], v[3], at[0]), at[1]);
-      const V high = mix(mix(v[4], v[5], at[0]), mix(v[6], v[7], at[0]), at[1]);
-      gradient[axis] = mix(low, high, at[2]);
+      this->Along[axis] = Cubics::HWY_NAMESPACE::CubicAlong(corners.Along[axis], begin, across);
     }
   }
 
-  V Along[3][8]; ///< by axis, [x + 2 y + 4 z]
+  HWY_INLINE void At(V share, V gradient[3]) const
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      gradient[axis] = this->Along[axis].At(share);
+    }
+  }
+
+  Cubics::HWY_NAMESPACE::Cubic<V> Along[3];
 };
 
 }

@@ -23,6 +23,9 @@ namespace TemporalCoherence
 namespace EmissionKernels
 {
 
+/// Less light than this from behind is not seen.
+constexpr float LeastPassed = 1.0f / 1024.0f;
+
 /// A volume that emits and absorbs light.
 struct EmittingVolume
 {

@@ -45,6 +45,24 @@ HWY_INLINE V Dot(const V a[3], const V b[3])
   return hn::Add(hn::Add(hn::Mul(a[0], b[0]), hn::Mul(a[1], b[1])), hn::Mul(a[2], b[2]));
 }
 
+/// 1 / sqrt(x) to 5 digits, for lengths that are neither tiny nor huge: faster than both
+/// operations.
+template <class V>
+HWY_INLINE V InverseRoot(V x)
+{
+  const hn::DFromV<V> d;
+  const hn::Rebind<std::int32_t, decltype(d)> di;
+  const V half = hn::Mul(hn::Set(d, 0.5f), x);
+  // Half the exponent and a first guess of the digits; then two steps of Newton.
+  const auto bits = hn::Sub(hn::Set(di, 0x5F375A86), hn::ShiftRight<1>(hn::BitCast(di, x)));
+  V root = hn::BitCast(d, bits);
+  for (int step = 0; step < 2; ++step)
+  {
+    root = hn::Mul(root, hn::Sub(hn::Set(d, 1.5f), hn::Mul(hn::Mul(half, root), root)));
+  }
+  return root;
+}
+
 /// Make normals of gradients: unit vectors in the world towards lower values, or 0.
 template <class V>
 HWY_INLINE void FindNormals(const glm::mat3& worldFromGradient, const V gradient[3], V normal[3])
@@ -60,8 +78,7 @@ HWY_INLINE void FindNormals(const glm::mat3& worldFromGradient, const V gradient
   // So short that it tells no direction, too long, or no number.
   const auto isNormal =
     hn::And(hn::Gt(square, hn::Set(d, 1e-30f)), hn::Lt(square, hn::Set(d, 1e30f)));
-  const V perLength = hn::IfThenElseZero(isNormal,
-    hn::Div(hn::Set(d, 1.0f), hn::Sqrt(hn::IfThenElse(isNormal, square, hn::Set(d, 1.0f)))));
+  const V perLength = InverseRoot(square);
   for (int a = 0; a < 3; ++a)
   {
     normal[a] = hn::IfThenElseZero(isNormal, hn::Mul(normal[a], perLength));
@@ -105,20 +122,21 @@ HWY_INLINE V ShareAt(const VolumeLight& light, const V point[3], V toward[3])
 }
 
 /// What points reflect of the lights: shares of their own colour, and highlights.
-template <class V>
+/// \tparam Colors 1 where all lights are white, else 3
+template <class V, std::size_t Colors>
 struct ReflectedLight
 {
-  V Matt[3], Shine[3];
+  V Matt[Colors], Shine[Colors];
 };
 
-template <class V>
-HWY_INLINE ReflectedLight<V> Reflect(const VolumeLights& lights, const LitPoints& at)
+template <std::size_t Colors, class V>
+HWY_INLINE ReflectedLight<V, Colors> Reflect(const VolumeLights& lights, const LitPoints& at)
 {
   const hn::DFromV<V> d;
   const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
   const Powers::HWY_NAMESPACE::Raiser raise(lights.SpecularPower);
-  ReflectedLight<V> sum;
-  for (int a = 0; a < 3; ++a)
+  ReflectedLight<V, Colors> sum;
+  for (std::size_t a = 0; a < Colors; ++a)
   {
     sum.Matt[a] = hn::Set(d, lights.Ambient);
     sum.Shine[a] = zero;
@@ -140,26 +158,28 @@ HWY_INLINE ReflectedLight<V> Reflect(const VolumeLights& lights, const LitPoints
       const auto isMirrored = hn::And(hn::Gt(lit, zero), hn::Gt(mirrored, zero));
       highlight = hn::Mul(share, raise(hn::Min(hn::IfThenElseZero(isMirrored, mirrored), one)));
     }
-    for (int a = 0; a < 3; ++a)
+    for (std::size_t a = 0; a < Colors; ++a)
     {
-      sum.Matt[a] = hn::Add(sum.Matt[a], hn::Mul(diffuse, hn::Set(d, light.Diffuse[a])));
-      sum.Shine[a] = hn::Add(sum.Shine[a], hn::Mul(highlight, hn::Set(d, light.Specular[a])));
+      const int channel = static_cast<int>(a);
+      sum.Matt[a] = hn::Add(sum.Matt[a], hn::Mul(diffuse, hn::Set(d, light.Diffuse[channel])));
+      sum.Shine[a] = hn::Add(sum.Shine[a], hn::Mul(highlight, hn::Set(d, light.Specular[channel])));
     }
   }
   return sum;
 }
 
 /// Light along a vector of segments, as parabolas through three places.
+template <std::size_t Colors>
 class LightParabola
 {
 public:
-  using Light = ReflectedLight<V>;
+  using Light = ReflectedLight<V, Colors>;
 
   HWY_INLINE LightParabola(const Light& begin, const Light& middle, const Light& end)
     : First(begin)
   {
     this->Off = hn::Zero(Floats());
-    for (std::size_t a = 0; a < 3; ++a)
+    for (std::size_t a = 0; a < Colors; ++a)
     {
       this->Fit(
         begin.Matt[a], middle.Matt[a], end.Matt[a], this->Slope.Matt[a], this->Bend.Matt[a]);
@@ -176,7 +196,7 @@ public:
     const auto at = [&](V first, V slope, V bend) HWY_ATTR
     { return hn::Add(first, hn::Add(hn::Mul(share, slope), hn::Mul(square, bend))); };
     Light light;
-    for (std::size_t a = 0; a < 3; ++a)
+    for (std::size_t a = 0; a < Colors; ++a)
     {
       light.Matt[a] = at(this->First.Matt[a], this->Slope.Matt[a], this->Bend.Matt[a]);
       light.Shine[a] = at(this->First.Shine[a], this->Slope.Shine[a], this->Bend.Shine[a]);

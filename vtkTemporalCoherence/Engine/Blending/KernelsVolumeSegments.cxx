@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Blending/KernelsVolumeSegments.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstring>
@@ -38,18 +39,18 @@ struct CellPaths
   std::array<RayBatch::Array<std::int32_t>, 3> Cell;
 };
 
-HWY_INLINE void FindPaths(const RayWalks& walks, CellPaths& paths)
+HWY_INLINE void FindPaths(const CellRow& row, CellPaths& paths)
 {
   const hn::CappedTag<double, WidestVector / 2> d;
   const hn::Rebind<float, decltype(d)> df;
   const hn::Rebind<std::int32_t, decltype(d)> di;
   using VD = hn::Vec<decltype(d)>;
-  const std::size_t count = WholeVectors(static_cast<std::size_t>(walks.Rays.Count));
+  const std::size_t count = WholeVectors(static_cast<std::size_t>(row.Walks.Rays.Count));
   for (std::size_t i = 0; i < count; i += hn::Lanes(d))
   {
-    const auto rays = SegmentKernels::HWY_NAMESPACE::LoadRays(d, walks.Rays, i);
-    const VD cell[3] = { hn::LoadU(d, &walks.Cell[0][i]), hn::LoadU(d, &walks.Cell[1][i]),
-      hn::LoadU(d, &walks.Cell[2][i]) };
+    const auto rays = SegmentKernels::HWY_NAMESPACE::LoadRays(d, row.Walks.Rays, i);
+    const VD cell[3] = { hn::LoadU(d, &row.Cells()[0][i]), hn::LoadU(d, &row.Cells()[1][i]),
+      hn::LoadU(d, &row.Cells()[2][i]) };
     const auto path = SegmentKernels::HWY_NAMESPACE::FindPath(d, rays, cell);
     hn::StoreU(hn::DemoteTo(df, hn::Sub(path.Enter, rays.Begin)), df, &paths.Enter[i]);
     hn::StoreU(hn::DemoteTo(df, hn::Sub(path.Leave, path.Enter)), df, &paths.Length[i]);
@@ -62,13 +63,15 @@ HWY_INLINE void FindPaths(const RayWalks& walks, CellPaths& paths)
   }
 }
 
+using Line = Cubics::HWY_NAMESPACE::Cubic<V>;
+
 /// Bounds of cubics, by their Bernstein points.
 struct CubicBounds
 {
-  V Low, High, Bend;
+  V Low, High, Slope, Bend;
 };
 
-HWY_INLINE CubicBounds BoundsOf(const Cubics::HWY_NAMESPACE::Cubic<V>& cubic)
+HWY_INLINE CubicBounds BoundsOf(const Line& cubic)
 {
   const Floats d;
   const V third = hn::Set(d, 1.0f / 3.0f);
@@ -76,10 +79,10 @@ HWY_INLINE CubicBounds BoundsOf(const Cubics::HWY_NAMESPACE::Cubic<V>& cubic)
   const V b1 = hn::Add(b0, hn::Mul(third, cubic.C[1]));
   const V b2 = hn::Add(hn::Add(b1, hn::Mul(third, cubic.C[1])), hn::Mul(third, cubic.C[2]));
   const V b3 = hn::Add(hn::Add(b0, cubic.C[1]), hn::Add(cubic.C[2], cubic.C[3]));
-  const V first = hn::Sub(hn::Sub(b2, b1), hn::Sub(b1, b0));
-  const V second = hn::Sub(hn::Sub(b3, b2), hn::Sub(b2, b1));
+  const V r0 = hn::Sub(b1, b0), r1 = hn::Sub(b2, b1), r2 = hn::Sub(b3, b2);
+  const V rise = hn::Max(hn::Abs(r0), hn::Max(hn::Abs(r1), hn::Abs(r2)));
   return { hn::Min(hn::Min(b0, b1), hn::Min(b2, b3)), hn::Max(hn::Max(b0, b1), hn::Max(b2, b3)),
-    hn::Max(hn::Abs(first), hn::Abs(second)) };
+    hn::Mul(hn::Set(d, 3.0f), rise), hn::Max(hn::Abs(hn::Sub(r1, r0)), hn::Abs(hn::Sub(r2, r1))) };
 }
 
 /// True where something may be seen between the bounds, which are numbers.
@@ -100,67 +103,179 @@ HWY_INLINE hn::Mask<Floats> IsSeen(const CubicBounds& bounds, const SeenBins& se
       hn::And(hn::Lt(hn::Abs(bounds.High), largest), hn::Lt(bounds.Bend, largest))));
 }
 
+/// How far values are from what is seen.
+HWY_INLINE V DistanceToSeen(V value, const SeenBins& seen)
+{
+  const Floats d;
+  V distance = hn::Set(d, seen.Count == 0 ? 0.0f : 1e30f);
+  for (std::size_t i = 0; i < seen.Count; ++i)
+  {
+    const V below = hn::Sub(hn::Set(d, seen.Bands[i][0]), value);
+    const V above = hn::Sub(value, hn::Set(d, seen.Bands[i][1]));
+    distance = hn::Min(distance, hn::Max(below, above));
+  }
+  return hn::Max(distance, hn::Zero(d));
+}
+
+/// Where something may be seen of segments, in shares of them.
+struct SeenPart
+{
+  V Begin, End;
+};
+
+/// From both ends, leap as far as the steepest slope leaves nothing to see.
+HWY_INLINE SeenPart PartSeen(const Line& cubic, const CubicBounds& bounds, const SeenBins& seen)
+{
+  const Floats d;
+  constexpr int Leaps = 3;
+  const V one = hn::Set(d, 1.0f);
+  // A little less, for the rounding of values.
+  const V perValue = hn::Div(hn::Set(d, 0.999f), hn::Max(bounds.Slope, hn::Set(d, 1e-20f)));
+  SeenPart part{ hn::Zero(d), one };
+  for (int leap = 0; leap < Leaps; ++leap)
+  {
+    const V fromBegin = DistanceToSeen(cubic.At(part.Begin), seen);
+    const V fromEnd = DistanceToSeen(cubic.At(part.End), seen);
+    part.Begin = hn::Add(part.Begin, hn::Min(hn::Mul(fromBegin, perValue), one));
+    part.End = hn::Sub(part.End, hn::Min(hn::Mul(fromEnd, perValue), one));
+  }
+  return part;
+}
+
+/// The same cubic, counted from where the part begins to where it ends.
+HWY_INLINE Line Within(const Line& cubic, const SeenPart& part)
+{
+  const Floats d;
+  const V x = part.Begin, width = hn::Sub(part.End, part.Begin);
+  const V third = hn::Mul(hn::Set(d, 3.0f), hn::Mul(cubic.C[3], x));
+  const V slope = hn::Add(cubic.C[1], hn::Mul(x, hn::Add(hn::Add(cubic.C[2], cubic.C[2]), third)));
+  Line within;
+  within.C[0] = cubic.At(x);
+  within.C[1] = hn::Mul(width, slope);
+  within.C[2] = hn::Mul(hn::Mul(width, width), hn::Add(cubic.C[2], third));
+  within.C[3] = hn::Mul(hn::Mul(width, width), hn::Mul(width, cubic.C[3]));
+  return within;
+}
+
+/// Appends lanes of vectors to segments.
+class Appender
+{
+public:
+  HWY_INLINE Appender(hn::Mask<Floats> lanes, VolumeSegments& found)
+    : Lanes(lanes)
+    , To(static_cast<std::size_t>(found.Count))
+  {
+  }
+
+  // Stored whole, as there is room behind: stores of some lanes are slow on some machines.
+  HWY_INLINE void operator()(V value, VolumeSegments::Array<float>& array) const
+  {
+    hn::StoreU(hn::Compress(value, this->Lanes), Floats(), &array[this->To]);
+  }
+  HWY_INLINE void operator()(
+    const std::int32_t* from, VolumeSegments::Array<std::int32_t>& array) const
+  {
+    const Integers di;
+    const auto lanes = hn::RebindMask(di, this->Lanes);
+    hn::StoreU(hn::Compress(hn::LoadU(di, from), lanes), di, &array[this->To]);
+  }
+
+private:
+  hn::Mask<Floats> Lanes;
+  std::size_t To;
+};
+
+/// A vector of cell segments.
+struct SegmentsOfCells
+{
+  V Enter, Length, Begin[3], Across[3];
+  Line Values;
+};
+
+/// Append those parts of a vector of segments in which something may be seen.
+/// \param which lanes are segments
+/// \param cells their cells, by axis
+HWY_INLINE void AppendSeen(hn::Mask<Floats> which, const SegmentsOfCells& segments,
+  const std::int32_t* const cells[3], const std::int32_t* rays, const SeenBins& seen,
+  VolumeSegments& found)
+{
+  const Floats d;
+  const V half = hn::Set(d, 0.5f);
+  const CubicBounds bounds = BoundsOf(segments.Values);
+  const SeenPart part = PartSeen(segments.Values, bounds, seen);
+  const V share = hn::Sub(part.End, part.Begin);
+  const V length = hn::Mul(share, segments.Length);
+  const auto isSeen =
+    hn::And(which, hn::And(hn::Gt(hn::Min(share, length), hn::Zero(d)), IsSeen(bounds, seen)));
+  if (hn::AllFalse(d, isSeen))
+  {
+    return;
+  }
+  const Appender append(isSeen, found);
+  append(hn::Add(segments.Enter, hn::Mul(part.Begin, segments.Length)), found.Enter);
+  append(length, found.Length);
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    append(hn::Add(segments.Begin[a], hn::Mul(part.Begin, segments.Across[a])), found.Begin[a]);
+    append(hn::Mul(share, segments.Across[a]), found.Across[a]);
+    append(cells[a], found.Cell[a]);
+  }
+  const Line within = Within(segments.Values, part);
+  for (std::size_t power = 0; power < 4; ++power)
+  {
+    append(within.C[power], found.Cubic[power]);
+  }
+  const CubicBounds inside = BoundsOf(within);
+  append(hn::Mul(half, hn::Add(inside.Low, inside.High)), found.Middle);
+  append(hn::Mul(half, hn::Sub(inside.High, inside.Low)), found.Span);
+  append(inside.Bend, found.Bend);
+  append(rays, found.Ray);
+  found.Count += static_cast<int>(hn::CountTrue(d, isSeen));
+}
+
 /// \param loadCorners fills the corners of the cells from ray i on
 template <typename LoadCorners>
-HWY_INLINE void FindSeen(const RayWalks& walks, const LoadCorners& loadCorners,
-  const SeenBins& seen, VolumeSegments& found)
+HWY_INLINE void FindSeen(
+  const CellRow& row, const LoadCorners& loadCorners, const SeenBins& seen, VolumeSegments& found)
 {
   const Floats d;
   const Integers di;
   CellPaths paths;
-  FindPaths(walks, paths);
-  const auto count = static_cast<std::size_t>(walks.Rays.Count);
-  std::size_t to = 0;
+  FindPaths(row, paths);
+  RayBatch::Array<std::int32_t> rays;
+  const auto count = static_cast<std::size_t>(row.Walks.Rays.Count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    rays[i] = static_cast<std::int32_t>(row.Walks.From[i]);
+  }
+  std::fill(&rays[count - 1] + 1, rays.data() + WholeVectors(count), 0);
+  const auto place = hn::Set(di, static_cast<std::int32_t>(row.Place));
   for (std::size_t i = 0; i < count; i += hn::Lanes(d))
   {
-    V corners[8], begin[3], across[3];
+    V corners[8];
     loadCorners(paths, i, corners);
+    SegmentsOfCells segments;
+    segments.Enter = hn::LoadU(d, &paths.Enter[i]);
+    segments.Length = hn::LoadU(d, &paths.Length[i]);
     for (std::size_t a = 0; a < 3; ++a)
     {
-      begin[a] = hn::LoadU(d, &paths.Begin[a][i]);
-      across[a] = hn::LoadU(d, &paths.Across[a][i]);
+      segments.Begin[a] = hn::LoadU(d, &paths.Begin[a][i]);
+      segments.Across[a] = hn::LoadU(d, &paths.Across[a][i]);
     }
-    const V length = hn::LoadU(d, &paths.Length[i]);
-    const auto cubic = Cubics::HWY_NAMESPACE::CubicAlong(corners, begin, across);
-    const CubicBounds bounds = BoundsOf(cubic);
-    const auto isPath = hn::And(hn::FirstN(d, count - i), hn::Gt(length, hn::Zero(d)));
-    const auto isSeen = hn::And(isPath, IsSeen(bounds, seen));
-    const auto keep = [&](V value, VolumeSegments::Array<float>& array) HWY_ATTR
-    { hn::CompressStore(value, isSeen, d, &array[to]); };
-    const auto keepWhole = [&](const std::int32_t* from, VolumeSegments::Array<std::int32_t>& array)
-                             HWY_ATTR
-    { hn::CompressStore(hn::LoadU(di, from), hn::RebindMask(di, isSeen), di, &array[to]); };
-    keep(hn::LoadU(d, &paths.Enter[i]), found.Enter);
-    keep(length, found.Length);
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      keep(begin[a], found.Begin[a]);
-      keep(across[a], found.Across[a]);
-      keepWhole(&paths.Cell[a][i], found.Cell[a]);
-    }
-    for (std::size_t power = 0; power < 4; ++power)
-    {
-      keep(cubic.C[power], found.Cubic[power]);
-    }
-    keep(hn::Mul(hn::Set(d, 0.5f), hn::Add(bounds.Low, bounds.High)), found.Middle);
-    keep(hn::Mul(hn::Set(d, 0.5f), hn::Sub(bounds.High, bounds.Low)), found.Span);
-    keep(bounds.Bend, found.Bend);
-    std::int32_t rays[WidestVector];
-    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
-    {
-      rays[lane] = static_cast<std::int32_t>(i + lane < count ? walks.From[i + lane] : 0);
-    }
-    keepWhole(rays, found.Ray);
-    to += hn::CountTrue(d, isSeen);
+    segments.Values = Cubics::HWY_NAMESPACE::CubicAlong(corners, segments.Begin, segments.Across);
+    const auto isListed =
+      hn::And(hn::FirstN(di, count - i), hn::Gt(hn::LoadU(di, &row.Next.Count[i]), place));
+    const std::int32_t* const cells[3] = { &paths.Cell[0][i], &paths.Cell[1][i],
+      &paths.Cell[2][i] };
+    AppendSeen(hn::RebindMask(d, isListed), segments, cells, &rays[i], seen, found);
   }
-  found.Count = static_cast<int>(to);
 }
 
 void FindOfValues(
-  const RayWalks& walks, const CornerValues& corners, const SeenBins& seen, VolumeSegments& found)
+  const CellRow& row, const CornerValues& corners, const SeenBins& seen, VolumeSegments& found)
 {
   FindSeen(
-    walks,
+    row,
     [&](const CellPaths&, std::size_t i, V values[8]) HWY_ATTR
     {
       for (std::size_t corner = 0; corner < 8; ++corner)
@@ -172,14 +287,14 @@ void FindOfValues(
 }
 
 template <typename T>
-HWY_INLINE void FindOfSamples(const RayWalks& walks, const NarrowSamples<T>& samples,
+HWY_INLINE void FindOfSamples(const CellRow& row, const NarrowSamples<T>& samples,
   const BinScale& scale, const SeenBins& seen, VolumeSegments& found)
 {
   using Rows = PackedSamples::HWY_NAMESPACE::IntegerRows<T>;
   const Floats d;
   const V perValue = hn::Set(d, scale.PerValue), shift = hn::Set(d, scale.Shift);
   FindSeen(
-    walks,
+    row,
     [&](const CellPaths& paths, std::size_t i, V values[8]) HWY_ATTR
     {
       // Not gathered, as a gather reads more than the two samples of a row.
@@ -198,39 +313,39 @@ HWY_INLINE void FindOfSamples(const RayWalks& walks, const NarrowSamples<T>& sam
       }
       for (std::size_t yz = 0; yz < 4; ++yz)
       {
-        typename Rows::V row[2];
-        Rows::Load(rows[yz].data(), row);
+        typename Rows::V two[2];
+        Rows::Load(rows[yz].data(), two);
         for (std::size_t x = 0; x < 2; ++x)
         {
-          values[2 * yz + x] = hn::Add(hn::Mul(Rows::AsFloats(row[x]), perValue), shift);
+          values[2 * yz + x] = hn::Add(hn::Mul(Rows::AsFloats(two[x]), perValue), shift);
         }
       }
     },
     seen, found);
 }
 
-void FindOfUInt8(const RayWalks& walks, const NarrowSamples<std::uint8_t>& samples,
+void FindOfUInt8(const CellRow& row, const NarrowSamples<std::uint8_t>& samples,
   const BinScale& scale, const SeenBins& seen, VolumeSegments& found)
 {
-  FindOfSamples(walks, samples, scale, seen, found);
+  FindOfSamples(row, samples, scale, seen, found);
 }
 
-void FindOfInt8(const RayWalks& walks, const NarrowSamples<std::int8_t>& samples,
+void FindOfInt8(const CellRow& row, const NarrowSamples<std::int8_t>& samples,
   const BinScale& scale, const SeenBins& seen, VolumeSegments& found)
 {
-  FindOfSamples(walks, samples, scale, seen, found);
+  FindOfSamples(row, samples, scale, seen, found);
 }
 
-void FindOfUInt16(const RayWalks& walks, const NarrowSamples<std::uint16_t>& samples,
+void FindOfUInt16(const CellRow& row, const NarrowSamples<std::uint16_t>& samples,
   const BinScale& scale, const SeenBins& seen, VolumeSegments& found)
 {
-  FindOfSamples(walks, samples, scale, seen, found);
+  FindOfSamples(row, samples, scale, seen, found);
 }
 
-void FindOfInt16(const RayWalks& walks, const NarrowSamples<std::int16_t>& samples,
+void FindOfInt16(const CellRow& row, const NarrowSamples<std::int16_t>& samples,
   const BinScale& scale, const SeenBins& seen, VolumeSegments& found)
 {
-  FindOfSamples(walks, samples, scale, seen, found);
+  FindOfSamples(row, samples, scale, seen, found);
 }
 
 }
@@ -251,33 +366,33 @@ HWY_EXPORT(FindOfUInt16);
 HWY_EXPORT(FindOfInt16);
 
 void FindSegments(
-  const RayWalks& rays, const CornerValues& corners, const SeenBins& seen, VolumeSegments& found)
+  const CellRow& row, const CornerValues& corners, const SeenBins& seen, VolumeSegments& found)
 {
-  HWY_DYNAMIC_DISPATCH(FindOfValues)(rays, corners, seen, found);
+  HWY_DYNAMIC_DISPATCH(FindOfValues)(row, corners, seen, found);
 }
 
-void FindSegments(const RayWalks& rays, const NarrowSamples<std::uint8_t>& samples,
+void FindSegments(const CellRow& row, const NarrowSamples<std::uint8_t>& samples,
   const BinScale& scale, const SeenBins& seen, VolumeSegments& found)
 {
-  HWY_DYNAMIC_DISPATCH(FindOfUInt8)(rays, samples, scale, seen, found);
+  HWY_DYNAMIC_DISPATCH(FindOfUInt8)(row, samples, scale, seen, found);
 }
 
-void FindSegments(const RayWalks& rays, const NarrowSamples<std::int8_t>& samples,
+void FindSegments(const CellRow& row, const NarrowSamples<std::int8_t>& samples,
   const BinScale& scale, const SeenBins& seen, VolumeSegments& found)
 {
-  HWY_DYNAMIC_DISPATCH(FindOfInt8)(rays, samples, scale, seen, found);
+  HWY_DYNAMIC_DISPATCH(FindOfInt8)(row, samples, scale, seen, found);
 }
 
-void FindSegments(const RayWalks& rays, const NarrowSamples<std::uint16_t>& samples,
+void FindSegments(const CellRow& row, const NarrowSamples<std::uint16_t>& samples,
   const BinScale& scale, const SeenBins& seen, VolumeSegments& found)
 {
-  HWY_DYNAMIC_DISPATCH(FindOfUInt16)(rays, samples, scale, seen, found);
+  HWY_DYNAMIC_DISPATCH(FindOfUInt16)(row, samples, scale, seen, found);
 }
 
-void FindSegments(const RayWalks& rays, const NarrowSamples<std::int16_t>& samples,
+void FindSegments(const CellRow& row, const NarrowSamples<std::int16_t>& samples,
   const BinScale& scale, const SeenBins& seen, VolumeSegments& found)
 {
-  HWY_DYNAMIC_DISPATCH(FindOfInt16)(rays, samples, scale, seen, found);
+  HWY_DYNAMIC_DISPATCH(FindOfInt16)(row, samples, scale, seen, found);
 }
 
 }

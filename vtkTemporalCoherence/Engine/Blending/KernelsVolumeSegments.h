@@ -33,22 +33,36 @@ struct SeenBins
   std::array<std::array<float, 2>, Most> Bands{};
 };
 
-/// The corners of the cells of walks, in bins: [x + 2 y + 4 z].
+/// Cells of walking rays, at most one of each ray: those at one place of their lists.
+struct CellRow
+{
+  const RayWalks& Walks;
+  const NextCells& Next;
+  std::size_t Place;
+
+  const std::array<RayBatch::Array<double>, 3>& Cells() const
+  {
+    return this->Next.Cell[this->Place];
+  }
+};
+
+/// The corners of the cells of a row, in bins: [x + 2 y + 4 z].
 using CornerValues = std::array<RayBatch::Array<float>, 8>;
 
-/// Find the segments of rays in their present cells, and leave out those in which nothing is seen.
-/// \param rays  the rays, and their cells
+/// Find the segments of rays in a row of cells, and append the parts of them in which something may
+/// be seen.
+/// \pre there is room for a segment of each ray
 void FindSegments(
-  const RayWalks& rays, const CornerValues& corners, const SeenBins& seen, VolumeSegments& found);
+  const CellRow& row, const CornerValues& corners, const SeenBins& seen, VolumeSegments& found);
 
 /// The same for samples that vectors gather.
-void FindSegments(const RayWalks& rays, const NarrowSamples<std::uint8_t>& samples,
+void FindSegments(const CellRow& row, const NarrowSamples<std::uint8_t>& samples,
   const BinScale& scale, const SeenBins& seen, VolumeSegments& found);
-void FindSegments(const RayWalks& rays, const NarrowSamples<std::int8_t>& samples,
+void FindSegments(const CellRow& row, const NarrowSamples<std::int8_t>& samples,
   const BinScale& scale, const SeenBins& seen, VolumeSegments& found);
-void FindSegments(const RayWalks& rays, const NarrowSamples<std::uint16_t>& samples,
+void FindSegments(const CellRow& row, const NarrowSamples<std::uint16_t>& samples,
   const BinScale& scale, const SeenBins& seen, VolumeSegments& found);
-void FindSegments(const RayWalks& rays, const NarrowSamples<std::int16_t>& samples,
+void FindSegments(const CellRow& row, const NarrowSamples<std::int16_t>& samples,
   const BinScale& scale, const SeenBins& seen, VolumeSegments& found);
 
 }

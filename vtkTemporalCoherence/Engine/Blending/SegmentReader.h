@@ -12,7 +12,7 @@
 namespace TemporalCoherence
 {
 
-/// Reads the cells that rays are in, and finds the segments there, with values in bins.
+/// Reads the cells that rays pass, and finds the segments there, with values in bins.
 template <typename T>
 class SegmentReader
 {
@@ -34,8 +34,9 @@ public:
     return static_cast<float>((static_cast<double>(sample) - this->Low) * this->PerValue);
   }
 
-  void Find(
-    const RayWalks& walks, const SegmentsKernels::SeenBins& seen, VolumeSegments& segments) const
+  /// Append the segments of a row of cells.
+  void Find(const SegmentsKernels::CellRow& row, const SegmentsKernels::SeenBins& seen,
+    VolumeSegments& segments) const
   {
     if constexpr (sizeof(T) <= 2)
     {
@@ -43,25 +44,25 @@ public:
       {
         const SegmentsKernels::BinScale scale{ static_cast<float>(this->PerValue),
           static_cast<float>(-this->Low * this->PerValue) };
-        SegmentsKernels::FindSegments(
-          walks, NarrowSamples<T>(this->Samples), scale, seen, segments);
+        SegmentsKernels::FindSegments(row, NarrowSamples<T>(this->Samples), scale, seen, segments);
         return;
       }
     }
     SegmentsKernels::CornerValues corners;
-    this->ReadCorners(walks, corners);
-    SegmentsKernels::FindSegments(walks, corners, seen, segments);
+    this->ReadCorners(row, corners);
+    SegmentsKernels::FindSegments(row, corners, seen, segments);
   }
 
 private:
-  void ReadCorners(const RayWalks& walks, SegmentsKernels::CornerValues& corners) const
+  void ReadCorners(
+    const SegmentsKernels::CellRow& row, SegmentsKernels::CornerValues& corners) const
   {
     const TypedField<T> samples(this->Samples);
-    const auto count = static_cast<std::size_t>(walks.Rays.Count);
+    const auto count = static_cast<std::size_t>(row.Walks.Rays.Count);
     for (std::size_t i = 0; i < count; ++i)
     {
-      const T* const origin = samples.At(static_cast<int>(walks.Cell[0][i]),
-        static_cast<int>(walks.Cell[1][i]), static_cast<int>(walks.Cell[2][i]));
+      const T* const origin = samples.At(static_cast<int>(row.Cells()[0][i]),
+        static_cast<int>(row.Cells()[1][i]), static_cast<int>(row.Cells()[2][i]));
       for (std::size_t corner = 0; corner < 8; ++corner)
       {
         const T* const at = origin + ((corner & 1u) != 0 ? samples.Strides.x : 0) +

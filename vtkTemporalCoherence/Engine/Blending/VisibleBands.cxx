@@ -11,10 +11,11 @@ namespace TemporalCoherence
 namespace
 {
 
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
 /// The ranges of values that have an opacity. Each holds its Low, and not its High.
 std::vector<ValueBand> OpaqueBands(const TransferFunction& transfer)
 {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   const std::vector<glm::dvec4>& nodes = transfer.Nodes;
   const std::size_t last = nodes.size() - 1;
   const double step = (transfer.Range.y - transfer.Range.x) / static_cast<double>(last);
@@ -26,8 +27,8 @@ std::vector<ValueBand> OpaqueBands(const TransferFunction& transfer)
     if (nodes[node].w > 0.0)
     {
       // Between a node with an opacity and its neighbours there is some, too.
-      const double low = node == 0 ? -infinity : std::nextafter(valueAt(node - 1), -infinity);
-      const double high = node == last ? infinity : std::nextafter(valueAt(node + 1), infinity);
+      const double low = node == 0 ? -Infinity : std::nextafter(valueAt(node - 1), -Infinity);
+      const double high = node == last ? Infinity : std::nextafter(valueAt(node + 1), Infinity);
       if (!bands.empty() && low <= bands.back().High)
       {
         bands.back().High = high;
@@ -45,7 +46,6 @@ std::vector<ValueBand> OpaqueBands(const TransferFunction& transfer)
 
 std::optional<std::vector<ValueBand>> VisibleBands(const Blending& blending)
 {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   if (blending.Looks.size() != 1 || !blending.Others.empty())
   {
     return std::nullopt;
@@ -57,10 +57,36 @@ std::optional<std::vector<ValueBand>> VisibleBands(const Blending& blending)
       return OpaqueBands(blending.Looks.front().Transfer);
     case BlendMode::Average:
       return std::vector<ValueBand>{ { blending.AverageRange.x,
-        std::nextafter(blending.AverageRange.y, infinity) } };
+        std::nextafter(blending.AverageRange.y, Infinity) } };
+    case BlendMode::Maximum:
+    case BlendMode::Minimum:
+    {
+      const ValueBand seen = VisibleExtremes(blending);
+      if (seen == ValueBand{ -Infinity, Infinity })
+      {
+        return std::nullopt;
+      }
+      return seen.Low <= seen.High ? std::vector<ValueBand>{ seen } : std::vector<ValueBand>();
+    }
     default:
       return std::nullopt;
   }
+}
+
+ValueBand VisibleExtremes(const Blending& blending)
+{
+  if (blending.Looks.size() != 1)
+  {
+    return { -Infinity, Infinity };
+  }
+  const std::vector<ValueBand> bands = OpaqueBands(blending.Looks.front().Transfer);
+  if (bands.empty())
+  {
+    return { Infinity, -Infinity };
+  }
+  // A larger value hides a smaller one from a maximum, be it transparent or not.
+  return blending.Mode == BlendMode::Maximum ? ValueBand{ bands.front().Low, Infinity }
+                                             : ValueBand{ -Infinity, bands.back().High };
 }
 
 }

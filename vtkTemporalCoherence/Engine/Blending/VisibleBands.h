@@ -15,6 +15,10 @@ namespace TemporalCoherence
 /// value may be seen, or if there are several components.
 std::optional<std::vector<ValueBand>> VisibleBands(const Blending& blending);
 
+/// The extremes of rays that can be seen, in a mode of extremes; all beyond are transparent. All
+/// if there are several components that each have a look.
+ValueBand VisibleExtremes(const Blending& blending);
+
 }
 
 #endif

@@ -49,6 +49,7 @@ struct VolumeLights
       made.Attenuation = light.Attenuation;
       made.CosineOfCone = static_cast<float>(std::cos(light.ConeAngle * pi / 180.0));
       made.Exponent = light.Exponent;
+      this->AreWhite &= IsGrey(made.Diffuse) && IsGrey(made.Specular);
       this->All.push_back(made);
     }
   }
@@ -57,6 +58,10 @@ struct VolumeLights
   float Ambient;
   double SpecularPower;
   bool AreTwoSided, AreShiny;
+  bool AreWhite = true; ///< all channels get the same
+
+private:
+  static bool IsGrey(const glm::vec3& color) { return color.x == color.y && color.x == color.z; }
 };
 
 }

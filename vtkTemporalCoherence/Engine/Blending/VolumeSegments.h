@@ -5,21 +5,49 @@
 
 #include "Scene/RayBatch.h"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace TemporalCoherence
 {
 
-/// Cell segments in which something may be seen, at most one of each ray of a tile. Values are
-/// counted in bins (TransferTables).
+/// Parts of cell segments in which something may be seen, those of a ray from front to back, and in
+/// rows: in each, rays ascend. Values are counted in bins (TransferTables).
 struct VolumeSegments
 {
+  static constexpr std::size_t Capacity = 2 * RayBatch::Capacity;
+
   /// Vectors are stored from any place on.
   template <typename T>
-  struct alignas(64) Array : std::array<T, RayBatch::Capacity + WidestVector>
+  struct alignas(64) Array : std::array<T, Capacity + WidestVector>
   {
   };
+
+  /// True if there is no room for a segment of each ray.
+  bool IsFull() const
+  {
+    return static_cast<std::size_t>(this->Count) > Capacity - RayBatch::Capacity;
+  }
+
+  /// Where a vector ends that begins with a segment: before a ray comes a second time.
+  std::size_t EndOfVector(std::size_t first, std::size_t lanes) const
+  {
+    const std::size_t last = std::min(first + lanes, static_cast<std::size_t>(this->Count));
+    std::size_t end = first + 1;
+    while (end<last&& this->Ray[end]> this->Ray[end - 1])
+    {
+      ++end;
+    }
+    // Of the next row only rays before the first one.
+    for (std::size_t row = end; end < last && this->Ray[end] < this->Ray[first] &&
+         (end == row || this->Ray[end] > this->Ray[end - 1]);)
+    {
+      ++end;
+    }
+    return end;
+  }
 
   int Count = 0;
   Array<std::int32_t> Ray;
@@ -41,7 +69,7 @@ struct VolumeSegments
 struct SamplesAround
 {
   template <typename T>
-  using Array = RayBatch::Array<T>;
+  using Array = VolumeSegments::Array<T>;
 
   std::array<std::array<Array<float>, 4>, 4> Along;
   std::array<std::array<Array<float>, 2>, 8> Beside;

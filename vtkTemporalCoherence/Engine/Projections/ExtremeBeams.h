@@ -32,6 +32,7 @@ public:
     : Blocks(task.Samples, task.Ranges ? *task.Ranges : this->Build(task.Samples), task.IsMinimum)
     , Meeting(meeting)
     , Grid(task.Grid)
+    , Least(RoundedDown(task.IsMinimum ? -task.LeastSeen : task.LeastSeen))
     , Sign(task.IsMinimum ? -1.0 : 1.0)
     , Walk(std::move(walk))
   {
@@ -47,11 +48,11 @@ public:
       largest.Value[i] = static_cast<Real>(std::isnan(value) ? -infinity : this->Sign * value);
       largest.First[i] = found.First[i];
     }
+    const BeamSearch<Real> search{ this->Blocks, this->Meeting, this->Grid, this->Least };
     std::uint64_t walking = 0;
     for (const std::uint64_t which : Alike(rays))
     {
-      const bool isDone =
-        which == 0 || FindExtremes(this->Blocks, this->Meeting, this->Grid, rays, which, largest);
+      const bool isDone = which == 0 || FindExtremes(search, rays, which, largest);
       walking |= isDone ? 0 : which;
     }
     for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
@@ -104,6 +105,7 @@ private:
   TypedExtremeBlocks<T, Real> Blocks;
   const CellMeeting<Real>* Meeting;
   const GridCoordinates* Grid;
+  float Least; ///< that can be seen
   double Sign;
   std::unique_ptr<const ExtremeSearch> Walk;
 };

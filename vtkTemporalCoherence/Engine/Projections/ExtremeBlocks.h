@@ -8,9 +8,6 @@
 #include "Scene/Field.h"
 #include "Scene/RayBatch.h"
 #include "Trace/CellRoot.h"
-#include "Trace/CellSamples.h"
-
-#include <hwy/base.h>
 
 #include <algorithm>
 #include <array>
@@ -18,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 namespace TemporalCoherence
@@ -51,7 +49,40 @@ struct ExtremeCell
   glm::ivec3 Place;
   Corners<Real> Samples; ///< negated, if the smallest value is asked for
   Real Smallest, Largest;
-  float Bound; ///< not less than the largest
+};
+
+/// The samples of a leaf.
+template <typename Real>
+struct ExtremeLeaf
+{
+  static constexpr std::size_t Edge = ValueRangePyramid::LeafSize + 1;
+  static constexpr std::size_t RowLength = 8; ///< the last ones are not used, but finite
+
+  /// From sample (0, y, z) on.
+  const Real* Row(std::size_t y, std::size_t z) const
+  {
+    return &this->Samples[RowLength * (y + Edge * z)];
+  }
+
+  /// Corners of cell `number`: x + 4 y + 16 z.
+  Corners<Real> CornersOf(int number) const
+  {
+    const auto at = static_cast<std::size_t>(number);
+    const std::size_t x = at & 3, y = at >> 2 & 3, z = at >> 4;
+    Corners<Real> corners;
+    for (std::size_t row = 0; row < 4; ++row)
+    {
+      const Real* const from = this->Row(y + (row & 1), z + (row >> 1)) + x;
+      corners[2 * row] = from[0];
+      corners[2 * row + 1] = from[1];
+    }
+    return corners;
+  }
+
+  /// Negated, if the smallest values are asked for. Beyond the field, the last ones repeated.
+  alignas(64) std::array<Real, RowLength * Edge * Edge> Samples{};
+  /// One bit for each cell that is neither hidden nor has a sample that is not finite.
+  std::uint64_t Cells = 0;
 };
 
 /// Searches single cells for single rays.
@@ -112,11 +143,8 @@ public:
   /// The leaves of a node.
   virtual void BoundLeaves(std::int64_t node, Children& bounds) const = 0;
 
-  /// Read cells of a leaf, one bit each, that are neither hidden nor have a sample that is not
-  /// finite.
-  /// \return how many these are
-  virtual std::size_t Read(
-    const glm::ivec3& leaf, std::uint64_t cells, ExtremeCell<Real>* read) const = 0;
+  /// Read the leaf that begins with a cell.
+  virtual void Read(const glm::ivec3& first, ExtremeLeaf<Real>& leaf) const = 0;
 
   const glm::ivec3& Cells() const { return this->NumberOfCells; }
   const Level& Nodes() const { return this->OfNodes; }
@@ -170,6 +198,7 @@ public:
     , Ranges(ranges)
     , Samples(field)
     , Hidden(field.Hidden.get())
+    , AreFinite(std::isfinite(ranges.WholeRange().x) && std::isfinite(ranges.WholeRange().y))
     , Sign(isMinimum ? Real(-1) : Real(1))
   {
     this->OfNodes.Dimensions = ranges.NodeDimensions();
@@ -190,19 +219,34 @@ public:
     }
   }
 
-  std::size_t Read(
-    const glm::ivec3& leaf, std::uint64_t cells, ExtremeCell<Real>* read) const override
+  void Read(const glm::ivec3& first, ExtremeLeaf<Real>& leaf) const override
   {
-    cells &= this->CellsIn(leaf);
-    std::size_t count = 0;
-    for (; cells != 0; cells &= cells - 1)
+    constexpr int edge = ValueRangePyramid::LeafSize + 1;
+    const glm::ivec3 last = glm::min(this->NumberOfCells - first, glm::ivec3(edge - 1));
+    const bool areRows = last.x == edge - 1 && this->Samples.Strides.x == 1;
+    Real* row = leaf.Samples.data();
+    for (int z = 0; z < edge; ++z)
     {
-      const int number = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(cells));
-      ExtremeCell<Real>& cell = read[count];
-      cell.Place = leaf + glm::ivec3(number & 3, number >> 2 & 3, number >> 4);
-      count += this->ReadCell(cell);
+      for (int y = 0; y < edge; ++y, row += ExtremeLeaf<Real>::RowLength)
+      {
+        const T* const from =
+          this->Samples.At(first.x, first.y + std::min(y, last.y), first.z + std::min(z, last.z));
+        for (int x = 0; areRows && x < edge; ++x)
+        {
+          row[x] = this->Sign * static_cast<Real>(from[x]);
+        }
+        for (int x = 0; !areRows && x < edge; ++x)
+        {
+          row[x] =
+            this->Sign * static_cast<Real>(from[std::min(x, last.x) * this->Samples.Strides.x]);
+        }
+      }
     }
-    return count;
+    leaf.Cells = this->CellsIn(first);
+    if (!this->AreFinite)
+    {
+      leaf.Cells &= FiniteCells(leaf);
+    }
   }
 
 private:
@@ -219,20 +263,18 @@ private:
     return this->Hidden ? cells & ~this->Hidden->LeafAt(leaf) : cells;
   }
 
-  /// \return false if a sample is not finite
-  bool ReadCell(ExtremeCell<Real>& cell) const
+  /// One bit for each cell whose samples are finite.
+  static std::uint64_t FiniteCells(const ExtremeLeaf<Real>& leaf)
   {
-    const std::array<T, 8> samples = this->Samples.Read(cell.Place);
-    bool areFinite = true;
-    for (std::size_t i = 0; i < samples.size(); ++i)
+    std::uint64_t finite = 0;
+    for (int cell = 0; cell < 64; ++cell)
     {
-      cell.Samples[i] = this->Sign * static_cast<Real>(samples[i]);
-      areFinite = areFinite && (!std::is_floating_point_v<T> || std::isfinite(cell.Samples[i]));
+      const Corners<Real> corners = leaf.CornersOf(cell);
+      const bool areFinite = std::all_of(
+        corners.begin(), corners.end(), [](Real sample) { return std::isfinite(sample); });
+      finite |= static_cast<std::uint64_t>(areFinite) << cell;
     }
-    cell.Smallest = *std::min_element(cell.Samples.begin(), cell.Samples.end());
-    cell.Largest = *std::max_element(cell.Samples.begin(), cell.Samples.end());
-    cell.Bound = RoundedUp(cell.Largest);
-    return areFinite;
+    return finite;
   }
 
   float BoundOf(const Range& range) const
@@ -241,12 +283,19 @@ private:
     {
       return -std::numeric_limits<float>::infinity();
     }
-    return RoundedUp(this->Sign * static_cast<Real>(this->Sign > Real(0) ? range.Max : range.Min));
+    const Real largest =
+      this->Sign * static_cast<Real>(this->Sign > Real(0) ? range.Max : range.Min);
+    if constexpr (sizeof(T) <= 2 || std::is_same_v<T, float>)
+    {
+      return static_cast<float>(largest); // exact
+    }
+    return RoundedUp(largest);
   }
 
   const ValueRangePyramid& Ranges;
-  CellSamples<T> Samples;
+  TypedField<T> Samples;
   const HiddenCells* Hidden;
+  bool AreFinite; ///< all samples
   Real Sign;
 };
 

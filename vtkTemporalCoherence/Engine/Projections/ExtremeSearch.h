@@ -47,6 +47,9 @@ struct ExtremeTask
   const ValueRangePyramid* Ranges; ///< of the samples; null: they are found
   const GridCoordinates* Grid;     ///< where samples lie; null: at integers
   bool IsMinimum;
+  /// Extremes on this side of which nothing can be seen need not be found: smaller maxima, or
+  /// larger minima.
+  double LeastSeen;
   bool ByBeams = true; ///< false: rays walk from cell to cell
 };
 

@@ -3,10 +3,10 @@
 #include "Projections/ImageShares.h"
 
 #include "Blending/SegmentReader.h"
+#include "Blending/SegmentWalk.h"
 #include "Projections/KernelsShares.h"
 #include "Projections/ShareLook.h"
 #include "Projections/ShareTable.h"
-#include "Trace/KernelsWalk.h"
 
 #include <algorithm>
 #include <cmath>
@@ -68,19 +68,13 @@ public:
     BlendedRays::Array<double> first;
     first.fill(Infinity);
     std::swap(first, seen.First);
-    RayWalks walks(rays, which);
-    VolumeSegments segments;
     const WalkScene scene{ *this->Active, *this, this->Samples.Dimensions - 1 };
-    for (FindActiveCells(scene, walks); walks.Rays.Count > 0; FindActiveCells(scene, walks))
-    {
-      seen.CellsRead += walks.Rays.Count;
-      this->Reader.Find(walks, this->Seen, segments);
-      if (segments.Count > 0)
-      {
-        SharesKernels::AddSegments(this->Volume, segments, seen);
-      }
-      std::fill_n(walks.Distance.begin(), static_cast<std::size_t>(walks.Rays.Count), Infinity);
-    }
+    seen.CellsRead += SegmentWalk<T>(scene, this->Reader, this->Seen)
+                        .Trace(
+                          rays, which,
+                          [&](const VolumeSegments& segments)
+                          { SharesKernels::AddSegments(this->Volume, segments, seen); },
+                          [](std::size_t) { return true; });
     // Kernels count distances from where rays begin.
     for (std::size_t ray = 0; ray < static_cast<std::size_t>(rays.Count); ++ray)
     {

@@ -3,12 +3,12 @@
 #include "Projections/KernelsExtremes.h"
 
 #include "Beams/KernelsBeam.h"
+#include "Projections/BlockQueue.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <vector>
 
 // This file is compiled once for each kind of vectors, and what runs is chosen by the machine.
 #undef HWY_TARGET_INCLUDE
@@ -17,8 +17,11 @@
 
 #include "Beams/KernelsHull-inl.h"
 #include "Beams/KernelsLattice-inl.h"
+#include "Projections/KernelsCellBounds-inl.h"
 #include "Projections/KernelsCellStay-inl.h"
+#include "Projections/KernelsExactSearch-inl.h"
 #include "Projections/KernelsLargest-inl.h"
+#include "Projections/KernelsLeafBounds-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace TemporalCoherence
@@ -34,78 +37,108 @@ template <typename Real, class Planes>
 class ExtremeBeam
 {
 public:
-  ExtremeBeam(const ExtremeBlocks<Real>& blocks, const Planes& planes,
-    const CellMeeting<Real>* meeting, const RayBatch& rays, std::uint64_t which, TileBeam& beam,
-    BeamExtremes<Real>& found)
-    : Blocks(blocks)
-    , Meeting(meeting)
+  ExtremeBeam(const BeamSearch<Real>& search, const Planes& planes, const RayBatch& rays,
+    std::uint64_t which, TileBeam& beam, BeamExtremes<Real>& found)
+    : Blocks(search.Blocks)
+    , IsNearest(search.Meeting)
     , Between(planes)
     , Lattice(Planes::LatticeFor(beam, planes.Grid))
-    , Rays(rays)
     , Beam(beam)
     , Found(found)
+    , Exactly(planes, search.Meeting, rays, found)
     , Wanted(which)
   {
-    for (std::size_t i = 0; i < RayBatch::Capacity; ++i)
-    {
-      this->NoteReached(i);
-    }
+    this->Reached.fill(search.Least);
+    this->At.fill(TileBeam::Never);
+    this->NoteReached(which);
     this->Least = this->LeastOf(which);
   }
 
   void Search()
   {
-    std::vector<ExtremeBlock> nodes;
-    nodes.reserve(64);
+    BlockQueue nodes(64), leaves(256);
     this->CollectNodes(nodes);
-    std::sort(nodes.begin(), nodes.end());
     // The most promising node alone, so that it rules out many, and then all leaves of the others.
-    std::vector<ExtremeBlock> leaves;
-    leaves.reserve(256);
     bool isFirst = true;
-    for (const ExtremeBlock& node : nodes)
-    {
-      if (!this->IsWorth(node.Bound))
+    nodes.Empty(
+      [&](const ExtremeBlock& node) HWY_ATTR
       {
-        break;
-      }
-      if (this->FindWidened(
-            node.Place * ValueRangePyramid::NodeSize, ValueRangePyramid::NodeSize, node.Bound) != 0)
-      {
-        this->CollectLeaves(node, leaves);
-        if (isFirst)
+        if (!this->IsWorth(node.Bound))
         {
-          this->SearchLeaves(leaves);
-          isFirst = false;
+          return false;
         }
-      }
-    }
+        if (this->FindWidened(node.Place * ValueRangePyramid::NodeSize, ValueRangePyramid::NodeSize,
+              node.Bound) != 0)
+        {
+          this->CollectLeaves(node, leaves);
+          if (isFirst)
+          {
+            this->SearchLeaves(leaves);
+            isFirst = false;
+          }
+        }
+        return true;
+      });
     this->SearchLeaves(leaves);
+    this->Decide();
   }
 
 private:
   static constexpr int GroupSize = 4 * ValueRangePyramid::NodeSize;
 
-  /// What a ray has met, for blocks: rounded down, and its distance in the beam.
-  void NoteReached(std::size_t ray)
+  static constexpr std::size_t Lanes = hn::MaxLanes(Floats());
+
+  /// How a vector of rays passes the cell that is looked at.
+  struct alignas(64) Passed
   {
-    this->Reached[ray] = RoundedDown(this->Found.Value[ray]);
-    const double first = this->Found.First[ray];
-    this->At[ray] =
-      std::isfinite(first) ? this->Beam.DistanceOf(first) + this->Beam.Margin : TileBeam::Never;
+    float Enter[Lanes], Leave[Lanes];
+    std::uint64_t Which; ///< one bit for each ray that may have its largest value there
+    float LeastReached;  ///< by one of the rays that pass the leaf
+  };
+
+  /// A cell in which some rays of a vector may have their largest value.
+  struct alignas(64) OpenCell
+  {
+    float Most[Lanes], Enter[Lanes];
+    std::uint64_t Which; ///< one bit for each of these rays
+    std::size_t First;   ///< ray of the vector
+    std::size_t Cell;    ///< among those that are open
+  };
+
+  /// Take what has been found for some rays, one bit each, into account: rounded down, and its
+  /// distance in the beam.
+  void NoteReached(std::uint64_t rays)
+  {
+    for (; rays != 0; rays &= rays - 1)
+    {
+      const std::size_t ray = hwy::Num0BitsBelowLS1Bit_Nonzero64(rays);
+      const float value = RoundedDown(this->Found.Value[ray]);
+      const double first = this->Found.First[ray];
+      if (value >= this->Reached[ray] && std::isfinite(first))
+      {
+        const float at = this->Beam.DistanceOf(first) + this->Beam.Margin;
+        this->At[ray] = value > this->Reached[ray] ? at : std::min(at, this->At[ray]);
+        this->Reached[ray] = value;
+      }
+    }
   }
 
   /// The least that one of some rays, one bit each, has met.
   float LeastOf(std::uint64_t rays) const
   {
-    const V infinity = Set(std::numeric_limits<float>::infinity());
-    V least = infinity;
-    for (std::size_t i = 0; i < RayBatch::Capacity; i += hn::Lanes(Floats()))
+    V least = this->LeastIn(rays, 0);
+    for (std::size_t i = Lanes; i < RayBatch::Capacity; i += Lanes)
     {
-      const M isRay = beams::MaskOf(rays >> i);
-      least = hn::Min(least, hn::IfThenElse(isRay, Load(&this->Reached[i]), infinity));
+      least = hn::Min(least, this->LeastIn(rays, i));
     }
     return hn::GetLane(hn::MinOfLanes(Floats(), least));
+  }
+
+  /// What those of some rays that are in a vector have met; infinity where there is none.
+  HWY_INLINE V LeastIn(std::uint64_t rays, std::size_t i) const
+  {
+    const V infinity = Set(std::numeric_limits<float>::infinity());
+    return hn::IfThenElse(beams::MaskOf(rays >> i), Load(&this->Reached[i]), infinity);
   }
 
   /// False if no ray can meet more in a block, or if there is nothing in it.
@@ -125,7 +158,7 @@ private:
     }
   }
 
-  void CollectNodes(std::vector<ExtremeBlock>& nodes)
+  void CollectNodes(BlockQueue& nodes)
   {
     const auto& groups = this->Blocks.Groups();
     const glm::ivec3 tops = (groups.Dimensions + 3) / 4;
@@ -145,7 +178,7 @@ private:
     }
   }
 
-  void CollectIn(const glm::ivec3& group, std::vector<ExtremeBlock>& nodes)
+  void CollectIn(const glm::ivec3& group, BlockQueue& nodes)
   {
     const auto& all = this->Blocks.Nodes();
     this->ForEachChild(GroupSize * group, ValueRangePyramid::NodeSize,
@@ -154,36 +187,28 @@ private:
         const glm::ivec3 node = 4 * group + child;
         if (glm::all(glm::lessThan(node, all.Dimensions)) && this->IsWorth(all.BoundOf(node)))
         {
-          nodes.push_back(
+          nodes.Add(
             { node, all.BoundOf(node), DepthOf(this->Beam, node, ValueRangePyramid::NodeSize) });
         }
       });
   }
 
-  /// Where a vector of rays passes a box, and those that may meet more in it.
-  struct Passage
+  /// The rays of a vector that may have their largest value between where they enter and leave a
+  /// box.
+  HWY_INLINE M MayWiden(const Interval& passage, V bound, std::size_t i) const
   {
-    V Enter, Leave;
-    M Widens;
-  };
-
-  HWY_INLINE Passage Pass(const beams::CellFaces& faces, float bound, std::size_t i) const
-  {
-    const TileBeam& beam = this->Beam;
-    Passage passed{ Set(-TileBeam::Never), Set(TileBeam::Never), {} };
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      const V origin = Load(&beam.Origin[a][i]), inverse = Load(&beam.Inverse[a][i]);
-      passed.Enter = hn::Max(passed.Enter, hn::Mul(hn::Sub(Set(faces.Near[a]), origin), inverse));
-      passed.Leave = hn::Min(passed.Leave, hn::Mul(hn::Sub(Set(faces.Far[a]), origin), inverse));
-    }
-    const V behind = Load(&beam.Behind[i]), begin = Load(&beam.WalkBegin[i]);
+    const V behind = Load(&this->Beam.Behind[i]), begin = Load(&this->Beam.WalkBegin[i]);
     const M passes =
-      hn::And(hn::Le(passed.Enter, hn::Min(passed.Leave, behind)), hn::Ge(passed.Leave, begin));
-    const V reached = Load(&this->Reached[i]), all = Set(bound);
-    const M isAsMuch = hn::And(hn::Eq(reached, all), hn::Le(passed.Enter, Load(&this->At[i])));
-    passed.Widens = hn::And(passes, hn::Or(hn::Lt(reached, all), isAsMuch));
-    return passed;
+      hn::And(hn::Le(passage.Enter, hn::Min(passage.Leave, behind)), hn::Ge(passage.Leave, begin));
+    return hn::And(passes, this->IsOpen(passage.Enter, bound, i));
+  }
+
+  /// The rays of a vector that have met less than a bound, or as much and farther away.
+  HWY_INLINE M IsOpen(V enter, V bound, std::size_t i) const
+  {
+    const V reached = Load(&this->Reached[i]);
+    const M isAsMuch = hn::And(hn::Eq(reached, bound), hn::Le(enter, Load(&this->At[i])));
+    return hn::Or(hn::Lt(reached, bound), isAsMuch);
   }
 
   /// The wanted rays, one bit each, that may pass a block on their walk and meet more in it.
@@ -195,253 +220,228 @@ private:
     std::uint64_t widened = 0;
     for (std::size_t i = 0; i < RayBatch::Capacity; i += hn::Lanes(Floats()))
     {
-      widened |= BitsOf(this->Pass(faces, bound, i).Widens) << i;
+      const Interval passage = FindPassage(this->Beam, faces, i);
+      widened |= BitsOf(this->MayWiden(passage, Set(bound), i)) << i;
     }
     return widened & this->Wanted;
   }
 
-  /// Those of some rays that may pass a cell and meet more in it, by the cubic along them in single
-  /// precision.
-  HWY_INLINE std::uint64_t FindWidened(const ExtremeCell<Real>& cell, std::uint64_t which) const
-  {
-    const TileBeam& beam = this->Beam;
-    const auto box = this->Lattice.CellAt(cell.Place);
-    const beams::CellFaces faces(box, beam.Margin, beam.Flip);
-    CellValues values;
-    for (std::size_t row = 0; row < 4; ++row)
-    {
-      values.Set(row, static_cast<float>(cell.Samples[2 * row]),
-        static_cast<float>(cell.Samples[2 * row + 1]));
-    }
-    const float margin = beam.Margin * box.LargestShare();
-    // As for isosurfaces (CellSearch::ErrorIn). In a cell that is too thin nothing is told.
-    const float error = margin < 0x1p-5f ? values.Largest * (16.0f * margin + 0x1p-13f) + 1e-30f
-                                         : std::numeric_limits<float>::infinity();
-    std::uint64_t widened = 0;
-    constexpr std::uint64_t vector = (std::uint64_t(1) << hn::MaxLanes(Floats())) - 1;
-    for (std::size_t i = 0; i < RayBatch::Capacity; i += hn::Lanes(Floats()))
-    {
-      if ((which >> i & vector) == 0)
-      {
-        continue;
-      }
-      const Passage passed = this->Pass(faces, cell.Bound, i);
-      if (this->Meeting)
-      {
-        widened |= BitsOf(passed.Widens) << i;
-      }
-      else if (!hn::AllFalse(Floats(), passed.Widens))
-      {
-        V at[3], step[3];
-        beams::FindPathsIn(box, beam, hn::Max(passed.Enter, Load(&beam.Begin[i])),
-          hn::Min(passed.Leave, Load(&beam.End[i])), i, at, step);
-        const V most = beams::CubicsAlong(values, at, step).Largest;
-        const M isLess = hn::Lt(hn::Add(most, Set(error)), Load(&this->Reached[i]));
-        widened |= BitsOf(hn::AndNot(isLess, passed.Widens)) << i;
-      }
-    }
-    return widened & which;
-  }
-
-  void CollectLeaves(const ExtremeBlock& node, std::vector<ExtremeBlock>& leaves)
+  void CollectLeaves(const ExtremeBlock& node, BlockQueue& leaves)
   {
     const auto& dimensions = this->Blocks.Nodes().Dimensions;
     this->Blocks.BoundLeaves(node.Place.x +
         static_cast<std::int64_t>(dimensions.x) *
           (node.Place.y + static_cast<std::int64_t>(dimensions.y) * node.Place.z),
       this->Bounds);
-    this->ForEachChild(ValueRangePyramid::NodeSize * node.Place, ValueRangePyramid::LeafSize,
-      [&](const glm::ivec3& child, int number) HWY_ATTR
-      {
-        const float bound = this->Bounds[static_cast<std::size_t>(number)];
-        if (this->IsWorth(bound))
-        {
-          const glm::ivec3 leaf = 4 * node.Place + child;
-          leaves.push_back({ leaf, bound, DepthOf(this->Beam, leaf, ValueRangePyramid::LeafSize) });
-        }
-      });
+    std::uint64_t children = FindAtLeast(this->Bounds, this->Least);
+    children &=
+      this->Lattice.Cull(ValueRangePyramid::NodeSize * node.Place, ValueRangePyramid::LeafSize);
+    for (; children != 0; children &= children - 1)
+    {
+      const int number = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(children));
+      const glm::ivec3 leaf = 4 * node.Place + glm::ivec3(number & 3, number >> 2 & 3, number >> 4);
+      leaves.Add({ leaf, this->Bounds[static_cast<std::size_t>(number)],
+        DepthOf(this->Beam, leaf, ValueRangePyramid::LeafSize) });
+    }
   }
 
   /// Search leaves, and forget them.
-  void SearchLeaves(std::vector<ExtremeBlock>& leaves)
+  void SearchLeaves(BlockQueue& leaves)
   {
-    std::sort(leaves.begin(), leaves.end());
-    for (const ExtremeBlock& leaf : leaves)
-    {
-      if (!this->IsWorth(leaf.Bound))
+    leaves.Empty(
+      [&](const ExtremeBlock& leaf) HWY_ATTR
       {
-        break;
-      }
-      const glm::ivec3 first = ValueRangePyramid::LeafSize * leaf.Place;
-      const std::uint64_t rays = this->FindWidened(first, ValueRangePyramid::LeafSize, leaf.Bound);
-      if (rays != 0)
-      {
-        this->SearchLeaf(first, rays);
-      }
-    }
-    leaves.clear();
+        if (!this->IsWorth(leaf.Bound))
+        {
+          return false;
+        }
+        const glm::ivec3 first = ValueRangePyramid::LeafSize * leaf.Place;
+        const std::uint64_t rays =
+          this->FindWidened(first, ValueRangePyramid::LeafSize, leaf.Bound);
+        if (rays != 0)
+        {
+          this->SearchLeaf(first, rays);
+        }
+        return true;
+      });
   }
 
-  void SearchLeaf(const glm::ivec3& leaf, std::uint64_t rays)
+  void SearchLeaf(const glm::ivec3& first, std::uint64_t rays)
   {
-    const std::size_t count = this->Blocks.Read(leaf, this->Lattice.Cull(leaf, 1), this->Cells);
-    const float least = this->LeastOf(rays);
-    for (std::size_t i = 0; i < count; ++i)
+    this->Blocks.Read(first, this->Leaf);
+    FindEnds(this->Leaf, this->Ends, this->Bounds);
+    float least = std::numeric_limits<float>::infinity();
+    for (std::size_t i = 0; i < RayBatch::Capacity; i += Lanes)
     {
-      const ExtremeCell<Real>& cell = this->Cells[i];
-      if (cell.Bound >= least)
+      Passed& passed = this->OfCell[i / Lanes];
+      passed.LeastReached = hn::GetLane(hn::MinOfLanes(Floats(), this->LeastIn(rays, i)));
+      least = std::min(least, passed.LeastReached);
+    }
+    std::uint64_t cells = this->Leaf.Cells & FindAtLeast(this->Bounds, least);
+    cells &= cells != 0 ? this->Lattice.Cull(first, 1) : 0;
+    for (; cells != 0; cells &= cells - 1)
+    {
+      const int number = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(cells));
+      const glm::ivec3 place = first + glm::ivec3(number & 3, number >> 2 & 3, number >> 4);
+      const auto box = this->Lattice.CellAt(place);
+      if (this->FindPassed(box, this->Bounds[static_cast<std::size_t>(number)], rays))
       {
-        const std::uint64_t widens = this->FindWidened(cell, rays);
-        if (widens != 0)
-        {
-          this->SearchCell(cell, widens);
-        }
+        this->SearchCell(place, box, number);
       }
     }
     this->Least = this->LeastOf(this->Wanted);
   }
 
-  /// Let rays, one bit each, meet a cell one by one.
-  void MeetCell(const ExtremeCell<Real>& cell, std::uint64_t rays)
+  /// Find which of some rays, one bit each, may have their largest value in a cell, by its bound.
+  /// \return false if there is none
+  template <class Box>
+  HWY_INLINE bool FindPassed(const Box& box, float bound, std::uint64_t rays)
   {
-    this->Found.CellsRead += static_cast<std::int64_t>(hwy::PopCount(rays));
-    for (; rays != 0; rays &= rays - 1)
+    const beams::CellFaces faces(box, this->Beam.Margin, this->Beam.Flip);
+    std::uint64_t any = 0;
+    for (std::size_t i = 0; i < RayBatch::Capacity; i += Lanes)
     {
-      const std::size_t ray = hwy::Num0BitsBelowLS1Bit_Nonzero64(rays);
-      Real value;
-      double at;
-      if (this->Meeting->Meet(this->Rays, ray, cell, value, at))
+      Passed& passed = this->OfCell[i / Lanes];
+      passed.Which = 0;
+      if (bound >= passed.LeastReached)
       {
-        this->Keep(ray, value, at);
+        const Interval passage = FindPassage(this->Beam, faces, i);
+        passed.Which = BitsOf(this->MayWiden(passage, Set(bound), i)) & rays >> i;
+        hn::StoreU(passage.Enter, Floats(), passed.Enter);
+        hn::StoreU(passage.Leave, Floats(), passed.Leave);
+        any |= passed.Which;
       }
     }
+    return any != 0;
   }
 
-  void SearchCell(const ExtremeCell<Real>& cell, std::uint64_t rays)
+  /// Search a cell of the leaf for the rays that pass it.
+  template <class Box>
+  HWY_INLINE void SearchCell(const glm::ivec3& place, const Box& box, int number)
   {
-    if (this->Meeting)
+    const auto at = static_cast<std::size_t>(number);
+    ExtremeCell<Real>& cell = this->Cells[this->NumberOfCells];
+    cell.Place = place;
+    cell.Samples = this->Leaf.CornersOf(number);
+    cell.Smallest = this->Ends.Smallest[at];
+    cell.Largest = this->Ends.Largest[at];
+    const BoundedCell<Real, Box> bounded(cell, this->Bounds[at], box, this->Beam);
+    bool isOpen = false;
+    for (std::size_t i = 0; i < RayBatch::Capacity; i += Lanes)
     {
-      this->MeetCell(cell, rays);
-      return;
+      const Passed& passed = this->OfCell[i / Lanes];
+      this->Found.CellsRead += static_cast<std::int64_t>(hwy::PopCount(passed.Which));
+      if (passed.Which != 0 && this->IsNearest)
+      {
+        this->NoteReached(this->Exactly.Search(cell, i, passed.Which));
+      }
+      else if (passed.Which != 0)
+      {
+        const Interval passage{ Load(passed.Enter), Load(passed.Leave) };
+        const MetValues met = bounded.Meet(passage, Load(&this->Reached[i]), i);
+        const std::uint64_t open = passed.Which & BitsOf(this->IsOpen(passage.Enter, met.Most, i));
+        if (open != 0)
+        {
+          this->NoteLeast(passage, met.Least, beams::MaskOf(open), i);
+          this->Append(passage, met.Most, open, i);
+          isOpen = true;
+        }
+      }
     }
-    constexpr std::size_t lanes = hn::MaxLanes(hn::CappedTag<Real, WidestVector>());
-    while (rays != 0)
+    this->NumberOfCells += isOpen ? 1 : 0;
+    if (this->NumberOfCells == MostCells)
     {
-      const std::size_t i = hwy::Num0BitsBelowLS1Bit_Nonzero64(rays) & ~(lanes - 1);
-      const std::uint64_t these = (std::uint64_t(1) << lanes) - 1;
-      this->SearchVector(cell, i, rays >> i & these);
-      rays &= ~(these << i);
-    }
-  }
-
-  /// Let a vector of rays, some of which, one bit each, may meet more, meet a cell.
-  HWY_INLINE void SearchVector(
-    const ExtremeCell<Real>& cell, std::size_t first, std::uint64_t which)
-  {
-    CellStay<Real> stays;
-    which &= FindStay(this->Between, cell.Place, this->Rays, first, stays);
-    this->Found.CellsRead += static_cast<std::int64_t>(hwy::PopCount(which));
-    if (which == 0)
-    {
-      return;
-    }
-    const hn::CappedTag<Real, WidestVector> d;
-    using Vector = hn::Vec<decltype(d)>;
-    Vector corners[8], begin[3], end[3], b[4];
-    for (std::size_t corner = 0; corner < 8; ++corner)
-    {
-      corners[corner] = hn::Set(d, cell.Samples[corner]);
-    }
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      begin[a] = hn::LoadU(d, stays.Begin[a]);
-      end[a] = hn::LoadU(d, stays.End[a]);
-    }
-    segments::CubicsBetween(d, corners, begin, end, b);
-    const Vector reached = hn::LoadU(d, &this->Found.Value[first]);
-    const Vector most = hn::Max(hn::Max(b[0], b[1]), hn::Max(b[2], b[3]));
-    if (hn::AllFalse(d, hn::Ge(most, reached)) &&
-      hn::AllFalse(d, hn::Ge(hn::Set(d, cell.Smallest), reached)))
-    {
-      return;
-    }
-    Vector value, share;
-    LargestOf(d, b, most, value, share);
-    value = hn::Min(hn::Max(value, hn::Set(d, cell.Smallest)), hn::Set(d, cell.Largest));
-    which &= BitsIn(d, hn::Ge(value, reached));
-    alignas(64) Real values[WidestVector], shares[WidestVector];
-    hn::Store(value, d, values);
-    hn::Store(share, d, shares);
-    this->Keep(first, which, stays, values, shares);
-  }
-
-  HWY_INLINE void Keep(std::size_t first, std::uint64_t which, const CellStay<Real>& stays,
-    const Real* values, const Real* shares)
-  {
-    for (; which != 0; which &= which - 1)
-    {
-      const std::size_t i = hwy::Num0BitsBelowLS1Bit_Nonzero64(which), ray = first + i;
-      const double at =
-        stays.Enter[i] + static_cast<double>(shares[i]) * (stays.Leave[i] - stays.Enter[i]);
-      this->Keep(ray, values[i], at);
+      this->Decide();
     }
   }
 
-  HWY_INLINE void Keep(std::size_t ray, Real value, double at)
+  /// Rays of a vector meet values that are not less than these on a passage.
+  HWY_INLINE void NoteLeast(const Interval& passage, V least, M which, std::size_t i)
   {
-    const Real before = this->Found.Value[ray];
-    if (value > before || (value == before && at < this->Found.First[ray]))
-    {
-      this->Found.Value[ray] = value;
-      this->Found.First[ray] = at;
-      this->NoteReached(ray);
-    }
+    const V reached = Load(&this->Reached[i]), at = Load(&this->At[i]);
+    const M isMore = hn::And(which, hn::Gt(least, reached));
+    const M isNearer = hn::And(which, hn::And(hn::Eq(least, reached), hn::Lt(passage.Leave, at)));
+    hn::StoreU(hn::IfThenElse(isMore, least, reached), Floats(), &this->Reached[i]);
+    hn::StoreU(hn::IfThenElse(hn::Or(isMore, isNearer), passage.Leave, at), Floats(), &this->At[i]);
   }
+
+  HWY_INLINE void Append(const Interval& passage, V most, std::uint64_t which, std::size_t i)
+  {
+    OpenCell& open = this->Open[this->NumberOpen++];
+    hn::StoreU(most, Floats(), open.Most);
+    hn::StoreU(passage.Enter, Floats(), open.Enter);
+    open.Which = which;
+    open.First = i;
+    open.Cell = this->NumberOfCells;
+  }
+
+  /// Search open cells in full precision, and forget them.
+  void Decide()
+  {
+    for (std::size_t number = 0; number < this->NumberOpen; ++number)
+    {
+      const OpenCell& open = this->Open[number];
+      const M isOpen = this->IsOpen(Load(open.Enter), Load(open.Most), open.First);
+      const std::uint64_t which = open.Which & BitsOf(isOpen);
+      if (which != 0)
+      {
+        this->NoteReached(this->Exactly.Search(this->Cells[open.Cell], open.First, which));
+      }
+    }
+    this->NumberOpen = this->NumberOfCells = 0;
+  }
+
+  /// Cells that are open at a time, and entries of their rays.
+  static constexpr std::size_t MostCells = 64;
+  static constexpr std::size_t MostOpen = MostCells * RayBatch::Capacity / Lanes;
 
   const ExtremeBlocks<Real>& Blocks;
-  const CellMeeting<Real>* Meeting; ///< with nearest interpolation
+  bool IsNearest; ///< interpolation is: cells are met in full precision at once
   Planes Between;
   typename Planes::Lattice Lattice;
-  const RayBatch& Rays;
   const TileBeam& Beam;
   BeamExtremes<Real>& Found;
+  ExactSearch<Real, Planes> Exactly;
   std::uint64_t Wanted;                                  ///< one bit for each ray
   float Least = -std::numeric_limits<float>::infinity(); ///< that a ray has met
+  /// What rays have met for sure, or what need not be found, and before which distance.
   alignas(64) std::array<float, 64> Reached, At;
-  typename ExtremeBlocks<Real>::Children Bounds;
-  ExtremeCell<Real> Cells[64];
+  alignas(64)
+    typename ExtremeBlocks<Real>::Children Bounds; ///< of a node's leaves, or a leaf's cells
+  ExtremeLeaf<Real> Leaf;
+  CellEnds<Real> Ends; ///< of its cells
+  Passed OfCell[RayBatch::Capacity / Lanes];
+  std::size_t NumberOfCells = 0, NumberOpen = 0;
+  ExtremeCell<Real> Cells[MostCells]; ///< those that are open, and the one that is looked at
+  OpenCell Open[MostOpen];
 };
 
 template <typename Real>
-void FindAll(const ExtremeBlocks<Real>& blocks, const CellMeeting<Real>* meeting,
-  const GridCoordinates* grid, const RayBatch& rays, std::uint64_t which, TileBeam& beam,
-  BeamExtremes<Real>& found)
+void FindAll(const BeamSearch<Real>& search, const RayBatch& rays, std::uint64_t which,
+  TileBeam& beam, BeamExtremes<Real>& found)
 {
-  if (grid)
+  if (search.Grid)
   {
-    const RectilinearPlanes planes{ grid };
-    ExtremeBeam<Real, RectilinearPlanes>(blocks, planes, meeting, rays, which, beam, found)
-      .Search();
+    const RectilinearPlanes planes{ search.Grid };
+    ExtremeBeam<Real, RectilinearPlanes>(search, planes, rays, which, beam, found).Search();
   }
   else
   {
     const UniformPlanes planes{ nullptr };
-    ExtremeBeam<Real, UniformPlanes>(blocks, planes, meeting, rays, which, beam, found).Search();
+    ExtremeBeam<Real, UniformPlanes>(search, planes, rays, which, beam, found).Search();
   }
 }
 
-void FindFloat(const ExtremeBlocks<float>& blocks, const CellMeeting<float>* meeting,
-  const GridCoordinates* grid, const RayBatch& rays, std::uint64_t which, TileBeam& beam,
-  BeamExtremes<float>& found)
+void FindFloat(const BeamSearch<float>& search, const RayBatch& rays, std::uint64_t which,
+  TileBeam& beam, BeamExtremes<float>& found)
 {
-  FindAll(blocks, meeting, grid, rays, which, beam, found);
+  FindAll(search, rays, which, beam, found);
 }
 
-void FindDouble(const ExtremeBlocks<double>& blocks, const CellMeeting<double>* meeting,
-  const GridCoordinates* grid, const RayBatch& rays, std::uint64_t which, TileBeam& beam,
-  BeamExtremes<double>& found)
+void FindDouble(const BeamSearch<double>& search, const RayBatch& rays, std::uint64_t which,
+  TileBeam& beam, BeamExtremes<double>& found)
 {
-  FindAll(blocks, meeting, grid, rays, which, beam, found);
+  FindAll(search, rays, which, beam, found);
 }
 
 }
@@ -458,31 +458,29 @@ HWY_EXPORT(FindFloat);
 HWY_EXPORT(FindDouble);
 }
 
-bool FindExtremes(const ExtremeBlocks<float>& blocks, const CellMeeting<float>* meeting,
-  const GridCoordinates* grid, const RayBatch& rays, std::uint64_t which,
+bool FindExtremes(const BeamSearch<float>& search, const RayBatch& rays, std::uint64_t which,
   BeamExtremes<float>& found)
 {
   using namespace ExtremeKernels;
   TileBeam beam;
-  if (!SetUpBeam(rays, which, blocks.Cells(), beam) || !beam.AreAlike)
+  if (!SetUpBeam(rays, which, search.Blocks.Cells(), beam) || !beam.AreAlike)
   {
     return false;
   }
-  HWY_DYNAMIC_DISPATCH(FindFloat)(blocks, meeting, grid, rays, which, beam, found);
+  HWY_DYNAMIC_DISPATCH(FindFloat)(search, rays, which, beam, found);
   return true;
 }
 
-bool FindExtremes(const ExtremeBlocks<double>& blocks, const CellMeeting<double>* meeting,
-  const GridCoordinates* grid, const RayBatch& rays, std::uint64_t which,
+bool FindExtremes(const BeamSearch<double>& search, const RayBatch& rays, std::uint64_t which,
   BeamExtremes<double>& found)
 {
   using namespace ExtremeKernels;
   TileBeam beam;
-  if (!SetUpBeam(rays, which, blocks.Cells(), beam) || !beam.AreAlike)
+  if (!SetUpBeam(rays, which, search.Blocks.Cells(), beam) || !beam.AreAlike)
   {
     return false;
   }
-  HWY_DYNAMIC_DISPATCH(FindDouble)(blocks, meeting, grid, rays, which, beam, found);
+  HWY_DYNAMIC_DISPATCH(FindDouble)(search, rays, which, beam, found);
   return true;
 }
 

@@ -22,16 +22,22 @@ struct BeamExtremes
   std::int64_t CellsRead = 0;
 };
 
+/// What beams search.
+template <typename Real>
+struct BeamSearch
+{
+  const ExtremeBlocks<Real>& Blocks;
+  const CellMeeting<Real>* Meeting; ///< with nearest interpolation: searches cells; else null
+  const GridCoordinates* Grid;      ///< where samples lie; null: at integers
+  float Least;                      ///< values that are less need not be found
+};
+
 /// Widen the largest values by those that some rays, one bit each, meet: the same bits as
 /// ExtremeWalk finds.
-/// \param meeting with nearest interpolation: searches cells; null: interpolation is linear
-/// \param grid    where samples lie; null: at integers
 /// \return false if these rays cannot go as a beam
-bool FindExtremes(const ExtremeBlocks<float>& blocks, const CellMeeting<float>* meeting,
-  const GridCoordinates* grid, const RayBatch& rays, std::uint64_t which,
+bool FindExtremes(const BeamSearch<float>& search, const RayBatch& rays, std::uint64_t which,
   BeamExtremes<float>& found);
-bool FindExtremes(const ExtremeBlocks<double>& blocks, const CellMeeting<double>* meeting,
-  const GridCoordinates* grid, const RayBatch& rays, std::uint64_t which,
+bool FindExtremes(const BeamSearch<double>& search, const RayBatch& rays, std::uint64_t which,
   BeamExtremes<double>& found);
 
 }

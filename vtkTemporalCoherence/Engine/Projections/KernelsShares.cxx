@@ -149,15 +149,15 @@ private:
 class SegmentVector
 {
 public:
-  HWY_INLINE SegmentVector(
-    const SharedVolume& volume, const VolumeSegments& segments, std::size_t first)
+  HWY_INLINE SegmentVector(const SharedVolume& volume, const VolumeSegments& segments,
+    std::size_t first, std::size_t count)
     : Volume(volume)
     , Segments(segments)
     , At(first)
     , Function(volume.Table)
   {
     const Floats d;
-    this->IsSegment = hn::FirstN(d, static_cast<std::size_t>(segments.Count) - first);
+    this->IsSegment = hn::FirstN(d, count);
     const auto load = [&](const VolumeSegments::Array<float>& array) HWY_ATTR
     { return hn::IfThenElseZero(this->IsSegment, hn::LoadU(d, &array[first])); };
     this->Length = load(segments.Length);
@@ -337,9 +337,10 @@ template <bool isAverage>
 HWY_INLINE void AddAll(
   const SharedVolume& volume, const VolumeSegments& segments, BlendedRays& seen)
 {
-  for (std::size_t i = 0; i < static_cast<std::size_t>(segments.Count); i += hn::Lanes(Floats()))
+  for (std::size_t i = 0, end = 0; i < static_cast<std::size_t>(segments.Count); i = end)
   {
-    SegmentVector vector(volume, segments, i);
+    end = segments.EndOfVector(i, hn::Lanes(Floats()));
+    SegmentVector vector(volume, segments, i, end - i);
     vector.Add<isAverage>();
     vector.Finish(seen);
   }

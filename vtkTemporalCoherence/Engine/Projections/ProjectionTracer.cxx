@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Projections/ProjectionTracer.h"
 
+#include "Blending/VisibleBands.h"
 #include "Projections/ExtremeLook.h"
 #include "Sampling/RaySamples.h"
 
@@ -23,13 +24,15 @@ public:
   ExtremeTracer(const BlendScene& scene, const GridCoordinates* grid, ExtremeSearchMaker make)
     : ExtremeLook(scene, grid)
   {
+    const ValueBand visible = VisibleExtremes(this->Volume);
+    const double least = this->IsMinimum() ? visible.High : visible.Low;
     for (std::size_t part = 0; part < this->Looks.Parts(); ++part)
     {
       const std::size_t component = this->Looks.OpacityOf(part);
       const bool isFirst = component == 0;
       this->Searches.push_back(
         make({ isFirst ? scene.Key.Samples : this->Volume.Others[component - 1],
-          isFirst ? scene.Ranges : nullptr, grid, this->IsMinimum() }));
+          isFirst ? scene.Ranges : nullptr, grid, this->IsMinimum(), least }));
     }
   }
 

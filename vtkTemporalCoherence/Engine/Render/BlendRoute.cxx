@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Blending/BlendTracer.h"
+#include "Projections/MetValues.h"
 #include "Render/RouteSteps.h"
 #include "Render/Routes.h"
 #include "Trace/RayPieces.h"
@@ -26,10 +27,13 @@ std::uint8_t ByteOf(double share)
 class TileBlender
 {
 public:
+  /// \param last a frame whose rays have met the same values; null: nothing is known
   /// \throws NoBlendTracer, std::bad_alloc
-  TileBlender(const FrameTask& task, const LeapedSpace& space)
+  TileBlender(const FrameTask& task, const LeapedSpace& space, const Frame* last = nullptr)
     : Key(task.Key)
     , Space(space)
+    , Last(last)
+    , IsAllKnown(last && KnowsAllExtremes(last->MetWithin, Key.Volume))
     , Rays(Key.View, Key.Transform, Key.Samples.Dimensions, Key.Region)
     , Tracer(Key.Samples.HasCells()
           ? BlendTracer::Make({ Key, space.Active, &task.Structures.Pyramid() })
@@ -44,10 +48,7 @@ public:
   TraceCounts Blend(std::int64_t tile, const PixelRect& part, Frame& frame) const
   {
     TraceCounts counts;
-    // A sum of nothing is black.
-    const bool isEmpty = this->Space.Active && this->Space.Bounds->At(tile).IsEmpty() &&
-      this->Key.Volume.Mode != BlendMode::Additive;
-    if (!this->Tracer || isEmpty)
+    if (!this->Tracer || this->IsEmpty(tile))
     {
       StoreMisses(tile, part, this->Key.View.Parallel, frame);
       counts.DefiniteMisses = static_cast<std::int64_t>(part.Size.x) * part.Size.y;
@@ -64,14 +65,28 @@ public:
     }
     BlendedRays seen;
     this->Tracer->Begin(seen);
-    this->Trace(rays, world, seen);
+    const std::uint64_t met = this->Last ? TakeMet(this->Key.Volume, tile, *this->Last, seen) : 0;
+    const std::uint64_t known = this->IsAllKnown ? ~std::uint64_t(0) : met;
+    this->Trace(rays, known, world, seen);
+    if (!frame.Met.empty())
+    {
+      KeepMet(this->Key.Volume, tile, seen, frame);
+    }
     this->Tracer->Finish(rays, world, seen);
-    this->Store(rays, seen, frame, counts);
+    this->Store(rays, known, seen, frame, counts);
     counts.CellsRead = seen.CellsRead;
     return counts;
   }
 
 private:
+  /// True if nothing can be seen in a tile. A sum of nothing is black.
+  bool IsEmpty(std::int64_t tile) const
+  {
+    return this->Key.Volume.Mode != BlendMode::Additive &&
+      ((this->IsAllKnown && this->Last->ClearTiles[static_cast<std::size_t>(tile)]) ||
+        (this->Space.Active && this->Space.Bounds->At(tile).IsEmpty()));
+  }
+
   /// Rays end at opaque things.
   void EndWhereHidden(RayBatch& rays) const
   {
@@ -86,25 +101,49 @@ private:
     }
   }
 
-  void Trace(const RayBatch& rays, const WorldDirections& world, BlendedRays& seen) const
+  /// Trace all rays but those that are known, one bit each.
+  void Trace(const RayBatch& rays, std::uint64_t known, const WorldDirections& world,
+    BlendedRays& seen) const
   {
-    if (!this->Rays.Clipper.HasPieces())
+    if (known == 0 && !this->Rays.Clipper.HasPieces())
     {
       this->Tracer->Trace(rays, world, seen);
-      return;
     }
-    const RayPieces pieces(this->Rays.Clipper, rays);
-    for (std::size_t piece = 0; piece < RegionClipper::MostPieces; ++piece)
+    else if (!this->Rays.Clipper.HasPieces())
     {
-      RayBatch part = rays;
-      if (pieces.Clip(piece, part) != 0)
+      this->TraceUnknown(rays, known, world, seen);
+    }
+    else if (~known != 0)
+    {
+      const RayPieces pieces(this->Rays.Clipper, rays);
+      for (std::size_t piece = 0; piece < RegionClipper::MostPieces; ++piece)
       {
-        this->Tracer->Trace(part, world, seen);
+        RayBatch part = rays;
+        if (pieces.Clip(piece, part) != 0)
+        {
+          this->TraceUnknown(part, known, world, seen);
+        }
       }
     }
   }
 
-  void Store(const RayBatch& rays, const BlendedRays& seen, Frame& frame, TraceCounts& counts) const
+  void TraceUnknown(
+    const RayBatch& all, std::uint64_t known, const WorldDirections& world, BlendedRays& seen) const
+  {
+    if (~known == 0)
+    {
+      return;
+    }
+    RayBatch rays = all;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(rays.Count); ++i)
+    {
+      rays.End[i] = known >> i & 1 ? rays.Begin[i] : rays.End[i];
+    }
+    this->Tracer->Trace(rays, world, seen);
+  }
+
+  void Store(const RayBatch& rays, std::uint64_t known, const BlendedRays& seen, Frame& frame,
+    TraceCounts& counts) const
   {
     HitBatch hits;
     hits.Clear(rays.Count);
@@ -131,38 +170,66 @@ private:
       const auto pixel = static_cast<std::size_t>(rays.Pixel[i]);
       frame.Colors[pixel] = color;
       frame.Normals[pixel] = glm::vec3(0.0f);
-      answers[i] = rays.HasWalk(i) ? Answer::PossibleHit : Answer::DefiniteMiss;
-      counts.TracedRays += rays.HasWalk(i);
-      ++(rays.HasWalk(i) ? counts.PossibleHits : counts.DefiniteMisses);
+      const bool isTraced = rays.HasWalk(i) && !(known >> i & 1);
+      const bool isHit = isSeen && !isTraced;
+      answers[i] =
+        isTraced ? Answer::PossibleHit : (isHit ? Answer::DefiniteHit : Answer::DefiniteMiss);
+      counts.TracedRays += isTraced;
+      counts.PossibleHits += isTraced;
+      counts.DefiniteHits += isHit;
+      counts.DefiniteMisses += !isTraced && !isHit;
     }
     StoreHits(rays, hits, answers, this->Key.View.Parallel, frame);
   }
 
   const FrameKey& Key;
   LeapedSpace Space;
+  const Frame* Last;
+  bool IsAllKnown; ///< of what is seen, without a search
   RaySource Rays;
   std::shared_ptr<const BlendTracer> Tracer;
 };
 
 /// Make room for the frame, and find out where its rays can see anything.
-LeapedSpace BeginBlending(FrameTask& task)
+/// \param searches false: they are not searched
+LeapedSpace BeginBlending(FrameTask& task, bool searches)
 {
   Stopwatch watch(task.Statistics.TraceTime);
-  const bool leaps = task.Options.SpaceLeaping && task.Structures.PrepareVisibleCells(task.Key);
+  const bool leaps =
+    searches && task.Options.SpaceLeaping && task.Structures.PrepareVisibleCells(task.Key);
   task.Costs = nullptr; // there are no isomaps
-  task.Store.Begin(task.Key, FrameExtras());
+  FrameExtras extras;
+  extras.Met = task.Options.Reuse.ImageCache ? NumbersMet(task.Key.Volume) : 0;
+  task.Store.Begin(task.Key, extras);
+  task.Store.Next().Picture.MetWithin = ExtremesMet(task.Key.Volume);
   return task.Structures.VisibleSpace(leaps);
+}
+
+bool BlendTiles(FrameTask& task, const TileBlender& blender)
+{
+  return MakeTiles(task,
+    [&](std::int64_t tile, const PixelRect& part, Frame& frame)
+    { return blender.Blend(tile, part, frame); });
 }
 
 }
 
 bool BlendCold(FrameTask& task)
 {
-  const LeapedSpace space = BeginBlending(task);
-  const TileBlender blender(task, space);
-  return MakeTiles(task,
-    [&](std::int64_t tile, const PixelRect& part, Frame& frame)
-    { return blender.Blend(tile, part, frame); });
+  const LeapedSpace space = BeginBlending(task, true);
+  return BlendTiles(task, TileBlender(task, space));
+}
+
+bool BlendKnownValues(FrameTask& task)
+{
+  const Frame& last = task.Store.Last().Picture;
+  const bool isAllKnown = KnowsAllExtremes(last.MetWithin, task.Key.Volume);
+  const LeapedSpace space = BeginBlending(task, !isAllKnown);
+  if (isAllKnown)
+  {
+    task.Store.Next().Picture.MetWithin = last.MetWithin;
+  }
+  return BlendTiles(task, TileBlender(task, space, &last));
 }
 
 }

@@ -89,6 +89,8 @@ bool FrameRenderer::Make(Route& route, FrameTask& task, CachedImage* nearest)
       return CompositeKnownLayers(task);
     case Route::KeepLayers:
       return KeepKnownLayers(task);
+    case Route::KeepValues:
+      return BlendKnownValues(task);
     case Route::Cold:
       break;
   }
@@ -124,6 +126,7 @@ Route FrameRenderer::ChooseRoute(const FrameKey& key, const Options& options, bo
   held.IsIsomapExact = this->Map.Built().Tolerance() == 0.0 && !options.Map.HasNormals;
   held.Isomap = this->Map.Covers(key, options.Map);
   held.ShareToTrace = this->Changes.ShareToTrace();
+  held.Values = !last.Picture.Met.empty();
   ReuseSwitches switches = options.Reuse;
   // A picture from an isomap does not serve a request with another tolerance.
   switches.RefineWhenStill |= !(this->LastForm == Isomap::FormFor(key, options.Map));

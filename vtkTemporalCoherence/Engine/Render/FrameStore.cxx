@@ -62,10 +62,13 @@ void FrameStore::Finish(const ImageCache::Options& options)
     std::vector<std::vector<LayerHit>> layers = std::move(this->Back->Picture.Layers);
     this->Back->Picture.Layers = {};
     this->Back->Picture.Behind = {};
+    Plane<double> met;
+    met.swap(this->Back->Picture.Met);
     this->Back = dropped;
     if (this->Back)
     {
       this->Back->Picture.Layers = std::move(layers);
+      this->Back->Picture.Met.swap(met);
     }
   }
 }

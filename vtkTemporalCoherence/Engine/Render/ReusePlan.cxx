@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Render/ReusePlan.h"
 
+#include "Projections/MetValues.h"
+
 #include <algorithm>
 #include <vector>
 
@@ -49,11 +51,17 @@ bool KnowsSomeLayers(
 }
 
 /// The route to or from a picture without isosurfaces.
-Route PlanVolume(const FrameChange& change)
+Route PlanVolume(const FrameChange& change, const FrameKey& last, const FrameKey& next,
+  const ReuseSwitches& switches, const HeldForReuse& held)
 {
-  const bool isSame = !change.Data && !change.View && !change.Surfaces && !change.Opacity &&
-    !change.Appearance && !change.Volume;
-  return isSame ? Route::Redisplay : Route::Cold;
+  const bool isOther = change.Data || change.View || change.Surfaces || change.Opacity;
+  if (!isOther && !change.Appearance && !change.Volume)
+  {
+    return Route::Redisplay;
+  }
+  const bool isKnown =
+    switches.ImageCache && held.Values && MeetSameValues(last.Volume, next.Volume);
+  return !isOther && isKnown ? Route::KeepValues : Route::Cold;
 }
 
 }
@@ -80,6 +88,8 @@ const char* NameOf(Route route)
       return "Recomposite";
     case Route::KeepLayers:
       return "KeepLayers";
+    case Route::KeepValues:
+      return "KeepValues";
   }
   return "";
 }
@@ -90,7 +100,7 @@ Route PlanRoute(const FrameKey& last, const FrameKey& next, const ReuseSwitches&
   const FrameChange change = CompareFrames(last, next);
   if (last.Volume.IsOn() || next.Volume.IsOn())
   {
-    return PlanVolume(change);
+    return PlanVolume(change, last, next, switches, held);
   }
   const bool isSame = !change.Data && !change.View && !change.Surfaces && !change.Opacity;
   if (isSame && (held.IsExact || !switches.RefineWhenStill))

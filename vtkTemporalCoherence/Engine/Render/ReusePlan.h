@@ -21,7 +21,8 @@ enum class Route : std::uint8_t
   ImageCache = 6, ///< another view: a cached image tells where walks may begin (5 is no more)
   TimeStep,       ///< other samples in the same view: tiles that they do not affect are copied
   Recomposite,    ///< only opacities changed: known layers are composited again
-  KeepLayers      ///< some of several isovalues changed: layers of the others are known
+  KeepLayers,     ///< some of several isovalues changed: layers of the others are known
+  KeepValues      ///< a projection's colours changed: what rays have met is known
 };
 
 /// The route's name as in the documentation, for example "Cold".
@@ -44,6 +45,7 @@ struct HeldForReuse
   bool IsIsomapExact = true;  ///< the isomap gives the cold picture
   bool CanBuildIsomap = true; ///< data and memory allow one
   double ShareToTrace = 1.0;  ///< share of the tiles, if only samples changed
+  bool Values = false;        ///< what the rays of a projection have met
 };
 
 /// Choose the best route from the last frame to the next one. A pure function, so that every

@@ -44,6 +44,10 @@ bool TraceCold(FrameTask& task);
 /// Cold, for a volume that is not drawn by isosurfaces: what all rays see is blended.
 bool BlendCold(FrameTask& task);
 
+/// KeepValues: only the colours of a projection changed. What the rays of the last frame have met
+/// is known. Rays whose extreme could not be seen then, and may be now, are searched.
+bool BlendKnownValues(FrameTask& task);
+
 /// ImageCache: a cached image tells where walks begin.
 /// \pre the accuracy is not Exact
 bool TraceFromImage(FrameTask& task, CachedImage& image);

@@ -99,17 +99,20 @@ struct Blending
   bool IsOn() const { return this->Mode != BlendMode::Isosurface; }
 };
 
+/// True if rays meet the same components at the same places.
+inline bool HaveSameRays(const Blending& a, const Blending& b)
+{
+  const bool haveSameEnds = a.Ends == b.Ends || (a.Ends && b.Ends && *a.Ends == *b.Ends);
+  return a.Mode == b.Mode && a.Use == b.Use && a.Others == b.Others &&
+    a.SampleDistance == b.SampleDistance && haveSameEnds;
+}
+
 /// True if both give the same picture of the same samples.
 inline bool operator==(const Blending& a, const Blending& b)
 {
-  if (!a.IsOn() && !b.IsOn())
-  {
-    return true;
-  }
-  const bool haveSameEnds = a.Ends == b.Ends || (a.Ends && b.Ends && *a.Ends == *b.Ends);
-  return a.Mode == b.Mode && a.Use == b.Use && a.Looks == b.Looks && a.Others == b.Others &&
-    a.AverageRange == b.AverageRange && a.ScalarRanges == b.ScalarRanges &&
-    a.SampleDistance == b.SampleDistance && haveSameEnds;
+  return (!a.IsOn() && !b.IsOn()) ||
+    (HaveSameRays(a, b) && a.Looks == b.Looks && a.AverageRange == b.AverageRange &&
+      a.ScalarRanges == b.ScalarRanges);
 }
 
 }

@@ -102,6 +102,7 @@ struct FrameExtras
   bool Disparities = false;  ///< views made from the picture need them
   bool FirstEntries = false; ///< the same
   bool Cells = false;        ///< the field is a mesh
+  std::size_t Met = 0;       ///< numbers for each ray of a projection
 };
 
 /// A finished picture: planes with one value for each pixel. Row 0 is the bottom row; pixel (x, y)
@@ -137,6 +138,12 @@ struct Frame
   /// The most layers that are kept of a pixel: a power of two.
   std::size_t LayersOfPixel = MostKeptLayers;
 
+  /// What the rays of a projection have met, so that other colours need no search: for each tile
+  /// that is not clear, arrays over its rays, one after the other. No part of the picture. Empty if
+  /// nothing is kept.
+  Plane<double> Met;
+  glm::dvec2 MetWithin{ 0.0 }; ///< extremes that are kept; those of other rays lie beyond
+
   /// 1 for each tile whose planes are known to hold definite misses only. Such a tile is neither
   /// read nor written again.
   std::vector<std::uint8_t> ClearTiles;
@@ -162,8 +169,11 @@ struct Frame
   /// \throws std::bad_alloc; the frame is then empty
   void Resize(const glm::ivec2& size, const FrameExtras& extras = {})
   {
+    const auto tiles = static_cast<std::size_t>(NumberOfTiles(size));
+    const std::size_t met = tiles * TileSize * TileSize * extras.Met;
     if (size == this->Size && extras.Disparities == !this->Disparities.empty() &&
-      extras.FirstEntries == !this->FirstEntries.empty() && extras.Cells == !this->Cells.empty())
+      extras.FirstEntries == !this->FirstEntries.empty() && extras.Cells == !this->Cells.empty() &&
+      met == this->Met.size())
     {
       return;
     }
@@ -181,7 +191,8 @@ struct Frame
           (this->*plane) = {};
         }
       });
-    this->ClearTiles.assign(static_cast<std::size_t>(NumberOfTiles(size)), 0);
+    Plane<double>(met).swap(this->Met);
+    this->ClearTiles.assign(tiles, 0);
     this->Size = size;
   }
 

@@ -3,7 +3,6 @@
 #include "Trace/KernelsWalk.h"
 
 #include <algorithm>
-#include <atomic>
 #include <limits>
 #include <numeric>
 
@@ -11,6 +10,8 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "Trace/KernelsWalk.cxx"
 #include <hwy/foreach_target.h>
+
+#include "Acceleration/KernelsCellBits-inl.h"
 
 #include <hwy/highway.h>
 
@@ -22,98 +23,8 @@ namespace HWY_NAMESPACE
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-using Doubles = hn::CappedTag<double, WidestVector / 2>;
-using Words = hn::RebindToUnsigned<Doubles>;
-using Integers = hn::RebindToSigned<Doubles>;
-using V = hn::Vec<Doubles>;
-using W = hn::Vec<Words>;
-using I = hn::Vec<Integers>;
-using M = hn::Mask<Doubles>;
-
 /// Share of the largest coordinate on its way by which a point may be off by rounding.
 constexpr double Rounding = 16.0 * std::numeric_limits<double>::epsilon();
-
-/// With this added, a double of a whole number in [0, 2^52) holds the number's bits lowest.
-constexpr double ToBits = 4503599627370496.0;
-
-HWY_INLINE W BitsOf(V whole)
-{
-  const Doubles d;
-  return hn::BitCast(Words(), hn::Add(whole, hn::Set(d, ToBits)));
-}
-
-HWY_INLINE V WholeOf(W bits)
-{
-  const Doubles d;
-  return hn::Sub(hn::BitCast(d, bits), hn::Set(d, ToBits));
-}
-
-/// Whole numbers in [0, 2^52) as positions in lists.
-HWY_INLINE I IndexOf(V whole)
-{
-  const Words du;
-  const W exponent = hn::BitCast(du, hn::Set(Doubles(), ToBits));
-  return hn::BitCast(Integers(), hn::Xor(BitsOf(whole), exponent));
-}
-
-/// One bit for each lane.
-HWY_INLINE std::uint64_t BitsOfMask(M mask)
-{
-  std::uint8_t bits[8] = { 0 };
-  hn::StoreMaskBits(Doubles(), mask, bits);
-  return bits[0];
-}
-
-/// The bits of x + 4 y + 16 z, each from two bits of a coordinate, the lower one `from` up.
-template <int from>
-HWY_INLINE W PlaceOf(const W cell[3])
-{
-  const W lowestTwo = hn::Set(Words(), 3u);
-  const W x = hn::And(hn::ShiftRight<from>(cell[0]), lowestTwo);
-  const W y = hn::And(hn::ShiftRight<from>(cell[1]), lowestTwo);
-  const W z = hn::And(hn::ShiftRight<from>(cell[2]), lowestTwo);
-  return hn::Or(x, hn::Or(hn::ShiftLeft<2>(y), hn::ShiftLeft<4>(z)));
-}
-
-/// True where bit `place` of a word is 1.
-HWY_INLINE M HasBit(W word, W place)
-{
-  const Words du;
-  const W bit = hn::And(hn::Shr(word, place), hn::Set(du, 1u));
-  return hn::RebindMask(Doubles(), hn::Ne(bit, hn::Zero(du)));
-}
-
-/// Words that other threads may be writing, which must be read in one access each.
-HWY_INLINE W LoadShared(const std::atomic<std::uint64_t>* words, W at)
-{
-  const Words du;
-#if HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX2
-  // An instruction of the machine, which reads each aligned word at once; the language, which has
-  // no gathering, would only know it as eight reads in a row, at a price that can be measured.
-  static_assert(sizeof(std::atomic<std::uint64_t>) == sizeof(std::uint64_t) &&
-      std::atomic<std::uint64_t>::is_always_lock_free,
-    "an atomic word is a word");
-  const auto* const plain = reinterpret_cast<const std::uint64_t*>(words);
-  return hn::GatherIndex(du, plain, hn::BitCast(Integers(), at));
-#else
-  // Elsewhere Highway would gather by plain reads, which other threads' stores may not meet.
-  const auto load = [words](std::uint64_t place) HWY_ATTR
-  { return words[place].load(std::memory_order_relaxed); };
-  constexpr std::size_t lanes = WidestVector / 2;
-  std::uint64_t places[lanes];
-  hn::StoreU(at, du, places);
-  if (hn::Lanes(du) == 1)
-  {
-    return hn::Set(du, load(places[0]));
-  }
-  std::uint64_t loaded[lanes];
-  for (std::size_t i = 0; i < hn::Lanes(du); ++i)
-  {
-    loaded[i] = load(places[i]);
-  }
-  return hn::LoadU(du, loaded);
-#endif
-}
 
 /// Have leaves' words made that are not known yet.
 HWY_NOINLINE W MakeCellsOf(const LeafSource& leaves, M isNew, I node, V x, V y, V z, W cells)
@@ -184,12 +95,12 @@ public:
     }
   }
 
-  /// Go on to the next active cell, or stay in one.
-  /// \return the lanes that are in one; in the others the walk has ended
-  HWY_INLINE M FindActive()
+  /// Go from active cell to active cell.
+  /// \param meet is told the lanes that are in one now, and gives those of them that stay there
+  template <typename Meet>
+  HWY_INLINE void Walk(const Meet& meet)
   {
     const Words du;
-    M found = hn::Lt(Zero(), Zero());
     while (!hn::AllFalse(Doubles(), this->Live))
     {
       const W cell[3] = { BitsOf(this->Cell[0]), BitsOf(this->Cell[1]), BitsOf(this->Cell[2]) };
@@ -205,13 +116,11 @@ public:
       {
         const W cells = this->CellsOfLeaves(inLeaf, node, leaf);
         const M isActive = hn::And(inLeaf, HasBit(cells, PlaceOf<0>(cell)));
-        found = hn::Or(found, isActive);
-        this->Live = hn::AndNot(isActive, this->Live);
+        this->Live = hn::AndNot(meet(isActive), this->Live);
         below = hn::IfThenElse(inLeaf, Zero(), below);
       }
       this->LeaveBlocks(cell, below);
     }
-    return found;
   }
 
   HWY_INLINE V CellOf(std::size_t axis) const { return this->Cell[axis]; }
@@ -361,22 +270,77 @@ private:
   M Ahead[3];  ///< the ray runs towards higher cells
 };
 
+HWY_INLINE void StoreCells(const WalkVector& vector, std::size_t first, RayWalks& walks)
+{
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    hn::StoreU(vector.CellOf(a), Doubles(), &walks.Cell[a][first]);
+  }
+}
+
 /// Find the next active cell of each ray.
 /// \return one bit for each ray that has one
 std::uint64_t FindActive(const WalkScene& scene, RayWalks& walks)
 {
   const Doubles d;
-  std::uint64_t found = 0;
+  std::uint64_t all = 0;
   for (std::size_t i = 0; i < static_cast<std::size_t>(walks.Rays.Count); i += hn::Lanes(d))
   {
     WalkVector vector(scene, walks, i);
-    found |= BitsOfMask(vector.FindActive()) << i;
+    M found = hn::Lt(hn::Zero(d), hn::Zero(d));
+    vector.Walk(
+      [&](M isActive) HWY_ATTR
+      {
+        found = hn::Or(found, isActive);
+        return isActive;
+      });
+    all |= BitsOfMask(found) << i;
+    StoreCells(vector, i, walks);
+  }
+  return all;
+}
+
+/// Append the cells of some lanes to the lists of their rays.
+/// \param first ray of the vector
+/// \return one bit for each lane whose list is full now
+HWY_INLINE std::uint64_t AppendCells(
+  const WalkVector& vector, std::uint64_t lanes, std::size_t first, NextCells& next)
+{
+  double cell[3][WidestVector / 2];
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    hn::StoreU(vector.CellOf(a), Doubles(), cell[a]);
+  }
+  std::uint64_t full = 0;
+  for (std::uint64_t left = lanes; left != 0; left &= left - 1)
+  {
+    const std::size_t lane = hwy::Num0BitsBelowLS1Bit_Nonzero64(left);
+    std::int32_t& count = next.Count[first + lane];
     for (std::size_t a = 0; a < 3; ++a)
     {
-      hn::StoreU(vector.CellOf(a), d, &walks.Cell[a][i]);
+      next.Cell[static_cast<std::size_t>(count)][a][first + lane] = cell[a][lane];
     }
+    ++count;
+    full |= static_cast<std::uint64_t>(count == NextCells::Most) << lane;
   }
-  return found;
+  return full;
+}
+
+void ListActive(const WalkScene& scene, RayWalks& walks, NextCells& next)
+{
+  const Doubles d;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(walks.Rays.Count); i += hn::Lanes(d))
+  {
+    WalkVector vector(scene, walks, i);
+    vector.Walk(
+      [&](M isActive) HWY_ATTR
+      {
+        const std::uint64_t full = AppendCells(vector, BitsOfMask(isActive), i, next);
+        std::uint8_t bits[8] = { static_cast<std::uint8_t>(full) };
+        return hn::LoadMaskBits(d, bits);
+      });
+    StoreCells(vector, i, walks);
+  }
 }
 
 }
@@ -388,6 +352,7 @@ namespace TemporalCoherence
 {
 
 HWY_EXPORT(FindActive);
+HWY_EXPORT(ListActive);
 
 RayWalks::RayWalks(const RayBatch& rays, std::uint64_t which)
 {
@@ -407,10 +372,8 @@ RayWalks::RayWalks(const RayBatch& rays, std::uint64_t which)
   }
 }
 
-void FindActiveCells(const WalkScene& scene, RayWalks& walks)
+void KeepRays(std::uint64_t which, RayWalks& walks)
 {
-  const std::uint64_t found = HWY_DYNAMIC_DISPATCH(FindActive)(scene, walks);
-  walks.HasBegun = true;
   RayBatch& rays = walks.Rays;
   const auto before = static_cast<std::size_t>(rays.Count);
   std::size_t count = 0;
@@ -418,7 +381,7 @@ void FindActiveCells(const WalkScene& scene, RayWalks& walks)
   for (std::size_t i = 0; i < before; ++i)
   {
     kept[count] = static_cast<std::uint8_t>(i);
-    count += found >> i & 1u;
+    count += which >> i & 1u;
   }
   rays.Count = static_cast<int>(count);
   if (count == 0 || count == RayBatch::Capacity)
@@ -429,7 +392,7 @@ void FindActiveCells(const WalkScene& scene, RayWalks& walks)
   std::fill(&kept[count], kept.data() + WholeVectors(count), kept[count - 1]);
   count = WholeVectors(count);
   // Rays in front of the first that is dropped stay where they are.
-  const std::size_t first = hwy::Num0BitsBelowLS1Bit_Nonzero64(~found);
+  const std::size_t first = hwy::Num0BitsBelowLS1Bit_Nonzero64(~which);
   const auto keep = [&](auto& array)
   {
     for (std::size_t i = first; i < count; ++i)
@@ -448,6 +411,21 @@ void FindActiveCells(const WalkScene& scene, RayWalks& walks)
   keep(rays.End);
   keep(rays.WalkEnd);
   keep(walks.From);
+}
+
+void FindActiveCells(const WalkScene& scene, RayWalks& walks)
+{
+  const std::uint64_t found = HWY_DYNAMIC_DISPATCH(FindActive)(scene, walks);
+  walks.HasBegun = true;
+  KeepRays(found, walks);
+}
+
+void ListActiveCells(const WalkScene& scene, RayWalks& walks, NextCells& next)
+{
+  next.Count.fill(0);
+  walks.Distance.fill(std::numeric_limits<double>::infinity());
+  HWY_DYNAMIC_DISPATCH(ListActive)(scene, walks, next);
+  walks.HasBegun = true;
 }
 
 }

@@ -48,6 +48,24 @@ struct RayWalks
 /// kind of vectors, each ray visits the same cells as CellWalk.
 void FindActiveCells(const WalkScene& scene, RayWalks& walks);
 
+/// The next active cells of walking rays, in order.
+struct NextCells
+{
+  static constexpr int Most = 8;
+  RayBatch::Array<std::int32_t> Count{}; ///< of cells, by ray; less than Most where a walk ends
+  /// By place in the list, axis and ray. Behind the end of a list there is some cell of the field.
+  std::array<std::array<RayBatch::Array<double>, 3>, Most> Cell{};
+};
+
+/// Take every ray on, past its next active cells; the first time it may begin in one of them. With
+/// any kind of vectors, each ray visits the same cells as CellWalk. No ray is dropped: call
+/// KeepRays for that.
+void ListActiveCells(const WalkScene& scene, RayWalks& walks, NextCells& next);
+
+/// Drop rays whose walk ends, and let the others close up.
+/// \param which one bit for each ray that goes on
+void KeepRays(std::uint64_t which, RayWalks& walks);
+
 }
 
 #endif

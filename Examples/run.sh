@@ -17,7 +17,8 @@ Exodus .ex2 .exo .e, .cgns, PLOT3D .xyz or xyz.bin), a directory with a DICOM se
 --raw, a file of bare samples. Without VOLUME: a magnetic resonance image of a head from Debian's
 package mricron-data, or four generated spheres where that cannot be had.
 
-What is missing is installed with apt (see Module/setup.sh --help), vtkTemporalCoherence is built and
+What is missing is installed with apt (see Module/setup.sh --help), for --explore VTK's Qt widgets
+(package libvtk9-qt-dev), too. vtkTemporalCoherence is built and
 installed into build/install, and Examples/OrbitAndSweep (with --explore: Examples/Explorer) is built
 against what is installed there.
 
@@ -61,7 +62,7 @@ while [ $# -gt 0 ]; do
   case $1 in
     --help | -h) usage; exit 0 ;;
     --no-packages) setup_options+=("$1") ;;
-    --explore | --interactive) program=Explorer ;;
+    --explore | --interactive) program=Explorer; setup_options+=(--with-explorer) ;;
     --session) volume=of_session; arguments+=("$1") ;;
     --spheres) volume=generated; arguments+=("$1") ;;
     --isovalue) isovalue_given=yes; arguments+=("$1") ;;

@@ -14,6 +14,7 @@ usage: Module/setup.sh [OPTIONS] [-- CMAKE_ARGUMENTS]
 
   --with-tests         build the tests too, and install what they need
   --with-packaging     install what Module/package.sh needs
+  --with-explorer      install what Examples/Explorer needs: VTK's Qt widgets; so do the tests
   --with-example-data  install the MR head that Examples/run.sh shows; going without is no error
   --packages-only      install packages, build nothing
   --no-packages        build with what is there, install nothing
@@ -34,6 +35,7 @@ build_packages=(g++ cmake ninja-build libvtk9-dev libglm-dev libhwy-dev
   libpython3-dev python3-vtk9 python3-numpy)
 test_packages=(libbenchmark-dev libgtest-dev xvfb xauth libgl1-mesa-dri python3-pil xdotool)
 packaging_packages=(dpkg-dev file)
+explorer_packages=(libvtk9-qt-dev) # with the Qt that this VTK was built with
 example_packages=(mricron-data)
 
 repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -93,11 +95,15 @@ ensure_packages()
   if [ "$with_tests" = yes ] || [ "$with_packaging" = yes ]; then
     needed+=("${packaging_packages[@]}")
   fi
+  if [ "$with_tests" = yes ] || [ "$with_explorer" = yes ]; then
+    needed+=("${explorer_packages[@]}")
+  fi
   why=$(why_no_install)
   if ! command -v dpkg-query >/dev/null; then
     fail "$why: install a C++17 compiler, CMake 3.16 or later, Ninja, VTK 9.1 or later with its" \
       "headers, GLM and Highway (for Python also its headers, VTK's modules and NumPy, for tests" \
-      "GoogleTest, Google Benchmark, Xvfb and xdotool), then give --no-packages."
+      "GoogleTest, Google Benchmark, Xvfb and xdotool, for the Explorer VTK's module GUISupportQt)," \
+      "then give --no-packages."
   fi
 
   read -ra missing <<<"$(missing_packages "${needed[@]}")"
@@ -148,6 +154,7 @@ build_library()
 
 with_tests=no
 with_packaging=no
+with_explorer=no
 with_example_data=no
 packages=yes
 building=yes
@@ -155,6 +162,7 @@ while [ $# -gt 0 ]; do
   case $1 in
     --with-tests) with_tests=yes ;;
     --with-packaging) with_packaging=yes ;;
+    --with-explorer) with_explorer=yes ;;
     --with-example-data) with_example_data=yes ;;
     --packages-only) building=no ;;
     --no-packages) packages=no ;;

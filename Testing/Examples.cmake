@@ -10,6 +10,21 @@ target_link_libraries(CheckPicture PRIVATE
   VTK::CommonCore VTK::CommonDataModel VTK::CommonExecutionModel VTK::IOImage)
 target_compile_features(CheckPicture PRIVATE cxx_std_17)
 
+# The Explorer needs VTK's Qt widgets: the module, and its headers, which Debian packs by themselves.
+function (temporal_coherence_find_qt result)
+  find_package(VTK QUIET COMPONENTS CommonCore GUISupportQt PATHS "${VTK_DIR}" NO_DEFAULT_PATH)
+  set(has_qt FALSE)
+  if (TARGET VTK::GUISupportQt)
+    get_target_property(directories VTK::CommonCore INTERFACE_INCLUDE_DIRECTORIES)
+    find_path(TEMPORAL_COHERENCE_QVTK QVTKOpenGLNativeWidget.h HINTS ${directories})
+    if (TEMPORAL_COHERENCE_QVTK)
+      set(has_qt TRUE)
+    endif ()
+  endif ()
+  set("${result}" "${has_qt}" PARENT_SCOPE)
+endfunction ()
+temporal_coherence_find_qt(has_explorer)
+
 add_test(NAME ExamplesAgainstInstall
   COMMAND "${CMAKE_COMMAND}"
     "-DBUILD=${CMAKE_BINARY_DIR}"
@@ -22,13 +37,17 @@ add_test(NAME ExamplesAgainstInstall
     "-DC_COMPILER=${CMAKE_C_COMPILER}"
     "-DCXX_FLAGS=${CMAKE_CXX_FLAGS}"
     "-DVTK_DIR=${VTK_DIR}"
+    "-DHAS_EXPLORER=${has_explorer}"
     -P "${CMAKE_CURRENT_LIST_DIR}/RunExamples.cmake")
 # Building three programs takes most of it.
 set_tests_properties(ExamplesAgainstInstall PROPERTIES TIMEOUT 900 FIXTURES_SETUP BuiltExamples)
 
-# The Explorer that was built there, used by mouse and keys.
+# The Explorer that was built there, used by mouse and keys, on screens of both kinds.
 find_package(X11)
-if (X11_FOUND)
+if (NOT has_explorer)
+  temporal_coherence_skip_test(ExplorerByHand
+    "there are no Qt widgets of VTK's (Debian's package libvtk9-qt-dev)")
+elseif (X11_FOUND)
   add_executable(DropFile "${CMAKE_CURRENT_LIST_DIR}/Explorer/DropFile.cxx")
   target_include_directories(DropFile PRIVATE ${X11_INCLUDE_DIR})
   target_link_libraries(DropFile PRIVATE ${X11_X11_LIB})
@@ -37,7 +56,16 @@ if (X11_FOUND)
     COMMAND "${CMAKE_CURRENT_LIST_DIR}/Explorer/run.sh"
       "${CMAKE_BINARY_DIR}/Testing/Examples/Explorer/Explorer" "$<TARGET_FILE:CheckPicture>"
       "$<TARGET_FILE:DropFile>" "${CMAKE_BINARY_DIR}/Testing/Explorer")
-  set_tests_properties(ExplorerByHand PROPERTIES TIMEOUT 900 FIXTURES_REQUIRED BuiltExamples)
+  add_test(NAME ExplorerAt192Dpi
+    COMMAND "${CMAKE_CURRENT_LIST_DIR}/Explorer/run.sh"
+      "${CMAKE_BINARY_DIR}/Testing/Examples/Explorer/Explorer" "$<TARGET_FILE:CheckPicture>"
+      "$<TARGET_FILE:DropFile>" "${CMAKE_BINARY_DIR}/Testing/Explorer192" 192)
+  # Model and widgets, by simulated events.
+  add_test(NAME ExplorerParts
+    COMMAND "${CMAKE_BINARY_DIR}/Testing/Examples/Explorer/ExplorerTests")
+  set_tests_properties(ExplorerParts PROPERTIES SKIP_REGULAR_EXPRESSION "SKIPPED: ")
+  set_tests_properties(ExplorerByHand ExplorerAt192Dpi ExplorerParts
+    PROPERTIES TIMEOUT 900 FIXTURES_REQUIRED BuiltExamples)
 else ()
   temporal_coherence_skip_test(ExplorerByHand "mouse and keys are those of X11, which is not there")
 endif ()

@@ -10,12 +10,13 @@ usage()
   cat <<'TEXT'
 Use the Explorer by mouse and keys, and check what it says of each frame and what it writes.
 
-usage: Testing/Explorer/run.sh EXPLORER CHECK_PICTURE DROP_FILE SCRATCH
+usage: Testing/Explorer/run.sh EXPLORER CHECK_PICTURE DROP_FILE SCRATCH [DPI]
 
   EXPLORER         the program, Examples/Explorer
   CHECK_PICTURE    the program that fails for pictures that show nothing
   DROP_FILE        the program that drops a file on a window
   SCRATCH          a directory that is emptied and written in
+  DPI              of the display; default 96. With 192 only the main ways are tried
   --help           show this text
 
 Needs Xvfb, xdotool and perl; nothing is installed. With TEMPORAL_COHERENCE_DATA the drag is over
@@ -25,7 +26,7 @@ TEXT
 }
 
 case ${1:-} in --help | -h) usage; exit 0 ;; esac
-if [ $# -ne 4 ]; then
+if [ $# -lt 4 ]; then
   usage >&2
   exit 1
 fi
@@ -34,7 +35,12 @@ check_picture=$(realpath "$2")
 drop_file=$(realpath "$3")
 mkdir -p "$4"
 scratch=$(realpath "$4")
-patience=120 # seconds until something that has not happened is a failure; nothing takes that long
+dpi=${5:-96}
+scale=$((dpi / 96))
+# Neither the settings of whoever tests, nor the scale of their screen.
+export XDG_CONFIG_HOME=$scratch/settings XDG_RUNTIME_DIR=$scratch/runtime LC_ALL=C.UTF-8
+unset QT_SCALE_FACTOR QT_QPA_PLATFORM WAYLAND_DISPLAY
+patience=${PATIENCE:-120} # seconds until something that has not happened is a failure; nothing takes that long
 
 say() { printf '[explorer] %s\n' "$*"; }
 fail()
@@ -68,7 +74,7 @@ start_display()
   for attempt in 1 2 3 4 5; do
     number=$((1000 + RANDOM % 8000))
     rm -f "$scratch/display"
-    Xvfb ":$number" -screen 0 1280x1024x24 -noreset -displayfd 3 3>"$scratch/display" 2>/dev/null &
+    Xvfb ":$number" -screen 0 $((1280 * scale))x$((1024 * scale))x24 -dpi "$dpi" -noreset -displayfd 3 3>"$scratch/display" 2>/dev/null &
     server=$!
     for _ in $(seq $((patience * 10))); do
       if [ -s "$scratch/display" ]; then
@@ -92,11 +98,11 @@ start() # NAME ARGUMENTS...
   local output=$scratch/$1.out
   shift
   : >"$log"
-  (cd "$scratch/files" && exec "$explorer" --log "$log" --size 900x700 "$@") >"$output" 2>&1 &
+  (cd "$scratch/files" && exec "$explorer" --log "$log" --size $((900 * scale))x$((700 * scale)) "$@") >"$output" 2>&1 &
   program=$!
   expect '^frame 1 '
   # The keyboard follows the pointer into the window.
-  xdotool mousemove 1200 1000 mousemove 300 250
+  xdotool mousemove $((1200 * scale)) $((1000 * scale)) mousemove $((300 * scale)) $((250 * scale))
   settle
 }
 
@@ -162,14 +168,32 @@ click() # NAME PATTERN [BUTTON]
   expect "$2" "$from"
 }
 
+# Gives the keys back to the view: there is no window manager that would do it.
+to_view()
+{
+  xdotool mousemove $((300 * scale)) $((250 * scale)) click 1
+  settle
+}
+
+# Another value of a box of values.
+choose() # NAME KEY PATTERN
+{
+  local from x y
+  from=$(lines)
+  read -r x y <<<"$(place "$1")"
+  xdotool mousemove "$x" "$y" click 1 sleep 0.2 key "$2" Return
+  expect "$3" "$from"
+  to_view
+}
+
 # Turns the view, waiting for each frame.
 orbit() # STEPS
 {
-  local step from x=300
-  xdotool mousemove "$x" 250 mousedown 1
+  local step from x=$((300 * scale)) y=$((250 * scale))
+  xdotool mousemove "$x" "$y" mousedown 1
   for step in $(seq "$1"); do
     from=$(lines)
-    xdotool mousemove $((x + 4 * step)) $((250 + step))
+    xdotool mousemove $((x + 4 * step)) $((y + step))
     expect '^frame' "$from"
   done
   xdotool mouseup 1
@@ -193,13 +217,26 @@ take_picture()
 make_files()
 {
   rm -rf "${scratch:?}"/*
-  mkdir -p "$scratch/files"
+  mkdir -p "$scratch/files" "$XDG_RUNTIME_DIR"
+  chmod 700 "$XDG_RUNTIME_DIR"
   # A ball of 24^3 samples.
   perl -e 'for $k (0..23) { for $j (0..23) { for $i (0..23) {
     $d = sqrt(($i-11.5)**2 + ($j-11.5)**2 + ($k-11.5)**2);
     print pack("C", $d > 12 ? 0 : 240 - 20 * $d); } } }' >"$scratch/files/ball.raw"
   printf 'ObjectType = Image\nNDims = 3\nDimSize = 24 24 24\nElementType = MET_UCHAR\nElementDataFile = ball.raw\n' \
     >"$scratch/files/ball.mhd"
+  cp "$scratch/files/ball.mhd" "$scratch/files/球 كرة.mhd"
+  # A tetrahedron whose values rise with time.
+  perl -e 'print qq(<VTKFile type="UnstructuredGrid" version="0.1"><UnstructuredGrid TimeValues="0 1 2">
+      <Piece NumberOfPoints="4" NumberOfCells="1"><PointData Scalars="value">);
+    for $t (0..2) { $v = 10 * $t; $w = $v + 100;
+      print qq(<DataArray type="Float32" Name="value" format="ascii" TimeStep="$t">$v $v $v $w</DataArray>); }
+    print qq(</PointData><Points><DataArray type="Float32" NumberOfComponents="3" format="ascii">
+      0 0 0 1 0 0 0 1 0 0 0 1</DataArray></Points><Cells>
+      <DataArray type="Int32" Name="connectivity" format="ascii">0 1 2 3</DataArray>
+      <DataArray type="Int32" Name="offsets" format="ascii">4</DataArray>
+      <DataArray type="UInt8" Name="types" format="ascii">10</DataArray></Cells></Piece>
+      </UnstructuredGrid></VTKFile>);' >"$scratch/files/series.vtu"
   printf 'This is no XML.' >"$scratch/files/broken.vti"
   # Half of a coarse ball, of hexahedra: a mesh.
   perl -e '$n = 9; print "# vtk DataFile Version 3.0\nball\nASCII\nDATASET STRUCTURED_GRID\n";
@@ -237,7 +274,6 @@ check_help()
 {
   key question '^help on'
   key F1 '^help off'
-  key F2 '^frame' # has no use; clears the message
 }
 
 # A hundred steps, a pixel or more each; every one shows another isovalue, looked up.
@@ -328,10 +364,12 @@ check_choices()
   turn_all k map-ahead on off
   turn_all x scale 1 2 4
   turn_all f film png ogv
-  click palette '^palette ivory'
-  click palette '^palette tissue' 3
-  click light '^light head'
+  key l '^light head'
   key shift+l '^light studio'
+  choose palette Down '^palette ivory'
+  choose palette Up '^palette tissue'
+  click image-cache '^image-cache off'
+  click image-cache '^image-cache on'
   # Without the image cache an orbit is cold.
   local from
   key c '^image-cache off'
@@ -418,27 +456,49 @@ check_map()
   say "An isomap is built ahead, and stopped by Escape"
 }
 
+# Waits for a dialog, types a path into it and ends it.
+answer() # TITLE PATH
+{
+  local waited=0
+  until xdotool search --onlyvisible --name "$1" >/dev/null 2>&1; do
+    [ "$waited" -lt $((patience * 20)) ] || fail "there is no dialog '$1'"
+    sleep 0.05
+    waited=$((waited + 1))
+  done
+  # Keys go to it once it has the focus, and are lost before.
+  local from
+  from=$(lines)
+  until tail -n "+$((from + 1))" "$log" | grep -q '^key'; do
+    [ "$waited" -lt $((patience * 20)) ] || fail "the dialog '$1' takes no keys"
+    xdotool key Shift_L sleep 0.05
+    waited=$((waited + 1))
+  done
+  xdotool type "$2"
+  xdotool key Return
+}
+
 check_opening()
 {
   local from
-  key o '^files on'
-  click ball.mhd '^opened ball.mhd'
-  settle
-  key o '^files on'
-  # The list begins with the way up; ball.mhd is selected.
-  key Down '^frame'
-  key Return "^said '.*broken.vti' could not be read"
-  settle
+  from=$(lines)
+  xdotool key o
+  answer 'Open a volume' "$scratch/files/ball.mhd"
+  expect '^opened ball.mhd' "$from"
+  to_view
+  from=$(lines)
+  xdotool key ctrl+o
+  answer 'Open a volume' "$scratch/files/broken.vti"
+  expect "^said '.*broken.vti' could not be read" "$from"
+  to_view
   from=$(lines)
   orbit 2
   tail -n "+$((from + 1))" "$log" | grep -q '^frame' || fail "after a bad file nothing is drawn any more"
-  key o '^files on'
-  key Escape '^files off'
   from=$(lines)
-  "$drop_file" "$scratch/files/ball.mhd" 300 250 || fail "a file could not be dropped"
-  expect '^opened ball.mhd' "$from"
+  "$drop_file" "$scratch/files/球 كرة.mhd" $((300 * scale)) $((250 * scale)) ||
+    fail "a file could not be dropped"
+  expect '^opened 球 كرة.mhd' "$from"
   settle
-  say "Files open by list, by keys and by dropping; a bad one leaves what was shown"
+  say "Files open by dialog and by dropping, with names of all scripts; a bad one leaves what was shown"
 }
 
 # Everything in a state of its own, kept, and found again by another process.
@@ -472,11 +532,10 @@ check_session()
 # Normals of meshes: a switch that only meshes have.
 check_mesh()
 {
-  ! grep -q '^place gradients ' "$scratch/first.log" || fail "an image has a switch for meshes"
   start mesh half.vtk 3.5
   take_picture
   cp "$picture" "$scratch/facets.png"
-  click gradients '^gradients smooth'
+  key g '^gradients smooth'
   settle
   take_picture
   ! cmp -s "$picture" "$scratch/facets.png" || fail "smooth normals of a mesh cannot be seen"
@@ -489,6 +548,66 @@ check_mesh()
   say "Meshes have a switch for smooth normals"
 }
 
+# A file with three time steps is played; a press stops it.
+check_time()
+{
+  local from
+  start time series.vtu
+  from=$(lines)
+  key period '^shown .*step 2 of 3'
+  settle
+  key comma '^shown .*step 1 of 3'
+  settle
+  key space '^shown .*step 2 of 3'
+  expect '^shown .*step 3 of 3' "$from"
+  xdotool key space
+  settle
+  key q '^quit'
+  expect_end
+  say "Time steps are turned and played"
+}
+
+# The plane's arrow is dragged in the view.
+check_clipping()
+{
+  local x y from before after
+  start clip --spheres 64
+  take_picture
+  cp "$picture" "$scratch/whole.png"
+  key t '^frame'
+  settle
+  take_picture
+  ! cmp -s "$picture" "$scratch/whole.png" || fail "nothing is clipped"
+  cp "$picture" "$scratch/clipped.png"
+  # The plane goes through the middle of the view; there it has a handle of another kind.
+  read -r x y <<<"$(place view-middle)"
+  x=$((x + 60 * scale))
+  y=$((y + 60 * scale))
+  from=$(lines)
+  xdotool mousemove "$x" "$y" mousedown 1 mousemove $((x - 20 * scale)) "$y" \
+    mousemove $((x - 40 * scale)) "$y" mouseup 1
+  expect '^frame' "$from"
+  settle
+  take_picture
+  ! cmp -s "$picture" "$scratch/clipped.png" || fail "the plane was not dragged"
+  key ctrl+z '^frame'
+  settle
+  take_picture
+  cmp "$picture" "$scratch/clipped.png" || fail "the plane's drag was not undone"
+  key t '^frame'
+  settle
+  take_picture
+  cmp "$picture" "$scratch/whole.png" || fail "without the plane not all is seen"
+  key e '^frame'
+  key e '^frame'
+  key ctrl+n '^frame'
+  key ctrl+d '^frame'
+  turn_all d drawing surfaces composite maximum minimum average additive
+  key q '^quit'
+  expect_end
+  say "The volume is clipped by a plane that is dragged, blended, and all is undone"
+}
+
 make_files
 start_display
 check_refusals
@@ -497,6 +616,16 @@ if [ -r "${TEMPORAL_COHERENCE_DATA:-}/engine.vti" ]; then
   volume=("$TEMPORAL_COHERENCE_DATA/engine.vti")
 fi
 start first "${volume[@]}"
+if [ "$dpi" -gt 96 ]; then
+  # The main ways: drag, turn, open, save, restore, play, clip.
+  check_drag
+  check_opening
+  check_session
+  check_time
+  check_clipping
+  say "PASSED at $dpi dpi in $SECONDS s"
+  exit 0
+fi
 check_help
 check_drag
 check_arrows
@@ -509,5 +638,7 @@ check_map
 check_opening
 check_session
 check_mesh
+check_time
+check_clipping
 "$explorer" "${volume[@]}" --measure-drag 100 || fail "the drag could not be measured"
 say "PASSED in $SECONDS s"

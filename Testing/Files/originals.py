@@ -400,11 +400,19 @@ accuracy = bounded
 image-cache = on
 isomap = on
 leaping = on
+drawing = composite
+surfaces = {t(120)} {t(0.5)} {t(1)} {t(0.1)} {t(0.2)} {t(0.3)} ; {t(90)} {t(1)} {t(1)}
+opacity = {t(0)} {t(0)} ; {t(200)} {t(0.5)} {t(1)} {t(0)} {t(0)}
+density = {t(2)}
+clip = {t(4)} {t(3)} {t(3)} {t(1)} {t(0)} {t(0)}
+crop = {t(1)} {t(7)} {t(1)} {t(6)} {t(1)} {t(5)}
+shading = {t(0.1)} {t(0.8)} {t(0.2)} {t(20)}
 """
     files = {"a.session": text.encode(), "a.mha": meta(True)(lambda value: value).files["a.mha"]}
     return Original("a.session", files, way="session", words=[
         b"spheres", b"raw", b"9,8,7,short", b"volume", b"on", b"off", b"solid", b"exact", b"/",
-        b"isovalue", b"camera-position", b"camera-view-up", b"big-endian"])
+        b"isovalue", b"camera-position", b"camera-view-up", b"big-endian", b"surfaces", b"maximum",
+        b"additive", b"component", b"clip", b"crop"])
 
 
 def npy(twist: Twist) -> Original:

@@ -100,7 +100,12 @@ test_development()
   check_pictures 11 /test/results/OrbitAndSweep/*.png
   say "Examples/OrbitAndSweep: built and run"
 
-  # It draws in a window, which there is none of here, and says so.
+}
+
+# It draws in a window, which there is none of here, and says so.
+test_explorer()
+{
+  install explorer libvtk9-qt-dev
   build_example Explorer
   ! /test/build/Explorer/Explorer --spheres 16 >"$logs/run-Explorer.log" 2>&1 ||
     fail "the Explorer finds a display where there is none"
@@ -137,5 +142,6 @@ test_purge()
 logged update apt update
 test_python
 test_development
+test_explorer
 test_wrong_version
 test_purge

@@ -21,6 +21,7 @@ namespace
 struct Counter
 {
   Histogram& Counted;
+  int Component;
 
   template <typename ArrayType>
   void operator()(ArrayType* array)
@@ -30,7 +31,19 @@ struct Counter
     const double scale = static_cast<double>(bins.size() - 1) / (range[1] - range[0]);
     for (const auto tuple : vtk::DataArrayTupleRange(array))
     {
-      const double value = static_cast<double>(tuple[0]);
+      double value = 0.0;
+      if (this->Component >= 0)
+      {
+        value = static_cast<double>(tuple[this->Component]);
+      }
+      else
+      {
+        for (const auto part : tuple)
+        {
+          value += static_cast<double>(part) * static_cast<double>(part);
+        }
+        value = std::sqrt(value);
+      }
       if (value >= range[0] && value <= range[1])
       {
         bins[static_cast<std::size_t>(scale * (value - range[0]) + 0.5)] += 1.0;
@@ -40,13 +53,13 @@ struct Counter
 };
 
 // Of the finite values in all arrays; the first larger than the second if there are none.
-std::array<double, 2> RangeOf(const std::vector<vtkDataArray*>& arrays)
+std::array<double, 2> RangeOf(const std::vector<vtkDataArray*>& arrays, int component)
 {
   std::array<double, 2> range = { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
   for (vtkDataArray* array : arrays)
   {
     double own[2];
-    array->GetFiniteRange(own, 0);
+    array->GetFiniteRange(own, component);
     range = { std::min(range[0], own[0]), std::max(range[1], own[1]) };
   }
   return range;
@@ -61,12 +74,12 @@ std::string NameOf(const Volume& volume)
 
 }
 
-Histogram CountSamples(const Volume& volume)
+Histogram CountSamples(const Volume& volume, int component)
 {
   Histogram histogram;
   const std::string name = NameOf(volume);
   const std::vector<vtkDataArray*> arrays = ShownArrays(volume);
-  histogram.Range = RangeOf(arrays);
+  histogram.Range = RangeOf(arrays, component);
   if (histogram.Range[0] > histogram.Range[1])
   {
     throw UserError("No sample of " + name +
@@ -89,14 +102,15 @@ Histogram CountSamples(const Volume& volume)
   }
   // Few whole numbers get a bin each: bins between them would be empty.
   const double values = histogram.Range[1] - histogram.Range[0] + 1.0;
-  const bool isWhole = std::all_of(arrays.begin(), arrays.end(),
-    [](vtkDataArray* array)
-    { return array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE; });
+  const bool isWhole = component >= 0 &&
+    std::all_of(arrays.begin(), arrays.end(),
+      [](vtkDataArray* array)
+      { return array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE; });
   if (isWhole && values < static_cast<double>(histogram.Bins.size()))
   {
     histogram.Bins.resize(static_cast<std::size_t>(values));
   }
-  Counter counter{ histogram };
+  Counter counter{ histogram, component };
   for (vtkDataArray* array : arrays)
   {
     if (!vtkArrayDispatch::Dispatch::Execute(array, counter))

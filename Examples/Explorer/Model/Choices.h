@@ -5,11 +5,10 @@
 
 #include <array>
 #include <cstddef>
-#include <string>
 #include <vector>
 
-// Everything that is one of a few: the bar of switches, the keys, sessions and the help are all
-// made from this list.
+// Everything that is one of a few: panels, menus, keys, sessions and the help are made of this
+// list.
 enum class Choose
 {
   Palette,
@@ -25,20 +24,39 @@ enum class Choose
   Scale,
   Film,
   Gradients,
+  Drawing,
 };
-constexpr std::size_t NumberOfChoices = 13;
+constexpr std::size_t NumberOfChoices = 14;
+
+// What of Choose::Drawing shows surfaces; the others blend.
+constexpr int DrawSurfaces = 0;
 
 struct Choice
 {
+  enum class Panel
+  {
+    Drawing,
+    Light,
+    Reuse,
+    Output,
+  };
+  enum class Data
+  {
+    Any,
+    Meshes, // it has no effect on images and rectilinear grids
+    Images, // meshes cannot be drawn so
+  };
+
   Choose What;
   const char* Name;  // in sessions and logs
   const char* Label; // for people
   char Key;
   const char* Help;
   std::vector<const char*> Values;
-  bool IsForMeshes = false; // has no effect on images and rectilinear grids
+  Panel In;
+  Data For = Data::Any;
 
-  bool IsSwitch() const { return std::string(this->Values[0]) == "off"; }
+  bool IsSwitch() const;
 };
 
 // In the order of the enumeration.
@@ -54,6 +72,7 @@ public:
   int& operator[](Choose what) { return this->Values[static_cast<std::size_t>(what)]; }
   bool IsOn(Choose what) const { return (*this)[what] != 0; }
   const char* TextOf(Choose what) const;
+  bool operator==(const Chosen& other) const { return this->Values == other.Values; }
 
 private:
   std::array<int, NumberOfChoices> Values{};

@@ -3,63 +3,82 @@
 #ifndef Model_h
 #define Model_h
 
-#include "Files/VolumeReader.h"
+#include "Files/Volume.h"
 #include "Model/Session.h"
 #include "Model/VolumeView.h"
 #include "View/Histogram.h"
 
-#include <array>
-#include <functional>
+#include <optional>
 #include <string>
 
-// What is shown, and what can be done with it. It knows nothing of windows and panels.
+// What is to be shown next: another file, or another array or time step of the one that is open.
+struct Request
+{
+  Session Wanted;
+  std::optional<Volume> Have; // its data, where they are read already
+  bool IsSameFile = false;    // view and mapper stay
+  bool KeepsSurfaces = false; // as they fit into the new values
+};
+
+// What was read for it.
+struct Loaded
+{
+  Request For;
+  Volume Data;
+  Histogram Samples;
+  VolumeView::Mapping Mapper; // may be null
+};
+
+// What is shown, and what can be done with it. It knows nothing of windows and widgets.
 class Model
 {
 public:
-  // Is told what is going on and how far it is; false stops it.
-  using Progress = std::function<bool(const std::string& what, double share)>;
-
   // from: the viewer's place at first ("+y"; empty: what suits the file); up: the way up.
   Model(const std::string& from, const std::string& up);
 
-  void SetProgress(const Progress& progress) { this->Report = progress; }
-
-  // Throws UserError; what was shown stays then.
+  // Opening, in two steps: what takes long, in any thread, and what is seen. The first may throw
+  // UserError; what was shown stays then.
+  static Loaded Load(Request request, const Progress& progress);
+  void Adopt(Loaded loaded);
   void Open(const Session& session);
 
+  bool IsOpen() const { return this->Shown.Data != nullptr; }
   const Session& State() const { return this->Current; }
+  const Look& Settings() const { return this->Current.Settings; }
   const Histogram& Counted() const { return this->Samples; }
-  double Isovalue() const { return *this->Current.Isovalue; }
-  const std::string& Name() const { return this->Shown.Name; }
+  const Volume& Data() const { return this->Shown; }
   std::string Description() const; // "256 x 256 x 110 uchar"
 
-  // The next array of the file; another time step. The view stays. Both throw UserError.
-  void TurnArray();
-  void TurnTimeStep(int steps);
+  // What to load for the next array, the one of a name, or another time step. Throw UserError.
+  Request OtherArray(const std::string& name, int component) const;
+  Request NextArrayOfFile() const;
+  Request OtherTimeStep(int step) const;
 
-  // The nearest isovalue there is in the data.
-  void SetIsovalue(double isovalue);
-  void StepIsovalue(double steps); // of 1/256 of the range
+  // Values are made to fit the data. Draws nothing; with isShown false, nothing that a picture
+  // depends on is touched until Apply().
+  void SetSettings(const Look& look, bool isShown = true);
+  void Apply() { this->View.Apply(this->Current.Settings); }
+  void StepIsovalue(double steps, std::size_t surface = 0); // of 1/256 of the range
+  double StepOfIsovalues() const;
 
-  // False if a choice has no effect on what is shown: for meshes, of other data.
-  bool Offers(const Choice& choice) const { return this->IsMesh || !choice.IsForMeshes; }
+  // False if a choice has no effect on what is shown.
+  bool Offers(const Choice& choice) const;
+  bool DrawsSurfaces() const;
 
-  // The next value of a choice, or the one before; the first follows the last.
-  void Turn(Choose what, int steps);
-
-  void ResetView();
-  void Save(const std::string& path); // a session; throws UserError
-  bool BuildIsomap();
+  void ResetView()
+  {
+    this->View.LookFrom(this->From.empty() ? this->Shown.From : this->From, this->Up);
+  }
+  void LookFrom(const std::string& from); // "+z": an axis
+  void Save(const std::string& path);     // a session; throws UserError
 
   // Whether the choices say so and it was neither built nor stopped in this view.
   bool WantsIsomapAhead();
+  void NoteIsomap() { this->Ahead = this->PresentSight(); } // it is to be built now
 
   VolumeView View;
 
 private:
-  Volume Read(const VolumeSource& source);
-  void Show(Volume volume, Histogram samples, const Session& session);
-
   // What an isomap belongs to, of one volume.
   struct Sight
   {
@@ -72,15 +91,13 @@ private:
     }
   };
   Sight PresentSight();
+  Look Fitted(Look look) const;
 
   std::string From;
   std::string Up;
-  Progress Report;
   Session Current;
   Volume Shown;
   Histogram Samples;
-  bool IsMesh = false; // Shown
-
   Sight Ahead; // whose isomap was built, or stopped
 };
 

@@ -11,31 +11,31 @@
 
 #include <algorithm>
 #include <climits>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <functional>
-#include <map>
 #include <sstream>
-#include <vector>
 
 namespace
 {
 
 namespace fs = std::filesystem;
 
-const char* const FirstLine = "# vtkTemporalCoherence Explorer session 1";
-const char* const Suffix = ".session";
+const std::string FirstLine = "# vtkTemporalCoherence Explorer session 1";
+const std::string Suffix = ".session";
 
-std::string Trimmed(const std::string& text)
+using Text = const std::string&;
+using Numbers = std::vector<double>;
+
+std::string Trimmed(Text text)
 {
   const std::size_t begin = text.find_first_not_of(" \t\r");
   const std::size_t end = text.find_last_not_of(" \t\r");
   return begin == std::string::npos ? "" : text.substr(begin, end - begin + 1);
 }
 
-template <typename Numbers>
-std::string Join(const Numbers& numbers)
+template <typename Range>
+std::string Join(const Range& numbers)
 {
   std::ostringstream text;
   text.precision(17);
@@ -48,86 +48,231 @@ std::string Join(const Numbers& numbers)
   return text.str();
 }
 
-// One finite number for each of those there are; std::invalid_argument otherwise.
-template <typename Numbers>
-void Parse(const std::string& text, Numbers& numbers)
+// Finite numbers, as many as one of the counts; std::invalid_argument otherwise.
+Numbers Parse(Text text, std::initializer_list<std::size_t> counts)
 {
   std::istringstream in(text);
-  for (double& number : numbers)
+  Numbers numbers;
+  double number = 0.0;
+  for (std::string word; in >> word; numbers.push_back(number))
   {
-    std::string word;
-    if (!(in >> word) || !IsNumber(word, number))
+    if (!IsNumber(word, number))
     {
       throw std::invalid_argument(text);
     }
   }
-  std::string rest;
-  if (in >> rest)
+  if (std::find(counts.begin(), counts.end(), numbers.size()) == counts.end())
   {
     throw std::invalid_argument(text);
   }
+  return numbers;
 }
 
-double ParseNumber(const std::string& text)
+template <std::size_t Count>
+std::array<double, Count> ParseArray(Text text)
 {
-  std::array<double, 1> number{};
-  Parse(text, number);
-  return number[0];
+  const Numbers numbers = Parse(text, { Count });
+  std::array<double, Count> array;
+  std::copy(numbers.begin(), numbers.end(), array.begin());
+  return array;
+}
+
+// Rows of numbers, with a semicolon between.
+template <typename Row, typename Write>
+std::string JoinRows(const std::vector<Row>& rows, const Write& write)
+{
+  std::string text;
+  for (const Row& row : rows)
+  {
+    Numbers numbers = write(row);
+    if (row.Color)
+    {
+      numbers.insert(numbers.end(), row.Color->begin(), row.Color->end());
+    }
+    text += (text.empty() ? "" : " ; ") + Join(numbers);
+  }
+  return text;
+}
+
+template <typename Row, typename Read>
+std::vector<Row> ParseRows(Text text, std::size_t count, const Read& read)
+{
+  std::vector<Row> rows;
+  std::istringstream in(text);
+  for (std::string part; std::getline(in, part, ';');)
+  {
+    const Numbers numbers = Parse(part, { count, count + 3 });
+    rows.push_back(read(numbers));
+    if (numbers.size() > count)
+    {
+      rows.back().Color = { numbers[count], numbers[count + 1], numbers[count + 2] };
+    }
+  }
+  return rows;
 }
 
 CameraState& CameraOf(Session& session)
 {
-  if (!session.Camera)
-  {
-    session.Camera.emplace();
-  }
-  return *session.Camera;
+  return session.Camera ? *session.Camera : session.Camera.emplace();
 }
 
-using Taker = std::function<void(Session& session, const std::string& value)>;
-using Text = const std::string&;
-
-std::map<std::string, Taker> Takers()
+// A line of the file: what is written, empty for none, and how it is read.
+struct Field
 {
-  std::map<std::string, Taker> takers = {
-    { "volume", [](Session& s, Text v) { s.Source.Path = v; } },
-    { "spheres", [](Session& s, Text v) { s.Source.Spheres = ParseCount("spheres", v, 2048); } },
-    { "raw", [](Session& s, Text v) { s.Source.Raw = ParseRaw(v); } },
-    { "big-endian", [](Session& s, Text v) { s.Source.BigEndian = v == "on"; } },
-    { "array", [](Session& s, Text v) { s.Source.Array = v; } },
+  std::string Key;
+  std::function<std::string(const Session&)> Write;
+  std::function<void(Session&, Text)> Read;
+};
+
+// What version 0.1 has, too.
+std::vector<Field> FirstFields()
+{
+  using S = Session;
+  using C = const Session;
+  const auto ofCamera = [](C& s, const auto& part)
+  { return s.Camera ? Join(part(*s.Camera)) : std::string(); };
+  return {
+    { "spheres", [](C& s) { return s.Source.Path.empty() ? std::to_string(s.Source.Spheres) : ""; },
+      [](S& s, Text v) { s.Source.Spheres = ParseCount("spheres", v, 2048); } },
+    { "volume",
+      [](C& s) {
+        return s.Source.Path.empty() ? "" : fs::absolute(s.Source.Path).lexically_normal().string();
+      },
+      [](S& s, Text v) { s.Source.Path = v; } },
+    { "raw", [](C& s) { return s.Source.Raw ? RawAsText(*s.Source.Raw) : ""; },
+      [](S& s, Text v) { s.Source.Raw = ParseRaw(v); } },
+    { "big-endian", [](C& s) { return !s.Source.Raw   ? ""
+                                 : s.Source.BigEndian ? "on"
+                                                      : "off"; },
+      [](S& s, Text v) { s.Source.BigEndian = v == "on"; } },
+    { "array", [](C& s) { return s.Source.Array; }, [](S& s, Text v) { s.Source.Array = v; } },
     { "time-step",
-      [](Session& s, Text v) { s.Source.TimeStep = ParseCount("time-step", v, INT_MAX); } },
-    { "isovalue", [](Session& s, Text v) { s.Isovalue = ParseNumber(v); } },
-    { "camera-position", [](Session& s, Text v) { Parse(v, CameraOf(s).Position); } },
-    { "camera-focal-point", [](Session& s, Text v) { Parse(v, CameraOf(s).FocalPoint); } },
-    { "camera-view-up", [](Session& s, Text v) { Parse(v, CameraOf(s).ViewUp); } },
-    { "camera-view-angle", [](Session& s, Text v) { CameraOf(s).ViewAngle = ParseNumber(v); } },
+      [](C& s) { return s.Source.TimeStep > 1 ? std::to_string(s.Source.TimeStep) : ""; },
+      [](S& s, Text v) { s.Source.TimeStep = ParseCount("time-step", v, INT_MAX); } },
+    { "isovalue", [](C& s) { return s.Isovalue ? Join(Numbers{ *s.Isovalue }) : ""; },
+      [](S& s, Text v) { s.Isovalue = Parse(v, { 1 })[0]; } },
+    { "camera-position",
+      [=](C& s) { return ofCamera(s, [](const CameraState& c) { return c.Position; }); },
+      [](S& s, Text v) { CameraOf(s).Position = ParseArray<3>(v); } },
+    { "camera-focal-point",
+      [=](C& s) { return ofCamera(s, [](const CameraState& c) { return c.FocalPoint; }); },
+      [](S& s, Text v) { CameraOf(s).FocalPoint = ParseArray<3>(v); } },
+    { "camera-view-up",
+      [=](C& s) { return ofCamera(s, [](const CameraState& c) { return c.ViewUp; }); },
+      [](S& s, Text v) { CameraOf(s).ViewUp = ParseArray<3>(v); } },
+    { "camera-view-angle",
+      [=](C& s)
+      { return ofCamera(s, [](const CameraState& c) { return Numbers{ c.ViewAngle }; }); },
+      [](S& s, Text v) { CameraOf(s).ViewAngle = Parse(v, { 1 })[0]; } },
   };
-  for (const Choice& choice : AllChoices())
-  {
-    takers[choice.Name] = [&choice](Session& session, Text value)
+}
+
+Field FieldOf(const Choice& choice)
+{
+  return { choice.Name,
+    [&choice](const Session& s) { return s.Settings.Choices.TextOf(choice.What); },
+    [&choice](Session& s, Text v)
     {
-      const auto at = std::find(choice.Values.begin(), choice.Values.end(), value);
+      const auto at = std::find(choice.Values.begin(), choice.Values.end(), v);
       if (at == choice.Values.end())
       {
-        throw std::invalid_argument(value);
+        throw std::invalid_argument(v);
       }
-      session.Choices[choice.What] = static_cast<int>(at - choice.Values.begin());
-    };
-  }
-  return takers;
+      s.Settings.Choices[choice.What] = static_cast<int>(at - choice.Values.begin());
+    } };
 }
 
-void TakeLine(const std::string& line, const std::map<std::string, Taker>& takers, Session& session)
+bool IsPlain(const Look& look)
+{
+  const auto& surfaces = look.Surfaces;
+  return surfaces.empty() ||
+    (surfaces.size() == 1 && surfaces[0].Opacity == 1.0 && surfaces[0].IsVisible &&
+      !surfaces[0].Color);
+}
+
+std::vector<Field> LaterFields()
+{
+  using S = Session;
+  using C = const Session;
+  return {
+    { "component", [](C& s) { return s.Component ? std::to_string(s.Component) : ""; },
+      [](S& s, Text v) { s.Component = v == "-1" ? -1 : ParseCount("component", v, 4095); } },
+    { "surfaces",
+      [](C& s)
+      {
+        return IsPlain(s.Settings)
+          ? ""
+          : JoinRows(s.Settings.Surfaces,
+              [](const Surface& row) {
+                return Numbers{ row.Isovalue, row.Opacity, row.IsVisible ? 1.0 : 0.0 };
+              });
+      },
+      [](S& s, Text v)
+      {
+        s.Settings.Surfaces = ParseRows<Surface>(v, 3,
+          [](const Numbers& row) {
+            return Surface{ row[0], row[1], row[2] != 0.0 };
+          });
+      } },
+    { "opacity",
+      [](C& s)
+      {
+        return JoinRows(s.Settings.Nodes,
+          [](const Node& row) {
+            return Numbers{ row.Value, row.Opacity };
+          });
+      },
+      [](S& s, Text v)
+      {
+        s.Settings.Nodes = ParseRows<Node>(v, 2,
+          [](const Numbers& row) {
+            return Node{ row[0], row[1] };
+          });
+      } },
+    { "density",
+      [](C& s) { return s.Settings.Density != 1.0 ? Join(Numbers{ s.Settings.Density }) : ""; },
+      [](S& s, Text v) { s.Settings.Density = std::clamp(Parse(v, { 1 })[0], 1e-3, 1e3); } },
+    { "clip",
+      [](C& s)
+      {
+        return s.Settings.Clip ? Join(s.Settings.Clip->Origin) + " " + Join(s.Settings.Clip->Normal)
+                               : "";
+      },
+      [](S& s, Text v)
+      {
+        const Numbers n = Parse(v, { 6 });
+        s.Settings.Clip = Plane{ { n[0], n[1], n[2] }, { n[3], n[4], n[5] } };
+      } },
+    { "crop", [](C& s) { return s.Settings.Crop ? Join(*s.Settings.Crop) : ""; },
+      [](S& s, Text v) { s.Settings.Crop = ParseArray<6>(v); } },
+    { "shading", [](C& s) { return s.Settings.Shading ? Join(*s.Settings.Shading) : ""; },
+      [](S& s, Text v) { s.Settings.Shading = ParseArray<4>(v); } },
+  };
+}
+
+std::vector<Field> AllFields()
+{
+  std::vector<Field> fields = FirstFields();
+  for (const Choice& choice : AllChoices())
+  {
+    fields.push_back(FieldOf(choice));
+  }
+  const std::vector<Field> later = LaterFields();
+  fields.insert(fields.end(), later.begin(), later.end());
+  return fields;
+}
+
+void TakeLine(Text line, const std::vector<Field>& fields, Session& session)
 {
   const std::size_t equals = line.find('=');
-  const auto taker =
-    equals == std::string::npos ? takers.end() : takers.find(Trimmed(line.substr(0, equals)));
-  if (taker == takers.end())
+  const std::string key = equals == std::string::npos ? "" : Trimmed(line.substr(0, equals));
+  const auto field = std::find_if(
+    fields.begin(), fields.end(), [&key](const Field& other) { return other.Key == key; });
+  if (field == fields.end())
   {
     throw std::invalid_argument(line);
   }
-  taker->second(session, Trimmed(line.substr(equals + 1)));
+  field->Read(session, Trimmed(line.substr(equals + 1)));
 }
 
 // A view without a direction would draw nothing, nor would one from where numbers end.
@@ -149,51 +294,18 @@ bool IsUsable(const CameraState& camera)
 
 bool IsSessionName(const std::string& path)
 {
-  const std::size_t length = std::strlen(Suffix);
-  return path.size() > length && path.compare(path.size() - length, length, Suffix) == 0;
+  return path.size() > Suffix.size() &&
+    path.compare(path.size() - Suffix.size(), Suffix.size(), Suffix) == 0;
 }
 
 void WriteSession(const Session& session, const std::string& path)
 {
   std::ofstream file(path);
   file << FirstLine << '\n';
-  const VolumeSource& source = session.Source;
-  if (source.Path.empty())
+  for (const Field& field : AllFields())
   {
-    file << "spheres = " << source.Spheres << '\n';
-  }
-  else
-  {
-    file << "volume = " << fs::absolute(source.Path).lexically_normal().string() << '\n';
-  }
-  if (source.Raw)
-  {
-    file << "raw = " << RawAsText(*source.Raw) << '\n'
-         << "big-endian = " << (source.BigEndian ? "on" : "off") << '\n';
-  }
-  if (!source.Array.empty())
-  {
-    file << "array = " << source.Array << '\n';
-  }
-  if (source.TimeStep > 1)
-  {
-    file << "time-step = " << source.TimeStep << '\n';
-  }
-  if (session.Isovalue)
-  {
-    file << "isovalue = " << Join(std::array<double, 1>{ *session.Isovalue }) << '\n';
-  }
-  if (session.Camera)
-  {
-    file << "camera-position = " << Join(session.Camera->Position) << '\n'
-         << "camera-focal-point = " << Join(session.Camera->FocalPoint) << '\n'
-         << "camera-view-up = " << Join(session.Camera->ViewUp) << '\n'
-         << "camera-view-angle = " << Join(std::array<double, 1>{ session.Camera->ViewAngle })
-         << '\n';
-  }
-  for (const Choice& choice : AllChoices())
-  {
-    file << choice.Name << " = " << session.Choices.TextOf(choice.What) << '\n';
+    const std::string text = field.Write(session);
+    file << (text.empty() ? "" : field.Key + " = " + text + "\n");
   }
   file.close();
   if (!file)
@@ -220,7 +332,7 @@ Session ReadSession(const std::string& path)
       Quoted(FirstLine) + "; open one that the Explorer saved.");
   }
   Session session;
-  const std::map<std::string, Taker> takers = Takers();
+  const std::vector<Field> fields = AllFields();
   for (int number = 2; std::getline(file, line); ++number)
   {
     line = Trimmed(line);
@@ -230,13 +342,17 @@ Session ReadSession(const std::string& path)
     }
     try
     {
-      TakeLine(line, takers, session);
+      TakeLine(line, fields, session);
     }
     catch (const std::exception&)
     {
       throw UserError("Line " + std::to_string(number) + " of the session " + Quoted(path) +
         " cannot be understood: " + Quoted(line) + "; correct it or take it out.");
     }
+  }
+  if (!session.Isovalue && !session.Settings.Surfaces.empty())
+  {
+    session.Isovalue = session.Settings.Surfaces[0].Isovalue;
   }
   if (session.Camera && !IsUsable(*session.Camera))
   {

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Model/VolumeView.h"
 
-#include "Drawing/Theme.h"
 #include "Files/Arrays.h"
-#include "Model/Appearance.h"
+#include "Program/Quoted.h"
 #include "Program/UserError.h"
+#include "View/Appearance.h"
 #include "View/Picture.h"
 #include "View/Viewpoint.h"
 
@@ -13,6 +13,8 @@
 #include <vtkCamera.h>
 #include <vtkColorTransferFunction.h>
 #include <vtkContourValues.h>
+#include <vtkDataArray.h>
+#include <vtkMath.h>
 #include <vtkPiecewiseFunction.h>
 #include <vtkVolumeProperty.h>
 
@@ -22,68 +24,241 @@
 namespace
 {
 
-constexpr std::array<double, 3> Background = { Theme::View.Red, Theme::View.Green,
-  Theme::View.Blue };
+constexpr std::array<double, 3> Background = { 16.0, 18.0, 22.0 }; // of 255
 constexpr double ShareFilled = 0.85; // of the view, by the volume's box
 constexpr double BytesPerMiB = 1024.0 * 1024.0;
 
-struct Build
-{
-  vtkTemporalCoherenceVolumeMapper* Mapper;
-  const std::function<bool(double)>& Progress;
-  bool IsStopped = false;
+// The blend modes of Choose::Drawing.
+constexpr std::array<int, 6> BlendModes = { vtkVolumeMapper::ISOSURFACE_BLEND,
+  vtkVolumeMapper::COMPOSITE_BLEND, vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND,
+  vtkVolumeMapper::MINIMUM_INTENSITY_BLEND, vtkVolumeMapper::AVERAGE_INTENSITY_BLEND,
+  vtkVolumeMapper::ADDITIVE_BLEND };
 
-  static void OnProgress(vtkObject*, unsigned long, void* clientData, void* callData)
+// While it lives, the mapper's progress is passed on, and what is answered back.
+class Watched
+{
+public:
+  Watched(vtkTemporalCoherenceVolumeMapper* mapper, unsigned long event, const Progress& progress)
+    : Mapper(mapper)
+    , Report(progress)
   {
-    auto* self = static_cast<Build*>(clientData);
-    self->IsStopped = self->IsStopped || !self->Progress(*static_cast<double*>(callData));
-    if (self->IsStopped)
+    this->Command->SetClientData(this);
+    this->Command->SetCallback(
+      [](vtkObject*, unsigned long id, void* to, void* data)
+      {
+        auto* self = static_cast<Watched*>(to);
+        if (id == vtkCommand::ErrorEvent || id == vtkCommand::WarningEvent)
+        {
+          self->HasFailed = true;
+        }
+        else if (self->IsStopped || !self->Report(*static_cast<double*>(data)))
+        {
+          self->IsStopped = true;
+          self->Mapper->SetAbortExecute(1);
+        }
+      });
+    for (const unsigned long id : { event, static_cast<unsigned long>(vtkCommand::ErrorEvent) })
     {
-      self->Mapper->SetAbortExecute(1);
+      mapper->AddObserver(id, this->Command);
     }
   }
+  ~Watched() { this->Mapper->RemoveObserver(this->Command); }
+  Watched(const Watched&) = delete;
+  Watched& operator=(const Watched&) = delete;
+
+  bool IsStopped = false;
+  bool HasFailed = false;
+
+private:
+  vtkTemporalCoherenceVolumeMapper* Mapper;
+  const Progress& Report;
+  vtkNew<vtkCallbackCommand> Command;
 };
+
+VolumeView::Mapping NewMapper()
+{
+  const auto mapper = VolumeView::Mapping::New();
+  // The histogram beside the view shows where the isovalue lies in the range.
+  mapper->WarnOfIsovaluesOff();
+  return mapper;
+}
+
+void SetInput(const Volume& volume, int component, vtkTemporalCoherenceVolumeMapper* mapper)
+{
+  mapper->SetInputDataObject(volume.Data);
+  ShowArray(volume, mapper);
+  const std::vector<vtkDataArray*> arrays = ShownArrays(volume);
+  const bool hasSeveral = !arrays.empty() && arrays.front()->GetNumberOfComponents() > 1;
+  using Modes = vtkTemporalCoherenceVolumeMapper;
+  mapper->SetVectorMode(!hasSeveral ? Modes::DISABLED
+      : component < 0               ? Modes::MAGNITUDE
+                                    : Modes::COMPONENT);
+  mapper->SetVectorComponent(std::max(component, 0));
+}
 
 }
 
 VolumeView::VolumeView()
+  : Mapper(NewMapper())
 {
-  // The histogram beside the view shows where the isovalue lies in the range.
-  this->Mapper->WarnOfIsovaluesOff();
   this->Actor->SetMapper(this->Mapper);
   this->Actor->GetProperty()->SetInterpolationTypeToLinear();
   this->Renderer->SetBackground(
     Background[0] / 255.0, Background[1] / 255.0, Background[2] / 255.0);
 }
 
-void VolumeView::Show(const Volume& volume, const std::array<double, 2>& range)
+VolumeView::Mapping VolumeView::Prepare(
+  const Volume& volume, int component, double isovalue, const Progress& progress)
+{
+  const Mapping mapper = NewMapper();
+  SetInput(volume, component, mapper);
+  vtkNew<vtkVolume> actor;
+  actor->SetMapper(mapper);
+  actor->SetUserMatrix(volume.Placement);
+  actor->GetProperty()->SetInterpolationTypeToLinear();
+  actor->GetProperty()->GetIsoSurfaceValues()->SetValue(0, isovalue);
+  vtkNew<vtkRenderer> renderer;
+  renderer->ResetCamera(actor->GetBounds());
+  vtkNew<vtkImageData> color;
+  Watched watch(mapper, vtkCommand::VolumeMapperRenderProgressEvent, progress);
+  constexpr int few = 16; // pixels: what depends on the data is the same for any picture
+  mapper->RenderToImage(renderer, actor, few, few, color, nullptr);
+  if (watch.IsStopped)
+  {
+    throw UserError("Opening " + Quoted(volume.Name) + " was stopped; what was shown stays.");
+  }
+  // Errors are told once: by a mapper that somebody listens to.
+  return watch.HasFailed ? NewMapper() : mapper;
+}
+
+void VolumeView::Show(
+  const Volume& volume, int component, const std::array<double, 2>& range, const Mapping& by)
 {
   this->Range = range;
-  this->Mapper->ReleaseReuse();
-  this->Mapper->SetInputDataObject(volume.Data);
-  ShowArray(volume, this->Mapper);
+  this->HasCells = HasMeshes(volume.Data);
+  if (by)
+  {
+    this->Mapper = by;
+    this->Actor->SetMapper(by);
+  }
+  SetInput(volume, component, this->Mapper);
   this->Actor->SetUserMatrix(volume.Placement);
-  vtkNew<vtkPiecewiseFunction> opaque;
-  opaque->AddPoint(range[0], 1.0);
-  opaque->AddPoint(range[1], 1.0);
-  this->Actor->GetProperty()->SetScalarOpacity(opaque);
+  this->Mapper->GetBounds(this->Box.data());
+  std::copy_n(this->Actor->GetBounds(), 6, this->BoxInWorld.begin());
   if (!this->Renderer->HasViewProp(this->Actor))
   {
     this->Renderer->AddVolume(this->Actor);
   }
 }
 
-void VolumeView::SetIsovalue(double isovalue)
+// Surfaces of the palette's colours have them from the palette itself.
+void VolumeView::SetSurfaces(const Look& look)
 {
-  this->Actor->GetProperty()->GetIsoSurfaceValues()->SetValue(0, isovalue);
+  vtkVolumeProperty* property = this->Actor->GetProperty();
+  vtkContourValues* values = property->GetIsoSurfaceValues();
+  vtkColorTransferFunction* colors = property->GetRGBTransferFunction();
+  vtkNew<vtkPiecewiseFunction> opacity;
+  std::vector<std::pair<double, Rgb>> own;
+  int count = 0;
+  bool isOpaque = true;
+  for (const Surface& surface : look.Surfaces)
+  {
+    if (surface.IsVisible)
+    {
+      values->SetValue(count++, surface.Isovalue);
+      opacity->AddPoint(surface.Isovalue, surface.Opacity);
+      isOpaque = isOpaque && surface.Opacity == 1.0;
+    }
+    Rgb color = surface.Color.value_or(Rgb{});
+    if (!surface.Color)
+    {
+      colors->GetColor(surface.Isovalue, color.data());
+    }
+    own.emplace_back(surface.Isovalue, color);
+  }
+  if (count == 0)
+  {
+    values->SetValue(count++, look.Surfaces[0].Isovalue);
+    opacity->AddPoint(look.Surfaces[0].Isovalue, 0.0);
+    isOpaque = false;
+  }
+  values->SetNumberOfContours(count);
+  if (isOpaque)
+  {
+    opacity->RemoveAllPoints();
+    opacity->AddPoint(this->Range[0], 1.0);
+    opacity->AddPoint(this->Range[1], 1.0);
+  }
+  property->SetScalarOpacity(opacity);
+  if (std::any_of(look.Surfaces.begin(), look.Surfaces.end(),
+        [](const Surface& surface) { return surface.Color.has_value(); }))
+  {
+    colors->RemoveAllPoints();
+    for (const auto& [value, color] : own)
+    {
+      colors->AddRGBPoint(value, color[0], color[1], color[2]);
+    }
+  }
 }
 
-void VolumeView::Apply(const Chosen& choices)
+void VolumeView::SetBlending(const Look& look)
 {
+  vtkVolumeProperty* property = this->Actor->GetProperty();
+  vtkNew<vtkColorTransferFunction> palette;
+  palette->DeepCopy(property->GetRGBTransferFunction());
+  vtkNew<vtkPiecewiseFunction> opacity;
+  const bool hasOwn = std::any_of(
+    look.Nodes.begin(), look.Nodes.end(), [](const Node& node) { return node.Color.has_value(); });
+  if (hasOwn)
+  {
+    property->GetRGBTransferFunction()->RemoveAllPoints();
+  }
+  for (const Node& node : look.Nodes)
+  {
+    opacity->AddPoint(node.Value, node.Opacity);
+    Rgb color = node.Color.value_or(Rgb{});
+    if (!node.Color)
+    {
+      palette->GetColor(node.Value, color.data());
+    }
+    if (hasOwn)
+    {
+      property->GetRGBTransferFunction()->AddRGBPoint(node.Value, color[0], color[1], color[2]);
+    }
+  }
+  property->SetScalarOpacity(opacity);
+  const std::array<double, 6> box = this->Box;
+  const double diagonal = std::hypot(box[1] - box[0], box[3] - box[2], box[5] - box[4]);
+  property->SetScalarOpacityUnitDistance(std::max(0.01 * diagonal / look.Density, 1e-30));
+}
+
+void VolumeView::Apply(const Look& look)
+{
+  const Chosen& choices = look.Choices;
   vtkVolumeProperty* property = this->Actor->GetProperty();
   SetPalette(property->GetRGBTransferFunction(), choices[Choose::Palette], this->Range);
   SetMaterial(property, choices[Choose::Material]);
+  if (look.Shading)
+  {
+    property->ShadeOn();
+    property->SetAmbient((*look.Shading)[0]);
+    property->SetDiffuse((*look.Shading)[1]);
+    property->SetSpecular((*look.Shading)[2]);
+    property->SetSpecularPower((*look.Shading)[3]);
+  }
   SetLight(this->Renderer, choices[Choose::Light]);
+  const int drawing = this->HasCells ? DrawSurfaces : choices[Choose::Drawing];
+  this->Mapper->SetBlendMode(BlendModes[static_cast<std::size_t>(drawing)]);
+  // Rays of blended volumes take long: fewer of them while something is dragged.
+  this->Mapper->SetAutoAdjustSampleDistances(drawing != DrawSurfaces);
+  if (drawing == DrawSurfaces)
+  {
+    this->SetSurfaces(look);
+  }
+  else
+  {
+    this->SetBlending(look);
+  }
   this->Mapper->SetSurfaceMode(choices[Choose::Surface]);
   this->Mapper->SetAveragedGradients(choices.IsOn(Choose::Gradients));
   this->Mapper->SetReuseAccuracy(choices[Choose::Accuracy]);
@@ -93,6 +268,19 @@ void VolumeView::Apply(const Chosen& choices)
   this->Mapper->SetColorByAnswer(choices.IsOn(Choose::Answers));
   // A completed picture owes nothing to the cache: it would have no yellow.
   this->Mapper->SetRefineWhenStill(!choices.IsOn(Choose::Answers));
+  this->Mapper->SetCropping(look.Crop.has_value());
+  if (look.Crop)
+  {
+    this->Mapper->SetCroppingRegionFlagsToSubVolume();
+    this->Mapper->SetCroppingRegionPlanes(look.Crop->data());
+  }
+  this->Mapper->RemoveAllClippingPlanes();
+  if (look.Clip)
+  {
+    this->Clip->SetOrigin(look.Clip->Origin.data());
+    this->Clip->SetNormal(look.Clip->Normal.data());
+    this->Mapper->AddClippingPlane(this->Clip);
+  }
 }
 
 void VolumeView::LookFrom(const std::string& from, const std::string& up)
@@ -132,36 +320,14 @@ void VolumeView::SetCamera(const CameraState& state)
   this->Renderer->ResetCameraClippingRange();
 }
 
-bool VolumeView::BuildIsomap(const std::function<bool(double share)>& progress)
+bool VolumeView::BuildIsomap(const Progress& progress)
 {
-  Build build{ this->Mapper, progress };
-  vtkNew<vtkCallbackCommand> command;
-  command->SetClientData(&build);
-  command->SetCallback(&Build::OnProgress);
-  this->Mapper->AddObserver(vtkCommand::ProgressEvent, command);
+  const Watched watch(this->Mapper, vtkCommand::ProgressEvent, progress);
   this->Mapper->SetIsomapRange(this->Range.data());
   const bool isBuilt = this->Mapper->BuildIsomap(this->Renderer, this->Actor);
   // Views that follow begin with narrow bands again.
   this->Mapper->SetIsomapRange(1.0, 0.0);
-  this->Mapper->RemoveObserver(command);
   return isBuilt;
-}
-
-vtkSmartPointer<vtkImageData> VolumeView::Picture(int scale)
-{
-  if (scale == 1)
-  {
-    return this->LastFrame();
-  }
-  const int* size = this->Renderer->GetSize();
-  vtkNew<vtkImageData> picture;
-  this->Renderer->ResetCameraClippingRange();
-  if (!this->Mapper->RenderToImage(
-        this->Renderer, this->Actor, scale * size[0], scale * size[1], picture, nullptr))
-  {
-    throw UserError("The picture could not be made; choose a smaller picture scale.");
-  }
-  return OnBackground(picture, Background, Background);
 }
 
 vtkSmartPointer<vtkImageData> VolumeView::LastFrame()
@@ -170,6 +336,17 @@ vtkSmartPointer<vtkImageData> VolumeView::LastFrame()
   if (!this->Mapper->GetLastFrame(picture, vtkTemporalCoherenceVolumeMapper::FRAME_COLOR))
   {
     throw UserError("There is no picture yet; open a volume first.");
+  }
+  return OnBackground(picture, Background, Background);
+}
+
+vtkSmartPointer<vtkImageData> VolumeView::Picture(int width, int height)
+{
+  vtkNew<vtkImageData> picture;
+  this->Renderer->ResetCameraClippingRange();
+  if (!this->Mapper->RenderToImage(this->Renderer, this->Actor, width, height, picture, nullptr))
+  {
+    throw UserError("The picture could not be made; choose a smaller size.");
   }
   return OnBackground(picture, Background, Background);
 }

@@ -4,11 +4,11 @@
 #define VolumeView_h
 
 #include "Files/VolumeReader.h"
-#include "Model/Choices.h"
 #include "Model/Session.h"
 
 #include <vtkImageData.h>
 #include <vtkNew.h>
+#include <vtkPlane.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
 #include <vtkTemporalCoherenceVolumeMapper.h>
@@ -33,40 +33,59 @@ struct FrameFacts
   double IsomapMiB = 0.0;
 };
 
+// What takes long tells how far it is, and is stopped by the answer false.
+using Progress = std::function<bool(double share)>;
+
 // The volume, its mapper, light and camera, as a renderer shows them.
 class VolumeView
 {
 public:
+  using Mapping = vtkSmartPointer<vtkTemporalCoherenceVolumeMapper>;
+
   VolumeView();
 
-  void Show(const Volume& volume, const std::array<double, 2>& range);
-  void SetIsovalue(double isovalue);
-  void Apply(const Chosen& choices);
+  // A mapper that has set up all that depends on the data alone. It may be made beside others, in
+  // any thread. Throws UserError if it was stopped.
+  static Mapping Prepare(const Volume& volume, int component, double isovalue, const Progress&);
+
+  // By the mapper that there is, or by a new one.
+  void Show(
+    const Volume& volume, int component, const std::array<double, 2>& range, const Mapping& by);
+  void Apply(const Look& look);
 
   // All of the volume is seen; the axes are those of the command line.
   void LookFrom(const std::string& from, const std::string& up);
   CameraState Camera() const;
   void SetCamera(const CameraState& camera);
 
-  // For all isovalues in this view. False if it was stopped by the answer of `progress`, or if
-  // there can be none.
-  bool BuildIsomap(const std::function<bool(double share)>& progress);
+  // For all isovalues in this view. False if it was stopped, or if there can be none.
+  bool BuildIsomap(const Progress& progress);
 
-  // The view without panels: as the window shows it, or so many times as large. Throws UserError.
-  vtkSmartPointer<vtkImageData> Picture(int scale);
-
-  // The last frame as it is. Throws UserError.
+  // The view alone, as it was drawn last or with so many pixels. Both throw UserError.
   vtkSmartPointer<vtkImageData> LastFrame();
+  vtkSmartPointer<vtkImageData> Picture(int width, int height);
 
   FrameFacts Facts();
   vtkColorTransferFunction* Colors() const;
+  const std::array<double, 2>& ValueRange() const { return this->Range; }
+  // As they were when it was shown: the mapper is not asked, which may be at work.
+  const std::array<double, 6>& DataBounds() const { return this->Box; }
+  const std::array<double, 6>& WorldBounds() const { return this->BoxInWorld; }
+  vtkMatrix4x4* Placement() const { return this->Actor->GetUserMatrix(); } // may be null
+  bool IsMesh() const { return this->HasCells; }
 
   vtkNew<vtkRenderer> Renderer;
-  vtkNew<vtkTemporalCoherenceVolumeMapper> Mapper;
+  Mapping Mapper;
 
 private:
+  void SetSurfaces(const Look& look);
+  void SetBlending(const Look& look);
+
   vtkNew<vtkVolume> Actor;
+  vtkNew<vtkPlane> Clip;
   std::array<double, 2> Range = { 0.0, 1.0 };
+  std::array<double, 6> Box = {}, BoxInWorld = {};
+  bool HasCells = false;
 };
 
 #endif

@@ -15,6 +15,13 @@
 void CheckDisplay()
 {
 #if !defined(_WIN32) && !defined(__APPLE__)
+  for (const char* other : { "WAYLAND_DISPLAY", "QT_QPA_PLATFORM" })
+  {
+    if (std::getenv(other))
+    {
+      return; // whoever chooses another way knows it
+    }
+  }
   const char* name = std::getenv("DISPLAY");
   if (!name || !*name)
   {

@@ -3,7 +3,7 @@
 #ifndef Display_h
 #define Display_h
 
-// VTK aborts where no window can be opened. Throws UserError instead.
+// Qt aborts where no window can be opened. Throws UserError instead.
 void CheckDisplay();
 
 #endif

@@ -2,24 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Window/DragMeasurement.h"
 
-#include "Drawing/TexturedRectangle.h"
-#include "Window/ExplorerWindow.h"
+#include "Window/MainWindow.h"
 
 #include <vtkCamera.h>
-#include <vtkCommand.h>
 #include <vtkImageActor.h>
-#include <vtkImageData.h>
 #include <vtkImageMapper3D.h>
-#include <vtkPointData.h>
 #include <vtkRenderer.h>
-#include <vtkSmartPointer.h>
 #include <vtkTimerLog.h>
-#include <vtkUnsignedCharArray.h>
+
+#include <QApplication>
+#include <QMouseEvent>
+#include <QVTKOpenGLNativeWidget.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
-#include <functional>
 #include <map>
 #include <vector>
 
@@ -36,134 +32,84 @@ double Median(std::vector<double> times)
   return times.empty() ? 0.0 : times[times.size() / 2];
 }
 
-// Milliseconds until all is drawn.
-double TimeOf(vtkRenderWindow* window, const std::function<void()>& action)
+// Milliseconds until it is seen.
+double TimeOf(QVTKOpenGLNativeWidget* view, const std::function<void()>& action)
 {
+  bool isShown = false;
+  const auto connection =
+    QObject::connect(view, &QOpenGLWidget::frameSwapped, view, [&isShown] { isShown = true; });
   const double begin = vtkTimerLog::GetUniversalTime();
   action();
-  window->WaitForCompletion();
+  while (!isShown)
+  {
+    QApplication::processEvents(QEventLoop::WaitForMoreEvents);
+  }
+  QObject::disconnect(connection);
   return 1000.0 * (vtkTimerLog::GetUniversalTime() - begin);
 }
 
-void SendMouse(ExplorerWindow& window, unsigned long event, double share)
+void SendMouse(HistogramPanel* histogram, QEvent::Type type, double share)
 {
-  const Rect& panel = window.Panels().Isovalue.Placed();
-  const int x = panel.X + static_cast<int>(share * panel.Width);
-  const int y = panel.Y + panel.Height / 2;
-  window.Interactor()->SetEventInformationFlipY(x, y);
-  window.Interactor()->InvokeEvent(event);
+  const QPoint place = histogram->PlaceOf(share);
+  QMouseEvent event(type, place, histogram->mapToGlobal(place), Qt::LeftButton,
+    type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(histogram, &event);
 }
 
-vtkSmartPointer<vtkImageData> PictureOf(vtkRenderWindow* window)
+double MedianOfPictures(MainWindow& window, const std::vector<vtkSmartPointer<vtkImageData>>& two,
+  vtkRenderer* before, int count)
 {
-  constexpr int backBuffer = 0;
-  const int* size = window->GetSize();
-  vtkNew<vtkUnsignedCharArray> pixels;
-  window->GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, backBuffer, pixels);
-  pixels->FillComponent(3, 255);
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(size[0], size[1], 1);
-  image->GetPointData()->SetScalars(pixels);
-  return image;
-}
-
-std::vector<double> DragTimes(ExplorerWindow& window, int steps, std::map<std::string, int>& routes)
-{
+  vtkRenderWindow* shown = window.View()->renderWindow();
+  vtkNew<vtkImageActor> actor;
+  vtkNew<vtkRenderer> renderer;
+  shown->RemoveRenderer(before);
+  shown->AddRenderer(renderer);
+  actor->GetMapper()->SetInputData(two[0]);
+  renderer->AddActor(actor);
+  renderer->GetActiveCamera()->ParallelProjectionOn();
+  renderer->ResetCamera();
+  renderer->GetActiveCamera()->SetParallelScale(0.5 * two[0]->GetDimensions()[1]);
   std::vector<double> times;
-  SendMouse(window, vtkCommand::LeftButtonPressEvent, From);
+  for (int i = 0; i <= count; ++i)
+  {
+    const double ms = TimeOf(window.View(),
+      [&]
+      {
+        two[static_cast<std::size_t>(i % 2)]->Modified();
+        actor->GetMapper()->SetInputData(two[static_cast<std::size_t>(i % 2)]);
+        shown->Render();
+      });
+    times.insert(times.end(), i > 0 ? 1 : 0, ms); // the first makes what is kept
+  }
+  shown->RemoveRenderer(renderer);
+  shown->AddRenderer(before);
+  return Median(times);
+}
+
+}
+
+void MeasureDrag(MainWindow& window, Workbench& bench, int steps)
+{
+  std::vector<vtkSmartPointer<vtkImageData>> pictures = { bench.Data.View.LastFrame() };
+  std::map<std::string, int> routes;
+  std::vector<double> times;
+  SendMouse(window.Histogram(), QEvent::MouseButtonPress, From);
+  while (bench.IsBusy())
+  {
+    QApplication::processEvents(QEventLoop::WaitForMoreEvents);
+  }
   for (int step = 1; step <= steps; ++step)
   {
     const double share = From + (To - From) * step / steps;
     times.push_back(
-      TimeOf(window.Window(), [&] { SendMouse(window, vtkCommand::MouseMoveEvent, share); }));
-    ++routes[window.Opened().View.Facts().Route];
+      TimeOf(window.View(), [&] { SendMouse(window.Histogram(), QEvent::MouseMove, share); }));
+    ++routes[bench.Data.View.Facts().Route];
   }
-  SendMouse(window, vtkCommand::LeftButtonReleaseEvent, To);
-  return times;
-}
-
-using Pictures = std::array<vtkSmartPointer<vtkImageData>, 2>;
-
-// Nothing but the picture is in the window, and each time it is another one than before.
-class PlainWindow
-{
-public:
-  explicit PlainWindow(vtkRenderWindow* like)
-    : Size(like->GetSize())
-  {
-    this->Window->SetMultiSamples(0);
-    this->Window->SetSize(this->Size[0], this->Size[1]);
-    this->Window->AddRenderer(this->Renderer);
-  }
-
-  // As VTK shows pictures.
-  double ByImageActor(const Pictures& pictures, int count)
-  {
-    vtkNew<vtkImageActor> actor;
-    actor->GetMapper()->SetInputData(pictures[0]);
-    this->Renderer->AddActor(actor);
-    vtkCamera* camera = this->Renderer->GetActiveCamera();
-    camera->ParallelProjectionOn();
-    this->Renderer->ResetCamera();
-    camera->SetParallelScale(0.5 * this->Size[1]);
-    const double ms = this->MedianTime(count,
-      [&](std::size_t which)
-      {
-        pictures[which]->Modified();
-        actor->GetMapper()->SetInputData(pictures[which]);
-      });
-    this->Renderer->RemoveActor(actor);
-    return ms;
-  }
-
-  // The least that OpenGL has to do, with no regard to depth.
-  double ByRectangle(const Pictures& pictures, int count)
-  {
-    TexturedRectangle rectangle(this->Renderer);
-    rectangle.Place({ 0, 0, this->Size[0], this->Size[1] }, this->Size[1]);
-    rectangle.SetVisible(true);
-    return this->MedianTime(count, [&](std::size_t which) { rectangle.SetImage(pictures[which]); });
-  }
-
-private:
-  double MedianTime(int count, const std::function<void(std::size_t which)>& show)
-  {
-    std::vector<double> times;
-    for (int i = 0; i <= count; ++i)
-    {
-      const double ms = TimeOf(this->Window,
-        [&]
-        {
-          show(static_cast<std::size_t>(i % 2));
-          this->Window->Render();
-        });
-      if (i > 0) // the first makes what is kept
-      {
-        times.push_back(ms);
-      }
-    }
-    return Median(times);
-  }
-
-  const int* Size;
-  vtkNew<vtkRenderWindow> Window;
-  vtkNew<vtkRenderer> Renderer;
-};
-
-}
-
-void MeasureDrag(ExplorerWindow& window, int steps)
-{
-  window.Render();
-  Pictures pictures = { PictureOf(window.Window()), nullptr };
-  std::map<std::string, int> routes;
-  const double drag = Median(DragTimes(window, steps, routes));
-  pictures[1] = PictureOf(window.Window());
-  PlainWindow plain(window.Window());
-  const double picture = plain.ByImageActor(pictures, steps);
-  const double rectangle = plain.ByRectangle(pictures, steps);
-
-  const int* size = window.Window()->GetSize();
+  SendMouse(window.Histogram(), QEvent::MouseButtonRelease, To);
+  pictures.push_back(bench.Data.View.LastFrame());
+  const double drag = Median(times);
+  const double picture = MedianOfPictures(window, pictures, bench.Data.View.Renderer, steps);
+  const int* size = pictures[0]->GetDimensions();
   std::printf(
     "Drag of %d steps in %d x %d pixels: median %.2f ms a frame (", steps, size[0], size[1], drag);
   const char* separator = "";
@@ -172,7 +118,6 @@ void MeasureDrag(ExplorerWindow& window, int steps)
     std::printf("%s%s %d", separator, route.c_str(), count);
     separator = ", ";
   }
-  std::printf(")\nAny picture of that size: median %.2f ms by a vtkImageActor, %.2f ms as a bare "
-              "textured rectangle\nRatio: %.2f to the one, %.2f to the other\n",
-    picture, rectangle, drag / picture, drag / rectangle);
+  std::printf(")\nAny picture of that size in the same widget: median %.2f ms\nRatio: %.2f\n",
+    picture, drag / picture);
 }

@@ -3,10 +3,11 @@
 #ifndef DragMeasurement_h
 #define DragMeasurement_h
 
-class ExplorerWindow;
+class MainWindow;
+class Workbench;
 
 // Drags the isovalue through the histogram by the events that a mouse sends, shows two pictures of
-// the window's size in turn, and prints the medians of what each took.
-void MeasureDrag(ExplorerWindow& window, int steps);
+// the view's size in the same widget in turn, and prints the medians of what each took.
+void MeasureDrag(MainWindow& window, Workbench& bench, int steps);
 
 #endif

@@ -1,281 +1,295 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What ExplorerWindow does with mouse, keys and dropped files.
-#include "Window/ExplorerWindow.h"
+// What MainWindow does with menus, keys and dropped files.
+#include "Window/Dialogs.h"
+#include "Window/MainWindow.h"
 
-#include <vtkCallbackCommand.h>
+#include <QVTKInteractor.h>
+#include <QVTKOpenGLNativeWidget.h>
 
-#include <cctype>
-#include <map>
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+#include <QMimeData>
+#include <QSettings>
+#include <QToolButton>
+
+#include <utility>
 
 namespace
 {
 
-template <void (ExplorerWindow::*Method)()>
-void Call(vtkObject*, unsigned long, void* window, void*)
-{
-  (static_cast<ExplorerWindow*>(window)->*Method)();
-}
+constexpr int MostRecent = 10;
 
-// The last line of a message of VTK's, which is the sentence itself.
-std::string SentenceOfVtk(const char* message)
+std::string PathOf(const QString& text)
 {
-  const std::string text = message ? message : "";
-  const std::size_t begin = text.find("): ");
-  const std::string sentence = begin == std::string::npos ? text : text.substr(begin + 3);
-  return sentence.substr(0, sentence.find_last_not_of("\n ") + 1);
+  return QFile::encodeName(text).toStdString();
 }
 
 }
 
-void ExplorerWindow::ObserveFrames()
+void MainWindow::Perform(Do what)
 {
-  const auto observe = [this](vtkObject* subject, unsigned long event,
-                         void (*callback)(vtkObject*, unsigned long, void*, void*))
+  Workbench& bench = this->Bench;
+  switch (what)
   {
-    vtkNew<vtkCallbackCommand> command;
-    command->SetClientData(this);
-    command->SetCallback(callback);
-    subject->AddObserver(event, command);
-  };
-  observe(this->Shown, vtkCommand::StartEvent, Call<&ExplorerWindow::OnFrameBegin>);
-  observe(this->Shown, vtkCommand::EndEvent, Call<&ExplorerWindow::OnFrameEnd>);
-  // The panels are drawn after the view: they tell of the very frame they stand in.
-  observe(this->Data.View.Renderer, vtkCommand::EndEvent,
-    [](vtkObject*, unsigned long, void* window, void*)
-    {
-      auto* self = static_cast<ExplorerWindow*>(window);
-      self->Parts.Statistics.SetFacts(self->Data.View.Facts());
-    });
-  // With an observer, VTK writes nothing on the terminal itself.
-  for (const unsigned long event : { vtkCommand::ErrorEvent, vtkCommand::WarningEvent })
-  {
-    observe(this->Data.View.Mapper, event,
-      [](vtkObject*, unsigned long, void* window, void* message)
-      {
-        static_cast<ExplorerWindow*>(window)->Say(
-          SentenceOfVtk(static_cast<const char*>(message)), true);
-      });
-  }
-}
-
-Hands::Grip ExplorerWindow::Press(int x, int y, bool isRight)
-{
-  this->Parts.ClearMessage();
-  if (this->Parts.Files.IsVisible())
-  {
-    if (!this->Parts.Files.Contains(x, y))
-    {
-      this->ToggleFiles();
-      return Grip::Done;
-    }
-    std::optional<FileList::Entry> chosen;
-    this->Try([&] { chosen = this->Parts.Files.Click(x, y); });
-    if (chosen)
-    {
-      this->OpenPath(chosen->Path.string());
-    }
-    return Grip::Done;
-  }
-  if (this->Parts.Help.IsVisible())
-  {
-    this->ToggleHelp();
-    return Grip::Done;
-  }
-  if (this->Parts.Isovalue.Contains(x, y))
-  {
-    this->PrepareDrag();
-    this->SetIsovalueAt(x);
-    return Grip::Held;
-  }
-  const SwitchBar::Target target = this->Parts.Switches.At(x, y);
-  if (target.Turned)
-  {
-    this->Turn(*target.Turned, isRight ? -1 : 1);
-  }
-  if (target.Done)
-  {
-    this->Perform(*target.Done);
-  }
-  const bool isPanel = this->Parts.Switches.Contains(x, y) || this->Parts.Statistics.Contains(x, y);
-  return isPanel ? Grip::Done : Grip::None;
-}
-
-void ExplorerWindow::Drag(int x, int)
-{
-  this->SetIsovalueAt(x);
-}
-
-bool ExplorerWindow::Wheel(int x, int y, int turns)
-{
-  if (this->Parts.Files.Contains(x, y))
-  {
-    this->Parts.Files.Scroll(-3 * turns);
-    this->Render();
-    return true;
-  }
-  if (this->Parts.Isovalue.Contains(x, y))
-  {
-    this->Try([&] { this->Data.StepIsovalue(turns); });
-    return true;
-  }
-  return this->Parts.Switches.Contains(x, y) || this->Parts.Statistics.Contains(x, y);
-}
-
-void ExplorerWindow::KeyInList(const std::string& name)
-{
-  if (name == "Escape" || name == "o")
-  {
-    this->ToggleFiles();
-    return;
-  }
-  std::optional<FileList::Entry> chosen;
-  this->Try([&] { chosen = this->Parts.Files.Key(name); });
-  if (chosen)
-  {
-    this->OpenPath(chosen->Path.string());
-  }
-}
-
-void ExplorerWindow::Key(const std::string& name, char character, bool hasShift)
-{
-  // What was done by hand before has been dealt with: scripts may go on.
-  this->Log.Event(this->Busy ? "key-while-busy" : "key", name);
-  if (this->Busy)
-  {
-    this->IsStopped = this->IsStopped || name == "Escape";
-    return;
-  }
-  if (name.compare(0, 5, "Shift") == 0)
-  {
-    return; // of "?", say: not a key of its own
-  }
-  const bool hadMessage = this->Parts.Message.HasMessage();
-  this->Parts.ClearMessage();
-  if (hadMessage && character == 'S')
-  {
-    this->Render(); // it is not to be in the picture
-  }
-  if (this->Parts.Files.IsVisible())
-  {
-    this->KeyInList(name);
-    return;
-  }
-  static const std::map<std::string, int> steps = { { "Left", -1 }, { "Right", 1 }, { "Down", -1 },
-    { "Up", 1 } };
-  if (steps.count(name) == 1)
-  {
-    this->Try([&] { this->Data.StepIsovalue((hasShift ? 10 : 1) * steps.at(name)); });
-    return;
-  }
-  if (name == "Escape" && this->Parts.Help.IsVisible())
-  {
-    this->ToggleHelp();
-    return;
-  }
-  for (const Choice& choice : AllChoices())
-  {
-    if (choice.Key == std::tolower(static_cast<unsigned char>(character)) &&
-      this->Data.Offers(choice))
-    {
-      this->Turn(choice.What, std::isupper(static_cast<unsigned char>(character)) ? -1 : 1);
-      return;
-    }
-  }
-  for (const Action& action : AllActions())
-  {
-    if (action.Key == character)
-    {
-      this->Perform(action.What);
-      return;
-    }
-  }
-  this->Render(); // without the message
-}
-
-void ExplorerWindow::Drop(const std::vector<std::string>& paths)
-{
-  if (!paths.empty())
-  {
-    this->OpenPath(paths.front());
-  }
-}
-
-void ExplorerWindow::ToggleHelp()
-{
-  this->Parts.Help.SetVisible(!this->Parts.Help.IsVisible());
-  this->Log.Event("help", this->Parts.Help.IsVisible() ? "on" : "off");
-  this->Render();
-}
-
-void ExplorerWindow::ToggleFiles()
-{
-  this->Parts.Help.SetVisible(false);
-  this->Try(
-    [this]
-    {
-      if (this->Parts.Files.IsVisible())
-      {
-        this->Parts.Files.SetVisible(false);
-      }
-      else
-      {
-        this->Parts.Files.Open();
-        this->Parts.Files.ForEachPlace(
-          [this](const std::string& name, int x, int y) { this->Log.Place(name, x, y); });
-      }
-    });
-  this->Log.Event("files", this->Parts.Files.IsVisible() ? "on" : "off");
-}
-
-void ExplorerWindow::Perform(Do action)
-{
-  switch (action)
-  {
-    case Do::Open:
-      this->ToggleFiles();
+    case Do::Quit:
+      this->close();
       break;
-    case Do::BuildIsomap:
-      this->Try([this] { this->BuildIsomap(); });
+    case Do::Undo:
+      bench.Changes.undo();
       break;
-    case Do::Picture:
-      this->Try([this] { this->SavePicture(); });
+    case Do::Redo:
+      bench.Changes.redo();
       break;
-    case Do::WindowPicture:
-      this->Try([this] { this->Say("Saved " + this->Output.Save(this->PictureOfWindow())); });
-      break;
-    case Do::Record:
-      this->Try([this] { this->ToggleRecording(); });
-      break;
-    case Do::Save:
-      this->Try(
-        [this]
+    case Do::AddSurface:
+      bench.BeginGesture();
+      bench.Edit(tr("surface"),
+        [&](Look& look)
         {
-          this->Data.Save(this->SessionFile);
-          this->Say("Saved " + this->SessionFile);
+          const auto& range = bench.Data.Counted().Range;
+          Surface surface = look.Surfaces[bench.Selected()];
+          surface.Isovalue +=
+            (surface.Isovalue < 0.5 * (range[0] + range[1]) ? 0.2 : -0.2) * (range[1] - range[0]);
+          look.Surfaces.push_back(surface);
         });
+      bench.Select(bench.Data.Settings().Surfaces.size() - 1);
       break;
-    case Do::Restore:
-      this->Try([this] { this->Open(ReadSession(this->SessionFile)); });
+    case Do::RemoveSurface:
+      bench.BeginGesture();
+      bench.Edit(tr("surface"),
+        [&](Look& look)
+        { look.Surfaces.erase(look.Surfaces.begin() + static_cast<long>(bench.Selected())); });
+      break;
+    case Do::Clip:
+      this->findChild<QAbstractButton*>("clip")->click();
+      break;
+    case Do::Crop:
+      this->findChild<QAbstractButton*>("crop")->click();
       break;
     case Do::ResetView:
-      this->Try([this] { this->Data.ResetView(); });
+      bench.Data.ResetView();
+      bench.RenderSoon();
+      break;
+    case Do::FullScreen:
+      this->setWindowState(this->windowState() ^ Qt::WindowFullScreen);
+      break;
+    case Do::BuildIsomap:
+      bench.BuildIsomap();
       break;
     case Do::NextArray:
-      this->ShowOther([this] { this->Data.TurnArray(); });
+      bench.Ask([&] { return bench.Data.NextArrayOfFile(); });
       break;
     case Do::EarlierStep:
-      this->ShowOther([this] { this->Data.TurnTimeStep(-1); });
-      break;
     case Do::LaterStep:
-      this->ShowOther([this] { this->Data.TurnTimeStep(1); });
+      bench.Ask(
+        [&]
+        {
+          const int step = bench.Data.State().Source.TimeStep;
+          return bench.Data.OtherTimeStep(what == Do::LaterStep ? step + 1 : step - 1);
+        });
       break;
-    case Do::Help:
-      this->ToggleHelp();
+    case Do::Play:
+      this->findChild<QToolButton*>("play")->toggle();
       break;
-    case Do::Quit:
-      this->Log.Event("quit", "");
-      this->Events->ExitCallback();
+    case Do::Stop:
+      bench.Cancel();
+      this->setWindowState(this->windowState() & ~Qt::WindowFullScreen);
+      break;
+    case Do::Keys:
+      this->Keys->setVisible(!this->Keys->isVisible());
+      bench.Log.Event("help", this->Keys->isVisible() ? "on" : "off");
+      break;
+    default:
+      this->PerformOnFiles(what);
+  }
+}
+
+void MainWindow::PerformOnFiles(Do what)
+{
+  Workbench& bench = this->Bench;
+  const QString directory =
+    QFileInfo(QFile::decodeName(bench.Data.State().Source.Path.c_str())).absolutePath();
+  const auto open = [&](const QString& path)
+  {
+    if (!path.isEmpty())
+    {
+      bench.OpenPath(PathOf(path));
+    }
+  };
+  switch (what)
+  {
+    case Do::Open:
+      open(QFileDialog::getOpenFileName(this, tr("Open a volume or a session"), directory));
+      break;
+    case Do::OpenFolder:
+      open(QFileDialog::getExistingDirectory(this, tr("Open a folder of DICOM files"), directory));
+      break;
+    case Do::SaveSession:
+      bench.SaveSession(bench.SessionFile);
+      break;
+    case Do::SaveSessionAs:
+    {
+      const QString path = QFileDialog::getSaveFileName(
+        this, tr("Save the session"), "explorer.session", tr("Sessions (*.session)"));
+      if (!path.isEmpty())
+      {
+        bench.SaveSession(PathOf(path.endsWith(".session") ? path : path + ".session"));
+      }
+      break;
+    }
+    case Do::Restore:
+      bench.OpenPath(bench.SessionFile);
+      break;
+    case Do::Picture:
+      bench.SavePicture();
+      break;
+    case Do::PictureAs:
+      AskPicture(this, bench);
+      break;
+    case Do::WindowPicture:
+      bench.Try([&] { bench.Say("Saved " + bench.Output.Save(PictureOf(this))); });
+      break;
+    case Do::Record:
+      bench.ToggleRecording();
+      break;
+    case Do::Film:
+      AskFilm(this, bench);
+      break;
+    default:
       break;
   }
+}
+
+void MainWindow::AddRecent(const QString& path)
+{
+  QSettings settings;
+  QStringList recent = settings.value("recent").toStringList();
+  const QString whole = QFileInfo(path).absoluteFilePath();
+  recent.removeAll(whole);
+  recent.prepend(whole);
+  settings.setValue("recent", QStringList(recent.mid(0, MostRecent)));
+}
+
+void MainWindow::ShowRecent(QMenu* menu)
+{
+  menu->clear();
+  for (const QString& path : QSettings().value("recent").toStringList())
+  {
+    // An ampersand would be a shortcut.
+    QAction* item = menu->addAction(QFileInfo(path).fileName().replace('&', "&&"),
+      [this, path] { this->Bench.OpenPath(PathOf(path)); });
+    item->setToolTip(path);
+    item->setStatusTip(path);
+    item->setEnabled(QFileInfo::exists(path));
+  }
+}
+
+// The view's events, before VTK sees them: true for those that it is not to see.
+bool MainWindow::OnViewEvent(QEvent* event)
+{
+  switch (event->type())
+  {
+    case QEvent::KeyPress:
+    {
+      const int key = static_cast<QKeyEvent*>(event)->key();
+      if (key == Qt::Key_Left || key == Qt::Key_Right || key == Qt::Key_Up || key == Qt::Key_Down)
+      {
+        QApplication::sendEvent(this->Samples, event);
+      }
+      return key != Qt::Key_Tab && key != Qt::Key_Backtab;
+    }
+    case QEvent::DragEnter:
+    case QEvent::DragMove:
+    case QEvent::Drop:
+    {
+      auto* drop = static_cast<QDropEvent*>(event);
+      const QList<QUrl> urls = drop->mimeData()->urls();
+      if (!urls.isEmpty() && urls.front().isLocalFile())
+      {
+        drop->acceptProposedAction();
+        if (event->type() == QEvent::Drop)
+        {
+          this->Bench.OpenPath(PathOf(urls.front().toLocalFile()));
+        }
+      }
+      return true;
+    }
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseMove:
+    case QEvent::MouseButtonDblClick:
+    case QEvent::Wheel:
+      // It is drawn no more than its picture is changed.
+      return this->Bench.IsBuilding() || !this->Bench.Data.IsOpen();
+    default:
+      return false;
+  }
+}
+
+bool MainWindow::eventFilter(QObject* watched, QEvent* event)
+{
+  if (watched == this->Picture)
+  {
+    return this->OnViewEvent(event);
+  }
+  if (watched == this && event->type() >= QEvent::DragEnter && event->type() <= QEvent::Drop)
+  {
+    return this->OnViewEvent(event);
+  }
+  // Scripts press Shift, which does nothing, to know that all before was dealt with.
+  if (event->type() == QEvent::KeyPress && !this->Bench.Chosen.Log.empty() &&
+    watched->isWindowType() && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Shift)
+  {
+    if (this->Bench.IsRenderDue())
+    {
+      this->Bench.Render();
+    }
+    this->LogPlaces();
+    this->Bench.Log.Event(this->Bench.IsBusy() ? "key-while-busy" : "key", "Shift_L");
+  }
+  return false;
+}
+
+void MainWindow::LogPlaces()
+{
+  const auto tell = [this](const QString& name, const QWidget* widget, const QPoint& place)
+  {
+    const QPoint point = widget->mapTo(widget->window(), place) * this->devicePixelRatioF();
+    if (std::exchange(this->Places[name], point) != point)
+    {
+      this->Bench.Log.Place(name.toStdString(), point.x(), point.y());
+    }
+  };
+  tell("isovalue-least", this->Samples, this->Samples->PlaceOf(0.0));
+  tell("isovalue-greatest", this->Samples, this->Samples->PlaceOf(1.0));
+  tell("view-middle", this->Picture, this->Picture->rect().center());
+  for (const QWidget* widget : this->findChildren<QWidget*>())
+  {
+    const QString name = widget->objectName();
+    if (!name.isEmpty() && !name.startsWith("qt_") && widget->window() == this &&
+      !widget->visibleRegion().isEmpty())
+    {
+      // Boxes to tick are where their rows begin.
+      const QPoint middle = widget->rect().center();
+      tell(name, widget, { std::min(middle.x(), middle.y()), middle.y() });
+    }
+  }
+}
+
+void MainWindow::closeEvent(QCloseEvent* event)
+{
+  this->Bench.Cancel();
+  if (this->Bench.Output.IsRecording())
+  {
+    this->Bench.ToggleRecording();
+  }
+  if (this->Bench.Chosen.Log.empty())
+  {
+    QSettings().setValue("window", this->saveState());
+  }
+  this->Bench.Log.Event("quit", "");
+  event->accept();
 }

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The Explorer's model, its work beside the window, and its widgets, by simulated events. Nothing
+// waits for a time: what is to happen is waited for.
+#ifndef ExplorerTests_h
+#define ExplorerTests_h
+
+#include "Window/MainWindow.h"
+
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include <memory>
+#include <string>
+
+constexpr int Width = 160, Height = 120; // of pictures
+constexpr int Spheres = 32;
+constexpr int Patience = 60000; // ms until what has not happened is a failure
+
+Session SmallSession();
+bool AreSame(vtkImageData* a, vtkImageData* b);
+void Write(const QString& path, const std::string& text);
+std::string TextOf(const QString& path);
+std::string TimeSeries(); // a tetrahedron whose values rise with time
+
+class ExplorerTests : public QObject
+{
+  Q_OBJECT
+
+private slots:
+  void initTestCase();
+  void init();
+  void cleanup();
+
+  void ASessionOfVersion01GivesTheSamePicture();
+  void SessionsAreRepeated();
+  void SettingsAreFitted();
+  void WaysToDrawDiffer();
+
+  void TheWindowAnswersWhileReading();
+  void TheLatestFileIsOpened();
+  void TheWindowAnswersWhileAnIsomapIsBuilt();
+  void SettingsWaitForTheIsomap();
+  void ChangesAreUndone();
+  void WhatCannotBeOpenedIsTold();
+  void TimeStepsArePlayed();
+
+  void TheHistogramMovesIsovalues();
+  void TheHistogramMovesOpacities();
+  void TheTableChangesSurfaces();
+  void PanelsShowTheModel();
+  void ClippingAndCropping();
+  void KeysOfVersion01();
+  void KeyboardAlone();
+  void NothingIsCutOff();
+  void NamesOfAllScripts();
+
+private:
+  void Open(const Session& session);
+
+  QTemporaryDir Directory;
+  std::unique_ptr<Workbench> Bench;
+  std::unique_ptr<MainWindow> Window;
+};
+
+#endif

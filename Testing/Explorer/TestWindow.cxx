@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ExplorerTests.h"
+
+#include <QAbstractButton>
+#include <QAction>
+#include <QComboBox>
+#include <QLabel>
+#include <QSlider>
+#include <QTableWidget>
+#include <QVTKOpenGLNativeWidget.h>
+
+#include <cmath>
+#include <set>
+
+void ExplorerTests::TheHistogramMovesIsovalues()
+{
+  HistogramPanel* histogram = this->Window->Histogram();
+  const auto& range = this->Bench->Data.Counted().Range;
+  const auto isovalue = [this] { return *this->Bench->Data.State().Isovalue; };
+  QTest::mousePress(histogram, Qt::LeftButton, {}, histogram->PlaceOf(0.5));
+  QTest::mouseMove(histogram, histogram->PlaceOf(1.0));
+  QTest::mouseRelease(histogram, Qt::LeftButton, {}, histogram->PlaceOf(1.0));
+  QTRY_VERIFY_WITH_TIMEOUT(!this->Bench->IsBusy(), Patience);
+  const double step = this->Bench->Data.StepOfIsovalues();
+  this->Bench->Edit("isovalue", [](Look& look) { look.Surfaces[0].Isovalue = 100.0; });
+  QTest::keyClick(histogram, Qt::Key_Right);
+  QCOMPARE(isovalue(), 100.0 + step);
+  QTest::keyClick(histogram, Qt::Key_Left, Qt::ShiftModifier);
+  QCOMPARE(isovalue(), 100.0 - 9.0 * step);
+  // The view passes them on.
+  QTest::keyClick(this->Window->View(), Qt::Key_Up);
+  QCOMPARE(isovalue(), 100.0 - 8.0 * step);
+  // Of two surfaces, the marker that is near is dragged.
+  this->Bench->Edit("surface",
+    [&](Look& look) {
+      look.Surfaces = { { range[0] + 0.25 * (range[1] - range[0]) }, { range[1] } };
+    });
+  QTest::mousePress(histogram, Qt::LeftButton, {}, histogram->PlaceOf(1.0) - QPoint(2, 0));
+  QTest::mouseRelease(histogram, Qt::LeftButton, {}, histogram->PlaceOf(1.0));
+  QCOMPARE(this->Bench->Selected(), std::size_t{ 1 });
+  QTest::keyClick(histogram, Qt::Key_PageDown);
+  QCOMPARE(this->Bench->Selected(), std::size_t{ 0 });
+  QTRY_VERIFY_WITH_TIMEOUT(!this->Bench->IsBusy(), Patience);
+}
+
+void ExplorerTests::TheHistogramMovesOpacities()
+{
+  HistogramPanel* histogram = this->Window->Histogram();
+  this->Bench->Turn(Choose::Drawing, 1);
+  const auto nodes = [this]() -> const std::vector<Node>&
+  { return this->Bench->Data.Settings().Nodes; };
+  const std::size_t before = nodes().size();
+  QTest::mouseDClick(histogram, Qt::LeftButton, {}, histogram->PlaceOf(0.75));
+  QCOMPARE(nodes().size(), before + 1);
+  QVERIFY(std::abs(nodes()[before - 1].Opacity - 0.5) < 0.1);
+  QTest::keyClick(histogram, Qt::Key_Up);
+  QTest::keyClick(histogram, Qt::Key_Delete);
+  QCOMPARE(nodes().size(), before);
+  QTest::keyClick(histogram, Qt::Key_Insert);
+  QCOMPARE(nodes().size(), before + 1);
+}
+
+void ExplorerTests::TheTableChangesSurfaces()
+{
+  auto* table = this->Window->findChild<QTableWidget*>("surfaces");
+  QTRY_COMPARE_WITH_TIMEOUT(table->rowCount(), 1, Patience);
+  const auto surface = [this] { return this->Bench->Data.Settings().Surfaces[0]; };
+  table->item(0, 0)->setText("90");
+  QCOMPARE(surface().Isovalue, 90.0);
+  table->item(0, 0)->setCheckState(Qt::Unchecked);
+  QVERIFY(!surface().IsVisible);
+  table->item(0, 2)->setText("40 %");
+  QCOMPARE(surface().Opacity, 0.4);
+  table->item(0, 2)->setText("nonsense");
+  QCOMPARE(surface().Opacity, 0.4);
+  this->Bench->Edit("surface", [](Look& look) { look.Surfaces.push_back(look.Surfaces[0]); });
+  QTRY_COMPARE_WITH_TIMEOUT(table->rowCount(), 2, Patience);
+}
+
+void ExplorerTests::PanelsShowTheModel()
+{
+  auto* palette = this->Window->findChild<QComboBox*>("palette");
+  this->Bench->Turn(Choose::Palette, 2);
+  QTRY_COMPARE_WITH_TIMEOUT(palette->currentText(), QString("steel"), Patience);
+  auto* isomap = this->Window->findChild<QAbstractButton*>("isomap");
+  QTRY_VERIFY_WITH_TIMEOUT(isomap->isChecked(), Patience);
+  isomap->click();
+  QVERIFY(!this->Bench->Data.Settings().Choices.IsOn(Choose::Isomap));
+  // Meshes have normals of their own, and surfaces only.
+  QVERIFY(!this->Window->findChild<QComboBox*>("gradients")->isVisibleTo(this->Window.get()));
+}
+
+void ExplorerTests::ClippingAndCropping()
+{
+  const auto whole = this->Bench->Data.View.Picture(Width, Height);
+  this->Window->findChild<QAbstractButton*>("clip")->click();
+  QVERIFY(this->Bench->Data.Settings().Clip.has_value());
+  const auto clipped = this->Bench->Data.View.Picture(Width, Height);
+  QVERIFY(!AreSame(whole, clipped));
+  this->Window->findChild<QAbstractButton*>("clip")->click();
+  this->Bench->Edit("cropping",
+    [](Look& look) {
+      look.Crop = std::array<double, 6>{ 15.5, 31.0, 0.0, 31.0, 0.0, 31.0 };
+    });
+  const auto cropped = this->Bench->Data.View.Picture(Width, Height);
+  QVERIFY(!AreSame(whole, cropped));
+  this->Bench->Changes.undo();
+  QVERIFY(AreSame(whole, this->Bench->Data.View.Picture(Width, Height)));
+}
+
+void ExplorerTests::KeysOfVersion01()
+{
+  std::set<QString> there;
+  for (const QAction* action : this->Window->findChildren<QAction*>())
+  {
+    for (const QKeySequence& keys : action->shortcuts())
+    {
+      QVERIFY2(there.insert(keys.toString()).second, keys.toString().toUtf8());
+    }
+  }
+  for (const char* keys : { "O", "B", "S", "Shift+S", "R", "W", "Z", "H", "N", ",", ".", "?", "F1",
+         "Q", "P", "M", "L", "V", "A", "C", "I", "J", "K", "Y", "X", "F", "G" })
+  {
+    QVERIFY2(there.count(keys) == 1, keys);
+  }
+}
+
+// Whatever takes the mouse takes the keyboard, too, and says what it is.
+void ExplorerTests::KeyboardAlone()
+{
+  for (const QWidget* widget : this->Window->findChildren<QWidget*>())
+  {
+    const bool isInput = qobject_cast<const QComboBox*>(widget) ||
+      qobject_cast<const QSlider*>(widget) || widget == this->Window->Histogram() ||
+      widget == this->Window->View();
+    if (isInput && !widget->objectName().startsWith("qt_"))
+    {
+      QVERIFY2(widget->focusPolicy() & Qt::TabFocus, widget->objectName().toUtf8());
+      QVERIFY2(!widget->toolTip().isEmpty() || !widget->accessibleName().isEmpty(),
+        widget->objectName().toUtf8());
+    }
+  }
+}
+
+void ExplorerTests::NothingIsCutOff()
+{
+  const QFont before = QApplication::font();
+  for (const double scale : { 1.0, 2.0 })
+  {
+    QFont font = before;
+    font.setPointSizeF(scale * before.pointSizeF());
+    QApplication::setFont(font);
+    this->cleanup();
+    this->init();
+    for (const QWidget* widget : this->Window->findChildren<QWidget*>())
+    {
+      const bool hasText = qobject_cast<const QLabel*>(widget) ||
+        qobject_cast<const QAbstractButton*>(widget) || qobject_cast<const QComboBox*>(widget);
+      const bool isOurs = widget->objectName() != "sentence" &&
+        !QString(widget->metaObject()->className()).startsWith("QDock");
+      if (hasText && isOurs && widget->isVisible())
+      {
+        QVERIFY2(widget->width() >= widget->minimumSizeHint().width(),
+          QString("%1 %2 at font scale %3")
+            .arg(widget->metaObject()->className(), widget->accessibleName())
+            .arg(scale)
+            .toUtf8());
+      }
+    }
+  }
+  QApplication::setFont(before);
+}
+
+void ExplorerTests::NamesOfAllScripts()
+{
+  const QString name = QString::fromUtf8("球 كرة.vtu");
+  Write(this->Directory.filePath(name), TimeSeries());
+  QSignalSpy opened(this->Bench.get(), &Workbench::Opened);
+  this->Bench->OpenPath(this->Directory.filePath(name).toStdString());
+  QVERIFY(opened.wait(Patience));
+  QVERIFY(this->Window->windowTitle().startsWith(name));
+  QVERIFY(this->Window->findChild<QLabel*>("sentence")->text().startsWith(name));
+}

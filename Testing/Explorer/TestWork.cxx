@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ExplorerTests.h"
+
+#include <QAbstractButton>
+#include <QLabel>
+#include <QSlider>
+
+// Opening comes back at once; what is read is seen when the event loop has run.
+void ExplorerTests::TheWindowAnswersWhileReading()
+{
+  Session session = SmallSession();
+  session.Source.Spheres = 2 * Spheres;
+  QSignalSpy opened(this->Bench.get(), &Workbench::Opened);
+  this->Bench->Open(session);
+  QVERIFY(this->Bench->IsBusy());
+  QCOMPARE(this->Bench->Data.State().Source.Spheres, Spheres);
+  // Meanwhile what is shown is drawn, and changed.
+  QSignalSpy frames(this->Bench.get(), &Workbench::FrameDrawn);
+  this->Bench->Turn(Choose::Palette, 1);
+  this->Bench->Render();
+  QCOMPARE(frames.count(), 1);
+  QVERIFY(opened.wait(Patience));
+  QVERIFY(!this->Bench->IsBusy());
+  QCOMPARE(this->Bench->Data.State().Source.Spheres, 2 * Spheres);
+}
+
+void ExplorerTests::TheLatestFileIsOpened()
+{
+  QSignalSpy opened(this->Bench.get(), &Workbench::Opened);
+  for (const int size : { 20, 24, 28 })
+  {
+    Session session = SmallSession();
+    session.Source.Spheres = size;
+    this->Bench->Open(session);
+  }
+  QVERIFY(opened.wait(Patience));
+  QCOMPARE(opened.count(), 1);
+  QCOMPARE(this->Bench->Data.State().Source.Spheres, 28);
+}
+
+void ExplorerTests::TheWindowAnswersWhileAnIsomapIsBuilt()
+{
+  QSignalSpy said(this->Bench.get(), &Workbench::Said);
+  this->Bench->BuildIsomap();
+  QVERIFY(this->Bench->IsBusy());
+  QTRY_VERIFY_WITH_TIMEOUT(!this->Bench->IsBusy(), Patience);
+  QVERIFY(said.last()[0].toString().contains("is built"));
+  // Stopped before the event loop has run, so before it can be done.
+  this->Bench->Turn(Choose::Surface, 1);
+  this->Bench->BuildIsomap();
+  this->Bench->Cancel();
+  QTRY_VERIFY_WITH_TIMEOUT(!this->Bench->IsBusy(), Patience);
+  QVERIFY(said.last()[0].toString().contains("was stopped"));
+}
+
+void ExplorerTests::SettingsWaitForTheIsomap()
+{
+  this->Bench->BuildIsomap();
+  this->Bench->Edit("isovalue", [](Look& look) { look.Surfaces[0].Isovalue = 77.0; });
+  QCOMPARE(*this->Bench->Data.State().Isovalue, 77.0);
+  QTRY_VERIFY_WITH_TIMEOUT(!this->Bench->IsBusy(), Patience);
+  QCOMPARE(this->Bench->Data.View.Facts().Route, std::string("IsomapLookup"));
+}
+
+void ExplorerTests::ChangesAreUndone()
+{
+  const double before = *this->Bench->Data.State().Isovalue;
+  this->Bench->BeginGesture();
+  for (const double value : { 50.0, 60.0, 70.0 })
+  {
+    this->Bench->Edit("isovalue", [=](Look& look) { look.Surfaces[0].Isovalue = value; });
+  }
+  this->Bench->Turn(Choose::Light, 1);
+  QCOMPARE(this->Bench->Changes.count(), 2);
+  this->Bench->Changes.undo();
+  QCOMPARE(this->Bench->Data.Settings().Choices[Choose::Light], 0);
+  QCOMPARE(*this->Bench->Data.State().Isovalue, 70.0);
+  this->Bench->Changes.undo();
+  QCOMPARE(*this->Bench->Data.State().Isovalue, before);
+  this->Bench->Changes.redo();
+  QCOMPARE(*this->Bench->Data.State().Isovalue, 70.0);
+}
+
+void ExplorerTests::WhatCannotBeOpenedIsTold()
+{
+  Write(this->Directory.filePath("broken.vti"), "This is no XML.");
+  QSignalSpy said(this->Bench.get(), &Workbench::Said);
+  this->Bench->OpenPath(this->Directory.filePath("broken.vti").toStdString());
+  QTRY_VERIFY_WITH_TIMEOUT(!this->Bench->IsBusy(), Patience);
+  QCOMPARE(said.count(), 1);
+  QVERIFY(said[0][0].toString().contains("could not be read"));
+  QVERIFY(said[0][1].toBool());
+  QCOMPARE(this->Window->findChild<QLabel*>("sentence")->text(), said[0][0].toString());
+  QCOMPARE(this->Bench->Data.State().Source.Spheres, Spheres);
+}
+
+void ExplorerTests::TimeStepsArePlayed()
+{
+  Session session;
+  session.Source.Path = this->Directory.filePath("series.vtu").toStdString();
+  Write(this->Directory.filePath("series.vtu"), TimeSeries());
+  this->Open(session);
+  QCOMPARE(this->Bench->Data.Data().TimeSteps, 3);
+  auto* slider = this->Window->findChild<QSlider*>("time");
+  QVERIFY(slider->isVisible());
+  QCOMPARE(slider->maximum(), 3);
+  slider->setValue(3);
+  QTRY_COMPARE_WITH_TIMEOUT(this->Bench->Data.State().Source.TimeStep, 3, Patience);
+  QCOMPARE(this->Bench->Data.Counted().Range[1], 120.0);
+  // Round and round, until it is paused.
+  QSignalSpy opened(this->Bench.get(), &Workbench::Opened);
+  auto* play = this->Window->findChild<QAbstractButton*>("play");
+  play->click();
+  QTRY_VERIFY_WITH_TIMEOUT(opened.count() >= 4, Patience);
+  play->click();
+  QTRY_VERIFY_WITH_TIMEOUT(!this->Bench->IsBusy(), Patience);
+}

@@ -3,6 +3,8 @@
 #include "BlendCase.h"
 #include "BlendFrames.h"
 
+#include <random>
+
 namespace
 {
 
@@ -122,6 +124,22 @@ TEST_F(BlendLook, GradientOpacity)
     this->Take(BlendLooks::Step);
     ExpectBlendTruth(this->Key);
   }
+}
+
+// A peak may be reached between the ends of a cell alone, where normals turn in noise.
+TEST_F(BlendLook, PeaksInNoise)
+{
+  BlendVolume<std::int16_t> noisy(BlendSize, { 0.0, 3000.0 });
+  std::minstd_rand random(5);
+  std::uniform_int_distribution<int> noise(-300, 300);
+  for (std::int16_t& sample : noisy.Samples)
+  {
+    sample = static_cast<std::int16_t>(sample + noise(random));
+  }
+  this->Key.Samples = noisy.Field;
+  SKIP_UNLESS_BLENDED(this->Key);
+  this->Of().Transfer = MakeTransfer(noisy.Range, BlendLooks::Peaks);
+  ExpectBlendTruth(this->Key, 1);
 }
 
 TEST_F(BlendLook, ShortAndLongUnitDistances)

@@ -101,9 +101,14 @@ public:
     MeanBetween(this->Volume.Tables, this->Values.C[0], this->AtBegin, this->ValueAtEnd,
       this->AtEnd, hn::Zero(d), mean);
     const V depth = hn::Mul(mean[0], this->Length);
+    const V steepness = hn::Mul(this->SteepnessOf(this->Volume.Tables), this->Length);
+    // Ends may lie beside a peak that is reached between them.
+    const V reached = hn::Sub(
+      hn::Add(this->Span, this->Span), hn::Abs(hn::Sub(this->ValueAtEnd, this->Values.C[0])));
+    const V most = hn::Add(depth, hn::Mul(steepness, hn::Max(reached, hn::Zero(d))));
     const V seen =
-      hn::IfThenElseZero(this->IsSegment, hn::Mul(this->Passed, hn::Min(depth, hn::Set(d, 1.0f))));
-    V square = this->SquareOfSteps(depth);
+      hn::IfThenElseZero(this->IsSegment, hn::Mul(this->Passed, hn::Min(most, hn::Set(d, 1.0f))));
+    V square = this->SquareOfSteps(depth, steepness);
     if (!this->Volume.ByGradient.Opacities.empty())
     {
       square = hn::Add(square, hn::Mul(seen, this->OpacityBend(gradients)));
@@ -185,12 +190,12 @@ private:
   }
 
   /// The square of the steps that the field and the transfer function ask for.
-  HWY_INLINE V SquareOfSteps(V depth) const
+  /// \param steepness of the optical depth, by the value
+  HWY_INLINE V SquareOfSteps(V depth, V steepness) const
   {
     const Floats d;
     // What a straight line misses falls with the square of the steps.
-    const V off =
-      hn::Mul(this->SteepnessOf(this->Volume.Tables), hn::Mul(this->Bend, this->Length));
+    const V off = hn::Mul(steepness, this->Bend);
     const V steps = hn::Mul(hn::Mul(depth, this->Passed), hn::Set(d, 1.0f / DepthOfStep));
     return hn::Max(hn::Mul(hn::Mul(off, this->Passed), hn::Set(d, 1.0f / DepthTolerance)),
       hn::Mul(steps, steps));

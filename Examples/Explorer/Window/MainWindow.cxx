@@ -124,7 +124,12 @@ void MainWindow::MakeMenus()
       menu = this->menuBar()->addMenu(tr(action.Menu));
     }
     const Do what = action.What;
-    QAction* item = menu->addAction(tr(action.Name), this, [this, what] { this->Perform(what); });
+    QAction* item = menu->addAction(tr(action.Name), this,
+      [this, what]
+      {
+        this->Perform(what);
+        this->ShowState(); // at once, as the next key may need it
+      });
     item->setShortcuts(QKeySequence::listFromString(action.Keys));
     item->setToolTip(tr(action.Help));
     item->setStatusTip(tr(action.Help));

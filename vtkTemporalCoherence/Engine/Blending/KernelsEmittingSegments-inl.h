@@ -40,11 +40,11 @@ constexpr float MostSteps = 64.0f, ShortestStep = 1.0f / 1024.0f;
 constexpr float DepthOfStep = 0.5f, MostDepthOfStep = 1.0f;
 
 /// How far the optical depth of a segment may be off, as far as it is seen.
-constexpr float DepthTolerance = 1.0f / 1024.0f;
+constexpr float DepthTolerance = 1.0f / 512.0f;
 
 /// The square of the steps for each unit by which light, or a gradient opacity, is off a straight
 /// line, and by which a normal turns (1 - the cosine), as far as it is seen.
-constexpr float StepsOfBend = 1600.0f, StepsOfOpacity = 4096.0f, StepsOfTurn = 2048.0f;
+constexpr float StepsOfBend = 1600.0f, StepsOfOpacity = 4096.0f, StepsOfTurn = 4096.0f;
 
 /// Up to this square of steps, light follows a parabola.
 constexpr float MostOfParabola = 0.5f;

@@ -49,7 +49,6 @@ void AskColor(QWidget* over, const QColor& first, const std::function<void(const
 
 Form::Form(Workbench& bench, QWidget* panel)
   : Bench(bench)
-  , Panel(panel)
   , Rows(new QGridLayout(panel))
 {
   this->Rows->setColumnStretch(1, 1);

@@ -33,7 +33,6 @@ private:
   QWidget* AddRow(const QString& label, const QString& help, QWidget* widget);
 
   Workbench& Bench;
-  QWidget* Panel;
   QGridLayout* Rows;
 };
 

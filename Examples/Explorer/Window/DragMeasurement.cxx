@@ -98,6 +98,10 @@ void MeasureDrag(MainWindow& window, Workbench& bench, int steps)
   {
     QApplication::processEvents(QEventLoop::WaitForMoreEvents);
   }
+  // More than one a step: parts of the window were drawn apart.
+  int shown = 0;
+  const auto counting = QObject::connect(
+    window.View(), &QOpenGLWidget::frameSwapped, window.View(), [&shown] { ++shown; });
   for (int step = 1; step <= steps; ++step)
   {
     const double share = From + (To - From) * step / steps;
@@ -105,6 +109,7 @@ void MeasureDrag(MainWindow& window, Workbench& bench, int steps)
       TimeOf(window.View(), [&] { SendMouse(window.Histogram(), QEvent::MouseMove, share); }));
     ++routes[bench.Data.View.Facts().Route];
   }
+  QObject::disconnect(counting);
   SendMouse(window.Histogram(), QEvent::MouseButtonRelease, To);
   pictures.push_back(bench.Data.View.LastFrame());
   const double drag = Median(times);
@@ -118,6 +123,7 @@ void MeasureDrag(MainWindow& window, Workbench& bench, int steps)
     std::printf("%s%s %d", separator, route.c_str(), count);
     separator = ", ";
   }
-  std::printf(")\nAny picture of that size in the same widget: median %.2f ms\nRatio: %.2f\n",
-    picture, drag / picture);
+  std::printf("), the window drawn %d times\nAny picture of that size in the same widget: median "
+              "%.2f ms\nRatio: %.2f\n",
+    shown, picture, drag / picture);
 }

@@ -41,7 +41,6 @@ private:
   void AddRecent(const QString& path);
   void ShowRecent(QMenu* menu);
   void ShowState();
-  void MakeFilm();
   bool OnViewEvent(QEvent* event);
 
   Workbench& Bench;

@@ -17,7 +17,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 
 HWY_BEFORE_NAMESPACE();
 namespace TemporalCoherence
@@ -66,28 +65,19 @@ HWY_INLINE void LookUp(const TransferTables& tables, V value, EmissionAt& at)
   const V inBin = hn::IfThenElseZero(hn::Lt(bin, last), hn::Sub(value, bin));
   const V share = hn::Min(hn::Max(inBin, zero), one);
   const V beyond = hn::Sub(hn::Sub(value, bin), share);
-  std::int32_t bins[WidestVector];
-  hn::StoreU(hn::ConvertTo(di, bin), di, bins);
-  // Four numbers lie side by side: copies of all of them are faster than gathering each.
-  HWY_ALIGN float values[4 * WidestVector], rises[4 * WidestVector], sums[4 * WidestVector];
-  HWY_ALIGN float moments[WidestVector], boosts[WidestVector];
-  for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
-  {
-    const EmissionBin& from = tables.All[static_cast<std::size_t>(bins[lane])];
-    std::memcpy(values + 4 * lane, from.Value.data(), sizeof(from.Value));
-    std::memcpy(rises + 4 * lane, from.Rise.data(), sizeof(from.Rise));
-    std::memcpy(sums + 4 * lane, from.Sum.data(), sizeof(from.Sum));
-    moments[lane] = from.Moment;
-    boosts[lane] = from.Boost;
-  }
-  V rise[4];
-  hn::LoadInterleaved4(d, values, at.Value[0], at.Value[1], at.Value[2], at.Value[3]);
-  hn::LoadInterleaved4(d, rises, rise[0], rise[1], rise[2], rise[3]);
-  hn::LoadInterleaved4(d, sums, at.Sum[0], at.Sum[1], at.Sum[2], at.Sum[3]);
+  constexpr std::int32_t row = 4, rows = sizeof(EmissionBin) / (row * sizeof(float));
+  std::int32_t places[WidestVector];
+  hn::StoreU(hn::Mul(hn::ConvertTo(di, bin), hn::Set(di, rows * row)), di, places);
+  const float* const from = tables.All.front().Value.data();
+  V rise[4], more[4];
+  LoadRows(from, places, at.Value);
+  LoadRows(from + row, places, rise);
+  LoadRows(from + 2 * row, places, at.Sum);
+  LoadRows(from + 3 * row, places, more);
   // The moment of what lies between the node and the value, about half way.
   const V middle = hn::Add(bin, hn::Mul(half, hn::Add(share, beyond)));
   const V between = hn::Mul(hn::Add(share, beyond), middle);
-  const V boost = hn::IfThenElse(hn::Eq(share, zero), hn::Load(d, boosts), one);
+  const V boost = hn::IfThenElse(hn::Eq(share, zero), more[1], one);
   for (std::size_t i = 0; i < 4; ++i)
   {
     const V mean = hn::Add(at.Value[i], hn::Mul(hn::Mul(half, share), rise[i]));
@@ -96,7 +86,7 @@ HWY_INLINE void LookUp(const TransferTables& tables, V value, EmissionAt& at)
     at.Sum[i] = hn::Add(at.Sum[i], hn::Add(hn::Mul(share, mean), hn::Mul(beyond, here)));
     if (i == 0)
     {
-      at.Moment = hn::Add(hn::Load(d, moments), hn::Mul(between, mean));
+      at.Moment = hn::Add(more[0], hn::Mul(between, mean));
     }
   }
 }

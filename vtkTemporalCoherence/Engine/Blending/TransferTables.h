@@ -14,8 +14,8 @@ namespace TemporalCoherence
 /// Extinction, and the light that it emits: red, green and blue times the extinction.
 using Emission = std::array<float, 4>;
 
-/// Emission in a bin of values.
-struct EmissionBin
+/// Emission in a bin of values: one line of the caches, in rows of four numbers.
+struct alignas(64) EmissionBin
 {
   Emission Value; ///< where the bin begins, per world distance
   Emission Rise;  ///< from there to its end

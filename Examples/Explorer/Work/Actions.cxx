@@ -27,6 +27,7 @@ const std::vector<Action>& AllActions()
     { Do::Clip, "&Edit", "&Clip by a Plane", "T", "cut by a plane that is dragged in the view" },
     { Do::Crop, "&Edit", "C&rop to a Box", "E", "crop to a box whose sides are dragged" },
     { Do::ResetView, "&View", "&Reset", "H", "see all of the volume" },
+    { Do::UpsideDown, "&View", "&Upside Down", "U", "turn the picture by half a turn" },
     { Do::FullScreen, "&View", "&Full Screen", "F11", "fill the screen, and back" },
     { Do::BuildIsomap, "&Data", "&Build Isomap", "B",
       "build the isomap of this view, for all isovalues" },

@@ -64,8 +64,6 @@ public:
           this->Bench.Select(static_cast<std::size_t>(row));
         }
       });
-    QObject::connect(
-      this, &QTableWidget::cellActivated, this, [this](int, int column) { this->Ask(column); });
   }
 
   void Refresh()
@@ -148,13 +146,16 @@ private:
       });
   }
 
-  void Ask(int column)
+  // Colours are changed as numbers are, whatever a single click does on this desktop.
+  bool edit(const QModelIndex& index, EditTrigger trigger, QEvent* event) override
   {
-    if (column == Colour)
+    if (index.column() != Colour || !(trigger & (DoubleClicked | EditKeyPressed)))
     {
-      const auto color = this->currentItem()->data(Qt::UserRole).value<QColor>();
-      AskColor(this, color, [this](const Rgb& rgb) { this->SetColor(rgb); });
+      return QTableWidget::edit(index, trigger, event);
     }
+    const auto color = index.data(Qt::UserRole).value<QColor>();
+    AskColor(this, color, [this](const Rgb& rgb) { this->SetColor(rgb); });
+    return false;
   }
 
   void SetColor(const std::optional<Rgb>& color)

@@ -64,7 +64,8 @@ MainWindow::MainWindow(Workbench& bench)
   this->Picture->installEventFilter(this);
   qApp->installEventFilter(this);
   bench.SetWindow(this->Window);
-  new ClipHandles(bench, this->Picture->interactor());
+  new ClipHandles(bench, this->Picture->interactor(),
+    std::max(1.0, this->logicalDpiX() * this->devicePixelRatioF() / 96.0));
   this->setAcceptDrops(true);
   this->MakeMenus();
   this->MakeDocks();
@@ -80,7 +81,8 @@ MainWindow::MainWindow(Workbench& bench)
   QObject::connect(&bench, &Workbench::Said, this,
     [this](const QString& sentence, bool isWarning)
     {
-      this->Sentence->setText(sentence);
+      // Sentences run from left to right, whatever the name that they begin with.
+      this->Sentence->setText(QChar(0x200e) + sentence);
       this->Sentence->setToolTip(sentence);
       QFont font = this->font();
       font.setBold(isWarning);

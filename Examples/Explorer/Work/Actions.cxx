@@ -48,7 +48,7 @@ const std::vector<Gesture>& AllGestures()
     { "wheel, right drag", "nearer and farther" },
     { "drag in histogram", "the isovalue of the selected surface, or a node of the opacity" },
     { "Left, Right", "isovalue by 1/256 of the range; Shift: by 10/256" },
-    { "Page Up, Page Down", "in the histogram: the next marker or node, the one before" },
+    { "Page Up, Page Down", "in the histogram: the marker or node before, the next one" },
     { "double click, Delete", "in the histogram: add or remove a node of the opacity" },
     { "Shift + key", "of a setting: the value before" },
     { "drop a file", "open it" },

@@ -180,5 +180,5 @@ void ExplorerTests::NamesOfAllScripts()
   this->Bench->OpenPath(this->Directory.filePath(name).toStdString());
   QVERIFY(opened.wait(Patience));
   QVERIFY(this->Window->windowTitle().startsWith(name));
-  QVERIFY(this->Window->findChild<QLabel*>("sentence")->text().startsWith(name));
+  QVERIFY(this->Window->findChild<QLabel*>("sentence")->text().startsWith(QChar(0x200e) + name));
 }

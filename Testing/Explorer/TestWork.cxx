@@ -91,7 +91,8 @@ void ExplorerTests::WhatCannotBeOpenedIsTold()
   QCOMPARE(said.count(), 1);
   QVERIFY(said[0][0].toString().contains("could not be read"));
   QVERIFY(said[0][1].toBool());
-  QCOMPARE(this->Window->findChild<QLabel*>("sentence")->text(), said[0][0].toString());
+  QCOMPARE(
+    this->Window->findChild<QLabel*>("sentence")->text(), QChar(0x200e) + said[0][0].toString());
   QCOMPARE(this->Bench->Data.State().Source.Spheres, Spheres);
 }
 

@@ -67,9 +67,17 @@ drag() # X Y STEPS DX DY SECONDS   leaves the button down
 }
 
 place() { grep -F "place $1 " "$scratch/log" | tail -n 1 | sed -E 's/.* ([0-9]+) ([0-9]+)$/\1 \2/'; }
+# Raises a panel that lies behind others.
+raise() # NAME
+{
+  local x y
+  read -r x y <<<"$(place "tab-$1")"
+  xdotool mousemove "$x" "$y" click 1 sleep 0.3
+}
 finish() { xdotool mouseup 1 key q; wait "$program" || true; program=; }
 
 start "$data/engine.vti"
+raise Re-use
 drag 450 300 30 5 3 0.05
 xdotool mouseup 1 sleep 1
 read -r x y <<<"$(place histogram)"
@@ -107,6 +115,7 @@ finish
 
 start "$data/brain.vti"
 # With the paper's own accuracy, as its figure 8.
+raise Re-use
 xdotool key p key p key a key y sleep 0.5
 drag 350 300 60 2 0 0.1
 keep explorer-yellow.png

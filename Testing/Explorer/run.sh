@@ -368,6 +368,11 @@ check_choices()
   key shift+l '^light studio'
   choose palette Down '^palette ivory'
   choose palette Up '^palette tissue'
+  # Its panel lies behind others at first.
+  local x y
+  read -r x y <<<"$(place tab-Re-use)"
+  xdotool mousemove "$x" "$y" click 1
+  settle
   click image-cache '^image-cache off'
   click image-cache '^image-cache on'
   # Without the image cache an orbit is cold.
@@ -401,7 +406,13 @@ check_yellow()
 
 check_pictures()
 {
-  local width
+  local width upright
+  take_picture
+  upright=$picture
+  key u '^frame'
+  take_picture
+  ! cmp -s "$picture" "$upright" || fail "the picture was not turned upside down"
+  key u '^frame'
   take_picture
   width=$(width_of "$picture")
   key x '^scale 2'

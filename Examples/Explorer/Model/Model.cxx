@@ -242,8 +242,9 @@ void Model::StepIsovalue(double steps, std::size_t surface)
 
 bool Model::Offers(const Choice& choice) const
 {
-  return choice.For == Choice::Data::Any ||
-    (choice.For == Choice::Data::Meshes) == this->View.IsMesh();
+  const bool isForData =
+    choice.For == Choice::Data::Any || (choice.For == Choice::Data::Meshes) == this->View.IsMesh();
+  return isForData && (choice.What != Choose::Surface || this->DrawsSurfaces());
 }
 
 bool Model::DrawsSurfaces() const

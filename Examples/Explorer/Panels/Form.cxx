@@ -7,7 +7,7 @@
 #include <QCheckBox>
 #include <QColorDialog>
 #include <QComboBox>
-#include <QGridLayout>
+#include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
 
@@ -49,10 +49,9 @@ void AskColor(QWidget* over, const QColor& first, const std::function<void(const
 
 Form::Form(Workbench& bench, QWidget* panel)
   : Bench(bench)
-  , Rows(new QGridLayout(panel))
+  , Rows(new QFormLayout(panel))
 {
-  this->Rows->setColumnStretch(1, 1);
-  this->Rows->setAlignment(Qt::AlignTop);
+  this->Rows->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
 }
 
 void Form::OnChange(QWidget* widget, const std::function<void()>& refresh)
@@ -68,22 +67,31 @@ void Form::OnChange(QWidget* widget, const std::function<void()>& refresh)
   QObject::connect(&this->Bench, &Workbench::Opened, widget, act);
 }
 
-QWidget* Form::AddRow(const QString& label, const QString& help, QWidget* widget)
+void Form::ShowIf(QWidget* widget, const std::function<bool()>& isUseful)
 {
-  const int row = this->Rows->rowCount();
+  QWidget* label = this->Rows->labelForField(widget);
+  this->OnChange(widget,
+    [widget, label, isUseful]
+    {
+      widget->setVisible(isUseful());
+      if (label)
+      {
+        label->setVisible(isUseful());
+      }
+    });
+}
+
+void Form::AddRow(const QString& label, const QString& help, QWidget* widget)
+{
   widget->setToolTip(help);
   widget->setAccessibleName(label);
-  auto* name = new QLabel(label);
-  name->setBuddy(widget);
-  name->setToolTip(help);
-  this->Rows->addWidget(name, row, 0);
-  this->Rows->addWidget(widget, row, 1);
-  return name;
+  this->Rows->addRow(label, widget);
+  this->Rows->labelForField(widget)->setToolTip(help);
 }
 
 void Form::AddWidget(QWidget* widget)
 {
-  this->Rows->addWidget(widget, this->Rows->rowCount(), 0, 1, 2);
+  this->Rows->addRow(widget);
 }
 
 void Form::AddChoice(const Choice& choice)
@@ -93,7 +101,6 @@ void Form::AddChoice(const Choice& choice)
   const QString help =
     QObject::tr("%1 (%2)").arg(QObject::tr(choice.Help)).arg(QChar(choice.Key).toUpper());
   QWidget* box = nullptr;
-  QWidget* name = nullptr;
   if (choice.IsSwitch())
   {
     auto* check = new QCheckBox(QObject::tr(choice.Label));
@@ -111,7 +118,7 @@ void Form::AddChoice(const Choice& choice)
     {
       combo->addItem(QObject::tr(value));
     }
-    name = this->AddRow(QObject::tr(choice.Label), help, combo);
+    this->AddRow(QObject::tr(choice.Label), help, combo);
     QObject::connect(combo, QOverload<int>::of(&QComboBox::activated),
       [&bench, what](int index) { bench.Turn(what, index - bench.Data.Settings().Choices[what]); });
     this->OnChange(combo,
@@ -119,17 +126,7 @@ void Form::AddChoice(const Choice& choice)
     box = combo;
   }
   box->setObjectName(choice.Name);
-  this->OnChange(box,
-    [&bench, &choice, box, name]
-    {
-      for (QWidget* widget : { box, name })
-      {
-        if (widget)
-        {
-          widget->setVisible(bench.Data.Offers(choice));
-        }
-      }
-    });
+  this->ShowIf(box, [&bench, &choice] { return bench.Data.Offers(choice); });
 }
 
 void Form::AddChoices(Choice::Panel panel)

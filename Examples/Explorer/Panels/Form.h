@@ -11,7 +11,7 @@
 
 #include <functional>
 
-class QGridLayout;
+class QFormLayout;
 
 // Rows of a panel: a label and what is set, kept up to date with the model.
 class Form
@@ -28,12 +28,13 @@ public:
   QWidget* AddButton(const QString& label, const QString& help, const std::function<void()>& act);
   void AddWidget(QWidget* widget); // over the whole width
   void OnChange(QWidget* widget, const std::function<void()>& refresh);
+  void ShowIf(QWidget* widget, const std::function<bool()>& isUseful); // and its label
 
 private:
-  QWidget* AddRow(const QString& label, const QString& help, QWidget* widget);
+  void AddRow(const QString& label, const QString& help, QWidget* widget);
 
   Workbench& Bench;
-  QGridLayout* Rows;
+  QFormLayout* Rows;
 };
 
 #endif

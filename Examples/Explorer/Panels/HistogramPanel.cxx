@@ -38,7 +38,12 @@ HistogramPanel::HistogramPanel(Workbench& bench)
                       "Double click: another node. Right click: its colour."));
   this->setFocusPolicy(Qt::StrongFocus);
   QObject::connect(&bench, &Workbench::Changed, this, [this] { this->update(); });
-  QObject::connect(&bench, &Workbench::Opened, this, [this] { this->update(); });
+  QObject::connect(&bench, &Workbench::Opened, this,
+    [this]
+    {
+      this->BarsOf.clear(); // other samples
+      this->update();
+    });
 }
 
 QSize HistogramPanel::sizeHint() const
@@ -79,30 +84,60 @@ double HistogramPanel::XOf(double value) const
   return plot.x() + (value - range[0]) / (range[1] - range[0]) * (plot.width() - 1);
 }
 
-void HistogramPanel::DrawBars(QPainter& painter) const
+// Each column in the colour of its value, and once more without colour.
+void HistogramPanel::MakeBars()
 {
   const QRect plot = this->Plot();
   const Histogram& counted = this->Bench.Data.Counted();
   const double most = *std::max_element(counted.Bins.begin(), counted.Bins.end());
   const double scale = plot.height() / std::log1p(most);
   const auto lastBin = static_cast<double>(counted.Bins.size() - 1);
-  const bool hasSurfaces = this->Bench.Data.DrawsSurfaces();
-  double least = counted.Range[1];
+  const QColor faint = Blended(this->palette(), 0.3);
+  for (QPixmap* bars : { &this->Bars, &this->FaintBars })
+  {
+    *bars = QPixmap(this->size() * this->devicePixelRatioF());
+    bars->setDevicePixelRatio(this->devicePixelRatioF());
+    bars->fill(Qt::transparent);
+    QPainter painter(bars);
+    for (int x = plot.left(); x <= plot.right(); ++x)
+    {
+      const double share = static_cast<double>(x - plot.x()) / std::max(plot.width() - 1, 1);
+      const auto bin = static_cast<std::size_t>(share * lastBin + 0.5);
+      const int height = static_cast<int>(std::ceil(scale * std::log1p(counted.Bins[bin])));
+      painter.fillRect(x, plot.bottom() + 1 - height, 1, height,
+        bars == &this->Bars ? ColorAt(this->Bench, this->ValueAt(x)) : faint);
+    }
+  }
+}
+
+// What no surface shows is faint: it lies below the least isovalue.
+void HistogramPanel::DrawBars(QPainter& painter)
+{
+  constexpr int few = 256; // colours, which tell one palette from another
+  const std::array<double, 2>& range = this->Bench.Data.Counted().Range;
+  const QRect plot = this->Plot();
+  std::vector<double> of(3 * few);
+  this->Bench.Data.View.Colors()->GetTable(range[0], range[1], few, of.data());
+  of.insert(of.end(),
+    { plot.x() * 1.0, plot.y() * 1.0, plot.width() * 1.0, plot.height() * 1.0,
+      this->devicePixelRatioF(), static_cast<double>(this->palette().cacheKey()) });
+  if (of != this->BarsOf)
+  {
+    this->BarsOf = of;
+    this->MakeBars();
+  }
+  double least = range[this->Bench.Data.DrawsSurfaces() ? 1 : 0];
   for (const Surface& surface : this->Bench.Data.Settings().Surfaces)
   {
     least = std::min(least, surface.Isovalue);
   }
-  const QColor faint = Blended(this->palette(), 0.3);
-  for (int x = plot.left(); x <= plot.right(); ++x)
-  {
-    const double value = this->ValueAt(x);
-    const double share = static_cast<double>(x - plot.x()) / std::max(plot.width() - 1, 1);
-    const auto bin = static_cast<std::size_t>(share * lastBin + 0.5);
-    const int height = static_cast<int>(std::ceil(scale * std::log1p(counted.Bins[bin])));
-    const bool isFaint = hasSurfaces && value < least;
-    painter.fillRect(
-      x, plot.bottom() + 1 - height, 1, height, isFaint ? faint : ColorAt(this->Bench, value));
-  }
+  const QRect all = this->rect();
+  const int begin = static_cast<int>(std::ceil(this->XOf(least)));
+  painter.setClipRect(all.adjusted(begin, 0, 0, 0));
+  painter.drawPixmap(0, 0, this->Bars);
+  painter.setClipRect(QRect(0, 0, begin, all.height()));
+  painter.drawPixmap(0, 0, this->FaintBars);
+  painter.setClipping(false);
 }
 
 void HistogramPanel::DrawSurfaces(QPainter& painter) const
@@ -133,6 +168,9 @@ void HistogramPanel::DrawNodes(QPainter& painter) const
   {
     line << QPointF(this->XOf(node.Value), plot.bottom() - node.Opacity * plot.height());
   }
+  // With a rim, as it lies over bars of any colour.
+  painter.setPen(QPen(this->palette().color(QPalette::Window), 4));
+  painter.drawPolyline(line);
   painter.setPen(QPen(this->palette().color(QPalette::WindowText), 2));
   painter.drawPolyline(line);
   for (int i = 0; i < line.size(); ++i)

@@ -3,7 +3,10 @@
 #ifndef HistogramPanel_h
 #define HistogramPanel_h
 
+#include <QPixmap>
 #include <QWidget>
+
+#include <vector>
 
 class Workbench;
 
@@ -33,7 +36,8 @@ private:
   QRect Plot() const;
   double ValueAt(int x) const;
   double XOf(double value) const;
-  void DrawBars(QPainter& painter) const;
+  void MakeBars();
+  void DrawBars(QPainter& painter);
   void DrawSurfaces(QPainter& painter) const;
   void DrawNodes(QPainter& painter) const;
   void DrawNumbers(QPainter& painter) const;
@@ -48,6 +52,8 @@ private:
 
   Workbench& Bench;
   int Node = 1;
+  QPixmap Bars, FaintBars;
+  std::vector<double> BarsOf; // what they were made of, but the samples
 };
 
 #endif

@@ -11,12 +11,14 @@
 
 #include <array>
 #include <functional>
+#include <vector>
 
+class QAction;
 class QWidget;
 class Workbench;
 
 // The parts of the window beside the view. Each shows the model's state when that changes.
-QWidget* MakeSurfacesPanel(Workbench& bench);
+QWidget* MakeSurfacesPanel(Workbench& bench, const std::vector<QAction*>& actions);
 QWidget* MakeLightPanel(Workbench& bench);
 QWidget* MakeClippingPanel(Workbench& bench);
 QWidget* MakeReusePanel(Workbench& bench);

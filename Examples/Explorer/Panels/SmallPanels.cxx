@@ -314,7 +314,7 @@ QWidget* MakeDataPanel(Workbench& bench)
       const auto range = bench.Data.Counted().Range;
       const double bytes = 1024.0 * static_cast<double>(volume.Data->GetActualMemorySize());
       text->setText(
-        QObject::tr("%1\n%2\nvalues %3 to %4\nx %5 to %6, y %7 to %8, z %9 to %10\n%11")
+        QObject::tr("\u200e%1\n%2\nvalues %3 to %4\nx %5 to %6, y %7 to %8, z %9 to %10\n%11")
           .arg(QString::fromStdString(volume.Name),
             QString::fromStdString(bench.Data.Description()), Short(range[0]), Short(range[1]),
             Short(box[0]), Short(box[1]), Short(box[2]), Short(box[3]), Short(box[4]))

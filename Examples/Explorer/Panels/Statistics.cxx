@@ -55,7 +55,7 @@ public:
   QSize sizeHint() const override
   {
     const int line = this->fontMetrics().height();
-    return { 16 * line, 15 * line };
+    return { 18 * line, 10 * line };
   }
   QSize minimumSizeHint() const override { return this->sizeHint(); }
 
@@ -68,34 +68,37 @@ protected:
     }
     QPainter painter(this);
     const int line = this->fontMetrics().height();
-    this->DrawFrames(painter, { 0, 0, this->width(), 5 * line });
+    this->DrawFrames(painter, { 0, 0, this->width(), 4 * line });
     const Frame& last = this->Frames.back();
     const FrameFacts& facts = this->Facts;
-    int y = 5 * line + line / 2;
-    const auto row = [&](const QString& label, const QString& value, const QColor& key = {})
+    int place = 0;
+    // Two of them in a row: all are seen in a panel of half the window's height.
+    const auto tell = [&](const QString& label, const QString& value, const QColor& key = {})
     {
-      const QRect rect(0, y, this->width(), line);
+      const int width = (this->width() - line) / 2;
+      const int y = 4 * line + line / 2 + place / 2 * line;
+      const QRect rect(place % 2 * (width + line), y, width, line);
+      ++place;
       const int indent = key.isValid() ? line : 0;
       if (key.isValid())
       {
-        painter.fillRect(line / 4, y + line / 4, line / 2, line / 2, key);
+        painter.fillRect(rect.x() + line / 4, y + line / 4, line / 2, line / 2, key);
       }
       painter.setPen(Blended(this->palette(), 0.7));
       painter.drawText(rect.adjusted(indent, 0, 0, 0), Qt::AlignLeft, label);
       painter.setPen(this->palette().color(QPalette::WindowText));
       painter.drawText(rect, Qt::AlignRight, value);
-      y += line;
     };
     const auto percent = [](double share) { return tr("%1 %").arg(100.0 * share, 0, 'f', 1); };
-    row(tr("Route"), QString::fromStdString(facts.Route));
-    row(tr("Mapper"), tr("%1 ms").arg(facts.Ms, 0, 'f', 1));
-    row(tr("Window"), tr("%1 ms").arg(last.WindowMs, 0, 'f', 1));
-    row(tr("Hits"), percent(facts.Hits), Hit);
-    row(tr("Possible hits"), percent(facts.PossibleHits), Possible);
-    row(tr("Misses"), percent(facts.Misses), Miss);
-    row(tr("Rays traced"), percent(facts.Traced));
-    row(tr("Samples a ray"), QString::number(facts.SamplesPerRay, 'f', 1));
-    row(tr("Isomap"), tr("%1 MiB").arg(facts.IsomapMiB, 0, 'f', 1));
+    tell(tr("Mapper"), tr("%1 ms").arg(facts.Ms, 0, 'f', 1));
+    tell(tr("Window"), tr("%1 ms").arg(last.WindowMs, 0, 'f', 1));
+    tell(tr("Hits"), percent(facts.Hits), Hit);
+    tell(tr("Traced"), percent(facts.Traced));
+    tell(tr("Possible"), percent(facts.PossibleHits), Possible);
+    tell(tr("Samples"), tr("%1 a ray").arg(facts.SamplesPerRay, 0, 'f', 1));
+    tell(tr("Misses"), percent(facts.Misses), Miss);
+    tell(tr("Isomap"), tr("%1 MiB").arg(facts.IsomapMiB, 0, 'f', 1));
+    tell(tr("Route"), QString::fromStdString(facts.Route));
   }
 
 private:

@@ -64,8 +64,6 @@ public:
           this->Bench.Select(static_cast<std::size_t>(row));
         }
       });
-    QObject::connect(
-      this, &QTableWidget::cellActivated, this, [this](int, int column) { this->Ask(column); });
   }
 
   void Refresh()
@@ -73,6 +71,7 @@ public:
     const QSignalBlocker blocker(this);
     const auto& surfaces = this->Bench.Data.Settings().Surfaces;
     this->setRowCount(static_cast<int>(surfaces.size()));
+    this->updateGeometry();
     for (int row = 0; row < this->rowCount(); ++row)
     {
       const Surface& surface = surfaces[static_cast<std::size_t>(row)];
@@ -98,9 +97,12 @@ public:
 
   QSize sizeHint() const override
   {
-    const int line = this->fontMetrics().height();
-    return { 18 * line, 8 * line };
+    const int rows = std::clamp(this->rowCount(), 2, 4);
+    return { 18 * this->fontMetrics().height(),
+      this->horizontalHeader()->sizeHint().height() +
+        rows * this->verticalHeader()->defaultSectionSize() + 2 * this->frameWidth() };
   }
+  QSize minimumSizeHint() const override { return this->sizeHint(); }
 
 private:
   QTableWidgetItem* ItemAt(int row, int column)
@@ -144,13 +146,16 @@ private:
       });
   }
 
-  void Ask(int column)
+  // Colours are changed as numbers are, whatever a single click does on this desktop.
+  bool edit(const QModelIndex& index, EditTrigger trigger, QEvent* event) override
   {
-    if (column == Colour)
+    if (index.column() != Colour || !(trigger & (DoubleClicked | EditKeyPressed)))
     {
-      const auto color = this->currentItem()->data(Qt::UserRole).value<QColor>();
-      AskColor(this, color, [this](const Rgb& rgb) { this->SetColor(rgb); });
+      return QTableWidget::edit(index, trigger, event);
     }
+    const auto color = index.data(Qt::UserRole).value<QColor>();
+    AskColor(this, color, [this](const Rgb& rgb) { this->SetColor(rgb); });
+    return false;
   }
 
   void SetColor(const std::optional<Rgb>& color)
@@ -163,19 +168,28 @@ private:
 
 }
 
-QWidget* MakeSurfacesPanel(Workbench& bench)
+// What the menu has for surfaces, where they are seen.
+QWidget* MakeSurfacesPanel(Workbench& bench, const std::vector<QAction*>& actions)
 {
   auto* panel = new QWidget;
   Form form(bench, panel);
   auto* table = new SurfaceTable(bench);
+  auto* buttons = new QWidget;
+  auto* row = new QHBoxLayout(buttons);
+  row->setContentsMargins(0, 0, 0, 0);
+  for (QAction* action : actions)
+  {
+    auto* button = new QToolButton;
+    button->setDefaultAction(action);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    row->addWidget(button);
+  }
   form.AddChoice(ChoiceOf(Choose::Drawing));
   form.AddWidget(table);
-  form.OnChange(table,
-    [&bench, table]
-    {
-      table->Refresh();
-      table->setEnabled(bench.Data.DrawsSurfaces());
-    });
+  form.OnChange(table, [table] { table->Refresh(); });
+  form.ShowIf(table, [&bench] { return bench.Data.DrawsSurfaces(); });
+  form.AddWidget(buttons);
+  form.ShowIf(buttons, [&bench] { return bench.Data.DrawsSurfaces(); });
   QSlider* opacity = form.AddSlider(
     QObject::tr("Opacity"), QObject::tr("of the selected surface: less is see-through"), 1.0,
     [&bench](const Look& look) { return look.Surfaces[bench.Selected()].Opacity; },
@@ -185,12 +199,8 @@ QWidget* MakeSurfacesPanel(Workbench& bench)
     QObject::tr("Density"), QObject::tr("of the blended volume: how soon it is opaque"), 4.0,
     [](const Look& look) { return std::log10(look.Density) + 2.0; },
     [](Look& look, double value) { look.Density = std::pow(10.0, value - 2.0); });
-  form.OnChange(opacity,
-    [&bench, opacity, density]
-    {
-      opacity->setEnabled(bench.Data.DrawsSurfaces());
-      density->setEnabled(!bench.Data.DrawsSurfaces());
-    });
+  form.ShowIf(opacity, [&bench] { return bench.Data.DrawsSurfaces(); });
+  form.ShowIf(density, [&bench] { return !bench.Data.DrawsSurfaces(); });
   form.AddChoice(ChoiceOf(Choose::Surface));
   form.AddChoice(ChoiceOf(Choose::Palette));
   return panel;

@@ -8,12 +8,20 @@
 #include <vtkProperty.h>
 #include <vtkTransform.h>
 
-ClipHandles::ClipHandles(Workbench& bench, vtkRenderWindowInteractor* interactor)
+ClipHandles::ClipHandles(Workbench& bench, vtkRenderWindowInteractor* interactor, double pixels)
   : Bench(bench)
 {
   this->PlaneWidget->SetRepresentation(this->PlaneShape);
   this->PlaneShape->SetPlaceFactor(1.0);
   this->PlaneShape->GetPlaneProperty()->SetOpacity(0.15);
+  for (vtkProperty* lines : { this->PlaneShape->GetNormalProperty(),
+         this->PlaneShape->GetSelectedNormalProperty(), this->PlaneShape->GetEdgesProperty(),
+         this->BoxShape->GetOutlineProperty(), this->BoxShape->GetSelectedOutlineProperty() })
+  {
+    lines->SetLineWidth(static_cast<float>(pixels));
+  }
+  this->PlaneShape->SetHandleSize(pixels * this->PlaneShape->GetHandleSize());
+  this->BoxShape->SetHandleSize(pixels * this->BoxShape->GetHandleSize());
   this->PlaneShape->GetSelectedPlaneProperty()->SetOpacity(0.25);
   this->PlaneShape->DrawOutlineOff();
   this->PlaneShape->ScaleEnabledOff();

@@ -17,7 +17,7 @@ class vtkRenderWindowInteractor;
 class ClipHandles : public QObject
 {
 public:
-  ClipHandles(Workbench& bench, vtkRenderWindowInteractor* interactor);
+  ClipHandles(Workbench& bench, vtkRenderWindowInteractor* interactor, double pixels); // of a line
 
 private:
   void Place(); // for other data

@@ -4,6 +4,8 @@
 #include "Window/Dialogs.h"
 #include "Window/MainWindow.h"
 
+#include <vtkCamera.h>
+
 #include <QVTKInteractor.h>
 #include <QVTKOpenGLNativeWidget.h>
 
@@ -15,6 +17,7 @@
 #include <QMenu>
 #include <QMimeData>
 #include <QSettings>
+#include <QTabBar>
 #include <QToolButton>
 
 #include <utility>
@@ -72,6 +75,10 @@ void MainWindow::Perform(Do what)
       break;
     case Do::ResetView:
       bench.Data.ResetView();
+      bench.RenderSoon();
+      break;
+    case Do::UpsideDown:
+      bench.Data.View.Renderer->GetActiveCamera()->Roll(180.0);
       bench.RenderSoon();
       break;
     case Do::FullScreen:
@@ -266,6 +273,13 @@ void MainWindow::LogPlaces()
   tell("isovalue-least", this->Samples, this->Samples->PlaceOf(0.0));
   tell("isovalue-greatest", this->Samples, this->Samples->PlaceOf(1.0));
   tell("view-middle", this->Picture, this->Picture->rect().center());
+  for (const QTabBar* tabs : this->findChildren<QTabBar*>())
+  {
+    for (int i = 0; i < tabs->count(); ++i)
+    {
+      tell("tab-" + tabs->tabText(i), tabs, tabs->tabRect(i).center());
+    }
+  }
   for (const QWidget* widget : this->findChildren<QWidget*>())
   {
     const QString name = widget->objectName();

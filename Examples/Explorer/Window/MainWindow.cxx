@@ -64,7 +64,8 @@ MainWindow::MainWindow(Workbench& bench)
   this->Picture->installEventFilter(this);
   qApp->installEventFilter(this);
   bench.SetWindow(this->Window);
-  new ClipHandles(bench, this->Picture->interactor());
+  new ClipHandles(bench, this->Picture->interactor(),
+    std::max(1.0, this->logicalDpiX() * this->devicePixelRatioF() / 96.0));
   this->setAcceptDrops(true);
   this->MakeMenus();
   this->MakeDocks();
@@ -80,7 +81,8 @@ MainWindow::MainWindow(Workbench& bench)
   QObject::connect(&bench, &Workbench::Said, this,
     [this](const QString& sentence, bool isWarning)
     {
-      this->Sentence->setText(sentence);
+      // Sentences run from left to right, whatever the name that they begin with.
+      this->Sentence->setText(QChar(0x200e) + sentence);
       this->Sentence->setToolTip(sentence);
       QFont font = this->font();
       font.setBold(isWarning);
@@ -138,6 +140,7 @@ void MainWindow::MakeMenus()
     }
   }
   QMenu* view = this->ViewMenu = menus["&View"];
+  view->addSeparator();
   for (const char* from : { "+x", "-x", "+y", "-y", "+z", "-z" })
   {
     view->addAction(tr("From %1").arg(from),
@@ -177,10 +180,17 @@ void MainWindow::MakeMenus()
   }
 }
 
-QDockWidget* MainWindow::AddDock(Qt::DockWidgetArea area, const QString& name, QWidget* panel)
+QDockWidget* MainWindow::AddDock(
+  Qt::DockWidgetArea area, const QString& name, QWidget* panel, bool isWhole)
 {
   auto* dock = new QDockWidget(name);
   dock->setObjectName(name);
+  this->addDockWidget(area, dock);
+  if (isWhole)
+  {
+    dock->setWidget(panel);
+    return dock;
+  }
   // Whatever the size of the font, all can be reached.
   auto* scroll = new QScrollArea;
   scroll->setWidget(panel);
@@ -190,7 +200,6 @@ QDockWidget* MainWindow::AddDock(Qt::DockWidgetArea area, const QString& name, Q
   scroll->setMinimumWidth(
     panel->minimumSizeHint().width() + this->style()->pixelMetric(QStyle::PM_ScrollBarExtent));
   dock->setWidget(scroll);
-  this->addDockWidget(area, dock);
   return dock;
 }
 
@@ -199,8 +208,10 @@ void MainWindow::MakeDocks()
   this->setDockNestingEnabled(true);
   this->setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
   this->setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
-  QDockWidget* surfaces =
-    this->AddDock(Qt::RightDockWidgetArea, tr("Surfaces"), MakeSurfacesPanel(this->Bench));
+  QDockWidget* surfaces = this->AddDock(Qt::RightDockWidgetArea, tr("Surfaces"),
+    MakeSurfacesPanel(
+      this->Bench, { this->Actions[Do::AddSurface], this->Actions[Do::RemoveSurface] }),
+    true);
   QDockWidget* clipping =
     this->AddDock(Qt::RightDockWidgetArea, tr("Clip"), MakeClippingPanel(this->Bench));
   QDockWidget* light =
@@ -212,15 +223,11 @@ void MainWindow::MakeDocks()
   this->tabifyDockWidget(clipping, light);
   this->tabifyDockWidget(light, reuse);
   this->tabifyDockWidget(reuse, data);
-  reuse->raise();
-  auto* histogram = new QDockWidget(tr("Histogram"));
-  histogram->setObjectName("Histogram");
-  histogram->setWidget(this->Samples);
-  this->addDockWidget(Qt::BottomDockWidgetArea, histogram);
-  this->Time = new QDockWidget(tr("Time"));
-  this->Time->setObjectName("Time");
-  this->Time->setWidget(MakeTimePanel(this->Bench));
-  this->addDockWidget(Qt::BottomDockWidgetArea, this->Time);
+  clipping->raise();
+  QDockWidget* histogram =
+    this->AddDock(Qt::BottomDockWidgetArea, tr("Histogram"), this->Samples, true);
+  this->Time =
+    this->AddDock(Qt::BottomDockWidgetArea, tr("Time"), MakeTimePanel(this->Bench), true);
   this->splitDockWidget(histogram, this->Time, Qt::Vertical);
   this->Time->hide();
   this->Keys = this->AddDock(Qt::LeftDockWidgetArea, tr("Keys"), MakeKeysPanel());
@@ -229,6 +236,16 @@ void MainWindow::MakeDocks()
   {
     this->ViewMenu->addAction(dock->toggleViewAction());
   }
+  // Scripts begin with the same window each time.
+  if (!this->Bench.Chosen.Log.empty() ||
+    !this->restoreState(QSettings().value("window").toByteArray()))
+  {
+    // Once there is a layout: the table of surfaces begins small.
+    QTimer::singleShot(0, this,
+      [=] {
+        this->resizeDocks({ surfaces, clipping }, { 1, 10000 }, Qt::Vertical);
+      });
+  }
 }
 
 void MainWindow::ShowState()
@@ -236,8 +253,9 @@ void MainWindow::ShowState()
   const bool isOpen = this->Bench.Data.IsOpen();
   const bool isBusy = this->Bench.IsBusy();
   const bool isBuilding = this->Bench.IsBuilding();
-  for (const Do what : { Do::SaveSession, Do::SaveSessionAs, Do::Picture, Do::PictureAs, Do::Record,
-         Do::Film, Do::AddSurface, Do::Clip, Do::Crop, Do::ResetView, Do::BuildIsomap })
+  for (const Do what :
+    { Do::SaveSession, Do::SaveSessionAs, Do::Picture, Do::PictureAs, Do::Record, Do::Film,
+      Do::AddSurface, Do::Clip, Do::Crop, Do::ResetView, Do::UpsideDown, Do::BuildIsomap })
   {
     this->Actions[what]->setEnabled(isOpen && !isBuilding);
   }

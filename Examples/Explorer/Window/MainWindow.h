@@ -35,7 +35,8 @@ protected:
 private:
   void MakeMenus();
   void MakeDocks();
-  QDockWidget* AddDock(Qt::DockWidgetArea area, const QString& name, QWidget* panel);
+  QDockWidget* AddDock(
+    Qt::DockWidgetArea area, const QString& name, QWidget* panel, bool isWhole = false);
   void Perform(Do what);
   void PerformOnFiles(Do what);
   void AddRecent(const QString& path);

@@ -26,6 +26,7 @@ enum class Do
   Clip,
   Crop,
   ResetView,
+  UpsideDown,
   FullScreen,
   BuildIsomap,
   NextArray,

@@ -191,7 +191,7 @@ BlendTruthLook::Part BlendTruthLook::PartAt(
 glm::dvec3 BlendTruthLook::Lit(const Material& material, const glm::dvec3& color,
   const glm::dvec3& gradient, const Place& place) const
 {
-  glm::dvec3 sum = material.Ambient * color;
+  glm::dvec3 sum = material.Ambient * color + material.Glow;
   const glm::dmat3 toWorld = glm::transpose(glm::dmat3(this->Key.Transform.IndexFromWorld));
   const glm::dvec3 outward = toWorld * -gradient;
   const double length = glm::length(outward);

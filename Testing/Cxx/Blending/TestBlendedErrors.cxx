@@ -12,6 +12,7 @@
 
 #include <vtkAppendFilter.h>
 #include <vtkFloatingPointExceptions.h>
+#include <vtkLight.h>
 #include <vtkPolyData.h>
 #include <vtkUnstructuredGrid.h>
 
@@ -131,6 +132,22 @@ void TestNumbers()
     Composite, "SampleDistance of the mapper",
     [](Scene& scene) { scene.Mapper->SetSampleDistance(-1.0f); },
     [](Scene& scene) { scene.Mapper->SetSampleDistance(0.0f); });
+  ExpectError(
+    Composite, "Ambient colour of light 0 of the renderer",
+    [](Scene& scene)
+    {
+      vtkNew<vtkLight> light;
+      light->SetLightTypeToSceneLight();
+      light->SetAmbientColor(0.1, NaN, 0.3);
+      scene.Renderer->RemoveAllLights();
+      scene.Renderer->AddLight(light);
+      scene.Volume->GetProperty()->ShadeOn();
+    },
+    [](Scene& scene)
+    {
+      scene.Renderer->RemoveAllLights();
+      scene.Volume->GetProperty()->ShadeOff();
+    });
   ExpectError(
     Composite, "Ambient of the volume's property",
     [](Scene& scene)

@@ -100,6 +100,14 @@ TEST_F(BlendLook, BrightColorsAreClampedWhereTheyAre)
   ExpectBlendTruth(this->Key);
 }
 
+TEST_F(BlendLook, ColoredAmbientLight)
+{
+  SKIP_UNLESS_BLENDED(this->Key);
+  this->Of().Material.Ambient = 0.0;
+  this->Of().Material.Glow = { 0.05, 0.4, 0.9 };
+  ExpectBlendTruth(this->Key);
+}
+
 TEST_F(BlendLook, NoLights)
 {
   SKIP_UNLESS_BLENDED(this->Key);

@@ -32,6 +32,7 @@ public:
     ComponentLook& look = this->Key.Volume.Looks[0];
     look.Material.Shade = this->Between(0, 1) == 0;
     look.Material.Specular = this->Real(0.0, 1.0);
+    look.Material.Glow = glm::dvec3(this->Real(-0.1, 0.3), 0.0, this->Real(0.0, 0.3));
     look.UnitDistance = std::exp(this->Real(-1.0, 3.0));
     if (this->Between(0, 2) == 0)
     {

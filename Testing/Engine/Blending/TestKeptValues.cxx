@@ -33,6 +33,7 @@ protected:
       }
       look.Weight = this->Share(this->Random);
       look.Material.Ambient = this->Share(this->Random);
+      look.Material.Glow.y = this->Share(this->Random);
     }
     key.Appearance.ColorScale = 0.5 + this->Share(this->Random);
     key.Appearance.ColorShift = 0.2 * this->Share(this->Random);

@@ -121,7 +121,7 @@ HWY_INLINE V ShareAt(const VolumeLight& light, const V point[3], V toward[3])
   return share;
 }
 
-/// What points reflect of the lights: shares of their own colour, and highlights.
+/// What points reflect of the lights: shares of their own colour, and what is added to any colour.
 /// \tparam Colors 1 where all lights are white, else 3
 template <class V, std::size_t Colors>
 struct ReflectedLight
@@ -139,7 +139,7 @@ HWY_INLINE ReflectedLight<V, Colors> Reflect(const VolumeLights& lights, const L
   for (std::size_t a = 0; a < Colors; ++a)
   {
     sum.Matt[a] = hn::Set(d, lights.Ambient);
-    sum.Shine[a] = zero;
+    sum.Shine[a] = hn::Set(d, lights.Glow[static_cast<int>(a)]);
   }
   const V rise = Dot(at.Normal, at.Direction);
   for (const VolumeLight& light : lights.All)

@@ -32,10 +32,12 @@ struct VolumeLights
   /// \throws std::bad_alloc
   VolumeLights(const Appearance& appearance, const Material& material)
     : Ambient(static_cast<float>(material.Ambient))
+    , Glow(material.Glow)
     , SpecularPower(material.SpecularPower)
     , AreTwoSided(appearance.TwoSided)
     , AreShiny(material.Specular != 0.0)
   {
+    this->AreWhite = IsGrey(this->Glow);
     constexpr double pi = 3.14159265358979323846;
     for (const Light& light : appearance.Lights)
     {
@@ -56,6 +58,7 @@ struct VolumeLights
 
   std::vector<VolumeLight> All;
   float Ambient;
+  glm::vec3 Glow;
   double SpecularPower;
   bool AreTwoSided, AreShiny;
   bool AreWhite = true; ///< all channels get the same

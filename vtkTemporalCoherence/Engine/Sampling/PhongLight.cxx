@@ -43,7 +43,7 @@ Arrival ArrivalOf(const Light& light, const glm::dvec3& at)
 glm::dvec3 LightUp(const Material& material, const Appearance& lights, const LitPlace& place,
   const glm::dvec3& color)
 {
-  glm::dvec3 shown = material.Ambient * color;
+  glm::dvec3 shown = material.Ambient * color + material.Glow;
   const double length = glm::length(place.Outward);
   if (length > 0.0 && std::isfinite(length))
   {

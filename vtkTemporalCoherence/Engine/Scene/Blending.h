@@ -42,18 +42,19 @@ inline bool operator==(const TransferFunction& a, const TransferFunction& b)
 struct Material
 {
   bool Shade = false;
-  double Ambient = 0.1;
+  double Ambient = 0.1; ///< share of its own colour that is seen without any light
   double Diffuse = 0.7;
   double Specular = 0.2;
   double SpecularPower = 10.0;
+  glm::dvec3 Glow{ 0.0 }; ///< light that is added to any colour: ambient light of the lights
 };
 
 inline bool operator==(const Material& a, const Material& b)
 {
   return a.Shade == b.Shade &&
     (!a.Shade ||
-      (a.Ambient == b.Ambient && a.Diffuse == b.Diffuse && a.Specular == b.Specular &&
-        a.SpecularPower == b.SpecularPower));
+      (a.Ambient == b.Ambient && a.Glow == b.Glow && a.Diffuse == b.Diffuse &&
+        a.Specular == b.Specular && a.SpecularPower == b.SpecularPower));
 }
 
 /// How the values of one component look.

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <sstream>
 
 namespace TemporalCoherence
@@ -194,7 +195,9 @@ bool BlendingFromVolume::MakeLights(
   {
     return true;
   }
-  if (!FindLights(renderer, appearance.Lights, error))
+  std::optional<glm::dvec3> ambient;
+  if (!FindLights(renderer, appearance.Lights, error) ||
+    !FindAmbientLight(renderer, ambient, error))
   {
     return false;
   }
@@ -205,6 +208,14 @@ bool BlendingFromVolume::MakeLights(
     for (ComponentLook& look : blending.Looks)
     {
       look.Material.Ambient += look.Material.Diffuse;
+    }
+  }
+  else if (ambient)
+  {
+    for (ComponentLook& look : blending.Looks)
+    {
+      look.Material.Glow = look.Material.Ambient * *ambient;
+      look.Material.Ambient = 0.0;
     }
   }
   return true;

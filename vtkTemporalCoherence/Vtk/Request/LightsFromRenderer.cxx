@@ -103,4 +103,32 @@ bool FindLights(vtkRenderer* renderer, std::vector<Light>& lights, std::string& 
   return true;
 }
 
+bool FindAmbientLight(vtkRenderer* renderer, std::optional<glm::dvec3>& found, std::string& error)
+{
+  glm::dvec3 sum(0.0);
+  bool isPlainHeadlight = true;
+  int place = 0, count = 0;
+  vtkLightCollection* sources = renderer->GetLights();
+  vtkCollectionSimpleIterator at;
+  sources->InitTraversal(at);
+  for (; vtkLight* source = sources->GetNextLight(at); ++place)
+  {
+    if (source->GetSwitch())
+    {
+      isPlainHeadlight = ++count == 1 && source->LightTypeIsHeadlight() &&
+        !source->GetPositional() && source->GetIntensity() == 1.0;
+      SettingCheck check({ "light", place, "the renderer" }, error);
+      check(
+        "Ambient colour", source->GetAmbientColor(), Allowed::Color, "vtkLight::SetAmbientColor");
+      if (!check.HasPassed())
+      {
+        return false;
+      }
+      sum += source->GetIntensity() * ToVec(source->GetAmbientColor());
+    }
+  }
+  found = isPlainHeadlight ? std::nullopt : std::make_optional(sum);
+  return true;
+}
+
 }

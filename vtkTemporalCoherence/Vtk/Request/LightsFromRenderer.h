@@ -6,6 +6,9 @@
 #include "Scene/Appearance.h"
 #include "vtkTemporalCoherenceCompatibility.h"
 
+#include <glm/glm.hpp>
+
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +23,14 @@ namespace TemporalCoherence
 /// \param error gets what is wrong and what to do about it
 /// \return false on error, for example if an intensity is NaN
 bool FindLights(vtkRenderer* renderer, std::vector<Light>& lights, std::string& error);
+
+/// Find the ambient light of volumes, as vtkGPUVolumeRayCastMapper does.
+/// \param found gets the sum of the ambient colours of the lights that are on; or nothing if a
+///              single headlight of intensity 1 shines: a volume then has its own colour as ambient
+///              light
+/// \param error gets what is wrong and what to do about it
+/// \return false on error: an ambient colour that counts is not finite
+bool FindAmbientLight(vtkRenderer* renderer, std::optional<glm::dvec3>& found, std::string& error);
 
 }
 

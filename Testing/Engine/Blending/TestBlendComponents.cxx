@@ -49,6 +49,18 @@ TEST_P(BlendComponents, RgbAndOpacity)
   ExpectBlendTruth(volume.Key, 5);
 }
 
+TEST_P(BlendComponents, NearestInterpolation)
+{
+  for (const ComponentUse use : { ComponentUse::Independent, ComponentUse::ColorOpacity })
+  {
+    ComponentVolume volume(GetParam(), 2, use);
+    volume.Key.Samples.Between = Interpolation::Nearest;
+    volume.Key.Volume.Others[0].Between = Interpolation::Nearest;
+    SKIP_UNLESS_BLENDED(volume.Key);
+    ExpectBlendTruth(volume.Key, 5);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Modes, BlendComponents, ::testing::ValuesIn(AllBlendModes), NameOfMode);
 
 }

@@ -130,7 +130,7 @@ private:
         }
         if (breaks.AreEven() || this->Tables.IsSeen(at, at))
         {
-          this->Parts.AddPart(static_cast<float>(from), static_cast<float>(to));
+          this->Parts.AddPart(static_cast<float>(from), static_cast<float>(to), breaks.AreEven());
         }
       });
   }
@@ -172,7 +172,7 @@ private:
       }
       if (this->Tables.AreLightsNear())
       {
-        this->Parts.AddPart(0.0f, 1.0f);
+        this->Parts.AddPart(0.0f, 1.0f, false);
       }
       else
       {

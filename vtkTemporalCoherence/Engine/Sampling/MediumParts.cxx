@@ -40,7 +40,7 @@ std::int32_t MediumParts::AddPlace(std::int32_t segment, float share)
   return static_cast<std::int32_t>(place);
 }
 
-void MediumParts::AddPart(float from, float to)
+void MediumParts::AddPart(float from, float to, bool bends)
 {
   if (this->Places.Count + 3 > MediumKernels::MediumPlaces::Most)
   {
@@ -50,6 +50,7 @@ void MediumParts::AddPart(float from, float to)
   part.Segment = static_cast<std::int32_t>(this->NumberOfSegments()) - 1;
   part.From = from;
   part.To = to;
+  part.Bends = bends;
   // At its ends, rounding might lead to what is beside the part; or gradients may be 0.
   const float inwards = Inwards * (to - from);
   part.Begin = this->AddPlace(part.Segment, from + inwards);
@@ -76,10 +77,13 @@ double MediumParts::Blend(Veil& seen)
   for (Part& part : this->Parts)
   {
     const float length = this->Segments.Length[static_cast<std::size_t>(part.Segment)];
-    const Estimate found =
-      this->EstimateOf(part.Begin, part.Middle, part.End, (part.To - part.From) * length);
+    // Where nothing bends, all of a part is opaque or nothing but an end of it.
+    const bool isOpaque = this->IsOpaque(part.Begin) && this->IsOpaque(part.Middle);
+    const Estimate found = isOpaque
+      ? this->OpaqueAt(part.Begin)
+      : this->EstimateOf(part.Begin, part.Middle, part.End, (part.To - part.From) * length);
     part.Best = found.Veil;
-    part.Error = this->Look.HasGradientOpacity ? 1.0f : found.Error;
+    part.Error = this->Look.HasGradientOpacity && !isOpaque ? 1.0f : found.Error;
   }
   for (std::size_t known = this->Places.Count; this->Refine(seen.Passed);
        known = this->Places.Count)
@@ -100,6 +104,29 @@ double MediumParts::Blend(Veil& seen)
   return first;
 }
 
+MediumParts::Estimate MediumParts::OpaqueAt(std::int32_t place) const
+{
+  const auto at = static_cast<std::size_t>(place);
+  const glm::vec3 seen(
+    this->Places.Emission[0][at], this->Places.Emission[1][at], this->Places.Emission[2][at]);
+  return { { seen, 0.0f }, 0.0f };
+}
+
+/// What a half of a part is, whose quarters are known.
+MediumParts::Estimate MediumParts::HalfOf(const Part& part, bool isBack) const
+{
+  const std::int32_t begin = isBack ? part.Middle : part.Begin;
+  const std::int32_t middle = part.Quarters[isBack ? 1 : 0];
+  const std::int32_t end = isBack ? part.End : part.Middle;
+  // Close to where an opacity comes to 1, rounding makes it 1.
+  if (part.Bends && this->IsOpaque(begin) && this->IsOpaque(middle) && this->IsOpaque(end))
+  {
+    return this->OpaqueAt(begin);
+  }
+  const float length = this->Segments.Length[static_cast<std::size_t>(part.Segment)];
+  return this->EstimateOf(begin, middle, end, 0.5f * (part.To - part.From) * length);
+}
+
 /// What a part is, from three places: Simpson's rule for its depth and its light.
 MediumParts::Estimate MediumParts::EstimateOf(
   std::int32_t begin, std::int32_t middle, std::int32_t end, float length) const
@@ -112,10 +139,6 @@ MediumParts::Estimate MediumParts::EstimateOf(
     return glm::vec3(this->Places.Emission[0][place], this->Places.Emission[1][place],
       this->Places.Emission[2][place]);
   };
-  if (found[a] < 0.0f && found[b] < 0.0f)
-  {
-    return { { emitted(a), 0.0f }, 0.0f };
-  }
   // What is opaque at one place alone is not so beside it, where opacity comes to 1.
   const float taken[3] = { std::abs(found[a]), std::abs(found[b]), std::abs(found[c]) };
   const auto light = [&](std::size_t place)
@@ -204,10 +227,8 @@ void MediumParts::FindHalves(std::size_t from)
     {
       continue;
     }
-    const float half =
-      0.5f * (part.To - part.From) * this->Segments.Length[static_cast<std::size_t>(part.Segment)];
-    part.Front = this->EstimateOf(part.Begin, part.Quarters[0], part.Middle, half);
-    part.Back = this->EstimateOf(part.Middle, part.Quarters[1], part.End, half);
+    part.Front = this->HalfOf(part, false);
+    part.Back = this->HalfOf(part, true);
     const Veil both = part.Front.Veil.Before(part.Back.Veil);
     const glm::vec3 change = glm::abs(both.Color - part.Best.Color);
     part.Error =

@@ -65,7 +65,8 @@ public:
   bool AreMany() const { return this->Places.Count > MediumKernels::MediumPlaces::Most / 4; }
 
   /// Add a part of the last segment.
-  void AddPart(float from, float to);
+  /// \param bends something may bend in it nevertheless
+  void AddPart(float from, float to, bool bends);
 
   /// Add all of the last segment, in which nothing changes.
   void AddEvenPart();
@@ -90,6 +91,7 @@ private:
     std::int32_t Begin, Middle, End;       ///< places
     std::int32_t Quarters[2] = { -1, -1 }; ///< places, if it was asked for halves
     std::int8_t Halved = 0;                ///< how often
+    bool Bends = false;                    ///< something may bend in it
     bool IsEven = false;                   ///< nothing changes in it
     Veil Best;
     float Error;          ///< of Best
@@ -101,6 +103,12 @@ private:
   bool HasRoom() const { return this->Places.Count + 2 <= MediumKernels::MediumPlaces::Most; }
   Estimate EstimateOf(
     std::int32_t begin, std::int32_t middle, std::int32_t end, float length) const;
+  bool IsOpaque(std::int32_t place) const
+  {
+    return this->Places.Extinction[static_cast<std::size_t>(place)] < 0.0f;
+  }
+  Estimate OpaqueAt(std::int32_t place) const;
+  Estimate HalfOf(const Part& part, bool isBack) const;
   bool Refine(float passed);
   void FindHalves(std::size_t from);
 

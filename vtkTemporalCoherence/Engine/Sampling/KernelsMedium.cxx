@@ -76,7 +76,7 @@ public:
       isOpaque = hn::Or(isOpaque, isSolid);
       const V weight = hn::Set(d, part.Weight);
       const V taken = hn::IfThenElseZero(
-        isSeen, hn::Mul(hn::Mul(DepthOf(found[0]), hn::Set(d, part.PerDistance)), share));
+        isSeen, hn::Mul(hn::Mul(DepthOf(found[0]), hn::Set(d, part.PerEdge)), share));
       const V counted = hn::Mul(weight, taken);
       squares = hn::Add(squares, hn::Mul(taken, taken));
       weighed = hn::Add(weighed, counted);
@@ -276,6 +276,7 @@ void Find(
 {
   const Floats d;
   const std::size_t lanes = hn::Lanes(d);
+  std::fill_n(places.Share.begin() + static_cast<std::ptrdiff_t>(places.Count), lanes, 0.0f);
   for (std::size_t i = from; i < places.Count; i += lanes)
   {
     const PlaceVector vector(look, segments, places, i, std::min(lanes, places.Count - i));

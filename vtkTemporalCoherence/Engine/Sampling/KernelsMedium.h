@@ -35,7 +35,7 @@ struct PartLook
   const VolumeLights* Lights;      ///< null: it is not shaded
   glm::vec3 PerStep;               ///< scales gradients in bins to those that ByGradient knows
   float Weight;
-  float PerDistance;    ///< 1 / the world distance over which an opacity counts
+  float PerEdge;        ///< the shortest edge of a cell / the world distance of an opacity
   std::size_t Opacity;  ///< row of the value that gives its opacity; or of its look
   std::size_t Gradient; ///< first of three rows, if gradients count
 };
@@ -49,6 +49,7 @@ struct MediumLook
   std::size_t RowsOfSegment = 0;
   bool AreEven = false; ///< values stay as they are in a segment
   bool HasGradientOpacity = false;
+  float EdgesPerLength = 1.0f; ///< 1 / the shortest edge, in the world
 };
 
 /// The segments of a ray. Each has RowsOfSegment rows: values of components in bins, but those of
@@ -72,8 +73,8 @@ struct MediumPlaces
   std::size_t Count = 0;
   Array<float> Share; ///< of the segment
   Array<std::int32_t> Segment;
-  Array<float> Extinction; ///< per world distance; negative where it is opaque
-  /// Per world distance; where it is opaque, what is seen.
+  Array<float> Extinction; ///< per shortest edge; negative where it is opaque
+  /// Per shortest edge; where it is opaque, what is seen.
   std::array<Array<float>, 3> Emission;
 };
 

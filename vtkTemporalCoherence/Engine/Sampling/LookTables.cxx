@@ -12,6 +12,9 @@ namespace TemporalCoherence
 namespace
 {
 
+/// More than this times the opacity of a unit distance, for each edge of a cell, is opaque anyway.
+constexpr double MostPerEdge = 1e6;
+
 /// From gradients of index space to normals in the world, of about the same length.
 glm::mat3 NormalMatrix(const IndexTransform& transform)
 {
@@ -28,7 +31,9 @@ glm::mat3 NormalMatrix(const IndexTransform& transform)
 }
 
 LookTables::LookTables(const BlendScene& scene, const ComponentLooks& looks)
+  : Edge(scene.Key.Samples.Kind->VoxelSizeIn(scene.Key.Transform).Shortest)
 {
+  this->Made.EdgesPerLength = static_cast<float>(1.0 / this->Edge);
   this->Made.Use = looks.AreIndependent() ? ComponentUse::Independent : scene.Key.Volume.Use;
   this->Made.WorldFromGradient = NormalMatrix(scene.Key.Transform);
   this->Made.AreEven = scene.Key.Samples.Between == Interpolation::Nearest;
@@ -58,7 +63,7 @@ void LookTables::AddPart(const ComponentLooks& looks, std::size_t part)
   made.Lights = look.Material.Shade ? &tables.Lights : nullptr;
   made.PerStep = glm::vec3(look.ByGradient.PerStep / tables.Values.PerValue);
   this->Made.HasGradientOpacity |= made.ByGradient != nullptr;
-  made.PerDistance = static_cast<float>(1.0 / look.UnitDistance);
+  made.PerEdge = static_cast<float>(std::min(this->Edge / look.UnitDistance, MostPerEdge));
   made.Weight = static_cast<float>(looks.WeightOf(part));
   made.Opacity = this->Made.AreEven ? part : looks.OpacityOf(part);
   made.Gradient = 0;

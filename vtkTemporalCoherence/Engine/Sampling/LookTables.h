@@ -11,6 +11,7 @@
 #include "Sampling/KernelsMedium.h"
 #include "Sampling/MediumTables.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <memory>
@@ -33,7 +34,12 @@ public:
   /// A value as kernels take it: in bins, or as a share of its range.
   struct Scale
   {
-    double Of(double value) const { return (value - this->Low) * this->PerValue + this->Shift; }
+    /// It does not leave what single precision holds.
+    double Of(double value) const
+    {
+      constexpr double most = 1e30;
+      return std::clamp((value - this->Low) * this->PerValue + this->Shift, -most, most);
+    }
 
     double Low, PerValue, Shift;
   };
@@ -89,6 +95,7 @@ private:
 
   std::vector<std::unique_ptr<const PartTables>> Tables; ///< of all parts
   MediumKernels::MediumLook Made;
+  double Edge; ///< the shortest of a cell, in the world
   std::array<Scale, 4> Scales{};
   std::array<std::vector<double>, 4> Bends;
   std::vector<Gradients> OfGradients;

@@ -76,12 +76,11 @@ double MediumParts::Blend(Veil& seen)
   MediumKernels::FindMedium(this->Look, this->Segments, 0, this->Places);
   for (Part& part : this->Parts)
   {
-    const float length = this->Segments.Length[static_cast<std::size_t>(part.Segment)];
+    const float length = this->EdgesOf(part);
     // Where nothing bends, all of a part is opaque or nothing but an end of it.
     const bool isOpaque = this->IsOpaque(part.Begin) && this->IsOpaque(part.Middle);
-    const Estimate found = isOpaque
-      ? this->OpaqueAt(part.Begin)
-      : this->EstimateOf(part.Begin, part.Middle, part.End, (part.To - part.From) * length);
+    const Estimate found = isOpaque ? this->OpaqueAt(part.Begin)
+                                    : this->EstimateOf(part.Begin, part.Middle, part.End, length);
     part.Best = found.Veil;
     part.Error = this->Look.HasGradientOpacity && !isOpaque ? 1.0f : found.Error;
   }
@@ -123,8 +122,7 @@ MediumParts::Estimate MediumParts::HalfOf(const Part& part, bool isBack) const
   {
     return this->OpaqueAt(begin);
   }
-  const float length = this->Segments.Length[static_cast<std::size_t>(part.Segment)];
-  return this->EstimateOf(begin, middle, end, 0.5f * (part.To - part.From) * length);
+  return this->EstimateOf(begin, middle, end, 0.5f * this->EdgesOf(part));
 }
 
 /// What a part is, from three places: Simpson's rule for its depth and its light.

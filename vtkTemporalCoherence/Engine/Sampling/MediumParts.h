@@ -107,6 +107,12 @@ private:
   {
     return this->Places.Extinction[static_cast<std::size_t>(place)] < 0.0f;
   }
+  /// The length of a part, in shortest edges of a cell.
+  float EdgesOf(const Part& part) const
+  {
+    return (part.To - part.From) * this->Look.EdgesPerLength *
+      this->Segments.Length[static_cast<std::size_t>(part.Segment)];
+  }
   Estimate OpaqueAt(std::int32_t place) const;
   Estimate HalfOf(const Part& part, bool isBack) const;
   bool Refine(float passed);

@@ -52,9 +52,16 @@ set(engine_files
   Blending/CompositeTracer
   Blending/KernelsEmission
   Blending/KernelsVolumeSegments
+  Sampling/ComponentLooks
+  Sampling/ConvergedTracer
+  Sampling/KernelsMedium
+  Sampling/LookTables
   Sampling/Medium
+  Sampling/MediumParts
+  Sampling/MediumTables
   Sampling/PhongLight
   Sampling/SampledTracer
+  Sampling/VisibleComponents
   Blending/TransferTables
   Blending/VisibleBands
   Projections/ExtremeLook

@@ -248,8 +248,9 @@ public:
   /**
    * Get what the last frame shows at a pixel; (0, 0) is at the lower left. Position and normal are
    * in world coordinates; the normal is a unit vector and faces the viewer. Each may be null. Of a
-   * blended volume, the position is where the ray first sees anything, the normal is 0, and the
-   * index is -1.
+   * blended volume, the position is where the ray first sees anything. The normal is that of the
+   * gradient there in COMPOSITE_BLEND, else 0, as with several independent components. The index is
+   * -1.
    * @return false if there is no surface, no such pixel or no frame. Nothing is written then.
    */
   bool PickPixel(int x, int y, double position[3], double normal[3], int* isovalueIndex);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FeaturePictures.h"
 
+#include "BlendedPictures.h"
 #include "FeatureScene.h"
 #include "LayerPictures.h"
 #include "MeshPictures.h"
@@ -323,8 +324,8 @@ const std::vector<Feature>& All()
     { "flames", LayerPictures::Flames }, { "vessels", LayerPictures::Vessels }, { "caps", Capped },
     { "cropping", Cropped }, { "clipping", Clipped }, { "rectilinear", Rectilinear },
     { "blocks", Blocks }, { "unstructured", MeshPictures::Unstructured },
-    { "curvilinear", MeshPictures::Curvilinear }, { "depth", AmongPolygons },
-    { "picking", Picked } };
+    { "curvilinear", MeshPictures::Curvilinear }, { "depth", AmongPolygons }, { "picking", Picked },
+    { "blended", BlendedPictures::Tree }, { "glow", BlendedPictures::Fire } };
   return features;
 }
 

@@ -26,7 +26,9 @@ T Interpolate(const std::array<T, 8>& corners, const glm::dvec3& share)
   {
     const glm::dvec3 side(CornerOf(corner));
     const glm::dvec3 weight = side * share + (1.0 - side) * (1.0 - share);
-    sum += weight.x * weight.y * weight.z * corners[static_cast<std::size_t>(corner)];
+    const double product = weight.x * weight.y * weight.z;
+    // What is not finite counts only where it has a weight.
+    sum += product > 0.0 ? product * corners[static_cast<std::size_t>(corner)] : T(0.0);
   }
   return sum;
 }

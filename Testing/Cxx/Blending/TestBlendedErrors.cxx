@@ -13,6 +13,7 @@
 #include <vtkAppendFilter.h>
 #include <vtkFloatingPointExceptions.h>
 #include <vtkLight.h>
+#include <vtkMath.h>
 #include <vtkPolyData.h>
 #include <vtkUnstructuredGrid.h>
 
@@ -95,6 +96,12 @@ void TestInputs()
 void TestNumbers()
 {
   ExpectError(
+    Maximum, "Lab/CIEDE2000",
+    [](Scene& scene)
+    { scene.Volume->GetProperty()->GetRGBTransferFunction()->SetColorSpaceToLabCIEDE2000(); },
+    [](Scene& scene)
+    { scene.Volume->GetProperty()->GetRGBTransferFunction()->SetColorSpaceToRGB(); });
+  ExpectError(
     Maximum, "two-dimensional transfer functions",
     [](Scene& scene)
     { scene.Volume->GetProperty()->SetTransferFunctionMode(vtkVolumeProperty::TF_2D); },
@@ -174,6 +181,9 @@ void TestSurfaces(int mode)
   Expect(scene.Mapper->PickPixel(20, 20, position, normal, &index) && index == -1 &&
       std::isfinite(position[0] + position[1] + position[2]),
     name + ": a pixel is picked, and no isovalue");
+  const bool hasNormal = mode == vtkVolumeMapper::COMPOSITE_BLEND;
+  Expect(std::abs(vtkMath::Norm(normal) - (hasNormal ? 1.0 : 0.0)) < 1e-5,
+    name + ": the normal of what is seen first, or none");
   vtkNew<vtkPolyData> points;
   Expect(!scene.Mapper->GetVisibleSurface(points) && errors->GetError() &&
       errors->GetErrorMessage().find("shows no surface") != std::string::npos,

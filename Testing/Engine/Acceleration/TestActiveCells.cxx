@@ -151,4 +151,41 @@ TEST(ActiveCells, LevelsAboveTellWhereActiveLeavesAre)
   EXPECT_LT(activeBlocks, blocks / 2);
 }
 
+TEST(ActiveCells, OfSeveralFields)
+{
+  const glm::ivec3 size(23, 19, 21);
+  Grid<std::int16_t> first(size), second(size);
+  first.FillRandomly(0.0, 100.0, 1);
+  second.FillRandomly(0.0, 100.0, 2);
+  ValueRangePyramid ofFirst, ofSecond;
+  ofFirst.Build(first.Field);
+  ofSecond.Build(second.Field);
+  const std::vector<ValueBand> high{ { 97.0, 1e9 } }, low{ { -1e9, 2.0 } };
+  ActiveCells alone, other, both, onlyOther;
+  alone.BuildVisible(first.Field, ofFirst, high);
+  other.BuildVisible(second.Field, ofSecond, low);
+  both.BuildVisible({ { first.Field, &ofFirst, high }, { second.Field, &ofSecond, low } });
+  onlyOther.BuildVisible({ { first.Field, &ofFirst, {} }, { second.Field, &ofSecond, low } });
+  const TypedField<std::int16_t> samples(first.Field), others(second.Field);
+  const auto isActive =
+    [](const ActiveCells& cells, const TypedField<std::int16_t>& field, const glm::ivec3& cell)
+  {
+    const std::int64_t node = cells.NodeOf(cell);
+    return (cells.LeavesOf(node) >> ActiveCells::LeafOf(cell) & 1u) != 0 &&
+      (cells.CellsOf(field, node, cell) >> ActiveCells::BitOf(cell) & 1u) != 0;
+  };
+  int active = 0;
+  for (int i = 0; i < 22 * 18 * 20; ++i)
+  {
+    const glm::ivec3 cell(i % 22, i / 22 % 18, i / 22 / 18);
+    const bool inOther = isActive(other, others, cell);
+    const bool inAny = isActive(alone, samples, cell) || inOther;
+    ASSERT_EQ(isActive(both, samples, cell), inAny) << i;
+    ASSERT_EQ(isActive(onlyOther, samples, cell), inOther) << i;
+    active += inAny;
+  }
+  EXPECT_GT(active, 100);
+  EXPECT_LT(active, 22 * 18 * 20 - 100);
+}
+
 }

@@ -49,6 +49,41 @@ TEST_P(BlendComponents, RgbAndOpacity)
   ExpectBlendTruth(volume.Key, 5);
 }
 
+TEST_P(BlendComponents, NearestInterpolation)
+{
+  for (const ComponentUse use : { ComponentUse::Independent, ComponentUse::ColorOpacity })
+  {
+    ComponentVolume volume(GetParam(), 2, use);
+    volume.Key.Samples.Between = Interpolation::Nearest;
+    volume.Key.Volume.Others[0].Between = Interpolation::Nearest;
+    SKIP_UNLESS_BLENDED(volume.Key);
+    ExpectBlendTruth(volume.Key, 5);
+  }
+}
+
+// Squares of extinctions leave the range of single precision there.
+TEST_P(BlendComponents, TinyAndHugeWorlds)
+{
+  for (const double scale : { 1e-21, 1e21 })
+  {
+    ComponentVolume volume(GetParam(), 2, ComponentUse::Independent);
+    SKIP_UNLESS_BLENDED(volume.Key);
+    const glm::dmat4 world = glm::scale(glm::dmat4(1.0), glm::dvec3(scale));
+    volume.Key.Transform = { world, glm::inverse(world) };
+    for (ComponentLook& look : volume.Key.Volume.Looks)
+    {
+      look.UnitDistance *= scale;
+    }
+    const glm::dvec3 centre = 0.5 * scale * glm::dvec3(BlendSize - 1);
+    const double radius = glm::length(centre);
+    const glm::dvec3 eye = centre + 3.0 * radius * glm::normalize(glm::dvec3(1.0, 2.0, 0.7));
+    ASSERT_TRUE(MakeView(glm::lookAt(eye, centre, glm::dvec3(0, 0, 1)),
+      glm::perspective(0.7, 1.2, radius, 5.0 * radius), { radius, 5.0 * radius }, { 70, 58 },
+      volume.Key.View));
+    ExpectBlendTruth(volume.Key, 7);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Modes, BlendComponents, ::testing::ValuesIn(AllBlendModes), NameOfMode);
 
 }

@@ -82,6 +82,15 @@ void ActiveCells::BuildVisible(
   this->FindLeaves(field, pyramid);
 }
 
+void ActiveCells::BuildVisible(const std::vector<SeenValues>& fields)
+{
+  this->Release();
+  const SeenValues& first = fields.front();
+  this->Bands = first.Bands;
+  this->Others.assign(fields.begin() + 1, fields.end());
+  this->FindLeaves(first.Samples, *first.Pyramid, this->Others);
+}
+
 /// The active leaves of a node with hidden cells. There the value range of a leaf does not tell
 /// whether it has an active cell.
 /// \param firstCell of the node
@@ -111,7 +120,8 @@ std::uint64_t ActiveCells::FindVisibleLeaves(const TypedField<T>& field,
   return leaves;
 }
 
-void ActiveCells::FindLeaves(const Field& field, const ValueRangePyramid& pyramid)
+void ActiveCells::FindLeaves(
+  const Field& field, const ValueRangePyramid& pyramid, const std::vector<SeenValues>& others)
 {
   const std::int64_t nodes = pyramid.NumberOfNodes();
   const glm::ivec3& along = pyramid.NodeDimensions();
@@ -130,6 +140,14 @@ void ActiveCells::FindLeaves(const Field& field, const ValueRangePyramid& pyrami
           for (int i = 0; i < ValueRangePyramid::LeavesPerNode; ++i)
           {
             leaves |= static_cast<std::uint64_t>(IsActive(ranges[i], this->Bands)) << i;
+          }
+          for (const SeenValues& other : others)
+          {
+            const auto* othersRanges = other.Pyramid->LeavesOf<T>(node);
+            for (int i = 0; i < ValueRangePyramid::LeavesPerNode; ++i)
+            {
+              leaves |= static_cast<std::uint64_t>(IsActive(othersRanges[i], other.Bands)) << i;
+            }
           }
           if (this->Hidden)
           {
@@ -196,6 +214,7 @@ void ActiveCells::Release()
 {
   this->Dimensions = glm::ivec3(0);
   this->Bands.clear();
+  this->Others.clear();
   std::vector<std::uint64_t>().swap(this->NodeWords);
   this->LeafWords.reset();
   this->NumberOfLeafWords = 0;

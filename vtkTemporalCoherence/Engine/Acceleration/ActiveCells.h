@@ -49,6 +49,18 @@ public:
   void BuildVisible(
     const Field& field, const ValueRangePyramid& pyramid, const std::vector<ValueBand>& bands);
 
+  /// Values of a field that are seen.
+  struct SeenValues
+  {
+    Field Samples;
+    const ValueRangePyramid* Pyramid;
+    std::vector<ValueBand> Bands; ///< ascending; a value at the upper end is not seen
+  };
+
+  /// The same for several fields, which differ in their values alone: cells in which one is seen.
+  /// \param fields the first is the one that later calls get
+  void BuildVisible(const std::vector<SeenValues>& fields);
+
   void Release();
 
   const glm::ivec3& NodeDimensions() const { return this->Dimensions; }
@@ -142,7 +154,8 @@ private:
   }
 
   std::uint64_t CellsIn(const FieldKind& kind, const glm::ivec3& firstCell) const;
-  void FindLeaves(const Field& field, const ValueRangePyramid& pyramid);
+  void FindLeaves(const Field& field, const ValueRangePyramid& pyramid,
+    const std::vector<SeenValues>& others = {});
   void FindLevelsAbove(const glm::ivec3& nodes);
 
   template <typename T>
@@ -151,6 +164,10 @@ private:
 
   template <typename T>
   std::uint64_t FindCells(const TypedField<T>& field, const glm::ivec3& firstCell) const;
+
+  template <typename T>
+  static std::uint64_t CellsWithin(
+    const TypedField<T>& field, const std::vector<ValueBand>& bands, const glm::ivec3& firstCell);
 
   template <typename T>
   std::uint64_t WithoutHidden(
@@ -171,6 +188,7 @@ private:
 
   glm::ivec3 Dimensions{ 0 };           ///< in nodes
   std::vector<ValueBand> Bands;         ///< ascending
+  std::vector<SeenValues> Others;       ///< of other fields; their pyramids may be gone
   std::vector<std::uint64_t> NodeWords; ///< leaves of a node, and where their words begin
   std::unique_ptr<std::atomic<std::uint64_t>[]> LeafWords;
   std::size_t NumberOfLeafWords = 0;
@@ -182,9 +200,22 @@ private:
 template <typename T>
 std::uint64_t ActiveCells::FindCells(const TypedField<T>& field, const glm::ivec3& firstCell) const
 {
+  std::uint64_t active = CellsWithin(field, this->Bands, firstCell);
+  for (const SeenValues& other : this->Others)
+  {
+    active |= CellsWithin(TypedField<T>(other.Samples), other.Bands, firstCell);
+  }
+  return this->Hidden ? this->WithoutHidden(field, firstCell, active) : active;
+}
+
+/// The cells of a leaf that are active if no cell is hidden.
+template <typename T>
+std::uint64_t ActiveCells::CellsWithin(
+  const TypedField<T>& field, const std::vector<ValueBand>& bands, const glm::ivec3& firstCell)
+{
   const glm::ivec3 samples = glm::min(field.Dimensions - firstCell, glm::ivec3(5));
   std::uint64_t active = 0;
-  for (const ValueBand& band : this->Bands)
+  for (const ValueBand& band : bands)
   {
     // Fold the bits of the lowest isovalue, and those of the highest, along x, then y, then z: 4
     // bits a row, 16 a slice. A cell is active if any sample is inside the lowest and not all are
@@ -221,8 +252,7 @@ std::uint64_t ActiveCells::FindCells(const TypedField<T>& field, const glm::ivec
   }
   // Rows of fewer than five samples have fewer than four cells.
   const std::uint64_t cellsInRow = (1u << (samples.x - 1)) - 1u;
-  active &= cellsInRow * 0x1111111111111111u;
-  return this->Hidden ? this->WithoutHidden(field, firstCell, active) : active;
+  return active & (cellsInRow * 0x1111111111111111u);
 }
 
 /// The active cells of a leaf, given those that would be active if no cell were hidden.

@@ -70,18 +70,22 @@ void FieldStructures::Provide(
   held = found;
 }
 
-void FieldStructures::Provide(const FieldRanges& ranges, const std::vector<ValueBand>& bands,
-  std::shared_ptr<const VisibleCells>& held)
+void FieldStructures::Provide(
+  const std::vector<VisibleValues>& values, std::shared_ptr<const VisibleCells>& held)
 {
   held = std::make_shared<const VisibleCells>();
-  auto found = FindHeld(this->Visible,
-    [&](const VisibleCells& cells)
-    { return cells.Samples == ranges.Samples && cells.Bands == bands; });
+  auto found =
+    FindHeld(this->Visible, [&](const VisibleCells& cells) { return cells.Values == values; });
   if (!found)
   {
+    std::vector<ActiveCells::SeenValues> fields;
+    for (const VisibleValues& each : values)
+    {
+      fields.push_back({ each.Ranges->Samples, each.Ranges->Pyramid.get(), each.Bands });
+    }
     const auto active = std::make_shared<ActiveCells>();
-    active->BuildVisible(ranges.Samples, *ranges.Pyramid, bands);
-    found = std::make_shared<const VisibleCells>(VisibleCells{ ranges.Samples, bands, active });
+    active->BuildVisible(fields);
+    found = std::make_shared<const VisibleCells>(VisibleCells{ values, active });
     this->Visible.push_back(found);
   }
   held = found;

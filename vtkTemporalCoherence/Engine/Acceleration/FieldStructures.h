@@ -31,11 +31,22 @@ struct SurfaceCells
   std::shared_ptr<const ActiveCells> Active = std::make_shared<const ActiveCells>();
 };
 
-/// The cells of a field that hold values that are seen.
+/// Values of a field that are seen.
+struct VisibleValues
+{
+  std::shared_ptr<const FieldRanges> Ranges;
+  std::vector<ValueBand> Bands;
+};
+
+inline bool operator==(const VisibleValues& a, const VisibleValues& b)
+{
+  return a.Ranges->Samples == b.Ranges->Samples && a.Bands == b.Bands;
+}
+
+/// The cells of a field that hold values that are seen, of one of several components.
 struct VisibleCells
 {
-  Field Samples;
-  std::vector<ValueBand> Bands;
+  std::vector<VisibleValues> Values;
   std::shared_ptr<const ActiveCells> Active = std::make_shared<const ActiveCells>();
 };
 
@@ -54,9 +65,8 @@ public:
   void Provide(
     const FieldRanges& ranges, const Surfaces& surfaces, std::shared_ptr<const SurfaceCells>& held);
 
-  /// The same for cells that hold values of some bands.
-  void Provide(const FieldRanges& ranges, const std::vector<ValueBand>& bands,
-    std::shared_ptr<const VisibleCells>& held);
+  /// The same for cells that hold values that are seen.
+  void Provide(const std::vector<VisibleValues>& values, std::shared_ptr<const VisibleCells>& held);
 
   /// The same for fingerprints. On an exception, `held` is unchanged.
   void Provide(const Field& field, std::shared_ptr<const FieldFingerprint>& held);

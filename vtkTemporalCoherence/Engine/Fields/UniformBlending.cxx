@@ -8,6 +8,7 @@
 #include "Projections/ImageShares.h"
 #include "Projections/ProjectionTracer.h"
 #include "Projections/ShareTracer.h"
+#include "Sampling/ConvergedTracer.h"
 #include "Sampling/SampledTracer.h"
 
 namespace TemporalCoherence
@@ -44,7 +45,9 @@ std::shared_ptr<const BlendTracer> MakeUniformBlendTracer(
         : MakeExtremeTracer(scene, grid, &MakeExtremeSearch);
     case BlendMode::Composite:
       return IsPlain(scene, grid) ? MakeCompositeTracer(scene)
-                                  : MakeSampledTracer(scene, grid, &MakeSegmentSource);
+        : scene.Key.Volume.SampleDistance > 0.0
+        ? MakeSampledTracer(scene, grid, &MakeSegmentSource)
+        : MakeConvergedTracer(scene, grid, &MakeSegmentSource);
     case BlendMode::Average:
     case BlendMode::Additive:
       return IsPlain(scene, grid) && HasTransferRange(scene.Key.Volume)

@@ -150,19 +150,26 @@ private:
     {
       return false;
     }
-    const SegmentExtreme<Real> largest = LargestIn(segment, corners);
-    // Rounding must not lead out of what the corners allow.
+    // Rounding must not lead out of what the corners allow. Of equal samples it would make another
+    // place the first one with the largest value.
     const auto ends = std::minmax_element(corners.begin(), corners.end());
+    const SegmentExtreme<Real> largest = LargestIn(segment, corners, *ends.first, *ends.second);
     value = std::min(std::max(largest.Value, *ends.first), *ends.second);
     at = segment.DistanceAt(largest.Share);
     return true;
   }
 
-  static SegmentExtreme<Real> LargestIn(const Segment& segment, const Corners<Real>& corners)
+  static SegmentExtreme<Real> LargestIn(
+    const Segment& segment, const Corners<Real>& corners, Real low, Real high)
   {
     if constexpr (Between == Interpolation::Linear)
     {
-      return LargestOf(CubicAlong(corners, segment.Path()));
+      Cubic<Real> b = CubicAlong(corners, segment.Path());
+      for (Real& coefficient : b)
+      {
+        coefficient = std::min(std::max(coefficient, low), high);
+      }
+      return LargestOf(b);
     }
     else
     {

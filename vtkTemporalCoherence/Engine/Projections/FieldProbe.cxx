@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace TemporalCoherence
 {
@@ -41,6 +42,19 @@ FieldProbe::FieldProbe(const Field& field, const GridCoordinates* grid)
 }
 
 double FieldProbe::At(const RayBatch& rays, std::size_t ray, double t) const
+{
+  // The place may be where the ray enters a cell, or the box around a sample. A point there may be
+  // rounded to the wrong side.
+  constexpr double indexDistance = 1e-7;
+  const double fastest = std::max({ std::abs(rays.Direction[0][ray]),
+    std::abs(rays.Direction[1][ray]), std::abs(rays.Direction[2][ray]) });
+  const double nudge = indexDistance / fastest;
+  const double behind = this->ValueAt(rays, ray, t + nudge);
+  // It may also be where the ray leaves one, to a cell with samples that are not finite.
+  return std::isfinite(behind) ? behind : this->ValueAt(rays, ray, t - nudge);
+}
+
+double FieldProbe::ValueAt(const RayBatch& rays, std::size_t ray, double t) const
 {
   glm::ivec3 cell(0);
   glm::dvec3 at(0.0);

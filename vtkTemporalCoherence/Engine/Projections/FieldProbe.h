@@ -21,6 +21,8 @@ public:
   double At(const RayBatch& rays, std::size_t ray, double t) const;
 
 private:
+  double ValueAt(const RayBatch& rays, std::size_t ray, double t) const;
+
   Field Samples;
   const GridCoordinates* Grid;
 };

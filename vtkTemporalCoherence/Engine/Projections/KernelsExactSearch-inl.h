@@ -103,16 +103,20 @@ private:
       end[a] = hn::LoadU(d, stays.End[a]);
     }
     segments::CubicsBetween(d, corners, begin, end, b);
+    const Vector smallest = hn::Set(d, cell.Smallest), largest = hn::Set(d, cell.Largest);
+    for (Vector& coefficient : b)
+    {
+      coefficient = hn::Min(hn::Max(coefficient, smallest), largest);
+    }
     const Vector reached = hn::LoadU(d, &this->Found.Value[first]);
     const Vector most = hn::Max(hn::Max(b[0], b[1]), hn::Max(b[2], b[3]));
-    if (hn::AllFalse(d, hn::Ge(most, reached)) &&
-      hn::AllFalse(d, hn::Ge(hn::Set(d, cell.Smallest), reached)))
+    if (hn::AllFalse(d, hn::Ge(most, reached)) && hn::AllFalse(d, hn::Ge(smallest, reached)))
     {
       return 0;
     }
     Vector value, share;
     LargestOf(d, b, most, value, share);
-    value = hn::Min(hn::Max(value, hn::Set(d, cell.Smallest)), hn::Set(d, cell.Largest));
+    value = hn::Min(hn::Max(value, smallest), largest);
     which &= BitsIn(d, hn::Ge(value, reached));
     alignas(64) Real values[WidestVector], shares[WidestVector];
     hn::Store(value, d, values);

@@ -4,6 +4,8 @@
 #include "Projections/MetValues.h"
 #include "Render/RouteSteps.h"
 #include "Render/Routes.h"
+#include "Sampling/ComponentLooks.h"
+#include "Shade/Shader.h"
 #include "Trace/RayPieces.h"
 
 #include <algorithm>
@@ -12,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 namespace TemporalCoherence
 {
@@ -21,6 +24,20 @@ namespace
 std::uint8_t ByteOf(double share)
 {
   return static_cast<std::uint8_t>(255.0 * std::clamp(share, 0.0, 1.0) + 0.5);
+}
+
+/// True if the gradient where something is seen first tells how it lies: that of a composite volume
+/// whose components are seen together. An extreme has none.
+bool HasNormals(const Blending& volume)
+{
+  return volume.Mode == BlendMode::Composite && ComponentLooks(volume).Parts() == 1;
+}
+
+/// The field whose gradients are the normals of a volume.
+const Field& FieldOfNormals(const FrameKey& key)
+{
+  const std::size_t component = ComponentLooks(key.Volume).GradientOf(0);
+  return component == 0 ? key.Samples : key.Volume.Others[component - 1];
 }
 
 /// Blends what the rays of tiles see, and writes the planes of the frame.
@@ -42,6 +59,12 @@ public:
     if (!this->Tracer && Key.Samples.HasCells())
     {
       throw NoBlendTracer();
+    }
+    if (this->Tracer && HasNormals(Key.Volume))
+    {
+      // Gradients are differences from any value.
+      const glm::dvec2& range = task.Structures.Pyramid().FiniteRange();
+      this->Gradients = NormalSource{ FieldOfNormals(Key), Key.Transform, {}, { range.x }, range };
     }
   }
 
@@ -74,6 +97,13 @@ public:
     }
     this->Tracer->Finish(rays, world, seen);
     this->Store(rays, known, seen, frame, counts);
+    if (this->Gradients)
+    {
+      HitList hits;
+      GatherHits(this->Key.View, part, true, frame, hits);
+      ComputeNormals(*this->Gradients, hits);
+      StoreNormals(hits, frame);
+    }
     counts.CellsRead = seen.CellsRead;
     return counts;
   }
@@ -188,6 +218,7 @@ private:
   bool IsAllKnown; ///< of what is seen, without a search
   RaySource Rays;
   std::shared_ptr<const BlendTracer> Tracer;
+  std::optional<NormalSource> Gradients; ///< none: normals are 0
 };
 
 /// Make room for the frame, and find out where its rays can see anything.

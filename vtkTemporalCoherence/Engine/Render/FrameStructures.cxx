@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Render/FrameStructures.h"
 
-#include "Blending/VisibleBands.h"
+#include "Sampling/VisibleComponents.h"
 
 #include <optional>
 #include <vector>
@@ -32,6 +32,7 @@ void FrameStructures::PrepareRanges(const FrameKey& key)
     this->BoundCells = nullptr;
     this->OfSurfaces = std::make_shared<const SurfaceCells>();
     this->OfVolume = std::make_shared<const VisibleCells>();
+    this->OfOthers.clear();
     this->Shared->Provide(key.Samples, this->OfData);
   }
 }
@@ -53,18 +54,40 @@ void FrameStructures::PrepareActiveCells(const FrameKey& key)
 
 bool FrameStructures::PrepareVisibleCells(const FrameKey& key)
 {
-  const std::optional<std::vector<ValueBand>> bands = VisibleBands(key.Volume);
+  const std::optional<std::vector<std::vector<ValueBand>>> bands = VisibleComponents(key.Volume);
   if (!IsSeen(key) || !bands)
   {
     return false;
   }
-  if (!(this->OfVolume->Samples == key.Samples) || !(this->OfVolume->Bands == *bands))
+  const std::vector<VisibleValues> values = this->VisibleValuesOf(key, *bands);
+  if (!(this->OfVolume->Values == values))
   {
     this->BoundCells = nullptr;
-    this->Shared->Provide(*this->OfData, *bands, this->OfVolume);
+    this->Shared->Provide(values, this->OfVolume);
   }
   this->PrepareBounds(key, *this->OfVolume->Active);
   return true;
+}
+
+/// The values that are seen of the samples of a key, and of its other components.
+std::vector<VisibleValues> FrameStructures::VisibleValuesOf(
+  const FrameKey& key, const std::vector<std::vector<ValueBand>>& bands)
+{
+  const std::vector<Field>& others = key.Volume.Others;
+  this->OfOthers.resize(others.size(), std::make_shared<const FieldRanges>());
+  std::vector<VisibleValues> values{ { this->OfData, bands.front() } };
+  for (std::size_t i = 0; i < others.size(); ++i)
+  {
+    if (!bands[i + 1].empty())
+    {
+      if (!(this->OfOthers[i]->Samples == others[i]))
+      {
+        this->Shared->Provide(others[i], this->OfOthers[i]);
+      }
+      values.push_back({ this->OfOthers[i], bands[i + 1] });
+    }
+  }
+  return values;
 }
 
 /// Find the bounds of tiles, unless they are those of these cells.
@@ -103,7 +126,7 @@ void FrameStructures::MoveTo(const Field& now, const Field& before)
     this->BoundCells = nullptr;
     this->Shared->MoveTo(now, this->OfSurfaces);
   }
-  if (this->OfVolume->Samples == before)
+  if (!this->OfVolume->Values.empty() && this->OfVolume->Values.front().Ranges->Samples == before)
   {
     this->BoundCells = nullptr;
     this->OfVolume = std::make_shared<const VisibleCells>();

@@ -10,6 +10,7 @@
 
 #include <memory>
 #include <utility>
+#include <vector>
 
 namespace TemporalCoherence
 {
@@ -69,10 +70,13 @@ public:
 
 private:
   void PrepareBounds(const FrameKey& key, const ActiveCells& cells);
+  std::vector<VisibleValues> VisibleValuesOf(
+    const FrameKey& key, const std::vector<std::vector<ValueBand>>& bands);
 
   std::shared_ptr<FieldStructures> Shared;
   std::shared_ptr<const FieldRanges> OfData = std::make_shared<const FieldRanges>();
   std::shared_ptr<const SurfaceCells> OfSurfaces = std::make_shared<const SurfaceCells>();
+  std::vector<std::shared_ptr<const FieldRanges>> OfOthers; ///< Blending::Others
   std::shared_ptr<const VisibleCells> OfVolume = std::make_shared<const VisibleCells>();
   TileBounds Bounds;
   // What the bounds are of:

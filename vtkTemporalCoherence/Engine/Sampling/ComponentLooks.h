@@ -88,29 +88,11 @@ public:
   }
 
   /// The values, ascending, between which the functions of a component are linear.
-  std::vector<double> BendsOf(std::size_t component) const
-  {
-    const TransferFunction& transfer = this->Of(component).Transfer;
-    constexpr double straight = 1e-9;
-    const std::vector<glm::dvec4>& nodes = transfer.Nodes;
-    const std::size_t last = nodes.size() - 1;
-    std::vector<double> bends;
-    for (std::size_t i = 0; i <= last; ++i)
-    {
-      const glm::dvec4 bend =
-        glm::abs(nodes[i == 0 ? 0 : i - 1] - 2.0 * nodes[i] + nodes[std::min(i + 1, last)]);
-      if (std::max({ bend.x, bend.y, bend.z, bend.w }) > straight)
-      {
-        bends.push_back(glm::mix(
-          transfer.Range.x, transfer.Range.y, static_cast<double>(i) / static_cast<double>(last)));
-      }
-    }
-    if (this->Volume.Use == ComponentUse::RgbOpacity && component < 3)
-    {
-      bends = { this->Volume.ScalarRanges[component].x, this->Volume.ScalarRanges[component].y };
-    }
-    return bends;
-  }
+  std::vector<double> BendsOf(std::size_t component) const;
+
+  /// Those between which the functions of a component are smooth, and rise or fall all the way. Of
+  /// a function that is a curve, these are fewer than its nodes.
+  std::vector<double> KinksOf(std::size_t component) const;
 
 private:
   const Blending& Volume;

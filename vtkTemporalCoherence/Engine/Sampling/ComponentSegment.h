@@ -77,6 +77,10 @@ public:
   virtual void FindGradients(
     std::size_t component, const glm::ivec3& cell, CornerGradients& gradients) const = 0;
 
+  /// One of these.
+  virtual glm::dvec3 GradientAt(
+    std::size_t component, const glm::ivec3& cell, std::size_t corner) const = 0;
+
 protected:
   SegmentSource() = default;
 };

@@ -68,17 +68,71 @@ public:
     std::size_t component, const glm::ivec3& cell, CornerGradients& gradients) const override
   {
     const TypedField<T>& samples = this->Components[component].All();
-    for (int corner = 0; corner < 8; ++corner)
+    const Steps steps(*this, samples, cell);
+    const T* const origin = samples.At(cell);
+    for (std::size_t corner = 0; corner < gradients.size(); ++corner)
     {
-      const glm::ivec3 at = cell + glm::ivec3(corner & 1, corner >> 1 & 1, corner >> 2);
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        gradients[static_cast<std::size_t>(corner)][axis] = this->SlopeAt(samples, at, axis);
-      }
+      gradients[corner] = steps.GradientAt(origin, corner);
     }
   }
 
+  glm::dvec3 GradientAt(
+    std::size_t component, const glm::ivec3& cell, std::size_t corner) const override
+  {
+    const TypedField<T>& samples = this->Components[component].All();
+    return Steps(*this, samples, cell).GradientAt(samples.At(cell), corner);
+  }
+
 private:
+  /// The samples on both sides of the corners of a cell.
+  class Steps
+  {
+  public:
+    Steps(const ComponentWalk& walk, const TypedField<T>& samples, const glm::ivec3& cell)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        const auto a = static_cast<std::size_t>(axis);
+        this->Stride[a] = samples.Strides[axis];
+        for (int side = 0; side < 2; ++side)
+        {
+          const auto s = static_cast<std::size_t>(side);
+          const int at = cell[axis] + side;
+          const int low = std::max(at - 1, 0), high = std::min(at + 1, walk.Count[axis]);
+          this->Low[a][s] = (low - at) * samples.Strides[axis];
+          this->High[a][s] = (high - at) * samples.Strides[axis];
+          this->PerLength[a][s] = 1.0 /
+            (walk.Grid ? walk.Grid->At(axis, high) - walk.Grid->At(axis, low)
+                       : static_cast<double>(high - low));
+        }
+      }
+    }
+
+    /// \param origin the first corner
+    glm::dvec3 GradientAt(const T* origin, std::size_t corner) const
+    {
+      const std::size_t sides[3] = { corner & 1u, corner >> 1 & 1u, corner >> 2 };
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        origin += sides[a] != 0 ? this->Stride[a] : 0;
+      }
+      glm::dvec3 gradient;
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        const std::size_t side = sides[a];
+        gradient[static_cast<int>(a)] = this->PerLength[a][side] *
+          (static_cast<double>(origin[this->High[a][side]]) -
+            static_cast<double>(origin[this->Low[a][side]]));
+      }
+      return gradient;
+    }
+
+  private:
+    std::array<std::int64_t, 3> Stride;
+    std::array<std::array<std::int64_t, 2>, 3> Low, High; ///< by axis and side of the cell
+    std::array<std::array<double, 2>, 3> PerLength;
+  };
+
   /// \return false if a cell holds nothing
   bool Read(const glm::ivec3& cell, ComponentSegment& segment) const
   {
@@ -125,19 +179,6 @@ private:
       }
     }
     return true;
-  }
-
-  /// The gradient at a sample along an axis.
-  double SlopeAt(const TypedField<T>& samples, const glm::ivec3& at, int axis) const
-  {
-    glm::ivec3 low = at, high = at;
-    low[axis] = std::max(at[axis] - 1, 0);
-    high[axis] = std::min(at[axis] + 1, this->Count[axis]);
-    const double rise =
-      static_cast<double>(*samples.At(high)) - static_cast<double>(*samples.At(low));
-    return rise /
-      (this->Grid ? this->Grid->At(axis, high[axis]) - this->Grid->At(axis, low[axis])
-                  : static_cast<double>(high[axis] - low[axis]));
   }
 
   Geometry Shape;

@@ -83,36 +83,6 @@ SegmentMedium::Part SegmentMedium::PartAt(std::size_t part, double share)
   return result;
 }
 
-Medium SegmentMedium::At(double share)
-{
-  Medium medium;
-  glm::dvec3 opaque(0.0);
-  double squares = 0.0, weighed = 0.0;
-  for (std::size_t i = 0; i < this->Looks.Parts(); ++i)
-  {
-    const double weight = this->Looks.WeightOf(i);
-    const Part part = this->PartAt(i, share);
-    if (!(weight > 0.0 && part.Opacity > 0.0 && part.Share > 0.0))
-    {
-      continue;
-    }
-    if (part.Opacity >= 1.0)
-    {
-      medium.IsOpaque = true;
-      opaque += weight * part.Color;
-      continue;
-    }
-    const double extinction =
-      -std::log1p(-part.Opacity) / this->Looks.Of(i).UnitDistance * part.Share;
-    medium.Emission += weight * extinction * part.Color;
-    squares += extinction * extinction;
-    weighed += weight * extinction;
-  }
-  medium.Extinction = weighed > 0.0 ? squares / weighed : 0.0;
-  medium.Emission = medium.IsOpaque ? opaque : medium.Emission;
-  return medium;
-}
-
 Medium SegmentMedium::StepAt(double share, double length)
 {
   Medium medium;

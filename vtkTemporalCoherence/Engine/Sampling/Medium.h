@@ -16,16 +16,15 @@
 namespace TemporalCoherence
 {
 
-/// What a place of a volume does to light.
+/// What a step through a volume does to light.
 struct Medium
 {
-  double Extinction = 0.0;    ///< per world distance, or what a step takes away
-  glm::dvec3 Emission{ 0.0 }; ///< per world distance, or what a step adds
-  bool IsOpaque = false;      ///< nothing passes; Emission is then what is seen
+  double Extinction = 0.0; ///< what it takes away
+  glm::dvec3 Emission{ 0.0 };
 };
 
-/// Tells what a ray meets in one of its segments, of all components together: VTK's blending of
-/// components, in the limit of small steps or for one of finite length.
+/// Tells what steps of finite length meet in a segment of a ray, of all components together: VTK's
+/// blending of components.
 class SegmentMedium
 {
 public:
@@ -37,9 +36,6 @@ public:
   void Enter(const ComponentSegment& segment);
 
   /// \param share of the segment
-  Medium At(double share);
-
-  /// The same for a step of finite length.
   Medium StepAt(double share, double length);
 
 private:

@@ -11,9 +11,7 @@
 namespace TemporalCoherence
 {
 
-/// Make the tracer of a composite volume of any kind: several components, nearest interpolation,
-/// any grid, and samples at a fixed distance. Without such a distance, each part of a cell between
-/// bends of the functions is halved until nothing changes.
+/// Make the tracer of a composite volume of any kind, from samples at a fixed distance.
 /// \param grid where samples lie; null: at integers
 /// \param make the source of segments
 /// \throws std::bad_alloc

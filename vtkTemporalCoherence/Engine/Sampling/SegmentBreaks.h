@@ -45,6 +45,7 @@ public:
     const auto last = std::lower_bound(first, bends.end(), *high);
     if (static_cast<std::size_t>(last - first) > MostBends)
     {
+      this->HasEvenParts = true;
       for (std::size_t i = 1; i < EvenParts; ++i)
       {
         this->Add(static_cast<double>(i) / EvenParts);
@@ -66,6 +67,9 @@ public:
         });
     }
   }
+
+  /// True if there were too many bends, so that something may bend within parts.
+  bool AreEven() const { return this->HasEvenParts; }
 
   /// Call visit(from, to) for each part, ascending.
   template <typename Visit>
@@ -93,6 +97,7 @@ private:
 
   const ComponentSegment& Segment;
   std::size_t Count = 0;
+  bool HasEvenParts = false;
   /// Each bend may be crossed three times; four components and the range of an average.
   std::array<double, 5 * 3 * MostBends + 8> Shares;
 };

@@ -13,6 +13,13 @@
 namespace TemporalCoherence
 {
 
+/// The value of a node.
+inline double ValueAt(const TransferFunction& transfer, std::size_t node)
+{
+  return glm::mix(transfer.Range.x, transfer.Range.y,
+    static_cast<double>(node) / static_cast<double>(transfer.Nodes.size() - 1));
+}
+
 /// Colour and opacity of a value that is not NaN.
 inline glm::dvec4 LookUp(const TransferFunction& transfer, double value)
 {

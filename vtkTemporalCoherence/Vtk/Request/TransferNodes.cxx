@@ -98,6 +98,12 @@ vtkObject* TransferFunctions::Colors() const
 bool FindNodes(const TransferFunctions& functions, std::vector<double>& nodes, std::string& error)
 {
   nodes.clear();
+  if (functions.Color && functions.Color->GetColorSpace() == VTK_CTF_LAB_CIEDE2000)
+  {
+    error = "Volumes are not blended in the colour space Lab/CIEDE2000, of which VTK takes a tenth "
+            "of a second for each colour; call SetColorSpaceToLab() of the colour function.";
+    return false;
+  }
   if (!CheckNodes(functions, nodes, error))
   {
     return false;

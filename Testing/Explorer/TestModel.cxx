@@ -75,7 +75,8 @@ void ExplorerTests::SessionsAreRepeated()
   Session session = SmallSession();
   session.Isovalue = 40.0;
   session.Settings.Surfaces = { { 40.0, 0.25, true, Rgb{ 0.5, 0.25, 1.0 } }, { 90.5, 1.0, false } };
-  session.Settings.Nodes = { { 0.0, 0.0 }, { 50.0, 0.125, Rgb{ 1.0, 0.0, 0.0 } }, { 99.0, 1.0 } };
+  session.Settings.Nodes = { { 0.0, 0.0 }, { 50.0, 0.125, true, Rgb{ 1.0, 0.0, 0.0 } },
+    { 99.0, 1.0 } };
   session.Settings.Density = 2.5;
   session.Settings.Clip = Plane{ { 0.0, 12.5, 0.0 }, { 0.0, 1.0, 0.0 } };
   session.Settings.Crop = std::array<double, 6>{ 4.5, 28.5, 0.0, 31.0, 5.0, 31.0 };
@@ -106,8 +107,8 @@ void ExplorerTests::SettingsAreFitted()
   this->Bench->Data.SetSettings(look);
   const Look& fitted = this->Bench->Data.Settings();
   const auto& range = this->Bench->Data.Counted().Range;
-  QCOMPARE(fitted.Surfaces[0].Isovalue, range[1]);
-  QCOMPARE(fitted.Surfaces[1].Isovalue, range[0]);
+  QCOMPARE(fitted.Surfaces[0].Value, range[1]);
+  QCOMPARE(fitted.Surfaces[1].Value, range[0]);
   QCOMPARE(fitted.Surfaces[0].Opacity, 1.0);
   QVERIFY(fitted.Nodes[0].Value <= fitted.Nodes[1].Value);
   QVERIFY((*fitted.Crop)[0] <= (*fitted.Crop)[1]);
@@ -119,13 +120,13 @@ void ExplorerTests::SettingsAreFitted()
 void ExplorerTests::WaysToDrawDiffer()
 {
   std::vector<vtkSmartPointer<vtkImageData>> pictures;
-  const std::size_t count = ChoiceOf(Choose::Drawing).Values.size();
+  const std::size_t count = AllChoices()[Choose::Drawing].Values.size();
   for (std::size_t i = 0; i < count; ++i)
   {
     pictures.push_back(this->Bench->Data.View.Picture(Width, Height));
     for (std::size_t j = 0; j < i; ++j)
     {
-      QVERIFY2(!AreSame(pictures[i], pictures[j]), ChoiceOf(Choose::Drawing).Values[i]);
+      QVERIFY2(!AreSame(pictures[i], pictures[j]), AllChoices()[Choose::Drawing].Values[i]);
     }
     this->Bench->Turn(Choose::Drawing, 1);
   }

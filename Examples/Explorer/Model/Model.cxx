@@ -18,27 +18,34 @@
 namespace
 {
 
-constexpr double StepsInRange = 256.0; // one for each value of 8 bits
-constexpr std::size_t MostRows = 64;   // surfaces, nodes
-constexpr double MostOpacity = 0.6;    // of a ramp at first
+constexpr double StepsInRange = 256.0;  // one for each value of 8 bits
+constexpr std::size_t MostMarkers = 64; // surfaces, nodes
+constexpr double MostOpacity = 0.6;     // of a ramp at first
 
 // Nothing below the isovalue, and ever more above.
-std::vector<Node> FirstRamp(const std::array<double, 2>& range, double isovalue)
+std::vector<Marker> FirstRamp(const std::array<double, 2>& range, double isovalue)
 {
-  const double begin = std::clamp(isovalue, range[0], range[1]);
-  std::vector<Node> ramp = { { range[0], 0.0 }, { range[1], MostOpacity } };
-  if (begin > range[0] && begin < range[1])
+  std::vector<Marker> ramp = { { range[0], 0.0 }, { range[1], MostOpacity } };
+  if (isovalue > range[0] && isovalue < range[1])
   {
-    ramp.insert(ramp.begin() + 1, { begin, 0.0 });
+    ramp.insert(ramp.begin() + 1, { isovalue, 0.0 });
   }
   return ramp;
 }
 
-void FitColor(std::optional<Rgb>& color)
+void Fit(std::vector<Marker>& markers, const std::array<double, 2>& range, bool areAscending)
 {
-  for (std::size_t i = 0; color && i < 3; ++i)
+  markers.resize(std::min(markers.size(), MostMarkers));
+  double least = range[0];
+  for (Marker& marker : markers)
   {
-    (*color)[i] = std::clamp((*color)[i], 0.0, 1.0);
+    marker.Value = std::clamp(marker.Value, least, range[1]);
+    least = areAscending ? marker.Value : least;
+    marker.Opacity = std::clamp(marker.Opacity, 0.0, 1.0);
+    for (std::size_t i = 0; marker.Color && i < 3; ++i)
+    {
+      (*marker.Color)[i] = std::clamp((*marker.Color)[i], 0.0, 1.0);
+    }
   }
 }
 
@@ -86,26 +93,24 @@ Loaded Model::Load(Request request, const Progress& progress)
 void Model::Adopt(Loaded loaded)
 {
   const Request& request = loaded.For;
+  // Settings may have changed since the other array or step was asked for.
+  Look look = request.IsSameFile ? this->Settings() : request.Wanted.Settings;
   const CameraState camera = this->View.Camera();
   this->Shown = std::move(loaded.Data);
   this->Samples = std::move(loaded.Samples);
   this->Current = request.Wanted;
   this->Ahead = {};
   this->View.Show(this->Shown, this->Current.Component, this->Samples.Range, loaded.Mapper);
-  Look look = request.Wanted.Settings;
-  if (look.Surfaces.empty())
+  if (!request.KeepsSurfaces)
   {
-    look.Surfaces.emplace_back();
+    look.Surfaces.resize(request.IsSameFile ? 1 : std::max(look.Surfaces.size(), std::size_t{ 1 }));
+    look.Surfaces[0].Value = *request.Wanted.Isovalue;
+    look.Nodes.resize(request.IsSameFile ? 0 : look.Nodes.size());
   }
-  look.Surfaces[0].Isovalue = *request.Wanted.Isovalue;
   this->SetSettings(look);
-  if (request.IsSameFile)
+  if (request.IsSameFile || request.Wanted.Camera)
   {
-    this->View.SetCamera(camera);
-  }
-  else if (request.Wanted.Camera)
-  {
-    this->View.SetCamera(*request.Wanted.Camera);
+    this->View.SetCamera(request.IsSameFile ? camera : *request.Wanted.Camera);
   }
   else
   {
@@ -135,13 +140,11 @@ Request Model::OtherArray(const std::string& name, int component) const
 {
   Request request;
   request.Wanted = this->Current;
-  request.Have = this->Shown;
-  request.IsSameFile = true;
   request.Wanted.Source.Array = name;
   request.Wanted.Component = component;
   request.Wanted.Isovalue.reset();
-  request.Wanted.Settings.Surfaces.clear();
-  request.Wanted.Settings.Nodes.clear();
+  request.Have = this->Shown;
+  request.IsSameFile = true;
   return request;
 }
 
@@ -166,10 +169,10 @@ Request Model::OtherTimeStep(int step) const
   }
   Request request;
   request.Wanted = this->Current;
-  request.IsSameFile = true;
-  request.KeepsSurfaces = true;
   request.Wanted.Source.TimeStep = (step - 1 + count) % count + 1;
   request.Wanted.Source.Array = this->Shown.Array.Name;
+  request.IsSameFile = true;
+  request.KeepsSurfaces = true;
   return request;
 }
 
@@ -177,25 +180,11 @@ Request Model::OtherTimeStep(int step) const
 Look Model::Fitted(Look look) const
 {
   const std::array<double, 2>& range = this->Samples.Range;
-  look.Surfaces.resize(std::clamp(look.Surfaces.size(), std::size_t{ 1 }, MostRows));
-  for (Surface& surface : look.Surfaces)
-  {
-    surface.Isovalue = std::clamp(surface.Isovalue, range[0], range[1]);
-    surface.Opacity = std::clamp(surface.Opacity, 0.0, 1.0);
-    FitColor(surface.Color);
-  }
-  if (look.Nodes.size() < 2)
-  {
-    look.Nodes = FirstRamp(range, look.Surfaces[0].Isovalue);
-  }
-  look.Nodes.resize(std::min(look.Nodes.size(), MostRows));
-  double least = range[0];
-  for (Node& node : look.Nodes)
-  {
-    node.Value = least = std::clamp(node.Value, least, range[1]);
-    node.Opacity = std::clamp(node.Opacity, 0.0, 1.0);
-    FitColor(node.Color);
-  }
+  look.Surfaces.resize(std::max(look.Surfaces.size(), std::size_t{ 1 }));
+  Fit(look.Surfaces, range, false);
+  look.Nodes = look.Nodes.size() < 2 ? FirstRamp(range, look.Surfaces[0].Value) : look.Nodes;
+  Fit(look.Nodes, range, true);
+  look.Density = std::clamp(look.Density, 1e-3, 1e3);
   if (look.Clip)
   {
     double* normal = look.Clip->Normal.data();
@@ -203,13 +192,11 @@ Look Model::Fitted(Look look) const
       vtkMath::Norm(look.Clip->Origin.data()) < 1e15;
     look.Clip = isUsable ? look.Clip : std::nullopt;
   }
-  const std::array<double, 6> box = this->View.DataBounds();
+  const Box& box = this->View.DataBounds();
   for (std::size_t i = 0; look.Crop && i < 6; ++i)
   {
-    double& side = (*look.Crop)[i];
-    const std::size_t axis = i & ~std::size_t{ 1 };
-    side = std::clamp(side, box[axis], box[axis + 1]);
-    side = i % 2 == 1 ? std::max(side, (*look.Crop)[i - 1]) : side;
+    const double from = i % 2 == 1 ? (*look.Crop)[i - 1] : box[i];
+    (*look.Crop)[i] = std::clamp((*look.Crop)[i], from, box[i | 1]);
   }
   for (std::size_t i = 0; look.Shading && i < 4; ++i)
   {
@@ -221,23 +208,11 @@ Look Model::Fitted(Look look) const
 void Model::SetSettings(const Look& look, bool isShown)
 {
   this->Current.Settings = this->Fitted(look);
-  this->Current.Isovalue = this->Current.Settings.Surfaces[0].Isovalue;
+  this->Current.Isovalue = this->Current.Settings.Surfaces[0].Value;
   if (isShown)
   {
     this->Apply();
   }
-}
-
-double Model::StepOfIsovalues() const
-{
-  return (this->Samples.Range[1] - this->Samples.Range[0]) / StepsInRange;
-}
-
-void Model::StepIsovalue(double steps, std::size_t surface)
-{
-  Look look = this->Settings();
-  look.Surfaces[surface].Isovalue += steps * this->StepOfIsovalues();
-  this->SetSettings(look);
 }
 
 bool Model::Offers(const Choice& choice) const
@@ -249,7 +224,27 @@ bool Model::Offers(const Choice& choice) const
 
 bool Model::DrawsSurfaces() const
 {
-  return this->View.IsMesh() || this->Settings().Choices[Choose::Drawing] == DrawSurfaces;
+  return this->View.IsMesh() || this->Settings().Choices[Choose::Drawing] == 0;
+}
+
+std::vector<Marker>& Model::MarkersOf(Look& look) const
+{
+  return this->DrawsSurfaces() ? look.Surfaces : look.Nodes;
+}
+
+const std::vector<Marker>& Model::Markers() const
+{
+  return this->DrawsSurfaces() ? this->Settings().Surfaces : this->Settings().Nodes;
+}
+
+double Model::StepOfValues() const
+{
+  return (this->Samples.Range[1] - this->Samples.Range[0]) / StepsInRange;
+}
+
+void Model::ResetView()
+{
+  this->View.LookFrom(this->From.empty() ? this->Shown.From : this->From, this->Up);
 }
 
 void Model::LookFrom(const std::string& from)
@@ -268,15 +263,22 @@ void Model::Save(const std::string& path)
   WriteSession(this->Current, path);
 }
 
-Model::Sight Model::PresentSight()
+std::vector<double> Model::PresentSight()
 {
+  const CameraState camera = this->View.Camera();
   const int* size = this->View.Renderer->GetSize();
-  return { this->View.Camera(), { size[0], size[1], this->Settings().Choices[Choose::Surface] } };
+  std::vector<double> sight = { camera.ViewAngle, 1.0 * size[0], 1.0 * size[1],
+    1.0 * this->Settings().Choices[Choose::Surface] };
+  for (const Point& point : { camera.Position, camera.FocalPoint, camera.ViewUp })
+  {
+    sight.insert(sight.end(), point.begin(), point.end());
+  }
+  return sight;
 }
 
 bool Model::WantsIsomapAhead()
 {
-  const Chosen& choices = this->Settings().Choices;
-  return this->IsOpen() && this->DrawsSurfaces() && choices.IsOn(Choose::Ahead) &&
-    choices.IsOn(Choose::Isomap) && !(this->Ahead == this->PresentSight());
+  const auto& choices = this->Settings().Choices;
+  return this->IsOpen() && this->DrawsSurfaces() && choices[Choose::Ahead] != 0 &&
+    choices[Choose::Isomap] != 0 && this->Ahead != this->PresentSight();
 }

@@ -8,9 +8,6 @@
 #include "Model/VolumeView.h"
 #include "View/Histogram.h"
 
-#include <optional>
-#include <string>
-
 // What is to be shown next: another file, or another array or time step of the one that is open.
 struct Request
 {
@@ -49,7 +46,7 @@ public:
   const Volume& Data() const { return this->Shown; }
   std::string Description() const; // "256 x 256 x 110 uchar"
 
-  // What to load for the next array, the one of a name, or another time step. Throw UserError.
+  // What to load for another array or time step. Throw UserError.
   Request OtherArray(const std::string& name, int component) const;
   Request NextArrayOfFile() const;
   Request OtherTimeStep(int step) const;
@@ -58,17 +55,15 @@ public:
   // depends on is touched until Apply().
   void SetSettings(const Look& look, bool isShown = true);
   void Apply() { this->View.Apply(this->Current.Settings); }
-  void StepIsovalue(double steps, std::size_t surface = 0); // of 1/256 of the range
-  double StepOfIsovalues() const;
 
-  // False if a choice has no effect on what is shown.
-  bool Offers(const Choice& choice) const;
+  bool Offers(const Choice& choice) const; // false if it has no effect on what is shown
   bool DrawsSurfaces() const;
+  // The surfaces, or the nodes of the blended volume.
+  std::vector<Marker>& MarkersOf(Look& look) const;
+  const std::vector<Marker>& Markers() const;
+  double StepOfValues() const; // 1/256 of the range
 
-  void ResetView()
-  {
-    this->View.LookFrom(this->From.empty() ? this->Shown.From : this->From, this->Up);
-  }
+  void ResetView();
   void LookFrom(const std::string& from); // "+z": an axis
   void Save(const std::string& path);     // a session; throws UserError
 
@@ -79,26 +74,15 @@ public:
   VolumeView View;
 
 private:
-  // What an isomap belongs to, of one volume.
-  struct Sight
-  {
-    CameraState Camera;
-    std::array<int, 3> Picture = { 0, 0, 0 }; // its size and the surface mode
-
-    bool operator==(const Sight& other) const
-    {
-      return this->Camera == other.Camera && this->Picture == other.Picture;
-    }
-  };
-  Sight PresentSight();
+  // What an isomap belongs to: the camera, the size of the picture, the surface mode.
+  std::vector<double> PresentSight();
   Look Fitted(Look look) const;
 
-  std::string From;
-  std::string Up;
+  std::string From, Up;
   Session Current;
   Volume Shown;
   Histogram Samples;
-  Sight Ahead; // whose isomap was built, or stopped
+  std::vector<double> Ahead; // the sight whose isomap was built, or stopped
 };
 
 #endif

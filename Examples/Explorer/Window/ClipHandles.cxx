@@ -8,8 +8,10 @@
 #include <vtkProperty.h>
 #include <vtkTransform.h>
 
-ClipHandles::ClipHandles(Workbench& bench, vtkRenderWindowInteractor* interactor, double pixels)
-  : Bench(bench)
+ClipHandles::ClipHandles(
+  Workbench& bench, vtkRenderWindowInteractor* interactor, double pixels, QObject* parent)
+  : QObject(parent)
+  , Bench(bench)
 {
   this->PlaneWidget->SetRepresentation(this->PlaneShape);
   this->PlaneShape->SetPlaceFactor(1.0);

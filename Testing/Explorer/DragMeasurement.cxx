@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Window/DragMeasurement.h"
+#include "DragMeasurement.h"
 
 #include "Window/MainWindow.h"
 
@@ -126,7 +126,7 @@ void MeasureDrag(MainWindow& window, Workbench& bench, int steps)
     times.push_back(
       TimeOf(window.View(), [&] { SendMouse(window.Histogram(), QEvent::MouseMove, share); }));
     QObject::disconnect(counting);
-    ++routes[bench.Data.View.Facts().Route];
+    ++routes[bench.Data.View.Mapper->GetRouteAsString()];
     // By turns, so that what else the machine does meets both alike.
     if (step % StepsOfTurn == 0 || step == steps)
     {

@@ -78,9 +78,10 @@ void ExplorerTests::SessionsAreRepeated()
   session.Settings.Nodes = { { 0.0, 0.0 }, { 50.0, 0.125, true, Rgb{ 1.0, 0.0, 0.0 } },
     { 99.0, 1.0 } };
   session.Settings.Density = 2.5;
+  session.Settings.IsClipped = session.Settings.IsCropped = session.Settings.HasShading = true;
   session.Settings.Clip = Plane{ { 0.0, 12.5, 0.0 }, { 0.0, 1.0, 0.0 } };
-  session.Settings.Crop = std::array<double, 6>{ 4.5, 28.5, 0.0, 31.0, 5.0, 31.0 };
-  session.Settings.Shading = std::array<double, 4>{ 0.1, 0.2, 0.3, 40.0 };
+  session.Settings.Crop = { 4.5, 28.5, 0.0, 31.0, 5.0, 31.0 };
+  session.Settings.Shading = { 0.1, 0.2, 0.3, 40.0 };
   session.Settings.Choices[Choose::Drawing] = 1;
   const QString first = this->Directory.filePath("first.session");
   const QString second = this->Directory.filePath("second.session");
@@ -101,9 +102,10 @@ void ExplorerTests::SettingsAreFitted()
   Look look = this->Bench->Data.Settings();
   look.Surfaces = { { 1e9, 7.0 }, { -1e9, -7.0 } };
   look.Nodes = { { 50.0, 2.0 }, { 40.0, -1.0 } };
-  look.Crop = std::array<double, 6>{ 1e9, -1e9, 0.0, 0.1, -1e9, 1e9 };
+  look.Crop = { 1e9, -1e9, 0.0, 0.1, -1e9, 1e9 };
+  look.IsClipped = true;
   look.Clip = Plane{};
-  look.Shading = std::array<double, 4>{ -1.0, 2.0, 0.5, 1e9 };
+  look.Shading = { -1.0, 2.0, 0.5, 1e9 };
   this->Bench->Data.SetSettings(look);
   const Look& fitted = this->Bench->Data.Settings();
   const auto& range = this->Bench->Data.Counted().Range;
@@ -111,9 +113,9 @@ void ExplorerTests::SettingsAreFitted()
   QCOMPARE(fitted.Surfaces[1].Value, range[0]);
   QCOMPARE(fitted.Surfaces[0].Opacity, 1.0);
   QVERIFY(fitted.Nodes[0].Value <= fitted.Nodes[1].Value);
-  QVERIFY((*fitted.Crop)[0] <= (*fitted.Crop)[1]);
-  QVERIFY(!fitted.Clip);
-  QCOMPARE((*fitted.Shading)[0], 0.0);
+  QVERIFY(fitted.Crop[0] <= fitted.Crop[1]);
+  QVERIFY(!fitted.IsClipped);
+  QCOMPARE(fitted.Shading[0], 0.0);
   this->Bench->Data.View.Picture(Width, Height);
 }
 

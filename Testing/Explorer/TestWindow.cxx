@@ -95,13 +95,15 @@ void ExplorerTests::ClippingAndCropping()
 {
   const auto whole = this->Bench->Data.View.Picture(Width, Height);
   this->Window->findChild<QAbstractButton*>("clip")->click();
-  QVERIFY(this->Bench->Data.Settings().Clip.has_value());
+  QVERIFY(this->Bench->Data.Settings().IsClipped);
   const auto clipped = this->Bench->Data.View.Picture(Width, Height);
   QVERIFY(!AreSame(whole, clipped));
   this->Window->findChild<QAbstractButton*>("clip")->click();
   this->Bench->Edit("cropping",
-    [](Look& look) {
-      look.Crop = std::array<double, 6>{ 15.5, 31.0, 0.0, 31.0, 0.0, 31.0 };
+    [](Look& look)
+    {
+      look.IsCropped = true;
+      look.Crop = { 15.5, 31.0, 0.0, 31.0, 0.0, 31.0 };
     });
   const auto cropped = this->Bench->Data.View.Picture(Width, Height);
   QVERIFY(!AreSame(whole, cropped));
@@ -153,6 +155,7 @@ void ExplorerTests::NothingIsCutOff()
     QApplication::setFont(font);
     this->cleanup();
     this->init();
+    QVERIFY2(this->Window->minimumSizeHint().height() <= 700, "higher than a small screen");
     for (const QWidget* widget : this->Window->findChildren<QWidget*>())
     {
       const bool hasText = qobject_cast<const QLabel*>(widget) ||

@@ -80,7 +80,7 @@ struct Marker
 struct Plane // in the world; what the normal points to is seen
 {
   Point Origin = {};
-  Point Normal = {};
+  Point Normal = {}; // none: where it suits the view
 };
 
 // All settings that can be undone.
@@ -90,9 +90,12 @@ struct Look
   std::vector<Marker> Surfaces; // one at least, once a volume is open
   std::vector<Marker> Nodes;    // in ascending order of values; two at least
   double Density = 1.0;         // of blended volumes: a hundredth of the volume is so opaque
-  std::optional<Plane> Clip;
-  std::optional<Box> Crop;                      // along the data's own axes
-  std::optional<std::array<double, 4>> Shading; // ambient to power; none: the material's
+  bool IsClipped = false;
+  Plane Clip;
+  bool IsCropped = false;
+  Box Crop = { -1e300, 1e300, -1e300, 1e300, -1e300, 1e300 }; // along the data's own axes
+  bool HasShading = false;                                    // of its own: not the material's
+  std::array<double, 4> Shading = {};                         // ambient to power
 
   const char* TextOf(Choose::Which what) const
   {

@@ -18,7 +18,6 @@
 namespace
 {
 
-constexpr double StepsInRange = 256.0;  // one for each value of 8 bits
 constexpr std::size_t MostMarkers = 64; // surfaces, nodes
 constexpr double MostOpacity = 0.6;     // of a ramp at first
 
@@ -108,9 +107,9 @@ void Model::Adopt(Loaded loaded)
     look.Nodes.resize(request.IsSameFile ? 0 : look.Nodes.size());
   }
   this->SetSettings(look);
-  if (request.IsSameFile || request.Wanted.Camera)
+  if (request.IsSameFile || request.Wanted.HasCamera)
   {
-    this->View.SetCamera(request.IsSameFile ? camera : *request.Wanted.Camera);
+    this->View.SetCamera(request.IsSameFile ? camera : request.Wanted.Camera);
   }
   else
   {
@@ -185,22 +184,18 @@ Look Model::Fitted(Look look) const
   look.Nodes = look.Nodes.size() < 2 ? FirstRamp(range, look.Surfaces[0].Value) : look.Nodes;
   Fit(look.Nodes, range, true);
   look.Density = std::clamp(look.Density, 1e-3, 1e3);
-  if (look.Clip)
-  {
-    double* normal = look.Clip->Normal.data();
-    const bool isUsable = vtkMath::Norm(normal) < 1e15 && vtkMath::Normalize(normal) > 1e-15 &&
-      vtkMath::Norm(look.Clip->Origin.data()) < 1e15;
-    look.Clip = isUsable ? look.Clip : std::nullopt;
-  }
+  double* normal = look.Clip.Normal.data();
+  look.IsClipped = look.IsClipped && vtkMath::Norm(normal) < 1e15 &&
+    vtkMath::Normalize(normal) > 1e-15 && vtkMath::Norm(look.Clip.Origin.data()) < 1e15;
   const Box& box = this->View.DataBounds();
-  for (std::size_t i = 0; look.Crop && i < 6; ++i)
+  for (std::size_t i = 0; i < 6; ++i)
   {
-    const double from = i % 2 == 1 ? (*look.Crop)[i - 1] : box[i];
-    (*look.Crop)[i] = std::clamp((*look.Crop)[i], from, box[i | 1]);
+    const double from = i % 2 == 1 ? look.Crop[i - 1] : box[i];
+    look.Crop[i] = std::clamp(look.Crop[i], from, box[i | 1]);
   }
-  for (std::size_t i = 0; look.Shading && i < 4; ++i)
+  for (std::size_t i = 0; i < 4; ++i)
   {
-    (*look.Shading)[i] = std::clamp((*look.Shading)[i], 0.0, i < 3 ? 1.0 : 200.0);
+    look.Shading[i] = std::clamp(look.Shading[i], 0.0, i < 3 ? 1.0 : 200.0);
   }
   return look;
 }
@@ -222,26 +217,6 @@ bool Model::Offers(const Choice& choice) const
   return isForData && (choice.What != Choose::Surface || this->DrawsSurfaces());
 }
 
-bool Model::DrawsSurfaces() const
-{
-  return this->View.IsMesh() || this->Settings().Choices[Choose::Drawing] == 0;
-}
-
-std::vector<Marker>& Model::MarkersOf(Look& look) const
-{
-  return this->DrawsSurfaces() ? look.Surfaces : look.Nodes;
-}
-
-const std::vector<Marker>& Model::Markers() const
-{
-  return this->DrawsSurfaces() ? this->Settings().Surfaces : this->Settings().Nodes;
-}
-
-double Model::StepOfValues() const
-{
-  return (this->Samples.Range[1] - this->Samples.Range[0]) / StepsInRange;
-}
-
 void Model::ResetView()
 {
   this->View.LookFrom(this->From.empty() ? this->Shown.From : this->From, this->Up);
@@ -260,6 +235,7 @@ void Model::Save(const std::string& path)
     this->View.SetCamera(this->View.Camera());
   }
   this->Current.Camera = this->View.Camera();
+  this->Current.HasCamera = true;
   WriteSession(this->Current, path);
 }
 

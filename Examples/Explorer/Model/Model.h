@@ -57,11 +57,16 @@ public:
   void Apply() { this->View.Apply(this->Current.Settings); }
 
   bool Offers(const Choice& choice) const; // false if it has no effect on what is shown
-  bool DrawsSurfaces() const;
+  bool DrawsSurfaces() const
+  {
+    return this->View.IsMesh() || this->Settings().Choices[Choose::Drawing] == 0;
+  }
   // The surfaces, or the nodes of the blended volume.
-  std::vector<Marker>& MarkersOf(Look& look) const;
-  const std::vector<Marker>& Markers() const;
-  double StepOfValues() const; // 1/256 of the range
+  auto MarkersIn() const { return this->DrawsSurfaces() ? &Look::Surfaces : &Look::Nodes; }
+  std::vector<Marker>& MarkersOf(Look& look) const { return look.*this->MarkersIn(); }
+  const std::vector<Marker>& Markers() const { return this->Settings().*this->MarkersIn(); }
+  // One of as many as 8 bits have.
+  double StepOfValues() const { return (this->Samples.Range[1] - this->Samples.Range[0]) / 256.0; }
 
   void ResetView();
   void LookFrom(const std::string& from); // "+z": an axis

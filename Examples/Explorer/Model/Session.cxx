@@ -88,21 +88,21 @@ public:
       this->Take(number);
     }
   }
-  void Take(Plane& plane)
+  void Take(std::optional<double>& number)
   {
-    this->Take(plane.Origin);
-    this->Take(plane.Normal);
+    double value = number.value_or(0.0);
+    bool isSet = number.has_value();
+    this->TakeIf(isSet, value);
+    number = isSet ? std::optional(value) : std::nullopt;
   }
-  template <typename Value>
-  void Take(std::optional<Value>& value)
+  // A line that there is only if what it says is set.
+  template <typename... Values>
+  void TakeIf(bool& isSet, Values&... values)
   {
-    if (this->IsRead)
+    isSet = isSet || this->IsRead;
+    if (isSet)
     {
-      value.emplace();
-    }
-    if (value)
-    {
-      this->Take(*value);
+      (this->Take(values), ...);
     }
   }
   void Take(std::optional<RawLayout>& raw)
@@ -157,7 +157,7 @@ private:
     }
     if (marker.Color || (this->IsRead && this->HasMore()))
     {
-      this->Take(marker.Color);
+      this->Take(marker.Color ? *marker.Color : marker.Color.emplace());
     }
   }
 
@@ -175,52 +175,40 @@ std::vector<Field> FieldsOf(Session& session)
 {
   VolumeSource& source = session.Source;
   Look& look = session.Settings;
-  const auto ofCamera = [&session](const char* key, auto CameraState::*part)
-  {
-    return Field{ key,
-      [&session, part](Line& line)
-      {
-        if (line.IsRead && !session.Camera)
-        {
-          session.Camera.emplace();
-        }
-        if (session.Camera)
-        {
-          line.Take((*session.Camera).*part);
-        }
-      } };
-  };
+  CameraState& camera = session.Camera;
+  bool& hasCamera = session.HasCamera;
   static const std::vector<const char*> onOff = { "off", "on" };
   std::vector<Field> fields = {
-    { "spheres", [&source](Line& line) { line.Take(source.Spheres, 1, 2048); } },
-    { "volume", [&source](Line& line) { line.Take(source.Path); } },
-    { "raw", [&source](Line& line) { line.Take(source.Raw); } },
+    { "spheres", [&](Line& line) { line.Take(source.Spheres, 1, 2048); } },
+    { "volume", [&](Line& line) { line.Take(source.Path); } },
+    { "raw", [&](Line& line) { line.Take(source.Raw); } },
     { "big-endian",
-      [&source](Line& line)
+      [&](Line& line)
       {
         int isBig = source.BigEndian;
         line.Take(isBig, onOff);
         source.BigEndian = isBig != 0;
       } },
-    { "array", [&source](Line& line) { line.Take(source.Array); } },
-    { "time-step", [&source](Line& line) { line.Take(source.TimeStep, 1, INT_MAX); } },
-    { "isovalue", [&session](Line& line) { line.Take(session.Isovalue); } },
-    ofCamera("camera-position", &CameraState::Position),
-    ofCamera("camera-focal-point", &CameraState::FocalPoint),
-    ofCamera("camera-view-up", &CameraState::ViewUp),
-    ofCamera("camera-view-angle", &CameraState::ViewAngle),
-    { "component", [&session](Line& line) { line.Take(session.Component, -1, 4095); } },
-    { "surfaces", [&look](Line& line) { line.Take(look.Surfaces, true); } },
-    { "opacity", [&look](Line& line) { line.Take(look.Nodes, false); } },
-    { "density", [&look](Line& line) { line.Take(look.Density); } },
-    { "clip", [&look](Line& line) { line.Take(look.Clip); } },
-    { "crop", [&look](Line& line) { line.Take(look.Crop); } },
-    { "shading", [&look](Line& line) { line.Take(look.Shading); } },
+    { "array", [&](Line& line) { line.Take(source.Array); } },
+    { "time-step", [&](Line& line) { line.Take(source.TimeStep, 1, INT_MAX); } },
+    { "isovalue", [&](Line& line) { line.Take(session.Isovalue); } },
+    { "camera-position", [&](Line& line) { line.TakeIf(hasCamera, camera.Position); } },
+    { "camera-focal-point", [&](Line& line) { line.TakeIf(hasCamera, camera.FocalPoint); } },
+    { "camera-view-up", [&](Line& line) { line.TakeIf(hasCamera, camera.ViewUp); } },
+    { "camera-view-angle", [&](Line& line) { line.TakeIf(hasCamera, camera.ViewAngle); } },
+    { "component", [&](Line& line) { line.Take(session.Component, -1, 4095); } },
+    { "surfaces", [&](Line& line) { line.Take(look.Surfaces, true); } },
+    { "opacity", [&](Line& line) { line.Take(look.Nodes, false); } },
+    { "density", [&](Line& line) { line.Take(look.Density); } },
+    { "clip",
+      [&](Line& line) { line.TakeIf(look.IsClipped, look.Clip.Origin, look.Clip.Normal); } },
+    { "crop", [&](Line& line) { line.TakeIf(look.IsCropped, look.Crop); } },
+    { "shading", [&](Line& line) { line.TakeIf(look.HasShading, look.Shading); } },
   };
   for (const Choice& choice : AllChoices())
   {
-    fields.push_back({ choice.Name,
-      [&look, &choice](Line& line) { line.Take(look.Choices[choice.What], choice.Values); } });
+    fields.push_back(
+      { choice.Name, [&](Line& line) { line.Take(look.Choices[choice.What], choice.Values); } });
   }
   return fields;
 }
@@ -321,7 +309,7 @@ Session ReadSession(const std::string& path)
   {
     session.Isovalue = session.Settings.Surfaces[0].Value;
   }
-  if (session.Camera && !IsUsable(*session.Camera))
+  if (session.HasCamera && !IsUsable(session.Camera))
   {
     throw UserError("The camera of the session " + Quoted(path) +
       " looks nowhere; correct its lines, or take them out to see all of the volume.");

@@ -22,7 +22,8 @@ struct Session
   VolumeSource Source;
   int Component = 0;              // of the array; -1: the length of its vectors
   std::optional<double> Isovalue; // of the first surface; none: chosen from the histogram
-  std::optional<CameraState> Camera;
+  bool HasCamera = false;         // else all of the volume is seen
+  CameraState Camera;
   Look Settings;
 };
 

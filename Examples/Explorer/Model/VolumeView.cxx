@@ -187,13 +187,13 @@ void VolumeView::Apply(const Look& look)
   vtkVolumeProperty* property = this->Actor->GetProperty();
   SetPalette(property->GetRGBTransferFunction(), choices[Choose::Palette], this->Range);
   SetMaterial(property, choices[Choose::Material]);
-  if (look.Shading)
+  if (look.HasShading)
   {
     property->ShadeOn();
-    property->SetAmbient((*look.Shading)[0]);
-    property->SetDiffuse((*look.Shading)[1]);
-    property->SetSpecular((*look.Shading)[2]);
-    property->SetSpecularPower((*look.Shading)[3]);
+    property->SetAmbient(look.Shading[0]);
+    property->SetDiffuse(look.Shading[1]);
+    property->SetSpecular(look.Shading[2]);
+    property->SetSpecularPower(look.Shading[3]);
   }
   SetLight(this->Renderer, choices[Choose::Light]);
   const bool areSurfaces = this->HasCells || choices[Choose::Drawing] == 0;
@@ -214,17 +214,14 @@ void VolumeView::Apply(const Look& look)
   this->Mapper->SetColorByAnswer(choices[Choose::Answers] != 0);
   // A completed picture owes nothing to the cache: it would have no yellow.
   this->Mapper->SetRefineWhenStill(choices[Choose::Answers] == 0);
-  this->Mapper->SetCropping(look.Crop.has_value());
-  if (look.Crop)
-  {
-    this->Mapper->SetCroppingRegionFlagsToSubVolume();
-    this->Mapper->SetCroppingRegionPlanes(look.Crop->data());
-  }
+  this->Mapper->SetCropping(look.IsCropped);
+  this->Mapper->SetCroppingRegionFlagsToSubVolume();
+  this->Mapper->SetCroppingRegionPlanes(look.Crop.data());
   this->Mapper->RemoveAllClippingPlanes();
-  if (look.Clip)
+  if (look.IsClipped)
   {
-    this->Clip->SetOrigin(look.Clip->Origin.data());
-    this->Clip->SetNormal(look.Clip->Normal.data());
+    this->Clip->SetOrigin(look.Clip.Origin.data());
+    this->Clip->SetNormal(look.Clip.Normal.data());
     this->Mapper->AddClippingPlane(this->Clip);
   }
 }

@@ -127,15 +127,25 @@ void Form::AddChoice(const Choice& choice)
   widget->setObjectName(choice.Name);
 }
 
-void Form::AddSwitch(
-  const QString& label, const QString& help, const QString& name, const Get& get, const Set& set)
+void Form::AddSwitch(const QString& label, const QString& help, const QString& name,
+  bool Look::*isOn, const std::function<void(Look&)>& begin)
 {
   auto* check = new QCheckBox(label);
   check->setObjectName(name);
   QObject::connect(check, &QCheckBox::clicked,
-    [=](bool isOn)
-    { this->Bench.EditOnce(label, [&](Look& look) { set(look, isOn ? 1.0 : 0.0); }); });
-  this->OnChange([=] { check->setChecked(get(this->Bench.Data.Settings()) != 0.0); });
+    [=](bool isChecked)
+    {
+      this->Bench.EditOnce(label,
+        [&](Look& look)
+        {
+          look.*isOn = isChecked;
+          if (isChecked && begin)
+          {
+            begin(look);
+          }
+        });
+    });
+  this->OnChange([=] { check->setChecked(this->Bench.Data.Settings().*isOn); });
   this->Add(check, help);
 }
 

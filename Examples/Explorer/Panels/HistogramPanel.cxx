@@ -6,6 +6,7 @@
 
 #include <QMenu>
 #include <QMouseEvent>
+#include <QPaintEvent>
 #include <QPainter>
 
 #include <algorithm>
@@ -28,7 +29,9 @@ HistogramPanel::HistogramPanel(Workbench& bench)
   this->setToolTip(tr("Drag a marker: the isovalue of a surface, or a node of the opacity.\n"
                       "Right click: another one, its colour. Double click: another node."));
   this->setFocusPolicy(Qt::StrongFocus);
+  this->setAttribute(Qt::WA_OpaquePaintEvent); // nothing behind it has to be drawn
   QObject::connect(&bench, &Workbench::Changed, this, &HistogramPanel::Refresh);
+  QObject::connect(&bench, &Workbench::FrameDrawn, this, &HistogramPanel::Refresh);
   QObject::connect(&bench, &Workbench::Opened, this, &HistogramPanel::Refresh);
 }
 
@@ -109,6 +112,10 @@ QRect HistogramPanel::AreaOf(const Marker& marker) const
 // of the window changes is a part of the time of a frame.
 void HistogramPanel::Refresh()
 {
+  if (this->Bench.IsRenderDue() && !this->Bench.IsBuilding())
+  {
+    return; // with the frame: the window is drawn once for both
+  }
   const std::vector<Marker> before = std::exchange(this->Shown, this->Bench.Markers());
   const std::size_t selected = this->Bench.Selected();
   const std::size_t selectedBefore = std::exchange(this->ShownSelected, selected);
@@ -226,13 +233,14 @@ void HistogramPanel::DrawMarkers(QPainter& painter) const
   }
 }
 
-void HistogramPanel::paintEvent(QPaintEvent*)
+void HistogramPanel::paintEvent(QPaintEvent* event)
 {
+  QPainter painter(this);
+  painter.fillRect(event->rect(), this->palette().color(QPalette::Window));
   if (!this->Bench.Data.IsOpen())
   {
     return;
   }
-  QPainter painter(this);
   this->DrawBars(painter);
   painter.setRenderHint(QPainter::Antialiasing);
   this->DrawMarkers(painter);
@@ -306,6 +314,8 @@ void HistogramPanel::mouseMoveEvent(QMouseEvent* event)
   if (event->buttons() & Qt::LeftButton && this->Bench.Data.IsOpen())
   {
     this->DragTo(event->pos());
+    // At once: the window is drawn once, with this frame. Moves meanwhile become one.
+    this->Bench.Render();
   }
 }
 

@@ -63,7 +63,6 @@ public:
     this->setHorizontalHeaderLabels(
       { areSurfaces ? tr("Isovalue") : tr("Value"), tr("Colour"), tr("Opacity") });
     this->setRowCount(static_cast<int>(this->Bench.Markers().size()));
-    this->updateGeometry();
     int row = 0;
     for (const Marker& marker : this->Bench.Markers())
     {
@@ -85,7 +84,7 @@ public:
 
   QSize sizeHint() const override
   {
-    const int rows = std::clamp(this->rowCount(), 2, 4);
+    constexpr int rows = 3; // those of more are scrolled to
     return { 18 * this->fontMetrics().height(),
       this->horizontalHeader()->sizeHint().height() +
         rows * this->verticalHeader()->defaultSectionSize() + 2 * this->frameWidth() };

@@ -5,47 +5,39 @@
 #include "Panels/Panels.h"
 
 #include <vtkVector.h>
+#include <vtkVectorOperators.h>
 
 #include <array>
 
 namespace
 {
 
-struct Part
+Point AlongView(const CameraState& camera)
 {
-  const char* Name;
-  const char* Help;
-};
+  vtkVector3d along = vtkVector3d(camera.FocalPoint.data()) - vtkVector3d(camera.Position.data());
+  along.Normalize();
+  return { along[0], along[1], along[2] };
+}
 
-// Through the middle, slantwise: the volume is open to the viewer, and the plane can be seen.
-Plane MiddlePlane(const VolumeView& view)
+// Unless it was placed: through the middle, slantwise. The volume is open to the viewer, and the
+// plane can be seen.
+void PlacePlane(Look& look, const VolumeView& view)
 {
-  Plane plane;
-  const CameraState camera = view.Camera();
-  vtkVector3d forward, up(camera.ViewUp.data());
-  for (std::size_t i = 0; i < 3; ++i)
+  look.IsClipped = true;
+  if (look.Clip.Normal != Point{})
   {
-    plane.Origin[i] = 0.5 * (view.WorldBounds()[2 * i] + view.WorldBounds()[2 * i + 1]);
-    forward[static_cast<int>(i)] = camera.FocalPoint[i] - camera.Position[i];
+    return;
   }
-  forward.Normalize();
-  vtkVector3d right = forward.Cross(up);
+  const CameraState camera = view.Camera();
+  const Box& box = view.WorldBounds();
+  const Point forward = AlongView(camera);
+  vtkVector3d right = vtkVector3d(forward.data()).Cross(vtkVector3d(camera.ViewUp.data()));
   right.Normalize();
   for (std::size_t i = 0; i < 3; ++i)
   {
-    plane.Normal[i] = 0.8 * forward[static_cast<int>(i)] - 0.6 * right[static_cast<int>(i)];
+    look.Clip.Origin[i] = 0.5 * (box[2 * i] + box[2 * i + 1]);
+    look.Clip.Normal[i] = 0.8 * forward[i] - 0.6 * right[static_cast<int>(i)];
   }
-  return plane;
-}
-
-Point AlongView(const CameraState& camera)
-{
-  Point along;
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    along[i] = camera.FocalPoint[i] - camera.Position[i];
-  }
-  return along;
 }
 
 }
@@ -54,24 +46,26 @@ QWidget* MakeLightPanel(Workbench& bench)
 {
   auto* form = new Form(bench);
   form->AddChoices(Choice::Panel::Light);
-  const std::array<Part, 4> parts = { { { "Ambient", "light from everywhere" },
-    { "Diffuse", "light that shows the shape" }, { "Specular", "how bright highlights are" },
-    { "Power", "how small highlights are" } } };
+  const std::array<std::array<const char*, 2>, 4> parts = {
+    { { "Ambient", "light from everywhere" }, { "Diffuse", "light that shows the shape" },
+      { "Specular", "how bright highlights are" }, { "Power", "how small highlights are" } }
+  };
   for (std::size_t i = 0; i < parts.size(); ++i)
   {
     form->AddSlider(
-      QObject::tr(parts[i].Name), QObject::tr(parts[i].Help), i < 3 ? 1.0 : 100.0,
+      QObject::tr(parts[i][0]), QObject::tr(parts[i][1]), i < 3 ? 1.0 : 100.0,
       [&bench, i](const Look&) { return bench.Data.View.Shading()[i]; },
       [&bench, i](Look& look, double value)
       {
-        look.Shading = look.Shading.value_or(bench.Data.View.Shading());
-        (*look.Shading)[i] = value;
+        look.Shading = bench.Data.View.Shading();
+        look.Shading[i] = value;
+        look.HasShading = true;
       });
   }
   form->AddButtons({ form->NewAction(QObject::tr("As the material"),
     QObject::tr("forget the four sliders' changes"),
     [&bench]
-    { bench.EditOnce(QObject::tr("material"), [](Look& look) { look.Shading.reset(); }); }) });
+    { bench.EditOnce(QObject::tr("material"), [](Look& look) { look.HasShading = false; }); }) });
   return form;
 }
 
@@ -79,11 +73,9 @@ QWidget* MakeClippingPanel(Workbench& bench)
 {
   auto* form = new Form(bench);
   const VolumeView& view = bench.Data.View;
-  form->AddSwitch(
-    QObject::tr("Clip by a plane (T)"), QObject::tr("drag the plane's arrow in the view"), "clip",
-    [](const Look& look) { return look.Clip ? 1.0 : 0.0; },
-    [&view](Look& look, double isOn)
-    { look.Clip = isOn != 0.0 ? std::optional<Plane>(MiddlePlane(view)) : std::nullopt; });
+  form->AddSwitch(QObject::tr("Clip by a plane (T)"),
+    QObject::tr("drag the plane's arrow in the view"), "clip", &Look::IsClipped,
+    [&view](Look& look) { PlacePlane(look, view); });
   const auto turn = [&](
                       const char* name, const char* help, const std::function<void(Point&)>& change)
   {
@@ -93,8 +85,8 @@ QWidget* MakeClippingPanel(Workbench& bench)
         bench.EditOnce(QObject::tr("clipping"),
           [&](Look& look)
           {
-            look.Clip = look.Clip.value_or(MiddlePlane(view));
-            change(look.Clip->Normal);
+            PlacePlane(look, view);
+            change(look.Clip.Normal);
           });
       });
   };
@@ -118,11 +110,8 @@ QWidget* MakeClippingPanel(Workbench& bench)
         normal = { -normal[0], -normal[1], -normal[2] };
       }),
   });
-  form->AddSwitch(
-    QObject::tr("Crop to a box (E)"), QObject::tr("drag the box's sides in the view"), "crop",
-    [](const Look& look) { return look.Crop ? 1.0 : 0.0; },
-    [&view](Look& look, double isOn)
-    { look.Crop = isOn != 0.0 ? std::optional<Box>(view.DataBounds()) : std::nullopt; });
+  form->AddSwitch(QObject::tr("Crop to a box (E)"), QObject::tr("drag the box's sides in the view"),
+    "crop", &Look::IsCropped);
   const std::array<const char*, 6> sides = { "X from", "X to", "Y from", "Y to", "Z from", "Z to" };
   for (std::size_t i = 0; i < sides.size(); ++i)
   {
@@ -132,13 +121,13 @@ QWidget* MakeClippingPanel(Workbench& bench)
       [&view, i, from](const Look& look)
       {
         const Box& box = view.DataBounds();
-        return (look.Crop.value_or(box)[i] - box[from]) / (box[from + 1] - box[from]);
+        return (look.Crop[i] - box[from]) / (box[from + 1] - box[from]);
       },
       [&view, i, from](Look& look, double share)
       {
         const Box& box = view.DataBounds();
-        look.Crop = look.Crop.value_or(box);
-        (*look.Crop)[i] = box[from] + share * (box[from + 1] - box[from]);
+        look.IsCropped = true;
+        look.Crop[i] = box[from] + share * (box[from + 1] - box[from]);
       });
   }
   return form;

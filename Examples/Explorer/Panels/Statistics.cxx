@@ -58,7 +58,8 @@ protected:
     QRect place(0, 4 * line + line / 2, width, line);
     for (const Fact& fact : this->Facts)
     {
-      painter.fillRect(place.x() + line / 4, place.y() + line / 4, line / 2, line / 2, fact.Key);
+      const QRect key(place.x() + line / 4, place.y() + line / 4, line / 2, line / 2);
+      painter.fillRect(fact.Key.isValid() ? key : QRect(), fact.Key);
       painter.setPen(this->palette().color(QPalette::PlaceholderText));
       painter.drawText(
         place.adjusted(fact.Key.isValid() ? line : 0, 0, 0, 0), Qt::AlignLeft, fact.Label);

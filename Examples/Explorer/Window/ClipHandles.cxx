@@ -62,17 +62,17 @@ void ClipHandles::Show()
     return;
   }
   const Look& look = this->Bench.Data.Settings();
-  if (look.Clip)
+  if (look.IsClipped)
   {
-    auto plane = *look.Clip;
+    Plane plane = look.Clip;
     this->PlaneShape->SetOrigin(plane.Origin.data());
     this->PlaneShape->SetNormal(plane.Normal.data());
   }
-  this->PlaneWidget->SetEnabled(look.Clip.has_value());
-  if (look.Crop)
+  this->PlaneWidget->SetEnabled(look.IsClipped);
+  if (look.IsCropped)
   {
     // From the whole box to the part of it, and to where the data lie in the world.
-    const auto& crop = *look.Crop;
+    const Box& crop = look.Crop;
     const auto box = this->Bench.Data.View.DataBounds();
     vtkNew<vtkTransform> transform;
     if (vtkMatrix4x4* placement = this->Bench.Data.View.Placement())
@@ -85,7 +85,7 @@ void ClipHandles::Show()
     transform->Translate(-box[0], -box[2], -box[4]);
     this->BoxShape->SetTransform(transform);
   }
-  this->BoxWidget->SetEnabled(look.Crop.has_value());
+  this->BoxWidget->SetEnabled(look.IsCropped);
 }
 
 void ClipHandles::TakePlane()

@@ -224,10 +224,13 @@ void MainWindow::MakeDocks()
   this->AddDock(Qt::LeftDockWidgetArea, tr("Keys"), MakeKeysPanel(), false)->hide();
   if (!this->restoreState(QSettings().value("window").toByteArray()))
   {
-    // Once there is a layout: the table of surfaces begins small.
+    // Once there is a layout: all of the surfaces' panel is seen, if there is room for it.
     QTimer::singleShot(0, this,
-      [=] {
-        this->resizeDocks({ surfaces, clip }, { 1, 10000 }, Qt::Vertical);
+      [=]
+      {
+        const int height =
+          markers->sizeHint().height() + surfaces->height() - surfaces->widget()->height();
+        this->resizeDocks({ surfaces, clip }, { height, this->height() - height }, Qt::Vertical);
       });
   }
 }

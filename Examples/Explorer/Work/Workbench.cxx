@@ -116,11 +116,6 @@ void Workbench::OnMessage(vtkObject*, unsigned long, void* text)
     this, [=] { this->Say(sentence.substr(0, sentence.find_last_not_of("\n ") + 1), true); });
 }
 
-void Workbench::RenderSoon()
-{
-  this->Rendering.start(0);
-}
-
 void Workbench::Render()
 {
   if (this->Window && !this->Builds)
@@ -167,12 +162,6 @@ void Workbench::Edit(const QString& name, const Change& change)
   }
 }
 
-void Workbench::EditOnce(const QString& name, const Change& change)
-{
-  this->BeginGesture();
-  this->Edit(name, change);
-}
-
 void Workbench::SetDragging(bool isDragging)
 {
   this->Window->SetDesiredUpdateRate(isDragging ? RateOfDrags : RateOfStills);
@@ -185,8 +174,8 @@ void Workbench::SetDragging(bool isDragging)
 void Workbench::Show(const Look& look)
 {
   this->Data.SetSettings(look, !this->Builds);
-  emit this->Changed();
   this->RenderSoon();
+  emit this->Changed();
 }
 
 void Workbench::Turn(Choose::Which what, int steps)
@@ -316,6 +305,7 @@ void Workbench::OpenPath(const QString& name)
       Session session;
       session.Source.Path = path;
       session.Settings.Choices = this->Data.Settings().Choices;
+      session.Settings.HasShading = this->Data.Settings().HasShading;
       session.Settings.Shading = this->Data.Settings().Shading;
       this->Open(session);
     });
@@ -448,11 +438,6 @@ void Workbench::Try(const std::function<void()>& action)
     const std::string sentence = SentenceOf(failure);
     this->OnRefused && !this->IsStopped ? this->OnRefused(sentence) : this->Say(sentence, true);
   }
-}
-
-std::size_t Workbench::Selected() const
-{
-  return std::min(this->SelectedMarker, this->Markers().size() - 1);
 }
 
 void Workbench::Select(std::size_t marker)

@@ -10,6 +10,7 @@
 #include <QTimer>
 #include <QUndoStack>
 
+#include <algorithm>
 #include <atomic>
 #include <functional>
 #include <thread>
@@ -30,7 +31,7 @@ public:
 
   // Draws the view; with soon, once after all that waits to be done.
   void SetWindow(vtkRenderWindow* window);
-  void RenderSoon();
+  void RenderSoon() { this->Rendering.start(0); }
   void Render();
   bool IsRenderDue() const { return this->Rendering.isActive(); }
 
@@ -38,8 +39,12 @@ public:
   // drag, are undone together.
   using Change = std::function<void(Look&)>;
   void Edit(const QString& name, const Change& change);
-  void EditOnce(const QString& name, const Change& change); // a gesture by itself
   void BeginGesture() { ++this->Gesture; }
+  void EditOnce(const QString& name, const Change& change) // a gesture by itself
+  {
+    this->BeginGesture();
+    this->Edit(name, change);
+  }
   void SetDragging(bool isDragging); // frames are to be made fast, or well
   void Show(const Look& look);       // as it is, for undo
   void Turn(Choose::Which what, int steps);
@@ -62,7 +67,10 @@ public:
 
   // The marker that is worked on, of those that are drawn.
   const std::vector<Marker>& Markers() const { return this->Data.Markers(); }
-  std::size_t Selected() const;
+  std::size_t Selected() const
+  {
+    return std::min(this->SelectedMarker, this->Markers().size() - 1);
+  }
   void Select(std::size_t marker);
   void EditMarker(const QString& name, const std::function<void(Marker&)>& change);
   void AddMarker(const Marker& marker);

@@ -69,12 +69,6 @@ struct Marker
   double Opacity = 1.0;
   bool IsVisible = true;         // of a surface
   std::optional<Rgb> Color = {}; // none: the palette's
-
-  bool operator==(const Marker& other) const
-  {
-    return this->Value == other.Value && this->Opacity == other.Opacity &&
-      this->IsVisible == other.IsVisible && this->Color == other.Color;
-  }
 };
 
 struct Plane // in the world; what the normal points to is seen

@@ -56,50 +56,48 @@ Model::Model(const std::string& from, const std::string& up)
 {
 }
 
-Loaded Model::Load(Request request, const Progress& progress)
+void Model::Load(Request& request, const Progress& progress)
 {
   Session& wanted = request.Wanted;
-  Loaded loaded;
-  // Of the whole, reading is told as the first half.
-  loaded.Data = request.Have
-    ? *request.Have
-    : ReadVolume(wanted.Source, [&](double share) { return progress(0.5 * share); });
-  ChooseArray(loaded.Data, wanted.Source.Array, wanted.Isovalue);
-  const std::vector<vtkDataArray*> arrays = ShownArrays(loaded.Data);
+  Volume& volume = request.Data;
+  if (!volume.Data)
+  {
+    // Of the whole, reading is told as the first half.
+    volume = ReadVolume(wanted.Source, [&](double share) { return progress(0.5 * share); });
+  }
+  ChooseArray(volume, wanted.Source.Array, wanted.Isovalue);
+  const std::vector<vtkDataArray*> arrays = ShownArrays(volume);
   const int components = arrays.empty() ? 1 : arrays.front()->GetNumberOfComponents();
   if (wanted.Component >= components)
   {
-    throw UserError("What is drawn of " + Quoted(loaded.Data.Name) + " has " +
+    throw UserError("What is drawn of " + Quoted(volume.Name) + " has " +
       std::to_string(components) + " components, of which none has the number " +
       std::to_string(wanted.Component) + "; choose a smaller one.");
   }
-  loaded.Samples = CountSamples(loaded.Data, wanted.Component);
-  const std::array<double, 2>& range = loaded.Samples.Range;
+  request.Samples = CountSamples(volume, wanted.Component);
   if (request.KeepsSurfaces && wanted.Isovalue)
   {
+    const std::array<double, 2>& range = request.Samples.Range;
     wanted.Isovalue = std::clamp(*wanted.Isovalue, range[0], range[1]);
   }
-  wanted.Isovalue = ChooseIsovalue(loaded.Samples, wanted.Isovalue, Quoted(loaded.Data.Name)).Value;
+  wanted.Isovalue = ChooseIsovalue(request.Samples, wanted.Isovalue, Quoted(volume.Name)).Value;
   if (!request.IsSameFile)
   {
-    loaded.Mapper = VolumeView::Prepare(loaded.Data, wanted.Component, *wanted.Isovalue,
+    request.Mapper = VolumeView::Prepare(volume, wanted.Component, *wanted.Isovalue,
       [&](double share) { return progress(0.5 + 0.5 * share); });
   }
-  loaded.For = std::move(request);
-  return loaded;
 }
 
-void Model::Adopt(Loaded loaded)
+void Model::Adopt(Request& request)
 {
-  const Request& request = loaded.For;
   // Settings may have changed since the other array or step was asked for.
   Look look = request.IsSameFile ? this->Settings() : request.Wanted.Settings;
-  const CameraState camera = this->View.Camera();
-  this->Shown = std::move(loaded.Data);
-  this->Samples = std::move(loaded.Samples);
+  const CameraState camera = request.IsSameFile ? this->View.Camera() : request.Wanted.Camera;
+  this->Shown = request.Data;
+  this->Samples = request.Samples;
   this->Current = request.Wanted;
   this->Ahead = {};
-  this->View.Show(this->Shown, this->Current.Component, this->Samples.Range, loaded.Mapper);
+  this->View.Show(this->Shown, this->Current.Component, this->Samples.Range, request.Mapper);
   if (!request.KeepsSurfaces)
   {
     look.Surfaces.resize(request.IsSameFile ? 1 : std::max(look.Surfaces.size(), std::size_t{ 1 }));
@@ -109,7 +107,7 @@ void Model::Adopt(Loaded loaded)
   this->SetSettings(look);
   if (request.IsSameFile || request.Wanted.HasCamera)
   {
-    this->View.SetCamera(request.IsSameFile ? camera : request.Wanted.Camera);
+    this->View.SetCamera(camera);
   }
   else
   {
@@ -119,9 +117,9 @@ void Model::Adopt(Loaded loaded)
 
 void Model::Open(const Session& session)
 {
-  Request request;
-  request.Wanted = session;
-  this->Adopt(Load(request, [](double) { return true; }));
+  Request request = { session };
+  Load(request, [](double) { return true; });
+  this->Adopt(request);
 }
 
 std::string Model::Description() const
@@ -137,13 +135,10 @@ std::string Model::Description() const
 
 Request Model::OtherArray(const std::string& name, int component) const
 {
-  Request request;
-  request.Wanted = this->Current;
+  Request request = { this->Current, true, false, this->Shown };
   request.Wanted.Source.Array = name;
   request.Wanted.Component = component;
   request.Wanted.Isovalue.reset();
-  request.Have = this->Shown;
-  request.IsSameFile = true;
   return request;
 }
 
@@ -166,12 +161,9 @@ Request Model::OtherTimeStep(int step) const
     throw UserError(
       Quoted(this->Shown.Name) + " has one time step only; open a file that has several.");
   }
-  Request request;
-  request.Wanted = this->Current;
+  Request request = { this->Current, true, true };
   request.Wanted.Source.TimeStep = (step - 1 + count) % count + 1;
   request.Wanted.Source.Array = this->Shown.Array.Name;
-  request.IsSameFile = true;
-  request.KeepsSurfaces = true;
   return request;
 }
 

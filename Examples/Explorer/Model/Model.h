@@ -8,22 +8,16 @@
 #include "Model/VolumeView.h"
 #include "View/Histogram.h"
 
-// What is to be shown next: another file, or another array or time step of the one that is open.
+// What is to be shown next: another file, or another array or time step of the one that is open;
+// and what was read for it.
 struct Request
 {
   Session Wanted;
-  std::optional<Volume> Have; // its data, where they are read already
-  bool IsSameFile = false;    // view and mapper stay
-  bool KeepsSurfaces = false; // as they fit into the new values
-};
-
-// What was read for it.
-struct Loaded
-{
-  Request For;
-  Volume Data;
-  Histogram Samples;
-  VolumeView::Mapping Mapper; // may be null
+  bool IsSameFile = false;         // view and mapper stay
+  bool KeepsSurfaces = false;      // as they fit into the new values
+  Volume Data = {};                // if it is there already, it is not read
+  Histogram Samples = {};          // all that follows is
+  VolumeView::Mapping Mapper = {}; // may be null
 };
 
 // What is shown, and what can be done with it. It knows nothing of windows and widgets.
@@ -35,8 +29,8 @@ public:
 
   // Opening, in two steps: what takes long, in any thread, and what is seen. The first may throw
   // UserError; what was shown stays then.
-  static Loaded Load(Request request, const Progress& progress);
-  void Adopt(Loaded loaded);
+  static void Load(Request& request, const Progress& progress);
+  void Adopt(Request& request);
   void Open(const Session& session);
 
   bool IsOpen() const { return this->Shown.Data != nullptr; }

@@ -93,49 +93,17 @@ int HistogramPanel::Nearest(const QPoint& place) const
   return nearest;
 }
 
-QString HistogramPanel::LabelOf(const Marker& marker) const
-{
-  return this->Bench.Data.DrawsSurfaces()
-    ? tr("Isovalue %1").arg(Short(marker.Value))
-    : tr("%1: %2 %").arg(Short(marker.Value)).arg(100.0 * marker.Opacity, 0, 'f', 1);
-}
-
-// Whatever a marker of a surface covers, its label on either side.
-QRect HistogramPanel::AreaOf(const Marker& marker) const
-{
-  const int reach =
-    this->fontMetrics().horizontalAdvance(this->LabelOf(marker)) + this->fontMetrics().height();
-  return { static_cast<int>(this->PlaceOf(marker).x()) - reach, 0, 2 * reach, this->height() };
-}
-
-// While a surface is dragged, nothing is drawn again but from where it was to where it is: how much
-// of the window changes is a part of the time of a frame.
+// With the frame that is due: the window is drawn once for both.
 void HistogramPanel::Refresh()
 {
-  if (this->Bench.IsRenderDue() && !this->Bench.IsBuilding())
-  {
-    return; // with the frame: the window is drawn once for both
-  }
-  const std::vector<Marker> before = std::exchange(this->Shown, this->Bench.Markers());
-  const std::size_t selected = this->Bench.Selected();
-  const std::size_t selectedBefore = std::exchange(this->ShownSelected, selected);
-  if (this->MakeBars() || selected != selectedBefore || before.size() != this->Shown.size() ||
-    !this->Bench.Data.DrawsSurfaces())
+  if (!this->Bench.IsRenderDue() || this->Bench.IsBuilding())
   {
     this->update();
-    return;
-  }
-  for (std::size_t i = 0; i < before.size(); ++i)
-  {
-    if (!(before[i] == this->Shown[i]))
-    {
-      this->update(this->AreaOf(before[i]) | this->AreaOf(this->Shown[i]));
-    }
   }
 }
 
-// Each column in the colour of its value. False if they are as they were.
-bool HistogramPanel::MakeBars()
+// Each column in the colour of its value. They are kept while they stay as they are.
+void HistogramPanel::MakeBars()
 {
   const QRect plot = this->Plot();
   const Histogram& counted = this->Bench.Data.Counted();
@@ -152,11 +120,10 @@ bool HistogramPanel::MakeBars()
     of.insert(of.end(), rgb.begin(), rgb.end());
     colors.push_back(ToQColor(rgb));
   }
-  if (of == this->BarsOf)
+  if (std::exchange(this->BarsOf, of) == of)
   {
-    return false;
+    return;
   }
-  this->BarsOf = std::move(of);
   this->Bars = QPixmap(this->size() * this->devicePixelRatioF());
   this->Bars.setDevicePixelRatio(this->devicePixelRatioF());
   this->Bars.fill(Qt::transparent);
@@ -168,7 +135,6 @@ bool HistogramPanel::MakeBars()
     const double height = plot.height() * std::log1p(counted.Bins[bin]) / std::log1p(most);
     painter.fillRect(QRectF(plot.x() + x, plot.bottom() + 1 - height, 1.0, height), colors[bin]);
   }
-  return true;
 }
 
 // What no surface shows is faint: it lies below the least isovalue.
@@ -176,12 +142,12 @@ void HistogramPanel::DrawBars(QPainter& painter) const
 {
   const QRect all = this->rect();
   double begin = this->Bench.Data.DrawsSurfaces() ? all.width() : 0.0;
-  for (const Marker& marker : this->Shown)
+  for (const Marker& marker : this->Bench.Markers())
   {
     begin = std::min(begin, this->PlaceOf(marker).x());
   }
   const int from = static_cast<int>(std::ceil(begin));
-  painter.setClipRect(all.adjusted(from, 0, 0, 0), Qt::IntersectClip);
+  painter.setClipRect(all.adjusted(from, 0, 0, 0));
   painter.drawPixmap(0, 0, this->Bars);
   painter.setClipRect(QRect(0, 0, from, all.height()));
   painter.setOpacity(Faint);
@@ -196,7 +162,7 @@ void HistogramPanel::DrawMarkers(QPainter& painter) const
   const QColor text = this->palette().color(QPalette::WindowText);
   const double size = 0.4 * this->fontMetrics().height();
   QPolygonF line;
-  for (const Marker& marker : this->Shown)
+  for (const Marker& marker : this->Bench.Markers())
   {
     line << this->PlaceOf(marker);
   }
@@ -210,8 +176,8 @@ void HistogramPanel::DrawMarkers(QPainter& painter) const
   }
   for (int i = 0; i < line.size(); ++i)
   {
-    const Marker& marker = this->Shown[static_cast<std::size_t>(i)];
-    const bool isSelected = static_cast<std::size_t>(i) == this->ShownSelected;
+    const Marker& marker = this->Bench.Markers()[static_cast<std::size_t>(i)];
+    const bool isSelected = static_cast<std::size_t>(i) == this->Bench.Selected();
     painter.setPen(QPen(isSelected ? this->palette().color(QPalette::Highlight) : text, 2,
       marker.IsVisible ? Qt::SolidLine : Qt::DotLine));
     if (this->Bench.Data.DrawsSurfaces())
@@ -222,7 +188,9 @@ void HistogramPanel::DrawMarkers(QPainter& painter) const
     painter.drawEllipse(line[i], size, size);
     if (isSelected)
     {
-      const QString label = this->LabelOf(marker);
+      const QString label = this->Bench.Data.DrawsSurfaces()
+        ? tr("Isovalue %1").arg(Short(marker.Value))
+        : tr("%1: %2 %").arg(Short(marker.Value)).arg(100.0 * marker.Opacity, 0, 'f', 1);
       const double width = this->fontMetrics().horizontalAdvance(label);
       const double right = line[i].x() + 2.0 * size;
       painter.setPen(text);
@@ -241,6 +209,7 @@ void HistogramPanel::paintEvent(QPaintEvent* event)
   {
     return;
   }
+  this->MakeBars();
   this->DrawBars(painter);
   painter.setRenderHint(QPainter::Antialiasing);
   this->DrawMarkers(painter);
@@ -254,14 +223,6 @@ void HistogramPanel::paintEvent(QPaintEvent* event)
     painter.setPen(QPen(this->palette().color(QPalette::Highlight), 1, Qt::DotLine));
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(this->rect().adjusted(1, 1, -2, -2));
-  }
-}
-
-void HistogramPanel::resizeEvent(QResizeEvent*)
-{
-  if (this->Bench.Data.IsOpen())
-  {
-    this->MakeBars();
   }
 }
 

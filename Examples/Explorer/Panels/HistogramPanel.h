@@ -23,7 +23,6 @@ public:
 
 protected:
   void paintEvent(QPaintEvent*) override;
-  void resizeEvent(QResizeEvent*) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent*) override;
@@ -35,12 +34,10 @@ protected:
 private:
   QRect Plot() const;
   QPointF PlaceOf(const Marker& marker) const;
-  QString LabelOf(const Marker& marker) const;
-  QRect AreaOf(const Marker& marker) const;
   Marker MarkerAt(const QPoint& place) const;
   int Nearest(const QPoint& place) const; // marker within reach; -1: none
   void Refresh();
-  bool MakeBars();
+  void MakeBars();
   void DrawBars(QPainter& painter) const;
   void DrawMarkers(QPainter& painter) const;
   void DragTo(const QPoint& place);
@@ -49,8 +46,6 @@ private:
   Workbench& Bench;
   QPixmap Bars;
   std::vector<double> BarsOf; // what they were made of
-  std::vector<Marker> Shown;
-  std::size_t ShownSelected = 0;
 };
 
 #endif

@@ -7,7 +7,6 @@
 #include "Window/Commands.h"
 
 #include <vtkInteractorStyleTrackballCamera.h>
-#include <vtkObjectFactory.h>
 
 #include <QVTKInteractor.h>
 #include <QVTKOpenGLNativeWidget.h>
@@ -32,19 +31,6 @@ namespace
 
 constexpr int ProgressAfter = 250; // ms: what is over sooner needs no bar
 constexpr int MostRecent = 10;
-
-// None of VTK's own keys.
-class Style : public vtkInteractorStyleTrackballCamera
-{
-public:
-  static Style* New();
-  void OnChar() override {}
-  // Whoever presses again soon wants to drag again.
-  void OnLeftButtonDoubleClick() override { this->OnLeftButtonDown(); }
-  void OnRightButtonDoubleClick() override { this->OnRightButtonDown(); }
-};
-
-vtkStandardNewMacro(Style);
 
 // All keys, for those who do not know them yet.
 QWidget* MakeKeysPanel()
@@ -93,7 +79,7 @@ void MainWindow::MakeView()
   this->Window->SetMultiSamples(0); // the picture is ray cast; samples would only cost
   this->Picture->setRenderWindow(this->Window);
   this->Picture->setAcceptDrops(false); // the window does that
-  vtkNew<Style> style;
+  vtkNew<vtkInteractorStyleTrackballCamera> style;
   this->Picture->interactor()->SetInteractorStyle(style);
   this->setCentralWidget(this->Picture);
   this->Picture->installEventFilter(this);
@@ -349,9 +335,16 @@ bool MainWindow::eventFilter(QObject*, QEvent* event)
       }
       return key != Qt::Key_Tab && key != Qt::Key_Backtab;
     }
+    case QEvent::MouseButtonDblClick:
+    {
+      // Whoever presses again soon wants to drag again.
+      const auto* mouse = static_cast<QMouseEvent*>(event);
+      QMouseEvent press(QEvent::MouseButtonPress, mouse->localPos(), mouse->windowPos(),
+        mouse->screenPos(), mouse->button(), mouse->buttons(), mouse->modifiers());
+      return QApplication::sendEvent(this->Picture, &press);
+    }
     case QEvent::MouseButtonPress:
     case QEvent::MouseMove:
-    case QEvent::MouseButtonDblClick:
     case QEvent::Wheel:
       // It is drawn no more than its picture is changed.
       return this->Bench.IsBuilding() || !this->Bench.Data.IsOpen();

@@ -40,10 +40,7 @@ Options ParseOptions(int argc, char* argv[], const Extension& extension)
   line.AddSetting("--session", [&options](Text, Text value) { options.Session = value; });
   line.AddSetting("--output", [&options](Text, Text value) { options.Output = value; });
   line.AddSetting("--screenshot", [&options](Text, Text value) { options.Screenshot = value; });
-  if (extension.AddOptions)
-  {
-    extension.AddOptions(line);
-  }
+  extension.AddOptions(line);
   line.Parse({ argv + 1, argv + argc });
   if (IsSessionName(options.Source.Path))
   {
@@ -115,10 +112,7 @@ void Run(const Options& options, int argc, char* argv[], const Extension& extens
     options.From, options.Up);
   MainWindow window(bench);
   window.resize(QSize(options.Width, options.Height) / window.devicePixelRatioF());
-  if (extension.Begin)
-  {
-    extension.Begin(window, bench);
-  }
+  extension.Begin(window, bench);
   std::string failure;
   bench.OnRefused = [&failure](const std::string& sentence)
   {
@@ -134,7 +128,7 @@ void Run(const Options& options, int argc, char* argv[], const Extension& extens
       std::printf("Screenshot: %s\n", Printable(options.Screenshot).c_str());
       window.close();
     }
-    else if (extension.First)
+    else
     {
       extension.First(window, bench);
     }

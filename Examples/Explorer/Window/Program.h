@@ -13,9 +13,11 @@ class Workbench;
 // What tests add to the program.
 struct Extension
 {
-  std::function<void(CommandLine& line)> AddOptions;
-  std::function<void(MainWindow& window, Workbench& bench)> Begin; // before anything is opened
-  std::function<void(MainWindow& window, Workbench& bench)> First; // once something is seen
+  using Hook = std::function<void(MainWindow& window, Workbench& bench)>;
+
+  std::function<void(CommandLine& line)> AddOptions = [](CommandLine&) {};
+  Hook Begin = [](MainWindow&, Workbench&) {}; // before anything is opened
+  Hook First = [](MainWindow&, Workbench&) {}; // once something is seen
 };
 
 // The Explorer as the command line says. Returns the exit status.

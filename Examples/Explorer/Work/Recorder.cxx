@@ -83,27 +83,30 @@ void Recorder::Start(const std::string& format)
 
 void Recorder::Add(vtkImageData* picture)
 {
+  const fs::path target = std::exchange(this->Target, {}); // a recording that fails ends
   ++this->Frames;
   if (!this->Film)
   {
-    WritePng(picture, (this->Target / Numbered("frame-", this->Frames, ".png")).string(), Remedy);
-    return;
+    WritePng(picture, (target / Numbered("frame-", this->Frames, ".png")).string(), Remedy);
   }
 #ifdef EXPLORER_HAS_THEORA
-  const Silence silence;
-  auto* film = vtkOggTheoraWriter::SafeDownCast(this->Film);
-  film->SetInputData(picture);
-  if (this->Frames == 1)
+  if (auto* film = vtkOggTheoraWriter::SafeDownCast(this->Film))
   {
-    film->Start();
-  }
-  film->Write();
-  if (film->GetError() != 0 || silence.HeardErrors())
-  {
-    throw UserError("The film " + Quoted(this->Target.string()) +
-      " could not be written; make room, or " + Remedy + ".");
+    const Silence silence;
+    film->SetInputData(picture);
+    if (this->Frames == 1)
+    {
+      film->Start();
+    }
+    film->Write();
+    if (film->GetError() != 0 || silence.HeardErrors())
+    {
+      throw UserError("The film " + Quoted(target.string()) +
+        " could not be written; make room, or " + Remedy + ".");
+    }
   }
 #endif
+  this->Target = target;
 }
 
 std::string Recorder::Stop()

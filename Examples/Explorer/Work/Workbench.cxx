@@ -139,15 +139,7 @@ void Workbench::OnFrameEnd()
   const double ms = 1000.0 * (vtkTimerLog::GetUniversalTime() - this->FrameBegan);
   if (this->Output.IsRecording())
   {
-    try
-    {
-      this->Output.Add(this->Data.View.LastFrame());
-    }
-    catch (const UserError& mistake)
-    {
-      this->Output.Stop();
-      this->Say(mistake.what(), true);
-    }
+    this->Try([this] { this->Output.Add(this->Data.View.LastFrame()); });
   }
   emit this->FrameDrawn(ms);
 }
@@ -255,39 +247,31 @@ void Workbench::Load(Request request)
     return;
   }
   const std::string& path = request.Wanted.Source.Path;
-  const auto loaded = std::make_shared<Loaded>();
+  const std::string what = "Reading " + (path.empty() ? "four generated spheres" : path);
+  const auto shared = std::make_shared<Request>(std::move(request));
   this->Start(
-    "Reading " + (path.empty() ? "four generated spheres" : path),
-    [request, loaded](const Progress& progress) { *loaded = Model::Load(request, progress); },
-    [this, loaded] { this->Take(*loaded); });
+    what, [shared](const Progress& progress) { Model::Load(*shared, progress); },
+    [this, shared] { this->Take(*shared); });
 }
 
-void Workbench::Take(Loaded& loaded)
+void Workbench::Take(Request& loaded)
 {
   // Whoever stops does not want what was read in time, either.
   if (this->IsStopped)
   {
     throw UserError("Opening was stopped; what was shown stays.");
   }
-  const bool isOtherFile = !loaded.For.IsSameFile;
-  this->Data.Adopt(std::move(loaded));
-  if (isOtherFile)
+  this->Data.Adopt(loaded);
+  if (!loaded.IsSameFile)
   {
     this->ListenToMapper();
   }
   this->SelectedMarker = 0;
   this->Changes.clear();
-  emit this->Opened(isOtherFile);
+  emit this->Opened(!loaded.IsSameFile);
   emit this->Settled();
   this->Say(this->Data.Data().Name + ": " + this->Data.Description());
   this->RenderSoon();
-}
-
-void Workbench::Open(const Session& session)
-{
-  Request request;
-  request.Wanted = session;
-  this->Load(request);
 }
 
 void Workbench::OpenPath(const QString& name)
@@ -319,7 +303,7 @@ void Workbench::Ask(const std::function<Request()>& request)
   }
 }
 
-void Workbench::Build(const std::function<void(bool isBuilt)>& done)
+void Workbench::BuildIsomap(bool isAsked)
 {
   if (this->IsBusy() || !this->Data.IsOpen())
   {
@@ -333,23 +317,15 @@ void Workbench::Build(const std::function<void(bool isBuilt)>& done)
   this->Start(
     "Building the isomap of this view",
     [this, isBuilt](const Progress& progress) { *isBuilt = this->Data.View.BuildIsomap(progress); },
-    [this, isBuilt, done]
+    [this, isBuilt, isAsked]
     {
-      done(*isBuilt);
-      this->Render();
-    });
-}
-
-void Workbench::BuildIsomap()
-{
-  this->Build(
-    [this](bool isBuilt)
-    {
-      this->Say(this->IsStopped
+      this->Say(!isAsked ? ""
+          : this->IsStopped
           ? "The isomap was stopped; the parts that are needed are built as you drag."
-          : isBuilt ? "The isomap of this view is built: any isovalue is looked up."
-                    : "There can be no isomap here; isovalues are found without it.",
-        !isBuilt && !this->IsStopped);
+          : *isBuilt ? "The isomap of this view is built: any isovalue is looked up."
+                     : "There can be no isomap here; isovalues are found without it.",
+        isAsked && !*isBuilt && !this->IsStopped);
+      this->Render();
     });
 }
 
@@ -358,7 +334,7 @@ void Workbench::PrepareDrag()
   this->BeginGesture();
   if (this->Data.WantsIsomapAhead())
   {
-    this->Build([this](bool) { this->Say(""); });
+    this->BuildIsomap(false);
   }
 }
 

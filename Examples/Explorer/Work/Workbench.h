@@ -49,11 +49,11 @@ public:
   void Show(const Look& look);       // as it is, for undo
   void Turn(Choose::Which what, int steps);
 
-  void Open(const Session& session);
+  void Open(const Session& session) { this->Load({ session }); }
   void OpenPath(const QString& path); // a session, or a volume to be looked at likewise
   void Ask(const std::function<Request()>& request); // for another array or time step
-  void BuildIsomap();
-  void PrepareDrag(); // of an isovalue
+  void BuildIsomap(bool isAsked = true);             // else nothing is said of it
+  void PrepareDrag();                                // of an isovalue
   void Cancel() { this->IsStopped = true; }
   bool IsBusy() const { return this->Thread.joinable(); }
   const std::string& Doing() const { return this->What; } // what takes long, for people
@@ -97,8 +97,7 @@ private:
   void Start(const std::string& what, const Job& job, const std::function<void()>& done);
   void Finish(const std::exception_ptr& failure, const std::function<void()>& done);
   void Load(Request request);
-  void Take(Loaded& loaded);
-  void Build(const std::function<void(bool isBuilt)>& done);
+  void Take(Request& loaded);
   void ListenToMapper();
   void OnMessage(vtkObject*, unsigned long, void* text);
   void OnFrameBegin();

@@ -8,9 +8,11 @@
 #include <vtkCamera.h>
 #include <vtkColorTransferFunction.h>
 #include <vtkContourValues.h>
+#include <vtkMath.h>
 #include <vtkPiecewiseFunction.h>
 #include <vtkVolumeProperty.h>
 
+#include <cmath>
 #include <cstring>
 
 // As version 0.1 set up its mapper.
@@ -78,7 +80,8 @@ void ExplorerTests::SessionsAreRepeated()
   session.Settings.Nodes = { { 0.0, 0.0 }, { 50.0, 0.125, true, Rgb{ 1.0, 0.0, 0.0 } },
     { 99.0, 1.0 } };
   session.Settings.Density = 2.5;
-  session.Settings.IsClipped = session.Settings.IsCropped = session.Settings.HasShading = true;
+  session.Settings.HasShading = true;
+  session.Settings.Choices[Choose::Clipping] = session.Settings.Choices[Choose::Cropping] = 1;
   session.Settings.Clip = Plane{ { 0.0, 12.5, 0.0 }, { 0.0, 1.0, 0.0 } };
   session.Settings.Crop = { 4.5, 28.5, 0.0, 31.0, 5.0, 31.0 };
   session.Settings.Shading = { 0.1, 0.2, 0.3, 40.0 };
@@ -103,7 +106,7 @@ void ExplorerTests::SettingsAreFitted()
   look.Surfaces = { { 1e9, 7.0 }, { -1e9, -7.0 } };
   look.Nodes = { { 50.0, 2.0 }, { 40.0, -1.0 } };
   look.Crop = { 1e9, -1e9, 0.0, 0.1, -1e9, 1e9 };
-  look.IsClipped = true;
+  look.Choices[Choose::Clipping] = 1;
   look.Clip = Plane{};
   look.Shading = { -1.0, 2.0, 0.5, 1e9 };
   this->Bench->Data.SetSettings(look);
@@ -114,7 +117,8 @@ void ExplorerTests::SettingsAreFitted()
   QCOMPARE(fitted.Surfaces[0].Opacity, 1.0);
   QVERIFY(fitted.Nodes[0].Value <= fitted.Nodes[1].Value);
   QVERIFY(fitted.Crop[0] <= fitted.Crop[1]);
-  QVERIFY(!fitted.IsClipped);
+  // A plane without a direction is not drawn: another one is.
+  QVERIFY(std::abs(vtkMath::Norm(fitted.Clip.Normal.data()) - 1.0) < 1e-12);
   QCOMPARE(fitted.Shading[0], 0.0);
   this->Bench->Data.View.Picture(Width, Height);
 }

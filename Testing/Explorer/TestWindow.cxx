@@ -94,15 +94,15 @@ void ExplorerTests::PanelsShowTheModel()
 void ExplorerTests::ClippingAndCropping()
 {
   const auto whole = this->Bench->Data.View.Picture(Width, Height);
-  this->Window->findChild<QAbstractButton*>("clip")->click();
-  QVERIFY(this->Bench->Data.Settings().IsClipped);
+  this->Window->findChild<QAbstractButton*>("clipping")->click();
+  QVERIFY(this->Bench->Data.Settings().Choices[Choose::Clipping]);
   const auto clipped = this->Bench->Data.View.Picture(Width, Height);
   QVERIFY(!AreSame(whole, clipped));
-  this->Window->findChild<QAbstractButton*>("clip")->click();
+  this->Window->findChild<QAbstractButton*>("clipping")->click();
   this->Bench->Edit("cropping",
     [](Look& look)
     {
-      look.IsCropped = true;
+      look.Choices[Choose::Cropping] = 1;
       look.Crop = { 15.5, 31.0, 0.0, 31.0, 0.0, 31.0 };
     });
   const auto cropped = this->Bench->Data.View.Picture(Width, Height);

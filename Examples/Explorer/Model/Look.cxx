@@ -40,6 +40,10 @@ const std::vector<Choice>& AllChoices()
     { Choose::Drawing, "drawing", "Draw", 'D', "surfaces, or the blended volume",
       { "surfaces", "composite", "maximum", "minimum", "average", "additive" }, Panel::Surfaces,
       Data::Images },
+    { Choose::Clipping, "clipping", "Clip by a plane", 'T',
+      "clip by a plane: drag it, or its arrow, in the view", onOff, Panel::Clip },
+    { Choose::Cropping, "cropping", "Crop to a box", 'E',
+      "crop to a box: drag its sides in the view", onOff, Panel::Clip },
   };
   return choices;
 }

@@ -31,6 +31,8 @@ struct Choose
     Film,
     Gradients,
     Drawing,
+    Clipping,
+    Cropping,
     Count,
   };
 };
@@ -41,6 +43,7 @@ struct Choice
   enum class Panel
   {
     Surfaces,
+    Clip,
     Light,
     Reuse,
   };
@@ -84,9 +87,7 @@ struct Look
   std::vector<Marker> Surfaces; // one at least, once a volume is open
   std::vector<Marker> Nodes;    // in ascending order of values; two at least
   double Density = 1.0;         // of blended volumes: a hundredth of the volume is so opaque
-  bool IsClipped = false;
   Plane Clip;
-  bool IsCropped = false;
   Box Crop = { -1e300, 1e300, -1e300, 1e300, -1e300, 1e300 }; // along the data's own axes
   bool HasShading = false;                                    // of its own: not the material's
   std::array<double, 4> Shading = {};                         // ambient to power

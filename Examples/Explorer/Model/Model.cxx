@@ -177,8 +177,11 @@ Look Model::Fitted(Look look) const
   Fit(look.Nodes, range, true);
   look.Density = std::clamp(look.Density, 1e-3, 1e3);
   double* normal = look.Clip.Normal.data();
-  look.IsClipped = look.IsClipped && vtkMath::Norm(normal) < 1e15 &&
-    vtkMath::Normalize(normal) > 1e-15 && vtkMath::Norm(look.Clip.Origin.data()) < 1e15;
+  if (!(vtkMath::Norm(normal) < 1e15 && vtkMath::Normalize(normal) > 1e-15 &&
+        vtkMath::Norm(look.Clip.Origin.data()) < 1e15))
+  {
+    look.Clip = look.Choices[Choose::Clipping] != 0 ? this->View.MiddlePlane() : Plane{};
+  }
   const Box& box = this->View.DataBounds();
   for (std::size_t i = 0; i < 6; ++i)
   {

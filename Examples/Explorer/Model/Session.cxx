@@ -96,10 +96,10 @@ public:
     number = isSet ? std::optional(value) : std::nullopt;
   }
   // A line that there is only if what it says is set.
-  template <typename... Values>
-  void TakeIf(bool& isSet, Values&... values)
+  template <typename Flag, typename... Values>
+  void TakeIf(Flag& isSet, Values&... values)
   {
-    isSet = isSet || this->IsRead;
+    isSet = this->IsRead ? Flag{ 1 } : isSet;
     if (isSet)
     {
       (this->Take(values), ...);
@@ -201,8 +201,9 @@ std::vector<Field> FieldsOf(Session& session)
     { "opacity", [&](Line& line) { line.Take(look.Nodes, false); } },
     { "density", [&](Line& line) { line.Take(look.Density); } },
     { "clip",
-      [&](Line& line) { line.TakeIf(look.IsClipped, look.Clip.Origin, look.Clip.Normal); } },
-    { "crop", [&](Line& line) { line.TakeIf(look.IsCropped, look.Crop); } },
+      [&](Line& line)
+      { line.TakeIf(look.Choices[Choose::Clipping], look.Clip.Origin, look.Clip.Normal); } },
+    { "crop", [&](Line& line) { line.TakeIf(look.Choices[Choose::Cropping], look.Crop); } },
     { "shading", [&](Line& line) { line.TakeIf(look.HasShading, look.Shading); } },
   };
   for (const Choice& choice : AllChoices())

@@ -16,6 +16,7 @@
 #include <vtkDataArray.h>
 #include <vtkMath.h>
 #include <vtkPiecewiseFunction.h>
+#include <vtkVector.h>
 #include <vtkVolumeProperty.h>
 
 #include <algorithm>
@@ -214,11 +215,11 @@ void VolumeView::Apply(const Look& look)
   this->Mapper->SetColorByAnswer(choices[Choose::Answers] != 0);
   // A completed picture owes nothing to the cache: it would have no yellow.
   this->Mapper->SetRefineWhenStill(choices[Choose::Answers] == 0);
-  this->Mapper->SetCropping(look.IsCropped);
+  this->Mapper->SetCropping(choices[Choose::Cropping] != 0);
   this->Mapper->SetCroppingRegionFlagsToSubVolume();
   this->Mapper->SetCroppingRegionPlanes(look.Crop.data());
   this->Mapper->RemoveAllClippingPlanes();
-  if (look.IsClipped)
+  if (choices[Choose::Clipping] != 0)
   {
     this->Clip->SetOrigin(look.Clip.Origin.data());
     this->Clip->SetNormal(look.Clip.Normal.data());
@@ -251,6 +252,21 @@ CameraState VolumeView::Camera() const
   camera->GetViewUp(state.ViewUp.data());
   state.ViewAngle = camera->GetViewAngle();
   return state;
+}
+
+Plane VolumeView::MiddlePlane() const
+{
+  Plane plane;
+  const vtkVector3d forward(this->Renderer->GetActiveCamera()->GetDirectionOfProjection());
+  vtkVector3d right = forward.Cross(vtkVector3d(this->Renderer->GetActiveCamera()->GetViewUp()));
+  right.Normalize();
+  for (int i = 0; i < 3; ++i)
+  {
+    const auto axis = static_cast<std::size_t>(i);
+    plane.Origin[axis] = 0.5 * (this->BoundsInWorld[2 * axis] + this->BoundsInWorld[2 * axis + 1]);
+    plane.Normal[axis] = 0.8 * forward[i] - 0.6 * right[i];
+  }
+  return plane;
 }
 
 void VolumeView::SetCamera(const CameraState& state)

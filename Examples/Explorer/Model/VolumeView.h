@@ -41,6 +41,8 @@ public:
   // All of the volume is seen; the axes are those of the command line.
   void LookFrom(const std::string& from, const std::string& up);
   CameraState Camera() const;
+  // Through the middle, slantwise: the volume is open to the viewer, and the plane can be seen.
+  Plane MiddlePlane() const;
   void SetCamera(const CameraState& camera);
 
   // For all isovalues in this view. False if it was stopped, or if there can be none.

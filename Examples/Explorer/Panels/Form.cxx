@@ -127,28 +127,6 @@ void Form::AddChoice(const Choice& choice)
   widget->setObjectName(choice.Name);
 }
 
-void Form::AddSwitch(const QString& label, const QString& help, const QString& name,
-  bool Look::*isOn, const std::function<void(Look&)>& begin)
-{
-  auto* check = new QCheckBox(label);
-  check->setObjectName(name);
-  QObject::connect(check, &QCheckBox::clicked,
-    [=](bool isChecked)
-    {
-      this->Bench.EditOnce(label,
-        [&](Look& look)
-        {
-          look.*isOn = isChecked;
-          if (isChecked && begin)
-          {
-            begin(look);
-          }
-        });
-    });
-  this->OnChange([=] { check->setChecked(this->Bench.Data.Settings().*isOn); });
-  this->Add(check, help);
-}
-
 void Form::AddSlider(const QString& label, const QString& help, double most, const Get& get,
   const Set& set, const Test& isUseful)
 {

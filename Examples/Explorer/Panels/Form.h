@@ -25,9 +25,6 @@ public:
 
   void AddChoice(const Choice& choice);
   void AddChoices(Choice::Panel panel);
-  // begin: what else to do when it is switched on.
-  void AddSwitch(const QString& label, const QString& help, const QString& name, bool Look::*isOn,
-    const std::function<void(Look&)>& begin = nullptr);
   void AddSlider(const QString& label, const QString& help, double most, const Get& get,
     const Set& set, const Test& isUseful = nullptr);
   // Side by side. Without an action of the menu's, one is made.

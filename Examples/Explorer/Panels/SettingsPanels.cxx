@@ -4,43 +4,10 @@
 #include "Panels/Form.h"
 #include "Panels/Panels.h"
 
-#include <vtkVector.h>
-#include <vtkVectorOperators.h>
+#include <vtkCamera.h>
+#include <vtkMath.h>
 
-#include <array>
-
-namespace
-{
-
-Point AlongView(const CameraState& camera)
-{
-  vtkVector3d along = vtkVector3d(camera.FocalPoint.data()) - vtkVector3d(camera.Position.data());
-  along.Normalize();
-  return { along[0], along[1], along[2] };
-}
-
-// Unless it was placed: through the middle, slantwise. The volume is open to the viewer, and the
-// plane can be seen.
-void PlacePlane(Look& look, const VolumeView& view)
-{
-  look.IsClipped = true;
-  if (look.Clip.Normal != Point{})
-  {
-    return;
-  }
-  const CameraState camera = view.Camera();
-  const Box& box = view.WorldBounds();
-  const Point forward = AlongView(camera);
-  vtkVector3d right = vtkVector3d(forward.data()).Cross(vtkVector3d(camera.ViewUp.data()));
-  right.Normalize();
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    look.Clip.Origin[i] = 0.5 * (box[2 * i] + box[2 * i + 1]);
-    look.Clip.Normal[i] = 0.8 * forward[i] - 0.6 * right[static_cast<int>(i)];
-  }
-}
-
-}
+#include <QAction>
 
 QWidget* MakeLightPanel(Workbench& bench)
 {
@@ -73,45 +40,37 @@ QWidget* MakeClippingPanel(Workbench& bench)
 {
   auto* form = new Form(bench);
   const VolumeView& view = bench.Data.View;
-  form->AddSwitch(QObject::tr("Clip by a plane (T)"),
-    QObject::tr("drag the plane's arrow in the view"), "clip", &Look::IsClipped,
-    [&view](Look& look) { PlacePlane(look, view); });
-  const auto turn = [&](
-                      const char* name, const char* help, const std::function<void(Point&)>& change)
+  const auto turn = [&](const char* name, const char* help, const auto& change)
   {
     return form->NewAction(QObject::tr(name), QObject::tr(help),
-      [&bench, &view, change]
+      [&bench, change]
       {
         bench.EditOnce(QObject::tr("clipping"),
           [&](Look& look)
           {
-            PlacePlane(look, view);
+            const bool isPlaced = look.Clip.Normal != Point{};
+            look.Clip = isPlaced ? look.Clip : bench.Data.View.MiddlePlane();
+            look.Choices[Choose::Clipping] = 1;
             change(look.Clip.Normal);
           });
       });
   };
-  form->AddButtons({
-    turn("X", "cut across X",
-      [](Point& normal) {
-        normal = { -1.0, 0.0, 0.0 };
-      }),
-    turn("Y", "cut across Y",
-      [](Point& normal) {
-        normal = { 0.0, -1.0, 0.0 };
-      }),
-    turn("Z", "cut across Z",
-      [](Point& normal) {
-        normal = { 0.0, 0.0, -1.0 };
-      }),
-    turn("View", "cut as seen from here",
-      [&view](Point& normal) { normal = AlongView(view.Camera()); }),
-    turn("Flip", "show the other side",
-      [](Point& normal) {
-        normal = { -normal[0], -normal[1], -normal[2] };
-      }),
-  });
-  form->AddSwitch(QObject::tr("Crop to a box (E)"), QObject::tr("drag the box's sides in the view"),
-    "crop", &Look::IsCropped);
+  const auto across = [](std::size_t axis)
+  {
+    return [axis](Point& normal)
+    {
+      normal = {};
+      normal[axis] = -1.0;
+    };
+  };
+  const auto alongView = [&view](Point& normal)
+  { view.Renderer->GetActiveCamera()->GetDirectionOfProjection(normal.data()); };
+  const auto flip = [](Point& normal) { vtkMath::MultiplyScalar(normal.data(), -1.0); };
+  form->AddChoice(AllChoices()[Choose::Clipping]);
+  form->AddButtons({ turn("X", "cut across X", across(0)), turn("Y", "cut across Y", across(1)),
+    turn("Z", "cut across Z", across(2)), turn("View", "cut as seen from here", alongView),
+    turn("Flip", "show the other side", flip) });
+  form->AddChoice(AllChoices()[Choose::Cropping]);
   const std::array<const char*, 6> sides = { "X from", "X to", "Y from", "Y to", "Z from", "Z to" };
   for (std::size_t i = 0; i < sides.size(); ++i)
   {
@@ -126,7 +85,7 @@ QWidget* MakeClippingPanel(Workbench& bench)
       [&view, i, from](Look& look, double share)
       {
         const Box& box = view.DataBounds();
-        look.IsCropped = true;
+        look.Choices[Choose::Cropping] = 1;
         look.Crop[i] = box[from] + share * (box[from + 1] - box[from]);
       });
   }

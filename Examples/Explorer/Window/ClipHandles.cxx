@@ -62,14 +62,14 @@ void ClipHandles::Show()
     return;
   }
   const Look& look = this->Bench.Data.Settings();
-  if (look.IsClipped)
+  if (look.Choices[Choose::Clipping] != 0)
   {
     Plane plane = look.Clip;
     this->PlaneShape->SetOrigin(plane.Origin.data());
     this->PlaneShape->SetNormal(plane.Normal.data());
   }
-  this->PlaneWidget->SetEnabled(look.IsClipped);
-  if (look.IsCropped)
+  this->PlaneWidget->SetEnabled(look.Choices[Choose::Clipping] != 0);
+  if (look.Choices[Choose::Cropping] != 0)
   {
     // From the whole box to the part of it, and to where the data lie in the world.
     const Box& crop = look.Crop;
@@ -85,7 +85,7 @@ void ClipHandles::Show()
     transform->Translate(-box[0], -box[2], -box[4]);
     this->BoxShape->SetTransform(transform);
   }
-  this->BoxWidget->SetEnabled(look.IsCropped);
+  this->BoxWidget->SetEnabled(look.Choices[Choose::Cropping] != 0);
 }
 
 void ClipHandles::TakePlane()

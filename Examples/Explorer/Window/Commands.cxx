@@ -39,11 +39,6 @@ void ShowKeys(QMainWindow& window, Workbench&)
   window.findChild<QDockWidget*>("Keys")->toggleViewAction()->trigger();
 }
 
-void Click(QMainWindow& window, const char* button)
-{
-  window.findChild<QAbstractButton*>(button)->click();
-}
-
 void Step(Workbench& bench, int steps)
 {
   bench.Ask([&] { return bench.Data.OtherTimeStep(bench.Data.State().Source.TimeStep + steps); });
@@ -83,10 +78,6 @@ const std::vector<Command>& AllCommands()
       Need::Data, [](W&, B& bench) { bench.AddMarker(); } },
     { "&Edit", "&Remove Surface", "Ctrl+D; -", "remove the selected surface, or node",
       Need::Removable, [](W&, B& bench) { bench.RemoveMarker(); } },
-    { "&Edit", "&Clip by a Plane", "T", "cut by a plane that is dragged in the view", Need::Data,
-      [](W& window, B&) { Click(window, "clip"); } },
-    { "&Edit", "C&rop to a Box", "E", "crop to a box whose sides are dragged", Need::Data,
-      [](W& window, B&) { Click(window, "crop"); } },
     { "&View", "&Reset", "H", "see all of the volume", Need::Data, ResetView },
     { "&View", "&Upside Down", "U", "turn the picture by half a turn", Need::Data, TurnUpsideDown },
     { "&View", "&Full Screen", "F11", "fill the screen, and back", Need::Nothing,
@@ -100,7 +91,7 @@ const std::vector<Command>& AllCommands()
     { "&Data", "&Later Time Step", ".", "the next time step", Need::Nothing,
       [](W&, B& bench) { Step(bench, 1); } },
     { "&Data", "&Play", "Space", "play time steps, and pause", Need::Steps,
-      [](W& window, B&) { Click(window, "play"); } },
+      [](W& window, B&) { window.findChild<QAbstractButton*>("play")->click(); } },
     { "&Data", "&Stop", "Esc", "stop what takes long; leave the full screen", Need::Nothing, Stop },
     { "&Help", "&Keys", "?; F1", "show or hide all keys", Need::Nothing, ShowKeys },
   };

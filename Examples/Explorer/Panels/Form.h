@@ -8,7 +8,6 @@
 #include <QColor>
 #include <QWidget>
 
-class QAbstractButton;
 class QAction;
 class QFormLayout;
 
@@ -18,7 +17,6 @@ class Form : public QWidget
 public:
   using Get = std::function<double(const Look&)>;
   using Set = std::function<void(Look&, double)>;
-
   using Test = std::function<bool()>;
 
   explicit Form(Workbench& bench);
@@ -27,8 +25,7 @@ public:
   void AddChoices(Choice::Panel panel);
   void AddSlider(const QString& label, const QString& help, double most, const Get& get,
     const Set& set, const Test& isUseful = nullptr);
-  // Side by side. Without an action of the menu's, one is made.
-  void AddButtons(const QList<QAction*>& actions);
+  void AddButtons(const QList<QAction*>& actions); // side by side
   QAction* NewAction(const QString& label, const QString& help, const std::function<void()>& act);
   // Over the whole width where there is no label. Seen while it is useful.
   void Add(QWidget* widget, const QString& help = "", const QString& label = "",

@@ -84,7 +84,7 @@ public:
 
   QSize sizeHint() const override
   {
-    constexpr int rows = 3; // those of more are scrolled to
+    constexpr int rows = 2; // those of more are scrolled to
     return { 18 * this->fontMetrics().height(),
       this->horizontalHeader()->sizeHint().height() +
         rows * this->verticalHeader()->defaultSectionSize() + 2 * this->frameWidth() };

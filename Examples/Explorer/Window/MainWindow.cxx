@@ -194,7 +194,7 @@ void MainWindow::MakeDocks()
   this->setTabPosition(right, QTabWidget::North);
   QWidget* markers = MakeMarkersPanel(
     this->Bench, { this->Actions["Add Surface"], this->Actions["Remove Surface"] });
-  QDockWidget* surfaces = this->AddDock(right, tr("Surfaces"), markers, true);
+  QDockWidget* surfaces = this->AddDock(right, tr("Surfaces"), markers, false);
   QDockWidget* clip = this->AddDock(right, tr("Clip"), MakeClippingPanel(this->Bench), false);
   QDockWidget* light = this->AddDock(right, tr("Light"), MakeLightPanel(this->Bench), false);
   QDockWidget* reuse = this->AddDock(right, tr("Re-use"), MakeReusePanel(this->Bench), false);
@@ -214,8 +214,8 @@ void MainWindow::MakeDocks()
     QTimer::singleShot(0, this,
       [=]
       {
-        const int height =
-          markers->sizeHint().height() + surfaces->height() - surfaces->widget()->height();
+        const int title = 2 * this->fontMetrics().height();
+        const int height = markers->sizeHint().height() + title;
         this->resizeDocks({ surfaces, clip }, { height, this->height() - height }, Qt::Vertical);
       });
   }
@@ -294,6 +294,10 @@ void MainWindow::ShowState()
         (command.Needs == Need::Removable && isOpen && this->Bench.CanRemove()));
     }
   }
+  const bool areSurfaces = !isOpen || this->Bench.Data.DrawsSurfaces();
+  this->Actions["Add Surface"]->setText(areSurfaces ? tr("&Add Surface") : tr("&Add Node"));
+  this->Actions["Remove Surface"]->setText(
+    areSurfaces ? tr("&Remove Surface") : tr("&Remove Node"));
   this->Actions["Record"]->setText(
     this->Bench.Output.IsRecording() ? tr("&End Recording") : tr("&Record"));
   const auto showProgress = [this]

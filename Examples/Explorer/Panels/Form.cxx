@@ -4,7 +4,6 @@
 
 #include <QAction>
 #include <QCheckBox>
-#include <QColorDialog>
 #include <QComboBox>
 #include <QFormLayout>
 #include <QSlider>
@@ -27,20 +26,6 @@ QColor ToQColor(const Rgb& rgb)
 QString Short(double number)
 {
   return QString::number(number, 'g', 5);
-}
-
-void AskColor(QWidget* over, Workbench& bench)
-{
-  const Rgb before = bench.Data.View.ColorOf(bench.Markers()[bench.Selected()]);
-  const QColor color = QColorDialog::getColor(ToQColor(before), over);
-  if (color.isValid())
-  {
-    bench.BeginGesture();
-    bench.EditMarker(QObject::tr("colour"),
-      [&](Marker& marker) {
-        marker.Color = { color.redF(), color.greenF(), color.blueF() };
-      });
-  }
 }
 
 Form::Form(Workbench& bench)

@@ -39,7 +39,6 @@ private:
 
 // What panels share.
 QColor ToQColor(const Rgb& rgb);
-QString Short(double number);                   // with as many digits as tell values apart
-void AskColor(QWidget* over, Workbench& bench); // of the selected marker
+QString Short(double number); // with as many digits as tell values apart
 
 #endif

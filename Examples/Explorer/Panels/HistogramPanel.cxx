@@ -4,7 +4,6 @@
 
 #include "Panels/Form.h"
 
-#include <QMenu>
 #include <QMouseEvent>
 #include <QPaintEvent>
 #include <QPainter>
@@ -27,8 +26,9 @@ HistogramPanel::HistogramPanel(Workbench& bench)
   this->setObjectName("histogram");
   this->setAccessibleName(tr("Histogram with isovalues and opacity"));
   this->setToolTip(tr("Drag a marker: the isovalue of a surface, or a node of the opacity.\n"
-                      "Right click: another one, its colour. Double click: another node."));
+                      "Right click: its colour. Double click: another node."));
   this->setFocusPolicy(Qt::StrongFocus);
+  this->setContextMenuPolicy(Qt::ActionsContextMenu);
   this->setAttribute(Qt::WA_OpaquePaintEvent); // nothing behind it has to be drawn
   QObject::connect(&bench, &Workbench::Changed, this, &HistogramPanel::Refresh);
   QObject::connect(&bench, &Workbench::FrameDrawn, this, &HistogramPanel::Refresh);
@@ -256,12 +256,16 @@ void HistogramPanel::MoveBy(double steps, double opacity)
 
 void HistogramPanel::mousePressEvent(QMouseEvent* event)
 {
-  if (event->button() != Qt::LeftButton || !this->Bench.Data.IsOpen())
+  if (!this->Bench.Data.IsOpen())
   {
     return;
   }
   const int near = this->Nearest(event->pos());
   this->Bench.Select(near < 0 ? this->Bench.Selected() : static_cast<std::size_t>(near));
+  if (event->button() != Qt::LeftButton)
+  {
+    return;
+  }
   this->Bench.SetDragging(true);
   this->Bench.PrepareDrag();
   if (this->Bench.Data.DrawsSurfaces())
@@ -328,24 +332,4 @@ void HistogramPanel::keyPressEvent(QKeyEvent* event)
     default:
       QWidget::keyPressEvent(event);
   }
-}
-
-void HistogramPanel::contextMenuEvent(QContextMenuEvent* event)
-{
-  if (!this->Bench.Data.IsOpen())
-  {
-    return;
-  }
-  const int near = this->Nearest(event->pos());
-  Marker here = this->MarkerAt(event->pos());
-  here.Opacity = this->Bench.Data.DrawsSurfaces() ? 1.0 : here.Opacity;
-  QMenu menu;
-  menu.addAction(tr("Add one here"), [=] { this->Bench.AddMarker(here); });
-  if (near >= 0)
-  {
-    this->Bench.Select(static_cast<std::size_t>(near));
-    menu.addAction(tr("Colour..."), [this] { AskColor(this, this->Bench); });
-    menu.addAction(tr("Remove"), [this] { this->Bench.RemoveMarker(); });
-  }
-  menu.exec(event->globalPos());
 }

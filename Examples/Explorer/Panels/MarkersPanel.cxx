@@ -33,7 +33,7 @@ QIcon IconOf(const QColor& color)
 class MarkerTable : public QTableWidget
 {
 public:
-  explicit MarkerTable(Workbench& bench)
+  MarkerTable(Workbench& bench, const QList<QAction*>& colors)
     : QTableWidget(0, 3)
     , Bench(bench)
   {
@@ -46,10 +46,7 @@ public:
     this->setSelectionMode(SingleSelection);
     this->setTabKeyNavigation(false);
     this->setContextMenuPolicy(Qt::ActionsContextMenu);
-    auto* reset = new QAction(tr("Colour of the palette"), this);
-    this->addAction(reset);
-    QObject::connect(reset, &QAction::triggered, this,
-      [this] { this->Change([](Marker& marker) { marker.Color.reset(); }); });
+    this->addActions(colors);
     QObject::connect(
       this, &QTableWidget::itemChanged, this, [this](QTableWidgetItem* item) { this->Take(item); });
     QObject::connect(this, &QTableWidget::currentCellChanged, this,
@@ -92,18 +89,13 @@ public:
   QSize minimumSizeHint() const override { return this->sizeHint(); }
 
 private:
-  void Change(const std::function<void(Marker&)>& change)
-  {
-    this->Bench.BeginGesture();
-    this->Bench.EditMarker(tr("marker"), change);
-  }
-
   void Take(QTableWidgetItem* item)
   {
     bool isNumber = false;
     const double number = QString(item->text()).remove('%').trimmed().toDouble(&isNumber);
     this->Bench.Select(static_cast<std::size_t>(item->row()));
-    this->Change(
+    this->Bench.BeginGesture();
+    this->Bench.EditMarker(tr("marker"),
       [&](Marker& marker)
       {
         if (item->column() == Value)
@@ -129,7 +121,7 @@ private:
     }
     if (trigger & (DoubleClicked | EditKeyPressed))
     {
-      AskColor(this, this->Bench);
+      this->actions().front()->trigger();
     }
     return false;
   }
@@ -140,14 +132,15 @@ private:
 }
 
 // What the menu has for surfaces, where they are seen.
-QWidget* MakeMarkersPanel(Workbench& bench, const QList<QAction*>& actions)
+QWidget* MakeMarkersPanel(
+  Workbench& bench, const QList<QAction*>& buttons, const QList<QAction*>& colors)
 {
   auto* form = new Form(bench);
-  auto* table = new MarkerTable(bench);
+  auto* table = new MarkerTable(bench, colors);
   form->AddChoice(AllChoices()[Choose::Drawing]);
   form->Add(table);
   form->OnChange([table] { table->Refresh(); });
-  form->AddButtons(actions);
+  form->AddButtons(buttons);
   form->AddSlider(
     QObject::tr("Opacity"), QObject::tr("of the selected surface: less is see-through"), 1.0,
     [&bench](const Look&) { return bench.Markers()[bench.Selected()].Opacity; },

@@ -10,7 +10,9 @@ class QWidget;
 class Workbench;
 
 // The parts of the window beside the view. Each shows the model's state when that changes.
-QWidget* MakeMarkersPanel(Workbench& bench, const QList<QAction*>& actions);
+// buttons: beside the table; colors: what a double click on a colour does, and more.
+QWidget* MakeMarkersPanel(
+  Workbench& bench, const QList<QAction*>& buttons, const QList<QAction*>& colors);
 QWidget* MakeLightPanel(Workbench& bench);
 QWidget* MakeClippingPanel(Workbench& bench);
 QWidget* MakeReusePanel(Workbench& bench);

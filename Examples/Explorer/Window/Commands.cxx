@@ -22,6 +22,12 @@ void Stop(QMainWindow& window, Workbench& bench)
   window.setWindowState(window.windowState() & ~Qt::WindowFullScreen);
 }
 
+void ForgetColor(QMainWindow&, Workbench& bench)
+{
+  bench.BeginGesture();
+  bench.EditMarker(QObject::tr("colour"), [](Marker& marker) { marker.Color.reset(); });
+}
+
 void ResetView(QMainWindow&, Workbench& bench)
 {
   bench.Data.ResetView();
@@ -78,6 +84,9 @@ const std::vector<Command>& AllCommands()
       Need::Data, [](W&, B& bench) { bench.AddMarker(); } },
     { "&Edit", "&Remove Surface", "Ctrl+D; -", "remove the selected surface, or node",
       Need::Removable, [](W&, B& bench) { bench.RemoveMarker(); } },
+    { "&Edit", "&Colour...", "", "colour of the selected surface, or node", Need::Data, AskColor },
+    { "&Edit", "Colour of &Palette", "", "the colour that the palette has for its value",
+      Need::Data, ForgetColor },
     { "&View", "&Reset", "H", "see all of the volume", Need::Data, ResetView },
     { "&View", "&Upside Down", "U", "turn the picture by half a turn", Need::Data, TurnUpsideDown },
     { "&View", "&Full Screen", "F11", "fill the screen, and back", Need::Nothing,
@@ -107,12 +116,16 @@ std::vector<std::pair<std::string, std::string>> AllKeys()
     { "Left, Right", "isovalue by 1/256 of the range; Shift: by 10/256" },
     { "Page Up, Page Down", "in the histogram: the marker before, the next one" },
     { "Insert, Delete", "in the histogram: add or remove a marker" },
+    { "right click", "in the histogram and on its table: the colour of a marker" },
     { "Shift + key", "of a setting: the value before" },
     { "drop a file", "open it" },
   };
   for (const Command& command : AllCommands())
   {
-    keys.emplace_back(command.Keys, command.Help);
+    if (command.Keys[0])
+    {
+      keys.emplace_back(command.Keys, command.Help);
+    }
   }
   for (const Choice& choice : AllChoices())
   {

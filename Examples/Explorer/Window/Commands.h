@@ -25,7 +25,7 @@ struct Command
 
   const char* Menu;
   const char* Name;
-  const char* Keys; // the first is shown
+  const char* Keys; // the first is shown; may be none
   const char* Help;
   Need Needs;
   void (*Do)(QMainWindow& window, Workbench& bench);

@@ -8,6 +8,7 @@
 
 #include <vtkCamera.h>
 
+#include <QColorDialog>
 #include <QComboBox>
 #include <QDialog>
 #include <QDialogButtonBox>
@@ -137,6 +138,20 @@ void AskSaveSession(QMainWindow& window, Workbench& bench)
   {
     const QString suffix = path.endsWith(".session") ? "" : ".session";
     bench.SaveSession(QFile::encodeName(path + suffix).toStdString());
+  }
+}
+
+void AskColor(QMainWindow& window, Workbench& bench)
+{
+  const Rgb now = bench.Data.View.ColorOf(bench.Markers()[bench.Selected()]);
+  const QColor color = QColorDialog::getColor(QColor::fromRgbF(now[0], now[1], now[2]), &window);
+  if (color.isValid())
+  {
+    bench.BeginGesture();
+    bench.EditMarker(QObject::tr("colour"),
+      [&](Marker& marker) {
+        marker.Color = { color.redF(), color.greenF(), color.blueF() };
+      });
   }
 }
 

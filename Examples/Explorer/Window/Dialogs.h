@@ -12,6 +12,7 @@ class Workbench;
 void AskOpen(QMainWindow& window, Workbench& bench);
 void AskOpenFolder(QMainWindow& window, Workbench& bench);
 void AskSaveSession(QMainWindow& window, Workbench& bench);
+void AskColor(QMainWindow& window, Workbench& bench); // of the selected marker
 void AskPicture(QMainWindow& window, Workbench& bench);
 void AskFilm(QMainWindow& window, Workbench& bench);
 void SavePictureOfWindow(QMainWindow& window, Workbench& bench);

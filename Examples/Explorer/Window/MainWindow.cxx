@@ -192,8 +192,10 @@ void MainWindow::MakeDocks()
   this->setDockNestingEnabled(true);
   this->setCorner(Qt::BottomRightCorner, right);
   this->setTabPosition(right, QTabWidget::North);
-  QWidget* markers = MakeMarkersPanel(
-    this->Bench, { this->Actions["Add Surface"], this->Actions["Remove Surface"] });
+  const QList<QAction*> buttons = { this->Actions["Add Surface"], this->Actions["Remove Surface"] };
+  const QList<QAction*> colors = { this->Actions["Colour..."], this->Actions["Colour of Palette"] };
+  this->Samples->addActions(buttons + colors);
+  QWidget* markers = MakeMarkersPanel(this->Bench, buttons, colors);
   QDockWidget* surfaces = this->AddDock(right, tr("Surfaces"), markers, false);
   QDockWidget* clip = this->AddDock(right, tr("Clip"), MakeClippingPanel(this->Bench), false);
   QDockWidget* light = this->AddDock(right, tr("Light"), MakeLightPanel(this->Bench), false);

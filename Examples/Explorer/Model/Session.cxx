@@ -31,6 +31,14 @@ std::string Trimmed(const std::string& text)
   return begin == std::string::npos ? "" : text.substr(begin, end - begin + 1);
 }
 
+void Expect(bool isUnderstood)
+{
+  if (!isUnderstood)
+  {
+    throw std::invalid_argument("line");
+  }
+}
+
 // What a line says: values are taken from its text or, if there is none yet, put into it.
 class Line
 {
@@ -45,39 +53,35 @@ public:
   void Take(double& number)
   {
     std::string word;
-    if (!this->IsRead)
+    if (this->IsRead)
     {
-      this->Text << (this->Text.tellp() > 0 ? " " : "") << number;
+      Expect(this->Text >> word && IsNumber(word, number));
+      return;
     }
-    else if (!(this->Text >> word) || !IsNumber(word, number))
-    {
-      throw std::invalid_argument(word);
-    }
+    this->Text << (this->Text.tellp() > 0 ? " " : "") << number;
   }
   void Take(int& number, int least, int most)
   {
     double value = number;
     this->Take(value);
     number = static_cast<int>(std::clamp(value, 1.0 * least, 1.0 * most));
-    if (number != value)
-    {
-      throw std::out_of_range("number");
-    }
+    Expect(number == value);
   }
   void Take(std::string& text) // to the end
   {
-    this->IsRead ? static_cast<void>(std::getline(this->Text >> std::ws, text))
-                 : static_cast<void>(this->Text << text);
+    if (this->IsRead)
+    {
+      std::getline(this->Text >> std::ws, text);
+      return;
+    }
+    this->Text << text;
   }
   void Take(int& index, const std::vector<const char*>& words)
   {
     std::string word = words[static_cast<std::size_t>(index)];
     this->Take(word);
     const auto at = std::find(words.begin(), words.end(), word);
-    if (at == words.end())
-    {
-      throw std::invalid_argument(word);
-    }
+    Expect(at != words.end());
     index = static_cast<int>(at - words.begin());
   }
   template <std::size_t Count>
@@ -132,14 +136,7 @@ public:
     }
   }
 
-  // There must be no more.
-  void End()
-  {
-    if (this->HasMore())
-    {
-      throw std::invalid_argument("more");
-    }
-  }
+  void End() { Expect(!this->HasMore()); }
   std::string Written() const { return this->Text.str(); }
   const bool IsRead = false;
 
@@ -220,10 +217,7 @@ void TakeLine(const std::string& text, const std::vector<Field>& fields)
   const std::string key = Trimmed(text.substr(0, equals));
   const auto field = std::find_if(
     fields.begin(), fields.end(), [&key](const Field& other) { return other.Key == key; });
-  if (field == fields.end())
-  {
-    throw std::invalid_argument(text);
-  }
+  Expect(field != fields.end());
   Line line(Trimmed(text.substr(equals + 1)));
   field->Take(line);
   line.End();

@@ -31,7 +31,14 @@ HistogramPanel::HistogramPanel(Workbench& bench)
   this->setContextMenuPolicy(Qt::ActionsContextMenu);
   this->setAttribute(Qt::WA_OpaquePaintEvent); // nothing behind it has to be drawn
   QObject::connect(&bench, &Workbench::Changed, this, &HistogramPanel::Refresh);
-  QObject::connect(&bench, &Workbench::FrameDrawn, this, &HistogramPanel::Refresh);
+  QObject::connect(&bench, &Workbench::FrameDrawn, this,
+    [this]
+    {
+      if (this->IsLate)
+      {
+        this->Refresh();
+      }
+    });
   QObject::connect(&bench, &Workbench::Opened, this, &HistogramPanel::Refresh);
 }
 
@@ -96,7 +103,8 @@ int HistogramPanel::Nearest(const QPoint& place) const
 // With the frame that is due: the window is drawn once for both.
 void HistogramPanel::Refresh()
 {
-  if (!this->Bench.IsRenderDue() || this->Bench.IsBuilding())
+  this->IsLate = this->Bench.IsRenderDue() && !this->Bench.IsBuilding();
+  if (!this->IsLate)
   {
     this->update();
   }
@@ -110,7 +118,9 @@ void HistogramPanel::MakeBars()
   const std::size_t count = counted.Bins.size();
   const double most = *std::max_element(counted.Bins.begin(), counted.Bins.end());
   std::vector<double> of = counted.Bins;
-  of.insert(of.end(), { 1.0 * plot.width(), 1.0 * plot.height(), this->devicePixelRatioF() });
+  const QColor ground = this->palette().color(QPalette::Window);
+  of.insert(of.end(),
+    { 1.0 * plot.width(), 1.0 * plot.height(), this->devicePixelRatioF(), 1.0 * ground.rgb() });
   std::vector<QColor> colors;
   for (std::size_t bin = 0; bin < count; ++bin)
   {
@@ -126,7 +136,7 @@ void HistogramPanel::MakeBars()
   }
   this->Bars = QPixmap(this->size() * this->devicePixelRatioF());
   this->Bars.setDevicePixelRatio(this->devicePixelRatioF());
-  this->Bars.fill(Qt::transparent);
+  this->Bars.fill(ground);
   QPainter painter(&this->Bars);
   for (int x = 0; x < plot.width(); ++x)
   {

@@ -43,6 +43,7 @@ private:
   void MoveBy(double steps, double opacity);
 
   Workbench& Bench;
+  bool IsLate = false; // until the next frame
   QPixmap Bars;
   std::vector<double> BarsOf; // what they were made of
 };

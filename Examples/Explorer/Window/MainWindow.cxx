@@ -78,7 +78,8 @@ void MainWindow::MakeView()
   this->Picture->setAccessibleName(tr("View of the volume"));
   this->Window->SetMultiSamples(0); // the picture is ray cast; samples would only cost
   this->Picture->setRenderWindow(this->Window);
-  this->Picture->setAcceptDrops(false); // the window does that
+  this->Picture->setAcceptDrops(false);                 // the window does that
+  this->Picture->setAttribute(Qt::WA_OpaquePaintEvent); // nothing behind it has to be drawn
   vtkNew<vtkInteractorStyleTrackballCamera> style;
   this->Picture->interactor()->SetInteractorStyle(style);
   this->setCentralWidget(this->Picture);

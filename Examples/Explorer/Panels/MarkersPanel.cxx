@@ -55,6 +55,10 @@ public:
 
   void Refresh()
   {
+    if (this->state() == EditingState)
+    {
+      return; // what is typed comes first
+    }
     const QSignalBlocker blocker(this);
     const bool areSurfaces = this->Bench.Data.DrawsSurfaces();
     this->setHorizontalHeaderLabels(

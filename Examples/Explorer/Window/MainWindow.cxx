@@ -348,7 +348,8 @@ bool MainWindow::eventFilter(QObject*, QEvent* event)
       const auto* mouse = static_cast<QMouseEvent*>(event);
       QMouseEvent press(QEvent::MouseButtonPress, mouse->localPos(), mouse->windowPos(),
         mouse->screenPos(), mouse->button(), mouse->buttons(), mouse->modifiers());
-      return QApplication::sendEvent(this->Picture, &press);
+      QApplication::sendEvent(this->Picture, &press);
+      return true;
     }
     case QEvent::MouseButtonPress:
     case QEvent::MouseMove:

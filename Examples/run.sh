@@ -50,7 +50,7 @@ head_isovalue=45 # skin
 # Options of the program that a value follows: the value is not the name of a volume.
 takes_value()
 {
-  [[ $1 =~ ^--(size|frames|output|isovalue|from|up|array|time-step|raw|spheres|session|log|screenshot|measure-drag)$ ]]
+  [[ $1 =~ ^--(size|frames|output|isovalue|from|up|array|time-step|raw|spheres|session|screenshot)$ ]]
 }
 
 program=OrbitAndSweep

@@ -58,6 +58,8 @@ find_program(drop_in DropIn PATHS "${SCRATCH}/DropIn" PATH_SUFFIXES "${CONFIGURA
 if (HAS_EXPLORER)
   find_program(explorer Explorer PATHS "${SCRATCH}/Explorer" PATH_SUFFIXES "${CONFIGURATION}"
     NO_DEFAULT_PATH REQUIRED)
+  find_program(scripted ScriptedExplorer PATHS "${SCRATCH}/Explorer"
+    PATH_SUFFIXES "${CONFIGURATION}" NO_DEFAULT_PATH REQUIRED)
 endif ()
 find_program(orbit_and_sweep OrbitAndSweep PATHS "${SCRATCH}/OrbitAndSweep"
   PATH_SUFFIXES "${CONFIGURATION}" NO_DEFAULT_PATH REQUIRED)
@@ -138,7 +140,9 @@ expect_refusal("cannot be made or written" --spheres 16 --output "${SCRATCH}/not
 expect_refusal_of_explorer("needs a display" --spheres 16)
 expect_refusal_of_explorer("There is no session" --session "${SCRATCH}/missing.session")
 expect_refusal_of_explorer("no session of this program" --session "${SCRATCH}/notes.txt")
-expect_refusal_of_explorer("--measure-drag takes" --measure-drag none)
+if (HAS_EXPLORER)
+  expect_refusal_of("${scripted}" "--measure-drag takes" --measure-drag none)
+endif ()
 # What is cited is shown, not obeyed.
 set(obeyed "${escape}[2J${escape}c")
 string(REPEAT "long" 10000 long)

@@ -3,7 +3,7 @@
 #include "ExplorerTests.h"
 
 #include "Program/UserError.h"
-#include "Window/Display.h"
+#include "Window/Program.h"
 
 #include <QFile>
 #include <QSettings>
@@ -71,9 +71,7 @@ void ExplorerTests::initTestCase()
 
 void ExplorerTests::init()
 {
-  Options options;
-  options.OutputDirectory = this->Directory.path().toStdString();
-  this->Bench = std::make_unique<Workbench>(options);
+  this->Bench = std::make_unique<Workbench>(this->Directory.path().toStdString());
   this->Window = std::make_unique<MainWindow>(*this->Bench);
   this->Window->resize(900, 700);
   this->Window->show();

@@ -22,8 +22,8 @@ void ExplorerTests::TheHistogramMovesIsovalues()
   QTest::mouseMove(histogram, histogram->PlaceOf(1.0));
   QTest::mouseRelease(histogram, Qt::LeftButton, {}, histogram->PlaceOf(1.0));
   QTRY_VERIFY_WITH_TIMEOUT(!this->Bench->IsBusy(), Patience);
-  const double step = this->Bench->Data.StepOfIsovalues();
-  this->Bench->Edit("isovalue", [](Look& look) { look.Surfaces[0].Isovalue = 100.0; });
+  const double step = this->Bench->Data.StepOfValues();
+  this->Bench->Edit("isovalue", [](Look& look) { look.Surfaces[0].Value = 100.0; });
   QTest::keyClick(histogram, Qt::Key_Right);
   QCOMPARE(isovalue(), 100.0 + step);
   QTest::keyClick(histogram, Qt::Key_Left, Qt::ShiftModifier);
@@ -48,7 +48,7 @@ void ExplorerTests::TheHistogramMovesOpacities()
 {
   HistogramPanel* histogram = this->Window->Histogram();
   this->Bench->Turn(Choose::Drawing, 1);
-  const auto nodes = [this]() -> const std::vector<Node>&
+  const auto nodes = [this]() -> const std::vector<Marker>&
   { return this->Bench->Data.Settings().Nodes; };
   const std::size_t before = nodes().size();
   QTest::mouseDClick(histogram, Qt::LeftButton, {}, histogram->PlaceOf(0.75));
@@ -67,7 +67,7 @@ void ExplorerTests::TheTableChangesSurfaces()
   QTRY_COMPARE_WITH_TIMEOUT(table->rowCount(), 1, Patience);
   const auto surface = [this] { return this->Bench->Data.Settings().Surfaces[0]; };
   table->item(0, 0)->setText("90");
-  QCOMPARE(surface().Isovalue, 90.0);
+  QCOMPARE(surface().Value, 90.0);
   table->item(0, 0)->setCheckState(Qt::Unchecked);
   QVERIFY(!surface().IsVisible);
   table->item(0, 2)->setText("40 %");
@@ -86,7 +86,7 @@ void ExplorerTests::PanelsShowTheModel()
   auto* isomap = this->Window->findChild<QAbstractButton*>("isomap");
   QTRY_VERIFY_WITH_TIMEOUT(isomap->isChecked(), Patience);
   isomap->click();
-  QVERIFY(!this->Bench->Data.Settings().Choices.IsOn(Choose::Isomap));
+  QVERIFY(!this->Bench->Data.Settings().Choices[Choose::Isomap]);
   // Meshes have normals of their own, and surfaces only.
   QVERIFY(!this->Window->findChild<QComboBox*>("gradients")->isVisibleTo(this->Window.get()));
 }
@@ -94,14 +94,16 @@ void ExplorerTests::PanelsShowTheModel()
 void ExplorerTests::ClippingAndCropping()
 {
   const auto whole = this->Bench->Data.View.Picture(Width, Height);
-  this->Window->findChild<QAbstractButton*>("clip")->click();
-  QVERIFY(this->Bench->Data.Settings().Clip.has_value());
+  this->Window->findChild<QAbstractButton*>("clipping")->click();
+  QVERIFY(this->Bench->Data.Settings().Choices[Choose::Clipping]);
   const auto clipped = this->Bench->Data.View.Picture(Width, Height);
   QVERIFY(!AreSame(whole, clipped));
-  this->Window->findChild<QAbstractButton*>("clip")->click();
+  this->Window->findChild<QAbstractButton*>("clipping")->click();
   this->Bench->Edit("cropping",
-    [](Look& look) {
-      look.Crop = std::array<double, 6>{ 15.5, 31.0, 0.0, 31.0, 0.0, 31.0 };
+    [](Look& look)
+    {
+      look.Choices[Choose::Cropping] = 1;
+      look.Crop = { 15.5, 31.0, 0.0, 31.0, 0.0, 31.0 };
     });
   const auto cropped = this->Bench->Data.View.Picture(Width, Height);
   QVERIFY(!AreSame(whole, cropped));
@@ -153,6 +155,7 @@ void ExplorerTests::NothingIsCutOff()
     QApplication::setFont(font);
     this->cleanup();
     this->init();
+    QVERIFY2(this->Window->minimumSizeHint().height() <= 500, "too high for a small screen");
     for (const QWidget* widget : this->Window->findChildren<QWidget*>())
     {
       const bool hasText = qobject_cast<const QLabel*>(widget) ||
@@ -177,7 +180,7 @@ void ExplorerTests::NamesOfAllScripts()
   const QString name = QString::fromUtf8("球 كرة.vtu");
   Write(this->Directory.filePath(name), TimeSeries());
   QSignalSpy opened(this->Bench.get(), &Workbench::Opened);
-  this->Bench->OpenPath(this->Directory.filePath(name).toStdString());
+  this->Bench->OpenPath(this->Directory.filePath(name));
   QVERIFY(opened.wait(Patience));
   QVERIFY(this->Window->windowTitle().startsWith(name));
   QVERIFY(this->Window->findChild<QLabel*>("sentence")->text().startsWith(QChar(0x200e) + name));

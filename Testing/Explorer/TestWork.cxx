@@ -57,10 +57,11 @@ void ExplorerTests::TheWindowAnswersWhileAnIsomapIsBuilt()
 void ExplorerTests::SettingsWaitForTheIsomap()
 {
   this->Bench->BuildIsomap();
-  this->Bench->Edit("isovalue", [](Look& look) { look.Surfaces[0].Isovalue = 77.0; });
+  this->Bench->Edit("isovalue", [](Look& look) { look.Surfaces[0].Value = 77.0; });
   QCOMPARE(*this->Bench->Data.State().Isovalue, 77.0);
   QTRY_VERIFY_WITH_TIMEOUT(!this->Bench->IsBusy(), Patience);
-  QCOMPARE(this->Bench->Data.View.Facts().Route, std::string("IsomapLookup"));
+  QCOMPARE(
+    std::string(this->Bench->Data.View.Mapper->GetRouteAsString()), std::string("IsomapLookup"));
 }
 
 void ExplorerTests::ChangesAreUndone()
@@ -69,7 +70,7 @@ void ExplorerTests::ChangesAreUndone()
   this->Bench->BeginGesture();
   for (const double value : { 50.0, 60.0, 70.0 })
   {
-    this->Bench->Edit("isovalue", [=](Look& look) { look.Surfaces[0].Isovalue = value; });
+    this->Bench->Edit("isovalue", [=](Look& look) { look.Surfaces[0].Value = value; });
   }
   this->Bench->Turn(Choose::Light, 1);
   QCOMPARE(this->Bench->Changes.count(), 2);
@@ -86,7 +87,7 @@ void ExplorerTests::WhatCannotBeOpenedIsTold()
 {
   Write(this->Directory.filePath("broken.vti"), "This is no XML.");
   QSignalSpy said(this->Bench.get(), &Workbench::Said);
-  this->Bench->OpenPath(this->Directory.filePath("broken.vti").toStdString());
+  this->Bench->OpenPath(this->Directory.filePath("broken.vti"));
   QTRY_VERIFY_WITH_TIMEOUT(!this->Bench->IsBusy(), Patience);
   QCOMPARE(said.count(), 1);
   QVERIFY(said[0][0].toString().contains("could not be read"));

@@ -13,7 +13,7 @@ plane that opens it, a blended volume, an orbit with the yellow overlay.
 
 usage: Testing/Explorer/pictures.sh EXPLORER DATA DIRECTORY
 
-  EXPLORER    the program, Examples/Explorer
+  EXPLORER    the program ScriptedExplorer, which is built with Examples/Explorer (EXPLORER_TESTS=ON)
   DATA        a directory with engine.vti, cthead.vti and brain.vti
   DIRECTORY   where explorer.png, explorer-clip.png, explorer-volume.png and explorer-yellow.png go
   --help      show this text

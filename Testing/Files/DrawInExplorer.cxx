@@ -33,7 +33,9 @@ void Draw(const Session& session)
   // Another isovalue takes another route.
   for (const double steps : { 0.0, 3.0, -7.0 })
   {
-    model.StepIsovalue(steps);
+    Look look = model.Settings();
+    look.Surfaces[0].Value += steps * model.StepOfValues();
+    model.SetSettings(look);
     model.View.Renderer->ResetCameraClippingRange();
     model.View.Mapper->RenderToImage(model.View.Renderer, volume, Size, Size, picture, nullptr);
   }

@@ -18,27 +18,33 @@
 namespace
 {
 
-constexpr double StepsInRange = 256.0; // one for each value of 8 bits
-constexpr std::size_t MostRows = 64;   // surfaces, nodes
-constexpr double MostOpacity = 0.6;    // of a ramp at first
+constexpr std::size_t MostMarkers = 64; // surfaces, nodes
+constexpr double MostOpacity = 0.6;     // of a ramp at first
 
 // Nothing below the isovalue, and ever more above.
-std::vector<Node> FirstRamp(const std::array<double, 2>& range, double isovalue)
+std::vector<Marker> FirstRamp(const std::array<double, 2>& range, double isovalue)
 {
-  const double begin = std::clamp(isovalue, range[0], range[1]);
-  std::vector<Node> ramp = { { range[0], 0.0 }, { range[1], MostOpacity } };
-  if (begin > range[0] && begin < range[1])
+  std::vector<Marker> ramp = { { range[0], 0.0 }, { range[1], MostOpacity } };
+  if (isovalue > range[0] && isovalue < range[1])
   {
-    ramp.insert(ramp.begin() + 1, { begin, 0.0 });
+    ramp.insert(ramp.begin() + 1, { isovalue, 0.0 });
   }
   return ramp;
 }
 
-void FitColor(std::optional<Rgb>& color)
+void Fit(std::vector<Marker>& markers, const std::array<double, 2>& range, bool areAscending)
 {
-  for (std::size_t i = 0; color && i < 3; ++i)
+  markers.resize(std::min(markers.size(), MostMarkers));
+  double least = range[0];
+  for (Marker& marker : markers)
   {
-    (*color)[i] = std::clamp((*color)[i], 0.0, 1.0);
+    marker.Value = std::clamp(marker.Value, least, range[1]);
+    least = areAscending ? marker.Value : least;
+    marker.Opacity = std::clamp(marker.Opacity, 0.0, 1.0);
+    for (std::size_t i = 0; marker.Color && i < 3; ++i)
+    {
+      (*marker.Color)[i] = std::clamp((*marker.Color)[i], 0.0, 1.0);
+    }
   }
 }
 
@@ -50,62 +56,58 @@ Model::Model(const std::string& from, const std::string& up)
 {
 }
 
-Loaded Model::Load(Request request, const Progress& progress)
+void Model::Load(Request& request, const Progress& progress)
 {
   Session& wanted = request.Wanted;
-  Loaded loaded;
-  // Of the whole, reading is told as the first half.
-  loaded.Data = request.Have
-    ? *request.Have
-    : ReadVolume(wanted.Source, [&](double share) { return progress(0.5 * share); });
-  ChooseArray(loaded.Data, wanted.Source.Array, wanted.Isovalue);
-  const std::vector<vtkDataArray*> arrays = ShownArrays(loaded.Data);
+  Volume& volume = request.Data;
+  if (!volume.Data)
+  {
+    // Of the whole, reading is told as the first half.
+    volume = ReadVolume(wanted.Source, [&](double share) { return progress(0.5 * share); });
+  }
+  ChooseArray(volume, wanted.Source.Array, wanted.Isovalue);
+  const std::vector<vtkDataArray*> arrays = ShownArrays(volume);
   const int components = arrays.empty() ? 1 : arrays.front()->GetNumberOfComponents();
   if (wanted.Component >= components)
   {
-    throw UserError("What is drawn of " + Quoted(loaded.Data.Name) + " has " +
+    throw UserError("What is drawn of " + Quoted(volume.Name) + " has " +
       std::to_string(components) + " components, of which none has the number " +
       std::to_string(wanted.Component) + "; choose a smaller one.");
   }
-  loaded.Samples = CountSamples(loaded.Data, wanted.Component);
-  const std::array<double, 2>& range = loaded.Samples.Range;
+  request.Samples = CountSamples(volume, wanted.Component);
   if (request.KeepsSurfaces && wanted.Isovalue)
   {
+    const std::array<double, 2>& range = request.Samples.Range;
     wanted.Isovalue = std::clamp(*wanted.Isovalue, range[0], range[1]);
   }
-  wanted.Isovalue = ChooseIsovalue(loaded.Samples, wanted.Isovalue, Quoted(loaded.Data.Name)).Value;
+  wanted.Isovalue = ChooseIsovalue(request.Samples, wanted.Isovalue, Quoted(volume.Name)).Value;
   if (!request.IsSameFile)
   {
-    loaded.Mapper = VolumeView::Prepare(loaded.Data, wanted.Component, *wanted.Isovalue,
+    request.Mapper = VolumeView::Prepare(volume, wanted.Component, *wanted.Isovalue,
       [&](double share) { return progress(0.5 + 0.5 * share); });
   }
-  loaded.For = std::move(request);
-  return loaded;
 }
 
-void Model::Adopt(Loaded loaded)
+void Model::Adopt(Request& request)
 {
-  const Request& request = loaded.For;
-  const CameraState camera = this->View.Camera();
-  this->Shown = std::move(loaded.Data);
-  this->Samples = std::move(loaded.Samples);
+  // Settings may have changed since the other array or step was asked for.
+  Look look = request.IsSameFile ? this->Settings() : request.Wanted.Settings;
+  const CameraState camera = request.IsSameFile ? this->View.Camera() : request.Wanted.Camera;
+  this->Shown = request.Data;
+  this->Samples = request.Samples;
   this->Current = request.Wanted;
   this->Ahead = {};
-  this->View.Show(this->Shown, this->Current.Component, this->Samples.Range, loaded.Mapper);
-  Look look = request.Wanted.Settings;
-  if (look.Surfaces.empty())
+  this->View.Show(this->Shown, this->Current.Component, this->Samples.Range, request.Mapper);
+  if (!request.KeepsSurfaces)
   {
-    look.Surfaces.emplace_back();
+    look.Surfaces.resize(request.IsSameFile ? 1 : std::max(look.Surfaces.size(), std::size_t{ 1 }));
+    look.Surfaces[0].Value = *request.Wanted.Isovalue;
+    look.Nodes.resize(request.IsSameFile ? 0 : look.Nodes.size());
   }
-  look.Surfaces[0].Isovalue = *request.Wanted.Isovalue;
   this->SetSettings(look);
-  if (request.IsSameFile)
+  if (request.IsSameFile || request.Wanted.HasCamera)
   {
     this->View.SetCamera(camera);
-  }
-  else if (request.Wanted.Camera)
-  {
-    this->View.SetCamera(*request.Wanted.Camera);
   }
   else
   {
@@ -115,9 +117,9 @@ void Model::Adopt(Loaded loaded)
 
 void Model::Open(const Session& session)
 {
-  Request request;
-  request.Wanted = session;
-  this->Adopt(Load(request, [](double) { return true; }));
+  Request request = { session };
+  Load(request, [](double) { return true; });
+  this->Adopt(request);
 }
 
 std::string Model::Description() const
@@ -133,15 +135,10 @@ std::string Model::Description() const
 
 Request Model::OtherArray(const std::string& name, int component) const
 {
-  Request request;
-  request.Wanted = this->Current;
-  request.Have = this->Shown;
-  request.IsSameFile = true;
+  Request request = { this->Current, true, false, this->Shown };
   request.Wanted.Source.Array = name;
   request.Wanted.Component = component;
   request.Wanted.Isovalue.reset();
-  request.Wanted.Settings.Surfaces.clear();
-  request.Wanted.Settings.Nodes.clear();
   return request;
 }
 
@@ -164,10 +161,7 @@ Request Model::OtherTimeStep(int step) const
     throw UserError(
       Quoted(this->Shown.Name) + " has one time step only; open a file that has several.");
   }
-  Request request;
-  request.Wanted = this->Current;
-  request.IsSameFile = true;
-  request.KeepsSurfaces = true;
+  Request request = { this->Current, true, true };
   request.Wanted.Source.TimeStep = (step - 1 + count) % count + 1;
   request.Wanted.Source.Array = this->Shown.Array.Name;
   return request;
@@ -177,43 +171,26 @@ Request Model::OtherTimeStep(int step) const
 Look Model::Fitted(Look look) const
 {
   const std::array<double, 2>& range = this->Samples.Range;
-  look.Surfaces.resize(std::clamp(look.Surfaces.size(), std::size_t{ 1 }, MostRows));
-  for (Surface& surface : look.Surfaces)
+  look.Surfaces.resize(std::max(look.Surfaces.size(), std::size_t{ 1 }));
+  Fit(look.Surfaces, range, false);
+  look.Nodes = look.Nodes.size() < 2 ? FirstRamp(range, look.Surfaces[0].Value) : look.Nodes;
+  Fit(look.Nodes, range, true);
+  look.Density = std::clamp(look.Density, 1e-3, 1e3);
+  double* normal = look.Clip.Normal.data();
+  if (!(vtkMath::Norm(normal) < 1e15 && vtkMath::Normalize(normal) > 1e-15 &&
+        vtkMath::Norm(look.Clip.Origin.data()) < 1e15))
   {
-    surface.Isovalue = std::clamp(surface.Isovalue, range[0], range[1]);
-    surface.Opacity = std::clamp(surface.Opacity, 0.0, 1.0);
-    FitColor(surface.Color);
+    look.Clip = look.Choices[Choose::Clipping] != 0 ? this->View.MiddlePlane() : Plane{};
   }
-  if (look.Nodes.size() < 2)
+  const Box& box = this->View.DataBounds();
+  for (std::size_t i = 0; i < 6; ++i)
   {
-    look.Nodes = FirstRamp(range, look.Surfaces[0].Isovalue);
+    const double from = i % 2 == 1 ? look.Crop[i - 1] : box[i];
+    look.Crop[i] = std::clamp(look.Crop[i], from, box[i | 1]);
   }
-  look.Nodes.resize(std::min(look.Nodes.size(), MostRows));
-  double least = range[0];
-  for (Node& node : look.Nodes)
+  for (std::size_t i = 0; i < 4; ++i)
   {
-    node.Value = least = std::clamp(node.Value, least, range[1]);
-    node.Opacity = std::clamp(node.Opacity, 0.0, 1.0);
-    FitColor(node.Color);
-  }
-  if (look.Clip)
-  {
-    double* normal = look.Clip->Normal.data();
-    const bool isUsable = vtkMath::Norm(normal) < 1e15 && vtkMath::Normalize(normal) > 1e-15 &&
-      vtkMath::Norm(look.Clip->Origin.data()) < 1e15;
-    look.Clip = isUsable ? look.Clip : std::nullopt;
-  }
-  const std::array<double, 6> box = this->View.DataBounds();
-  for (std::size_t i = 0; look.Crop && i < 6; ++i)
-  {
-    double& side = (*look.Crop)[i];
-    const std::size_t axis = i & ~std::size_t{ 1 };
-    side = std::clamp(side, box[axis], box[axis + 1]);
-    side = i % 2 == 1 ? std::max(side, (*look.Crop)[i - 1]) : side;
-  }
-  for (std::size_t i = 0; look.Shading && i < 4; ++i)
-  {
-    (*look.Shading)[i] = std::clamp((*look.Shading)[i], 0.0, i < 3 ? 1.0 : 200.0);
+    look.Shading[i] = std::clamp(look.Shading[i], 0.0, i < 3 ? 1.0 : 200.0);
   }
   return look;
 }
@@ -221,23 +198,11 @@ Look Model::Fitted(Look look) const
 void Model::SetSettings(const Look& look, bool isShown)
 {
   this->Current.Settings = this->Fitted(look);
-  this->Current.Isovalue = this->Current.Settings.Surfaces[0].Isovalue;
+  this->Current.Isovalue = this->Current.Settings.Surfaces[0].Value;
   if (isShown)
   {
     this->Apply();
   }
-}
-
-double Model::StepOfIsovalues() const
-{
-  return (this->Samples.Range[1] - this->Samples.Range[0]) / StepsInRange;
-}
-
-void Model::StepIsovalue(double steps, std::size_t surface)
-{
-  Look look = this->Settings();
-  look.Surfaces[surface].Isovalue += steps * this->StepOfIsovalues();
-  this->SetSettings(look);
 }
 
 bool Model::Offers(const Choice& choice) const
@@ -247,9 +212,9 @@ bool Model::Offers(const Choice& choice) const
   return isForData && (choice.What != Choose::Surface || this->DrawsSurfaces());
 }
 
-bool Model::DrawsSurfaces() const
+void Model::ResetView()
 {
-  return this->View.IsMesh() || this->Settings().Choices[Choose::Drawing] == DrawSurfaces;
+  this->View.LookFrom(this->From.empty() ? this->Shown.From : this->From, this->Up);
 }
 
 void Model::LookFrom(const std::string& from)
@@ -265,18 +230,26 @@ void Model::Save(const std::string& path)
     this->View.SetCamera(this->View.Camera());
   }
   this->Current.Camera = this->View.Camera();
+  this->Current.HasCamera = true;
   WriteSession(this->Current, path);
 }
 
-Model::Sight Model::PresentSight()
+std::vector<double> Model::PresentSight()
 {
+  const CameraState camera = this->View.Camera();
   const int* size = this->View.Renderer->GetSize();
-  return { this->View.Camera(), { size[0], size[1], this->Settings().Choices[Choose::Surface] } };
+  std::vector<double> sight = { camera.ViewAngle, 1.0 * size[0], 1.0 * size[1],
+    1.0 * this->Settings().Choices[Choose::Surface] };
+  for (const Point& point : { camera.Position, camera.FocalPoint, camera.ViewUp })
+  {
+    sight.insert(sight.end(), point.begin(), point.end());
+  }
+  return sight;
 }
 
 bool Model::WantsIsomapAhead()
 {
-  const Chosen& choices = this->Settings().Choices;
-  return this->IsOpen() && this->DrawsSurfaces() && choices.IsOn(Choose::Ahead) &&
-    choices.IsOn(Choose::Isomap) && !(this->Ahead == this->PresentSight());
+  const auto& choices = this->Settings().Choices;
+  return this->IsOpen() && this->DrawsSurfaces() && choices[Choose::Ahead] != 0 &&
+    choices[Choose::Isomap] != 0 && this->Ahead != this->PresentSight();
 }

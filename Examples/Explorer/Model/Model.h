@@ -8,25 +8,16 @@
 #include "Model/VolumeView.h"
 #include "View/Histogram.h"
 
-#include <optional>
-#include <string>
-
-// What is to be shown next: another file, or another array or time step of the one that is open.
+// What is to be shown next: another file, or another array or time step of the one that is open;
+// and what was read for it.
 struct Request
 {
   Session Wanted;
-  std::optional<Volume> Have; // its data, where they are read already
-  bool IsSameFile = false;    // view and mapper stay
-  bool KeepsSurfaces = false; // as they fit into the new values
-};
-
-// What was read for it.
-struct Loaded
-{
-  Request For;
-  Volume Data;
-  Histogram Samples;
-  VolumeView::Mapping Mapper; // may be null
+  bool IsSameFile = false;         // view and mapper stay
+  bool KeepsSurfaces = false;      // as they fit into the new values
+  Volume Data = {};                // if it is there already, it is not read
+  Histogram Samples = {};          // all that follows is
+  VolumeView::Mapping Mapper = {}; // may be null
 };
 
 // What is shown, and what can be done with it. It knows nothing of windows and widgets.
@@ -38,8 +29,8 @@ public:
 
   // Opening, in two steps: what takes long, in any thread, and what is seen. The first may throw
   // UserError; what was shown stays then.
-  static Loaded Load(Request request, const Progress& progress);
-  void Adopt(Loaded loaded);
+  static void Load(Request& request, const Progress& progress);
+  void Adopt(Request& request);
   void Open(const Session& session);
 
   bool IsOpen() const { return this->Shown.Data != nullptr; }
@@ -49,7 +40,7 @@ public:
   const Volume& Data() const { return this->Shown; }
   std::string Description() const; // "256 x 256 x 110 uchar"
 
-  // What to load for the next array, the one of a name, or another time step. Throw UserError.
+  // What to load for another array or time step. Throw UserError.
   Request OtherArray(const std::string& name, int component) const;
   Request NextArrayOfFile() const;
   Request OtherTimeStep(int step) const;
@@ -58,17 +49,20 @@ public:
   // depends on is touched until Apply().
   void SetSettings(const Look& look, bool isShown = true);
   void Apply() { this->View.Apply(this->Current.Settings); }
-  void StepIsovalue(double steps, std::size_t surface = 0); // of 1/256 of the range
-  double StepOfIsovalues() const;
 
-  // False if a choice has no effect on what is shown.
-  bool Offers(const Choice& choice) const;
-  bool DrawsSurfaces() const;
-
-  void ResetView()
+  bool Offers(const Choice& choice) const; // false if it has no effect on what is shown
+  bool DrawsSurfaces() const
   {
-    this->View.LookFrom(this->From.empty() ? this->Shown.From : this->From, this->Up);
+    return this->View.IsMesh() || this->Settings().Choices[Choose::Drawing] == 0;
   }
+  // The surfaces, or the nodes of the blended volume.
+  auto MarkersIn() const { return this->DrawsSurfaces() ? &Look::Surfaces : &Look::Nodes; }
+  std::vector<Marker>& MarkersOf(Look& look) const { return look.*this->MarkersIn(); }
+  const std::vector<Marker>& Markers() const { return this->Settings().*this->MarkersIn(); }
+  // One of as many as 8 bits have.
+  double StepOfValues() const { return (this->Samples.Range[1] - this->Samples.Range[0]) / 256.0; }
+
+  void ResetView();
   void LookFrom(const std::string& from); // "+z": an axis
   void Save(const std::string& path);     // a session; throws UserError
 
@@ -79,26 +73,15 @@ public:
   VolumeView View;
 
 private:
-  // What an isomap belongs to, of one volume.
-  struct Sight
-  {
-    CameraState Camera;
-    std::array<int, 3> Picture = { 0, 0, 0 }; // its size and the surface mode
-
-    bool operator==(const Sight& other) const
-    {
-      return this->Camera == other.Camera && this->Picture == other.Picture;
-    }
-  };
-  Sight PresentSight();
+  // What an isomap belongs to: the camera, the size of the picture, the surface mode.
+  std::vector<double> PresentSight();
   Look Fitted(Look look) const;
 
-  std::string From;
-  std::string Up;
+  std::string From, Up;
   Session Current;
   Volume Shown;
   Histogram Samples;
-  Sight Ahead; // whose isomap was built, or stopped
+  std::vector<double> Ahead; // the sight whose isomap was built, or stopped
 };
 
 #endif

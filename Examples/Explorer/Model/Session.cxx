@@ -24,255 +24,203 @@ namespace fs = std::filesystem;
 const std::string FirstLine = "# vtkTemporalCoherence Explorer session 1";
 const std::string Suffix = ".session";
 
-using Text = const std::string&;
-using Numbers = std::vector<double>;
-
-std::string Trimmed(Text text)
+std::string Trimmed(const std::string& text)
 {
   const std::size_t begin = text.find_first_not_of(" \t\r");
   const std::size_t end = text.find_last_not_of(" \t\r");
   return begin == std::string::npos ? "" : text.substr(begin, end - begin + 1);
 }
 
-template <typename Range>
-std::string Join(const Range& numbers)
+void Expect(bool isUnderstood)
 {
-  std::ostringstream text;
-  text.precision(17);
-  const char* separator = "";
-  for (const double number : numbers)
+  if (!isUnderstood)
   {
-    text << separator << number;
-    separator = " ";
+    throw std::invalid_argument("line");
   }
-  return text.str();
 }
 
-// Finite numbers, as many as one of the counts; std::invalid_argument otherwise.
-Numbers Parse(Text text, std::initializer_list<std::size_t> counts)
+// What a line says: values are taken from its text or, if there is none yet, put into it.
+class Line
 {
-  std::istringstream in(text);
-  Numbers numbers;
-  double number = 0.0;
-  for (std::string word; in >> word; numbers.push_back(number))
+public:
+  Line() { this->Text.precision(17); }
+  explicit Line(const std::string& text)
+    : IsRead(true)
+    , Text(text)
   {
-    if (!IsNumber(word, number))
+  }
+
+  void Take(double& number)
+  {
+    std::string word;
+    if (this->IsRead)
     {
-      throw std::invalid_argument(text);
+      Expect(this->Text >> word && IsNumber(word, number));
+      return;
+    }
+    this->Text << (this->Text.tellp() > 0 ? " " : "") << number;
+  }
+  void Take(int& number, int least, int most)
+  {
+    double value = number;
+    this->Take(value);
+    number = static_cast<int>(std::clamp(value, 1.0 * least, 1.0 * most));
+    Expect(number == value);
+  }
+  void Take(std::string& text) // to the end
+  {
+    if (this->IsRead)
+    {
+      std::getline(this->Text >> std::ws, text);
+      return;
+    }
+    this->Text << text;
+  }
+  void Take(int& index, const std::vector<const char*>& words)
+  {
+    std::string word = words[static_cast<std::size_t>(index)];
+    this->Take(word);
+    const auto at = std::find(words.begin(), words.end(), word);
+    Expect(at != words.end());
+    index = static_cast<int>(at - words.begin());
+  }
+  template <std::size_t Count>
+  void Take(std::array<double, Count>& numbers)
+  {
+    for (double& number : numbers)
+    {
+      this->Take(number);
     }
   }
-  if (std::find(counts.begin(), counts.end(), numbers.size()) == counts.end())
+  void Take(std::optional<double>& number)
   {
-    throw std::invalid_argument(text);
+    double value = number.value_or(0.0);
+    bool isSet = number.has_value();
+    this->TakeIf(isSet, value);
+    number = isSet ? std::optional(value) : std::nullopt;
   }
-  return numbers;
-}
-
-template <std::size_t Count>
-std::array<double, Count> ParseArray(Text text)
-{
-  const Numbers numbers = Parse(text, { Count });
-  std::array<double, Count> array;
-  std::copy(numbers.begin(), numbers.end(), array.begin());
-  return array;
-}
-
-// Rows of numbers, with a semicolon between.
-template <typename Row, typename Write>
-std::string JoinRows(const std::vector<Row>& rows, const Write& write)
-{
-  std::string text;
-  for (const Row& row : rows)
+  // A line that there is only if what it says is set.
+  template <typename Flag, typename... Values>
+  void TakeIf(Flag& isSet, Values&... values)
   {
-    Numbers numbers = write(row);
-    if (row.Color)
+    isSet = this->IsRead ? Flag{ 1 } : isSet;
+    if (isSet)
     {
-      numbers.insert(numbers.end(), row.Color->begin(), row.Color->end());
-    }
-    text += (text.empty() ? "" : " ; ") + Join(numbers);
-  }
-  return text;
-}
-
-template <typename Row, typename Read>
-std::vector<Row> ParseRows(Text text, std::size_t count, const Read& read)
-{
-  std::vector<Row> rows;
-  std::istringstream in(text);
-  for (std::string part; std::getline(in, part, ';');)
-  {
-    const Numbers numbers = Parse(part, { count, count + 3 });
-    rows.push_back(read(numbers));
-    if (numbers.size() > count)
-    {
-      rows.back().Color = { numbers[count], numbers[count + 1], numbers[count + 2] };
+      (this->Take(values), ...);
     }
   }
-  return rows;
-}
+  void Take(std::optional<RawLayout>& raw)
+  {
+    std::string text = raw ? RawAsText(*raw) : "";
+    this->Take(text);
+    raw = text.empty() ? raw : ParseRaw(text);
+  }
+  // A row of numbers each, with a semicolon between.
+  void Take(std::vector<Marker>& markers, bool areSurfaces)
+  {
+    std::string rows;
+    for (Marker& marker : markers)
+    {
+      Line row;
+      row.Take(marker, areSurfaces);
+      rows += (rows.empty() ? "" : " ; ") + row.Text.str();
+    }
+    this->Take(rows);
+    markers.resize(this->IsRead ? 0 : markers.size());
+    std::istringstream parts(this->IsRead ? rows : "");
+    for (std::string part; std::getline(parts, part, ';');)
+    {
+      Line row(part);
+      row.Take(markers.emplace_back(), areSurfaces);
+      row.End();
+    }
+  }
 
-CameraState& CameraOf(Session& session)
-{
-  return session.Camera ? *session.Camera : session.Camera.emplace();
-}
+  void End() { Expect(!this->HasMore()); }
+  std::string Written() const { return this->Text.str(); }
+  const bool IsRead = false;
 
-// A line of the file: what is written, empty for none, and how it is read.
+private:
+  bool HasMore() { return !(this->Text >> std::ws).eof(); }
+  void Take(Marker& marker, bool isSurface)
+  {
+    double isVisible = marker.IsVisible ? 1.0 : 0.0;
+    this->Take(marker.Value);
+    this->Take(marker.Opacity);
+    if (isSurface)
+    {
+      this->Take(isVisible);
+      marker.IsVisible = isVisible != 0.0;
+    }
+    if (marker.Color || (this->IsRead && this->HasMore()))
+    {
+      this->Take(marker.Color ? *marker.Color : marker.Color.emplace());
+    }
+  }
+
+  std::stringstream Text;
+};
+
 struct Field
 {
   std::string Key;
-  std::function<std::string(const Session&)> Write;
-  std::function<void(Session&, Text)> Read;
+  std::function<void(Line&)> Take;
 };
 
-// What version 0.1 has, too.
-std::vector<Field> FirstFields()
+// The lines of a file about this session.
+std::vector<Field> FieldsOf(Session& session)
 {
-  using S = Session;
-  using C = const Session;
-  const auto ofCamera = [](C& s, const auto& part)
-  { return s.Camera ? Join(part(*s.Camera)) : std::string(); };
-  return {
-    { "spheres", [](C& s) { return s.Source.Path.empty() ? std::to_string(s.Source.Spheres) : ""; },
-      [](S& s, Text v) { s.Source.Spheres = ParseCount("spheres", v, 2048); } },
-    { "volume",
-      [](C& s) {
-        return s.Source.Path.empty() ? "" : fs::absolute(s.Source.Path).lexically_normal().string();
-      },
-      [](S& s, Text v) { s.Source.Path = v; } },
-    { "raw", [](C& s) { return s.Source.Raw ? RawAsText(*s.Source.Raw) : ""; },
-      [](S& s, Text v) { s.Source.Raw = ParseRaw(v); } },
-    { "big-endian", [](C& s) { return !s.Source.Raw   ? ""
-                                 : s.Source.BigEndian ? "on"
-                                                      : "off"; },
-      [](S& s, Text v) { s.Source.BigEndian = v == "on"; } },
-    { "array", [](C& s) { return s.Source.Array; }, [](S& s, Text v) { s.Source.Array = v; } },
-    { "time-step",
-      [](C& s) { return s.Source.TimeStep > 1 ? std::to_string(s.Source.TimeStep) : ""; },
-      [](S& s, Text v) { s.Source.TimeStep = ParseCount("time-step", v, INT_MAX); } },
-    { "isovalue", [](C& s) { return s.Isovalue ? Join(Numbers{ *s.Isovalue }) : ""; },
-      [](S& s, Text v) { s.Isovalue = Parse(v, { 1 })[0]; } },
-    { "camera-position",
-      [=](C& s) { return ofCamera(s, [](const CameraState& c) { return c.Position; }); },
-      [](S& s, Text v) { CameraOf(s).Position = ParseArray<3>(v); } },
-    { "camera-focal-point",
-      [=](C& s) { return ofCamera(s, [](const CameraState& c) { return c.FocalPoint; }); },
-      [](S& s, Text v) { CameraOf(s).FocalPoint = ParseArray<3>(v); } },
-    { "camera-view-up",
-      [=](C& s) { return ofCamera(s, [](const CameraState& c) { return c.ViewUp; }); },
-      [](S& s, Text v) { CameraOf(s).ViewUp = ParseArray<3>(v); } },
-    { "camera-view-angle",
-      [=](C& s)
-      { return ofCamera(s, [](const CameraState& c) { return Numbers{ c.ViewAngle }; }); },
-      [](S& s, Text v) { CameraOf(s).ViewAngle = Parse(v, { 1 })[0]; } },
-  };
-}
-
-Field FieldOf(const Choice& choice)
-{
-  return { choice.Name,
-    [&choice](const Session& s) { return s.Settings.Choices.TextOf(choice.What); },
-    [&choice](Session& s, Text v)
-    {
-      const auto at = std::find(choice.Values.begin(), choice.Values.end(), v);
-      if (at == choice.Values.end())
+  VolumeSource& source = session.Source;
+  Look& look = session.Settings;
+  CameraState& camera = session.Camera;
+  bool& hasCamera = session.HasCamera;
+  static const std::vector<const char*> onOff = { "off", "on" };
+  std::vector<Field> fields = {
+    { "spheres", [&](Line& line) { line.Take(source.Spheres, 1, 2048); } },
+    { "volume", [&](Line& line) { line.Take(source.Path); } },
+    { "raw", [&](Line& line) { line.Take(source.Raw); } },
+    { "big-endian",
+      [&](Line& line)
       {
-        throw std::invalid_argument(v);
-      }
-      s.Settings.Choices[choice.What] = static_cast<int>(at - choice.Values.begin());
-    } };
-}
-
-bool IsPlain(const Look& look)
-{
-  const auto& surfaces = look.Surfaces;
-  return surfaces.empty() ||
-    (surfaces.size() == 1 && surfaces[0].Opacity == 1.0 && surfaces[0].IsVisible &&
-      !surfaces[0].Color);
-}
-
-std::vector<Field> LaterFields()
-{
-  using S = Session;
-  using C = const Session;
-  return {
-    { "component", [](C& s) { return s.Component ? std::to_string(s.Component) : ""; },
-      [](S& s, Text v) { s.Component = v == "-1" ? -1 : ParseCount("component", v, 4095); } },
-    { "surfaces",
-      [](C& s)
-      {
-        return IsPlain(s.Settings)
-          ? ""
-          : JoinRows(s.Settings.Surfaces,
-              [](const Surface& row) {
-                return Numbers{ row.Isovalue, row.Opacity, row.IsVisible ? 1.0 : 0.0 };
-              });
-      },
-      [](S& s, Text v)
-      {
-        s.Settings.Surfaces = ParseRows<Surface>(v, 3,
-          [](const Numbers& row) {
-            return Surface{ row[0], row[1], row[2] != 0.0 };
-          });
+        int isBig = source.BigEndian;
+        line.Take(isBig, onOff);
+        source.BigEndian = isBig != 0;
       } },
-    { "opacity",
-      [](C& s)
-      {
-        return JoinRows(s.Settings.Nodes,
-          [](const Node& row) {
-            return Numbers{ row.Value, row.Opacity };
-          });
-      },
-      [](S& s, Text v)
-      {
-        s.Settings.Nodes = ParseRows<Node>(v, 2,
-          [](const Numbers& row) {
-            return Node{ row[0], row[1] };
-          });
-      } },
-    { "density",
-      [](C& s) { return s.Settings.Density != 1.0 ? Join(Numbers{ s.Settings.Density }) : ""; },
-      [](S& s, Text v) { s.Settings.Density = std::clamp(Parse(v, { 1 })[0], 1e-3, 1e3); } },
+    { "array", [&](Line& line) { line.Take(source.Array); } },
+    { "time-step", [&](Line& line) { line.Take(source.TimeStep, 1, INT_MAX); } },
+    { "isovalue", [&](Line& line) { line.Take(session.Isovalue); } },
+    { "camera-position", [&](Line& line) { line.TakeIf(hasCamera, camera.Position); } },
+    { "camera-focal-point", [&](Line& line) { line.TakeIf(hasCamera, camera.FocalPoint); } },
+    { "camera-view-up", [&](Line& line) { line.TakeIf(hasCamera, camera.ViewUp); } },
+    { "camera-view-angle", [&](Line& line) { line.TakeIf(hasCamera, camera.ViewAngle); } },
+    { "component", [&](Line& line) { line.Take(session.Component, -1, 4095); } },
+    { "surfaces", [&](Line& line) { line.Take(look.Surfaces, true); } },
+    { "opacity", [&](Line& line) { line.Take(look.Nodes, false); } },
+    { "density", [&](Line& line) { line.Take(look.Density); } },
     { "clip",
-      [](C& s)
-      {
-        return s.Settings.Clip ? Join(s.Settings.Clip->Origin) + " " + Join(s.Settings.Clip->Normal)
-                               : "";
-      },
-      [](S& s, Text v)
-      {
-        const Numbers n = Parse(v, { 6 });
-        s.Settings.Clip = Plane{ { n[0], n[1], n[2] }, { n[3], n[4], n[5] } };
-      } },
-    { "crop", [](C& s) { return s.Settings.Crop ? Join(*s.Settings.Crop) : ""; },
-      [](S& s, Text v) { s.Settings.Crop = ParseArray<6>(v); } },
-    { "shading", [](C& s) { return s.Settings.Shading ? Join(*s.Settings.Shading) : ""; },
-      [](S& s, Text v) { s.Settings.Shading = ParseArray<4>(v); } },
+      [&](Line& line)
+      { line.TakeIf(look.Choices[Choose::Clipping], look.Clip.Origin, look.Clip.Normal); } },
+    { "crop", [&](Line& line) { line.TakeIf(look.Choices[Choose::Cropping], look.Crop); } },
+    { "shading", [&](Line& line) { line.TakeIf(look.HasShading, look.Shading); } },
   };
-}
-
-std::vector<Field> AllFields()
-{
-  std::vector<Field> fields = FirstFields();
   for (const Choice& choice : AllChoices())
   {
-    fields.push_back(FieldOf(choice));
+    fields.push_back(
+      { choice.Name, [&](Line& line) { line.Take(look.Choices[choice.What], choice.Values); } });
   }
-  const std::vector<Field> later = LaterFields();
-  fields.insert(fields.end(), later.begin(), later.end());
   return fields;
 }
 
-void TakeLine(Text line, const std::vector<Field>& fields, Session& session)
+void TakeLine(const std::string& text, const std::vector<Field>& fields)
 {
-  const std::size_t equals = line.find('=');
-  const std::string key = equals == std::string::npos ? "" : Trimmed(line.substr(0, equals));
+  const std::size_t equals = std::min(text.find('='), text.size());
+  const std::string key = Trimmed(text.substr(0, equals));
   const auto field = std::find_if(
     fields.begin(), fields.end(), [&key](const Field& other) { return other.Key == key; });
-  if (field == fields.end())
-  {
-    throw std::invalid_argument(line);
-  }
-  field->Read(session, Trimmed(line.substr(equals + 1)));
+  Expect(field != fields.end());
+  Line line(Trimmed(text.substr(equals + 1)));
+  field->Take(line);
+  line.End();
 }
 
 // A view without a direction would draw nothing, nor would one from where numbers end.
@@ -298,14 +246,17 @@ bool IsSessionName(const std::string& path)
     path.compare(path.size() - Suffix.size(), Suffix.size(), Suffix) == 0;
 }
 
-void WriteSession(const Session& session, const std::string& path)
+void WriteSession(Session session, const std::string& path)
 {
+  std::string& volume = session.Source.Path;
+  volume = volume.empty() ? "" : fs::absolute(volume).lexically_normal().string();
   std::ofstream file(path);
   file << FirstLine << '\n';
-  for (const Field& field : AllFields())
+  for (const Field& field : FieldsOf(session))
   {
-    const std::string text = field.Write(session);
-    file << (text.empty() ? "" : field.Key + " = " + text + "\n");
+    Line line;
+    field.Take(line);
+    file << (line.Written().empty() ? "" : field.Key + " = " + line.Written() + "\n");
   }
   file.close();
   if (!file)
@@ -332,17 +283,16 @@ Session ReadSession(const std::string& path)
       Quoted(FirstLine) + "; open one that the Explorer saved.");
   }
   Session session;
-  const std::vector<Field> fields = AllFields();
+  const std::vector<Field> fields = FieldsOf(session);
   for (int number = 2; std::getline(file, line); ++number)
   {
     line = Trimmed(line);
-    if (line.empty() || line[0] == '#')
-    {
-      continue;
-    }
     try
     {
-      TakeLine(line, fields, session);
+      if (!line.empty() && line[0] != '#')
+      {
+        TakeLine(line, fields);
+      }
     }
     catch (const std::exception&)
     {
@@ -352,9 +302,9 @@ Session ReadSession(const std::string& path)
   }
   if (!session.Isovalue && !session.Settings.Surfaces.empty())
   {
-    session.Isovalue = session.Settings.Surfaces[0].Isovalue;
+    session.Isovalue = session.Settings.Surfaces[0].Value;
   }
-  if (session.Camera && !IsUsable(*session.Camera))
+  if (session.HasCamera && !IsUsable(session.Camera))
   {
     throw UserError("The camera of the session " + Quoted(path) +
       " looks nowhere; correct its lines, or take them out to see all of the volume.");

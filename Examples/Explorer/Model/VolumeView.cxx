@@ -9,13 +9,14 @@
 #include "View/Picture.h"
 #include "View/Viewpoint.h"
 
-#include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
 #include <vtkColorTransferFunction.h>
+#include <vtkCommand.h>
 #include <vtkContourValues.h>
 #include <vtkDataArray.h>
 #include <vtkMath.h>
 #include <vtkPiecewiseFunction.h>
+#include <vtkVector.h>
 #include <vtkVolumeProperty.h>
 
 #include <algorithm>
@@ -26,7 +27,6 @@ namespace
 
 constexpr std::array<double, 3> Background = { 16.0, 18.0, 22.0 }; // of 255
 constexpr double ShareFilled = 0.85; // of the view, by the volume's box
-constexpr double BytesPerMiB = 1024.0 * 1024.0;
 
 // The blend modes of Choose::Drawing.
 constexpr std::array<int, 6> BlendModes = { vtkVolumeMapper::ISOSURFACE_BLEND,
@@ -41,28 +41,15 @@ public:
   Watched(vtkTemporalCoherenceVolumeMapper* mapper, unsigned long event, const Progress& progress)
     : Mapper(mapper)
     , Report(progress)
+    , Tags({ mapper->AddObserver(event, this, &Watched::OnProgress),
+        mapper->AddObserver(vtkCommand::ErrorEvent, this, &Watched::OnError) })
   {
-    this->Command->SetClientData(this);
-    this->Command->SetCallback(
-      [](vtkObject*, unsigned long id, void* to, void* data)
-      {
-        auto* self = static_cast<Watched*>(to);
-        if (id == vtkCommand::ErrorEvent || id == vtkCommand::WarningEvent)
-        {
-          self->HasFailed = true;
-        }
-        else if (self->IsStopped || !self->Report(*static_cast<double*>(data)))
-        {
-          self->IsStopped = true;
-          self->Mapper->SetAbortExecute(1);
-        }
-      });
-    for (const unsigned long id : { event, static_cast<unsigned long>(vtkCommand::ErrorEvent) })
-    {
-      mapper->AddObserver(id, this->Command);
-    }
   }
-  ~Watched() { this->Mapper->RemoveObserver(this->Command); }
+  ~Watched()
+  {
+    this->Mapper->RemoveObserver(this->Tags[0]);
+    this->Mapper->RemoveObserver(this->Tags[1]);
+  }
   Watched(const Watched&) = delete;
   Watched& operator=(const Watched&) = delete;
 
@@ -70,9 +57,19 @@ public:
   bool HasFailed = false;
 
 private:
+  void OnProgress(vtkObject*, unsigned long, void* share)
+  {
+    this->IsStopped = this->IsStopped || !this->Report(*static_cast<double*>(share));
+    if (this->IsStopped)
+    {
+      this->Mapper->SetAbortExecute(1);
+    }
+  }
+  void OnError() { this->HasFailed = true; }
+
   vtkTemporalCoherenceVolumeMapper* Mapper;
   const Progress& Report;
-  vtkNew<vtkCallbackCommand> Command;
+  std::array<unsigned long, 2> Tags;
 };
 
 VolumeView::Mapping NewMapper()
@@ -143,142 +140,89 @@ void VolumeView::Show(
   }
   SetInput(volume, component, this->Mapper);
   this->Actor->SetUserMatrix(volume.Placement);
-  this->Mapper->GetBounds(this->Box.data());
-  std::copy_n(this->Actor->GetBounds(), 6, this->BoxInWorld.begin());
+  this->Mapper->GetBounds(this->Bounds.data());
+  std::copy_n(this->Actor->GetBounds(), 6, this->BoundsInWorld.begin());
   if (!this->Renderer->HasViewProp(this->Actor))
   {
     this->Renderer->AddVolume(this->Actor);
   }
 }
 
-// Surfaces of the palette's colours have them from the palette itself.
-void VolumeView::SetSurfaces(const Look& look)
+// Colours and opacities are linear between markers. Unless one has a colour of its own, colours are
+// the palette's.
+void VolumeView::SetMarkers(const std::vector<Marker>& markers)
 {
   vtkVolumeProperty* property = this->Actor->GetProperty();
   vtkContourValues* values = property->GetIsoSurfaceValues();
-  vtkColorTransferFunction* colors = property->GetRGBTransferFunction();
+  vtkNew<vtkColorTransferFunction> colors;
   vtkNew<vtkPiecewiseFunction> opacity;
-  std::vector<std::pair<double, Rgb>> own;
+  bool hasOwn = false;
   int count = 0;
-  bool isOpaque = true;
-  for (const Surface& surface : look.Surfaces)
+  for (const Marker& marker : markers)
   {
-    if (surface.IsVisible)
+    const Rgb color = this->ColorOf(marker);
+    colors->AddRGBPoint(marker.Value, color[0], color[1], color[2]);
+    hasOwn = hasOwn || marker.Color;
+    if (marker.IsVisible)
     {
-      values->SetValue(count++, surface.Isovalue);
-      opacity->AddPoint(surface.Isovalue, surface.Opacity);
-      isOpaque = isOpaque && surface.Opacity == 1.0;
+      values->SetValue(count++, marker.Value);
+      opacity->AddPoint(marker.Value, marker.Opacity);
     }
-    Rgb color = surface.Color.value_or(Rgb{});
-    if (!surface.Color)
-    {
-      colors->GetColor(surface.Isovalue, color.data());
-    }
-    own.emplace_back(surface.Isovalue, color);
   }
   if (count == 0)
   {
-    values->SetValue(count++, look.Surfaces[0].Isovalue);
-    opacity->AddPoint(look.Surfaces[0].Isovalue, 0.0);
-    isOpaque = false;
+    values->SetValue(count++, markers[0].Value);
+    opacity->AddPoint(markers[0].Value, 0.0);
   }
   values->SetNumberOfContours(count);
-  if (isOpaque)
-  {
-    opacity->RemoveAllPoints();
-    opacity->AddPoint(this->Range[0], 1.0);
-    opacity->AddPoint(this->Range[1], 1.0);
-  }
   property->SetScalarOpacity(opacity);
-  if (std::any_of(look.Surfaces.begin(), look.Surfaces.end(),
-        [](const Surface& surface) { return surface.Color.has_value(); }))
-  {
-    colors->RemoveAllPoints();
-    for (const auto& [value, color] : own)
-    {
-      colors->AddRGBPoint(value, color[0], color[1], color[2]);
-    }
-  }
-}
-
-void VolumeView::SetBlending(const Look& look)
-{
-  vtkVolumeProperty* property = this->Actor->GetProperty();
-  vtkNew<vtkColorTransferFunction> palette;
-  palette->DeepCopy(property->GetRGBTransferFunction());
-  vtkNew<vtkPiecewiseFunction> opacity;
-  const bool hasOwn = std::any_of(
-    look.Nodes.begin(), look.Nodes.end(), [](const Node& node) { return node.Color.has_value(); });
   if (hasOwn)
   {
-    property->GetRGBTransferFunction()->RemoveAllPoints();
+    property->GetRGBTransferFunction()->DeepCopy(colors);
   }
-  for (const Node& node : look.Nodes)
-  {
-    opacity->AddPoint(node.Value, node.Opacity);
-    Rgb color = node.Color.value_or(Rgb{});
-    if (!node.Color)
-    {
-      palette->GetColor(node.Value, color.data());
-    }
-    if (hasOwn)
-    {
-      property->GetRGBTransferFunction()->AddRGBPoint(node.Value, color[0], color[1], color[2]);
-    }
-  }
-  property->SetScalarOpacity(opacity);
-  const std::array<double, 6> box = this->Box;
-  const double diagonal = std::hypot(box[1] - box[0], box[3] - box[2], box[5] - box[4]);
-  property->SetScalarOpacityUnitDistance(std::max(0.01 * diagonal / look.Density, 1e-30));
 }
 
 void VolumeView::Apply(const Look& look)
 {
-  const Chosen& choices = look.Choices;
+  const auto& choices = look.Choices;
   vtkVolumeProperty* property = this->Actor->GetProperty();
   SetPalette(property->GetRGBTransferFunction(), choices[Choose::Palette], this->Range);
   SetMaterial(property, choices[Choose::Material]);
-  if (look.Shading)
+  if (look.HasShading)
   {
     property->ShadeOn();
-    property->SetAmbient((*look.Shading)[0]);
-    property->SetDiffuse((*look.Shading)[1]);
-    property->SetSpecular((*look.Shading)[2]);
-    property->SetSpecularPower((*look.Shading)[3]);
+    property->SetAmbient(look.Shading[0]);
+    property->SetDiffuse(look.Shading[1]);
+    property->SetSpecular(look.Shading[2]);
+    property->SetSpecularPower(look.Shading[3]);
   }
   SetLight(this->Renderer, choices[Choose::Light]);
-  const int drawing = this->HasCells ? DrawSurfaces : choices[Choose::Drawing];
+  const bool areSurfaces = this->HasCells || choices[Choose::Drawing] == 0;
+  const int drawing = areSurfaces ? 0 : choices[Choose::Drawing];
   this->Mapper->SetBlendMode(BlendModes[static_cast<std::size_t>(drawing)]);
   // Rays of blended volumes take long: fewer of them while something is dragged.
-  this->Mapper->SetAutoAdjustSampleDistances(drawing != DrawSurfaces);
-  if (drawing == DrawSurfaces)
-  {
-    this->SetSurfaces(look);
-  }
-  else
-  {
-    this->SetBlending(look);
-  }
+  this->Mapper->SetAutoAdjustSampleDistances(!areSurfaces);
+  this->SetMarkers(areSurfaces ? look.Surfaces : look.Nodes);
+  const Box& box = this->Bounds;
+  const double diagonal = std::hypot(box[1] - box[0], box[3] - box[2], box[5] - box[4]);
+  property->SetScalarOpacityUnitDistance(std::max(0.01 * diagonal / look.Density, 1e-30));
   this->Mapper->SetSurfaceMode(choices[Choose::Surface]);
-  this->Mapper->SetAveragedGradients(choices.IsOn(Choose::Gradients));
+  this->Mapper->SetAveragedGradients(choices[Choose::Gradients] != 0);
   this->Mapper->SetReuseAccuracy(choices[Choose::Accuracy]);
-  this->Mapper->SetImageCache(choices.IsOn(Choose::ImageCache));
-  this->Mapper->SetIsomap(choices.IsOn(Choose::Isomap));
-  this->Mapper->SetSpaceLeaping(choices.IsOn(Choose::Leaping));
-  this->Mapper->SetColorByAnswer(choices.IsOn(Choose::Answers));
+  this->Mapper->SetImageCache(choices[Choose::ImageCache] != 0);
+  this->Mapper->SetIsomap(choices[Choose::Isomap] != 0);
+  this->Mapper->SetSpaceLeaping(choices[Choose::Leaping] != 0);
+  this->Mapper->SetColorByAnswer(choices[Choose::Answers] != 0);
   // A completed picture owes nothing to the cache: it would have no yellow.
-  this->Mapper->SetRefineWhenStill(!choices.IsOn(Choose::Answers));
-  this->Mapper->SetCropping(look.Crop.has_value());
-  if (look.Crop)
-  {
-    this->Mapper->SetCroppingRegionFlagsToSubVolume();
-    this->Mapper->SetCroppingRegionPlanes(look.Crop->data());
-  }
+  this->Mapper->SetRefineWhenStill(choices[Choose::Answers] == 0);
+  this->Mapper->SetCropping(choices[Choose::Cropping] != 0);
+  this->Mapper->SetCroppingRegionFlagsToSubVolume();
+  this->Mapper->SetCroppingRegionPlanes(look.Crop.data());
   this->Mapper->RemoveAllClippingPlanes();
-  if (look.Clip)
+  if (choices[Choose::Clipping] != 0)
   {
-    this->Clip->SetOrigin(look.Clip->Origin.data());
-    this->Clip->SetNormal(look.Clip->Normal.data());
+    this->Clip->SetOrigin(look.Clip.Origin.data());
+    this->Clip->SetNormal(look.Clip.Normal.data());
     this->Mapper->AddClippingPlane(this->Clip);
   }
 }
@@ -308,6 +252,21 @@ CameraState VolumeView::Camera() const
   camera->GetViewUp(state.ViewUp.data());
   state.ViewAngle = camera->GetViewAngle();
   return state;
+}
+
+Plane VolumeView::MiddlePlane() const
+{
+  Plane plane;
+  const vtkVector3d forward(this->Renderer->GetActiveCamera()->GetDirectionOfProjection());
+  vtkVector3d right = forward.Cross(vtkVector3d(this->Renderer->GetActiveCamera()->GetViewUp()));
+  right.Normalize();
+  for (int i = 0; i < 3; ++i)
+  {
+    const auto axis = static_cast<std::size_t>(i);
+    plane.Origin[axis] = 0.5 * (this->BoundsInWorld[2 * axis] + this->BoundsInWorld[2 * axis + 1]);
+    plane.Normal[axis] = 0.8 * forward[i] - 0.6 * right[i];
+  }
+  return plane;
 }
 
 void VolumeView::SetCamera(const CameraState& state)
@@ -351,23 +310,19 @@ vtkSmartPointer<vtkImageData> VolumeView::Picture(int width, int height)
   return OnBackground(picture, Background, Background);
 }
 
-FrameFacts VolumeView::Facts()
+Rgb VolumeView::ColorOf(const Marker& marker) const
 {
-  FrameFacts facts;
-  facts.Route = this->Mapper->GetRouteAsString();
-  facts.Ms = 1000.0 * this->Mapper->GetFrameTime();
-  const double rays = std::max(1.0, static_cast<double>(this->Mapper->GetNumberOfRays()));
-  const auto share = [rays](vtkIdType count) { return static_cast<double>(count) / rays; };
-  facts.Misses = share(this->Mapper->GetNumberOfDefiniteMisses());
-  facts.Hits = share(this->Mapper->GetNumberOfDefiniteHits());
-  facts.PossibleHits = share(this->Mapper->GetNumberOfPossibleHits());
-  facts.Traced = share(this->Mapper->GetNumberOfTracedRays());
-  facts.SamplesPerRay = share(this->Mapper->GetNumberOfFieldSamples());
-  facts.IsomapMiB = static_cast<double>(this->Mapper->GetIsomapMemory()) / BytesPerMiB;
-  return facts;
+  Rgb color = marker.Color.value_or(Rgb{});
+  if (!marker.Color)
+  {
+    this->Actor->GetProperty()->GetRGBTransferFunction()->GetColor(marker.Value, color.data());
+  }
+  return color;
 }
 
-vtkColorTransferFunction* VolumeView::Colors() const
+std::array<double, 4> VolumeView::Shading() const
 {
-  return this->Actor->GetProperty()->GetRGBTransferFunction();
+  vtkVolumeProperty* property = this->Actor->GetProperty();
+  return { property->GetAmbient(), property->GetDiffuse(), property->GetSpecular(),
+    property->GetSpecularPower() };
 }

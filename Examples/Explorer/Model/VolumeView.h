@@ -18,21 +18,6 @@
 #include <functional>
 #include <string>
 
-class vtkColorTransferFunction;
-
-// What the last frame was like.
-struct FrameFacts
-{
-  std::string Route;
-  double Ms = 0.0;     // of the mapper
-  double Misses = 0.0; // shares of all rays
-  double Hits = 0.0;
-  double PossibleHits = 0.0;
-  double Traced = 0.0;
-  double SamplesPerRay = 0.0;
-  double IsomapMiB = 0.0;
-};
-
 // What takes long tells how far it is, and is stopped by the answer false.
 using Progress = std::function<bool(double share)>;
 
@@ -56,6 +41,8 @@ public:
   // All of the volume is seen; the axes are those of the command line.
   void LookFrom(const std::string& from, const std::string& up);
   CameraState Camera() const;
+  // Through the middle, slantwise: the volume is open to the viewer, and the plane can be seen.
+  Plane MiddlePlane() const;
   void SetCamera(const CameraState& camera);
 
   // For all isovalues in this view. False if it was stopped, or if there can be none.
@@ -65,12 +52,12 @@ public:
   vtkSmartPointer<vtkImageData> LastFrame();
   vtkSmartPointer<vtkImageData> Picture(int width, int height);
 
-  FrameFacts Facts();
-  vtkColorTransferFunction* Colors() const;
+  Rgb ColorOf(const Marker& marker) const;
+  std::array<double, 4> Shading() const; // ambient to power, as it is drawn
   const std::array<double, 2>& ValueRange() const { return this->Range; }
   // As they were when it was shown: the mapper is not asked, which may be at work.
-  const std::array<double, 6>& DataBounds() const { return this->Box; }
-  const std::array<double, 6>& WorldBounds() const { return this->BoxInWorld; }
+  const Box& DataBounds() const { return this->Bounds; }
+  const Box& WorldBounds() const { return this->BoundsInWorld; }
   vtkMatrix4x4* Placement() const { return this->Actor->GetUserMatrix(); } // may be null
   bool IsMesh() const { return this->HasCells; }
 
@@ -78,13 +65,12 @@ public:
   Mapping Mapper;
 
 private:
-  void SetSurfaces(const Look& look);
-  void SetBlending(const Look& look);
+  void SetMarkers(const std::vector<Marker>& markers);
 
   vtkNew<vtkVolume> Actor;
   vtkNew<vtkPlane> Clip;
   std::array<double, 2> Range = { 0.0, 1.0 };
-  std::array<double, 6> Box = {}, BoxInWorld = {};
+  Box Bounds = {}, BoundsInWorld = {};
   bool HasCells = false;
 };
 

@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Panels/Form.h"
 
-#include "Panels/Panels.h"
-
+#include <QAction>
 #include <QCheckBox>
-#include <QColorDialog>
 #include <QComboBox>
 #include <QFormLayout>
-#include <QLabel>
-#include <QPushButton>
+#include <QHBoxLayout>
+#include <QSlider>
+#include <QToolButton>
 
 #include <cmath>
 
@@ -20,17 +19,9 @@ constexpr int SliderSteps = 1000;
 
 }
 
-QColor ColorOf(const std::array<double, 3>& rgb)
+QColor ToQColor(const Rgb& rgb)
 {
   return QColor::fromRgbF(rgb[0], rgb[1], rgb[2]);
-}
-
-QColor Blended(const QPalette& palette, double share)
-{
-  const QColor ground = palette.color(QPalette::Window), text = palette.color(QPalette::WindowText);
-  const auto mixed = [share](double a, double b) { return a + share * (b - a); };
-  return QColor::fromRgbF(mixed(ground.redF(), text.redF()), mixed(ground.greenF(), text.greenF()),
-    mixed(ground.blueF(), text.blueF()));
 }
 
 QString Short(double number)
@@ -38,95 +29,47 @@ QString Short(double number)
   return QString::number(number, 'g', 5);
 }
 
-void AskColor(QWidget* over, const QColor& first, const std::function<void(const Rgb&)>& take)
-{
-  const QColor color = QColorDialog::getColor(first, over);
-  if (color.isValid())
-  {
-    take({ color.redF(), color.greenF(), color.blueF() });
-  }
-}
-
-Form::Form(Workbench& bench, QWidget* panel)
+Form::Form(Workbench& bench)
   : Bench(bench)
-  , Rows(new QFormLayout(panel))
+  , Rows(new QFormLayout(this))
 {
   this->Rows->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
 }
 
-void Form::OnChange(QWidget* widget, const std::function<void()>& refresh)
+void Form::OnChange(const std::function<void()>& refresh)
 {
-  const auto act = [this_ = &this->Bench, refresh]
-  {
-    if (this_->Data.IsOpen())
+  QObject::connect(&this->Bench, &Workbench::Settled, this,
+    [this, refresh]
     {
-      refresh();
-    }
-  };
-  QObject::connect(&this->Bench, &Workbench::Settled, widget, act);
-  QObject::connect(&this->Bench, &Workbench::Opened, widget, act);
-}
-
-void Form::ShowIf(QWidget* widget, const std::function<bool()>& isUseful)
-{
-  QWidget* label = this->Rows->labelForField(widget);
-  this->OnChange(widget,
-    [widget, label, isUseful]
-    {
-      widget->setVisible(isUseful());
-      if (label)
+      if (this->Bench.Data.IsOpen())
       {
-        label->setVisible(isUseful());
+        refresh();
       }
     });
 }
 
-void Form::AddRow(const QString& label, const QString& help, QWidget* widget)
+void Form::Add(QWidget* widget, const QString& help, const QString& label, const Test& isUseful)
 {
-  widget->setToolTip(help);
-  widget->setAccessibleName(label);
-  this->Rows->addRow(label, widget);
-  this->Rows->labelForField(widget)->setToolTip(help);
-}
-
-void Form::AddWidget(QWidget* widget)
-{
-  this->Rows->addRow(widget);
-}
-
-void Form::AddChoice(const Choice& choice)
-{
-  Workbench& bench = this->Bench;
-  const Choose what = choice.What;
-  const QString help =
-    QObject::tr("%1 (%2)").arg(QObject::tr(choice.Help)).arg(QChar(choice.Key).toUpper());
-  QWidget* box = nullptr;
-  if (choice.IsSwitch())
+  widget->setToolTip(help.isEmpty() ? widget->toolTip() : help);
+  label.isEmpty() ? this->Rows->addRow(widget) : this->Rows->addRow(label, widget);
+  QWidget* left = this->Rows->labelForField(widget);
+  if (left)
   {
-    auto* check = new QCheckBox(QObject::tr(choice.Label));
-    check->setToolTip(help);
-    this->AddWidget(check);
-    QObject::connect(check, &QCheckBox::clicked, [&bench, what] { bench.Turn(what, 1); });
-    this->OnChange(check,
-      [&bench, check, what] { check->setChecked(bench.Data.Settings().Choices.IsOn(what)); });
-    box = check;
+    left->setToolTip(help);
+    widget->setAccessibleName(label);
   }
-  else
+  if (isUseful)
   {
-    auto* combo = new QComboBox;
-    for (const char* value : choice.Values)
-    {
-      combo->addItem(QObject::tr(value));
-    }
-    this->AddRow(QObject::tr(choice.Label), help, combo);
-    QObject::connect(combo, QOverload<int>::of(&QComboBox::activated),
-      [&bench, what](int index) { bench.Turn(what, index - bench.Data.Settings().Choices[what]); });
-    this->OnChange(combo,
-      [&bench, combo, what] { combo->setCurrentIndex(bench.Data.Settings().Choices[what]); });
-    box = combo;
+    this->OnChange(
+      [=]
+      {
+        widget->setVisible(isUseful());
+        if (left)
+        {
+          left->setVisible(isUseful());
+        }
+      });
   }
-  box->setObjectName(choice.Name);
-  this->ShowIf(box, [&bench, &choice] { return bench.Data.Offers(choice); });
 }
 
 void Form::AddChoices(Choice::Panel panel)
@@ -140,58 +83,85 @@ void Form::AddChoices(Choice::Panel panel)
   }
 }
 
-QAbstractButton* Form::AddSwitch(const QString& label, const QString& help,
-  const std::function<bool(const Look&)>& get, const std::function<void(Look&, bool)>& set)
+void Form::AddChoice(const Choice& choice)
 {
-  Workbench& bench = this->Bench;
-  auto* check = new QCheckBox(label);
-  check->setToolTip(help);
-  this->AddWidget(check);
-  QObject::connect(check, &QCheckBox::clicked,
-    [&bench, label, set](bool isOn)
+  const Choose::Which what = choice.What;
+  const auto value = [this, what] { return this->Bench.Data.Settings().Choices[what]; };
+  const auto offered = [this, &choice] { return this->Bench.Data.Offers(choice); };
+  const QString label = tr(choice.Label);
+  const QString help = tr("%1 (%2)").arg(tr(choice.Help)).arg(choice.Key);
+  QWidget* widget = nullptr;
+  if (choice.Values[0] == std::string("off"))
+  {
+    auto* check = new QCheckBox(label);
+    QObject::connect(check, &QCheckBox::clicked, [=] { this->Bench.Turn(what, 1); });
+    this->OnChange([=] { check->setChecked(value() != 0); });
+    this->Add(widget = check, help, "", offered);
+  }
+  else
+  {
+    auto* combo = new QComboBox;
+    for (const char* text : choice.Values)
     {
-      bench.BeginGesture();
-      bench.Edit(label, [&](Look& look) { set(look, isOn); });
-    });
-  this->OnChange(check, [&bench, check, get] { check->setChecked(get(bench.Data.Settings())); });
-  return check;
+      combo->addItem(tr(text));
+    }
+    QObject::connect(combo, QOverload<int>::of(&QComboBox::activated),
+      [=](int index) { this->Bench.Turn(what, index - value()); });
+    this->OnChange([=] { combo->setCurrentIndex(value()); });
+    this->Add(widget = combo, help, label, offered);
+  }
+  widget->setObjectName(choice.Name);
 }
 
-QSlider* Form::AddSlider(const QString& label, const QString& help, double most,
-  const std::function<double(const Look&)>& get, const std::function<void(Look&, double)>& set)
+void Form::AddSlider(const QString& label, const QString& help, double most, const Get& get,
+  const Set& set, const Test& isUseful)
 {
-  Workbench& bench = this->Bench;
   auto* slider = new QSlider(Qt::Horizontal);
+  slider->setObjectName(label.toLower());
   slider->setRange(0, SliderSteps);
   slider->setPageStep(SliderSteps / 10);
   slider->setSingleStep(SliderSteps / 100);
-  this->AddRow(label, help, slider);
   QObject::connect(slider, &QSlider::sliderPressed,
-    [&bench]
+    [this]
     {
-      bench.BeginGesture();
-      bench.SetDragging(true);
+      this->Bench.BeginGesture();
+      this->Bench.SetDragging(true);
     });
-  QObject::connect(slider, &QSlider::sliderReleased, [&bench] { bench.SetDragging(false); });
+  QObject::connect(slider, &QSlider::sliderReleased, [this] { this->Bench.SetDragging(false); });
   QObject::connect(slider, &QSlider::valueChanged,
-    [&bench, label, most, set](int value)
-    { bench.Edit(label, [&](Look& look) { set(look, most * value / SliderSteps); }); });
-  this->OnChange(slider,
-    [&bench, slider, most, get]
+    [=](int value)
+    { this->Bench.Edit(label, [&](Look& look) { set(look, most * value / SliderSteps); }); });
+  this->OnChange(
+    [=]
     {
       const QSignalBlocker blocker(slider);
-      slider->setValue(
-        static_cast<int>(std::lround(get(bench.Data.Settings()) / most * SliderSteps)));
+      const double share = get(this->Bench.Data.Settings()) / most;
+      slider->setValue(static_cast<int>(std::lround(share * SliderSteps)));
     });
-  return slider;
+  this->Add(slider, help, label, isUseful);
 }
 
-QWidget* Form::AddButton(
+void Form::AddButtons(const QList<QAction*>& actions)
+{
+  auto* row = new QWidget;
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  for (QAction* action : actions)
+  {
+    auto* button = new QToolButton;
+    button->setDefaultAction(action);
+    button->setFocusPolicy(Qt::StrongFocus);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    layout->addWidget(button);
+  }
+  this->Add(row);
+}
+
+QAction* Form::NewAction(
   const QString& label, const QString& help, const std::function<void()>& act)
 {
-  auto* button = new QPushButton(label);
-  button->setToolTip(help);
-  this->AddWidget(button);
-  QObject::connect(button, &QPushButton::clicked, act);
-  return button;
+  auto* action = new QAction(label, this);
+  action->setToolTip(help);
+  QObject::connect(action, &QAction::triggered, act);
+  return action;
 }

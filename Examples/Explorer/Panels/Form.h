@@ -5,36 +5,40 @@
 
 #include "Work/Workbench.h"
 
-#include <QAbstractButton>
-#include <QSlider>
-#include <QString>
+#include <QColor>
+#include <QWidget>
 
-#include <functional>
-
+class QAction;
 class QFormLayout;
 
-// Rows of a panel: a label and what is set, kept up to date with the model.
-class Form
+// A panel of rows: a label and what is set, kept up to date with the model.
+class Form : public QWidget
 {
 public:
-  Form(Workbench& bench, QWidget* panel);
+  using Get = std::function<double(const Look&)>;
+  using Set = std::function<void(Look&, double)>;
+  using Test = std::function<bool()>;
+
+  explicit Form(Workbench& bench);
 
   void AddChoice(const Choice& choice);
   void AddChoices(Choice::Panel panel);
-  QAbstractButton* AddSwitch(const QString& label, const QString& help,
-    const std::function<bool(const Look&)>& get, const std::function<void(Look&, bool)>& set);
-  QSlider* AddSlider(const QString& label, const QString& help, double most,
-    const std::function<double(const Look&)>& get, const std::function<void(Look&, double)>& set);
-  QWidget* AddButton(const QString& label, const QString& help, const std::function<void()>& act);
-  void AddWidget(QWidget* widget); // over the whole width
-  void OnChange(QWidget* widget, const std::function<void()>& refresh);
-  void ShowIf(QWidget* widget, const std::function<bool()>& isUseful); // and its label
+  void AddSlider(const QString& label, const QString& help, double most, const Get& get,
+    const Set& set, const Test& isUseful = nullptr);
+  void AddButtons(const QList<QAction*>& actions); // side by side
+  QAction* NewAction(const QString& label, const QString& help, const std::function<void()>& act);
+  // Over the whole width where there is no label. Seen while it is useful.
+  void Add(QWidget* widget, const QString& help = "", const QString& label = "",
+    const Test& isUseful = nullptr);
+  void OnChange(const std::function<void()>& refresh); // soon after, and not too often
 
 private:
-  void AddRow(const QString& label, const QString& help, QWidget* widget);
-
   Workbench& Bench;
   QFormLayout* Rows;
 };
+
+// What panels share.
+QColor ToQColor(const Rgb& rgb);
+QString Short(double number); // with as many digits as tell values apart
 
 #endif

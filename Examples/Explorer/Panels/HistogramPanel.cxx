@@ -2,30 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Panels/HistogramPanel.h"
 
-#include "Panels/Panels.h"
-#include "Work/Workbench.h"
+#include "Panels/Form.h"
 
-#include <vtkColorTransferFunction.h>
-
-#include <QMenu>
 #include <QMouseEvent>
+#include <QPaintEvent>
 #include <QPainter>
-#include <QPainterPath>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace
 {
 
-constexpr int Reach = 8; // pixels from a marker that still grab it
-
-QColor ColorAt(const Workbench& bench, double value)
-{
-  Rgb rgb;
-  bench.Data.View.Colors()->GetColor(value, rgb.data());
-  return ColorOf(rgb);
-}
+constexpr double Reach = 12.0; // pixels from a marker that still grab it
+constexpr double Faint = 0.35; // opacity
 
 }
 
@@ -35,15 +26,20 @@ HistogramPanel::HistogramPanel(Workbench& bench)
   this->setObjectName("histogram");
   this->setAccessibleName(tr("Histogram with isovalues and opacity"));
   this->setToolTip(tr("Drag a marker: the isovalue of a surface, or a node of the opacity.\n"
-                      "Double click: another node. Right click: its colour."));
+                      "Right click: its colour. Double click: another node."));
   this->setFocusPolicy(Qt::StrongFocus);
-  QObject::connect(&bench, &Workbench::Changed, this, [this] { this->update(); });
-  QObject::connect(&bench, &Workbench::Opened, this,
+  this->setContextMenuPolicy(Qt::ActionsContextMenu);
+  this->setAttribute(Qt::WA_OpaquePaintEvent); // nothing behind it has to be drawn
+  QObject::connect(&bench, &Workbench::Changed, this, &HistogramPanel::Refresh);
+  QObject::connect(&bench, &Workbench::FrameDrawn, this,
     [this]
     {
-      this->BarsOf.clear(); // other samples
-      this->update();
+      if (this->IsLate)
+      {
+        this->Refresh();
+      }
     });
+  QObject::connect(&bench, &Workbench::Opened, this, &HistogramPanel::Refresh);
 }
 
 QSize HistogramPanel::sizeHint() const
@@ -69,155 +65,169 @@ QPoint HistogramPanel::PlaceOf(double share) const
     plot.center().y() };
 }
 
-double HistogramPanel::ValueAt(int x) const
+QPointF HistogramPanel::PlaceOf(const Marker& marker) const
 {
   const QRect plot = this->Plot();
   const std::array<double, 2>& range = this->Bench.Data.Counted().Range;
-  const double share = static_cast<double>(x - plot.x()) / std::max(plot.width() - 1, 1);
-  return range[0] + std::clamp(share, 0.0, 1.0) * (range[1] - range[0]);
+  const double share = (marker.Value - range[0]) / (range[1] - range[0]);
+  const double height = this->Bench.Data.DrawsSurfaces() ? 1.0 : marker.Opacity;
+  return { plot.x() + share * (plot.width() - 1), plot.bottom() - height * plot.height() };
 }
 
-double HistogramPanel::XOf(double value) const
+Marker HistogramPanel::MarkerAt(const QPoint& place) const
 {
   const QRect plot = this->Plot();
   const std::array<double, 2>& range = this->Bench.Data.Counted().Range;
-  return plot.x() + (value - range[0]) / (range[1] - range[0]) * (plot.width() - 1);
+  const double share = static_cast<double>(place.x() - plot.x()) / std::max(plot.width() - 1, 1);
+  const double height = static_cast<double>(plot.bottom() - place.y()) / plot.height();
+  return { range[0] + std::clamp(share, 0.0, 1.0) * (range[1] - range[0]),
+    std::clamp(height, 0.0, 1.0) };
 }
 
-// Each column in the colour of its value, and once more without colour.
+int HistogramPanel::Nearest(const QPoint& place) const
+{
+  int nearest = -1;
+  double least = Reach;
+  const std::vector<Marker>& markers = this->Bench.Markers();
+  for (std::size_t i = 0; i < markers.size(); ++i)
+  {
+    const QPointF way = this->PlaceOf(markers[i]) - place;
+    const double distance =
+      this->Bench.Data.DrawsSurfaces() ? std::abs(way.x()) : std::hypot(way.x(), way.y());
+    nearest = distance < least ? static_cast<int>(i) : nearest;
+    least = std::min(least, distance);
+  }
+  return nearest;
+}
+
+// With the frame that is due: the window is drawn once for both.
+void HistogramPanel::Refresh()
+{
+  this->IsLate = this->Bench.IsRenderDue() && !this->Bench.IsBuilding();
+  if (!this->IsLate)
+  {
+    this->update();
+  }
+}
+
+// Each column in the colour of its value. They are kept while they stay as they are.
 void HistogramPanel::MakeBars()
 {
   const QRect plot = this->Plot();
   const Histogram& counted = this->Bench.Data.Counted();
+  const std::size_t count = counted.Bins.size();
   const double most = *std::max_element(counted.Bins.begin(), counted.Bins.end());
-  const double scale = plot.height() / std::log1p(most);
-  const auto lastBin = static_cast<double>(counted.Bins.size() - 1);
-  const QColor faint = Blended(this->palette(), 0.3);
-  for (QPixmap* bars : { &this->Bars, &this->FaintBars })
+  std::vector<double> of = counted.Bins;
+  const QColor ground = this->palette().color(QPalette::Window);
+  of.insert(of.end(),
+    { 1.0 * plot.width(), 1.0 * plot.height(), this->devicePixelRatioF(), 1.0 * ground.rgb() });
+  std::vector<QColor> colors;
+  for (std::size_t bin = 0; bin < count; ++bin)
   {
-    *bars = QPixmap(this->size() * this->devicePixelRatioF());
-    bars->setDevicePixelRatio(this->devicePixelRatioF());
-    bars->fill(Qt::transparent);
-    QPainter painter(bars);
-    for (int x = plot.left(); x <= plot.right(); ++x)
-    {
-      const double share = static_cast<double>(x - plot.x()) / std::max(plot.width() - 1, 1);
-      const auto bin = static_cast<std::size_t>(share * lastBin + 0.5);
-      const int height = static_cast<int>(std::ceil(scale * std::log1p(counted.Bins[bin])));
-      painter.fillRect(x, plot.bottom() + 1 - height, 1, height,
-        bars == &this->Bars ? ColorAt(this->Bench, this->ValueAt(x)) : faint);
-    }
+    const double share = static_cast<double>(bin) / static_cast<double>(count - 1);
+    const double value = counted.Range[0] + share * (counted.Range[1] - counted.Range[0]);
+    const Rgb rgb = this->Bench.Data.View.ColorOf({ value });
+    of.insert(of.end(), rgb.begin(), rgb.end());
+    colors.push_back(ToQColor(rgb));
+  }
+  if (std::exchange(this->BarsOf, of) == of)
+  {
+    return;
+  }
+  this->Bars = QPixmap(this->size() * this->devicePixelRatioF());
+  this->Bars.setDevicePixelRatio(this->devicePixelRatioF());
+  this->Bars.fill(ground);
+  QPainter painter(&this->Bars);
+  for (int x = 0; x < plot.width(); ++x)
+  {
+    const auto bin =
+      static_cast<std::size_t>(x) * (count - 1) / static_cast<std::size_t>(plot.width());
+    const double height = plot.height() * std::log1p(counted.Bins[bin]) / std::log1p(most);
+    painter.fillRect(QRectF(plot.x() + x, plot.bottom() + 1 - height, 1.0, height), colors[bin]);
   }
 }
 
 // What no surface shows is faint: it lies below the least isovalue.
-void HistogramPanel::DrawBars(QPainter& painter)
+void HistogramPanel::DrawBars(QPainter& painter) const
 {
-  constexpr int few = 256; // colours, which tell one palette from another
-  const std::array<double, 2>& range = this->Bench.Data.Counted().Range;
-  const QRect plot = this->Plot();
-  std::vector<double> of(3 * few);
-  this->Bench.Data.View.Colors()->GetTable(range[0], range[1], few, of.data());
-  of.insert(of.end(),
-    { plot.x() * 1.0, plot.y() * 1.0, plot.width() * 1.0, plot.height() * 1.0,
-      this->devicePixelRatioF(), static_cast<double>(this->palette().cacheKey()) });
-  if (of != this->BarsOf)
-  {
-    this->BarsOf = of;
-    this->MakeBars();
-  }
-  double least = range[this->Bench.Data.DrawsSurfaces() ? 1 : 0];
-  for (const Surface& surface : this->Bench.Data.Settings().Surfaces)
-  {
-    least = std::min(least, surface.Isovalue);
-  }
   const QRect all = this->rect();
-  const int begin = static_cast<int>(std::ceil(this->XOf(least)));
-  painter.setClipRect(all.adjusted(begin, 0, 0, 0));
+  double begin = this->Bench.Data.DrawsSurfaces() ? all.width() : 0.0;
+  for (const Marker& marker : this->Bench.Markers())
+  {
+    begin = std::min(begin, this->PlaceOf(marker).x());
+  }
+  const int from = static_cast<int>(std::ceil(begin));
+  painter.setClipRect(all.adjusted(from, 0, 0, 0));
   painter.drawPixmap(0, 0, this->Bars);
-  painter.setClipRect(QRect(0, 0, begin, all.height()));
-  painter.drawPixmap(0, 0, this->FaintBars);
+  painter.setClipRect(QRect(0, 0, from, all.height()));
+  painter.setOpacity(Faint);
+  painter.drawPixmap(0, 0, this->Bars);
+  painter.setOpacity(1.0);
   painter.setClipping(false);
 }
 
-void HistogramPanel::DrawSurfaces(QPainter& painter) const
+void HistogramPanel::DrawMarkers(QPainter& painter) const
 {
   const QRect plot = this->Plot();
-  const auto& surfaces = this->Bench.Data.Settings().Surfaces;
-  for (std::size_t i = 0; i < surfaces.size(); ++i)
-  {
-    const double x = this->XOf(surfaces[i].Isovalue);
-    const bool isSelected = i == this->Bench.Selected();
-    const QColor line = isSelected ? this->palette().color(QPalette::Highlight)
-                                   : this->palette().color(QPalette::WindowText);
-    painter.setPen(QPen(line, 2, surfaces[i].IsVisible ? Qt::SolidLine : Qt::DotLine));
-    painter.drawLine(QPointF(x, plot.top() - 2), QPointF(x, plot.bottom()));
-    painter.setBrush(
-      surfaces[i].Color ? ColorOf(*surfaces[i].Color) : ColorAt(this->Bench, surfaces[i].Isovalue));
-    const double size = 0.4 * this->fontMetrics().height();
-    painter.drawEllipse(QPointF(x, plot.top() - 2), size, size);
-  }
-}
-
-void HistogramPanel::DrawNodes(QPainter& painter) const
-{
-  const QRect plot = this->Plot();
-  const auto& nodes = this->Bench.Data.Settings().Nodes;
+  const QColor text = this->palette().color(QPalette::WindowText);
+  const double size = 0.4 * this->fontMetrics().height();
   QPolygonF line;
-  for (const auto& node : nodes)
+  for (const Marker& marker : this->Bench.Markers())
   {
-    line << QPointF(this->XOf(node.Value), plot.bottom() - node.Opacity * plot.height());
+    line << this->PlaceOf(marker);
   }
-  // With a rim, as it lies over bars of any colour.
-  painter.setPen(QPen(this->palette().color(QPalette::Window), 4));
-  painter.drawPolyline(line);
-  painter.setPen(QPen(this->palette().color(QPalette::WindowText), 2));
-  painter.drawPolyline(line);
+  if (!this->Bench.Data.DrawsSurfaces())
+  {
+    // With a rim, as it lies over bars of any colour.
+    painter.setPen(QPen(this->palette().color(QPalette::Window), 4));
+    painter.drawPolyline(line);
+    painter.setPen(QPen(text, 2));
+    painter.drawPolyline(line);
+  }
   for (int i = 0; i < line.size(); ++i)
   {
-    const double size = 0.4 * this->fontMetrics().height();
-    painter.setPen(QPen(
-      this->palette().color(i == this->Chosen() ? QPalette::Highlight : QPalette::WindowText), 2));
-    painter.setBrush(ColorAt(this->Bench, nodes[static_cast<std::size_t>(i)].Value));
+    const Marker& marker = this->Bench.Markers()[static_cast<std::size_t>(i)];
+    const bool isSelected = static_cast<std::size_t>(i) == this->Bench.Selected();
+    painter.setPen(QPen(isSelected ? this->palette().color(QPalette::Highlight) : text, 2,
+      marker.IsVisible ? Qt::SolidLine : Qt::DotLine));
+    if (this->Bench.Data.DrawsSurfaces())
+    {
+      painter.drawLine(line[i], QPointF(line[i].x(), plot.bottom()));
+    }
+    painter.setBrush(ToQColor(this->Bench.Data.View.ColorOf(marker)));
     painter.drawEllipse(line[i], size, size);
+    if (isSelected)
+    {
+      const QString label = this->Bench.Data.DrawsSurfaces()
+        ? tr("Isovalue %1").arg(Short(marker.Value))
+        : tr("%1: %2 %").arg(Short(marker.Value)).arg(100.0 * marker.Opacity, 0, 'f', 1);
+      const double width = this->fontMetrics().horizontalAdvance(label);
+      const double right = line[i].x() + 2.0 * size;
+      painter.setPen(text);
+      painter.drawText(QPointF(right + width < this->width() ? right : right - width - 4.0 * size,
+                         this->fontMetrics().ascent()),
+        label);
+    }
   }
 }
 
-void HistogramPanel::DrawNumbers(QPainter& painter) const
+void HistogramPanel::paintEvent(QPaintEvent* event)
 {
-  const QRect plot = this->Plot();
-  const int line = this->fontMetrics().height();
-  const std::array<double, 2>& range = this->Bench.Data.Counted().Range;
-  const Look& look = this->Bench.Data.Settings();
-  const auto& node = look.Nodes[static_cast<std::size_t>(this->Chosen())];
-  const QString what = this->Bench.Data.DrawsSurfaces()
-    ? tr("Isovalue %1").arg(Short(look.Surfaces[this->Bench.Selected()].Isovalue))
-    : tr("Value %1, opacity %2").arg(Short(node.Value), Short(node.Opacity));
-  painter.setPen(this->palette().color(QPalette::WindowText));
-  const QRect foot(plot.x(), plot.bottom() + 2, plot.width(), line);
-  painter.drawText(foot, Qt::AlignLeft, Short(range[0]));
-  painter.drawText(foot, Qt::AlignRight, Short(range[1]));
-  painter.drawText(foot, Qt::AlignHCenter, what);
-}
-
-void HistogramPanel::paintEvent(QPaintEvent*)
-{
+  QPainter painter(this);
+  painter.fillRect(event->rect(), this->palette().color(QPalette::Window));
   if (!this->Bench.Data.IsOpen())
   {
     return;
   }
-  QPainter painter(this);
+  this->MakeBars();
   this->DrawBars(painter);
   painter.setRenderHint(QPainter::Antialiasing);
-  if (this->Bench.Data.DrawsSurfaces())
-  {
-    this->DrawSurfaces(painter);
-  }
-  else
-  {
-    this->DrawNodes(painter);
-  }
-  this->DrawNumbers(painter);
+  this->DrawMarkers(painter);
+  const std::array<double, 2>& range = this->Bench.Data.Counted().Range;
+  const QRect foot = this->rect().adjusted(0, this->Plot().bottom() + 2, 0, 0);
+  painter.setPen(this->palette().color(QPalette::WindowText));
+  painter.drawText(foot, Qt::AlignLeft, " " + Short(range[0]));
+  painter.drawText(foot, Qt::AlignRight, Short(range[1]) + " ");
   if (this->hasFocus())
   {
     painter.setPen(QPen(this->palette().color(QPalette::Highlight), 1, Qt::DotLine));
@@ -226,144 +236,51 @@ void HistogramPanel::paintEvent(QPaintEvent*)
   }
 }
 
-int HistogramPanel::Chosen() const
-{
-  return std::clamp(this->Node, 0, static_cast<int>(this->Bench.Data.Settings().Nodes.size()) - 1);
-}
-
-int HistogramPanel::NodeNear(const QPoint& place) const
-{
-  const QRect plot = this->Plot();
-  const auto& nodes = this->Bench.Data.Settings().Nodes;
-  int nearest = -1;
-  double least = 2.0 * Reach;
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-  {
-    const double distance = std::hypot(this->XOf(nodes[i].Value) - place.x(),
-      plot.bottom() - nodes[i].Opacity * plot.height() - place.y());
-    if (distance < least)
-    {
-      least = distance;
-      nearest = static_cast<int>(i);
-    }
-  }
-  return nearest;
-}
-
-void HistogramPanel::Grab(const QPoint& place)
-{
-  if (!this->Bench.Data.DrawsSurfaces())
-  {
-    this->Bench.BeginGesture();
-    const int near = this->NodeNear(place);
-    this->Node = near < 0 ? this->Node : near;
-    this->update();
-    return;
-  }
-  const auto& surfaces = this->Bench.Data.Settings().Surfaces;
-  double least = Reach;
-  std::size_t nearest = this->Bench.Selected();
-  for (std::size_t i = 0; i < surfaces.size(); ++i)
-  {
-    const double distance = std::abs(this->XOf(surfaces[i].Isovalue) - place.x());
-    nearest = distance < least ? i : nearest;
-    least = std::min(least, distance);
-  }
-  this->Bench.Select(nearest);
-  this->Bench.PrepareDrag();
-}
-
+// Surfaces move along the values only; nodes not beyond their neighbours.
 void HistogramPanel::DragTo(const QPoint& place)
 {
-  const double value = this->ValueAt(place.x());
-  if (this->Bench.Data.DrawsSurfaces())
-  {
-    const std::size_t selected = this->Bench.Selected();
-    this->Bench.Edit(tr("isovalue"), [=](Look& look) { look.Surfaces[selected].Isovalue = value; });
-    return;
-  }
-  const QRect plot = this->Plot();
-  const double opacity = static_cast<double>(plot.bottom() - place.y()) / plot.height();
-  this->Bench.Edit(tr("opacity"),
-    [=](Look& look)
-    {
-      const auto at = static_cast<std::size_t>(this->Chosen());
-      auto& node = look.Nodes[at];
-      const double before = at > 0 ? look.Nodes[at - 1].Value : value;
-      const double after = at + 1 < look.Nodes.size() ? look.Nodes[at + 1].Value : value;
-      node.Value = std::clamp(value, before, std::max(before, after));
-      node.Opacity = std::clamp(opacity, 0.0, 1.0);
-    });
-}
-
-void HistogramPanel::AddNode(const QPoint& place)
-{
-  const double value = this->ValueAt(place.x());
-  this->Bench.BeginGesture();
-  this->Bench.Edit(tr("node"),
+  const Marker to = this->MarkerAt(place);
+  const std::size_t at = this->Bench.Selected();
+  const bool isSurface = this->Bench.Data.DrawsSurfaces();
+  this->Bench.Edit(isSurface ? tr("isovalue") : tr("opacity"),
     [&](Look& look)
     {
-      const auto at = std::find_if(look.Nodes.begin(), look.Nodes.end(),
-        [value](const auto& node) { return node.Value > value; });
-      this->Node = static_cast<int>(at - look.Nodes.begin());
-      look.Nodes.insert(at, { value, 0.0 });
-    });
-  this->DragTo(place);
-}
-
-void HistogramPanel::RemoveNode()
-{
-  this->Bench.BeginGesture();
-  this->Bench.Edit(tr("node"),
-    [this](Look& look)
-    {
-      if (look.Nodes.size() > 2)
-      {
-        look.Nodes.erase(look.Nodes.begin() + this->Chosen());
-      }
-    });
-}
-
-void HistogramPanel::ColorNode()
-{
-  const auto node = this->Bench.Data.Settings().Nodes[static_cast<std::size_t>(this->Chosen())];
-  AskColor(this, ColorAt(this->Bench, node.Value),
-    [this](const Rgb& color)
-    {
-      this->Bench.Edit(tr("colour"),
-        [&](Look& look) { look.Nodes[static_cast<std::size_t>(this->Chosen())].Color = color; });
+      std::vector<Marker>& markers = this->Bench.Data.MarkersOf(look);
+      const double before = isSurface || at == 0 ? to.Value : markers[at - 1].Value;
+      const double after = isSurface || at + 1 == markers.size() ? to.Value : markers[at + 1].Value;
+      markers[at].Value = std::clamp(to.Value, std::min(before, after), std::max(before, after));
+      markers[at].Opacity = isSurface ? markers[at].Opacity : to.Opacity;
     });
 }
 
 void HistogramPanel::MoveBy(double steps, double opacity)
 {
-  const double value = steps * this->Bench.Data.StepOfIsovalues();
-  const std::size_t surface = this->Bench.Selected();
   const bool isSurface = this->Bench.Data.DrawsSurfaces();
-  this->Bench.Edit(isSurface ? tr("isovalue") : tr("opacity"),
-    [=](Look& look)
+  this->Bench.EditMarker(isSurface ? tr("isovalue") : tr("opacity"),
+    [=](Marker& marker)
     {
-      if (isSurface)
-      {
-        look.Surfaces[surface].Isovalue += value;
-        return;
-      }
-      auto& node = look.Nodes[static_cast<std::size_t>(this->Chosen())];
-      node.Value += value;
-      node.Opacity += opacity;
+      marker.Value += steps * this->Bench.Data.StepOfValues();
+      marker.Opacity += isSurface ? 0.0 : opacity;
     });
 }
 
 void HistogramPanel::mousePressEvent(QMouseEvent* event)
 {
-  if (event->button() == Qt::LeftButton && this->Bench.Data.IsOpen())
+  if (!this->Bench.Data.IsOpen())
   {
-    this->Bench.SetDragging(true);
-    this->Grab(event->pos());
-    if (this->Bench.Data.DrawsSurfaces())
-    {
-      this->DragTo(event->pos());
-    }
+    return;
+  }
+  const int near = this->Nearest(event->pos());
+  this->Bench.Select(near < 0 ? this->Bench.Selected() : static_cast<std::size_t>(near));
+  if (event->button() != Qt::LeftButton)
+  {
+    return;
+  }
+  this->Bench.SetDragging(true);
+  this->Bench.PrepareDrag();
+  if (this->Bench.Data.DrawsSurfaces())
+  {
+    this->DragTo(event->pos());
   }
 }
 
@@ -372,6 +289,8 @@ void HistogramPanel::mouseMoveEvent(QMouseEvent* event)
   if (event->buttons() & Qt::LeftButton && this->Bench.Data.IsOpen())
   {
     this->DragTo(event->pos());
+    // At once: the window is drawn once, with this frame. Moves meanwhile become one.
+    this->Bench.Render();
   }
 }
 
@@ -384,83 +303,43 @@ void HistogramPanel::mouseDoubleClickEvent(QMouseEvent* event)
 {
   if (this->Bench.Data.IsOpen() && !this->Bench.Data.DrawsSurfaces())
   {
-    this->AddNode(event->pos());
+    this->Bench.AddMarker(this->MarkerAt(event->pos()));
   }
   else
   {
-    this->mousePressEvent(event);
+    this->mousePressEvent(event); // whoever presses again soon wants to drag again
   }
 }
 
 void HistogramPanel::wheelEvent(QWheelEvent* event)
 {
-  if (this->Bench.Data.IsOpen())
-  {
-    this->MoveBy(event->angleDelta().y() / 120.0, 0.0);
-  }
+  this->MoveBy(event->angleDelta().y() / 120.0, 0.0);
 }
 
 void HistogramPanel::keyPressEvent(QKeyEvent* event)
 {
   const double many = event->modifiers() & Qt::ShiftModifier ? 10.0 : 1.0;
   const bool isSurface = this->Bench.Data.IsOpen() && this->Bench.Data.DrawsSurfaces();
-  const int key = event->key();
-  const int turn = key == Qt::Key_PageUp ? -1 : 1;
-  if (!this->Bench.Data.IsOpen())
+  const std::size_t count = this->Bench.Markers().size();
+  switch (this->Bench.Data.IsOpen() ? event->key() : static_cast<int>(Qt::Key_unknown))
   {
-    event->ignore();
+    case Qt::Key_Left:
+      return this->MoveBy(-many, 0.0);
+    case Qt::Key_Right:
+      return this->MoveBy(many, 0.0);
+    case Qt::Key_Up:
+      return this->MoveBy(isSurface ? many : 0.0, 0.01 * many);
+    case Qt::Key_Down:
+      return this->MoveBy(isSurface ? -many : 0.0, -0.01 * many);
+    case Qt::Key_PageUp:
+      return this->Bench.Select((this->Bench.Selected() + count - 1) % count);
+    case Qt::Key_PageDown:
+      return this->Bench.Select((this->Bench.Selected() + 1) % count);
+    case Qt::Key_Insert:
+      return this->Bench.AddMarker();
+    case Qt::Key_Delete:
+      return this->Bench.RemoveMarker();
+    default:
+      QWidget::keyPressEvent(event);
   }
-  else if (key == Qt::Key_Left || key == Qt::Key_Right)
-  {
-    this->MoveBy(key == Qt::Key_Left ? -many : many, 0.0);
-  }
-  else if (key == Qt::Key_Up || key == Qt::Key_Down)
-  {
-    const double up = key == Qt::Key_Up ? many : -many;
-    this->MoveBy(isSurface ? up : 0.0, 0.01 * up);
-  }
-  else if (key == Qt::Key_PageUp || key == Qt::Key_PageDown)
-  {
-    const Look& look = this->Bench.Data.Settings();
-    const auto count = static_cast<int>(isSurface ? look.Surfaces.size() : look.Nodes.size());
-    const int now = isSurface ? static_cast<int>(this->Bench.Selected()) : this->Chosen();
-    const int next = (now + turn + count) % count;
-    this->Node = isSurface ? this->Node : next;
-    this->Bench.Select(isSurface ? static_cast<std::size_t>(next) : this->Bench.Selected());
-    this->update();
-  }
-  else if (key == Qt::Key_Insert && !isSurface)
-  {
-    const auto& nodes = this->Bench.Data.Settings().Nodes;
-    const auto at = static_cast<std::size_t>(std::max(this->Chosen(), 1));
-    this->AddNode(
-      { static_cast<int>(0.5 * (this->XOf(nodes[at - 1].Value) + this->XOf(nodes[at].Value))),
-        this->Plot().center().y() });
-  }
-  else if (key == Qt::Key_Delete && !isSurface)
-  {
-    this->RemoveNode();
-  }
-  else
-  {
-    QWidget::keyPressEvent(event);
-  }
-}
-
-void HistogramPanel::contextMenuEvent(QContextMenuEvent* event)
-{
-  if (!this->Bench.Data.IsOpen() || this->Bench.Data.DrawsSurfaces())
-  {
-    return;
-  }
-  const int near = this->NodeNear(event->pos());
-  QMenu menu;
-  menu.addAction(tr("Add node here"), [=] { this->AddNode(event->pos()); });
-  if (near >= 0)
-  {
-    this->Node = near;
-    menu.addAction(tr("Colour of this node..."), [this] { this->ColorNode(); });
-    menu.addAction(tr("Remove this node"), [this] { this->RemoveNode(); });
-  }
-  menu.exec(event->globalPos());
 }

@@ -3,22 +3,21 @@
 #ifndef HistogramPanel_h
 #define HistogramPanel_h
 
+#include "Model/Look.h"
+
 #include <QPixmap>
 #include <QWidget>
 
-#include <vector>
-
 class Workbench;
 
-// The histogram. Over it lie the isovalues of surfaces, or the opacity of a blended volume: both
-// are dragged, or moved with keys.
+// The histogram. Over it lie the markers, surfaces or nodes of the opacity of a blended volume:
+// they are dragged, or moved with keys.
 class HistogramPanel : public QWidget
 {
 public:
   explicit HistogramPanel(Workbench& bench);
 
-  // Where a share of the range of values lies.
-  QPoint PlaceOf(double share) const;
+  QPoint PlaceOf(double share) const; // of the range of values
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
 
@@ -26,34 +25,27 @@ protected:
   void paintEvent(QPaintEvent*) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
-  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent*) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
-  void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
   QRect Plot() const;
-  double ValueAt(int x) const;
-  double XOf(double value) const;
+  QPointF PlaceOf(const Marker& marker) const;
+  Marker MarkerAt(const QPoint& place) const;
+  int Nearest(const QPoint& place) const; // marker within reach; -1: none
+  void Refresh();
   void MakeBars();
-  void DrawBars(QPainter& painter);
-  void DrawSurfaces(QPainter& painter) const;
-  void DrawNodes(QPainter& painter) const;
-  void DrawNumbers(QPainter& painter) const;
-  void Grab(const QPoint& place);
+  void DrawBars(QPainter& painter) const;
+  void DrawMarkers(QPainter& painter) const;
   void DragTo(const QPoint& place);
-  void AddNode(const QPoint& place);
-  void RemoveNode();
-  void ColorNode();
-  int NodeNear(const QPoint& place) const; // -1: none
   void MoveBy(double steps, double opacity);
-  int Chosen() const; // node
 
   Workbench& Bench;
-  int Node = 1;
-  QPixmap Bars, FaintBars;
-  std::vector<double> BarsOf; // what they were made of, but the samples
+  bool IsLate = false; // until the next frame
+  QPixmap Bars;
+  std::vector<double> BarsOf; // what they were made of
 };
 
 #endif

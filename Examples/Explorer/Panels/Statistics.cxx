@@ -4,7 +4,6 @@
 #include "Work/Workbench.h"
 
 #include <QPainter>
-#include <QTimer>
 #include <QWidget>
 
 #include <algorithm>
@@ -15,13 +14,15 @@ namespace
 
 constexpr std::size_t MostFrames = 200;
 constexpr int PaintEvery = 100; // ms
+constexpr double BytesPerMiB = 1024.0 * 1024.0;
 
 const QColor Hit(84, 184, 148), Possible(236, 196, 72), Miss(110, 124, 148);
 
-struct Frame
+struct Fact
 {
-  double WindowMs = 0.0;
-  double MapperMs = 0.0;
+  QString Label;
+  QString Value;
+  QColor Key = {};
 };
 
 // What the last frame was like, and how long the last ones took.
@@ -29,7 +30,6 @@ class Statistics : public QWidget
 {
 public:
   explicit Statistics(Workbench& bench)
-    : Bench(bench)
   {
     this->setObjectName("statistics");
     this->setAccessibleName(tr("Statistics of the last frames"));
@@ -37,19 +37,7 @@ public:
     this->Due.setSingleShot(true);
     QObject::connect(&this->Due, &QTimer::timeout, this, [this] { this->update(); });
     QObject::connect(&bench, &Workbench::FrameDrawn, this,
-      [this](double ms)
-      {
-        this->Facts = this->Bench.Data.View.Facts();
-        this->Frames.push_back({ ms, this->Facts.Ms });
-        if (this->Frames.size() > MostFrames)
-        {
-          this->Frames.pop_front();
-        }
-        if (!this->Due.isActive())
-        {
-          this->Due.start(PaintEvery);
-        }
-      });
+      [this, &bench](double ms) { this->Take(*bench.Data.View.Mapper, ms); });
   }
 
   QSize sizeHint() const override
@@ -62,65 +50,76 @@ public:
 protected:
   void paintEvent(QPaintEvent*) override
   {
-    if (this->Frames.empty())
-    {
-      return;
-    }
     QPainter painter(this);
     const int line = this->fontMetrics().height();
     this->DrawFrames(painter, { 0, 0, this->width(), 4 * line });
-    const Frame& last = this->Frames.back();
-    const FrameFacts& facts = this->Facts;
-    int place = 0;
     // Two of them in a row: all are seen in a panel of half the window's height.
-    const auto tell = [&](const QString& label, const QString& value, const QColor& key = {})
+    const int width = (this->width() - line) / 2;
+    QRect place(0, 4 * line + line / 2, width, line);
+    for (const Fact& fact : this->Facts)
     {
-      const int width = (this->width() - line) / 2;
-      const int y = 4 * line + line / 2 + place / 2 * line;
-      const QRect rect(place % 2 * (width + line), y, width, line);
-      ++place;
-      const int indent = key.isValid() ? line : 0;
-      if (key.isValid())
-      {
-        painter.fillRect(rect.x() + line / 4, y + line / 4, line / 2, line / 2, key);
-      }
-      painter.setPen(Blended(this->palette(), 0.7));
-      painter.drawText(rect.adjusted(indent, 0, 0, 0), Qt::AlignLeft, label);
+      const QRect key(place.x() + line / 4, place.y() + line / 4, line / 2, line / 2);
+      painter.fillRect(fact.Key.isValid() ? key : QRect(), fact.Key);
+      painter.setPen(this->palette().color(QPalette::PlaceholderText));
+      painter.drawText(
+        place.adjusted(fact.Key.isValid() ? line : 0, 0, 0, 0), Qt::AlignLeft, fact.Label);
       painter.setPen(this->palette().color(QPalette::WindowText));
-      painter.drawText(rect, Qt::AlignRight, value);
-    };
-    const auto percent = [](double share) { return tr("%1 %").arg(100.0 * share, 0, 'f', 1); };
-    tell(tr("Mapper"), tr("%1 ms").arg(facts.Ms, 0, 'f', 1));
-    tell(tr("Window"), tr("%1 ms").arg(last.WindowMs, 0, 'f', 1));
-    tell(tr("Hits"), percent(facts.Hits), Hit);
-    tell(tr("Traced"), percent(facts.Traced));
-    tell(tr("Possible"), percent(facts.PossibleHits), Possible);
-    tell(tr("Samples"), tr("%1 a ray").arg(facts.SamplesPerRay, 0, 'f', 1));
-    tell(tr("Misses"), percent(facts.Misses), Miss);
-    tell(tr("Isomap"), tr("%1 MiB").arg(facts.IsomapMiB, 0, 'f', 1));
-    tell(tr("Route"), QString::fromStdString(facts.Route));
+      painter.drawText(place, Qt::AlignRight, fact.Value);
+      const bool isLeft = place.x() == 0;
+      place.moveTo(isLeft ? width + line : 0, place.y() + (isLeft ? 0 : line));
+    }
   }
 
 private:
+  void Take(vtkTemporalCoherenceVolumeMapper& mapper, double windowMs)
+  {
+    const double ms = 1000.0 * mapper.GetFrameTime();
+    const double rays = std::max(1.0, static_cast<double>(mapper.GetNumberOfRays()));
+    const auto each = [](double number, const char* unit)
+    { return tr("%1 %2").arg(number, 0, 'f', 1).arg(tr(unit)); };
+    const auto share = [&](vtkIdType count)
+    { return each(100.0 * static_cast<double>(count) / rays, "%"); };
+    this->Facts = {
+      { tr("Mapper"), each(ms, "ms") },
+      { tr("Window"), each(windowMs, "ms") },
+      { tr("Hits"), share(mapper.GetNumberOfDefiniteHits()), Hit },
+      { tr("Traced"), share(mapper.GetNumberOfTracedRays()) },
+      { tr("Possible"), share(mapper.GetNumberOfPossibleHits()), Possible },
+      { tr("Samples"),
+        each(static_cast<double>(mapper.GetNumberOfFieldSamples()) / rays, "a ray") },
+      { tr("Misses"), share(mapper.GetNumberOfDefiniteMisses()), Miss },
+      { tr("Isomap"), each(static_cast<double>(mapper.GetIsomapMemory()) / BytesPerMiB, "MiB") },
+      { tr("Route"), mapper.GetRouteAsString() },
+    };
+    this->Frames.push_back({ windowMs, ms });
+    if (this->Frames.size() > MostFrames)
+    {
+      this->Frames.pop_front();
+    }
+    if (!this->Due.isActive())
+    {
+      this->Due.start(PaintEvery);
+    }
+  }
+
   void DrawFrames(QPainter& painter, const QRect& area) const
   {
-    double most = 0.0;
-    for (const Frame& frame : this->Frames)
+    double most = 1e-3;
+    for (const auto& frame : this->Frames)
     {
-      most = std::max(most, frame.WindowMs);
+      most = std::max(most, frame[0]);
     }
     painter.fillRect(area, this->palette().color(QPalette::Base));
     const double width = static_cast<double>(area.width()) / MostFrames;
     double x = area.right() - width * static_cast<double>(this->Frames.size());
-    for (const Frame& frame : this->Frames)
+    for (const auto& frame : this->Frames)
     {
-      const auto bar = [&](double ms, const QColor& color)
+      for (const bool isMapper : { false, true })
       {
-        const double height = area.height() * ms / std::max(most, 1e-3);
-        painter.fillRect(QRectF(x, area.bottom() + 1 - height, width, height), color);
-      };
-      bar(frame.WindowMs, Miss);
-      bar(frame.MapperMs, this->palette().color(QPalette::Highlight));
+        const double height = area.height() * frame[isMapper ? 1 : 0] / most;
+        painter.fillRect(QRectF(x, area.bottom() + 1 - height, width, height),
+          isMapper ? this->palette().color(QPalette::Highlight) : Miss);
+      }
       x += width;
     }
     painter.setPen(this->palette().color(QPalette::Text));
@@ -128,10 +127,9 @@ private:
       area.adjusted(4, 2, -4, -2), Qt::AlignLeft | Qt::AlignTop, tr("%1 ms").arg(most, 0, 'f', 0));
   }
 
-  Workbench& Bench;
   QTimer Due;
-  FrameFacts Facts;
-  std::deque<Frame> Frames;
+  std::vector<Fact> Facts;
+  std::deque<std::array<double, 2>> Frames; // ms: of the window, of the mapper
 };
 
 }

@@ -8,8 +8,10 @@
 #include <vtkProperty.h>
 #include <vtkTransform.h>
 
-ClipHandles::ClipHandles(Workbench& bench, vtkRenderWindowInteractor* interactor, double pixels)
-  : Bench(bench)
+ClipHandles::ClipHandles(
+  Workbench& bench, vtkRenderWindowInteractor* interactor, double pixels, QObject* parent)
+  : QObject(parent)
+  , Bench(bench)
 {
   this->PlaneWidget->SetRepresentation(this->PlaneShape);
   this->PlaneShape->SetPlaceFactor(1.0);
@@ -60,17 +62,17 @@ void ClipHandles::Show()
     return;
   }
   const Look& look = this->Bench.Data.Settings();
-  if (look.Clip)
+  if (look.Choices[Choose::Clipping] != 0)
   {
-    auto plane = *look.Clip;
+    Plane plane = look.Clip;
     this->PlaneShape->SetOrigin(plane.Origin.data());
     this->PlaneShape->SetNormal(plane.Normal.data());
   }
-  this->PlaneWidget->SetEnabled(look.Clip.has_value());
-  if (look.Crop)
+  this->PlaneWidget->SetEnabled(look.Choices[Choose::Clipping] != 0);
+  if (look.Choices[Choose::Cropping] != 0)
   {
     // From the whole box to the part of it, and to where the data lie in the world.
-    const auto& crop = *look.Crop;
+    const Box& crop = look.Crop;
     const auto box = this->Bench.Data.View.DataBounds();
     vtkNew<vtkTransform> transform;
     if (vtkMatrix4x4* placement = this->Bench.Data.View.Placement())
@@ -83,7 +85,7 @@ void ClipHandles::Show()
     transform->Translate(-box[0], -box[2], -box[4]);
     this->BoxShape->SetTransform(transform);
   }
-  this->BoxWidget->SetEnabled(look.Crop.has_value());
+  this->BoxWidget->SetEnabled(look.Choices[Choose::Cropping] != 0);
 }
 
 void ClipHandles::TakePlane()

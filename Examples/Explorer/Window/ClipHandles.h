@@ -17,7 +17,9 @@ class vtkRenderWindowInteractor;
 class ClipHandles : public QObject
 {
 public:
-  ClipHandles(Workbench& bench, vtkRenderWindowInteractor* interactor, double pixels); // of a line
+  // pixels: of a line
+  ClipHandles(
+    Workbench& bench, vtkRenderWindowInteractor* interactor, double pixels, QObject* parent);
 
 private:
   void Place(); // for other data

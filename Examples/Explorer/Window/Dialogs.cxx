@@ -2,48 +2,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Window/Dialogs.h"
 
-#include "Work/Actions.h"
+#include "Program/Quoted.h"
+#include "Program/UserError.h"
 #include "Work/Workbench.h"
 
 #include <vtkCamera.h>
 
+#include <QColorDialog>
 #include <QComboBox>
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QFile>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QFormLayout>
-#include <QImage>
-#include <QLabel>
+#include <QMainWindow>
 #include <QPixmap>
 #include <QProgressDialog>
 #include <QSpinBox>
-#include <QWidget>
-
-#include <algorithm>
 
 namespace
 {
 
 constexpr int MostPixels = 16384;
-
-QSpinBox* AddNumber(QFormLayout* rows, const QString& name, int value, int most)
-{
-  auto* box = new QSpinBox;
-  box->setRange(1, most);
-  box->setValue(value);
-  rows->addRow(name, box);
-  return box;
-}
-
-bool Ask(QDialog& dialog, QFormLayout* rows)
-{
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
-  QObject::connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
-  QObject::connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
-  rows->addRow(buttons);
-  return dialog.exec() == QDialog::Accepted;
-}
 
 enum Motion
 {
@@ -51,13 +32,63 @@ enum Motion
   Sweep, // of the selected isovalue
 };
 
-// One frame after another; between them the window answers.
-void MakeFilm(QWidget* over, Workbench& bench, Motion motion, int frames, int width, int height)
+QString Directory(const Workbench& bench)
 {
-  QProgressDialog progress(QObject::tr("Making a film"), QObject::tr("Stop"), 0, frames, over);
+  return QFileInfo(QFile::decodeName(bench.Data.State().Source.Path.c_str())).absolutePath();
+}
+
+void Open(Workbench& bench, const QString& path)
+{
+  if (!path.isEmpty())
+  {
+    bench.OpenPath(path);
+  }
+}
+
+// How large a picture is to be, and what else is asked for.
+class SizeDialog : public QDialog
+{
+public:
+  SizeDialog(QWidget& over, Workbench& bench, const QString& title)
+    : QDialog(&over)
+    , Rows(new QFormLayout(this))
+  {
+    const int* size = bench.Data.View.Renderer->GetSize();
+    this->setWindowTitle(title);
+    this->Width = this->AddNumber(tr("Width"), size[0], MostPixels);
+    this->Height = this->AddNumber(tr("Height"), size[1], MostPixels);
+  }
+
+  QSpinBox* AddNumber(const QString& name, int value, int most)
+  {
+    auto* box = new QSpinBox;
+    box->setRange(1, most);
+    box->setValue(value);
+    this->Rows->addRow(name, box);
+    return box;
+  }
+
+  bool Ask()
+  {
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
+    QObject::connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    QObject::connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    this->Rows->addRow(buttons);
+    return this->exec() == QDialog::Accepted;
+  }
+
+  QFormLayout* Rows;
+  QSpinBox* Width;
+  QSpinBox* Height;
+};
+
+// One frame after another; between them the window answers.
+void MakeFilm(QWidget& over, Workbench& bench, Motion motion, int frames, int width, int height)
+{
+  QProgressDialog progress(QObject::tr("Making a film"), QObject::tr("Stop"), 0, frames, &over);
   progress.setWindowModality(Qt::WindowModal);
-  Recorder recorder(bench.Chosen.OutputDirectory);
-  recorder.Start(bench.Data.Settings().Choices.TextOf(Choose::Film));
+  Recorder recorder(bench.Output.Directory);
+  recorder.Start(bench.Data.Settings().TextOf(Choose::Film));
   const Look before = bench.Data.Settings();
   const CameraState camera = bench.Data.View.Camera();
   const auto& range = bench.Data.Counted().Range;
@@ -66,7 +97,7 @@ void MakeFilm(QWidget* over, Workbench& bench, Motion motion, int frames, int wi
     if (motion == Sweep)
     {
       Look look = before;
-      look.Surfaces[bench.Selected()].Isovalue =
+      bench.Data.MarkersOf(look)[bench.Selected()].Value =
         range[0] + (frame + 0.5) / frames * (range[1] - range[0]);
       bench.Data.SetSettings(look);
     }
@@ -85,88 +116,94 @@ void MakeFilm(QWidget* over, Workbench& bench, Motion motion, int frames, int wi
 
 }
 
-QWidget* MakeKeysPanel()
+void AskOpen(QMainWindow& window, Workbench& bench)
 {
-  QString text = "<table>";
-  const auto add = [&text](const QString& keys, const QString& help)
-  {
-    text += QString("<tr><td><b>%1</b>&nbsp;&nbsp;</td><td>%2</td></tr>")
-              .arg(keys.toHtmlEscaped(), help.toHtmlEscaped());
-  };
-  for (const Gesture& gesture : AllGestures())
-  {
-    add(QObject::tr(gesture.Keys), QObject::tr(gesture.Help));
-  }
-  for (const Action& action : AllActions())
-  {
-    add(action.Keys, QObject::tr(action.Help));
-  }
-  for (const Choice& choice : AllChoices())
-  {
-    add(QString(QChar(choice.Key).toUpper()), QObject::tr(choice.Help));
-  }
-  auto* label = new QLabel(text + "</table>");
-  label->setTextFormat(Qt::RichText);
-  label->setAlignment(Qt::AlignTop);
-  label->setWordWrap(true);
-  label->setMargin(label->fontMetrics().height() / 2);
-  return label;
+  Open(bench,
+    QFileDialog::getOpenFileName(
+      &window, QObject::tr("Open a volume or a session"), Directory(bench)));
 }
 
-void AskPicture(QWidget* over, Workbench& bench)
+void AskOpenFolder(QMainWindow& window, Workbench& bench)
 {
-  QDialog dialog(over);
-  dialog.setWindowTitle(QObject::tr("Save a picture"));
-  auto* rows = new QFormLayout(&dialog);
-  const int* size = bench.Data.View.Renderer->GetSize();
-  QSpinBox* width = AddNumber(rows, QObject::tr("Width"), size[0], MostPixels);
-  QSpinBox* height = AddNumber(rows, QObject::tr("Height"), size[1], MostPixels);
-  if (!Ask(dialog, rows))
-  {
-    return;
-  }
-  const QString path = QFileDialog::getSaveFileName(
-    over, QObject::tr("Save the picture"), "explorer.png", QObject::tr("Pictures (*.png)"));
+  Open(bench,
+    QFileDialog::getExistingDirectory(
+      &window, QObject::tr("Open a folder of DICOM files"), Directory(bench)));
+}
+
+void AskSaveSession(QMainWindow& window, Workbench& bench)
+{
+  const QString path = QFileDialog::getSaveFileName(&window, QObject::tr("Save the session"),
+    "explorer.session", QObject::tr("Sessions (*.session)"));
   if (!path.isEmpty())
   {
-    bench.SavePicture(QFile::encodeName(path).toStdString(), width->value(), height->value());
+    const QString suffix = path.endsWith(".session") ? "" : ".session";
+    bench.SaveSession(QFile::encodeName(path + suffix).toStdString());
   }
 }
 
-void AskFilm(QWidget* over, Workbench& bench)
+void AskColor(QMainWindow& window, Workbench& bench)
 {
-  QDialog dialog(over);
-  dialog.setWindowTitle(QObject::tr("Make a film"));
-  auto* rows = new QFormLayout(&dialog);
-  auto* motion = new QComboBox;
-  motion->addItems({ QObject::tr("turn around the volume"), QObject::tr("sweep the isovalue") });
-  rows->addRow(QObject::tr("Motion"), motion);
-  const int* size = bench.Data.View.Renderer->GetSize();
-  QSpinBox* frames = AddNumber(rows, QObject::tr("Frames"), 120, 10000);
-  QSpinBox* width = AddNumber(rows, QObject::tr("Width"), size[0], MostPixels);
-  QSpinBox* height = AddNumber(rows, QObject::tr("Height"), size[1], MostPixels);
-  if (Ask(dialog, rows))
+  const Rgb now = bench.Data.View.ColorOf(bench.Markers()[bench.Selected()]);
+  const QColor color = QColorDialog::getColor(QColor::fromRgbF(now[0], now[1], now[2]), &window);
+  if (color.isValid())
   {
-    bench.Try(
-      [&]
-      {
-        MakeFilm(over, bench, static_cast<Motion>(motion->currentIndex()), frames->value(),
-          width->value(), height->value());
+    bench.BeginGesture();
+    bench.EditMarker(QObject::tr("colour"),
+      [&](Marker& marker) {
+        marker.Color = { color.redF(), color.greenF(), color.blueF() };
       });
   }
 }
 
-vtkSmartPointer<vtkImageData> PictureOf(QWidget* window)
+void AskPicture(QMainWindow& window, Workbench& bench)
 {
-  const QImage image = window->grab().toImage().convertToFormat(QImage::Format_RGB888);
-  auto picture = vtkSmartPointer<vtkImageData>::New();
-  picture->SetDimensions(image.width(), image.height(), 1);
-  picture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  for (int y = 0; y < image.height(); ++y)
+  SizeDialog dialog(window, bench, QObject::tr("Save a picture"));
+  const QString path = !dialog.Ask()
+    ? QString()
+    : QFileDialog::getSaveFileName(
+        &window, QObject::tr("Save the picture"), "explorer.png", QObject::tr("Pictures (*.png)"));
+  if (!path.isEmpty())
   {
-    const uchar* row = image.constScanLine(image.height() - 1 - y);
-    std::copy_n(
-      row, 3 * image.width(), static_cast<unsigned char*>(picture->GetScalarPointer(0, y, 0)));
+    bench.SavePicture(
+      QFile::encodeName(path).toStdString(), dialog.Width->value(), dialog.Height->value());
   }
-  return picture;
+}
+
+void AskFilm(QMainWindow& window, Workbench& bench)
+{
+  SizeDialog dialog(window, bench, QObject::tr("Make a film"));
+  auto* motion = new QComboBox;
+  motion->addItems({ QObject::tr("turn around the volume"), QObject::tr("sweep the isovalue") });
+  dialog.Rows->addRow(QObject::tr("Motion"), motion);
+  const QSpinBox* frames = dialog.AddNumber(QObject::tr("Frames"), 120, 10000);
+  if (dialog.Ask())
+  {
+    bench.Try(
+      [&]
+      {
+        MakeFilm(window, bench, static_cast<Motion>(motion->currentIndex()), frames->value(),
+          dialog.Width->value(), dialog.Height->value());
+      });
+  }
+}
+
+void SavePictureOfWindow(QMainWindow& window, Workbench& bench)
+{
+  bench.Try(
+    [&]
+    {
+      const std::string path = bench.Output.NextPath();
+      SaveWindow(window, path);
+      bench.Say("Saved " + path);
+    });
+}
+
+void SaveWindow(QWidget& window, const std::string& path)
+{
+  QFile file(QFile::decodeName(path.c_str()));
+  if (!file.open(QFile::WriteOnly) || !window.grab().save(&file, "PNG"))
+  {
+    throw UserError("The picture " + Quoted(path) + " could not be written (" +
+      file.errorString().toStdString() + "); name another file.");
+  }
 }

@@ -3,19 +3,21 @@
 #ifndef Dialogs_h
 #define Dialogs_h
 
-#include <vtkImageData.h>
-#include <vtkSmartPointer.h>
+#include <string>
 
+class QMainWindow;
 class QWidget;
 class Workbench;
 
-QWidget* MakeKeysPanel();
+void AskOpen(QMainWindow& window, Workbench& bench);
+void AskOpenFolder(QMainWindow& window, Workbench& bench);
+void AskSaveSession(QMainWindow& window, Workbench& bench);
+void AskColor(QMainWindow& window, Workbench& bench); // of the selected marker
+void AskPicture(QMainWindow& window, Workbench& bench);
+void AskFilm(QMainWindow& window, Workbench& bench);
+void SavePictureOfWindow(QMainWindow& window, Workbench& bench);
 
-// A picture, or a film, of a chosen size.
-void AskPicture(QWidget* over, Workbench& bench);
-void AskFilm(QWidget* over, Workbench& bench);
-
-// A window as it is seen.
-vtkSmartPointer<vtkImageData> PictureOf(QWidget* window);
+// A window as it is seen. Throws UserError.
+void SaveWindow(QWidget& window, const std::string& path);
 
 #endif

@@ -4,44 +4,51 @@
 
 #include "Panels/Panels.h"
 #include "Window/ClipHandles.h"
-#include "Window/Dialogs.h"
+#include "Window/Commands.h"
 
 #include <vtkInteractorStyleTrackballCamera.h>
-#include <vtkObjectFactory.h>
 
 #include <QVTKInteractor.h>
 #include <QVTKOpenGLNativeWidget.h>
 
 #include <QApplication>
 #include <QDockWidget>
+#include <QDropEvent>
+#include <QFile>
 #include <QFileInfo>
 #include <QLabel>
 #include <QMenuBar>
+#include <QMimeData>
 #include <QProgressBar>
 #include <QScrollArea>
 #include <QSettings>
 #include <QStatusBar>
 #include <QStyle>
-#include <QTimer>
 #include <QToolButton>
 
 namespace
 {
 
 constexpr int ProgressAfter = 250; // ms: what is over sooner needs no bar
+constexpr int MostRecent = 10;
 
-// None of VTK's own keys.
-class Style : public vtkInteractorStyleTrackballCamera
+// All keys, for those who do not know them yet.
+QWidget* MakeKeysPanel()
 {
-public:
-  static Style* New();
-  void OnChar() override {}
-  // Whoever presses again soon wants to drag again.
-  void OnLeftButtonDoubleClick() override { this->OnLeftButtonDown(); }
-  void OnRightButtonDoubleClick() override { this->OnRightButtonDown(); }
-};
-
-vtkStandardNewMacro(Style);
+  QString text = "<table>";
+  for (const auto& [keys, help] : AllKeys())
+  {
+    text +=
+      QString("<tr><td><b>%1</b>&nbsp;&nbsp;</td><td>%2</td></tr>")
+        .arg(QObject::tr(keys.c_str()).toHtmlEscaped(), QObject::tr(help.c_str()).toHtmlEscaped());
+  }
+  auto* label = new QLabel(text + "</table>");
+  label->setTextFormat(Qt::RichText);
+  label->setAlignment(Qt::AlignTop);
+  label->setWordWrap(true);
+  label->setMargin(label->fontMetrics().height() / 2);
+  return label;
+}
 
 }
 
@@ -51,95 +58,75 @@ MainWindow::MainWindow(Workbench& bench)
   , Samples(new HistogramPanel(bench))
   , Sentence(new QLabel)
   , Progress(new QProgressBar)
-  , StopButton(nullptr)
+  , StopButton(new QToolButton)
 {
   this->setWindowTitle("vtkTemporalCoherence Explorer");
-  this->Picture->setObjectName("view");
-  this->Picture->setAccessibleName(tr("View of the volume"));
-  this->Window->SetMultiSamples(0); // the picture is ray cast; samples would only cost
-  this->Picture->setRenderWindow(this->Window);
-  vtkNew<Style> style;
-  this->Picture->interactor()->SetInteractorStyle(style);
-  this->setCentralWidget(this->Picture);
-  this->Picture->installEventFilter(this);
-  qApp->installEventFilter(this);
-  bench.SetWindow(this->Window);
-  new ClipHandles(bench, this->Picture->interactor(),
-    std::max(1.0, this->logicalDpiX() * this->devicePixelRatioF() / 96.0));
   this->setAcceptDrops(true);
+  this->MakeView();
   this->MakeMenus();
   this->MakeDocks();
-
-  this->Sentence->setObjectName("sentence");
-  this->Sentence->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  auto* stop = new QToolButton;
-  stop->setDefaultAction(this->Actions[Do::Stop]);
-  this->StopButton = stop;
-  this->statusBar()->addWidget(this->Sentence, 1);
-  this->statusBar()->addPermanentWidget(this->Progress);
-  this->statusBar()->addPermanentWidget(stop);
-  QObject::connect(&bench, &Workbench::Said, this,
-    [this](const QString& sentence, bool isWarning)
-    {
-      // Sentences run from left to right, whatever the name that they begin with.
-      this->Sentence->setText(QChar(0x200e) + sentence);
-      this->Sentence->setToolTip(sentence);
-      QFont font = this->font();
-      font.setBold(isWarning);
-      this->Sentence->setFont(font);
-    });
-  QObject::connect(&bench, &Workbench::Progressed, this,
-    [this](double share)
-    {
-      this->Progress->setRange(0, 100);
-      this->Progress->setValue(static_cast<int>(100.0 * share));
-    });
+  this->MakeStatusBar();
   QObject::connect(&bench, &Workbench::Settled, this, &MainWindow::ShowState);
-  QObject::connect(&bench, &Workbench::Opened, this,
-    [this]
-    {
-      const Volume& volume = this->Bench.Data.Data();
-      this->setWindowTitle(QString::fromStdString(volume.Name) + " - Explorer");
-      this->Time->setVisible(volume.TimeSteps > 1);
-      const std::string& path = this->Bench.Data.State().Source.Path;
-      if (!path.empty() && !this->Bench.Data.State().Source.Raw)
-      {
-        this->AddRecent(QFile::decodeName(path.c_str()));
-      }
-      this->ShowState();
-    });
+  QObject::connect(&bench, &Workbench::Opened, this, &MainWindow::OnOpened);
   this->ShowState();
   this->Picture->setFocus();
 }
 
+void MainWindow::MakeView()
+{
+  this->Picture->setObjectName("view");
+  this->Picture->setAccessibleName(tr("View of the volume"));
+  this->Window->SetMultiSamples(0); // the picture is ray cast; samples would only cost
+  this->Picture->setRenderWindow(this->Window);
+  this->Picture->setAcceptDrops(false);                 // the window does that
+  this->Picture->setAttribute(Qt::WA_OpaquePaintEvent); // nothing behind it has to be drawn
+  vtkNew<vtkInteractorStyleTrackballCamera> style;
+  this->Picture->interactor()->SetInteractorStyle(style);
+  this->setCentralWidget(this->Picture);
+  this->Picture->installEventFilter(this);
+  this->Bench.SetWindow(this->Window);
+  new ClipHandles(this->Bench, this->Picture->interactor(),
+    std::max(1.0, this->logicalDpiX() * this->devicePixelRatioF() / 96.0), this);
+}
+
 void MainWindow::MakeMenus()
 {
-  std::map<QString, QMenu*> menus;
-  for (const Action& action : AllActions())
+  for (const Command& command : AllCommands())
   {
-    QMenu*& menu = menus[action.Menu];
+    QMenu*& menu = this->Menus[command.Menu];
     if (!menu)
     {
-      menu = this->menuBar()->addMenu(tr(action.Menu));
-    }
-    const Do what = action.What;
-    QAction* item = menu->addAction(tr(action.Name), this,
-      [this, what]
+      // In the order of the list, with the settings before the view.
+      if (command.Menu == std::string("&View"))
       {
-        this->Perform(what);
-        this->ShowState(); // at once, as the next key may need it
-      });
-    item->setShortcuts(QKeySequence::listFromString(action.Keys));
-    item->setToolTip(tr(action.Help));
-    item->setStatusTip(tr(action.Help));
-    this->Actions[what] = item;
-    if (what == Do::OpenFolder)
-    {
-      QMenu* recent = menu->addMenu(tr("Open &Recent"));
-      QObject::connect(recent, &QMenu::aboutToShow, this, [=] { this->ShowRecent(recent); });
+        this->MakeSettingsMenu(this->menuBar()->addMenu(tr("&Settings")));
+      }
+      menu = this->menuBar()->addMenu(tr(command.Menu));
     }
+    QAction* item = command.Needs == Command::Need::Undo
+      ? this->Bench.Changes.createUndoAction(this, tr(command.Name))
+      : command.Needs == Command::Need::Redo
+      ? this->Bench.Changes.createRedoAction(this, tr(command.Name))
+      : new QAction(tr(command.Name), this);
+    menu->addAction(item);
+    if (command.Do)
+    {
+      QObject::connect(item, &QAction::triggered, this,
+        [this, &command]
+        {
+          command.Do(*this, this->Bench);
+          this->ShowState(); // at once, as the next key may need it
+        });
+    }
+    item->setShortcuts(QKeySequence::listFromString(command.Keys));
+    item->setToolTip(tr(command.Help));
+    item->setStatusTip(tr(command.Help));
+    this->Actions[QString(command.Name).remove('&')] = item;
   }
-  QMenu* view = this->ViewMenu = menus["&View"];
+  QMenu* recent = new QMenu(tr("Open &Recent"), this);
+  this->Menus["&File"]->insertMenu(this->Actions["Save Session"], recent);
+  QObject::connect(recent, &QMenu::aboutToShow, this, [=] { this->ShowRecent(recent); });
+  QMenu* view = this->Menus["&View"];
   view->addSeparator();
   for (const char* from : { "+x", "-x", "+y", "-y", "+z", "-z" })
   {
@@ -151,16 +138,17 @@ void MainWindow::MakeMenus()
       });
   }
   view->addSeparator();
-  auto* settings = new QMenu(tr("&Settings"), this);
-  this->menuBar()->insertMenu(menus["&View"]->menuAction(), settings);
+}
+
+// The next value, by the key alone; with Shift, the one before.
+void MainWindow::MakeSettingsMenu(QMenu* menu)
+{
   for (const Choice& choice : AllChoices())
   {
-    // The next value, by the key alone; with Shift, the one before.
     for (const int turn : { 1, -1 })
     {
-      const QString key = QString(turn > 0 ? "%1" : "Shift+%1").arg(QChar(choice.Key).toUpper());
       auto* item = new QAction(tr(choice.Label), this);
-      item->setShortcut(QKeySequence(key));
+      item->setShortcut(QKeySequence(QString(turn > 0 ? "%1" : "Shift+%1").arg(choice.Key)));
       item->setToolTip(tr(choice.Help));
       item->setStatusTip(tr(choice.Help));
       QObject::connect(item, &QAction::triggered, this,
@@ -171,11 +159,7 @@ void MainWindow::MakeMenus()
             this->Bench.Turn(choice.What, turn);
           }
         });
-      this->addAction(item);
-      if (turn > 0)
-      {
-        settings->addAction(item);
-      }
+      turn > 0 ? menu->addAction(item) : this->addAction(item);
     }
   }
 }
@@ -185,108 +169,217 @@ QDockWidget* MainWindow::AddDock(
 {
   auto* dock = new QDockWidget(name);
   dock->setObjectName(name);
+  dock->setWidget(panel);
   this->addDockWidget(area, dock);
-  if (isWhole)
+  this->Menus["&View"]->addAction(dock->toggleViewAction());
+  if (!isWhole)
   {
-    dock->setWidget(panel);
-    return dock;
+    // Whatever the size of the font, all can be reached.
+    auto* scroll = new QScrollArea;
+    scroll->setWidget(panel);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setMinimumWidth(
+      panel->minimumSizeHint().width() + this->style()->pixelMetric(QStyle::PM_ScrollBarExtent));
+    dock->setWidget(scroll);
   }
-  // Whatever the size of the font, all can be reached.
-  auto* scroll = new QScrollArea;
-  scroll->setWidget(panel);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setMinimumWidth(
-    panel->minimumSizeHint().width() + this->style()->pixelMetric(QStyle::PM_ScrollBarExtent));
-  dock->setWidget(scroll);
   return dock;
 }
 
 void MainWindow::MakeDocks()
 {
+  constexpr Qt::DockWidgetArea right = Qt::RightDockWidgetArea, bottom = Qt::BottomDockWidgetArea;
   this->setDockNestingEnabled(true);
-  this->setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-  this->setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
-  QDockWidget* surfaces = this->AddDock(Qt::RightDockWidgetArea, tr("Surfaces"),
-    MakeSurfacesPanel(
-      this->Bench, { this->Actions[Do::AddSurface], this->Actions[Do::RemoveSurface] }),
-    true);
-  QDockWidget* clipping =
-    this->AddDock(Qt::RightDockWidgetArea, tr("Clip"), MakeClippingPanel(this->Bench));
-  QDockWidget* light =
-    this->AddDock(Qt::RightDockWidgetArea, tr("Light"), MakeLightPanel(this->Bench));
-  QDockWidget* reuse =
-    this->AddDock(Qt::RightDockWidgetArea, tr("Re-use"), MakeReusePanel(this->Bench));
-  QDockWidget* data =
-    this->AddDock(Qt::RightDockWidgetArea, tr("Data"), MakeDataPanel(this->Bench));
-  this->tabifyDockWidget(clipping, light);
+  this->setCorner(Qt::BottomRightCorner, right);
+  this->setTabPosition(right, QTabWidget::North);
+  const QList<QAction*> buttons = { this->Actions["Add Surface"], this->Actions["Remove Surface"] };
+  const QList<QAction*> colors = { this->Actions["Colour..."], this->Actions["Colour of Palette"] };
+  this->Samples->addActions(buttons + colors);
+  QWidget* markers = MakeMarkersPanel(this->Bench, buttons, colors);
+  QDockWidget* surfaces = this->AddDock(right, tr("Surfaces"), markers, false);
+  QDockWidget* clip = this->AddDock(right, tr("Clip"), MakeClippingPanel(this->Bench), false);
+  QDockWidget* light = this->AddDock(right, tr("Light"), MakeLightPanel(this->Bench), false);
+  QDockWidget* reuse = this->AddDock(right, tr("Re-use"), MakeReusePanel(this->Bench), false);
+  QDockWidget* data = this->AddDock(right, tr("Data"), MakeDataPanel(this->Bench), false);
+  this->tabifyDockWidget(clip, light);
   this->tabifyDockWidget(light, reuse);
   this->tabifyDockWidget(reuse, data);
-  clipping->raise();
-  QDockWidget* histogram =
-    this->AddDock(Qt::BottomDockWidgetArea, tr("Histogram"), this->Samples, true);
-  this->Time =
-    this->AddDock(Qt::BottomDockWidgetArea, tr("Time"), MakeTimePanel(this->Bench), true);
+  clip->raise();
+  QDockWidget* histogram = this->AddDock(bottom, tr("Histogram"), this->Samples, true);
+  this->Time = this->AddDock(bottom, tr("Time"), MakeTimePanel(this->Bench), true);
   this->splitDockWidget(histogram, this->Time, Qt::Vertical);
   this->Time->hide();
-  this->Keys = this->AddDock(Qt::LeftDockWidgetArea, tr("Keys"), MakeKeysPanel());
-  this->Keys->hide();
-  for (QDockWidget* dock : { surfaces, clipping, light, reuse, data, histogram, this->Time })
+  this->AddDock(Qt::LeftDockWidgetArea, tr("Keys"), MakeKeysPanel(), false)->hide();
+  if (!this->restoreState(QSettings().value("window").toByteArray()))
   {
-    this->ViewMenu->addAction(dock->toggleViewAction());
-  }
-  // Scripts begin with the same window each time.
-  if (!this->Bench.Chosen.Log.empty() ||
-    !this->restoreState(QSettings().value("window").toByteArray()))
-  {
-    // Once there is a layout: the table of surfaces begins small.
+    // Once there is a layout: all of the surfaces' panel is seen, if there is room for it.
     QTimer::singleShot(0, this,
-      [=] {
-        this->resizeDocks({ surfaces, clipping }, { 1, 10000 }, Qt::Vertical);
+      [=]
+      {
+        const int title = 2 * this->fontMetrics().height();
+        const int height = markers->sizeHint().height() + title;
+        this->resizeDocks({ surfaces, clip }, { height, this->height() - height }, Qt::Vertical);
       });
   }
+}
+
+void MainWindow::MakeStatusBar()
+{
+  this->Sentence->setObjectName("sentence");
+  this->Sentence->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  this->StopButton->setDefaultAction(this->Actions["Stop"]);
+  this->statusBar()->addWidget(this->Sentence, 1);
+  this->statusBar()->addPermanentWidget(this->Progress);
+  this->statusBar()->addPermanentWidget(this->StopButton);
+  QObject::connect(&this->Bench, &Workbench::Said, this,
+    [this](const QString& sentence, bool isWarning)
+    {
+      // Sentences run from left to right, whatever the name that they begin with.
+      this->Sentence->setText(QChar(0x200e) + sentence);
+      this->Sentence->setToolTip(sentence);
+      QFont font = this->font();
+      font.setBold(isWarning);
+      this->Sentence->setFont(font);
+    });
+  QObject::connect(&this->Bench, &Workbench::Progressed, this,
+    [this](double share)
+    {
+      this->Progress->setRange(0, 100);
+      this->Progress->setValue(static_cast<int>(100.0 * share));
+    });
+}
+
+void MainWindow::ShowRecent(QMenu* menu)
+{
+  menu->clear();
+  for (const QString& path : QSettings().value("recent").toStringList())
+  {
+    // An ampersand would be a shortcut.
+    QAction* item = menu->addAction(
+      QFileInfo(path).fileName().replace('&', "&&"), [this, path] { this->Bench.OpenPath(path); });
+    item->setToolTip(path);
+    item->setStatusTip(path);
+    item->setEnabled(QFileInfo::exists(path));
+  }
+}
+
+void MainWindow::OnOpened()
+{
+  const Volume& volume = this->Bench.Data.Data();
+  const VolumeSource& source = this->Bench.Data.State().Source;
+  this->setWindowTitle(QString::fromStdString(volume.Name) + " - Explorer");
+  this->Time->setVisible(volume.TimeSteps > 1);
+  if (!source.Path.empty() && !source.Raw)
+  {
+    QSettings settings;
+    QStringList recent = settings.value("recent").toStringList();
+    const QString path = QFileInfo(QFile::decodeName(source.Path.c_str())).absoluteFilePath();
+    recent.removeAll(path);
+    recent.prepend(path);
+    settings.setValue("recent", QStringList(recent.mid(0, MostRecent)));
+  }
+  this->ShowState();
 }
 
 void MainWindow::ShowState()
 {
   const bool isOpen = this->Bench.Data.IsOpen();
-  const bool isBusy = this->Bench.IsBusy();
-  const bool isBuilding = this->Bench.IsBuilding();
-  for (const Do what :
-    { Do::SaveSession, Do::SaveSessionAs, Do::Picture, Do::PictureAs, Do::Record, Do::Film,
-      Do::AddSurface, Do::Clip, Do::Crop, Do::ResetView, Do::UpsideDown, Do::BuildIsomap })
+  const bool mayChange = isOpen && !this->Bench.IsBuilding();
+  for (const Command& command : AllCommands())
   {
-    this->Actions[what]->setEnabled(isOpen && !isBuilding);
+    using Need = Command::Need;
+    if (command.Do) // Qt does it for the others
+    {
+      this->Actions[QString(command.Name).remove('&')]->setEnabled(command.Needs == Need::Nothing ||
+        (command.Needs == Need::Data && mayChange) ||
+        (command.Needs == Need::Steps && isOpen && this->Bench.Data.Data().TimeSteps > 1) ||
+        (command.Needs == Need::Removable && isOpen && this->Bench.CanRemove()));
+    }
   }
-  const bool hasSteps = isOpen && this->Bench.Data.Data().TimeSteps > 1;
-  this->Actions[Do::Play]->setEnabled(hasSteps);
-  this->Actions[Do::RemoveSurface]->setEnabled(
-    isOpen && this->Bench.Data.Settings().Surfaces.size() > 1);
-  this->Actions[Do::Undo]->setEnabled(this->Bench.Changes.canUndo());
-  this->Actions[Do::Redo]->setEnabled(this->Bench.Changes.canRedo());
-  this->Actions[Do::Undo]->setText(tr("&Undo %1").arg(this->Bench.Changes.undoText()));
-  this->Actions[Do::Redo]->setText(tr("&Redo %1").arg(this->Bench.Changes.redoText()));
-  this->Actions[Do::Record]->setText(
+  const bool areSurfaces = !isOpen || this->Bench.Data.DrawsSurfaces();
+  this->Actions["Add Surface"]->setText(areSurfaces ? tr("&Add Surface") : tr("&Add Node"));
+  this->Actions["Remove Surface"]->setText(
+    areSurfaces ? tr("&Remove Surface") : tr("&Remove Node"));
+  this->Actions["Record"]->setText(
     this->Bench.Output.IsRecording() ? tr("&End Recording") : tr("&Record"));
-  if (isBusy && !this->StopButton->isVisible())
+  const auto showProgress = [this]
+  {
+    const bool isBusy = this->Bench.IsBusy();
+    this->Progress->setVisible(isBusy);
+    this->StopButton->setVisible(isBusy);
+  };
+  if (!this->Bench.IsBusy())
+  {
+    showProgress();
+  }
+  else if (!this->StopButton->isVisible())
   {
     this->Progress->setRange(0, 0);
     QTimer::singleShot(ProgressAfter, this,
-      [this]
+      [this, showProgress]
       {
-        const bool isBusy = this->Bench.IsBusy();
-        this->Progress->setVisible(isBusy);
-        this->StopButton->setVisible(isBusy);
-        if (isBusy)
+        showProgress();
+        if (this->Bench.IsBusy())
         {
           this->Sentence->setText(QString::fromStdString(this->Bench.Doing()));
         }
       });
   }
-  if (!isBusy)
+}
+
+// The view's events, before VTK sees them: true for those that it is not to see.
+bool MainWindow::eventFilter(QObject*, QEvent* event)
+{
+  switch (event->type())
   {
-    this->Progress->hide();
-    this->StopButton->hide();
+    case QEvent::KeyPress:
+    {
+      const int key = static_cast<QKeyEvent*>(event)->key();
+      if (key == Qt::Key_Left || key == Qt::Key_Right || key == Qt::Key_Up || key == Qt::Key_Down)
+      {
+        QApplication::sendEvent(this->Samples, event);
+      }
+      return key != Qt::Key_Tab && key != Qt::Key_Backtab;
+    }
+    case QEvent::MouseButtonDblClick:
+    {
+      // Whoever presses again soon wants to drag again.
+      const auto* mouse = static_cast<QMouseEvent*>(event);
+      QMouseEvent press(QEvent::MouseButtonPress, mouse->localPos(), mouse->windowPos(),
+        mouse->screenPos(), mouse->button(), mouse->buttons(), mouse->modifiers());
+      QApplication::sendEvent(this->Picture, &press);
+      return true;
+    }
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseMove:
+    case QEvent::Wheel:
+      // It is drawn no more than its picture is changed.
+      return this->Bench.IsBuilding() || !this->Bench.Data.IsOpen();
+    default:
+      return false;
   }
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event)
+{
+  const QList<QUrl> urls = event->mimeData()->urls();
+  event->setAccepted(!urls.isEmpty() && urls.front().isLocalFile());
+}
+
+void MainWindow::dropEvent(QDropEvent* event)
+{
+  event->acceptProposedAction();
+  this->Bench.OpenPath(event->mimeData()->urls().front().toLocalFile());
+}
+
+void MainWindow::closeEvent(QCloseEvent* event)
+{
+  this->Bench.Cancel();
+  if (this->Bench.Output.IsRecording())
+  {
+    this->Bench.ToggleRecording();
+  }
+  QSettings().setValue("window", this->saveState());
+  event->accept();
 }

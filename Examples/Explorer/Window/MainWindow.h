@@ -4,7 +4,6 @@
 #define MainWindow_h
 
 #include "Panels/HistogramPanel.h"
-#include "Work/Actions.h"
 #include "Work/Workbench.h"
 
 #include <vtkGenericOpenGLRenderWindow.h>
@@ -16,6 +15,7 @@
 
 class QLabel;
 class QProgressBar;
+class QToolButton;
 class QVTKOpenGLNativeWidget;
 
 // The view, with menus and docks around it.
@@ -26,36 +26,34 @@ public:
 
   QVTKOpenGLNativeWidget* View() { return this->Picture; }
   HistogramPanel* Histogram() { return this->Samples; }
-  void LogPlaces(); // of parts of the window, for scripts
 
 protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
 
 private:
+  void MakeView();
   void MakeMenus();
+  void MakeSettingsMenu(QMenu* menu);
   void MakeDocks();
-  QDockWidget* AddDock(
-    Qt::DockWidgetArea area, const QString& name, QWidget* panel, bool isWhole = false);
-  void Perform(Do what);
-  void PerformOnFiles(Do what);
-  void AddRecent(const QString& path);
+  QDockWidget* AddDock(Qt::DockWidgetArea area, const QString& name, QWidget* panel, bool isWhole);
+  void MakeStatusBar();
   void ShowRecent(QMenu* menu);
+  void OnOpened();
   void ShowState();
-  bool OnViewEvent(QEvent* event);
 
   Workbench& Bench;
   QVTKOpenGLNativeWidget* Picture;
   vtkNew<vtkGenericOpenGLRenderWindow> Window;
   HistogramPanel* Samples;
-  QDockWidget* Keys = nullptr;
   QDockWidget* Time = nullptr;
-  QMenu* ViewMenu = nullptr;
   QLabel* Sentence;
   QProgressBar* Progress;
-  QWidget* StopButton;
-  std::map<Do, QAction*> Actions;
-  std::map<QString, QPoint> Places; // as they were told last
+  QToolButton* StopButton;
+  std::map<QString, QMenu*> Menus;
+  std::map<QString, QAction*> Actions; // by their names, without ampersands
 };
 
 #endif

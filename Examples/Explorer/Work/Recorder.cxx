@@ -8,10 +8,9 @@
 #include "View/Picture.h"
 
 #include <cstdio>
-#include <filesystem>
+#include <utility>
 
 #ifdef EXPLORER_HAS_THEORA
-#include <vtkNew.h>
 #include <vtkOggTheoraWriter.h>
 #endif
 
@@ -43,70 +42,19 @@ fs::path FirstFree(const fs::path& directory, const std::string& before, const s
 
 }
 
-struct Recorder::Writer
-{
-  fs::path Path;
-  virtual ~Writer() = default;
-  virtual void Write(vtkImageData* picture, int frame) = 0;
-};
-
-struct Recorder::PngWriter : Recorder::Writer
-{
-  void Write(vtkImageData* picture, int frame) override
-  {
-    WritePng(picture, (this->Path / Numbered("frame-", frame, ".png")).string(), Remedy);
-  }
-};
-
-#ifdef EXPLORER_HAS_THEORA
-struct Recorder::FilmWriter : Recorder::Writer
-{
-  FilmWriter()
-  {
-    this->Film->SetQuality(2);
-    this->Film->SetRate(25);
-  }
-  ~FilmWriter() override
-  {
-    if (this->IsStarted)
-    {
-      const Silence silence;
-      this->Film->End();
-    }
-  }
-  void Write(vtkImageData* picture, int) override
-  {
-    const Silence silence;
-    this->Film->SetInputData(picture);
-    if (!this->IsStarted)
-    {
-      this->Film->SetFileName(this->Path.string().c_str());
-      this->Film->Start();
-      this->IsStarted = true;
-    }
-    this->Film->Write();
-    if (this->Film->GetError() != 0 || silence.HeardErrors())
-    {
-      throw UserError("The film " + Quoted(this->Path.string()) +
-        " could not be written; make room, or " + Remedy + ".");
-    }
-  }
-
-  vtkNew<vtkOggTheoraWriter> Film;
-  bool IsStarted = false;
-};
-#endif
-
 Recorder::Recorder(const std::string& directory)
   : Directory(directory)
 {
 }
 
-Recorder::~Recorder() = default;
+std::string Recorder::NextPath() const
+{
+  return FirstFree(this->Directory, "explorer-", ".png").string();
+}
 
 std::string Recorder::Save(vtkImageData* picture)
 {
-  const std::string path = FirstFree(this->Directory, "explorer-", ".png").string();
+  const std::string path = this->NextPath();
   WritePng(picture, path, Remedy);
   return path;
 }
@@ -116,28 +64,61 @@ void Recorder::Start(const std::string& format)
   this->Frames = 0;
   if (format == "png")
   {
-    this->Target = std::make_unique<PngWriter>();
-    this->Target->Path = FirstFree(this->Directory, "recording-", "");
+    this->Target = FirstFree(this->Directory, "recording-", "");
     std::error_code error;
-    fs::create_directories(this->Target->Path, error);
+    fs::create_directories(this->Target, error);
     return;
   }
 #ifdef EXPLORER_HAS_THEORA
-  this->Target = std::make_unique<FilmWriter>();
-  this->Target->Path = FirstFree(this->Directory, "recording-", ".ogv");
+  this->Target = FirstFree(this->Directory, "recording-", ".ogv");
+  const auto film = vtkSmartPointer<vtkOggTheoraWriter>::New();
+  film->SetQuality(2);
+  film->SetRate(25);
+  film->SetFileName(this->Target.string().c_str());
+  this->Film = film;
 #else
-  throw UserError("This VTK cannot write Ogg Theora films; choose png for Film instead.");
+  throw UserError("This VTK cannot write Ogg Theora films; choose png for Recording instead.");
 #endif
 }
 
 void Recorder::Add(vtkImageData* picture)
 {
-  this->Target->Write(picture, ++this->Frames);
+  const fs::path target = std::exchange(this->Target, {}); // a recording that fails ends
+  ++this->Frames;
+  if (!this->Film)
+  {
+    WritePng(picture, (target / Numbered("frame-", this->Frames, ".png")).string(), Remedy);
+  }
+#ifdef EXPLORER_HAS_THEORA
+  if (auto* film = vtkOggTheoraWriter::SafeDownCast(this->Film))
+  {
+    const Silence silence;
+    film->SetInputData(picture);
+    if (this->Frames == 1)
+    {
+      film->Start();
+    }
+    film->Write();
+    if (film->GetError() != 0 || silence.HeardErrors())
+    {
+      throw UserError("The film " + Quoted(target.string()) +
+        " could not be written; make room, or " + Remedy + ".");
+    }
+  }
+#endif
+  this->Target = target;
 }
 
 std::string Recorder::Stop()
 {
-  const std::string path = this->Target->Path.string();
-  this->Target.reset();
-  return "Recorded " + std::to_string(this->Frames) + " frames: " + path;
+#ifdef EXPLORER_HAS_THEORA
+  if (this->Film && this->Frames > 0)
+  {
+    const Silence silence;
+    vtkOggTheoraWriter::SafeDownCast(this->Film)->End();
+  }
+#endif
+  this->Film = nullptr;
+  return "Recorded " + std::to_string(this->Frames) +
+    " frames: " + std::exchange(this->Target, {}).string();
 }

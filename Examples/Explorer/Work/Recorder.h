@@ -3,10 +3,11 @@
 #ifndef Recorder_h
 #define Recorder_h
 
+#include <vtkAlgorithm.h>
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>
 
-#include <memory>
+#include <filesystem>
 #include <string>
 
 // Keeps pictures: single ones, and one after another as a recording. Names are counted up, so that
@@ -15,28 +16,23 @@ class Recorder
 {
 public:
   explicit Recorder(const std::string& directory);
-  ~Recorder();
-  Recorder(const Recorder&) = delete;
-  Recorder& operator=(const Recorder&) = delete;
 
-  // Where the picture is.
-  std::string Save(vtkImageData* picture);
+  std::string NextPath() const;            // of a single picture
+  std::string Save(vtkImageData* picture); // there; where it is
 
   // As "png", a directory of numbered pictures, or as "ogv", a film.
   void Start(const std::string& format);
-  bool IsRecording() const { return this->Target != nullptr; }
+  bool IsRecording() const { return !this->Target.empty(); }
   void Add(vtkImageData* picture);
 
   // How many pictures are where.
   std::string Stop();
 
-private:
-  struct Writer;
-  struct PngWriter;
-  struct FilmWriter;
+  const std::string Directory;
 
-  std::string Directory;
-  std::unique_ptr<Writer> Target;
+private:
+  std::filesystem::path Target;
+  vtkSmartPointer<vtkAlgorithm> Film; // null: pictures
   int Frames = 0;
 };
 

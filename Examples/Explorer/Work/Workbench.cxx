@@ -2,12 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Work/Workbench.h"
 
+#include "Program/Quoted.h"
 #include "Program/UserError.h"
+#include "View/Picture.h"
 
-#include <vtkCallbackCommand.h>
+#include <vtkCommand.h>
 #include <vtkRenderWindow.h>
 #include <vtkTimerLog.h>
 
+#include <QFile>
+
+#include <algorithm>
+#include <cstdio>
 #include <exception>
 #include <memory>
 #include <utility>
@@ -21,10 +27,10 @@ constexpr int SettleAfter = 100;      // ms: what is drawn in each frame delays 
 constexpr double RateOfDrags = 15.0; // frames a second
 constexpr double RateOfStills = 1e-4;
 
-class Change : public QUndoCommand
+class LookChange : public QUndoCommand
 {
 public:
-  Change(Workbench& bench, const QString& name, int gesture, const Look& after)
+  LookChange(Workbench& bench, const QString& name, int gesture, const Look& after)
     : QUndoCommand(name)
     , Bench(bench)
     , Gesture(gesture)
@@ -38,7 +44,7 @@ public:
   bool mergeWith(const QUndoCommand* other) override
   {
     const bool isSame = other->text() == this->text();
-    this->After = isSame ? static_cast<const Change*>(other)->After : this->After;
+    this->After = isSame ? static_cast<const LookChange*>(other)->After : this->After;
     return isSame;
   }
 
@@ -48,50 +54,35 @@ private:
   Look Before, After;
 };
 
-// The last line of a message of VTK's, which is the sentence itself.
-std::string SentenceOfVtk(const std::string& text)
-{
-  const std::size_t begin = text.find("): ");
-  const std::string sentence = begin == std::string::npos ? text : text.substr(begin + 3);
-  return sentence.substr(0, sentence.find_last_not_of("\n ") + 1);
 }
 
-template <typename Action>
-void Observe(vtkObject* subject, unsigned long event, Action action)
-{
-  vtkNew<vtkCallbackCommand> command;
-  command->SetClientData(new Action(action));
-  command->SetClientDataDeleteCallback([](void* data) { delete static_cast<Action*>(data); });
-  command->SetCallback([](vtkObject*, unsigned long, void* data, void* message)
-    { (*static_cast<Action*>(data))(static_cast<const char*>(message)); });
-  subject->AddObserver(event, command);
-}
-
-}
-
-Workbench::Workbench(const Options& options)
-  : Chosen(options)
-  , Data(options.From, options.Up)
-  , Output(options.OutputDirectory)
-  , Log(options.Log)
-  , SessionFile(options.SessionFile)
+Workbench::Workbench(const std::string& output, const std::string& session, const std::string& from,
+  const std::string& up)
+  : Data(from, up)
+  , Output(output)
+  , SessionFile(session)
 {
   this->ListenToMapper();
-  this->Settling.setSingleShot(true);
+  for (QTimer* timer : { &this->Settling, &this->Rendering })
+  {
+    timer->setSingleShot(true);
+  }
+  this->Settling.setInterval(SettleAfter);
   QObject::connect(&this->Settling, &QTimer::timeout, this, &Workbench::Settled);
+  QObject::connect(&this->Rendering, &QTimer::timeout, this, &Workbench::Render);
   QObject::connect(this, &Workbench::Changed, this,
     [this]
     {
       if (!this->Settling.isActive())
       {
-        this->Settling.start(SettleAfter);
+        this->Settling.start();
       }
     });
 }
 
 Workbench::~Workbench()
 {
-  this->IsStopped = true;
+  this->Cancel();
   if (this->Thread.joinable())
   {
     this->Thread.join();
@@ -102,52 +93,41 @@ void Workbench::SetWindow(vtkRenderWindow* window)
 {
   this->Window = window;
   window->AddRenderer(this->Data.View.Renderer);
-  Observe(window, vtkCommand::StartEvent,
-    [this](const char*)
-    {
-      this->FrameBegan = vtkTimerLog::GetUniversalTime();
-      this->IsDue = false;
-    });
-  Observe(window, vtkCommand::EndEvent, [this](const char*) { this->OnFrameEnd(); });
+  window->AddObserver(vtkCommand::StartEvent, this, &Workbench::OnFrameBegin);
+  window->AddObserver(vtkCommand::EndEvent, this, &Workbench::OnFrameEnd);
 }
 
 // With an observer, VTK writes nothing on the terminal itself.
 void Workbench::ListenToMapper()
 {
-  for (const unsigned long event : { vtkCommand::ErrorEvent, vtkCommand::WarningEvent })
+  for (const auto event : { vtkCommand::ErrorEvent, vtkCommand::WarningEvent })
   {
-    Observe(this->Data.View.Mapper, event,
-      [this](const char* message)
-      {
-        const std::string sentence = SentenceOfVtk(message ? message : "");
-        QMetaObject::invokeMethod(this, [this, sentence] { this->Say(sentence, true); });
-      });
+    this->Data.View.Mapper->AddObserver(event, this, &Workbench::OnMessage);
   }
 }
 
-void Workbench::RenderSoon()
+// In any thread. The last line of what VTK says is the sentence itself.
+void Workbench::OnMessage(vtkObject*, unsigned long, void* text)
 {
-  if (!this->IsDue)
-  {
-    this->IsDue = true;
-    QTimer::singleShot(0, this,
-      [this]
-      {
-        if (this->IsDue)
-        {
-          this->Render();
-        }
-      });
-  }
+  const std::string all = static_cast<const char*>(text);
+  const std::size_t begin = all.find("): ");
+  const std::string sentence = begin == std::string::npos ? all : all.substr(begin + 3);
+  QMetaObject::invokeMethod(
+    this, [=] { this->Say(sentence.substr(0, sentence.find_last_not_of("\n ") + 1), true); });
 }
 
 void Workbench::Render()
 {
-  this->IsDue = false;
   if (this->Window && !this->Builds)
   {
     this->Window->Render();
   }
+}
+
+void Workbench::OnFrameBegin()
+{
+  this->FrameBegan = vtkTimerLog::GetUniversalTime();
+  this->Rendering.stop();
 }
 
 void Workbench::OnFrameEnd()
@@ -157,29 +137,20 @@ void Workbench::OnFrameEnd()
     return;
   }
   const double ms = 1000.0 * (vtkTimerLog::GetUniversalTime() - this->FrameBegan);
-  this->Log.Frame(this->Data.View.Facts(), *this->Data.State().Isovalue, ms);
   if (this->Output.IsRecording())
   {
-    try
-    {
-      this->Output.Add(this->Data.View.LastFrame());
-    }
-    catch (const UserError& mistake)
-    {
-      this->Output.Stop();
-      this->Say(mistake.what(), true);
-    }
+    this->Try([this] { this->Output.Add(this->Data.View.LastFrame()); });
   }
   emit this->FrameDrawn(ms);
 }
 
-void Workbench::Edit(const QString& name, const std::function<void(Look&)>& change)
+void Workbench::Edit(const QString& name, const Change& change)
 {
   if (this->Data.IsOpen())
   {
     Look look = this->Data.Settings();
     change(look);
-    this->Changes.push(new Change(*this, name, this->Gesture, look));
+    this->Changes.push(new LookChange(*this, name, this->Gesture, look));
   }
 }
 
@@ -195,76 +166,74 @@ void Workbench::SetDragging(bool isDragging)
 void Workbench::Show(const Look& look)
 {
   this->Data.SetSettings(look, !this->Builds);
-  emit this->Changed();
   this->RenderSoon();
+  emit this->Changed();
 }
 
-void Workbench::Turn(Choose what, int steps)
+void Workbench::Turn(Choose::Which what, int steps)
 {
-  const Choice& choice = ChoiceOf(what);
-  this->BeginGesture();
-  this->Edit(choice.Label,
+  const Choice& choice = AllChoices()[what];
+  this->EditOnce(choice.Label,
     [&](Look& look)
     {
       const int count = static_cast<int>(choice.Values.size());
       look.Choices[what] = (look.Choices[what] + steps + count) % count;
     });
-  this->Log.Event(choice.Name, this->Data.Settings().Choices.TextOf(what));
 }
 
+// Does the job in a thread, and in this one what is done with its result.
 void Workbench::Start(const std::string& what, const Job& job, const std::function<void()>& done)
 {
   this->IsStopped = false;
-  this->Share = 0.0;
   this->What = what;
-  this->Log.Event("began", what);
-  const auto report = [this](double share)
-  {
-    if (share > this->Share + ProgressStep)
-    {
-      this->Share = share;
-      QMetaObject::invokeMethod(this, [this, share] { emit this->Progressed(share); });
-    }
-    return !this->IsStopped;
-  };
   this->Thread = std::thread(
-    [this, job, report, done]
+    [this, job, done]
     {
       std::exception_ptr failure;
       try
       {
-        job(report);
+        double told = 0.0;
+        job(
+          [this, &told](double share)
+          {
+            if (share > told + ProgressStep)
+            {
+              told = share;
+              QMetaObject::invokeMethod(this, [this, share] { emit this->Progressed(share); });
+            }
+            return !this->IsStopped;
+          });
       }
       catch (...)
       {
         failure = std::current_exception();
       }
-      QMetaObject::invokeMethod(this,
-        [this, failure, done]
-        {
-          this->Thread.join();
-          if (this->Builds)
-          {
-            this->Builds = false;
-            this->Data.View.Renderer->DrawOn();
-            this->Data.Apply();
-          }
-          if (this->Next)
-          {
-            this->Load(*std::exchange(this->Next, std::nullopt));
-            return;
-          }
-          this->Try(
-            [&]
-            {
-              if (failure)
-              {
-                std::rethrow_exception(failure);
-              }
-              done();
-            });
-          emit this->Changed();
-        });
+      QMetaObject::invokeMethod(this, [=] { this->Finish(failure, done); });
+    });
+  emit this->Changed();
+}
+
+void Workbench::Finish(const std::exception_ptr& failure, const std::function<void()>& done)
+{
+  this->Thread.join();
+  if (std::exchange(this->Builds, false))
+  {
+    this->Data.View.Renderer->DrawOn();
+    this->Data.Apply();
+  }
+  if (this->Next)
+  {
+    this->Load(*std::exchange(this->Next, std::nullopt));
+    return;
+  }
+  this->Try(
+    [&]
+    {
+      if (failure)
+      {
+        std::rethrow_exception(failure);
+      }
+      done();
     });
   emit this->Changed();
 }
@@ -278,62 +247,39 @@ void Workbench::Load(Request request)
     return;
   }
   const std::string& path = request.Wanted.Source.Path;
-  const auto loaded = std::make_shared<Loaded>();
+  const std::string what = "Reading " + (path.empty() ? "four generated spheres" : path);
+  const auto shared = std::make_shared<Request>(std::move(request));
   this->Start(
-    "Reading " + (path.empty() ? "four generated spheres" : path),
-    [request, loaded](const Progress& progress) { *loaded = Model::Load(request, progress); },
-    [this, loaded]
-    {
-      // Whoever stops does not want what was read in time, either.
-      if (this->IsStopped)
-      {
-        throw UserError("Opening was stopped; what was shown stays.");
-      }
-      Request& request = loaded->For;
-      const bool isSameFile = request.IsSameFile;
-      if (isSameFile)
-      {
-        // Settings may have changed meanwhile.
-        Look look = this->Data.Settings();
-        look.Surfaces = request.KeepsSurfaces ? look.Surfaces : std::vector<Surface>();
-        look.Nodes = request.KeepsSurfaces ? look.Nodes : std::vector<Node>();
-        request.Wanted.Settings = look;
-      }
-      this->Refused = nullptr;
-      this->Data.Adopt(std::move(*loaded));
-      if (!isSameFile)
-      {
-        this->ListenToMapper();
-      }
-      this->SelectedSurface = 0;
-      this->Changes.clear();
-      this->Log.Event(isSameFile ? "shown" : "opened",
-        isSameFile ? this->Data.Description() : this->Data.Data().Name);
-      emit this->Opened();
-      this->Say(this->Data.Data().Name + ": " + this->Data.Description());
-      this->RenderSoon();
-    });
+    what, [shared](const Progress& progress) { Model::Load(*shared, progress); },
+    [this, shared] { this->Take(*shared); });
 }
 
-void Workbench::Open(const Session& session)
+void Workbench::Take(Request& loaded)
 {
-  Request request;
-  request.Wanted = session;
-  this->Load(request);
+  // Whoever stops does not want what was read in time, either.
+  if (this->IsStopped)
+  {
+    throw UserError("Opening was stopped; what was shown stays.");
+  }
+  this->Data.Adopt(loaded);
+  if (!loaded.IsSameFile)
+  {
+    this->ListenToMapper();
+  }
+  this->SelectedMarker = 0;
+  this->Changes.clear();
+  emit this->Opened(!loaded.IsSameFile);
+  emit this->Settled();
+  this->Say(this->Data.Data().Name + ": " + this->Data.Description());
+  this->RenderSoon();
 }
 
-void Workbench::OpenFirst(
-  const Session& session, const std::function<void(const std::string&)>& refused)
-{
-  this->Refused = refused;
-  this->Open(session);
-}
-
-void Workbench::OpenPath(const std::string& path)
+void Workbench::OpenPath(const QString& name)
 {
   this->Try(
     [&]
     {
+      const std::string path = QFile::encodeName(name).toStdString();
       if (IsSessionName(path))
       {
         this->SessionFile = path;
@@ -342,8 +288,8 @@ void Workbench::OpenPath(const std::string& path)
       }
       Session session;
       session.Source.Path = path;
-      session.Source.Spheres = this->Data.State().Source.Spheres;
       session.Settings.Choices = this->Data.Settings().Choices;
+      session.Settings.HasShading = this->Data.Settings().HasShading;
       session.Settings.Shading = this->Data.Settings().Shading;
       this->Open(session);
     });
@@ -357,7 +303,7 @@ void Workbench::Ask(const std::function<Request()>& request)
   }
 }
 
-void Workbench::Build(const std::function<void(bool isBuilt)>& done)
+void Workbench::BuildIsomap(bool isAsked)
 {
   if (this->IsBusy() || !this->Data.IsOpen())
   {
@@ -371,23 +317,15 @@ void Workbench::Build(const std::function<void(bool isBuilt)>& done)
   this->Start(
     "Building the isomap of this view",
     [this, isBuilt](const Progress& progress) { *isBuilt = this->Data.View.BuildIsomap(progress); },
-    [this, isBuilt, done]
+    [this, isBuilt, isAsked]
     {
-      done(*isBuilt);
-      this->Render();
-    });
-}
-
-void Workbench::BuildIsomap()
-{
-  this->Build(
-    [this](bool isBuilt)
-    {
-      this->Say(this->IsStopped
+      this->Say(!isAsked ? ""
+          : this->IsStopped
           ? "The isomap was stopped; the parts that are needed are built as you drag."
-          : isBuilt ? "The isomap of this view is built: any isovalue is looked up."
-                    : "There can be no isomap here; isovalues are found without it.",
-        !isBuilt && !this->IsStopped);
+          : *isBuilt ? "The isomap of this view is built: any isovalue is looked up."
+                     : "There can be no isomap here; isovalues are found without it.",
+        isAsked && !*isBuilt && !this->IsStopped);
+      this->Render();
     });
 }
 
@@ -396,25 +334,134 @@ void Workbench::PrepareDrag()
   this->BeginGesture();
   if (this->Data.WantsIsomapAhead())
   {
-    this->Build([this](bool) { this->Say(""); });
+    this->BuildIsomap(false);
   }
 }
 
-void Workbench::Cancel()
+void Workbench::SaveSession(const std::string& path)
 {
-  this->IsStopped = true;
+  this->Try(
+    [&]
+    {
+      this->Data.Save(path);
+      this->SessionFile = path;
+      this->RenderSoon();
+      this->Say("Saved " + path);
+    });
 }
 
-std::size_t Workbench::Selected() const
+// Without a path it is counted up, without a size it is that of the view, as often as chosen.
+void Workbench::SavePicture(const std::string& path, int width, int height)
 {
-  return std::min(this->SelectedSurface, this->Data.Settings().Surfaces.size() - 1);
+  this->Try(
+    [&]
+    {
+      if (this->Builds)
+      {
+        throw UserError("The isomap is being built; wait for it, or stop it with Escape.");
+      }
+      const int scale = std::stoi(this->Data.Settings().TextOf(Choose::Scale));
+      const int* size = this->Data.View.Renderer->GetSize();
+      this->Render();
+      const vtkSmartPointer<vtkImageData> picture = width > 0
+        ? this->Data.View.Picture(width, height)
+        : scale > 1 ? this->Data.View.Picture(scale * size[0], scale * size[1])
+                    : this->Data.View.LastFrame();
+      if (!path.empty())
+      {
+        WritePng(picture, path, "name another file");
+      }
+      this->Say("Saved " + (path.empty() ? this->Output.Save(picture) : path));
+    });
 }
 
-void Workbench::Select(std::size_t surface)
+void Workbench::ToggleRecording()
 {
-  if (surface != this->SelectedSurface)
+  this->Try(
+    [this]
+    {
+      if (this->Output.IsRecording())
+      {
+        this->Say(this->Output.Stop());
+        return;
+      }
+      this->Output.Start(this->Data.Settings().TextOf(Choose::Film));
+      this->Say("Recording every frame");
+    });
+  emit this->Changed();
+}
+
+void Workbench::Say(const std::string& said, bool isWarning)
+{
+  const std::string sentence = Printable(said);
+  if (!sentence.empty())
   {
-    this->SelectedSurface = surface;
+    std::fprintf(
+      isWarning ? stderr : stdout, "%s%s\n", isWarning ? "Explorer: " : "", sentence.c_str());
+    std::fflush(stdout);
+  }
+  emit this->Said(QString::fromStdString(sentence), isWarning);
+}
+
+void Workbench::Try(const std::function<void()>& action)
+{
+  try
+  {
+    action();
+  }
+  catch (const std::exception& failure)
+  {
+    const std::string sentence = SentenceOf(failure);
+    this->OnRefused && !this->IsStopped ? this->OnRefused(sentence) : this->Say(sentence, true);
+  }
+}
+
+void Workbench::Select(std::size_t marker)
+{
+  if (std::exchange(this->SelectedMarker, marker) != marker)
+  {
     emit this->Changed();
   }
+}
+
+void Workbench::EditMarker(const QString& name, const std::function<void(Marker&)>& change)
+{
+  const std::size_t marker = this->Selected();
+  this->Edit(name, [&](Look& look) { change(this->Data.MarkersOf(look)[marker]); });
+}
+
+void Workbench::AddMarker(const Marker& marker)
+{
+  std::size_t place = this->Markers().size();
+  this->EditOnce(tr("marker"),
+    [&](Look& look)
+    {
+      std::vector<Marker>& markers = this->Data.MarkersOf(look);
+      const auto after = std::find_if(markers.begin(), markers.end(),
+        [&](const Marker& other) { return other.Value > marker.Value; });
+      const auto at = this->Data.DrawsSurfaces() ? markers.end() : after;
+      place = static_cast<std::size_t>(at - markers.begin());
+      markers.insert(at, marker);
+    });
+  this->Select(place);
+}
+
+void Workbench::AddMarker()
+{
+  const std::array<double, 2>& range = this->Data.Counted().Range;
+  Marker marker = this->Markers()[this->Selected()];
+  marker.Value += (marker.Value < 0.5 * (range[0] + range[1]) ? 0.2 : -0.2) * (range[1] - range[0]);
+  this->AddMarker(marker);
+}
+
+void Workbench::RemoveMarker()
+{
+  const auto selected = static_cast<std::ptrdiff_t>(this->Selected());
+  this->EditOnce(tr("marker"),
+    [&](Look& look)
+    {
+      std::vector<Marker>& markers = this->Data.MarkersOf(look);
+      markers.erase(
+        markers.begin() + selected, markers.begin() + selected + (this->CanRemove() ? 1 : 0));
+    });
 }

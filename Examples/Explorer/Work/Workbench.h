@@ -4,14 +4,13 @@
 #define Workbench_h
 
 #include "Model/Model.h"
-#include "Work/FrameLog.h"
-#include "Work/Options.h"
 #include "Work/Recorder.h"
 
 #include <QObject>
 #include <QTimer>
 #include <QUndoStack>
 
+#include <algorithm>
 #include <atomic>
 #include <functional>
 #include <thread>
@@ -25,31 +24,37 @@ class Workbench : public QObject
   Q_OBJECT
 
 public:
-  // Throws UserError if the log cannot be written.
-  explicit Workbench(const Options& options);
+  // from, up: the viewer's place at first and the way up, as the model has them.
+  Workbench(const std::string& output, const std::string& session = "explorer.session",
+    const std::string& from = "", const std::string& up = "+z");
   ~Workbench() override;
 
   // Draws the view; with soon, once after all that waits to be done.
   void SetWindow(vtkRenderWindow* window);
-  void RenderSoon();
+  void RenderSoon() { this->Rendering.start(0); }
   void Render();
-  bool IsRenderDue() const { return this->IsDue; }
+  bool IsRenderDue() const { return this->Rendering.isActive(); }
 
   // All settings change here. Changes of a name that follow one another within a gesture, such as a
   // drag, are undone together.
-  void Edit(const QString& name, const std::function<void(Look&)>& change);
+  using Change = std::function<void(Look&)>;
+  void Edit(const QString& name, const Change& change);
   void BeginGesture() { ++this->Gesture; }
+  void EditOnce(const QString& name, const Change& change) // a gesture by itself
+  {
+    this->BeginGesture();
+    this->Edit(name, change);
+  }
   void SetDragging(bool isDragging); // frames are to be made fast, or well
   void Show(const Look& look);       // as it is, for undo
-  void Turn(Choose what, int steps);
+  void Turn(Choose::Which what, int steps);
 
-  void Open(const Session& session);
-  void OpenFirst(const Session& session, const std::function<void(const std::string&)>& refused);
-  void OpenPath(const std::string& path); // a session, or a volume to be looked at likewise
+  void Open(const Session& session) { this->Load({ session }); }
+  void OpenPath(const QString& path); // a session, or a volume to be looked at likewise
   void Ask(const std::function<Request()>& request); // for another array or time step
-  void BuildIsomap();
-  void PrepareDrag(); // of an isovalue
-  void Cancel();
+  void BuildIsomap(bool isAsked = true);             // else nothing is said of it
+  void PrepareDrag();                                // of an isovalue
+  void Cancel() { this->IsStopped = true; }
   bool IsBusy() const { return this->Thread.joinable(); }
   const std::string& Doing() const { return this->What; } // what takes long, for people
   bool IsBuilding() const { return this->Builds; }        // an isomap: the view stands still
@@ -60,44 +65,53 @@ public:
   void Say(const std::string& sentence, bool isWarning = false);
   void Try(const std::function<void()>& action); // tells of what is thrown
 
-  std::size_t Selected() const; // surface
-  void Select(std::size_t surface);
+  // The marker that is worked on, of those that are drawn.
+  const std::vector<Marker>& Markers() const { return this->Data.Markers(); }
+  std::size_t Selected() const
+  {
+    return std::min(this->SelectedMarker, this->Markers().size() - 1);
+  }
+  void Select(std::size_t marker);
+  void EditMarker(const QString& name, const std::function<void(Marker&)>& change);
+  void AddMarker(const Marker& marker);
+  void AddMarker(); // beside the selected one
+  void RemoveMarker();
+  bool CanRemove() const { return this->Markers().size() > (this->Data.DrawsSurfaces() ? 1 : 2); }
 
-  const Options Chosen;
   Model Data;
   QUndoStack Changes;
   Recorder Output;
-  FrameLog Log;
-  std::string SessionFile;
+  std::string SessionFile;                           // to save to and to restore from
+  std::function<void(const std::string&)> OnRefused; // while set, it is told of what fails
 
 signals:
-  void Opened();              // other data
-  void Changed();             // settings, the selected surface, what is going on
-  void Settled();             // the same, soon and less often: most panels need no more
-  void FrameDrawn(double ms); // of the window
+  void Opened(bool isOtherFile); // or another array or step of the same one
+  void Changed();                // settings, the selected marker, what is going on
+  void Settled();                // the same, soon and less often: most panels need no more
+  void FrameDrawn(double ms);    // of the window
   void Progressed(double share);
   void Said(const QString& sentence, bool isWarning);
 
 private:
   using Job = std::function<void(const Progress&)>;
   void Start(const std::string& what, const Job& job, const std::function<void()>& done);
+  void Finish(const std::exception_ptr& failure, const std::function<void()>& done);
   void Load(Request request);
-  void Build(const std::function<void(bool isBuilt)>& done);
+  void Take(Request& loaded);
   void ListenToMapper();
+  void OnMessage(vtkObject*, unsigned long, void* text);
+  void OnFrameBegin();
   void OnFrameEnd();
 
   vtkRenderWindow* Window = nullptr;
-  QTimer Settling;
+  QTimer Settling, Rendering;
   std::thread Thread;
   std::string What;
-  std::function<void(const std::string&)> Refused; // until something is open
-  std::optional<Request> Next;                     // to be loaded after what is being stopped
+  std::optional<Request> Next; // to be loaded after what is being stopped
   std::atomic<bool> IsStopped{ false };
-  std::atomic<double> Share{ 0.0 };
   bool Builds = false;
-  bool IsDue = false;
   int Gesture = 0;
-  std::size_t SelectedSurface = 0;
+  std::size_t SelectedMarker = 0;
   double FrameBegan = 0.0;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Window/DragMeasurement.h"
+#include "DragMeasurement.h"
 
 #include "Window/MainWindow.h"
 
@@ -34,19 +34,20 @@ double Median(std::vector<double> times)
   return times.empty() ? 0.0 : times[times.size() / 2];
 }
 
-// Milliseconds until it is seen.
-double TimeOf(QVTKOpenGLNativeWidget* view, const std::function<void()>& action)
+// Milliseconds until the frame that an action draws is seen.
+double TimeOf(MainWindow& window, Workbench& bench, const std::function<void()>& action)
 {
-  bool isShown = false;
-  const auto connection =
-    QObject::connect(view, &QOpenGLWidget::frameSwapped, view, [&isShown] { isShown = true; });
+  bool isDrawn = false, isShown = false;
+  QObject context;
+  QObject::connect(&bench, &Workbench::FrameDrawn, &context, [&] { isDrawn = true; });
+  QObject::connect(
+    window.View(), &QOpenGLWidget::frameSwapped, &context, [&] { isShown = isDrawn; });
   const double begin = vtkTimerLog::GetUniversalTime();
   action();
   while (!isShown)
   {
     QApplication::processEvents(QEventLoop::WaitForMoreEvents);
   }
-  QObject::disconnect(connection);
   return 1000.0 * (vtkTimerLog::GetUniversalTime() - begin);
 }
 
@@ -62,9 +63,9 @@ void SendMouse(HistogramPanel* histogram, QEvent::Type type, double share)
 class PictureShow
 {
 public:
-  PictureShow(QVTKOpenGLNativeWidget* view, vtkRenderer* volume, vtkImageData* first)
-    : View(view)
-    , Volume(volume)
+  PictureShow(MainWindow& window, Workbench& bench, vtkImageData* first)
+    : Window(window)
+    , Bench(bench)
   {
     this->Renderer->AddActor(this->Actor);
     this->Actor->GetMapper()->SetInputData(first);
@@ -76,13 +77,14 @@ public:
   // Milliseconds of each of so many.
   std::vector<double> Times(const std::vector<vtkSmartPointer<vtkImageData>>& two, int count)
   {
-    vtkRenderWindow* window = this->View->renderWindow();
-    window->RemoveRenderer(this->Volume);
+    vtkRenderWindow* window = this->Window.View()->renderWindow();
+    vtkRenderer* volume = this->Bench.Data.View.Renderer;
+    window->RemoveRenderer(volume);
     window->AddRenderer(this->Renderer);
     std::vector<double> times;
     for (int i = 0; i <= count; ++i)
     {
-      const double ms = TimeOf(this->View,
+      const double ms = TimeOf(this->Window, this->Bench,
         [&]
         {
           two[static_cast<std::size_t>(i % 2)]->Modified();
@@ -92,13 +94,13 @@ public:
       times.insert(times.end(), i > 0 ? 1 : 0, ms); // the first makes what is kept
     }
     window->RemoveRenderer(this->Renderer);
-    window->AddRenderer(this->Volume);
+    window->AddRenderer(volume);
     return times;
   }
 
 private:
-  QVTKOpenGLNativeWidget* View;
-  vtkRenderer* Volume;
+  MainWindow& Window;
+  Workbench& Bench;
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkImageActor> Actor;
 };
@@ -116,7 +118,7 @@ void MeasureDrag(MainWindow& window, Workbench& bench, int steps)
     QApplication::processEvents(QEventLoop::WaitForMoreEvents);
   }
   pictures.push_back(bench.Data.View.LastFrame());
-  PictureShow show(window.View(), bench.Data.View.Renderer, pictures[0]);
+  PictureShow show(window, bench, pictures[0]);
   int shown = 0; // more than once a step: parts of the window were drawn apart
   for (int step = 1; step <= steps; ++step)
   {
@@ -124,15 +126,15 @@ void MeasureDrag(MainWindow& window, Workbench& bench, int steps)
     const auto counting = QObject::connect(
       window.View(), &QOpenGLWidget::frameSwapped, window.View(), [&shown] { ++shown; });
     times.push_back(
-      TimeOf(window.View(), [&] { SendMouse(window.Histogram(), QEvent::MouseMove, share); }));
+      TimeOf(window, bench, [&] { SendMouse(window.Histogram(), QEvent::MouseMove, share); }));
     QObject::disconnect(counting);
-    ++routes[bench.Data.View.Facts().Route];
+    ++routes[bench.Data.View.Mapper->GetRouteAsString()];
     // By turns, so that what else the machine does meets both alike.
     if (step % StepsOfTurn == 0 || step == steps)
     {
       const std::vector<double> more = show.Times(pictures, StepsOfTurn);
       timesOfPictures.insert(timesOfPictures.end(), more.begin(), more.end());
-      TimeOf(window.View(), [&] { bench.Render(); }); // the volume is there again
+      TimeOf(window, bench, [&] { bench.Render(); }); // the volume is there again
     }
   }
   SendMouse(window.Histogram(), QEvent::MouseButtonRelease, To);

@@ -150,8 +150,10 @@ std::string Picture::Nonsense(int isovalues, bool isTame) const
     // A distance may be too large for a float.
     const bool isDepth = !std::isnan(depths[i]) && (!std::isfinite(depths[i]) || isHit) &&
       (std::isfinite(depths[i]) || !isHit || !isTame);
+    // Blended volumes have a normal where their gradient tells one.
+    const bool mayBeNone = !isHit || this->IsBlended;
     const bool isNormal =
-      isHit && !this->IsBlended ? std::abs(length - 1.0f) < 1e-3f : length == 0.0f;
+      (isHit && std::abs(length - 1.0f) < 1e-3f) || (mayBeNone && length == 0.0f);
     const bool isColor = isHit ? std::max({ c[0], c[1], c[2] }) <= c[3] || !isTame
                                : c[0] == 0 && c[1] == 0 && c[2] == 0 && c[3] == 0;
     if (!isIndex || !isDepth || !isNormal || !isColor || answers[i] > 2)

@@ -96,17 +96,37 @@ inline BlendErrors CompareWithTruth(const TemporalCoherence::FrameKey& key,
   return errors;
 }
 
+inline void ExpectSmallErrors(const BlendErrors& errors, const std::string& which)
+{
+  EXPECT_LE(errors.BeyondOne * 1000, errors.Compared * PixelsForOne)
+    << which << "the worst, by " << errors.Largest << ", is (" << errors.Worst.x << ", "
+    << errors.Worst.y << ")";
+  EXPECT_EQ(errors.BeyondThree, 0) << which << "the worst, by " << errors.Largest << ", is ("
+                                   << errors.Worst.x << ", " << errors.Worst.y << ")";
+}
+
+/// The same view with pixels so fine that tiles of a composite volume go as beams.
+inline TemporalCoherence::FrameKey FineKey(TemporalCoherence::FrameKey key)
+{
+  key.View.Size *= 4;
+  return key;
+}
+
 /// At most 0.1 % of the pixels are off by more than 1/255, and none by more than 3/255.
 inline void ExpectBlendTruth(const TemporalCoherence::FrameKey& key, int step = 3,
   const TemporalCoherence::GridCoordinates* coordinates = nullptr)
 {
   const BlendErrors errors = CompareWithTruth(key, BlendedFrame(key), step, coordinates);
-  EXPECT_LE(errors.BeyondOne * 1000, errors.Compared * PixelsForOne)
-    << "the worst, by " << errors.Largest << ", is (" << errors.Worst.x << ", " << errors.Worst.y
-    << ")";
-  EXPECT_EQ(errors.BeyondThree, 0) << "the worst, by " << errors.Largest << ", is ("
-                                   << errors.Worst.x << ", " << errors.Worst.y << ")";
+  ExpectSmallErrors(errors, "");
   EXPECT_GT(errors.Seen * 25, errors.Compared) << "there is little to see";
+  const TemporalCoherence::Blending& volume = key.Volume;
+  if (volume.Mode == TemporalCoherence::BlendMode::Composite && volume.Looks.size() == 1 &&
+    volume.SampleDistance == 0.0 && !volume.Ends)
+  {
+    const TemporalCoherence::FrameKey fine = FineKey(key);
+    ExpectSmallErrors(
+      CompareWithTruth(fine, BlendedFrame(fine), 17 * step, coordinates), "in fine pixels: ");
+  }
 }
 
 #endif

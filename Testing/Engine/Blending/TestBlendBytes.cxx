@@ -41,7 +41,7 @@ private:
 /// The bytes of a picture depend neither on the number of threads nor on the kind of vectors.
 class BlendBytes : public ::testing::TestWithParam<BlendMode>
 {
-protected:
+public:
   /// A small picture: its rays are as different as those of a large one.
   static FrameKey Small(FrameKey key, const glm::ivec2& size = { 43, 37 })
   {
@@ -111,6 +111,29 @@ TEST_P(BlendBytes, GradientOpacity)
   key.Volume.Looks[0].Material.Shade = true;
   key.Volume.Looks[0].ByGradient.Nodes = { { 0.0, 0.2 }, { 20.0, 1.0 } };
   ExpectSameBytes(key);
+}
+
+/// Tiles that go as beams, in a part of a view.
+TEST(BlendBeamBytes, OfAnyTypeAndLight)
+{
+  const auto expectOf = [](auto type, const glm::dvec2& range)
+  {
+    const BlendVolume<decltype(type)> volume(BlendSize, range);
+    for (const auto* points : { &BlendLooks::Skin, &BlendLooks::Peaks, &BlendLooks::Bone })
+    {
+      FrameKey key = MakeBlendKey(volume, BlendMode::Composite, *points);
+      key.View = LookAt(key.Samples.Dimensions, { 1.0, 2.0, 0.7 }, { 200, 184 });
+      BlendBytes::ExpectSameBytes(key);
+      key.Volume.Looks[0].Material.Shade = true;
+      BlendBytes::ExpectSameBytes(key);
+      key.Volume.Looks[0].Material.Specular = 0.5;
+      key.Appearance.Lights[0].Diffuse = { 1.0, 0.5, 0.7 };
+      BlendBytes::ExpectSameBytes(key);
+    }
+  };
+  expectOf(std::uint8_t(), { 0.0, 255.0 });
+  expectOf(std::int16_t(), { -1000.0, 3000.0 });
+  expectOf(float(), { -0.3, 0.7 });
 }
 
 TEST_P(BlendBytes, SamplesAtADistance)

@@ -79,6 +79,8 @@ TEST_P(BlendRoutes, SpaceLeapingDoesNotChangeThePicture)
   {
     this->Key.Volume.Looks[0].Transfer = MakeTransfer(this->Volume.Range, *points);
     EXPECT_TRUE(ShowTheSame(BlendedFrame(this->Key), BlendedFrame(this->Key, plain)));
+    const FrameKey fine = FineKey(this->Key);
+    EXPECT_TRUE(ShowTheSame(BlendedFrame(fine), BlendedFrame(fine, plain))) << "in fine pixels";
   }
 }
 

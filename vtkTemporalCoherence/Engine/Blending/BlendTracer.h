@@ -70,7 +70,8 @@ struct NoBlendTracer : std::exception
 };
 
 /// Blends what rays see of a volume, in one mode, for one kind of field. What a ray sees depends on
-/// the ray and on its Begin and End, but not on where its walk starts nor on the rays beside it.
+/// the ray and on its Begin and End, but not on where its walk starts; on the rays beside it only
+/// as far as rounding goes.
 class BlendTracer
 {
 public:

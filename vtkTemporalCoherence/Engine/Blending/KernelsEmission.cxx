@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Blending/KernelsEmission.h"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -10,8 +12,9 @@
 #define HWY_TARGET_INCLUDE "Blending/KernelsEmission.cxx"
 #include <hwy/foreach_target.h>
 
-#include "Blending/KernelsCellSamples-inl.h"
+#include "Blending/KernelsCellGradients-inl.h"
 #include "Blending/KernelsEmittingSegments-inl.h"
+#include "Blending/KernelsHardSegments-inl.h"
 #include "Blending/KernelsVectors-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -24,75 +27,119 @@ namespace HWY_NAMESPACE
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Add the segments of a vector. Not for each type of samples again.
-HWY_NOINLINE void AddVector(const EmittingVolume& volume, const LitRays& rays,
-  const VolumeSegments& segments, std::size_t begin, std::size_t end,
-  const CornerGradients& gradients, BlendedRays& seen)
-{
-  SegmentVector vector(volume, rays, segments, begin, end - begin, seen);
-  vector.Add(gradients);
-  vector.Finish();
-}
+/// The least share of light that a hard segment is thought to let pass: one step tells little of
+/// it.
+constexpr float LeastOfHard = 0.5f;
 
-/// \param loaderAt makes what loads the samples around the cells of a vector
-template <typename LoaderAt>
-HWY_INLINE void AddAll(const EmittingVolume& volume, const LitRays& rays,
-  const VolumeSegments& segments, const LoaderAt& loaderAt, BlendedRays& seen)
+/// Find out how much of the light of hard segments comes to the viewer.
+template <std::size_t Colors>
+void ExpectLight(const VolumeSegments& segments, const SegmentSums& sums, LitRays& rays,
+  HardSegments<Colors>& hard)
 {
-  for (std::size_t i = 0, end = 0; i < static_cast<std::size_t>(segments.Count); i = end)
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(segments.Count); ++i)
   {
-    end = segments.EndOfVector(i, hn::Lanes(Floats()));
-    const CornerGradients gradients =
-      volume.HasGradients() ? CornerGradients(loaderAt(i, end)) : CornerGradients();
-    AddVector(volume, rays, segments, i, end, gradients, seen);
+    float& expected = rays.Expected[static_cast<std::size_t>(segments.Ray[i])];
+    if (next < hard.Count && hard.Number[next] == static_cast<std::int32_t>(i))
+    {
+      hard.Shown[next++] = expected;
+      expected *= std::max(sums.Passed[i], LeastOfHard);
+    }
+    else
+    {
+      expected *= sums.Passed[i];
+    }
   }
 }
 
-void AddOfValues(const EmittingVolume& volume, const LitRays& rays, const VolumeSegments& segments,
-  const SamplesAround& around, BlendedRays& seen)
+/// Composite segments behind what their rays have seen.
+inline void Composite(const VolumeSegments& segments, const SegmentSums& sums, BlendedRays& seen)
 {
-  AddAll(
-    volume, rays, segments,
-    [&](std::size_t i, std::size_t) HWY_ATTR {
-      return ArrayLoader{ around, i };
-    },
-    seen);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(segments.Count); ++i)
+  {
+    const auto ray = static_cast<std::size_t>(segments.Ray[i]);
+    const float shown = seen.Passed[ray];
+    if (shown > LeastPassed)
+    {
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        seen.Color[a][ray] += shown * sums.Color[a][i];
+      }
+      if (sums.First[i] < SegmentSums::Never && shown > 1.0f - LeastSeen)
+      {
+        seen.First[ray] = std::min(seen.First[ray], static_cast<double>(sums.First[i]));
+      }
+      seen.Passed[ray] = shown * sums.Passed[i];
+    }
+  }
 }
 
-template <typename T>
-HWY_INLINE void AddOfSamples(const EmittingVolume& volume, const LitRays& rays,
-  const VolumeSegments& segments, const NarrowSamples<T>& samples, float perValue,
-  BlendedRays& seen)
+/// Reads the cells of vectors of segments.
+class CellsOfVector
 {
-  AddAll(
-    volume, rays, segments,
-    [&](std::size_t i, std::size_t end) HWY_ATTR
-    { return RowLoader<T>(samples, segments, i, end, perValue); },
-    seen);
+public:
+  CellsOfVector(const VolumeSegments& segments, const VolumeCells& cells)
+    : Segments(segments)
+    , Source(cells)
+  {
+  }
+
+  /// The gradients of the cells of segments from `first` on. Lanes behind the last one repeat it.
+  HWY_INLINE CornerGradients At(std::size_t first)
+  {
+    const std::size_t last = static_cast<std::size_t>(this->Segments.Count) - 1;
+    constexpr auto size = static_cast<std::int32_t>(sizeof(VolumeCell) / sizeof(float));
+    std::int32_t places[WidestVector], read = -1;
+    glm::ivec3 before(-1);
+    for (std::size_t lane = 0; lane < hn::Lanes(Floats()); ++lane)
+    {
+      const std::size_t i = std::min(first + lane, last);
+      const auto& cells = this->Segments.Cell;
+      const glm::ivec3 cell(cells[0][i], cells[1][i], cells[2][i]);
+      if (cell != before)
+      {
+        this->Source.Read(cell, this->Read[static_cast<std::size_t>(++read)]);
+        before = cell;
+      }
+      places[lane] = read * size;
+    }
+    return CornerGradients(this->Read.data(), places);
+  }
+
+private:
+  const VolumeSegments& Segments;
+  const VolumeCells& Source;
+  std::array<VolumeCell, WidestVector> Read;
+};
+
+template <std::size_t Colors>
+HWY_INLINE void AddColors(const EmittingVolume& volume, LitRays& rays,
+  const VolumeSegments& segments, const VolumeCells& cells, BlendedRays& seen)
+{
+  SegmentSums sums;
+  HardSegments<Colors> hard;
+  CellsOfVector ofVector(segments, cells);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(segments.Count); i += hn::Lanes(Floats()))
+  {
+    const CornerGradients corners = volume.HasGradients() ? ofVector.At(i) : CornerGradients();
+    AddInOneStep<Colors>(volume, rays, segments, i, corners, hn::Set(Floats(), 1.0f), hard, sums);
+  }
+  ExpectLight(segments, sums, rays, hard);
+  hard.KeepHard();
+  AddHard(volume, rays, segments, hard, sums);
+  Composite(segments, sums, seen);
 }
 
-void AddOfUInt8(const EmittingVolume& volume, const LitRays& rays, const VolumeSegments& segments,
-  const NarrowSamples<std::uint8_t>& samples, float perValue, BlendedRays& seen)
+void AddAll(const EmittingVolume& volume, LitRays& rays, VolumeSegments& segments,
+  const VolumeCells& cells, BlendedRays& seen)
 {
-  AddOfSamples(volume, rays, segments, samples, perValue, seen);
-}
-
-void AddOfInt8(const EmittingVolume& volume, const LitRays& rays, const VolumeSegments& segments,
-  const NarrowSamples<std::int8_t>& samples, float perValue, BlendedRays& seen)
-{
-  AddOfSamples(volume, rays, segments, samples, perValue, seen);
-}
-
-void AddOfUInt16(const EmittingVolume& volume, const LitRays& rays, const VolumeSegments& segments,
-  const NarrowSamples<std::uint16_t>& samples, float perValue, BlendedRays& seen)
-{
-  AddOfSamples(volume, rays, segments, samples, perValue, seen);
-}
-
-void AddOfInt16(const EmittingVolume& volume, const LitRays& rays, const VolumeSegments& segments,
-  const NarrowSamples<std::int16_t>& samples, float perValue, BlendedRays& seen)
-{
-  AddOfSamples(volume, rays, segments, samples, perValue, seen);
+  segments.FillLastVector();
+  if (volume.Lights && !volume.Lights->AreWhite)
+  {
+    AddColors<3>(volume, rays, segments, cells, seen);
+    return;
+  }
+  AddColors<1>(volume, rays, segments, cells, seen);
 }
 
 }
@@ -106,40 +153,12 @@ namespace TemporalCoherence
 namespace EmissionKernels
 {
 
-HWY_EXPORT(AddOfValues);
-HWY_EXPORT(AddOfUInt8);
-HWY_EXPORT(AddOfInt8);
-HWY_EXPORT(AddOfUInt16);
-HWY_EXPORT(AddOfInt16);
+HWY_EXPORT(AddAll);
 
-void AddSegments(const EmittingVolume& volume, const LitRays& rays, const VolumeSegments& segments,
-  const SamplesAround& around, BlendedRays& seen)
+void AddSegments(const EmittingVolume& volume, LitRays& rays, VolumeSegments& segments,
+  const VolumeCells& cells, BlendedRays& seen)
 {
-  HWY_DYNAMIC_DISPATCH(AddOfValues)(volume, rays, segments, around, seen);
-}
-
-void AddSegments(const EmittingVolume& volume, const LitRays& rays, const VolumeSegments& segments,
-  const NarrowSamples<std::uint8_t>& samples, float perValue, BlendedRays& seen)
-{
-  HWY_DYNAMIC_DISPATCH(AddOfUInt8)(volume, rays, segments, samples, perValue, seen);
-}
-
-void AddSegments(const EmittingVolume& volume, const LitRays& rays, const VolumeSegments& segments,
-  const NarrowSamples<std::int8_t>& samples, float perValue, BlendedRays& seen)
-{
-  HWY_DYNAMIC_DISPATCH(AddOfInt8)(volume, rays, segments, samples, perValue, seen);
-}
-
-void AddSegments(const EmittingVolume& volume, const LitRays& rays, const VolumeSegments& segments,
-  const NarrowSamples<std::uint16_t>& samples, float perValue, BlendedRays& seen)
-{
-  HWY_DYNAMIC_DISPATCH(AddOfUInt16)(volume, rays, segments, samples, perValue, seen);
-}
-
-void AddSegments(const EmittingVolume& volume, const LitRays& rays, const VolumeSegments& segments,
-  const NarrowSamples<std::int16_t>& samples, float perValue, BlendedRays& seen)
-{
-  HWY_DYNAMIC_DISPATCH(AddOfInt16)(volume, rays, segments, samples, perValue, seen);
+  HWY_DYNAMIC_DISPATCH(AddAll)(volume, rays, segments, cells, seen);
 }
 
 }

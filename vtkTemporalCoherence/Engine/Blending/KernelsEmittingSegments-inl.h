@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The light of a vector of cell segments, step by step. Kernels include this file once for each
-// kind of vectors, hence the toggling guard.
+// What is known of a vector of cell segments before their light is added up: emission at both ends,
+// light in between, and how many steps they need. Kernels include this file once for each kind of
+// vectors, hence the toggling guard.
 #if defined(TemporalCoherence_KernelsEmittingSegments_inl_h) == defined(HWY_TARGET_TOGGLE)
 #ifdef TemporalCoherence_KernelsEmittingSegments_inl_h
 #undef TemporalCoherence_KernelsEmittingSegments_inl_h
@@ -10,7 +11,7 @@
 #define TemporalCoherence_KernelsEmittingSegments_inl_h
 #endif
 
-#include "Blending/KernelsCellSamples-inl.h"
+#include "Blending/KernelsCellGradients-inl.h"
 #include "Blending/KernelsCubic-inl.h"
 #include "Blending/KernelsEmission.h"
 #include "Blending/KernelsLight-inl.h"
@@ -33,376 +34,347 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using Line = Cubics::HWY_NAMESPACE::Cubic<V>;
 
-/// A segment is cut into no more steps at first, and in the end into no shorter ones.
-constexpr float MostSteps = 64.0f, ShortestStep = 1.0f / 1024.0f;
-
 /// The optical depth of a step, as far as it is seen: at first, and at most.
 constexpr float DepthOfStep = 0.5f, MostDepthOfStep = 1.0f;
 
 /// How far the optical depth of a segment may be off, as far as it is seen.
 constexpr float DepthTolerance = 1.0f / 512.0f;
 
-/// The square of the steps for each unit by which light, or a gradient opacity, is off a straight
-/// line, and by which a normal turns (1 - the cosine), as far as it is seen.
-constexpr float StepsOfBend = 1600.0f, StepsOfOpacity = 4096.0f, StepsOfTurn = 4096.0f;
+/// Fields that change their slope by more than this share may turn back.
+constexpr float MostSpeed = 1.6f;
 
-/// Up to this square of steps, light follows a parabola.
-constexpr float MostOfParabola = 0.5f;
+/// The square of the steps for each unit by which a gradient opacity is off a straight line, as far
+/// as it is seen.
+constexpr float StepsOfOpacity = 4096.0f;
+
+/// The square of the steps for each unit by which light changes between these places, as far as it
+/// is seen: where it is emitted is known only roughly.
+constexpr float StepsOfSlope = 450.0f;
+
+/// The same for each unit by which normals turn, up to a turn from which on steps follow it.
+constexpr float StepsOfTurn = 300.0f, MostTurn = 0.1f;
+
+/// Where normals turn less than that, as far as it is seen, light is linear.
+constexpr float LinearTurn = 1.2e-4f;
 
 /// How much a gradient opacity may change in a step, as far as it is seen.
 constexpr float MostOpacityChange = 1.0f / 64.0f;
 
-/// What a vector of segments adds to its rays.
-class SegmentVector
+/// The directions of the rays of segments, and where these rays begin: zeros if no light asks for
+/// it.
+struct RayVectors
 {
-public:
-  HWY_INLINE SegmentVector(const EmittingVolume& volume, const LitRays& rays,
-    const VolumeSegments& segments, std::size_t first, std::size_t count, BlendedRays& seen)
-    : Volume(volume)
-    , Seen(seen)
-    , Count(count)
-    , IsSegment(hn::FirstN(Floats(), count))
+  RayVectors() = default;
+
+  /// \param rays one for each lane
+  HWY_INLINE RayVectors(const EmittingVolume& volume, const LitRays& all, const std::int32_t* rays)
+  {
+    std::fill_n(this->Direction, 4, hn::Zero(Floats()));
+    std::fill_n(this->Begin, 4, hn::Zero(Floats()));
+    if (volume.Lights && volume.Lights->AskForRays())
+    {
+      const Integers di;
+      std::int32_t places[WidestVector];
+      hn::StoreU(hn::Mul(hn::LoadU(di, rays), hn::Set(di, LitRays::Row)), di, places);
+      LoadRows(all.Rows.data(), places, this->Direction);
+      LoadRows(all.Rows.data() + 4, places, this->Begin);
+    }
+  }
+
+  V Direction[4], Begin[4]; ///< by axis; the last ones mean nothing
+};
+
+/// The largest change of extinction from bin to bin between values.
+/// \param span how far they are from the middle
+HWY_INLINE V SteepnessOf(const TransferTables& tables, V middle, V span)
+{
+  const Floats d;
+  const std::size_t count = tables.Steepness.size() / TransferTables::Levels;
+  const V last = hn::Set(d, static_cast<float>(count - 1));
+  const V perBlock = hn::Set(d, 1.0f / (1 << TransferTables::BlockBits));
+  const V block = hn::Floor(hn::Min(hn::Max(hn::Mul(middle, perBlock), hn::Zero(d)), last));
+  V place = block;
+  for (int level = 0; level < TransferTables::Levels - 1; ++level)
+  {
+    const V reach = hn::Set(d, static_cast<float>(1 << (TransferTables::BlockBits + level)));
+    place = hn::Add(
+      place, hn::IfThenElseZero(hn::Gt(span, reach), hn::Set(d, static_cast<float>(count))));
+  }
+  std::int32_t places[WidestVector];
+  float found[WidestVector];
+  hn::StoreU(hn::ConvertTo(Integers(), place), Integers(), places);
+  for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
+  {
+    found[lane] = tables.Steepness[static_cast<std::size_t>(places[lane])];
+  }
+  return hn::LoadU(d, found);
+}
+
+/// A vector of cell segments: all that their light depends on.
+/// \tparam Colors channels of light: 1 where all lights are white, else 3
+template <std::size_t Colors>
+struct EmittingSegments
+{
+  /// Call visit for each number that is kept of a segment.
+  template <class Visitor>
+  HWY_INLINE void EachColumn(const Visitor& visit)
+  {
+    visit(this->Enter);
+    visit(this->Length);
+    visit(this->ValueAtEnd);
+    visit(this->Turn);
+    visit(this->AtBegin.Moment);
+    visit(this->AtEnd.Moment);
+    for (V& need : this->Needs)
+    {
+      visit(need);
+    }
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      visit(this->Values.C[i]);
+      for (auto& gradient : this->Gradients.Along)
+      {
+        visit(gradient.C[i]);
+      }
+      visit(this->AtBegin.Value[i]);
+      visit(this->AtBegin.Sum[i]);
+      visit(this->AtEnd.Value[i]);
+      visit(this->AtEnd.Sum[i]);
+    }
+    this->Light.EachColumn(visit);
+  }
+  static constexpr std::size_t Columns = 6 + 4 + 4 * 8 + LightLine<Colors>::Columns;
+
+  /// The square of the number of first steps.
+  /// \param shown the share of the light of a segment that comes to the viewer
+  HWY_INLINE V SquareOfSteps(V shown) const
+  {
+    const V steps = hn::Mul(this->Needs[ForDepth], shown);
+    const V square = hn::Max(hn::Mul(this->Needs[ForOff], shown), hn::Mul(steps, steps));
+    const V more = hn::Add(this->Needs[ForGradient], this->Needs[ForSlope]);
+    return hn::Add(square, hn::Mul(more, shown));
+  }
+
+  /// True where light is linear.
+  HWY_INLINE M IsSmooth(V shown) const
   {
     const Floats d;
-    const auto load = [&](const VolumeSegments::Array<float>& array) HWY_ATTR
-    { return hn::IfThenElseZero(this->IsSegment, hn::LoadU(d, &array[first])); };
-    this->Ray = hn::IfThenElseZero(
-      hn::RebindMask(Integers(), this->IsSegment), hn::LoadU(Integers(), &segments.Ray[first]));
-    this->Enter = load(segments.Enter);
-    this->Length = load(segments.Length);
-    for (std::size_t power = 0; power < 4; ++power)
-    {
-      this->Values.C[power] = load(segments.Cubic[power]);
-    }
-    this->Middle = load(segments.Middle);
-    this->Span = load(segments.Span);
-    this->Bend = load(segments.Bend);
-    this->Passed = hn::GatherIndex(d, seen.Passed.data(), this->Ray);
-    this->IsSegment = hn::And(this->IsSegment, hn::Gt(this->Passed, hn::Set(d, LeastPassed)));
+    // Highlights may change where normals hardly turn.
+    return hn::And(hn::Le(hn::Mul(this->Turn, shown), hn::Set(d, LinearTurn)),
+      hn::Le(hn::Mul(this->Needs[ForSlope], shown), hn::Set(d, 1.0f)));
+  }
+
+  /// True where the whole segment is no good step.
+  HWY_INLINE M IsHard(V shown) const
+  {
+    return hn::Or(
+      hn::Not(this->IsSmooth(shown)), hn::Gt(this->SquareOfSteps(shown), hn::Set(Floats(), 1.0f)));
+  }
+
+  /// From a share of segments on, the length in which normals turn by an angle, or a very large
+  /// number if they never do; exact where gradients change evenly.
+  /// \param tangent of the angle
+  HWY_INLINE V LengthOfTurn(const EmittingVolume& volume, V share, V tangent) const
+  {
+    const Floats d;
+    V gradient[3], change[3], normal[3], turning[3];
+    this->Gradients.At(share, gradient);
+    this->Gradients.ChangeAt(share, change);
+    Transform(volume.WorldFromGradient, gradient, normal);
+    Transform(volume.WorldFromGradient, change, turning);
+    const V square = Dot(normal, normal), along = Dot(normal, turning);
+    const V all = hn::Mul(square, Dot(turning, turning));
+    const V across = hn::Sqrt(hn::Max(hn::Sub(all, hn::Mul(along, along)), hn::Zero(d)));
+    const V rest = hn::Sub(across, hn::Mul(along, tangent));
+    const M turns = hn::Gt(rest, hn::Set(d, 1e-30f));
+    const V one = hn::Set(d, 1.0f);
+    return hn::IfThenElse(turns,
+      hn::Div(hn::Mul(square, tangent), hn::IfThenElse(turns, rest, one)), hn::Set(d, 1e30f));
+  }
+
+  V Enter, Length; ///< t from where the ray begins, and in the world
+  Line Values;     ///< in bins
+  LineGradients Gradients;
+  V ValueAtEnd;
+  EmissionAt AtBegin, AtEnd;
+  LightLine<Colors> Light;
+  V Turn; ///< of normals, as far as it is seen
+  /// What SquareOfSteps is made of: what a straight line misses falls with the square of the steps.
+  enum Need
+  {
+    ForOff,
+    ForDepth,
+    ForGradient,
+    ForSlope
+  };
+  V Needs[4];
+};
+
+/// The opacity by the gradient, at a share of segments.
+HWY_INLINE V OpacityAt(const EmittingVolume& volume, const LineGradients& gradients, V share)
+{
+  const Floats d;
+  if (volume.ByGradient.Opacities.empty())
+  {
+    return hn::Set(d, 1.0f);
+  }
+  V gradient[3];
+  gradients.At(share, gradient);
+  V square = hn::Zero(d);
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    const V scaled = hn::Mul(gradient[a], hn::Set(d, volume.PerStep[static_cast<int>(a)]));
+    square = hn::Add(square, hn::Mul(scaled, scaled));
+  }
+  return OpacityOf(volume.ByGradient, hn::Sqrt(square));
+}
+
+/// The light at two shares of segments.
+/// \return see ReflectBoth
+/// \param normals there, of unit length
+template <std::size_t Colors>
+HWY_INLINE V LightAt(const EmittingVolume& volume, const RayVectors& rays,
+  const EmittingSegments<Colors>& segments, const V shares[2], V normals[2][3],
+  ReflectedLight<V, Colors> light[2])
+{
+  V points[2][3];
+  for (std::size_t place = 0; place < 2; ++place)
+  {
+    V gradient[3];
+    segments.Gradients.At(shares[place], gradient);
+    FindNormals(volume.WorldFromGradient, gradient, normals[place]);
+    const V t = hn::Add(segments.Enter, hn::Mul(shares[place], segments.Length));
     for (std::size_t a = 0; a < 3; ++a)
     {
-      this->Color[a] = hn::Zero(d);
-      this->Begin[a] = load(segments.Begin[a]);
-      this->Across[a] = load(segments.Across[a]);
-      this->Direction[a] = hn::GatherIndex(d, rays.Direction[a].data(), this->Ray);
-      this->Eye[a] = hn::GatherIndex(d, rays.Begin[a].data(), this->Ray);
+      points[place][a] = hn::Add(rays.Begin[a], hn::Mul(t, rays.Direction[a]));
     }
-    LookUp(this->Volume.Tables, this->Values.C[0], this->AtBegin);
-    this->ValueAtEnd = this->Values.At(hn::Set(d, 1.0f));
-    LookUp(this->Volume.Tables, this->ValueAtEnd, this->AtEnd);
+  }
+  const LitPoints at[2] = { { normals[0], rays.Direction, points[0] },
+    { normals[1], rays.Direction, points[1] } };
+  return ReflectBoth<Colors, V>(*volume.Lights, at, light);
+}
+
+/// Finds out about cell segments.
+class SegmentSurvey
+{
+public:
+  HWY_INLINE SegmentSurvey(
+    const EmittingVolume& volume, const LitRays& rays, const VolumeSegments& segments)
+    : Volume(volume)
+    , Rays(rays)
+    , Segments(segments)
+  {
   }
 
   /// \param corners gradients of the cells, if the volume has any
-  HWY_INLINE void Add(const CornerGradients& corners)
+  template <std::size_t Colors>
+  HWY_INLINE void Find(
+    std::size_t first, const CornerGradients& corners, EmittingSegments<Colors>& found) const
   {
     const Floats d;
-    const LineGradients gradients(corners, this->Begin, this->Across);
-    V mean[4];
-    MeanBetween(this->Volume.Tables, this->Values.C[0], this->AtBegin, this->ValueAtEnd,
-      this->AtEnd, hn::Zero(d), mean);
-    const V depth = hn::Mul(mean[0], this->Length);
-    const V steepness = hn::Mul(this->SteepnessOf(this->Volume.Tables), this->Length);
-    // Ends may lie beside a peak that is reached between them.
-    const V reached = hn::Sub(
-      hn::Add(this->Span, this->Span), hn::Abs(hn::Sub(this->ValueAtEnd, this->Values.C[0])));
-    const V most = hn::Add(depth, hn::Mul(steepness, hn::Max(reached, hn::Zero(d))));
-    const V seen =
-      hn::IfThenElseZero(this->IsSegment, hn::Mul(this->Passed, hn::Min(most, hn::Set(d, 1.0f))));
-    V square = this->SquareOfSteps(depth, steepness);
-    if (!this->Volume.ByGradient.Opacities.empty())
-    {
-      square = hn::Add(square, hn::Mul(seen, this->OpacityBend(gradients)));
-    }
-    if (!this->Volume.Lights)
-    {
-      this->AddSteps<1>(square, gradients, [](V, V) HWY_ATTR { return Unlit(); });
-    }
-    else if (this->Volume.Lights->AreWhite)
-    {
-      this->AddLit<1>(square, seen, gradients);
-    }
-    else
-    {
-      this->AddLit<3>(square, seen, gradients);
-    }
-  }
-
-  /// Store what the rays have seen.
-  HWY_INLINE void Finish() const
-  {
-    const Floats d;
-    std::int32_t rays[WidestVector];
-    hn::StoreU(this->Ray, Integers(), rays);
-    const auto store = [&](V value, RayBatch::Array<float>& array) HWY_ATTR
-    {
-      float values[WidestVector];
-      hn::StoreU(value, d, values);
-      for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
-      {
-        if (lane < this->Count)
-        {
-          array[static_cast<std::size_t>(rays[lane])] = values[lane];
-        }
-      }
-    };
-    store(this->Passed, this->Seen.Passed);
+    found.Enter = hn::LoadU(d, &this->Segments.Enter[first]);
+    found.Length = hn::LoadU(d, &this->Segments.Length[first]);
+    V begin[3], across[3];
     for (std::size_t a = 0; a < 3; ++a)
     {
-      const V before = hn::GatherIndex(d, this->Seen.Color[a].data(), this->Ray);
-      store(hn::Add(before, this->Color[a]), this->Seen.Color[a]);
+      begin[a] = hn::LoadU(d, &this->Segments.Begin[a][first]);
+      across[a] = hn::LoadU(d, &this->Segments.Across[a][first]);
     }
+    for (std::size_t power = 0; power < 4; ++power)
+    {
+      found.Values.C[power] = hn::LoadU(d, &this->Segments.Cubic[power][first]);
+    }
+    found.Gradients = LineGradients(corners, begin, across);
+    LookUp(this->Volume.Tables, found.Values.C[0], found.AtBegin);
+    found.ValueAtEnd = found.Values.At(hn::Set(d, 1.0f));
+    LookUp(this->Volume.Tables, found.ValueAtEnd, found.AtEnd);
+    const V most = this->FindDepths(first, found);
+    found.Needs[found.ForGradient] = this->Volume.ByGradient.Opacities.empty()
+      ? hn::Zero(d)
+      : hn::Mul(most, this->OpacityBend(found.Gradients));
+    this->FindLight(first, most, found);
   }
 
 private:
-  /// \param square of the steps that all but light asks for
-  /// \param seen   the share of a segment's light that is seen
+  /// \return what may be seen of a segment
   template <std::size_t Colors>
-  HWY_INLINE void AddLit(V square, V seen, const LineGradients& gradients)
+  HWY_INLINE V FindDepths(std::size_t first, EmittingSegments<Colors>& found) const
   {
     const Floats d;
-    V normals[3][3];
-    const LightParabola<Colors> light(this->LightAt<Colors>(gradients, hn::Zero(d), normals[0]),
-      this->LightAt<Colors>(gradients, hn::Set(d, 0.5f), normals[1]),
-      this->LightAt<Colors>(gradients, hn::Set(d, 1.0f), normals[2]));
-    // Two measures, as each is blind for some turns of normals between these places.
-    const V turn =
-      hn::Sub(hn::Set(d, 1.0f), hn::Min(Dot(normals[0], normals[1]), Dot(normals[1], normals[2])));
-    const V ofLight = hn::Mul(seen,
-      hn::Max(hn::Mul(light.Off, hn::Set(d, StepsOfBend)), hn::Mul(turn, hn::Set(d, StepsOfTurn))));
-    const M isSmooth = hn::Le(ofLight, hn::Set(d, MostOfParabola));
-    this->AddSteps<Colors>(hn::Add(square, hn::IfThenElseZero(hn::Not(isSmooth), ofLight)),
-      gradients,
-      [&](V at, V spread) HWY_ATTR
-      {
-        ReflectedLight<V, Colors> found = light.At(at, spread);
-        if (!hn::AllTrue(d, isSmooth))
-        {
-          V ignored[3];
-          const auto exact = this->LightAt<Colors>(gradients, at, ignored);
-          for (std::size_t a = 0; a < Colors; ++a)
-          {
-            found.Matt[a] = hn::IfThenElse(isSmooth, found.Matt[a], exact.Matt[a]);
-            found.Shine[a] = hn::IfThenElse(isSmooth, found.Shine[a], exact.Shine[a]);
-          }
-        }
-        return found;
-      });
+    const TransferTables& tables = this->Volume.Tables;
+    V mean[4];
+    MeanBetween(
+      tables, found.Values.C[0], found.AtBegin, found.ValueAtEnd, found.AtEnd, hn::Zero(d), mean);
+    const V span = hn::LoadU(d, &this->Segments.Span[first]);
+    const V middle = hn::LoadU(d, &this->Segments.Middle[first]);
+    const V depth = hn::Mul(mean[0], found.Length);
+    const V steepness = hn::Mul(SteepnessOf(tables, middle, span), found.Length);
+    const V bend = hn::LoadU(d, &this->Segments.Bend[first]);
+    const V perTolerance = hn::Set(d, 1.0f / DepthTolerance);
+    const V rise = hn::Abs(hn::Sub(found.ValueAtEnd, found.Values.C[0]));
+    // A straight line passes any value as fast as the field does, but for this share.
+    const V speed = hn::Div(hn::Mul(hn::Set(d, 8.0f), bend), hn::Max(rise, hn::Set(d, 1e-20f)));
+    const V ofSpeed = hn::Mul(hn::Mul(depth, speed), perTolerance);
+    const V ofSteepness = hn::Mul(hn::Mul(steepness, bend), perTolerance);
+    found.Needs[found.ForOff] = hn::IfThenElse(hn::Lt(speed, hn::Set(d, MostSpeed)),
+      hn::Min(hn::Mul(ofSpeed, ofSpeed), ofSteepness), ofSteepness);
+    found.Needs[found.ForDepth] = hn::Mul(depth, hn::Set(d, 1.0f / DepthOfStep));
+    // Ends may lie beside a peak that is reached between them.
+    const V reached = hn::Sub(hn::Add(span, span), rise);
+    const V most = hn::Add(depth, hn::Mul(steepness, hn::Max(reached, hn::Zero(d))));
+    return hn::Min(most, hn::Set(d, 1.0f));
   }
 
-  /// The square of the steps that the field and the transfer function ask for.
-  /// \param steepness of the optical depth, by the value
-  HWY_INLINE V SquareOfSteps(V depth, V steepness) const
-  {
-    const Floats d;
-    // What a straight line misses falls with the square of the steps.
-    const V off = hn::Mul(steepness, this->Bend);
-    const V steps = hn::Mul(hn::Mul(depth, this->Passed), hn::Set(d, 1.0f / DepthOfStep));
-    return hn::Max(hn::Mul(hn::Mul(off, this->Passed), hn::Set(d, 1.0f / DepthTolerance)),
-      hn::Mul(steps, steps));
-  }
-
-  /// The square of the steps that gradient opacities ask for, where all is seen of a segment.
+  /// The square of the steps that gradient opacities ask for.
   HWY_INLINE V OpacityBend(const LineGradients& gradients) const
   {
     const Floats d;
-    const V middle = this->OpacityAt(gradients, hn::Set(d, 0.5f));
-    const V first = hn::Sub(middle, this->OpacityAt(gradients, hn::Zero(d)));
-    const V second = hn::Sub(this->OpacityAt(gradients, hn::Set(d, 1.0f)), middle);
+    const auto at = [&](float share) HWY_ATTR
+    { return OpacityAt(this->Volume, gradients, hn::Set(d, share)); };
+    const V middle = at(0.5f);
+    const V first = hn::Sub(middle, at(0.0f)), second = hn::Sub(at(1.0f), middle);
     const V change = hn::Max(hn::Max(hn::Abs(first), hn::Abs(second)), hn::Set(d, 0.01f));
     return hn::Mul(change, hn::Set(d, StepsOfOpacity));
   }
 
-  /// Add segments step by step.
-  /// \param square  of the number of first steps
-  /// \param lightAt finds the light around a place, with the mean square of the distance from it
-  template <std::size_t Colors, typename LightAt>
-  HWY_INLINE void AddSteps(V square, const LineGradients& gradients, const LightAt& lightAt)
-  {
-    const Floats d;
-    const V zero = hn::Zero(d), one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f);
-    const V first =
-      hn::Div(one, hn::Min(hn::Max(hn::Ceil(hn::Sqrt(square)), one), hn::Set(d, MostSteps)));
-    V begin = zero, step = first, value = this->Values.C[0];
-    EmissionAt last = this->AtBegin;
-    V opacity = this->OpacityAt(gradients, zero);
-    M isOn = this->IsSegment;
-    while (!hn::AllFalse(d, isOn))
-    {
-      // What is left over of a segment is a part of its last step.
-      const M isLast = hn::Gt(hn::Add(begin, hn::Mul(step, hn::Set(d, 1.001f))), one);
-      const V end = hn::IfThenElse(isLast, one, hn::Add(begin, step));
-      V next = this->ValueAtEnd;
-      EmissionAt there = this->AtEnd;
-      if (!hn::AllTrue(d, hn::Or(isLast, hn::Not(isOn))))
-      {
-        next = this->Values.At(end);
-        LookUp(this->Volume.Tables, next, there);
-      }
-      const V share = hn::Sub(end, begin);
-      const V middle = this->Values.At(hn::Add(begin, hn::Mul(half, share)));
-      const V lift =
-        hn::Mul(hn::Set(d, 2.0f / 3.0f), hn::Sub(middle, hn::Mul(half, hn::Add(value, next))));
-      V mean[4];
-      MeanBetween(this->Volume.Tables, value, last, next, there, lift, mean);
-      V depth = hn::Mul(hn::Mul(mean[0], this->Length), share);
-      const V opacityThere = this->OpacityAt(gradients, end);
-      const M isShort = hn::Le(share, hn::Set(d, ShortestStep));
-      const M isTaken =
-        hn::And(isOn, hn::Or(isShort, this->IsGood(depth, hn::Sub(opacityThere, opacity))));
-      depth =
-        hn::IfThenElseZero(isTaken, hn::Mul(depth, hn::Mul(half, hn::Add(opacity, opacityThere))));
-      if (!hn::AllFalse(d, hn::Gt(depth, zero)))
-      {
-        const V centre = CentreOf(value, last, next, there, depth);
-        const V at = hn::Add(begin, hn::Mul(centre, share));
-        PullColors(last, there, depth, mean);
-        const V spread = hn::Mul(hn::Mul(share, share), hn::Set(d, 1.0f / 12.0f));
-        this->AddStep<Colors>(at, depth, mean, lightAt(at, spread));
-      }
-      // Steps that are too long are tried again, and what follows short ones is longer again.
-      step = hn::IfThenElse(
-        isTaken, hn::Min(first, hn::Add(step, step)), hn::Mul(hn::Set(d, 0.25f), share));
-      begin = hn::IfThenElse(isTaken, end, begin);
-      value = hn::IfThenElse(isTaken, next, value);
-      opacity = hn::IfThenElse(isTaken, opacityThere, opacity);
-      Take(isTaken, there, last);
-      isOn = hn::And(isOn, hn::And(hn::Lt(begin, one), hn::Gt(this->Passed, hn::Set(d, 1e-4f))));
-    }
-  }
-
-  /// The largest change of extinction from bin to bin in segments.
-  HWY_INLINE V SteepnessOf(const TransferTables& tables) const
-  {
-    const Floats d;
-    const std::size_t count = tables.Steepness.size() / TransferTables::Levels;
-    const V last = hn::Set(d, static_cast<float>(count - 1));
-    const V perBlock = hn::Set(d, 1.0f / (1 << TransferTables::BlockBits));
-    const V block = hn::Floor(hn::Min(hn::Max(hn::Mul(this->Middle, perBlock), hn::Zero(d)), last));
-    V place = block;
-    for (int level = 0; level < TransferTables::Levels - 1; ++level)
-    {
-      const V reach = hn::Set(d, static_cast<float>(1 << (TransferTables::BlockBits + level)));
-      place = hn::Add(place,
-        hn::IfThenElseZero(hn::Gt(this->Span, reach), hn::Set(d, static_cast<float>(count))));
-    }
-    return hn::GatherIndex(d, tables.Steepness.data(), hn::ConvertTo(Integers(), place));
-  }
-
-  /// True where a step may be taken.
-  /// \param change of the gradient opacity
-  HWY_INLINE M IsGood(V depth, V change) const
-  {
-    const Floats d;
-    const V seen = hn::Mul(this->Passed, hn::Min(depth, hn::Set(d, 1.0f)));
-    return hn::And(hn::Le(hn::Mul(depth, this->Passed), hn::Set(d, MostDepthOfStep)),
-      hn::Le(hn::Mul(hn::Abs(change), seen), hn::Set(d, MostOpacityChange)));
-  }
-
-  static HWY_INLINE void Take(M isTaken, const EmissionAt& there, EmissionAt& last)
-  {
-    for (std::size_t i = 0; i < 4; ++i)
-    {
-      last.Value[i] = hn::IfThenElse(isTaken, there.Value[i], last.Value[i]);
-      last.Sum[i] = hn::IfThenElse(isTaken, there.Sum[i], last.Sum[i]);
-    }
-    last.Moment = hn::IfThenElse(isTaken, there.Moment, last.Moment);
-  }
-
-  static HWY_INLINE ReflectedLight<V, 1> Unlit()
-  {
-    const Floats d;
-    return { { hn::Set(d, 1.0f) }, { hn::Zero(d) } };
-  }
-
-  /// \param normal there, of unit length
+  /// Find the light of a pair of places, and the steps that it takes to do without.
   template <std::size_t Colors>
-  HWY_INLINE ReflectedLight<V, Colors> LightAt(
-    const LineGradients& gradients, V share, V normal[3]) const
-  {
-    V gradient[3], point[3];
-    gradients.At(share, gradient);
-    FindNormals(this->Volume.WorldFromGradient, gradient, normal);
-    const V t = hn::Add(this->Enter, hn::Mul(share, this->Length));
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      point[a] = hn::Add(this->Eye[a], hn::Mul(t, this->Direction[a]));
-    }
-    return Reflect<Colors, V>(*this->Volume.Lights, { normal, this->Direction, point });
-  }
-
-  /// Composite a step behind what has been seen.
-  template <std::size_t Colors>
-  HWY_INLINE void AddStep(V at, V depth, const V mean[4], const ReflectedLight<V, Colors>& light)
+  HWY_INLINE void FindLight(std::size_t first, V most, EmittingSegments<Colors>& found) const
   {
     const Floats d;
-    const V zero = hn::Zero(d);
-    const V left = hn::Mul(this->Passed, ExpOfMinus(depth));
-    const V perMean = hn::Div(hn::Sub(this->Passed, left), hn::Max(mean[0], hn::Set(d, 1e-30f)));
-    for (std::size_t a = 0; a < 3; ++a)
+    if (!this->Volume.Lights)
     {
-      const std::size_t color = Colors == 1 ? 0 : a;
-      const V lit =
-        hn::Add(hn::Mul(mean[a + 1], light.Matt[color]), hn::Mul(mean[0], light.Shine[color]));
-      const V emitted = hn::Min(hn::Max(lit, zero), mean[0]);
-      this->Color[a] = hn::Add(this->Color[a], hn::Mul(perMean, emitted));
-    }
-    this->NoteFirst(hn::Gt(depth, hn::Set(d, 1e-4f)), at);
-    this->Passed = left;
-  }
-
-  /// Note where rays first see anything.
-  HWY_INLINE void NoteFirst(M isSeen, V at) const
-  {
-    const Floats d;
-    const M isFirst = hn::And(isSeen, hn::Gt(this->Passed, hn::Set(d, 0.9999f)));
-    if (hn::AllFalse(d, isFirst))
-    {
+      found.Light.SetUnlit();
+      found.Turn = found.Needs[found.ForSlope] = hn::Zero(d);
       return;
     }
-    float distances[WidestVector];
-    std::int32_t rays[WidestVector];
-    std::uint8_t bits[8] = {};
-    hn::StoreU(hn::Add(this->Enter, hn::Mul(at, this->Length)), d, distances);
-    hn::StoreU(this->Ray, Integers(), rays);
-    hn::StoreMaskBits(d, isFirst, bits);
-    for (std::uint32_t left = bits[0] | static_cast<std::uint32_t>(bits[1]) << 8; left != 0;
-         left &= left - 1)
+    const RayVectors rays(this->Volume, this->Rays, &this->Segments.Ray[first]);
+    const V shares[2] = { hn::Set(d, PlacePair::First), hn::Set(d, PlacePair::Second) };
+    V normals[2][3];
+    const V hidden = LightAt<Colors>(this->Volume, rays, found, shares, normals, found.Light.At);
+    V ends[2][3], atEnds[2][3];
+    for (std::size_t end = 0; end < 2; ++end)
     {
-      const std::size_t lane = hwy::Num0BitsBelowLS1Bit_Nonzero32(left);
-      double& first = this->Seen.First[static_cast<std::size_t>(rays[lane])];
-      first = std::min(first, static_cast<double>(distances[lane]));
+      found.Gradients.At(hn::Set(d, static_cast<float>(end)), ends[end]);
+      FindNormals(this->Volume.WorldFromGradient, ends[end], atEnds[end]);
     }
-  }
-
-  HWY_INLINE V OpacityAt(const LineGradients& gradients, V share) const
-  {
-    const Floats d;
-    const GradientTable& table = this->Volume.ByGradient;
-    if (table.Opacities.empty())
-    {
-      return hn::Set(d, 1.0f);
-    }
-    V gradient[3];
-    gradients.At(share, gradient);
-    V square = hn::Zero(d);
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      const V scaled = hn::Mul(gradient[a], hn::Set(d, this->Volume.PerStep[static_cast<int>(a)]));
-      square = hn::Add(square, hn::Mul(scaled, scaled));
-    }
-    return OpacityOf(table, hn::Sqrt(square));
+    // What turns there and back shows between a place and the end next to it.
+    const V beside =
+      hn::Min(CosineBetween(atEnds[0], normals[0]), CosineBetween(normals[1], atEnds[1]));
+    const V back = hn::Mul(hn::Set(d, 7.5f), OneMinus(beside));
+    const V along =
+      TurnOf(CosineBetween(normals[0], normals[1]), CosineBetween(atEnds[0], atEnds[1]));
+    const V turn = hn::Mul(hn::Set(d, this->Volume.Sharpness()), hn::Max(along, back));
+    found.Turn = hn::Mul(most, turn);
+    const V change = hn::Add(found.Light.Slope(), hidden);
+    const V turned = hn::Min(turn, hn::Set(d, MostTurn));
+    found.Needs[found.ForSlope] = hn::Mul(most,
+      hn::Add(hn::Mul(change, hn::Set(d, StepsOfSlope)), hn::Mul(turned, hn::Set(d, StepsOfTurn))));
   }
 
   const EmittingVolume& Volume;
-  BlendedRays& Seen;
-  std::size_t Count;
-  M IsSegment; ///< what lies behind something opaque is none
-  I Ray;
-  V Enter, Length, Middle, Span, Bend;
-  Line Values;
-  V ValueAtEnd;
-  EmissionAt AtBegin, AtEnd;
-  V Passed, Color[3], Direction[3], Eye[3], Begin[3], Across[3];
+  const LitRays& Rays;
+  const VolumeSegments& Segments;
 };
 
 }

@@ -18,6 +18,7 @@
 #include <glm/glm.hpp>
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <cstddef>
 
 HWY_BEFORE_NAMESPACE();
@@ -63,26 +64,41 @@ HWY_INLINE V InverseRoot(V x)
   return root;
 }
 
-/// Make normals of gradients: unit vectors in the world towards lower values, or 0.
+/// Make vectors have length 1, or 0 if they tell no direction.
 template <class V>
-HWY_INLINE void FindNormals(const glm::mat3& worldFromGradient, const V gradient[3], V normal[3])
+HWY_INLINE void MakeUnit(V vector[3])
+{
+  const hn::DFromV<V> d;
+  const V square = Dot(vector, vector);
+  // So short that it tells no direction, too long, or no number.
+  const auto isLong =
+    hn::And(hn::Gt(square, hn::Set(d, 1e-30f)), hn::Lt(square, hn::Set(d, 1e30f)));
+  const V perLength = InverseRoot(square);
+  for (int a = 0; a < 3; ++a)
+  {
+    vector[a] = hn::IfThenElseZero(isLong, hn::Mul(vector[a], perLength));
+  }
+}
+
+/// Take gradients to the world, towards lower values.
+template <class V>
+HWY_INLINE void Transform(const glm::mat3& worldFromGradient, const V gradient[3], V made[3])
 {
   const hn::DFromV<V> d;
   for (int a = 0; a < 3; ++a)
   {
     const V row[3] = { hn::Set(d, -worldFromGradient[0][a]), hn::Set(d, -worldFromGradient[1][a]),
       hn::Set(d, -worldFromGradient[2][a]) };
-    normal[a] = Dot(row, gradient);
+    made[a] = Dot(row, gradient);
   }
-  const V square = Dot(normal, normal);
-  // So short that it tells no direction, too long, or no number.
-  const auto isNormal =
-    hn::And(hn::Gt(square, hn::Set(d, 1e-30f)), hn::Lt(square, hn::Set(d, 1e30f)));
-  const V perLength = InverseRoot(square);
-  for (int a = 0; a < 3; ++a)
-  {
-    normal[a] = hn::IfThenElseZero(isNormal, hn::Mul(normal[a], perLength));
-  }
+}
+
+/// Make normals of gradients: unit vectors in the world towards lower values, or 0.
+template <class V>
+HWY_INLINE void FindNormals(const glm::mat3& worldFromGradient, const V gradient[3], V normal[3])
+{
+  Transform(worldFromGradient, gradient, normal);
+  MakeUnit(normal);
 }
 
 /// The share of a positional light that arrives at points, and unit vectors towards it.
@@ -129,34 +145,190 @@ struct ReflectedLight
   V Matt[Colors], Shine[Colors];
 };
 
-template <std::size_t Colors, class V>
-HWY_INLINE ReflectedLight<V, Colors> Reflect(const VolumeLights& lights, const LitPoints& at)
+/// Two places on each of a vector of paths, as far from their middle as Gauss and Legendre have
+/// them: the mean of both is that of any cubic.
+struct PlacePair
+{
+  /// Shares of the path, and what both are away from the middle.
+  static constexpr float First = 0.21132487f, Second = 0.78867513f, FromMiddle = 0.28867513f;
+  /// From a place to the end next to it, in distances between both places.
+  static constexpr float ToEnd = 0.36602540f;
+};
+
+/// 1 - the cosine of the angle between vectors that InverseRoot has made of unit length.
+template <class V>
+HWY_INLINE V OneMinus(V cosine)
 {
   const hn::DFromV<V> d;
-  const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
-  const Powers::HWY_NAMESPACE::Raiser raise(lights.SpecularPower);
+  return hn::Max(hn::Sub(hn::Set(d, 1.0f - 1e-5f), cosine), hn::Zero(d));
+}
+
+/// The cosine of the angle between normals; 1 where the field has none.
+template <class V>
+HWY_INLINE V CosineBetween(const V a[3], const V b[3])
+{
+  const hn::DFromV<V> d;
+  const auto areNone = hn::Eq(hn::Max(Dot(a, a), Dot(b, b)), hn::Zero(d));
+  return hn::IfThenElse(areNone, hn::Set(d, 1.0f), Dot(a, b));
+}
+
+/// How much normals turn between the places of a pair: 1 - the cosine of the angle. What turns near
+/// the ends of the path counts, too: if a normal turns evenly, that is a third of its turn from end
+/// to end.
+/// \param cosine, ofEnds of the angles between the places, and between the ends
+template <class V>
+HWY_INLINE V TurnOf(V cosine, V ofEnds)
+{
+  const hn::DFromV<V> d;
+  return hn::Max(OneMinus(cosine), hn::Mul(hn::Set(d, 1.0f / 3.0f), OneMinus(ofEnds)));
+}
+
+/// The cosine of the angle between vectors at the ends of a path on which they change evenly; 0 if
+/// one of them tells no direction, and 1 if both are 0.
+/// \param a, b at the places of a pair
+template <class V>
+HWY_INLINE V CosineOfEnds(const V a[3], const V b[3])
+{
+  const hn::DFromV<V> d;
+  V begin[3], end[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const V beyond = hn::Mul(hn::Set(d, PlacePair::ToEnd), hn::Sub(b[axis], a[axis]));
+    begin[axis] = hn::Sub(a[axis], beyond);
+    end[axis] = hn::Add(b[axis], beyond);
+  }
+  const V atBegin = Dot(begin, begin), atEnd = Dot(end, end), squares = hn::Mul(atBegin, atEnd);
+  const auto areNone = hn::Eq(hn::Max(atBegin, atEnd), hn::Zero(d));
+  const auto isLong =
+    hn::And(hn::Gt(squares, hn::Set(d, 1e-30f)), hn::Lt(squares, hn::Set(d, 1e30f)));
+  const V cosine = hn::IfThenElseZero(isLong, hn::Mul(Dot(begin, end), InverseRoot(squares)));
+  return hn::IfThenElse(areNone, hn::Set(d, 1.0f), cosine);
+}
+
+/// What falls on a matt point of a light, at both places of a pair, by the cosines of the angles
+/// there. Where a normal leaves the side of the light on the path, both get the mean of the path.
+/// \return how much light changes between the places, where that is no longer seen
+template <class V>
+HWY_INLINE V FindLit(bool isTwoSided, const V cosine[2], V lit[2])
+{
+  const hn::DFromV<V> d;
+  const V zero = hn::Zero(d), rise = hn::Sub(cosine[1], cosine[0]);
+  const V beyond = hn::Mul(rise, hn::Set(d, PlacePair::ToEnd));
+  const V begin = hn::Sub(cosine[0], beyond), end = hn::Add(cosine[1], beyond);
+  const V above = hn::Max(begin, end), below = hn::Min(begin, end);
+  // A normal that turns round leaves at once.
+  const auto isSlow = hn::Lt(hn::Abs(rise), hn::Set(d, 0.9f));
+  const auto isEdge = hn::And(isSlow, hn::And(hn::Gt(above, zero), hn::Lt(below, zero)));
+  for (int place = 0; place < 2; ++place)
+  {
+    lit[place] = isTwoSided ? hn::Abs(cosine[place]) : hn::Max(cosine[place], zero);
+  }
+  if (hn::AllFalse(d, isEdge))
+  {
+    return zero;
+  }
+  const V squareAbove = hn::Mul(above, above);
+  const V square = isTwoSided ? hn::Add(squareAbove, hn::Mul(below, below)) : squareAbove;
+  const V width = hn::Max(hn::Sub(above, below), hn::Set(d, 1e-20f));
+  const V mean = hn::Div(hn::Mul(hn::Set(d, 0.5f), square), width);
+  for (int place = 0; place < 2; ++place)
+  {
+    lit[place] = hn::IfThenElse(isEdge, mean, lit[place]);
+  }
+  return hn::IfThenElseZero(isEdge, hn::Abs(rise));
+}
+
+/// The highlight that a viewer sees of a light.
+/// \param rise that of the ray along the normal
+template <class V>
+HWY_INLINE V HighlightOf(const VolumeLights& lights, const LitPoints& at, const V toward[3],
+  V cosine, V rise, const Powers::HWY_NAMESPACE::Raiser& raise)
+{
+  const hn::DFromV<V> d;
+  const V zero = hn::Zero(d);
+  // The light that the surface mirrors, along the way back to the viewer.
+  const V mirrored = hn::Sub(Dot(toward, at.Direction), hn::Mul(hn::Add(cosine, cosine), rise));
+  const auto isLit = lights.AreTwoSided ? hn::Ne(cosine, zero) : hn::Gt(cosine, zero);
+  const auto isMirrored = hn::And(isLit, hn::Gt(mirrored, zero));
+  return raise(hn::Min(hn::IfThenElseZero(isMirrored, mirrored), hn::Set(d, 1.0f)));
+}
+
+/// How much light changes between both places of a pair where it is so bright at one of them that
+/// it is clamped.
+template <std::size_t Colors, class V>
+HWY_INLINE V ClampedIn(const ReflectedLight<V, Colors> light[2])
+{
+  const hn::DFromV<V> d;
+  const V one = hn::Set(d, 1.0f);
+  V most = hn::Zero(d);
+  for (std::size_t a = 0; a < Colors; ++a)
+  {
+    const V first = hn::Add(light[0].Matt[a], light[0].Shine[a]);
+    const V second = hn::Add(light[1].Matt[a], light[1].Shine[a]);
+    const auto isEdge =
+      hn::And(hn::Gt(hn::Max(first, second), one), hn::Lt(hn::Min(first, second), one));
+    const V change = hn::Mul(hn::Set(d, 4.0f), hn::Abs(hn::Sub(first, second)));
+    most = hn::Max(most, hn::IfThenElseZero(isEdge, change));
+  }
+  return most;
+}
+
+/// A light as it comes to points.
+template <class V>
+struct ArrivingLight
+{
+  HWY_INLINE ArrivingLight(const VolumeLight& light, const LitPoints& at)
+  {
+    const hn::DFromV<V> d;
+    for (int a = 0; a < 3; ++a)
+    {
+      this->Toward[a] = hn::Set(d, light.Toward[a]);
+    }
+    this->Share = light.IsPositional ? ShareAt(light, at.Point, this->Toward) : hn::Set(d, 1.0f);
+    this->Cosine = Dot(at.Normal, this->Toward);
+  }
+
+  V Toward[3]; ///< of unit length
+  V Share;     ///< of the light
+  V Cosine;    ///< of the angle with the normal
+};
+
+template <std::size_t Colors, class V>
+HWY_INLINE ReflectedLight<V, Colors> AmbientLight(const VolumeLights& lights)
+{
+  const hn::DFromV<V> d;
   ReflectedLight<V, Colors> sum;
   for (std::size_t a = 0; a < Colors; ++a)
   {
     sum.Matt[a] = hn::Set(d, lights.Ambient);
     sum.Shine[a] = hn::Set(d, lights.Glow[static_cast<int>(a)]);
   }
-  const V rise = Dot(at.Normal, at.Direction);
-  for (const VolumeLight& light : lights.All)
+  return sum;
+}
+
+/// Adds what points reflect of one light after the other.
+template <std::size_t Colors, class V>
+class LightSum
+{
+public:
+  HWY_INLINE explicit LightSum(const VolumeLights& lights)
+    : Lights(lights)
+    , Raise(lights.SpecularPower)
   {
-    V toward[3] = { hn::Set(d, light.Toward.x), hn::Set(d, light.Toward.y),
-      hn::Set(d, light.Toward.z) };
-    const V share = light.IsPositional ? ShareAt(light, at.Point, toward) : one;
-    const V cosine = Dot(at.Normal, toward);
-    const V lit = lights.AreTwoSided ? hn::Abs(cosine) : hn::Max(cosine, zero);
-    const V diffuse = hn::Mul(share, lit);
-    V highlight = zero;
-    if (lights.AreShiny)
+  }
+
+  /// \param lit what falls on a matt point, but for the share of the light that comes there
+  HWY_INLINE void Add(const VolumeLight& light, const ArrivingLight<V>& arriving,
+    const LitPoints& at, V lit, ReflectedLight<V, Colors>& sum) const
+  {
+    const hn::DFromV<V> d;
+    const V diffuse = hn::Mul(arriving.Share, lit);
+    V highlight = hn::Zero(d);
+    if (this->Lights.AreShiny)
     {
-      // The light that the surface mirrors, along the way back to the viewer.
-      const V mirrored = hn::Sub(Dot(toward, at.Direction), hn::Mul(hn::Add(cosine, cosine), rise));
-      const auto isMirrored = hn::And(hn::Gt(lit, zero), hn::Gt(mirrored, zero));
-      highlight = hn::Mul(share, raise(hn::Min(hn::IfThenElseZero(isMirrored, mirrored), one)));
+      const V rise = Dot(at.Normal, at.Direction);
+      highlight = hn::Mul(arriving.Share,
+        HighlightOf(this->Lights, at, arriving.Toward, arriving.Cosine, rise, this->Raise));
     }
     for (std::size_t a = 0; a < Colors; ++a)
     {
@@ -165,61 +337,128 @@ HWY_INLINE ReflectedLight<V, Colors> Reflect(const VolumeLights& lights, const L
       sum.Shine[a] = hn::Add(sum.Shine[a], hn::Mul(highlight, hn::Set(d, light.Specular[channel])));
     }
   }
+
+private:
+  const VolumeLights& Lights;
+  Powers::HWY_NAMESPACE::Raiser Raise;
+};
+
+/// The light at points.
+template <std::size_t Colors, class V>
+HWY_INLINE ReflectedLight<V, Colors> Reflect(const VolumeLights& lights, const LitPoints& at)
+{
+  const V zero = hn::Zero(hn::DFromV<V>());
+  const LightSum<Colors, V> add(lights);
+  auto sum = AmbientLight<Colors, V>(lights);
+  for (const VolumeLight& light : lights.All)
+  {
+    const ArrivingLight<V> arriving(light, at);
+    const V cosine = arriving.Cosine;
+    const V lit = lights.AreTwoSided ? hn::Abs(cosine) : hn::Max(cosine, zero);
+    add.Add(light, arriving, at, lit, sum);
+  }
   return sum;
 }
 
-/// Light along a vector of segments, as parabolas through three places.
-template <std::size_t Colors>
-class LightParabola
+/// How much a light changes between both places of a pair at the rim of its cone, where it ends at
+/// once.
+template <class V>
+HWY_INLINE V ChangeAtRim(const VolumeLight& light, V first, V second)
 {
-public:
+  const hn::DFromV<V> d;
+  const V zero = hn::Zero(d), larger = hn::Max(first, second);
+  const auto isRim = hn::And(hn::Gt(larger, zero), hn::Eq(hn::Min(first, second), zero));
+  return light.IsSpot ? hn::IfThenElseZero(isRim, larger) : zero;
+}
+
+/// The light at both places of a pair.
+/// \return how much it changes in between where it has the mean of the path at both
+template <std::size_t Colors, class V>
+HWY_INLINE V ReflectBoth(
+  const VolumeLights& lights, const LitPoints at[2], ReflectedLight<V, Colors> sum[2])
+{
+  const hn::DFromV<V> d;
+  const LightSum<Colors, V> add(lights);
+  sum[0] = sum[1] = AmbientLight<Colors, V>(lights);
+  V hidden = hn::Zero(d);
+  for (const VolumeLight& light : lights.All)
+  {
+    const ArrivingLight<V> arriving[2] = { { light, at[0] }, { light, at[1] } };
+    const V cosine[2] = { arriving[0].Cosine, arriving[1].Cosine };
+    V lit[2];
+    V change = FindLit(lights.AreTwoSided, cosine, lit);
+    change = hn::Add(change, ChangeAtRim(light, arriving[0].Share, arriving[1].Share));
+    const float most = std::max({ light.Diffuse.x, light.Diffuse.y, light.Diffuse.z });
+    hidden = hn::Add(hidden, hn::Mul(change, hn::Set(d, most)));
+    for (std::size_t place = 0; place < 2; ++place)
+    {
+      add.Add(light, arriving[place], at[place], lit[place], sum[place]);
+    }
+  }
+  return hn::Max(hidden, ClampedIn<Colors, V>(sum));
+}
+
+/// Light along a vector of segments: linear, through the places of a pair.
+template <std::size_t Colors>
+struct LightLine
+{
   using Light = ReflectedLight<V, Colors>;
 
-  HWY_INLINE LightParabola(const Light& begin, const Light& middle, const Light& end)
-    : First(begin)
+  /// What is not shaded shows its own colour.
+  HWY_INLINE void SetUnlit()
   {
-    this->Off = hn::Zero(Floats());
-    for (std::size_t a = 0; a < Colors; ++a)
+    for (Light& light : this->At)
     {
-      this->Fit(
-        begin.Matt[a], middle.Matt[a], end.Matt[a], this->Slope.Matt[a], this->Bend.Matt[a]);
-      this->Fit(
-        begin.Shine[a], middle.Shine[a], end.Shine[a], this->Slope.Shine[a], this->Bend.Shine[a]);
+      std::fill_n(light.Matt, Colors, hn::Set(Floats(), 1.0f));
+      std::fill_n(light.Shine, Colors, hn::Zero(Floats()));
     }
   }
 
-  /// The mean light around a place.
-  /// \param spread the mean square of the distance from it
-  HWY_INLINE Light At(V share, V spread) const
+  HWY_INLINE Light Of(V share) const
   {
-    const V square = hn::Add(hn::Mul(share, share), spread);
-    const auto at = [&](V first, V slope, V bend) HWY_ATTR
-    { return hn::Add(first, hn::Add(hn::Mul(share, slope), hn::Mul(square, bend))); };
+    const Floats d;
+    constexpr float perShare = 0.5f / PlacePair::FromMiddle;
+    const V of = hn::Mul(hn::Sub(share, hn::Set(d, PlacePair::First)), hn::Set(d, perShare));
+    const auto between = [&](V first, V second) HWY_ATTR
+    { return hn::Add(first, hn::Mul(of, hn::Sub(second, first))); };
     Light light;
     for (std::size_t a = 0; a < Colors; ++a)
     {
-      light.Matt[a] = at(this->First.Matt[a], this->Slope.Matt[a], this->Bend.Matt[a]);
-      light.Shine[a] = at(this->First.Shine[a], this->Slope.Shine[a], this->Bend.Shine[a]);
+      light.Matt[a] = between(this->At[0].Matt[a], this->At[1].Matt[a]);
+      light.Shine[a] = between(this->At[0].Shine[a], this->At[1].Shine[a]);
     }
     return light;
   }
 
-  /// How far light is off a straight line. Where it only seems straight, its slope counts a little.
-  V Off;
-
-private:
-  HWY_INLINE void Fit(V begin, V middle, V end, V& slope, V& bend)
+  /// The largest change between both places.
+  HWY_INLINE V Slope() const
   {
-    const Floats d;
-    const V rise = hn::Sub(end, begin), up = hn::Sub(middle, begin);
-    bend = hn::Sub(hn::Add(rise, rise), hn::Mul(hn::Set(d, 4.0f), up));
-    slope = hn::Sub(rise, bend);
-    const V off =
-      hn::Add(hn::Mul(hn::Set(d, 0.5f), hn::Abs(bend)), hn::Mul(hn::Set(d, 0.05f), hn::Abs(rise)));
-    this->Off = hn::Max(this->Off, off);
+    V most = hn::Zero(Floats());
+    for (std::size_t a = 0; a < Colors; ++a)
+    {
+      const V matt = hn::Abs(hn::Sub(this->At[1].Matt[a], this->At[0].Matt[a]));
+      const V shine = hn::Abs(hn::Sub(this->At[1].Shine[a], this->At[0].Shine[a]));
+      most = hn::Max(most, hn::Max(matt, shine));
+    }
+    return most;
   }
 
-  Light First, Slope, Bend;
+  /// Call visit for each number of a segment.
+  template <class Visitor>
+  HWY_INLINE void EachColumn(const Visitor& visit)
+  {
+    for (Light& light : this->At)
+    {
+      for (std::size_t a = 0; a < Colors; ++a)
+      {
+        visit(light.Matt[a]);
+        visit(light.Shine[a]);
+      }
+    }
+  }
+  static constexpr std::size_t Columns = 2 * 2 * Colors;
+
+  Light At[2];
 };
 
 }

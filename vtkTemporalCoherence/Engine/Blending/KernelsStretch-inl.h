@@ -15,6 +15,7 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -48,9 +49,42 @@ HWY_INLINE V ExpOfMinus(V x)
   return hn::Mul(sum, hn::BitCast(d, hn::ShiftLeft<23>(exponent)));
 }
 
+/// exp(-x) for x in [0, 2], to six digits where x is small.
+HWY_INLINE V ExpOfLittle(V x)
+{
+  const Floats d;
+  const V quarter = hn::Mul(x, hn::Set(d, -0.25f));
+  V sum = hn::Set(d, 1.0f / 120.0f);
+  const float factors[] = { 1.0f / 24.0f, 1.0f / 6.0f, 0.5f, 1.0f, 1.0f };
+  for (const float factor : factors)
+  {
+    sum = hn::Add(hn::Mul(sum, quarter), hn::Set(d, factor));
+  }
+  const V square = hn::Mul(sum, sum);
+  return hn::Mul(square, square);
+}
+
 /// Emission at a value, and its integral up to there.
 struct EmissionAt
 {
+  HWY_INLINE void Clear()
+  {
+    std::fill_n(this->Value, 4, hn::Zero(Floats()));
+    std::fill_n(this->Sum, 4, hn::Zero(Floats()));
+    this->Moment = hn::Zero(Floats());
+  }
+
+  /// Take some lanes of another.
+  HWY_INLINE void Take(M which, const EmissionAt& other)
+  {
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      this->Value[i] = hn::IfThenElse(which, other.Value[i], this->Value[i]);
+      this->Sum[i] = hn::IfThenElse(which, other.Sum[i], this->Sum[i]);
+    }
+    this->Moment = hn::IfThenElse(which, other.Moment, this->Moment);
+  }
+
   V Value[4], Sum[4], Moment;
 };
 
@@ -115,8 +149,20 @@ HWY_INLINE void MeanBetween(const TransferTables& tables, V a, const EmissionAt&
   }
 }
 
+/// The standard deviation of the place of what is emitted in a step, as a share of it: extinction
+/// changes evenly.
+HWY_INLINE V SpreadOf(const EmissionAt& atA, const EmissionAt& atB)
+{
+  const Floats d;
+  const V sum = hn::Add(hn::Add(atA.Value[0], atB.Value[0]), hn::Set(d, 1e-20f));
+  const V slope = hn::Div(hn::Sub(atB.Value[0], atA.Value[0]), sum);
+  return hn::Sqrt(
+    hn::Sub(hn::Set(d, 1.0f / 12.0f), hn::Mul(hn::Mul(slope, slope), hn::Set(d, 1.0f / 36.0f))));
+}
+
 /// The mean place of what is emitted in a step, as a share of it.
-HWY_INLINE V CentreOf(V a, const EmissionAt& atA, V b, const EmissionAt& atB, V depth)
+/// \param spread see SpreadOf
+HWY_INLINE V CentreOf(V a, const EmissionAt& atA, V b, const EmissionAt& atB, V depth, V spread)
 {
   const Floats d;
   const V one = hn::Set(d, 1.0f), least = hn::Set(d, 1e-20f);
@@ -130,7 +176,8 @@ HWY_INLINE V CentreOf(V a, const EmissionAt& atA, V b, const EmissionAt& atB, V 
   const V above =
     hn::IfThenElse(isFar, moment, hn::Mul(hn::Set(d, 1.0f / 3.0f), hn::Add(ends, atB.Value[0])));
   const V share = hn::Div(above, hn::IfThenElse(isFar, product, ends));
-  const V pulled = hn::Mul(hn::Min(depth, hn::Set(d, 3.0f)), hn::Set(d, 1.0f / 12.0f));
+  // More is seen of what comes first.
+  const V pulled = hn::Mul(hn::Min(depth, hn::Set(d, 3.0f)), hn::Mul(spread, spread));
   return hn::Min(hn::Max(hn::Sub(share, pulled), hn::Zero(d)), one);
 }
 

@@ -26,9 +26,6 @@ public:
   {
   }
 
-  /// True if vectors can gather the samples.
-  bool IsNarrow() const { return this->AreNarrow; }
-
   float BinOf(T sample) const
   {
     return static_cast<float>((static_cast<double>(sample) - this->Low) * this->PerValue);

@@ -159,6 +159,31 @@ TransferTables::TransferTables(const ComponentLook& look, double mostExtinction)
   }
   this->Closest = static_cast<float>(std::clamp(sum.x * Rounding / WantedDigits, 0.25, 4.0));
   this->Steepness = SteepnessOf(this->All, this->MostCounted);
+  this->FindBends();
+}
+
+void TransferTables::FindBends()
+{
+  // What is opaque at once is on no line.
+  const double never = 1e9 * static_cast<double>(this->MostCounted);
+  Emission before{};
+  this->Bends = { 0.0 };
+  this->Peaks = { 0.0 };
+  for (std::size_t bin = 0; bin < this->All.size(); ++bin)
+  {
+    const EmissionBin& in = this->All[bin];
+    const bool isLast = bin + 1 == this->All.size();
+    double change = 0.0;
+    for (std::size_t i = 0; i < before.size(); ++i)
+    {
+      const float rise = isLast ? 0.0f : in.Rise[i];
+      change = std::max(change, std::abs(static_cast<double>(rise) - before[i]));
+      before[i] = rise;
+    }
+    const bool isPeak = in.Boost != 1.0f || in.Value[0] > this->MostCounted;
+    this->Bends.push_back(this->Bends.back() + change);
+    this->Peaks.push_back(this->Peaks.back() + (isPeak ? never : 0.0));
+  }
 }
 
 GradientTable::GradientTable(const GradientOpacity& opacity)

@@ -5,7 +5,9 @@
 
 #include "Scene/Blending.h"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <vector>
 
 namespace TemporalCoherence
@@ -35,6 +37,33 @@ struct TransferTables
   /// \throws std::bad_alloc
   TransferTables(const ComponentLook& look, double mostExtinction);
 
+  /// Emission at a value in bins, which is a number.
+  Emission At(float value) const
+  {
+    const int bin = this->BinAt(value);
+    const EmissionBin& in = this->All[static_cast<std::size_t>(std::max(bin, 0))];
+    const float share = bin < 0 || bin >= this->Bins ? 0.0f : value - static_cast<float>(bin);
+    Emission at;
+    for (std::size_t i = 0; i < at.size(); ++i)
+    {
+      at[i] = in.Value[i] + share * in.Rise[i];
+    }
+    return at;
+  }
+
+  /// How far emission is at most from the line between that at two values.
+  float OffLine(float low, float high) const
+  {
+    // One bend is farthest from the line if it is half way; that of all is less than their sum.
+    const auto first = static_cast<std::size_t>(this->BinAt(low) + 1);
+    const auto last = static_cast<std::size_t>(this->BinAt(high) + 1);
+    const double bends = this->Bends[last] - this->Bends[first];
+    // What lies below the range looks as the beginning of its first bin.
+    const double peaks = this->Peaks[std::max<std::size_t>(last, 1)] -
+      this->Peaks[std::max<std::size_t>(first, 1) - 1];
+    return static_cast<float>(0.25 * static_cast<double>(high - low) * bends + peaks);
+  }
+
   double Low, PerValue;
   int Bins;                     ///< within the range
   std::vector<EmissionBin> All; ///< and one for what lies above the range
@@ -45,6 +74,19 @@ struct TransferTables
   /// each side as the level tells, 1, 2, 4 and so on: [level * blocks + block].
   static constexpr int BlockBits = 6, Levels = 6;
   std::vector<float> Steepness;
+
+private:
+  /// The bin of a value: -1 below the range, Bins above.
+  int BinAt(float value) const
+  {
+    const float last = static_cast<float>(this->Bins);
+    return value < 0.0f ? -1 : static_cast<int>(std::min(value, last));
+  }
+  void FindBends();
+
+  /// The sum of all changes of the slope of emission up to the beginning of a bin, and of what is
+  /// opaque at once up to its end: [bin + 1].
+  std::vector<double> Bends, Peaks;
 };
 
 /// Gradient opacity by the magnitude of gradients, as a table: linear between entries, constant

@@ -8,6 +8,7 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -51,19 +52,38 @@ struct VolumeLights
       made.Attenuation = light.Attenuation;
       made.CosineOfCone = static_cast<float>(std::cos(light.ConeAngle * pi / 180.0));
       made.Exponent = light.Exponent;
+      this->Diffuse += Largest(made.Diffuse);
+      this->Specular += Largest(made.Specular);
       this->AreWhite &= IsGrey(made.Diffuse) && IsGrey(made.Specular);
       this->All.push_back(made);
     }
+  }
+
+  /// True if light depends on where a ray runs.
+  bool AskForRays() const
+  {
+    return this->AreShiny ||
+      std::any_of(this->All.begin(), this->All.end(),
+        [](const VolumeLight& light) { return light.IsPositional; });
+  }
+
+  /// How much more light changes where normals turn than that of one light on what is matt.
+  float Sharpness() const
+  {
+    const float power = this->AreShiny ? static_cast<float>(this->SpecularPower) : 0.0f;
+    return std::max(1.0f, this->Diffuse) + 0.5f * power * this->Specular;
   }
 
   std::vector<VolumeLight> All;
   float Ambient;
   glm::vec3 Glow;
   double SpecularPower;
+  float Diffuse = 0.0f, Specular = 0.0f; ///< of all lights, of their brightest channels
   bool AreTwoSided, AreShiny;
   bool AreWhite = true; ///< all channels get the same
 
 private:
+  static float Largest(const glm::vec3& color) { return std::max({ color.x, color.y, color.z }); }
   static bool IsGrey(const glm::vec3& color) { return color.x == color.y && color.x == color.z; }
 };
 

@@ -17,7 +17,7 @@ namespace TemporalCoherence
 /// rows: in each, rays ascend. Values are counted in bins (TransferTables).
 struct VolumeSegments
 {
-  static constexpr std::size_t Capacity = 2 * RayBatch::Capacity;
+  static constexpr std::size_t Capacity = 4 * RayBatch::Capacity;
 
   /// Vectors are stored from any place on.
   template <typename T>
@@ -49,9 +49,33 @@ struct VolumeSegments
     return end;
   }
 
+  /// So that no lane of the last vector is uninitialised.
+  void FillLastVector()
+  {
+    const auto fill = [this](auto& array)
+    { std::fill_n(array.begin() + static_cast<std::ptrdiff_t>(this->Count), WidestVector, 0); };
+    const auto fillAll = [&](auto& arrays)
+    {
+      for (auto& array : arrays)
+      {
+        fill(array);
+      }
+    };
+    fill(this->Ray);
+    fillAll(this->Cell);
+    fill(this->Enter);
+    fill(this->Length);
+    fillAll(this->Begin);
+    fillAll(this->Across);
+    fillAll(this->Cubic);
+    fill(this->Middle);
+    fill(this->Span);
+    fill(this->Bend);
+  }
+
   int Count = 0;
   Array<std::int32_t> Ray;
-  std::array<Array<std::int32_t>, 3> Cell; ///< its first corner, by axis
+  std::array<Array<std::int32_t>, 3> Cell; ///< its first corner, by axis; or of HardQueue
 
   Array<float> Enter;                 ///< t from where the ray begins
   Array<float> Length;                ///< in the world
@@ -61,18 +85,6 @@ struct VolumeSegments
   Array<float> Middle;                ///< between bounds of the field
   Array<float> Span;                  ///< from there to the bounds
   Array<float> Bend;                  ///< the largest second difference of its Bernstein points
-};
-
-/// The samples around the cells of segments: the cell's own rows along x, each with the sample
-/// before it and the one behind it, [y + 2 z]; and the rows beside the cell, [0, 1] before it in y,
-/// [2, 3] behind it, at both z; [4, 5] before it in z, [6, 7] behind it, at both y.
-struct SamplesAround
-{
-  template <typename T>
-  using Array = VolumeSegments::Array<T>;
-
-  std::array<std::array<Array<float>, 4>, 4> Along;
-  std::array<std::array<Array<float>, 2>, 8> Beside;
 };
 
 }

@@ -1,0 +1,305 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Segments for which one step is not enough. Kernels include this file once for each kind of
+// vectors, hence the toggling guard.
+#if defined(TemporalCoherence_KernelsHardSegments_inl_h) == defined(HWY_TARGET_TOGGLE)
+#ifdef TemporalCoherence_KernelsHardSegments_inl_h
+#undef TemporalCoherence_KernelsHardSegments_inl_h
+#else
+#define TemporalCoherence_KernelsHardSegments_inl_h
+#endif
+
+#include "Blending/KernelsEmittingSegments-inl.h"
+#include "Blending/KernelsSteps-inl.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+HWY_BEFORE_NAMESPACE();
+namespace TemporalCoherence
+{
+namespace EmissionKernels
+{
+namespace HWY_NAMESPACE
+{
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Segments that need several steps.
+template <std::size_t Colors>
+class HardSegments
+{
+public:
+  /// Append some lanes of a vector.
+  /// \param first segment of the vector
+  HWY_INLINE void Append(M which, std::size_t first, EmittingSegments<Colors>& segments)
+  {
+    const Floats d;
+    const Integers di;
+    const auto numbers = hn::Iota(di, static_cast<std::int32_t>(first));
+    hn::StoreU(hn::Compress(numbers, hn::RebindMask(di, which)), di, &this->Number[this->Count]);
+    std::size_t column = 0;
+    segments.EachColumn([&](V value) HWY_ATTR
+      { hn::StoreU(hn::Compress(value, which), d, &this->Columns[column++][this->Count]); });
+    this->Count += hn::CountTrue(d, which);
+  }
+
+  HWY_INLINE void Load(std::size_t first, EmittingSegments<Colors>& segments) const
+  {
+    std::size_t column = 0;
+    segments.EachColumn(
+      [&](V& value) HWY_ATTR { value = hn::LoadU(Floats(), &this->Columns[column++][first]); });
+  }
+
+  /// Drop those that need one step only, as little of them comes to the viewer.
+  HWY_INLINE void KeepHard()
+  {
+    const Floats d;
+    const Integers di;
+    this->FillLastVector();
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < this->Count; i += hn::Lanes(d))
+    {
+      EmittingSegments<Colors> segments;
+      this->Load(i, segments);
+      const V shown = hn::LoadU(d, &this->Shown[i]);
+      const auto number = hn::LoadU(di, &this->Number[i]);
+      const M isHard = hn::And(hn::Gt(shown, hn::Set(d, LeastPassed)), segments.IsHard(shown));
+      std::size_t column = 0;
+      segments.EachColumn([&](V value) HWY_ATTR
+        { hn::StoreU(hn::Compress(value, isHard), d, &this->Columns[column++][kept]); });
+      hn::StoreU(hn::Compress(shown, isHard), d, &this->Shown[kept]);
+      hn::StoreU(hn::Compress(number, hn::RebindMask(di, isHard)), di, &this->Number[kept]);
+      kept += hn::CountTrue(d, isHard);
+    }
+    this->Count = kept;
+  }
+
+  /// So that no lane of the last vector is uninitialised.
+  void FillLastVector()
+  {
+    std::fill_n(&this->Number[this->Count], WidestVector, 0);
+    std::fill_n(&this->Shown[this->Count], WidestVector, 0.0f);
+    for (auto& column : this->Columns)
+    {
+      std::fill_n(&column[this->Count], WidestVector, 0.0f);
+    }
+  }
+
+  template <typename T>
+  using Array = VolumeSegments::Array<T>;
+
+  std::size_t Count = 0;
+  Array<std::int32_t> Number; ///< of each in the list of all segments
+  Array<float> Shown;         ///< the share of its light that comes to the viewer
+  std::array<Array<float>, EmittingSegments<Colors>::Columns> Columns;
+};
+
+/// Find out about a vector of segments. One step is right for most of them; note the others.
+/// \param shown the share of their light that comes to the viewer, at most
+template <std::size_t Colors>
+HWY_NOINLINE void AddInOneStep(const EmittingVolume& volume, const LitRays& rays,
+  const VolumeSegments& segments, std::size_t first, const CornerGradients& corners, V shown,
+  HardSegments<Colors>& hard, SegmentSums& sums)
+{
+  const Floats d;
+  EmittingSegments<Colors> found;
+  SegmentSurvey(volume, rays, segments).Find(first, corners, found);
+  const Steps<Colors> steps(volume, found);
+  const Step whole = steps.Whole();
+  V mean[4];
+  const V depth = steps.DepthOf(whole, mean);
+  const M isSegment = hn::FirstN(d, static_cast<std::size_t>(segments.Count) - first);
+  V& ofDepth = found.Needs[found.ForDepth];
+  ofDepth = hn::Max(ofDepth, hn::Mul(depth, hn::Set(d, 1.0f / DepthOfStep)));
+  const M isHard = hn::And(isSegment, found.IsHard(shown));
+  if (!hn::AllFalse(d, isHard))
+  {
+    hard.Append(isHard, first, found);
+  }
+  AddedLight added;
+  steps.Add(
+    whole, hn::Mul(depth, whole.Opacity), mean,
+    [&](V at, V) HWY_ATTR { return found.Light.Of(at); }, added);
+  hn::StoreU(added.Passed, d, &sums.Passed[first]);
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    hn::StoreU(added.Color[a], d, &sums.Color[a][first]);
+  }
+  const V at = hn::Add(found.Enter, hn::Mul(added.First, found.Length));
+  const V never = hn::Set(d, SegmentSums::Never);
+  hn::StoreU(hn::IfThenElse(hn::Eq(added.First, never), never, at), d, &sums.First[first]);
+}
+
+/// Adds hard segments again, in several steps. Lanes of a vector that are done get other segments,
+/// as some take many more steps than others.
+template <std::size_t Colors>
+class HardSteps
+{
+public:
+  HardSteps(const EmittingVolume& volume, const LitRays& rays, const VolumeSegments& all,
+    const HardSegments<Colors>& hard, SegmentSums& sums)
+    : Volume(volume)
+    , Rays(rays)
+    , All(all)
+    , Hard(hard)
+    , Sums(sums)
+  {
+    std::fill_n(this->Number, WidestVector, None);
+    std::fill_n(this->OfRay, WidestVector, 0);
+    this->Segments.EachColumn([](V& value) HWY_ATTR { value = hn::Zero(Floats()); });
+  }
+
+  HWY_INLINE void AddAll()
+  {
+    const Floats d;
+    const std::size_t few = hn::Lanes(d) / 2;
+    while (true)
+    {
+      if (this->Next < this->Hard.Count && hn::CountTrue(d, this->Walk.IsOn) <= few)
+      {
+        this->Refill();
+      }
+      if (hn::AllFalse(d, this->Walk.IsOn))
+      {
+        break;
+      }
+      this->AddNext();
+    }
+    this->StoreDone();
+  }
+
+private:
+  static constexpr std::int32_t None = -1;
+
+  HWY_INLINE void AddNext()
+  {
+    const Floats d;
+    const M isSmooth = this->Segments.IsSmooth(this->Walk.Shown);
+    Steps<Colors>(this->Volume, this->Segments)
+      .AddNext(
+        isSmooth,
+        [&](V at, V spread) HWY_ATTR
+        {
+          ReflectedLight<V, Colors> light = this->Segments.Light.Of(at);
+          if (!hn::AllTrue(d, hn::Or(isSmooth, hn::Not(this->Walk.IsOn))))
+          {
+            this->TakeExact(hn::Not(isSmooth), at, spread, light);
+          }
+          return light;
+        },
+        this->Walk);
+  }
+
+  /// Take the mean light around places.
+  HWY_INLINE void TakeExact(M which, V at, V spread, ReflectedLight<V, Colors>& light) const
+  {
+    const Floats d;
+    ReflectedLight<V, Colors> pair[2];
+    const V shares[2] = { hn::Sub(at, spread), hn::Add(at, spread) };
+    V normals[2][3];
+    LightAt<Colors>(this->Volume, this->Vectors, this->Segments, shares, normals, pair);
+    const auto take = [&](V first, V second, V& of) HWY_ATTR
+    { of = hn::IfThenElse(which, hn::Mul(hn::Set(d, 0.5f), hn::Add(first, second)), of); };
+    for (std::size_t a = 0; a < Colors; ++a)
+    {
+      take(pair[0].Matt[a], pair[1].Matt[a], light.Matt[a]);
+      take(pair[0].Shine[a], pair[1].Shine[a], light.Shine[a]);
+    }
+  }
+
+  /// Give the next segments to lanes that are done.
+  HWY_NOINLINE void Refill()
+  {
+    const Floats d;
+    this->StoreDone();
+    std::int32_t ranks[WidestVector];
+    std::uint8_t isNew[8] = {};
+    std::size_t taken = 0;
+    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
+    {
+      ranks[lane] = 0;
+      if (this->Number[lane] == None && this->Next + taken < this->Hard.Count)
+      {
+        this->Number[lane] = this->Hard.Number[this->Next + taken];
+        this->OfRay[lane] = this->All.Ray[static_cast<std::size_t>(this->Number[lane])];
+        ranks[lane] = static_cast<std::int32_t>(taken++);
+        isNew[lane / 8] = static_cast<std::uint8_t>(isNew[lane / 8] | 1u << lane % 8);
+      }
+    }
+    const M which = hn::LoadMaskBits(d, isNew);
+    const auto places = hn::SetTableIndices(d, ranks);
+    const auto load = [&](const float* from, V value) HWY_ATTR
+    { return hn::IfThenElse(which, hn::TableLookupLanes(hn::LoadU(d, from), places), value); };
+    std::size_t column = 0;
+    this->Segments.EachColumn(
+      [&](V& value) HWY_ATTR { value = load(&this->Hard.Columns[column++][this->Next], value); });
+    const V shown = load(&this->Hard.Shown[this->Next], this->Walk.Shown);
+    this->Vectors = RayVectors(this->Volume, this->Rays, this->OfRay);
+    this->Next += taken;
+    Steps<Colors>(this->Volume, this->Segments).Begin(which, shown, this->Walk);
+  }
+
+  /// Store what lanes add that are done, and free them.
+  HWY_INLINE void StoreDone()
+  {
+    const Floats d;
+    const AddedLight& added = this->Walk.Added;
+    float passed[WidestVector], first[WidestVector], color[3][WidestVector];
+    std::uint8_t isOn[8] = {};
+    hn::StoreMaskBits(d, this->Walk.IsOn, isOn);
+    hn::StoreU(added.Passed, d, passed);
+    const V at = hn::Add(this->Segments.Enter, hn::Mul(added.First, this->Segments.Length));
+    const V never = hn::Set(d, SegmentSums::Never);
+    hn::StoreU(hn::IfThenElse(hn::Eq(added.First, never), never, at), d, first);
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      hn::StoreU(added.Color[a], d, color[a]);
+    }
+    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
+    {
+      if (this->Number[lane] == None || (isOn[lane / 8] >> lane % 8 & 1u) != 0)
+      {
+        continue;
+      }
+      const auto number = static_cast<std::size_t>(this->Number[lane]);
+      this->Sums.Passed[number] = passed[lane];
+      this->Sums.First[number] = first[lane];
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        this->Sums.Color[a][number] = color[a][lane];
+      }
+      this->Number[lane] = None;
+    }
+  }
+
+  const EmittingVolume& Volume;
+  const LitRays& Rays;
+  const VolumeSegments& All;
+  const HardSegments<Colors>& Hard;
+  SegmentSums& Sums;
+  std::size_t Next = 0;
+  std::int32_t Number[WidestVector], OfRay[WidestVector]; ///< of the segment of each lane, or None
+  EmittingSegments<Colors> Segments;
+  RayVectors Vectors;
+  StepWalk Walk;
+};
+
+/// Add hard segments again, of which is known what comes to the viewer.
+template <std::size_t Colors>
+HWY_NOINLINE void AddHard(const EmittingVolume& volume, const LitRays& rays,
+  const VolumeSegments& segments, HardSegments<Colors>& hard, SegmentSums& sums)
+{
+  hard.FillLastVector();
+  HardSteps<Colors>(volume, rays, segments, hard, sums).AddAll();
+}
+
+}
+}
+}
+HWY_AFTER_NAMESPACE();
+
+#endif

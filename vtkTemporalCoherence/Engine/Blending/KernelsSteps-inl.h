@@ -1,0 +1,279 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The light of a vector of cell segments, in one step or in several. Kernels include this file once
+// for each kind of vectors, hence the toggling guard.
+#if defined(TemporalCoherence_KernelsSteps_inl_h) == defined(HWY_TARGET_TOGGLE)
+#ifdef TemporalCoherence_KernelsSteps_inl_h
+#undef TemporalCoherence_KernelsSteps_inl_h
+#else
+#define TemporalCoherence_KernelsSteps_inl_h
+#endif
+
+#include "Blending/KernelsEmittingSegments-inl.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+HWY_BEFORE_NAMESPACE();
+namespace TemporalCoherence
+{
+namespace EmissionKernels
+{
+namespace HWY_NAMESPACE
+{
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// A segment is cut into no more steps at first, and in the end into no shorter ones.
+constexpr float MostSteps = 64.0f, ShortestStep = 1.0f / 1024.0f;
+
+/// Steps in which normals turn are not cut shorter than this.
+constexpr float ShortestTurn = 1.0f / 64.0f;
+
+/// The tangent of the angle by which normals turn in a step, where all of its light comes to the
+/// viewer: 31 degrees, for which light at two places is right.
+constexpr float TangentOfTurn = 0.6f;
+
+/// An optical depth from which on something is seen.
+constexpr float LeastSeen = 1e-4f;
+
+/// What a vector of segments adds to its rays, if nothing lies before them.
+struct AddedLight
+{
+  HWY_INLINE AddedLight()
+    : Passed(hn::Set(Floats(), 1.0f))
+    , First(hn::Set(Floats(), SegmentSums::Never))
+  {
+    std::fill_n(this->Color, 3, hn::Zero(Floats()));
+  }
+
+  V Passed;   ///< share of the light from behind that passes
+  V Color[3]; ///< multiplied by its opacity
+  V First;    ///< share of the segment at which something is seen first, or Never
+};
+
+/// A step along segments, from one share of them to another.
+struct Step
+{
+  V Begin, End;
+  V ValueAtBegin, ValueAtEnd;
+  EmissionAt AtBegin, AtEnd;
+  V Opacity; ///< by the gradient
+};
+
+/// A vector of segments on their way, step by step.
+struct StepWalk
+{
+  HWY_INLINE StepWalk()
+  {
+    const Floats d;
+    const V zero = hn::Zero(d);
+    this->Shown = this->Length = this->Longest = this->Opacity = zero;
+    this->At.Begin = this->At.End = this->At.ValueAtBegin = this->At.ValueAtEnd = zero;
+    this->At.AtBegin.Clear();
+    this->At.AtEnd.Clear();
+    this->IsOn = hn::Lt(zero, zero);
+  }
+
+  Step At;           ///< the last one, and where the next one begins
+  V Length, Longest; ///< of the next step
+  V Opacity;         ///< where it begins
+  V Shown;           ///< the share of light that comes to the viewer
+  AddedLight Added;
+  M IsOn; ///< not yet added
+};
+
+/// Steps along a vector of segments.
+template <std::size_t Colors>
+class Steps
+{
+public:
+  HWY_INLINE Steps(const EmittingVolume& volume, const EmittingSegments<Colors>& segments)
+    : Volume(volume)
+    , Segments(segments)
+  {
+  }
+
+  /// The whole of segments as one step.
+  HWY_INLINE Step Whole() const
+  {
+    const Floats d;
+    const EmittingSegments<Colors>& all = this->Segments;
+    const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
+    return { zero, one, all.Values.C[0], all.ValueAtEnd, all.AtBegin, all.AtEnd,
+      hn::Mul(hn::Set(d, 0.5f), hn::Add(this->OpacityAt(zero), this->OpacityAt(one))) };
+  }
+
+  HWY_INLINE V OpacityAt(V share) const
+  {
+    return EmissionKernels::HWY_NAMESPACE::OpacityAt(this->Volume, this->Segments.Gradients, share);
+  }
+
+  /// The optical depth of a step but for the gradient opacity, and its mean emission.
+  HWY_INLINE V DepthOf(const Step& step, V mean[4]) const
+  {
+    const Floats d;
+    const V half = hn::Set(d, 0.5f), share = hn::Sub(step.End, step.Begin);
+    const V middle = this->Segments.Values.At(hn::Add(step.Begin, hn::Mul(half, share)));
+    const V ends = hn::Mul(half, hn::Add(step.ValueAtBegin, step.ValueAtEnd));
+    const V lift = hn::Mul(hn::Set(d, 2.0f / 3.0f), hn::Sub(middle, ends));
+    MeanBetween(this->Volume.Tables, step.ValueAtBegin, step.AtBegin, step.ValueAtEnd, step.AtEnd,
+      lift, mean);
+    return hn::Mul(hn::Mul(mean[0], this->Segments.Length), share);
+  }
+
+  /// Composite a step behind what has been seen of its segment.
+  /// \param lightAt finds the light around a share of the segment, given the standard deviation
+  template <typename LightAt>
+  HWY_INLINE void Add(
+    const Step& step, V depth, V mean[4], const LightAt& lightAt, AddedLight& added) const
+  {
+    const Floats d;
+    const V share = hn::Sub(step.End, step.Begin);
+    const V spread = SpreadOf(step.AtBegin, step.AtEnd);
+    const V centre =
+      CentreOf(step.ValueAtBegin, step.AtBegin, step.ValueAtEnd, step.AtEnd, depth, spread);
+    const V at = hn::Add(step.Begin, hn::Mul(centre, share));
+    PullColors(step.AtBegin, step.AtEnd, depth, mean);
+    const ReflectedLight<V, Colors> light = lightAt(at, hn::Mul(share, spread));
+    const V left = hn::Mul(added.Passed, ExpOfMinus(depth));
+    const V perMean = hn::Div(hn::Sub(added.Passed, left), hn::Max(mean[0], hn::Set(d, 1e-30f)));
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      const std::size_t color = Colors == 1 ? 0 : a;
+      const V lit =
+        hn::Add(hn::Mul(mean[a + 1], light.Matt[color]), hn::Mul(mean[0], light.Shine[color]));
+      const V emitted = hn::Min(hn::Max(lit, hn::Zero(d)), mean[0]);
+      added.Color[a] = hn::Add(added.Color[a], hn::Mul(perMean, emitted));
+    }
+    const M isFirst = hn::And(hn::Gt(depth, hn::Set(d, LeastSeen)), hn::Gt(added.First, at));
+    added.First = hn::IfThenElse(isFirst, at, added.First);
+    added.Passed = left;
+  }
+
+  /// Begin to add some segments in as many steps as they need.
+  /// \param which of the lanes
+  /// \param shown the share of the light of segments that comes to the viewer
+  HWY_INLINE void Begin(M which, V shown, StepWalk& walk) const
+  {
+    const Floats d;
+    const V one = hn::Set(d, 1.0f), count = hn::Ceil(hn::Sqrt(this->Segments.SquareOfSteps(shown)));
+    const V longest = hn::Div(one, hn::Min(hn::Max(count, one), hn::Set(d, MostSteps)));
+    const auto begin = [which](V value, V& of) HWY_ATTR { of = hn::IfThenElse(which, value, of); };
+    begin(shown, walk.Shown);
+    begin(longest, walk.Longest);
+    begin(longest, walk.Length);
+    begin(this->OpacityAt(hn::Zero(d)), walk.Opacity);
+    walk.At.End = hn::IfThenZeroElse(which, walk.At.End);
+    walk.At.ValueAtEnd = hn::IfThenElse(which, this->Segments.Values.C[0], walk.At.ValueAtEnd);
+    walk.At.AtEnd.Take(which, this->Segments.AtBegin);
+    GoOn(which, walk.At);
+    begin(one, walk.Added.Passed);
+    begin(hn::Set(d, SegmentSums::Never), walk.Added.First);
+    for (V& color : walk.Added.Color)
+    {
+      begin(hn::Zero(d), color);
+    }
+    walk.IsOn = hn::Or(walk.IsOn, which);
+  }
+
+  /// Add one step of each segment.
+  /// \param isSmooth where normals do not matter
+  /// \param lightAt  see Add
+  template <typename LightAt>
+  HWY_INLINE void AddNext(M isSmooth, const LightAt& lightAt, StepWalk& walk) const
+  {
+    const Floats d;
+    const V zero = hn::Zero(d), one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f);
+    Step& step = walk.At;
+    V most = walk.Length;
+    if (!hn::AllTrue(d, hn::Or(isSmooth, hn::Not(walk.IsOn))))
+    {
+      const V turn = this->LongestTurn(step.Begin, hn::Mul(walk.Shown, walk.Added.Passed));
+      most = hn::IfThenElse(isSmooth, most, hn::Min(most, turn));
+    }
+    // What is left over of a segment is a part of its last step.
+    const M isLast = hn::Gt(hn::Add(step.Begin, hn::Mul(most, hn::Set(d, 1.001f))), one);
+    step.End = hn::IfThenElse(isLast, one, hn::Add(step.Begin, most));
+    this->FindEnd(hn::Or(isLast, hn::Not(walk.IsOn)), step);
+    const V opacityThere = this->OpacityAt(step.End);
+    step.Opacity = hn::Mul(half, hn::Add(walk.Opacity, opacityThere));
+    V mean[4];
+    V depth = this->DepthOf(step, mean);
+    const V share = hn::Sub(step.End, step.Begin);
+    const M isShort = hn::Le(share, hn::Set(d, ShortestStep));
+    const M isGood =
+      IsGood(depth, hn::Sub(opacityThere, walk.Opacity), hn::Mul(walk.Shown, walk.Added.Passed));
+    const M isTaken = hn::And(walk.IsOn, hn::Or(isShort, isGood));
+    depth = hn::IfThenElseZero(isTaken, hn::Mul(depth, step.Opacity));
+    if (!hn::AllFalse(d, hn::Gt(depth, zero)))
+    {
+      this->Add(step, depth, mean, lightAt, walk.Added);
+    }
+    // Steps that are too long are tried again, and what follows short ones is longer again.
+    walk.Length = hn::IfThenElse(isTaken, hn::Min(walk.Longest, hn::Add(walk.Length, walk.Length)),
+      hn::Mul(hn::Set(d, 0.25f), share));
+    walk.Opacity = hn::IfThenElse(isTaken, opacityThere, walk.Opacity);
+    GoOn(isTaken, step);
+    const V left = hn::Mul(walk.Shown, walk.Added.Passed);
+    walk.IsOn =
+      hn::And(walk.IsOn, hn::And(hn::Lt(step.Begin, one), hn::Gt(left, hn::Set(d, 1e-4f))));
+  }
+
+  /// True where a step may be taken.
+  /// \param change of the gradient opacity
+  /// \param shown  the share of its light that comes to the viewer
+  static HWY_INLINE M IsGood(V depth, V change, V shown)
+  {
+    const Floats d;
+    const V seen = hn::Mul(shown, hn::Min(depth, hn::Set(d, 1.0f)));
+    return hn::And(hn::Le(hn::Mul(depth, shown), hn::Set(d, MostDepthOfStep)),
+      hn::Le(hn::Mul(hn::Abs(change), seen), hn::Set(d, MostOpacityChange)));
+  }
+
+private:
+  /// How long a step may be, as normals turn.
+  /// \param seen the share of its light that comes to the viewer, at most
+  HWY_INLINE V LongestTurn(V begin, V seen) const
+  {
+    const Floats d;
+    // Highlights change faster.
+    const float blunt = 1.0f / std::sqrt(this->Volume.Sharpness());
+    const V tangent = hn::Div(hn::Set(d, TangentOfTurn * blunt),
+      hn::Min(hn::Max(hn::Mul(hn::Set(d, 2.0f), seen), hn::Set(d, 1e-4f)), hn::Set(d, 1.0f)));
+    const V turn = this->Segments.LengthOfTurn(this->Volume, begin, tangent);
+    return hn::Max(turn, hn::Set(d, std::max(ShortestTurn * blunt, ShortestStep)));
+  }
+
+  /// \param isAtEnd lanes whose step ends where the segment does, or does not matter
+  HWY_INLINE void FindEnd(M isAtEnd, Step& step) const
+  {
+    step.ValueAtEnd = this->Segments.ValueAtEnd;
+    step.AtEnd = this->Segments.AtEnd;
+    if (!hn::AllTrue(Floats(), isAtEnd))
+    {
+      step.ValueAtEnd = this->Segments.Values.At(step.End);
+      LookUp(this->Volume.Tables, step.ValueAtEnd, step.AtEnd);
+    }
+  }
+
+  /// The next step begins where a step ends that is taken.
+  static HWY_INLINE void GoOn(M isTaken, Step& step)
+  {
+    step.Begin = hn::IfThenElse(isTaken, step.End, step.Begin);
+    step.ValueAtBegin = hn::IfThenElse(isTaken, step.ValueAtEnd, step.ValueAtBegin);
+    step.AtBegin.Take(isTaken, step.AtEnd);
+  }
+
+  const EmittingVolume& Volume;
+  const EmittingSegments<Colors>& Segments;
+};
+
+}
+}
+}
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TemporalCoherence_VolumeCell_h
+#define TemporalCoherence_VolumeCell_h
+
+#include "Scene/Field.h"
+#include "Trace/KernelsWalk.h"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstddef>
+#include <cstring>
+
+#include <hwy/base.h>
+
+namespace TemporalCoherence
+{
+
+/// A cell of a volume as kernels take it. Corners lie at [x + 2 y + 4 z].
+struct alignas(64) VolumeCell
+{
+  std::array<float, 8> Values; ///< in bins
+  /// By axis: the difference of the samples before and behind a corner, in bins. That is twice the
+  /// gradient.
+  std::array<std::array<float, 8>, 3> Gradients;
+};
+
+/// The cells of a volume.
+class VolumeCells : public LeafSource
+{
+public:
+  virtual void Read(const glm::ivec3& cell, VolumeCell& read) const = 0;
+};
+
+/// Reads cells of images.
+template <typename T>
+class CellReader
+{
+public:
+  /// \param low where bins begin
+  CellReader(const Field& samples, double low, double perValue)
+    : Samples(samples)
+    , Low(low)
+    , PerValue(perValue)
+    , Scale(static_cast<float>(perValue))
+    , Shift(static_cast<float>(-low * perValue))
+  {
+  }
+
+  void Read(const glm::ivec3& cell, VolumeCell& read) const
+  {
+    Around around;
+    const glm::ivec3 last = this->Samples.Dimensions - 2;
+    const bool isInside = cell.x > 0 && cell.y > 0 && cell.z > 0 && cell.x < last.x &&
+      cell.y < last.y && cell.z < last.z;
+    if (isInside && this->Samples.Strides.x == 1)
+    {
+      this->ReadInside(cell, around);
+    }
+    else
+    {
+      this->ReadAnywhere(cell, around);
+    }
+    around.Store(read);
+  }
+
+private:
+  /// The samples around a cell, from the one before its first corner on.
+  struct alignas(64) Around
+  {
+    HWY_INLINE void Store(VolumeCell& read) const
+    {
+      // Of the cell's own rows, two and two lie one behind the other.
+      float along[3][16];
+      for (std::size_t z = 0; z < 2; ++z)
+      {
+        const float* const own = this->All + 20 + 16 * z;
+        for (std::size_t i = 0; i < 8; ++i)
+        {
+          along[0][8 * z + i] = own[i + 1] - own[i - 1];
+        }
+        for (std::size_t i = 0; i < 8; ++i)
+        {
+          along[1][8 * z + i] = own[i + 4] - own[i - 4];
+          along[2][8 * z + i] = own[i + 16] - own[i - 16];
+        }
+      }
+      constexpr std::size_t two = 2 * sizeof(float);
+      for (std::size_t yz = 0; yz < 4; ++yz)
+      {
+        std::memcpy(&read.Values[2 * yz], this->All + 21 + 4 * (yz & 1u) + 16 * (yz >> 1u), two);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+          std::memcpy(&read.Gradients[axis][2 * yz], along[axis] + 4 * yz + 1, two);
+        }
+      }
+    }
+
+    float All[64]; ///< [x + 4 y + 16 z]
+  };
+
+  HWY_INLINE float BinOf(T sample) const
+  {
+    if constexpr (sizeof(T) <= 2)
+    {
+      return static_cast<float>(sample) * this->Scale + this->Shift;
+    }
+    else
+    {
+      return static_cast<float>((static_cast<double>(sample) - this->Low) * this->PerValue);
+    }
+  }
+
+  /// Read some rows of a slice.
+  template <std::size_t First, std::size_t Last>
+  HWY_INLINE void ReadRows(const T* from, float* slice) const
+  {
+    for (std::size_t y = First; y <= Last; ++y)
+    {
+      T samples[4];
+      std::memcpy(
+        samples, from + static_cast<std::int64_t>(y) * this->Samples.Strides.y, sizeof(samples));
+      for (std::size_t x = 0; x < 4; ++x)
+      {
+        slice[4 * y + x] = this->BinOf(samples[x]);
+      }
+    }
+  }
+
+  HWY_INLINE void ReadInside(const glm::ivec3& cell, Around& around) const
+  {
+    const std::int64_t slice = this->Samples.Strides.z;
+    const T* const from = this->Samples.At(cell - 1);
+    // No gradient reaches to the edges of the block around a cell.
+    this->template ReadRows<1, 2>(from, around.All);
+    this->template ReadRows<0, 3>(from + slice, around.All + 16);
+    this->template ReadRows<0, 3>(from + 2 * slice, around.All + 32);
+    this->template ReadRows<1, 2>(from + 3 * slice, around.All + 48);
+  }
+
+  /// Beyond the boundary the field goes on as it ends, so that central differences are one-sided
+  /// ones there.
+  void ReadAnywhere(const glm::ivec3& cell, Around& around) const
+  {
+    const glm::ivec3 last = this->Samples.Dimensions - 1;
+    for (int i = 0; i < 64; ++i)
+    {
+      const glm::ivec3 place = cell - 1 + glm::ivec3(i & 3, i >> 2 & 3, i >> 4);
+      const glm::ivec3 near = glm::clamp(place, glm::ivec3(0), last);
+      const glm::ivec3 mirrored = glm::clamp(2 * near - place, glm::ivec3(0), last);
+      const float value = this->BinOf(*this->Samples.At(near));
+      const float beyond = 2.0f * value - this->BinOf(*this->Samples.At(mirrored));
+      around.All[i] = place == near ? value : beyond;
+    }
+  }
+
+  TypedField<T> Samples;
+  double Low, PerValue;
+  float Scale, Shift; ///< a bin is sample * Scale + Shift
+};
+
+}
+
+#endif

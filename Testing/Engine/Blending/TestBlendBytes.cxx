@@ -132,8 +132,11 @@ TEST(BlendBeamBytes, OfAnyTypeAndLight)
     }
   };
   expectOf(std::uint8_t(), { 0.0, 255.0 });
-  expectOf(std::int16_t(), { -1000.0, 3000.0 });
-  expectOf(float(), { -0.3, 0.7 });
+  if (!IsMemorySanitized)
+  {
+    expectOf(std::int16_t(), { -1000.0, 3000.0 });
+    expectOf(float(), { -0.3, 0.7 });
+  }
 }
 
 TEST_P(BlendBytes, SamplesAtADistance)

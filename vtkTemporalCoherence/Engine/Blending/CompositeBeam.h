@@ -30,9 +30,9 @@ struct BeamRays
   std::uint64_t Walking; ///< those of them that may see anything
 };
 
-/// Add what rays of a tile see, from front to back: all of them pass a cell before
-/// the next one is taken, so that what is known of it serves them all. Every kind of vectors gives
-/// the same bits. \return false if they are not alike: nothing is added then
+/// Add what rays of a tile see, from front to back: all of them pass a cell before the next one is
+/// taken, so that what is known of it serves them all. Every kind of vectors gives the same bits.
+/// \return false if they are not alike: nothing is added then
 bool BlendBeam(const BeamVolume& volume, const RayBatch& rays, const BeamRays& which,
   const EmissionKernels::LitRays& lit, BlendedRays& seen);
 

@@ -126,9 +126,10 @@ public:
   }
 
 private:
-  /// Whether they go as a beam, and how, depends on where rays begin and end, but not on where
-  /// their walks do. \param which one bit for each ray that has a walk \return false if the rays
-  /// are too different, or pixels too coarse
+  /// Whether rays go as a beam depends on where they begin and end, but not on where their walks
+  /// do.
+  /// \param which one bit for each ray that has a walk
+  /// \return false if the rays are too different, or pixels too coarse
   bool BlendAsBeam(const RayBatch& rays, std::uint64_t which, const EmissionKernels::LitRays& lit,
     BlendedRays& seen) const
   {

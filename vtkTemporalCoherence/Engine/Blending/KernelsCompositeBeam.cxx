@@ -288,9 +288,9 @@ private:
     const V first = hn::LoadU(d, &this->Sums.First[slot]);
     const M isFirst = hn::And(
       hn::Gt(shown, hn::Set(d, 1.0f - LeastSeen)), hn::Lt(first, hn::Set(d, SegmentSums::Never)));
-    for (std::uint64_t left2 = beams::BitsOf(isFirst); left2 != 0; left2 &= left2 - 1)
+    for (std::uint64_t rest = beams::BitsOf(isFirst); rest != 0; rest &= rest - 1)
     {
-      const std::size_t lane = hwy::Num0BitsBelowLS1Bit_Nonzero64(left2);
+      const std::size_t lane = hwy::Num0BitsBelowLS1Bit_Nonzero64(rest);
       double& at = this->Seen.First[i + lane];
       at = std::min(at, static_cast<double>(this->Sums.First[slot + lane]));
     }

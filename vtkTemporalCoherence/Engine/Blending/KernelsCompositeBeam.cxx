@@ -195,14 +195,20 @@ private:
     const M isFirst = hn::And(light.IsRight, IsSeenFirst(light.Depth, paths.Shown));
     if (!hn::AllFalse(d, isFirst))
     {
-      float first[WidestVector];
-      hn::StoreU(light.CentreOf(paths), d, first);
-      for (std::uint64_t left = beams::BitsOf(isFirst); left != 0; left &= left - 1)
-      {
-        const std::size_t lane = hwy::Num0BitsBelowLS1Bit_Nonzero64(left);
-        double& at = this->Seen.First[i + lane];
-        at = std::min(at, static_cast<double>(first[lane]));
-      }
+      this->NoteFirst(isFirst, light.CentreOf(paths), i);
+    }
+  }
+
+  /// Note where some of a vector of rays see something first.
+  HWY_INLINE void NoteFirst(M which, V first, std::size_t i)
+  {
+    float places[WidestVector];
+    hn::StoreU(first, Floats(), places);
+    for (std::uint64_t left = beams::BitsOf(which); left != 0; left &= left - 1)
+    {
+      const std::size_t lane = hwy::Num0BitsBelowLS1Bit_Nonzero64(left);
+      double& at = this->Seen.First[i + lane];
+      at = std::min(at, static_cast<double>(places[lane]));
     }
   }
 
@@ -288,12 +294,7 @@ private:
     const V first = hn::LoadU(d, &this->Sums.First[slot]);
     const M isFirst = hn::And(
       hn::Gt(shown, hn::Set(d, 1.0f - LeastSeen)), hn::Lt(first, hn::Set(d, SegmentSums::Never)));
-    for (std::uint64_t rest = beams::BitsOf(isFirst); rest != 0; rest &= rest - 1)
-    {
-      const std::size_t lane = hwy::Num0BitsBelowLS1Bit_Nonzero64(rest);
-      double& at = this->Seen.First[i + lane];
-      at = std::min(at, static_cast<double>(this->Sums.First[slot + lane]));
-    }
+    this->NoteFirst(isFirst, first, i);
   }
 
   const BeamVolume& Volume;

@@ -50,6 +50,7 @@ set(engine_files
   Shade/TileCompositor
   Shade/TileShader
   Blending/CompositeTracer
+  Blending/EmissionArcs
   Blending/KernelsCompositeBeam
   Blending/KernelsEmission
   Blending/KernelsVolumeSegments

@@ -4,6 +4,7 @@
 #define TemporalCoherence_CompositeBeam_h
 
 #include "Acceleration/ActiveCells.h"
+#include "Blending/EmissionArcs.h"
 #include "Blending/KernelsEmission.h"
 #include "Blending/KernelsVolumeSegments.h"
 #include "Blending/VolumeCell.h"
@@ -17,6 +18,7 @@ namespace TemporalCoherence
 struct BeamVolume
 {
   const EmissionKernels::EmittingVolume& Emitting;
+  const EmissionArcs& Arcs;
   const ActiveCells& Active;
   const VolumeCells& Cells;
   const SegmentsKernels::SeenBins& Seen;

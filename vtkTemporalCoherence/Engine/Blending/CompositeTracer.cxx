@@ -32,6 +32,9 @@ using EmissionKernels::LeastPassed;
 /// Optical depth of the shortest edge of a cell where the opacity is 1.
 constexpr double MostDepth = 65536.0;
 
+/// How far the optical depth of the shortest edge of a cell may be off on an arc.
+constexpr double ArcTolerance = 1.0 / 1024.0;
+
 /// Voxels between rays from which on they walk. CPU times of beams by those of walks, engine with
 /// bone, with skin, vessels with bone: 0.97, 0.65, 0.90 at 0.37 voxels, 1.04, 0.83, 1.09 at 0.53,
 /// and 1.27, 1.15, 1.25 at 0.74.
@@ -72,6 +75,7 @@ public:
     : Samples(scene.Key.Samples)
     , Look(scene.Key.Volume.Looks.front())
     , Tables(Look, MostDepth / ShortestEdge(scene))
+    , Arcs(Tables, ArcTolerance / ShortestEdge(scene))
     , Reader(Samples, Tables.Low, Tables.PerValue)
     , Cells(Samples, Tables.Low, Tables.PerValue)
     , ByGradient(Look.ByGradient)
@@ -148,7 +152,8 @@ private:
     }
     const bool areFew = static_cast<int>(hwy::PopCount(all)) < FewestRays;
     return !areFew && SpacingOf(whole) < CoarsestPixel &&
-      BlendBeam({ this->Volume, *this->Active, *this, this->Seen, this->Samples.Dimensions - 1 },
+      BlendBeam({ this->Volume, this->Arcs, *this->Active, *this, this->Seen,
+                  this->Samples.Dimensions - 1 },
         whole, { all, which }, lit, seen);
   }
 
@@ -213,6 +218,7 @@ private:
   const Field& Samples;
   const ComponentLook& Look;
   TransferTables Tables;
+  EmissionArcs Arcs;
   SegmentReader<T> Reader;
   CellReader<T> Cells;
   GradientTable ByGradient;

@@ -79,12 +79,9 @@ struct LineGradients
   /// Their derivatives by the share.
   HWY_INLINE void ChangeAt(V share, V change[3]) const
   {
-    const V two = hn::Set(Floats(), 2.0f), three = hn::Set(Floats(), 3.0f);
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      const V(&c)[4] = this->Along[axis].C;
-      const V bend = hn::Add(hn::Mul(two, c[2]), hn::Mul(hn::Mul(three, c[3]), share));
-      change[axis] = hn::Add(c[1], hn::Mul(bend, share));
+      change[axis] = this->Along[axis].SlopeAt(share);
     }
   }
 

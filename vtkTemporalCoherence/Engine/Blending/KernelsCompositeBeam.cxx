@@ -39,6 +39,7 @@ struct BlendRays
 
 #include "Beams/KernelsBeamTree-inl.h"
 #include "Beams/KernelsHull-inl.h"
+#include "Blending/KernelsArcQueue-inl.h"
 #include "Blending/KernelsEvenLight-inl.h"
 #include "Blending/KernelsHardQueue-inl.h"
 
@@ -69,6 +70,7 @@ public:
     , PerScale(static_cast<float>(1.0 / beam.Scale))
     , Shader(volume.Emitting, lit)
     , Queue(volume.Emitting, volume.Seen, lit, this->Cells.data(), this->Sums)
+    , OnArcs(volume.Emitting, volume.Arcs, lit, this->Sums)
   {
   }
 
@@ -83,7 +85,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t CellsOfLeaf = 64;
+  static constexpr std::size_t CellsOfLeaf = 64, MostArcs = 6;
 
   void TestCell(const glm::ivec3& cell)
   {
@@ -171,7 +173,7 @@ private:
     }
     if (isAnyHard || this->NumberOfVectors > 0)
     {
-      this->Keep(light, paths, isHard, isAnyHard);
+      this->Keep(cell, light, paths, isHard, isAnyHard);
     }
     else
     {
@@ -220,7 +222,8 @@ private:
   }
 
   /// Keep light until what waits before it is added.
-  HWY_INLINE void Keep(const EvenLight& light, CellPaths& paths, M isHard, bool isAnyHard)
+  HWY_INLINE void Keep(
+    const EvenCell& cell, const EvenLight& light, CellPaths& paths, M isHard, bool isAnyHard)
   {
     const Floats d;
     paths.Slot = this->NumberOfVectors * hn::Lanes(d);
@@ -240,8 +243,23 @@ private:
     if (isAnyHard)
     {
       paths.CellNumber = static_cast<std::int32_t>(this->NumberOfCells) - 1;
-      this->Queue.Append(isHard, paths);
+      this->AppendHard(cell, isHard, paths);
     }
+  }
+
+  /// Leave hard paths for later. They follow arcs where there are a few; where the function bends
+  /// more often within a cell, tables of its integral take fewer steps.
+  HWY_INLINE void AppendHard(const EvenCell& cell, M isHard, const CellPaths& paths)
+  {
+    const EmissionArcs& all = this->Volume.Arcs;
+    const ArcRange arcs{ all.ArcOf(cell.Emitted.Low), all.ArcOf(cell.Emitted.High) };
+    const bool isGradual = this->Emitting.ByGradient.Opacities.empty();
+    if (isGradual && arcs.Last - arcs.First < MostArcs && !all.AreRough(arcs.First, arcs.Last))
+    {
+      this->OnArcs.Append(isHard, cell, arcs, paths);
+      return;
+    }
+    this->Queue.Append(isHard, paths);
   }
 
   /// Composite what waits, and drop rays that see no more.
@@ -251,6 +269,7 @@ private:
     if (this->NumberOfVectors > 0)
     {
       this->Queue.Sum();
+      this->OnArcs.Sum();
       for (std::size_t vector = 0; vector < this->NumberOfVectors; ++vector)
       {
         this->CompositeKept(vector * hn::Lanes(d), this->RaysOf[vector]);
@@ -312,6 +331,7 @@ private:
   std::array<std::uint8_t, LeafSums::Slots / hn::MaxLanes(Floats())> RaysOf;
   LeafSums Sums;
   HardQueue<Colors> Queue;
+  ArcQueue<Colors> OnArcs;
 };
 
 template <std::size_t Colors>

@@ -35,6 +35,14 @@ struct Cubic
     const V first = hn::Add(hn::Mul(this->C[3], x), this->C[2]);
     return hn::Add(hn::Mul(hn::Add(hn::Mul(first, x), this->C[1]), x), this->C[0]);
   }
+
+  HWY_INLINE V SlopeAt(V x) const
+  {
+    const hn::DFromV<V> d;
+    const V bend = hn::Add(
+      hn::Mul(hn::Set(d, 2.0f), this->C[2]), hn::Mul(hn::Mul(hn::Set(d, 3.0f), this->C[3]), x));
+    return hn::Add(this->C[1], hn::Mul(bend, x));
+  }
 };
 
 /// \param v      values at the corners of the cell, [x + 2 y + 4 z]

@@ -81,6 +81,15 @@ struct RayVectors
     }
   }
 
+  /// The points of rays at t from where they begin.
+  HWY_INLINE void PointAt(V t, V point[3]) const
+  {
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      point[a] = hn::Add(this->Begin[a], hn::Mul(t, this->Direction[a]));
+    }
+  }
+
   V Direction[4], Begin[4]; ///< by axis; the last ones mean nothing
 };
 
@@ -108,6 +117,24 @@ HWY_INLINE V SteepnessOf(const TransferTables& tables, V middle, V span)
     found[lane] = tables.Steepness[static_cast<std::size_t>(places[lane])];
   }
   return hn::LoadU(d, found);
+}
+
+/// The length in which normals turn by an angle, or a very large number if they never do; exact
+/// where they change evenly.
+/// \param normal  of any length
+/// \param turning its derivative
+/// \param tangent of the angle
+HWY_INLINE V LengthOfTurn(const V normal[3], const V turning[3], V tangent)
+{
+  const Floats d;
+  const V square = Dot(normal, normal), along = Dot(normal, turning);
+  const V all = hn::Mul(square, Dot(turning, turning));
+  const V across = hn::Sqrt(hn::Max(hn::Sub(all, hn::Mul(along, along)), hn::Zero(d)));
+  const V rest = hn::Sub(across, hn::Mul(along, tangent));
+  const M turns = hn::Gt(rest, hn::Set(d, 1e-30f));
+  const V one = hn::Set(d, 1.0f);
+  return hn::IfThenElse(
+    turns, hn::Div(hn::Mul(square, tangent), hn::IfThenElse(turns, rest, one)), hn::Set(d, 1e30f));
 }
 
 /// A vector of cell segments: all that their light depends on.
@@ -171,27 +198,6 @@ struct EmittingSegments
       hn::Not(this->IsSmooth(shown)), hn::Gt(this->SquareOfSteps(shown), hn::Set(Floats(), 1.0f)));
   }
 
-  /// From a share of segments on, the length in which normals turn by an angle, or a very large
-  /// number if they never do; exact where gradients change evenly.
-  /// \param tangent of the angle
-  HWY_INLINE V LengthOfTurn(const EmittingVolume& volume, V share, V tangent) const
-  {
-    const Floats d;
-    V gradient[3], change[3], normal[3], turning[3];
-    this->Gradients.At(share, gradient);
-    this->Gradients.ChangeAt(share, change);
-    Transform(volume.WorldFromGradient, gradient, normal);
-    Transform(volume.WorldFromGradient, change, turning);
-    const V square = Dot(normal, normal), along = Dot(normal, turning);
-    const V all = hn::Mul(square, Dot(turning, turning));
-    const V across = hn::Sqrt(hn::Max(hn::Sub(all, hn::Mul(along, along)), hn::Zero(d)));
-    const V rest = hn::Sub(across, hn::Mul(along, tangent));
-    const M turns = hn::Gt(rest, hn::Set(d, 1e-30f));
-    const V one = hn::Set(d, 1.0f);
-    return hn::IfThenElse(turns,
-      hn::Div(hn::Mul(square, tangent), hn::IfThenElse(turns, rest, one)), hn::Set(d, 1e30f));
-  }
-
   V Enter, Length; ///< t from where the ray begins, and in the world
   Line Values;     ///< in bins
   LineGradients Gradients;
@@ -243,11 +249,7 @@ HWY_INLINE V LightAt(const EmittingVolume& volume, const RayVectors& rays,
     V gradient[3];
     segments.Gradients.At(shares[place], gradient);
     FindNormals(volume.WorldFromGradient, gradient, normals[place]);
-    const V t = hn::Add(segments.Enter, hn::Mul(shares[place], segments.Length));
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      points[place][a] = hn::Add(rays.Begin[a], hn::Mul(t, rays.Direction[a]));
-    }
+    rays.PointAt(hn::Add(segments.Enter, hn::Mul(shares[place], segments.Length)), points[place]);
   }
   const LitPoints at[2] = { { normals[0], rays.Direction, points[0] },
     { normals[1], rays.Direction, points[1] } };

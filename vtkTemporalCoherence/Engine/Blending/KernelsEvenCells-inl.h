@@ -10,6 +10,7 @@
 #define TemporalCoherence_KernelsEvenCells_inl_h
 #endif
 
+#include "Blending/KernelsCubic-inl.h"
 #include "Blending/KernelsEmission.h"
 #include "Blending/KernelsVectors-inl.h"
 #include "Blending/TransferTables.h"
@@ -51,6 +52,33 @@ struct Trilinear
     return hn::Add(low, hn::Mul(x[2], high));
   }
 
+  /// The function along paths.
+  HWY_INLINE Cubics::HWY_NAMESPACE::Cubic<V> Along(const V begin[3], const V across[3]) const
+  {
+    const Floats d;
+    const auto row = [&](std::size_t at, V& value, V& slope) HWY_ATTR
+    {
+      const V rise = hn::Set(d, this->C[at + 1]);
+      value = hn::Add(hn::Set(d, this->C[at]), hn::Mul(begin[0], rise));
+      slope = hn::Mul(across[0], rise);
+    };
+    V first[2], second[2], third[2];
+    for (std::size_t z = 0; z < 2; ++z)
+    {
+      V value[2], slope[2];
+      row(4 * z, value[0], slope[0]);
+      row(4 * z + 2, value[1], slope[1]);
+      first[z] = hn::Add(value[0], hn::Mul(begin[1], value[1]));
+      second[z] =
+        hn::Add(hn::Add(slope[0], hn::Mul(begin[1], slope[1])), hn::Mul(across[1], value[1]));
+      third[z] = hn::Mul(across[1], slope[1]);
+    }
+    return { { hn::Add(first[0], hn::Mul(begin[2], first[1])),
+      hn::Add(hn::Add(second[0], hn::Mul(begin[2], second[1])), hn::Mul(across[2], first[1])),
+      hn::Add(hn::Add(third[0], hn::Mul(begin[2], third[1])), hn::Mul(across[2], second[1])),
+      hn::Mul(across[2], third[1]) } };
+  }
+
   std::array<float, 8> C;
 };
 
@@ -61,7 +89,7 @@ struct EvenEmission
   bool Set(const TransferTables& tables, const std::array<float, 8>& values)
   {
     const auto ends = std::minmax_element(values.begin(), values.end());
-    const float low = *ends.first, high = *ends.second;
+    const float low = this->Low = *ends.first, high = this->High = *ends.second;
     constexpr float largest = 1e30f;
     if (!(low > -largest && high < largest))
     {
@@ -87,7 +115,8 @@ struct EvenEmission
   }
 
   Emission AtZero, Rise;
-  float Off; ///< how far it may be off
+  float Low, High; ///< of the values
+  float Off;       ///< how far it may be off
 };
 
 /// What all rays of a beam need of a cell.

@@ -184,11 +184,11 @@ private:
     V normals[2][3], points[2][3];
     for (std::size_t place = 0; place < 2; ++place)
     {
-      const V t = hn::Add(paths.Enter, hn::Mul(hn::Set(d, shares[place]), paths.Length));
+      rays.PointAt(
+        hn::Add(paths.Enter, hn::Mul(hn::Set(d, shares[place]), paths.Length)), points[place]);
       for (std::size_t a = 0; a < 3; ++a)
       {
         normals[place][a] = cell.Toward[a].At(places.At[place]);
-        points[place][a] = hn::Add(rays.Begin[a], hn::Mul(t, rays.Direction[a]));
       }
     }
     const V cosine = CosineOfEnds(normals[0], normals[1]);

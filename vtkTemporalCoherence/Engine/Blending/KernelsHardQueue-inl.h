@@ -10,6 +10,7 @@
 #define TemporalCoherence_KernelsHardQueue_inl_h
 #endif
 
+#include "Blending/KernelsBeamPaths-inl.h"
 #include "Blending/KernelsHardSegments-inl.h"
 #include "Blending/KernelsSeenParts-inl.h"
 #include "Blending/VolumeCell.h"
@@ -28,31 +29,6 @@ namespace HWY_NAMESPACE
 {
 
 namespace hn = hwy::HWY_NAMESPACE;
-
-/// What the rays of a tile add in the cells of a leaf, in slots: vector by vector, from front to
-/// back. Kept until hard segments are added, too.
-struct LeafSums
-{
-  static constexpr std::size_t Slots = 64 * RayBatch::Capacity;
-  template <typename T>
-  struct alignas(64) Array : std::array<T, Slots + WidestVector>
-  {
-  };
-
-  Array<float> Passed, First;
-  std::array<Array<float>, 3> Color;
-};
-
-/// A vector of rays in a cell.
-struct CellPaths
-{
-  V Enter, Length;         ///< as those of VolumeSegments
-  V Begin[3], Across[3];   ///< in the coordinates of the cell
-  V Shown;                 ///< the share of light that comes to the viewer
-  std::size_t Ray;         ///< the first one
-  std::size_t Slot;        ///< of the first one
-  std::int32_t CellNumber; ///< among those of the leaf
-};
 
 /// Segments that wait.
 template <std::size_t Colors>
@@ -73,7 +49,6 @@ public:
   {
     const Floats d;
     const Integers di;
-    const auto lanes = hn::RebindMask(di, which);
     const auto add = [&](V value, SegmentsKernelArray& array) HWY_ATTR
     { hn::StoreU(hn::Compress(value, which), d, &array[this->Count]); };
     add(paths.Enter, this->Enter);
@@ -84,14 +59,8 @@ public:
       add(paths.Begin[a], this->Begin[a]);
       add(paths.Across[a], this->Across[a]);
     }
-    const auto addNumbers = [&](std::size_t first, VolumeSegments::Array<std::int32_t>& array)
-                              HWY_ATTR
-    {
-      const auto numbers = hn::Iota(di, static_cast<std::int32_t>(first));
-      hn::StoreU(hn::Compress(numbers, lanes), di, &array[this->Count]);
-    };
-    addNumbers(paths.Ray, this->Ray);
-    addNumbers(paths.Slot, this->Slot);
+    AppendNumbers(which, paths.Ray, &this->Ray[this->Count]);
+    AppendNumbers(which, paths.Slot, &this->Slot[this->Count]);
     hn::StoreU(hn::Set(di, paths.CellNumber), di, &this->Cell[this->Count]);
     this->Count += hn::CountTrue(d, which);
     if (this->Count > VolumeSegments::Capacity - WidestVector)

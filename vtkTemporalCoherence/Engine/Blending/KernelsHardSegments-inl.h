@@ -11,6 +11,7 @@
 #endif
 
 #include "Blending/KernelsEmittingSegments-inl.h"
+#include "Blending/KernelsLaneWork-inl.h"
 #include "Blending/KernelsSteps-inl.h"
 
 #include <algorithm>
@@ -148,8 +149,6 @@ public:
     , Hard(hard)
     , Sums(sums)
   {
-    std::fill_n(this->Number, WidestVector, None);
-    std::fill_n(this->OfRay, WidestVector, 0);
     this->Segments.EachColumn([](V& value) HWY_ATTR { value = hn::Zero(Floats()); });
   }
 
@@ -173,8 +172,6 @@ public:
   }
 
 private:
-  static constexpr std::int32_t None = -1;
-
   HWY_INLINE void AddNext()
   {
     const Floats d;
@@ -214,66 +211,23 @@ private:
   /// Give the next segments to lanes that are done.
   HWY_NOINLINE void Refill()
   {
-    const Floats d;
     this->StoreDone();
-    std::int32_t ranks[WidestVector];
-    std::uint8_t isNew[8] = {};
-    std::size_t taken = 0;
-    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
-    {
-      ranks[lane] = 0;
-      if (this->Number[lane] == None && this->Next + taken < this->Hard.Count)
-      {
-        this->Number[lane] = this->Hard.Number[this->Next + taken];
-        this->OfRay[lane] = this->All.Ray[static_cast<std::size_t>(this->Number[lane])];
-        ranks[lane] = static_cast<std::int32_t>(taken++);
-        isNew[lane / 8] = static_cast<std::uint8_t>(isNew[lane / 8] | 1u << lane % 8);
-      }
-    }
-    const M which = hn::LoadMaskBits(d, isNew);
-    const auto places = hn::SetTableIndices(d, ranks);
-    const auto load = [&](const float* from, V value) HWY_ATTR
-    { return hn::IfThenElse(which, hn::TableLookupLanes(hn::LoadU(d, from), places), value); };
+    const std::int32_t* const numbers = &this->Hard.Number[this->Next];
+    const LaneWork::Taken taken = this->Work.Take(numbers, this->Hard.Count - this->Next,
+      [&](std::size_t i) { return this->All.Ray[static_cast<std::size_t>(numbers[i])]; });
     std::size_t column = 0;
-    this->Segments.EachColumn(
-      [&](V& value) HWY_ATTR { value = load(&this->Hard.Columns[column++][this->Next], value); });
-    const V shown = load(&this->Hard.Shown[this->Next], this->Walk.Shown);
-    this->Vectors = RayVectors(this->Volume, this->Rays, this->OfRay);
-    this->Next += taken;
-    Steps<Colors>(this->Volume, this->Segments).Begin(which, shown, this->Walk);
+    this->Segments.EachColumn([&](V& value) HWY_ATTR
+      { value = taken.Load(&this->Hard.Columns[column++][this->Next], value); });
+    const V shown = taken.Load(&this->Hard.Shown[this->Next], this->Walk.Shown);
+    this->Vectors = RayVectors(this->Volume, this->Rays, this->Work.Rays());
+    this->Next += taken.Count;
+    Steps<Colors>(this->Volume, this->Segments).Begin(taken.Which, shown, this->Walk);
   }
 
-  /// Store what lanes add that are done, and free them.
   HWY_INLINE void StoreDone()
   {
-    const Floats d;
-    const AddedLight& added = this->Walk.Added;
-    float passed[WidestVector], first[WidestVector], color[3][WidestVector];
-    std::uint8_t isOn[8] = {};
-    hn::StoreMaskBits(d, this->Walk.IsOn, isOn);
-    hn::StoreU(added.Passed, d, passed);
-    const V at = hn::Add(this->Segments.Enter, hn::Mul(added.First, this->Segments.Length));
-    const V never = hn::Set(d, SegmentSums::Never);
-    hn::StoreU(hn::IfThenElse(hn::Eq(added.First, never), never, at), d, first);
-    for (std::size_t a = 0; a < 3; ++a)
-    {
-      hn::StoreU(added.Color[a], d, color[a]);
-    }
-    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
-    {
-      if (this->Number[lane] == None || (isOn[lane / 8] >> lane % 8 & 1u) != 0)
-      {
-        continue;
-      }
-      const auto number = static_cast<std::size_t>(this->Number[lane]);
-      this->Sums.Passed[number] = passed[lane];
-      this->Sums.First[number] = first[lane];
-      for (std::size_t a = 0; a < 3; ++a)
-      {
-        this->Sums.Color[a][number] = color[a][lane];
-      }
-      this->Number[lane] = None;
-    }
+    this->Work.Finish(
+      this->Walk.IsOn, this->Walk.Added, this->Segments.Enter, this->Segments.Length, this->Sums);
   }
 
   const EmittingVolume& Volume;
@@ -282,7 +236,7 @@ private:
   const HardSegments<Colors>& Hard;
   SegmentSums& Sums;
   std::size_t Next = 0;
-  std::int32_t Number[WidestVector], OfRay[WidestVector]; ///< of the segment of each lane, or None
+  LaneWork Work;
   EmittingSegments<Colors> Segments;
   RayVectors Vectors;
   StepWalk Walk;

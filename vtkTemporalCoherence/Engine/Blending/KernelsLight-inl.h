@@ -142,6 +142,14 @@ HWY_INLINE V ShareAt(const VolumeLight& light, const V point[3], V toward[3])
 template <class V, std::size_t Colors>
 struct ReflectedLight
 {
+  /// What is not shaded shows its own colour.
+  HWY_INLINE void SetUnlit()
+  {
+    const hn::DFromV<V> d;
+    std::fill_n(this->Matt, Colors, hn::Set(d, 1.0f));
+    std::fill_n(this->Shine, Colors, hn::Zero(d));
+  }
+
   V Matt[Colors], Shine[Colors];
 };
 
@@ -404,14 +412,10 @@ struct LightLine
 {
   using Light = ReflectedLight<V, Colors>;
 
-  /// What is not shaded shows its own colour.
   HWY_INLINE void SetUnlit()
   {
-    for (Light& light : this->At)
-    {
-      std::fill_n(light.Matt, Colors, hn::Set(Floats(), 1.0f));
-      std::fill_n(light.Shine, Colors, hn::Zero(Floats()));
-    }
+    this->At[0].SetUnlit();
+    this->At[1].SetUnlit();
   }
 
   HWY_INLINE Light Of(V share) const

@@ -39,6 +39,21 @@ constexpr float TangentOfTurn = 0.6f;
 /// An optical depth from which on something is seen.
 constexpr float LeastSeen = 1e-4f;
 
+/// How long a step may be, as normals turn.
+/// \param normal, turning see LengthOfTurn
+/// \param seen the share of its light that comes to the viewer, at most
+HWY_INLINE V LongestTurn(
+  const EmittingVolume& volume, const V normal[3], const V turning[3], V seen)
+{
+  const Floats d;
+  // Highlights change faster.
+  const float blunt = 1.0f / std::sqrt(volume.Sharpness());
+  const V tangent = hn::Div(hn::Set(d, TangentOfTurn * blunt),
+    hn::Min(hn::Max(hn::Mul(hn::Set(d, 2.0f), seen), hn::Set(d, 1e-4f)), hn::Set(d, 1.0f)));
+  const V turn = LengthOfTurn(normal, turning, tangent);
+  return hn::Max(turn, hn::Set(d, std::max(ShortestTurn * blunt, ShortestStep)));
+}
+
 /// What a vector of segments adds to its rays, if nothing lies before them.
 struct AddedLight
 {
@@ -191,7 +206,13 @@ public:
     V most = walk.Length;
     if (!hn::AllTrue(d, hn::Or(isSmooth, hn::Not(walk.IsOn))))
     {
-      const V turn = this->LongestTurn(step.Begin, hn::Mul(walk.Shown, walk.Added.Passed));
+      V gradient[3], change[3], normal[3], turning[3];
+      this->Segments.Gradients.At(step.Begin, gradient);
+      this->Segments.Gradients.ChangeAt(step.Begin, change);
+      Transform(this->Volume.WorldFromGradient, gradient, normal);
+      Transform(this->Volume.WorldFromGradient, change, turning);
+      const V turn =
+        LongestTurn(this->Volume, normal, turning, hn::Mul(walk.Shown, walk.Added.Passed));
       most = hn::IfThenElse(isSmooth, most, hn::Min(most, turn));
     }
     // What is left over of a segment is a part of its last step.
@@ -234,19 +255,6 @@ public:
   }
 
 private:
-  /// How long a step may be, as normals turn.
-  /// \param seen the share of its light that comes to the viewer, at most
-  HWY_INLINE V LongestTurn(V begin, V seen) const
-  {
-    const Floats d;
-    // Highlights change faster.
-    const float blunt = 1.0f / std::sqrt(this->Volume.Sharpness());
-    const V tangent = hn::Div(hn::Set(d, TangentOfTurn * blunt),
-      hn::Min(hn::Max(hn::Mul(hn::Set(d, 2.0f), seen), hn::Set(d, 1e-4f)), hn::Set(d, 1.0f)));
-    const V turn = this->Segments.LengthOfTurn(this->Volume, begin, tangent);
-    return hn::Max(turn, hn::Set(d, std::max(ShortestTurn * blunt, ShortestStep)));
-  }
-
   /// \param isAtEnd lanes whose step ends where the segment does, or does not matter
   HWY_INLINE void FindEnd(M isAtEnd, Step& step) const
   {

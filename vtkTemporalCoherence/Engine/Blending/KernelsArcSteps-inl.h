@@ -1,0 +1,358 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Paths through cells, step by step along the arcs of a transfer function. Kernels include this
+// file once for each kind of vectors, hence the toggling guard.
+#if defined(TemporalCoherence_KernelsArcSteps_inl_h) == defined(HWY_TARGET_TOGGLE)
+#ifdef TemporalCoherence_KernelsArcSteps_inl_h
+#undef TemporalCoherence_KernelsArcSteps_inl_h
+#else
+#define TemporalCoherence_KernelsArcSteps_inl_h
+#endif
+
+#include "Blending/KernelsArcs-inl.h"
+#include "Blending/KernelsCellGradients-inl.h"
+#include "Blending/KernelsEmittingSegments-inl.h"
+#include "Blending/KernelsSteps-inl.h"
+
+#include <algorithm>
+#include <cstddef>
+
+HWY_BEFORE_NAMESPACE();
+namespace TemporalCoherence
+{
+namespace EmissionKernels
+{
+namespace HWY_NAMESPACE
+{
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// The optical depth of a step along an arc where all of its light comes to the viewer, and at
+/// most. It grows with the inverse root of that share.
+constexpr float DepthOfArcStep = 0.8f, MostDepthOfArcStep = 2.0f;
+
+/// How much normals may turn between places of a step, as far as it is seen: 1 - the cosine of the
+/// angle.
+constexpr float MostTurnOfPlaces = 0.01f;
+
+/// The turn that counts as much as a bend of light, for each unit by which a cosine changes across
+/// 0.
+constexpr float TurnOfBend = 0.5f;
+
+/// A shorter share of a path is not worth a step of its own before light has a bend.
+constexpr float ShortestBeforeBend = 0.02f;
+
+/// Three places of a step, those of Gauss and Legendre: they tell the mean of any polynomial of the
+/// fifth degree.
+struct PlaceTriple
+{
+  static constexpr float At[3] = { 0.11270167f, 0.5f, 0.88729833f };
+  static constexpr float Weight[3] = { 5.0f / 18.0f, 4.0f / 9.0f, 5.0f / 18.0f };
+  /// The integral of a parabola from the beginning of the step to each place, by its values at the
+  /// three places.
+  static constexpr float Before[3][3] = { { 0.13888889f, -0.03597667f, 0.00978944f },
+    { 0.30026319f, 0.22222222f, -0.02248542f }, { 0.26798833f, 0.48042111f, 0.13888889f } };
+};
+
+/// A vector of paths through cells.
+struct ArcPaths
+{
+  template <class Visitor>
+  HWY_INLINE void EachColumn(const Visitor& visit)
+  {
+    visit(this->Enter);
+    visit(this->Length);
+    visit(this->Shown);
+    visit(this->Begin);
+    visit(this->Arc);
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      visit(this->Values.C[i]);
+      for (auto& toward : this->Toward.Along)
+      {
+        visit(toward.C[i]);
+      }
+    }
+    this->Turning.EachColumn(visit);
+  }
+  static constexpr std::size_t Columns = 5 + 4 * 4 + Turns::Columns;
+
+  /// True where something may be seen from Begin on.
+  /// \param arcs theirs
+  HWY_INLINE M AreSeen(const Arcs& arcs) const
+  {
+    return hn::Or(hn::Not(arcs.AreEmpty()), Leaving(this->Turning, arcs, this->Begin).Ever);
+  }
+
+  HWY_INLINE ArcEnd EndOf(const Arcs& arcs) const
+  {
+    return { this->Values, this->Turning, arcs, this->Begin, this->Arc };
+  }
+
+  V Enter, Length;      ///< as those of VolumeSegments
+  V Shown;              ///< the share of light that comes to the viewer
+  V Begin;              ///< share up to which it is added
+  V Arc;                ///< its number there
+  Line Values;          ///< in bins
+  LineGradients Toward; ///< towards lower values, in the world; only with lights
+  Turns Turning;        ///< those of Values
+};
+
+/// Adds the light of a vector of paths.
+template <std::size_t Colors>
+class ArcSteps
+{
+public:
+  ArcSteps(const EmittingVolume& volume, const EmissionArcs& arcs)
+    : Volume(volume)
+    , All(arcs)
+  {
+    const V zero = hn::Zero(Floats());
+    this->Now.EachColumn([&](V& value) HWY_ATTR { value = zero; });
+    this->Longest = zero;
+    this->IsOn = hn::Lt(zero, zero);
+  }
+
+  /// Begin with what some lanes of Now have got.
+  HWY_INLINE void Begin(M which)
+  {
+    const Floats d;
+    const V one = hn::Set(d, 1.0f);
+    const auto begin = [which](V value, V& of) HWY_ATTR { of = hn::IfThenElse(which, value, of); };
+    begin(one, this->Longest);
+    begin(one, this->Added.Passed);
+    begin(hn::Set(d, SegmentSums::Never), this->Added.First);
+    for (V& color : this->Added.Color)
+    {
+      begin(hn::Zero(d), color);
+    }
+    this->IsOn = hn::Or(this->IsOn, which);
+  }
+
+  /// Add a step of each path. No step leaves its arc.
+  HWY_INLINE void AddNext(const RayVectors& rays)
+  {
+    const Floats d;
+    const V one = hn::Set(d, 1.0f);
+    ArcPaths& now = this->Now;
+    const Arcs arcs(this->All, now.Arc);
+    const ArcEnd end = now.EndOf(arcs);
+    const V seen = hn::Mul(now.Shown, this->Added.Passed);
+    const V whole = hn::Max(hn::Sub(end.Share, now.Begin), hn::Zero(d));
+    Step step;
+    step.Share = hn::Min(whole, this->Longest);
+    if (this->Volume.Lights)
+    {
+      step.Share = hn::Min(step.Share, this->LongestOfLight(seen));
+    }
+    this->FindExtinction(arcs, step);
+    this->Shorten(arcs, seen, step);
+    ReflectedLight<V, Colors> light[3];
+    const V turn = this->FindLight(rays, step.Share, light);
+    const M isTaken = hn::And(this->IsOn, IsGood(turn, seen, step));
+    step.Depth = hn::IfThenElseZero(isTaken, step.Depth);
+    this->Add(arcs, step, light);
+    // Steps in which normals turn too far are tried again.
+    this->Longest = hn::IfThenElse(isTaken, one, hn::Mul(hn::Set(d, 0.5f), step.Share));
+    const M isLeft = hn::And(isTaken, hn::Ge(step.Share, whole));
+    const V stop = hn::IfThenElse(isLeft, end.Share, hn::Add(now.Begin, step.Share));
+    now.Begin = hn::IfThenElse(isTaken, stop, now.Begin);
+    now.Arc = hn::IfThenElse(isLeft, end.Next, now.Arc);
+    const V left = hn::Mul(now.Shown, this->Added.Passed);
+    this->IsOn =
+      hn::And(this->IsOn, hn::And(hn::Lt(now.Begin, one), hn::Gt(left, hn::Set(d, 1e-4f))));
+    if (!hn::AllFalse(d, hn::And(isLeft, this->IsOn)))
+    {
+      this->IsOn = hn::And(this->IsOn, now.AreSeen(Arcs(this->All, now.Arc)));
+    }
+  }
+
+  ArcPaths Now;
+  AddedLight Added;
+  M IsOn; ///< not yet added
+
+private:
+  struct Step
+  {
+    V Share;         ///< of the path
+    V Places[3];     ///< in the arc
+    V Extinction[3]; ///< there
+    V Depth;         ///< optical depth of the step
+  };
+
+  /// How long a step may be, as normals turn and light bends.
+  HWY_INLINE V LongestOfLight(V seen) const
+  {
+    const Floats d;
+    V normal[3], turning[3];
+    this->Now.Toward.At(this->Now.Begin, normal);
+    this->Now.Toward.ChangeAt(this->Now.Begin, turning);
+    V share = LongestTurn(this->Volume, normal, turning, seen);
+    // A light has a bend where normals leave its side.
+    for (const VolumeLight& light : this->Volume.Lights->All)
+    {
+      const V toward[3] = { hn::Set(d, light.Toward.x), hn::Set(d, light.Toward.y),
+        hn::Set(d, light.Toward.z) };
+      const V cosine = Dot(normal, toward), change = Dot(turning, toward);
+      const M isAny = hn::Gt(hn::Abs(change), hn::Set(d, 1e-20f));
+      const V at = hn::Div(hn::Neg(cosine), hn::IfThenElse(isAny, change, hn::Set(d, 1.0f)));
+      const M isBend =
+        hn::And(isAny, hn::And(hn::Gt(at, hn::Set(d, ShortestBeforeBend)), hn::Lt(at, share)));
+      share = hn::IfThenElse(isBend, at, share);
+    }
+    return share;
+  }
+
+  HWY_INLINE void FindExtinction(const Arcs& arcs, Step& step) const
+  {
+    const Floats d;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const V at = hn::Add(this->Now.Begin, hn::Mul(hn::Set(d, PlaceTriple::At[i]), step.Share));
+      step.Places[i] = arcs.PlaceOf(this->Now.Values.At(at));
+    }
+    arcs.EmissionAt(0, step.Places, step.Extinction);
+    V mean = hn::Zero(d);
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      mean = hn::Add(mean, hn::Mul(hn::Set(d, PlaceTriple::Weight[i]), step.Extinction[i]));
+    }
+    step.Depth = hn::Mul(mean, hn::Mul(step.Share, this->Now.Length));
+  }
+
+  /// Shorten steps that are too deep.
+  HWY_INLINE void Shorten(const Arcs& arcs, V seen, Step& step) const
+  {
+    const Floats d;
+    const V perRoot = InverseRoot(hn::Max(seen, hn::Set(d, 1e-3f)));
+    const V most =
+      hn::Min(hn::Set(d, MostDepthOfArcStep), hn::Mul(hn::Set(d, DepthOfArcStep), perRoot));
+    const M isDeep = hn::And(this->IsOn, hn::Gt(step.Depth, most));
+    if (!hn::AllFalse(d, isDeep))
+    {
+      const V part = hn::Div(most, hn::IfThenElse(isDeep, step.Depth, most));
+      step.Share = hn::IfThenElse(isDeep, hn::Mul(step.Share, part), step.Share);
+      this->FindExtinction(arcs, step);
+    }
+  }
+
+  /// Find the light at the places of a step.
+  /// \return how much normals turn between them: 1 - the cosine of the angle, or more where light
+  ///   has a bend in between
+  HWY_INLINE V FindLight(const RayVectors& rays, V share, ReflectedLight<V, Colors> light[3]) const
+  {
+    const Floats d;
+    if (!this->Volume.Lights)
+    {
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        light[i].SetUnlit();
+      }
+      return hn::Zero(d);
+    }
+    V normals[3][3], points[3][3];
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const V at = hn::Add(this->Now.Begin, hn::Mul(hn::Set(d, PlaceTriple::At[i]), share));
+      this->Now.Toward.At(at, normals[i]);
+      MakeUnit(normals[i]);
+      rays.PointAt(hn::Add(this->Now.Enter, hn::Mul(at, this->Now.Length)), points[i]);
+    }
+    const LitPoints at[3] = { { normals[0], rays.Direction, points[0] },
+      { normals[1], rays.Direction, points[1] }, { normals[2], rays.Direction, points[2] } };
+    V most = OneMinus(
+      hn::Min(CosineBetween(normals[0], normals[1]), CosineBetween(normals[1], normals[2])));
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      light[i] = Reflect<Colors, V>(*this->Volume.Lights, at[i]);
+    }
+    for (const VolumeLight& from : this->Volume.Lights->All)
+    {
+      const V bend = hn::Mul(hn::Set(d, TurnOfBend), ChangeAcross(from, at));
+      most = hn::Max(most, bend);
+    }
+    return most;
+  }
+
+  /// How much the cosine of the angle between normals and a light changes, where it changes its
+  /// sign.
+  static HWY_INLINE V ChangeAcross(const VolumeLight& light, const LitPoints at[3])
+  {
+    const V first = ArrivingLight<V>(light, at[0]).Cosine;
+    const V second = ArrivingLight<V>(light, at[1]).Cosine;
+    const V third = ArrivingLight<V>(light, at[2]).Cosine;
+    const V low = hn::Min(first, hn::Min(second, third));
+    const V high = hn::Max(first, hn::Max(second, third));
+    const V zero = hn::Zero(Floats());
+    const M isAcross = hn::And(hn::Lt(low, zero), hn::Gt(high, zero));
+    return hn::IfThenElseZero(isAcross, hn::Sub(high, low));
+  }
+
+  static HWY_INLINE M IsGood(V turn, V seen, const Step& step)
+  {
+    const Floats d;
+    const V counts = hn::Mul(seen, hn::Min(step.Depth, hn::Set(d, 1.0f)));
+    return hn::Or(hn::Le(hn::Mul(turn, counts), hn::Set(d, MostTurnOfPlaces)),
+      hn::Lt(step.Share, hn::Set(d, ShortestTurn)));
+  }
+
+  /// Composite steps behind what has been added.
+  HWY_INLINE void Add(const Arcs& arcs, const Step& step, const ReflectedLight<V, Colors> light[3])
+  {
+    const Floats d;
+    const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
+    const V length = hn::Mul(step.Share, this->Now.Length);
+    V weights[3], sum = zero, moment = zero;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      V before = zero;
+      for (std::size_t k = 0; k < 3; ++k)
+      {
+        before =
+          hn::Add(before, hn::Mul(hn::Set(d, PlaceTriple::Before[i][k]), step.Extinction[k]));
+      }
+      const V most = hn::Set(d, MostDepthOfArcStep);
+      const V depth = hn::Min(hn::Max(hn::Mul(before, length), zero), most);
+      weights[i] = hn::Mul(hn::Set(d, PlaceTriple::Weight[i]), ExpOfLittle(depth));
+      const V emitted = hn::Mul(weights[i], step.Extinction[i]);
+      sum = hn::Add(sum, emitted);
+      moment = hn::Add(moment, hn::Mul(hn::Set(d, PlaceTriple::At[i]), emitted));
+    }
+    // What does not pass is emitted, however well the places tell it.
+    const V left = ExpOfMinus(step.Depth);
+    const M isSum = hn::Gt(sum, hn::Set(d, 1e-12f));
+    const V perSum = hn::Div(one, hn::IfThenElse(isSum, sum, one));
+    const V scale = hn::Mul(hn::Mul(this->Added.Passed, hn::Sub(one, left)), perSum);
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      const std::size_t color = Colors == 1 ? 0 : c;
+      V own[3], all = zero;
+      arcs.EmissionAt(c + 1, step.Places, own);
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        const V lit = hn::Add(hn::Mul(own[i], light[i].Matt[color]),
+          hn::Mul(step.Extinction[i], light[i].Shine[color]));
+        const V shown = hn::Min(hn::Max(lit, zero), step.Extinction[i]);
+        all = hn::Add(all, hn::Mul(weights[i], shown));
+      }
+      this->Added.Color[c] = hn::Add(this->Added.Color[c], hn::Mul(scale, all));
+    }
+    const V centre = hn::Add(this->Now.Begin, hn::Mul(hn::Mul(moment, perSum), step.Share));
+    const M isFirst =
+      hn::And(hn::Gt(step.Depth, hn::Set(d, LeastSeen)), hn::Gt(this->Added.First, centre));
+    this->Added.First = hn::IfThenElse(isFirst, centre, this->Added.First);
+    this->Added.Passed = hn::Mul(this->Added.Passed, left);
+  }
+
+  const EmittingVolume& Volume;
+  const EmissionArcs& All;
+  V Longest; ///< share that the next step may have
+};
+
+}
+}
+}
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// What the lanes of a vector work on, while some take longer than others. Kernels include this file
+// once for each kind of vectors, hence the toggling guard.
+#if defined(TemporalCoherence_KernelsLaneWork_inl_h) == defined(HWY_TARGET_TOGGLE)
+#ifdef TemporalCoherence_KernelsLaneWork_inl_h
+#undef TemporalCoherence_KernelsLaneWork_inl_h
+#else
+#define TemporalCoherence_KernelsLaneWork_inl_h
+#endif
+
+#include "Blending/KernelsEmission.h"
+#include "Blending/KernelsSteps-inl.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+HWY_BEFORE_NAMESPACE();
+namespace TemporalCoherence
+{
+namespace EmissionKernels
+{
+namespace HWY_NAMESPACE
+{
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// The lanes of a vector and what they work on. Lanes that are done get what comes next in a list.
+class LaneWork
+{
+public:
+  LaneWork()
+  {
+    std::fill_n(this->Number, WidestVector, None);
+    std::fill_n(this->RayOf, WidestVector, 0);
+  }
+
+  /// Store what lanes add that are done, and free them.
+  /// \param isOn lanes that are not yet done
+  /// \param enter, length t where their segments begin, and how long these are
+  /// \param sums has a place for each number
+  template <class Sums>
+  HWY_INLINE void Finish(M isOn, const AddedLight& added, V enter, V length, Sums& sums)
+  {
+    const Floats d;
+    float passed[WidestVector], first[WidestVector], color[3][WidestVector];
+    std::uint8_t isBusy[8] = {};
+    hn::StoreMaskBits(d, isOn, isBusy);
+    hn::StoreU(added.Passed, d, passed);
+    const V at = hn::Add(enter, hn::Mul(added.First, length));
+    const V never = hn::Set(d, SegmentSums::Never);
+    hn::StoreU(hn::IfThenElse(hn::Eq(added.First, never), never, at), d, first);
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      hn::StoreU(added.Color[a], d, color[a]);
+    }
+    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
+    {
+      if (this->Number[lane] == None || (isBusy[lane / 8] >> lane % 8 & 1u) != 0)
+      {
+        continue;
+      }
+      const auto number = static_cast<std::size_t>(this->Number[lane]);
+      sums.Passed[number] = passed[lane];
+      sums.First[number] = first[lane];
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        sums.Color[a][number] = color[a][lane];
+      }
+      this->Number[lane] = None;
+    }
+  }
+
+  /// What lanes have been given.
+  struct Taken
+  {
+    /// \param next of a column, what comes next
+    /// \param value of the lanes in this column
+    HWY_INLINE V Load(const float* next, V value) const
+    {
+      const V all = hn::TableLookupLanes(hn::LoadU(Floats(), next), this->Ranks);
+      return hn::IfThenElse(this->Which, all, value);
+    }
+
+    M Which; ///< lanes
+    decltype(hn::SetTableIndices(Floats(), static_cast<const std::int32_t*>(nullptr))) Ranks;
+    std::size_t Count;
+  };
+
+  /// Give what comes next to lanes that are free.
+  /// \param numbers of what comes next, and how many there are
+  /// \param rayOf   finds the ray of each, by its place among them
+  template <class RayOf>
+  HWY_INLINE Taken Take(const std::int32_t* numbers, std::size_t count, const RayOf& rayOf)
+  {
+    const Floats d;
+    std::int32_t ranks[WidestVector];
+    std::uint8_t isNew[8] = {};
+    std::size_t taken = 0;
+    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
+    {
+      ranks[lane] = 0;
+      if (this->Number[lane] == None && taken < count)
+      {
+        this->Number[lane] = numbers[taken];
+        this->RayOf[lane] = rayOf(taken);
+        ranks[lane] = static_cast<std::int32_t>(taken++);
+        isNew[lane / 8] = static_cast<std::uint8_t>(isNew[lane / 8] | 1u << lane % 8);
+      }
+    }
+    return { hn::LoadMaskBits(d, isNew), hn::SetTableIndices(d, ranks), taken };
+  }
+
+  /// Of each lane its ray.
+  const std::int32_t* Rays() const { return this->RayOf; }
+
+private:
+  static constexpr std::int32_t None = -1;
+
+  std::int32_t Number[WidestVector], RayOf[WidestVector];
+};
+
+}
+}
+}
+HWY_AFTER_NAMESPACE();
+
+#endif

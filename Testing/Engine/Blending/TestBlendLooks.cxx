@@ -3,6 +3,7 @@
 #include "BlendCase.h"
 #include "BlendFrames.h"
 
+#include <algorithm>
 #include <random>
 
 namespace
@@ -134,19 +135,68 @@ TEST_F(BlendLook, GradientOpacity)
   }
 }
 
-// A peak may be reached between the ends of a cell alone, where normals turn in noise.
-TEST_F(BlendLook, PeaksInNoise)
+/// Values from 0 to 3000, but for noise.
+class NoisyLook : public BlendLook
 {
-  BlendVolume<std::int16_t> noisy(BlendSize, { 0.0, 3000.0 });
-  std::minstd_rand random(5);
-  std::uniform_int_distribution<int> noise(-300, 300);
-  for (std::int16_t& sample : noisy.Samples)
+protected:
+  NoisyLook()
+    : Noisy(BlendSize, { 0.0, 3000.0 })
   {
-    sample = static_cast<std::int16_t>(sample + noise(random));
+    this->Key.Samples = this->Noisy.Field;
   }
-  this->Key.Samples = noisy.Field;
+
+  /// \param most noise
+  void AddNoise(int most)
+  {
+    std::minstd_rand random(5);
+    std::uniform_int_distribution<int> noise(-most, most);
+    for (std::int16_t& sample : this->Noisy.Samples)
+    {
+      sample = static_cast<std::int16_t>(sample + noise(random));
+    }
+  }
+
+  BlendVolume<std::int16_t> Noisy;
+};
+
+// A ray passes the whole range within a small part of a cell.
+TEST_F(NoisyLook, OpaqueRangesHideWhatIsBehind)
+{
   SKIP_UNLESS_BLENDED(this->Key);
-  this->Of().Transfer = MakeTransfer(noisy.Range, BlendLooks::Peaks);
+  this->AddNoise(500);
+  for (const bool isShaded : { false, true })
+  {
+    this->Of().Material.Shade = isShaded;
+    this->Of().Transfer = MakeTransfer(this->Noisy.Range, BlendLooks::OpaqueRanges, 65537);
+    ExpectBlendTruth(this->Key, 2);
+  }
+}
+
+// Where a field only touches its least or largest value, it is not opaque; where it stays there,
+// it is.
+TEST_F(NoisyLook, OpaqueEndsThatAreTouched)
+{
+  SKIP_UNLESS_BLENDED(this->Key);
+  this->AddNoise(400);
+  for (std::int16_t& sample : this->Noisy.Samples)
+  {
+    sample = static_cast<std::int16_t>(std::clamp<int>(sample, 600, 2400));
+  }
+  // Light would change at once where gradients begin.
+  this->Of().Material.Shade = false;
+  for (const std::size_t nodes : { std::size_t(4), std::size_t(256), std::size_t(65537) })
+  {
+    this->Of().Transfer = MakeTransfer({ 600.0, 2400.0 }, BlendLooks::OpaqueEnds, nodes);
+    ExpectBlendTruth(this->Key, 2);
+  }
+}
+
+// A peak may be reached between the ends of a cell alone, where normals turn in noise.
+TEST_F(NoisyLook, Peaks)
+{
+  this->AddNoise(300);
+  SKIP_UNLESS_BLENDED(this->Key);
+  this->Of().Transfer = MakeTransfer(this->Noisy.Range, BlendLooks::Peaks);
   ExpectBlendTruth(this->Key, 1);
 }
 

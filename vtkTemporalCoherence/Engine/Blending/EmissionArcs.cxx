@@ -17,7 +17,7 @@ namespace
 constexpr float Beyond = 1e30f;
 
 /// Emission may be off by this share of the extinction, if that is more than the tolerance.
-constexpr double ShareOff = 1.0 / 128.0;
+constexpr double ShareOff = 1.0 / 100.0;
 
 /// The share of an arc that rays may be off where they leave it or the arc behind.
 constexpr float PrecisionOfArc = 0.02f;

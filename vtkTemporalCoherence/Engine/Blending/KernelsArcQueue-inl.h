@@ -71,7 +71,7 @@ public:
         paths.Toward.Along[a] = cell.Toward[a].Along(through.Begin, through.Across);
       }
     }
-    paths.Turning = Turns(paths.Values);
+    paths.Turning = CubicTurns(paths.Values);
     paths.Arc = hn::Set(d, static_cast<float>(arcs.First));
     for (std::size_t arc = arcs.First; arc < arcs.Last; ++arc)
     {

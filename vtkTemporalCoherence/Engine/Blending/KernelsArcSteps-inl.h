@@ -76,7 +76,7 @@ struct ArcPaths
     }
     this->Turning.EachColumn(visit);
   }
-  static constexpr std::size_t Columns = 5 + 4 * 4 + Turns::Columns;
+  static constexpr std::size_t Columns = 5 + 4 * 4 + CubicTurns::Columns;
 
   /// True where something may be seen from Begin on.
   /// \param arcs theirs
@@ -96,7 +96,7 @@ struct ArcPaths
   V Arc;                ///< its number there
   Line Values;          ///< in bins
   LineGradients Toward; ///< towards lower values, in the world; only with lights
-  Turns Turning;        ///< those of Values
+  CubicTurns Turning;   ///< those of Values
 };
 
 /// Adds the light of a vector of paths.

@@ -104,55 +104,13 @@ private:
   M IsInSecond;
 };
 
-/// Where cubics change between rising and falling, and what they come to there and at their end.
-struct Turns
-{
-  using Line = Cubics::HWY_NAMESPACE::Cubic<V>;
-
-  Turns() = default;
-  HWY_INLINE explicit Turns(const Line& cubic)
-  {
-    const Floats d;
-    const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
-    const V bend = cubic.C[2], third = hn::Mul(hn::Set(d, 3.0f), cubic.C[3]);
-    const V square = hn::Sub(hn::Mul(bend, bend), hn::Mul(third, cubic.C[1]));
-    const M isTurning = hn::Gt(square, zero);
-    const V root = hn::CopySign(hn::Sqrt(hn::Max(square, zero)), bend);
-    const V sum = hn::Neg(hn::Add(bend, root));
-    const auto share = [&](V of, V by) HWY_ATTR
-    {
-      const M isAny = hn::And(isTurning, hn::Gt(hn::Abs(by), hn::Set(d, 1e-20f)));
-      const V at = hn::Div(of, hn::IfThenElse(isAny, by, one));
-      return hn::Min(hn::Max(hn::IfThenElseZero(isAny, at), zero), one);
-    };
-    const V either = share(sum, third), other = share(cubic.C[1], sum);
-    this->First = hn::Min(either, other);
-    this->Second = hn::Max(either, other);
-    this->AtFirst = cubic.At(this->First);
-    this->AtSecond = cubic.At(this->Second);
-    this->AtEnd = cubic.At(one);
-  }
-
-  template <class Visitor>
-  HWY_INLINE void EachColumn(const Visitor& visit)
-  {
-    visit(this->First);
-    visit(this->Second);
-    visit(this->AtFirst);
-    visit(this->AtSecond);
-    visit(this->AtEnd);
-  }
-  static constexpr std::size_t Columns = 5;
-
-  V First, Second;            ///< shares, ascending; 0 or 1 if the cubic does not turn on the path
-  V AtFirst, AtSecond, AtEnd; ///< values
-};
+using CubicTurns = Cubics::HWY_NAMESPACE::Turns<V>;
 
 /// Between which turns cubics leave their arcs first.
 struct Leaving
 {
   /// \param begin share from which on the cubics are in their arcs
-  HWY_INLINE Leaving(const Turns& turns, const Arcs& arcs, V begin)
+  HWY_INLINE Leaving(const CubicTurns& turns, const Arcs& arcs, V begin)
   {
     const V low = arcs.Low(), high = arcs.High();
     const auto isOutside = [&](V value) HWY_ATTR
@@ -172,7 +130,7 @@ struct ArcEnd
   /// \param begin  share from which on the cubics are in their arcs
   /// \param number of the arcs
   HWY_INLINE ArcEnd(
-    const Turns::Line& cubic, const Turns& turns, const Arcs& arcs, V begin, V number)
+    const CubicTurns::Line& cubic, const CubicTurns& turns, const Arcs& arcs, V begin, V number)
   {
     const Floats d;
     const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);

@@ -85,7 +85,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t CellsOfLeaf = 64, MostArcs = 6;
+  static constexpr std::size_t CellsOfLeaf = 64, MostArcs = 7;
 
   void TestCell(const glm::ivec3& cell)
   {

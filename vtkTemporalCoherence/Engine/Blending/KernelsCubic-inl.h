@@ -77,6 +77,51 @@ HWY_INLINE Cubic<V> CubicAlong(const V v[8], const V begin[3], const V across[3]
   return cubic;
 }
 
+/// Where cubics change between rising and falling, and what they come to there and at their end.
+template <class V>
+struct Turns
+{
+  using Line = Cubic<V>;
+
+  Turns() = default;
+  HWY_INLINE explicit Turns(const Line& cubic)
+  {
+    const hn::DFromV<V> d;
+    const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
+    const V bend = cubic.C[2], third = hn::Mul(hn::Set(d, 3.0f), cubic.C[3]);
+    const V square = hn::Sub(hn::Mul(bend, bend), hn::Mul(third, cubic.C[1]));
+    const auto isTurning = hn::Gt(square, zero);
+    const V root = hn::CopySign(hn::Sqrt(hn::Max(square, zero)), bend);
+    const V sum = hn::Neg(hn::Add(bend, root));
+    const auto share = [&](V of, V by) HWY_ATTR
+    {
+      const auto isAny = hn::And(isTurning, hn::Gt(hn::Abs(by), hn::Set(d, 1e-20f)));
+      const V at = hn::Div(of, hn::IfThenElse(isAny, by, one));
+      return hn::Min(hn::Max(hn::IfThenElseZero(isAny, at), zero), one);
+    };
+    const V either = share(sum, third), other = share(cubic.C[1], sum);
+    this->First = hn::Min(either, other);
+    this->Second = hn::Max(either, other);
+    this->AtFirst = cubic.At(this->First);
+    this->AtSecond = cubic.At(this->Second);
+    this->AtEnd = cubic.At(one);
+  }
+
+  template <class Visitor>
+  HWY_INLINE void EachColumn(const Visitor& visit)
+  {
+    visit(this->First);
+    visit(this->Second);
+    visit(this->AtFirst);
+    visit(this->AtSecond);
+    visit(this->AtEnd);
+  }
+  static constexpr std::size_t Columns = 5;
+
+  V First, Second;            ///< shares, ascending; 0 or 1 if the cubic does not turn on the path
+  V AtFirst, AtSecond, AtEnd; ///< values
+};
+
 }
 }
 }

@@ -152,6 +152,10 @@ struct EmittingSegments
     visit(this->Turn);
     visit(this->AtBegin.Moment);
     visit(this->AtEnd.Moment);
+    visit(this->AtBegin.Boost);
+    visit(this->AtEnd.Boost);
+    visit(this->AtBegin.Walls);
+    visit(this->AtEnd.Walls);
     for (V& need : this->Needs)
     {
       visit(need);
@@ -170,7 +174,7 @@ struct EmittingSegments
     }
     this->Light.EachColumn(visit);
   }
-  static constexpr std::size_t Columns = 6 + 4 + 4 * 8 + LightLine<Colors>::Columns;
+  static constexpr std::size_t Columns = 10 + 4 + 4 * 8 + LightLine<Colors>::Columns;
 
   /// The square of the number of first steps.
   /// \param shown the share of the light of a segment that comes to the viewer

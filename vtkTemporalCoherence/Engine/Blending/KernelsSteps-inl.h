@@ -86,16 +86,18 @@ struct StepWalk
     const Floats d;
     const V zero = hn::Zero(d);
     this->Shown = this->Length = this->Longest = this->Opacity = zero;
+    this->FirstTurn = this->SecondTurn = zero;
     this->At.Begin = this->At.End = this->At.ValueAtBegin = this->At.ValueAtEnd = zero;
     this->At.AtBegin.Clear();
     this->At.AtEnd.Clear();
     this->IsOn = hn::Lt(zero, zero);
   }
 
-  Step At;           ///< the last one, and where the next one begins
-  V Length, Longest; ///< of the next step
-  V Opacity;         ///< where it begins
-  V Shown;           ///< the share of light that comes to the viewer
+  Step At;                 ///< the last one, and where the next one begins
+  V Length, Longest;       ///< of the next step
+  V Opacity;               ///< where it begins
+  V Shown;                 ///< the share of light that comes to the viewer
+  V FirstTurn, SecondTurn; ///< of the field, as shares; only where something is opaque at once
   AddedLight Added;
   M IsOn; ///< not yet added
 };
@@ -185,6 +187,12 @@ public:
     walk.At.ValueAtEnd = hn::IfThenElse(which, this->Segments.Values.C[0], walk.At.ValueAtEnd);
     walk.At.AtEnd.Take(which, this->Segments.AtBegin);
     GoOn(which, walk.At);
+    if (this->Volume.Tables.AreOpaqueAnywhere)
+    {
+      const Cubics::HWY_NAMESPACE::Turns<V> turns(this->Segments.Values);
+      begin(turns.First, walk.FirstTurn);
+      begin(turns.Second, walk.SecondTurn);
+    }
     begin(one, walk.Added.Passed);
     begin(hn::Set(d, SegmentSums::Never), walk.Added.First);
     for (V& color : walk.Added.Color)
@@ -218,7 +226,11 @@ public:
     // What is left over of a segment is a part of its last step.
     const M isLast = hn::Gt(hn::Add(step.Begin, hn::Mul(most, hn::Set(d, 1.001f))), one);
     step.End = hn::IfThenElse(isLast, one, hn::Add(step.Begin, most));
-    this->FindEnd(hn::Or(isLast, hn::Not(walk.IsOn)), step);
+    if (this->Volume.Tables.AreOpaqueAnywhere)
+    {
+      StopAtTurns(walk);
+    }
+    this->FindEnd(hn::Or(hn::Eq(step.End, one), hn::Not(walk.IsOn)), step);
     const V opacityThere = this->OpacityAt(step.End);
     step.Opacity = hn::Mul(half, hn::Add(walk.Opacity, opacityThere));
     V mean[4];
@@ -255,6 +267,17 @@ public:
   }
 
 private:
+  /// What is opaque may be met where the field turns back, and nowhere else.
+  static HWY_INLINE void StopAtTurns(StepWalk& walk)
+  {
+    Step& step = walk.At;
+    for (const V turn : { walk.SecondTurn, walk.FirstTurn })
+    {
+      const M isBetween = hn::And(hn::Gt(turn, step.Begin), hn::Lt(turn, step.End));
+      step.End = hn::IfThenElse(isBetween, turn, step.End);
+    }
+  }
+
   /// \param isAtEnd lanes whose step ends where the segment does, or does not matter
   HWY_INLINE void FindEnd(M isAtEnd, Step& step) const
   {

@@ -71,7 +71,7 @@ struct EmissionAt
   {
     std::fill_n(this->Value, 4, hn::Zero(Floats()));
     std::fill_n(this->Sum, 4, hn::Zero(Floats()));
-    this->Moment = hn::Zero(Floats());
+    this->Moment = this->Boost = this->Walls = hn::Zero(Floats());
   }
 
   /// Take some lanes of another.
@@ -83,10 +83,17 @@ struct EmissionAt
       this->Sum[i] = hn::IfThenElse(which, other.Sum[i], this->Sum[i]);
     }
     this->Moment = hn::IfThenElse(which, other.Moment, this->Moment);
+    this->Boost = hn::IfThenElse(which, other.Boost, this->Boost);
+    this->Walls = hn::IfThenElse(which, other.Walls, this->Walls);
   }
 
   V Value[4], Sum[4], Moment;
+  V Boost; ///< what stays at the value emits Value times this
+  V Walls; ///< EmissionBin::Walls
 };
+
+/// The share of the range from which on values lie beyond it.
+constexpr float FarShare = 1e-6f;
 
 HWY_INLINE void LookUp(const TransferTables& tables, V value, EmissionAt& at)
 {
@@ -111,12 +118,16 @@ HWY_INLINE void LookUp(const TransferTables& tables, V value, EmissionAt& at)
   // The moment of what lies between the node and the value, about half way.
   const V middle = hn::Add(bin, hn::Mul(half, hn::Add(share, beyond)));
   const V between = hn::Mul(hn::Add(share, beyond), middle);
-  const V boost = hn::IfThenElse(hn::Eq(share, zero), more[1], one);
+  at.Boost = hn::IfThenElse(hn::Eq(share, zero), more[1], one);
+  at.Walls = more[2];
+  // All that lies beyond the range looks as its end does. Less than this may be rounding.
+  const V far = hn::Set(d, FarShare * static_cast<float>(tables.Bins));
+  const V boost = hn::IfThenElse(hn::Gt(hn::Abs(beyond), far), at.Boost, one);
   for (std::size_t i = 0; i < 4; ++i)
   {
     const V mean = hn::Add(at.Value[i], hn::Mul(hn::Mul(half, share), rise[i]));
-    const V here = hn::Add(at.Value[i], hn::Mul(share, rise[i]));
-    at.Value[i] = hn::Mul(boost, here);
+    const V here = hn::Mul(boost, hn::Add(at.Value[i], hn::Mul(share, rise[i])));
+    at.Value[i] = here;
     at.Sum[i] = hn::Add(at.Sum[i], hn::Add(hn::Mul(share, mean), hn::Mul(beyond, here)));
     if (i == 0)
     {
@@ -146,6 +157,17 @@ HWY_INLINE void MeanBetween(const TransferTables& tables, V a, const EmissionAt&
     const V far = hn::Mul(hn::Add(hn::Sub(atB.Sum[i], atA.Sum[i]), more), perBin);
     const V close = hn::Mul(hn::Set(d, 0.5f), hn::Add(atA.Value[i], atB.Value[i]));
     mean[i] = hn::Max(hn::IfThenElse(hn::Or(isClose, isOpaque), close, far), hn::Zero(d));
+  }
+  // What stays at a peak is opaque; what only touches it is not.
+  const M stays = hn::And(hn::And(hn::Eq(a, b), hn::Eq(lift, hn::Zero(d))), hn::Not(isOpaque));
+  V scale = hn::IfThenElse(stays, atA.Boost, one);
+  // What lies behind a range that is opaque at once is not seen, however fast values pass it.
+  const M isBehind = hn::Ne(atA.Walls, atB.Walls);
+  const V toMost = hn::Div(hn::Set(d, tables.MostExtinction), hn::Max(mean[0], hn::Set(d, 1e-20f)));
+  scale = hn::IfThenElse(isBehind, hn::Max(one, toMost), scale);
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    mean[i] = hn::Mul(mean[i], scale);
   }
 }
 

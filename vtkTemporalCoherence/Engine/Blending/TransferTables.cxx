@@ -60,6 +60,12 @@ DepthOfBin DepthBetween(double a, double b, double most)
   return a >= 1.0 ? DepthOfBin{ atOne, other } : DepthOfBin{ other, atOne };
 }
 
+/// True in bins that are opaque at once.
+bool IsOpaque(const DepthOfBin& depth, double most)
+{
+  return depth.First >= most && depth.Last >= most;
+}
+
 /// The share of extinctions in a bin that sums count: by the length of the opaque range around it.
 std::vector<double> SharesCounted(const std::vector<DepthOfBin>& depths, double most)
 {
@@ -67,7 +73,7 @@ std::vector<double> SharesCounted(const std::vector<DepthOfBin>& depths, double 
   for (std::size_t begin = 0; begin < depths.size(); ++begin)
   {
     std::size_t end = begin;
-    while (end < depths.size() && depths[end].First >= most && depths[end].Last >= most)
+    while (end < depths.size() && IsOpaque(depths[end], most))
     {
       ++end;
     }
@@ -116,6 +122,7 @@ TransferTables::TransferTables(const ComponentLook& look, double mostExtinction)
   this->Bins = perNode * between;
   this->Low = look.Transfer.Range.x;
   this->PerValue = this->Bins / (look.Transfer.Range.y - look.Transfer.Range.x);
+  this->MostExtinction = static_cast<float>(mostExtinction);
   this->MostCounted = static_cast<float>(ShareOfOpaque * mostExtinction);
   const auto nodeAt = [&](int bin)
   {
@@ -130,9 +137,16 @@ TransferTables::TransferTables(const ComponentLook& look, double mostExtinction)
   {
     depths.push_back(DepthBetween(nodeAt(bin).w, nodeAt(std::min(bin + 1, this->Bins)).w, most));
   }
+  // What only comes to the end of the range has not met what lies beyond.
+  const DepthOfBin& end = depths[depths.size() - 2];
+  if (!IsOpaque(end, most))
+  {
+    depths.back() = { end.Last, end.Last };
+  }
   const std::vector<double> counted = SharesCounted(depths, most);
   glm::dvec4 sum(0.0);
   double moment = 0.0;
+  int walls = 0;
   for (int bin = 0; bin <= this->Bins; ++bin)
   {
     const auto at = static_cast<std::size_t>(bin);
@@ -151,7 +165,10 @@ TransferTables::TransferTables(const ComponentLook& look, double mostExtinction)
       made.Sum[place] = static_cast<float>(sum[i]);
     }
     made.Moment = static_cast<float>(moment);
+    walls += bin > 0 && IsOpaque(depths[at - 1], most) && !IsOpaque(depths[at], most) ? 1 : 0;
+    made.Walls = static_cast<float>(walls);
     const bool isPeak = node.w >= 1.0 && value.x > 0.0;
+    this->AreOpaqueAnywhere |= isPeak;
     made.Boost = isPeak ? static_cast<float>(mostExtinction / value.x) : 1.0f;
     sum += counted[at] * (value + 0.5 * rise);
     moment += counted[at] * ((bin + 0.5) * value.x + (0.5 * bin + 1.0 / 3.0) * rise.x);

@@ -23,7 +23,8 @@ struct alignas(64) EmissionBin
   Emission Rise;  ///< from there to its end
   Emission Sum;   ///< the integral from the beginning of the range to the bin, in bins
   float Moment;   ///< the same of extinction times value in bins
-  float Boost;    ///< Value times this is emitted at the very beginning, where a peak may be
+  float Boost;    ///< what stays where the bin begins, at a peak, emits Value times this
+  float Walls;    ///< how many ranges that are opaque at once lie before the bin
 };
 
 /// A transfer function integrated over values, so that a stretch of a ray on which the field is
@@ -69,6 +70,8 @@ struct TransferTables
   std::vector<EmissionBin> All; ///< and one for what lies above the range
   /// Where values differ less, in bins, the difference of their sums has too few digits.
   float Closest;
+  float MostExtinction;           ///< that stands for an opacity of 1
+  bool AreOpaqueAnywhere = false; ///< at some value, at once
   float MostCounted; ///< extinction above this is opaque at once, and Sum does not count all of it
   /// The largest change of extinction from bin to bin, for blocks of bins and as many blocks on
   /// each side as the level tells, 1, 2, 4 and so on: [level * blocks + block].

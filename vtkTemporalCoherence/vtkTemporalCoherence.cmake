@@ -49,11 +49,13 @@ set(engine_files
   Shade/SurfaceNormal
   Shade/TileCompositor
   Shade/TileShader
-  Blending/CompositeTracer
-  Blending/EmissionArcs
-  Blending/KernelsCompositeBeam
   Blending/KernelsEmission
   Blending/KernelsVolumeSegments
+  Blending/TransferTables
+  Blending/VisibleBands
+  Composite/CompositeTracer
+  Composite/EmissionArcs
+  Composite/KernelsCompositeBeam
   Sampling/ComponentLooks
   Sampling/ConvergedTracer
   Sampling/KernelsMedium
@@ -64,8 +66,6 @@ set(engine_files
   Sampling/PhongLight
   Sampling/SampledTracer
   Sampling/VisibleComponents
-  Blending/TransferTables
-  Blending/VisibleBands
   Projections/ExtremeLook
   Projections/FieldProbe
   Projections/ImageShares

@@ -66,6 +66,21 @@ bool IsOpaque(const DepthOfBin& depth, double most)
   return depth.First >= most && depth.Last >= most;
 }
 
+/// The depths of all bins.
+/// \param opacities where bins begin; the last one has no end
+std::vector<DepthOfBin> DepthsOf(const std::vector<double>& opacities, double most)
+{
+  std::vector<DepthOfBin> depths;
+  for (std::size_t bin = 0; bin + 1 < opacities.size(); ++bin)
+  {
+    depths.push_back(DepthBetween(opacities[bin], opacities[bin + 1], most));
+  }
+  // What only comes to the end of the range has not met what lies beyond.
+  const DepthOfBin end = depths.back();
+  depths.push_back(IsOpaque(end, most) ? end : DepthOfBin{ end.Last, end.Last });
+  return depths;
+}
+
 /// The share of extinctions in a bin that sums count: by the length of the opaque range around it.
 std::vector<double> SharesCounted(const std::vector<DepthOfBin>& depths, double most)
 {
@@ -132,17 +147,12 @@ TransferTables::TransferTables(const ComponentLook& look, double mostExtinction)
       nodes[static_cast<std::size_t>(node)], nodes[static_cast<std::size_t>(node + 1)], share);
   };
   const double most = mostExtinction * look.UnitDistance;
-  std::vector<DepthOfBin> depths;
+  std::vector<double> opacities;
   for (int bin = 0; bin <= this->Bins; ++bin)
   {
-    depths.push_back(DepthBetween(nodeAt(bin).w, nodeAt(std::min(bin + 1, this->Bins)).w, most));
+    opacities.push_back(nodeAt(bin).w);
   }
-  // What only comes to the end of the range has not met what lies beyond.
-  const DepthOfBin& end = depths[depths.size() - 2];
-  if (!IsOpaque(end, most))
-  {
-    depths.back() = { end.Last, end.Last };
-  }
+  const std::vector<DepthOfBin> depths = DepthsOf(opacities, most);
   const std::vector<double> counted = SharesCounted(depths, most);
   glm::dvec4 sum(0.0);
   double moment = 0.0;

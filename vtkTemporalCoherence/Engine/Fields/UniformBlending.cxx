@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fields/UniformBlending.h"
 
-#include "Blending/CompositeTracer.h"
+#include "Composite/CompositeTracer.h"
 #include "Fields/ExtremeSearches.h"
 #include "Fields/SegmentSources.h"
 #include "Projections/ImageShares.h"

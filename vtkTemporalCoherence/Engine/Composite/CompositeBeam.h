@@ -4,10 +4,10 @@
 #define TemporalCoherence_CompositeBeam_h
 
 #include "Acceleration/ActiveCells.h"
-#include "Blending/EmissionArcs.h"
 #include "Blending/KernelsEmission.h"
 #include "Blending/KernelsVolumeSegments.h"
 #include "Blending/VolumeCell.h"
+#include "Composite/EmissionArcs.h"
 
 #include <cstdint>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Blending/CompositeBeam.h"
+#include "Composite/CompositeBeam.h"
 
 #include "Beams/KernelsBeam.h"
 
@@ -34,14 +34,14 @@ struct BlendRays
 
 // This file is compiled once for each kind of vectors, and what runs is chosen by the machine.
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "Blending/KernelsCompositeBeam.cxx"
+#define HWY_TARGET_INCLUDE "Composite/KernelsCompositeBeam.cxx"
 #include <hwy/foreach_target.h>
 
 #include "Beams/KernelsBeamTree-inl.h"
 #include "Beams/KernelsHull-inl.h"
-#include "Blending/KernelsArcQueue-inl.h"
-#include "Blending/KernelsEvenLight-inl.h"
-#include "Blending/KernelsHardQueue-inl.h"
+#include "Composite/KernelsArcQueue-inl.h"
+#include "Composite/KernelsEvenLight-inl.h"
+#include "Composite/KernelsHardQueue-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace TemporalCoherence

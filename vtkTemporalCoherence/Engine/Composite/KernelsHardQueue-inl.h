@@ -10,10 +10,10 @@
 #define TemporalCoherence_KernelsHardQueue_inl_h
 #endif
 
-#include "Blending/KernelsBeamPaths-inl.h"
 #include "Blending/KernelsHardSegments-inl.h"
 #include "Blending/KernelsSeenParts-inl.h"
 #include "Blending/VolumeCell.h"
+#include "Composite/KernelsBeamPaths-inl.h"
 
 #include <algorithm>
 #include <array>

@@ -10,10 +10,10 @@
 #define TemporalCoherence_KernelsArcQueue_inl_h
 #endif
 
-#include "Blending/KernelsArcSteps-inl.h"
-#include "Blending/KernelsBeamPaths-inl.h"
-#include "Blending/KernelsEvenCells-inl.h"
 #include "Blending/KernelsLaneWork-inl.h"
+#include "Composite/KernelsArcSteps-inl.h"
+#include "Composite/KernelsBeamPaths-inl.h"
+#include "Composite/KernelsEvenCells-inl.h"
 
 #include <algorithm>
 #include <array>

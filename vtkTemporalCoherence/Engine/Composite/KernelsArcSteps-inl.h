@@ -10,10 +10,10 @@
 #define TemporalCoherence_KernelsArcSteps_inl_h
 #endif
 
-#include "Blending/KernelsArcs-inl.h"
 #include "Blending/KernelsCellGradients-inl.h"
 #include "Blending/KernelsEmittingSegments-inl.h"
 #include "Blending/KernelsSteps-inl.h"
+#include "Composite/KernelsArcs-inl.h"
 
 #include <algorithm>
 #include <cstddef>

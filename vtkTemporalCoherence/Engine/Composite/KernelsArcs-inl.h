@@ -10,9 +10,9 @@
 #define TemporalCoherence_KernelsArcs_inl_h
 #endif
 
-#include "Blending/EmissionArcs.h"
 #include "Blending/KernelsCubic-inl.h"
 #include "Blending/KernelsVectors-inl.h"
+#include "Composite/EmissionArcs.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -10,10 +10,10 @@
 #define TemporalCoherence_KernelsEvenLight_inl_h
 #endif
 
-#include "Blending/KernelsEvenCells-inl.h"
-#include "Blending/KernelsHardQueue-inl.h"
 #include "Blending/KernelsLight-inl.h"
 #include "Blending/KernelsStretch-inl.h"
+#include "Composite/KernelsEvenCells-inl.h"
+#include "Composite/KernelsHardQueue-inl.h"
 
 #include <algorithm>
 #include <cstddef>

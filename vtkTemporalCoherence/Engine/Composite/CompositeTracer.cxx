@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Blending/CompositeTracer.h"
+#include "Composite/CompositeTracer.h"
 
-#include "Blending/CompositeBeam.h"
 #include "Blending/KernelsEmission.h"
 #include "Blending/KernelsVolumeSegments.h"
 #include "Blending/SegmentReader.h"
@@ -10,6 +9,7 @@
 #include "Blending/TransferTables.h"
 #include "Blending/VisibleBands.h"
 #include "Blending/VolumeSegments.h"
+#include "Composite/CompositeBeam.h"
 
 #include <algorithm>
 #include <array>

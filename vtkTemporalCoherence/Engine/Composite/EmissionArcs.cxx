@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Blending/EmissionArcs.h"
+#include "Composite/EmissionArcs.h"
 
 #include "Scene/RayBatch.h"
 

@@ -72,7 +72,7 @@ public:
   static void ExpectSameBytesOf(const glm::dvec2& range)
   {
     const BlendVolume<T> volume(BlendSize, range);
-    for (const auto* points : { &BlendLooks::Skin, &BlendLooks::Peaks, &BlendLooks::Step })
+    for (const auto* points : { &BlendLooks::Skin, &BlendLooks::Peaks, &BlendLooks::OpaqueRanges })
     {
       for (const bool isShaded : { false, true })
       {

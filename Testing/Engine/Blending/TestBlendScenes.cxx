@@ -200,9 +200,12 @@ TEST_P(BlendScenes, ValuesThatAreNotFinite)
     volume.At(i, i - 3, 24) = static_cast<float>(-infinity);
   }
   this->Key.Samples = volume.Field;
-  this->Key.Volume.Looks[0].Material.Shade = false;
   SKIP_UNLESS_BLENDED(this->Key);
-  ExpectBlendTruth(this->Key);
+  for (const bool isShaded : { false, true })
+  {
+    this->Key.Volume.Looks[0].Material.Shade = isShaded;
+    ExpectBlendTruth(this->Key);
+  }
 }
 
 TEST_P(BlendScenes, WindowAndLevel)

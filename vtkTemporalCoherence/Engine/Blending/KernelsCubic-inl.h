@@ -88,8 +88,12 @@ struct Turns
   {
     const hn::DFromV<V> d;
     const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);
-    const V bend = cubic.C[2], third = hn::Mul(hn::Set(d, 3.0f), cubic.C[3]);
-    const V square = hn::Sub(hn::Mul(bend, bend), hn::Mul(third, cubic.C[1]));
+    // Scaled, so that no product is too large.
+    const V most = hn::Max(hn::Abs(cubic.C[1]), hn::Max(hn::Abs(cubic.C[2]), hn::Abs(cubic.C[3])));
+    const V scale = hn::Div(one, hn::Max(most, hn::Set(d, 1e-30f)));
+    const V slope = hn::Mul(scale, cubic.C[1]), bend = hn::Mul(scale, cubic.C[2]);
+    const V third = hn::Mul(hn::Set(d, 3.0f), hn::Mul(scale, cubic.C[3]));
+    const V square = hn::Sub(hn::Mul(bend, bend), hn::Mul(third, slope));
     const auto isTurning = hn::Gt(square, zero);
     const V root = hn::CopySign(hn::Sqrt(hn::Max(square, zero)), bend);
     const V sum = hn::Neg(hn::Add(bend, root));
@@ -99,7 +103,7 @@ struct Turns
       const V at = hn::Div(of, hn::IfThenElse(isAny, by, one));
       return hn::Min(hn::Max(hn::IfThenElseZero(isAny, at), zero), one);
     };
-    const V either = share(sum, third), other = share(cubic.C[1], sum);
+    const V either = share(sum, third), other = share(slope, sum);
     this->First = hn::Min(either, other);
     this->Second = hn::Max(either, other);
     this->AtFirst = cubic.At(this->First);

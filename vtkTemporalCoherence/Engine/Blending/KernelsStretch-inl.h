@@ -92,9 +92,6 @@ struct EmissionAt
   V Walls; ///< EmissionBin::Walls
 };
 
-/// The share of the range from which on values lie beyond it.
-constexpr float FarShare = 1e-6f;
-
 HWY_INLINE void LookUp(const TransferTables& tables, V value, EmissionAt& at)
 {
   const Floats d;
@@ -121,7 +118,7 @@ HWY_INLINE void LookUp(const TransferTables& tables, V value, EmissionAt& at)
   at.Boost = hn::IfThenElse(hn::Eq(share, zero), more[1], one);
   at.Walls = more[2];
   // All that lies beyond the range looks as its end does. Less than this may be rounding.
-  const V far = hn::Set(d, FarShare * static_cast<float>(tables.Bins));
+  const V far = hn::Set(d, tables.Beyond);
   const V boost = hn::IfThenElse(hn::Gt(hn::Abs(beyond), far), at.Boost, one);
   for (std::size_t i = 0; i < 4; ++i)
   {
@@ -144,8 +141,10 @@ HWY_INLINE void MeanBetween(const TransferTables& tables, V a, const EmissionAt&
   const Floats d;
   const V one = hn::Set(d, 1.0f);
   const V difference = hn::Sub(b, a);
+  // What lies behind a range that is opaque at once is not seen, however fast values pass it.
+  const M isBehind = hn::Ne(atA.Walls, atB.Walls);
   // The difference of sums loses its digits where these are close together.
-  const M isClose = hn::Lt(hn::Abs(difference), hn::Set(d, tables.Closest));
+  const M isClose = hn::AndNot(isBehind, hn::Lt(hn::Abs(difference), hn::Set(d, tables.Closest)));
   // Sums do not count all of what is opaque at once.
   const M isOpaque = hn::Gt(hn::Max(atA.Value[0], atB.Value[0]), hn::Set(d, tables.MostCounted));
   const V perBin = hn::Div(one, hn::IfThenElse(isClose, one, difference));
@@ -161,8 +160,6 @@ HWY_INLINE void MeanBetween(const TransferTables& tables, V a, const EmissionAt&
   // What stays at a peak is opaque; what only touches it is not.
   const M stays = hn::And(hn::And(hn::Eq(a, b), hn::Eq(lift, hn::Zero(d))), hn::Not(isOpaque));
   V scale = hn::IfThenElse(stays, atA.Boost, one);
-  // What lies behind a range that is opaque at once is not seen, however fast values pass it.
-  const M isBehind = hn::Ne(atA.Walls, atB.Walls);
   const V toMost = hn::Div(hn::Set(d, tables.MostExtinction), hn::Max(mean[0], hn::Set(d, 1e-20f)));
   scale = hn::IfThenElse(isBehind, hn::Max(one, toMost), scale);
   for (std::size_t i = 0; i < 4; ++i)
@@ -211,7 +208,9 @@ HWY_INLINE void PullColors(const EmissionAt& begin, const EmissionAt& end, V dep
   const V one = hn::Set(d, 1.0f), least = hn::Set(d, 1e-20f);
   const V larger = hn::Max(begin.Value[0], end.Value[0]);
   const V smaller = hn::Min(begin.Value[0], end.Value[0]);
-  const M isPulled = hn::Gt(smaller, hn::Mul(hn::Set(d, 1e-3f), larger));
+  // A wall in between has its own colour.
+  const M isPulled =
+    hn::And(hn::Eq(begin.Walls, end.Walls), hn::Gt(smaller, hn::Mul(hn::Set(d, 1e-3f), larger)));
   const V perBegin = hn::Div(one, hn::Max(begin.Value[0], least));
   const V perEnd = hn::Div(one, hn::Max(end.Value[0], least));
   const V pull = hn::IfThenElseZero(isPulled,

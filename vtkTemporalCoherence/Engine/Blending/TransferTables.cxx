@@ -25,6 +25,9 @@ constexpr double ShareOfOpaque = 1.0 / 256.0;
 /// errors.
 constexpr double WantedDigits = 1e-3, Rounding = 6e-8;
 
+/// Rounding of values in bins, in shares of the range, and of the numbers that they are made of.
+constexpr double RoundingOfRange = 1e-6, RoundingOfLow = 3e-7;
+
 /// The integral of -ln(1 - x) from 0 to an opacity.
 double SumOfDepths(double opacity)
 {
@@ -137,6 +140,8 @@ TransferTables::TransferTables(const ComponentLook& look, double mostExtinction)
   this->Bins = perNode * between;
   this->Low = look.Transfer.Range.x;
   this->PerValue = this->Bins / (look.Transfer.Range.y - look.Transfer.Range.x);
+  this->Beyond = static_cast<float>(
+    std::max(RoundingOfRange * this->Bins, RoundingOfLow * std::abs(this->Low * this->PerValue)));
   this->MostExtinction = static_cast<float>(mostExtinction);
   this->MostCounted = static_cast<float>(ShareOfOpaque * mostExtinction);
   const auto nodeAt = [&](int bin)
@@ -178,7 +183,7 @@ TransferTables::TransferTables(const ComponentLook& look, double mostExtinction)
     walls += bin > 0 && IsOpaque(depths[at - 1], most) && !IsOpaque(depths[at], most) ? 1 : 0;
     made.Walls = static_cast<float>(walls);
     const bool isPeak = node.w >= 1.0 && value.x > 0.0;
-    this->AreOpaqueAnywhere |= isPeak;
+    this->AreOpaqueAnywhere |= isPeak || IsOpaque(depths[at], most);
     made.Boost = isPeak ? static_cast<float>(mostExtinction / value.x) : 1.0f;
     sum += counted[at] * (value + 0.5 * rise);
     moment += counted[at] * ((bin + 0.5) * value.x + (0.5 * bin + 1.0 / 3.0) * rise.x);
@@ -207,7 +212,7 @@ void TransferTables::FindBends()
       change = std::max(change, std::abs(static_cast<double>(rise) - before[i]));
       before[i] = rise;
     }
-    const bool isPeak = in.Boost != 1.0f || in.Value[0] > this->MostCounted;
+    const bool isPeak = this->IsOpaqueIn(bin);
     this->Bends.push_back(this->Bends.back() + change);
     this->Peaks.push_back(this->Peaks.back() + (isPeak ? never : 0.0));
   }

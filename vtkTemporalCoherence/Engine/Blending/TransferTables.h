@@ -65,9 +65,16 @@ struct TransferTables
     return static_cast<float>(0.25 * static_cast<double>(high - low) * bends + peaks);
   }
 
+  /// True if something is opaque at once in a bin, or where it begins.
+  bool IsOpaqueIn(std::size_t bin) const
+  {
+    return this->All[bin].Boost != 1.0f || this->All[bin].Value[0] > this->MostCounted;
+  }
+
   double Low, PerValue;
   int Bins;                     ///< within the range
   std::vector<EmissionBin> All; ///< and one for what lies above the range
+  float Beyond; ///< values that are farther than this from the range are beyond it, in bins
   /// Where values differ less, in bins, the difference of their sums has too few digits.
   float Closest;
   float MostExtinction;           ///< that stands for an opacity of 1

@@ -14,13 +14,16 @@ namespace
 {
 
 /// An end that no value comes to.
-constexpr float Beyond = 1e30f;
+constexpr float Beyond = 1e35f;
 
 /// Emission may be off by this share of the extinction, if that is more than the tolerance.
 constexpr double ShareOff = 1.0 / 100.0;
 
 /// The share of an arc that rays may be off where they leave it or the arc behind.
 constexpr float PrecisionOfArc = 0.02f;
+
+/// A function with more arcs bends too often for them: all that follows counts as rough.
+constexpr std::size_t MostArcs = 256;
 
 /// How many samples tell at first whether an arc fits.
 constexpr int FewSamples = 16;
@@ -87,15 +90,11 @@ public:
   bool IsEmpty(int bin) const
   {
     const EmissionBin& in = this->Of(bin);
-    return in.Value[0] == 0.0f && (bin == this->Tables.Bins || in.Rise[0] == 0.0f);
+    return in.Value[0] == 0.0f && in.Rise[0] == 0.0f;
   }
 
   /// True where something is opaque at once.
-  bool IsRough(int bin) const
-  {
-    const EmissionBin& in = this->Of(bin);
-    return in.Boost != 1.0f || in.Value[0] > this->Tables.MostCounted;
-  }
+  bool IsRough(int bin) const { return this->Tables.IsOpaqueIn(static_cast<std::size_t>(bin)); }
 
 private:
   const EmissionBin& Of(int bin) const { return this->Tables.All[static_cast<std::size_t>(bin)]; }
@@ -131,10 +130,12 @@ public:
   /// The longest arc that begins with a bin.
   Arc LongestFrom(int begin) const
   {
-    if (this->Emission.IsEmpty(begin))
+    const bool isEmpty = this->Emission.IsEmpty(begin), isRough = this->Emission.IsRough(begin);
+    if (isEmpty || isRough)
     {
       int end = begin + 1;
-      while (end < this->Bins && this->Emission.IsEmpty(end))
+      while (end < this->Bins && this->Emission.IsEmpty(end) == isEmpty &&
+        this->Emission.IsRough(end) == isRough)
       {
         ++end;
       }
@@ -201,7 +202,7 @@ private:
     const int begin = static_cast<int>(arc.Low), end = static_cast<int>(arc.High);
     for (int bin = begin; bin < end; bin += stride)
     {
-      if (this->Emission.IsEmpty(bin) || (this->Emission.IsRough(bin) && end - begin > 1))
+      if (this->Emission.IsEmpty(bin) || this->Emission.IsRough(bin))
       {
         return false;
       }
@@ -235,11 +236,11 @@ EmissionArcs::EmissionArcs(const TransferTables& tables, double tolerance)
 {
   const BinnedEmission emission(tables);
   const ArcFitter<Arc> fitter(emission, tables.Bins, tolerance);
-  // Neighbours that are both empty are one arc.
+  // Neighbours that are both empty, or both rough, are one arc.
   Arc last = fitter.ConstantAt(0, -Beyond, 0.0f);
   const auto add = [&](const Arc& arc)
   {
-    if (arc.IsEmpty && last.IsEmpty)
+    if ((arc.IsEmpty && last.IsEmpty) || (arc.IsRough && last.IsRough))
     {
       last.High = arc.High;
       return;
@@ -247,13 +248,20 @@ EmissionArcs::EmissionArcs(const TransferTables& tables, double tolerance)
     this->Add(last);
     last = arc;
   };
-  for (int begin = 0; begin < tables.Bins;)
+  int begin = 0;
+  while (begin < tables.Bins && this->Count < MostArcs)
   {
     const Arc arc = fitter.LongestFrom(begin);
     add(arc);
     begin = static_cast<int>(arc.High);
   }
-  add(fitter.ConstantAt(tables.Bins, static_cast<float>(tables.Bins), Beyond));
+  Arc above = fitter.ConstantAt(tables.Bins, static_cast<float>(begin), Beyond);
+  if (begin < tables.Bins)
+  {
+    above.IsEmpty = false;
+    above.IsRough = true;
+  }
+  add(above);
   this->Add(last);
   this->Finish();
 }

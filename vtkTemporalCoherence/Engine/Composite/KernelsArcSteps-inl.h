@@ -12,10 +12,11 @@
 
 #include "Blending/KernelsCellGradients-inl.h"
 #include "Blending/KernelsEmittingSegments-inl.h"
+#include "Blending/KernelsLight-inl.h"
 #include "Blending/KernelsSteps-inl.h"
+#include "Blending/KernelsStretch-inl.h"
 #include "Composite/KernelsArcs-inl.h"
 
-#include <algorithm>
 #include <cstddef>
 
 HWY_BEFORE_NAMESPACE();
@@ -146,6 +147,7 @@ public:
     {
       step.Share = hn::Min(step.Share, this->LongestOfLight(seen));
     }
+    step.Share = hn::IfThenElse(arcs.AreEmpty(), whole, step.Share);
     this->FindExtinction(arcs, step);
     this->Shorten(arcs, seen, step);
     ReflectedLight<V, Colors> light[3];
@@ -153,8 +155,9 @@ public:
     const M isTaken = hn::And(this->IsOn, IsGood(turn, seen, step));
     step.Depth = hn::IfThenElseZero(isTaken, step.Depth);
     this->Add(arcs, step, light);
-    // Steps in which normals turn too far are tried again.
-    this->Longest = hn::IfThenElse(isTaken, one, hn::Mul(hn::Set(d, 0.5f), step.Share));
+    // Steps in which normals turn too far are tried again, and what follows is longer again.
+    this->Longest = hn::IfThenElse(isTaken, hn::Min(one, hn::Add(this->Longest, this->Longest)),
+      hn::Mul(hn::Set(d, 0.5f), step.Share));
     const M isLeft = hn::And(isTaken, hn::Ge(step.Share, whole));
     const V stop = hn::IfThenElse(isLeft, end.Share, hn::Add(now.Begin, step.Share));
     now.Begin = hn::IfThenElse(isTaken, stop, now.Begin);
@@ -164,7 +167,8 @@ public:
       hn::And(this->IsOn, hn::And(hn::Lt(now.Begin, one), hn::Gt(left, hn::Set(d, 1e-4f))));
     if (!hn::AllFalse(d, hn::And(isLeft, this->IsOn)))
     {
-      this->IsOn = hn::And(this->IsOn, now.AreSeen(Arcs(this->All, now.Arc)));
+      const M isSeen = now.AreSeen(Arcs(this->All, now.Arc));
+      this->IsOn = hn::And(this->IsOn, hn::Or(hn::Not(isLeft), isSeen));
     }
   }
 
@@ -189,9 +193,14 @@ private:
     this->Now.Toward.At(this->Now.Begin, normal);
     this->Now.Toward.ChangeAt(this->Now.Begin, turning);
     V share = LongestTurn(this->Volume, normal, turning, seen);
-    // A light has a bend where normals leave its side.
+    // The light of a lamp has a bend where normals leave its side. Where that is, is told by its
+    // direction, if that is the same everywhere.
     for (const VolumeLight& light : this->Volume.Lights->All)
     {
+      if (light.IsPositional)
+      {
+        continue;
+      }
       const V toward[3] = { hn::Set(d, light.Toward.x), hn::Set(d, light.Toward.y),
         hn::Set(d, light.Toward.z) };
       const V cosine = Dot(normal, toward), change = Dot(turning, toward);
@@ -232,7 +241,8 @@ private:
     if (!hn::AllFalse(d, isDeep))
     {
       const V part = hn::Div(most, hn::IfThenElse(isDeep, step.Depth, most));
-      step.Share = hn::IfThenElse(isDeep, hn::Mul(step.Share, part), step.Share);
+      const V shortest = hn::Min(step.Share, hn::Set(d, ShortestStep));
+      step.Share = hn::IfThenElse(isDeep, hn::Max(hn::Mul(step.Share, part), shortest), step.Share);
       this->FindExtinction(arcs, step);
     }
   }
@@ -267,26 +277,27 @@ private:
     {
       light[i] = Reflect<Colors, V>(*this->Volume.Lights, at[i]);
     }
+    V bend = hn::Max(ClampedIn<Colors, V>(light), ClampedIn<Colors, V>(light + 1));
     for (const VolumeLight& from : this->Volume.Lights->All)
     {
-      const V bend = hn::Mul(hn::Set(d, TurnOfBend), ChangeAcross(from, at));
-      most = hn::Max(most, bend);
+      bend = hn::Max(bend, BendOf(from, at));
     }
-    return most;
+    return hn::Max(most, hn::Mul(hn::Set(d, TurnOfBend), bend));
   }
 
-  /// How much the cosine of the angle between normals and a light changes, where it changes its
-  /// sign.
-  static HWY_INLINE V ChangeAcross(const VolumeLight& light, const LitPoints at[3])
+  /// How much a light changes between places where it has a bend: where normals leave its side, or
+  /// at the rim of its cone.
+  static HWY_INLINE V BendOf(const VolumeLight& light, const LitPoints at[3])
   {
-    const V first = ArrivingLight<V>(light, at[0]).Cosine;
-    const V second = ArrivingLight<V>(light, at[1]).Cosine;
-    const V third = ArrivingLight<V>(light, at[2]).Cosine;
+    const ArrivingLight<V> arriving[3] = { { light, at[0] }, { light, at[1] }, { light, at[2] } };
+    const V first = arriving[0].Cosine, second = arriving[1].Cosine, third = arriving[2].Cosine;
     const V low = hn::Min(first, hn::Min(second, third));
     const V high = hn::Max(first, hn::Max(second, third));
     const V zero = hn::Zero(Floats());
     const M isAcross = hn::And(hn::Lt(low, zero), hn::Gt(high, zero));
-    return hn::IfThenElseZero(isAcross, hn::Sub(high, low));
+    const V atRim = hn::Max(ChangeAtRim(light, arriving[0].Share, arriving[1].Share),
+      ChangeAtRim(light, arriving[1].Share, arriving[2].Share));
+    return hn::Max(atRim, hn::IfThenElseZero(isAcross, hn::Sub(high, low)));
   }
 
   static HWY_INLINE M IsGood(V turn, V seen, const Step& step)
@@ -321,7 +332,7 @@ private:
     }
     // What does not pass is emitted, however well the places tell it.
     const V left = ExpOfMinus(step.Depth);
-    const M isSum = hn::Gt(sum, hn::Set(d, 1e-12f));
+    const M isSum = hn::Gt(sum, hn::Set(d, 1e-30f));
     const V perSum = hn::Div(one, hn::IfThenElse(isSum, sum, one));
     const V scale = hn::Mul(hn::Mul(this->Added.Passed, hn::Sub(one, left)), perSum);
     for (std::size_t c = 0; c < 3; ++c)

@@ -11,7 +11,7 @@
 #endif
 
 #include "Blending/KernelsVectors-inl.h"
-#include "Blending/VolumeSegments.h"
+#include "Scene/RayBatch.h"
 
 #include <array>
 #include <cstddef>

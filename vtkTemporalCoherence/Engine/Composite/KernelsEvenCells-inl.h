@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 #include <hwy/highway.h>
@@ -88,13 +89,15 @@ struct EvenEmission
   /// \return false if nothing is seen in the cell
   bool Set(const TransferTables& tables, const std::array<float, 8>& values)
   {
-    const auto ends = std::minmax_element(values.begin(), values.end());
-    const float low = this->Low = *ends.first, high = this->High = *ends.second;
+    // Numbers that are none are neither least nor largest.
     constexpr float largest = 1e30f;
-    if (!(low > -largest && high < largest))
+    if (!std::all_of(
+          values.begin(), values.end(), [](float value) { return std::abs(value) < largest; }))
     {
       return false;
     }
+    const auto ends = std::minmax_element(values.begin(), values.end());
+    const float low = this->Low = *ends.first, high = this->High = *ends.second;
     const Emission atLow = tables.At(low), atHigh = tables.At(high);
     const float width = high - low;
     this->Off = tables.OffLine(low, high);

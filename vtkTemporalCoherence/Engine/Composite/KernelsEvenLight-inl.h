@@ -10,10 +10,11 @@
 #define TemporalCoherence_KernelsEvenLight_inl_h
 #endif
 
+#include "Blending/KernelsEmittingSegments-inl.h"
 #include "Blending/KernelsLight-inl.h"
 #include "Blending/KernelsStretch-inl.h"
+#include "Composite/KernelsBeamPaths-inl.h"
 #include "Composite/KernelsEvenCells-inl.h"
-#include "Composite/KernelsHardQueue-inl.h"
 
 #include <algorithm>
 #include <cstddef>

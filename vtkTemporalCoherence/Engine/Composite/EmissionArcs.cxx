@@ -16,8 +16,9 @@ namespace
 /// An end that no value comes to.
 constexpr float Beyond = 1e35f;
 
-/// Emission may be off by this share of the extinction, if that is more than the tolerance.
-constexpr double ShareOff = 1.0 / 100.0;
+/// Extinction may be off by this share, if that is more than the tolerance: opacities are then off
+/// by less than 0.4 of it. Colours may be off by less, as all of a picture may have one of them.
+constexpr double ShareOff = 1.0 / 128.0, ColorOff = 1.0 / 400.0;
 
 /// The share of an arc that rays may be off where they leave it or the arc behind.
 constexpr float PrecisionOfArc = 0.02f;
@@ -80,11 +81,21 @@ public:
   {
   }
 
+  /// Extinction, or the colour of a channel.
   double At(const PlaceInBin& place, std::size_t channel) const
   {
     const EmissionBin& in = this->Of(place.Bin);
-    return static_cast<double>(in.Value[channel]) +
-      place.Share * static_cast<double>(in.Rise[channel]);
+    const auto at = [&](std::size_t i)
+    { return static_cast<double>(in.Value[i]) + place.Share * static_cast<double>(in.Rise[i]); };
+    const double extinction = at(0), rise = static_cast<double>(in.Rise[0]);
+    if (channel == 0)
+    {
+      return extinction;
+    }
+    // Where a ramp begins, the colour is that just behind.
+    return extinction > 0.0 ? at(channel) / extinction
+      : rise > 0.0          ? static_cast<double>(in.Rise[channel]) / rise
+                            : 0.0;
   }
 
   bool IsEmpty(int bin) const
@@ -206,20 +217,25 @@ private:
       {
         return false;
       }
-      for (const double share : { 0.0, 0.5, 1.0 })
+      if (!this->FitsAt(arc, { bin, 0.0 }) || !this->FitsAt(arc, { bin, 0.5 }))
       {
-        const double most =
-          std::max(this->Tolerance, ShareOff * this->Emission.At({ bin, share }, 0));
-        const double x = (bin + share - arc.Middle) * arc.PerValue;
-        for (std::size_t channel = 0; channel < 4; ++channel)
-        {
-          const double off =
-            ValueOf(arc.Channels[channel], x) - this->Emission.At({ bin, share }, channel);
-          if (!(std::abs(off) <= most))
-          {
-            return false;
-          }
-        }
+        return false;
+      }
+    }
+    return this->FitsAt(arc, { end - 1, 1.0 });
+  }
+
+  bool FitsAt(const Arc& arc, const PlaceInBin& place) const
+  {
+    const double x = (place.Bin + place.Share - arc.Middle) * arc.PerValue;
+    const double extinction = this->Emission.At(place, 0);
+    for (std::size_t channel = 0; channel < 4; ++channel)
+    {
+      const double most = channel > 0 ? ColorOff : std::max(this->Tolerance, ShareOff * extinction);
+      const double off = ValueOf(arc.Channels[channel], x) - this->Emission.At(place, channel);
+      if (!(std::abs(off) <= most))
+      {
+        return false;
       }
     }
     return true;

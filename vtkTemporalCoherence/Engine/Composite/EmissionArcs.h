@@ -12,12 +12,14 @@
 namespace TemporalCoherence
 {
 
-/// The emission of a transfer function, cut into arcs: ranges of values over which it is a cubic
-/// polynomial, as far as can be seen. Within an arc, a few places of a ray tell the integral along
-/// it. Each arc reaches as far as it fits, so that its ends lie where the function bends.
+/// The emission of a transfer function, cut into arcs: ranges of values over which
+/// extinction and colours are cubic polynomials, as far as can be seen. Within an arc, a few places
+/// of a ray tell the integral along it. Each arc reaches as far as it fits, so that its ends lie
+/// where the function bends.
 ///
-/// Values are counted in bins (TransferTables). In an arc, a channel of emission is the sum of
-/// Powers[channel][i] x^i, where x = (value - Middle) * PerValue goes from -1 to 1.
+/// Values are counted in bins (TransferTables). In an arc, extinction (channel 0) and the colours
+/// that it emits (channels 1 to 3) are sums of Powers[channel][i] x^i, where x = (value - Middle) *
+/// PerValue goes from -1 to 1.
 struct EmissionArcs
 {
   /// \param tolerance how far extinction may be off where there is little of it, per world distance

@@ -221,7 +221,7 @@ private:
       const V at = hn::Add(this->Now.Begin, hn::Mul(hn::Set(d, PlaceTriple::At[i]), step.Share));
       step.Places[i] = arcs.PlaceOf(this->Now.Values.At(at));
     }
-    arcs.EmissionAt(0, step.Places, step.Extinction);
+    arcs.ChannelAt(0, step.Places, step.Extinction);
     V mean = hn::Zero(d);
     for (std::size_t i = 0; i < 3; ++i)
     {
@@ -339,12 +339,11 @@ private:
     {
       const std::size_t color = Colors == 1 ? 0 : c;
       V own[3], all = zero;
-      arcs.EmissionAt(c + 1, step.Places, own);
+      arcs.ChannelAt(c + 1, step.Places, own);
       for (std::size_t i = 0; i < 3; ++i)
       {
-        const V lit = hn::Add(hn::Mul(own[i], light[i].Matt[color]),
-          hn::Mul(step.Extinction[i], light[i].Shine[color]));
-        const V shown = hn::Min(hn::Max(lit, zero), step.Extinction[i]);
+        const V lit = hn::Add(hn::Mul(own[i], light[i].Matt[color]), light[i].Shine[color]);
+        const V shown = hn::Mul(step.Extinction[i], hn::Min(hn::Max(lit, zero), one));
         all = hn::Add(all, hn::Mul(weights[i], shown));
       }
       this->Added.Color[c] = hn::Add(this->Added.Color[c], hn::Mul(scale, all));

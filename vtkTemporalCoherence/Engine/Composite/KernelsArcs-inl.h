@@ -61,9 +61,9 @@ public:
     return hn::Min(hn::Max(place, hn::Set(d, -1.0f)), hn::Set(d, 1.0f));
   }
 
-  /// A channel of emission at some places.
+  /// Extinction or a colour at some places.
   template <std::size_t Count>
-  HWY_INLINE void EmissionAt(std::size_t channel, const V (&places)[Count], V (&found)[Count]) const
+  HWY_INLINE void ChannelAt(std::size_t channel, const V (&places)[Count], V (&found)[Count]) const
   {
     const V third = this->Pick(this->All.Powers[channel][3]);
     const V second = this->Pick(this->All.Powers[channel][2]);

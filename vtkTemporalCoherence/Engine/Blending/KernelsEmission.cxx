@@ -134,7 +134,7 @@ void AddAll(const EmittingVolume& volume, LitRays& rays, VolumeSegments& segment
   const VolumeCells& cells, BlendedRays& seen)
 {
   segments.FillLastVector();
-  if (volume.Lights && !volume.Lights->AreWhite)
+  if (volume.HasColoredLights())
   {
     AddColors<3>(volume, rays, segments, cells, seen);
     return;

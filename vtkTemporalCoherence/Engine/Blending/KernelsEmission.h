@@ -39,6 +39,7 @@ struct EmittingVolume
   glm::mat3 WorldFromGradient{ 1.0f };
 
   float Sharpness() const { return this->Lights ? this->Lights->Sharpness() : 1.0f; }
+  bool HasColoredLights() const { return this->Lights && !this->Lights->AreWhite; }
   bool HasGradients() const { return this->Lights || !this->ByGradient.Opacities.empty(); }
 };
 

@@ -130,9 +130,7 @@ HWY_NOINLINE void AddInOneStep(const EmittingVolume& volume, const LitRays& rays
   {
     hn::StoreU(added.Color[a], d, &sums.Color[a][first]);
   }
-  const V at = hn::Add(found.Enter, hn::Mul(added.First, found.Length));
-  const V never = hn::Set(d, SegmentSums::Never);
-  hn::StoreU(hn::IfThenElse(hn::Eq(added.First, never), never, at), d, &sums.First[first]);
+  hn::StoreU(added.FirstIn(found.Enter, found.Length), d, &sums.First[first]);
 }
 
 /// Adds hard segments again, in several steps. Lanes of a vector that are done get other segments,
@@ -154,20 +152,9 @@ public:
 
   HWY_INLINE void AddAll()
   {
-    const Floats d;
-    const std::size_t few = hn::Lanes(d) / 2;
-    while (true)
-    {
-      if (this->Next < this->Hard.Count && hn::CountTrue(d, this->Walk.IsOn) <= few)
-      {
-        this->Refill();
-      }
-      if (hn::AllFalse(d, this->Walk.IsOn))
-      {
-        break;
-      }
-      this->AddNext();
-    }
+    WorkThrough([&]() HWY_ATTR { return this->Walk.IsOn; },
+      [&]() { return this->Next < this->Hard.Count; }, [&]() HWY_ATTR { this->Refill(); },
+      [&]() HWY_ATTR { this->AddNext(); });
     this->StoreDone();
   }
 

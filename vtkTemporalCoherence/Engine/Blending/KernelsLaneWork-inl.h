@@ -27,6 +27,29 @@ namespace HWY_NAMESPACE
 
 namespace hn = hwy::HWY_NAMESPACE;
 
+/// Call addNext until all is done, and refill as soon as half of the lanes are.
+/// \param isOn    tells which lanes are at work
+/// \param hasMore tells whether anything is left to refill with
+template <class IsOn, class HasMore, class Refill, class AddNext>
+HWY_INLINE void WorkThrough(
+  const IsOn& isOn, const HasMore& hasMore, const Refill& refill, const AddNext& addNext)
+{
+  const Floats d;
+  const std::size_t few = hn::Lanes(d) / 2;
+  while (true)
+  {
+    if (hasMore() && hn::CountTrue(d, isOn()) <= few)
+    {
+      refill();
+    }
+    if (hn::AllFalse(d, isOn()))
+    {
+      break;
+    }
+    addNext();
+  }
+}
+
 /// The lanes of a vector and what they work on. Lanes that are done get what comes next in a list.
 class LaneWork
 {
@@ -49,9 +72,7 @@ public:
     std::uint8_t isBusy[8] = {};
     hn::StoreMaskBits(d, isOn, isBusy);
     hn::StoreU(added.Passed, d, passed);
-    const V at = hn::Add(enter, hn::Mul(added.First, length));
-    const V never = hn::Set(d, SegmentSums::Never);
-    hn::StoreU(hn::IfThenElse(hn::Eq(added.First, never), never, at), d, first);
+    hn::StoreU(added.FirstIn(enter, length), d, first);
     for (std::size_t a = 0; a < 3; ++a)
     {
       hn::StoreU(added.Color[a], d, color[a]);
@@ -90,7 +111,8 @@ public:
   };
 
   /// Give what comes next to lanes that are free.
-  /// \param numbers of what comes next, and how many there are
+  /// \param numbers of what comes next
+  /// \param count   how many there are
   /// \param rayOf   finds the ray of each, by its place among them
   template <class RayOf>
   HWY_INLINE Taken Take(const std::int32_t* numbers, std::size_t count, const RayOf& rayOf)

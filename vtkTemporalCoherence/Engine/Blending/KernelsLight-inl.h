@@ -296,6 +296,12 @@ struct ArrivingLight
     this->Cosine = Dot(at.Normal, this->Toward);
   }
 
+  /// What falls on a matt point, but for the share of the light that comes there.
+  HWY_INLINE V Lit(bool isTwoSided) const
+  {
+    return isTwoSided ? hn::Abs(this->Cosine) : hn::Max(this->Cosine, hn::Zero(hn::DFromV<V>()));
+  }
+
   V Toward[3]; ///< of unit length
   V Share;     ///< of the light
   V Cosine;    ///< of the angle with the normal
@@ -355,15 +361,12 @@ private:
 template <std::size_t Colors, class V>
 HWY_INLINE ReflectedLight<V, Colors> Reflect(const VolumeLights& lights, const LitPoints& at)
 {
-  const V zero = hn::Zero(hn::DFromV<V>());
   const LightSum<Colors, V> add(lights);
   auto sum = AmbientLight<Colors, V>(lights);
   for (const VolumeLight& light : lights.All)
   {
     const ArrivingLight<V> arriving(light, at);
-    const V cosine = arriving.Cosine;
-    const V lit = lights.AreTwoSided ? hn::Abs(cosine) : hn::Max(cosine, zero);
-    add.Add(light, arriving, at, lit, sum);
+    add.Add(light, arriving, at, arriving.Lit(lights.AreTwoSided), sum);
   }
   return sum;
 }

@@ -64,6 +64,15 @@ struct AddedLight
     std::fill_n(this->Color, 3, hn::Zero(Floats()));
   }
 
+  /// t of what is seen first in segments, or Never.
+  /// \param enter, length t where they begin, and how long they are
+  HWY_INLINE V FirstIn(V enter, V length) const
+  {
+    const V never = hn::Set(Floats(), SegmentSums::Never);
+    const V at = hn::Add(enter, hn::Mul(this->First, length));
+    return hn::IfThenElse(hn::Eq(this->First, never), never, at);
+  }
+
   V Passed;   ///< share of the light from behind that passes
   V Color[3]; ///< multiplied by its opacity
   V First;    ///< share of the segment at which something is seen first, or Never

@@ -70,13 +70,13 @@ bool IsOpaque(const DepthOfBin& depth, double most)
 }
 
 /// The depths of all bins.
-/// \param opacities where bins begin; the last one has no end
-std::vector<DepthOfBin> DepthsOf(const std::vector<double>& opacities, double most)
+/// \param function where bins begin; the last one has no end
+std::vector<DepthOfBin> DepthsOf(const std::vector<glm::dvec4>& function, double most)
 {
   std::vector<DepthOfBin> depths;
-  for (std::size_t bin = 0; bin + 1 < opacities.size(); ++bin)
+  for (std::size_t bin = 0; bin + 1 < function.size(); ++bin)
   {
-    depths.push_back(DepthBetween(opacities[bin], opacities[bin + 1], most));
+    depths.push_back(DepthBetween(function[bin].w, function[bin + 1].w, most));
   }
   // What only comes to the end of the range has not met what lies beyond.
   const DepthOfBin end = depths.back();
@@ -144,33 +144,30 @@ TransferTables::TransferTables(const ComponentLook& look, double mostExtinction)
     std::max(RoundingOfRange * this->Bins, RoundingOfLow * std::abs(this->Low * this->PerValue)));
   this->MostExtinction = static_cast<float>(mostExtinction);
   this->MostCounted = static_cast<float>(ShareOfOpaque * mostExtinction);
-  const auto nodeAt = [&](int bin)
+  // The function where bins begin.
+  std::vector<glm::dvec4> at;
+  for (int bin = 0; bin <= this->Bins; ++bin)
   {
     const int node = std::min(bin / perNode, between - 1);
     const double share = static_cast<double>(bin - node * perNode) / perNode;
-    return glm::mix(
-      nodes[static_cast<std::size_t>(node)], nodes[static_cast<std::size_t>(node + 1)], share);
-  };
-  const double most = mostExtinction * look.UnitDistance;
-  std::vector<double> opacities;
-  for (int bin = 0; bin <= this->Bins; ++bin)
-  {
-    opacities.push_back(nodeAt(bin).w);
+    const auto before = static_cast<std::size_t>(node);
+    at.push_back(glm::mix(nodes[before], nodes[before + 1], share));
   }
-  const std::vector<DepthOfBin> depths = DepthsOf(opacities, most);
+  const double most = mostExtinction * look.UnitDistance;
+  const std::vector<DepthOfBin> depths = DepthsOf(at, most);
   const std::vector<double> counted = SharesCounted(depths, most);
   glm::dvec4 sum(0.0);
   double moment = 0.0;
   int walls = 0;
   for (int bin = 0; bin <= this->Bins; ++bin)
   {
-    const auto at = static_cast<std::size_t>(bin);
-    const glm::dvec4 node = nodeAt(bin);
-    const glm::dvec4 next = nodeAt(std::min(bin + 1, this->Bins));
+    const auto here = static_cast<std::size_t>(bin);
+    const glm::dvec4 node = at[here];
+    const glm::dvec4 next = at[std::min(here + 1, at.size() - 1)];
     const glm::dvec4 value =
-      depths[at].First / look.UnitDistance * glm::dvec4(1.0, glm::dvec3(node));
+      depths[here].First / look.UnitDistance * glm::dvec4(1.0, glm::dvec3(node));
     const glm::dvec4 rise =
-      depths[at].Last / look.UnitDistance * glm::dvec4(1.0, glm::dvec3(next)) - value;
+      depths[here].Last / look.UnitDistance * glm::dvec4(1.0, glm::dvec3(next)) - value;
     EmissionBin made;
     for (int i = 0; i < 4; ++i)
     {
@@ -180,13 +177,13 @@ TransferTables::TransferTables(const ComponentLook& look, double mostExtinction)
       made.Sum[place] = static_cast<float>(sum[i]);
     }
     made.Moment = static_cast<float>(moment);
-    walls += bin > 0 && IsOpaque(depths[at - 1], most) && !IsOpaque(depths[at], most) ? 1 : 0;
+    walls += bin > 0 && IsOpaque(depths[here - 1], most) && !IsOpaque(depths[here], most) ? 1 : 0;
     made.Walls = static_cast<float>(walls);
     const bool isPeak = node.w >= 1.0 && value.x > 0.0;
-    this->AreOpaqueAnywhere |= isPeak || IsOpaque(depths[at], most);
+    this->AreOpaqueAnywhere |= isPeak || IsOpaque(depths[here], most);
     made.Boost = isPeak ? static_cast<float>(mostExtinction / value.x) : 1.0f;
-    sum += counted[at] * (value + 0.5 * rise);
-    moment += counted[at] * ((bin + 0.5) * value.x + (0.5 * bin + 1.0 / 3.0) * rise.x);
+    sum += counted[here] * (value + 0.5 * rise);
+    moment += counted[here] * ((bin + 0.5) * value.x + (0.5 * bin + 1.0 / 3.0) * rise.x);
     this->All.push_back(made);
   }
   this->Closest = static_cast<float>(std::clamp(sum.x * Rounding / WantedDigits, 0.25, 4.0));

@@ -10,6 +10,18 @@
 
 namespace TemporalCoherence
 {
+
+using Polynomial = std::array<double, 4>;
+
+/// An arc on its own.
+struct EmissionArc
+{
+  float Low, High;
+  double Middle, PerValue;
+  std::array<Polynomial, 4> Channels;
+  bool IsEmpty, IsRough;
+};
+
 namespace
 {
 
@@ -24,12 +36,10 @@ constexpr double ShareOff = 1.0 / 128.0, ColorOff = 1.0 / 400.0;
 constexpr float PrecisionOfArc = 0.02f;
 
 /// A function with more arcs bends too often for them: all that follows counts as rough.
-constexpr std::size_t MostArcs = 256;
+constexpr std::size_t MostArcsOfFunction = 256;
 
 /// How many samples tell at first whether an arc fits.
 constexpr int FewSamples = 16;
-
-using Polynomial = std::array<double, 4>;
 
 /// Where arcs meet the function: the places of Chebyshev, at which errors even out.
 constexpr std::array<double, 4> MeetingPlaces = { -0.92387953251, -0.38268343236, 0.38268343236,
@@ -113,21 +123,7 @@ private:
   const TransferTables& Tables;
 };
 
-}
-
-struct EmissionArcs::Arc
-{
-  float Low, High;
-  double Middle, PerValue;
-  std::array<Polynomial, 4> Channels;
-  bool IsEmpty, IsRough;
-};
-
-namespace
-{
-
 /// Finds out how far arcs reach.
-template <class Arc>
 class ArcFitter
 {
 public:
@@ -139,7 +135,7 @@ public:
   }
 
   /// The longest arc that begins with a bin.
-  Arc LongestFrom(int begin) const
+  EmissionArc LongestFrom(int begin) const
   {
     const bool isEmpty = this->Emission.IsEmpty(begin), isRough = this->Emission.IsRough(begin);
     if (isEmpty || isRough)
@@ -169,9 +165,9 @@ public:
   }
 
   /// What lies beyond the first or the last bin: all as there.
-  Arc ConstantAt(int bin, float low, float high) const
+  EmissionArc ConstantAt(int bin, float low, float high) const
   {
-    Arc arc{};
+    EmissionArc arc{};
     arc.Low = low;
     arc.High = high;
     for (std::size_t channel = 0; channel < 4; ++channel)
@@ -184,9 +180,9 @@ public:
   }
 
 private:
-  Arc ArcOver(int begin, int end) const
+  EmissionArc ArcOver(int begin, int end) const
   {
-    Arc arc{};
+    EmissionArc arc{};
     arc.Low = static_cast<float>(begin);
     arc.High = static_cast<float>(end);
     arc.Middle = 0.5 * (begin + end);
@@ -208,7 +204,7 @@ private:
   }
 
   /// \param stride between the bins that are looked at
-  bool Fits(const Arc& arc, int stride) const
+  bool Fits(const EmissionArc& arc, int stride) const
   {
     const int begin = static_cast<int>(arc.Low), end = static_cast<int>(arc.High);
     for (int bin = begin; bin < end; bin += stride)
@@ -225,7 +221,7 @@ private:
     return this->FitsAt(arc, { end - 1, 1.0 });
   }
 
-  bool FitsAt(const Arc& arc, const PlaceInBin& place) const
+  bool FitsAt(const EmissionArc& arc, const PlaceInBin& place) const
   {
     const double x = (place.Bin + place.Share - arc.Middle) * arc.PerValue;
     const double extinction = this->Emission.At(place, 0);
@@ -251,10 +247,10 @@ private:
 EmissionArcs::EmissionArcs(const TransferTables& tables, double tolerance)
 {
   const BinnedEmission emission(tables);
-  const ArcFitter<Arc> fitter(emission, tables.Bins, tolerance);
+  const ArcFitter fitter(emission, tables.Bins, tolerance);
   // Neighbours that are both empty, or both rough, are one arc.
-  Arc last = fitter.ConstantAt(0, -Beyond, 0.0f);
-  const auto add = [&](const Arc& arc)
+  EmissionArc last = fitter.ConstantAt(0, -Beyond, 0.0f);
+  const auto add = [&](const EmissionArc& arc)
   {
     if ((arc.IsEmpty && last.IsEmpty) || (arc.IsRough && last.IsRough))
     {
@@ -265,13 +261,13 @@ EmissionArcs::EmissionArcs(const TransferTables& tables, double tolerance)
     last = arc;
   };
   int begin = 0;
-  while (begin < tables.Bins && this->Count < MostArcs)
+  while (begin < tables.Bins && this->Count < MostArcsOfFunction)
   {
-    const Arc arc = fitter.LongestFrom(begin);
+    const EmissionArc arc = fitter.LongestFrom(begin);
     add(arc);
     begin = static_cast<int>(arc.High);
   }
-  Arc above = fitter.ConstantAt(tables.Bins, static_cast<float>(begin), Beyond);
+  EmissionArc above = fitter.ConstantAt(tables.Bins, static_cast<float>(begin), Beyond);
   if (begin < tables.Bins)
   {
     above.IsEmpty = false;
@@ -282,7 +278,7 @@ EmissionArcs::EmissionArcs(const TransferTables& tables, double tolerance)
   this->Finish();
 }
 
-void EmissionArcs::Add(const Arc& arc)
+void EmissionArcs::Add(const EmissionArc& arc)
 {
   ++this->Count;
   this->Low.push_back(arc.Low);

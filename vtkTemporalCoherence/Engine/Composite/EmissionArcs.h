@@ -12,6 +12,8 @@
 namespace TemporalCoherence
 {
 
+struct EmissionArc;
+
 /// The emission of a transfer function, cut into arcs: ranges of values over which
 /// extinction and colours are cubic polynomials, as far as can be seen. Within an arc, a few places
 /// of a ray tell the integral along it. Each arc reaches as far as it fits, so that its ends lie
@@ -41,14 +43,13 @@ struct EmissionArcs
   /// widest vectors.
   using Column = std::vector<float>;
   Column Low, High; ///< their ends; the first and the last arc have none
-  Column Precision; ///< how well it has to be known in values where a ray leaves them
+  Column Precision; ///< how far a value may be off their end where a ray is taken to leave them
   Column Middle, PerValue;
   std::array<std::array<Column, 4>, 4> Powers; ///< [channel][power]
   Column AreEmpty;                             ///< 1 where nothing is emitted, else 0
 
 private:
-  struct Arc;
-  void Add(const Arc& arc);
+  void Add(const EmissionArc& arc);
   /// Once all are added.
   void Finish();
 

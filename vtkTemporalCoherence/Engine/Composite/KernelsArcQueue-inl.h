@@ -100,20 +100,9 @@ public:
     }
     this->FillLastVector();
     this->Next = 0;
-    const Floats d;
-    const std::size_t few = hn::Lanes(d) / 2;
-    while (true)
-    {
-      if (this->Next < this->Count && hn::CountTrue(d, this->Steps.IsOn) <= few)
-      {
-        this->Refill();
-      }
-      if (hn::AllFalse(d, this->Steps.IsOn))
-      {
-        break;
-      }
-      this->Steps.AddNext(this->Vectors);
-    }
+    WorkThrough([&]() HWY_ATTR { return this->Steps.IsOn; },
+      [&]() { return this->Next < this->Count; }, [&]() HWY_ATTR { this->Refill(); },
+      [&]() HWY_ATTR { this->Steps.AddNext(this->Vectors); });
     this->StoreDone();
     this->Count = 0;
   }

@@ -37,8 +37,7 @@ constexpr float DepthOfArcStep = 0.8f, MostDepthOfArcStep = 2.0f;
 /// angle.
 constexpr float MostTurnOfPlaces = 0.01f;
 
-/// The turn that counts as much as a bend of light, for each unit by which a cosine changes across
-/// 0.
+/// The turn that counts as much as a bend of light, for each unit by which light changes there.
 constexpr float TurnOfBend = 0.5f;
 
 /// A shorter share of a path is not worth a step of its own before light has a bend.
@@ -115,7 +114,7 @@ public:
     this->IsOn = hn::Lt(zero, zero);
   }
 
-  /// Begin with what some lanes of Now have got.
+  /// Begin to add the paths of some lanes of Now.
   HWY_INLINE void Begin(M which)
   {
     const Floats d;
@@ -141,7 +140,7 @@ public:
     const ArcEnd end = now.EndOf(arcs);
     const V seen = hn::Mul(now.Shown, this->Added.Passed);
     const V whole = hn::Max(hn::Sub(end.Share, now.Begin), hn::Zero(d));
-    Step step;
+    ArcStep step;
     step.Share = hn::Min(whole, this->Longest);
     if (this->Volume.Lights)
     {
@@ -177,7 +176,7 @@ public:
   M IsOn; ///< not yet added
 
 private:
-  struct Step
+  struct ArcStep
   {
     V Share;         ///< of the path
     V Places[3];     ///< in the arc
@@ -193,8 +192,7 @@ private:
     this->Now.Toward.At(this->Now.Begin, normal);
     this->Now.Toward.ChangeAt(this->Now.Begin, turning);
     V share = LongestTurn(this->Volume, normal, turning, seen);
-    // The light of a lamp has a bend where normals leave its side. Where that is, is told by its
-    // direction, if that is the same everywhere.
+    // Light has a bend where normals leave its side. Only lights of one direction tell where.
     for (const VolumeLight& light : this->Volume.Lights->All)
     {
       if (light.IsPositional)
@@ -213,7 +211,7 @@ private:
     return share;
   }
 
-  HWY_INLINE void FindExtinction(const Arcs& arcs, Step& step) const
+  HWY_INLINE void FindExtinction(const Arcs& arcs, ArcStep& step) const
   {
     const Floats d;
     for (std::size_t i = 0; i < 3; ++i)
@@ -231,7 +229,7 @@ private:
   }
 
   /// Shorten steps that are too deep.
-  HWY_INLINE void Shorten(const Arcs& arcs, V seen, Step& step) const
+  HWY_INLINE void Shorten(const Arcs& arcs, V seen, ArcStep& step) const
   {
     const Floats d;
     const V perRoot = InverseRoot(hn::Max(seen, hn::Set(d, 1e-3f)));
@@ -271,25 +269,29 @@ private:
     }
     const LitPoints at[3] = { { normals[0], rays.Direction, points[0] },
       { normals[1], rays.Direction, points[1] }, { normals[2], rays.Direction, points[2] } };
-    V most = OneMinus(
+    const V turn = OneMinus(
       hn::Min(CosineBetween(normals[0], normals[1]), CosineBetween(normals[1], normals[2])));
-    for (std::size_t i = 0; i < 3; ++i)
+    const VolumeLights& lights = *this->Volume.Lights;
+    const LightSum<Colors, V> add(lights);
+    light[0] = light[1] = light[2] = AmbientLight<Colors, V>(lights);
+    V bend = hn::Zero(d);
+    for (const VolumeLight& from : lights.All)
     {
-      light[i] = Reflect<Colors, V>(*this->Volume.Lights, at[i]);
+      const ArrivingLight<V> arriving[3] = { { from, at[0] }, { from, at[1] }, { from, at[2] } };
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        add.Add(from, arriving[i], at[i], arriving[i].Lit(lights.AreTwoSided), light[i]);
+      }
+      bend = hn::Max(bend, BendOf(from, arriving));
     }
-    V bend = hn::Max(ClampedIn<Colors, V>(light), ClampedIn<Colors, V>(light + 1));
-    for (const VolumeLight& from : this->Volume.Lights->All)
-    {
-      bend = hn::Max(bend, BendOf(from, at));
-    }
-    return hn::Max(most, hn::Mul(hn::Set(d, TurnOfBend), bend));
+    const V clamped = hn::Max(ClampedIn<Colors, V>(light), ClampedIn<Colors, V>(light + 1));
+    return hn::Max(turn, hn::Mul(hn::Set(d, TurnOfBend), hn::Max(bend, clamped)));
   }
 
   /// How much a light changes between places where it has a bend: where normals leave its side, or
   /// at the rim of its cone.
-  static HWY_INLINE V BendOf(const VolumeLight& light, const LitPoints at[3])
+  static HWY_INLINE V BendOf(const VolumeLight& light, const ArrivingLight<V> arriving[3])
   {
-    const ArrivingLight<V> arriving[3] = { { light, at[0] }, { light, at[1] }, { light, at[2] } };
     const V first = arriving[0].Cosine, second = arriving[1].Cosine, third = arriving[2].Cosine;
     const V low = hn::Min(first, hn::Min(second, third));
     const V high = hn::Max(first, hn::Max(second, third));
@@ -300,7 +302,7 @@ private:
     return hn::Max(atRim, hn::IfThenElseZero(isAcross, hn::Sub(high, low)));
   }
 
-  static HWY_INLINE M IsGood(V turn, V seen, const Step& step)
+  static HWY_INLINE M IsGood(V turn, V seen, const ArcStep& step)
   {
     const Floats d;
     const V counts = hn::Mul(seen, hn::Min(step.Depth, hn::Set(d, 1.0f)));
@@ -309,7 +311,8 @@ private:
   }
 
   /// Composite steps behind what has been added.
-  HWY_INLINE void Add(const Arcs& arcs, const Step& step, const ReflectedLight<V, Colors> light[3])
+  HWY_INLINE void Add(
+    const Arcs& arcs, const ArcStep& step, const ReflectedLight<V, Colors> light[3])
   {
     const Floats d;
     const V zero = hn::Zero(d), one = hn::Set(d, 1.0f);

@@ -156,7 +156,7 @@ struct ArcEnd
     const V share = ratio(hn::Sub(wanted, from), hn::Sub(last, from));
     V at = hn::Add(left, hn::Mul(hn::Min(hn::Max(share, zero), one), hn::Sub(right, left)));
     const V precision = arcs.Precision();
-    for (int step = 0; step < MostSteps; ++step)
+    for (int step = 0; step < MostNewtonSteps; ++step)
     {
       const V off = hn::IfThenElseZero(leaving.Ever, hn::Sub(cubic.At(at), wanted));
       const M isFound = hn::Le(hn::Abs(off), precision);
@@ -179,7 +179,7 @@ struct ArcEnd
   V Next;  ///< number of the arc behind
 
 private:
-  static constexpr int MostSteps = 6;
+  static constexpr int MostNewtonSteps = 6;
 };
 
 }

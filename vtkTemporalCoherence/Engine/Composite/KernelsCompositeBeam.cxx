@@ -88,7 +88,7 @@ private:
   static constexpr std::size_t CellsOfLeaf = 64;
   /// More arcs in a cell take tables. CPU times with 5, 6 and 7: engine with thin peaks 956, 1325,
   /// 1339 ms, vessels with skin 846, 853, 706.
-  static constexpr std::size_t MostArcs = 5;
+  static constexpr std::size_t MostArcsOfCell = 5;
 
   void TestCell(const glm::ivec3& cell)
   {
@@ -257,7 +257,8 @@ private:
     const EmissionArcs& all = this->Volume.Arcs;
     const ArcRange arcs{ all.ArcOf(cell.Emitted.Low), all.ArcOf(cell.Emitted.High) };
     const bool isGradual = this->Emitting.ByGradient.Opacities.empty();
-    if (isGradual && arcs.Last - arcs.First < MostArcs && !all.AreRough(arcs.First, arcs.Last))
+    if (isGradual && arcs.Last - arcs.First < MostArcsOfCell &&
+      !all.AreRough(arcs.First, arcs.Last))
     {
       this->OnArcs.Append(isHard, cell, arcs, paths);
       return;
@@ -352,7 +353,7 @@ void BlendColors(
 void Blend(
   const BeamVolume& volume, const LitRays& lit, TileBeam& beam, BlendRays& rays, BlendedRays& seen)
 {
-  if (volume.Emitting.Lights && !volume.Emitting.Lights->AreWhite)
+  if (volume.Emitting.HasColoredLights())
   {
     BlendColors<3>(volume, lit, beam, rays, seen);
     return;

@@ -6,8 +6,8 @@
 #include "Program/Quoted.h"
 #include "Program/UserError.h"
 
+#include <vtkMath.h>
 #include <vtkVector.h>
-#include <vtkVectorOperators.h>
 
 #include <algorithm>
 #include <climits>
@@ -229,7 +229,8 @@ bool IsUsable(const CameraState& camera)
   constexpr double Farthest = 1e15, Nearest = 1e-9;
   const vtkVector3d position(camera.Position.data()), focus(camera.FocalPoint.data()),
     up(camera.ViewUp.data());
-  const vtkVector3d direction = focus - position;
+  vtkVector3d direction;
+  vtkMath::Subtract(focus, position, direction);
   const double distance = direction.Norm();
   return position.Norm() < Farthest && focus.Norm() < Farthest && up.Norm() < Farthest &&
     up.Norm() > 1.0 / Farthest && distance > 1.0 / Farthest &&

@@ -13,7 +13,9 @@
 #include <vtkPointData.h>
 #include <vtkSMPTools.h>
 #include <vtkVector.h>
-#include <vtkVectorOperators.h>
+#if __has_include(<vtkVectorOperators.h>)
+#include <vtkVectorOperators.h> // since VTK 9.6 they are in vtkVector.h
+#endif
 
 #include <algorithm>
 #include <array>

@@ -19,8 +19,8 @@ struct Extraction
   double Isovalue = 0.0;
 };
 
-// Times one run of vtkFlyingEdges3D, or of vtkContourFilter for what is no image, with the normals
-// that shading needs.
+// Times one run of vtkFlyingEdges3D, or of vtkContourFilter for each part of what is no image, with
+// the normals that shading needs.
 Extraction TimeExtraction(const Volume& volume, double isovalue);
 
 #endif

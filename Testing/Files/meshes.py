@@ -72,12 +72,26 @@ def vtu(twist) -> bytes:
                f'NumberOfPoints="{t(len(points()))}" NumberOfCells="{t(len(cells()))}"', content)
 
 
-def vts(twist) -> bytes:
+def vts(twist, data: str = "") -> bytes:
     rarely = rarer(twist)
     extent = " ".join(f"0 {twist(n - 1)}" for n in SIZE)
-    content = '<PointData Scalars="ball">\n' + array("ball", "Float32", values(), rarely) + \
-        "</PointData>\n<Points>\n" + array("Points", "Float32", coordinates(), rarely, 3) + "</Points>\n"
+    data = data or '<PointData Scalars="ball">\n' + array("ball", "Float32", values(), rarely) + "</PointData>\n"
+    content = data + "<Points>\n" + array("Points", "Float32", coordinates(), rarely, 3) + "</Points>\n"
     return xml("StructuredGrid", f'Extent="{extent}"', content, f' WholeExtent="{extent}"')
+
+
+def vts_vectors(twist) -> bytes:
+    """Three components at the points, and no scalars."""
+    return vts(twist, "<PointData>\n" + array(
+        "places", "Float32", coordinates(), rarer(twist), 3) + "</PointData>\n")
+
+
+def vts_cell_vectors(twist) -> bytes:
+    """Three components of the cells."""
+    corners = [coordinates()[3 * cell[0]:3 * cell[0] + 3] for cell in cells()]
+    numbers = [number for corner in corners for number in corner]
+    return vts(twist, "<CellData>\n" + array(
+        "corners", "Float32", numbers, rarer(twist), 3) + "</CellData>\n")
 
 
 def legacy(twist) -> bytes:

@@ -426,7 +426,7 @@ def npy(twist: Twist) -> Original:
 
 
 #: What the examples in Python do not open.
-MESHES = ("vtu", "vts", "vtk-mesh")
+MESHES = ("vtu", "vts", "vts-vectors", "vts-cell-vectors", "vtk-mesh")
 
 ORIGINALS: dict[str, Callable[[Twist], Original]] = {
     "vti-ascii": vti("ascii"),
@@ -460,6 +460,8 @@ ORIGINALS: dict[str, Callable[[Twist], Original]] = {
     "dicom-report": dicom_with_report,
     "vtu": mesh("a.vtu", meshes.vtu),
     "vts": mesh("a.vts", meshes.vts),
+    "vts-vectors": mesh("a.vts", meshes.vts_vectors),
+    "vts-cell-vectors": mesh("a.vts", meshes.vts_cell_vectors),
     "vtk-mesh": mesh("a.vtk", meshes.legacy),
     "raw": raw,
     "session": session,

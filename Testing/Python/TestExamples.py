@@ -218,7 +218,7 @@ class MeshSweep(Example):
             "Cold", "IsomapBuild", "IsomapLookup", "IsomapLookup"])
         self.assertGreater(int(rows[0][1]), 100)
 
-    def test_files(self):
+    def save_sphere_as_grid(self, scalars):
         grid = vtkStructuredGrid()
         grid.SetDimensions(SAMPLES, SAMPLES, SAMPLES)
         axis = numpy.arange(SAMPLES, dtype=float)
@@ -226,17 +226,29 @@ class MeshSweep(Example):
         points = numpy.stack([x.ravel(), y.ravel(), z.ravel()], axis=1)
         grid.SetPoints(vtkPoints())
         grid.GetPoints().SetData(numpy_to_vtk(points, deep=1))
-        scalars = image_of(distances()).GetPointData().GetScalars()
         scalars.SetName("distance")
         grid.GetPointData().AddArray(scalars)
         writer = vtkXMLStructuredGridWriter()
         writer.SetInputData(grid)
         writer.SetFileName(str(self.folder / "sphere.vts"))
         writer.Write()
+
+    def assert_draws_grid(self):
         self.run_well(
             "mesh_sweep.py", "sphere.vts", "--from", 0.4, "--to", 0.5, "--frames", 2, "--azimuth", 0,
             "--size", "200x200", "--output", "a.png")
         self.assert_shows_sphere(read_png(path=self.folder / "a.png"), 0.5)
+
+    def test_files(self):
+        self.save_sphere_as_grid(image_of(distances()).GetPointData().GetScalars())
+        self.assert_draws_grid()
+
+    def test_vectors(self):
+        """Of which vtkContourFilter takes none."""
+        values = distances().ravel()
+        self.save_sphere_as_grid(
+            numpy_to_vtk(numpy.stack([values, 0.0 * values, 1.0 - values], axis=1), deep=1))
+        self.assert_draws_grid()
 
     def test_wrong_cells(self):
         grid = vtkStructuredGrid()

@@ -150,10 +150,12 @@ public:
   void Run()
   {
     this->Put({ { 0.0, 0.0, 0.0 }, { 1.0, 1.0, 1.0 } });
-    for (int count = 0;
-         count<MostBoxes&& this->Left> 0 && this->Roots.Count < this->Roots.Roots.size(); ++count)
+    for (int count = 0; count < MostBoxes && this->Next < this->End &&
+         this->Roots.Count < this->Roots.Roots.size();
+         ++count)
     {
-      this->Look(this->Boxes[--this->Left]);
+      const Box box = count < MostByTurns ? this->Boxes[this->Next++] : this->Boxes[--this->End];
+      this->Look(box);
     }
   }
 
@@ -198,17 +200,19 @@ private:
         return;
       }
     }
-    if (std::max({ box.Half[0], box.Half[1], box.Half[2] }) < 0.5 * SmallestBox)
-    {
-      this->Append(box.Middle);
-      return;
-    }
+    // What was cut may hold no root any more, however small it is: it is looked at again.
     if (isShorter)
     {
       this->Put(box);
-      return;
     }
-    this->Halve(box);
+    else if (std::max({ box.Half[0], box.Half[1], box.Half[2] }) < 0.5 * SmallestBox)
+    {
+      this->Append(box.Middle);
+    }
+    else
+    {
+      this->Halve(box);
+    }
   }
 
   /// Cut off where there is no root.
@@ -256,16 +260,19 @@ private:
     AddRoot(root, this->Roots);
   }
 
-  void Put(const Box& box) { this->Boxes[this->Left++] = box; }
+  void Put(const Box& box) { this->Boxes[this->End++] = box; }
 
-  /// Boxes that wait: one for each time that a box can be halved along each axis.
-  static constexpr std::size_t MostLeft = 128;
+  /// So many boxes are looked at in the order in which they were put, the largest first: single
+  /// roots are found before a line of roots takes all looks. Then the last box is the next, so that
+  /// few of them wait: one for each time that a box can be halved along each axis.
+  static constexpr int MostByTurns = 256;
+  static constexpr std::size_t MostHalved = 112;
 
   HexahedronRoots& Roots;
   System Whole;
   Trilinear T;
-  std::array<Box, MostLeft> Boxes;
-  std::size_t Left = 0;
+  std::array<Box, 2 * MostByTurns + MostHalved> Boxes;
+  std::size_t Next = 0, End = 0;
 };
 
 }

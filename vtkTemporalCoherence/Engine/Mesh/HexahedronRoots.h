@@ -87,7 +87,7 @@ constexpr double MostAround = 0.125;
 constexpr double EnoughCut = 0.6;
 
 /// The shortest edge of a box that was cut, by its longest one.
-constexpr double Thinnest = 1.0 / 64.0;
+constexpr double Thinnest = 0x1p-14;
 
 /// How often boxes of vectors are cut or halved before a ray is searched alone.
 constexpr int MostRounds = 12;

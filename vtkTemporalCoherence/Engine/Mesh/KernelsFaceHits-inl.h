@@ -98,10 +98,13 @@ struct FaceFunction
     const auto isFirst = hn::Ge(hn::Abs(slope[0]), hn::Abs(slope[1]));
     const V steep = hn::IfThenElse(isFirst, slope[0], slope[1]);
     const V zero = hn::Zero(d), one = hn::Set(d, 1.0);
-    const V from = hn::Neg(hn::IfThenElse(isFirst, value[0], value[1]));
+    const auto isPoint = hn::Eq(steep, zero);
+    const V far = hn::Add(hn::Abs(value[0]), hn::Abs(value[1]));
+    const V from =
+      hn::IfThenElse(isPoint, far, hn::Neg(hn::IfThenElse(isFirst, value[0], value[1])));
     // Where an edge is a point, b there solves the equation without a for every ray. Only a ray
     // through this point meets the face there; for others, a is infinite.
-    const auto isAnywhere = hn::And(hn::Eq(steep, zero), hn::Eq(from, zero));
+    const auto isAnywhere = hn::And(isPoint, hn::Eq(far, zero));
     return hn::Div(from, hn::IfThenElse(isAnywhere, one, steep));
   }
 
@@ -146,12 +149,13 @@ HWY_INLINE void AddHits(D d, const SeenFace<V>& face, std::size_t place, FaceHit
   const V root = hn::Sqrt(hn::IfThenElse(isReal, discriminant, one));
   const V sum = hn::Add(hn::Abs(c1), root);
   const V q = hn::Mul(hn::Set(d, -0.5), hn::IfThenElse(hn::Lt(c1, zero), hn::Neg(sum), sum));
-  const auto isBent = hn::Ne(c2, zero), isMet = hn::AndNot(isPassedBy, isReal);
-  const V b[2] = { hn::Div(c0, q), hn::Div(q, hn::IfThenElse(isBent, c2, one)) };
+  const V b[2] = { hn::Div(c0, q), hn::Div(q, hn::IfThenElse(hn::Ne(c2, zero), c2, one)) };
   const V error =
     hn::Div(hn::Mul(hn::Set(d, HexahedronHits::ValueError), hn::Mul(f.Largest, f.Largest)), root);
-  const V margin = hn::Add(
-    hn::Set(d, HexahedronHits::Margin), hn::Min(error, hn::Set(d, HexahedronHits::MostError)));
+  // Where a face is seen edge on, a and b mean nothing. A ray in it meets the faces beside it.
+  const auto isClear = hn::And(isReal, hn::Le(error, hn::Set(d, HexahedronHits::MostError)));
+  const auto isBent = hn::Ne(c2, zero), isMet = hn::AndNot(isPassedBy, isClear);
+  const V margin = hn::Add(hn::Set(d, HexahedronHits::Margin), error);
   const V low = hn::Neg(margin), high = hn::Add(one, margin);
   for (std::size_t i = 0; i < 2; ++i)
   {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace TemporalCoherence
 {
@@ -36,7 +37,7 @@ public:
   /// \param crossings ascending
   void Follow(const MeshKernels::CellSpan& span, const Crossing* crossings, std::size_t count)
   {
-    bool isInside = span.AtIn >= 0.0;
+    bool isInside = span.AtIn >= 0.0, isCrossed = false;
     double from = span.In;
     HitKind kind = HitKind::Cap;
     for (std::size_t i = 0; i < count; ++i)
@@ -51,16 +52,21 @@ public:
         this->Append(from, crossing.T, kind);
       }
       isInside = !isInside;
+      isCrossed = true;
       from = crossing.T;
       kind = HitKind::Entry;
     }
+    // A crossing too close to a face was left out: the face is that where the value is nearer to
+    // it.
+    const bool isAtIn = !isCrossed && std::abs(span.AtIn) < std::abs(span.AtOut);
+    const double missed = isAtIn ? span.In : span.Out;
     if (isInside)
     {
-      this->Append(from, span.Out, kind);
+      this->Append(from, span.AtOut < 0.0 ? missed : span.Out, kind);
     }
     else if (span.AtOut >= 0.0)
     {
-      this->Append(span.Out, span.Out, HitKind::Entry); // a crossing too close to the face
+      this->Append(missed, span.Out, HitKind::Entry);
     }
   }
 

@@ -4,6 +4,7 @@
 // vtkTemporalCoherenceVolumeMapper: pictures, and a table of what each kind of change took.
 #include "Extraction.h"
 #include "Files/Arrays.h"
+#include "Files/Trial.h"
 #include "Files/VolumeReader.h"
 #include "Options.h"
 #include "Pictures.h"
@@ -39,6 +40,10 @@ void Run(const Options& options)
   const IsovalueChoice isovalue =
     ChooseIsovalue(CountSamples(volume), options.Isovalue, Quoted(volume.Name));
   Describe(volume, isovalue, options);
+  if (!volume.Remark.empty())
+  {
+    std::printf("%s\n", volume.Remark.c_str());
+  }
   Scene scene(volume, isovalue, options);
   PictureBook book(options.OutputDirectory);
   const std::vector<FrameRecord> records = RunTour(scene, isovalue, options, book);
@@ -55,6 +60,7 @@ void Run(const Options& options)
 
 int main(int argc, char* argv[])
 {
+  BeginTrials();
   return RunProgram("OrbitAndSweep",
     [&]
     {

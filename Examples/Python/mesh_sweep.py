@@ -10,19 +10,22 @@ has the route and the milliseconds of each frame, and what vtkContourFilter take
 from __future__ import annotations
 
 import argparse
+import os
 import statistics
 import time
 
 from mistakes import Arguments, UserError, printable, quoted, run
+from trial import require_bytes, try_reading
 # Before other packages, as it tells what is missing.
-from volumes import check_isovalue, errors_of_vtk, number_from, size_of
+from volumes import (
+    check_isovalue, choose_scalars, drawn_scalars, errors_of_vtk, number_from, size_of)
 
 import numpy
 from scene import Scene
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkDataArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkContourFilter, vtkDelaunay3D
+from vtkmodules.vtkFiltersCore import vtkCellDataToPointData, vtkContourFilter, vtkDelaunay3D
 from vtkmodules.vtkIOXML import vtkXMLStructuredGridReader, vtkXMLUnstructuredGridReader
 from vtkTemporalCoherence import write_png
 
@@ -52,6 +55,16 @@ def read_mesh(path: str, array: str | None) -> vtkDataSet:
     suffix = next((suffix for suffix in READERS if path.lower().endswith(suffix)), None)
     if suffix is None:
         raise UserError(f"The suffix of {quoted(path)} is none of {', '.join(READERS)}: convert it.")
+    if not os.path.isfile(path):
+        raise UserError(f"{quoted(path)} could not be read: there is no such file.")
+    try_reading(path, lambda: _read_untried(path, suffix))
+    mesh = _read_untried(path, suffix)
+    choose_scalars(mesh, array, quoted(path))
+    return mesh
+
+
+def _read_untried(path: str, suffix: str) -> vtkDataSet:
+    """A reader may end the program here."""
     reader = READERS[suffix]()
     reader.SetFileName(path)
     with errors_of_vtk() as errors:
@@ -60,15 +73,7 @@ def read_mesh(path: str, array: str | None) -> vtkDataSet:
     mesh = reader.GetOutput()
     if errors() or mesh.GetNumberOfCells() == 0:
         raise UserError(f"{quoted(path)} could not be read: check that it is a whole file {suffix}.")
-    points = mesh.GetPointData()
-    names = [points.GetArrayName(index) for index in range(points.GetNumberOfArrays())
-             if points.GetArray(index) and points.GetArrayName(index)]
-    if not names:
-        raise UserError(f"{quoted(path)} has no arrays on its points: add some.")
-    if array is not None and array not in names:
-        there = printable(", ".join(names))
-        raise UserError(f"{quoted(path)} has no array {quoted(array)}: choose one of {there}.")
-    points.SetActiveScalars(array or names[0])
+    require_bytes(path, 1024 * mesh.GetActualMemorySize())
     return mesh
 
 
@@ -76,15 +81,21 @@ class Triangles:
     """The same surface by vtkContourFilter, which is given one component: it takes no more."""
 
     def __init__(self, mesh: vtkDataSet) -> None:
-        scalars = mesh.GetPointData().GetScalars()
+        scalars = drawn_scalars(mesh)
+        is_of_points = bool(mesh.GetPointData().GetScalars())
         drawn = vtkDataArray.CreateDataArray(scalars.GetDataType())
         drawn.SetNumberOfTuples(scalars.GetNumberOfTuples())
         drawn.CopyComponent(0, scalars, 0)
         copy = mesh.NewInstance()
         copy.CopyStructure(mesh)
-        copy.GetPointData().SetScalars(drawn)
+        (copy.GetPointData() if is_of_points else copy.GetCellData()).SetScalars(drawn)
+        average = vtkCellDataToPointData()
+        average.SetInputData(copy)
         self._contour = vtkContourFilter()
         self._contour.SetInputData(copy)
+        if not is_of_points:
+            average.Update()
+            self._contour.SetInputData(average.GetOutput())
 
     def extract(self, isovalue: float) -> tuple[float, int]:
         """The milliseconds that it takes, and how many there are."""
@@ -101,7 +112,7 @@ def parse() -> argparse.Namespace:
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     arguments.add_argument(
         "mesh", nargs="?", help=f"a file {', '.join(READERS)}; default: scattered points")
-    arguments.add_argument("--array", help="the point array to draw; default: the file's first")
+    arguments.add_argument("--array", help="the array to draw, of points or cells; default: the file's scalars, or its first that varies")
     arguments.add_argument(
         "--points", type=number_from(10), default=20000, help="scattered points; default: 20000")
     arguments.add_argument(

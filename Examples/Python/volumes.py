@@ -12,16 +12,17 @@ import sys
 import warnings
 from typing import Callable, Iterator
 
-from headers import check_header
 from mistakes import UserError, printable, quoted, shortened
+from trial import require_bytes, try_reading
 
 try:
     import numpy
-    from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
+    from vtkmodules.vtkCommonCore import vtkDataArray, vtkOutputWindow, vtkStringOutputWindow
     from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkDataSetAttributes, vtkImageData
     from vtkmodules.vtkIOImage import vtkMetaImageReader, vtkNIFTIImageReader, vtkSLCReader
     from vtkmodules.vtkIOLegacy import vtkStructuredPointsReader
     from vtkmodules.vtkIOXML import vtkXMLImageDataReader
+    from medical import apply_header, require_known_type
     from vtkTemporalCoherence import numpy_to_image
 except ImportError as missing:
     sys.exit(
@@ -44,7 +45,7 @@ def add_volume_arguments(arguments: argparse.ArgumentParser) -> None:
     arguments.add_argument(
         "volume", nargs="?",
         help=f"a file {SUFFIXES} (an array [z, y, x]); default: four generated spheres")
-    arguments.add_argument("--array", help="the point array to draw; default: the file's scalars")
+    arguments.add_argument("--array", help="the array to draw, of points or cells; default: the file's scalars")
 
 
 def number_from(least: int, most: int = 1000000) -> Callable[[str], int]:
@@ -103,45 +104,73 @@ def read_volume(path: str) -> vtkImageData:
     suffix = next((suffix for suffix in READERS if path.lower().endswith(suffix)), None)
     if suffix is None:
         raise UserError(f"The suffix of {quoted(path)} is none of {SUFFIXES}: convert the volume.")
-    check_header(path)
+    try_reading(path, lambda: _read_untried(path, suffix))
+    return _read_untried(path, suffix)
+
+
+def _read_untried(path: str, suffix: str) -> vtkImageData:
+    """A reader may end the program here."""
+    if suffix in (".mhd", ".mha"):
+        require_known_type(path)
     reader = READERS[suffix]()
     reader.SetFileName(path)
     with errors_of_vtk() as errors:
         reader.Update()
     image = reader.GetOutput()
-    if errors() or image.GetNumberOfPoints() == 0:
+    # Only the reader of legacy files tells by a warning that a file ends too early.
+    if errors(suffix == ".vtk") or image.GetNumberOfPoints() == 0:
         raise UserError(
             f"{quoted(path)} could not be read as an image: check that it is a whole file of the format "
             f"that its suffix tells.")
+    require_bytes(path, 1024 * image.GetActualMemorySize())
+    apply_header(reader, path, image)
     return image
 
 
+def drawn_scalars(data: vtkDataSet) -> vtkDataArray | None:
+    """What the mapper draws of its own accord: scalars of the points, or else of the cells."""
+    return data.GetPointData().GetScalars() or data.GetCellData().GetScalars()
+
+
+def _varies(array: vtkDataArray) -> bool:
+    low, high = array.GetFiniteRange(0)
+    return low < high
+
+
+def choose_scalars(data: vtkDataSet, name: str | None, what: str) -> None:
+    """Make an array what is drawn: the named one, else the scalars, else the first one that varies."""
+    arrays = {}
+    for attributes, count in (
+            (data.GetPointData(), data.GetNumberOfPoints()), (data.GetCellData(), data.GetNumberOfCells())):
+        for index in range(attributes.GetNumberOfArrays()):
+            array = attributes.GetArray(index)  # some are no numbers, and some have no name
+            if array and not array.IsA("vtkBitArray") and array.GetNumberOfTuples() == count and \
+                    attributes.GetArrayName(index) != vtkDataSetAttributes.GhostArrayName():
+                arrays.setdefault(attributes.GetArrayName(index) or "", (attributes, index, array))
+    if not arrays:
+        raise UserError(
+            f"{what} has no arrays of numbers, one for each point or cell: check that it is whole, or add "
+            f"some.")
+    if name is None:
+        own = data.GetPointData().GetScalars()
+        names = [own.GetName() or ""] if own else []
+        names = [name for name in [*names, *arrays] if name in arrays]
+        name = next((name for name in names if _varies(arrays[name][2])), names[0])
+    if name not in arrays:
+        there = shortened(printable(", ".join(arrays)))
+        raise UserError(f"{what} has no array {quoted(name)}: choose one of {there}.")
+    data.GetPointData().SetActiveScalars(None)
+    attributes, index, _ = arrays[name]
+    attributes.SetActiveAttribute(index, vtkDataSetAttributes.SCALARS)
+
+
 def choose_array(image: vtkImageData, name: str | None, what: str) -> None:
-    """Make an array the active scalars: the named one, else those of the file, else the first."""
+    """Make an array of a volume what is drawn."""
     if min(image.GetDimensions()) < 2:
         raise UserError(
             f"{what} has {' x '.join(map(str, image.GetDimensions()))} samples: a volume needs at "
             f"least 2 along each axis.")
-    points = image.GetPointData()
-    # Some have no name, and some are no numbers.
-    arrays = {points.GetArrayName(index) or "": index
-              for index in range(points.GetNumberOfArrays()) if points.GetArray(index)}
-    if not arrays:
-        raise UserError(
-            f"{what} has no arrays on its points: make some of cell data with "
-            f"vtkCellDataToPointData.")
-    if name is None:
-        scalars = points.GetScalars()
-        name = scalars.GetName() or "" if scalars else next(iter(arrays))
-    if name not in arrays:
-        there = shortened(printable(", ".join(arrays)))
-        raise UserError(f"{what} has no array {quoted(name)}: choose one of {there}.")
-    points.SetActiveAttribute(arrays[name], vtkDataSetAttributes.SCALARS)
-    scalars = points.GetScalars()
-    if not scalars or scalars.GetNumberOfTuples() != image.GetNumberOfPoints() or \
-            scalars.IsA("vtkBitArray"):
-        raise UserError(
-            f"{what} has no number for each of its points in {quoted(name)}: check that it is whole.")
+    choose_scalars(image, name, what)
     _check_place(image, what)
 
 
@@ -167,11 +196,14 @@ def _check_place(image: vtkImageData, what: str) -> None:
 
 def value_range(data: vtkDataSet, what: str) -> tuple[float, float]:
     """The least and the greatest number among the scalars; an error if there is no surface."""
-    low, high = data.GetPointData().GetScalars().GetFiniteRange(0)
+    low, high = drawn_scalars(data).GetFiniteRange(0)
     if not low < high:
+        attributes = (data.GetPointData(), data.GetCellData())
+        names = [of.GetArrayName(index) or "" for of in attributes for index in range(of.GetNumberOfArrays())]
+        others = f" by --array ({shortened(printable(', '.join(names)))})" if len(names) > 1 else ""
         raise UserError(
             f"The samples of {what} are all the same or no numbers, so that it has no isosurface: "
-            f"choose another volume or array.")
+            f"choose another volume or array{others}.")
     return low, high
 
 
@@ -194,15 +226,15 @@ def _read_array(path: str) -> vtkImageData:
         raise UserError(f"{quoted(path)} could not be read as a NumPy volume: {reason}.") from error
 
 
-def _has_errors(said: str | bytes) -> bool:
+def _has_errors(said: str | bytes, are_warnings: bool) -> bool:
     # What VTK cites of a file may be no UTF-8.
     text = said.decode("latin-1") if isinstance(said, bytes) else said
-    return any(word in text for word in ("ERROR:", "Generic Warning:"))
+    return "ERROR:" in text or (are_warnings and "Generic Warning:" in text)
 
 
 @contextlib.contextmanager
-def errors_of_vtk() -> Iterator[Callable[[], bool]]:
-    """Keep VTK and its libraries silent, and tell whether there were errors."""
+def errors_of_vtk() -> Iterator[Callable[..., bool]]:
+    """Keep VTK and its libraries silent, and tell whether there were errors, or warnings, too."""
     window, before = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
     vtkOutputWindow.SetInstance(window)
     sys.stdout.flush()
@@ -211,8 +243,7 @@ def errors_of_vtk() -> Iterator[Callable[[], bool]]:
     try:
         for stream in (1, 2):
             os.dup2(nowhere, stream)
-        # vtkDataReader tells of a file that ends too early by a warning.
-        yield lambda: _has_errors(window.GetOutput())
+        yield lambda are_warnings=False: _has_errors(window.GetOutput(), are_warnings)
     finally:
         for stream, copy in zip((1, 2), kept):
             os.dup2(copy, stream)

@@ -2,9 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Opens files in the ways of the example programs, each in a process of its own: see usage().
 #include "Draw.h"
+#include "Files/Arrays.h"
+#include "Files/Trial.h"
+#include "Files/VolumeReader.h"
 #include "Program/CommandLine.h"
 #include "Program/UserError.h"
+#include "View/Histogram.h"
 
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkRectilinearGrid.h>
 #include <vtkSMPTools.h>
 
 #include <cstdio>
@@ -38,8 +45,9 @@ const char* const Usage =
 
 usage: OpenFiles < REQUESTS
 
-A request is a line WAY<tab>FILE<tab>SAID[<tab>LAYOUT]: WAY is explorer, session or orbit, FILE what
-is opened, SAID a file for what is printed, LAYOUT what --raw takes. The answer is a line with the
+A request is a line WAY<tab>FILE<tab>SAID[<tab>LAYOUT]: WAY is explorer, session, orbit or tell, FILE
+what is opened, SAID a file for what is printed, LAYOUT what --raw takes, or of tell an array. With
+tell nothing is drawn: what was read is told, and where its samples lie. The answer is a line with the
 status that wait() gave and the most memory that the process had, in KiB: "0 51234". A process that
 takes more than 20 s is ended by SIGALRM; one that asks for more than 1 GiB is refused it.
 )";
@@ -58,6 +66,46 @@ Request Parse(const std::string& line)
   std::getline(in, request.Said, '\t');
   std::getline(in, request.Layout, '\t');
   return request;
+}
+
+// What was read, and places and values of samples: of the first one, its neighbours and the last.
+void Tell(VolumeSource source, const std::string& array)
+{
+  source.Array = array;
+  const Volume volume = ReadVolume(source);
+  const Histogram histogram = CountSamples(volume);
+  std::printf("array %s%s\n", volume.Array.Name.c_str(), volume.Array.IsOnCells ? " of cells" : "");
+  std::printf("range %g %g\n", histogram.Range[0], histogram.Range[1]);
+  int n[3] = { 0, 0, 0 };
+  if (auto* image = vtkImageData::SafeDownCast(volume.Data))
+  {
+    image->GetDimensions(n);
+  }
+  else if (auto* grid = vtkRectilinearGrid::SafeDownCast(volume.Data))
+  {
+    grid->GetDimensions(n);
+  }
+  const vtkIdType plane = static_cast<vtkIdType>(n[0]) * n[1], count = plane * n[2];
+  for (const vtkIdType point : { vtkIdType(0), vtkIdType(1), vtkIdType(n[0]), plane, count - 1 })
+  {
+    if (count == 0)
+    {
+      break;
+    }
+    double place[4] = { 0.0, 0.0, 0.0, 1.0 };
+    DataSetsOf(volume.Data).front()->GetPoint(point, place);
+    if (volume.Placement)
+    {
+      volume.Placement->MultiplyPoint(place, place);
+    }
+    const double value =
+      volume.Array.IsOnCells ? 0.0 : ShownArrays(volume).front()->GetComponent(point, 0);
+    std::printf("sample %g %g %g %g\n", place[0], place[1], place[2], value);
+  }
+  if (!volume.Remark.empty())
+  {
+    std::printf("remark %s\n", volume.Remark.c_str());
+  }
 }
 
 void Limit()
@@ -80,12 +128,18 @@ int Open(const Request& request)
   dup2(said, STDOUT_FILENO);
   dup2(said, STDERR_FILENO);
   Limit();
+  BeginTrials();
   vtkSMPTools::Initialize(2);
   return RunProgram("OpenFiles",
     [&request]
     {
       VolumeSource source;
       source.Path = request.File;
+      if (request.Way == "tell")
+      {
+        Tell(source, request.Layout);
+        return;
+      }
       if (!request.Layout.empty())
       {
         source.Raw = ParseRaw(request.Layout);

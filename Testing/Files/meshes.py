@@ -94,6 +94,53 @@ def vts_cell_vectors(twist) -> bytes:
         "corners", "Float32", numbers, rarer(twist), 3) + "</CellData>\n")
 
 
+def vtm(twist) -> dict[str, bytes]:
+    """Pieces of a block: a list of files."""
+    t = twist
+    text = f"""<VTKFile type="vtkMultiBlockDataSet" version="1.0" byte_order="LittleEndian">
+<vtkMultiBlockDataSet>
+<Block index="{t(0)}"><DataSet index="{t(0)}" file="b.vtu"/></Block>
+<Piece index="{t(1)}"><DataSet index="{t(0)}" file="c.vts"/><DataSet index="{t(1)}" file="b.vtu"/></Piece>
+</vtkMultiBlockDataSet>
+</VTKFile>
+"""
+    return {"a.vtm": text.encode(), "b.vtu": vtu(rarer(twist)), "c.vts": vts(rarer(twist))}
+
+
+def pvtu(twist) -> dict[str, bytes]:
+    """A parallel file, whose parts are others."""
+    text = f"""<VTKFile type="PUnstructuredGrid" version="0.1" byte_order="LittleEndian">
+<PUnstructuredGrid GhostLevel="{twist(0)}">
+<PPointData Scalars="ball"><PDataArray type="Float32" Name="ball" NumberOfComponents="{twist(1)}"/></PPointData>
+<PPoints><PDataArray type="Float32" Name="Points" NumberOfComponents="{twist(3)}"/></PPoints>
+<Piece Source="b.vtu"/>
+</PUnstructuredGrid>
+</VTKFile>
+"""
+    return {"a.pvtu": text.encode(), "b.vtu": vtu(rarer(twist))}
+
+
+def vthb(twist) -> dict[str, bytes]:
+    """An adaptive grid of two levels."""
+    t = twist
+    files = {}
+    blocks = ""
+    for level, spacing in enumerate((1, 0.5)):
+        box = f"{t(0)} {t(3)} {t(0)} {t(3)} {t(0)} {t(3)}"
+        blocks += f'<Block level="{t(level)}" spacing="{t(spacing)} {t(spacing)} {t(spacing)}">' \
+            f'<DataSet index="{t(0)}" amr_box="{box}" file="{level}.vti"/></Block>\n'
+        content = "<CellData>\n" + array("ball", "Float32", range(64), rarer(twist)) + "</CellData>\n"
+        files[f"{level}.vti"] = xml(
+            "ImageData", 'Extent="0 4 0 4 0 4"', content,
+            f' WholeExtent="0 4 0 4 0 4" Origin="0 0 0" Spacing="{spacing} {spacing} {spacing}"')
+    files["a.vthb"] = f"""<VTKFile type="vtkOverlappingAMR" version="1.1" byte_order="LittleEndian">
+<vtkOverlappingAMR origin="{t(0)} {t(0)} {t(0)}" grid_description="XYZ">
+{blocks}</vtkOverlappingAMR>
+</VTKFile>
+""".encode()
+    return files
+
+
 def legacy(twist) -> bytes:
     t, rarely = twist, rarer(twist)
     listed = [number for cell in cells() for number in (8, *cell)]

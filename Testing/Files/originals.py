@@ -373,6 +373,12 @@ def mesh(name: str, make: Callable[[Twist], bytes]) -> Callable[[Twist], Origina
     return lambda twist: Original(name, {name: make(twist)}, words=meshes.WORDS)
 
 
+def meshes_of(main: str, make: Callable[[Twist], dict[str, bytes]]) -> Callable[[Twist], Original]:
+    return lambda twist: Original(main, make(twist), words=meshes.WORDS + [
+        b"b.vtu", b"c.vts", b"0.vti", b"1.vti", b"vtkMultiBlockDataSet", b"Block", b"DataSet", b"spacing",
+        b"amr_box", b"file", b"Source", b"XY", b"vtkHierarchicalBoxDataSet", b"refinement_ratio"])
+
+
 # --- Others -------------------------------------------------------------------------------------
 
 def raw(twist: Twist) -> Original:
@@ -426,7 +432,7 @@ def npy(twist: Twist) -> Original:
 
 
 #: What the examples in Python do not open.
-MESHES = ("vtu", "vts", "vts-vectors", "vts-cell-vectors", "vtk-mesh")
+MESHES = ("vtu", "vts", "vts-vectors", "vts-cell-vectors", "vtk-mesh", "vtm", "pvtu", "vthb")
 
 ORIGINALS: dict[str, Callable[[Twist], Original]] = {
     "vti-ascii": vti("ascii"),
@@ -462,6 +468,9 @@ ORIGINALS: dict[str, Callable[[Twist], Original]] = {
     "vts": mesh("a.vts", meshes.vts),
     "vts-vectors": mesh("a.vts", meshes.vts_vectors),
     "vts-cell-vectors": mesh("a.vts", meshes.vts_cell_vectors),
+    "vtm": meshes_of("a.vtm", meshes.vtm),
+    "pvtu": meshes_of("a.pvtu", meshes.pvtu),
+    "vthb": meshes_of("a.vthb", meshes.vthb),
     "vtk-mesh": mesh("a.vtk", meshes.legacy),
     "raw": raw,
     "session": session,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Files/Arrays.h"
 
+#include "Files/Drawn.h"
 #include "Program/Quoted.h"
 #include "Program/UserError.h"
 
@@ -16,6 +17,7 @@
 #include <vtkUniformGridAMR.h>
 
 #include <algorithm>
+#include <functional>
 #include <sstream>
 
 namespace
@@ -33,20 +35,6 @@ bool IsDrawable(vtkDataSetAttributes* attributes, int i)
   return array && array->GetName() && array->GetName()[0] && !vtkBitArray::SafeDownCast(array) &&
     attributes->GetArrayName(i) != std::string(vtkDataSetAttributes::GhostArrayName()) &&
     array != attributes->GetGlobalIds() && array != attributes->GetPedigreeIds();
-}
-
-bool Holds(const Volume& volume, const ArrayChoice& choice, double value)
-{
-  Volume other = volume;
-  other.Array = choice;
-  const std::vector<vtkDataArray*> arrays = ShownArrays(other);
-  return std::any_of(arrays.begin(), arrays.end(),
-    [value](vtkDataArray* array)
-    {
-      double range[2];
-      array->GetFiniteRange(range, 0);
-      return value >= range[0] && value <= range[1];
-    });
 }
 
 std::string ListOf(const std::vector<ArrayChoice>& choices)
@@ -116,15 +104,18 @@ std::vector<ArrayChoice> AllArrays(vtkDataObject* data)
   return all;
 }
 
+vtkDataArray* ArrayOf(vtkDataSet* set, const ArrayChoice& choice)
+{
+  vtkDataSetAttributes* attributes = AttributesOf(set, choice.IsOnCells);
+  return choice.Name.empty() ? attributes->GetScalars() : attributes->GetArray(choice.Name.c_str());
+}
+
 std::vector<vtkDataArray*> ShownArrays(const Volume& volume)
 {
-  const ArrayChoice& choice = volume.Array;
   std::vector<vtkDataArray*> arrays;
   for (vtkDataSet* set : DataSetsOf(volume.Data))
   {
-    vtkDataSetAttributes* attributes = AttributesOf(set, choice.IsOnCells);
-    vtkDataArray* array =
-      choice.Name.empty() ? attributes->GetScalars() : attributes->GetArray(choice.Name.c_str());
+    vtkDataArray* array = ArrayOf(set, volume.Array);
     arrays.insert(arrays.end(), array ? 1 : 0, array);
   }
   return arrays;
@@ -133,35 +124,81 @@ std::vector<vtkDataArray*> ShownArrays(const Volume& volume)
 void ChooseArray(Volume& volume, const std::string& name, const std::optional<double>& isovalue)
 {
   const std::vector<ArrayChoice> all = AllArrays(volume.Data);
-  const bool isImage = vtkImageData::SafeDownCast(volume.Data) != nullptr;
-  if (name.empty() && isImage)
+  const auto first = [&all](const std::function<bool(const ArrayChoice&)>& isWanted)
+  { return std::find_if(all.begin(), all.end(), isWanted); };
+  if (!name.empty() && !all.empty())
   {
-    volume.Array = {}; // its active scalars
-    return;
-  }
-  if (all.empty())
-  {
-    throw UserError(Quoted(volume.Name) +
-      " has no array of numbers at its points or of its cells; add one, and save it again.");
-  }
-  auto chosen = all.begin();
-  if (!name.empty())
-  {
-    chosen = std::find_if(
-      all.begin(), all.end(), [&name](const ArrayChoice& choice) { return choice.Name == name; });
-    if (chosen == all.end())
+    const auto named = first([&name](const ArrayChoice& choice) { return choice.Name == name; });
+    if (named == all.end())
     {
       throw UserError(Quoted(volume.Name) + " has no array " + Quoted(name) +
         "; choose one of those it has: " + ListOf(all) + ".");
     }
+    volume.Array = *named;
+    return;
   }
-  else if (isovalue)
+  Drawn drawn(volume.Data);
+  const auto varies = [&drawn](const ArrayChoice& choice)
   {
-    chosen = std::find_if(all.begin(), all.end(),
-      [&](const ArrayChoice& choice) { return Holds(volume, choice, *isovalue); });
-    chosen = chosen == all.end() ? all.begin() : chosen;
+    const std::array<double, 2> range = drawn.Range(choice);
+    return range[0] < range[1];
+  };
+  auto* image = vtkImageData::SafeDownCast(volume.Data);
+  const bool hasScalars = image && image->GetPointData()->GetScalars();
+  volume.Array = {}; // an image's own scalars
+  if (hasScalars && varies(volume.Array))
+  {
+    return;
   }
-  volume.Array = *chosen;
+  if (all.empty() && !hasScalars)
+  {
+    throw UserError(Quoted(volume.Name) +
+      " has no array of numbers at its points or of its cells; add one, and save it again.");
+  }
+  auto chosen = all.end();
+  if (isovalue)
+  {
+    chosen = first(
+      [&](const ArrayChoice& choice)
+      {
+        const std::array<double, 2> range = drawn.Range(choice);
+        return *isovalue >= range[0] && *isovalue <= range[1];
+      });
+  }
+  chosen = chosen == all.end() ? first(varies) : chosen;
+  if (chosen != all.end())
+  {
+    volume.Array = *chosen;
+  }
+  else if (!hasScalars)
+  {
+    volume.Array = all.front();
+  }
+}
+
+std::string OthersThan(const Volume& volume)
+{
+  std::vector<ArrayChoice> others = AllArrays(volume.Data);
+  const std::vector<vtkDataArray*> shown = ShownArrays(volume);
+  others.erase(
+    std::remove_if(others.begin(), others.end(),
+      [&](const ArrayChoice& choice)
+      {
+        return choice.Name == volume.Array.Name ||
+          (!shown.empty() && shown.front()->GetName() && choice.Name == shown.front()->GetName());
+      }),
+    others.end());
+  std::string text;
+  if (!others.empty())
+  {
+    text = "another array by --array (" + Shortened(ListOf(others)) + ")";
+  }
+  if (volume.TimeSteps > 1)
+  {
+    text += std::string(text.empty() ? "" : ", or ") + "another of its " +
+      std::to_string(volume.TimeSteps) + " time steps by --time-step";
+  }
+  return text;
 }
 
 std::string NextArray(const Volume& volume)

@@ -22,11 +22,15 @@ bool HasMeshes(vtkDataObject* data);
 // The arrays of numbers that a data set or any leaf has, those at points first.
 std::vector<ArrayChoice> AllArrays(vtkDataObject* data);
 
+// The array of a data set that a choice names; null if it has none.
+vtkDataArray* ArrayOf(vtkDataSet* set, const ArrayChoice& choice);
+
 // The array that is drawn, of each data set that has it.
 std::vector<vtkDataArray*> ShownArrays(const Volume& volume);
 
 // Choose what is drawn by its name; without one, the first array that holds the isovalue, or else
-// the first one. Throws UserError if there is no such array.
+// the first one whose values differ; of an image first its own scalars. Throws UserError if there
+// is no such array.
 void ChooseArray(
   Volume& volume, const std::string& name, const std::optional<double>& isovalue = std::nullopt);
 
@@ -35,6 +39,10 @@ std::string NextArray(const Volume& volume);
 
 // Let a mapper draw the volume's array.
 void ShowArray(const Volume& volume, vtkAbstractVolumeMapper* mapper);
+
+// What else could be drawn: "choose another array by --array: p, v; or ...". Empty if there is
+// nothing.
+std::string OthersThan(const Volume& volume);
 
 // "256 x 256 x 110  uchar", or "7472 cells  double Temp"
 std::string DescriptionOf(const Volume& volume);

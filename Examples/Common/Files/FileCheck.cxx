@@ -2,17 +2,108 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Files/FileCheck.h"
 
+#include "Files/Reading.h"
 #include "Program/Quoted.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
+#include <vector>
+
+namespace
+{
 
 namespace fs = std::filesystem;
+
+// How many bytes one byte of a file can become. zlib tells 1032 as its maximum, runs of SLC have at
+// most 127; LZMA, which VTK's XML may be compressed by, has no bound.
+struct Inflation
+{
+  const char* Suffix;
+  double Most;
+};
+constexpr Inflation Inflations[] = { { ".gz", 1032.0 }, { ".mha", 1032.0 }, { ".mhd", 1032.0 },
+  { ".cgns", 1032.0 }, { ".ex2", 1032.0 }, { ".exo", 1032.0 }, { ".e", 1032.0 }, { ".slc", 127.0 },
+  { ".vtk", 1.0 }, { ".nii", 1.0 }, { "xyz", 1.0 }, { "xyz.bin", 1.0 }, { ".dcm", 1.0 } };
+constexpr double InflationOfXml = 8192.0;
+
+constexpr double Wider = 8.0;                  // bytes of a number that a digit of text becomes
+constexpr double Copies = 2.0;                 // of what is read, for a while
+constexpr double LeastBytes = 512 << 20;       // of memory
+constexpr double LeastSeconds = 1.5;           // small files take a hundredth of a second
+constexpr double BytesPerSecond = 4 << 20;     // that a slow machine reads, at least, and
+constexpr double InflatedPerSecond = 64 << 20; // that it inflates
+constexpr std::size_t MostOfList = 1 << 20;    // bytes that are searched for names of files
+
+double InflationOf(const std::string& path)
+{
+  std::error_code error;
+  const std::string name = fs::is_directory(path, error) ? ".dcm" : LowerCase(path);
+  const auto* found = std::find_if(std::begin(Inflations), std::end(Inflations),
+    [&name](const Inflation& inflation) { return EndsWith(name, inflation.Suffix); });
+  return found == std::end(Inflations) ? InflationOfXml : found->Most;
+}
+
+double BytesOfFolder(const fs::path& folder)
+{
+  double sum = 0.0;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
+  {
+    sum += entry.is_regular_file(error) ? static_cast<double>(entry.file_size(error)) : 0.0;
+  }
+  return sum;
+}
+
+// Words of a text that may be names of files.
+std::vector<std::string> WordsOf(const std::string& text)
+{
+  std::vector<std::string> words;
+  for (std::size_t at = 0; at < text.size();)
+  {
+    const std::size_t end = std::min(text.find_first_of("\"'=<> \t\r\n", at), text.size());
+    if (end > at && end - at < 1024)
+    {
+      words.push_back(text.substr(at, end - at));
+    }
+    at = end + 1;
+  }
+  return words;
+}
+
+double BytesWithParts(const std::string& path)
+{
+  std::error_code error;
+  const fs::path folder = fs::path(path).parent_path();
+  if (fs::is_directory(path, error))
+  {
+    return BytesOfFolder(path);
+  }
+  const std::string name = LowerCase(path);
+  const bool isOfList = EndsWith(name, ".mhd") || EndsWith(name, ".vtm") ||
+    EndsWith(name, ".vtmb") || EndsWith(name, ".vth") || EndsWith(name, ".vthb") ||
+    name.find(".pvt") != std::string::npos;
+  double sum = static_cast<double>(SizeOf(path));
+  if (EndsWith(name, "xyz") || EndsWith(name, "xyz.bin"))
+  {
+    return BytesOfFolder(folder); // one of them has the values
+  }
+  if (isOfList)
+  {
+    const std::string text = BytesOf(path, MostOfList);
+    for (const std::string& word : WordsOf(text))
+    {
+      // A pattern of names stands for several.
+      sum += word.find('%') != std::string::npos ? BytesOfFolder(folder) : 0.0;
+      const fs::path part = folder / word;
+      sum +=
+        fs::is_regular_file(part, error) ? static_cast<double>(fs::file_size(part, error)) : 0.0;
+    }
+  }
+  return sum;
+}
+
+}
 
 UserError Damaged(const std::string& path, const std::string& reason)
 {
@@ -20,17 +111,10 @@ UserError Damaged(const std::string& path, const std::string& reason)
     "; check that the file is whole and of the right format.");
 }
 
-void RequireSamples(
-  const std::string& path, double samples, double bytes, double there, double inflation)
+UserError TooLarge(const std::string& path)
 {
-  if (!(samples * bytes <= there * inflation))
-  {
-    std::ostringstream what;
-    what.precision(15);
-    what << "its header tells of " << samples << " values of " << bytes << " bytes, but it has "
-         << there << (inflation > 1.0 ? " compressed bytes" : " bytes") << " for them";
-    throw Damaged(path, what.str());
-  }
+  return UserError(Quoted(path) +
+    " takes more memory than there is; check that the file is whole, or choose a smaller one.");
 }
 
 std::uintmax_t SizeOf(const std::string& path)
@@ -56,11 +140,40 @@ std::string BytesOf(const std::string& path, std::uintmax_t most)
   return bytes;
 }
 
-bool IsWhole(const std::string& text, long long least, long long most, long long& number)
+ReadingLimits LimitsOf(const std::string& path)
 {
-  const bool isNumber = !text.empty() &&
-    text.find_first_not_of("0123456789", text[0] == '-' || text[0] == '+') == std::string::npos;
-  errno = 0;
-  number = isNumber ? std::strtoll(text.c_str(), nullptr, 10) : 0;
-  return isNumber && errno == 0 && number >= least && number <= most;
+  const double bytes = BytesWithParts(path), inflated = bytes * InflationOf(path);
+  return { LeastSeconds + bytes / BytesPerSecond + inflated / InflatedPerSecond,
+    LeastBytes + Copies * Wider * inflated };
+}
+
+void RequireBytesFor(const std::string& path, double bytes)
+{
+  constexpr double Few = 1 << 20; // for what has no samples
+  if (bytes > Few + Wider * BytesWithParts(path) * InflationOf(path))
+  {
+    throw Damaged(path, "its header tells of more samples than it can hold");
+  }
+}
+
+void RequireParts(const std::string& path)
+{
+  const std::string text = BytesOf(path, MostOfList);
+  std::error_code error;
+  for (const char* attribute : { " file=\"", " Source=\"" })
+  {
+    for (std::size_t at = text.find(attribute); at != std::string::npos;
+         at = text.find(attribute, at))
+    {
+      at += std::string(attribute).size();
+      const std::string name = text.substr(at, text.find('"', at) - at);
+      const bool isPlain = !name.empty() && name.find('&') == std::string::npos;
+      const fs::path part = fs::path(path).parent_path() / name;
+      if (isPlain && !fs::is_regular_file(part, error))
+      {
+        throw UserError(Quoted(path) + " names the file " + Quoted(part.string()) +
+          ", which is not there; put it there, or correct the name.");
+      }
+    }
+  }
 }

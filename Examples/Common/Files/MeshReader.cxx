@@ -45,7 +45,6 @@ struct Format
 template <typename Reader>
 vtkSmartPointer<vtkAlgorithm> OpenXml(const std::string& path)
 {
-  CheckXmlFile(path);
   const auto reader = vtkSmartPointer<Reader>::New();
   if (!reader->CanReadFile(path.c_str()))
   {
@@ -53,6 +52,14 @@ vtkSmartPointer<vtkAlgorithm> OpenXml(const std::string& path)
   }
   reader->SetFileName(path.c_str());
   return reader;
+}
+
+// A file that names others, which hold the parts.
+template <typename Reader>
+vtkSmartPointer<vtkAlgorithm> OpenList(const std::string& path)
+{
+  RequireParts(path);
+  return OpenXml<Reader>(path);
 }
 
 vtkSmartPointer<vtkAlgorithm> OpenLegacy(const std::string& path)
@@ -65,26 +72,9 @@ vtkSmartPointer<vtkAlgorithm> OpenLegacy(const std::string& path)
   return reader;
 }
 
-#if defined(EXAMPLES_HAVE_IOExodus) || defined(EXAMPLES_HAVE_IOCGNSReader)
-// The libraries below these readers say more than one sentence of other files.
-void RequireBeginning(const std::string& path, const std::vector<std::string>& beginnings)
-{
-  const std::string begin = BytesOf(path, 64);
-  for (const std::string& beginning : beginnings)
-  {
-    if (begin.find(beginning) < 8)
-    {
-      return;
-    }
-  }
-  throw Unreadable(path);
-}
-#endif
-
 #ifdef EXAMPLES_HAVE_IOExodus
 vtkSmartPointer<vtkAlgorithm> OpenExodus(const std::string& path)
 {
-  RequireBeginning(path, { "CDF\x01", "CDF\x02", "CDF\x05", "HDF" });
   const auto reader = vtkSmartPointer<vtkExodusIIReader>::New();
   if (!reader->CanReadFile(path.c_str()))
   {
@@ -102,7 +92,6 @@ vtkSmartPointer<vtkAlgorithm> OpenExodus(const std::string& path)
 #ifdef EXAMPLES_HAVE_IOCGNSReader
 vtkSmartPointer<vtkAlgorithm> OpenCgns(const std::string& path)
 {
-  RequireBeginning(path, { "HDF", "ADF" });
   const auto reader = vtkSmartPointer<vtkCGNSReader>::New();
   if (!reader->CanReadFile(path.c_str()))
   {
@@ -149,13 +138,13 @@ const std::vector<Format>& Formats()
 {
   static const std::vector<Format> formats = {
     { { ".vtu" }, OpenXml<vtkXMLUnstructuredGridReader> },
-    { { ".pvtu" }, OpenXml<vtkXMLPUnstructuredGridReader> },
+    { { ".pvtu" }, OpenList<vtkXMLPUnstructuredGridReader> },
     { { ".vts" }, OpenXml<vtkXMLStructuredGridReader> },
-    { { ".pvts" }, OpenXml<vtkXMLPStructuredGridReader> },
+    { { ".pvts" }, OpenList<vtkXMLPStructuredGridReader> },
     { { ".vtr" }, OpenXml<vtkXMLRectilinearGridReader> },
-    { { ".pvtr" }, OpenXml<vtkXMLPRectilinearGridReader> },
-    { { ".vtm", ".vtmb" }, OpenXml<vtkXMLMultiBlockDataReader> },
-    { { ".vth", ".vthb" }, OpenXml<vtkXMLUniformGridAMRReader> },
+    { { ".pvtr" }, OpenList<vtkXMLPRectilinearGridReader> },
+    { { ".vtm", ".vtmb" }, OpenList<vtkXMLMultiBlockDataReader> },
+    { { ".vth", ".vthb" }, OpenList<vtkXMLUniformGridAMRReader> },
 #ifdef EXAMPLES_HAVE_IOExodus
     { { ".ex2", ".exo", ".e" }, OpenExodus },
 #endif

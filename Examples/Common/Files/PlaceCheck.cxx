@@ -3,6 +3,7 @@
 #include "Files/PlaceCheck.h"
 
 #include "Files/Arrays.h"
+#include "Files/Drawn.h"
 #include "Program/UserError.h"
 
 #include <vtkBoundingBox.h>
@@ -104,17 +105,6 @@ bool HasFinitePoints(vtkDataSet* set)
     [](double coordinate) { return std::isfinite(coordinate); });
 }
 
-// Of unstructured grids the mapper knows.
-bool HasVolume(vtkDataSet* set)
-{
-  int n[3] = { 2, 2, 2 };
-  if (auto* grid = vtkStructuredGrid::SafeDownCast(set))
-  {
-    grid->GetDimensions(n);
-  }
-  return n[0] > 1 && n[1] > 1 && n[2] > 1;
-}
-
 void RemoveUnfitting(vtkDataSetAttributes* attributes, vtkIdType tuples)
 {
   for (int i = attributes->GetNumberOfArrays() - 1; i >= 0; --i)
@@ -126,6 +116,12 @@ void RemoveUnfitting(vtkDataSetAttributes* attributes, vtkIdType tuples)
   }
 }
 
+}
+
+void RemoveUnfitting(vtkDataSet* set)
+{
+  RemoveUnfitting(set->GetPointData(), set->GetNumberOfPoints());
+  RemoveUnfitting(set->GetCellData(), set->GetNumberOfCells());
 }
 
 bool CanBeSeen(const vtkVector3d& corner, const std::array<vtkVector3d, 3>& edges)
@@ -172,8 +168,7 @@ void CheckMesh(vtkDataObject* data, const std::string& name)
     {
       throw UserError(name + " has points with coordinates that are no numbers; correct them.");
     }
-    RemoveUnfitting(set->GetPointData(), set->GetNumberOfPoints());
-    RemoveUnfitting(set->GetCellData(), set->GetNumberOfCells());
+    RemoveUnfitting(set);
     double bounds[6];
     set->GetBounds(bounds);
     box.AddBounds(bounds);

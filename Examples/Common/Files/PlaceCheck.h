@@ -9,11 +9,15 @@
 #include <string>
 
 class vtkDataObject;
+class vtkDataSet;
 
 // Cameras are placed by the box of what is shown: it must be one that numbers can tell of.
 // \param corner of the box
 // \param edges from there
 bool CanBeSeen(const vtkVector3d& corner, const std::array<vtkVector3d, 3>& edges);
+
+// Remove arrays that have not a tuple for each point, or for each cell.
+void RemoveUnfitting(vtkDataSet* set);
 
 // A grid, or a composite of grids, whose arrays fit together. Arrays of values that do not are left
 // out. Throws UserError.

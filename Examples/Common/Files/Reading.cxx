@@ -43,7 +43,7 @@ void Watch::Update(const std::string& path, int timeStep)
   }
   if (this->IsStopped)
   {
-    throw UserError("Reading " + Quoted(path) + " was stopped; open it again to read all of it.");
+    throw Stopped(path);
   }
 }
 
@@ -80,4 +80,9 @@ UserError Unreadable(const std::string& path)
   return UserError(Quoted(path) +
     " could not be read as what its suffix says; check that the file is whole and of that "
     "format.");
+}
+
+UserError Stopped(const std::string& path)
+{
+  return UserError("Reading " + Quoted(path) + " was stopped; open it again to read all of it.");
 }

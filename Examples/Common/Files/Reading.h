@@ -6,6 +6,7 @@
 #include "Program/UserError.h"
 
 #include <vtkNew.h>
+#include <vtkSmartPointer.h>
 
 #include <functional>
 #include <string>
@@ -45,7 +46,21 @@ int TimeStepsOf(vtkAlgorithm* reader);
 bool EndsWith(const std::string& text, const std::string& end);
 std::string LowerCase(std::string text);
 
-// What is told of a file that its reader refused.
+// What is told of a file that its reader refused, and of one that was stopped.
 UserError Unreadable(const std::string& path);
+UserError Stopped(const std::string& path);
+
+// For the readers of IOImage, which know their files by CanReadFile.
+template <typename Reader>
+auto ReadImage(Reader* reader, const std::string& path, const ReadingProgress& progress)
+{
+  if (!reader->CanReadFile(path.c_str()))
+  {
+    throw Unreadable(path);
+  }
+  reader->SetFileName(path.c_str());
+  Watch(reader, progress).Update(path);
+  return vtkSmartPointer(reader->GetOutput());
+}
 
 #endif

@@ -5,20 +5,19 @@
 #include "Files/Arrays.h"
 #include "Files/FileCheck.h"
 #include "Files/FourSpheres.h"
+#include "Files/MedicalReader.h"
 #include "Files/MeshReader.h"
 #include "Files/PlaceCheck.h"
 #include "Files/Reading.h"
+#include "Files/Trial.h"
 #include "Program/Quoted.h"
 #include "Program/Silence.h"
 #include "Program/UserError.h"
 
 #include <vtkBitArray.h>
-#include <vtkDICOMImageReader.h>
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
 #include <vtkImageReader2.h>
-#include <vtkMetaImageReader.h>
-#include <vtkNIFTIImageReader.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkSLCReader.h>
@@ -54,18 +53,11 @@ std::string ListOfSuffixes()
   return list + ", " + ListOfMeshSuffixes();
 }
 
-// For the readers of IOImage, which know their files by CanReadFile.
-template <typename Reader>
-vtkSmartPointer<vtkImageData> ReadImage(
-  Reader* reader, const std::string& path, const ReadingProgress& progress)
+bool IsImageFile(const std::string& legacyPath)
 {
-  if (!reader->CanReadFile(path.c_str()))
-  {
-    throw Unreadable(path);
-  }
-  reader->SetFileName(path.c_str());
-  Watch(reader, progress).Update(path);
-  return reader->GetOutput();
+  vtkNew<vtkStructuredPointsReader> reader;
+  reader->SetFileName(legacyPath.c_str());
+  return reader->IsFileStructuredPoints() != 0;
 }
 
 vtkSmartPointer<vtkImageData> ReadLegacy(const std::string& path, const ReadingProgress& progress)
@@ -73,21 +65,6 @@ vtkSmartPointer<vtkImageData> ReadLegacy(const std::string& path, const ReadingP
   vtkNew<vtkStructuredPointsReader> reader;
   reader->SetFileName(path.c_str());
   Watch(reader, progress).Update(path);
-  return reader->GetOutput();
-}
-
-vtkSmartPointer<vtkImageData> ReadDicom(const std::string& path, const ReadingProgress& progress)
-{
-  CheckDicomFiles(path);
-  vtkNew<vtkDICOMImageReader> reader;
-  reader->SetDirectoryName(path.c_str());
-  Watch(reader, progress).Update(path);
-  // A directory without a series leaves no file to name.
-  if (reader->GetErrorCode() != 0 || reader->GetOutput()->GetNumberOfPoints() < 2)
-  {
-    throw UserError("The directory " + Quoted(path) +
-      " holds no DICOM series that VTK reads; name the directory with the slices themselves.");
-  }
   return reader->GetOutput();
 }
 
@@ -130,22 +107,6 @@ vtkSmartPointer<vtkImageData> ReadRaw(const std::string& path, const RawLayout& 
   return reader->GetOutput();
 }
 
-// A header may place the samples among the patient's axes: the scanner's (q) or a template's (s).
-Volume ReadNifti(const std::string& path, const ReadingProgress& progress)
-{
-  Volume volume;
-  vtkNew<vtkNIFTIImageReader> reader;
-  volume.Data = ReadImage(reader.Get(), path, progress);
-  vtkMatrix4x4* placement =
-    reader->GetSFormMatrix() ? reader->GetSFormMatrix() : reader->GetQFormMatrix();
-  if (placement && std::abs(placement->Determinant()) > 0.0)
-  {
-    volume.Placement = placement;
-  }
-  volume.From = "+y";
-  return volume;
-}
-
 Volume ReadFile(const VolumeSource& source, const ReadingProgress& progress)
 {
   const std::string& path = source.Path;
@@ -157,12 +118,11 @@ Volume ReadFile(const VolumeSource& source, const ReadingProgress& progress)
   }
   else if (EndsWith(name, ".vti"))
   {
-    CheckXmlFile(path);
     volume.Data = ReadImage(vtkNew<vtkXMLImageDataReader>().Get(), path, progress);
   }
   else if (EndsWith(name, ".vtk"))
   {
-    if (CheckLegacyFile(path) == "structured_points")
+    if (IsImageFile(path))
     {
       volume.Data = ReadLegacy(path, progress);
     }
@@ -173,17 +133,14 @@ Volume ReadFile(const VolumeSource& source, const ReadingProgress& progress)
   }
   else if (EndsWith(name, ".mhd") || EndsWith(name, ".mha"))
   {
-    CheckMetaImage(path);
-    volume.Data = ReadImage(vtkNew<vtkMetaImageReader>().Get(), path, progress);
+    ReadMetaImage(path, progress, volume);
   }
   else if (EndsWith(name, ".nii") || EndsWith(name, ".nii.gz"))
   {
-    CheckNifti(path);
-    volume = ReadNifti(path, progress);
+    ReadNifti(path, progress, volume);
   }
   else if (EndsWith(name, ".slc"))
   {
-    CheckSlc(path);
     volume.Data = ReadImage(vtkNew<vtkSLCReader>().Get(), path, progress);
   }
   else
@@ -205,25 +162,45 @@ void CheckImage(vtkImageData* image, const std::string& name)
       " samples; a volume needs at least 2 along each axis.");
   }
   vtkPointData* points = image->GetPointData();
-  // Some arrays have no name, and some no numbers.
-  for (int i = 0; i < points->GetNumberOfArrays() && !points->GetScalars(); ++i)
-  {
-    points->SetActiveAttribute(i, vtkDataSetAttributes::SCALARS);
-  }
   vtkDataArray* scalars = points->GetScalars();
-  if (!scalars)
-  {
-    throw UserError(
-      name + " has no scalars at its points; cell data become such with vtkCellDataToPointData.");
-  }
-  if (scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
+  if (scalars && scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
   {
     throw UserError(name + " has " + std::to_string(scalars->GetNumberOfTuples()) + " scalars at " +
       std::to_string(image->GetNumberOfPoints()) + " points; check that the file is whole.");
   }
-  if (vtkBitArray::SafeDownCast(scalars))
+  RemoveUnfitting(image);
+  const bool hasBits = vtkBitArray::SafeDownCast(scalars) != nullptr;
+  if (hasBits)
+  {
+    points->SetActiveScalars(nullptr);
+  }
+  // Some arrays have no name, and some no numbers.
+  for (int i = 0; i < points->GetNumberOfArrays() && !points->GetScalars(); ++i)
+  {
+    if (!vtkBitArray::SafeDownCast(points->GetArray(i)))
+    {
+      points->SetActiveAttribute(i, vtkDataSetAttributes::SCALARS);
+    }
+  }
+  if (hasBits && !points->GetScalars() && AllArrays(image).empty())
   {
     throw UserError(name + " has samples of one bit; save them with 8 bits or more.");
+  }
+}
+
+// What is drawn of the cells of an image are samples in their middles.
+void CheckCellSamples(const Volume& volume, const std::string& name)
+{
+  int n[3] = { 3, 3, 3 };
+  if (auto* image = vtkImageData::SafeDownCast(volume.Data))
+  {
+    image->GetDimensions(n);
+  }
+  if (volume.Array.IsOnCells && std::min({ n[0], n[1], n[2] }) < 3)
+  {
+    throw UserError(name + " has " + std::to_string(n[0] - 1) + " x " + std::to_string(n[1] - 1) +
+      " x " + std::to_string(n[2] - 1) +
+      " cells with samples; a volume needs at least 2 along each axis.");
   }
 }
 
@@ -267,6 +244,24 @@ bool HasVolumeSuffix(const std::string& path)
 namespace
 {
 
+void RequireReadable(const std::string& path)
+{
+  std::error_code error;
+  if (!fs::exists(path, error))
+  {
+    throw UserError("There is no file " + Quoted(path) + "; check the path.");
+  }
+  if (!fs::is_regular_file(path, error) && !fs::is_directory(path, error))
+  {
+    // To open others may take for ever.
+    throw UserError(Quoted(path) + " could not be read: it is no file; name one.");
+  }
+  if (fs::is_regular_file(path, error) && !std::ifstream(path))
+  {
+    throw UserError(Quoted(path) + " may not be read; check its permissions.");
+  }
+}
+
 Volume ReadPath(const VolumeSource& source, const ReadingProgress& progress)
 {
   const Silence silence;
@@ -274,23 +269,9 @@ Volume ReadPath(const VolumeSource& source, const ReadingProgress& progress)
   Volume volume;
 
   std::error_code error;
-  if (!fs::exists(path, error))
-  {
-    throw UserError("There is no file " + Quoted(path) + "; check the path.");
-  }
   if (fs::is_directory(path, error))
   {
-    volume.Data = ReadDicom(path, progress);
-    volume.From = "+y";
-  }
-  else if (!fs::is_regular_file(path, error))
-  {
-    // To open others may take for ever.
-    throw UserError(Quoted(path) + " could not be read: it is no file; name one.");
-  }
-  else if (!std::ifstream(path))
-  {
-    throw UserError(Quoted(path) + " may not be read; check its permissions.");
+    ReadDicom(path, progress, volume);
   }
   else if (source.Raw)
   {
@@ -300,9 +281,14 @@ Volume ReadPath(const VolumeSource& source, const ReadingProgress& progress)
   {
     volume = ReadFile(source, progress);
   }
-  if (silence.HeardErrors())
+  // vtkDataReader tells of a file that ends too early by a warning; others warn of what they skip.
+  if (silence.HeardErrors() || (silence.HeardWarnings() && EndsWith(LowerCase(path), ".vtk")))
   {
     throw Unreadable(path);
+  }
+  if (!source.Raw && volume.Data)
+  {
+    RequireBytesFor(path, 1024.0 * static_cast<double>(volume.Data->GetActualMemorySize()));
   }
   volume.Name = Printable(fs::path(path).filename().string());
   if (source.TimeStep > volume.TimeSteps)
@@ -321,9 +307,31 @@ Volume ReadPath(const VolumeSource& source, const ReadingProgress& progress)
     CheckMesh(volume.Data, Quoted(path));
   }
   ChooseArray(volume, source.Array);
+  CheckCellSamples(volume, Quoted(path));
   return volume;
 }
 
+}
+
+Volume ReadUntried(const VolumeSource& source, const ReadingProgress& progress)
+{
+  try
+  {
+    return ReadPath(source, progress);
+  }
+  catch (const UserError&)
+  {
+    throw;
+  }
+  catch (const std::bad_alloc&)
+  {
+    throw TooLarge(source.Path);
+  }
+  catch (const std::exception&)
+  {
+    // Readers throw where a header leads them astray.
+    throw Unreadable(source.Path);
+  }
 }
 
 Volume ReadVolume(const VolumeSource& source, const ReadingProgress& progress)
@@ -336,22 +344,16 @@ Volume ReadVolume(const VolumeSource& source, const ReadingProgress& progress)
     CheckImage(vtkImageData::SafeDownCast(volume.Data), "The generated volume");
     return volume;
   }
-  try
+  RequireReadable(source.Path);
+  if (source.Raw)
   {
-    return ReadPath(source, progress);
+    return ReadUntried(source, progress);
   }
-  catch (const UserError&)
-  {
-    throw;
-  }
-  catch (const std::bad_alloc&)
-  {
-    throw UserError(Quoted(source.Path) +
-      " takes more memory than there is; check that the file is whole, or choose a smaller one.");
-  }
-  catch (const std::exception&)
-  {
-    // Readers throw where a header leads them astray.
-    throw Unreadable(source.Path);
-  }
+  // The trial is told as the first half of reading.
+  double begin = 0.0;
+  const ReadingProgress half = [&](double share)
+  { return !progress || progress(begin + 0.5 * share); };
+  TryReading(source, half);
+  begin = 0.5;
+  return ReadUntried(source, half);
 }

@@ -254,7 +254,7 @@ const char* const CommonOptionsHelp =
                          DICOM, -y otherwise
   --up AXIS              which way is up in the picture; default +z
   --array NAME           which array of numbers, of points or cells; default: that of the image; of
-                         a grid, the first one that holds ISOVALUE
+                         a grid, the first one that holds ISOVALUE, or whose values differ
   --time-step N          which time step of a file that has several; default 1
   --raw NX,NY,NZ,TYPE[,SX,SY,SZ]
                          samples, type (uchar char ushort short uint int float double) and spacing

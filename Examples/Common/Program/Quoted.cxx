@@ -98,13 +98,18 @@ std::string Printable(const std::string& text)
   return shown;
 }
 
-std::string Quoted(const std::string& text)
+std::string Shortened(const std::string& text)
 {
   if (text.size() <= MostBytes)
   {
-    return "'" + Printable(text) + "'";
+    return Printable(text);
   }
   const std::size_t begin = NextCharacter(text, MostBytes - BytesOfEnd);
   const std::size_t end = NextCharacter(text, text.size() - BytesOfEnd);
-  return "'" + Printable(text.substr(0, begin)) + " ... " + Printable(text.substr(end)) + "'";
+  return Printable(text.substr(0, begin)) + " ... " + Printable(text.substr(end));
+}
+
+std::string Quoted(const std::string& text)
+{
+  return "'" + Shortened(text) + "'";
 }

@@ -11,8 +11,10 @@
 // direction of writing, line separators, and bytes that are no UTF-8.
 std::string Printable(const std::string& text);
 
-// The same between quotes, for text of the user's or of a file in a message. What is much too long
-// is left out in the middle.
+// A printable text; what is much too long is left out in the middle.
+std::string Shortened(const std::string& text);
+
+// Such a text between quotes, for text of the user's or of a file in a message.
 std::string Quoted(const std::string& text);
 
 #endif

@@ -16,10 +16,10 @@ public:
   vtkTypeMacro(ErrorWindow, vtkOutputWindow);
   void DisplayText(const char*) override {}
   void DisplayErrorText(const char*) override { this->HasErrors = true; }
-  // vtkDataReader tells of a file that ends too early in this way.
-  void DisplayGenericWarningText(const char*) override { this->HasErrors = true; }
+  void DisplayGenericWarningText(const char*) override { this->HasWarnings = true; }
 
   bool HasErrors = false;
+  bool HasWarnings = false;
 };
 vtkStandardNewMacro(ErrorWindow);
 
@@ -43,6 +43,11 @@ Silence::~Silence()
   vtkOutputWindow::SetInstance(this->WindowBefore);
   std::cout.rdbuf(this->OutBefore);
   std::cerr.rdbuf(this->ErrBefore);
+}
+
+bool Silence::HeardWarnings() const
+{
+  return static_cast<ErrorWindow*>(this->Window.Get())->HasWarnings;
 }
 
 bool Silence::HeardErrors() const

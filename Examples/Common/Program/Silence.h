@@ -22,6 +22,7 @@ public:
 
   // Whether VTK complained meanwhile.
   bool HeardErrors() const;
+  bool HeardWarnings() const; // that name no object: vtkGenericWarningMacro
 
 private:
   vtkSmartPointer<vtkOutputWindow> Window;

@@ -3,6 +3,7 @@
 #include "View/Histogram.h"
 
 #include "Files/Arrays.h"
+#include "Files/Drawn.h"
 #include "Program/Quoted.h"
 #include "Program/UserError.h"
 
@@ -24,13 +25,18 @@ struct Counter
   int Component;
 
   template <typename ArrayType>
-  void operator()(ArrayType* array)
+  void operator()(ArrayType* array, const std::vector<unsigned char>* isDrawn)
   {
     const std::array<double, 2> range = this->Counted.Range;
     std::vector<double>& bins = this->Counted.Bins;
     const double scale = static_cast<double>(bins.size() - 1) / (range[1] - range[0]);
+    std::size_t i = 0;
     for (const auto tuple : vtk::DataArrayTupleRange(array))
     {
+      if (isDrawn && (*isDrawn)[i++] == 0)
+      {
+        continue;
+      }
       double value = 0.0;
       if (this->Component >= 0)
       {
@@ -52,19 +58,6 @@ struct Counter
   }
 };
 
-// Of the finite values in all arrays; the first larger than the second if there are none.
-std::array<double, 2> RangeOf(const std::vector<vtkDataArray*>& arrays, int component)
-{
-  std::array<double, 2> range = { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
-  for (vtkDataArray* array : arrays)
-  {
-    double own[2];
-    array->GetFiniteRange(own, component);
-    range = { std::min(range[0], own[0]), std::max(range[1], own[1]) };
-  }
-  return range;
-}
-
 // The volume, and the array if it was chosen among others.
 std::string NameOf(const Volume& volume)
 {
@@ -78,12 +71,15 @@ Histogram CountSamples(const Volume& volume, int component)
 {
   Histogram histogram;
   const std::string name = NameOf(volume);
-  const std::vector<vtkDataArray*> arrays = ShownArrays(volume);
-  histogram.Range = RangeOf(arrays, component);
+  Drawn drawn(volume.Data);
+  const std::vector<DrawnArray> arrays = drawn.Arrays(volume.Array);
+  histogram.Range = drawn.Range(volume.Array, component);
+  const std::string others = OthersThan(volume);
+  const std::string advice = others.empty() ? "another volume, or another type for --raw" : others;
   if (histogram.Range[0] > histogram.Range[1])
   {
-    throw UserError("No sample of " + name +
-      " is a number: it has no isosurface; choose another volume, or another type for --raw.");
+    throw UserError(
+      "No sample of " + name + " is a number: it has no isosurface; choose " + advice + ".");
   }
   if (!std::isfinite(histogram.Range[1] - histogram.Range[0]))
   {
@@ -97,25 +93,28 @@ Histogram CountSamples(const Volume& volume, int component)
   {
     std::ostringstream what;
     what << "All samples of " << name << " have the value " << histogram.Range[0]
-         << ": it has no isosurface; choose another volume, or another type for --raw.";
+         << ": it has no isosurface; choose " << advice << ".";
     throw UserError(what.str());
   }
   // Few whole numbers get a bin each: bins between them would be empty.
   const double values = histogram.Range[1] - histogram.Range[0] + 1.0;
   const bool isWhole = component >= 0 &&
     std::all_of(arrays.begin(), arrays.end(),
-      [](vtkDataArray* array)
-      { return array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE; });
+      [](const DrawnArray& array)
+      {
+        const int type = array.Values->GetDataType();
+        return type != VTK_FLOAT && type != VTK_DOUBLE;
+      });
   if (isWhole && values < static_cast<double>(histogram.Bins.size()))
   {
     histogram.Bins.resize(static_cast<std::size_t>(values));
   }
   Counter counter{ histogram, component };
-  for (vtkDataArray* array : arrays)
+  for (const DrawnArray& array : arrays)
   {
-    if (!vtkArrayDispatch::Dispatch::Execute(array, counter))
+    if (!vtkArrayDispatch::Dispatch::Execute(array.Values, counter, array.IsDrawn))
     {
-      counter(array);
+      counter(array.Values, array.IsDrawn);
     }
   }
   return histogram;

@@ -117,7 +117,8 @@ void Model::Adopt(Request& request)
 
 void Model::Open(const Session& session)
 {
-  Request request = { session };
+  Request request;
+  request.Wanted = session;
   Load(request, [](double) { return true; });
   this->Adopt(request);
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Window/Program.h"
 
+#include "Files/Trial.h"
 #include "Program/Quoted.h"
 #include "Program/UserError.h"
 #include "Window/Commands.h"
@@ -157,6 +158,7 @@ void Run(const Options& options, int argc, char* argv[], const Extension& extens
 
 int RunExplorer(int argc, char* argv[], const Extension& extension)
 {
+  BeginTrials();
   return RunProgram("Explorer",
     [&]
     {

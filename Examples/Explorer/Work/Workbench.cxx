@@ -238,6 +238,13 @@ void Workbench::Finish(const std::exception_ptr& failure, const std::function<vo
   emit this->Changed();
 }
 
+void Workbench::Open(const Session& session)
+{
+  Request request;
+  request.Wanted = session;
+  this->Load(request);
+}
+
 void Workbench::Load(Request request)
 {
   if (this->IsBusy()) // with what is not wanted any more
@@ -270,7 +277,9 @@ void Workbench::Take(Request& loaded)
   this->Changes.clear();
   emit this->Opened(!loaded.IsSameFile);
   emit this->Settled();
-  this->Say(this->Data.Data().Name + ": " + this->Data.Description());
+  const std::string& remark = this->Data.Data().Remark;
+  this->Say(this->Data.Data().Name + ": " + this->Data.Description() +
+    (remark.empty() ? "" : ".  " + remark));
   this->RenderSoon();
 }
 

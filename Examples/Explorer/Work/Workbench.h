@@ -49,7 +49,7 @@ public:
   void Show(const Look& look);       // as it is, for undo
   void Turn(Choose::Which what, int steps);
 
-  void Open(const Session& session) { this->Load({ session }); }
+  void Open(const Session& session);
   void OpenPath(const QString& path); // a session, or a volume to be looked at likewise
   void Ask(const std::function<Request()>& request); // for another array or time step
   void BuildIsomap(bool isAsked = true);             // else nothing is said of it

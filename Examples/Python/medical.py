@@ -1,0 +1,94 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What files of scanners tell and VTK's readers do not apply: what values the samples stand for, and
+where they lie."""
+
+from __future__ import annotations
+
+import math
+import re
+
+import numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkIOImage import vtkMetaImageReader, vtkNIFTIImageReader
+
+from mistakes import UserError, quoted
+
+MOST_HEADER = 1 << 16  # bytes of a header of MetaImage
+#: VTK's reader takes a long, which has 4 bytes there, for one of 8, and others for none.
+META_TYPES = {
+    "MET_CHAR", "MET_UCHAR", "MET_SHORT", "MET_USHORT", "MET_INT", "MET_UINT", "MET_FLOAT", "MET_DOUBLE",
+    "MET_CHAR_ARRAY", "MET_UCHAR_ARRAY", "MET_SHORT_ARRAY", "MET_USHORT_ARRAY", "MET_INT_ARRAY",
+    "MET_UINT_ARRAY"}
+NIFTI_COLORS = (128, 2304)  # types of RGB and RGBA
+
+
+def meta_fields(path: str) -> dict[str, str]:
+    """The fields of a header of MetaImage, up to the one that names the samples."""
+    with open(path, "rb") as file:
+        head = file.read(MOST_HEADER).decode("latin-1")
+    fields: dict[str, str] = {}
+    for line in head.split("\n"):
+        # MetaIO takes ":" for "=", too.
+        key, *rest = re.split("[=:]", line, maxsplit=1)
+        fields[key.strip()] = rest[0].strip("=: \t\r") if rest else ""
+        if "ElementDataFile" in fields:
+            break
+    return fields
+
+
+def require_known_type(path: str) -> None:
+    """Refuse a MetaImage whose samples VTK does not read."""
+    kind = meta_fields(path).get("ElementType", "")
+    if kind not in META_TYPES:
+        raise UserError(
+            f"{quoted(path)} could not be read as an image: VTK does not read samples of the type "
+            f"{quoted(kind)}; save them as MET_INT, MET_FLOAT or MET_DOUBLE.")
+
+
+def apply_header(reader, path: str, image: vtkImageData) -> None:
+    """Samples become the values that they stand for, and lie where the header says."""
+    if isinstance(reader, vtkMetaImageReader):
+        _rescale(image, reader.GetRescaleSlope(), reader.GetRescaleOffset())
+        fields = meta_fields(path)
+        text = next(
+            (fields[key] for key in ("TransformMatrix", "Rotation", "Orientation") if key in fields), None)
+        if text is not None and reader.GetFileDimensionality() == 3:
+            _set_direction(path, text, image)
+    elif isinstance(reader, vtkNIFTIImageReader):
+        header = reader.GetNIFTIHeader()
+        if header is None or header.GetDataType() not in NIFTI_COLORS:
+            _rescale(image, reader.GetRescaleSlope(), reader.GetRescaleIntercept())
+        # Among the patient's axes: the scanner's (q) or a template's (s).
+        matrix = reader.GetSFormMatrix() or reader.GetQFormMatrix()
+        if matrix and abs(matrix.Determinant()) > 0.0:
+            image.SetDirectionMatrix([matrix.GetElement(i, j) for i in range(3) for j in range(3)])
+            image.SetOrigin([matrix.GetElement(i, 3) for i in range(3)])
+
+
+def _rescale(image: vtkImageData, slope: float, offset: float) -> None:
+    scalars = image.GetPointData().GetScalars()
+    is_none = slope == 0.0 or (slope, offset) == (1.0, 0.0)
+    if is_none or not scalars or not (math.isfinite(slope) and math.isfinite(offset)):
+        return
+    samples = vtk_to_numpy(scalars)
+    kind = numpy.float32 if samples.dtype.itemsize < 4 or samples.dtype == numpy.float32 else numpy.float64
+    with numpy.errstate(all="ignore"):
+        values = (samples.astype(numpy.float64) * slope + offset).astype(kind)
+    array = numpy_to_vtk(values, deep=1)
+    array.SetName(scalars.GetName())
+    image.GetPointData().SetScalars(array)
+
+
+def _set_direction(path: str, text: str, image: vtkImageData) -> None:
+    """A row of TransformMatrix tells where an axis of the image points to."""
+    try:
+        numbers = [float(word) for word in text.split()]
+    except ValueError:
+        numbers = []
+    if len(numbers) != 9:
+        raise UserError(
+            f"{quoted(path)} could not be read as an image: its TransformMatrix has not 9 numbers; "
+            f"correct it.")
+    image.SetDirectionMatrix([numbers[3 * axis + i] for i in range(3) for axis in range(3)])

@@ -199,6 +199,7 @@ set(bridge_files
   Grids/MadeFrom
   Grids/MeshDefectText
   Grids/MeshSource
+  Grids/MissingCells
   Grids/SameCells
   Window/DepthReader
   Window/LayerDepthClip

@@ -18,9 +18,14 @@ struct Tracing
   {
     this->Pyramid.Build(grid.Field);
     this->Scene.Samples = grid.Field;
+    if (!grid.Field.Hidden)
+    {
+      this->Scene.Samples.Hidden =
+        TemporalCoherence::HiddenCells::WithoutNaN(grid.Field, this->Pyramid);
+    }
     this->Scene.Isosurfaces = { isovalues, mode };
     this->Scene.FiniteRange = this->Pyramid.FiniteRange();
-    this->Active.Build(grid.Field, this->Pyramid, this->Scene.Isosurfaces);
+    this->Active.Build(this->Scene.Samples, this->Pyramid, this->Scene.Isosurfaces);
     this->Scene.Active = &this->Active;
   }
   Tracing(const Tracing&) = delete;

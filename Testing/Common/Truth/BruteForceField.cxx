@@ -135,19 +135,45 @@ void BruteForceField::SetSamples(vtkDataArray* array, int component, bool onCell
   {
     samples -= onCells;
   }
-  double largest = 0.0;
+  bool areNumbers = true;
   this->Samples.resize(static_cast<std::size_t>(this->Dimensions[0]) *
     static_cast<std::size_t>(this->Dimensions[1]) * static_cast<std::size_t>(this->Dimensions[2]));
   for (std::size_t i = 0; i < this->Samples.size(); ++i)
   {
     const double value = array->GetComponent(static_cast<vtkIdType>(i), component);
     this->Samples[i] = value;
-    largest = std::isfinite(value) ? std::max(largest, std::abs(value)) : largest;
+    areNumbers = areNumbers && !std::isnan(value);
   }
-  // Not a number: below every isovalue.
-  for (double& value : this->Samples)
+  if (!areNumbers)
   {
-    value = std::isnan(value) ? -3.0 * largest - 1.0 : value;
+    this->HideAroundNaN();
+  }
+}
+
+void BruteForceField::HideAroundNaN()
+{
+  const int nx = this->Dimensions[0], ny = this->Dimensions[1], nz = this->Dimensions[2];
+  this->Hidden.resize(static_cast<std::size_t>((nx - 1) * (ny - 1) * (nz - 1)), false);
+  for (int k = 0; k < nz; ++k)
+  {
+    for (int j = 0; j < ny; ++j)
+    {
+      for (int i = 0; i < nx; ++i)
+      {
+        const int cell[3] = { i, j, k };
+        const bool isNumber =
+          !std::isnan(this->Samples[static_cast<std::size_t>((k * ny + j) * nx + i)]);
+        for (int around = 0; around < 8 && !isNumber; ++around)
+        {
+          const int x = cell[0] - (around & 1), y = cell[1] - (around >> 1 & 1),
+                    z = cell[2] - (around >> 2);
+          if (std::min({ x, y, z }) >= 0 && x < nx - 1 && y < ny - 1 && z < nz - 1)
+          {
+            this->Hidden[static_cast<std::size_t>((z * (ny - 1) + y) * (nx - 1) + x)] = true;
+          }
+        }
+      }
+    }
   }
 }
 
@@ -347,6 +373,8 @@ Point BruteForceField::WorldNormalAt(const Point& world) const
       std::array<int, 3> low = at, high = at;
       low[a] = std::max(at[a] - 1, 0);
       high[a] = std::min(at[a] + 1, this->Dimensions[a] - 1);
+      low[a] = std::isnan(this->Sample(low[0], low[1], low[2])) ? at[a] : low[a];
+      high[a] = std::isnan(this->Sample(high[0], high[1], high[2])) ? at[a] : high[a];
       const double distance = this->PlanesAlong[a][static_cast<std::size_t>(high[a])] -
         this->PlanesAlong[a][static_cast<std::size_t>(low[a])];
       const double difference =

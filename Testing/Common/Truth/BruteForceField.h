@@ -19,7 +19,8 @@ class vtkVolume;
 VTK_ABI_NAMESPACE_END
 
 /// The field of a volume in double precision, without any code of the engine: its samples, their
-/// positions, the interpolation between them, and hidden cells.
+/// positions, the interpolation between them, and hidden cells. Cells with a sample that is not a
+/// number are hidden.
 class BruteForceField
 {
 public:
@@ -50,13 +51,15 @@ public:
   /// The field minus an isovalue at a point in index space.
   double DifferenceAt(const Point& index, double isovalue) const;
 
-  /// Unit gradient in the world by central differences, one-sided at the boundary; not oriented.
+  /// Unit gradient in the world by central differences, one-sided at the boundary and beside a
+  /// sample that is not a number; not oriented.
   Point WorldNormalAt(const Point& world) const;
 
   /// Also hide the cells of which no corner is a shown sample (i, j, k).
   void HideBySamples(const std::function<bool(int, int, int)>& isShown);
 
-  /// True if the data has ghost arrays, or cells are hidden by samples.
+  /// True if the data has ghost arrays or samples that are not numbers, or cells are hidden by
+  /// samples.
   bool HasHidden() const { return !this->Hidden.empty(); }
 
   /// True if a point in index space is in a hidden cell.
@@ -64,6 +67,7 @@ public:
 
 private:
   void SetSamples(vtkDataArray* array, int component, bool onCells);
+  void HideAroundNaN();
   void SetTransform(vtkMatrix4x4* toVolume, vtkVolume* volume);
   void FindHidden(vtkDataSet* data, bool areSamplesCells);
   void HideAroundSamples();

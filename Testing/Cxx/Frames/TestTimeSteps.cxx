@@ -300,9 +300,13 @@ void TestNotFinite()
   Expect(IsRoute(scene, "TimeStep"), "a change within the range is copied around");
   show(500.0, infinity);
   Expect(IsRoute(scene, "Cold"), "one of the range is not");
-  show(500.0, std::numeric_limits<double>::quiet_NaN());
   show(4.0, 5.0);
   Expect(IsRoute(scene, "Cold"), "nor is one from what is not finite");
+  show(4.0, std::numeric_limits<double>::quiet_NaN());
+  Expect(IsRoute(scene, "TimeStep"), "what is no number is hidden, and affects nothing else");
+  show(6.0, std::numeric_limits<double>::quiet_NaN());
+  show(6.0, 5.0);
+  Expect(IsRoute(scene, "TimeStep"), "and is seen again");
   show(500.0, 5.0);
   Expect(IsRoute(scene, "TimeStep"), "of finite samples, the range does not matter");
 }

@@ -179,7 +179,7 @@ void TestComponents()
   }
 }
 
-/// Not a number counts as below every isovalue, infinities as what they are.
+/// Cells with a sample that is not a number are hidden; infinities count as what they are.
 void TestNotFinite()
 {
   for (const int type : { VTK_FLOAT, VTK_DOUBLE })
@@ -195,24 +195,24 @@ void TestNotFinite()
     scalars->SetComponent(4 * 81 + 4 * 9 + 4, 0, std::numeric_limits<double>::quiet_NaN());
     image->Modified();
     Expect(scene.Render(99, 99), "rendered");
-    int isovalue = -1;
-    double position[3] = {}, normal[3] = {};
-    Expect(scene.Mapper->PickPixel(49, 49, position, normal, &isovalue) && isovalue == 0 &&
-        position[2] > 0.0 && position[2] < 0.25,
-      "a surface around the sample that is not a number");
-    Expect(std::abs(std::hypot(normal[0], normal[1], normal[2]) - 1.0) < 1e-5,
-      "with a normal of unit length");
-
-    scene.SetIsovalues({ -1e20 });
+    Expect(!scene.Mapper->PickPixel(49, 49, nullptr, nullptr, nullptr),
+      "no surface around the sample that is not a number");
+    scene.Mapper->SetSurfaceModeToThreshold();
     Expect(scene.Render(99, 99), "rendered");
-    Expect(
-      scene.Mapper->PickPixel(49, 49, nullptr, nullptr, nullptr), "it is below every isovalue");
+    Expect(scene.Mapper->PickPixel(49, 49, nullptr, nullptr, nullptr), "the solid is capped");
+    scene.Mapper->SetSurfaceModeToCrossing();
 
     scalars->SetComponent(4 * 81 + 4 * 9 + 4, 0, std::numeric_limits<double>::infinity());
     image->Modified();
     scene.SetIsovalues({ 1e20 });
     Expect(scene.Render(99, 99), "rendered");
-    Expect(scene.Mapper->PickPixel(49, 49, position, normal, nullptr), "infinity is above 1e20");
+    int isovalue = -1;
+    double position[3] = {}, normal[3] = {};
+    Expect(scene.Mapper->PickPixel(49, 49, position, normal, &isovalue) && isovalue == 0 &&
+        position[2] > 0.0 && position[2] < 0.25,
+      "infinity is above 1e20");
+    Expect(std::abs(std::hypot(normal[0], normal[1], normal[2]) - 1.0) < 1e-5,
+      "with a normal of unit length");
   }
 }
 

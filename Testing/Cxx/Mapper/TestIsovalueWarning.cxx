@@ -233,9 +233,15 @@ void TestNoMistakes()
   nothing.Mapper->SetSurfaceModeToThreshold();
   ExpectOne("a solid of no sample", nothing);
 
-  // Between holes and samples there are surfaces, below and above infinite ones, too.
-  for (const double special : { std::numeric_limits<double>::quiet_NaN(),
-         -std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity() })
+  // Between holes that are not numbers and samples there is none.
+  const Image holed = Raised();
+  holed->GetPointData()->GetScalars()->SetComponent(
+    N * N * N / 2, 0, std::numeric_limits<double>::quiet_NaN());
+  Scene around(holed, { 0.0 });
+  ExpectOne("a hole that is not a number", around);
+  // Between infinite samples and others there are surfaces.
+  for (const double special :
+    { -std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity() })
   {
     const Image holes = Raised();
     holes->GetPointData()->GetScalars()->SetComponent(N * N * N / 2, 0, special);

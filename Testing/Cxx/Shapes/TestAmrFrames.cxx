@@ -14,7 +14,9 @@
 
 #include <vtkAbstractMapper.h>
 #include <vtkMultiBlockDataSet.h>
+#include <vtkUniformGrid.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <string>
@@ -216,6 +218,57 @@ void TestPlane()
   Expect(worst < 1e-9, "a plane is exact on all levels: " + std::to_string(worst));
 }
 
+/// Cells without a value are hidden as blanked ones are.
+void TestMissingCells()
+{
+  const auto isMissing = [](const glm::dvec3& at)
+  { return glm::distance(at, glm::dvec3(2.0, 5.0, 5.0)) < 2.2 || at.x > 7.2; };
+  const auto holed = MakeAmr(
+    Nested(2), [&](const glm::dvec3& at) { return isMissing(at) ? std::nan("") : Waves(at); });
+  const auto blanked = MakeAmr(Nested(2), Waves);
+  for (unsigned int level = 0; level < blanked->GetNumberOfLevels(); ++level)
+  {
+    for (unsigned int block = 0; block < blanked->GetNumberOfDataSets(level); ++block)
+    {
+      vtkUniformGrid* grid = blanked->GetDataSet(level, block);
+      for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+      {
+        double bounds[6];
+        grid->GetCellBounds(cell, bounds);
+        const glm::dvec3 low(bounds[0], bounds[2], bounds[4]),
+          high(bounds[1], bounds[3], bounds[5]);
+        if (isMissing(0.5 * (low + high)))
+        {
+          grid->BlankCell(cell);
+        }
+      }
+    }
+  }
+  for (const bool isSolid : { false, true })
+  {
+    Scene scene(nullptr, { 60.0 }), reference(nullptr, { 60.0 });
+    scene.Mapper->SetInputDataObject(holed);
+    reference.Mapper->SetInputDataObject(blanked);
+    for (Scene* each : { &scene, &reference })
+    {
+      ChooseCells(*each);
+      isSolid ? each->Mapper->SetSurfaceModeToThreshold()
+              : each->Mapper->SetSurfaceModeToCrossing();
+    }
+    scene.LookFrom(-1.0, 2.0, 0.7);
+    reference.Renderer->SetActiveCamera(scene.Renderer->GetActiveCamera());
+    Expect(scene.Render(120, 90) && reference.Render(120, 90), "missing cells: drawn");
+    int hits = 0;
+    for (int pixel = 0; pixel < 120 * 90; ++pixel)
+    {
+      hits += !std::isinf(scene.DepthAt(pixel % 120, pixel / 120));
+    }
+    Expect(hits > 500, "missing cells: the picture is not empty");
+    Expect(AreIdentical(scene.Color, reference.Color) && AreIdentical(scene.Depth, reference.Depth),
+      std::string("missing cells are blanked ones") + (isSolid ? ", solid" : ""));
+  }
+}
+
 }
 
 int TestAmrFrames(int, char*[])
@@ -223,5 +276,6 @@ int TestAmrFrames(int, char*[])
   TestOneLevel();
   TestHoles();
   TestPlane();
+  TestMissingCells();
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

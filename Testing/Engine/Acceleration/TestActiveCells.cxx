@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 namespace
@@ -17,14 +18,15 @@ bool IsActive(Grid<T>& grid, const glm::ivec3& cell, const std::vector<double>& 
 {
   for (const double isovalue : isovalues)
   {
-    int inside = 0;
+    int inside = 0, numbers = 0;
     for (int corner = 0; corner < 8; ++corner)
     {
       const T value =
         grid.At(cell.x + (corner & 1), cell.y + (corner >> 1 & 1), cell.z + (corner >> 2));
       inside += static_cast<double>(value) >= isovalue;
+      numbers += !std::isnan(static_cast<double>(value));
     }
-    if (inside != 0 && inside != 8)
+    if (inside != 0 && inside != 8 && numbers == 8)
     {
       return true;
     }
@@ -83,14 +85,19 @@ TEST(ActiveCells, IsovaluesEqualToSamples)
   }
 }
 
-TEST(ActiveCells, NotANumberIsOutside)
+TEST(ActiveCells, NotANumberHidesTheCellsAround)
 {
   Grid<float> grid(glm::ivec3(9, 9, 9));
-  grid.Fill([](int, int, int) { return 5.0; });
+  grid.Fill([](int i, int, int) { return i; });
   grid.At(4, 4, 4) = std::numeric_limits<float>::quiet_NaN();
-  ExpectBits(grid, { 1.0 });
-  ExpectBits(grid, { 5.0 });
-  ExpectBits(grid, { 6.0 });
+  ValueRangePyramid pyramid;
+  pyramid.Build(grid.Field);
+  grid.Field.Hidden = HiddenCells::WithoutNaN(grid.Field, pyramid);
+  ASSERT_TRUE(grid.Field.Hidden);
+  for (const double isovalue : { 1.5, 3.5, 4.5, 5.0 })
+  {
+    ExpectBits(grid, { isovalue });
+  }
 }
 
 /// A node reaches past the field. Its leaves there have no samples, whatever the band.

@@ -8,6 +8,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 namespace
 {
 
@@ -108,6 +111,60 @@ TEST(HiddenCells, ThereAreNoneWhereNothingIsHidden)
   EXPECT_TRUE(HiddenCells::Make(samples, { flags.data(), 4, flags.data(), 1 }));
   const std::vector<std::uint8_t> ones(flags.size(), 1);
   EXPECT_FALSE(HiddenCells::Make(samples, { nullptr, 0, nullptr, 0, ones.data() }));
+}
+
+template <typename T>
+void ExpectHiddenAroundNaN(const glm::ivec3& samples, int components, double chance)
+{
+  Grid<T> grid(samples, components, components - 1);
+  grid.FillRandomly(-1.0, 1.0, 7);
+  std::mt19937 engine(9);
+  ForEach(samples,
+    [&](const glm::ivec3& place)
+    {
+      const double random = static_cast<double>(engine() % 10000u) / 10000.0;
+      T& sample = grid.At(place.x, place.y, place.z);
+      sample = random < chance  ? std::numeric_limits<T>::quiet_NaN()
+        : random < 2.0 * chance ? -std::numeric_limits<T>::infinity()
+                                : sample;
+    });
+  const glm::ivec3 cells = samples - 1;
+  const std::vector<std::uint8_t> flags = RandomFlags(cells, 0.1, 4);
+  for (const bool areFlagged : { false, true })
+  {
+    grid.Field.Flagged =
+      areFlagged ? HiddenCells::Make(samples, { flags.data(), 4, nullptr, 0 }) : nullptr;
+    ValueRangePyramid pyramid;
+    pyramid.Build(grid.Field);
+    const auto hidden = HiddenCells::WithoutNaN(grid.Field, pyramid);
+    bool isAnyHidden = false;
+    ForEach(cells,
+      [&](const glm::ivec3& cell)
+      {
+        bool isHidden = areFlagged && (FlagAt(flags, cell, cells) & 4);
+        for (int corner = 0; corner < 8; ++corner)
+        {
+          const glm::ivec3 place = cell + Corner(corner);
+          isHidden = isHidden || std::isnan(grid.At(place.x, place.y, place.z));
+        }
+        isAnyHidden = isAnyHidden || isHidden;
+        ASSERT_EQ(hidden && hidden->IsHidden(cell), isHidden);
+      });
+    EXPECT_EQ(hidden != nullptr, isAnyHidden);
+  }
+}
+
+TEST(HiddenCells, AreThoseAroundNaN)
+{
+  for (const double chance : { 0.0, 0.001, 0.1 })
+  {
+    for (const glm::ivec3 samples :
+      { glm::ivec3(37, 18, 9), glm::ivec3(2, 2, 2), glm::ivec3(17, 5, 34), glm::ivec3(65, 6, 33) })
+    {
+      ExpectHiddenAroundNaN<float>(samples, 1, chance);
+      ExpectHiddenAroundNaN<double>(samples, 2, chance);
+    }
+  }
 }
 
 TEST(HiddenCells, AroundAreThoseThatTouchThem)

@@ -97,7 +97,7 @@ class NotANumber : public EachTarget
 {
 };
 
-TEST_F(NotANumber, IsBelowEverything)
+TEST_F(NotANumber, DoesNotCount)
 {
   Grid<float> grid(glm::ivec3(99, 9, 9));
   grid.FillRandomly(1.0, 2.0, 5);
@@ -110,13 +110,34 @@ TEST_F(NotANumber, IsBelowEverything)
       ValueRangePyramid pyramid;
       pyramid.Build(grid.Field);
       const auto* leaves = pyramid.LeavesOf<float>(0);
-      EXPECT_EQ(leaves[0].Min, -std::numeric_limits<float>::infinity());
+      EXPECT_GE(leaves[0].Min, 1.0f);
       EXPECT_LE(leaves[0].Max, 2.0f);
       EXPECT_EQ(leaves[1 + 4 + 16].Max, std::numeric_limits<float>::infinity());
       EXPECT_GE(pyramid.FiniteRange().x, 1.0);
       EXPECT_LE(pyramid.FiniteRange().y, 2.0);
-      EXPECT_EQ(pyramid.WholeRange().x, -std::numeric_limits<double>::infinity());
+      EXPECT_EQ(pyramid.WholeRange().x, pyramid.FiniteRange().x);
       EXPECT_EQ(pyramid.WholeRange().y, std::numeric_limits<double>::infinity());
+      ASSERT_EQ(pyramid.LeavesWithNaN().size(), 7u);
+      EXPECT_EQ(pyramid.LeavesWithNaN()[0], 1u);
+      EXPECT_EQ(pyramid.LeavesWithNaN()[1], 0u);
+      EXPECT_FALSE(pyramid.AreSamplesFinite());
+    });
+}
+
+TEST_F(NotANumber, MayBeAllThereIs)
+{
+  Grid<double> grid(glm::ivec3(6, 20, 7));
+  grid.Fill([](int, int, int) { return std::numeric_limits<double>::quiet_NaN(); });
+  this->ForEachTarget(
+    [&](const char* target)
+    {
+      SCOPED_TRACE(target);
+      ValueRangePyramid pyramid;
+      pyramid.Build(grid.Field);
+      EXPECT_GT(pyramid.WholeRange().x, pyramid.WholeRange().y);
+      EXPECT_EQ(pyramid.FiniteRange(), glm::dvec2(0.0));
+      EXPECT_GT(pyramid.NodeAt<double>(0).Min, pyramid.NodeAt<double>(0).Max);
+      EXPECT_EQ(pyramid.LeavesWithNaN()[1] & 3u, 3u);
     });
 }
 

@@ -162,7 +162,8 @@ private:
       TemporalCoherence::HidingFlags hiding;
       hiding.OfCells = this->Flags.data();
       hiding.CellMask = 1;
-      field.Hidden = TemporalCoherence::HiddenCells::Make(this->Size, hiding);
+      field.Flagged = TemporalCoherence::HiddenCells::Make(this->Size, hiding);
+      field.Hidden = field.Flagged;
       this->Words << ", hidden cells";
     }
   }

@@ -138,7 +138,8 @@ TEST_P(BlendScenes, HiddenCells)
   HidingFlags hiding;
   hiding.OfCells = flags.data();
   hiding.CellMask = 1;
-  this->Key.Samples.Hidden = TemporalCoherence::HiddenCells::Make(BlendSize, hiding);
+  this->Key.Samples.Flagged = TemporalCoherence::HiddenCells::Make(BlendSize, hiding);
+  this->Key.Samples.Hidden = this->Key.Samples.Flagged;
   SKIP_UNLESS_BLENDED(this->Key);
   ExpectBlendTruth(this->Key);
 }

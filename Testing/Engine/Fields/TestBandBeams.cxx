@@ -248,8 +248,7 @@ TEST_F(BandBeams, LeaveTheKnotsOfWalksAtSamplesThatAreNotFinite)
     [](int i, int j, int k)
     {
       const double infinity = std::numeric_limits<double>::infinity();
-      return i % 7 == 0 && k % 2 == 0 ? std::numeric_limits<double>::quiet_NaN()
-        : j % 9 == 0 && i % 3 == 0    ? infinity
+      return j % 9 == 0 && i % 3 == 0 ? infinity
         : k % 11 == 0 && i % 3 == 1   ? -infinity
                                       : Wave(i, j, k);
     });

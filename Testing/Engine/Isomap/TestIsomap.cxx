@@ -180,7 +180,7 @@ TEST_F(IsomapTest, HiddenCellsAndPiecesOfImagesAndGrids)
           SCOPED_TRACE(testing::Message()
             << "rectilinear " << isRectilinear << " mode " << static_cast<int>(mode) << " between "
             << static_cast<int>(between));
-          key.Samples.Hidden = SomeHidden(key.Samples.Dimensions);
+          key.Samples.Flagged = SomeHidden(key.Samples.Dimensions);
           key.Samples.Between = between;
           key.Isosurfaces.Mode = mode;
           if (isRectilinear)

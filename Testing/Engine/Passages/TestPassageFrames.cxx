@@ -136,7 +136,7 @@ TEST_F(PassageFrames, OfRegionsHiddenCellsGridsAndNearestSamples)
     this->Key.Isosurfaces.Mode = mode;
     this->Key.Samples = this->Samples.Field;
     this->Drag(6, 8);
-    this->Key.Samples.Hidden = hidden;
+    this->Key.Samples.Flagged = hidden;
     this->Drag(7, 8);
     this->Key.Samples.Between = Interpolation::Nearest;
     this->Drag(8, 6);

@@ -63,7 +63,7 @@ protected:
     {
       flag = engine() % 12 == 0;
     }
-    this->Key.Samples.Hidden =
+    this->Key.Samples.Flagged =
       TemporalCoherence::HiddenCells::Make(Dimensions, { flags.data(), 1, nullptr, 0 });
   }
 

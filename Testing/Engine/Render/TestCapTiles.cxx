@@ -177,7 +177,7 @@ TEST_F(SolidFrames, AreThoseWithoutLeapingOfAnySamples)
   {
     flags[i] = i / static_cast<std::size_t>(count.x * count.y) / 5 % 3 == 1;
   }
-  cells.Field.Hidden = HiddenCells::Make(Dimensions, { flags.data(), 1 });
+  cells.Field.Flagged = HiddenCells::Make(Dimensions, { flags.data(), 1 });
   this->Key.Samples = cells.Field;
   this->Key.Isosurfaces.Isovalues = { 128.0 };
   this->Compare(15);

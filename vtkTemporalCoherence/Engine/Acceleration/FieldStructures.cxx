@@ -43,6 +43,7 @@ void FieldStructures::Provide(const Field& field, std::shared_ptr<const FieldRan
     pyramid->Build(field);
     made->Pyramid = pyramid;
     made->Samples = field;
+    made->Samples.Hidden = HiddenCells::WithoutNaN(field, *pyramid);
     found = made;
     this->Ranges.push_back(found);
   }
@@ -109,7 +110,9 @@ void FieldStructures::MoveTo(const Field& field, std::shared_ptr<const FieldRang
     FindHeld(this->Ranges, [&](const FieldRanges& ranges) { return ranges.Samples == field; });
   if (!found)
   {
-    found = std::make_shared<const FieldRanges>(FieldRanges{ field, held->Pyramid });
+    const auto moved = std::make_shared<FieldRanges>(FieldRanges{ field, held->Pyramid });
+    moved->Samples.Hidden = held->Samples.Hidden;
+    found = moved;
     this->Ranges.push_back(found);
   }
   held = found;
@@ -122,8 +125,10 @@ void FieldStructures::MoveTo(const Field& field, std::shared_ptr<const SurfaceCe
     { return cells.Samples == field && AreMetAlike(cells.Isosurfaces, held->Isosurfaces); });
   if (!found)
   {
-    found =
-      std::make_shared<const SurfaceCells>(SurfaceCells{ field, held->Isosurfaces, held->Active });
+    const auto moved =
+      std::make_shared<SurfaceCells>(SurfaceCells{ field, held->Isosurfaces, held->Active });
+    moved->Samples.Hidden = held->Samples.Hidden;
+    found = moved;
     this->Cells.push_back(found);
   }
   held = found;

@@ -15,10 +15,10 @@
 namespace TemporalCoherence
 {
 
-/// The value ranges of a field.
+/// The value ranges of a field, and its hidden cells.
 struct FieldRanges
 {
-  Field Samples;
+  Field Samples; ///< with Field::Hidden
   /// also of fields with equal samples
   std::shared_ptr<const ValueRangePyramid> Pyramid = std::make_shared<const ValueRangePyramid>();
 };
@@ -55,10 +55,8 @@ struct VisibleCells
 class FieldStructures
 {
 public:
-  /// Set `held` to the ranges of `field`, releasing what it held before. After an exception it is
-  /// empty, never null.
-  /// \pre field.HasCells()
-  /// \throws std::bad_alloc
+  /// Set `held` to the ranges and hidden cells of `field`, releasing what it held before. After an
+  /// exception it is empty, never null. \pre field.HasCells() \throws std::bad_alloc
   void Provide(const Field& field, std::shared_ptr<const FieldRanges>& held);
 
   /// The same for the active cells of `surfaces`, built from the ranges of their field.

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cmath>
 
 namespace TemporalCoherence
 {
@@ -51,9 +52,11 @@ std::uint64_t HiddenByCells(
   return hidden;
 }
 
-/// The cells of a leaf with a corner whose flag has any bit of the mask.
-std::uint64_t CellsAround(const std::uint8_t* flags, std::uint8_t mask, const glm::ivec3& firstCell,
-  const glm::ivec3& samples)
+/// The cells of a leaf with a corner that has some property.
+/// \param bitsOfRow bitsOfRow(first, count) tells which samples of a row have it, lowest first
+template <typename BitsOf>
+std::uint64_t CellsAround(
+  const glm::ivec3& firstCell, const glm::ivec3& samples, const BitsOf& bitsOfRow)
 {
   const glm::ivec3 count = glm::min(samples - firstCell, glm::ivec3(LeafSize + 1));
   const std::uint32_t cellsInRow = (1u << (count.x - 1)) - 1u;
@@ -62,8 +65,7 @@ std::uint64_t CellsAround(const std::uint8_t* flags, std::uint8_t mask, const gl
   {
     for (int j = 0; j < count.y; ++j)
     {
-      const std::uint8_t* row = At(flags, firstCell + glm::ivec3(0, j, k), samples);
-      const std::uint32_t bits = BitsOfRow(row, count.x, mask);
+      const std::uint32_t bits = bitsOfRow(firstCell + glm::ivec3(0, j, k), count.x);
       const std::uint64_t alongX = (bits | bits >> 1) & cellsInRow;
       // The row is shared by the cells before and behind it.
       for (int z = std::max(k - 1, 0); z <= std::min(k, count.z - 2); ++z)
@@ -76,6 +78,40 @@ std::uint64_t CellsAround(const std::uint8_t* flags, std::uint8_t mask, const gl
     }
   }
   return around;
+}
+
+/// The cells of a leaf with a corner whose flag has any bit of the mask.
+std::uint64_t CellsAround(const std::uint8_t* flags, std::uint8_t mask, const glm::ivec3& firstCell,
+  const glm::ivec3& samples)
+{
+  return CellsAround(firstCell, samples,
+    [&](const glm::ivec3& first, int count)
+    { return BitsOfRow(At(flags, first, samples), count, mask); });
+}
+
+/// The cells of a leaf with a sample that is not a number.
+template <typename T>
+std::uint64_t CellsWithNaN(const TypedField<T>& field, const glm::ivec3& firstCell)
+{
+  return CellsAround(firstCell, field.Dimensions,
+    [&](const glm::ivec3& first, int count)
+    {
+      std::uint32_t bits = 0;
+      for (int i = 0; i < count; ++i)
+      {
+        const auto value = static_cast<double>(*field.At(first + glm::ivec3(i, 0, 0)));
+        bits |= static_cast<std::uint32_t>(std::isnan(value)) << i;
+      }
+      return bits;
+    });
+}
+
+/// The first cell of a leaf of a node.
+glm::ivec3 FirstCellOf(std::int64_t node, const glm::ivec3& nodes, int leaf)
+{
+  const glm::ivec3 place(node % nodes.x, node / nodes.x % nodes.y, node / nodes.x / nodes.y);
+  return ValueRangePyramid::NodeSize * place +
+    LeafSize * glm::ivec3(leaf & 3, leaf >> 2 & 3, leaf >> 4);
 }
 
 /// The cells of a leaf that are in the field.
@@ -108,12 +144,10 @@ std::shared_ptr<const HiddenCells> HiddenCells::Make(
   ParallelFor(count, 16,
     [&](std::int64_t node)
     {
-      const glm::ivec3 place(node % nodes.x, node / nodes.x % nodes.y, node / nodes.x / nodes.y);
       std::uint64_t all = 0;
       for (int leaf = 0; leaf < ValueRangePyramid::LeavesPerNode; ++leaf)
       {
-        const glm::ivec3 inNode(leaf & 3, leaf >> 2 & 3, leaf >> 4);
-        const glm::ivec3 first = ValueRangePyramid::NodeSize * place + LeafSize * inNode;
+        const glm::ivec3 first = FirstCellOf(node, nodes, leaf);
         if (glm::any(glm::greaterThanEqual(first, cells)))
         {
           continue;
@@ -135,6 +169,39 @@ std::shared_ptr<const HiddenCells> HiddenCells::Make(
       }
     });
   return isAnyHidden ? made : nullptr;
+}
+
+std::shared_ptr<const HiddenCells> HiddenCells::WithoutNaN(
+  const Field& field, const ValueRangePyramid& ranges)
+{
+  const std::vector<std::uint64_t>& withNaN = ranges.LeavesWithNaN();
+  if (withNaN.empty())
+  {
+    return field.Flagged;
+  }
+  const std::shared_ptr<HiddenCells> made(
+    field.Flagged ? new HiddenCells(*field.Flagged) : new HiddenCells);
+  made->Nodes = ranges.NodeDimensions();
+  made->Words.resize(withNaN.size() * ValueRangePyramid::LeavesPerNode);
+  DispatchScalarType(field.Type,
+    [&](auto type)
+    {
+      const TypedField<decltype(type)> samples(field);
+      ParallelFor(ranges.NumberOfNodes(), 16,
+        [&](std::int64_t node)
+        {
+          for (int leaf = 0; leaf < ValueRangePyramid::LeavesPerNode; ++leaf)
+          {
+            if (withNaN[static_cast<std::size_t>(node)] >> leaf & 1u)
+            {
+              made
+                ->Words[static_cast<std::size_t>(node * ValueRangePyramid::LeavesPerNode + leaf)] |=
+                CellsWithNaN(samples, FirstCellOf(node, made->Nodes, leaf));
+            }
+          }
+        });
+    });
+  return made;
 }
 
 std::uint64_t HiddenCells::Around(const glm::ivec3& firstCell) const

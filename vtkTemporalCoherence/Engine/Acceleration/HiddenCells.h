@@ -25,8 +25,9 @@ struct HidingFlags
 };
 
 /// The hidden cells of a field: no surface is drawn in them. One word for each leaf, with the bits
-/// of ActiveCells. Samples of hidden cells still serve neighbouring cells and their gradients.
-/// Built once from the flags, never changed, and shared. A field without hidden cells has none.
+/// of ActiveCells. Samples of hidden cells still serve neighbouring cells and their gradients,
+/// unless they are not numbers. Built once, never changed, and shared. A field without hidden cells
+/// has none.
 class HiddenCells
 {
 public:
@@ -36,6 +37,14 @@ public:
   /// \throws std::bad_alloc
   static std::shared_ptr<const HiddenCells> Make(
     const glm::ivec3& samples, const HidingFlags& flags);
+
+  /// The cells that a field's flags hide, and those with a sample that is not a number. Reads only
+  /// leaves that have such samples.
+  /// \param ranges of the field
+  /// \return null if no cell is hidden
+  /// \throws std::bad_alloc
+  static std::shared_ptr<const HiddenCells> WithoutNaN(
+    const Field& field, const ValueRangePyramid& ranges);
 
   /// One bit for each hidden cell of the leaf that holds `cell`; 0 outside of the field.
   std::uint64_t LeafAt(const glm::ivec3& cell) const

@@ -26,7 +26,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 template <typename T>
 using Range = ValueRangePyramid::Range<T>;
 
-/// Load samples. NaN counts as below every isovalue.
+/// Load samples. NaN counts as -infinity, so that it is found in the ranges.
 template <class D, typename T>
 HWY_INLINE hn::Vec<D> LoadSamples(D d, const T* samples)
 {

@@ -57,18 +57,9 @@ void SampleComparer::Take(const Field& shown, const FieldRanges& ranges)
 
 SampleComparer::Limits SampleComparer::LimitsOf(const FieldRanges& ranges)
 {
-  Limits limits{ ranges.Pyramid->FiniteRange(), true };
-  DispatchScalarType(ranges.Samples.Type,
-    [&](auto type)
-    {
-      for (std::int64_t node = 0; node < ranges.Pyramid->NumberOfNodes(); ++node)
-      {
-        const auto& range = ranges.Pyramid->NodeAt<decltype(type)>(node);
-        limits.AreFinite = limits.AreFinite && std::isfinite(static_cast<double>(range.Min)) &&
-          std::isfinite(static_cast<double>(range.Max));
-      }
-    });
-  return limits;
+  // Samples that are not numbers are not read.
+  const glm::dvec2& all = ranges.Pyramid->WholeRange();
+  return { ranges.Pyramid->FiniteRange(), std::isfinite(all.x) && std::isfinite(all.y) };
 }
 
 /// True if equal samples have equal differences from an isovalue. For infinite samples the

@@ -10,6 +10,7 @@
 #include <cassert>
 #include <cmath>
 #include <mutex>
+#include <utility>
 
 namespace TemporalCoherence
 {
@@ -21,29 +22,18 @@ constexpr int LeafSize = ValueRangePyramid::LeafSize, NodeSize = ValueRangePyram
 template <typename T>
 using Range = ValueRangePyramid::Range<T>;
 
-/// The range of the finite samples of a node.
 template <typename T>
-Range<T> FiniteRangeOf(const TypedField<T>& field, const glm::ivec3& node)
+Range<T> Union(const Range<T>& a, const Range<T>& b)
 {
-  Range<T> range = ValueRangePyramid::Empty<T>();
-  const glm::ivec3 first = NodeSize * node;
-  const glm::ivec3 last = glm::min(first + NodeSize, field.Dimensions - 1);
-  for (int k = first.z; k <= last.z; ++k)
-  {
-    for (int j = first.y; j <= last.y; ++j)
-    {
-      for (int i = first.x; i <= last.x; ++i)
-      {
-        const T value = *field.At(i, j, k);
-        if (std::isfinite(static_cast<double>(value)))
-        {
-          range.Min = std::min(range.Min, value);
-          range.Max = std::max(range.Max, value);
-        }
-      }
-    }
-  }
-  return range;
+  return { std::min(a.Min, b.Min), std::max(a.Max, b.Max) };
+}
+
+/// The cells of a leaf of a node. Their size is not positive beyond the end of the field.
+CellBox CellsOfLeaf(const Field& field, const glm::ivec3& node, int leaf)
+{
+  const glm::ivec3 first =
+    NodeSize * node + LeafSize * glm::ivec3(leaf & 3, leaf >> 2 & 3, leaf >> 4);
+  return { first, glm::min(field.Dimensions - 1 - first, glm::ivec3(LeafSize)) };
 }
 
 template <typename T>
@@ -66,31 +56,72 @@ glm::dvec2 WholeRangeOf(const Range<T>* nodes, std::int64_t count)
   return { static_cast<double>(all.Min), static_cast<double>(all.Max) };
 }
 
-/// The range of the finite samples of rows of nodes.
-/// \param first y and z of the first row
-/// \param size  nodes along x, and rows along y
+/// What a closer look at the samples of a leaf tells.
 template <typename T>
-Range<T> FiniteRangeOfRows(const TypedField<T>& field, const glm::ivec2& first,
-  const glm::ivec2& size, const Range<T>* nodes)
+struct LeafLook
 {
-  Range<T> all = ValueRangePyramid::Empty<T>();
-  for (int node = 0; node < size.x * size.y; ++node)
+  Range<T> All = ValueRangePyramid::Empty<T>();    ///< of the samples that are numbers
+  Range<T> Finite = ValueRangePyramid::Empty<T>(); ///< of the finite ones
+  bool HasNaN = false;
+};
+
+template <typename T>
+LeafLook<T> LookAt(const TypedField<T>& field, const CellBox& cells)
+{
+  LeafLook<T> look;
+  const glm::ivec3 last = cells.First + cells.Size;
+  for (int k = cells.First.z; k <= last.z; ++k)
   {
-    // Only nodes with samples that are not finite are read again.
-    const glm::ivec3 place(node % size.x, first.x + node / size.x, first.y);
-    const Range<T> range = IsFinite(nodes[node]) ? nodes[node] : FiniteRangeOf(field, place);
-    all.Min = std::min(all.Min, range.Min);
-    all.Max = std::max(all.Max, range.Max);
+    for (int j = cells.First.y; j <= last.y; ++j)
+    {
+      for (int i = cells.First.x; i <= last.x; ++i)
+      {
+        const T value = *field.At(i, j, k);
+        const Range<T> one{ value, value };
+        if (std::isnan(static_cast<double>(value)))
+        {
+          look.HasNaN = true;
+          continue;
+        }
+        look.All = Union(look.All, one);
+        look.Finite = IsFinite(one) ? Union(look.Finite, one) : look.Finite;
+      }
+    }
   }
-  return all;
+  return look;
 }
 
-/// The cells of a leaf of a node. Their size is not positive beyond the end of the field.
-CellBox CellsOfLeaf(const Field& field, const glm::ivec3& node, int leaf)
+/// Look again at the leaves of a node whose samples are not all finite: kernels take NaN for
+/// -infinity.
+/// \param leaves, node their ranges are corrected
+/// \param finite is widened by the finite samples
+/// \return one bit for each leaf with a sample that is not a number
+template <typename T>
+std::uint64_t LookAgain(
+  const Field& field, const glm::ivec3& place, Range<T>* leaves, Range<T>& node, Range<T>& finite)
 {
-  const glm::ivec3 first =
-    NodeSize * node + LeafSize * glm::ivec3(leaf & 3, leaf >> 2 & 3, leaf >> 4);
-  return { first, glm::min(field.Dimensions - 1 - first, glm::ivec3(LeafSize)) };
+  std::uint64_t withNaN = 0;
+  node = ValueRangePyramid::Empty<T>();
+  for (int leaf = 0; leaf < ValueRangePyramid::LeavesPerNode; ++leaf)
+  {
+    const CellBox cells = CellsOfLeaf(field, place, leaf);
+    if (glm::any(glm::lessThan(cells.Size, glm::ivec3(1))))
+    {
+      continue;
+    }
+    if (IsFinite(leaves[leaf]))
+    {
+      node = Union(node, leaves[leaf]);
+      finite = Union(finite, leaves[leaf]);
+      continue;
+    }
+    const LeafLook<T> look = LookAt(TypedField<T>(field), cells);
+    leaves[leaf] = look.All;
+    node = Union(node, look.All);
+    finite = Union(finite, look.Finite);
+    withNaN |= static_cast<std::uint64_t>(look.HasNaN) << leaf;
+  }
+  return withNaN;
 }
 
 /// The ranges of a node and its leaves, as the kind tells them. Empty beyond the end of the field.
@@ -138,7 +169,8 @@ void ValueRangePyramid::Build(const Field& field)
       this->Nodes = nodes;
       auto* const leaves = reinterpret_cast<Range<T>*>(this->Bytes.data());
       Range<T>* const ofNodes = leaves + count * LeavesPerNode;
-      const TypedField<T> samples(field);
+      std::vector<std::uint64_t> withNaN(
+        std::is_floating_point_v<T> ? static_cast<std::size_t>(count) : 0);
       Range<T> finite = Empty<T>();
       std::mutex guard;
       const int groups = (nodes.y + MostNodeRows - 1) / MostNodeRows;
@@ -149,16 +181,29 @@ void ValueRangePyramid::Build(const Field& field)
           const int rows = std::min(MostNodeRows, nodes.y - yz.x);
           const std::int64_t first = (yz.x + static_cast<std::int64_t>(nodes.y) * yz.y) * nodes.x;
           FindRangesOfNodes(field, yz, rows, ofNodes + first, leaves + first * LeavesPerNode);
-          const Range<T> inRows =
-            FiniteRangeOfRows(samples, yz, { nodes.x, rows }, ofNodes + first);
+          Range<T> inRows = Empty<T>();
+          for (std::int64_t i = first; i < first + static_cast<std::int64_t>(rows) * nodes.x; ++i)
+          {
+            if (IsFinite(ofNodes[i]))
+            {
+              inRows = Union(inRows, ofNodes[i]);
+              continue;
+            }
+            const glm::ivec3 place(i % nodes.x, i / nodes.x % nodes.y, yz.y);
+            withNaN[static_cast<std::size_t>(i)] =
+              LookAgain(field, place, leaves + i * LeavesPerNode, ofNodes[i], inRows);
+          }
           const std::lock_guard<std::mutex> lock(guard);
-          finite.Min = std::min(finite.Min, inRows.Min);
-          finite.Max = std::max(finite.Max, inRows.Max);
+          finite = Union(finite, inRows);
         });
       this->Finite = finite.Min <= finite.Max
         ? glm::dvec2(static_cast<double>(finite.Min), static_cast<double>(finite.Max))
         : glm::dvec2(0.0);
       this->Whole = WholeRangeOf(ofNodes, count);
+      if (std::any_of(withNaN.begin(), withNaN.end(), [](std::uint64_t leaves) { return leaves; }))
+      {
+        this->WithNaN = std::move(withNaN);
+      }
     });
 }
 
@@ -193,6 +238,7 @@ void ValueRangePyramid::Release()
   Room().swap(this->Bytes);
   this->Nodes = glm::ivec3(0);
   this->Finite = this->Whole = glm::dvec2(0.0);
+  this->WithNaN = {};
 }
 
 }

@@ -6,7 +6,9 @@
 #include "Scene/DefaultInitAllocator.h"
 #include "Scene/Field.h"
 
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <type_traits>
 #include <vector>
@@ -18,8 +20,8 @@ namespace TemporalCoherence
 ///
 /// There are two levels: *leaves* of 4 x 4 x 4 cells, with their 5 x 5 x 5 samples, and *nodes* of
 /// 4 x 4 x 4 leaves, so that the 64 leaves of a node fit the bits of one machine word. Leaves are
-/// stored node by node. A leaf without cells, beyond the end of the field, has Min > Max. NaN
-/// counts as below every isovalue: Min is then -infinity.
+/// stored node by node. Samples that are not a number do not count. A leaf without any that counts,
+/// for example beyond the end of the field, has Min > Max.
 class ValueRangePyramid
 {
 public:
@@ -90,11 +92,24 @@ public:
   /// Smallest and largest finite sample of the whole field; {0, 0} if there is none.
   const glm::dvec2& FiniteRange() const { return this->Finite; }
 
-  /// Smallest and largest of all samples, including infinities. NaN counts as -infinity. {0, 0}
-  /// before ranges are built.
+  /// Smallest and largest of all samples, including infinities. The first is larger than the second
+  /// if no sample is a number. {0, 0} before ranges are built.
   const glm::dvec2& WholeRange() const { return this->Whole; }
 
-  std::size_t MemoryInBytes() const { return this->Bytes.capacity(); }
+  /// For each node, one bit for each of its leaves with a sample that is not a number. Empty if all
+  /// samples are numbers, and for a field without samples.
+  const std::vector<std::uint64_t>& LeavesWithNaN() const { return this->WithNaN; }
+
+  /// True if every sample is a finite number.
+  bool AreSamplesFinite() const
+  {
+    return this->WithNaN.empty() && std::isfinite(this->Whole.x) && std::isfinite(this->Whole.y);
+  }
+
+  std::size_t MemoryInBytes() const
+  {
+    return this->Bytes.capacity() + sizeof(std::uint64_t) * this->WithNaN.capacity();
+  }
 
 private:
   void BuildFromKind(const Field& field);
@@ -104,6 +119,7 @@ private:
   Room Bytes; ///< the leaves of all nodes, and then the nodes
   glm::ivec3 Nodes{ 0 };
   glm::dvec2 Finite{ 0.0 }, Whole{ 0.0 };
+  std::vector<std::uint64_t> WithNaN;
 };
 
 }

@@ -283,7 +283,8 @@ std::uint64_t MeshCellSearch::SearchSolid(
   {
     const MeshCell& cell = *known.Cells[i];
     MeshKernels::CellDifferences differences;
-    if (this->Differences[surface].Of(cell, differences) || differences[0] >= 0.0)
+    if (cell.NumberOfPoints() > 0 &&
+      (this->Differences[surface].Of(cell, differences) || differences[0] >= 0.0))
     {
       AppendSolidParts(cell, differences, known.Numbers[i], rays, inMesh, known.Rays[i], parts);
     }

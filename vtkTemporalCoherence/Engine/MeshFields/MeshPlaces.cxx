@@ -64,7 +64,10 @@ void VisitCellsAt(const MeshTree& tree, const glm::dvec3& point, const Visit& vi
         {
           const CellNumber number = tree.CellAt(childAt(leaf, bit));
           tree.Reader().Read(number, cell);
-          visit(number, cell);
+          if (cell.NumberOfPoints() > 0)
+          {
+            visit(number, cell);
+          }
         });
     });
 }

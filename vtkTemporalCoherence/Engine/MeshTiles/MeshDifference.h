@@ -18,8 +18,8 @@ namespace TemporalCoherence
 /// Differences of values in a mesh from one isovalue, with the exact sign.
 ///
 /// They are multiplied by a power of two, so that the largest of finite values is near 1: kernels
-/// multiply them by coordinates. Infinities and NaN are clamped to the largest difference; NaN is
-/// below every isovalue.
+/// multiply them by coordinates. Infinities are clamped to the largest difference. (So is NaN,
+/// but cells with NaN are hidden.)
 class MeshDifference
 {
 public:
@@ -58,7 +58,7 @@ public:
     return isAnyInside && isAnyOutside;
   }
 
-  /// False for the difference of an infinity or of NaN.
+  /// False for the difference of an infinity.
   static bool IsFinite(double difference) { return std::abs(difference) < Largest; }
 
   /// Room for rounding errors of differences up to this one, and of finite ones: far more than

@@ -198,7 +198,7 @@ public:
     , Ranges(ranges)
     , Samples(field)
     , Hidden(field.Hidden.get())
-    , AreFinite(std::isfinite(ranges.WholeRange().x) && std::isfinite(ranges.WholeRange().y))
+    , AreFinite(ranges.AreSamplesFinite())
     , Sign(isMinimum ? Real(-1) : Real(1))
   {
     this->OfNodes.Dimensions = ranges.NodeDimensions();

@@ -18,34 +18,26 @@ constexpr double ShareOfBuilding = 0.9;
 }
 
 bool FrameRenderer::Render(
-  const FrameKey& key, const Options& options, const ReportProgress& report)
+  const FrameKey& asked, const Options& options, const ReportProgress& report)
 {
   FrameStatistics statistics;
-  statistics.Rays = static_cast<std::int64_t>(key.View.Size.x) * key.View.Size.y;
+  statistics.Rays = static_cast<std::int64_t>(asked.View.Size.x) * asked.View.Size.y;
   {
     Stopwatch watch(statistics.FrameTime);
-    FrameTask task{ key, options, this->Store, this->Structures, statistics, report,
-      &this->Map.Drag().Costs };
 
     // The samples may have changed or moved in memory: structures and pictures follow.
+    FrameKey key;
     {
-      Stopwatch comparing(statistics.TraceTime);
+      Stopwatch preparing(statistics.TraceTime);
       this->Map.Trim(options.Map.MemoryLimit);
-      this->FollowSamples(key);
+      key = this->Prepare(asked);
     }
+    FrameTask task{ key, options, this->Store, this->Structures, statistics, report,
+      &this->Map.Drag().Costs };
 
     // Choose by what changed and by what is available.
     const std::shared_ptr<CachedImage> nearest = this->Store.FindNearest(key, options);
     Route route = this->ChooseRoute(key, options, nearest != nullptr);
-    if (route != Route::Redisplay)
-    {
-      Stopwatch preparing(statistics.TraceTime);
-      if (this->PrepareRanges(key))
-      {
-        // An isomap of the old ranges was dropped.
-        route = this->ChooseRoute(key, options, nearest != nullptr);
-      }
-    }
 
     // One function makes the frame. If it is stopped or runs out of memory, the last frame is
     // unchanged.
@@ -201,11 +193,10 @@ Isomap::Outcome FrameRenderer::BuildIsomap(
   Isomap::Outcome outcome = Isomap::Outcome::TooLarge;
   {
     Stopwatch watch(seconds);
-    this->FollowSamples(key);
-    this->PrepareRanges(key);
+    const FrameKey whole = this->Prepare(key);
     try
     {
-      outcome = this->Map.BuildAhead(key, options.Map, this->Structures.Pyramid(), report);
+      outcome = this->Map.BuildAhead(whole, options.Map, this->Structures.Pyramid(), report);
     }
     catch (const std::bad_alloc&)
     {
@@ -214,6 +205,15 @@ Isomap::Outcome FrameRenderer::BuildIsomap(
   }
   this->TimeToBuild = seconds;
   return outcome;
+}
+
+/// Bring structures and pictures up to date with the samples.
+/// \return the key with its hidden cells
+FrameKey FrameRenderer::Prepare(const FrameKey& key)
+{
+  this->FollowSamples(key);
+  this->PrepareRanges(key);
+  return FrameStructures::WithHidden(key, this->Structures.Ranges());
 }
 
 /// Find out what changed if the samples are not those of the last frame.
@@ -226,9 +226,11 @@ void FrameRenderer::FollowSamples(const FrameKey& key)
   {
     // Their old memory must not be read any more.
     const Field before = last.Samples;
-    this->Structures.MoveTo(key.Samples, before);
-    this->Map.MoveTo(key.Samples, before);
-    this->Store.MoveTo(key.Samples);
+    Field now = key.Samples;
+    now.Hidden = before.Hidden;
+    this->Structures.MoveTo(now, before);
+    this->Map.MoveTo(now, before);
+    this->Store.MoveTo(now);
     this->Changes.TakeEqual();
   }
   else if (result == SampleComparer::Result::Different)
@@ -243,22 +245,19 @@ void FrameRenderer::FollowSamples(const FrameKey& key)
 }
 
 /// Set the value ranges for the data. Isomaps of other data are dropped first, to make room.
-/// \return true if the ranges changed
-bool FrameRenderer::PrepareRanges(const FrameKey& key)
+void FrameRenderer::PrepareRanges(const FrameKey& key)
 {
-  if (!this->Structures.NeedsRanges(key))
+  if (this->Structures.NeedsRanges(key))
   {
-    return false;
+    this->Map.Release();
+    this->Structures.PrepareRanges(key);
   }
-  this->Map.Release();
-  this->Structures.PrepareRanges(key);
-  return true;
 }
 
-glm::dvec2 FrameRenderer::FiniteRangeOf(const FrameKey& key)
+const FieldRanges& FrameRenderer::RangesOf(const FrameKey& key)
 {
   this->ForPicks = this->Structures.RangesOf(key);
-  return this->ForPicks->Pyramid->FiniteRange();
+  return *this->ForPicks;
 }
 
 void FrameRenderer::Release()

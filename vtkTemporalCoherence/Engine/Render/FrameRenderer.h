@@ -54,10 +54,10 @@ public:
   const FrameKey& LastKey() const { return this->Store.Last().Key; }
   const FrameStatistics& Statistics() const { return this->OfLastFrame; }
 
-  /// Smallest and largest finite sample of the data of `key`. Does not change any state that frames
+  /// The value ranges and hidden cells of the data of `key`. Does not change any state that frames
   /// depend on. Undefined without cells or isovalues.
   /// \throws std::bad_alloc
-  glm::dvec2 FiniteRangeOf(const FrameKey& key);
+  const FieldRanges& RangesOf(const FrameKey& key);
 
   /// The value ranges used for the last frame. Undefined if it has no cells or no isovalues.
   const ValueRangePyramid& LastRanges() const { return this->Structures.Pyramid(); }
@@ -75,8 +75,9 @@ public:
   void Release();
 
 private:
+  FrameKey Prepare(const FrameKey& key);
   void FollowSamples(const FrameKey& key);
-  bool PrepareRanges(const FrameKey& key);
+  void PrepareRanges(const FrameKey& key);
   Route ChooseRoute(const FrameKey& key, const Options& options, bool hasImage) const;
   bool Make(Route& route, FrameTask& task, CachedImage* nearest);
   bool BuildAndLookUp(Route& route, FrameTask& task);

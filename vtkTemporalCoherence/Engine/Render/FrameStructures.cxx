@@ -115,6 +115,14 @@ std::shared_ptr<const FieldRanges> FrameStructures::RangesOf(const FrameKey& key
   return ranges;
 }
 
+FrameKey FrameStructures::WithHidden(const FrameKey& key, const FieldRanges& ranges)
+{
+  FrameKey whole = key;
+  whole.Samples.Hidden =
+    ranges.Samples == key.Samples ? ranges.Samples.Hidden : key.Samples.Flagged;
+  return whole;
+}
+
 void FrameStructures::MoveTo(const Field& now, const Field& before)
 {
   if (this->OfData->Samples == before)

@@ -62,6 +62,10 @@ public:
   /// \throws std::bad_alloc
   std::shared_ptr<const FieldRanges> RangesOf(const FrameKey& key) const;
 
+  /// The key with the hidden cells of its samples.
+  /// \param ranges those of its samples, if it needs any
+  static FrameKey WithHidden(const FrameKey& key, const FieldRanges& ranges);
+
   /// Reassign structures of the field `before` to `now`, whose samples are equal but lie elsewhere.
   void MoveTo(const Field& now, const Field& before);
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Render/LineTracer.h"
 
+#include "Render/FrameStructures.h"
 #include "Render/TileTracer.h"
 #include "Shade/TileShader.h"
 
@@ -25,10 +26,11 @@ View ViewAlong(const glm::dvec3& begin, const glm::dvec3& end)
 
 }
 
-std::optional<LineHit> TraceLine(const FrameKey& scene, const glm::dvec2& finiteRange,
-  const glm::dvec3& begin, const glm::dvec3& end)
+std::optional<LineHit> TraceLine(
+  const FrameKey& scene, const FieldRanges& ranges, const glm::dvec3& begin, const glm::dvec3& end)
 {
-  FrameKey key = scene;
+  FrameKey key = FrameStructures::WithHidden(scene, ranges);
+  const glm::dvec2& finiteRange = ranges.Pyramid->FiniteRange();
   key.View = ViewAlong(begin, end);
   key.Appearance = Appearance();
   key.Appearance.Colors.resize(key.Isosurfaces.Isovalues.size());

@@ -13,6 +13,8 @@
 namespace TemporalCoherence
 {
 
+struct FieldRanges;
+
 /// The first surface on a line, in the world.
 struct LineHit
 {
@@ -25,12 +27,12 @@ struct LineHit
 
 /// Find the first surface on the line from `begin` to `end`, as a cold frame would: the line is the
 /// ray of a picture with one pixel. It is clipped like any frame.
-/// \param scene       its view and appearance are ignored
-/// \param finiteRange smallest and largest finite sample
+/// \param scene  its view and appearance are ignored
+/// \param ranges of its samples
 /// \pre the line has a length, and both ends are finite
 /// \throws std::bad_alloc
-std::optional<LineHit> TraceLine(const FrameKey& scene, const glm::dvec2& finiteRange,
-  const glm::dvec3& begin, const glm::dvec3& end);
+std::optional<LineHit> TraceLine(
+  const FrameKey& scene, const FieldRanges& ranges, const glm::dvec3& begin, const glm::dvec3& end);
 
 }
 

@@ -92,8 +92,8 @@ struct DifferenceInDouble
 /// the isovalue, in the type the engine computes with. (Integers beyond 2^53 are rounded to
 /// double.)
 ///
-/// Infinities and NaN do no harm: differences are clamped to +-R, where R is the largest difference
-/// of a finite sample. NaN counts as -R, below every isovalue.
+/// Infinities do no harm: differences are clamped to +-R, where R is the largest difference of a
+/// finite sample. NaN, whose cells are hidden, counts as -R.
 ///
 /// Signs survive interpolation: a difference below 0 stays below 0 when it is multiplied by weights
 /// and summed, even if the hardware flushes denormal numbers to 0.

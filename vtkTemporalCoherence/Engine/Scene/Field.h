@@ -55,7 +55,10 @@ struct Field
   glm::i64vec3 Strides{ 1, 0, 0 }; ///< scalars from one sample to the next along each axis
   std::uint64_t Stamp = 0;         ///< differs whenever the samples may have changed
   std::shared_ptr<const FieldKind> Kind = UniformKind(); ///< never null
-  /// Cells that hold no surface, whatever their samples; null for none.
+  /// Cells that are hidden whatever their samples are; null for none.
+  std::shared_ptr<const HiddenCells> Flagged;
+  /// Cells that hold no surface: those of Flagged, and cells with a sample that is not a number.
+  /// Null for none. It follows from all else and is set where value ranges are (FieldRanges).
   std::shared_ptr<const HiddenCells> Hidden;
 
   /// True if the samples do not fit into a processor's caches, so that prefetching pays.
@@ -74,7 +77,7 @@ inline bool operator==(const Field& a, const Field& b)
 {
   return a.Samples == b.Samples && a.Type == b.Type && a.Between == b.Between &&
     a.Dimensions == b.Dimensions && a.Strides == b.Strides && a.Stamp == b.Stamp &&
-    AreSame(a.Kind, b.Kind) && a.Hidden == b.Hidden;
+    AreSame(a.Kind, b.Kind) && a.Flagged == b.Flagged;
 }
 
 /// The affine transform from index space to world coordinates, and its inverse.

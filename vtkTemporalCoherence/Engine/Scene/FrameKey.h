@@ -26,7 +26,8 @@ struct FrameKey
 };
 
 /// True if two fields can differ in nothing but the values of their samples, so that fingerprints
-/// tell which changed. False if cells are hidden, or if the kind of field has no fingerprints.
+/// tell which changed. False if cells are flagged as hidden, or if the kind of field has no
+/// fingerprints.
 bool AreAlike(const Field& a, const Field& b);
 
 /// What changed between two frames, by part of the key.

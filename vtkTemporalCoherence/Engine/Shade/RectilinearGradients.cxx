@@ -87,9 +87,15 @@ private:
     this->Cell[number] = place;
     this->Surface[number] = surface;
     this->ReadAround(place, number);
-    const bool isKnown = number > 0 && this->Surface[number - 1] == surface;
-    this->Cells.FromIsovalue[number] = isKnown ? this->Cells.FromIsovalue[number - 1]
-                                               : DifferenceFor(this->Query, surface).InDouble();
+    if (number == 0 || this->Surface[number - 1] != surface)
+    {
+      this->FromIsovalue = DifferenceFor(this->Query, surface).InDouble();
+    }
+    this->Cells.FromIsovalue[number] = this->FromIsovalue;
+    if (std::is_floating_point_v<T> && this->Query.Samples.Hidden)
+    {
+      this->MakeOneSided(place, number);
+    }
     return static_cast<std::int32_t>(number);
   }
 
@@ -122,10 +128,43 @@ private:
     }
   }
 
+  /// Replace samples beside a cell that are not numbers, so that differences become one-sided.
+  /// Differences may then be larger than those of finite samples.
+  void MakeOneSided(const glm::ivec3& cell, std::size_t number)
+  {
+    constexpr double most = std::numeric_limits<double>::max() / 4.0;
+    double widest = 1.0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      auto& around = this->Cells.Around[number][axis];
+      const auto a = static_cast<int>(axis);
+      const double step = this->Grid.At(a, cell[a] + 1) - this->Grid.At(a, cell[a]);
+      for (std::size_t edge = 0; edge < 4; ++edge)
+      {
+        const double rise = around[2][edge] - around[1][edge];
+        const std::array<double, 2> steps = { this->Cells.Between[number][axis][0] / step,
+          this->Cells.Between[number][axis][1] / step };
+        if (std::isnan(around[0][edge]))
+        {
+          around[0][edge] = around[2][edge] - rise * steps[0];
+          widest = std::max(widest, 1.0 + 2.0 * steps[0]);
+        }
+        if (std::isnan(around[3][edge]))
+        {
+          around[3][edge] = around[1][edge] + rise * steps[1];
+          widest = std::max(widest, 1.0 + 2.0 * steps[1]);
+        }
+      }
+    }
+    double& limit = this->Cells.FromIsovalue[number].Limit;
+    limit = std::min(widest * limit, std::max(most, limit));
+  }
+
   TypedField<T> Samples;
   const GridCoordinates& Grid;
   const GradientQuery& Query;
   const GradientTile& Tile;
+  DifferenceInDouble FromIsovalue{}; ///< of the last cell
   GradientKernels::GridCells Cells;
   std::array<glm::ivec3, RayBatch::Capacity> Cell;
   std::array<std::int16_t, RayBatch::Capacity> Surface;
@@ -194,7 +233,7 @@ private:
     return cell + glm::ivec3(glm::clamp(glm::floor(moved + 0.5), glm::dvec3(0.0), glm::dvec3(1.0)));
   }
 
-  /// Central differences, one-sided at the boundary.
+  /// Central differences, one-sided at the boundary and beside a sample that is not a number.
   glm::dvec3 AtSample(const glm::ivec3& sample, const Difference<double>& difference) const
   {
     const auto valueAt = [&](const glm::ivec3& place)
@@ -205,10 +244,17 @@ private:
       glm::ivec3 before = sample, behind = sample;
       before[axis] = std::max(sample[axis] - 1, 0);
       behind[axis] = std::min(sample[axis] + 1, this->Samples.Dimensions[axis] - 1);
+      before = this->IsNumber(before) ? before : sample;
+      behind = this->IsNumber(behind) ? behind : sample;
       const double distance = this->Grid.At(axis, behind[axis]) - this->Grid.At(axis, before[axis]);
       gradient[axis] = Bounded((valueAt(behind) - valueAt(before)) / distance);
     }
     return gradient;
+  }
+
+  bool IsNumber(const glm::ivec3& place) const
+  {
+    return !std::isnan(static_cast<double>(*this->Samples.At(place)));
   }
 
   TypedField<T> Samples;

@@ -148,6 +148,56 @@ private:
   bool IsLarge;
 };
 
+/// Replace an outer sample that is not a number, so that the difference over two steps becomes
+/// twice the one over the inner step: it is one-sided. \param limit of differences; is widened, as
+/// the new sample may be far from all others
+template <typename Stored>
+void Mirror(Stored inner, Stored next, Stored& outer, double& limit)
+{
+  if (std::isnan(outer))
+  {
+    constexpr double most = std::numeric_limits<double>::max() / 4.0;
+    outer = inner + (inner - next);
+    limit = std::min(3.0 * limit, most);
+  }
+}
+
+/// Make differences one-sided where a sample is not a number. Cells of hits have none.
+template <typename Rows>
+void MakeOneSided(std::size_t count, Rows& rows)
+{
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const double limit = rows.Limit[i];
+    double widest = limit;
+    const auto mirror = [&](auto inner, auto next, auto& outer)
+    {
+      double wider = limit;
+      Mirror(inner, next, outer, wider);
+      widest = std::max(widest, wider);
+    };
+    for (auto& row : rows.Along)
+    {
+      mirror(row[i][1], row[i][2], row[i][0]);
+      mirror(row[i][2], row[i][1], row[i][3]);
+    }
+    for (std::size_t side = 0; side < 2; ++side)
+    {
+      for (std::size_t x = 0; x < 2; ++x)
+      {
+        // Corners of the cell at this place along z, and at this place along y.
+        const auto low = rows.Along[2 * side][i][1 + x], high = rows.Along[2 * side + 1][i][1 + x];
+        const auto near = rows.Along[side][i][1 + x], far = rows.Along[2 + side][i][1 + x];
+        mirror(low, high, rows.Beside[side][i][x]);
+        mirror(high, low, rows.Beside[2 + side][i][x]);
+        mirror(near, far, rows.Beside[4 + side][i][x]);
+        mirror(far, near, rows.Beside[6 + side][i][x]);
+      }
+    }
+    rows.Limit[i] = widest;
+  }
+}
+
 /// Prefetch the samples around points if they do not fit into the caches.
 template <typename T>
 void PrefetchSamples(const Field& field, const GradientKernels::CellPoints<RealOf<T>>& points)
@@ -209,6 +259,13 @@ void UniformGradients(const GradientQuery& query, const GradientTile& tile)
       if constexpr (sizeof(T) > 2)
       {
         SetIsovalues<T>(query, tile.Rays.Count, tile.Surfaces, rows);
+      }
+      if constexpr (std::is_floating_point_v<T>)
+      {
+        if (field.Hidden)
+        {
+          MakeOneSided(tile.Rays.Count, rows);
+        }
       }
       GradientKernels::InterpolateGradients(field.Dimensions, inCells, rows, tile.Gradients);
     });

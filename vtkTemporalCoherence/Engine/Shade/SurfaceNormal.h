@@ -17,14 +17,15 @@ namespace TemporalCoherence
 
 /// Gradients of the field at the hits of a tile.
 ///
-/// Gradients are central differences at the samples, one-sided at the boundary of the field.
+/// Gradients are central differences at the samples, one-sided at the boundary of the field and
+/// beside a sample that is not a number.
 /// Between samples they are interpolated as the field is: trilinearly, or from the nearest sample.
 struct GradientQuery
 {
   const Field& Samples; ///< not a copy: threads would wait for each other to count its pointers
   glm::dmat4 IndexFromWorld{ 1.0 };
   glm::dvec2 FiniteRange{ 0.0 }; ///< smallest and largest finite sample
-  /// Differences from the isovalues are taken, so that infinities and NaN do no harm.
+  /// Differences from the isovalues are taken, so that infinities do no harm.
   const std::vector<double>* Isovalues = nullptr;
 };
 

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -20,7 +21,7 @@
 namespace TemporalCoherence
 {
 
-/// Smallest and largest of some values. NaN is below every isovalue, so it counts as -infinity.
+/// Smallest and largest of some values. Min > Max if there are none.
 struct CellRange
 {
   double Min = std::numeric_limits<double>::infinity();
@@ -28,14 +29,21 @@ struct CellRange
 
   void Widen(double value)
   {
-    const double known = value == value ? value : -std::numeric_limits<double>::infinity();
-    this->Min = std::min(this->Min, known);
-    this->Max = std::max(this->Max, known);
+    this->Min = std::min(this->Min, value);
+    this->Max = std::max(this->Max, value);
+  }
+
+  void Widen(const CellRange& other)
+  {
+    this->Min = std::min(this->Min, other.Min);
+    this->Max = std::max(this->Max, other.Max);
   }
 };
 
-/// Reads cells by their numbers through all parts, with the same result as ReadCell, but faster:
-/// the types of numbers are asked for once for each cell, not for each number.
+/// Reads cells by their numbers through all parts: the types of numbers are asked for once for each
+/// cell, not for each number. A cell with a value that is not a number is read as a hidden cell,
+/// one without points. (The tree leaves other hidden cells out. But values may change, and it
+/// stays.)
 class MeshReader
 {
 public:
@@ -158,12 +166,18 @@ public:
     ReadValues(part, points, NumberOfPointsIn(points.Shape), take);
   }
 
-  /// The range of the values of a cell.
+  /// The range of the values of a cell. Empty if one is not a number.
   CellRange ReadRange(std::int64_t number) const
   {
     CellRange range;
-    this->ReadValues(number, [&](int, double value) { range.Widen(value); });
-    return range;
+    bool areNumbers = true;
+    this->ReadValues(number,
+      [&](int, double value)
+      {
+        range.Widen(value);
+        areNumbers &= !std::isnan(value);
+      });
+    return areNumbers ? range : CellRange();
   }
 
   /// The number of a point of a cell, in its part.
@@ -218,10 +232,15 @@ public:
 private:
   static void Read(const MeshPart& part, const MeshCellPoints& points, MeshCell& cell)
   {
-    cell.Shape = points.Shape;
+    bool areNumbers = true;
     ReadCoordinates(part, points, cell.Points);
-    ReadValues(part, points, cell.NumberOfPoints(),
-      [&](int i, double value) { cell.Values[static_cast<std::size_t>(i)] = value; });
+    ReadValues(part, points, NumberOfPointsIn(points.Shape),
+      [&](int i, double value)
+      {
+        cell.Values[static_cast<std::size_t>(i)] = value;
+        areNumbers &= !std::isnan(value);
+      });
+    cell.Shape = areNumbers ? points.Shape : MeshCellShape::None;
   }
 
   /// Where some cells are.

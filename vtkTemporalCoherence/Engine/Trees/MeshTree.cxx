@@ -75,22 +75,32 @@ std::shared_ptr<const MeshTree> MeshTree::WithValuesOf(
 CellRange MeshTree::RangeOfLeaf(std::int64_t leaf, CellRange* finite) const
 {
   CellRange range;
-  MeshRanges::OfCells ofCells;
+  MeshRanges::OfCells ofCells, finiteOfCells;
+  std::uint64_t withNaN = 0;
   const std::int64_t first = 64 * leaf, end = this->EndOfLeaf(leaf);
   const auto count = static_cast<std::size_t>(std::max<std::int64_t>(end - first, 0));
   this->Cells.ReadValuesOfAll(this->Order->data() + first, count,
     [&](std::size_t cell, double value)
     {
       ofCells[cell].Widen(value);
+      withNaN |= static_cast<std::uint64_t>(std::isnan(value)) << cell;
       if (finite && std::isfinite(value))
       {
-        finite->Widen(value);
+        finiteOfCells[cell].Widen(value);
       }
     });
   for (std::size_t cell = 0; cell < count; ++cell)
   {
-    range.Widen(ofCells[cell].Min);
-    range.Widen(ofCells[cell].Max);
+    if ((withNaN >> cell & 1u) != 0)
+    {
+      ofCells[cell] = CellRange();
+      continue;
+    }
+    range.Widen(ofCells[cell]);
+    if (finite)
+    {
+      finite->Widen(finiteOfCells[cell]);
+    }
   }
   if (count > 0)
   {

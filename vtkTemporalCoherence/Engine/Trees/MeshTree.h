@@ -172,9 +172,9 @@ public:
   /// without cells is a point.
   IndexBox BoxOf(const CellBox& cells) const { return this->Boxes->BoxOf(cells); }
 
-  /// The range of the values of a leaf, read from the mesh. NaN counts as -infinity, so that no
-  /// surface beside it is lost. A leaf without cells has Min > Max.
-  /// \param finite the range of the finite values, if it is asked for
+  /// The range of the values of a leaf, read from the mesh. Cells with a value that is not a number
+  /// do not count. A leaf without other cells has Min > Max.
+  /// \param finite the range of the finite ones of these values, if it is asked for
   CellRange RangeOfLeaf(std::int64_t leaf, CellRange* finite = nullptr) const;
 
   /// One bit for each cell of a leaf that an isovalue of the bands passes. If the range of the leaf

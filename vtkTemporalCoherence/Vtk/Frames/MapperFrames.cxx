@@ -256,7 +256,7 @@ std::optional<LineHit> MapperFrames::FindHit(
 {
   try
   {
-    return TraceLine(request.Key, this->Last->Engine.FiniteRangeOf(request.Key), begin, end);
+    return TraceLine(request.Key, this->Last->Engine.RangesOf(request.Key), begin, end);
   }
   catch (const std::exception&)
   {

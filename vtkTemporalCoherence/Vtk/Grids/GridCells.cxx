@@ -128,9 +128,10 @@ bool FindFlags(const GridLeaf& leaf, vtkDataSetAttributes* attributes, vtkIdType
   return false;
 }
 
-/// One byte for each cell, 1 if its own flag or that of a point hides it.
-MadeFlags FlagsOfBoth(
-  const MeshPart& part, const std::uint8_t* ofCells, const std::uint8_t* ofPoints)
+/// One byte for each cell, 1 if its own flag or that of a point hides it, or if it is missing.
+/// \param ofCells, ofPoints, missing may be null
+MadeFlags FlagsOfAll(const MeshPart& part, const std::uint8_t* ofCells,
+  const std::uint8_t* ofPoints, const std::uint8_t* missing)
 {
   const auto made =
     std::make_shared<std::vector<std::uint8_t>>(static_cast<std::size_t>(part.NumberOfCells));
@@ -138,15 +139,20 @@ MadeFlags FlagsOfBoth(
     [&](std::int64_t cell)
     {
       unsigned int flag = ofCells && (ofCells[cell] & NotToBeShown) ? 1u : 0u;
-      ForEachPoint(part, cell,
-        [&](std::int64_t point)
-        { flag |= ofPoints[point] & vtkDataSetAttributes::HIDDENPOINT ? 1u : 0u; });
+      flag |= missing ? missing[cell] : 0u;
+      if (ofPoints)
+      {
+        ForEachPoint(part, cell,
+          [&](std::int64_t point)
+          { flag |= ofPoints[point] & vtkDataSetAttributes::HIDDENPOINT ? 1u : 0u; });
+      }
       (*made)[static_cast<std::size_t>(cell)] = static_cast<std::uint8_t>(flag);
     });
   return made;
 }
 
-bool SetFlags(const GridLeaf& leaf, MeshPart& part, MadeFlags& made, std::string& error)
+bool SetFlags(const GridLeaf& leaf, const std::vector<std::uint8_t>& missing, MeshPart& part,
+  MadeFlags& made, std::string& error)
 {
   const std::uint8_t* ofCells = nullptr;
   const std::uint8_t* ofPoints = nullptr;
@@ -158,7 +164,10 @@ bool SetFlags(const GridLeaf& leaf, MeshPart& part, MadeFlags& made, std::string
   const bool hidesPoints = ofPoints &&
     std::any_of(ofPoints, ofPoints + part.NumberOfPoints,
       [](std::uint8_t flag) { return (flag & vtkDataSetAttributes::HIDDENPOINT) != 0; });
-  made = hidesPoints ? FlagsOfBoth(part, ofCells, ofPoints) : nullptr;
+  made = hidesPoints || !missing.empty()
+    ? FlagsOfAll(
+        part, ofCells, hidesPoints ? ofPoints : nullptr, missing.empty() ? nullptr : missing.data())
+    : nullptr;
   part.Flags = made ? made->data() : ofCells;
   part.HidingFlags = made ? 1 : NotToBeShown;
   return true;
@@ -195,8 +204,8 @@ void NoteCells(const GridLeaf& leaf, MadeFrom& from)
   from.Add(GhostsOf(leaf.Data->GetPointData()));
 }
 
-bool SetCells(
-  const GridLeaf& leaf, MeshPart& part, MadeFlags& made, CellCensus& census, std::string& error)
+bool SetCells(const GridLeaf& leaf, const std::vector<std::uint8_t>& missing, MeshPart& part,
+  MadeFlags& made, CellCensus& census, std::string& error)
 {
   census = CellCensus();
   part.NumberOfPoints = leaf.Data->GetNumberOfPoints();
@@ -217,7 +226,7 @@ bool SetCells(
   {
     part.Dimensions = DimensionsOf(leaf.Data);
   }
-  return SetFlags(leaf, part, made, error);
+  return SetFlags(leaf, missing, part, made, error);
 }
 
 }

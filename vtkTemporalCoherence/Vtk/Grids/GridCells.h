@@ -28,15 +28,12 @@ void NoteCells(const GridLeaf& leaf, MadeFrom& from);
 
 /// Set the cells of a part, in place, and which of them are hidden. Ghost arrays of cells hide
 /// those that are flagged as hidden, refined or duplicate, and ghost arrays of points the cells
-/// around a hidden point. Cells that are no tetrahedra, voxels, hexahedra, wedges or pyramids are
-/// left out.
-/// \param made   gets the flags if they had to be made
-/// \param census gets what there is
-/// \param error  gets what is wrong and what to do about it
-/// \return false on error
-/// \throws std::bad_alloc
-bool SetCells(
-  const GridLeaf& leaf, MeshPart& part, MadeFlags& made, CellCensus& census, std::string& error);
+/// around a hidden point. Missing cells are hidden, too. Cells that are no tetrahedra, voxels,
+/// hexahedra, wedges or pyramids are left out. \param missing see MissingCells.h \param made   gets
+/// the flags if they had to be made \param census gets what there is \param error  gets what is
+/// wrong and what to do about it \return false on error \throws std::bad_alloc
+bool SetCells(const GridLeaf& leaf, const std::vector<std::uint8_t>& missing, MeshPart& part,
+  MadeFlags& made, CellCensus& census, std::string& error);
 
 }
 

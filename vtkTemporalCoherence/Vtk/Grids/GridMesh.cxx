@@ -4,6 +4,7 @@
 
 #include "Adaptive/AmrMesh.h"
 #include "Grids/AmrGrids.h"
+#include "Grids/MissingCells.h"
 #include "Grids/SameCells.h"
 #include "Shapes/SubdividedCells.h"
 
@@ -52,6 +53,10 @@ bool GridMesh::See(const std::vector<GridLeaf>& leaves, const DrawnComponent& co
   this->OfLeaves = nullptr; // what follows may fail
   this->AreOthersNew = false;
   this->Parts.resize(leaves.size());
+  if (this->AreValuesNew && this->FindMissing(leaves, component))
+  {
+    this->AreCellsNew = this->ArePointsNew = true;
+  }
   std::size_t all = this->MemoryInBytes();
   for (std::size_t i = 0; i < leaves.size(); ++i)
   {
@@ -77,13 +82,30 @@ bool GridMesh::See(const std::vector<GridLeaf>& leaves, const DrawnComponent& co
   return true;
 }
 
+/// Find cells that have no value of their own.
+/// \return true if these are others than before, so that the tree does not fit
+bool GridMesh::FindMissing(const std::vector<GridLeaf>& leaves, const DrawnComponent& component)
+{
+  bool areNew = false;
+  for (std::size_t i = 0; i < leaves.size(); ++i)
+  {
+    std::vector<std::uint8_t> missing;
+    FindMissingCells(leaves[i], component, missing);
+    areNew |= missing != this->Parts[i].Missing;
+    this->Parts[i].Missing = std::move(missing);
+  }
+  return areNew;
+}
+
 bool GridMesh::SeeLeaf(const GridLeaf& leaf, const DrawnComponent& component, LeafPart& made,
   MakingBudget& budget, std::string& error)
 {
   if (this->AreCellsNew)
   {
+    std::vector<std::uint8_t> missing = std::move(made.Missing);
     made = LeafPart();
-    if (!SetCells(leaf, made.Part, made.Made.Flags, made.Census, error))
+    made.Missing = std::move(missing);
+    if (!SetCells(leaf, made.Missing, made.Part, made.Made.Flags, made.Census, error))
     {
       return false;
     }
@@ -222,7 +244,7 @@ std::size_t GridMesh::MemoryOf(const MeshPart& made)
 
 std::size_t GridMesh::MemoryOf(const LeafPart& made)
 {
-  std::size_t bytes = made.Kept.MemoryInBytes();
+  std::size_t bytes = made.Kept.MemoryInBytes() + made.Missing.size();
   bytes += made.Made.Flags ? made.Made.Flags->size() : 0;
   bytes += made.Made.Points ? made.Made.Points->size() * sizeof(double) : 0;
   bytes += made.AreValuesMade

@@ -70,7 +70,8 @@ private:
   struct LeafPart
   {
     MeshPart Part;
-    std::vector<MeshPart> Others; ///< made of cells that Part leaves out
+    std::vector<std::uint8_t> Missing; ///< see MissingCells.h
+    std::vector<MeshPart> Others;      ///< made of cells that Part leaves out
     Makings Made;
     CellCensus Census;
     KeptDivision Kept;          ///< of Others, if it is
@@ -78,6 +79,7 @@ private:
     bool AreValuesMade = false; ///< they are not those of the data set
   };
 
+  bool FindMissing(const std::vector<GridLeaf>& leaves, const DrawnComponent& component);
   static std::size_t MemoryOf(const MeshPart& made);
   static std::size_t MemoryOf(const LeafPart& made);
   bool SeeOthers(const GridLeaf& leaf, LeafPart& made, MakingBudget& budget, std::string& error);

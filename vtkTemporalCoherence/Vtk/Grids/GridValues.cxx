@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace TemporalCoherence
@@ -54,6 +55,10 @@ vtkSmartPointer<vtkDataArray> AverageToPoints(
       continue;
     }
     const double value = ofCells.At(cell);
+    if (std::isnan(value))
+    {
+      continue;
+    }
     ForEachPoint(part, cell,
       [&](std::int64_t point)
       {

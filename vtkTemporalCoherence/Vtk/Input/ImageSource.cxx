@@ -92,7 +92,7 @@ bool ImageSource::Make(const FieldQuery& query, PlacedField& field, std::string&
         found.Image, found.Array, found.OnCells, found.Component.Number, field.Samples, error) ||
     !FindMask(query.Mask, query.Mapper, field.Samples.Dimensions, property, query.Isovalues,
       ofSamples, error) ||
-    !this->Hidden.Find(found.Image, found.OnCells, ofSamples, field.Samples.Hidden, error) ||
+    !this->Hidden.Find(found.Image, found.OnCells, ofSamples, field.Samples.Flagged, error) ||
     !MakeIndexTransform(found.Image, found.OnCells, query.Volume, field.Transform, error))
   {
     return false;
@@ -133,7 +133,7 @@ bool ImageSource::MakeOthers(PlacedField& field, std::string& error) const
     const Field& first = field.Samples;
     other.Between = first.Between;
     other.Kind = first.Kind;
-    other.Hidden = first.Hidden;
+    other.Flagged = first.Flagged;
     field.Others.push_back(other);
   }
   return true;

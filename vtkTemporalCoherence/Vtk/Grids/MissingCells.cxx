@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Grids/MissingCells.h"
+
+#include "Input/SamplesOfArray.h"
+
+#include <vtkDataArray.h>
+#include <vtkDataSet.h>
+
+#include <cmath>
+#include <string>
+
+namespace TemporalCoherence
+{
+namespace
+{
+
+/// Mark the numbers of a component that are NaN.
+template <typename T>
+void MarkNaN(const ArraySamples& samples, std::int64_t count, std::vector<std::uint8_t>& missing)
+{
+  const T* const first = static_cast<const T*>(samples.First);
+  for (std::int64_t i = 0; i < count; ++i)
+  {
+    if (std::isnan(first[i * samples.Step]))
+    {
+      missing.resize(static_cast<std::size_t>(count), 0);
+      missing[static_cast<std::size_t>(i)] = 1;
+    }
+  }
+}
+
+}
+
+void FindMissingCells(
+  const GridLeaf& leaf, const DrawnComponent& component, std::vector<std::uint8_t>& missing)
+{
+  missing.clear();
+  const vtkIdType count = leaf.Data->GetNumberOfCells();
+  const int components = leaf.Array->GetNumberOfComponents();
+  if (!leaf.OnCells || leaf.Array->GetNumberOfTuples() < count)
+  {
+    return;
+  }
+  const int first = component.IsMagnitude ? 0 : component.Number;
+  const int end = component.IsMagnitude ? components : component.Number + 1;
+  for (int c = first; c < end && c < components; ++c)
+  {
+    ArraySamples samples;
+    std::string error; // of an array that is refused later
+    if (!FindSamples(leaf.Array, c, samples, error))
+    {
+      continue;
+    }
+    if (samples.Type == ScalarType::Float32)
+    {
+      MarkNaN<float>(samples, count, missing);
+    }
+    else if (samples.Type == ScalarType::Float64)
+    {
+      MarkNaN<double>(samples, count, missing);
+    }
+  }
+}
+
+}

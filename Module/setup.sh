@@ -37,6 +37,7 @@ test_packages=(libbenchmark-dev libgtest-dev xvfb xauth libgl1-mesa-dri python3-
 packaging_packages=(dpkg-dev file)
 explorer_packages=(libvtk9-qt-dev) # with the Qt that this VTK was built with
 example_packages=(mricron-data)
+client_packages=(python3-pyvista python3-imageio) # not in every Debian; a test of theirs is skipped then
 
 repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=${TEMPORAL_COHERENCE_BUILD:-$repository/build}
@@ -52,6 +53,17 @@ missing_packages()
   for package in "$@"; do
     dpkg-query -W -f '${db:Status-Abbrev}' "$package" 2>/dev/null | grep -q '^ii' ||
       printf '%s ' "$package"
+  done
+}
+
+# Names those of its arguments that this Debian has.
+known_packages()
+{
+  local package
+  for package in "$@"; do
+    if apt-cache show "$package" >/dev/null 2>&1; then
+      printf '%s ' "$package"
+    fi
   done
 }
 
@@ -87,7 +99,7 @@ install_packages() # NAMES...
 
 ensure_packages()
 {
-  local needed=("${build_packages[@]}") missing why
+  local needed=("${build_packages[@]}") missing known why
   if [ "$with_tests" = yes ]; then
     needed+=("${test_packages[@]}")
   fi
@@ -112,11 +124,23 @@ ensure_packages()
     install_packages "${missing[@]}" || fail_with_log "Could not install ${missing[*]}"
   fi
 
-  read -ra missing <<<"$(missing_packages "${example_packages[@]}")"
-  if [ "$with_example_data" = yes ] && [ "${#missing[@]}" -gt 0 ]; then
-    if [ -n "$why" ] || ! install_packages "${missing[@]}"; then
-      say "Going on without the example volume of ${missing[*]}${why:+ ($why)}."
-    fi
+  if [ "$with_example_data" = yes ]; then
+    install_if_possible "$why" "${example_packages[@]}"
+  fi
+  if [ "$with_tests" = yes ] && command -v apt-cache >/dev/null; then
+    read -ra known <<<"$(known_packages "${client_packages[@]}")"
+    install_if_possible "$why" "${known[@]}"
+  fi
+}
+
+# Going without these is no error.
+install_if_possible() # WHY_NO_INSTALL PACKAGES...
+{
+  local why=$1 missing
+  read -ra missing <<<"$(missing_packages "${@:2}")"
+  [ "${#missing[@]}" -gt 0 ] || return 0
+  if [ -n "$why" ] || ! install_packages "${missing[@]}"; then
+    say "Going on without ${missing[*]}${why:+ ($why)}."
   fi
 }
 

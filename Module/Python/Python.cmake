@@ -68,6 +68,18 @@ if (why_no_python)
     "-DTEMPORAL_COHERENCE_WRAP_PYTHON=OFF.")
 endif ()
 
+# pip brings the version of VTK that pyproject.toml names.
+if (DEFINED SKBUILD)
+  file(STRINGS "${CMAKE_SOURCE_DIR}/pyproject.toml" dependencies REGEX "^dependencies = ")
+  set(own_vtk "vtk == ${VTK_MAJOR_VERSION}.${VTK_MINOR_VERSION}.*")
+  string(FIND "${dependencies}" "\"${own_vtk}\"" position)
+  if (position EQUAL -1)
+    message(FATAL_ERROR
+      "The VTK that was found is ${VTK_VERSION}, and pyproject.toml says ${dependencies}: write "
+      "${own_vtk} there, and the same for vtk-sdk.")
+  endif ()
+endif ()
+
 find_python_directory(default_python_directory)
 set(TEMPORAL_COHERENCE_PYTHON_DIRECTORY "${default_python_directory}"
   CACHE STRING "Where the Python package is installed, relative to the prefix")
@@ -93,7 +105,8 @@ set(python_build_directory "${CMAKE_BINARY_DIR}/python")
 set_target_properties(vtkTemporalCoherencePython PROPERTIES
   LIBRARY_OUTPUT_DIRECTORY "${python_build_directory}/vtkTemporalCoherence")
 
-foreach (file IN ITEMS __init__.py everywhere.py mapper_support.py numpy_support.py)
+foreach (file IN ITEMS __init__.py everywhere.py isosurfaces.py mapper_support.py numpy_support.py
+    py.typed)
   configure_file("${CMAKE_CURRENT_LIST_DIR}/vtkTemporalCoherence/${file}"
     "${python_build_directory}/vtkTemporalCoherence/${file}" COPYONLY)
   install(
@@ -102,6 +115,30 @@ foreach (file IN ITEMS __init__.py everywhere.py mapper_support.py numpy_support
     COMPONENT python)
 endforeach ()
 
+# Types of the wrapped classes, for editors and checkers, by VTK's own generator. Debian has it since
+# VTK 9.3.
+execute_process(
+  COMMAND "${CMAKE_COMMAND}" -E env "PYTHONPATH=${vtk_python_modules}"
+    "${vtk_python}" -c "import vtkmodules.generate_pyi"
+  RESULT_VARIABLE no_generator OUTPUT_QUIET ERROR_QUIET)
+if (NOT no_generator)
+  set(python_stub "${python_build_directory}/vtkTemporalCoherence/vtkTemporalCoherence.pyi")
+  add_custom_command(OUTPUT "${python_stub}"
+    COMMAND "${CMAKE_COMMAND}" -E env
+      "PYTHONPATH=${python_build_directory}:${vtk_python_modules}"
+      ${TEMPORAL_COHERENCE_PYTHON_ENVIRONMENT}
+      "${vtk_python}" -m vtkmodules.generate_pyi --package vtkTemporalCoherence
+      --output "${python_build_directory}/vtkTemporalCoherence" vtkTemporalCoherence
+    DEPENDS vtkTemporalCoherencePython
+    COMMENT "Writing types of the Python package"
+    VERBATIM)
+  add_custom_target(vtkTemporalCoherencePythonTypes ALL DEPENDS "${python_stub}")
+  install(FILES "${python_stub}"
+    DESTINATION "${TEMPORAL_COHERENCE_PYTHON_DIRECTORY}/vtkTemporalCoherence"
+    COMPONENT python)
+endif ()
+
 if (BUILD_TESTING)
   add_subdirectory("${CMAKE_SOURCE_DIR}/Testing/Python" Testing/Python)
+  add_subdirectory("${CMAKE_SOURCE_DIR}/Testing/PyVista" Testing/PyVista)
 endif ()

@@ -55,7 +55,7 @@ PLAIN_VTK_CHANGES = {
 }
 
 # What PyVista's Plotter looks like to a script that draws a volume: it makes the vtkVolume and its
-# mapper. (The real one is no package of Debian's.)
+# mapper. Testing/PyVista has the real one.
 PLOTTER = """\
 import vtkmodules.vtkRenderingOpenGL2
 import vtkmodules.vtkRenderingVolumeOpenGL2

@@ -8,6 +8,7 @@
 The mapper goes into a vtkVolume as any other. It draws the isosurfaces of
 volume.GetProperty().GetIsoSurfaceValues(). help(vtkTemporalCoherenceVolumeMapper) tells the rest.
 
+    isosurface             a volume of isosurfaces of any grid, for PyVista's plotters as well
     use_everywhere         let it draw the isosurfaces of VTK's own mappers, made from now on
     replace_mapper         put it into a vtkVolume that has another mapper
     numpy_to_image         a volume from a NumPy array
@@ -15,7 +16,8 @@ volume.GetProperty().GetIsoSurfaceValues(). help(vtkTemporalCoherenceVolumeMappe
     planes, Planes         the arrays of the last frame: colour, depth, normals and more
     write_png              a picture into a file
 
-The last four are those of vtkTemporalCoherence.numpy_support; only they need NumPy.
+The last four are those of vtkTemporalCoherence.numpy_support; only they need NumPy. An
+IsosurfaceVolume is what isosurface() makes.
 
 Arguments that the wrapped methods fill are lists, but for t, which is a reference:
 
@@ -27,6 +29,8 @@ Arguments that the wrapped methods fill are lists, but for t, which is a referen
     if mapper.IntersectWithLine(volume, p1, p2, t, position, normal, index): ...
 """
 
+from typing import TYPE_CHECKING
+
 # What the wrapped classes take and return, and what makes vtkRenderer a renderer. No display is
 # needed for that.
 import vtkmodules.vtkCommonDataModel  # noqa: F401
@@ -34,6 +38,7 @@ import vtkmodules.vtkCommonMisc  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 
 from .everywhere import use_everywhere
+from .isosurfaces import IsosurfaceVolume, isosurface
 from .mapper_support import replace_mapper
 from .vtkTemporalCoherence import (
     vtkTemporalCoherenceDropInMapper,
@@ -45,9 +50,14 @@ from .vtkTemporalCoherence import (
     vtkTemporalCoherenceVolumeMapper,
 )
 
+if TYPE_CHECKING:  # types, without NumPy
+    from .numpy_support import Planes, numpy_to_image, planes, render, write_png
+
 _OF_NUMPY_SUPPORT = ("Planes", "numpy_to_image", "planes", "render", "write_png")
 
 __all__ = [
+    "IsosurfaceVolume",
+    "isosurface",
     "replace_mapper",
     "use_everywhere",
     "vtkTemporalCoherenceDropInMapper",

@@ -26,6 +26,7 @@ except ImportError as error:
 from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.util.vtkConstants import VTK_INT_MAX, VTK_SIGNED_CHAR, VTK_STRING
+from vtkmodules.vtkCommonCore import vtkDataArray
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkVolume
@@ -271,22 +272,31 @@ def _checked_names(names: Iterable[str]) -> tuple[str, ...]:
     return names
 
 
-def _image(
-    array: numpy.ndarray, dimensions: Sequence[int], components: tuple[int, ...], name: str
-) -> vtkImageData:
-    scalars = numpy.ascontiguousarray(array, _vtk_dtype(array.dtype)).reshape(-1, *components)
+def data_array(array: numpy.ndarray, components: tuple[int, ...], name: str) -> vtkDataArray:
+    """Numbers as an array of VTK that shares their memory, where that can be, and keeps it.
+
+    The shape of a tuple is `components`; all other axes are rows of tuples. For other modules of
+    this package.
+    """
+    numbers = numpy.ascontiguousarray(array, _vtk_dtype(array.dtype)).reshape(-1, *components)
     # VTK's char has a sign on some machines only.
-    vtk_type = VTK_SIGNED_CHAR if scalars.dtype == numpy.int8 else None
-    vtk_scalars = numpy_to_vtk(scalars, array_type=vtk_type)
+    vtk_type = VTK_SIGNED_CHAR if numbers.dtype == numpy.int8 else None
+    vtk_array = numpy_to_vtk(numbers, array_type=vtk_type)
     # The NumPy array has to live as long as the VTK array, so the latter is given an observer that
     # holds it. Python attributes, as numpy_to_vtk uses, outlive the VTK array until VTK's wrappers
     # happen to tidy up, and with them what may be a very large volume.
-    vtk_scalars.AddObserver("UserEvent", lambda *_: scalars)
-    vars(vtk_scalars).pop("_numpy_reference", None)
-    vtk_scalars.SetName(name)
+    vtk_array.AddObserver("UserEvent", lambda *_: numbers)
+    vars(vtk_array).pop("_numpy_reference", None)
+    vtk_array.SetName(name)
+    return vtk_array
+
+
+def _image(
+    array: numpy.ndarray, dimensions: Sequence[int], components: tuple[int, ...], name: str
+) -> vtkImageData:
     image = vtkImageData()
     image.SetDimensions(dimensions)
-    image.GetPointData().SetScalars(vtk_scalars)
+    image.GetPointData().SetScalars(data_array(array, components, name))
     return image
 
 

@@ -1,0 +1,408 @@
+# SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Isosurfaces of PyVista's and VTK's data in one call, with the names of PyVista's arguments."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, Callable, Iterable, Iterator, Sequence
+
+from vtkmodules.vtkCommonColor import vtkNamedColors
+from vtkmodules.vtkCommonCore import vtkScalarsToColors
+from vtkmodules.vtkCommonDataModel import (
+    vtkCompositeDataSet, vtkDataObject, vtkDataSet, vtkPiecewiseFunction, vtkPolyData)
+from vtkmodules.vtkRenderingCore import vtkColorTransferFunction
+
+from .vtkTemporalCoherence import vtkTemporalCoherenceVolume, vtkTemporalCoherenceVolumeMapper
+
+__all__ = ["IsosurfaceVolume", "isosurface"]
+
+#: What add_mesh() of PyVista draws with, if nothing else is asked for.
+_DEFAULT_COLOR = "lightblue"
+
+#: Names that Matplotlib has, and PyVista with it, and VTK not.
+_LETTERS = {
+    "b": "blue", "c": "cyan", "g": "green", "k": "black", "m": "magenta", "r": "red", "w": "white",
+    "y": "yellow"}
+
+#: Places of a colour map that become nodes of a transfer function.
+_NODES = 256
+
+
+class IsosurfaceVolume(vtkTemporalCoherenceVolume):
+    """What isosurface() makes: a volume whose mapper is a vtkTemporalCoherenceVolumeMapper.
+
+    Set `values` to move its surfaces, for example from a slider:
+
+        plotter.add_slider_widget(lambda value: setattr(surface, "values", value), (0, 100))
+
+    GetMapper() and GetProperty() lead to all other settings.
+    """
+
+    _colors: Sequence[tuple[float, float, float]] | None = None
+    _color_of: Callable[[float], tuple[float, float, float]] | None = None
+    _clim: tuple[float, float] = (0.0, 0.0)
+    _opacities: Sequence[float] = (1.0,)
+
+    @property
+    def values(self) -> tuple[float, ...]:
+        """The isovalues: one number or several may be set."""
+        contours = self.GetProperty().GetIsoSurfaceValues()
+        return tuple(contours.GetValue(i) for i in range(contours.GetNumberOfContours()))
+
+    @values.setter
+    def values(self, values: float | Iterable[float]) -> None:
+        values = _checked_values(values)
+        _check_count("colours", self._colors, values)
+        _check_count("opacities", self._opacities, values)
+        contours = self.GetProperty().GetIsoSurfaceValues()
+        contours.SetNumberOfContours(len(values))
+        for index, value in enumerate(values):
+            contours.SetValue(index, value)
+        self._set_colors(values)
+        opacity = vtkPiecewiseFunction()
+        for value, share in zip(values, _for_each(self._opacities, values)):
+            opacity.AddPoint(value, share)
+        self.GetProperty().SetScalarOpacity(opacity)
+
+    def _set_colors(self, values: Sequence[float]) -> None:
+        colors = vtkColorTransferFunction()
+        if self._colors is not None:
+            for value, color in zip(values, _for_each(self._colors, values)):
+                colors.AddRGBPoint(value, *color)
+        else:
+            low, high = self._clim
+            places = [low + (high - low) * i / (_NODES - 1) for i in range(_NODES)]
+            for value in (*places, *values):
+                colors.AddRGBPoint(value, *self._color_of(value))
+        self.GetProperty().SetColor(colors)
+
+
+def isosurface(
+    grid: Any,
+    values: float | Iterable[float],
+    scalars: Any = None,
+    *,
+    preference: str = "point",
+    component: int | None = None,
+    color: Any = None,
+    cmap: Any = None,
+    clim: Sequence[float] | None = None,
+    opacity: float | Sequence[float] = 1.0,
+    lighting: bool = True,
+    ambient: float = 0.0,
+    diffuse: float = 1.0,
+    specular: float = 0.0,
+    specular_power: float = 100.0,
+    smooth_shading: bool = False,
+    solid: bool = False,
+) -> IsosurfaceVolume:
+    """Make a volume that shows isosurfaces of a grid, for PyVista's plotters and VTK's renderers.
+
+        plotter.add_actor(isosurface(grid, 150))
+        plotter.add_actor(isosurface(grid, [100, 200], "pressure", cmap="viridis", opacity=[0.3, 1]))
+        renderer.AddVolume(isosurface(image, 150))
+
+    grid            an ImageData, RectilinearGrid, StructuredGrid, ExplicitStructuredGrid,
+                    UnstructuredGrid or MultiBlock of PyVista, or a data set or composite of VTK
+    values          the isovalue, or several of them
+    scalars         name of the array, or an array with a number for each point or cell. None: the
+                    active scalars, or else the first array
+    preference      "point" or "cell": where an array of that name is looked for first
+    component       which component of an array that has several. None: the length of the vectors
+    color           a name, "#rrggbb" or three numbers; several for several values. None: light blue
+    cmap            instead of a colour: a colour map of Matplotlib or its name, a list of colours,
+                    or a lookup table of PyVista or VTK
+    clim            values at the ends of the colour map. None: the range of the array. A lookup
+                    table has its own
+    opacity         from 0 to 1; several for several values
+    lighting        False: colours without light
+    ambient, diffuse, specular, specular_power
+                    the parts of light
+    smooth_shading  average normals at the points of a mesh. Those of images are always smooth
+    solid           True: draw all that is at least the value as a solid, closed where the grid ends
+
+    The grid is not copied. Arrays of cells are averaged at the points. PyVista itself is not needed.
+
+    Raises TypeError for what is no grid or of another kind than these, ValueError for other
+    mistakes. What the mapper refuses, it says when it draws.
+    """
+    _check_grid(grid)
+    values = _checked_values(values)
+    if color is not None and cmap is not None:
+        raise ValueError("A surface has a colour or a colour map: give color or cmap, not both.")
+    grid, name, place = _chosen_array(grid, scalars, preference)
+
+    mapper = vtkTemporalCoherenceVolumeMapper()
+    mapper.SetInputDataObject(grid)
+    getattr(mapper, f"SetScalarModeToUse{place.capitalize()}FieldData")()
+    mapper.SelectScalarArray(name)
+    is_vector = _choose_component(mapper, grid, name, place, component)
+    mapper.SetAveragedGradients(smooth_shading)
+    mapper.SetSurfaceMode(mapper.THRESHOLD if solid else mapper.CROSSING)
+
+    volume = IsosurfaceVolume()
+    volume.SetMapper(mapper)
+    appearance = volume.GetProperty()
+    appearance.SetInterpolationTypeToLinear()
+    appearance.SetShade(lighting)
+    appearance.SetAmbient(ambient)
+    appearance.SetDiffuse(diffuse)
+    appearance.SetSpecular(specular)
+    appearance.SetSpecularPower(specular_power)
+
+    volume._opacities = _checked_opacities(opacity)
+    if cmap is None:
+        volume._colors = _checked_colors(_DEFAULT_COLOR if color is None else color)
+    else:
+        measured = -1 if is_vector and component is None else component or 0
+        volume._clim = _checked_clim(clim, grid, name, place, measured)
+        volume._color_of = _color_map(cmap, volume._clim)
+    volume.values = values
+    return volume
+
+
+def _check_grid(grid: Any) -> None:
+    if isinstance(grid, vtkPolyData):
+        raise TypeError(
+            "A surface of polygons has no isosurfaces: give the grid that it was made of, or draw "
+            "it with add_mesh().")
+    if not isinstance(grid, (vtkDataSet, vtkCompositeDataSet)):
+        raise TypeError(
+            f"A grid must be a data set of PyVista or VTK, not {type(grid).__name__}: of an array "
+            f"make one with pyvista.wrap(array) or numpy_to_image(array).")
+
+
+def _leaves(grid: vtkDataObject) -> Iterator[vtkDataObject]:
+    if not isinstance(grid, vtkCompositeDataSet):
+        yield grid
+        return
+    iterator = grid.NewIterator()
+    iterator.InitTraversal()
+    while not iterator.IsDoneWithTraversal():
+        yield iterator.GetCurrentDataObject()
+        iterator.GoToNextItem()
+
+
+def _attributes(leaf: vtkDataObject, place: str):
+    return leaf.GetPointData() if place == "point" else leaf.GetCellData()
+
+
+def _arrays(grid: vtkDataObject, name: str, place: str) -> list:
+    """The arrays of that name of all blocks."""
+    found = (_attributes(leaf, place).GetArray(name) for leaf in _leaves(grid))
+    return [array for array in found if array is not None]
+
+
+def _chosen_array(grid: Any, scalars: Any, preference: str) -> tuple[vtkDataObject, str, str]:
+    """The grid that has the array, the array's name, and where it is: "point" or "cell"."""
+    if preference not in ("point", "cell"):
+        raise ValueError(f"The preference must be 'point' or 'cell', not {preference!r}.")
+    places = ("point", "cell") if preference == "point" else ("cell", "point")
+    if scalars is None:
+        return (grid, *_default_array(grid, places))
+    if not isinstance(scalars, str):
+        return _with_array(grid, scalars, places)
+    for place in places:
+        if _arrays(grid, scalars, place):
+            return grid, scalars, place
+    raise ValueError(f"There is no array {scalars!r}: {_names_there_are(grid)}.")
+
+
+def _default_array(grid: vtkDataObject, places: Sequence[str]) -> tuple[str, str]:
+    for leaf in _leaves(grid):
+        for place in places:
+            scalars = _attributes(leaf, place).GetScalars()
+            if scalars is not None and scalars.GetName():
+                return scalars.GetName(), place
+        for place in places:
+            attributes = _attributes(leaf, place)
+            for index in range(attributes.GetNumberOfArrays()):
+                if attributes.GetArray(index) is not None and attributes.GetArrayName(index):
+                    return attributes.GetArrayName(index), place
+    raise ValueError(
+        "The grid has no array of numbers with a name at its points or cells: add one, or give it "
+        "as scalars.")
+
+
+def _names_there_are(grid: vtkDataObject) -> str:
+    names = sorted({
+        attributes.GetArrayName(index)
+        for leaf in _leaves(grid) for place in ("point", "cell")
+        for attributes in [_attributes(leaf, place)]
+        for index in range(attributes.GetNumberOfArrays()) if attributes.GetArrayName(index)})
+    return "choose of " + ", ".join(names) if names else "the grid has no arrays"
+
+
+def _with_array(
+    grid: vtkDataObject, scalars: Any, places: Sequence[str]
+) -> tuple[vtkDataObject, str, str]:
+    """A shallow copy of a grid that has an array besides."""
+    import numpy
+    from .numpy_support import data_array
+
+    scalars = numpy.asarray(scalars)
+    if isinstance(grid, vtkCompositeDataSet):
+        raise TypeError(
+            "Blocks have arrays of their own: give the name of one as scalars, not an array.")
+    counts = {"point": grid.GetNumberOfPoints(), "cell": grid.GetNumberOfCells()}
+    place = next((place for place in places if scalars.shape[:1] == (counts[place],)), None)
+    if place is None or scalars.ndim > 2:
+        raise ValueError(
+            f"Scalars of the shape {scalars.shape} do not fit the grid: give a number for each of "
+            f"its {counts['point']} points or {counts['cell']} cells.")
+    copy = grid.NewInstance()
+    copy.ShallowCopy(grid)
+    name = "isosurface scalars"
+    _attributes(copy, place).AddArray(data_array(scalars, scalars.shape[1:], name))
+    return copy, name, place
+
+
+def _choose_component(
+    mapper: vtkTemporalCoherenceVolumeMapper, grid: vtkDataObject, name: str, place: str,
+    component: int | None,
+) -> bool:
+    """Have one component of vectors drawn, or their length; are there vectors?"""
+    components = max(array.GetNumberOfComponents() for array in _arrays(grid, name, place))
+    if component is not None:
+        if component not in range(components):
+            raise ValueError(
+                f"There is no component {component!r} of {name!r}: choose from 0 to "
+                f"{components - 1}.")
+        mapper.SetVectorModeToComponent()
+        mapper.SetVectorComponent(component)
+    elif components > 1:
+        mapper.SetVectorModeToMagnitude()
+    return components > 1
+
+
+def _checked_values(values: float | Iterable[float]) -> tuple[float, ...]:
+    try:
+        checked = (float(values),)
+    except (TypeError, ValueError):
+        try:
+            checked = tuple(float(value) for value in values)
+        except (TypeError, ValueError):
+            raise TypeError(
+                f"Isovalues must be a number or several, not {values!r}: give for example 150.0 or "
+                f"[100.0, 150.0].") from None
+    if not checked or not all(map(math.isfinite, checked)):
+        raise ValueError(f"Isovalues must be finite numbers, at least one, not {values!r}.")
+    return checked
+
+
+def _for_each(given: Sequence, values: Sequence[float]) -> Sequence:
+    return given if len(given) > 1 else [given[0]] * len(values)
+
+
+def _check_count(what: str, given: Sequence | None, values: Sequence[float]) -> None:
+    if given is not None and len(given) not in (1, len(values)):
+        raise ValueError(
+            f"{len(given)} {what} do not fit {len(values)} isovalues: give one, or one for each.")
+
+
+def _checked_opacities(opacity: float | Sequence[float]) -> list[float]:
+    try:
+        opacities = [float(opacity)] if isinstance(opacity, (int, float)) else [*map(float, opacity)]
+    except (TypeError, ValueError):
+        opacities = []
+    if not opacities or not all(0.0 <= share <= 1.0 for share in opacities):
+        raise ValueError(
+            f"The opacity must be a number from 0 to 1, or one for each value, not {opacity!r}.")
+    return opacities
+
+
+def _checked_colors(color: Any) -> list[tuple[float, float, float]]:
+    """One colour or several, as three shares each."""
+    if not isinstance(color, str) and not hasattr(color, "float_rgb"):
+        try:
+            parts = list(color)
+        except TypeError:
+            parts = []
+        if parts and not all(isinstance(part, (int, float)) or hasattr(part, "dtype") and
+                             part.ndim == 0 for part in parts):
+            return [_checked_color(part) for part in parts]
+    return [_checked_color(color)]
+
+
+def _checked_color(color: Any) -> tuple[float, float, float]:
+    if hasattr(color, "float_rgb"):
+        return tuple(color.float_rgb)  # a pyvista.Color
+    if isinstance(color, str):
+        named = _named_color(color)
+        if named:
+            return named
+    else:
+        try:
+            parts = [float(part) for part in color]
+        except (TypeError, ValueError):
+            parts = []
+        # As in PyVista: whole numbers are parts of 255.
+        most = 255.0 if parts and all(hasattr(part, "__index__") for part in color) else 1.0
+        if len(parts) in (3, 4) and all(0.0 <= part <= most for part in parts):
+            return tuple(part / most for part in parts[:3])
+    raise ValueError(
+        f"There is no colour {color!r}: give a name such as 'tan', '#rrggbb', or red, green and "
+        f"blue from 0.0 to 1.0 or as whole numbers to 255.")
+
+
+def _named_color(name: str) -> tuple[float, float, float] | None:
+    colors = vtkNamedColors()
+    name = _LETTERS.get(name, name).replace(" ", "").replace("_", "").lower()
+    if colors.ColorExists(name):
+        return tuple(colors.GetColor3d(name))
+    digits = name.lstrip("#")
+    if len(digits) in (6, 8) and all(digit in "0123456789abcdef" for digit in digits):
+        return tuple(int(digits[i:i + 2], 16) / 255.0 for i in (0, 2, 4))
+    return None
+
+
+def _checked_clim(
+    clim: Sequence[float] | None, grid: vtkDataObject, name: str, place: str, component: int
+) -> tuple[float, float]:
+    if clim is None:
+        ranges = [array.GetFiniteRange(component) for array in _arrays(grid, name, place)]
+        return min(low for low, _ in ranges), max(high for _, high in ranges)
+    try:
+        low, high = (float(end) for end in clim)
+    except (TypeError, ValueError):
+        low, high = math.nan, math.nan
+    if not -math.inf < low < high < math.inf:
+        raise ValueError(f"clim must be two finite numbers, the smaller one first, not {clim!r}.")
+    return low, high
+
+
+def _color_map(
+    cmap: Any, clim: tuple[float, float]
+) -> Callable[[float], tuple[float, float, float]]:
+    """A function from a value to its colour."""
+    if isinstance(cmap, vtkScalarsToColors):
+        def look_up(value):
+            color = [0.0, 0.0, 0.0]
+            cmap.GetColor(value, color)
+            return tuple(color)
+        return look_up
+    if isinstance(cmap, str):
+        cmap = _matplotlib_map(cmap)
+    elif not callable(cmap):
+        colors = _checked_colors(cmap)
+        cmap = lambda share: colors[min(int(share * len(colors)), len(colors) - 1)]  # noqa: E731
+    low, high = clim
+    length = high - low or 1.0
+    return lambda value: tuple(
+        float(part) for part in cmap(min(max((value - low) / length, 0.0), 1.0))[:3])
+
+
+def _matplotlib_map(name: str) -> Callable[[float], Sequence[float]]:
+    try:
+        import matplotlib
+    except ImportError:
+        raise ImportError(
+            f"The colour map {name!r} needs Matplotlib: install it (Debian: python3-matplotlib), or "
+            f"give a list of colours or a lookup table.") from None
+    try:
+        return matplotlib.colormaps[name]
+    except KeyError:
+        raise ValueError(
+            f"Matplotlib has no colour map {name!r}: list(matplotlib.colormaps) tells those it "
+            f"has.") from None

@@ -103,7 +103,7 @@ endmacro ()
 include(CPackComponent)
 set(CPACK_COMPONENTS_ALL)
 set(debian_description
-"Isosurfaces of images and rectilinear grids, ray-cast on the CPU, exact at
+"Isosurfaces of images and of any grid of VTK, ray-cast on the CPU, exact at
 every pixel. What the last frame knew is used again, so that the next one
 costs only what changed: a moved camera, a new isovalue, a new colour. A
 drop-in for the mapper of a vtkVolume; needs no GPU, no OpenGL, no display.

@@ -9,13 +9,16 @@ if (NOT BUILD_SHARED_LIBS)
   return ()
 endif ()
 
-set(autoload_directory "${CMAKE_INSTALL_LIBDIR}/vtkTemporalCoherence/autoload")
+set(TEMPORAL_COHERENCE_AUTOLOAD_DIRECTORY "${CMAKE_INSTALL_LIBDIR}/vtkTemporalCoherence/autoload"
+  CACHE STRING "Where the library for VTK_AUTOLOAD_PATH is installed, relative to the prefix")
+set(autoload_directory "${TEMPORAL_COHERENCE_AUTOLOAD_DIRECTORY}")
+file(RELATIVE_PATH autoload_to_library "/${autoload_directory}" "/${CMAKE_INSTALL_LIBDIR}")
 add_library(vtkTemporalCoherenceAutoload MODULE "${CMAKE_CURRENT_LIST_DIR}/Autoload.cxx")
 target_link_libraries(vtkTemporalCoherenceAutoload PRIVATE VTK::TemporalCoherence)
 set_target_properties(vtkTemporalCoherenceAutoload PROPERTIES
   PREFIX ""
   LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${autoload_directory}"
-  INSTALL_RPATH "$ORIGIN/../..")
+  INSTALL_RPATH "$ORIGIN/${autoload_to_library}")
 # VTK closes the library when the process ends, before the last mappers are deleted in Python.
 if (CMAKE_SYSTEM_NAME STREQUAL "Linux")
   target_link_options(vtkTemporalCoherenceAutoload PRIVATE LINKER:-z,nodelete)

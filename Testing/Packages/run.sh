@@ -2,24 +2,24 @@
 # SPDX-FileCopyrightText: Copyright (c) the vtkTemporalCoherence authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Make the Debian packages and use them in a Debian 12 that has nothing else.
+# Make the Debian packages and use them in a Debian that has nothing else.
 set -euo pipefail
 
 usage()
 {
   cat <<'TEXT'
-Make the Debian packages of vtkTemporalCoherence and test them in a Debian 12 (bookworm) of its own.
+Make the Debian packages of vtkTemporalCoherence and test them in a bare Debian of the same suite.
 
-usage: Testing/Packages/run.sh [--fresh] [--no-packages] [--packages DIRECTORY]
+usage: Testing/Packages/run.sh [bookworm|trixie|sid] [--fresh] [--packages DIRECTORY]
 
-  --fresh               make the bare Debian 12 anew, even if there is one of an earlier run
-  --no-packages         install nothing of what making the packages needs
+  bookworm, ...         which suite; default: that of this machine
+  --fresh               make the systems anew, even if there are some of an earlier run
   --packages DIRECTORY  test the packages that are there instead of making them
   --help                show this text
 
-Run it as root; packages are made on Debian 12 only (Module/package.sh). Every run begins with a copy of
-a bare Debian 12, made with debootstrap from the mirror that this machine's apt uses, and installs with
-apt, without recommended packages:
+Run it as root, on a Debian machine of any version. Module/package.sh makes the packages in the system
+of Testing/Systems/run.sh. Every run tests them in a copy of a bare system, made with debootstrap from
+the mirror that this machine's apt uses, and installs with apt, without recommended packages:
   the Python package   it is imported, every program of Examples/Python runs, and so do the tests of
                        Testing/Python that need no display
   the -dev package, g++, cmake and ninja-build
@@ -27,60 +27,46 @@ apt, without recommended packages:
                        another version is told so
 Nothing has a display. At last the packages are purged, and nothing of them may be left.
 
-environment:
-  TEMPORAL_COHERENCE_DEBIAN12  where the system and what apt downloads are kept (about 5 GB);
-                               default: /var/tmp/vtkTemporalCoherence-debian12
-  and those of Module/package.sh
+environment: that of Testing/Systems/run.sh
 TEXT
 }
 
-directory=${TEMPORAL_COHERENCE_DEBIAN12:-/var/tmp/vtkTemporalCoherence-debian12}
-system_label=packages
-system_name="Debian 12"
-suite=bookworm
-system=$directory/bare
-system_variable=TEMPORAL_COHERENCE_DEBIAN12
 # shellcheck source=Testing/Systems/system.sh
 . "$(dirname "${BASH_SOURCE[0]}")/../Systems/system.sh"
 
+name=$(. /etc/os-release && printf '%s' "${VERSION_CODENAME:-}")
 fresh=no
 packages=
-package_options=()
 while [ $# -gt 0 ]; do
   case $1 in
     --help | -h) usage; exit 0 ;;
     --fresh) fresh=yes ;;
-    --no-packages) package_options+=("$1") ;;
     --packages)
       [ $# -gt 1 ] || fail "--packages needs a directory"
       packages=$2
       shift
       ;;
-    *) fail "there is no option $1; --help lists those there are" ;;
+    -*) fail "there is no option $1; --help lists those there are" ;;
+    *) name=$1 ;;
   esac
   shift
 done
+choose_suite "$name"
 
 make_packages()
 {
-  local version_id
-  version_id=$(. /etc/os-release && printf '%s' "${VERSION_ID:-}")
-  [ "$version_id" = 12 ] ||
-    fail "packages for Debian 12 are made on Debian 12; give those made there with --packages DIRECTORY"
-  TEMPORAL_COHERENCE_BUILD=${TEMPORAL_COHERENCE_BUILD:-$repository/build-packages}
-  export TEMPORAL_COHERENCE_BUILD
-  "$repository/Module/package.sh" "${package_options[@]}" || fail "there are no packages to test"
-  packages=$TEMPORAL_COHERENCE_BUILD/packages
-}
-
-# A copy, as what is installed in it is to be gone at the next run; only downloads are kept.
-copy_system()
-{
-  local bare=$system
-  system=$directory/used
-  empty_system
-  cp -a "$bare/." "$system"
-  mkdir -p "$system.archives/partial"
+  local system=$systems/$suite epoch settings=() variable
+  ensure_system "$fresh"
+  copy_tree "$system"
+  # The copy does not know its last commit.
+  epoch=$(git -c safe.directory="$repository" -C "$repository" log -1 --format=%ct 2>/dev/null) ||
+    epoch=$(date +%s)
+  settings=(TEMPORAL_COHERENCE_BUILD=/build-packages SOURCE_DATE_EPOCH="$epoch")
+  for variable in TEMPORAL_COHERENCE_CMAKE_FLAGS DEBFULLNAME DEBEMAIL; do
+    [ -z "${!variable:-}" ] || settings+=("$variable=${!variable}")
+  done
+  in_system "$system" "${settings[@]}" /source/Module/package.sh || fail "there are no packages to test"
+  packages=$system/build-packages/packages
 }
 
 copy_what_is_tested()
@@ -90,22 +76,19 @@ copy_what_is_tested()
     mapfile -t debs < <(find "$packages" -maxdepth 1 -name "${name}_*.deb")
     [ "${#debs[@]}" -eq 1 ] ||
       fail "there has to be one package $name in $packages, and there are ${#debs[@]}"
-    install -D -m 644 -t "$system/test/packages" "${debs[0]}"
+    install -D -m 644 -t "$used/test/packages" "${debs[0]}"
   done
-  mkdir -p "$system/test/Testing"
-  cp -r "$repository/Examples" "$system/test"
-  cp -r "$repository/Testing/Packages" "$repository/Testing/Python" "$system/test/Testing"
+  mkdir -p "$used/test/Testing"
+  cp -r "$repository/Examples" "$used/test"
+  cp -r "$repository/Testing/Packages" "$repository/Testing/Python" "$used/test/Testing"
 }
 
-require_root_on_debian
 begin=$SECONDS
+used=$systems/$suite-used
 [ -n "$packages" ] || make_packages
-mkdir -p "$directory"
-ensure_system "$fresh"
-copy_system
-copy_network_settings
+prepare_used_system "$fresh"
 copy_what_is_tested
 
-in_system bash /test/Testing/Packages/inside.sh ||
-  fail "on Debian 12, after $((SECONDS - begin)) s; logs are in $system/test/logs"
-say "PASSED: on Debian 12, in $((SECONDS - begin)) s"
+in_system "$used" bash /test/Testing/Packages/inside.sh ||
+  fail "packages on Debian $suite, after $((SECONDS - begin)) s; logs are in $used/test/logs"
+say "PASSED: packages on Debian $suite, in $((SECONDS - begin)) s"

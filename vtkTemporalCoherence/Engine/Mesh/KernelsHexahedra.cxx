@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/KernelsCells.h"
 
+#include "Mesh/CellPoints.h"
 #include "Mesh/FoldedSpans.h"
 #include "Mesh/RootItems.h"
 
@@ -99,6 +100,92 @@ void AppendOthers(const CellOf& cellOf, const DifferencesOf& differencesOf, cons
 
 }
 
+namespace
+{
+
+/// Faces of a hexahedron whose corners all have the isovalue, one bit each: 2 axis + side.
+unsigned int FacesAtIsovalue(const CellDifferences& differences)
+{
+  unsigned int equal = 0;
+  for (unsigned int corner = 0; corner < 8; ++corner)
+  {
+    equal |= static_cast<unsigned int>(differences[corner] == 0.0) << corner;
+  }
+  constexpr std::array<unsigned int, 6> corners = { 0x55, 0xaa, 0x33, 0xcc, 0x0f, 0xf0 };
+  unsigned int faces = 0;
+  for (unsigned int face = 0; equal != 0 && face < 6; ++face)
+  {
+    faces |= static_cast<unsigned int>((equal & corners[face]) == corners[face]) << face;
+  }
+  return faces;
+}
+
+/// Where a ray meets what it has at a distance, in the coordinates of the mesh.
+glm::dvec3 PointOf(const MeshRays& rays, std::size_t ray, double t)
+{
+  const std::size_t axis = rays.AxisOf(ray), x = axis < 2 ? axis + 1 : 0, y = x < 2 ? x + 1 : 0;
+  const double depth = t / rays.PerDepth[ray];
+  glm::dvec3 point;
+  point[static_cast<int>(x)] = rays.Turned[0][ray] + rays.ShearX[ray] * depth;
+  point[static_cast<int>(y)] = rays.Turned[1][ray] + rays.ShearY[ray] * depth;
+  point[static_cast<int>(axis)] = rays.Turned[2][ray] + depth;
+  return point;
+}
+
+/// True if a point lies on one of some faces whose corners have the isovalue, and the cell is above
+/// it there.
+bool TouchesFromAbove(const CellDifferences& differences, unsigned int faces, const glm::dvec3& at)
+{
+  constexpr double onFace = 1e-7;
+  for (unsigned int face = 0; face < 6; ++face)
+  {
+    const auto axis = static_cast<int>(face / 2);
+    const bool isFar = (face & 1u) != 0;
+    if ((faces >> face & 1u) == 0 || std::abs(at[axis] - (isFar ? 1.0 : 0.0)) > onFace)
+    {
+      continue;
+    }
+    double opposite = 0.0; // the sign of the field before the face
+    for (unsigned int corner = 0; corner < 8; ++corner)
+    {
+      double weight = (corner >> axis & 1u) != (isFar ? 1u : 0u) ? 1.0 : 0.0;
+      for (int a = 0; a < 3; ++a)
+      {
+        weight *= a == axis ? 1.0 : (corner >> a & 1u) != 0 ? at[a] : 1.0 - at[a];
+      }
+      opposite += weight * differences[corner];
+    }
+    if (opposite > 0.0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Leave out where rays only touch the isovalue from above: it is inside, so that nothing changes.
+/// The surface may lie in a whole face, which rays do not miss.
+/// \param begin the first crossing with the cell
+void DropTouches(const MeshCell& cell, const CellDifferences& differences, const MeshRays& rays,
+  std::size_t begin, Crossings& found)
+{
+  const unsigned int faces = found.Count > begin ? FacesAtIsovalue(differences) : 0;
+  std::size_t count = begin;
+  for (std::size_t i = begin; faces != 0 && i < found.Count; ++i)
+  {
+    const PointInCell place = FindPoint(cell, PointOf(rays, found.Ray[i], found.T[i]));
+    if (!TouchesFromAbove(differences, faces, place.At))
+    {
+      found.Ray[count] = found.Ray[i];
+      found.T[count] = found.T[i];
+      found.Rises[count++] = found.Rises[i];
+    }
+  }
+  found.Count = faces != 0 ? count : found.Count;
+}
+
+}
+
 HWY_EXPORT(HexahedronCrossingsOf);
 HWY_EXPORT(HexahedronPairCrossingsOf);
 
@@ -115,10 +202,12 @@ void HexahedronCrossings(const HexahedronFunctions& functions, const MeshCell& c
   if (functions.IsPassed)
   {
     FoundRoots several;
+    const std::size_t begin = found.Count;
     const std::uint64_t alone =
       HWY_DYNAMIC_DISPATCH(HexahedronCrossingsOf)(functions, rays, which, several, found);
     AppendOthers([&](std::size_t) -> const MeshCell& { return cell; },
       [&](std::size_t) { return differences; }, rays, alone, several, found);
+    DropTouches(cell, differences, rays, begin, found);
   }
 }
 

@@ -57,11 +57,11 @@ name = vtkGPUVolumeRayCastMapper().GetClassName()
 assert name == "vtkTemporalCoherenceGPUVolumeRayCastMapper", name'
   say "VTK loads the mapper of $autoload by itself"
 
-  # What others import is a part of them.
+  # What others import is a part of them, also where they try to.
   local example name directory test
   for example in /test/Examples/Python/*.py; do
     name=$(basename "$example" .py)
-    ! grep -q "^from $name import" /test/Examples/Python/*.py || continue
+    ! grep -q "^ *from $name import" /test/Examples/Python/*.py || continue
     directory=/test/results/$name
     mkdir -p "$directory"
     (cd "$directory" && logged "python-$name" python3 "$example")
@@ -70,7 +70,7 @@ assert name == "vtkTemporalCoherenceGPUVolumeRayCastMapper", name'
   done
   check_pictures 2 /test/results/drop_in/*.png /test/results/render_server/pictures/*.png
   # The tests put directories before those of PYTHONPATH; here it has to name none of ours.
-  for test in Arrays Examples Frames Names; do
+  for test in Arrays Examples Frames Isosurface Names; do
     logged "python-Test$test" env PYTHONPATH=/nowhere python3 "/test/Testing/Python/Test$test.py"
     say "Testing/Python/Test$test.py: $(tail -n 1 "$logs/python-Test$test.log")"
   done

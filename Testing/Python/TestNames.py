@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The names that other people's code uses are there, do what they say and are explained."""
 
+import ast
+import pathlib
 import subprocess
 import sys
 import unittest
@@ -136,6 +138,20 @@ class Names(unittest.TestCase):
             self.assertIn(name, dir(vtkTemporalCoherence))
         with self.assertRaisesRegex(AttributeError, "no attribute 'rendr'"):
             vtkTemporalCoherence.rendr
+
+
+class Types(unittest.TestCase):
+    """What editors and checkers of types read."""
+
+    def test_stub_names_all_classes(self):
+        folder = pathlib.Path(vtkTemporalCoherence.__file__).parent
+        self.assertTrue((folder / "py.typed").exists())
+        stub = folder / "vtkTemporalCoherence.pyi"
+        if not stub.exists():
+            self.skipTest("This VTK has no generator of stubs.")
+        named = {
+            node.name for node in ast.parse(stub.read_text()).body if isinstance(node, ast.ClassDef)}
+        self.assertEqual(named, {wrapped.__name__ for wrapped in CLASSES})
 
 
 class Imports(unittest.TestCase):

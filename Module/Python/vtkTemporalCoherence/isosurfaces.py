@@ -8,9 +8,10 @@ import math
 from typing import Any, Callable, Iterable, Iterator, Sequence
 
 from vtkmodules.vtkCommonColor import vtkNamedColors
-from vtkmodules.vtkCommonCore import vtkScalarsToColors
+from vtkmodules.vtkCommonCore import vtkDataArray, vtkScalarsToColors
 from vtkmodules.vtkCommonDataModel import (
-    vtkCompositeDataSet, vtkDataObject, vtkDataSet, vtkPiecewiseFunction, vtkPolyData)
+    vtkCompositeDataSet, vtkDataObject, vtkDataSet, vtkDataSetAttributes, vtkPiecewiseFunction,
+    vtkPolyData)
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction
 
 from .vtkTemporalCoherence import vtkTemporalCoherenceVolume, vtkTemporalCoherenceVolumeMapper
@@ -135,8 +136,11 @@ def isosurface(
 
     mapper = vtkTemporalCoherenceVolumeMapper()
     mapper.SetInputDataObject(grid)
-    getattr(mapper, f"SetScalarModeToUse{place.capitalize()}FieldData")()
-    mapper.SelectScalarArray(name)
+    if name is None:
+        getattr(mapper, f"SetScalarModeToUse{place.capitalize()}Data")()
+    else:
+        getattr(mapper, f"SetScalarModeToUse{place.capitalize()}FieldData")()
+        mapper.SelectScalarArray(name)
     is_vector = _choose_component(mapper, grid, name, place, component)
     mapper.SetAveragedGradients(smooth_shading)
     mapper.SetSurfaceMode(mapper.THRESHOLD if solid else mapper.CROSSING)
@@ -170,32 +174,40 @@ def _check_grid(grid: Any) -> None:
     if not isinstance(grid, (vtkDataSet, vtkCompositeDataSet)):
         raise TypeError(
             f"A grid must be a data set of PyVista or VTK, not {type(grid).__name__}: of an array "
-            f"make one with pyvista.wrap(array) or numpy_to_image(array).")
+            f"make one with pyvista.wrap(array) or numpy_to_image(array), of a filter give its "
+            f"output.")
 
 
-def _leaves(grid: vtkDataObject) -> Iterator[vtkDataObject]:
+def _leaves(grid: vtkDataObject) -> Iterator[vtkDataSet]:
     if not isinstance(grid, vtkCompositeDataSet):
         yield grid
         return
     iterator = grid.NewIterator()
     iterator.InitTraversal()
     while not iterator.IsDoneWithTraversal():
-        yield iterator.GetCurrentDataObject()
+        if isinstance(iterator.GetCurrentDataObject(), vtkDataSet):
+            yield iterator.GetCurrentDataObject()
         iterator.GoToNextItem()
 
 
-def _attributes(leaf: vtkDataObject, place: str):
+def _attributes(leaf: vtkDataSet, place: str) -> vtkDataSetAttributes:
     return leaf.GetPointData() if place == "point" else leaf.GetCellData()
 
 
-def _arrays(grid: vtkDataObject, name: str, place: str) -> list:
-    """The arrays of that name of all blocks."""
-    found = (_attributes(leaf, place).GetArray(name) for leaf in _leaves(grid))
+def _arrays(grid: vtkDataObject, name: str | None, place: str) -> list[vtkDataArray]:
+    """The arrays of that name of all blocks; those without a name that are the active scalars."""
+    attributes = (_attributes(leaf, place) for leaf in _leaves(grid))
+    found = (each.GetScalars() if name is None else each.GetArray(name) for each in attributes)
     return [array for array in found if array is not None]
 
 
-def _chosen_array(grid: Any, scalars: Any, preference: str) -> tuple[vtkDataObject, str, str]:
-    """The grid that has the array, the array's name, and where it is: "point" or "cell"."""
+def _chosen_array(
+    grid: Any, scalars: Any, preference: str
+) -> tuple[vtkDataObject, str | None, str]:
+    """The grid that has the array, the array's name, and where it is: "point" or "cell".
+
+    There is no name if active scalars have none.
+    """
     if preference not in ("point", "cell"):
         raise ValueError(f"The preference must be 'point' or 'cell', not {preference!r}.")
     places = ("point", "cell") if preference == "point" else ("cell", "point")
@@ -209,20 +221,19 @@ def _chosen_array(grid: Any, scalars: Any, preference: str) -> tuple[vtkDataObje
     raise ValueError(f"There is no array {scalars!r}: {_names_there_are(grid)}.")
 
 
-def _default_array(grid: vtkDataObject, places: Sequence[str]) -> tuple[str, str]:
+def _default_array(grid: vtkDataObject, places: Sequence[str]) -> tuple[str | None, str]:
     for leaf in _leaves(grid):
         for place in places:
             scalars = _attributes(leaf, place).GetScalars()
-            if scalars is not None and scalars.GetName():
-                return scalars.GetName(), place
+            if scalars is not None:
+                return scalars.GetName() or None, place
         for place in places:
             attributes = _attributes(leaf, place)
             for index in range(attributes.GetNumberOfArrays()):
                 if attributes.GetArray(index) is not None and attributes.GetArrayName(index):
                     return attributes.GetArrayName(index), place
     raise ValueError(
-        "The grid has no array of numbers with a name at its points or cells: add one, or give it "
-        "as scalars.")
+        "The grid has no array of numbers at its points or cells: add one, or give it as scalars.")
 
 
 def _names_there_are(grid: vtkDataObject) -> str:
@@ -259,7 +270,7 @@ def _with_array(
 
 
 def _choose_component(
-    mapper: vtkTemporalCoherenceVolumeMapper, grid: vtkDataObject, name: str, place: str,
+    mapper: vtkTemporalCoherenceVolumeMapper, grid: vtkDataObject, name: str | None, place: str,
     component: int | None,
 ) -> bool:
     """Have one component of vectors drawn, or their length; are there vectors?"""
@@ -267,7 +278,7 @@ def _choose_component(
     if component is not None:
         if component not in range(components):
             raise ValueError(
-                f"There is no component {component!r} of {name!r}: choose from 0 to "
+                f"There is no component {component!r} of {name or 'the scalars'!r}: choose from 0 to "
                 f"{components - 1}.")
         mapper.SetVectorModeToComponent()
         mapper.SetVectorComponent(component)
@@ -358,7 +369,7 @@ def _named_color(name: str) -> tuple[float, float, float] | None:
 
 
 def _checked_clim(
-    clim: Sequence[float] | None, grid: vtkDataObject, name: str, place: str, component: int
+    clim: Sequence[float] | None, grid: vtkDataObject, name: str | None, place: str, component: int
 ) -> tuple[float, float]:
     if clim is None:
         ranges = [array.GetFiniteRange(component) for array in _arrays(grid, name, place)]

@@ -71,12 +71,12 @@ endif ()
 # pip brings the version of VTK that pyproject.toml names.
 if (DEFINED SKBUILD)
   file(STRINGS "${CMAKE_SOURCE_DIR}/pyproject.toml" dependencies REGEX "^dependencies = ")
-  set(own_vtk "vtk == ${VTK_MAJOR_VERSION}.${VTK_MINOR_VERSION}.*")
+  set(own_vtk "vtk == ${VTK_VERSION}")
   string(FIND "${dependencies}" "\"${own_vtk}\"" position)
   if (position EQUAL -1)
     message(FATAL_ERROR
       "The VTK that was found is ${VTK_VERSION}, and pyproject.toml says ${dependencies}: write "
-      "${own_vtk} there, and the same for vtk-sdk.")
+      "${own_vtk} there, and the same version for vtk-sdk.")
   endif ()
 endif ()
 

@@ -19,8 +19,8 @@ logged env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recomm
 
 # For the VTK that is there, which pip did not bring.
 # shellcheck disable=SC2016 # expanded by dpkg
-vtk=$(dpkg-query -W -f '${Version}' libvtk9-dev | grep -o '^[0-9]*[.][0-9]*')
-sed -i "s/\(vtk\(-sdk\)\?\) == [0-9.]*[*]/\1 == $vtk.*/g" /source/pyproject.toml
+vtk=$(dpkg-query -W -f '${Version}' libvtk9-dev | grep -o '^[0-9.]*')
+sed -i "s/\(vtk\(-sdk\)\?\) == [0-9.]*/\1 == $vtk/g" /source/pyproject.toml
 begin=$SECONDS
 logged pip wheel /source --no-build-isolation --no-deps --wheel-dir /wheel -C build-dir=/build-wheel/build
 say "Made in $((SECONDS - begin)) s, for VTK $vtk: $(cd /wheel && du -k -- *.whl | tr '\t' ' ')"

@@ -218,6 +218,7 @@ set(bridge_files
   Request/AppearanceFromVolume
   Request/BlendingFromVolume
   Request/EmptyInput
+  Request/EmptyPicture
   Request/FieldFromMapper
   Request/GradientOpacityFromVolume
   Request/IsovalueCheck

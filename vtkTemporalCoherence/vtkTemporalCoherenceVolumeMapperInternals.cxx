@@ -104,7 +104,7 @@ bool vtkTemporalCoherenceVolumeMapper::Internals::RenderFrame(vtkRenderer* rende
       this->WarnOfIsomapLimit(this->Frames.IsIsomapTooLarge());
       if (this->Self->WarnOfIsovalues)
       {
-        this->Warn(this->CheckIsovalues({ this->Self, volume, renderer }, request));
+        this->Warn(this->CheckPicture({ this->Self, volume, renderer }, request));
       }
       this->LastError.clear();
     }

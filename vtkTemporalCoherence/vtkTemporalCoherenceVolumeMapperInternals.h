@@ -5,6 +5,7 @@
 
 #include "Frames/MapperFrames.h"
 #include "Render/SampleDistance.h"
+#include "Request/EmptyPicture.h"
 #include "Request/IsovalueCheck.h"
 #include "Request/RequestFromMapper.h"
 #include "Window/WindowRays.h"
@@ -28,6 +29,7 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
   TemporalCoherence::MapperFrames Frames;
   TemporalCoherence::SampleDistanceChooser Distances;
   TemporalCoherence::WindowRays Rays;
+  TemporalCoherence::EmptyPicture Empties;
   TemporalCoherence::IsovalueCheck Isovalues;
   std::string LastError;               ///< reported already; empty after a frame without error
   bool HasWarned = false;              ///< of the memory limit
@@ -139,11 +141,17 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
   template <typename T>
   void SetWithin(const char* name, T value, double low, double high, T& setting);
 
-  /// The warning about the isovalues of the last frame; empty if there is none.
-  std::string CheckIsovalues(
+  /// The warning about the last frame, if it is empty for no good reason; empty if there is none.
+  std::string CheckPicture(
     const TemporalCoherence::DrawnVolume& drawn, const TemporalCoherence::FrameRequest& request)
   {
-    return request.Key.Samples.HasCells() && !request.Key.Volume.IsOn()
+    const bool isAnythingAsked =
+      request.Key.Volume.IsOn() || !request.Key.Isosurfaces.Isovalues.empty();
+    const std::string reason = isAnythingAsked
+      ? this->Empties.Check(drawn, this->Frames.LastSamples(), this->Frames.LastRanges())
+      : std::string();
+    return !reason.empty() ? reason
+      : request.Key.Samples.HasCells() && !request.Key.Volume.IsOn()
       ? this->Isovalues.Check(drawn, request, this->Frames.LastRanges())
       : std::string();
   }

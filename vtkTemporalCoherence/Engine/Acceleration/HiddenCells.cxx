@@ -9,6 +9,8 @@
 #include <atomic>
 #include <cmath>
 
+#include <hwy/base.h>
+
 namespace TemporalCoherence
 {
 namespace
@@ -202,6 +204,16 @@ std::shared_ptr<const HiddenCells> HiddenCells::WithoutNaN(
         });
     });
   return made;
+}
+
+std::int64_t HiddenCells::Count() const
+{
+  std::int64_t count = 0;
+  for (const std::uint64_t word : this->Words)
+  {
+    count += static_cast<std::int64_t>(hwy::PopCount(word));
+  }
+  return count;
 }
 
 std::uint64_t HiddenCells::Around(const glm::ivec3& firstCell) const

@@ -73,6 +73,9 @@ public:
   /// \param firstCell of the leaf
   std::uint64_t Around(const glm::ivec3& firstCell) const;
 
+  /// How many cells are hidden.
+  std::int64_t Count() const;
+
   std::size_t MemoryInBytes() const { return sizeof(std::uint64_t) * this->Words.capacity(); }
 
 private:

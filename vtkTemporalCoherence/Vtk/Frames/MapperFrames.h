@@ -89,6 +89,9 @@ public:
   /// Rays of the last frame along each axis; 0 if there is none.
   const glm::ivec2& LastSize() const { return this->Last->Engine.LastFrame().Size; }
 
+  /// The samples of the last frame, with their hidden cells.
+  const Field& LastSamples() const { return this->Last->Engine.LastKey().Samples; }
+
   /// Of the samples of the last frame; not defined where it has no cells or no isovalues.
   const ValueRangePyramid& LastRanges() const { return this->Last->Engine.LastRanges(); }
 

@@ -6,6 +6,7 @@
 
 #include <vtkVolume.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -18,14 +19,41 @@ namespace
 /// with the same edges.
 constexpr double FlattestBox = 1e-12;
 
+/// The length of an edge, also if its square overflows or underflows.
+double LengthOf(const glm::dvec3& edge)
+{
+  const double largest = std::max({ std::abs(edge.x), std::abs(edge.y), std::abs(edge.z) });
+  return largest > 0.0 ? largest * glm::length(edge / largest) : 0.0;
+}
+
 /// Volume of the transformed unit box, as a share of that of a box with the same edges; 0 if the
 /// matrix is singular.
 double Flatness(const glm::dmat4& matrix)
 {
-  const glm::dmat3 m(matrix);
-  const double edges = glm::length(m[0]) * glm::length(m[1]) * glm::length(m[2]);
-  const double share = edges > 0.0 ? std::abs(glm::determinant(m)) / edges : 0.0;
+  glm::dmat3 m(matrix);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double length = LengthOf(m[axis]);
+    if (!(length > 0.0))
+    {
+      return 0.0;
+    }
+    m[axis] /= length;
+  }
+  const double share = std::abs(glm::determinant(m));
   return std::isfinite(share) ? share : 0.0;
+}
+
+/// False if the volume of the transformed unit box is beyond the range of double precision.
+bool HasInverse(const glm::dmat4& matrix)
+{
+  constexpr double most = 300.0; // as a power of ten
+  double volume = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    volume += std::log10(LengthOf(glm::dvec3(matrix[axis])));
+  }
+  return std::abs(volume) <= most;
 }
 
 }
@@ -75,6 +103,14 @@ bool PlaceVolume(vtkVolume* volume, IndexTransform& transform, std::string& erro
   {
     what << "The transform of the volume is singular (its scale is " << scale[0] << ", " << scale[1]
          << ", " << scale[2] << "); give it a scale other than 0 and an invertible user matrix.";
+  }
+  else if (!HasInverse(transform.WorldFromIndex))
+  {
+    const glm::dmat4& world = transform.WorldFromIndex;
+    what << "The cells of the input have sides of about " << LengthOf(glm::dvec3(world[0])) << ", "
+         << LengthOf(glm::dvec3(world[1])) << " and " << LengthOf(glm::dvec3(world[2]))
+         << " in the world, which is beyond double precision; scale the input to lengths between "
+            "1e-100 and 1e100.";
   }
   error = what.str();
   if (!error.empty())

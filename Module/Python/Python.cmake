@@ -68,7 +68,8 @@ if (why_no_python)
     "-DTEMPORAL_COHERENCE_WRAP_PYTHON=OFF.")
 endif ()
 
-# pip brings the version of VTK that pyproject.toml names.
+# A wheel. pip brings the version of VTK that pyproject.toml names. Highway is no Python package: a
+# library of it lies beside ours.
 if (DEFINED SKBUILD)
   file(STRINGS "${CMAKE_SOURCE_DIR}/pyproject.toml" dependencies REGEX "^dependencies = ")
   set(own_vtk "vtk == ${VTK_VERSION}")
@@ -77,6 +78,14 @@ if (DEFINED SKBUILD)
     message(FATAL_ERROR
       "The VTK that was found is ${VTK_VERSION}, and pyproject.toml says ${dependencies}: write "
       "${own_vtk} there, and the same version for vtk-sdk.")
+  endif ()
+  find_package(hwy REQUIRED)
+  get_target_property(highway_type hwy::hwy TYPE)
+  if (highway_type STREQUAL "SHARED_LIBRARY")
+    install(FILES "$<TARGET_FILE:hwy::hwy>"
+      RENAME "$<TARGET_SONAME_FILE_NAME:hwy::hwy>"
+      DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+      COMPONENT runtime)
   endif ()
 endif ()
 

@@ -13,6 +13,7 @@ set(engine_files
   Acceleration/ActiveCells
   Acceleration/FieldFingerprint
   Acceleration/FieldStructures
+  Acceleration/FiniteRange
   Acceleration/HiddenCells
   Acceleration/KernelsPyramid
   Acceleration/SampleComparer
@@ -217,6 +218,7 @@ set(bridge_files
   Window/WindowRays
   Request/AppearanceFromVolume
   Request/BlendingFromVolume
+  Request/DirectColors
   Request/EmptyInput
   Request/EmptyPicture
   Request/FieldFromMapper

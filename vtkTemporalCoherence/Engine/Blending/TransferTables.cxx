@@ -217,7 +217,7 @@ void TransferTables::FindBends()
 
 GradientTable::GradientTable(const GradientOpacity& opacity)
 {
-  constexpr int Entries = 4096;
+  constexpr int Entries = 8192;
   if (opacity.Nodes.empty())
   {
     return;

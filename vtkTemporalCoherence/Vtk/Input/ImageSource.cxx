@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Input/ImageSource.h"
 
+#include "Acceleration/FiniteRange.h"
+
 #include <vtkDataArray.h>
 #include <vtkDataObjectTree.h>
 #include <vtkImageData.h>
@@ -105,11 +107,9 @@ bool ImageSource::Make(const FieldQuery& query, PlacedField& field, std::string&
   {
     return false;
   }
-  for (int i = 0; query.NeedsScalarRanges && i < found.Component.Count; ++i)
+  if (query.NeedsScalarRanges)
   {
-    glm::dvec2 range(0.0);
-    found.Array->GetFiniteRange(&range.x, found.Component.Number + i);
-    field.ScalarRanges.push_back(range);
+    this->FindRanges(field);
   }
   field.Axes = AxesOf(found.Image, found.OnCells);
   const glm::dvec3 distances = glm::abs(field.Axes.Step);
@@ -139,8 +139,32 @@ bool ImageSource::MakeOthers(PlacedField& field, std::string& error) const
   return true;
 }
 
+/// Find the ranges of all components, as far as their samples may have changed. VTK's arrays keep
+/// ranges, too, but do not notice that an image is modified.
+void ImageSource::FindRanges(PlacedField& field)
+{
+  std::vector<KnownRange> ranges;
+  const auto add = [&](const Field& samples)
+  {
+    const auto known = std::find_if(this->Ranges.begin(), this->Ranges.end(),
+      [&](const KnownRange& range)
+      {
+        return range.Of.Samples == samples.Samples && range.Of.Type == samples.Type &&
+          range.Of.Dimensions == samples.Dimensions && range.Of.Strides == samples.Strides &&
+          range.Of.Stamp == samples.Stamp;
+      });
+    ranges.push_back(
+      known != this->Ranges.end() ? *known : KnownRange{ samples, FindFiniteRange(samples) });
+    field.ScalarRanges.push_back(ranges.back().Range);
+  };
+  add(field.Samples);
+  std::for_each(field.Others.begin(), field.Others.end(), add);
+  this->Ranges.swap(ranges);
+}
+
 void ImageSource::Release()
 {
+  this->Ranges.clear();
   this->Found = FoundImage();
   this->Blocks.Release();
   this->Magnitude.Release();

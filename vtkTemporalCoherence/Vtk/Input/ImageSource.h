@@ -12,6 +12,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
@@ -34,6 +35,7 @@ public:
 private:
   bool FindImage(vtkDataObject* data, const ScalarChoice& choice, std::string& error);
   bool MakeOthers(PlacedField& field, std::string& error) const;
+  void FindRanges(PlacedField& field);
   bool FindScalar(vtkVolumeProperty* property, const VectorChoice& vectors, std::string& error);
 
   /// What was found. The pointers are not owned.
@@ -51,6 +53,14 @@ private:
   VectorMagnitude Magnitude;
   ImageOfGrid Grid;
   HiddenCellsOfImage Hidden;
+
+  /// The finite samples of a component.
+  struct KnownRange
+  {
+    Field Of;
+    glm::dvec2 Range;
+  };
+  std::vector<KnownRange> Ranges; ///< of the components that were drawn last
 };
 
 }

@@ -4,6 +4,7 @@
 
 #include "Input/MatrixFromVtk.h"
 #include "Input/SettingCheck.h"
+#include "Request/DirectColors.h"
 #include "Request/GradientOpacityFromVolume.h"
 #include "Request/LightsFromRenderer.h"
 
@@ -85,6 +86,17 @@ bool FindUse(
   return error.empty();
 }
 
+/// A somewhat wider range that other samples hardly change, so that functions are rarely sampled
+/// again for the next time step.
+glm::dvec2 Rounded(const glm::dvec2& range)
+{
+  const double width = range.y - range.x;
+  const double step = std::exp2(std::floor(std::log2(width)) - 3.0);
+  const glm::dvec2 rounded = { std::floor(range.x / step) * step,
+    std::ceil(range.y / step) * step };
+  return width > 0.0 && step > 0.0 && std::isfinite(rounded.y - rounded.x) ? rounded : range;
+}
+
 bool MakeAverageRange(vtkVolumeMapper* mapper, glm::dvec2& made, std::string& error)
 {
   const double* range = mapper->GetAverageIPScalarRange();
@@ -147,12 +159,18 @@ bool BlendingFromVolume::Make(vtkVolumeMapper* mapper, vtkVolume* volume,
     return false;
   }
   made.SampleDistance = sampleDistance * LengthOfUnit(volume);
+  this->FirstTransfer = static_cast<std::size_t>(drawn.OfProperty);
   const int looks = made.Use == ComponentUse::Independent ? drawn.Count : 1;
   made.Looks.assign(static_cast<std::size_t>(looks), ComponentLook());
   for (int i = 0; i < looks; ++i)
   {
+    // Of components that depend on one another, VTK's GPU mapper takes the functions of the first
+    // one and the unit distance of the last one.
+    const int component = drawn.OfProperty + i;
+    const int last = drawn.OfProperty + drawn.Count - 1;
+    const int ofOpacity = made.Use == ComponentUse::Independent ? component : last;
     if (!this->MakeLook(
-          volume, drawn.OfProperty + i, made.Looks[static_cast<std::size_t>(i)], error))
+          volume, component, ofOpacity, made.Looks[static_cast<std::size_t>(i)], error))
     {
       return false;
     }
@@ -165,25 +183,52 @@ bool BlendingFromVolume::Make(vtkVolumeMapper* mapper, vtkVolume* volume,
 }
 
 bool BlendingFromVolume::MakeLook(
-  vtkVolume* volume, int component, ComponentLook& look, std::string& error)
+  vtkVolume* volume, int component, int ofOpacity, ComponentLook& look, std::string& error)
 {
   vtkVolumeProperty* property = volume->GetProperty();
-  const double unit = property->GetScalarOpacityUnitDistance(component);
+  const double unit = property->GetScalarOpacityUnitDistance(ofOpacity);
   const double weight = property->GetComponentWeight(component);
   SettingCheck check({ "the volume's property" }, error);
   check("Scalar opacity unit distance", unit, Allowed::Distance, "SetScalarOpacityUnitDistance");
   check("Component weight", weight, { 0.0, 1.0 }, "SetComponentWeight");
   SampledTransfer& transfer = this->Transfers[static_cast<std::size_t>(component)];
-  if (!check.HasPassed() || !transfer.Sample(property, component, error) ||
+  if (!check.HasPassed() || !transfer.Find(property, component, error) ||
     !MakeGradientOpacity(property, component, look.ByGradient, error) ||
     !MakeMaterial(property, component, look.Material, error))
   {
     return false;
   }
-  look.Transfer = transfer.Made();
   look.UnitDistance = unit * LengthOfUnit(volume);
   look.Weight = weight;
   return true;
+}
+
+void BlendingFromVolume::MakeTransfers(ScalarType type, Blending& made)
+{
+  for (std::size_t i = 0; i < made.Looks.size(); ++i)
+  {
+    glm::dvec2 range = made.ScalarRanges[i];
+    if (made.Use != ComponentUse::Independent)
+    {
+      // The last component gives the opacity. Of two, the first one asks for colours.
+      range = made.ScalarRanges.back();
+      if (made.Use == ComponentUse::ColorOpacity)
+      {
+        const glm::dvec2& ofColors = made.ScalarRanges.front();
+        range = { std::min(range.x, ofColors.x), std::max(range.y, ofColors.y) };
+      }
+    }
+    // Differences of neighbours are at most as large as the range.
+    GradientOpacity& byGradient = made.Looks[i].ByGradient;
+    LeaveOutBeyond((range.y - range.x) * glm::length(byGradient.PerStep), byGradient);
+    const bool areColors = made.Use == ComponentUse::RgbOpacity; // with an end at that of the range
+    made.Looks[i].Transfer = this->Transfers[this->FirstTransfer + i].Sample(
+      { areColors ? range : Rounded(range), areColors });
+  }
+  if (made.Use == ComponentUse::RgbOpacity)
+  {
+    ShowDirectColors(type, made);
+  }
 }
 
 bool BlendingFromVolume::MakeLights(

@@ -10,6 +10,7 @@
 #include "vtkTemporalCoherenceCompatibility.h"
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -33,8 +34,8 @@ std::optional<BlendMode> BlendModeOf(vtkVolumeMapper* mapper);
 class BlendingFromVolume
 {
 public:
-  /// Make all that mapper and property tell. Samples of other components, ranges of scalars and
-  /// ends of rays are not touched.
+  /// Make all that mapper and property tell but transfer functions. Samples of other components,
+  /// ranges of scalars and ends of rays are not touched.
   /// \param drawn          the components of the array, and of the property
   /// \param sampleDistance as set by the user, in coordinates of the data; 0: as dense as the
   ///                       picture needs
@@ -43,6 +44,10 @@ public:
   bool Make(vtkVolumeMapper* mapper, vtkVolume* volume, const DrawnComponent& drawn,
     double sampleDistance, Blending& made, std::string& error);
 
+  /// Make the transfer functions of what was made last, by the range of each component.
+  /// \param type of the samples
+  void MakeTransfers(ScalarType type, Blending& made);
+
   /// Make the lights, if a component is shaded.
   /// \param appearance is empty before
   /// \param error      as above
@@ -50,9 +55,12 @@ public:
     vtkRenderer* renderer, Blending& blending, Appearance& appearance, std::string& error);
 
 private:
-  bool MakeLook(vtkVolume* volume, int component, ComponentLook& look, std::string& error);
+  bool MakeLook(
+    vtkVolume* volume, int component, int ofOpacity, ComponentLook& look, std::string& error);
 
+  /// By component of the property. Those of the last volume begin with one of them.
   std::array<SampledTransfer, MostBlended> Transfers;
+  std::size_t FirstTransfer = 0;
 };
 
 }

@@ -53,13 +53,19 @@ bool MakeGradientOpacity(
   }
   if (!isStraight)
   {
-    const double first = made.Nodes.front().x, last = made.Nodes.back().x;
+    // As many between two neighbours each, as some may be far away.
+    const std::vector<glm::dvec2> few = made.Nodes;
+    const auto between = std::max(ManyNodes / static_cast<int>(few.size()), 16);
     made.Nodes.clear();
-    for (int i = 0; i < ManyNodes; ++i)
+    for (std::size_t node = 1; node < few.size(); ++node)
     {
-      const double at = first + (last - first) * i / (ManyNodes - 1);
-      made.Nodes.emplace_back(at, function->GetValue(at));
+      for (int i = 0; i < between; ++i)
+      {
+        const double at = glm::mix(few[node - 1].x, few[node].x, static_cast<double>(i) / between);
+        made.Nodes.emplace_back(at, function->GetValue(at));
+      }
     }
+    made.Nodes.emplace_back(few.back().x, function->GetValue(few.back().x));
   }
   for (glm::dvec2& node : made.Nodes)
   {
@@ -71,6 +77,27 @@ bool MakeGradientOpacity(
     made.Nodes.clear();
   }
   return true;
+}
+
+void LeaveOutBeyond(double steepest, GradientOpacity& opacity)
+{
+  if (opacity.Nodes.empty())
+  {
+    return;
+  }
+  std::vector<glm::dvec2> nodes{ { 0.0, opacity.At(0.0) } };
+  for (const glm::dvec2& node : opacity.Nodes)
+  {
+    if (node.x > 0.0 && node.x < steepest)
+    {
+      nodes.push_back(node);
+    }
+  }
+  if (opacity.Nodes.back().x >= steepest)
+  {
+    nodes.emplace_back(steepest, opacity.At(steepest));
+  }
+  opacity.Nodes.swap(nodes);
 }
 
 }

@@ -21,6 +21,10 @@ namespace TemporalCoherence
 bool MakeGradientOpacity(
   vtkVolumeProperty* property, int component, GradientOpacity& made, std::string& error);
 
+/// Leave out nodes at magnitudes that no gradient has: tables are spread over all nodes.
+/// \param steepest that a gradient may be
+void LeaveOutBeyond(double steepest, GradientOpacity& opacity);
+
 }
 
 #endif

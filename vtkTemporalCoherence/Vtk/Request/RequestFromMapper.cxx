@@ -88,8 +88,7 @@ bool RequestFromMapper::Make(vtkVolumeMapper* mapper, const PictureSettings& set
   query.Volume = volume;
   query.Isovalues = isBlended ? nullptr : &key.Isosurfaces.Isovalues;
   query.Mask = settings.Mask;
-  query.NeedsScalarRanges = key.Volume.Mode == BlendMode::Additive ||
-    key.Volume.Mode == BlendMode::Average || key.Volume.Use == ComponentUse::RgbOpacity;
+  query.NeedsScalarRanges = isBlended;
   query.AveragedGradients = settings.AveragedGradients;
   query.MeshMemoryLimit = settings.MeshMemoryLimit;
   query.Report = report;
@@ -99,6 +98,11 @@ bool RequestFromMapper::Make(vtkVolumeMapper* mapper, const PictureSettings& set
   const bool isMade =
     this->Fields.IsEmpty() || this->MakeScene(query, drawn.OfProperty, request, error);
   this->IsMakingField = false;
+  if (isMade && isBlended)
+  {
+    key.Volume.ScalarRanges.resize(static_cast<std::size_t>(drawn.Count)); // empty without samples
+    this->Blendings.MakeTransfers(key.Samples.Type, key.Volume);
+  }
   return isMade;
 }
 
@@ -192,8 +196,8 @@ bool RequestFromMapper::MakeScene(
     look.ByGradient.PerStep = field.PerStep;
   }
   key.Volume.Others = field.Others;
-  key.Volume.ScalarRanges = field.ScalarRanges;
   key.Samples = field.Samples;
+  key.Volume.ScalarRanges = field.ScalarRanges;
   key.Transform = field.Transform;
   request.SetUp = field.SetUp;
   request.Cells = field.Cells;

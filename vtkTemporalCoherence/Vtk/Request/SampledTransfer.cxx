@@ -2,15 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Request/SampledTransfer.h"
 
-#include "Request/TransferNodes.h"
-#include "Request/TransferSamples.h"
-
 #include <vtkPiecewiseFunction.h>
 #include <vtkVolumeProperty.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
-#include <vector>
 
 namespace TemporalCoherence
 {
@@ -62,29 +59,41 @@ void Thin(TransferFunction& transfer)
 
 }
 
-bool SampledTransfer::Sample(vtkVolumeProperty* property, int component, std::string& error)
+bool SampledTransfer::Find(vtkVolumeProperty* property, int component, std::string& error)
 {
   const TransferFunctions functions(property, component);
   const vtkMTimeType colorTime = functions.Colors()->GetMTime();
   const vtkMTimeType opacityTime = functions.Opacity->GetMTime();
-  if (!this->Transfer.Nodes.empty() && this->Colors == functions.Colors() &&
+  if (this->Functions && this->Colors == functions.Colors() &&
     this->Opacities == functions.Opacity && this->ColorTime == colorTime &&
     this->OpacityTime == opacityTime)
   {
     return true;
   }
-  std::vector<double> nodes;
-  if (!FindNodes(functions, nodes, error))
+  this->Functions.reset();
+  this->Transfer.Nodes.clear();
+  if (!FindNodes(functions, this->Nodes, error))
   {
     return false;
   }
-  this->Transfer = SampleFunctions(functions, nodes);
-  Thin(this->Transfer);
+  this->Functions = functions;
   this->Colors = functions.Colors();
   this->Opacities = functions.Opacity;
   this->ColorTime = colorTime;
   this->OpacityTime = opacityTime;
   return true;
+}
+
+const TransferFunction& SampledTransfer::Sample(const AskedValues& asked)
+{
+  assert(this->Functions);
+  if (this->Transfer.Nodes.empty() || !(this->Asked == asked))
+  {
+    this->Transfer = SampleFunctions(*this->Functions, this->Nodes, asked);
+    Thin(this->Transfer);
+    this->Asked = asked;
+  }
+  return this->Transfer;
 }
 
 }

@@ -3,6 +3,8 @@
 #ifndef TemporalCoherence_SampledTransfer_h
 #define TemporalCoherence_SampledTransfer_h
 
+#include "Request/TransferNodes.h"
+#include "Request/TransferSamples.h"
 #include "Scene/Blending.h"
 #include "vtkTemporalCoherenceCompatibility.h"
 
@@ -10,7 +12,9 @@
 #include <vtkSmartPointer.h>
 #include <vtkType.h>
 
+#include <optional>
 #include <string>
+#include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkVolumeProperty;
@@ -20,7 +24,7 @@ namespace TemporalCoherence
 {
 
 /// The colour and the opacity of one component of a property, sampled. It is sampled again when the
-/// functions change.
+/// functions change, or the range of the data.
 ///
 /// The functions themselves are asked at each sample, so that midpoints, sharpness, scales, spaces
 /// of colours and clamping have VTK's meaning. There is a sample at each node if all nodes have
@@ -28,16 +32,20 @@ namespace TemporalCoherence
 class SampledTransfer
 {
 public:
-  /// Sample the functions of a component, unless they are as they were.
+  /// Look at the functions of a component.
   /// \param error gets what is wrong and what to do about it
   /// \return false on error, for example if a node is NaN
-  bool Sample(vtkVolumeProperty* property, int component, std::string& error);
+  bool Find(vtkVolumeProperty* property, int component, std::string& error);
 
-  const TransferFunction& Made() const { return this->Transfer; }
+  /// Sample what was found, unless that was done before.
+  const TransferFunction& Sample(const AskedValues& asked);
 
 private:
-  TransferFunction Transfer;
-  vtkSmartPointer<vtkObject> Colors, Opacities; ///< the functions that were sampled
+  TransferFunction Transfer;                    ///< without nodes if it is out of date
+  AskedValues Asked{};                          ///< of Transfer
+  std::vector<double> Nodes;                    ///< of the functions
+  std::optional<TransferFunctions> Functions;   ///< that were found
+  vtkSmartPointer<vtkObject> Colors, Opacities; ///< keep them
   vtkMTimeType ColorTime = 0, OpacityTime = 0;
 };
 

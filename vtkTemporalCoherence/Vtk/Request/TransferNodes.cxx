@@ -117,7 +117,7 @@ bool FindNodes(const TransferFunctions& functions, std::vector<double>& nodes, s
   return true;
 }
 
-double CommonStep(const std::vector<double>& nodes, double most)
+double CommonStep(const std::vector<double>& nodes, double width, double most)
 {
   constexpr int MostParts = 12;
   constexpr double Rounding = 1e-6;
@@ -126,8 +126,7 @@ double CommonStep(const std::vector<double>& nodes, double most)
   {
     gap = std::min(gap, nodes[i] - nodes[i - 1]);
   }
-  const double range = nodes.back() - nodes.front();
-  for (int parts = 1; parts <= MostParts && range * parts <= most * gap; ++parts)
+  for (int parts = 1; parts <= MostParts && width * parts <= most * gap; ++parts)
   {
     const double step = gap / parts;
     const auto isMet = [&](double node)

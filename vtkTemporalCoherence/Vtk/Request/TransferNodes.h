@@ -35,10 +35,11 @@ struct TransferFunctions
 /// \return false on error, for example if a colour is NaN
 bool FindNodes(const TransferFunctions& functions, std::vector<double>& nodes, std::string& error);
 
-/// The longest step that leads from each of some values to the next, in at most `most` steps from
-/// the first to the last one; 0 if none is found.
+/// The longest step that leads from each of some values to the next, and along a range in at most
+/// `most` steps; 0 if none is found.
 /// \param nodes ascending
-double CommonStep(const std::vector<double>& nodes, double most);
+/// \param width of the range
+double CommonStep(const std::vector<double>& nodes, double width, double most);
 
 }
 

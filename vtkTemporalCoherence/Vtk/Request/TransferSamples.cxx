@@ -25,35 +25,20 @@ double ShareOf(double value)
   return value >= 0.0 ? std::min(value, 1.0) : 0.0;
 }
 
-/// Samples functions at equal distances, from below their first node to above their last.
+/// Samples functions at equal distances.
 class Sampler
 {
 public:
-  Sampler(const TransferFunctions& functions, const std::vector<double>& nodes)
+  Sampler(
+    const TransferFunctions& functions, const std::vector<double>& nodes, const AskedValues& asked)
     : Of(functions)
   {
+    this->Spread(nodes, asked.Range);
     constexpr auto intervals = static_cast<double>(MostIntervals);
-    const double low = nodes.front(), range = nodes.back() - low;
-    const double common = CommonStep(nodes, 0.5 * intervals);
-    if (common > 0.0)
-    {
-      // Also where samples are left out, there is one at each node.
-      const double parts = std::floor(std::log2(intervals / (range / common + 2.0)));
-      this->Step = common / std::exp2(parts);
-      this->First = low - common;
-    }
-    else
-    {
-      // Of the intervals, four may lie beyond the nodes. A step is more than a rounding error.
-      const double largest = std::max(std::abs(low), std::abs(nodes.back()));
-      const double least = std::max(largest * 0x1p-50, 0x1p-960);
-      this->Step = std::exp2(std::ceil(std::log2(std::max(range / (intervals - 4.0), least))));
-      this->First = (std::floor(low / this->Step) - 1.0) * this->Step;
-    }
     this->Made.Range = { this->First, this->First + intervals * this->Step };
     this->Made.Nodes.resize(MostIntervals + 1);
     this->SampleColors();
-    this->SampleOpacities();
+    this->SampleOpacities(asked);
   }
 
   TransferFunction Made;
@@ -61,6 +46,49 @@ public:
 private:
   double At(std::size_t i) const { return this->First + static_cast<double>(i) * this->Step; }
   int Count() const { return static_cast<int>(this->Made.Nodes.size()); }
+
+  /// Find where samples lie.
+  void Spread(const std::vector<double>& nodes, const glm::dvec2& range)
+  {
+    constexpr auto intervals = static_cast<double>(MostIntervals);
+    constexpr double rounding = 1e-6;
+    const double low = std::clamp(nodes.front(), range.x, range.y);
+    const double high = std::clamp(nodes.back(), range.x, range.y);
+    const std::vector<double> between(std::lower_bound(nodes.begin(), nodes.end(), low),
+      std::upper_bound(nodes.begin(), nodes.end(), high));
+    const double common = StepBetween(between, high - low);
+    if (common > 0.0)
+    {
+      // Also where samples are left out, there is one at each node.
+      const double anchor = between.front();
+      const double before = std::ceil((anchor - low) / common - rounding) + 1.0;
+      const double behind = std::ceil((high - anchor) / common - rounding) + 1.0;
+      this->Step = common / std::exp2(std::floor(std::log2(intervals / (before + behind))));
+      this->First = anchor - before * common;
+    }
+    else
+    {
+      // Of the intervals, four may lie beyond the nodes. A step is more than a rounding error.
+      const double largest = std::max(std::abs(low), std::abs(high));
+      const double least = std::max(largest * 0x1p-50, 0x1p-960);
+      this->Step =
+        std::exp2(std::ceil(std::log2(std::max((high - low) / (intervals - 4.0), least))));
+      this->First = (std::floor(low / this->Step) - 1.0) * this->Step;
+    }
+  }
+
+  /// A step from node to node that has room for samples along a range; 0 if there is none.
+  static double StepBetween(const std::vector<double>& nodes, double width)
+  {
+    constexpr double most = 0.5 * MostIntervals;
+    if (nodes.size() != 1)
+    {
+      return nodes.empty() ? 0.0 : CommonStep(nodes, width, most);
+    }
+    // A few samples on either side, and more where the function is a curve.
+    const double step = std::exp2(std::ceil(std::log2(width))) / 16.0;
+    return step > std::abs(nodes.front()) * 0x1p-34 && std::isfinite(step) ? step : 0.0;
+  }
 
   void SampleColors()
   {
@@ -107,13 +135,18 @@ private:
   }
 
   /// Sample opacities, and bring all shares into their range.
-  void SampleOpacities()
+  void SampleOpacities(const AskedValues& asked)
   {
     std::vector<double> opacities(this->Made.Nodes.size());
     this->Of.Opacity->GetTable(
       this->Made.Range.x, this->Made.Range.y, this->Count(), opacities.data());
+    const glm::dvec2& range = asked.Range;
     for (std::size_t i = 0; i < opacities.size(); ++i)
     {
+      if (const double at = this->At(i); asked.AreClamped && (at < range.x || at > range.y))
+      {
+        opacities[i] = this->Of.Opacity->GetValue(at < range.x ? range.x : range.y);
+      }
       glm::dvec4& node = this->Made.Nodes[i];
       node = { ShareOf(node.x), ShareOf(node.y), ShareOf(node.z), ShareOf(opacities[i]) };
     }
@@ -126,9 +159,9 @@ private:
 }
 
 TransferFunction SampleFunctions(
-  const TransferFunctions& functions, const std::vector<double>& nodes)
+  const TransferFunctions& functions, const std::vector<double>& nodes, const AskedValues& asked)
 {
-  return Sampler(functions, nodes).Made;
+  return Sampler(functions, nodes, asked).Made;
 }
 
 }

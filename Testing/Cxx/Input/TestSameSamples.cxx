@@ -128,10 +128,46 @@ void Compare(const Volume& volume, int type, int view)
   }
 }
 
+/// A mesh is drawn as an image is, however large it is in the world.
+void TestSizes()
+{
+  for (const double size : { 1.0, 1e10, 1e30, 1e36, 1e37, 1e-10, 1e-30, 1e-37, 1e-40 })
+  {
+    for (const bool isParallel : { false, true })
+    {
+      const Image image = Make(
+        VTK_DOUBLE, false, [](int i, int j, int k) { return 10 * i + (j - 4) * (j - 4) + k * k; });
+      image->SetSpacing(size, size, size);
+      Scene scene(VtkMeshes::Curvilinear(image), { 60.5 }), reference(image, { 60.5 });
+      for (Scene* each : { &scene, &reference })
+      {
+        each->Volume->GetProperty()->SetInterpolationTypeToLinear();
+        // vtkRenderer::ResetCamera does not go so far.
+        vtkCamera* camera = each->Renderer->GetActiveCamera();
+        camera->SetPosition(20.0 * size, 15.0 * size, 25.0 * size);
+        camera->SetFocalPoint(4.5 * size, 3.5 * size, 4.0 * size);
+        camera->SetParallelScale(8.0 * size);
+        camera->SetParallelProjection(isParallel);
+        camera->SetClippingRange(size, 100.0 * size);
+        Expect(each->Render(Width, Height), "sizes: rendered");
+      }
+      int hits = 0;
+      for (int pixel = 0; pixel < Width * Height; ++pixel)
+      {
+        hits += !std::isinf(reference.DepthAt(pixel % Width, pixel / Width));
+      }
+      const std::string what = "size " + std::to_string(std::log10(size));
+      Expect(hits > 1000, what + ": nothing is seen");
+      Expect(CountDifferent(scene, reference, 17.0 * size) <= 1, what + ": the mesh differs");
+    }
+  }
+}
+
 }
 
 int TestSameSamples(int, char*[])
 {
+  TestSizes();
   for (const Volume& volume : AllVolumes())
   {
     for (int view = 0; view < 6; ++view)

@@ -54,7 +54,7 @@ struct CellsInLeaf
       const std::size_t cell = this->AreSeen ? this->Seen.Cell[i] : i;
       const std::uint64_t which = this->AreSeen
         ? RaysReaching(tile.Rays, this->Which & this->Seen.Pixels[i], limits,
-            static_cast<double>(this->Seen.Depth[i]))
+            tile.Grid.DepthUnit() * static_cast<double>(this->Seen.Depth[i]))
         : RaysThrough(tile.Rays, this->Which, limits, this->Cells->BoxOf(cell, tile.Tree),
             tile.MarginOfLanes);
       if (which != 0)
@@ -95,7 +95,8 @@ inline std::uint64_t RaysInto(const ActiveLeaves::Leaf& leaf, const MeshTile& ti
   std::uint64_t wanted, const RayBatch::Array<double>& limits)
 {
   return tile.Grid.IsGrid()
-    ? RaysReaching(tile.Rays, wanted, limits, tile.Grid.ToSeenDepth(leaf.Depth))
+    ? RaysReaching(
+        tile.Rays, wanted, limits, tile.Grid.DepthUnit() * tile.Grid.ToSeenDepth(leaf.Depth))
     : RaysThrough(tile.Rays, wanted, limits, tile.Tree.LeafBox(leaf.Number), tile.Margin);
 }
 

@@ -53,8 +53,10 @@ public:
     return glm::length(other.Forward - this->Forward) <= SameDepth * glm::length(this->Forward);
   }
 
-  /// w of a depth of a grid with the same depths, as in OutlineView, or less. Ray i comes to it at
-  /// t = w PerDepth[i].
+  /// A power of two. Ray i comes to a depth w of the grid at t = w DepthUnit() PerDepth[i].
+  double DepthUnit() const { return this->Unit; }
+
+  /// w of a depth of a grid with the same depths, as in OutlineView, or less.
   /// \pre IsGrid()
   double ToSeenDepth(double depth) const
   {
@@ -123,7 +125,7 @@ public:
     for (const std::size_t corner : { 0, TileSize - 1, 64 - TileSize, 63 })
     {
       const glm::dvec3 from = OriginOf(rays, corner) - this->Seen.Origin;
-      const glm::dvec3 along = AheadOf(rays, corner);
+      const glm::dvec3 along = this->Unit * AheadOf(rays, corner);
       const glm::dvec3 start = this->Seen.Place(from), step = this->Seen.Place(along);
       const glm::dvec3& at = this->Seen.IsPerspective ? step : start;
       const glm::dvec3 beside = this->Seen.IsPerspective
@@ -232,6 +234,26 @@ private:
     this->Seen.Origin = origin;
     this->Seen.IsPerspective = isPerspective;
     this->IsKnown = std::isfinite(sum);
+    if (this->IsKnown && glm::length(this->Seen.Row[0]) > 0.0)
+    {
+      this->SetUnit();
+    }
+  }
+
+  /// Measure depths so that they fit single precision, however large the mesh is in the world. The
+  /// unit is 1 unless it is very large or very small. It is the same for all tiles of a view: their
+  /// depths differ by rounding errors, so that no usual size may lie where one unit follows
+  /// another.
+  void SetUnit()
+  {
+    constexpr double octaves = 64.0, begin = 31.63;
+    const double size = std::log2(glm::length(this->Seen.Row[0]));
+    const double steps = std::floor((size + begin) / octaves);
+    this->Unit = std::ldexp(1.0, static_cast<int>(octaves * steps));
+    for (std::size_t row = 0; row < 3; ++row)
+    {
+      this->Seen.Row[row] /= row == 0 || this->Seen.IsPerspective ? this->Unit : 1.0;
+    }
   }
 
   /// How far the lattice may lie from 0 or from the eye, and more.
@@ -264,6 +286,7 @@ private:
 
   double Lattice = 0.0; ///< lengths of all of its axes
   bool IsKnown = false;
+  double Unit = 1.0; ///< of depths
   glm::dvec3 Forward{ 0.0 };
   TileRows Seen{};
   TilePlanes Around{};

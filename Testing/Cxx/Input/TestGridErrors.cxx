@@ -171,6 +171,16 @@ void TestScalars()
       few->SetNumberOfTuples(17);
       grid->GetPointData()->SetScalars(few);
     });
+  ExpectRefused("has an array 'many' of 512 tuples, but 343 cells",
+    [](Grid& grid, Scene&)
+    {
+      vtkNew<vtkDoubleArray> many;
+      many->SetName("many");
+      many->SetNumberOfTuples(512);
+      many->FillValue(1.0);
+      grid->GetPointData()->Initialize();
+      grid->GetCellData()->SetScalars(many);
+    });
   ExpectRefused("has an array 'few' of 17 tuples, but 343 cells",
     [](Grid& grid, Scene&)
     {

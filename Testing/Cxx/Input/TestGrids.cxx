@@ -99,6 +99,42 @@ void TestRegions()
   ExpectImage("cropped", VtkMeshes::Unstructured(waves, VTK_HEXAHEDRON), waves, 60.0, cropped);
 }
 
+/// Where the near plane clips a solid of thin cells, its cap faces the viewer.
+void TestThinCells()
+{
+  const Image solid = Volumes::FromFormula(
+    5, VTK_DOUBLE, [](double x, double y, double z) { return 10.0 + x + y + z; });
+  solid->SetOrigin(0.0, 0.0, 0.0);
+  for (const double thickness : { 1.0, 1e-3, 1e-5 })
+  {
+    solid->SetSpacing(1.0, 1.0, thickness);
+    for (const int type : { VTK_TETRA, VTK_HEXAHEDRON })
+    {
+      Scene scene(VtkMeshes::Unstructured(solid, type), { 1.0 });
+      scene.Mapper->SetSurfaceModeToThreshold();
+      vtkCamera* camera = scene.Renderer->GetActiveCamera();
+      camera->SetFocalPoint(2.0, 2.0, 0.0);
+      camera->SetPosition(2.0, 2.0, 4.5 * thickness + 0.1);
+      camera->SetViewUp(0.0, 1.0, 0.0);
+      camera->SetParallelScale(1.5);
+      camera->ParallelProjectionOn();
+      camera->SetClippingRange(0.1 + 1.2 * thickness, 1.0 + 10.0 * thickness);
+      Expect(scene.Render(40, 40), "thin cells: rendered");
+      int others = 0;
+      for (int pixel = 0; pixel < 40 * 40; ++pixel)
+      {
+        double normal[3] = {};
+        const bool isHit =
+          scene.Mapper->PickPixel(pixel % 40, pixel / 40, nullptr, normal, nullptr);
+        others += !isHit || normal[2] < 1.0 - 1e-6;
+      }
+      Expect(others == 0,
+        "cells " + std::to_string(thickness) + " thin: " + std::to_string(others) +
+          " caps do not face the viewer");
+    }
+  }
+}
+
 /// Numbers of all types, of points and of values, in any layout.
 void TestArrays()
 {
@@ -199,6 +235,7 @@ int TestGrids(int, char*[])
 {
   TestSorts();
   TestRegions();
+  TestThinCells();
   TestArrays();
   TestVectors();
   TestCellScalars();

@@ -122,6 +122,16 @@ void TestInputs()
       image->GetCellData()->SetScalars(few);
       scene.Mapper->SetInputData(image);
     });
+  ExpectError("8000 tuples, but the image has 6859 cells",
+    [](Scene& scene)
+    {
+      vtkNew<vtkDoubleArray> ofPoints;
+      ofPoints->SetNumberOfTuples(8000);
+      vtkNew<vtkImageData> image;
+      image->SetDimensions(20, 20, 20);
+      image->GetCellData()->SetScalars(ofPoints);
+      scene.Mapper->SetInputData(image);
+    });
   // So many points that VTK's number of them overflows, and is less than that of tuples.
   ExpectError("400 tuples, but the image has 9223372036854775807 points",
     [](Scene& scene)

@@ -170,6 +170,18 @@ void TestHoneycomb()
   }
 }
 
+double SumOfVolumes(const MeshPart& part)
+{
+  double sum = 0.0;
+  for (std::int64_t c = 0; c < part.NumberOfCells; ++c)
+  {
+    MeshCell cell;
+    ReadCell(part, c, cell);
+    sum += std::abs(VolumeOf(cell));
+  }
+  return sum;
+}
+
 void TestOthers()
 {
   for (const int type : { VTK_PENTAGONAL_PRISM, VTK_HEXAGONAL_PRISM })
@@ -183,13 +195,7 @@ void TestOthers()
     GiveLinear(grid);
     const std::string what = "VTK's source of type " + std::to_string(type);
     const MeshPart part = PartOf(grid, what);
-    double sum = 0.0;
-    for (std::int64_t c = 0; c < part.NumberOfCells; ++c)
-    {
-      MeshCell cell;
-      ReadCell(part, c, cell);
-      sum += std::abs(VolumeOf(cell));
-    }
+    const double sum = SumOfVolumes(part);
     Expect(std::abs(sum - 8.0) < 1e-5, what + ": volume " + std::to_string(sum));
     ExpectLinear(part, what);
   }
@@ -198,6 +204,47 @@ void TestOthers()
   const MeshPart part = PartOf(sets, "convex sets");
   ExpectLinear(part, "convex sets");
   ExpectSpace(part, 1.0, 6 * 9 * 2, "convex sets");
+}
+
+/// Thin convex sets are filled, and points that are no numbers are left out.
+void TestConvexSets()
+{
+  for (const double thickness : { 0.3, 0.1, 1e-3, 1e-6 })
+  {
+    const std::string what = "convex sets " + std::to_string(thickness) + " thin";
+    const Grid sets = TileCubes(VTK_CONVEX_POINT_SET, HexahedronPattern(VTK_HEXAHEDRON), 3);
+    for (vtkIdType p = 0; p < sets->GetNumberOfPoints(); ++p)
+    {
+      double at[3];
+      sets->GetPoint(p, at);
+      sets->GetPoints()->SetPoint(p, at[0], at[1], thickness * at[2]);
+    }
+    GiveLinear(sets);
+    const MeshPart part = PartOf(sets, what);
+    ExpectLinear(part, what);
+    ExpectSpace(part, thickness, 6 * 9 * 2, what);
+    for (vtkIdType p = 0; p < sets->GetNumberOfPoints(); ++p)
+    {
+      double at[3];
+      sets->GetPoint(p, at);
+      sets->GetPoints()->SetPoint(p, at[0] + at[2], at[1] + 0.5 * at[0], at[2] - 0.7 * at[0]);
+    }
+    const double share = SumOfVolumes(PartOf(sets, what + ", turned")) / thickness;
+    const glm::dvec3 x(1.0, 0.5, -0.7), y(0.0, 1.0, 0.0), z(1.0, 0.0, 1.0);
+    const double expected = glm::dot(glm::cross(x, y), z);
+    Expect(std::abs(share / expected - 1.0) < 1e-3, what + ", turned: " + std::to_string(share));
+  }
+  const Grid set = TileCubes(VTK_CONVEX_POINT_SET, HexahedronPattern(VTK_HEXAHEDRON), 1);
+  const vtkIdType nowhere = set->GetPoints()->InsertNextPoint(std::nan(""), 0.0, 0.0);
+  vtkNew<vtkIdList> ids;
+  set->GetCellPoints(0, ids);
+  ids->InsertNextId(nowhere);
+  const Grid withNowhere = Grid::New();
+  withNowhere->SetPoints(set->GetPoints());
+  withNowhere->InsertNextCell(VTK_CONVEX_POINT_SET, ids);
+  GiveLinear(withNowhere);
+  const double volume = SumOfVolumes(PartOf(withNowhere, "a point nowhere"));
+  Expect(std::abs(volume - 1.0) < 1e-9, "a point nowhere: volume " + std::to_string(volume));
 }
 
 /// A cell with a flag is left out, and its neighbours keep their numbers.
@@ -357,6 +404,7 @@ int TestPolyhedronCells(int, char*[])
 {
   TestHoneycomb();
   TestOthers();
+  TestConvexSets();
   TestHidden();
   TestErrors();
   TestWrongOffsets();

@@ -118,6 +118,30 @@ TEST_P(MeshPlaces, CapsHaveTheNormalsOfTheFacesOfCells)
     });
 }
 
+/// Where the near plane clips a solid, the cap faces the viewer, however near a face of a cell is.
+TEST_P(MeshPlaces, CapsAtTheNearPlaneHaveNoNormalsOfFaces)
+{
+  this->ForEachCell(
+    [&](CellNumber number, const MeshCell& cell)
+    {
+      const bool isTetrahedron = cell.Shape == MeshCellShape::Tetrahedron;
+      const glm::dvec3 middle = MeshKernels::PointAt(cell, glm::dvec3(isTetrahedron ? 0.25 : 0.5));
+      for (const Face& face : FacesOf(cell))
+      {
+        const glm::dvec3 direction = middle - face.Middle;
+        const glm::dvec3 point = this->Tree->ToIndex(face.Middle + 1e-5 * direction);
+        const glm::dvec3 forward = glm::normalize(direction);
+        CapPlanes planes;
+        const auto isFace = [&](double behind)
+        {
+          planes.Near = glm::dvec4(forward, behind - glm::dot(forward, point));
+          return CapNormal({ point, direction, number }, this->Samples, planes) != glm::dvec3(0.0);
+        };
+        EXPECT_TRUE(face.IsFlat() || (!isFace(1e-8) && isFace(1e-2))) << number;
+      }
+    });
+}
+
 /// A ray that runs along a face enters through another one.
 TEST_P(MeshPlaces, CapsHaveNormalsOnEdges)
 {

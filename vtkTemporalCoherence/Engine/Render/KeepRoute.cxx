@@ -47,7 +47,8 @@ public:
     , OfAll(scene.All)
     , OfNew(scene.New)
     , Source{ this->Key.Samples, this->Key.Transform,
-      RegionClipper(this->Key.Region, this->Key.Transform).Planes(),
+      CapPlanes(RegionClipper(this->Key.Region, this->Key.Transform).Planes(), this->Key.Transform,
+        this->Key.View),
       this->Key.Isosurfaces.Isovalues, scene.All.FiniteRange }
     , Compositor(this->Key, this->Source, scene.Space)
     , AlphasOfNew(AlphasOf(scene.New.Key.Isosurfaces))

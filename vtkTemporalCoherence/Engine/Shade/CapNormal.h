@@ -5,6 +5,7 @@
 
 #include "Scene/CapPoint.h"
 #include "Scene/Field.h"
+#include "Scene/View.h"
 
 #include <glm/glm.hpp>
 
@@ -13,12 +14,21 @@
 namespace TemporalCoherence
 {
 
+/// Planes in index space where solids are capped, as unit normals and offsets.
+struct CapPlanes
+{
+  std::vector<glm::dvec4> OfRegion; ///< that clip the field
+  glm::dvec4 Near{ 0.0 };           ///< of the camera; 0: there is none
+
+  CapPlanes() = default;
+  CapPlanes(std::vector<glm::dvec4> ofRegion, const IndexTransform& transform, const View& view);
+};
+
 /// The normal of a cap, in index space: of a face of the field, of a face of the hidden cell that
-/// the ray comes from, or of a plane that clips the field.
-/// \param planes that clip the field: unit normal and offset
-/// \return of unit length, facing against the ray; the zero vector if the point is on none of them
-glm::dvec3 CapNormal(
-  const CapPoint& cap, const Field& field, const std::vector<glm::dvec4>& planes);
+/// the ray comes from, or of a plane that clips the field. The nearest counts.
+/// \return of unit length, facing against the ray; the zero vector at the near plane, and if the
+/// point is on none of them
+glm::dvec3 CapNormal(const CapPoint& cap, const Field& field, const CapPlanes& planes);
 
 }
 

@@ -44,7 +44,7 @@ void TakeFacesAtCaps(
       const glm::dmat4& toIndex = source.Transform.IndexFromWorld;
       const CapPoint cap{ glm::dvec3(toIndex * glm::dvec4(hits.Rays.PointAt(i), 1.0)),
         glm::dvec3(toIndex * glm::dvec4(hits.Rays.DirectionAt(i), 0.0)), hits.Cell[i] };
-      Set(gradients, i, CapNormal(cap, source.Samples, source.CapPlanes));
+      Set(gradients, i, CapNormal(cap, source.Samples, source.Planes));
     }
   }
 }

@@ -11,6 +11,7 @@
 #include "Scene/TileHits.h"
 #include "Scene/Tiles.h"
 #include "Scene/View.h"
+#include "Shade/CapNormal.h"
 #include "Shade/KernelsShading.h"
 
 #include <algorithm>
@@ -52,7 +53,7 @@ struct NormalSource
 {
   Field Samples;
   IndexTransform Transform;
-  std::vector<glm::dvec4> CapPlanes; ///< planes where solids are capped: RegionClipper::Planes
+  CapPlanes Planes; ///< where solids are capped
   std::vector<double> Isovalues;
   glm::dvec2 FiniteRange{ 0.0 };
 };

@@ -11,7 +11,8 @@ namespace TemporalCoherence
 TileShader::TileShader(const FrameKey& key, const glm::dvec2& finiteRange, const LeapedSpace& space,
   HitSet normalsOf, HitSet colorsOf)
   : Key(key)
-  , Source{ key.Samples, key.Transform, RegionClipper(key.Region, key.Transform).Planes(),
+  , Source{ key.Samples, key.Transform,
+    CapPlanes(RegionClipper(key.Region, key.Transform).Planes(), key.Transform, key.View),
     key.Isosurfaces.Isovalues, finiteRange }
   , NormalsOf(normalsOf)
   , ColorsOf(colorsOf)

@@ -73,12 +73,14 @@ vtkSmartPointer<vtkDataArray> AverageToPoints(
   return averages;
 }
 
-bool HasEnough(const GridLeaf& leaf, std::string& error)
+/// More values than cells belong to other cells; VTK draws the first ones of more values than
+/// points.
+bool FitsGrid(const GridLeaf& leaf, std::string& error)
 {
   const vtkIdType tuples = leaf.Array->GetNumberOfTuples();
   const vtkIdType needed =
     leaf.OnCells ? leaf.Data->GetNumberOfCells() : leaf.Data->GetNumberOfPoints();
-  if (tuples >= needed)
+  if (leaf.OnCells ? tuples == needed : tuples >= needed)
   {
     return true;
   }
@@ -114,7 +116,7 @@ bool SetValues(const GridLeaf& leaf, const DrawnComponent& component, MeshPart& 
   PointValues& values, std::string& error)
 {
   values = { leaf.Array, component.IsMagnitude ? 0 : component.Number };
-  if (!HasEnough(leaf, error) || !HasComponent(leaf.Array, values.Component, error))
+  if (!FitsGrid(leaf, error) || !HasComponent(leaf.Array, values.Component, error))
   {
     return false;
   }

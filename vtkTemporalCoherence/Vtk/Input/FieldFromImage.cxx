@@ -61,10 +61,11 @@ bool MakeField(vtkImageData* image, vtkDataArray* array, bool onCells, int compo
   {
     return false;
   }
-  if (array->GetNumberOfTuples() < tuples)
+  const vtkIdType given = array->GetNumberOfTuples();
+  if (given < tuples || (onCells && given > tuples))
   {
     const std::string place = onCells ? "cell" : "point";
-    error = "Array " + NameOf(array) + " has " + std::to_string(array->GetNumberOfTuples()) +
+    error = "Array " + NameOf(array) + " has " + std::to_string(given) +
       " tuples, but the image has " + std::to_string(tuples) + ' ' + place +
       "s; give it one tuple for each " + place + '.';
     return false;

@@ -5,6 +5,7 @@
 #include <vtkBoundingBox.h>
 #include <vtkCellArray.h>
 #include <vtkCellType.h>
+#include <vtkMath.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
@@ -14,6 +15,80 @@
 
 namespace TemporalCoherence
 {
+
+namespace
+{
+
+using Place = std::array<double, 3>;
+
+/// Sets of points that are thinner than this, by their longest extent, are stretched.
+constexpr double Thin = 0.25;
+
+/// Scale points to the unit cube. Those of a thin set lie there along its principal axes, all
+/// extents alike: the triangulation would lose most of it.
+/// \return false if they lie in a plane
+bool ScaleToUnit(const std::vector<Place>& points, std::vector<Place>& scaled)
+{
+  vtkBoundingBox box;
+  for (const Place& point : points)
+  {
+    box.AddPoint(point[0], point[1], point[2]);
+  }
+  const double longest = box.IsValid() ? box.GetMaxLength() : 0.0;
+  if (!(longest > 0.0))
+  {
+    return false;
+  }
+  scaled = points;
+  Place mean{};
+  for (Place& point : scaled)
+  {
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      point[a] = (point[a] - box.GetBound(2 * static_cast<int>(a))) / longest;
+      mean[a] += point[a] / static_cast<double>(points.size());
+    }
+  }
+  double spread[3][3] = {}, sizes[3], axes[3][3];
+  for (const Place& point : scaled)
+  {
+    for (std::size_t a = 0; a < 9; ++a)
+    {
+      spread[a / 3][a % 3] += (point[a / 3] - mean[a / 3]) * (point[a % 3] - mean[a % 3]);
+    }
+  }
+  vtkMath::Diagonalize3x3(spread, sizes, axes);
+  Place least{}, most{};
+  std::vector<Place> turned(scaled.size(), Place{});
+  for (std::size_t p = 0; p < scaled.size(); ++p)
+  {
+    for (std::size_t a = 0; a < 9; ++a)
+    {
+      turned[p][a % 3] += (scaled[p][a / 3] - mean[a / 3]) * axes[a / 3][a % 3];
+    }
+    for (std::size_t a = 0; a < 3; ++a)
+    {
+      least[a] = std::min(least[a], turned[p][a]);
+      most[a] = std::max(most[a], turned[p][a]);
+    }
+  }
+  const Place extents = { most[0] - least[0], most[1] - least[1], most[2] - least[2] };
+  const auto [shortest, largest] = std::minmax_element(extents.begin(), extents.end());
+  constexpr double flat = 1e-14;
+  if (*shortest<Thin* * largest&& * shortest> flat)
+  {
+    for (std::size_t p = 0; p < scaled.size(); ++p)
+    {
+      for (std::size_t a = 0; a < 3; ++a)
+      {
+        scaled[p][a] = (turned[p][a] - least[a]) / extents[a];
+      }
+    }
+  }
+  return *shortest > flat;
+}
+
+}
 
 bool IsPolyhedron(int type)
 {
@@ -141,31 +216,32 @@ void PolyhedronCells::AddConvexSet(vtkIdType cell)
   Face unique(points->begin(), points->end());
   std::sort(unique.begin(), unique.end());
   unique.erase(std::unique(unique.begin(), unique.end()), unique.end());
-  vtkBoundingBox box;
-  bool isFinite = true;
-  for (const vtkIdType point : unique)
+  std::vector<Place> places;
+  const auto isNowhere = [&](vtkIdType point)
   {
-    std::array<double, 3> at;
+    Place at;
     this->Grid->GetPoint(point, at.data());
-    box.AddPoint(at.data());
-    isFinite &= std::isfinite(at[0] + at[1] + at[2]);
-  }
-  if (unique.size() < 4 || !isFinite || !(box.GetMaxLength() > 0.0))
+    const bool isFinite = std::isfinite(at[0] + at[1] + at[2]);
+    if (isFinite)
+    {
+      places.push_back(at);
+    }
+    return !isFinite;
+  };
+  // The other points are a convex set, too.
+  unique.erase(std::remove_if(unique.begin(), unique.end(), isNowhere), unique.end());
+  std::vector<Place> scaled;
+  if (unique.size() < 4 || !ScaleToUnit(places, scaled))
   {
     return;
   }
+  // Tetrahedra outside of a large octahedron around these bounds are lost: thin ones at the hull.
   this->Triangulator->InitTriangulation(
-    0.0, 1.0, 0.0, 1.0, 0.0, 1.0, static_cast<int>(unique.size()));
+    -5.0, 6.0, -5.0, 6.0, -5.0, 6.0, static_cast<int>(unique.size()));
   for (std::size_t p = 0; p < unique.size(); ++p)
   {
-    std::array<double, 3> at, scaled;
-    this->Grid->GetPoint(unique[p], at.data());
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const auto a = static_cast<std::size_t>(axis);
-      scaled[a] = (at[a] - box.GetBound(2 * axis)) / box.GetMaxLength();
-    }
-    this->Triangulator->InsertPoint(static_cast<vtkIdType>(p), at.data(), scaled.data(), 0);
+    this->Triangulator->InsertPoint(
+      static_cast<vtkIdType>(p), places[p].data(), scaled[p].data(), 0);
   }
   this->Triangulator->Triangulate();
   this->Ids->Reset();

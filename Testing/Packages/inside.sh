@@ -118,7 +118,7 @@ test_wrong_version()
   local log=$logs/wrong-version.log version
   # shellcheck disable=SC2016 # expanded by dpkg
   version=$(dpkg-query -W -f '${Version}' "$development")
-  if cmake -S /test/Testing/Packages/Consumer -B /test/build/Consumer -DWANTED_VERSION=99.1 >"$log" 2>&1; then
+  if cmake -S /test/Testing/Packages/Consumer -B /test/build/Consumer -G Ninja -DWANTED_VERSION=99.1 >"$log" 2>&1; then
     fail "a program that wants version 99.1 was given ${version%-*}"
   fi
   if ! grep -q 'requested version "99.1"' "$log" || ! grep -q "version: ${version%-*}" "$log"; then

@@ -35,7 +35,6 @@ set(engine_files
   Mesh/KernelsKnownTetrahedra
   Mesh/KernelsTetrahedra
   Layers/KnownLayers
-  Layers/LayerMerge
   Layers/LimitedLayers
   Layers/RecoloredLayers
   Shade/CapNormal
@@ -150,7 +149,6 @@ set(engine_files
   Render/FrameStore
   Render/FrameStructures
   Render/IsomapRoute
-  Render/KeepRoute
   Render/LayerLimit
   Render/LineTracer
   Render/ReusePlan

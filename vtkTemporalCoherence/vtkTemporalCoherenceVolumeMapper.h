@@ -284,14 +284,14 @@ public:
     ROUTE_IMAGE_CACHE,    ///< the view changed: rays start from what a cached image shows
     ROUTE_TIME_STEP,      ///< samples changed: pixels that no changed sample affects are copied
     ROUTE_RECOMPOSITE,    ///< only opacities changed: known layers are composited again
-    ROUTE_KEEP_LAYERS,    ///< some of several isovalues changed: layers of the others are known
+    ROUTE_KEEP_LAYERS,    ///< not made any more, since a cold frame is as fast
     ROUTE_KEEP_VALUES     ///< colours of a projection changed: what rays have met is known
   };
 
   //@{
   /**
    * Get the route of the last frame: one of Routes, or its name: Cold, Redisplay, Reshade,
-   * IsomapLookup, IsomapBuild, ImageCache, TimeStep, Recomposite, KeepLayers or KeepValues.
+   * IsomapLookup, IsomapBuild, ImageCache, TimeStep, Recomposite or KeepValues.
    */
   int GetRoute();
   const char* GetRouteAsString();

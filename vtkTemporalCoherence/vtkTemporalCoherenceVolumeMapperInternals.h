@@ -163,7 +163,6 @@ struct vtkTemporalCoherenceVolumeMapper::Internals
     if (last.Made != TemporalCoherence::Route::Redisplay &&
       last.Made != TemporalCoherence::Route::Reshade &&
       last.Made != TemporalCoherence::Route::Recomposite &&
-      last.Made != TemporalCoherence::Route::KeepLayers &&
       last.Made != TemporalCoherence::Route::KeepValues)
     {
       // Without the isomap, which the next frames in the view need not build again.

@@ -123,8 +123,8 @@ public:
 
   /**
    * How many frames took each route, since this was made: Cold, Redisplay, Reshade, IsomapLookup,
-   * IsomapBuild, ThresholdHint (none any more), ImageCache, TimeStep, Recomposite, KeepLayers,
-   * KeepValues.
+   * IsomapBuild, ThresholdHint (none any more), ImageCache, TimeStep, Recomposite, KeepLayers
+   * (none any more), KeepValues.
    * Frames that failed are not counted.
    */
   vtkIdTypeArray* GetRouteCounts();

@@ -141,24 +141,20 @@ std::vector<Row> Still()
 std::vector<Row> SeeThrough(const Scene& scene)
 {
   const double outer = scene.Shown.Isovalues[0], inner = scene.Shown.Isovalues[1];
-  const auto show = [=](Stage& stage, double opacity, double raised)
+  const auto show = [=](Stage& stage, double opacity)
   {
     Style::Show(stage.Volume->GetProperty(),
-      { { outer, Style::Steel, opacity }, { inner + raised, Style::Gold, 0.5 } });
+      { { outer, Style::Steel, opacity }, { inner, Style::Gold, 0.5 } });
   };
   const auto begin = [=](Stage& stage, Drawer& drawer)
   {
     drawer.Mapper->IsomapOff();
-    show(stage, 0.4, 0.0);
+    show(stage, 0.4);
   };
   const auto fade = [=](Stage& stage, Drawer&, int frame)
-  { show(stage, 0.41 + 0.01 * (frame % 2), 0.0); };
-  const auto raise = [=](Stage& stage, Drawer&, int frame)
-  { show(stage, 0.4, stage.ShareOfRange(Step) * (frame + 1)); };
+  { show(stage, 0.41 + 0.01 * (frame % 2)); };
   return { { "recomposite", "Recomposite", "the opacity of one of two see-through surfaces", begin,
-             fade, false },
-    { "keep", "KeepLayers", "the isovalue of one of two see-through surfaces", begin, raise,
-      false } };
+    fade, false } };
 }
 
 Result Measure(Scene& scene, const Row& row, const GallerySettings& settings, std::string& picture)

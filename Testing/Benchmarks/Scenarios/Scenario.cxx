@@ -81,5 +81,5 @@ std::vector<Scenario> Scenarios::All()
 {
   return { Routes(), Peers(), LayerPeers(), Meshes(), ImageCache(), Drift(), Isomap(), Drags(),
     LayerDrags(), Growth(), Threads(), Vectors(), Structures(), Window(), Features(), Opacities(),
-    Surfaces(), Floor(), BlendedVolumes() };
+    Floor(), BlendedVolumes() };
 }

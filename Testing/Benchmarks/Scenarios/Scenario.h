@@ -77,7 +77,6 @@ Scenario Structures();
 Scenario Window();
 Scenario Features();
 Scenario Opacities();
-Scenario Surfaces();
 Scenario Floor();
 Scenario BlendedVolumes();
 

@@ -103,8 +103,7 @@ protected:
       ASSERT_TRUE(IsSamePlane(made.Answers, cold.Answers)) << step;
       ASSERT_TRUE(made.ClearTiles == cold.ClearTiles) << step;
     }
-    const Route route = this->Statistics().Made;
-    if (route == Route::Recomposite || route == Route::KeepLayers)
+    if (this->Statistics().Made == Route::Recomposite)
     {
       ASSERT_EQ(this->Statistics().Layers, ofCold.Layers) << step;
     }
@@ -120,7 +119,7 @@ protected:
     const Route made = this->Statistics().Made;
     ++this->Routes[made];
     // From what routes that look up find out, other answers follow.
-    this->HasColdAnswers = made == Route::Cold || made == Route::KeepLayers ||
+    this->HasColdAnswers = made == Route::Cold ||
       ((made == Route::Recomposite || made == Route::Reshade) && this->HasColdAnswers);
     this->ExpectCold(what);
   }

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace TemporalCoherence
@@ -30,14 +29,6 @@ public:
   /// \param frame must outlive this
   /// \throws std::bad_alloc
   KnownLayers(std::int64_t tile, const PixelRect& part, const Frame& frame);
-
-  /// \param layers in the order of Frame::Layers
-  /// \param ends   Ends()
-  KnownLayers(std::vector<LayerHit> layers, std::uint64_t ends)
-    : Hits(std::move(layers))
-    , Ended(ends)
-  {
-  }
 
   KnownLayers(const KnownLayers&) = delete;
   KnownLayers& operator=(const KnownLayers&) = delete;
@@ -65,7 +56,7 @@ private:
   void TakeFirstOfMerged(
     const PixelRect& part, int width, std::uint64_t merged, const std::vector<LayerHit>& layers);
 
-  std::vector<LayerHit> Hits; ///< of opaque surfaces, or those that were given or are known
+  std::vector<LayerHit> Hits; ///< of opaque surfaces, or those that are known
   std::vector<LayerHit> None;
   const std::vector<LayerHit>* Seen = &this->Hits;
   const std::vector<LayerHit>* Hidden = &this->None;

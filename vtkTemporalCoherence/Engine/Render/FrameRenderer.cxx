@@ -79,8 +79,6 @@ bool FrameRenderer::Make(Route& route, FrameTask& task, CachedImage* nearest)
       return TraceChangedTiles(task, this->Changes);
     case Route::Recomposite:
       return CompositeKnownLayers(task);
-    case Route::KeepLayers:
-      return KeepKnownLayers(task);
     case Route::KeepValues:
       return BlendKnownValues(task);
     case Route::Cold:

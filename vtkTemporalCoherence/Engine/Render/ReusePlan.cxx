@@ -4,9 +4,6 @@
 
 #include "Projections/MetValues.h"
 
-#include <algorithm>
-#include <vector>
-
 namespace TemporalCoherence
 {
 namespace
@@ -30,24 +27,6 @@ bool KnowsLayers(const FrameChange& change, const FrameKey& next, const HeldForR
 {
   return change.Opacity && !change.Data && !change.View && held.IsExact &&
     !next.Isosurfaces.Isovalues.empty();
-}
-
-/// True if some number is in both lists.
-bool HaveCommon(const std::vector<double>& a, std::vector<double> b)
-{
-  std::sort(b.begin(), b.end());
-  return std::any_of(a.begin(), a.end(),
-    [&](double number) { return std::binary_search(b.begin(), b.end(), number); });
-}
-
-/// True if the last picture tells all layers of some surfaces of the next one.
-bool KnowsSomeLayers(
-  const FrameChange& change, const FrameKey& last, const FrameKey& next, const HeldForReuse& held)
-{
-  const Surfaces& before = last.Isosurfaces;
-  const Surfaces& now = next.Isosurfaces;
-  return !change.Data && !change.View && held.IsExact && before.Mode == now.Mode &&
-    before.IsTranslucent() && now.IsTranslucent() && HaveCommon(before.Isovalues, now.Isovalues);
 }
 
 /// The route to or from a picture without isosurfaces.
@@ -86,8 +65,6 @@ const char* NameOf(Route route)
       return "TimeStep";
     case Route::Recomposite:
       return "Recomposite";
-    case Route::KeepLayers:
-      return "KeepLayers";
     case Route::KeepValues:
       return "KeepValues";
   }
@@ -125,10 +102,6 @@ Route PlanRoute(const FrameKey& last, const FrameKey& next, const ReuseSwitches&
   if (change.View)
   {
     return switches.ImageCache && held.Image ? Route::ImageCache : Route::Cold;
-  }
-  if (switches.ImageCache && KnowsSomeLayers(change, last, next, held))
-  {
-    return Route::KeepLayers;
   }
   const std::size_t isovalues = next.Isosurfaces.Isovalues.size();
   if (last.Isosurfaces.Mode != next.Isosurfaces.Mode || isovalues == 0 || change.Opacity)

@@ -21,8 +21,7 @@ enum class Route : std::uint8_t
   ImageCache = 6, ///< another view: a cached image tells where walks may begin (5 is no more)
   TimeStep,       ///< other samples in the same view: tiles that they do not affect are copied
   Recomposite,    ///< only opacities changed: known layers are composited again
-  KeepLayers,     ///< some of several isovalues changed: layers of the others are known
-  KeepValues      ///< a projection's colours changed: what rays have met is known
+  KeepValues = 10 ///< a projection's colours changed: what rays have met is known
 };
 
 /// The route's name as in the documentation, for example "Cold".

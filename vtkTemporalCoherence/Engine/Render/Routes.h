@@ -60,12 +60,6 @@ bool TraceChangedTiles(FrameTask& task, const SampleComparer& changes);
 /// \pre the last frame is exact
 bool CompositeKnownLayers(FrameTask& task);
 
-/// KeepLayers: some isovalues are those of the last frame, and others are new; opacities and the
-/// appearance may have changed, too. Layers of the former are known and those of the latter are
-/// traced. Rays that lead on behind the last known layer are traced for all isovalues from there.
-/// \pre the last frame is exact, and surfaces are translucent in both
-bool KeepKnownLayers(FrameTask& task);
-
 /// IsomapLookup and IsomapBuild: hits are looked up in tiles that have bands, and only unresolved
 /// rays are traced. In other tiles bands are built, as long as the frame does not take much longer
 /// than a cold one, or all rays are traced.

@@ -42,6 +42,11 @@ public:
   /// \param found gets the rays and, if none of them was served by the hint, all hits
   TraceCounts Trace(std::int64_t tile, const PixelRect& part, Frame& frame, TileHits& found) const;
 
+  /// Trace some rays of a tile, one bit each, without a hint.
+  TraceCounts TraceSome(
+    std::int64_t tile, const PixelRect& part, std::uint64_t which, Frame& frame) const;
+
+private:
   /// Set up the rays of a tile, with walks only to where surfaces can be.
   /// \return false if the rays are known to meet nothing. They are not set up then
   bool SetUp(std::int64_t tile, const PixelRect& part, TileHits& found) const;
@@ -51,11 +56,6 @@ public:
   /// \param layers of rays that are set up, begun
   void FindLayers(const RayBatch& rays, LayerBatch& layers) const;
 
-  /// Trace some rays of a tile, one bit each, without a hint.
-  TraceCounts TraceSome(
-    std::int64_t tile, const PixelRect& part, std::uint64_t which, Frame& frame) const;
-
-private:
   bool MayBeCapped(std::int64_t tile) const;
   bool CanSkip(std::int64_t tile) const;
   void Find(const RayBatch& rays, HitBatch& hits) const;

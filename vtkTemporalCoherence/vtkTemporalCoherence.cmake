@@ -124,6 +124,7 @@ set(engine_files
   MeshTiles/ActiveLeaves
   MeshTiles/BoxLevels
   MeshTiles/CellCuts
+  MeshTiles/CellFolds
   MeshTiles/CellValues
   MeshTiles/KernelsBoxes
   MeshTiles/KernelsMeshRays

@@ -60,7 +60,7 @@ public:
     }
   }
 
-  std::uint64_t SearchCells(
+  SearchedCells SearchCells(
     const RayBatch& rays, const RayCells& cells, HitBatch& hits) const override
   {
     SegmentBatch<Real> segments;
@@ -97,7 +97,7 @@ public:
         this->CapBehindHidden(segments, ray, ray, surface, hits);
       }
     }
-    return missing;
+    return { missing, 0 };
   }
 
   void SearchPassed(const RayBatch& rays, PassedCells& cells) const override

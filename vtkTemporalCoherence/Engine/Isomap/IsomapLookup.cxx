@@ -79,8 +79,9 @@ glm::vec3 NormalInCells(const CellKnots& table, const PackedNormal* normals, std
   }
   const BandScale::Key* const paths = table.Get<0>();
   const int way = paths[knot] - paths[knot - 1];
-  const float share =
-    way > 0 ? static_cast<float>(key - paths[knot - 1]) / static_cast<float>(way) : 1.0f;
+  // In a mesh the knot before may reach the key, too, without a surface in its cell.
+  const int ahead = std::max(key - paths[knot - 1], 0);
+  const float share = way > 0 ? static_cast<float>(ahead) / static_cast<float>(way) : 1.0f;
   return MixNormals(normals[knot - 1], normals[knot], share);
 }
 
@@ -353,7 +354,7 @@ void IsomapLookup::FindKnots(const IsovalueKeys& keys, std::uint64_t which,
 /// key of a knot in its cell.
 /// \param missing one bit for each ray that has no surface in the cell of its knot
 /// \param places  of these knots; gets those of the last ones that are searched
-/// \return those for which no surface is found
+/// \return those for which no surface is found, or that share it with other cells
 std::uint64_t IsomapLookup::SearchNextKnots(std::uint64_t missing,
   const RayBatch::Array<std::uint8_t>& directions, const RayBatch& rays, const TileKnots& knots,
   RayCells& cells, RayBatch::Array<std::size_t>& places, HitBatch& hits) const
@@ -379,7 +380,10 @@ std::uint64_t IsomapLookup::SearchNextKnots(std::uint64_t missing,
         cells.Cell[a][ray] = cell[a];
       }
     }
-    missing = cells.Rays != 0 ? this->Tracer->SearchCells(rays, cells, hits) : 0;
+    const SearchedCells searched =
+      cells.Rays != 0 ? this->Tracer->SearchCells(rays, cells, hits) : SearchedCells();
+    missing = searched.Missing;
+    lost |= searched.Shared;
   }
   return lost | missing;
 }
@@ -397,14 +401,16 @@ void IsomapLookup::FindInCells(std::size_t surface, std::uint64_t which,
   cells.Surface = surface;
   RayBatch::Array<std::size_t> places{};
   FindKnots(found.Isovalues[surface], which & RaysOf(rays), directions, knots, cells, places);
-  if (cells.Rays != 0)
+  const std::uint64_t searched = cells.Rays; // further knots have other cells
+  if (searched != 0)
   {
-    const std::uint64_t missing = this->Tracer->SearchCells(rays, cells, hits);
+    const SearchedCells first = this->Tracer->SearchCells(rays, cells, hits);
+    found.Unresolved |= first.Shared;
     found.Unresolved |= this->Key.Samples.Kind->Abilities().IsMesh
-      ? this->SearchNextKnots(missing, directions, rays, knots, cells, places, hits)
-      : missing;
+      ? this->SearchNextKnots(first.Missing, directions, rays, knots, cells, places, hits)
+      : first.Missing;
   }
-  for (std::uint64_t left = this->HasNormals ? cells.Rays : 0; left != 0; left &= left - 1)
+  for (std::uint64_t left = this->HasNormals ? searched : 0; left != 0; left &= left - 1)
   {
     const std::size_t ray = hwy::Num0BitsBelowLS1Bit_Nonzero64(left), direction = directions[ray];
     if (hits.Surface[ray] == static_cast<int>(surface))

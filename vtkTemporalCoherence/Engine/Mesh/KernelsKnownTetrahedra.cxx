@@ -88,7 +88,8 @@ void KnownCrossingsOf(const SortedTetrahedra& tetrahedra, const TileArray<std::u
   const Doubles d;
   SortedTetrahedra ofRays;
   const std::uint64_t all = TakeCells(tetrahedra, cells, count, ofRays);
-  found.Met = found.Rising = 0;
+  constexpr double touching = 0x1p-36; // more than rounding errors of distances
+  found.Met = found.Rising = found.AtEnds = 0;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     ForEachVector(all & rays.Along[axis],
@@ -103,6 +104,8 @@ void KnownCrossingsOf(const SortedTetrahedra& tetrahedra, const TileArray<std::u
               hn::Le(crossings.T, hn::LoadU(d, &rays.End[i]))));
         const std::uint8_t bits[8] = { static_cast<std::uint8_t>(met) };
         hn::BlendedStore(crossings.T, hn::LoadMaskBits(d, bits), d, &found.T[i]);
+        const auto last = hn::Sub(span.Out, hn::Mul(hn::Set(d, touching), hn::Abs(span.Out)));
+        found.AtEnds |= (met & BitsOf(d, hn::Ge(crossings.T, last))) << i;
         found.Met |= met << i;
         found.Rising |= crossings.Rising << i;
       });

@@ -91,6 +91,7 @@ struct KnownCrossings
 {
   std::uint64_t Met = 0;    ///< one bit for each ray with a crossing
   std::uint64_t Rising = 0; ///< one bit for each ray that comes from outside
+  std::uint64_t AtEnds = 0; ///< one bit for each that meets it where it leaves the cell
   TileArray<double> T;      ///< of rays with a crossing
 };
 

@@ -168,13 +168,15 @@ void MeshBandRays::Enter(const MeshPassage& passage, double error)
   }
 }
 
-/// True if a ray enters a cell before it has left the last ones.
+/// True if a ray enters a cell before it has left the last ones, or where it has entered the last
+/// one.
 bool MeshBandRays::Overlaps(const MeshPassage& passage) const
 {
   // Distances of a face differ by rounding errors from cell to cell.
   constexpr double slack = 1e-9;
-  const double left = this->OfRay[passage.Ray].Left;
-  return passage.In < left - slack * std::abs(left);
+  const Progress& progress = this->OfRay[passage.Ray];
+  return passage.In < progress.Left - slack * std::abs(progress.Left) ||
+    passage.In <= progress.Came + slack * std::abs(progress.Came);
 }
 
 /// True if a ray left the mesh and enters it again where isovalues of the band lie between what it
@@ -195,6 +197,7 @@ bool MeshBandRays::Jumps(const MeshPassage& passage, double error) const
 void MeshBandRays::TakeNote(const MeshPassage& passage)
 {
   Progress& progress = this->OfRay[passage.Ray];
+  progress.Came = passage.In;
   progress.Left = std::max(progress.Left, passage.Out);
   const double error = this->ErrorOf(passage);
   if (!passage.IsSimple || (passage.BeginsHere && !this->IsSolid) || this->Jumps(passage, error))

@@ -36,7 +36,8 @@ struct MeshPassage
 /// behind both places does not matter, whatever lies between them.
 ///
 /// Rays that are in two cells at once are given up: an isovalue that is known to be met in one may
-/// be met nearer in the other. So are rays that pass a cell twice: look-ups search it as a whole,
+/// be met nearer in the other. So are rays that only touch a cell, at an edge, as it may hold the
+/// same surface as the next one, and rays that pass a cell twice: look-ups search it as a whole,
 /// and might find what lies behind other cells.
 class MeshBandRays
 {
@@ -44,6 +45,9 @@ public:
   MeshBandRays(const BandScene& scene, const RayBatch& rays);
 
   void Append(const MeshPassage& passage);
+
+  /// A look-up would not know what a ray meets.
+  void GiveUp(std::size_t ray);
 
   /// Where each ray has passed the whole band, or ends.
   const RayBatch::Array<double>& Limits() const { return this->Ends; }
@@ -64,6 +68,7 @@ private:
   {
     std::array<double, NumberOfDirections> Reached{};       ///< infinity: nothing ahead matters
     std::array<BandScale::Key, NumberOfDirections> Noted{}; ///< of the last knots
+    double Came = -std::numeric_limits<double>::infinity(); ///< into the last cell
     double Left = -std::numeric_limits<double>::infinity(); ///< the cells up to now
     bool HasEntered = false;
   };
@@ -82,7 +87,6 @@ private:
   bool Overlaps(const MeshPassage& passage) const;
   bool Jumps(const MeshPassage& passage, double error) const;
   void Enter(const MeshPassage& passage, double error);
-  void GiveUp(std::size_t ray);
 
   const BandScene& Scene;
   const RayBatch& Rays;

@@ -253,16 +253,57 @@ struct PackedRays
   std::array<std::uint8_t, MeshKernels::MeshRays::Capacity> From;
 };
 
+/// Rays that pass a hexahedron so closely that a search, which allows for rounding errors, might
+/// find crossings in it. One bit for each, by its place among the packed ones.
+/// \param spans of all of them in the cell
+std::uint64_t RaysBeside(
+  const PreparedHexahedron& cell, const PackedRays& packed, const MeshKernels::CellSpans& spans)
+{
+  constexpr double larger = 1.0 + 1e-8; // rounding errors are smaller up to 10^6 cells away
+  std::uint64_t beside = 0;
+  for (std::size_t at = 0; at < packed.Rays.Count; ++at)
+  {
+    beside |= static_cast<std::uint64_t>(spans.Count[at] == 0) << at;
+  }
+  if (beside == 0)
+  {
+    return 0;
+  }
+  glm::dvec3 middle(0.0);
+  for (const glm::dvec3& point : cell.Cell.Points)
+  {
+    middle += 0.125 * point;
+  }
+  MeshCell around = cell.Cell;
+  for (glm::dvec3& point : around.Points)
+  {
+    point = middle + larger * (point - middle);
+  }
+  MeshKernels::CellSpans spansAround;
+  MeshKernels::HexahedronSpans(around, cell.Differences, packed.Rays, beside, spansAround);
+  std::uint64_t close = 0;
+  ForEachRay(beside,
+    [&](std::size_t at) { close |= static_cast<std::uint64_t>(spansAround.Count[at] > 0) << at; });
+  return close;
+}
+
 }
 
 void MeshBandTracer::Append(const PreparedHexahedron& cell, const CellIndex& index,
   const MeshTile& tile, std::uint64_t which, MeshBandRays& band) const
 {
+  if (cell.Folds)
+  {
+    ForEachRay(which, [&](std::size_t ray) { band.GiveUp(ray); });
+    return;
+  }
   MeshKernels::CellSpans spans;
   const PackedRays packed(tile.InMesh, which);
   const std::size_t count = packed.Rays.Count;
   MeshKernels::HexahedronSpans(cell.Cell, cell.Differences, packed.Rays,
     ~std::uint64_t(0) >> (MeshKernels::MeshRays::Capacity - count), spans);
+  ForEachRay(
+    RaysBeside(cell, packed, spans), [&](std::size_t at) { band.GiveUp(packed.From[at]); });
   const auto& differences = cell.Differences;
   const bool isFinite = AreFinite(differences.data(), differences.size());
   const auto [least, most] = std::minmax_element(differences.begin(), differences.end());

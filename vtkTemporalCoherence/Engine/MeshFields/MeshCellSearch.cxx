@@ -12,6 +12,7 @@
 #include "Trace/HitRules.h"
 
 #include <array>
+#include <cmath>
 
 #include <hwy/base.h>
 
@@ -37,6 +38,37 @@ bool KeepNearest(const MetInCell& met, const std::vector<double>& isovalues, Hit
   hits.Cell[met.Ray] = met.Cell;
   hits.Gradients.Forget(met.Ray);
   return true;
+}
+
+namespace
+{
+
+/// One bit for each ray, by its place among those that are searched, with a crossing where it
+/// leaves the cell, within rounding, or where it does not pass the cell at all.
+std::uint64_t CrossingsAtEnds(const RecentHexahedron& cell, const MeshKernels::MeshRays& rays,
+  const MeshKernels::Crossings& found)
+{
+  std::uint64_t which = 0, atEnds = 0;
+  for (std::size_t k = 0; k < found.Count; ++k)
+  {
+    which |= std::uint64_t(1) << found.Ray[k];
+  }
+  if (which == 0)
+  {
+    return 0;
+  }
+  MeshKernels::CellSpans spans;
+  MeshKernels::HexahedronSpans(cell.Cell, cell.Differences, rays, which, spans);
+  for (std::size_t k = 0; k < found.Count; ++k)
+  {
+    const std::size_t ray = found.Ray[k], count = spans.Count[ray];
+    const double out = count > 0 ? spans.Spans[ray][count - 1].Out : found.T[k];
+    const bool isAtEnd = found.T[k] >= out - TouchingPlaces * std::abs(out);
+    atEnds |= static_cast<std::uint64_t>(isAtEnd) << ray;
+  }
+  return atEnds;
+}
+
 }
 
 /// The cells that rays are to be searched in: all rays of one cell are searched together.
@@ -173,39 +205,37 @@ private:
   const MeshKernels::MeshRays& Rays;
 };
 
-std::uint64_t MeshCellSearch::Search(
+SearchedCells MeshCellSearch::Search(
   const RayBatch& rays, const RayCells& cells, HitBatch& hits) const
 {
   const KnownCells known(cells, this->Tree, this->Recent);
   hits.CellsRead += static_cast<std::int64_t>(known.Count);
-  return cells.Rays &
-    ~(this->Isosurfaces.Mode == SurfaceMode::Threshold
-        ? this->SearchSolid(known, cells.Surface, rays, hits)
-        : this->SearchCrossings(known, cells.Surface, rays, hits));
+  const FoundInCells found = this->Isosurfaces.Mode == SurfaceMode::Threshold
+    ? this->SearchSolid(known, cells.Surface, rays, hits)
+    : this->SearchCrossings(known, cells.Surface, rays, hits);
+  return { cells.Rays & ~found.Met, found.AtEnds };
 }
 
-/// \return one bit for each ray that meets the surface
-std::uint64_t MeshCellSearch::SearchCrossings(
+MeshCellSearch::FoundInCells MeshCellSearch::SearchCrossings(
   const KnownCells& known, std::size_t surface, const RayBatch& rays, HitBatch& hits) const
 {
   MeshKernels::MeshRays inMesh;
   SetUpMeshRays(rays, this->Tree, RayLimits::BeginToEnd, inMesh);
   const ReadTetrahedra tetrahedra(known);
-  std::uint64_t met = 0;
+  FoundInCells found, others;
   if (tetrahedra.Cells.Count > 0)
   {
-    met |= this->SearchTetrahedra(tetrahedra, surface, inMesh, hits);
+    found = this->SearchTetrahedra(tetrahedra, surface, inMesh, hits);
   }
   if (tetrahedra.Cells.Count < known.Count)
   {
-    met |= this->SearchHexahedra(known, surface, inMesh, hits);
+    others = this->SearchHexahedra(known, surface, inMesh, hits);
   }
-  return met;
+  return { found.Met | others.Met, found.AtEnds | others.AtEnds };
 }
 
-/// \return one bit for each ray that meets the surface in a tetrahedron
-std::uint64_t MeshCellSearch::SearchTetrahedra(const ReadTetrahedra& cells, std::size_t surface,
-  const MeshKernels::MeshRays& inMesh, HitBatch& hits) const
+MeshCellSearch::FoundInCells MeshCellSearch::SearchTetrahedra(const ReadTetrahedra& cells,
+  std::size_t surface, const MeshKernels::MeshRays& inMesh, HitBatch& hits) const
 {
   MeshKernels::SortedTetrahedra sorted;
   const std::uint64_t passed = SortTetrahedra(cells.Cells, this->Differences[surface], sorted);
@@ -239,16 +269,15 @@ std::uint64_t MeshCellSearch::SearchTetrahedra(const ReadTetrahedra& cells, std:
         }
       });
   }
-  return found.Met;
+  return { found.Met, found.AtEnds };
 }
 
-/// \return one bit for each ray that meets the surface in another cell
-std::uint64_t MeshCellSearch::SearchHexahedra(const KnownCells& known, std::size_t surface,
-  const MeshKernels::MeshRays& inMesh, HitBatch& hits) const
+MeshCellSearch::FoundInCells MeshCellSearch::SearchHexahedra(const KnownCells& known,
+  std::size_t surface, const MeshKernels::MeshRays& inMesh, HitBatch& hits) const
 {
   RaysInOrder inOrder(inMesh);
   const std::vector<double>& isovalues = this->Isosurfaces.Isovalues;
-  std::uint64_t met = 0;
+  FoundInCells all;
   for (std::size_t i = 0; i < known.Count; ++i)
   {
     RecentHexahedron* const each = known.Hexahedra[i];
@@ -260,20 +289,22 @@ std::uint64_t MeshCellSearch::SearchHexahedra(const KnownCells& known, std::size
     MeshKernels::Crossings found;
     MeshKernels::HexahedronCrossings(
       each->Functions, each->Cell, each->Differences, inOrder.InMesh, places, found);
+    const std::uint64_t atEnds = CrossingsAtEnds(*each, inOrder.InMesh, found);
     for (std::size_t k = 0; k < found.Count; ++k)
     {
       const std::uint8_t ray = inOrder.Ray[found.Ray[k]];
-      met |= std::uint64_t(1) << ray;
+      all.Met |= std::uint64_t(1) << ray;
+      all.AtEnds |= (atEnds >> found.Ray[k] & 1u) << ray;
       KeepNearest({ { found.T[k], HitRules::KindOf(!found.Rises[k]), isovalues[surface] },
                     static_cast<std::int16_t>(surface), ray, each->Number },
         isovalues, hits);
     }
   }
-  return met;
+  return all;
 }
 
 /// The same for a solid.
-std::uint64_t MeshCellSearch::SearchSolid(
+MeshCellSearch::FoundInCells MeshCellSearch::SearchSolid(
   const KnownCells& known, std::size_t surface, const RayBatch& rays, HitBatch& hits) const
 {
   MeshKernels::MeshRays inMesh;
@@ -290,15 +321,16 @@ std::uint64_t MeshCellSearch::SearchSolid(
     }
   }
   const std::vector<double>& isovalues = this->Isosurfaces.Isovalues;
-  std::uint64_t met = 0;
+  FoundInCells found;
   for (const SolidPart& part : parts)
   {
-    met |= std::uint64_t(1) << part.Ray;
+    found.Met |= std::uint64_t(1) << part.Ray;
+    found.AtEnds |= static_cast<std::uint64_t>(part.IsAtEnd) << part.Ray;
     KeepNearest({ { part.From, part.Kind, isovalues[surface] }, static_cast<std::int16_t>(surface),
                   part.Ray, part.Cell },
       isovalues, hits);
   }
-  return met;
+  return found;
 }
 
 }

@@ -52,19 +52,25 @@ public:
   }
 
   /// As SurfaceTracer::SearchCells.
-  std::uint64_t Search(const RayBatch& rays, const RayCells& cells, HitBatch& hits) const;
+  SearchedCells Search(const RayBatch& rays, const RayCells& cells, HitBatch& hits) const;
 
 private:
+  /// One bit for each ray that meets the surface, and for each that meets it where it leaves its
+  /// cell.
+  struct FoundInCells
+  {
+    std::uint64_t Met = 0, AtEnds = 0;
+  };
   struct KnownCells;
   struct RaysInOrder;
   struct ReadTetrahedra;
-  std::uint64_t SearchCrossings(
+  FoundInCells SearchCrossings(
     const KnownCells& known, std::size_t surface, const RayBatch& rays, HitBatch& hits) const;
-  std::uint64_t SearchTetrahedra(const ReadTetrahedra& cells, std::size_t surface,
+  FoundInCells SearchTetrahedra(const ReadTetrahedra& cells, std::size_t surface,
     const MeshKernels::MeshRays& inMesh, HitBatch& hits) const;
-  std::uint64_t SearchHexahedra(const KnownCells& known, std::size_t surface,
+  FoundInCells SearchHexahedra(const KnownCells& known, std::size_t surface,
     const MeshKernels::MeshRays& inMesh, HitBatch& hits) const;
-  std::uint64_t SearchSolid(
+  FoundInCells SearchSolid(
     const KnownCells& known, std::size_t surface, const RayBatch& rays, HitBatch& hits) const;
 
   const Surfaces& Isosurfaces;

@@ -37,6 +37,7 @@ public:
   /// \param crossings ascending
   void Follow(const MeshKernels::CellSpan& span, const Crossing* crossings, std::size_t count)
   {
+    this->LastPlace = span.Out - TouchingPlaces * std::abs(span.Out);
     bool isInside = span.AtIn >= 0.0, isCrossed = false;
     double from = span.In;
     HitKind kind = HitKind::Cap;
@@ -82,10 +83,12 @@ private:
       from = this->Begin;
       kind = HitKind::Cap;
     }
-    this->Parts.push_back({ from, std::min(to, this->End), kind, this->Ray, this->Cell });
+    this->Parts.push_back(
+      { from, std::min(to, this->End), kind, this->Ray, this->Cell, from >= this->LastPlace });
   }
 
   double Begin, End;
+  double LastPlace = 0.0; ///< before which parts do not begin at the end of the cell
   std::uint8_t Ray;
   CellNumber Cell;
   std::vector<SolidPart>& Parts;

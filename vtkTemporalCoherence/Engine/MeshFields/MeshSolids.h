@@ -14,6 +14,10 @@
 namespace TemporalCoherence
 {
 
+/// Two places on a ray, in cells that touch, are one if they are no farther apart than rounding may
+/// move them, as a share of the distance.
+constexpr double TouchingPlaces = 0x1p-36;
+
 /// A part of a ray that is inside a THRESHOLD solid in one cell.
 struct SolidPart
 {
@@ -21,6 +25,7 @@ struct SolidPart
   HitKind Kind; ///< Entry: it begins where the field rises; Cap: where the ray enters the cell
   std::uint8_t Ray;
   CellNumber Cell;
+  bool IsAtEnd; ///< it begins where the ray leaves the cell, within rounding
 };
 
 /// Append the parts of rays that are inside a cell's solid, between Begin and End of the rays.

@@ -105,7 +105,7 @@ void MeshTracer::Trace(const RayBatch& rays, HitBatch& hits) const
     });
 }
 
-std::uint64_t MeshTracer::SearchCells(
+SearchedCells MeshTracer::SearchCells(
   const RayBatch& rays, const RayCells& cells, HitBatch& hits) const
 {
   std::shared_ptr<RecentHexahedra>& recent = this->Recent.Local();
@@ -178,15 +178,6 @@ void MeshTracer::FindCrossings(const MeshTile& tile, std::uint64_t wanted, std::
     });
 }
 
-namespace
-{
-
-/// Parts of a ray in two cells touch if they are no farther apart than rounding may move their
-/// ends, as a share of the distance.
-constexpr double Touching = 0x1p-36;
-
-}
-
 /// Where rays enter solids: parts in cells that touch are one.
 void MeshTracer::FindSolids(const MeshTile& tile, std::uint64_t wanted, std::int64_t& cellsRead,
   std::vector<MetInCell>& all) const
@@ -215,7 +206,7 @@ void MeshTracer::FindSolids(const MeshTile& tile, std::uint64_t wanted, std::int
     {
       const SolidPart& part = parts[i];
       const bool isNew =
-        i == 0 || part.Ray != parts[i - 1].Ray || part.From - end > Touching * std::abs(end);
+        i == 0 || part.Ray != parts[i - 1].Ray || part.From - end > TouchingPlaces * std::abs(end);
       if (isNew)
       {
         all.push_back({ { part.From, part.Kind, this->IsovalueOf(surface) },

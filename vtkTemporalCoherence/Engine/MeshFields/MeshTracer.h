@@ -38,7 +38,7 @@ public:
   void FindNext(const RayBatch& rays, HitBatch& hits) const override;
   void FindLayers(const RayBatch& rays, LayerBatch& layers) const override;
   bool FindsLayersTogether(const RayBatch&) const override { return true; }
-  std::uint64_t SearchCells(
+  SearchedCells SearchCells(
     const RayBatch& rays, const RayCells& cells, HitBatch& hits) const override;
 
 private:

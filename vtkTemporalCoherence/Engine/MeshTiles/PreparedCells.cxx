@@ -3,6 +3,7 @@
 #include "MeshTiles/PreparedCells.h"
 
 #include "MeshTiles/CellCuts.h"
+#include "MeshTiles/CellFolds.h"
 #include "MeshTiles/CellValues.h"
 #include "Scene/LayerBatch.h"
 
@@ -176,6 +177,7 @@ private:
     if (this->Purpose == CellPurpose::Bands)
     {
       cell.Values = NearlyLinearOf(points, cell.Differences);
+      cell.Folds = MeshKernels::MayFold(cell.Cell);
     }
     for (glm::dvec3& point : points)
     {

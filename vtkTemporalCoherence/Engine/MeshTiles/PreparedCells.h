@@ -55,6 +55,7 @@ struct PreparedHexahedron
   MeshKernels::CellDifferences Differences;
   MeshKernels::HexahedronFunctions Functions; ///< only for crossings
   NearlyLinear Values;                        ///< of differences; only for bands
+  bool Folds = false;                         ///< MayFold(); only for bands
   FloatBox Box;                               ///< in index space, rounded as those of BoxLanes
 };
 

@@ -38,7 +38,7 @@ public:
     this->Layers.FindNext(this->Cells, rays, hits);
   }
 
-  std::uint64_t SearchCells(
+  SearchedCells SearchCells(
     const RayBatch& rays, const RayCells& cells, HitBatch& hits) const override
   {
     const auto surface = static_cast<std::int16_t>(cells.Surface);
@@ -54,7 +54,7 @@ public:
       this->Cells.Keep(segment, found, surface, ray, hits);
     }
     hits.CellsRead += static_cast<std::int64_t>(hwy::PopCount(cells.Rays));
-    return missing;
+    return { missing, 0 };
   }
 
   bool AppendIn(const RayBatch& rays, std::size_t ray, const glm::ivec3& cell,

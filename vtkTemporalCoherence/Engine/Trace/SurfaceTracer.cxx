@@ -71,9 +71,9 @@ void SurfaceTracer::SearchPassed(const RayBatch&, PassedCells& cells) const
   cells.Open = ~std::uint64_t(0);
 }
 
-std::uint64_t SurfaceTracer::SearchCells(const RayBatch&, const RayCells& cells, HitBatch&) const
+SearchedCells SurfaceTracer::SearchCells(const RayBatch&, const RayCells& cells, HitBatch&) const
 {
-  return cells.Rays;
+  return { cells.Rays, 0 };
 }
 
 }

@@ -50,6 +50,14 @@ struct RayCells
   }
 };
 
+/// What a search of cells leaves open, one bit for each ray.
+struct SearchedCells
+{
+  std::uint64_t Missing = 0; ///< it does not meet the surface in its cell
+  std::uint64_t Shared =
+    0; ///< it meets the surface where it leaves the cell: others may have it, too
+};
+
 /// Cells in which rays may meet one surface, each of some ray of a batch, and what the search of
 /// them finds.
 struct PassedCells
@@ -120,8 +128,7 @@ public:
   /// Search only the given cells for one surface. A surface nearer than the hit of its ray becomes
   /// the hit. Only called for kinds that have isomaps.
   /// Thread-safe.
-  /// \return one bit for each ray without the surface in its cell
-  virtual std::uint64_t SearchCells(
+  virtual SearchedCells SearchCells(
     const RayBatch& rays, const RayCells& cells, HitBatch& hits) const;
 
   /// Search cells for one surface, where that can be done for many at once. By default none is.

@@ -5,12 +5,12 @@
 // several levels, no ray through the faces between them finds a hole.
 
 #include "Adaptive/AmrMesh.h"
-#include "AmrGrids.h"
 #include "Checks/AreIdentical.h"
 #include "Checks/Expect.h"
 #include "Checks/Sanitized.h"
 #include "LinearCells.h"
 #include "Scenes/Scene.h"
+#include "Volumes/AmrGrids.h"
 
 #include <vtkAbstractMapper.h>
 #include <vtkMultiBlockDataSet.h>

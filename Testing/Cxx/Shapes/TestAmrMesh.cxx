@@ -6,9 +6,9 @@
 // centres without a gap, and their values are those of the cells.
 
 #include "Adaptive/AmrMesh.h"
-#include "AmrGrids.h"
 #include "Checks/Expect.h"
 #include "LinearCells.h"
+#include "Volumes/AmrGrids.h"
 
 #include <vtkAMRGaussianPulseSource.h>
 #include <vtkAbstractMapper.h>

@@ -4,11 +4,11 @@
 // What it takes to draw cells that are made: memory within a limit, progress, and no more than new
 // values need.
 
-#include "AmrGrids.h"
 #include "Checks/EventCounter.h"
 #include "Checks/Expect.h"
 #include "CurvedGrids.h"
 #include "Scenes/Scene.h"
+#include "Volumes/AmrGrids.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkPointData.h>

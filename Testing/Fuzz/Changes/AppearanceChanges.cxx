@@ -270,13 +270,13 @@ void NewProperty(World& world)
 
 const std::vector<ChangeKind>& OfIsovalues()
 {
-  // Anything, Sweep, Orbit, TimeSteps, Looks, Wrecks
+  // Anything, Sweep, Orbit, TimeSteps, Looks, Wrecks, Layers
   static const std::vector<ChangeKind> kinds = {
-    { "one isovalue", { 8, 40, 3, 3, 2, 8 }, OneIsovalue },
-    { "a small step of isovalues", { 8, 60, 3, 2, 1, 4 }, SmallStep },
-    { "the next number as isovalue", { 2, 12, 1, 1, 1, 2 }, NextNumber },
-    { "several isovalues", { 5, 10, 2, 2, 2, 8 }, SeveralIsovalues },
-    { "one of several isovalues", { 5, 20, 2, 2, 8, 8 }, OneOfSeveral },
+    { "one isovalue", { 8, 40, 3, 3, 2, 8, 6 }, OneIsovalue },
+    { "a small step of isovalues", { 8, 60, 3, 2, 1, 4, 24 }, SmallStep },
+    { "the next number as isovalue", { 2, 12, 1, 1, 1, 2, 3 }, NextNumber },
+    { "several isovalues", { 5, 10, 2, 2, 2, 8, 14 }, SeveralIsovalues },
+    { "one of several isovalues", { 5, 20, 2, 2, 8, 8, 40 }, OneOfSeveral },
   };
   return kinds;
 }
@@ -284,14 +284,14 @@ const std::vector<ChangeKind>& OfIsovalues()
 const std::vector<ChangeKind>& OfAppearance()
 {
   static const std::vector<ChangeKind> kinds = {
-    { "opacities", { 4, 2, 2, 1, 12, 6 }, SetOpacities },
-    { "opaque", { 3, 2, 2, 2, 6, 3 }, MakeOpaque },
-    { "opacities of gradient magnitude", { 3, 1, 1, 1, 6, 4 }, SetGradientOpacities },
-    { "colours", { 4, 2, 2, 1, 30, 4 }, SetColors },
-    { "material", { 4, 2, 2, 1, 30, 6 }, SetMaterial },
-    { "components", { 2, 1, 1, 1, 2, 4 }, SetComponents },
-    { "interpolation", { 3, 2, 1, 2, 1, 2 }, SetInterpolation },
-    { "a new property", { 1, 0, 0, 0, 2, 1 }, NewProperty },
+    { "opacities", { 4, 2, 2, 1, 12, 6, 20 }, SetOpacities },
+    { "opaque", { 3, 2, 2, 2, 6, 3, 4 }, MakeOpaque },
+    { "opacities of gradient magnitude", { 3, 1, 1, 1, 6, 4, 6 }, SetGradientOpacities },
+    { "colours", { 4, 2, 2, 1, 30, 4, 8 }, SetColors },
+    { "material", { 4, 2, 2, 1, 30, 6, 6 }, SetMaterial },
+    { "components", { 2, 1, 1, 1, 2, 4, 1 }, SetComponents },
+    { "interpolation", { 3, 2, 1, 2, 1, 2, 1 }, SetInterpolation },
+    { "a new property", { 1, 0, 0, 0, 2, 1, 1 }, NewProperty },
   };
   return kinds;
 }

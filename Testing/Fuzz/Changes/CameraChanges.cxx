@@ -290,21 +290,21 @@ void OtherRenderer(World& world)
 
 const std::vector<ChangeKind>& OfCamera()
 {
-  // Anything, Sweep, Orbit, TimeSteps, Looks, Wrecks
+  // Anything, Sweep, Orbit, TimeSteps, Looks, Wrecks, Layers
   static const std::vector<ChangeKind> kinds = {
-    { "a look", { 4, 2, 4, 1, 1, 6 }, PlaceCamera },
-    { "a look along an axis", { 2, 1, 2, 1, 0, 2 }, LookAlongAxis },
-    { "a turn", { 10, 1, 60, 2, 2, 2 }, Turn },
-    { "nearer", { 5, 0, 12, 1, 0, 4 }, Approach },
-    { "a shift", { 5, 0, 12, 1, 0, 4 }, Shift },
-    { "another place", { 2, 0, 2, 0, 0, 12 }, Place },
-    { "inside", { 1, 1, 2, 0, 0, 2 }, GoInside },
-    { "the lens", { 3, 1, 4, 1, 1, 10 }, ChangeLens },
-    { "the clipping range", { 3, 1, 4, 1, 0, 8 }, ChangeRange },
-    { "transforms of the camera", { 1, 0, 1, 0, 0, 4 }, Transform },
-    { "the size of the picture", { 3, 1, 2, 1, 1, 6 }, Resize },
-    { "a new camera", { 1, 0, 1, 0, 0, 1 }, NewCamera },
-    { "the other renderer", { 2, 2, 2, 1, 2, 1 }, OtherRenderer },
+    { "a look", { 4, 2, 4, 1, 1, 6, 3 }, PlaceCamera },
+    { "a look along an axis", { 2, 1, 2, 1, 0, 2, 1 }, LookAlongAxis },
+    { "a turn", { 10, 1, 60, 2, 2, 2, 8 }, Turn },
+    { "nearer", { 5, 0, 12, 1, 0, 4, 0 }, Approach },
+    { "a shift", { 5, 0, 12, 1, 0, 4, 0 }, Shift },
+    { "another place", { 2, 0, 2, 0, 0, 12, 0 }, Place },
+    { "inside", { 1, 1, 2, 0, 0, 2, 1 }, GoInside },
+    { "the lens", { 3, 1, 4, 1, 1, 10, 1 }, ChangeLens },
+    { "the clipping range", { 3, 1, 4, 1, 0, 8, 1 }, ChangeRange },
+    { "transforms of the camera", { 1, 0, 1, 0, 0, 4, 0 }, Transform },
+    { "the size of the picture", { 3, 1, 2, 1, 1, 6, 1 }, Resize },
+    { "a new camera", { 1, 0, 1, 0, 0, 1, 0 }, NewCamera },
+    { "the other renderer", { 2, 2, 2, 1, 2, 1, 2 }, OtherRenderer },
   };
   return kinds;
 }

@@ -9,22 +9,41 @@ namespace Changes
 namespace
 {
 
-const std::vector<const ChangeKind*>& All()
+using Kinds = std::vector<const ChangeKind*>;
+
+void Append(Kinds& kinds, const std::vector<ChangeKind>& group)
 {
-  static const auto all = []
+  for (const ChangeKind& kind : group)
   {
-    std::vector<const ChangeKind*> kinds;
-    for (const auto* group : { &OfData(), &OfCamera(), &OfIsovalues(), &OfAppearance(), &OfLights(),
-           &OfRegion(), &OfTransform(), &OfSettings() })
-    {
-      for (const ChangeKind& kind : *group)
-      {
-        kinds.push_back(&kind);
-      }
-    }
-    return kinds;
-  }();
-  return all;
+    kinds.push_back(&kind);
+  }
+}
+
+Kinds MakeKinds(bool ofMeshes, bool ofManyLayers)
+{
+  Kinds kinds;
+  for (const auto* group : { &OfData(), &OfCamera(), &OfIsovalues(), &OfAppearance(), &OfLights(),
+         &OfRegion(), &OfTransform(), &OfSettings() })
+  {
+    Append(kinds, *group);
+  }
+  if (ofMeshes)
+  {
+    Append(kinds, OfMeshes());
+  }
+  if (ofManyLayers)
+  {
+    Append(kinds, OfManyLayers());
+  }
+  return kinds;
+}
+
+/// All that may happen in a world.
+const Kinds& KindsOf(const World& world)
+{
+  static const Kinds ofLattices = MakeKinds(false, false), ofMeshes = MakeKinds(true, false),
+                     ofLarge = MakeKinds(true, true);
+  return world.IsLarge ? ofLarge : world.IsOfMeshes ? ofMeshes : ofLattices;
 }
 
 }
@@ -33,12 +52,12 @@ void MakeOne(World& world)
 {
   const auto theme = static_cast<std::size_t>(world.About);
   int sum = 0;
-  for (const ChangeKind* kind : All())
+  for (const ChangeKind* kind : KindsOf(world))
   {
     sum += kind->Weights[theme];
   }
   int choice = world.From.Pick(sum);
-  for (const ChangeKind* kind : All())
+  for (const ChangeKind* kind : KindsOf(world))
   {
     choice -= kind->Weights[theme];
     if (choice < 0)

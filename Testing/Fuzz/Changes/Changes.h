@@ -15,6 +15,8 @@ namespace Changes
 {
 
 const std::vector<ChangeKind>& OfData();
+const std::vector<ChangeKind>& OfMeshes();
+const std::vector<ChangeKind>& OfManyLayers();
 const std::vector<ChangeKind>& OfCamera();
 const std::vector<ChangeKind>& OfIsovalues();
 const std::vector<ChangeKind>& OfAppearance();

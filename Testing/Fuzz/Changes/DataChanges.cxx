@@ -23,7 +23,7 @@ namespace
 
 void NewInput(World& world)
 {
-  Inputs::Show(world, Inputs::MakeAny(world));
+  Inputs::Show(world, world.IsOfMeshes ? Inputs::MakeMesh(world) : Inputs::MakeAny(world));
 }
 
 void EarlierInput(World& world)
@@ -50,7 +50,7 @@ void NextTimeStep(World& world)
   next->GetDimensions(dimensions);
   if (scalars && world.From.Pick(4) != 0)
   {
-    Arrays::Rewrite(world, scalars, dimensions, false);
+    Arrays::Rewrite(world, scalars, Arrays::PlacesOf(dimensions), false);
   }
   Inputs::Show(world, next);
 }
@@ -66,7 +66,7 @@ void WriteSamples(World& world)
   }
   int dimensions[3];
   image->GetDimensions(dimensions);
-  Arrays::Rewrite(world, scalars, dimensions, world.From.OneIn(8));
+  Arrays::Rewrite(world, scalars, Arrays::PlacesOf(dimensions), world.From.OneIn(8));
   const int told = world.From.Pick(12);
   if (told == 11)
   {
@@ -157,24 +157,11 @@ void ChangeArrays(World& world)
   }
   vtkPointData* points = data->GetPointData();
   vtkDataArray* scalars = points->GetScalars();
-  int dimensions[3] = { 4, 4, 4 };
-  if (auto* image = vtkImageData::SafeDownCast(data))
-  {
-    image->GetDimensions(dimensions);
-  }
-  else if (auto* grid = vtkRectilinearGrid::SafeDownCast(data))
-  {
-    grid->GetDimensions(dimensions);
-  }
-  for (int& length : dimensions)
-  {
-    length = std::max(length, 0);
-  }
   switch (from.IsWild() ? from.Pick(6) : 0)
   {
     case 0:
     {
-      const auto array = Arrays::Make(world, dimensions);
+      const auto array = Arrays::Make(world, Arrays::PlacesOf(data, false));
       Arrays::Survey(world, array);
       points->SetScalars(array);
       break;
@@ -253,19 +240,19 @@ void BlankSome(World& world)
 
 const std::vector<ChangeKind>& OfData()
 {
-  // Anything, Sweep, Orbit, TimeSteps, Looks, Wrecks
+  // Anything, Sweep, Orbit, TimeSteps, Looks, Wrecks, Layers
   static const std::vector<ChangeKind> kinds = {
-    { "another input", { 8, 1, 1, 2, 1, 20 }, NewInput },
-    { "an earlier input", { 4, 1, 1, 6, 0, 4 }, EarlierInput },
-    { "the next time step", { 5, 1, 1, 40, 0, 2 }, NextTimeStep },
-    { "samples written in place", { 5, 0, 1, 20, 0, 4 }, WriteSamples },
-    { "few samples written in place", { 3, 1, 1, 40, 0, 1 }, WriteFewSamples },
-    { "the image moved", { 3, 0, 0, 2, 0, 5 }, MoveImage },
-    { "ghosts", { 4, 1, 1, 4, 1, 6 }, ChangeGhosts },
-    { "arrays", { 2, 0, 0, 1, 0, 12 }, ChangeArrays },
-    { "coordinates", { 2, 0, 0, 2, 0, 3 }, ChangeCoordinates },
-    { "data forgotten", { 1, 0, 0, 1, 0, 1 }, ForgetShelf },
-    { "a blank cell", { 1, 0, 0, 2, 0, 1 }, BlankSome },
+    { "another input", { 8, 1, 1, 2, 1, 20, 2 }, NewInput },
+    { "an earlier input", { 4, 1, 1, 6, 0, 4, 2 }, EarlierInput },
+    { "the next time step", { 5, 1, 1, 40, 0, 2, 4 }, NextTimeStep },
+    { "samples written in place", { 5, 0, 1, 20, 0, 4, 2 }, WriteSamples },
+    { "few samples written in place", { 3, 1, 1, 40, 0, 1, 4 }, WriteFewSamples },
+    { "the image moved", { 3, 0, 0, 2, 0, 5, 0 }, MoveImage },
+    { "ghosts", { 4, 1, 1, 4, 1, 6, 2 }, ChangeGhosts },
+    { "arrays", { 2, 0, 0, 1, 0, 12, 0 }, ChangeArrays },
+    { "coordinates", { 2, 0, 0, 2, 0, 3, 1 }, ChangeCoordinates },
+    { "data forgotten", { 1, 0, 0, 1, 0, 1, 0 }, ForgetShelf },
+    { "a blank cell", { 1, 0, 0, 2, 0, 1, 1 }, BlankSome },
   };
   return kinds;
 }

@@ -77,12 +77,12 @@ void Sides(World& world)
 
 const std::vector<ChangeKind>& OfLights()
 {
-  // Anything, Sweep, Orbit, TimeSteps, Looks, Wrecks
+  // Anything, Sweep, Orbit, TimeSteps, Looks, Wrecks, Layers
   static const std::vector<ChangeKind> kinds = {
-    { "a light", { 3, 1, 1, 1, 14, 3 }, AddLight },
-    { "a light changed", { 3, 1, 1, 1, 14, 3 }, ChangeLight },
-    { "no lights", { 2, 1, 1, 1, 3, 1 }, NoLights },
-    { "sides of light", { 2, 1, 1, 1, 6, 1 }, Sides },
+    { "a light", { 3, 1, 1, 1, 14, 3, 1 }, AddLight },
+    { "a light changed", { 3, 1, 1, 1, 14, 3, 1 }, ChangeLight },
+    { "no lights", { 2, 1, 1, 1, 3, 1, 1 }, NoLights },
+    { "sides of light", { 2, 1, 1, 1, 6, 1, 1 }, Sides },
   };
   return kinds;
 }

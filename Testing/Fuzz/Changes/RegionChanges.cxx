@@ -209,14 +209,14 @@ void OtherVolume(World& world)
 
 const std::vector<ChangeKind>& OfRegion()
 {
-  // Anything, Sweep, Orbit, TimeSteps, Looks, Wrecks
+  // Anything, Sweep, Orbit, TimeSteps, Looks, Wrecks, Layers
   static const std::vector<ChangeKind> kinds = {
-    { "cropping", { 4, 1, 1, 1, 1, 4 }, Crop },
-    { "cropping flags", { 3, 1, 1, 1, 1, 4 }, CropFlags },
-    { "no cropping", { 4, 2, 2, 2, 1, 3 }, NoCrop },
-    { "a clipping plane", { 4, 1, 1, 1, 1, 4 }, Clip },
-    { "a clipping plane moved", { 2, 1, 1, 1, 1, 4 }, MoveClip },
-    { "no clipping planes", { 3, 2, 2, 2, 1, 3 }, NoClips },
+    { "cropping", { 4, 1, 1, 1, 1, 4, 1 }, Crop },
+    { "cropping flags", { 3, 1, 1, 1, 1, 4, 1 }, CropFlags },
+    { "no cropping", { 4, 2, 2, 2, 1, 3, 2 }, NoCrop },
+    { "a clipping plane", { 4, 1, 1, 1, 1, 4, 1 }, Clip },
+    { "a clipping plane moved", { 2, 1, 1, 1, 1, 4, 1 }, MoveClip },
+    { "no clipping planes", { 3, 2, 2, 2, 1, 3, 2 }, NoClips },
   };
   return kinds;
 }
@@ -224,12 +224,12 @@ const std::vector<ChangeKind>& OfRegion()
 const std::vector<ChangeKind>& OfTransform()
 {
   static const std::vector<ChangeKind> kinds = {
-    { "a turn of the volume", { 3, 1, 1, 1, 1, 2 }, TurnVolume },
-    { "a place of the volume", { 2, 0, 1, 0, 0, 3 }, PlaceVolume },
-    { "a scale of the volume", { 3, 1, 1, 1, 0, 4 }, ScaleVolume },
-    { "a user matrix", { 2, 1, 1, 1, 0, 6 }, UserMatrix },
-    { "no transform of the volume", { 2, 1, 1, 1, 1, 6 }, StraightVolume },
-    { "the other volume", { 2, 2, 2, 1, 2, 1 }, OtherVolume },
+    { "a turn of the volume", { 3, 1, 1, 1, 1, 2, 1 }, TurnVolume },
+    { "a place of the volume", { 2, 0, 1, 0, 0, 3, 0 }, PlaceVolume },
+    { "a scale of the volume", { 3, 1, 1, 1, 0, 4, 1 }, ScaleVolume },
+    { "a user matrix", { 2, 1, 1, 1, 0, 6, 1 }, UserMatrix },
+    { "no transform of the volume", { 2, 1, 1, 1, 1, 6, 1 }, StraightVolume },
+    { "the other volume", { 2, 2, 2, 1, 2, 1, 2 }, OtherVolume },
   };
   return kinds;
 }

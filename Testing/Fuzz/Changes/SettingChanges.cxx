@@ -203,19 +203,19 @@ void Defaults(World& world)
 
 const std::vector<ChangeKind>& OfSettings()
 {
-  // Anything, Sweep, Orbit, TimeSteps, Looks, Wrecks
+  // Anything, Sweep, Orbit, TimeSteps, Looks, Wrecks, Layers
   static const std::vector<ChangeKind> kinds = {
-    { "the surface mode", { 4, 2, 2, 2, 1, 2 }, SurfaceMode },
-    { "vectors", { 2, 1, 1, 1, 1, 5 }, Vectors },
-    { "the choice of scalars", { 1, 0, 0, 0, 0, 6 }, Scalars },
-    { "default scalars", { 2, 1, 1, 1, 1, 12 }, DefaultScalars },
-    { "the blend mode", { 3, 1, 1, 1, 6, 4 }, BlendMode },
-    { "the image cache", { 5, 2, 12, 2, 1, 3 }, ImageCache },
-    { "the isomap", { 5, 12, 1, 1, 1, 3 }, Isomap },
-    { "leaping", { 3, 3, 3, 2, 1, 1 }, Leaping },
-    { "colours by answer", { 1, 1, 3, 1, 1, 1 }, ColorByAnswer },
-    { "coarseness", { 1, 1, 1, 1, 1, 1 }, Coarseness },
-    { "default settings", { 3, 4, 4, 4, 2, 2 }, Defaults },
+    { "the surface mode", { 4, 2, 2, 2, 1, 2, 2 }, SurfaceMode },
+    { "vectors", { 2, 1, 1, 1, 1, 5, 1 }, Vectors },
+    { "the choice of scalars", { 1, 0, 0, 0, 0, 6, 0 }, Scalars },
+    { "default scalars", { 2, 1, 1, 1, 1, 12, 1 }, DefaultScalars },
+    { "the blend mode", { 3, 1, 1, 1, 6, 4, 1 }, BlendMode },
+    { "the image cache", { 5, 2, 12, 2, 1, 3, 3 }, ImageCache },
+    { "the isomap", { 5, 12, 1, 1, 1, 3, 8 }, Isomap },
+    { "leaping", { 3, 3, 3, 2, 1, 1, 3 }, Leaping },
+    { "colours by answer", { 1, 1, 3, 1, 1, 1, 1 }, ColorByAnswer },
+    { "coarseness", { 1, 1, 1, 1, 1, 1, 1 }, Coarseness },
+    { "default settings", { 3, 4, 4, 4, 2, 2, 4 }, Defaults },
   };
   return kinds;
 }

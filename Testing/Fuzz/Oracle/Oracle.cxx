@@ -11,7 +11,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
+#include <sstream>
 
 namespace Fuzz
 {
@@ -96,6 +98,8 @@ vtkSmartPointer<Mapper> Oracle::MakeFresh() const
   fresh->SetSurfaceMode(subject->GetSurfaceMode());
   fresh->SetVectorMode(subject->GetVectorMode());
   fresh->SetVectorComponent(subject->GetVectorComponent());
+  fresh->SetAveragedGradients(subject->GetAveragedGradients());
+  fresh->SetMeshMemoryLimit(subject->GetMeshMemoryLimit());
   fresh->SetCropping(subject->GetCropping());
   fresh->SetCroppingRegionPlanes(subject->GetCroppingRegionPlanes());
   fresh->SetCroppingRegionFlags(subject->GetCroppingRegionFlags());
@@ -214,7 +218,7 @@ void Oracle::CheckFrame()
   this->Shown.Copy(next);
   this->HasFrame = true;
   this->CompareCounters();
-  this->Compare(cold);
+  this->Compare(cold, fresh);
 }
 
 void Oracle::CompareCounters()
@@ -226,6 +230,52 @@ void Oracle::CompareCounters()
   Require(rays == this->Shown.CountPixels(), "the number of rays is " + std::to_string(rays));
   Require(
     rays == sum, "of " + std::to_string(rays) + " rays " + std::to_string(sum) + " are counted");
+}
+
+/// Positions and cells of hits, of which pictures tell nothing.
+/// \return the first that differs, in words; empty if none does
+std::string Oracle::DifferenceOfPicks(Mapper* fresh) const
+{
+  struct Pick
+  {
+    double Position[3]{}, Normal[3]{};
+    int Isovalue = -1;
+    unsigned Block = 0;
+    vtkIdType Cell = -1;
+  };
+  const bool hasCells = this->Of.IsMesh() && !this->Shown.IsBlended;
+  int size[3];
+  this->Shown.Frame->GetDimensions(size);
+  for (int pixel = 0; pixel < size[0] * size[1]; ++pixel)
+  {
+    const int x = pixel % size[0], y = pixel / size[0];
+    Pick picks[2];
+    for (Pick& pick : picks)
+    {
+      Mapper* mapper = &pick == picks ? this->Of.Subject.Get() : fresh;
+      mapper->PickPixel(x, y, pick.Position, pick.Normal, &pick.Isovalue);
+      pick.Cell = mapper->PickCell(x, y, &pick.Block);
+    }
+    const auto& [here, there] = picks;
+    const char* what = std::memcmp(here.Position, there.Position, sizeof(here.Position)) != 0
+      ? "position"
+      : here.Isovalue != there.Isovalue                                  ? "isovalue"
+      : std::memcmp(here.Normal, there.Normal, sizeof(here.Normal)) != 0 ? "normal"
+      : here.Cell != there.Cell || here.Block != there.Block             ? "cell"
+      : hasCells && here.Isovalue >= 0 && here.Cell < 0                  ? "hit without a cell"
+                                                                         : nullptr;
+    if (what)
+    {
+      std::ostringstream text;
+      text.precision(17);
+      text << what << " at (" << x << ", " << y << "): isovalue " << here.Isovalue << " for "
+           << there.Isovalue << ", cell " << here.Cell << " for " << there.Cell << ", x "
+           << here.Position[0] << " for " << there.Position[0] << ", normal " << here.Normal[0]
+           << " for " << there.Normal[0];
+      return text.str();
+    }
+  }
+  return {};
 }
 
 /// By the route, and what settings promise of it.
@@ -247,7 +297,7 @@ bool Oracle::IsPromisedExact() const
     this->AreExact[this->Of.AtVolume][this->Of.AtRenderer];
 }
 
-void Oracle::Compare(const Picture& cold)
+void Oracle::Compare(const Picture& cold, Mapper* fresh)
 {
   World& world = this->Of;
   Mapper* subject = world.Subject;
@@ -279,7 +329,24 @@ void Oracle::Compare(const Picture& cold)
   const bool isPainted = subject->GetColorByAnswer() &&
     (route == "ImageCache" || route == "Redisplay" || route == "Reshade");
   const std::string difference = this->Shown.Difference(cold, !isPainted, true);
-  Require(difference.empty(), "not the cold picture by " + route + ": " + difference);
+  const std::string ofPicks = this->DifferenceOfPicks(fresh);
+  if (!difference.empty())
+  {
+    throw Failure(
+      "not the cold picture by " + route + this->CauseOf(difference, !isPainted) + ofPicks);
+  }
+  Require(ofPicks.empty(), "not the cold picks by " + route + ": " + ofPicks);
+}
+
+/// Tells whether a picture differs by its past, or by leaping through space.
+std::string Oracle::CauseOf(const std::string& difference, bool inColors) const
+{
+  Picture alike;
+  const auto fresh = this->MakeFresh();
+  fresh->SetSpaceLeaping(this->Of.Subject->GetSpaceLeaping());
+  const bool isByLeaping =
+    alike.Render(this->Of, fresh) && this->Shown.Difference(alike, inColors, true).empty();
+  return (isByLeaping ? ", as space is leaped: " : ": ") + difference;
 }
 
 /// What frames promise that need not be exact; shares are judged for all runs together.

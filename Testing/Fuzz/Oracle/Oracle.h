@@ -51,8 +51,10 @@ public:
   bool IsLastRefused() const { return this->IsRefused; }
 
 private:
-  void Compare(const Picture& cold);
+  void Compare(const Picture& cold, Mapper* fresh);
   void CompareCounters();
+  std::string DifferenceOfPicks(Mapper* fresh) const;
+  std::string CauseOf(const std::string& difference, bool inColors) const;
   bool IsPromisedExact() const;
   void ComparePromise(const Picture& cold);
   double ShortestEdge() const;

@@ -3,8 +3,11 @@
 #include "World/Arrays.h"
 
 #include <vtkBitArray.h>
+#include <vtkDataSet.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkRectilinearGrid.h>
 #include <vtkSOADataArrayTemplate.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -143,51 +146,111 @@ double Fitting(vtkDataArray* array, double value)
   return std::isnan(value) ? 0.0 : std::floor(std::min(std::max(value, low), inside));
 }
 
-void Fill(World& world, vtkDataArray* array, const int dimensions[3], double share)
+void Fill(World& world, vtkDataArray* array, const Places& places, double share)
 {
   Formula formula(world, array->GetDataType());
   std::mt19937 chosen(static_cast<unsigned>(world.From.Next()));
-  const auto centred = [&](int i, int axis)
-  { return dimensions[axis] > 1 ? 2.0 * i / (dimensions[axis] - 1) - 1.0 : 0.0; };
-  vtkIdType at = 0;
-  const vtkIdType count = array->GetNumberOfTuples();
-  for (int k = 0; k < dimensions[2]; ++k)
+  const std::size_t count =
+    std::min(places.size(), static_cast<std::size_t>(array->GetNumberOfTuples()));
+  for (std::size_t at = 0; at < count; ++at)
   {
-    for (int j = 0; j < dimensions[1]; ++j)
+    if (share < 1.0 && static_cast<double>(chosen()) / 4294967296.0 >= share)
     {
-      for (int i = 0; i < dimensions[0]; ++i, ++at)
-      {
-        if (at >= count)
-        {
-          return;
-        }
-        if (share < 1.0 && static_cast<double>(chosen()) / 4294967296.0 >= share)
-        {
-          continue;
-        }
-        for (int c = 0; c < array->GetNumberOfComponents(); ++c)
-        {
-          const double value = formula.At(centred(i, 0), centred(j, 1), centred(k, 2));
-          array->SetComponent(at, c, Fitting(array, c % 2 ? 100.0 - value : value));
-        }
-      }
+      continue;
+    }
+    const auto [x, y, z] = places[at];
+    for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+    {
+      const double value = formula.At(x, y, z);
+      array->SetComponent(
+        static_cast<vtkIdType>(at), c, Fitting(array, c % 2 ? 100.0 - value : value));
     }
   }
 }
 
 }
 
-vtkSmartPointer<vtkDataArray> Make(World& world, const int dimensions[3])
+Places PlacesOf(const int dimensions[3])
+{
+  constexpr std::size_t most = 1000000; // images may claim to have many more
+  const auto centred = [&](int i, int axis)
+  { return dimensions[axis] > 1 ? 2.0 * i / (dimensions[axis] - 1) - 1.0 : 0.0; };
+  Places places;
+  for (int k = 0; k < dimensions[2] && places.size() < most; ++k)
+  {
+    for (int j = 0; j < dimensions[1] && places.size() < most; ++j)
+    {
+      for (int i = 0; i < dimensions[0] && places.size() < most; ++i)
+      {
+        places.push_back({ centred(i, 0), centred(j, 1), centred(k, 2) });
+      }
+    }
+  }
+  return places;
+}
+
+namespace
+{
+
+Places PlacesInMesh(vtkDataSet* data, bool onCells)
+{
+  double box[6], bounds[6];
+  data->GetBounds(box);
+  const vtkIdType count = onCells ? data->GetNumberOfCells() : data->GetNumberOfPoints();
+  Places places;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    std::array<double, 3> place{};
+    if (onCells)
+    {
+      data->GetCellBounds(i, bounds);
+      place = { 0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]),
+        0.5 * (bounds[4] + bounds[5]) };
+    }
+    else
+    {
+      data->GetPoint(i, place.data());
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const double low = box[2 * axis], high = box[2 * axis + 1];
+      const double s = high > low ? 2.0 * (place[axis] - low) / (high - low) - 1.0 : 0.0;
+      place[axis] = std::isfinite(s) ? s : 0.0;
+    }
+    places.push_back(place);
+  }
+  return places;
+}
+
+}
+
+Places PlacesOf(vtkDataSet* data, bool onCells)
+{
+  // Lattices may lack coordinates.
+  int points[3], cells[3];
+  if (auto* image = vtkImageData::SafeDownCast(data))
+  {
+    image->GetDimensions(points);
+  }
+  else if (auto* grid = vtkRectilinearGrid::SafeDownCast(data))
+  {
+    grid->GetDimensions(points);
+  }
+  else
+  {
+    return PlacesInMesh(data, onCells);
+  }
+  std::transform(points, points + 3, cells, [](int n) { return n > 1 ? n - 1 : n; });
+  return PlacesOf(onCells ? cells : points);
+}
+
+vtkSmartPointer<vtkDataArray> Make(World& world, const Places& places)
 {
   Bytes& from = world.From;
   const vtkSmartPointer<vtkDataArray> array = NewArray(world);
   const int components[] = { 1, 1, 1, 1, 1, 1, 2, 3, 4, 5, 9 };
   array->SetNumberOfComponents(from.OneOf(components));
-  vtkIdType count = 1;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    count *= dimensions[axis];
-  }
+  auto count = static_cast<vtkIdType>(places.size());
   if (from.IsWild())
   {
     const vtkIdType lengths[] = { count - 1, count + 1, 0, 1, count / 2, 2 * count };
@@ -200,7 +263,7 @@ vtkSmartPointer<vtkDataArray> Make(World& world, const int dimensions[3])
   {
     array->Fill(0.0);
   }
-  Fill(world, array, dimensions, 1.0);
+  Fill(world, array, places, 1.0);
   Story::Tell("  an array '", array->GetName() ? array->GetName() : "(none)", "' of ",
     array->GetClassName(), ", ", count, " tuples of ", array->GetNumberOfComponents(),
     array->GetNumberOfTuples() > 0 ? " from " : "",
@@ -208,10 +271,10 @@ vtkSmartPointer<vtkDataArray> Make(World& world, const int dimensions[3])
   return array;
 }
 
-void Rewrite(World& world, vtkDataArray* array, const int dimensions[3], bool all)
+void Rewrite(World& world, vtkDataArray* array, const Places& places, bool all)
 {
   const double shares[] = { 0.01, 0.1, 0.001, 0.5 };
-  Fill(world, array, dimensions, all ? 1.0 : world.From.OneOf(shares));
+  Fill(world, array, places, all ? 1.0 : world.From.OneOf(shares));
 }
 
 void AddGhosts(World& world, vtkDataSetAttributes* attributes, vtkIdType count)

@@ -8,6 +8,10 @@
 #include <vtkAbstractArray.h>
 #include <vtkDataArray.h>
 
+#include <array>
+#include <vector>
+
+class vtkDataSet;
 class vtkDataSetAttributes;
 
 namespace Fuzz
@@ -17,12 +21,21 @@ namespace Fuzz
 namespace Arrays
 {
 
-/// Samples for so many places on a lattice, by some formula, of some type.
+/// Where samples lie, in a box from -1 to 1.
+using Places = std::vector<std::array<double, 3>>;
+
+/// Places on a lattice.
 /// \param dimensions samples along each axis
-vtkSmartPointer<vtkDataArray> Make(World& world, const int dimensions[3]);
+Places PlacesOf(const int dimensions[3]);
+
+/// The points or the centres of the cells of any data.
+Places PlacesOf(vtkDataSet* data, bool onCells);
+
+/// Samples by some formula, of some type.
+vtkSmartPointer<vtkDataArray> Make(World& world, const Places& places);
 
 /// Other samples in the same array; all of them or some.
-void Rewrite(World& world, vtkDataArray* array, const int dimensions[3], bool all);
+void Rewrite(World& world, vtkDataArray* array, const Places& places, bool all);
 
 /// A ghost array: of some bits, sometimes of a wrong length or type.
 void AddGhosts(World& world, vtkDataSetAttributes* attributes, vtkIdType count);

@@ -150,13 +150,13 @@ vtkSmartPointer<vtkImageData> MakeImage(World& world)
     cells[axis] = points[axis] > 1 ? points[axis] - 1 : points[axis];
   }
   const bool onCells = from.OneIn(6);
-  const auto array = Arrays::Make(world, onCells ? cells : points);
+  const auto array = Arrays::Make(world, Arrays::PlacesOf(onCells ? cells : points));
   Arrays::Survey(world, array);
   (onCells ? static_cast<vtkDataSetAttributes*>(image->GetCellData()) : image->GetPointData())
     ->SetScalars(array);
   if (from.OneIn(12))
   {
-    const auto other = Arrays::Make(world, points);
+    const auto other = Arrays::Make(world, Arrays::PlacesOf(points));
     image->GetPointData()->AddArray(other);
   }
   if (from.IsWild() && from.OneIn(4))

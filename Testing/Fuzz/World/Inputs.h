@@ -21,7 +21,10 @@ vtkSmartPointer<vtkDataObject> MakeGrid(World& world);
 /// Blocks that fit each other, or do not.
 vtkSmartPointer<vtkDataObject> MakeBlocks(World& world);
 
-/// Any of these; rarely null or what cannot be drawn.
+/// A mesh of some kind of cells, a curvilinear or adaptive grid, or blocks of meshes.
+vtkSmartPointer<vtkDataObject> MakeMesh(World& world);
+
+/// An image, a grid or blocks; rarely null or what cannot be drawn.
 vtkSmartPointer<vtkDataObject> MakeAny(World& world);
 
 /// Give the mapper an input, through a pipeline or not.

@@ -103,7 +103,7 @@ vtkSmartPointer<vtkDataObject> MakeGrid(World& world)
   {
     cells[axis] = points[axis] > 1 ? points[axis] - 1 : points[axis];
   }
-  const auto array = Arrays::Make(world, onCells ? cells : points);
+  const auto array = Arrays::Make(world, Arrays::PlacesOf(onCells ? cells : points));
   Arrays::Survey(world, array);
   (onCells ? static_cast<vtkDataSetAttributes*>(grid->GetCellData()) : grid->GetPointData())
     ->SetScalars(array);
@@ -194,7 +194,7 @@ vtkSmartPointer<vtkDataObject> MakeBlock(World& world, vtkImageData* first)
   {
     array->Fill(0.0);
   }
-  Arrays::Rewrite(world, array, samples, true);
+  Arrays::Rewrite(world, array, Arrays::PlacesOf(samples), true);
   (onCells ? static_cast<vtkDataSetAttributes*>(block->GetCellData()) : block->GetPointData())
     ->SetScalars(array);
   if (from.OneIn(6))

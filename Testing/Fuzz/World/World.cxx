@@ -7,12 +7,18 @@
 #include "vtkTemporalCoherenceVolume.h"
 
 #include <vtkColorTransferFunction.h>
+#include <vtkCompositeDataIterator.h>
+#include <vtkCompositeDataSet.h>
 #include <vtkContourValues.h>
 #include <vtkDataObjectTree.h>
 #include <vtkDataObjectTreeIterator.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
+#include <vtkPiecewiseFunction.h>
+#include <vtkPointSet.h>
+#include <vtkPolyData.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace Fuzz
@@ -22,10 +28,18 @@ World::World(std::vector<std::uint8_t> bytes)
   : From(std::move(bytes))
   , Subject(vtkSmartPointer<Mapper>::New())
 {
-  this->About = static_cast<Theme>(this->From.Pick(6));
+  // Kept seeds begin with smaller numbers: their runs stay what they are.
+  constexpr int firstOfLayers = 144, firstOfMeshes = 160, firstOfLarge = 240;
+  const int first = this->From.Pick(256);
+  this->IsOfMeshes = first >= firstOfMeshes;
+  this->IsLarge = first >= firstOfLarge;
+  this->About = this->IsOfMeshes ? static_cast<Theme>((first - firstOfMeshes) % 7)
+    : first >= firstOfLayers     ? Theme::Layers
+                                 : static_cast<Theme>(first % 6);
   const int wildness[] = { 0, 0, 40, 12, 4 };
   this->From.Wildness = this->About == Theme::Wrecks ? 6 : this->From.OneOf(wildness);
-  Story::Tell("theme ", static_cast<int>(this->About), ", wild once in ", this->From.Wildness);
+  Story::Tell("theme ", static_cast<int>(this->About), this->IsOfMeshes ? " of meshes" : "",
+    ", wild once in ", this->From.Wildness);
   this->Volumes = { vtkSmartPointer<vtkVolume>::New(),
     vtkSmartPointer<vtkTemporalCoherenceVolume>::New() };
   for (std::size_t i = 0; i < 2; ++i)
@@ -51,6 +65,36 @@ vtkImageData* World::Image() const
                                        : vtkImageData::SafeDownCast(leaves->GetCurrentDataObject());
 }
 
+std::vector<vtkDataSet*> World::DataSets() const
+{
+  vtkDataObject* data = this->Subject->GetDataObjectInput();
+  std::vector<vtkDataSet*> all;
+  if (auto* composite = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    const auto leaves = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+    for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
+    {
+      if (auto* leaf = vtkDataSet::SafeDownCast(leaves->GetCurrentDataObject()))
+      {
+        all.push_back(leaf);
+      }
+    }
+  }
+  else if (auto* alone = vtkDataSet::SafeDownCast(data))
+  {
+    all.push_back(alone);
+  }
+  return all;
+}
+
+bool World::IsMesh() const
+{
+  const std::vector<vtkDataSet*> all = this->DataSets();
+  return std::any_of(all.begin(), all.end(),
+    [](vtkDataSet* data)
+    { return vtkPointSet::SafeDownCast(data) && !vtkPolyData::SafeDownCast(data); });
+}
+
 void World::MakeSane()
 {
   Story::Tell("a sane scene");
@@ -58,8 +102,9 @@ void World::MakeSane()
   this->From.Wildness = 0;
   this->IsTame = true;
   const bool isOfImages = this->From.Pick(4) != 0 || this->About == Theme::Sweep;
-  vtkSmartPointer<vtkDataObject> data =
-    isOfImages ? vtkSmartPointer<vtkDataObject>(Inputs::MakeImage(*this)) : Inputs::MakeAny(*this);
+  vtkSmartPointer<vtkDataObject> data = this->IsOfMeshes ? Inputs::MakeMesh(*this)
+    : isOfImages ? vtkSmartPointer<vtkDataObject>(Inputs::MakeImage(*this))
+                 : Inputs::MakeAny(*this);
   Inputs::Show(*this, data);
   Mapper* mapper = this->Subject;
   mapper->SetBlendModeToIsoSurface();
@@ -69,6 +114,7 @@ void World::MakeSane()
   mapper->RemoveAllClippingPlanes();
   mapper->SetReuseAccuracy(this->From.Pick(3));
   mapper->SetIsomapMemoryLimit(256);
+  mapper->SetMeshMemoryLimit(0);
   for (const auto& volume : this->Volumes)
   {
     vtkNew<vtkVolumeProperty> property;
@@ -90,8 +136,14 @@ void World::MakeSane()
     renderer->SetActiveCamera(vtkSmartPointer<vtkCamera>::New());
     renderer->AutomaticLightCreationOn();
   }
-  this->Width = 8 + this->From.Pick(33);
-  this->Height = 8 + this->From.Pick(33);
+  const bool isLarge = this->IsOfMeshes && this->From.OneIn(4);
+  this->Width = 8 + this->From.Pick(isLarge ? 90 : 33);
+  this->Height = 8 + this->From.Pick(isLarge ? 90 : 33);
+  if (this->IsLarge)
+  {
+    this->Width += 24;
+    this->Height += 24;
+  }
   Story::Tell("  ", this->Width, " x ", this->Height, " pixels");
   this->LookFrom(
     this->From.Between(-1.0, 1.0), this->From.Between(-1.0, 1.0), this->From.Between(-1.0, 1.0));
@@ -100,7 +152,20 @@ void World::MakeSane()
     this->Camera()->ParallelProjectionOn();
     Story::Tell("  parallel");
   }
-  this->SetIsovalues({ this->Low + this->From.Between(0.1, 0.9) * (this->High - this->Low) });
+  const int isovalues = this->About == Theme::Layers ? 1 + this->From.Pick(4) : 1;
+  std::vector<double> list;
+  for (int i = 0; i < isovalues; ++i)
+  {
+    list.push_back(this->Low + this->From.Between(0.1, 0.9) * (this->High - this->Low));
+  }
+  this->SetIsovalues(list);
+  if (this->About == Theme::Layers)
+  {
+    vtkNew<vtkPiecewiseFunction> opacity;
+    opacity->AddPoint(this->Low, this->From.Between(0.1, 0.9));
+    opacity->AddPoint(this->High, this->From.Between(0.1, 0.9));
+    this->Property()->SetScalarOpacity(opacity);
+  }
   this->From.Wildness = wildness;
 }
 

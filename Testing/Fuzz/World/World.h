@@ -32,8 +32,12 @@ enum class Theme
   Orbit,     ///< views of isovalues that stay
   TimeSteps, ///< samples
   Looks,     ///< colours, lights, opacities
-  Wrecks     ///< what is mistaken
+  Wrecks,    ///< what is mistaken
+  Layers     ///< translucent isovalues and their opacities
 };
+
+/// How many there are.
+constexpr std::size_t NumberOfThemes = 7;
 
 /// A mapper, all that it draws, and those who look at it.
 struct World
@@ -48,6 +52,12 @@ struct World
   /// The image that is drawn or the first of the blocks that are; null if there is none.
   vtkImageData* Image() const;
 
+  /// All data sets of the input.
+  std::vector<vtkDataSet*> DataSets() const;
+
+  /// True if hits are in cells that have numbers.
+  bool IsMesh() const;
+
   /// A scene that is drawn without an error. The mapper keeps its past.
   void MakeSane();
 
@@ -58,6 +68,8 @@ struct World
 
   Bytes From;
   Theme About = Theme::Anything;
+  bool IsOfMeshes = false; ///< the input is a mesh, mostly
+  bool IsLarge = false;    ///< more cells, pixels and layers than usual
   vtkSmartPointer<Mapper> Subject;
   std::array<vtkSmartPointer<vtkVolume>, 2> Volumes;
   std::array<vtkSmartPointer<vtkRenderer>, 2> Renderers;
@@ -77,7 +89,7 @@ struct World
 struct ChangeKind
 {
   const char* Name;
-  std::array<int, 6> Weights;
+  std::array<int, NumberOfThemes> Weights;
   void (*Make)(World&);
 };
 
